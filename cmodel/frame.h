@@ -1,0 +1,27 @@
+/* frame.h - what a machine renders: pixels and counters, the same from model and RTL
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef SPH_FRAME_H
+#define SPH_FRAME_H
+
+#include <stdint.h>
+
+#include "machine/layout.h"
+
+struct sph_pixel {
+    uint32_t colour[SPH_FRAMES]; /* 0xBBGGRR at depth 0 (Rendering), 1 (L1), deepest (L2) */
+    uint32_t id;                 /* primary hit, SPH_ID_NONE: background */
+    uint32_t visits;             /* node visits of all rays of the pixel */
+    uint64_t key;                /* of the primary hit, 0: none */
+};
+
+struct sph_frame {
+    int width, height;
+    struct sph_pixel *pixels; /* row by row, row 0 on top */
+};
+
+struct sph_counters {
+    uint64_t count[SPH_COUNTERS]; /* SPH_COUNT_*; the first SPH_COUNTERS_BOTH equal the RTL's */
+};
+
+#endif

@@ -1,0 +1,120 @@
+/* layout.h - generated from machine.def by gen_layout.awk; do not edit
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef SPH_LAYOUT_H
+#define SPH_LAYOUT_H
+
+#define SPH_FILTER_MARGIN 2
+#define SPH_LINE_WORDS 8
+#define SPH_MAX_LIGHTS 8
+#define SPH_MAX_DEPTH 5
+#define SPH_STACK_DEPTH 16
+#define SPH_ID_NONE 16777215
+#define SPH_COLOUR_ONE 32768
+#define SPH_FRAMES 3
+#define SPH_NODE_BASE_LSB 224
+#define SPH_NODE_BASE_BITS 26
+#define SPH_NODE_N_INNER_LSB 250
+#define SPH_NODE_N_INNER_BITS 3
+#define SPH_NODE_N_LEAF_LSB 253
+#define SPH_NODE_N_LEAF_BITS 3
+#define SPH_CHILD_CTR_X_LSB 0
+#define SPH_CHILD_CTR_X_BITS 14
+#define SPH_CHILD_CTR_Y_LSB 14
+#define SPH_CHILD_CTR_Y_BITS 14
+#define SPH_CHILD_CTR_Z_LSB 28
+#define SPH_CHILD_CTR_Z_BITS 14
+#define SPH_CHILD_RAD_LSB 42
+#define SPH_CHILD_RAD_BITS 14
+#define SPH_CHILD_STRIDE 56
+#define SPH_LEAF_CTR_X_LSB 0
+#define SPH_LEAF_CTR_X_BITS 24
+#define SPH_LEAF_CTR_Y_LSB 24
+#define SPH_LEAF_CTR_Y_BITS 24
+#define SPH_LEAF_CTR_Z_LSB 48
+#define SPH_LEAF_CTR_Z_BITS 24
+#define SPH_LEAF_RAD_LSB 72
+#define SPH_LEAF_RAD_BITS 24
+#define SPH_LEAF_ID_LSB 96
+#define SPH_LEAF_ID_BITS 24
+#define SPH_LEAF_STRIDE 128
+#define SPH_PRIM_RED_LSB 128
+#define SPH_PRIM_RED_BITS 8
+#define SPH_PRIM_GREEN_LSB 136
+#define SPH_PRIM_GREEN_BITS 8
+#define SPH_PRIM_BLUE_LSB 144
+#define SPH_PRIM_BLUE_BITS 8
+#define SPH_PRIM_KR_LSB 152
+#define SPH_PRIM_KR_BITS 9
+#define SPH_REG_EFFECTS 0
+#define SPH_REG_MAX_DEPTH 1
+#define SPH_REG_N_LIGHTS 2
+#define SPH_REG_FRAME_W 3
+#define SPH_REG_FRAME_H 4
+#define SPH_REG_WIN_X0 5
+#define SPH_REG_WIN_Y0 6
+#define SPH_REG_WIN_X1 7
+#define SPH_REG_WIN_Y1 8
+#define SPH_REG_BG_MODE 9
+#define SPH_REG_RECT_X0 10
+#define SPH_REG_RECT_Y0 11
+#define SPH_REG_RECT_X1 12
+#define SPH_REG_RECT_Y1 13
+#define SPH_REG_BG_COLOUR 14
+#define SPH_REG_AMBIENT_R 15
+#define SPH_REG_AMBIENT_G 16
+#define SPH_REG_AMBIENT_B 17
+#define SPH_REG_EYE_X 18
+#define SPH_REG_EYE_Y 19
+#define SPH_REG_EYE_Z 20
+#define SPH_REG_DIR_X0 21
+#define SPH_REG_DIR_Y0 22
+#define SPH_REG_DIR_Z 23
+#define SPH_REG_PITCH 24
+#define SPH_REG_ROOT 25
+#define SPH_REG_PRIM_BASE 26
+#define SPH_REG_MEM_LINES 27
+#define SPH_REG_N_PRIMS 28
+#define SPH_REG_VISIT_LIMIT 29
+#define SPH_REG_PROFILE 30
+#define SPH_REG_TREE 31
+#define SPH_REG_LIGHT0_X 32
+#define SPH_REG_LIGHT0_Y 33
+#define SPH_REG_LIGHT0_Z 34
+#define SPH_REG_LIGHT0_R 35
+#define SPH_REG_LIGHT0_G 36
+#define SPH_REG_LIGHT0_B 37
+#define SPH_LIGHT_STRIDE 8
+#define SPH_N_REGS 96
+#define SPH_EFFECT_SHADOW 0
+#define SPH_EFFECT_REFLECT 1
+#define SPH_COUNT_RAYS_PRIMARY 0
+#define SPH_COUNT_RAYS_SHADOW 1
+#define SPH_COUNT_RAYS_REFLECTED 2
+#define SPH_COUNT_NODE_VISITS 3
+#define SPH_COUNT_CHILD_TESTS 4
+#define SPH_COUNT_LEAF_TESTS 5
+#define SPH_COUNT_ROOTS 6
+#define SPH_COUNT_QUOTIENTS 7
+#define SPH_COUNT_BACKGROUND 8
+#define SPH_COUNT_SATURATIONS 9
+#define SPH_COUNT_CYCLES 10
+#define SPH_COUNT_ISSUE_WAIT 11
+#define SPH_COUNT_NODE_MISSES 12
+#define SPH_COUNT_LEAF_MISSES 13
+#define SPH_COUNT_RAYS_WAITING 14
+#define SPH_COUNT_POP_BUBBLES 15
+#define SPH_ERROR_BAD_NODE 0
+#define SPH_ERROR_STACK_OVERFLOW 1
+#define SPH_ERROR_VISIT_LIMIT 2
+#define SPH_ERROR_BUS_ERROR 3
+#define SPH_ERROR_MISSING_EFFECT 4
+#define SPH_ERROR_WRONG_PROFILE 5
+#define SPH_COUNTERS 16
+#define SPH_COUNTERS_BOTH 10
+#define SPH_ERRORS 6
+#define SPH_PROFILE_TABLE {"draft", 12, 13, 13, 2, 12}, {"standard", 16, 17, 17, 2, 14}, {"fine", 20, 22, 24, 2, 14}, {"reference", 24, 25, 28, 2, 14}
+#define SPH_COUNTER_NAMES "rays_primary", "rays_shadow", "rays_reflected", "node_visits", "child_tests", "leaf_tests", "roots", "quotients", "background", "saturations", "cycles", "issue_wait", "node_misses", "leaf_misses", "rays_waiting", "pop_bubbles"
+#define SPH_ERROR_NAMES "bad_node", "stack_overflow", "visit_limit", "bus_error", "missing_effect", "wrong_profile"
+
+#endif

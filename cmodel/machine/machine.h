@@ -1,0 +1,64 @@
+/* machine.h - all that the hardware sees: registers and an image of memory
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * The layout of words is drawn in machine.def. The model and the RTL read the same bytes.
+ */
+#ifndef SPH_MACHINE_H
+#define SPH_MACHINE_H
+
+#include <stdint.h>
+
+#include "error.h"
+#include "machine/layout.h"
+#include "profile.h"
+
+struct sph_machine {
+    int32_t regs[SPH_N_REGS];
+    uint32_t *mem; /* lines * SPH_LINE_WORDS words */
+    uint32_t lines;
+    /* Information that the hardware does not see: */
+    char name[128];     /* scene */
+    int32_t grid_log2;  /* a grid unit is 2^grid_log2 units of the scene file */
+    double origin[3];   /* camera-frame coordinates of grid point 0 */
+    double rotation[9]; /* rows: camera x, y, z axes in the scene's frame */
+};
+
+static inline const struct sph_profile *sph_machine_profile(const struct sph_machine *m) {
+    return &sph_profiles[m->regs[SPH_REG_PROFILE]];
+}
+
+/* Bits lsb .. lsb+width-1 (width 1..32) of a line, unsigned. */
+static inline uint32_t sph_field(const uint32_t *line, int lsb, int width) {
+    uint64_t two = line[lsb >> 5];
+    if ((lsb & 31) + width > 32) two |= (uint64_t)line[(lsb >> 5) + 1] << 32;
+    return (uint32_t)(two >> (lsb & 31) & ((1ull << width) - 1));
+}
+
+/* The same, two's complement. */
+static inline int32_t sph_field_signed(const uint32_t *line, int lsb, int width) {
+    return (int32_t)(sph_field(line, lsb, width) << (32 - width)) >> (32 - width);
+}
+
+/* Stores the low width bits of value. */
+static inline void sph_field_set(uint32_t *line, int lsb, int width, uint32_t value) {
+    uint64_t mask = ((1ull << width) - 1) << (lsb & 31);
+    uint64_t bits = (uint64_t)value << (lsb & 31) & mask;
+    line[lsb >> 5] = (line[lsb >> 5] & ~(uint32_t)mask) | (uint32_t)bits;
+    if (mask >> 32)
+        line[(lsb >> 5) + 1] = (line[(lsb >> 5) + 1] & ~(uint32_t)(mask >> 32)) | (uint32_t)(bits >> 32);
+}
+
+/* Writes a machine file (docs/machine_file.md): header, registers, memory, checksum; to a
+ * temporary name, then renamed. 0, or -1 with a message. */
+int sph_machine_write(const struct sph_machine *m, const char *path, struct sph_error *err);
+
+/* Reads and validates a machine file: magic, version, sizes, checksum, every child address in
+ * range, tree depth, ids. 0, or -1 with a message; on failure there is nothing to free. */
+int sph_machine_read(const char *path, struct sph_machine *m, struct sph_error *err);
+
+/* Checks a machine in memory (the part of sph_machine_read after the bytes). */
+int sph_machine_validate(const struct sph_machine *m, struct sph_error *err);
+
+void sph_machine_free(struct sph_machine *m);
+
+#endif

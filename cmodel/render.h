@@ -1,0 +1,28 @@
+/* render.h - the golden model: machine in, frame out, bit by bit what the RTL gives
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef SPH_RENDER_H
+#define SPH_RENDER_H
+
+#include "error.h"
+#include "frame.h"
+#include "machine/machine.h"
+
+enum { SPH_TRAVERSE_NEAREST = 0, SPH_TRAVERSE_FIRST = 1, SPH_TRAVERSE_BRUTE = 2 };
+
+struct sph_render_options {
+    int traverse;  /* SPH_TRAVERSE_*; the RTL is NEAREST */
+    int threads;   /* 0: all */
+    void (*progress)(void *user, int rows_done, int rows); /* may be NULL; called under a lock */
+    void *user;
+};
+
+/* Renders the machine's window into *frame (allocated here at the full frame size; pixels outside
+ * the window are zero) and adds up *counters. Returns the sticky error bits (1 << SPH_ERROR_*),
+ * or -1 with a message if memory is out. */
+int sph_render(const struct sph_machine *machine, const struct sph_render_options *options,
+               struct sph_frame *frame, struct sph_counters *counters, struct sph_error *err);
+
+void sph_frame_free(struct sph_frame *frame);
+
+#endif

@@ -1,0 +1,75 @@
+/* scene.h - what the user wrote, in real numbers; the only part that knows file formats
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * World frame as in the file: right-handed, any unit of length. Colours are linear 0..1.
+ */
+#ifndef SPH_SCENE_H
+#define SPH_SCENE_H
+
+#include <stdint.h>
+#include <stdio.h>
+
+#include "error.h"
+#include "machine/layout.h" /* SPH_MAX_LIGHTS */
+
+
+#define SPH_MAX_SPHERES 16000000u /* ids are 24 bits wide; the all-ones id means "no hit" */
+
+struct sph_vec {
+    double x, y, z;
+};
+
+struct sph_camera {
+    struct sph_vec from, at, up;
+    double angle;  /* vertical field of view, degrees, 0 < angle < 180 (SPD convention) */
+    double hither; /* near distance; read, not used: spheres are never clipped */
+    int width, height;
+};
+
+struct sph_light {
+    struct sph_vec pos;
+    double rgb[3]; /* 1/sqrt(number of lights) each where the file gives none */
+};
+
+struct sph_material {
+    double rgb[3];                   /* surface colour 0..1 */
+    double kd, ks, shine, trans, ior; /* NFF `f`; ks is highlight and mirror weight */
+    int line;                        /* of the file, for messages; 0 if generated */
+};
+
+struct sph_sphere {
+    struct sph_vec ctr;
+    double rad;
+    uint32_t material; /* index into materials */
+    uint32_t line;     /* of the file, for messages; 0 if generated */
+};
+
+struct sph_scene {
+    char name[128]; /* file name without folder and ending */
+    char path[512]; /* as given, for messages */
+    struct sph_camera camera;
+    double background[3];
+    double ambient[3];
+    int n_lights;
+    struct sph_light lights[SPH_MAX_LIGHTS];
+    uint32_t n_materials, n_spheres;
+    struct sph_material *materials;
+    struct sph_sphere *spheres;
+    uint32_t n_skipped; /* unsupported primitives left out (--skip-unsupported) */
+};
+
+struct sph_read_options {
+    int skip_unsupported; /* leave out p, pp, c, ...: render the rest */
+};
+
+/* Reads an NFF file (docs/scene_format.md) into *scene. 0, or -1 with "file:line: ..." in *err;
+ * on failure *scene holds nothing to free. */
+int sph_scene_read(const char *path, const struct sph_read_options *options,
+                   struct sph_scene *scene, struct sph_error *err);
+
+/* Writes the scene as NFF (round trip: every double survives). 0, or -1 with a message. */
+int sph_scene_write(const struct sph_scene *scene, FILE *file, struct sph_error *err);
+
+void sph_scene_free(struct sph_scene *scene);
+
+#endif
