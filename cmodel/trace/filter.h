@@ -1,0 +1,27 @@
+/* filter.h - the narrow node test that never rejects what the exact test accepts
+ * SPDX-License-Identifier: Apache-2.0                                  RTL: rtl/trace/rt_filter.v
+ *
+ * |oc x u|^2 <= rad^2 with u = dir/|dir|: the squared distance of the child's centre from the ray,
+ * without the cancellation of rad^2 - |oc|^2 + (oc.u)^2. Depth is measured along the largest axis
+ * of u: a child behind the origin or deeper than the best hit is left out.
+ *
+ * Why it never rejects wrongly: docs/filter.md adds up the roundings, SPH_FILTER_MARGIN covers them.
+ */
+#ifndef SPH_FILTER_H
+#define SPH_FILTER_H
+
+#include <stdint.h>
+
+#include "trace/ray.h"
+
+struct sph_child {
+    int32_t ctr[3]; /* sFW filter units */
+    int32_t rad;    /* u14, inflated by SPH_FILTER_MARGIN */
+};
+
+/* 1 if the child may hold a hit at a filter depth of at most depth_max; *near (s16) is the least
+ * depth that the child reaches. */
+int sph_filter(const struct sph_ray *ray, const struct sph_child *child, int32_t depth_max,
+               int32_t *near);
+
+#endif

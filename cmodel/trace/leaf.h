@@ -1,0 +1,37 @@
+/* leaf.h - the exact ray/sphere test, without root or division            RTL: rtl/trace/rt_leaf.v
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Borodavka et al. VI.A: (R^2 - L^2) |VP|^2 + (VC.VP)^2 > 0, here disc = k*a + b*b > 0, in exact
+ * integers; made total for origins on and inside the sphere.
+ */
+#ifndef SPH_LEAF_H
+#define SPH_LEAF_H
+
+#include <stdint.h>
+
+#include "math/fx.h"
+#include "trace/ray.h"
+
+struct sph_leaf {
+    int64_t ctr[3]; /* sW */
+    int64_t rad;    /* uW */
+    uint32_t id;
+};
+
+struct sph_leaf_result {
+    int hit;       /* any other ray: a root with t > 0; shadow ray: one with 0 < t < 1 */
+    int far;       /* the far root counts: the origin is inside */
+    int exit;      /* inside its own sphere with nothing ahead: leaves at t = 0, key = 1 */
+    sph_i128 disc; /* s(2W+2WD+2) */
+    int64_t b;     /* s(W+WD+2) */
+    int64_t k;     /* s(2W+3) */
+};
+
+/* Valid for every operand in range; dir = 0 and rad = 0 miss, and so does a tangent. */
+struct sph_leaf_result sph_leaf_test(const struct sph_ray *ray, const struct sph_leaf *leaf);
+
+/* ceil(a*t) of a hit, u(W+WD+2), at least 1. Orders the hits of one ray; *root counts square
+ * roots. RTL: rtl/trace/rt_collect.v */
+uint64_t sph_leaf_key(const struct sph_leaf_result *r, uint64_t *roots);
+
+#endif

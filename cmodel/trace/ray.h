@@ -1,0 +1,46 @@
+/* ray.h - a ray as it travels: what set-up makes of an origin and a direction
+ * SPDX-License-Identifier: Apache-2.0                                  RTL: rtl/trace/rt_setup.v
+ */
+#ifndef SPH_RAY_H
+#define SPH_RAY_H
+
+#include <stdint.h>
+
+#include "math/rsqrt.h"
+#include "profile.h"
+
+enum { SPH_PRIMARY, SPH_SHADOW, SPH_REFLECTED };
+
+/* The sphere a ray starts on: it is never hit from outside; from inside its far root counts. */
+struct sph_skip {
+    uint32_t id; /* SPH_ID_NONE: none */
+    int inside;
+};
+
+struct sph_ray {
+    int64_t org[3]; /* sW */
+    int64_t dir[3]; /* sWD, not normalised: only its direction counts (shadow: ends at the light) */
+    int kind;
+    struct sph_skip skip;
+    /* made by set-up */
+    uint64_t a;           /* dir.dir, u(2WD) */
+    struct sph_unit unit; /* of dir */
+    int32_t forg[3];      /* origin in filter units, sFW, rounded half up */
+    int axis, negative;   /* of the largest |unit.u|, ties to the lower axis; its sign */
+    uint32_t depth_scale; /* u1.15 >= |u_axis| / |dir| * 2^(WD-h): key to filter depth */
+    int depth_shift;
+    int32_t depth_max; /* what lies deeper along axis cannot matter, at the ray's start */
+};
+
+/* Fills in everything from `a` on. */
+void sph_ray_setup(const struct sph_profile *p, struct sph_ray *ray);
+
+/* Filter depth that no point with ceil(a*t) <= key exceeds; limited to 2^(FW+1)-1. */
+int32_t sph_ray_depth(const struct sph_profile *p, const struct sph_ray *ray, uint64_t key);
+
+/* Largest filter depth: nothing lies deeper. */
+static inline int32_t sph_depth_limit(const struct sph_profile *p) {
+    return (2 << p->fw) - 1;
+}
+
+#endif

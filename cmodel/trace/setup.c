@@ -1,0 +1,41 @@
+/* setup.c - ray set-up, see ray.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "machine/layout.h"
+#include "math/fx.h"
+#include "math/rsqrt_table.h"
+#include "trace/ray.h"
+
+void sph_ray_setup(const struct sph_profile *p, struct sph_ray *ray) {
+    const int64_t *d = ray->dir;
+    int k = p->w - p->fw, saturated;
+    ray->a = (uint64_t)(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    ray->unit = sph_unit(d, ray->a, p->wd);
+    for (int i = 0; i < 3; i++)
+        ray->forg[i] = (int32_t)sph_saturate(sph_round(ray->org[i], k), p->fw, &saturated);
+
+    uint32_t mag[3];
+    for (int i = 0; i < 3; i++)
+        mag[i] = (uint32_t)(ray->unit.u[i] < 0 ? -ray->unit.u[i] : ray->unit.u[i]);
+    ray->axis = mag[0] >= mag[1] && mag[0] >= mag[2] ? 0 : mag[1] >= mag[2] ? 1 : 2;
+    ray->negative = ray->unit.u[ray->axis] < 0;
+
+    /* depth = key * |d_axis| / a / 2^k, and |d_axis|/|d| <= (|u|+1/2) * rsqrt/y. The added terms
+     * cover the unit's rounding and twice the table's error (docs/number_formats.md). */
+    uint64_t y = (ray->unit.y >> 1) + SPH_RSQRT_ERROR + 2;
+    ray->depth_scale = (uint32_t)((mag[ray->axis] + 1) * y >> 16) + 1;
+    ray->depth_shift = 30 - p->fw - ray->unit.h;
+
+    int64_t span = d[ray->axis] < 0 ? -d[ray->axis] : d[ray->axis];
+    int32_t limit = sph_depth_limit(p);
+    int64_t light = (span >> k) + 1;
+    ray->depth_max = ray->kind == SPH_SHADOW && light < limit ? (int32_t)light : limit;
+}
+
+int32_t sph_ray_depth(const struct sph_profile *p, const struct sph_ray *ray, uint64_t key) {
+    int32_t limit = sph_depth_limit(p);
+    if (ray->depth_shift < 0) return limit;
+    uint64_t top = (key >> (p->w + p->wd - 15)) + 1; /* u17 of the key's W+WD+2 bits */
+    uint64_t depth = (top * ray->depth_scale >> ray->depth_shift) + 1;
+    return depth < (uint64_t)limit ? (int32_t)depth : limit;
+}

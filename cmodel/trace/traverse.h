@@ -1,0 +1,26 @@
+/* traverse.h - one ray through the 4-ary tree of bounding spheres     RTL: rtl/trace/rt_traverse.v
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Borodavka et al. IV. Which nodes a ray visits depends on the ray alone: the leaves of a visit are
+ * all tested before the next visit is chosen, near children first.
+ */
+#ifndef SPH_TRAVERSE_H
+#define SPH_TRAVERSE_H
+
+#include "frame.h"
+#include "machine/machine.h"
+#include "render.h"
+#include "trace/ray.h"
+
+struct sph_hit {
+    uint64_t key; /* 0: nothing hit */
+    uint32_t id;
+    int far; /* hit from inside */
+};
+
+/* Traces a ray that was set up; adds to counters, to *visits and to the sticky *errors. A shadow
+ * ray reports any occluder (key 1). how: SPH_TRAVERSE_*. */
+struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *ray, int how,
+                            struct sph_counters *c, uint32_t *visits, uint32_t *errors);
+
+#endif
