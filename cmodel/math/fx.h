@@ -27,7 +27,9 @@ static inline int64_t sph_saturate(int64_t x, int bits, int *saturated) {
 }
 
 /* Number of bits of x: 0 for 0, else 1 + floor(log2(x)). */
-static inline int sph_bit_length(uint64_t x) { return x ? 64 - __builtin_clzll(x) : 0; }
+static inline int sph_bit_length(uint64_t x) {
+    return x ? 64 - __builtin_clzll(x) : 0;
+}
 
 static inline int sph_bit_length128(sph_u128 x) {
     uint64_t high = (uint64_t)(x >> 64);

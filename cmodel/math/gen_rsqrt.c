@@ -8,7 +8,9 @@
 #include <stdint.h>
 #include <stdio.h>
 
-static int below(uint64_t y, uint64_t x) { return y * y * (x + 1) <= 1ull << 50; }
+static int below(uint64_t y, uint64_t x) {
+    return y * y * (x + 1) <= 1ull << 50;
+}
 
 int main(int argc, char **argv) {
     int verilog = argc > 1 && argv[1][0] == 'v';
@@ -19,10 +21,12 @@ int main(int argc, char **argv) {
         slope[i] = (uint32_t)(y0 - y1 + 0.5);
         start[i] = (uint32_t)y0 < 131071 ? (uint32_t)y0 : 131071;
         for (uint32_t f = 0; f < 1024; f++)
-            while (!below(start[i] - (slope[i] * f >> 10), x0 + f)) start[i]--;
+            while (!below(start[i] - (slope[i] * f >> 10), x0 + f))
+                start[i]--;
         for (uint32_t f = 0; f < 1024; f++) {
             uint64_t y = start[i] - (slope[i] * f >> 10), x = x0 + f;
-            while ((y + error) * (y + error) * x < 1ull << 50) error++;
+            while ((y + error) * (y + error) * x < 1ull << 50)
+                error++;
         }
     }
     if (verilog) {

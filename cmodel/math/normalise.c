@@ -5,7 +5,8 @@
 
 void sph_normalise(const sph_i128 v[3], int bits, int64_t out[3]) {
     sph_u128 any = 0;
-    for (int i = 0; i < 3; i++) any |= (sph_u128)(v[i] < 0 ? ~v[i] : v[i]);
+    for (int i = 0; i < 3; i++)
+        any |= (sph_u128)(v[i] < 0 ? ~v[i] : v[i]);
     int shift = sph_bit_length128(any) - (bits - 1); /* > 0: right */
     int64_t max = ((int64_t)1 << (bits - 1)) - 1;
     for (int i = 0; i < 3; i++) {

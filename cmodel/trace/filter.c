@@ -9,7 +9,8 @@ int sph_filter(const struct sph_ray *ray, const struct sph_child *child, int32_t
                int32_t *near) {
     const int32_t *u = ray->unit.u; /* s1.16 */
     int64_t oc[3], cross[3];        /* s(FW+1).0, then s15.2 */
-    for (int i = 0; i < 3; i++) oc[i] = child->ctr[i] - ray->forg[i];
+    for (int i = 0; i < 3; i++)
+        oc[i] = child->ctr[i] - ray->forg[i];
     cross[0] = sph_round(oc[1] * u[2] - oc[2] * u[1], 14);
     cross[1] = sph_round(oc[2] * u[0] - oc[0] * u[2], 14);
     cross[2] = sph_round(oc[0] * u[1] - oc[1] * u[0], 14);

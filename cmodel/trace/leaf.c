@@ -9,7 +9,8 @@ struct sph_leaf_result sph_leaf_test(const struct sph_ray *ray, const struct sph
     struct sph_leaf_result r = {0};
     const int64_t *d = ray->dir;
     int64_t oc[3], a = (int64_t)ray->a;
-    for (int i = 0; i < 3; i++) oc[i] = leaf->ctr[i] - ray->org[i];
+    for (int i = 0; i < 3; i++)
+        oc[i] = leaf->ctr[i] - ray->org[i];
     r.b = oc[0] * d[0] + oc[1] * d[1] + oc[2] * d[2];
     r.k = leaf->rad * leaf->rad - (oc[0] * oc[0] + oc[1] * oc[1] + oc[2] * oc[2]);
     r.disc = (sph_i128)r.k * a + (sph_i128)r.b * r.b;

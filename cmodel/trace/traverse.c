@@ -3,8 +3,9 @@
  */
 #include "trace/traverse.h"
 
-#include "trace/filter.h"
-#include "trace/leaf.h"
+#include <stddef.h>
+
+#include "trace/node.h"
 
 /* Inner children still to visit, nearest first. */
 struct siblings {
@@ -16,33 +17,13 @@ struct siblings {
     } list[4];
 };
 
-static struct sph_leaf leaf_read(const uint32_t *line, int half) {
-    int at = half * SPH_LEAF_STRIDE;
-    return (struct sph_leaf){
-        {sph_field_signed(line, at + SPH_LEAF_CTR_X_LSB, SPH_LEAF_CTR_X_BITS),
-         sph_field_signed(line, at + SPH_LEAF_CTR_Y_LSB, SPH_LEAF_CTR_Y_BITS),
-         sph_field_signed(line, at + SPH_LEAF_CTR_Z_LSB, SPH_LEAF_CTR_Z_BITS)},
-        sph_field(line, at + SPH_LEAF_RAD_LSB, SPH_LEAF_RAD_BITS),
-        sph_field(line, at + SPH_LEAF_ID_LSB, SPH_LEAF_ID_BITS)};
-}
-
-static struct sph_child child_read(const uint32_t *line, int i) {
-    int at = i * SPH_CHILD_STRIDE;
-    return (struct sph_child){
-        {sph_field_signed(line, at + SPH_CHILD_CTR_X_LSB, SPH_CHILD_CTR_X_BITS),
-         sph_field_signed(line, at + SPH_CHILD_CTR_Y_LSB, SPH_CHILD_CTR_Y_BITS),
-         sph_field_signed(line, at + SPH_CHILD_CTR_Z_LSB, SPH_CHILD_CTR_Z_BITS)},
-        (int32_t)sph_field(line, at + SPH_CHILD_RAD_LSB, SPH_CHILD_RAD_BITS)};
-}
-
 /* Exact test of one leaf; a hit that comes first replaces *best. */
-static void leaf_visit(const struct sph_ray *ray, const struct sph_leaf *leaf,
-                       struct sph_hit *best, struct sph_counters *c) {
+static void leaf_visit(const struct sph_ray *ray, const struct sph_leaf *leaf, struct sph_hit *best,
+                       struct sph_counters *c) {
     struct sph_leaf_result r = sph_leaf_test(ray, leaf);
     c->count[SPH_COUNT_LEAF_TESTS]++;
     if (!r.hit) return;
-    uint64_t key =
-        ray->kind == SPH_SHADOW ? 1 : sph_leaf_key(&r, &c->count[SPH_COUNT_ROOTS]);
+    uint64_t key = ray->kind == SPH_SHADOW ? 1 : sph_leaf_key(&r, &c->count[SPH_COUNT_ROOTS]);
     if (!best->key || key < best->key || (key == best->key && leaf->id < best->id))
         *best = (struct sph_hit){key, leaf->id, r.far};
 }
@@ -53,9 +34,53 @@ static struct sph_hit brute(const struct sph_machine *m, const struct sph_ray *r
     uint32_t n = (uint32_t)m->regs[SPH_REG_N_PRIMS];
     for (uint32_t id = 0; id < n; id++) {
         size_t line = (uint32_t)m->regs[SPH_REG_PRIM_BASE] + (size_t)id;
-        struct sph_leaf leaf = leaf_read(m->mem + line * SPH_LINE_WORDS, 0);
+        struct sph_leaf leaf = sph_leaf_read(m->mem + line * SPH_LINE_WORDS, 0);
         leaf_visit(ray, &leaf, &best, c);
         if (ray->kind == SPH_SHADOW && best.key) break;
+    }
+    return best;
+}
+
+/* The paper's walk: left to right, depth first, ends at the first leaf that is hit. */
+static struct sph_hit first(const struct sph_machine *m, const struct sph_ray *ray,
+                            struct sph_counters *c, uint32_t *visits, uint32_t *errors) {
+    struct sph_hit best = {0, SPH_ID_NONE, 0};
+    uint32_t stack[4 * SPH_STACK_DEPTH];
+    uint32_t lines = (uint32_t)m->regs[SPH_REG_MEM_LINES];
+    uint32_t left = (uint32_t)m->regs[SPH_REG_VISIT_LIMIT];
+    int sp = 0;
+    stack[sp++] = (uint32_t)m->regs[SPH_REG_ROOT];
+    while (sp) {
+        uint32_t node = stack[--sp];
+        if (node >= lines) return *errors |= 1u << SPH_ERROR_BAD_NODE, best;
+        if (!left--) return *errors |= 1u << SPH_ERROR_VISIT_LIMIT, best;
+        ++*visits;
+        c->count[SPH_COUNT_NODE_VISITS]++;
+        const uint32_t *line = m->mem + (size_t)node * SPH_LINE_WORDS;
+        uint32_t base = sph_field(line, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS);
+        uint32_t n_inner = sph_field(line, SPH_NODE_N_INNER_LSB, SPH_NODE_N_INNER_BITS);
+        uint32_t n_leaf = sph_field(line, SPH_NODE_N_LEAF_LSB, SPH_NODE_N_LEAF_BITS);
+        if (n_inner + n_leaf > 4 || base + n_inner + (n_leaf + 1) / 2 > lines)
+            return *errors |= 1u << SPH_ERROR_BAD_NODE, best;
+        c->count[SPH_COUNT_CHILD_TESTS] += n_inner + n_leaf;
+        uint32_t found[4], n = 0;
+        for (uint32_t i = 0; i < n_inner + n_leaf; i++) {
+            struct sph_child child = sph_child_read(line, (int)i);
+            int32_t near;
+            if (!sph_filter(ray, &child, ray->depth_max, &near)) continue;
+            if (i < n_inner) {
+                found[n++] = base + i;
+                continue;
+            }
+            size_t at = (size_t)base + n_inner + ((i - n_inner) >> 1);
+            struct sph_leaf leaf = sph_leaf_read(m->mem + at * SPH_LINE_WORDS, (i - n_inner) & 1);
+            leaf_visit(ray, &leaf, &best, c);
+            if (best.key) return best;
+        }
+        if (sp + (int)n > 4 * SPH_STACK_DEPTH)
+            return *errors |= 1u << SPH_ERROR_STACK_OVERFLOW, best;
+        while (n)
+            stack[sp++] = found[--n];
     }
     return best;
 }
@@ -63,6 +88,7 @@ static struct sph_hit brute(const struct sph_machine *m, const struct sph_ray *r
 struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *ray, int how,
                             struct sph_counters *c, uint32_t *visits, uint32_t *errors) {
     if (how == SPH_TRAVERSE_BRUTE) return brute(m, ray, c);
+    if (how == SPH_TRAVERSE_FIRST) return first(m, ray, c, visits, errors);
     struct sph_hit best = {0, SPH_ID_NONE, 0};
     const struct sph_profile *p = sph_machine_profile(m);
     struct siblings now = {0}, stack[SPH_STACK_DEPTH];
@@ -89,13 +115,13 @@ struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *r
 
         int32_t depth_before = depth_max; /* all four are filtered at once */
         for (uint32_t i = 0; i < n_inner + n_leaf; i++) {
-            struct sph_child child = child_read(line, (int)i);
+            struct sph_child child = sph_child_read(line, (int)i);
             int32_t near;
             if (!sph_filter(ray, &child, depth_before, &near)) continue;
             if (i >= n_inner) {
                 uint32_t j = i - n_inner;
                 size_t at = (size_t)found.base + n_inner + (j >> 1);
-                struct sph_leaf leaf = leaf_read(m->mem + at * SPH_LINE_WORDS, j & 1);
+                struct sph_leaf leaf = sph_leaf_read(m->mem + at * SPH_LINE_WORDS, j & 1);
                 uint64_t key_before = best.key;
                 leaf_visit(ray, &leaf, &best, c);
                 if (best.key != key_before && ray->kind != SPH_SHADOW)
@@ -112,8 +138,7 @@ struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *r
 
         if (found.count) {
             if (now.count) {
-                if (sp == SPH_STACK_DEPTH)
-                    return *errors |= 1u << SPH_ERROR_STACK_OVERFLOW, best;
+                if (sp == SPH_STACK_DEPTH) return *errors |= 1u << SPH_ERROR_STACK_OVERFLOW, best;
                 stack[sp++] = now;
             }
             now = found;
@@ -124,6 +149,7 @@ struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *r
         }
         node = now.base + now.list[0].child;
         now.count--;
-        for (int i = 0; i < now.count; i++) now.list[i] = now.list[i + 1];
+        for (int i = 0; i < now.count; i++)
+            now.list[i] = now.list[i + 1];
     }
 }

@@ -1,0 +1,13 @@
+/* render_pixel.h - one pixel of the golden model, from ray to colours
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef SPH_RENDER_PIXEL_H
+#define SPH_RENDER_PIXEL_H
+
+#include "render.h"
+
+/* Renders pixel x, y; adds to *c and to the sticky *errors. how: SPH_TRAVERSE_*. */
+struct sph_pixel sph_render_pixel(const struct sph_machine *m, int how, int x, int y,
+                                  struct sph_counters *c, uint32_t *errors);
+
+#endif

@@ -1,0 +1,37 @@
+/* colour.h - light, surface colour and the blend of reflection depths
+ * SPDX-License-Identifier: Apache-2.0              RTL: rtl/shade/rt_light.v, rtl/shade/rt_blend.v
+ */
+#ifndef SPH_COLOUR_H
+#define SPH_COLOUR_H
+
+#include <stdint.h>
+
+#include "frame.h"
+#include "math/rsqrt.h"
+
+/* Lambert's cosine of two unit vectors (Borodavka et al. VI.C), u1.15 0..32768, 0 if facing away.
+ */
+uint32_t sph_lambert(const struct sph_unit *normal, const struct sph_unit *to_light);
+
+/* sum + cosine * intensity: u2.15 + u1.15 * u1.15, limited to 2^17-1. */
+uint32_t sph_light_add(uint32_t sum, uint32_t cosine, uint32_t intensity);
+
+/* albedo (0..255) * light (u2.15) as u8.8, limited to 255.0. */
+uint32_t sph_surface_colour(uint32_t albedo, uint32_t light);
+
+/* Col = (1-A)*C_F + A*C_R (Borodavka et al. VI.B), front to back: what is in front takes its share
+ * first. colour: u8.8; kr: A as u1.8, 0..256. */
+struct sph_blend {
+    uint32_t sum[3]; /* u8.8 */
+    uint32_t weight; /* u1.16 of all that lies behind */
+    int depth;
+    uint32_t colour[SPH_FRAMES]; /* 0xBBGGRR */
+};
+
+void sph_blend_start(struct sph_blend *b);
+
+/* The colour seen at b->depth: closes the frames of this depth. last: nothing lies behind, closes
+ * the deeper frames too. Otherwise moves on by one depth. */
+void sph_blend_add(struct sph_blend *b, const uint32_t colour[3], uint32_t kr, int last);
+
+#endif

@@ -1,0 +1,30 @@
+/* surface.h - from a hit to a point, a normal and a reflected direction
+ * SPDX-License-Identifier: Apache-2.0              RTL: rtl/shade/rt_hit.v, rtl/shade/rt_bounce.v
+ */
+#ifndef SPH_SURFACE_H
+#define SPH_SURFACE_H
+
+#include <stdint.h>
+
+#include "math/rsqrt.h"
+#include "trace/leaf.h"
+#include "trace/traverse.h"
+
+struct sph_surface {
+    int64_t point[3];     /* sW, origin of secondary rays */
+    int64_t normal[3];    /* sWD, normalised by one shift, towards the ray's side */
+    struct sph_unit unit; /* of normal */
+    uint64_t nn;          /* normal.normal, u(2WD) */
+};
+
+/* Hit point org + t*dir with NG guard bits that only the normal sees, t = key / a rounded down to
+ * PQ bits (Borodavka et al. VI.A). A point outside the grid is limited to it: returns 1. */
+int sph_surface_at(const struct sph_profile *p, const struct sph_ray *ray,
+                   const struct sph_hit *hit, const struct sph_leaf *sphere, struct sph_surface *s);
+
+/* Mirror direction dir*(n.n) - 2*(dir.n)*n in exact integers, then one normalising shift to sWD
+ * (Borodavka et al. VI.B without its divisions). */
+void sph_bounce(const struct sph_profile *p, const int64_t dir[3], const struct sph_surface *s,
+                int64_t out[3]);
+
+#endif
