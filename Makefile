@@ -1,0 +1,87 @@
+# Makefile - Sphaera: golden model, tool, simulations, tests; `make` alone prints help
+# SPDX-License-Identifier: Apache-2.0
+
+# Variables, shown by `make help`: name, what it is.
+## SCENE       scene file (.nff) to render or simulate
+SCENE ?= scenes/balls.nff
+## PROFILE     draft, standard, fine or reference
+PROFILE ?= standard
+## SIZE        frame, pixels (empty: as the scene file says)
+SIZE ?= 160x120
+## TREE        balanced or paper
+TREE ?= balanced
+## DEPTH       reflections, 0 to 5
+DEPTH ?= 2
+## BACKGROUND  none or rect
+BACKGROUND ?= none
+## EFFECTS     elaborate only what the scene needs (auto) or everything (all)
+EFFECTS ?= auto
+## ENGINES     tracing engines in the core
+ENGINES ?= 1
+## SEED        of generated scenes and of random stalls
+SEED ?= 1
+## LATENCY     of the simulated memory, clocks
+LATENCY ?= 20
+## STALL       percent of clocks in which the simulated memory is not ready
+STALL ?= 0
+## SIM         verilator or icarus
+SIM ?= verilator
+## WAVES       1: write a waveform
+WAVES ?= 0
+## JOBS        commands run at once
+JOBS ?= $(shell nproc)
+## V           1: print whole commands
+V ?= 0
+
+B := build
+Q := $(if $(filter 1,$(V)),,@)
+say = $(if $(filter 1,$(V)),,@printf '  %-4s %s\n' $(1) $(2))
+
+CC       := gcc
+CXX      := g++
+WARN     := -Wall -Wextra -Wconversion -Wshadow -Werror
+CFLAGS   := -std=c11 -D_GNU_SOURCE -O3 $(WARN) -Icmodel -fopenmp
+CXXFLAGS := -std=c++17 -O2 $(WARN) -Icmodel
+SANITIZE := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all
+# Looked up when used, so that `make setup` may install them first.
+pkg         = $(shell pkg-config $(1))
+MODEL_LIBS  = $(call pkg,--libs $(MODEL_PACKAGES)) -lm
+IMAGE_LIBS  = $(call pkg,--libs OpenImageIO)
+# What the model library itself asks of pkg-config.
+MODEL_PACKAGES := $(if $(wildcard cmodel/scene/pdb*.c),libxml-2.0)
+
+# Programs that make a table, run by hand; never part of the library.
+GENERATORS := cmodel/math/gen_rsqrt.c
+C_FILES    := $(sort $(shell find cmodel -name '*.c'))
+LIB_C      := $(filter-out cmodel/tool/% $(GENERATORS),$(C_FILES))
+TOOL_C     := $(filter cmodel/tool/%,$(C_FILES))
+IMAGE_CXX  := $(sort $(wildcard cmodel/image/*.cpp))
+
+LIB    := $B/libsphaera.a
+IMAGE  := $B/libsphaera_image.a
+TOOL   := $B/sphaera
+
+.DELETE_ON_ERROR:
+.SUFFIXES:
+.PHONY: help setup all tool layout render sim test synth lint bench clean FORCE
+.DEFAULT_GOAL := help
+
+help: export HELP_VALUES = $(foreach v,SCENE PROFILE SIZE TREE DEPTH BACKGROUND EFFECTS ENGINES \
+                           SEED LATENCY STALL SIM WAVES JOBS V,$(v)=$($(v));)
+help: ## this text
+	@awk -f sim/help.awk $(MAKEFILE_LIST)
+
+setup: ## install missing packages (apt), see sim/packages.txt
+	@sh sim/setup.sh
+
+all: tool ## everything that is built without simulators
+tool: $(TOOL) ## the command-line tool build/sphaera
+
+include sim/objects.mk sim/sim.mk sim/lint.mk tests/test.mk synth/synth.mk
+
+layout: ## regenerate the C and Verilog layout headers from cmodel/machine/machine.def
+	$(call say,GEN,layout.h rt_layout.vh)
+	$(Q)sh sim/layout.sh cmodel/machine/layout.h rtl/shell/rt_layout.vh
+
+clean: ## remove build/
+	$(Q)rm -rf $B

@@ -1,0 +1,23 @@
+#!/bin/sh
+# lint_text.sh - SPDX lines, lines of at most 100 columns, no space at line ends
+# SPDX-License-Identifier: Apache-2.0
+cd "$(dirname "$0")/.." || exit 1
+
+sources=$(find Makefile .ci cmodel rtl tb sim synth tests -type f \( -name Makefile -o -name run \
+    -o -name '*.c' -o -name '*.h' -o -name '*.cpp' -o -name '*.v' -o -name '*.vh' -o -name '*.vlt' \
+    -o -name '*.sh' -o -name '*.mk' -o -name '*.awk' -o -name '*.py' -o -name '*.ys' \
+    -o -name '*.def' -o -name '*.txt' -o -name '*.lib' \))
+texts="$sources $(find docs scenes README.md -type f \( -name '*.md' -o -name '*.nff' \) 2>/dev/null)"
+bad=0
+report() { # title, findings
+    [ -z "$2" ] && return
+    printf '%s:\n%s\n' "$1" "$2"
+    bad=1
+}
+# shellcheck disable=SC2086  # lists of words on purpose
+{
+    report "no SPDX line" "$(grep -L 'SPDX-License-Identifier: Apache-2.0' $sources)"
+    report "longer than 100 columns" "$(awk 'length($0) > 100 { print FILENAME ":" FNR }' $sources)"
+    report "space at the end" "$(grep -nE '[[:space:]]+$' $texts)"
+}
+exit $bad

@@ -1,0 +1,36 @@
+#!/bin/sh
+# setup.sh - installs the packages of packages.txt that are missing, through apt
+# SPDX-License-Identifier: Apache-2.0
+#
+# usage: sim/setup.sh [--dry-run]      Does nothing, and needs no network, when all are there.
+set -eu
+
+list=$(dirname "$0")/packages.txt
+dry_run=${1:-}
+
+if ! command -v dpkg-query >/dev/null; then
+    echo "setup: no dpkg here; install what $list names with your own package manager" >&2
+    exit 1
+fi
+
+missing=
+for package in $(sed 's/#.*//' "$list"); do
+    status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
+    [ "$status" = installed ] || missing="$missing $package"
+done
+if [ -z "$missing" ]; then
+    echo "setup: every package is installed"
+    exit 0
+fi
+
+echo "setup: installing$missing"
+[ "$dry_run" = --dry-run ] && exit 0
+as_root=
+if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null || { echo "setup: run it as root, or install sudo" >&2; exit 1; }
+    as_root=sudo
+fi
+export DEBIAN_FRONTEND=noninteractive
+# shellcheck disable=SC2086  # a list of words on purpose
+install() { $as_root apt-get install -y -q --no-install-recommends $missing; }
+install </dev/null || { $as_root apt-get update -q </dev/null && install </dev/null; }

@@ -1,0 +1,35 @@
+# test.mk - what `make test` runs
+# SPDX-License-Identifier: Apache-2.0
+#
+# A suite is a program or script that prints TAP lines, `ok ...` or `not ok ...`; run.sh counts.
+#   tests/test_*.c    cmocka, linked with the model; runs plain and under the sanitizers
+#   tests/test_*.sh   a script; finds the tool in $SPHAERA, its own empty folder in $TMP
+#   SUITES += path    any other executable, with a rule that makes it
+# `make test ONLY=pattern` runs the suites whose file name has the pattern in it.
+
+TEST_C  := $(sort $(wildcard tests/test_*.c))
+TEST_SH := $(sort $(wildcard tests/test_*.sh))
+SUITES  += $(TEST_C:tests/%.c=$B/test/%) $(TEST_C:tests/%.c=$B/test/%.sanitized) $(TEST_SH)
+ONLY    ?=
+RUN     := $(if $(ONLY),$(foreach s,$(SUITES),$(if $(findstring $(ONLY),$(notdir $s)),$s)),$(SUITES))
+
+test: | $(filter setup,$(MAKECMDGOALS)) ## every check; ends with `N passed, M failed`
+	+$(Q)$(MAKE) --no-print-directory -j$(JOBS) run-tests
+
+.PHONY: run-tests
+run-tests: $(TOOL) $(RUN)
+	@SPHAERA=$(abspath $(TOOL)) BUILD=$(abspath $B) JOBS=$(JOBS) sh tests/run.sh $(RUN)
+
+TEST_LIBS = $(call pkg,--libs cmocka) $(MODEL_LIBS)
+
+$B/test/%: tests/%.c $(LIB) $B/flags
+	$(call say,TEST,$(@F))
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(CFLAGS) -MMD -MP -MF $@.d $< $(LIB) $(TEST_LIBS) -o $@
+
+$B/test/%.sanitized: tests/%.c $B/asan/libsphaera.a $B/flags
+	$(call say,TEST,$(@F))
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(CFLAGS) $(SANITIZE) -MMD -MP -MF $@.d $< $B/asan/libsphaera.a $(TEST_LIBS) -o $@
+
+-include $(TEST_C:tests/%.c=$B/test/%.d) $(TEST_C:tests/%.c=$B/test/%.sanitized.d)
