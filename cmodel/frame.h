@@ -24,4 +24,8 @@ struct sph_counters {
     uint64_t count[SPH_COUNTERS]; /* SPH_COUNT_*; the first SPH_COUNTERS_BOTH equal the RTL's */
 };
 
+/* FNV-1a, 64 bits, over width, height and of every pixel colour[0..], id, visits, key: each number
+ * little endian in its own width. Equal hashes stand for equal frames. */
+uint64_t sph_frame_hash(const struct sph_frame *frame);
+
 #endif

@@ -1,0 +1,24 @@
+/* frame.c - see frame.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "frame.h"
+
+#include <stddef.h>
+
+#include "fnv.h"
+
+uint64_t sph_frame_hash(const struct sph_frame *frame) {
+    uint64_t hash = SPH_FNV_START;
+    hash = sph_fnv(hash, (uint64_t)frame->width, 4);
+    hash = sph_fnv(hash, (uint64_t)frame->height, 4);
+    size_t n = (size_t)frame->width * (size_t)frame->height;
+    for (size_t i = 0; i < n; i++) {
+        const struct sph_pixel *p = &frame->pixels[i];
+        for (int f = 0; f < SPH_FRAMES; f++)
+            hash = sph_fnv(hash, p->colour[f], 4);
+        hash = sph_fnv(hash, p->id, 4);
+        hash = sph_fnv(hash, p->visits, 4);
+        hash = sph_fnv(hash, p->key, 8);
+    }
+    return hash;
+}
