@@ -8,7 +8,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-int sph_output_name(struct sph_output *out, const char *path, struct sph_error *err) {
+/* Chooses the temporary name of path; nothing is opened. */
+static int choose_name(struct sph_output *out, const char *path, struct sph_error *err) {
     struct stat st;
     memset(out, 0, sizeof *out);
     if (!*path) return sph_fail(err, "empty output file name");
@@ -26,11 +27,11 @@ int sph_output_name(struct sph_output *out, const char *path, struct sph_error *
     return 0;
 }
 
-const char *sph_output_target(const struct sph_output *out) {
+static const char *target(const struct sph_output *out) {
     return out->temporary[0] ? out->temporary : out->path;
 }
 
-int sph_output_rename(struct sph_output *out, struct sph_error *err) {
+static int give_name(struct sph_output *out, struct sph_error *err) {
     if (!out->temporary[0] || !rename(out->temporary, out->path)) return 0;
     int cause = errno;
     unlink(out->temporary);
@@ -42,8 +43,8 @@ int sph_output_open(struct sph_output *out, const char *path, struct sph_error *
         *out = (struct sph_output){.file = stdout, .path = "standard output"};
         return 0;
     }
-    if (sph_output_name(out, path, err)) return -1;
-    out->file = fopen(sph_output_target(out), "wb");
+    if (choose_name(out, path, err)) return -1;
+    out->file = fopen(target(out), "wb");
     if (!out->file) return sph_fail(err, "%s: %s", path, strerror(errno));
     return 0;
 }
@@ -56,7 +57,7 @@ int sph_output_close(struct sph_output *out, int failed, struct sph_error *err) 
         bad = 1;
         cause = errno;
     }
-    if (!bad && !failed) return sph_output_rename(out, err);
+    if (!bad && !failed) return give_name(out, err);
     if (out->temporary[0]) unlink(out->temporary);
     if (failed) return -1;
     return sph_fail(err, "%s: %s", out->path, cause ? strerror(cause) : "write error");

@@ -9,25 +9,16 @@
 
 #include <stdio.h>
 
-#include "error.h"
-
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+#include "error.h"
 
 struct sph_output {
     FILE *file;
     char path[4096], temporary[4096]; /* temporary: empty if written directly */
 };
-
-/* Chooses the temporary name of path; nothing is opened. 0, or -1 with a message. */
-int sph_output_name(struct sph_output *out, const char *path, struct sph_error *err);
-
-/* The name to write to until sph_output_rename. */
-const char *sph_output_target(const struct sph_output *out);
-
-/* Gives the finished file its final name. 0, or -1 with a message and the temporary removed. */
-int sph_output_rename(struct sph_output *out, struct sph_error *err);
 
 /* Opens path for writing ("-": standard output) as out->file. 0, or -1 with a message. */
 int sph_output_open(struct sph_output *out, const char *path, struct sph_error *err);
