@@ -1,0 +1,164 @@
+/* build.c - scene in, machine out; see build.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "build/build.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "build/emit.h"
+#include "build/rect.h"
+
+static double seconds(void) {
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+static int check(const struct sph_scene *scene, const struct sph_build_options *o,
+                 struct sph_error *err) {
+    if (o->profile < 0 || o->profile >= SPH_PROFILES)
+        return sph_fail(err, "there is no profile %d", o->profile);
+    if (o->tree != SPH_TREE_PAPER && o->tree != SPH_TREE_BALANCED)
+        return sph_fail(err, "there is no tree %d", o->tree);
+    if (o->background != SPH_BG_NONE && o->background != SPH_BG_RECT)
+        return sph_fail(err, "there is no background mode %d", o->background);
+    if (o->max_depth < 0 || o->max_depth > SPH_MAX_DEPTH)
+        return sph_fail(err, "max_depth %d is not in 0..%d", o->max_depth, SPH_MAX_DEPTH);
+    if (scene->n_lights < 0 || scene->n_lights > SPH_MAX_LIGHTS)
+        return sph_fail(err, "%s: %d lights, at most %d", scene->path, scene->n_lights,
+                        SPH_MAX_LIGHTS);
+    if (scene->n_spheres > SPH_MAX_SPHERES)
+        return sph_fail(err, "%s: %u spheres, at most %u", scene->path, scene->n_spheres,
+                        SPH_MAX_SPHERES);
+    for (uint32_t i = 0; i < scene->n_spheres; i++)
+        if (scene->spheres[i].material >= scene->n_materials)
+            return sph_fail(err, "%s:%u: sphere without material", scene->path,
+                            scene->spheres[i].line);
+    return 0;
+}
+
+/* Frame, window, eye and primary rays. */
+static int place_camera(const struct sph_scene *scene, const struct sph_build_options *o,
+                        const struct sph_grid *grid, struct sph_rays *rays, struct sph_machine *m,
+                        struct sph_error *err) {
+    enum { MOST_PIXELS = 65535 };
+    int width = o->width ? o->width : scene->camera.width;
+    int height = o->height ? o->height : scene->camera.height;
+    if (width < 1 || height < 1 || width > MOST_PIXELS || height > MOST_PIXELS)
+        return sph_fail(err, "%s: a raster of %dx%d, sides are 1..%d", scene->path, width, height,
+                        MOST_PIXELS);
+    struct sph_error why = {{0}};
+    if (sph_rays_fit(width, height, scene->camera.angle, sph_profiles[o->profile].wd, rays, &why))
+        return sph_fail(err, "%s: profile %s: %.400s", scene->path, sph_profiles[o->profile].name,
+                        why.text);
+    int32_t *regs = m->regs;
+    regs[SPH_REG_FRAME_W] = regs[SPH_REG_WIN_X1] = width;
+    regs[SPH_REG_FRAME_H] = regs[SPH_REG_WIN_Y1] = height;
+    for (int i = 0; i < 3; i++)
+        regs[SPH_REG_EYE_X + i] = grid->eye[i];
+    regs[SPH_REG_DIR_X0] = rays->x0;
+    regs[SPH_REG_DIR_Y0] = rays->y0;
+    regs[SPH_REG_DIR_Z] = rays->z;
+    regs[SPH_REG_PITCH] = rays->pitch;
+    return 0;
+}
+
+/* Background registers from the root's sphere, brought from filter to grid units. */
+static void place_rect(const struct sph_tree *tree, const struct sph_rays *rays, int mode,
+                       struct sph_machine *m) {
+    int32_t *regs = m->regs;
+    const struct sph_profile *profile = sph_machine_profile(m);
+    int32_t unit = 1 << (profile->w - profile->fw);
+    struct sph_rect rect = {0, 0, regs[SPH_REG_FRAME_W], regs[SPH_REG_FRAME_H]};
+    if (mode == SPH_BG_RECT) {
+        struct sph_ball root = tree->nodes[0].ball;
+        for (int i = 0; i < 3; i++)
+            root.c[i] *= unit;
+        root.r *= unit;
+        if (regs[SPH_REG_N_PRIMS])
+            rect = sph_rect_project(&root, regs + SPH_REG_EYE_X, rays, rect.x1, rect.y1);
+        else
+            rect = (struct sph_rect){0, 0, 0, 0};
+    }
+    regs[SPH_REG_BG_MODE] = mode;
+    regs[SPH_REG_RECT_X0] = rect.x0, regs[SPH_REG_RECT_X1] = rect.x1;
+    regs[SPH_REG_RECT_Y0] = rect.y0, regs[SPH_REG_RECT_Y1] = rect.y1;
+}
+
+/* Whether the eye lies in a sphere, its surface included. */
+static int eye_inside(const int32_t eye[3], const struct sph_ball *balls, uint32_t n) {
+    for (uint32_t i = 0; i < n; i++) {
+        int64_t sum = 0;
+        for (int j = 0; j < 3; j++) {
+            int64_t d = (int64_t)eye[j] - balls[i].c[j];
+            sum += d * d;
+        }
+        if (sum <= (int64_t)balls[i].r * balls[i].r) return 1;
+    }
+    return 0;
+}
+
+static void warn_coarse(const struct sph_scene *scene, int profile,
+                        struct sph_build_report *report) {
+    enum { COARSE = 4 }; /* grid units */
+    if (!scene->n_spheres || report->smallest_radius >= COARSE) return;
+    int finer = sph_grid_finer(scene, profile, report->smallest_radius * report->grid_step, COARSE);
+    sph_note(report->warning, sizeof report->warning,
+             "%s: the smallest radius is %.2f grid units of profile %s: %s%s\n", scene->path,
+             report->smallest_radius, sph_profiles[profile].name,
+             finer < 0 ? "no finer profile has 4" : "rounder with profile ",
+             finer < 0 ? "" : sph_profiles[finer].name);
+}
+
+/* The work of sph_build() on memory that the caller frees. */
+static int build(const struct sph_scene *scene, const struct sph_build_options *o,
+                 struct sph_ball *balls, struct sph_tree *tree, struct sph_machine *m,
+                 struct sph_build_report *report, struct sph_error *err) {
+    const struct sph_profile *profile = &sph_profiles[o->profile];
+    struct sph_grid grid;
+    struct sph_rays rays;
+    m->regs[SPH_REG_PROFILE] = o->profile;
+    m->regs[SPH_REG_TREE] = o->tree;
+    if (sph_grid_fit(scene, profile->w, &grid, err)) return -1;
+    if (place_camera(scene, o, &grid, &rays, m, err)) return -1;
+    if (sph_grid_spheres(&grid, scene, o->profile, balls, &report->smallest_radius, err)) return -1;
+    report->grid_step = grid.step;
+    report->fov_error = rays.fov_error;
+    warn_coarse(scene, o->profile, report);
+
+    uint32_t n = scene->n_spheres;
+    int failed = o->tree == SPH_TREE_PAPER
+                     ? sph_tree_paper(balls, n, profile, tree, err)
+                     : sph_tree_balanced(balls, n, profile, grid.eye, tree, err);
+    if (failed || sph_emit_memory(scene, balls, tree, m, err)) return -1;
+    report->nodes = tree->n_nodes;
+    report->depth = tree->depth;
+
+    place_rect(tree, &rays, o->background, m);
+    sph_emit_colours(scene, &grid, m, report);
+    sph_emit_effects(scene, o, eye_inside(grid.eye, balls, n), m, report);
+    memcpy(m->name, scene->name, sizeof m->name - 1);
+    m->grid_log2 = grid.log2;
+    memcpy(m->origin, grid.origin, sizeof m->origin);
+    memcpy(m->rotation, grid.rotation, sizeof m->rotation);
+    return 0;
+}
+
+int sph_build(const struct sph_scene *scene, const struct sph_build_options *options,
+              struct sph_machine *machine, struct sph_build_report *report, struct sph_error *err) {
+    double start = seconds();
+    struct sph_tree tree = {0};
+    memset(machine, 0, sizeof *machine);
+    memset(report, 0, sizeof *report);
+    if (check(scene, options, err)) return -1;
+    struct sph_ball *balls = malloc((scene->n_spheres + 1ull) * sizeof *balls);
+    int result = balls ? build(scene, options, balls, &tree, machine, report, err)
+                       : sph_fail(err, "out of memory for %u spheres", scene->n_spheres);
+    free(balls);
+    free(tree.nodes);
+    if (result) sph_machine_free(machine);
+    report->build_seconds = seconds() - start;
+    return result;
+}

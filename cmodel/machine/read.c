@@ -1,0 +1,125 @@
+/* read.c - file to machine, nothing believed unchecked; see machine.h, docs/machine_file.md
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "machine/format.h"
+
+void sph_machine_free(struct sph_machine *m) {
+    free(m->mem);
+    m->mem = NULL;
+    m->lines = 0;
+}
+
+static double get_double(const unsigned char *from) {
+    uint64_t bits = sph_get64(from);
+    double v;
+    memcpy(&v, &bits, sizeof v);
+    return v;
+}
+
+/* Checks one header field that may have one value only. */
+static int expect(const unsigned char *h, int at, uint32_t want, const char *field,
+                  struct sph_error *err) {
+    uint32_t is = sph_get32(h + at);
+    return is == want ? 0 : sph_fail(err, "%s is %u, not %u", field, is, want);
+}
+
+/* Checks the header against the size of the file. */
+static int check_header(const unsigned char *h, long long bytes, struct sph_error *err) {
+    if (memcmp(h, SPH_MAGIC, 8)) return sph_fail(err, "magic: not a machine file of Sphaera");
+    if (expect(h, SPH_AT_VERSION, SPH_FILE_VERSION, "version", err) ||
+        expect(h, SPH_AT_HEADER, SPH_HEADER_BYTES, "header size", err) ||
+        expect(h, SPH_AT_N_REGS, SPH_N_REGS, "number of registers", err) ||
+        expect(h, SPH_AT_LINE_WORDS, SPH_LINE_WORDS, "words in a line", err))
+        return -1;
+    long long need = SPH_HEADER_BYTES + SPH_CHECKSUM_BYTES;
+    need += 4ll * SPH_LINE_WORDS * sph_get32(h + SPH_AT_LINES);
+    if (bytes != need)
+        return sph_fail(err, "file is %s: %lld bytes, %lld by its header",
+                        bytes < need ? "truncated" : "too long", bytes, need);
+    if (h[SPH_AT_NAME + 127]) return sph_fail(err, "name: no zero at the end");
+    return 0;
+}
+
+/* The widths that the file was built for must be those of its profile here. */
+static int check_profile(const unsigned char *h, const struct sph_machine *m,
+                         struct sph_error *err) {
+    int32_t number = m->regs[SPH_REG_PROFILE];
+    if (number < 0 || number >= SPH_PROFILES)
+        return sph_fail(err, "register PROFILE is %d, not in 0..%d", number, SPH_PROFILES - 1);
+    const struct sph_profile *p = &sph_profiles[number];
+    const int widths[5] = {p->w, p->wd, p->pq, p->ng, p->fw};
+    static const char *const names[5] = {"profile width W", "profile width WD", "profile width PQ",
+                                         "profile width NG", "profile width FW"};
+    for (int i = 0; i < 5; i++)
+        if (expect(h, SPH_AT_PROFILE + 4 * i, (uint32_t)widths[i], names[i], err)) return -1;
+    return 0;
+}
+
+static void take_header(const unsigned char *h, struct sph_machine *m) {
+    memset(m, 0, sizeof *m);
+    m->lines = sph_get32(h + SPH_AT_LINES);
+    m->grid_log2 = (int32_t)sph_get32(h + SPH_AT_GRID_LOG2);
+    memcpy(m->name, h + SPH_AT_NAME, sizeof m->name);
+    for (int i = 0; i < 3; i++)
+        m->origin[i] = get_double(h + SPH_AT_ORIGIN + 8 * i);
+    for (int i = 0; i < 9; i++)
+        m->rotation[i] = get_double(h + SPH_AT_ROTATION + 8 * i);
+    for (int i = 0; i < SPH_N_REGS; i++)
+        m->regs[i] = (int32_t)sph_get32(h + SPH_AT_REGS + 4 * i);
+}
+
+/* Reads memory and checksum behind a checked header. */
+static int take_memory(FILE *file, const unsigned char *header, struct sph_machine *m,
+                       struct sph_error *err) {
+    unsigned char line[4 * SPH_LINE_WORDS], tail[SPH_CHECKSUM_BYTES];
+    uint64_t sum = sph_fnv(SPH_FNV_START, header, SPH_HEADER_BYTES);
+    m->mem = malloc(((size_t)m->lines + 1) * sizeof line);
+    if (!m->mem) return sph_fail(err, "out of memory for %u lines", m->lines);
+    for (uint32_t i = 0; i < m->lines; i++) {
+        if (fread(line, 1, sizeof line, file) != sizeof line)
+            return sph_fail(err, "cannot be read at line %u", i);
+        sum = sph_fnv(sum, line, sizeof line);
+        for (uint32_t w = 0; w < SPH_LINE_WORDS; w++)
+            m->mem[(size_t)i * SPH_LINE_WORDS + w] = sph_get32(line + 4 * w);
+    }
+    if (fread(tail, 1, sizeof tail, file) != sizeof tail)
+        return sph_fail(err, "checksum cannot be read");
+    if (sph_get64(tail) != sum)
+        return sph_fail(err, "checksum is %016llx, not %016llx: the file is damaged",
+                        (unsigned long long)sph_get64(tail), (unsigned long long)sum);
+    return 0;
+}
+
+/* The work of sph_machine_read() on an open file; messages without the path. */
+static int take_file(FILE *file, struct sph_machine *m, struct sph_error *err) {
+    unsigned char header[SPH_HEADER_BYTES];
+    long bytes = -1;
+    if (!fseek(file, 0, SEEK_END)) bytes = ftell(file);
+    if (bytes < 0 || fseek(file, 0, SEEK_SET)) return sph_fail(err, "not a regular file");
+    if (bytes < 8 || fread(header, 1, 8, file) != 8 || memcmp(header, SPH_MAGIC, 8))
+        return sph_fail(err, "magic: not a machine file of Sphaera");
+    if (fread(header + 8, 1, sizeof header - 8, file) != sizeof header - 8)
+        return sph_fail(err, "file is truncated: %ld bytes, the header has %d", bytes,
+                        SPH_HEADER_BYTES);
+    if (check_header(header, bytes, err)) return -1;
+    take_header(header, m);
+    if (take_memory(file, header, m, err) || check_profile(header, m, err)) return -1;
+    return sph_machine_validate(m, err);
+}
+
+int sph_machine_read(const char *path, struct sph_machine *m, struct sph_error *err) {
+    struct sph_error why = {{0}};
+    memset(m, 0, sizeof *m);
+    FILE *file = fopen(path, "rb");
+    if (!file) return sph_fail(err, "%s: cannot be opened: %s", path, strerror(errno));
+    int result = take_file(file, m, &why);
+    fclose(file);
+    if (!result) return 0;
+    sph_machine_free(m);
+    return sph_fail(err, "%s: %.400s", path, why.text);
+}

@@ -1,0 +1,75 @@
+/* write.c - machine to file; see machine.h, docs/machine_file.md
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "machine/format.h"
+
+static void put_double(unsigned char *to, double v) {
+    uint64_t bits;
+    memcpy(&bits, &v, sizeof bits);
+    sph_put64(to, bits);
+}
+
+static void fill_header(const struct sph_machine *m, unsigned char *h) {
+    const struct sph_profile *p = sph_machine_profile(m);
+    const int widths[5] = {p->w, p->wd, p->pq, p->ng, p->fw};
+    memset(h, 0, SPH_HEADER_BYTES);
+    memcpy(h + SPH_AT_MAGIC, SPH_MAGIC, 8);
+    sph_put32(h + SPH_AT_VERSION, SPH_FILE_VERSION);
+    sph_put32(h + SPH_AT_HEADER, SPH_HEADER_BYTES);
+    sph_put32(h + SPH_AT_N_REGS, SPH_N_REGS);
+    sph_put32(h + SPH_AT_LINE_WORDS, SPH_LINE_WORDS);
+    sph_put32(h + SPH_AT_LINES, m->lines);
+    sph_put32(h + SPH_AT_GRID_LOG2, (uint32_t)m->grid_log2);
+    for (int i = 0; i < 5; i++)
+        sph_put32(h + SPH_AT_PROFILE + 4 * i, (uint32_t)widths[i]);
+    memcpy(h + SPH_AT_NAME, m->name, strnlen(m->name, sizeof m->name - 1));
+    for (int i = 0; i < 3; i++)
+        put_double(h + SPH_AT_ORIGIN + 8 * i, m->origin[i]);
+    for (int i = 0; i < 9; i++)
+        put_double(h + SPH_AT_ROTATION + 8 * i, m->rotation[i]);
+    for (int i = 0; i < SPH_N_REGS; i++)
+        sph_put32(h + SPH_AT_REGS + 4 * i, (uint32_t)m->regs[i]);
+}
+
+/* Writes n bytes and adds them to the checksum. */
+static int put(FILE *file, const unsigned char *bytes, size_t n, uint64_t *sum) {
+    *sum = sph_fnv(*sum, bytes, n);
+    return fwrite(bytes, 1, n, file) == n ? 0 : -1;
+}
+
+static int put_all(FILE *file, const struct sph_machine *m) {
+    unsigned char header[SPH_HEADER_BYTES], line[4 * SPH_LINE_WORDS], tail[SPH_CHECKSUM_BYTES];
+    uint64_t sum = SPH_FNV_START;
+    fill_header(m, header);
+    if (put(file, header, sizeof header, &sum)) return -1;
+    for (uint32_t i = 0; i < m->lines; i++) {
+        for (uint32_t w = 0; w < SPH_LINE_WORDS; w++)
+            sph_put32(line + 4 * w, m->mem[(size_t)i * SPH_LINE_WORDS + w]);
+        if (put(file, line, sizeof line, &sum)) return -1;
+    }
+    sph_put64(tail, sum);
+    return fwrite(tail, 1, sizeof tail, file) == sizeof tail ? 0 : -1;
+}
+
+int sph_machine_write(const struct sph_machine *m, const char *path, struct sph_error *err) {
+    size_t size = strlen(path) + 32;
+    char *temporary = malloc(size);
+    if (!temporary) return sph_fail(err, "%s: out of memory", path);
+    snprintf(temporary, size, "%s.%ld.tmp", path, (long)getpid());
+    FILE *file = fopen(temporary, "wb");
+    int result = file ? put_all(file, m) : -1;
+    if (file && fclose(file)) result = -1;
+    if (!result) result = rename(temporary, path);
+    if (result) {
+        sph_fail(err, "%s: cannot be written: %s", path, strerror(errno));
+        if (file) remove(temporary);
+    }
+    free(temporary);
+    return result ? -1 : 0;
+}
