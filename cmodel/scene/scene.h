@@ -12,7 +12,6 @@
 #include "error.h"
 #include "machine/layout.h" /* SPH_MAX_LIGHTS */
 
-
 #define SPH_MAX_SPHERES 16000000u /* ids are 24 bits wide; the all-ones id means "no hit" */
 
 struct sph_vec {
@@ -32,9 +31,9 @@ struct sph_light {
 };
 
 struct sph_material {
-    double rgb[3];                   /* surface colour 0..1 */
+    double rgb[3];                    /* surface colour 0..1 */
     double kd, ks, shine, trans, ior; /* NFF `f`; ks is highlight and mirror weight */
-    int line;                        /* of the file, for messages; 0 if generated */
+    int line;                         /* of the file, for messages; 0 if generated */
 };
 
 struct sph_sphere {

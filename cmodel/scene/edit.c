@@ -1,0 +1,91 @@
+/* edit.c - see edit.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "scene/edit.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define FIRST_SIZE 64u /* elements of the first allocation; a power of two */
+
+/* Makes room for element number n of an array that only ever grew through this function.
+ * Its size is FIRST_SIZE doubled until n fits, so it needs growing when n is such a size.
+ * Returns the array, which may have moved, or NULL (the old array is still valid). */
+static void *grow(void *array, uint32_t n, size_t element) {
+    if (n == 0) return malloc(FIRST_SIZE * element);
+    if (n < FIRST_SIZE || (n & (n - 1)) != 0) return array;
+    return realloc(array, 2 * (size_t)n * element);
+}
+
+int sph_scene_add_sphere(struct sph_scene *scene, struct sph_vec ctr, double rad, uint32_t material,
+                         uint32_t line, struct sph_error *err) {
+    if (scene->n_spheres >= SPH_MAX_SPHERES)
+        return sph_fail(err, "%s:%u: more than %u spheres", scene->path, line, SPH_MAX_SPHERES);
+    struct sph_sphere *room = grow(scene->spheres, scene->n_spheres, sizeof *scene->spheres);
+    if (!room)
+        return sph_fail(err, "%s:%u: no memory for more than %u spheres", scene->path, line,
+                        scene->n_spheres);
+    scene->spheres = room;
+    room[scene->n_spheres++] = (struct sph_sphere){ctr, rad, material, line};
+    return 0;
+}
+
+int sph_scene_add_material(struct sph_scene *scene, const struct sph_material *material,
+                           struct sph_error *err) {
+    uint32_t n = scene->n_materials;
+    struct sph_material *room = grow(scene->materials, n, sizeof *scene->materials);
+    if (!room)
+        return sph_fail(err, "%s:%d: no memory for more than %u materials", scene->path,
+                        material->line, n);
+    scene->materials = room;
+    room[scene->n_materials++] = *material;
+    return 0;
+}
+
+int sph_scene_add_light(struct sph_scene *scene, struct sph_vec pos, double red, double green,
+                        double blue, struct sph_error *err) {
+    if (scene->n_lights >= SPH_MAX_LIGHTS)
+        return sph_fail(err, "%s: more than %d lights", scene->path, SPH_MAX_LIGHTS);
+    scene->lights[scene->n_lights++] = (struct sph_light){pos, {red, green, blue}};
+    return 0;
+}
+
+void sph_scene_set_path(struct sph_scene *scene, const char *path) {
+    snprintf(scene->path, sizeof scene->path, "%s", path);
+    const char *slash = strrchr(path, '/');
+    snprintf(scene->name, sizeof scene->name, "%s", slash ? slash + 1 : path);
+    char *dot = strrchr(scene->name, '.');
+    if (dot && dot != scene->name) *dot = 0;
+}
+
+void sph_scene_free(struct sph_scene *scene) {
+    free(scene->materials);
+    free(scene->spheres);
+    memset(scene, 0, sizeof *scene);
+}
+
+static double length(struct sph_vec v) {
+    return hypot(hypot(v.x, v.y), v.z);
+}
+
+int sph_camera_check(const struct sph_camera *camera, const char *where, struct sph_error *err) {
+    const struct sph_vec f = camera->from, a = camera->at, u = camera->up;
+    struct sph_vec dir = {a.x - f.x, a.y - f.y, a.z - f.z};
+    struct sph_vec side = {dir.y * u.z - dir.z * u.y, dir.z * u.x - dir.x * u.z,
+                           dir.x * u.y - dir.y * u.x};
+    double dist = length(dir), up = length(u);
+    if (!(dist > 1e-12 * fmax(length(f), length(a))))
+        return sph_fail(err, "%s: camera: `from` and `at` are the same point", where);
+    if (!(up > 0)) return sph_fail(err, "%s: camera: `up` is zero", where);
+    if (!(length(side) > 1e-9 * dist * up))
+        return sph_fail(err, "%s: camera: `up` is parallel to the view", where);
+    if (!(camera->angle > 0 && camera->angle < 180))
+        return sph_fail(err, "%s: camera: `angle` %g is not between 0 and 180 degrees", where,
+                        camera->angle);
+    if (camera->width < 1 || camera->width > SPH_MAX_RESOLUTION || camera->height < 1 ||
+        camera->height > SPH_MAX_RESOLUTION)
+        return sph_fail(err, "%s: camera: `resolution` %d %d is not within 1 to %d", where,
+                        camera->width, camera->height, SPH_MAX_RESOLUTION);
+    return 0;
+}

@@ -1,0 +1,81 @@
+/* generate.c - chooses the maker of a generated scene; see generate.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "scene/generate.h"
+#include "scene/generate_kinds.h"
+
+#include <string.h>
+
+const char sph_generate_help[] =
+    "sphereflake       SPD `balls` without floor: 10, 91, 820, 7381, 66430 spheres (size 1 to 5)\n"
+    "paper5            5 random spheres, one light (Borodavka 2015, Fig. 10; seed)\n"
+    "paper100          100 random spheres, one light (Borodavka 2015, Fig. 12; seed)\n"
+    "interpenetrating  spheres that cut each other\n"
+    "random            n spheres in a cube (n, seed)\n"
+    "huge_tiny         one huge sphere under small and tiny ones\n";
+
+static const struct {
+    const char *kind;
+    int (*make)(const struct sph_generate_options *, struct sph_scene *, struct sph_error *);
+} makers[] = {
+    {"sphereflake", sph_make_sphereflake}, {"paper5", sph_make_paper5},
+    {"paper100", sph_make_paper100},       {"interpenetrating", sph_make_interpenetrating},
+    {"random", sph_make_random},           {"huge_tiny", sph_make_huge_tiny},
+};
+
+enum { N_MAKERS = sizeof makers / sizeof makers[0] };
+
+void sph_make_camera(struct sph_scene *scene, struct sph_vec from, struct sph_vec at,
+                     struct sph_vec up, double angle) {
+    scene->camera.from = from;
+    scene->camera.at = at;
+    scene->camera.up = up;
+    scene->camera.angle = angle;
+    scene->camera.hither = 0.01;
+}
+
+int sph_make_palette(struct sph_scene *scene, double ks, double shine, struct sph_error *err) {
+    static const double rgb[SPH_PALETTE_SIZE][3] = {
+        {0.90, 0.22, 0.20}, {0.20, 0.45, 0.90}, {0.98, 0.78, 0.20}, {0.25, 0.70, 0.35},
+        {0.95, 0.52, 0.15}, {0.55, 0.30, 0.75}, {0.20, 0.75, 0.80}, {0.95, 0.55, 0.70},
+        {0.65, 0.80, 0.25}, {0.92, 0.90, 0.85}, {0.60, 0.40, 0.25}, {0.35, 0.40, 0.55},
+    };
+    for (int i = 0; i < SPH_PALETTE_SIZE; i++) {
+        struct sph_material m = {{rgb[i][0], rgb[i][1], rgb[i][2]}, 1 - ks, ks, shine, 0, 1, 0};
+        if (sph_scene_add_material(scene, &m, err)) return -1;
+    }
+    return 0;
+}
+
+static int check_distinct(const struct sph_scene *scene, struct sph_error *err) {
+    uint32_t first, second;
+    int found = sph_scene_duplicate(scene, &first, &second, err);
+    if (found > 0)
+        return sph_fail(err, "%s: spheres %u and %u are the same; try another seed", scene->name,
+                        first, second);
+    return found;
+}
+
+int sph_generate(const char *kind, const struct sph_generate_options *options,
+                 struct sph_scene *scene, struct sph_error *err) {
+    struct sph_generate_options o = {0};
+    if (options) o = *options;
+    if (!o.size) o.size = 2;
+    if (!o.n) o.n = 1000;
+    if (!o.width && !o.height) o.width = 320, o.height = 180;
+    memset(scene, 0, sizeof *scene);
+    int i = 0;
+    while (i < N_MAKERS && strcmp(kind, makers[i].kind))
+        i++;
+    if (i == N_MAKERS)
+        return sph_fail(err, "cannot generate `%s`; known kinds:\n%s", kind, sph_generate_help);
+    sph_scene_set_path(scene, kind);
+    scene->camera.width = o.width;
+    scene->camera.height = o.height;
+    if (makers[i].make(&o, scene, err) || sph_camera_check(&scene->camera, scene->name, err) ||
+        check_distinct(scene, err)) {
+        sph_scene_free(scene);
+        return -1;
+    }
+    return 0;
+}

@@ -1,0 +1,31 @@
+/* generate.h - scenes made by formula
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef SPH_SCENE_GENERATE_H
+#define SPH_SCENE_GENERATE_H
+
+#include "scene/scene.h"
+
+struct sph_generate_options {
+    int size;          /* sphereflake: 1 to 5; 0 means 2 */
+    uint32_t n;        /* random: spheres, 1 to SPH_MAX_SPHERES; 0 means 1000 */
+    uint64_t seed;     /* paper5, paper100, random: another choice of spheres; 0 is the default */
+    int width, height; /* resolution; 0 means 320 x 180 */
+};
+
+/* One line of text for every kind, for help: "sphereflake  ...\n...". */
+extern const char sph_generate_help[];
+
+/* Makes the scene of the given kind:
+ *   sphereflake      9^0 + ... + 9^size mirrored spheres: the SPD scene `balls` without floor
+ *   paper5, paper100 Borodavka 2015, Fig. 10 and 12: random spheres that fill the screen,
+ *                    one light, mirror weight 0.3, eye on +z looking along -z
+ *   interpenetrating spheres that cut each other
+ *   random           n spheres in a cube, as dense for every n
+ *   huge_tiny        one huge sphere under small and tiny ones (radii 1000 to 0.02)
+ * options may be NULL. No two spheres are the same. 0, or -1 with a message (unknown kind,
+ * option out of range, no memory); then there is nothing to free. */
+int sph_generate(const char *kind, const struct sph_generate_options *options,
+                 struct sph_scene *scene, struct sph_error *err);
+
+#endif

@@ -1,0 +1,58 @@
+/* nff_lex.h - cuts a text file into tokens with line numbers; checks and reads numbers
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * A token is a run of characters other than blanks, ends of line and `#`; `#` starts a comment
+ * that runs to the end of the line. The file is read in pieces, so its size does not matter
+ * and pipes work. Numbers do not depend on the locale.
+ */
+#ifndef SPH_SCENE_NFF_LEX_H
+#define SPH_SCENE_NFF_LEX_H
+
+#include <stdint.h>
+#include <stdio.h>
+
+#include "error.h"
+
+#define SPH_LEX_TOKEN 63    /* characters of the longest token */
+#define SPH_NUMBER_MAX 1e30 /* greatest size of a number: squares and products stay finite */
+
+struct sph_lex {
+    FILE *file;
+    const char *path;
+    size_t pos, len; /* next byte and end of the piece in buf */
+    uint32_t line;   /* of the next byte, from 1 */
+    int ready;       /* token[] holds a token that was not taken yet */
+    uint32_t token_line;
+    char token[SPH_LEX_TOKEN + 1];
+    unsigned char buf[65536];
+};
+
+/* Opens path (kept, not copied). 0, or -1 with a message: missing, no permission, a folder. */
+int sph_lex_open(struct sph_lex *lex, const char *path, struct sph_error *err);
+
+void sph_lex_close(struct sph_lex *lex);
+
+/* Makes lex->token the next token, without taking it. 1, 0 at the end of the file, -1 with a
+ * message: a control character, a token that is too long, a read error. */
+int sph_lex_peek(struct sph_lex *lex, struct sph_error *err);
+
+/* Takes the token that sph_lex_peek showed. */
+static inline void sph_lex_take(struct sph_lex *lex) {
+    lex->ready = 0;
+}
+
+/* Does the token look like a number (starts with a digit, sign or point)? */
+int sph_lex_numeric(const struct sph_lex *lex);
+
+/* Takes a number. record and field name what it is for. 0, or -1 with a message: end of file,
+ * not a number, NaN, infinity, larger than SPH_NUMBER_MAX. */
+int sph_lex_number(struct sph_lex *lex, const char *record, const char *field, double *value,
+                   struct sph_error *err);
+
+/* Reads all of text as a decimal number. 0; -1 if it is not one; -2 if it is too large. */
+int sph_parse_number(const char *text, double *value);
+
+/* The token for messages: characters that would not print become `?`. Changes the token. */
+const char *sph_lex_printable(struct sph_lex *lex);
+
+#endif
