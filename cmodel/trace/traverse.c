@@ -136,7 +136,7 @@ struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *r
         }
         if (ray->kind == SPH_SHADOW && best.key) return best;
 
-        if (found.count) {
+        if (found.count && found.list[0].near <= depth_max) {
             if (now.count) {
                 if (sp == SPH_STACK_DEPTH) return *errors |= 1u << SPH_ERROR_STACK_OVERFLOW, best;
                 stack[sp++] = now;
