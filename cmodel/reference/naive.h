@@ -1,0 +1,31 @@
+/* naive.h - a second, slow model that checks the golden one
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Written from the definitions alone: every sphere of the machine is tested against every ray in
+ * unbounded integers (GMP), the discriminant in Lagrange's form rad^2*a - |oc x dir|^2, roots are
+ * compared by squaring, keys are found by search. Nothing of the golden model is called.
+ */
+#ifndef SPH_NAIVE_H
+#define SPH_NAIVE_H
+
+#include "frame.h"
+#include "machine/machine.h"
+#include "trace/leaf.h"
+#include "trace/ray.h"
+
+struct sph_naive_leaf {
+    int hit;      /* a root t > 0 (shadow ray: 0 < t < 1), after the skip rules */
+    int far;      /* the greater root, or leaving the ray's own sphere */
+    int exit;     /* inside its own sphere with no root ahead: key 1 */
+    uint64_t key; /* smallest integer n >= 1 with n >= a*t; 0 for shadow rays and misses */
+};
+
+/* Tests one sphere; of *ray only org, dir, kind and skip are read. Total for any int64 operands
+ * below 2^30. */
+struct sph_naive_leaf sph_naive_leaf(const struct sph_ray *ray, const struct sph_leaf *leaf);
+
+/* The colours, id and key of pixel x, y; visits stays 0. The machine must be well formed; its tree
+ * is not read. */
+struct sph_pixel sph_naive_pixel(const struct sph_machine *m, int x, int y);
+
+#endif

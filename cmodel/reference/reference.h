@@ -1,0 +1,57 @@
+/* reference.h - the same picture in double precision, from the scene as written
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Nothing is quantised before the final 8-bit colour: what a machine's frame differs by is the
+ * price of its number formats. Shading rules are those of the machine (docs/model.md).
+ */
+#ifndef SPH_REFERENCE_H
+#define SPH_REFERENCE_H
+
+#include <stdint.h>
+
+#include "error.h"
+#include "frame.h"
+#include "scene/scene.h"
+
+struct sph_reference_options {
+    int width, height; /* pixels; 0: as the scene says */
+    int max_depth;     /* reflections followed, 0..5 */
+    int shadow;        /* 1: lights are blocked */
+    int reflect;       /* 1: mirrors are followed */
+    int threads;       /* 0: all */
+};
+
+struct sph_reference_pixel {
+    uint32_t colour[SPH_FRAMES]; /* 0xBBGGRR at depth 0, 1 and the deepest, as sph_pixel */
+    uint32_t id;                 /* sphere seen, SPH_ID_NONE: background */
+    uint32_t reflected_id;       /* sphere seen in it; SPH_ID_NONE: none */
+    uint32_t shadow;             /* bit l: light l shines on this side but is blocked */
+};
+
+struct sph_reference {
+    int width, height;
+    struct sph_reference_pixel *pixels; /* row by row, row 0 on top */
+};
+
+struct sph_image_error {
+    double psnr[SPH_FRAMES]; /* dB over all pixels and channels; INFINITY: equal */
+    uint64_t pixels;         /* compared */
+    uint64_t silhouette;     /* hit in one, background in the other */
+    uint64_t wrong_id;       /* hit in both, another sphere */
+    uint64_t far_off;        /* a channel of the deepest layer is off by more than 8 */
+    int worst;               /* largest difference of a channel in the deepest layer */
+};
+
+/* Renders the scene into *out (allocated here). 0, or -1 with a message (no memory, a camera
+ * without direction, a size that is not positive). */
+int sph_reference_render(const struct sph_scene *scene, const struct sph_reference_options *options,
+                         struct sph_reference *out, struct sph_error *err);
+
+void sph_reference_free(struct sph_reference *r);
+
+/* Compares two frames of equal size (sizes differ: pixels is 0 and nothing else counts). The ids
+ * of the frame must be the scene's sphere numbers. */
+struct sph_image_error sph_reference_compare(const struct sph_frame *frame,
+                                             const struct sph_reference *reference);
+
+#endif

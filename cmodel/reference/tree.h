@@ -1,0 +1,33 @@
+/* tree.h - nearest sphere on a ray, in double precision
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef SPH_REFERENCE_TREE_H
+#define SPH_REFERENCE_TREE_H
+
+#include <stdint.h>
+
+#include "scene/scene.h"
+
+struct sph_ref_ray {
+    double org[3], dir[3];
+    uint32_t skip; /* sphere the ray starts on, SPH_ID_NONE: none */
+    int inside;    /* it starts inside that sphere */
+};
+
+struct sph_ref_hit {
+    double t; /* INFINITY: none */
+    uint32_t id;
+    int far; /* the origin is inside */
+};
+
+struct sph_ref_tree; /* boxes of two children, split at the median */
+
+/* Builds a tree over the scene's spheres; NULL if memory is out. */
+struct sph_ref_tree *sph_ref_tree_new(const struct sph_scene *scene);
+void sph_ref_tree_free(struct sph_ref_tree *tree);
+
+/* The first hit with 0 < t < t_max; any_hit: whichever is found first will do. */
+struct sph_ref_hit sph_ref_trace(const struct sph_ref_tree *tree, const struct sph_ref_ray *ray,
+                                 double t_max, int any_hit);
+
+#endif
