@@ -5,6 +5,8 @@
 
 #include <math.h>
 
+#include "math/fx.h"
+
 int64_t sph_ceil_sqrt(int64_t v) {
     int64_t s = (int64_t)sqrt((double)v);
     while (s * s < v)
@@ -19,14 +21,9 @@ static int64_t ceil_shift(int64_t v, int k) {
     return -(-v >> k);
 }
 
-/* v / 2^k to nearest, halves up. */
-static int64_t round_half_up(int64_t v, int k) {
-    return k ? (v + (1ll << (k - 1))) >> k : v;
-}
-
 int32_t sph_filter_coord(int64_t v, const struct sph_profile *profile) {
     int64_t top = (1ll << (profile->fw - 1)) - 1;
-    int64_t f = round_half_up(v, profile->w - profile->fw);
+    int64_t f = sph_round(v, profile->w - profile->fw);
     return (int32_t)(f > top ? top : f < -top - 1 ? -top - 1 : f);
 }
 

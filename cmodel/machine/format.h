@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "fnv.h"
 #include "machine/machine.h"
 
 #define SPH_MAGIC "SPHAERA1"
@@ -48,12 +49,10 @@ static inline uint64_t sph_get64(const unsigned char *from) {
     return sph_get32(from) | (uint64_t)sph_get32(from + 4) << 32;
 }
 
-#define SPH_FNV_START 0xcbf29ce484222325u
-
 /* FNV-1a, 64 bits, continued over n more bytes. */
-static inline uint64_t sph_fnv(uint64_t sum, const unsigned char *bytes, size_t n) {
+static inline uint64_t sph_fnv_bytes(uint64_t sum, const unsigned char *bytes, size_t n) {
     for (size_t i = 0; i < n; i++)
-        sum = (sum ^ bytes[i]) * 0x100000001b3u;
+        sum = sph_fnv(sum, bytes[i], 1);
     return sum;
 }
 

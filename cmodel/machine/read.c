@@ -77,13 +77,13 @@ static void take_header(const unsigned char *h, struct sph_machine *m) {
 static int take_memory(FILE *file, const unsigned char *header, struct sph_machine *m,
                        struct sph_error *err) {
     unsigned char line[4 * SPH_LINE_WORDS], tail[SPH_CHECKSUM_BYTES];
-    uint64_t sum = sph_fnv(SPH_FNV_START, header, SPH_HEADER_BYTES);
+    uint64_t sum = sph_fnv_bytes(SPH_FNV_START, header, SPH_HEADER_BYTES);
     m->mem = malloc(((size_t)m->lines + 1) * sizeof line);
     if (!m->mem) return sph_fail(err, "out of memory for %u lines", m->lines);
     for (uint32_t i = 0; i < m->lines; i++) {
         if (fread(line, 1, sizeof line, file) != sizeof line)
             return sph_fail(err, "cannot be read at line %u", i);
-        sum = sph_fnv(sum, line, sizeof line);
+        sum = sph_fnv_bytes(sum, line, sizeof line);
         for (uint32_t w = 0; w < SPH_LINE_WORDS; w++)
             m->mem[(size_t)i * SPH_LINE_WORDS + w] = sph_get32(line + 4 * w);
     }

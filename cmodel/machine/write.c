@@ -1,13 +1,11 @@
 /* write.c - machine to file; see machine.h, docs/machine_file.md
  * SPDX-License-Identifier: Apache-2.0
  */
-#include <errno.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "machine/format.h"
+#include "output.h"
 
 static void put_double(unsigned char *to, double v) {
     uint64_t bits;
@@ -37,39 +35,29 @@ static void fill_header(const struct sph_machine *m, unsigned char *h) {
         sph_put32(h + SPH_AT_REGS + 4 * i, (uint32_t)m->regs[i]);
 }
 
-/* Writes n bytes and adds them to the checksum. */
-static int put(FILE *file, const unsigned char *bytes, size_t n, uint64_t *sum) {
-    *sum = sph_fnv(*sum, bytes, n);
-    return fwrite(bytes, 1, n, file) == n ? 0 : -1;
+/* Writes n bytes and adds them to the checksum; the stream remembers errors. */
+static void put(FILE *file, const unsigned char *bytes, size_t n, uint64_t *sum) {
+    *sum = sph_fnv_bytes(*sum, bytes, n);
+    fwrite(bytes, 1, n, file);
 }
 
-static int put_all(FILE *file, const struct sph_machine *m) {
+static void put_all(FILE *file, const struct sph_machine *m) {
     unsigned char header[SPH_HEADER_BYTES], line[4 * SPH_LINE_WORDS], tail[SPH_CHECKSUM_BYTES];
     uint64_t sum = SPH_FNV_START;
     fill_header(m, header);
-    if (put(file, header, sizeof header, &sum)) return -1;
+    put(file, header, sizeof header, &sum);
     for (uint32_t i = 0; i < m->lines; i++) {
         for (uint32_t w = 0; w < SPH_LINE_WORDS; w++)
             sph_put32(line + 4 * w, m->mem[(size_t)i * SPH_LINE_WORDS + w]);
-        if (put(file, line, sizeof line, &sum)) return -1;
+        put(file, line, sizeof line, &sum);
     }
     sph_put64(tail, sum);
-    return fwrite(tail, 1, sizeof tail, file) == sizeof tail ? 0 : -1;
+    fwrite(tail, 1, sizeof tail, file);
 }
 
 int sph_machine_write(const struct sph_machine *m, const char *path, struct sph_error *err) {
-    size_t size = strlen(path) + 32;
-    char *temporary = malloc(size);
-    if (!temporary) return sph_fail(err, "%s: out of memory", path);
-    snprintf(temporary, size, "%s.%ld.tmp", path, (long)getpid());
-    FILE *file = fopen(temporary, "wb");
-    int result = file ? put_all(file, m) : -1;
-    if (file && fclose(file)) result = -1;
-    if (!result) result = rename(temporary, path);
-    if (result) {
-        sph_fail(err, "%s: cannot be written: %s", path, strerror(errno));
-        if (file) remove(temporary);
-    }
-    free(temporary);
-    return result ? -1 : 0;
+    struct sph_output out;
+    if (sph_output_open(&out, path, err)) return -1;
+    put_all(out.file, m);
+    return sph_output_close(&out, 0, err);
 }

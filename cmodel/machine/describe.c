@@ -1,0 +1,85 @@
+/* describe.c - see describe.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "machine/describe.h"
+
+#include <math.h>
+
+struct shape {
+    uint32_t nodes, depth;
+    uint32_t children[5];                 /* nodes with that many children */
+    uint32_t leaves[SPH_STACK_DEPTH + 1]; /* spheres whose node is on that level, root: 1 */
+};
+
+/* Counts the node at `line` on `level` and all below. */
+static void count(const struct sph_machine *m, uint32_t line, uint32_t level, struct shape *s) {
+    const uint32_t *node = m->mem + (size_t)line * SPH_LINE_WORDS;
+    uint32_t base = sph_field(node, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS);
+    uint32_t n_inner = sph_field(node, SPH_NODE_N_INNER_LSB, SPH_NODE_N_INNER_BITS);
+    uint32_t n_leaf = sph_field(node, SPH_NODE_N_LEAF_LSB, SPH_NODE_N_LEAF_BITS);
+    s->nodes++;
+    s->children[n_inner + n_leaf]++;
+    s->leaves[level] += n_leaf;
+    if (level > s->depth) s->depth = level;
+    for (uint32_t i = 0; i < n_inner; i++)
+        count(m, base + i, level + 1, s);
+}
+
+static void describe_tree(const struct sph_machine *m, FILE *file) {
+    struct shape s = {0};
+    count(m, (uint32_t)m->regs[SPH_REG_ROOT], 1, &s);
+    fprintf(file, "tree      %s, %u nodes on %u levels, %d spheres below them\n",
+            m->regs[SPH_REG_TREE] == 1 ? "paper" : "balanced", s.nodes, s.depth,
+            m->regs[SPH_REG_N_PRIMS]);
+    fprintf(file, "children ");
+    for (int i = 0; i <= 4; i++)
+        if (s.children[i]) fprintf(file, " %d: %u", i, s.children[i]);
+    fprintf(file, "  (children of a node: nodes)\nleaves   ");
+    for (uint32_t i = 1; i <= s.depth; i++)
+        if (s.leaves[i]) fprintf(file, " %u: %u", i, s.leaves[i]);
+    fprintf(file, "  (level of the node: spheres)\n");
+}
+
+#define NAMED(name)                                                                                \
+    { SPH_REG_##name, #name }
+
+static const struct {
+    int number;
+    const char *name;
+} names[] = {
+    NAMED(EFFECTS),   NAMED(MAX_DEPTH), NAMED(N_LIGHTS),  NAMED(FRAME_W),  NAMED(FRAME_H),
+    NAMED(WIN_X0),    NAMED(WIN_Y0),    NAMED(WIN_X1),    NAMED(WIN_Y1),   NAMED(BG_MODE),
+    NAMED(RECT_X0),   NAMED(RECT_Y0),   NAMED(RECT_X1),   NAMED(RECT_Y1),  NAMED(BG_COLOUR),
+    NAMED(AMBIENT_R), NAMED(AMBIENT_G), NAMED(AMBIENT_B), NAMED(EYE_X),    NAMED(EYE_Y),
+    NAMED(EYE_Z),     NAMED(DIR_X0),    NAMED(DIR_Y0),    NAMED(DIR_Z),    NAMED(PITCH),
+    NAMED(ROOT),      NAMED(PRIM_BASE), NAMED(MEM_LINES), NAMED(N_PRIMS),  NAMED(VISIT_LIMIT),
+    NAMED(PROFILE),   NAMED(TREE),      NAMED(LIGHT0_X),  NAMED(LIGHT0_Y), NAMED(LIGHT0_Z),
+    NAMED(LIGHT0_R),  NAMED(LIGHT0_G),  NAMED(LIGHT0_B)};
+
+static void describe_registers(const struct sph_machine *m, FILE *file) {
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        int light = names[i].number >= SPH_REG_LIGHT0_X;
+        for (int l = 0; l < (light ? m->regs[SPH_REG_N_LIGHTS] : 1); l++) {
+            char name[32];
+            int number = names[i].number + SPH_LIGHT_STRIDE * l;
+            snprintf(name, sizeof name, "%s", names[i].name);
+            if (light) name[5] = (char)('0' + l);
+            fprintf(file, "  %2d %-12s %11d 0x%08x\n", number, name, m->regs[number],
+                    (unsigned)m->regs[number]);
+        }
+    }
+}
+
+void sph_machine_describe(const struct sph_machine *m, FILE *file) {
+    const struct sph_profile *p = sph_machine_profile(m);
+    fprintf(file, "scene     %s\n", m->name);
+    fprintf(file, "profile   %s: W %d, WD %d, PQ %d, NG %d, FW %d bits\n", p->name, p->w, p->wd,
+            p->pq, p->ng, p->fw);
+    fprintf(file, "grid      step 2^%d = %g scene units, point 0 at camera-frame (%g, %g, %g)\n",
+            m->grid_log2, ldexp(1, m->grid_log2), m->origin[0], m->origin[1], m->origin[2]);
+    fprintf(file, "memory    %u lines, %.1f KiB; primitive records from line %d\n", m->lines,
+            m->lines * 4.0 * SPH_LINE_WORDS / 1024, m->regs[SPH_REG_PRIM_BASE]);
+    describe_tree(m, file);
+    fprintf(file, "registers\n");
+    describe_registers(m, file);
+}
