@@ -1,0 +1,208 @@
+// rt_cache.v - read-only, set-associative, non-blocking cache of 256-bit lines
+// SPDX-License-Identifier: Apache-2.0
+//   req --> [s1: tags, hit?] --hit--> [data RAM] --> rsp        hits overtake misses
+//              | miss, or line on its way   ^  ^
+//              +----> queue, in order ------+  +-- memory, in the order of mem_req
+// Hit: latency 2 cycles, one a cycle. Miss: waits in the queue for its line, 2 cycles more.
+// Responses carry the tag of their request; only requests that queue keep their order.
+// Why it is right: docs/cache.md.
+`default_nettype none
+module rt_cache #(
+    parameter TAG     = 8,    // bits of a request's tag
+    parameter LINES   = 256,  // lines held, a power of two
+    parameter WAYS    = 4,    // lines of a set, a power of two, 2 .. LINES/2
+    parameter PENDING = 16    // requests that may wait for memory, a power of two
+) (
+    input  wire           clk,
+    input  wire           rst,              // synchronous, active high
+    input  wire           flush_i,          // one cycle: forget every line
+    output reg            miss_o,           // one cycle per line asked of memory
+    // from the client
+    input  wire           req_valid_i,
+    output wire           req_ready_o,
+    input  wire [25:0]    req_line_i,       // line wanted
+    input  wire [TAG-1:0] req_tag_i,        // comes back with it
+    // to the client
+    output reg            rsp_valid_o,
+    input  wire           rsp_ready_i,
+    output wire [255:0]   rsp_data_o,
+    output reg  [TAG-1:0] rsp_tag_o,
+    output wire           rsp_error_o,      // bus error: data is void
+    // to memory
+    output reg            mem_req_valid_o,
+    input  wire           mem_req_ready_i,
+    output reg  [25:0]    mem_req_line_o,
+    // from memory, in the order of requests
+    input  wire           mem_rsp_valid_i,
+    output wire           mem_rsp_ready_o,
+    input  wire [255:0]   mem_rsp_data_i,
+    input  wire           mem_rsp_error_i
+);
+    localparam SETS = LINES / WAYS;
+    localparam SB   = $clog2(SETS);         // bits of a set number
+    localparam WB   = $clog2(WAYS);         // bits of a way number
+    localparam KB   = 26 - SB;              // line number above the set
+    generate
+        if (WAYS < 2 || SETS < 2 || WAYS != (1 << WB) || LINES != (WAYS << SB)) begin : illegal
+            initial begin
+                $display("rt_cache: no cache of %0d lines in sets of %0d", LINES, WAYS);
+                $finish;
+            end
+        end
+    endgenerate
+
+    function [WB-1:0] number(input [WAYS-1:0] onehot);
+        integer i;
+        begin
+            number = {WB{1'b0}};
+            for (i = 0; i < WAYS; i = i + 1) if (onehot[i]) number = number | i[WB-1:0];
+        end
+    endfunction
+
+    // ---- walk: after reset and flush, clears the state of one set a cycle; lookups wait ----
+    reg            walk_q;
+    reg  [SB-1:0]  walk_set_q;
+    wire           head_valid;              // the queue is not empty
+    wire           walk_step = walk_q && !head_valid;
+    always @(posedge clk) begin
+        if (walk_step) begin
+            walk_set_q <= walk_set_q + 1'b1;
+            if (&walk_set_q) walk_q <= 1'b0;
+        end
+        if (rst || flush_i) begin walk_q <= 1'b1; walk_set_q <= {SB{1'b0}}; end
+    end
+
+    // ---- stage 1: lookup ----
+    reg            s1_valid_q;
+    reg  [25:0]    s1_line_q;
+    reg  [TAG-1:0] s1_tag_q;
+    wire           s1_go;                   // the lookup is done with
+    wire [SB-1:0]  s1_set = s1_line_q[SB-1:0];
+    assign req_ready_o = s1_go || !s1_valid_q;
+    always @(posedge clk) begin
+        if (req_ready_o) begin
+            s1_valid_q <= req_valid_i;
+            s1_line_q  <= req_line_i;
+            s1_tag_q   <= req_tag_i;
+        end
+        if (rst) s1_valid_q <= 1'b0;
+    end
+
+    // State of a line, in two memories because two places write it:
+    //   by allocation: {used, asked, key}     by fill: {error, filled}
+    // asked and filled differ while the line is on its way; an allocation makes them differ, the
+    // fill makes them equal again.
+    wire [WAYS-1:0] match;                  // way holds or awaits the line
+    wire [WAYS-1:0] coming;                 // line of the way is on its way
+    wire [WAYS-1:0] good;                   // line of the way is there, without error
+    wire            alloc;                  // this cycle allocates a way
+    wire [WAYS-1:0] victim;                 // which, one-hot
+    wire            fill;                   // this cycle writes a line from memory
+    wire            head_asked;             // of the line at the head of the queue
+    wire [SB-1:0]   head_set;
+    wire [WB-1:0]   head_way;
+    genvar g;
+    generate
+        for (g = 0; g < WAYS; g = g + 1) begin : way
+            wire          used, asked, error, filled;
+            wire [KB-1:0] key;
+            rt_slot_file #(.WIDTH(KB+2), .SLOTS(SETS)) u_alloc (
+                .clk(clk),
+                .wr_en_i(walk_step || (alloc && victim[g])),
+                .wr_addr_i(walk_q ? walk_set_q : s1_set),
+                .wr_data_i({!walk_q, !walk_q && !filled, s1_line_q[25:SB]}),
+                .rd_addr_i(s1_set), .rd_data_o({used, asked, key})
+            );
+            rt_slot_file #(.WIDTH(2), .SLOTS(SETS)) u_fill (
+                .clk(clk),
+                .wr_en_i(walk_step || (fill && head_way == g[WB-1:0])),
+                .wr_addr_i(walk_step ? walk_set_q : head_set),
+                .wr_data_i({mem_rsp_error_i, !walk_step && head_asked}),
+                .rd_addr_i(s1_set), .rd_data_o({error, filled})
+            );
+            assign match[g]  = used && key == s1_line_q[25:SB];
+            assign coming[g] = used && asked != filled;
+            assign good[g]   = used && asked == filled && !error;
+        end
+    endgenerate
+    wire s1_hit    = |(match & good);
+    wire s1_follow = |(match & coming);
+
+    // ---- stage 1: victim, the first way not used lately; never one whose line is coming ----
+    wire [WAYS-1:0] lately;                 // ways used since all were
+    wire [WAYS-1:0] may   = ~coming;
+    wire [WAYS-1:0] pick  = |(may & ~lately) ? may & ~lately : may;
+    assign victim         = pick & (~pick + 1'b1);
+    wire [WAYS-1:0] touch = s1_hit ? match & good : s1_follow ? match & coming : victim;
+    wire [WAYS-1:0] after = lately | touch;
+    wire [WAYS-1:0] asked_new;              // asked bit the victim gets
+    rt_slot_file #(.WIDTH(WAYS), .SLOTS(SETS)) u_lately (
+        .clk(clk),
+        .wr_en_i(walk_step || s1_go),
+        .wr_addr_i(walk_q ? walk_set_q : s1_set),
+        .wr_data_i(walk_q ? {WAYS{1'b0}} : &after ? touch : after),
+        .rd_addr_i(s1_set), .rd_data_o(lately)
+    );
+    generate
+        for (g = 0; g < WAYS; g = g + 1) begin : next
+            assign asked_new[g] = !way[g].filled;
+        end
+    endgenerate
+
+    // ---- stage 1: where to. A hit needs the data RAM, the rest a place in the queue ----
+    wire rsp_free;                          // the response register can take a line
+    wire head_ready;                        // the head of the queue wants the data RAM
+    wire queue_room;
+    wire mem_free  = mem_req_ready_i || !mem_req_valid_o;
+    wire s1_run    = s1_valid_q && !walk_q;
+    wire hit_go    = s1_run && s1_hit && rsp_free && !head_ready;
+    wire follow_go = s1_run && !s1_hit && s1_follow && queue_room;
+    assign alloc   = s1_run && !s1_hit && !s1_follow && queue_room && mem_free && |may;
+    assign s1_go   = hit_go || follow_go || alloc;
+    always @(posedge clk) begin
+        if (mem_free) begin mem_req_valid_o <= alloc; mem_req_line_o <= s1_line_q; end
+        miss_o <= alloc;
+        if (rst) begin mem_req_valid_o <= 1'b0; miss_o <= 1'b0; end
+    end
+
+    // ---- queue: leaders, whose line is asked of memory, and followers, in order ----
+    wire           head_leader;
+    wire           head_go;                 // the head reads the data RAM and leaves
+    wire [TAG-1:0] head_tag;
+    reg            head_filled_q;           // the line of the leader is written
+    rt_fifo #(.WIDTH(2+SB+WB+TAG), .DEPTH(PENDING)) u_queue (
+        .clk(clk), .rst(rst),
+        .in_valid_i(follow_go || alloc), .in_ready_o(queue_room),
+        .in_data_i({alloc, |(asked_new & victim), s1_set, number(touch), s1_tag_q}),
+        .out_valid_o(head_valid), .out_ready_i(head_go),
+        .out_data_o({head_leader, head_asked, head_set, head_way, head_tag})
+    );
+    assign mem_rsp_ready_o = head_valid && head_leader && !head_filled_q;
+    assign fill            = mem_rsp_valid_i && mem_rsp_ready_o;
+    assign head_ready      = head_valid && (!head_leader || head_filled_q);
+    assign head_go         = head_ready && rsp_free;
+    always @(posedge clk) begin
+        if (fill)    head_filled_q <= 1'b1;
+        if (head_go) head_filled_q <= 1'b0;
+        if (rst)     head_filled_q <= 1'b0;
+    end
+
+    // ---- stage 2: data RAM; its output is the response ----
+    assign rsp_free = rsp_ready_i || !rsp_valid_o;
+    rt_slot_ram #(.WIDTH(257), .SLOTS(LINES), .OLD(0)) u_data (
+        .clk(clk),
+        .wr_en_i(fill), .wr_addr_i({head_way, head_set}),
+        .wr_data_i({mem_rsp_error_i, mem_rsp_data_i}),
+        .rd_en_i(head_go || hit_go),
+        .rd_addr_i(head_ready ? {head_way, head_set} : {number(match & good), s1_set}),
+        .rd_data_o({rsp_error_o, rsp_data_o})
+    );
+    always @(posedge clk) begin
+        if (rsp_free) begin
+            rsp_valid_o <= head_go || hit_go;
+            rsp_tag_o   <= head_ready ? head_tag : s1_tag_q;
+        end
+        if (rst) rsp_valid_o <= 1'b0;
+    end
+endmodule
+`default_nettype wire

@@ -1,0 +1,67 @@
+// rt_fifo.v - first-word fall-through queue in distributed RAM
+// SPDX-License-Identifier: Apache-2.0
+// The oldest word stands at the output without being asked for. Latency 1 cycle from a push into
+// the empty queue to out_valid_o; one push and one pop every cycle.
+// In the engine no queue can overflow (token rule, docs/rtl_interfaces.md) and in_ready_o may stay
+// open; a push while in_ready_o is low is lost and stops a simulation.
+`default_nettype none
+module rt_fifo #(
+    parameter WIDTH = 8,   // bits of a word
+    parameter DEPTH = 16   // words, a power of two, at least 2
+) (
+    input  wire             clk,
+    input  wire             rst,          // synchronous, active high
+    // from the producer
+    input  wire             in_valid_i,
+    output wire             in_ready_o,   // there is room
+    input  wire [WIDTH-1:0] in_data_i,
+    // to the consumer
+    output wire             out_valid_o,
+    input  wire             out_ready_i,
+    output wire [WIDTH-1:0] out_data_o
+);
+    localparam AB = $clog2(DEPTH);        // address bits
+    generate
+        if (DEPTH < 2 || DEPTH != (1 << AB)) begin : illegal
+            initial begin
+                $display("rt_fifo: DEPTH %0d is not a power of two above 1", DEPTH);
+                $finish;
+            end
+        end
+    endgenerate
+
+    // ---- pointers: one bit more than the address tells full from empty ----
+    reg  [AB:0] wr_q;                     // words pushed, modulo 2 DEPTH
+    reg  [AB:0] rd_q;                     // words popped
+    wire        push   = in_valid_i && in_ready_o;
+    wire        pop    = out_valid_o && out_ready_i;
+    assign in_ready_o  = wr_q != {~rd_q[AB], rd_q[AB-1:0]};
+    assign out_valid_o = wr_q != rd_q;
+    always @(posedge clk) begin
+        if (push) wr_q <= wr_q + 1'b1;
+        if (pop)  rd_q <= rd_q + 1'b1;
+        if (rst) begin
+            wr_q <= {(AB+1){1'b0}};
+            rd_q <= {(AB+1){1'b0}};
+        end
+    end
+
+    // ---- words ----
+    rt_slot_file #(.WIDTH(WIDTH), .SLOTS(DEPTH)) u_words (
+        .clk(clk),
+        .wr_en_i(push), .wr_addr_i(wr_q[AB-1:0]), .wr_data_i(in_data_i),
+        .rd_addr_i(rd_q[AB-1:0]), .rd_data_o(out_data_o)
+    );
+
+`ifdef FORMAL
+    always @(posedge clk) if (!rst) assert (!in_valid_i || in_ready_o);
+`else
+`ifndef SYNTHESIS
+    always @(posedge clk) if (!rst && in_valid_i && !in_ready_o) begin
+        $display("%m: push into a full queue of %0d", DEPTH);
+        $finish;
+    end
+`endif
+`endif
+endmodule
+`default_nettype wire

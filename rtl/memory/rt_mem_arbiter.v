@@ -1,0 +1,97 @@
+// rt_mem_arbiter.v - shares one memory port among several readers of 256-bit lines
+// SPDX-License-Identifier: Apache-2.0
+//   client 0..n --> [round robin] --> mem_req        mem_rsp --> [4 beats] --> client of the line
+//                        +------ order of requests -------------------^
+// Request: latency 1 cycle, one a cycle. Line: 1 cycle after its last beat, one every 4 cycles.
+// At most PENDING lines are on their way. Each client gets its lines in the order it asked for
+// them; it must take them without waiting for the line of another client.
+`default_nettype none
+module rt_mem_arbiter #(
+    parameter CLIENTS = 2,    // readers, at least 1
+    parameter PENDING = 16    // lines on their way, a power of two
+) (
+    input  wire                  clk,
+    input  wire                  rst,              // synchronous, active high
+    // from the clients, client i in bit i and in field i
+    input  wire [CLIENTS-1:0]    req_valid_i,
+    output wire [CLIENTS-1:0]    req_ready_o,
+    input  wire [26*CLIENTS-1:0] req_line_i,
+    // to the clients
+    output wire [CLIENTS-1:0]    rsp_valid_o,      // one-hot
+    input  wire [CLIENTS-1:0]    rsp_ready_i,
+    output wire [255:0]          rsp_data_o,       // one bus for all
+    output wire                  rsp_error_o,      // any beat had one
+    // to memory
+    output reg                   mem_req_valid_o,
+    input  wire                  mem_req_ready_i,
+    output reg  [25:0]           mem_req_line_o,
+    // from memory: four beats a line, low bits first, in the order of requests
+    input  wire                  mem_rsp_valid_i,
+    output wire                  mem_rsp_ready_o,
+    input  wire [63:0]           mem_rsp_data_i,
+    input  wire                  mem_rsp_error_i
+);
+    // ---- choice: the first client above the one served last, else the first of all ----
+    reg  [CLIENTS-1:0] above_q;                    // clients above the one served last
+    wire [CLIENTS-1:0] high  = req_valid_i & above_q;
+    wire [CLIENTS-1:0] from  = |high ? high : req_valid_i;
+    wire [CLIENTS-1:0] grant = from & (~from + 1'b1);
+    wire order_room;
+    wire take                = order_room && (mem_req_ready_i || !mem_req_valid_o);
+    wire give                = take && |req_valid_i;
+    assign req_ready_o       = grant & {CLIENTS{take}};
+    always @(posedge clk) begin
+        if (give) above_q <= ~(grant | (grant - 1'b1));
+        if (rst)  above_q <= {CLIENTS{1'b0}};
+    end
+
+    // ---- request register ----
+    reg  [25:0] line;                              // of the client chosen
+    integer i;
+    always @* begin
+        line = 26'd0;
+        for (i = 0; i < CLIENTS; i = i + 1)
+            if (grant[i]) line = line | req_line_i[26*i +: 26];
+    end
+    always @(posedge clk) begin
+        if (mem_req_ready_i || !mem_req_valid_o) begin
+            mem_req_valid_o <= give;
+            mem_req_line_o  <= line;
+        end
+        if (rst) mem_req_valid_o <= 1'b0;
+    end
+
+    // ---- order: whose line comes next ----
+    wire               order_valid;
+    wire [CLIENTS-1:0] owner;                      // one-hot
+    wire               full_take;                  // the line leaves
+    rt_fifo #(.WIDTH(CLIENTS), .DEPTH(PENDING)) u_order (
+        .clk(clk), .rst(rst),
+        .in_valid_i(give), .in_ready_o(order_room), .in_data_i(grant),
+        .out_valid_o(order_valid), .out_ready_i(full_take), .out_data_o(owner)
+    );
+
+    // ---- line: four beats shifted in from the top ----
+    reg  [255:0] line_q;
+    reg          error_q;
+    reg  [1:0]   beat_q;                           // beats of this line so far
+    reg          full_q;                           // all four are there
+    wire         beat_take = mem_rsp_valid_i && mem_rsp_ready_o;
+    assign full_take       = full_q && |(owner & rsp_ready_i);
+    assign mem_rsp_ready_o = full_take || !full_q;
+    assign rsp_valid_o     = owner & {CLIENTS{full_q}};
+    assign rsp_data_o      = line_q;
+    assign rsp_error_o     = error_q;
+    always @(posedge clk) begin
+        if (full_take) full_q <= 1'b0;
+        if (beat_take) begin
+            line_q  <= {mem_rsp_data_i, line_q[255:64]};
+            error_q <= mem_rsp_error_i || (error_q && beat_q != 2'd0);
+            beat_q  <= beat_q + 1'b1;
+            if (&beat_q) full_q <= 1'b1;
+        end
+        if (rst) begin beat_q <= 2'd0; full_q <= 1'b0; end
+    end
+    wire unused = &{1'b0, order_valid};
+endmodule
+`default_nettype wire
