@@ -26,39 +26,76 @@ static uint64_t bits(double value) {
     return word;
 }
 
-static uint64_t hash(const struct sph_sphere *s) {
+/* Spheres seen so far, by what counts as the same. */
+struct seen {
+    const struct sph_scene *scene;
+    int with_rad; /* same centre and radius; 0: same centre */
+    size_t places;
+    uint32_t *table;
+};
+
+static int open_seen(struct seen *seen, struct sph_error *err) {
+    uint32_t n = seen->scene->n_spheres;
+    seen->places = 16;
+    while (seen->places < 2 * (size_t)n)
+        seen->places *= 2;
+    seen->table = malloc(seen->places * sizeof *seen->table);
+    if (!seen->table)
+        return sph_fail(err, "%s: no memory to compare %u spheres", seen->scene->path, n);
+    memset(seen->table, 0xff, seen->places * sizeof *seen->table);
+    return 0;
+}
+
+static uint64_t hash(const struct seen *seen, const struct sph_sphere *s) {
     uint64_t h = mix(bits(s->ctr.x) + 0x9e3779b97f4a7c15u);
     h = mix(h + bits(s->ctr.y));
     h = mix(h + bits(s->ctr.z));
-    return mix(h + bits(s->rad));
+    return seen->with_rad ? mix(h + bits(s->rad)) : h;
 }
 
-static int same(const struct sph_sphere *p, const struct sph_sphere *q) {
-    return p->ctr.x == q->ctr.x && p->ctr.y == q->ctr.y && p->ctr.z == q->ctr.z && p->rad == q->rad;
+static int same(const struct seen *seen, const struct sph_sphere *p, const struct sph_sphere *q) {
+    return p->ctr.x == q->ctr.x && p->ctr.y == q->ctr.y && p->ctr.z == q->ctr.z &&
+           (!seen->with_rad || p->rad == q->rad);
+}
+
+/* The sphere seen before that is the same as number i; if there is none, i itself, which counts
+ * as seen from then on. */
+static uint32_t see(struct seen *seen, uint32_t i) {
+    const struct sph_sphere *all = seen->scene->spheres;
+    size_t place = (size_t)hash(seen, &all[i]) & (seen->places - 1);
+    while (seen->table[place] != EMPTY) {
+        if (same(seen, &all[seen->table[place]], &all[i])) return seen->table[place];
+        place = (place + 1) & (seen->places - 1);
+    }
+    return seen->table[place] = i;
 }
 
 int sph_scene_duplicate(const struct sph_scene *scene, uint32_t *first, uint32_t *second,
                         struct sph_error *err) {
-    size_t places = 16;
-    while (places < 2 * (size_t)scene->n_spheres)
-        places *= 2;
-    uint32_t *table = malloc(places * sizeof *table);
-    if (!table)
-        return sph_fail(err, "%s: no memory to compare %u spheres", scene->path, scene->n_spheres);
-    memset(table, 0xff, places * sizeof *table);
+    struct seen seen = {.scene = scene, .with_rad = 1};
     int found = 0;
+    if (open_seen(&seen, err)) return -1;
     for (uint32_t i = 0; i < scene->n_spheres && !found; i++) {
-        size_t place = (size_t)hash(&scene->spheres[i]) & (places - 1);
-        while (table[place] != EMPTY && !found) {
-            if (same(&scene->spheres[table[place]], &scene->spheres[i])) {
-                *first = table[place];
-                *second = i;
-                found = 1;
-            }
-            place = (place + 1) & (places - 1);
-        }
-        table[place] = i;
+        uint32_t same_as = see(&seen, i);
+        if (same_as == i) continue;
+        *first = same_as;
+        *second = i;
+        found = 1;
     }
-    free(table);
+    free(seen.table);
     return found;
+}
+
+int sph_scene_drop_coincident(struct sph_scene *scene, uint32_t *n_dropped, struct sph_error *err) {
+    struct seen seen = {.scene = scene};
+    uint32_t n_kept = 0;
+    if (open_seen(&seen, err)) return -1;
+    for (uint32_t i = 0; i < scene->n_spheres; i++) {
+        scene->spheres[n_kept] = scene->spheres[i]; /* spheres after n_kept are not in the table */
+        if (see(&seen, n_kept) == n_kept) n_kept++;
+    }
+    *n_dropped = scene->n_spheres - n_kept;
+    scene->n_spheres = n_kept;
+    free(seen.table);
+    return 0;
 }
