@@ -63,14 +63,12 @@ static long length(const mpz_t x) {
 
 void sph_naive_normalise(mpz_t v[3], int bits, int64_t out[3]) {
     long longest = 0;
-    int any = 0;
     for (int i = 0; i < 3; i++) {
         long n = length(v[i]);
         longest = n > longest ? n : longest;
-        any |= mpz_sgn(v[i]);
     }
     for (int i = 0; i < 3; i++) {
-        if (any) sph_naive_round(v[i], longest - (bits - 1));
+        if (longest) sph_naive_round(v[i], longest - (bits - 1));
         out[i] = sph_naive_limit(v[i], bits);
     }
 }

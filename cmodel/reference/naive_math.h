@@ -21,7 +21,7 @@ int64_t sph_naive_limit(const mpz_t x, int bits);
 long sph_naive_quotient(uint64_t key, uint64_t a, int pq, uint64_t *mant);
 
 /* v[0..2] by one shift to s(bits): the longest component fills the word; right shifts round half
- * up and are limited. Zero stays zero. */
+ * up and are limited. Components that are all 0 or -1 have no length and stay as they are. */
 void sph_naive_normalise(mpz_t v[3], int bits, int64_t out[3]);
 
 /* v / |v| as s1.16 with the machine's table of inverse square roots; v: s(bits). */
