@@ -1,0 +1,67 @@
+/* build_scene.h - scenes made in code for the tests of build and machine
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef SPH_TEST_BUILD_SCENE_H
+#define SPH_TEST_BUILD_SCENE_H
+
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "build/build.h"
+
+static uint64_t state = 1; /* of the generator: argument 1 of a test program */
+
+/* Uniform in [0, 1) (xorshift64*). */
+static inline double uniform(void) {
+    state ^= state >> 12, state ^= state << 25, state ^= state >> 27;
+    return (double)(state * 0x2545f4914f6cdd1du >> 11) * 0x1p-53;
+}
+
+static inline double between(double lo, double hi) {
+    return lo + (hi - lo) * uniform();
+}
+
+static struct sph_material mirror = {{0.8, 0.6, 0.4}, 0.5, 0.5, 10, 0, 1, 7};
+
+/* A scene of n spheres of the same radius range in the unit cube, seen from outside. */
+static inline struct sph_scene cloud(uint32_t n, double rad) {
+    struct sph_scene s = {.name = "cloud", .path = "cloud.nff", .n_lights = 2, .n_materials = 1};
+    s.camera = (struct sph_camera){{2, 3, 1.5}, {0.5, 0.5, 0.5}, {0, 0, 1}, 40, 0, 64, 48};
+    for (int l = 0; l < 2; l++)
+        s.lights[l] = (struct sph_light){{3, 4.0 * l - 2, 3}, {0.7, 0.7, 2.5}};
+    s.materials = &mirror;
+    s.n_spheres = n;
+    s.spheres = calloc(n + 1u, sizeof *s.spheres);
+    for (uint32_t i = 0; i < n; i++) {
+        double x = uniform(), y = uniform(), z = uniform();
+        s.spheres[i] = (struct sph_sphere){{x, y, z}, rad * between(0.5, 1), 0, i + 10};
+    }
+    return s;
+}
+
+static const struct sph_build_options standard = {
+    SPH_STANDARD, SPH_TREE_BALANCED, SPH_BG_RECT, 0, 0, 2, -1, -1};
+
+static inline struct sph_machine built(const struct sph_scene *scene,
+                                       struct sph_build_options options,
+                                       struct sph_build_report *report) {
+    struct sph_machine m;
+    struct sph_error err = {{0}};
+    if (sph_build(scene, &options, &m, report, &err)) fail_msg("%s", err.text);
+    if (sph_machine_validate(&m, &err)) fail_msg("%s", err.text);
+    return m;
+}
+
+/* Takes the seed from the command line and tells how to repeat the run. */
+static inline void seed(int argc, char **argv) {
+    if (argc > 1) state = strtoull(argv[1], NULL, 0) | 1;
+    printf("# repeat with: %s %llu\n", argv[0], (unsigned long long)state);
+}
+
+#endif

@@ -1,0 +1,196 @@
+/* test_machine_file.c - machine files survive a round trip; damaged ones are refused
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "build_scene.h"
+
+#include <string.h>
+#include <unistd.h>
+
+#include "machine/describe.h"
+#include "machine/format.h"
+
+static char path[64]; /* of this run's file */
+
+static struct sph_machine example(void) {
+    struct sph_scene s = cloud(60, 0.1);
+    struct sph_build_report report;
+    struct sph_machine m = built(&s, standard, &report);
+    free(s.spheres);
+    return m;
+}
+
+static void test_round_trip(void **unused) {
+    struct sph_machine m = example(), back;
+    struct sph_error err = {{0}};
+    (void)unused;
+    if (sph_machine_write(&m, path, &err)) fail_msg("%s", err.text);
+    if (sph_machine_read(path, &back, &err)) fail_msg("%s", err.text);
+    assert_int_equal(m.lines, back.lines);
+    assert_memory_equal(m.mem, back.mem, (size_t)m.lines * 4 * SPH_LINE_WORDS);
+    assert_memory_equal(m.regs, back.regs, sizeof m.regs);
+    assert_memory_equal(m.name, back.name, sizeof m.name);
+    assert_memory_equal(m.origin, back.origin, sizeof m.origin);
+    assert_memory_equal(m.rotation, back.rotation, sizeof m.rotation);
+    assert_int_equal(m.grid_log2, back.grid_log2);
+    FILE *file = tmpfile();
+    char text[8192] = "";
+    sph_machine_describe(&back, file);
+    rewind(file);
+    assert_true(fread(text, 1, sizeof text - 1, file) > 100);
+    assert_non_null(strstr(text, "60 spheres below"));
+    assert_non_null(strstr(text, "LIGHT1_B"));
+    fclose(file);
+    assert_int_equal(sph_machine_write(&m, "/no/such/folder/m.sph", &err), -1);
+    assert_non_null(strstr(err.text, "/no/such/folder"));
+    sph_machine_free(&m);
+    sph_machine_free(&back);
+}
+
+/* Reads the file, which must be refused with `part` in the message. */
+static void refused(const char *part) {
+    struct sph_machine m;
+    struct sph_error err = {{0}};
+    if (sph_machine_read(path, &m, &err) != -1) fail_msg("accepted, should name '%s'", part);
+    assert_null(m.mem);
+    if (!strstr(err.text, part) || !strstr(err.text, path))
+        fail_msg("message '%s' lacks '%s' or the path", err.text, part);
+}
+
+static void put_file(const unsigned char *bytes, size_t n) {
+    FILE *file = fopen(path, "wb");
+    assert_non_null(file);
+    assert_int_equal(fwrite(bytes, 1, n, file), n);
+    fclose(file);
+}
+
+static unsigned char *get_file(size_t *n) {
+    FILE *file = fopen(path, "rb");
+    assert_non_null(file);
+    fseek(file, 0, SEEK_END);
+    *n = (size_t)ftell(file);
+    rewind(file);
+    unsigned char *bytes = malloc(*n);
+    assert_int_equal(fread(bytes, 1, *n, file), *n);
+    fclose(file);
+    return bytes;
+}
+
+static void test_damaged_bytes(void **unused) {
+    struct sph_machine m = example();
+    size_t n;
+    (void)unused;
+    assert_int_equal(sph_machine_write(&m, path, NULL), 0);
+    sph_machine_free(&m);
+    unsigned char *bytes = get_file(&n);
+    put_file(bytes, n - 1), refused("truncated");
+    put_file(bytes, 100), refused("truncated");
+    put_file(bytes, 4), refused("magic");
+    put_file(bytes, 0), refused("magic");
+    bytes[n - 9] ^= 1, put_file(bytes, n), refused("checksum"), bytes[n - 9] ^= 1;
+    bytes[n - 1] ^= 1, put_file(bytes, n), refused("checksum"), bytes[n - 1] ^= 1;
+    bytes[0] ^= 1, put_file(bytes, n), refused("magic"), bytes[0] ^= 1;
+    bytes[SPH_AT_VERSION] ^= 2, put_file(bytes, n), refused("version is 3");
+    bytes[SPH_AT_VERSION] ^= 2;
+    sph_put32(bytes + SPH_AT_LINES, 0xffffffff); /* must not be allocated */
+    put_file(bytes, n), refused("by its header");
+    free(bytes);
+    for (int run = 0; run < 300; run++) { /* one bit anywhere */
+        m = example();
+        assert_int_equal(sph_machine_write(&m, path, NULL), 0);
+        sph_machine_free(&m);
+        bytes = get_file(&n);
+        bytes[(size_t)between(0, (double)n)] ^= (unsigned char)(1 << (int)between(0, 8));
+        put_file(bytes, n), refused(":");
+        free(bytes);
+    }
+}
+
+/* A machine with a wrong value but a right checksum: written, then read, which must refuse. */
+static void wrong(struct sph_machine *m, const char *part) {
+    assert_int_equal(sph_machine_write(m, path, NULL), 0);
+    refused(part);
+}
+
+static void test_wrong_tree(void **unused) {
+    struct sph_machine m = example();
+    uint32_t *root = m.mem, base = sph_field(root, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS);
+    uint32_t *child = m.mem + base * SPH_LINE_WORDS, copy[SPH_LINE_WORDS];
+    (void)unused;
+    assert_int_equal(sph_field(root, SPH_NODE_N_INNER_LSB, SPH_NODE_N_INNER_BITS), 4);
+    memcpy(copy, child, sizeof copy);
+    sph_field_set(child, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS, 0); /* cycle to the root */
+    wrong(&m, "children at line 0");
+    sph_field_set(child, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS, base); /* cycle to itself */
+    wrong(&m, "children at line 1");
+    sph_field_set(child, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS, base + 1); /* two parents */
+    wrong(&m, "belongs to another node");
+    sph_field_set(child, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS, m.lines);
+    wrong(&m, "children at line");
+    memcpy(child, copy, sizeof copy);
+    sph_field_set(child, SPH_NODE_N_LEAF_LSB, SPH_NODE_N_LEAF_BITS, 7);
+    wrong(&m, "children");
+    memcpy(child, copy, sizeof copy);
+
+    uint32_t *prim = m.mem + m.regs[SPH_REG_PRIM_BASE] * SPH_LINE_WORDS;
+    prim[0] ^= 1;
+    wrong(&m, "leaf 0 differs from its primitive record");
+    prim[0] ^= 1;
+    uint32_t *leaf = prim - SPH_LINE_WORDS; /* the last leaf line */
+    sph_field_set(leaf, SPH_LEAF_ID_LSB, SPH_LEAF_ID_BITS, 60);
+    wrong(&m, "leaf id 60");
+    sph_machine_free(&m);
+}
+
+static void test_wrong_registers(void **unused) {
+    static const struct {
+        int number, value;
+        const char *name;
+    } list[] = {
+        {SPH_REG_EFFECTS, 4, "EFFECTS"},
+        {SPH_REG_MAX_DEPTH, 6, "MAX_DEPTH"},
+        {SPH_REG_N_LIGHTS, 9, "N_LIGHTS"},
+        {SPH_REG_FRAME_W, 0, "FRAME_W"},
+        {SPH_REG_WIN_X1, 65, "WIN_X1"},
+        {SPH_REG_WIN_Y0, -1, "WIN_Y0"},
+        {SPH_REG_BG_MODE, 2, "BG_MODE"},
+        {SPH_REG_RECT_X0, 70, "RECT_X0"},
+        {SPH_REG_BG_COLOUR, 1 << 24, "BG_COLOUR"},
+        {SPH_REG_AMBIENT_G, 65536, "AMBIENT_G"},
+        {SPH_REG_EYE_Z, 40000, "EYE_Z"},
+        {SPH_REG_DIR_X0, 70000, "DIR_X0"},
+        {SPH_REG_DIR_Z, 0, "DIR_Z"},
+        {SPH_REG_PITCH, 100000, "PITCH"},
+        {SPH_REG_ROOT, 100000, "ROOT"},
+        {SPH_REG_PRIM_BASE, 100000, "PRIM_BASE"},
+        {SPH_REG_MEM_LINES, 3, "MEM_LINES"},
+        {SPH_REG_N_PRIMS, -1, "N_PRIMS"},
+        {SPH_REG_VISIT_LIMIT, 0, "VISIT_LIMIT"},
+        {SPH_REG_PROFILE, 0, "register"},
+        {SPH_REG_TREE, 3, "TREE"},
+        {SPH_REG_LIGHT0_X + 8, -40000, "LIGHT1_X"},
+        {SPH_REG_LIGHT0_R, 65536, "LIGHT0_R"},
+    };
+    struct sph_machine m = example();
+    (void)unused;
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
+        int32_t before = m.regs[list[i].number];
+        m.regs[list[i].number] = list[i].value;
+        wrong(&m, list[i].name);
+        m.regs[list[i].number] = before;
+    }
+    sph_machine_free(&m);
+}
+
+int main(int argc, char **argv) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_round_trip),
+        cmocka_unit_test(test_damaged_bytes),
+        cmocka_unit_test(test_wrong_tree),
+        cmocka_unit_test(test_wrong_registers),
+    };
+    seed(argc, argv);
+    snprintf(path, sizeof path, "/tmp/test_machine_%ld.sph", (long)getpid());
+    int failed = cmocka_run_group_tests_name("machine file", tests, NULL, NULL);
+    remove(path);
+    return failed;
+}
