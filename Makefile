@@ -48,7 +48,7 @@ pkg         = $(shell pkg-config $(1))
 MODEL_LIBS  = $(call pkg,--libs $(MODEL_PACKAGES)) -lm
 IMAGE_LIBS  = $(call pkg,--libs OpenImageIO)
 # What the model library itself asks of pkg-config.
-MODEL_PACKAGES := $(if $(wildcard cmodel/scene/pdb*.c),libxml-2.0)
+MODEL_PACKAGES := expat
 
 # Programs that make a table, run by hand; never part of the library.
 GENERATORS := cmodel/math/gen_rsqrt.c

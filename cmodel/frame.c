@@ -7,7 +7,7 @@
 
 #include "fnv.h"
 
-uint64_t sph_frame_hash(const struct sph_frame *frame) {
+static uint64_t hash_frame(const struct sph_frame *frame, int visits) {
     uint64_t hash = SPH_FNV_START;
     hash = sph_fnv(hash, (uint64_t)frame->width, 4);
     hash = sph_fnv(hash, (uint64_t)frame->height, 4);
@@ -17,8 +17,16 @@ uint64_t sph_frame_hash(const struct sph_frame *frame) {
         for (int f = 0; f < SPH_FRAMES; f++)
             hash = sph_fnv(hash, p->colour[f], 4);
         hash = sph_fnv(hash, p->id, 4);
-        hash = sph_fnv(hash, p->visits, 4);
+        if (visits) hash = sph_fnv(hash, p->visits, 4);
         hash = sph_fnv(hash, p->key, 8);
     }
     return hash;
+}
+
+uint64_t sph_frame_hash(const struct sph_frame *frame) {
+    return hash_frame(frame, 1);
+}
+
+uint64_t sph_frame_picture_hash(const struct sph_frame *frame) {
+    return hash_frame(frame, 0);
 }

@@ -28,4 +28,7 @@ struct sph_counters {
  * little endian in its own width. Equal hashes stand for equal frames. */
 uint64_t sph_frame_hash(const struct sph_frame *frame);
 
+/* The same without visits: what is seen, whatever the tree or the traversal. */
+uint64_t sph_frame_picture_hash(const struct sph_frame *frame);
+
 #endif

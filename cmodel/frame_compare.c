@@ -17,7 +17,7 @@ static uint32_t byte_difference(uint32_t a, uint32_t b) {
     return most;
 }
 
-int sph_shot_compare(const struct sph_shot *a, const struct sph_shot *b,
+int sph_shot_compare(const struct sph_shot *a, const struct sph_shot *b, int ignore_work,
                      struct sph_frame_difference *d) {
     *d = (struct sph_frame_difference){.x = -1, .y = -1};
     const struct sph_frame *fa = &a->frame, *fb = &b->frame;
@@ -25,7 +25,8 @@ int sph_shot_compare(const struct sph_shot *a, const struct sph_shot *b,
     size_t n = (size_t)fa->width * (size_t)fa->height;
     for (size_t i = 0; i < n; i++) {
         const struct sph_pixel *p = &fa->pixels[i], *q = &fb->pixels[i];
-        int differs = p->id != q->id || p->visits != q->visits || p->key != q->key;
+        int differs = p->id != q->id || p->key != q->key;
+        if (!ignore_work && p->visits != q->visits) differs = 1;
         for (int f = 0; f < SPH_FRAMES; f++) {
             uint32_t by = byte_difference(p->colour[f], q->colour[f]);
             if (by) differs = 1;
@@ -36,7 +37,7 @@ int sph_shot_compare(const struct sph_shot *a, const struct sph_shot *b,
             d->y = (int)(i / (size_t)fa->width);
         }
     }
-    for (int i = 0; i < SPH_COUNTERS_BOTH; i++)
+    for (int i = 0; i < SPH_COUNTERS_BOTH && !ignore_work; i++)
         if (a->counters.count[i] != b->counters.count[i]) d->counters |= 1u << i;
     d->errors = a->errors ^ b->errors;
     return d->pixels || d->counters || d->errors;

@@ -18,9 +18,10 @@ struct sph_frame_difference {
     uint32_t errors;     /* error bits that only one side has */
 };
 
-/* Compares size first, then every field of every pixel, counters and error bits.
+/* Compares size first, then every field of every pixel, counters and error bits; with
+ * ignore_work neither visits nor counters, which another tree or traversal changes.
  * Returns 1 if anything differs, else 0. */
-int sph_shot_compare(const struct sph_shot *a, const struct sph_shot *b,
+int sph_shot_compare(const struct sph_shot *a, const struct sph_shot *b, int ignore_work,
                      struct sph_frame_difference *d);
 
 /* Says in words what differs, the first pixel field by field. name_a and name_b head the columns.

@@ -1,0 +1,88 @@
+/* cmd_build.c - `sphaera build`: scene file to machine file
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include <sys/stat.h>
+
+#include "tool/print.h"
+#include "tool/report.h"
+
+struct arguments {
+    struct tool_source source;
+    const char *input, *output, *json;
+};
+
+enum { KEY_JSON = 512 };
+
+static const struct argp_option options[] = {
+    {"output", 'o', "FILE", 0, "machine file to write", 0},
+    {"json", KEY_JSON, "FILE", 0, "report as JSON (- : on standard output instead of text)", 0},
+    {0},
+};
+
+static error_t parse(int key, char *arg, struct argp_state *state) {
+    struct arguments *a = state->input;
+    switch (key) {
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &a->source;
+        return 0;
+    case 'o':
+        a->output = arg;
+        return 0;
+    case KEY_JSON:
+        a->json = arg;
+        return 0;
+    case ARGP_KEY_ARG:
+        if (a->input) argp_error(state, "one scene at a time: '%s' is one too many", arg);
+        a->input = arg;
+        return 0;
+    case ARGP_KEY_END:
+        if (!a->input) argp_error(state, "no scene given");
+        if (!a->output) argp_error(state, "no output given (-o)");
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+/* The writer renames a finished file to path: keeps it from replacing a device. */
+static int check_target(const char *path, struct sph_error *err) {
+    struct stat st;
+    if (!stat(path, &st) && !S_ISREG(st.st_mode))
+        return sph_fail(err, "%s: not a file that can be replaced", path);
+    return 0;
+}
+
+int tool_build(int argc, char **argv) {
+    static const struct argp_child children[] = {{&tool_source_argp, 0, NULL, 1}, {0}};
+    static const struct argp argp = {
+        options,
+        parse,
+        "SCENE.nff",
+        "Quantises a scene, builds its tree and writes the machine file.\v"
+        "Prints the grid step, the smallest radius in steps, how much the field of view is off, "
+        "the tree, and which effects are on and why.",
+        children,
+        NULL,
+        NULL};
+    struct arguments a = {.source = tool_source_default};
+    struct tool_built built;
+    struct sph_error err = {""};
+    argp_parse(&argp, argc, argv, 0, NULL, &a);
+
+    if (tool_is_machine(a.input)) {
+        sph_fail(&err, "%s: is a machine file already", a.input);
+        return tool_failed(&err);
+    }
+    if (check_target(a.output, &err) || tool_load(a.input, &a.source, &built, &err))
+        return tool_failed(&err);
+    print_build(print_stream(a.json), &built);
+    json_t *report = report_new("build");
+    report_text(report, "input", a.input);
+    report_text(report, "output", a.output);
+    report_machine(report, &built.machine);
+    report_build(report, &built);
+    int rc = sph_machine_write(&built.machine, a.output, &err);
+    if (report_write(report, rc ? NULL : a.json, &err)) rc = -1;
+    sph_machine_free(&built.machine);
+    return rc ? tool_failed(&err) : TOOL_GOOD;
+}

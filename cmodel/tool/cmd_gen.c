@@ -1,0 +1,129 @@
+/* cmd_gen.c - `sphaera gen` and `sphaera import`: scenes by formula, scenes from molecules
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include <stdio.h>
+#include <string.h>
+
+#include "output.h"
+#include "scene/generate.h"
+#include "scene/pdb_import.h"
+#include "tool/tool.h"
+
+struct arguments {
+    const char *what, *output;
+    struct sph_generate_options generate;
+    struct sph_import_options import;
+};
+
+enum { KEY_SIZE = 512, KEY_SEED, KEY_WATER, KEY_RESOLUTION, KEY_ELEMENTS };
+
+static const struct argp_option gen_options[] = {
+    {"output", 'o', "FILE.nff", 0, "scene to write (default: standard output)", 0},
+    {"size", KEY_SIZE, "N", 0, "sphereflake: levels, 1 to 5 (2)", 0},
+    {"spheres", 'n', "N", 0, "random: number of spheres (1000)", 0},
+    {"seed", KEY_SEED, "N", 0, "another choice of spheres (0)", 0},
+    {"resolution", KEY_RESOLUTION, "WxH", 0, "frame in pixels (320x180)", 0},
+    {0},
+};
+
+static const struct argp_option import_options[] = {
+    {"output", 'o', "FILE.nff", 0, "scene to write (default: standard output)", 0},
+    {"water", KEY_WATER, NULL, 0, "keep water molecules", 0},
+    {"resolution", KEY_RESOLUTION, "WxH", 0, "frame in pixels (320x180)", 0},
+    {"elements", KEY_ELEMENTS, "FILE", 0, "radii and colours (" SPH_ELEMENTS_PATH ")", 0},
+    {0},
+};
+
+static error_t parse(int key, char *arg, struct argp_state *state) {
+    struct arguments *a = state->input;
+    switch (key) {
+    case 'o':
+        a->output = arg;
+        return 0;
+    case 'n':
+        a->generate.n = (uint32_t)tool_number(state, "-n", arg, 1, SPH_MAX_SPHERES);
+        return 0;
+    case KEY_SIZE:
+        a->generate.size = (int)tool_number(state, "--size", arg, 1, 5);
+        return 0;
+    case KEY_SEED:
+        a->generate.seed = tool_number(state, "--seed", arg, 0, UINT64_MAX);
+        return 0;
+    case KEY_WATER:
+        a->import.keep_water = 1;
+        return 0;
+    case KEY_ELEMENTS:
+        a->import.elements_path = arg;
+        return 0;
+    case KEY_RESOLUTION:
+        tool_size(state, "--resolution", arg, &a->generate.width, &a->generate.height);
+        a->import.width = a->generate.width;
+        a->import.height = a->generate.height;
+        return 0;
+    case ARGP_KEY_ARG:
+        if (a->what) argp_error(state, "'%s' is one argument too many", arg);
+        a->what = arg;
+        return 0;
+    case ARGP_KEY_END:
+        if (!a->what) argp_usage(state);
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+/* Writes the scene where the user wants it, says so, and frees it. */
+static int finish(const struct arguments *a, struct sph_scene *scene, struct sph_error *err) {
+    struct sph_output out;
+    const char *path = a->output ? a->output : "-";
+    int rc = sph_output_open(&out, path, err);
+    if (!rc) {
+        int failed = sph_scene_write(scene, out.file, err);
+        rc = sph_output_close(&out, failed, err);
+    }
+    if (!rc && strcmp(path, "-"))
+        printf("%s: %u spheres, %d lights, %u materials\n", path, scene->n_spheres, scene->n_lights,
+               scene->n_materials);
+    sph_scene_free(scene);
+    return rc;
+}
+
+/* The kinds of scenes stand in the library; argp's help takes them from here. */
+static char *gen_help(int key, const char *text, void *input) {
+    (void)input;
+    return key == ARGP_KEY_HELP_POST_DOC ? strdup(sph_generate_help) : (char *)text;
+}
+
+int tool_gen(int argc, char **argv) {
+    static const struct argp argp = {
+        gen_options, parse, "KIND", "Makes a scene by formula.\vKinds:", NULL, gen_help, NULL};
+    struct arguments a = {0};
+    struct sph_scene scene;
+    struct sph_error err = {""};
+    argp_parse(&argp, argc, argv, 0, NULL, &a);
+    if (sph_generate(a.what, &a.generate, &scene, &err) || finish(&a, &scene, &err))
+        return tool_failed(&err);
+    return TOOL_GOOD;
+}
+
+int tool_import(int argc, char **argv) {
+    static const struct argp argp = {
+        import_options,
+        parse,
+        "FILE.pdb",
+        "Makes a scene of a molecule: a sphere for every atom of a PDB file.",
+        NULL,
+        NULL,
+        NULL};
+    struct arguments a = {0};
+    struct sph_import_counts counts = {0};
+    struct sph_scene scene;
+    struct sph_error err = {""};
+    argp_parse(&argp, argc, argv, 0, NULL, &a);
+    a.import.counts = &counts;
+    if (sph_import_pdb(a.what, &a.import, &scene, &err) || finish(&a, &scene, &err))
+        return tool_failed(&err);
+    fprintf(stderr, "%u atoms; left out: %u waters, %u alternates, %u duplicates\n", counts.atoms,
+            counts.waters, counts.alternates, counts.duplicates);
+    return TOOL_GOOD;
+}

@@ -1,0 +1,54 @@
+/* cmd_info.c - `sphaera info`: what a machine file holds
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "machine/describe.h"
+#include "tool/print.h"
+#include "tool/report.h"
+
+struct arguments {
+    const char *input, *json;
+};
+
+enum { KEY_JSON = 512 };
+
+static const struct argp_option options[] = {
+    {"json", KEY_JSON, "FILE", 0, "report as JSON (- : on standard output instead of text)", 0},
+    {0},
+};
+
+static error_t parse(int key, char *arg, struct argp_state *state) {
+    struct arguments *a = state->input;
+    switch (key) {
+    case KEY_JSON:
+        a->json = arg;
+        return 0;
+    case ARGP_KEY_ARG:
+        if (a->input) argp_error(state, "one file at a time: '%s' is one too many", arg);
+        a->input = arg;
+        return 0;
+    case ARGP_KEY_END:
+        if (!a->input) argp_error(state, "no machine file given");
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+int tool_info(int argc, char **argv) {
+    static const struct argp argp = {
+        options, parse, "MACHINE.sph", "Checks a machine file and describes it.", NULL, NULL, NULL};
+    struct arguments a = {NULL, NULL};
+    struct sph_machine machine;
+    struct sph_error err = {""};
+    argp_parse(&argp, argc, argv, 0, NULL, &a);
+
+    if (sph_machine_read(a.input, &machine, &err)) return tool_failed(&err);
+    FILE *to = print_stream(a.json);
+    if (to) sph_machine_describe(&machine, to);
+    json_t *report = report_new("info");
+    report_text(report, "input", a.input);
+    report_machine(report, &machine);
+    int rc = report_write(report, a.json, &err);
+    sph_machine_free(&machine);
+    return rc ? tool_failed(&err) : TOOL_GOOD;
+}

@@ -1,0 +1,148 @@
+/* cmd_render.c - `sphaera render`: a machine or a scene through the golden model
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "image/image.h"
+#include "render.h"
+#include "tool/print.h"
+#include "tool/progress.h"
+#include "tool/report.h"
+
+struct arguments {
+    struct tool_source source;
+    const char *input, *png, *exr, *frame, *json;
+    int layer, traverse, threads, counters, progress;
+};
+
+enum { KEY_EXR = 512, KEY_FRAME, KEY_LAYER, KEY_TRAVERSE, KEY_COUNTERS, KEY_JSON, KEY_PROGRESS };
+
+static const struct argp_option options[] = {
+    {"output", 'o', "FILE.png", 0, "picture, 8-bit RGB", 0},
+    {"exr", KEY_EXR, "FILE", 0, "picture with ids, keys and visits, OpenEXR", 0},
+    {"frame", KEY_FRAME, "FILE", 0, "frame file, for `sphaera compare`", 0},
+    {"layer", KEY_LAYER, "N", 0,
+     "colours of pictures: 0 without reflections, 1 one reflection, 2 all (default)", 0},
+    {"traverse", KEY_TRAVERSE, "HOW", 0,
+     "nearest (default, as the hardware), first (the paper's) or brute (every sphere)", 0},
+    {"threads", 't', "N", 0, "0: one for every processor (default)", 0},
+    {"counters", KEY_COUNTERS, NULL, 0, "print the counters", 0},
+    {"json", KEY_JSON, "FILE", 0, "report as JSON (- : on standard output instead of text)", 0},
+    {"progress", KEY_PROGRESS, NULL, 0, "show progress though stderr is no terminal", 0},
+    {0},
+};
+
+static const char *const traversals[] = {"nearest", "first", "brute", NULL};
+
+static error_t parse(int key, char *arg, struct argp_state *state) {
+    struct arguments *a = state->input;
+    switch (key) {
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &a->source;
+        return 0;
+    case 'o':
+        a->png = arg;
+        return 0;
+    case KEY_EXR:
+        a->exr = arg;
+        return 0;
+    case KEY_FRAME:
+        a->frame = arg;
+        return 0;
+    case KEY_LAYER:
+        a->layer = (int)tool_number(state, "--layer", arg, 0, SPH_FRAMES - 1);
+        return 0;
+    case KEY_TRAVERSE:
+        a->traverse = tool_choice(state, "--traverse", arg, traversals);
+        return 0;
+    case 't':
+        a->threads = (int)tool_number(state, "--threads", arg, 0, 1024);
+        return 0;
+    case KEY_COUNTERS:
+        a->counters = 1;
+        return 0;
+    case KEY_JSON:
+        a->json = arg;
+        return 0;
+    case KEY_PROGRESS:
+        a->progress = 1;
+        return 0;
+    case ARGP_KEY_ARG:
+        if (a->input) argp_error(state, "one scene at a time: '%s' is one too many", arg);
+        a->input = arg;
+        return 0;
+    case ARGP_KEY_END:
+        if (!a->input) argp_error(state, "no machine or scene given");
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+/* Renders into *shot; returns the seconds it took, or -1 with a message. */
+static double render(const struct arguments *a, const struct sph_machine *machine,
+                     struct sph_shot *shot, struct sph_error *err) {
+    struct progress progress;
+    struct sph_render_options how = {.traverse = a->traverse, .threads = a->threads};
+    if (progress_start(&progress, "rendering", a->progress)) {
+        how.progress = progress_show;
+        how.user = &progress;
+    }
+    double start = progress_now();
+    int bits = sph_render(machine, &how, &shot->frame, &shot->counters, err);
+    progress_end(&progress);
+    shot->errors = (uint32_t)bits;
+    return bits < 0 ? -1 : progress_now() - start;
+}
+
+static int write_files(const struct arguments *a, const struct sph_shot *shot,
+                       struct sph_error *err) {
+    const struct sph_frame *f = &shot->frame;
+    if (a->png && sph_image_write_png(a->png, f, a->layer, err)) return -1;
+    if (a->exr && sph_image_write_exr(a->exr, f, a->layer, err)) return -1;
+    return a->frame ? sph_shot_write(shot, a->frame, err) : 0;
+}
+
+/* Everything after reading and building. */
+static int render_built(const struct arguments *a, const struct tool_built *built,
+                        struct sph_error *err) {
+    struct sph_shot shot = {0};
+    double seconds = render(a, &built->machine, &shot, err);
+    if (seconds < 0) return -1;
+    int rc = write_files(a, &shot, err);
+    FILE *to = rc ? NULL : print_stream(a->json);
+    print_build(to, built);
+    print_shot(to, &shot, a->counters);
+    if (to) fprintf(to, "rendered in %.3f s\n", seconds);
+    json_t *report = report_new("render");
+    report_text(report, "input", a->input);
+    report_text(report, "traverse", traversals[a->traverse]);
+    report_machine(report, &built->machine);
+    report_build(report, built);
+    report_shot(report, &shot);
+    report_number(report, "seconds", seconds);
+    if (report_write(report, rc ? NULL : a->json, err)) rc = -1;
+    sph_frame_free(&shot.frame);
+    return rc;
+}
+
+int tool_render(int argc, char **argv) {
+    static const struct argp_child children[] = {{&tool_source_argp, 0, NULL, 1}, {0}};
+    static const struct argp argp = {
+        options,
+        parse,
+        "MACHINE.sph|SCENE.nff",
+        "Renders with the golden model, bit by bit as the hardware does.\v"
+        "Prints the sticky errors and a hash of every field of every pixel; two frames are the "
+        "same if their hashes are. Options of build are for scene files only.",
+        children,
+        NULL,
+        NULL};
+    struct arguments a = {.source = tool_source_default, .layer = SPH_FRAMES - 1};
+    struct tool_built built;
+    struct sph_error err = {""};
+    argp_parse(&argp, argc, argv, 0, NULL, &a);
+
+    if (tool_load(a.input, &a.source, &built, &err)) return tool_failed(&err);
+    int rc = render_built(&a, &built, &err);
+    sph_machine_free(&built.machine);
+    return rc ? tool_failed(&err) : TOOL_GOOD;
+}

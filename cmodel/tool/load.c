@@ -1,0 +1,36 @@
+/* load.c - a machine from a machine file or a scene file
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include <stdio.h>
+#include <string.h>
+
+#include "tool/tool.h"
+
+int tool_is_machine(const char *path) {
+    size_t length = strlen(path);
+    if (length > 4 && !strcmp(path + length - 4, ".sph")) return 1;
+    char head[7] = "";
+    FILE *file = fopen(path, "rb");
+    if (!file) return 0;
+    size_t n = fread(head, 1, sizeof head, file);
+    fclose(file);
+    return n == sizeof head && !memcmp(head, "SPHAERA", sizeof head);
+}
+
+int tool_load(const char *path, const struct tool_source *source, struct tool_built *built,
+              struct sph_error *err) {
+    memset(built, 0, sizeof *built);
+    if (tool_is_machine(path)) {
+        if (source->option)
+            return sph_fail(err, "%s: --%s is for scenes, this is a machine file", path,
+                            source->option);
+        return sph_machine_read(path, &built->machine, err);
+    }
+    struct sph_scene scene;
+    if (sph_scene_read(path, &source->read, &scene, err)) return -1;
+    built->from_scene = 1;
+    built->skipped = scene.n_skipped;
+    int rc = sph_build(&scene, &source->build, &built->machine, &built->report, err);
+    sph_scene_free(&scene);
+    return rc;
+}

@@ -1,0 +1,80 @@
+/* main.c - the sphaera command-line tool: finds the command and runs it
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "tool/tool.h"
+
+const char *argp_program_version = "sphaera 1.0";
+
+static const struct {
+    const char *name;
+    int (*run)(int argc, char **argv);
+} commands[] = {
+    {"build", tool_build},     {"render", tool_render}, {"info", tool_info},
+    {"compare", tool_compare}, {"gen", tool_gen},       {"import", tool_import},
+};
+enum { N_COMMANDS = sizeof commands / sizeof *commands };
+
+static const char doc[] =
+    "Scenes of spheres into the memory image of a hardware ray tracer, and through its "
+    "bit-accurate model.\v"
+    "Commands:\n"
+    "  build    scene file (.nff) to machine file (.sph)\n"
+    "  render   machine or scene through the golden model: picture, counters, hash\n"
+    "  info     what a machine file holds\n"
+    "  compare  two pictures or two frame files, exactly\n"
+    "  gen      scenes made by formula\n"
+    "  import   molecules (PDB) as scenes\n\n"
+    "`sphaera COMMAND --help` explains a command. Exit code: 0 good, 1 failed or different, "
+    "2 wrong usage.";
+
+struct choice {
+    int command, at; /* index of commands; of argv */
+};
+
+static error_t parse(int key, char *arg, struct argp_state *state) {
+    struct choice *choice = state->input;
+    switch (key) {
+    case ARGP_KEY_ARG:
+        for (int i = 0; i < N_COMMANDS; i++)
+            if (!strcmp(arg, commands[i].name)) {
+                *choice = (struct choice){i, state->next - 1};
+                state->next = state->argc; /* the rest belongs to the command */
+                return 0;
+            }
+        argp_error(state, "no command '%s'", arg);
+        return EINVAL;
+    case ARGP_KEY_NO_ARGS:
+        argp_usage(state);
+        return EINVAL;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+int tool_failed(const struct sph_error *err) {
+    fprintf(stderr, "sphaera: %s\n", err->text[0] ? err->text : "failed");
+    return TOOL_FAILED;
+}
+
+int main(int argc, char **argv) {
+    static const struct argp argp = {NULL, parse, "COMMAND [OPTION...]", doc, NULL, NULL, NULL};
+    static char self[] = "sphaera", name[64];
+    struct choice choice = {-1, 0};
+    argp_err_exit_status = TOOL_USAGE;
+    if (argc > 0) argv[0] = self;
+    argp_parse(&argp, argc, argv, ARGP_IN_ORDER, NULL, &choice);
+
+    snprintf(name, sizeof name, "sphaera %s", commands[choice.command].name);
+    argv[choice.at] = name;
+    int code = commands[choice.command].run(argc - choice.at, argv + choice.at);
+    errno = 0;
+    if (fflush(stdout) || ferror(stdout)) {
+        fprintf(stderr, "sphaera: standard output: %s\n", errno ? strerror(errno) : "write error");
+        code = TOOL_FAILED;
+    }
+    return code;
+}

@@ -1,0 +1,119 @@
+/* options.c - values of options, and the options of build
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tool/tool.h"
+
+int tool_choice(const struct argp_state *state, const char *option, const char *arg,
+                const char *const *choices) {
+    char list[256] = "";
+    for (int i = 0; choices[i]; i++) {
+        if (!strcmp(arg, choices[i])) return i;
+        size_t used = strlen(list);
+        snprintf(list + used, sizeof list - used, "%s%s", i ? ", " : "", choices[i]);
+    }
+    argp_error(state, "%s: '%s' is none of %s", option, arg, list);
+    return -1;
+}
+
+unsigned long long tool_number(const struct argp_state *state, const char *option, const char *arg,
+                               unsigned long long min, unsigned long long max) {
+    char *end;
+    errno = 0;
+    unsigned long long value = strtoull(arg, &end, 10);
+    if (*arg < '0' || *arg > '9' || *end || errno || value < min || value > max)
+        argp_error(state, "%s: '%s' is no number from %llu to %llu", option, arg, min, max);
+    return value;
+}
+
+void tool_size(const struct argp_state *state, const char *option, const char *arg, int *width,
+               int *height) {
+    char *end, *end2 = NULL;
+    long w = *arg >= '0' && *arg <= '9' ? strtol(arg, &end, 10) : 0, h = 0;
+    if (w > 0 && *end == 'x' && end[1] >= '0' && end[1] <= '9') h = strtol(end + 1, &end2, 10);
+    if (h < 1 || *end2 || w > 16384 || h > 16384)
+        argp_error(state, "%s: '%s' is no size such as 640x480, up to 16384x16384", option, arg);
+    *width = (int)w;
+    *height = (int)h;
+}
+
+enum {
+    KEY_PROFILE = 256,
+    KEY_TREE,
+    KEY_BACKGROUND,
+    KEY_SIZE,
+    KEY_DEPTH,
+    KEY_SHADOW,
+    KEY_REFLECT,
+    KEY_SKIP
+};
+
+static const struct argp_option options[] = {
+    {NULL, 0, NULL, 0, "From scene to machine:", 1},
+    {"profile", KEY_PROFILE, "NAME", 0, "draft, standard (default), fine or reference", 1},
+    {"tree", KEY_TREE, "NAME", 0, "balanced (default) or paper", 1},
+    {"background", KEY_BACKGROUND, "NAME", 0,
+     "none (default), or rect: skip pixels outside the scene's rectangle", 1},
+    {"size", KEY_SIZE, "WxH", 0, "frame in pixels; as the scene says if not given", 1},
+    {"depth", KEY_DEPTH, "N", 0, "reflections, 0 to 5 (2)", 1},
+    {"shadow", KEY_SHADOW, "WHEN", 0, "auto (default: as the scene asks), on or off", 1},
+    {"reflect", KEY_REFLECT, "WHEN", 0, "auto (default: as the scene asks), on or off", 1},
+    {"skip-unsupported", KEY_SKIP, NULL, 0,
+     "leave out polygons, cones and so on instead of refusing the scene", 1},
+    {0},
+};
+
+const struct tool_source tool_source_default = {
+    .build = {.profile = SPH_STANDARD,
+              .tree = SPH_TREE_BALANCED,
+              .background = SPH_BG_NONE,
+              .max_depth = 2,
+              .shadow = -1,
+              .reflect = -1},
+};
+
+static error_t parse(int key, char *arg, struct argp_state *state) {
+    static const char *const trees[] = {"paper", "balanced", NULL};
+    static const char *const backgrounds[] = {"none", "rect", NULL};
+    static const char *const when[] = {"auto", "off", "on", NULL};
+    struct tool_source *s = state->input;
+    const char *profiles[SPH_PROFILES + 1] = {NULL};
+    switch (key) {
+    case KEY_PROFILE:
+        for (int i = 0; i < SPH_PROFILES; i++)
+            profiles[i] = sph_profiles[i].name;
+        s->build.profile = tool_choice(state, "--profile", arg, profiles);
+        break;
+    case KEY_TREE:
+        s->build.tree = SPH_TREE_PAPER + tool_choice(state, "--tree", arg, trees);
+        break;
+    case KEY_BACKGROUND:
+        s->build.background = SPH_BG_NONE + tool_choice(state, "--background", arg, backgrounds);
+        break;
+    case KEY_SIZE:
+        tool_size(state, "--size", arg, &s->build.width, &s->build.height);
+        break;
+    case KEY_DEPTH:
+        s->build.max_depth = (int)tool_number(state, "--depth", arg, 0, SPH_MAX_DEPTH);
+        break;
+    case KEY_SHADOW:
+        s->build.shadow = tool_choice(state, "--shadow", arg, when) - 1;
+        break;
+    case KEY_REFLECT:
+        s->build.reflect = tool_choice(state, "--reflect", arg, when) - 1;
+        break;
+    case KEY_SKIP:
+        s->read.skip_unsupported = 1;
+        break;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+    for (int i = 0; options[i].key || options[i].doc; i++)
+        if (options[i].key == key) s->option = options[i].name;
+    return 0;
+}
+
+const struct argp tool_source_argp = {options, parse, NULL, NULL, NULL, NULL, NULL};

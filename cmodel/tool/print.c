@@ -1,0 +1,54 @@
+/* print.c - see print.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "tool/print.h"
+
+#include <inttypes.h>
+#include <string.h>
+
+FILE *print_stream(const char *json_path) {
+    return json_path && !strcmp(json_path, "-") ? NULL : stdout;
+}
+
+/* Each line of text after a head. */
+static void print_lines(FILE *to, const char *head, const char *text) {
+    while (*text) {
+        size_t length = strcspn(text, "\n");
+        if (length) fprintf(to, "%s%.*s\n", head, (int)length, text);
+        text += length + (text[length] != 0);
+    }
+}
+
+void print_build(FILE *to, const struct tool_built *built) {
+    const struct sph_build_report *b = &built->report;
+    const struct sph_machine *m = &built->machine;
+    const int32_t *r = m->regs;
+    if (built->from_scene && b->warning[0]) print_lines(stderr, "sphaera: warning: ", b->warning);
+    if (!to) return;
+    fprintf(to, "scene    %s: %d spheres, %d lights, %dx%d, profile %s\n", m->name,
+            r[SPH_REG_N_PRIMS], r[SPH_REG_N_LIGHTS], r[SPH_REG_FRAME_W], r[SPH_REG_FRAME_H],
+            sph_machine_profile(m)->name);
+    if (!built->from_scene) return;
+    if (built->skipped) fprintf(to, "skipped  %u unsupported primitives\n", built->skipped);
+    fprintf(to, "grid     step %g, smallest radius %.4g steps, field of view off by %.2g\n",
+            b->grid_step, b->smallest_radius, b->fov_error);
+    fprintf(to, "tree     %s: %u nodes, depth %u, %.3f s\n",
+            r[SPH_REG_TREE] == SPH_TREE_PAPER ? "paper" : "balanced", b->nodes, b->depth,
+            b->build_seconds);
+    print_lines(to, "effect   ", b->effects);
+    fprintf(to, "memory   %u lines, %" PRIu64 " bytes\n", m->lines,
+            (uint64_t)m->lines * SPH_LINE_WORDS * 4);
+}
+
+void print_shot(FILE *to, const struct sph_shot *shot, int counters) {
+    static const char *const names[] = {SPH_COUNTER_NAMES}, *const errors[] = {SPH_ERROR_NAMES};
+    if (!to) return;
+    if (counters)
+        for (int i = 0; i < SPH_COUNTERS_BOTH; i++)
+            fprintf(to, "%-16s %12" PRIu64 "\n", names[i], shot->counters.count[i]);
+    fprintf(to, "errors ");
+    for (int i = 0; i < SPH_ERRORS; i++)
+        if (shot->errors >> i & 1) fprintf(to, " %s", errors[i]);
+    fprintf(to, "%s\npicture %016" PRIx64 "\nframe   %016" PRIx64 "\n", shot->errors ? "" : " none",
+            sph_frame_picture_hash(&shot->frame), sph_frame_hash(&shot->frame));
+}

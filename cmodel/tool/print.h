@@ -1,0 +1,22 @@
+/* print.h - what commands print for people to read
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef SPH_TOOL_PRINT_H
+#define SPH_TOOL_PRINT_H
+
+#include <stdio.h>
+
+#include "frame_file.h"
+#include "tool/tool.h"
+
+/* Where a command prints: standard output, or nowhere if the JSON report goes there. May be NULL
+ * for the functions below. */
+FILE *print_stream(const char *json_path);
+
+/* What build found out; warnings go to stderr. */
+void print_build(FILE *to, const struct tool_built *built);
+
+/* Errors by name, `picture HASH` and `frame HASH`; before them the counters if asked for. */
+void print_shot(FILE *to, const struct sph_shot *shot, int counters);
+
+#endif

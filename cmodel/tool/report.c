@@ -1,0 +1,121 @@
+/* report.c - see report.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "tool/report.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <string.h>
+
+#include "output.h"
+
+json_t *report_new(const char *command) {
+    return json_pack("{s:s, s:i, s:s, s:s}", "schema", "sphaera-report", "version", 1, "program",
+                     argp_program_version, "command", command);
+}
+
+static void add(json_t *report, const char *name, json_t *value) {
+    if (report)
+        json_object_set_new(report, name, value ? value : json_null());
+    else
+        json_decref(value);
+}
+
+void report_text(json_t *report, const char *name, const char *text) {
+    add(report, name, json_string(text)); /* null if it is not UTF-8 */
+}
+
+void report_number(json_t *report, const char *name, double value) {
+    add(report, name, isfinite(value) ? json_real(value) : NULL);
+}
+
+void report_count(json_t *report, const char *name, uint64_t value) {
+    add(report, name, json_integer((json_int_t)value));
+}
+
+json_t *report_names(uint32_t bits, const char *const *names, int n) {
+    json_t *list = json_array();
+    for (int i = 0; i < n; i++)
+        if (bits >> i & 1) json_array_append_new(list, json_string(names[i]));
+    return list;
+}
+
+void report_machine(json_t *report, const struct sph_machine *m) {
+    static const char *const effects[] = {"shadow", "reflect"};
+    const int32_t *r = m->regs;
+    if (!report) return;
+    json_t *machine = json_object();
+    report_text(machine, "name", m->name);
+    report_text(machine, "profile", sph_machine_profile(m)->name);
+    report_text(machine, "tree", r[SPH_REG_TREE] == SPH_TREE_PAPER ? "paper" : "balanced");
+    report_text(machine, "background", r[SPH_REG_BG_MODE] == SPH_BG_RECT ? "rect" : "none");
+    report_count(machine, "width", (uint64_t)r[SPH_REG_FRAME_W]);
+    report_count(machine, "height", (uint64_t)r[SPH_REG_FRAME_H]);
+    report_count(machine, "spheres", (uint64_t)r[SPH_REG_N_PRIMS]);
+    report_count(machine, "lights", (uint64_t)r[SPH_REG_N_LIGHTS]);
+    report_count(machine, "max_depth", (uint64_t)r[SPH_REG_MAX_DEPTH]);
+    report_count(machine, "memory_bytes", (uint64_t)m->lines * SPH_LINE_WORDS * 4);
+    add(machine, "effects", report_names((uint32_t)r[SPH_REG_EFFECTS], effects, 2));
+    report_number(machine, "grid_step", ldexp(1.0, m->grid_log2));
+    add(report, "machine", machine);
+}
+
+/* The lines of text as an array of strings. */
+static json_t *lines(const char *text) {
+    json_t *list = json_array();
+    while (*text) {
+        size_t length = strcspn(text, "\n");
+        if (length) json_array_append_new(list, json_stringn(text, length));
+        text += length + (text[length] != 0);
+    }
+    return list;
+}
+
+void report_build(json_t *report, const struct tool_built *built) {
+    const struct sph_build_report *b = &built->report;
+    if (!report || !built->from_scene) return;
+    json_t *build = json_object();
+    report_number(build, "grid_step", b->grid_step);
+    report_number(build, "smallest_radius", b->smallest_radius);
+    report_number(build, "fov_error", b->fov_error);
+    report_count(build, "nodes", b->nodes);
+    report_count(build, "depth", b->depth);
+    report_count(build, "skipped", built->skipped);
+    report_number(build, "seconds", b->build_seconds);
+    add(build, "effects", lines(b->effects));
+    add(build, "warnings", lines(b->warning));
+    add(report, "build", build);
+}
+
+void report_shot(json_t *report, const struct sph_shot *shot) {
+    static const char *const counters[] = {SPH_COUNTER_NAMES}, *const errors[] = {SPH_ERROR_NAMES};
+    char hash[17];
+    if (!report) return;
+    json_t *frame = json_object(), *counts = json_object();
+    snprintf(hash, sizeof hash, "%016" PRIx64, sph_frame_hash(&shot->frame));
+    report_count(frame, "width", (uint64_t)shot->frame.width);
+    report_count(frame, "height", (uint64_t)shot->frame.height);
+    report_text(frame, "hash", hash);
+    snprintf(hash, sizeof hash, "%016" PRIx64, sph_frame_picture_hash(&shot->frame));
+    report_text(frame, "picture_hash", hash);
+    for (int i = 0; i < SPH_COUNTERS_BOTH; i++)
+        report_count(counts, counters[i], shot->counters.count[i]);
+    add(report, "frame", frame);
+    add(report, "counters", counts);
+    add(report, "errors", report_names(shot->errors, errors, SPH_ERRORS));
+}
+
+int report_write(json_t *report, const char *path, struct sph_error *err) {
+    struct sph_output out;
+    int rc = 0;
+    if (path) {
+        rc = sph_output_open(&out, path, err);
+        if (!rc) {
+            int bad = json_dumpf(report, out.file, JSON_INDENT(2) | JSON_REAL_PRECISION(17));
+            if (!bad) fputc('\n', out.file);
+            rc = sph_output_close(&out, 0, err);
+        }
+    }
+    json_decref(report);
+    return rc;
+}

@@ -1,0 +1,69 @@
+/* tool.h - what the commands of the tool share
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * A command gets its own argument vector and returns the exit code: 0, 1 if something failed or
+ * differs, 2 on wrong usage. Messages go to stderr as `sphaera: ...`.
+ */
+#ifndef SPH_TOOL_H
+#define SPH_TOOL_H
+
+#include <argp.h>
+
+#include "build/build.h"
+#include "error.h"
+#include "machine/machine.h"
+#include "scene/scene.h"
+
+enum { TOOL_GOOD = 0, TOOL_FAILED = 1, TOOL_USAGE = 2 };
+
+int tool_build(int argc, char **argv);
+int tool_render(int argc, char **argv);
+int tool_info(int argc, char **argv);
+int tool_compare(int argc, char **argv);
+int tool_gen(int argc, char **argv);
+int tool_import(int argc, char **argv);
+
+/* Prints the message of err; returns TOOL_FAILED. */
+int tool_failed(const struct sph_error *err);
+
+/* ---- values of options; a wrong one ends the program with a usage message ---- */
+
+/* Position of arg in choices, a list that ends with NULL. */
+int tool_choice(const struct argp_state *state, const char *option, const char *arg,
+                const char *const *choices);
+
+/* A decimal number min .. max. */
+unsigned long long tool_number(const struct argp_state *state, const char *option, const char *arg,
+                               unsigned long long min, unsigned long long max);
+
+/* WIDTHxHEIGHT, both 1 .. 16384. */
+void tool_size(const struct argp_state *state, const char *option, const char *arg, int *width,
+               int *height);
+
+/* ---- from a scene to a machine ---- */
+
+struct tool_source {
+    struct sph_build_options build;
+    struct sph_read_options read;
+    const char *option; /* the last build option given, NULL if none */
+};
+
+/* Options of build, for every command that takes a scene; its input is a struct tool_source. */
+extern const struct argp tool_source_argp;
+extern const struct tool_source tool_source_default;
+
+/* Is path a machine file, by its name (.sph) or its first bytes? */
+int tool_is_machine(const char *path);
+
+struct tool_built {
+    struct sph_machine machine;
+    int from_scene; /* the fields below are set */
+    struct sph_build_report report;
+    uint32_t skipped; /* unsupported primitives left out */
+};
+
+/* Reads the machine file, or reads and builds the scene file, at path. 0, or -1 with a message. */
+int tool_load(const char *path, const struct tool_source *source, struct tool_built *built,
+              struct sph_error *err);
+
+#endif
