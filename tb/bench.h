@@ -1,0 +1,252 @@
+/* bench.h - what the block benches share: random numbers, ports of any width, mismatches, TAP
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * A bench is built by tb/run_bench.sh, which passes each parameter of the module as a macro of the
+ * same name (-DW=16) and the profile as PROFILE ("standard").
+ *
+ *     bench::Bench<Vrt_unit> b("tb_unit", argc, argv);     // [seed [vectors]]
+ *     b.reset();
+ *     while (b.more()) {
+ *         b.set(b.dut.in_x_i, BITS, b.random.corner_signed(BITS));
+ *         b.tick();
+ *         b.expect("out_x_o", b.get(b.dut.out_x_o), expected);    // any number of these
+ *         if (b.bad()) b.show("in_x_i", x, BITS);                 // inputs of the first mismatch
+ *         b.done();                                               // one vector is checked
+ *     }
+ *     return b.finish();
+ */
+#ifndef SPH_BENCH_H
+#define SPH_BENCH_H
+
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <type_traits>
+#include "verilated.h"
+
+#ifndef PROFILE
+#define PROFILE "default"
+#endif
+
+namespace bench {
+
+typedef __int128 i128;
+typedef unsigned __int128 u128;
+
+/* The low `bits` bits of x, 0 < bits <= 128. */
+inline u128 low(u128 x, int bits) {
+    return bits >= 128 ? x : x & (((u128)1 << bits) - 1);
+}
+
+/* The low `bits` bits of x as two's complement. */
+inline i128 sign(u128 x, int bits) {
+    return (i128)(x << (128 - bits)) >> (128 - bits); /* arithmetic in gcc and clang */
+}
+
+/* splitmix64: any seed is good. */
+class Random {
+  public:
+    explicit Random(uint64_t seed) : state(seed * 0x9e3779b97f4a7c15u + 1) {}
+
+    uint64_t next() {
+        uint64_t z = state += 0x9e3779b97f4a7c15u;
+        z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
+        z = (z ^ z >> 27) * 0x94d049bb133111ebu;
+        return z ^ z >> 31;
+    }
+    /* 0 .. n-1 */
+    uint64_t below(uint64_t n) { return next() % n; }
+    bool percent(unsigned p) { return below(100) < p; }
+    int64_t between(int64_t first, int64_t last) {
+        return first + (int64_t)below((uint64_t)(last - first) + 1);
+    }
+    /* uniform over all words of `bits` bits */
+    u128 bits(int bits) { return low((u128)next() << 64 | next(), bits); }
+    int64_t sbits(int n) { return (int64_t)sign(bits(n), n); }
+    /* every bit length equally likely */
+    u128 log_bits(int n) {
+        int length = (int)below((uint64_t)n + 1);
+        return length ? (u128)1 << (length - 1) | low(bits(n), length - 1) : 0;
+    }
+    int64_t log_sbits(int n) {
+        int64_t x = (int64_t)log_bits(n - 1);
+        return next() & 1 ? ~x : x;
+    }
+    /* ends, zero, one, alternating bits, one bit, runs of ones (TestFloat's patterns) */
+    u128 corner(int n) {
+        switch (below(8)) {
+        case 0:
+            return 0;
+        case 1:
+            return low(~(u128)0, n);
+        case 2:
+            return 1;
+        case 3:
+            return (u128)1 << (n - 1);
+        case 4:
+            return low((u128)1 << (n - 1), n) - 1;
+        case 5:
+            return low((u128)0x5555555555555555u << 64 | 0x5555555555555555u, n) << below(2);
+        case 6:
+            return (u128)1 << below((uint64_t)n);
+        default:
+            return low(~(u128)0, 1 + (int)below((uint64_t)n));
+        }
+    }
+    /* a mix of all of the above: for operands without structure */
+    u128 mixed(int n) {
+        uint64_t how = below(8);
+        return low(how < 2 ? corner(n) : how < 4 ? log_bits(n) : bits(n), n);
+    }
+    int64_t smixed(int n) {
+        int64_t x = (int64_t)sign(mixed(n), n);
+        return next() & 1 || x == -((int64_t)1 << (n - 1)) ? x : -x;
+    }
+
+  private:
+    uint64_t state;
+};
+
+/* Reads and writes ports of up to 128 bits; set masks to the port's width, get does not extend. */
+template <class Port> u128 get(const Port &port) {
+    if constexpr (std::is_integral<Port>::value) {
+        return (u128)port;
+    } else {
+        u128 x = 0;
+        for (int i = (int)(sizeof port / 4) - 1; i >= 0; i--)
+            x = x << 32 | port[i];
+        return x;
+    }
+}
+
+template <class Port> void set(Port &port, int bits, i128 value) {
+    u128 x = low((u128)value, bits);
+    if constexpr (std::is_integral<Port>::value) {
+        port = (Port)x;
+    } else {
+        for (int i = 0; i < (int)(sizeof port / 4); i++)
+            port[i] = (uint32_t)(x >> (32 * i));
+    }
+}
+
+inline void print_value(const char *name, i128 value, int bits) {
+    u128 x = low((u128)value, bits);
+    char digits[48];
+    int at = 47;
+    u128 magnitude = value < 0 ? -(u128)value : (u128)value;
+    digits[at] = 0;
+    do
+        digits[--at] = (char)('0' + (int)(magnitude % 10)), magnitude /= 10;
+    while (magnitude);
+    if (value < 0) digits[--at] = '-';
+    if (x >> 64)
+        printf("#   %-16s 0x%llx%016llx  %s\n", name, (unsigned long long)(x >> 64),
+               (unsigned long long)x, digits + at);
+    else
+        printf("#   %-16s 0x%llx  %s\n", name, (unsigned long long)x, digits + at);
+}
+
+template <class Top> class Bench {
+  public:
+    Top dut;
+    Random random;
+    uint64_t seed, cycle = 0;
+    long vectors, target, mismatches = 0;
+
+    Bench(const char *name, int argc, char **argv, long default_vectors = 200000)
+        : random(argc > 1 ? strtoull(argv[1], nullptr, 0) : 1),
+          seed(argc > 1 ? strtoull(argv[1], nullptr, 0) : 1), vectors(0),
+          target(argc > 2 ? atol(argv[2]) : default_vectors), title(name) {
+        dut.clk = 0;
+        dut.eval();
+    }
+
+    /* One clock: inputs set before are taken, outputs read after are those of the new cycle. */
+    void tick() {
+        dut.clk = 1;
+        dut.eval();
+        dut.clk = 0;
+        dut.eval();
+        cycle++;
+    }
+    /* Lets combinational outputs follow the inputs. */
+    void settle() { dut.eval(); }
+    /* Holds rst, for modules that have one. */
+    void reset() {
+        dut.rst = 1;
+        for (int i = 0; i < 4; i++)
+            tick();
+        dut.rst = 0;
+        dut.eval();
+    }
+    /* Whether vectors are still to be checked; a bench that hangs ends after 1000 clocks a vector.
+     */
+    bool more() {
+        if (cycle > 1000 * (uint64_t)(target + 100)) fail("no result: the module hangs");
+        return vectors < target && !hangs;
+    }
+    template <class Port> static u128 get(const Port &port) { return bench::get(port); }
+    template <class Port> static i128 sget(const Port &port, int bits) {
+        return sign(bench::get(port), bits);
+    }
+    template <class Port> static void set(Port &port, int bits, i128 value) {
+        bench::set(port, bits, value);
+    }
+    /* Compares one output; prints only in the first vector that differs. */
+    bool expect(const char *what, i128 actual, i128 expected, int bits = 128) {
+        if (actual == expected) return true;
+        if (!mismatches) {
+            if (!vector_bad) heading();
+            printf("# %s\n", what);
+            print_value("expected", expected, bits);
+            print_value("actual", actual, bits);
+        }
+        vector_bad = true;
+        return false;
+    }
+    /* True while the first mismatch is being reported: print the inputs then. */
+    bool bad() const { return vector_bad && !mismatches; }
+    void show(const char *what, i128 value, int bits) const { print_value(what, value, bits); }
+    /* Ends the checks of one vector. */
+    void done() {
+        vectors++;
+        mismatches += vector_bad;
+        vector_bad = false;
+    }
+    /* A failure that is no vector's; ends the bench. */
+    void fail(const char *text) {
+        if (!hangs) printf("# %s, cycle %llu\n", text, (unsigned long long)cycle);
+        if (!mismatches) repeat();
+        mismatches++;
+        hangs = true;
+    }
+    /* Prints the TAP line; the exit status of main. */
+    int finish() {
+        dut.final();
+        if (mismatches)
+            printf("not ok %s %s seed %llu: %ld of %ld vectors differ\n", title, PROFILE,
+                   (unsigned long long)seed, mismatches, vectors);
+        else
+            printf("ok %s %s seed %llu: %ld vectors\n", title, PROFILE, (unsigned long long)seed,
+                   vectors);
+        return mismatches != 0;
+    }
+
+  private:
+    const char *title;
+    bool vector_bad = false, hangs = false;
+
+    void repeat() const {
+        printf("# repeat: sh tb/run_bench.sh %s/%s %llu %ld\n", title, PROFILE,
+               (unsigned long long)seed, target);
+    }
+    void heading() const {
+        printf("# %s %s: vector %ld, cycle %llu\n", title, PROFILE, vectors,
+               (unsigned long long)cycle);
+        repeat();
+    }
+};
+
+} // namespace bench
+
+#endif
