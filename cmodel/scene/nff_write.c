@@ -36,7 +36,7 @@ static void put_scene(const struct sph_scene *scene, FILE *file) {
     fputs("# Sphaera scene ", file);
     for (const char *c = scene->name; *c; c++)
         putc((unsigned char)*c < 32 || *c == 127 ? '?' : *c, file);
-    fprintf(file, ": %u spheres, %d lights\n", scene->n_spheres, scene->n_lights);
+    fprintf(file, "; spheres: %u, lights: %d\n", scene->n_spheres, scene->n_lights);
     fputs("v\n", file);
     put_point(file, "from", camera->from);
     put_point(file, "at", camera->at);
