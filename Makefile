@@ -45,10 +45,10 @@ CXXFLAGS := -std=c++17 -O2 $(WARN) -Icmodel
 SANITIZE := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all
 # Looked up when used, so that `make setup` may install them first.
 pkg         = $(shell pkg-config $(1))
-MODEL_LIBS  = $(call pkg,--libs $(MODEL_PACKAGES)) -lm
+MODEL_LIBS  = -Wl,--as-needed $(call pkg,--libs $(MODEL_PACKAGES)) -lm
 IMAGE_LIBS  = $(call pkg,--libs OpenImageIO)
 # What the model library itself asks of pkg-config.
-MODEL_PACKAGES := expat
+MODEL_PACKAGES := expat gmp mpfr
 
 # Programs that make a table, run by hand; never part of the library.
 GENERATORS := cmodel/math/gen_rsqrt.c

@@ -14,11 +14,12 @@ ONLY    ?=
 RUN     := $(if $(ONLY),$(foreach s,$(SUITES),$(if $(findstring $(ONLY),$(notdir $s)),$s)),$(SUITES))
 
 test: | $(filter setup,$(MAKECMDGOALS)) ## every check; ends with `N passed, M failed`
-	+$(Q)$(MAKE) --no-print-directory -j$(JOBS) run-tests
+	+@unbuilt=; $(MAKE) --no-print-directory -k -j$(JOBS) suites || unbuilt=1; \
+	    UNBUILT=$$unbuilt SPHAERA=$(abspath $(TOOL)) BUILD=$(abspath $B) JOBS=$(JOBS) \
+	    sh tests/run.sh $(RUN)
 
-.PHONY: run-tests
-run-tests: $(TOOL) $(RUN)
-	@SPHAERA=$(abspath $(TOOL)) BUILD=$(abspath $B) JOBS=$(JOBS) sh tests/run.sh $(RUN)
+.PHONY: suites
+suites: $(TOOL) $(RUN)
 
 TEST_LIBS = $(call pkg,--libs cmocka) $(MODEL_LIBS)
 
