@@ -6,8 +6,6 @@
 
 #include <stdint.h>
 
-enum { SPH_RSQRT_ERROR = 6 };
-
 /* start u1.16, slope u11 per 1024 arguments */
 static const struct {
     uint32_t start, slope;

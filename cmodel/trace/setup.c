@@ -3,7 +3,6 @@
  */
 #include "machine/layout.h"
 #include "math/fx.h"
-#include "math/rsqrt_table.h"
 #include "trace/ray.h"
 
 void sph_ray_setup(const struct sph_profile *p, struct sph_ray *ray) {
