@@ -1,0 +1,131 @@
+// rt_blend.v - colour of a surface, blended into the pixel; frames of each reflection depth
+// SPDX-License-Identifier: Apache-2.0
+//   colour = min(round(albedo*light / 2^7), 255.0)        front = weight * (1-kr)
+//   frame  = byte(sum + weight*colour)    sum += front*colour    weight *= kr    depth += 1
+// Two multipliers, channels one after another:
+//   cycle   1, 2, 3: operands  albedo, light | weight, kr    4, 5, 6: colour, weight | colour, front
+//   products follow by 1 cycle, what is made of them by 2. Latency 9 cycles, one every 8 cycles.
+// Model: sph_surface_colour(), sph_blend_add() in cmodel/shade/colour.c
+`default_nettype none
+module rt_blend #(
+    parameter TAG = 8  // tag, bits
+) (
+    input  wire           clk,
+    input  wire           rst,
+    input  wire           in_valid_i,
+    output wire           in_ready_o,
+    input  wire [TAG-1:0] in_tag_i,
+    input  wire [50:0]    in_light_i,       // 3 x u2.15, red low
+    input  wire [23:0]    in_albedo_i,      // 0xBBGGRR
+    input  wire           in_background_i,  // nothing hit: albedo is the colour
+    input  wire [8:0]     in_kr_i,          // u1.8, 0..256, share of the reflection
+    input  wire           in_last_i,        // nothing lies behind
+    // state of the pixel so far
+    input  wire [47:0]    in_sum_i,         // 3 x u8.8, red low
+    input  wire [16:0]    in_weight_i,      // u1.16, of what lies behind
+    input  wire [2:0]     in_depth_i,       // reflections so far
+    input  wire [71:0]    in_colour_i,      // frames 0xBBGGRR, Rendering low
+    // and after this depth
+    output wire           out_valid_o,      // one cycle
+    output reg  [TAG-1:0] out_tag_o,
+    output reg  [47:0]    out_sum_o,
+    output reg  [16:0]    out_weight_o,
+    output reg  [2:0]     out_depth_o,
+    output reg  [71:0]    out_colour_o
+);
+    // ---- control: ph_q[n] n cycles after the input was taken ----
+    reg  [9:1]     ph_q;
+    wire           take = in_valid_i && in_ready_o;
+    assign in_ready_o  = ~|ph_q[7:1];
+    assign out_valid_o = ph_q[9];
+    always @(posedge clk) begin
+        ph_q <= {ph_q[8:1], take};
+        if (rst) ph_q <= 9'd0;
+    end
+
+    // ---- input: channels move down ----
+    reg  [TAG-1:0] in_tag_q;
+    reg  [50:0]    light_q;
+    reg  [23:0]    albedo_q;
+    reg            last_q;
+    reg  [8:0]     kr_q;
+    reg  [47:0]    sum_q;
+    reg  [16:0]    weight_q;
+    reg  [2:0]     depth_q;
+    reg  [71:0]    colour_q;
+    always @(posedge clk)
+        if (take) begin
+            in_tag_q <= in_tag_i;
+            albedo_q <= in_albedo_i;
+            light_q  <= in_background_i ? {3{17'h08000}} : in_light_i;  // background: light of 1
+            last_q   <= in_last_i;
+            kr_q     <= in_kr_i;
+            sum_q    <= in_sum_i;
+            weight_q <= in_weight_i;
+            depth_q  <= in_depth_i;
+            colour_q <= in_colour_i;
+        end else begin
+            albedo_q[15:0] <= albedo_q[23:8];
+            light_q[33:0]  <= light_q[50:17];
+            if (|ph_q[7:6]) sum_q[31:0] <= sum_q[47:16];
+        end
+
+    // ---- stage 1: operands ----
+    reg  [15:0]    s1_a_q, s1_b_q;
+    reg  [16:0]    s1_x_q, s1_y_q;
+    reg  [15:0]    s3_colour_q;             // u8.8
+    reg  [16:0]    s3_front_q, s3_weight_q; // u1.16
+    wire           s1_blend = |ph_q[6:4];
+    always @(posedge clk) begin
+        s1_a_q <= s1_blend ? s3_colour_q : {8'd0, albedo_q[7:0]};
+        s1_x_q <= s1_blend ? weight_q    : light_q[16:0];
+        s1_b_q <= s1_blend ? s3_colour_q : {7'd0, kr_q};
+        s1_y_q <= s1_blend ? s3_front_q  : weight_q;
+    end
+
+    // ---- stage 2: products ----
+    reg  [32:0]    s2_ax_q, s2_by_q;
+    always @(posedge clk) begin
+        s2_ax_q <= s1_a_q * s1_x_q;
+        s2_by_q <= s1_b_q * s1_y_q;
+    end
+
+    // ---- stage 3, cycles 3 to 5: colour of the surface; cycle 3: weights, from weight*kr ----
+    wire [18:0]    s3_light  = s2_ax_q[24:6] + 19'd1;
+    wire [25:0]    s3_front  = {1'b0, weight_q, 8'd128} - s2_by_q[25:0];
+    wire [17:0]    s3_behind = s2_by_q[24:7] + 18'd1;
+    always @(posedge clk) begin
+        s3_colour_q <= s3_light[18:1] > 18'd65280 ? 16'd65280 : s3_light[16:1];
+        if (ph_q[3]) s3_front_q  <= s3_front[24:8];
+        if (ph_q[3]) s3_weight_q <= s3_behind[17:1];
+    end
+
+    // ---- stage 3, cycles 6 to 8: channel of the pixel, channel of the sum ----
+    wire [17:0]    s3_all  = {1'b0, sum_q[15:0], 1'b1} + s2_ax_q[32:15];
+    wire [17:0]    s3_sum  = {1'b0, sum_q[15:0], 1'b1} + s2_by_q[32:15];
+    wire [10:0]    s3_half = {1'b0, s3_all[17:8]} + 11'd1;
+    wire [7:0]     s3_byte = |s3_half[10:9] ? 8'd255 : s3_half[8:1];
+    reg  [15:0]    s3_pixel_q;              // red and green
+    wire [23:0]    s3_pixel = {s3_byte, s3_pixel_q};
+    always @(posedge clk) begin
+        s3_pixel_q <= s3_pixel[23:8];
+        out_sum_o  <= {s3_sum[16:1], out_sum_o[47:16]};
+    end
+
+    // ---- cycle 8: frames; the deepest one takes all that is deeper ----
+    wire           deeper = |depth_q[2:1];  // than L1
+    wire           at_l1  = depth_q == 3'd1;
+    always @(posedge clk)
+        if (ph_q[8]) begin
+            out_tag_o    <= in_tag_q;
+            out_weight_o <= s3_weight_q;
+            out_depth_o  <= depth_q + 3'd1;
+            out_colour_o <= colour_q;
+            if (!deeper && !at_l1)             out_colour_o[23:0]  <= s3_pixel;
+            if (!deeper && (at_l1 || last_q))  out_colour_o[47:24] <= s3_pixel;
+            if (deeper || last_q)              out_colour_o[71:48] <= s3_pixel;
+        end
+    wire unused = &{1'b0, s2_ax_q[5:0], s3_light[0], s3_front[25], s3_front[7:0], s3_behind[0],
+                    s3_all[7:0], s3_sum[17], s3_sum[0], s3_half[0]};
+endmodule
+`default_nettype wire

@@ -1,0 +1,170 @@
+// rt_hit.v - hit point and normal
+// SPDX-License-Identifier: Apache-2.0
+//   g = sat(org*2^NG + round(mant * dir / 2^(exp-NG)))    point = sat(round(g / 2^NG))
+//   normal = normalise(g - ctr*2^NG), negated for the far root, -dir at the centre
+// x, y, z follow one another through one multiplier and one shifter:
+//   product | coarse shift | fine shift | add org | limit | point, normal | normalise
+// Latency 18 cycles, a new hit every 8 cycles.
+// Model: sph_surface_at() in cmodel/shade/surface.c, without quotient and unit
+`default_nettype none
+module rt_hit #(
+    parameter W   = 16,  // coordinate, bits
+    parameter WD  = 17,  // direction component, bits, at least W+1
+    parameter PQ  = 17,  // quotient, significant bits
+    parameter NG  = 2,   // guard bits of the normal, at least 1
+    parameter TAG = 8    // tag, bits
+) (
+    input  wire                 clk,
+    input  wire                 rst,
+    input  wire                 in_valid_i,
+    output wire                 in_ready_o,
+    input  wire [TAG-1:0]       in_tag_i,
+    input  wire [PQ-1:0]        in_mant_i,      // t = mant * 2^-exp
+    input  wire signed [7:0]    in_exp_i,
+    input  wire signed [W-1:0]  in_org_x_i,     // ray origin
+    input  wire signed [W-1:0]  in_org_y_i,
+    input  wire signed [W-1:0]  in_org_z_i,
+    input  wire signed [WD-1:0] in_dir_x_i,     // ray direction
+    input  wire signed [WD-1:0] in_dir_y_i,
+    input  wire signed [WD-1:0] in_dir_z_i,
+    input  wire signed [W-1:0]  in_ctr_x_i,     // sphere centre
+    input  wire signed [W-1:0]  in_ctr_y_i,
+    input  wire signed [W-1:0]  in_ctr_z_i,
+    input  wire                 in_far_i,       // hit from inside
+    output wire                 out_valid_o,    // one cycle
+    output reg  [TAG-1:0]       out_tag_o,
+    output reg  signed [W-1:0]  out_point_x_o,
+    output reg  signed [W-1:0]  out_point_y_o,
+    output reg  signed [W-1:0]  out_point_z_o,
+    output wire signed [WD-1:0] out_normal_x_o, // towards the ray's side
+    output wire signed [WD-1:0] out_normal_y_o,
+    output wire signed [WD-1:0] out_normal_z_o,
+    output reg                  out_saturated_o // the point was limited to the grid
+);
+    localparam PW = PQ + WD;                    // mant * dir
+    localparam SW = PW + 1;                     // and one bit to round
+    localparam GW = W + NG;                     // guarded coordinate
+    localparam VW = GW + 1;                     // not normalised normal
+    localparam signed [8:0]  GUARD = NG;
+    localparam        [GW:0] HALF  = {{(W+1){1'b0}}, 1'b1, {(NG-1){1'b0}}};
+    generate
+        if (NG < 1 || WD > W + NG) begin : illegal
+            initial begin
+                $display("rt_hit: W %0d, WD %0d, NG %0d do not fit", W, WD, NG);
+                $finish;
+            end
+        end
+    endgenerate
+
+    // ---- control: ph_q[n] n cycles after the hit was taken; x has its turn first ----
+    reg  [11:1]          ph_q;
+    wire                 take = in_valid_i && in_ready_o;
+    assign in_ready_o = ~|ph_q[7:1];
+    always @(posedge clk) begin
+        ph_q <= {ph_q[10:1], take};
+        if (rst) ph_q <= 11'd0;
+    end
+
+    // ---- input: components move to x when theirs is done ----
+    reg  [TAG-1:0]       in_tag_q;
+    reg  [PQ-1:0]        mant_q;
+    reg  [5:0]           shift_q;               // exp - NG, 0..62
+    reg                  short_q, far_q;        // exp < NG: t leaves any grid
+    reg  signed [WD-1:0] dir_x_q, dir_y_q, dir_z_q;
+    reg  signed [W-1:0]  org_x_q, org_y_q, org_z_q;
+    reg  signed [W-1:0]  ctr_x_q, ctr_y_q, ctr_z_q;
+    wire signed [8:0]    shift = $signed({in_exp_i[7], in_exp_i}) - GUARD;
+    always @(posedge clk) begin
+        if (take) begin
+            in_tag_q <= in_tag_i;
+            mant_q   <= in_mant_i;
+            short_q  <= shift[8];
+            far_q    <= in_far_i;
+            shift_q  <= shift[8] ? 6'd0 : shift > 9'sd62 ? 6'd62 : shift[5:0];
+            {dir_x_q, dir_y_q, dir_z_q} <= {in_dir_x_i, in_dir_y_i, in_dir_z_i};
+            {org_x_q, org_y_q, org_z_q} <= {in_org_x_i, in_org_y_i, in_org_z_i};
+            {ctr_x_q, ctr_y_q, ctr_z_q} <= {in_ctr_x_i, in_ctr_y_i, in_ctr_z_i};
+        end else begin
+            if (|ph_q[2:1]) {dir_x_q, dir_y_q} <= {dir_y_q, dir_z_q};
+            if (|ph_q[5:4]) {org_x_q, org_y_q} <= {org_y_q, org_z_q};
+            if (|ph_q[7:6]) {ctr_x_q, ctr_y_q} <= {ctr_y_q, ctr_z_q};
+        end
+    end
+
+    // ---- stage 1, cycles 1 to 3: product; -dir is kept for a hit at the centre ----
+    reg  signed [PW-1:0] s1_prod_q;
+    reg  signed [WD:0]   back_x_q, back_y_q, back_z_q;
+    wire                 feed = |ph_q[11:9];    // the normal leaves for normalisation
+    always @(posedge clk) begin
+        s1_prod_q <= $signed({1'b0, mant_q}) * dir_x_q;
+        if (|ph_q[3:1] || feed) begin
+            back_z_q <= -$signed({dir_x_q[WD-1], dir_x_q});
+            {back_x_q, back_y_q} <= {back_y_q, back_z_q};
+        end
+    end
+
+    // ---- stages 2 and 3, cycles 2 to 5: shift right, one bit kept to round ----
+    reg  signed [SW-1:0] s2_prod_q, s3_prod_q;
+    wire signed [SW-1:0] s1_prod = $signed({s1_prod_q, 1'b0});
+    always @(posedge clk) begin
+        s2_prod_q <= s1_prod >>> {shift_q[5:3], 3'd0};
+        s3_prod_q <= s2_prod_q >>> shift_q[2:0];
+    end
+
+    // ---- stage 4, cycles 4 to 6: (2*org*2^NG + 1 + offset) / 2 rounds half up ----
+    reg  signed [SW:0]   s4_sum_q;
+    wire signed [SW:0]   s4_org = $signed({{(SW-GW){org_x_q[W-1]}}, org_x_q, {NG{1'b0}}, 1'b1});
+    always @(posedge clk) s4_sum_q <= s4_org + $signed({s3_prod_q[SW-1], s3_prod_q});
+
+    // ---- stage 5, cycles 5 to 7: limit to the guarded grid ----
+    reg  signed [GW-1:0] s5_g_q;
+    reg                  s5_over_q;
+    wire                 s5_sign = s4_sum_q[SW];
+    wire                 s5_over = s4_sum_q[SW-1:GW] != {(SW-GW){s5_sign}};
+    always @(posedge clk) begin
+        s5_over_q <= s5_over;
+        s5_g_q    <= s5_over ? $signed({s5_sign, {(GW-1){!s5_sign}}}) : $signed(s4_sum_q[GW:1]);
+    end
+
+    // ---- stage 6, cycles 6 to 8: point; normal, its sign by the order of the difference ----
+    reg  [TAG-1:0]       s6_tag_q;
+    reg                  s6_over_q, s6_any_q;
+    reg  signed [W-1:0]  s6_px_q, s6_py_q, s6_pz_q;
+    reg  signed [VW-1:0] s6_nx_q, s6_ny_q, s6_nz_q;
+    wire signed [GW:0]   s6_g     = $signed({s5_g_q[GW-1], s5_g_q});
+    wire signed [GW:0]   s6_ctr   = $signed({ctr_x_q[W-1], ctr_x_q, {NG{1'b0}}});
+    wire signed [GW:0]   s6_round = s6_g + $signed(HALF);
+    wire                 s6_over  = s6_round[GW] != s6_round[GW-1];
+    wire signed [VW-1:0] s6_n     = (far_q ? s6_ctr : s6_g) - (far_q ? s6_g : s6_ctr);
+    always @(posedge clk) begin
+        if (|ph_q[8:6]) begin
+            s6_pz_q <= s6_over ? $signed({1'b0, {(W-1){1'b1}}}) : $signed(s6_round[GW-1:NG]);
+            {s6_px_q, s6_py_q} <= {s6_py_q, s6_pz_q};
+            s6_over_q <= s6_over || s5_over_q || (ph_q[6] ? short_q : s6_over_q);
+            s6_any_q  <= |s6_n || (s6_any_q && !ph_q[6]);
+        end
+        if (|ph_q[8:6] || feed) begin
+            s6_nz_q <= s6_n;
+            {s6_nx_q, s6_ny_q} <= {s6_ny_q, s6_nz_q};
+        end
+        if (ph_q[8]) s6_tag_q <= in_tag_q;
+    end
+
+    // ---- cycles 9 to 11: to normalisation, out 7 cycles later; the rest waits at the output ----
+    wire [VW+WD:0]       back   = {{VW{back_x_q[WD]}}, back_x_q};
+    wire signed [VW-1:0] feed_v = s6_any_q ? s6_nx_q : $signed(back[VW-1:0]);
+    rt_normalise #(.VW(VW), .BITS(WD)) u_normalise (
+        .clk(clk), .rst(rst),
+        .in_valid_i(feed), .in_v_i(feed_v),
+        .out_valid_o(out_valid_o),
+        .out_x_o(out_normal_x_o), .out_y_o(out_normal_y_o), .out_z_o(out_normal_z_o)
+    );
+    always @(posedge clk)
+        if (ph_q[11]) begin
+            out_tag_o       <= s6_tag_q;
+            out_saturated_o <= s6_over_q;
+            {out_point_x_o, out_point_y_o, out_point_z_o} <= {s6_px_q, s6_py_q, s6_pz_q};
+        end
+    wire unused = &{1'b0, s4_sum_q[0], s6_round[NG-1:0], shift[7:6], back[VW+WD:VW]};
+endmodule
+`default_nettype wire
