@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "build/bound.h"
+#include "build/tree.h"
 
 static int32_t child_field(const uint32_t *line, int child, int lsb, int width) {
     return sph_field_signed(line, child * SPH_CHILD_STRIDE + lsb, width);
@@ -88,21 +88,24 @@ static void test_containment(void **unused) {
             }
 }
 
-/* A chain of ever smaller and closer spheres drives split trees deep. */
+/* Spheres ever smaller and closer drive split trees deep; the stack must hold them all. */
 static void test_depth(void **unused) {
+    enum { N = 4000 };
+    static struct sph_ball balls[N];
+    const int32_t eye[3] = {0};
     (void)unused;
-    struct sph_scene s = cloud(100, 0.01);
-    struct sph_build_options o = standard;
-    struct sph_build_report report;
-    o.profile = SPH_REFERENCE;
-    for (uint32_t i = 0; i < s.n_spheres; i++) {
-        double at = pow(0.9, i);
-        s.spheres[i] = (struct sph_sphere){{at, 0, 0}, at * 0.05, 0, i + 10};
+    for (uint32_t n = 30; n <= N; n += n / 3) {
+        struct sph_tree tree = {0};
+        for (uint32_t i = 0; i < n; i++) {
+            double at = pow(1e-6, (i + 1.0) / n);
+            balls[i] = (struct sph_ball){{(int32_t)(at * 8e6) - 4000000, 0, 0}, 1};
+            balls[i].r += (int32_t)(at * 1e5);
+        }
+        const struct sph_profile *p = &sph_profiles[SPH_REFERENCE];
+        assert_int_equal(sph_tree_balanced(balls, n, p, eye, &tree, NULL), 0);
+        assert_true(tree.depth - 1 <= SPH_STACK_DEPTH);
+        free(tree.nodes);
     }
-    struct sph_machine m = built(&s, o, &report);
-    assert_true(report.depth - 1 <= SPH_STACK_DEPTH);
-    sph_machine_free(&m);
-    free(s.spheres);
 }
 
 static void test_grid(void **unused) {

@@ -102,7 +102,7 @@ static void trivial(const struct work *w, uint32_t n) {
 
 int sph_tree_balanced(const struct sph_ball *balls, uint32_t n, const struct sph_profile *profile,
                       const int32_t eye[3], struct sph_tree *tree, struct sph_error *err) {
-    static const int limits[] = {64, 36, 28, 0};
+    static const int limits[] = {64, 30, 25, 21, 18, 0};
     struct work w = {.balls = balls, .profile = profile, .eye = eye, .tree = tree};
     /* a node has two children or more, so there are fewer nodes than spheres */
     tree->nodes = malloc((n + 1ull) * sizeof *tree->nodes);
@@ -111,7 +111,7 @@ int sph_tree_balanced(const struct sph_ball *balls, uint32_t n, const struct sph
         trivial(&w, n);
         return 0;
     }
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 6; i++) {
         if (sph_split(balls, n, profile, limits[i], &w.split, err)) {
             free(tree->nodes);
             tree->nodes = NULL;
