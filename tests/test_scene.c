@@ -1,0 +1,98 @@
+/* test_scene.c - scene files: reading, leaving primitives out, writing
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "scene_files.h"
+
+#include <locale.h>
+
+#include "scene/generate.h"
+
+static void read_text(const char *text, int skip, struct sph_scene *scene) {
+    struct sph_error err = {""};
+    struct sph_read_options options = {.skip_unsupported = skip};
+    put_file(text, strlen(text));
+    if (sph_scene_read(file_name, &options, scene, &err)) fail_msg("%s", err.text);
+}
+
+static void test_good(void **state) {
+    (void)state;
+    struct sph_scene s;
+    read_text("\xef\xbb\xbf# UTF-8 mark\r\nv from\r\n 1\n2 3e0 at 0 0 0 up 0 1 0\nresolution "
+              "64\n32 angle 45\n"
+              "l 1 2 3\nl 4 5 6 .1 2 0\nl 7 8 9\nl 1 1 1#comment\nb 0.25 .5 1.\nambient 0 0 1\n"
+              "f 1 1 1 1 0 0 0 0\nf .1 .2 .3 .4 .5 6 .7 8\ns +1 -2.5e1 3E-2 4 s 5 6 7 8\n"
+              "f 1 0 0 0 0 0 0 1\n",
+              0, &s);
+    assert_true(s.camera.from.x == 1 && s.camera.from.z == 3 && s.camera.angle == 45);
+    assert_true(s.camera.width == 64 && s.camera.height == 32 && s.camera.hither == 0);
+    assert_true(s.background[0] == 0.25 && s.background[2] == 1 && s.ambient[2] == 1);
+    assert_int_equal(s.n_lights, 4);
+    assert_true(s.lights[0].rgb[1] == 0.5 && s.lights[3].rgb[2] == 0.5); /* 1/sqrt(4) */
+    assert_true(s.lights[1].rgb[0] == 0.1 && s.lights[1].rgb[1] == 2 && s.lights[2].pos.z == 9);
+    assert_int_equal(s.n_spheres, 2);
+    assert_true(s.spheres[0].ctr.y == -25 && s.spheres[0].ctr.z == 0.03 && s.spheres[1].rad == 8);
+    assert_int_equal(s.spheres[1].line, 15);
+    const struct sph_material *m = &s.materials[s.spheres[0].material];
+    assert_true(m->rgb[2] == 0.3 && m->kd == 0.4 && m->ks == 0.5 && m->shine == 6);
+    assert_true(m->trans == 0.7 && m->ior == 8 && m->line == 14);
+    assert_string_equal(s.name, "scene");
+    sph_scene_free(&s);
+}
+
+static void test_skip(void **state) {
+    (void)state;
+    struct sph_scene s;
+    read_text(CAM MAT "p 3\n0 0 0\n1 0 0\n0 1 0\ns 0 0 0 1\npp 3 1 1 1 0 0 1 2 2 2 0 0 1\n"
+                      "3 3 3 0 0 1\nc\n0 0 0 1\n0 0 1 0\ntt s.png\n0 0 0 0 0 0\n1 1 1 0 0 0\n"
+                      "s 1 1 1 1\nfm 1 1 1\n",
+              1, &s);
+    assert_int_equal(s.n_skipped, 5);
+    assert_int_equal(s.n_spheres, 2);
+    assert_int_equal(s.spheres[1].line, 22);
+    sph_scene_free(&s);
+}
+
+/* A scene of n spheres whose numbers have all bits random. */
+static void test_round_trip(void **state) {
+    (void)state;
+    struct sph_error err = {""};
+    struct sph_generate_options o = {.n = 20000, .seed = 5};
+    struct sph_scene s;
+    assert_int_equal(sph_generate("random", &o, &s, &err), 0);
+    s.spheres[7].ctr.x = 1.0000000000000002e-300;
+    s.spheres[8].ctr.y = -9.8765432109876543e29;
+    s.camera.hither = 1.0 / 3;
+    round_trip(&s);
+    sph_scene_free(&s);
+}
+
+static void test_write_error(void **state) {
+    (void)state;
+    struct sph_error err = {""};
+    struct sph_scene s;
+    FILE *file = fopen("/dev/full", "w");
+    assert_int_equal(sph_generate("paper5", NULL, &s, &err), 0);
+    assert_int_equal(sph_scene_write(&s, file, &err), -1);
+    assert_non_null(strstr(err.text, "cannot write"));
+    fclose(file);
+    sph_scene_free(&s);
+}
+
+/* A locale with a decimal comma changes nothing (where such a locale is installed). */
+static void test_locale(void **state) {
+    (void)state;
+    struct sph_error err = {""};
+    struct sph_scene s;
+    if (!setlocale(LC_ALL, "de_DE.UTF-8") && !setlocale(LC_ALL, "fr_FR.UTF-8")) skip();
+    assert_int_equal(sph_generate("random", NULL, &s, &err), 0);
+    round_trip(&s);
+    setlocale(LC_ALL, "C");
+    sph_scene_free(&s);
+}
+
+int main(void) {
+    const struct CMUnitTest others[] = {
+        cmocka_unit_test(test_good), cmocka_unit_test(test_skip), cmocka_unit_test(test_round_trip),
+        cmocka_unit_test(test_write_error), cmocka_unit_test(test_locale)};
+    return run_cases("scene", NULL, NULL, 0, others, sizeof others / sizeof others[0]);
+}

@@ -1,0 +1,152 @@
+/* test_scene_make.c - generated scenes and the files in scenes/
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Run from the top folder of the repository. Sphere lists of the SPD scene `balls` come from the
+ * Debian package tachyon-doc.
+ */
+#include "scene_files.h"
+
+#include <math.h>
+
+#include "scene/generate.h"
+
+#define TACHYON "/usr/share/doc/tachyon/examples/scenes/"
+
+/* Reads the `SPHERE CENTER x y z RAD r` lines of a Tachyon scene. */
+static struct sph_sphere *read_tachyon(const char *path, uint32_t *n) {
+    struct sph_sphere *list = malloc(100000 * sizeof *list);
+    char line[256];
+    FILE *file = fopen(path, "r");
+    if (!file) fail_msg("%s is missing: install the Debian package tachyon-doc", path);
+    for (*n = 0; fgets(line, sizeof line, file);) {
+        struct sph_sphere s = {0};
+        if (sscanf(line, " SPHERE CENTER %lf %lf %lf RAD %lf", &s.ctr.x, &s.ctr.y, &s.ctr.z,
+                   &s.rad) == 4)
+            list[(*n)++] = s;
+    }
+    fclose(file);
+    return list;
+}
+
+/* The two lists are the same set within 0.001 in every number. */
+static void assert_same_set(const struct sph_sphere *p, const struct sph_sphere *q, uint32_t n) {
+    char *used = calloc(n, 1);
+    for (uint32_t i = 0; i < n; i++) {
+        uint32_t found = n;
+        for (uint32_t k = 0; k < n && found == n; k++) {
+            uint32_t j = (i + k) % n;
+            if (!used[j] && fabs(p[i].ctr.x - q[j].ctr.x) < 1e-3 &&
+                fabs(p[i].ctr.y - q[j].ctr.y) < 1e-3 && fabs(p[i].ctr.z - q[j].ctr.z) < 1e-3 &&
+                fabs(p[i].rad - q[j].rad) < 1e-3)
+                found = j;
+        }
+        if (found == n) fail_msg("sphere %u has no partner", i);
+        used[found] = 1;
+    }
+    free(used);
+}
+
+static void test_sphereflake(void **state) {
+    (void)state;
+    static const uint32_t counts[] = {10, 91, 820, 7381, 66430};
+    static const char *const lists[] = {NULL, "smallballs.dat", "820spheres.dat", "balls.dat",
+                                        NULL};
+    for (int size = 1; size <= 5; size++) {
+        struct sph_error err = {""};
+        struct sph_generate_options o = {.size = size};
+        struct sph_scene s;
+        if (sph_generate("sphereflake", &o, &s, &err)) fail_msg("%s", err.text);
+        assert_int_equal(s.n_spheres, counts[size - 1]);
+        if (lists[size - 1]) {
+            char path[128];
+            uint32_t n;
+            snprintf(path, sizeof path, TACHYON "%s", lists[size - 1]);
+            struct sph_sphere *list = read_tachyon(path, &n);
+            assert_int_equal(n, s.n_spheres);
+            assert_same_set(s.spheres, list, n);
+            free(list);
+        }
+        sph_scene_free(&s);
+    }
+}
+
+static void test_generate(void **state) {
+    (void)state;
+    static const char *const kinds[] = {"paper5", "paper100", "interpenetrating", "random",
+                                        "huge_tiny"};
+    static const uint32_t counts[] = {5, 100, 27, 1000, 101};
+    for (int i = 0; i < 5; i++) {
+        struct sph_error err = {""};
+        struct sph_scene s, again;
+        struct sph_generate_options o = {.width = 64, .height = 36, .seed = 9};
+        assert_int_equal(sph_generate(kinds[i], NULL, &s, &err), 0);
+        assert_int_equal(s.n_spheres, counts[i]);
+        assert_true(s.n_lights > 0 && s.camera.width == 320 && s.camera.height == 180);
+        round_trip(&s);
+        assert_int_equal(sph_generate(kinds[i], NULL, &again, &err), 0);
+        assert_same_scene(&s, &again);
+        sph_scene_free(&again);
+        assert_int_equal(sph_generate(kinds[i], &o, &again, &err), 0);
+        assert_int_equal(again.n_spheres, counts[i]);
+        assert_int_equal(again.camera.width, 64);
+        sph_scene_free(&again);
+        sph_scene_free(&s);
+    }
+}
+
+static void test_generate_bad(void **state) {
+    (void)state;
+    struct sph_error err = {""}, err2 = {""}, err3 = {""}, err4 = {""};
+    struct sph_generate_options big = {.size = 6, .n = SPH_MAX_SPHERES + 1};
+    struct sph_generate_options wide = {.width = 20000, .height = 1};
+    struct sph_scene s;
+    assert_int_equal(sph_generate("cube", NULL, &s, &err), -1);
+    assert_non_null(strstr(err.text, "cannot generate `cube`"));
+    assert_int_equal(sph_generate("sphereflake", &big, &s, &err2), -1);
+    assert_int_equal(sph_generate("random", &big, &s, &err3), -1);
+    assert_int_equal(sph_generate("paper5", &wide, &s, &err4), -1);
+    assert_non_null(strstr(err4.text, "20000"));
+    assert_null(s.spheres);
+}
+
+/* The files in scenes/ read well; those made by a generator are what it makes today. */
+static void test_scene_files(void **state) {
+    (void)state;
+    static const struct {
+        const char *name, *kind;
+        uint32_t n_spheres;
+    } files[] = {{"sphereflake2", "sphereflake", 91},
+                 {"paper5", "paper5", 5},
+                 {"paper100", "paper100", 100},
+                 {"interpenetrating", "interpenetrating", 27},
+                 {"huge_tiny", "huge_tiny", 101},
+                 {"one_sphere", NULL, 1},
+                 {"materials", NULL, 10},
+                 {"inside", NULL, 7},
+                 {"eight_lights", NULL, 8},
+                 {"no_light", NULL, 2},
+                 {"empty", NULL, 0}};
+    for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
+        struct sph_error err = {""};
+        struct sph_scene s, made;
+        char path[64];
+        snprintf(path, sizeof path, "scenes/%s.nff", files[i].name);
+        if (sph_scene_read(path, NULL, &s, &err)) fail_msg("%s", err.text);
+        assert_int_equal(s.n_spheres, files[i].n_spheres);
+        assert_true(s.camera.width == 320 && s.camera.height == 180);
+        assert_string_equal(s.name, files[i].name);
+        if (files[i].kind) {
+            assert_int_equal(sph_generate(files[i].kind, NULL, &made, &err), 0);
+            assert_same_scene(&s, &made);
+            sph_scene_free(&made);
+        }
+        sph_scene_free(&s);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest others[] = {
+        cmocka_unit_test(test_sphereflake), cmocka_unit_test(test_generate),
+        cmocka_unit_test(test_generate_bad), cmocka_unit_test(test_scene_files)};
+    return run_cases("scene_make", NULL, NULL, 0, others, sizeof others / sizeof others[0]);
+}
