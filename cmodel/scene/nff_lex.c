@@ -23,6 +23,8 @@ int sph_lex_open(struct sph_lex *lex, const char *path, struct sph_error *err) {
         sph_lex_close(lex);
         return sph_fail(err, "%s: is a folder, not a file", path);
     }
+    lex->len = fread(lex->buf, 1, sizeof lex->buf, lex->file);
+    if (lex->len >= 3 && !memcmp(lex->buf, "\xef\xbb\xbf", 3)) lex->pos = 3; /* UTF-8 mark */
     return 0;
 }
 
@@ -107,8 +109,8 @@ int sph_lex_number(struct sph_lex *lex, const char *record, const char *field, d
     int got = sph_lex_peek(lex, err);
     if (got < 0) return -1;
     if (got == 0)
-        return sph_fail(err, "%s:%u: the file ends within `%s`, before %s", lex->path, lex->line,
-                        record, field);
+        return sph_fail(err, "%s:%u: the file ends within `%s`, before %s", lex->path,
+                        lex->token_line, record, field);
     int bad = sph_parse_number(lex->token, value);
     if (bad)
         return sph_fail(err, "%s:%u: `%s`: %s: `%s` is %s", lex->path, lex->token_line, record,
