@@ -4,13 +4,40 @@
 # Every choice that shapes the machine is in the folder's name, so results never mix:
 #   $(RUN_DIR)/scene.sph    machine file, read by the model and by the RTL benches
 #   $(RUN_DIR)/model.frame  what the golden model makes of it
+#   $(OUT_DIR)/             what `make sim` leaves: pictures, report.json, frames
+#
+# SCENE is a file, the name of one in scenes/, or KIND:N of `sphaera gen`: levels of a sphereflake,
+# number of spheres of random, else the seed.
 
-RUN_NAME := $(basename $(notdir $(SCENE)))-$(PROFILE)-$(or $(SIZE),file)-$(TREE)-$(DEPTH)-$(BACKGROUND)
+## WINDOW      pixels to simulate, x0,y0,x1,y1 (empty: the whole frame)
+WINDOW ?=
+## WARM        1: render twice and count the second pass with warm caches
+WARM ?= 0
+ifeq ($(origin SIZE),file)
+SIZE := 320x180
+endif
+
+SCENE_KIND := $(word 1,$(subst :, ,$(SCENE)))
+SCENE_ARG  := $(word 2,$(subst :, ,$(SCENE)))
+SCENE_FILE := $(if $(SCENE_ARG),$B/scenes/$(SCENE_KIND)-$(SCENE_ARG)-$(SEED).nff,$(or \
+                  $(wildcard $(SCENE)),scenes/$(SCENE).nff))
+GEN_OPTION := $(if $(filter sphereflake,$(SCENE_KIND)),--size $(SCENE_ARG),$(if $(filter \
+                  random,$(SCENE_KIND)),--spheres $(SCENE_ARG) --seed $(SEED),--seed $(SCENE_ARG)))
+
+SCENE_NAME := $(basename $(notdir $(SCENE_FILE)))
+RUN_NAME := $(SCENE_NAME)-$(PROFILE)-$(or $(SIZE),file)-$(TREE)-$(DEPTH)-$(BACKGROUND)
 RUN_DIR  := $B/run/$(RUN_NAME)
+OUT_DIR  := $B/out/$(SCENE_NAME)-$(PROFILE)
 BUILD_OPTIONS := --profile $(PROFILE) --tree $(TREE) --depth $(DEPTH) --background $(BACKGROUND) \
                  $(if $(SIZE),--size $(SIZE))
 
-$(RUN_DIR)/scene.sph: $(SCENE) $(TOOL)
+ifneq ($(SCENE_ARG),)
+$(SCENE_FILE): $(TOOL)
+	@mkdir -p $(@D)
+	$(Q)$(TOOL) gen $(SCENE_KIND) $(GEN_OPTION) -o $@
+endif
+
+$(RUN_DIR)/scene.sph: $(SCENE_FILE) $(TOOL)
 	$(call say,MACH,$(RUN_NAME))
 	@mkdir -p $(@D)
 	$(Q)$(TOOL) build $< $(BUILD_OPTIONS) --json $(@D)/build.json -o $@ >$(@D)/build.log
@@ -23,9 +50,29 @@ render: $(RUN_DIR)/model.frame ## SCENE through the golden model: picture, count
 	@cat $(RUN_DIR)/build.log $(RUN_DIR)/model.log
 	@echo "picture $(RUN_DIR)/model.png"
 
-sim: $(RUN_DIR)/model.frame ## SCENE through model and RTL, compared bit for bit
-	@echo "sim: no RTL core to simulate yet" >&2; exit 1
+PICTURES := $B/sim/pictures
+$(PICTURES): $B/obj/sim/pictures.o $(IMAGE) $(LIB)
+	$(call say,LD,$(@F))
+	@mkdir -p $(@D)
+	$(Q)$(CXX) -fopenmp $^ $(IMAGE_LIBS) $(MODEL_LIBS) -o $@
+-include $B/obj/sim/pictures.d
+
+SIM_OPTIONS = --machine $(RUN_DIR)/scene.sph --latency $(LATENCY) --stall $(STALL) --seed $(SEED) \
+    --processes $(JOBS) --progress --frame $(OUT_DIR)/rtl.frame --json $(OUT_DIR)/report.json \
+    --model-frame $(OUT_DIR)/model.frame $(if $(WINDOW),--window $(WINDOW)) \
+    $(if $(filter 1,$(WARM)),--warm) $(if $(filter 1,$(WAVES)),--trace $(OUT_DIR)/core.fst)
+
+sim: $(RUN_DIR)/scene.sph $(PICTURES) ## SCENE through model and RTL, compared bit for bit
+	@mkdir -p $(OUT_DIR)
+	$(call say,SIM,"$(SCENE_NAME) $(PROFILE) $(SIZE) in $(SIM)")
+	+$(Q)rm -f $(OUT_DIR)/rtl.frame; \
+	    EFFECTS=$(EFFECTS) ENGINES=$(ENGINES) SIM=$(SIM) BUILD=$B JOBS=$(JOBS) \
+	        sh sim/core.sh $(SIM_OPTIONS) >$(OUT_DIR)/log; rc=$$?; \
+	    cat $(OUT_DIR)/log; [ -f $(OUT_DIR)/rtl.frame ] || exit $$rc; \
+	    $(PICTURES) $(OUT_DIR)/model.frame $(OUT_DIR)/rtl.frame $(OUT_DIR) || exit 1; \
+	    echo "pictures and report in $(OUT_DIR)/"; \
+	    sed -n '$$s/^core \(.*mismatches\),.*/sim \1/p' $(OUT_DIR)/log; exit $$rc
 
 bench: $(TOOL) ## time the golden model on SCENE
-	$(Q)$(TOOL) build $(SCENE) $(BUILD_OPTIONS) -o $B/bench.sph
+	$(Q)$(TOOL) build $(SCENE_FILE) $(BUILD_OPTIONS) -o $B/bench.sph
 	$(Q)$(TOOL) render $B/bench.sph --threads 1

@@ -1,0 +1,86 @@
+# core.mk - builds the harness of the core for one simulator and one set of parameters
+# SPDX-License-Identifier: Apache-2.0
+#
+# Called by sim/core.sh, which holds a lock for each of these targets:
+#   tools    build/sim/tb_core_icarus (every machine), objects that all harnesses share
+#   core     build/sim/KEY/tb_core    (Verilator)
+#   icarus   build/sim/KEY/tb_core.vvp
+# KEY names every parameter that shapes the core, so that builds never mix.
+
+B       ?= build
+RTL     ?= rtl
+PROFILE ?= standard
+SHADOW  ?= 1
+REFLECT ?= 1
+ENGINES ?= 1
+WAVES   ?= 0
+OPT     ?= -O3
+JOBS    ?= 2
+
+KEY := $(PROFILE)-shadow$(SHADOW)-reflect$(REFLECT)-engines$(ENGINES)$(if $(filter 1,$(WAVES)),-waves)
+S   := $B/sim
+K   := $S/$(KEY)
+LIB := $B/libsphaera.a
+
+CXX      ?= g++
+CXXFLAGS := -std=c++17 -O2 -Wall -Wextra -Icmodel -Itb/core
+LIBS     := -fopenmp -pthread -ljansson -lm
+
+RTL_FILES := $(shell find $(RTL) -name '*.v' -o -name '*.vh')
+RTL_DIRS  := $(sort $(dir $(RTL_FILES)))
+SEARCH    := $(RTL_DIRS:%=-y %) $(RTL_DIRS:%=-I%)
+# profile NAME w wd pq ng fw: as parameters
+PARAMETERS := $(shell awk -v p=$(PROFILE) '$$1 == "profile" { \
+                  if ($$2 == p) print "W=" $$3, "WD=" $$4, "PQ=" $$5, "NG=" $$6, "FW=" $$7, \
+                                      "PROFILE=" n + 0; n++ }' cmodel/machine/machine.def) \
+              SHADOW=$(SHADOW) REFLECT=$(REFLECT) ENGINES=$(ENGINES)
+
+SHARED := $(patsubst tb/core/%.cpp,$S/obj/%.o,$(filter-out tb/core/simulate_%.cpp, \
+              $(wildcard tb/core/*.cpp)))
+
+# Verilator's own library, the same for every core.
+ROOT      := $(shell verilator --getenv VERILATOR_ROOT)/include
+VERILATED := $(patsubst %,$S/obj/%.o,verilated verilated_threads verilated_fst_c)
+
+.DELETE_ON_ERROR:
+.SUFFIXES:
+.PHONY: tools core icarus
+tools: $S/tb_core_icarus $(SHARED) $(VERILATED)
+core: $K/tb_core
+icarus: $K/tb_core.vvp
+
+$S/obj/%.o: tb/core/%.cpp
+	@mkdir -p $(@D)
+	$(CXX) $(CXXFLAGS) -MMD -MP -c $< -o $@
+
+$S/tb_core_icarus: $(SHARED) $S/obj/simulate_icarus.o $(LIB)
+	$(CXX) $^ $(LIBS) -o $@
+
+$K/tb_core.vvp: tb/core/tb_core_icarus.v $(RTL_FILES)
+	@mkdir -p $(@D)
+	iverilog -g2005 -Wall $(SEARCH) $(PARAMETERS:%=-Ptb_core_icarus.%) -s tb_core_icarus \
+	    -o $@ $< 2>$@.log || { cat $@.log >&2; exit 1; }
+	@cat $@.log >&2
+
+# Verilator's warnings are errors; what is waived stands with its reason in sim/waivers.vlt.
+$K/Vrt_core__ALL.a: $(RTL_FILES) $(wildcard sim/waivers.vlt)
+	@mkdir -p $(@D)
+	verilator --cc --language 1364-2005 -Wall -O3 --x-assign fast --top-module rt_core \
+	    --prefix Vrt_core --Mdir $(@D) $(PARAMETERS:%=-G%) $(SEARCH) --output-split 20000 \
+	    $(if $(filter 1,$(WAVES)),--trace-fst) $(wildcard sim/waivers.vlt) \
+	    $(filter %/rt_core.v,$(RTL_FILES))
+	$(MAKE) -s -C $(@D) -f Vrt_core.mk -j$(JOBS) OPT_FAST=$(OPT) OPT_SLOW=$(OPT) Vrt_core__ALL.a \
+	    >$(@D)/compile.log || { cat $(@D)/compile.log >&2; exit 1; }
+
+$(VERILATED): $S/obj/%.o: $(ROOT)/%.cpp
+	@mkdir -p $(@D)
+	$(CXX) -std=c++17 -O2 -w -I$(ROOT) -I$(ROOT)/vltstd -DVM_TRACE=1 -DVM_TRACE_FST=1 -c $< -o $@
+
+$K/simulate_verilator.o: tb/core/simulate_verilator.cpp $K/Vrt_core__ALL.a
+	$(CXX) $(CXXFLAGS) -I$K -isystem $(ROOT) -isystem $(ROOT)/vltstd -DVM_TRACE=$(WAVES) \
+	    -DVM_TRACE_FST=$(WAVES) -MMD -MP -c $< -o $@
+
+$K/tb_core: $(SHARED) $K/simulate_verilator.o $K/Vrt_core__ALL.a $(VERILATED) $(LIB)
+	$(CXX) $^ $(LIBS) -lz -o $@
+
+-include $(wildcard $S/obj/*.d $K/simulate_verilator.d)

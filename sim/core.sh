@@ -1,0 +1,59 @@
+#!/bin/sh
+# core.sh - one machine through the RTL core and the golden model, compared bit for bit
+# SPDX-License-Identifier: Apache-2.0
+#
+# usage: [EFFECTS=auto|all] [ENGINES=n] [SIM=verilator|icarus] sim/core.sh --machine FILE [OPTION...]
+#
+# Builds the core that the machine asks for unless it is there (cached by parameters), with
+# waveforms if --trace is among the options, then runs the harness; its options: --help.
+# EFFECTS=auto elaborates only the effects that the machine uses, all (default) everything.
+# BUILD is the build folder, RTL another source folder, OPT the compiler's effort.
+set -eu
+cd "$(dirname "$0")/.."
+EFFECTS=${EFFECTS:-all} ENGINES=${ENGINES:-1} SIM=${SIM:-verilator} WAVES=0
+BUILD=${BUILD:-build}
+
+machine= previous=
+for word; do
+    case $previous in --machine | -m) machine=$word ;; esac
+    case $word in
+    --machine=*) machine=${word#*=} ;;
+    --trace | --trace=*) WAVES=1 ;;
+    esac
+    previous=$word
+done
+
+mkdir -p "$BUILD/sim"
+# Makes a target of core.mk; two processes never make the same at once.
+target() { # lock, target, variables
+    lock=$BUILD/sim/.$1.lock goal=$2
+    shift 2
+    flock "$lock" env -u MAKEFLAGS -u MFLAGS make -s --no-print-directory -f sim/core.mk \
+        B="$BUILD" "$@" "$goal" >&2
+}
+[ -f "$BUILD/libsphaera.a" ] || make -s B="$BUILD" "$BUILD/libsphaera.a" >&2
+target tools tools
+tool=$BUILD/sim/tb_core_icarus
+[ -n "$machine" ] || exec "$tool" "$@"
+
+info=$("$tool" --machine "$machine" --info)
+profile=${info%% *}
+effects=${info#* }
+effects=${effects%% *}
+[ "$EFFECTS" = auto ] || effects=3
+shadow=$((effects & 1)) reflect=$((effects >> 1 & 1))
+[ "$SIM" = verilator ] || WAVES=0
+key=$profile-shadow$shadow-reflect$reflect-engines$ENGINES
+[ "$WAVES" = 0 ] || key=$key-waves
+[ "$SIM" = verilator ] && goal=core || goal=icarus
+[ -e "$BUILD/sim/$key/tb_core" ] || [ $goal = icarus ] ||
+    echo "building the core $key in Verilator: about half a minute, once" >&2
+target "$key-$goal" "$goal" PROFILE="$profile" SHADOW="$shadow" REFLECT="$reflect" \
+    ENGINES="$ENGINES" WAVES="$WAVES" ${RTL:+RTL="$RTL"} ${OPT:+OPT="$OPT"}
+
+repeat="EFFECTS=$EFFECTS ENGINES=$ENGINES SIM=$SIM sim/core.sh"
+if [ "$SIM" = verilator ]; then
+    exec "$BUILD/sim/$key/tb_core" --repeat "$repeat" "$@"
+else
+    exec "$tool" --engine "$BUILD/sim/$key/tb_core.vvp" --repeat "$repeat" "$@"
+fi

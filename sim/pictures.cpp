@@ -1,0 +1,66 @@
+/* pictures.cpp - the pictures of a co-simulation: model, RTL, difference, side by side
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * usage: pictures MODEL.frame RTL.frame FOLDER
+ *
+ * Colours are those of the deepest reflection. diff.png shows |model - RTL| of each byte, 16 times
+ * and at most 255, and white where only id, key or visits differ.
+ */
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "image/image.h"
+extern "C" {
+#include "frame_file.h"
+#include "render.h"
+}
+
+namespace {
+
+const int LAYER = SPH_FRAMES - 1;
+
+sph_pixel difference(const sph_pixel &a, const sph_pixel &b) {
+    sph_pixel d{};
+    for (unsigned shift = 0; shift < 24; shift += 8) {
+        int x = static_cast<int>(a.colour[LAYER] >> shift & 255);
+        int y = static_cast<int>(b.colour[LAYER] >> shift & 255);
+        auto value = static_cast<uint32_t>(std::min(16 * std::abs(x - y), 255));
+        d.colour[LAYER] |= value << shift;
+    }
+    bool hidden = a.id != b.id || a.key != b.key || a.visits != b.visits;
+    if (!d.colour[LAYER] && hidden) d.colour[LAYER] = 0xffffff;
+    return d;
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    if (argc != 4) {
+        std::fprintf(stderr, "usage: pictures MODEL.frame RTL.frame FOLDER\n");
+        return 2;
+    }
+    sph_error err = {{0}};
+    sph_shot model{}, rtl{};
+    int failed = sph_shot_read(argv[1], &model, &err) || sph_shot_read(argv[2], &rtl, &err);
+    if (!failed && (model.frame.width != rtl.frame.width || model.frame.height != rtl.frame.height))
+        failed = sph_fail(&err, "%s and %s differ in size", argv[1], argv[2]);
+    if (!failed) {
+        std::string folder = std::string(argv[3]) + "/";
+        size_t n = static_cast<size_t>(model.frame.width) * static_cast<size_t>(model.frame.height);
+        std::vector<sph_pixel> pixels(n);
+        for (size_t i = 0; i < n; i++)
+            pixels[i] = difference(model.frame.pixels[i], rtl.frame.pixels[i]);
+        sph_frame diff = {model.frame.width, model.frame.height, pixels.data()};
+        failed = sph_image_write_png((folder + "model.png").c_str(), &model.frame, LAYER, &err) ||
+                 sph_image_write_png((folder + "rtl.png").c_str(), &rtl.frame, LAYER, &err) ||
+                 sph_image_write_png((folder + "diff.png").c_str(), &diff, LAYER, &err) ||
+                 sph_image_write_difference((folder + "side-by-side.png").c_str(), &model.frame,
+                                            &rtl.frame, LAYER, &err);
+    }
+    sph_frame_free(&model.frame);
+    sph_frame_free(&rtl.frame);
+    if (failed) std::fprintf(stderr, "pictures: %s\n", err.text);
+    return failed ? 1 : 0;
+}

@@ -1,0 +1,152 @@
+/* compare.cpp - bit for bit, and the first difference explained; see outcome.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+
+#include "outcome.h"
+extern "C" {
+#include "pixel/walk.h"
+}
+
+namespace {
+
+using ull = unsigned long long;
+const char *const counter_names[] = {SPH_COUNTER_NAMES};
+const char *const error_names[] = {SPH_ERROR_NAMES};
+const char *const colour_names[SPH_FRAMES] = {"Rendering", "L1", "L2"};
+
+std::string line(const char *format, ...) __attribute__((format(printf, 1, 2)));
+std::string line(const char *format, ...) {
+    char text[512];
+    va_list ap;
+    va_start(ap, format);
+    std::vsnprintf(text, sizeof text, format, ap);
+    va_end(ap);
+    return std::string(text) + "\n";
+}
+
+/* The unit that a difference points at. */
+const char *stage(const sph_pixel &model, const Sample &core) {
+    if (!core.times) return "never delivered: launch, slots or pixel output";
+    if (core.times > 1) return "delivered more than once: launch, slots or pixel output";
+    const sph_pixel &p = core.pixel;
+    if (model.id != p.id || model.key != p.key) return "traversal or leaf test (id, key)";
+    if (model.colour[0] != p.colour[0]) return "shading at the first hit (Rendering)";
+    if (model.colour[1] != p.colour[1]) return "first reflection: bounce, its traversal, blend";
+    if (model.colour[2] != p.colour[2]) return "deeper reflections: bounce, traversal, blend";
+    return "order of traversal (only visits differ)";
+}
+
+bool equal(const sph_pixel &a, const Sample &s) {
+    const sph_pixel &b = s.pixel;
+    return s.times == 1 && a.id == b.id && a.key == b.key && (a.visits & 0xffffff) == b.visits &&
+           a.colour[0] == b.colour[0] && a.colour[1] == b.colour[1] && a.colour[2] == b.colour[2];
+}
+
+std::string colour(const char *name, uint32_t a, uint32_t b) {
+    return line("  %-10s 0x%06x (%.4f %.4f %.4f)   0x%06x (%.4f %.4f %.4f)%s", name, a,
+                (a & 255) / 255.0, (a >> 8 & 255) / 255.0, (a >> 16) / 255.0, b, (b & 255) / 255.0,
+                (b >> 8 & 255) / 255.0, (b >> 16) / 255.0, a != b ? "  <--" : "");
+}
+
+std::string number(const char *name, uint64_t a, uint64_t b) {
+    return line("  %-10s 0x%llx (%llu)   0x%llx (%llu)%s", name, static_cast<ull>(a),
+                static_cast<ull>(a), static_cast<ull>(b), static_cast<ull>(b),
+                a != b ? "  <--" : "");
+}
+
+std::string explain(const sph_machine &m, const sph_pixel &p, const Sample &s, int x, int y) {
+    int64_t dir[3];
+    sph_primary_dir(&m, x, y, dir);
+    double a = 0;
+    for (int64_t d : dir)
+        a += static_cast<double>(d) * static_cast<double>(d);
+    std::string text = line("  stage      %s", stage(p, s));
+    text += line("  %-10s model   core", "");
+    text += number("id", p.id, s.pixel.id);
+    text += number("key", p.key, s.pixel.key);
+    auto model_key = static_cast<double>(p.key), core_key = static_cast<double>(s.pixel.key);
+    text += line("  %-10s %.9g   %.9g", "t", model_key / a, core_key / a);
+    text += line("  %-10s %.4f   %.4f grid units", "distance", model_key / std::sqrt(a),
+                 core_key / std::sqrt(a));
+    text += number("visits", p.visits & 0xffffff, s.pixel.visits);
+    for (int i = 0; i < SPH_FRAMES; i++)
+        text += colour(colour_names[i], p.colour[i], s.pixel.colour[i]);
+    return text + line("  ray        org %d %d %d dir %lld %lld %lld, delivered %u times",
+                       m.regs[SPH_REG_EYE_X], m.regs[SPH_REG_EYE_Y], m.regs[SPH_REG_EYE_Z],
+                       static_cast<long long>(dir[0]), static_cast<long long>(dir[1]),
+                       static_cast<long long>(dir[2]), s.times);
+}
+
+/* Pixels of one pass. expected: malformed machine, only delivery counts. */
+void compare_pixels(const Options &o, const sph_machine &m, const Outcome &c, int pass,
+                    Verdict &v) {
+    const Window &w = c.window;
+    uint64_t wrong = 0;
+    std::string first;
+    for (int y = w.y0; y < w.y1; y++)
+        for (int x = w.x0; x < w.x1; x++) {
+            size_t at = static_cast<size_t>(y) * static_cast<size_t>(c.model_frame.width) +
+                        static_cast<size_t>(x);
+            const sph_pixel &p = c.model_frame.pixels[at];
+            const Sample &s = c.samples[pass][at];
+            if (o.expect_errors >= 0 ? s.times == 1 : equal(p, s)) continue;
+            if (wrong++) continue;
+            first = line("first wrong pixel x %d y %d%s:", x, y, pass ? " (warm pass)" : "");
+            first += explain(m, p, s, x, y);
+            first += "repeat: " + repeat_command(o, {x, y, x + 1, y + 1}) + "\n";
+        }
+    if (!wrong) return;
+    v.mismatches += wrong;
+    v.text += first + line("%llu of %llu pixels differ", static_cast<ull>(wrong),
+                           static_cast<ull>(c.pixels()));
+}
+
+void compare_totals(const Outcome &c, int pass, Verdict &v) {
+    const char *where = pass ? " (warm pass)" : "";
+    for (int i = 0; i < SPH_COUNTERS_BOTH; i++) {
+        uint64_t model = c.model_counters.count[i], core = c.total[pass].count[i];
+        if (model == core) continue;
+        v.mismatches++;
+        v.text += line("counter %-15s model %llu, core %llu%s", counter_names[i],
+                       static_cast<ull>(model), static_cast<ull>(core), where);
+    }
+    for (int i = 0; i < SPH_ERRORS; i++) {
+        unsigned model = c.model_errors >> i & 1, core = c.total[pass].errors >> i & 1;
+        if (model == core) continue;
+        v.mismatches++;
+        v.text += line("error bit %s: model %u, core %u%s", error_names[i], model, core, where);
+    }
+}
+
+void compare_expected(const Options &o, const Outcome &c, Verdict &v) {
+    auto missing = static_cast<uint32_t>(o.expect_errors) & ~c.total[COLD].errors;
+    for (int i = 0; i < SPH_ERRORS; i++)
+        if (missing >> i & 1) {
+            v.mismatches++;
+            v.text += line("error bit %s is not set", error_names[i]);
+        }
+}
+
+} // namespace
+
+Verdict compare(const Options &o, const sph_machine &machine, const Outcome &c) {
+    Verdict v{0, ""};
+    for (const Run *run : c.runs)
+        if (run->failure[0]) {
+            v.mismatches++;
+            v.text += run->failure;
+        }
+    for (int pass = COLD; pass <= (o.warm ? WARM : COLD); pass++) {
+        compare_pixels(o, machine, c, pass, v);
+        if (o.expect_errors >= 0)
+            compare_expected(o, c, v);
+        else
+            compare_totals(c, pass, v);
+    }
+    if (v.mismatches && v.text.find("repeat: ") == std::string::npos)
+        v.text += "repeat: " + repeat_command(o, c.window) + "\n";
+    return v;
+}

@@ -1,0 +1,55 @@
+/* memory.h - the memory behind the core: late, in order, and as unwilling as asked
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * A request for a line is answered by four beats of 64 bits, low bits first, the first of them
+ * `latency` clocks later or after the answers before it. With stall = P percent, each request is
+ * late by a random time in P of 100 cases, and ready and valid are held low in P of 100 clocks.
+ *
+ *   request taken in clock c  ->  c + latency: beat 0, 1, 2, 3 of the line (one a clock)
+ *
+ * In every clock: offer(), then the core settles, then take() with what the handshakes did.
+ */
+#ifndef TB_MEMORY_H
+#define TB_MEMORY_H
+
+#include <cstddef>
+#include <deque>
+
+#include "model.h"
+#include "random.h"
+
+class Memory {
+  public:
+    Memory(const sph_machine &machine, int latency, int stall, uint64_t seed, int64_t error_at);
+
+    /* What the core sees in this clock. */
+    struct Offer {
+        bool request_ready, response_valid, error;
+        uint64_t data; /* beat */
+    };
+    const Offer &offer();
+
+    /* What happened in this clock: request_line is looked at if a request was taken. */
+    void take(bool request_valid, uint32_t request_line, bool response_ready);
+
+    uint64_t requests() const { return requests_; }
+    size_t waiting() const { return queue_.size(); }
+    uint64_t out_of_range() const { return out_of_range_; } /* requests beyond the memory */
+
+  private:
+    struct Request {
+        uint32_t line;
+        uint64_t due;
+        bool error;
+    };
+    const sph_machine &machine_;
+    int latency_, stall_;
+    int64_t error_at_;
+    Random random_;
+    std::deque<Request> queue_;
+    Offer now_ = {false, false, false, 0};
+    uint64_t clock_ = 0, requests_ = 0, out_of_range_ = 0;
+    unsigned beat_ = 0; /* of the line at the queue's front */
+};
+
+#endif

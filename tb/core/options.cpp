@@ -1,0 +1,202 @@
+/* options.cpp - see options.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "options.h"
+
+#include <argp.h>
+#include <cstdio>
+#include <cstdlib>
+
+namespace {
+
+enum Key {
+    WINDOW = 256,
+    LATENCY,
+    STALL,
+    SEED,
+    PROCESSES,
+    WARM,
+    WATCHDOG,
+    MAX_CYCLES,
+    BUS_ERROR,
+    EXPECT,
+    POKE,
+    REG,
+    PROGRESS,
+    INFO,
+    ENGINE,
+    TRACE,
+    FRAME,
+    MODEL_FRAME,
+    JSON,
+    REPEAT
+};
+
+const argp_option table[] = {
+    {"machine", 'm', "FILE", 0, "machine file (.sph) to render", 0},
+    {"window", WINDOW, "X0,Y0,X1,Y1", 0, "pixels to render (default: as the machine says)", 0},
+    {"latency", LATENCY, "N", 0, "clocks from a memory request to its first beat (20)", 0},
+    {"stall", STALL, "PERCENT", 0, "clocks in which a handshake is held back (0)", 0},
+    {"seed", SEED, "N", 0, "of the stalls (1)", 0},
+    {"processes", PROCESSES, "N", 0, "share the window out by rows (1)", 0},
+    {"warm", WARM, nullptr, 0, "render twice and report the second pass, caches kept", 0},
+    {"watchdog", WATCHDOG, "N", 0, "clocks without a pixel that count as a hang (200000)", 0},
+    {"max-cycles", MAX_CYCLES, "N", 0, "end with a failure after N clocks", 0},
+    {"bus-error-at", BUS_ERROR, "N", 0, "the N-th line request, from 0, answers with an error", 0},
+    {"expect-errors", EXPECT, "BITS", 0,
+     "malformed machine: these sticky bits must be set and every pixel delivered; values of pixels "
+     "are not compared",
+     0},
+    {"poke", POKE, "LINE:LSB:WIDTH=VALUE", 0, "overwrite bits of memory, for both sides", 0},
+    {"reg", REG, "N=VALUE", 0, "overwrite a register, for both sides", 0},
+    {"progress", PROGRESS, nullptr, 0, "say how far it is and how long it will take", 0},
+    {"info", INFO, nullptr, 0,
+     "print profile, effects, size, name of the machine; simulate nothing", 0},
+    {"engine", ENGINE, "FILE", 0, "compiled Icarus bench (only in the Icarus harness)", 0},
+    {"trace", TRACE, "FILE.fst", 0, "write a waveform (only if built with tracing)", 0},
+    {"frame", FRAME, "FILE", 0, "write the core's pixels and counters", 0},
+    {"model-frame", MODEL_FRAME, "FILE", 0, "write the model's pixels and counters", 0},
+    {"json", JSON, "FILE", 0, "write a report", 0},
+    {"repeat", REPEAT, "COMMAND", 0, "how the command printed for repetition starts", 0},
+    {nullptr, 0, nullptr, 0, nullptr, 0},
+};
+
+/* Integer in [low, high] of the whole text, or usage and exit. */
+int64_t number(const char *text, int64_t low, int64_t high, argp_state *state) {
+    char *end = nullptr;
+    int64_t value = std::strtoll(text, &end, 0);
+    if (end == text || *end || value < low || value > high)
+        argp_error(state, "'%s' is not a number from %lld to %lld", text,
+                   static_cast<long long>(low), static_cast<long long>(high));
+    return value;
+}
+
+int small(const char *text, int low, int high, argp_state *state) {
+    return static_cast<int>(number(text, low, high, state));
+}
+
+error_t parse(int key, char *arg, argp_state *state) {
+    auto &o = *static_cast<Options *>(state->input);
+    Poke poke{};
+    Register reg{};
+    char rest = 0;
+    switch (key) {
+    case 'm':
+        o.machine = arg;
+        break;
+    case WINDOW:
+        if (std::sscanf(arg, "%d,%d,%d,%d%c", &o.window.x0, &o.window.y0, &o.window.x1,
+                        &o.window.y1, &rest) != 4)
+            argp_error(state, "--window wants X0,Y0,X1,Y1, got '%s'", arg);
+        break;
+    case LATENCY:
+        o.latency = small(arg, 1, 100000, state);
+        break;
+    case STALL:
+        o.stall = small(arg, 0, 99, state);
+        break;
+    case SEED:
+        o.seed = static_cast<uint64_t>(number(arg, 0, INT64_MAX, state));
+        break;
+    case PROCESSES:
+        o.processes = small(arg, 1, 64, state);
+        break;
+    case WARM:
+        o.warm = true;
+        break;
+    case WATCHDOG:
+        o.watchdog = static_cast<uint64_t>(number(arg, 1, INT64_MAX, state));
+        break;
+    case MAX_CYCLES:
+        o.max_cycles = static_cast<uint64_t>(number(arg, 1, INT64_MAX, state));
+        break;
+    case BUS_ERROR:
+        o.bus_error_at = number(arg, 0, INT64_MAX, state);
+        break;
+    case EXPECT:
+        o.expect_errors = number(arg, 0, 255, state);
+        break;
+    case POKE:
+        if (std::sscanf(arg, "%u:%d:%d=%i%c", &poke.line, &poke.lsb, &poke.width,
+                        reinterpret_cast<int *>(&poke.value), &rest) != 4 ||
+            poke.width < 1 || poke.width > 32 || poke.lsb < 0 || poke.lsb + poke.width > 256)
+            argp_error(state, "--poke wants LINE:LSB:WIDTH=VALUE, got '%s'", arg);
+        o.pokes.push_back(poke);
+        break;
+    case REG:
+        if (std::sscanf(arg, "%d=%i%c", &reg.number, &reg.value, &rest) != 2)
+            argp_error(state, "--reg wants N=VALUE, got '%s'", arg);
+        o.writes.push_back(reg);
+        break;
+    case PROGRESS:
+        o.progress = true;
+        break;
+    case INFO:
+        o.info = true;
+        break;
+    case ENGINE:
+        o.engine = arg;
+        break;
+    case TRACE:
+        o.trace = arg;
+        break;
+    case FRAME:
+        o.frame = arg;
+        break;
+    case MODEL_FRAME:
+        o.model_frame = arg;
+        break;
+    case JSON:
+        o.json = arg;
+        break;
+    case REPEAT:
+        o.repeat = arg;
+        break;
+    case ARGP_KEY_ARG:
+        argp_error(state, "'%s' is not an option", arg);
+        break;
+    case ARGP_KEY_END:
+        if (o.machine.empty()) argp_error(state, "--machine is missing");
+        if (!o.trace.empty()) o.processes = 1;
+        break;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+    return 0;
+}
+
+} // namespace
+
+Options read_options(int argc, char **argv) {
+    Options o;
+    const argp parser = {table,
+                         parse,
+                         nullptr,
+                         "Renders a machine with the RTL core and with the golden model and "
+                         "compares them bit for bit.",
+                         nullptr,
+                         nullptr,
+                         nullptr};
+    o.repeat = argv[0];
+    argp_parse(&parser, argc, argv, 0, nullptr, &o);
+    return o;
+}
+
+std::string repeat_command(const Options &o, const Window &w) {
+    char text[256];
+    std::snprintf(text, sizeof text, " --window %d,%d,%d,%d --latency %d --stall %d --seed %llu",
+                  w.x0, w.y0, w.x1, w.y1, o.latency, o.stall,
+                  static_cast<unsigned long long>(o.seed));
+    std::string command = o.repeat + " --machine " + o.machine + text;
+    for (const Poke &p : o.pokes) {
+        std::snprintf(text, sizeof text, " --poke %u:%d:%d=%u", p.line, p.lsb, p.width, p.value);
+        command += text;
+    }
+    for (const Register &r : o.writes) {
+        std::snprintf(text, sizeof text, " --reg %d=%d", r.number, r.value);
+        command += text;
+    }
+    if (o.bus_error_at >= 0) command += " --bus-error-at " + std::to_string(o.bus_error_at);
+    if (o.expect_errors >= 0) command += " --expect-errors " + std::to_string(o.expect_errors);
+    return command + " --trace pixel.fst";
+}

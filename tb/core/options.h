@@ -1,0 +1,54 @@
+/* options.h - command line of the core's harness
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef TB_OPTIONS_H
+#define TB_OPTIONS_H
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+struct Window {
+    int x0, y0, x1, y1; /* pixels; x1, y1: one past the last; all zero: the machine's own */
+};
+
+/* Overwrites `width` bits (1..32) from bit `lsb` of memory line `line`: malformed trees. */
+struct Poke {
+    uint32_t line;
+    int lsb, width;
+    uint32_t value;
+};
+
+struct Register {
+    int number;
+    int32_t value;
+};
+
+struct Options {
+    std::string machine;
+    Window window = {0, 0, 0, 0};
+    int latency = 20;             /* clocks from a request to its first beat */
+    int stall = 0;                /* percent of clocks a handshake is held back */
+    uint64_t seed = 1;            /* of the stalls */
+    int processes = 1;            /* window is shared out by rows */
+    bool warm = false;            /* renders twice, the second time with caches kept */
+    uint64_t watchdog = 200000;   /* clocks without a pixel: hang */
+    uint64_t max_cycles = 0;      /* 0: no limit */
+    int64_t bus_error_at = -1;    /* this line request, from 0, answers with an error */
+    int64_t expect_errors = -1;   /* sticky bits that must be set; pixels are not compared then */
+    std::vector<Poke> pokes;      /* in the memory, for model and core alike */
+    std::vector<Register> writes; /* in the registers, for model and core alike */
+    bool progress = false;
+    bool info = false;  /* prints profile and effects of the machine and ends */
+    std::string engine; /* Icarus: the compiled bench */
+    std::string trace, frame, model_frame, json;
+    std::string repeat; /* how the command that repeats a failure starts */
+};
+
+/* Reads argv; prints usage and exits on --help and on errors. */
+Options read_options(int argc, char **argv);
+
+/* The command that repeats this run for one window, with a waveform. */
+std::string repeat_command(const Options &o, const Window &window);
+
+#endif

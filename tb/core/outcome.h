@@ -1,0 +1,45 @@
+/* outcome.h - model and core side by side
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef TB_OUTCOME_H
+#define TB_OUTCOME_H
+
+#include <string>
+#include <vector>
+
+#include "simulate.h"
+
+/* What a run is judged by. */
+struct Outcome {
+    Window window;
+    sph_frame model_frame;
+    sph_counters model_counters;
+    uint32_t model_errors;
+    Sample *samples[PASSES];       /* frame sized */
+    std::vector<const Run *> runs; /* one a process, window shared out by rows */
+    Pass total[PASSES];            /* summed over runs; errors ored */
+    double seconds;                /* wall clock of the simulation */
+
+    uint64_t pixels() const {
+        return static_cast<uint64_t>(window.x1 - window.x0) *
+               static_cast<uint64_t>(window.y1 - window.y0);
+    }
+};
+
+/* Share of the clocks with rays waiting in which the issue port was used; 0..1. */
+inline double issue_use(const Pass &p) {
+    auto waiting = static_cast<double>(p.count[SPH_COUNT_RAYS_WAITING]);
+    auto idle = static_cast<double>(p.count[SPH_COUNT_ISSUE_WAIT]);
+    return waiting > 0 ? 1 - idle / waiting : 0;
+}
+
+struct Verdict {
+    uint64_t mismatches; /* pixels, counters, error bits and failures of the run */
+    std::string text;    /* what is wrong, the first pixel in full; empty if nothing */
+};
+
+/* Compares every pixel of every pass that ran (delivered once, three colours, id, key, visits),
+ * the counters that model and RTL share, and the error bits. */
+Verdict compare(const Options &o, const sph_machine &machine, const Outcome &outcome);
+
+#endif

@@ -1,0 +1,150 @@
+/* report.cpp - see report.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "report.h"
+
+#include <jansson.h>
+
+#include <cstdio>
+
+extern "C" {
+#include "output.h"
+}
+
+namespace {
+
+using ull = unsigned long long;
+const char *const counter_names[] = {SPH_COUNTER_NAMES};
+
+json_t *integer(uint64_t value) {
+    return json_integer(static_cast<json_int_t>(value));
+}
+
+json_t *counters(const uint64_t *count, int n) {
+    json_t *object = json_object();
+    for (int i = 0; i < n; i++)
+        json_object_set_new(object, counter_names[i], integer(count[i]));
+    return object;
+}
+
+double cycles_per_pixel(const Outcome &c, int pass) {
+    return static_cast<double>(c.total[pass].count[SPH_COUNT_CYCLES]) /
+           static_cast<double>(c.pixels());
+}
+
+/* Clocks each visit costs the issue port. */
+double cycles_per_visit(const Pass &p) {
+    auto visits = static_cast<double>(p.count[SPH_COUNT_NODE_VISITS]);
+    return visits > 0 ? static_cast<double>(p.count[SPH_COUNT_CYCLES]) / visits : 0;
+}
+
+json_t *pass_json(const Outcome &c, int pass) {
+    json_t *object = json_object();
+    json_object_set_new(object, "counters", counters(c.total[pass].count, SPH_COUNTERS));
+    json_object_set_new(object, "errors", integer(c.total[pass].errors));
+    json_object_set_new(object, "cycles_per_pixel", json_real(cycles_per_pixel(c, pass)));
+    json_object_set_new(object, "cycles_per_visit", json_real(cycles_per_visit(c.total[pass])));
+    json_object_set_new(object, "issue_port_busy", json_real(issue_use(c.total[pass])));
+    json_t *tiles = json_array();
+    for (const Run *run : c.runs) {
+        const Window &w = run->window;
+        json_t *tile =
+            json_pack("{s:[iiii], s:f}", "window", w.x0, w.y0, w.x1, w.y1, "seconds", run->seconds);
+        json_object_set_new(tile, "counters", counters(run->pass[pass].count, SPH_COUNTERS));
+        json_array_append_new(tiles, tile);
+    }
+    json_object_set_new(object, "tiles", tiles);
+    return object;
+}
+
+} // namespace
+
+std::string counter_table(const Options &o, const Outcome &c) {
+    char text[256];
+    std::snprintf(text, sizeof text, "  %-15s %14s %14s%s\n", "", "model", "core",
+                  o.warm ? "           warm" : "");
+    std::string table = text;
+    for (int i = 0; i < SPH_COUNTERS; i++) {
+        char model[32] = "", warm[32] = "";
+        if (i < SPH_COUNTERS_BOTH)
+            std::snprintf(model, sizeof model, "%llu", static_cast<ull>(c.model_counters.count[i]));
+        if (o.warm)
+            std::snprintf(warm, sizeof warm, " %14llu", static_cast<ull>(c.total[WARM].count[i]));
+        bool wrong = i < SPH_COUNTERS_BOTH && c.model_counters.count[i] != c.total[COLD].count[i];
+        std::snprintf(text, sizeof text, "  %-15s %14s %14llu%s%s\n", counter_names[i], model,
+                      static_cast<ull>(c.total[COLD].count[i]), warm, wrong ? "  <--" : "");
+        table += text;
+    }
+    return table;
+}
+
+std::string summary(const Options &o, const sph_machine &m, const Outcome &c, const Verdict &v) {
+    char text[512], warm[128] = "";
+    if (o.warm)
+        std::snprintf(warm, sizeof warm, "; warm %.2f cycles/pixel, issue port busy %.1f %%",
+                      cycles_per_pixel(c, WARM), 100 * issue_use(c.total[WARM]));
+    std::snprintf(
+        text, sizeof text,
+        "core %s %s %dx%d: %llu pixels, %llu mismatches, %llu cycles, %.2f cycles/pixel, "
+        "%.3f cycles/visit, issue port busy %.1f %% of cycles while rays wait%s",
+        m.name, sph_machine_profile(&m)->name, c.window.x1 - c.window.x0, c.window.y1 - c.window.y0,
+        static_cast<ull>(c.pixels()), static_cast<ull>(v.mismatches),
+        static_cast<ull>(c.total[COLD].count[SPH_COUNT_CYCLES]), cycles_per_pixel(c, COLD),
+        cycles_per_visit(c.total[COLD]), 100 * issue_use(c.total[COLD]), warm);
+    return text;
+}
+
+bool write_json(const Options &o, const sph_machine &m, const Outcome &c, const Verdict &v,
+                int argc, char **argv, std::string &error) {
+    const Window &w = c.window;
+    std::string command;
+    for (int i = 0; i < argc; i++)
+        command += std::string(i ? " " : "") + argv[i];
+    json_t *root = json_pack(
+        "{s:s, s:s, s:s, s:s, s:s, s:s, s:[iiii], s:i, s:i, s:I, s:I, s:I, s:f}", "scene", m.name,
+        "profile", sph_machine_profile(&m)->name, "command", command.c_str(), "simulator",
+        simulator_name, "simulator_version", simulator_version().c_str(), "compiler", __VERSION__,
+        "window", w.x0, w.y0, w.x1, w.y1, "latency", o.latency, "stall", o.stall, "seed",
+        static_cast<json_int_t>(o.seed), "pixels", static_cast<json_int_t>(c.pixels()),
+        "mismatches", static_cast<json_int_t>(v.mismatches), "seconds", c.seconds);
+    json_object_set_new(root, "model", counters(c.model_counters.count, SPH_COUNTERS_BOTH));
+    json_object_set_new(root, "cold", pass_json(c, COLD));
+    if (o.warm) json_object_set_new(root, "warm", pass_json(c, WARM));
+    if (!v.text.empty()) json_object_set_new(root, "explanation", json_string(v.text.c_str()));
+
+    sph_error err = {{0}};
+    sph_output out;
+    bool ok = !sph_output_open(&out, o.json.c_str(), &err);
+    if (ok) {
+        int failed = json_dumpf(root, out.file, JSON_INDENT(2)) || std::fputc('\n', out.file) < 0;
+        ok = !sph_output_close(&out, failed, &err);
+    }
+    json_decref(root);
+    error = err.text;
+    return ok;
+}
+
+bool write_frames(const Options &o, const Outcome &c, std::string &error) {
+    sph_error err = {{0}};
+    int failed = 0;
+    if (!o.model_frame.empty()) {
+        sph_shot shot = {c.model_frame, c.model_counters, c.model_errors};
+        failed |= sph_shot_write(&shot, o.model_frame.c_str(), &err);
+    }
+    if (!o.frame.empty()) {
+        int pass = o.warm ? WARM : COLD;
+        size_t n =
+            static_cast<size_t>(c.model_frame.width) * static_cast<size_t>(c.model_frame.height);
+        std::vector<sph_pixel> pixels(n);
+        for (size_t i = 0; i < n; i++)
+            pixels[i] = c.samples[pass][i].pixel;
+        sph_shot shot = {{c.model_frame.width, c.model_frame.height, pixels.data()},
+                         {{0}},
+                         c.total[pass].errors};
+        for (int i = 0; i < SPH_COUNTERS; i++)
+            shot.counters.count[i] = c.total[pass].count[i];
+        failed |= sph_shot_write(&shot, o.frame.c_str(), &err);
+    }
+    error = err.text;
+    return !failed;
+}

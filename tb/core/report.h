@@ -1,0 +1,25 @@
+/* report.h - what a run says: counters, one line, JSON
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef TB_REPORT_H
+#define TB_REPORT_H
+
+#include <string>
+
+#include "outcome.h"
+
+/* Table of counters, model beside core (and the warm pass, if there was one). */
+std::string counter_table(const Options &o, const Outcome &c);
+
+/* "core SCENE PROFILE WxH: P pixels, M mismatches, C cycles, ..." */
+std::string summary(const Options &o, const sph_machine &machine, const Outcome &c,
+                    const Verdict &v);
+
+/* Writes the report whole or not at all. false with a message. */
+bool write_json(const Options &o, const sph_machine &machine, const Outcome &c, const Verdict &v,
+                int argc, char **argv, std::string &error);
+
+/* Writes a frame file of the core's pixels of the last pass, or of the model's. */
+bool write_frames(const Options &o, const Outcome &c, std::string &error);
+
+#endif

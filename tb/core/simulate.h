@@ -1,0 +1,56 @@
+/* simulate.h - one run of the core over one window, by whichever simulator is linked
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Two files implement it: simulate_verilator.cpp (the verilated core in this process) and
+ * simulate_icarus.cpp (tb_core_icarus.v in a vvp process).
+ */
+#ifndef TB_SIMULATE_H
+#define TB_SIMULATE_H
+
+#include <atomic>
+#include <string>
+
+#include "model.h"
+#include "options.h"
+
+enum { COLD, WARM, PASSES };
+
+/* What the core delivered for a pixel. */
+struct Sample {
+    sph_pixel pixel;
+    uint32_t times; /* must be 1 */
+};
+
+/* What the core said about one pass. */
+struct Pass {
+    uint64_t count[SPH_COUNTERS];
+    uint32_t errors;
+};
+
+/* A window's run; lies in memory that processes share. */
+struct Run {
+    Window window;
+    Pass pass[PASSES];
+    std::atomic<uint64_t> pixels; /* delivered so far, all passes */
+    std::atomic<int> done;
+    double seconds;     /* of this process */
+    char failure[2000]; /* hang, broken handshake, pixel out of the window: empty if none */
+};
+
+extern const char *const simulator_name;
+
+/* Version as the simulator says it. */
+std::string simulator_version();
+
+/* Renders run.window of the machine; samples: frame sized, one array a pass. Fills everything in
+ * run but done. Without o.warm only pass COLD. */
+void simulate(const Options &o, const sph_machine &machine, Sample *samples[PASSES], Run &run);
+
+/* Stores the pixel if x, y lie in the window; else says so in run.failure. */
+void deliver(const sph_machine &machine, Run &run, Sample *samples, int x, int y,
+             const sph_pixel &pixel);
+
+/* Appends a printf-style line to run.failure, as far as there is room. */
+void fail(Run &run, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+#endif

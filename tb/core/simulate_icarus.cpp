@@ -1,0 +1,159 @@
+/* simulate_icarus.cpp - the core in Icarus Verilog; see simulate.h
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Writes registers and memory in hex, runs vvp with tb_core_icarus.v, reads its text. The files
+ * lie beside the compiled bench and are removed at the end.
+ */
+#include "simulate.h"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <climits>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+
+const char *const simulator_name = "icarus";
+
+std::string simulator_version() {
+    char text[128] = "";
+    FILE *p = popen("iverilog -V 2>/dev/null", "r");
+    if (!p || !std::fgets(text, sizeof text, p)) std::strcpy(text, "unknown");
+    if (p) pclose(p);
+    text[std::strcspn(text, "\n")] = 0;
+    return text;
+}
+
+namespace {
+
+const uint32_t BENCH_LINES = 65536; /* LINES of the bench */
+
+using File = FILE *;
+
+bool write_registers(const std::string &path, const sph_machine &m, const Window &w) {
+    File f = std::fopen(path.c_str(), "w");
+    if (!f) return false;
+    for (int i = 0; i < SPH_N_REGS; i++) {
+        int32_t value = i == SPH_REG_WIN_X0   ? w.x0
+                        : i == SPH_REG_WIN_Y0 ? w.y0
+                        : i == SPH_REG_WIN_X1 ? w.x1
+                        : i == SPH_REG_WIN_Y1 ? w.y1
+                                              : m.regs[i];
+        std::fprintf(f, "%08x\n", static_cast<uint32_t>(value));
+    }
+    return !std::fclose(f);
+}
+
+bool write_memory(const std::string &path, const sph_machine &m) {
+    File f = std::fopen(path.c_str(), "w");
+    if (!f) return false;
+    for (uint32_t line = 0; line < m.lines; line++)
+        for (uint32_t word = SPH_LINE_WORDS; word-- > 0;)
+            std::fprintf(f, "%08x%s", m.mem[static_cast<size_t>(line) * SPH_LINE_WORDS + word],
+                         word ? "" : "\n");
+    return !std::fclose(f);
+}
+
+/* Runs vvp; its exit status. */
+int run_bench(const Options &o, const std::string &base) {
+    std::string trace = o.trace.empty() ? "" : " +dump='" + o.trace + "' -fst";
+    std::string command = "exec vvp -n '" + o.engine + "' +regs='" + base + ".regs' +mem='" + base +
+                          ".mem' +out='" + base + ".out' +latency=" + std::to_string(o.latency) +
+                          " +stall=" + std::to_string(o.stall) +
+                          " +seed=" + std::to_string(o.seed) +
+                          " +watchdog=" + std::to_string(o.watchdog) +
+                          " +error_at=" + std::to_string(o.bus_error_at) +
+                          " +warm=" + (o.warm ? "1" : "0") + trace + " >'" + base + ".log' 2>&1";
+    return std::system(command.c_str()); // NOLINT(bugprone-command-processor): vvp has no library
+}
+
+/* Three 24-bit colours of 18 hex digits. */
+void colours(const char *hex, sph_pixel &p) {
+    for (int i = 0; i < SPH_FRAMES; i++) {
+        const char digits[7] = {hex[12 - 6 * i],
+                                hex[13 - 6 * i],
+                                hex[14 - 6 * i],
+                                hex[15 - 6 * i],
+                                hex[16 - 6 * i],
+                                hex[17 - 6 * i],
+                                0};
+        p.colour[i] = static_cast<uint32_t>(std::strtoul(digits, nullptr, 16));
+    }
+}
+
+/* One line of the bench's text; false if it has unknown (x) bits or an unknown form. */
+bool read_line(const char *text, const sph_machine &m, Sample *samples[PASSES], int &pass,
+               Run &run) {
+    unsigned x = 0, y = 0, number = 0;
+    unsigned long long key = 0;
+    char hex[32] = "";
+    sph_pixel p{};
+    switch (text[0]) {
+    case 'p':
+        if (std::strpbrk(text, "xzXZ") ||
+            std::sscanf(text, "p %x %x %18s %x %llx %x", &x, &y, hex, &p.id, &key, &p.visits) != 6)
+            return false;
+        p.key = key;
+        colours(hex, p);
+        deliver(m, run, samples[pass], static_cast<int>(x), static_cast<int>(y), p);
+        return true;
+    case 'c':
+        if (std::sscanf(text, "c %x %llx", &number, &key) != 2 || number >= SPH_COUNTERS ||
+            std::strpbrk(text, "xzXZ"))
+            return false;
+        run.pass[pass].count[number] = key;
+        return true;
+    case 'e':
+        return std::sscanf(text, "e %x", &run.pass[pass].errors) == 1 || text[1] == 'n';
+    case 'h':
+        fail(run, "%.*s", static_cast<int>(std::strcspn(text + 2, "\n")), text + 2);
+        return true;
+    case 'w':
+        pass = WARM;
+        return true;
+    default:
+        return false;
+    }
+}
+
+} // namespace
+
+void simulate(const Options &o, const sph_machine &machine, Sample *samples[PASSES], Run &run) {
+    auto begin = std::chrono::steady_clock::now();
+    const Window &w = run.window;
+    char real[PATH_MAX] = "";
+    if (o.engine.empty() || !realpath(o.engine.c_str(), real)) {
+        fail(run, "--engine: no compiled bench '%s'", o.engine.c_str());
+        return;
+    }
+    if (machine.lines > BENCH_LINES) {
+        fail(run, "%u lines of memory; the Icarus bench holds %u", machine.lines, BENCH_LINES);
+        return;
+    }
+    std::string base = std::string(real) + "." + std::to_string(getpid());
+    int pass = COLD;
+    bool ended = false;
+    if (!write_registers(base + ".regs", machine, w) || !write_memory(base + ".mem", machine)) {
+        fail(run, "cannot write %s.regs and .mem", base.c_str());
+    } else {
+        int status = run_bench(o, base);
+        File f = std::fopen((base + ".out").c_str(), "r");
+        char text[512];
+        while (f && std::fgets(text, sizeof text, f)) {
+            ended = ended || !std::strncmp(text, "end", 3);
+            if (!read_line(text, machine, samples, pass, run))
+                fail(run, "unknown bits or form: %.*s", static_cast<int>(std::strcspn(text, "\n")),
+                     text);
+        }
+        if (f) std::fclose(f);
+        if (status || !ended)
+            fail(run, "vvp ended with status 0x%x before its time; log %s.log",
+                 static_cast<unsigned>(status), base.c_str());
+    }
+    for (const char *ending : {".regs", ".mem", ".out", ".log"})
+        if (ended || std::strcmp(ending, ".log")) std::remove((base + ending).c_str());
+    run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}

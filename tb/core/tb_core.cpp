@@ -1,0 +1,83 @@
+/* tb_core.cpp - the core against the golden model, one machine file
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Linked with simulate_verilator.cpp it is build/sim/KEY/tb_core, with simulate_icarus.cpp
+ * build/sim/tb_core_icarus. Exit code 0: every bit equal; 1: mismatch or hang; 2: no such file...
+ */
+#include <cstdio>
+#include <cstdlib>
+
+#include "report.h"
+#include "share.h"
+
+namespace {
+
+int complain(const std::string &message) {
+    std::fprintf(stderr, "tb_core: %s\n", message.c_str());
+    return 2;
+}
+
+/* Pokes and register writes of the command line; the window goes into the registers too. */
+bool prepare(const Options &o, sph_machine &m, Window &w, std::string &error) {
+    for (const Poke &p : o.pokes) {
+        if (p.line >= m.lines) return error = "--poke: no such line", false;
+        sph_field_set(m.mem + static_cast<size_t>(p.line) * SPH_LINE_WORDS, p.lsb, p.width,
+                      p.value);
+    }
+    for (const Register &r : o.writes) {
+        if (r.number < 0 || r.number >= SPH_N_REGS) return error = "--reg: no such register", false;
+        m.regs[r.number] = r.value;
+    }
+    int32_t *regs = m.regs;
+    w = o.window;
+    if (!w.x0 && !w.y0 && !w.x1 && !w.y1)
+        w = {regs[SPH_REG_WIN_X0], regs[SPH_REG_WIN_Y0], regs[SPH_REG_WIN_X1],
+             regs[SPH_REG_WIN_Y1]};
+    if (w.x0 < 0 || w.y0 < 0 || w.x0 >= w.x1 || w.y0 >= w.y1 || w.x1 > regs[SPH_REG_FRAME_W] ||
+        w.y1 > regs[SPH_REG_FRAME_H])
+        return error = "the window is empty or not inside the frame", false;
+    regs[SPH_REG_WIN_X0] = w.x0;
+    regs[SPH_REG_WIN_Y0] = w.y0;
+    regs[SPH_REG_WIN_X1] = w.x1;
+    regs[SPH_REG_WIN_Y1] = w.y1;
+    return true;
+}
+
+/* "PROFILE EFFECTS WxH NAME": what a build script needs to know of a machine. */
+void print_info(const sph_machine &m) {
+    std::printf("%s %d %dx%d %s\n", sph_machine_profile(&m)->name, m.regs[SPH_REG_EFFECTS],
+                m.regs[SPH_REG_FRAME_W], m.regs[SPH_REG_FRAME_H], m.name);
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    Options o = read_options(argc, argv);
+    sph_error err = {{0}};
+    sph_machine machine;
+    if (sph_machine_read(o.machine.c_str(), &machine, &err)) return complain(err.text);
+    if (o.info) {
+        print_info(machine);
+        sph_machine_free(&machine);
+        return 0;
+    }
+    Outcome c{};
+    std::string error;
+    if (!prepare(o, machine, c.window, error)) return complain(error);
+
+    sph_render_options how = {SPH_TRAVERSE_NEAREST, 0, nullptr, nullptr};
+    int model_errors = sph_render(&machine, &how, &c.model_frame, &c.model_counters, &err);
+    if (model_errors < 0) return complain(err.text);
+    c.model_errors = static_cast<uint32_t>(model_errors);
+
+    if (!simulate_shared(o, machine, c, error)) return complain(error);
+    Verdict v = compare(o, machine, c);
+    if (!write_frames(o, c, error)) return complain(error);
+    if (!o.json.empty() && !write_json(o, machine, c, v, argc, argv, error)) return complain(error);
+    std::fputs(v.text.c_str(), stdout);
+    if (o.progress) std::fputs(counter_table(o, c).c_str(), stdout);
+    std::printf("%s\n", summary(o, machine, c, v).c_str());
+    sph_frame_free(&c.model_frame);
+    sph_machine_free(&machine);
+    return v.mismatches ? 1 : 0;
+}

@@ -1,0 +1,189 @@
+// tb_core_icarus.v - the core in Icarus: memory, registers and stalls from plusargs, pixels as text
+// SPDX-License-Identifier: Apache-2.0
+//
+// vvp BENCH +regs=FILE +mem=FILE +out=FILE +latency=N +stall=PERCENT +seed=N +watchdog=N
+//           +error_at=N (-1: never) +warm=0|1        files in hex, with absolute paths
+//
+// Lines of the output: `p x y colour id key visits` (all hex), `c number value` (hex),
+// `e errors`, `w` (the warm pass begins), `h why` (hang), `end`. simulate_icarus.cpp reads them.
+// Everything the core sees changes at the rising edge, as in the C++ harness.
+`default_nettype none
+
+module tb_core_icarus #(
+    parameter W = 16,
+    parameter WD = 17,
+    parameter PQ = 17,
+    parameter NG = 2,
+    parameter FW = 14,
+    parameter PROFILE = 1,
+    parameter ENGINES = 1,
+    parameter SHADOW = 1,
+    parameter REFLECT = 1,
+    parameter LINES = 65536    // of memory
+);
+    localparam N_REGS = 96;
+    localparam QUEUE = 1024;   // requests under way
+
+    reg clk = 1'b0;
+    reg rst = 1'b1;
+    reg cfg_valid = 1'b0;
+    reg [6:0] cfg_addr = 7'd0;
+    reg [31:0] cfg_data = 32'd0;
+    reg start = 1'b0;
+    reg keep = 1'b0;
+    reg req_ready = 1'b0;
+    reg rsp_valid = 1'b0;
+    reg rsp_error = 1'b0;
+    reg [63:0] rsp_data = 64'd0;
+    reg pix_ready = 1'b0;
+    reg [3:0] count_addr = 4'd0;
+    wire busy;
+    wire req_valid;
+    wire [25:0] req_line;
+    wire rsp_ready;
+    wire pix_valid;
+    wire [13:0] pix_x;
+    wire [13:0] pix_y;
+    wire [71:0] pix_colour;
+    wire [23:0] pix_id;
+    wire [W+WD+1:0] pix_key;
+    wire [23:0] pix_visits;
+    wire [47:0] count_data;
+    wire [5:0] errors;
+
+    rt_core #(
+        .W(W), .WD(WD), .PQ(PQ), .NG(NG), .FW(FW), .PROFILE(PROFILE),
+        .ENGINES(ENGINES), .SHADOW(SHADOW), .REFLECT(REFLECT)
+    ) u_core (
+        .clk(clk), .rst(rst),
+        .cfg_valid_i(cfg_valid), .cfg_addr_i(cfg_addr), .cfg_data_i(cfg_data),
+        .start_i(start), .keep_cache_i(keep), .busy_o(busy),
+        .mem_req_valid_o(req_valid), .mem_req_ready_i(req_ready), .mem_req_line_o(req_line),
+        .mem_rsp_valid_i(rsp_valid), .mem_rsp_ready_o(rsp_ready), .mem_rsp_data_i(rsp_data),
+        .mem_rsp_error_i(rsp_error),
+        .pix_valid_o(pix_valid), .pix_ready_i(pix_ready), .pix_x_o(pix_x), .pix_y_o(pix_y),
+        .pix_colour_o(pix_colour), .pix_id_o(pix_id), .pix_key_o(pix_key),
+        .pix_visits_o(pix_visits),
+        .count_addr_i(count_addr), .count_data_o(count_data), .errors_o(errors)
+    );
+
+    always #5 clk = !clk;
+
+    // ---- plusargs ----
+    reg [8*1024-1:0] name;
+    reg [31:0] regs [0:N_REGS-1];
+    reg [255:0] mem [0:LINES-1];
+    integer out, latency, stall, seed, watchdog, error_at, warm;
+    initial begin
+        if (!$value$plusargs("latency=%d", latency)) latency = 20;
+        if (!$value$plusargs("stall=%d", stall)) stall = 0;
+        if (!$value$plusargs("seed=%d", seed)) seed = 1;
+        if (!$value$plusargs("watchdog=%d", watchdog)) watchdog = 200000;
+        if (!$value$plusargs("error_at=%d", error_at)) error_at = -1;
+        if (!$value$plusargs("warm=%d", warm)) warm = 0;
+        if ($value$plusargs("regs=%s", name)) $readmemh(name, regs);
+        if ($value$plusargs("mem=%s", name)) $readmemh(name, mem);
+        if ($value$plusargs("dump=%s", name)) begin
+            $dumpfile(name);
+            $dumpvars(0, tb_core_icarus);
+        end
+        if (!$value$plusargs("out=%s", name)) name = "pixels.txt";
+        out = $fopen(name, "w");
+    end
+
+    // ---- memory: in order, `latency` clocks late, random waits ----
+    reg [25:0] q_line [0:QUEUE-1];
+    integer q_due [0:QUEUE-1];
+    reg q_error [0:QUEUE-1];
+    integer head, tail, beat, cycle, requests, quiet;
+    reg offered;
+    reg [255:0] line;
+    initial begin
+        head = 0; tail = 0; beat = 0; cycle = 0; requests = 0; quiet = 0; offered = 1'b0;
+    end
+
+    always @(posedge clk) begin
+        // what happened in this clock
+        if (rsp_valid && rsp_ready) begin
+            offered = 1'b0;
+            beat = (beat + 1) % 4;
+            if (beat == 0) head = (head + 1) % QUEUE;
+        end
+        if (!rst && req_valid && req_ready) begin
+            q_line[tail] = req_line;
+            q_due[tail] = cycle + latency;
+            if ({$random(seed)} % 100 < stall)
+                q_due[tail] = q_due[tail] + {$random(seed)} % (2 * latency + 16);
+            q_error[tail] = requests == error_at || req_line >= LINES;
+            if (req_line >= LINES) $fwrite(out, "h request for line %0d\n", req_line);
+            requests = requests + 1;
+            tail = (tail + 1) % QUEUE;
+        end
+        quiet = quiet + 1;
+        if (!rst && pix_valid && pix_ready) begin
+            $fwrite(out, "p %h %h %h %h %h %h\n", pix_x, pix_y, pix_colour, pix_id, pix_key,
+                    pix_visits);
+            quiet = 0;
+        end
+        // what the next clock shows
+        cycle = cycle + 1;
+        if (!offered && head != tail && q_due[head] <= cycle && {$random(seed)} % 100 >= stall) begin
+            offered = 1'b1;
+            line = mem[q_line[head]];
+            rsp_data <= q_error[head] ? 64'h0bad0bad0bad0bad : line[64*beat +: 64];
+            rsp_error <= q_error[head];
+        end
+        rsp_valid <= offered;
+        req_ready <= {$random(seed)} % 100 >= stall;
+        pix_ready <= {$random(seed)} % 100 >= stall;
+    end
+
+    // ---- registers, passes, counters ----
+    integer i;
+    task pass(input keep_cache);
+        begin
+            keep <= keep_cache;
+            start <= 1'b1;
+            quiet = 0;
+            @(posedge clk);
+            start <= 1'b0;
+            @(posedge clk);
+            @(posedge clk);
+            while (busy && quiet < watchdog) @(posedge clk);
+            if (busy) $fwrite(out, "h no pixel for %0d clocks: mem_req valid %b line %0d, ", quiet,
+                              req_valid, req_line,
+                              "mem_rsp valid %b ready %b, memory owes %0d lines, pix valid %b\n",
+                              rsp_valid, rsp_ready, (tail - head + QUEUE) % QUEUE, pix_valid);
+            repeat (4) @(posedge clk);
+            for (i = 0; i < 16; i = i + 1) begin
+                count_addr <= i;
+                repeat (3) @(posedge clk);
+                $fwrite(out, "c %h %h\n", i, count_data);
+            end
+            $fwrite(out, "e %h\n", errors);
+        end
+    endtask
+
+    initial begin
+        repeat (4) @(posedge clk);
+        rst <= 1'b0;
+        for (i = 0; i < N_REGS; i = i + 1) begin
+            cfg_valid <= 1'b1;
+            cfg_addr <= i;
+            cfg_data <= regs[i];
+            @(posedge clk);
+        end
+        cfg_valid <= 1'b0;
+        @(posedge clk);
+        pass(1'b0);
+        if (warm != 0) begin
+            $fwrite(out, "w\n");
+            pass(1'b1);
+        end
+        $fwrite(out, "end\n");
+        $fclose(out);
+        $finish;
+    end
+endmodule
+
+`default_nettype wire
