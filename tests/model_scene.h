@@ -1,0 +1,78 @@
+/* model_scene.h - builds and renders the scenes of scenes/ for the tests of the model
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef SPH_MODEL_SCENE_H
+#define SPH_MODEL_SCENE_H
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "build/build.h"
+#include "render.h"
+
+/* One scene for each thing that can go wrong in a picture; from the root of the repository. */
+static const char *const model_scenes[] = {
+    "eight_lights", "empty",      "huge_tiny", "inside", "interpenetrating", "materials",
+    "no_light",     "one_sphere", "paper100",  "paper5", "sphereflake2",
+};
+enum { MODEL_SCENES = sizeof model_scenes / sizeof *model_scenes };
+
+static inline struct sph_scene model_scene(const char *name) {
+    char path[256];
+    struct sph_scene scene;
+    struct sph_error err = {{0}};
+    struct sph_read_options options = {0};
+    snprintf(path, sizeof path, "scenes/%s.nff", name);
+    if (sph_scene_read(path, &options, &scene, &err)) fail_msg("%s", err.text);
+    return scene;
+}
+
+/* A small frame with every effect; a scene may be too fine for a coarse profile: 0. */
+static inline int model_build(const struct sph_scene *scene, int profile, int tree, int background,
+                              int width, int height, struct sph_machine *m) {
+    struct sph_build_options o = {profile, tree, background, width, height, 3, 1, 1};
+    struct sph_build_report report;
+    struct sph_error err = {{0}};
+    if (!sph_build(scene, &o, m, &report, &err)) return 1;
+    printf("# left out: %s\n", err.text);
+    return 0;
+}
+
+static inline struct sph_frame model_render(const struct sph_machine *m, int how, int threads,
+                                            struct sph_counters *c, int *errors) {
+    struct sph_render_options o = {.traverse = how, .threads = threads};
+    struct sph_frame frame;
+    struct sph_error err = {{0}};
+    memset(c, 0, sizeof *c);
+    *errors = sph_render(m, &o, &frame, c, &err);
+    if (*errors < 0) fail_msg("%s", err.text);
+    return frame;
+}
+
+/* Pixels whose colours, id or key differ; prints the first. */
+static inline int model_differ(const char *what, const struct sph_machine *m,
+                               const struct sph_frame *a, const struct sph_frame *b) {
+    int count = 0;
+    for (int i = 0; i < a->width * a->height; i++) {
+        const struct sph_pixel *p = &a->pixels[i], *q = &b->pixels[i];
+        if (p->id == q->id && p->key == q->key && !memcmp(p->colour, q->colour, sizeof p->colour))
+            continue;
+        if (!count++)
+            printf("# %s, %s, %s: pixel %d,%d id %u key %lu colours %06x %06x %06x, expected id %u "
+                   "key %lu colours %06x %06x %06x\n",
+                   what, m->name, sph_machine_profile(m)->name, i % a->width, i / a->width, p->id,
+                   p->key, p->colour[0], p->colour[1], p->colour[2], q->id, q->key, q->colour[0],
+                   q->colour[1], q->colour[2]);
+    }
+    if (count > 1) printf("# and %d pixels more\n", count - 1);
+    return count;
+}
+
+#endif

@@ -1,0 +1,191 @@
+/* test_model.c - the golden model against brute force, the naive model and itself
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Run from the root of the repository: reads scenes/.
+ */
+#include "model_scene.h"
+
+#include "reference/naive.h"
+
+enum { W = 64, H = 36 };
+
+/* Both trees see on every pixel what a test of all spheres sees. */
+static void tree_is_brute_force(void **state) {
+    (void)state;
+    int wrong = 0, frames = 0;
+    for (int n = 0; n < MODEL_SCENES; n++) {
+        struct sph_scene scene = model_scene(model_scenes[n]);
+        for (int profile = 0; profile < SPH_PROFILES; profile++)
+            for (int tree = SPH_TREE_PAPER; tree <= SPH_TREE_BALANCED; tree++) {
+                struct sph_machine m;
+                struct sph_counters c;
+                int errors;
+                if (!model_build(&scene, profile, tree, SPH_BG_NONE, W, H, &m)) continue;
+                struct sph_frame brute = model_render(&m, SPH_TRAVERSE_BRUTE, 0, &c, &errors);
+                struct sph_frame near = model_render(&m, SPH_TRAVERSE_NEAREST, 0, &c, &errors);
+                assert_int_equal(errors, 0);
+                wrong +=
+                    model_differ(tree == SPH_TREE_PAPER ? "paper" : "balanced", &m, &near, &brute);
+                frames++;
+                sph_frame_free(&brute);
+                sph_frame_free(&near);
+                sph_machine_free(&m);
+            }
+        sph_scene_free(&scene);
+    }
+    printf("# %d frames of %dx%d\n", frames, W, H);
+    assert_int_equal(wrong, 0);
+    assert_true(frames >= 6 * MODEL_SCENES);
+}
+
+/* Every pixel of the second model, written from the definitions, is the same. */
+static void naive_is_golden(void **state) {
+    (void)state;
+    enum { NW = 32, NH = 24, MOST = 150 /* spheres */ };
+    int wrong = 0, frames = 0;
+    for (int n = 0; n < MODEL_SCENES; n++) {
+        struct sph_scene scene = model_scene(model_scenes[n]);
+        for (int profile = 0; profile < SPH_PROFILES && scene.n_spheres <= MOST; profile++) {
+            struct sph_machine m;
+            struct sph_counters c;
+            int errors;
+            if (!model_build(&scene, profile, SPH_TREE_BALANCED, n & 1, NW, NH, &m)) continue;
+            struct sph_frame golden = model_render(&m, SPH_TRAVERSE_NEAREST, 0, &c, &errors);
+            struct sph_frame naive = {NW, NH, calloc(NW * NH, sizeof *naive.pixels)};
+#pragma omp parallel for schedule(dynamic, 8)
+            for (int i = 0; i < NW * NH; i++)
+                naive.pixels[i] = sph_naive_pixel(&m, i % NW, i / NW);
+            wrong += model_differ("naive", &m, &golden, &naive);
+            frames++;
+            sph_frame_free(&golden);
+            sph_frame_free(&naive);
+            sph_machine_free(&m);
+        }
+        sph_scene_free(&scene);
+    }
+    printf("# %d frames of %dx%d\n", frames, NW, NH);
+    assert_int_equal(wrong, 0);
+    assert_true(frames >= 20);
+}
+
+/* The background rectangle only leaves out pixels that see no sphere. */
+static void background_changes_nothing(void **state) {
+    (void)state;
+    int wrong = 0;
+    uint64_t skipped = 0;
+    for (int n = 0; n < MODEL_SCENES; n++) {
+        struct sph_scene scene = model_scene(model_scenes[n]);
+        struct sph_machine on, off;
+        struct sph_counters c;
+        int errors, profile = n % SPH_PROFILES;
+        if (!model_build(&scene, profile, SPH_TREE_BALANCED, SPH_BG_RECT, W, H, &on) ||
+            !model_build(&scene, profile, SPH_TREE_BALANCED, SPH_BG_NONE, W, H, &off))
+            fail_msg("%s", model_scenes[n]);
+        struct sph_frame b = model_render(&off, SPH_TRAVERSE_NEAREST, 0, &c, &errors);
+        struct sph_frame a = model_render(&on, SPH_TRAVERSE_NEAREST, 0, &c, &errors);
+        wrong += model_differ("background", &on, &a, &b);
+        skipped += c.count[SPH_COUNT_BACKGROUND];
+        sph_frame_free(&a);
+        sph_frame_free(&b);
+        sph_machine_free(&on);
+        sph_machine_free(&off);
+        sph_scene_free(&scene);
+    }
+    printf("# %lu pixels left out\n", skipped);
+    assert_int_equal(wrong, 0);
+    assert_true(skipped > 0);
+}
+
+static void threads_change_nothing(void **state) {
+    (void)state;
+    struct sph_scene scene = model_scene("paper100");
+    struct sph_machine m;
+    struct sph_counters c[2];
+    int errors;
+    assert_true(model_build(&scene, SPH_STANDARD, SPH_TREE_BALANCED, SPH_BG_NONE, W, H, &m));
+    struct sph_frame a = model_render(&m, SPH_TRAVERSE_NEAREST, 1, &c[0], &errors);
+    struct sph_frame b = model_render(&m, SPH_TRAVERSE_NEAREST, 2, &c[1], &errors);
+    assert_memory_equal(a.pixels, b.pixels, W * H * sizeof *a.pixels);
+    assert_memory_equal(&c[0], &c[1], sizeof c[0]);
+    m.regs[SPH_REG_WIN_X0] = 10, m.regs[SPH_REG_WIN_X1] = 31; /* a window is a part of the frame */
+    m.regs[SPH_REG_WIN_Y0] = 7, m.regs[SPH_REG_WIN_Y1] = 20;
+    struct sph_frame part = model_render(&m, SPH_TRAVERSE_NEAREST, 2, &c[1], &errors);
+    const struct sph_pixel none = {0};
+    for (int i = 0; i < W * H; i++) {
+        int x = i % W, y = i / W, in = x >= 10 && x < 31 && y >= 7 && y < 20;
+        assert_memory_equal(&part.pixels[i], in ? &a.pixels[i] : &none, sizeof none);
+    }
+    sph_frame_free(&a);
+    sph_frame_free(&b);
+    sph_frame_free(&part);
+    sph_machine_free(&m);
+    sph_scene_free(&scene);
+}
+
+/* Layer d of a deep render is what a render of depth d shows. */
+static void layers_are_depths(void **state) {
+    (void)state;
+    for (int n = 0; n < MODEL_SCENES; n++) {
+        struct sph_scene scene = model_scene(model_scenes[n]);
+        struct sph_machine m;
+        struct sph_counters c;
+        struct sph_frame f[3];
+        int errors, changed = 0;
+        assert_true(model_build(&scene, SPH_FINE, SPH_TREE_BALANCED, SPH_BG_NONE, W, H, &m));
+        for (int depth = 0; depth < 3; depth++) {
+            m.regs[SPH_REG_MAX_DEPTH] = depth;
+            f[depth] = model_render(&m, SPH_TRAVERSE_NEAREST, 0, &c, &errors);
+        }
+        for (int i = 0; i < W * H; i++) {
+            const uint32_t *deep = f[2].pixels[i].colour, *one = f[1].pixels[i].colour;
+            for (int layer = 0; layer < SPH_FRAMES; layer++) {
+                assert_int_equal(f[0].pixels[i].colour[layer], deep[0]);
+                if (layer) assert_int_equal(one[layer], deep[1]);
+            }
+            changed += deep[0] != deep[2];
+        }
+        printf("# %s: reflections change %d of %d pixels\n", model_scenes[n], changed, W * H);
+        for (int depth = 0; depth < 3; depth++)
+            sph_frame_free(&f[depth]);
+        sph_machine_free(&m);
+        sph_scene_free(&scene);
+    }
+}
+
+/* The paper's walk ends at the first leaf that is hit; its own correction mends most of what
+ * that gets wrong where spheres cut each other. */
+static void first_leaf(void **state) {
+    (void)state;
+    for (int n = 0; n < MODEL_SCENES; n++) {
+        struct sph_scene scene = model_scene(model_scenes[n]);
+        struct sph_machine m;
+        struct sph_counters near_c, first_c;
+        int errors, other = 0, missed = 0;
+        assert_true(model_build(&scene, SPH_FINE, SPH_TREE_PAPER, SPH_BG_NONE, W, H, &m));
+        struct sph_frame near = model_render(&m, SPH_TRAVERSE_NEAREST, 0, &near_c, &errors);
+        struct sph_frame first = model_render(&m, SPH_TRAVERSE_FIRST, 0, &first_c, &errors);
+        assert_int_equal(errors, 0);
+        for (int i = 0; i < W * H; i++) {
+            uint32_t a = near.pixels[i].id, b = first.pixels[i].id;
+            missed += (a == SPH_ID_NONE) != (b == SPH_ID_NONE);
+            other += a != b;
+        }
+        printf("# %s: first leaf shows another sphere on %d of %d pixels\n", model_scenes[n], other,
+               W * H);
+        assert_int_equal(missed, 0); /* hit or background is never in doubt */
+        if (!strcmp(model_scenes[n], "interpenetrating")) assert_true(other * 20 < W * H);
+        sph_frame_free(&near);
+        sph_frame_free(&first);
+        sph_machine_free(&m);
+        sph_scene_free(&scene);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(tree_is_brute_force),        cmocka_unit_test(naive_is_golden),
+        cmocka_unit_test(background_changes_nothing), cmocka_unit_test(threads_change_nothing),
+        cmocka_unit_test(layers_are_depths),          cmocka_unit_test(first_leaf),
+    };
+    return cmocka_run_group_tests_name("model", tests, NULL, NULL);
+}
