@@ -1,0 +1,107 @@
+// rt_quotient.v - t = key / a as a normalised number, STEP bits a clock
+// SPDX-License-Identifier: Apache-2.0
+// Both operands are shifted left until their top bit is set, by 4 or 1 a clock; then restoring
+// division gives mant = floor(key' / a' * 2^(PQ-1)): key / a = mant * 2^-exp, truncated.
+// One quotient at a time; a result after at most max((KW-1)/4, (AW-1)/4) + 3 + ceil(PQ/STEP) + 2
+// clocks. Model: sph_quotient() in cmodel/math/quotient.c
+`default_nettype none
+module rt_quotient #(
+    parameter KW   = 35,                     // key, bits
+    parameter AW   = 34,                     // a, bits
+    parameter PQ   = 17,                     // quotient, bits
+    parameter STEP = 2                       // quotient bits a clock: 1 to PQ
+) (
+    input  wire              clk,
+    input  wire              rst,            // synchronous, active high
+    // from the engine
+    input  wire              in_valid_i,
+    output wire              in_ready_o,
+    input  wire [KW-1:0]     in_key_i,       // uKW, > 0
+    input  wire [AW-1:0]     in_a_i,         // uAW, > 0
+    // to rt_hit
+    output wire              out_valid_o,
+    input  wire              out_ready_i,
+    output wire [PQ-1:0]     out_mant_o,     // u1.(PQ-1), or half of it
+    output wire signed [7:0] out_exp_o       // s8, t = mant * 2^-exp
+);
+    generate
+        if (STEP < 1 || STEP > PQ || KW > 64 || AW > 64) begin : g_check
+            rt_quotient_STEP_must_be_1_to_PQ_and_KW_AW_at_most_64 u_error ();
+        end
+    endgenerate
+    localparam W      = KW > AW ? KW : AW;
+    localparam ROUNDS = (PQ + STEP - 1) / STEP;
+    localparam MW     = ROUNDS*STEP;         // quotient bits of whole rounds
+    localparam CW     = $clog2(ROUNDS + 1);
+    localparam [CW-1:0]     FIRST = ROUNDS[CW-1:0];
+    localparam EXP_FULL = PQ - 1 - KW + AW;
+    localparam signed [7:0] EXP   = EXP_FULL[7:0];
+
+    // ---- normalise: four bits at once while the top four are 0, then single ones ----
+    reg [W:0]   rem_q;                       // key, then the remainder, below 2*div
+    reg [W-1:0] div_q;                       // a
+    wire key_4 = rem_q[W-1 -: 4] == 4'd0;
+    wire key_1 = !rem_q[W-1];
+    wire a_4   = div_q[W-1 -: 4] == 4'd0;
+    wire a_1   = !div_q[W-1];
+    wire signed [7:0] up   = key_4 ? 8'sd4 : key_1 ? 8'sd1 : 8'sd0;
+    wire signed [7:0] down = a_4   ? 8'sd4 : a_1   ? 8'sd1 : 8'sd0;
+
+    // ---- one round: STEP quotient bits ----
+    reg [MW-1:0] mant_q, mant_d;
+    reg [W:0]    rem_d;
+    reg [W+1:0]  left;                       // rem - div, top bit: negative
+    integer i;
+    always @* begin
+        rem_d  = rem_q;
+        mant_d = mant_q;
+        left   = {(W+2){1'b0}};
+        for (i = 0; i < STEP; i = i + 1) begin
+            left   = {1'b0, rem_d} - {2'd0, div_q};
+            mant_d = {mant_d[MW-2:0], !left[W+1]};
+            rem_d  = {left[W+1] ? rem_d[W-1:0] : left[W-1:0], 1'b0};
+        end
+    end
+
+    // ---- control; the result stays in the registers until it is taken ----
+    reg              full_q;                 // operands or their quotient are inside
+    reg              ready_q;                // normalised
+    reg [CW-1:0]     count_q;                // rounds left
+    reg signed [7:0] exp_q;
+    wire             take = in_valid_i && in_ready_o;
+    always @(posedge clk) begin
+        if (take) begin
+            full_q  <= 1'b1;
+            ready_q <= 1'b0;
+            count_q <= FIRST;
+            exp_q   <= EXP;
+            rem_q   <= {1'b0, in_key_i, {(W-KW){1'b0}}};
+            div_q   <= {in_a_i, {(W-AW){1'b0}}};
+            mant_q  <= {MW{1'b0}};
+        end else if (full_q && !ready_q) begin
+            ready_q <= !key_1 && !a_1;
+            exp_q   <= exp_q + up - down;
+            if (key_4)      rem_q <= rem_q << 4;
+            else if (key_1) rem_q <= rem_q << 1;
+            if (a_4)        div_q <= div_q << 4;
+            else if (a_1)   div_q <= div_q << 1;
+        end else if (count_q != 0) begin
+            count_q <= count_q - 1'b1;
+            rem_q   <= rem_d;
+            mant_q  <= mant_d;
+        end else if (out_ready_i) begin
+            full_q <= 1'b0;
+        end
+        if (rst) begin
+            full_q  <= 1'b0;
+            count_q <= {CW{1'b0}};
+        end
+    end
+    assign out_valid_o = full_q && ready_q && count_q == 0;
+    assign in_ready_o  = !full_q || (out_valid_o && out_ready_i);
+    assign out_mant_o  = mant_q[MW-1 -: PQ];
+    assign out_exp_o   = exp_q;
+
+    wire unused = &{1'b0, mant_q, left[W]};
+endmodule
+`default_nettype wire

@@ -1,0 +1,182 @@
+// rt_unit.v - unit vector u = v / |v| by a table of inverse square roots
+// SPDX-License-Identifier: Apache-2.0
+// vv = v.v, h = left shift that brings |v| into [2^(BITS-1), 2^BITS), y = rsqrt(vv << 2h),
+// u = round((v << h) * y / 2^BITS); v = 0 gives 0. Three multipliers serve v.v in even clocks and
+// (v << h) * y in odd ones: in_ready_o is high in every second clock. L = `RT_MUL_LATENCY(BITS+1):
+//   1 operands | L products | 2 sum | 2 shift | 1 table | 1 slope | 1 y | 1 operands | L | 1 round
+// Free-running, latency 2*L + 10: 12 for BITS <= 17, else 16. Model: sph_unit() in math/rsqrt.c
+`default_nettype none
+`include "rt_fx.vh"
+module rt_unit #(
+    parameter BITS = 17,                      // component of v, bits: 9 to 32
+    parameter TAG  = 8                        // what travels along, bits
+) (
+    input  wire                   clk,
+    input  wire                   rst,        // synchronous, active high
+    // from rt_setup, rt_lambert
+    input  wire                   in_valid_i,
+    output wire                   in_ready_o,
+    input  wire [TAG-1:0]         in_tag_i,
+    input  wire signed [BITS-1:0] in_x_i,     // sBITS
+    input  wire signed [BITS-1:0] in_y_i,
+    input  wire signed [BITS-1:0] in_z_i,
+    // back to it
+    output wire                   out_valid_o,
+    output wire [TAG-1:0]         out_tag_o,
+    output wire [2*BITS-1:0]      out_vv_o,   // u(2BITS), v.v
+    output wire signed [17:0]     out_u_x_o,  // s1.16
+    output wire signed [17:0]     out_u_y_o,
+    output wire signed [17:0]     out_u_z_o,
+    output wire [16:0]            out_y_o,    // u1.16, 2^(BITS+16-h) / |v| from below
+    output wire [5:0]             out_h_o     // left shift of v
+);
+    generate
+        if (BITS < 9 || BITS > 32) begin : g_check
+            rt_unit_BITS_must_be_9_to_32 u_error ();
+        end
+    endgenerate
+    localparam OW = BITS + 1 > 18 ? BITS + 1 : 18;  // operands of the multipliers
+    localparam L  = `RT_MUL_LATENCY(OW);            // odd: 1 or 3
+    localparam VW = 2*BITS;                         // v.v < 3/4 * 2^VW
+    // The clock in which a value stands in its register; the input is taken at the end of clock 0.
+    localparam T_VV  = L + 3;                       // v.v, even
+    localparam T_H   = T_VV + 2;                    // shift h and the shifted v.v, even
+    localparam T_Y   = T_H + 3;                     // y, odd
+    localparam T_OUT = T_Y + L + 2;                 // u, even
+    // What must wait does so in registers that shift every second clock.
+    localparam N_TAG = T_OUT/2;                     // stage j stands in clocks 2j+1 and 2j+2
+    localparam N_V   = T_H/2;                       // the same
+    localparam N_VV  = (T_OUT - T_VV)/2;            // from T_VV+1 on
+    localparam N_H   = (T_OUT - T_H)/2;             // from T_H+1 on
+    localparam N_Y   = (T_OUT - T_Y + 1)/2;         // from T_Y+1 on
+
+    // ---- phases, valid bits, tag ----
+    reg                 phase_q;                    // 0 in even clocks, seen from clock 0
+    reg [T_OUT-1:0]     valid_q;                    // bit i: clock i+1
+    reg [N_TAG*TAG-1:0] tag_q;
+    assign in_ready_o = !phase_q;
+    always @(posedge clk) begin
+        phase_q <= !phase_q;
+        valid_q <= {valid_q[T_OUT-2:0], in_valid_i && in_ready_o};
+        if (!phase_q) tag_q <= {tag_q[(N_TAG-1)*TAG-1:0], in_tag_i};
+        if (rst) begin
+            phase_q <= 1'b0;
+            valid_q <= {T_OUT{1'b0}};
+        end
+    end
+
+    // ---- operands: v and v in odd clocks, v << h and y in even ones ----
+    reg  signed [OW-1:0]   a_x_q, a_y_q, a_z_q, b_x_q, b_y_q, b_z_q;
+    wire signed [OW-1:0]   in_x = {{(OW-BITS){in_x_i[BITS-1]}}, in_x_i};
+    wire signed [OW-1:0]   in_y = {{(OW-BITS){in_y_i[BITS-1]}}, in_y_i};
+    wire signed [OW-1:0]   in_z = {{(OW-BITS){in_z_i[BITS-1]}}, in_z_i};
+    reg  signed [BITS:0]   back_x_q, back_y_q, back_z_q;     // s(BITS+1), v << h in clock T_Y
+    reg  [16:0]            y_q;                              // u1.16, in clock T_Y
+    wire signed [OW-1:0]   y = {{(OW-17){1'b0}}, y_q};
+    always @(posedge clk) begin
+        a_x_q <= phase_q ? {{(OW-BITS-1){back_x_q[BITS]}}, back_x_q} : in_x;
+        a_y_q <= phase_q ? {{(OW-BITS-1){back_y_q[BITS]}}, back_y_q} : in_y;
+        a_z_q <= phase_q ? {{(OW-BITS-1){back_z_q[BITS]}}, back_z_q} : in_z;
+        b_x_q <= phase_q ? y : in_x;
+        b_y_q <= phase_q ? y : in_y;
+        b_z_q <= phase_q ? y : in_z;
+    end
+
+    // ---- products ----
+    wire signed [2*OW-1:0] p_x, p_y, p_z;
+    rt_multiply #(.W(OW)) u_mul_x (.clk(clk), .a_i(a_x_q), .b_i(b_x_q), .p_o(p_x));
+    rt_multiply #(.W(OW)) u_mul_y (.clk(clk), .a_i(a_y_q), .b_i(b_y_q), .p_o(p_y));
+    rt_multiply #(.W(OW)) u_mul_z (.clk(clk), .a_i(a_z_q), .b_i(b_z_q), .p_o(p_z));
+
+    // ---- sum: v.v in clock T_VV ----
+    reg [VW-1:0]      xy_q, zz_q, vv_q;
+    reg [N_VV*VW-1:0] vv_wait_q;
+    always @(posedge clk) begin
+        xy_q <= p_x[VW-1:0] + p_y[VW-1:0];
+        zz_q <= p_z[VW-1:0];
+        vv_q <= xy_q + zz_q;
+        if (!phase_q) vv_wait_q <= {vv_wait_q[(N_VV-1)*VW-1:0], vv_q};
+    end
+
+    // ---- shift: pairs of leading zeros, by 16 and 8, then by 4, 2 and 1 ----
+    wire [63:0] n_0  = {vv_q, {(64-VW){1'b0}}};
+    wire        h_16 = n_0[63:32] == 32'd0;
+    wire [63:0] n_16 = h_16 ? {n_0[31:0], 32'd0} : n_0;
+    wire        h_8  = n_16[63:48] == 16'd0;
+    reg  [31:0] n_8_q;                                       // more does not reach the table
+    reg         h_16_q, h_8_q;
+    wire        h_4  = n_8_q[31:24] == 8'd0;
+    wire [31:0] n_4  = h_4 ? n_8_q << 8 : n_8_q;
+    wire        h_2  = n_4[31:28] == 4'd0;
+    wire [31:0] n_2  = h_2 ? n_4 << 4 : n_4;
+    wire        h_1  = n_2[31:30] == 2'd0;
+    wire [17:0] n_1  = h_1 ? n_2[29:12] : n_2[31:14];
+    reg  [17:0] x_q;                                         // u18, in [2^16, 2^18) or 0
+    reg  [4:0]  h_q;                                         // in clock T_H; 0 for v = 0
+    reg  [N_H*5-1:0] h_wait_q;
+    always @(posedge clk) begin
+        n_8_q  <= h_8 ? n_16[47:16] : n_16[63:32];
+        h_16_q <= h_16;
+        h_8_q  <= h_8;
+        x_q    <= n_1;
+        h_q    <= n_1[17:16] == 2'd0 ? 5'd0 : {h_16_q, h_8_q, h_4, h_2, h_1};
+        if (!phase_q) h_wait_q <= {h_wait_q[(N_H-1)*5-1:0], h_q};
+    end
+
+    // ---- v waits for h and is shifted: stands from T_H+1 to T_H+2, then to T_Y+1 ----
+    reg  [N_V*3*BITS-1:0] v_wait_q;
+    reg  signed [BITS:0]  s_x_q, s_y_q, s_z_q;
+    wire signed [BITS:0]  v_x = $signed({v_wait_q[N_V*3*BITS-1],
+                                         v_wait_q[N_V*3*BITS-1 -: BITS]});
+    wire signed [BITS:0]  v_y = $signed({v_wait_q[N_V*3*BITS-BITS-1],
+                                         v_wait_q[N_V*3*BITS-BITS-1 -: BITS]});
+    wire signed [BITS:0]  v_z = $signed({v_wait_q[N_V*3*BITS-2*BITS-1],
+                                         v_wait_q[N_V*3*BITS-2*BITS-1 -: BITS]});
+    always @(posedge clk)
+        if (!phase_q) begin
+            v_wait_q <= {v_wait_q[(N_V-1)*3*BITS-1:0], in_x_i, in_y_i, in_z_i};
+            s_x_q    <= v_x <<< h_q;                         // |v << h| < 2^BITS
+            s_y_q    <= v_y <<< h_q;
+            s_z_q    <= v_z <<< h_q;
+            back_x_q <= s_x_q;
+            back_y_q <= s_y_q;
+            back_z_q <= s_z_q;
+        end
+
+    // ---- table, slope, y = start - floor(slope * frac / 1024) in clock T_Y ----
+    wire [27:0] line;
+    reg  [9:0]  frac_q;
+    reg  [20:0] slope_q;                                     // u11.10
+    reg  [16:0] start_q;                                     // u1.16
+    reg  [N_Y*17-1:0] y_wait_q;
+    rt_rsqrt_rom u_rom (.clk(clk), .index_i(x_q[17:10]), .line_q(line));
+    always @(posedge clk) begin
+        frac_q  <= x_q[9:0];
+        slope_q <= {10'd0, line[27:17]} * {11'd0, frac_q};
+        start_q <= line[16:0];
+        y_q     <= start_q - {6'd0, slope_q[20:10]};
+        if (phase_q) y_wait_q <= {y_wait_q[(N_Y-1)*17-1:0], y_q};
+    end
+
+    // ---- round ----
+    wire signed [2*OW-1-BITS:0] r_x = `RT_ROUND(p_x, 2*OW-1, BITS);
+    wire signed [2*OW-1-BITS:0] r_y = `RT_ROUND(p_y, 2*OW-1, BITS);
+    wire signed [2*OW-1-BITS:0] r_z = `RT_ROUND(p_z, 2*OW-1, BITS);
+    reg  signed [17:0] u_x_q, u_y_q, u_z_q;                  // s1.16
+    always @(posedge clk) begin
+        u_x_q <= r_x[17:0];
+        u_y_q <= r_y[17:0];
+        u_z_q <= r_z[17:0];
+    end
+    assign out_valid_o = valid_q[T_OUT-1];
+    assign out_tag_o   = tag_q[N_TAG*TAG-1 -: TAG];
+    assign out_vv_o    = vv_wait_q[N_VV*VW-1 -: VW];
+    assign out_h_o     = {1'b0, h_wait_q[N_H*5-1 -: 5]};
+    assign out_y_o     = y_wait_q[N_Y*17-1 -: 17];
+    assign out_u_x_o   = u_x_q;
+    assign out_u_y_o   = u_y_q;
+    assign out_u_z_o   = u_z_q;
+
+    wire unused = &{1'b0, p_x, p_y, p_z, r_x, r_y, r_z, n_16, n_2[11:0], slope_q[9:0]};
+endmodule
+`default_nettype wire

@@ -1,0 +1,6 @@
+// rt_latency.vh - fixed latencies that a neighbour aligns its tags with
+// SPDX-License-Identifier: Apache-2.0
+`ifndef RT_LATENCY_VH
+`define RT_LATENCY_VH
+`define RT_FILTER_LATENCY 7
+`endif
