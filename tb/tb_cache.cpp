@@ -1,0 +1,360 @@
+/* tb_cache.cpp - rt_cache against a memory whose lines are a function of address and epoch
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * tb_cache [seed] [requests per phase]
+ *
+ * Every request must be answered once, with its line as memory holds it since the last flush (the
+ * epoch changes at a flush, so a stale line is a wrong line), or with an error if, and only if, a
+ * bus error for that line came after the request was taken. No line is fetched while it is already
+ * on its way; outputs are stable while they wait. Phases: cold and warm (hits a cycle, latency),
+ * random and clustered lines, one set only, one line only, with and without stalls and errors.
+ */
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <deque>
+#include <memory>
+#include <type_traits>
+#include <unordered_map>
+#include <vector>
+#include "Vrt_cache.h"
+#include "bench.h"
+
+/* As the cache under test was built (-G); the defaults are those of rt_cache. */
+#ifndef TAG
+#define TAG 8
+#endif
+#ifndef LINES
+#define LINES 256
+#endif
+#ifndef WAYS
+#define WAYS 4
+#endif
+#ifndef PENDING
+#define PENDING 16
+#endif
+
+namespace {
+
+using Tag = std::remove_reference_t<decltype(Vrt_cache::req_tag_i)>;
+constexpr uint32_t SETS = LINES / WAYS;
+constexpr uint32_t LINE_MASK = (1u << 26) - 1;
+constexpr uint64_t WATCHDOG = 20000; /* cycles without any transfer while one is due */
+
+enum Pattern { SWEEP, UNIFORM, CLUSTERED, ONE_SET, ONE_LINE };
+
+struct Phase {
+    const char *name;
+    Pattern pattern;
+    uint32_t lines;     /* distinct lines of the pattern */
+    int request_stall;  /* percent of cycles the client offers nothing */
+    int response_stall; /* percent of cycles the client takes nothing */
+    int memory_stall;   /* percent of cycles the memory takes, and gives, nothing */
+    uint32_t latency;   /* of memory, at most; each line 1 .. latency cycles */
+    int errors;         /* percent of lines with a bus error */
+    bool flush;         /* first forget everything */
+};
+
+struct Fetch {
+    uint32_t line;
+    uint64_t due;
+};
+
+/* What a cache with true least-recently-used replacement would fetch. */
+class Lru {
+  public:
+    void forget() { *this = Lru(); }
+    void use(uint32_t line) {
+        std::deque<uint32_t> &set = sets_[line % SETS];
+        auto at = std::find(set.begin(), set.end(), line);
+        if (at != set.end())
+            set.erase(at);
+        else
+            misses++;
+        set.push_front(line);
+        if (set.size() > WAYS) set.pop_back();
+    }
+    uint64_t misses = 0;
+
+  private:
+    std::vector<std::deque<uint32_t>> sets_ = std::vector<std::deque<uint32_t>>(SETS);
+};
+
+struct Waiting {
+    bool used;
+    uint32_t line;
+    uint64_t taken; /* cycle */
+};
+
+class Bench {
+  public:
+    Bench(uint64_t seed) : random_(seed << 32), top_(new Vrt_cache), waiting_(1u << TAG) {
+        top_->rst = 1;
+        top_->flush_i = 0;
+        for (int i = 0; i < 4; i++)
+            edge();
+        top_->rst = 0;
+        base_ = static_cast<uint32_t>(random_.next()) & LINE_MASK;
+    }
+
+    /* Runs one phase until every request is answered; prints its TAP line; true if all is well. */
+    bool run(const Phase &phase, uint64_t requests, uint64_t seed);
+
+    uint64_t lru_fetches() const { return lru_.misses; }
+    uint64_t fetches() const { return fetches_; }
+    uint64_t cycles() const { return cycles_; }
+    uint64_t slowest() const { return slowest_; }
+    uint64_t quickest() const { return quickest_; }
+
+  private:
+    uint32_t below(uint32_t n) { return static_cast<uint32_t>(random_.below(n)); }
+    void edge() {
+        top_->clk = 0;
+        top_->eval();
+        top_->clk = 1;
+        top_->eval();
+        now_++;
+    }
+
+    uint32_t pick_line(const Phase &phase, uint64_t number);
+    uint32_t word(uint32_t line, int i) const;
+    void fail(const char *what, uint32_t line);
+    void drive(const Phase &phase, uint64_t sent, uint64_t requests);
+    bool watch_request(); /* true: the request was taken */
+    void watch_response(uint64_t *answered);
+    void watch_memory(const Phase &phase);
+
+    bench::Random random_;
+    std::unique_ptr<Vrt_cache> top_;
+    std::vector<Waiting> waiting_;                    /* by tag */
+    std::deque<Fetch> memory_;                        /* lines asked for, oldest first */
+    std::unordered_map<uint32_t, uint64_t> error_at_; /* line: cycle of its last bus error */
+    bool head_error_ = false;                         /* of the line memory shows */
+    bool shown_ = false;                              /* memory shows a line not yet taken */
+    bool failed_ = false;
+    Lru lru_;
+    uint32_t base_ = 0;
+    uint32_t epoch_ = 0;
+    uint32_t cluster_ = 0;
+    uint32_t next_tag_ = 0;
+    uint64_t now_ = 0;
+    uint64_t fetches_ = 0;
+    uint64_t misses_ = 0;
+    uint64_t cycles_ = 0;
+    uint64_t slowest_ = 0;
+    uint64_t quickest_ = 0;
+    uint64_t progress_ = 0;
+    bool held_rsp_ = false; /* response was waiting in the last cycle */
+    uint32_t held_tag_ = 0;
+    uint32_t held_word_ = 0;
+    bool held_mem_ = false; /* memory request was waiting in the last cycle */
+    uint32_t held_line_ = 0;
+};
+
+uint32_t Bench::word(uint32_t line, int i) const {
+    uint64_t z = (static_cast<uint64_t>(epoch_) << 32 | line) * 8 + static_cast<unsigned>(i);
+    z = (z ^ (z >> 31)) * 0xbf58476d1ce4e5b9ull;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
+    return static_cast<uint32_t>(z >> 32);
+}
+
+void Bench::fail(const char *what, uint32_t line) {
+    if (!failed_)
+        printf("# cycle %llu line %07x: %s\n", static_cast<unsigned long long>(now_), line, what);
+    failed_ = true;
+}
+
+uint32_t Bench::pick_line(const Phase &phase, uint64_t number) {
+    switch (phase.pattern) {
+    case SWEEP:
+        return static_cast<uint32_t>(base_ + number % phase.lines) & LINE_MASK;
+    case UNIFORM:
+        return (base_ + below(phase.lines)) & LINE_MASK;
+    case CLUSTERED: /* a walk: near the last place, now and then a jump, often the first lines */
+        if (random_.percent(20)) return (base_ + below(8)) & LINE_MASK;
+        if (random_.percent(3)) cluster_ = below(phase.lines);
+        return (base_ + (cluster_ + below(24)) % phase.lines) & LINE_MASK;
+    case ONE_SET:
+        return (base_ + SETS * below(phase.lines)) & LINE_MASK;
+    case ONE_LINE:
+        break;
+    }
+    return base_;
+}
+
+/* Sets the inputs of this cycle; what waits is left as it is. */
+void Bench::drive(const Phase &phase, uint64_t sent, uint64_t requests) {
+    if (!top_->req_valid_i && sent < requests && !waiting_[next_tag_].used &&
+        !random_.percent(phase.request_stall)) {
+        top_->req_valid_i = 1;
+        top_->req_line_i = pick_line(phase, sent);
+        top_->req_tag_i = static_cast<Tag>(next_tag_);
+    }
+    top_->rsp_ready_i = !random_.percent(phase.response_stall);
+    top_->mem_req_ready_i = !random_.percent(phase.memory_stall);
+    if (!shown_ && !memory_.empty() && memory_.front().due <= now_ &&
+        !random_.percent(phase.memory_stall)) {
+        shown_ = true;
+        head_error_ = random_.percent(phase.errors);
+        for (int i = 0; i < 8; i++) /* an error comes with rubbish */
+            top_->mem_rsp_data_i[i] =
+                word(memory_.front().line, i) ^
+                (head_error_ ? static_cast<uint32_t>(random_.next()) | 1u : 0u);
+        top_->mem_rsp_error_i = head_error_;
+    }
+    top_->mem_rsp_valid_i = shown_;
+}
+
+bool Bench::watch_request() {
+    if (!top_->req_valid_i || !top_->req_ready_o) return false;
+    waiting_[next_tag_] = {true, top_->req_line_i, now_};
+    next_tag_ = (next_tag_ + 1) & ((1u << TAG) - 1);
+    lru_.use(top_->req_line_i);
+    progress_ = now_;
+    return true;
+}
+
+void Bench::watch_response(uint64_t *answered) {
+    if (held_rsp_ &&
+        (!top_->rsp_valid_o || top_->rsp_tag_o != held_tag_ || (top_->rsp_data_o[0] != held_word_)))
+        fail("response changed while it waited", waiting_[held_tag_].line);
+    held_rsp_ = top_->rsp_valid_o && !top_->rsp_ready_i;
+    held_tag_ = top_->rsp_tag_o;
+    held_word_ = top_->rsp_data_o[0];
+    if (!top_->rsp_valid_o || !top_->rsp_ready_i) return;
+    Waiting &w = waiting_[top_->rsp_tag_o];
+    if (!w.used) fail("answer nobody asked for", 0);
+    if (top_->rsp_error_o) {
+        auto e = error_at_.find(w.line);
+        if (e == error_at_.end() || e->second <= w.taken)
+            fail("error that memory never gave", w.line);
+    } else {
+        for (int i = 0; i < 8; i++)
+            if (top_->rsp_data_o[i] != word(w.line, i)) fail("wrong data", w.line);
+    }
+    uint64_t latency = now_ - w.taken;
+    if (latency > slowest_) slowest_ = latency;
+    if (latency < quickest_) quickest_ = latency;
+    w.used = false;
+    ++*answered;
+    progress_ = now_;
+}
+
+void Bench::watch_memory(const Phase &phase) {
+    misses_ += top_->miss_o;
+    if (held_mem_ && (!top_->mem_req_valid_o || top_->mem_req_line_o != held_line_))
+        fail("memory request changed while it waited", held_line_);
+    held_mem_ = top_->mem_req_valid_o && !top_->mem_req_ready_i;
+    held_line_ = top_->mem_req_line_o;
+    if (top_->mem_rsp_valid_i && top_->mem_rsp_ready_o) {
+        if (head_error_) error_at_[memory_.front().line] = now_;
+        memory_.pop_front();
+        shown_ = false;
+        progress_ = now_;
+    }
+    if (top_->mem_req_valid_o && top_->mem_req_ready_i) {
+        for (const Fetch &f : memory_)
+            if (f.line == top_->mem_req_line_o) fail("line fetched while on its way", f.line);
+        if (memory_.size() >= PENDING)
+            fail("more lines on their way than PENDING", top_->mem_req_line_o);
+        memory_.push_back({top_->mem_req_line_o, now_ + 1 + below(phase.latency)});
+        fetches_++;
+        progress_ = now_;
+    }
+}
+
+bool Bench::run(const Phase &phase, uint64_t requests, uint64_t seed) {
+    top_->flush_i = phase.flush;
+    top_->req_valid_i = 0;
+    top_->mem_rsp_valid_i = 0;
+    edge();
+    top_->flush_i = 0;
+    if (phase.flush) epoch_++, lru_.forget();
+    lru_.misses = 0;
+    uint64_t sent = 0;
+    uint64_t answered = 0;
+    uint64_t start = now_;
+    progress_ = now_;
+    fetches_ = misses_ = slowest_ = 0;
+    quickest_ = ~0ull;
+    failed_ = false;
+    while (answered < requests && !failed_) {
+        top_->clk = 0;
+        drive(phase, sent, requests);
+        top_->eval();
+        watch_response(&answered); /* before the request: its tag may be reused at once */
+        bool taken = watch_request();
+        sent += taken;
+        watch_memory(phase);
+        top_->clk = 1;
+        top_->eval();
+        if (Verilated::gotFinish()) fail("the RTL stopped the simulation", 0);
+        now_++;
+        if (taken) top_->req_valid_i = 0;
+        if (now_ - progress_ > WATCHDOG) fail("deadlock", top_->req_line_i);
+    }
+    cycles_ = now_ - start;
+    for (int i = 0; i < 4 && !failed_; i++) { /* nothing may follow */
+        edge();
+        if (top_->rsp_valid_o && i > 0) fail("answer after the last", 0);
+        misses_ += top_->miss_o;
+    }
+    if (misses_ != fetches_) fail("miss_o does not count the lines fetched", 0);
+    printf("%sok tb_cache %s seed %llu: %s, %llu requests\n", failed_ ? "not " : "", PROFILE,
+           static_cast<unsigned long long>(seed), phase.name,
+           static_cast<unsigned long long>(answered));
+    printf("# %.4f requests a cycle, %.2f %% misses, latency %llu to %llu\n",
+           static_cast<double>(answered) / static_cast<double>(cycles_),
+           100.0 * static_cast<double>(fetches_) / static_cast<double>(answered),
+           static_cast<unsigned long long>(quickest_), static_cast<unsigned long long>(slowest_));
+    return !failed_;
+}
+
+bool check(bool good, uint64_t seed, const char *what) {
+    printf("%sok tb_cache %s seed %llu: %s\n", good ? "" : "not ", PROFILE,
+           static_cast<unsigned long long>(seed), what);
+    return good;
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    const uint64_t seed = argc > 1 ? strtoull(argv[1], nullptr, 0) : 1;
+    const uint64_t n = argc > 2 ? strtoull(argv[2], nullptr, 0) : 20000;
+    Bench bench(seed);
+    bool good = true;
+
+    /* name, pattern, lines, stalls of request, response, memory, latency, errors, flush */
+    good &= bench.run({"cold sweep", SWEEP, LINES, 0, 0, 0, 20, 0, true}, LINES, seed);
+    good &= check(bench.fetches() == LINES, seed, "cold: every line fetched once");
+    good &= bench.run({"warm", UNIFORM, LINES, 0, 0, 0, 20, 0, false}, n, seed);
+    good &= check(bench.fetches() == 0, seed, "warm: no line fetched");
+    good &= check(static_cast<double>(n) >= 0.99 * static_cast<double>(bench.cycles()), seed,
+                  "warm: 0.99 hits a cycle");
+    good &= check(bench.quickest() == 2 && bench.slowest() == 2, seed, "warm: latency 2");
+
+    good &= bench.run({"clustered", CLUSTERED, 4 * LINES, 0, 0, 0, 20, 0, false}, n, seed);
+    printf("# %llu lines fetched, %llu by a cache with LRU replacement\n",
+           static_cast<unsigned long long>(bench.fetches()),
+           static_cast<unsigned long long>(bench.lru_fetches()));
+    good &= check(10 * bench.fetches() <= 11 * bench.lru_fetches(), seed,
+                  "clustered: at most 1.1 times the misses of LRU");
+
+    const Phase phases[] = {
+        {"uniform over 26 bits", UNIFORM, LINE_MASK, 0, 0, 0, 40, 0, true},
+        {"stalls everywhere", CLUSTERED, 2 * LINES, 30, 30, 50, 200, 0, true},
+        {"slow client", CLUSTERED, 2 * LINES, 0, 90, 0, 8, 0, false},
+        {"slow memory", CLUSTERED, 2 * LINES, 0, 0, 90, 200, 0, false},
+        {"one set, just fitting", ONE_SET, WAYS, 0, 10, 10, 30, 0, true},
+        {"one set, thrashing", ONE_SET, 2 * WAYS + 1, 0, 0, 0, 200, 0, false},
+        {"one set, one too many, stalls", ONE_SET, WAYS + 1, 20, 60, 30, 10, 0, true},
+        {"one set, errors", ONE_SET, WAYS + 2, 10, 30, 30, 30, 40, false},
+        {"one line, errors", ONE_LINE, 1, 10, 10, 10, 50, 99, true},
+        {"errors", CLUSTERED, 2 * LINES, 10, 20, 20, 60, 10, true},
+        {"every line an error", UNIFORM, 2 * LINES, 0, 10, 10, 60, 100, true},
+        {"after the errors", CLUSTERED, LINES, 10, 10, 10, 60, 0, false},
+    };
+    for (const Phase &phase : phases)
+        good &= bench.run(phase, n, seed);
+    return good ? 0 : 1;
+}
