@@ -118,7 +118,7 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
                  struct sph_build_report *report, struct sph_error *err) {
     const struct sph_profile *profile = &sph_profiles[o->profile];
     struct sph_grid grid;
-    struct sph_rays rays;
+    struct sph_rays rays = {0};
     m->regs[SPH_REG_PROFILE] = o->profile;
     m->regs[SPH_REG_TREE] = o->tree;
     if (sph_grid_fit(scene, profile->w, &grid, err)) return -1;
@@ -139,7 +139,7 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
     place_rect(tree, &rays, o->background, m);
     sph_emit_colours(scene, &grid, m, report);
     sph_emit_effects(scene, o, eye_inside(grid.eye, balls, n), m, report);
-    memcpy(m->name, scene->name, sizeof m->name - 1);
+    snprintf(m->name, sizeof m->name, "%s", scene->name);
     m->grid_log2 = grid.log2;
     memcpy(m->origin, grid.origin, sizeof m->origin);
     memcpy(m->rotation, grid.rotation, sizeof m->rotation);

@@ -145,7 +145,8 @@ int sph_split(const struct sph_ball *balls, uint32_t n, const struct sph_profile
               int limit, struct sph_split *out, struct sph_error *err) {
     struct work w = {.balls = balls, .limit = limit};
     w.margin = ldexp(SPH_FILTER_MARGIN + 1, profile->w - profile->fw);
-    w.pairs = malloc(n * sizeof *w.pairs);
+    *out = (struct sph_split){.pairs = malloc(n * sizeof *w.pairs)};
+    w.pairs = out->pairs;
     w.spare = malloc(n * sizeof *w.spare);
     w.right = malloc(n);
     w.price = malloc(n * sizeof *w.price);
@@ -163,7 +164,8 @@ int sph_split(const struct sph_ball *balls, uint32_t n, const struct sph_profile
     free(w.weight);
     free(w.order[1]);
     free(w.order[2]);
-    *out = (struct sph_split){w.pairs, w.n_pairs, w.order[0]};
+    out->n_pairs = w.n_pairs;
+    out->order = w.order[0];
     if (good) return 0;
     sph_split_free(out);
     return sph_fail(err, "out of memory for a tree of %u spheres", n);

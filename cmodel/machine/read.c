@@ -30,7 +30,7 @@ static int expect(const unsigned char *h, int at, uint32_t want, const char *fie
 
 /* Checks the header against the size of the file. */
 static int check_header(const unsigned char *h, long long bytes, struct sph_error *err) {
-    if (memcmp(h, SPH_MAGIC, 8)) return sph_fail(err, "magic: not a machine file of Sphaera");
+    if (memcmp(h, SPH_MAGIC, 8) != 0) return sph_fail(err, "magic: not a machine file of Sphaera");
     if (expect(h, SPH_AT_VERSION, SPH_FILE_VERSION, "version", err) ||
         expect(h, SPH_AT_HEADER, SPH_HEADER_BYTES, "header size", err) ||
         expect(h, SPH_AT_N_REGS, SPH_N_REGS, "number of registers", err) ||
@@ -78,7 +78,7 @@ static int take_memory(FILE *file, const unsigned char *header, struct sph_machi
                        struct sph_error *err) {
     unsigned char line[4 * SPH_LINE_WORDS], tail[SPH_CHECKSUM_BYTES];
     uint64_t sum = sph_fnv_bytes(SPH_FNV_START, header, SPH_HEADER_BYTES);
-    m->mem = malloc(((size_t)m->lines + 1) * sizeof line);
+    m->mem = malloc(((size_t)m->lines + 1) * SPH_LINE_WORDS * sizeof *m->mem);
     if (!m->mem) return sph_fail(err, "out of memory for %u lines", m->lines);
     for (uint32_t i = 0; i < m->lines; i++) {
         if (fread(line, 1, sizeof line, file) != sizeof line)
@@ -101,7 +101,7 @@ static int take_file(FILE *file, struct sph_machine *m, struct sph_error *err) {
     long bytes = -1;
     if (!fseek(file, 0, SEEK_END)) bytes = ftell(file);
     if (bytes < 0 || fseek(file, 0, SEEK_SET)) return sph_fail(err, "not a regular file");
-    if (bytes < 8 || fread(header, 1, 8, file) != 8 || memcmp(header, SPH_MAGIC, 8))
+    if (bytes < 8 || fread(header, 1, 8, file) != 8 || memcmp(header, SPH_MAGIC, 8) != 0)
         return sph_fail(err, "magic: not a machine file of Sphaera");
     if (fread(header + 8, 1, sizeof header - 8, file) != sizeof header - 8)
         return sph_fail(err, "file is truncated: %ld bytes, the header has %d", bytes,

@@ -105,7 +105,8 @@ static int check_leaf(struct walk *w, uint32_t line, int half, struct sph_error 
     if (id >= (uint32_t)m->regs[SPH_REG_N_PRIMS])
         return sph_fail(err, "line %u: leaf id %u, there are %d primitives", line, id,
                         m->regs[SPH_REG_N_PRIMS]);
-    if (memcmp(leaf, line_at(m, (uint32_t)m->regs[SPH_REG_PRIM_BASE] + id), SPH_LEAF_STRIDE / 8))
+    if (memcmp(leaf, line_at(m, (uint32_t)m->regs[SPH_REG_PRIM_BASE] + id), SPH_LEAF_STRIDE / 8) !=
+        0)
         return sph_fail(err, "line %u: leaf %u differs from its primitive record", line, id);
     if (!sph_field(leaf, SPH_LEAF_RAD_LSB, SPH_LEAF_RAD_BITS))
         return sph_fail(err, "line %u: leaf %u has no radius", line, id);
@@ -142,13 +143,15 @@ static int check_node(struct walk *w, uint32_t line, int level, struct sph_error
 static int check_tree(const struct sph_machine *m, struct sph_error *err) {
     uint32_t n = (uint32_t)m->regs[SPH_REG_N_PRIMS], root = (uint32_t)m->regs[SPH_REG_ROOT];
     struct walk w = {m, calloc((size_t)m->regs[SPH_REG_PRIM_BASE], 1), calloc(n + 1u, 1)};
-    int result = w.used && w.found ? 0 : sph_fail(err, "out of memory to check the tree");
-    if (!result) {
+    int result;
+    if (w.used && w.found) {
         w.used[root] = 1;
         result = check_node(&w, root, 1, err);
+        for (uint32_t id = 0; id < n && !result; id++)
+            if (!w.found[id]) result = sph_fail(err, "primitive %u is not in the tree", id);
+    } else {
+        result = sph_fail(err, "out of memory to check the tree");
     }
-    for (uint32_t id = 0; id < n && !result; id++)
-        if (!w.found[id]) result = sph_fail(err, "primitive %u is not in the tree", id);
     free(w.used);
     free(w.found);
     return result;

@@ -17,7 +17,8 @@ static void fill_header(const struct sph_machine *m, unsigned char *h) {
     const struct sph_profile *p = sph_machine_profile(m);
     const int widths[5] = {p->w, p->wd, p->pq, p->ng, p->fw};
     memset(h, 0, SPH_HEADER_BYTES);
-    memcpy(h + SPH_AT_MAGIC, SPH_MAGIC, 8);
+    for (int i = 0; i < 8; i++)
+        h[SPH_AT_MAGIC + i] = (unsigned char)SPH_MAGIC[i];
     sph_put32(h + SPH_AT_VERSION, SPH_FILE_VERSION);
     sph_put32(h + SPH_AT_HEADER, SPH_HEADER_BYTES);
     sph_put32(h + SPH_AT_N_REGS, SPH_N_REGS);
@@ -26,7 +27,8 @@ static void fill_header(const struct sph_machine *m, unsigned char *h) {
     sph_put32(h + SPH_AT_GRID_LOG2, (uint32_t)m->grid_log2);
     for (int i = 0; i < 5; i++)
         sph_put32(h + SPH_AT_PROFILE + 4 * i, (uint32_t)widths[i]);
-    memcpy(h + SPH_AT_NAME, m->name, strnlen(m->name, sizeof m->name - 1));
+    for (size_t i = 0; i < sizeof m->name - 1 && m->name[i]; i++)
+        h[SPH_AT_NAME + i] = (unsigned char)m->name[i];
     for (int i = 0; i < 3; i++)
         put_double(h + SPH_AT_ORIGIN + 8 * i, m->origin[i]);
     for (int i = 0; i < 9; i++)
