@@ -1,0 +1,144 @@
+/* test_malformed.c - broken memory ends with a sticky error, never with a crash or a loop
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * A machine in memory need not come from a file that was validated: the hardware has only its
+ * checks on addresses, stack and visits.
+ */
+#include "model_scene.h"
+#include "scene/rng.h"
+
+enum { W = 24, H = 16 };
+
+static struct sph_machine machine(const char *name) {
+    struct sph_scene scene = model_scene(name);
+    struct sph_machine m; /* W = 24: whatever a leaf holds is a coordinate */
+    assert_true(model_build(&scene, SPH_REFERENCE, SPH_TREE_BALANCED, SPH_BG_NONE, W, H, &m));
+    sph_scene_free(&scene);
+    return m;
+}
+
+static uint32_t *root(struct sph_machine *m) {
+    return m->mem + (size_t)m->regs[SPH_REG_ROOT] * SPH_LINE_WORDS;
+}
+
+/* The errors of a frame. */
+static int walk(const struct sph_machine *m, int how) {
+    struct sph_counters c;
+    int errors;
+    struct sph_frame frame = model_render(m, how, 1, &c, &errors);
+    sph_frame_free(&frame);
+    return errors;
+}
+
+/* Renders both ways; the errors of the nearest walk. */
+static int errors_of(const struct sph_machine *m) {
+    walk(m, SPH_TRAVERSE_FIRST);
+    return walk(m, SPH_TRAVERSE_NEAREST);
+}
+
+static void root_beyond_memory(void **state) {
+    (void)state;
+    struct sph_machine m = machine("paper5");
+    assert_int_equal(errors_of(&m), 0);
+    m.regs[SPH_REG_ROOT] = m.regs[SPH_REG_MEM_LINES];
+    assert_int_equal(errors_of(&m), 1 << SPH_ERROR_BAD_NODE);
+    m.regs[SPH_REG_ROOT] = -1;
+    assert_int_equal(errors_of(&m), 1 << SPH_ERROR_BAD_NODE);
+    sph_machine_free(&m);
+}
+
+static void child_beyond_memory(void **state) {
+    (void)state;
+    struct sph_machine m = machine("paper100");
+    sph_field_set(root(&m), SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS, (1u << SPH_NODE_BASE_BITS) - 1);
+    assert_int_equal(errors_of(&m), 1 << SPH_ERROR_BAD_NODE);
+    sph_field_set(root(&m), SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS, m.lines - 1);
+    assert_int_equal(errors_of(&m), 1 << SPH_ERROR_BAD_NODE);
+    sph_machine_free(&m);
+}
+
+static void five_children(void **state) {
+    (void)state;
+    struct sph_machine m = machine("paper100");
+    sph_field_set(root(&m), SPH_NODE_N_INNER_LSB, SPH_NODE_N_INNER_BITS, 4);
+    sph_field_set(root(&m), SPH_NODE_N_LEAF_LSB, SPH_NODE_N_LEAF_BITS, 1);
+    assert_int_equal(errors_of(&m), 1 << SPH_ERROR_BAD_NODE);
+    sph_field_set(root(&m), SPH_NODE_N_INNER_LSB, SPH_NODE_N_INNER_BITS, 7);
+    assert_int_equal(errors_of(&m), 1 << SPH_ERROR_BAD_NODE);
+    sph_machine_free(&m);
+}
+
+static void prim_beyond_memory(void **state) {
+    (void)state;
+    struct sph_machine m = machine("paper5");
+    m.regs[SPH_REG_PRIM_BASE] = m.regs[SPH_REG_MEM_LINES];
+    assert_int_equal(errors_of(&m), 1 << SPH_ERROR_BAD_NODE);
+    sph_machine_free(&m);
+}
+
+static void visit_limit(void **state) {
+    (void)state;
+    struct sph_machine m = machine("paper100");
+    m.regs[SPH_REG_VISIT_LIMIT] = 1;
+    assert_int_equal(errors_of(&m), 1 << SPH_ERROR_VISIT_LIMIT);
+    m.regs[SPH_REG_VISIT_LIMIT] = 0;
+    assert_int_equal(errors_of(&m), 1 << SPH_ERROR_VISIT_LIMIT);
+    sph_machine_free(&m);
+}
+
+/* Makes the root its own and only child, or its own first of two children. */
+static void cycles(void **state) {
+    (void)state;
+    for (uint32_t children = 1; children <= 2; children++) {
+        struct sph_machine m = machine("paper100");
+        uint32_t *line = root(&m);
+        memset(line, 0, SPH_LINE_WORDS * sizeof *line);
+        sph_field_set(line, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS, (uint32_t)m.regs[SPH_REG_ROOT]);
+        sph_field_set(line, SPH_NODE_N_INNER_LSB, SPH_NODE_N_INNER_BITS, children);
+        for (uint32_t i = 0; i < children; i++)
+            sph_field_set(line, (int)i * SPH_CHILD_STRIDE + SPH_CHILD_RAD_LSB, SPH_CHILD_RAD_BITS,
+                          (1u << SPH_CHILD_RAD_BITS) - 1 - i);
+        m.regs[SPH_REG_VISIT_LIMIT] = 1000;
+        assert_int_equal(errors_of(&m),
+                         1 << (children == 1 ? SPH_ERROR_VISIT_LIMIT : SPH_ERROR_STACK_OVERFLOW));
+        sph_machine_free(&m);
+    }
+}
+
+/* Random bits of memory turned over: anything may be seen, but every frame ends. */
+static void random_damage(void **state) {
+    (void)state;
+    const char *text = getenv("SEED");
+    uint64_t seed = text ? strtoull(text, NULL, 0) : 1;
+    struct sph_rng rng = {seed};
+    int reported = 0;
+    printf("# random_damage: SEED=%lu\n", seed);
+    struct sph_machine m = machine("interpenetrating");
+    size_t bytes = (size_t)m.lines * SPH_LINE_WORDS * sizeof *m.mem;
+    uint32_t *sound = malloc(bytes);
+    memcpy(sound, m.mem, bytes);
+    m.regs[SPH_REG_VISIT_LIMIT] = 200;
+    for (int i = 0; i < 150; i++) {
+        uint64_t flips = 1 + sph_rng_next(&rng) % 40;
+        memcpy(m.mem, sound, bytes);
+        for (uint64_t j = 0; j < flips; j++) {
+            uint64_t r = sph_rng_next(&rng);
+            m.mem[(r >> 5) % (m.lines * SPH_LINE_WORDS)] ^= 1u << (r & 31);
+        }
+        reported += walk(&m, SPH_TRAVERSE_NEAREST) != 0;
+    }
+    printf("# %d of 150 damaged machines were reported\n", reported);
+    assert_true(reported > 0);
+    free(sound);
+    sph_machine_free(&m);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(root_beyond_memory), cmocka_unit_test(child_beyond_memory),
+        cmocka_unit_test(five_children),      cmocka_unit_test(prim_beyond_memory),
+        cmocka_unit_test(visit_limit),        cmocka_unit_test(cycles),
+        cmocka_unit_test(random_damage),
+    };
+    return cmocka_run_group_tests_name("malformed", tests, NULL, NULL);
+}
