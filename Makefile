@@ -3,11 +3,11 @@
 
 # Variables, shown by `make help`: name, what it is.
 ## SCENE       scene file (.nff) to render or simulate
-SCENE ?= scenes/balls.nff
+SCENE ?= scenes/sphereflake2.nff
 ## PROFILE     draft, standard, fine or reference
 PROFILE ?= standard
 ## SIZE        frame, pixels (empty: as the scene file says)
-SIZE ?= 160x120
+SIZE ?= 320x180
 ## TREE        balanced or paper
 TREE ?= balanced
 ## DEPTH       reflections, 0 to 5

@@ -3,9 +3,10 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # usage: tests/run.sh SUITE...        JOBS suites at once; logs in $BUILD/test/log
-# A check fails with a line `not ok ...`. A suite that stops early (fewer checks than its plan
-# `1..N`), exits non-zero without a failed check, or checks nothing is one failed check more; so is
-# a build that went wrong (UNBUILT set): what could be built is run all the same.
+# A check fails with a line `not ok ...`; one with `# SKIP` counts as neither. A suite that stops
+# early (fewer checks than its plan `1..N`), exits non-zero without a failed check, or checks nothing
+# is one failed check more; so is a build that went wrong (UNBUILT set): what could be built is run
+# all the same.
 set -u
 
 BUILD=${BUILD:-$(pwd)/build}
@@ -18,6 +19,7 @@ run_one() {
     name=$(basename "$1")
     TMP=$BUILD/test/tmp/$name
     export TMP
+    start=$(date +%s)
     rm -rf "$TMP"
     mkdir -p "$TMP"
     case $1 in
@@ -26,6 +28,7 @@ run_one() {
     *) "./$1" ;;
     esac >"$log/$name.log" 2>&1 </dev/null
     echo $? >"$log/$name.rc"
+    echo $(($(date +%s) - start)) >"$log/$name.time"
     rm -rf "$TMP"
 }
 if [ "${1:-}" = --one ]; then
@@ -33,18 +36,19 @@ if [ "${1:-}" = --one ]; then
     exit 0
 fi
 
-# Prints "passed failed note" of a log.
+# Prints "passed failed skipped note" of a log.
 count() {
     awk -v rc="$2" '
         /^[ \t]*1\.\.[0-9]+/ { sub(/^[ \t]*1\.\./, ""); plan += $1 + 0 }
+        /^[ \t]*(not )?ok .*# (SKIP|skip)/ { skipped++; next }
         /^[ \t]*ok( |$)/     { passed++ }
         /^[ \t]*not ok( |$)/ { failed++ }
         END {
             note = ""
             if (!(passed + failed)) note = "no check ran, exit code " rc
-            else if (passed + failed < plan) note = "stopped early, exit code " rc
+            else if (passed + failed + skipped < plan) note = "stopped early, exit code " rc
             else if (rc && !failed) note = "exit code " rc
-            print passed + 0, failed + (note != ""), note
+            print passed + 0, failed + (note != ""), skipped + 0, note
         }' "$1"
 }
 
@@ -61,15 +65,16 @@ for suite; do
     name=$(basename "$suite")
     rc=$(cat "$log/$name.rc" 2>/dev/null || echo 127)
     [ -f "$log/$name.log" ] || : >"$log/$name.log"
-    read -r p f note <<END
+    read -r p f k note <<END
 $(count "$log/$name.log" "$rc")
 END
     passed=$((passed + p))
     failed=$((failed + f))
+    about="$p passed$([ "$k" -eq 0 ] || echo ", $k skipped"), $(cat "$log/$name.time" 2>/dev/null) s"
     if [ "$f" -eq 0 ]; then
-        printf '  %-6s %s (%d)\n' ok "$name" "$p"
+        printf '  %-6s %-32s %s\n' ok "$name" "$about"
     else
-        printf '  %-6s %s (%d passed, %d failed) %s\n' FAILED "$name" "$p" "$f" "$note"
+        printf '  %-6s %-32s %s, %d failed; %s\n' FAILED "$name" "$about" "$f" "$note"
         tail -n 60 "$log/$name.log" | sed 's/^/    | /'
         echo "    repeat: make test ONLY=$name    log: build/test/log/$name.log"
     fi

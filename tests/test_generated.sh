@@ -13,7 +13,7 @@ sh sim/layout.sh "$TMP/layout.h" "$TMP/rt_layout.vh"
 same "layout.h follows machine.def" cmodel/machine/layout.h "$TMP/layout.h"
 same "rt_layout.vh follows machine.def" rtl/shell/rt_layout.vh "$TMP/rt_layout.vh"
 
-${CC:-gcc} -std=c11 -O2 cmodel/math/gen_rsqrt.c -lm -o "$TMP/gen_rsqrt" || exit 1
+${CC:-gcc} -std=c11 -O2 -Icmodel cmodel/math/gen_rsqrt.c -lm -o "$TMP/gen_rsqrt" || exit 1
 "$TMP/gen_rsqrt" c >"$TMP/rsqrt_table.h"
 "$TMP/gen_rsqrt" v >"$TMP/rt_rsqrt_rom.v"
 same "rsqrt_table.h follows gen_rsqrt.c" cmodel/math/rsqrt_table.h "$TMP/rsqrt_table.h"

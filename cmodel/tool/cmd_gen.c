@@ -65,7 +65,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         a->what = arg;
         return 0;
     case ARGP_KEY_END:
-        if (!a->what) argp_usage(state);
+        if (!a->what) argp_error(state, "nothing given to make a scene of");
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;

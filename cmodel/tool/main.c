@@ -48,7 +48,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         argp_error(state, "no command '%s'", arg);
         return EINVAL;
     case ARGP_KEY_NO_ARGS:
-        argp_usage(state);
+        argp_error(state, "no command given");
         return EINVAL;
     default:
         return ARGP_ERR_UNKNOWN;

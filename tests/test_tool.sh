@@ -1,0 +1,128 @@
+#!/bin/sh
+# test_tool.sh - the sphaera tool from scene to comparison, and what it says of bad input
+# SPDX-License-Identifier: Apache-2.0
+set -u
+. "$(dirname "$0")/tap.sh"
+cd "$TMP" || exit 1
+mkdir work
+cd work || exit 1
+s=$SPHAERA
+
+has() { grep -q -- "$1" "$2"; }                        # pattern, file
+same_files() { cmp "$1" "$2"; }
+not_there() { for f; do [ ! -e "$f" ] || return 1; done; }
+json() { python3 -c "import json,sys; r=json.load(open(sys.argv[1])); assert ($2), r" "$1"; }
+equal() { echo "'$1' '$2'"; [ -n "$1" ] && [ "$1" = "$2" ]; }
+
+# ---- one scene all the way ----
+check "gen writes a scene" "$s" gen sphereflake --size 1 --resolution 64x48 -o a.nff
+check "gen to standard output is the same" sh -c "'$s' gen sphereflake --size 1 \
+    --resolution 64x48 | cmp - a.nff"
+check "build" "$s" build a.nff -o a.sph --json build.json
+"$s" build a.nff -o a2.sph >build.txt 2>&1
+for word in "grid .*step" "smallest radius" "field of view" "nodes, depth" "effect .*shadow"; do
+    check "build prints '$word'" has "$word" build.txt
+done
+check "build is repeatable" same_files a.sph a2.sph
+check "build report" json build.json 'r["command"] == "build" and r["machine"]["spheres"] == 10 and
+    r["build"]["nodes"] > 0 and r["build"]["warnings"] == []'
+check "info" sh -c "'$s' info a.sph --json info.json | grep -q 'WD 17'"
+check "info report" json info.json 'r["machine"]["profile"] == "standard"'
+
+"$s" render a.sph -o a.png --exr a.exr --frame a.frame --counters --json a.json >render.txt 2>&1
+check "render exits with 0 and prints a hash" grep -E '^frame +[0-9a-f]{16}$' render.txt
+check "render prints counters" grep -E '^rays_primary +3072$' render.txt
+check "render names no error" has '^errors *none' render.txt
+check "render is silent on stderr" sh -c "'$s' render a.sph 2>&1 >/dev/null | cmp - /dev/null"
+check "render report" json a.json 'r["frame"]["width"] == 64 and r["errors"] == [] and
+    r["counters"]["rays_primary"] == 3072 and len(r["frame"]["hash"]) == 16'
+check "report to standard output is all there is" sh -c "'$s' render a.sph --json - >o.json &&
+    python3 -m json.tool o.json"
+check "picture is 64x48 with 3 channels" sh -c "oiiotool --info a.png | grep -q '64 x  *48, 3 chan'"
+check "exr has ids and keys" sh -c "oiiotool --info -v a.exr | grep -q 'id (uint)' &&
+    oiiotool --info -v a.exr | grep -q 'key.hi (uint), key.lo (uint)'"
+check "--progress reaches 100 % of the rows" sh -c "'$s' render a.sph --progress 2>&1 |
+    grep -q 'rendering'"
+
+# ---- what must give the same frame ----
+hash() { "$s" render "$@" | awk '$1 == "frame" { print $2 }'; }
+picture() { "$s" render "$@" | awk '$1 == "picture" { print $2 }'; }
+check "scene and machine agree" equal "$(hash a.nff)" "$(hash a.sph)"
+check "one thread and three agree" equal "$(hash a.sph -t 1)" "$(hash a.sph -t 3)"
+check "brute force shows the same" equal "$(picture a.sph)" "$(picture a.sph --traverse brute)"
+check "the paper's tree shows the same" equal "$(picture a.sph)" "$(picture a.nff --tree paper)"
+check "the rectangle shows the same" equal "$(picture a.sph)" "$(picture a.nff --background rect)"
+
+# ---- compare ----
+check "a frame equals itself" "$s" compare a.frame a.frame
+check "a picture equals itself" "$s" compare a.png a.png
+"$s" render a.sph --layer 0 -o b.png --traverse brute --frame b.frame >/dev/null
+"$s" render a.nff --size 63x48 -o c.png --frame c.frame >/dev/null
+differ() { # pattern, arguments of compare: exit code 1, silent on stderr, pattern on stdout
+    pattern=$1
+    shift
+    "$s" compare "$@" >"$TMP/differ" 2>"$TMP/differ2"
+    [ $? -eq 1 ] && [ ! -s "$TMP/differ2" ] && grep -E "$pattern" "$TMP/differ"
+}
+check "pictures of two layers differ" differ 'pixels differ, by up to .* first at x' a.png b.png
+check "pictures of two sizes differ" differ '^sizes differ: 64x48 with 3' a.png c.png
+check "frames of two sizes differ" differ '^sizes differ: 64x48 and 63x48' a.frame c.frame
+check "work differs with brute force" differ 'counter node_visits' a.frame b.frame
+check "... and can be left out" "$s" compare --ignore-work a.frame b.frame
+check "picture of the difference" sh -c "'$s' compare a.frame b.frame -d d.png; oiiotool --info \
+    d.png | grep -q '192 x  *48, 3 chan'"
+"$s" compare a.png b.png --json c.json >/dev/null
+check "compare report" json c.json 'not r["same"] and r["difference"]["pixels"] > 0'
+
+# ---- refusals: a message, an exit code, nothing left behind ----
+fails 2 "no command" "$s"
+fails 2 "unknown command" "$s" draw
+fails 2 "unknown option" "$s" build --fast a.nff -o x.sph
+fails 2 "build without output" "$s" build a.nff
+fails 2 "build without scene" "$s" build -o x.sph
+fails 2 "two scenes" "$s" build a.nff a.nff -o x.sph
+for bad in --profile=huge --tree=oak --background=blue --depth=6 --depth=-1 --depth=1x --size=0x4 \
+    --size=64 --size=64x --size=64x48x --size=99999x1 --shadow=maybe --reflect=; do
+    fails 2 "build $bad" "$s" build a.nff -o x.sph "$bad"
+done
+for bad in --layer=3 --traverse=last --threads=-1; do
+    fails 2 "render $bad" "$s" render a.sph -o x.png "$bad"
+done
+fails 2 "compare of one file" "$s" compare a.png
+fails 1 "compare of a picture and a frame" "$s" compare a.png a.frame
+fails 1 "compare with nothing" "$s" compare a.png nothing.png
+fails 1 "no such scene" "$s" build nothing.nff -o x.sph
+fails 1 "no such machine" "$s" render nothing.sph -o x.png
+fails 1 "a folder as scene" "$s" build . -o x.sph
+fails 1 "a machine as scene" "$s" build a.sph -o x.sph
+fails 1 "build options for a machine" "$s" render a.sph --depth 1 -o x.png
+fails 1 "unknown kind of scene" "$s" gen nothing -o x.nff
+fails 1 "no such molecule" "$s" import nothing.pdb -o x.nff
+printf 'v\nfrom 0 0 zero\n' >bad.nff
+fails 1 "broken scene" "$s" build bad.nff -o x.sph
+check "... names file and line" has 'bad.nff:2' "$TMP/err"
+head -c 700 a.sph >cut.sph
+fails 1 "truncated machine" "$s" render cut.sph -o x.png
+: >empty.sph
+fails 1 "empty machine" "$s" info empty.sph
+{ head -c 300 a.sph; printf X; tail -c +302 a.sph; } >flip.sph
+fails 1 "damaged machine" "$s" render flip.sph -o x.png
+head -c 200 a.frame >cut.frame
+fails 1 "truncated frame" "$s" compare a.frame cut.frame
+{ head -c 300 a.frame; printf X; tail -c +302 a.frame; } >flip.frame
+fails 1 "damaged frame" "$s" compare a.frame flip.frame
+fails 1 "output in no folder" "$s" build a.nff -o none/x.sph
+fails 1 "picture in no folder" "$s" render a.sph -o none/x.png
+fails 1 "report in no folder" "$s" render a.sph --json none/x.json
+fails 1 "a folder as output" "$s" render a.sph -o .
+if [ -c /dev/full ]; then
+    fails 1 "full disk: picture" "$s" render a.sph -o /dev/full
+    fails 1 "full disk: frame" "$s" render a.sph --frame /dev/full
+    fails 1 "full disk: report" "$s" info a.sph --json /dev/full
+    fails 1 "full disk: text" sh -c "'$s' info a.sph >/dev/full"
+    fails 1 "a device is not replaced" "$s" build a.nff -o /dev/full
+    check "... and is still there" test -c /dev/full
+fi
+check "no output of a failed command" not_there x.sph x.png x.nff x.json none
+check "no temporary file" sh -c '! ls | grep -i tmp'
+done_testing
