@@ -1,0 +1,145 @@
+// rt_lights.v - walks a surface's lights and sums what they give
+// SPDX-License-Identifier: Apache-2.0
+// Every event adds one light's share to the slot's sum (nothing at the start, or in shadow), then
+// sends the vector to the next light to rt_setup, or the token on to rt_pixels.
+// One event every 3 cycles. Model: light() in cmodel/render_pixel.c
+`default_nettype none
+module rt_lights #(
+    parameter W     = 16,  // coordinate, bits
+    parameter WD    = 17,  // direction component, bits, at least W+1
+    parameter SLOTS = 32,  // power of two
+    parameter SLOTW = 5    // log2 of SLOTS
+) (
+    input  wire              clk,
+    input  wire              rst,
+    // registers
+    input  wire [3:0]        n_lights_i,      // 0..8
+    input  wire [47:0]       ambient_i,       // {blue, green, red} u1.15
+    input  wire [8*3*W-1:0]  light_pos_i,     // light l: {z, y, x} at 3*W*l
+    input  wire [8*48-1:0]   light_colour_i,  // light l: {blue, green, red} u1.15
+    // from rt_surface
+    input  wire              point_valid_i,
+    input  wire [SLOTW-1:0]  point_slot_i,
+    input  wire [3*W-1:0]    point_i,
+    // from rt_setup
+    input  wire              cosine_valid_i,
+    input  wire [SLOTW-1:0]  cosine_slot_i,
+    input  wire [15:0]       cosine_i,
+    input  wire              start_valid_i,   // a surface is ready
+    input  wire [SLOTW-1:0]  start_slot_i,
+    input  wire              lamp_valid_i,    // a light settled without a shadow ray
+    input  wire [SLOTW-1:0]  lamp_slot_i,
+    input  wire              lamp_lit_i,
+    // a shadow ray is done
+    input  wire              shadow_valid_i,
+    input  wire [SLOTW-1:0]  shadow_slot_i,
+    input  wire              shadow_lit_i,
+    // to rt_setup: vector to the next light
+    output reg               vec_valid_o,
+    output reg [SLOTW-1:0]   vec_slot_o,
+    output wire [3*WD-1:0]   vec_o,
+    // to rt_pixels: all lights are summed
+    output reg               sum_valid_o,
+    output reg [SLOTW-1:0]   sum_slot_o,
+    output reg [50:0]        sum_o            // 3 x u2.15
+);
+    // ---- queues of events ----
+    wire             s_valid, l_valid, t_valid, s_in, l_in, t_in, add_ready;
+    wire [SLOTW-1:0] s_slot;
+    wire [SLOTW:0]   l_event, t_event;
+    reg              e_valid_q;                       // an event stands before the adder
+    wire             e_load = !e_valid_q || add_ready;
+    wire             pick_t = t_valid;
+    wire             pick_l = !t_valid && l_valid;
+    wire             pick_s = !t_valid && !l_valid && s_valid;
+    rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_starts (
+        .clk(clk), .rst(rst), .in_valid_i(start_valid_i), .in_ready_o(s_in),
+        .in_data_i(start_slot_i),
+        .out_valid_o(s_valid), .out_ready_i(e_load && pick_s), .out_data_o(s_slot)
+    );
+    rt_fifo #(.WIDTH(SLOTW+1), .DEPTH(SLOTS)) u_lamps (
+        .clk(clk), .rst(rst), .in_valid_i(lamp_valid_i), .in_ready_o(l_in),
+        .in_data_i({lamp_slot_i, lamp_lit_i}),
+        .out_valid_o(l_valid), .out_ready_i(e_load && pick_l), .out_data_o(l_event)
+    );
+    rt_fifo #(.WIDTH(SLOTW+1), .DEPTH(SLOTS)) u_shadows (
+        .clk(clk), .rst(rst), .in_valid_i(shadow_valid_i), .in_ready_o(t_in),
+        .in_data_i({shadow_slot_i, shadow_lit_i}),
+        .out_valid_o(t_valid), .out_ready_i(e_load && pick_t), .out_data_o(t_event)
+    );
+
+    // ---- event, with the slot's sum, cosine and light number ----
+    wire [SLOTW-1:0] slot = pick_t ? t_event[SLOTW:1] : pick_l ? l_event[SLOTW:1] : s_slot;
+    reg [SLOTW-1:0]  e_slot_q;
+    reg              e_start_q, e_lit_q;
+    wire [50:0]      e_sum;
+    wire [15:0]      e_cosine;
+    wire [2:0]       e_light;                         // the light that the event is about
+    wire             read = e_load && (pick_t || pick_l || pick_s);
+    always @(posedge clk) begin
+        if (e_load) begin
+            e_valid_q <= pick_t || pick_l || pick_s;
+            e_slot_q  <= slot;
+            e_start_q <= pick_s;
+            e_lit_q   <= pick_t ? t_event[0] : pick_l && l_event[0];
+        end
+        if (rst) e_valid_q <= 1'b0;
+    end
+    wire             a_valid;
+    wire [SLOTW-1:0] a_slot;
+    wire [3:0]       a_next;
+    wire [50:0]      a_sum;
+    rt_slot_ram #(.WIDTH(51), .SLOTS(SLOTS)) u_sum (
+        .clk(clk), .wr_en_i(a_valid), .wr_addr_i(a_slot), .wr_data_i(a_sum),
+        .rd_en_i(read), .rd_addr_i(slot), .rd_data_o(e_sum)
+    );
+    rt_slot_ram #(.WIDTH(16), .SLOTS(SLOTS)) u_cosine (
+        .clk(clk), .wr_en_i(cosine_valid_i), .wr_addr_i(cosine_slot_i), .wr_data_i(cosine_i),
+        .rd_en_i(read), .rd_addr_i(slot), .rd_data_o(e_cosine)
+    );
+    rt_slot_ram #(.WIDTH(3), .SLOTS(SLOTS)) u_light (
+        .clk(clk), .wr_en_i(a_valid), .wr_addr_i(a_slot), .wr_data_i(a_next[2:0]),
+        .rd_en_i(read), .rd_addr_i(slot), .rd_data_o(e_light)
+    );
+
+    // ---- add ----
+    wire [50:0] ambient = {1'b0, ambient_i[47:32], 1'b0, ambient_i[31:16], 1'b0, ambient_i[15:0]};
+    wire [2:0]  e_lamp  = e_start_q ? 3'd0 : e_light;
+    wire [3:0]  e_next  = e_start_q ? 4'd0 : {1'b0, e_lamp} + 4'd1;
+    rt_light_add #(.TAG(SLOTW+4)) u_add (
+        .clk(clk), .rst(rst), .in_valid_i(e_valid_q), .in_ready_o(add_ready),
+        .in_tag_i({e_slot_q, e_next}),
+        .in_sum_i(e_start_q ? ambient : e_sum),
+        .in_cosine_i(e_lit_q && !e_start_q ? e_cosine : 16'd0),
+        .in_intensity_i(light_colour_i[48*e_lamp +: 48]),
+        .out_valid_o(a_valid), .out_tag_o({a_slot, a_next}), .out_sum_o(a_sum)
+    );
+
+    // ---- next light, or done ----
+    wire [3*W-1:0]  v_point;
+    reg [3*W-1:0]   v_light_q;
+    rt_slot_ram #(.WIDTH(3*W), .SLOTS(SLOTS)) u_point (
+        .clk(clk), .wr_en_i(point_valid_i), .wr_addr_i(point_slot_i), .wr_data_i(point_i),
+        .rd_en_i(1'b1), .rd_addr_i(a_slot), .rd_data_o(v_point)
+    );
+    wire a_last = a_next == n_lights_i;
+    always @(posedge clk) begin
+        v_light_q   <= light_pos_i[3*W*a_next[2:0] +: 3*W];
+        vec_valid_o <= a_valid && !a_last;
+        vec_slot_o  <= a_slot;
+        sum_valid_o <= a_valid && a_last;
+        sum_slot_o  <= a_slot;
+        sum_o       <= a_sum;
+        if (rst) begin vec_valid_o <= 1'b0; sum_valid_o <= 1'b0; end
+    end
+    genvar i;
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : g_vec
+            wire signed [WD-1:0] light = {{(WD-W){v_light_q[W*i + W-1]}}, v_light_q[W*i +: W]};
+            wire signed [WD-1:0] point = {{(WD-W){v_point[W*i + W-1]}}, v_point[W*i +: W]};
+            assign vec_o[WD*i +: WD] = light - point;  // exact: WD > W
+        end
+    endgenerate
+    wire unused = &{1'b0, s_in, l_in, t_in};
+endmodule
+`default_nettype wire

@@ -1,0 +1,235 @@
+// rt_core.v - the ray tracer: registers, pixel walk, engines, memory port, counters
+// SPDX-License-Identifier: Apache-2.0
+// Ports and their order of use: docs/rtl_interfaces.md. Borodavka et al. VII: Rendering, L1 and L2
+// come out of one pass as the colours at reflection depth 0, 1 and the deepest.
+// Model: sph_render() in cmodel/render.c
+`default_nettype none
+`include "rt_layout.vh"
+module rt_core #(
+    parameter W          = `RT_PROFILE_STANDARD_W,   // coordinate, bits
+    parameter WD         = `RT_PROFILE_STANDARD_WD,  // direction component, bits
+    parameter PQ         = `RT_PROFILE_STANDARD_PQ,  // significant bits of the quotient
+    parameter NG         = `RT_PROFILE_STANDARD_NG,  // guard bits of the normal
+    parameter FW         = `RT_PROFILE_STANDARD_FW,  // filter coordinate, bits
+    parameter PROFILE    = 1,    // number of the profile that the widths belong to
+    parameter ENGINES    = 1,    // barrels, 1..8
+    parameter K          = 64,   // rays in flight an engine, power of two
+    parameter SHADOW     = 1,    // effects elaborated, 0 or 1
+    parameter REFLECT    = 1,
+    parameter NODE_LINES = 256,  // cache lines an engine, powers of two
+    parameter LEAF_LINES = 128,
+    parameter ROOTS      = 3,    // square root units an engine
+    parameter QUOTIENTS  = 3     // dividers an engine
+) (
+    input  wire              clk,
+    input  wire              rst,
+    // configuration, while idle
+    input  wire              cfg_valid_i,
+    input  wire [6:0]        cfg_addr_i,
+    input  wire [31:0]       cfg_data_i,
+    input  wire              start_i,          // one cycle: render the window
+    input  wire              keep_cache_i,     // with start_i: memory did not change
+    output wire              busy_o,
+    // memory
+    output wire              mem_req_valid_o,
+    input  wire              mem_req_ready_i,
+    output wire [25:0]       mem_req_line_o,
+    input  wire              mem_rsp_valid_i,
+    output wire              mem_rsp_ready_o,
+    input  wire [63:0]       mem_rsp_data_i,
+    input  wire              mem_rsp_error_i,
+    // pixels
+    output wire              pix_valid_o,
+    input  wire              pix_ready_i,
+    output wire [13:0]       pix_x_o,
+    output wire [13:0]       pix_y_o,
+    output wire [71:0]       pix_colour_o,
+    output wire [23:0]       pix_id_o,
+    output wire [W+WD+1:0]   pix_key_o,
+    output wire [23:0]       pix_visits_o,
+    // counters and sticky errors
+    input  wire [3:0]        count_addr_i,
+    output wire [47:0]       count_data_o,
+    output reg  [`RT_ERRORS-1:0] errors_o
+);
+    localparam KW = W + WD + 2;
+    localparam PW = 28 + 72 + 24 + KW + 24;          // a finished pixel
+
+    // ---- registers, start ----
+    wire [31:0]      effects, profile;
+    wire [2:0]       max_depth;
+    wire [3:0]       n_lights;
+    wire [55:0]      window, rect;
+    wire             rect_on;
+    wire [23:0]      background, visit_limit;
+    wire [47:0]      ambient;
+    wire [3*W-1:0]   eye;
+    wire [3*WD-1:0]  dir;
+    wire [WD-1:0]    pitch;
+    wire [25:0]      root, prim_base, mem_lines;
+    wire [8*3*W-1:0] light_pos;
+    wire [8*48-1:0]  light_colour;
+    rt_registers #(.W(W), .WD(WD)) u_registers (
+        .clk(clk), .valid_i(cfg_valid_i && !busy_o), .addr_i(cfg_addr_i), .data_i(cfg_data_i),
+        .effects_o(effects), .max_depth_o(max_depth), .n_lights_o(n_lights),
+        .window_o(window), .rect_on_o(rect_on), .rect_o(rect), .background_o(background),
+        .ambient_o(ambient), .eye_o(eye), .dir_o(dir), .pitch_o(pitch), .root_o(root),
+        .prim_base_o(prim_base), .mem_lines_o(mem_lines), .visit_limit_o(visit_limit),
+        .profile_o(profile), .light_pos_o(light_pos), .light_colour_o(light_colour)
+    );
+    wire [31:0] built = (SHADOW != 0 ? 32'd1 << `RT_EFFECT_SHADOW : 32'd0) |
+                        (REFLECT != 0 ? 32'd1 << `RT_EFFECT_REFLECT : 32'd0);
+    wire missing = (effects & ~built) != 32'd0;      // the machine asks for what is not here
+    wire foreign = profile != PROFILE;
+    wire start   = start_i && !busy_o;
+    wire go      = start && !missing && !foreign;
+
+    // ---- pixel walk ----
+    wire             walk_busy, ray_valid, bg_valid, bg_ready;
+    wire [13:0]      x, y;
+    wire signed [WD-1:0] ray_x, ray_y;
+    wire [ENGINES-1:0] e_ready, e_take, e_busy;
+    wire             ray_ready = |e_ready;
+    rt_walk #(.WD(WD)) u_walk (
+        .clk(clk), .rst(rst), .start_i(go), .busy_o(walk_busy),
+        .win_x0_i(window[13:0]), .win_y0_i(window[27:14]),
+        .win_x1_i(window[41:28]), .win_y1_i(window[55:42]),
+        .rect_on_i(rect_on), .rect_x0_i(rect[13:0]), .rect_y0_i(rect[27:14]),
+        .rect_x1_i(rect[41:28]), .rect_y1_i(rect[55:42]),
+        .dir_x0_i($signed(dir[0 +: WD])), .dir_y0_i($signed(dir[WD +: WD])), .pitch_i(pitch),
+        .ray_valid_o(ray_valid), .ray_ready_i(ray_ready),
+        .ray_dir_x_o(ray_x), .ray_dir_y_o(ray_y),
+        .bg_valid_o(bg_valid), .bg_ready_i(bg_ready), .x_o(x), .y_o(y)
+    );
+    assign e_take = e_ready & (~e_ready + 1'b1);     // the lowest engine with a free slot
+    assign busy_o = walk_busy || e_busy != 0 || mux_valid_q;
+
+    // ---- engines ----
+    wire [ENGINES*2-1:0]   m_req_valid, m_req_ready, m_rsp_valid, m_rsp_ready;
+    wire [ENGINES*52-1:0]  m_req_line;
+    wire [255:0]           m_rsp_data;
+    wire                   m_rsp_error;
+    wire [ENGINES-1:0]     p_valid, p_take;
+    wire [ENGINES*PW-1:0]  p_data;
+    wire [ENGINES*16-1:0]  events;
+    wire [ENGINES*4-1:0]   faults;
+    genvar e;
+    generate
+        for (e = 0; e < ENGINES; e = e + 1) begin : g_engine
+            wire [2:0] rays, tests;
+            wire       visit, leaf, sqrt, quotient, saturated, issued, bubble;
+            wire [1:0] miss;
+            rt_engine #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .FW(FW), .SLOTS(K),
+                        .STACK(`RT_STACK_DEPTH), .SHADOW(SHADOW), .REFLECT(REFLECT),
+                        .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES), .ROOTS(ROOTS),
+                        .QUOTIENTS(QUOTIENTS)) u_engine (
+                .clk(clk), .rst(rst), .flush_i(go && !keep_cache_i), .busy_o(e_busy[e]),
+                .shadow_on_i(effects[`RT_EFFECT_SHADOW]),
+                .reflect_on_i(effects[`RT_EFFECT_REFLECT]),
+                .max_depth_i(max_depth), .n_lights_i(n_lights), .background_i(background),
+                .ambient_i(ambient), .eye_i(eye), .root_i(root), .prim_base_i(prim_base),
+                .mem_lines_i(mem_lines), .visit_limit_i(visit_limit),
+                .light_pos_i(light_pos), .light_colour_i(light_colour),
+                .in_valid_i(ray_valid && e_take[e]), .in_ready_o(e_ready[e]),
+                .in_x_i(x), .in_y_i(y), .in_dir_i({dir[2*WD +: WD], ray_y, ray_x}),
+                .pix_valid_o(p_valid[e]), .pix_ready_i(p_take[e] && mux_ready),
+                .pix_x_o(p_data[PW*e +: 14]), .pix_y_o(p_data[PW*e+14 +: 14]),
+                .pix_colour_o(p_data[PW*e+28 +: 72]), .pix_id_o(p_data[PW*e+100 +: 24]),
+                .pix_visits_o(p_data[PW*e+124 +: 24]), .pix_key_o(p_data[PW*e+148 +: KW]),
+                .mem_req_valid_o(m_req_valid[2*e +: 2]),
+                .mem_req_ready_i(m_req_ready[2*e +: 2]),
+                .mem_req_line_o(m_req_line[52*e +: 52]),
+                .mem_rsp_valid_i(m_rsp_valid[2*e +: 2]),
+                .mem_rsp_ready_o(m_rsp_ready[2*e +: 2]),
+                .mem_rsp_data_i(m_rsp_data), .mem_rsp_error_i(m_rsp_error),
+                .count_rays_o(rays), .count_visit_o(visit), .count_tests_o(tests),
+                .count_leaf_o(leaf), .count_root_o(sqrt), .count_quotient_o(quotient),
+                .count_saturated_o(saturated), .count_issued_o(issued), .count_miss_o(miss),
+                .count_bubble_o(bubble), .errors_o(faults[4*e +: 4])
+            );
+            assign events[16*e +: 16] = {issued, bubble, miss, saturated, quotient, sqrt, leaf,
+                                         1'b0, tests, visit, rays};
+        end
+    endgenerate
+    rt_mem_arbiter #(.CLIENTS(2*ENGINES)) u_arbiter (
+        .clk(clk), .rst(rst),
+        .req_valid_i(m_req_valid), .req_ready_o(m_req_ready), .req_line_i(m_req_line),
+        .rsp_valid_o(m_rsp_valid), .rsp_ready_i(m_rsp_ready),
+        .rsp_data_o(m_rsp_data), .rsp_error_o(m_rsp_error),
+        .mem_req_valid_o(mem_req_valid_o), .mem_req_ready_i(mem_req_ready_i),
+        .mem_req_line_o(mem_req_line_o),
+        .mem_rsp_valid_i(mem_rsp_valid_i), .mem_rsp_ready_o(mem_rsp_ready_o),
+        .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i)
+    );
+
+    // ---- pixel port: engines first, then background ----
+    reg           mux_valid_q;
+    reg [PW-1:0]  mux_q, mux_next;
+    wire          mux_ready = !mux_valid_q || pix_ready_i;
+    assign p_take   = p_valid & (~p_valid + 1'b1);
+    assign bg_ready = mux_ready && p_valid == 0;
+    integer i;
+    always @* begin
+        mux_next = {{KW{1'b0}}, 24'd0, 24'hffffff, {3{background}}, y, x};
+        for (i = 0; i < ENGINES; i = i + 1)
+            if (p_take[i]) mux_next = p_data[PW*i +: PW];
+    end
+    always @(posedge clk) begin
+        if (mux_ready) begin
+            mux_valid_q <= bg_valid || p_valid != 0;
+            mux_q       <= mux_next;
+        end
+        if (rst) mux_valid_q <= 1'b0;
+    end
+    assign pix_valid_o = mux_valid_q;
+    assign {pix_key_o, pix_visits_o, pix_id_o, pix_colour_o, pix_y_o, pix_x_o} = mux_q;
+
+    // ---- counters: sums over the engines ----
+    reg [127:0] add;
+    reg [ENGINES-1:0] issued;
+    integer n;
+    always @* begin
+        add = 128'd0;
+        for (n = 0; n < ENGINES; n = n + 1) begin
+            issued[n] = events[16*n + 15];
+            add[8*`RT_COUNT_RAYS_PRIMARY   +: 8] = add[8*`RT_COUNT_RAYS_PRIMARY   +: 8] + {7'd0, events[16*n]};
+            add[8*`RT_COUNT_RAYS_SHADOW    +: 8] = add[8*`RT_COUNT_RAYS_SHADOW    +: 8] + {7'd0, events[16*n+1]};
+            add[8*`RT_COUNT_RAYS_REFLECTED +: 8] = add[8*`RT_COUNT_RAYS_REFLECTED +: 8] + {7'd0, events[16*n+2]};
+            add[8*`RT_COUNT_NODE_VISITS    +: 8] = add[8*`RT_COUNT_NODE_VISITS    +: 8] + {7'd0, events[16*n+3]};
+            add[8*`RT_COUNT_CHILD_TESTS    +: 8] = add[8*`RT_COUNT_CHILD_TESTS    +: 8] + {5'd0, events[16*n+4 +: 3]};
+            add[8*`RT_COUNT_LEAF_TESTS     +: 8] = add[8*`RT_COUNT_LEAF_TESTS     +: 8] + {7'd0, events[16*n+8]};
+            add[8*`RT_COUNT_ROOTS          +: 8] = add[8*`RT_COUNT_ROOTS          +: 8] + {7'd0, events[16*n+9]};
+            add[8*`RT_COUNT_QUOTIENTS      +: 8] = add[8*`RT_COUNT_QUOTIENTS      +: 8] + {7'd0, events[16*n+10]};
+            add[8*`RT_COUNT_SATURATIONS    +: 8] = add[8*`RT_COUNT_SATURATIONS    +: 8] + {7'd0, events[16*n+11]};
+            add[8*`RT_COUNT_NODE_MISSES    +: 8] = add[8*`RT_COUNT_NODE_MISSES    +: 8] + {7'd0, events[16*n+12]};
+            add[8*`RT_COUNT_LEAF_MISSES    +: 8] = add[8*`RT_COUNT_LEAF_MISSES    +: 8] + {7'd0, events[16*n+13]};
+            add[8*`RT_COUNT_POP_BUBBLES    +: 8] = add[8*`RT_COUNT_POP_BUBBLES    +: 8] + {7'd0, events[16*n+14]};
+        end
+        add[8*`RT_COUNT_BACKGROUND   +: 8] = {7'd0, bg_valid && bg_ready};
+        add[8*`RT_COUNT_CYCLES       +: 8] = {7'd0, busy_o};
+        add[8*`RT_COUNT_RAYS_WAITING +: 8] = {7'd0, ray_valid};
+        add[8*`RT_COUNT_ISSUE_WAIT   +: 8] = {7'd0, ray_valid && issued == 0};
+    end
+    rt_counters u_counters (
+        .clk(clk), .clear_i(go), .add_i(add), .addr_i(count_addr_i), .data_o(count_data_o)
+    );
+
+    // ---- sticky errors ----
+    reg [3:0] fault;
+    integer m;
+    always @* begin
+        fault = 4'd0;
+        for (m = 0; m < ENGINES; m = m + 1) fault = fault | faults[4*m +: 4];
+    end
+    always @(posedge clk) begin
+        if (start) errors_o <= 0;
+        if (fault[0]) errors_o[`RT_ERROR_BAD_NODE]       <= 1'b1;
+        if (fault[1]) errors_o[`RT_ERROR_STACK_OVERFLOW] <= 1'b1;
+        if (fault[2]) errors_o[`RT_ERROR_VISIT_LIMIT]    <= 1'b1;
+        if (fault[3]) errors_o[`RT_ERROR_BUS_ERROR]      <= 1'b1;
+        if (start && missing) errors_o[`RT_ERROR_MISSING_EFFECT] <= 1'b1;
+        if (start && foreign) errors_o[`RT_ERROR_WRONG_PROFILE]  <= 1'b1;
+        if (rst) errors_o <= 0;
+    end
+endmodule
+`default_nettype wire

@@ -1,0 +1,310 @@
+// rt_engine.v - a barrel of SLOTS rays: set-up, traversal, exact leaves, shading
+// SPDX-License-Identifier: Apache-2.0
+// One token per slot travels the ring drawn in docs/rtl_interfaces.md.
+// Model: sph_render_pixel() in cmodel/render_pixel.c, SLOTS pixels at once
+`default_nettype none
+module rt_engine #(
+    parameter W          = 16,   // coordinate, bits
+    parameter WD         = 17,   // direction component, bits
+    parameter PQ         = 17,   // significant bits of the quotient
+    parameter NG         = 2,    // guard bits of the normal
+    parameter FW         = 14,   // filter coordinate, bits
+    parameter SLOTS      = 64,   // rays in flight, power of two
+    parameter STACK      = 16,   // sibling groups waiting per ray, power of two
+    parameter SHADOW     = 1,    // effects elaborated
+    parameter REFLECT    = 1,
+    parameter NODE_LINES = 256,  // node cache
+    parameter LEAF_LINES = 128,  // leaf and primitive cache
+    parameter ROOTS      = 3,    // square root units
+    parameter QUOTIENTS  = 3     // dividers
+) (
+    input  wire              clk,
+    input  wire              rst,
+    input  wire              flush_i,         // forget the caches
+    output wire              busy_o,
+    // registers
+    input  wire              shadow_on_i,
+    input  wire              reflect_on_i,
+    input  wire [2:0]        max_depth_i,
+    input  wire [3:0]        n_lights_i,
+    input  wire [23:0]       background_i,
+    input  wire [47:0]       ambient_i,
+    input  wire [3*W-1:0]    eye_i,
+    input  wire [25:0]       root_i,
+    input  wire [25:0]       prim_base_i,
+    input  wire [25:0]       mem_lines_i,
+    input  wire [23:0]       visit_limit_i,
+    input  wire [8*3*W-1:0]  light_pos_i,
+    input  wire [8*48-1:0]   light_colour_i,
+    // from rt_walk
+    input  wire              in_valid_i,
+    output wire              in_ready_o,
+    input  wire [13:0]       in_x_i,
+    input  wire [13:0]       in_y_i,
+    input  wire [3*WD-1:0]   in_dir_i,
+    // finished pixels
+    output wire              pix_valid_o,
+    input  wire              pix_ready_i,
+    output wire [13:0]       pix_x_o,
+    output wire [13:0]       pix_y_o,
+    output wire [71:0]       pix_colour_o,
+    output wire [23:0]       pix_id_o,
+    output wire [W+WD+1:0]   pix_key_o,
+    output wire [23:0]       pix_visits_o,
+    // memory: nodes in bit 0, leaves and primitives in bit 1
+    output wire [1:0]        mem_req_valid_o,
+    input  wire [1:0]        mem_req_ready_i,
+    output wire [51:0]       mem_req_line_o,
+    input  wire [1:0]        mem_rsp_valid_i,
+    output wire [1:0]        mem_rsp_ready_o,
+    input  wire [255:0]      mem_rsp_data_i,
+    input  wire              mem_rsp_error_i,
+    // events of this cycle, for the counters
+    output wire [2:0]        count_rays_o,    // {reflected, shadow, primary}
+    output wire              count_visit_o,
+    output wire [2:0]        count_tests_o,
+    output wire              count_leaf_o,
+    output wire              count_root_o,
+    output wire              count_quotient_o,
+    output wire              count_saturated_o,
+    output wire              count_issued_o,
+    output wire [1:0]        count_miss_o,    // {leaf, node}
+    output wire              count_bubble_o,
+    output wire [3:0]        errors_o         // {bus, visit limit, stack, node}
+);
+    localparam SLOTW = $clog2(SLOTS);
+    localparam KW = W + WD + 2;
+
+    // ---- set-up ----
+    wire              primary_valid, primary_ready, bounce_valid, vec_valid;
+    wire [SLOTW-1:0]  primary_slot, bounce_slot, vec_slot;
+    wire [3*WD-1:0]   primary_vec, bounce_vec, vec;
+    wire              surface_valid, hit_valid, hit_far;
+    wire [SLOTW-1:0]  surface_slot, hit_slot;
+    wire [3*W-1:0]    surface_point;
+    wire [3*WD-1:0]   surface_normal;
+    wire [23:0]       hit_id;
+    wire [KW-1:0]     hit_key;
+    wire              ray_valid, ray_shadow, ray_negative;
+    wire [SLOTW-1:0]  ray_slot;
+    wire [3*W-1:0]    ray_org;
+    wire [3*WD-1:0]   ray_dir;
+    wire [2*WD-1:0]   ray_a;
+    wire [24:0]       ray_skip;
+    wire [3*FW-1:0]   ray_forg;
+    wire [53:0]       ray_unit;
+    wire [1:0]        ray_axis;
+    wire [16:0]       ray_scale;
+    wire [5:0]        ray_shift;
+    wire [FW:0]       ray_depth;
+    wire              go_valid, lamp_valid, lamp_lit, normal_valid, cosine_valid;
+    wire [SLOTW-1:0]  go_slot, lamp_slot, normal_slot, cosine_slot;
+    wire [1:0]        go_kind;
+    wire [3*WD-1:0]   normal_vec;
+    wire [2*WD-1:0]   normal_nn;
+    wire [15:0]       cosine;
+    rt_setup #(.W(W), .WD(WD), .FW(FW), .SHADOW(SHADOW), .SLOTS(SLOTS), .SLOTW(SLOTW)) u_setup (
+        .clk(clk), .rst(rst), .eye_i(eye_i), .shadow_on_i(shadow_on_i),
+        .normal_valid_i(surface_valid), .normal_slot_i(surface_slot),
+        .normal_vec_i(surface_normal),
+        .light_valid_i(vec_valid), .light_slot_i(vec_slot), .light_vec_i(vec),
+        .bounce_valid_i(bounce_valid), .bounce_slot_i(bounce_slot), .bounce_vec_i(bounce_vec),
+        .primary_valid_i(primary_valid), .primary_ready_o(primary_ready),
+        .primary_slot_i(primary_slot), .primary_vec_i(primary_vec),
+        .point_valid_i(surface_valid), .point_slot_i(surface_slot), .point_i(surface_point),
+        .skip_valid_i(hit_valid), .skip_slot_i(hit_slot), .skip_i({hit_far, hit_id}),
+        .ray_valid_o(ray_valid), .ray_slot_o(ray_slot), .ray_shadow_o(ray_shadow),
+        .ray_org_o(ray_org), .ray_dir_o(ray_dir), .ray_a_o(ray_a), .ray_skip_o(ray_skip),
+        .ray_forg_o(ray_forg), .ray_unit_o(ray_unit), .ray_axis_o(ray_axis),
+        .ray_negative_o(ray_negative), .ray_scale_o(ray_scale), .ray_shift_o(ray_shift),
+        .ray_depth_o(ray_depth),
+        .go_valid_o(go_valid), .go_slot_o(go_slot), .go_kind_o(go_kind),
+        .lamp_valid_o(lamp_valid), .lamp_slot_o(lamp_slot), .lamp_lit_o(lamp_lit),
+        .normal_valid_o(normal_valid), .normal_slot_o(normal_slot),
+        .normal_vec_o(normal_vec), .normal_nn_o(normal_nn),
+        .cosine_valid_o(cosine_valid), .cosine_slot_o(cosine_slot), .cosine_o(cosine)
+    );
+    assign count_rays_o = {go_valid && go_kind == 2'd2, go_valid && go_kind == 2'd1,
+                           go_valid && go_kind == 2'd0};
+
+    // ---- traversal ----
+    wire              issue_valid, found_valid, found_fresh, found_kill;
+    wire [SLOTW-1:0]  issue_slot, found_slot, filter_slot, visits_slot;
+    wire [25:0]       issue_line, found_base, found_line;
+    wire [FW:0]       filter_depth;
+    wire [2:0]        found_count;
+    wire [71:0]       found_list;
+    wire [3:0]        found_leaf;
+    wire [23:0]       visits;
+    wire              bad_node, visit_limit, node_error, leaf_error, overflow, bad_record;
+    rt_traverse #(.FW(FW), .SLOTS(SLOTS), .SLOTW(SLOTW), .LINES(NODE_LINES)) u_traverse (
+        .clk(clk), .rst(rst), .flush_i(flush_i),
+        .mem_lines_i(mem_lines_i), .root_i(root_i), .visit_limit_i(visit_limit_i),
+        .new_valid_i(ray_valid), .new_slot_i(ray_slot), .new_org_i(ray_forg),
+        .new_unit_i(ray_unit), .new_axis_i(ray_axis), .new_negative_i(ray_negative),
+        .go_valid_i(go_valid), .go_slot_i(go_slot), .go_primary_i(go_kind == 2'd0),
+        .next_valid_i(issue_valid), .next_slot_i(issue_slot), .next_line_i(issue_line),
+        .depth_slot_o(filter_slot), .depth_i(filter_depth),
+        .found_valid_o(found_valid), .found_slot_o(found_slot), .found_base_o(found_base),
+        .found_count_o(found_count), .found_list_o(found_list),
+        .found_fresh_o(found_fresh), .found_kill_o(found_kill),
+        .found_leaf_o(found_leaf), .found_line_o(found_line),
+        .visits_slot_i(visits_slot), .visits_o(visits),
+        .mem_req_valid_o(mem_req_valid_o[0]), .mem_req_ready_i(mem_req_ready_i[0]),
+        .mem_req_line_o(mem_req_line_o[25:0]),
+        .mem_rsp_valid_i(mem_rsp_valid_i[0]), .mem_rsp_ready_o(mem_rsp_ready_o[0]),
+        .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
+        .issued_o(count_issued_o), .visit_o(count_visit_o), .tests_o(count_tests_o),
+        .miss_o(count_miss_o[0]), .bad_node_o(bad_node), .visit_limit_o(visit_limit),
+        .bus_error_o(node_error)
+    );
+
+    // ---- exact leaves ----
+    wire              leaf_visit = found_valid && found_leaf != 4'd0;
+    wire [2:0]        leaf_count = {2'b0, found_leaf[0]} + {2'b0, found_leaf[1]} +
+                                   {2'b0, found_leaf[2]} + {2'b0, found_leaf[3]};
+    wire              result_valid, result_hit, result_far;
+    wire [SLOTW-1:0]  result_slot;
+    wire [23:0]       result_id;
+    wire [KW-1:0]     result_key;
+    wire              fetch_valid, fetch_ready, prim_valid, prim_ready;
+    wire [SLOTW-1:0]  fetch_slot, prim_slot;
+    wire [25:0]       fetch_line;
+    wire [255:0]      prim_data;
+    rt_leaf_unit #(.W(W), .WD(WD), .SLOTS(SLOTS), .SLOTW(SLOTW), .LINES(LEAF_LINES),
+                   .ROOTS(ROOTS)) u_leaves (
+        .clk(clk), .rst(rst), .flush_i(flush_i),
+        .ray_valid_i(ray_valid), .ray_slot_i(ray_slot), .ray_shadow_i(ray_shadow),
+        .ray_org_i(ray_org), .ray_dir_i(ray_dir), .ray_a_i(ray_a), .ray_skip_i(ray_skip),
+        .in_valid_i(leaf_visit), .in_slot_i(found_slot), .in_leaf_i(found_leaf),
+        .in_line_i(found_line),
+        .out_valid_o(result_valid), .out_slot_o(result_slot), .out_hit_o(result_hit),
+        .out_far_o(result_far), .out_id_o(result_id), .out_key_o(result_key),
+        .prim_valid_i(fetch_valid), .prim_ready_o(fetch_ready), .prim_slot_i(fetch_slot),
+        .prim_line_i(fetch_line),
+        .prim_valid_o(prim_valid), .prim_ready_i(prim_ready), .prim_slot_o(prim_slot),
+        .prim_data_o(prim_data),
+        .mem_req_valid_o(mem_req_valid_o[1]), .mem_req_ready_i(mem_req_ready_i[1]),
+        .mem_req_line_o(mem_req_line_o[51:26]),
+        .mem_rsp_valid_i(mem_rsp_valid_i[1]), .mem_rsp_ready_o(mem_rsp_ready_o[1]),
+        .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
+        .test_o(count_leaf_o), .root_o(count_root_o), .miss_o(count_miss_o[1]),
+        .bus_error_o(leaf_error)
+    );
+    wire              visit_valid, next_hit, next_shadow;
+    wire [SLOTW-1:0]  visit_slot, next_slot, done_slot;
+    wire [FW:0]       next_depth;
+    wire              done_valid, done_found, done_shadow, done_far;
+    wire [23:0]       done_id;
+    wire [KW-1:0]     done_key;
+    rt_collect #(.W(W), .WD(WD), .FW(FW), .SLOTS(SLOTS), .SLOTW(SLOTW)) u_collect (
+        .clk(clk), .rst(rst),
+        .want_valid_i(leaf_visit), .want_slot_i(found_slot), .want_count_i(leaf_count),
+        .new_valid_i(ray_valid), .new_slot_i(ray_slot), .new_scale_i(ray_scale),
+        .new_shift_i(ray_shift), .new_shadow_i(SHADOW != 0 && ray_shadow),
+        .new_depth_i(ray_depth),
+        .in_valid_i(result_valid), .in_slot_i(result_slot), .in_hit_i(result_hit),
+        .in_far_i(result_far), .in_id_i(result_id), .in_key_i(result_key),
+        .out_valid_o(visit_valid), .out_slot_o(visit_slot),
+        .filter_slot_i(filter_slot), .filter_depth_o(filter_depth),
+        .next_slot_i(next_slot), .next_depth_o(next_depth), .next_found_o(next_hit),
+        .next_shadow_o(next_shadow),
+        .done_slot_i(done_slot), .done_found_o(done_found), .done_shadow_o(done_shadow),
+        .done_far_o(done_far), .done_id_o(done_id), .done_key_o(done_key)
+    );
+
+    // ---- the next node: visits with leaves first, they waited longest ----
+    wire              leafy_valid, plain_valid, leafy_in, plain_in, next_ready;
+    wire [SLOTW-1:0]  leafy_slot, plain_slot;
+    rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_leafy (
+        .clk(clk), .rst(rst), .in_valid_i(visit_valid), .in_ready_o(leafy_in),
+        .in_data_i(visit_slot),
+        .out_valid_o(leafy_valid), .out_ready_i(next_ready), .out_data_o(leafy_slot)
+    );
+    rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_plain (
+        .clk(clk), .rst(rst), .in_valid_i(found_valid && found_leaf == 4'd0),
+        .in_ready_o(plain_in), .in_data_i(found_slot),
+        .out_valid_o(plain_valid), .out_ready_i(next_ready && !leafy_valid),
+        .out_data_o(plain_slot)
+    );
+    rt_next #(.FW(FW), .SLOTS(SLOTS), .SLOTW(SLOTW), .DEPTH(STACK)) u_next (
+        .clk(clk), .rst(rst),
+        .found_valid_i(found_valid), .found_slot_i(found_slot), .found_base_i(found_base),
+        .found_count_i(found_count), .found_list_i(found_list),
+        .found_fresh_i(found_fresh), .found_kill_i(found_kill),
+        .in_valid_i(leafy_valid || plain_valid), .in_ready_o(next_ready),
+        .in_slot_i(leafy_valid ? leafy_slot : plain_slot),
+        .slot_o(next_slot), .depth_i(next_depth), .hit_i(next_hit), .shadow_i(next_shadow),
+        .issue_valid_o(issue_valid), .issue_slot_o(issue_slot), .issue_line_o(issue_line),
+        .done_valid_o(done_valid), .done_slot_o(done_slot),
+        .bubble_o(count_bubble_o), .overflow_o(overflow)
+    );
+
+    // ---- shading ----
+    wire              material_valid;
+    wire [SLOTW-1:0]  material_slot;
+    wire [32:0]       material;
+    rt_surface #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .SLOTS(SLOTS), .SLOTW(SLOTW),
+                 .QUOTIENTS(QUOTIENTS)) u_surface (
+        .clk(clk), .rst(rst), .prim_base_i(prim_base_i),
+        .ray_valid_i(ray_valid && !ray_shadow), .ray_slot_i(ray_slot), .ray_org_i(ray_org),
+        .ray_dir_i(ray_dir), .ray_a_i(ray_a),
+        .in_valid_i(hit_valid), .in_slot_i(hit_slot), .in_far_i(hit_far), .in_id_i(hit_id),
+        .in_key_i(hit_key),
+        .prim_valid_o(fetch_valid), .prim_ready_i(fetch_ready), .prim_slot_o(fetch_slot),
+        .prim_line_o(fetch_line),
+        .prim_valid_i(prim_valid), .prim_ready_o(prim_ready), .prim_slot_i(prim_slot),
+        .prim_data_i(prim_data),
+        .material_valid_o(material_valid), .material_slot_o(material_slot),
+        .material_o(material),
+        .out_valid_o(surface_valid), .out_slot_o(surface_slot), .out_point_o(surface_point),
+        .out_normal_o(surface_normal),
+        .quotient_o(count_quotient_o), .saturated_o(count_saturated_o)
+    );
+    wire              shadow_valid, shadow_lit, sum_valid;
+    wire [SLOTW-1:0]  shadow_slot, sum_slot;
+    wire [50:0]       sum;
+    rt_lights #(.W(W), .WD(WD), .SLOTS(SLOTS), .SLOTW(SLOTW)) u_lights (
+        .clk(clk), .rst(rst), .n_lights_i(n_lights_i), .ambient_i(ambient_i),
+        .light_pos_i(light_pos_i), .light_colour_i(light_colour_i),
+        .point_valid_i(surface_valid), .point_slot_i(surface_slot), .point_i(surface_point),
+        .cosine_valid_i(cosine_valid), .cosine_slot_i(cosine_slot), .cosine_i(cosine),
+        .start_valid_i(normal_valid), .start_slot_i(normal_slot),
+        .lamp_valid_i(lamp_valid), .lamp_slot_i(lamp_slot), .lamp_lit_i(lamp_lit),
+        .shadow_valid_i(SHADOW != 0 && shadow_valid), .shadow_slot_i(shadow_slot),
+        .shadow_lit_i(shadow_lit),
+        .vec_valid_o(vec_valid), .vec_slot_o(vec_slot), .vec_o(vec),
+        .sum_valid_o(sum_valid), .sum_slot_o(sum_slot), .sum_o(sum)
+    );
+    rt_pixels #(.W(W), .WD(WD), .REFLECT(REFLECT), .SLOTS(SLOTS), .SLOTW(SLOTW)) u_pixels (
+        .clk(clk), .rst(rst), .busy_o(busy_o),
+        .reflect_on_i(reflect_on_i), .max_depth_i(max_depth_i), .background_i(background_i),
+        .prim_base_i(prim_base_i), .mem_lines_i(mem_lines_i),
+        .in_valid_i(in_valid_i), .in_ready_o(in_ready_o), .in_x_i(in_x_i), .in_y_i(in_y_i),
+        .in_dir_i(in_dir_i),
+        .primary_valid_o(primary_valid), .primary_ready_i(primary_ready),
+        .primary_slot_o(primary_slot), .primary_vec_o(primary_vec),
+        .bounce_valid_o(bounce_valid), .bounce_slot_o(bounce_slot), .bounce_vec_o(bounce_vec),
+        .ray_valid_i(ray_valid && !ray_shadow), .ray_slot_i(ray_slot), .ray_dir_i(ray_dir),
+        .normal_valid_i(normal_valid), .normal_slot_i(normal_slot),
+        .normal_vec_i(normal_vec), .normal_nn_i(normal_nn),
+        .done_valid_i(done_valid), .done_slot_i(done_slot), .done_found_i(done_found),
+        .done_shadow_i(done_shadow), .done_far_i(done_far), .done_id_i(done_id),
+        .done_key_i(done_key),
+        .shadow_valid_o(shadow_valid), .shadow_slot_o(shadow_slot),
+        .shadow_lit_o(shadow_lit),
+        .hit_valid_o(hit_valid), .hit_slot_o(hit_slot), .hit_far_o(hit_far),
+        .hit_id_o(hit_id), .hit_key_o(hit_key),
+        .material_valid_i(material_valid), .material_slot_i(material_slot),
+        .material_i(material),
+        .sum_valid_i(sum_valid), .sum_slot_i(sum_slot), .sum_i(sum),
+        .visits_slot_o(visits_slot), .visits_i(visits),
+        .pix_valid_o(pix_valid_o), .pix_ready_i(pix_ready_i),
+        .pix_x_o(pix_x_o), .pix_y_o(pix_y_o), .pix_colour_o(pix_colour_o),
+        .pix_id_o(pix_id_o), .pix_key_o(pix_key_o), .pix_visits_o(pix_visits_o),
+        .bad_node_o(bad_record)
+    );
+    assign errors_o = {node_error || leaf_error, visit_limit, overflow, bad_node || bad_record};
+    wire unused = &{1'b0, leafy_in, plain_in};
+endmodule
+`default_nettype wire

@@ -1,0 +1,81 @@
+// rt_registers.v - configuration registers of the core
+// SPDX-License-Identifier: Apache-2.0
+// Written one at a time while the core is idle; numbers and formats: machine.def.
+// Lights stand LIGHT_STRIDE registers apart and are packed for rt_lights.
+`default_nettype none
+`include "rt_layout.vh"
+module rt_registers #(
+    parameter W  = 16,  // coordinate, bits
+    parameter WD = 17   // direction component, bits
+) (
+    input  wire              clk,
+    input  wire              valid_i,
+    input  wire [6:0]        addr_i,
+    input  wire [31:0]       data_i,
+    output reg  [31:0]       effects_o,
+    output reg  [2:0]        max_depth_o,
+    output reg  [3:0]        n_lights_o,
+    output reg  [55:0]       window_o,        // {y1, x1, y0, x0}
+    output reg               rect_on_o,
+    output reg  [55:0]       rect_o,          // {y1, x1, y0, x0}
+    output reg  [23:0]       background_o,
+    output reg  [47:0]       ambient_o,       // {blue, green, red}
+    output reg  [3*W-1:0]    eye_o,           // {z, y, x}
+    output reg  [3*WD-1:0]   dir_o,           // {z, y of row 0, x of column 0}
+    output reg  [WD-1:0]     pitch_o,
+    output reg  [25:0]       root_o,
+    output reg  [25:0]       prim_base_o,
+    output reg  [25:0]       mem_lines_o,
+    output reg  [23:0]       visit_limit_o,
+    output reg  [31:0]       profile_o,
+    output reg  [8*3*W-1:0]  light_pos_o,     // light l: {z, y, x} at 3*W*l
+    output reg  [8*48-1:0]   light_colour_o   // light l: {blue, green, red} at 48*l
+);
+    wire [6:0] lamp  = addr_i - `RT_REG_LIGHT0_X;
+    wire [2:0] light = lamp[5:3];
+    always @(posedge clk)
+        if (valid_i && addr_i < `RT_REG_LIGHT0_X)
+            case (addr_i)
+                `RT_REG_EFFECTS:     effects_o       <= data_i;
+                `RT_REG_MAX_DEPTH:   max_depth_o     <= data_i[2:0];
+                `RT_REG_N_LIGHTS:    n_lights_o      <= data_i[3:0];
+                `RT_REG_WIN_X0:      window_o[13:0]  <= data_i[13:0];
+                `RT_REG_WIN_Y0:      window_o[27:14] <= data_i[13:0];
+                `RT_REG_WIN_X1:      window_o[41:28] <= data_i[13:0];
+                `RT_REG_WIN_Y1:      window_o[55:42] <= data_i[13:0];
+                `RT_REG_BG_MODE:     rect_on_o       <= data_i[0];
+                `RT_REG_RECT_X0:     rect_o[13:0]    <= data_i[13:0];
+                `RT_REG_RECT_Y0:     rect_o[27:14]   <= data_i[13:0];
+                `RT_REG_RECT_X1:     rect_o[41:28]   <= data_i[13:0];
+                `RT_REG_RECT_Y1:     rect_o[55:42]   <= data_i[13:0];
+                `RT_REG_BG_COLOUR:   background_o    <= data_i[23:0];
+                `RT_REG_AMBIENT_R:   ambient_o[15:0]  <= data_i[15:0];
+                `RT_REG_AMBIENT_G:   ambient_o[31:16] <= data_i[15:0];
+                `RT_REG_AMBIENT_B:   ambient_o[47:32] <= data_i[15:0];
+                `RT_REG_EYE_X:       eye_o[0 +: W]    <= data_i[W-1:0];
+                `RT_REG_EYE_Y:       eye_o[W +: W]    <= data_i[W-1:0];
+                `RT_REG_EYE_Z:       eye_o[2*W +: W]  <= data_i[W-1:0];
+                `RT_REG_DIR_X0:      dir_o[0 +: WD]   <= data_i[WD-1:0];
+                `RT_REG_DIR_Y0:      dir_o[WD +: WD]  <= data_i[WD-1:0];
+                `RT_REG_DIR_Z:       dir_o[2*WD +: WD] <= data_i[WD-1:0];
+                `RT_REG_PITCH:       pitch_o         <= data_i[WD-1:0];
+                `RT_REG_ROOT:        root_o          <= data_i[25:0];
+                `RT_REG_PRIM_BASE:   prim_base_o     <= data_i[25:0];
+                `RT_REG_MEM_LINES:   mem_lines_o     <= data_i[25:0];
+                `RT_REG_VISIT_LIMIT: visit_limit_o   <= data_i[23:0];
+                `RT_REG_PROFILE:     profile_o       <= data_i;
+                default: ;
+            endcase
+    always @(posedge clk)
+        if (valid_i && addr_i >= `RT_REG_LIGHT0_X && !lamp[6])
+            case (lamp[2:0])
+                3'd0: light_pos_o[3*W*light +: W]        <= data_i[W-1:0];
+                3'd1: light_pos_o[3*W*light + W +: W]    <= data_i[W-1:0];
+                3'd2: light_pos_o[3*W*light + 2*W +: W]  <= data_i[W-1:0];
+                3'd3: light_colour_o[48*light +: 16]      <= data_i[15:0];
+                3'd4: light_colour_o[48*light + 16 +: 16] <= data_i[15:0];
+                3'd5: light_colour_o[48*light + 32 +: 16] <= data_i[15:0];
+                default: ;
+            endcase
+endmodule
+`default_nettype wire

@@ -1,0 +1,212 @@
+// rt_leaf_unit.v - leaf children of a visit: fetched, tested exactly, rooted
+// SPDX-License-Identifier: Apache-2.0
+// Takes the leaf children that a visit left, reads their records through the leaf cache, tests them
+// against the slot's ray, takes the root of a hit, and hands every result to rt_collect. The same
+// cache serves the primitive records of rt_surface. At most HOLD candidates are under way behind
+// the cache, so the queues in front of rt_collect cannot overflow.
+// Model: leaf_visit() in cmodel/trace/traverse.c
+`default_nettype none
+`include "rt_layout.vh"
+module rt_leaf_unit #(
+    parameter W     = 16,   // coordinate, bits
+    parameter WD    = 17,   // direction component, bits
+    parameter SLOTS = 32,   // power of two
+    parameter SLOTW = 5,    // log2 of SLOTS
+    parameter LINES = 64,   // leaf cache, lines
+    parameter ROOTS = 3     // square root units
+) (
+    input  wire              clk,
+    input  wire              rst,
+    input  wire              flush_i,       // forget the leaf cache
+    // from rt_setup: the rays
+    input  wire              ray_valid_i,
+    input  wire [SLOTW-1:0]  ray_slot_i,
+    input  wire              ray_shadow_i,
+    input  wire [3*W-1:0]    ray_org_i,
+    input  wire [3*WD-1:0]   ray_dir_i,
+    input  wire [2*WD-1:0]   ray_a_i,
+    input  wire [24:0]       ray_skip_i,    // {inside, id}
+    // from rt_traverse: leaf children to test
+    input  wire              in_valid_i,
+    input  wire [SLOTW-1:0]  in_slot_i,
+    input  wire [3:0]        in_leaf_i,     // bit j: leaf child j, not all 0
+    input  wire [25:0]       in_line_i,     // line of leaf child 0
+    // to rt_collect
+    output wire              out_valid_o,
+    output wire [SLOTW-1:0]  out_slot_o,
+    output wire              out_hit_o,
+    output wire              out_far_o,
+    output wire [23:0]       out_id_o,
+    output wire [W+WD+1:0]   out_key_o,
+    // from and to rt_surface: primitive records
+    input  wire              prim_valid_i,
+    output wire              prim_ready_o,
+    input  wire [SLOTW-1:0]  prim_slot_i,
+    input  wire [25:0]       prim_line_i,
+    output wire              prim_valid_o,
+    input  wire              prim_ready_i,
+    output wire [SLOTW-1:0]  prim_slot_o,
+    output wire [255:0]      prim_data_o,
+    // memory
+    output wire              mem_req_valid_o,
+    input  wire              mem_req_ready_i,
+    output wire [25:0]       mem_req_line_o,
+    input  wire              mem_rsp_valid_i,
+    output wire              mem_rsp_ready_o,
+    input  wire [255:0]      mem_rsp_data_i,
+    input  wire              mem_rsp_error_i,
+    // counters and errors
+    output wire              test_o,        // a leaf test
+    output wire              root_o,        // a square root
+    output wire              miss_o,
+    output wire              bus_error_o
+);
+    localparam KW   = W + WD + 2;
+    localparam XW   = 2*W + 2*WD;
+    localparam HOLD = 16;
+
+    // ---- one candidate after the other ----
+    localparam QW = SLOTW + 4 + 26;
+    wire          q_valid, q_in_ready;
+    wire [QW-1:0] q;
+    reg [3:0]     todo_q;                            // left of the visit at the head
+    reg           open_q;                            // todo_q is in use
+    wire [3:0]    todo = open_q ? todo_q : q[29:26];
+    wire [1:0]    pick = todo[0] ? 2'd0 : todo[1] ? 2'd1 : todo[2] ? 2'd2 : 2'd3;
+    wire [3:0]    rest = todo & (todo - 4'd1);
+    wire          req_ready;
+    wire          take = q_valid && req_ready && !prim_valid_i;
+    rt_fifo #(.WIDTH(QW), .DEPTH(SLOTS)) u_queue (
+        .clk(clk), .rst(rst), .in_valid_i(in_valid_i), .in_ready_o(q_in_ready),
+        .in_data_i({in_slot_i, in_leaf_i, in_line_i}),
+        .out_valid_o(q_valid), .out_ready_i(take && rest == 4'd0), .out_data_o(q)
+    );
+    always @(posedge clk) begin
+        if (take) begin
+            todo_q <= rest;
+            open_q <= rest != 4'd0;
+        end
+        if (rst) open_q <= 1'b0;
+    end
+
+    // ---- leaf cache, shared with primitive records ----
+    localparam TAG = SLOTW + 2;                      // {slot, half, is prim}
+    wire             c_valid, c_ready, c_half, c_prim, c_error;
+    wire [SLOTW-1:0] c_slot;
+    wire [255:0]     c_data;
+    assign prim_ready_o = req_ready;
+    rt_cache #(.TAG(TAG), .LINES(LINES), .PENDING(SLOTS)) u_cache (
+        .clk(clk), .rst(rst), .flush_i(flush_i),
+        .req_valid_i(prim_valid_i || q_valid), .req_ready_o(req_ready),
+        .req_line_i(prim_valid_i ? prim_line_i : q[25:0] + {25'd0, pick[1]}),
+        .req_tag_i(prim_valid_i ? {prim_slot_i, 1'b0, 1'b1}
+                                : {q[QW-1 -: SLOTW], pick[0], 1'b0}),
+        .rsp_valid_o(c_valid), .rsp_ready_i(c_ready), .rsp_data_o(c_data),
+        .rsp_tag_o({c_slot, c_half, c_prim}), .rsp_error_o(c_error),
+        .mem_req_valid_o(mem_req_valid_o), .mem_req_ready_i(mem_req_ready_i),
+        .mem_req_line_o(mem_req_line_o),
+        .mem_rsp_valid_i(mem_rsp_valid_i), .mem_rsp_ready_o(mem_rsp_ready_o),
+        .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
+        .miss_o(miss_o)
+    );
+    assign prim_valid_o = c_valid && c_prim;
+    assign prim_slot_o  = c_slot;
+    assign prim_data_o  = c_data;
+    assign bus_error_o  = c_valid && c_ready && c_error;
+
+    // ---- record and ray side by side ----
+    reg              l_valid_q, l_error_q;
+    reg [SLOTW-1:0]  l_slot_q;
+    reg [127:0]      l_leaf_q;
+    wire             leaf_ready, credit;
+    wire             l_taken = l_valid_q && leaf_ready && credit;
+    wire             l_load  = c_valid && !c_prim && (!l_valid_q || l_taken);
+    assign c_ready = c_prim ? prim_ready_i : !l_valid_q || l_taken;
+    wire             l_shadow, l_inside;
+    wire [23:0]      l_skip;
+    wire [2*WD-1:0]  l_a;
+    wire [3*WD-1:0]  l_dir;
+    wire [3*W-1:0]   l_org;
+    rt_slot_ram #(.WIDTH(3*W+5*WD+26), .SLOTS(SLOTS)) u_ray (
+        .clk(clk), .wr_en_i(ray_valid_i), .wr_addr_i(ray_slot_i),
+        .wr_data_i({ray_shadow_i, ray_skip_i, ray_a_i, ray_dir_i, ray_org_i}),
+        .rd_en_i(l_load), .rd_addr_i(c_slot),
+        .rd_data_o({l_shadow, l_inside, l_skip, l_a, l_dir, l_org})
+    );
+    always @(posedge clk) begin
+        if (l_load) begin
+            l_slot_q  <= c_slot;
+            l_leaf_q  <= c_half ? c_data[255:128] : c_data[127:0];
+            l_error_q <= c_error;
+        end
+        if (l_load || l_taken) l_valid_q <= l_load;
+        if (rst) l_valid_q <= 1'b0;
+    end
+    assign test_o = l_taken;
+
+    // ---- exact test ----
+    wire             x_valid, x_hit, x_far, x_exit, x_shadow, x_error;
+    wire [SLOTW-1:0] x_slot;
+    wire [23:0]      x_id;
+    wire [XW-1:0]    x_disc;
+    wire signed [KW-1:0] x_b;
+    rt_leaf #(.W(W), .WD(WD), .TAG(SLOTW+2)) u_leaf (
+        .clk(clk), .rst(rst), .in_valid_i(l_valid_q && credit), .in_ready_o(leaf_ready),
+        .in_tag_i({l_slot_q, l_shadow, l_error_q}),
+        .in_ctr_x_i($signed(l_leaf_q[`RT_LEAF_CTR_X_LSB +: W])),
+        .in_ctr_y_i($signed(l_leaf_q[`RT_LEAF_CTR_Y_LSB +: W])),
+        .in_ctr_z_i($signed(l_leaf_q[`RT_LEAF_CTR_Z_LSB +: W])),
+        .in_rad_i(l_leaf_q[`RT_LEAF_RAD_LSB +: W]), .in_id_i(l_leaf_q[`RT_LEAF_ID_LSB +: 24]),
+        .in_org_x_i($signed(l_org[0 +: W])), .in_org_y_i($signed(l_org[W +: W])),
+        .in_org_z_i($signed(l_org[2*W +: W])),
+        .in_dir_x_i($signed(l_dir[0 +: WD])), .in_dir_y_i($signed(l_dir[WD +: WD])),
+        .in_dir_z_i($signed(l_dir[2*WD +: WD])), .in_a_i(l_a),
+        .in_shadow_i(l_shadow), .in_skip_id_i(l_skip), .in_skip_inside_i(l_inside),
+        .out_valid_o(x_valid), .out_tag_o({x_slot, x_shadow, x_error}), .out_id_o(x_id),
+        .out_hit_o(x_hit), .out_far_o(x_far), .out_exit_o(x_exit),
+        .out_disc_o(x_disc), .out_b_o(x_b)
+    );
+
+    // ---- results with and without a root ----
+    wire hit  = x_hit && !x_error;
+    wire root = hit && !x_shadow && !x_exit;
+    localparam RW = SLOTW + 25;                      // {slot, id, far}
+    wire               r_valid, r_ready, d_valid, r_in, d_in, p_valid, p_far;
+    wire [RW+XW+KW-1:0] r;
+    wire [RW:0]        d;
+    wire [RW-2:0]      p_tag;
+    wire [KW-1:0]      p_key;
+    rt_fifo #(.WIDTH(RW+XW+KW), .DEPTH(HOLD)) u_roots (
+        .clk(clk), .rst(rst), .in_valid_i(x_valid && root), .in_ready_o(r_in),
+        .in_data_i({x_slot, x_id, x_far, x_disc, x_b}),
+        .out_valid_o(r_valid), .out_ready_i(r_ready), .out_data_o(r)
+    );
+    rt_fifo #(.WIDTH(RW+1), .DEPTH(HOLD)) u_direct (
+        .clk(clk), .rst(rst), .in_valid_i(x_valid && !root), .in_ready_o(d_in),
+        .in_data_i({x_slot, x_id, x_far, hit}),
+        .out_valid_o(d_valid), .out_ready_i(!p_valid), .out_data_o(d)
+    );
+    rt_root_pool #(.W(W), .WD(WD), .UNITS(ROOTS), .TAG(RW-1)) u_pool (
+        .clk(clk), .rst(rst),
+        .in_valid_i(r_valid), .in_ready_o(r_ready), .in_tag_i(r[RW+XW+KW-1 -: RW-1]),
+        .in_far_i(r[XW+KW]), .in_disc_i(r[KW +: XW]), .in_b_i($signed(r[KW-1:0])),
+        .out_valid_o(p_valid), .out_ready_i(1'b1), .out_tag_o(p_tag), .out_far_o(p_far),
+        .out_key_o(p_key)
+    );
+    assign root_o = r_valid && r_ready;
+    reg [4:0] held_q;                                // candidates behind the credit
+    wire      left = (r_valid && r_ready) || (d_valid && !p_valid);
+    wire      both = (r_valid && r_ready) && (d_valid && !p_valid);
+    assign credit = held_q < HOLD - 1;
+    always @(posedge clk) begin
+        held_q <= held_q + {4'd0, l_taken} - {4'd0, left} - {4'd0, both};
+        if (rst) held_q <= 5'd0;
+    end
+    assign out_valid_o = p_valid || d_valid;
+    assign {out_slot_o, out_id_o} = p_valid ? p_tag : d[RW:2];
+    assign out_far_o = p_valid ? p_far : d[1];
+    assign out_hit_o = p_valid || d[0];
+    assign out_key_o = p_valid ? p_key : {{(KW-1){1'b0}}, 1'b1};
+    wire unused = &{1'b0, q_in_ready, r_in, d_in, l_leaf_q};
+endmodule
+`default_nettype wire

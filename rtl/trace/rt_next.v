@@ -1,0 +1,157 @@
+// rt_next.v - after a visit: push, prune, pop, and the node to visit next
+// SPDX-License-Identifier: Apache-2.0
+// A group = {smallest near depth of all groups below it, base, count, list} of siblings still to
+// visit, near first. The current group stands in a slot file, the others in the stack: one push or
+// one pop a visit, so one write and one read port serve. A group whose nearest child lies deeper
+// than the ray's limit is dropped whole, and so is the stack when its smallest near depth does.
+// Two stages, one token a cycle; a pruned top of stack costs one more pass (out_bubble_o).
+// Model: the end of the loop in sph_traverse(), cmodel/trace/traverse.c
+`default_nettype none
+module rt_next #(
+    parameter FW    = 14,   // filter coordinate, bits
+    parameter SLOTS = 32,   // power of two
+    parameter SLOTW = 5,    // log2 of SLOTS
+    parameter DEPTH = 16    // stack entries a slot, power of two
+) (
+    input  wire             clk,
+    input  wire             rst,
+    // from rt_traverse: what the visit found, written before its token arrives
+    input  wire             found_valid_i,
+    input  wire [SLOTW-1:0] found_slot_i,
+    input  wire [25:0]      found_base_i,
+    input  wire [2:0]       found_count_i,
+    input  wire [71:0]      found_list_i,   // 4 x {near s16, child u2}
+    input  wire             found_fresh_i,  // first visit of the ray
+    input  wire             found_kill_i,   // an error ends the ray
+    // tokens
+    input  wire             in_valid_i,
+    output wire             in_ready_o,
+    input  wire [SLOTW-1:0] in_slot_i,
+    // from rt_collect, for the slot in stage 0
+    output wire [SLOTW-1:0] slot_o,
+    input  wire [FW:0]      depth_i,        // what lies deeper does not matter
+    input  wire             hit_i,          // the ray has a hit
+    input  wire             shadow_i,
+    // to rt_traverse: visit this node
+    output reg              issue_valid_o,
+    output reg [SLOTW-1:0]  issue_slot_o,
+    output reg [25:0]       issue_line_o,
+    // the ray is done
+    output reg              done_valid_o,
+    output reg [SLOTW-1:0]  done_slot_o,
+    output reg              bubble_o,       // counts passes for a pruned top of stack
+    output reg              overflow_o      // the stack was full: the ray ends
+);
+    localparam DEPTHW = $clog2(DEPTH);
+    localparam signed [15:0] FAR = 16'sh7fff;
+    localparam CW = 26 + 3 + 72;            // current group: {base, count, list}
+    localparam EW = 16 + 26 + 2 + 54;       // stack entry: {below, base, count, 3 children}
+
+    // ---- stage 0: read everything about the slot ----
+    reg              again_q;               // stage 1 sent its token round once more
+    reg [SLOTW-1:0]  again_slot_q, s1_slot_q;
+    assign in_ready_o = !again_q;
+    wire             s0_valid = again_q || in_valid_i;
+    wire [SLOTW-1:0] s0_slot  = again_q ? again_slot_q : in_slot_i;
+    assign slot_o = s0_slot;
+
+    wire [CW+1:0]    s0_found;
+    rt_slot_file #(.WIDTH(CW+2), .SLOTS(SLOTS)) u_found (
+        .clk(clk), .wr_en_i(found_valid_i), .wr_addr_i(found_slot_i),
+        .wr_data_i({found_kill_i, found_fresh_i, found_base_i, found_count_i, found_list_i}),
+        .rd_addr_i(s0_slot), .rd_data_o(s0_found)
+    );
+    wire             keep;                  // write the slot's new state
+    wire [CW-1:0]    s0_cur, cur_next;
+    rt_slot_file #(.WIDTH(CW), .SLOTS(SLOTS)) u_current (
+        .clk(clk), .wr_en_i(keep), .wr_addr_i(s1_slot_q), .wr_data_i(cur_next),
+        .rd_addr_i(s0_slot), .rd_data_o(s0_cur)
+    );
+    wire [DEPTHW+16:0] s0_stack, stack_next; // {smallest near, entries}
+    rt_slot_file #(.WIDTH(DEPTHW+17), .SLOTS(SLOTS)) u_pointer (
+        .clk(clk), .wr_en_i(keep), .wr_addr_i(s1_slot_q), .wr_data_i(stack_next),
+        .rd_addr_i(s0_slot), .rd_data_o(s0_stack)
+    );
+    wire             push;
+    wire [EW-1:0]    push_data, s1_top;
+    wire [DEPTHW-1:0] push_at;
+    wire [DEPTHW-1:0] s0_top_at = s0_stack[DEPTHW-1:0] - 1'b1;
+    rt_slot_ram #(.WIDTH(EW), .SLOTS(SLOTS*DEPTH)) u_stack (
+        .clk(clk), .wr_en_i(push), .wr_addr_i({s1_slot_q, push_at}), .wr_data_i(push_data),
+        .rd_en_i(1'b1), .rd_addr_i({s0_slot, s0_top_at}), .rd_data_o(s1_top)
+    );
+
+    // ---- stage 1: decide ----
+    reg              s1_valid_q, s1_again_q, s1_kill_q, s1_fresh_q, s1_hit_q, s1_shadow_q;
+    reg [CW-1:0]     s1_found_q, s1_cur_q;
+    reg [DEPTHW:0]   s1_sp_q;
+    reg signed [15:0] s1_least_q;
+    reg signed [15:0] s1_depth_q;
+    wire [2:0]  f_count = s1_again_q ? 3'd0 : s1_found_q[74:72];
+    wire [2:0]  c_count = s1_fresh_q || s1_again_q ? 3'd0 : s1_cur_q[74:72];
+    wire [DEPTHW:0] sp  = s1_fresh_q ? {(DEPTHW+1){1'b0}} : s1_sp_q;
+    wire signed [15:0] least = s1_fresh_q ? FAR : s1_least_q;
+    wire signed [15:0] depth = s1_depth_q;
+    wire signed [15:0] f_near = $signed(s1_found_q[17:2]);
+    wire signed [15:0] c_near = $signed(s1_cur_q[17:2]);
+    wire signed [15:0] t_near = $signed(s1_top[17:2]);
+    wire signed [15:0] t_below = $signed(s1_top[EW-1 -: 16]);
+    wire f_ok  = f_count != 3'd0 && f_near <= depth;
+    wire c_ok  = c_count != 3'd0 && c_near <= depth;
+    wire t_any = sp != 0 && least <= depth;       // the stack holds something to visit
+    wire t_ok  = t_near <= depth;
+    wire ended = s1_kill_q || (s1_shadow_q && s1_hit_q);
+
+    wire use_f = f_ok;
+    wire use_c = !f_ok && c_ok;
+    wire use_t = !f_ok && !c_ok && t_any;
+    wire full  = sp[DEPTHW];
+    wire want_push = use_f && c_count != 3'd0;
+    assign push      = s1_valid_q && !ended && want_push && !full;
+    assign push_at   = sp[DEPTHW-1:0];
+    assign push_data = {least, s1_cur_q[100:75], c_count[1:0], s1_cur_q[53:0]};
+
+    wire [25:0] base  = use_f ? s1_found_q[100:75] : use_c ? s1_cur_q[100:75] : s1_top[81:56];
+    wire [2:0]  count = use_f ? f_count : use_c ? c_count : {1'b0, s1_top[55:54]};
+    wire [71:0] list  = use_f ? s1_found_q[71:0] : use_c ? s1_cur_q[71:0] : {18'd0, s1_top[53:0]};
+    assign cur_next   = {base, count - 3'd1, 18'd0, list[71:18]};
+    wire [DEPTHW:0] sp_next = want_push ? sp + 1'b1 : use_t ? sp - 1'b1 : sp;
+    wire signed [15:0] least_next = want_push ? (c_near < least ? c_near : least)
+                                    : use_t ? t_below : least;
+    assign stack_next = {least_next, sp_next};
+    wire go    = s1_valid_q && !ended && (use_f || use_c || (use_t && t_ok)) &&
+                 !(want_push && full);
+    wire again = s1_valid_q && !ended && use_t && !t_ok;
+    assign keep = go || again;
+
+    wire unused = &{1'b0, list[17:2]};
+
+    always @(posedge clk) begin
+        s1_valid_q  <= s0_valid;
+        s1_again_q  <= again_q;
+        s1_slot_q   <= s0_slot;
+        s1_kill_q   <= s0_found[CW+1];
+        s1_fresh_q  <= s0_found[CW] && !again_q;
+        s1_found_q  <= s0_found[CW-1:0];
+        s1_cur_q    <= s0_cur;
+        {s1_least_q, s1_sp_q} <= s0_stack;
+        s1_depth_q  <= {{(15-FW){1'b0}}, depth_i};
+        s1_hit_q    <= hit_i;
+        s1_shadow_q <= shadow_i;
+        again_q     <= again;
+        again_slot_q <= s1_slot_q;
+
+        issue_valid_o <= go;
+        issue_slot_o  <= s1_slot_q;
+        issue_line_o  <= base + {24'd0, list[1:0]};
+        done_valid_o  <= s1_valid_q && !go && !again;
+        done_slot_o   <= s1_slot_q;
+        bubble_o      <= again;
+        overflow_o    <= s1_valid_q && !ended && want_push && full;
+        if (rst) begin
+            s1_valid_q <= 1'b0; again_q <= 1'b0; issue_valid_o <= 1'b0; done_valid_o <= 1'b0;
+            bubble_o <= 1'b0; overflow_o <= 1'b0;
+        end
+    end
+endmodule
+`default_nettype wire

@@ -1,0 +1,231 @@
+// rt_traverse.v - one node of four children a cycle: issue, node cache, filters, sort
+// SPDX-License-Identifier: Apache-2.0
+// A token brings a slot and the line of a node. It leaves towards rt_leaf_queue if the filters
+// leave leaf children, else towards rt_next. Free-running behind the cache.
+// Borodavka et al. IV. Model: the loop body of sph_traverse(), cmodel/trace/traverse.c
+`default_nettype none
+`include "rt_latency.vh"
+module rt_traverse #(
+    parameter FW    = 14,   // filter coordinate, bits
+    parameter SLOTS = 32,   // power of two
+    parameter SLOTW = 5,    // log2 of SLOTS
+    parameter LINES = 256   // node cache, lines
+) (
+    input  wire              clk,
+    input  wire              rst,
+    input  wire              flush_i,        // forget the node cache
+    input  wire [25:0]       mem_lines_i,    // registers
+    input  wire [25:0]       root_i,
+    input  wire [23:0]       visit_limit_i,
+    // from rt_setup: a new ray, then its token
+    input  wire              new_valid_i,
+    input  wire [SLOTW-1:0]  new_slot_i,
+    input  wire [3*FW-1:0]   new_org_i,      // {z, y, x} sFW filter units
+    input  wire [53:0]       new_unit_i,     // {z, y, x} s1.16
+    input  wire [1:0]        new_axis_i,     // of the largest component of unit
+    input  wire              new_negative_i, // its sign
+    input  wire              go_valid_i,
+    input  wire [SLOTW-1:0]  go_slot_i,
+    input  wire              go_primary_i,   // the pixel's visits start at 0
+    // from rt_next: the next node of a ray
+    input  wire              next_valid_i,
+    input  wire [SLOTW-1:0]  next_slot_i,
+    input  wire [25:0]       next_line_i,
+    // from rt_collect
+    output wire [SLOTW-1:0]  depth_slot_o,
+    input  wire [FW:0]       depth_i,        // what lies deeper does not matter
+    // to rt_next: result of a visit
+    output reg               found_valid_o,
+    output reg [SLOTW-1:0]   found_slot_o,
+    output reg [25:0]        found_base_o,
+    output wire [2:0]        found_count_o,
+    output wire [71:0]       found_list_o,
+    output reg               found_fresh_o,
+    output reg               found_kill_o,
+    // to rt_leaf_queue: leaf children that pass (with found_valid_o)
+    output reg [3:0]         found_leaf_o,   // bit j: leaf child j
+    output reg [25:0]        found_line_o,   // line of leaf child 0
+    // visits of a pixel
+    input  wire [SLOTW-1:0]  visits_slot_i,
+    output wire [23:0]       visits_o,
+    // memory
+    output wire              mem_req_valid_o,
+    input  wire              mem_req_ready_i,
+    output wire [25:0]       mem_req_line_o,
+    input  wire              mem_rsp_valid_i,
+    output wire              mem_rsp_ready_o,
+    input  wire [255:0]      mem_rsp_data_i,
+    input  wire              mem_rsp_error_i,
+    // counters and errors
+    output wire              issued_o,       // a token entered the cache
+    output reg               visit_o,        // a node visit
+    output reg [2:0]         tests_o,        // child tests
+    output wire              miss_o,
+    output reg               bad_node_o,
+    output reg               visit_limit_o,
+    output reg               bus_error_o
+);
+    localparam LAT = `RT_FILTER_LATENCY;
+
+    // ---- queues of tokens: rays under way first, then new ones ----
+    wire             q_next_valid, q_new_valid;
+    wire [SLOTW+25:0] q_next;
+    wire [SLOTW:0]   q_new;
+    wire             req_ready;
+    wire             next_in_ready, new_in_ready;
+    rt_fifo #(.WIDTH(SLOTW+26), .DEPTH(SLOTS)) u_next_queue (
+        .clk(clk), .rst(rst), .in_valid_i(next_valid_i), .in_ready_o(next_in_ready),
+        .in_data_i({next_slot_i, next_line_i}),
+        .out_valid_o(q_next_valid), .out_ready_i(req_ready), .out_data_o(q_next)
+    );
+    rt_fifo #(.WIDTH(SLOTW+1), .DEPTH(SLOTS)) u_new_queue (
+        .clk(clk), .rst(rst), .in_valid_i(go_valid_i), .in_ready_o(new_in_ready),
+        .in_data_i({go_slot_i, go_primary_i}),
+        .out_valid_o(q_new_valid), .out_ready_i(req_ready && !q_next_valid), .out_data_o(q_new)
+    );
+    wire             t1_negative;
+    wire [1:0]       t1_axis;
+    wire [53:0]      t1_unit;
+    wire [3*FW-1:0]  t1_org;
+    wire [SLOTW-1:0] rsp_slot;
+    rt_slot_ram #(.WIDTH(3*FW+57), .SLOTS(SLOTS)) u_ray (
+        .clk(clk), .wr_en_i(new_valid_i), .wr_addr_i(new_slot_i),
+        .wr_data_i({new_negative_i, new_axis_i, new_unit_i, new_org_i}),
+        .rd_en_i(1'b1), .rd_addr_i(rsp_slot), .rd_data_o({t1_negative, t1_axis, t1_unit, t1_org})
+    );
+
+    // ---- issue: count the visit, refuse bad addresses ----
+    wire             req_valid = q_next_valid || q_new_valid;
+    wire             req_fresh = !q_next_valid;
+    wire [SLOTW-1:0] req_slot  = q_next_valid ? q_next[26 +: SLOTW] : q_new[1 +: SLOTW];
+    wire [25:0]      req_line  = q_next_valid ? q_next[25:0] : root_i;
+    wire             issue     = req_valid && req_ready;
+    wire [23:0]      ray_visits, pixel_visits;
+    wire [23:0]      ray_before   = req_fresh ? 24'd0 : ray_visits;
+    wire [23:0]      pixel_before = req_fresh && q_new[0] ? 24'd0 : pixel_visits;
+    wire             bad_line = req_line >= mem_lines_i;
+    wire             bad_limit = ray_before == visit_limit_i;
+    wire             req_kill = bad_line || bad_limit;
+    rt_slot_file #(.WIDTH(48), .SLOTS(SLOTS)) u_visits (
+        .clk(clk), .wr_en_i(issue), .wr_addr_i(req_slot),
+        .wr_data_i({ray_before + {23'd0, !req_kill}, pixel_before + {23'd0, !req_kill}}),
+        .rd_addr_i(req_slot), .rd_data_o({ray_visits, pixel_visits})
+    );
+    rt_slot_file #(.WIDTH(24), .SLOTS(SLOTS)) u_visits_out (
+        .clk(clk), .wr_en_i(issue), .wr_addr_i(req_slot),
+        .wr_data_i(pixel_before + {23'd0, !req_kill}),
+        .rd_addr_i(visits_slot_i), .rd_data_o(visits_o)
+    );
+    assign issued_o = issue;
+
+    // ---- node cache; a killed token fetches line 0 and is thrown away behind it ----
+    localparam TAG = SLOTW + 2;
+    wire             rsp_valid, rsp_fresh, rsp_kill, rsp_error;
+    wire [255:0]     rsp_data;
+    rt_cache #(.TAG(TAG), .LINES(LINES), .PENDING(SLOTS)) u_cache (
+        .clk(clk), .rst(rst), .flush_i(flush_i),
+        .req_valid_i(req_valid), .req_ready_o(req_ready),
+        .req_line_i(req_kill ? 26'd0 : req_line), .req_tag_i({req_slot, req_fresh, req_kill}),
+        .rsp_valid_o(rsp_valid), .rsp_ready_i(1'b1), .rsp_data_o(rsp_data),
+        .rsp_tag_o({rsp_slot, rsp_fresh, rsp_kill}), .rsp_error_o(rsp_error),
+        .mem_req_valid_o(mem_req_valid_o), .mem_req_ready_i(mem_req_ready_i),
+        .mem_req_line_o(mem_req_line_o),
+        .mem_rsp_valid_i(mem_rsp_valid_i), .mem_rsp_ready_o(mem_rsp_ready_o),
+        .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
+        .miss_o(miss_o)
+    );
+
+    // ---- t1: node and ray side by side ----
+    reg              t1_valid_q, t1_fresh_q, t1_kill_q;
+    reg [SLOTW-1:0]  t1_slot_q;
+    reg [255:0]      t1_node_q;
+    assign depth_slot_o = t1_slot_q;
+    wire [25:0] t1_base    = t1_node_q[`RT_NODE_BASE_LSB +: 26];
+    wire [2:0]  t1_n_inner = t1_node_q[`RT_NODE_N_INNER_LSB +: 3];
+    wire [2:0]  t1_n_leaf  = t1_node_q[`RT_NODE_N_LEAF_LSB +: 3];
+    wire [3:0]  t1_count   = {1'b0, t1_n_inner} + {1'b0, t1_n_leaf};
+    wire [26:0] t1_end     = {1'b0, t1_base} + {24'd0, t1_n_inner} +
+                             {24'd0, t1_n_leaf[2:1]} + {26'd0, t1_n_leaf[0]};
+    wire        t1_bad     = t1_count > 4'd4 || t1_end > {1'b0, mem_lines_i};
+    wire        t1_live    = t1_valid_q && !t1_kill_q;
+    always @(posedge clk) begin
+        t1_valid_q <= rsp_valid;
+        t1_slot_q  <= rsp_slot;
+        t1_fresh_q <= rsp_fresh;
+        t1_kill_q  <= rsp_kill || rsp_error;
+        t1_node_q  <= rsp_data;
+        visit_o       <= issue && !req_kill;
+        tests_o       <= t1_live && !t1_bad ? t1_count[2:0] : 3'd0;
+        bad_node_o    <= (issue && bad_line) || (t1_live && t1_bad);
+        visit_limit_o <= issue && bad_limit && !bad_line;
+        bus_error_o   <= rsp_valid && rsp_error;
+        if (rst) begin
+            t1_valid_q <= 1'b0; visit_o <= 1'b0; tests_o <= 3'd0;
+            bad_node_o <= 1'b0; visit_limit_o <= 1'b0; bus_error_o <= 1'b0;
+        end
+    end
+
+    // ---- four filters ----
+    wire [3:0]  f_pass;
+    wire [63:0] f_near;
+    genvar c;
+    generate
+        for (c = 0; c < 4; c = c + 1) begin : g_lane
+            wire [`RT_CHILD_STRIDE-1:0] child = t1_node_q[`RT_CHILD_STRIDE*c +: `RT_CHILD_STRIDE];
+            rt_filter #(.FW(FW)) u_filter (
+                .clk(clk),
+                .in_org_x_i($signed(t1_org[0 +: FW])), .in_org_y_i($signed(t1_org[FW +: FW])),
+                .in_org_z_i($signed(t1_org[2*FW +: FW])),
+                .in_u_x_i($signed(t1_unit[17:0])), .in_u_y_i($signed(t1_unit[35:18])),
+                .in_u_z_i($signed(t1_unit[53:36])),
+                .in_axis_i(t1_axis), .in_negative_i(t1_negative), .in_depth_max_i(depth_i),
+                .in_ctr_x_i($signed(child[`RT_CHILD_CTR_X_LSB +: 14])),
+                .in_ctr_y_i($signed(child[`RT_CHILD_CTR_Y_LSB +: 14])),
+                .in_ctr_z_i($signed(child[`RT_CHILD_CTR_Z_LSB +: 14])),
+                .in_rad_i(child[`RT_CHILD_RAD_LSB +: 14]),
+                .out_pass_o(f_pass[c]), .out_near_o(f_near[16*c +: 16])
+            );
+        end
+    endgenerate
+
+    // ---- what travels beside the filters and the sort ----
+    localparam DW = SLOTW + 2 + 26 + 6;
+    wire [DW-1:0] f_side, f_side_1;
+    wire          f_valid, f_valid_1;
+    rt_delay #(.WIDTH(DW), .CYCLES(LAT)) u_side (
+        .clk(clk),
+        .in_i({t1_slot_q, t1_fresh_q, t1_kill_q || t1_bad, t1_base, t1_n_inner, t1_n_leaf}),
+        .out_o(f_side)
+    );
+    rt_delay_valid #(.CYCLES(LAT)) u_valid (
+        .clk(clk), .rst(rst), .in_i(t1_valid_q), .out_o(f_valid)
+    );
+    wire       f_kill    = f_side[32];
+    wire [2:0] f_n_inner = f_side[5:3];
+    wire [2:0] f_n_leaf  = f_side[2:0];
+    wire [3:0] f_inner   = ~(4'hf << f_n_inner);                   // children that are nodes
+    wire [3:0] f_present = ~(4'hf << (f_n_inner + f_n_leaf));
+    wire [3:0] f_hit     = f_kill ? 4'd0 : f_pass & f_present;
+    rt_sort u_sort (
+        .clk(clk), .hit_i(f_hit & f_inner), .near_i(f_near),
+        .count_o(found_count_o), .list_o(found_list_o)
+    );
+    rt_delay #(.WIDTH(DW), .CYCLES(1)) u_side_1 (.clk(clk), .in_i(f_side), .out_o(f_side_1));
+    rt_delay_valid #(.CYCLES(1)) u_valid_1 (
+        .clk(clk), .rst(rst), .in_i(f_valid), .out_o(f_valid_1)
+    );
+    reg [3:0] f_leaf_q;
+    always @(posedge clk) begin
+        f_leaf_q <= (f_hit & ~f_inner) >> f_n_inner;
+        found_valid_o <= f_valid_1;
+        found_slot_o  <= f_side_1[DW-1 -: SLOTW];
+        found_fresh_o <= f_side_1[33];
+        found_kill_o  <= f_side_1[32];
+        found_base_o  <= f_side_1[31:6];
+        found_leaf_o  <= f_leaf_q;
+        found_line_o  <= f_side_1[31:6] + {23'd0, f_side_1[5:3]};
+        if (rst) found_valid_o <= 1'b0;
+    end
+    wire unused = &{1'b0, next_in_ready, new_in_ready, f_side_1[2:0]};
+endmodule
+`default_nettype wire
