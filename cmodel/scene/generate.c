@@ -65,7 +65,7 @@ int sph_generate(const char *kind, const struct sph_generate_options *options,
     if (!o.width && !o.height) o.width = 320, o.height = 180;
     memset(scene, 0, sizeof *scene);
     int i = 0;
-    while (i < N_MAKERS && strcmp(kind, makers[i].kind))
+    while (i < N_MAKERS && strcmp(kind, makers[i].kind) != 0)
         i++;
     if (i == N_MAKERS)
         return sph_fail(err, "cannot generate `%s`; known kinds:\n%s", kind, sph_generate_help);

@@ -48,7 +48,7 @@ static int skip_lines(struct sph_lex *lex, struct sph_error *err) {
 
 int sph_nff_skip(struct sph_lex *lex, int skip, uint32_t *n_skipped, struct sph_error *err) {
     int i = 0;
-    while (i < N_WORDS && strcmp(lex->token, words[i].word))
+    while (i < N_WORDS && strcmp(lex->token, words[i].word) != 0)
         i++;
     if (i == N_WORDS)
         return sph_fail(err, "%s:%u: unknown word `%s`", lex->path, lex->token_line,
