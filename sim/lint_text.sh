@@ -3,11 +3,13 @@
 # SPDX-License-Identifier: Apache-2.0
 cd "$(dirname "$0")/.." || exit 1
 
-sources=$(find Makefile .ci cmodel rtl tb sim synth tests -type f \( -name Makefile -o -name run \
-    -o -name '*.c' -o -name '*.h' -o -name '*.cpp' -o -name '*.v' -o -name '*.vh' -o -name '*.vlt' \
-    -o -name '*.sh' -o -name '*.mk' -o -name '*.awk' -o -name '*.py' -o -name '*.ys' \
-    -o -name '*.def' -o -name '*.txt' -o -name '*.lib' \))
-texts="$sources $(find docs scenes README.md -type f \( -name '*.md' -o -name '*.nff' \) 2>/dev/null)"
+sources=$(find Makefile .ci cmodel rtl tb sim synth tests -type f \( \
+    -name Makefile -o -name run -o -name '*.c' -o -name '*.h' -o -name '*.cpp' -o -name '*.v' \
+    -o -name '*.vh' -o -name '*.vlt' -o -name '*.sh' -o -name '*.mk' -o -name '*.awk' \
+    -o -name '*.py' -o -name '*.ys' -o -name '*.def' -o -name '*.txt' -o -name '*.lib' \))
+generated='/(layout\.h|rt_layout\.vh|[a-z_]*_table\.h)$'
+written=$(printf '%s\n' "$sources" | grep -vE "$generated")
+texts=$(find docs scenes README.md -type f \( -name '*.md' -o -name '*.nff' \) 2>/dev/null)
 bad=0
 report() { # title, findings
     [ -z "$2" ] && return
@@ -17,7 +19,8 @@ report() { # title, findings
 # shellcheck disable=SC2086  # lists of words on purpose
 {
     report "no SPDX line" "$(grep -L 'SPDX-License-Identifier: Apache-2.0' $sources)"
-    report "longer than 100 columns" "$(awk 'length($0) > 100 { print FILENAME ":" FNR }' $sources)"
-    report "space at the end" "$(grep -nE '[[:space:]]+$' $texts)"
+    report "longer than 100 columns" \
+        "$(LC_ALL=C.UTF-8 grep -noE '^.{101}' $written | cut -d: -f1,2)"
+    report "space at the end" "$(grep -nE '[[:space:]]+$' $sources $texts)"
 }
 exit $bad

@@ -4,9 +4,9 @@
 #
 # usage: tests/run.sh SUITE...        JOBS suites at once; logs in $BUILD/test/log
 # A check fails with a line `not ok ...`; one with `# SKIP` counts as neither. A suite that stops
-# early (fewer checks than its plan `1..N`), exits non-zero without a failed check, or checks nothing
-# is one failed check more; so is a build that went wrong (UNBUILT set): what could be built is run
-# all the same.
+# early (fewer checks than its plan `1..N`), exits non-zero without a failed check, or checks
+# nothing is one failed check more; so is a build that went wrong (UNBUILT set): what could be built
+# is run all the same.
 set -u
 
 BUILD=${BUILD:-$(pwd)/build}
@@ -70,7 +70,9 @@ $(count "$log/$name.log" "$rc")
 END
     passed=$((passed + p))
     failed=$((failed + f))
-    about="$p passed$([ "$k" -eq 0 ] || echo ", $k skipped"), $(cat "$log/$name.time" 2>/dev/null) s"
+    about="$p passed"
+    [ "$k" -eq 0 ] || about="$about, $k skipped"
+    about="$about, $(cat "$log/$name.time" 2>/dev/null) s"
     if [ "$f" -eq 0 ]; then
         printf '  %-6s %-32s %s\n' ok "$name" "$about"
     else

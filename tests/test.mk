@@ -11,7 +11,8 @@ TEST_C  := $(sort $(wildcard tests/test_*.c))
 TEST_SH := $(sort $(wildcard tests/test_*.sh))
 SUITES  += $(TEST_C:tests/%.c=$B/test/%) $(TEST_C:tests/%.c=$B/test/%.sanitized) $(TEST_SH)
 ONLY    ?=
-RUN     := $(if $(ONLY),$(foreach s,$(SUITES),$(if $(findstring $(ONLY),$(notdir $s)),$s)),$(SUITES))
+chosen   = $(if $(findstring $(ONLY),$(notdir $(1))),$(1))
+RUN      = $(if $(ONLY),$(foreach s,$(SUITES),$(call chosen,$s)),$(SUITES))
 
 test: | $(filter setup,$(MAKECMDGOALS)) ## every check; ends with `N passed, M failed`
 	+@unbuilt=; $(MAKE) --no-print-directory -k -j$(JOBS) suites || unbuilt=1; \
