@@ -72,10 +72,12 @@ module rt_normalise #(
     // ---- stage 2: zero bytes of all three; stage 3: zero bits of their first byte ----
     reg  [CB-1:0]      s2_coarse_q;
     reg  [2:0]         s3_fine_q;
+    reg                s3_half_q;               // 0: all are 0 or -1 and stay so
     wire [8*BYTES-1:0] s2_any = s1_any_q << {s2_coarse_q, 3'd0};
     always @(posedge clk) begin
         if (step_q[1]) s2_coarse_q <= first_byte(s1_any_q);
         if (step_q[2]) s3_fine_q   <= first_bit(s2_any[8*BYTES-1 -: 8]);
+        if (step_q[2]) s3_half_q   <= |s2_any[8*BYTES-1 -: 8];
     end
 
     // ---- stages 3 and 4: shift each component ----
@@ -89,7 +91,7 @@ module rt_normalise #(
     end
 
     // ---- stage 5: round half up; only the largest positive value can overflow ----
-    wire [BITS:0]      s5_sum  = s4_v_q + 1'b1;
+    wire [BITS:0]      s5_sum  = s4_v_q + {{BITS{1'b0}}, s3_half_q};
     wire               s5_over = s5_sum[BITS] && !s4_v_q[BITS];
     wire [BITS-1:0]    s5_v    = s5_over ? {1'b0, {(BITS-1){1'b1}}} : s5_sum[BITS:1];
     reg                s5_last_q;

@@ -45,7 +45,8 @@ module rt_hit #(
     localparam SW = PW + 1;                     // and one bit to round
     localparam GW = W + NG;                     // guarded coordinate
     localparam VW = GW + 1;                     // not normalised normal
-    localparam signed [8:0]  GUARD = NG;
+    localparam        [31:0] BITS  = NG;
+    localparam signed [8:0]  GUARD = BITS[8:0];
     localparam        [GW:0] HALF  = {{(W+1){1'b0}}, 1'b1, {(NG-1){1'b0}}};
     generate
         if (NG < 1 || WD > W + NG) begin : illegal
@@ -80,7 +81,7 @@ module rt_hit #(
             mant_q   <= in_mant_i;
             short_q  <= shift[8];
             far_q    <= in_far_i;
-            shift_q  <= shift[8] ? 6'd0 : shift > 9'sd62 ? 6'd62 : shift[5:0];
+            shift_q  <= shift[8] ? 6'd0 : |shift[7:6] ? 6'd62 : shift[5:0];
             {dir_x_q, dir_y_q, dir_z_q} <= {in_dir_x_i, in_dir_y_i, in_dir_z_i};
             {org_x_q, org_y_q, org_z_q} <= {in_org_x_i, in_org_y_i, in_org_z_i};
             {ctr_x_q, ctr_y_q, ctr_z_q} <= {in_ctr_x_i, in_ctr_y_i, in_ctr_z_i};
@@ -165,6 +166,6 @@ module rt_hit #(
             out_saturated_o <= s6_over_q;
             {out_point_x_o, out_point_y_o, out_point_z_o} <= {s6_px_q, s6_py_q, s6_pz_q};
         end
-    wire unused = &{1'b0, s4_sum_q[0], s6_round[NG-1:0], shift[7:6], back[VW+WD:VW]};
+    wire unused = &{1'b0, s4_sum_q[0], s6_round[NG-1:0], back[VW+WD:VW]};
 endmodule
 `default_nettype wire
