@@ -50,20 +50,20 @@ struct bad {
     const char *name, *text;
     int line; /* 0: the message has no line number */
     const char *says;
-    int skip;      /* read with skip_unsupported */
-    size_t length; /* 0: strlen(text) */
+    int skip;   /* read with skip_unsupported */
+    int length; /* 0: strlen(text) */
 };
 
 /* The message of a bad case: starts with file and line, says what it should. */
 static inline void assert_message(const struct bad *bad, const struct sph_error *err) {
     char start[120];
     snprintf(start, sizeof start, bad->line ? "%s:%d: " : "%s: ", file_name, bad->line);
-    if (strncmp(err->text, start, strlen(start)) || !strstr(err->text, bad->says))
+    if (strncmp(err->text, start, strlen(start)) != 0 || !strstr(err->text, bad->says))
         fail_msg("expected \"%s...%s...\", got \"%s\"", start, bad->says, err->text);
 }
 
 static inline void put_bad(const struct bad *bad) {
-    put_file(bad->text, bad->length ? bad->length : strlen(bad->text));
+    put_file(bad->text, bad->length ? (size_t)bad->length : strlen(bad->text));
 }
 
 static inline void assert_same_bytes(const void *p, const void *q, size_t n) {

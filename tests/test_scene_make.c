@@ -30,7 +30,7 @@ static struct sph_sphere *read_tachyon(const char *path, uint32_t *n) {
 
 /* The two lists are the same set within 0.001 in every number. */
 static void assert_same_set(const struct sph_sphere *p, const struct sph_sphere *q, uint32_t n) {
-    char *used = calloc(n, 1);
+    char *used = calloc(n + 1, 1);
     for (uint32_t i = 0; i < n; i++) {
         uint32_t found = n;
         for (uint32_t k = 0; k < n && found == n; k++) {
