@@ -325,20 +325,20 @@ int main(int argc, char **argv) {
     bool good = true;
 
     /* name, pattern, lines, stalls of request, response, memory, latency, errors, flush */
-    good &= bench.run({"cold sweep", SWEEP, LINES, 0, 0, 0, 20, 0, true}, LINES, seed);
-    good &= check(bench.fetches() == LINES, seed, "cold: every line fetched once");
-    good &= bench.run({"warm", UNIFORM, LINES, 0, 0, 0, 20, 0, false}, n, seed);
-    good &= check(bench.fetches() == 0, seed, "warm: no line fetched");
-    good &= check(static_cast<double>(n) >= 0.99 * static_cast<double>(bench.cycles()), seed,
-                  "warm: 0.99 hits a cycle");
-    good &= check(bench.quickest() == 2 && bench.slowest() == 2, seed, "warm: latency 2");
+    good = good && bench.run({"cold sweep", SWEEP, LINES, 0, 0, 0, 20, 0, true}, LINES, seed);
+    good = good && check(bench.fetches() == LINES, seed, "cold: every line fetched once");
+    good = good && bench.run({"warm", UNIFORM, LINES, 0, 0, 0, 20, 0, false}, n, seed);
+    good = good && check(bench.fetches() == 0, seed, "warm: no line fetched");
+    good = good && check(static_cast<double>(n) >= 0.99 * static_cast<double>(bench.cycles()), seed,
+                         "warm: 0.99 hits a cycle");
+    good = good && check(bench.quickest() == 2 && bench.slowest() == 2, seed, "warm: latency 2");
 
-    good &= bench.run({"clustered", CLUSTERED, 4 * LINES, 0, 0, 0, 20, 0, false}, n, seed);
+    good = good && bench.run({"clustered", CLUSTERED, 4 * LINES, 0, 0, 0, 20, 0, false}, n, seed);
     printf("# %llu lines fetched, %llu by a cache with LRU replacement\n",
            static_cast<unsigned long long>(bench.fetches()),
            static_cast<unsigned long long>(bench.lru_fetches()));
-    good &= check(10 * bench.fetches() <= 11 * bench.lru_fetches(), seed,
-                  "clustered: at most 1.1 times the misses of LRU");
+    good = good && check(10 * bench.fetches() <= 11 * bench.lru_fetches(), seed,
+                         "clustered: at most 1.1 times the misses of LRU");
 
     const Phase phases[] = {
         {"uniform over 26 bits", UNIFORM, LINE_MASK, 0, 0, 0, 40, 0, true},
@@ -355,6 +355,6 @@ int main(int argc, char **argv) {
         {"after the errors", CLUSTERED, LINES, 10, 10, 10, 60, 0, false},
     };
     for (const Phase &phase : phases)
-        good &= bench.run(phase, n, seed);
+        good = good && bench.run(phase, n, seed);
     return good ? 0 : 1;
 }

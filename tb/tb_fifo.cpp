@@ -108,6 +108,6 @@ int main(int argc, char **argv) {
     };
     bool good = true;
     for (const Phase &phase : phases)
-        good &= bench.run(phase, n, seed);
+        good = good && bench.run(phase, n, seed);
     return good ? 0 : 1;
 }
