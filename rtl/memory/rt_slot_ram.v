@@ -26,7 +26,8 @@ module rt_slot_ram #(
         if (wr_en_i) mem[wr_addr_i] <= wr_data_i;
         if (rd_en_i) begin
             rd_data_o <= mem[rd_addr_i];
-            if (OLD == 0 && collision) rd_data_o <= {WIDTH{1'bx}};  // lets synthesis drop the bypass
+            // never happens; lets synthesis drop the bypass
+            if (OLD == 0 && collision) rd_data_o <= {WIDTH{1'bx}};
         end
     end
 
