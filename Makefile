@@ -80,7 +80,7 @@ tool: $(TOOL) ## the command-line tool build/sphaera
 include sim/objects.mk sim/sim.mk synth/synth.mk tests/test.mk sim/lint.mk
 
 layout: ## regenerate the C and Verilog layout headers from cmodel/machine/machine.def
-	$(call say,GEN,layout.h rt_layout.vh)
+	$(call say,GEN,"layout.h rt_layout.vh")
 	$(Q)sh sim/layout.sh cmodel/machine/layout.h rtl/shell/rt_layout.vh
 
 clean: ## remove build/

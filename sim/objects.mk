@@ -24,7 +24,7 @@ $B/obj/%.o: %.cpp $B/flags
 	    -MMD -MP -c $< -o $@
 
 $B/asan/obj/%.o: %.c $B/flags
-	$(call say,CC,$(<F) sanitized)
+	$(call say,CC,"$(<F) sanitized")
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) $(SANITIZE) -MMD -MP -c $< -o $@
 
