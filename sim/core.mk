@@ -17,7 +17,8 @@ WAVES   ?= 0
 OPT     ?= -O3
 JOBS    ?= 2
 
-KEY := $(PROFILE)-shadow$(SHADOW)-reflect$(REFLECT)-engines$(ENGINES)$(if $(filter 1,$(WAVES)),-waves)
+KEY := $(PROFILE)-shadow$(SHADOW)-reflect$(REFLECT)-engines$(ENGINES)$(OPT)$(if $(filter \
+           1,$(WAVES)),-waves)
 S   := $B/sim
 K   := $S/$(KEY)
 LIB := $B/libsphaera.a
@@ -28,7 +29,7 @@ LIBS     := -fopenmp -pthread -ljansson -lm
 
 RTL_FILES := $(shell find $(RTL) -name '*.v' -o -name '*.vh')
 RTL_DIRS  := $(sort $(dir $(RTL_FILES)))
-SEARCH    := $(RTL_DIRS:%=-y %) $(RTL_DIRS:%=-I%)
+SOURCES   := $(RTL_DIRS:%=-I%) $(sort $(filter %.v,$(RTL_FILES)))
 # profile NAME w wd pq ng fw: as parameters
 PARAMETERS := $(shell awk -v p=$(PROFILE) '$$1 == "profile" { \
                   if ($$2 == p) print "W=" $$3, "WD=" $$4, "PQ=" $$5, "NG=" $$6, "FW=" $$7, \
@@ -58,17 +59,16 @@ $S/tb_core_icarus: $(SHARED) $S/obj/simulate_icarus.o $(LIB)
 
 $K/tb_core.vvp: tb/core/tb_core_icarus.v $(RTL_FILES)
 	@mkdir -p $(@D)
-	iverilog -g2005 -Wall $(SEARCH) $(PARAMETERS:%=-Ptb_core_icarus.%) -s tb_core_icarus \
-	    -o $@ $< 2>$@.log || { cat $@.log >&2; exit 1; }
+	iverilog -g2005 -Wall $(PARAMETERS:%=-Ptb_core_icarus.%) -s tb_core_icarus \
+	    -o $@ $< $(SOURCES) 2>$@.log || { cat $@.log >&2; exit 1; }
 	@cat $@.log >&2
 
 # Verilator's warnings are errors; what is waived stands with its reason in sim/waivers.vlt.
 $K/Vrt_core__ALL.a: $(RTL_FILES) $(wildcard sim/waivers.vlt)
 	@mkdir -p $(@D)
 	verilator --cc --language 1364-2005 -Wall -O3 --x-assign fast --top-module rt_core \
-	    --prefix Vrt_core --Mdir $(@D) $(PARAMETERS:%=-G%) $(SEARCH) --output-split 20000 \
-	    $(if $(filter 1,$(WAVES)),--trace-fst) $(wildcard sim/waivers.vlt) \
-	    $(filter %/rt_core.v,$(RTL_FILES))
+	    --prefix Vrt_core --Mdir $(@D) $(PARAMETERS:%=-G%) --output-split 20000 \
+	    $(if $(filter 1,$(WAVES)),--trace-fst) $(wildcard sim/waivers.vlt) $(SOURCES)
 	$(MAKE) -s -C $(@D) -f Vrt_core.mk -j$(JOBS) OPT_FAST=$(OPT) OPT_SLOW=$(OPT) Vrt_core__ALL.a \
 	    >$(@D)/compile.log || { cat $(@D)/compile.log >&2; exit 1; }
 

@@ -10,7 +10,7 @@
 # BUILD is the build folder, RTL another source folder, OPT the compiler's effort.
 set -eu
 cd "$(dirname "$0")/.."
-EFFECTS=${EFFECTS:-all} ENGINES=${ENGINES:-1} SIM=${SIM:-verilator} WAVES=0
+EFFECTS=${EFFECTS:-all} ENGINES=${ENGINES:-1} SIM=${SIM:-verilator} OPT=${OPT:--O3} WAVES=0
 BUILD=${BUILD:-build}
 
 machine= previous=
@@ -43,13 +43,13 @@ effects=${effects%% *}
 [ "$EFFECTS" = auto ] || effects=3
 shadow=$((effects & 1)) reflect=$((effects >> 1 & 1))
 [ "$SIM" = verilator ] || WAVES=0
-key=$profile-shadow$shadow-reflect$reflect-engines$ENGINES
+key=$profile-shadow$shadow-reflect$reflect-engines$ENGINES$OPT
 [ "$WAVES" = 0 ] || key=$key-waves
 [ "$SIM" = verilator ] && goal=core || goal=icarus
 [ -e "$BUILD/sim/$key/tb_core" ] || [ $goal = icarus ] ||
-    echo "building the core $key in Verilator: about half a minute, once" >&2
+    echo "building the core $key in Verilator: half a minute or so, once" >&2
 target "$key-$goal" "$goal" PROFILE="$profile" SHADOW="$shadow" REFLECT="$reflect" \
-    ENGINES="$ENGINES" WAVES="$WAVES" ${RTL:+RTL="$RTL"} ${OPT:+OPT="$OPT"}
+    ENGINES="$ENGINES" WAVES="$WAVES" OPT="$OPT" ${RTL:+RTL="$RTL"}
 
 repeat="EFFECTS=$EFFECTS ENGINES=$ENGINES SIM=$SIM sim/core.sh"
 if [ "$SIM" = verilator ]; then

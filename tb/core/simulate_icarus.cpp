@@ -154,6 +154,6 @@ void simulate(const Options &o, const sph_machine &machine, Sample *samples[PASS
                  static_cast<unsigned>(status), base.c_str());
     }
     for (const char *ending : {".regs", ".mem", ".out", ".log"})
-        if (ended || std::strcmp(ending, ".log")) std::remove((base + ending).c_str());
+        if (ended || std::strcmp(ending, ".log") != 0) std::remove((base + ending).c_str());
     run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }

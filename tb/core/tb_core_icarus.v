@@ -127,7 +127,8 @@ module tb_core_icarus #(
         end
         // what the next clock shows
         cycle = cycle + 1;
-        if (!offered && head != tail && q_due[head] <= cycle && {$random(seed)} % 100 >= stall) begin
+        if (!offered && head != tail && q_due[head] <= cycle &&
+                {$random(seed)} % 100 >= stall) begin
             offered = 1'b1;
             line = mem[q_line[head]];
             rsp_data <= q_error[head] ? 64'h0bad0bad0bad0bad : line[64*beat +: 64];
