@@ -1,0 +1,74 @@
+/* tb_isqrt.cpp - rt_isqrt against sph_isqrt()
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "Vrt_isqrt.h"
+#include "bench.h"
+extern "C" {
+#include "math/isqrt.h"
+}
+
+namespace {
+
+using bench::u128;
+
+/* 38: squares, squares +-1, 2^(2k), 2^(2k)-1, both ends; then every length, then anything. */
+u128 radicand(bench::Random &r, long n) {
+    if (n < XW) return (u128)1 << n;
+    if (n < 2 * XW) return bench::low(~(u128)0, (int)(n - XW) + 1);
+    if (n < 2 * XW + 256) return bench::low((u128)(n - 2 * XW), XW);
+    switch (r.below(5)) {
+    case 0:
+    case 1: { /* next to a square of any size: the last digit decides */
+        u128 root = r.percent(50) ? r.log_bits(XW / 2) : r.mixed(XW / 2);
+        return bench::low(root * root + r.below(3) - 1, XW);
+    }
+    case 2: { /* next to the middle of two squares: the greatest remainders */
+        u128 root = r.mixed(XW / 2);
+        return bench::low(root * root + 2 * root + r.below(3) - 1, XW);
+    }
+    case 3:
+        return r.log_bits(XW);
+    default:
+        return r.mixed(XW);
+    }
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    bench::Bench<Vrt_isqrt> b("tb_isqrt", argc, argv, 200000);
+    Vrt_isqrt &t = b.dut;
+    u128 x = 0, inside = 0;
+    bool offered = false;
+    unsigned gaps = 0, stalls = 0;
+    long sent = 0, taken = 0;
+    t.in_valid_i = t.out_ready_i = 0;
+    b.reset();
+    while (b.more()) {
+        if (b.cycle % 4096 == 0) {
+            gaps = (unsigned)b.random.below(3) * 30;
+            stalls = (unsigned)b.random.below(3) * 40;
+        }
+        if (!offered && (offered = !b.random.percent(gaps))) x = radicand(b.random, sent++);
+        t.in_valid_i = offered;
+        b.set(t.in_x_i, XW, (bench::i128)x);
+        t.out_ready_i = !b.random.percent(stalls);
+        b.settle();
+        if (t.out_valid_o) { /* compared in every clock in which it waits */
+            int inexact;
+            uint64_t root = sph_isqrt(inside, &inexact);
+            if (b.vectors == taken) b.fail("a result that nobody asked for");
+            b.expect("out_root_o", (bench::i128)b.get(t.out_root_o), (bench::i128)root, XW / 2);
+            b.expect("out_inexact_o", t.out_inexact_o, inexact, 1);
+            if (b.bad()) b.show("in_x_i", (bench::i128)inside, XW);
+            if (t.out_ready_i) b.done();
+        }
+        if (offered && t.in_ready_o) {
+            inside = x;
+            offered = false;
+            taken++;
+        }
+        b.tick();
+    }
+    return b.finish();
+}
