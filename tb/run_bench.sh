@@ -27,8 +27,11 @@ while read -r profile top bench params; do
     dir=$out/$bench-$profile
     generics=
     macros="-DPROFILE=\"$profile\""
-    for p in $params; do
+    for p in ${params%%/*}; do
         generics="$generics -G$p"
+    done
+    for p in ${params%%/*} ${params#"${params%/*}"}; do
+        [ "$p" = / ] && continue
         macros="$macros -D$p"
     done
     mkdir -p $dir
