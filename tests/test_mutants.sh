@@ -1,0 +1,130 @@
+#!/bin/sh
+# test_mutants.sh - faults put into the RTL are noticed by the comparisons
+# SPDX-License-Identifier: Apache-2.0
+#
+# Each mutant of tests/mutants/mutants.txt is one edit in a copy of the RTL, run in Icarus (which
+# builds in a second) against the golden model, or in a block bench. Every comparison runs on the
+# sound RTL first, and must pass there.
+#   MUTANT=pattern  only mutants whose name has the pattern in it
+set -u
+self=$0
+. "$(dirname "$0")/tap.sh"
+cd "$(dirname "$0")/.." || exit 1
+BUILD=${BUILD:-build}
+export BUILD SPHAERA TMP
+
+# Frame of the core in draft widths: scene [build options] [-- harness options].
+core() {
+    scene=$1 options=
+    shift
+    while [ $# -gt 0 ] && [ "$1" != -- ]; do
+        options="$options $1"
+        shift
+    done
+    [ $# -eq 0 ] || shift
+    # shellcheck disable=SC2086  # a list of words on purpose
+    "$SPHAERA" build "$scene" --profile draft --size 33x25 $options -o "$here/scene.sph" || return 2
+    BUILD=$here/build RTL=$here/rtl SIM=icarus sh sim/core.sh --machine "$here/scene.sph" \
+        --watchdog 5000 --latency 5 --stall 20 --seed 7 "$@"
+}
+# A block bench, in a folder that looks like this one but for its rtl.
+bench() {
+    cp -al Makefile cmodel tb sim synth tests "$here/" && sh "$here/tb/run_bench.sh" "$1" 1
+}
+# Replaces the text FROM, which must stand exactly once in a file, by TO.
+edit() {
+    awk '
+        { text = text $0 "\n" }
+        END {
+            from = ENVIRON["FROM"]
+            for (rest = text; (at = index(rest, from)); rest = substr(rest, at + 1)) n++
+            if (n != 1) {
+                printf "stands %d times in the file, not once: %s\n", n, from
+                exit 1
+            }
+            at = index(text, from)
+            printf "%s%s%s", substr(text, 1, at - 1), ENVIRON["TO"],
+                substr(text, at + length(from)) >ENVIRON["NEW"]
+        }' "$1" && mv "$NEW" "$1"
+}
+# Runs a job file; 0: noticed (sound RTL: passes), 1: not noticed, 2: could not be run.
+job() {
+    {
+        IFS= read -r name
+        IFS= read -r file
+        IFS= read -r FROM
+        IFS= read -r TO
+        IFS= read -r by
+    } <"$1"
+    here=$1.dir NEW=$1.new
+    export FROM TO NEW
+    mkdir -p "$here/build/sim"
+    cp -r rtl "$here/rtl"
+    [ "$file" = - ] || edit "$here/rtl/$file" || return 2
+    # what is the same for all counts as built
+    cp -al "$BUILD/sim/obj" "$BUILD/sim/tb_core_icarus" "$here/build/sim/"
+    cp -al "$BUILD/libsphaera.a" "$BUILD/obj" "$BUILD/flags" "$BUILD/sources" "$here/build/"
+    # shellcheck disable=SC2086  # a list of words on purpose
+    $by >"$1.out" 2>&1
+    rc=$?
+    cat "$1.out"
+    rm -rf "$here"
+    [ "$file" != - ] || return $rc
+    # a difference, not a build that broke
+    [ $rc -eq 1 ] || return $((rc ? 2 : 1))
+    grep -q 'does not build' "$1.out" && return 2
+    grep -qE ' [1-9][0-9]* mismatches|^not ok' "$1.out"
+}
+if [ "${1:-}" = --job ]; then
+    job "$2" >"$2.log" 2>&1
+    echo $? >"$2.rc"
+    exit 0
+fi
+
+# ---- jobs: first the sound RTL in every comparison that some mutant is run in ----
+jobs=0
+add() { # name, file, from, to, by, rule
+    jobs=$((jobs + 1))
+    printf '%s\n' "$@" >"$TMP/$(printf %03d $jobs).job"
+}
+wanted() {
+    name= file= from= to= by= rule=
+    while read -r key rest; do
+        case $key in
+        mutant) name=$rest ;;
+        rule) rule=$rest ;;
+        file) file=$rest ;;
+        from) from=$rest ;;
+        to) to=$rest ;;
+        by) case $name in *"${MUTANT:-}"*) "$1" "$rest" ;; esac ;;
+        esac
+    done <tests/mutants/mutants.txt
+}
+print_by() { echo "$1"; }
+add_mutant() { add "$name" "$file" "$from" "$to" "$1" "$rule"; }
+wanted print_by | sort -u >"$TMP/comparisons"
+while IFS= read -r by; do add "sound RTL" - - - "$by" "passes $by"; done <"$TMP/comparisons"
+wanted add_mutant
+
+sh sim/core.sh --help >"$TMP/harness.log" 2>&1 || cat "$TMP/harness.log"
+find "$TMP" -name '*.job' | sort | xargs -P 2 -I JOB sh "$self" --job JOB
+
+# ---- what became of them ----
+for file in "$TMP"/*.job; do
+    name=$(sed -n 1p "$file")
+    rule=$(sed -n 6p "$file")
+    rc=$(cat "$file.rc" 2>/dev/null || echo 2)
+    by=$(sed -n 5p "$file")
+    if [ "$name" = "sound RTL" ]; then
+        tap "$((rc != 0))" "$rule" "$file.log"
+        continue
+    fi
+    how=$(sed -n 's/^  stage  *//p; s/^counter \([^ ]*\).*/counter \1/p; s/^\(error bit [a-z_]*\).*/\1/p
+        s/^\(no pixel for .* clocks\).*/hang: \1/p; s/^not ok/&/p' "$file.log" | head -n 1)
+    case $rc in
+    0) tap 0 "mutant $name ($rule) killed by $by: $how" "$file.log" ;;
+    1) tap 1 "mutant $name ($rule) survives $by" "$file.log" ;;
+    *) tap 1 "mutant $name cannot be run" "$file.log" ;;
+    esac
+done
+done_testing
