@@ -1,9 +1,9 @@
 // rt_quotient.v - t = key / a as a normalised number, STEP bits a clock
 // SPDX-License-Identifier: Apache-2.0
-// Both operands are shifted left until their top bit is set, by 4 or 1 a clock; then restoring
+// Both operands are shifted left until their top bit is set, by STEP or 1 a clock; then restoring
 // division gives mant = floor(key' / a' * 2^(PQ-1)): key / a = mant * 2^-exp, truncated.
-// One quotient at a time; a result after at most max((KW-1)/4, (AW-1)/4) + 3 + ceil(PQ/STEP) + 2
-// clocks. Model: sph_quotient() in cmodel/math/quotient.c
+// One quotient at a time. With z leading zeros in the operand that has more of them a result takes
+// floor(z/STEP) + z%STEP + ceil(PQ/STEP) + 2 clocks. Model: sph_quotient() in math/quotient.c
 `default_nettype none
 module rt_quotient #(
     parameter KW   = 35,                     // key, bits
@@ -34,20 +34,23 @@ module rt_quotient #(
     localparam MW     = ROUNDS*STEP;         // quotient bits of whole rounds
     localparam CW     = $clog2(ROUNDS + 1);
     localparam [CW-1:0]     FIRST = ROUNDS[CW-1:0];
+    localparam STEP_BITS = STEP;             // as 32 bits
     localparam EXP_FULL = PQ - 1 - KW + AW;
     localparam signed [7:0] EXP   = EXP_FULL[7:0];
 
-    // ---- normalise: four bits at once while the top four are 0, then single ones ----
+    // ---- normalise: STEP bits at once while the top STEP are 0, then single ones ----
+    localparam signed [7:0] MANY = STEP_BITS[7:0];
     reg [W:0]   rem_q;                       // key, then the remainder, below 2*div
     reg [W-1:0] div_q;                       // a
-    wire key_4 = rem_q[W-1 -: 4] == 4'd0;
-    wire key_1 = !rem_q[W-1];
-    wire a_4   = div_q[W-1 -: 4] == 4'd0;
-    wire a_1   = !div_q[W-1];
-    wire signed [7:0] up   = key_4 ? 8'sd4 : key_1 ? 8'sd1 : 8'sd0;
-    wire signed [7:0] down = a_4   ? 8'sd4 : a_1   ? 8'sd1 : 8'sd0;
+    wire key_many = rem_q[W-1 -: STEP] == {STEP{1'b0}};
+    wire key_one  = !rem_q[W-1];
+    wire a_many   = div_q[W-1 -: STEP] == {STEP{1'b0}};
+    wire a_one    = !div_q[W-1];
+    wire signed [7:0] up   = key_many ? MANY : key_one ? 8'sd1 : 8'sd0;
+    wire signed [7:0] down = a_many   ? MANY : a_one   ? 8'sd1 : 8'sd0;
 
-    // ---- one round: STEP quotient bits ----
+    // ---- one round: STEP quotient bits; while normalising, the same shift without subtracting ----
+    reg          ready_q;                    // both operands are normalised
     reg [MW-1:0] mant_q, mant_d;
     reg [W:0]    rem_d;
     reg [W+1:0]  left;                       // rem - div, top bit: negative
@@ -59,13 +62,12 @@ module rt_quotient #(
         for (i = 0; i < STEP; i = i + 1) begin
             left   = {1'b0, rem_d} - {2'd0, div_q};
             mant_d = {mant_d[MW-2:0], !left[W+1]};
-            rem_d  = {left[W+1] ? rem_d[W-1:0] : left[W-1:0], 1'b0};
+            rem_d  = {left[W+1] || !ready_q ? rem_d[W-1:0] : left[W-1:0], 1'b0};
         end
     end
 
     // ---- control; the result stays in the registers until it is taken ----
     reg              full_q;                 // operands or their quotient are inside
-    reg              ready_q;                // normalised
     reg [CW-1:0]     count_q;                // rounds left
     reg signed [7:0] exp_q;
     wire             take = in_valid_i && in_ready_o;
@@ -75,23 +77,21 @@ module rt_quotient #(
             ready_q <= 1'b0;
             count_q <= FIRST;
             exp_q   <= EXP;
-            rem_q   <= {1'b0, in_key_i, {(W-KW){1'b0}}};
-            div_q   <= {in_a_i, {(W-AW){1'b0}}};
-            mant_q  <= {MW{1'b0}};
         end else if (full_q && !ready_q) begin
-            ready_q <= !key_1 && !a_1;
+            ready_q <= !key_one && !a_one;
             exp_q   <= exp_q + up - down;
-            if (key_4)      rem_q <= rem_q << 4;
-            else if (key_1) rem_q <= rem_q << 1;
-            if (a_4)        div_q <= div_q << 4;
-            else if (a_1)   div_q <= div_q << 1;
         end else if (count_q != 0) begin
             count_q <= count_q - 1'b1;
-            rem_q   <= rem_d;
             mant_q  <= mant_d;
         end else if (out_ready_i) begin
             full_q <= 1'b0;
         end
+        if (!full_q || out_valid_o)    rem_q <= {1'b0, in_key_i, {(W-KW){1'b0}}};
+        else if (ready_q || key_many)  rem_q <= rem_d;
+        else if (key_one)              rem_q <= {rem_q[W-1:0], 1'b0};
+        if (!full_q || out_valid_o)    div_q <= {in_a_i, {(W-AW){1'b0}}};
+        else if (!ready_q && a_many)   div_q <= div_q << STEP;
+        else if (!ready_q && a_one)    div_q <= {div_q[W-2:0], 1'b0};
         if (rst) begin
             full_q  <= 1'b0;
             count_q <= {CW{1'b0}};
