@@ -76,6 +76,10 @@ broken "child beyond memory" 1 --poke 0:224:26=0x3ffffff
 broken "five children" 1 --poke 0:250:6=0x0c
 broken "root beyond memory" 1 --reg 25=0x3ffffff
 broken "visits run out" 4 --reg 29=3
+broken "records beyond memory" 1 --reg 26=0x3000000
+broken "wrong profile" 32 --reg 30=1
+run "verilator broken: missing effects" EFFECTS=auto "$machines/empty-draft-32x24.sph" --reg 0=3 \
+    --expect-errors 16
 broken "bus error at the first line" 8 --bus-error-at 0
 broken "bus error later" 8 --bus-error-at 9
 

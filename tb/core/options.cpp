@@ -43,10 +43,7 @@ const argp_option table[] = {
     {"watchdog", WATCHDOG, "N", 0, "clocks without a pixel that count as a hang (200000)", 0},
     {"max-cycles", MAX_CYCLES, "N", 0, "end with a failure after N clocks", 0},
     {"bus-error-at", BUS_ERROR, "N", 0, "the N-th line request, from 0, answers with an error", 0},
-    {"expect-errors", EXPECT, "BITS", 0,
-     "malformed machine: these sticky bits must be set and every pixel delivered; values of pixels "
-     "are not compared",
-     0},
+    {"expect-errors", EXPECT, "BITS", 0, "these sticky error bits must be set at the end", 0},
     {"poke", POKE, "LINE:LSB:WIDTH=VALUE", 0, "overwrite bits of memory, for both sides", 0},
     {"reg", REG, "N=VALUE", 0, "overwrite a register, for both sides", 0},
     {"progress", PROGRESS, nullptr, 0, "say how far it is and how long it will take", 0},

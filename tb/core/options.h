@@ -35,7 +35,7 @@ struct Options {
     uint64_t watchdog = 200000;   /* clocks without a pixel: hang */
     uint64_t max_cycles = 0;      /* 0: no limit */
     int64_t bus_error_at = -1;    /* this line request, from 0, answers with an error */
-    int64_t expect_errors = -1;   /* sticky bits that must be set; pixel values do not count then */
+    int64_t expect_errors = -1;   /* sticky bits that must be set */
     std::vector<Poke> pokes;      /* in the memory, for model and core alike */
     std::vector<Register> writes; /* in the registers, for model and core alike */
     bool progress = false;
