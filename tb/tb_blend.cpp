@@ -33,6 +33,8 @@ const Vector corners[] = {
     {{0, 1, LMAX}, 0xff8001, 1, 0, 1, {{0, 0, 0}, W1, 0, {1, 2, 3}}, 0, 0},
     /* light of 1: albedo as it is; light above 1: limited to 255.0 */
     {{L1, L1 + 1, LMAX}, 0xffffff, 0, 0, 1, {{0, 0, 0}, W1, 0, {1, 2, 3}}, 0, 0},
+    /* one step around the limit of 255.0 */
+    {{65794, 65795, 65796}, 0x7f7f7f, 0, 0, 0, {{0, 0, 0}, W1, 0, {1, 2, 3}}, 0, 0},
     /* product rounds: 63/128 down, 64/128 up, 65/128 up */
     {{63, 64, 65}, 0x010101, 0, 128, 0, {{0, 0, 0}, W1, 0, {1, 2, 3}}, 0, 0},
     /* kr 0: nothing is left for what lies behind; not last: only frame 0 */

@@ -3,7 +3,7 @@
 //   colour = min(round(albedo*light / 2^7), 255.0)        front = weight * (1-kr)
 //   frame  = byte(sum + weight*colour)    sum += front*colour    weight *= kr    depth += 1
 // Two multipliers, channels one after another:
-//   cycle   1, 2, 3: operands  albedo, light | weight, kr    4, 5, 6: colour, weight | colour, front
+//   operands in cycles 1, 2, 3: albedo, light | weight, kr   4, 5, 6: colour, weight | colour, front
 //   products follow by 1 cycle, what is made of them by 2. Latency 9 cycles, one every 8 cycles.
 // Model: sph_surface_colour(), sph_blend_add() in cmodel/shade/colour.c
 `default_nettype none
@@ -103,8 +103,8 @@ module rt_blend #(
     // ---- stage 3, cycles 6 to 8: channel of the pixel, channel of the sum ----
     wire [17:0]    s3_all  = {1'b0, sum_q[15:0], 1'b1} + s2_ax_q[32:15];
     wire [17:0]    s3_sum  = {1'b0, sum_q[15:0], 1'b1} + s2_by_q[32:15];
-    wire [10:0]    s3_half = {1'b0, s3_all[17:8]} + 11'd1;
-    wire [7:0]     s3_byte = |s3_half[10:9] ? 8'd255 : s3_half[8:1];
+    wire [9:0]     s3_half = s3_all[17:8] + 10'd1;  // no carry: all <= 65535 + 65280
+    wire [7:0]     s3_byte = s3_half[9] ? 8'd255 : s3_half[8:1];
     reg  [15:0]    s3_pixel_q;              // red and green
     wire [23:0]    s3_pixel = {s3_byte, s3_pixel_q};
     always @(posedge clk) begin
