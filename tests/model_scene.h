@@ -34,6 +34,13 @@ static inline struct sph_scene model_scene(const char *name) {
     return scene;
 }
 
+/* Frames of the comparisons; the sanitizers slow the naive model's memory down most. */
+#ifdef __SANITIZE_ADDRESS__
+enum { MODEL_W = 16, MODEL_H = 9, NAIVE_W = 6, NAIVE_H = 4 };
+#else
+enum { MODEL_W = 64, MODEL_H = 36, NAIVE_W = 32, NAIVE_H = 24 };
+#endif
+
 /* A small frame with every effect; a scene may be too fine for a coarse profile: 0. */
 static inline int model_build(const struct sph_scene *scene, int profile, int tree, int background,
                               int width, int height, struct sph_machine *m) {

@@ -37,7 +37,7 @@ static void check_root(sph_u128 x) {
 static void isqrt_small(void **state) {
     (void)state;
     uint64_t expected = 0;
-    for (uint64_t x = 0; x < 1u << 22; x++) {
+    for (uint64_t x = 0; x < (1u << 22) / VEC_SHARE; x++) {
         int inexact;
         if ((expected + 1) * (expected + 1) <= x) expected++;
         assert_int_equal(sph_isqrt(x, &inexact), expected);
@@ -55,7 +55,7 @@ static void isqrt_corners(void **state) {
 static void isqrt_random(void **state) {
     (void)state;
     struct sph_rng rng = vec_seed("isqrt_random");
-    for (int i = 0; i < 300000; i++) {
+    for (int i = 0; i < 300000 / VEC_SHARE; i++) {
         uint64_t root = vec_unsigned(&rng, 49);
         sph_u128 square = (sph_u128)root * root;
         check_root(square); /* exact, the last below it, the last with this root, any other */
@@ -83,7 +83,7 @@ static void quotient(void **state) {
     for (int n = 0; n < SPH_PROFILES; n++) {
         const struct sph_profile *p = &sph_profiles[n];
         int kb = p->w + p->wd + 2, ab = 2 * p->wd;
-        for (int i = 0; i < 100000; i++) {
+        for (int i = 0; i < 100000 / VEC_SHARE; i++) {
             uint64_t a = vec_unsigned(&rng, ab), key = vec_unsigned(&rng, kb);
             uint64_t whole = vec_unsigned(&rng, p->w) * (a >> p->w / 2);
             check_quotient(p, key, a);
@@ -151,7 +151,7 @@ static void unit(void **state) {
             check_unit(one, bits);
             check_unit(most, bits);
         }
-        for (int i = 0; i < 200000; i++) {
+        for (int i = 0; i < 200000 / VEC_SHARE; i++) {
             struct sph_ray ray;
             vec_ray(&rng, &sph_profiles[n], &ray);
             check_unit(ray.dir, bits);
@@ -199,7 +199,7 @@ static void normalise(void **state) {
         };
         for (size_t i = 0; i < sizeof special / sizeof *special; i++)
             check_normalise(special[i], bits);
-        for (int i = 0; i < 200000; i++) {
+        for (int i = 0; i < 200000 / VEC_SHARE; i++) {
             sph_i128 v[3];
             int shift = (int)vec_pick(&rng, 0, 40);
             for (int j = 0; j < 3; j++)
@@ -217,7 +217,7 @@ static void rounding(void **state) {
     assert_int_equal(sph_round(-3, 1), -1);
     assert_int_equal(sph_round(-1, 1), 0);
     assert_int_equal(sph_round(-5, 0), -5);
-    for (int i = 0; i < 500000; i++) {
+    for (int i = 0; i < 500000 / VEC_SHARE; i++) {
         int64_t x = vec_signed(&rng, 60);
         int n = (int)vec_pick(&rng, 0, 50), bits = (int)vec_pick(&rng, 2, 40), saturated = 0;
         assert_int_equal(sph_round(x, n), sph_naive_round64(x, n));

@@ -7,7 +7,7 @@
 
 #include "reference/naive.h"
 
-enum { W = 64, H = 36 };
+enum { W = MODEL_W, H = MODEL_H };
 
 /* Both trees see on every pixel what a test of all spheres sees. */
 static void tree_is_brute_force(void **state) {
@@ -41,7 +41,7 @@ static void tree_is_brute_force(void **state) {
 /* Every pixel of the second model, written from the definitions, is the same. */
 static void naive_is_golden(void **state) {
     (void)state;
-    enum { NW = 32, NH = 24, MOST = 150 /* spheres */ };
+    enum { NW = NAIVE_W, NH = NAIVE_H, MOST = 150 /* spheres */ };
     int wrong = 0, frames = 0;
     for (int n = 0; n < MODEL_SCENES; n++) {
         struct sph_scene scene = model_scene(model_scenes[n]);
@@ -107,12 +107,13 @@ static void threads_change_nothing(void **state) {
     struct sph_frame b = model_render(&m, SPH_TRAVERSE_NEAREST, 2, &c[1], &errors);
     assert_memory_equal(a.pixels, b.pixels, W * H * sizeof *a.pixels);
     assert_memory_equal(&c[0], &c[1], sizeof c[0]);
-    m.regs[SPH_REG_WIN_X0] = 10, m.regs[SPH_REG_WIN_X1] = 31; /* a window is a part of the frame */
-    m.regs[SPH_REG_WIN_Y0] = 7, m.regs[SPH_REG_WIN_Y1] = 20;
+    m.regs[SPH_REG_WIN_X0] = W / 6,
+    m.regs[SPH_REG_WIN_X1] = W / 2; /* a window is a part of the frame */
+    m.regs[SPH_REG_WIN_Y0] = H / 5, m.regs[SPH_REG_WIN_Y1] = H / 2;
     struct sph_frame part = model_render(&m, SPH_TRAVERSE_NEAREST, 2, &c[1], &errors);
     const struct sph_pixel none = {0};
     for (int i = 0; i < W * H; i++) {
-        int x = i % W, y = i / W, in = x >= 10 && x < 31 && y >= 7 && y < 20;
+        int x = i % W, y = i / W, in = x >= W / 6 && x < W / 2 && y >= H / 5 && y < H / 2;
         assert_memory_equal(&part.pixels[i], in ? &a.pixels[i] : &none, sizeof none);
     }
     sph_frame_free(&a);
