@@ -3,7 +3,7 @@
 //   colour = min(round(albedo*light / 2^7), 255.0)        front = weight * (1-kr)
 //   frame  = byte(sum + weight*colour)    sum += front*colour    weight *= kr    depth += 1
 // Two multipliers, channels one after another:
-//   operands in cycles 1, 2, 3: albedo, light | weight, kr   4, 5, 6: colour, weight | colour, front
+//   operands in cycle 1, 2, 3: albedo, light | weight, kr  4, 5, 6: colour, weight | colour, front
 //   products follow by 1 cycle, what is made of them by 2. Latency 9 cycles, one every 8 cycles.
 // Model: sph_surface_colour(), sph_blend_add() in cmodel/shade/colour.c
 `default_nettype none
