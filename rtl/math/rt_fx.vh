@@ -1,6 +1,6 @@
 // rt_fx.vh - the named rounding rules, and what products cost          model: cmodel/math/fx.h
 // SPDX-License-Identifier: Apache-2.0
-// No include guard: Icarus 11 crashes on macros with arguments that a guard keeps for library files.
+// No include guard: Icarus 11 crashes if it keeps macros with arguments from file to file.
 
 // floor(x / 2^n + 1/2), round half up, of net x[msb:0]; signed, msb-n+1 bits: wide enough unless
 // the rounding carries out of the top, which the user excludes. 1 <= n < msb.  model: sph_round()

@@ -49,7 +49,7 @@ module rt_quotient #(
     wire signed [7:0] up   = key_many ? MANY : key_one ? 8'sd1 : 8'sd0;
     wire signed [7:0] down = a_many   ? MANY : a_one   ? 8'sd1 : 8'sd0;
 
-    // ---- one round: STEP quotient bits; while normalising, the same shift without subtracting ----
+    // ---- one round: STEP quotient bits; while normalising, the shift without subtracting ----
     reg          ready_q;                    // both operands are normalised
     reg [MW-1:0] mant_q, mant_d;
     reg [W:0]    rem_d;

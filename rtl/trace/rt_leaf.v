@@ -143,9 +143,12 @@ module rt_leaf #(
         op_y_q <= oc_y;
         op_z_q <= oc_z;
         if (take) begin
-            oc_x_q <= $signed({in_ctr_x_i[W-1], in_ctr_x_i}) - $signed({in_org_x_i[W-1], in_org_x_i});
-            oc_y_q <= $signed({in_ctr_y_i[W-1], in_ctr_y_i}) - $signed({in_org_y_i[W-1], in_org_y_i});
-            oc_z_q <= $signed({in_ctr_z_i[W-1], in_ctr_z_i}) - $signed({in_org_z_i[W-1], in_org_z_i});
+            oc_x_q <= $signed({in_ctr_x_i[W-1], in_ctr_x_i})
+                    - $signed({in_org_x_i[W-1], in_org_x_i});
+            oc_y_q <= $signed({in_ctr_y_i[W-1], in_ctr_y_i})
+                    - $signed({in_org_y_i[W-1], in_org_y_i});
+            oc_z_q <= $signed({in_ctr_z_i[W-1], in_ctr_z_i})
+                    - $signed({in_org_z_i[W-1], in_org_z_i});
             op_x_q <= {{(OW-WD){in_dir_x_i[WD-1]}}, in_dir_x_i};
             op_y_q <= {{(OW-WD){in_dir_y_i[WD-1]}}, in_dir_y_i};
             op_z_q <= {{(OW-WD){in_dir_z_i[WD-1]}}, in_dir_z_i};
