@@ -71,7 +71,7 @@ run "verilator sphereflake2 draft two engines" "EFFECTS=all ENGINES=2" \
     "$machines/sphereflake2-draft-32x24.sph"
 run "verilator sphereflake2 standard warm caches" EFFECTS=all \
     "$machines/sphereflake2-standard-32x24.sph" --warm
-broken "root is its own child" 4 --poke 0:224:26=0 --reg 29=40
+broken "root is its own child" 4 --poke 0:224:26=0 --reg 29=12
 broken "child beyond memory" 1 --poke 0:224:26=0x3ffffff
 broken "five children" 1 --poke 0:250:6=0x0c
 broken "root beyond memory" 1 --reg 25=0x3ffffff

@@ -31,20 +31,23 @@ core() {
 bench() {
     cp -al Makefile cmodel tb sim synth tests "$here/" && sh "$here/tb/run_bench.sh" "$1" 1
 }
-# Replaces the text FROM, which must stand exactly once in a file, by TO.
+# Replaces the text FROM, which must stand exactly once in a file, by TO. A space in FROM stands for
+# one or more blanks.
 edit() {
     awk '
         { text = text $0 "\n" }
         END {
             from = ENVIRON["FROM"]
-            for (rest = text; (at = index(rest, from)); rest = substr(rest, at + 1)) n++
+            gsub(/[][\\.^$*+?(){}|\/]/, "\\\\&", from)
+            gsub(/ +/, "[ \n]+", from)
+            for (rest = text; match(rest, from); rest = substr(rest, RSTART + 1)) n++
             if (n != 1) {
-                printf "stands %d times in the file, not once: %s\n", n, from
+                printf "stands %d times in the file, not once: %s\n", n, ENVIRON["FROM"]
                 exit 1
             }
-            at = index(text, from)
-            printf "%s%s%s", substr(text, 1, at - 1), ENVIRON["TO"],
-                substr(text, at + length(from)) >ENVIRON["NEW"]
+            match(text, from)
+            printf "%s%s%s", substr(text, 1, RSTART - 1), ENVIRON["TO"],
+                substr(text, RSTART + RLENGTH) >ENVIRON["NEW"]
         }' "$1" && mv "$NEW" "$1"
 }
 # Runs a job file; 0: noticed (sound RTL: passes), 1: not noticed, 2: could not be run.
@@ -59,7 +62,7 @@ job() {
     here=$1.dir NEW=$1.new
     export FROM TO NEW
     mkdir -p "$here/build/sim"
-    cp -r rtl "$here/rtl"
+    cp -r "$TMP/rtl" "$here/rtl"
     [ "$file" = - ] || edit "$here/rtl/$file" || return 2
     # what is the same for all counts as built
     cp -al "$BUILD/sim/obj" "$BUILD/sim/tb_core_icarus" "$here/build/sim/"
@@ -72,7 +75,7 @@ job() {
     [ "$file" != - ] || return $rc
     # a difference, not a build that broke
     [ $rc -eq 1 ] || return $((rc ? 2 : 1))
-    grep -q 'does not build' "$1.out" && return 2
+    grep -qE 'does not build|nothing matches' "$1.out" && return 2
     grep -qE ' [1-9][0-9]* mismatches|^not ok' "$1.out"
 }
 if [ "${1:-}" = --job ]; then
@@ -106,6 +109,7 @@ wanted print_by | sort -u >"$TMP/comparisons"
 while IFS= read -r by; do add "sound RTL" - - - "$by" "passes $by"; done <"$TMP/comparisons"
 wanted add_mutant
 
+cp -r rtl "$TMP/rtl" # all jobs see one state
 sh sim/core.sh --help >"$TMP/harness.log" 2>&1 || cat "$TMP/harness.log"
 find "$TMP" -name '*.job' | sort | xargs -P 2 -I JOB sh "$self" --job JOB
 
