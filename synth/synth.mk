@@ -1,5 +1,31 @@
 # synth.mk - areas with Yosys
 # SPDX-License-Identifier: Apache-2.0
+#
+#   make synth                          the standard core for ecp5, everything on
+#   make synth PROFILE=all TARGET=all   every profile for every target: the tables of docs/area.md
+#   make synth SCENE=x                  only the effects that the machine of scene x asks for
+#   make synth EFFECTS=shadow           these effects: names of machine.def, all or none
+# What was synthesised before is taken from build/synth/KEY/ as long as its sources are the same;
+# build/synth/report.md and report.json hold the tables of the last call.
 
-synth: ## area of every module with Yosys
-	@echo "synth: no synthesis targets yet" >&2; exit 1
+## TARGET      of make synth: ecp5, xc7, generic or all
+TARGET ?= ecp5
+## FLAT        1: make synth dissolves the hierarchy before it maps
+FLAT ?= 0
+
+# SCENE counts only if it was asked for, not by its default.
+SYNTH_SCENE := $(if $(filter file undefined,$(origin SCENE)),,$(if $(filter \
+                   auto,$(EFFECTS)),$(SCENE_FILE)))
+SYNTH_MACHINE := $(if $(SYNTH_SCENE),$B/synth/$(SCENE_NAME)-$(DEPTH).sph)
+
+ifneq ($(SYNTH_SCENE),)
+$(SYNTH_MACHINE): $(SYNTH_SCENE) $(TOOL)
+	@mkdir -p $(@D)
+	$(Q)$(TOOL) build $< --profile reference --size 32x24 --depth $(DEPTH) -o $@ >$@.log
+endif
+
+synth: $(SYNTH_MACHINE) ## area with Yosys: PROFILE and TARGET, or all; effects of SCENE if given
+	+$(Q)effects=$(if $(SYNTH_SCENE),$$($(TOOL) info $< | awk '$$2 == "EFFECTS" { print $$3 }'),$(or \
+	    $(filter-out auto,$(subst $() $(),+,$(EFFECTS))),all)) && \
+	    $(MAKE) --no-print-directory -j$(JOBS) -f synth/area.mk report B=$B V=$(V) \
+	    PROFILES=$(PROFILE) TARGETS=$(TARGET) EFFECTS=$$effects ENGINES=$(ENGINES) FLAT=$(FLAT)

@@ -1,0 +1,54 @@
+# area.mk - synthesises the core for some profiles and targets, and makes the report
+# SPDX-License-Identifier: Apache-2.0
+#
+# usage: make -f synth/area.mk report PROFILES=... TARGETS=... EFFECTS=...
+#   PROFILES  draft standard fine reference, or all
+#   TARGETS   ecp5 xc7 generic, or all
+#   EFFECTS   all, none, the EFFECTS register of a machine, or names joined by +
+# KEY names every parameter that shapes the core, so that results never mix. $B/synth/KEY/ holds
+# what Yosys printed; it is made again when a source of the core or a script here changes.
+
+B        ?= build
+PROFILES ?= standard
+TARGETS  ?= ecp5
+EFFECTS  ?= all
+ENGINES  ?= 1
+FLAT     ?= 0
+V        ?= 0
+Q        := $(if $(filter 1,$(V)),,@)
+DEF      := cmodel/machine/machine.def
+
+KNOWN_PROFILES := $(shell awk '$$1 == "profile" { print $$2 }' $(DEF))
+KNOWN_TARGETS  := ecp5 xc7 generic
+profiles := $(if $(filter all,$(PROFILES)),$(KNOWN_PROFILES),$(PROFILES))
+targets  := $(if $(filter all,$(TARGETS)),$(KNOWN_TARGETS),$(TARGETS))
+$(foreach p,$(profiles),$(if $(filter $p,$(KNOWN_PROFILES)),,$(error synth: \
+    no profile '$p'; there are $(KNOWN_PROFILES) and all)))
+$(foreach t,$(targets),$(if $(filter $t,$(KNOWN_TARGETS)),,$(error synth: \
+    no target '$t'; there are $(KNOWN_TARGETS) and all)))
+
+# shadow1-reflect0: every effect of machine.def that is a parameter of the core
+effects := $(shell awk -v want=$(EFFECTS) 'function bit(n) { return int(want / 2^n) % 2 } \
+    $$1 == "effect" { name = tolower($$3); \
+        on = want == "all" || (want ~ /^[0-9]+$$/ ? bit($$2) : ("+" want "+") ~ ("[+]" name "[+]")); \
+        seen = seen "-" name on; known = known "+" name } \
+    END { n = split(want, w, "+"); \
+          for (i = 1; i <= n; i++) \
+              if (w[i] !~ /^(all|none|[0-9]+)$$/ && ("+" known "+") !~ ("[+]" w[i] "[+]")) exit; \
+          print seen }' $(DEF))
+$(if $(effects),,$(error synth: unknown effect in '$(EFFECTS)'; there are all, none, or names of $(DEF)))
+VARIANT := $(effects)-engines$(ENGINES)$(if $(filter 1,$(FLAT)),-flat)
+KEYS := $(foreach p,$(profiles),$(foreach t,$(targets),$p-$t$(VARIANT)))
+
+.DELETE_ON_ERROR:
+.SUFFIXES:
+.PHONY: report results
+results: $(KEYS:%=$B/synth/%/stat.json)
+
+$B/synth/%/stat.json: synth/core.sh synth/area.mk $(DEF)
+	$(Q)sh synth/core.sh $* $(@D)
+
+report: results
+	$(Q)python3 synth/report.py $B/synth $(KEYS)
+
+-include $(wildcard $(KEYS:%=$B/synth/%/sources.d))

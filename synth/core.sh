@@ -1,0 +1,74 @@
+#!/bin/sh
+# core.sh - synthesises the core once with Yosys and keeps what it says
+# SPDX-License-Identifier: Apache-2.0
+#
+# usage: synth/core.sh PROFILE-TARGET-shadow1-reflect1-engines1[-flat] FOLDER
+# Leaves in FOLDER:
+#   parameters  what the core was elaborated with, and the seconds that it took
+#   rtl.json    stat before mapping: bits of memory as they are declared
+#   stat.json   stat after mapping, for each module its own cells
+#   multiply    operand widths of the multipliers that are left (generic)
+#   depth       longest path between registers, block RAMs and multipliers, cells
+#   sources.d   the files that were read, for make
+#   log         everything else
+set -eu
+cd "$(dirname "$0")/.."
+key=$1 out=$2
+rest=${key#*-}
+profile=${key%%-*} target=${rest%%-*}
+variant=${rest#*-}
+flat=
+case $variant in *-flat) flat=1 variant=${variant%-flat} ;; esac
+top=rt_core
+
+# PROFILE, W, WD, PQ, NG and FW from the one definition; the others are in the key.
+parameters=$(awk -v p="$profile" '$1 == "profile" { if ($2 == p)
+    print "PROFILE=" n + 0, "W=" $3, "WD=" $4, "PQ=" $5, "NG=" $6, "FW=" $7; n++ }' \
+    cmodel/machine/machine.def)
+parameters="$parameters $(echo "$variant" | tr 'a-z-' 'A-Z ' | sed 's/\([A-Z]\)\([0-9]\)/\1=\2/g')"
+set_all=$(echo "$parameters" | sed 's/\([A-Z]*\)=\([0-9]*\)/-set \1 \2/g')
+
+folders=$(find rtl -name '*.v*' -exec dirname {} + | sort -u)
+include='' library=''
+for d in $folders; do include="$include -I$d" library="$library -libdir $d"; done
+
+# Storage and multipliers end a path; what is left is counted cell by cell.
+depth="flatten; opt_clean; delete t:*FF* t:FD* t:LD* t:*RAM* t:DP16KD t:PDPW16KD t:*DPR16X4 \
+    t:MULT18X18D t:DSP48E1 t:SRL* t:\$mem_v2 t:\$mul t:\$_*DFF* t:\$scopeinfo; \
+    tee -q -o $out/depth ltp"
+case $target in
+ecp5) # -nowidelut: a 5-input function then takes as many LUT4 as it needs, not always two
+    map="synth_ecp5 -nowidelut ${flat:+-run begin:} ${flat:--noflatten} -top $top"
+    [ -z "$flat" ] || map="synth_ecp5 -nowidelut -top $top"
+    ;;
+xc7) map="synth_xilinx -family xc7 -noiopad -noclkbuf ${flat:+-flatten} -top $top" ;;
+generic) # simple gates; memories and multipliers stay what they are
+    map="proc; ${flat:+flatten;} opt_expr; opt_clean; opt -nodffe -nosdff; fsm; opt; wreduce;
+        peepopt; opt_clean; share; opt; memory -nomap; opt_clean; opt -fast -full;
+        techmap t:* t:\$mul %d t:\$mem_v2 %d; opt -fast;
+        abc -g simple; opt_clean; tee -q -o $out/multiply dump -m t:\$mul"
+    ;;
+esac
+
+mkdir -p "$out"
+printf '  %-4s %s\n' SYN "$key"
+start=$(date +%s)
+# shellcheck disable=SC2086  # lists of words on purpose
+nice yosys -q -l "$out/log" -E "$out/sources" -p "verilog_defaults -add $include -DSYNTHESIS;
+    read_verilog rtl/shell/$top.v; chparam $set_all $top; hierarchy -check -top $top $library;
+    proc; check -assert; tee -q -o $out/rtl.json stat -json;
+    $map; check -assert; tee -q -o $out/stat.tmp stat -json;
+    write_rtlil $out/netlist.il; $depth" >"$out/errors" 2>&1 || {
+    cat "$out/errors" >&2
+    exit 1
+}
+seconds=$(($(date +%s) - start))
+echo "$parameters SECONDS=$seconds" >"$out/parameters"
+headers=$(find rtl -name '*.vh')
+sources=$(sed 's/^[^:]*://; s,//,/,g' "$out/sources" | tr ' ' '\n' | grep '^rtl/.*\.v$' | sort -u)
+{
+    echo "$out/stat.json:" $sources $headers
+    echo $sources $headers:
+} >"$out/sources.d"
+mv "$out/stat.tmp" "$out/stat.json"
+printf '  %-4s %s, %s s\n' done "$key" "$seconds"

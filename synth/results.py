@@ -1,0 +1,145 @@
+# results.py - reads what synth/core.sh left in a folder
+# SPDX-License-Identifier: Apache-2.0
+"""A run is a dictionary of plain values; its rows are modules, all parameter sets of one together:
+own is what the instances hold themselves, total includes what is instantiated inside them."""
+import json
+import re
+from pathlib import Path
+
+# columns of each target: name, {cell type pattern: weight}, heading
+COLUMNS = {
+    "ecp5": [
+        ("mult", {r"MULT18X18D": 1}, "MULT18X18D"),
+        ("lut4", {r"LUT4": 1}, "LUT4"),
+        ("carry", {r"CCU2C": 1}, "CCU2C"),
+        ("lut4eq", {r"LUT4": 1, r"CCU2C": 2}, "LUT4eq"),
+        ("dpr", {r"TRELLIS_DPR16X4": 1}, "DPR16X4"),
+        ("lut4eq_ram", {r"LUT4": 1, r"CCU2C": 2, r"TRELLIS_DPR16X4": 4}, "LUT4eq + RAM"),
+        ("ff", {r"TRELLIS_FF": 1}, "FF"),
+        ("bram", {r"DP16KD|PDPW16KD": 1}, "DP16KD"),
+    ],
+    "xc7": [
+        ("mult", {r"DSP48E1": 1}, "DSP48E1"),
+        ("lut", {r"LUT[1-6]|INV": 1}, "LUT"),
+        ("carry", {r"CARRY4": 1}, "CARRY4"),
+        ("lutram", {r"RAM(32|64)M": 4, r"RAM(32|64)X1D": 2, r"RAM128X1D": 4,
+                    r"RAM(32|64)X1S": 1, r"SRL(16E|C32E)": 1}, "LUT as RAM"),
+        ("ff", {r"FD[A-Z]+(_1)?": 1}, "FF"),
+        ("ramb18", {r"RAMB18E1": 1}, "RAMB18"),
+        ("ramb36", {r"RAMB36E1": 1}, "RAMB36"),
+    ],
+    "generic": [
+        ("gates", {r"\$_(AND|OR|XOR|NOT|MUX|NAND|NOR|XNOR|ANDNOT|ORNOT)_": 1}, "gates"),
+        ("ff", {r"\$_[A-Z]*DFF[A-Z]*_.*": 1}, "FF"),
+        ("mult", {r"\$mul": 1}, "$mul"),
+    ],
+}
+# not from cell counts
+EXTRA = {"ecp5": [("bits", "RAM bits")], "xc7": [("bits", "RAM bits")],
+         "generic": [("pp_bits", "product bits"), ("bits", "RAM bits")]}
+SIZE = {"ecp5": "lut4eq", "xc7": "lut", "generic": "gates"}
+
+
+def columns(target):
+    """Keys and headings of a target's columns, left to right."""
+    return [(key, head) for key, _, head in COLUMNS[target]] + EXTRA[target]
+
+
+def _stat(path):
+    """Modules of `stat -json`; Yosys 0.23 prints the hierarchy as text into the middle of it."""
+    text = path.read_text()
+    end = text.find("\n   },\n")
+    data = json.loads(text[:end] + "\n}}" if end > 0 else text)
+    return data["creator"], {name.lstrip("\\"): m for name, m in data["modules"].items()}
+
+
+def _short(module):
+    r"""rt_fifo of $paramod$0123...\rt_fifo or $paramod\rt_fifo\WIDTH=..."""
+    return re.sub(r"^\$paramod(\$[0-9a-f]+)?\\", "", module).lstrip("\\").split("\\")[0]
+
+
+def _products(path):
+    """Partial product bits, A_WIDTH * B_WIDTH summed, of the $mul of each module."""
+    bits, module, width = {}, None, 0
+    for line in path.read_text().splitlines() if path.exists() else []:
+        word = line.split()
+        if line.startswith("module "):
+            module = word[1].lstrip("\\")
+        elif word[:2] == ["parameter", "\\A_WIDTH"]:
+            width = int(word[2])
+        elif word[:2] == ["parameter", "\\B_WIDTH"]:
+            bits[module] = bits.get(module, 0) + width * int(word[2])
+    return bits
+
+
+def _depth(path):
+    """Cells of the longest path, and how many of them are carry cells (by their names)."""
+    steps = re.findall(r"^ *[1-9][0-9]*: .*\(via (.*)\)$", path.read_text(), re.M)
+    kinds = [re.findall(r"(LUT[1-6]|MUXF[78]|CCU2C|CARRY4)(?=_)", step)[-1:] for step in steps]
+    return len(steps), sum(kind in (["CCU2C"], ["CARRY4"]) for kind in kinds)
+
+
+def read(folder):
+    """The run whose folder it is."""
+    folder = Path(folder)
+    key = folder.name
+    profile, target, variant = key.split("-", 2)
+    parameters = dict(p.split("=") for p in (folder / "parameters").read_text().split())
+    parameters = {name: int(value) for name, value in parameters.items()}
+    seconds = parameters.pop("SECONDS")
+    creator, mapped = _stat(folder / "stat.json")
+    _, declared = _stat(folder / "rtl.json")
+    products = _products(folder / "multiply")
+    flat = variant.endswith("-flat")
+
+    def own(name):
+        cells = mapped.get(name, {"num_cells_by_type": {}})["num_cells_by_type"]
+        counts = {}
+        for column, weights, _ in COLUMNS[target]:
+            counts[column] = sum(weight * n for pattern, weight in weights.items()
+                                 for cell, n in cells.items() if re.fullmatch(pattern, cell))
+        counts["bits"] = declared.get(name, {"num_memory_bits": 0})["num_memory_bits"]
+        if target == "generic":
+            counts["pp_bits"] = products.get(name, 0)
+        return counts
+
+    def children(name, tree):
+        for cell, n in tree[name]["num_cells_by_type"].items():
+            if cell.lstrip("\\") in tree:
+                yield cell.lstrip("\\"), n
+
+    def add(into, counts, n=1):
+        for column, value in counts.items():
+            into[column] = into.get(column, 0) + n * value
+
+    totals, rows = {}, {}
+
+    def total(name):
+        if name not in totals:
+            totals[name] = own(name)
+            for child, n in children(name, mapped):
+                add(totals[name], total(child), n)
+        return totals[name]
+
+    def walk(name, n):
+        row = rows.setdefault(_short(name), {"instances": 0, "own": {}, "total": {}})
+        row["instances"] += n
+        add(row["own"], own(name), n)
+        add(row["total"], total(name), n)
+        for child, m in children(name, mapped):
+            walk(child, n * m)
+
+    def memory(name):
+        return (declared[name]["num_memory_bits"]
+                + sum(n * memory(child) for child, n in children(name, declared)))
+
+    top = next(name for name in mapped if _short(name) == "rt_core")
+    walk(top, 1)
+    if flat:
+        for counts in rows["rt_core"]["own"], rows["rt_core"]["total"]:
+            counts["bits"] = memory(next(name for name in declared if _short(name) == "rt_core"))
+    depth, carry = _depth(folder / "depth")
+    return {"key": key, "profile": profile, "target": target, "variant": variant, "flat": flat,
+            "yosys": creator, "seconds": seconds, "parameters": parameters,
+            "depth": depth, "depth_carry": carry,
+            "core": rows["rt_core"]["total"], "modules": rows}
