@@ -37,7 +37,7 @@ void wait_for(const Options &o, std::vector<pid_t> &children, const std::vector<
     while (!children.empty()) {
         for (size_t i = 0; i < children.size(); i++) {
             int status = 0;
-            if (waitpid(children[i], &status, WNOHANG) != children[i]) continue;
+            if (children[i] < 0 || waitpid(children[i], &status, WNOHANG) != children[i]) continue;
             if (!runs[i]->done)
                 fail(*runs[i], "the simulating process ended with status 0x%x",
                      static_cast<unsigned>(status));
