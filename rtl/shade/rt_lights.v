@@ -15,8 +15,10 @@ module rt_lights #(
     // registers
     input  wire [3:0]        n_lights_i,      // 0..8
     input  wire [47:0]       ambient_i,       // {blue, green, red} u1.15
-    input  wire [8*3*W-1:0]  light_pos_i,     // light l: {z, y, x} at 3*W*l
-    input  wire [8*48-1:0]   light_colour_i,  // light l: {blue, green, red} u1.15
+    input  wire              light_valid_i,   // writes one part of one light
+    input  wire [2:0]        light_number_i,
+    input  wire [2:0]        light_part_i,    // 0..2: x, y, z sW; 3..5: red, green, blue u1.15
+    input  wire [31:0]       light_data_i,
     // from rt_surface
     input  wire              point_valid_i,
     input  wire [SLOTW-1:0]  point_slot_i,
@@ -43,6 +45,31 @@ module rt_lights #(
     output reg [SLOTW-1:0]   sum_slot_o,
     output reg [50:0]        sum_o            // 3 x u2.15
 );
+    wire             a_valid;                         // an event left the adder
+    wire [SLOTW-1:0] a_slot;
+    wire [3:0]       a_next;                          // the light to go to
+    wire [50:0]      a_sum;
+    wire [2:0]       e_lamp;                          // the light whose event enters the adder
+
+    // ---- the lights, one small memory per part ----
+    wire [3*W-1:0] pos;                               // of light a_next
+    wire [47:0]    colour;                            // of light e_lamp
+    genvar c;
+    generate
+        for (c = 0; c < 3; c = c + 1) begin : g_light
+            rt_slot_file #(.WIDTH(W), .SLOTS(8)) u_pos (
+                .clk(clk), .wr_en_i(light_valid_i && light_part_i == c),
+                .wr_addr_i(light_number_i), .wr_data_i(light_data_i[W-1:0]),
+                .rd_addr_i(a_next[2:0]), .rd_data_o(pos[W*c +: W])
+            );
+            rt_slot_file #(.WIDTH(16), .SLOTS(8)) u_colour (
+                .clk(clk), .wr_en_i(light_valid_i && light_part_i == c + 3),
+                .wr_addr_i(light_number_i), .wr_data_i(light_data_i[15:0]),
+                .rd_addr_i(e_lamp), .rd_data_o(colour[16*c +: 16])
+            );
+        end
+    endgenerate
+
     // ---- queues of events ----
     wire             s_valid, l_valid, t_valid, s_in, l_in, t_in, add_ready;
     wire [SLOTW-1:0] s_slot;
@@ -85,46 +112,42 @@ module rt_lights #(
         end
         if (rst) e_valid_q <= 1'b0;
     end
-    wire             a_valid;
-    wire [SLOTW-1:0] a_slot;
-    wire [3:0]       a_next;
-    wire [50:0]      a_sum;
-    rt_slot_ram #(.WIDTH(51), .SLOTS(SLOTS)) u_sum (
+    rt_slot_ram #(.WIDTH(51), .SLOTS(SLOTS), .OLD(0)) u_sum (
         .clk(clk), .wr_en_i(a_valid), .wr_addr_i(a_slot), .wr_data_i(a_sum),
         .rd_en_i(read), .rd_addr_i(slot), .rd_data_o(e_sum)
     );
-    rt_slot_ram #(.WIDTH(16), .SLOTS(SLOTS)) u_cosine (
+    rt_slot_ram #(.WIDTH(16), .SLOTS(SLOTS), .OLD(0)) u_cosine (
         .clk(clk), .wr_en_i(cosine_valid_i), .wr_addr_i(cosine_slot_i), .wr_data_i(cosine_i),
         .rd_en_i(read), .rd_addr_i(slot), .rd_data_o(e_cosine)
     );
-    rt_slot_ram #(.WIDTH(3), .SLOTS(SLOTS)) u_light (
+    rt_slot_ram #(.WIDTH(3), .SLOTS(SLOTS), .OLD(0)) u_light (
         .clk(clk), .wr_en_i(a_valid), .wr_addr_i(a_slot), .wr_data_i(a_next[2:0]),
         .rd_en_i(read), .rd_addr_i(slot), .rd_data_o(e_light)
     );
 
     // ---- add ----
     wire [50:0] ambient = {1'b0, ambient_i[47:32], 1'b0, ambient_i[31:16], 1'b0, ambient_i[15:0]};
-    wire [2:0]  e_lamp  = e_start_q ? 3'd0 : e_light;
+    assign e_lamp = e_start_q ? 3'd0 : e_light;
     wire [3:0]  e_next  = e_start_q ? 4'd0 : {1'b0, e_lamp} + 4'd1;
     rt_light_add #(.TAG(SLOTW+4)) u_add (
         .clk(clk), .rst(rst), .in_valid_i(e_valid_q), .in_ready_o(add_ready),
         .in_tag_i({e_slot_q, e_next}),
         .in_sum_i(e_start_q ? ambient : e_sum),
         .in_cosine_i(e_lit_q && !e_start_q ? e_cosine : 16'd0),
-        .in_intensity_i(light_colour_i[48*e_lamp +: 48]),
+        .in_intensity_i(e_start_q ? 48'd0 : colour),
         .out_valid_o(a_valid), .out_tag_o({a_slot, a_next}), .out_sum_o(a_sum)
     );
 
     // ---- next light, or done ----
     wire [3*W-1:0]  v_point;
     reg [3*W-1:0]   v_light_q;
-    rt_slot_ram #(.WIDTH(3*W), .SLOTS(SLOTS)) u_point (
+    rt_slot_ram #(.WIDTH(3*W), .SLOTS(SLOTS), .OLD(0)) u_point (
         .clk(clk), .wr_en_i(point_valid_i), .wr_addr_i(point_slot_i), .wr_data_i(point_i),
-        .rd_en_i(1'b1), .rd_addr_i(a_slot), .rd_data_o(v_point)
+        .rd_en_i(a_valid), .rd_addr_i(a_slot), .rd_data_o(v_point)
     );
     wire a_last = a_next == n_lights_i;
     always @(posedge clk) begin
-        v_light_q   <= light_pos_i[3*W*a_next[2:0] +: 3*W];
+        v_light_q   <= pos;
         vec_valid_o <= a_valid && !a_last;
         vec_slot_o  <= a_slot;
         sum_valid_o <= a_valid && a_last;
@@ -140,6 +163,6 @@ module rt_lights #(
             assign vec_o[WD*i +: WD] = light - point;  // exact: WD > W
         end
     endgenerate
-    wire unused = &{1'b0, s_in, l_in, t_in};
+    wire unused = &{1'b0, s_in, l_in, t_in, light_data_i};
 endmodule
 `default_nettype wire

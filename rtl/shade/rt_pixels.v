@@ -47,6 +47,7 @@ module rt_pixels #(
     input  wire [SLOTW-1:0]  done_slot_i,
     input  wire              done_found_i,
     input  wire              done_shadow_i,
+    input  wire              done_primary_i,
     input  wire              done_far_i,
     input  wire [23:0]       done_id_i,
     input  wire [W+WD+1:0]   done_key_i,
@@ -68,7 +69,8 @@ module rt_pixels #(
     input  wire [SLOTW-1:0]  sum_slot_i,
     input  wire [50:0]       sum_i,           // 3 x u2.15
     // finished pixels
-    output wire [SLOTW-1:0]  visits_slot_o,   // to rt_traverse
+    output wire              visits_read_o,   // to rt_traverse
+    output wire [SLOTW-1:0]  visits_slot_o,
     input  wire [23:0]       visits_i,
     output wire              pix_valid_o,
     input  wire              pix_ready_i,
@@ -95,8 +97,8 @@ module rt_pixels #(
         .in_data_i(filling ? fill_q[SLOTW-1:0] : out_slot),
         .out_valid_o(free_valid), .out_ready_i(taken), .out_data_o(free_slot)
     );
-    assign in_ready_o      = free_valid && primary_ready_i;
-    assign primary_valid_o = in_valid_i && free_valid;
+    assign in_ready_o      = free_valid && !filling && primary_ready_i;
+    assign primary_valid_o = in_valid_i && free_valid && !filling;
     assign primary_slot_o  = free_slot;
     assign primary_vec_o   = in_dir_i;
     assign busy_o          = used_q != 0;
@@ -106,21 +108,11 @@ module rt_pixels #(
         if (rst) begin fill_q <= 0; used_q <= 0; end
     end
 
-    // ---- reflections so far, per slot ----
-    reg [2:0]        depth_q [0:SLOTS-1];
-    wire             b_valid, b_last;
-    wire [SLOTW-1:0] b_slot;
-    wire [2:0]       b_depth;
-    always @(posedge clk) begin
-        if (taken) depth_q[free_slot] <= 3'd0;
-        if (b_valid) depth_q[b_slot] <= b_depth;
-    end
-
     // ---- rays that are done ----
     wire [25:0] d_line    = prim_base_i + {2'b0, done_id_i};
     wire        d_outside = d_line >= mem_lines_i;
     wire        d_found   = done_found_i && !d_outside;
-    wire        d_first   = depth_q[done_slot_i] == 3'd0;
+    wire        d_first   = done_primary_i;
     reg         miss_valid_q, sky_valid_q;           // behind a mirror; at once
     always @(posedge clk) begin
         shadow_valid_o <= done_valid_i && done_shadow_i;
@@ -142,18 +134,21 @@ module rt_pixels #(
 
     // ---- queues of surfaces and of background behind mirrors ----
     wire             q_hit, q_miss, q_hit_in, q_miss_in, blend_ready;
-    wire [SLOTW+50:0] q_sum;
-    wire [SLOTW-1:0] q_miss_slot;
+    wire [SLOTW-1:0] q_hit_slot, q_miss_slot;
     reg              e_valid_q, e_miss_q;
     reg [SLOTW-1:0]  e_slot_q;
-    reg [50:0]       e_light_q;
+    wire [50:0]      e_light;
     wire             e_load = !e_valid_q || blend_ready;
-    wire [SLOTW-1:0] e_slot = q_hit ? q_sum[51 +: SLOTW] : q_miss_slot;
+    wire [SLOTW-1:0] e_slot = q_hit ? q_hit_slot : q_miss_slot;
     wire             e_read = e_load && (q_hit || q_miss);
-    rt_fifo #(.WIDTH(SLOTW+51), .DEPTH(SLOTS)) u_sums (
+    rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_sums (
         .clk(clk), .rst(rst), .in_valid_i(sum_valid_i), .in_ready_o(q_hit_in),
-        .in_data_i({sum_slot_i, sum_i}),
-        .out_valid_o(q_hit), .out_ready_i(e_load), .out_data_o(q_sum)
+        .in_data_i(sum_slot_i),
+        .out_valid_o(q_hit), .out_ready_i(e_load), .out_data_o(q_hit_slot)
+    );
+    rt_slot_ram #(.WIDTH(51), .SLOTS(SLOTS), .OLD(0)) u_light (
+        .clk(clk), .wr_en_i(sum_valid_i), .wr_addr_i(sum_slot_i), .wr_data_i(sum_i),
+        .rd_en_i(e_read), .rd_addr_i(e_slot), .rd_data_o(e_light)
     );
     rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_misses (
         .clk(clk), .rst(rst), .in_valid_i(miss_valid_q), .in_ready_o(q_miss_in),
@@ -165,31 +160,36 @@ module rt_pixels #(
             e_valid_q <= q_hit || q_miss;
             e_miss_q  <= !q_hit;
             e_slot_q  <= e_slot;
-            e_light_q <= q_sum[50:0];
         end
         if (rst) e_valid_q <= 1'b0;
     end
     wire [32:0]  e_material;
-    wire [136:0] e_state, b_state;                   // {frames, weight, sum}
-    rt_slot_ram #(.WIDTH(33), .SLOTS(SLOTS)) u_material (
+    wire [139:0] e_state, b_state;                   // {depth, frames, weight, sum}
+    wire         e_first;                            // the surface that the pixel sees itself
+    wire         b_valid, b_last;
+    wire [SLOTW-1:0] b_slot;
+    rt_slot_ram #(.WIDTH(1), .SLOTS(SLOTS), .OLD(0)) u_first_surface (
+        .clk(clk), .wr_en_i(done_valid_i && !done_shadow_i), .wr_addr_i(done_slot_i),
+        .wr_data_i(d_first),
+        .rd_en_i(e_read), .rd_addr_i(e_slot), .rd_data_o(e_first)
+    );
+    rt_slot_ram #(.WIDTH(33), .SLOTS(SLOTS), .OLD(0)) u_material (
         .clk(clk), .wr_en_i(material_valid_i), .wr_addr_i(material_slot_i),
         .wr_data_i(material_i),
         .rd_en_i(e_read), .rd_addr_i(e_slot), .rd_data_o(e_material)
     );
-    rt_slot_ram #(.WIDTH(137), .SLOTS(SLOTS)) u_state (
+    rt_slot_ram #(.WIDTH(140), .SLOTS(SLOTS), .OLD(0)) u_state (
         .clk(clk), .wr_en_i(b_valid), .wr_addr_i(b_slot), .wr_data_i(b_state),
         .rd_en_i(e_read), .rd_addr_i(e_slot), .rd_data_o(e_state)
     );
 
     // ---- blend: two units take turns ----
-    wire [2:0]   e_depth = depth_q[e_slot_q];
-    wire         e_first = e_depth == 3'd0;
+    wire [2:0]   e_depth = e_first ? 3'd0 : e_state[139:137];
     wire         e_last  = e_miss_q || e_material[32:24] == 9'd0 || REFLECT == 0 ||
                            !reflect_on_i || e_depth == max_depth_i;
     wire [1:0]   u_ready, u_valid, u_last;
     wire [2*SLOTW-1:0]  u_slot;
-    wire [5:0]   u_depth;
-    wire [273:0] u_state_out;
+    wire [279:0] u_state_out;
     assign blend_ready = |u_ready;
     genvar u;
     generate
@@ -197,7 +197,7 @@ module rt_pixels #(
             rt_blend #(.TAG(SLOTW+1)) u_blend (
                 .clk(clk), .rst(rst),
                 .in_valid_i(e_valid_q && (u == 0 || !u_ready[0])), .in_ready_o(u_ready[u]),
-                .in_tag_i({e_slot_q, e_last}), .in_light_i(e_light_q),
+                .in_tag_i({e_slot_q, e_last}), .in_light_i(e_light),
                 .in_albedo_i(e_miss_q ? background_i : e_material[23:0]),
                 .in_background_i(e_miss_q), .in_kr_i(e_miss_q ? 9'd0 : e_material[32:24]),
                 .in_last_i(e_last),
@@ -205,16 +205,15 @@ module rt_pixels #(
                 .in_weight_i(e_first ? 17'h10000 : e_state[64:48]),
                 .in_depth_i(e_depth), .in_colour_i(e_first ? 72'd0 : e_state[136:65]),
                 .out_valid_o(u_valid[u]), .out_tag_o({u_slot[SLOTW*u +: SLOTW], u_last[u]}),
-                .out_sum_o(u_state_out[137*u +: 48]), .out_weight_o(u_state_out[137*u+48 +: 17]),
-                .out_depth_o(u_depth[3*u +: 3]), .out_colour_o(u_state_out[137*u+65 +: 72])
+                .out_sum_o(u_state_out[140*u +: 48]), .out_weight_o(u_state_out[140*u+48 +: 17]),
+                .out_depth_o(u_state_out[140*u+137 +: 3]), .out_colour_o(u_state_out[140*u+65 +: 72])
             );
         end
     endgenerate
     assign b_valid = |u_valid;                       // never both: one enters a cycle
     assign b_slot  = u_valid[0] ? u_slot[SLOTW-1:0] : u_slot[2*SLOTW-1:SLOTW];
     assign b_last  = u_valid[0] ? u_last[0] : u_last[1];
-    assign b_depth = u_valid[0] ? u_depth[2:0] : u_depth[5:3];
-    assign b_state = u_valid[0] ? u_state_out[136:0] : u_state_out[273:137];
+    assign b_state = u_valid[0] ? u_state_out[139:0] : u_state_out[279:140];
 
     // ---- mirror rays ----
     generate
@@ -231,11 +230,11 @@ module rt_pixels #(
                 .in_data_i(b_slot),
                 .out_valid_o(m_valid), .out_ready_i(m_load), .out_data_o(m_slot)
             );
-            rt_slot_ram #(.WIDTH(3*WD), .SLOTS(SLOTS)) u_dir (
+            rt_slot_ram #(.WIDTH(3*WD), .SLOTS(SLOTS), .OLD(0)) u_dir (
                 .clk(clk), .wr_en_i(ray_valid_i), .wr_addr_i(ray_slot_i), .wr_data_i(ray_dir_i),
                 .rd_en_i(m_load && m_valid), .rd_addr_i(m_slot), .rd_data_o(n_dir)
             );
-            rt_slot_ram #(.WIDTH(5*WD), .SLOTS(SLOTS)) u_normal (
+            rt_slot_ram #(.WIDTH(5*WD), .SLOTS(SLOTS), .OLD(0)) u_normal (
                 .clk(clk), .wr_en_i(normal_valid_i), .wr_addr_i(normal_slot_i),
                 .wr_data_i({normal_nn_i, normal_vec_i}),
                 .rd_en_i(m_load && m_valid), .rd_addr_i(m_slot), .rd_data_o({n_nn, n_normal})
@@ -271,18 +270,22 @@ module rt_pixels #(
 
     // ---- delivery ----
     wire             o_blend, o_sky, o_blend_in, o_sky_in;
-    wire [SLOTW+71:0] o_colour;
-    wire [SLOTW-1:0] o_sky_slot;
+    wire [SLOTW-1:0] o_blend_slot, o_sky_slot;
+    wire [71:0]      p_colour;
     reg              p_valid_q, p_sky_q;
     reg [SLOTW-1:0]  p_slot_q;
-    reg [71:0]       p_colour_q;
     wire             o_load = !p_valid_q || pix_ready_i;
-    wire [SLOTW-1:0] o_slot = o_blend ? o_colour[72 +: SLOTW] : o_sky_slot;
+    wire [SLOTW-1:0] o_slot = o_blend ? o_blend_slot : o_sky_slot;
     wire             o_read = o_load && (o_blend || o_sky);
-    rt_fifo #(.WIDTH(SLOTW+72), .DEPTH(SLOTS)) u_blended (
+    rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_blended (
         .clk(clk), .rst(rst), .in_valid_i(b_valid && b_last), .in_ready_o(o_blend_in),
-        .in_data_i({b_slot, b_state[136:65]}),
-        .out_valid_o(o_blend), .out_ready_i(o_load), .out_data_o(o_colour)
+        .in_data_i(b_slot),
+        .out_valid_o(o_blend), .out_ready_i(o_load), .out_data_o(o_blend_slot)
+    );
+    rt_slot_ram #(.WIDTH(72), .SLOTS(SLOTS), .OLD(0)) u_frames (
+        .clk(clk), .wr_en_i(b_valid && b_last), .wr_addr_i(b_slot),
+        .wr_data_i(b_state[136:65]),
+        .rd_en_i(o_read), .rd_addr_i(o_slot), .rd_data_o(p_colour)
     );
     rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_skies (
         .clk(clk), .rst(rst), .in_valid_i(sky_valid_q), .in_ready_o(o_sky_in),
@@ -290,11 +293,11 @@ module rt_pixels #(
         .out_valid_o(o_sky), .out_ready_i(o_load && !o_blend), .out_data_o(o_sky_slot)
     );
     wire [KW+23:0] p_first;                          // {id, key} of the primary hit
-    rt_slot_ram #(.WIDTH(28), .SLOTS(SLOTS)) u_pixel (
+    rt_slot_ram #(.WIDTH(28), .SLOTS(SLOTS), .OLD(0)) u_pixel (
         .clk(clk), .wr_en_i(taken), .wr_addr_i(free_slot), .wr_data_i({in_y_i, in_x_i}),
         .rd_en_i(o_read), .rd_addr_i(o_slot), .rd_data_o({pix_y_o, pix_x_o})
     );
-    rt_slot_ram #(.WIDTH(KW+24), .SLOTS(SLOTS)) u_first (
+    rt_slot_ram #(.WIDTH(KW+24), .SLOTS(SLOTS), .OLD(0)) u_first (
         .clk(clk), .wr_en_i(done_valid_i && !done_shadow_i && d_first && d_found),
         .wr_addr_i(done_slot_i), .wr_data_i({done_id_i, done_key_i}),
         .rd_en_i(o_read), .rd_addr_i(o_slot), .rd_data_o(p_first)
@@ -304,13 +307,13 @@ module rt_pixels #(
             p_valid_q  <= o_blend || o_sky;
             p_sky_q    <= !o_blend;
             p_slot_q   <= o_slot;
-            p_colour_q <= o_blend ? o_colour[71:0] : {3{background_i}};
         end
         if (rst) p_valid_q <= 1'b0;
     end
-    assign visits_slot_o = p_slot_q;
+    assign visits_read_o = o_read;
+    assign visits_slot_o = o_slot;
     assign pix_valid_o   = p_valid_q;
-    assign pix_colour_o  = p_colour_q;
+    assign pix_colour_o  = p_sky_q ? {3{background_i}} : p_colour;
     assign pix_id_o      = p_sky_q ? 24'hffffff : p_first[KW +: 24];
     assign pix_key_o     = p_sky_q ? {KW{1'b0}} : p_first[KW-1:0];
     assign pix_visits_o  = visits_i;

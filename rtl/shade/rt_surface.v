@@ -54,20 +54,23 @@ module rt_surface #(
     localparam KW = W + WD + 2;
 
     // ---- queue of hits; what is read at the head ----
-    localparam HW = SLOTW + 24 + KW;
-    wire          h_valid, h_in, h_taken, divider;
-    wire [HW-1:0] h;
-    rt_fifo #(.WIDTH(HW), .DEPTH(SLOTS)) u_hits (
+    wire             h_valid, h_in, h_taken, divider;
+    wire [SLOTW-1:0] h_slot;
+    rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_hits (
         .clk(clk), .rst(rst), .in_valid_i(in_valid_i), .in_ready_o(h_in),
-        .in_data_i({in_slot_i, in_id_i, in_key_i}),
-        .out_valid_o(h_valid), .out_ready_i(h_taken), .out_data_o(h)
+        .in_data_i(in_slot_i),
+        .out_valid_o(h_valid), .out_ready_i(h_taken), .out_data_o(h_slot)
     );
-    wire [SLOTW-1:0] h_slot = h[HW-1 -: SLOTW];
+    wire [KW+23:0]   h;                       // {id, key}
     wire [2*WD-1:0]  h_a;
-    reg              h_read_q;                // h_a belongs to the head
-    rt_slot_ram #(.WIDTH(2*WD), .SLOTS(SLOTS)) u_a (
+    reg              h_read_q;                // h and h_a belong to the head
+    rt_slot_ram #(.WIDTH(KW+24), .SLOTS(SLOTS), .OLD(0)) u_hit_data (
+        .clk(clk), .wr_en_i(in_valid_i), .wr_addr_i(in_slot_i), .wr_data_i({in_id_i, in_key_i}),
+        .rd_en_i(h_valid), .rd_addr_i(h_slot), .rd_data_o(h)
+    );
+    rt_slot_ram #(.WIDTH(2*WD), .SLOTS(SLOTS), .OLD(0)) u_a (
         .clk(clk), .wr_en_i(ray_valid_i), .wr_addr_i(ray_slot_i), .wr_data_i(ray_a_i),
-        .rd_en_i(1'b1), .rd_addr_i(h_slot), .rd_data_o(h_a)
+        .rd_en_i(h_valid), .rd_addr_i(h_slot), .rd_data_o(h_a)
     );
     always @(posedge clk) begin
         h_read_q <= h_valid && !h_taken;
@@ -121,16 +124,16 @@ module rt_surface #(
     wire [3*WD-1:0]  r_dir;
     wire             r_far;
     wire             r_load;
-    rt_slot_ram #(.WIDTH(PQ+8), .SLOTS(SLOTS)) u_t (
+    rt_slot_ram #(.WIDTH(PQ+8), .SLOTS(SLOTS), .OLD(0)) u_t (
         .clk(clk), .wr_en_i(|done), .wr_addr_i(t[26 +: SLOTW]), .wr_data_i(t[DW-1 -: PQ+8]),
         .rd_en_i(r_load), .rd_addr_i(prim_slot_i), .rd_data_o(r_t)
     );
-    rt_slot_ram #(.WIDTH(3*W+3*WD), .SLOTS(SLOTS)) u_ray (
+    rt_slot_ram #(.WIDTH(3*W+3*WD), .SLOTS(SLOTS), .OLD(0)) u_ray (
         .clk(clk), .wr_en_i(ray_valid_i), .wr_addr_i(ray_slot_i),
         .wr_data_i({ray_dir_i, ray_org_i}),
         .rd_en_i(r_load), .rd_addr_i(prim_slot_i), .rd_data_o({r_dir, r_org})
     );
-    rt_slot_ram #(.WIDTH(1), .SLOTS(SLOTS)) u_far (
+    rt_slot_ram #(.WIDTH(1), .SLOTS(SLOTS), .OLD(0)) u_far (
         .clk(clk), .wr_en_i(in_valid_i), .wr_addr_i(in_slot_i), .wr_data_i(in_far_i),
         .rd_en_i(r_load), .rd_addr_i(prim_slot_i), .rd_data_o(r_far)
     );

@@ -67,15 +67,16 @@ module rt_core #(
     wire [3*WD-1:0]  dir;
     wire [WD-1:0]    pitch;
     wire [25:0]      root, prim_base, mem_lines;
-    wire [8*3*W-1:0] light_pos;
-    wire [8*48-1:0]  light_colour;
+    wire             light_valid;
+    wire [2:0]       light_number, light_part;
     rt_registers #(.W(W), .WD(WD)) u_registers (
         .clk(clk), .valid_i(cfg_valid_i && !busy_o), .addr_i(cfg_addr_i), .data_i(cfg_data_i),
         .effects_o(effects), .max_depth_o(max_depth), .n_lights_o(n_lights),
         .window_o(window), .rect_on_o(rect_on), .rect_o(rect), .background_o(background),
         .ambient_o(ambient), .eye_o(eye), .dir_o(dir), .pitch_o(pitch), .root_o(root),
         .prim_base_o(prim_base), .mem_lines_o(mem_lines), .visit_limit_o(visit_limit),
-        .profile_o(profile), .light_pos_o(light_pos), .light_colour_o(light_colour)
+        .profile_o(profile), .light_valid_o(light_valid), .light_number_o(light_number),
+        .light_part_o(light_part)
     );
     wire [31:0] built = (SHADOW != 0 ? 32'd1 << `RT_EFFECT_SHADOW : 32'd0) |
                         (REFLECT != 0 ? 32'd1 << `RT_EFFECT_REFLECT : 32'd0);
@@ -102,7 +103,14 @@ module rt_core #(
         .bg_valid_o(bg_valid), .bg_ready_i(bg_ready), .x_o(x), .y_o(y)
     );
     assign e_take = e_ready & (~e_ready + 1'b1);     // the lowest engine with a free slot
-    assign busy_o = walk_busy || e_busy != 0 || mux_valid_q;
+    wire             working = walk_busy || e_busy != 0 || mux_valid_q;
+    reg [4:0]        settle_q;                       // cycles until the counters are complete
+    assign busy_o = working || settle_q != 5'd0;
+    always @(posedge clk) begin
+        if (working || go) settle_q <= 5'd18;
+        else if (settle_q != 5'd0) settle_q <= settle_q - 5'd1;
+        if (rst) settle_q <= 5'd0;
+    end
 
     // ---- engines ----
     wire [ENGINES*2-1:0]   m_req_valid, m_req_ready, m_rsp_valid, m_rsp_ready;
@@ -129,7 +137,8 @@ module rt_core #(
                 .max_depth_i(max_depth), .n_lights_i(n_lights), .background_i(background),
                 .ambient_i(ambient), .eye_i(eye), .root_i(root), .prim_base_i(prim_base),
                 .mem_lines_i(mem_lines), .visit_limit_i(visit_limit),
-                .light_pos_i(light_pos), .light_colour_i(light_colour),
+                .light_valid_i(light_valid), .light_number_i(light_number),
+                .light_part_i(light_part), .light_data_i(cfg_data_i),
                 .in_valid_i(ray_valid && e_take[e]), .in_ready_o(e_ready[e]),
                 .in_x_i(x), .in_y_i(y), .in_dir_i({dir[2*WD +: WD], ray_y, ray_x}),
                 .pix_valid_o(p_valid[e]), .pix_ready_i(p_take[e] && mux_ready),
@@ -206,12 +215,12 @@ module rt_core #(
             add[8*`RT_COUNT_POP_BUBBLES    +: 8] = add[8*`RT_COUNT_POP_BUBBLES    +: 8] + {7'd0, events[16*n+14]};
         end
         add[8*`RT_COUNT_BACKGROUND   +: 8] = {7'd0, bg_valid && bg_ready};
-        add[8*`RT_COUNT_CYCLES       +: 8] = {7'd0, busy_o};
+        add[8*`RT_COUNT_CYCLES       +: 8] = {7'd0, working};
         add[8*`RT_COUNT_RAYS_WAITING +: 8] = {7'd0, ray_valid};
         add[8*`RT_COUNT_ISSUE_WAIT   +: 8] = {7'd0, ray_valid && issued == 0};
     end
     rt_counters u_counters (
-        .clk(clk), .clear_i(go), .add_i(add), .addr_i(count_addr_i), .data_o(count_data_o)
+        .clk(clk), .rst(rst), .clear_i(go), .add_i(add), .addr_i(count_addr_i), .data_o(count_data_o)
     );
 
     // ---- sticky errors ----

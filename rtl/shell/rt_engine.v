@@ -34,8 +34,10 @@ module rt_engine #(
     input  wire [25:0]       prim_base_i,
     input  wire [25:0]       mem_lines_i,
     input  wire [23:0]       visit_limit_i,
-    input  wire [8*3*W-1:0]  light_pos_i,
-    input  wire [8*48-1:0]   light_colour_i,
+    input  wire              light_valid_i,   // writes one part of one light
+    input  wire [2:0]        light_number_i,
+    input  wire [2:0]        light_part_i,
+    input  wire [31:0]       light_data_i,
     // from rt_walk
     input  wire              in_valid_i,
     output wire              in_ready_o,
@@ -85,7 +87,7 @@ module rt_engine #(
     wire [3*WD-1:0]   surface_normal;
     wire [23:0]       hit_id;
     wire [KW-1:0]     hit_key;
-    wire              ray_valid, ray_shadow, ray_negative;
+    wire              ray_valid, ray_shadow, ray_primary, ray_negative;
     wire [SLOTW-1:0]  ray_slot;
     wire [3*W-1:0]    ray_org;
     wire [3*WD-1:0]   ray_dir;
@@ -114,6 +116,7 @@ module rt_engine #(
         .point_valid_i(surface_valid), .point_slot_i(surface_slot), .point_i(surface_point),
         .skip_valid_i(hit_valid), .skip_slot_i(hit_slot), .skip_i({hit_far, hit_id}),
         .ray_valid_o(ray_valid), .ray_slot_o(ray_slot), .ray_shadow_o(ray_shadow),
+        .ray_primary_o(ray_primary),
         .ray_org_o(ray_org), .ray_dir_o(ray_dir), .ray_a_o(ray_a), .ray_skip_o(ray_skip),
         .ray_forg_o(ray_forg), .ray_unit_o(ray_unit), .ray_axis_o(ray_axis),
         .ray_negative_o(ray_negative), .ray_scale_o(ray_scale), .ray_shift_o(ray_shift),
@@ -131,6 +134,7 @@ module rt_engine #(
     wire              issue_valid, found_valid, found_fresh, found_kill;
     wire [SLOTW-1:0]  issue_slot, found_slot, filter_slot, visits_slot;
     wire [25:0]       issue_line, found_base, found_line;
+    wire              filter_read, visits_read, next_read;
     wire [FW:0]       filter_depth;
     wire [2:0]        found_count;
     wire [71:0]       found_list;
@@ -144,12 +148,12 @@ module rt_engine #(
         .new_unit_i(ray_unit), .new_axis_i(ray_axis), .new_negative_i(ray_negative),
         .go_valid_i(go_valid), .go_slot_i(go_slot), .go_primary_i(go_kind == 2'd0),
         .next_valid_i(issue_valid), .next_slot_i(issue_slot), .next_line_i(issue_line),
-        .depth_slot_o(filter_slot), .depth_i(filter_depth),
+        .depth_read_o(filter_read), .depth_slot_o(filter_slot), .depth_i(filter_depth),
         .found_valid_o(found_valid), .found_slot_o(found_slot), .found_base_o(found_base),
         .found_count_o(found_count), .found_list_o(found_list),
         .found_fresh_o(found_fresh), .found_kill_o(found_kill),
         .found_leaf_o(found_leaf), .found_line_o(found_line),
-        .visits_slot_i(visits_slot), .visits_o(visits),
+        .visits_read_i(visits_read), .visits_slot_i(visits_slot), .visits_o(visits),
         .mem_req_valid_o(mem_req_valid_o[0]), .mem_req_ready_i(mem_req_ready_i[0]),
         .mem_req_line_o(mem_req_line_o[25:0]),
         .mem_rsp_valid_i(mem_rsp_valid_i[0]), .mem_rsp_ready_o(mem_rsp_ready_o[0]),
@@ -194,7 +198,7 @@ module rt_engine #(
     wire              visit_valid, next_hit, next_shadow;
     wire [SLOTW-1:0]  visit_slot, next_slot, done_slot;
     wire [FW:0]       next_depth;
-    wire              done_valid, done_found, done_shadow, done_far;
+    wire              done_valid, done_found, done_shadow, done_primary, done_far;
     wire [23:0]       done_id;
     wire [KW-1:0]     done_key;
     rt_collect #(.W(W), .WD(WD), .FW(FW), .SLOTS(SLOTS), .SLOTW(SLOTW)) u_collect (
@@ -202,14 +206,16 @@ module rt_engine #(
         .want_valid_i(leaf_visit), .want_slot_i(found_slot), .want_count_i(leaf_count),
         .new_valid_i(ray_valid), .new_slot_i(ray_slot), .new_scale_i(ray_scale),
         .new_shift_i(ray_shift), .new_shadow_i(SHADOW != 0 && ray_shadow),
+        .new_primary_i(ray_primary),
         .new_depth_i(ray_depth),
         .in_valid_i(result_valid), .in_slot_i(result_slot), .in_hit_i(result_hit),
         .in_far_i(result_far), .in_id_i(result_id), .in_key_i(result_key),
         .out_valid_o(visit_valid), .out_slot_o(visit_slot),
-        .filter_slot_i(filter_slot), .filter_depth_o(filter_depth),
-        .next_slot_i(next_slot), .next_depth_o(next_depth), .next_found_o(next_hit),
+        .filter_valid_i(filter_read), .filter_slot_i(filter_slot), .filter_depth_o(filter_depth),
+        .next_valid_i(next_read), .next_slot_i(next_slot), .next_depth_o(next_depth), .next_found_o(next_hit),
         .next_shadow_o(next_shadow),
-        .done_slot_i(done_slot), .done_found_o(done_found), .done_shadow_o(done_shadow),
+        .done_valid_i(done_valid), .done_slot_i(done_slot), .done_found_o(done_found), .done_shadow_o(done_shadow),
+        .done_primary_o(done_primary),
         .done_far_o(done_far), .done_id_o(done_id), .done_key_o(done_key)
     );
 
@@ -234,13 +240,20 @@ module rt_engine #(
         .found_fresh_i(found_fresh), .found_kill_i(found_kill),
         .in_valid_i(leafy_valid || plain_valid), .in_ready_o(next_ready),
         .in_slot_i(leafy_valid ? leafy_slot : plain_slot),
-        .slot_o(next_slot), .depth_i(next_depth), .hit_i(next_hit), .shadow_i(next_shadow),
+        .read_o(next_read), .slot_o(next_slot), .depth_i(next_depth), .hit_i(next_hit), .shadow_i(next_shadow),
         .issue_valid_o(issue_valid), .issue_slot_o(issue_slot), .issue_line_o(issue_line),
         .done_valid_o(done_valid), .done_slot_o(done_slot),
         .bubble_o(count_bubble_o), .overflow_o(overflow)
     );
 
     // ---- shading ----
+    reg               over_valid_q;           // rt_collect has answered about a ray that is done
+    reg [SLOTW-1:0]   over_slot_q;
+    always @(posedge clk) begin
+        over_valid_q <= done_valid;
+        over_slot_q  <= done_slot;
+        if (rst) over_valid_q <= 1'b0;
+    end
     wire              material_valid;
     wire [SLOTW-1:0]  material_slot;
     wire [32:0]       material;
@@ -266,7 +279,8 @@ module rt_engine #(
     wire [50:0]       sum;
     rt_lights #(.W(W), .WD(WD), .SLOTS(SLOTS), .SLOTW(SLOTW)) u_lights (
         .clk(clk), .rst(rst), .n_lights_i(n_lights_i), .ambient_i(ambient_i),
-        .light_pos_i(light_pos_i), .light_colour_i(light_colour_i),
+        .light_valid_i(light_valid_i), .light_number_i(light_number_i),
+        .light_part_i(light_part_i), .light_data_i(light_data_i),
         .point_valid_i(surface_valid), .point_slot_i(surface_slot), .point_i(surface_point),
         .cosine_valid_i(cosine_valid), .cosine_slot_i(cosine_slot), .cosine_i(cosine),
         .start_valid_i(normal_valid), .start_slot_i(normal_slot),
@@ -288,8 +302,8 @@ module rt_engine #(
         .ray_valid_i(ray_valid && !ray_shadow), .ray_slot_i(ray_slot), .ray_dir_i(ray_dir),
         .normal_valid_i(normal_valid), .normal_slot_i(normal_slot),
         .normal_vec_i(normal_vec), .normal_nn_i(normal_nn),
-        .done_valid_i(done_valid), .done_slot_i(done_slot), .done_found_i(done_found),
-        .done_shadow_i(done_shadow), .done_far_i(done_far), .done_id_i(done_id),
+        .done_valid_i(over_valid_q), .done_slot_i(over_slot_q), .done_found_i(done_found),
+        .done_shadow_i(done_shadow), .done_primary_i(done_primary), .done_far_i(done_far), .done_id_i(done_id),
         .done_key_i(done_key),
         .shadow_valid_o(shadow_valid), .shadow_slot_o(shadow_slot),
         .shadow_lit_o(shadow_lit),
@@ -298,7 +312,7 @@ module rt_engine #(
         .material_valid_i(material_valid), .material_slot_i(material_slot),
         .material_i(material),
         .sum_valid_i(sum_valid), .sum_slot_i(sum_slot), .sum_i(sum),
-        .visits_slot_o(visits_slot), .visits_i(visits),
+        .visits_read_o(visits_read), .visits_slot_o(visits_slot), .visits_i(visits),
         .pix_valid_o(pix_valid_o), .pix_ready_i(pix_ready_i),
         .pix_x_o(pix_x_o), .pix_y_o(pix_y_o), .pix_colour_o(pix_colour_o),
         .pix_id_o(pix_id_o), .pix_key_o(pix_key_o), .pix_visits_o(pix_visits_o),

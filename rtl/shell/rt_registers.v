@@ -1,7 +1,7 @@
 // rt_registers.v - configuration registers of the core
 // SPDX-License-Identifier: Apache-2.0
 // Written one at a time while the core is idle; numbers and formats: machine.def.
-// Lights stand LIGHT_STRIDE registers apart and are packed for rt_lights.
+// Lights stand LIGHT_STRIDE registers apart and are kept by rt_lights.
 `default_nettype none
 `include "rt_layout.vh"
 module rt_registers #(
@@ -28,11 +28,15 @@ module rt_registers #(
     output reg  [25:0]       mem_lines_o,
     output reg  [23:0]       visit_limit_o,
     output reg  [31:0]       profile_o,
-    output reg  [8*3*W-1:0]  light_pos_o,     // light l: {z, y, x} at 3*W*l
-    output reg  [8*48-1:0]   light_colour_o   // light l: {blue, green, red} at 48*l
+    // lights live in the engines: one write goes by
+    output wire              light_valid_o,
+    output wire [2:0]        light_number_o,
+    output wire [2:0]        light_part_o
 );
-    wire [6:0] lamp  = addr_i - `RT_REG_LIGHT0_X;
-    wire [2:0] light = lamp[5:3];
+    wire [6:0] lamp = addr_i - `RT_REG_LIGHT0_X;
+    assign light_valid_o  = valid_i && addr_i >= `RT_REG_LIGHT0_X && !lamp[6];
+    assign light_number_o = lamp[5:3];
+    assign light_part_o   = lamp[2:0];
     always @(posedge clk)
         if (valid_i && addr_i < `RT_REG_LIGHT0_X)
             case (addr_i)
@@ -64,17 +68,6 @@ module rt_registers #(
                 `RT_REG_MEM_LINES:   mem_lines_o     <= data_i[25:0];
                 `RT_REG_VISIT_LIMIT: visit_limit_o   <= data_i[23:0];
                 `RT_REG_PROFILE:     profile_o       <= data_i;
-                default: ;
-            endcase
-    always @(posedge clk)
-        if (valid_i && addr_i >= `RT_REG_LIGHT0_X && !lamp[6])
-            case (lamp[2:0])
-                3'd0: light_pos_o[3*W*light +: W]        <= data_i[W-1:0];
-                3'd1: light_pos_o[3*W*light + W +: W]    <= data_i[W-1:0];
-                3'd2: light_pos_o[3*W*light + 2*W +: W]  <= data_i[W-1:0];
-                3'd3: light_colour_o[48*light +: 16]      <= data_i[15:0];
-                3'd4: light_colour_o[48*light + 16 +: 16] <= data_i[15:0];
-                3'd5: light_colour_o[48*light + 32 +: 16] <= data_i[15:0];
                 default: ;
             endcase
 endmodule

@@ -24,6 +24,7 @@ module rt_collect #(
     input  wire [16:0]       new_scale_i,   // u1.15
     input  wire [5:0]        new_shift_i,   // 63: depth cannot be bounded
     input  wire              new_shadow_i,
+    input  wire              new_primary_i,
     input  wire [FW:0]       new_depth_i,   // depth limit at the start
     // from rt_leaf by way of rt_root_pool: one result
     input  wire              in_valid_i,
@@ -35,16 +36,20 @@ module rt_collect #(
     // to rt_next: the visit is complete
     output wire              out_valid_o,
     output wire [SLOTW-1:0]  out_slot_o,
-    // state of a slot, asynchronous reads
+    // state of a slot, one cycle after its number
+    input  wire              filter_valid_i,
     input  wire [SLOTW-1:0]  filter_slot_i,
     output wire [FW:0]       filter_depth_o, // what lies deeper does not matter
+    input  wire              next_valid_i,
     input  wire [SLOTW-1:0]  next_slot_i,
     output wire [FW:0]       next_depth_o,
     output wire              next_found_o,   // the ray has a hit
     output wire              next_shadow_o,
+    input  wire              done_valid_i,
     input  wire [SLOTW-1:0]  done_slot_i,
     output wire              done_found_o,
     output wire              done_shadow_o,
+    output wire              done_primary_o,
     output wire              done_far_o,
     output wire [23:0]       done_id_o,
     output wire [W+WD+1:0]   done_key_o
@@ -53,51 +58,67 @@ module rt_collect #(
     localparam BW   = KW + 25;               // {far, id, key}
     localparam LIM  = {(FW+1){1'b1}};        // largest depth
 
-    // ---- per slot: is it a shadow ray, has it a hit, how many results were seen ----
-    reg [SLOTS-1:0] found_q, shadow_q;
-    reg [2:0]       seen_q [0:SLOTS-1];
-    wire [2:0]      want;
+    // ---- has the ray of a slot a hit? ----
+    // Two bits in two memories with one writer each: a new ray makes them equal, a hit makes them
+    // differ. After reset every slot's hit bit and count of results are cleared, one a cycle.
+    reg [SLOTW:0]   clear_q;                 // slots cleared
+    wire            clearing   = !clear_q[SLOTW];
+    wire [SLOTW-1:0] clear_slot = clear_q[SLOTW-1:0];
+    wire            new_mark, in_mark, win;
+    rt_slot_file #(.WIDTH(1), .SLOTS(SLOTS)) u_mark (
+        .clk(clk), .wr_en_i(clearing || win), .wr_addr_i(clearing ? clear_slot : in_slot_i),
+        .wr_data_i(!clearing && !in_mark),
+        .rd_addr_i(new_slot_i), .rd_data_o(new_mark)
+    );
+    wire [16:0] scale;
+    wire [5:0]  shift;
+    rt_slot_file #(.WIDTH(24), .SLOTS(SLOTS)) u_scale (
+        .clk(clk), .wr_en_i(new_valid_i), .wr_addr_i(new_slot_i),
+        .wr_data_i({new_mark, new_shift_i, new_scale_i}),
+        .rd_addr_i(in_slot_i), .rd_data_o({in_mark, shift, scale})
+    );
+
+    // ---- count the results of a visit ----
+    wire [2:0] want, seen_before;
+    wire [2:0] seen = seen_before + 3'd1;
+    wire       last = seen == want;
     rt_slot_file #(.WIDTH(3), .SLOTS(SLOTS)) u_want (
         .clk(clk), .wr_en_i(want_valid_i), .wr_addr_i(want_slot_i), .wr_data_i(want_count_i),
         .rd_addr_i(in_slot_i), .rd_data_o(want)
     );
-    wire [16:0] scale;
-    wire [5:0]  shift;
-    rt_slot_file #(.WIDTH(23), .SLOTS(SLOTS)) u_scale (
-        .clk(clk), .wr_en_i(new_valid_i), .wr_addr_i(new_slot_i),
-        .wr_data_i({new_shift_i, new_scale_i}),
-        .rd_addr_i(in_slot_i), .rd_data_o({shift, scale})
+    rt_slot_file #(.WIDTH(3), .SLOTS(SLOTS)) u_seen (
+        .clk(clk), .wr_en_i(clearing || in_valid_i),
+        .wr_addr_i(clearing ? clear_slot : in_slot_i),
+        .wr_data_i(clearing || last ? 3'd0 : seen),
+        .rd_addr_i(in_slot_i), .rd_data_o(seen_before)
     );
 
     // ---- stage 0: compare with the best so far ----
-    wire [BW-1:0] best, done_best;
-    wire [BW-1:0] cand = {in_far_i, in_id_i, in_key_i};
-    wire closer = in_key_i < best[KW-1:0] ||
-                  (in_key_i == best[KW-1:0] && in_id_i < best[KW +: 24]);
-    wire win  = in_valid_i && in_hit_i && (!found_q[in_slot_i] || closer);
-    wire last = seen_q[in_slot_i] + 3'd1 == want;
-    rt_slot_file #(.WIDTH(BW), .SLOTS(SLOTS)) u_best (
-        .clk(clk), .wr_en_i(win && !shadow_q[in_slot_i]), .wr_addr_i(in_slot_i), .wr_data_i(cand),
+    wire [BW:0]   best, done_best;           // {hit mark, far, id, key}
+    wire [BW:0]   cand = {!in_mark, in_far_i, in_id_i, in_key_i};
+    wire          found  = best[BW] != in_mark;
+    wire          closer = in_key_i < best[KW-1:0] ||
+                           (in_key_i == best[KW-1:0] && in_id_i < best[KW +: 24]);
+    assign        win = in_valid_i && in_hit_i && (!found || closer);
+    rt_slot_file #(.WIDTH(BW+1), .SLOTS(SLOTS)) u_best (
+        .clk(clk), .wr_en_i(clearing || win), .wr_addr_i(clearing ? clear_slot : in_slot_i),
+        .wr_data_i(clearing ? {(BW+1){1'b0}} : cand),
         .rd_addr_i(in_slot_i), .rd_data_o(best)
     );
-    rt_slot_file #(.WIDTH(BW), .SLOTS(SLOTS)) u_done (
-        .clk(clk), .wr_en_i(win && !shadow_q[in_slot_i]), .wr_addr_i(in_slot_i), .wr_data_i(cand),
-        .rd_addr_i(done_slot_i), .rd_data_o(done_best)
+    rt_slot_ram #(.WIDTH(BW+1), .SLOTS(SLOTS), .OLD(0)) u_done (
+        .clk(clk), .wr_en_i(clearing || win), .wr_addr_i(clearing ? clear_slot : in_slot_i),
+        .wr_data_i(clearing ? {(BW+1){1'b0}} : cand),
+        .rd_en_i(done_valid_i), .rd_addr_i(done_slot_i), .rd_data_o(done_best)
     );
     wire unused = &{1'b0, best[BW-1]};
-    integer i;
     always @(posedge clk) begin
-        if (in_valid_i) seen_q[in_slot_i] <= last ? 3'd0 : seen_q[in_slot_i] + 3'd1;
-        if (win) found_q[in_slot_i] <= 1'b1;
-        if (new_valid_i) begin
-            found_q[new_slot_i]  <= 1'b0;
-            shadow_q[new_slot_i] <= new_shadow_i;
-        end
-        if (rst) for (i = 0; i < SLOTS; i = i + 1) seen_q[i] <= 3'd0;
+        if (clearing) clear_q <= clear_q + 1'b1;
+        if (rst) clear_q <= 0;
     end
 
     // ---- stages 1 to 3: depth of the new best ----
     reg             s1_win_q, s2_win_q, s3_win_q, s1_last_q, s2_last_q, s3_last_q, s4_last_q;
+    reg             s1_mark_q, s2_mark_q, s3_mark_q;
     reg [SLOTW-1:0] s1_slot_q, s2_slot_q, s3_slot_q, s4_slot_q;
     reg [16:0]      s1_top_q, s1_scale_q;    // u17 top of the key, rounded up; u1.15
     reg [5:0]       s1_shift_q, s2_shift_q;
@@ -105,7 +126,10 @@ module rt_collect #(
     reg [FW:0]      s3_depth_q;
     wire [33:0]     s2_depth = s2_prod_q >> s2_shift_q;
     always @(posedge clk) begin
-        s1_win_q   <= win && !shadow_q[in_slot_i];
+        s1_win_q   <= win;
+        s1_mark_q  <= !in_mark;
+        s2_mark_q  <= s1_mark_q;
+        s3_mark_q  <= s2_mark_q;
         s1_last_q  <= in_valid_i && last;
         s1_slot_q  <= in_slot_i;
         s1_top_q   <= in_key_i[KW-1 -: 17] + 17'd1;
@@ -132,31 +156,44 @@ module rt_collect #(
     assign out_slot_o  = s4_slot_q;
 
     // ---- depth limit of each slot: set-up writes the first, hits lower it ----
-    // A slot has one token: set-up and a leaf result never concern the same slot at once, but
-    // they may come in the same cycle; two files, chosen by found_q, avoid a second write port.
-    wire [FW:0] filter_first, filter_best, next_first, next_best;
-    rt_slot_file #(.WIDTH(FW+1), .SLOTS(SLOTS)) u_first_f (
-        .clk(clk), .wr_en_i(new_valid_i), .wr_addr_i(new_slot_i), .wr_data_i(new_depth_i),
-        .rd_addr_i(filter_slot_i), .rd_data_o(filter_first)
+    // Each memory carries its mark; filters and rt_next read both kinds at once.
+    wire [FW+1:0] filter_first, filter_best, next_best;
+    wire [FW+2:0] next_first;                // {shadow, mark, depth}
+    wire [2:0]    done_first;                // {primary, shadow, mark}
+    wire          best_wr   = clearing || s3_win_q;
+    wire [SLOTW-1:0] best_slot = clearing ? clear_slot : s3_slot_q;
+    wire [FW+1:0] best_data = clearing ? {(FW+2){1'b0}} : {s3_mark_q, s3_depth_q};
+    rt_slot_ram #(.WIDTH(FW+2), .SLOTS(SLOTS), .OLD(0)) u_first_f (
+        .clk(clk), .wr_en_i(new_valid_i), .wr_addr_i(new_slot_i),
+        .wr_data_i({new_mark, new_depth_i}),
+        .rd_en_i(filter_valid_i), .rd_addr_i(filter_slot_i), .rd_data_o(filter_first)
     );
-    rt_slot_file #(.WIDTH(FW+1), .SLOTS(SLOTS)) u_first_n (
-        .clk(clk), .wr_en_i(new_valid_i), .wr_addr_i(new_slot_i), .wr_data_i(new_depth_i),
-        .rd_addr_i(next_slot_i), .rd_data_o(next_first)
+    rt_slot_ram #(.WIDTH(FW+2), .SLOTS(SLOTS), .OLD(0)) u_best_f (
+        .clk(clk), .wr_en_i(best_wr), .wr_addr_i(best_slot), .wr_data_i(best_data),
+        .rd_en_i(filter_valid_i), .rd_addr_i(filter_slot_i), .rd_data_o(filter_best)
     );
-    rt_slot_file #(.WIDTH(FW+1), .SLOTS(SLOTS)) u_best_f (
-        .clk(clk), .wr_en_i(s3_win_q), .wr_addr_i(s3_slot_q), .wr_data_i(s3_depth_q),
-        .rd_addr_i(filter_slot_i), .rd_data_o(filter_best)
+    rt_slot_ram #(.WIDTH(FW+3), .SLOTS(SLOTS), .OLD(0)) u_first_n (
+        .clk(clk), .wr_en_i(new_valid_i), .wr_addr_i(new_slot_i),
+        .wr_data_i({new_shadow_i, new_mark, new_depth_i}),
+        .rd_en_i(next_valid_i), .rd_addr_i(next_slot_i), .rd_data_o(next_first)
     );
-    rt_slot_file #(.WIDTH(FW+1), .SLOTS(SLOTS)) u_best_n (
-        .clk(clk), .wr_en_i(s3_win_q), .wr_addr_i(s3_slot_q), .wr_data_i(s3_depth_q),
-        .rd_addr_i(next_slot_i), .rd_data_o(next_best)
+    rt_slot_ram #(.WIDTH(FW+2), .SLOTS(SLOTS), .OLD(0)) u_best_n (
+        .clk(clk), .wr_en_i(best_wr), .wr_addr_i(best_slot), .wr_data_i(best_data),
+        .rd_en_i(next_valid_i), .rd_addr_i(next_slot_i), .rd_data_o(next_best)
     );
-    assign filter_depth_o = found_q[filter_slot_i] ? filter_best : filter_first;
-    assign next_depth_o   = found_q[next_slot_i] ? next_best : next_first;
-    assign next_found_o   = found_q[next_slot_i];
-    assign next_shadow_o  = shadow_q[next_slot_i];
-    assign done_found_o   = found_q[done_slot_i];
-    assign done_shadow_o  = shadow_q[done_slot_i];
-    assign {done_far_o, done_id_o, done_key_o} = done_best;
+    rt_slot_ram #(.WIDTH(3), .SLOTS(SLOTS), .OLD(0)) u_first_d (
+        .clk(clk), .wr_en_i(new_valid_i), .wr_addr_i(new_slot_i),
+        .wr_data_i({new_primary_i, new_shadow_i, new_mark}),
+        .rd_en_i(done_valid_i), .rd_addr_i(done_slot_i), .rd_data_o(done_first)
+    );
+    wire filter_found = filter_first[FW+1] != filter_best[FW+1];
+    assign filter_depth_o = filter_found ? filter_best[FW:0] : filter_first[FW:0];
+    assign next_found_o   = next_first[FW+1] != next_best[FW+1];
+    assign next_depth_o   = next_found_o ? next_best[FW:0] : next_first[FW:0];
+    assign next_shadow_o  = next_first[FW+2];
+    assign done_found_o   = done_first[0] != done_best[BW];
+    assign done_shadow_o  = done_first[1];
+    assign done_primary_o = done_first[2];
+    assign {done_far_o, done_id_o, done_key_o} = done_best[BW-1:0];
 endmodule
 `default_nettype wire

@@ -65,28 +65,39 @@ module rt_leaf_unit #(
     localparam XW   = 2*W + 2*WD;
     localparam HOLD = 16;
 
-    // ---- one candidate after the other ----
-    localparam QW = SLOTW + 4 + 26;
-    wire          q_valid, q_in_ready;
-    wire [QW-1:0] q;
-    reg [3:0]     todo_q;                            // left of the visit at the head
-    reg           open_q;                            // todo_q is in use
-    wire [3:0]    todo = open_q ? todo_q : q[29:26];
-    wire [1:0]    pick = todo[0] ? 2'd0 : todo[1] ? 2'd1 : todo[2] ? 2'd2 : 2'd3;
-    wire [3:0]    rest = todo & (todo - 4'd1);
-    wire          req_ready;
-    wire          take = q_valid && req_ready && !prim_valid_i;
-    rt_fifo #(.WIDTH(QW), .DEPTH(SLOTS)) u_queue (
+    // ---- one candidate after the other: queue of slots, what to test in block RAM ----
+    wire             q_valid, q_in_ready;
+    wire [SLOTW-1:0] q_slot;
+    reg              v_valid_q, open_q;              // a visit is at hand; todo_q is in use
+    reg [SLOTW-1:0]  v_slot_q;
+    reg [3:0]        todo_q;                         // left of the visit
+    wire [29:0]      v;                              // {leaf children, line}
+    wire [3:0]       todo = open_q ? todo_q : v[29:26];
+    wire [1:0]       pick = todo[0] ? 2'd0 : todo[1] ? 2'd1 : todo[2] ? 2'd2 : 2'd3;
+    wire [3:0]       rest = todo & (todo - 4'd1);
+    wire             req_ready;
+    wire             take = v_valid_q && req_ready && !prim_valid_i;
+    wire             v_load = !v_valid_q || (take && rest == 4'd0);
+    rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_queue (
         .clk(clk), .rst(rst), .in_valid_i(in_valid_i), .in_ready_o(q_in_ready),
-        .in_data_i({in_slot_i, in_leaf_i, in_line_i}),
-        .out_valid_o(q_valid), .out_ready_i(take && rest == 4'd0), .out_data_o(q)
+        .in_data_i(in_slot_i),
+        .out_valid_o(q_valid), .out_ready_i(v_load), .out_data_o(q_slot)
+    );
+    rt_slot_ram #(.WIDTH(30), .SLOTS(SLOTS), .OLD(0)) u_visit (
+        .clk(clk), .wr_en_i(in_valid_i), .wr_addr_i(in_slot_i),
+        .wr_data_i({in_leaf_i, in_line_i}),
+        .rd_en_i(v_load && q_valid), .rd_addr_i(q_slot), .rd_data_o(v)
     );
     always @(posedge clk) begin
+        if (v_load) begin
+            v_valid_q <= q_valid;
+            v_slot_q  <= q_slot;
+        end
         if (take) begin
             todo_q <= rest;
             open_q <= rest != 4'd0;
         end
-        if (rst) open_q <= 1'b0;
+        if (rst) begin v_valid_q <= 1'b0; open_q <= 1'b0; end
     end
 
     // ---- leaf cache, shared with primitive records ----
@@ -97,10 +108,10 @@ module rt_leaf_unit #(
     assign prim_ready_o = req_ready;
     rt_cache #(.TAG(TAG), .LINES(LINES), .PENDING(SLOTS)) u_cache (
         .clk(clk), .rst(rst), .flush_i(flush_i),
-        .req_valid_i(prim_valid_i || q_valid), .req_ready_o(req_ready),
-        .req_line_i(prim_valid_i ? prim_line_i : q[25:0] + {25'd0, pick[1]}),
+        .req_valid_i(prim_valid_i || v_valid_q), .req_ready_o(req_ready),
+        .req_line_i(prim_valid_i ? prim_line_i : v[25:0] + {25'd0, pick[1]}),
         .req_tag_i(prim_valid_i ? {prim_slot_i, 1'b0, 1'b1}
-                                : {q[QW-1 -: SLOTW], pick[0], 1'b0}),
+                                : {v_slot_q, pick[0], 1'b0}),
         .rsp_valid_o(c_valid), .rsp_ready_i(c_ready), .rsp_data_o(c_data),
         .rsp_tag_o({c_slot, c_half, c_prim}), .rsp_error_o(c_error),
         .mem_req_valid_o(mem_req_valid_o), .mem_req_ready_i(mem_req_ready_i),
@@ -127,7 +138,7 @@ module rt_leaf_unit #(
     wire [2*WD-1:0]  l_a;
     wire [3*WD-1:0]  l_dir;
     wire [3*W-1:0]   l_org;
-    rt_slot_ram #(.WIDTH(3*W+5*WD+26), .SLOTS(SLOTS)) u_ray (
+    rt_slot_ram #(.WIDTH(3*W+5*WD+26), .SLOTS(SLOTS), .OLD(0)) u_ray (
         .clk(clk), .wr_en_i(ray_valid_i), .wr_addr_i(ray_slot_i),
         .wr_data_i({ray_shadow_i, ray_skip_i, ray_a_i, ray_dir_i, ray_org_i}),
         .rd_en_i(l_load), .rd_addr_i(c_slot),

@@ -27,7 +27,8 @@ module rt_next #(
     input  wire             in_valid_i,
     output wire             in_ready_o,
     input  wire [SLOTW-1:0] in_slot_i,
-    // from rt_collect, for the slot in stage 0
+    // from rt_collect: asked in stage 0, answered in stage 1
+    output wire             read_o,
     output wire [SLOTW-1:0] slot_o,
     input  wire [FW:0]      depth_i,        // what lies deeper does not matter
     input  wire             hit_i,          // the ray has a hit
@@ -53,19 +54,20 @@ module rt_next #(
     assign in_ready_o = !again_q;
     wire             s0_valid = again_q || in_valid_i;
     wire [SLOTW-1:0] s0_slot  = again_q ? again_slot_q : in_slot_i;
+    assign read_o = s0_valid;
     assign slot_o = s0_slot;
 
-    wire [CW+1:0]    s0_found;
-    rt_slot_file #(.WIDTH(CW+2), .SLOTS(SLOTS)) u_found (
+    wire [CW+1:0]    s1_found;
+    rt_slot_ram #(.WIDTH(CW+2), .SLOTS(SLOTS), .OLD(0)) u_found (
         .clk(clk), .wr_en_i(found_valid_i), .wr_addr_i(found_slot_i),
         .wr_data_i({found_kill_i, found_fresh_i, found_base_i, found_count_i, found_list_i}),
-        .rd_addr_i(s0_slot), .rd_data_o(s0_found)
+        .rd_en_i(s0_valid), .rd_addr_i(s0_slot), .rd_data_o(s1_found)
     );
     wire             keep;                  // write the slot's new state
-    wire [CW-1:0]    s0_cur, cur_next;
-    rt_slot_file #(.WIDTH(CW), .SLOTS(SLOTS)) u_current (
+    wire [CW-1:0]    s1_cur, cur_next;
+    rt_slot_ram #(.WIDTH(CW), .SLOTS(SLOTS), .OLD(0)) u_current (
         .clk(clk), .wr_en_i(keep), .wr_addr_i(s1_slot_q), .wr_data_i(cur_next),
-        .rd_addr_i(s0_slot), .rd_data_o(s0_cur)
+        .rd_en_i(s0_valid), .rd_addr_i(s0_slot), .rd_data_o(s1_cur)
     );
     wire [DEPTHW+16:0] s0_stack, stack_next; // {smallest near, entries}
     rt_slot_file #(.WIDTH(DEPTHW+17), .SLOTS(SLOTS)) u_pointer (
@@ -76,31 +78,31 @@ module rt_next #(
     wire [EW-1:0]    push_data, s1_top;
     wire [DEPTHW-1:0] push_at;
     wire [DEPTHW-1:0] s0_top_at = s0_stack[DEPTHW-1:0] - 1'b1;
-    rt_slot_ram #(.WIDTH(EW), .SLOTS(SLOTS*DEPTH)) u_stack (
+    rt_slot_ram #(.WIDTH(EW), .SLOTS(SLOTS*DEPTH), .OLD(0)) u_stack (
         .clk(clk), .wr_en_i(push), .wr_addr_i({s1_slot_q, push_at}), .wr_data_i(push_data),
-        .rd_en_i(1'b1), .rd_addr_i({s0_slot, s0_top_at}), .rd_data_o(s1_top)
+        .rd_en_i(s0_valid), .rd_addr_i({s0_slot, s0_top_at}), .rd_data_o(s1_top)
     );
 
     // ---- stage 1: decide ----
-    reg              s1_valid_q, s1_again_q, s1_kill_q, s1_fresh_q, s1_hit_q, s1_shadow_q;
-    reg [CW-1:0]     s1_found_q, s1_cur_q;
+    reg              s1_valid_q, s1_again_q;
+    wire             s1_kill  = s1_found[CW+1];
+    wire             s1_fresh = s1_found[CW] && !s1_again_q;
     reg [DEPTHW:0]   s1_sp_q;
     reg signed [15:0] s1_least_q;
-    reg signed [15:0] s1_depth_q;
-    wire [2:0]  f_count = s1_again_q ? 3'd0 : s1_found_q[74:72];
-    wire [2:0]  c_count = s1_fresh_q || s1_again_q ? 3'd0 : s1_cur_q[74:72];
-    wire [DEPTHW:0] sp  = s1_fresh_q ? {(DEPTHW+1){1'b0}} : s1_sp_q;
-    wire signed [15:0] least = s1_fresh_q ? FAR : s1_least_q;
-    wire signed [15:0] depth = s1_depth_q;
-    wire signed [15:0] f_near = $signed(s1_found_q[17:2]);
-    wire signed [15:0] c_near = $signed(s1_cur_q[17:2]);
+    wire [2:0]  f_count = s1_again_q ? 3'd0 : s1_found[74:72];
+    wire [2:0]  c_count = s1_fresh || s1_again_q ? 3'd0 : s1_cur[74:72];
+    wire [DEPTHW:0] sp  = s1_fresh ? {(DEPTHW+1){1'b0}} : s1_sp_q;
+    wire signed [15:0] least = s1_fresh ? FAR : s1_least_q;
+    wire signed [15:0] depth = $signed({{(15-FW){1'b0}}, depth_i});
+    wire signed [15:0] f_near = $signed(s1_found[17:2]);
+    wire signed [15:0] c_near = $signed(s1_cur[17:2]);
     wire signed [15:0] t_near = $signed(s1_top[17:2]);
     wire signed [15:0] t_below = $signed(s1_top[EW-1 -: 16]);
     wire f_ok  = f_count != 3'd0 && f_near <= depth;
     wire c_ok  = c_count != 3'd0 && c_near <= depth;
     wire t_any = sp != 0 && least <= depth;       // the stack holds something to visit
     wire t_ok  = t_near <= depth;
-    wire ended = s1_kill_q || (s1_shadow_q && s1_hit_q);
+    wire ended = s1_kill || (shadow_i && hit_i);
 
     wire use_f = f_ok;
     wire use_c = !f_ok && c_ok;
@@ -109,11 +111,11 @@ module rt_next #(
     wire want_push = use_f && c_count != 3'd0;
     assign push      = s1_valid_q && !ended && want_push && !full;
     assign push_at   = sp[DEPTHW-1:0];
-    assign push_data = {least, s1_cur_q[100:75], c_count[1:0], s1_cur_q[53:0]};
+    assign push_data = {least, s1_cur[100:75], c_count[1:0], s1_cur[53:0]};
 
-    wire [25:0] base  = use_f ? s1_found_q[100:75] : use_c ? s1_cur_q[100:75] : s1_top[81:56];
+    wire [25:0] base  = use_f ? s1_found[100:75] : use_c ? s1_cur[100:75] : s1_top[81:56];
     wire [2:0]  count = use_f ? f_count : use_c ? c_count : {1'b0, s1_top[55:54]};
-    wire [71:0] list  = use_f ? s1_found_q[71:0] : use_c ? s1_cur_q[71:0] : {18'd0, s1_top[53:0]};
+    wire [71:0] list  = use_f ? s1_found[71:0] : use_c ? s1_cur[71:0] : {18'd0, s1_top[53:0]};
     assign cur_next   = {base, count - 3'd1, 18'd0, list[71:18]};
     wire [DEPTHW:0] sp_next = want_push ? sp + 1'b1 : use_t ? sp - 1'b1 : sp;
     wire signed [15:0] least_next = want_push ? (c_near < least ? c_near : least)
@@ -130,14 +132,7 @@ module rt_next #(
         s1_valid_q  <= s0_valid;
         s1_again_q  <= again_q;
         s1_slot_q   <= s0_slot;
-        s1_kill_q   <= s0_found[CW+1];
-        s1_fresh_q  <= s0_found[CW] && !again_q;
-        s1_found_q  <= s0_found[CW-1:0];
-        s1_cur_q    <= s0_cur;
         {s1_least_q, s1_sp_q} <= s0_stack;
-        s1_depth_q  <= {{(15-FW){1'b0}}, depth_i};
-        s1_hit_q    <= hit_i;
-        s1_shadow_q <= shadow_i;
         again_q     <= again;
         again_slot_q <= s1_slot_q;
 

@@ -43,6 +43,7 @@ module rt_setup #(
     output reg                ray_valid_o,
     output reg [SLOTW-1:0]    ray_slot_o,
     output reg                ray_shadow_o,
+    output reg                ray_primary_o,
     output reg [3*W-1:0]      ray_org_o,
     output reg [3*WD-1:0]     ray_dir_o,
     output reg [2*WD-1:0]     ray_a_o,
@@ -72,36 +73,61 @@ module rt_setup #(
 );
     localparam PRIMARY = 2'd0, LIGHT = 2'd1, BOUNCE = 2'd2, NORMAL = 2'd3;
     localparam K  = W - FW;
-    localparam QW = SLOTW + 3*WD;
 
-    // ---- choose a vector ----
-    wire          nq_valid, lq_valid, bq_valid, nq_in, lq_in, bq_in, unit_ready;
-    wire [QW-1:0] nq, lq, bq;
-    wire take_n = unit_ready && nq_valid;
-    wire take_l = unit_ready && !nq_valid && lq_valid;
-    wire take_b = unit_ready && !nq_valid && !lq_valid && bq_valid;
-    assign primary_ready_o = unit_ready && !nq_valid && !lq_valid && !bq_valid;
-    rt_fifo #(.WIDTH(QW), .DEPTH(SLOTS)) u_normals (
+    // ---- choose a slot: queues of slots, their vectors in block RAM ----
+    wire             nq_valid, lq_valid, bq_valid, nq_in, lq_in, bq_in, unit_ready;
+    wire [SLOTW-1:0] nq, lq, bq;
+    reg              v_valid_q;
+    wire             v_load = !v_valid_q || unit_ready;
+    wire take_n = v_load && nq_valid;
+    wire take_l = v_load && !nq_valid && lq_valid;
+    wire take_b = v_load && !nq_valid && !lq_valid && bq_valid;
+    wire take_p = v_load && !nq_valid && !lq_valid && !bq_valid && primary_valid_i;
+    assign primary_ready_o = v_load && !nq_valid && !lq_valid && !bq_valid;
+    rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_normals (
         .clk(clk), .rst(rst), .in_valid_i(normal_valid_i), .in_ready_o(nq_in),
-        .in_data_i({normal_slot_i, normal_vec_i}),
+        .in_data_i(normal_slot_i),
         .out_valid_o(nq_valid), .out_ready_i(take_n), .out_data_o(nq)
     );
-    rt_fifo #(.WIDTH(QW), .DEPTH(SLOTS)) u_lights (
+    rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_lights (
         .clk(clk), .rst(rst), .in_valid_i(light_valid_i), .in_ready_o(lq_in),
-        .in_data_i({light_slot_i, light_vec_i}),
+        .in_data_i(light_slot_i),
         .out_valid_o(lq_valid), .out_ready_i(take_l), .out_data_o(lq)
     );
-    rt_fifo #(.WIDTH(QW), .DEPTH(SLOTS)) u_bounces (
+    rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_bounces (
         .clk(clk), .rst(rst), .in_valid_i(bounce_valid_i), .in_ready_o(bq_in),
-        .in_data_i({bounce_slot_i, bounce_vec_i}),
+        .in_data_i(bounce_slot_i),
         .out_valid_o(bq_valid), .out_ready_i(take_b), .out_data_o(bq)
     );
-    wire             in_valid = nq_valid || lq_valid || bq_valid || primary_valid_i;
-    wire [1:0]       in_kind  = nq_valid ? NORMAL : lq_valid ? LIGHT : bq_valid ? BOUNCE : PRIMARY;
-    wire [SLOTW-1:0] in_slot;
-    wire [3*WD-1:0]  in_vec;
-    assign {in_slot, in_vec} = nq_valid ? nq : lq_valid ? lq : bq_valid ? bq
-                               : {primary_slot_i, primary_vec_i};
+    wire [3*WD-1:0] v_normal, v_light, v_bounce;
+    rt_slot_ram #(.WIDTH(3*WD), .SLOTS(SLOTS), .OLD(0)) u_normal_vec (
+        .clk(clk), .wr_en_i(normal_valid_i), .wr_addr_i(normal_slot_i),
+        .wr_data_i(normal_vec_i),
+        .rd_en_i(take_n), .rd_addr_i(nq), .rd_data_o(v_normal)
+    );
+    rt_slot_ram #(.WIDTH(3*WD), .SLOTS(SLOTS), .OLD(0)) u_light_vec (
+        .clk(clk), .wr_en_i(light_valid_i), .wr_addr_i(light_slot_i), .wr_data_i(light_vec_i),
+        .rd_en_i(take_l), .rd_addr_i(lq), .rd_data_o(v_light)
+    );
+    rt_slot_ram #(.WIDTH(3*WD), .SLOTS(SLOTS), .OLD(0)) u_bounce_vec (
+        .clk(clk), .wr_en_i(bounce_valid_i), .wr_addr_i(bounce_slot_i),
+        .wr_data_i(bounce_vec_i),
+        .rd_en_i(take_b), .rd_addr_i(bq), .rd_data_o(v_bounce)
+    );
+    reg [1:0]        v_kind_q;
+    reg [SLOTW-1:0]  v_slot_q;
+    reg [3*WD-1:0]   v_primary_q;
+    always @(posedge clk) begin
+        if (v_load) begin
+            v_valid_q   <= take_n || take_l || take_b || take_p;
+            v_kind_q    <= take_n ? NORMAL : take_l ? LIGHT : take_b ? BOUNCE : PRIMARY;
+            v_slot_q    <= take_n ? nq : take_l ? lq : take_b ? bq : primary_slot_i;
+            v_primary_q <= primary_vec_i;
+        end
+        if (rst) v_valid_q <= 1'b0;
+    end
+    wire [3*WD-1:0]  v_vec = v_kind_q == NORMAL ? v_normal : v_kind_q == LIGHT ? v_light
+                             : v_kind_q == BOUNCE ? v_bounce : v_primary_q;
 
     // ---- unit vector ----
     wire             u_valid;
@@ -113,9 +139,9 @@ module rt_setup #(
     wire [5:0]       u_shift;
     rt_unit #(.BITS(WD), .TAG(SLOTW+2)) u_unit (
         .clk(clk), .rst(rst),
-        .in_valid_i(in_valid), .in_ready_o(unit_ready), .in_tag_i({in_slot, in_kind}),
-        .in_x_i($signed(in_vec[0 +: WD])), .in_y_i($signed(in_vec[WD +: WD])),
-        .in_z_i($signed(in_vec[2*WD +: WD])),
+        .in_valid_i(v_valid_q), .in_ready_o(unit_ready), .in_tag_i({v_slot_q, v_kind_q}),
+        .in_x_i($signed(v_vec[0 +: WD])), .in_y_i($signed(v_vec[WD +: WD])),
+        .in_z_i($signed(v_vec[2*WD +: WD])),
         .out_valid_o(u_valid), .out_tag_o({u_slot, u_kind}), .out_vv_o(u_vv),
         .out_u_x_o(u_x), .out_u_y_o(u_y), .out_u_z_o(u_z),
         .out_y_o(u_rsqrt), .out_h_o(u_shift)
@@ -123,17 +149,17 @@ module rt_setup #(
     wire [3*WD-1:0] s1_vec;
     wire [3*W-1:0]  s1_point;
     wire [24:0]     s1_skip;
-    rt_slot_ram #(.WIDTH(3*WD), .SLOTS(SLOTS)) u_vec (
-        .clk(clk), .wr_en_i(in_valid && unit_ready), .wr_addr_i(in_slot), .wr_data_i(in_vec),
-        .rd_en_i(1'b1), .rd_addr_i(u_slot), .rd_data_o(s1_vec)
+    rt_slot_ram #(.WIDTH(3*WD), .SLOTS(SLOTS), .OLD(0)) u_vec (
+        .clk(clk), .wr_en_i(v_valid_q && unit_ready), .wr_addr_i(v_slot_q), .wr_data_i(v_vec),
+        .rd_en_i(u_valid), .rd_addr_i(u_slot), .rd_data_o(s1_vec)
     );
-    rt_slot_ram #(.WIDTH(3*W), .SLOTS(SLOTS)) u_point (
+    rt_slot_ram #(.WIDTH(3*W), .SLOTS(SLOTS), .OLD(0)) u_point (
         .clk(clk), .wr_en_i(point_valid_i), .wr_addr_i(point_slot_i), .wr_data_i(point_i),
-        .rd_en_i(1'b1), .rd_addr_i(u_slot), .rd_data_o(s1_point)
+        .rd_en_i(u_valid), .rd_addr_i(u_slot), .rd_data_o(s1_point)
     );
-    rt_slot_ram #(.WIDTH(25), .SLOTS(SLOTS)) u_skip (
+    rt_slot_ram #(.WIDTH(25), .SLOTS(SLOTS), .OLD(0)) u_skip (
         .clk(clk), .wr_en_i(skip_valid_i), .wr_addr_i(skip_slot_i), .wr_data_i(skip_i),
-        .rd_en_i(1'b1), .rd_addr_i(u_slot), .rd_data_o(s1_skip)
+        .rd_en_i(u_valid), .rd_addr_i(u_slot), .rd_data_o(s1_skip)
     );
 
     // ---- stage 1: magnitudes, origin ----
@@ -174,7 +200,8 @@ module rt_setup #(
     reg [33:0]      s3_prod_q;
     reg [FW:0]      s3_depth_q;
     localparam [31:0] FLAT = 30 - FW;                    // depth shift of an unshifted vector
-    wire signed [WD-1:0] s1_along = $signed(s1_vec[WD*s1_axis +: WD]);
+    wire signed [WD-1:0] s1_along = $signed(
+        s1_axis == 2'd0 ? s1_vec[0 +: WD] : s1_axis == 2'd1 ? s1_vec[WD +: WD] : s1_vec[2*WD +: WD]);
     wire [WD-1:0]   s2_units = s2_span_q >> K;
     localparam [FW:0] LIM = {(FW+1){1'b1}};
     genvar i;
@@ -201,7 +228,8 @@ module rt_setup #(
         s2_vec_q      <= s1_vec;
         s2_skip_q     <= s1_kind_q == PRIMARY ? {1'b0, 24'hffffff} : s1_skip;
         s2_axis_q     <= s1_axis;
-        s2_negative_q <= s1_unit_q[18*s1_axis + 17];
+        s2_negative_q <= s1_axis == 2'd0 ? s1_unit_q[17] : s1_axis == 2'd1 ? s1_unit_q[35]
+                         : s1_unit_q[53];
         s2_mag_q      <= (s1_axis == 2'd0 ? s1_mag_x_q : s1_axis == 2'd1 ? s1_mag_y_q
                           : s1_mag_z_q) + 17'd1;
         s2_recip_q    <= {1'b0, s1_rsqrt_q[16:1]} + `RT_RSQRT_ERROR + 17'd2;
@@ -231,6 +259,7 @@ module rt_setup #(
         ray_valid_o    <= s3_valid_q && s3_kind_q != NORMAL;
         ray_slot_o     <= s3_slot_q;
         ray_shadow_o   <= s3_kind_q == LIGHT;
+        ray_primary_o  <= s3_kind_q == PRIMARY;
         ray_org_o      <= s3_org_q;
         ray_dir_o      <= s3_vec_q;
         ray_a_o        <= s3_vv_q;
@@ -251,10 +280,10 @@ module rt_setup #(
 
     // ---- Lambert's cosine with the surface's unit normal; every ray passes, lights use it ----
     wire [53:0]      s4_normal;
-    rt_slot_ram #(.WIDTH(54), .SLOTS(SLOTS)) u_normal (
+    rt_slot_ram #(.WIDTH(54), .SLOTS(SLOTS), .OLD(0)) u_normal (
         .clk(clk), .wr_en_i(s3_valid_q && s3_kind_q == NORMAL), .wr_addr_i(s3_slot_q),
         .wr_data_i(s3_unit_q),
-        .rd_en_i(1'b1), .rd_addr_i(s3_slot_q), .rd_data_o(s4_normal)
+        .rd_en_i(s3_valid_q && s3_kind_q != NORMAL), .rd_addr_i(s3_slot_q), .rd_data_o(s4_normal)
     );
     reg [1:0]        s4_kind_q;
     always @(posedge clk) s4_kind_q <= s3_kind_q;

@@ -5,6 +5,7 @@
 // Borodavka et al. IV. Model: the loop body of sph_traverse(), cmodel/trace/traverse.c
 `default_nettype none
 `include "rt_latency.vh"
+`include "rt_layout.vh"
 module rt_traverse #(
     parameter FW    = 14,   // filter coordinate, bits
     parameter SLOTS = 32,   // power of two
@@ -32,8 +33,9 @@ module rt_traverse #(
     input  wire [SLOTW-1:0]  next_slot_i,
     input  wire [25:0]       next_line_i,
     // from rt_collect
+    output wire              depth_read_o,
     output wire [SLOTW-1:0]  depth_slot_o,
-    input  wire [FW:0]       depth_i,        // what lies deeper does not matter
+    input  wire [FW:0]       depth_i,        // a cycle later: what lies deeper does not matter
     // to rt_next: result of a visit
     output reg               found_valid_o,
     output reg [SLOTW-1:0]   found_slot_o,
@@ -46,6 +48,7 @@ module rt_traverse #(
     output reg [3:0]         found_leaf_o,   // bit j: leaf child j
     output reg [25:0]        found_line_o,   // line of leaf child 0
     // visits of a pixel
+    input  wire              visits_read_i,
     input  wire [SLOTW-1:0]  visits_slot_i,
     output wire [23:0]       visits_o,
     // memory
@@ -87,11 +90,12 @@ module rt_traverse #(
     wire [1:0]       t1_axis;
     wire [53:0]      t1_unit;
     wire [3*FW-1:0]  t1_org;
+    wire             rsp_valid, rsp_fresh, rsp_kill, rsp_error;
     wire [SLOTW-1:0] rsp_slot;
-    rt_slot_ram #(.WIDTH(3*FW+57), .SLOTS(SLOTS)) u_ray (
+    rt_slot_ram #(.WIDTH(3*FW+57), .SLOTS(SLOTS), .OLD(0)) u_ray (
         .clk(clk), .wr_en_i(new_valid_i), .wr_addr_i(new_slot_i),
         .wr_data_i({new_negative_i, new_axis_i, new_unit_i, new_org_i}),
-        .rd_en_i(1'b1), .rd_addr_i(rsp_slot), .rd_data_o({t1_negative, t1_axis, t1_unit, t1_org})
+        .rd_en_i(rsp_valid), .rd_addr_i(rsp_slot), .rd_data_o({t1_negative, t1_axis, t1_unit, t1_org})
     );
 
     // ---- issue: count the visit, refuse bad addresses ----
@@ -111,16 +115,15 @@ module rt_traverse #(
         .wr_data_i({ray_before + {23'd0, !req_kill}, pixel_before + {23'd0, !req_kill}}),
         .rd_addr_i(req_slot), .rd_data_o({ray_visits, pixel_visits})
     );
-    rt_slot_file #(.WIDTH(24), .SLOTS(SLOTS)) u_visits_out (
+    rt_slot_ram #(.WIDTH(24), .SLOTS(SLOTS), .OLD(0)) u_visits_out (
         .clk(clk), .wr_en_i(issue), .wr_addr_i(req_slot),
         .wr_data_i(pixel_before + {23'd0, !req_kill}),
-        .rd_addr_i(visits_slot_i), .rd_data_o(visits_o)
+        .rd_en_i(visits_read_i), .rd_addr_i(visits_slot_i), .rd_data_o(visits_o)
     );
     assign issued_o = issue;
 
     // ---- node cache; a killed token fetches line 0 and is thrown away behind it ----
     localparam TAG = SLOTW + 2;
-    wire             rsp_valid, rsp_fresh, rsp_kill, rsp_error;
     wire [255:0]     rsp_data;
     rt_cache #(.TAG(TAG), .LINES(LINES), .PENDING(SLOTS)) u_cache (
         .clk(clk), .rst(rst), .flush_i(flush_i),
@@ -139,7 +142,8 @@ module rt_traverse #(
     reg              t1_valid_q, t1_fresh_q, t1_kill_q;
     reg [SLOTW-1:0]  t1_slot_q;
     reg [255:0]      t1_node_q;
-    assign depth_slot_o = t1_slot_q;
+    assign depth_read_o = rsp_valid;
+    assign depth_slot_o = rsp_slot;
     wire [25:0] t1_base    = t1_node_q[`RT_NODE_BASE_LSB +: 26];
     wire [2:0]  t1_n_inner = t1_node_q[`RT_NODE_N_INNER_LSB +: 3];
     wire [2:0]  t1_n_leaf  = t1_node_q[`RT_NODE_N_LEAF_LSB +: 3];
