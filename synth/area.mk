@@ -30,13 +30,15 @@ $(foreach t,$(targets),$(if $(filter $t,$(KNOWN_TARGETS)),,$(error synth: \
 # shadow1-reflect0: every effect of machine.def that is a parameter of the core
 effects := $(shell awk -v want=$(EFFECTS) 'function bit(n) { return int(want / 2^n) % 2 } \
     $$1 == "effect" { name = tolower($$3); \
-        on = want == "all" || (want ~ /^[0-9]+$$/ ? bit($$2) : ("+" want "+") ~ ("[+]" name "[+]")); \
+        on = want == "all" || (want ~ /^[0-9]+$$/ ? bit($$2) \
+                                                  : ("+" want "+") ~ ("[+]" name "[+]")); \
         seen = seen "-" name on; known = known "+" name } \
     END { n = split(want, w, "+"); \
           for (i = 1; i <= n; i++) \
               if (w[i] !~ /^(all|none|[0-9]+)$$/ && ("+" known "+") !~ ("[+]" w[i] "[+]")) exit; \
           print seen }' $(DEF))
-$(if $(effects),,$(error synth: unknown effect in '$(EFFECTS)'; there are all, none, or names of $(DEF)))
+$(if $(effects),,$(error synth: unknown effect in '$(EFFECTS)'; there are all, none, \
+    and the names in $(DEF)))
 VARIANT := $(effects)-engines$(ENGINES)$(if $(filter 1,$(FLAT)),-flat)
 KEYS := $(foreach p,$(profiles),$(foreach t,$(targets),$p-$t$(VARIANT)))
 

@@ -10,7 +10,8 @@ import results
 
 NOTE = {
     "ecp5": "LUT4eq = LUT4 + 2 CCU2C; `LUT4eq + RAM` adds 4 for each TRELLIS_DPR16X4.",
-    "xc7": "LUT counts functions of up to 6 inputs; `LUT as RAM` are those that are memory or shift.",
+    "xc7": "LUT counts functions of up to 6 inputs; `LUT as RAM` are LUTs that hold memory or shift"
+           " registers.",
     "generic": "Gates have one or two inputs, or are multiplexers of two. Multipliers are not broken"
                " into gates: `product bits` is the sum of operand widths multiplied, one AND gate"
                " and about one full adder each. Memories are counted in bits.",
@@ -98,7 +99,8 @@ def main(folder, keys):
         command += " FLAT=1"
     write(os.path.join(folder, "report.md"), markdown(runs, command))
     write(os.path.join(folder, "report.json"),
-          json.dumps({"command": command, "yosys": runs[0]["yosys"], "runs": runs}, indent=1) + "\n")
+          json.dumps({"command": command, "yosys": runs[0]["yosys"], "runs": runs}, indent=1)
+          + "\n")
     for target in results.COLUMNS:
         if any(r["target"] == target for r in runs):
             print(f"\n{target}\n{cores(runs, target)}")
