@@ -11,8 +11,8 @@
 enum { SPH_TRAVERSE_NEAREST = 0, SPH_TRAVERSE_FIRST = 1, SPH_TRAVERSE_BRUTE = 2 };
 
 struct sph_render_options {
-    int traverse;  /* SPH_TRAVERSE_*; the RTL is NEAREST */
-    int threads;   /* 0: all */
+    int traverse;                                          /* SPH_TRAVERSE_*; the RTL is NEAREST */
+    int threads;                                           /* 0: all */
     void (*progress)(void *user, int rows_done, int rows); /* may be NULL; called under a lock */
     void *user;
 };
