@@ -74,7 +74,8 @@ $K/Vrt_core__ALL.a: $(RTL_FILES) $(wildcard sim/waivers.vlt)
 
 $(VERILATED): $S/obj/%.o: $(ROOT)/%.cpp
 	@mkdir -p $(@D)
-	$(CXX) -std=c++17 -O2 -w -I$(ROOT) -I$(ROOT)/vltstd -DVM_TRACE=1 -DVM_TRACE_FST=1 -c $< -o $@
+	$(CXX) -std=c++17 -O2 -w -I$(ROOT) -I$(ROOT)/vltstd -DVM_TRACE=1 -DVM_TRACE_FST=1 \
+	    -DVL_USER_FINISH -c $< -o $@
 
 $K/simulate_verilator.o: tb/core/simulate_verilator.cpp $K/Vrt_core__ALL.a
 	$(CXX) $(CXXFLAGS) -I$K -isystem $(ROOT) -isystem $(ROOT)/vltstd -DVM_TRACE=$(WAVES) \

@@ -2,7 +2,8 @@
 # core.sh - one machine through the RTL core and the golden model, compared bit for bit
 # SPDX-License-Identifier: Apache-2.0
 #
-# usage: [EFFECTS=auto|all] [ENGINES=n] [SIM=verilator|icarus] sim/core.sh --machine FILE [OPTION...]
+# usage: [EFFECTS=auto|all] [ENGINES=n] [SIM=verilator|icarus] \
+#            sim/core.sh --machine FILE [OPTION...]
 #
 # Builds the core that the machine asks for unless it is there (cached by parameters), with
 # waveforms if --trace is among the options, then runs the harness; its options: --help.

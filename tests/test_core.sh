@@ -104,7 +104,8 @@ number=0
 while IFS='|' read -r name command options; do
     number=$((number + 1))
     echo "repeat: BUILD=$BUILD OPT=$OPT $command $options" >>"$TMP/$number.log"
-    [ "$(cat "$TMP/$number.rc" 2>/dev/null)" = 0 ] && rc=0 || rc=1
+    [ "$(cat "$TMP/$number.rc" 2>/dev/null)" = 0 ] &&
+        grep -q '^core .* pixels, 0 mismatches, ' "$TMP/$number.log" && rc=0 || rc=1
     tap $rc "$name: $(sed -n 's/^core [^:]*: \(.*cycles\), .*/\1/p' "$TMP/$number.log")" \
         "$TMP/$number.log"
 done <"$runs"

@@ -123,8 +123,9 @@ for file in "$TMP"/*.job; do
         tap "$((rc != 0))" "$rule" "$file.log"
         continue
     fi
-    how=$(sed -n 's/^  stage  *//p; s/^counter \([^ ]*\).*/counter \1/p; s/^\(error bit [a-z_]*\).*/\1/p
-        s/^\(no pixel for .* clocks\).*/hang: \1/p; s/^not ok/&/p' "$file.log" | head -n 1)
+    how=$(sed -n 's/^  stage  *//p; s/^counter \([^ ]*\).*/counter \1/p
+        s/^\(error bit [a-z_]*\).*/\1/p; s/^\(no pixel for .* clocks\).*/hang: \1/p
+        s/^vvp ended .* time: .*u_core\.//p; s/^not ok/&/p' "$file.log" | head -n 1)
     case $rc in
     0) tap 0 "mutant $name ($rule) killed by $by: $how" "$file.log" ;;
     1) tap 1 "mutant $name ($rule) survives $by" "$file.log" ;;

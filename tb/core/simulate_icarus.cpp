@@ -84,6 +84,16 @@ void colours(const char *hex, sph_pixel &p) {
     }
 }
 
+/* The first line of vvp's own output: what an assertion said. */
+std::string first_line(const std::string &path) {
+    char text[256] = "";
+    FILE *f = std::fopen(path.c_str(), "r");
+    if (f && !std::fgets(text, sizeof text, f)) text[0] = 0;
+    if (f) std::fclose(f);
+    text[std::strcspn(text, "\n")] = 0;
+    return text;
+}
+
 /* One line of the bench's text; false if it has unknown (x) bits or an unknown form. */
 bool read_line(const char *text, const sph_machine &m, Sample *samples[PASSES], int &pass,
                Run &run) {
@@ -150,10 +160,10 @@ void simulate(const Options &o, const sph_machine &machine, Sample *samples[PASS
         }
         if (f) std::fclose(f);
         if (status || !ended)
-            fail(run, "vvp ended with status 0x%x before its time; log %s.log",
-                 static_cast<unsigned>(status), base.c_str());
+            fail(run, "vvp ended with status 0x%x before its time: %s",
+                 static_cast<unsigned>(status), first_line(base + ".log").c_str());
     }
     for (const char *ending : {".regs", ".mem", ".out", ".log"})
-        if (ended || std::strcmp(ending, ".log") != 0) std::remove((base + ending).c_str());
+        std::remove((base + ending).c_str());
     run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }

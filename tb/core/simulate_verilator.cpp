@@ -12,6 +12,7 @@
 
 #include "Vrt_core.h"
 #include "memory.h"
+#include "silence.h"
 #include "verilated.h"
 #if VM_TRACE_FST
 #include "verilated_fst_c.h"
@@ -27,9 +28,15 @@ double sc_time_stamp() {
     return 0;
 }
 
+/* $finish in the RTL: an assertion there failed. Verilator's own one may end the process. */
+void vl_finish(const char *, int, const char *) {
+    Verilated::threadContextp()->gotFinish(true);
+}
+
 namespace {
 
-const uint64_t DRAIN = 4; /* clocks between two passes */
+const int RESET = 8; /* clocks */
+const int DRAIN = 4; /* clocks between two passes */
 
 /* Payload of an output that waits for ready: must not change. */
 struct Held {
@@ -88,8 +95,12 @@ Bench::Bench(const Options &o, const sph_machine &machine, Run &run)
     core_->keep_cache_i = 0;
     core_->count_addr_i = 0;
     core_->rst = 1;
-    for (int i = 0; i < 4; i++)
-        clock();
+    {
+        Silence silence;
+        for (int i = 0; i < RESET; i++)
+            clock();
+    }
+    context_.gotFinish(false);
     core_->rst = 0;
     request_.waits = pixel_.waits = false;
 }
@@ -164,6 +175,9 @@ void Bench::clock() {
 #if VM_TRACE_FST
     if (trace_) trace_->dump(cycle_ * 10 + 5);
 #endif
+    if (context_.gotFinish() && !core_->rst && !run_.failure[0])
+        fail(run_, "clock %llu: an assertion in the RTL failed",
+             static_cast<unsigned long long>(cycle_));
     cycle_++;
 }
 
@@ -205,7 +219,7 @@ void Bench::pass(Sample *samples, bool keep, Pass &out) {
         if (o_.max_cycles && cycle_ - begin > o_.max_cycles) hang("more clocks than --max-cycles");
     }
     samples_ = nullptr;
-    for (uint64_t i = 0; i < DRAIN; i++)
+    for (int i = 0; i < DRAIN; i++)
         clock();
     out.errors = core_->errors_o;
     for (int i = 0; i < SPH_COUNTERS; i++)
