@@ -38,7 +38,7 @@ static const uint32_t *prim_line(const struct job *j, uint32_t id) {
 
 static void surface(const struct job *j, const struct sph_ray *ray, const struct sph_hit *hit,
                     const uint32_t *prim, struct sph_surface *s) {
-    struct sph_leaf sphere = sph_leaf_read(prim, 0);
+    struct sph_leaf sphere = sph_leaf_read(prim, 0, j->p->w);
     j->c->count[SPH_COUNT_QUOTIENTS]++;
     if (sph_surface_at(j->p, ray, hit, &sphere, s)) j->c->count[SPH_COUNT_SATURATIONS]++;
 }
@@ -89,7 +89,11 @@ static struct sph_hit interpenetration(const struct job *j, const struct sph_ray
         struct sph_hit other = trace(j, &probe);
         if (!other.key || !other.far || other.id == hit.id) break;
         prim = prim_line(j, other.id);
-        struct sph_leaf sphere = sph_leaf_read(prim, 0);
+        if (!prim) {
+            *j->errors |= 1u << SPH_ERROR_BAD_NODE;
+            break;
+        }
+        struct sph_leaf sphere = sph_leaf_read(prim, 0, j->p->w);
         struct sph_leaf_result r = sph_leaf_test(ray, &sphere);
         j->c->count[SPH_COUNT_LEAF_TESTS]++;
         if (!r.hit) break;

@@ -8,6 +8,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "build/emit.h"
 #include "build/tree.h"
 
 static int32_t child_field(const uint32_t *line, int child, int lsb, int width) {
@@ -195,6 +196,24 @@ static void test_refusals(void **unused) {
     free(s.spheres);
 }
 
+/* A node too large for its field: no tree of ours has one, so one is made by hand. */
+static void test_radius(void **unused) {
+    (void)unused;
+    struct sph_scene s = cloud(0, 0.1);
+    int most = (1 << SPH_CHILD_RAD_BITS) - 1 - SPH_FILTER_MARGIN;
+    for (int over = 0; over < 2; over++) {
+        struct sph_tree_node nodes[2] = {{.n_inner = 1, .child = {1}},
+                                         {.ball = {.r = most + over}}};
+        struct sph_tree tree = {.nodes = nodes, .n_nodes = 2, .depth = 2};
+        struct sph_machine m = {.regs = {0}};
+        struct sph_error err = {{0}};
+        assert_int_equal(sph_emit_memory(&s, NULL, &tree, &m, &err), -over);
+        assert_int_equal(strstr(err.text, "node 1: a radius of 16382 ") != NULL, over);
+        sph_machine_free(&m);
+    }
+    free(s.spheres);
+}
+
 static void test_effects(void **unused) {
     (void)unused;
     struct sph_scene s = cloud(2, 0.1);
@@ -253,7 +272,7 @@ int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_containment), cmocka_unit_test(test_depth),
         cmocka_unit_test(test_grid),        cmocka_unit_test(test_refusals),
-        cmocka_unit_test(test_effects),
+        cmocka_unit_test(test_effects),     cmocka_unit_test(test_radius),
     };
     seed(argc, argv);
     if (argc > 2 && !strcmp(argv[2], "timing")) time_large();

@@ -9,10 +9,12 @@
 
 enum { W = 24, H = 16 };
 
+static int profile; /* of every machine here */
+
 static struct sph_machine machine(const char *name) {
     struct sph_scene scene = model_scene(name);
-    struct sph_machine m; /* W = 24: whatever a leaf holds is a coordinate */
-    assert_true(model_build(&scene, SPH_REFERENCE, SPH_TREE_BALANCED, SPH_BG_NONE, W, H, &m));
+    struct sph_machine m;
+    assert_true(model_build(&scene, profile, SPH_TREE_BALANCED, SPH_BG_NONE, W, H, &m));
     sph_scene_free(&scene);
     return m;
 }
@@ -76,6 +78,41 @@ static void prim_beyond_memory(void **state) {
     sph_machine_free(&m);
 }
 
+/* The paper's walk sees its second sphere by its own number: it may have none. */
+static void other_beyond_memory(void **state) {
+    (void)state;
+    struct sph_machine m = machine("interpenetrating");
+    int found = 0, lines = m.regs[SPH_REG_MEM_LINES];
+    while (--m.regs[SPH_REG_MEM_LINES] >= m.regs[SPH_REG_PRIM_BASE])
+        found += walk(&m, SPH_TRAVERSE_FIRST) == 1 << SPH_ERROR_BAD_NODE;
+    assert_int_equal(found, lines - m.regs[SPH_REG_PRIM_BASE]);
+    sph_machine_free(&m);
+}
+
+/* Bits above the profile's coordinates are not there for the hardware. */
+static void high_bits(void **state) {
+    (void)state;
+    struct sph_machine m = machine("interpenetrating");
+    struct sph_counters c;
+    int errors, w = sph_profiles[profile].w;
+    for (int how = SPH_TRAVERSE_NEAREST; how <= SPH_TRAVERSE_BRUTE; how++) {
+        struct sph_frame before = model_render(&m, how, 1, &c, &errors);
+        for (uint32_t id = 0; id < (uint32_t)m.regs[SPH_REG_N_PRIMS]; id++) {
+            uint32_t *line =
+                m.mem + ((uint32_t)m.regs[SPH_REG_PRIM_BASE] + (size_t)id) * SPH_LINE_WORDS;
+            for (int i = 0; i < 4 && w < SPH_LEAF_CTR_X_BITS; i++)
+                sph_field_set(line, SPH_LEAF_CTR_X_LSB + i * SPH_LEAF_CTR_X_BITS + w,
+                              SPH_LEAF_CTR_X_BITS - w, 0x5aa55a >> (id + (uint32_t)i) % 8);
+        }
+        struct sph_frame after = model_render(&m, how, 1, &c, &errors);
+        assert_int_equal(errors, 0);
+        assert_int_equal(model_differ("high bits", &m, &after, &before), 0);
+        sph_frame_free(&before);
+        sph_frame_free(&after);
+    }
+    sph_machine_free(&m);
+}
+
 static void visit_limit(void **state) {
     (void)state;
     struct sph_machine m = machine("paper100");
@@ -125,7 +162,7 @@ static void random_damage(void **state) {
             uint64_t r = sph_rng_next(&rng);
             m.mem[(r >> 5) % (m.lines * SPH_LINE_WORDS)] ^= 1u << (r & 31);
         }
-        reported += walk(&m, SPH_TRAVERSE_NEAREST) != 0;
+        reported += errors_of(&m) != 0;
     }
     printf("# %d of 150 damaged machines were reported\n", reported);
     assert_true(reported > 0);
@@ -135,10 +172,14 @@ static void random_damage(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(root_beyond_memory), cmocka_unit_test(child_beyond_memory),
-        cmocka_unit_test(five_children),      cmocka_unit_test(prim_beyond_memory),
-        cmocka_unit_test(visit_limit),        cmocka_unit_test(cycles),
+        cmocka_unit_test(root_beyond_memory),  cmocka_unit_test(child_beyond_memory),
+        cmocka_unit_test(five_children),       cmocka_unit_test(prim_beyond_memory),
+        cmocka_unit_test(other_beyond_memory), cmocka_unit_test(high_bits),
+        cmocka_unit_test(visit_limit),         cmocka_unit_test(cycles),
         cmocka_unit_test(random_damage),
     };
-    return cmocka_run_group_tests_name("malformed", tests, NULL, NULL);
+    int failed = 0;
+    for (profile = 0; profile < SPH_PROFILES; profile++)
+        failed += cmocka_run_group_tests_name(sph_profiles[profile].name, tests, NULL, NULL);
+    return failed;
 }

@@ -48,6 +48,16 @@ static void put_prim(uint32_t *line, const struct sph_ball *ball, uint32_t id,
     sph_field_set(line, SPH_PRIM_KR_LSB, SPH_PRIM_KR_BITS, (uint32_t)sph_material_kr(material));
 }
 
+/* 0 if every node's radius, margin included, fits its field. All spheres lie on the grid, so a
+ * sound tree has none above sqrt(3) * 2^(FW-1); a leaf's is smaller still. */
+static int check_radii(const struct sph_tree *tree, struct sph_error *err) {
+    for (uint32_t i = 0; i < tree->n_nodes; i++)
+        if (tree->nodes[i].ball.r + SPH_FILTER_MARGIN >= 1 << SPH_CHILD_RAD_BITS)
+            return sph_fail(err, "node %u: a radius of %d filter units does not fit %d bits", i,
+                            tree->nodes[i].ball.r, SPH_CHILD_RAD_BITS);
+    return 0;
+}
+
 /* Lines of all nodes and leaf records. */
 static uint64_t tree_lines(const struct sph_tree *tree) {
     uint64_t lines = 1;
@@ -78,6 +88,7 @@ static void put_node(struct sph_machine *m, const struct sph_tree *tree,
 int sph_emit_memory(const struct sph_scene *scene, const struct sph_ball *balls,
                     const struct sph_tree *tree, struct sph_machine *machine,
                     struct sph_error *err) {
+    if (check_radii(tree, err)) return -1;
     uint32_t n = scene->n_spheres;
     uint64_t prim_base = tree_lines(tree), lines = prim_base + n;
     struct place {

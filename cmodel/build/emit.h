@@ -9,7 +9,7 @@
 #include "build/tree.h"
 
 /* Writes nodes, leaf records and primitive records to machine->mem and the registers that tell
- * where they are. -1 if memory or addresses are out. */
+ * where they are. -1 if memory or addresses are out, or a node's radius exceeds its field. */
 int sph_emit_memory(const struct sph_scene *scene, const struct sph_ball *balls,
                     const struct sph_tree *tree, struct sph_machine *machine,
                     struct sph_error *err);

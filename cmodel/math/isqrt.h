@@ -6,7 +6,8 @@
 
 #include "math/fx.h"
 
-/* floor(sqrt(x)) for any x; *inexact = (root^2 != x). Digit by digit, two radicand bits a step. */
+/* floor(sqrt(x)) for x < 2^124 (the remainder and two bits more must fit a word); *inexact =
+ * (root^2 != x). Digit by digit, two radicand bits a step. */
 uint64_t sph_isqrt(sph_u128 x, int *inexact);
 
 #endif

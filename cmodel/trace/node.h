@@ -8,12 +8,13 @@
 #include "trace/filter.h"
 #include "trace/leaf.h"
 
-static inline struct sph_leaf sph_leaf_read(const uint32_t *line, int half) {
+/* A leaf record of a line; the low w bits of each number count, as in the RTL. */
+static inline struct sph_leaf sph_leaf_read(const uint32_t *line, int half, int w) {
     int at = half * SPH_LEAF_STRIDE;
-    return (struct sph_leaf){{sph_field_signed(line, at + SPH_LEAF_CTR_X_LSB, SPH_LEAF_CTR_X_BITS),
-                              sph_field_signed(line, at + SPH_LEAF_CTR_Y_LSB, SPH_LEAF_CTR_Y_BITS),
-                              sph_field_signed(line, at + SPH_LEAF_CTR_Z_LSB, SPH_LEAF_CTR_Z_BITS)},
-                             sph_field(line, at + SPH_LEAF_RAD_LSB, SPH_LEAF_RAD_BITS),
+    return (struct sph_leaf){{sph_field_signed(line, at + SPH_LEAF_CTR_X_LSB, w),
+                              sph_field_signed(line, at + SPH_LEAF_CTR_Y_LSB, w),
+                              sph_field_signed(line, at + SPH_LEAF_CTR_Z_LSB, w)},
+                             sph_field(line, at + SPH_LEAF_RAD_LSB, w),
                              sph_field(line, at + SPH_LEAF_ID_LSB, SPH_LEAF_ID_BITS)};
 }
 

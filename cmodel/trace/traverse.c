@@ -31,10 +31,11 @@ static void leaf_visit(const struct sph_ray *ray, const struct sph_leaf *leaf, s
 static struct sph_hit brute(const struct sph_machine *m, const struct sph_ray *ray,
                             struct sph_counters *c) {
     struct sph_hit best = {0, SPH_ID_NONE, 0};
+    int w = sph_machine_profile(m)->w;
     uint32_t n = (uint32_t)m->regs[SPH_REG_N_PRIMS];
     for (uint32_t id = 0; id < n; id++) {
         size_t line = (uint32_t)m->regs[SPH_REG_PRIM_BASE] + (size_t)id;
-        struct sph_leaf leaf = sph_leaf_read(m->mem + line * SPH_LINE_WORDS, 0);
+        struct sph_leaf leaf = sph_leaf_read(m->mem + line * SPH_LINE_WORDS, 0, w);
         leaf_visit(ray, &leaf, &best, c);
         if (ray->kind == SPH_SHADOW && best.key) break;
     }
@@ -48,7 +49,7 @@ static struct sph_hit first(const struct sph_machine *m, const struct sph_ray *r
     uint32_t stack[4 * SPH_STACK_DEPTH];
     uint32_t lines = (uint32_t)m->regs[SPH_REG_MEM_LINES];
     uint32_t left = (uint32_t)m->regs[SPH_REG_VISIT_LIMIT];
-    int sp = 0;
+    int sp = 0, w = sph_machine_profile(m)->w;
     stack[sp++] = (uint32_t)m->regs[SPH_REG_ROOT];
     while (sp) {
         uint32_t node = stack[--sp];
@@ -73,7 +74,8 @@ static struct sph_hit first(const struct sph_machine *m, const struct sph_ray *r
                 continue;
             }
             size_t at = (size_t)base + n_inner + ((i - n_inner) >> 1);
-            struct sph_leaf leaf = sph_leaf_read(m->mem + at * SPH_LINE_WORDS, (i - n_inner) & 1);
+            struct sph_leaf leaf =
+                sph_leaf_read(m->mem + at * SPH_LINE_WORDS, (i - n_inner) & 1, w);
             leaf_visit(ray, &leaf, &best, c);
             if (best.key) return best;
         }
@@ -121,7 +123,7 @@ struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *r
             if (i >= n_inner) {
                 uint32_t j = i - n_inner;
                 size_t at = (size_t)found.base + n_inner + (j >> 1);
-                struct sph_leaf leaf = sph_leaf_read(m->mem + at * SPH_LINE_WORDS, j & 1);
+                struct sph_leaf leaf = sph_leaf_read(m->mem + at * SPH_LINE_WORDS, j & 1, p->w);
                 uint64_t key_before = best.key;
                 leaf_visit(ray, &leaf, &best, c);
                 if (best.key != key_before && ray->kind != SPH_SHADOW)
