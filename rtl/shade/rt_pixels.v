@@ -206,7 +206,8 @@ module rt_pixels #(
                 .in_depth_i(e_depth), .in_colour_i(e_first ? 72'd0 : e_state[136:65]),
                 .out_valid_o(u_valid[u]), .out_tag_o({u_slot[SLOTW*u +: SLOTW], u_last[u]}),
                 .out_sum_o(u_state_out[140*u +: 48]), .out_weight_o(u_state_out[140*u+48 +: 17]),
-                .out_depth_o(u_state_out[140*u+137 +: 3]), .out_colour_o(u_state_out[140*u+65 +: 72])
+                .out_depth_o(u_state_out[140*u+137 +: 3]),
+                .out_colour_o(u_state_out[140*u+65 +: 72])
             );
         end
     endgenerate

@@ -86,11 +86,12 @@ module rt_core #(
     wire go      = start && !missing && !foreign;
 
     // ---- pixel walk ----
-    wire             walk_busy, ray_valid, bg_valid, bg_ready;
-    wire [13:0]      x, y;
-    wire signed [WD-1:0] ray_x, ray_y;
+    // A short queue of traced pixels keeps the engines fed while the walk crosses background.
+    wire             walk_busy, walk_valid, walk_ready, ray_valid, bg_valid, bg_ready;
+    wire [13:0]      x, y, ray_x, ray_y;
+    wire signed [WD-1:0] walk_dir_x, walk_dir_y;
+    wire [WD-1:0]    ray_dir_x, ray_dir_y;
     wire [ENGINES-1:0] e_ready, e_take, e_busy;
-    wire             ray_ready = |e_ready;
     rt_walk #(.WD(WD)) u_walk (
         .clk(clk), .rst(rst), .start_i(go), .busy_o(walk_busy),
         .win_x0_i(window[13:0]), .win_y0_i(window[27:14]),
@@ -98,12 +99,18 @@ module rt_core #(
         .rect_on_i(rect_on), .rect_x0_i(rect[13:0]), .rect_y0_i(rect[27:14]),
         .rect_x1_i(rect[41:28]), .rect_y1_i(rect[55:42]),
         .dir_x0_i($signed(dir[0 +: WD])), .dir_y0_i($signed(dir[WD +: WD])), .pitch_i(pitch),
-        .ray_valid_o(ray_valid), .ray_ready_i(ray_ready),
-        .ray_dir_x_o(ray_x), .ray_dir_y_o(ray_y),
+        .ray_valid_o(walk_valid), .ray_ready_i(walk_ready),
+        .ray_dir_x_o(walk_dir_x), .ray_dir_y_o(walk_dir_y),
         .bg_valid_o(bg_valid), .bg_ready_i(bg_ready), .x_o(x), .y_o(y)
     );
+    rt_fifo #(.WIDTH(28 + 2*WD), .DEPTH(16)) u_traced (
+        .clk(clk), .rst(rst), .in_valid_i(walk_valid && walk_ready), .in_ready_o(walk_ready),
+        .in_data_i({walk_dir_y, walk_dir_x, y, x}),
+        .out_valid_o(ray_valid), .out_ready_i(|e_ready),
+        .out_data_o({ray_dir_y, ray_dir_x, ray_y, ray_x})
+    );
     assign e_take = e_ready & (~e_ready + 1'b1);     // the lowest engine with a free slot
-    wire             working = walk_busy || e_busy != 0 || mux_valid_q;
+    wire             working = walk_busy || ray_valid || e_busy != 0 || mux_valid_q;
     reg [4:0]        settle_q;                       // cycles until the counters are complete
     assign busy_o = working || settle_q != 5'd0;
     always @(posedge clk) begin
@@ -119,14 +126,16 @@ module rt_core #(
     wire                   m_rsp_error;
     wire [ENGINES-1:0]     p_valid, p_take;
     wire [ENGINES*PW-1:0]  p_data;
-    wire [ENGINES*16-1:0]  events;
+    wire [ENGINES*128-1:0] events;
+    wire [ENGINES-1:0]     issued;
     wire [ENGINES*4-1:0]   faults;
     genvar e;
     generate
         for (e = 0; e < ENGINES; e = e + 1) begin : g_engine
-            wire [2:0] rays, tests;
-            wire       visit, leaf, sqrt, quotient, saturated, issued, bubble;
-            wire [1:0] miss;
+            wire [2:0]   rays, tests;
+            wire         visit, leaf, sqrt, quotient, saturated, bubble;
+            wire [1:0]   miss;
+            wire [127:0] add_e;
             rt_engine #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .FW(FW), .SLOTS(K),
                         .STACK(`RT_STACK_DEPTH), .SHADOW(SHADOW), .REFLECT(REFLECT),
                         .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES), .ROOTS(ROOTS),
@@ -140,7 +149,8 @@ module rt_core #(
                 .light_valid_i(light_valid), .light_number_i(light_number),
                 .light_part_i(light_part), .light_data_i(cfg_data_i),
                 .in_valid_i(ray_valid && e_take[e]), .in_ready_o(e_ready[e]),
-                .in_x_i(x), .in_y_i(y), .in_dir_i({dir[2*WD +: WD], ray_y, ray_x}),
+                .in_x_i(ray_x), .in_y_i(ray_y),
+                .in_dir_i({dir[2*WD +: WD], ray_dir_y, ray_dir_x}),
                 .pix_valid_o(p_valid[e]), .pix_ready_i(p_take[e] && mux_ready),
                 .pix_x_o(p_data[PW*e +: 14]), .pix_y_o(p_data[PW*e+14 +: 14]),
                 .pix_colour_o(p_data[PW*e+28 +: 72]), .pix_id_o(p_data[PW*e+100 +: 24]),
@@ -153,11 +163,26 @@ module rt_core #(
                 .mem_rsp_data_i(m_rsp_data), .mem_rsp_error_i(m_rsp_error),
                 .count_rays_o(rays), .count_visit_o(visit), .count_tests_o(tests),
                 .count_leaf_o(leaf), .count_root_o(sqrt), .count_quotient_o(quotient),
-                .count_saturated_o(saturated), .count_issued_o(issued), .count_miss_o(miss),
+                .count_saturated_o(saturated), .count_issued_o(issued[e]), .count_miss_o(miss),
                 .count_bubble_o(bubble), .errors_o(faults[4*e +: 4])
             );
-            assign events[16*e +: 16] = {issued, bubble, miss, saturated, quotient, sqrt, leaf,
-                                         1'b0, tests, visit, rays};
+            assign add_e[8*`RT_COUNT_RAYS_PRIMARY   +: 8] = {7'd0, rays[0]};
+            assign add_e[8*`RT_COUNT_RAYS_SHADOW    +: 8] = {7'd0, rays[1]};
+            assign add_e[8*`RT_COUNT_RAYS_REFLECTED +: 8] = {7'd0, rays[2]};
+            assign add_e[8*`RT_COUNT_NODE_VISITS    +: 8] = {7'd0, visit};
+            assign add_e[8*`RT_COUNT_CHILD_TESTS    +: 8] = {5'd0, tests};
+            assign add_e[8*`RT_COUNT_LEAF_TESTS     +: 8] = {7'd0, leaf};
+            assign add_e[8*`RT_COUNT_ROOTS          +: 8] = {7'd0, sqrt};
+            assign add_e[8*`RT_COUNT_QUOTIENTS      +: 8] = {7'd0, quotient};
+            assign add_e[8*`RT_COUNT_BACKGROUND     +: 8] = 8'd0;
+            assign add_e[8*`RT_COUNT_SATURATIONS    +: 8] = {7'd0, saturated};
+            assign add_e[8*`RT_COUNT_CYCLES         +: 8] = 8'd0;
+            assign add_e[8*`RT_COUNT_ISSUE_WAIT     +: 8] = 8'd0;
+            assign add_e[8*`RT_COUNT_NODE_MISSES    +: 8] = {7'd0, miss[0]};
+            assign add_e[8*`RT_COUNT_LEAF_MISSES    +: 8] = {7'd0, miss[1]};
+            assign add_e[8*`RT_COUNT_RAYS_WAITING   +: 8] = 8'd0;
+            assign add_e[8*`RT_COUNT_POP_BUBBLES    +: 8] = {7'd0, bubble};
+            assign events[128*e +: 128] = add_e;
         end
     endgenerate
     rt_mem_arbiter #(.CLIENTS(2*ENGINES)) u_arbiter (
@@ -194,33 +219,27 @@ module rt_core #(
     assign {pix_key_o, pix_visits_o, pix_id_o, pix_colour_o, pix_y_o, pix_x_o} = mux_q;
 
     // ---- counters: sums over the engines ----
+    wire [127:0] shell_events;
+    assign shell_events[8*`RT_COUNT_RAYS_PRIMARY   +: 64] = 64'd0;  // up to QUOTIENTS
+    assign shell_events[8*`RT_COUNT_BACKGROUND     +: 8] = {7'd0, bg_valid && bg_ready};
+    assign shell_events[8*`RT_COUNT_SATURATIONS    +: 8] = 8'd0;
+    assign shell_events[8*`RT_COUNT_CYCLES         +: 8] = {7'd0, working};
+    assign shell_events[8*`RT_COUNT_ISSUE_WAIT     +: 8] = {7'd0, ray_valid && issued == 0};
+    assign shell_events[8*`RT_COUNT_NODE_MISSES    +: 8] = 8'd0;
+    assign shell_events[8*`RT_COUNT_LEAF_MISSES    +: 8] = 8'd0;
+    assign shell_events[8*`RT_COUNT_RAYS_WAITING   +: 8] = {7'd0, ray_valid};
+    assign shell_events[8*`RT_COUNT_POP_BUBBLES    +: 8] = 8'd0;
     reg [127:0] add;
-    reg [ENGINES-1:0] issued;
-    integer n;
+    integer n, k;
     always @* begin
-        add = 128'd0;
-        for (n = 0; n < ENGINES; n = n + 1) begin
-            issued[n] = events[16*n + 15];
-            add[8*`RT_COUNT_RAYS_PRIMARY   +: 8] = add[8*`RT_COUNT_RAYS_PRIMARY   +: 8] + {7'd0, events[16*n]};
-            add[8*`RT_COUNT_RAYS_SHADOW    +: 8] = add[8*`RT_COUNT_RAYS_SHADOW    +: 8] + {7'd0, events[16*n+1]};
-            add[8*`RT_COUNT_RAYS_REFLECTED +: 8] = add[8*`RT_COUNT_RAYS_REFLECTED +: 8] + {7'd0, events[16*n+2]};
-            add[8*`RT_COUNT_NODE_VISITS    +: 8] = add[8*`RT_COUNT_NODE_VISITS    +: 8] + {7'd0, events[16*n+3]};
-            add[8*`RT_COUNT_CHILD_TESTS    +: 8] = add[8*`RT_COUNT_CHILD_TESTS    +: 8] + {5'd0, events[16*n+4 +: 3]};
-            add[8*`RT_COUNT_LEAF_TESTS     +: 8] = add[8*`RT_COUNT_LEAF_TESTS     +: 8] + {7'd0, events[16*n+8]};
-            add[8*`RT_COUNT_ROOTS          +: 8] = add[8*`RT_COUNT_ROOTS          +: 8] + {7'd0, events[16*n+9]};
-            add[8*`RT_COUNT_QUOTIENTS      +: 8] = add[8*`RT_COUNT_QUOTIENTS      +: 8] + {7'd0, events[16*n+10]};
-            add[8*`RT_COUNT_SATURATIONS    +: 8] = add[8*`RT_COUNT_SATURATIONS    +: 8] + {7'd0, events[16*n+11]};
-            add[8*`RT_COUNT_NODE_MISSES    +: 8] = add[8*`RT_COUNT_NODE_MISSES    +: 8] + {7'd0, events[16*n+12]};
-            add[8*`RT_COUNT_LEAF_MISSES    +: 8] = add[8*`RT_COUNT_LEAF_MISSES    +: 8] + {7'd0, events[16*n+13]};
-            add[8*`RT_COUNT_POP_BUBBLES    +: 8] = add[8*`RT_COUNT_POP_BUBBLES    +: 8] + {7'd0, events[16*n+14]};
-        end
-        add[8*`RT_COUNT_BACKGROUND   +: 8] = {7'd0, bg_valid && bg_ready};
-        add[8*`RT_COUNT_CYCLES       +: 8] = {7'd0, working};
-        add[8*`RT_COUNT_RAYS_WAITING +: 8] = {7'd0, ray_valid};
-        add[8*`RT_COUNT_ISSUE_WAIT   +: 8] = {7'd0, ray_valid && issued == 0};
+        add = shell_events;
+        for (n = 0; n < ENGINES; n = n + 1)
+            for (k = 0; k < `RT_COUNTERS; k = k + 1)
+                add[8*k +: 8] = add[8*k +: 8] + events[128*n + 8*k +: 8];
     end
     rt_counters u_counters (
-        .clk(clk), .rst(rst), .clear_i(go), .add_i(add), .addr_i(count_addr_i), .data_o(count_data_o)
+        .clk(clk), .rst(rst), .clear_i(go), .add_i(add),
+        .addr_i(count_addr_i), .data_o(count_data_o)
     );
 
     // ---- sticky errors ----

@@ -212,9 +212,11 @@ module rt_engine #(
         .in_far_i(result_far), .in_id_i(result_id), .in_key_i(result_key),
         .out_valid_o(visit_valid), .out_slot_o(visit_slot),
         .filter_valid_i(filter_read), .filter_slot_i(filter_slot), .filter_depth_o(filter_depth),
-        .next_valid_i(next_read), .next_slot_i(next_slot), .next_depth_o(next_depth), .next_found_o(next_hit),
+        .next_valid_i(next_read), .next_slot_i(next_slot), .next_depth_o(next_depth),
+        .next_found_o(next_hit),
         .next_shadow_o(next_shadow),
-        .done_valid_i(done_valid), .done_slot_i(done_slot), .done_found_o(done_found), .done_shadow_o(done_shadow),
+        .done_valid_i(done_valid), .done_slot_i(done_slot), .done_found_o(done_found),
+        .done_shadow_o(done_shadow),
         .done_primary_o(done_primary),
         .done_far_o(done_far), .done_id_o(done_id), .done_key_o(done_key)
     );
@@ -240,7 +242,8 @@ module rt_engine #(
         .found_fresh_i(found_fresh), .found_kill_i(found_kill),
         .in_valid_i(leafy_valid || plain_valid), .in_ready_o(next_ready),
         .in_slot_i(leafy_valid ? leafy_slot : plain_slot),
-        .read_o(next_read), .slot_o(next_slot), .depth_i(next_depth), .hit_i(next_hit), .shadow_i(next_shadow),
+        .read_o(next_read), .slot_o(next_slot), .depth_i(next_depth), .hit_i(next_hit),
+        .shadow_i(next_shadow),
         .issue_valid_o(issue_valid), .issue_slot_o(issue_slot), .issue_line_o(issue_line),
         .done_valid_o(done_valid), .done_slot_o(done_slot),
         .bubble_o(count_bubble_o), .overflow_o(overflow)
@@ -303,7 +306,8 @@ module rt_engine #(
         .normal_valid_i(normal_valid), .normal_slot_i(normal_slot),
         .normal_vec_i(normal_vec), .normal_nn_i(normal_nn),
         .done_valid_i(over_valid_q), .done_slot_i(over_slot_q), .done_found_i(done_found),
-        .done_shadow_i(done_shadow), .done_primary_i(done_primary), .done_far_i(done_far), .done_id_i(done_id),
+        .done_shadow_i(done_shadow), .done_primary_i(done_primary),
+        .done_far_i(done_far), .done_id_i(done_id),
         .done_key_i(done_key),
         .shadow_valid_o(shadow_valid), .shadow_slot_o(shadow_slot),
         .shadow_lit_o(shadow_lit),

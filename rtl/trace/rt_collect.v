@@ -1,7 +1,7 @@
 // rt_collect.v - gathers the leaf results of a visit and keeps each ray's first hit
 // SPDX-License-Identifier: Apache-2.0
 // A smaller key wins, a tie goes to the smaller id, so the order of arrival does not matter.
-// The best key gives a depth beyond which nothing can win: depth = key * scale >> shift, rounded up.
+// The best key gives a depth beyond which nothing can win: key * scale >> shift, rounded up.
 // One result a cycle; the token leaves 4 cycles after the last result of its visit.
 // Model: leaf_visit() in cmodel/trace/traverse.c, sph_ray_depth() in cmodel/trace/setup.c
 `default_nettype none

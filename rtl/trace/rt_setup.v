@@ -201,7 +201,8 @@ module rt_setup #(
     reg [FW:0]      s3_depth_q;
     localparam [31:0] FLAT = 30 - FW;                    // depth shift of an unshifted vector
     wire signed [WD-1:0] s1_along = $signed(
-        s1_axis == 2'd0 ? s1_vec[0 +: WD] : s1_axis == 2'd1 ? s1_vec[WD +: WD] : s1_vec[2*WD +: WD]);
+        s1_axis == 2'd0 ? s1_vec[0 +: WD] : s1_axis == 2'd1 ? s1_vec[WD +: WD]
+        : s1_vec[2*WD +: WD]);
     wire [WD-1:0]   s2_units = s2_span_q >> K;
     localparam [FW:0] LIM = {(FW+1){1'b1}};
     genvar i;
@@ -310,6 +311,7 @@ module rt_setup #(
     assign lamp_lit_o     = !c_dark;
     assign cosine_valid_o = c_valid && c_light;
     assign cosine_slot_o  = c_slot;
-    wire unused = &{1'b0, nq_in, lq_in, bq_in, c_ready, s3_prod_q[33], s3_prod_q[15:0], s1_rsqrt_q[0]};
+    wire unused = &{1'b0, nq_in, lq_in, bq_in, c_ready, s3_prod_q[33], s3_prod_q[15:0],
+                     s1_rsqrt_q[0]};
 endmodule
 `default_nettype wire

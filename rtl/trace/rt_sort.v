@@ -1,7 +1,8 @@
 // rt_sort.v - orders the children that a ray hits, near first, ties by child number
 // SPDX-License-Identifier: Apache-2.0
 // Position of a child = number of hit children before it: six comparisons, no exchange.
-// Latency 2 cycles, one node a cycle. Model: the insertion in sph_traverse(), cmodel/trace/traverse.c
+// Latency 2 cycles, one node a cycle.
+// Model: the insertion in sph_traverse(), cmodel/trace/traverse.c
 `default_nettype none
 module rt_sort (
     input  wire        clk,
@@ -25,16 +26,16 @@ module rt_sort (
                            : $signed(near_i[16*j +: 16]) <  $signed(near_i[16*i +: 16]));
     end
     // ---- stage 2: place ----
-    reg [2:0]  place [0:3];
+    reg [2:0]  place;
     reg [71:0] list;
     integer k, n;
     always @* begin
         list = 72'd0;
         for (k = 0; k < 4; k = k + 1) begin
-            place[k] = {2'b0, s1_before_q[4*k]} + {2'b0, s1_before_q[4*k + 1]} +
-                       {2'b0, s1_before_q[4*k + 2]} + {2'b0, s1_before_q[4*k + 3]};
+            place = {2'b0, s1_before_q[4*k]} + {2'b0, s1_before_q[4*k + 1]} +
+                    {2'b0, s1_before_q[4*k + 2]} + {2'b0, s1_before_q[4*k + 3]};
             for (n = 0; n < 4; n = n + 1)
-                if (s1_hit_q[k] && place[k] == n[2:0])
+                if (s1_hit_q[k] && place == n[2:0])
                     list[18*n +: 18] = {s1_near_q[16*k +: 16], k[1:0]};
         end
     end

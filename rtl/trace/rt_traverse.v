@@ -95,7 +95,8 @@ module rt_traverse #(
     rt_slot_ram #(.WIDTH(3*FW+57), .SLOTS(SLOTS), .OLD(0)) u_ray (
         .clk(clk), .wr_en_i(new_valid_i), .wr_addr_i(new_slot_i),
         .wr_data_i({new_negative_i, new_axis_i, new_unit_i, new_org_i}),
-        .rd_en_i(rsp_valid), .rd_addr_i(rsp_slot), .rd_data_o({t1_negative, t1_axis, t1_unit, t1_org})
+        .rd_en_i(rsp_valid), .rd_addr_i(rsp_slot),
+        .rd_data_o({t1_negative, t1_axis, t1_unit, t1_org})
     );
 
     // ---- issue: count the visit, refuse bad addresses ----
