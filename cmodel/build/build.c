@@ -121,6 +121,7 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
     struct sph_rays rays = {0};
     m->regs[SPH_REG_PROFILE] = o->profile;
     m->regs[SPH_REG_TREE] = o->tree;
+    m->regs[SPH_REG_FRAME] = SPH_FRAMES - 1;
     if (sph_grid_fit(scene, profile->w, &grid, err)) return -1;
     if (place_camera(scene, o, &grid, &rays, m, err)) return -1;
     if (sph_grid_spheres(&grid, scene, o->profile, balls, &report->smallest_radius, err)) return -1;

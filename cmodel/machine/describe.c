@@ -53,12 +53,12 @@ static const struct {
     NAMED(AMBIENT_R), NAMED(AMBIENT_G), NAMED(AMBIENT_B), NAMED(EYE_X),    NAMED(EYE_Y),
     NAMED(EYE_Z),     NAMED(DIR_X0),    NAMED(DIR_Y0),    NAMED(DIR_Z),    NAMED(PITCH),
     NAMED(ROOT),      NAMED(PRIM_BASE), NAMED(MEM_LINES), NAMED(N_PRIMS),  NAMED(VISIT_LIMIT),
-    NAMED(PROFILE),   NAMED(TREE),      NAMED(LIGHT0_X),  NAMED(LIGHT0_Y), NAMED(LIGHT0_Z),
-    NAMED(LIGHT0_R),  NAMED(LIGHT0_G),  NAMED(LIGHT0_B)};
+    NAMED(PROFILE),   NAMED(TREE),      NAMED(FRAME),     NAMED(LIGHT0_X), NAMED(LIGHT0_Y),
+    NAMED(LIGHT0_Z),  NAMED(LIGHT0_R),  NAMED(LIGHT0_G),  NAMED(LIGHT0_B)};
 
 static void describe_registers(const struct sph_machine *m, FILE *file) {
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        int light = names[i].number >= SPH_REG_LIGHT0_X;
+        int light = names[i].number >= SPH_REG_LIGHT0_X && names[i].number != SPH_REG_FRAME;
         for (int l = 0; l < (light ? m->regs[SPH_REG_N_LIGHTS] : 1); l++) {
             char name[32];
             int number = names[i].number + SPH_LIGHT_STRIDE * l;

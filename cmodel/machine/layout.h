@@ -85,6 +85,7 @@
 #define SPH_REG_LIGHT0_R 35
 #define SPH_REG_LIGHT0_G 36
 #define SPH_REG_LIGHT0_B 37
+#define SPH_REG_FRAME 38
 #define SPH_LIGHT_STRIDE 8
 #define SPH_N_REGS 96
 #define SPH_EFFECT_SHADOW 0

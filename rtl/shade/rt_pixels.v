@@ -109,8 +109,8 @@ module rt_pixels #(
     end
 
     // ---- rays that are done ----
-    wire [25:0] d_line    = prim_base_i + {2'b0, done_id_i};
-    wire        d_outside = d_line >= mem_lines_i;
+    wire [26:0] d_line    = {1'b0, prim_base_i} + {3'b0, done_id_i};
+    wire        d_outside = d_line >= {1'b0, mem_lines_i};
     wire        d_found   = done_found_i && !d_outside;
     wire        d_first   = done_primary_i;
     reg         miss_valid_q, sky_valid_q;           // behind a mirror; at once

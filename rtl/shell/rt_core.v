@@ -43,7 +43,8 @@ module rt_core #(
     input  wire              pix_ready_i,
     output wire [13:0]       pix_x_o,
     output wire [13:0]       pix_y_o,
-    output wire [71:0]       pix_colour_o,
+    output wire [71:0]       pix_colour_o,     // L2, L1, Rendering
+    output wire [23:0]       pix_frame_o,      // the one of them that register FRAME selects
     output wire [23:0]       pix_id_o,
     output wire [W+WD+1:0]   pix_key_o,
     output wire [23:0]       pix_visits_o,
@@ -58,6 +59,7 @@ module rt_core #(
     // ---- registers, start ----
     wire [31:0]      effects, profile;
     wire [2:0]       max_depth;
+    wire [1:0]       frame;
     wire [3:0]       n_lights;
     wire [55:0]      window, rect;
     wire             rect_on;
@@ -75,7 +77,7 @@ module rt_core #(
         .window_o(window), .rect_on_o(rect_on), .rect_o(rect), .background_o(background),
         .ambient_o(ambient), .eye_o(eye), .dir_o(dir), .pitch_o(pitch), .root_o(root),
         .prim_base_o(prim_base), .mem_lines_o(mem_lines), .visit_limit_o(visit_limit),
-        .profile_o(profile), .light_valid_o(light_valid), .light_number_o(light_number),
+        .profile_o(profile), .frame_o(frame), .light_valid_o(light_valid), .light_number_o(light_number),
         .light_part_o(light_part)
     );
     wire [31:0] built = (SHADOW != 0 ? 32'd1 << `RT_EFFECT_SHADOW : 32'd0) |
@@ -217,6 +219,9 @@ module rt_core #(
     end
     assign pix_valid_o = mux_valid_q;
     assign {pix_key_o, pix_visits_o, pix_id_o, pix_colour_o, pix_y_o, pix_x_o} = mux_q;
+
+    assign pix_frame_o = frame == 2'd0 ? pix_colour_o[23:0] : frame == 2'd1 ? pix_colour_o[47:24]
+                         : pix_colour_o[71:48];
 
     // ---- counters: sums over the engines ----
     wire [127:0] shell_events;

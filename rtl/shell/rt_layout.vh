@@ -103,6 +103,7 @@
 `define RT_REG_LIGHT0_R 35
 `define RT_REG_LIGHT0_G 36
 `define RT_REG_LIGHT0_B 37
+`define RT_REG_FRAME 38
 `define RT_LIGHT_STRIDE 8
 `define RT_N_REGS 96
 `define RT_EFFECT_SHADOW 0

@@ -28,6 +28,7 @@ module rt_registers #(
     output reg  [25:0]       mem_lines_o,
     output reg  [23:0]       visit_limit_o,
     output reg  [31:0]       profile_o,
+    output reg  [1:0]        frame_o,
     // lights live in the engines: one write goes by
     output wire              light_valid_o,
     output wire [2:0]        light_number_o,
@@ -70,5 +71,6 @@ module rt_registers #(
                 `RT_REG_PROFILE:     profile_o       <= data_i;
                 default: ;
             endcase
+    always @(posedge clk) if (valid_i && addr_i == `RT_REG_FRAME) frame_o <= data_i[1:0];
 endmodule
 `default_nettype wire

@@ -145,6 +145,10 @@ void Bench::take_pixel() {
     p.id = core_->pix_id_o;
     p.key = core_->pix_key_o;
     p.visits = core_->pix_visits_o;
+    auto frame = static_cast<unsigned>(machine_.regs[SPH_REG_FRAME]);
+    if (core_->pix_frame_o != p.colour[frame < SPH_FRAMES ? frame : SPH_FRAMES - 1])
+        fail(run_, "clock %llu: the frame mux shows another frame than FRAME = %u",
+             static_cast<unsigned long long>(cycle_), frame);
     deliver(machine_, run_, samples_, core_->pix_x_o, core_->pix_y_o, p);
     last_pixel_ = cycle_;
 }
