@@ -1,58 +1,100 @@
 #!/bin/sh
 # run_bench.sh - builds and runs block benches: run_bench.sh [pattern [seed [vectors]]]
 # SPDX-License-Identifier: Apache-2.0
-# pattern selects lines of tb/benches.txt by bench/profile, e.g. tb_leaf or tb_leaf/standard.
-# Everything built lies under build/tb.
+#
+# pattern selects lines of tb/benches*.txt by bench/profile, e.g. tb_leaf or tb_leaf/standard.
+# A line: profile, module, bench, parameters of the module / only the bench's.
+#   BENCH_BUILD  build folder (build); all that is made here lies in its folder tb
+#   BENCH_JOBS   benches at once (1)
+#   BENCH_OPT    compiler's effort (-O2)
 cd "$(dirname "$0")/.." || exit 1
+BENCH_BUILD=${BENCH_BUILD:-build} BENCH_OPT=${BENCH_OPT:--O2}
+export BENCH_BUILD BENCH_OPT
+out=$BENCH_BUILD/tb
+include=$(verilator --getenv VERILATOR_ROOT)/include
+
+# Whether one of the files that a compiler's dependency file names is newer than a result.
+outdated() { # result, dependency files
+    result=$1
+    shift
+    [ -f "$result" ] && [ -f "$1" ] && [ -f "$2" ] || return 0
+    # shellcheck disable=SC2046  # a list of words on purpose
+    [ -n "$(find $(cat "$@" | sed 's/^[^:]*://' | tr -d '\\') -newer "$result" 2>&1 |
+        head -n 1)" ]
+}
+
+# Builds a line's bench unless it is there; 0 if it can be run.
+build() { # profile, module, bench, parameters
+    profile=$1 top=$2 bench=$3
+    shift 3
+    dir=$out/$bench-$profile generics= macros= inner=1
+    for p; do
+        if [ "$p" = / ]; then
+            inner=
+            continue
+        fi
+        macros="$macros -D$p"
+        [ -z "$inner" ] || generics="$generics -G$p"
+    done
+    mkdir -p "$dir"
+    echo "$top $generics $macros $BENCH_OPT" | cmp -s - "$dir/line" || rm -f "$dir/bench.o"
+    echo "$top $generics $macros $BENCH_OPT" >"$dir/line"
+    if outdated "$dir/bench.o" "$dir/bench.d" "$dir/V${top}__ver.d"; then
+        rm -f "$dir/bench" "$dir"/*.cpp "$dir"/*.o
+        # shellcheck disable=SC2046,SC2086  # lists of words on purpose
+        verilator --cc --top-module "$top" --language 1364-2005 -Wall -O3 --x-assign unique \
+            --x-initial unique $(find rtl -type d | sed 's/.*/-y & -I&/') $generics \
+            -Mdir "$dir" $(find rtl -name "$top.v") $(find sim -name waivers.vlt) || return 1
+        for part in "tb/$bench.cpp" "$dir/V$top"*.cpp; do
+            echo "#include \"$part\""
+        done >"$dir/all.cpp"
+        # shellcheck disable=SC2086  # a list of words on purpose
+        g++ -std=c++17 "$BENCH_OPT" -Wall -Wextra -DPROFILE="\"$profile\"" $macros -I. -Icmodel \
+            -Itb -isystem "$dir" -isystem "$include" -MMD -c "$dir/all.cpp" -MF "$dir/bench.d" \
+            -o "$dir/bench.o" || return 1
+    fi
+    [ -z "$(find "$dir/bench.o" "$BENCH_BUILD/libsphaera.a" -newer "$dir/bench" 2>&1)" ] ||
+        g++ "$dir/bench.o" "$out"/verilated*.o "$BENCH_BUILD/libsphaera.a" -lm -lpthread \
+            -o "$dir/bench"
+}
+
+if [ "${1:-}" = --one ]; then
+    line=$2
+    shift 2
+    # shellcheck disable=SC2086  # a list of words on purpose
+    set -- "$(set -- $line && echo "$3-$1")" "$@"
+    log=$out/$1.log
+    # shellcheck disable=SC2086
+    if build $line >"$log" 2>&1; then
+        "$out/$1/bench" "${2:-1}" ${3:+"$3"} >"$log" 2>&1 && rc=0 || rc=1
+        [ $rc = 0 ] || grep -q '^not ok' "$log" || echo "not ok $1: ended early" >>"$log"
+    else
+        echo "not ok $1: does not build" >>"$log"
+        rc=1
+    fi
+    cat "$log"
+    exit $rc
+fi
+
 pattern=${1:-/}
 [ $# -gt 0 ] && shift
-
-out=build/tb
-mkdir -p $out
-make --no-print-directory build/libsphaera.a >$out/model.log || { cat $out/model.log; exit 1; }
-include=$(verilator --getenv VERILATOR_ROOT)/include
-search=$(find rtl -type d | sed 's/.*/-y & -I&/' | tr '\n' ' ')
+mkdir -p "$out"
+env -u MAKEFLAGS -u MFLAGS make --no-print-directory B="$BENCH_BUILD" \
+    "$BENCH_BUILD/libsphaera.a" >"$out/model.log" || { cat "$out/model.log"; exit 1; }
 for part in verilated verilated_threads; do
-    [ -f $out/$part.o ] && continue
-    g++ -std=c++17 -O2 -I"$include" -c "$include/$part.cpp" -o $out/$part.o.$$ &&
-        mv $out/$part.o.$$ $out/$part.o || exit 1
+    [ -f "$out/$part.o" ] && continue
+    g++ -std=c++17 -O2 -I"$include" -c "$include/$part.cpp" -o "$out/$part.o.$$" &&
+        mv "$out/$part.o.$$" "$out/$part.o" || exit 1
 done
 
-status=0
-tests=0
-# shellcheck disable=SC2086,SC2013  # lists of words on purpose
-while read -r profile top bench params; do
-    case "$profile" in '#'* | '') continue ;; esac
-    case "$bench/$profile" in *"$pattern"*) ;; *) continue ;; esac
-    dir=$out/$bench-$profile
-    generics=
-    macros="-DPROFILE=\"$profile\""
-    for p in ${params%%/*}; do
-        generics="$generics -G$p"
-    done
-    for p in ${params%%/*} ${params#"${params%/*}"}; do
-        [ "$p" = / ] && continue
-        macros="$macros -D$p"
-    done
-    mkdir -p $dir
-    newest=$(find rtl tb/$bench.cpp tb/bench.h tb/benches.txt build/libsphaera.a -newer $dir/bench \
-        2>&1 | head -n 1)
-    if [ -n "$newest" ]; then
-        rm -f $dir/bench $dir/*.cpp
-        verilator --cc --top-module $top --language 1364-2005 -Wall -O3 --x-assign unique \
-            --x-initial unique $search $generics -Mdir $dir $(find rtl -name $top.v) \
-            $(find sim -name waivers.vlt) &&
-            g++ -std=c++17 -O2 -Wall -Wextra -Wno-unused-parameter $macros -Icmodel -Itb -I$dir \
-                -isystem "$include" tb/$bench.cpp $dir/*.cpp $out/verilated*.o \
-                build/libsphaera.a -lm -lpthread -o $dir/bench
-    fi
-    tests=$((tests + 1))
-    if [ -x $dir/bench ]; then
-        $dir/bench "$@" || status=1
-    else
-        echo "not ok $bench $profile: does not build"
-        status=1
-    fi
-done <tb/benches.txt
-[ $tests = 0 ] && echo "not ok run_bench.sh: nothing matches $pattern" && status=1
-exit $status
+awk -v pattern="$pattern" '
+    /^#/ || !NF { next }
+    index($3 "/" $1, pattern) { printf "%s%c", $0, 0 }' tb/benches*.txt >"$out/lines.$$"
+if [ ! -s "$out/lines.$$" ]; then
+    echo "not ok run_bench.sh: nothing matches $pattern"
+    rm -f "$out/lines.$$"
+    exit 1
+fi
+xargs -0 -P "${BENCH_JOBS:-1}" -I LINE sh "$0" --one LINE "$@" <"$out/lines.$$" && rc=0 || rc=1
+rm -f "$out/lines.$$"
+exit $rc

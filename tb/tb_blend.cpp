@@ -3,7 +3,6 @@
  *
  * Corners, then whole pixels (chains of depths from sph_blend_start) mixed with any state.
  */
-#include <queue>
 #include "Vrt_blend.h"
 #include "bench.h"
 
@@ -60,7 +59,6 @@ const Vector corners[] = {
     {{L1, L1, L1}, 0x112233, 0, 64, 0, {{1, 2, 3}, 999, 4, {7, 8, 9}}, 0, 0},
     {{L1, L1, L1}, 0x112233, 0, 64, 1, {{1, 2, 3}, 999, 7, {7, 8, 9}}, 0, 0},
 };
-constexpr size_t CORNERS = sizeof corners / sizeof *corners;
 
 /* Colour of the surface, then the blend, on *state. */
 void model(const Vector &v, struct sph_blend *state) {
@@ -109,50 +107,18 @@ bench::i128 pack(const uint32_t channel[3], int bits) {
 
 int main(int argc, char **argv) {
     bench::Bench<Vrt_blend> b("tb_blend", argc, argv);
-    std::queue<Vector> sent;
-    Vector v{};
-    size_t corner = 0;
-    uint64_t last = 0;
-    unsigned gaps = 0; /* percent of idle clocks */
-    b.dut.in_valid_i = 0;
-    b.reset();
-    while (b.more()) {
-        if (b.random.percent(1)) gaps = (unsigned)b.random.below(3) * 30;
-        if (!b.dut.in_valid_i) { /* without valid: inputs that must not matter */
-            v = corner < CORNERS ? corners[corner] : make(b.random);
-            v.tag = (uint64_t)b.random.bits(TAG);
-            b.set(b.dut.in_tag_i, TAG, (bench::i128)v.tag);
-            b.set(b.dut.in_light_i, 51, pack(v.light, 17));
-            b.set(b.dut.in_albedo_i, 24, v.albedo);
-            b.dut.in_background_i = (uint8_t)v.background;
-            b.set(b.dut.in_kr_i, 9, v.kr);
-            b.dut.in_last_i = (uint8_t)v.last;
-            b.set(b.dut.in_sum_i, 48, pack(v.state.sum, 16));
-            b.set(b.dut.in_weight_i, 17, v.state.weight);
-            b.set(b.dut.in_depth_i, 3, v.state.depth);
-            b.set(b.dut.in_colour_i, 72, pack(v.state.colour, 24));
-            b.dut.in_valid_i = !b.random.percent(gaps);
-            corner += b.dut.in_valid_i;
-        }
-        b.settle();
-        bool taken = b.dut.in_valid_i && b.dut.in_ready_o;
-        if (taken) {
-            v.taken = b.cycle;
-            sent.push(v);
-        }
-        if (b.dut.in_ready_o) last = b.cycle;
-        if (b.cycle - last >= INTERVAL) b.fail("in_ready_o is low for too long");
-        b.tick();
-        if (taken) b.dut.in_valid_i = 0;
-        if (!b.dut.out_valid_o) continue;
-        if (sent.empty()) {
-            b.fail("a result that nothing asked for");
-            continue;
-        }
-        const Vector e = sent.front();
-        sent.pop();
-        b.expect("latency", b.cycle - e.taken, LATENCY);
-        b.expect("out_tag_o", b.get(b.dut.out_tag_o), e.tag);
+    auto send = [&](const Vector &v) {
+        b.set(b.dut.in_light_i, 51, pack(v.light, 17));
+        b.set(b.dut.in_albedo_i, 24, v.albedo);
+        b.dut.in_background_i = (uint8_t)v.background;
+        b.set(b.dut.in_kr_i, 9, v.kr);
+        b.dut.in_last_i = (uint8_t)v.last;
+        b.set(b.dut.in_sum_i, 48, pack(v.state.sum, 16));
+        b.set(b.dut.in_weight_i, 17, v.state.weight);
+        b.set(b.dut.in_depth_i, 3, v.state.depth);
+        b.set(b.dut.in_colour_i, 72, pack(v.state.colour, 24));
+    };
+    auto check = [&](const Vector &e) {
         struct sph_blend s = e.state;
         model(e, &s);
         for (uint32_t &sum : s.sum)
@@ -172,7 +138,7 @@ int main(int argc, char **argv) {
             b.show("in_depth_i", e.state.depth, 3);
             b.show("in_colour_i", pack(e.state.colour, 24), 72);
         }
-        b.done();
-    }
+    };
+    b.stream(corners, make, TAG, LATENCY, INTERVAL, send, check);
     return b.finish();
 }

@@ -1,7 +1,6 @@
 /* tb_bounce.cpp - rt_bounce, and rt_normalise inside it, against sph_bounce()
  * SPDX-License-Identifier: Apache-2.0
  */
-#include <queue>
 #include "Vrt_bounce.h"
 #include "bench.h"
 
@@ -39,7 +38,6 @@ const Vector corners[] = {
     {{-1, 0, 0}, {MAX, 0, 0}, 0, 0},          /* long left shift */
     {{-1, MAX, MIN}, {1, 0, 0}, 0, 0},        /* a small component beside large ones */
 };
-constexpr size_t CORNERS = sizeof corners / sizeof *corners;
 
 uint64_t dot(const int64_t v[3]) {
     return (uint64_t)(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
@@ -81,48 +79,16 @@ Vector make(bench::Random &random) {
 
 int main(int argc, char **argv) {
     bench::Bench<Vrt_bounce> b("tb_bounce", argc, argv);
-    std::queue<Vector> sent;
-    Vector v{};
-    size_t corner = 0;
-    uint64_t last = 0;
-    unsigned gaps = 0; /* percent of idle clocks */
-    b.dut.in_valid_i = 0;
-    b.reset();
-    while (b.more()) {
-        if (b.random.percent(1)) gaps = (unsigned)b.random.below(3) * 30;
-        if (!b.dut.in_valid_i) { /* without valid: inputs that must not matter */
-            v = corner < CORNERS ? corners[corner] : make(b.random);
-            v.tag = (uint64_t)b.random.bits(TAG);
-            b.set(b.dut.in_tag_i, TAG, (bench::i128)v.tag);
-            b.set(b.dut.in_dir_x_i, WD, v.dir[0]);
-            b.set(b.dut.in_dir_y_i, WD, v.dir[1]);
-            b.set(b.dut.in_dir_z_i, WD, v.dir[2]);
-            b.set(b.dut.in_normal_x_i, WD, v.normal[0]);
-            b.set(b.dut.in_normal_y_i, WD, v.normal[1]);
-            b.set(b.dut.in_normal_z_i, WD, v.normal[2]);
-            b.set(b.dut.in_nn_i, 2 * WD, (bench::i128)dot(v.normal));
-            b.dut.in_valid_i = !b.random.percent(gaps);
-            corner += b.dut.in_valid_i;
-        }
-        b.settle();
-        bool taken = b.dut.in_valid_i && b.dut.in_ready_o;
-        if (taken) {
-            v.taken = b.cycle;
-            sent.push(v);
-        }
-        if (b.dut.in_ready_o) last = b.cycle;
-        if (b.cycle - last >= INTERVAL) b.fail("in_ready_o is low for too long");
-        b.tick();
-        if (taken) b.dut.in_valid_i = 0;
-        if (!b.dut.out_valid_o) continue;
-        if (sent.empty()) {
-            b.fail("a result that nothing asked for");
-            continue;
-        }
-        const Vector e = sent.front();
-        sent.pop();
-        b.expect("latency", b.cycle - e.taken, LATENCY);
-        b.expect("out_tag_o", b.get(b.dut.out_tag_o), e.tag);
+    auto send = [&](const Vector &v) {
+        b.set(b.dut.in_dir_x_i, WD, v.dir[0]);
+        b.set(b.dut.in_dir_y_i, WD, v.dir[1]);
+        b.set(b.dut.in_dir_z_i, WD, v.dir[2]);
+        b.set(b.dut.in_normal_x_i, WD, v.normal[0]);
+        b.set(b.dut.in_normal_y_i, WD, v.normal[1]);
+        b.set(b.dut.in_normal_z_i, WD, v.normal[2]);
+        b.set(b.dut.in_nn_i, 2 * WD, (bench::i128)dot(v.normal));
+    };
+    auto check = [&](const Vector &e) {
         struct sph_surface s = {};
         for (int i = 0; i < 3; i++)
             s.normal[i] = e.normal[i];
@@ -136,7 +102,7 @@ int main(int argc, char **argv) {
             b.show("in_dir_i", e.dir[i], WD);
             b.show("in_normal_i", e.normal[i], WD);
         }
-        b.done();
-    }
+    };
+    b.stream(corners, make, TAG, LATENCY, INTERVAL, send, check);
     return b.finish();
 }

@@ -3,7 +3,6 @@
  *
  * Vectors are keys and a, so that every quotient is one that sph_quotient() can give.
  */
-#include <queue>
 #include "Vrt_hit.h"
 #include "bench.h"
 
@@ -51,7 +50,6 @@ const Vector corners[] = {
     {1, 1, {MIN, MIN, MIN}, {0, 0, 0}, {MAX, MAX, MAX}, 1, 0, 0}, /* and its opposite */
     {1, 8, {0, 0, 0}, {1, -1, 3}, {9, 9, 9}, 0, 0, 0}, /* half a guard step up, -1/2 up */
 };
-constexpr size_t CORNERS = sizeof corners / sizeof *corners;
 
 Vector make(bench::Random &random) {
     Vector v{};
@@ -107,54 +105,22 @@ struct sph_quotient quotient(const Vector &v) {
 
 int main(int argc, char **argv) {
     bench::Bench<Vrt_hit> b("tb_hit", argc, argv);
-    std::queue<Vector> sent;
-    Vector v{};
-    size_t corner = 0;
-    uint64_t last = 0;
-    unsigned gaps = 0; /* percent of idle clocks */
-    b.dut.in_valid_i = 0;
-    b.reset();
-    while (b.more()) {
-        if (b.random.percent(1)) gaps = (unsigned)b.random.below(3) * 30;
-        if (!b.dut.in_valid_i) { /* without valid: inputs that must not matter */
-            v = corner < CORNERS ? corners[corner] : make(b.random);
-            v.tag = (uint64_t)b.random.bits(TAG);
-            struct sph_quotient t = quotient(v);
-            b.set(b.dut.in_tag_i, TAG, (bench::i128)v.tag);
-            b.set(b.dut.in_mant_i, PQ, t.mant);
-            b.set(b.dut.in_exp_i, 8, t.exp);
-            b.set(b.dut.in_org_x_i, W, v.org[0]);
-            b.set(b.dut.in_org_y_i, W, v.org[1]);
-            b.set(b.dut.in_org_z_i, W, v.org[2]);
-            b.set(b.dut.in_dir_x_i, WD, v.dir[0]);
-            b.set(b.dut.in_dir_y_i, WD, v.dir[1]);
-            b.set(b.dut.in_dir_z_i, WD, v.dir[2]);
-            b.set(b.dut.in_ctr_x_i, W, v.ctr[0]);
-            b.set(b.dut.in_ctr_y_i, W, v.ctr[1]);
-            b.set(b.dut.in_ctr_z_i, W, v.ctr[2]);
-            b.dut.in_far_i = (uint8_t)v.far;
-            b.dut.in_valid_i = !b.random.percent(gaps);
-            corner += b.dut.in_valid_i;
-        }
-        b.settle();
-        bool taken = b.dut.in_valid_i && b.dut.in_ready_o;
-        if (taken) {
-            v.taken = b.cycle;
-            sent.push(v);
-        }
-        if (b.dut.in_ready_o) last = b.cycle;
-        if (b.cycle - last >= INTERVAL) b.fail("in_ready_o is low for too long");
-        b.tick();
-        if (taken) b.dut.in_valid_i = 0;
-        if (!b.dut.out_valid_o) continue;
-        if (sent.empty()) {
-            b.fail("a result that nothing asked for");
-            continue;
-        }
-        const Vector e = sent.front();
-        sent.pop();
-        b.expect("latency", b.cycle - e.taken, LATENCY);
-        b.expect("out_tag_o", b.get(b.dut.out_tag_o), e.tag);
+    auto send = [&](const Vector &v) {
+        struct sph_quotient t = quotient(v);
+        b.set(b.dut.in_mant_i, PQ, t.mant);
+        b.set(b.dut.in_exp_i, 8, t.exp);
+        b.set(b.dut.in_org_x_i, W, v.org[0]);
+        b.set(b.dut.in_org_y_i, W, v.org[1]);
+        b.set(b.dut.in_org_z_i, W, v.org[2]);
+        b.set(b.dut.in_dir_x_i, WD, v.dir[0]);
+        b.set(b.dut.in_dir_y_i, WD, v.dir[1]);
+        b.set(b.dut.in_dir_z_i, WD, v.dir[2]);
+        b.set(b.dut.in_ctr_x_i, W, v.ctr[0]);
+        b.set(b.dut.in_ctr_y_i, W, v.ctr[1]);
+        b.set(b.dut.in_ctr_z_i, W, v.ctr[2]);
+        b.dut.in_far_i = (uint8_t)v.far;
+    };
+    auto check = [&](const Vector &e) {
         struct sph_ray ray = {};
         struct sph_leaf sphere = {};
         struct sph_surface s;
@@ -185,7 +151,7 @@ int main(int argc, char **argv) {
             b.show("in_dir_i", e.dir[i], WD);
             b.show("in_ctr_i", e.ctr[i], W);
         }
-        b.done();
-    }
+    };
+    b.stream(corners, make, TAG, LATENCY, INTERVAL, send, check);
     return b.finish();
 }

@@ -1,7 +1,6 @@
 /* tb_lambert.cpp - rt_lambert against sph_lambert()
  * SPDX-License-Identifier: Apache-2.0
  */
-#include <queue>
 #include "Vrt_lambert.h"
 #include "bench.h"
 
@@ -38,7 +37,6 @@ const Vector corners[] = {
     {{MIN, MIN, MIN}, {MIN, MIN, MIN}, 0, 0},             /* largest of all */
     {{MIN, MIN, MIN}, {MAX, MAX, MAX}, 0, 0},             /* smallest of all */
 };
-constexpr size_t CORNERS = sizeof corners / sizeof *corners;
 
 /* A rounded unit vector as rt_unit makes it. */
 void unit(bench::Random &random, int32_t out[3]) {
@@ -71,47 +69,15 @@ Vector make(bench::Random &random) {
 
 int main(int argc, char **argv) {
     bench::Bench<Vrt_lambert> b("tb_lambert", argc, argv);
-    std::queue<Vector> sent;
-    Vector v{};
-    size_t corner = 0;
-    uint64_t last = 0;
-    unsigned gaps = 0; /* percent of idle clocks */
-    b.dut.in_valid_i = 0;
-    b.reset();
-    while (b.more()) {
-        if (b.random.percent(1)) gaps = (unsigned)b.random.below(3) * 30;
-        if (!b.dut.in_valid_i) { /* without valid: inputs that must not matter */
-            v = corner < CORNERS ? corners[corner] : make(b.random);
-            v.tag = (uint64_t)b.random.bits(TAG);
-            b.set(b.dut.in_tag_i, TAG, (bench::i128)v.tag);
-            b.set(b.dut.in_normal_x_i, 18, v.normal[0]);
-            b.set(b.dut.in_normal_y_i, 18, v.normal[1]);
-            b.set(b.dut.in_normal_z_i, 18, v.normal[2]);
-            b.set(b.dut.in_light_x_i, 18, v.light[0]);
-            b.set(b.dut.in_light_y_i, 18, v.light[1]);
-            b.set(b.dut.in_light_z_i, 18, v.light[2]);
-            b.dut.in_valid_i = !b.random.percent(gaps);
-            corner += b.dut.in_valid_i;
-        }
-        b.settle();
-        bool taken = b.dut.in_valid_i && b.dut.in_ready_o;
-        if (taken) {
-            v.taken = b.cycle;
-            sent.push(v);
-        }
-        if (b.dut.in_ready_o) last = b.cycle;
-        if (b.cycle - last >= INTERVAL) b.fail("in_ready_o is low for too long");
-        b.tick();
-        if (taken) b.dut.in_valid_i = 0;
-        if (!b.dut.out_valid_o) continue;
-        if (sent.empty()) {
-            b.fail("a result that nothing asked for");
-            continue;
-        }
-        const Vector e = sent.front();
-        sent.pop();
-        b.expect("latency", b.cycle - e.taken, LATENCY);
-        b.expect("out_tag_o", b.get(b.dut.out_tag_o), e.tag);
+    auto send = [&](const Vector &v) {
+        b.set(b.dut.in_normal_x_i, 18, v.normal[0]);
+        b.set(b.dut.in_normal_y_i, 18, v.normal[1]);
+        b.set(b.dut.in_normal_z_i, 18, v.normal[2]);
+        b.set(b.dut.in_light_x_i, 18, v.light[0]);
+        b.set(b.dut.in_light_y_i, 18, v.light[1]);
+        b.set(b.dut.in_light_z_i, 18, v.light[2]);
+    };
+    auto check = [&](const Vector &e) {
         struct sph_unit normal = {{e.normal[0], e.normal[1], e.normal[2]}, 0, 0};
         struct sph_unit light = {{e.light[0], e.light[1], e.light[2]}, 0, 0};
         b.expect("out_cosine_o", b.get(b.dut.out_cosine_o), sph_lambert(&normal, &light), 16);
@@ -119,7 +85,7 @@ int main(int argc, char **argv) {
             b.show("in_normal_i", e.normal[i], 18);
             b.show("in_light_i", e.light[i], 18);
         }
-        b.done();
-    }
+    };
+    b.stream(corners, make, TAG, LATENCY, INTERVAL, send, check);
     return b.finish();
 }

@@ -1,7 +1,6 @@
 /* tb_light_add.cpp - rt_light_add against sph_light_add()
  * SPDX-License-Identifier: Apache-2.0
  */
-#include <queue>
 #include "Vrt_light_add.h"
 #include "bench.h"
 
@@ -29,7 +28,6 @@ const Vector corners[] = {
     {{65536, 65537, 131071}, 32768, {65535, 65535, 0}, 0, 0}, /* 2^17-1, one more, no light */
     {{131071, 0, 65535}, 65535, {65535, 65535, 65535}, 0, 0}, /* widest operands */
 };
-constexpr size_t CORNERS = sizeof corners / sizeof *corners;
 
 Vector make(bench::Random &random) {
     Vector v{};
@@ -50,44 +48,12 @@ bench::i128 pack(const uint32_t channel[3], int bits) {
 
 int main(int argc, char **argv) {
     bench::Bench<Vrt_light_add> b("tb_light_add", argc, argv);
-    std::queue<Vector> sent;
-    Vector v{};
-    size_t corner = 0;
-    uint64_t last = 0;
-    unsigned gaps = 0; /* percent of idle clocks */
-    b.dut.in_valid_i = 0;
-    b.reset();
-    while (b.more()) {
-        if (b.random.percent(1)) gaps = (unsigned)b.random.below(3) * 30;
-        if (!b.dut.in_valid_i) { /* without valid: inputs that must not matter */
-            v = corner < CORNERS ? corners[corner] : make(b.random);
-            v.tag = (uint64_t)b.random.bits(TAG);
-            b.set(b.dut.in_tag_i, TAG, (bench::i128)v.tag);
-            b.set(b.dut.in_sum_i, 51, pack(v.sum, 17));
-            b.set(b.dut.in_cosine_i, 16, v.cosine);
-            b.set(b.dut.in_intensity_i, 48, pack(v.intensity, 16));
-            b.dut.in_valid_i = !b.random.percent(gaps);
-            corner += b.dut.in_valid_i;
-        }
-        b.settle();
-        bool taken = b.dut.in_valid_i && b.dut.in_ready_o;
-        if (taken) {
-            v.taken = b.cycle;
-            sent.push(v);
-        }
-        if (b.dut.in_ready_o) last = b.cycle;
-        if (b.cycle - last >= INTERVAL) b.fail("in_ready_o is low for too long");
-        b.tick();
-        if (taken) b.dut.in_valid_i = 0;
-        if (!b.dut.out_valid_o) continue;
-        if (sent.empty()) {
-            b.fail("a result that nothing asked for");
-            continue;
-        }
-        const Vector e = sent.front();
-        sent.pop();
-        b.expect("latency", b.cycle - e.taken, LATENCY);
-        b.expect("out_tag_o", b.get(b.dut.out_tag_o), e.tag);
+    auto send = [&](const Vector &v) {
+        b.set(b.dut.in_sum_i, 51, pack(v.sum, 17));
+        b.set(b.dut.in_cosine_i, 16, v.cosine);
+        b.set(b.dut.in_intensity_i, 48, pack(v.intensity, 16));
+    };
+    auto check = [&](const Vector &e) {
         for (int i = 0; i < 3; i++) {
             uint32_t expected = sph_light_add(e.sum[i], e.cosine, e.intensity[i]);
             b.expect("out_sum_o", bench::low(b.get(b.dut.out_sum_o) >> (17 * i), 17), expected, 17);
@@ -97,7 +63,7 @@ int main(int argc, char **argv) {
             b.show("in_sum_i", pack(e.sum, 17), 51);
             b.show("in_intensity_i", pack(e.intensity, 16), 48);
         }
-        b.done();
-    }
+    };
+    b.stream(corners, make, TAG, LATENCY, INTERVAL, send, check);
     return b.finish();
 }
