@@ -99,9 +99,9 @@ module rt_engine #(
     wire [16:0]       ray_scale;
     wire [5:0]        ray_shift;
     wire [FW:0]       ray_depth;
-    wire              go_valid, lamp_valid, lamp_lit, normal_valid, cosine_valid;
-    wire [SLOTW-1:0]  go_slot, lamp_slot, normal_slot, cosine_slot;
-    wire [1:0]        go_kind;
+    wire              shadow_go, lamp_valid, lamp_lit, normal_valid, cosine_valid;
+    wire [SLOTW-1:0]  normal_slot, cosine_slot;
+    wire              ray_go = ray_valid && !ray_shadow;
     wire [3*WD-1:0]   normal_vec;
     wire [2*WD-1:0]   normal_nn;
     wire [15:0]       cosine;
@@ -121,14 +121,12 @@ module rt_engine #(
         .ray_forg_o(ray_forg), .ray_unit_o(ray_unit), .ray_axis_o(ray_axis),
         .ray_negative_o(ray_negative), .ray_scale_o(ray_scale), .ray_shift_o(ray_shift),
         .ray_depth_o(ray_depth),
-        .go_valid_o(go_valid), .go_slot_o(go_slot), .go_kind_o(go_kind),
-        .lamp_valid_o(lamp_valid), .lamp_slot_o(lamp_slot), .lamp_lit_o(lamp_lit),
+        .lamp_valid_o(lamp_valid), .lamp_lit_o(lamp_lit), .shadow_go_o(shadow_go),
         .normal_valid_o(normal_valid), .normal_slot_o(normal_slot),
         .normal_vec_o(normal_vec), .normal_nn_o(normal_nn),
         .cosine_valid_o(cosine_valid), .cosine_slot_o(cosine_slot), .cosine_o(cosine)
     );
-    assign count_rays_o = {go_valid && go_kind == 2'd2, go_valid && go_kind == 2'd1,
-                           go_valid && go_kind == 2'd0};
+    assign count_rays_o = {ray_go && !ray_primary, shadow_go, ray_go && ray_primary};
 
     // ---- traversal ----
     wire              issue_valid, found_valid, found_fresh, found_kill;
@@ -146,7 +144,8 @@ module rt_engine #(
         .mem_lines_i(mem_lines_i), .root_i(root_i), .visit_limit_i(visit_limit_i),
         .new_valid_i(ray_valid), .new_slot_i(ray_slot), .new_org_i(ray_forg),
         .new_unit_i(ray_unit), .new_axis_i(ray_axis), .new_negative_i(ray_negative),
-        .go_valid_i(go_valid), .go_slot_i(go_slot), .go_primary_i(go_kind == 2'd0),
+        .go_valid_i(ray_go), .go_slot_i(ray_slot), .go_primary_i(ray_primary),
+        .shadow_go_i(shadow_go), .shadow_slot_i(cosine_slot),
         .next_valid_i(issue_valid), .next_slot_i(issue_slot), .next_line_i(issue_line),
         .depth_read_o(filter_read), .depth_slot_o(filter_slot), .depth_i(filter_depth),
         .found_valid_o(found_valid), .found_slot_o(found_slot), .found_base_o(found_base),
@@ -287,7 +286,7 @@ module rt_engine #(
         .point_valid_i(surface_valid), .point_slot_i(surface_slot), .point_i(surface_point),
         .cosine_valid_i(cosine_valid), .cosine_slot_i(cosine_slot), .cosine_i(cosine),
         .start_valid_i(normal_valid), .start_slot_i(normal_slot),
-        .lamp_valid_i(lamp_valid), .lamp_slot_i(lamp_slot), .lamp_lit_i(lamp_lit),
+        .lamp_valid_i(lamp_valid), .lamp_slot_i(cosine_slot), .lamp_lit_i(lamp_lit),
         .shadow_valid_i(SHADOW != 0 && shadow_valid), .shadow_slot_i(shadow_slot),
         .shadow_lit_i(shadow_lit),
         .vec_valid_o(vec_valid), .vec_slot_o(vec_slot), .vec_o(vec),

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Takes directions from four sources (surface normals first, primary rays last), makes each a unit
 // vector, and from that all a ray carries. Rays towards a light meet the surface's unit normal:
-// those that face away never start. One vector every second cycle.
+// those that face away never start. One vector a cycle, a light every second cycle.
 // Model: sph_ray_setup() in cmodel/trace/setup.c, sph_lambert() in cmodel/shade/colour.c
 `default_nettype none
 `include "rt_layout.vh"
@@ -55,18 +55,15 @@ module rt_setup #(
     output reg [16:0]         ray_scale_o,      // u1.15
     output reg [5:0]          ray_shift_o,      // 63: no bound
     output reg [FW:0]         ray_depth_o,
-    // tokens
-    output wire               go_valid_o,       // start traversal
-    output wire [SLOTW-1:0]   go_slot_o,
-    output wire [1:0]         go_kind_o,
-    output wire               lamp_valid_o,     // a light settled without a shadow ray
-    output wire [SLOTW-1:0]   lamp_slot_o,
+    // tokens; a ray that is no shadow ray starts with ray_valid_o
+    output wire               lamp_valid_o,     // the light of cosine_slot_o needs no shadow ray
     output wire               lamp_lit_o,
+    output wire               shadow_go_o,      // the shadow ray of cosine_slot_o starts
     output reg                normal_valid_o,   // a surface is ready for its lights
     output reg [SLOTW-1:0]    normal_slot_o,
     output reg [3*WD-1:0]     normal_vec_o,
     output reg [2*WD-1:0]     normal_nn_o,
-    // cosine of the light under way, with go or lamp
+    // cosine of a light, with lamp_valid_o or shadow_go_o
     output wire               cosine_valid_o,
     output wire [SLOTW-1:0]   cosine_slot_o,
     output wire [15:0]        cosine_o
@@ -75,10 +72,15 @@ module rt_setup #(
     localparam K  = W - FW;
 
     // ---- choose a slot: queues of slots, their vectors in block RAM ----
-    wire             nq_valid, lq_valid, bq_valid, nq_in, lq_in, bq_in, unit_ready;
+    // Two units take a vector every second cycle each, in turn: a vector a cycle. Lights go to the
+    // first only, so that they leave at the pace of rt_lambert.
+    wire             nq_valid, lq_valid, bq_valid, nq_in, lq_in, bq_in;
+    wire [1:0]       unit_ready;                     // never both
     wire [SLOTW-1:0] nq, lq, bq;
     reg              v_valid_q;
-    wire             v_load = !v_valid_q || unit_ready;
+    reg [1:0]        v_kind_q;
+    wire v_taken = v_valid_q && (unit_ready[0] || (unit_ready[1] && v_kind_q != LIGHT));
+    wire v_load  = !v_valid_q || v_taken;
     wire take_n = v_load && nq_valid;
     wire take_l = v_load && !nq_valid && lq_valid;
     wire take_b = v_load && !nq_valid && !lq_valid && bq_valid;
@@ -114,7 +116,6 @@ module rt_setup #(
         .wr_data_i(bounce_vec_i),
         .rd_en_i(take_b), .rd_addr_i(bq), .rd_data_o(v_bounce)
     );
-    reg [1:0]        v_kind_q;
     reg [SLOTW-1:0]  v_slot_q;
     reg [3*WD-1:0]   v_primary_q;
     always @(posedge clk) begin
@@ -130,27 +131,44 @@ module rt_setup #(
                              : v_kind_q == BOUNCE ? v_bounce : v_primary_q;
 
     // ---- unit vector ----
-    wire             u_valid;
+    localparam UW = SLOTW + 2 + 2*WD + 54 + 17 + 6;
+    wire [1:0]       units_valid;
+    wire [2*UW-1:0]  units;
+    reg              rst_q;                          // puts the second unit one cycle behind
+    always @(posedge clk) rst_q <= rst;
+    genvar g;
+    generate
+        for (g = 0; g < 2; g = g + 1) begin : g_unit
+            wire signed [17:0] x, y, z;
+            rt_unit #(.BITS(WD), .TAG(SLOTW+2)) u_unit (
+                .clk(clk), .rst(g == 0 ? rst : rst_q),
+                .in_valid_i(v_valid_q && (g == 0 || v_kind_q != LIGHT)),
+                .in_ready_o(unit_ready[g]), .in_tag_i({v_slot_q, v_kind_q}),
+                .in_x_i($signed(v_vec[0 +: WD])), .in_y_i($signed(v_vec[WD +: WD])),
+                .in_z_i($signed(v_vec[2*WD +: WD])),
+                .out_valid_o(units_valid[g]), .out_tag_o(units[UW*g +: SLOTW+2]),
+                .out_vv_o(units[UW*g + SLOTW+2 +: 2*WD]),
+                .out_u_x_o(x), .out_u_y_o(y), .out_u_z_o(z),
+                .out_y_o(units[UW*g + SLOTW+2+2*WD+54 +: 17]),
+                .out_h_o(units[UW*g + SLOTW+2+2*WD+71 +: 6])
+            );
+            assign units[UW*g + SLOTW+2+2*WD +: 54] = {z, y, x};
+        end
+    endgenerate
+    wire             u_valid = |units_valid;         // never both
     wire [SLOTW-1:0] u_slot;
     wire [1:0]       u_kind;
     wire [2*WD-1:0]  u_vv;
     wire signed [17:0] u_x, u_y, u_z;
     wire [16:0]      u_rsqrt;
     wire [5:0]       u_shift;
-    rt_unit #(.BITS(WD), .TAG(SLOTW+2)) u_unit (
-        .clk(clk), .rst(rst),
-        .in_valid_i(v_valid_q), .in_ready_o(unit_ready), .in_tag_i({v_slot_q, v_kind_q}),
-        .in_x_i($signed(v_vec[0 +: WD])), .in_y_i($signed(v_vec[WD +: WD])),
-        .in_z_i($signed(v_vec[2*WD +: WD])),
-        .out_valid_o(u_valid), .out_tag_o({u_slot, u_kind}), .out_vv_o(u_vv),
-        .out_u_x_o(u_x), .out_u_y_o(u_y), .out_u_z_o(u_z),
-        .out_y_o(u_rsqrt), .out_h_o(u_shift)
-    );
+    assign {u_shift, u_rsqrt, u_z, u_y, u_x, u_vv, u_slot, u_kind} =
+        units_valid[0] ? units[UW-1:0] : units[2*UW-1:UW];
     wire [3*WD-1:0] s1_vec;
     wire [3*W-1:0]  s1_point;
     wire [24:0]     s1_skip;
     rt_slot_ram #(.WIDTH(3*WD), .SLOTS(SLOTS), .OLD(0)) u_vec (
-        .clk(clk), .wr_en_i(v_valid_q && unit_ready), .wr_addr_i(v_slot_q), .wr_data_i(v_vec),
+        .clk(clk), .wr_en_i(v_taken), .wr_addr_i(v_slot_q), .wr_data_i(v_vec),
         .rd_en_i(u_valid), .rd_addr_i(u_slot), .rd_data_o(s1_vec)
     );
     rt_slot_ram #(.WIDTH(3*W), .SLOTS(SLOTS), .OLD(0)) u_point (
@@ -286,31 +304,22 @@ module rt_setup #(
         .wr_data_i(s3_unit_q),
         .rd_en_i(s3_valid_q && s3_kind_q != NORMAL), .rd_addr_i(s3_slot_q), .rd_data_o(s4_normal)
     );
-    reg [1:0]        s4_kind_q;
-    always @(posedge clk) s4_kind_q <= s3_kind_q;
     wire             c_valid, c_ready;
-    wire [SLOTW-1:0] c_slot;
-    wire [1:0]       c_kind;
-    rt_lambert #(.TAG(SLOTW+2)) u_lambert (
+    rt_lambert #(.TAG(SLOTW)) u_lambert (
         .clk(clk), .rst(rst),
-        .in_valid_i(ray_valid_o), .in_ready_o(c_ready), .in_tag_i({ray_slot_o, s4_kind_q}),
+        .in_valid_i(ray_valid_o && ray_shadow_o), .in_ready_o(c_ready), .in_tag_i(ray_slot_o),
         .in_normal_x_i($signed(s4_normal[17:0])), .in_normal_y_i($signed(s4_normal[35:18])),
         .in_normal_z_i($signed(s4_normal[53:36])),
         .in_light_x_i($signed(ray_unit_o[17:0])), .in_light_y_i($signed(ray_unit_o[35:18])),
         .in_light_z_i($signed(ray_unit_o[53:36])),
-        .out_valid_o(c_valid), .out_tag_o({c_slot, c_kind}), .out_cosine_o(cosine_o)
+        .out_valid_o(c_valid), .out_tag_o(cosine_slot_o), .out_cosine_o(cosine_o)
     );
-    wire c_light  = c_kind == LIGHT;
-    wire c_dark   = cosine_o == 16'd0;
-    wire c_trace  = SHADOW != 0 && shadow_on_i && !c_dark;   // needs a shadow ray
-    assign go_valid_o     = c_valid && (!c_light || c_trace);
-    assign go_slot_o      = c_slot;
-    assign go_kind_o      = c_kind;
-    assign lamp_valid_o   = c_valid && c_light && !c_trace;
-    assign lamp_slot_o    = c_slot;
+    wire c_dark  = cosine_o == 16'd0;
+    wire c_trace = SHADOW != 0 && shadow_on_i && !c_dark;    // needs a shadow ray
+    assign cosine_valid_o = c_valid;
+    assign shadow_go_o    = c_valid && c_trace;
+    assign lamp_valid_o   = c_valid && !c_trace;
     assign lamp_lit_o     = !c_dark;
-    assign cosine_valid_o = c_valid && c_light;
-    assign cosine_slot_o  = c_slot;
     wire unused = &{1'b0, nq_in, lq_in, bq_in, c_ready, s3_prod_q[33], s3_prod_q[15:0],
                      s1_rsqrt_q[0]};
 endmodule

@@ -25,9 +25,11 @@ module rt_traverse #(
     input  wire [53:0]       new_unit_i,     // {z, y, x} s1.16
     input  wire [1:0]        new_axis_i,     // of the largest component of unit
     input  wire              new_negative_i, // its sign
-    input  wire              go_valid_i,
+    input  wire              go_valid_i,     // primary or reflected
     input  wire [SLOTW-1:0]  go_slot_i,
     input  wire              go_primary_i,   // the pixel's visits start at 0
+    input  wire              shadow_go_i,    // shadow ray
+    input  wire [SLOTW-1:0]  shadow_slot_i,
     // from rt_next: the next node of a ray
     input  wire              next_valid_i,
     input  wire [SLOTW-1:0]  next_slot_i,
@@ -71,11 +73,12 @@ module rt_traverse #(
     localparam LAT = `RT_FILTER_LATENCY;
 
     // ---- queues of tokens: rays under way first, then new ones ----
-    wire             q_next_valid, q_new_valid;
+    wire             q_next_valid, q_new_valid, q_shadow_valid;
     wire [SLOTW+25:0] q_next;
     wire [SLOTW:0]   q_new;
+    wire [SLOTW-1:0] q_shadow;
     wire             req_ready;
-    wire             next_in_ready, new_in_ready;
+    wire             next_in_ready, new_in_ready, shadow_in_ready, shadow_in_ready;
     rt_fifo #(.WIDTH(SLOTW+26), .DEPTH(SLOTS)) u_next_queue (
         .clk(clk), .rst(rst), .in_valid_i(next_valid_i), .in_ready_o(next_in_ready),
         .in_data_i({next_slot_i, next_line_i}),
@@ -84,7 +87,14 @@ module rt_traverse #(
     rt_fifo #(.WIDTH(SLOTW+1), .DEPTH(SLOTS)) u_new_queue (
         .clk(clk), .rst(rst), .in_valid_i(go_valid_i), .in_ready_o(new_in_ready),
         .in_data_i({go_slot_i, go_primary_i}),
-        .out_valid_o(q_new_valid), .out_ready_i(req_ready && !q_next_valid), .out_data_o(q_new)
+        .out_valid_o(q_new_valid), .out_ready_i(req_ready && !q_next_valid && !q_shadow_valid),
+        .out_data_o(q_new)
+    );
+    rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_shadow_queue (
+        .clk(clk), .rst(rst), .in_valid_i(shadow_go_i), .in_ready_o(shadow_in_ready),
+        .in_data_i(shadow_slot_i),
+        .out_valid_o(q_shadow_valid), .out_ready_i(req_ready && !q_next_valid),
+        .out_data_o(q_shadow)
     );
     wire             t1_negative;
     wire [1:0]       t1_axis;
@@ -100,14 +110,16 @@ module rt_traverse #(
     );
 
     // ---- issue: count the visit, refuse bad addresses ----
-    wire             req_valid = q_next_valid || q_new_valid;
+    wire             req_valid = q_next_valid || q_shadow_valid || q_new_valid;
     wire             req_fresh = !q_next_valid;
-    wire [SLOTW-1:0] req_slot  = q_next_valid ? q_next[26 +: SLOTW] : q_new[1 +: SLOTW];
+    wire [SLOTW-1:0] req_slot  = q_next_valid ? q_next[26 +: SLOTW]
+                                 : q_shadow_valid ? q_shadow : q_new[1 +: SLOTW];
     wire [25:0]      req_line  = q_next_valid ? q_next[25:0] : root_i;
     wire             issue     = req_valid && req_ready;
     wire [23:0]      ray_visits, pixel_visits;
     wire [23:0]      ray_before   = req_fresh ? 24'd0 : ray_visits;
-    wire [23:0]      pixel_before = req_fresh && q_new[0] ? 24'd0 : pixel_visits;
+    wire             req_pixel    = req_fresh && !q_shadow_valid && q_new[0];
+    wire [23:0]      pixel_before = req_pixel ? 24'd0 : pixel_visits;
     wire             bad_line = req_line >= mem_lines_i;
     wire             bad_limit = ray_before == visit_limit_i;
     wire             req_kill = bad_line || bad_limit;
@@ -231,6 +243,6 @@ module rt_traverse #(
         found_line_o  <= f_side_1[31:6] + {23'd0, f_side_1[5:3]};
         if (rst) found_valid_o <= 1'b0;
     end
-    wire unused = &{1'b0, next_in_ready, new_in_ready, f_side_1[2:0]};
+    wire unused = &{1'b0, next_in_ready, new_in_ready, shadow_in_ready, f_side_1[2:0]};
 endmodule
 `default_nettype wire
