@@ -59,9 +59,8 @@ module rt_filter #(
         s1_depth_max_q <= in_depth_max_i;
     end
 
-    // ---- stage 2: six products of the cross product, rad^2, oc along the axis ----
+    // ---- stage 2: six products of the cross product, oc along the axis ----
     reg signed [32:0] s2_yz_q, s2_zy_q, s2_zx_q, s2_xz_q, s2_xy_q, s2_yx_q;  // s16.16, named oc, u
-    reg signed [29:0] s2_rad2_q;                          // u28
     reg signed [14:0] s2_depth_q;                         // s15
     reg signed [14:0] s2_rad_q;                           // u14
     reg               s2_negative_q;
@@ -73,7 +72,6 @@ module rt_filter #(
         s2_xz_q <= s1_oc_x_q * s1_u_z_q;
         s2_xy_q <= s1_oc_x_q * s1_u_y_q;
         s2_yx_q <= s1_oc_y_q * s1_u_x_q;
-        s2_rad2_q      <= s1_rad_q * s1_rad_q;
         s2_depth_q     <= s1_axis_q == 2'd0 ? s1_oc_x_q : s1_axis_q == 2'd1 ? s1_oc_y_q : s1_oc_z_q;
         s2_rad_q       <= s1_rad_q;
         s2_negative_q  <= s1_negative_q;
@@ -84,7 +82,6 @@ module rt_filter #(
     reg signed [33:0] s3_x_q, s3_y_q, s3_z_q;             // s17.16
     reg signed [15:0] s3_depth_q;                         // s16
     reg signed [14:0] s3_rad_q;                           // u14
-    reg [27:0]        s3_rad2_q;                          // u28
     reg [FW:0]        s3_depth_max_q;
     wire signed [15:0] s3_depth = {s2_depth_q[14], s2_depth_q};
     always @(posedge clk) begin
@@ -93,7 +90,6 @@ module rt_filter #(
         s3_z_q <= $signed({s2_xy_q[32], s2_xy_q}) - $signed({s2_yx_q[32], s2_yx_q});
         s3_depth_q     <= s2_negative_q ? -s3_depth : s3_depth;
         s3_rad_q       <= s2_rad_q;
-        s3_rad2_q      <= s2_rad2_q[27:0];
         s3_depth_max_q <= s2_depth_max_q;
     end
 
@@ -102,7 +98,6 @@ module rt_filter #(
     reg signed [17:0] s4_x_q, s4_y_q, s4_z_q;             // s15.2
     reg signed [15:0] s4_near_q;                          // s16
     reg               s4_behind_q;
-    reg [27:0]        s4_rad2_q;                          // u28
     reg [FW:0]        s4_depth_max_q;
     wire signed [19:0] s4_x = `RT_ROUND(s3_x_q, 33, 14);
     wire signed [19:0] s4_y = `RT_ROUND(s3_y_q, 33, 14);
@@ -115,7 +110,6 @@ module rt_filter #(
         s4_z_q         <= s4_z[17:0];
         s4_near_q      <= s3_depth_q - s4_rad;
         s4_behind_q    <= s4_end[15];
-        s4_rad2_q      <= s3_rad2_q;
         s4_depth_max_q <= s3_depth_max_q;
     end
 
@@ -123,7 +117,8 @@ module rt_filter #(
     reg signed [35:0] s5_xx_q, s5_yy_q, s5_zz_q;          // u30.4
     reg               s5_ok_q;
     reg signed [15:0] s5_near_q;
-    reg [27:0]        s5_rad2_q;                          // u28
+    wire [27:0]       s5_rad2_q;                          // u28
+    rt_square u_square (.clk(clk), .in_i(s1_rad_q[13:0]), .out_q(s5_rad2_q));
     wire signed [16:0] s5_near = {s4_near_q[15], s4_near_q};
     wire signed [16:0] s5_max  = {{(16-FW){1'b0}}, s4_depth_max_q};
     always @(posedge clk) begin
@@ -132,7 +127,6 @@ module rt_filter #(
         s5_zz_q   <= s4_z_q * s4_z_q;
         s5_ok_q   <= !s4_behind_q && s5_near <= s5_max;
         s5_near_q <= s4_near_q;
-        s5_rad2_q <= s4_rad2_q;
     end
 
     // ---- stage 6: xx + yy, rad^2 - zz ----
@@ -157,7 +151,7 @@ module rt_filter #(
     assign out_pass_o = s7_pass_q;
     assign out_near_o = s7_near_q;
 
-    wire unused = &{1'b0, s2_rad2_q[29:28], s3_x_q[12:0], s3_y_q[12:0], s3_z_q[12:0],
+    wire unused = &{1'b0, s3_x_q[12:0], s3_y_q[12:0], s3_z_q[12:0],
                     s4_x[19:18], s4_y[19:18], s4_z[19:18], s4_end[14:0], s5_xx_q[35], s5_yy_q[35]};
 endmodule
 `default_nettype wire
