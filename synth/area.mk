@@ -6,7 +6,7 @@
 #   TARGETS   ecp5 xc7 generic, or all
 #   EFFECTS   all, none, the EFFECTS register of a machine, or names joined by +
 # KEY names every parameter that shapes the core, so that results never mix. $B/synth/KEY/ holds
-# what Yosys printed; it is made again when a source of the core or a script here changes.
+# what Yosys printed; it is made again when a source of the core or core.sh changes.
 
 B        ?= build
 PROFILES ?= standard
@@ -47,7 +47,7 @@ KEYS := $(foreach p,$(profiles),$(foreach t,$(targets),$p-$t$(VARIANT)))
 .PHONY: report results
 results: $(KEYS:%=$B/synth/%/stat.json)
 
-$B/synth/%/stat.json: synth/core.sh synth/area.mk $(DEF)
+$B/synth/%/stat.json: synth/core.sh $(DEF)
 	$(Q)sh synth/core.sh $* $(@D)
 
 report: results

@@ -12,9 +12,9 @@ NOTE = {
     "ecp5": "LUT4eq = LUT4 + 2 CCU2C; `LUT4eq + RAM` adds 4 for each TRELLIS_DPR16X4.",
     "xc7": "LUT counts functions of up to 6 inputs; `LUT as RAM` are LUTs that hold memory or shift"
            " registers.",
-    "generic": "Gates have one or two inputs, or are multiplexers of two. Multipliers are not broken"
-               " into gates: `product bits` is the sum of operand widths multiplied, one AND gate"
-               " and about one full adder each. Memories are counted in bits.",
+    "generic": "Gates have one or two inputs, or are multiplexers of two. Multipliers are not"
+               " broken into gates: `product bits` is the sum of operand widths multiplied, one"
+               " AND gate and about one full adder each. Memories are counted in bits.",
 }
 
 
