@@ -78,7 +78,7 @@ module rt_traverse #(
     wire [SLOTW:0]   q_new;
     wire [SLOTW-1:0] q_shadow;
     wire             req_ready;
-    wire             next_in_ready, new_in_ready, shadow_in_ready, shadow_in_ready;
+    wire             next_in_ready, new_in_ready, shadow_in_ready;
     rt_fifo #(.WIDTH(SLOTW+26), .DEPTH(SLOTS)) u_next_queue (
         .clk(clk), .rst(rst), .in_valid_i(next_valid_i), .in_ready_o(next_in_ready),
         .in_data_i({next_slot_i, next_line_i}),
