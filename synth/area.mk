@@ -42,9 +42,15 @@ $(if $(effects),,$(error synth: unknown effect in '$(EFFECTS)'; there are all, n
 VARIANT := $(effects)-engines$(ENGINES)$(if $(filter 1,$(FLAT)),-flat)
 KEYS := $(foreach p,$(profiles),$(foreach t,$(targets),$p-$t$(VARIANT)))
 
+# What docs/area.md shows: everything on, and the standard core for ecp5 with less, and flat.
+FULL := -shadow1-reflect1-engines1
+PAGE := $(foreach p,$(KNOWN_PROFILES),$(foreach t,$(KNOWN_TARGETS),$p-$t$(FULL))) \
+    $(foreach e,0-reflect0 1-reflect0 0-reflect1,standard-ecp5-shadow$e-engines1) \
+    standard-ecp5$(FULL)-flat
+
 .DELETE_ON_ERROR:
 .SUFFIXES:
-.PHONY: report results
+.PHONY: report results page
 results: $(KEYS:%=$B/synth/%/stat.json)
 
 $B/synth/%/stat.json: synth/core.sh $(DEF)
@@ -53,4 +59,7 @@ $B/synth/%/stat.json: synth/core.sh $(DEF)
 report: results
 	$(Q)python3 synth/report.py $B/synth $(KEYS)
 
--include $(wildcard $(KEYS:%=$B/synth/%/sources.d))
+page: $(PAGE:%=$B/synth/%/stat.json)
+	$(Q)python3 synth/page.py docs/area.md $B/synth $(PAGE)
+
+-include $(patsubst %,$B/synth/%/sources.d,$(sort $(KEYS) $(PAGE)))

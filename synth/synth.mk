@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 #   make synth                          the standard core for ecp5, everything on
-#   make synth PROFILE=all TARGET=all   every profile for every target: the tables of docs/area.md
+#   make synth PROFILE=all TARGET=all   every profile for every target
 #   make synth SCENE=x                  only the effects that the machine of scene x asks for
 #   make synth EFFECTS=shadow           these effects: names of machine.def, all or none
+#   make area                           the tables of docs/area.md
 # What was synthesised before is taken from build/synth/KEY/ as long as its sources are the same;
 # build/synth/report.md and report.json hold the tables of the last call.
 
@@ -24,8 +25,12 @@ $(SYNTH_MACHINE): $(SYNTH_SCENE) $(TOOL)
 	$(Q)$(TOOL) build $< --profile reference --size 32x24 --depth $(DEPTH) -o $@ >$@.log
 endif
 
+.PHONY: area
 synth: $(SYNTH_MACHINE) ## area with Yosys: PROFILE and TARGET, or all; effects of SCENE if given
 	+$(Q)effects=$(if $(SYNTH_SCENE),$$($(TOOL) info $< | awk '$$2 == "EFFECTS" { print $$3 }'),$(or \
 	    $(filter-out auto,$(subst $() $(),+,$(EFFECTS))),all)) && \
 	    $(MAKE) --no-print-directory -j$(JOBS) -f synth/area.mk report B=$B V=$(V) \
 	    PROFILES=$(PROFILE) TARGETS=$(TARGET) EFFECTS=$$effects ENGINES=$(ENGINES) FLAT=$(FLAT)
+
+area: ## the tables of docs/area.md, made anew: some ten minutes
+	+$(Q)$(MAKE) --no-print-directory -j$(JOBS) -f synth/area.mk page B=$B V=$(V)

@@ -16,7 +16,7 @@ if ! command -v yosys >"$TMP/yosys"; then
     echo "1..1"
     exit 0
 fi
-check "synthesis; no latch, loop or undriven net" \
+check "synthesis; no loop, no undriven net" \
     env -u MAKEFLAGS -u MFLAGS make -s -f synth/area.mk results B="$BUILD" PROFILES=standard
 [ -f "$run/stat.json" ] || {
     done_testing
@@ -44,6 +44,7 @@ echo "rt_core $mult $((lut4eq - 1))" >"$TMP/lut"
 check "one LUT4 too many is noticed" over "$TMP/lut" 1
 echo "rt_nowhere 1 1" >"$TMP/nowhere"
 check "a module that is gone is noticed" over "$TMP/nowhere" 1
+check "no latch" sh -c "! grep '^Latch inferred' '$run/log'"
 check "no memory but the block and distributed ones fell apart" sh -c \
     "! grep 'using FF mapping for memory' '$run/log'"
 check "every rt_slot_ram is block RAM, every rt_slot_file distributed" python3 -c "

@@ -1,0 +1,46 @@
+#!/usr/bin/env python3
+# page.py - puts the tables of docs/area.md in their places
+# SPDX-License-Identifier: Apache-2.0
+"""usage: synth/page.py PAGE FOLDER KEY...; a table stands between `<!-- NAME -->`, `<!-- end -->`.
+NAME is a target, effects, modules or profiles; what is outside is left as it is."""
+import os
+import re
+import sys
+
+import report
+import results
+
+
+def profiles(runs):
+    """Blocks with what is inside them: LUT4eq, then multipliers, for each profile on ecp5."""
+    names = [name for name, m in sorted(runs[-1]["modules"].items(),
+                                        key=lambda m: (-m[1]["total"]["lut4eq"], m[0]))
+             if m["total"]["lut4eq"] >= 400 or m["total"]["mult"] > 1]
+    rows = [[name] + [r["modules"][name]["total"][column]
+                      for column in ("lut4eq", "mult") for r in runs] for name in names]
+    return report.table(["module"] + [r["profile"] for r in runs]
+                        + [r["profile"] + " MULT" for r in runs], rows)
+
+
+def main(page, folder, keys):
+    runs = [results.read(os.path.join(folder, key)) for key in keys]
+    everything = [r for r in runs if "-shadow1-reflect1-" in r["key"] and not r["flat"]]
+    ecp5 = [r for r in everything if r["target"] == "ecp5"]
+    standard = [r for r in runs if r["profile"] == "standard" and r["target"] == "ecp5"]
+    tables = {target: report.cores(everything, target) for target in results.COLUMNS}
+    tables["effects"] = report.cores(standard, "ecp5")
+    tables["modules"] = report.modules(next(r for r in ecp5 if r["profile"] == "standard"))
+    tables["profiles"] = profiles(ecp5)
+    with open(page, encoding="utf-8") as f:
+        text = f.read()
+    for name, table in tables.items():
+        pattern = rf"(<!-- {name} -->\n)(?:\|.*\n)*(<!-- end -->)"
+        text, n = re.subn(pattern, lambda m: m[1] + table + "\n" + m[2], text)
+        if n != 1:
+            sys.exit(f"page: {page}: {n} places for the table `{name}`, not one")
+    text = re.sub(r"Yosys \d\S*( \([^)]*\))?", runs[0]["yosys"].split(" (")[0], text)
+    report.write(page, text)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1], sys.argv[2], sys.argv[3:])
