@@ -125,7 +125,8 @@ static void adversarial(void **state) {
             }
             for (int j = 0; j < 3; j++) { /* the centre lies on a filter point */
                 double c = rint(((double)ray.org[j] + away[j] - off * side[j]) / (double)unit);
-                c = fmin(fmax(c, (double)(-half / unit)), (double)(half / unit - 1));
+                int64_t edge = half / unit;
+                c = fmin(fmax(c, (double)-edge), (double)(edge - 1));
                 s.ctr[j] = (int64_t)c * unit;
                 if (i % 7 == 0) s.ctr[j] += vec_pick(&rng, 0, unit - 1);
                 to[j] = (double)(s.ctr[j] - ray.org[j]);

@@ -19,7 +19,9 @@ BEGIN {
 $1 == "profile" {
     row = row sprintf("%s{\"%s\", %s, %s, %s, %s, %s}", row ? ", " : "", $2, $3, $4, $5, $6, $7)
     p = "PROFILE_" toupper($2) "_"
-    if (lang == "v") { def(p "W", $3); def(p "WD", $4); def(p "PQ", $5); def(p "NG", $6); def(p "FW", $7) }
+    if (lang == "v") {
+        def(p "W", $3); def(p "WD", $4); def(p "PQ", $5); def(p "NG", $6); def(p "FW", $7)
+    }
 }
 $1 == "const"   { def($2, $3) }
 $1 == "field" && $3 == "stride" { def(toupper($2) "_STRIDE", $5); next }
@@ -32,7 +34,11 @@ $1 == "counter" {
     if ($4 == "both") both++
     counters++
 }
-$1 == "error"   { def("ERROR_" $3, $2); errors = errors sprintf("%s\"%s\"", errors ? ", " : "", tolower($3)); n_errors++ }
+$1 == "error" {
+    def("ERROR_" $3, $2)
+    errors = errors sprintf("%s\"%s\"", errors ? ", " : "", tolower($3))
+    n_errors++
+}
 END {
     def("COUNTERS", counters); def("COUNTERS_BOTH", both); def("ERRORS", n_errors)
     if (lang == "c") {

@@ -43,9 +43,9 @@ static inline int32_t sph_field_signed(const uint32_t *line, int lsb, int width)
 static inline void sph_field_set(uint32_t *line, int lsb, int width, uint32_t value) {
     uint64_t mask = ((1ull << width) - 1) << (lsb & 31);
     uint64_t bits = (uint64_t)value << (lsb & 31) & mask;
-    line[lsb >> 5] = (line[lsb >> 5] & ~(uint32_t)mask) | (uint32_t)bits;
-    if (mask >> 32)
-        line[(lsb >> 5) + 1] = (line[(lsb >> 5) + 1] & ~(uint32_t)(mask >> 32)) | (uint32_t)(bits >> 32);
+    uint32_t *word = &line[lsb >> 5];
+    word[0] = (word[0] & ~(uint32_t)mask) | (uint32_t)bits;
+    if (mask >> 32) word[1] = (word[1] & ~(uint32_t)(mask >> 32)) | (uint32_t)(bits >> 32);
 }
 
 /* Writes a machine file (docs/machine_file.md): header, registers, memory, checksum; to a
