@@ -9,7 +9,10 @@
 
 TEST_C  := $(sort $(wildcard tests/test_*.c))
 TEST_SH := $(sort $(wildcard tests/test_*.sh))
-SUITES  += $(TEST_C:tests/%.c=$B/test/%) $(TEST_C:tests/%.c=$B/test/%.sanitized) $(TEST_SH)
+# The longest first: what runs beside them fills their gaps.
+LONG    := tests/test_core.sh tests/test_mutants.sh tests/test_benches.sh
+SUITES  += $(LONG) $(filter-out $(LONG),$(TEST_SH)) \
+           $(TEST_C:tests/%.c=$B/test/%) $(TEST_C:tests/%.c=$B/test/%.sanitized)
 ONLY    ?=
 chosen   = $(if $(findstring $(ONLY),$(notdir $(1))),$(1))
 RUN      = $(if $(ONLY),$(foreach s,$(SUITES),$(call chosen,$s)),$(SUITES))

@@ -1,0 +1,10 @@
+# bench.mk - the golden model against its peers, and the table of its pictures
+# SPDX-License-Identifier: Apache-2.0
+.PHONY: bench-peers hashes
+bench: bench-peers
+bench-peers: $(TOOL)
+	$(Q)python3 sim/bench.py $(TOOL) $B/bench
+
+hashes: $(TOOL) ## write scenes/hashes.txt: what the golden model draws now
+	$(Q)SPHAERA=$(TOOL) sh sim/hashes.sh >$B/hashes.txt
+	$(Q)mv $B/hashes.txt scenes/hashes.txt
