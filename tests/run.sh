@@ -28,7 +28,10 @@ run_one() {
     *) "./$1" ;;
     esac >"$log/$name.log" 2>&1 </dev/null
     echo $? >"$log/$name.rc"
-    echo $(($(date +%s) - start)) >"$log/$name.time"
+    times >"$log/$name.cpu" # not in a subshell, which has no children
+    cpu=$(sed -n '2s/[ms]/ /gp' "$log/$name.cpu" |
+        awk '{ printf "%.0f", 60 * ($1 + $3) + $2 + $4 }')
+    echo "$(($(date +%s) - start)) s, $cpu s of processor" >"$log/$name.time"
     rm -rf "$TMP"
 }
 if [ "${1:-}" = --one ]; then
@@ -72,7 +75,7 @@ END
     failed=$((failed + f))
     about="$p passed"
     [ "$k" -eq 0 ] || about="$about, $k skipped"
-    about="$about, $(cat "$log/$name.time" 2>/dev/null) s"
+    about="$about, $(cat "$log/$name.time" 2>/dev/null)"
     if [ "$f" -eq 0 ]; then
         printf '  %-6s %-32s %s\n' ok "$name" "$about"
     else
