@@ -77,7 +77,8 @@ module rt_core #(
         .window_o(window), .rect_on_o(rect_on), .rect_o(rect), .background_o(background),
         .ambient_o(ambient), .eye_o(eye), .dir_o(dir), .pitch_o(pitch), .root_o(root),
         .prim_base_o(prim_base), .mem_lines_o(mem_lines), .visit_limit_o(visit_limit),
-        .profile_o(profile), .frame_o(frame), .light_valid_o(light_valid), .light_number_o(light_number),
+        .profile_o(profile), .frame_o(frame),
+        .light_valid_o(light_valid), .light_number_o(light_number),
         .light_part_o(light_part)
     );
     wire [31:0] built = (SHADOW != 0 ? 32'd1 << `RT_EFFECT_SHADOW : 32'd0) |
