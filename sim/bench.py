@@ -38,7 +38,7 @@ def compare(tool, scene, ours, other):
 
 
 def times(a, b):
-    return f"{b / a:.2f}" if a else "-"
+    return f"{b / a:.2f}" if a and b else "-"
 
 
 def main():

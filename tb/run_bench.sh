@@ -89,7 +89,7 @@ done
 
 awk -v pattern="$pattern" '
     /^#/ || !NF { next }
-    index($3 "/" $1, pattern) { printf "%s%c", $0, 0 }' tb/benches*.txt >"$out/lines.$$"
+    index($3 "/" $1, pattern)' tb/benches*.txt | tr '\n' '\0' >"$out/lines.$$"
 if [ ! -s "$out/lines.$$" ]; then
     echo "not ok run_bench.sh: nothing matches $pattern"
     rm -f "$out/lines.$$"
