@@ -1,8 +1,7 @@
 # bench.mk - the golden model against its peers, and the table of its pictures
 # SPDX-License-Identifier: Apache-2.0
-.PHONY: bench-peers hashes
-bench: bench-peers
-bench-peers: $(TOOL)
+.PHONY: bench hashes
+bench: $(TOOL) ## the golden model against its peers, as ratios
 	$(Q)python3 sim/bench.py $(TOOL) $B/bench
 
 hashes: $(TOOL) ## write scenes/hashes.txt: what the golden model draws now

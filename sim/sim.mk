@@ -72,7 +72,3 @@ sim: $(RUN_DIR)/scene.sph $(PICTURES) ## SCENE through model and RTL, compared b
 	    $(PICTURES) $(OUT_DIR)/model.frame $(OUT_DIR)/rtl.frame $(OUT_DIR) || exit 1; \
 	    echo "pictures and report in $(OUT_DIR)/"; \
 	    sed -n '$$s/^core \(.*mismatches\),.*/sim \1/p' $(OUT_DIR)/log; exit $$rc
-
-bench: $(TOOL) ## time the golden model on SCENE
-	$(Q)$(TOOL) build $(SCENE_FILE) $(BUILD_OPTIONS) -o $B/bench.sph
-	$(Q)$(TOOL) render $B/bench.sph --threads 1
