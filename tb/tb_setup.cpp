@@ -1,0 +1,342 @@
+/* tb_setup.cpp - rt_setup against sph_ray_setup() and sph_lambert()
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * All four sources run at once. A slot has one job at a time, as the token rule wants it: a vector
+ * from a source until its ray, normal or, for a light, its cosine has come out.
+ */
+#include <vector>
+
+#include "Vrt_setup.h"
+#include "bench.h"
+
+extern "C" {
+#include "machine/layout.h"
+#include "shade/colour.h"
+#include "trace/ray.h"
+}
+
+namespace {
+
+enum { PRIMARY, LIGHT, BOUNCE, NORMAL, SOURCES, IDLE = -1 };
+const char *const kinds[] = {"primary ray", "ray to a light", "reflected ray", "normal"};
+constexpr int K = W - FW, NO_BOUND = 63;
+constexpr uint64_t LONGEST = 4 * SLOTS + 60; /* clocks until all slots are idle again */
+const struct sph_profile profile = {PROFILE, W, WD, 0, 0, FW};
+
+struct Vec {
+    int64_t v[3];
+};
+
+struct Slot {
+    int job = IDLE;
+    bool started = false, has_normal = false; /* a light's ray is out; lights have a surface */
+    Vec dir{}, point{}, normal{};
+    uint32_t skip = 0; /* {inside, id} */
+    struct sph_unit unit = {};
+    struct sph_ray ray = {};
+};
+
+constexpr int64_t MAX = ((int64_t)1 << (WD - 1)) - 1, MIN = -MAX - 1;
+constexpr int64_t FAR = ((int64_t)1 << (W - 1)) - 1, HALF = K ? (int64_t)1 << (K - (K > 0)) : 1;
+constexpr int64_t LIMIT = ((int64_t)2 << FW) - 1; /* of depths */
+
+std::vector<Vec> corner_dirs() {
+    std::vector<Vec> c = {
+        {{0, 0, 0}},                            /* no direction: all is 0 but scale and bound */
+        {{MAX, MAX, MAX}},   {{MIN, MIN, MIN}}, /* longest: a needs all its bits */
+        {{MAX, MIN, 0}},     {{MIN, 0, MAX}},   /* |MIN| is one more */
+        {{1, 1, 0}},         {{0, 1, 1}},       /* ties go to the lower axis */
+        {{1, 0, 1}},         {{1, 1, 1}},       /* the same */
+        {{-1, 1, 1}},        {{1, -1, -1}},     /* ties: the sign is of the lower axis */
+        {{0, -1, 1}},        {{MAX, -MAX, 1 - MAX}}, /* the same, just not a tie of three */
+        {{MAX - 1, MAX, 0}}, {{0, MAX - 1, MAX}},    /* a tie of the unit only, if it rounds so */
+    };
+    for (int axis = 0; axis < 3; axis++) {
+        for (int64_t x : {(int64_t)1, (int64_t)-1, MAX, -MAX, MIN}) { /* along an axis */
+            c.push_back({});
+            c.back().v[axis] = x;
+        }
+        for (int64_t units : {LIMIT - 2, LIMIT - 1, LIMIT}) /* a light just at the depth limit */
+            for (int64_t x : {(units << K) - 1, units << K, -(units << K)})
+                if (x >= MIN && x <= MAX) {
+                    c.push_back({});
+                    c.back().v[axis] = x;
+                }
+        for (int i = 0; i < WD - 1; i++) { /* every shift of the unit, even and odd lengths */
+            c.push_back({});
+            c.back().v[axis] = (int64_t)1 << i;
+            c.push_back(c.back());
+            c.back().v[(axis + 1) % 3] = -((int64_t)1 << i);
+        }
+    }
+    return c;
+}
+
+/* Filter origins: ends, limit above, just below and at half a unit, around 0. */
+const int64_t corner_points[] = {FAR,      -FAR - 1, FAR - HALF, FAR - HALF + 1, HALF,
+                                 HALF - 1, -HALF,    0,          -HALF - 1,      -1};
+
+Vec random_point(bench::Random &random) {
+    Vec p{};
+    constexpr size_t n = sizeof corner_points / sizeof *corner_points;
+    for (int64_t &x : p.v)
+        x = random.percent(30) ? corner_points[random.below(n)] : random.smixed(W);
+    return p;
+}
+
+Vec random_dir(bench::Random &random, const Vec *normal) {
+    Vec d{};
+    int bits = random.percent(50) ? WD : (int)random.between(2, WD);
+    for (int64_t &x : d.v)
+        x = random.percent(5) ? 0 : random.smixed(bits);
+    if (normal && random.percent(30)) { /* straight at the light, nearly: cosine about 1 */
+        d = *normal;
+        int64_t &x = d.v[random.below(3)];
+        x += random.between(-1, 1);
+        x = x < MIN ? MIN : x > MAX ? MAX : x;
+    } else if (random.percent(15)) { /* nearly a tie of two axes */
+        int i = (int)random.below(3);
+        d.v[i] = d.v[(i + 1) % 3] < 0 ? ~d.v[(i + 1) % 3] : d.v[(i + 1) % 3];
+    }
+    return d;
+}
+
+bench::i128 pack(const int64_t v[3], int bits) {
+    bench::u128 x = 0;
+    for (int i = 2; i >= 0; i--)
+        x = x << bits | bench::low((bench::u128)v[i], bits);
+    return (bench::i128)x;
+}
+
+class Setup : public bench::Bench<Vrt_setup> {
+  public:
+    Setup(int argc, char **argv) : Bench("tb_setup", argc, argv), corners(corner_dirs()) {}
+
+    /* New registers and gaps; every slot is idle. */
+    void phase() {
+        eye = random_point(random);
+        set(dut.eye_i, 3 * W, pack(eye.v, W));
+        dut.shadow_on_i = shadow_on = random.percent(60);
+        for (unsigned &p : rate)
+            p = (const unsigned[]){0, 5, 30, 100}[random.below(4)];
+        rate[random.below(SOURCES)] = 100;
+    }
+
+    /* One clock. start: new jobs may begin. */
+    void clock(bool start) {
+        int s;
+        for (int kind : {NORMAL, LIGHT, BOUNCE}) {
+            bool valid = start && random.percent(rate[kind]) && (s = idle(kind)) >= 0;
+            if (valid) begin(kind, s);
+            Vec any = random_dir(random, nullptr);
+            bench::i128 vec = pack(valid ? slots[s].dir.v : any.v, WD);
+            bench::i128 slot = valid ? s : (bench::i128)random.below(SLOTS);
+            if (kind == NORMAL) {
+                dut.normal_valid_i = valid;
+                set(dut.normal_slot_i, SLOTW, slot);
+                set(dut.normal_vec_i, 3 * WD, vec);
+            } else if (kind == LIGHT) {
+                dut.light_valid_i = valid;
+                set(dut.light_slot_i, SLOTW, slot);
+                set(dut.light_vec_i, 3 * WD, vec);
+            } else {
+                dut.bounce_valid_i = valid;
+                set(dut.bounce_slot_i, SLOTW, slot);
+                set(dut.bounce_vec_i, 3 * WD, vec);
+            }
+            if (kind == NORMAL) write_point(valid, valid ? s : -1);
+        }
+        if (!dut.primary_valid_i && start && random.percent(rate[PRIMARY]) &&
+            (s = idle(PRIMARY)) >= 0) {
+            begin(PRIMARY, s);
+            dut.primary_valid_i = 1;
+            set(dut.primary_slot_i, SLOTW, s);
+            set(dut.primary_vec_i, 3 * WD, pack(slots[s].dir.v, WD));
+        }
+        write_skip();
+        settle();
+        bool accepted = dut.primary_valid_i && dut.primary_ready_o;
+        tick();
+        if (accepted) dut.primary_valid_i = 0;
+        if (dut.ray_valid_o) check_ray((int)get(dut.ray_slot_o));
+        if (dut.normal_valid_o) check_normal((int)get(dut.normal_slot_o));
+        if (dut.cosine_valid_o) check_cosine((int)get(dut.cosine_slot_o));
+        if (!dut.cosine_valid_o && (dut.lamp_valid_o || dut.shadow_go_o))
+            fail("lamp_valid_o or shadow_go_o without cosine_valid_o");
+    }
+
+    bool all_idle() const {
+        for (const Slot &s : slots)
+            if (s.job != IDLE) return false;
+        return true;
+    }
+
+    /* Every job is lost. */
+    void restart() {
+        dut.normal_valid_i = dut.light_valid_i = dut.bounce_valid_i = dut.primary_valid_i = 0;
+        dut.point_valid_i = dut.skip_valid_i = 0;
+        reset();
+        for (Slot &s : slots) {
+            if (s.job == NORMAL) s.has_normal = false;
+            s.job = IDLE;
+        }
+    }
+
+    /* Every slot gets a point and a skip. */
+    void fill() {
+        restart();
+        for (int i = 0; i < SLOTS; i++) {
+            write_point(true, i);
+            dut.skip_valid_i = 1;
+            set(dut.skip_slot_i, SLOTW, i);
+            set(dut.skip_i, 25, slots[i].skip = (uint32_t)random.bits(25));
+            tick();
+        }
+        dut.point_valid_i = dut.skip_valid_i = 0;
+    }
+
+  private:
+    Slot slots[SLOTS];
+    std::vector<Vec> corners;
+    size_t done_corners[SOURCES] = {};
+    Vec eye{};
+    bool shadow_on = false;
+    unsigned rate[SOURCES] = {}; /* percent of clocks with a new job */
+
+    /* A slot for a job, or -1; the search starts anywhere. */
+    int idle(int kind) {
+        uint64_t first = random.below(SLOTS);
+        for (uint64_t i = 0; i < SLOTS; i++) {
+            const Slot &s = slots[(first + i) % SLOTS];
+            if (s.job == IDLE && (kind != LIGHT || s.has_normal)) return (int)((first + i) % SLOTS);
+        }
+        return -1;
+    }
+
+    void begin(int kind, int number) {
+        Slot &s = slots[number];
+        s.job = kind;
+        s.started = false;
+        s.dir = done_corners[kind] < corners.size()
+                    ? corners[done_corners[kind]++]
+                    : random_dir(random, kind == LIGHT ? &s.normal : nullptr);
+    }
+
+    /* With a normal, as rt_surface does; otherwise into an idle slot. */
+    void write_point(bool valid, int number) {
+        if (!valid && random.percent(30) && (number = (int)random.below(SLOTS)) >= 0)
+            valid = slots[number].job == IDLE;
+        dut.point_valid_i = valid;
+        Vec any = random_point(random);
+        set(dut.point_slot_i, SLOTW, valid ? number : (int)random.below(SLOTS));
+        set(dut.point_i, 3 * W, pack(any.v, W));
+        if (valid) slots[number].point = any;
+    }
+
+    void write_skip() {
+        int number = (int)random.below(SLOTS);
+        uint32_t skip = (uint32_t)random.mixed(25);
+        dut.skip_valid_i = slots[number].job == IDLE && random.percent(50);
+        set(dut.skip_slot_i, SLOTW, number);
+        set(dut.skip_i, 25, skip);
+        if (dut.skip_valid_i) slots[number].skip = skip;
+    }
+
+    void end(Slot &s, bool idle) {
+        if (bad()) {
+            printf("#   %s, slot %d\n", s.job == IDLE ? "no job" : kinds[s.job], (int)(&s - slots));
+            for (int64_t x : s.dir.v)
+                show("dir", x, WD);
+            for (int64_t x : s.job == PRIMARY ? eye.v : s.point.v)
+                show("org", x, W);
+            for (int64_t x : s.normal.v)
+                show("normal", x, WD);
+        }
+        if (!idle) return;
+        s.job = IDLE;
+        done();
+    }
+
+    void check_ray(int number) {
+        Slot &s = slots[number];
+        bool primary = s.job == PRIMARY, light = s.job == LIGHT;
+        if (s.job == IDLE || s.job == NORMAL || s.started)
+            return fail("a ray that nothing asked for");
+        struct sph_ray r = {};
+        const Vec &org = primary ? eye : s.point;
+        for (int i = 0; i < 3; i++) {
+            r.org[i] = org.v[i];
+            r.dir[i] = s.dir.v[i];
+        }
+        r.kind = primary ? SPH_PRIMARY : light ? SPH_SHADOW : SPH_REFLECTED;
+        sph_ray_setup(&profile, &r);
+        expect("ray_shadow_o", dut.ray_shadow_o, light, 1);
+        expect("ray_primary_o", dut.ray_primary_o, primary, 1);
+        expect("ray_org_o", (bench::i128)get(dut.ray_org_o), pack(r.org, W), 3 * W);
+        expect("ray_dir_o", (bench::i128)get(dut.ray_dir_o), pack(r.dir, WD), 3 * WD);
+        expect("ray_a_o", (bench::i128)get(dut.ray_a_o), r.a, 2 * WD);
+        expect("ray_skip_o", get(dut.ray_skip_o), primary ? SPH_ID_NONE : s.skip, 25);
+        for (int i = 0; i < 3; i++) {
+            expect("ray_forg_o", bench::sign(get(dut.ray_forg_o) >> (FW * i), FW), r.forg[i], FW);
+            expect("ray_unit_o", bench::sign(get(dut.ray_unit_o) >> (18 * i), 18), r.unit.u[i], 18);
+        }
+        expect("ray_axis_o", get(dut.ray_axis_o), r.axis, 2);
+        expect("ray_negative_o", get(dut.ray_negative_o), r.negative, 1);
+        expect("ray_scale_o", get(dut.ray_scale_o), r.depth_scale, 17);
+        expect("ray_shift_o", get(dut.ray_shift_o), r.depth_shift < 0 ? NO_BOUND : r.depth_shift,
+               6);
+        expect("ray_depth_o", get(dut.ray_depth_o), r.depth_max, FW + 1);
+        s.ray = r;
+        s.started = true;
+        end(s, !light);
+    }
+
+    void check_normal(int number) {
+        Slot &s = slots[number];
+        if (s.job != NORMAL) return fail("a normal that nothing asked for");
+        const int64_t *n = s.dir.v;
+        uint64_t nn = (uint64_t)(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+        expect("normal_vec_o", (bench::i128)get(dut.normal_vec_o), pack(n, WD), 3 * WD);
+        expect("normal_nn_o", (bench::i128)get(dut.normal_nn_o), nn, 2 * WD);
+        s.unit = sph_unit(n, nn, WD);
+        s.normal = s.dir;
+        s.has_normal = true;
+        end(s, true);
+    }
+
+    void check_cosine(int number) {
+        Slot &s = slots[number];
+        if (s.job != LIGHT || !s.started) return fail("a cosine that nothing asked for");
+        uint32_t cosine = sph_lambert(&s.unit, &s.ray.unit);
+        bool trace = SHADOW && shadow_on && cosine;
+        expect("cosine_o", get(dut.cosine_o), cosine, 16);
+        expect("shadow_go_o", dut.shadow_go_o, trace, 1);
+        expect("lamp_valid_o", dut.lamp_valid_o, !trace, 1);
+        if (!trace) expect("lamp_lit_o", dut.lamp_lit_o, cosine != 0, 1);
+        end(s, true);
+    }
+};
+
+} // namespace
+
+int main(int argc, char **argv) {
+    Setup b(argc, argv);
+    b.fill();
+    while (b.more()) {
+        b.phase();
+        for (uint64_t i = b.random.between(50, 1000); i && b.more(); i--)
+            b.clock(true);
+        if (b.random.percent(5)) {
+            b.restart();
+            continue;
+        }
+        uint64_t since = b.cycle;
+        while (!b.all_idle() && b.cycle - since < LONGEST)
+            b.clock(false);
+        if (!b.all_idle()) {
+            b.fail("a vector got lost");
+            break;
+        }
+    }
+    return b.finish();
+}
