@@ -1,0 +1,107 @@
+/* tb_counters.cpp - rt_counters against plain sums
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "Vrt_counters.h"
+#include "bench.h"
+
+namespace {
+
+constexpr int COUNTERS = 16, MOST = 63, COMPLETE = 18; /* events a clock; clocks to wait */
+constexpr int CLEAR = 16;                              /* clocks that clear_i takes */
+
+/* What a run of clocks adds. */
+enum { NONE, ALL_MOST, ONE_EACH, ONE_COUNTER, LAST_CLOCK, AT_RANDOM, HOWS };
+
+struct Run {
+    int how, clocks;
+    bool clear; /* before the run; otherwise the totals go on */
+};
+
+const Run corners[] = {
+    {NONE, 20, true},        /* nothing: all totals are 0 */
+    {ALL_MOST, 100, true},   /* largest sums in every counter */
+    {ALL_MOST, 100, false},  /* totals go on */
+    {ONE_EACH, 16, true},    /* no counter takes another's events */
+    {ONE_COUNTER, 50, true}, /* one alone */
+    {LAST_CLOCK, 33, true},  /* the very last clock counts */
+    {LAST_CLOCK, 1, false},  /* one clock only */
+    {ALL_MOST, 5000, true},  /* carries past 16 bits */
+    {NONE, 1, true},         /* and clears all of it */
+};
+
+unsigned events(bench::Random &random, int how, int counter, int left, int only) {
+    switch (how) {
+    case ALL_MOST:
+        return MOST;
+    case ONE_EACH:
+        return left % COUNTERS == counter ? (unsigned)counter + 1 : 0;
+    case ONE_COUNTER:
+        return counter == only ? (unsigned)random.below(MOST + 1) : 0;
+    case LAST_CLOCK:
+        return left == 1 ? (unsigned)counter + 40 : 0;
+    case AT_RANDOM:
+        return random.percent(30) ? (unsigned)random.mixed(6) : 0;
+    default:
+        return 0;
+    }
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    bench::Bench<Vrt_counters> b("tb_counters", argc, argv, 5000);
+    uint64_t sums[COUNTERS] = {};
+    auto idle = [&](int clocks) {
+        b.set(b.dut.add_i, 128, 0);
+        for (int i = 0; i < clocks; i++) {
+            b.set(b.dut.addr_i, 4, (int)b.random.below(COUNTERS));
+            b.tick();
+        }
+    };
+    b.dut.clear_i = 0;
+    idle(0);
+    b.reset(); /* starts the totals anew as clear_i does */
+    for (size_t number = 0; b.more(); number++) {
+        Run r = {(int)b.random.below(HOWS), (int)b.random.between(1, 60), b.random.percent(40)};
+        if (number < sizeof corners / sizeof *corners) r = corners[number];
+        int only = (int)b.random.below(COUNTERS);
+        if (r.clear) { /* at any turn; also while a sum is not in its total yet */
+            b.set(b.dut.add_i, 128, (bench::i128)b.random.bits(128));
+            b.dut.clear_i = 1;
+            b.tick();
+            b.dut.clear_i = 0;
+            for (uint64_t &sum : sums)
+                sum = 0;
+        }
+        for (int left = r.clocks; left > 0; left--) {
+            bench::u128 add = 0;
+            for (int c = COUNTERS - 1; c >= 0; c--) {
+                unsigned n = events(b.random, r.how, c, left, only);
+                add = add << 8 | n;
+                sums[c] += n;
+            }
+            b.set(b.dut.add_i, 128, (bench::i128)add);
+            b.tick();
+        }
+        /* sometimes the next run begins before the totals are complete */
+        if (number >= sizeof corners / sizeof *corners && b.random.percent(20)) {
+            b.done();
+            continue;
+        }
+        idle(COMPLETE - 1);
+        int first = (int)b.random.below(COUNTERS);
+        for (int i = 0; i <= COUNTERS; i++) { /* data_o is of the address one clock before */
+            b.set(b.dut.addr_i, 4, (first + i) % COUNTERS);
+            b.tick();
+            int c = (first + i) % COUNTERS;
+            b.expect("data_o", (bench::i128)b.get(b.dut.data_o), (bench::i128)sums[c], 48);
+            if (b.bad()) {
+                b.show("addr_i", c, 4);
+                b.show("kind of run", r.how, 4);
+                b.show("clocks", r.clocks, 16);
+            }
+        }
+        b.done();
+    }
+    return b.finish();
+}
