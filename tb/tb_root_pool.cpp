@@ -1,0 +1,149 @@
+/* tb_root_pool.cpp - rt_root_pool, and rt_isqrt inside it, against sph_leaf_key()
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Results leave in any order: each is looked up by its tag, and every tag comes back once.
+ */
+#include "Vrt_root_pool.h"
+#include "bench.h"
+
+extern "C" {
+#include "math/isqrt.h"
+#include "trace/leaf.h"
+}
+
+using bench::i128;
+
+namespace {
+
+constexpr int XW = 2 * W + 2 * WD, KW = W + WD + 2;
+constexpr i128 RMAX = ((i128)1 << (XW / 2)) - 1; /* largest root */
+constexpr i128 XMAX = ((i128)1 << XW) - 1;
+constexpr int64_t BMAX = ((int64_t)1 << (KW - 1)) - 1;
+
+struct Vector {
+    i128 disc;
+    int64_t b;
+    int far;
+};
+
+const Vector corners[] = {
+    {1, 2, 0},                               /* smallest root, smallest key */
+    {1, 0, 1},                               /* the same from inside: no inexact */
+    {2, 2, 0},                               /* root 1, inexact: near does not mind */
+    {2, -1, 1},                              /* far rounds up: key 1 */
+    {3, -1, 1},                              /* just below a square: key 1 */
+    {4, -1, 1},                              /* a square: key 1 by the root alone */
+    {XMAX, BMAX, 0},                         /* every bit set */
+    {XMAX, BMAX, 1},                         /* longest sum */
+    {RMAX * RMAX, BMAX, 1},                  /* largest square: exact */
+    {RMAX * RMAX - 1, BMAX, 1},              /* one less: root and inexact change */
+    {RMAX * RMAX + 1, BMAX, 1},              /* one more: only inexact does */
+    {RMAX * RMAX, (int64_t)RMAX + 1, 0},     /* long subtraction, key 1 */
+    {RMAX * RMAX, 1 - (int64_t)RMAX, 1},     /* long negative b, key 1 */
+    {XMAX, -(int64_t)RMAX, 1},               /* key 1 by inexact alone */
+    {(i128)1 << (XW - 1), BMAX, 0},          /* only the top bit, half a square */
+    {(i128)1 << (XW - 2), BMAX, 1},          /* only one bit: a square */
+    {((i128)1 << (XW - 2)) - 1, BMAX, 1},    /* runs of ones below it */
+    {(RMAX / 2) * (RMAX / 2 + 1), BMAX, 1},  /* between two squares */
+    {(RMAX / 3) * (RMAX / 3), BMAX, 0},      /* alternating bits in the root */
+    {(RMAX / 3 * 2) * (RMAX / 3 * 2), 2, 1}, /* the other ones */
+};
+constexpr size_t CORNERS = sizeof corners / sizeof *corners;
+
+Vector make(bench::Random &random) {
+    Vector v{};
+    i128 root = (i128)random.mixed(XW / 2);
+    v.far = random.percent(50);
+    switch (random.below(4)) {
+    case 0: /* a square and what is beside it */
+        v.disc = root * root + random.between(-1, 1);
+        break;
+    case 1: /* the last of a root, and the next */
+        v.disc = root * root + 2 * root + random.between(-1, 2);
+        break;
+    default:
+        v.disc = (i128)random.mixed(XW);
+        break;
+    }
+    if (v.disc < 1 || v.disc > XMAX) v.disc = 1;
+    int inexact;
+    int64_t exact = (int64_t)sph_isqrt((bench::u128)v.disc, &inexact);
+    int64_t key = (int64_t)random.log_bits(KW - 2) + 1;
+    v.b = v.far ? key - exact - inexact : key + exact;
+    if (v.b > BMAX) v.b = BMAX;
+    return v;
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    bench::Bench<Vrt_root_pool> b("tb_root_pool", argc, argv, 100000);
+    constexpr int TAGS = 1 << TAG;
+    Vector sent[TAGS] = {}, v{};
+    bool waits[TAGS] = {};
+    int tag = 0, inside = 0;
+    size_t corner = 0;
+    unsigned gaps = 0, busy = 0; /* percent of clocks without input, without out_ready_i */
+    b.dut.in_valid_i = b.dut.out_ready_i = 0;
+    b.reset();
+    while (b.more()) {
+        if (b.random.percent(1)) {
+            gaps = (unsigned)b.random.below(3) * 48;
+            busy = (unsigned)b.random.below(3) * 48;
+        }
+        if (!b.dut.in_valid_i) { /* without valid: inputs that must not matter */
+            v = corner < CORNERS ? corners[corner] : make(b.random);
+            do
+                tag = (int)b.random.below(TAGS);
+            while (waits[tag]);
+            b.set(b.dut.in_tag_i, TAG, tag);
+            b.set(b.dut.in_disc_i, XW, v.disc);
+            b.set(b.dut.in_b_i, KW, v.b);
+            b.dut.in_far_i = (uint8_t)v.far;
+            b.dut.in_valid_i = !b.random.percent(gaps);
+            corner += b.dut.in_valid_i;
+        }
+        b.dut.out_ready_i = !b.random.percent(busy);
+        b.settle();
+        bool taken = b.dut.in_valid_i && b.dut.in_ready_o;
+        bool held = b.dut.out_valid_o && !b.dut.out_ready_i;
+        bool given = b.dut.out_valid_o && b.dut.out_ready_i;
+        if (b.dut.in_ready_o != (inside < UNITS || given))
+            b.fail("in_ready_o: not as units are idle");
+        if (given) {
+            int at = (int)b.get(b.dut.out_tag_o);
+            if (!waits[at]) {
+                b.fail("a tag that does not wait for a result");
+                continue;
+            }
+            const Vector &e = sent[at];
+            struct sph_leaf_result r = {};
+            uint64_t roots = 0;
+            r.hit = 1;
+            r.far = e.far;
+            r.disc = e.disc;
+            r.b = e.b;
+            b.expect("out_key_o", b.get(b.dut.out_key_o),
+                     (i128)bench::low(sph_leaf_key(&r, &roots), KW), KW);
+            b.expect("out_far_o", b.dut.out_far_o, e.far, 1);
+            if (b.bad()) {
+                b.show("tag", at, TAG);
+                b.show("in_disc_i", e.disc, XW);
+                b.show("in_b_i", e.b, KW);
+                b.show("in_far_i", e.far, 1);
+            }
+            waits[at] = false;
+            inside--;
+            b.done();
+        }
+        b.tick();
+        if (taken) {
+            sent[tag] = v;
+            waits[tag] = true;
+            inside++;
+            b.dut.in_valid_i = 0;
+        }
+        if (held && !b.dut.out_valid_o) b.fail("out_valid_o fell before out_ready_i");
+    }
+    return b.finish();
+}
