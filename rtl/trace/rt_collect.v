@@ -120,6 +120,7 @@ module rt_collect #(
     reg             s1_win_q, s2_win_q, s3_win_q, s1_last_q, s2_last_q, s3_last_q, s4_last_q;
     reg             s1_mark_q, s2_mark_q, s3_mark_q;
     reg [SLOTW-1:0] s1_slot_q, s2_slot_q, s3_slot_q, s4_slot_q;
+    // A key is below 2.4 * 2^(W+WD) (docs/number_formats.md), so its top + 1 fits 17 bits.
     reg [16:0]      s1_top_q, s1_scale_q;    // u17 top of the key, rounded up; u1.15
     reg [5:0]       s1_shift_q, s2_shift_q;
     reg [33:0]      s2_prod_q;
