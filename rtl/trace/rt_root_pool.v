@@ -1,8 +1,8 @@
 // rt_root_pool.v - square roots of leaf hits, and their keys
 // SPDX-License-Identifier: Apache-2.0
 // key = b - root for the near root, b + root + inexact for the far one: ceil(a*t).
-// UNITS iterative roots. A result that waits may give way to one of a lower unit: the consumer looks
-// at it only when it takes it.
+// UNITS iterative roots. A result that waits may give way to one of a lower unit: the consumer
+// looks at it only when it takes it.
 // Model: sph_leaf_key() in cmodel/trace/leaf.c
 `default_nettype none
 module rt_root_pool #(
