@@ -32,5 +32,5 @@ synth: $(SYNTH_MACHINE) ## area with Yosys: PROFILE and TARGET, or all; effects 
 	    $(MAKE) --no-print-directory -j$(JOBS) -f synth/area.mk report B=$B V=$(V) \
 	    PROFILES=$(PROFILE) TARGETS=$(TARGET) EFFECTS=$$effects ENGINES=$(ENGINES) FLAT=$(FLAT)
 
-area: ## the tables of docs/area.md, made anew: some ten minutes
+area: ## the tables of docs/area.md, made anew: 16 minutes of a processor
 	+$(Q)$(MAKE) --no-print-directory -j$(JOBS) -f synth/area.mk page B=$B V=$(V)
