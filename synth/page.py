@@ -38,7 +38,7 @@ def main(page, folder, keys):
         text, n = re.subn(pattern, lambda m: m[1] + table + "\n" + m[2], text)
         if n != 1:
             sys.exit(f"page: {page}: {n} places for the table `{name}`, not one")
-    text = re.sub(r"Yosys \d\S*( \([^)]*\))?", runs[0]["yosys"].split(" (")[0], text)
+    text = re.sub(r"Yosys \d[\d.]*\d( \([^)]*\))?", runs[0]["yosys"].split(" (")[0], text)
     report.write(page, text)
 
 
