@@ -66,8 +66,9 @@ seconds=$(($(date +%s) - start))
 echo "$parameters SECONDS=$seconds" >"$out/parameters"
 headers=$(find rtl -name '*.vh')
 sources=$(sed 's/^[^:]*://; s,//,/,g' "$out/sources" | tr ' ' '\n' | grep '^rtl/.*\.v$' | sort -u)
+# shellcheck disable=SC2086,SC2016  # one line each; make knows its build folder by other names too
 {
-    echo "$out/stat.json:" $sources $headers
+    echo '$(B)'"/synth/$key/stat.json:" $sources $headers
     echo $sources $headers:
 } >"$out/sources.d"
 mv "$out/stat.tmp" "$out/stat.json"
