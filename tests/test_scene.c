@@ -84,10 +84,14 @@ static void test_locale(void **state) {
     (void)state;
     struct sph_error err = {""};
     struct sph_scene s;
-    char command[256], text[8];
+    char command[256], clean[256], text[8];
+    snprintf(clean, sizeof clean, "rm -rf %s/de_DE.UTF-8", folder);
     snprintf(command, sizeof command, "localedef -i de_DE -f UTF-8 %s/de_DE.UTF-8 >%s 2>&1", folder,
              file_name);
-    if (system(command)) skip();
+    if (system(command)) {
+        assert_int_equal(system(clean), 0); /* it may have begun */
+        skip();
+    }
     assert_int_equal(setenv("LOCPATH", folder, 1), 0);
     assert_non_null(setlocale(LC_ALL, "de_DE.UTF-8"));
     snprintf(text, sizeof text, "%.1f", 0.5);
@@ -96,8 +100,7 @@ static void test_locale(void **state) {
     round_trip(&s);
     sph_scene_free(&s);
     setlocale(LC_ALL, "C");
-    snprintf(command, sizeof command, "rm -r %s/de_DE.UTF-8", folder);
-    assert_int_equal(system(command), 0);
+    assert_int_equal(system(clean), 0);
 }
 
 int main(void) {
