@@ -5,19 +5,19 @@
 #   tools    build/sim/tb_core_icarus (every machine), objects that all harnesses share
 #   core     build/sim/KEY/tb_core    (Verilator)
 #   icarus   build/sim/KEY/tb_core.vvp
-# KEY names every parameter that shapes the core, so that builds never mix.
+# KEY names every parameter that shapes the core (CORE: names of parameters.sh), so that builds
+# never mix.
 
 B       ?= build
 RTL     ?= rtl
 PROFILE ?= standard
-SHADOW  ?= 1
-REFLECT ?= 1
+CORE    ?= all
 ENGINES ?= 1
 WAVES   ?= 0
 OPT     ?= -O3
 JOBS    ?= 2
 
-KEY := $(PROFILE)-shadow$(SHADOW)-reflect$(REFLECT)-engines$(ENGINES)$(OPT)$(if $(filter \
+KEY := $(PROFILE)-$(CORE)-engines$(ENGINES)$(OPT)$(if $(filter \
            1,$(WAVES)),-waves)
 S   := $B/sim
 K   := $S/$(KEY)
@@ -34,7 +34,7 @@ SOURCES   := $(RTL_DIRS:%=-I%) $(sort $(filter %.v,$(RTL_FILES)))
 PARAMETERS := $(shell awk -v p=$(PROFILE) '$$1 == "profile" { \
                   if ($$2 == p) print "W=" $$3, "WD=" $$4, "PQ=" $$5, "NG=" $$6, "FW=" $$7, \
                                       "PROFILE=" n + 0; n++ }' cmodel/machine/machine.def) \
-              SHADOW=$(SHADOW) REFLECT=$(REFLECT) ENGINES=$(ENGINES)
+              $(shell sh sim/parameters.sh '$(CORE)') ENGINES=$(ENGINES)
 
 SHARED := $(patsubst tb/core/%.cpp,$S/obj/%.o,$(filter-out tb/core/simulate_%.cpp, \
               $(wildcard tb/core/*.cpp)))

@@ -2,12 +2,13 @@
 # core.sh - one machine through the RTL core and the golden model, compared bit for bit
 # SPDX-License-Identifier: Apache-2.0
 #
-# usage: [EFFECTS=auto|all] [ENGINES=n] [SIM=verilator|icarus] \
+# usage: [EFFECTS=auto|LIST] [ENGINES=n] [SIM=verilator|icarus] \
 #            sim/core.sh --machine FILE [OPTION...]
 #
 # Builds the core that the machine asks for unless it is there (cached by parameters), with
 # waveforms if --trace is among the options, then runs the harness; its options: --help.
-# EFFECTS=auto elaborates only the effects that the machine uses, all (default) everything.
+# EFFECTS=auto elaborates only what the machine uses, all (default) everything, else what is named:
+# a list as sim/parameters.sh takes it.
 # BUILD is the build folder, RTL another source folder, OPT the compiler's effort.
 set -eu
 cd "$(dirname "$0")/.."
@@ -39,17 +40,17 @@ tool=$BUILD/sim/tb_core_icarus
 
 info=$("$tool" --machine "$machine" --info)
 profile=${info%% *}
-effects=${info#* }
-effects=${effects%% *}
-[ "$EFFECTS" = auto ] || effects=3
-shadow=$((effects & 1)) reflect=$((effects >> 1 & 1))
+core=${info#* }
+core=${core%% *}
+[ "$EFFECTS" = auto ] || core=$EFFECTS
+sh sim/parameters.sh "$core" >/dev/null
 [ "$SIM" = verilator ] || WAVES=0
-key=$profile-shadow$shadow-reflect$reflect-engines$ENGINES$OPT
+key=$profile-$core-engines$ENGINES$OPT
 [ "$WAVES" = 0 ] || key=$key-waves
 [ "$SIM" = verilator ] && goal=core || goal=icarus
 [ -e "$BUILD/sim/$key/tb_core" ] || [ $goal = icarus ] ||
     echo "building the core $key in Verilator: half a minute or so, once" >&2
-target "$key-$goal" "$goal" PROFILE="$profile" SHADOW="$shadow" REFLECT="$reflect" \
+target "$key-$goal" "$goal" PROFILE="$profile" CORE="$core" \
     ENGINES="$ENGINES" WAVES="$WAVES" OPT="$OPT" ${RTL:+RTL="$RTL"}
 
 repeat="EFFECTS=$EFFECTS ENGINES=$ENGINES SIM=$SIM sim/core.sh"

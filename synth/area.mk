@@ -4,7 +4,7 @@
 # usage: make -f synth/area.mk report PROFILES=... TARGETS=... EFFECTS=...
 #   PROFILES  draft standard fine reference, or all
 #   TARGETS   ecp5 xc7 generic, or all
-#   EFFECTS   all, none, the EFFECTS register of a machine, or names joined by +
+#   EFFECTS   what the core is elaborated with, as sim/parameters.sh takes it
 # KEY names every parameter that shapes the core, so that results never mix. $B/synth/KEY/ holds
 # what Yosys printed; it is made again when a source of the core or core.sh changes.
 
@@ -27,25 +27,14 @@ $(foreach p,$(profiles),$(if $(filter $p,$(KNOWN_PROFILES)),,$(error synth: \
 $(foreach t,$(targets),$(if $(filter $t,$(KNOWN_TARGETS)),,$(error synth: \
     no target '$t'; there are $(KNOWN_TARGETS) and all)))
 
-# shadow1-reflect0: every effect of machine.def that is a parameter of the core
-effects := $(shell awk -v want=$(EFFECTS) 'function bit(n) { return int(want / 2^n) % 2 } \
-    $$1 == "effect" { name = tolower($$3); \
-        on = want == "all" || (want ~ /^[0-9]+$$/ ? bit($$2) \
-                                                  : ("+" want "+") ~ ("[+]" name "[+]")); \
-        seen = seen "-" name on; known = known "+" name } \
-    END { n = split(want, w, "+"); \
-          for (i = 1; i <= n; i++) \
-              if (w[i] !~ /^(all|none|[0-9]+)$$/ && ("+" known "+") !~ ("[+]" w[i] "[+]")) exit; \
-          print seen }' $(DEF))
-$(if $(effects),,$(error synth: unknown effect in '$(EFFECTS)'; there are all, none, \
-    and the names in $(DEF)))
-VARIANT := $(effects)-engines$(ENGINES)$(if $(filter 1,$(FLAT)),-flat)
+$(if $(shell sh sim/parameters.sh '$(EFFECTS)'),,$(error synth: no core is built with '$(EFFECTS)'))
+VARIANT := -$(EFFECTS)-engines$(ENGINES)$(if $(filter 1,$(FLAT)),-flat)
 KEYS := $(foreach p,$(profiles),$(foreach t,$(targets),$p-$t$(VARIANT)))
 
 # What docs/area.md shows: everything on, and the standard core for ecp5 with less, and flat.
-FULL := -shadow1-reflect1-engines1
+FULL := -all-engines1
 PAGE := $(foreach p,$(KNOWN_PROFILES),$(foreach t,$(KNOWN_TARGETS),$p-$t$(FULL))) \
-    $(foreach e,0-reflect0 1-reflect0 0-reflect1,standard-ecp5-shadow$e-engines1) \
+    $(foreach e,none all-shadow all-reflect,standard-ecp5-$e-engines1) \
     standard-ecp5$(FULL)-flat
 
 .DELETE_ON_ERROR:

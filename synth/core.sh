@@ -2,7 +2,7 @@
 # core.sh - synthesises the core once with Yosys and keeps what it says
 # SPDX-License-Identifier: Apache-2.0
 #
-# usage: synth/core.sh PROFILE-TARGET-shadow1-reflect1-engines1[-flat] FOLDER
+# usage: synth/core.sh PROFILE-TARGET-LIST-engines1[-flat] FOLDER    (LIST: sim/parameters.sh)
 # Leaves in FOLDER:
 #   parameters  what the core was elaborated with, and the seconds that it took
 #   rtl.json    stat before mapping: bits of memory as they are declared
@@ -25,7 +25,7 @@ top=rt_core
 parameters=$(awk -v p="$profile" '$1 == "profile" { if ($2 == p)
     print "PROFILE=" n + 0, "W=" $3, "WD=" $4, "PQ=" $5, "NG=" $6, "FW=" $7; n++ }' \
     cmodel/machine/machine.def)
-parameters="$parameters $(echo "$variant" | tr 'a-z-' 'A-Z ' | sed 's/\([A-Z]\)\([0-9]\)/\1=\2/g')"
+parameters="$parameters $(sh sim/parameters.sh "${variant%-engines*}") ENGINES=${variant##*-engines}"
 set_all=$(echo "$parameters" | sed 's/\([A-Z]*\)=\([0-9]*\)/-set \1 \2/g')
 
 folders=$(find rtl -name '*.v*' -exec dirname {} + | sort -u)

@@ -4,7 +4,7 @@
 #   make synth                          the standard core for ecp5, everything on
 #   make synth PROFILE=all TARGET=all   every profile for every target
 #   make synth SCENE=x                  only the effects that the machine of scene x asks for
-#   make synth EFFECTS=shadow           these effects: names of machine.def, all or none
+#   make synth EFFECTS=shadow+lights1   a core with just these: names of sim/parameters.sh
 #   make area                           the tables of docs/area.md
 # What was synthesised before is taken from build/synth/KEY/ as long as its sources are the same;
 # build/synth/report.md and report.json hold the tables of the last call.
@@ -17,17 +17,18 @@ FLAT ?= 0
 # SCENE counts only if it was asked for, not by its default.
 SYNTH_SCENE := $(if $(filter file undefined,$(origin SCENE)),,$(if $(filter \
                    auto,$(EFFECTS)),$(SCENE_FILE)))
-SYNTH_MACHINE := $(if $(SYNTH_SCENE),$B/synth/$(SCENE_NAME)-$(DEPTH).sph)
+SYNTH_MACHINE := $(if $(SYNTH_SCENE),$B/synth/$(SCENE_NAME)-$(DEPTH)-$(BACKGROUND).sph)
+SYNTH_OPTIONS := --profile reference --size 32x24 --depth $(DEPTH) --background $(BACKGROUND)
 
 ifneq ($(SYNTH_SCENE),)
 $(SYNTH_MACHINE): $(SYNTH_SCENE) $(TOOL)
 	@mkdir -p $(@D)
-	$(Q)$(TOOL) build $< --profile reference --size 32x24 --depth $(DEPTH) -o $@ >$@.log
+	$(Q)$(TOOL) build $< $(SYNTH_OPTIONS) -o $@ >$@.log
 endif
 
 .PHONY: area
 synth: $(SYNTH_MACHINE) ## area with Yosys: PROFILE and TARGET, or all; effects of SCENE if given
-	+$(Q)effects=$(if $(SYNTH_SCENE),$$($(TOOL) info $< | awk '$$2 == "EFFECTS" { print $$3 }'),$(or \
+	+$(Q)effects=$(if $(SYNTH_SCENE),$$($(TOOL) info $< | sed -n 's/^core *//p'),$(or \
 	    $(filter-out auto,$(subst $() $(),+,$(EFFECTS))),all)) && \
 	    $(MAKE) --no-print-directory -j$(JOBS) -f synth/area.mk report B=$B V=$(V) \
 	    PROFILES=$(PROFILE) TARGETS=$(TARGET) EFFECTS=$$effects ENGINES=$(ENGINES) FLAT=$(FLAT)

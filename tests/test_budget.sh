@@ -8,7 +8,7 @@ set -u
 . "$(dirname "$0")/tap.sh"
 cd "$(dirname "$0")/.." || exit 1
 BUILD=${BUILD:-build}
-key=standard-ecp5-shadow1-reflect1-engines1
+key=standard-ecp5-all-engines1
 run=$BUILD/synth/$key
 
 if ! command -v yosys >"$TMP/yosys"; then

@@ -54,11 +54,12 @@ static const struct {
     NAMED(EYE_Z),     NAMED(DIR_X0),    NAMED(DIR_Y0),    NAMED(DIR_Z),    NAMED(PITCH),
     NAMED(ROOT),      NAMED(PRIM_BASE), NAMED(MEM_LINES), NAMED(N_PRIMS),  NAMED(VISIT_LIMIT),
     NAMED(PROFILE),   NAMED(TREE),      NAMED(FRAME),     NAMED(LIGHT0_X), NAMED(LIGHT0_Y),
-    NAMED(LIGHT0_Z),  NAMED(LIGHT0_R),  NAMED(LIGHT0_G),  NAMED(LIGHT0_B)};
+    NAMED(LIGHT0_Z),  NAMED(LIGHT0_R),  NAMED(LIGHT0_G),  NAMED(LIGHT0_B), NAMED(BG_BASE),
+    NAMED(BG_COUNT)};
 
 static void describe_registers(const struct sph_machine *m, FILE *file) {
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        int light = names[i].number >= SPH_REG_LIGHT0_X && names[i].number != SPH_REG_FRAME;
+        int light = names[i].number >= SPH_REG_LIGHT0_X && names[i].number <= SPH_REG_LIGHT0_B;
         for (int l = 0; l < (light ? m->regs[SPH_REG_N_LIGHTS] : 1); l++) {
             char name[32];
             int number = names[i].number + SPH_LIGHT_STRIDE * l;
@@ -68,6 +69,24 @@ static void describe_registers(const struct sph_machine *m, FILE *file) {
                     (unsigned)m->regs[number]);
         }
     }
+}
+
+void sph_machine_core(const struct sph_machine *m, char *text, size_t size) {
+    static const char *const ways[] = {"", "+rect", "+spans", "+cones"};
+    const int32_t *r = m->regs;
+    char reflect[16] = "", lights[16] = "", cones[16] = "";
+    int mode = r[SPH_REG_BG_MODE] & 3;
+    if (r[SPH_REG_MAX_DEPTH]) snprintf(reflect, sizeof reflect, "+reflect%d", r[SPH_REG_MAX_DEPTH]);
+    if (r[SPH_REG_N_LIGHTS]) snprintf(lights, sizeof lights, "+lights%d", r[SPH_REG_N_LIGHTS]);
+    if (mode == 3)
+        snprintf(cones, sizeof cones, "%d", r[SPH_REG_BG_COUNT] ? r[SPH_REG_BG_COUNT] : 1);
+#define ON(name) (r[SPH_REG_EFFECTS] >> SPH_EFFECT_##name & 1)
+    char list[160];
+    snprintf(list, sizeof list, "%s%s%s%s%s%s%s%s", ON(SHADOW) ? "+shadow" : "", reflect, lights,
+             ON(INSIDE) ? "+inside" : "", ON(FIRST) ? "+first" : "",
+             ON(INTERPENETRATE) ? "+interpenetrate" : "", ways[mode], cones);
+#undef ON
+    snprintf(text, size, "%s", *list ? list + 1 : "none");
 }
 
 void sph_machine_describe(const struct sph_machine *m, FILE *file) {
@@ -80,6 +99,9 @@ void sph_machine_describe(const struct sph_machine *m, FILE *file) {
     fprintf(file, "memory    %u lines, %.1f KiB; primitive records from line %d\n", m->lines,
             m->lines * 4.0 * SPH_LINE_WORDS / 1024, m->regs[SPH_REG_PRIM_BASE]);
     describe_tree(m, file);
+    char core[160];
+    sph_machine_core(m, core, sizeof core);
+    fprintf(file, "core      %s\n", core);
     fprintf(file, "registers\n");
     describe_registers(m, file);
 }

@@ -4,6 +4,7 @@
 #ifndef SPH_DESCRIBE_H
 #define SPH_DESCRIBE_H
 
+#include <stddef.h>
 #include <stdio.h>
 
 #include "machine/machine.h"
@@ -11,5 +12,9 @@
 /* Prints profile, sizes, shape of the tree and all registers by name. The machine must be valid
  * (sph_machine_validate). */
 void sph_machine_describe(const struct sph_machine *m, FILE *file);
+
+/* What a core must be elaborated with to render the machine: names joined by '+' as
+ * sim/parameters.sh takes them, such as "shadow+reflect2+lights1+rect"; "none" if nothing. */
+void sph_machine_core(const struct sph_machine *m, char *text, size_t size);
 
 #endif

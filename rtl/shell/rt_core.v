@@ -14,8 +14,16 @@ module rt_core #(
     parameter PROFILE    = 1,    // number of the profile that the widths belong to
     parameter ENGINES    = 1,    // barrels, 1..8
     parameter K          = 64,   // rays in flight an engine, power of two
-    parameter SHADOW     = 1,    // effects elaborated, 0 or 1
-    parameter REFLECT    = 1,
+    // what is elaborated; a machine that asks for more is refused (MISSING_EFFECT)
+    parameter SHADOW     = 1,    // shadow rays, 0 or 1
+    parameter REFLECT    = 5,    // reflections, 0..5
+    parameter LIGHTS     = 8,    // lights, 0..8
+    parameter INSIDE     = 1,    // rays that start inside a sphere, 0 or 1
+    parameter FIRST      = 1,    // primary rays that end at their first leaf hit, 0 or 1
+    parameter INTERPENETRATE = 1, // their correction, 0 or 1: needs FIRST and INSIDE
+    parameter RECT       = 1,    // background separation by rectangle, 0 or 1
+    parameter SPANS      = 1,    // by spans in memory, 0 or 1
+    parameter CONES      = 1,    // exactly, by up to so many spheres, 0..16
     parameter NODE_LINES = 256,  // cache lines an engine, powers of two
     parameter LEAF_LINES = 128,
     parameter ROOTS      = 3,    // square root units an engine
@@ -62,7 +70,9 @@ module rt_core #(
     wire [1:0]       frame;
     wire [3:0]       n_lights;
     wire [55:0]      window, rect;
-    wire             rect_on;
+    wire [1:0]       bg_mode;
+    wire [25:0]      bg_base;
+    wire [4:0]       bg_count;
     wire [23:0]      background, visit_limit;
     wire [47:0]      ambient;
     wire [3*W-1:0]   eye;
@@ -74,7 +84,8 @@ module rt_core #(
     rt_registers #(.W(W), .WD(WD)) u_registers (
         .clk(clk), .valid_i(cfg_valid_i && !busy_o), .addr_i(cfg_addr_i), .data_i(cfg_data_i),
         .effects_o(effects), .max_depth_o(max_depth), .n_lights_o(n_lights),
-        .window_o(window), .rect_on_o(rect_on), .rect_o(rect), .background_o(background),
+        .window_o(window), .bg_mode_o(bg_mode), .rect_o(rect), .bg_base_o(bg_base),
+        .bg_count_o(bg_count), .background_o(background),
         .ambient_o(ambient), .eye_o(eye), .dir_o(dir), .pitch_o(pitch), .root_o(root),
         .prim_base_o(prim_base), .mem_lines_o(mem_lines), .visit_limit_o(visit_limit),
         .profile_o(profile), .frame_o(frame),
@@ -82,8 +93,14 @@ module rt_core #(
         .light_part_o(light_part)
     );
     wire [31:0] built = (SHADOW != 0 ? 32'd1 << `RT_EFFECT_SHADOW : 32'd0) |
-                        (REFLECT != 0 ? 32'd1 << `RT_EFFECT_REFLECT : 32'd0);
-    wire missing = (effects & ~built) != 32'd0;      // the machine asks for what is not here
+                        (REFLECT != 0 ? 32'd1 << `RT_EFFECT_REFLECT : 32'd0) |
+                        (INSIDE != 0 ? 32'd1 << `RT_EFFECT_INSIDE : 32'd0) |
+                        (FIRST != 0 ? 32'd1 << `RT_EFFECT_FIRST : 32'd0) |
+                        (INTERPENETRATE != 0 ? 32'd1 << `RT_EFFECT_INTERPENETRATE : 32'd0);
+    wire [3:0]  ways  = {CONES != 0, SPANS != 0, RECT != 0, 1'b1};
+    wire missing = (effects & ~built) != 32'd0 ||    // the machine asks for what is not here
+                   {29'd0, max_depth} > REFLECT || {28'd0, n_lights} > LIGHTS ||
+                   !ways[bg_mode] || (bg_mode == 2'd3 && {27'd0, bg_count} > CONES);
     wire foreign = profile != PROFILE;
     wire start   = start_i && !busy_o;
     wire go      = start && !missing && !foreign;
@@ -99,7 +116,7 @@ module rt_core #(
         .clk(clk), .rst(rst), .start_i(go), .busy_o(walk_busy),
         .win_x0_i(window[13:0]), .win_y0_i(window[27:14]),
         .win_x1_i(window[41:28]), .win_y1_i(window[55:42]),
-        .rect_on_i(rect_on), .rect_x0_i(rect[13:0]), .rect_y0_i(rect[27:14]),
+        .rect_on_i(RECT != 0 && bg_mode == 2'd1), .rect_x0_i(rect[13:0]), .rect_y0_i(rect[27:14]),
         .rect_x1_i(rect[41:28]), .rect_y1_i(rect[55:42]),
         .dir_x0_i($signed(dir[0 +: WD])), .dir_y0_i($signed(dir[WD +: WD])), .pitch_i(pitch),
         .ray_valid_o(walk_valid), .ray_ready_i(walk_ready),
@@ -141,12 +158,12 @@ module rt_core #(
             wire [127:0] add_e;
             rt_engine #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .FW(FW), .SLOTS(K),
                         .STACK(`RT_STACK_DEPTH), .SHADOW(SHADOW), .REFLECT(REFLECT),
+                        .LIGHTS(LIGHTS), .INSIDE(INSIDE), .FIRST(FIRST),
+                        .INTERPENETRATE(INTERPENETRATE),
                         .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES), .ROOTS(ROOTS),
                         .QUOTIENTS(QUOTIENTS)) u_engine (
                 .clk(clk), .rst(rst), .flush_i(go && !keep_cache_i), .busy_o(e_busy[e]),
-                .shadow_on_i(effects[`RT_EFFECT_SHADOW]),
-                .reflect_on_i(effects[`RT_EFFECT_REFLECT]),
-                .max_depth_i(max_depth), .n_lights_i(n_lights), .background_i(background),
+                .effects_i(effects[4:0]), .max_depth_i(max_depth), .n_lights_i(n_lights), .background_i(background),
                 .ambient_i(ambient), .eye_i(eye), .root_i(root), .prim_base_i(prim_base),
                 .mem_lines_i(mem_lines), .visit_limit_i(visit_limit),
                 .light_valid_i(light_valid), .light_number_i(light_number),
@@ -223,6 +240,8 @@ module rt_core #(
 
     assign pix_frame_o = frame == 2'd0 ? pix_colour_o[23:0] : frame == 2'd1 ? pix_colour_o[47:24]
                          : pix_colour_o[71:48];
+
+    wire unused = &{1'b0, bg_base};
 
     // ---- counters: sums over the engines ----
     wire [127:0] shell_events;

@@ -3,6 +3,7 @@
 // One token per slot travels the ring drawn in docs/rtl_interfaces.md.
 // Model: sph_render_pixel() in cmodel/render_pixel.c, SLOTS pixels at once
 `default_nettype none
+`include "rt_layout.vh"
 module rt_engine #(
     parameter W          = 16,   // coordinate, bits
     parameter WD         = 17,   // direction component, bits
@@ -11,8 +12,12 @@ module rt_engine #(
     parameter FW         = 14,   // filter coordinate, bits
     parameter SLOTS      = 64,   // rays in flight, power of two
     parameter STACK      = 16,   // sibling groups waiting per ray, power of two
-    parameter SHADOW     = 1,    // effects elaborated
-    parameter REFLECT    = 1,
+    parameter SHADOW     = 1,    // effects elaborated, see rt_core
+    parameter REFLECT    = 5,
+    parameter LIGHTS     = 8,
+    parameter INSIDE     = 1,
+    parameter FIRST      = 1,
+    parameter INTERPENETRATE = 1,
     parameter NODE_LINES = 256,  // node cache
     parameter LEAF_LINES = 128,  // leaf and primitive cache
     parameter ROOTS      = 3,    // square root units
@@ -23,8 +28,7 @@ module rt_engine #(
     input  wire              flush_i,         // forget the caches
     output wire              busy_o,
     // registers
-    input  wire              shadow_on_i,
-    input  wire              reflect_on_i,
+    input  wire [4:0]        effects_i,       // EFFECTS of machine.def
     input  wire [2:0]        max_depth_i,
     input  wire [3:0]        n_lights_i,
     input  wire [23:0]       background_i,
@@ -106,7 +110,7 @@ module rt_engine #(
     wire [2*WD-1:0]   normal_nn;
     wire [15:0]       cosine;
     rt_setup #(.W(W), .WD(WD), .FW(FW), .SHADOW(SHADOW), .SLOTS(SLOTS), .SLOTW(SLOTW)) u_setup (
-        .clk(clk), .rst(rst), .eye_i(eye_i), .shadow_on_i(shadow_on_i),
+        .clk(clk), .rst(rst), .eye_i(eye_i), .shadow_on_i(effects_i[`RT_EFFECT_SHADOW]),
         .normal_valid_i(surface_valid), .normal_slot_i(surface_slot),
         .normal_vec_i(surface_normal),
         .light_valid_i(vec_valid), .light_slot_i(vec_slot), .light_vec_i(vec),
@@ -294,7 +298,8 @@ module rt_engine #(
     );
     rt_pixels #(.W(W), .WD(WD), .REFLECT(REFLECT), .SLOTS(SLOTS), .SLOTW(SLOTW)) u_pixels (
         .clk(clk), .rst(rst), .busy_o(busy_o),
-        .reflect_on_i(reflect_on_i), .max_depth_i(max_depth_i), .background_i(background_i),
+        .reflect_on_i(effects_i[`RT_EFFECT_REFLECT]), .max_depth_i(max_depth_i),
+        .background_i(background_i),
         .prim_base_i(prim_base_i), .mem_lines_i(mem_lines_i),
         .in_valid_i(in_valid_i), .in_ready_o(in_ready_o), .in_x_i(in_x_i), .in_y_i(in_y_i),
         .in_dir_i(in_dir_i),
@@ -322,6 +327,7 @@ module rt_engine #(
         .bad_node_o(bad_record)
     );
     assign errors_o = {node_error || leaf_error, visit_limit, overflow, bad_node || bad_record};
-    wire unused = &{1'b0, leafy_in, plain_in};
+    wire unused = &{1'b0, leafy_in, plain_in, effects_i, LIGHTS != 0, INSIDE != 0, FIRST != 0,
+                    INTERPENETRATE != 0};
 endmodule
 `default_nettype wire

@@ -16,8 +16,10 @@ module rt_registers #(
     output reg  [2:0]        max_depth_o,
     output reg  [3:0]        n_lights_o,
     output reg  [55:0]       window_o,        // {y1, x1, y0, x0}
-    output reg               rect_on_o,
+    output reg  [1:0]        bg_mode_o,
     output reg  [55:0]       rect_o,          // {y1, x1, y0, x0}
+    output reg  [25:0]       bg_base_o,
+    output reg  [4:0]        bg_count_o,
     output reg  [23:0]       background_o,
     output reg  [47:0]       ambient_o,       // {blue, green, red}
     output reg  [3*W-1:0]    eye_o,           // {z, y, x}
@@ -39,7 +41,7 @@ module rt_registers #(
     assign light_number_o = lamp[5:3];
     assign light_part_o   = lamp[2:0];
     always @(posedge clk)
-        if (valid_i && addr_i < `RT_REG_LIGHT0_X)
+        if (valid_i)
             case (addr_i)
                 `RT_REG_EFFECTS:     effects_o       <= data_i;
                 `RT_REG_MAX_DEPTH:   max_depth_o     <= data_i[2:0];
@@ -48,7 +50,7 @@ module rt_registers #(
                 `RT_REG_WIN_Y0:      window_o[27:14] <= data_i[13:0];
                 `RT_REG_WIN_X1:      window_o[41:28] <= data_i[13:0];
                 `RT_REG_WIN_Y1:      window_o[55:42] <= data_i[13:0];
-                `RT_REG_BG_MODE:     rect_on_o       <= data_i[0];
+                `RT_REG_BG_MODE:     bg_mode_o       <= data_i[1:0];
                 `RT_REG_RECT_X0:     rect_o[13:0]    <= data_i[13:0];
                 `RT_REG_RECT_Y0:     rect_o[27:14]   <= data_i[13:0];
                 `RT_REG_RECT_X1:     rect_o[41:28]   <= data_i[13:0];
@@ -69,8 +71,10 @@ module rt_registers #(
                 `RT_REG_MEM_LINES:   mem_lines_o     <= data_i[25:0];
                 `RT_REG_VISIT_LIMIT: visit_limit_o   <= data_i[23:0];
                 `RT_REG_PROFILE:     profile_o       <= data_i;
+                `RT_REG_FRAME:       frame_o         <= data_i[1:0];
+                `RT_REG_BG_BASE:     bg_base_o       <= data_i[25:0];
+                `RT_REG_BG_COUNT:    bg_count_o      <= data_i[4:0];
                 default: ;
             endcase
-    always @(posedge clk) if (valid_i && addr_i == `RT_REG_FRAME) frame_o <= data_i[1:0];
 endmodule
 `default_nettype wire

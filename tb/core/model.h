@@ -8,6 +8,7 @@ extern "C" {
 #include "error.h"
 #include "frame.h"
 #include "frame_file.h"
+#include "machine/describe.h"
 #include "machine/machine.h"
 #include "render.h"
 }

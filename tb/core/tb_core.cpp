@@ -43,10 +43,12 @@ bool prepare(const Options &o, sph_machine &m, Window &w, std::string &error) {
     return true;
 }
 
-/* "PROFILE EFFECTS WxH NAME": what a build script needs to know of a machine. */
+/* "PROFILE CORE WxH NAME": what a build script needs to know of a machine. */
 void print_info(const sph_machine &m) {
-    std::printf("%s %d %dx%d %s\n", sph_machine_profile(&m)->name, m.regs[SPH_REG_EFFECTS],
-                m.regs[SPH_REG_FRAME_W], m.regs[SPH_REG_FRAME_H], m.name);
+    char core[160];
+    sph_machine_core(&m, core, sizeof core);
+    std::printf("%s %s %dx%d %s\n", sph_machine_profile(&m)->name, core, m.regs[SPH_REG_FRAME_W],
+                m.regs[SPH_REG_FRAME_H], m.name);
 }
 
 } // namespace

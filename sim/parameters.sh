@@ -1,0 +1,48 @@
+#!/bin/sh
+# parameters.sh - what a core is elaborated with, from the names of what it can do
+# SPDX-License-Identifier: Apache-2.0
+#
+# usage: sim/parameters.sh LIST
+#   LIST  all, all-NAME (all but one), none, or names joined by +:
+#         shadow reflectN lightsN inside first interpenetrate rect spans conesN
+#         (N: reflections 1..5, lights 1..8, spheres of exact background separation 1..16)
+# Prints the parameters of rtl/shell/rt_core.v, NAME=VALUE, all on one line.
+set -eu
+awk -v list="$1" 'BEGIN {
+    n = split("shadow reflect lights inside first interpenetrate rect spans cones", name, " ")
+    split("1 5 8 1 1 1 1 1 16", most, " ")
+    split("1 5 8 1 1 1 1 1 1", full, " ")
+    but = list
+    if (sub(/^all-/, "", but)) list = "all"; else but = ""
+    for (i = 1; i <= n; i++) {
+        number[name[i]] = i
+        value[i] = list == "all" && name[i] != but ? full[i] : 0
+    }
+    if (but == "first") value[number["interpenetrate"]] = 0
+    if (but == "inside") value[number["interpenetrate"]] = 0
+    bad = but && !(but in number) ? but : ""
+    words = list == "all" || list == "none" ? 0 : split(list, word, "+")
+    for (w = 1; w <= words && !bad; w++) {
+        key = word[w]
+        count = 1
+        if (match(key, /[0-9]+$/)) {
+            count = substr(key, RSTART) + 0
+            key = substr(key, 1, RSTART - 1)
+        }
+        i = number[key]
+        if (!i || count < 1 || count > most[i] || (most[i] > 1 && key == word[w])) bad = word[w]
+        else value[i] = count
+    }
+    if (!bad && !list) bad = "(nothing)"
+    if (bad) {
+        printf "%s names nothing that a core can be built with: all, all-NAME, none, or names " \
+               "joined by + of", bad > "/dev/stderr"
+        for (i = 1; i <= n; i++)
+            printf " %s%s", name[i], (most[i] > 1 ? "1.." most[i] : "") > "/dev/stderr"
+        print "" > "/dev/stderr"
+        exit 1
+    }
+    for (i = 1; i <= n; i++)
+        printf "%s%s=%d", (i > 1 ? " " : ""), toupper(name[i]), value[i]
+    print ""
+}'
