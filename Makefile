@@ -12,9 +12,16 @@ SIZE ?= 320x180
 TREE ?= balanced
 ## DEPTH       reflections, 0 to 5
 DEPTH ?= 2
-## BACKGROUND  none or rect
+## BACKGROUND  pixels that are never traced: none, rect, spans or exact
 BACKGROUND ?= none
-## EFFECTS     elaborate only what the scene needs (auto) or everything (all)
+## TRAVERSE    which hit a primary ray takes: nearest or first (the paper's)
+TRAVERSE ?= nearest
+## LEVELS      of the tree that BACKGROUND=spans is made from (empty: all)
+LEVELS ?=
+## BUILD_MORE  other options of `sphaera build`, such as --inside off
+BUILD_MORE ?=
+## EFFECTS     of the core: auto (as the scene asks), all, all-NAME, none, or joined by + of
+##             shadow reflectN lightsN inside first interpenetrate rect spans conesN
 EFFECTS ?= auto
 ## ENGINES     tracing engines in the core
 ENGINES ?= 1
@@ -66,8 +73,9 @@ TOOL   := $B/sphaera
 .PHONY: help setup all tool layout render sim test synth lint bench clean FORCE
 .DEFAULT_GOAL := help
 
-help: export HELP_VALUES = $(foreach v,SCENE PROFILE SIZE TREE DEPTH BACKGROUND EFFECTS ENGINES \
-                           SEED LATENCY STALL SIM WAVES JOBS V,$(v)=$($(v));)
+help: export HELP_VALUES = $(foreach v,SCENE PROFILE SIZE TREE DEPTH BACKGROUND TRAVERSE LEVELS \
+                           BUILD_MORE EFFECTS ENGINES SEED LATENCY STALL SIM WINDOW WARM TARGET \
+                           FLAT WAVES JOBS V,$(v)=$($(v));)
 help: ## this text
 	@awk -f sim/help.awk $(MAKEFILE_LIST)
 

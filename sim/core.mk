@@ -6,7 +6,8 @@
 #   core     build/sim/KEY/tb_core    (Verilator)
 #   icarus   build/sim/KEY/tb_core.vvp
 # KEY names every parameter that shapes the core (CORE: names of parameters.sh), so that builds
-# never mix.
+# never mix; what they are elaborated and compiled with stands in build/sim/KEY/flags and in
+# build/sim/obj/flags, and a change of these builds anew.
 
 B       ?= build
 RTL     ?= rtl
@@ -43,36 +44,47 @@ SHARED := $(patsubst tb/core/%.cpp,$S/obj/%.o,$(filter-out tb/core/simulate_%.cp
 ROOT      := $(shell verilator --getenv VERILATOR_ROOT)/include
 VERILATED := $(patsubst %,$S/obj/%.o,verilated verilated_threads verilated_fst_c)
 
+# Written anew only when its text changes.
+stamp = @mkdir -p $(@D); echo '$(1)' >$@.$$$$; cmp -s $@.$$$$ $@ && rm $@.$$$$ || mv $@.$$$$ $@
+VERILATE := verilator --cc --language 1364-2005 -Wall -O3 --x-assign fast --top-module rt_core \
+                --prefix Vrt_core $(PARAMETERS:%=-G%) --output-split 20000 \
+                $(if $(filter 1,$(WAVES)),--trace-fst)
+ELABORATE := iverilog -g2005 -Wall $(PARAMETERS:%=-Ptb_core_icarus.%) -s tb_core_icarus
+
 .DELETE_ON_ERROR:
 .SUFFIXES:
-.PHONY: tools core icarus
+.PHONY: tools core icarus FORCE
 tools: $S/tb_core_icarus $(SHARED) $(VERILATED)
 core: $K/tb_core
 icarus: $K/tb_core.vvp
 
-$S/obj/%.o: tb/core/%.cpp
+$S/obj/flags: FORCE
+	$(call stamp,$(CXX) $(CXXFLAGS) $(ROOT))
+$K/verilator.flags: FORCE
+	$(call stamp,$(VERILATE) $(OPT) $(SOURCES))
+$K/icarus.flags: FORCE
+	$(call stamp,$(ELABORATE) $(SOURCES))
+
+$S/obj/%.o: tb/core/%.cpp $S/obj/flags
 	@mkdir -p $(@D)
 	$(CXX) $(CXXFLAGS) -MMD -MP -c $< -o $@
 
 $S/tb_core_icarus: $(SHARED) $S/obj/simulate_icarus.o $(LIB)
 	$(CXX) $^ $(LIBS) -o $@
 
-$K/tb_core.vvp: tb/core/tb_core_icarus.v $(RTL_FILES)
+$K/tb_core.vvp: tb/core/tb_core_icarus.v $(RTL_FILES) $K/icarus.flags
 	@mkdir -p $(@D)
-	iverilog -g2005 -Wall $(PARAMETERS:%=-Ptb_core_icarus.%) -s tb_core_icarus \
-	    -o $@ $< $(SOURCES) 2>$@.log || { cat $@.log >&2; exit 1; }
+	$(ELABORATE) -o $@ $< $(SOURCES) 2>$@.log || { cat $@.log >&2; exit 1; }
 	@cat $@.log >&2
 
 # Verilator's warnings are errors; what is waived stands with its reason in sim/waivers.vlt.
-$K/Vrt_core__ALL.a: $(RTL_FILES) $(wildcard sim/waivers.vlt)
+$K/Vrt_core__ALL.a: $(RTL_FILES) $(wildcard sim/waivers.vlt) $K/verilator.flags
 	@mkdir -p $(@D)
-	verilator --cc --language 1364-2005 -Wall -O3 --x-assign fast --top-module rt_core \
-	    --prefix Vrt_core --Mdir $(@D) $(PARAMETERS:%=-G%) --output-split 20000 \
-	    $(if $(filter 1,$(WAVES)),--trace-fst) $(wildcard sim/waivers.vlt) $(SOURCES)
+	$(VERILATE) --Mdir $(@D) $(wildcard sim/waivers.vlt) $(SOURCES)
 	$(MAKE) -s -C $(@D) -f Vrt_core.mk -j$(JOBS) OPT_FAST=$(OPT) OPT_SLOW=$(OPT) Vrt_core__ALL.a \
 	    >$(@D)/compile.log || { cat $(@D)/compile.log >&2; exit 1; }
 
-$(VERILATED): $S/obj/%.o: $(ROOT)/%.cpp
+$(VERILATED): $S/obj/%.o: $(ROOT)/%.cpp $S/obj/flags
 	@mkdir -p $(@D)
 	$(CXX) -std=c++17 -O2 -w -I$(ROOT) -I$(ROOT)/vltstd -DVM_TRACE=1 -DVM_TRACE_FST=1 \
 	    -DVL_USER_FINISH -c $< -o $@

@@ -7,8 +7,9 @@
 #
 # Builds the core that the machine asks for unless it is there (cached by parameters), with
 # waveforms if --trace is among the options, then runs the harness; its options: --help.
-# EFFECTS=auto elaborates only what the machine uses, all (default) everything, else what is named:
-# a list as sim/parameters.sh takes it.
+# EFFECTS=auto elaborates only what the machine asks for, all (default) everything, else what is
+# named: a list as sim/parameters.sh takes it. A core with less than the machine asks for refuses
+# it; the harness says what is missing and ends with 3.
 # BUILD is the build folder, RTL another source folder, OPT the compiler's effort.
 set -eu
 cd "$(dirname "$0")/.."
@@ -43,7 +44,7 @@ profile=${info%% *}
 core=${info#* }
 core=${core%% *}
 [ "$EFFECTS" = auto ] || core=$EFFECTS
-sh sim/parameters.sh "$core" >/dev/null
+built=$(sh sim/parameters.sh "$core")
 [ "$SIM" = verilator ] || WAVES=0
 key=$profile-$core-engines$ENGINES$OPT
 [ "$WAVES" = 0 ] || key=$key-waves
@@ -55,7 +56,8 @@ target "$key-$goal" "$goal" PROFILE="$profile" CORE="$core" \
 
 repeat="EFFECTS=$EFFECTS ENGINES=$ENGINES SIM=$SIM sim/core.sh"
 if [ "$SIM" = verilator ]; then
-    exec "$BUILD/sim/$key/tb_core" --repeat "$repeat" "$@"
+    exec "$BUILD/sim/$key/tb_core" --core "$core" --built "$built" --repeat "$repeat" "$@"
 else
-    exec "$tool" --engine "$BUILD/sim/$key/tb_core.vvp" --repeat "$repeat" "$@"
+    exec "$tool" --engine "$BUILD/sim/$key/tb_core.vvp" --core "$core" --built "$built" \
+        --repeat "$repeat" "$@"
 fi

@@ -14,9 +14,13 @@ BEGIN {
     sub(/:.*/, "")
     printf "  %-12s %s\n", $0, text
 }
-/^## [A-Z]+ / {
+/^## [A-Z_]+ / {
     name = $2
-    sub(/^## [A-Z]+ +/, "")
+    sub(/^## [A-Z_]+ +/, "")
     variables = variables sprintf("  %-12s %-18s %s\n", name, value[name], $0)
+}
+/^##  +/ && name {
+    sub(/^## +/, "")
+    variables = variables sprintf("  %-12s %-18s %s\n", "", "", $0)
 }
 END { printf "\n%s", variables }

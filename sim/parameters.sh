@@ -5,7 +5,8 @@
 # usage: sim/parameters.sh LIST
 #   LIST  all, all-NAME (all but one), none, or names joined by +:
 #         shadow reflectN lightsN inside first interpenetrate rect spans conesN
-#         (N: reflections 1..5, lights 1..8, spheres of exact background separation 1..16)
+#         (N: reflections 1..5, lights 1..8, spheres of exact background separation 1..16;
+#         interpenetrate needs first and inside, so all-first and all-inside leave it out too)
 # Prints the parameters of rtl/shell/rt_core.v, NAME=VALUE, all on one line.
 set -eu
 awk -v list="$1" 'BEGIN {
@@ -34,6 +35,11 @@ awk -v list="$1" 'BEGIN {
         else value[i] = count
     }
     if (!bad && !list) bad = "(nothing)"
+    if (!bad && value[number["interpenetrate"]] &&
+        !(value[number["first"]] && value[number["inside"]])) {
+        print list ": interpenetrate needs first and inside" > "/dev/stderr"
+        exit 1
+    }
     if (bad) {
         printf "%s names nothing that a core can be built with: all, all-NAME, none, or names " \
                "joined by + of", bad > "/dev/stderr"

@@ -25,11 +25,16 @@ GEN_OPTION := $(if $(filter sphereflake,$(SCENE_KIND)),--size $(SCENE_ARG),$(if 
                   random,$(SCENE_KIND)),--spheres $(SCENE_ARG) --seed $(SEED),--seed $(SCENE_ARG)))
 
 SCENE_NAME := $(basename $(notdir $(SCENE_FILE)))
-RUN_NAME := $(SCENE_NAME)-$(PROFILE)-$(or $(SIZE),file)-$(TREE)-$(DEPTH)-$(BACKGROUND)
+space    := $() $()
+# Options of `sphaera build` that differ from its own defaults, as words; the same as a file name.
+BUILD_EXTRA := $(if $(filter-out nearest,$(TRAVERSE)),--traverse $(TRAVERSE)) \
+               $(if $(LEVELS),--bg-levels $(LEVELS)) $(BUILD_MORE)
+BUILD_NAME  := $(TREE)-$(DEPTH)-$(BACKGROUND)$(subst /,_,$(subst $(space),,$(strip $(BUILD_EXTRA))))
+RUN_NAME := $(SCENE_NAME)-$(PROFILE)-$(or $(SIZE),file)-$(BUILD_NAME)
 RUN_DIR  := $B/run/$(RUN_NAME)
 OUT_DIR  := $B/out/$(SCENE_NAME)-$(PROFILE)
 BUILD_OPTIONS := --profile $(PROFILE) --tree $(TREE) --depth $(DEPTH) --background $(BACKGROUND) \
-                 $(if $(SIZE),--size $(SIZE))
+                 $(if $(SIZE),--size $(SIZE)) $(BUILD_EXTRA)
 
 ifneq ($(SCENE_ARG),)
 $(SCENE_FILE): $(TOOL)
@@ -66,7 +71,7 @@ sim: $(RUN_DIR)/scene.sph $(PICTURES) ## SCENE through model and RTL, compared b
 	@mkdir -p $(OUT_DIR)
 	$(call say,SIM,"$(SCENE_NAME) $(PROFILE) $(SIZE) in $(SIM)")
 	+$(Q)rm -f $(OUT_DIR)/rtl.frame; \
-	    EFFECTS=$(EFFECTS) ENGINES=$(ENGINES) SIM=$(SIM) BUILD=$B JOBS=$(JOBS) \
+	    EFFECTS='$(EFFECTS)' ENGINES=$(ENGINES) SIM=$(SIM) BUILD=$B JOBS=$(JOBS) \
 	        sh sim/core.sh $(SIM_OPTIONS) >$(OUT_DIR)/log; rc=$$?; \
 	    cat $(OUT_DIR)/log; [ -f $(OUT_DIR)/rtl.frame ] || exit $$rc; \
 	    $(PICTURES) $(OUT_DIR)/model.frame $(OUT_DIR)/rtl.frame $(OUT_DIR) || exit 1; \

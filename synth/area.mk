@@ -42,7 +42,7 @@ PAGE := $(foreach p,$(KNOWN_PROFILES),$(foreach t,$(KNOWN_TARGETS),$p-$t$(FULL))
 .PHONY: report results page
 results: $(KEYS:%=$B/synth/%/stat.json)
 
-$B/synth/%/stat.json: synth/core.sh $(DEF)
+$B/synth/%/stat.json: synth/core.sh sim/parameters.sh $(DEF)
 	$(Q)sh synth/core.sh $* $(@D)
 
 report: results

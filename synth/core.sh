@@ -25,7 +25,8 @@ top=rt_core
 parameters=$(awk -v p="$profile" '$1 == "profile" { if ($2 == p)
     print "PROFILE=" n + 0, "W=" $3, "WD=" $4, "PQ=" $5, "NG=" $6, "FW=" $7; n++ }' \
     cmodel/machine/machine.def)
-parameters="$parameters $(sh sim/parameters.sh "${variant%-engines*}") ENGINES=${variant##*-engines}"
+parameters="$parameters $(sh sim/parameters.sh "${variant%-engines*}")"
+parameters="$parameters ENGINES=${variant##*-engines}"
 set_all=$(echo "$parameters" | sed 's/\([A-Z]*\)=\([0-9]*\)/-set \1 \2/g')
 
 folders=$(find rtl -name '*.v*' -exec dirname {} + | sort -u)

@@ -24,7 +24,7 @@ def profiles(runs):
 
 def main(page, folder, keys):
     runs = [results.read(os.path.join(folder, key)) for key in keys]
-    everything = [r for r in runs if "-shadow1-reflect1-" in r["key"] and not r["flat"]]
+    everything = [r for r in runs if r["list"] == "all" and not r["flat"]]
     ecp5 = [r for r in everything if r["target"] == "ecp5"]
     standard = [r for r in runs if r["profile"] == "standard" and r["target"] == "ecp5"]
     tables = {target: report.cores(everything, target) for target in results.COLUMNS}

@@ -31,8 +31,7 @@ def table(head, rows):
 
 
 def effects(run):
-    names = [n.lower() for n in ("SHADOW", "REFLECT") if run["parameters"].get(n)]
-    text = "+".join(names) or "none"
+    text = run["list"]
     if run["parameters"].get("ENGINES", 1) > 1:
         text += f", {run['parameters']['ENGINES']} engines"
     return text + (", flat" if run["flat"] else "")
@@ -87,13 +86,12 @@ def write(path, text):
 
 def main(folder, keys):
     runs = [results.read(os.path.join(folder, key)) for key in keys]
-    variant = keys[0].split("-", 2)[2]
     command = "make synth PROFILE={} TARGET={}".format(
         *("all" if len({k.split("-")[i] for k in keys}) > 1 else keys[0].split("-")[i]
           for i in (0, 1)))
-    if "shadow1-reflect1" not in variant:
-        command += " EFFECTS=" + effects(runs[0]).split(",")[0].replace("+", " ").join('""')
-    if "engines1" not in variant:
+    if runs[0]["list"] != "all":
+        command += " EFFECTS=" + runs[0]["list"]
+    if runs[0]["parameters"]["ENGINES"] > 1:
         command += f" ENGINES={runs[0]['parameters']['ENGINES']}"
     if runs[0]["flat"]:
         command += " FLAT=1"

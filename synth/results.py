@@ -139,7 +139,8 @@ def read(folder):
         for counts in rows["rt_core"]["own"], rows["rt_core"]["total"]:
             counts["bits"] = memory(next(name for name in declared if _short(name) == "rt_core"))
     depth, carry = _depth(folder / "depth")
-    return {"key": key, "profile": profile, "target": target, "variant": variant, "flat": flat,
+    return {"key": key, "profile": profile, "target": target, "flat": flat,
+            "list": variant.rsplit("-engines", 1)[0],
             "yosys": creator, "seconds": seconds, "parameters": parameters,
             "depth": depth, "depth_carry": carry,
             "core": rows["rt_core"]["total"], "modules": rows}

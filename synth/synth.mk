@@ -5,6 +5,7 @@
 #   make synth PROFILE=all TARGET=all   every profile for every target
 #   make synth SCENE=x                  only the effects that the machine of scene x asks for
 #   make synth EFFECTS=shadow+lights1   a core with just these: names of sim/parameters.sh
+#   make synth EFFECTS=all-reflect      everything but this one
 #   make area                           the tables of docs/area.md
 # What was synthesised before is taken from build/synth/KEY/ as long as its sources are the same;
 # build/synth/report.md and report.json hold the tables of the last call.
@@ -17,8 +18,11 @@ FLAT ?= 0
 # SCENE counts only if it was asked for, not by its default.
 SYNTH_SCENE := $(if $(filter file undefined,$(origin SCENE)),,$(if $(filter \
                    auto,$(EFFECTS)),$(SCENE_FILE)))
-SYNTH_MACHINE := $(if $(SYNTH_SCENE),$B/synth/$(SCENE_NAME)-$(DEPTH)-$(BACKGROUND).sph)
-SYNTH_OPTIONS := --profile reference --size 32x24 --depth $(DEPTH) --background $(BACKGROUND)
+SYNTH_PROFILE := $(if $(filter all,$(PROFILE)),reference,$(PROFILE))
+SYNTH_MACHINE := $(if $(SYNTH_SCENE),$B/synth/$(SCENE_NAME)-$(SYNTH_PROFILE)-$(or \
+                     $(SIZE),file)-$(BUILD_NAME).sph)
+SYNTH_OPTIONS := --profile $(SYNTH_PROFILE) --tree $(TREE) --depth $(DEPTH) \
+                 --background $(BACKGROUND) $(if $(SIZE),--size $(SIZE)) $(BUILD_EXTRA)
 
 ifneq ($(SYNTH_SCENE),)
 $(SYNTH_MACHINE): $(SYNTH_SCENE) $(TOOL)
@@ -29,9 +33,9 @@ endif
 .PHONY: area
 synth: $(SYNTH_MACHINE) ## area with Yosys: PROFILE and TARGET, or all; effects of SCENE if given
 	+$(Q)effects=$(if $(SYNTH_SCENE),$$($(TOOL) info $< | sed -n 's/^core *//p'),$(or \
-	    $(filter-out auto,$(subst $() $(),+,$(EFFECTS))),all)) && \
+	    $(filter-out auto,$(EFFECTS)),all)) && \
 	    $(MAKE) --no-print-directory -j$(JOBS) -f synth/area.mk report B=$B V=$(V) \
-	    PROFILES=$(PROFILE) TARGETS=$(TARGET) EFFECTS=$$effects ENGINES=$(ENGINES) FLAT=$(FLAT)
+	    PROFILES=$(PROFILE) TARGETS=$(TARGET) EFFECTS="$$effects" ENGINES=$(ENGINES) FLAT=$(FLAT)
 
 area: ## the tables of docs/area.md, made anew: 16 minutes of a processor
 	+$(Q)$(MAKE) --no-print-directory -j$(JOBS) -f synth/area.mk page B=$B V=$(V)

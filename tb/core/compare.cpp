@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "outcome.h"
+#include "refuse.h"
 extern "C" {
 #include "pixel/walk.h"
 }
@@ -80,19 +81,21 @@ std::string explain(const sph_machine &m, const sph_pixel &p, const Sample &s, i
                        static_cast<long long>(dir[2]), s.times);
 }
 
-/* Such a machine is refused: the core sets the bit and renders nothing. */
-const int64_t REFUSED = 1 << SPH_ERROR_MISSING_EFFECT | 1 << SPH_ERROR_WRONG_PROFILE;
+/* The machine is refused, or should be: not one pixel may come. */
+bool refuses(const Options &o, const Outcome &c) {
+    return (c.total[COLD].errors & REFUSED) || (o.expect_errors >= 0 && o.expect_errors & REFUSED);
+}
 
 /* The model knows nothing of bus errors: values are not compared then, only delivery. */
-bool values_count(const Options &o) {
-    return o.bus_error_at < 0 && (o.expect_errors < 0 || !(o.expect_errors & REFUSED));
+bool values_count(const Options &o, const Outcome &c) {
+    return o.bus_error_at < 0 && !refuses(o, c);
 }
 
 /* Pixels of one pass. */
 void compare_pixels(const Options &o, const sph_machine &m, const Outcome &c, int pass,
                     Verdict &v) {
     const Window &w = c.window;
-    const unsigned wanted = o.expect_errors >= 0 && o.expect_errors & REFUSED ? 0 : 1;
+    const unsigned wanted = refuses(o, c) ? 0 : 1;
     uint64_t wrong = 0;
     std::string first;
     for (int y = w.y0; y < w.y1; y++)
@@ -101,7 +104,7 @@ void compare_pixels(const Options &o, const sph_machine &m, const Outcome &c, in
                         static_cast<size_t>(x);
             const sph_pixel &p = c.model_frame.pixels[at];
             const Sample &s = c.samples[pass][at];
-            if (values_count(o) ? equal(p, s) : s.times == wanted) continue;
+            if (values_count(o, c) ? equal(p, s) : s.times == wanted) continue;
             if (wrong++) continue;
             first = line("first wrong pixel x %d y %d%s:", x, y, pass ? " (warm pass)" : "");
             first += explain(m, p, s, x, y);
@@ -143,7 +146,8 @@ void compare_expected(const Options &o, const Outcome &c, Verdict &v) {
 } // namespace
 
 Verdict compare(const Options &o, const sph_machine &machine, const Outcome &c) {
-    Verdict v{0, ""};
+    Verdict v{0, refusal(o, machine, c.total[COLD].errors), false};
+    v.refused = !v.text.empty() && !(o.expect_errors >= 0 && o.expect_errors & REFUSED);
     for (const Run *run : c.runs)
         if (run->failure[0]) {
             v.mismatches++;
@@ -151,7 +155,7 @@ Verdict compare(const Options &o, const sph_machine &machine, const Outcome &c) 
         }
     for (int pass = COLD; pass <= (o.warm ? WARM : COLD); pass++) {
         compare_pixels(o, machine, c, pass, v);
-        if (values_count(o)) compare_totals(c, pass, v);
+        if (values_count(o, c)) compare_totals(c, pass, v);
     }
     compare_expected(o, c, v);
     if (v.mismatches && v.text.find("repeat: ") == std::string::npos)

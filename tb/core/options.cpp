@@ -25,6 +25,8 @@ enum Key {
     PROGRESS,
     INFO,
     ENGINE,
+    CORE,
+    BUILT,
     TRACE,
     FRAME,
     MODEL_FRAME,
@@ -50,6 +52,8 @@ const argp_option table[] = {
     {"info", INFO, nullptr, 0,
      "print profile, effects, size, name of the machine; simulate nothing", 0},
     {"engine", ENGINE, "FILE", 0, "compiled Icarus bench (only in the Icarus harness)", 0},
+    {"core", CORE, "LIST", 0, "what the core was built with, to name what it lacks", 0},
+    {"built", BUILT, "PARAMETERS", 0, "the same as sim/parameters.sh prints it", 0},
     {"trace", TRACE, "FILE.fst", 0, "write a waveform (only if built with tracing)", 0},
     {"frame", FRAME, "FILE", 0, "write the core's pixels and counters", 0},
     {"model-frame", MODEL_FRAME, "FILE", 0, "write the model's pixels and counters", 0},
@@ -133,6 +137,12 @@ error_t parse(int key, char *arg, argp_state *state) {
         break;
     case ENGINE:
         o.engine = arg;
+        break;
+    case CORE:
+        o.core = arg;
+        break;
+    case BUILT:
+        o.built = arg;
         break;
     case TRACE:
         o.trace = arg;

@@ -41,6 +41,8 @@ struct Options {
     bool progress = false;
     bool info = false;  /* prints profile and effects of the machine and ends */
     std::string engine; /* Icarus: the compiled bench */
+    std::string core;   /* what the core was built with: a list of sim/parameters.sh */
+    std::string built;  /* the same as parameters, NAME=VALUE ... */
     std::string trace, frame, model_frame, json;
     std::string repeat; /* how the command that repeats a failure starts */
 };

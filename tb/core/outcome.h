@@ -36,10 +36,12 @@ inline double issue_use(const Pass &p) {
 struct Verdict {
     uint64_t mismatches; /* pixels, counters, error bits and failures of the run */
     std::string text;    /* what is wrong, the first pixel in full; empty if nothing */
+    bool refused;        /* the core takes no such machine, and nobody expected that */
 };
 
 /* Compares every pixel of every pass that ran (delivered once, three colours, id, key, visits),
- * the counters that model and RTL share, and the error bits. */
+ * the counters that model and RTL share, and the error bits. A core that refuses the machine must
+ * give no pixel; the text says what it lacks. */
 Verdict compare(const Options &o, const sph_machine &machine, const Outcome &outcome);
 
 #endif

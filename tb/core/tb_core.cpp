@@ -2,7 +2,8 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Linked with simulate_verilator.cpp it is build/sim/KEY/tb_core, with simulate_icarus.cpp
- * build/sim/tb_core_icarus. Exit code 0: every bit equal; 1: mismatch or hang; 2: no such file...
+ * build/sim/tb_core_icarus. Exit code 0: every bit equal; 1: mismatch or hang; 2: no such file...;
+ * 3: the core was built without what the machine asks for.
  */
 #include <cstdio>
 #include <cstdlib>
@@ -74,9 +75,10 @@ int main(int argc, char **argv) {
 
     if (!simulate_shared(o, machine, c, error)) return complain(error);
     Verdict v = compare(o, machine, c);
-    if (!write_frames(o, c, error)) return complain(error);
+    if (!v.refused && !write_frames(o, c, error)) return complain(error);
     if (!o.json.empty() && !write_json(o, machine, c, v, argc, argv, error)) return complain(error);
     std::fputs(v.text.c_str(), stdout);
+    if (v.refused) return v.mismatches ? 1 : 3;
     if (o.progress) std::fputs(counter_table(o, c).c_str(), stdout);
     std::printf("%s\n", summary(o, machine, c, v).c_str());
     sph_frame_free(&c.model_frame);

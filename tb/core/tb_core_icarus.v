@@ -8,7 +8,7 @@
 // `e errors`, `w` (the warm pass begins), `h why` (hang), `end`. simulate_icarus.cpp reads them.
 // Everything the core sees changes at the rising edge, as in the C++ harness.
 `default_nettype none
-
+`include "rt_layout.vh"
 module tb_core_icarus #(
     parameter W = 16,
     parameter WD = 17,
@@ -18,10 +18,17 @@ module tb_core_icarus #(
     parameter PROFILE = 1,
     parameter ENGINES = 1,
     parameter SHADOW = 1,
-    parameter REFLECT = 1,
+    parameter REFLECT = 5,
+    parameter LIGHTS = 8,
+    parameter INSIDE = 1,
+    parameter FIRST = 1,
+    parameter INTERPENETRATE = 1,
+    parameter RECT = 1,
+    parameter SPANS = 1,
+    parameter CONES = 1,
     parameter LINES = 65536    // of memory
 );
-    localparam N_REGS = 96;
+    localparam N_REGS = `RT_N_REGS;
     localparam QUEUE = 1024;   // requests under way
 
     reg clk = 1'b0;
@@ -53,7 +60,8 @@ module tb_core_icarus #(
 
     rt_core #(
         .W(W), .WD(WD), .PQ(PQ), .NG(NG), .FW(FW), .PROFILE(PROFILE),
-        .ENGINES(ENGINES), .SHADOW(SHADOW), .REFLECT(REFLECT)
+        .ENGINES(ENGINES), .SHADOW(SHADOW), .REFLECT(REFLECT), .LIGHTS(LIGHTS), .INSIDE(INSIDE),
+        .FIRST(FIRST), .INTERPENETRATE(INTERPENETRATE), .RECT(RECT), .SPANS(SPANS), .CONES(CONES)
     ) u_core (
         .clk(clk), .rst(rst),
         .cfg_valid_i(cfg_valid), .cfg_addr_i(cfg_addr), .cfg_data_i(cfg_data),
