@@ -1,4 +1,4 @@
-/* tb_walk.cpp - rt_walk against a walk by tiles, sph_primary_dir() and sph_is_background()
+/* tb_walk.cpp - rt_walk against a walk by columns, sph_primary_dir() and sph_is_background()
  * SPDX-License-Identifier: Apache-2.0
  */
 #include <vector>
@@ -12,7 +12,7 @@ extern "C" {
 
 namespace {
 
-constexpr int LATENCY = 15, SIDE = 16383; /* start_i to the first pixel; largest coordinate */
+constexpr int COLUMN = 8, SIDE = 16383; /* pixels of a column's row; largest coordinate */
 
 struct Run {
     int win[4], rect_on, rect[4]; /* x0, y0, x1, y1; the last two are one past the end */
@@ -25,22 +25,24 @@ struct Pixel {
 
 constexpr int64_t MAX = ((int64_t)1 << (WD - 1)) - 1, MIN = -MAX - 1;
 const Run corners[] = {
-    {{0, 0, 1, 1}, 0, {0, 0, 0, 0}, {0, 0}, 0},         /* one pixel at 0 */
-    {{SIDE - 1, SIDE - 1, SIDE, SIDE}, 0, {0}, {0}, 1}, /* the last pixel: every multiplier bit */
+    {{0, 0, 1, 1}, 0, {0, 0, 0, 0}, {0, 0}, 0},         /* one pixel at 0: nothing to seek */
+    {{SIDE - 1, 0, SIDE, 1}, 0, {0}, {0, 0}, 1},        /* the longest way right */
+    {{0, SIDE - 1, 1, SIDE}, 0, {0}, {0, 0}, 1},        /* the longest way down */
     {{0, 0, 0, 0}, 0, {0, 0, 0, 0}, {0, 0}, 1},         /* empty: ends after set-up */
     {{5, 5, 5, 9}, 0, {0, 0, 0, 0}, {0, 0}, 1},         /* no column */
     {{5, 5, 9, 5}, 0, {0, 0, 0, 0}, {0, 0}, 1},         /* no row */
     {{9, 3, 5, 7}, 0, {0, 0, 0, 0}, {0, 0}, 1},         /* columns end before they begin */
     {{3, 9, 7, 5}, 0, {0, 0, 0, 0}, {0, 0}, 1},         /* rows end before they begin */
-    {{0, 0, 8, 4}, 0, {0, 0, 0, 0}, {-28, 14}, 7},      /* one whole tile */
-    {{3, 5, 11, 9}, 0, {0, 0, 0, 0}, {-28, 14}, 7},     /* tiles begin at the window's corner */
-    {{0, 0, 9, 5}, 0, {0, 0, 0, 0}, {-28, 14}, 7},      /* one more each way: ragged tiles */
-    {{0, 0, 7, 3}, 0, {0, 0, 0, 0}, {-28, 14}, 7},      /* one less each way */
-    {{0, 0, 1, 13}, 0, {0, 0, 0, 0}, {1, 1}, 3},        /* one column */
+    {{0, 0, 8, 4}, 0, {0, 0, 0, 0}, {-28, 14}, 7},      /* one whole column */
+    {{3, 5, 19, 9}, 0, {0, 0, 0, 0}, {-28, 14}, 7},     /* columns begin at the window's corner */
+    {{0, 0, 9, 5}, 0, {0, 0, 0, 0}, {-28, 14}, 7},      /* a second column of one pixel */
+    {{0, 0, 7, 3}, 0, {0, 0, 0, 0}, {-28, 14}, 7},      /* less than a column */
+    {{0, 0, 1, 13}, 0, {0, 0, 0, 0}, {1, 1}, 3},        /* one pixel wide: down every cycle */
     {{0, 0, 25, 1}, 0, {0, 0, 0, 0}, {1, 1}, 3},        /* one row */
+    {{1, 1, 25, 3}, 0, {0, 0, 0, 0}, {1, 1}, 3},        /* two rows: the last is not the first */
     {{0, 0, 24, 12}, 1, {0, 0, 24, 12}, {MIN, MAX}, 1}, /* rectangle is the window */
-    {{0, 0, 24, 12}, 1, {8, 4, 16, 8}, {MAX, MIN}, 1},  /* rectangle is a tile; dir wraps */
-    {{0, 0, 24, 12}, 1, {7, 3, 17, 9}, {0, 0}, 1},      /* one pixel into the tiles around */
+    {{0, 0, 24, 12}, 1, {8, 4, 16, 8}, {MAX, MIN}, 1},  /* inside a column; dir wraps */
+    {{0, 0, 24, 12}, 1, {7, 3, 17, 9}, {0, 0}, 1},      /* one pixel into the columns around */
     {{0, 0, 24, 12}, 1, {10, 6, 11, 7}, {0, 0}, 1},     /* one pixel is traced */
     {{0, 0, 24, 12}, 1, {24, 0, 40, 12}, {0, 0}, 1},    /* rectangle just right of the window */
     {{8, 4, 24, 12}, 1, {0, 0, 8, 4}, {0, 0}, 1},       /* it ends where the window begins */
@@ -65,8 +67,8 @@ int length(bench::Random &random, int whole) {
 Run make(bench::Random &random) {
     Run r{};
     for (int i = 0; i < 2; i++) {
-        int n = random.percent(2) ? -(int)random.below(3) : length(random, i ? 4 : 8);
-        int first = (int)(random.percent(30) ? random.below(20) : random.mixed(14));
+        int n = random.percent(2) ? -(int)random.below(3) : length(random, COLUMN);
+        int first = (int)(random.percent(99) ? random.below(40) : random.mixed(14));
         r.win[i] = first > SIDE - 40 ? SIDE - 40 - n : first + 2;
         r.win[i + 2] = r.win[i] + n;
         r.rect[i] = r.win[i] + (int)random.between(-8, 30);
@@ -82,14 +84,13 @@ Run make(bench::Random &random) {
     return r;
 }
 
-/* Every pixel of the window, tile by tile. */
+/* Every pixel of the window, column by column. */
 std::vector<Pixel> walk(const int win[4]) {
     std::vector<Pixel> pixels;
-    for (int ty = win[1]; ty < win[3]; ty += 4)
-        for (int tx = win[0]; tx < win[2]; tx += 8)
-            for (int y = ty; y < ty + 4 && y < win[3]; y++)
-                for (int x = tx; x < tx + 8 && x < win[2]; x++)
-                    pixels.push_back({x, y});
+    for (int left = win[0]; left < win[2]; left += COLUMN)
+        for (int y = win[1]; y < win[3]; y++)
+            for (int x = left; x < left + COLUMN && x < win[2]; x++)
+                pixels.push_back({x, y});
     return pixels;
 }
 
@@ -149,12 +150,13 @@ int main(int argc, char **argv) {
         b.dut.start_i = 1;
         b.tick();
         b.dut.start_i = 0;
-        for (int i = 1; i < LATENCY; i++) {
+        std::vector<Pixel> pixels = walk(r.win);
+        int seek = r.win[1] + (pixels.empty() ? 0 : r.win[0] + 1); /* clocks without a pixel */
+        for (int i = 0; i <= seek; i++) {
             ready();
             quiet(1);
             b.tick();
         }
-        std::vector<Pixel> pixels = walk(r.win);
         size_t stop = b.random.percent(2) ? b.random.below(pixels.size() + 1) : pixels.size();
         for (size_t i = 0; i < stop && b.mismatches == wrong; i++) {
             int64_t dir[3];

@@ -112,11 +112,11 @@ module rt_core #(
     wire signed [WD-1:0] walk_dir_x, walk_dir_y;
     wire [WD-1:0]    ray_dir_x, ray_dir_y;
     wire [ENGINES-1:0] e_ready, e_take, e_busy;
-    rt_walk #(.WD(WD)) u_walk (
+    rt_walk #(.WD(WD), .RECT(RECT)) u_walk (
         .clk(clk), .rst(rst), .start_i(go), .busy_o(walk_busy),
         .win_x0_i(window[13:0]), .win_y0_i(window[27:14]),
         .win_x1_i(window[41:28]), .win_y1_i(window[55:42]),
-        .rect_on_i(RECT != 0 && bg_mode == 2'd1), .rect_x0_i(rect[13:0]), .rect_y0_i(rect[27:14]),
+        .rect_on_i(bg_mode == 2'd1), .rect_x0_i(rect[13:0]), .rect_y0_i(rect[27:14]),
         .rect_x1_i(rect[41:28]), .rect_y1_i(rect[55:42]),
         .dir_x0_i($signed(dir[0 +: WD])), .dir_y0_i($signed(dir[WD +: WD])), .pitch_i(pitch),
         .ray_valid_o(walk_valid), .ray_ready_i(walk_ready),
