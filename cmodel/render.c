@@ -6,6 +6,7 @@
 #include <omp.h>
 #include <stdlib.h>
 
+#include "pixel/background.h"
 #include "render_pixel.h"
 
 int sph_render(const struct sph_machine *m, const struct sph_render_options *o,
@@ -18,7 +19,7 @@ int sph_render(const struct sph_machine *m, const struct sph_render_options *o,
     if (!frame->pixels)
         return sph_fail(err, "%s: no memory for a frame of %dx%d", m->name, width, height);
 
-    uint32_t errors = 0;
+    uint32_t errors = sph_background_missing(m) ? 1u << SPH_ERROR_BAD_NODE : 0;
     int rows_done = 0, rows = r[SPH_REG_WIN_Y1] - r[SPH_REG_WIN_Y0];
 #pragma omp parallel num_threads(o->threads > 0 ? o->threads : omp_get_num_procs())
     {

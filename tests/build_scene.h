@@ -45,8 +45,13 @@ static inline struct sph_scene cloud(uint32_t n, double rad) {
     return s;
 }
 
-static const struct sph_build_options standard = {
-    SPH_STANDARD, SPH_TREE_BALANCED, SPH_BG_RECT, 0, 0, 2, -1, -1};
+static const struct sph_build_options standard = {.profile = SPH_STANDARD,
+                                                  .tree = SPH_TREE_BALANCED,
+                                                  .background = SPH_BG_RECT,
+                                                  .bg_border = 1,
+                                                  .max_depth = 2,
+                                                  .shadow = -1,
+                                                  .reflect = -1};
 
 static inline struct sph_machine built(const struct sph_scene *scene,
                                        struct sph_build_options options,

@@ -44,7 +44,15 @@ enum { MODEL_W = 64, MODEL_H = 36, NAIVE_W = 32, NAIVE_H = 24 };
 /* A small frame with every effect; a scene may be too fine for a coarse profile: 0. */
 static inline int model_build(const struct sph_scene *scene, int profile, int tree, int background,
                               int width, int height, struct sph_machine *m) {
-    struct sph_build_options o = {profile, tree, background, width, height, 3, 1, 1};
+    struct sph_build_options o = {.profile = profile,
+                                  .tree = tree,
+                                  .background = background,
+                                  .width = width,
+                                  .height = height,
+                                  .bg_border = 1,
+                                  .max_depth = 3,
+                                  .shadow = 1,
+                                  .reflect = 1};
     struct sph_build_report report;
     struct sph_error err = {{0}};
     if (!sph_build(scene, &o, m, &report, &err)) return 1;

@@ -89,8 +89,8 @@ static void test_damaged_bytes(void **unused) {
     bytes[n - 9] ^= 1, put_file(bytes, n), refused("checksum"), bytes[n - 9] ^= 1;
     bytes[n - 1] ^= 1, put_file(bytes, n), refused("checksum"), bytes[n - 1] ^= 1;
     bytes[0] ^= 1, put_file(bytes, n), refused("magic"), bytes[0] ^= 1;
-    bytes[SPH_AT_VERSION] ^= 2, put_file(bytes, n), refused("version is 3");
-    bytes[SPH_AT_VERSION] ^= 2;
+    bytes[SPH_AT_VERSION] ^= 1, put_file(bytes, n), refused("version is 3");
+    bytes[SPH_AT_VERSION] ^= 1;
     sph_put32(bytes + SPH_AT_LINES, 0xffffffff); /* must not be allocated */
     put_file(bytes, n), refused("by its header");
     free(bytes);
@@ -141,6 +141,56 @@ static void test_wrong_tree(void **unused) {
     sph_machine_free(&m);
 }
 
+/* Every wrong bit of a cone record, every wrong end of a span. */
+static void test_wrong_tables(void **unused) {
+    struct sph_scene s = cloud(60, 0.1);
+    struct sph_build_options o = standard;
+    struct sph_build_report report;
+    (void)unused;
+    o.background = SPH_BG_SPANS;
+    struct sph_machine m = built(&s, o, &report);
+    uint32_t *span = m.mem + (size_t)m.regs[SPH_REG_BG_BASE] * SPH_LINE_WORDS + 47;
+    const uint32_t bad[] = {65u << 16, 10u << 16 | 11, 0xffff0000u, 0xffffu};
+    for (int i = 0; i < 4; i++) {
+        uint32_t before = *span;
+        *span = bad[i];
+        wrong(&m, "span of row 47");
+        *span = before;
+    }
+    m.regs[SPH_REG_BG_BASE]++;
+    wrong(&m, "BG_BASE");
+    m.regs[SPH_REG_BG_BASE] -= 2; /* within the primitive records */
+    wrong(&m, "BG_BASE");
+    sph_machine_free(&m);
+
+    o.background = SPH_BG_EXACT, o.bg_levels = 2;
+    for (o.profile = 0; o.profile < SPH_PROFILES; o.profile++) {
+        m = built(&s, o, &report);
+        const struct sph_profile *p = sph_machine_profile(&m);
+        uint32_t *cones = m.mem + (size_t)m.regs[SPH_REG_BG_BASE] * SPH_LINE_WORDS;
+        int count = m.regs[SPH_REG_BG_COUNT], line = SPH_LINE_WORDS * 32;
+        assert_true(count > 4);
+        for (int bit = 0; bit < SPH_CONE_LINES * line; bit++) {
+            int number = bit < SPH_CONE_B_LSB ? SPH_CONE_F_BITS : SPH_CONE_B_BITS;
+            int width = bit < SPH_CONE_B_LSB ? 2 * p->w + 2 * p->wd + 4 : p->w + p->wd + 4;
+            if (bit >= SPH_CONE_INSIDE_LSB ? bit == SPH_CONE_INSIDE_LSB : bit % number < width - 1)
+                continue; /* another number, or within the sign's reach */
+            uint32_t *word = &cones[(bit / line + SPH_CONE_LINES * (count - 1)) * SPH_LINE_WORDS +
+                                    bit % line / 32];
+            *word ^= 1u << bit % 32;
+            wrong(&m, "does not fit");
+            *word ^= 1u << bit % 32;
+        }
+        m.regs[SPH_REG_BG_COUNT] = 17;
+        wrong(&m, "BG_COUNT");
+        m.regs[SPH_REG_BG_COUNT] = count;
+        m.regs[SPH_REG_BG_BASE]++;
+        wrong(&m, "BG_BASE");
+        sph_machine_free(&m);
+    }
+    free(s.spheres);
+}
+
 static void test_wrong_registers(void **unused) {
     static const struct {
         int number, value;
@@ -152,7 +202,13 @@ static void test_wrong_registers(void **unused) {
         {SPH_REG_FRAME_W, 0, "FRAME_W"},
         {SPH_REG_WIN_X1, 65, "WIN_X1"},
         {SPH_REG_WIN_Y0, -1, "WIN_Y0"},
-        {SPH_REG_BG_MODE, 2, "BG_MODE"},
+        {SPH_REG_BG_MODE, 4, "BG_MODE"},
+        {SPH_REG_BG_MODE, 2, "BG_BASE"},
+        {SPH_REG_BG_MODE, 3, "BG_BASE"},
+        {SPH_REG_BG_BASE, 1, "BG_BASE"},
+        {SPH_REG_BG_COUNT, 1, "BG_COUNT"},
+        {SPH_REG_FRAME_W, 16384, "FRAME_W"},
+        {SPH_REG_FRAME_H, 16384, "FRAME_H"},
         {SPH_REG_RECT_X0, 70, "RECT_X0"},
         {SPH_REG_BG_COLOUR, 1 << 24, "BG_COLOUR"},
         {SPH_REG_AMBIENT_G, 65536, "AMBIENT_G"},
@@ -183,10 +239,9 @@ static void test_wrong_registers(void **unused) {
 
 int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_round_trip),
-        cmocka_unit_test(test_damaged_bytes),
-        cmocka_unit_test(test_wrong_tree),
-        cmocka_unit_test(test_wrong_registers),
+        cmocka_unit_test(test_round_trip),   cmocka_unit_test(test_damaged_bytes),
+        cmocka_unit_test(test_wrong_tree),   cmocka_unit_test(test_wrong_registers),
+        cmocka_unit_test(test_wrong_tables),
     };
     seed(argc, argv);
     snprintf(path, sizeof path, "/tmp/test_machine_%ld.sph", (long)getpid());

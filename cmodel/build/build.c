@@ -7,8 +7,9 @@
 #include <string.h>
 #include <time.h>
 
+#include "build/background.h"
 #include "build/emit.h"
-#include "build/rect.h"
+#include "build/spans.h"
 
 static double seconds(void) {
     struct timespec now;
@@ -22,8 +23,15 @@ static int check(const struct sph_scene *scene, const struct sph_build_options *
         return sph_fail(err, "there is no profile %d", o->profile);
     if (o->tree != SPH_TREE_PAPER && o->tree != SPH_TREE_BALANCED)
         return sph_fail(err, "there is no tree %d", o->tree);
-    if (o->background != SPH_BG_NONE && o->background != SPH_BG_RECT)
+    if (o->background < SPH_BG_NONE || o->background > SPH_BG_EXACT)
         return sph_fail(err, "there is no background mode %d", o->background);
+    if (o->bg_points && (o->bg_points < SPH_POINTS_MIN || o->bg_points > SPH_POINTS_MAX))
+        return sph_fail(err, "bg_points %d is not in %d..%d", o->bg_points, SPH_POINTS_MIN,
+                        SPH_POINTS_MAX);
+    if (o->bg_border < 0 || o->bg_border > SPH_BORDER_MAX)
+        return sph_fail(err, "bg_border %d is not in 0..%d", o->bg_border, SPH_BORDER_MAX);
+    if (o->bg_levels < 0 || o->bg_levels > SPH_BG_LEVELS)
+        return sph_fail(err, "bg_levels %d is not in 0..%d", o->bg_levels, SPH_BG_LEVELS);
     if (o->max_depth < 0 || o->max_depth > SPH_MAX_DEPTH)
         return sph_fail(err, "max_depth %d is not in 0..%d", o->max_depth, SPH_MAX_DEPTH);
     if (scene->n_lights < 0 || scene->n_lights > SPH_MAX_LIGHTS)
@@ -43,12 +51,11 @@ static int check(const struct sph_scene *scene, const struct sph_build_options *
 static int place_camera(const struct sph_scene *scene, const struct sph_build_options *o,
                         const struct sph_grid *grid, struct sph_rays *rays, struct sph_machine *m,
                         struct sph_error *err) {
-    enum { MOST_PIXELS = 65535 };
     int width = o->width ? o->width : scene->camera.width;
     int height = o->height ? o->height : scene->camera.height;
-    if (width < 1 || height < 1 || width > MOST_PIXELS || height > MOST_PIXELS)
+    if (width < 1 || height < 1 || width > SPH_MAX_SIDE || height > SPH_MAX_SIDE)
         return sph_fail(err, "%s: a raster of %dx%d, sides are 1..%d", scene->path, width, height,
-                        MOST_PIXELS);
+                        SPH_MAX_SIDE);
     struct sph_error why = {{0}};
     if (sph_rays_fit(width, height, scene->camera.angle, sph_profiles[o->profile].wd, rays, &why))
         return sph_fail(err, "%s: profile %s: %.400s", scene->path, sph_profiles[o->profile].name,
@@ -63,28 +70,6 @@ static int place_camera(const struct sph_scene *scene, const struct sph_build_op
     regs[SPH_REG_DIR_Z] = rays->z;
     regs[SPH_REG_PITCH] = rays->pitch;
     return 0;
-}
-
-/* Background registers from the root's sphere, brought from filter to grid units. */
-static void place_rect(const struct sph_tree *tree, const struct sph_rays *rays, int mode,
-                       struct sph_machine *m) {
-    int32_t *regs = m->regs;
-    const struct sph_profile *profile = sph_machine_profile(m);
-    int32_t unit = 1 << (profile->w - profile->fw);
-    struct sph_rect rect = {0, 0, regs[SPH_REG_FRAME_W], regs[SPH_REG_FRAME_H]};
-    if (mode == SPH_BG_RECT) {
-        struct sph_ball root = tree->nodes[0].ball;
-        for (int i = 0; i < 3; i++)
-            root.c[i] *= unit;
-        root.r *= unit;
-        if (regs[SPH_REG_N_PRIMS])
-            rect = sph_rect_project(&root, regs + SPH_REG_EYE_X, rays, rect.x1, rect.y1);
-        else
-            rect = (struct sph_rect){0, 0, 0, 0};
-    }
-    regs[SPH_REG_BG_MODE] = mode;
-    regs[SPH_REG_RECT_X0] = rect.x0, regs[SPH_REG_RECT_X1] = rect.x1;
-    regs[SPH_REG_RECT_Y0] = rect.y0, regs[SPH_REG_RECT_Y1] = rect.y1;
 }
 
 /* Whether the eye lies in a sphere, its surface included. */
@@ -137,7 +122,7 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
     report->nodes = tree->n_nodes;
     report->depth = tree->depth;
 
-    place_rect(tree, &rays, o->background, m);
+    if (sph_emit_background(tree, balls, &rays, o, m, report, err)) return -1;
     sph_emit_colours(scene, &grid, m, report);
     sph_emit_effects(scene, o, eye_inside(grid.eye, balls, n), m, report);
     snprintf(m->name, sizeof m->name, "%s", scene->name);

@@ -25,13 +25,13 @@ static int check_frame(const struct sph_machine *m, struct sph_error *err) {
     RANGE(EFFECTS, 0, (1 << SPH_EFFECT_SHADOW) | (1 << SPH_EFFECT_REFLECT));
     RANGE(MAX_DEPTH, 0, SPH_MAX_DEPTH);
     RANGE(N_LIGHTS, 0, SPH_MAX_LIGHTS);
-    RANGE(FRAME_W, 1, 65535);
-    RANGE(FRAME_H, 1, 65535);
+    RANGE(FRAME_W, 1, SPH_MAX_SIDE);
+    RANGE(FRAME_H, 1, SPH_MAX_SIDE);
     RANGE(WIN_X1, 0, r[SPH_REG_FRAME_W]);
     RANGE(WIN_Y1, 0, r[SPH_REG_FRAME_H]);
     RANGE(WIN_X0, 0, r[SPH_REG_WIN_X1]);
     RANGE(WIN_Y0, 0, r[SPH_REG_WIN_Y1]);
-    RANGE(BG_MODE, 0, 1);
+    RANGE(BG_MODE, 0, 3);
     RANGE(RECT_X1, 0, r[SPH_REG_FRAME_W]);
     RANGE(RECT_Y1, 0, r[SPH_REG_FRAME_H]);
     RANGE(RECT_X0, 0, r[SPH_REG_RECT_X1]);
@@ -87,15 +87,75 @@ static int check_memory(const struct sph_machine *m, struct sph_error *err) {
     return 0;
 }
 
+static const uint32_t *line_at(const struct sph_machine *m, uint32_t line) {
+    return m->mem + (size_t)line * SPH_LINE_WORDS;
+}
+
+/* Spans of background separation: every row within the frame. */
+static int check_spans(const struct sph_machine *m, struct sph_error *err) {
+    const int32_t *r = m->regs;
+    uint32_t base = (uint32_t)r[SPH_REG_BG_BASE], width = (uint32_t)r[SPH_REG_FRAME_W];
+    for (uint32_t y = 0; y < (uint32_t)r[SPH_REG_FRAME_H]; y++) {
+        const uint32_t *word = line_at(m, base + y / SPH_LINE_WORDS) + y % SPH_LINE_WORDS;
+        uint32_t x0 = sph_field(word, SPH_SPAN_X0_LSB, SPH_SPAN_X0_BITS);
+        uint32_t x1 = sph_field(word, SPH_SPAN_X1_LSB, SPH_SPAN_X1_BITS);
+        if (x0 > x1 || x1 > width)
+            return sph_fail(err, "line %u: span of row %u is %u..%u, the frame has %u columns",
+                            base + y / SPH_LINE_WORDS, y, x0, x1, width);
+    }
+    return 0;
+}
+
+/* 1 if n words are a number of `bits` bits, sign extended. */
+static int extended(const uint32_t *word, int n, int bits) {
+    int top = (bits - 1) / 32;
+    int32_t sign = (int32_t)(word[top] << (31 - (bits - 1) % 32)) >> 31;
+    if ((int32_t)word[top] >> (bits - 1) % 32 != sign) return 0;
+    while (++top < n)
+        if (word[top] != (uint32_t)sign) return 0;
+    return 1;
+}
+
+/* Cone records: every number in the width that the hardware keeps. */
+static int check_cones(const struct sph_machine *m, struct sph_error *err) {
+    const struct sph_profile *p = sph_machine_profile(m);
+    int f_bits = 2 * p->w + 2 * p->wd + 4, b_bits = p->w + p->wd + 4;
+    for (int i = 0; i < m->regs[SPH_REG_BG_COUNT]; i++) {
+        uint32_t base = (uint32_t)(m->regs[SPH_REG_BG_BASE] + SPH_CONE_LINES * i);
+        const uint32_t *cone = line_at(m, base);
+        int good = 1, tail = SPH_CONE_INSIDE_LSB / 32;
+        for (int lsb = SPH_CONE_F_LSB; lsb <= SPH_CONE_FYY_LSB; lsb += SPH_CONE_F_BITS)
+            good &= extended(cone + lsb / 32, SPH_CONE_F_BITS / 32, f_bits);
+        for (int lsb = SPH_CONE_B_LSB; lsb <= SPH_CONE_BY_LSB; lsb += SPH_CONE_B_BITS)
+            good &= extended(cone + lsb / 32, SPH_CONE_B_BITS / 32, b_bits);
+        if (!good || cone[tail] > 1 || cone[tail + 1])
+            return sph_fail(err, "line %u: cone %d does not fit %d and %d bits", base, i, f_bits,
+                            b_bits);
+    }
+    return 0;
+}
+
+/* Background separation: its table behind the primitive records, and what stands in it. */
+static int check_background(const struct sph_machine *m, struct sph_error *err) {
+    const int32_t *r = m->regs;
+    int mode = r[SPH_REG_BG_MODE], rows = (r[SPH_REG_FRAME_H] + SPH_LINE_WORDS - 1);
+    RANGE(BG_COUNT, 0, mode == 3 ? SPH_MAX_CONES : 0);
+    int lines = mode == 2   ? rows / SPH_LINE_WORDS
+                : mode == 3 ? SPH_CONE_LINES * r[SPH_REG_BG_COUNT]
+                            : 0;
+    if (mode < 2) {
+        RANGE(BG_BASE, 0, 0);
+        return 0;
+    }
+    RANGE(BG_BASE, (int64_t)r[SPH_REG_PRIM_BASE] + r[SPH_REG_N_PRIMS], (int64_t)m->lines - lines);
+    return mode == 2 ? check_spans(m, err) : check_cones(m, err);
+}
+
 struct walk {
     const struct sph_machine *m;
     uint8_t *used;  /* per line below PRIM_BASE */
     uint8_t *found; /* per primitive */
 };
-
-static const uint32_t *line_at(const struct sph_machine *m, uint32_t line) {
-    return m->mem + (size_t)line * SPH_LINE_WORDS;
-}
 
 /* Checks one leaf record, half 0 or 1 of a line, against its primitive record. */
 static int check_leaf(struct walk *w, uint32_t line, int half, struct sph_error *err) {
@@ -159,6 +219,8 @@ static int check_tree(const struct sph_machine *m, struct sph_error *err) {
 
 int sph_machine_validate(const struct sph_machine *m, struct sph_error *err) {
     RANGE(PROFILE, 0, SPH_PROFILES - 1);
-    if (check_frame(m, err) || check_geometry(m, err) || check_memory(m, err)) return -1;
+    if (check_frame(m, err) || check_geometry(m, err) || check_memory(m, err) ||
+        check_background(m, err))
+        return -1;
     return check_tree(m, err);
 }

@@ -5,13 +5,7 @@
 #define SPH_WALK_H
 
 #include "machine/machine.h"
-
-/* 1 if the background separation (Borodavka et al. V) says that pixel x, y sees no sphere. */
-static inline int sph_is_background(const struct sph_machine *m, int x, int y) {
-    const int32_t *r = m->regs;
-    return r[SPH_REG_BG_MODE] == 1 && (x < r[SPH_REG_RECT_X0] || x >= r[SPH_REG_RECT_X1] ||
-                                       y < r[SPH_REG_RECT_Y0] || y >= r[SPH_REG_RECT_Y1]);
-}
+#include "pixel/background.h"
 
 /* Exact direction of the primary ray through the centre of pixel x, y; sWD. */
 static inline void sph_primary_dir(const struct sph_machine *m, int x, int y, int64_t dir[3]) {

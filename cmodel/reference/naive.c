@@ -136,8 +136,7 @@ struct sph_pixel sph_naive_pixel(const struct sph_machine *m, int x, int y) {
     const int32_t *r = m->regs;
     const struct sph_profile *p = &sph_profiles[r[SPH_REG_PROFILE]];
     struct sph_pixel pixel = {.id = SPH_ID_NONE};
-    int outside = x < r[SPH_REG_RECT_X0] || x >= r[SPH_REG_RECT_X1] || y < r[SPH_REG_RECT_Y0] ||
-                  y >= r[SPH_REG_RECT_Y1];
+    int background = sph_naive_background(m, x, y);
     int64_t weight = 65536, sum[3] = {0};
     struct sph_ray ray = {.org = {r[SPH_REG_EYE_X], r[SPH_REG_EYE_Y], r[SPH_REG_EYE_Z]},
                           .dir = {(int64_t)r[SPH_REG_DIR_X0] + (int64_t)x * r[SPH_REG_PITCH],
@@ -150,7 +149,7 @@ struct sph_pixel sph_naive_pixel(const struct sph_machine *m, int x, int y) {
         struct found f = {0};
         struct point s = {0};
         int64_t colour[3], lit[3];
-        if (!(r[SPH_REG_BG_MODE] == 1 && outside)) f = trace(m, &ray);
+        if (!background) f = trace(m, &ray);
         if (depth == 0 && f.how.hit) pixel.id = f.prim.sphere.id, pixel.key = f.how.key;
         if (f.how.hit) {
             s = point_of(p, &ray, &f);

@@ -24,6 +24,9 @@ struct sph_naive_leaf {
  * below 2^30. */
 struct sph_naive_leaf sph_naive_leaf(const struct sph_ray *ray, const struct sph_leaf *leaf);
 
+/* 1 if pixel x, y is left out by the background separation of BG_MODE. */
+int sph_naive_background(const struct sph_machine *m, int x, int y);
+
 /* The colours, id and key of pixel x, y; visits stays 0. The machine must be well formed; its tree
  * is not read. */
 struct sph_pixel sph_naive_pixel(const struct sph_machine *m, int x, int y);

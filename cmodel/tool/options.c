@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "build/background.h"
+#include "build/spans.h"
 #include "tool/tool.h"
 
 int tool_choice(const struct argp_state *state, const char *option, const char *arg,
@@ -34,8 +36,9 @@ void tool_size(const struct argp_state *state, const char *option, const char *a
     char *end, *end2 = NULL;
     long w = *arg >= '0' && *arg <= '9' ? strtol(arg, &end, 10) : 0, h = 0;
     if (w > 0 && *end == 'x' && end[1] >= '0' && end[1] <= '9') h = strtol(end + 1, &end2, 10);
-    if (h < 1 || *end2 || w > 16384 || h > 16384)
-        argp_error(state, "%s: '%s' is no size such as 640x480, up to 16384x16384", option, arg);
+    if (h < 1 || *end2 || w > SPH_MAX_SIDE || h > SPH_MAX_SIDE)
+        argp_error(state, "%s: '%s' is no size such as 640x480, up to %dx%d", option, arg,
+                   SPH_MAX_SIDE, SPH_MAX_SIDE);
     *width = (int)w;
     *height = (int)h;
 }
@@ -44,6 +47,9 @@ enum {
     KEY_PROFILE = 256,
     KEY_TREE,
     KEY_BACKGROUND,
+    KEY_BG_POINTS,
+    KEY_BG_BORDER,
+    KEY_BG_LEVELS,
     KEY_SIZE,
     KEY_DEPTH,
     KEY_SHADOW,
@@ -56,7 +62,13 @@ static const struct argp_option options[] = {
     {"profile", KEY_PROFILE, "NAME", 0, "draft, standard (default), fine or reference", 1},
     {"tree", KEY_TREE, "NAME", 0, "balanced (default) or paper", 1},
     {"background", KEY_BACKGROUND, "NAME", 0,
-     "none (default), or rect: skip pixels outside the scene's rectangle", 1},
+     "pixels not traced: none (default), those outside a rectangle (rect), outside the outline of "
+     "the scene (spans), or whose ray misses it (exact)",
+     1},
+    {"bg-points", KEY_BG_POINTS, "N", 0, "spans: meridians and parallels, 4 to 4096 (16)", 1},
+    {"bg-border", KEY_BG_BORDER, "N", 0, "spans: pixels around the outline, 0 to 64 (1)", 1},
+    {"bg-levels", KEY_BG_LEVELS, "N", 0,
+     "exact: 0 the root sphere (default), 1 its children, 2 theirs", 1},
     {"size", KEY_SIZE, "WxH", 0, "frame in pixels; as the scene says if not given", 1},
     {"depth", KEY_DEPTH, "N", 0, "reflections, 0 to 5 (2)", 1},
     {"shadow", KEY_SHADOW, "WHEN", 0, "auto (default: as the scene asks), on or off", 1},
@@ -70,6 +82,7 @@ const struct tool_source tool_source_default = {
     .build = {.profile = SPH_STANDARD,
               .tree = SPH_TREE_BALANCED,
               .background = SPH_BG_NONE,
+              .bg_border = 1,
               .max_depth = 2,
               .shadow = -1,
               .reflect = -1},
@@ -77,7 +90,7 @@ const struct tool_source tool_source_default = {
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
     static const char *const trees[] = {"paper", "balanced", NULL};
-    static const char *const backgrounds[] = {"none", "rect", NULL};
+    static const char *const backgrounds[] = {"none", "rect", "spans", "exact", NULL};
     static const char *const when[] = {"auto", "off", "on", NULL};
     struct tool_source *s = state->input;
     const char *profiles[SPH_PROFILES + 1] = {NULL};
@@ -92,6 +105,16 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         break;
     case KEY_BACKGROUND:
         s->build.background = SPH_BG_NONE + tool_choice(state, "--background", arg, backgrounds);
+        break;
+    case KEY_BG_POINTS:
+        s->build.bg_points =
+            (int)tool_number(state, "--bg-points", arg, SPH_POINTS_MIN, SPH_POINTS_MAX);
+        break;
+    case KEY_BG_BORDER:
+        s->build.bg_border = (int)tool_number(state, "--bg-border", arg, 0, SPH_BORDER_MAX);
+        break;
+    case KEY_BG_LEVELS:
+        s->build.bg_levels = (int)tool_number(state, "--bg-levels", arg, 0, SPH_BG_LEVELS);
         break;
     case KEY_SIZE:
         tool_size(state, "--size", arg, &s->build.width, &s->build.height);

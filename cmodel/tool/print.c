@@ -36,6 +36,7 @@ void print_build(FILE *to, const struct tool_built *built) {
             r[SPH_REG_TREE] == SPH_TREE_PAPER ? "paper" : "balanced", b->nodes, b->depth,
             b->build_seconds);
     print_lines(to, "effect   ", b->effects);
+    print_lines(to, "backgr.  ", b->background);
     fprintf(to, "memory   %u lines, %" PRIu64 " bytes\n", m->lines,
             (uint64_t)m->lines * SPH_LINE_WORDS * 4);
 }

@@ -42,13 +42,14 @@ json_t *report_names(uint32_t bits, const char *const *names, int n) {
 
 void report_machine(json_t *report, const struct sph_machine *m) {
     static const char *const effects[] = {"shadow", "reflect"};
+    static const char *const ways[] = {"none", "rect", "spans", "exact"};
     const int32_t *r = m->regs;
     if (!report) return;
     json_t *machine = json_object();
     report_text(machine, "name", m->name);
     report_text(machine, "profile", sph_machine_profile(m)->name);
     report_text(machine, "tree", r[SPH_REG_TREE] == SPH_TREE_PAPER ? "paper" : "balanced");
-    report_text(machine, "background", r[SPH_REG_BG_MODE] == SPH_BG_RECT ? "rect" : "none");
+    report_text(machine, "background", ways[r[SPH_REG_BG_MODE]]);
     report_count(machine, "width", (uint64_t)r[SPH_REG_FRAME_W]);
     report_count(machine, "height", (uint64_t)r[SPH_REG_FRAME_H]);
     report_count(machine, "spheres", (uint64_t)r[SPH_REG_N_PRIMS]);
@@ -83,6 +84,7 @@ void report_build(json_t *report, const struct tool_built *built) {
     report_count(build, "skipped", built->skipped);
     report_number(build, "seconds", b->build_seconds);
     add(build, "effects", lines(b->effects));
+    add(build, "background", lines(b->background));
     add(build, "warnings", lines(b->warning));
     add(report, "build", build);
 }

@@ -30,6 +30,7 @@
 `define RT_ID_NONE 16777215
 `define RT_COLOUR_ONE 32768
 `define RT_RSQRT_ERROR 6
+`define RT_MAX_SIDE 16383
 `define RT_MAX_CONES 16
 `define RT_CONE_LINES 4
 `define RT_FRAMES 3
