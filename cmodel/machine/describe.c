@@ -75,12 +75,13 @@ void sph_machine_core(const struct sph_machine *m, char *text, size_t size) {
     static const char *const ways[] = {"", "+rect", "+spans", "+cones"};
     const int32_t *r = m->regs;
     char reflect[16] = "", lights[16] = "", cones[16] = "";
-    int mode = r[SPH_REG_BG_MODE] & 3;
-    if (r[SPH_REG_MAX_DEPTH]) snprintf(reflect, sizeof reflect, "+reflect%d", r[SPH_REG_MAX_DEPTH]);
+    int mode = r[SPH_REG_BG_MODE] & 3, depth = r[SPH_REG_MAX_DEPTH];
+#define ON(name) (r[SPH_REG_EFFECTS] >> SPH_EFFECT_##name & 1)
+    if (!depth && ON(REFLECT)) depth = 1; /* the bit alone asks for it too */
+    if (depth) snprintf(reflect, sizeof reflect, "+reflect%d", depth);
     if (r[SPH_REG_N_LIGHTS]) snprintf(lights, sizeof lights, "+lights%d", r[SPH_REG_N_LIGHTS]);
     if (mode == 3)
         snprintf(cones, sizeof cones, "%d", r[SPH_REG_BG_COUNT] ? r[SPH_REG_BG_COUNT] : 1);
-#define ON(name) (r[SPH_REG_EFFECTS] >> SPH_EFFECT_##name & 1)
     char list[160];
     snprintf(list, sizeof list, "%s%s%s%s%s%s%s%s", ON(SHADOW) ? "+shadow" : "", reflect, lights,
              ON(INSIDE) ? "+inside" : "", ON(FIRST) ? "+first" : "",

@@ -1,0 +1,51 @@
+# core_runs.sh - many runs of the core's harness, two at a time; sourced after tap.sh
+# SPDX-License-Identifier: Apache-2.0
+#
+# run NAME CORE SETTINGS MACHINE [OPTION...]   notes a run; latency 1 to 60 by SEED and NAME
+# build_cores     builds what the runs need, each core once
+# run_all         runs them; leaves NUMBER.log and NUMBER.rc in $TMP, NUMBER counted from 1
+# judge           one TAP line a run: ok if not one bit differs
+runs=$TMP/runs
+: >"$runs"
+
+# CORE: the list that is built, or auto. SETTINGS: SIM=..., ENGINES=... of sim/core.sh.
+run() {
+    seed=$(($(printf '%s' "$1 $SEED" | cksum | cut -d' ' -f1) % 100000))
+    label=$1 settings="EFFECTS=$2 $3" file=$4
+    shift 4
+    echo "$label|env $settings sh sim/core.sh --machine $file|--seed $seed" \
+        "--latency $((seed % 60 + 1)) --stall 30 $*" >>"$runs"
+}
+# Numbered commands from stdin, two at a time; leaves NUMBER.log and NUMBER.rc in $TMP.
+two_at_a_time() {
+    # shellcheck disable=SC2016  # expanded by the inner shell
+    awk '{ print NR "|" $0 }' | tr '\n' '\0' | xargs -0 -P 2 -I COMMAND sh -c '
+        number=${1%%|*}
+        sh -c "${1#*|}" >"$TMP/$number.log" 2>&1
+        echo $? >"$TMP/$number.rc"' sh COMMAND
+}
+# One machine of each profile and list builds the core: --info simulates nothing. Verilator's
+# first: they take longest.
+build_cores() {
+    while IFS='|' read -r name command options; do
+        settings=${command%% sh sim/core.sh*}
+        asked=$("$SPHAERA" info "${command##* }" |
+            awk '$1 == "profile" { p = $2 } $1 == "core" { print p, $2 }')
+        case $settings in *EFFECTS=auto*) ;; *) asked=${asked% *} ;; esac
+        case $settings in *SIM=icarus*) order=2 ;; *) order=1 ;; esac
+        echo "$order $settings $asked|$command --info"
+    done <"$runs" | sort -t'|' -k1,1 -u | cut -d'|' -f2 | two_at_a_time
+    rm -f "$TMP"/*.rc
+}
+run_all() { cut -d'|' -f2- "$runs" | tr '|' ' ' | two_at_a_time; }
+judge() {
+    number=0
+    while IFS='|' read -r name command options; do
+        number=$((number + 1))
+        echo "repeat: BUILD=$BUILD OPT=$OPT $command $options" >>"$TMP/$number.log"
+        [ "$(cat "$TMP/$number.rc" 2>/dev/null)" = 0 ] &&
+            grep -q '^core .* pixels, 0 mismatches, ' "$TMP/$number.log" && rc=0 || rc=1
+        tap $rc "$name: $(sed -n 's/^core [^:]*: \(.*cycles\), .*/\1/p' "$TMP/$number.log")" \
+            "$TMP/$number.log"
+    done <"$runs"
+}
