@@ -214,7 +214,7 @@ static void test_wrong_registers(void **unused) {
         {SPH_REG_AMBIENT_G, 65536, "AMBIENT_G"},
         {SPH_REG_EYE_Z, 40000, "EYE_Z"},
         {SPH_REG_DIR_X0, 70000, "DIR_X0"},
-        {SPH_REG_DIR_Z, 0, "DIR_Z"},
+        {SPH_REG_DIR_Z, 1 - SPH_MIN_SCREEN, "DIR_Z"},
         {SPH_REG_PITCH, 100000, "PITCH"},
         {SPH_REG_ROOT, 100000, "ROOT"},
         {SPH_REG_PRIM_BASE, 100000, "PRIM_BASE"},

@@ -17,15 +17,37 @@ static void test_rays(void **unused) {
         int64_t most = (1ll << (p->wd - 1)) - 1;
         if (sph_rays_fit(width, height, angle, p->wd, &r, NULL)) {
             double far = height / tan(angle * M_PI / 360); /* with a pitch of 2 */
-            assert_true(far > (double)most - 1 || width > most || height > most);
+            int side = width > height ? width : height;
+            double wide = (double)most / (side - 0.999) * far; /* with the greatest pitch */
+            assert_true(far > (double)most - 1 || side > most || wide < SPH_MIN_SCREEN + 1);
             continue;
         }
-        assert_true(r.pitch >= 2 && r.pitch % 2 == 0 && r.z <= -1 && r.z >= -most);
+        assert_true(r.pitch >= 2 && r.pitch % 2 == 0 && r.z <= -SPH_MIN_SCREEN && r.z >= -most);
         assert_true(r.x0 >= -most && r.x0 + (width - 1ll) * r.pitch == -(int64_t)r.x0);
         assert_true(r.y0 <= most && r.y0 - (height - 1ll) * r.pitch == -(int64_t)r.y0);
         double tangent = r.pitch * (height / 2.0) / -r.z;
         assert_true(fabs(fabs(tangent / tan(angle * M_PI / 360) - 1) - r.fov_error) < 1e-9);
     }
+}
+
+/* The screen is never nearer than MIN_SCREEN: such angles are refused. */
+static void test_widest(void **unused) {
+    (void)unused;
+    int refused = 0;
+    for (int run = 0; run < 2000; run++) {
+        const struct sph_profile *p = &sph_profiles[run % SPH_PROFILES];
+        int side = (int)between(1, 64);
+        double angle = 180 - pow(10, between(-6, 0));
+        struct sph_rays r;
+        if (sph_rays_fit(side, side, angle, p->wd, &r, NULL)) {
+            double far = ldexp(1, p->wd - 1) * side / (side > 1 ? side - 1 : 1);
+            assert_true(far / tan(angle * M_PI / 360) < SPH_MIN_SCREEN + 2);
+            refused++;
+        } else {
+            assert_true(r.z <= -SPH_MIN_SCREEN);
+        }
+    }
+    assert_true(refused > 100 && refused < 1900);
 }
 
 /* Exact: does the ray from the eye along dir hit the ball? */
@@ -78,6 +100,7 @@ static void test_rectangle(void **unused) {
 int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_rays),
+        cmocka_unit_test(test_widest),
         cmocka_unit_test(test_rectangle),
     };
     seed(argc, argv);

@@ -7,12 +7,13 @@
 #include <math.h>
 
 #include "build/grid.h"
+#include "machine/layout.h"
 
-/* The screen distance for a pitch, at least 1; and its relative error of tan(angle/2). */
+/* The screen distance for a pitch; its relative error of tan(angle/2), infinite if too short. */
 static double screen(int height, double tangent, int64_t pitch, int64_t *d) {
     double half = (double)pitch * height / 2;
     *d = llround(fmin(half / tangent, 1e15));
-    if (*d < 1) return INFINITY;
+    if (*d < SPH_MIN_SCREEN) return INFINITY;
     return fabs(half / (double)*d / tangent - 1);
 }
 

@@ -53,7 +53,7 @@ static int check_geometry(const struct sph_machine *m, struct sph_error *err) {
     RANGE(EYE_Z, -w, w - 1);
     RANGE(DIR_X0, -wd, wd);
     RANGE(DIR_Y0, -wd, wd);
-    RANGE(DIR_Z, -wd, -1);
+    RANGE(DIR_Z, -wd, -SPH_MIN_SCREEN);
     RANGE(PITCH, 1, 2 * wd);
     if (r[SPH_REG_DIR_X0] + (r[SPH_REG_FRAME_W] - 1ll) * r[SPH_REG_PITCH] > wd)
         return sph_fail(err, "register PITCH is %d: the last column leaves %d bits",

@@ -26,6 +26,7 @@
 `define RT_LINE_WORDS 8
 `define RT_MAX_LIGHTS 8
 `define RT_MAX_DEPTH 5
+`define RT_MIN_SCREEN 16
 `define RT_STACK_DEPTH 16
 `define RT_ID_NONE 16777215
 `define RT_COLOUR_ONE 32768
