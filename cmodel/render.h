@@ -8,10 +8,12 @@
 #include "frame.h"
 #include "machine/machine.h"
 
-enum { SPH_TRAVERSE_NEAREST = 0, SPH_TRAVERSE_FIRST = 1, SPH_TRAVERSE_BRUTE = 2 };
+/* How spheres are found: through the tree, bit by bit as the RTL does; or by testing every sphere
+ * for the nearest hit, whatever effect FIRST says. */
+enum { SPH_TRAVERSE_TREE, SPH_TRAVERSE_BRUTE };
 
 struct sph_render_options {
-    int traverse;                                          /* SPH_TRAVERSE_*; the RTL is NEAREST */
+    int traverse;                                          /* SPH_TRAVERSE_* */
     int threads;                                           /* 0: all */
     void (*progress)(void *user, int rows_done, int rows); /* may be NULL; called under a lock */
     void *user;

@@ -128,6 +128,7 @@ class Source {
         v.exact = true;
         ray.kind = random.percent(20) ? SPH_SHADOW : SPH_PRIMARY;
         ray.skip.id = 0xffffff;
+        ray.inside = 1;
         s.id = 5;
         unsigned corner = (unsigned)random.below(16); /* axes at the upper end; 8..15: none */
         for (int i = 0; i < 3; i++) {

@@ -38,6 +38,7 @@ class Source {
         v.leaf.id = (uint32_t)random.bits(random.percent(50) ? 2 : 24);
         v.ray.skip.id = random.percent(20) ? v.leaf.id : random.percent(50) ? 0xffffff : 1;
         v.ray.skip.inside = random.percent(50);
+        v.ray.inside = 1;
         v.ray.kind = random.percent(33) ? SPH_SHADOW : SPH_PRIMARY;
         v.tag = (unsigned)random.bits(TAG);
         if (count < 3 * 512 * 2)

@@ -39,7 +39,7 @@ static void psnr_of_profiles(void **state) {
             struct sph_counters c;
             int errors;
             if (!model_build(&scene, profile, SPH_TREE_BALANCED, SPH_BG_RECT, W, H, &m)) continue;
-            struct sph_frame f = model_render(&m, SPH_TRAVERSE_NEAREST, 0, &c, &errors);
+            struct sph_frame f = model_render(&m, SPH_TRAVERSE_TREE, 0, &c, &errors);
             struct sph_image_error e = sph_reference_compare(&f, &r);
             assert_int_equal(e.pixels, W * H);
             printf("# %-16s %-9s %6.1f %6.1f %6.1f %5lu %5lu %5lu %5d\n", model_scenes[n],

@@ -220,7 +220,8 @@ static void test_effects(void **unused) {
     struct sph_build_options o = standard;
     struct sph_build_report report;
     struct sph_machine m = built(&s, o, &report);
-    assert_int_equal(m.regs[SPH_REG_EFFECTS], 3);
+    const int inside = 1 << SPH_EFFECT_INSIDE;
+    assert_int_equal(m.regs[SPH_REG_EFFECTS], inside | 3);
     assert_int_equal(m.regs[SPH_REG_MAX_DEPTH], 2);
     assert_int_equal(m.regs[SPH_REG_LIGHT0_B], 65535); /* 2.5 is too bright */
     assert_non_null(strstr(report.warning, "clamped"));
@@ -231,15 +232,15 @@ static void test_effects(void **unused) {
     sph_machine_free(&m);
     o.max_depth = 0, o.shadow = 0;
     m = built(&s, o, &report);
-    assert_int_equal(m.regs[SPH_REG_EFFECTS] | m.regs[SPH_REG_MAX_DEPTH], 0);
+    assert_int_equal(m.regs[SPH_REG_EFFECTS] | m.regs[SPH_REG_MAX_DEPTH], inside);
     sph_machine_free(&m);
     o.shadow = -1, s.n_spheres = 1;
     m = built(&s, o, &report);
-    assert_int_equal(m.regs[SPH_REG_EFFECTS], 0);
+    assert_int_equal(m.regs[SPH_REG_EFFECTS], inside);
     sph_machine_free(&m);
     s.spheres[0].rad = 20; /* the eye is inside */
     m = built(&s, o, &report);
-    assert_int_equal(m.regs[SPH_REG_EFFECTS], 1);
+    assert_int_equal(m.regs[SPH_REG_EFFECTS], inside | 1);
     assert_int_equal(m.regs[SPH_REG_RECT_X1], 64);
     sph_machine_free(&m);
     free(s.spheres);

@@ -109,7 +109,7 @@ static void adversarial(void **state) {
         int64_t half = 1ll << (p->w - 1), unit = 1ll << k, most = (1ll << (p->wd - 1)) - 1;
         struct tally t = {0};
         for (int i = 0; i < 1100000 / VEC_SHARE; i++) {
-            struct sph_ray ray = {.kind = SPH_PRIMARY, .skip = {SPH_ID_NONE, 0}};
+            struct sph_ray ray = {.kind = SPH_PRIMARY, .skip = {SPH_ID_NONE, 0}, .inside = 1};
             struct sph_leaf s = {.id = 7};
             double side[3], to[3], len2 = 0, dot = 0, size2 = 0, longest = 0;
             s.rad = unit * vec_pick(&rng, 1, i % 2 ? 40 : 1 << (p->fw - 3)) + vec_pick(&rng, -1, 0);

@@ -48,7 +48,8 @@ static struct sph_naive_leaf check(const struct sph_profile *p, struct sph_ray *
 static void check_small(struct sph_ray *ray, const struct sph_leaf *s, int64_t disc, int64_t b) {
     int64_t a = (int64_t)ray->a, key = 0, bb = b * b;
     int own = ray->skip.id == s->id, shadow = ray->kind == SPH_SHADOW;
-    int near = !own && disc > 0 && b > 0 && bb > disc, far = disc > 0 && (b >= 0 || disc > bb);
+    int near = !own && disc > 0 && b > 0 && bb > disc;
+    int far = ray->inside && disc > 0 && (b >= 0 || disc > bb);
     int hit = near || far;
     if (shadow && hit) { /* tau < a */
         int64_t x = a - b;
@@ -71,7 +72,7 @@ static void check_small(struct sph_ray *ray, const struct sph_leaf *s, int64_t d
     uint64_t roots = 0, got = 0;
     struct sph_leaf_result r = sph_leaf_test(ray, s);
     if (r.hit && !shadow) got = sph_leaf_key(&r, &roots);
-    int is_far = own || !near;
+    int is_far = own || !near; /* of a hit */
     if (r.hit != hit || (hit && (r.far != is_far || r.exit != exit_)) || got != (uint64_t)key)
         mismatch(ray, s, &r, got, hit, is_far, exit_, (uint64_t)key);
 }
@@ -106,9 +107,10 @@ static void exhaustive_bits(int w, uint64_t gmp) {
             for (s.rad = 0; s.rad <= most; s.rad++, n++) {
                 if (w > 2 && n % VEC_SHARE) continue;
                 int64_t disc = s.rad * s.rad * (int64_t)ray.a - cross2;
-                for (int kind = 0; kind < 4; kind++) {
+                for (int kind = 0; kind < 6; kind++) {
                     ray.kind = kind & 1 ? SPH_SHADOW : SPH_REFLECTED;
                     ray.skip = (struct sph_skip){kind & 2 ? OWN : SPH_ID_NONE, 1};
+                    ray.inside = kind < 4;
                     check_small(&ray, &s, disc, b);
                     if (n % gmp == 0) hits += (uint64_t)check(&tiny, &ray, &s).hit;
                 }
@@ -186,7 +188,7 @@ static void hard(void **state) {
     struct sph_rng rng = vec_seed("hard");
     for (int n = 0; n < SPH_PROFILES; n++) {
         const struct sph_profile *p = &sph_profiles[n];
-        uint64_t hits[2] = {0, 0}, exits = 0;
+        uint64_t hits[2] = {0, 0}, entries[2] = {0, 0}, exits = 0;
         for (int i = 0; i < 60000 / VEC_SHARE; i++) {
             struct sph_ray ray;
             struct sph_leaf s = {.id = OWN};
@@ -206,6 +208,9 @@ static void hard(void **state) {
             exits += (uint64_t)check(p, &ray, &s).exit;
             ray.skip.inside = 0;
             assert_int_equal(check(p, &ray, &s).hit, 0);
+            ray.skip.id = SPH_ID_NONE;
+            ray.inside = 0; /* only the entry counts */
+            entries[0] += (uint64_t)check(p, &ray, &s).hit;
             ray.kind = SPH_SHADOW;
             for (int j = 0; j < 3; j++) {
                 int64_t light = i % 4 == 1 ? s.ctr[j] : vec_signed(&rng, p->w);
@@ -214,12 +219,16 @@ static void hard(void **state) {
                 if (ray.dir[j] >= 1ll << (p->wd - 1)) ray.dir[j] = 1;
             }
             ray.skip = (struct sph_skip){SPH_ID_NONE, 0};
+            entries[1] += (uint64_t)check(p, &ray, &s).hit;
+            ray.inside = 1;
             hits[1] += (uint64_t)check(p, &ray, &s).hit;
             ray.skip = (struct sph_skip){OWN, 1};
             check(p, &ray, &s);
         }
-        printf("# %s: %lu hits, %lu occluders, %lu exits\n", p->name, hits[0], hits[1], exits);
-        assert_true(hits[0] && hits[1] && exits);
+        printf("# %s: %lu hits and %lu occluders, %lu and %lu from outside, %lu exits\n", p->name,
+               hits[0], hits[1], entries[0], entries[1], exits);
+        assert_true(entries[0] && entries[1] && exits);
+        assert_true(entries[0] < hits[0] && entries[1] < hits[1]);
     }
 }
 

@@ -8,6 +8,7 @@
 #include "reference/naive.h"
 
 enum { P = SPH_PRIMARY, S = SPH_SHADOW, NO = 0, OUT = 1, IN = 2 /* own sphere, from which side */ };
+enum { X = 4 /* with P or S: effect INSIDE is off */ };
 enum { MISS, NEAR, FAR, EXIT };
 
 static const struct {
@@ -53,6 +54,17 @@ static const struct {
     {"shadow: own from outside", {80}, {200}, {100}, 20, S, OUT, MISS, 0},
     {"shadow: own from inside, light outside", {81}, {200}, {100}, 20, S, IN, FAR, 0},
     {"shadow: own from inside, light inside", {81}, {20}, {100}, 20, S, IN, MISS, 0},
+    {"only outside: head on", {0}, {10}, {100}, 20, P | X, NO, NEAR, 800},
+    {"only outside: one unit above the surface", {79}, {10}, {100}, 20, P | X, NO, NEAR, 10},
+    {"only outside: on the surface, entering", {80}, {10}, {100}, 20, P | X, NO, MISS, 0},
+    {"only outside: origin inside", {90}, {10}, {100}, 20, P | X, NO, MISS, 0},
+    {"only outside: own sphere, said to be inside", {90}, {10}, {100}, 20, P | X, IN, MISS, 0},
+    {"only outside: own sphere, origin above it", {79}, {10}, {100}, 20, P | X, IN, MISS, 0},
+    {"only outside: shadow, occluder between", {0}, {200}, {100}, 20, S | X, NO, NEAR, 0},
+    {"only outside: shadow, light inside", {0}, {81}, {100}, 20, S | X, NO, NEAR, 0},
+    {"only outside: shadow, point on the surface", {80}, {200}, {100}, 20, S | X, NO, MISS, 0},
+    {"only outside: shadow, point inside", {90}, {50}, {100}, 20, S | X, NO, MISS, 0},
+    {"only outside: shadow, own from inside", {81}, {200}, {100}, 20, S | X, IN, MISS, 0},
     {"corner to corner of draft: 3*4095^2 - 4095^2*sqrt(3)",
      {-2048, -2048, -2048},
      {4095, 4095, 4095},
@@ -68,8 +80,9 @@ static void named_cases(void **state) {
     (void)state;
     int failed = 0;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        struct sph_ray ray = {.kind = cases[i].kind,
-                              .skip = {cases[i].own == NO ? SPH_ID_NONE : 7, cases[i].own == IN}};
+        struct sph_ray ray = {.kind = cases[i].kind & ~X,
+                              .skip = {cases[i].own == NO ? SPH_ID_NONE : 7, cases[i].own == IN},
+                              .inside = !(cases[i].kind & X)};
         struct sph_leaf leaf = {.rad = cases[i].rad, .id = 7};
         for (int j = 0; j < 3; j++) {
             ray.org[j] = cases[i].org[j];
@@ -95,7 +108,7 @@ static void named_cases(void **state) {
 /* Of two spheres on one ray the key tells which comes first, near against far root too. */
 static void order_of_keys(void **state) {
     (void)state;
-    struct sph_ray ray = {.dir = {3, 4, 0}, .a = 25, .kind = SPH_PRIMARY, .skip = {SPH_ID_NONE, 0}};
+    struct sph_ray ray = {.dir = {3, 4, 0}, .a = 25, .skip = {SPH_ID_NONE, 0}, .inside = 1};
     uint64_t roots = 0, before = 0;
     for (int64_t rad = 1; rad < 400; rad++) { /* concentric around the origin: far roots */
         struct sph_leaf leaf = {{0, 0, 0}, rad, 0};

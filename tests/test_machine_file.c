@@ -196,7 +196,11 @@ static void test_wrong_registers(void **unused) {
         int number, value;
         const char *name;
     } list[] = {
-        {SPH_REG_EFFECTS, 4, "EFFECTS"},
+        {SPH_REG_EFFECTS, 32, "EFFECTS is 32"},
+        {SPH_REG_EFFECTS, -1, "EFFECTS is -1"},
+        {SPH_REG_EFFECTS, 16, "EFFECTS is 16: INTERPENETRATE needs FIRST and INSIDE"},
+        {SPH_REG_EFFECTS, 20, "EFFECTS is 20: INTERPENETRATE needs"},
+        {SPH_REG_EFFECTS, 24, "EFFECTS is 24: INTERPENETRATE needs"},
         {SPH_REG_MAX_DEPTH, 6, "MAX_DEPTH"},
         {SPH_REG_N_LIGHTS, 9, "N_LIGHTS"},
         {SPH_REG_FRAME_W, 0, "FRAME_W"},

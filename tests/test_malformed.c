@@ -32,10 +32,20 @@ static int walk(const struct sph_machine *m, int how) {
     return errors;
 }
 
-/* Renders both ways; the errors of the nearest walk. */
-static int errors_of(const struct sph_machine *m) {
-    walk(m, SPH_TRAVERSE_FIRST);
-    return walk(m, SPH_TRAVERSE_NEAREST);
+/* The same with the paper's order of children and its correction. */
+static int paper_errors_of(struct sph_machine *m) {
+    int before = m->regs[SPH_REG_EFFECTS];
+    m->regs[SPH_REG_EFFECTS] |= 1 << SPH_EFFECT_FIRST | 1 << SPH_EFFECT_INTERPENETRATE;
+    int errors = walk(m, SPH_TRAVERSE_TREE);
+    m->regs[SPH_REG_EFFECTS] = before;
+    return errors;
+}
+
+/* Renders both ways, which must err alike. */
+static int errors_of(struct sph_machine *m) {
+    int errors = walk(m, SPH_TRAVERSE_TREE);
+    assert_int_equal(errors, paper_errors_of(m));
+    return errors;
 }
 
 static void root_beyond_memory(void **state) {
@@ -78,13 +88,14 @@ static void prim_beyond_memory(void **state) {
     sph_machine_free(&m);
 }
 
-/* The paper's walk sees its second sphere by its own number: it may have none. */
+/* The sphere that the paper's probe finds may have no record. */
 static void other_beyond_memory(void **state) {
     (void)state;
     struct sph_machine m = machine("interpenetrating");
     int found = 0, lines = m.regs[SPH_REG_MEM_LINES];
+    m.regs[SPH_REG_EFFECTS] = 1 << SPH_EFFECT_INSIDE; /* no mirror ray but the probe */
     while (--m.regs[SPH_REG_MEM_LINES] >= m.regs[SPH_REG_PRIM_BASE])
-        found += walk(&m, SPH_TRAVERSE_FIRST) == 1 << SPH_ERROR_BAD_NODE;
+        found += paper_errors_of(&m) == 1 << SPH_ERROR_BAD_NODE;
     assert_int_equal(found, lines - m.regs[SPH_REG_PRIM_BASE]);
     sph_machine_free(&m);
 }
@@ -95,7 +106,7 @@ static void high_bits(void **state) {
     struct sph_machine m = machine("interpenetrating");
     struct sph_counters c;
     int errors, w = sph_profiles[profile].w;
-    for (int how = SPH_TRAVERSE_NEAREST; how <= SPH_TRAVERSE_BRUTE; how++) {
+    for (int how = SPH_TRAVERSE_TREE; how <= SPH_TRAVERSE_BRUTE; how++) {
         struct sph_frame before = model_render(&m, how, 1, &c, &errors);
         for (uint32_t id = 0; id < (uint32_t)m.regs[SPH_REG_N_PRIMS]; id++) {
             uint32_t *line =
@@ -162,7 +173,7 @@ static void random_damage(void **state) {
             uint64_t r = sph_rng_next(&rng);
             m.mem[(r >> 5) % (m.lines * SPH_LINE_WORDS)] ^= 1u << (r & 31);
         }
-        reported += errors_of(&m) != 0;
+        reported += (walk(&m, SPH_TRAVERSE_TREE) | paper_errors_of(&m)) != 0;
     }
     printf("# %d of 150 damaged machines were reported\n", reported);
     assert_true(reported > 0);

@@ -22,7 +22,7 @@ static void tree_is_brute_force(void **state) {
                 int errors;
                 if (!model_build(&scene, profile, tree, SPH_BG_NONE, W, H, &m)) continue;
                 struct sph_frame brute = model_render(&m, SPH_TRAVERSE_BRUTE, 0, &c, &errors);
-                struct sph_frame near = model_render(&m, SPH_TRAVERSE_NEAREST, 0, &c, &errors);
+                struct sph_frame near = model_render(&m, SPH_TRAVERSE_TREE, 0, &c, &errors);
                 assert_int_equal(errors, 0);
                 wrong +=
                     model_differ(tree == SPH_TREE_PAPER ? "paper" : "balanced", &m, &near, &brute);
@@ -50,7 +50,7 @@ static void naive_is_golden(void **state) {
             struct sph_counters c;
             int errors;
             if (!model_build(&scene, profile, SPH_TREE_BALANCED, n & 1, NW, NH, &m)) continue;
-            struct sph_frame golden = model_render(&m, SPH_TRAVERSE_NEAREST, 0, &c, &errors);
+            struct sph_frame golden = model_render(&m, SPH_TRAVERSE_TREE, 0, &c, &errors);
             struct sph_frame naive = {NW, NH, calloc(NW * NH, sizeof *naive.pixels)};
 #pragma omp parallel for schedule(dynamic, 8)
             for (int i = 0; i < NW * NH; i++)
@@ -81,8 +81,8 @@ static void background_changes_nothing(void **state) {
         if (!model_build(&scene, profile, SPH_TREE_BALANCED, SPH_BG_RECT, W, H, &on) ||
             !model_build(&scene, profile, SPH_TREE_BALANCED, SPH_BG_NONE, W, H, &off))
             fail_msg("%s", model_scenes[n]);
-        struct sph_frame b = model_render(&off, SPH_TRAVERSE_NEAREST, 0, &c, &errors);
-        struct sph_frame a = model_render(&on, SPH_TRAVERSE_NEAREST, 0, &c, &errors);
+        struct sph_frame b = model_render(&off, SPH_TRAVERSE_TREE, 0, &c, &errors);
+        struct sph_frame a = model_render(&on, SPH_TRAVERSE_TREE, 0, &c, &errors);
         wrong += model_differ("background", &on, &a, &b);
         skipped += c.count[SPH_COUNT_BACKGROUND];
         sph_frame_free(&a);
@@ -103,14 +103,14 @@ static void threads_change_nothing(void **state) {
     struct sph_counters c[2];
     int errors;
     assert_true(model_build(&scene, SPH_STANDARD, SPH_TREE_BALANCED, SPH_BG_NONE, W, H, &m));
-    struct sph_frame a = model_render(&m, SPH_TRAVERSE_NEAREST, 1, &c[0], &errors);
-    struct sph_frame b = model_render(&m, SPH_TRAVERSE_NEAREST, 2, &c[1], &errors);
+    struct sph_frame a = model_render(&m, SPH_TRAVERSE_TREE, 1, &c[0], &errors);
+    struct sph_frame b = model_render(&m, SPH_TRAVERSE_TREE, 2, &c[1], &errors);
     assert_memory_equal(a.pixels, b.pixels, W * H * sizeof *a.pixels);
     assert_memory_equal(&c[0], &c[1], sizeof c[0]);
     m.regs[SPH_REG_WIN_X0] = W / 6,
     m.regs[SPH_REG_WIN_X1] = W / 2; /* a window is a part of the frame */
     m.regs[SPH_REG_WIN_Y0] = H / 5, m.regs[SPH_REG_WIN_Y1] = H / 2;
-    struct sph_frame part = model_render(&m, SPH_TRAVERSE_NEAREST, 2, &c[1], &errors);
+    struct sph_frame part = model_render(&m, SPH_TRAVERSE_TREE, 2, &c[1], &errors);
     const struct sph_pixel none = {0};
     for (int i = 0; i < W * H; i++) {
         int x = i % W, y = i / W, in = x >= W / 6 && x < W / 2 && y >= H / 5 && y < H / 2;
@@ -135,7 +135,7 @@ static void layers_are_depths(void **state) {
         assert_true(model_build(&scene, SPH_FINE, SPH_TREE_BALANCED, SPH_BG_NONE, W, H, &m));
         for (int depth = 0; depth < 3; depth++) {
             m.regs[SPH_REG_MAX_DEPTH] = depth;
-            f[depth] = model_render(&m, SPH_TRAVERSE_NEAREST, 0, &c, &errors);
+            f[depth] = model_render(&m, SPH_TRAVERSE_TREE, 0, &c, &errors);
         }
         for (int i = 0; i < W * H; i++) {
             const uint32_t *deep = f[2].pixels[i].colour, *one = f[1].pixels[i].colour;
@@ -163,8 +163,9 @@ static void first_leaf(void **state) {
         struct sph_counters near_c, first_c;
         int errors, other = 0, missed = 0;
         assert_true(model_build(&scene, SPH_FINE, SPH_TREE_PAPER, SPH_BG_NONE, W, H, &m));
-        struct sph_frame near = model_render(&m, SPH_TRAVERSE_NEAREST, 0, &near_c, &errors);
-        struct sph_frame first = model_render(&m, SPH_TRAVERSE_FIRST, 0, &first_c, &errors);
+        struct sph_frame near = model_render(&m, SPH_TRAVERSE_TREE, 0, &near_c, &errors);
+        m.regs[SPH_REG_EFFECTS] |= 1 << SPH_EFFECT_FIRST | 1 << SPH_EFFECT_INTERPENETRATE;
+        struct sph_frame first = model_render(&m, SPH_TRAVERSE_TREE, 0, &first_c, &errors);
         assert_int_equal(errors, 0);
         for (int i = 0; i < W * H; i++) {
             uint32_t a = near.pixels[i].id, b = first.pixels[i].id;

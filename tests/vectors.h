@@ -72,7 +72,7 @@ static inline int64_t vec_signed(struct sph_rng *rng, int bits) {
 
 /* A ray of kind primary: any origin; directions of every length, along axes and diagonals too. */
 static inline void vec_ray(struct sph_rng *rng, const struct sph_profile *p, struct sph_ray *ray) {
-    *ray = (struct sph_ray){.kind = SPH_PRIMARY, .skip = {SPH_ID_NONE, 0}};
+    *ray = (struct sph_ray){.kind = SPH_PRIMARY, .skip = {SPH_ID_NONE, 0}, .inside = 1};
     int family = (int)vec_pick(rng, 0, 9), axis = (int)vec_pick(rng, 0, 2);
     int64_t most = (1ll << (p->wd - 1)) - 1, same = vec_signed(rng, p->wd);
     for (int i = 0; i < 3; i++) {

@@ -112,7 +112,7 @@ void sph_emit_effects(const struct sph_scene *scene, const struct sph_build_opti
                       struct sph_build_report *report) {
     int with_shadow = shadow(scene, options->shadow, eye_inside, report);
     int with_reflect = reflect(scene, options->reflect, options->max_depth, report);
-    machine->regs[SPH_REG_EFFECTS] = with_shadow << SPH_EFFECT_SHADOW | with_reflect
-                                                                            << SPH_EFFECT_REFLECT;
+    machine->regs[SPH_REG_EFFECTS] = with_shadow << SPH_EFFECT_SHADOW |
+                                     with_reflect << SPH_EFFECT_REFLECT | 1 << SPH_EFFECT_INSIDE;
     machine->regs[SPH_REG_MAX_DEPTH] = with_reflect ? options->max_depth : 0;
 }

@@ -27,6 +27,11 @@ static inline const struct sph_profile *sph_machine_profile(const struct sph_mac
     return &sph_profiles[m->regs[SPH_REG_PROFILE]];
 }
 
+/* 1 if the machine asks for an effect, SPH_EFFECT_*. */
+static inline int sph_machine_effect(const struct sph_machine *m, int effect) {
+    return m->regs[SPH_REG_EFFECTS] >> effect & 1;
+}
+
 /* Bits lsb .. lsb+width-1 (width 1..32) of a line, unsigned. */
 static inline uint32_t sph_field(const uint32_t *line, int lsb, int width) {
     uint64_t two = line[lsb >> 5];

@@ -22,7 +22,11 @@ static int in_range(const struct sph_machine *m, int number, const char *name, i
 /* Frame, window, background and colours. */
 static int check_frame(const struct sph_machine *m, struct sph_error *err) {
     const int32_t *r = m->regs;
-    RANGE(EFFECTS, 0, (1 << SPH_EFFECT_SHADOW) | (1 << SPH_EFFECT_REFLECT));
+    RANGE(EFFECTS, 0, (2 << SPH_EFFECT_INTERPENETRATE) - 1);
+    if (sph_machine_effect(m, SPH_EFFECT_INTERPENETRATE) &&
+        !(sph_machine_effect(m, SPH_EFFECT_FIRST) && sph_machine_effect(m, SPH_EFFECT_INSIDE)))
+        return sph_fail(err, "register EFFECTS is %d: INTERPENETRATE needs FIRST and INSIDE",
+                        r[SPH_REG_EFFECTS]);
     RANGE(MAX_DEPTH, 0, SPH_MAX_DEPTH);
     RANGE(N_LIGHTS, 0, SPH_MAX_LIGHTS);
     RANGE(FRAME_W, 1, SPH_MAX_SIDE);

@@ -38,17 +38,41 @@ static struct prim prim_read(const struct sph_machine *m, int32_t index) {
     return p;
 }
 
+static int on(const struct sph_machine *m, int effect) {
+    return m->regs[SPH_REG_EFFECTS] & 1 << effect ? 1 : 0;
+}
+
+/* Tests sphere `index`; a hit with a smaller key, or the same and a smaller id, replaces *best. */
+static void consider(const struct sph_machine *m, const struct sph_ray *ray, int32_t index,
+                     struct found *best) {
+    struct prim prim = prim_read(m, index);
+    struct sph_naive_leaf how = sph_naive_leaf(ray, &prim.sphere);
+    if (!how.hit) return;
+    if (!best->how.hit || how.key < best->how.key ||
+        (how.key == best->how.key && prim.sphere.id < best->prim.sphere.id))
+        *best = (struct found){how, prim};
+}
+
 /* The first hit in the order of keys, then ids; any hit of a shadow ray. */
 static struct found trace(const struct sph_machine *m, const struct sph_ray *ray) {
     struct found best = {0};
-    for (int32_t i = 0; i < m->regs[SPH_REG_N_PRIMS]; i++) {
-        struct prim prim = prim_read(m, i);
-        struct sph_naive_leaf how = sph_naive_leaf(ray, &prim.sphere);
-        if (!how.hit) continue;
-        if (!best.how.hit || how.key < best.how.key ||
-            (how.key == best.how.key && prim.sphere.id < best.prim.sphere.id))
-            best = (struct found){how, prim};
+    for (int32_t i = 0; i < m->regs[SPH_REG_N_PRIMS]; i++)
+        consider(m, ray, i, &best);
+    return best;
+}
+
+/* Of the nodes from `line` down, each before its children, the first with a leaf that is hit. */
+static struct found first_node(const struct sph_machine *m, const struct sph_ray *ray,
+                               uint32_t line) {
+    const uint32_t *node = m->mem + (size_t)SPH_LINE_WORDS * line;
+    uint32_t below = node[7] & 0x3ffffff, inner = node[7] >> 26 & 7, leaves = node[7] >> 29;
+    struct found best = {0};
+    for (uint32_t i = 0; i < leaves; i++) {
+        const uint32_t *leaf = m->mem + (size_t)SPH_LINE_WORDS * (below + inner) + (size_t)4 * i;
+        consider(m, ray, (int32_t)(leaf[3] & 0xffffff), &best);
     }
+    for (uint32_t i = 0; i < inner && !best.how.hit; i++)
+        best = first_node(m, ray, below + i);
     return best;
 }
 
@@ -115,7 +139,9 @@ static void light(const struct sph_machine *m, const struct found *f, const stru
         sum[i] = m->regs[SPH_REG_AMBIENT_R + i];
     for (int l = 0; l < m->regs[SPH_REG_N_LIGHTS]; l++) {
         const int32_t *lamp = &m->regs[SPH_REG_LIGHT0_X + SPH_LIGHT_STRIDE * l];
-        struct sph_ray ray = {.kind = SPH_SHADOW, .skip = {f->prim.sphere.id, f->how.far}};
+        struct sph_ray ray = {.kind = SPH_SHADOW,
+                              .skip = {f->prim.sphere.id, f->how.far},
+                              .inside = on(m, SPH_EFFECT_INSIDE)};
         int64_t to[3], cosine = 0;
         for (int i = 0; i < 3; i++) {
             ray.org[i] = s->at[i];
@@ -126,10 +152,32 @@ static void light(const struct sph_machine *m, const struct found *f, const stru
             cosine += to[i] * s->unit[i];
         cosine = min(sph_naive_round64(cosine, 17), 32768);
         if (cosine <= 0) continue;
-        if (m->regs[SPH_REG_EFFECTS] & 1 && trace(m, &ray).how.hit) continue;
+        if (on(m, SPH_EFFECT_SHADOW) && trace(m, &ray).how.hit) continue;
         for (int i = 0; i < 3; i++)
             sum[i] = min(sum[i] + sph_naive_round64(cosine * lamp[3 + i], 15), 131071);
     }
+}
+
+/* The ray that leaves a point in the mirror direction of the ray that came. */
+static struct sph_ray mirror_ray(const struct sph_machine *m, const struct sph_ray *ray,
+                                 const struct found *f, const struct point *s) {
+    struct sph_ray next = {.kind = SPH_REFLECTED,
+                           .skip = {f->prim.sphere.id, f->how.far},
+                           .inside = on(m, SPH_EFFECT_INSIDE)};
+    for (int i = 0; i < 3; i++)
+        next.org[i] = s->at[i];
+    mirror(ray->dir, s->normal, sph_profiles[m->regs[SPH_REG_PROFILE]].wd, next.dir);
+    return next;
+}
+
+/* 1 if the point that the tree's first hit shows is known to lie in another sphere. */
+static int buried(const struct sph_machine *m, const struct sph_ray *ray) {
+    struct found f = first_node(m, ray, (uint32_t)m->regs[SPH_REG_ROOT]);
+    if (!f.how.hit) return 0;
+    struct point s = point_of(&sph_profiles[m->regs[SPH_REG_PROFILE]], ray, &f);
+    struct sph_ray next = mirror_ray(m, ray, &f, &s);
+    struct found around = trace(m, &next);
+    return around.how.hit && around.how.far && around.prim.sphere.id != f.prim.sphere.id;
 }
 
 struct sph_pixel sph_naive_pixel(const struct sph_machine *m, int x, int y) {
@@ -143,13 +191,17 @@ struct sph_pixel sph_naive_pixel(const struct sph_machine *m, int x, int y) {
                                   (int64_t)r[SPH_REG_DIR_Y0] - (int64_t)y * r[SPH_REG_PITCH],
                                   r[SPH_REG_DIR_Z]},
                           .kind = SPH_PRIMARY,
-                          .skip = {SPH_ID_NONE, 0}};
+                          .skip = {SPH_ID_NONE, 0},
+                          .inside = on(m, SPH_EFFECT_INSIDE)};
+    int first = on(m, SPH_EFFECT_FIRST) && !(on(m, SPH_EFFECT_INTERPENETRATE) && buried(m, &ray));
     int last = 0;
     for (int depth = 0; !last; depth++) {
         struct found f = {0};
         struct point s = {0};
         int64_t colour[3], lit[3];
-        if (!background) f = trace(m, &ray);
+        if (!background)
+            f = first && depth == 0 ? first_node(m, &ray, (uint32_t)r[SPH_REG_ROOT])
+                                    : trace(m, &ray);
         if (depth == 0 && f.how.hit) pixel.id = f.prim.sphere.id, pixel.key = f.how.key;
         if (f.how.hit) {
             s = point_of(p, &ray, &f);
@@ -159,7 +211,7 @@ struct sph_pixel sph_naive_pixel(const struct sph_machine *m, int x, int y) {
             colour[i] = f.how.hit ? min(sph_naive_round64(f.prim.rgb[i] * lit[i], 7), 255 * 256)
                                   : 256 * (int64_t)(r[SPH_REG_BG_COLOUR] >> (8 * i) & 255);
         last =
-            !f.how.hit || !f.prim.kr || !(r[SPH_REG_EFFECTS] & 2) || depth == r[SPH_REG_MAX_DEPTH];
+            !f.how.hit || !f.prim.kr || !on(m, SPH_EFFECT_REFLECT) || depth == r[SPH_REG_MAX_DEPTH];
 
         uint32_t seen = 0; /* as if nothing came behind */
         int64_t front = sph_naive_round64(weight * (256 - f.prim.kr), 8);
@@ -173,11 +225,7 @@ struct sph_pixel sph_naive_pixel(const struct sph_machine *m, int x, int y) {
             if (depth <= i || i == SPH_FRAMES - 1) pixel.colour[i] = seen;
 
         if (last) break;
-        struct sph_ray next = {.kind = SPH_REFLECTED, .skip = {f.prim.sphere.id, f.how.far}};
-        for (int i = 0; i < 3; i++)
-            next.org[i] = s.at[i];
-        mirror(ray.dir, s.normal, p->wd, next.dir);
-        ray = next;
+        ray = mirror_ray(m, &ray, &f, &s);
     }
     return pixel;
 }

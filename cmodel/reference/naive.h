@@ -20,15 +20,15 @@ struct sph_naive_leaf {
     uint64_t key; /* smallest integer n >= 1 with n >= a*t; 0 for shadow rays and misses */
 };
 
-/* Tests one sphere; of *ray only org, dir, kind and skip are read. Total for any int64 operands
- * below 2^30. */
+/* Tests one sphere; of *ray only org, dir, kind, skip and inside are read. Total for any int64
+ * operands below 2^30. */
 struct sph_naive_leaf sph_naive_leaf(const struct sph_ray *ray, const struct sph_leaf *leaf);
 
 /* 1 if pixel x, y is left out by the background separation of BG_MODE. */
 int sph_naive_background(const struct sph_machine *m, int x, int y);
 
-/* The colours, id and key of pixel x, y; visits stays 0. The machine must be well formed; its tree
- * is not read. */
+/* The colours, id and key of pixel x, y; visits stays 0. The machine must be well formed. Its tree
+ * is read for effect FIRST alone, and of it no bounding sphere: what they leave out is not hit. */
 struct sph_pixel sph_naive_pixel(const struct sph_machine *m, int x, int y);
 
 #endif

@@ -75,26 +75,27 @@ static uint64_t root_key(struct line *l, int root) {
     return key;
 }
 
-/* 1 if the end of the ray, org + dir, lies outside the sphere. */
-static int end_outside(const struct sph_ray *ray, const struct sph_leaf *leaf) {
+/* Where org + t*dir lies: 1 outside the sphere, 0 on it, -1 in it. */
+static int side(const struct sph_ray *ray, int64_t t, const struct sph_leaf *leaf) {
     mpz_t distance2;
     mpz_init(distance2);
     for (int i = 0; i < 3; i++) {
-        int64_t v = ray->org[i] + ray->dir[i] - leaf->ctr[i];
+        int64_t v = ray->org[i] + t * ray->dir[i] - leaf->ctr[i];
         add_product(distance2, v, v);
     }
     add_product(distance2, leaf->rad, -leaf->rad);
-    int outside = mpz_sgn(distance2) > 0;
+    int sign = mpz_sgn(distance2);
     mpz_clear(distance2);
-    return outside;
+    return sign > 0 ? 1 : sign < 0 ? -1 : 0;
 }
 
 struct sph_naive_leaf sph_naive_leaf(const struct sph_ray *ray, const struct sph_leaf *leaf) {
     struct sph_naive_leaf r = {0};
     int own = leaf->id == ray->skip.id;
+    if (!ray->inside && (own || side(ray, 0, leaf) <= 0)) return r;
     if (own && !ray->skip.inside) return r; /* convex: no way back from outside */
     if (own && ray->kind == SPH_SHADOW) {
-        r.far = r.hit = end_outside(ray, leaf);
+        r.far = r.hit = side(ray, 1, leaf) > 0;
         return r;
     }
     struct line l;

@@ -22,7 +22,7 @@ static const struct argp_option options[] = {
     {"layer", KEY_LAYER, "N", 0,
      "colours of pictures: 0 without reflections, 1 one reflection, 2 all (default)", 0},
     {"traverse", KEY_TRAVERSE, "HOW", 0,
-     "nearest (default, as the hardware), first (the paper's) or brute (every sphere)", 0},
+     "tree (default, as the hardware) or brute (tests every sphere, finds the nearest)", 0},
     {"threads", 't', "N", 0, "0: one for every processor (default)", 0},
     {"counters", KEY_COUNTERS, NULL, 0, "print the counters", 0},
     {"json", KEY_JSON, "FILE", 0, "report as JSON (- : on standard output instead of text)", 0},
@@ -30,7 +30,7 @@ static const struct argp_option options[] = {
     {0},
 };
 
-static const char *const traversals[] = {"nearest", "first", "brute", NULL};
+static const char *const traversals[] = {"tree", "brute", NULL};
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
     struct arguments *a = state->input;

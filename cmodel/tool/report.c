@@ -41,7 +41,7 @@ json_t *report_names(uint32_t bits, const char *const *names, int n) {
 }
 
 void report_machine(json_t *report, const struct sph_machine *m) {
-    static const char *const effects[] = {"shadow", "reflect"};
+    static const char *const effects[] = {"shadow", "reflect", "inside", "first", "interpenetrate"};
     static const char *const ways[] = {"none", "rect", "spans", "exact"};
     const int32_t *r = m->regs;
     if (!report) return;
@@ -56,7 +56,7 @@ void report_machine(json_t *report, const struct sph_machine *m) {
     report_count(machine, "lights", (uint64_t)r[SPH_REG_N_LIGHTS]);
     report_count(machine, "max_depth", (uint64_t)r[SPH_REG_MAX_DEPTH]);
     report_count(machine, "memory_bytes", (uint64_t)m->lines * SPH_LINE_WORDS * 4);
-    add(machine, "effects", report_names((uint32_t)r[SPH_REG_EFFECTS], effects, 2));
+    add(machine, "effects", report_names((uint32_t)r[SPH_REG_EFFECTS], effects, 5));
     report_number(machine, "grid_step", ldexp(1.0, m->grid_log2));
     add(report, "machine", machine);
 }

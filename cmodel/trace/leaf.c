@@ -16,7 +16,7 @@ struct sph_leaf_result sph_leaf_test(const struct sph_ray *ray, const struct sph
     r.disc = (sph_i128)r.k * a + (sph_i128)r.b * r.b;
 
     int own = leaf->id == ray->skip.id;
-    if (own && !ray->skip.inside) return r;
+    if (ray->inside ? own && !ray->skip.inside : own || r.k >= 0) return r;
     r.far = r.k >= 0 || own; /* own: the origin is inside whatever rounding did to k */
     if (ray->kind == SPH_SHADOW) {
         int64_t k_light = r.k + 2 * r.b - a; /* rad^2 - |light - ctr|^2, s(2W+3) */

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Borodavka et al. VI.A: (R^2 - L^2) |VP|^2 + (VC.VP)^2 > 0, here disc = k*a + b*b > 0, in exact
- * integers; made total for origins on and inside the sphere.
+ * integers; made total for origins on and inside the sphere, or deaf to them (ray.inside).
  */
 #ifndef SPH_LEAF_H
 #define SPH_LEAF_H
@@ -27,7 +27,8 @@ struct sph_leaf_result {
     int64_t k;     /* s(2W+3) */
 };
 
-/* Valid for every operand in range; dir = 0 and rad = 0 miss, and so does a tangent. */
+/* Valid for every operand in range; dir = 0 and rad = 0 miss, and so does a tangent. Without
+ * ray->inside the ray's own sphere and every sphere with k >= 0 miss. */
 struct sph_leaf_result sph_leaf_test(const struct sph_ray *ray, const struct sph_leaf *leaf);
 
 /* ceil(a*t) of a hit, u(W+WD+2), at least 1. Orders the hits of one ray; *root counts square

@@ -22,6 +22,8 @@ struct sph_ray {
     int64_t dir[3]; /* sWD, not normalised: only its direction counts (shadow: ends at the light) */
     int kind;
     struct sph_skip skip;
+    int inside; /* effect INSIDE: rays may start inside a sphere, far roots count */
+    int first;  /* children in the node's order, ends at the first visit that hits (FIRST) */
     /* made by set-up */
     uint64_t a;           /* dir.dir, u(2WD) */
     struct sph_unit unit; /* of dir */

@@ -7,7 +7,7 @@
 
 #include "trace/node.h"
 
-/* Inner children still to visit, nearest first. */
+/* Inner children still to visit, in order. */
 struct siblings {
     uint32_t base;
     int count;
@@ -42,59 +42,13 @@ static struct sph_hit brute(const struct sph_machine *m, const struct sph_ray *r
     return best;
 }
 
-/* The paper's walk: left to right, depth first, ends at the first leaf that is hit. */
-static struct sph_hit first(const struct sph_machine *m, const struct sph_ray *ray,
-                            struct sph_counters *c, uint32_t *visits, uint32_t *errors) {
-    struct sph_hit best = {0, SPH_ID_NONE, 0};
-    uint32_t stack[4 * SPH_STACK_DEPTH];
-    uint32_t lines = (uint32_t)m->regs[SPH_REG_MEM_LINES];
-    uint32_t left = (uint32_t)m->regs[SPH_REG_VISIT_LIMIT];
-    int sp = 0, w = sph_machine_profile(m)->w;
-    stack[sp++] = (uint32_t)m->regs[SPH_REG_ROOT];
-    while (sp) {
-        uint32_t node = stack[--sp];
-        if (node >= lines) return *errors |= 1u << SPH_ERROR_BAD_NODE, best;
-        if (!left--) return *errors |= 1u << SPH_ERROR_VISIT_LIMIT, best;
-        ++*visits;
-        c->count[SPH_COUNT_NODE_VISITS]++;
-        const uint32_t *line = m->mem + (size_t)node * SPH_LINE_WORDS;
-        uint32_t base = sph_field(line, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS);
-        uint32_t n_inner = sph_field(line, SPH_NODE_N_INNER_LSB, SPH_NODE_N_INNER_BITS);
-        uint32_t n_leaf = sph_field(line, SPH_NODE_N_LEAF_LSB, SPH_NODE_N_LEAF_BITS);
-        if (n_inner + n_leaf > 4 || base + n_inner + (n_leaf + 1) / 2 > lines)
-            return *errors |= 1u << SPH_ERROR_BAD_NODE, best;
-        c->count[SPH_COUNT_CHILD_TESTS] += n_inner + n_leaf;
-        uint32_t found[4], n = 0;
-        for (uint32_t i = 0; i < n_inner + n_leaf; i++) {
-            struct sph_child child = sph_child_read(line, (int)i);
-            int32_t near;
-            if (!sph_filter(ray, &child, ray->depth_max, &near)) continue;
-            if (i < n_inner) {
-                found[n++] = base + i;
-                continue;
-            }
-            size_t at = (size_t)base + n_inner + ((i - n_inner) >> 1);
-            struct sph_leaf leaf =
-                sph_leaf_read(m->mem + at * SPH_LINE_WORDS, (i - n_inner) & 1, w);
-            leaf_visit(ray, &leaf, &best, c);
-            if (best.key) return best;
-        }
-        if (sp + (int)n > 4 * SPH_STACK_DEPTH)
-            return *errors |= 1u << SPH_ERROR_STACK_OVERFLOW, best;
-        while (n)
-            stack[sp++] = found[--n];
-    }
-    return best;
-}
-
 struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *ray, int how,
                             struct sph_counters *c, uint32_t *visits, uint32_t *errors) {
     if (how == SPH_TRAVERSE_BRUTE) return brute(m, ray, c);
-    if (how == SPH_TRAVERSE_FIRST) return first(m, ray, c, visits, errors);
     struct sph_hit best = {0, SPH_ID_NONE, 0};
     const struct sph_profile *p = sph_machine_profile(m);
     struct siblings now = {0}, stack[SPH_STACK_DEPTH];
-    int sp = 0;
+    int sp = 0, ends = ray->kind == SPH_SHADOW || ray->first;
     int32_t depth_max = ray->depth_max;
     uint32_t lines = (uint32_t)m->regs[SPH_REG_MEM_LINES], ray_visits = 0;
     uint32_t node = (uint32_t)m->regs[SPH_REG_ROOT];
@@ -129,6 +83,7 @@ struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *r
                 if (best.key != key_before && ray->kind != SPH_SHADOW)
                     depth_max = sph_ray_depth(p, ray, best.key);
             } else { /* insert: near first, ties in the order of children */
+                if (ray->first) near = INT32_MIN;
                 int at = found.count++;
                 for (; at > 0 && near < found.list[at - 1].near; at--)
                     found.list[at] = found.list[at - 1];
@@ -136,7 +91,7 @@ struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *r
                 found.list[at].near = near;
             }
         }
-        if (ray->kind == SPH_SHADOW && best.key) return best;
+        if (ends && best.key) return best;
 
         if (found.count && found.list[0].near <= depth_max) {
             if (now.count) {

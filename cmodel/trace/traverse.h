@@ -2,7 +2,10 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Borodavka et al. IV. Which nodes a ray visits depends on the ray alone: the leaves of a visit are
- * all tested before the next visit is chosen, near children first.
+ * all tested before the next visit is chosen. Near children go first, and what lies deeper than the
+ * best hit is left out. A ray with `first` takes children in the order of the node and leaves out
+ * none that the filter passes. A shadow ray and a ray with `first` end after the first visit with a
+ * hit; among that visit's leaves the smallest key wins, then the smaller id.
  */
 #ifndef SPH_TRAVERSE_H
 #define SPH_TRAVERSE_H
@@ -19,7 +22,7 @@ struct sph_hit {
 };
 
 /* Traces a ray that was set up; adds to counters, to *visits and to the sticky *errors. A shadow
- * ray reports any occluder (key 1). how: SPH_TRAVERSE_*. */
+ * ray reports any occluder (key 1). how: SPH_TRAVERSE_*; brute force knows no `first`. */
 struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *ray, int how,
                             struct sph_counters *c, uint32_t *visits, uint32_t *errors);
 
