@@ -17,7 +17,8 @@ namespace {
 
 constexpr int64_t MAX = ((int64_t)1 << (W - 1)) - 1, MIN = -MAX - 1; /* coordinate */
 constexpr int64_t ANY = INT64_MAX;                                   /* random */
-constexpr int LIGHTS = 8, SURFACES = 400;                            /* surfaces of a scene */
+constexpr int SURFACES = 400;                                        /* of a scene */
+constexpr int REGISTERS = 8;                                         /* lights the host can write */
 
 struct Scene {
     int n_lights;
@@ -61,17 +62,19 @@ int main(int argc, char **argv) {
     auto is = [&](int64_t fixed, int64_t random) { return fixed == ANY ? random : fixed; };
     while (b.more()) {
         /* a scene: lights and ambient, while nothing is under way */
-        Scene scene = {(int)b.random.below(9), ANY, ANY, ANY, ANY, ANY, (int)b.random.below(101)};
+        Scene scene = {(int)b.random.below(LIGHTS + 1), ANY, ANY, ANY, ANY, ANY,
+                       (int)b.random.below(101)};
         if (scenes < CORNERS) scene = corners[scenes];
         scenes++;
-        int64_t pos[LIGHTS][3];
-        uint32_t ambient[3], intensity[LIGHTS][3];
+        if (scene.n_lights > LIGHTS) scene.n_lights = LIGHTS;
+        int64_t pos[REGISTERS][3];
+        uint32_t ambient[3], intensity[REGISTERS][3];
         for (int i = 0; i < 3; i++)
             ambient[i] = (uint32_t)is(scene.ambient, (int64_t)b.random.mixed(16));
         b.dut.n_lights_i = (uint8_t)scene.n_lights;
         b.set(b.dut.ambient_i, 48,
               (bench::i128)((u128)ambient[2] << 32 | (u128)ambient[1] << 16 | ambient[0]));
-        for (int at = 0; at < LIGHTS * 8; at++) { /* parts 6 and 7 do not exist */
+        for (int at = 0; at < REGISTERS * 8; at++) { /* parts 6 and 7 do not exist */
             int light = at >> 3, part = at & 7;
             int64_t data = b.random.sbits(32);
             if (part < 3)
@@ -134,7 +137,8 @@ int main(int argc, char **argv) {
             for (int shadow = 0; shadow < 2; shadow++) {
                 if (b.random.percent(50)) at = (int)b.random.below(SLOTS);
                 s = &slots[at];
-                bool valid = s->state == Slot::COSINE && b.random.percent(pace[1 + shadow]);
+                bool valid = (SHADOW || !shadow) && s->state == Slot::COSINE &&
+                             b.random.percent(pace[1 + shadow]);
                 bool lit = b.random.percent((unsigned)scene.lit);
                 (shadow ? b.dut.shadow_valid_i : b.dut.lamp_valid_i) = valid;
                 (shadow ? b.dut.shadow_slot_i : b.dut.lamp_slot_i) = (uint8_t)at;

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Every slot gets a ray, then a hit; the record that its token asks for comes after a random time
- * and in any order. A vector is a surface.
+ * and in any order. A vector is a surface, or a bare one while points are off.
  */
 #include "Vrt_surface.h"
 #include "bench.h"
@@ -11,6 +11,16 @@ extern "C" {
 #include "machine/layout.h"
 #include "shade/surface.h"
 }
+
+#ifndef POINTS
+#define POINTS 1
+#endif
+#ifndef BOUNCES
+#define BOUNCES 1
+#endif
+#ifndef INSIDE
+#define INSIDE 1
+#endif
 
 using bench::u128;
 
@@ -94,6 +104,9 @@ int main(int argc, char **argv) {
     int answer = 0, quotients = 0, hits = 0;
     unsigned ready = 100, pace = 100; /* percent of clocks with prim_ready_i, with a record */
     const uint32_t base = (uint32_t)b.random.below(LINES);
+    int64_t eye[3] = {};
+    bool points = true,
+         drain = true; /* points_on_i; it and the eye change while nothing is inside */
     b.set(b.dut.prim_base_i, 26, base);
     b.dut.ray_valid_i = b.dut.in_valid_i = b.dut.prim_valid_i = b.dut.prim_ready_i = 0;
     b.reset();
@@ -102,12 +115,27 @@ int main(int argc, char **argv) {
             ready = b.random.percent(50) ? 100 : (unsigned)b.random.between(2, 50);
             pace = b.random.percent(50) ? 100 : (unsigned)b.random.between(2, 50);
         }
+        bool idle = true;
+        for (const Slot &s : slots)
+            idle &= s.state == Slot::IDLE;
+        if (b.random.percent(1) && b.random.percent(10)) drain = true;
+        if (drain && idle) {
+            drain = false;
+            points = POINTS && b.random.percent(70);
+            b.dut.points_on_i = POINTS ? points : b.random.percent(50);
+            for (int64_t &x : eye)
+                x = b.random.smixed(W);
+            b.set(b.dut.eye_i, 3 * W, (bench::i128)pack(eye, W));
+        }
         /* a ray */
         int at = (int)b.random.below(SLOTS);
         Slot *s = &slots[at];
         Vector v = make(b.random);
-        b.dut.ray_valid_i = s->state == Slot::IDLE;
-        if (b.dut.ray_valid_i && corner < CORNERS) v = corners[corner++];
+        b.dut.ray_valid_i = s->state == Slot::IDLE && !drain;
+        if (b.dut.ray_valid_i && points && corner < CORNERS) v = corners[corner++];
+        for (int i = 0; i < 3 && !BOUNCES; i++)
+            v.org[i] = eye[i];
+        v.far &= INSIDE;
         b.dut.ray_slot_i = (uint8_t)at;
         b.set(b.dut.ray_org_i, 3 * W, (bench::i128)pack(v.org, W));
         b.set(b.dut.ray_dir_i, 3 * WD, (bench::i128)pack(v.dir, WD));
@@ -124,7 +152,7 @@ int main(int argc, char **argv) {
         b.set(b.dut.in_key_i, W + WD + 2, (bench::i128)s->v.key);
         if (b.dut.in_valid_i) {
             s->state = Slot::WAITS;
-            hits++;
+            hits += points;
         }
         if (fresh >= 0) slots[fresh].state = Slot::RAY;
         /* its record, as the memory holds it; bits that no one reads are random */
@@ -164,6 +192,14 @@ int main(int argc, char **argv) {
 
         b.tick();
         if (taken) b.dut.prim_valid_i = 0;
+        b.expect("bare_valid_o", b.dut.bare_valid_o, taken && !points, 1);
+        if (b.dut.bare_valid_o) {
+            b.expect("bare_slot_o", b.dut.bare_slot_o, answer, SLOTW);
+            b.expect("out_valid_o of a bare surface", b.dut.out_valid_o, 0, 1);
+            slots[answer].state = Slot::IDLE;
+            b.done();
+            continue;
+        }
         if (!b.dut.out_valid_o) {
             b.expect("saturated_o without out_valid_o", b.dut.saturated_o, 0, 1);
             if (b.bad()) b.done();

@@ -12,6 +12,7 @@ module rt_hit #(
     parameter WD  = 17,  // direction component, bits, at least W+1
     parameter PQ  = 17,  // quotient, significant bits
     parameter NG  = 2,   // guard bits of the normal, at least 1
+    parameter INSIDE = 1, // 0: no hit comes from inside
     parameter TAG = 8    // tag, bits
 ) (
     input  wire                 clk,
@@ -80,7 +81,7 @@ module rt_hit #(
             in_tag_q <= in_tag_i;
             mant_q   <= in_mant_i;
             short_q  <= shift[8];
-            far_q    <= in_far_i;
+            far_q    <= INSIDE != 0 && in_far_i;
             shift_q  <= shift[8] ? 6'd0 : |shift[7:6] ? 6'd62 : shift[5:0];
             {dir_x_q, dir_y_q, dir_z_q} <= {in_dir_x_i, in_dir_y_i, in_dir_z_i};
             {org_x_q, org_y_q, org_z_q} <= {in_org_x_i, in_org_y_i, in_org_z_i};

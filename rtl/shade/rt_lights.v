@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every event adds one light's share to the slot's sum (nothing at the start, or in shadow), then
 // sends the vector to the next light to rt_setup, or the token on to rt_pixels.
-// One event every 3 cycles. Model: light() in cmodel/render_pixel.c
+// One event every 3 cycles. Without shadow rays there is no queue for them; one light alone stands
+// in registers and has no number. Model: light() in cmodel/render_pixel.c
 `default_nettype none
 module rt_lights #(
     parameter W     = 16,  // coordinate, bits
     parameter WD    = 17,  // direction component, bits, at least W+1
+    parameter LIGHTS = 8,  // lights that are kept, 1..8
+    parameter SHADOW = 1,  // 1: shadow rays are traced, 0: a light settles without one
     parameter SLOTS = 32,  // power of two
     parameter SLOTW = 5    // log2 of SLOTS
 ) (
@@ -45,28 +48,71 @@ module rt_lights #(
     output reg [SLOTW-1:0]   sum_slot_o,
     output reg [50:0]        sum_o            // 3 x u2.15
 );
+    localparam NW = $clog2(LIGHTS + 1);               // number of lights
+    localparam LW = LIGHTS > 1 ? $clog2(LIGHTS) : 1;  // number of a light
+    generate
+        if (LIGHTS < 1 || LIGHTS > 8) begin : illegal
+            initial begin
+                $display("rt_lights: LIGHTS %0d is not 1 to 8", LIGHTS);
+                $finish;
+            end
+        end
+    endgenerate
     wire             a_valid;                         // an event left the adder
     wire [SLOTW-1:0] a_slot;
-    wire [3:0]       a_next;                          // the light to go to
+    wire [NW-1:0]    a_next;                          // the light to go to
     wire [50:0]      a_sum;
-    wire [2:0]       e_lamp;                          // the light whose event enters the adder
+    reg [SLOTW-1:0]  e_slot_q;                        // an event stands before the adder
+    reg              e_valid_q, e_start_q, e_lit_q;
+    wire             read;                            // what belongs to slot is read for it
+    wire [SLOTW-1:0] slot;
 
-    // ---- the lights, one small memory per part ----
-    wire [3*W-1:0] pos;                               // of light a_next
-    wire [47:0]    colour;                            // of light e_lamp
+    // ---- the lights; the number of the light that a slot is at ----
+    wire [3*W-1:0] v_light;                           // position, one cycle after a_next
+    wire [47:0]    colour;                            // of the light whose event enters the adder
+    wire [NW-1:0]  e_next;                            // the one after it
+    wire           keep = light_valid_i && {29'd0, light_number_i} < LIGHTS;
     genvar c;
     generate
-        for (c = 0; c < 3; c = c + 1) begin : g_light
-            rt_slot_file #(.WIDTH(W), .SLOTS(8)) u_pos (
-                .clk(clk), .wr_en_i(light_valid_i && light_part_i == c),
-                .wr_addr_i(light_number_i), .wr_data_i(light_data_i[W-1:0]),
-                .rd_addr_i(a_next[2:0]), .rd_data_o(pos[W*c +: W])
+        if (LIGHTS == 1) begin : g_one
+            reg [3*W-1:0] pos_q;
+            reg [47:0]    colour_q;
+            for (c = 0; c < 3; c = c + 1) begin : g_part
+                always @(posedge clk) begin
+                    if (keep && light_part_i == c)     pos_q[W*c +: W]      <= light_data_i[W-1:0];
+                    if (keep && light_part_i == c + 3) colour_q[16*c +: 16] <= light_data_i[15:0];
+                end
+            end
+            assign v_light = pos_q;
+            assign colour  = colour_q;
+            assign e_next  = !e_start_q;
+            wire unused = read;
+        end else begin : g_more
+            wire [LW-1:0] e_light;                    // the light that the event is about
+            wire [LW-1:0] e_lamp = e_start_q ? {LW{1'b0}} : e_light;
+            wire [NW:0]   after  = {{(NW+1-LW){1'b0}}, e_lamp} + 1'b1;
+            wire [3*W-1:0] pos;
+            reg [3*W-1:0]  v_light_q;
+            always @(posedge clk) v_light_q <= pos;
+            assign v_light = v_light_q;
+            assign e_next  = e_start_q ? {NW{1'b0}} : after[NW-1:0];
+            rt_slot_ram #(.WIDTH(LW), .SLOTS(SLOTS), .OLD(0)) u_light (
+                .clk(clk), .wr_en_i(a_valid), .wr_addr_i(a_slot), .wr_data_i(a_next[LW-1:0]),
+                .rd_en_i(read), .rd_addr_i(slot), .rd_data_o(e_light)
             );
-            rt_slot_file #(.WIDTH(16), .SLOTS(8)) u_colour (
-                .clk(clk), .wr_en_i(light_valid_i && light_part_i == c + 3),
-                .wr_addr_i(light_number_i), .wr_data_i(light_data_i[15:0]),
-                .rd_addr_i(e_lamp), .rd_data_o(colour[16*c +: 16])
-            );
+            for (c = 0; c < 3; c = c + 1) begin : g_part
+                rt_slot_file #(.WIDTH(W), .SLOTS(LIGHTS)) u_pos (
+                    .clk(clk), .wr_en_i(keep && light_part_i == c),
+                    .wr_addr_i(light_number_i[LW-1:0]), .wr_data_i(light_data_i[W-1:0]),
+                    .rd_addr_i(a_next[LW-1:0]), .rd_data_o(pos[W*c +: W])
+                );
+                rt_slot_file #(.WIDTH(16), .SLOTS(LIGHTS)) u_colour (
+                    .clk(clk), .wr_en_i(keep && light_part_i == c + 3),
+                    .wr_addr_i(light_number_i[LW-1:0]), .wr_data_i(light_data_i[15:0]),
+                    .rd_addr_i(e_lamp), .rd_data_o(colour[16*c +: 16])
+                );
+            end
+            wire unused = after[NW];
         end
     endgenerate
 
@@ -74,7 +120,6 @@ module rt_lights #(
     wire             s_valid, l_valid, t_valid, s_in, l_in, t_in, add_ready;
     wire [SLOTW-1:0] s_slot;
     wire [SLOTW:0]   l_event, t_event;
-    reg              e_valid_q;                       // an event stands before the adder
     wire             e_load = !e_valid_q || add_ready;
     wire             pick_t = t_valid;
     wire             pick_l = !t_valid && l_valid;
@@ -89,20 +134,24 @@ module rt_lights #(
         .in_data_i({lamp_slot_i, lamp_lit_i}),
         .out_valid_o(l_valid), .out_ready_i(e_load && pick_l), .out_data_o(l_event)
     );
-    rt_fifo #(.WIDTH(SLOTW+1), .DEPTH(SLOTS)) u_shadows (
-        .clk(clk), .rst(rst), .in_valid_i(shadow_valid_i), .in_ready_o(t_in),
-        .in_data_i({shadow_slot_i, shadow_lit_i}),
-        .out_valid_o(t_valid), .out_ready_i(e_load && pick_t), .out_data_o(t_event)
-    );
+    generate
+        if (SHADOW != 0) begin : g_shadow
+            rt_fifo #(.WIDTH(SLOTW+1), .DEPTH(SLOTS)) u_shadows (
+                .clk(clk), .rst(rst), .in_valid_i(shadow_valid_i), .in_ready_o(t_in),
+                .in_data_i({shadow_slot_i, shadow_lit_i}),
+                .out_valid_o(t_valid), .out_ready_i(e_load && pick_t), .out_data_o(t_event)
+            );
+        end else begin : g_settled
+            assign {t_valid, t_in, t_event} = {(SLOTW+3){1'b0}};
+            wire unused = &{1'b0, shadow_valid_i, shadow_slot_i, shadow_lit_i};
+        end
+    endgenerate
 
-    // ---- event, with the slot's sum, cosine and light number ----
-    wire [SLOTW-1:0] slot = pick_t ? t_event[SLOTW:1] : pick_l ? l_event[SLOTW:1] : s_slot;
-    reg [SLOTW-1:0]  e_slot_q;
-    reg              e_start_q, e_lit_q;
+    // ---- event, with the slot's sum and cosine ----
+    assign slot = pick_t ? t_event[SLOTW:1] : pick_l ? l_event[SLOTW:1] : s_slot;
+    assign read = e_load && (pick_t || pick_l || pick_s);
     wire [50:0]      e_sum;
     wire [15:0]      e_cosine;
-    wire [2:0]       e_light;                         // the light that the event is about
-    wire             read = e_load && (pick_t || pick_l || pick_s);
     always @(posedge clk) begin
         if (e_load) begin
             e_valid_q <= pick_t || pick_l || pick_s;
@@ -120,16 +169,10 @@ module rt_lights #(
         .clk(clk), .wr_en_i(cosine_valid_i), .wr_addr_i(cosine_slot_i), .wr_data_i(cosine_i),
         .rd_en_i(read), .rd_addr_i(slot), .rd_data_o(e_cosine)
     );
-    rt_slot_ram #(.WIDTH(3), .SLOTS(SLOTS), .OLD(0)) u_light (
-        .clk(clk), .wr_en_i(a_valid), .wr_addr_i(a_slot), .wr_data_i(a_next[2:0]),
-        .rd_en_i(read), .rd_addr_i(slot), .rd_data_o(e_light)
-    );
 
     // ---- add ----
     wire [50:0] ambient = {1'b0, ambient_i[47:32], 1'b0, ambient_i[31:16], 1'b0, ambient_i[15:0]};
-    assign e_lamp = e_start_q ? 3'd0 : e_light;
-    wire [3:0]  e_next  = e_start_q ? 4'd0 : {1'b0, e_lamp} + 4'd1;
-    rt_light_add #(.TAG(SLOTW+4)) u_add (
+    rt_light_add #(.TAG(SLOTW+NW)) u_add (
         .clk(clk), .rst(rst), .in_valid_i(e_valid_q), .in_ready_o(add_ready),
         .in_tag_i({e_slot_q, e_next}),
         .in_sum_i(e_start_q ? ambient : e_sum),
@@ -140,14 +183,12 @@ module rt_lights #(
 
     // ---- next light, or done ----
     wire [3*W-1:0]  v_point;
-    reg [3*W-1:0]   v_light_q;
     rt_slot_ram #(.WIDTH(3*W), .SLOTS(SLOTS), .OLD(0)) u_point (
         .clk(clk), .wr_en_i(point_valid_i), .wr_addr_i(point_slot_i), .wr_data_i(point_i),
         .rd_en_i(a_valid), .rd_addr_i(a_slot), .rd_data_o(v_point)
     );
-    wire a_last = a_next == n_lights_i;
+    wire a_last = a_next == n_lights_i[NW-1:0];
     always @(posedge clk) begin
-        v_light_q   <= pos;
         vec_valid_o <= a_valid && !a_last;
         vec_slot_o  <= a_slot;
         sum_valid_o <= a_valid && a_last;
@@ -158,11 +199,11 @@ module rt_lights #(
     genvar i;
     generate
         for (i = 0; i < 3; i = i + 1) begin : g_vec
-            wire signed [WD-1:0] light = {{(WD-W){v_light_q[W*i + W-1]}}, v_light_q[W*i +: W]};
+            wire signed [WD-1:0] light = {{(WD-W){v_light[W*i + W-1]}}, v_light[W*i +: W]};
             wire signed [WD-1:0] point = {{(WD-W){v_point[W*i + W-1]}}, v_point[W*i +: W]};
             assign vec_o[WD*i +: WD] = light - point;  // exact: WD > W
         end
     endgenerate
-    wire unused = &{1'b0, s_in, l_in, t_in, light_data_i};
+    wire unused = &{1'b0, s_in, l_in, t_in, light_data_i, n_lights_i};
 endmodule
 `default_nettype wire

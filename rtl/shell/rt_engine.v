@@ -80,6 +80,11 @@ module rt_engine #(
 );
     localparam SLOTW = $clog2(SLOTS);
     localparam KW = W + WD + 2;
+    localparam SHADOWS = LIGHTS != 0 && SHADOW != 0 ? 1 : 0;           // shadow rays
+    localparam BOUNCES = REFLECT != 0 || INTERPENETRATE != 0 ? 1 : 0;  // mirrored rays
+    localparam POINTS  = LIGHTS != 0 || BOUNCES != 0 ? 1 : 0;          // hit points, normals
+    wire points_on = n_lights_i != 4'd0 ||                             // the same, at run time
+                     effects_i[`RT_EFFECT_REFLECT] || effects_i[`RT_EFFECT_INTERPENETRATE];
 
     // ---- set-up ----
     wire              primary_valid, primary_ready, bounce_valid, vec_valid;
@@ -109,7 +114,8 @@ module rt_engine #(
     wire [3*WD-1:0]   normal_vec;
     wire [2*WD-1:0]   normal_nn;
     wire [15:0]       cosine;
-    rt_setup #(.W(W), .WD(WD), .FW(FW), .SHADOW(SHADOW), .SLOTS(SLOTS), .SLOTW(SLOTW)) u_setup (
+    rt_setup #(.W(W), .WD(WD), .FW(FW), .SHADOW(SHADOW), .LIGHTS(LIGHTS), .BOUNCES(BOUNCES),
+               .SLOTS(SLOTS), .SLOTW(SLOTW)) u_setup (
         .clk(clk), .rst(rst), .eye_i(eye_i), .shadow_on_i(effects_i[`RT_EFFECT_SHADOW]),
         .normal_valid_i(surface_valid), .normal_slot_i(surface_slot),
         .normal_vec_i(surface_normal),
@@ -208,7 +214,7 @@ module rt_engine #(
         .clk(clk), .rst(rst),
         .want_valid_i(leaf_visit), .want_slot_i(found_slot), .want_count_i(leaf_count),
         .new_valid_i(ray_valid), .new_slot_i(ray_slot), .new_scale_i(ray_scale),
-        .new_shift_i(ray_shift), .new_shadow_i(SHADOW != 0 && ray_shadow),
+        .new_shift_i(ray_shift), .new_shadow_i(ray_shadow),
         .new_primary_i(ray_primary),
         .new_depth_i(ray_depth),
         .in_valid_i(result_valid), .in_slot_i(result_slot), .in_hit_i(result_hit),
@@ -263,9 +269,11 @@ module rt_engine #(
     wire              material_valid;
     wire [SLOTW-1:0]  material_slot;
     wire [32:0]       material;
-    rt_surface #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .SLOTS(SLOTS), .SLOTW(SLOTW),
-                 .QUOTIENTS(QUOTIENTS)) u_surface (
-        .clk(clk), .rst(rst), .prim_base_i(prim_base_i),
+    wire              bare_valid;             // a surface that needs no point
+    wire [SLOTW-1:0]  bare_slot;
+    rt_surface #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .POINTS(POINTS), .BOUNCES(BOUNCES),
+                 .INSIDE(INSIDE), .SLOTS(SLOTS), .SLOTW(SLOTW), .QUOTIENTS(QUOTIENTS)) u_surface (
+        .clk(clk), .rst(rst), .prim_base_i(prim_base_i), .eye_i(eye_i), .points_on_i(points_on),
         .ray_valid_i(ray_valid && !ray_shadow), .ray_slot_i(ray_slot), .ray_org_i(ray_org),
         .ray_dir_i(ray_dir), .ray_a_i(ray_a),
         .in_valid_i(hit_valid), .in_slot_i(hit_slot), .in_far_i(hit_far), .in_id_i(hit_id),
@@ -275,7 +283,7 @@ module rt_engine #(
         .prim_valid_i(prim_valid), .prim_ready_o(prim_ready), .prim_slot_i(prim_slot),
         .prim_data_i(prim_data),
         .material_valid_o(material_valid), .material_slot_o(material_slot),
-        .material_o(material),
+        .material_o(material), .bare_valid_o(bare_valid), .bare_slot_o(bare_slot),
         .out_valid_o(surface_valid), .out_slot_o(surface_slot), .out_point_o(surface_point),
         .out_normal_o(surface_normal),
         .quotient_o(count_quotient_o), .saturated_o(count_saturated_o)
@@ -283,19 +291,38 @@ module rt_engine #(
     wire              shadow_valid, shadow_lit, sum_valid;
     wire [SLOTW-1:0]  shadow_slot, sum_slot;
     wire [50:0]       sum;
-    rt_lights #(.W(W), .WD(WD), .SLOTS(SLOTS), .SLOTW(SLOTW)) u_lights (
-        .clk(clk), .rst(rst), .n_lights_i(n_lights_i), .ambient_i(ambient_i),
-        .light_valid_i(light_valid_i), .light_number_i(light_number_i),
-        .light_part_i(light_part_i), .light_data_i(light_data_i),
-        .point_valid_i(surface_valid), .point_slot_i(surface_slot), .point_i(surface_point),
-        .cosine_valid_i(cosine_valid), .cosine_slot_i(cosine_slot), .cosine_i(cosine),
-        .start_valid_i(normal_valid), .start_slot_i(normal_slot),
-        .lamp_valid_i(lamp_valid), .lamp_slot_i(cosine_slot), .lamp_lit_i(lamp_lit),
-        .shadow_valid_i(SHADOW != 0 && shadow_valid), .shadow_slot_i(shadow_slot),
-        .shadow_lit_i(shadow_lit),
-        .vec_valid_o(vec_valid), .vec_slot_o(vec_slot), .vec_o(vec),
-        .sum_valid_o(sum_valid), .sum_slot_o(sum_slot), .sum_o(sum)
-    );
+    wire              start_valid = normal_valid || bare_valid;  // never both: see points_on
+    wire [SLOTW-1:0]  start_slot  = bare_valid ? bare_slot : normal_slot;
+    generate
+        if (LIGHTS != 0) begin : g_lights
+            rt_lights #(.W(W), .WD(WD), .LIGHTS(LIGHTS), .SHADOW(SHADOW), .SLOTS(SLOTS),
+                        .SLOTW(SLOTW)) u_lights (
+                .clk(clk), .rst(rst), .n_lights_i(n_lights_i), .ambient_i(ambient_i),
+                .light_valid_i(light_valid_i), .light_number_i(light_number_i),
+                .light_part_i(light_part_i), .light_data_i(light_data_i),
+                .point_valid_i(surface_valid), .point_slot_i(surface_slot),
+                .point_i(surface_point),
+                .cosine_valid_i(cosine_valid), .cosine_slot_i(cosine_slot), .cosine_i(cosine),
+                .start_valid_i(start_valid), .start_slot_i(start_slot),
+                .lamp_valid_i(lamp_valid), .lamp_slot_i(cosine_slot), .lamp_lit_i(lamp_lit),
+                .shadow_valid_i(shadow_valid), .shadow_slot_i(shadow_slot),
+                .shadow_lit_i(shadow_lit),
+                .vec_valid_o(vec_valid), .vec_slot_o(vec_slot), .vec_o(vec),
+                .sum_valid_o(sum_valid), .sum_slot_o(sum_slot), .sum_o(sum)
+            );
+        end else begin : g_ambient
+            assign vec_valid = 1'b0;
+            assign vec_slot  = {SLOTW{1'b0}};
+            assign vec       = {3*WD{1'b0}};
+            assign sum_valid = start_valid;
+            assign sum_slot  = start_slot;
+            assign sum       = {1'b0, ambient_i[47:32], 1'b0, ambient_i[31:16],
+                                1'b0, ambient_i[15:0]};
+            wire unused = &{1'b0, light_valid_i, light_number_i, light_part_i, light_data_i,
+                            cosine_valid, cosine_slot, cosine, lamp_valid, lamp_lit,
+                            shadow_valid, shadow_slot, shadow_lit};
+        end
+    endgenerate
     rt_pixels #(.W(W), .WD(WD), .REFLECT(REFLECT), .SLOTS(SLOTS), .SLOTW(SLOTW)) u_pixels (
         .clk(clk), .rst(rst), .busy_o(busy_o),
         .reflect_on_i(effects_i[`RT_EFFECT_REFLECT]), .max_depth_i(max_depth_i),
@@ -327,7 +354,6 @@ module rt_engine #(
         .bad_node_o(bad_record)
     );
     assign errors_o = {node_error || leaf_error, visit_limit, overflow, bad_node || bad_record};
-    wire unused = &{1'b0, leafy_in, plain_in, effects_i, LIGHTS != 0, INSIDE != 0, FIRST != 0,
-                    INTERPENETRATE != 0};
+    wire unused = &{1'b0, leafy_in, plain_in, effects_i, SHADOWS != 0, FIRST != 0};
 endmodule
 `default_nettype wire

@@ -1,0 +1,64 @@
+// rt_units.v - one rt_unit, or two that take turns: a vector every second cycle, or every cycle
+// SPDX-License-Identifier: Apache-2.0
+// The second one starts one cycle behind, so never both take, and never both give.
+// Latency that of rt_unit. Model: sph_unit() in cmodel/math/rsqrt.c
+`default_nettype none
+module rt_units #(
+    parameter BITS  = 17,                     // component of v, bits: 9 to 32
+    parameter TAG   = 8,                      // what travels along, bits
+    parameter UNITS = 2                       // 1 or 2
+) (
+    input  wire                   clk,
+    input  wire                   rst,
+    // a vector {z, y, x}
+    input  wire                   in_valid_i,
+    input  wire                   in_first_i, // for the first unit only
+    output wire                   in_ready_o,
+    input  wire [TAG-1:0]         in_tag_i,
+    input  wire [3*BITS-1:0]      in_vec_i,
+    // its unit vector
+    output wire                   out_valid_o,
+    output wire [TAG-1:0]         out_tag_o,
+    output wire [2*BITS-1:0]      out_vv_o,   // u(2BITS), v.v
+    output wire [53:0]            out_u_o,    // {z, y, x} s1.16
+    output wire [16:0]            out_y_o,    // u1.16, 2^(BITS+16-h) / |v| from below
+    output wire [5:0]             out_h_o     // left shift of v
+);
+    localparam RW = TAG + 2*BITS + 54 + 17 + 6;
+    reg              rst_q;
+    always @(posedge clk) rst_q <= rst;
+    wire [UNITS-1:0] ready, valid;
+    wire [UNITS*RW-1:0] results;
+    wire [UNITS-1:0] may = {UNITS{!in_first_i}} | {{(UNITS-1){1'b0}}, 1'b1};
+    genvar g;
+    generate
+        if (UNITS < 1 || UNITS > 2) begin : illegal
+            initial begin
+                $display("rt_units: UNITS %0d is not 1 or 2", UNITS);
+                $finish;
+            end
+        end
+        for (g = 0; g < UNITS; g = g + 1) begin : g_unit
+            wire signed [17:0] x, y, z;
+            wire [TAG-1:0]     tag;
+            wire [2*BITS-1:0]  vv;
+            wire [16:0]        rsqrt;
+            wire [5:0]         h;
+            rt_unit #(.BITS(BITS), .TAG(TAG)) u_unit (
+                .clk(clk), .rst(g == 0 ? rst : rst_q),
+                .in_valid_i(in_valid_i && may[g]), .in_ready_o(ready[g]), .in_tag_i(in_tag_i),
+                .in_x_i($signed(in_vec_i[0 +: BITS])), .in_y_i($signed(in_vec_i[BITS +: BITS])),
+                .in_z_i($signed(in_vec_i[2*BITS +: BITS])),
+                .out_valid_o(valid[g]), .out_tag_o(tag), .out_vv_o(vv),
+                .out_u_x_o(x), .out_u_y_o(y), .out_u_z_o(z), .out_y_o(rsqrt), .out_h_o(h)
+            );
+            assign results[RW*g +: RW] = {tag, vv, z, y, x, rsqrt, h};
+        end
+    endgenerate
+    assign in_ready_o  = |(ready & may);
+    assign out_valid_o = |valid;
+    assign {out_tag_o, out_vv_o, out_u_o, out_y_o, out_h_o} =
+        valid[0] ? results[RW-1:0] : results[UNITS*RW-1 -: RW];
+    wire unused = rst_q;
+endmodule
+`default_nettype wire

@@ -1,0 +1,82 @@
+// rt_origin.v - where a ray starts, on which sphere, and the same in filter units
+// SPDX-License-Identifier: Apache-2.0
+// Primary rays start at the eye, on no sphere. Others start at the point that rt_surface left in
+// their slot; if there are no others, the eye is all there is.
+//   filter origin = org / 2^(W-FW), half up, limited to FW bits
+// Latency 2 cycles, one a cycle. Model: sph_ray_setup() in cmodel/trace/setup.c
+`default_nettype none
+module rt_origin #(
+    parameter W         = 16,  // coordinate, bits
+    parameter FW        = 14,  // filter coordinate, bits
+    parameter SECONDARY = 1,   // 1: there are shadow or reflected rays
+    parameter SLOTS     = 32,  // power of two
+    parameter SLOTW     = 5    // log2 of SLOTS
+) (
+    input  wire              clk,
+    input  wire [3*W-1:0]    eye_i,           // {z, y, x} register
+    // where secondary rays start, and on what
+    input  wire              point_valid_i,
+    input  wire [SLOTW-1:0]  point_slot_i,
+    input  wire [3*W-1:0]    point_i,
+    input  wire              skip_valid_i,
+    input  wire [SLOTW-1:0]  skip_slot_i,
+    input  wire [24:0]       skip_i,          // {inside, id}
+    // a ray
+    input  wire              read_i,
+    input  wire [SLOTW-1:0]  slot_i,
+    input  wire              primary_i,
+    output wire [3*W-1:0]    org_o,
+    output wire [24:0]       skip_o,
+    output reg  [3*FW-1:0]   forg_o           // 3 x sFW
+);
+    localparam K = W - FW;
+    localparam [24:0] NONE = {1'b0, 24'hffffff};
+    wire [3*W-1:0] org;
+    generate
+        if (SECONDARY != 0) begin : g_secondary
+            wire [3*W-1:0] point;
+            wire [24:0]    skip;
+            reg            primary_q;
+            reg [3*W-1:0]  org_q;
+            reg [24:0]     skip_q;
+            rt_slot_ram #(.WIDTH(3*W), .SLOTS(SLOTS), .OLD(0)) u_point (
+                .clk(clk), .wr_en_i(point_valid_i), .wr_addr_i(point_slot_i), .wr_data_i(point_i),
+                .rd_en_i(read_i), .rd_addr_i(slot_i), .rd_data_o(point)
+            );
+            rt_slot_ram #(.WIDTH(25), .SLOTS(SLOTS), .OLD(0)) u_skip (
+                .clk(clk), .wr_en_i(skip_valid_i), .wr_addr_i(skip_slot_i), .wr_data_i(skip_i),
+                .rd_en_i(read_i), .rd_addr_i(slot_i), .rd_data_o(skip)
+            );
+            assign org = primary_q ? eye_i : point;
+            always @(posedge clk) begin
+                primary_q <= primary_i;
+                org_q     <= org;
+                skip_q    <= primary_q ? NONE : skip;
+            end
+            assign org_o  = org_q;
+            assign skip_o = skip_q;
+        end else begin : g_primary
+            assign org    = eye_i;
+            assign org_o  = eye_i;
+            assign skip_o = NONE;
+            wire unused = &{1'b0, point_valid_i, point_slot_i, point_i, skip_valid_i, skip_slot_i,
+                            skip_i, read_i, slot_i, primary_i};
+        end
+    endgenerate
+
+    genvar i;
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : g_forg
+            if (K == 0) begin : g_same
+                always @(posedge clk) forg_o[FW*i +: FW] <= org[W*i +: W];
+            end else begin : g_round
+                wire [FW:0] up = {org[W*i + W-1], org[W*i + K +: FW]} +
+                                 {{FW{1'b0}}, org[W*i + K-1]};  // one bit more than fits
+                always @(posedge clk)
+                    forg_o[FW*i +: FW] <= up[FW] != up[FW-1] ? {1'b0, {(FW-1){1'b1}}}
+                                                             : up[FW-1:0];
+            end
+        end
+    endgenerate
+endmodule
+`default_nettype wire
