@@ -1,137 +1,119 @@
-/* tb_walk.cpp - rt_walk against a walk by columns, sph_primary_dir() and sph_is_background()
+/* tb_walk.cpp - rt_walk, all ways of background separation, against a walk by columns
  * SPDX-License-Identifier: Apache-2.0
+ *
+ * Directions: sph_primary_dir(). Which pixels are traced: the contract's formula (tb/cone.h), for
+ * spheres their discriminant and projection, evaluated at each pixel; and sph_is_background().
+ * Tables come from a memory that answers in order, some time later, with and without a stall.
  */
-#include <vector>
+#include "walk_run.h"
+
+#include <deque>
 
 #include "Vrt_walk.h"
-#include "bench.h"
-
-extern "C" {
-#include "pixel/walk.h"
-}
 
 namespace {
 
-constexpr int COLUMN = 8, SIDE = 16383; /* pixels of a column's row; largest coordinate */
-
-struct Run {
-    int win[4], rect_on, rect[4]; /* x0, y0, x1, y1; the last two are one past the end */
-    int64_t dir[2], pitch;
-};
+using bench::Run;
 
 struct Pixel {
     int x, y;
 };
 
-constexpr int64_t MAX = ((int64_t)1 << (WD - 1)) - 1, MIN = -MAX - 1;
-const Run corners[] = {
-    {{0, 0, 1, 1}, 0, {0, 0, 0, 0}, {0, 0}, 0},         /* one pixel at 0: nothing to seek */
-    {{SIDE - 1, 0, SIDE, 1}, 0, {0}, {0, 0}, 1},        /* the longest way right */
-    {{0, SIDE - 1, 1, SIDE}, 0, {0}, {0, 0}, 1},        /* the longest way down */
-    {{0, 0, 0, 0}, 0, {0, 0, 0, 0}, {0, 0}, 1},         /* empty: ends after set-up */
-    {{5, 5, 5, 9}, 0, {0, 0, 0, 0}, {0, 0}, 1},         /* no column */
-    {{5, 5, 9, 5}, 0, {0, 0, 0, 0}, {0, 0}, 1},         /* no row */
-    {{9, 3, 5, 7}, 0, {0, 0, 0, 0}, {0, 0}, 1},         /* columns end before they begin */
-    {{3, 9, 7, 5}, 0, {0, 0, 0, 0}, {0, 0}, 1},         /* rows end before they begin */
-    {{0, 0, 8, 4}, 0, {0, 0, 0, 0}, {-28, 14}, 7},      /* one whole column */
-    {{3, 5, 19, 9}, 0, {0, 0, 0, 0}, {-28, 14}, 7},     /* columns begin at the window's corner */
-    {{0, 0, 9, 5}, 0, {0, 0, 0, 0}, {-28, 14}, 7},      /* a second column of one pixel */
-    {{0, 0, 7, 3}, 0, {0, 0, 0, 0}, {-28, 14}, 7},      /* less than a column */
-    {{0, 0, 1, 13}, 0, {0, 0, 0, 0}, {1, 1}, 3},        /* one pixel wide: down every cycle */
-    {{0, 0, 25, 1}, 0, {0, 0, 0, 0}, {1, 1}, 3},        /* one row */
-    {{1, 1, 25, 3}, 0, {0, 0, 0, 0}, {1, 1}, 3},        /* two rows: the last is not the first */
-    {{0, 0, 24, 12}, 1, {0, 0, 24, 12}, {MIN, MAX}, 1}, /* rectangle is the window */
-    {{0, 0, 24, 12}, 1, {8, 4, 16, 8}, {MAX, MIN}, 1},  /* inside a column; dir wraps */
-    {{0, 0, 24, 12}, 1, {7, 3, 17, 9}, {0, 0}, 1},      /* one pixel into the columns around */
-    {{0, 0, 24, 12}, 1, {10, 6, 11, 7}, {0, 0}, 1},     /* one pixel is traced */
-    {{0, 0, 24, 12}, 1, {24, 0, 40, 12}, {0, 0}, 1},    /* rectangle just right of the window */
-    {{8, 4, 24, 12}, 1, {0, 0, 8, 4}, {0, 0}, 1},       /* it ends where the window begins */
-    {{0, 0, 24, 12}, 1, {12, 6, 12, 9}, {0, 0}, 1},     /* empty: all is background */
-    {{0, 0, 24, 12}, 1, {12, 9, 20, 6}, {0, 0}, 1},     /* turned round: empty too */
-    {{0, 0, 24, 12}, 1, {0, 0, SIDE, SIDE}, {0, 0}, 1}, /* larger than the window */
-    {{0, 0, 24, 12}, 0, {8, 4, 16, 8}, {0, 0}, 1},      /* switched off: all is traced */
-    {{0, 0, 24, 12}, 0, {0, 0, 0, 0}, {MIN, MAX}, 2 * MAX + 1}, /* widest pitch */
-};
-
-int length(bench::Random &random, int whole) {
-    switch (random.below(4)) {
-    case 0:
-        return whole * (int)random.between(1, 4);
-    case 1:
-        return 1 + (int)random.below(4) * (int)random.below(2);
-    default:
-        return (int)random.between(1, 40);
-    }
-}
-
-Run make(bench::Random &random) {
-    Run r{};
-    for (int i = 0; i < 2; i++) {
-        int n = random.percent(2) ? -(int)random.below(3) : length(random, COLUMN);
-        int first = (int)(random.percent(99) ? random.below(40) : random.mixed(14));
-        r.win[i] = first > SIDE - 40 ? SIDE - 40 - n : first + 2;
-        r.win[i + 2] = r.win[i] + n;
-        r.rect[i] = r.win[i] + (int)random.between(-8, 30);
-        r.rect[i + 2] = r.rect[i] + (int)random.between(-2, 40);
-        for (int k = i; k < 4; k += 2)
-            r.rect[k] = r.rect[k] < 0 ? 0 : r.rect[k] > SIDE ? SIDE : r.rect[k];
-        if (random.percent(5)) r.rect[i] = (int)random.bits(14);
-        if (random.percent(5)) r.rect[i + 2] = (int)random.bits(14);
-        r.dir[i] = random.smixed(WD);
-    }
-    r.rect_on = !random.percent(25);
-    r.pitch = (int64_t)random.mixed(random.percent(50) ? WD : WD / 2);
-    return r;
-}
-
 /* Every pixel of the window, column by column. */
 std::vector<Pixel> walk(const int win[4]) {
     std::vector<Pixel> pixels;
-    for (int left = win[0]; left < win[2]; left += COLUMN)
+    for (int left = win[0]; left < win[2]; left += bench::COLUMN)
         for (int y = win[1]; y < win[3]; y++)
-            for (int x = left; x < left + COLUMN && x < win[2]; x++)
+            for (int x = left; x < left + bench::COLUMN && x < win[2]; x++)
                 pixels.push_back({x, y});
     return pixels;
 }
 
-void load(Vrt_walk &dut, struct sph_machine &m, const Run &r) {
-    bench::set(dut.win_x0_i, 14, m.regs[SPH_REG_WIN_X0] = r.win[0]);
-    bench::set(dut.win_y0_i, 14, m.regs[SPH_REG_WIN_Y0] = r.win[1]);
-    bench::set(dut.win_x1_i, 14, m.regs[SPH_REG_WIN_X1] = r.win[2]);
-    bench::set(dut.win_y1_i, 14, m.regs[SPH_REG_WIN_Y1] = r.win[3]);
-    bench::set(dut.rect_on_i, 1, m.regs[SPH_REG_BG_MODE] = r.rect_on);
-    bench::set(dut.rect_x0_i, 14, m.regs[SPH_REG_RECT_X0] = r.rect[0]);
-    bench::set(dut.rect_y0_i, 14, m.regs[SPH_REG_RECT_Y0] = r.rect[1]);
-    bench::set(dut.rect_x1_i, 14, m.regs[SPH_REG_RECT_X1] = r.rect[2]);
-    bench::set(dut.rect_y1_i, 14, m.regs[SPH_REG_RECT_Y1] = r.rect[3]);
-    bench::set(dut.dir_x0_i, WD, m.regs[SPH_REG_DIR_X0] = (int32_t)r.dir[0]);
-    bench::set(dut.dir_y0_i, WD, m.regs[SPH_REG_DIR_Y0] = (int32_t)r.dir[1]);
-    bench::set(dut.pitch_i, WD, m.regs[SPH_REG_PITCH] = (int32_t)r.pitch);
+/* Lines of memory, in order, some clocks after they were asked for; once asked for and once
+ * offered they stay. */
+struct Memory {
+    struct Line {
+        uint32_t line;
+        uint64_t due;
+    };
+    std::deque<Line> way;
+    unsigned latency, ready; /* clocks, percent of clocks */
+    long error_at, lines;    /* this line is an error; lines asked for */
+    uint32_t asked;          /* offered and not taken, or NONE */
+    static constexpr uint32_t NONE = UINT32_MAX;
+
+    void begin(bench::Random &random, bool errors) {
+        way.clear();
+        latency = (unsigned)(random.percent(50) ? random.below(8) : random.below(300));
+        ready = random.percent(50) ? 100 : (unsigned)random.between(10, 90);
+        error_at = errors ? (long)random.below(12) : -1;
+        lines = 0;
+        asked = NONE;
+    }
+};
+
+uint64_t set56(const int v[4]) {
+    return (uint64_t)v[3] << 42 | (uint64_t)v[2] << 28 | (uint64_t)v[1] << 14 | (uint64_t)v[0];
+}
+
+void load(Vrt_walk &dut, const Run &r) {
+    dut.window_i = set56(r.win);
+    dut.rect_i = set56(r.rect);
+    dut.bg_mode_i = (uint8_t)r.mode;
+    bench::set(dut.bg_base_i, 26, r.base);
+    dut.bg_count_i = (uint8_t)r.cones.size();
+    bench::set(dut.mem_lines_i, 26, r.lines);
+    bench::set(dut.dir_x0_i, WD, r.dir[0]);
+    bench::set(dut.dir_y0_i, WD, r.dir[1]);
+    bench::set(dut.pitch_i, WD, r.pitch);
 }
 
 } // namespace
 
 int main(int argc, char **argv) {
     bench::Bench<Vrt_walk> b("tb_walk", argc, argv);
-    struct sph_machine m = {};
-    size_t corner = 0;
-    unsigned ray_ready = 100, bg_ready = 100; /* percent of clocks */
+    bench::Corners corners;
+    Memory mem{};
     Run r{};
-    auto ready = [&] {
-        b.dut.ray_ready_i = b.random.percent(ray_ready);
-        b.dut.bg_ready_i = b.random.percent(bg_ready);
-        b.settle();
+    unsigned ray_ready = 100, bg_ready = 100; /* percent of clocks */
+    long bad_tables = 0, bus_errors = 0;
+    auto ready = [&] { /* inputs of a clock */
+                       b.dut.ray_ready_i = b.random.percent(ray_ready);
+                       b.dut.bg_ready_i = b.random.percent(bg_ready);
+                       b.dut.mem_req_ready_i = b.random.percent(mem.ready);
+                       bool there = !mem.way.empty() && mem.way.front().due <= b.cycle;
+                       b.dut.mem_rsp_valid_i = there;
+                       b.dut.mem_rsp_error_i =
+                           there && mem.lines - (long)mem.way.size() == mem.error_at;
+                       for (uint32_t i = 0; i < 8; i++)
+                           b.dut.mem_rsp_data_i[i] = there && !b.dut.mem_rsp_error_i
+                                                         ? r.word(mem.way.front().line, i)
+                                                         : (uint32_t)b.random.next();
+                       b.settle();
+    };
+    auto tick = [&] { /* what memory takes and gives in the clock */
+                      if (mem.asked != Memory::NONE &&
+                          mem.asked != (b.dut.mem_req_valid_o ? (uint32_t)b.dut.mem_req_line_o
+                                                              : Memory::NONE))
+                          b.fail("a request for a line was taken back");
+                      mem.asked =
+                          b.dut.mem_req_valid_o ? (uint32_t)b.dut.mem_req_line_o : Memory::NONE;
+                      if (mem.asked != Memory::NONE) {
+                          if (!r.in_table(mem.asked)) b.fail("a line that is not of the table");
+                          if (b.dut.mem_req_ready_i) {
+                              uint64_t due = b.cycle + 1 + mem.latency;
+                              mem.way.push_back({mem.asked, due + b.random.below(mem.latency + 1)});
+                              mem.lines++;
+                              mem.asked = Memory::NONE;
+                          }
+                      }
+                      if (b.dut.mem_rsp_valid_i && b.dut.mem_rsp_ready_o) mem.way.pop_front();
+                      bad_tables += b.dut.bad_table_o;
+                      bus_errors += b.dut.bus_error_o;
+                      b.tick();
     };
     auto done = [&] {
-        if (b.bad()) {
-            const char *const names[] = {"x0", "y0", "x1", "y1"};
-            for (int i = 0; i < 4; i++)
-                printf("#   win_%s %d  rect_%s %d\n", names[i], r.win[i], names[i], r.rect[i]);
-            b.show("rect_on_i", r.rect_on, 1);
-            b.show("dir_x0_i", r.dir[0], WD);
-            b.show("dir_y0_i", r.dir[1], WD);
-            b.show("pitch_i", r.pitch, WD);
-        }
+        if (b.bad()) r.print();
         b.done();
     };
     auto quiet = [&](int busy) {
@@ -140,49 +122,80 @@ int main(int argc, char **argv) {
         b.expect("bg_valid_o", b.dut.bg_valid_o, 0);
     };
     b.dut.start_i = 0;
+    b.dut.mem_rsp_valid_i = 0;
     b.reset();
     while (b.more()) {
         long wrong = b.mismatches;
-        r = corner < sizeof corners / sizeof *corners ? corners[corner++] : make(b.random);
+        r = corners.left() ? corners.next(b.random) : bench::make_run(b.random);
         ray_ready = (unsigned)b.random.below(3) * 45 + 10;
         bg_ready = (unsigned)b.random.below(3) * 45 + 10;
-        load(b.dut, m, r);
+        mem.begin(b.random, r.table() && b.random.percent(5));
+        bad_tables = bus_errors = 0;
+        load(b.dut, r);
         b.dut.start_i = 1;
-        b.tick();
+        ready();
+        tick();
         b.dut.start_i = 0;
         std::vector<Pixel> pixels = walk(r.win);
         int seek = r.win[1] + (pixels.empty() ? 0 : r.win[0] + 1); /* clocks without a pixel */
         for (int i = 0; i <= seek; i++) {
             ready();
             quiet(1);
-            b.tick();
+            tick();
         }
         size_t stop = b.random.percent(2) ? b.random.below(pixels.size() + 1) : pixels.size();
+        uint64_t first = 0;
         for (size_t i = 0; i < stop && b.mismatches == wrong; i++) {
+            int x = pixels[i].x, y = pixels[i].y;
             int64_t dir[3];
-            sph_primary_dir(&m, pixels[i].x, pixels[i].y, dir);
-            bool background = sph_is_background(&m, pixels[i].x, pixels[i].y), taken = false;
-            while (!taken) { /* what is offered stays as it is until it is taken */
+            sph_primary_dir(&r.m, x, y, dir);
+            bool background = r.background(x, y), taken = false;
+            b.expect("sph_is_background()", sph_is_background(&r.m, x, y), background);
+            for (uint64_t since = b.cycle; !taken;) { /* what is offered stays until it is taken */
                 ready();
+                bool offered = b.dut.ray_valid_o || b.dut.bg_valid_o;
                 b.expect("busy_o", b.dut.busy_o, 1);
+                if (!offered && bench::TABLES && b.cycle - since < 20000) {
+                    tick();
+                    continue;
+                }
+                if (mem.error_at >= 0) background = b.dut.bg_valid_o; /* whatever picture */
                 b.expect("ray_valid_o", b.dut.ray_valid_o, !background);
                 b.expect("bg_valid_o", b.dut.bg_valid_o, background);
-                b.expect("x_o", b.get(b.dut.x_o), pixels[i].x, 14);
-                b.expect("y_o", b.get(b.dut.y_o), pixels[i].y, 14);
+                b.expect("x_o", b.get(b.dut.x_o), x, 14);
+                b.expect("y_o", b.get(b.dut.y_o), y, 14);
                 b.expect("ray_dir_x_o", b.sget(b.dut.ray_dir_x_o, WD),
                          bench::sign((bench::u128)dir[0], WD), WD);
                 b.expect("ray_dir_y_o", b.sget(b.dut.ray_dir_y_o, WD),
                          bench::sign((bench::u128)dir[1], WD), WD);
-                taken = background ? b.dut.bg_ready_i : b.dut.ray_ready_i;
-                b.tick();
+                if (i == 0) first = b.cycle;
+                taken = (background ? b.dut.bg_ready_i : b.dut.ray_ready_i) || !offered;
+                tick();
             }
             done();
         }
-        if (stop < pixels.size() || b.mismatches != wrong) b.reset(); /* in the middle */
+        bool whole = stop == pixels.size() && b.mismatches == wrong;
+        if (whole && !pixels.empty() && ray_ready == 100 && bg_ready == 100 && r.fast(mem.latency))
+            b.expect("clocks at most", b.cycle - first <= pixels.size() + r.pauses(), 1);
+        for (uint64_t since = b.cycle; whole && b.dut.busy_o && b.cycle - since < 20000;) {
+            ready(); /* an empty window ends when its cones are there */
+            quiet(1);
+            b.expect("pixels left", pixels.size(), 0);
+            tick();
+        }
+        if (whole) {
+            b.expect("lines on their way", (int)mem.way.size(), 0);
+            b.expect("bad_table_o", bad_tables, r.bad());
+            b.expect("bus_error_o", bus_errors, mem.error_at >= 0 && mem.lines > mem.error_at);
+        } else { /* in the middle */
+            mem.begin(b.random, false);
+            b.dut.mem_rsp_valid_i = 0;
+            b.reset();
+        }
         for (uint64_t i = b.random.below(3); i > 0; i--) {
             ready();
             quiet(0);
-            b.tick();
+            tick();
         }
         ready();
         quiet(0);

@@ -3,30 +3,31 @@
 //   0,0 --down, right--> corner of the window --> column by column, each row by row, top to bottom
 // dir = (DIR_X0 + x*PITCH, DIR_Y0 - y*PITCH, DIR_Z), exact, by forward differences.
 // Background separation: Borodavka et al. V.C; a background pixel leaves by its own port.
-// One pixel a cycle; WIN_X0 + WIN_Y0 + 3 cycles from start_i to the first.
+// One pixel a cycle, with CONES less 3 cycles a column; WIN_X0 + WIN_Y0 + 3 cycles from start_i to
+// the first, and more with CONES or SPANS.
 // Model: sph_primary_dir() and sph_is_background() in cmodel/pixel/walk.h
 `default_nettype none
 module rt_walk #(
-    parameter WD   = 17,  // direction component, bits
-    parameter RECT = 1    // background separation by rectangle, 0 or 1
+    parameter W     = 16,  // coordinate, bits
+    parameter WD    = 17,  // direction component, bits
+    parameter RECT  = 1,   // background separation by rectangle, 0 or 1
+    parameter SPANS = 1,   // by spans in memory, 0 or 1
+    parameter CONES = 1    // exactly, by up to so many spheres, 0..16
 ) (
     input  wire                 clk,
     input  wire                 rst,
     input  wire                 start_i,       // begin with the window
     output wire                 busy_o,        // pixels are left
     // registers
-    input  wire [13:0]          win_x0_i,      // first column
-    input  wire [13:0]          win_y0_i,      // first row
-    input  wire [13:0]          win_x1_i,      // one past the last column
-    input  wire [13:0]          win_y1_i,      // one past the last row
-    input  wire                 rect_on_i,     // separate by the rectangle
-    input  wire [13:0]          rect_x0_i,
-    input  wire [13:0]          rect_y0_i,
-    input  wire [13:0]          rect_x1_i,
-    input  wire [13:0]          rect_y1_i,
+    input  wire [55:0]          window_i,      // {y1, x1, y0, x0}; ends are one past the last
     input  wire signed [WD-1:0] dir_x0_i,      // of column 0
     input  wire signed [WD-1:0] dir_y0_i,      // of row 0
     input  wire [WD-1:0]        pitch_i,       // direction units a pixel
+    input  wire [1:0]           bg_mode_i,     // 0 all is traced, 1 rectangle, 2 spans, 3 cones
+    input  wire [55:0]          rect_i,        // as the window
+    input  wire [25:0]          bg_base_i,     // first line of the spans or cones
+    input  wire [4:0]           bg_count_i,    // cones
+    input  wire [25:0]          mem_lines_i,   // lines of memory
     // to the engines: pixels that are traced
     output wire                 ray_valid_o,
     input  wire                 ray_ready_i,
@@ -37,40 +38,52 @@ module rt_walk #(
     input  wire                 bg_ready_i,
     // both
     output wire [13:0]          x_o,
-    output wire [13:0]          y_o
+    output wire [13:0]          y_o,
+    // memory: tables of the background
+    output wire                 mem_req_valid_o,
+    input  wire                 mem_req_ready_i,
+    output wire [25:0]          mem_req_line_o,
+    input  wire                 mem_rsp_valid_i,
+    output wire                 mem_rsp_ready_o,
+    input  wire [255:0]         mem_rsp_data_i,
+    input  wire                 mem_rsp_error_i,
+    // errors
+    output wire                 bad_table_o,   // the table does not lie in memory
+    output wire                 bus_error_o
 );
-    localparam IDLE = 2'd0, DOWN = 2'd1, RIGHT = 2'd2, WALK = 2'd3;
-    reg [1:0]  state_q;
+    localparam TABLES = SPANS != 0 || CONES != 0;
+    localparam IDLE   = 3'd0, LOAD = 3'd1;         // LOAD: the cones come
+    localparam DOWN   = 3'd2, RIGHT = 3'd3;        // to the corner of the window
+    localparam COLUMN = 3'd4, HEAD = 3'd5;         // the cones go to the head of a column
+    localparam WALK   = 3'd6, TURN = 3'd7;         // TURN: they stand at the next column's head
+    reg [2:0]  state_q;
+    wire [13:0] x0 = window_i[13:0],  y0 = window_i[27:14];
+    wire [13:0] x1 = window_i[41:28], y1 = window_i[55:42];
     reg [13:0] x_q, y_q;
-    reg [13:0] left_x_q;                       // first pixel of the column
-    reg [2:0]  column_q;                       // pixels from it
-    reg        top_q;                          // in the window's first row
+    reg [13:0] left_x_q;                           // first pixel of the column
+    reg [2:0]  column_q;                           // pixels from it
+    reg        top_q;                              // in the window's first row
     reg signed [WD-1:0] dx_q, dy_q, left_dx_q, top_dy_q;
 
-    // ---- which way ----
-    wire traced = RECT == 0 || !rect_on_i || (x_q >= rect_x0_i && x_q < rect_x1_i &&
-                                              y_q >= rect_y0_i && y_q < rect_y1_i);
-    wire walking = state_q == WALK;
-    assign ray_valid_o = walking && traced;
-    assign bg_valid_o  = walking && !traced;
-    wire step = (ray_valid_o && ray_ready_i) || (bg_valid_o && bg_ready_i);
-
-    // ---- order. One row alone is one column: rt_cone has no head for the next one then ----
+    // ---- order ----
+    wire        step;                              // the pixel leaves
     wire [13:0] x_next     = x_q + 14'd1;
     wire [13:0] y_next     = y_q + 14'd1;
-    wire        right      = x_next == win_x1_i;
-    wire        bottom     = y_next == win_y1_i;
-    wire        row_end    = right || (&column_q && !(top_q && bottom));
-    wire        column_end = row_end && bottom;
-    wire        seek_down  = state_q == DOWN && y_q != win_y0_i;
-    wire        seek_right = state_q == RIGHT && x_q != win_x0_i;
-    wire        seek_end   = state_q == RIGHT && x_q == win_x0_i;
+    wire        end_x      = x_next == x1;
+    wire        end_y      = y_next == y1;
+    wire        row_end    = end_x || &column_q;
+    wire        turn       = CONES != 0 && top_q;  // the row's end takes a cycle more
+    wire        seek_down  = state_q == DOWN && y_q != y0;
+    wire        seek_right = state_q == RIGHT && x_q != x0;
+    wire        seek_end   = state_q == RIGHT && x_q == x0;
     wire        step_right = step && !row_end;
-    wire        step_down  = step && row_end && !bottom;
-    wire        new_column = step && column_end;
+    wire        step_row   = (step && row_end && !turn) || state_q == TURN;
+    wire        step_down  = step_row && !end_y;
+    wire        new_column = step_row && end_y;
     wire signed [WD-1:0] pitch   = $signed(pitch_i);
     wire signed [WD-1:0] dx_next = dx_q + pitch;
     wire signed [WD-1:0] dy_next = dy_q - pitch;
+    wire        loaded;
     always @(posedge clk) begin
         if (seek_right || step_right || new_column) begin
             x_q  <= x_next;
@@ -83,11 +96,11 @@ module rt_walk #(
             y_q  <= y_next;
             dy_q <= dy_next;
         end else if (new_column) begin
-            y_q  <= win_y0_i;
+            y_q  <= y0;
             dy_q <= top_dy_q;
         end
         if (step_right) column_q <= column_q + 3'd1;
-        if (step_down || new_column || seek_end) column_q <= 3'd0;
+        if (step_row || seek_end) column_q <= 3'd0;
         if (step_down) top_q <= 1'b0;
         if (seek_end || new_column) begin
             top_q     <= 1'b1;
@@ -96,12 +109,16 @@ module rt_walk #(
         end
         if (seek_end) top_dy_q <= dy_q;
         case (state_q)
-            DOWN:  if (!seek_down)
-                state_q <= win_x0_i < win_x1_i && win_y0_i < win_y1_i ? RIGHT : IDLE;
-            RIGHT: if (seek_end) state_q <= WALK;
-            WALK:  if (new_column && right) state_q <= IDLE;
+            LOAD:    if (loaded) state_q <= DOWN;
+            DOWN:    if (!seek_down) state_q <= x0 < x1 && y0 < y1 ? RIGHT : IDLE;
+            RIGHT:   if (seek_end) state_q <= CONES != 0 ? COLUMN : WALK;
+            COLUMN:  state_q <= HEAD;
+            HEAD:    state_q <= WALK;
+            WALK:    if (step && row_end && turn) state_q <= TURN;
+                     else if (new_column) state_q <= end_x ? IDLE : CONES != 0 ? COLUMN : WALK;
+            TURN:    state_q <= !end_y ? WALK : end_x ? IDLE : COLUMN;
             default: if (start_i) begin
-                state_q <= DOWN;
+                state_q <= CONES != 0 ? LOAD : DOWN;
                 x_q     <= 14'd0;
                 y_q     <= 14'd0;
                 dx_q    <= dir_x0_i;
@@ -110,11 +127,73 @@ module rt_walk #(
         endcase
         if (rst) state_q <= IDLE;
     end
-    assign busy_o      = state_q != IDLE;
-    assign x_o         = x_q;
-    assign y_o         = y_q;
-    assign ray_dir_x_o = dx_q;
-    assign ray_dir_y_o = dy_q;
-    wire unused = &{1'b0, rect_on_i, rect_x0_i, rect_y0_i, rect_x1_i, rect_y1_i};
+
+    // ---- which way: by rectangle, or by a table ----
+    wire outside  = x_q < rect_i[13:0] || x_q >= rect_i[41:28] ||
+                    y_q < rect_i[27:14] || y_q >= rect_i[55:42];
+    wire in_rect  = RECT == 0 || bg_mode_i != 2'd1 || !outside;
+    wire in_table;                                 // with decided: as the table says
+    wire decided;
+    generate
+        if (TABLES) begin : g_tables
+            rt_background #(.W(W), .WD(WD), .SPANS(SPANS), .CONES(CONES)) u_background (
+                .clk(clk), .rst(rst), .start_i(start_i && state_q == IDLE),
+                .window_i(window_i), .mode_i(bg_mode_i), .base_i(bg_base_i),
+                .count_i(bg_count_i), .mem_lines_i(mem_lines_i),
+                .x_i(x_q), .row_next_i(step && row_end),
+                .fetch_i((state_q == LOAD && loaded) || state_q == COLUMN),
+                .enter_i(state_q == DOWN || state_q == HEAD || step_down),
+                .right_i(seek_right || step_right || (step && turn)),
+                .save_i(seek_end || state_q == TURN),
+                .ready_o(loaded), .valid_o(decided), .traced_o(in_table),
+                .req_valid_o(mem_req_valid_o), .req_ready_i(mem_req_ready_i),
+                .req_line_o(mem_req_line_o),
+                .rsp_valid_i(mem_rsp_valid_i), .rsp_ready_o(mem_rsp_ready_o),
+                .rsp_data_i(mem_rsp_data_i), .rsp_error_i(mem_rsp_error_i),
+                .bad_table_o(bad_table_o), .bus_error_o(bus_error_o)
+            );
+        end else begin : g_no_tables
+            assign {loaded, decided, in_table} = 3'b111;
+            assign {mem_req_valid_o, mem_rsp_ready_o, bad_table_o, bus_error_o} = 4'd0;
+            assign mem_req_line_o = 26'd0;
+            wire unused = &{1'b0, bg_base_i, bg_count_i, mem_lines_i, mem_req_ready_i,
+                            mem_rsp_valid_i, mem_rsp_data_i, mem_rsp_error_i};
+        end
+    endgenerate
+    wire offered = state_q == WALK && decided;
+    wire traced  = in_rect && in_table;
+
+    // ---- output; a register parts the tests of tables from what follows ----
+    generate
+        if (TABLES) begin : g_register
+            reg        valid_q, traced_q;
+            reg [13:0] out_x_q, out_y_q;
+            reg signed [WD-1:0] out_dx_q, out_dy_q;
+            wire free   = !valid_q || (traced_q ? ray_ready_i : bg_ready_i);
+            assign step = offered && free;
+            always @(posedge clk) begin
+                if (free) begin
+                    valid_q  <= offered;
+                    traced_q <= traced;
+                    out_x_q  <= x_q;
+                    out_y_q  <= y_q;
+                    out_dx_q <= dx_q;
+                    out_dy_q <= dy_q;
+                end
+                if (rst) valid_q <= 1'b0;
+            end
+            assign busy_o      = state_q != IDLE || valid_q;
+            assign ray_valid_o = valid_q && traced_q;
+            assign bg_valid_o  = valid_q && !traced_q;
+            assign {x_o, y_o, ray_dir_x_o, ray_dir_y_o} = {out_x_q, out_y_q, out_dx_q, out_dy_q};
+        end else begin : g_direct
+            assign step        = (ray_valid_o && ray_ready_i) || (bg_valid_o && bg_ready_i);
+            assign busy_o      = state_q != IDLE;
+            assign ray_valid_o = offered && traced;
+            assign bg_valid_o  = offered && !traced;
+            assign {x_o, y_o, ray_dir_x_o, ray_dir_y_o} = {x_q, y_q, dx_q, dy_q};
+        end
+    endgenerate
+    wire unused = &{1'b0, rect_i, bg_mode_i};
 endmodule
 `default_nettype wire

@@ -63,6 +63,7 @@ module rt_core #(
 );
     localparam KW = W + WD + 2;
     localparam PW = 28 + 72 + 24 + KW + 24;          // a finished pixel
+    localparam SEPARATED = RECT != 0 || SPANS != 0 || CONES != 0;  // background goes by itself
 
     // ---- registers, start ----
     wire [31:0]      effects, profile;
@@ -105,6 +106,28 @@ module rt_core #(
     wire start   = start_i && !busy_o;
     wire go      = start && !missing && !foreign;
 
+    // ---- memory: two readers an engine, and the walk above them if it has tables ----
+    localparam READERS = 2*ENGINES + (SPANS != 0 || CONES != 0 ? 1 : 0);
+    wire [2*ENGINES:0]       m_req_valid, m_rsp_ready;
+    wire [26*(2*ENGINES+1)-1:0] m_req_line;
+    wire [READERS-1:0]       m_req_ready, m_rsp_valid;
+    wire [255:0]             m_rsp_data;
+    wire                     m_rsp_error, bad_table, table_error;
+    wire t_req_ready = READERS > 2*ENGINES && m_req_ready[READERS-1];
+    wire t_rsp_valid = READERS > 2*ENGINES && m_rsp_valid[READERS-1];
+    wire unused = &{1'b0, m_req_valid, m_rsp_ready, m_req_line};  // of the walk without tables
+    rt_mem_arbiter #(.CLIENTS(READERS)) u_arbiter (
+        .clk(clk), .rst(rst),
+        .req_valid_i(m_req_valid[READERS-1:0]), .req_ready_o(m_req_ready),
+        .req_line_i(m_req_line[26*READERS-1:0]),
+        .rsp_valid_o(m_rsp_valid), .rsp_ready_i(m_rsp_ready[READERS-1:0]),
+        .rsp_data_o(m_rsp_data), .rsp_error_o(m_rsp_error),
+        .mem_req_valid_o(mem_req_valid_o), .mem_req_ready_i(mem_req_ready_i),
+        .mem_req_line_o(mem_req_line_o),
+        .mem_rsp_valid_i(mem_rsp_valid_i), .mem_rsp_ready_o(mem_rsp_ready_o),
+        .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i)
+    );
+
     // ---- pixel walk ----
     // A short queue of traced pixels keeps the engines fed while the walk crosses background.
     wire             walk_busy, walk_valid, walk_ready, ray_valid, bg_valid, bg_ready;
@@ -112,16 +135,19 @@ module rt_core #(
     wire signed [WD-1:0] walk_dir_x, walk_dir_y;
     wire [WD-1:0]    ray_dir_x, ray_dir_y;
     wire [ENGINES-1:0] e_ready, e_take, e_busy;
-    rt_walk #(.WD(WD), .RECT(RECT)) u_walk (
+    rt_walk #(.W(W), .WD(WD), .RECT(RECT), .SPANS(SPANS), .CONES(CONES)) u_walk (
         .clk(clk), .rst(rst), .start_i(go), .busy_o(walk_busy),
-        .win_x0_i(window[13:0]), .win_y0_i(window[27:14]),
-        .win_x1_i(window[41:28]), .win_y1_i(window[55:42]),
-        .rect_on_i(bg_mode == 2'd1), .rect_x0_i(rect[13:0]), .rect_y0_i(rect[27:14]),
-        .rect_x1_i(rect[41:28]), .rect_y1_i(rect[55:42]),
-        .dir_x0_i($signed(dir[0 +: WD])), .dir_y0_i($signed(dir[WD +: WD])), .pitch_i(pitch),
+        .window_i(window), .dir_x0_i($signed(dir[0 +: WD])), .dir_y0_i($signed(dir[WD +: WD])),
+        .pitch_i(pitch), .bg_mode_i(bg_mode), .rect_i(rect), .bg_base_i(bg_base),
+        .bg_count_i(bg_count), .mem_lines_i(mem_lines),
         .ray_valid_o(walk_valid), .ray_ready_i(walk_ready),
         .ray_dir_x_o(walk_dir_x), .ray_dir_y_o(walk_dir_y),
-        .bg_valid_o(bg_valid), .bg_ready_i(bg_ready), .x_o(x), .y_o(y)
+        .bg_valid_o(bg_valid), .bg_ready_i(bg_ready), .x_o(x), .y_o(y),
+        .mem_req_valid_o(m_req_valid[2*ENGINES]), .mem_req_ready_i(t_req_ready),
+        .mem_req_line_o(m_req_line[52*ENGINES +: 26]),
+        .mem_rsp_valid_i(t_rsp_valid), .mem_rsp_ready_o(m_rsp_ready[2*ENGINES]),
+        .mem_rsp_data_i(m_rsp_data), .mem_rsp_error_i(m_rsp_error),
+        .bad_table_o(bad_table), .bus_error_o(table_error)
     );
     rt_fifo #(.WIDTH(28 + 2*WD), .DEPTH(16)) u_traced (
         .clk(clk), .rst(rst), .in_valid_i(walk_valid && walk_ready), .in_ready_o(walk_ready),
@@ -140,10 +166,6 @@ module rt_core #(
     end
 
     // ---- engines ----
-    wire [ENGINES*2-1:0]   m_req_valid, m_req_ready, m_rsp_valid, m_rsp_ready;
-    wire [ENGINES*52-1:0]  m_req_line;
-    wire [255:0]           m_rsp_data;
-    wire                   m_rsp_error;
     wire [ENGINES-1:0]     p_valid, p_take;
     wire [ENGINES*PW-1:0]  p_data;
     wire [ENGINES*128-1:0] events;
@@ -163,9 +185,9 @@ module rt_core #(
                         .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES), .ROOTS(ROOTS),
                         .QUOTIENTS(QUOTIENTS)) u_engine (
                 .clk(clk), .rst(rst), .flush_i(go && !keep_cache_i), .busy_o(e_busy[e]),
-                .effects_i(effects[4:0]), .max_depth_i(max_depth), .n_lights_i(n_lights), .background_i(background),
-                .ambient_i(ambient), .eye_i(eye), .root_i(root), .prim_base_i(prim_base),
-                .mem_lines_i(mem_lines), .visit_limit_i(visit_limit),
+                .effects_i(effects[4:0]), .max_depth_i(max_depth), .n_lights_i(n_lights),
+                .background_i(background), .ambient_i(ambient), .eye_i(eye), .root_i(root),
+                .prim_base_i(prim_base), .mem_lines_i(mem_lines), .visit_limit_i(visit_limit),
                 .light_valid_i(light_valid), .light_number_i(light_number),
                 .light_part_i(light_part), .light_data_i(cfg_data_i),
                 .in_valid_i(ray_valid && e_take[e]), .in_ready_o(e_ready[e]),
@@ -205,32 +227,22 @@ module rt_core #(
             assign events[128*e +: 128] = add_e;
         end
     endgenerate
-    rt_mem_arbiter #(.CLIENTS(2*ENGINES)) u_arbiter (
-        .clk(clk), .rst(rst),
-        .req_valid_i(m_req_valid), .req_ready_o(m_req_ready), .req_line_i(m_req_line),
-        .rsp_valid_o(m_rsp_valid), .rsp_ready_i(m_rsp_ready),
-        .rsp_data_o(m_rsp_data), .rsp_error_o(m_rsp_error),
-        .mem_req_valid_o(mem_req_valid_o), .mem_req_ready_i(mem_req_ready_i),
-        .mem_req_line_o(mem_req_line_o),
-        .mem_rsp_valid_i(mem_rsp_valid_i), .mem_rsp_ready_o(mem_rsp_ready_o),
-        .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i)
-    );
-
     // ---- pixel port: engines first, then background ----
     reg           mux_valid_q;
     reg [PW-1:0]  mux_q, mux_next;
     wire          mux_ready = !mux_valid_q || pix_ready_i;
     assign p_take   = p_valid & (~p_valid + 1'b1);
-    assign bg_ready = mux_ready && p_valid == 0;
+    assign bg_ready = SEPARATED && mux_ready && p_valid == 0;
     integer i;
     always @* begin
-        mux_next = {{KW{1'b0}}, 24'd0, 24'hffffff, {3{background}}, y, x};
+        mux_next = SEPARATED ? {{KW{1'b0}}, 24'd0, 24'hffffff, {3{background}}, y, x}
+                   : p_data[PW-1:0];
         for (i = 0; i < ENGINES; i = i + 1)
             if (p_take[i]) mux_next = p_data[PW*i +: PW];
     end
     always @(posedge clk) begin
         if (mux_ready) begin
-            mux_valid_q <= bg_valid || p_valid != 0;
+            mux_valid_q <= (SEPARATED && bg_valid) || p_valid != 0;
             mux_q       <= mux_next;
         end
         if (rst) mux_valid_q <= 1'b0;
@@ -240,8 +252,6 @@ module rt_core #(
 
     assign pix_frame_o = frame == 2'd0 ? pix_colour_o[23:0] : frame == 2'd1 ? pix_colour_o[47:24]
                          : pix_colour_o[71:48];
-
-    wire unused = &{1'b0, bg_base};
 
     // ---- counters: sums over the engines ----
     wire [127:0] shell_events;
@@ -271,7 +281,7 @@ module rt_core #(
     reg [3:0] fault;
     integer m;
     always @* begin
-        fault = 4'd0;
+        fault = {table_error, 2'd0, bad_table};
         for (m = 0; m < ENGINES; m = m + 1) fault = fault | faults[4*m +: 4];
     end
     always @(posedge clk) begin
