@@ -2,7 +2,8 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Every slot lives through rays of some visits; results of all slots arrive interleaved. Between
- * visits the three read ports ask for any slot. A vector is a token or an answer.
+ * visits the three read ports ask for any slot. A vector is a token or an answer. What is not
+ * elaborated gets inputs all the same.
  */
 #include "Vrt_collect.h"
 #include "bench.h"
@@ -60,7 +61,7 @@ constexpr size_t CORNERS = sizeof corners / sizeof *corners;
 struct Slot {
     enum { IDLE, READY, VISIT, DRAIN } state;
     Ray ray;
-    int primary, shadow, found, want, sent;
+    int primary, shadow, first_hit, found, want, sent;
     bool first; /* no visit yet */
     Result best;
 };
@@ -69,7 +70,7 @@ int32_t depth(const Slot &s) {
     struct sph_ray ray = {};
     ray.depth_scale = s.ray.scale;
     ray.depth_shift = s.ray.shift;
-    return s.found ? sph_ray_depth(&profile, &ray, s.best.key) : s.ray.depth;
+    return s.found ? sph_ray_depth(&profile, &ray, s.best.key) : SHADOW ? s.ray.depth : LIMIT;
 }
 
 Ray random_ray(bench::Random &random) {
@@ -187,6 +188,7 @@ int main(int argc, char **argv) {
         b.dut.new_slot_i = (uint8_t)fresh;
         b.dut.new_primary_i = (uint8_t)b.random.below(2);
         b.dut.new_shadow_i = (uint8_t)b.random.below(2);
+        b.dut.new_first_i = (uint8_t)b.random.below(2);
         b.set(b.dut.new_scale_i, 17, ray.scale);
         b.set(b.dut.new_shift_i, 6, ray.shift);
         b.set(b.dut.new_depth_i, FW + 1, ray.depth);
@@ -196,7 +198,8 @@ int main(int argc, char **argv) {
             s->first = true;
             s->ray = ray;
             s->primary = b.dut.new_primary_i;
-            s->shadow = b.dut.new_shadow_i;
+            s->shadow = SHADOW && b.dut.new_shadow_i;
+            s->first_hit = FIRST && b.dut.new_first_i;
         }
 
         b.tick();
@@ -207,15 +210,16 @@ int main(int argc, char **argv) {
             if (i == 1) {
                 b.expect("next_depth_o", b.get(b.dut.next_depth_o), depth(e), FW + 1);
                 b.expect("next_found_o", b.dut.next_found_o, e.found, 1);
-                b.expect("next_shadow_o", b.dut.next_shadow_o, e.shadow, 1);
+                b.expect("next_ends_o", b.dut.next_ends_o, e.shadow || e.first_hit, 1);
             }
             if (i == 2) {
                 b.expect("done_found_o", b.dut.done_found_o, e.found, 1);
                 b.expect("done_shadow_o", b.dut.done_shadow_o, e.shadow, 1);
                 b.expect("done_primary_o", b.dut.done_primary_o, e.primary, 1);
+                b.expect("done_first_o", b.dut.done_first_o, e.first_hit, 1);
             }
             if (i == 2 && e.found) {
-                b.expect("done_far_o", b.dut.done_far_o, e.best.far, 1);
+                b.expect("done_far_o", b.dut.done_far_o, INSIDE && e.best.far, 1);
                 b.expect("done_id_o", b.get(b.dut.done_id_o), e.best.id, 24);
                 b.expect("done_key_o", b.get(b.dut.done_key_o), (bench::i128)e.best.key,
                          W + WD + 2);

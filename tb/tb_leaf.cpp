@@ -2,7 +2,8 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * The first vectors are the 2^9 patterns of least and greatest operands with the radii 0, 1 and
- * greatest; then families of hard cases in turn (`family`), each with its reason.
+ * greatest; then families of hard cases in turn (`family`), each with its reason. The switch of
+ * INSIDE changes while the pipeline is empty; what is not elaborated gets inputs all the same.
  */
 #include <cmath>
 #include <deque>
@@ -23,6 +24,7 @@ struct Vector {
     sph_leaf leaf{};
     unsigned tag = 0;
     int family = 0;
+    bool shadow = false; /* the port; a shadow ray only if they are elaborated */
 };
 
 int64_t clamp(int64_t x, int64_t low, int64_t high) {
@@ -38,7 +40,6 @@ class Source {
         v.leaf.id = (uint32_t)random.bits(random.percent(50) ? 2 : 24);
         v.ray.skip.id = random.percent(20) ? v.leaf.id : random.percent(50) ? 0xffffff : 1;
         v.ray.skip.inside = random.percent(50);
-        v.ray.inside = 1;
         v.ray.kind = random.percent(33) ? SPH_SHADOW : SPH_PRIMARY;
         v.tag = (unsigned)random.bits(TAG);
         if (count < 3 * 512 * 2)
@@ -47,6 +48,8 @@ class Source {
             v.family = 1 + (int)random.below(14), fill(v);
         const int64_t *d = v.ray.dir;
         v.ray.a = (uint64_t)(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+        v.shadow = v.ray.kind == SPH_SHADOW;
+        if (!SHADOW) v.ray.kind = SPH_PRIMARY;
         return v;
     }
 
@@ -286,12 +289,22 @@ int main(int argc, char **argv) {
     Vector v = source.next();
     bool offered = false;
     unsigned gaps = 0;
+    bool change = false, refused = false; /* a k >= 0 was refused because INSIDE is off */
     Vrt_leaf &t = b.dut;
     t.in_valid_i = 0;
+    t.inside_on_i = 1;
     b.reset();
     while (b.more()) {
-        if (b.cycle % 4096 == 0) gaps = (unsigned)b.random.below(3) * 30; /* 0: back to back */
-        if (!offered) offered = !b.random.percent(gaps);
+        if (b.cycle % 4096 == 0) {
+            gaps = (unsigned)b.random.below(3) * 30; /* 0: back to back */
+            change = true;
+        }
+        if (change && !offered && sent.empty()) {
+            t.inside_on_i = b.random.percent(50);
+            change = false;
+        }
+        if (!offered && !change) offered = !b.random.percent(gaps);
+        v.ray.inside = INSIDE && t.inside_on_i;
         t.in_valid_i = offered;
         b.set(t.in_tag_i, TAG, v.tag);
         b.set(t.in_ctr_x_i, W, v.leaf.ctr[0]);
@@ -306,7 +319,7 @@ int main(int argc, char **argv) {
         b.set(t.in_dir_y_i, WD, v.ray.dir[1]);
         b.set(t.in_dir_z_i, WD, v.ray.dir[2]);
         b.set(t.in_a_i, 2 * WD, (bench::i128)v.ray.a);
-        t.in_shadow_i = v.ray.kind == SPH_SHADOW;
+        t.in_shadow_i = v.shadow;
         b.set(t.in_skip_id_i, 24, v.ray.skip.id);
         t.in_skip_inside_i = v.ray.skip.inside != 0;
         b.settle();
@@ -324,6 +337,7 @@ int main(int argc, char **argv) {
         Vector s = sent.front();
         sent.pop_front();
         sph_leaf_result r = sph_leaf_test(&s.ray, &s.leaf);
+        refused = refused || (!s.ray.inside && r.k > 0);
         int disc_bits = 2 * W + 2 * WD;
         b.expect("out_tag_o", (bench::i128)b.get(t.out_tag_o), s.tag, TAG);
         b.expect("out_id_o", (bench::i128)b.get(t.out_id_o), s.leaf.id, 24);
@@ -349,11 +363,13 @@ int main(int argc, char **argv) {
             b.show("in_id_i", s.leaf.id, 24);
             b.show("in_skip_id_i", s.ray.skip.id, 24);
             b.show("in_skip_inside_i", s.ray.skip.inside, 1);
-            b.show("in_shadow_i", s.ray.kind == SPH_SHADOW, 1);
+            b.show("in_shadow_i", s.shadow, 1);
+            b.show("inside_on_i", t.inside_on_i, 1);
             b.show("model k", r.k, 2 * W + 3);
             b.show("model disc", r.disc, disc_bits + 2);
         }
         b.done();
     }
+    if (b.vectors > 50000 && !refused) b.fail("no origin inside a sphere with INSIDE off");
     return b.finish();
 }

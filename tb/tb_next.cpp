@@ -31,8 +31,9 @@ enum Kind {
     EXTREMES,     /* least and largest near, largest limit */
     ZERO_LIMIT,   /* only what reaches the origin or lies behind is kept */
     KILLED,       /* an error ends the ray whatever was found */
-    OCCLUDED,     /* a shadow ray that has a hit ends */
+    ENDS_WITH_IT, /* a shadow ray or a first-hit ray that has a hit ends */
     HIT_GOES_ON,  /* the same hit of another ray does not end it */
+    IN_ORDER,     /* a first-hit ray: every depth is the smallest number, nothing is pruned */
     RANDOM,
     KINDS
 };
@@ -44,7 +45,7 @@ struct Slot {
     int visit;
     /* the ray */
     int32_t depth;
-    int hit, shadow, kill;
+    int hit, ends, kill;
     Group found, now, stack[STACK];
     int sp;
     /* what its token must lead to */
@@ -60,7 +61,7 @@ void step(Slot &s, uint64_t cycle) {
     s.due = cycle + 2;
     if (s.fresh) s.now.count = s.sp = 0;
     s.fresh = false;
-    if (s.kill || (s.shadow && s.hit)) return;
+    if (s.kill || (ENDS && s.ends && s.hit)) return;
     if (s.found.count && s.found.near[0] <= s.depth) {
         if (s.now.count) {
             if (s.sp == STACK) {
@@ -95,7 +96,8 @@ void visit(Slot &s, bench::Random &random) {
     if (!v) {
         s.depth = s.kind == RANDOM ? (int32_t)random.mixed(FW + 1) : LIMIT;
         s.hit = s.kill = 0;
-        s.shadow = s.kind == OCCLUDED || (s.kind == RANDOM && random.percent(30));
+        s.ends = s.kind == ENDS_WITH_IT || s.kind == IN_ORDER ||
+                 (s.kind == RANDOM && random.percent(30));
     }
     Group &g = s.found;
     g.base = (uint32_t)random.mixed(26);
@@ -131,9 +133,15 @@ void visit(Slot &s, bench::Random &random) {
     case KILLED:
         s.kill = v == 3;
         break;
-    case OCCLUDED:
+    case ENDS_WITH_IT:
     case HIT_GOES_ON:
         s.hit = v >= 3;
+        break;
+    case IN_ORDER:
+        g.count = v < 12 ? (int)random.below(5) : 0;
+        s.depth = 0;
+        first = NEAR_MIN, range = 1;
+        s.hit = random.percent(10);
         break;
     case RANDOM:
         g.count = random.percent(v < 40 ? 70 : 30) ? (int)random.below(5) : 0;
@@ -219,7 +227,7 @@ int main(int argc, char **argv) {
         if (taken) b.dut.in_valid_i = 0;
         b.set(b.dut.depth_i, FW + 1, read ? asked.depth : (int32_t)b.random.bits(FW + 1));
         b.dut.hit_i = (uint8_t)(read ? asked.hit : (int)b.random.below(2));
-        b.dut.shadow_i = (uint8_t)(read ? asked.shadow : (int)b.random.below(2));
+        b.dut.ends_i = (uint8_t)(read ? asked.ends : (int)b.random.below(2));
         b.settle();
         bubbles += b.dut.bubble_o;
         if (!b.dut.issue_valid_o && !b.dut.done_valid_o) {
@@ -243,7 +251,7 @@ int main(int argc, char **argv) {
             b.show("visit of the ray", e.visit, 16);
             b.show("depth_i", e.depth, FW + 1);
             b.show("hit_i", e.hit, 1);
-            b.show("shadow_i", e.shadow, 1);
+            b.show("ends_i", e.ends, 1);
             b.show("found_kill_i", e.kill, 1);
             b.show("found_count_i", e.found.count, 3);
             b.show("found_list_i", pack(e.found), 72);

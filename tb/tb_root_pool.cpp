@@ -1,7 +1,8 @@
 /* tb_root_pool.cpp - rt_root_pool, and rt_isqrt inside it, against sph_leaf_key()
  * SPDX-License-Identifier: Apache-2.0
  *
- * Results leave in any order: each is looked up by its tag, and every tag comes back once.
+ * Results leave in any order: each is looked up by its tag, and every tag comes back once. Without
+ * INSIDE in_far_i must not matter.
  */
 #include "Vrt_root_pool.h"
 #include "bench.h"
@@ -120,12 +121,12 @@ int main(int argc, char **argv) {
             struct sph_leaf_result r = {};
             uint64_t roots = 0;
             r.hit = 1;
-            r.far = e.far;
+            r.far = INSIDE && e.far;
             r.disc = e.disc;
             r.b = e.b;
             b.expect("out_key_o", b.get(b.dut.out_key_o),
                      (i128)bench::low(sph_leaf_key(&r, &roots), KW), KW);
-            b.expect("out_far_o", b.dut.out_far_o, e.far, 1);
+            b.expect("out_far_o", b.dut.out_far_o, r.far, 1);
             if (b.bad()) {
                 b.show("tag", at, TAG);
                 b.show("in_disc_i", e.disc, XW);

@@ -85,6 +85,11 @@ module rt_engine #(
     localparam POINTS  = LIGHTS != 0 || BOUNCES != 0 ? 1 : 0;          // hit points, normals
     wire points_on = n_lights_i != 4'd0 ||                             // the same, at run time
                      effects_i[`RT_EFFECT_REFLECT] || effects_i[`RT_EFFECT_INTERPENETRATE];
+    generate
+        if (INTERPENETRATE != 0 && (FIRST == 0 || INSIDE == 0)) begin : g_check
+            rt_engine_INTERPENETRATE_needs_FIRST_and_INSIDE u_error ();
+        end
+    endgenerate
 
     // ---- set-up ----
     wire              primary_valid, primary_ready, bounce_valid, vec_valid;
@@ -136,6 +141,10 @@ module rt_engine #(
         .normal_vec_o(normal_vec), .normal_nn_o(normal_nn),
         .cosine_valid_o(cosine_valid), .cosine_slot_o(cosine_slot), .cosine_o(cosine)
     );
+    wire              inside_on = effects_i[`RT_EFFECT_INSIDE];
+    wire              ray_again;              // the repeated primary ray of its pixel
+    wire              ray_first = FIRST != 0 && effects_i[`RT_EFFECT_FIRST] && ray_primary &&
+                                  !ray_again;
     assign count_rays_o = {ray_go && !ray_primary, shadow_go, ray_go && ray_primary};
 
     // ---- traversal ----
@@ -149,12 +158,14 @@ module rt_engine #(
     wire [3:0]        found_leaf;
     wire [23:0]       visits;
     wire              bad_node, visit_limit, node_error, leaf_error, overflow, bad_record;
-    rt_traverse #(.FW(FW), .SLOTS(SLOTS), .SLOTW(SLOTW), .LINES(NODE_LINES)) u_traverse (
+    rt_traverse #(.FW(FW), .SLOTS(SLOTS), .SLOTW(SLOTW), .LINES(NODE_LINES), .SHADOW(SHADOWS),
+                  .FIRST(FIRST)) u_traverse (
         .clk(clk), .rst(rst), .flush_i(flush_i),
         .mem_lines_i(mem_lines_i), .root_i(root_i), .visit_limit_i(visit_limit_i),
         .new_valid_i(ray_valid), .new_slot_i(ray_slot), .new_org_i(ray_forg),
         .new_unit_i(ray_unit), .new_axis_i(ray_axis), .new_negative_i(ray_negative),
-        .go_valid_i(ray_go), .go_slot_i(ray_slot), .go_primary_i(ray_primary),
+        .new_first_i(ray_first),
+        .go_valid_i(ray_go), .go_slot_i(ray_slot), .go_pixel_i(ray_primary && !ray_again),
         .shadow_go_i(shadow_go), .shadow_slot_i(cosine_slot),
         .next_valid_i(issue_valid), .next_slot_i(issue_slot), .next_line_i(issue_line),
         .depth_read_o(filter_read), .depth_slot_o(filter_slot), .depth_i(filter_depth),
@@ -185,8 +196,8 @@ module rt_engine #(
     wire [25:0]       fetch_line;
     wire [255:0]      prim_data;
     rt_leaf_unit #(.W(W), .WD(WD), .SLOTS(SLOTS), .SLOTW(SLOTW), .LINES(LEAF_LINES),
-                   .ROOTS(ROOTS)) u_leaves (
-        .clk(clk), .rst(rst), .flush_i(flush_i),
+                   .ROOTS(ROOTS), .SHADOW(SHADOWS), .INSIDE(INSIDE)) u_leaves (
+        .clk(clk), .rst(rst), .flush_i(flush_i), .inside_on_i(inside_on),
         .ray_valid_i(ray_valid), .ray_slot_i(ray_slot), .ray_shadow_i(ray_shadow),
         .ray_org_i(ray_org), .ray_dir_i(ray_dir), .ray_a_i(ray_a), .ray_skip_i(ray_skip),
         .in_valid_i(leaf_visit), .in_slot_i(found_slot), .in_leaf_i(found_leaf),
@@ -204,29 +215,27 @@ module rt_engine #(
         .test_o(count_leaf_o), .root_o(count_root_o), .miss_o(count_miss_o[1]),
         .bus_error_o(leaf_error)
     );
-    wire              visit_valid, next_hit, next_shadow;
+    wire              visit_valid, next_hit, next_ends;
     wire [SLOTW-1:0]  visit_slot, next_slot, done_slot;
     wire [FW:0]       next_depth;
-    wire              done_valid, done_found, done_shadow, done_primary, done_far;
+    wire              done_valid, done_found, done_shadow, done_primary, done_first, done_far;
     wire [23:0]       done_id;
     wire [KW-1:0]     done_key;
-    rt_collect #(.W(W), .WD(WD), .FW(FW), .SLOTS(SLOTS), .SLOTW(SLOTW)) u_collect (
+    rt_collect #(.W(W), .WD(WD), .FW(FW), .SLOTS(SLOTS), .SLOTW(SLOTW), .SHADOW(SHADOWS),
+                 .INSIDE(INSIDE), .FIRST(FIRST)) u_collect (
         .clk(clk), .rst(rst),
         .want_valid_i(leaf_visit), .want_slot_i(found_slot), .want_count_i(leaf_count),
         .new_valid_i(ray_valid), .new_slot_i(ray_slot), .new_scale_i(ray_scale),
-        .new_shift_i(ray_shift), .new_shadow_i(ray_shadow),
-        .new_primary_i(ray_primary),
-        .new_depth_i(ray_depth),
+        .new_shift_i(ray_shift), .new_shadow_i(ray_shadow), .new_primary_i(ray_primary),
+        .new_first_i(ray_first), .new_depth_i(ray_depth),
         .in_valid_i(result_valid), .in_slot_i(result_slot), .in_hit_i(result_hit),
         .in_far_i(result_far), .in_id_i(result_id), .in_key_i(result_key),
         .out_valid_o(visit_valid), .out_slot_o(visit_slot),
         .filter_valid_i(filter_read), .filter_slot_i(filter_slot), .filter_depth_o(filter_depth),
         .next_valid_i(next_read), .next_slot_i(next_slot), .next_depth_o(next_depth),
-        .next_found_o(next_hit),
-        .next_shadow_o(next_shadow),
+        .next_found_o(next_hit), .next_ends_o(next_ends),
         .done_valid_i(done_valid), .done_slot_i(done_slot), .done_found_o(done_found),
-        .done_shadow_o(done_shadow),
-        .done_primary_o(done_primary),
+        .done_shadow_o(done_shadow), .done_primary_o(done_primary), .done_first_o(done_first),
         .done_far_o(done_far), .done_id_o(done_id), .done_key_o(done_key)
     );
 
@@ -244,7 +253,8 @@ module rt_engine #(
         .out_valid_o(plain_valid), .out_ready_i(next_ready && !leafy_valid),
         .out_data_o(plain_slot)
     );
-    rt_next #(.FW(FW), .SLOTS(SLOTS), .SLOTW(SLOTW), .DEPTH(STACK)) u_next (
+    rt_next #(.FW(FW), .SLOTS(SLOTS), .SLOTW(SLOTW), .DEPTH(STACK),
+              .ENDS(SHADOWS != 0 || FIRST != 0 ? 1 : 0)) u_next (
         .clk(clk), .rst(rst),
         .found_valid_i(found_valid), .found_slot_i(found_slot), .found_base_i(found_base),
         .found_count_i(found_count), .found_list_i(found_list),
@@ -252,7 +262,7 @@ module rt_engine #(
         .in_valid_i(leafy_valid || plain_valid), .in_ready_o(next_ready),
         .in_slot_i(leafy_valid ? leafy_slot : plain_slot),
         .read_o(next_read), .slot_o(next_slot), .depth_i(next_depth), .hit_i(next_hit),
-        .shadow_i(next_shadow),
+        .ends_i(next_ends),
         .issue_valid_o(issue_valid), .issue_slot_o(issue_slot), .issue_line_o(issue_line),
         .done_valid_o(done_valid), .done_slot_o(done_slot),
         .bubble_o(count_bubble_o), .overflow_o(overflow)
@@ -323,9 +333,11 @@ module rt_engine #(
                             shadow_valid, shadow_slot, shadow_lit};
         end
     endgenerate
-    rt_pixels #(.W(W), .WD(WD), .REFLECT(REFLECT), .SLOTS(SLOTS), .SLOTW(SLOTW)) u_pixels (
+    rt_pixels #(.W(W), .WD(WD), .SHADOW(SHADOWS), .REFLECT(REFLECT), .INSIDE(INSIDE),
+                .INTERPENETRATE(INTERPENETRATE), .SLOTS(SLOTS), .SLOTW(SLOTW)) u_pixels (
         .clk(clk), .rst(rst), .busy_o(busy_o),
         .reflect_on_i(effects_i[`RT_EFFECT_REFLECT]), .max_depth_i(max_depth_i),
+        .probe_on_i(effects_i[`RT_EFFECT_INTERPENETRATE]),
         .background_i(background_i),
         .prim_base_i(prim_base_i), .mem_lines_i(mem_lines_i),
         .in_valid_i(in_valid_i), .in_ready_o(in_ready_o), .in_x_i(in_x_i), .in_y_i(in_y_i),
@@ -334,10 +346,12 @@ module rt_engine #(
         .primary_slot_o(primary_slot), .primary_vec_o(primary_vec),
         .bounce_valid_o(bounce_valid), .bounce_slot_o(bounce_slot), .bounce_vec_o(bounce_vec),
         .ray_valid_i(ray_valid && !ray_shadow), .ray_slot_i(ray_slot), .ray_dir_i(ray_dir),
+        .ray_again_o(ray_again),
         .normal_valid_i(normal_valid), .normal_slot_i(normal_slot),
         .normal_vec_i(normal_vec), .normal_nn_i(normal_nn),
+        .ask_valid_i(done_valid), .ask_slot_i(done_slot),
         .done_valid_i(over_valid_q), .done_slot_i(over_slot_q), .done_found_i(done_found),
-        .done_shadow_i(done_shadow), .done_primary_i(done_primary),
+        .done_shadow_i(done_shadow), .done_primary_i(done_primary), .done_first_i(done_first),
         .done_far_i(done_far), .done_id_i(done_id),
         .done_key_i(done_key),
         .shadow_valid_o(shadow_valid), .shadow_slot_o(shadow_slot),
@@ -354,6 +368,6 @@ module rt_engine #(
         .bad_node_o(bad_record)
     );
     assign errors_o = {node_error || leaf_error, visit_limit, overflow, bad_node || bad_record};
-    wire unused = &{1'b0, leafy_in, plain_in, effects_i, SHADOWS != 0, FIRST != 0};
+    wire unused = &{1'b0, leafy_in, plain_in, effects_i};
 endmodule
 `default_nettype wire

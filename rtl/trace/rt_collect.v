@@ -10,7 +10,10 @@ module rt_collect #(
     parameter WD    = 17,  // direction component, bits
     parameter FW    = 14,  // filter coordinate, bits
     parameter SLOTS = 32,  // power of two
-    parameter SLOTW = 5    // log2 of SLOTS
+    parameter SLOTW = 5,   // log2 of SLOTS
+    parameter SHADOW = 1,  // 1: shadow rays
+    parameter INSIDE = 1,  // 1: far roots
+    parameter FIRST = 1    // 1: rays that end with the first visit that hits
 ) (
     input  wire              clk,
     input  wire              rst,
@@ -25,6 +28,7 @@ module rt_collect #(
     input  wire [5:0]        new_shift_i,   // 63: depth cannot be bounded
     input  wire              new_shadow_i,
     input  wire              new_primary_i,
+    input  wire              new_first_i,   // ends with the first visit that hits
     input  wire [FW:0]       new_depth_i,   // depth limit at the start
     // from rt_leaf by way of rt_root_pool: one result
     input  wire              in_valid_i,
@@ -44,19 +48,25 @@ module rt_collect #(
     input  wire [SLOTW-1:0]  next_slot_i,
     output wire [FW:0]       next_depth_o,
     output wire              next_found_o,   // the ray has a hit
-    output wire              next_shadow_o,
+    output wire              next_ends_o,    // a hit ends the ray: shadow, or first
     input  wire              done_valid_i,
     input  wire [SLOTW-1:0]  done_slot_i,
     output wire              done_found_o,
     output wire              done_shadow_o,
     output wire              done_primary_o,
+    output wire              done_first_o,
     output wire              done_far_o,
     output wire [23:0]       done_id_o,
     output wire [W+WD+1:0]   done_key_o
 );
     localparam KW   = W + WD + 2;            // key
-    localparam BW   = KW + 25;               // {far, id, key}
+    localparam BW   = KW + 24;               // {id, key}; above it the mark, then far
     localparam LIM  = {(FW+1){1'b1}};        // largest depth
+    localparam IB   = INSIDE != 0 ? 1 : 0;   // bits of a flag, if it is elaborated
+    localparam SB   = SHADOW != 0 ? 1 : 0;
+    localparam FB   = FIRST != 0 ? 1 : 0;
+    localparam EB   = SHADOW != 0 || FIRST != 0 ? 1 : 0;
+    localparam DB   = SHADOW != 0 ? FW + 1 : 0;  // depth at the start: the largest, or a light's
 
     // ---- has the ray of a slot a hit? ----
     // Two bits in two memories with one writer each: a new ray makes them equal, a hit makes them
@@ -94,23 +104,21 @@ module rt_collect #(
     );
 
     // ---- stage 0: compare with the best so far ----
-    wire [BW:0]   best, done_best;           // {hit mark, far, id, key}
-    wire [BW:0]   cand = {!in_mark, in_far_i, in_id_i, in_key_i};
+    wire [BW+IB:0] best, done_best;          // {far, hit mark, id, key}
+    wire [BW+1:0] cand = {in_far_i, !in_mark, in_id_i, in_key_i};
+    wire [BW+IB:0] put = clearing ? {(BW+IB+1){1'b0}} : cand[BW+IB:0];
     wire          found  = best[BW] != in_mark;
     wire          closer = in_key_i < best[KW-1:0] ||
                            (in_key_i == best[KW-1:0] && in_id_i < best[KW +: 24]);
     assign        win = in_valid_i && in_hit_i && (!found || closer);
-    rt_slot_file #(.WIDTH(BW+1), .SLOTS(SLOTS)) u_best (
+    rt_slot_file #(.WIDTH(BW+IB+1), .SLOTS(SLOTS)) u_best (
         .clk(clk), .wr_en_i(clearing || win), .wr_addr_i(clearing ? clear_slot : in_slot_i),
-        .wr_data_i(clearing ? {(BW+1){1'b0}} : cand),
-        .rd_addr_i(in_slot_i), .rd_data_o(best)
+        .wr_data_i(put), .rd_addr_i(in_slot_i), .rd_data_o(best)
     );
-    rt_slot_ram #(.WIDTH(BW+1), .SLOTS(SLOTS), .OLD(0)) u_done (
+    rt_slot_ram #(.WIDTH(BW+IB+1), .SLOTS(SLOTS), .OLD(0)) u_done (
         .clk(clk), .wr_en_i(clearing || win), .wr_addr_i(clearing ? clear_slot : in_slot_i),
-        .wr_data_i(clearing ? {(BW+1){1'b0}} : cand),
-        .rd_en_i(done_valid_i), .rd_addr_i(done_slot_i), .rd_data_o(done_best)
+        .wr_data_i(put), .rd_en_i(done_valid_i), .rd_addr_i(done_slot_i), .rd_data_o(done_best)
     );
-    wire unused = &{1'b0, best[BW-1]};
     always @(posedge clk) begin
         if (clearing) clear_q <= clear_q + 1'b1;
         if (rst) clear_q <= 0;
@@ -158,43 +166,60 @@ module rt_collect #(
 
     // ---- depth limit of each slot: set-up writes the first, hits lower it ----
     // Each memory carries its mark; filters and rt_next read both kinds at once.
-    wire [FW+1:0] filter_first, filter_best, next_best;
-    wire [FW+2:0] next_first;                // {shadow, mark, depth}
-    wire [2:0]    done_first;                // {primary, shadow, mark}
+    wire [FW+1:0] filter_best, next_best;
+    wire [DB:0]   filter_first;              // {depth, mark}
+    wire [DB+EB:0] next_first;               // {ends with a hit, depth, mark}
+    wire [SB+FB+1:0] done_first;             // {first, shadow, primary, mark}
+    wire          new_ends = (SHADOW != 0 && new_shadow_i) || (FIRST != 0 && new_first_i);
+    wire [FW+2:0] new_next = SHADOW != 0 ? {new_ends, new_depth_i, new_mark}
+                                         : {{(FW+1){1'b0}}, new_ends, new_mark};
+    wire [3:0]    new_done = SHADOW != 0 ? {new_first_i, new_shadow_i, new_primary_i, new_mark}
+                                         : {1'b0, new_first_i, new_primary_i, new_mark};
+    wire [FW:0]   filter_start, next_start;
+    generate
+        if (SHADOW != 0) begin : g_light     // a light may lie nearer than the limit
+            assign filter_start = filter_first[DB -: FW+1];
+            assign next_start   = next_first[DB -: FW+1];
+        end else begin : g_limit
+            assign filter_start = LIM;
+            assign next_start   = LIM;
+        end
+    endgenerate
     wire          best_wr   = clearing || s3_win_q;
     wire [SLOTW-1:0] best_slot = clearing ? clear_slot : s3_slot_q;
     wire [FW+1:0] best_data = clearing ? {(FW+2){1'b0}} : {s3_mark_q, s3_depth_q};
-    rt_slot_ram #(.WIDTH(FW+2), .SLOTS(SLOTS), .OLD(0)) u_first_f (
-        .clk(clk), .wr_en_i(new_valid_i), .wr_addr_i(new_slot_i),
-        .wr_data_i({new_mark, new_depth_i}),
+    rt_slot_ram #(.WIDTH(DB+1), .SLOTS(SLOTS), .OLD(0)) u_first_f (
+        .clk(clk), .wr_en_i(new_valid_i), .wr_addr_i(new_slot_i), .wr_data_i(new_next[DB:0]),
         .rd_en_i(filter_valid_i), .rd_addr_i(filter_slot_i), .rd_data_o(filter_first)
     );
     rt_slot_ram #(.WIDTH(FW+2), .SLOTS(SLOTS), .OLD(0)) u_best_f (
         .clk(clk), .wr_en_i(best_wr), .wr_addr_i(best_slot), .wr_data_i(best_data),
         .rd_en_i(filter_valid_i), .rd_addr_i(filter_slot_i), .rd_data_o(filter_best)
     );
-    rt_slot_ram #(.WIDTH(FW+3), .SLOTS(SLOTS), .OLD(0)) u_first_n (
-        .clk(clk), .wr_en_i(new_valid_i), .wr_addr_i(new_slot_i),
-        .wr_data_i({new_shadow_i, new_mark, new_depth_i}),
+    rt_slot_ram #(.WIDTH(DB+EB+1), .SLOTS(SLOTS), .OLD(0)) u_first_n (
+        .clk(clk), .wr_en_i(new_valid_i), .wr_addr_i(new_slot_i), .wr_data_i(new_next[DB+EB:0]),
         .rd_en_i(next_valid_i), .rd_addr_i(next_slot_i), .rd_data_o(next_first)
     );
     rt_slot_ram #(.WIDTH(FW+2), .SLOTS(SLOTS), .OLD(0)) u_best_n (
         .clk(clk), .wr_en_i(best_wr), .wr_addr_i(best_slot), .wr_data_i(best_data),
         .rd_en_i(next_valid_i), .rd_addr_i(next_slot_i), .rd_data_o(next_best)
     );
-    rt_slot_ram #(.WIDTH(3), .SLOTS(SLOTS), .OLD(0)) u_first_d (
+    rt_slot_ram #(.WIDTH(SB+FB+2), .SLOTS(SLOTS), .OLD(0)) u_first_d (
         .clk(clk), .wr_en_i(new_valid_i), .wr_addr_i(new_slot_i),
-        .wr_data_i({new_primary_i, new_shadow_i, new_mark}),
+        .wr_data_i(new_done[SB+FB+1:0]),
         .rd_en_i(done_valid_i), .rd_addr_i(done_slot_i), .rd_data_o(done_first)
     );
-    wire filter_found = filter_first[FW+1] != filter_best[FW+1];
-    assign filter_depth_o = filter_found ? filter_best[FW:0] : filter_first[FW:0];
-    assign next_found_o   = next_first[FW+1] != next_best[FW+1];
-    assign next_depth_o   = next_found_o ? next_best[FW:0] : next_first[FW:0];
-    assign next_shadow_o  = next_first[FW+2];
+    wire filter_found = filter_first[0] != filter_best[FW+1];
+    assign filter_depth_o = filter_found ? filter_best[FW:0] : filter_start;
+    assign next_found_o   = next_first[0] != next_best[FW+1];
+    assign next_depth_o   = next_found_o ? next_best[FW:0] : next_start;
+    assign next_ends_o    = EB != 0 && next_first[DB+EB];
     assign done_found_o   = done_first[0] != done_best[BW];
-    assign done_shadow_o  = done_first[1];
-    assign done_primary_o = done_first[2];
-    assign {done_far_o, done_id_o, done_key_o} = done_best[BW-1:0];
+    assign done_primary_o = done_first[1];
+    assign done_shadow_o  = SHADOW != 0 && done_first[SB+1];
+    assign done_first_o   = FIRST != 0 && done_first[SB+FB+1];
+    assign done_far_o     = INSIDE != 0 && done_best[BW+IB];
+    assign {done_id_o, done_key_o} = done_best[BW-1:0];
+    wire unused = &{1'b0, cand, best, new_next, new_done, new_depth_i, new_shadow_i, new_first_i};
 endmodule
 `default_nettype wire

@@ -11,10 +11,13 @@
 module rt_leaf #(
     parameter W   = 16,                          // coordinate, bits
     parameter WD  = 17,                          // direction component, bits
-    parameter TAG = 8                            // what travels along, bits
+    parameter TAG = 8,                           // what travels along, bits
+    parameter SHADOW = 1,                        // 1: some rays end at a light
+    parameter INSIDE = 1                         // 1: rays may start inside a sphere
 ) (
     input  wire                   clk,
     input  wire                   rst,           // synchronous, active high
+    input  wire                   inside_on_i,   // run-time switch of INSIDE
     // from the leaf fetch
     input  wire                   in_valid_i,
     output wire                   in_ready_o,    // low in the clock after a transfer
@@ -104,7 +107,9 @@ module rt_leaf #(
             reg [2:0] kind_q;
             if (j == 0) begin : g_in
                 always @(posedge clk)
-                    if (take) kind_q <= {in_id_i == in_skip_id_i, in_skip_inside_i, in_shadow_i};
+                    if (take)
+                        kind_q <= {in_id_i == in_skip_id_i, INSIDE != 0 && in_skip_inside_i,
+                                   SHADOW != 0 && in_shadow_i};
             end else begin : g_next
                 always @(posedge clk) if (valid[2*j]) kind_q <= kind_wait[(j-1)*3 +: 3];
             end
@@ -234,23 +239,26 @@ module rt_leaf #(
     // ---- what disc > 0 and disc <= 0 would mean, in clock T_B+3 ----
     wire light_out = light_q[LW-1];              // the light is outside
     wire light_in  = !light_out && light_q != {LW{1'b0}};
-    wire skip      = own && !inside;             // never hits the sphere it leaves
-    wire ahead     = bb_pos_q || k_pos_q;        // if disc > 0, a root with t > 0
+    wire on        = INSIDE != 0 && inside_on_i;
+    wire leaves    = on && own && inside;        // starts on the inner side of its own sphere
+    wire skip      = own ? !leaves               // never hits the sphere it leaves
+                         : !on && !k_neg_q;      // starts inside no sphere
+    wire ahead     = bb_pos_q || (INSIDE != 0 && k_pos_q);  // if disc > 0, a root with t > 0
     reg  hit_1_q, hit_0_q, exit_1_q, exit_0_q, far_q;
     always @(posedge clk) begin
-        far_q    <= !skip && (!k_neg_q || own);
-        exit_1_q <= !skip && !shadow && own && !ahead;
-        exit_0_q <= !skip && !shadow && own;
+        far_q    <= on && !skip && (!k_neg_q || own);
+        exit_1_q <= leaves && !shadow && !ahead;
+        exit_0_q <= leaves && !shadow;
         if (skip) begin
             hit_1_q <= 1'b0;
             hit_0_q <= 1'b0;
         end else if (!shadow) begin
-            hit_1_q <= ahead || own;
-            hit_0_q <= own;
-        end else if (own) begin
+            hit_1_q <= ahead || leaves;
+            hit_0_q <= leaves;
+        end else if (leaves) begin
             hit_1_q <= light_out;
             hit_0_q <= light_out;
-        end else if (k_neg_q) begin
+        end else if (INSIDE == 0 || k_neg_q) begin
             hit_1_q <= bb_pos_q && (bb_short_q || light_in);
             hit_0_q <= 1'b0;
         end else begin
@@ -259,9 +267,18 @@ module rt_leaf #(
         end
     end
     wire hit_1, hit_0, exit_1, exit_0, far;      // in clock T_DISC+1
-    rt_delay #(.WIDTH(5), .CYCLES(T_DISC - T_B - 2)) u_wait (
-        .clk(clk), .in_i({hit_1_q, hit_0_q, exit_1_q, exit_0_q, far_q}),
-        .out_o({hit_1, hit_0, exit_1, exit_0, far}));
+    generate
+        if (INSIDE != 0) begin : g_inside
+            rt_delay #(.WIDTH(5), .CYCLES(T_DISC - T_B - 2)) u_wait (
+                .clk(clk), .in_i({hit_1_q, hit_0_q, exit_1_q, exit_0_q, far_q}),
+                .out_o({hit_1, hit_0, exit_1, exit_0, far}));
+        end else begin : g_outside               // a hit has two roots ahead, the near one counts
+            rt_delay #(.WIDTH(1), .CYCLES(T_DISC - T_B - 2)) u_wait (
+                .clk(clk), .in_i(hit_1_q), .out_o(hit_1));
+            assign {hit_0, exit_1, exit_0, far} = 4'd0;
+            wire unused = &{1'b0, hit_0_q, exit_1_q, exit_0_q, far_q};
+        end
+    endgenerate
 
     // ---- disc: b*b, then k*a added, in clock T_DISC ----
     reg [DW-1:0] disc_q;

@@ -13,11 +13,14 @@ module rt_leaf_unit #(
     parameter SLOTS = 32,   // power of two
     parameter SLOTW = 5,    // log2 of SLOTS
     parameter LINES = 64,   // leaf cache, lines
-    parameter ROOTS = 3     // square root units
+    parameter ROOTS = 3,    // square root units
+    parameter SHADOW = 1,   // 1: shadow rays
+    parameter INSIDE = 1    // 1: rays that start inside a sphere
 ) (
     input  wire              clk,
     input  wire              rst,
     input  wire              flush_i,       // forget the leaf cache
+    input  wire              inside_on_i,   // run-time switch of INSIDE
     // from rt_setup: the rays
     input  wire              ray_valid_i,
     input  wire [SLOTW-1:0]  ray_slot_i,
@@ -64,6 +67,8 @@ module rt_leaf_unit #(
     localparam KW   = W + WD + 2;
     localparam XW   = 2*W + 2*WD;
     localparam HOLD = 16;
+    localparam SB   = SHADOW != 0 ? 1 : 0;           // bits of a flag, if it is elaborated
+    localparam IB   = INSIDE != 0 ? 1 : 0;
 
     // ---- one candidate after the other: queue of slots, what to test in block RAM ----
     wire             q_valid, q_in_ready;
@@ -133,16 +138,20 @@ module rt_leaf_unit #(
     wire             l_taken = l_valid_q && leaf_ready && credit;
     wire             l_load  = c_valid && !c_prim && (!l_valid_q || l_taken);
     assign c_ready = c_prim ? prim_ready_i : !l_valid_q || l_taken;
-    wire             l_shadow, l_inside;
-    wire [23:0]      l_skip;
-    wire [2*WD-1:0]  l_a;
-    wire [3*WD-1:0]  l_dir;
-    wire [3*W-1:0]   l_org;
-    rt_slot_ram #(.WIDTH(3*W+5*WD+26), .SLOTS(SLOTS), .OLD(0)) u_ray (
-        .clk(clk), .wr_en_i(ray_valid_i), .wr_addr_i(ray_slot_i),
-        .wr_data_i({ray_shadow_i, ray_skip_i, ray_a_i, ray_dir_i, ray_org_i}),
-        .rd_en_i(l_load), .rd_addr_i(c_slot),
-        .rd_data_o({l_shadow, l_inside, l_skip, l_a, l_dir, l_org})
+    localparam YW = 3*W + 5*WD + 24;                 // a ray; above it shadow, inside
+    wire [YW+1:0]       y = {INSIDE != 0 ? {ray_shadow_i, ray_skip_i[24]} : {2{ray_shadow_i}},
+                             ray_skip_i[23:0], ray_a_i, ray_dir_i, ray_org_i};
+    wire [YW+SB+IB-1:0] l_ray;
+    wire                l_shadow = SHADOW != 0 && l_ray[YW+SB+IB-1];
+    wire                l_inside = INSIDE != 0 && l_ray[YW+IB-1];
+    wire [23:0]         l_skip;
+    wire [2*WD-1:0]     l_a;
+    wire [3*WD-1:0]     l_dir;
+    wire [3*W-1:0]      l_org;
+    assign {l_skip, l_a, l_dir, l_org} = l_ray[YW-1:0];
+    rt_slot_ram #(.WIDTH(YW+SB+IB), .SLOTS(SLOTS), .OLD(0)) u_ray (
+        .clk(clk), .wr_en_i(ray_valid_i), .wr_addr_i(ray_slot_i), .wr_data_i(y[YW+SB+IB-1:0]),
+        .rd_en_i(l_load), .rd_addr_i(c_slot), .rd_data_o(l_ray)
     );
     always @(posedge clk) begin
         if (l_load) begin
@@ -161,9 +170,13 @@ module rt_leaf_unit #(
     wire [23:0]      x_id;
     wire [XW-1:0]    x_disc;
     wire signed [KW-1:0] x_b;
-    rt_leaf #(.W(W), .WD(WD), .TAG(SLOTW+2)) u_leaf (
-        .clk(clk), .rst(rst), .in_valid_i(l_valid_q && credit), .in_ready_o(leaf_ready),
-        .in_tag_i({l_slot_q, l_shadow, l_error_q}),
+    wire [SLOTW+1:0] l_tag = {l_shadow, l_slot_q, l_error_q};
+    wire [SLOTW+SB:0] x_tag;
+    assign {x_slot, x_error} = x_tag[SLOTW:0];
+    assign x_shadow = SHADOW != 0 && x_tag[SLOTW+SB];
+    rt_leaf #(.W(W), .WD(WD), .TAG(SLOTW+1+SB), .SHADOW(SHADOW), .INSIDE(INSIDE)) u_leaf (
+        .clk(clk), .rst(rst), .inside_on_i(inside_on_i),
+        .in_valid_i(l_valid_q && credit), .in_ready_o(leaf_ready), .in_tag_i(l_tag[SLOTW+SB:0]),
         .in_ctr_x_i($signed(l_leaf_q[`RT_LEAF_CTR_X_LSB +: W])),
         .in_ctr_y_i($signed(l_leaf_q[`RT_LEAF_CTR_Y_LSB +: W])),
         .in_ctr_z_i($signed(l_leaf_q[`RT_LEAF_CTR_Z_LSB +: W])),
@@ -173,7 +186,7 @@ module rt_leaf_unit #(
         .in_dir_x_i($signed(l_dir[0 +: WD])), .in_dir_y_i($signed(l_dir[WD +: WD])),
         .in_dir_z_i($signed(l_dir[2*WD +: WD])), .in_a_i(l_a),
         .in_shadow_i(l_shadow), .in_skip_id_i(l_skip), .in_skip_inside_i(l_inside),
-        .out_valid_o(x_valid), .out_tag_o({x_slot, x_shadow, x_error}), .out_id_o(x_id),
+        .out_valid_o(x_valid), .out_tag_o(x_tag), .out_id_o(x_id),
         .out_hit_o(x_hit), .out_far_o(x_far), .out_exit_o(x_exit),
         .out_disc_o(x_disc), .out_b_o(x_b)
     );
@@ -181,26 +194,29 @@ module rt_leaf_unit #(
     // ---- results with and without a root ----
     wire hit  = x_hit && !x_error;
     wire root = hit && !x_shadow && !x_exit;
-    localparam RW = SLOTW + 25;                      // {slot, id, far}
+    localparam RW = SLOTW + 24;                      // {slot, id}; far stands on top
     wire               r_valid, r_ready, d_valid, r_in, d_in, p_valid, p_far;
-    wire [RW+XW+KW-1:0] r;
-    wire [RW:0]        d;
-    wire [RW-2:0]      p_tag;
+    wire [RW+XW+KW:0]  r_all = {x_far, x_slot, x_id, x_disc, x_b};
+    wire [RW+1:0]      d_all = {x_far, x_slot, x_id, hit};
+    wire [RW+XW+KW+IB-1:0] r;
+    wire [RW+IB:0]     d;
+    wire [RW-1:0]      p_tag;
     wire [KW-1:0]      p_key;
-    rt_fifo #(.WIDTH(RW+XW+KW), .DEPTH(HOLD)) u_roots (
+    rt_fifo #(.WIDTH(RW+XW+KW+IB), .DEPTH(HOLD)) u_roots (
         .clk(clk), .rst(rst), .in_valid_i(x_valid && root), .in_ready_o(r_in),
-        .in_data_i({x_slot, x_id, x_far, x_disc, x_b}),
+        .in_data_i(r_all[RW+XW+KW+IB-1:0]),
         .out_valid_o(r_valid), .out_ready_i(r_ready), .out_data_o(r)
     );
-    rt_fifo #(.WIDTH(RW+1), .DEPTH(HOLD)) u_direct (
+    rt_fifo #(.WIDTH(RW+IB+1), .DEPTH(HOLD)) u_direct (
         .clk(clk), .rst(rst), .in_valid_i(x_valid && !root), .in_ready_o(d_in),
-        .in_data_i({x_slot, x_id, x_far, hit}),
+        .in_data_i(d_all[RW+IB:0]),
         .out_valid_o(d_valid), .out_ready_i(!p_valid), .out_data_o(d)
     );
-    rt_root_pool #(.W(W), .WD(WD), .UNITS(ROOTS), .TAG(RW-1)) u_pool (
+    rt_root_pool #(.W(W), .WD(WD), .UNITS(ROOTS), .TAG(RW), .INSIDE(INSIDE)) u_pool (
         .clk(clk), .rst(rst),
-        .in_valid_i(r_valid), .in_ready_o(r_ready), .in_tag_i(r[RW+XW+KW-1 -: RW-1]),
-        .in_far_i(r[XW+KW]), .in_disc_i(r[KW +: XW]), .in_b_i($signed(r[KW-1:0])),
+        .in_valid_i(r_valid), .in_ready_o(r_ready), .in_tag_i(r[XW+KW +: RW]),
+        .in_far_i(INSIDE != 0 && r[RW+XW+KW+IB-1]),
+        .in_disc_i(r[KW +: XW]), .in_b_i($signed(r[KW-1:0])),
         .out_valid_o(p_valid), .out_ready_i(1'b1), .out_tag_o(p_tag), .out_far_o(p_far),
         .out_key_o(p_key)
     );
@@ -214,10 +230,10 @@ module rt_leaf_unit #(
         if (rst) held_q <= 5'd0;
     end
     assign out_valid_o = p_valid || d_valid;
-    assign {out_slot_o, out_id_o} = p_valid ? p_tag : d[RW:2];
-    assign out_far_o = p_valid ? p_far : d[1];
+    assign {out_slot_o, out_id_o} = p_valid ? p_tag : d[RW:1];
+    assign out_far_o = INSIDE != 0 && (p_valid ? p_far : d[RW+IB]);
     assign out_hit_o = p_valid || d[0];
     assign out_key_o = p_valid ? p_key : {{(KW-1){1'b0}}, 1'b1};
-    wire unused = &{1'b0, q_in_ready, r_in, d_in, l_leaf_q};
+    wire unused = &{1'b0, q_in_ready, r_in, d_in, l_leaf_q, y, l_tag, r_all, d_all, ray_skip_i};
 endmodule
 `default_nettype wire

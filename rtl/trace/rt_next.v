@@ -11,7 +11,8 @@ module rt_next #(
     parameter FW    = 14,   // filter coordinate, bits
     parameter SLOTS = 32,   // power of two
     parameter SLOTW = 5,    // log2 of SLOTS
-    parameter DEPTH = 16    // stack entries a slot, power of two
+    parameter DEPTH = 16,   // stack entries a slot, power of two
+    parameter ENDS  = 1     // 1: some rays end with a hit
 ) (
     input  wire             clk,
     input  wire             rst,
@@ -32,7 +33,7 @@ module rt_next #(
     output wire [SLOTW-1:0] slot_o,
     input  wire [FW:0]      depth_i,        // what lies deeper does not matter
     input  wire             hit_i,          // the ray has a hit
-    input  wire             shadow_i,
+    input  wire             ends_i,         // and ends with it
     // to rt_traverse: visit this node
     output reg              issue_valid_o,
     output reg [SLOTW-1:0]  issue_slot_o,
@@ -102,7 +103,7 @@ module rt_next #(
     wire c_ok  = c_count != 3'd0 && c_near <= depth;
     wire t_any = sp != 0 && least <= depth;       // the stack holds something to visit
     wire t_ok  = t_near <= depth;
-    wire ended = s1_kill || (shadow_i && hit_i);
+    wire ended = s1_kill || (ENDS != 0 && ends_i && hit_i);
 
     wire use_f = f_ok;
     wire use_c = !f_ok && c_ok;

@@ -9,7 +9,8 @@ module rt_root_pool #(
     parameter W     = 16,  // coordinate, bits
     parameter WD    = 17,  // direction component, bits
     parameter UNITS = 3,   // square root units, 1..8
-    parameter TAG   = 8    // tag, bits
+    parameter TAG   = 8,   // tag, bits
+    parameter INSIDE = 1   // 1: the far root may count
 ) (
     input  wire                    clk,
     input  wire                    rst,
@@ -52,7 +53,7 @@ module rt_root_pool #(
             always @(posedge clk)
                 if (take[u]) begin
                     tag_q <= in_tag_i;
-                    far_q <= in_far_i;
+                    far_q <= INSIDE != 0 && in_far_i;
                     b_q   <= in_b_i;
                 end
             wire [KW-1:0] wide = {{(KW-XW/2){1'b0}}, root};

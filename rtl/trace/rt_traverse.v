@@ -10,7 +10,9 @@ module rt_traverse #(
     parameter FW    = 14,   // filter coordinate, bits
     parameter SLOTS = 32,   // power of two
     parameter SLOTW = 5,    // log2 of SLOTS
-    parameter LINES = 256   // node cache, lines
+    parameter LINES = 256,  // node cache, lines
+    parameter SHADOW = 1,   // 1: shadow rays
+    parameter FIRST = 1     // 1: rays that visit children in the order of the node
 ) (
     input  wire              clk,
     input  wire              rst,
@@ -25,9 +27,10 @@ module rt_traverse #(
     input  wire [53:0]       new_unit_i,     // {z, y, x} s1.16
     input  wire [1:0]        new_axis_i,     // of the largest component of unit
     input  wire              new_negative_i, // its sign
+    input  wire              new_first_i,    // children in the order of the node, none is pruned
     input  wire              go_valid_i,     // primary or reflected
     input  wire [SLOTW-1:0]  go_slot_i,
-    input  wire              go_primary_i,   // the pixel's visits start at 0
+    input  wire              go_pixel_i,     // the pixel's visits start at 0
     input  wire              shadow_go_i,    // shadow ray
     input  wire [SLOTW-1:0]  shadow_slot_i,
     // from rt_next: the next node of a ray
@@ -86,28 +89,39 @@ module rt_traverse #(
     );
     rt_fifo #(.WIDTH(SLOTW+1), .DEPTH(SLOTS)) u_new_queue (
         .clk(clk), .rst(rst), .in_valid_i(go_valid_i), .in_ready_o(new_in_ready),
-        .in_data_i({go_slot_i, go_primary_i}),
+        .in_data_i({go_slot_i, go_pixel_i}),
         .out_valid_o(q_new_valid), .out_ready_i(req_ready && !q_next_valid && !q_shadow_valid),
         .out_data_o(q_new)
     );
-    rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_shadow_queue (
-        .clk(clk), .rst(rst), .in_valid_i(shadow_go_i), .in_ready_o(shadow_in_ready),
-        .in_data_i(shadow_slot_i),
-        .out_valid_o(q_shadow_valid), .out_ready_i(req_ready && !q_next_valid),
-        .out_data_o(q_shadow)
-    );
+    generate
+        if (SHADOW != 0) begin : g_shadow
+            rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_shadow_queue (
+                .clk(clk), .rst(rst), .in_valid_i(shadow_go_i), .in_ready_o(shadow_in_ready),
+                .in_data_i(shadow_slot_i),
+                .out_valid_o(q_shadow_valid), .out_ready_i(req_ready && !q_next_valid),
+                .out_data_o(q_shadow)
+            );
+        end else begin : g_no_shadow
+            assign {shadow_in_ready, q_shadow_valid, q_shadow} = {(SLOTW+2){1'b0}};
+            wire unused = &{1'b0, shadow_go_i, shadow_slot_i};
+        end
+    endgenerate
+    localparam YW = 3*FW + 57;
+    localparam FB = FIRST != 0 ? 1 : 0;
+    wire [YW:0]      y = {new_first_i, new_negative_i, new_axis_i, new_unit_i, new_org_i};
+    wire [YW+FB-1:0] t1_ray;
+    wire             t1_first = FIRST != 0 && t1_ray[YW+FB-1];
     wire             t1_negative;
     wire [1:0]       t1_axis;
     wire [53:0]      t1_unit;
     wire [3*FW-1:0]  t1_org;
     wire             rsp_valid, rsp_fresh, rsp_kill, rsp_error;
     wire [SLOTW-1:0] rsp_slot;
-    rt_slot_ram #(.WIDTH(3*FW+57), .SLOTS(SLOTS), .OLD(0)) u_ray (
-        .clk(clk), .wr_en_i(new_valid_i), .wr_addr_i(new_slot_i),
-        .wr_data_i({new_negative_i, new_axis_i, new_unit_i, new_org_i}),
-        .rd_en_i(rsp_valid), .rd_addr_i(rsp_slot),
-        .rd_data_o({t1_negative, t1_axis, t1_unit, t1_org})
+    rt_slot_ram #(.WIDTH(YW+FB), .SLOTS(SLOTS), .OLD(0)) u_ray (
+        .clk(clk), .wr_en_i(new_valid_i), .wr_addr_i(new_slot_i), .wr_data_i(y[YW+FB-1:0]),
+        .rd_en_i(rsp_valid), .rd_addr_i(rsp_slot), .rd_data_o(t1_ray)
     );
+    assign {t1_negative, t1_axis, t1_unit, t1_org} = t1_ray[YW-1:0];
 
     // ---- issue: count the visit, refuse bad addresses ----
     wire             req_valid = q_next_valid || q_shadow_valid || q_new_valid;
@@ -223,8 +237,20 @@ module rt_traverse #(
     wire [3:0] f_inner   = ~(4'hf << f_n_inner);                   // children that are nodes
     wire [3:0] f_present = ~(4'hf << (f_n_inner + f_n_leaf));
     wire [3:0] f_hit     = f_kill ? 4'd0 : f_pass & f_present;
+    wire       f_first;
+    generate
+        if (FIRST != 0) begin : g_first
+            rt_delay #(.WIDTH(1), .CYCLES(LAT)) u_order (
+                .clk(clk), .in_i(t1_first), .out_o(f_first)
+            );
+        end else begin : g_nearest
+            assign f_first = 1'b0;
+            wire unused = &{1'b0, t1_first, y[YW]};
+        end
+    endgenerate
+    // Equal depths are put in the order of the node; the smallest is below every limit.
     rt_sort u_sort (
-        .clk(clk), .hit_i(f_hit & f_inner), .near_i(f_near),
+        .clk(clk), .hit_i(f_hit & f_inner), .near_i(f_first ? {4{16'h8000}} : f_near),
         .count_o(found_count_o), .list_o(found_list_o)
     );
     rt_delay #(.WIDTH(DW), .CYCLES(1)) u_side_1 (.clk(clk), .in_i(f_side), .out_o(f_side_1));

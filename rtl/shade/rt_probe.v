@@ -1,0 +1,96 @@
+// rt_probe.v - interpenetrating spheres: probes the first surface found, repeats the primary ray
+// SPDX-License-Identifier: Apache-2.0
+// A primary ray that ended at its first hit may have found a surface inside another sphere. The
+// mirror ray of that surface tells: if it hits another sphere from inside, the surface lies in
+// there, all that the pixel has is void, and its primary ray starts again, nearest first.
+// Borodavka et al. VI.D. Model: path() in cmodel/render_pixel.c
+`default_nettype none
+module rt_probe #(
+    parameter WD    = 17,  // direction component, bits
+    parameter SLOTS = 32,  // power of two
+    parameter SLOTW = 5    // log2 of SLOTS
+) (
+    input  wire              clk,
+    input  wire              rst,
+    // a new pixel; z of its direction is the same for all pixels of a frame
+    input  wire              pixel_valid_i,
+    input  wire [SLOTW-1:0]  pixel_slot_i,
+    input  wire [3*WD-1:0]   pixel_dir_i,
+    // a surface is blended, its mirror ray starts unless it is the last and no probe
+    input  wire              blend_valid_i,
+    input  wire [SLOTW-1:0]  blend_slot_i,
+    input  wire              blend_probe_i,  // a surface that a first-hit ray found
+    input  wire              blend_last_i,   // the mirror ray is no more than a probe
+    // a ray will be done in the next cycle
+    input  wire              ask_valid_i,
+    input  wire [SLOTW-1:0]  ask_slot_i,
+    // a primary or mirror ray is done
+    input  wire              done_valid_i,
+    input  wire [SLOTW-1:0]  done_slot_i,
+    input  wire              done_primary_i,
+    input  wire              done_found_i,   // a sphere with a record
+    input  wire              done_far_i,
+    input  wire [23:0]       done_id_i,
+    output wire              done_void_o,    // the pixel starts again
+    output wire              done_end_o,     // the pixel is complete
+    // to rt_setup: the primary ray once more
+    output reg               again_valid_o,
+    input  wire              again_ready_i,
+    output reg  [SLOTW-1:0]  again_slot_o,
+    output wire [3*WD-1:0]   again_dir_o,
+    // which primary rays are repeated
+    input  wire [SLOTW-1:0]  ray_slot_i,
+    output wire              ray_again_o
+);
+    // ---- the mirror ray of a probe is done ----
+    wire             probe, last;                    // of the slot's latest surface
+    wire [23:0]      first_id;                       // what the primary ray found
+    rt_slot_ram #(.WIDTH(2), .SLOTS(SLOTS), .OLD(0)) u_surface (
+        .clk(clk), .wr_en_i(blend_valid_i), .wr_addr_i(blend_slot_i),
+        .wr_data_i({blend_probe_i, blend_last_i}),
+        .rd_en_i(ask_valid_i), .rd_addr_i(ask_slot_i), .rd_data_o({probe, last})
+    );
+    rt_slot_ram #(.WIDTH(24), .SLOTS(SLOTS), .OLD(0)) u_first (
+        .clk(clk), .wr_en_i(done_valid_i && done_primary_i), .wr_addr_i(done_slot_i),
+        .wr_data_i(done_id_i),
+        .rd_en_i(ask_valid_i), .rd_addr_i(ask_slot_i), .rd_data_o(first_id)
+    );
+    wire probed = !done_primary_i && probe;
+    wire other  = done_found_i && done_far_i && done_id_i != first_id;
+    assign done_void_o = probed && other;
+    assign done_end_o  = probed && last && !other;
+
+    // ---- queue of pixels that start again ----
+    wire             q_valid, q_in;
+    wire [SLOTW-1:0] q_slot;
+    wire             load  = !again_valid_o || again_ready_i;
+    wire             again = again_valid_o && again_ready_i;
+    wire [2*WD-1:0]  dir;                            // {y, x}
+    rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_queue (
+        .clk(clk), .rst(rst), .in_valid_i(done_valid_i && done_void_o), .in_ready_o(q_in),
+        .in_data_i(done_slot_i),
+        .out_valid_o(q_valid), .out_ready_i(load), .out_data_o(q_slot)
+    );
+    rt_slot_ram #(.WIDTH(2*WD), .SLOTS(SLOTS), .OLD(0)) u_dir (
+        .clk(clk), .wr_en_i(pixel_valid_i), .wr_addr_i(pixel_slot_i),
+        .wr_data_i(pixel_dir_i[2*WD-1:0]),
+        .rd_en_i(load && q_valid), .rd_addr_i(q_slot), .rd_data_o(dir)
+    );
+    always @(posedge clk) begin
+        if (load) begin
+            again_valid_o <= q_valid;
+            again_slot_o  <= q_slot;
+        end
+        if (rst) again_valid_o <= 1'b0;
+    end
+    assign again_dir_o = {pixel_dir_i[3*WD-1:2*WD], dir};
+
+    // ---- never both: new pixels wait while one starts again ----
+    rt_slot_file #(.WIDTH(1), .SLOTS(SLOTS)) u_again (
+        .clk(clk), .wr_en_i(pixel_valid_i || again),
+        .wr_addr_i(again ? again_slot_o : pixel_slot_i), .wr_data_i(again),
+        .rd_addr_i(ray_slot_i), .rd_data_o(ray_again_o)
+    );
+    wire unused = &{1'b0, q_in};
+endmodule
+`default_nettype wire
