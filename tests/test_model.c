@@ -153,41 +153,11 @@ static void layers_are_depths(void **state) {
     }
 }
 
-/* The paper's walk ends at the first leaf that is hit; its own correction mends most of what
- * that gets wrong where spheres cut each other. */
-static void first_leaf(void **state) {
-    (void)state;
-    for (int n = 0; n < MODEL_SCENES; n++) {
-        struct sph_scene scene = model_scene(model_scenes[n]);
-        struct sph_machine m;
-        struct sph_counters near_c, first_c;
-        int errors, other = 0, missed = 0;
-        assert_true(model_build(&scene, SPH_FINE, SPH_TREE_PAPER, SPH_BG_NONE, W, H, &m));
-        struct sph_frame near = model_render(&m, SPH_TRAVERSE_TREE, 0, &near_c, &errors);
-        m.regs[SPH_REG_EFFECTS] |= 1 << SPH_EFFECT_FIRST | 1 << SPH_EFFECT_INTERPENETRATE;
-        struct sph_frame first = model_render(&m, SPH_TRAVERSE_TREE, 0, &first_c, &errors);
-        assert_int_equal(errors, 0);
-        for (int i = 0; i < W * H; i++) {
-            uint32_t a = near.pixels[i].id, b = first.pixels[i].id;
-            missed += (a == SPH_ID_NONE) != (b == SPH_ID_NONE);
-            other += a != b;
-        }
-        printf("# %s: first leaf shows another sphere on %d of %d pixels\n", model_scenes[n], other,
-               W * H);
-        assert_int_equal(missed, 0); /* hit or background is never in doubt */
-        if (!strcmp(model_scenes[n], "interpenetrating")) assert_true(other * 20 < W * H);
-        sph_frame_free(&near);
-        sph_frame_free(&first);
-        sph_machine_free(&m);
-        sph_scene_free(&scene);
-    }
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(tree_is_brute_force),        cmocka_unit_test(naive_is_golden),
         cmocka_unit_test(background_changes_nothing), cmocka_unit_test(threads_change_nothing),
-        cmocka_unit_test(layers_are_depths),          cmocka_unit_test(first_leaf),
+        cmocka_unit_test(layers_are_depths),
     };
     return cmocka_run_group_tests_name("model", tests, NULL, NULL);
 }
