@@ -51,8 +51,8 @@ def main():
     flake, one = "scenes/sphereflake2.nff", "scenes/one_sphere.nff"
     paper = "--tree paper"
     rows = [
-        ("tree", "every sphere (paper: 7 to 15)", small, "", "--traverse brute"),
-        ("tree", "every sphere", large, "", "--traverse brute"),
+        ("tree", "every sphere (paper: 7 to 15)", small, "", "--brute"),
+        ("tree", "every sphere", large, "", "--brute"),
         ("balanced tree", "paper's tree", small, "", paper),
         ("balanced tree", "paper's tree", large, "", paper),
         ("depth 0", "depth 1", flake, "--depth 0", "--depth 1"),

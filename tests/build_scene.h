@@ -34,7 +34,7 @@ static inline struct sph_scene cloud(uint32_t n, double rad) {
     struct sph_scene s = {.name = "cloud", .path = "cloud.nff", .n_lights = 2, .n_materials = 1};
     s.camera = (struct sph_camera){{2, 3, 1.5}, {0.5, 0.5, 0.5}, {0, 0, 1}, 40, 0, 64, 48};
     for (int l = 0; l < 2; l++)
-        s.lights[l] = (struct sph_light){{3, 4.0 * l - 2, 3}, {0.7, 0.7, 2.5}};
+        s.lights[l] = (struct sph_light){{3, 4.0 * l - 2, 3}, {0.7, 0.7, 2.5}, 3 + (uint32_t)l};
     s.materials = &mirror;
     s.n_spheres = n;
     s.spheres = calloc(n + 1u, sizeof *s.spheres);
@@ -50,8 +50,11 @@ static const struct sph_build_options standard = {.profile = SPH_STANDARD,
                                                   .background = SPH_BG_RECT,
                                                   .bg_border = 1,
                                                   .max_depth = 2,
-                                                  .shadow = -1,
-                                                  .reflect = -1};
+                                                  .shadow = SPH_AUTO,
+                                                  .reflect = SPH_AUTO,
+                                                  .lights = SPH_AUTO,
+                                                  .inside = SPH_AUTO,
+                                                  .interpenetrate = SPH_AUTO};
 
 static inline struct sph_machine built(const struct sph_scene *scene,
                                        struct sph_build_options options,

@@ -51,8 +51,11 @@ static inline int model_build(const struct sph_scene *scene, int profile, int tr
                                   .height = height,
                                   .bg_border = 1,
                                   .max_depth = 3,
-                                  .shadow = 1,
-                                  .reflect = 1};
+                                  .shadow = SPH_ON,
+                                  .reflect = SPH_ON,
+                                  .lights = SPH_AUTO,
+                                  .inside = SPH_AUTO,
+                                  .interpenetrate = SPH_AUTO};
     struct sph_build_report report;
     struct sph_error err = {{0}};
     if (!sph_build(scene, &o, m, &report, &err)) return 1;

@@ -72,7 +72,7 @@ static void reference_by_hand(void **state) {
     struct sph_sphere ball = {.ctr = {0, 0, 0}, .rad = 1};
     struct sph_scene scene = {.path = "by hand", .n_lights = 1, .n_materials = 1, .n_spheres = 1};
     scene.camera = (struct sph_camera){{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, 30, 0, 33, 33};
-    scene.lights[0] = (struct sph_light){{0, 0, 20}, {0.75, 0.75, 0.75}};
+    scene.lights[0] = (struct sph_light){{0, 0, 20}, {0.75, 0.75, 0.75}, 0};
     scene.ambient[0] = scene.background[1] = 0.25;
     scene.materials = &f, scene.spheres = &ball;
     struct sph_reference r = reference(&scene, 33, 33);

@@ -219,28 +219,32 @@ static void test_effects(void **unused) {
     struct sph_scene s = cloud(2, 0.1);
     struct sph_build_options o = standard;
     struct sph_build_report report;
+    s.spheres[0].ctr = (struct sph_vec){0.5, 0.5, 0.5};
+    s.spheres[1].ctr = (struct sph_vec){0.9, 0.1, 0.9}; /* towards the first light */
     struct sph_machine m = built(&s, o, &report);
-    const int inside = 1 << SPH_EFFECT_INSIDE;
-    assert_int_equal(m.regs[SPH_REG_EFFECTS], inside | 3);
+    assert_int_equal(m.regs[SPH_REG_EFFECTS], 3);
     assert_int_equal(m.regs[SPH_REG_MAX_DEPTH], 2);
     assert_int_equal(m.regs[SPH_REG_LIGHT0_B], 65535); /* 2.5 is too bright */
     assert_non_null(strstr(report.warning, "clamped"));
-    assert_non_null(strstr(report.effects, "cloud.nff:7 mirrors 128/256"));
+    assert_non_null(strstr(report.effects[SPH_REPORT_REFLECT].why, "cloud.nff:7 mirrors 128/256"));
+    assert_string_equal(
+        report.effects[SPH_REPORT_SHADOW].why,
+        "the sphere cloud.nff:11 may shade cloud.nff:10 from the light cloud.nff:3");
     const uint32_t *prim = m.mem + m.regs[SPH_REG_PRIM_BASE] * SPH_LINE_WORDS;
     assert_int_equal(sph_field(prim, SPH_PRIM_RED_LSB, 8), 204); /* kd/(1-ks) = 1 */
     assert_int_equal(sph_field(prim, SPH_PRIM_KR_LSB, 9), 128);
     sph_machine_free(&m);
     o.max_depth = 0, o.shadow = 0;
     m = built(&s, o, &report);
-    assert_int_equal(m.regs[SPH_REG_EFFECTS] | m.regs[SPH_REG_MAX_DEPTH], inside);
+    assert_int_equal(m.regs[SPH_REG_EFFECTS] | m.regs[SPH_REG_MAX_DEPTH], 0);
     sph_machine_free(&m);
     o.shadow = -1, s.n_spheres = 1;
     m = built(&s, o, &report);
-    assert_int_equal(m.regs[SPH_REG_EFFECTS], inside);
+    assert_int_equal(m.regs[SPH_REG_EFFECTS], 0);
     sph_machine_free(&m);
-    s.spheres[0].rad = 20; /* the eye is inside */
+    s.spheres[0].rad = 4; /* the eye is inside, the lights are not */
     m = built(&s, o, &report);
-    assert_int_equal(m.regs[SPH_REG_EFFECTS], inside | 1);
+    assert_int_equal(m.regs[SPH_REG_EFFECTS], 1 << SPH_EFFECT_INSIDE | 1);
     assert_int_equal(m.regs[SPH_REG_RECT_X1], 64);
     sph_machine_free(&m);
     free(s.spheres);

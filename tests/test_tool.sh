@@ -49,14 +49,14 @@ hash() { "$s" render "$@" | awk '$1 == "frame" { print $2 }'; }
 picture() { "$s" render "$@" | awk '$1 == "picture" { print $2 }'; }
 check "scene and machine agree" equal "$(hash a.nff)" "$(hash a.sph)"
 check "one thread and three agree" equal "$(hash a.sph -t 1)" "$(hash a.sph -t 3)"
-check "brute force shows the same" equal "$(picture a.sph)" "$(picture a.sph --traverse brute)"
+check "brute force shows the same" equal "$(picture a.sph)" "$(picture a.sph --brute)"
 check "the paper's tree shows the same" equal "$(picture a.sph)" "$(picture a.nff --tree paper)"
 check "the rectangle shows the same" equal "$(picture a.sph)" "$(picture a.nff --background rect)"
 
 # ---- compare ----
 check "a frame equals itself" "$s" compare a.frame a.frame
 check "a picture equals itself" "$s" compare a.png a.png
-"$s" render a.sph --layer 0 -o b.png --traverse brute --frame b.frame >/dev/null
+"$s" render a.sph --layer 0 -o b.png --brute --frame b.frame >/dev/null
 "$s" render a.nff --size 63x48 -o c.png --frame c.frame >/dev/null
 differ() { # pattern, arguments of compare: exit code 1, silent on stderr, pattern on stdout
     pattern=$1
@@ -82,10 +82,11 @@ fails 2 "build without output" "$s" build a.nff
 fails 2 "build without scene" "$s" build -o x.sph
 fails 2 "two scenes" "$s" build a.nff a.nff -o x.sph
 for bad in --profile=huge --tree=oak --background=blue --depth=6 --depth=-1 --depth=1x --size=0x4 \
-    --size=64 --size=64x --size=64x48x --size=99999x1 --shadow=maybe --reflect=; do
+    --size=64 --size=64x --size=64x48x --size=99999x1 --shadow=maybe --reflect= --lights=9 \
+    --lights=all --inside=maybe --traverse=brute --interpenetrate=yes; do
     fails 2 "build $bad" "$s" build a.nff -o x.sph "$bad"
 done
-for bad in --layer=3 --traverse=last --threads=-1; do
+for bad in --layer=3 --brute=last --threads=-1; do
     fails 2 "render $bad" "$s" render a.sph -o x.png "$bad"
 done
 fails 2 "compare of one file" "$s" compare a.png

@@ -8,6 +8,7 @@
 #include <time.h>
 
 #include "build/background.h"
+#include "build/effects.h"
 #include "build/emit.h"
 #include "build/spans.h"
 
@@ -15,6 +16,27 @@ static double seconds(void) {
     struct timespec now;
     clock_gettime(CLOCK_MONOTONIC, &now);
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+/* Whether what is asked of the effects can be. */
+static int check_effects(const struct sph_scene *scene, const struct sph_build_options *o,
+                         struct sph_error *err) {
+    const int when[] = {o->shadow, o->reflect, o->inside, o->interpenetrate};
+    for (int i = 0; i < 4; i++)
+        if (when[i] < SPH_AUTO || when[i] > SPH_ON)
+            return sph_fail(err, "an effect is neither auto, off nor on: %d", when[i]);
+    if (o->traverse != SPH_BUILD_NEAREST && o->traverse != SPH_BUILD_FIRST)
+        return sph_fail(err, "there is no traversal %d", o->traverse);
+    if (o->lights < SPH_AUTO || o->lights > scene->n_lights)
+        return sph_fail(err, "%s: %d lights are asked for, the scene has %d", scene->path,
+                        o->lights, scene->n_lights);
+    if (o->reflect == SPH_ON && !o->max_depth)
+        return sph_fail(err, "reflect on: there must be a reflection to follow, depth is 0");
+    if (o->interpenetrate == SPH_ON && o->traverse != SPH_BUILD_FIRST)
+        return sph_fail(err, "interpenetrate on: it corrects the first hit, traverse is nearest");
+    if (o->interpenetrate == SPH_ON && o->inside == SPH_OFF)
+        return sph_fail(err, "interpenetrate on: it needs inside, which is off");
+    return 0;
 }
 
 static int check(const struct sph_scene *scene, const struct sph_build_options *o,
@@ -40,6 +62,7 @@ static int check(const struct sph_scene *scene, const struct sph_build_options *
     if (scene->n_spheres > SPH_MAX_SPHERES)
         return sph_fail(err, "%s: %u spheres, at most %u", scene->path, scene->n_spheres,
                         SPH_MAX_SPHERES);
+    if (check_effects(scene, o, err)) return -1;
     for (uint32_t i = 0; i < scene->n_spheres; i++)
         if (scene->spheres[i].material >= scene->n_materials)
             return sph_fail(err, "%s:%u: sphere without material", scene->path,
@@ -69,19 +92,6 @@ static int place_camera(const struct sph_scene *scene, const struct sph_build_op
     regs[SPH_REG_DIR_Y0] = rays->y0;
     regs[SPH_REG_DIR_Z] = rays->z;
     regs[SPH_REG_PITCH] = rays->pitch;
-    return 0;
-}
-
-/* Whether the eye lies in a sphere, its surface included. */
-static int eye_inside(const int32_t eye[3], const struct sph_ball *balls, uint32_t n) {
-    for (uint32_t i = 0; i < n; i++) {
-        int64_t sum = 0;
-        for (int j = 0; j < 3; j++) {
-            int64_t d = (int64_t)eye[j] - balls[i].c[j];
-            sum += d * d;
-        }
-        if (sum <= (int64_t)balls[i].r * balls[i].r) return 1;
-    }
     return 0;
 }
 
@@ -123,8 +133,12 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
     report->depth = tree->depth;
 
     if (sph_emit_background(tree, balls, &rays, o, m, report, err)) return -1;
-    sph_emit_colours(scene, &grid, m, report);
-    sph_emit_effects(scene, o, eye_inside(grid.eye, balls, n), m, report);
+    sph_emit_colours(scene, m, report);
+    int mended =
+        o->traverse == SPH_BUILD_NEAREST || (o->interpenetrate != SPH_OFF && o->inside != SPH_OFF);
+    struct sph_world world = {balls, n, profile, grid.eye, mended};
+    struct sph_survey survey = {scene, &grid, o, world};
+    if (sph_emit_effects(&survey, m, report, err)) return -1;
     snprintf(m->name, sizeof m->name, "%s", scene->name);
     m->grid_log2 = grid.log2;
     memcpy(m->origin, grid.origin, sizeof m->origin);

@@ -13,18 +13,41 @@
 
 enum { SPH_TREE_PAPER = 1, SPH_TREE_BALANCED = 2 };
 enum { SPH_BG_NONE = 0, SPH_BG_RECT = 1, SPH_BG_SPANS = 2, SPH_BG_EXACT = 3 };
+enum { SPH_BUILD_NEAREST = 0, SPH_BUILD_FIRST = 1 };
+enum { SPH_AUTO = -1, SPH_OFF = 0, SPH_ON = 1 }; /* auto: as the scene calls for */
 
 struct sph_build_options {
-    int profile;       /* SPH_DRAFT .. */
-    int tree;          /* SPH_TREE_* */
-    int background;    /* SPH_BG_* */
-    int width, height; /* 0: the scene file's */
-    int max_depth;     /* reflections 0..5 */
-    int shadow;        /* -1 as the scene asks, 0 off, 1 on */
-    int reflect;       /* -1 as the scene asks, 0 off, 1 on */
-    int bg_points;     /* spans: meridians, and parallels, 4..4096; 0: 16 */
-    int bg_border;     /* spans: pixels around the outline, 0..64 */
-    int bg_levels;     /* exact: 0 the root, 1 its children, 2 theirs */
+    int profile;        /* SPH_DRAFT .. */
+    int tree;           /* SPH_TREE_* */
+    int background;     /* SPH_BG_* */
+    int width, height;  /* 0: the scene file's */
+    int max_depth;      /* reflections 0..5 */
+    int shadow;         /* SPH_AUTO, SPH_OFF, SPH_ON */
+    int reflect;        /* the same */
+    int lights;         /* SPH_AUTO, or how many of the scene's, from the first on */
+    int inside;         /* SPH_AUTO, SPH_OFF, SPH_ON */
+    int traverse;       /* SPH_BUILD_*: how a primary ray finds its hit */
+    int interpenetrate; /* SPH_AUTO, SPH_OFF, SPH_ON */
+    int bg_points;      /* spans: meridians, and parallels, 4..4096; 0: 16 */
+    int bg_border;      /* spans: pixels around the outline, 0..64 */
+    int bg_levels;      /* exact: 0 the root, 1 its children, 2 theirs */
+};
+
+/* What became of one effect. */
+struct sph_effect_report {
+    const char *name;
+    int on, called; /* lights, reflections, or 0 and 1: in the machine; called for by the scene */
+    char why[2048]; /* names the material, light or spheres; no line ends */
+};
+
+enum {
+    SPH_REPORT_SHADOW,
+    SPH_REPORT_REFLECT,
+    SPH_REPORT_LIGHTS,
+    SPH_REPORT_INSIDE,
+    SPH_REPORT_FIRST,
+    SPH_REPORT_INTERPENETRATE,
+    SPH_REPORTS
 };
 
 /* What build tells the user besides the machine. */
@@ -34,16 +57,17 @@ struct sph_build_report {
     double fov_error;       /* relative error of tan(angle/2) by quantisation */
     uint32_t nodes, depth;  /* of the tree */
     double build_seconds;
-    char warning[512];                 /* empty if none; names the finer profile a scene asks for */
-    struct sph_ball root;              /* grid units: holds every sphere */
-    int bg_points;                     /* spans: meridians that were needed, 0: none */
+    char warning[8192];   /* empty if none; finer profiles, clamped colours, effects left out */
+    struct sph_ball root; /* grid units: holds every sphere */
+    int bg_points;        /* spans: meridians that were needed, 0: none */
     struct sph_work bg_work, bg_check; /* spans, exact: set-up; spans: proof that they cover */
     char background[512];              /* how the separation went, one line each */
-    char effects[1024];                /* per effect on or off and why, one line each */
+    struct sph_effect_report effects[SPH_REPORTS];
 };
 
 /* Builds the machine. 0, or -1 with "file:line: ..." (a sphere that does not fit the grid, zero
- * radius on the grid, exact duplicates, raster too wide for the profile). */
+ * radius on the grid, exact duplicates, raster too wide for the profile, effects that exclude each
+ * other). */
 int sph_build(const struct sph_scene *scene, const struct sph_build_options *options,
               struct sph_machine *machine, struct sph_build_report *report, struct sph_error *err);
 

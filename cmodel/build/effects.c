@@ -1,60 +1,69 @@
-/* effects.c - colours, lights and which effects a scene needs; see emit.h
+/* effects.c - which effects a scene calls for, and which the machine gets; see effects.h
  * SPDX-License-Identifier: Apache-2.0
+ *
+ * Each effect that is off is proved to change no pixel of this scene: docs/build.md.
  */
-#include <math.h>
-#include <stdarg.h>
+#include "build/effects.h"
+
 #include <stdio.h>
-#include <string.h>
 
 #include "build/emit.h"
 
-void sph_note(char *text, size_t size, const char *format, ...) {
-    size_t used = strlen(text);
-    va_list ap;
-    va_start(ap, format);
-    vsnprintf(text + used, size - used, format, ap);
-    va_end(ap);
+struct sph_place sph_place_of(const struct sph_scene *scene, uint32_t line, const char *what,
+                              uint32_t index) {
+    struct sph_place place;
+    if (line)
+        snprintf(place.text, sizeof place.text, "%s:%u", scene->path, line);
+    else
+        snprintf(place.text, sizeof place.text, "%s %u", what, index + 1);
+    return place;
 }
 
-int sph_material_kr(const struct sph_material *material) {
-    return (int)lround(256 * fmin(fmax(material->ks, 0), 1));
+struct sph_place sph_sphere_place(const struct sph_scene *scene, uint32_t index) {
+    return sph_place_of(scene, scene->spheres[index].line, "number", index);
 }
 
-double sph_material_weight(const struct sph_material *material) {
-    double ks = fmin(fmax(material->ks, 0), 1), kd = fmax(material->kd, 0);
-    return fmin(1, ks < 1 ? kd / (1 - ks) : kd);
+struct sph_place sph_light_place(const struct sph_scene *scene, int index) {
+    return sph_place_of(scene, scene->lights[index].line, "light", (uint32_t)index);
 }
 
-/* lround(32768 * c) for c in [0, 65535/32768]; *clamped counts what was outside. */
-static int32_t u1_15(double c, int *clamped) {
-    double limit = 65535.0 / SPH_COLOUR_ONE;
-    *clamped += c > limit || c < 0;
-    return (int32_t)lround(SPH_COLOUR_ONE * fmin(fmax(c, 0), limit));
+#define WHY(entry, ...) sph_note((entry)->why, sizeof(entry)->why, __VA_ARGS__)
+
+/* What `asked` makes of an effect that the scene calls for or not; entry->why tells that. */
+static void settle(struct sph_effect_report *entry, int asked) {
+    char found[sizeof entry->why] = "";
+    entry->on = asked == SPH_AUTO ? entry->called : asked;
+    if (asked == SPH_AUTO) return;
+    sph_note(found, sizeof found, "%s", entry->why);
+    entry->why[0] = 0;
+    WHY(entry, "as asked; %scalled for: %s", entry->called ? "" : "not ", found);
 }
 
-void sph_emit_colours(const struct sph_scene *scene, const struct sph_grid *grid,
-                      struct sph_machine *machine, struct sph_build_report *report) {
-    int32_t *regs = machine->regs;
-    int clamped = 0;
-    regs[SPH_REG_N_LIGHTS] = scene->n_lights;
-    for (int l = 0; l < scene->n_lights; l++) {
-        int32_t at[3];
-        sph_grid_point(grid, scene, scene->lights[l].pos, at);
-        for (int i = 0; i < 3; i++) {
-            regs[SPH_REG_LIGHT0_X + SPH_LIGHT_STRIDE * l + i] = at[i];
-            regs[SPH_REG_LIGHT0_R + SPH_LIGHT_STRIDE * l + i] =
-                u1_15(scene->lights[l].rgb[i], &clamped);
-        }
+static void find_shadow(const struct sph_survey *s, const struct sph_lights *lights,
+                        struct sph_effect_report *entry) {
+    int32_t at[SPH_MAX_LIGHTS][3];
+    struct sph_witness w;
+    for (int l = 0; l < lights->n_shining; l++)
+        sph_grid_point(s->grid, s->scene, s->scene->lights[lights->shining[l]].pos, at[l]);
+    if (!lights->n_shining || !s->world.n) {
+        WHY(entry, s->world.n ? "no light shines" : "there is no sphere");
+        return;
     }
-    for (int i = 0; i < 3; i++) {
-        double c = fmin(fmax(scene->background[i], 0), 1);
-        regs[SPH_REG_AMBIENT_R + i] = u1_15(scene->ambient[i], &clamped);
-        regs[SPH_REG_BG_COLOUR] |= (int32_t)(lround(255 * c) << 8 * i);
-    }
-    if (clamped)
-        sph_note(report->warning, sizeof report->warning,
-                 "%s: %d light or ambient colours are outside 0..1.99997 and were clamped\n",
-                 scene->path, clamped);
+    int how = sph_occlusion(&s->world, (const int32_t(*)[3])at, lights->n_shining, &w);
+    entry->called = how != SPH_NOTHING_OCCLUDES;
+    if (how == SPH_OCCLUDES)
+        WHY(entry, "the sphere %s may shade %s from the light %s",
+            sph_sphere_place(s->scene, w.occluder).text,
+            sph_sphere_place(s->scene, w.receiver).text,
+            sph_light_place(s->scene, lights->shining[w.light]).text);
+    else if (how == SPH_OCCLUDES_OWN)
+        WHY(entry, "the sphere %s is around the eye, the light %s outside of it",
+            sph_sphere_place(s->scene, w.occluder).text,
+            sph_light_place(s->scene, lights->shining[w.light]).text);
+    else if (how == SPH_OCCLUDES_UNSURE)
+        WHY(entry, "there are too many spheres to try every pair");
+    else
+        WHY(entry, "no sphere can come between a light and what it lights");
 }
 
 /* The used material with the largest mirror weight; NULL if none has any. */
@@ -67,52 +76,107 @@ static const struct sph_material *best_mirror(const struct sph_scene *scene) {
     return best;
 }
 
-/* Whether shadows are on; the reason goes to the report. */
-static int shadow(const struct sph_scene *scene, int asked, int eye_inside,
-                  struct sph_build_report *report) {
-    char *text = report->effects;
-    size_t size = sizeof report->effects;
-    if (asked >= 0)
-        sph_note(text, size, "shadow %s: as asked\n", asked ? "on" : "off");
-    else if (!scene->n_lights)
-        sph_note(text, size, "shadow off: no lights\n");
-    else if (scene->n_spheres >= 2)
-        sph_note(text, size, "shadow on: %d light%s and %u spheres\n", scene->n_lights,
-                 scene->n_lights > 1 ? "s" : "", scene->n_spheres);
-    else if (scene->n_spheres && eye_inside)
-        sph_note(text, size, "shadow on: the eye is inside a sphere\n");
+static void find_reflect(const struct sph_survey *s, struct sph_effect_report *entry) {
+    const struct sph_material *mirror = best_mirror(s->scene);
+    int depth = s->options->max_depth, asked = s->options->reflect;
+    if (!mirror)
+        WHY(entry, "no used material mirrors (ks is 0)");
     else
-        sph_note(text, size, "shadow off: %u sphere%s cast none\n", scene->n_spheres,
-                 scene->n_spheres == 1 ? "" : "s");
-    if (asked >= 0) return asked;
-    return scene->n_lights && (scene->n_spheres >= 2 || (scene->n_spheres && eye_inside));
+        WHY(entry, "%s mirrors %d/256, depth %d",
+            sph_place_of(s->scene, (uint32_t)mirror->line, "material",
+                         (uint32_t)(mirror - s->scene->materials))
+                .text,
+            sph_material_kr(mirror), depth);
+    entry->called = mirror ? depth : 0;
+    settle(entry, asked == SPH_ON ? depth : asked);
 }
 
-/* Whether reflections are on; the reason goes to the report. */
-static int reflect(const struct sph_scene *scene, int asked, int max_depth,
-                   struct sph_build_report *report) {
-    const struct sph_material *mirror = best_mirror(scene);
-    char *text = report->effects;
-    size_t size = sizeof report->effects;
-    if (!max_depth)
-        sph_note(text, size, "reflect off: no reflection is to be followed\n");
-    else if (asked >= 0)
-        sph_note(text, size, "reflect %s: as asked, depth %d\n", asked ? "on" : "off", max_depth);
-    else if (mirror)
-        sph_note(text, size, "reflect on: %s:%d mirrors %d/256, depth %d\n", scene->path,
-                 mirror->line, sph_material_kr(mirror), max_depth);
+/* Two spheres that are near each other. 1, 0, or -1. */
+static int find_near(const struct sph_survey *s, struct sph_effect_report *entry,
+                     struct sph_error *err) {
+    static const char *const how[] = {"", "nearly touch", "touch", "overlap", "are one in another"};
+    const struct sph_world *w = &s->world;
+    uint32_t pair[2];
+    int found = sph_near_pair(w->balls, w->n, w->profile, pair, err);
+    if (found < 0) return -1;
+    if (found)
+        WHY(entry, "the spheres %s and %s %s", sph_sphere_place(s->scene, pair[0]).text,
+            sph_sphere_place(s->scene, pair[1]).text,
+            how[sph_nearness(&w->balls[pair[0]], &w->balls[pair[1]], w->profile)]);
+    else if (w->n < 2)
+        WHY(entry, w->n ? "there is only one sphere" : "there is no sphere");
     else
-        sph_note(text, size, "reflect off: no used material mirrors (ks is 0)\n");
-    if (!max_depth || asked >= 0) return max_depth && asked;
-    return mirror != NULL;
+        WHY(entry, "no two spheres come within %.4g grid units",
+            (double)sph_point_error(w->profile) / (double)(1 << sph_error_bits(w->profile)));
+    return found;
 }
 
-void sph_emit_effects(const struct sph_scene *scene, const struct sph_build_options *options,
-                      int eye_inside, struct sph_machine *machine,
-                      struct sph_build_report *report) {
-    int with_shadow = shadow(scene, options->shadow, eye_inside, report);
-    int with_reflect = reflect(scene, options->reflect, options->max_depth, report);
-    machine->regs[SPH_REG_EFFECTS] = with_shadow << SPH_EFFECT_SHADOW |
-                                     with_reflect << SPH_EFFECT_REFLECT | 1 << SPH_EFFECT_INSIDE;
-    machine->regs[SPH_REG_MAX_DEPTH] = with_reflect ? options->max_depth : 0;
+/* INSIDE, FIRST and INTERPENETRATE: all hang on spheres that are near each other. */
+static int find_inside(const struct sph_survey *s, struct sph_build_report *report,
+                       struct sph_error *err) {
+    struct sph_effect_report *inside = &report->effects[SPH_REPORT_INSIDE],
+                             *first = &report->effects[SPH_REPORT_FIRST],
+                             *cut = &report->effects[SPH_REPORT_INTERPENETRATE], near = {0};
+    const struct sph_build_options *o = s->options;
+    uint32_t around = sph_eye_ball(&s->world);
+    near.called = find_near(s, &near, err);
+    if (near.called < 0) return -1;
+
+    first->on = first->called = o->traverse == SPH_BUILD_FIRST;
+    WHY(first, first->on ? "as asked: a primary ray ends at the first visit that hits"
+                         : "the nearest hit is looked for");
+
+    cut->called = first->on && near.called;
+    WHY(cut, "%s", first->on ? near.why : "the nearest hit is right where spheres overlap");
+    settle(cut, o->interpenetrate);
+    if (cut->on && o->inside == SPH_OFF) { /* not as asked: that is refused */
+        cut->on = 0;
+        WHY(cut, "; but it needs inside, which is off as asked");
+    }
+
+    inside->called = around < s->world.n || near.called;
+    if (around < s->world.n)
+        WHY(inside, "the eye is in the sphere %s", sph_sphere_place(s->scene, around).text);
+    else
+        WHY(inside, "%s%s", near.why, near.called || !s->world.n ? "" : ", and the eye is in none");
+    settle(inside, o->inside);
+    if (cut->on && !inside->on) {
+        inside->on = 1;
+        WHY(inside, "; interpenetrate needs it");
+    }
+    return 0;
+}
+
+static void warn_missing(const struct sph_scene *scene, struct sph_build_report *report) {
+    for (int i = 0; i < SPH_REPORTS; i++) {
+        const struct sph_effect_report *e = &report->effects[i];
+        if (e->on < e->called)
+            sph_note(report->warning, sizeof report->warning, "%s: %s %s: %s\n", scene->path,
+                     e->name, e->on ? "fewer than the scene calls for" : "off", e->why);
+    }
+}
+
+int sph_emit_effects(const struct sph_survey *s, struct sph_machine *machine,
+                     struct sph_build_report *report, struct sph_error *err) {
+    static const char *const names[] = {"shadow", "reflect", "lights",
+                                        "inside", "first",   "interpenetrate"};
+    struct sph_effect_report *effects = report->effects;
+    struct sph_lights lights;
+    int32_t *regs = machine->regs;
+    for (int i = 0; i < SPH_REPORTS; i++)
+        effects[i] = (struct sph_effect_report){.name = names[i]};
+    sph_choose_lights(s, &lights, &effects[SPH_REPORT_LIGHTS]);
+    sph_emit_lights(s, &lights, machine, report);
+    find_shadow(s, &lights, &effects[SPH_REPORT_SHADOW]);
+    settle(&effects[SPH_REPORT_SHADOW], s->options->shadow);
+    find_reflect(s, &effects[SPH_REPORT_REFLECT]);
+    if (find_inside(s, report, err)) return -1;
+    warn_missing(s->scene, report);
+    regs[SPH_REG_MAX_DEPTH] = effects[SPH_REPORT_REFLECT].on;
+    regs[SPH_REG_EFFECTS] = effects[SPH_REPORT_SHADOW].on << SPH_EFFECT_SHADOW |
+                            (effects[SPH_REPORT_REFLECT].on > 0) << SPH_EFFECT_REFLECT |
+                            effects[SPH_REPORT_INSIDE].on << SPH_EFFECT_INSIDE |
+                            effects[SPH_REPORT_FIRST].on << SPH_EFFECT_FIRST |
+                            effects[SPH_REPORT_INTERPENETRATE].on << SPH_EFFECT_INTERPENETRATE;
+    return 0;
 }

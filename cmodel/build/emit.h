@@ -14,13 +14,9 @@ int sph_emit_memory(const struct sph_scene *scene, const struct sph_ball *balls,
                     const struct sph_tree *tree, struct sph_machine *machine,
                     struct sph_error *err);
 
-/* Lights, ambient and background colours. Appends to report->warning what had to be clamped. */
-void sph_emit_colours(const struct sph_scene *scene, const struct sph_grid *grid,
-                      struct sph_machine *machine, struct sph_build_report *report);
-
-/* EFFECTS and MAX_DEPTH, and in report->effects why. eye_inside: the eye is in a sphere. */
-void sph_emit_effects(const struct sph_scene *scene, const struct sph_build_options *options,
-                      int eye_inside, struct sph_machine *machine, struct sph_build_report *report);
+/* Ambient and background colours. Appends to report->warning what had to be clamped. */
+void sph_emit_colours(const struct sph_scene *scene, struct sph_machine *machine,
+                      struct sph_build_report *report);
 
 /* Mirror weight of a material in 1/256 (0..256), and its colour weight: what rgb is multiplied
  * by so that (1 - kr/256) * colour = kd * rgb. */

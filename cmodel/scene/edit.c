@@ -47,7 +47,7 @@ int sph_scene_add_light(struct sph_scene *scene, struct sph_vec pos, double red,
                         double blue, struct sph_error *err) {
     if (scene->n_lights >= SPH_MAX_LIGHTS)
         return sph_fail(err, "%s: more than %d lights", scene->path, SPH_MAX_LIGHTS);
-    scene->lights[scene->n_lights++] = (struct sph_light){pos, {red, green, blue}};
+    scene->lights[scene->n_lights++] = (struct sph_light){pos, {red, green, blue}, 0};
     return 0;
 }
 

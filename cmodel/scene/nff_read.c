@@ -131,6 +131,7 @@ static int take_light(struct reader *r, struct sph_error *err) {
     struct sph_vec pos;
     double rgb[3] = {1, 1, 1};
     int n = r->scene->n_lights;
+    uint32_t line = r->lex.token_line;
     if (n == SPH_MAX_LIGHTS)
         return sph_fail(err, "%s:%u: more than %d lights", r->lex.path, r->lex.token_line,
                         SPH_MAX_LIGHTS);
@@ -143,7 +144,9 @@ static int take_light(struct reader *r, struct sph_error *err) {
         if (rgb[i] < 0)
             return sph_fail(err, "%s:%u: `l`: %s %g is negative", r->lex.path, r->lex.token_line,
                             colour_names[i], rgb[i]);
-    return sph_scene_add_light(r->scene, pos, rgb[0], rgb[1], rgb[2], err);
+    if (sph_scene_add_light(r->scene, pos, rgb[0], rgb[1], rgb[2], err)) return -1;
+    r->scene->lights[n].line = line;
+    return 0;
 }
 
 /* f red green blue Kd Ks Shine T index; replaces the newest material if that is unused. */

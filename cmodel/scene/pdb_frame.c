@@ -117,6 +117,6 @@ void sph_scene_frame(struct sph_scene *scene) {
     struct sph_vec key = combine(right, x0 - dist / 2, up, y0 + dist / 2, to_eye, z0 + dist);
     struct sph_vec fill = combine(right, x0 + dist, up, y0, to_eye, z0 + dist / 2);
     scene->n_lights = 2;
-    scene->lights[0] = (struct sph_light){key, {0.9, 0.9, 0.85}};
-    scene->lights[1] = (struct sph_light){fill, {0.3, 0.3, 0.35}};
+    scene->lights[0] = (struct sph_light){key, {0.9, 0.9, 0.85}, 0};
+    scene->lights[1] = (struct sph_light){fill, {0.3, 0.3, 0.35}, 0};
 }

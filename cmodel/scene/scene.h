@@ -28,6 +28,7 @@ struct sph_camera {
 struct sph_light {
     struct sph_vec pos;
     double rgb[3]; /* 1/sqrt(number of lights) each where the file gives none */
+    uint32_t line; /* of the file, for messages; 0 if generated */
 };
 
 struct sph_material {

@@ -13,7 +13,7 @@ struct arguments {
     int layer, traverse, threads, counters, progress;
 };
 
-enum { KEY_EXR = 512, KEY_FRAME, KEY_LAYER, KEY_TRAVERSE, KEY_COUNTERS, KEY_JSON, KEY_PROGRESS };
+enum { KEY_EXR = 512, KEY_FRAME, KEY_LAYER, KEY_BRUTE, KEY_COUNTERS, KEY_JSON, KEY_PROGRESS };
 
 static const struct argp_option options[] = {
     {"output", 'o', "FILE.png", 0, "picture, 8-bit RGB", 0},
@@ -21,8 +21,7 @@ static const struct argp_option options[] = {
     {"frame", KEY_FRAME, "FILE", 0, "frame file, for `sphaera compare`", 0},
     {"layer", KEY_LAYER, "N", 0,
      "colours of pictures: 0 without reflections, 1 one reflection, 2 all (default)", 0},
-    {"traverse", KEY_TRAVERSE, "HOW", 0,
-     "tree (default, as the hardware) or brute (tests every sphere, finds the nearest)", 0},
+    {"brute", KEY_BRUTE, NULL, 0, "without tree: test every sphere, find the nearest", 0},
     {"threads", 't', "N", 0, "0: one for every processor (default)", 0},
     {"counters", KEY_COUNTERS, NULL, 0, "print the counters", 0},
     {"json", KEY_JSON, "FILE", 0, "report as JSON (- : on standard output instead of text)", 0},
@@ -30,7 +29,7 @@ static const struct argp_option options[] = {
     {0},
 };
 
-static const char *const traversals[] = {"tree", "brute", NULL};
+static const char *const traversals[] = {"tree", "brute"}; /* SPH_TRAVERSE_* */
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
     struct arguments *a = state->input;
@@ -50,8 +49,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     case KEY_LAYER:
         a->layer = (int)tool_number(state, "--layer", arg, 0, SPH_FRAMES - 1);
         return 0;
-    case KEY_TRAVERSE:
-        a->traverse = tool_choice(state, "--traverse", arg, traversals);
+    case KEY_BRUTE:
+        a->traverse = SPH_TRAVERSE_BRUTE;
         return 0;
     case 't':
         a->threads = (int)tool_number(state, "--threads", arg, 0, 1024);

@@ -54,6 +54,10 @@ enum {
     KEY_DEPTH,
     KEY_SHADOW,
     KEY_REFLECT,
+    KEY_LIGHTS,
+    KEY_INSIDE,
+    KEY_TRAVERSE,
+    KEY_INTERPENETRATE,
     KEY_SKIP
 };
 
@@ -71,8 +75,14 @@ static const struct argp_option options[] = {
      "exact: 0 the root sphere (default), 1 its children, 2 theirs", 1},
     {"size", KEY_SIZE, "WxH", 0, "frame in pixels; as the scene says if not given", 1},
     {"depth", KEY_DEPTH, "N", 0, "reflections, 0 to 5 (2)", 1},
-    {"shadow", KEY_SHADOW, "WHEN", 0, "auto (default: as the scene asks), on or off", 1},
-    {"reflect", KEY_REFLECT, "WHEN", 0, "auto (default: as the scene asks), on or off", 1},
+    {"shadow", KEY_SHADOW, "WHEN", 0, "auto (default: as the scene calls for), on or off", 1},
+    {"reflect", KEY_REFLECT, "WHEN", 0, "auto (default), on or off", 1},
+    {"lights", KEY_LIGHTS, "N", 0, "auto (default: those that reach something), or the first N", 1},
+    {"inside", KEY_INSIDE, "WHEN", 0, "rays that start in a sphere: auto (default), on or off", 1},
+    {"traverse", KEY_TRAVERSE, "HOW", 0,
+     "primary rays find the nearest hit (default), or end at the first one, as in the paper", 1},
+    {"interpenetrate", KEY_INTERPENETRATE, "WHEN", 0,
+     "with --traverse first, mends hits inside another sphere: auto (default), on or off", 1},
     {"skip-unsupported", KEY_SKIP, NULL, 0,
      "leave out polygons, cones and so on instead of refusing the scene", 1},
     {0},
@@ -84,14 +94,23 @@ const struct tool_source tool_source_default = {
               .background = SPH_BG_NONE,
               .bg_border = 1,
               .max_depth = 2,
-              .shadow = -1,
-              .reflect = -1},
+              .shadow = SPH_AUTO,
+              .reflect = SPH_AUTO,
+              .lights = SPH_AUTO,
+              .inside = SPH_AUTO,
+              .interpenetrate = SPH_AUTO},
 };
+
+/* auto, off or on. */
+static int when(const struct argp_state *state, const char *option, const char *arg) {
+    static const char *const choices[] = {"auto", "off", "on", NULL};
+    return SPH_AUTO + tool_choice(state, option, arg, choices);
+}
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
     static const char *const trees[] = {"paper", "balanced", NULL};
     static const char *const backgrounds[] = {"none", "rect", "spans", "exact", NULL};
-    static const char *const when[] = {"auto", "off", "on", NULL};
+    static const char *const hows[] = {"nearest", "first", NULL};
     struct tool_source *s = state->input;
     const char *profiles[SPH_PROFILES + 1] = {NULL};
     switch (key) {
@@ -123,10 +142,24 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         s->build.max_depth = (int)tool_number(state, "--depth", arg, 0, SPH_MAX_DEPTH);
         break;
     case KEY_SHADOW:
-        s->build.shadow = tool_choice(state, "--shadow", arg, when) - 1;
+        s->build.shadow = when(state, "--shadow", arg);
         break;
     case KEY_REFLECT:
-        s->build.reflect = tool_choice(state, "--reflect", arg, when) - 1;
+        s->build.reflect = when(state, "--reflect", arg);
+        break;
+    case KEY_LIGHTS:
+        s->build.lights = SPH_AUTO;
+        if (strcmp(arg, "auto") != 0)
+            s->build.lights = (int)tool_number(state, "--lights", arg, 0, SPH_MAX_LIGHTS);
+        break;
+    case KEY_INSIDE:
+        s->build.inside = when(state, "--inside", arg);
+        break;
+    case KEY_TRAVERSE:
+        s->build.traverse = SPH_BUILD_NEAREST + tool_choice(state, "--traverse", arg, hows);
+        break;
+    case KEY_INTERPENETRATE:
+        s->build.interpenetrate = when(state, "--interpenetrate", arg);
         break;
     case KEY_SKIP:
         s->read.skip_unsupported = 1;

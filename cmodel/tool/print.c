@@ -19,6 +19,17 @@ static void print_lines(FILE *to, const char *head, const char *text) {
     }
 }
 
+/* One line for each effect: what the machine has of it, and why. */
+static void print_effects(FILE *to, const struct sph_build_report *b) {
+    for (int i = 0; i < SPH_REPORTS; i++) {
+        const struct sph_effect_report *e = &b->effects[i];
+        int counts = i == SPH_REPORT_LIGHTS || i == SPH_REPORT_REFLECT;
+        char on[16];
+        snprintf(on, sizeof on, counts ? "%d" : "on", e->on);
+        fprintf(to, "effect   %-14s %-3s %s\n", e->name, e->on ? on : "off", e->why);
+    }
+}
+
 void print_build(FILE *to, const struct tool_built *built) {
     const struct sph_build_report *b = &built->report;
     const struct sph_machine *m = &built->machine;
@@ -35,7 +46,7 @@ void print_build(FILE *to, const struct tool_built *built) {
     fprintf(to, "tree     %s: %u nodes, depth %u, %.3f s\n",
             r[SPH_REG_TREE] == SPH_TREE_PAPER ? "paper" : "balanced", b->nodes, b->depth,
             b->build_seconds);
-    print_lines(to, "effect   ", b->effects);
+    print_effects(to, b);
     print_lines(to, "backgr.  ", b->background);
     fprintf(to, "memory   %u lines, %" PRIu64 " bytes\n", m->lines,
             (uint64_t)m->lines * SPH_LINE_WORDS * 4);

@@ -10,7 +10,7 @@
 #include "output.h"
 
 json_t *report_new(const char *command) {
-    return json_pack("{s:s, s:i, s:s, s:s}", "schema", "sphaera-report", "version", 1, "program",
+    return json_pack("{s:s, s:i, s:s, s:s}", "schema", "sphaera-report", "version", 2, "program",
                      argp_program_version, "command", command);
 }
 
@@ -72,6 +72,21 @@ static json_t *lines(const char *text) {
     return list;
 }
 
+/* Each effect: what the machine has, what the scene calls for, why. */
+static json_t *effects_of(const struct sph_build_report *b) {
+    json_t *list = json_array();
+    for (int i = 0; i < SPH_REPORTS; i++) {
+        const struct sph_effect_report *e = &b->effects[i];
+        json_t *entry = json_object();
+        report_text(entry, "name", e->name);
+        report_count(entry, "on", (uint64_t)e->on);
+        report_count(entry, "called", (uint64_t)e->called);
+        report_text(entry, "why", e->why);
+        json_array_append_new(list, entry);
+    }
+    return list;
+}
+
 void report_build(json_t *report, const struct tool_built *built) {
     const struct sph_build_report *b = &built->report;
     if (!report || !built->from_scene) return;
@@ -83,7 +98,7 @@ void report_build(json_t *report, const struct tool_built *built) {
     report_count(build, "depth", b->depth);
     report_count(build, "skipped", built->skipped);
     report_number(build, "seconds", b->build_seconds);
-    add(build, "effects", lines(b->effects));
+    add(build, "effects", effects_of(b));
     add(build, "background", lines(b->background));
     add(build, "warnings", lines(b->warning));
     add(report, "build", build);

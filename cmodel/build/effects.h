@@ -1,0 +1,51 @@
+/* effects.h - which effects a scene calls for, which the machine gets, and why
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef SPH_EFFECTS_H
+#define SPH_EFFECTS_H
+
+#include "build/build.h"
+#include "build/grid.h"
+#include "build/occlude.h"
+
+/* A scene on the grid, and what is asked for. */
+struct sph_survey {
+    const struct sph_scene *scene;
+    const struct sph_grid *grid;
+    const struct sph_build_options *options;
+    struct sph_world world;
+};
+
+/* The lights that the machine gets, as indices of the scene. */
+struct sph_lights {
+    int count, index[SPH_MAX_LIGHTS];
+    int n_shining, shining[SPH_MAX_LIGHTS]; /* those of them that may reach something */
+    int called;                             /* lights of the scene that may */
+};
+
+/* EFFECTS, MAX_DEPTH, lights, and report->effects. Warns in report->warning of what is called for
+ * and left out. -1 if what is asked for is impossible or memory is out. */
+int sph_emit_effects(const struct sph_survey *survey, struct sph_machine *machine,
+                     struct sph_build_report *report, struct sph_error *err);
+
+/* Chooses the lights and says why; writes nothing to the machine. */
+void sph_choose_lights(const struct sph_survey *survey, struct sph_lights *lights,
+                       struct sph_effect_report *report);
+
+/* Light registers. Appends to report->warning what had to be clamped. */
+void sph_emit_lights(const struct sph_survey *survey, const struct sph_lights *lights,
+                     struct sph_machine *machine, struct sph_build_report *report);
+
+/* Writes "file:line", or "what N" (from 1) if what was generated has no line. */
+struct sph_place {
+    char text[560];
+};
+struct sph_place sph_place_of(const struct sph_scene *scene, uint32_t line, const char *what,
+                              uint32_t index);
+struct sph_place sph_sphere_place(const struct sph_scene *scene, uint32_t index);
+struct sph_place sph_light_place(const struct sph_scene *scene, int index);
+
+/* lround(32768 * c) for c in [0, 65535/32768]; *clamped counts what was outside. */
+int32_t sph_u1_15(double c, int *clamped);
+
+#endif
