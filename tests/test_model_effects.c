@@ -208,9 +208,7 @@ static void inside(void **state) {
         struct sph_counters a, b;
         struct sph_frame on = draw(&m, BOTH | INSIDE, SPH_TRAVERSE_TREE, &a);
         struct sph_frame off = draw(&m, BOTH, SPH_TRAVERSE_TREE, &b);
-        int differ = 0;
-        for (int i = 0; i < W * H; i++)
-            differ += memcmp(&on.pixels[i], &off.pixels[i], sizeof on.pixels[i]) != 0;
+        int differ = model_differ("INSIDE", &m, &off, &on);
         printf("# %s: INSIDE changes %d of %d pixels\n", scenes[n], differ, W * H);
         assert_int_equal(differ != 0, n >= 2);
         if (n < 2) assert_memory_equal(&a, &b, sizeof a);
