@@ -50,11 +50,14 @@ def main():
     small, large = f"{folder}/random256.nff", f"{folder}/random4096.nff"
     flake, one = "scenes/sphereflake2.nff", "scenes/one_sphere.nff"
     paper = "--tree paper"
+    first = paper + " --traverse first"
     rows = [
         ("tree", "every sphere (paper: 7 to 15)", small, "", "--brute"),
         ("tree", "every sphere", large, "", "--brute"),
         ("balanced tree", "paper's tree", small, "", paper),
         ("balanced tree", "paper's tree", large, "", paper),
+        ("nearest leaf", "first leaf, paper's tree", small, paper, first),
+        ("nearest leaf", "first leaf, paper's tree", large, paper, first),
         ("depth 0", "depth 1", flake, "--depth 0", "--depth 1"),
         ("depth 0", "depth 2", flake, "--depth 0", "--depth 2"),
         ("background rect", "none", one, "--background rect", ""),
