@@ -15,6 +15,8 @@ using bench::u128;
 namespace {
 
 constexpr uint64_t LATENCY = 9, INTERVAL = 8;
+constexpr int DW = REFLECT > 3 ? 3 : REFLECT > 1 ? 2 : 1; /* bits of the depth */
+constexpr int FRAMES = REFLECT > 1 ? 3 : 2;
 
 struct Vector {
     uint32_t light[3], albedo; /* u2.15, 0xBBGGRR */
@@ -60,6 +62,11 @@ const Vector corners[] = {
     {{L1, L1, L1}, 0x112233, 0, 64, 1, {{1, 2, 3}, 999, 7, {7, 8, 9}}, 0, 0},
 };
 
+/* A corner may be deeper than this core goes. */
+int depth(const Vector &v) {
+    return v.state.depth < REFLECT ? v.state.depth : REFLECT;
+}
+
 /* Colour of the surface, then the blend, on *state. */
 void model(const Vector &v, struct sph_blend *state) {
     uint32_t colour[3];
@@ -87,12 +94,12 @@ Vector make(bench::Random &random) {
         }
         v.state.weight =
             (uint32_t)(random.percent(20) ? random.below(2) * W1 : random.below(W1 + 1));
-        v.state.depth = (int)random.below(8);
+        v.state.depth = (int)random.below(REFLECT + 1);
         return v;
     }
     if (!chained) sph_blend_start(&pixel);
     v.state = pixel;
-    v.last |= pixel.depth == 5;
+    v.last |= pixel.depth == REFLECT;
     model(v, &pixel);
     chained = !v.last;
     return v;
@@ -112,21 +119,24 @@ int main(int argc, char **argv) {
         b.set(b.dut.in_albedo_i, 24, v.albedo);
         b.dut.in_background_i = (uint8_t)v.background;
         b.set(b.dut.in_kr_i, 9, v.kr);
-        b.dut.in_last_i = (uint8_t)v.last;
         b.set(b.dut.in_sum_i, 48, pack(v.state.sum, 16));
         b.set(b.dut.in_weight_i, 17, v.state.weight);
-        b.set(b.dut.in_depth_i, 3, v.state.depth);
-        b.set(b.dut.in_colour_i, 72, pack(v.state.colour, 24));
+        b.set(b.dut.in_depth_i, DW, depth(v));
+        b.set(b.dut.in_colour_i, 24 * FRAMES - 24, pack(v.state.colour, 24));
     };
     auto check = [&](const Vector &e) {
         struct sph_blend s = e.state;
+        s.depth = depth(e);
         model(e, &s);
         for (uint32_t &sum : s.sum)
             sum &= 0xffff; /* only states that no pixel reaches go beyond */
         b.expect("out_sum_o", (bench::i128)b.get(b.dut.out_sum_o), pack(s.sum, 16), 48);
         b.expect("out_weight_o", b.get(b.dut.out_weight_o), s.weight, 17);
-        b.expect("out_depth_o", b.get(b.dut.out_depth_o), s.depth & 7, 3);
-        b.expect("out_colour_o", (bench::i128)b.get(b.dut.out_colour_o), pack(s.colour, 24), 72);
+        b.expect("out_depth_o", b.get(b.dut.out_depth_o), s.depth & ((1 << DW) - 1), DW);
+        for (int i = 0; i < FRAMES; i++) /* frames of greater depths are complete with the last */
+            if (i < s.depth || e.last)
+                b.expect("out_colour_o", bench::low(b.get(b.dut.out_colour_o) >> (24 * i), 24),
+                         s.colour[i], 24);
         if (b.bad()) {
             b.show("in_light_i", pack(e.light, 17), 51);
             b.show("in_albedo_i", e.albedo, 24);
@@ -135,7 +145,7 @@ int main(int argc, char **argv) {
             b.show("in_last_i", e.last, 1);
             b.show("in_sum_i", pack(e.state.sum, 16), 48);
             b.show("in_weight_i", e.state.weight, 17);
-            b.show("in_depth_i", e.state.depth, 3);
+            b.show("in_depth_i", depth(e), DW);
             b.show("in_colour_i", pack(e.state.colour, 24), 72);
         }
     };

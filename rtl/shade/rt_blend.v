@@ -2,13 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 //   colour = min(round(albedo*light / 2^7), 255.0)        front = weight * (1-kr)
 //   frame  = byte(sum + weight*colour)    sum += front*colour    weight *= kr    depth += 1
+// The frame is that of its depth and of the deepest so far; frames 0 and 1 are kept beyond theirs.
 // Two multipliers, channels one after another:
 //   operands in cycle 1, 2, 3: albedo, light | weight, kr  4, 5, 6: colour, weight | colour, front
 //   products follow by 1 cycle, what is made of them by 2. Latency 9 cycles, one every 8 cycles.
 // Model: sph_surface_colour(), sph_blend_add() in cmodel/shade/colour.c
 `default_nettype none
 module rt_blend #(
-    parameter TAG = 8  // tag, bits
+    parameter REFLECT = 5,                  // reflections, 1..5
+    parameter TAG     = 8,                  // tag, bits
+    parameter DW = $clog2(REFLECT + 1),     // depth, bits, derived: leave alone
+    parameter KEPT = REFLECT > 1 ? 48 : 24  // frames 0 and 1, or 0 alone, derived: leave alone
 ) (
     input  wire           clk,
     input  wire           rst,
@@ -19,19 +23,18 @@ module rt_blend #(
     input  wire [23:0]    in_albedo_i,      // 0xBBGGRR
     input  wire           in_background_i,  // nothing hit: albedo is the colour
     input  wire [8:0]     in_kr_i,          // u1.8, 0..256, share of the reflection
-    input  wire           in_last_i,        // nothing lies behind
     // state of the pixel so far
     input  wire [47:0]    in_sum_i,         // 3 x u8.8, red low
     input  wire [16:0]    in_weight_i,      // u1.16, of what lies behind
-    input  wire [2:0]     in_depth_i,       // reflections so far
-    input  wire [71:0]    in_colour_i,      // frames 0xBBGGRR, Rendering low
+    input  wire [DW-1:0]  in_depth_i,       // reflections so far, at most REFLECT
+    input  wire [KEPT-1:0] in_colour_i,     // frames 0xBBGGRR, Rendering low
     // and after this depth
     output wire           out_valid_o,      // one cycle
     output reg  [TAG-1:0] out_tag_o,
     output reg  [47:0]    out_sum_o,
     output reg  [16:0]    out_weight_o,
-    output reg  [2:0]     out_depth_o,
-    output reg  [71:0]    out_colour_o
+    output reg  [DW-1:0]  out_depth_o,
+    output reg  [KEPT+23:0] out_colour_o    // the deepest frame above those that are kept
 );
     // ---- control: ph_q[n] n cycles after the input was taken ----
     reg  [9:1]     ph_q;
@@ -47,18 +50,16 @@ module rt_blend #(
     reg  [TAG-1:0] in_tag_q;
     reg  [50:0]    light_q;
     reg  [23:0]    albedo_q;
-    reg            last_q;
     reg  [8:0]     kr_q;
     reg  [47:0]    sum_q;
     reg  [16:0]    weight_q;
-    reg  [2:0]     depth_q;
-    reg  [71:0]    colour_q;
+    reg  [DW-1:0]  depth_q;
+    reg  [KEPT-1:0] colour_q;
     always @(posedge clk)
         if (take) begin
             in_tag_q <= in_tag_i;
             albedo_q <= in_albedo_i;
             light_q  <= in_background_i ? {3{17'h08000}} : in_light_i;  // background: light of 1
-            last_q   <= in_last_i;
             kr_q     <= in_kr_i;
             sum_q    <= in_sum_i;
             weight_q <= in_weight_i;
@@ -112,18 +113,20 @@ module rt_blend #(
         out_sum_o  <= {s3_sum[16:1], out_sum_o[47:16]};
     end
 
-    // ---- cycle 8: frames; the deepest one takes all that is deeper ----
-    wire           deeper = |depth_q[2:1];  // than L1
-    wire           at_l1  = depth_q == 3'd1;
+    // ---- cycle 8: frames ----
+    wire [KEPT-1:0] kept;
+    assign kept[23:0] = depth_q == 0 ? s3_pixel : colour_q[23:0];
+    generate
+        if (REFLECT > 1) begin : g_l1               // depth 0 leaves what depth 1 will change
+            assign kept[KEPT-1:24] = depth_q <= 1 ? s3_pixel : colour_q[KEPT-1:24];
+        end
+    endgenerate
     always @(posedge clk)
         if (ph_q[8]) begin
             out_tag_o    <= in_tag_q;
             out_weight_o <= s3_weight_q;
-            out_depth_o  <= depth_q + 3'd1;
-            out_colour_o <= colour_q;
-            if (!deeper && !at_l1)             out_colour_o[23:0]  <= s3_pixel;
-            if (!deeper && (at_l1 || last_q))  out_colour_o[47:24] <= s3_pixel;
-            if (deeper || last_q)              out_colour_o[71:48] <= s3_pixel;
+            out_depth_o  <= depth_q + 1'b1;
+            out_colour_o <= {s3_pixel, kept};
         end
     wire unused = &{1'b0, s2_ax_q[5:0], s3_light[0], s3_front[25], s3_front[7:0], s3_behind[0],
                     s3_all[7:0], s3_sum[17], s3_sum[0], s3_half[0]};

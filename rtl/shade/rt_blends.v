@@ -1,0 +1,122 @@
+// rt_blends.v - blends the surfaces of every slot's pixel, and keeps its state and frames
+// SPDX-License-Identifier: Apache-2.0
+// Two rt_blend take turns, a surface every 4 cycles. The state of a pixel between two surfaces is
+// {depth, frames, weight, sum}: 116 bits for three frames, 89 for two (one reflection, no depth).
+// Without reflections there is one surface and no state: rt_colour makes the one frame.
+// read_i reads the state of a slot for the surface that enters one cycle later.
+// Model: sph_surface_colour(), sph_blend_add() in cmodel/shade/colour.c
+`default_nettype none
+module rt_blends #(
+    parameter REFLECT = 5,   // reflections, 0..5
+    parameter PROBE   = 1,   // 1: some surfaces are probed (INTERPENETRATE)
+    parameter SLOTS   = 32,  // power of two
+    parameter SLOTW   = 5    // log2 of SLOTS
+) (
+    input  wire             clk,
+    input  wire             rst,
+    // a surface, or the background behind a mirror
+    input  wire             read_i,
+    input  wire [SLOTW-1:0] read_slot_i,
+    input  wire             in_first_i,       // what the pixel sees itself; one cycle after read_i
+    output wire [2:0]       depth_o,          // reflections before it
+    input  wire             in_valid_i,
+    output wire             in_ready_o,
+    input  wire [SLOTW-1:0] in_slot_i,
+    input  wire [50:0]      in_light_i,       // 3 x u2.15, red low
+    input  wire [23:0]      in_albedo_i,      // 0xBBGGRR
+    input  wire             in_background_i,  // nothing hit: albedo is the colour
+    input  wire [8:0]       in_kr_i,          // u1.8, 0..256, share of the reflection
+    input  wire             in_last_i,        // nothing lies behind: the frames are complete
+    input  wire             in_probe_i,       // to be probed
+    // it is blended
+    output wire             out_valid_o,      // one cycle
+    output wire [SLOTW-1:0] out_slot_o,
+    output wire             out_last_o,
+    output wire             out_probe_o,
+    // complete frames of a slot, one cycle after
+    input  wire             frames_read_i,
+    input  wire [SLOTW-1:0] frames_slot_i,
+    output wire [71:0]      frames_o          // L2, L1, Rendering
+);
+    localparam FRAMES = REFLECT > 1 ? 3 : REFLECT + 1;
+    localparam TAG    = SLOTW + 1 + PROBE;
+    wire [SLOTW+1:0]     in_tag = {in_probe_i, in_last_i, in_slot_i};
+    wire [TAG-1:0]       out_tag;
+    assign out_slot_o  = out_tag[SLOTW-1:0];
+    assign out_last_o  = out_tag[SLOTW];
+    assign out_probe_o = PROBE != 0 && out_tag[TAG-1];
+    wire [24*FRAMES-1:0] out_colour, frames;
+    rt_slot_ram #(.WIDTH(24*FRAMES), .SLOTS(SLOTS), .OLD(0)) u_frames (
+        .clk(clk), .wr_en_i(out_valid_o && out_last_o), .wr_addr_i(out_slot_o),
+        .wr_data_i(out_colour),
+        .rd_en_i(frames_read_i), .rd_addr_i(frames_slot_i), .rd_data_o(frames)
+    );
+    genvar u;
+    generate
+        if (FRAMES == 3) begin : g_three
+            assign frames_o = frames;
+        end else begin : g_less                      // the deepest again
+            assign frames_o = {{(3-FRAMES){frames[24*FRAMES-1 -: 24]}}, frames};
+        end
+
+        if (REFLECT == 0) begin : g_colour
+            assign depth_o = 3'd0;
+            rt_colour #(.TAG(TAG)) u_colour (
+                .clk(clk), .rst(rst), .in_valid_i(in_valid_i), .in_ready_o(in_ready_o),
+                .in_tag_i(in_tag[TAG-1:0]), .in_light_i(in_light_i),
+                .in_albedo_i(in_albedo_i), .out_valid_o(out_valid_o),
+                .out_tag_o(out_tag), .out_colour_o(out_colour)
+            );
+            wire unused = &{1'b0, read_i, read_slot_i, in_first_i, in_background_i, in_kr_i};
+        end else begin : g_blend
+            localparam DW   = $clog2(REFLECT + 1);   // depth
+            localparam KEPT = 24*(FRAMES - 1);       // frames that later depths leave alone
+            localparam CW   = KEPT + 65;             // {frames, weight, sum}
+            localparam SW   = REFLECT > 1 ? CW + DW : CW;
+            localparam BW   = DW + KEPT + 24 + 65;   // {depth, deepest frame, frames, weight, sum}
+            wire [SW-1:0]         state;
+            wire [DW-1:0]         depth;
+            wire [1:0]            ready, valid;
+            wire [2*TAG-1:0]      tags;
+            wire [2*BW-1:0]       results;
+            wire [BW-1:0]         result = valid[0] ? results[BW-1:0] : results[2*BW-1:BW];
+            assign depth_o     = {{(3-DW){1'b0}}, depth};
+            assign in_ready_o  = |ready;
+            assign out_valid_o = |valid;             // never both: one enters a cycle
+            assign out_tag     = valid[0] ? tags[TAG-1:0] : tags[2*TAG-1:TAG];
+            assign out_colour  = result[65 +: KEPT+24];
+            wire [SW-1:0]         next;
+            if (REFLECT > 1) begin : g_depth
+                assign depth = in_first_i ? {DW{1'b0}} : state[CW +: DW];
+                assign next  = {result[BW-1 -: DW], result[CW-1:0]};
+            end else begin : g_behind                // after the first comes the last
+                assign depth = !in_first_i;
+                assign next  = result[CW-1:0];
+                wire unused = &{1'b0, result[BW-1 -: DW]};
+            end
+            rt_slot_ram #(.WIDTH(SW), .SLOTS(SLOTS), .OLD(0)) u_state (
+                .clk(clk), .wr_en_i(out_valid_o), .wr_addr_i(out_slot_o),
+                .wr_data_i(next),
+                .rd_en_i(read_i), .rd_addr_i(read_slot_i), .rd_data_o(state)
+            );
+            for (u = 0; u < 2; u = u + 1) begin : g_unit
+                rt_blend #(.REFLECT(REFLECT), .TAG(TAG)) u_blend (
+                    .clk(clk), .rst(rst),
+                    .in_valid_i(in_valid_i && (u == 0 || !ready[0])), .in_ready_o(ready[u]),
+                    .in_tag_i(in_tag[TAG-1:0]), .in_light_i(in_light_i),
+                    .in_albedo_i(in_albedo_i), .in_background_i(in_background_i),
+                    .in_kr_i(in_kr_i),
+                    .in_sum_i(in_first_i ? 48'd0 : state[47:0]),
+                    .in_weight_i(in_first_i ? 17'h10000 : state[64:48]),
+                    .in_depth_i(depth), .in_colour_i(state[65 +: KEPT]),
+                    .out_valid_o(valid[u]), .out_tag_o(tags[TAG*u +: TAG]),
+                    .out_sum_o(results[BW*u +: 48]), .out_weight_o(results[BW*u+48 +: 17]),
+                    .out_depth_o(results[BW*u+BW-DW +: DW]),
+                    .out_colour_o(results[BW*u+65 +: KEPT+24])
+                );
+            end
+        end
+    endgenerate
+    wire unused = &{1'b0, in_tag};
+endmodule
+`default_nettype wire

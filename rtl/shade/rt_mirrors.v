@@ -1,0 +1,68 @@
+// rt_mirrors.v - mirrored directions of the surfaces that show what lies behind them
+// SPDX-License-Identifier: Apache-2.0
+// Keeps the direction of each slot's ray and the normal of its surface, and sends the mirrored
+// direction to rt_setup when the surface is blended. Model: sph_bounce() in cmodel/shade/surface.c
+`default_nettype none
+module rt_mirrors #(
+    parameter WD    = 17,  // direction component, bits
+    parameter SLOTS = 32,  // power of two
+    parameter SLOTW = 5    // log2 of SLOTS
+) (
+    input  wire              clk,
+    input  wire              rst,
+    // from rt_setup
+    input  wire              ray_valid_i,     // primary or reflected ray
+    input  wire [SLOTW-1:0]  ray_slot_i,
+    input  wire [3*WD-1:0]   ray_dir_i,
+    input  wire              normal_valid_i,
+    input  wire [SLOTW-1:0]  normal_slot_i,
+    input  wire [3*WD-1:0]   normal_vec_i,
+    input  wire [2*WD-1:0]   normal_nn_i,
+    // a surface
+    input  wire              in_valid_i,
+    input  wire [SLOTW-1:0]  in_slot_i,
+    // to rt_setup
+    output wire              out_valid_o,     // one cycle
+    output wire [SLOTW-1:0]  out_slot_o,
+    output wire [3*WD-1:0]   out_vec_o
+);
+    wire             m_valid, m_in, ready;
+    wire [SLOTW-1:0] m_slot;
+    reg              n_valid_q;
+    reg [SLOTW-1:0]  n_slot_q;
+    wire             m_load = !n_valid_q || ready;
+    wire [3*WD-1:0]  n_dir, n_normal;
+    wire [2*WD-1:0]  n_nn;
+    rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_queue (
+        .clk(clk), .rst(rst), .in_valid_i(in_valid_i), .in_ready_o(m_in), .in_data_i(in_slot_i),
+        .out_valid_o(m_valid), .out_ready_i(m_load), .out_data_o(m_slot)
+    );
+    rt_slot_ram #(.WIDTH(3*WD), .SLOTS(SLOTS), .OLD(0)) u_dir (
+        .clk(clk), .wr_en_i(ray_valid_i), .wr_addr_i(ray_slot_i), .wr_data_i(ray_dir_i),
+        .rd_en_i(m_load && m_valid), .rd_addr_i(m_slot), .rd_data_o(n_dir)
+    );
+    rt_slot_ram #(.WIDTH(5*WD), .SLOTS(SLOTS), .OLD(0)) u_normal (
+        .clk(clk), .wr_en_i(normal_valid_i), .wr_addr_i(normal_slot_i),
+        .wr_data_i({normal_nn_i, normal_vec_i}),
+        .rd_en_i(m_load && m_valid), .rd_addr_i(m_slot), .rd_data_o({n_nn, n_normal})
+    );
+    always @(posedge clk) begin
+        if (m_load) begin
+            n_valid_q <= m_valid;
+            n_slot_q  <= m_slot;
+        end
+        if (rst) n_valid_q <= 1'b0;
+    end
+    rt_bounce #(.WD(WD), .TAG(SLOTW)) u_bounce (
+        .clk(clk), .rst(rst), .in_valid_i(n_valid_q), .in_ready_o(ready), .in_tag_i(n_slot_q),
+        .in_dir_x_i($signed(n_dir[0 +: WD])), .in_dir_y_i($signed(n_dir[WD +: WD])),
+        .in_dir_z_i($signed(n_dir[2*WD +: WD])),
+        .in_normal_x_i($signed(n_normal[0 +: WD])), .in_normal_y_i($signed(n_normal[WD +: WD])),
+        .in_normal_z_i($signed(n_normal[2*WD +: WD])), .in_nn_i(n_nn),
+        .out_valid_o(out_valid_o), .out_tag_o(out_slot_o),
+        .out_dir_x_o(out_vec_o[0 +: WD]), .out_dir_y_o(out_vec_o[WD +: WD]),
+        .out_dir_z_o(out_vec_o[2*WD +: WD])
+    );
+    wire unused = m_in;
+endmodule
+`default_nettype wire
