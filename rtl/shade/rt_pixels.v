@@ -9,6 +9,7 @@ module rt_pixels #(
     parameter WD      = 17,  // direction component, bits
     parameter SHADOW  = 1,   // effects elaborated, see rt_core
     parameter REFLECT = 5,
+    parameter LIGHTS  = 8,
     parameter INSIDE  = 1,
     parameter INTERPENETRATE = 1,
     parameter SLOTS   = 32,  // power of two
@@ -164,128 +165,99 @@ module rt_pixels #(
         .in_data_i(sum_slot_i),
         .out_valid_o(q_hit), .out_ready_i(e_load), .out_data_o(q_hit_slot)
     );
-    rt_slot_ram #(.WIDTH(51), .SLOTS(SLOTS), .OLD(0)) u_light (
-        .clk(clk), .wr_en_i(sum_valid_i), .wr_addr_i(sum_slot_i), .wr_data_i(sum_i),
-        .rd_en_i(e_read), .rd_addr_i(e_slot), .rd_data_o(e_light)
-    );
-    rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_misses (
-        .clk(clk), .rst(rst), .in_valid_i(miss_valid_q), .in_ready_o(q_miss_in),
-        .in_data_i(hit_slot_o),
-        .out_valid_o(q_miss), .out_ready_i(e_load && !q_hit), .out_data_o(q_miss_slot)
-    );
+    generate
+        if (LIGHTS != 0) begin : g_light
+            rt_slot_ram #(.WIDTH(51), .SLOTS(SLOTS), .OLD(0)) u_light (
+                .clk(clk), .wr_en_i(sum_valid_i), .wr_addr_i(sum_slot_i), .wr_data_i(sum_i),
+                .rd_en_i(e_read), .rd_addr_i(e_slot), .rd_data_o(e_light)
+            );
+        end else begin : g_ambient                   // the same for every surface
+            assign e_light = sum_i;
+        end
+        if (REFLECT != 0) begin : g_miss
+            rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_misses (
+                .clk(clk), .rst(rst), .in_valid_i(miss_valid_q), .in_ready_o(q_miss_in),
+                .in_data_i(hit_slot_o),
+                .out_valid_o(q_miss), .out_ready_i(e_load && !q_hit), .out_data_o(q_miss_slot)
+            );
+        end else begin : g_no_miss
+            assign {q_miss, q_miss_in, q_miss_slot} = {(SLOTW+2){1'b0}};
+            wire unused = miss_valid_q;
+        end
+    endgenerate
     always @(posedge clk) begin
         if (e_load) begin
             e_valid_q <= q_hit || q_miss;
-            e_miss_q  <= !q_hit;
+            e_miss_q  <= REFLECT != 0 && !q_hit;
             e_slot_q  <= e_slot;
         end
         if (rst) e_valid_q <= 1'b0;
     end
-    wire [32:0]  e_material;
-    wire [139:0] e_state, b_state;                   // {depth, frames, weight, sum}
-    wire         b_valid, b_last, b_probe;
-    wire [SLOTW-1:0] b_slot;
-    wire [1:0]   d_surface = {done_first_i && probe_on_i, d_first};
-    wire [PB:0]  e_surface;
-    wire         e_first = e_surface[0];             // the surface that the pixel sees itself
-    wire         e_probe = INTERPENETRATE != 0 && e_surface[PB];  // it may not be the nearest
-    rt_slot_ram #(.WIDTH(PB+1), .SLOTS(SLOTS), .OLD(0)) u_first_surface (
-        .clk(clk), .wr_en_i(d_valid), .wr_addr_i(done_slot_i), .wr_data_i(d_surface[PB:0]),
-        .rd_en_i(e_read), .rd_addr_i(e_slot), .rd_data_o(e_surface)
-    );
-    rt_slot_ram #(.WIDTH(33), .SLOTS(SLOTS), .OLD(0)) u_material (
-        .clk(clk), .wr_en_i(material_valid_i), .wr_addr_i(material_slot_i),
-        .wr_data_i(material_i),
-        .rd_en_i(e_read), .rd_addr_i(e_slot), .rd_data_o(e_material)
-    );
-    rt_slot_ram #(.WIDTH(140), .SLOTS(SLOTS), .OLD(0)) u_state (
-        .clk(clk), .wr_en_i(b_valid), .wr_addr_i(b_slot), .wr_data_i(b_state),
-        .rd_en_i(e_read), .rd_addr_i(e_slot), .rd_data_o(e_state)
-    );
+    wire             b_valid, b_last, b_probe, o_read;
+    wire [SLOTW-1:0] b_slot, o_slot;                 // a surface is blended; a pixel is delivered
+    wire [71:0]      p_colour;
 
-    // ---- blend: two units take turns ----
-    wire [2:0]   e_depth = e_first ? 3'd0 : e_state[139:137];
-    wire         e_last  = e_miss_q || e_material[32:24] == 9'd0 || REFLECT == 0 ||
-                           !reflect_on_i || e_depth == max_depth_i;
-    wire [1:0]   u_ready, u_valid;
-    localparam TAG = SLOTW + 1 + PB;
-    wire [SLOTW+1:0]    e_tag = {e_probe, e_last, e_slot_q};
-    wire [2*TAG-1:0]    u_tag;
-    wire [279:0] u_state_out;
-    assign blend_ready = |u_ready;
-    genvar u;
+    // ---- which surface of its pixel it is; its material ----
+    localparam FB = REFLECT != 0 ? 1 : 0;            // more than the first one is blended
+    localparam MW = REFLECT != 0 ? 33 : 24;          // without a mirror's share
+    wire         e_first, e_probe;                   // what the pixel sees itself; to be probed
+    wire [MW-1:0] e_material;
+    wire [8:0]   e_kr;
+    wire [2:0]   e_depth;
     generate
-        for (u = 0; u < 2; u = u + 1) begin : g_blend
-            rt_blend #(.TAG(TAG)) u_blend (
-                .clk(clk), .rst(rst),
-                .in_valid_i(e_valid_q && (u == 0 || !u_ready[0])), .in_ready_o(u_ready[u]),
-                .in_tag_i(e_tag[TAG-1:0]), .in_light_i(e_light),
-                .in_albedo_i(e_miss_q ? background_i : e_material[23:0]),
-                .in_background_i(e_miss_q), .in_kr_i(e_miss_q ? 9'd0 : e_material[32:24]),
-                .in_last_i(e_last),
-                .in_sum_i(e_first ? 48'd0 : e_state[47:0]),
-                .in_weight_i(e_first ? 17'h10000 : e_state[64:48]),
-                .in_depth_i(e_depth), .in_colour_i(e_first ? 72'd0 : e_state[136:65]),
-                .out_valid_o(u_valid[u]), .out_tag_o(u_tag[TAG*u +: TAG]),
-                .out_sum_o(u_state_out[140*u +: 48]), .out_weight_o(u_state_out[140*u+48 +: 17]),
-                .out_depth_o(u_state_out[140*u+137 +: 3]),
-                .out_colour_o(u_state_out[140*u+65 +: 72])
+        if (FB + PB != 0) begin : g_surface
+            wire [1:0]       d_surface = {done_first_i && probe_on_i, d_first};
+            wire [FB+PB-1:0] e_surface;
+            rt_slot_ram #(.WIDTH(FB+PB), .SLOTS(SLOTS), .OLD(0)) u_surface (
+                .clk(clk), .wr_en_i(d_valid), .wr_addr_i(done_slot_i),
+                .wr_data_i(d_surface[PB -: FB+PB]),
+                .rd_en_i(e_read), .rd_addr_i(e_slot), .rd_data_o(e_surface)
             );
+            assign e_first = FB == 0 || e_surface[0];
+            assign e_probe = PB != 0 && e_surface[FB+PB-1];
+            wire unused = &{1'b0, d_surface};
+        end else begin : g_only
+            assign {e_first, e_probe} = 2'b10;
+            wire unused = &{1'b0, done_first_i, probe_on_i};
+        end
+        if (REFLECT != 0) begin : g_kr
+            assign e_kr = e_miss_q ? 9'd0 : e_material[MW-1:24];
+        end else begin : g_matt
+            assign e_kr = 9'd0;
         end
     endgenerate
-    assign b_valid = |u_valid;                       // never both: one enters a cycle
-    wire [TAG-1:0] b_tag = u_valid[0] ? u_tag[TAG-1:0] : u_tag[2*TAG-1:TAG];
-    assign b_slot  = b_tag[SLOTW-1:0];
-    assign b_last  = b_tag[SLOTW];
-    assign b_probe = INTERPENETRATE != 0 && b_tag[SLOTW+PB];
-    assign b_state = u_valid[0] ? u_state_out[139:0] : u_state_out[279:140];
+    rt_slot_ram #(.WIDTH(MW), .SLOTS(SLOTS), .OLD(0)) u_material (
+        .clk(clk), .wr_en_i(material_valid_i), .wr_addr_i(material_slot_i),
+        .wr_data_i(material_i[MW-1:0]),
+        .rd_en_i(e_read), .rd_addr_i(e_slot), .rd_data_o(e_material)
+    );
+
+    // ---- blend ----
+    wire         e_last  = e_kr == 9'd0 || REFLECT == 0 ||  // background has no share either
+                           !reflect_on_i || e_depth == max_depth_i;
+    rt_blends #(.REFLECT(REFLECT), .PROBE(PB), .SLOTS(SLOTS), .SLOTW(SLOTW)) u_blends (
+        .clk(clk), .rst(rst),
+        .read_i(e_read), .read_slot_i(e_slot), .in_first_i(e_first), .depth_o(e_depth),
+        .in_valid_i(e_valid_q), .in_ready_o(blend_ready), .in_slot_i(e_slot_q),
+        .in_light_i(e_light), .in_albedo_i(e_miss_q ? background_i : e_material[23:0]),
+        .in_background_i(e_miss_q), .in_kr_i(e_kr), .in_last_i(e_last), .in_probe_i(e_probe),
+        .out_valid_o(b_valid), .out_slot_o(b_slot), .out_last_o(b_last), .out_probe_o(b_probe),
+        .frames_read_i(o_read), .frames_slot_i(o_slot), .frames_o(p_colour)
+    );
 
     // ---- mirror rays ----
     generate
-        if (MIRRORS != 0) begin : g_reflect
-            wire             m_valid, m_in, bounce_ready;
-            wire [SLOTW-1:0] m_slot;
-            reg              n_valid_q;
-            reg [SLOTW-1:0]  n_slot_q;
-            wire             m_load = !n_valid_q || bounce_ready;
-            wire [3*WD-1:0]  n_dir, n_normal;
-            wire [2*WD-1:0]  n_nn;
-            rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_mirrors (
-                .clk(clk), .rst(rst), .in_valid_i(b_valid && (!b_last || b_probe)),
-                .in_ready_o(m_in),
-                .in_data_i(b_slot),
-                .out_valid_o(m_valid), .out_ready_i(m_load), .out_data_o(m_slot)
+        if (MIRRORS != 0) begin : g_mirrors
+            rt_mirrors #(.WD(WD), .SLOTS(SLOTS), .SLOTW(SLOTW)) u_mirrors (
+                .clk(clk), .rst(rst),
+                .ray_valid_i(ray_valid_i), .ray_slot_i(ray_slot_i), .ray_dir_i(ray_dir_i),
+                .normal_valid_i(normal_valid_i), .normal_slot_i(normal_slot_i),
+                .normal_vec_i(normal_vec_i), .normal_nn_i(normal_nn_i),
+                .in_valid_i(b_valid && (!b_last || b_probe)), .in_slot_i(b_slot),
+                .out_valid_o(bounce_valid_o), .out_slot_o(bounce_slot_o),
+                .out_vec_o(bounce_vec_o)
             );
-            rt_slot_ram #(.WIDTH(3*WD), .SLOTS(SLOTS), .OLD(0)) u_dir (
-                .clk(clk), .wr_en_i(ray_valid_i), .wr_addr_i(ray_slot_i), .wr_data_i(ray_dir_i),
-                .rd_en_i(m_load && m_valid), .rd_addr_i(m_slot), .rd_data_o(n_dir)
-            );
-            rt_slot_ram #(.WIDTH(5*WD), .SLOTS(SLOTS), .OLD(0)) u_normal (
-                .clk(clk), .wr_en_i(normal_valid_i), .wr_addr_i(normal_slot_i),
-                .wr_data_i({normal_nn_i, normal_vec_i}),
-                .rd_en_i(m_load && m_valid), .rd_addr_i(m_slot), .rd_data_o({n_nn, n_normal})
-            );
-            always @(posedge clk) begin
-                if (m_load) begin
-                    n_valid_q <= m_valid;
-                    n_slot_q  <= m_slot;
-                end
-                if (rst) n_valid_q <= 1'b0;
-            end
-            rt_bounce #(.WD(WD), .TAG(SLOTW)) u_bounce (
-                .clk(clk), .rst(rst), .in_valid_i(n_valid_q), .in_ready_o(bounce_ready),
-                .in_tag_i(n_slot_q),
-                .in_dir_x_i($signed(n_dir[0 +: WD])), .in_dir_y_i($signed(n_dir[WD +: WD])),
-                .in_dir_z_i($signed(n_dir[2*WD +: WD])),
-                .in_normal_x_i($signed(n_normal[0 +: WD])),
-                .in_normal_y_i($signed(n_normal[WD +: WD])),
-                .in_normal_z_i($signed(n_normal[2*WD +: WD])), .in_nn_i(n_nn),
-                .out_valid_o(bounce_valid_o), .out_tag_o(bounce_slot_o),
-                .out_dir_x_o(bounce_vec_o[0 +: WD]), .out_dir_y_o(bounce_vec_o[WD +: WD]),
-                .out_dir_z_o(bounce_vec_o[2*WD +: WD])
-            );
-            wire unused = &{1'b0, m_in};
-        end else begin : g_matt
+        end else begin : g_no_mirror
             assign bounce_valid_o = 1'b0;
             assign bounce_slot_o  = {SLOTW{1'b0}};
             assign bounce_vec_o   = {3*WD{1'b0}};
@@ -323,22 +295,16 @@ module rt_pixels #(
     wire [SLOTW:0]   o_end = {end_q, hit_slot_o};
     wire [SLOTW+PB-1:0] o_next;
     wire [SLOTW-1:0] o_blend_slot, o_sky_slot;
-    wire [71:0]      p_colour;
     reg              p_valid_q, p_sky_q;
     reg [SLOTW-1:0]  p_slot_q;
     wire             o_load = !p_valid_q || pix_ready_i;
-    wire [SLOTW-1:0] o_slot = o_blend ? o_blend_slot : o_sky_slot;
-    wire             o_read = o_load && (o_blend || o_sky);
+    assign           o_slot = o_blend ? o_blend_slot : o_sky_slot;
+    assign           o_read = o_load && (o_blend || o_sky);
     rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_blended (
         .clk(clk), .rst(rst), .in_valid_i(b_valid && b_last && !b_probe),
         .in_ready_o(o_blend_in),
         .in_data_i(b_slot),
         .out_valid_o(o_blend), .out_ready_i(o_load), .out_data_o(o_blend_slot)
-    );
-    rt_slot_ram #(.WIDTH(72), .SLOTS(SLOTS), .OLD(0)) u_frames (
-        .clk(clk), .wr_en_i(b_valid && b_last), .wr_addr_i(b_slot),
-        .wr_data_i(b_state[136:65]),
-        .rd_en_i(o_read), .rd_addr_i(o_slot), .rd_data_o(p_colour)
     );
     rt_fifo #(.WIDTH(SLOTW+PB), .DEPTH(SLOTS)) u_skies (
         .clk(clk), .rst(rst), .in_valid_i(sky_valid_q), .in_ready_o(o_sky_in),
@@ -374,7 +340,7 @@ module rt_pixels #(
     assign pix_visits_o  = visits_i;
     assign out_done      = pix_valid_o && pix_ready_i;
     assign out_slot      = p_slot_q;
-    wire unused = &{1'b0, free_in, q_hit_in, q_miss_in, o_blend_in, o_sky_in, o_end, d_surface,
-                    e_tag};
+    wire unused = &{1'b0, free_in, q_hit_in, q_miss_in, o_blend_in, o_sky_in, o_end,
+                    material_i};
 endmodule
 `default_nettype wire

@@ -333,8 +333,9 @@ module rt_engine #(
                             shadow_valid, shadow_slot, shadow_lit};
         end
     endgenerate
-    rt_pixels #(.W(W), .WD(WD), .SHADOW(SHADOWS), .REFLECT(REFLECT), .INSIDE(INSIDE),
-                .INTERPENETRATE(INTERPENETRATE), .SLOTS(SLOTS), .SLOTW(SLOTW)) u_pixels (
+    rt_pixels #(.W(W), .WD(WD), .SHADOW(SHADOWS), .REFLECT(REFLECT), .LIGHTS(LIGHTS),
+                .INSIDE(INSIDE), .INTERPENETRATE(INTERPENETRATE), .SLOTS(SLOTS),
+                .SLOTW(SLOTW)) u_pixels (
         .clk(clk), .rst(rst), .busy_o(busy_o),
         .reflect_on_i(effects_i[`RT_EFFECT_REFLECT]), .max_depth_i(max_depth_i),
         .probe_on_i(effects_i[`RT_EFFECT_INTERPENETRATE]),
