@@ -64,6 +64,7 @@ static int hits(const int32_t eye[3], const int64_t dir[3], const struct sph_bal
 
 static void test_rectangle(void **unused) {
     enum { W = 48, H = 36 };
+    struct sph_work work = {0};
     long inside = 0, hit = 0, views[3] = {0};
     (void)unused;
     for (int run = 0; run < 3000; run++) {
@@ -78,7 +79,7 @@ static void test_rectangle(void **unused) {
             ball.c[i] = (int32_t)between(-room, room);
         }
         ball.r = (int32_t)(1 + room * pow(uniform(), 3));
-        struct sph_rect rect = sph_rect_project(&ball, eye, &r, W, H);
+        struct sph_rect rect = sph_rect_project(&ball, eye, &r, W, H, &work);
         int whole = rect.x1 - rect.x0 == W && rect.y1 - rect.y0 == H;
         views[whole ? 2 : rect.x1 > 0]++;
         assert_true(rect.x0 >= 0 && rect.x0 <= rect.x1 && rect.x1 <= W);

@@ -51,7 +51,20 @@ check "scene and machine agree" equal "$(hash a.nff)" "$(hash a.sph)"
 check "one thread and three agree" equal "$(hash a.sph -t 1)" "$(hash a.sph -t 3)"
 check "brute force shows the same" equal "$(picture a.sph)" "$(picture a.sph --brute)"
 check "the paper's tree shows the same" equal "$(picture a.sph)" "$(picture a.nff --tree paper)"
-check "the rectangle shows the same" equal "$(picture a.sph)" "$(picture a.nff --background rect)"
+for way in rect spans "spans --bg-points 4 --bg-border 0" exact "exact --bg-levels 2"; do
+    # shellcheck disable=SC2086  # options on purpose
+    check "separation shows the same: $way" equal "$(picture a.sph)" \
+        "$(picture a.nff --background $way)"
+done
+
+# ---- background ----
+mkdir pictures
+check "background of a view" "$s" background a.nff --size 40x30 --pictures pictures --json w.json
+check "... its report" json w.json 'len(r["ways"]) == 9 and len(r["series"]) == 5 and not any(
+    w["wrong"] for w in r["ways"] if w["way"] in ("none", "rect", "spans") or "exact" in w["way"])'
+check "... its pictures" sh -c "oiiotool --info pictures/outline.png | grep -q '640 x  *480' &&
+    [ \$(ls pictures | wc -l) = 13 ]"
+rm -r pictures
 
 # ---- compare ----
 check "a frame equals itself" "$s" compare a.frame a.frame
@@ -82,8 +95,9 @@ fails 2 "build without output" "$s" build a.nff
 fails 2 "build without scene" "$s" build -o x.sph
 fails 2 "two scenes" "$s" build a.nff a.nff -o x.sph
 for bad in --profile=huge --tree=oak --background=blue --depth=6 --depth=-1 --depth=1x --size=0x4 \
-    --size=64 --size=64x --size=64x48x --size=99999x1 --shadow=maybe --reflect= --lights=9 \
-    --lights=all --inside=maybe --traverse=brute --interpenetrate=yes; do
+    --size=64 --size=64x --size=64x48x --size=16384x1 --size=1x16384 --bg-points=3 \
+    --bg-points=4097 --bg-border=65 --bg-levels=3 --shadow=maybe --reflect= --lights=9 --lights=all --inside=maybe \
+    --traverse=brute --interpenetrate=yes; do
     fails 2 "build $bad" "$s" build a.nff -o x.sph "$bad"
 done
 for bad in --layer=3 --brute=last --threads=-1; do
@@ -98,6 +112,9 @@ fails 1 "a folder as scene" "$s" build . -o x.sph
 fails 1 "a machine as scene" "$s" build a.sph -o x.sph
 fails 1 "build options for a machine" "$s" render a.sph --depth 1 -o x.png
 fails 1 "unknown kind of scene" "$s" gen nothing -o x.nff
+fails 2 "background without scene" "$s" background
+fails 1 "background of a machine" "$s" background a.sph
+fails 1 "pictures into no folder" "$s" background a.nff --size 8x8 --pictures nothing
 fails 1 "no such molecule" "$s" import nothing.pdb -o x.nff
 printf 'v\nfrom 0 0 zero\n' >bad.nff
 fails 1 "broken scene" "$s" build bad.nff -o x.sph

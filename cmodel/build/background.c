@@ -64,12 +64,12 @@ static uint32_t *grow(struct sph_machine *m, uint32_t lines, struct sph_error *e
 }
 
 static void emit_rect(const struct sph_rays *rays, struct sph_machine *m,
-                      const struct sph_build_report *report) {
+                      struct sph_build_report *report) {
     int32_t *r = m->regs;
     struct sph_rect rect = {0, 0, 0, 0};
     if (r[SPH_REG_N_PRIMS])
         rect = sph_rect_project(&report->root, r + SPH_REG_EYE_X, rays, r[SPH_REG_FRAME_W],
-                                r[SPH_REG_FRAME_H]);
+                                r[SPH_REG_FRAME_H], &report->bg_work);
     r[SPH_REG_RECT_X0] = rect.x0, r[SPH_REG_RECT_X1] = rect.x1;
     r[SPH_REG_RECT_Y0] = rect.y0, r[SPH_REG_RECT_Y1] = rect.y1;
 }

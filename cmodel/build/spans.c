@@ -7,16 +7,15 @@
 
 #include "build/cones.h"
 
-/* Draws one outline into spans->rows. */
-static int draw(struct sph_spans *spans, const struct sph_projection *p, int width, int height,
-                int border, struct sph_error *err) {
+int sph_spans_draw(struct sph_span *rows, const struct sph_projection *p, int width, int height,
+                   int border, struct sph_work *work, struct sph_error *err) {
     struct sph_outline o;
     if (sph_outline_start(&o, width, height, border + 1, err)) return -1;
     int result = sph_outline_rows(&o, p, err) || sph_outline_columns(&o, err) ||
                  (border && sph_outline_border(&o, border, err));
     for (int y = 0; y < height && !result; y++)
-        spans->rows[y] = sph_outline_row(&o, y);
-    spans->work = o.work;
+        rows[y] = sph_outline_row(&o, y);
+    *work = o.work;
     free(o.rows);
     return result ? -1 : 0;
 }
@@ -36,7 +35,9 @@ static void widen(struct sph_span *span, const struct sph_span *exact) {
 static int cover(struct sph_spans *spans, struct sph_projection *p, const struct sph_span *exact,
                  int width, int height, int border, struct sph_error *err) {
     for (;; p->n *= 2) {
-        if (draw(spans, p, width, height, border, err)) return -1;
+        struct sph_work work;
+        if (sph_spans_draw(spans->rows, p, width, height, border, &work, err)) return -1;
+        sph_work_add(&spans->work, &work);
         spans->points = p->n;
         int y = 0;
         while (y < height && holds(&spans->rows[y], &exact[y]))

@@ -19,7 +19,7 @@ struct sph_spans {
     struct sph_span *rows;       /* `height` of them; free(rows) */
     int how;                     /* SPH_SPANS_* */
     int points;                  /* with which the outline covered; the most tried if WIDENED */
-    struct sph_work work, check; /* of the last outline; of finding out whether it covers */
+    struct sph_work work, check; /* of all outlines drawn; of finding out whether they cover */
 };
 
 /* The pixels outside of which no primary ray hits the sphere `root` (grid units). The outline of
@@ -30,5 +30,10 @@ struct sph_spans {
 int sph_spans_make(struct sph_spans *spans, const struct sph_ball *root, const int32_t eye[3],
                    const struct sph_rays *rays, int width, int height, int points, int border,
                    struct sph_error *err);
+
+/* The outline alone, unchecked: rows[0 .. height-1] of a sphere in front of the eye, whatever it
+ * leaves out. *work: what it cost. -1 if memory is out. */
+int sph_spans_draw(struct sph_span *rows, const struct sph_projection *p, int width, int height,
+                   int border, struct sph_work *work, struct sph_error *err);
 
 #endif

@@ -1,0 +1,237 @@
+/* test_outline.c - outlines hold their spheres, cones are exact, wrong options are refused
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "view_check.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "build/cones.h"
+#include "build/literal.h"
+#include "build/spans.h"
+
+/* Random sphere, eye and rays over the whole range of a profile. */
+static void random_sphere(const struct sph_profile *p, int width, int height, struct sph_ball *ball,
+                          int32_t eye[3], struct sph_rays *rays) {
+    double room = ldexp(1, p->w - 1);
+    while (sph_rays_fit(width, height, between(0.5, 170), p->wd, rays, NULL))
+        continue;
+    for (int i = 0; i < 3; i++) {
+        eye[i] = (int32_t)between(-room, room);
+        ball->c[i] = (int32_t)between(-room, room);
+        if (uniform() < 0.2) eye[i] = uniform() < 0.5 ? (int32_t)room - 1 : -(int32_t)room;
+        if (uniform() < 0.2) ball->c[i] = uniform() < 0.5 ? (int32_t)room - 1 : -(int32_t)room;
+    }
+    ball->r = (int32_t)(1 + 1.7 * room * pow(uniform(), 4));
+}
+
+/* Forward differences are the formula, at every pixel, in the widths that the hardware has. */
+static void test_differences(void **unused) {
+    static const int sides[][2] = {{24, 18}, {1, 1}, {2, 1}, {1, 7}, {97, 3}};
+    (void)unused;
+    for (int run = 0; run < VIEWS; run++) {
+        const struct sph_profile *p = &sph_profiles[run % SPH_PROFILES];
+        int side = run / SPH_PROFILES % 32; /* small frames have many pitches to choose from */
+        int width = sides[side % 5][0], height = sides[side % 5][1];
+        if (side > 5) width = 24, height = 18;
+        int32_t eye[3];
+        struct sph_ball ball;
+        struct sph_rays rays;
+        struct sph_work work = {0};
+        random_sphere(p, width, height, &ball, eye, &rays);
+        struct sph_cone c = sph_cone_make(&ball, eye, &rays, &work);
+        __int128 parts[] = {c.f, c.fx, c.fy, c.fxx, c.fxy, c.fyy};
+        for (int i = 0; i < 6; i++) {
+            __int128 most = (__int128)1 << (2 * p->w + 2 * p->wd + 3);
+            assert_true(parts[i] < most && parts[i] >= -most);
+        }
+        int64_t most = 1ll << (p->w + p->wd + 3);
+        assert_true(c.b < most && c.b >= -most && c.bx < most && c.bx >= -most);
+        assert_true(c.by < most && c.by >= -most);
+        for (int y = 0; y < height; y++)
+            for (int x = 0; x < width; x++) {
+                int64_t dir[3] = {rays.x0 + x * (int64_t)rays.pitch,
+                                  rays.y0 - y * (int64_t)rays.pitch, rays.z};
+                __int128 a = 0, b = 0, k = (__int128)ball.r * ball.r;
+                for (int i = 0; i < 3; i++) {
+                    int64_t oc = (int64_t)ball.c[i] - eye[i];
+                    a += dir[i] * dir[i], b += oc * dir[i], k -= oc * oc;
+                }
+                assert_true(k * a + b * b == c.f + x * c.fx + x * (x - 1) / 2 * c.fxx + y * c.fy +
+                                                 y * (y - 1) / 2 * c.fyy + x * y * c.fxy);
+                assert_true(b == c.b + x * c.bx + y * c.by);
+                assert_int_equal(c.inside, k > 0);
+            }
+    }
+}
+
+enum { SIDE = 64, MARGIN = 4, WIDE = SIDE + 2 * MARGIN };
+
+/* The rows of an outline as a mask; those of a mask as an outline's. */
+static void to_mask(const struct sph_outline *o, char mask[WIDE][WIDE]) {
+    for (int y = 0; y < WIDE; y++)
+        for (int x = 0; x < WIDE; x++)
+            mask[y][x] = x - MARGIN >= o->rows[y].x0 && x - MARGIN < o->rows[y].x1;
+}
+
+static void assert_mask(const struct sph_outline *o, char mask[WIDE][WIDE]) {
+    for (int y = 0; y < WIDE; y++) {
+        struct sph_span row = {0, 0};
+        for (int x = 0; x < WIDE; x++) {
+            if (!mask[y][x]) continue;
+            if (row.x1 <= row.x0) row.x0 = x - MARGIN;
+            row.x1 = x - MARGIN + 1;
+        }
+        int empty = o->rows[y].x1 <= o->rows[y].x0;
+        assert_int_equal(empty, row.x1 <= row.x0);
+        if (empty) continue;
+        assert_int_equal(o->rows[y].x0, row.x0);
+        assert_int_equal(o->rows[y].x1, row.x1);
+    }
+}
+
+/* Scan of columns and border of a few rows that are anywhere, against the same on a mask. */
+static void test_steps(void **unused) {
+    static char mask[WIDE][WIDE], wide[WIDE][WIDE];
+    struct sph_error err = {{0}};
+    (void)unused;
+    for (int run = 0; run < VIEWS / 4; run++) {
+        struct sph_outline o;
+        int border = run % MARGIN;
+        assert_int_equal(sph_outline_start(&o, SIDE, SIDE, MARGIN, &err), 0);
+        o.x1 = o.y1 = SIDE; /* rows stay in the frame */
+        for (int n = run % 7; n > 0; n--) {
+            int y = (int)between(0, SIDE), x = (int)between(0, SIDE);
+            o.rows[y + MARGIN] = (struct sph_span){x, (int)between(x, SIDE) + 1};
+        }
+        to_mask(&o, mask);
+        for (int x = 0; x < WIDE; x++) {
+            int first = WIDE, last = -1;
+            for (int y = 0; y < WIDE; y++)
+                if (mask[y][x]) last = y, first = first < y ? first : y;
+            for (int y = first; y <= last; y++)
+                mask[y][x] = 1;
+        }
+        assert_int_equal(sph_outline_columns(&o, &err), 0);
+        assert_mask(&o, mask);
+        to_mask(&o, mask);
+        for (int y = 0; y < WIDE; y++)
+            for (int x = 0; x < WIDE; x++) {
+                wide[y][x] = 0;
+                for (int v = y - border; v <= y + border; v++)
+                    for (int u = x - border; u <= x + border; u++)
+                        if (v >= 0 && v < WIDE && u >= 0 && u < WIDE) wide[y][x] |= mask[v][u];
+            }
+        assert_int_equal(sph_outline_border(&o, border, &err), 0);
+        assert_mask(&o, wide);
+        free(o.rows);
+    }
+}
+
+/* Spans hold every pixel that hits, and what the paper's methods lose at their word is seen. */
+static void test_spans(void **unused) {
+    struct sph_span rows[SIDE], exact;
+    struct sph_work work = {0};
+    struct sph_error err = {{0}};
+    long how[4] = {0}, lost_rect = 0, lost_bare = 0, lost_border = 0;
+    (void)unused;
+    for (int run = 0; run < VIEWS; run++) {
+        const struct sph_profile *p = &sph_profiles[run % SPH_PROFILES];
+        int32_t eye[3];
+        struct sph_ball ball;
+        struct sph_rays rays;
+        struct sph_spans spans;
+        double point[4][2];
+        random_sphere(p, SIDE, SIDE, &ball, eye, &rays);
+        if (run & 1) { /* not so near, and so wholly in view */
+            for (int i = 0; i < 2; i++)
+                ball.c[i] = eye[i] / 2 + ball.c[i] / 4, ball.r = ball.r / 8 + 1;
+            eye[2] = (1 << (p->w - 1)) - 1;
+        }
+        int border = run % 3, points = 4 << run % 5;
+        if (sph_spans_make(&spans, &ball, eye, &rays, SIDE, SIDE, points, border, &err))
+            fail_msg("%s", err.text);
+        how[spans.how]++;
+        struct sph_cone cone = sph_cone_make(&ball, eye, &rays, &work);
+        for (int y = 0; y < SIDE; y++) {
+            sph_cone_row(&cone, SIDE, y, &exact.x0, &exact.x1, &work);
+            for (int x = 0; x < SIDE; x++) {
+                int64_t dir[3] = {rays.x0 + x * (int64_t)rays.pitch,
+                                  rays.y0 - y * (int64_t)rays.pitch, rays.z};
+                int in = x >= spans.rows[y].x0 && x < spans.rows[y].x1, hit = hits(eye, dir, &ball);
+                assert_true(in || !hit);
+                assert_true(!hit || (x >= exact.x0 && x < exact.x1));
+            }
+        }
+        free(spans.rows);
+
+        if (sph_literal_rect(&ball, eye, &rays, SIDE, SIDE, rows, point, &work))
+            for (int y = 0; y < SIDE; y++) {
+                sph_cone_row(&cone, SIDE, y, &exact.x0, &exact.x1, &work);
+                lost_rect +=
+                    exact.x1 > exact.x0 && (exact.x0 < rows[y].x0 || exact.x1 > rows[y].x1);
+            }
+        for (border = 0; border <= 1 && sph_in_front(&ball, eye); border++) {
+            struct sph_projection how16 = {&ball, eye, &rays, 16};
+            assert_int_equal(sph_spans_draw(rows, &how16, SIDE, SIDE, border, &work, &err), 0);
+            for (int y = 0; y < SIDE; y++) {
+                sph_cone_row(&cone, SIDE, y, &exact.x0, &exact.x1, &work);
+                *(border ? &lost_border : &lost_bare) +=
+                    exact.x1 > exact.x0 && (exact.x0 < rows[y].x0 || exact.x1 > rows[y].x1);
+            }
+        }
+    }
+    printf("# %ld outlines, %ld widened, %ld whole, %ld behind\n", how[0], how[1], how[2], how[3]);
+    printf("# rows that lose pixels: %ld by four points, %ld by 16x16, %ld with a border\n",
+           lost_rect, lost_bare, lost_border);
+    assert_true(how[0] > VIEWS / 5 && how[2] > VIEWS / 50 && how[3] > VIEWS / 50);
+    assert_true(lost_rect > VIEWS / 20 && lost_bare > lost_border && lost_border > 0);
+}
+
+/* Sides of a frame and options beyond their ranges are refused. */
+static void test_refusals(void **unused) {
+    struct sph_scene s = cloud(3, 0.1);
+    static const struct {
+        int width, height, mode, points, border, levels;
+        const char *part;
+    } bad[] = {{16384, 1, 0, 0, 0, 0, "16384x1, sides are 1..16383"},
+               {1, 16384, 0, 0, 0, 0, "1x16384, sides are 1..16383"},
+               {8, 8, 4, 0, 0, 0, "background mode 4"},
+               {8, 8, -1, 0, 0, 0, "background mode -1"},
+               {8, 8, 2, 3, 0, 0, "bg_points 3 is not in 4..4096"},
+               {8, 8, 2, 4097, 0, 0, "bg_points 4097"},
+               {8, 8, 2, 0, -1, 0, "bg_border -1"},
+               {8, 8, 2, 0, 65, 0, "bg_border 65"},
+               {8, 8, 3, 0, 0, 3, "bg_levels 3"},
+               {8, 8, 3, 0, 0, -1, "bg_levels -1"}};
+    (void)unused;
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        struct sph_build_options o = standard;
+        struct sph_build_report report;
+        struct sph_machine m;
+        struct sph_error err = {{0}};
+        o.profile = SPH_REFERENCE, o.width = bad[i].width, o.height = bad[i].height;
+        o.background = bad[i].mode, o.bg_points = bad[i].points;
+        o.bg_border = bad[i].border, o.bg_levels = bad[i].levels;
+        assert_int_equal(sph_build(&s, &o, &m, &report, &err), -1);
+        if (!strstr(err.text, bad[i].part)) fail_msg("'%s' lacks '%s'", err.text, bad[i].part);
+    }
+    struct sph_build_options o = standard; /* the largest there is */
+    struct sph_build_report report;
+    o.profile = SPH_REFERENCE, o.background = SPH_BG_SPANS, o.width = SPH_MAX_SIDE, o.height = 9;
+    struct sph_machine m = built(&s, o, &report);
+    assert_int_equal(m.regs[SPH_REG_MEM_LINES] - m.regs[SPH_REG_BG_BASE], 2);
+    sph_machine_free(&m);
+    free(s.spheres);
+}
+
+int main(int argc, char **argv) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_differences),
+        cmocka_unit_test(test_steps),
+        cmocka_unit_test(test_spans),
+        cmocka_unit_test(test_refusals),
+    };
+    seed(argc, argv);
+    return cmocka_run_group_tests_name("outline", tests, NULL, NULL);
+}
