@@ -1,0 +1,231 @@
+/* test_effects_scenes.c - effects of whole scenes: those of scenes/effects, one by one and in
+ * pairs; what build leaves off changes no pixel; forcing SPDX-License-Identifier: Apache-2.0
+ *
+ * build/test/test_effects_scenes [seed]; run from the root of the repository: reads scenes/.
+ */
+#include "effects_scene.h"
+
+#include <glob.h>
+
+#include "machine/describe.h"
+#include "scene/generate.h"
+
+static struct sph_build_report report;
+
+static struct sph_build_options small(int width, int height) {
+    struct sph_build_options o = standard;
+    o.background = SPH_BG_NONE, o.width = width / (SLOW > 1 ? 2 : 1), o.height = height;
+    return o;
+}
+
+static struct sph_scene scene_at(const char *path) {
+    struct sph_scene scene;
+    struct sph_error err = {{0}};
+    struct sph_read_options how = {0};
+    if (sph_scene_read(path, &how, &scene, &err)) fail_msg("%s", err.text);
+    return scene;
+}
+
+/* Every profile, tree and traversal. */
+static void compare_all(const struct sph_scene *scene, int width, int height, struct tally *t) {
+    for (int way = 0; way < 4 * SPH_PROFILES; way++) {
+        struct sph_build_options o = small(width, height);
+        o.profile = way / 4, o.max_depth = 3;
+        o.tree = way & 1 ? SPH_TREE_PAPER : SPH_TREE_BALANCED;
+        o.traverse = way & 2 ? SPH_BUILD_FIRST : SPH_BUILD_NEAREST;
+        compare(scene, o, t);
+    }
+}
+
+static void test_files(void **unused) {
+    struct tally t = {0};
+    glob_t found;
+    (void)unused;
+    assert_int_equal(glob("scenes/*.nff", 0, NULL, &found), 0);
+    assert_int_equal(glob("scenes/effects/*.nff", GLOB_APPEND, NULL, &found), 0);
+    for (size_t i = 0; i < found.gl_pathc; i++) {
+        struct sph_scene scene = scene_at(found.gl_pathv[i]);
+        compare_all(&scene, 32, 18, &t);
+        sph_scene_free(&scene);
+    }
+    globfree(&found);
+    print_tally(&t);
+    assert_true(t.frames > 380);
+}
+
+static void test_generated(void **unused) {
+    static const struct {
+        const char *kind;
+        struct sph_generate_options how;
+    } kinds[] = {{"sphereflake", {.size = 2}},
+                 {"sphereflake", {.size = 3}},
+                 {"random", {.n = 40, .seed = 1}},
+                 {"random", {.n = 40, .seed = 2}},
+                 {"random", {.n = 400, .seed = 3}},
+                 {"interpenetrating", {0}},
+                 {"paper100", {.seed = 1}},
+                 {"paper100", {.seed = 2}},
+                 {"paper5", {.seed = 3}},
+                 {"paper5", {.seed = 4}},
+                 {"huge_tiny", {0}}};
+    struct tally t = {0};
+    (void)unused;
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+        struct sph_scene scene;
+        struct sph_error err = {{0}};
+        if (sph_generate(kinds[i].kind, &kinds[i].how, &scene, &err)) fail_msg("%s", err.text);
+        compare_all(&scene, 24, 14, &t);
+        sph_scene_free(&scene);
+    }
+    print_tally(&t);
+    assert_true(t.frames > 150);
+}
+
+/* Sparse scenes, most of them without spheres that are near each other. */
+static void test_sparse(void **unused) {
+    struct tally t = {0};
+    (void)unused;
+    for (int run = 0; run < 400 / SLOW; run++) {
+        struct sph_scene s = cloud(1 + (uint32_t)run % 9, 0.12);
+        struct sph_build_options o = small(24, 18);
+        o.profile = run % SPH_PROFILES;
+        o.traverse = run & 4 ? SPH_BUILD_FIRST : SPH_BUILD_NEAREST;
+        s.camera.angle = 22;
+        for (int l = 0; l < 2; l++) {
+            s.lights[l].pos = (struct sph_vec){between(-1, 2), between(-1, 2), between(-1, 2)};
+            if (run & 8 && s.n_spheres > (uint32_t)l) s.lights[l].pos = s.spheres[l].ctr;
+        }
+        compare(&s, o, &t);
+        free(s.spheres);
+    }
+    print_tally(&t);
+    for (int i = 0; i < SPH_REPORTS; i++)
+        assert_true(i == SPH_REPORT_FIRST || i == SPH_REPORT_REFLECT || t.off[i] >= 2);
+}
+
+/* Does the frame of the scene with options o differ from what `with` gives? */
+static int matters(const struct sph_scene *scene, struct sph_build_options o,
+                   struct sph_build_options with) {
+    struct sph_machine a = built(scene, o, &report), b = built(scene, with, &report);
+    assert_true(strlen(report.warning) > 0); /* what is called for is missing */
+    struct sph_frame fa = frame_of(&a), fb = frame_of(&b);
+    int differ = frames_differ(&fa, &fb);
+    sph_frame_free(&fa);
+    sph_frame_free(&fb);
+    sph_machine_free(&a);
+    sph_machine_free(&b);
+    return differ > 0;
+}
+
+/* Whether a list such as "shadow+lights2" has a word that starts so. */
+static int has(const char *list, const char *word) {
+    const char *at = strstr(list, word);
+    return at && (at == list || at[-1] == '+' || at[-1] == '_');
+}
+
+/* One line of effects.txt: the machine asks for the list, the list is what the name says, and each
+ * effect changes some pixel. */
+static void check_line(const char *name, const char *options, const char *list) {
+    char path[256], core[160];
+    struct sph_build_options o = small(64, 36);
+    snprintf(path, sizeof path, "scenes/effects/%s.nff", name);
+    struct sph_scene scene = scene_at(path);
+    if (strstr(options, "--traverse=first")) o.traverse = SPH_BUILD_FIRST;
+    if (strstr(options, "--tree=paper")) o.tree = SPH_TREE_PAPER;
+    struct sph_machine m = built(&scene, o, &report);
+    sph_machine_core(&m, core, sizeof core);
+    if (strcmp(core, list) != 0) fail_msg("%s asks for %s, not %s", name, core, list);
+    assert_int_equal(report.warning[0], 0);
+    sph_machine_free(&m);
+
+    int cut = has(name, "interpenetrate");
+    assert_int_equal(has(list, "shadow"), has(name, "shadow"));
+    assert_int_equal(has(list, "reflect"), has(name, "reflect"));
+    assert_int_equal(scene.n_lights > 1, has(name, "lights"));
+    assert_int_equal(has(list, "inside"), has(name, "inside") || cut);
+    assert_int_equal(has(list, "first") && has(list, "interpenetrate"), cut);
+    struct sph_build_options off[5] = {o, o, o, o, o};
+    off[0].shadow = off[1].reflect = off[2].inside = off[3].interpenetrate = SPH_OFF;
+    off[4].lights = scene.n_lights - 1;
+    const int have[5] = {has(list, "shadow"), has(list, "reflect"), has(list, "inside"), cut,
+                         scene.n_lights > 0};
+    for (int i = 0; i < 5; i++)
+        if (have[i] && !matters(&scene, o, off[i])) fail_msg("%s: effect %d does nothing", name, i);
+    sph_scene_free(&scene);
+}
+
+static void test_table(void **unused) {
+    char line[256], name[64], options[64], list[128];
+    int lines = 0;
+    (void)unused;
+    FILE *file = fopen("scenes/effects/effects.txt", "r");
+    assert_non_null(file);
+    while (fgets(line, sizeof line, file)) {
+        if (line[0] == '#') continue;
+        assert_int_equal(sscanf(line, "%63s %63s %127s", name, options, list), 3);
+        check_line(name, options, list);
+        lines++;
+    }
+    fclose(file);
+    assert_int_equal(lines, 16);
+}
+
+/* What an option makes of a scene: number, and parts of reason and warning. */
+static void force(const struct sph_scene *s, struct sph_build_options o, int effect, int on,
+                  const char *why, const char *warning) {
+    struct sph_machine m = built(s, o, &report);
+    assert_int_equal(report.effects[effect].on, on);
+    if (!strstr(report.effects[effect].why, why) || !strstr(report.warning, warning) ||
+        !warning[0] != !report.warning[0])
+        fail_msg("'%s', warning '%s'", report.effects[effect].why, report.warning);
+    sph_machine_free(&m);
+}
+
+static void refuse(const struct sph_scene *s, struct sph_build_options o, const char *part) {
+    struct sph_machine m;
+    struct sph_error err = {{0}};
+    assert_int_equal(sph_build(s, &o, &m, &report, &err), -1);
+    if (!strstr(err.text, part)) fail_msg("'%s' lacks '%s'", err.text, part);
+}
+
+static void test_forced(void **unused) {
+    struct sph_scene all = scene_at("scenes/effects/shadow_interpenetrate.nff");
+    struct sph_scene none = scene_at("scenes/effects/none.nff");
+    struct sph_build_options o = standard, p;
+    (void)unused;
+#define WITH(field, value) (p = o, p.field = (value), p)
+    force(&all, WITH(shadow, SPH_OFF), SPH_REPORT_SHADOW, 0, "as asked; called for: the sphere ",
+          "shadow off: as asked; called for: ");
+    force(&all, WITH(lights, 0), SPH_REPORT_LIGHTS, 0, "left out: scenes/", "lights off: as asked");
+    force(&all, WITH(inside, SPH_OFF), SPH_REPORT_INSIDE, 0, " overlap", "inside off: as asked");
+    force(&none, WITH(shadow, SPH_ON), SPH_REPORT_SHADOW, 1, "as asked; not called for: no li", "");
+    force(&none, WITH(reflect, SPH_ON), SPH_REPORT_REFLECT, 2, "as asked; not called", "");
+    force(&none, WITH(inside, SPH_ON), SPH_REPORT_INSIDE, 1, "as asked; not called", "");
+    o.traverse = SPH_BUILD_FIRST;
+    force(&all, o, SPH_REPORT_INTERPENETRATE, 1, " overlap", "");
+    force(&all, WITH(interpenetrate, SPH_OFF), SPH_REPORT_INTERPENETRATE, 0, "as asked; called",
+          "interpenetrate off: as asked");
+    force(&all, WITH(inside, SPH_OFF), SPH_REPORT_INTERPENETRATE, 0, "needs inside",
+          "interpenetrate off: ");
+    force(&none, WITH(interpenetrate, SPH_ON), SPH_REPORT_INSIDE, 1, "interpenetrate needs it", "");
+    refuse(&all, WITH(lights, 2), "2 lights are asked for, the scene has 1");
+    refuse(&all, WITH(shadow, 2), "neither auto, off nor on");
+    p = WITH(interpenetrate, SPH_ON), p.inside = SPH_OFF;
+    refuse(&all, p, "it needs inside");
+    p = WITH(interpenetrate, SPH_ON), p.traverse = SPH_BUILD_NEAREST;
+    refuse(&all, p, "traverse is nearest");
+    p = WITH(reflect, SPH_ON), p.max_depth = 0;
+    refuse(&all, p, "depth is 0");
+    sph_scene_free(&all);
+    sph_scene_free(&none);
+}
+
+int main(int argc, char **argv) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_files),  cmocka_unit_test(test_generated),
+        cmocka_unit_test(test_sparse), cmocka_unit_test(test_table),
+        cmocka_unit_test(test_forced),
+    };
+    seed(argc, argv);
+    return cmocka_run_group_tests_name("effects of scenes", tests, NULL, NULL);
+}
