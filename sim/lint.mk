@@ -10,11 +10,12 @@ V_HEADS  := $(sort $(shell find rtl -name '*.vh'))
 V_DIRS   := $(patsubst %/,%,$(sort $(dir $(V_FILES) $(V_HEADS))))
 WAIVERS  := $(wildcard sim/waivers.vlt)
 C_HEADS  := $(sort $(shell find cmodel tb tests -name '*.h'))
-TIDY     := $(filter-out $(GENERATORS),$(C_FILES)) $(IMAGE_CXX) $(TEST_C)
+TIDY     := $(filter-out $(GENERATORS),$(C_FILES)) $(IMAGE_CXX) $(TEST_C) $(HARD_C)
 LINTS    := verilator iverilog yosys tidy format text
 # gcc's omp.h, whose malloc attribute clang does not know
 OMP_DIR   = $(dir $(shell $(CC) -print-file-name=include/omp.h))
-TIDY_C    = -std=c11 -D_GNU_SOURCE -Icmodel -fopenmp -idirafter $(OMP_DIR) '-D__malloc__(x)='
+TIDY_C    = -std=c11 -D_GNU_SOURCE -Icmodel -Itests -Itests/hard -fopenmp -idirafter $(OMP_DIR) \
+            '-D__malloc__(x)='
 lint_say  = $(if $(filter 1,$(V)),@echo '  LINT $(1)',@:)
 
 lint: ## silent tools: verilator, iverilog, yosys, clang-tidy, clang-format, text rules

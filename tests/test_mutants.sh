@@ -9,6 +9,7 @@
 set -u
 self=$0
 . "$(dirname "$0")/tap.sh"
+. "$(dirname "$0")/edit.sh"
 cd "$(dirname "$0")/.." || exit 1
 BUILD=${BUILD:-build}
 export BUILD SPHAERA TMP
@@ -30,25 +31,6 @@ core() {
 # A block bench, in a folder that looks like this one but for its rtl.
 bench() {
     cp -al Makefile cmodel tb sim synth tests "$here/" && sh "$here/tb/run_bench.sh" "$1" 1
-}
-# Replaces the text FROM, which must stand exactly once in a file, by TO. A space in FROM stands for
-# one or more blanks.
-edit() {
-    awk '
-        { text = text $0 "\n" }
-        END {
-            from = ENVIRON["FROM"]
-            gsub(/[][\\.^$*+?(){}|\/]/, "\\\\&", from)
-            gsub(/ +/, "[ \n]+", from)
-            for (rest = text; match(rest, from); rest = substr(rest, RSTART + 1)) n++
-            if (n != 1) {
-                printf "stands %d times in the file, not once: %s\n", n, ENVIRON["FROM"]
-                exit 1
-            }
-            match(text, from)
-            printf "%s%s%s", substr(text, 1, RSTART - 1), ENVIRON["TO"],
-                substr(text, RSTART + RLENGTH) >ENVIRON["NEW"]
-        }' "$1" && mv "$NEW" "$1"
 }
 # Runs a job file; 0: noticed (sound RTL: passes), 1: not noticed, 2: could not be run.
 job() {

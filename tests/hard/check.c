@@ -1,0 +1,193 @@
+/* check.c - one case: the model against the oracles, floats beside it; see hard.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include <math.h>
+#include <string.h>
+
+#include "build/bound.h"
+#include "exact.h"
+#include "floats.h"
+#include "reference/naive.h"
+#include "surface.h"
+#include "trace/filter.h"
+
+/* What the parts of a check share. */
+struct job {
+    const struct sph_profile *p;
+    const struct hard_case *c;
+    struct sph_ray ray; /* set up */
+    int naive, mistakes;
+    struct hard_tally *t;
+    FILE *out;
+};
+
+/* What is said of one sphere. */
+struct answer {
+    struct exact exact;
+    uint64_t key;
+    int hit;
+    struct floats floats[HARD_COLUMNS];
+};
+
+static void wrong(struct job *j, int check, const char *what) {
+    j->t->wrong[check]++;
+    j->mistakes++;
+    if (j->out) fprintf(j->out, "  wrong %s: %s\n", hard_checks[check], what);
+}
+
+/* t lies less than 1/|dir| above and 2^(2-PQ) of the distance below (docs/number_formats.md). */
+static void check_t(struct job *j, const struct answer *a, const struct sph_quotient *q) {
+    long double length = sqrtl((long double)j->ray.a), t = ldexpl(q->mant, -q->exp);
+    long double error = (t - exact_t(&a->exact)) * length;
+    long double below = ldexpl((long double)a->key, 2 - j->p->pq) / length;
+    long double part = error > 0 ? error * length : -error / below;
+    struct hard_column *ours = &j->t->column[HARD_OURS];
+    ours->worst = fmax(ours->worst, (double)fabsl(error));
+    j->t->bound = fmax(j->t->bound, (double)part);
+    if (part > 1 + 0x1p-40L) wrong(j, HARD_T, "error above its bound");
+}
+
+/* The point of a hit and all that follows from it. */
+static void check_surface(struct job *j, const struct sph_leaf *s, const struct answer *a,
+                          int far) {
+    const struct sph_profile *p = j->p;
+    struct sph_quotient q = sph_quotient(a->key, p->w + p->wd + 2, j->ray.a, 2 * p->wd, p->pq);
+    struct sph_hit hit = {a->key, s->id, far};
+    struct sph_surface model, exact;
+    int64_t bounce[3], other[3];
+    if (!exact_is_quotient(p, a->key, j->ray.a, &q)) wrong(j, HARD_QUOTIENT, "not key/a rounded");
+    if (a->exact.root) check_t(j, a, &q);
+    if (j->ray.a < (uint64_t)SPH_MIN_SCREEN * SPH_MIN_SCREEN) return; /* no ray of a machine */
+
+    int limited = sph_surface_at(p, &j->ray, &hit, s, &model);
+    int expected = exact_surface(p, &j->ray, &q, far, s, &exact);
+    if (limited != expected || memcmp(model.point, exact.point, sizeof exact.point))
+        wrong(j, HARD_POINT, "not org + t*dir rounded");
+    if (model.nn != exact.nn || memcmp(model.normal, exact.normal, sizeof exact.normal))
+        wrong(j, HARD_NORMAL, "not the rounded normal of the point");
+    sph_bounce(p, j->ray.dir, &model, bounce);
+    exact_bounce(p, j->ray.dir, model.normal, other);
+    if (memcmp(bounce, other, sizeof other)) wrong(j, HARD_BOUNCE, "not the rounded mirror ray");
+    j->t->points++;
+    if (!j->naive) return;
+    if (limited != naive_surface(p, &j->ray, a->key, far, s, &exact) ||
+        memcmp(model.point, exact.point, sizeof exact.point) ||
+        memcmp(model.normal, exact.normal, sizeof exact.normal) ||
+        memcmp(model.unit.u, exact.unit.u, sizeof exact.unit.u))
+        wrong(j, HARD_NAIVE, "point, normal or unit vector");
+    naive_bounce(p, j->ray.dir, model.normal, other);
+    if (memcmp(bounce, other, sizeof other)) wrong(j, HARD_NAIVE, "mirror ray");
+}
+
+/* Whether the origin lies at most sqrt(3)/2 outside the sphere: where rounding puts the origins of
+ * rays that start on its inner side, for which alone the filter speaks (docs/filter.md). */
+static int next_to(const struct sph_ray *ray, const struct sph_leaf *s) {
+    int64_t off = -4 * s->rad * s->rad - 3; /* |oc| <= rad + sqrt(3)/2, squared */
+    for (int i = 0; i < 3; i++)
+        off += 4 * (s->ctr[i] - ray->org[i]) * (s->ctr[i] - ray->org[i]);
+    return off <= 0 || (sph_i128)off * off <= (sph_i128)48 * s->rad * s->rad;
+}
+
+/* The filter's child around the sphere must let the ray through, at the depth of its own hit. */
+static void check_filter(struct job *j, const struct sph_leaf *s, uint64_t key) {
+    const struct sph_profile *p = j->p;
+    struct sph_ball ball = {{(int32_t)s->ctr[0], (int32_t)s->ctr[1], (int32_t)s->ctr[2]},
+                            (int32_t)s->rad};
+    struct sph_ball around = sph_filter_leaf(&ball, p);
+    if (around.r + SPH_FILTER_MARGIN >= 1 << SPH_CHILD_RAD_BITS) return;
+    if (j->ray.skip.id == s->id && !next_to(&j->ray, s)) return;
+    struct sph_child child = {{around.c[0], around.c[1], around.c[2]},
+                              around.r + SPH_FILTER_MARGIN};
+    int32_t near, depth = j->ray.depth_max;
+    if (key) depth = sph_ray_depth(p, &j->ray, key);
+    j->t->filtered++;
+    if (!sph_filter(&j->ray, &child, depth, &near)) wrong(j, HARD_FILTER, "a hit is left out");
+}
+
+static void check_floats(struct job *j, const struct sph_leaf *s, struct answer *a) {
+    const struct exact *e = &a->exact;
+    long double length = sqrtl((long double)e->a), t = e->root ? exact_t(e) : 0;
+    for (int i = HARD_OURS + 1; i < HARD_COLUMNS; i++) {
+        struct hard_column *column = &j->t->column[i];
+        struct floats f = a->floats[i] = floats_leaf(i, &j->ray, s);
+        column->hit += f.hit != e->hit;
+        if (!f.hit || !e->hit) continue;
+        column->root += f.far != e->far;
+        if (f.far != e->far || j->ray.kind == SPH_SHADOW) continue;
+        column->worst = fmax(column->worst, (double)fabsl((f.t - t) * length));
+    }
+}
+
+static void check_sphere(struct job *j, const struct sph_leaf *s, struct answer *a) {
+    uint64_t roots = 0;
+    const struct exact *e = &a->exact;
+    struct sph_leaf_result r = sph_leaf_test(&j->ray, s);
+    struct hard_column *ours = &j->t->column[HARD_OURS];
+    int shadow = j->ray.kind == SPH_SHADOW, w = j->p->w, wd = j->p->wd;
+    a->exact = exact_leaf(&j->ray, s);
+    a->hit = r.hit;
+    j->t->hits += (uint64_t)e->hit;
+    if (r.hit != e->hit) {
+        ours->hit++;
+        wrong(j, HARD_HIT, e->hit ? "misses" : "hits");
+    } else if (r.hit && (r.far != e->far || r.exit != e->exit)) {
+        ours->root++;
+        wrong(j, HARD_FAR, e->far ? "takes the near root" : "takes the far root");
+    }
+    sph_i128 most = (sph_i128)1 << (2 * w + 2 * wd + 1);
+    if (r.disc != e->disc || r.b != e->b || r.disc >= most || r.disc < -most ||
+        r.k >> (2 * w + 2) != (r.k < 0 ? -1 : 0) || r.b >> (w + wd + 1) != (r.b < 0 ? -1 : 0))
+        wrong(j, HARD_DISC, "disc, b or the width of disc, b or k");
+
+    if (r.hit && !shadow && (r.exit || r.disc > 0)) { /* else there is no root to be taken */
+        a->key = sph_leaf_key(&r, &roots);
+        int right = a->key >= 1 && a->key >> (w + wd + 2) == 0;
+        if (e->exit) right = a->key == 1;
+        if (e->root) /* key - 1 < a*t <= key */
+            right = right && exact_compare(e, (int64_t)a->key) <= 0 &&
+                    exact_compare(e, (int64_t)a->key - 1) > 0;
+        if (!right) wrong(j, HARD_KEY, "not a*t rounded up");
+    }
+    if (j->naive) {
+        struct sph_naive_leaf n = sph_naive_leaf(&j->ray, s);
+        j->t->naive++;
+        if (n.hit != r.hit || (n.hit && (n.far != r.far || n.exit != r.exit)) || n.key != a->key)
+            wrong(j, HARD_NAIVE, "hit, far, exit or key");
+    }
+    if (e->hit && r.hit && a->key && j->ray.a) check_surface(j, s, a, r.far);
+    if (e->hit) check_filter(j, s, a->key);
+    if (j->ray.skip.id != s->id && j->ray.inside) check_floats(j, s, a);
+}
+
+/* Both spheres are hit: which one is nearer? */
+static void check_order(struct job *j, const struct answer a[2]) {
+    int order = exact_order(&a[0].exact, &a[1].exact);
+    int said = a[0].key < a[1].key ? -1 : a[0].key > a[1].key;
+    j->t->pairs++;
+    j->t->column[HARD_OURS].order += said == -order && said;
+    j->t->column[HARD_OURS].tie += !said != !order;
+    if (said && said != order) wrong(j, HARD_ORDER, "the keys say otherwise than t");
+    if (j->ray.skip.id != SPH_ID_NONE || !j->ray.inside) return;
+    for (int i = HARD_OURS + 1; i < HARD_COLUMNS; i++) {
+        const struct floats *f = &a[0].floats[i], *g = &a[1].floats[i];
+        if (!f->hit || !g->hit) continue;
+        said = f->t < g->t ? -1 : f->t > g->t;
+        j->t->column[i].order += said == -order && said;
+        j->t->column[i].tie += !said != !order;
+    }
+}
+
+int hard_check(const struct sph_profile *p, const struct hard_case *c, int naive,
+               struct hard_tally *t, FILE *out) {
+    struct job j = {p, c, c->ray, naive, 0, t, out};
+    struct answer a[2] = {0};
+    sph_ray_setup(p, &j.ray);
+    t->cases++;
+    for (int i = 0; i < c->n; i++)
+        check_sphere(&j, &c->sphere[i], &a[i]);
+    if (c->n == 2 && a[0].exact.root && a[1].exact.root && a[0].hit && a[1].hit &&
+        c->ray.kind != SPH_SHADOW)
+        check_order(&j, a);
+    if (j.mistakes && out) hard_print(out, p, c);
+    return j.mistakes;
+}

@@ -1,0 +1,29 @@
+# hard.mk - hard cases of ray and sphere: the program `hard`, its objects, `make hard`
+# SPDX-License-Identifier: Apache-2.0
+#
+#   make hard                  all operands of three bits, 1 million generated cases a profile
+#   make hard N=100000000 STATE=file      a campaign that can be stopped and resumed
+HARD_C      := $(sort $(wildcard tests/hard/*.c))
+HARD_CFLAGS := -Itests -Itests/hard -ffp-contract=off
+HARD_LIBS    = $(call pkg,--libs jansson) $(MODEL_LIBS)
+N           ?= 1000000
+STATE       ?=
+
+hard: $B/test/hard ## hard cases: N a profile, SEED, JOBS processes, STATE file to resume from
+	@$< --cases $(N) --seed $(SEED) --processes $(JOBS) $(if $(STATE),--state $(STATE)) \
+	    --json $B/test/hard.json
+
+.PHONY: hard
+$B/test/obj/%.o: %.c $B/flags
+	$(call say,CC,$(<F))
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(CFLAGS) $(HARD_CFLAGS) -MMD -MP -c $< -o $@
+
+$B/test/hard: $(HARD_C:%.c=$B/test/obj/%.o) $B/obj/cmodel/tool/progress.o $(LIB)
+	$(call say,LD,$(@F))
+	$(Q)$(CC) -fopenmp $^ $(HARD_LIBS) -o $@
+
+# the suite runs the program
+tests/test_hard.sh: | $B/test/hard
+
+-include $(HARD_C:%.c=$B/test/obj/%.d)

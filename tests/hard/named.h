@@ -1,0 +1,71 @@
+/* named.h - the hard cases that have a name: one table, and what its vectors are made with
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef HARD_NAMED_H
+#define HARD_NAMED_H
+
+#include "gen.h"
+#include "hard.h"
+
+/* A run of one named case in one profile. */
+struct named {
+    const struct sph_profile *p;
+    int profile;
+    int64_t half, most, scale; /* 2^(W-1); greatest direction component; 2^(W-12) */
+    struct hard_tally tally;
+    uint64_t vectors;
+    int wrong;
+    const char *scenes; /* folder */
+    FILE *out;
+};
+
+enum { ORACLE, MISS, NEAR, FAR, EXIT }; /* ORACLE: whatever the oracles say */
+
+struct hard_named {
+    const char *name;
+    const char *sentence; /* what it is for, and the outcome where the rules fix it */
+    void (*run)(struct named *n);
+};
+extern const struct hard_named hard_named[];
+extern const int hard_n_named;
+
+/* A primary ray and a sphere. */
+struct hard_case vector(const int64_t org[3], const int64_t dir[3], const int64_t ctr[3],
+                        int64_t rad);
+#define V3(x, y, z) ((const int64_t[3]){(x), (y), (z)})
+
+/* The case with each axis in each place: the model against all oracles, and against the expected
+ * outcome of the first sphere; a key of 0 is not fixed. */
+void expect(struct named *n, struct hard_case c, int outcome, uint64_t key);
+
+/* The same with the second sphere's outcome not fixed, and then both orders of storage and both
+ * orders of ids through the tree: the sphere that comes first by t wins. winner 0 or 1: which one;
+ * -1: the lower id, since the keys are equal. */
+void expect_first(struct named *n, struct hard_case c, int winner);
+
+/* One check that is no vector. */
+void require(struct named *n, int holds, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* Runs one named case, or all for number 0, in every profile; prints a TAP line for each with its
+ * failures behind it. Returns the number of cases that failed. */
+int hard_named_run(int number, const char *scenes, FILE *out);
+
+/* Named cases and families as tables, for docs/hard_cases.md. */
+void hard_named_list(FILE *out);
+
+typedef void named_case(struct named *n);
+named_case named_tangent, named_pell_hit, named_pell_miss, named_distance, named_tangent_off,
+    named_tiny_far, named_huge_outside, named_huge_inside, named_surface_entering,
+    named_surface_leaving, named_surface_along, named_own_outward, named_no_id, named_own_inward,
+    named_own_exit, named_at_centre, named_inside_away, named_axes, named_unit_axis,
+    named_one_and_power, named_dir0, named_rad0, named_rad0_centre, named_ends, named_disc_ends,
+    named_disc_one, named_same_point, named_tie, named_near_far, named_concentric, named_identical,
+    named_lens, named_contact, named_behind, named_light_on, named_light_in, named_light_zero,
+    named_isqrt, named_quotient, named_off_grid, named_normal0, named_grazed, named_node_radius,
+    named_node_largest, named_node_corner, named_disc_small, named_alternate;
+
+/* Scenes: the model, brute force and the naive model draw the same picture. */
+void named_scene(struct named *n, const char *name);
+
+#endif
