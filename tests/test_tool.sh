@@ -96,8 +96,8 @@ fails 2 "build without scene" "$s" build -o x.sph
 fails 2 "two scenes" "$s" build a.nff a.nff -o x.sph
 for bad in --profile=huge --tree=oak --background=blue --depth=6 --depth=-1 --depth=1x --size=0x4 \
     --size=64 --size=64x --size=64x48x --size=16384x1 --size=1x16384 --bg-points=3 \
-    --bg-points=4097 --bg-border=65 --bg-levels=3 --shadow=maybe --reflect= --lights=9 --lights=all --inside=maybe \
-    --traverse=brute --interpenetrate=yes; do
+    --bg-points=4097 --bg-border=65 --bg-levels=3 --shadow=maybe --reflect= --lights=9 \
+    --lights=all --inside=maybe --traverse=brute --interpenetrate=yes; do
     fails 2 "build $bad" "$s" build a.nff -o x.sph "$bad"
 done
 for bad in --layer=3 --brute=last --threads=-1; do

@@ -92,7 +92,7 @@ static void judge(struct way *way, const struct ways *w) {
 /* Asks the model for every pixel. */
 static int ask(const struct sph_machine *m, struct way *way, const struct ways *w,
                struct sph_error *err) {
-    way->traced = malloc(pixels(w));
+    way->traced = calloc(pixels(w), 1);
     if (!way->traced) return sph_fail(err, "out of memory");
     uint8_t *traced = way->traced;
     for (int y = 0; y < w->height; y++)
