@@ -3,8 +3,9 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # Every scene of scenes/ in every profile: three colours, id, key and visits of each pixel, and the
-# counters; with random memory latency and 30 % stalls on every handshake. Then two engines, and
-# machines that are broken on purpose. Cores with less than everything: test_effect_scenes.sh.
+# counters; with random memory latency and 30 % stalls on every handshake. Then EFFECTS at run time,
+# two engines, and machines that are broken on purpose. Cores with less than everything:
+# test_effect_scenes.sh.
 #   SEED=n        other latencies and stalls (1)
 #   CORE=pattern  only the runs whose name has the pattern in it
 set -u
@@ -58,6 +59,26 @@ done
 frames verilator 32x24 draft standard fine reference
 frames icarus 32x24 draft
 frames icarus 16x12 standard fine reference
+
+# Bits of EFFECTS: 1 shadow, 2 reflect, 4 inside, 8 first, 16 interpenetrate. The paper's tree puts
+# spheres into any order, so its first hit is often not the nearest, and pixels start again.
+overlap=$machines/overlap-draft
+for size in 32x24 16x12; do
+    "$SPHAERA" build scenes/interpenetrating.nff --profile draft --tree paper --size $size \
+        -o "$overlap-$size.sph" >"$TMP/build" 2>&1 || check "overlap $size" cat "$TMP/build"
+done
+for bits in 0 3 9 13 15 16 23 28 30 31; do
+    for scene in overlap inside paper100 sphereflake2; do
+        wanted "verilator effects $bits $scene" all SIM=verilator \
+            "$machines/$scene-draft-32x24.sph" --reg 0=$bits
+    done
+done
+for bits in 3 28 31; do
+    wanted "icarus effects $bits overlap" all SIM=icarus "$overlap-16x12.sph" --reg 0=$bits
+    wanted "icarus effects $bits inside" all SIM=icarus "$machines/inside-draft-16x12.sph" \
+        --reg 0=$bits
+done
+wanted "verilator effects 31 overlap two engines" all ENGINES=2 "$overlap-32x24.sph" --reg 0=31
 wanted "verilator sphereflake2 draft two engines" all ENGINES=2 \
     "$machines/sphereflake2-draft-32x24.sph"
 wanted "verilator sphereflake2 standard warm caches" all SIM=verilator \
@@ -68,6 +89,8 @@ broken "five children" 1 --poke 0:250:6=0x0c
 broken "root beyond memory" 1 --reg 25=0x3ffffff
 broken "visits run out" 4 --reg 29=3
 broken "records beyond memory" 1 --reg 26=0x3000000
+broken "visits of probes run out" 4 --reg 29=3 --reg 0=31
+broken "records of probes beyond memory" 1 --reg 26=0x3000000 --reg 0=31
 broken "wrong profile" 32 --reg 30=1
 broken "bus error at the first line" 8 --bus-error-at 0
 broken "bus error later" 8 --bus-error-at 9
