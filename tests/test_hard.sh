@@ -29,8 +29,8 @@ job() {
     cp "cmodel/$file" "$1.c" && edit "$1.c" || return 2
     # shellcheck disable=SC2086  # a list of words on purpose
     gcc -std=c11 -D_GNU_SOURCE -O1 -w -Icmodel "-Icmodel/${file%/*}" -fopenmp \
-        "$1.c" "$BUILD"/test/obj/tests/hard/*.o "$BUILD/obj/cmodel/tool/progress.o" "$BUILD/libsphaera.a" \
-        $libs -lm -o "$1.run" || return 2
+        "$1.c" "$BUILD"/test/obj/tests/hard/*.o "$BUILD/obj/cmodel/tool/progress.o" \
+        "$BUILD/libsphaera.a" $libs -lm -o "$1.run" || return 2
     timeout 60 "$1.run" --named="$number"
     rc=$?
     case $1 in */001.job) ;; *) rm -f "$1.run" ;; esac
@@ -85,6 +85,13 @@ spread() { # numbers 0 to 9 and 10 to 19 are other cases
     ! cmp -s "$TMP/a" "$TMP/b"
 }
 check "--first goes on to other cases" spread
+sanitized() {
+    "$hard.sanitized" --cases 2000 --exhaustive 2000 --seed "${SEED:-1}" || return 1
+    for n in 4 7 20 24 25 38 39 40 41 43; do
+        "$hard.sanitized" --named=$n || return 1
+    done
+}
+check "the same under the sanitizers" sanitized
 check "one case, repeated" run --case pair:reference:77
 refused() {
     name=$1

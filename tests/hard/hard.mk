@@ -23,7 +23,17 @@ $B/test/hard: $(HARD_C:%.c=$B/test/obj/%.o) $B/obj/cmodel/tool/progress.o $(LIB)
 	$(call say,LD,$(@F))
 	$(Q)$(CC) -fopenmp $^ $(HARD_LIBS) -o $@
 
-# the suite runs the program
-tests/test_hard.sh: | $B/test/hard
+$B/test/asan/%.o: %.c $B/flags
+	$(call say,CC,"$(<F) sanitized")
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(CFLAGS) $(HARD_CFLAGS) $(SANITIZE) -MMD -MP -c $< -o $@
 
--include $(HARD_C:%.c=$B/test/obj/%.d)
+$B/test/hard.sanitized: $(HARD_C:%.c=$B/test/asan/%.o) $B/asan/obj/cmodel/tool/progress.o \
+                        $B/asan/libsphaera.a
+	$(call say,LD,$(@F))
+	$(Q)$(CC) -fopenmp $(SANITIZE) $^ $(HARD_LIBS) -o $@
+
+# the suite runs both
+tests/test_hard.sh: | $B/test/hard $B/test/hard.sanitized
+
+-include $(HARD_C:%.c=$B/test/obj/%.d) $(HARD_C:%.c=$B/test/asan/%.d)

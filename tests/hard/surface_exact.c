@@ -45,9 +45,9 @@ int exact_surface(const struct sph_profile *p, const struct sph_ray *ray,
     sph_i128 n[3];
     for (int i = 0; i < 3; i++) {
         sph_i128 offset = half_up((sph_i128)q->mant * ray->dir[i], q->exp - p->ng);
-        int64_t guarded = limit(offset + (ray->org[i] << p->ng), p->w + p->ng, &limited);
+        int64_t guarded = limit(offset + ray->org[i] * (1 << p->ng), p->w + p->ng, &limited);
         s->point[i] = limit(half_up(guarded, p->ng), p->w, &limited);
-        n[i] = (sph_i128)guarded - (sphere->ctr[i] << p->ng);
+        n[i] = (sph_i128)guarded - sphere->ctr[i] * (1 << p->ng);
         if (far) n[i] = -n[i];
         any |= n[i] != 0;
     }
