@@ -4,20 +4,32 @@
 # usage: [SPHAERA=build/sphaera] sim/hashes.sh
 cd "$(dirname "$0")/.." || exit 1
 SPHAERA=${SPHAERA:-build/sphaera}
-tree=balanced size=64x36 depth=2
+size=64x36 depth=2
+
+# Options of a scene of scenes/effects, from the table there.
+options() {
+    case $1 in
+    effects/*) awk -v name="${1#*/}" '$1 == name && $2 != "-" { gsub(/,/, " ", $2); print $2 }' \
+        scenes/effects/effects.txt ;;
+    esac
+}
 cat <<'END'
 # hashes.txt - hash of the golden model's picture of every scene in every profile
 # SPDX-License-Identifier: Apache-2.0
 # Written by `make hashes`, compared by `make test`: a change here is a change of the pictures.
 # scene profile tree size depth hash
 END
-for scene in scenes/*.nff; do
+for scene in scenes/*.nff scenes/effects/*.nff; do
+    name=${scene#scenes/} name=${name%.nff} tree=balanced
+    more=$(options "$name")
+    case $more in *--tree=paper*) tree=paper ;; esac
     for profile in draft standard fine reference; do
+        # shellcheck disable=SC2086  # a list of words on purpose
         hash=$("$SPHAERA" render "$scene" --profile $profile --tree $tree --size $size \
-            --depth $depth 2>&1 | awk '
+            --depth $depth $more 2>&1 | awk '
                 $1 == "picture" { hash = $2 }
                 /would do$/ { hash = "refused" }
                 END { print hash ? hash : "error" }')
-        echo "$(basename "$scene" .nff) $profile $tree $size $depth $hash"
+        echo "$name $profile $tree $size $depth $hash"
     done
 done

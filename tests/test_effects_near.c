@@ -7,7 +7,7 @@
 #include "effects_scene.h"
 
 enum { MOST = 6, WIDTH = 16, HEIGHT = 12 };
-static int scenes = 4000 / SLOW;
+static int scenes = 2000 / SLOW;
 
 static struct sph_material materials[3] = {{{0.9, 0.5, 0.3}, 1, 0, 1, 0, 1, 1},
                                            {{0.3, 0.9, 0.5}, 0.5, 0.5, 1, 0, 1, 2},
