@@ -147,10 +147,12 @@ static int find_inside(const struct sph_survey *s, struct sph_build_report *repo
     return 0;
 }
 
-static void warn_missing(const struct sph_scene *scene, struct sph_build_report *report) {
+/* Warns of what is called for and left out; lights are counted by those that shine. */
+static void warn_missing(const struct sph_scene *scene, const struct sph_lights *lights,
+                         struct sph_build_report *report) {
     for (int i = 0; i < SPH_REPORTS; i++) {
         const struct sph_effect_report *e = &report->effects[i];
-        if (e->on < e->called)
+        if ((i == SPH_REPORT_LIGHTS ? lights->n_shining : e->on) < e->called)
             sph_note(report->warning, sizeof report->warning, "%s: %s %s: %s\n", scene->path,
                      e->name, e->on ? "fewer than the scene calls for" : "off", e->why);
     }
@@ -171,7 +173,7 @@ int sph_emit_effects(const struct sph_survey *s, struct sph_machine *machine,
     settle(&effects[SPH_REPORT_SHADOW], s->options->shadow);
     find_reflect(s, &effects[SPH_REPORT_REFLECT]);
     if (find_inside(s, report, err)) return -1;
-    warn_missing(s->scene, report);
+    warn_missing(s->scene, &lights, report);
     regs[SPH_REG_MAX_DEPTH] = effects[SPH_REPORT_REFLECT].on;
     regs[SPH_REG_EFFECTS] = effects[SPH_REPORT_SHADOW].on << SPH_EFFECT_SHADOW |
                             (effects[SPH_REPORT_REFLECT].on > 0) << SPH_EFFECT_REFLECT |
