@@ -16,7 +16,7 @@ DEPTH ?= 2
 BACKGROUND ?= none
 ## TRAVERSE    which hit a primary ray takes: nearest or first (the paper's)
 TRAVERSE ?= nearest
-## LEVELS      of the tree that BACKGROUND=spans is made from (empty: all)
+## LEVELS      exact background: 0 the root sphere, 1 its children, 2 theirs (empty: 0)
 LEVELS ?=
 ## BUILD_MORE  other options of `sphaera build`, such as --inside off
 BUILD_MORE ?=
@@ -86,7 +86,7 @@ all: tool ## everything that is built without simulators
 tool: $(TOOL) ## the command-line tool build/sphaera
 
 include sim/objects.mk sim/sim.mk sim/bench.mk synth/synth.mk tests/test.mk tests/hard/hard.mk \
-        sim/lint.mk
+        sim/lint.mk sim/background.mk
 
 layout: ## regenerate the C and Verilog layout headers from cmodel/machine/machine.def
 	$(call say,GEN,"layout.h rt_layout.vh")

@@ -1,10 +1,14 @@
-/* view_check.h - the exact predicate, for the tests of background separation
+/* view_check.h - the exact predicate and random spheres, for the tests of background separation
  * SPDX-License-Identifier: Apache-2.0
  */
 #ifndef SPH_TEST_VIEW_CHECK_H
 #define SPH_TEST_VIEW_CHECK_H
 
 #include "build_scene.h"
+
+#include <math.h>
+
+#include "build/grid.h"
 
 /* Random views of a test; the sanitizers slow them down. */
 #ifdef __SANITIZE_ADDRESS__
@@ -23,6 +27,21 @@ static inline int hits(const int32_t eye[3], const int64_t dir[3], const struct 
         k -= (__int128)oc * oc;
     }
     return k * a + b * b > 0 && (b > 0 || k > 0);
+}
+
+/* Random sphere, eye and rays over the whole range of a profile. */
+static inline void random_sphere(const struct sph_profile *p, int width, int height,
+                                 struct sph_ball *ball, int32_t eye[3], struct sph_rays *rays) {
+    double room = ldexp(1, p->w - 1);
+    while (sph_rays_fit(width, height, between(0.5, 170), p->wd, rays, NULL))
+        continue;
+    for (int i = 0; i < 3; i++) {
+        eye[i] = (int32_t)between(-room, room);
+        ball->c[i] = (int32_t)between(-room, room);
+        if (uniform() < 0.2) eye[i] = uniform() < 0.5 ? (int32_t)room - 1 : -(int32_t)room;
+        if (uniform() < 0.2) ball->c[i] = uniform() < 0.5 ? (int32_t)room - 1 : -(int32_t)room;
+    }
+    ball->r = (int32_t)(1 + 1.7 * room * pow(uniform(), 4));
 }
 
 #endif

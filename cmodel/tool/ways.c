@@ -31,7 +31,7 @@ static void count_walk(struct way *way, int mode, int cones, const struct ways *
     }
     if (mode == SPH_BG_EXACT) {
         uint64_t spheres = (uint64_t)cones;
-        way->add = spheres * (3 * n + 4 * columns * rows + 4 * columns);
+        way->add = 4 * spheres * n; /* down to a row's first pixel, or one to the right */
         way->compare = 2 * spheres * n;
         way->words = spheres * SPH_CONE_LINES * SPH_LINE_WORDS;
     }
