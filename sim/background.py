@@ -90,7 +90,8 @@ def counted(views, folder, counter):
                 base = count
             row.append(count if built == "none" else f"{100 * count / base:.0f} %")
         rows.append(row)
-    return report.table(["view", "none, " + counter.replace("_", " ")] + list(BUILT.values())[1:], rows)
+    head = ["view", "none, " + counter.replace("_", " ")] + list(BUILT.values())[1:]
+    return report.table(head, rows)
 
 
 def cells(synth, keys):
