@@ -163,6 +163,30 @@ static void test_occlusion(void **unused) {
     assert_true(found > 500 / SLOW && none > 500 / SLOW);
 }
 
+/* Each thing that keeps a sphere deep in another from being passed over. */
+static void test_buried(void **unused) {
+    struct sph_ball balls[3] = {{{0, 0, 0}, 200}, {{20, 0, 0}, 30}, {{500, 0, 0}, 100}};
+    const int32_t eye[3] = {0, 0, 900}, in[3] = {0, 0, -150}, out[1][3] = {{0, 900, 0}};
+    struct sph_world world = {balls, 3, &sph_profiles[SPH_DRAFT], eye, 1};
+    uint8_t buried[3];
+    (void)unused;
+#define BURIED(lights, n) (sph_buried(&world, lights, n, buried), buried[1])
+    assert_true(BURIED(out, 1) && !buried[0] && !buried[2]);
+    assert_false(BURIED(&in, 1));
+    world.mended = 0;
+    assert_false(BURIED(out, 1));
+    world.mended = 1, world.eye = in;
+    assert_false(BURIED(out, 1));
+    world.eye = eye, balls[2].c[0] = 300;
+    assert_false(BURIED(out, 1));
+    struct sph_ball other = balls[2];
+    balls[2] = balls[1], balls[1] = other; /* in either order */
+    assert_false(BURIED(out, 1) || buried[2]);
+    balls[1] = balls[2], balls[2] = other;
+    balls[2].c[0] = 500, balls[1].c[0] = 150;
+    assert_false(BURIED(out, 1));
+}
+
 /* Prints how long the search takes where there is no pair to find. */
 static void test_time(void **unused) {
     enum { SIDE = 47 };
@@ -192,7 +216,7 @@ int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_point_error), cmocka_unit_test(test_near_pair),
         cmocka_unit_test(test_nearness),    cmocka_unit_test(test_occlusion),
-        cmocka_unit_test(test_time),
+        cmocka_unit_test(test_buried),      cmocka_unit_test(test_time),
     };
     seed(argc, argv);
     return cmocka_run_group_tests_name("effects", tests, NULL, NULL);
