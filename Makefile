@@ -85,8 +85,8 @@ setup: ## install missing packages (apt), see sim/packages.txt
 all: tool ## everything that is built without simulators
 tool: $(TOOL) ## the command-line tool build/sphaera
 
-include sim/objects.mk sim/sim.mk sim/bench.mk synth/synth.mk tests/test.mk tests/hard/hard.mk \
-        sim/lint.mk sim/background.mk
+include sim/objects.mk sim/sim.mk sim/bench.mk sim/lint.mk sim/background.mk \
+        synth/synth.mk synth/effects.mk tests/test.mk tests/hard/hard.mk
 
 layout: ## regenerate the C and Verilog layout headers from cmodel/machine/machine.def
 	$(call say,GEN,"layout.h rt_layout.vh")

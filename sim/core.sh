@@ -10,7 +10,8 @@
 # EFFECTS=auto elaborates only what the machine asks for, all (default) everything, else what is
 # named: a list as sim/parameters.sh takes it. A core with less than the machine asks for refuses
 # it; the harness says what is missing and ends with 3.
-# BUILD is the build folder, RTL another source folder, OPT the compiler's effort.
+# BUILD is the build folder, RTL another source folder, OPT the compiler's effort. BUILT=1 says that
+# all was just built: nothing is looked at, which takes longer than a small frame.
 set -eu
 cd "$(dirname "$0")/.."
 EFFECTS=${EFFECTS:-all} ENGINES=${ENGINES:-1} SIM=${SIM:-verilator} OPT=${OPT:--O3} WAVES=0
@@ -29,6 +30,7 @@ done
 mkdir -p "$BUILD/sim"
 # Makes a target of core.mk; two processes never make the same at once.
 target() { # lock, target, variables
+    [ -z "${BUILT:-}" ] || return 0
     lock=$BUILD/sim/.$1.lock goal=$2
     shift 2
     flock "$lock" env -u MAKEFLAGS -u MFLAGS make -s --no-print-directory -f sim/core.mk \

@@ -4,7 +4,7 @@
 # usage: make -f synth/area.mk report PROFILES=... TARGETS=... EFFECTS=...
 #   PROFILES  draft standard fine reference, or all
 #   TARGETS   ecp5 xc7 generic, or all
-#   EFFECTS   what the core is elaborated with, as sim/parameters.sh takes it
+#   EFFECTS   what the cores are elaborated with: lists as sim/parameters.sh takes them
 # KEY names every parameter that shapes the core, so that results never mix. $B/synth/KEY/ holds
 # what Yosys printed; it is made again when a source of the core or core.sh changes.
 
@@ -27,9 +27,10 @@ $(foreach p,$(profiles),$(if $(filter $p,$(KNOWN_PROFILES)),,$(error synth: \
 $(foreach t,$(targets),$(if $(filter $t,$(KNOWN_TARGETS)),,$(error synth: \
     no target '$t'; there are $(KNOWN_TARGETS) and all)))
 
-$(if $(shell sh sim/parameters.sh '$(EFFECTS)'),,$(error synth: no core is built with '$(EFFECTS)'))
-VARIANT := -$(EFFECTS)-engines$(ENGINES)$(if $(filter 1,$(FLAT)),-flat)
-KEYS := $(foreach p,$(profiles),$(foreach t,$(targets),$p-$t$(VARIANT)))
+$(foreach e,$(EFFECTS),$(if $(shell sh sim/parameters.sh '$e'),,$(error synth: \
+    no core is built with '$e')))
+VARIANTS := $(EFFECTS:%=%-engines$(ENGINES)$(if $(filter 1,$(FLAT)),-flat))
+KEYS := $(foreach p,$(profiles),$(foreach t,$(targets),$(VARIANTS:%=$p-$t-%)))
 
 # What docs/area.md shows: everything on, and the standard core for ecp5 with less, and flat.
 FULL := -all-engines1

@@ -4,7 +4,6 @@
 """usage: synth/page.py PAGE FOLDER KEY...; a table stands between `<!-- NAME -->`, `<!-- end -->`.
 NAME is a target, effects, modules or profiles; what is outside is left as it is."""
 import os
-import re
 import sys
 
 import report
@@ -31,15 +30,7 @@ def main(page, folder, keys):
     tables["effects"] = report.cores(standard, "ecp5")
     tables["modules"] = report.modules(next(r for r in ecp5 if r["profile"] == "standard"))
     tables["profiles"] = profiles(ecp5)
-    with open(page, encoding="utf-8") as f:
-        text = f.read()
-    for name, table in tables.items():
-        pattern = rf"(<!-- {name} -->\n)(?:\|.*\n)*(<!-- end -->)"
-        text, n = re.subn(pattern, lambda m: m[1] + table + "\n" + m[2], text)
-        if n != 1:
-            sys.exit(f"page: {page}: {n} places for the table `{name}`, not one")
-    text = re.sub(r"Yosys \d[\d.]*\d( \([^)]*\))?", runs[0]["yosys"].split(" (")[0], text)
-    report.write(page, text)
+    report.place(page, tables, runs[0]["yosys"])
 
 
 if __name__ == "__main__":

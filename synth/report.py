@@ -4,6 +4,7 @@
 """usage: synth/report.py FOLDER KEY..."""
 import json
 import os
+import re
 import sys
 
 import results
@@ -82,6 +83,19 @@ def write(path, text):
     with open(path + ".tmp", "w", encoding="utf-8") as f:
         f.write(text)
     os.replace(path + ".tmp", path)
+
+
+def place(page, tables, what):
+    """Puts tables between `<!-- NAME -->` and `<!-- end -->` of a page; each NAME stands there
+    once. Yosys's version is brought up to date."""
+    with open(page, encoding="utf-8") as f:
+        text = f.read()
+    for name, lines in tables.items():
+        pattern = rf"(<!-- {name} -->\n)(?:\|.*\n)*(<!-- end -->)"
+        text, n = re.subn(pattern, lambda m, t=lines: m[1] + t + "\n" + m[2], text)
+        if n != 1:
+            sys.exit(f"page: {page}: {n} places for the table `{name}`, not one")
+    write(page, re.sub(r"Yosys \d[\d.]*\d( \([^)]*\))?", what.split(" (")[0], text))
 
 
 def main(folder, keys):

@@ -11,9 +11,9 @@ runs=$TMP/runs
 # CORE: the list that is built, or auto. SETTINGS: SIM=..., ENGINES=... of sim/core.sh.
 run() {
     seed=$(($(printf '%s' "$1 $SEED" | cksum | cut -d' ' -f1) % 100000))
-    label=$1 settings="EFFECTS=$2 $3" file=$4
+    label=$1 settings="EFFECTS=$2 $3" run_machine=$4
     shift 4
-    echo "$label|env $settings sh sim/core.sh --machine $file|--seed $seed" \
+    echo "$label|env $settings sh sim/core.sh --machine $run_machine|--seed $seed" \
         "--latency $((seed % 60 + 1)) --stall 30 $*" >>"$runs"
 }
 # Numbered commands from stdin, two at a time; leaves NUMBER.log and NUMBER.rc in $TMP.
@@ -24,20 +24,28 @@ two_at_a_time() {
         sh -c "${1#*|}" >"$TMP/$number.log" 2>&1
         echo $? >"$TMP/$number.rc"' sh COMMAND
 }
+# "PROFILE LIST" of a machine. The tool says it too, but takes long to start.
+asked_for() {
+    [ -x "$BUILD/sim/tb_core_icarus" ] || sh sim/core.sh --help >"$TMP/tools.log" 2>&1
+    "$BUILD/sim/tb_core_icarus" --machine "$1" --info | cut -d' ' -f1,2
+}
 # One machine of each profile and list builds the core: --info simulates nothing. Verilator's
 # first: they take longest.
 build_cores() {
     while IFS='|' read -r name command options; do
         settings=${command%% sh sim/core.sh*}
-        asked=$("$SPHAERA" info "${command##* }" |
-            awk '$1 == "profile" { p = $2 } $1 == "core" { print p, $2 }')
+        asked=$(asked_for "${command##* }")
         case $settings in *EFFECTS=auto*) ;; *) asked=${asked% *} ;; esac
         case $settings in *SIM=icarus*) order=2 ;; *) order=1 ;; esac
         echo "$order $settings $asked|$command --info"
     done <"$runs" | sort -t'|' -k1,1 -u | cut -d'|' -f2 | two_at_a_time
     rm -f "$TMP"/*.rc
 }
-run_all() { cut -d'|' -f2- "$runs" | tr '|' ' ' | two_at_a_time; }
+run_all() {
+    BUILT=1
+    export BUILT
+    cut -d'|' -f2- "$runs" | tr '|' ' ' | two_at_a_time
+}
 judge() {
     number=0
     while IFS='|' read -r name command options; do

@@ -48,8 +48,8 @@ json_t *pass_json(const Outcome &c, int pass) {
     json_t *tiles = json_array();
     for (const Run *run : c.runs) {
         const Window &w = run->window;
-        json_t *tile =
-            json_pack("{s:[iiii], s:f}", "window", w.x0, w.y0, w.x1, w.y1, "seconds", run->seconds);
+        json_t *tile = json_pack("{s:[iiii], s:f, s:f}", "window", w.x0, w.y0, w.x1, w.y1,
+                                 "seconds", run->seconds, "cpu_seconds", run->cpu);
         json_object_set_new(tile, "counters", counters(run->pass[pass].count, SPH_COUNTERS));
         json_array_append_new(tiles, tile);
     }

@@ -33,7 +33,8 @@ struct Run {
     Pass pass[PASSES];
     std::atomic<uint64_t> pixels; /* delivered so far, all passes */
     std::atomic<int> done;
-    double seconds;     /* of this process */
+    double seconds;     /* of this process, by the clock */
+    double cpu;         /* of the processor; Verilator only, 0 in Icarus */
     char failure[2000]; /* hang, broken handshake, pixel out of the window: empty if none */
 };
 

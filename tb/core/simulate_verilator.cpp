@@ -5,6 +5,8 @@
  */
 #include "simulate.h"
 
+#include <time.h>
+
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
@@ -233,13 +235,22 @@ void Bench::pass(Sample *samples, bool keep, Pass &out) {
              static_cast<unsigned long long>(memory_.out_of_range()));
 }
 
+/* Of this process and its threads. */
+double cpu_seconds() {
+    timespec t{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec) * 1e-9;
+}
+
 } // namespace
 
 void simulate(const Options &o, const sph_machine &machine, Sample *samples[PASSES], Run &run) {
     auto begin = std::chrono::steady_clock::now();
+    double cpu = cpu_seconds();
     Bench bench(o, machine, run);
     bench.configure();
     bench.pass(samples[COLD], false, run.pass[COLD]);
     if (o.warm && !run.failure[0]) bench.pass(samples[WARM], true, run.pass[WARM]);
+    run.cpu = cpu_seconds() - cpu;
     run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }

@@ -1,0 +1,30 @@
+# effects.mk - what each scene calls for, and what that saves: docs/effects.md
+# SPDX-License-Identifier: Apache-2.0
+#
+# make effects   builds the machine of every scene, then, each only where a source changed,
+#   build/synth/KEY/          the core of each list, and everything but one effect, for ecp5
+#   build/effects/NAME.json   the scene on its own core and on the whole one, in turn, in Verilator
+# and puts tables and chart into docs/effects.md. Pairs of scenes/effects/ are simulated but not
+# synthesised. Jobs run JOBS at once.
+
+E := $B/effects
+EFFECTS_SOURCES := $(shell find rtl tb/core -name '*.v' -o -name '*.vh' -o -name '*.cpp' -o \
+                       -name '*.h') synth/effects_run.py sim/core.sh sim/core.mk sim/parameters.sh
+EFFECTS_RUNS = $(patsubst %.sph,%.json,$(filter-out %.forced.sph,$(wildcard $E/*.sph)))
+
+.PHONY: effects effects-machines effects-runs
+effects: ## docs/effects.md: each effect of each scene, cells and time it costs; half an hour
+	+$(Q)$(MAKE) --no-print-directory effects-machines
+	+$(Q)$(MAKE) --no-print-directory -j$(JOBS) -f synth/area.mk results B=$B V=$(V) \
+	    EFFECTS="$$(cat $E/lists)"
+	+$(Q)$(MAKE) --no-print-directory -j$(JOBS) effects-runs
+	$(Q)python3 synth/effects_page.py docs/effects.md $E $B/synth
+
+effects-machines: $(TOOL)
+	$(Q)python3 synth/effects_scenes.py $(TOOL) $E $B/synth
+
+effects-runs: $(EFFECTS_RUNS)
+
+$E/%.json: $E/%.sph $E/%.forced.sph $(EFFECTS_SOURCES)
+	$(call say,SIM,$*)
+	+$(Q)BUILD=$B python3 synth/effects_run.py $(TOOL) $E $*
