@@ -50,6 +50,7 @@ $(BG)/%.json: %.nff $(TOOL)
 	$(Q)$(TOOL) background $< --size $(BG_SIZE) --json $@ >$(BG)/$*.log
 
 define bg_way
+.PRECIOUS: $(BG)/%-$(1).sph
 $(BG)/%-$(1).sph: %.nff $(TOOL)
 	@mkdir -p $$(@D)
 	$$(Q)$(TOOL) build $$< --size $(BG_SIZE) --background $(BG_$(1)) -o $$@ >$(BG)/$$*-$(1).log
@@ -67,6 +68,7 @@ $(BG_SYNTH:%=%/stat.json): $B/synth/standard-ecp5-%-engines1/stat.json: $(V_FILE
 	    TARGETS=ecp5 EFFECTS=$*
 	@touch $@
 
+.PRECIOUS: $(BG)/drawn-%
 $(BG)/drawn-%: %.nff $(TOOL)
 	@rm -rf $@
 	@mkdir -p $@
