@@ -1,9 +1,10 @@
 #!/bin/sh
-# test_budget.sh - the standard core for ecp5 stays within synth/budget.txt
+# test_budget.sh - the standard core for ecp5 stays within its budgets: everything on, nothing on
 # SPDX-License-Identifier: Apache-2.0
 #
-# Synthesises it if a source changed (a minute), and shows that the check can fail: a budget that
-# is one multiplier or one LUT short, or names what is not there, is noticed.
+# Synthesises both if a source changed (two minutes), and shows that the check can fail: a budget
+# that is one multiplier or one LUT short, or names what is not there, is noticed. Then: what a core
+# is not built for is not in it, by the modules of the elaborated core.
 set -u
 . "$(dirname "$0")/tap.sh"
 cd "$(dirname "$0")/.." || exit 1
@@ -17,18 +18,23 @@ if ! command -v yosys >"$TMP/yosys"; then
     exit 0
 fi
 check "synthesis; no loop, no undriven net" \
-    env -u MAKEFLAGS -u MFLAGS make -s -f synth/area.mk results B="$BUILD" PROFILES=standard
-[ -f "$run/stat.json" ] || {
+    env -u MAKEFLAGS -u MFLAGS make -s -j2 -f synth/area.mk results B="$BUILD" \
+    PROFILES=standard EFFECTS="all none"
+none=$BUILD/synth/standard-ecp5-none-engines1
+[ -f "$run/stat.json" ] && [ -f "$none/stat.json" ] || {
     done_testing
     exit 1
 }
 
 python3 synth/budget.py "$run" synth/budget.txt >"$TMP/budget"
+python3 synth/budget.py "$none" synth/budget_none.txt | sed 's/ecp5/& none:/' >"$TMP/none"
 while read -r line; do
     case $line in ok*) rc=0 ;; *) rc=1 ;; esac
     echo "$line" >"$TMP/line"
     tap $rc "${line#*- }" "$TMP/line"
-done <"$TMP/budget"
+done <<END
+$(cat "$TMP/budget" "$TMP/none")
+END
 
 over() { ! python3 synth/budget.py "$run" "$1" && [ "$2" = "$(python3 synth/budget.py "$run" \
     "$1" | grep -c '^not ok')" ]; }
@@ -54,4 +60,35 @@ ram, words = m['rt_slot_ram']['own'], m['rt_slot_file']['own']
 print(ram, words)
 assert ram['ff'] == 0 and ram['dpr'] == 0 and ram['bram'] >= m['rt_slot_ram']['instances']
 assert words['ff'] == 0 and words['bram'] == 0 and words['dpr'] >= m['rt_slot_file']['instances']"
+
+# ---- list of a core, modules that are in the whole core and must not be in this one ----
+sh synth/modules.sh all >"$TMP/all"
+absent() { # list, modules
+    sh synth/modules.sh "$1" >"$TMP/here" || return 1
+    printf '%s\n' $2 | sort >"$TMP/absent"
+    echo "not in the whole core:" && ! comm -23 "$TMP/absent" "$TMP/all" | grep . || return 1
+    echo "in the core $1:" && ! comm -12 "$TMP/absent" "$TMP/here" | grep .
+}
+lights='rt_lights rt_lambert rt_light_add'
+mirrors='rt_mirrors rt_bounce rt_blend'
+ways='rt_background rt_table rt_spans rt_cone'
+point='rt_hit rt_normalise rt_quotient rt_quotient_pool'
+while IFS='|' read -r list modules; do
+    check "core $list has no $modules" absent "$list" "$modules"
+done <<END
+all-reflect|rt_blend
+all-lights|$lights
+all-inside|rt_probe
+all-first|rt_probe
+all-interpenetrate|rt_probe
+all-spans|rt_spans
+all-cones|rt_cone
+lights1|$mirrors rt_probe $ways
+reflect1|$lights rt_probe $ways
+inside+first|$lights $mirrors rt_probe $point $ways
+rect|$lights $mirrors rt_probe $point $ways
+none|$lights $mirrors rt_probe $point $ways
+END
+noticed() { ! absent lights1 rt_lights && ! absent none rt_nowhere; }
+check "a module that is there is noticed, and one that is gone for good" noticed
 done_testing
