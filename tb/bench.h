@@ -21,6 +21,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 #include <queue>
 #include <type_traits>
 #include "verilated.h"
@@ -155,11 +156,12 @@ template <class Top> class Bench {
     Random random;
     uint64_t seed, cycle = 0;
     long vectors, target, mismatches = 0;
+    bool all_vectors; /* as many as the bench has by default */
 
     Bench(const char *name, int argc, char **argv, long default_vectors = 200000)
         : random(argc > 1 ? strtoull(argv[1], nullptr, 0) : 1),
           seed(argc > 1 ? strtoull(argv[1], nullptr, 0) : 1), vectors(0),
-          target(argc > 2 ? atol(argv[2]) : default_vectors), title(name) {
+          target(argc > 2 ? atol(argv[2]) : default_vectors), all_vectors(argc <= 2), title(name) {
         dut.clk = 0;
         dut.eval();
     }
@@ -224,12 +226,13 @@ template <class Top> class Bench {
         hangs = true;
     }
     /* Runs a pipeline of fixed latency with in_valid_i, in_ready_o, in_tag_i and their out_...:
-     * first the corners, then what make(random) returns, with random gaps. send(v) sets the other
-     * inputs of a Vector, which has members tag and taken; check(v) compares the outputs. The
-     * module must be ready at least every `interval` clocks. */
-    template <class Vector, size_t N, class Make, class Send, class Check>
-    void stream(const Vector (&corners)[N], Make make, int tag_bits, uint64_t latency,
+     * first the corners (an array or a vector), then what make(random) returns, with random gaps.
+     * send(v) sets the other inputs of a Vector, which has members tag and taken; check(v) compares
+     * the outputs. The module must be ready at least every `interval` clocks. */
+    template <class Corners, class Make, class Send, class Check>
+    void stream(const Corners &corners, Make make, int tag_bits, uint64_t latency,
                 uint64_t interval, Send send, Check check) {
+        using Vector = std::decay_t<decltype(corners[0])>;
         std::queue<Vector> sent;
         Vector v{};
         size_t corner = 0;
@@ -240,7 +243,7 @@ template <class Top> class Bench {
         while (more()) {
             if (random.percent(1)) gaps = (unsigned)random.below(3) * 30;
             if (!dut.in_valid_i) { /* without valid: inputs that must not matter */
-                v = corner < N ? corners[corner] : make(random);
+                v = corner < std::size(corners) ? corners[corner] : make(random);
                 v.tag = (uint64_t)random.bits(tag_bits);
                 set(dut.in_tag_i, tag_bits, (i128)v.tag);
                 send(v);
@@ -269,6 +272,7 @@ template <class Top> class Bench {
             check(e);
             done();
         }
+        if (all_vectors && corner < std::size(corners)) fail("not all corners were driven");
     }
     /* Prints the TAP line; the exit status of main. */
     int finish() {

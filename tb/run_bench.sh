@@ -10,7 +10,7 @@
 cd "$(dirname "$0")/.." || exit 1
 BENCH_BUILD=${BENCH_BUILD:-build} BENCH_OPT=${BENCH_OPT:--O2}
 export BENCH_BUILD BENCH_OPT
-out=$BENCH_BUILD/tb
+out=$BENCH_BUILD/tb models="$BENCH_BUILD/test/libhard.a $BENCH_BUILD/libsphaera.a"
 include=$(verilator --getenv VERILATOR_ROOT)/include
 
 # Whether one of the files that a compiler's dependency file names is newer than a result.
@@ -53,9 +53,10 @@ build() { # profile, module, bench, parameters
             -Itb -isystem "$dir" -isystem "$include" -MMD -c "$dir/all.cpp" -MF "$dir/bench.d" \
             -o "$dir/bench.o" || return 1
     fi
-    [ -z "$(find "$dir/bench.o" "$BENCH_BUILD/libsphaera.a" -newer "$dir/bench" 2>&1)" ] ||
-        g++ "$dir/bench.o" "$out"/verilated*.o "$BENCH_BUILD/libsphaera.a" -lm -lpthread \
-            -o "$dir/bench"
+    # shellcheck disable=SC2086,SC2046  # lists of words on purpose
+    [ -z "$(find "$dir/bench.o" $models -newer "$dir/bench" 2>&1)" ] ||
+        g++ -fopenmp "$dir/bench.o" "$out"/verilated*.o $models -Wl,--as-needed \
+            $(pkg-config --libs gmp mpfr expat) -lm -lpthread -o "$dir/bench"
 }
 
 if [ "${1:-}" = --one ]; then
@@ -80,8 +81,9 @@ fi
 pattern=${1:-/}
 [ $# -gt 0 ] && shift
 mkdir -p "$out"
+# shellcheck disable=SC2086  # a list of words on purpose
 env -u MAKEFLAGS -u MFLAGS make --no-print-directory B="$BENCH_BUILD" \
-    "$BENCH_BUILD/libsphaera.a" >"$out/model.log" || { cat "$out/model.log"; exit 1; }
+    $models >"$out/model.log" || { cat "$out/model.log"; exit 1; }
 for part in verilated verilated_threads; do
     [ -f "$out/$part.o" ] && continue
     g++ -std=c++17 -O2 -I"$include" -c "$include/$part.cpp" -o "$out/$part.o.$$" &&

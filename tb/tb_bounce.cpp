@@ -1,8 +1,13 @@
 /* tb_bounce.cpp - rt_bounce, and rt_normalise inside it, against sph_bounce()
  * SPDX-License-Identifier: Apache-2.0
+ *
+ * The hits of tests/hard come first.
  */
+#include <vector>
+
 #include "Vrt_bounce.h"
 #include "bench.h"
+#include "hard.h"
 
 extern "C" {
 #include "shade/surface.h"
@@ -16,6 +21,7 @@ const struct sph_profile profile = {PROFILE, WD - 1, WD, WD, 2, 12};
 struct Vector {
     int64_t dir[3], normal[3];
     uint64_t tag, taken;
+    hard::Case hard{};
 };
 
 constexpr int64_t MAX = ((int64_t)1 << (WD - 1)) - 1, MIN = -MAX - 1;
@@ -98,11 +104,24 @@ int main(int argc, char **argv) {
         b.expect("out_dir_x_o", b.sget(b.dut.out_dir_x_o, WD), out[0], WD);
         b.expect("out_dir_y_o", b.sget(b.dut.out_dir_y_o, WD), out[1], WD);
         b.expect("out_dir_z_o", b.sget(b.dut.out_dir_z_o, WD), out[2], WD);
+        if (b.bad()) e.hard.show();
         for (int i = 0; i < 3 && b.bad(); i++) {
             b.show("in_dir_i", e.dir[i], WD);
             b.show("in_normal_i", e.normal[i], WD);
         }
     };
-    b.stream(corners, make, TAG, LATENCY, INTERVAL, send, check);
+    std::vector<Vector> directed(std::begin(corners), std::end(corners));
+    hard::Source source(
+        b.seed, [](const sph_profile &p) { return p.wd == WD; },
+        [](const hard::Case &c) { return c.mirrors; });
+    for (Vector v{}; source.next(v.hard);) {
+        for (int i = 0; i < 3; i++) {
+            v.dir[i] = v.hard.dir[i];
+            v.normal[i] = v.hard.normal[i];
+        }
+        directed.push_back(v);
+    }
+    source.report(b);
+    b.stream(directed, make, TAG, LATENCY, INTERVAL, send, check);
     return b.finish();
 }

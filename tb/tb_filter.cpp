@@ -1,15 +1,17 @@
 /* tb_filter.cpp - rt_filter against sph_filter(), and against the exact leaf test
  * SPDX-License-Identifier: Apache-2.0
  *
- * Half of the vectors are filter operands: ends, then spheres whose radius is next to the distance
- * of the ray. The other half are exact rays and spheres of W bits: whenever sph_leaf_test() hits,
- * the filter on the sphere's child (smallest radius that holds it, plus the margin) must pass.
+ * The cases of tests/hard come first. Half of the others are filter operands: ends, then spheres
+ * whose radius is next to the distance of the ray; half are exact rays and spheres of W bits.
+ * Whenever sph_leaf_test() hits an exact sphere, the filter on the sphere's child (smallest radius
+ * that holds it, plus the margin) must pass.
  */
 #include <algorithm>
 #include <cmath>
 #include <deque>
 #include "Vrt_filter.h"
 #include "bench.h"
+#include "hard.h"
 extern "C" {
 #include "build/bound.h"
 #include "machine/layout.h"
@@ -33,6 +35,7 @@ struct Vector {
     int32_t depth_max = 0;
     bool exact = false, must_pass = false;
     sph_leaf leaf{};
+    hard::Case hard;
 };
 
 int64_t clamp(int64_t x, int64_t low, int64_t high) {
@@ -56,15 +59,22 @@ double filter_distance(const Vector &v) {
 
 class Source {
   public:
-    explicit Source(bench::Random &r) : random(r) {}
-
+    hard::Source hard;
     long hits = 0;
     double margin = -1e9; /* most of SPH_FILTER_MARGIN that a hit has used */
+
+    Source(bench::Random &r, uint64_t seed)
+        : hard(
+              seed, [](const sph_profile &p) { return p.w == W && p.wd == WD && p.fw == FW; },
+              [](const hard::Case &c) { return c.is_ray; }),
+          random(r) {}
 
     Vector next() {
         Vector v;
         if (count < 64 * 6)
             ends(v, count++);
+        else if (from_tests(v))
+            around(v, v.hard.ray.inside);
         else if (random.percent(50))
             operands(v);
         else
@@ -75,6 +85,14 @@ class Source {
   private:
     bench::Random &random;
     unsigned count = 0;
+
+    bool from_tests(Vector &v) {
+        if (!hard.next(v.hard)) return false;
+        v.ray = v.hard.ray;
+        v.leaf = v.hard.leaf;
+        v.exact = true;
+        return true;
+    }
 
     /* All of org and ctr at an end, u along each axis: the longest cross products and depths. */
     void ends(Vector &v, unsigned n) {
@@ -181,6 +199,13 @@ class Source {
                 sum += std::pow((double)(s.ctr[i] - ray.org[i]), 2);
             if (std::fabs(std::sqrt(sum) - (double)s.rad) < 1) ray.skip = {s.id, 1};
         }
+        around(v, random.percent(50));
+    }
+
+    /* The child around the exact sphere; its own key, if wanted, as the best so far. */
+    void around(Vector &v, bool own_key) {
+        const sph_leaf &s = v.leaf;
+        sph_ray &ray = v.ray;
         sph_ray_setup(&profile, &ray);
         sph_ball ball = {{(int32_t)s.ctr[0], (int32_t)s.ctr[1], (int32_t)s.ctr[2]}, (int32_t)s.rad};
         sph_ball held = sph_filter_leaf(&ball, &profile);
@@ -193,11 +218,11 @@ class Source {
             return;
         }
         sph_leaf_result r = sph_leaf_test(&ray, &s);
-        if (!r.hit) return;
+        if (!r.hit || (v.hard.given && ray.skip.id == s.id)) return; /* docs/filter.md */
         hits++;
         v.must_pass = true;
         margin = std::max(margin, filter_distance(v) - held.r);
-        if (ray.kind != SPH_SHADOW && random.percent(50)) { /* its own key as the best so far */
+        if (ray.kind != SPH_SHADOW && own_key) {
             uint64_t roots = 0;
             v.depth_max = sph_ray_depth(&profile, &ray, sph_leaf_key(&r, &roots));
         }
@@ -208,7 +233,7 @@ class Source {
 
 int main(int argc, char **argv) {
     bench::Bench<Vrt_filter> b("tb_filter", argc, argv, 300000);
-    Source source(b.random);
+    Source source(b.random, b.seed);
     std::deque<Vector> sent;
     Vrt_filter &t = b.dut;
     while (b.more()) {
@@ -237,6 +262,7 @@ int main(int argc, char **argv) {
         b.expect("out_near_o", b.sget(t.out_near_o, 16), near, 16);
         if (s.must_pass) b.expect("out_pass_o, the exact test hits", t.out_pass_o, 1, 1);
         if (b.bad()) {
+            s.hard.show();
             static const char *names[4][3] = {{"in_org_x_i", "in_org_y_i", "in_org_z_i"},
                                               {"in_u_x_i", "in_u_y_i", "in_u_z_i"},
                                               {"in_ctr_x_i", "in_ctr_y_i", "in_ctr_z_i"},
@@ -262,6 +288,7 @@ int main(int argc, char **argv) {
         }
         b.done();
     }
+    source.hard.report(b);
     printf("# %ld exact hits, used %.3f of the margin %d\n", source.hits, source.margin,
            SPH_FILTER_MARGIN);
     return b.finish();

@@ -1,10 +1,14 @@
 /* tb_hit.cpp - rt_hit, and rt_normalise inside it, against sph_surface_at()
  * SPDX-License-Identifier: Apache-2.0
  *
- * Vectors are keys and a, so that every quotient is one that sph_quotient() can give.
+ * The hits of tests/hard come first. Vectors are keys and a, so that every quotient is one that
+ * sph_quotient() can give.
  */
+#include <vector>
+
 #include "Vrt_hit.h"
 #include "bench.h"
+#include "hard.h"
 
 extern "C" {
 #include "math/quotient.h"
@@ -21,6 +25,7 @@ struct Vector {
     int64_t org[3], dir[3], ctr[3];
     int far;
     uint64_t tag, taken;
+    hard::Case hard{};
 };
 
 constexpr int64_t MAX = ((int64_t)1 << (W - 1)) - 1, MIN = -MAX - 1;     /* coordinate */
@@ -140,6 +145,7 @@ int main(int argc, char **argv) {
         b.expect("out_normal_z_o", b.sget(b.dut.out_normal_z_o, WD), s.normal[2], WD);
         b.expect("out_saturated_o", b.dut.out_saturated_o, saturated, 1);
         if (b.bad()) {
+            e.hard.show();
             b.show("key", e.key, W + WD + 2);
             b.show("a", e.a, 2 * WD);
             b.show("in_mant_i", quotient(e).mant, PQ);
@@ -152,6 +158,23 @@ int main(int argc, char **argv) {
             b.show("in_ctr_i", e.ctr[i], W);
         }
     };
-    b.stream(corners, make, TAG, LATENCY, INTERVAL, send, check);
+    std::vector<Vector> directed(std::begin(corners), std::end(corners));
+    hard::Source source(
+        b.seed,
+        [](const sph_profile &p) { return p.w == W && p.wd == WD && p.pq == PQ && p.ng == NG; },
+        [](const hard::Case &c) { return c.is_ray && c.key; });
+    for (Vector v{}; source.next(v.hard);) {
+        v.key = v.hard.key;
+        v.a = v.hard.a;
+        v.far = v.hard.result.far;
+        for (int i = 0; i < 3; i++) {
+            v.org[i] = v.hard.ray.org[i];
+            v.dir[i] = v.hard.ray.dir[i];
+            v.ctr[i] = v.hard.leaf.ctr[i];
+        }
+        directed.push_back(v);
+    }
+    source.report(b);
+    b.stream(directed, make, TAG, LATENCY, INTERVAL, send, check);
     return b.finish();
 }

@@ -1,8 +1,11 @@
 /* tb_isqrt.cpp - rt_isqrt against sph_isqrt()
  * SPDX-License-Identifier: Apache-2.0
+ *
+ * The roots of the hits of tests/hard come first.
  */
 #include "Vrt_isqrt.h"
 #include "bench.h"
+#include "hard.h"
 extern "C" {
 #include "math/isqrt.h"
 }
@@ -38,6 +41,10 @@ u128 radicand(bench::Random &r, long n) {
 int main(int argc, char **argv) {
     bench::Bench<Vrt_isqrt> b("tb_isqrt", argc, argv, 200000);
     Vrt_isqrt &t = b.dut;
+    hard::Source source(
+        b.seed, [](const sph_profile &p) { return 2 * (p.w + p.wd) == XW; },
+        [](const hard::Case &c) { return c.disc && !(c.disc >> XW); });
+    hard::Case hard, hard_inside;
     u128 x = 0, inside = 0;
     bool offered = false;
     unsigned gaps = 0, stalls = 0;
@@ -49,7 +56,9 @@ int main(int argc, char **argv) {
             gaps = (unsigned)b.random.below(3) * 30;
             stalls = (unsigned)b.random.below(3) * 40;
         }
-        if (!offered && (offered = !b.random.percent(gaps))) x = radicand(b.random, sent++);
+        if (!offered && (offered = !b.random.percent(gaps))) {
+            x = source.next(hard) ? hard.disc : radicand(b.random, sent++);
+        }
         t.in_valid_i = offered;
         b.set(t.in_x_i, XW, (bench::i128)x);
         t.out_ready_i = !b.random.percent(stalls);
@@ -60,15 +69,17 @@ int main(int argc, char **argv) {
             if (b.vectors == taken) b.fail("a result that nobody asked for");
             b.expect("out_root_o", (bench::i128)b.get(t.out_root_o), (bench::i128)root, XW / 2);
             b.expect("out_inexact_o", t.out_inexact_o, inexact, 1);
-            if (b.bad()) b.show("in_x_i", (bench::i128)inside, XW);
+            if (b.bad()) hard_inside.show(), b.show("in_x_i", (bench::i128)inside, XW);
             if (t.out_ready_i) b.done();
         }
         if (offered && t.in_ready_o) {
             inside = x;
+            hard_inside = hard;
             offered = false;
             taken++;
         }
         b.tick();
     }
+    source.report(b);
     return b.finish();
 }

@@ -2,13 +2,15 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * The first vectors are the 2^9 patterns of least and greatest operands with the radii 0, 1 and
- * greatest; then families of hard cases in turn (`family`), each with its reason. The switch of
- * INSIDE changes while the pipeline is empty; what is not elaborated gets inputs all the same.
+ * greatest; then the cases of tests/hard; then families like them in turn (`family`), by reason.
+ * The switch of INSIDE changes while the pipeline is empty; what is not elaborated gets inputs all
+ * the same.
  */
 #include <cmath>
 #include <deque>
 #include "Vrt_leaf.h"
 #include "bench.h"
+#include "hard.h"
 extern "C" {
 #include "trace/leaf.h"
 }
@@ -25,6 +27,7 @@ struct Vector {
     unsigned tag = 0;
     int family = 0;
     bool shadow = false; /* the port; a shadow ray only if they are elaborated */
+    hard::Case hard;
 };
 
 int64_t clamp(int64_t x, int64_t low, int64_t high) {
@@ -33,7 +36,13 @@ int64_t clamp(int64_t x, int64_t low, int64_t high) {
 
 class Source {
   public:
-    explicit Source(bench::Random &r) : random(r) {}
+    hard::Source hard;
+
+    Source(bench::Random &r, uint64_t seed)
+        : hard(
+              seed, [](const sph_profile &p) { return p.w == W && p.wd == WD; },
+              [](const hard::Case &c) { return c.is_ray; }),
+          random(r) {}
 
     Vector next() {
         Vector v;
@@ -44,6 +53,8 @@ class Source {
         v.tag = (unsigned)random.bits(TAG);
         if (count < 3 * 512 * 2)
             v.family = 0, extremes(v, count++);
+        else if (from_tests(v))
+            v.family = -1;
         else
             v.family = 1 + (int)random.below(14), fill(v);
         const int64_t *d = v.ray.dir;
@@ -59,6 +70,13 @@ class Source {
 
     int64_t coord() { return random.between(C_MIN, C_MAX); }
     int64_t sgn(int64_t x) { return random.percent(50) ? x : -x; }
+
+    bool from_tests(Vector &v) {
+        if (!hard.next(v.hard)) return false;
+        v.ray = v.hard.ray;
+        v.leaf = v.hard.leaf;
+        return true;
+    }
 
     /* 24, 25: all operands at an end: no wrap error, disc at its least and greatest. */
     void extremes(Vector &v, unsigned n) {
@@ -284,7 +302,7 @@ class Source {
 
 int main(int argc, char **argv) {
     bench::Bench<Vrt_leaf> b("tb_leaf", argc, argv, 300000);
-    Source source(b.random);
+    Source source(b.random, b.seed);
     std::deque<Vector> sent;
     Vector v = source.next();
     bool offered = false;
@@ -299,8 +317,9 @@ int main(int argc, char **argv) {
             gaps = (unsigned)b.random.below(3) * 30; /* 0: back to back */
             change = true;
         }
+        if (v.hard.given && !offered) change = v.hard.ray.inside != t.inside_on_i;
         if (change && !offered && sent.empty()) {
-            t.inside_on_i = b.random.percent(50);
+            t.inside_on_i = v.hard.given ? v.hard.ray.inside != 0 : b.random.percent(50);
             change = false;
         }
         if (!offered && !change) offered = !b.random.percent(gaps);
@@ -352,6 +371,7 @@ int main(int argc, char **argv) {
                                               {"in_org_x_i", "in_org_y_i", "in_org_z_i"},
                                               {"in_dir_x_i", "in_dir_y_i", "in_dir_z_i"}};
             printf("# inputs, family %d\n", s.family);
+            s.hard.show();
             for (int i = 0; i < 3; i++)
                 b.show(names[0][i], s.leaf.ctr[i], W);
             b.show("in_rad_i", s.leaf.rad, W);
@@ -370,6 +390,7 @@ int main(int argc, char **argv) {
         }
         b.done();
     }
+    source.hard.report(b);
     if (b.vectors > 50000 && !refused) b.fail("no origin inside a sphere with INSIDE off");
     return b.finish();
 }

@@ -1,8 +1,11 @@
 /* tb_quotient.cpp - rt_quotient against sph_quotient()
  * SPDX-License-Identifier: Apache-2.0
+ *
+ * The quotients of the hits of tests/hard come first.
  */
 #include "Vrt_quotient.h"
 #include "bench.h"
+#include "hard.h"
 extern "C" {
 #include "math/quotient.h"
 }
@@ -54,6 +57,11 @@ Operands operands(bench::Random &r, long n) {
 int main(int argc, char **argv) {
     bench::Bench<Vrt_quotient> b("tb_quotient", argc, argv, 200000);
     Vrt_quotient &t = b.dut;
+    hard::Source source(
+        b.seed,
+        [](const sph_profile &p) { return p.w + p.wd + 2 == KW && 2 * p.wd == AW && p.pq == PQ; },
+        [](const hard::Case &c) { return c.key != 0; });
+    hard::Case hard, hard_inside;
     Operands o = {1, 1}, inside = o;
     bool offered = false;
     unsigned gaps = 0, stalls = 0;
@@ -65,7 +73,9 @@ int main(int argc, char **argv) {
             gaps = (unsigned)b.random.below(3) * 30;
             stalls = (unsigned)b.random.below(3) * 40;
         }
-        if (!offered && (offered = !b.random.percent(gaps))) o = operands(b.random, sent++);
+        if (!offered && (offered = !b.random.percent(gaps))) {
+            o = source.next(hard) ? Operands{hard.key, hard.a} : operands(b.random, sent++);
+        }
         t.in_valid_i = offered;
         b.set(t.in_key_i, KW, (bench::i128)o.key);
         b.set(t.in_a_i, AW, (bench::i128)o.a);
@@ -77,6 +87,7 @@ int main(int argc, char **argv) {
             b.expect("out_mant_o", (bench::i128)b.get(t.out_mant_o), q.mant, PQ);
             b.expect("out_exp_o", b.sget(t.out_exp_o, 8), q.exp, 8);
             if (b.bad()) {
+                hard_inside.show();
                 b.show("in_key_i", (bench::i128)inside.key, KW);
                 b.show("in_a_i", (bench::i128)inside.a, AW);
             }
@@ -84,10 +95,12 @@ int main(int argc, char **argv) {
         }
         if (offered && t.in_ready_o) {
             inside = o;
+            hard_inside = hard;
             offered = false;
             taken++;
         }
         b.tick();
     }
+    source.report(b);
     return b.finish();
 }

@@ -1,11 +1,14 @@
 /* tb_root_pool.cpp - rt_root_pool, and rt_isqrt inside it, against sph_leaf_key()
  * SPDX-License-Identifier: Apache-2.0
  *
- * Results leave in any order: each is looked up by its tag, and every tag comes back once. Without
- * INSIDE in_far_i must not matter.
+ * The hits of tests/hard come first. Results leave in any order: each is looked up by its tag, and
+ * every tag comes back once. Without INSIDE in_far_i must not matter.
  */
+#include <vector>
+
 #include "Vrt_root_pool.h"
 #include "bench.h"
+#include "hard.h"
 
 extern "C" {
 #include "math/isqrt.h"
@@ -25,6 +28,7 @@ struct Vector {
     i128 disc;
     int64_t b;
     int far;
+    hard::Case hard{};
 };
 
 const Vector corners[] = {
@@ -49,7 +53,6 @@ const Vector corners[] = {
     {(RMAX / 3) * (RMAX / 3), BMAX, 0},      /* alternating bits in the root */
     {(RMAX / 3 * 2) * (RMAX / 3 * 2), 2, 1}, /* the other ones */
 };
-constexpr size_t CORNERS = sizeof corners / sizeof *corners;
 
 Vector make(bench::Random &random) {
     Vector v{};
@@ -79,6 +82,17 @@ Vector make(bench::Random &random) {
 
 int main(int argc, char **argv) {
     bench::Bench<Vrt_root_pool> b("tb_root_pool", argc, argv, 100000);
+    std::vector<Vector> directed(std::begin(corners), std::end(corners));
+    hard::Source source(
+        b.seed, [](const sph_profile &p) { return p.w == W && p.wd == WD; },
+        [](const hard::Case &c) { return c.is_ray && c.disc && c.key; });
+    for (Vector d{}; source.next(d.hard);) {
+        d.disc = (i128)d.hard.disc;
+        d.b = d.hard.result.b;
+        d.far = d.hard.result.far;
+        directed.push_back(d);
+    }
+    source.report(b);
     constexpr int TAGS = 1 << TAG;
     Vector sent[TAGS] = {}, v{};
     bool waits[TAGS] = {};
@@ -93,7 +107,7 @@ int main(int argc, char **argv) {
             busy = (unsigned)b.random.below(3) * 48;
         }
         if (!b.dut.in_valid_i) { /* without valid: inputs that must not matter */
-            v = corner < CORNERS ? corners[corner] : make(b.random);
+            v = corner < directed.size() ? directed[corner] : make(b.random);
             do
                 tag = (int)b.random.below(TAGS);
             while (waits[tag]);
@@ -128,6 +142,7 @@ int main(int argc, char **argv) {
                      (i128)bench::low(sph_leaf_key(&r, &roots), KW), KW);
             b.expect("out_far_o", b.dut.out_far_o, r.far, 1);
             if (b.bad()) {
+                e.hard.show();
                 b.show("tag", at, TAG);
                 b.show("in_disc_i", e.disc, XW);
                 b.show("in_b_i", e.b, KW);

@@ -3,9 +3,9 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # Every scene of scenes/ in every profile: three colours, id, key and visits of each pixel, and the
-# counters; with random memory latency and 30 % stalls on every handshake. Then EFFECTS at run time,
-# two engines, and machines that are broken on purpose. Cores with less than everything:
-# test_effect_scenes.sh.
+# counters; with random memory latency and 30 % stalls on every handshake. Then the scenes of
+# tests/hard, EFFECTS at run time, two engines, and machines that are broken on purpose. Cores with
+# less than everything: test_effect_scenes.sh.
 #   SEED=n        other latencies and stalls (1)
 #   CORE=pattern  only the runs whose name has the pattern in it
 set -u
@@ -59,6 +59,23 @@ done
 frames verilator 32x24 draft standard fine reference
 frames icarus 32x24 draft
 frames icarus 16x12 standard fine reference
+
+# Hard cases that are scenes; the one of two equal spheres is refused.
+hard=$machines/hard
+rm -rf "$hard"
+mkdir -p "$hard"
+for scene in tests/hard/scenes/*.nff; do
+    scene_name=$(basename "$scene" .nff)
+    for profile in draft standard fine reference; do
+        file=$hard/$scene_name-$profile.sph
+        "$SPHAERA" build "$scene" --profile $profile --size 16x12 -o "$file" >"$TMP/build" 2>&1 || {
+            check "hard case $scene_name $profile: refused" grep 'the same sphere' "$TMP/build"
+            continue
+        }
+        wanted "verilator hard case $scene_name $profile" all SIM=verilator "$file"
+        [ $profile != draft ] || wanted "icarus hard case $scene_name" all SIM=icarus "$file"
+    done
+done
 
 # Bits of EFFECTS: 1 shadow, 2 reflect, 4 inside, 8 first, 16 interpenetrate. The paper's tree puts
 # spheres into any order, so its first hit is often not the nearest, and pixels start again.

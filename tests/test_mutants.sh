@@ -43,12 +43,13 @@ job() {
     } <"$1"
     here=$1.dir NEW=$1.new
     export FROM TO NEW
-    mkdir -p "$here/build/sim"
+    mkdir -p "$here/build/sim" "$here/build/test"
     cp -r "$TMP/rtl" "$here/rtl"
     [ "$file" = - ] || edit "$here/rtl/$file" || return 2
     # what is the same for all counts as built
     cp -al "$BUILD/sim/obj" "$BUILD/sim/tb_core_icarus" "$here/build/sim/"
     cp -al "$BUILD/libsphaera.a" "$BUILD/obj" "$BUILD/flags" "$BUILD/sources" "$here/build/"
+    cp -al "$BUILD/test/obj" "$BUILD/test/libhard.a" "$here/build/test/"
     # shellcheck disable=SC2086  # a list of words on purpose
     $by >"$1.out" 2>&1
     rc=$?

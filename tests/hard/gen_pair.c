@@ -99,7 +99,8 @@ void gen_quotient(struct sph_rng *rng, const struct sph_profile *p, struct hard_
         c->ray.dir[i] = diagonal || i == axis ? length : 0;
         if (diagonal && gen_one_in(rng, 2)) c->ray.dir[i] = -end; /* a greatest, if all three */
         int64_t way = c->ray.dir[i] < 0 ? -1 : c->ray.dir[i] > 0;
-        c->ray.org[i] = -way * vec_pick(rng, 0, 1) - way * (half - 1 - vec_pick(rng, 0, 3));
+        int64_t org = -way * vec_pick(rng, 0, 1) - way * (half - 1 - vec_pick(rng, 0, 3));
+        c->ray.org[i] = gen_clamp(p, org);
         s->ctr[i] = gen_clamp(p, c->ray.org[i] + way * steps);
     }
     s->rad = gen_one_in(rng, 2) ? vec_pick(rng, 1, steps) : gen_log(rng, p->w - 1);

@@ -23,6 +23,10 @@ $B/test/hard: $(HARD_C:%.c=$B/test/obj/%.o) $B/obj/cmodel/tool/progress.o $(LIB)
 	$(call say,LD,$(@F))
 	$(Q)$(CC) -fopenmp $^ $(HARD_LIBS) -o $@
 
+# For benches of the RTL (tb/hard.h): what they do not call is not linked.
+$B/test/libhard.a: $(patsubst %.c,$B/test/obj/%.o,$(filter-out %/main.c %/report.c \
+                     %/campaign.c %/campaign_state.c,$(HARD_C)))
+
 $B/test/asan/%.o: %.c $B/flags
 	$(call say,CC,"$(<F) sanitized")
 	@mkdir -p $(@D)
@@ -35,5 +39,6 @@ $B/test/hard.sanitized: $(HARD_C:%.c=$B/test/asan/%.o) $B/asan/obj/cmodel/tool/p
 
 # the suite runs both
 tests/test_hard.sh: | $B/test/hard $B/test/hard.sanitized
+tests/test_benches.sh tests/test_mutants.sh: | $B/test/libhard.a
 
 -include $(HARD_C:%.c=$B/test/obj/%.d) $(HARD_C:%.c=$B/test/asan/%.d)

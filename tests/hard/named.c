@@ -24,7 +24,7 @@ struct hard_case vector(const int64_t org[3], const int64_t dir[3], const int64_
 
 void require(struct named *n, int holds, const char *format, ...) {
     va_list args;
-    if (holds || n->wrong++ > 3) return;
+    if (holds || n->list || n->wrong++ > 3) return;
     va_start(args, format);
     fprintf(n->out, "  %s: ", n->p->name);
     vfprintf(n->out, format, args);
@@ -61,6 +61,10 @@ void expect(struct named *n, struct hard_case c, int outcome, uint64_t key) {
     static const char *const names[] = {"", "miss", "near", "far", "exit"};
     for (int i = 0; i < 3; i++, turn_case(&c)) {
         FILE *say = n->wrong > 3 ? NULL : n->out;
+        if (n->list) {
+            hard_list_add(n->list, (struct hard_item){.what = HARD_RAY, .c = c});
+            continue;
+        }
         in_range(n, &c);
         n->wrong += hard_check(n->p, &c, 1, &n->tally, say);
         struct hard_case off = c;
@@ -126,6 +130,7 @@ static uint64_t key_of(const struct exact *e) {
 
 void expect_first(struct named *n, struct hard_case c, int winner) {
     expect(n, c, ORACLE, 0);
+    if (n->list) return;
     struct exact e[2] = {exact_leaf(&c.ray, &c.sphere[0]), exact_leaf(&c.ray, &c.sphere[1])};
     uint64_t key[2] = {key_of(&e[0]), key_of(&e[1])};
     if (winner < 0)
@@ -155,6 +160,15 @@ void expect_first(struct named *n, struct hard_case c, int winner) {
     }
 }
 
+struct named hard_named_start(int profile) {
+    const struct sph_profile *p = &sph_profiles[profile];
+    return (struct named){.p = p,
+                          .profile = profile,
+                          .half = gen_half(p),
+                          .most = (1ll << (p->wd - 1)) - 1,
+                          .scale = 1ll << (p->w - 12)};
+}
+
 int hard_named_run(int number, const char *scenes, FILE *out) {
     int failed = 0, count = number ? 1 : hard_n_named;
     fprintf(out, "1..%d\n", count);
@@ -167,14 +181,9 @@ int hard_named_run(int number, const char *scenes, FILE *out) {
         FILE *lines = open_memstream(&text, &size);
         if (!lines) return 1;
         for (int profile = 0; profile < SPH_PROFILES; profile++) {
-            const struct sph_profile *p = &sph_profiles[profile];
-            struct named n = {.p = p,
-                              .profile = profile,
-                              .half = gen_half(p),
-                              .most = (1ll << (p->wd - 1)) - 1,
-                              .scale = 1ll << (p->w - 12),
-                              .scenes = scenes,
-                              .out = lines};
+            struct named n = hard_named_start(profile);
+            n.scenes = scenes;
+            n.out = lines;
             hard_named[i].run(&n);
             wrong += n.wrong + !n.vectors;
             vectors += n.vectors;

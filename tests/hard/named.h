@@ -6,6 +6,7 @@
 
 #include "gen.h"
 #include "hard.h"
+#include "list.h"
 
 /* A run of one named case in one profile. */
 struct named {
@@ -15,7 +16,8 @@ struct named {
     struct hard_tally tally;
     uint64_t vectors;
     int wrong;
-    const char *scenes; /* folder */
+    const char *scenes;     /* folder */
+    struct hard_list *list; /* vectors are added here and not judged; NULL: judged */
     FILE *out;
 };
 
@@ -28,6 +30,9 @@ struct hard_named {
 };
 extern const struct hard_named hard_named[];
 extern const int hard_n_named;
+
+/* A run that has not begun. */
+struct named hard_named_start(int profile);
 
 /* A primary ray and a sphere. */
 struct hard_case vector(const int64_t org[3], const int64_t dir[3], const int64_t ctr[3],

@@ -12,6 +12,7 @@
 static void check_root(struct named *n, sph_u128 x) {
     int inexact;
     uint64_t s = sph_isqrt(x, &inexact);
+    if (n->list) hard_list_add(n->list, (struct hard_item){.what = HARD_ROOT, .x = x});
     require(n, (sph_u128)s * s <= x && x < (sph_u128)(s + 1) * (s + 1),
             "root of %lu * 2^64 + %lu is %lu", (uint64_t)(x >> 64), (uint64_t)x, s);
     require(n, inexact == ((sph_u128)s * s != x), "inexact of root %lu", s);
@@ -41,6 +42,8 @@ static void check_quotient(struct named *n, uint64_t key, uint64_t a) {
     const struct sph_profile *p = n->p;
     if (!key || key >> (p->w + p->wd + 2)) return;
     struct sph_quotient q = sph_quotient(key, p->w + p->wd + 2, a, 2 * p->wd, p->pq);
+    struct hard_item item = {.what = HARD_QUOTIENT_OF, .key = key, .a = a};
+    if (n->list) hard_list_add(n->list, item);
     require(n, exact_is_quotient(p, key, a, &q), "%lu / %lu is %u * 2^-%d", key, a, q.mant, q.exp);
     n->vectors++;
 }
@@ -113,12 +116,16 @@ void named_grazed(struct named *n) {
         int64_t u[3], v[3], w[3], out[3], same[3];
         int64_t length = gen_frame(&rng, 1ll << (n->p->wd / 2 - 2), u, v, w);
         struct sph_surface s = {.nn = 0};
+        struct hard_item item = {.what = HARD_MIRROR};
         sph_i128 big[3];
         for (int j = 0; j < 3; j++) {
             s.normal[j] = v[j];
             s.nn += (uint64_t)(v[j] * v[j]);
             big[j] = (sph_i128)u[j] * length * length;
+            item.dir[j] = u[j];
+            item.normal[j] = v[j];
         }
+        if (n->list) hard_list_add(n->list, item);
         sph_bounce(n->p, u, &s, out);
         exact_normalise(big, n->p->wd, same);
         require(n, !memcmp(out, same, sizeof out), "a grazing ray is turned");

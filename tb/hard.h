@@ -1,0 +1,173 @@
+/* hard.h - the hard cases of tests/hard as vectors of the benches
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * First the named cases, then EACH generated ones of every family, as docs/hard_cases.md lists
+ * them. Those that have the effect INSIDE off come behind all others, and the named ones with them
+ * once more, so that a bench has to switch but once.
+ *
+ *     hard::Source hard(
+ *         b.seed, [](const sph_profile &p) { return p.w == W && p.wd == WD; },
+ *         [](const hard::Case &c) { return c.is_ray; });     // what the unit takes
+ *     hard::Case c;
+ *     while (hard.next(c)) ...                    // never, if these are the words of no profile
+ *     if (b.bad()) c.show();                      // its name, or the command that repeats it
+ *     hard.report(b);                             // their number; fails if some were left over
+ */
+#ifndef SPH_TB_HARD_H
+#define SPH_TB_HARD_H
+
+#include <cstring>
+#include <memory>
+
+#include "bench.h"
+extern "C" {
+#include "shade/surface.h"
+#include "tests/hard/list.h"
+#include "trace/leaf.h"
+#include "trace/ray.h"
+}
+
+namespace hard {
+
+constexpr uint64_t EACH = 2000;
+
+/* What of a case a unit takes is there if it is not 0: disc, key, and dir with a normal. */
+struct Case {
+    int named = 0, family = 0, profile = 0;
+    uint64_t seed = 0, number = 0;
+    bool given = false, is_ray = false;
+    sph_ray ray{}; /* is_ray: set up */
+    sph_leaf leaf{};
+    sph_leaf_result result{}; /* is_ray: of the model */
+    bench::u128 disc = 0;     /* radicand */
+    uint64_t key = 0, a = 0;  /* quotient; is_ray: of the hit */
+    int64_t dir[3] = {}, normal[3] = {};
+    bool mirrors = false; /* dir and normal are there */
+
+    void show() const {
+        if (named)
+            printf("#   named case %d, %s: build/test/hard --named=%d\n", named,
+                   hard_named_name(named), named);
+        else if (given)
+            printf("#   build/test/hard --seed %llu --case %s:%s:%llu\n", (unsigned long long)seed,
+                   hard_families[family].name, sph_profiles[profile].name,
+                   (unsigned long long)number);
+    }
+};
+
+class Source {
+  public:
+    /* The profile is the first that the words of the bench belong to. */
+    Source(uint64_t s, bool (*fits)(const sph_profile &), bool (*takes)(const Case &))
+        : seed(s), wanted(takes) {
+        while (profile < SPH_PROFILES && !fits(sph_profiles[profile]))
+            profile++;
+        if (profile < SPH_PROFILES) list = hard_list_named(profile);
+        items.reset(list.items);
+    }
+
+    bool next(Case &c) {
+        c = {};
+        while (sphere < waiting.n || fetch()) {
+            Case made = make(sphere++);
+            if (!wanted(made)) continue;
+            (made.named ? named : generated)++;
+            c = made;
+            return true;
+        }
+        return false;
+    }
+
+    template <class Bench> void report(Bench &b) {
+        Case left;
+        if (profile == SPH_PROFILES) return;
+        if (b.vectors == b.target && b.all_vectors && next(left)) {
+            left.show();
+            b.fail("not all hard cases were driven");
+        }
+        printf("# vectors of hard cases: %ld named, %ld generated\n", named, generated);
+    }
+
+  private:
+    struct Free {
+        void operator()(hard_item *p) const { free(p); }
+    };
+    uint64_t seed, number = 0;
+    bool (*wanted)(const Case &);
+    int profile = 0, family = 0, sphere = 0;
+    bool outside = false; /* second round: INSIDE off */
+    size_t at = 0;
+    hard_list list{};
+    std::unique_ptr<hard_item, Free> items;
+    hard_case waiting{};
+    hard_item item{};
+    long named = 0, generated = 0;
+
+    /* The next case of one or two spheres. */
+    bool fetch() {
+        sphere = waiting.n = 0;
+        if (profile == SPH_PROFILES) return false;
+        while (at < list.n) {
+            item = items.get()[at++];
+            waiting = item.c;
+            if (item.what != HARD_RAY) waiting.n = !outside;
+            if (outside) waiting.ray.inside = 0;
+            if (waiting.n) return true;
+        }
+        item = {};
+        do {
+            if (number == EACH) family++, number = 0;
+            if (family == HARD_FAMILIES) {
+                waiting.n = 0;
+                if (outside) return false;
+                outside = true;
+                family = 0;
+                at = 0;
+                return fetch();
+            }
+            hard_make(seed, family, profile, number++, &waiting);
+        } while (waiting.ray.inside == outside);
+        return true;
+    }
+
+    Case make(int which) {
+        const sph_profile &p = sph_profiles[profile];
+        Case c;
+        c.given = true;
+        c.named = item.named;
+        c.family = family;
+        c.profile = profile;
+        c.seed = seed;
+        c.number = number - 1;
+        c.disc = item.x;
+        c.key = item.key;
+        c.a = item.a;
+        c.mirrors = item.what == HARD_MIRROR;
+        memcpy(c.dir, item.dir, sizeof c.dir);
+        memcpy(c.normal, item.normal, sizeof c.normal);
+        if (item.what != HARD_RAY) return c;
+
+        uint64_t roots = 0;
+        sph_surface s;
+        c.is_ray = true;
+        c.ray = waiting.ray;
+        c.leaf = waiting.sphere[which];
+        sph_ray_setup(&p, &c.ray);
+        c.result = sph_leaf_test(&c.ray, &c.leaf);
+        c.a = c.ray.a;
+        if (!c.result.hit) return c;
+        if (c.result.disc > 0) c.disc = (bench::u128)c.result.disc;
+        if (c.ray.kind == SPH_SHADOW || !c.a || (!c.result.exit && c.result.disc <= 0)) return c;
+        c.key = sph_leaf_key(&c.result, &roots);
+        sph_hit hit = {c.key, c.leaf.id, c.result.far};
+        sph_surface_at(&p, &c.ray, &hit, &c.leaf, &s);
+        c.mirrors = true;
+        memcpy(c.dir, c.ray.dir, sizeof c.dir);
+        memcpy(c.normal, s.normal, sizeof c.normal);
+        return c;
+    }
+};
+
+} // namespace hard
+
+#endif
