@@ -5,7 +5,7 @@
 #   prove.sh [PATTERN]   only proofs whose name has the pattern in it; quick: the quick ones
 #   RTL=folder           of the Verilog files (rtl); BUILD=folder for what is written (build)
 #   NICE=command         before every yosys and z3 (nice)
-# Exit 0: all proved. 1: some are not. 2: some cannot be built.
+# Exit 0: all proved. 1: some fail. 2: some cannot be built, or have no verdict.
 set -u
 cd "$(dirname "$0")/.." || exit 2
 pattern=${1:-} RTL=${RTL:-rtl} BUILD=${BUILD:-build} NICE=${NICE:-nice}
@@ -27,9 +27,13 @@ prove() { # name, top, parameters, files of rtl, files of formal, depth
         async2sync; opt_clean; dffunmap; opt_clean; check -assert;
         write_smt2 -wires $out.smt2" >"$out.log" 2>&1 || { verdict=error; return; }
     verdict=proved
-    $NICE yosys-smtbmc -s z3 --presat -t $(($6 + 1)) "$out.smt2" >>"$out.log" 2>&1 ||
-        { verdict="fails within $(($6 + 1)) clocks"; return; }
-    $NICE yosys-smtbmc -s z3 -i -t "$6" "$out.smt2" >>"$out.log" 2>&1 || verdict="step fails"
+    if ! $NICE yosys-smtbmc -s z3 --presat -t $(($6 + 1)) "$out.smt2" >>"$out.log" 2>&1; then
+        verdict="fails within $(($6 + 1)) clocks"
+    elif ! $NICE yosys-smtbmc -s z3 -i -t "$6" "$out.smt2" >>"$out.log" 2>&1; then
+        verdict="step fails"
+    fi
+    # no verdict of the solver: it was stopped, or the assumptions contradict each other
+    [ "$verdict" = proved ] || grep -q 'Status: FAILED' "$out.log" || verdict=error
 }
 
 while IFS='|' read -r name top params rtl formal depth speed; do
