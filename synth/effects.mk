@@ -13,7 +13,7 @@ EFFECTS_SOURCES := $(shell find rtl tb/core -name '*.v' -o -name '*.vh' -o -name
 EFFECTS_RUNS = $(patsubst %.sph,%.json,$(filter-out %.forced.sph,$(wildcard $E/*.sph)))
 
 .PHONY: effects effects-machines effects-runs
-effects: ## docs/effects.md: each effect of each scene, cells and time it costs; half an hour
+effects: ## docs/effects.md: each effect of each scene, cells and time it costs; 40 minutes
 	+$(Q)$(MAKE) --no-print-directory effects-machines
 	+$(Q)$(MAKE) --no-print-directory -j$(JOBS) -f synth/area.mk results B=$B V=$(V) \
 	    EFFECTS="$$(cat $E/lists)"

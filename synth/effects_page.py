@@ -4,6 +4,7 @@
 """usage: synth/effects_page.py PAGE FOLDER SYNTH; see synth/effects.mk"""
 import json
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -12,17 +13,19 @@ import report
 import results
 from effects_scenes import NAMES
 
-CHART = """set terminal svg size 1000,{height} font "sans,12" background "white"
+CHART = """set terminal svg noenhanced size 1000,{height} font "sans,12" background "white"
 set output "{out}"
 set title "Own core of a scene, everything-on core = 100 %"
 set style data histogram
 set style histogram clustered gap 1
 set style fill solid noborder
-set yrange [0:*]
+set yrange [0:105<*]
 set ytics format "%g %%"
 set grid ytics lc rgb "#cccccc"
-set xtics rotate by -45 nomirror
-set key outside top center horizontal
+set xtics rotate by 45 right nomirror
+set lmargin 14
+set bmargin 11
+set key outside top center horizontal maxrows 1 samplen 2
 set datafile missing "-"
 plot "{data}" using 2:xtic(1) title "cells (LUT4eq)" lc rgb "#4477aa", \\
      "" using 3 title "flip-flops" lc rgb "#66ccee", \\
@@ -36,7 +39,7 @@ def percent(part, whole):
 
 def less(part, whole):
     """-3.1 % of the whole."""
-    return f"{100 * (part - whole) / whole:+.1f} %"
+    return f"{100 * (part - whole) / whole:+.1f} %" if part != whole else "0 %"
 
 
 def show(name):
@@ -62,7 +65,7 @@ def cost_table(scenes, cores):
                      f"{own['bytes'] // 1024} K", percent(own["bytes"], whole["bytes"]),
                      f"{speed(own) / speed(whole):.2f}", percent(own["cpu"], whole["cpu"])])
     return report.table(["scene", "core", "LUT4eq", "of all", "FF", "of all", "DP16KD", "MULT",
-                         "cycles", "of all", "model", "of all", "speed", "time"], rows)
+                         "cycles", "of all", "model", "of all", "speed", "time"], rows, left=2)
 
 
 def why_table(scenes):
@@ -75,8 +78,8 @@ def why_table(scenes):
             count = e["name"] in ("reflect", "lights") and e["on"]
             rows.append([show(name), f"**{e['name']}**" if e["on"] else e["name"],
                          e["on"] if count else "on" if e["on"] else "off",
-                         e["why"].replace(s["scene"] + ":", "of line ").replace("|", "\\|")])
-    return report.table(["scene", "effect", "is", "because"], rows)
+                         re.sub(re.escape(s["scene"]) + r":(\d+)", r"(line \1)", e["why"])])
+    return report.table(["scene", "effect", "is", "because"], rows, left=4)
 
 
 def price_table(cores):
@@ -90,7 +93,7 @@ def price_table(cores):
                     + [f"{core[c] - whole[c]:+d}" if core[c] != whole[c] else "0" for c in columns]
                     + [less(core["lut4eq"], whole["lut4eq"]), less(core["ff"], whole["ff"])])
     return report.table(["core", "LUT4eq", "FF", "DPR16X4", "DP16KD", "MULT18X18D",
-                         "LUT4eq", "FF"], rows)
+                         "LUT4eq, share", "FF, share"], rows)
 
 
 def ray_table(scenes):
@@ -116,10 +119,10 @@ def chart(scenes, cores, page, folder):
         core = cores[s["list"]]["core"] if s["list"] in cores else None
         shares = [f"{100 * core[c] / everything[c]:.2f}" if core else "-" for c in ("lut4eq", "ff")]
         time = 100 * s["runs"]["own"]["cpu"] / s["runs"]["all"]["cpu"]
-        lines.append(f"\"{show(name)}\" {shares[0]} {shares[1]} {time:.2f}".replace("_", "\\\\_"))
+        lines.append(f"\"{show(name)}\" {shares[0]} {shares[1]} {time:.2f}")
     data, out = f"{folder}/chart.txt", os.path.join(os.path.dirname(page), "pictures/effects.svg")
     Path(data).write_text("\n".join(lines) + "\n", encoding="utf-8")
-    script = CHART.format(height=520, out=out + ".tmp", data=data)
+    script = CHART.format(height=480, out=out + ".tmp", data=data)
     subprocess.run(["gnuplot"], input=script.encode(), check=True)
     os.replace(out + ".tmp", out)
 
@@ -127,8 +130,11 @@ def chart(scenes, cores, page, folder):
 def main(page, folder, synth):
     lists = Path(folder, "lists").read_text(encoding="utf-8").split()
     cores = {c: results.read(f"{synth}/standard-ecp5-{c}-engines1") for c in lists}
-    scenes = {name: json.loads(Path(folder, name + ".json").read_text(encoding="utf-8"))
-              for name in Path(folder, "scenes").read_text(encoding="utf-8").split()}
+    scenes = {}
+    for name in Path(folder, "scenes").read_text(encoding="utf-8").split():
+        # measured before, perhaps; what build says, just now
+        scenes[name] = json.loads(Path(folder, name + ".json").read_text(encoding="utf-8"))
+        scenes[name].update(json.loads(Path(folder, name + ".build.json").read_text("utf-8")))
     report.place(page, {"costs": cost_table(scenes, cores), "prices": price_table(cores),
                         "rays": ray_table(scenes), "reasons": why_table(scenes)},
                  cores["all"]["yosys"])

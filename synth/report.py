@@ -19,15 +19,16 @@ NOTE = {
 }
 
 
-def table(head, rows):
-    """Markdown; all but the first column to the right."""
+def table(head, rows, left=1):
+    """Markdown; all but the first `left` columns to the right."""
     widths = [max(len(str(row[i])) for row in [head] + rows) for i in range(len(head))]
 
     def line(row):
-        cells = [str(row[0]).ljust(widths[0])] + [str(c).rjust(w) for c, w in
-                                                  zip(row[1:], widths[1:])]
+        cells = [str(c).ljust(w) if i < left else str(c).rjust(w)
+                 for i, (c, w) in enumerate(zip(row, widths))]
         return "| " + " | ".join(cells) + " |"
-    rule = "|" + "|".join(["-" * (widths[0] + 2)] + ["-" * (w + 1) + ":" for w in widths[1:]]) + "|"
+    rule = "|" + "|".join("-" * (w + 1) + ("-" if i < left else ":")
+                          for i, w in enumerate(widths)) + "|"
     return "\n".join([line(head), rule] + [line(row) for row in rows])
 
 
