@@ -24,13 +24,13 @@ core() {
     done
     [ $# -eq 0 ] || shift
     # shellcheck disable=SC2086  # a list of words on purpose
-    "$SPHAERA" build "$scene" --profile draft --size 33x25 $options -o "$here/scene.sph" || return 2
+    "$SPHAERA" build "$scene" --profile draft --size 25x19 $options -o "$here/scene.sph" || return 2
     BUILD=$here/build RTL=$here/rtl SIM=icarus sh sim/core.sh --machine "$here/scene.sph" \
         --watchdog 5000 --latency 5 --stall 20 --seed 7 "$@"
 }
 # A block bench, in a folder that looks like this one but for its rtl.
 bench() {
-    cp -al Makefile cmodel tb sim synth tests "$here/" && sh "$here/tb/run_bench.sh" "$1" 1
+    cp -al Makefile cmodel formal tb sim synth tests "$here/" && sh "$here/tb/run_bench.sh" "$1" 1
 }
 # Runs a job file; 0: noticed (sound RTL: passes), 1: not noticed, 2: could not be run.
 job() {
