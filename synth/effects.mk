@@ -4,8 +4,7 @@
 # make effects   builds the machine of every scene, then, each only where a source changed,
 #   build/synth/KEY/          the core of each list, and everything but one effect, for ecp5
 #   build/effects/NAME.json   the scene on its own core and on the whole one, in turn, in Verilator
-# and puts tables and chart into docs/effects.md. Pairs of scenes/effects/ are simulated but not
-# synthesised. Jobs run JOBS at once.
+# and puts tables and chart into docs/effects.md. Jobs run JOBS at once.
 
 E := $B/effects
 EFFECTS_SOURCES := $(shell find rtl tb/core -name '*.v' -o -name '*.vh' -o -name '*.cpp' -o \
@@ -13,7 +12,7 @@ EFFECTS_SOURCES := $(shell find rtl tb/core -name '*.v' -o -name '*.vh' -o -name
 EFFECTS_RUNS = $(patsubst %.sph,%.json,$(filter-out %.forced.sph,$(wildcard $E/*.sph)))
 
 .PHONY: effects effects-machines effects-runs
-effects: ## docs/effects.md: each effect of each scene, cells and time it costs; 40 minutes
+effects: ## docs/effects.md: each effect of each scene, cells and time it costs; 50 minutes
 	+$(Q)$(MAKE) --no-print-directory effects-machines
 	+$(Q)$(MAKE) --no-print-directory -j$(JOBS) -f synth/area.mk results B=$B V=$(V) \
 	    EFFECTS="$$(cat $E/lists)"

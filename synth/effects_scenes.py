@@ -64,7 +64,7 @@ def main(tool, folder, synth):
         cores = core_list(tool, base + ".sph")
         report.update(scene=scene, options=options, list=cores)
         Path(base + ".build.json").write_text(json.dumps(report, indent=1), encoding="utf-8")
-        if "_" not in name.partition("effects.")[2] and cores not in wanted:
+        if cores not in wanted:
             wanted.append(cores)
         names.append(name)
     for old in Path(folder).glob("*.sph"):
