@@ -47,15 +47,15 @@ static const struct {
     int number;
     const char *name;
 } names[] = {
-    NAMED(EFFECTS),   NAMED(MAX_DEPTH), NAMED(N_LIGHTS),  NAMED(FRAME_W),  NAMED(FRAME_H),
-    NAMED(WIN_X0),    NAMED(WIN_Y0),    NAMED(WIN_X1),    NAMED(WIN_Y1),   NAMED(BG_MODE),
-    NAMED(RECT_X0),   NAMED(RECT_Y0),   NAMED(RECT_X1),   NAMED(RECT_Y1),  NAMED(BG_COLOUR),
-    NAMED(AMBIENT_R), NAMED(AMBIENT_G), NAMED(AMBIENT_B), NAMED(EYE_X),    NAMED(EYE_Y),
-    NAMED(EYE_Z),     NAMED(DIR_X0),    NAMED(DIR_Y0),    NAMED(DIR_Z),    NAMED(PITCH),
-    NAMED(ROOT),      NAMED(PRIM_BASE), NAMED(MEM_LINES), NAMED(N_PRIMS),  NAMED(VISIT_LIMIT),
-    NAMED(PROFILE),   NAMED(TREE),      NAMED(FRAME),     NAMED(LIGHT0_X), NAMED(LIGHT0_Y),
-    NAMED(LIGHT0_Z),  NAMED(LIGHT0_R),  NAMED(LIGHT0_G),  NAMED(LIGHT0_B), NAMED(BG_BASE),
-    NAMED(BG_COUNT)};
+    NAMED(EFFECTS),   NAMED(MAX_DEPTH),  NAMED(N_LIGHTS),  NAMED(FRAME_W),   NAMED(FRAME_H),
+    NAMED(WIN_X0),    NAMED(WIN_Y0),     NAMED(WIN_X1),    NAMED(WIN_Y1),    NAMED(BG_MODE),
+    NAMED(RECT_X0),   NAMED(RECT_Y0),    NAMED(RECT_X1),   NAMED(RECT_Y1),   NAMED(BG_COLOUR),
+    NAMED(AMBIENT_R), NAMED(AMBIENT_G),  NAMED(AMBIENT_B), NAMED(EYE_X),     NAMED(EYE_Y),
+    NAMED(EYE_Z),     NAMED(DIR_X0),     NAMED(DIR_Y0),    NAMED(DIR_Z),     NAMED(PITCH),
+    NAMED(ROOT),      NAMED(PRIM_BASE),  NAMED(MEM_LINES), NAMED(N_PRIMS),   NAMED(VISIT_LIMIT),
+    NAMED(PROFILE),   NAMED(TREE),       NAMED(FRAME),     NAMED(LIGHT0_X),  NAMED(LIGHT0_Y),
+    NAMED(LIGHT0_Z),  NAMED(LIGHT0_R),   NAMED(LIGHT0_G),  NAMED(LIGHT0_B),  NAMED(BG_BASE),
+    NAMED(BG_COUNT),  NAMED(FACET_BASE), NAMED(N_SPHERES), NAMED(TEX_FILTER)};
 
 static void describe_registers(const struct sph_machine *m, FILE *file) {
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
@@ -65,7 +65,7 @@ static void describe_registers(const struct sph_machine *m, FILE *file) {
             int number = names[i].number + SPH_LIGHT_STRIDE * l;
             snprintf(name, sizeof name, "%s", names[i].name);
             if (light) name[5] = (char)('0' + l);
-            fprintf(file, "  %2d %-12s %11d 0x%08x\n", number, name, m->regs[number],
+            fprintf(file, "  %3d %-12s %11d 0x%08x\n", number, name, m->regs[number],
                     (unsigned)m->regs[number]);
         }
     }
@@ -83,9 +83,10 @@ void sph_machine_core(const struct sph_machine *m, char *text, size_t size) {
     if (mode == 3)
         snprintf(cones, sizeof cones, "%d", r[SPH_REG_BG_COUNT] ? r[SPH_REG_BG_COUNT] : 1);
     char list[160];
-    snprintf(list, sizeof list, "%s%s%s%s%s%s%s%s", ON(SHADOW) ? "+shadow" : "", reflect, lights,
-             ON(INSIDE) ? "+inside" : "", ON(FIRST) ? "+first" : "",
-             ON(INTERPENETRATE) ? "+interpenetrate" : "", ways[mode], cones);
+    snprintf(list, sizeof list, "%s%s%s%s%s%s%s%s%s%s", ON(SHADOW) ? "+shadow" : "", reflect,
+             lights, ON(INSIDE) ? "+inside" : "", ON(FIRST) ? "+first" : "",
+             ON(INTERPENETRATE) ? "+interpenetrate" : "", ON(FACETS) ? "+facets" : "",
+             ON(TEXTURE) ? "+texture" : "", ways[mode], cones);
 #undef ON
     snprintf(text, size, "%s", *list ? list + 1 : "none");
 }

@@ -27,7 +27,7 @@ int sph_scene_add_sphere(struct sph_scene *scene, struct sph_vec ctr, double rad
         return sph_fail(err, "%s:%u: no memory for more than %u spheres", scene->path, line,
                         scene->n_spheres);
     scene->spheres = room;
-    room[scene->n_spheres++] = (struct sph_sphere){ctr, rad, material, line};
+    room[scene->n_spheres++] = (struct sph_sphere){ctr, rad, material, line, 0};
     return 0;
 }
 
@@ -40,6 +40,33 @@ int sph_scene_add_material(struct sph_scene *scene, const struct sph_material *m
                         material->line, n);
     scene->materials = room;
     room[scene->n_materials++] = *material;
+    return 0;
+}
+
+int sph_scene_add_facet(struct sph_scene *scene, const struct sph_facet *facet,
+                        struct sph_error *err) {
+    uint32_t n = scene->n_facets;
+    if (n >= SPH_MAX_FACETS)
+        return sph_fail(err, "%s:%u: more than %d triangles and planes", scene->path, facet->line,
+                        SPH_MAX_FACETS);
+    struct sph_facet *room = grow(scene->facets, n, sizeof *scene->facets);
+    if (!room)
+        return sph_fail(err, "%s:%u: no memory for more than %u triangles", scene->path,
+                        facet->line, n);
+    scene->facets = room;
+    room[scene->n_facets++] = *facet;
+    return 0;
+}
+
+int sph_scene_add_texture(struct sph_scene *scene, const struct sph_texture *texture,
+                          struct sph_error *err) {
+    uint32_t n = scene->n_textures;
+    struct sph_texture *room = grow(scene->textures, n, sizeof *scene->textures);
+    if (!room)
+        return sph_fail(err, "%s:%u: no memory for more than %u textures", scene->path,
+                        texture->line, n);
+    scene->textures = room;
+    room[scene->n_textures++] = *texture;
     return 0;
 }
 
@@ -62,6 +89,8 @@ void sph_scene_set_path(struct sph_scene *scene, const char *path) {
 void sph_scene_free(struct sph_scene *scene) {
     free(scene->materials);
     free(scene->spheres);
+    free(scene->facets);
+    free(scene->textures);
     memset(scene, 0, sizeof *scene);
 }
 

@@ -19,6 +19,15 @@ int sph_scene_add_sphere(struct sph_scene *scene, struct sph_vec ctr, double rad
 int sph_scene_add_material(struct sph_scene *scene, const struct sph_material *material,
                            struct sph_error *err);
 
+/* Adds a triangle or a plane at the end. -1 with a message if there are SPH_MAX_FACETS already or
+ * memory is short. */
+int sph_scene_add_facet(struct sph_scene *scene, const struct sph_facet *facet,
+                        struct sph_error *err);
+
+/* Adds a texture at the end. -1 with a message if memory is short. */
+int sph_scene_add_texture(struct sph_scene *scene, const struct sph_texture *texture,
+                          struct sph_error *err);
+
 /* Adds a point light. -1 with a message if there are SPH_MAX_LIGHTS already. */
 int sph_scene_add_light(struct sph_scene *scene, struct sph_vec pos, double red, double green,
                         double blue, struct sph_error *err);

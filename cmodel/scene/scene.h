@@ -42,6 +42,27 @@ struct sph_sphere {
     double rad;
     uint32_t material; /* index into materials */
     uint32_t line;     /* of the file, for messages; 0 if generated */
+    uint32_t texture;  /* index into textures + 1, 0: none */
+};
+
+/* A triangle, or a plane without end; both are seen from both sides and are called facets. */
+struct sph_facet {
+    int kind;            /* SPH_TRIANGLE or SPH_PLANE */
+    struct sph_vec v[3]; /* corners; plane: a point, the normal, the direction of s (any length) */
+    double st[3][2];     /* s, t at the corners; plane: [0] units of one repeat, [1] offset */
+    uint32_t material;   /* index into materials */
+    uint32_t texture;    /* index into textures + 1, 0: none */
+    uint32_t group;      /* facets of one polygon have the same; from 0, rising */
+    uint32_t line;       /* of the file, for messages; 0 if generated */
+};
+
+/* An image and how it lies on spheres: longitude and latitude, poles along +-y, seam at -z. */
+struct sph_texture {
+    char path[512];   /* of the image: the folder of the scene file and the name given there */
+    int wrap[2];      /* of s and t: 0 repeats, 1 stays at the edge */
+    double repeat[2]; /* spheres: repeats around, and from pole to pole */
+    double offset[2]; /* spheres: repeats added */
+    uint32_t line;    /* of the file, for messages; 0 if generated */
 };
 
 struct sph_scene {
@@ -55,6 +76,9 @@ struct sph_scene {
     uint32_t n_materials, n_spheres;
     struct sph_material *materials;
     struct sph_sphere *spheres;
+    uint32_t n_facets, n_textures;
+    struct sph_facet *facets;
+    struct sph_texture *textures;
     uint32_t n_skipped; /* unsupported primitives left out (--skip-unsupported) */
 };
 
