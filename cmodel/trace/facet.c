@@ -1,0 +1,76 @@
+/* facet.c - see facet.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "trace/facet.h"
+
+static void cross(const int64_t a[3], const int64_t b[3], int64_t out[3]) {
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        out[i] = a[j] * b[k] - a[k] * b[j];
+    }
+}
+
+static sph_i128 dot(const int64_t a[3], const int64_t b[3]) {
+    return (sph_i128)a[0] * b[0] + (sph_i128)a[1] * b[1] + (sph_i128)a[2] * b[2];
+}
+
+/* The ray's skip is of the facet's group. */
+static int own(const struct sph_ray *ray, const struct sph_facet_leaf *f) {
+    uint32_t skip = ray->skip.id;
+    return skip + f->before >= f->id && skip <= f->id + f->after;
+}
+
+/* Whether the line meets the triangle, its edges included: the volumes that the line spans with the
+ * three edges, U0 + U1 + U2 = N.dir, have one sign. */
+static int within(const int64_t dir[3], const int64_t a0[3], const int64_t e1[3],
+                  const int64_t e2[3], sph_i128 det) {
+    int64_t m[3]; /* s(W+WD+1) */
+    cross(dir, a0, m);
+    sph_i128 u2 = dot(m, e1), u1 = -dot(m, e2), u0 = det - u1 - u2; /* s(2W+WD+2) */
+    return det > 0 ? u0 >= 0 && u1 >= 0 && u2 >= 0 : u0 <= 0 && u1 <= 0 && u2 <= 0;
+}
+
+/* Whether org + num/det * dir lies in the world box, faces included. */
+static int in_world(const struct sph_profile *p, const struct sph_ray *ray,
+                    const struct sph_facet_result *r) {
+    int64_t half = (int64_t)1 << (p->w - 1);
+    for (int i = 0; i < 3; i++) {
+        sph_i128 det = (sph_i128)r->det, moved = r->num * ray->dir[i];
+        if (moved < det * (-half - ray->org[i]) || moved > det * (half - 1 - ray->org[i])) return 0;
+    }
+    return 1;
+}
+
+struct sph_facet_result sph_facet_test(const struct sph_profile *p, const struct sph_ray *ray,
+                                       const struct sph_facet_leaf *f) {
+    struct sph_facet_result r = {0};
+    int64_t a0[3], e1[3], e2[3], n[3]; /* s(W+1), n: s(2W+1) */
+    int plane = f->kind != SPH_TRIANGLE;
+    for (int i = 0; i < 3; i++) {
+        a0[i] = f->v[0][i] - ray->org[i];
+        e1[i] = f->v[1][i] - f->v[0][i];
+        e2[i] = f->v[2][i] - f->v[0][i];
+        n[i] = f->v[1][i];
+    }
+    if (!plane) cross(e1, e2, n);
+    sph_i128 det = dot(n, ray->dir), num = dot(n, a0);
+    r.far = det > 0;
+    r.det = (sph_u128)(det < 0 ? -det : det);
+    r.num = det < 0 ? -num : num;
+
+    if (own(ray, f) || det == 0 || r.num <= 0) return r;
+    int shadow = ray->kind == SPH_SHADOW;
+    if (shadow && r.num >= (sph_i128)r.det) return r;
+    if (plane)
+        r.hit = shadow || in_world(p, ray, &r); /* what lies before a light is in the box */
+    else
+        r.hit = within(ray->dir, a0, e1, e2, det);
+    return r;
+}
+
+uint64_t sph_facet_key(const struct sph_ray *ray, const struct sph_facet_result *r,
+                       uint64_t *divisions) {
+    ++*divisions;
+    sph_u128 scaled = (sph_u128)r->num * ray->a; /* u(3W+2WD+1) */
+    return (uint64_t)((scaled + r->det - 1) / r->det);
+}

@@ -1,0 +1,42 @@
+/* facet.h - the exact test of a ray and a triangle or plane            RTL: rtl/trace/rt_facet.v
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * t = num/det is never formed: with N = e1 x e2 (plane: its normal), det = N.dir and num = N.A0,
+ * A0 = v0 - org, all is decided by signs of exact integers. Widths and why no ray slips between two
+ * triangles: docs/facet.md.
+ */
+#ifndef SPH_FACET_H
+#define SPH_FACET_H
+
+#include <stdint.h>
+
+#include "machine/layout.h"
+#include "math/fx.h"
+#include "trace/ray.h"
+
+struct sph_facet_leaf {
+    int kind;        /* SPH_TRIANGLE; SPH_PLANE and what no machine has: a plane */
+    int64_t v[3][3]; /* sW corners; plane: v[0] a point of it, v[1] its normal N (s24) */
+    uint32_t id;
+    uint32_t before, after; /* its group: ids id-before .. id+after */
+};
+
+/* det and num are given with a miss too. */
+struct sph_facet_result {
+    int hit;      /* t > 0, on the triangle or in the world box; shadow ray: 0 < t < 1 */
+    int far;      /* det > 0: the normal looks along the ray */
+    sph_u128 det; /* |N.dir|, u(2W+WD+1) */
+    sph_i128 num; /* N.A0, negated if N.dir < 0: t = num/det; s(3W+2) */
+};
+
+/* Valid for every operand in range; dir = 0, a ray in the plane and an origin on it miss. A facet
+ * of the group that the ray starts on misses. */
+struct sph_facet_result sph_facet_test(const struct sph_profile *p, const struct sph_ray *ray,
+                                       const struct sph_facet_leaf *facet);
+
+/* ceil(a*t) of a hit of no shadow ray, 1 .. 3 (2^W-1) 2^(WD-1): orders it among facets and spheres;
+ * *divisions counts. */
+uint64_t sph_facet_key(const struct sph_ray *ray, const struct sph_facet_result *r,
+                       uint64_t *divisions);
+
+#endif
