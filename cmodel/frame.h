@@ -21,8 +21,13 @@ struct sph_frame {
 };
 
 struct sph_counters {
-    uint64_t count[SPH_COUNTERS]; /* SPH_COUNT_*; the first SPH_COUNTERS_BOTH equal the RTL's */
+    uint64_t count[SPH_COUNTERS]; /* SPH_COUNT_* */
 };
+
+/* 1 if counter i is the model's too, and equals the RTL's; else the RTL alone counts it. */
+static inline int sph_counter_both(int i) {
+    return SPH_COUNTERS_BOTH >> i & 1;
+}
 
 /* FNV-1a, 64 bits, over width, height and of every pixel colour[0..], id, visits, key: each number
  * little endian in its own width. Equal hashes stand for equal frames. */

@@ -37,8 +37,9 @@ int sph_shot_compare(const struct sph_shot *a, const struct sph_shot *b, int ign
             d->y = (int)(i / (size_t)fa->width);
         }
     }
-    for (int i = 0; i < SPH_COUNTERS_BOTH && !ignore_work; i++)
-        if (a->counters.count[i] != b->counters.count[i]) d->counters |= 1u << i;
+    for (int i = 0; i < SPH_COUNTERS && !ignore_work; i++)
+        if (sph_counter_both(i) && a->counters.count[i] != b->counters.count[i])
+            d->counters |= 1u << i;
     d->errors = a->errors ^ b->errors;
     return d->pixels || d->counters || d->errors;
 }
@@ -74,7 +75,7 @@ void sph_shot_explain(const struct sph_shot *a, const struct sph_shot *b,
         fprintf(file, "first at x %d y %d:\n", d->x, d->y);
         explain_pixel(&fa->pixels[at], &fb->pixels[at], name_a, name_b, file);
     }
-    for (int i = 0; i < SPH_COUNTERS_BOTH; i++)
+    for (int i = 0; i < SPH_COUNTERS; i++)
         if (d->counters >> i & 1)
             fprintf(file, "counter %s: %" PRIu64 " and %" PRIu64 "\n", counter_names[i],
                     a->counters.count[i], b->counters.count[i]);

@@ -1,13 +1,16 @@
 /* tb_counters.cpp - rt_counters against plain sums
  * SPDX-License-Identifier: Apache-2.0
  */
+#include <algorithm>
+
 #include "Vrt_counters.h"
 #include "bench.h"
+#include "machine/layout.h"
 
 namespace {
 
-constexpr int COUNTERS = 16, MOST = 63, COMPLETE = 18; /* events a clock; clocks to wait */
-constexpr int CLEAR = 16;                              /* clocks that clear_i takes */
+constexpr int COUNTERS = PLACES < SPH_COUNTERS ? PLACES : SPH_COUNTERS, READ = 32;
+constexpr int MOST = 63, COMPLETE = PLACES + 2; /* events a clock; clocks to wait */
 
 /* What a run of clocks adds. */
 enum { NONE, ALL_MOST, ONE_EACH, ONE_COUNTER, LAST_CLOCK, AT_RANDOM, HOWS };
@@ -50,11 +53,13 @@ unsigned events(bench::Random &random, int how, int counter, int left, int only)
 
 int main(int argc, char **argv) {
     bench::Bench<Vrt_counters> b("tb_counters", argc, argv, 5000);
-    uint64_t sums[COUNTERS] = {};
+    uint64_t sums[READ] = {}; /* what is no counter stays 0 */
+    auto *words = reinterpret_cast<uint32_t *>(&b.dut.add_i);
+    auto none = [&] { std::fill(words, words + PLACES / 4, 0); };
     auto idle = [&](int clocks) {
-        b.set(b.dut.add_i, 128, 0);
+        none();
         for (int i = 0; i < clocks; i++) {
-            b.set(b.dut.addr_i, 4, (int)b.random.below(COUNTERS));
+            b.set(b.dut.addr_i, 5, (int)b.random.below(READ));
             b.tick();
         }
     };
@@ -66,7 +71,7 @@ int main(int argc, char **argv) {
         if (number < sizeof corners / sizeof *corners) r = corners[number];
         int only = (int)b.random.below(COUNTERS);
         if (r.clear) { /* at any turn; also while a sum is not in its total yet */
-            b.set(b.dut.add_i, 128, (bench::i128)b.random.bits(128));
+            std::generate(words, words + PLACES / 4, [&] { return (uint32_t)b.random.next(); });
             b.dut.clear_i = 1;
             b.tick();
             b.dut.clear_i = 0;
@@ -74,13 +79,12 @@ int main(int argc, char **argv) {
                 sum = 0;
         }
         for (int left = r.clocks; left > 0; left--) {
-            bench::u128 add = 0;
-            for (int c = COUNTERS - 1; c >= 0; c--) {
+            none();
+            for (int c = 0; c < COUNTERS; c++) {
                 unsigned n = events(b.random, r.how, c, left, only);
-                add = add << 8 | n;
+                words[c / 4] |= n << c % 4 * 8;
                 sums[c] += n;
             }
-            b.set(b.dut.add_i, 128, (bench::i128)add);
             b.tick();
         }
         /* sometimes the next run begins before the totals are complete */
@@ -89,14 +93,14 @@ int main(int argc, char **argv) {
             continue;
         }
         idle(COMPLETE - 1);
-        int first = (int)b.random.below(COUNTERS);
-        for (int i = 0; i <= COUNTERS; i++) { /* data_o is of the address one clock before */
-            b.set(b.dut.addr_i, 4, (first + i) % COUNTERS);
+        int first = (int)b.random.below(READ);
+        for (int i = 0; i <= READ; i++) { /* data_o is of the address one clock before */
+            b.set(b.dut.addr_i, 5, (first + i) % READ);
             b.tick();
-            int c = (first + i) % COUNTERS;
+            int c = (first + i) % READ;
             b.expect("data_o", (bench::i128)b.get(b.dut.data_o), (bench::i128)sums[c], 48);
             if (b.bad()) {
-                b.show("addr_i", c, 4);
+                b.show("addr_i", c, 5);
                 b.show("kind of run", r.how, 4);
                 b.show("clocks", r.clocks, 16);
             }

@@ -31,7 +31,7 @@ $1 == "effect"  { def("EFFECT_" $3, $2) }
 $1 == "counter" {
     def("COUNT_" $3, $2)
     names = names sprintf("%s\"%s\"", names ? ", " : "", tolower($3))
-    if ($4 == "both") both++
+    if ($4 == "both") both += 2 ^ $2
     counters++
 }
 $1 == "error" {

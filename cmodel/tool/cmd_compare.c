@@ -86,7 +86,7 @@ static int compare_frames(const struct arguments *a, FILE *to, json_t *report,
     if (to && rc) sph_shot_explain(&shots[0], &shots[1], &d, "first file", "second file", to);
     report_difference(report, d.size_differs, d.pixels, d.x, d.y, d.max_colour);
     json_object_set_new(report, "counters_differ",
-                        report_names(d.counters, counters, SPH_COUNTERS_BOTH));
+                        report_names(d.counters, counters, SPH_COUNTERS));
     json_object_set_new(report, "errors_differ", report_names(d.errors, errors, SPH_ERRORS));
     if (a->picture &&
         sph_image_write_difference(a->picture, &shots[0].frame, &shots[1].frame, a->layer, err))

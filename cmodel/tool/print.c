@@ -56,8 +56,9 @@ void print_shot(FILE *to, const struct sph_shot *shot, int counters) {
     static const char *const names[] = {SPH_COUNTER_NAMES}, *const errors[] = {SPH_ERROR_NAMES};
     if (!to) return;
     if (counters)
-        for (int i = 0; i < SPH_COUNTERS_BOTH; i++)
-            fprintf(to, "%-16s %12" PRIu64 "\n", names[i], shot->counters.count[i]);
+        for (int i = 0; i < SPH_COUNTERS; i++)
+            if (sph_counter_both(i))
+                fprintf(to, "%-16s %12" PRIu64 "\n", names[i], shot->counters.count[i]);
     fprintf(to, "errors ");
     for (int i = 0; i < SPH_ERRORS; i++)
         if (shot->errors >> i & 1) fprintf(to, " %s", errors[i]);

@@ -115,8 +115,8 @@ void report_shot(json_t *report, const struct sph_shot *shot) {
     report_text(frame, "hash", hash);
     snprintf(hash, sizeof hash, "%016" PRIx64, sph_frame_picture_hash(&shot->frame));
     report_text(frame, "picture_hash", hash);
-    for (int i = 0; i < SPH_COUNTERS_BOTH; i++)
-        report_count(counts, counters[i], shot->counters.count[i]);
+    for (int i = 0; i < SPH_COUNTERS; i++)
+        if (sph_counter_both(i)) report_count(counts, counters[i], shot->counters.count[i]);
     add(report, "frame", frame);
     add(report, "counters", counts);
     add(report, "errors", report_names(shot->errors, errors, SPH_ERRORS));

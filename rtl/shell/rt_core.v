@@ -57,12 +57,14 @@ module rt_core #(
     output wire [W+WD+1:0]   pix_key_o,
     output wire [23:0]       pix_visits_o,
     // counters and sticky errors
-    input  wire [3:0]        count_addr_i,
+    input  wire [4:0]        count_addr_i,
     output wire [47:0]       count_data_o,
     output reg  [`RT_ERRORS-1:0] errors_o
 );
     localparam KW = W + WD + 2;
     localparam PW = 28 + 72 + 24 + KW + 24;          // a finished pixel
+    localparam PLACES = 16;                          // counters
+    localparam EW = 8*PLACES;                        // their events of a cycle
     localparam SEPARATED = RECT != 0 || SPANS != 0 || CONES != 0;  // background goes by itself
 
     // ---- registers, start ----
@@ -157,18 +159,20 @@ module rt_core #(
     );
     assign e_take = e_ready & (~e_ready + 1'b1);     // the lowest engine with a free slot
     wire             working = walk_busy || ray_valid || e_busy != 0 || mux_valid_q;
-    reg [4:0]        settle_q;                       // cycles until the counters are complete
-    assign busy_o = working || settle_q != 5'd0;
+    localparam SB = $clog2(PLACES + 3);
+    localparam [31:0] WAIT = PLACES + 2;
+    reg [SB-1:0]     settle_q;                       // cycles until the counters are complete
+    assign busy_o = working || settle_q != {SB{1'b0}};
     always @(posedge clk) begin
-        if (working || go) settle_q <= 5'd18;
-        else if (settle_q != 5'd0) settle_q <= settle_q - 5'd1;
-        if (rst) settle_q <= 5'd0;
+        if (working || go) settle_q <= WAIT[SB-1:0];
+        else if (settle_q != {SB{1'b0}}) settle_q <= settle_q - 1'b1;
+        if (rst) settle_q <= {SB{1'b0}};
     end
 
     // ---- engines ----
     wire [ENGINES-1:0]     p_valid, p_take;
     wire [ENGINES*PW-1:0]  p_data;
-    wire [ENGINES*128-1:0] events;
+    wire [ENGINES*EW-1:0]  events;
     wire [ENGINES-1:0]     issued;
     wire [ENGINES*4-1:0]   faults;
     genvar e;
@@ -177,7 +181,7 @@ module rt_core #(
             wire [2:0]   rays, tests;
             wire         visit, leaf, sqrt, quotient, saturated, bubble;
             wire [1:0]   miss;
-            wire [127:0] add_e;
+            wire [EW-1:0] add_e;
             rt_engine #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .FW(FW), .SLOTS(K),
                         .STACK(`RT_STACK_DEPTH), .SHADOW(SHADOW), .REFLECT(REFLECT),
                         .LIGHTS(LIGHTS), .INSIDE(INSIDE), .FIRST(FIRST),
@@ -224,7 +228,7 @@ module rt_core #(
             assign add_e[8*`RT_COUNT_LEAF_MISSES    +: 8] = {7'd0, miss[1]};
             assign add_e[8*`RT_COUNT_RAYS_WAITING   +: 8] = 8'd0;
             assign add_e[8*`RT_COUNT_POP_BUBBLES    +: 8] = {7'd0, bubble};
-            assign events[128*e +: 128] = add_e;
+            assign events[EW*e +: EW] = add_e;
         end
     endgenerate
     // ---- pixel port: engines first, then background ----
@@ -254,7 +258,7 @@ module rt_core #(
                          : pix_colour_o[71:48];
 
     // ---- counters: sums over the engines ----
-    wire [127:0] shell_events;
+    wire [EW-1:0] shell_events;
     assign shell_events[8*`RT_COUNT_RAYS_PRIMARY   +: 64] = 64'd0;  // up to QUOTIENTS
     assign shell_events[8*`RT_COUNT_BACKGROUND     +: 8] = {7'd0, bg_valid && bg_ready};
     assign shell_events[8*`RT_COUNT_SATURATIONS    +: 8] = 8'd0;
@@ -264,15 +268,15 @@ module rt_core #(
     assign shell_events[8*`RT_COUNT_LEAF_MISSES    +: 8] = 8'd0;
     assign shell_events[8*`RT_COUNT_RAYS_WAITING   +: 8] = {7'd0, ray_valid};
     assign shell_events[8*`RT_COUNT_POP_BUBBLES    +: 8] = 8'd0;
-    reg [127:0] add;
+    reg [EW-1:0] add;
     integer n, k;
     always @* begin
         add = shell_events;
         for (n = 0; n < ENGINES; n = n + 1)
-            for (k = 0; k < `RT_COUNTERS; k = k + 1)
-                add[8*k +: 8] = add[8*k +: 8] + events[128*n + 8*k +: 8];
+            for (k = 0; k < PLACES; k = k + 1)
+                add[8*k +: 8] = add[8*k +: 8] + events[EW*n + 8*k +: 8];
     end
-    rt_counters u_counters (
+    rt_counters #(.PLACES(PLACES)) u_counters (
         .clk(clk), .rst(rst), .clear_i(go), .add_i(add),
         .addr_i(count_addr_i), .data_o(count_data_o)
     );

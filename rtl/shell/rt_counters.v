@@ -1,60 +1,68 @@
 // rt_counters.v - the work counters of the core
 // SPDX-License-Identifier: Apache-2.0
 // Events gather in a small sum per counter; one sum a cycle, in turn, goes into its 48-bit total
-// through one adder. A total is complete 16 cycles after the last event; clear_i takes as long.
+// through one adder. A total is complete PLACES cycles after the last event; clear_i takes as long.
 // Numbers: machine.def. data_o is the total addressed one cycle before.
 `default_nettype none
 `include "rt_layout.vh"
-module rt_counters (
-    input  wire         clk,
-    input  wire         rst,
-    input  wire         clear_i,
-    input  wire [127:0] add_i,    // counter i: u8 at 8*i, at most 63 events of this cycle
-    input  wire [3:0]   addr_i,
-    output reg  [47:0]  data_o
+module rt_counters #(
+    parameter PLACES = 16         // counters from here on read as 0: 16 or 32
+) (
+    input  wire                clk,
+    input  wire                rst,
+    input  wire                clear_i,
+    input  wire [8*PLACES-1:0] add_i,  // counter i: u8 at 8*i, at most 63 events of this cycle
+    input  wire [4:0]          addr_i,
+    output reg  [47:0]         data_o
 );
-    reg [3:0]  turn_q;
-    reg [4:0]  clear_q;           // totals that still start anew
-    wire       clearing = clear_q != 5'd0;
+    localparam AB = $clog2(PLACES);
+    localparam SW = AB + 6;       // PLACES cycles of 63 events
+    localparam [AB:0] ALL = {1'b1, {AB{1'b0}}};  // PLACES
+    localparam USED = PLACES < `RT_COUNTERS ? PLACES : `RT_COUNTERS;
+    reg [AB-1:0] turn_q;
+    reg [AB:0]   clear_q;         // totals that still start anew
+    wire         clearing = clear_q != {(AB+1){1'b0}};
 
-    // ---- sums: at most 16 cycles of 63 events ----
-    wire [159:0] sums;
+    // ---- sums ----
+    wire [SW*USED-1:0] sums;
     genvar c;
     generate
-        for (c = 0; c < `RT_COUNTERS; c = c + 1) begin : g_sum
-            reg [9:0] sum_q;
-            wire      now = turn_q == c;
+        for (c = 0; c < USED; c = c + 1) begin : g_sum
+            reg [SW-1:0] sum_q;
+            wire         now = turn_q == c;
             always @(posedge clk) begin
-                sum_q <= (now ? 10'd0 : sum_q) + {2'd0, add_i[8*c +: 8]};
-                if (clear_i || rst) sum_q <= 10'd0;
+                sum_q <= (now ? {SW{1'b0}} : sum_q) + {{(SW-8){1'b0}}, add_i[8*c +: 8]};
+                if (clear_i || rst) sum_q <= {SW{1'b0}};
             end
-            assign sums[10*c +: 10] = now ? sum_q : 10'd0;
+            assign sums[SW*c +: SW] = now ? sum_q : {SW{1'b0}};
         end
     endgenerate
-    reg [9:0] sum;
+    reg [SW-1:0] sum;
     integer i;
     always @* begin
-        sum = 10'd0;
-        for (i = 0; i < `RT_COUNTERS; i = i + 1) sum = sum | sums[10*i +: 10];
+        sum = {SW{1'b0}};
+        for (i = 0; i < USED; i = i + 1) sum = sum | sums[SW*i +: SW];
     end
 
     // ---- totals ----
     wire [47:0] total, shown;
-    wire [47:0] total_next = (clearing ? 48'd0 : total) + {38'd0, sum};
-    rt_slot_file #(.WIDTH(48), .SLOTS(16)) u_total (
+    wire [47:0] total_next = (clearing ? 48'd0 : total) + {{(48-SW){1'b0}}, sum};
+    rt_slot_file #(.WIDTH(48), .SLOTS(PLACES)) u_total (
         .clk(clk), .wr_en_i(1'b1), .wr_addr_i(turn_q), .wr_data_i(total_next),
         .rd_addr_i(turn_q), .rd_data_o(total)
     );
-    rt_slot_file #(.WIDTH(48), .SLOTS(16)) u_shown (
+    rt_slot_file #(.WIDTH(48), .SLOTS(PLACES)) u_shown (
         .clk(clk), .wr_en_i(1'b1), .wr_addr_i(turn_q), .wr_data_i(total_next),
-        .rd_addr_i(addr_i), .rd_data_o(shown)
+        .rd_addr_i(addr_i[AB-1:0]), .rd_data_o(shown)
     );
     always @(posedge clk) begin
-        turn_q <= turn_q + 4'd1;
-        if (clearing) clear_q <= clear_q - 5'd1;
-        if (clear_i || rst) clear_q <= 5'd16;
-        if (rst) turn_q <= 4'd0;
+        turn_q <= turn_q + 1'b1;
+        if (clearing) clear_q <= clear_q - 1'b1;
+        if (clear_i || rst) clear_q <= ALL;
+        if (rst) turn_q <= {AB{1'b0}};
         data_o <= shown;
+        if (PLACES < 32 && addr_i[4]) data_o <= 48'd0;
     end
+    wire unused = &{1'b0, add_i};
 endmodule
 `default_nettype wire

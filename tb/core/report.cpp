@@ -20,10 +20,12 @@ json_t *integer(uint64_t value) {
     return json_integer(static_cast<json_int_t>(value));
 }
 
-json_t *counters(const uint64_t *count, int n) {
+/* All counters, or those that the model has too. */
+json_t *counters(const uint64_t *count, bool model) {
     json_t *object = json_object();
-    for (int i = 0; i < n; i++)
-        json_object_set_new(object, counter_names[i], integer(count[i]));
+    for (int i = 0; i < SPH_COUNTERS; i++)
+        if (!model || sph_counter_both(i))
+            json_object_set_new(object, counter_names[i], integer(count[i]));
     return object;
 }
 
@@ -40,7 +42,7 @@ double cycles_per_visit(const Pass &p) {
 
 json_t *pass_json(const Outcome &c, int pass) {
     json_t *object = json_object();
-    json_object_set_new(object, "counters", counters(c.total[pass].count, SPH_COUNTERS));
+    json_object_set_new(object, "counters", counters(c.total[pass].count, false));
     json_object_set_new(object, "errors", integer(c.total[pass].errors));
     json_object_set_new(object, "cycles_per_pixel", json_real(cycles_per_pixel(c, pass)));
     json_object_set_new(object, "cycles_per_visit", json_real(cycles_per_visit(c.total[pass])));
@@ -50,7 +52,7 @@ json_t *pass_json(const Outcome &c, int pass) {
         const Window &w = run->window;
         json_t *tile = json_pack("{s:[iiii], s:f, s:f}", "window", w.x0, w.y0, w.x1, w.y1,
                                  "seconds", run->seconds, "cpu_seconds", run->cpu);
-        json_object_set_new(tile, "counters", counters(run->pass[pass].count, SPH_COUNTERS));
+        json_object_set_new(tile, "counters", counters(run->pass[pass].count, false));
         json_array_append_new(tiles, tile);
     }
     json_object_set_new(object, "tiles", tiles);
@@ -66,11 +68,11 @@ std::string counter_table(const Options &o, const Outcome &c) {
     std::string table = text;
     for (int i = 0; i < SPH_COUNTERS; i++) {
         char model[32] = "", warm[32] = "";
-        if (i < SPH_COUNTERS_BOTH)
+        if (sph_counter_both(i))
             std::snprintf(model, sizeof model, "%llu", static_cast<ull>(c.model_counters.count[i]));
         if (o.warm)
             std::snprintf(warm, sizeof warm, " %14llu", static_cast<ull>(c.total[WARM].count[i]));
-        bool wrong = i < SPH_COUNTERS_BOTH && c.model_counters.count[i] != c.total[COLD].count[i];
+        bool wrong = sph_counter_both(i) && c.model_counters.count[i] != c.total[COLD].count[i];
         std::snprintf(text, sizeof text, "  %-15s %14s %14llu%s%s\n", counter_names[i], model,
                       static_cast<ull>(c.total[COLD].count[i]), warm, wrong ? "  <--" : "");
         table += text;
@@ -107,7 +109,7 @@ bool write_json(const Options &o, const sph_machine &m, const Outcome &c, const 
         "window", w.x0, w.y0, w.x1, w.y1, "latency", o.latency, "stall", o.stall, "seed",
         static_cast<json_int_t>(o.seed), "pixels", static_cast<json_int_t>(c.pixels()),
         "mismatches", static_cast<json_int_t>(v.mismatches), "seconds", c.seconds);
-    json_object_set_new(root, "model", counters(c.model_counters.count, SPH_COUNTERS_BOTH));
+    json_object_set_new(root, "model", counters(c.model_counters.count, true));
     json_object_set_new(root, "cold", pass_json(c, COLD));
     if (o.warm) json_object_set_new(root, "warm", pass_json(c, WARM));
     if (!v.text.empty()) json_object_set_new(root, "explanation", json_string(v.text.c_str()));

@@ -43,7 +43,7 @@ module tb_core_icarus #(
     reg rsp_error = 1'b0;
     reg [63:0] rsp_data = 64'd0;
     reg pix_ready = 1'b0;
-    reg [3:0] count_addr = 4'd0;
+    reg [4:0] count_addr = 5'd0;
     wire busy;
     wire req_valid;
     wire [25:0] req_line;
@@ -164,7 +164,7 @@ module tb_core_icarus #(
                               "mem_rsp valid %b ready %b, memory owes %0d lines, pix valid %b\n",
                               rsp_valid, rsp_ready, (tail - head + QUEUE) % QUEUE, pix_valid);
             repeat (4) @(posedge clk);
-            for (i = 0; i < 16; i = i + 1) begin
+            for (i = 0; i < `RT_COUNTERS; i = i + 1) begin
                 count_addr <= i;
                 repeat (3) @(posedge clk);
                 $fwrite(out, "c %h %h\n", i, count_data);
