@@ -43,9 +43,18 @@ static void surface(const struct job *j, const struct sph_ray *ray, const struct
     if (!j->m->regs[SPH_REG_N_LIGHTS] && !sph_machine_effect(j->m, SPH_EFFECT_REFLECT) &&
         !sph_machine_effect(j->m, SPH_EFFECT_INTERPENETRATE))
         return;
-    struct sph_leaf sphere = sph_leaf_read(prim, 0, j->p->w);
+    int saturated;
+    if (sph_machine_effect(j->m, SPH_EFFECT_FACETS) &&
+        sph_field(prim, SPH_PRIM_FACET_LSB, SPH_PRIM_FACET_BITS)) {
+        int64_t normal[3];
+        sph_vector_read(prim, SPH_LEAF_CTR_X_LSB, SPH_LEAF_CTR_X_BITS, normal);
+        saturated = sph_surface_facet(j->p, ray, hit, normal, s);
+    } else {
+        struct sph_leaf sphere = sph_leaf_read(prim, 0, j->p->w);
+        saturated = sph_surface_at(j->p, ray, hit, &sphere, s);
+    }
     j->c->count[SPH_COUNT_QUOTIENTS]++;
-    if (sph_surface_at(j->p, ray, hit, &sphere, s)) j->c->count[SPH_COUNT_SATURATIONS]++;
+    j->c->count[SPH_COUNT_SATURATIONS] += (uint64_t)saturated;
 }
 
 /* Light that reaches the surface: ambient and every light that it faces and sees; u2.15. */

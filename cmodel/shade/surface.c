@@ -6,31 +6,50 @@
 #include "math/normalise.h"
 #include "math/quotient.h"
 
-int sph_surface_at(const struct sph_profile *p, const struct sph_ray *ray,
-                   const struct sph_hit *hit, const struct sph_leaf *sphere,
-                   struct sph_surface *s) {
-    struct sph_quotient t = sph_quotient(hit->key, p->w + p->wd + 2, ray->a, 2 * p->wd, p->pq);
+/* point and guarded; 1 if they were limited. */
+static int point(const struct sph_profile *p, const struct sph_ray *ray, uint64_t key,
+                 struct sph_surface *s) {
+    struct sph_quotient t = sph_quotient(key, p->w + p->wd + 2, ray->a, 2 * p->wd, p->pq);
     int shift = t.exp - p->ng, saturated = 0;
     if (shift < 0) shift = 0, saturated = 1; /* t too long for any point of the grid */
     if (shift > 62) shift = 62;              /* rounds to zero all the same */
-
-    sph_i128 normal[3];
-    int any = 0;
     for (int i = 0; i < 3; i++) {
         int64_t offset = sph_round((int64_t)t.mant * ray->dir[i], shift);
-        int64_t guarded =
-            sph_saturate(ray->org[i] * (1 << p->ng) + offset, p->w + p->ng, &saturated);
-        s->point[i] = sph_saturate(sph_round(guarded, p->ng), p->w, &saturated);
-        normal[i] = guarded - sphere->ctr[i] * (1 << p->ng);
-        if (hit->far) normal[i] = -normal[i];
-        any |= normal[i] != 0;
+        s->guarded[i] = sph_saturate(ray->org[i] * (1 << p->ng) + offset, p->w + p->ng, &saturated);
+        s->point[i] = sph_saturate(sph_round(s->guarded[i], p->ng), p->w, &saturated);
     }
-    for (int i = 0; i < 3 && !any; i++)
-        normal[i] = -ray->dir[i]; /* hit at the centre */
+    return saturated;
+}
+
+/* normal, unit and nn from any vector, turned if far; without length, as at a sphere's centre: -dir
+ */
+static void turn(const struct sph_profile *p, const struct sph_ray *ray, int far,
+                 const int64_t vector[3], struct sph_surface *s) {
+    sph_i128 normal[3];
+    int any = vector[0] || vector[1] || vector[2];
+    for (int i = 0; i < 3; i++)
+        normal[i] = !any ? -ray->dir[i] : far ? -vector[i] : vector[i];
     sph_normalise(normal, p->wd, s->normal);
     const int64_t *n = s->normal;
     s->nn = (uint64_t)(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
     s->unit = sph_unit(n, s->nn, p->wd);
+}
+
+int sph_surface_at(const struct sph_profile *p, const struct sph_ray *ray,
+                   const struct sph_hit *hit, const struct sph_leaf *sphere,
+                   struct sph_surface *s) {
+    int saturated = point(p, ray, hit->key, s);
+    int64_t from[3];
+    for (int i = 0; i < 3; i++)
+        from[i] = s->guarded[i] - sphere->ctr[i] * (1 << p->ng);
+    turn(p, ray, hit->far, from, s);
+    return saturated;
+}
+
+int sph_surface_facet(const struct sph_profile *p, const struct sph_ray *ray,
+                      const struct sph_hit *hit, const int64_t normal[3], struct sph_surface *s) {
+    int saturated = point(p, ray, hit->key, s);
+    turn(p, ray, hit->far, normal, s);
     return saturated;
 }
 

@@ -12,15 +12,20 @@
 
 struct sph_surface {
     int64_t point[3];     /* sW, origin of secondary rays */
+    int64_t guarded[3];   /* s(W+NG), the point with its guard bits */
     int64_t normal[3];    /* sWD, normalised by one shift, towards the ray's side */
     struct sph_unit unit; /* of normal */
     uint64_t nn;          /* normal.normal, u(2WD) */
 };
 
-/* Hit point org + t*dir with NG guard bits that only the normal sees, t = key / a rounded down to
- * PQ bits (Borodavka et al. VI.A). A point outside the grid is limited to it: returns 1. */
+/* Hit point org + t*dir with NG guard bits that only a sphere's normal sees, t = key / a rounded
+ * down to PQ bits (Borodavka et al. VI.A). A point outside the grid is limited to it: returns 1. */
 int sph_surface_at(const struct sph_profile *p, const struct sph_ray *ray,
                    const struct sph_hit *hit, const struct sph_leaf *sphere, struct sph_surface *s);
+
+/* The same on a facet with the normal of its record, s24: turned if it looks along the ray. */
+int sph_surface_facet(const struct sph_profile *p, const struct sph_ray *ray,
+                      const struct sph_hit *hit, const int64_t normal[3], struct sph_surface *s);
 
 /* Mirror direction dir*(n.n) - 2*(dir.n)*n in exact integers, then one normalising shift to sWD
  * (Borodavka et al. VI.B without its divisions). */

@@ -17,26 +17,55 @@ struct siblings {
     } list[4];
 };
 
-/* Exact test of one leaf; a hit that comes first replaces *best. */
-static void leaf_visit(const struct sph_ray *ray, const struct sph_leaf *leaf, struct sph_hit *best,
-                       struct sph_counters *c) {
+/* A hit that comes first replaces *best. */
+static void keep(struct sph_hit *best, struct sph_hit hit) {
+    if (!best->key || hit.key < best->key || (hit.key == best->key && hit.id < best->id))
+        *best = hit;
+}
+
+/* Exact test of one sphere. */
+static void sphere_visit(const struct sph_ray *ray, const struct sph_leaf *leaf,
+                         struct sph_hit *best, struct sph_counters *c) {
     struct sph_leaf_result r = sph_leaf_test(ray, leaf);
     c->count[SPH_COUNT_LEAF_TESTS]++;
     if (!r.hit) return;
     uint64_t key = ray->kind == SPH_SHADOW ? 1 : sph_leaf_key(&r, &c->count[SPH_COUNT_ROOTS]);
-    if (!best->key || key < best->key || (key == best->key && leaf->id < best->id))
-        *best = (struct sph_hit){key, leaf->id, r.far};
+    keep(best, (struct sph_hit){key, leaf->id, r.far});
+}
+
+/* Exact test of what a leaf line of a machine with FACETS holds. */
+static void line_visit(const struct sph_profile *p, const struct sph_ray *ray, const uint32_t *line,
+                       struct sph_hit *best, struct sph_counters *c) {
+    if (!sph_leaf_kind(line)) {
+        struct sph_leaf sphere = sph_leaf_read(line, 0, p->w);
+        sphere_visit(ray, &sphere, best, c);
+        return;
+    }
+    struct sph_facet_leaf facet = sph_facet_read(line, p->w);
+    struct sph_facet_result r = sph_facet_test(p, ray, &facet);
+    c->count[SPH_COUNT_FACET_TESTS]++;
+    if (!r.hit) return;
+    uint64_t key =
+        ray->kind == SPH_SHADOW ? 1 : sph_facet_key(ray, &r, &c->count[SPH_COUNT_DIVISIONS]);
+    keep(best, (struct sph_hit){key, facet.id, r.far});
 }
 
 static struct sph_hit brute(const struct sph_machine *m, const struct sph_ray *ray,
                             struct sph_counters *c) {
     struct sph_hit best = {0, SPH_ID_NONE, 0};
-    int w = sph_machine_profile(m)->w;
+    const struct sph_profile *p = sph_machine_profile(m);
     uint32_t n = (uint32_t)m->regs[SPH_REG_N_PRIMS];
+    uint32_t spheres =
+        sph_machine_effect(m, SPH_EFFECT_FACETS) ? (uint32_t)m->regs[SPH_REG_N_SPHERES] : n;
     for (uint32_t id = 0; id < n; id++) {
-        size_t line = (uint32_t)m->regs[SPH_REG_PRIM_BASE] + (size_t)id;
-        struct sph_leaf leaf = sph_leaf_read(m->mem + line * SPH_LINE_WORDS, 0, w);
-        leaf_visit(ray, &leaf, &best, c);
+        if (id < spheres) {
+            size_t line = (uint32_t)m->regs[SPH_REG_PRIM_BASE] + (size_t)id;
+            struct sph_leaf leaf = sph_leaf_read(m->mem + line * SPH_LINE_WORDS, 0, p->w);
+            sphere_visit(ray, &leaf, &best, c);
+        } else {
+            size_t line = (uint32_t)m->regs[SPH_REG_FACET_BASE] + (size_t)(id - spheres);
+            line_visit(p, ray, m->mem + line * SPH_LINE_WORDS, &best, c);
+        }
         if (ray->kind == SPH_SHADOW && best.key) break;
     }
     return best;
@@ -49,6 +78,7 @@ struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *r
     const struct sph_profile *p = sph_machine_profile(m);
     struct siblings now = {0}, stack[SPH_STACK_DEPTH];
     int sp = 0, ends = ray->kind == SPH_SHADOW || ray->first;
+    int whole = sph_machine_effect(m, SPH_EFFECT_FACETS); /* a line for each leaf */
     int32_t depth_max = ray->depth_max;
     uint32_t lines = (uint32_t)m->regs[SPH_REG_MEM_LINES], ray_visits = 0;
     uint32_t node = (uint32_t)m->regs[SPH_REG_ROOT];
@@ -65,7 +95,8 @@ struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *r
         struct siblings found = {sph_field(line, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS), 0, {{0}}};
         uint32_t n_inner = sph_field(line, SPH_NODE_N_INNER_LSB, SPH_NODE_N_INNER_BITS);
         uint32_t n_leaf = sph_field(line, SPH_NODE_N_LEAF_LSB, SPH_NODE_N_LEAF_BITS);
-        if (n_inner + n_leaf > 4 || found.base + n_inner + (n_leaf + 1) / 2 > lines)
+        if (n_inner + n_leaf > 4 ||
+            found.base + n_inner + (whole ? n_leaf : (n_leaf + 1) / 2) > lines)
             return *errors |= 1u << SPH_ERROR_BAD_NODE, best;
         c->count[SPH_COUNT_CHILD_TESTS] += n_inner + n_leaf;
 
@@ -76,10 +107,15 @@ struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *r
             if (!sph_filter(ray, &child, depth_before, &near)) continue;
             if (i >= n_inner) {
                 uint32_t j = i - n_inner;
-                size_t at = (size_t)found.base + n_inner + (j >> 1);
-                struct sph_leaf leaf = sph_leaf_read(m->mem + at * SPH_LINE_WORDS, j & 1, p->w);
+                size_t at = (size_t)found.base + n_inner + (whole ? j : j >> 1);
+                const uint32_t *leaf = m->mem + at * SPH_LINE_WORDS;
                 uint64_t key_before = best.key;
-                leaf_visit(ray, &leaf, &best, c);
+                if (whole) {
+                    line_visit(p, ray, leaf, &best, c);
+                } else {
+                    struct sph_leaf sphere = sph_leaf_read(leaf, j & 1, p->w);
+                    sphere_visit(ray, &sphere, &best, c);
+                }
                 if (best.key != key_before && ray->kind != SPH_SHADOW)
                     depth_max = sph_ray_depth(p, ray, best.key);
             } else { /* insert: near first, ties in the order of children */
