@@ -4,7 +4,7 @@
 set -u
 cd "$(dirname "$0")/.." || exit 1
 n=0
-echo 1..4
+echo 1..6
 same() { # name, committed file, fresh file
     n=$((n + 1))
     if diff -u "$2" "$3"; then echo "ok $n - $1"; else echo "not ok $n - $1: see make layout"; fi
@@ -18,3 +18,9 @@ ${CC:-gcc} -std=c11 -O2 -Icmodel cmodel/math/gen_rsqrt.c -lm -o "$TMP/gen_rsqrt"
 "$TMP/gen_rsqrt" v >"$TMP/rt_rsqrt_rom.v"
 same "rsqrt_table.h follows gen_rsqrt.c" cmodel/math/rsqrt_table.h "$TMP/rsqrt_table.h"
 same "rt_rsqrt_rom.v follows gen_rsqrt.c" rtl/math/rt_rsqrt_rom.v "$TMP/rt_rsqrt_rom.v"
+
+${CC:-gcc} -std=c11 -O2 -Icmodel cmodel/texture/gen_log2.c -lm -o "$TMP/gen_log2" || exit 1
+"$TMP/gen_log2" c >"$TMP/log2_table.h"
+"$TMP/gen_log2" v >"$TMP/rt_log2_rom.v"
+same "log2_table.h follows gen_log2.c" cmodel/texture/log2_table.h "$TMP/log2_table.h"
+same "rt_log2_rom.v follows gen_log2.c" rtl/texture/rt_log2_rom.v "$TMP/rt_log2_rom.v"

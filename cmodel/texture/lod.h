@@ -1,0 +1,32 @@
+/* lod.h - which level of a MIP chain a hit sees       RTL: rtl/texture/rt_log2.v, rt_lod.v
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Park et al. 2011, equation 2: lod = log2(path) - log2(P_b). path is the length of all rays from
+ * the eye to the hit; P_b stands in the mapping record. Formats and bounds: docs/lod.md.
+ */
+#ifndef SPH_LOD_H
+#define SPH_LOD_H
+
+#include <stdint.h>
+
+#include "trace/ray.h"
+
+/* log2(x), u5.8, of x >= 1: x is rounded half up to nine significant bits, of which a table gives
+ * the fraction. Off by less than 0.0048; exact for powers of two; never falls when x rises. */
+uint32_t sph_log2(uint32_t x);
+
+/* Bits of a path length, u(W+4).4 in grid units. */
+static inline int sph_path_bits(const struct sph_profile *p) {
+    return p->w + 8;
+}
+
+/* path + |t*dir| of a hit of the ray that was set up, u(W+4).4, limited to all ones. The length is
+ * key / |dir|, with 1/|dir| from the ray's unit vector: no root, no quotient. */
+uint64_t sph_path_add(const struct sph_profile *p, const struct sph_ray *ray, uint64_t key,
+                      uint64_t path);
+
+/* log2(path) - base, limited to 0 .. levels-1, u4.8. base: s7.8, log2 of P_b in grid units; path 0
+ * is level 0. levels: 1..12. */
+uint32_t sph_lod(uint64_t path, int32_t base, int levels);
+
+#endif
