@@ -8,7 +8,8 @@
 #include "reference/naive_math.h"
 
 struct prim {
-    struct sph_leaf sphere;
+    struct sph_leaf sphere; /* of a facet: ctr is the normal */
+    int facet;
     uint32_t rgb[3], kr;
 };
 
@@ -25,6 +26,10 @@ static int64_t min(int64_t a, int64_t b) {
     return a < b ? a : b;
 }
 
+static int on(const struct sph_machine *m, int effect) {
+    return m->regs[SPH_REG_EFFECTS] & 1 << effect ? 1 : 0;
+}
+
 static struct prim prim_read(const struct sph_machine *m, int32_t index) {
     const uint32_t *line = m->mem + (int64_t)SPH_LINE_WORDS * (m->regs[SPH_REG_PRIM_BASE] + index);
     struct prim p;
@@ -35,18 +40,25 @@ static struct prim prim_read(const struct sph_machine *m, int32_t index) {
     p.sphere.rad = sph_field(line, SPH_LEAF_RAD_LSB, SPH_LEAF_RAD_BITS);
     p.sphere.id = sph_field(line, SPH_LEAF_ID_LSB, SPH_LEAF_ID_BITS);
     p.kr = sph_field(line, SPH_PRIM_KR_LSB, SPH_PRIM_KR_BITS);
+    p.facet = on(m, SPH_EFFECT_FACETS) && index >= m->regs[SPH_REG_N_SPHERES];
     return p;
 }
 
-static int on(const struct sph_machine *m, int effect) {
-    return m->regs[SPH_REG_EFFECTS] & 1 << effect ? 1 : 0;
+/* Meets facet `index`. */
+static struct sph_naive_leaf facet(const struct sph_machine *m, const struct sph_ray *ray,
+                                   int32_t index) {
+    int32_t line = m->regs[SPH_REG_FACET_BASE] + index - m->regs[SPH_REG_N_SPHERES];
+    struct sph_facet_leaf f = sph_naive_facet_read(m->mem + (int64_t)SPH_LINE_WORDS * line);
+    return sph_naive_facet(ray, &f, sph_profiles[m->regs[SPH_REG_PROFILE]].w);
 }
 
-/* Tests sphere `index`; a hit with a smaller key, or the same and a smaller id, replaces *best. */
+/* Tests primitive `index`; a hit with a smaller key, or the same and a smaller id, replaces *best.
+ */
 static void consider(const struct sph_machine *m, const struct sph_ray *ray, int32_t index,
                      struct found *best) {
     struct prim prim = prim_read(m, index);
-    struct sph_naive_leaf how = sph_naive_leaf(ray, &prim.sphere);
+    struct sph_naive_leaf how =
+        prim.facet ? facet(m, ray, index) : sph_naive_leaf(ray, &prim.sphere);
     if (!how.hit) return;
     if (!best->how.hit || how.key < best->how.key ||
         (how.key == best->how.key && prim.sphere.id < best->prim.sphere.id))
@@ -120,6 +132,7 @@ static struct point point_of(const struct sph_profile *p, const struct sph_ray *
         mpz_set_si(x, f->prim.sphere.ctr[i]);
         mpz_mul_2exp(x, x, (mp_bitcnt_t)p->ng);
         mpz_sub(n[i], n[i], x);
+        if (f->prim.facet) mpz_set_si(n[i], f->prim.sphere.ctr[i]);
         if (f->how.far) mpz_neg(n[i], n[i]);
     }
     if (!mpz_sgn(n[0]) && !mpz_sgn(n[1]) && !mpz_sgn(n[2]))

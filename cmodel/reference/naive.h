@@ -1,15 +1,17 @@
 /* naive.h - a second, slow model that checks the golden one
  * SPDX-License-Identifier: Apache-2.0
  *
- * Written from the definitions alone: every sphere of the machine is tested against every ray in
+ * Written from the definitions alone: every primitive of the machine is tested against every ray in
  * unbounded integers (GMP), the discriminant in Lagrange's form rad^2*a - |oc x dir|^2, roots are
- * compared by squaring, keys are found by search. Nothing of the golden model is called.
+ * compared by squaring, keys are found by search; facets are met by solving equations in rational
+ * numbers. Nothing of the golden model is called.
  */
 #ifndef SPH_NAIVE_H
 #define SPH_NAIVE_H
 
 #include "frame.h"
 #include "machine/machine.h"
+#include "trace/facet.h"
 #include "trace/leaf.h"
 #include "trace/ray.h"
 
@@ -23,6 +25,14 @@ struct sph_naive_leaf {
 /* Tests one sphere; of *ray only org, dir, kind, skip and inside are read. Total for any int64
  * operands below 2^30. */
 struct sph_naive_leaf sph_naive_leaf(const struct sph_ray *ray, const struct sph_leaf *leaf);
+
+/* Tests one facet, in a world of w-bit coordinates: org + t*dir = v0 + x*e1 + y*e2 is solved in
+ * rational numbers. exit is 0, and far that the normal looks along the ray. */
+struct sph_naive_leaf sph_naive_facet(const struct sph_ray *ray, const struct sph_facet_leaf *facet,
+                                      int w);
+
+/* The facet of a leaf line. */
+struct sph_facet_leaf sph_naive_facet_read(const uint32_t *line);
 
 /* 1 if pixel x, y is left out by the background separation of BG_MODE. */
 int sph_naive_background(const struct sph_machine *m, int x, int y);

@@ -1,0 +1,143 @@
+/* naive_facet.c - ray and facet by definition, see naive.h
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * org + t*dir = v0 + x*e1 + y*e2 is solved for x, y and t in rational numbers, by elimination.
+ */
+#include <gmp.h>
+
+#include "reference/naive.h"
+
+/* Three equations of three unknowns, the last column is the right side. */
+struct equations {
+    mpq_t m[3][4], x;
+    int sign; /* of the determinant */
+};
+
+static void equations_set(struct equations *e, const int64_t e1[3], const int64_t e2[3],
+                          const struct sph_ray *ray, const int64_t v0[3]) {
+    mpq_init(e->x);
+    for (int i = 0; i < 3; i++) {
+        const int64_t row[4] = {e1[i], e2[i], -ray->dir[i], ray->org[i] - v0[i]};
+        for (int j = 0; j < 4; j++) {
+            mpq_init(e->m[i][j]);
+            mpq_set_si(e->m[i][j], row[j], 1);
+        }
+    }
+}
+
+static void equations_clear(struct equations *e) {
+    mpq_clear(e->x);
+    for (int i = 0; i < 12; i++)
+        mpq_clear(e->m[i / 4][i % 4]);
+}
+
+/* Gauss and Jordan: the unknowns stand in the last column then. 0 if there is not one solution. */
+static int equations_solve(struct equations *e) {
+    e->sign = 1;
+    for (int c = 0; c < 3; c++) {
+        int pivot = c;
+        while (pivot < 3 && !mpq_sgn(e->m[pivot][c]))
+            pivot++;
+        if (pivot == 3) return 0;
+        if (pivot != c) e->sign = -e->sign;
+        e->sign *= mpq_sgn(e->m[pivot][c]);
+        for (int j = 0; j < 4; j++)
+            mpq_swap(e->m[pivot][j], e->m[c][j]);
+        for (int j = 3; j >= c; j--)
+            mpq_div(e->m[c][j], e->m[c][j], e->m[c][c]);
+        for (int i = 0; i < 3; i++)
+            for (int j = 3; i != c && j >= c; j--) {
+                mpq_mul(e->x, e->m[i][c], e->m[c][j]);
+                mpq_sub(e->m[i][j], e->m[i][j], e->x);
+            }
+    }
+    return 1;
+}
+
+/* Two directions of the plane with normal n, whose cross product is n times something positive. */
+static void plane_directions(const int64_t n[3], int64_t e1[3], int64_t e2[3]) {
+    int i = n[0] ? 0 : n[1] ? 1 : 2, j = (i + 1) % 3, k = (i + 2) % 3;
+    int64_t turn = n[i] < 0 ? -1 : 1;
+    e1[i] = -n[j], e1[j] = n[i], e1[k] = 0; /* e1 x e2 = n[i] * n */
+    e2[i] = -n[k] * turn, e2[j] = 0, e2[k] = n[i] * turn;
+}
+
+/* Whether the solution's point lies in the box of w-bit coordinates. */
+static int in_box(struct equations *e, const struct sph_ray *ray, int w) {
+    int64_t end = 1;
+    for (int i = 1; i < w; i++)
+        end *= 2;
+    for (int i = 0; i < 3; i++) {
+        mpq_set_si(e->x, ray->dir[i], 1);
+        mpq_mul(e->x, e->x, e->m[2][3]);
+        mpq_set_si(e->m[0][0], ray->org[i], 1);
+        mpq_add(e->x, e->x, e->m[0][0]);
+        if (mpq_cmp_si(e->x, -end, 1) < 0 || mpq_cmp_si(e->x, end - 1, 1) > 0) return 0;
+    }
+    return 1;
+}
+
+/* The smallest integer that is at least t * |dir|^2. */
+static uint64_t key_of(struct equations *e, const struct sph_ray *ray) {
+    mpz_t a;
+    mpz_init(a);
+    for (int i = 0; i < 3; i++) {
+        mpz_set_si(mpq_numref(e->x), ray->dir[i]);
+        mpz_addmul(a, mpq_numref(e->x), mpq_numref(e->x));
+    }
+    mpz_mul(a, a, mpq_numref(e->m[2][3]));
+    mpz_cdiv_q(a, a, mpq_denref(e->m[2][3]));
+    uint64_t key = mpz_get_ui(a);
+    mpz_clear(a);
+    return key;
+}
+
+struct sph_naive_leaf sph_naive_facet(const struct sph_ray *ray, const struct sph_facet_leaf *f,
+                                      int w) {
+    struct sph_naive_leaf r = {0};
+    struct equations e;
+    int64_t e1[3], e2[3], skip = ray->skip.id, id = f->id;
+    if (id - f->before <= skip && skip <= id + f->after) return r;
+    for (int i = 0; i < 3; i++) {
+        e1[i] = f->v[1][i] - f->v[0][i];
+        e2[i] = f->v[2][i] - f->v[0][i];
+    }
+    if (f->kind == SPH_PLANE) plane_directions(f->v[1], e1, e2);
+    equations_set(&e, e1, e2, ray, f->v[0]);
+    if (equations_solve(&e) && mpq_sgn(e.m[2][3]) > 0) {
+        int shadow = ray->kind == SPH_SHADOW;
+        r.hit = !shadow || mpq_cmp_si(e.m[2][3], 1, 1) < 0;
+        if (f->kind == SPH_PLANE) {
+            r.hit = r.hit && (shadow || in_box(&e, ray, w));
+        } else {
+            mpq_add(e.x, e.m[0][3], e.m[1][3]);
+            r.hit = r.hit && mpq_sgn(e.m[0][3]) >= 0 && mpq_sgn(e.m[1][3]) >= 0 &&
+                    mpq_cmp_si(e.x, 1, 1) <= 0;
+        }
+        r.far = r.hit && e.sign < 0; /* the column of dir is negated */
+        if (r.hit && !shadow) r.key = key_of(&e, ray);
+    }
+    equations_clear(&e);
+    return r;
+}
+
+/* Three numbers of 24 bits, the first one's lowest bit is lsb. */
+static void three(const uint32_t *line, int lsb, int64_t v[3]) {
+    for (int i = 0; i < 3; i++) {
+        v[i] = 0;
+        for (int b = 0; b < 24; b++) {
+            int at = lsb + 24 * i + b;
+            v[i] += (int64_t)(line[at / 32] >> at % 32 & 1) * (b < 23 ? 1 << b : -(1 << b));
+        }
+    }
+}
+
+struct sph_facet_leaf sph_naive_facet_read(const uint32_t *line) {
+    struct sph_facet_leaf f = {.kind = (int)(line[7] >> 30),
+                               .id = line[6] >> 24 | (line[7] & 0xffff) << 8,
+                               .before = line[7] >> 16 & 127,
+                               .after = line[7] >> 23 & 127};
+    for (int i = 0; i < 3; i++)
+        three(line, 72 * i, f.v[i]);
+    return f;
+}
