@@ -88,6 +88,36 @@ static inline void assert_same_scene(const struct sph_scene *p, const struct sph
     }
 }
 
+/* Same facets, and primitives with the same textures; the numbers of the textures may differ. */
+static inline void assert_same_texture(const struct sph_scene *p, uint32_t i,
+                                       const struct sph_scene *q, uint32_t j) {
+    if (!i || !j) {
+        assert_int_equal(i, j);
+        return;
+    }
+    const struct sph_texture *s = &p->textures[i - 1], *t = &q->textures[j - 1];
+    assert_string_equal(s->path, t->path);
+    assert_same_bytes(s->wrap, t->wrap, sizeof s->wrap);
+    assert_same_bytes(s->repeat, t->repeat, sizeof s->repeat);
+    assert_same_bytes(s->offset, t->offset, sizeof s->offset);
+}
+
+static inline void assert_same_facets(const struct sph_scene *p, const struct sph_scene *q) {
+    for (uint32_t i = 0; i < p->n_spheres; i++)
+        assert_same_texture(p, p->spheres[i].texture, q, q->spheres[i].texture);
+    assert_int_equal(p->n_facets, q->n_facets);
+    for (uint32_t i = 0; i < p->n_facets; i++) {
+        const struct sph_facet *s = &p->facets[i], *t = &q->facets[i];
+        assert_int_equal(s->kind, t->kind);
+        assert_int_equal(s->group, t->group);
+        assert_same_bytes(s->v, t->v, sizeof s->v);
+        assert_same_bytes(s->st, t->st, sizeof s->st);
+        assert_same_texture(p, s->texture, q, t->texture);
+        assert_same_bytes(&p->materials[s->material], &q->materials[t->material],
+                          offsetof(struct sph_material, line));
+    }
+}
+
 static inline void round_trip(const struct sph_scene *scene) {
     struct sph_error err = {""};
     struct sph_scene again;
@@ -97,6 +127,7 @@ static inline void round_trip(const struct sph_scene *scene) {
     fclose(file);
     if (sph_scene_read(file_name, NULL, &again, &err)) fail_msg("%s", err.text);
     assert_same_scene(scene, &again);
+    assert_same_facets(scene, &again);
     sph_scene_free(&again);
 }
 

@@ -42,13 +42,12 @@ static void test_good(void **state) {
 static void test_skip(void **state) {
     (void)state;
     struct sph_scene s;
-    read_text(CAM MAT "p 3\n0 0 0\n1 0 0\n0 1 0\ns 0 0 0 1\npp 3 1 1 1 0 0 1 2 2 2 0 0 1\n"
-                      "3 3 3 0 0 1\nc\n0 0 0 1\n0 0 1 0\ntt s.png\n0 0 0 0 0 0\n1 1 1 0 0 0\n"
-                      "s 1 1 1 1\nfm 1 1 1\n",
+    read_text(CAM MAT "t 1 2 3\n4 5 6\ns 0 0 0 1\nc\n0 0 0 1\n0 0 1 0\n"
+                      "tpp s.png\n0 0 0 0 0 0\n1 1 1 0 0 0\ns 1 1 1 1\npb 1 1 1\n",
               1, &s);
-    assert_int_equal(s.n_skipped, 5);
+    assert_int_equal(s.n_skipped, 4);
     assert_int_equal(s.n_spheres, 2);
-    assert_int_equal(s.spheres[1].line, 22);
+    assert_int_equal(s.spheres[1].line, 18);
     sph_scene_free(&s);
 }
 

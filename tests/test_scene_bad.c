@@ -63,12 +63,9 @@ static const struct bad bads[] = {
     {"garbage", CAM "hello\n", 8, "unknown word `hello`", 0, 0},
     {"garbage_with_skip", CAM "hello\n", 8, "unknown word `hello`", 1, 0},
     {"number_alone", CAM "42\n", 8, "unknown word `42`", 1, 0},
-    {"polygon", CAM "p 3\n0 0 0\n1 0 0\n0 1 0\n", 8, "`p` (polygon) is not supported", 0, 0},
-    {"patch", CAM "pp 3\n", 8, "`pp` (polygon with normals) is not supported", 0, 0},
     {"cone", CAM "c\n0 0 0 1\n0 0 1 1\n", 8, "`c` (cone or cylinder) is not", 0, 0},
-    {"triangle", CAM "tt x\n", 8, "`tt` (textured triangle) is not supported", 0, 0},
-    {"truncated_polygon", CAM "p 3\n0 0 0\n1 0 0\n0 1\n", 11, "ends within `p`", 1, 0},
-    {"polygon_count", CAM "p -3\n", 8, "not a number of vertices", 1, 0},
+    {"patch", CAM "tpp x\n", 8, "`tpp` (textured triangle with normals) is not", 0, 0},
+    {"truncated_cone", CAM "c 0 0 0 1 0 0 1\n", 8, "ends within `c`", 1, 0},
 };
 
 static void test_bad(void **state) {

@@ -62,6 +62,9 @@ static int check(const struct sph_scene *scene, const struct sph_build_options *
     if (scene->n_spheres > SPH_MAX_SPHERES)
         return sph_fail(err, "%s: %u spheres, at most %u", scene->path, scene->n_spheres,
                         SPH_MAX_SPHERES);
+    if (scene->n_facets)
+        return sph_fail(err, "%s:%u: a machine of triangles or planes cannot be built yet",
+                        scene->path, scene->facets[0].line);
     if (check_effects(scene, o, err)) return -1;
     for (uint32_t i = 0; i < scene->n_spheres; i++)
         if (scene->spheres[i].material >= scene->n_materials)

@@ -61,6 +61,9 @@ int sph_scene_add_facet(struct sph_scene *scene, const struct sph_facet *facet,
 int sph_scene_add_texture(struct sph_scene *scene, const struct sph_texture *texture,
                           struct sph_error *err) {
     uint32_t n = scene->n_textures;
+    if (n >= SPH_MAX_TEXTURES)
+        return sph_fail(err, "%s:%u: more than %d textures", scene->path, texture->line,
+                        SPH_MAX_TEXTURES);
     struct sph_texture *room = grow(scene->textures, n, sizeof *scene->textures);
     if (!room)
         return sph_fail(err, "%s:%u: no memory for more than %u textures", scene->path,

@@ -93,6 +93,37 @@ int sph_lex_peek(struct sph_lex *lex, struct sph_error *err) {
     return 1;
 }
 
+int sph_lex_name(struct sph_lex *lex, const char *record, const char *field, char *name,
+                 size_t size, struct sph_error *err) {
+    int c = skip_blanks(lex, err), quoted = c == '"';
+    size_t n = 0;
+    if (c < -1) return -1;
+    if (c < 0)
+        return sph_fail(err, "%s:%u: the file ends within `%s`, before %s", lex->path,
+                        lex->token_line, record, field);
+    lex->token_line = lex->line;
+    if (quoted) lex->pos++;
+    while ((c = next_byte(lex)) >= 0) {
+        if (quoted ? c == '"' : is_blank(c) || c == '#') break;
+        if (is_control(c)) return fail_control(lex, c, err);
+        if (c == '\n' || c == '"')
+            return sph_fail(err, "%s:%u: `%s`: %s: %s", lex->path, lex->line, record, field,
+                            quoted ? "the line ends before the second quote"
+                                   : "a quote within the name");
+        if (n + 1 == size)
+            return sph_fail(err, "%s:%u: `%s`: %s: more than %zu characters", lex->path, lex->line,
+                            record, field, size - 1);
+        name[n++] = (char)c;
+        lex->pos++;
+    }
+    if (quoted && c < 0)
+        return sph_fail(err, "%s:%u: `%s`: %s: the file ends before the second quote", lex->path,
+                        lex->line, record, field);
+    if (quoted) lex->pos++;
+    name[n] = 0;
+    return quoted ? SPH_NAME_QUOTED : SPH_NAME_BARE;
+}
+
 int sph_lex_numeric(const struct sph_lex *lex) {
     char c = lex->token[0];
     return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.';

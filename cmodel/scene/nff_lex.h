@@ -49,6 +49,14 @@ int sph_lex_numeric(const struct sph_lex *lex);
 int sph_lex_number(struct sph_lex *lex, const char *record, const char *field, double *value,
                    struct sph_error *err);
 
+/* Takes a name: the characters up to the next blank or `#`, or all between two quotes ("). `size`
+ * is that of name, with the zero at the end. SPH_NAME_BARE or SPH_NAME_QUOTED, or -1 with a
+ * message: end of file, end of line within quotes, a quote within a bare name, too long. No token
+ * may have been peeked at and not taken. */
+enum { SPH_NAME_BARE = 1, SPH_NAME_QUOTED = 2 };
+int sph_lex_name(struct sph_lex *lex, const char *record, const char *field, char *name,
+                 size_t size, struct sph_error *err);
+
 /* Reads all of text as a decimal number. 0; -1 if it is not one; -2 if it is too large. */
 int sph_parse_number(const char *text, double *value);
 

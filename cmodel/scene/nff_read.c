@@ -1,54 +1,42 @@
-/* nff_read.c - reads the Neutral File Format; see scene.h and docs/scene_format.md
+/* nff_read.c - reads the Neutral File Format; see nff_reader.h and docs/scene_format.md
  * SPDX-License-Identifier: Apache-2.0
  *
  * NFF is Eric Haines' format of the Standard Procedural Databases (SPD). Their conventions hold:
  * vertical field of view, light 1/sqrt(number of lights) where no colour is given, Ks both
  * highlight and mirror weight.
  */
-#include "scene/edit.h"
-#include "scene/nff_lex.h"
-#include "scene/nff_skip.h"
+#include "scene/nff_reader.h"
 
 #include <math.h>
 #include <string.h>
 
-struct reader {
-    struct sph_lex lex;
-    struct sph_scene *scene;
-    int skip;           /* leave unsupported primitives out */
-    int material_used;  /* a sphere uses the newest material */
-    uint32_t view_line; /* of `v`, 0 if there was none; the same for `b` and `ambient` */
-    uint32_t background_line, ambient_line;
-    int plain[SPH_MAX_LIGHTS]; /* lights without colour of their own */
-};
+#include "scene/nff_skip.h"
 
-/* Takes n numbers with the given names. */
-static int take_numbers(struct reader *r, const char *record, const char *const *names, int n,
-                        double *values, struct sph_error *err) {
+const char *const sph_nff_point[3] = {"x", "y", "z"};
+const char *const sph_nff_colour[3] = {"red", "green", "blue"};
+
+int sph_nff_numbers(struct sph_reader *r, const char *record, const char *const *names, int n,
+                    double *values, struct sph_error *err) {
     for (int i = 0; i < n; i++)
         if (sph_lex_number(&r->lex, record, names[i], &values[i], err)) return -1;
     return 0;
 }
 
-static int fail_here(struct reader *r, struct sph_error *err, const char *record,
-                     const char *what) {
+int sph_nff_fail(struct sph_reader *r, struct sph_error *err, const char *record,
+                 const char *what) {
     return sph_fail(err, "%s:%u: `%s`: %s", r->lex.path, r->lex.token_line, record, what);
 }
 
-static const char *const point_names[] = {"x", "y", "z"};
-static const char *const colour_names[] = {"red", "green", "blue"};
-
-static int take_point(struct reader *r, const char *record, struct sph_vec *v,
-                      struct sph_error *err) {
+int sph_nff_vec(struct sph_reader *r, const char *record, struct sph_vec *v,
+                struct sph_error *err) {
     double value[3];
-    if (take_numbers(r, record, point_names, 3, value, err)) return -1;
+    if (sph_nff_numbers(r, record, sph_nff_point, 3, value, err)) return -1;
     *v = sph_vec_of(value[0], value[1], value[2]);
     return 0;
 }
 
-/* Are the n values within 0..1? */
-static int check_unit(struct reader *r, const char *record, const char *const *names, int n,
-                      const double *values, struct sph_error *err) {
+int sph_nff_check_unit(struct sph_reader *r, const char *record, const char *const *names, int n,
+                       const double *values, struct sph_error *err) {
     for (int i = 0; i < n; i++)
         if (!(values[i] >= 0 && values[i] <= 1))
             return sph_fail(err, "%s:%u: `%s`: %s %g is not within 0 to 1", r->lex.path,
@@ -56,18 +44,25 @@ static int check_unit(struct reader *r, const char *record, const char *const *n
     return 0;
 }
 
+int sph_nff_more(struct sph_reader *r, const char *record, const char *const *names, int n,
+                 double *values, struct sph_error *err) {
+    int got = sph_lex_peek(&r->lex, err);
+    if (got <= 0 || !sph_lex_numeric(&r->lex)) return got < 0 ? -1 : 0;
+    return sph_nff_numbers(r, record, names, n, values, err) ? -1 : 1;
+}
+
 /* A colour that may be given once a file. */
-static int take_colour_once(struct reader *r, const char *record, uint32_t *line, double *rgb,
+static int take_colour_once(struct sph_reader *r, const char *record, uint32_t *line, double *rgb,
                             struct sph_error *err) {
     if (*line)
         return sph_fail(err, "%s:%u: second `%s`; the first is in line %u", r->lex.path,
                         r->lex.token_line, record, *line);
     *line = r->lex.token_line;
-    if (take_numbers(r, record, colour_names, 3, rgb, err)) return -1;
-    return check_unit(r, record, colour_names, 3, rgb, err);
+    if (sph_nff_numbers(r, record, sph_nff_colour, 3, rgb, err)) return -1;
+    return sph_nff_check_unit(r, record, sph_nff_colour, 3, rgb, err);
 }
 
-static int take_size(struct reader *r, const char *name, int *size, struct sph_error *err) {
+static int take_size(struct sph_reader *r, const char *name, int *size, struct sph_error *err) {
     double value;
     if (sph_lex_number(&r->lex, "resolution", name, &value, err)) return -1;
     if (!(value >= 1 && value <= SPH_MAX_RESOLUTION && value == floor(value)))
@@ -77,15 +72,15 @@ static int take_size(struct reader *r, const char *name, int *size, struct sph_e
     return 0;
 }
 
-static int take_view_field(struct reader *r, int field, struct sph_error *err) {
+static int take_view_field(struct sph_reader *r, int field, struct sph_error *err) {
     struct sph_camera *camera = &r->scene->camera;
     switch (field) {
     case 0:
-        return take_point(r, "from", &camera->from, err);
+        return sph_nff_vec(r, "from", &camera->from, err);
     case 1:
-        return take_point(r, "at", &camera->at, err);
+        return sph_nff_vec(r, "at", &camera->at, err);
     case 2:
-        return take_point(r, "up", &camera->up, err);
+        return sph_nff_vec(r, "up", &camera->up, err);
     case 3:
         return sph_lex_number(&r->lex, "angle", "degrees", &camera->angle, err);
     case 4:
@@ -99,7 +94,7 @@ static int take_view_field(struct reader *r, int field, struct sph_error *err) {
 }
 
 /* v from x y z at x y z up x y z angle a hither h resolution w h: any order, hither optional. */
-static int take_view(struct reader *r, struct sph_error *err) {
+static int take_view(struct sph_reader *r, struct sph_error *err) {
     static const char *const names[] = {"from", "at", "up", "angle", "hither", "resolution"};
     enum { N_FIELDS = 6, HITHER = 4 };
     int seen[N_FIELDS] = {0}, got, field;
@@ -112,7 +107,7 @@ static int take_view(struct reader *r, struct sph_error *err) {
             if (!strcmp(r->lex.token, names[field])) break;
         if (field == N_FIELDS) break;
         sph_lex_take(&r->lex);
-        if (seen[field]) return fail_here(r, err, names[field], "given twice");
+        if (seen[field]) return sph_nff_fail(r, err, names[field], "given twice");
         seen[field] = 1;
         if (take_view_field(r, field, err)) return -1;
     }
@@ -127,7 +122,7 @@ static int take_view(struct reader *r, struct sph_error *err) {
 }
 
 /* l x y z [red green blue] */
-static int take_light(struct reader *r, struct sph_error *err) {
+static int take_light(struct sph_reader *r, struct sph_error *err) {
     struct sph_vec pos;
     double rgb[3] = {1, 1, 1};
     int n = r->scene->n_lights;
@@ -135,63 +130,47 @@ static int take_light(struct reader *r, struct sph_error *err) {
     if (n == SPH_MAX_LIGHTS)
         return sph_fail(err, "%s:%u: more than %d lights", r->lex.path, r->lex.token_line,
                         SPH_MAX_LIGHTS);
-    if (take_point(r, "l", &pos, err)) return -1;
-    int got = sph_lex_peek(&r->lex, err);
+    if (sph_nff_vec(r, "l", &pos, err)) return -1;
+    int got = sph_nff_more(r, "l", sph_nff_colour, 3, rgb, err);
     if (got < 0) return -1;
-    r->plain[n] = got == 0 || !sph_lex_numeric(&r->lex);
-    if (!r->plain[n] && take_numbers(r, "l", colour_names, 3, rgb, err)) return -1;
+    r->plain[n] = !got;
     for (int i = 0; i < 3; i++)
         if (rgb[i] < 0)
             return sph_fail(err, "%s:%u: `l`: %s %g is negative", r->lex.path, r->lex.token_line,
-                            colour_names[i], rgb[i]);
+                            sph_nff_colour[i], rgb[i]);
     if (sph_scene_add_light(r->scene, pos, rgb[0], rgb[1], rgb[2], err)) return -1;
     r->scene->lights[n].line = line;
     return 0;
 }
 
-/* f red green blue Kd Ks Shine T index; replaces the newest material if that is unused. */
-static int take_material(struct reader *r, struct sph_error *err) {
-    static const char *const names[] = {"red", "green", "blue", "Kd",
-                                        "Ks",  "Shine", "T",    "index of refraction"};
-    enum { N = 8, N_UNIT = 5, SHINE = 5, TRANS = 6, IOR = 7 };
-    double f[N];
-    int line = (int)r->lex.token_line;
-    if (take_numbers(r, "f", names, N, f, err) || check_unit(r, "f", names, N_UNIT, f, err) ||
-        check_unit(r, "f", &names[TRANS], 1, &f[TRANS], err))
-        return -1;
-    if (f[SHINE] < 0) return fail_here(r, err, "f", "Shine is negative");
-    if (f[IOR] < 0) return fail_here(r, err, "f", "index of refraction is negative");
-    struct sph_material m = {{f[0], f[1], f[2]}, f[3], f[4], f[SHINE], f[TRANS], f[IOR], line};
-    if (r->scene->n_materials > 0 && !r->material_used) {
-        r->scene->materials[r->scene->n_materials - 1] = m;
-        return 0;
-    }
-    r->material_used = 0;
-    return sph_scene_add_material(r->scene, &m, err);
-}
-
 /* s x y z radius */
-static int take_sphere(struct reader *r, struct sph_error *err) {
+static int take_sphere(struct sph_reader *r, struct sph_error *err) {
     struct sph_vec ctr;
     double rad;
-    uint32_t line = r->lex.token_line;
-    if (r->scene->n_materials == 0)
-        return fail_here(r, err, "s", "no material (`f`) before this sphere");
-    if (take_point(r, "s", &ctr, err) || sph_lex_number(&r->lex, "s", "radius", &rad, err))
+    uint32_t line = r->lex.token_line, material;
+    if (sph_nff_material(r, "s", "sphere", &material, err)) return -1;
+    if (sph_nff_vec(r, "s", &ctr, err) || sph_lex_number(&r->lex, "s", "radius", &rad, err))
         return -1;
     if (!(rad > 0))
         return sph_fail(err, "%s:%u: `s`: radius %g is not positive", r->lex.path,
                         r->lex.token_line, rad);
-    r->material_used = 1;
-    return sph_scene_add_sphere(r->scene, ctr, rad, r->scene->n_materials - 1, line, err);
+    if (sph_scene_add_sphere(r->scene, ctr, rad, material, line, err)) return -1;
+    r->scene->spheres[r->scene->n_spheres - 1].texture = r->texture;
+    return 0;
 }
 
-static int take_record(struct reader *r, struct sph_error *err) {
+static int take_record(struct sph_reader *r, struct sph_error *err) {
     char word[SPH_LEX_TOKEN + 1];
     memcpy(word, r->lex.token, sizeof word);
     sph_lex_take(&r->lex);
     if (!strcmp(word, "s")) return take_sphere(r, err);
-    if (!strcmp(word, "f")) return take_material(r, err);
+    if (!strcmp(word, "f")) return sph_nff_take_f(r, err);
+    if (!strcmp(word, "fm")) return sph_nff_take_fm(r, err);
+    if (!strcmp(word, "p")) return sph_nff_take_polygon(r, 0, err);
+    if (!strcmp(word, "pp")) return sph_nff_take_polygon(r, 1, err);
+    if (!strcmp(word, "tt")) return sph_nff_take_tt(r, err);
+    if (!strcmp(word, "plane")) return sph_nff_take_plane(r, err);
+    if (!strcmp(word, "texture")) return sph_nff_take_texture(r, err);
     if (!strcmp(word, "l")) return take_light(r, err);
     if (!strcmp(word, "v")) return take_view(r, err);
     if (!strcmp(word, "b"))
@@ -202,7 +181,7 @@ static int take_record(struct reader *r, struct sph_error *err) {
 }
 
 /* What can only be checked at the end of the file. */
-static int finish(struct reader *r, struct sph_error *err) {
+static int finish(struct sph_reader *r, struct sph_error *err) {
     struct sph_scene *scene = r->scene;
     uint32_t first, second;
     if (!r->view_line) return sph_fail(err, "%s: no camera (`v`)", r->lex.path);
@@ -218,7 +197,7 @@ static int finish(struct reader *r, struct sph_error *err) {
 
 int sph_scene_read(const char *path, const struct sph_read_options *options,
                    struct sph_scene *scene, struct sph_error *err) {
-    struct reader r = {.scene = scene, .skip = options && options->skip_unsupported};
+    struct sph_reader r = {.scene = scene, .skip = options && options->skip_unsupported};
     int got, bad = 0, records = 0;
     memset(scene, 0, sizeof *scene);
     sph_scene_set_path(scene, path);

@@ -14,6 +14,8 @@
 
 #define SPH_MAX_SPHERES 16000000u /* ids are 24 bits wide; the all-ones id means "no hit" */
 
+#define SPH_MAX_TEXTURES 1024
+
 struct sph_vec {
     double x, y, z;
 };
@@ -83,7 +85,7 @@ struct sph_scene {
 };
 
 struct sph_read_options {
-    int skip_unsupported; /* leave out p, pp, c, ...: render the rest */
+    int skip_unsupported; /* leave out c, pb, ...: render the rest */
 };
 
 /* Reads an NFF file (docs/scene_format.md) into *scene. 0, or -1 with "file:line: ..." in *err;

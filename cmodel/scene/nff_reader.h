@@ -1,0 +1,66 @@
+/* nff_reader.h - what the files that read NFF records share: the reader's state and its helpers
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * nff_read.c takes camera, lights and spheres; nff_surface.c materials and textures; nff_facet.c
+ * polygons, triangles and planes.
+ */
+#ifndef SPH_SCENE_NFF_READER_H
+#define SPH_SCENE_NFF_READER_H
+
+#include "scene/edit.h"
+#include "scene/nff_lex.h"
+
+struct sph_reader {
+    struct sph_lex lex;
+    struct sph_scene *scene;
+    int skip;           /* leave unsupported primitives out */
+    int material_used;  /* a primitive uses the newest material */
+    uint32_t texture;   /* of the spheres and planes that follow: index + 1, 0: none */
+    uint32_t n_groups;  /* of facets so far */
+    uint32_t view_line; /* of `v`, 0 if there was none; the same for `b` and `ambient` */
+    uint32_t background_line, ambient_line;
+    int plain[SPH_MAX_LIGHTS]; /* lights without colour of their own */
+};
+
+extern const char *const sph_nff_point[3];  /* "x", "y", "z" */
+extern const char *const sph_nff_colour[3]; /* "red", "green", "blue" */
+
+/* Takes n numbers with the given names. */
+int sph_nff_numbers(struct sph_reader *r, const char *record, const char *const *names, int n,
+                    double *values, struct sph_error *err);
+
+int sph_nff_vec(struct sph_reader *r, const char *record, struct sph_vec *v, struct sph_error *err);
+
+/* Takes n numbers with the given names if a number comes next. 1 if so, 0 if not, -1. */
+int sph_nff_more(struct sph_reader *r, const char *record, const char *const *names, int n,
+                 double *values, struct sph_error *err);
+
+/* "file:line: `record`: what" at the newest word; -1. */
+int sph_nff_fail(struct sph_reader *r, struct sph_error *err, const char *record, const char *what);
+
+/* -1 with a message if one of the n values is not within 0..1. */
+int sph_nff_check_unit(struct sph_reader *r, const char *record, const char *const *names, int n,
+                       const double *values, struct sph_error *err);
+
+/* The material of a primitive that is read: marks it as used. -1 with a message if there was no
+ * `f` or `fm` yet; what: "sphere". */
+int sph_nff_material(struct sph_reader *r, const char *record, const char *what, uint32_t *material,
+                     struct sph_error *err);
+
+/* One record each, its first word taken. */
+int sph_nff_take_f(struct sph_reader *r, struct sph_error *err);
+int sph_nff_take_fm(struct sph_reader *r, struct sph_error *err);
+int sph_nff_take_texture(struct sph_reader *r, struct sph_error *err);
+int sph_nff_take_polygon(struct sph_reader *r, int with_normals, struct sph_error *err);
+int sph_nff_take_tt(struct sph_reader *r, struct sph_error *err);
+int sph_nff_take_plane(struct sph_reader *r, struct sph_error *err);
+
+/* Takes the name of an image: path is the scene file's folder and the name. 1; 0 for the bare word
+ * `none`; -1 with a message. */
+int sph_nff_image(struct sph_reader *r, const char *record, char path[512], struct sph_error *err);
+
+/* The index + 1 of the texture that is equal but for the line; it is added if there is none. */
+int sph_nff_find_texture(struct sph_reader *r, const struct sph_texture *texture, uint32_t *index,
+                         struct sph_error *err);
+
+#endif

@@ -1,0 +1,135 @@
+/* nff_surface.c - what surfaces look like: `f`, `fm` and `texture`; see nff_reader.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include <math.h>
+#include <string.h>
+
+#include "scene/nff_reader.h"
+
+int sph_nff_material(struct sph_reader *r, const char *record, const char *what, uint32_t *material,
+                     struct sph_error *err) {
+    if (r->scene->n_materials == 0)
+        return sph_fail(err, "%s:%u: `%s`: no material (`f`) before this %s", r->lex.path,
+                        r->lex.token_line, record, what);
+    r->material_used = 1;
+    *material = r->scene->n_materials - 1;
+    return 0;
+}
+
+/* Adds a material; it replaces the newest one if that is unused. */
+static int add_material(struct sph_reader *r, const struct sph_material *m, struct sph_error *err) {
+    if (r->scene->n_materials > 0 && !r->material_used) {
+        r->scene->materials[r->scene->n_materials - 1] = *m;
+        return 0;
+    }
+    r->material_used = 0;
+    return sph_scene_add_material(r->scene, m, err);
+}
+
+/* Shine and what follows it, which both records end with: Shine T index. */
+static int check_tail(struct sph_reader *r, const char *record, const double tail[3],
+                      struct sph_error *err) {
+    static const char *const names[] = {"T"};
+    if (sph_nff_check_unit(r, record, names, 1, &tail[1], err)) return -1;
+    if (tail[0] < 0) return sph_nff_fail(r, err, record, "Shine is negative");
+    if (tail[2] < 0) return sph_nff_fail(r, err, record, "index of refraction is negative");
+    return 0;
+}
+
+/* f red green blue Kd Ks Shine T index */
+int sph_nff_take_f(struct sph_reader *r, struct sph_error *err) {
+    static const char *const names[] = {"red", "green", "blue", "Kd",
+                                        "Ks",  "Shine", "T",    "index of refraction"};
+    enum { N = 8, N_UNIT = 5 };
+    double f[N];
+    int line = (int)r->lex.token_line;
+    if (sph_nff_numbers(r, "f", names, N, f, err) ||
+        sph_nff_check_unit(r, "f", names, N_UNIT, f, err) || check_tail(r, "f", f + N_UNIT, err))
+        return -1;
+    struct sph_material m = {{f[0], f[1], f[2]}, f[3], f[4], f[5], f[6], f[7], line};
+    return add_material(r, &m, err);
+}
+
+/* fm ambient(3) diffuse(3) specular(3) Shine T index, of AFF. Ambient colours are not used: there
+ * is one ambient light. The mirror weight is one number: the mean of the specular colour. */
+int sph_nff_take_fm(struct sph_reader *r, struct sph_error *err) {
+    static const char *const names[] = {"ambient red",
+                                        "ambient green",
+                                        "ambient blue",
+                                        "diffuse red",
+                                        "diffuse green",
+                                        "diffuse blue",
+                                        "specular red",
+                                        "specular green",
+                                        "specular blue",
+                                        "Shine",
+                                        "T",
+                                        "index of refraction"};
+    enum { N = 12, N_UNIT = 9, DIFFUSE = 3, SPECULAR = 6 };
+    double f[N];
+    int line = (int)r->lex.token_line;
+    if (sph_nff_numbers(r, "fm", names, N, f, err) ||
+        sph_nff_check_unit(r, "fm", names, N_UNIT, f, err) || check_tail(r, "fm", f + N_UNIT, err))
+        return -1;
+    const double *d = f + DIFFUSE, *s = f + SPECULAR;
+    double kd = fmax(d[0], fmax(d[1], d[2])), by = kd > 0 ? kd : 1;
+    struct sph_material m = {
+        {d[0] / by, d[1] / by, d[2] / by}, kd, (s[0] + s[1] + s[2]) / 3, f[9], f[10], f[11], line};
+    return add_material(r, &m, err);
+}
+
+int sph_nff_image(struct sph_reader *r, const char *record, char path[512], struct sph_error *err) {
+    enum { SIZE = 512 };
+    char name[SIZE];
+    int got = sph_lex_name(&r->lex, record, "image file", name, sizeof name, err);
+    if (got < 0) return -1;
+    if (got == SPH_NAME_BARE && !strcmp(name, "none")) return 0;
+    if (!*name) return sph_nff_fail(r, err, record, "the name of the image file is empty");
+    const char *scene = r->scene->path, *slash = strrchr(scene, '/');
+    int folder = slash && name[0] != '/' ? (int)(slash - scene) + 1 : 0;
+    if (snprintf(path, SIZE, "%.*s%s", folder, scene, name) >= SIZE)
+        return sph_nff_fail(r, err, record, "the path of the image file is too long");
+    return 1;
+}
+
+int sph_nff_find_texture(struct sph_reader *r, const struct sph_texture *texture, uint32_t *index,
+                         struct sph_error *err) {
+    struct sph_scene *scene = r->scene;
+    for (uint32_t i = 0; i < scene->n_textures; i++) {
+        const struct sph_texture *t = &scene->textures[i];
+        if (memcmp(t->wrap, texture->wrap, sizeof t->wrap) != 0 || strcmp(t->path, texture->path))
+            continue;
+        if (t->repeat[0] == texture->repeat[0] && t->repeat[1] == texture->repeat[1] &&
+            t->offset[0] == texture->offset[0] && t->offset[1] == texture->offset[1]) {
+            *index = i + 1;
+            return 0;
+        }
+    }
+    if (sph_scene_add_texture(scene, texture, err)) return -1;
+    *index = scene->n_textures;
+    return 0;
+}
+
+/* texture FILE su sv [ou ov] [clamp], or texture none */
+int sph_nff_take_texture(struct sph_reader *r, struct sph_error *err) {
+    static const char *const names[] = {"su", "sv", "ou", "ov"};
+    struct sph_texture t = {.line = r->lex.token_line};
+    int got = sph_nff_image(r, "texture", t.path, err);
+    if (got <= 0) {
+        r->texture = 0;
+        return got;
+    }
+    if (sph_nff_numbers(r, "texture", names, 2, t.repeat, err)) return -1;
+    for (int i = 0; i < 2; i++)
+        if (!(t.repeat[i] > 0))
+            return sph_fail(err, "%s:%u: `texture`: %s %g is not positive", r->lex.path,
+                            r->lex.token_line, names[i], t.repeat[i]);
+    if (sph_nff_more(r, "texture", names + 2, 2, t.offset, err) < 0) return -1;
+    got = sph_lex_peek(&r->lex, err);
+    if (got < 0) return -1;
+    if (got && !strcmp(r->lex.token, "clamp")) {
+        sph_lex_take(&r->lex);
+        t.wrap[0] = t.wrap[1] = 1;
+    }
+    return sph_nff_find_texture(r, &t, &r->texture, err);
+}

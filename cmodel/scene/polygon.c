@@ -1,0 +1,96 @@
+/* polygon.c - see polygon.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "scene/polygon.h"
+
+#include <math.h>
+
+#define EMPTY 1e-12 /* of the squared size: what rounding leaves of the area of a line */
+
+static struct sph_vec sub(struct sph_vec a, struct sph_vec b) {
+    return (struct sph_vec){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+static struct sph_vec cross(struct sph_vec a, struct sph_vec b) {
+    return (struct sph_vec){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+static double dot(struct sph_vec a, struct sph_vec b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+static double length(struct sph_vec v) {
+    return hypot(hypot(v.x, v.y), v.z);
+}
+
+/* Twice the area as a vector. */
+static struct sph_vec area(struct sph_vec a, struct sph_vec b, struct sph_vec c) {
+    return cross(sub(b, a), sub(c, a));
+}
+
+int sph_triangle_empty(struct sph_vec a, struct sph_vec b, struct sph_vec c) {
+    double size = fmax(length(sub(b, a)), length(sub(c, a)));
+    return !(length(area(a, b, c)) > EMPTY * size * size);
+}
+
+int sph_parallel(struct sph_vec a, struct sph_vec b) {
+    return !(length(cross(a, b)) > EMPTY * length(a) * length(b));
+}
+
+/* -1 with a message if a corner is off the plane or the outline turns back. unit: the normal. */
+static int check_shape(const struct sph_vec *corner, int n, struct sph_vec unit, double size,
+                       struct sph_error *err) {
+    double mean = 0;
+    for (int i = 0; i < n; i++)
+        mean += dot(sub(corner[i], corner[0]), unit) / n;
+    for (int i = 0; i < n; i++) {
+        struct sph_vec a = corner[i], b = corner[(i + 1) % n], c = corner[(i + 2) % n];
+        double off = dot(sub(a, corner[0]), unit) - mean, chord = length(sub(c, a));
+        if (fabs(off) > SPH_POLYGON_FLAT * size)
+            return sph_fail(err, "the polygon is not flat: corner %d is %g off its plane", i + 1,
+                            fabs(off));
+        if (dot(area(a, b, c), unit) < -SPH_POLYGON_CONVEX * size * chord ||
+            (i > 0 && i < n - 1 &&
+             dot(area(corner[0], a, b), unit) < -SPH_POLYGON_CONVEX * size * size))
+            return sph_fail(err, "the polygon is not convex at corner %d: cut it in convex ones",
+                            (i + 1) % n + 1);
+    }
+    return 0;
+}
+
+/* Triangles without area in the fan from corner `first`. */
+static int empty_pieces(const struct sph_vec *corner, int n, int first) {
+    int empty = 0;
+    for (int i = 1; i < n - 1; i++)
+        empty +=
+            sph_triangle_empty(corner[first], corner[(first + i) % n], corner[(first + i + 1) % n]);
+    return empty;
+}
+
+int sph_polygon_fan(const struct sph_vec *corner, int n, int (*index)[3], struct sph_error *err) {
+    struct sph_vec normal = {0, 0, 0};
+    double size = 0;
+    for (int i = 1; i < n; i++) {
+        size = fmax(size, length(sub(corner[i], corner[0])));
+        if (i == n - 1) break;
+        struct sph_vec more = area(corner[0], corner[i], corner[i + 1]);
+        normal = (struct sph_vec){normal.x + more.x, normal.y + more.y, normal.z + more.z};
+    }
+    double twice = length(normal);
+    if (!(twice > EMPTY * size * size))
+        return sph_fail(err, "the %s has no area", n == 3 ? "triangle" : "polygon");
+    struct sph_vec unit = {normal.x / twice, normal.y / twice, normal.z / twice};
+    if (check_shape(corner, n, unit, size, err)) return -1;
+    int first = 0, fewest = empty_pieces(corner, n, 0), count = 0;
+    for (int i = 1; i < n && fewest; i++) {
+        int empty = empty_pieces(corner, n, i);
+        if (empty < fewest) fewest = empty, first = i;
+    }
+    for (int i = 1; i < n - 1; i++) {
+        int b = (first + i) % n, c = (b + 1) % n;
+        if (sph_triangle_empty(corner[first], corner[b], corner[c])) continue;
+        index[count][0] = first, index[count][1] = b, index[count][2] = c;
+        count++;
+    }
+    return count;
+}

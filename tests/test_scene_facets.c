@@ -1,0 +1,225 @@
+/* test_scene_facets.c - scene files: polygons, triangles, planes, textures
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "scene_files.h"
+
+#include "scene/rng.h"
+
+#define SQUARE "0 0 0\n2 0 0\n2 2 0\n0 2 0\n"
+static const struct bad bads[] = {
+    {"polygon_before_material", CAM "p 3 0 0 0 1 0 0 0 1 0\n", 8, "no material", 0, 0},
+    {"triangle_before_material", CAM "tt x 0 0 0 0 0\n", 8, "no material", 0, 0},
+    {"plane_before_material", CAM "plane 0 0 0 0 1 0\n", 8, "before this plane", 0, 0},
+    {"polygon_2", CAM MAT "p 2 0 0 0 1 0 0\n", 9, "`p`: 2 corners; a polygon has 3 to 1024", 0, 0},
+    {"polygon_many", CAM MAT "p 1025\n", 9, "1025 corners", 0, 0},
+    {"polygon_part", CAM MAT "pp 3.5\n", 9, "`pp`: 3.5 corners", 0, 0},
+    {"polygon_short", CAM MAT "p 3\n0 0 0\n1 0 0\n0 1\n", 12, "ends within `p`, before z", 0, 0},
+    {"patch_short", CAM MAT "pp 3\n0 0 0 0 0 1\n1 0 0\n", 11, "ends within `pp`", 0, 0},
+    {"point", CAM MAT "p 3 1 2 3 1 2 3 1 2 3\n", 9, "the triangle has no area", 0, 0},
+    {"line", CAM MAT "p 3 0 0 0 1 1 1 .3 .3 .3\n", 9, "the triangle has no area", 0, 0},
+    {"lines", CAM MAT "s 0 0 0 1\np 4 0 0 0 1 1 1 .3 .3 .3 .9 .9 .9\n", 10,
+     "the polygon has no area", 0, 0},
+    {"bent", CAM MAT "p 4 0 0 0 2 0 0 2 2 .1 0 2 0\n", 9, "not flat: corner 1 is 0.0", 0, 0},
+    {"arrow", CAM MAT "p 4 0 0 0 4 0 0 1 1 0 0 4 0\n", 9, "not convex at corner 3", 0, 0},
+    {"arrow_turned", CAM MAT "p 4 1 1 0 0 4 0 0 0 0 4 0 0\n", 9, "not convex at corner 1", 0, 0},
+    {"bow_tie", CAM MAT "p 4 0 0 0 2 2 0 2 0 0 0 1 0\n", 9, "not convex", 0, 0},
+    {"pentagram",
+     CAM MAT "p 5 1 0 0 -.809017 .587785 0 .309017 -.951057 0 .309017 .951057 0 "
+             "-.809017 -.587785 0\n",
+     9, "not convex", 0, 0},
+    {"tt_flat", CAM MAT "tt x.png 0 0 0 0 0 1 1 1 0 0 2 2 2 1 1\n", 9, "`tt`: the triangle has no",
+     0, 0},
+    {"tt_short", CAM MAT "tt x.png 0 0 0 0 0 1 1 1 0 0 2 2 2 1\n", 9, "ends within `tt`, before v",
+     0, 0},
+    {"tt_no_name", CAM MAT "tt", 9, "ends within `tt`, before image file", 0, 0},
+    {"tt_number", CAM MAT "tt x.png 0 0 y\n", 9, "`tt`: z: `y` is not a decimal", 0, 0},
+    {"plane_short", CAM MAT "plane 0 0 0 0 1\n", 9, "ends within `plane`, before nz", 0, 0},
+    {"plane_normal", CAM MAT "plane 0 0 0 0 -0 0\n", 9, "the normal is zero", 0, 0},
+    {"plane_along", CAM MAT "plane 0 0 0 0 1 0 0 -3 0\n", 9, "is along the normal", 0, 0},
+    {"plane_along_zero", CAM MAT "plane 0 0 0 0 1 0 0 0 0\n", 9, "or zero", 0, 0},
+    {"plane_along_short", CAM MAT "plane 0 0 0 0 1 0 2 s 0 0 0 1\n", 9, "sy: `s` is not", 0, 0},
+    {"texture_empty", CAM "texture \"\" 1 1\n", 8, "name of the image file is empty", 0, 0},
+    {"texture_no_size", CAM "texture x.png 1\n", 8, "ends within `texture`, before sv", 0, 0},
+    {"texture_zero", CAM "texture x.png 1 0\n", 8, "`texture`: sv 0 is not positive", 0, 0},
+    {"texture_offset", CAM "texture x.png 1 1 .5 clamp\n", 8, "ov: `clamp` is not", 0, 0},
+    {"texture_quote", CAM "texture \"x.png 1 1\n", 8, "line ends before the second quote", 0, 0},
+    {"texture_quote_end", CAM "texture \"x.png", 8, "file ends before the second quote", 0, 0},
+    {"texture_quote_within", CAM "texture x\"y\" 1 1\n", 8, "a quote within the name", 0, 0},
+    {"texture_control", CAM "texture x\033y 1 1\n", 8, "byte 0x1b", 0, 0},
+    {"fm_short", CAM "fm 1 1 1 1 1 1 0 0 0 5 0\n", 8, "ends within `fm`, before index", 0, 0},
+    {"fm_above_1", CAM "fm 1 1 1 1 2 1 0 0 0 5 0 1\n", 8, "diffuse green 2 is not", 0, 0},
+    {"fm_shine", CAM "fm 1 1 1 1 1 1 0 0 0 -5 0 1\n", 8, "`fm`: Shine is negative", 0, 0},
+    {"fm_t", CAM "fm 1 1 1 1 1 1 0 0 0 5 2 1\n", 8, "T 2 is not within", 0, 0},
+};
+
+static void test_bad(void **state) {
+    const struct bad *bad = *state;
+    struct sph_error err = {""};
+    struct sph_scene scene;
+    put_bad(bad);
+    assert_int_equal(sph_scene_read(file_name, NULL, &scene, &err), -1);
+    assert_message(bad, &err);
+    assert_null(scene.facets);
+    assert_null(scene.textures);
+}
+
+static void read_text(const char *text, struct sph_scene *scene) {
+    struct sph_error err = {""};
+    put_file(text, strlen(text));
+    if (sph_scene_read(file_name, NULL, scene, &err)) fail_msg("%s", err.text);
+}
+
+static void assert_corner(const struct sph_facet *f, int corner, double x, double y, double z) {
+    assert_true(f->v[corner].x == x && f->v[corner].y == y && f->v[corner].z == z);
+}
+
+static void test_polygons(void **state) {
+    (void)state;
+    struct sph_scene s;
+    read_text(CAM MAT "p 4\n" SQUARE
+                      "f 0 1 0 .5 .5 1 0 1\npp 3 0 0 0 9 9 9 1 0 0 0 0 0 0 1 0 8 8 8\n"
+                      "s 0 0 0 1\n",
+              &s);
+    assert_int_equal(s.n_facets, 3);
+    assert_int_equal(s.n_spheres, 1);
+    const struct sph_facet *f = s.facets;
+    assert_corner(&f[0], 0, 0, 0, 0);
+    assert_corner(&f[0], 1, 2, 0, 0);
+    assert_corner(&f[0], 2, 2, 2, 0);
+    assert_corner(&f[1], 0, 0, 0, 0);
+    assert_corner(&f[1], 1, 2, 2, 0);
+    assert_corner(&f[1], 2, 0, 2, 0);
+    assert_corner(&f[2], 2, 0, 1, 0);
+    assert_int_equal(f[0].group, 0);
+    assert_int_equal(f[1].group, 0);
+    assert_int_equal(f[2].group, 1);
+    assert_int_equal(f[1].line, 9);
+    assert_int_equal(f[2].line, 15);
+    assert_int_equal(f[1].material, 0);
+    assert_int_equal(f[2].material, 1);
+    assert_int_equal(f[0].kind, SPH_TRIANGLE);
+    round_trip(&s);
+    sph_scene_free(&s);
+}
+
+/* Corners on an edge, twice the same corner: the fan starts where it loses least. */
+static void test_fans(void **state) {
+    (void)state;
+    struct sph_scene s;
+    read_text(CAM MAT "p 5 0 0 0 1 0 0 2 0 0 2 2 0 0 2 0\n" /* one corner on an edge */
+                      "p 5 0 0 0 2 0 0 2 2 0 0 2 0 0 0 0\n" /* closed by its first corner */
+                      "p 5 0 0 0 1 0 0 2 0 0 3 0 0 0 4 0\n" /* all but one on a line */
+                      "p 4 0 0 0 1 1e-7 0 2 0 0 1 1 0\n"    /* as good as convex */
+                      "p 5 0 0 0 2 0 0 2 2 0 2.0000000000001 2.0000000000001 0 0 2 0\n",
+              &s);
+    static const uint32_t first[6] = {0, 3, 5, 8, 10, 12};
+    assert_int_equal(s.n_facets, 12);
+    for (uint32_t g = 0; g < 5; g++)
+        for (uint32_t i = first[g]; i < first[g + 1]; i++)
+            assert_int_equal(s.facets[i].group, g);
+    assert_corner(&s.facets[0], 0, 1, 0, 0);
+    assert_corner(&s.facets[5], 0, 0, 4, 0);
+    round_trip(&s);
+    sph_scene_free(&s);
+}
+
+static void test_planes_and_textures(void **state) {
+    (void)state;
+    struct sph_scene s;
+    char image[100];
+    read_text(CAM MAT "plane 0 -1 0 0 2 0\ns 0 0 0 1\ntexture a.png 2 3 .25 .5\ns 1 0 0 1\n"
+                      "plane 0 0 -9 0 0 1 1 1 0 texture \"a b.png\" .5 .5 clamp s 2 0 0 1\n"
+                      "texture /none/x.png 1 1 s 4 0 0 1\ntexture none\ns 3 0 0 1\n"
+                      "tt a.png#c\n0 0 0 0 0\n1 0 0 1 0\n0 1 0 0 -1.5\n"
+                      "tt \"none\" 0 0 0 0 0 1 0 0 1 0 0 0 1 0 1 plane 1 0 0 1 0 0\n"
+                      "tt a.png 0 0 3 0 0 1 0 3 1 0 0 1 3 0 -1.5\n"
+                      "texture a.png 2 3 .25 .75 s 0 1 0 1 texture a.png 4 3 .25 .5 s 0 2 0 1\n"
+                      "texture a.png 2 3 .25 .5 s 0 3 0 1\n",
+              &s);
+    assert_int_equal(s.n_facets, 6);
+    assert_int_equal(s.n_textures, 7);
+    snprintf(image, sizeof image, "%s/a.png", folder);
+    assert_string_equal(s.textures[0].path, image);
+    assert_string_equal(s.textures[2].path, "/none/x.png");
+    snprintf(image, sizeof image, "%s/none", folder);
+    assert_string_equal(s.textures[4].path, image);
+    assert_true(s.textures[0].repeat[1] == 3 && s.textures[0].offset[0] == 0.25);
+    assert_int_equal(s.textures[0].wrap[0], 0);
+    assert_int_equal(s.textures[1].wrap[1], 1);
+    static const uint32_t spheres[8] = {0, 1, 2, 3, 0, 6, 7, 1}, facets[6] = {0, 1, 4, 5, 0, 4};
+    for (int i = 0; i < 8; i++)
+        assert_int_equal(s.spheres[i].texture, spheres[i]);
+    for (int i = 0; i < 6; i++)
+        assert_int_equal(s.facets[i].texture, facets[i]);
+    assert_corner(&s.facets[0], 1, 0, 2, 0);
+    assert_corner(&s.facets[0], 2, 1, 0, 0); /* s along x; along z where x is the normal */
+    assert_corner(&s.facets[1], 2, 1, 1, 0);
+    assert_corner(&s.facets[4], 2, 0, 0, 1);
+    assert_true(s.facets[1].st[0][0] == 2 && s.facets[1].st[1][1] == 0.5);
+    assert_true(s.facets[2].st[2][1] == -1.5 && s.facets[2].st[1][0] == 1);
+    assert_int_equal(s.facets[0].kind, SPH_PLANE);
+    round_trip(&s);
+    sph_scene_free(&s);
+}
+
+static void test_extended_material(void **state) {
+    (void)state;
+    struct sph_scene s;
+    read_text(CAM "fm .1 .1 .1 .25 .5 0 .2 .4 .6 7 .3 1.5\ns 0 0 0 1\nfm 1 1 1 0 0 0 0 0 0 0 0 0\n"
+                  "s 0 0 0 2\n",
+              &s);
+    const struct sph_material *m = s.materials;
+    assert_true(m->rgb[0] == 0.5 && m->rgb[1] == 1 && m->rgb[2] == 0 && m->kd == 0.5);
+    assert_true(m->ks > 0.3999 && m->ks < 0.4001 && m->shine == 7 && m->trans == 0.3);
+    assert_true(m->ior == 1.5 && m[1].kd == 0 && m[1].rgb[0] == 0);
+    sph_scene_free(&s);
+}
+
+static void test_too_many(void **state) {
+    (void)state;
+    struct sph_error err = {""}, err2 = {""};
+    struct sph_scene full = {
+        .path = "x.nff", .n_facets = SPH_MAX_FACETS, .n_textures = SPH_MAX_TEXTURES};
+    struct sph_facet facet = {.kind = SPH_TRIANGLE, .line = 7};
+    struct sph_texture texture = {.line = 8};
+    assert_int_equal(sph_scene_add_facet(&full, &facet, &err), -1);
+    assert_string_equal(err.text, "x.nff:7: more than 1048576 triangles and planes");
+    assert_int_equal(sph_scene_add_texture(&full, &texture, &err2), -1);
+    assert_string_equal(err2.text, "x.nff:8: more than 1024 textures");
+}
+
+/* Every beginning of a good file, and good files with random damage: success or a message. */
+static void test_damaged(void **state) {
+    (void)state;
+    const char good[] = CAM MAT "p 4\n" SQUARE "texture \"a b\" 1 2 clamp\nplane 0 0 0 0 1 0\n"
+                                "tt x 0 0 0 0 0 1 0 0 1 0 0 1 0 0 1\nfm 1 1 1 1 1 1 0 0 0 5 0 1\n"
+                                "pp 3 0 0 0 9 9 9 1 0 0 0 0 0 0 1 0 8 8 8\n";
+    const size_t n = sizeof good - 1;
+    struct sph_rng rng = {1};
+    int n_read = 0;
+    for (size_t i = 0; i < n + 2000; i++) {
+        char text[sizeof good];
+        memcpy(text, good, sizeof good);
+        for (int k = 0; i >= n && k < 2; k++)
+            text[sph_rng_next(&rng) % n] = (char)(sph_rng_next(&rng) >> (k ? 57 : 56));
+        put_file(text, i < n ? i : n);
+        struct sph_error err = {""};
+        struct sph_scene scene;
+        int bad = sph_scene_read(file_name, NULL, &scene, &err);
+        assert_int_equal(bad, err.text[0] ? -1 : 0);
+        n_read += !bad;
+        if (!bad) sph_scene_free(&scene);
+    }
+    assert_in_range(n_read, 20, n + 1999);
+}
+
+int main(void) {
+    const struct CMUnitTest others[] = {cmocka_unit_test(test_polygons),
+                                        cmocka_unit_test(test_fans),
+                                        cmocka_unit_test(test_planes_and_textures),
+                                        cmocka_unit_test(test_extended_material),
+                                        cmocka_unit_test(test_too_many),
+                                        cmocka_unit_test(test_damaged)};
+    return run_cases("scene_facets", test_bad, bads, sizeof bads / sizeof bads[0], others,
+                     sizeof others / sizeof others[0]);
+}
