@@ -18,7 +18,7 @@ static const double floors[SPH_PROFILES] = {41, 50, 54.5, 56};
 static const double scene_floors[SPH_PROFILES] = {28, 29, 40, 49.5};
 
 static struct sph_reference reference(const struct sph_scene *scene, int width, int height) {
-    struct sph_reference_options o = {width, height, DEPTH, 1, 1, 0};
+    struct sph_reference_options o = {width, height, DEPTH, 1, 1, 0, NULL};
     struct sph_reference r;
     struct sph_error err = {{0}};
     if (sph_reference_render(scene, &o, &r, &err)) fail_msg("%s", err.text);
@@ -93,6 +93,41 @@ static void reference_by_hand(void **state) {
     sph_reference_free(&r);
 }
 
+/* A square of two triangles before a plane that looks away, lit from between eye and square. */
+static void facets_by_hand(void **state) {
+    (void)state;
+    struct sph_material f = {.rgb = {1, 0.5, 0.25}, .kd = 1};
+    struct sph_facet facets[3] = {
+        {.kind = SPH_TRIANGLE, .v = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}}},
+        {.kind = SPH_TRIANGLE, .v = {{-1, -1, 0}, {-1, 1, 0}, {1, 1, 0}}},
+        {.kind = SPH_PLANE, .v = {{3, 4, -5}, {0, 0, -2}}, .group = 1},
+    };
+    struct sph_scene scene = {.path = "by hand", .n_lights = 1, .n_materials = 1, .n_facets = 3};
+    scene.camera = (struct sph_camera){{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, 30, 0, 33, 33};
+    scene.lights[0] = (struct sph_light){{0, 0, 5}, {0.75, 0.75, 0.75}, 0};
+    scene.ambient[0] = 0.25;
+    scene.materials = &f, scene.facets = facets;
+    struct sph_reference r = reference(&scene, 33, 33);
+    const struct sph_reference_pixel *row = &r.pixels[16 * 33];
+    assert_int_equal(row[16].id, 0); /* on the edge that both have */
+    assert_int_equal(row[16].colour[0], 48 << 16 | 96 << 8 | 255);
+    assert_int_equal(r.pixels[15 * 33 + 15].id, 1);
+    int seen = 0, plane = 0, shadow = 0;
+    for (int i = 0; i < 33; i++) {
+        seen += row[i].id < 2;
+        plane += row[i].id == 2;
+        shadow += row[i].shadow == 1;
+        assert_true(!row[i].shadow || row[i].id == 2);
+        assert_true(row[i].shadow ||
+                    row[i].colour[0] >> 16 > 0); /* lit from the side that is seen */
+    }
+    /* screen 16.5 / tan(15 deg) = 61.6: the square to 6.16 pixels, its shadow to 61.6 * 2 / 15 */
+    assert_int_equal(seen, 13);
+    assert_int_equal(plane, 33 - 13);
+    assert_int_equal(shadow, 4);
+    sph_reference_free(&r);
+}
+
 static void comparison(void **state) {
     (void)state;
     struct sph_pixel p[2] = {{.colour = {0x102030, 0, 0}, .id = 1}, {.id = SPH_ID_NONE}};
@@ -113,6 +148,7 @@ static void comparison(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(reference_by_hand),
+        cmocka_unit_test(facets_by_hand),
         cmocka_unit_test(comparison),
         cmocka_unit_test(psnr_of_profiles),
     };

@@ -7,6 +7,7 @@
 #include <omp.h>
 #include <stdlib.h>
 
+#include "reference/facet.h"
 #include "reference/tree.h"
 
 struct job {
@@ -72,6 +73,30 @@ static void light(const struct job *j, const double at[3], const double normal[3
     }
 }
 
+/* The hit point, and the normal on the ray's side; returns the material. */
+static const struct sph_material *surface(const struct sph_scene *scene,
+                                          const struct sph_ref_ray *ray,
+                                          const struct sph_ref_hit *hit, double at[3],
+                                          double normal[3]) {
+    uint32_t material;
+    for (int i = 0; i < 3; i++)
+        at[i] = ray->org[i] + hit->t * ray->dir[i];
+    if (hit->id < scene->n_spheres) {
+        const struct sph_sphere *s = &scene->spheres[hit->id];
+        const double ctr[3] = {s->ctr.x, s->ctr.y, s->ctr.z};
+        for (int i = 0; i < 3; i++)
+            normal[i] = (at[i] - ctr[i]) / s->rad;
+        material = s->material;
+    } else {
+        const struct sph_facet *f = &scene->facets[hit->id - scene->n_spheres];
+        sph_ref_facet_normal(f, normal);
+        material = f->material;
+    }
+    for (int i = 0; i < 3 && hit->far; i++)
+        normal[i] = -normal[i];
+    return &scene->materials[material];
+}
+
 static uint32_t byte(double c) {
     return (uint32_t)(fmin(fmax(c, 0), 1) * 255 + 0.5);
 }
@@ -92,14 +117,9 @@ static struct sph_reference_pixel render_pixel(const struct job *j, int x, int y
             for (int i = 0; i < 3; i++)
                 colour[i] = j->scene->background[i];
         } else {
-            const struct sph_sphere *s = &j->scene->spheres[hit.id];
-            const struct sph_material *f = &j->scene->materials[s->material];
-            double at[3], normal[3], lit[3], ctr[3] = {s->ctr.x, s->ctr.y, s->ctr.z};
+            double at[3], normal[3], lit[3];
+            const struct sph_material *f = surface(j->scene, &ray, &hit, at, normal);
             uint32_t blocked = 0;
-            for (int i = 0; i < 3; i++) {
-                at[i] = ray.org[i] + hit.t * ray.dir[i];
-                normal[i] = (hit.far ? ctr[i] - at[i] : at[i] - ctr[i]) / s->rad;
-            }
             light(j, at, normal, &hit, lit, &blocked);
             ks = fmin(fmax(f->ks, 0), 1);
             double share = ks < 1 ? fmin(1, f->kd / (1 - ks)) : f->kd;
@@ -138,7 +158,7 @@ int sph_reference_render(const struct sph_scene *scene, const struct sph_referen
     if (j.width <= 0 || j.height <= 0)
         return sph_fail(err, "%s: a frame of %dx%d has no pixels", scene->path, j.width, j.height);
     if (!camera(&j)) return sph_fail(err, "%s: the camera has no direction", scene->path);
-    struct sph_ref_tree *tree = sph_ref_tree_new(scene);
+    struct sph_ref_tree *tree = sph_ref_tree_new(scene, options->world);
     out->width = j.width, out->height = j.height;
     out->pixels = calloc((size_t)j.width * (size_t)j.height, sizeof *out->pixels);
     if (!tree || !out->pixels) {

@@ -11,20 +11,22 @@
 
 #include "error.h"
 #include "frame.h"
+#include "machine/machine.h"
 #include "scene/scene.h"
 
 struct sph_reference_options {
-    int width, height; /* pixels; 0: as the scene says */
-    int max_depth;     /* reflections followed, 0..5 */
-    int shadow;        /* 1: lights are blocked */
-    int reflect;       /* 1: mirrors are followed */
-    int threads;       /* 0: all */
+    int width, height;               /* pixels; 0: as the scene says */
+    int max_depth;                   /* reflections followed, 0..5 */
+    int shadow;                      /* 1: lights are blocked */
+    int reflect;                     /* 1: mirrors are followed */
+    int threads;                     /* 0: all */
+    const struct sph_machine *world; /* NULL, or planes end at its box as they do in it */
 };
 
 struct sph_reference_pixel {
     uint32_t colour[SPH_FRAMES]; /* 0xBBGGRR at depth 0, 1 and the deepest, as sph_pixel */
-    uint32_t id;                 /* sphere seen, SPH_ID_NONE: background */
-    uint32_t reflected_id;       /* sphere seen in it; SPH_ID_NONE: none */
+    uint32_t id;                 /* sphere or facet seen, SPH_ID_NONE: background */
+    uint32_t reflected_id;       /* seen in it; SPH_ID_NONE: none */
     uint32_t shadow;             /* bit l: light l shines on this side but is blocked */
 };
 
@@ -37,7 +39,7 @@ struct sph_image_error {
     double psnr[SPH_FRAMES]; /* dB over all pixels and channels; INFINITY: equal */
     uint64_t pixels;         /* compared */
     uint64_t silhouette;     /* hit in one, background in the other */
-    uint64_t wrong_id;       /* hit in both, another sphere */
+    uint64_t wrong_id;       /* hit in both, another one */
     uint64_t far_off;        /* a channel of the deepest layer is off by more than 8 */
     int worst;               /* largest difference of a channel in the deepest layer */
 };
@@ -50,7 +52,7 @@ int sph_reference_render(const struct sph_scene *scene, const struct sph_referen
 void sph_reference_free(struct sph_reference *r);
 
 /* Compares two frames of equal size (sizes differ: pixels is 0 and nothing else counts). The ids
- * of the frame must be the scene's sphere numbers. */
+ * of the frame must be the scene's numbers: spheres, then facets. */
 struct sph_image_error sph_reference_compare(const struct sph_frame *frame,
                                              const struct sph_reference *reference);
 

@@ -6,10 +6,12 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "reference/facet.h"
+
 enum { LEAF = 4 };
 
 struct item {
-    double ctr[3], rad;
+    double low[3], high[3];
     uint32_t id;
 };
 
@@ -22,19 +24,25 @@ struct box {
 struct sph_ref_tree {
     struct item *items;
     struct box *boxes;
-    uint32_t n_boxes;
+    uint32_t n_items, n_boxes;
+    const struct sph_scene *scene;
+    const struct sph_machine *world;
 };
+
+static double middle(const struct item *v, int axis) {
+    return v->low[axis] + v->high[axis];
+}
 
 /* Puts the count/2 items that are least along axis first (Hoare's selection). */
 static void halve(struct item *v, uint32_t count, int axis) {
     int64_t low = 0, high = (int64_t)count - 1, k = count / 2;
     while (low < high) {
-        double pivot = v[(low + high) / 2].ctr[axis];
+        double pivot = middle(&v[(low + high) / 2], axis);
         int64_t i = low, j = high;
         while (i <= j) {
-            while (v[i].ctr[axis] < pivot)
+            while (middle(&v[i], axis) < pivot)
                 i++;
-            while (v[j].ctr[axis] > pivot)
+            while (middle(&v[j], axis) > pivot)
                 j--;
             if (i <= j) {
                 struct item swap = v[i];
@@ -58,9 +66,9 @@ static uint32_t build(struct sph_ref_tree *t, uint32_t first, uint32_t count) {
     for (uint32_t i = first; i < first + count; i++)
         for (int j = 0; j < 3; j++) {
             const struct item *s = &t->items[i];
-            double slack = 1e-9 * (fabs(s->ctr[j]) + s->rad); /* boxes never lose a hit */
-            b.low[j] = fmin(b.low[j], s->ctr[j] - s->rad - slack);
-            b.high[j] = fmax(b.high[j], s->ctr[j] + s->rad + slack);
+            double slack = 1e-9 * fmax(fabs(s->low[j]), fabs(s->high[j])); /* no hit is lost */
+            b.low[j] = fmin(b.low[j], s->low[j] - slack);
+            b.high[j] = fmax(b.high[j], s->high[j] + slack);
         }
     if (count > LEAF) {
         int axis = 0;
@@ -74,21 +82,36 @@ static uint32_t build(struct sph_ref_tree *t, uint32_t first, uint32_t count) {
     return self;
 }
 
-struct sph_ref_tree *sph_ref_tree_new(const struct sph_scene *scene) {
+static void add(struct sph_ref_tree *t, uint32_t id, const struct sph_vec *v, int n, double rad) {
+    struct item *at = &t->items[t->n_items++];
+    *at = (struct item){{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}, id};
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < 3; j++) {
+            double c = j == 0 ? v[i].x : j == 1 ? v[i].y : v[i].z;
+            at->low[j] = fmin(at->low[j], c - rad);
+            at->high[j] = fmax(at->high[j], c + rad);
+        }
+}
+
+struct sph_ref_tree *sph_ref_tree_new(const struct sph_scene *scene,
+                                      const struct sph_machine *world) {
     struct sph_ref_tree *t = calloc(1, sizeof *t);
-    size_t n = scene->n_spheres;
+    size_t n = (size_t)scene->n_spheres + scene->n_facets;
     if (!t) return NULL;
+    t->scene = scene;
+    t->world = world;
     t->items = malloc((n + 1) * sizeof *t->items);
     t->boxes = malloc((2 * n + 1) * sizeof *t->boxes);
     if (!t->items || !t->boxes) {
         sph_ref_tree_free(t);
         return NULL;
     }
-    for (uint32_t i = 0; i < n; i++) {
-        const struct sph_sphere *s = &scene->spheres[i];
-        t->items[i] = (struct item){{s->ctr.x, s->ctr.y, s->ctr.z}, s->rad, i};
-    }
-    build(t, 0, (uint32_t)n);
+    for (uint32_t i = 0; i < scene->n_spheres; i++)
+        add(t, i, &scene->spheres[i].ctr, 1, scene->spheres[i].rad);
+    for (uint32_t i = 0; i < scene->n_facets; i++)
+        if (scene->facets[i].kind == SPH_TRIANGLE)
+            add(t, scene->n_spheres + i, scene->facets[i].v, 3, 0);
+    build(t, 0, t->n_items);
     return t;
 }
 
@@ -99,16 +122,23 @@ void sph_ref_tree_free(struct sph_ref_tree *tree) {
     free(tree);
 }
 
+/* A hit before t_max and before *best, or as far with a smaller id, replaces *best. */
+static void keep(struct sph_ref_hit hit, double t_max, struct sph_ref_hit *best) {
+    if (!(hit.t > 0) || hit.t >= t_max || hit.t > best->t) return;
+    if (hit.t < best->t || hit.id < best->id) *best = hit;
+}
+
 /* Stable quadratic: the discriminant from the distance of centre and ray, the small root from the
  * product of the roots. */
-static void sphere(const struct item *s, const struct sph_ref_ray *ray, double t_max,
-                   struct sph_ref_hit *best) {
-    int own = s->id == ray->skip;
+static void sphere(const struct sph_sphere *s, uint32_t id, const struct sph_ref_ray *ray,
+                   double t_max, struct sph_ref_hit *best) {
+    const double ctr[3] = {s->ctr.x, s->ctr.y, s->ctr.z};
+    int own = id == ray->skip;
     if (own && !ray->inside) return;
     const double *d = ray->dir;
     double oc[3], a = 0, b = 0, oc2 = 0, off2 = 0;
     for (int i = 0; i < 3; i++) {
-        oc[i] = s->ctr[i] - ray->org[i];
+        oc[i] = ctr[i] - ray->org[i];
         a += d[i] * d[i];
         b += oc[i] * d[i];
         oc2 += oc[i] * oc[i];
@@ -125,8 +155,45 @@ static void sphere(const struct item *s, const struct sph_ref_ray *ray, double t
         t = far ? q / a : c / q;
     else
         t = c / q; /* far: -|c| / -|q| */
-    if (!(t > 0) || t >= t_max || t > best->t || (t == best->t && s->id > best->id)) return;
-    *best = (struct sph_ref_hit){t, s->id, far};
+    keep((struct sph_ref_hit){t, id, far}, t_max, best);
+}
+
+/* Whether a point of the scene lies in the machine's box. */
+static int in_world(const struct sph_machine *m, const double p[3]) {
+    double end = ldexp(1, sph_machine_profile(m)->w - 1), step = ldexp(1, m->grid_log2);
+    for (int i = 0; i < 3; i++) {
+        const double *axis = &m->rotation[3 * i];
+        double at = (axis[0] * p[0] + axis[1] * p[1] + axis[2] * p[2] - m->origin[i]) / step;
+        if (!(at >= -end && at <= end - 1)) return 0;
+    }
+    return 1;
+}
+
+/* A facet, unless the ray starts on one of its group. */
+static void facet(const struct sph_ref_tree *t, uint32_t number, const struct sph_ref_ray *ray,
+                  double t_max, struct sph_ref_hit *best) {
+    const struct sph_scene *s = t->scene;
+    const struct sph_facet *f = &s->facets[number];
+    struct sph_ref_hit hit = {0, s->n_spheres + number, 0};
+    if (ray->skip >= s->n_spheres && ray->skip != SPH_ID_NONE &&
+        s->facets[ray->skip - s->n_spheres].group == f->group)
+        return;
+    hit.t = sph_ref_facet(f, ray->org, ray->dir, &hit.far);
+    if (f->kind == SPH_PLANE && t->world) {
+        double at[3];
+        for (int i = 0; i < 3; i++)
+            at[i] = ray->org[i] + hit.t * ray->dir[i];
+        if (!in_world(t->world, at)) return;
+    }
+    keep(hit, t_max, best);
+}
+
+static void item(const struct sph_ref_tree *t, uint32_t id, const struct sph_ref_ray *ray,
+                 double t_max, struct sph_ref_hit *best) {
+    if (id < t->scene->n_spheres)
+        sphere(&t->scene->spheres[id], id, ray, t_max, best);
+    else
+        facet(t, id - t->scene->n_spheres, ray, t_max, best);
 }
 
 /* Whether the ray meets the box before t_max. */
@@ -150,6 +217,9 @@ struct sph_ref_hit sph_ref_trace(const struct sph_ref_tree *tree, const struct s
     struct sph_ref_hit best = {INFINITY, SPH_ID_NONE, 0};
     uint32_t stack[64];
     int sp = 0;
+    for (uint32_t i = 0; i < tree->scene->n_facets; i++)
+        if (tree->scene->facets[i].kind == SPH_PLANE) facet(tree, i, ray, t_max, &best);
+    if (any_hit && best.t < t_max) return best;
     stack[sp++] = 0;
     while (sp) {
         uint32_t at = stack[--sp];
@@ -157,7 +227,7 @@ struct sph_ref_hit sph_ref_trace(const struct sph_ref_tree *tree, const struct s
         if (!meets(b, ray, fmin(t_max, best.t))) continue;
         if (b->count <= LEAF) {
             for (uint32_t i = 0; i < b->count; i++)
-                sphere(&tree->items[b->first + i], ray, t_max, &best);
+                item(tree, tree->items[b->first + i].id, ray, t_max, &best);
             if (any_hit && best.t < t_max) break;
         } else {
             stack[sp++] = b->right;

@@ -1,4 +1,4 @@
-/* tree.h - nearest sphere on a ray, in double precision
+/* tree.h - nearest sphere or facet on a ray, in double precision
  * SPDX-License-Identifier: Apache-2.0
  */
 #ifndef SPH_REFERENCE_TREE_H
@@ -6,24 +6,27 @@
 
 #include <stdint.h>
 
+#include "machine/machine.h"
 #include "scene/scene.h"
 
 struct sph_ref_ray {
     double org[3], dir[3];
-    uint32_t skip; /* sphere the ray starts on, SPH_ID_NONE: none */
+    uint32_t skip; /* sphere or facet that the ray starts on, SPH_ID_NONE: none */
     int inside;    /* it starts inside that sphere */
 };
 
 struct sph_ref_hit {
-    double t; /* INFINITY: none */
-    uint32_t id;
-    int far; /* the origin is inside */
+    double t;    /* INFINITY: none */
+    uint32_t id; /* spheres, then facets, as the scene has them */
+    int far;     /* the origin is inside; facet: its normal looks along the ray */
 };
 
 struct sph_ref_tree; /* boxes of two children, split at the median */
 
-/* Builds a tree over the scene's spheres; NULL if memory is out. */
-struct sph_ref_tree *sph_ref_tree_new(const struct sph_scene *scene);
+/* Builds a tree over the scene's spheres and triangles; NULL if memory is out. The scene must
+ * outlive it. Planes end at the box of world, a machine of the scene; NULL: nowhere. */
+struct sph_ref_tree *sph_ref_tree_new(const struct sph_scene *scene,
+                                      const struct sph_machine *world);
 void sph_ref_tree_free(struct sph_ref_tree *tree);
 
 /* The first hit with 0 < t < t_max; any_hit: whichever is found first will do. */

@@ -1,0 +1,17 @@
+/* facet.h - triangles and planes in double precision
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef SPH_REFERENCE_FACET_H
+#define SPH_REFERENCE_FACET_H
+
+#include "scene/scene.h"
+
+/* The normal of a facet, of length 1 (a triangle of no area: not a number). */
+void sph_ref_facet_normal(const struct sph_facet *facet, double normal[3]);
+
+/* Where the ray meets the facet, from either side, edges included: t > 0, else INFINITY. *far: the
+ * normal looks along dir. */
+double sph_ref_facet(const struct sph_facet *facet, const double org[3], const double dir[3],
+                     int *far);
+
+#endif
