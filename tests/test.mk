@@ -13,7 +13,7 @@ TEST_SH := $(sort $(wildcard tests/test_*.sh))
 LONG    := tests/test_core.sh tests/test_mutants.sh tests/test_effect_scenes.sh \
            tests/test_background.sh tests/test_benches.sh
 SUITES  += $(LONG) $(filter-out $(LONG),$(TEST_SH)) \
-           $(TEST_C:tests/%.c=$B/test/%) $(TEST_C:tests/%.c=$B/test/%.sanitized)
+           $(TEST_C:tests/%.c=$B/test/%) $(TEST_C:tests/%.c=$B/test/%.sanitized) $B/test/test_image
 ONLY    ?=
 chosen   = $(if $(findstring $(ONLY),$(notdir $(1))),$(1))
 RUN      = $(if $(ONLY),$(foreach s,$(SUITES),$(call chosen,$s)),$(SUITES))

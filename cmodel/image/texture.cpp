@@ -1,0 +1,162 @@
+/* texture.cpp - see texture.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "image/texture.h"
+
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
+#include <OpenImageIO/imageio.h>
+
+namespace {
+
+enum { CHANNELS = 4 };
+
+/* 0 .. 1 to 0 .. 255, to nearest; what is no number is 0. */
+std::uint32_t byte(float v) {
+    return v > 0 ? static_cast<std::uint32_t>(std::lround(255.0 * std::fmin(v, 1))) : 0;
+}
+
+/* Rounds a level of four channels to texels. */
+int put_level(const OIIO::ImageBuf &level, std::uint32_t *texels) {
+    const OIIO::ImageSpec &spec = level.spec();
+    std::vector<float> v(static_cast<std::size_t>(spec.image_pixels()) * CHANNELS);
+    if (!level.get_pixels(OIIO::ROI::All(), OIIO::TypeFloat, v.data())) return -1;
+    for (std::size_t i = 0; i < v.size(); i += CHANNELS) {
+        texels[i / CHANNELS] = 0;
+        for (std::size_t c = 0; c < CHANNELS; c++)
+            texels[i / CHANNELS] |= byte(v[i + c]) << (8 * c);
+    }
+    return 0;
+}
+
+/* Whether a JPEG file has its end-of-image marker: OpenImageIO fills what is missing with grey. */
+bool jpeg_ends(const char *path) {
+    std::vector<unsigned char> bytes(static_cast<std::size_t>(OIIO::Filesystem::file_size(path)));
+    OIIO::Filesystem::read_bytes(path, bytes.data(), bytes.size());
+    for (std::size_t i = 2; i + 1 < bytes.size();) {
+        unsigned marker = bytes[i] == 0xff ? bytes[i + 1] : 0;
+        if (marker == 0xd9) return true;
+        bool alone = marker <= 1 || marker == 0xff || (marker >= 0xd0 && marker <= 0xd7);
+        if (alone || i + 3 >= bytes.size())
+            i++; /* pixels, fill bytes, restarts */
+        else
+            i += 2 + (static_cast<std::size_t>(bytes[i + 2]) << 8 | bytes[i + 3]);
+    }
+    return false;
+}
+
+/* A library's message as the end of a line of ours. */
+std::string reason(std::string text, const char *otherwise) {
+    while (!text.empty() && text.back() == '\n')
+        text.pop_back();
+    for (char &c : text)
+        if (c == '\n') c = ' ';
+    return text.empty() ? otherwise : text;
+}
+
+/* Why an image cannot be a texture; NULL if it can. */
+const char *unfit(const OIIO::ImageSpec &spec) {
+    if (spec.deep) return "pixels of many depths are no texture";
+    if (spec.depth > 1) return "a volume is no texture";
+    if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) return "no pixels";
+    return nullptr;
+}
+
+/* Reads level 0 into a buffer of red, green, blue, alpha, all limited to 0 .. 1. */
+int read_level(const char *path, OIIO::ImageBuf *to, struct sph_error *err) {
+    OIIO::ImageSpec config;
+    config.attribute("oiio:UnassociatedAlpha", 1);
+    std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(path, &config);
+    if (!in) return sph_fail(err, "%s: %s", path, reason(OIIO::geterror(), "not an image").c_str());
+    const OIIO::ImageSpec spec = in->spec();
+    if (const char *why = unfit(spec)) return sph_fail(err, "%s: %s", path, why);
+    if (spec.width > SPH_TEXTURE_SIDE || spec.height > SPH_TEXTURE_SIDE)
+        return sph_fail(err, "%s: %d x %d texels, at most %d on a side", path, spec.width,
+                        spec.height, SPH_TEXTURE_SIDE);
+    std::size_t n = static_cast<std::size_t>(spec.nchannels);
+    std::vector<float> from(static_cast<std::size_t>(spec.image_pixels()) * n);
+    if (!in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, from.data()))
+        return sph_fail(err, "%s: %s", path, reason(in->geterror(), "ends early").c_str());
+    if (!std::strcmp(in->format_name(), "jpeg") && !jpeg_ends(path))
+        return sph_fail(err, "%s: ends early", path);
+
+    const int grey = n < 3;
+    const std::size_t colour[3] = {0, grey ? 0u : 1u, grey ? 0u : 2u};
+    const std::size_t alpha = grey ? 1 : 3;
+    const bool has_alpha = n > alpha && (grey || spec.alpha_channel == 3);
+    std::vector<float> all(from.size() / n * CHANNELS);
+    for (std::size_t i = 0; i < from.size() / n; i++) {
+        for (std::size_t c = 0; c < 3; c++)
+            all[CHANNELS * i + c] = from[n * i + colour[c]];
+        all[CHANNELS * i + 3] = has_alpha ? from[n * i + alpha] : 1;
+        for (std::size_t c = 0; c < CHANNELS; c++) {
+            float &v = all[CHANNELS * i + c];
+            v = v > 0 ? std::fmin(v, 1.0f) : 0;
+        }
+    }
+    to->reset(OIIO::ImageSpec(spec.width, spec.height, CHANNELS, OIIO::TypeFloat));
+    if (!to->set_pixels(OIIO::ROI::All(), OIIO::TypeFloat, all.data()))
+        return sph_fail(err, "%s: %s", path, to->geterror().c_str());
+    return 0;
+}
+
+int load(const char *path, struct sph_mip *mip, struct sph_error *err) {
+    OIIO::ImageBuf level;
+    if (read_level(path, &level, err)) return -1;
+    mip->width = level.spec().width;
+    mip->height = level.spec().height;
+    mip->levels = sph_mip_levels(mip->width, mip->height);
+    mip->texels = static_cast<std::uint32_t *>(std::malloc(4 * sph_mip_at(mip, mip->levels)));
+    if (!mip->texels) return sph_fail(err, "%s: no memory for the texture", path);
+    for (int l = 0; l < mip->levels; l++) {
+        if (l) {
+            int w = static_cast<int>(sph_level_size(static_cast<std::uint32_t>(mip->width), l));
+            int h = static_cast<int>(sph_level_size(static_cast<std::uint32_t>(mip->height), l));
+            OIIO::ROI half(0, w, 0, h, 0, 1, 0, CHANNELS);
+            level = OIIO::ImageBufAlgo::resize(level, "box", 0, half, 1);
+        }
+        if (level.has_error() || put_level(level, mip->texels + sph_mip_at(mip, l)))
+            return sph_fail(err, "%s: level %d: %s", path, l, level.geterror().c_str());
+    }
+    return 0;
+}
+
+} // namespace
+
+int sph_mip_load(const char *path, struct sph_mip *mip, struct sph_error *err) {
+    *mip = {};
+    std::FILE *probe = std::fopen(path, "rb"); /* for the system's own message */
+    if (!probe) return sph_fail(err, "%s: %s", path, std::strerror(errno));
+    int empty = std::fgetc(probe) == EOF;
+    int why = errno;
+    if (empty && std::ferror(probe)) {
+        std::fclose(probe);
+        return sph_fail(err, "%s: %s", path, std::strerror(why));
+    }
+    std::fclose(probe);
+    if (empty) return sph_fail(err, "%s: empty file", path);
+    int rc;
+    try {
+        rc = load(path, mip, err);
+    } catch (const std::exception &e) {
+        rc = sph_fail(err, "%s: %s", path, e.what());
+    }
+    if (rc) sph_mip_free(mip);
+    return rc;
+}
+
+void sph_mip_free(struct sph_mip *mip) {
+    std::free(mip->texels);
+    *mip = {};
+}

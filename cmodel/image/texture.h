@@ -1,0 +1,31 @@
+/* texture.h - images as textures: read and made smaller, through OpenImageIO
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * The C face of texture.cpp.
+ */
+#ifndef SPH_IMAGE_TEXTURE_H
+#define SPH_IMAGE_TEXTURE_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#include "error.h"
+#include "texture/mip.h"
+
+/* Reads an image of any kind that OpenImageIO knows and makes its MIP chain. One channel is grey,
+ * two are grey and alpha; of more the first three are the colour, the fourth is alpha if the file
+ * says so; without alpha it is 1. Whole numbers are taken by their range, real ones limited to
+ * 0 .. 1; nothing is converted between colour spaces, and colour is not multiplied by alpha.
+ * Level l + 1 is the box-filtered half of level l, in float; each is rounded once, to bytes.
+ * 0; or -1 with file and reason, and nothing to free: missing, damaged, no pixels, more than
+ * SPH_TEXTURE_SIDE on a side, a volume, deep pixels. */
+int sph_mip_load(const char *path, struct sph_mip *mip, struct sph_error *err);
+
+void sph_mip_free(struct sph_mip *mip);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
