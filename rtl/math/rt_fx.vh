@@ -9,3 +9,6 @@
 // rt_multiply: chunks of a signed operand of w bits, clocks from operands to product.
 `define RT_MUL_CHUNKS(w) (((w) + 15) / 17)
 `define RT_MUL_LATENCY(w) (`RT_MUL_CHUNKS(w) == 1 ? 1 : `RT_MUL_CHUNKS(w) + 1)
+
+// rt_product: clocks from operands to product, the wider one of w bits.
+`define RT_PRODUCT_LATENCY(w) (`RT_MUL_CHUNKS(w) == 2 ? 2 : 3)

@@ -1,0 +1,246 @@
+// rt_facet.v - the exact test of a ray and a triangle or plane, and the key of a hit
+// SPDX-License-Identifier: Apache-2.0
+//   A0 = v0-org, e1 = v1-v0, e2 = v2-v0, N = e1 x e2 (plane: given), det = N.dir, num = N.A0,
+//   m = dir x A0: signs of det, num, U2 = m.e1, -U1 = m.e2, U0 = det-U1-U2; key = ceil(a*num/det)
+// One facet after the other through three multipliers, an operation a clock; a*num' comes in
+// clock 4 of the facet that follows. P = L + 4, L = `RT_PRODUCT_LATENCY(AW):
+//   triangle  0,1 N | 2,3 m | P det, num, U2, U1                               every L + 8 clocks
+//   plane     0 det, num | P det'*(face-org), num'*|dir| of x, y, z            every L + 10
+// Results that need a key overtake none, but may be overtaken. Ports, timing: docs/facet_unit.md.
+// Model: sph_facet_test(), sph_facet_key() in cmodel/trace/facet.c
+`default_nettype none
+`include "rt_facet.vh"
+`include "rt_fx.vh"
+module rt_facet #(
+    parameter W   = 16,                          // coordinate, bits
+    parameter WD  = 17,                          // direction component, bits
+    parameter TAG = 8,                           // what travels along, bits
+    parameter SHADOW = 1,                        // 1: some rays end at a light
+    parameter STEP  = 2,                         // bits of a key a clock
+    parameter UNITS = 1                          // dividers
+) (
+    input  wire               clk,
+    input  wire               rst,               // synchronous, active high
+    // from the leaf fetch
+    input  wire               in_valid_i,
+    output wire               in_ready_o,
+    input  wire [TAG-1:0]     in_tag_i,
+    input  wire               in_plane_i,        // else a triangle
+    input  wire [71:0]        in_v0_i,           // corner 0, a point of the plane: {z, y, x} s24
+    input  wire [71:0]        in_v1_i,           // corner 1, the plane's normal: 3 x s24
+    input  wire [71:0]        in_v2_i,           // corner 2
+    input  wire [23:0]        in_id_i,
+    input  wire [6:0]         in_before_i,       // its group: ids id-before .. id+after
+    input  wire [6:0]         in_after_i,
+    input  wire [3*W-1:0]     in_org_i,          // 3 x sW
+    input  wire [3*WD-1:0]    in_dir_i,          // 3 x sWD
+    input  wire [2*WD-1:0]    in_a_i,            // u(2WD), dir.dir
+    input  wire               in_shadow_i,       // the ray ends at the light, t = 1
+    input  wire [23:0]        in_skip_id_i,      // what the ray starts on
+    // to rt_collect
+    output wire               out_valid_o,
+    input  wire               out_ready_i,
+    output wire [TAG-1:0]     out_tag_o,
+    output wire [23:0]        out_id_o,
+    output wire               out_hit_o,
+    output wire               out_far_o,         // the normal looks along the ray
+    output wire [W+WD+1:0]    out_key_o,         // of a hit; 1: of a ray to a light
+    output wire               divide_o           // a division begins
+);
+    localparam NW   = W + 1 > WD ? W + 1 : WD;           // narrow operands
+    localparam CUT  = 17*`RT_MUL_CHUNKS(NW);             // piece of a long operand
+    localparam BW   = CUT + 1;
+    localparam CW0  = W + WD > 2*W ? W + WD + 1 : 2*W + 1;
+    localparam CW   = CW0 > 24 ? CW0 : 24;               // m, N
+    localparam AW   = 2*WD + 1 > CW ? 2*WD + 1 : CW;     // wide operand: m, N, a
+    localparam DW   = (2*W > 24 ? 2*W : 24) + WD + 1;    // det' (docs/facet.md)
+    localparam MW   = 3*W + 1 > W + 25 ? 3*W + 1 : W + 25;  // num'
+    localparam RW0  = 2*WD + MW + 1;                     // a*num', signed
+    localparam RW   = RW0 > AW + BW ? RW0 : AW + BW;     // the longest sum
+    localparam YW   = (DW + W > MW + WD ? DW + W : MW + WD) + 1;
+    localparam VW   = (DW > MW ? DW : MW) + 1;           // det, num, Ui, signed
+    localparam QW   = W + WD + 1;                        // key
+    localparam L    = `RT_PRODUCT_LATENCY(AW);
+    localparam OB   = 6;                                 // {last, shadow, operation}
+    localparam [31:0] FOUR = 4 + L, LAST_T = 7 + L, LAST_P = 9 + L;
+    localparam [3:0] P = FOUR[3:0], END_T = LAST_T[3:0], END_P = LAST_P[3:0], COMMIT = 4;
+    generate
+        if (3*CUT < DW || 3*CUT < MW) begin : g_check
+            rt_facet_W_and_WD_do_not_fit_three_pieces u_error ();
+        end
+    endgenerate
+    // ---- rounds: the facet at hand, and the key of the one before ----
+    reg        run_q, front_q, back_q;           // a round; with a facet; after another
+    reg  [3:0] slot_q;
+    reg        plane_q, shadow_q;
+    reg        o_valid_q, o_divide_q;            // a result waits
+    wire       o_leaves, divider;
+    wire       stay  = slot_q == 4'd0 && o_valid_q && !o_leaves;
+    wire       step  = run_q && !stay;
+    wire       ends  = run_q && slot_q == (!front_q ? COMMIT : plane_q ? END_P : END_T);
+    wire       done  = ends && front_q;
+    wire       take  = in_valid_i && in_ready_o;
+    assign in_ready_o = !run_q || ends;
+    always @(posedge clk) begin
+        if (step) slot_q <= slot_q + 4'd1;
+        if (step && slot_q == COMMIT) back_q <= 1'b0;
+        if (done) back_q <= 1'b1;
+        if (in_ready_o) begin
+            slot_q  <= 4'd0;
+            run_q   <= in_valid_i || (run_q && front_q);
+            front_q <= in_valid_i;
+        end
+        if (rst) {run_q, front_q, back_q} <= 3'd0;
+    end
+
+    // ---- what travels along ----
+    reg  [TAG+23:0] tag_q, back_tag_q;           // {tag, id}
+    reg             back_shadow_q, back_own_q;
+    reg  [24:0]     apart_q;                     // skip - id
+    reg  [6:0]      before_q, after_q;
+    wire [7:0]      reach = {1'b0, apart_q[6:0]} + {1'b0, before_q};
+    wire            own   = apart_q[24:7] == 18'd0 ? apart_q[6:0] <= after_q
+                            : &apart_q[24:7] && reach[7];
+    always @(posedge clk) begin
+        if (take) begin
+            tag_q    <= {in_tag_i, in_id_i};
+            plane_q  <= in_plane_i;
+            shadow_q <= SHADOW != 0 && in_shadow_i;
+            apart_q  <= {1'b0, in_skip_id_i} - {1'b0, in_id_i};
+            before_q <= in_before_i;
+            after_q  <= in_after_i;
+        end
+        if (done) begin
+            back_tag_q    <= tag_q;
+            back_shadow_q <= shadow_q;
+            back_own_q    <= own;
+        end
+    end
+
+    // ---- this clock's operation ----
+    wire [3:0] since = slot_q - P;
+    reg  [3:0] op;
+    always @* begin
+        op = `RT_FACET_IDLE;
+        if (step && slot_q == COMMIT) begin
+            if (back_q) op = `RT_FACET_KEY;
+        end else if (step && front_q && plane_q) begin
+            if (slot_q >= P)          op = since[0] ? `RT_FACET_BNUM : `RT_FACET_BDET;
+            else if (slot_q == 4'd0)  op = `RT_FACET_DET;
+            else if (slot_q == 4'd1)  op = `RT_FACET_NUM;
+        end else if (step && front_q) begin
+            if (slot_q < COMMIT)      op = slot_q[0] ? `RT_FACET_X1 : `RT_FACET_X0;
+            else if (slot_q >= P)     op = `RT_FACET_DET + {2'd0, since[1:0]};
+        end
+    end
+    reg  [OB*(L+5)-1:0] op_q;                    // stage s: s clocks after the operands' registers
+    integer             s;
+    always @(posedge clk) begin
+        op_q <= {op_q[OB*(L+4)-1:0], done, shadow_q, op};
+        if (rst)
+            for (s = 0; s < L + 5; s = s + 1) op_q[OB*s +: OB] <= {OB{1'b0}};
+    end
+    wire [3:0] op_p = op_q[OB*L +: 4];           // with the products
+    wire [3:0] op_r = op_q[OB*(L+2) +: 4];       // with their sum
+    wire [3:0] op_f = op_q[OB*(L+3) +: 4];       // with the flags of the sum
+    wire [OB-1:0] op_y = op_q[OB*(L+4) +: OB];   // with the flags of the sum of sums
+
+    // ---- operands and lanes ----
+    wire [3*AW-1:0]      a;
+    wire [3*BW-1:0]      b;
+    wire [3*CW-1:0]      c;
+    wire signed [RW-1:0] r;
+    reg  [DW-1:0]        det_q;                  // det'
+    reg  [MW-1:0]        num_q;                  // num'
+    rt_facet_feed #(.W(W), .WD(WD), .NW(NW), .CUT(CUT), .CW(CW), .AW(AW), .DW(DW), .MW(MW),
+                    .P(P)) u_feed (
+        .clk(clk), .take_i(take), .plane_i(in_plane_i), .v0_i(in_v0_i), .v1_i(in_v1_i),
+        .v2_i(in_v2_i), .org_i(in_org_i), .dir_i(in_dir_i), .a_i(in_a_i),
+        .step_i(step), .slot_i(slot_q), .op_i(op),
+        .vector_i(front_q && !plane_q && (slot_q == P - 4'd1 || slot_q == P + 4'd1)),
+        .back_i(done), .key_i(slot_q == COMMIT - 4'd1),
+        .c_i(c), .det_i(det_q), .num_i(num_q), .a_o(a), .b_o(b)
+    );
+    rt_facet_lanes #(.AW(AW), .BW(BW), .CW(CW), .RW(RW), .CUT(CUT)) u_lanes (
+        .clk(clk), .a_i(a), .b_i(b),
+        .cross_i(op_p == `RT_FACET_X0 || op_p == `RT_FACET_X1),
+        .first_i(op_p == `RT_FACET_X0), .wide_i(op_p >= `RT_FACET_BDET),
+        .c_o(c), .r_o(r)
+    );
+
+    // ---- det', num'; det - num, U0 = det - U2 - U1, det'*face - num'*|dir| ----
+    wire           neg = r[RW-1];
+    wire [VW-1:0]  abs = (r[VW-1:0] ^ {VW{neg}}) + {{(VW-1){1'b0}}, neg};
+    wire           y_load = op_r == `RT_FACET_DET || op_r == `RT_FACET_BDET;
+    wire           y_sub  = op_r == `RT_FACET_NUM || op_r == `RT_FACET_U2 ||
+                            op_r == `RT_FACET_BNUM;
+    reg  [YW-1:0]  acc_q, y_q;
+    wire [YW:0]    y = {y_load ? {YW{1'b0}} : acc_q, 1'b1} +
+                       {r[YW-1:0] ^ {YW{y_sub}}, y_sub};
+    reg            rn_q, rz_q, yn_q, yz_q;       // negative, zero
+    always @(posedge clk) begin
+        if (op_r == `RT_FACET_DET) det_q <= abs[DW-1:0];
+        if (op_r == `RT_FACET_NUM) num_q <= abs[MW-1:0];
+        if (y_load || op_r == `RT_FACET_U2) acc_q <= y[YW:1];
+        y_q  <= y[YW:1];
+        rn_q <= neg;
+        rz_q <= r[VW-1:0] == {VW{1'b0}};
+        yn_q <= y_q[YW-1];
+        yz_q <= y_q == {YW{1'b0}};
+    end
+
+    // ---- decide ----
+    reg  neg_q, miss_q, end_miss_q, end_far_q;   // of det; of the facet at hand; of the one before
+    wire y_shadow = SHADOW != 0 && op_y[4];
+    wire y_miss   = op_y[3:0] == `RT_FACET_NUM ? y_shadow && (yz_q || yn_q != neg_q)
+                    : op_y[3:0] == `RT_FACET_U1 ? !yz_q && yn_q != neg_q
+                    : op_y[3:0] == `RT_FACET_BNUM && !y_shadow && yn_q;
+    wire r_miss   = op_f == `RT_FACET_NUM ? rz_q || rn_q != neg_q
+                    : op_f == `RT_FACET_U2 ? !rz_q && rn_q != neg_q
+                    : op_f == `RT_FACET_U1 && !rz_q && rn_q == neg_q;
+    always @(posedge clk) begin
+        miss_q <= op_f == `RT_FACET_DET ? rz_q : miss_q || r_miss || y_miss;
+        if (op_f == `RT_FACET_DET) neg_q <= rn_q;
+        if (op_y[5]) begin
+            end_miss_q <= miss_q || y_miss;
+            end_far_q  <= !neg_q;
+        end
+    end
+
+    // ---- the result waits for a divider or for its taker ----
+    reg  [2*WD+MW-1:0] o_x_q;
+    reg  [DW-1:0]      o_det_q;
+    reg  [TAG+23:0]    o_tag_q;
+    reg                o_hit_q, o_far_q;
+    wire               k_valid, k_far;
+    wire [TAG+23:0]    k_tag;
+    wire [QW:0]        k_key;
+    assign o_leaves = o_divide_q ? divider : out_ready_i && !k_valid;
+    always @(posedge clk) begin
+        if (op == `RT_FACET_KEY) o_det_q <= det_q;
+        if (o_leaves) o_valid_q <= 1'b0;
+        if (op_r == `RT_FACET_KEY) begin
+            o_valid_q  <= 1'b1;
+            o_x_q      <= r[2*WD+MW-1:0];
+            o_tag_q    <= back_tag_q;
+            o_hit_q    <= !end_miss_q && !back_own_q;
+            o_divide_q <= !end_miss_q && !back_own_q && !back_shadow_q;
+            o_far_q    <= end_far_q;
+        end
+        if (rst) o_valid_q <= 1'b0;
+    end
+    assign divide_o = o_valid_q && o_divide_q && divider;
+    rt_divide_pool #(.DW(DW), .QW(QW), .STEP(STEP), .UNITS(UNITS), .TAG(TAG+25)) u_pool (
+        .clk(clk), .rst(rst), .in_valid_i(o_valid_q && o_divide_q), .in_ready_o(divider),
+        .in_tag_i({o_far_q, o_tag_q}), .in_x_i({1'b0, o_x_q}), .in_d_i(o_det_q),
+        .out_valid_o(k_valid), .out_ready_i(out_ready_i), .out_tag_o({k_far, k_tag}),
+        .out_key_o(k_key)
+    );
+    assign out_valid_o = k_valid || (o_valid_q && !o_divide_q);
+    assign {out_tag_o, out_id_o} = k_valid ? k_tag : o_tag_q;
+    assign out_hit_o   = k_valid || o_hit_q;
+    assign out_far_o   = k_valid ? k_far : o_far_q;
+    assign out_key_o   = k_valid ? k_key : {{QW{1'b0}}, 1'b1};
+    wire unused = &{1'b0, y[0], r, abs, since[3:2], reach[6:0], op_y};
+endmodule
+`default_nettype wire

@@ -1,0 +1,285 @@
+/* tb_facet.cpp - rt_facet against sph_facet_test() and sph_facet_key()
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * The first vectors are the least and greatest operands in every pattern, as triangle and as plane.
+ * Then families in turn (`family`), by reason: what lies on an edge, a corner, the light, a face of
+ * the world, in the plane. Results may overtake each other: a tag is one facet's until its result
+ * is there. The default run has to meet every outcome.
+ */
+#include <algorithm>
+#include <map>
+
+#include "Vrt_facet.h"
+#include "bench.h"
+extern "C" {
+#include "trace/facet.h"
+}
+
+namespace {
+
+constexpr int64_t C_MIN = -((int64_t)1 << (W - 1)), C_MAX = -C_MIN - 1;
+constexpr int64_t D_MIN = -((int64_t)1 << (WD - 1)), D_MAX = -D_MIN - 1;
+constexpr int64_t N_MIN = -(1 << 23), N_MAX = -N_MIN - 1;
+constexpr uint64_t ROUND = (2 * WD + 1 <= 35 ? 2 : 3) + 8; /* clocks of a triangle */
+constexpr int PATTERNS = 1 << 10; /* 5 bits of corners and origin, 3 of dir, plane, shadow */
+const struct sph_profile profile = {PROFILE, W, WD, 0, 0, 0};
+
+struct Vector {
+    sph_ray ray{};
+    sph_facet_leaf facet{};
+    bool shadow = false; /* the port; a shadow ray only if they are elaborated */
+    int family = 0;
+};
+
+int64_t clamp(int64_t x, int64_t low, int64_t high) {
+    return x < low ? low : x > high ? high : x;
+}
+
+class Source {
+  public:
+    explicit Source(bench::Random &r) : random(r) {}
+
+    Vector next() {
+        Vector v;
+        v.facet.id = (uint32_t)random.bits(random.percent(50) ? 3 : 24);
+        v.facet.before = (uint32_t)random.mixed(7);
+        v.facet.after = (uint32_t)random.mixed(7);
+        v.ray.skip.id = random.percent(50) ? SPH_ID_NONE : (uint32_t)random.bits(24);
+        if (random.percent(20)) /* of the group, or next to it */
+            v.ray.skip.id =
+                (v.facet.id + (random.percent(50) ? v.facet.after + (uint32_t)random.below(2)
+                                                  : -v.facet.before - (uint32_t)random.below(2))) &
+                0xffffff;
+        v.facet.kind = random.percent(30) ? SPH_PLANE : SPH_TRIANGLE;
+        v.shadow = random.percent(33);
+        if (count < PATTERNS)
+            pattern(v, count);
+        else if (v.facet.kind == SPH_PLANE)
+            v.family = 10 + (int)random.below(5), plane(v);
+        else
+            v.family = 1 + (int)random.below(8), triangle(v);
+        count++;
+        if (v.family && random.percent(3)) v.ray.dir[random.below(3)] = 0;
+        for (int i = 0; i < 3; i++)
+            v.ray.dir[i] = clamp(v.ray.dir[i], D_MIN, D_MAX);
+        const int64_t *d = v.ray.dir;
+        v.ray.a = (uint64_t)(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+        v.ray.kind = SHADOW && v.shadow ? SPH_SHADOW : SPH_PRIMARY;
+        return v;
+    }
+
+  private:
+    bench::Random &random;
+    int count = 0;
+
+    int64_t coordinate(int small) { return small ? random.between(-3, 3) : random.smixed(W); }
+
+    /* corners in one corner of the world each, all ends of dir */
+    void pattern(Vector &v, int n) {
+        v.facet.kind = n >> 8 & 1 ? SPH_PLANE : SPH_TRIANGLE;
+        v.shadow = n >> 9 & 1;
+        for (int i = 0; i < 3; i++) {
+            int turn = (n + i * 11) & 31; /* another pattern on every axis */
+            for (int c = 0; c < 3; c++)
+                v.facet.v[c][i] = turn >> c & 1 ? C_MAX : C_MIN;
+            if (v.facet.kind == SPH_PLANE) v.facet.v[1][i] = turn >> 1 & 1 ? N_MAX : N_MIN;
+            v.ray.org[i] = turn >> 3 & 1 ? C_MAX : C_MIN;
+            v.ray.dir[i] = n >> (5 + i) & 1 ? D_MAX : D_MIN;
+        }
+    }
+
+    /* A ray towards a point, in a way of its own; org stays in the world. */
+    void aim(Vector &v, const int64_t target[3]) {
+        int how = (int)random.below(6), up = (int)random.below((uint64_t)(WD - W + 1));
+        for (int i = 0; i < 3; i++) {
+            int64_t *d = &v.ray.dir[i], to = clamp(target[i], C_MIN, C_MAX) - v.ray.org[i];
+            *d = to; /* t = 1 */
+            if (how == 1) *d = to * (1 << up);
+            if (how == 2) *d = -to;
+            if (how == 3) *d = to + random.between(-1, 1);
+            if (how == 4 && !(to & 3)) *d = to / 4;      /* t = 4 where it is whole */
+            if (how == 5) *d = to - (to > 0) + (to < 0); /* ends a unit before */
+        }
+    }
+
+    void triangle(Vector &v) {
+        int small = random.percent(25);
+        int64_t(*c)[3] = v.facet.v, target[3], n = 1 << random.below(4);
+        int64_t i1 = random.between(0, n), i2 = random.between(0, n - i1);
+        for (int i = 0; i < 3; i++) {
+            for (int k = 0; k < 3; k++)
+                c[k][i] = coordinate(small);
+            v.ray.org[i] = coordinate(small);
+        }
+        if (random.percent(40)) /* edges of steps that `n` divides */
+            for (int i = 0; i < 3; i++)
+                for (int k = 1; k < 3; k++)
+                    c[k][i] = clamp(c[0][i] + (c[k][i] - c[0][i]) / n * n, C_MIN, C_MAX);
+        if (v.family == 2) i1 = 0;                                    /* edge v0 v2 */
+        if (v.family == 3) i2 = n - i1;                               /* edge v1 v2 */
+        if (v.family == 4) i1 = n * (int64_t)random.below(2), i2 = 0; /* a corner */
+        if (v.family == 5)                                            /* in an axis plane */
+            for (int k = 0; k < 3; k++)
+                c[k][2] = c[0][2];
+        for (int i = 0; i < 3; i++)
+            target[i] = c[0][i] + ((c[1][i] - c[0][i]) * i1 + (c[2][i] - c[0][i]) * i2) / n;
+        if (v.family == 6) /* starts in the triangle's plane, or close to it */
+            for (int i = 0; i < 3; i++)
+                v.ray.org[i] = clamp(target[i] + (random.percent(30) ? random.between(-1, 1) : 0),
+                                     C_MIN, C_MAX);
+        aim(v, target);
+        if (v.family == 7) /* along the plane, or close to it */
+            for (int i = 0; i < 3; i++)
+                v.ray.dir[i] = (c[1][i] - c[0][i]) * (int64_t)random.between(-1, 1) +
+                               (c[2][i] - c[0][i]) * (int64_t)random.between(-1, 1) +
+                               (random.percent(20) ? random.between(-1, 1) : 0);
+        if (v.family == 8)
+            for (int i = 0; i < 3; i++)
+                v.ray.dir[i] = random.smixed(WD);
+    }
+
+    void plane(Vector &v) {
+        int small = random.percent(20), axis = (int)random.below(3);
+        int64_t target[3], *n = v.facet.v[1];
+        for (int i = 0; i < 3; i++) {
+            v.facet.v[0][i] = coordinate(small);
+            v.facet.v[2][i] = random.smixed(W); /* must not matter */
+            v.ray.org[i] = coordinate(small);
+            n[i] = small ? random.between(-3, 3) : random.smixed(24);
+            target[i] = v.facet.v[0][i];
+        }
+        if (v.family >= 11) { /* across one axis: targets anywhere in it */
+            int64_t length = random.smixed(24);
+            for (int i = 0; i < 3; i++) {
+                n[i] = i == axis ? length : 0;
+                if (i != axis) target[i] = coordinate(small);
+            }
+        }
+        if (v.family == 12) /* it is a face of the world */
+            v.facet.v[0][axis] = target[axis] = random.percent(50) ? C_MIN : C_MAX;
+        if (v.family == 13) /* the horizon: the target lies on a face */
+            target[(axis + 1) % 3] = random.percent(50) ? C_MIN : C_MAX;
+        aim(v, target);
+        if (v.family == 13 && random.percent(30)) /* or just beyond */
+            v.ray.dir[(axis + 1) % 3] += random.between(-1, 1);
+        if (v.family == 14)
+            for (int i = 0; i < 3; i++)
+                v.ray.dir[i] = random.smixed(WD);
+    }
+};
+
+struct Expected {
+    Vector v;
+    sph_facet_result r;
+    uint64_t key;
+};
+
+} // namespace
+
+int main(int argc, char **argv) {
+    bench::Bench<Vrt_facet> b("tb_facet", argc, argv, 40000);
+    Source source(b.random);
+    std::map<unsigned, Expected> sent;
+    Vector v = source.next();
+    unsigned tag = 0, gaps = 0, stalls = 0;
+    bool offered = false;
+    uint64_t taken = 0, least[2] = {1000, 1000};        /* clocks until the next one is taken */
+    int before = -1;                                    /* it was a plane */
+    long met[2][2][2] = {}, divided = 0, divisions = 0; /* plane, shadow, hit */
+    Vrt_facet &t = b.dut;
+    auto vector = [&](auto &port, const int64_t value[3], int bits, int used) {
+        bench::u128 x = 0; /* what is not used must not matter */
+        for (int i = 3; i-- > 0;)
+            x = x << bits | (used < bits ? bench::low(b.random.bits(bits) << used, bits) : 0) |
+                bench::low((bench::u128)value[i], used);
+        bench::set(port, 3 * bits, (bench::i128)x);
+    };
+    t.in_valid_i = t.out_ready_i = 0;
+    b.reset();
+    while (b.more()) {
+        if (b.cycle % 4096 == 0) {
+            gaps = (unsigned)b.random.below(3) * 45;
+            stalls = (unsigned)b.random.below(4) * 32;
+        }
+        if (!offered && !sent.count(tag)) offered = !b.random.percent(gaps);
+        t.in_valid_i = offered;
+        b.set(t.in_tag_i, TAG, tag);
+        t.in_plane_i = v.facet.kind == SPH_PLANE;
+        vector(t.in_v0_i, v.facet.v[0], 24, W);
+        vector(t.in_v1_i, v.facet.v[1], 24, v.facet.kind == SPH_PLANE ? 24 : W);
+        vector(t.in_v2_i, v.facet.v[2], 24, W);
+        b.set(t.in_id_i, 24, v.facet.id);
+        b.set(t.in_before_i, 7, v.facet.before);
+        b.set(t.in_after_i, 7, v.facet.after);
+        vector(t.in_org_i, v.ray.org, W, W);
+        vector(t.in_dir_i, v.ray.dir, WD, WD);
+        b.set(t.in_a_i, 2 * WD, (bench::i128)v.ray.a);
+        t.in_shadow_i = v.shadow;
+        b.set(t.in_skip_id_i, 24, v.ray.skip.id);
+        t.out_ready_i = !b.random.percent(stalls);
+        b.settle();
+        divisions += t.divide_o;
+        if (t.out_valid_o && t.out_ready_i) {
+            auto at = sent.find((unsigned)b.get(t.out_tag_o));
+            if (at == sent.end()) {
+                b.fail("a result that nobody asked for");
+                break;
+            }
+            const Expected &e = at->second;
+            b.expect("out_id_o", (bench::i128)b.get(t.out_id_o), e.v.facet.id, 24);
+            b.expect("out_hit_o", t.out_hit_o, e.r.hit, 1);
+            if (e.r.hit && t.out_hit_o) {
+                b.expect("out_far_o", t.out_far_o, e.r.far, 1);
+                b.expect("out_key_o", (bench::i128)b.get(t.out_key_o), (bench::i128)e.key,
+                         W + WD + 2);
+            }
+            if (b.bad()) {
+                const Vector &x = e.v;
+                printf("# inputs, family %d: a %s, %s\n", x.family,
+                       x.facet.kind == SPH_PLANE ? "plane" : "triangle",
+                       x.shadow ? "to a light" : "of no light");
+                for (int c = 0; c < 3; c++)
+                    for (int i = 0; i < 3; i++)
+                        b.show(c == 0   ? "in_v0_i"
+                               : c == 1 ? "in_v1_i"
+                                        : "in_v2_i",
+                               x.facet.v[c][i], 24);
+                for (int i = 0; i < 3; i++)
+                    b.show("in_org_i", x.ray.org[i], W);
+                for (int i = 0; i < 3; i++)
+                    b.show("in_dir_i", x.ray.dir[i], WD);
+                b.show("in_before_i", x.facet.before, 7);
+                b.show("in_after_i", x.facet.after, 7);
+                b.show("in_skip_id_i", x.ray.skip.id, 24);
+                b.show("model det'", (bench::i128)e.r.det, 2 * W + WD + 2);
+                b.show("model num'", e.r.num, 3 * W + 2);
+            }
+            b.done();
+            sent.erase(at);
+        }
+        if (offered && t.in_ready_o) {
+            Expected e = {v, sph_facet_test(&profile, &v.ray, &v.facet), 1};
+            uint64_t n = 0;
+            bool shadow = v.ray.kind == SPH_SHADOW;
+            if (e.r.hit && !shadow) e.key = sph_facet_key(&v.ray, &e.r, &n);
+            divided += (long)n;
+            if (before >= 0) least[before] = std::min(least[before], b.cycle - taken);
+            before = v.facet.kind == SPH_PLANE;
+            taken = b.cycle;
+            met[v.facet.kind == SPH_PLANE][shadow][e.r.hit != 0]++;
+            sent.emplace(tag, e);
+            tag = (tag + 1) % (1u << TAG);
+            v = source.next();
+            offered = false;
+        }
+        b.tick();
+    }
+    for (int i = 0; i < 8; i++)
+        if (b.all_vectors && !met[i >> 2][i >> 1 & 1][i & 1] && (SHADOW || !(i & 2)))
+            b.fail("a kind of facet, ray and outcome that never came");
+    if (b.all_vectors && (least[0] != ROUND || least[1] != ROUND + 2))
+        b.fail("other than L + 8 clocks a triangle, L + 10 a plane");
+    if (divisions > divided || divisions + (long)sent.size() < divided)
+        b.fail("divide_o counts other than the keys of hits");
+    return b.finish();
+}
