@@ -18,6 +18,8 @@ static uint64_t hash_frame(const struct sph_frame *frame, int visits) {
             hash = sph_fnv(hash, p->colour[f], 4);
         hash = sph_fnv(hash, p->id, 4);
         if (visits) hash = sph_fnv(hash, p->visits, 4);
+        if (p->key && p->texture != SPH_NO_TEXTURE)
+            hash = sph_fnv(hash, visits ? p->texture : p->texture >> SPH_LOD_LSB, 4);
         hash = sph_fnv(hash, p->key, 8);
     }
     return hash;

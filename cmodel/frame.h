@@ -12,8 +12,13 @@ struct sph_pixel {
     uint32_t colour[SPH_FRAMES]; /* 0xBBGGRR at depth 0 (Rendering), 1 (L1), deepest (L2) */
     uint32_t id;                 /* primary hit, SPH_ID_NONE: background */
     uint32_t visits;             /* node visits of all rays of the pixel */
+    uint32_t texture;            /* SPH_NO_TEXTURE, or docs/texture.md: lod and texel addresses */
     uint64_t key;                /* of the primary hit, 0: none */
 };
+
+/* The word `texture` of a pixel whose rays see no textured surface. */
+#define SPH_LOD_LSB 20
+#define SPH_NO_TEXTURE ((uint32_t)SPH_LOD_NONE << SPH_LOD_LSB)
 
 struct sph_frame {
     int width, height;
@@ -30,10 +35,12 @@ static inline int sph_counter_both(int i) {
 }
 
 /* FNV-1a, 64 bits, over width, height and of every pixel colour[0..], id, visits, key: each number
- * little endian in its own width. Equal hashes stand for equal frames. */
+ * little endian in its own width; texture, behind visits, where something is hit and textured.
+ * Equal hashes stand for equal frames. */
 uint64_t sph_frame_hash(const struct sph_frame *frame);
 
-/* The same without visits: what is seen, whatever the tree or the traversal. */
+/* The same without visits, of texture only lod: what is seen, whatever the tree or the traversal.
+ */
 uint64_t sph_frame_picture_hash(const struct sph_frame *frame);
 
 #endif

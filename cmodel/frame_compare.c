@@ -26,7 +26,8 @@ int sph_shot_compare(const struct sph_shot *a, const struct sph_shot *b, int ign
     for (size_t i = 0; i < n; i++) {
         const struct sph_pixel *p = &fa->pixels[i], *q = &fb->pixels[i];
         int differs = p->id != q->id || p->key != q->key;
-        if (!ignore_work && p->visits != q->visits) differs = 1;
+        if (!ignore_work && (p->visits != q->visits || p->texture != q->texture)) differs = 1;
+        if (p->texture >> SPH_LOD_LSB != q->texture >> SPH_LOD_LSB) differs = 1;
         for (int f = 0; f < SPH_FRAMES; f++) {
             uint32_t by = byte_difference(p->colour[f], q->colour[f]);
             if (by) differs = 1;
@@ -56,6 +57,8 @@ static void explain_pixel(const struct sph_pixel *p, const struct sph_pixel *q, 
             p->key != q->key ? " *" : "");
     fprintf(file, "  %-10s %18" PRIu32 " %18" PRIu32 "%s\n", "visits", p->visits, q->visits,
             p->visits != q->visits ? " *" : "");
+    fprintf(file, "  %-10s %#18" PRIx32 " %#18" PRIx32 "%s\n", "texture", p->texture, q->texture,
+            p->texture != q->texture ? " *" : "");
 }
 
 void sph_shot_explain(const struct sph_shot *a, const struct sph_shot *b,

@@ -19,8 +19,8 @@ struct sph_frame_difference {
 };
 
 /* Compares size first, then every field of every pixel, counters and error bits; with
- * ignore_work neither visits nor counters, which another tree or traversal changes.
- * Returns 1 if anything differs, else 0. */
+ * ignore_work neither visits, sums of texel addresses nor counters, which another tree or traversal
+ * changes. Returns 1 if anything differs, else 0. */
 int sph_shot_compare(const struct sph_shot *a, const struct sph_shot *b, int ignore_work,
                      struct sph_frame_difference *d);
 

@@ -11,7 +11,7 @@
 #include "fnv.h"
 #include "output.h"
 
-enum { VERSION = 1, MAX_SIDE = 65536 };
+enum { VERSION = 2, MAX_SIDE = 65536 };
 static const char magic[8] = {'S', 'P', 'H', 'F', 'R', 'A', 'M', 'E'};
 
 /* A file and the running hash of what went through it. */
@@ -58,6 +58,7 @@ int sph_shot_write(const struct sph_shot *shot, const char *path, struct sph_err
             put(&s, p->colour[j], 4);
         put(&s, p->id, 4);
         put(&s, p->visits, 4);
+        put(&s, p->texture, 4);
         put(&s, p->key, 8);
     }
     put(&s, s.hash, 8);
@@ -100,6 +101,7 @@ static int read_all(struct stream *s, const char *path, struct sph_shot *shot,
             p->colour[j] = (uint32_t)get(s, 4);
         p->id = (uint32_t)get(s, 4);
         p->visits = (uint32_t)get(s, 4);
+        p->texture = (uint32_t)get(s, 4);
         p->key = get(s, 8);
     }
     uint64_t hash = s->hash;

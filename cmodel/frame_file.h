@@ -2,9 +2,9 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  *   byte 0   "SPHFRAME"
- *        8   u32 version (1), width, height, SPH_FRAMES, SPH_COUNTERS, error bits
+ *        8   u32 version (2), width, height, SPH_FRAMES, SPH_COUNTERS, error bits
  *       32   u64 counter[SPH_COUNTERS]
- *            per pixel, row by row: u32 colour[SPH_FRAMES], id, visits; u64 key
+ *            per pixel, row by row: u32 colour[SPH_FRAMES], id, visits, texture; u64 key
  *            u64 FNV-1a of all bytes before it
  *
  * Everything is little endian; nothing is padded.

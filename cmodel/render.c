@@ -29,7 +29,7 @@ int sph_render(const struct sph_machine *m, const struct sph_render_options *o,
         for (int y = r[SPH_REG_WIN_Y0]; y < r[SPH_REG_WIN_Y1]; y++) {
             for (int x = r[SPH_REG_WIN_X0]; x < r[SPH_REG_WIN_X1]; x++)
                 frame->pixels[(size_t)y * (size_t)width + (size_t)x] =
-                    sph_render_pixel(m, o->traverse, x, y, &mine, &my_errors);
+                    sph_render_pixel(m, o, x, y, &mine, &my_errors);
             if (o->progress) {
 #pragma omp critical
                 o->progress(o->user, ++rows_done, rows);

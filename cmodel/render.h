@@ -7,6 +7,7 @@
 #include "error.h"
 #include "frame.h"
 #include "machine/machine.h"
+#include "texture/lookup.h"
 
 /* How spheres are found: through the tree, bit by bit as the RTL does; or by testing every sphere
  * for the nearest hit, whatever effect FIRST says. */
@@ -17,6 +18,9 @@ struct sph_render_options {
     int threads;                                           /* 0: all */
     void (*progress)(void *user, int rows_done, int rows); /* may be NULL; called under a lock */
     void *user;
+    void (*fetch)(void *user, const struct sph_texel *texel); /* may be NULL; every texel, as it is
+                                                                asked for: with one thread */
+    void *fetch_user;
 };
 
 /* Renders the machine's window into *frame (allocated here at the full frame size; pixels outside

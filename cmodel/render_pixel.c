@@ -8,6 +8,9 @@
 #include "pixel/walk.h"
 #include "shade/colour.h"
 #include "shade/surface.h"
+#include "texture/filter.h"
+#include "texture/lod.h"
+#include "texture/lookup.h"
 #include "trace/node.h"
 #include "trace/traverse.h"
 
@@ -19,6 +22,7 @@ struct job {
     struct sph_counters *c;
     struct sph_pixel *pixel;
     uint32_t *errors;
+    struct sph_texture_work *texture;
 };
 
 static struct sph_hit trace(const struct job *j, const struct sph_ray *ray) {
@@ -37,11 +41,12 @@ static const uint32_t *prim_line(const struct job *j, const struct sph_hit *hit)
     return NULL;
 }
 
-/* Point and normal, unless nothing will start at the point. */
+/* Point and normal, unless nothing will start at the point and no texture lies there. */
 static void surface(const struct job *j, const struct sph_ray *ray, const struct sph_hit *hit,
                     const uint32_t *prim, struct sph_surface *s) {
     if (!j->m->regs[SPH_REG_N_LIGHTS] && !sph_machine_effect(j->m, SPH_EFFECT_REFLECT) &&
-        !sph_machine_effect(j->m, SPH_EFFECT_INTERPENETRATE))
+        !sph_machine_effect(j->m, SPH_EFFECT_INTERPENETRATE) &&
+        !sph_machine_effect(j->m, SPH_EFFECT_TEXTURE))
         return;
     int saturated;
     if (sph_machine_effect(j->m, SPH_EFFECT_FACETS) &&
@@ -79,6 +84,20 @@ static void light(const struct job *j, const struct sph_hit *hit, const struct s
     }
 }
 
+/* What the surface's colour is multiplied by, 0xAABBGGRR: white without texture. path: from the eye
+ * to the hit. */
+static uint32_t texel(const struct job *j, const struct sph_hit *hit, const uint32_t *prim,
+                      const struct sph_surface *s, uint64_t path) {
+    uint32_t map = sph_field(prim, SPH_PRIM_TEX_LSB, SPH_PRIM_TEX_BITS);
+    if (!sph_machine_effect(j->m, SPH_EFFECT_TEXTURE) || !map) return 0xffffffff;
+    struct sph_textured where = {.far = hit->far, .path = path};
+    for (int i = 0; i < 3; i++) {
+        where.guarded[i] = s->guarded[i];
+        where.unit[i] = s->unit.u[i];
+    }
+    return sph_lookup(j->m, map, &where, j->texture);
+}
+
 static struct sph_ray reflected(const struct job *j, const struct sph_ray *ray,
                                 const struct sph_hit *hit, const struct sph_surface *s) {
     struct sph_ray next = {.kind = SPH_REFLECTED, .skip = {hit->id, hit->far}, .inside = j->inside};
@@ -109,6 +128,8 @@ static int path(const struct job *j, struct sph_ray ray) {
     sph_blend_start(&blend);
     struct sph_hit hit = trace(j, &ray);
     const uint32_t *prim = prim_line(j, &hit);
+    uint64_t length = 0;
+    j->texture->lod = SPH_LOD_NONE;
     j->pixel->id = prim ? hit.id : SPH_ID_NONE;
     j->pixel->key = prim ? hit.key : 0;
     for (;;) {
@@ -120,10 +141,14 @@ static int path(const struct job *j, struct sph_ray ray) {
         } else {
             uint32_t sum[3];
             surface(j, &ray, &hit, prim, &s);
+            length = sph_path_add(j->p, &ray, hit.key, length);
+            uint32_t tint = texel(j, &hit, prim, &s, length);
             light(j, &hit, &s, sum);
-            for (int i = 0; i < 3; i++)
-                colour[i] =
-                    sph_surface_colour(sph_field(prim, SPH_PRIM_RED_LSB + 8 * i, 8), sum[i]);
+            for (int i = 0; i < 3; i++) {
+                uint32_t albedo = sph_field(prim, SPH_PRIM_RED_LSB + 8 * i, 8);
+                albedo = sph_texture_albedo(albedo, tint >> (8 * i) & 255);
+                colour[i] = sph_surface_colour(albedo, sum[i]);
+            }
             kr = sph_field(prim, SPH_PRIM_KR_LSB, SPH_PRIM_KR_BITS);
             last = !kr || !sph_machine_effect(j->m, SPH_EFFECT_REFLECT) ||
                    blend.depth == r[SPH_REG_MAX_DEPTH];
@@ -145,9 +170,10 @@ static int path(const struct job *j, struct sph_ray ray) {
     return 0;
 }
 
-struct sph_pixel sph_render_pixel(const struct sph_machine *m, int how, int x, int y,
-                                  struct sph_counters *c, uint32_t *errors) {
-    struct sph_pixel pixel = {{0}, SPH_ID_NONE, 0, 0};
+struct sph_pixel sph_render_pixel(const struct sph_machine *m, const struct sph_render_options *o,
+                                  int x, int y, struct sph_counters *c, uint32_t *errors) {
+    struct sph_pixel pixel = {.id = SPH_ID_NONE, .texture = SPH_NO_TEXTURE};
+    struct sph_texture_work texture = {.fetch = o->fetch, .user = o->fetch_user};
     if (sph_is_background(m, x, y)) {
         c->count[SPH_COUNT_BACKGROUND]++;
         for (int i = 0; i < SPH_FRAMES; i++)
@@ -155,8 +181,11 @@ struct sph_pixel sph_render_pixel(const struct sph_machine *m, int how, int x, i
         return pixel;
     }
     int inside = sph_machine_effect(m, SPH_EFFECT_INSIDE);
-    int first = sph_machine_effect(m, SPH_EFFECT_FIRST) && how == SPH_TRAVERSE_TREE;
-    struct job j = {m, sph_machine_profile(m), how, inside, c, &pixel, errors};
+    int first = sph_machine_effect(m, SPH_EFFECT_FIRST) && o->traverse == SPH_TRAVERSE_TREE;
+    struct job j = {m, sph_machine_profile(m), o->traverse, inside, c, &pixel, errors, &texture};
     if (path(&j, primary(&j, x, y, first))) path(&j, primary(&j, x, y, 0));
+    c->count[SPH_COUNT_TEXELS] += texture.texels;
+    *errors |= texture.errors;
+    pixel.texture = texture.lod << SPH_LOD_LSB | texture.words;
     return pixel;
 }

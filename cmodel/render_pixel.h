@@ -6,8 +6,9 @@
 
 #include "render.h"
 
-/* Renders pixel x, y; adds to *c and to the sticky *errors. how: SPH_TRAVERSE_*. */
-struct sph_pixel sph_render_pixel(const struct sph_machine *m, int how, int x, int y,
-                                  struct sph_counters *c, uint32_t *errors);
+/* Renders pixel x, y; adds to *c and to the sticky *errors. Of the options traverse and fetch
+ * count. */
+struct sph_pixel sph_render_pixel(const struct sph_machine *m, const struct sph_render_options *o,
+                                  int x, int y, struct sph_counters *c, uint32_t *errors);
 
 #endif

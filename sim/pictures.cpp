@@ -4,7 +4,7 @@
  * usage: pictures MODEL.frame RTL.frame FOLDER
  *
  * Colours are those of the deepest reflection. diff.png shows |model - RTL| of each byte, 16 times
- * and at most 255, and white where only id, key or visits differ.
+ * and at most 255, and white where only id, key, visits or texture differ.
  */
 #include <algorithm>
 #include <cstdio>
@@ -29,7 +29,7 @@ sph_pixel difference(const sph_pixel &a, const sph_pixel &b) {
         auto value = static_cast<uint32_t>(std::min(16 * std::abs(x - y), 255));
         d.colour[LAYER] |= value << shift;
     }
-    bool hidden = a.id != b.id || a.key != b.key || a.visits != b.visits;
+    bool hidden = a.id != b.id || a.key != b.key || a.visits != b.visits || a.texture != b.texture;
     if (!d.colour[LAYER] && hidden) d.colour[LAYER] = 0xffffff;
     return d;
 }

@@ -60,9 +60,9 @@ std::size_t pixel_count(const struct sph_frame *frame) {
 
 struct exr_pixel {
     float rgb[3];
-    std::uint32_t id, key_hi, key_lo, visits;
+    std::uint32_t id, key_hi, key_lo, visits, texture;
 };
-static_assert(sizeof(exr_pixel) == 28, "channels lie side by side");
+static_assert(sizeof(exr_pixel) == 32, "channels lie side by side");
 
 } // namespace
 
@@ -100,7 +100,9 @@ int sph_image_write_difference(const char *path, const struct sph_frame *a,
                 right[c] = static_cast<std::uint8_t>(by > 255 ? 255 : by);
                 if (by) dark = false;
             }
-            if (dark && (p.id != q.id || p.key != q.key || p.visits != q.visits)) right[2] = 255;
+            if (dark &&
+                (p.id != q.id || p.key != q.key || p.visits != q.visits || p.texture != q.texture))
+                right[2] = 255;
         }
         OIIO::ImageSpec spec(3 * a->width, a->height, 3, OIIO::TypeUInt8);
         return write_file(path, "png", spec, bytes.data(), err);
@@ -119,11 +121,12 @@ int sph_image_write_exr(const char *path, const struct sph_frame *frame, int lay
             pixels[i].key_hi = static_cast<std::uint32_t>(p.key >> 32);
             pixels[i].key_lo = static_cast<std::uint32_t>(p.key);
             pixels[i].visits = p.visits;
+            pixels[i].texture = p.texture;
         }
-        OIIO::ImageSpec spec(frame->width, frame->height, 7, OIIO::TypeFloat);
-        spec.channelnames = {"R", "G", "B", "id", "key.hi", "key.lo", "visits"};
+        OIIO::ImageSpec spec(frame->width, frame->height, 8, OIIO::TypeFloat);
+        spec.channelnames = {"R", "G", "B", "id", "key.hi", "key.lo", "visits", "texture"};
         spec.channelformats.assign(3, OIIO::TypeFloat);
-        spec.channelformats.resize(7, OIIO::TypeUInt32);
+        spec.channelformats.resize(8, OIIO::TypeUInt32);
         spec.attribute("compression", "zip");
         spec.attribute("DateTime", "1970:01:01 00:00:00"); /* the same frame, the same bytes */
         return write_file(path, "openexr", spec, pixels.data(), err);

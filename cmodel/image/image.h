@@ -27,11 +27,11 @@ int sph_image_write_png(const char *path, const struct sph_frame *frame, int lay
                         struct sph_error *err);
 
 /* PNG of two frames of one size beside their difference (per byte, 16 times, at most 255; any
- * difference in id, key or visits alone shows as blue): a | b | difference. */
+ * difference in id, key, visits or texture alone shows as blue): a | b | difference. */
 int sph_image_write_difference(const char *path, const struct sph_frame *a,
                                const struct sph_frame *b, int layer, struct sph_error *err);
 
-/* OpenEXR: R, G, B (float: byte / 255), id, key.hi, key.lo, visits (uint). */
+/* OpenEXR: R, G, B (float: byte / 255), id, key.hi, key.lo, visits, texture (uint). */
 int sph_image_write_exr(const char *path, const struct sph_frame *frame, int layer,
                         struct sph_error *err);
 

@@ -245,17 +245,19 @@
 #define SPH_COUNT_POP_BUBBLES 15
 #define SPH_COUNT_FACET_TESTS 16
 #define SPH_COUNT_DIVISIONS 17
+#define SPH_COUNT_TEXELS 18
+#define SPH_COUNT_TEXEL_MISSES 19
 #define SPH_ERROR_BAD_NODE 0
 #define SPH_ERROR_STACK_OVERFLOW 1
 #define SPH_ERROR_VISIT_LIMIT 2
 #define SPH_ERROR_BUS_ERROR 3
 #define SPH_ERROR_MISSING_EFFECT 4
 #define SPH_ERROR_WRONG_PROFILE 5
-#define SPH_COUNTERS 18
-#define SPH_COUNTERS_BOTH 197631
+#define SPH_COUNTERS 20
+#define SPH_COUNTERS_BOTH 459775
 #define SPH_ERRORS 6
 #define SPH_PROFILE_TABLE {"draft", 12, 13, 13, 2, 12}, {"standard", 16, 17, 17, 2, 14}, {"fine", 20, 22, 24, 2, 14}, {"reference", 24, 25, 28, 2, 14}
-#define SPH_COUNTER_NAMES "rays_primary", "rays_shadow", "rays_reflected", "node_visits", "child_tests", "leaf_tests", "roots", "quotients", "background", "saturations", "cycles", "issue_wait", "node_misses", "leaf_misses", "rays_waiting", "pop_bubbles", "facet_tests", "divisions"
+#define SPH_COUNTER_NAMES "rays_primary", "rays_shadow", "rays_reflected", "node_visits", "child_tests", "leaf_tests", "roots", "quotients", "background", "saturations", "cycles", "issue_wait", "node_misses", "leaf_misses", "rays_waiting", "pop_bubbles", "facet_tests", "divisions", "texels", "texel_misses"
 #define SPH_ERROR_NAMES "bad_node", "stack_overflow", "visit_limit", "bus_error", "missing_effect", "wrong_profile"
 
 #endif

@@ -196,7 +196,7 @@ static int buried(const struct sph_machine *m, const struct sph_ray *ray) {
 struct sph_pixel sph_naive_pixel(const struct sph_machine *m, int x, int y) {
     const int32_t *r = m->regs;
     const struct sph_profile *p = &sph_profiles[r[SPH_REG_PROFILE]];
-    struct sph_pixel pixel = {.id = SPH_ID_NONE};
+    struct sph_pixel pixel = {.id = SPH_ID_NONE, .texture = SPH_NO_TEXTURE};
     int background = sph_naive_background(m, x, y);
     int64_t weight = 65536, sum[3] = {0};
     struct sph_ray ray = {.org = {r[SPH_REG_EYE_X], r[SPH_REG_EYE_Y], r[SPH_REG_EYE_Z]},

@@ -101,6 +101,7 @@ bool read_line(const char *text, const sph_machine &m, Sample *samples[PASSES], 
     unsigned long long key = 0;
     char hex[32] = "";
     sph_pixel p{};
+    p.texture = SPH_NO_TEXTURE; /* the core has none */
     switch (text[0]) {
     case 'p':
         if (std::strpbrk(text, "xzXZ") ||

@@ -141,6 +141,7 @@ void Bench::check(const char *port, Held &held, bool valid, bool ready, uint64_t
 void Bench::take_pixel() {
     const uint32_t *c = core_->pix_colour_o;
     sph_pixel p{};
+    p.texture = SPH_NO_TEXTURE; /* the core has none */
     p.colour[0] = c[0] & 0xffffff;
     p.colour[1] = (c[0] >> 24 | c[1] << 8) & 0xffffff;
     p.colour[2] = (c[1] >> 16 | c[2] << 16) & 0xffffff;
