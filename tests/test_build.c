@@ -200,6 +200,7 @@ static void test_refusals(void **unused) {
 static void test_radius(void **unused) {
     (void)unused;
     struct sph_scene s = cloud(0, 0.1);
+    const struct sph_facets none = {0};
     int most = (1 << SPH_CHILD_RAD_BITS) - 1 - SPH_FILTER_MARGIN;
     for (int over = 0; over < 2; over++) {
         struct sph_tree_node nodes[2] = {{.n_inner = 1, .child = {1}},
@@ -207,7 +208,7 @@ static void test_radius(void **unused) {
         struct sph_tree tree = {.nodes = nodes, .n_nodes = 2, .depth = 2};
         struct sph_machine m = {.regs = {0}};
         struct sph_error err = {{0}};
-        assert_int_equal(sph_emit_memory(&s, NULL, &tree, &m, &err), -over);
+        assert_int_equal(sph_emit_memory(&s, NULL, &none, &tree, &m, &err), -over);
         assert_int_equal(strstr(err.text, "node 1: a radius of 16382 ") != NULL, over);
         sph_machine_free(&m);
     }

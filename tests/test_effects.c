@@ -11,6 +11,8 @@
 #include "machine/layout.h"
 #include "shade/surface.h"
 
+static const struct sph_facets no_facets;
+
 static int32_t whole(double lo, double hi) {
     return (int32_t)floor(between(lo, hi + 1));
 }
@@ -139,7 +141,7 @@ static void test_occlusion(void **unused) {
         struct sph_ball balls[2] = {ball_in(p, 1 << (p->w - 2)), ball_in(p, 1 << (p->w - 3))};
         struct sph_ball lamp = ball_in(p, 1);
         const int32_t eye[3] = {0, 0, (1 << (p->w - 1)) - 1};
-        struct sph_world world = {balls, 2, p, eye, 0};
+        struct sph_world world = {balls, 2, p, eye, &no_facets, 0};
         struct sph_witness w = {0};
         double room = INFINITY, error = (double)sph_point_error(p) / (1 << sph_error_bits(p));
         for (int i = 0; i < 2; i++)
@@ -167,7 +169,7 @@ static void test_occlusion(void **unused) {
 static void test_buried(void **unused) {
     struct sph_ball balls[3] = {{{0, 0, 0}, 200}, {{20, 0, 0}, 30}, {{500, 0, 0}, 100}};
     const int32_t eye[3] = {0, 0, 900}, in[3] = {0, 0, -150}, out[1][3] = {{0, 900, 0}};
-    struct sph_world world = {balls, 3, &sph_profiles[SPH_DRAFT], eye, 1};
+    struct sph_world world = {balls, 3, &sph_profiles[SPH_DRAFT], eye, &no_facets, 1};
     uint8_t buried[3];
     (void)unused;
 #define BURIED(lights, n) (sph_buried(&world, lights, n, buried), buried[1])

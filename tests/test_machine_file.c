@@ -196,7 +196,11 @@ static void test_wrong_registers(void **unused) {
         int number, value;
         const char *name;
     } list[] = {
-        {SPH_REG_EFFECTS, 32, "EFFECTS is 32"},
+        {SPH_REG_EFFECTS, 64, "EFFECTS is 64"},
+        {SPH_REG_EFFECTS, 40, "EFFECTS is 40: FACETS excludes FIRST"},
+        {SPH_REG_FACET_BASE, 30, "FACET_BASE is 30, not in 0..0"},
+        {SPH_REG_N_SPHERES, 1, "N_SPHERES is 1, not in 0..0"},
+        {SPH_REG_TEX_FILTER, 1, "TEX_FILTER is 1"},
         {SPH_REG_EFFECTS, -1, "EFFECTS is -1"},
         {SPH_REG_EFFECTS, 16, "EFFECTS is 16: INTERPENETRATE needs FIRST and INSIDE"},
         {SPH_REG_EFFECTS, 20, "EFFECTS is 20: INTERPENETRATE needs"},

@@ -63,6 +63,11 @@ static int64_t radius_all(const int32_t cf[3], const struct sph_ball *balls, con
     return ceil_shift(most, k);
 }
 
+struct sph_ball sph_filter_whole(const struct sph_profile *profile) {
+    int64_t half = 1ll << (profile->fw - 1);
+    return (struct sph_ball){.r = (int32_t)sph_ceil_sqrt(3 * half * half)};
+}
+
 struct sph_ball sph_filter_enclose(const struct sph_ball *balls, const uint32_t *index, uint32_t n,
                                    const struct sph_profile *profile) {
     enum { FEW = 64 };
@@ -88,5 +93,6 @@ struct sph_ball sph_filter_enclose(const struct sph_ball *balls, const uint32_t 
         }
     }
     best.r = (int32_t)r;
-    return best;
+    struct sph_ball whole = sph_filter_whole(profile);
+    return best.r > whole.r ? whole : best;
 }

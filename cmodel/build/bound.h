@@ -30,12 +30,16 @@ int32_t sph_filter_radius(const int32_t cf[3], const struct sph_ball *ball, int 
 /* The sphere in filter units, without margin, that holds one leaf. */
 struct sph_ball sph_filter_leaf(const struct sph_ball *leaf, const struct sph_profile *profile);
 
+/* The sphere in filter units, without margin, around the whole grid. */
+struct sph_ball sph_filter_whole(const struct sph_profile *profile);
+
 /* The smallest sphere (centre, radius) around balls[index[0..n-1]], n >= 1, up to rounding of
  * double: farthest-first pivoting over supports of at most four spheres. */
 void sph_enclose(const struct sph_ball *balls, const uint32_t *index, uint32_t n, double out[4]);
 
 /* The same as a sphere in filter units that holds every ball exactly, without margin; for few
- * balls the eight filter points around the centre compete. */
+ * balls the eight filter points around the centre compete. Balls of triangles may stick out of the
+ * grid: what no sphere around the grid holds gets that sphere, which holds all that is in them. */
 struct sph_ball sph_filter_enclose(const struct sph_ball *balls, const uint32_t *index, uint32_t n,
                                    const struct sph_profile *profile);
 

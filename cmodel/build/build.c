@@ -27,6 +27,9 @@ static int check_effects(const struct sph_scene *scene, const struct sph_build_o
             return sph_fail(err, "an effect is neither auto, off nor on: %d", when[i]);
     if (o->traverse != SPH_BUILD_NEAREST && o->traverse != SPH_BUILD_FIRST)
         return sph_fail(err, "there is no traversal %d", o->traverse);
+    if (o->traverse == SPH_BUILD_FIRST && scene->n_facets)
+        return sph_fail(err, "%s:%u: traverse first is for spheres: there are triangles or planes",
+                        scene->path, scene->facets[0].line);
     if (o->lights < SPH_AUTO || o->lights > scene->n_lights)
         return sph_fail(err, "%s: %d lights are asked for, the scene has %d", scene->path,
                         o->lights, scene->n_lights);
@@ -62,14 +65,22 @@ static int check(const struct sph_scene *scene, const struct sph_build_options *
     if (scene->n_spheres > SPH_MAX_SPHERES)
         return sph_fail(err, "%s: %u spheres, at most %u", scene->path, scene->n_spheres,
                         SPH_MAX_SPHERES);
-    if (scene->n_facets)
-        return sph_fail(err, "%s:%u: a machine of triangles or planes cannot be built yet",
-                        scene->path, scene->facets[0].line);
+    if (scene->n_facets > SPH_MAX_FACETS || scene->n_spheres + scene->n_facets > SPH_ID_NONE)
+        return sph_fail(err, "%s: %u spheres and %u triangles and planes; at most %d, of them %d",
+                        scene->path, scene->n_spheres, scene->n_facets, SPH_ID_NONE,
+                        SPH_MAX_FACETS);
     if (check_effects(scene, o, err)) return -1;
     for (uint32_t i = 0; i < scene->n_spheres; i++)
         if (scene->spheres[i].material >= scene->n_materials)
             return sph_fail(err, "%s:%u: sphere without material", scene->path,
                             scene->spheres[i].line);
+    for (uint32_t i = 0; i < scene->n_facets; i++) {
+        const struct sph_facet *f = &scene->facets[i];
+        if (f->kind != SPH_TRIANGLE && f->kind != SPH_PLANE)
+            return sph_fail(err, "%s:%u: neither a triangle nor a plane", scene->path, f->line);
+        if (f->material >= scene->n_materials)
+            return sph_fail(err, "%s:%u: triangle or plane without material", scene->path, f->line);
+    }
     return 0;
 }
 
@@ -98,6 +109,13 @@ static int place_camera(const struct sph_scene *scene, const struct sph_build_op
     return 0;
 }
 
+/* What build works on. */
+struct parts {
+    struct sph_ball *balls; /* of every id: spheres, then facets */
+    struct sph_facets facets;
+    struct sph_tree tree;
+};
+
 static void warn_coarse(const struct sph_scene *scene, int profile,
                         struct sph_build_report *report) {
     enum { COARSE = 4 }; /* grid units */
@@ -110,10 +128,39 @@ static void warn_coarse(const struct sph_scene *scene, int profile,
              finer < 0 ? "" : sph_profiles[finer].name);
 }
 
+/* Says what of the facets was left out. */
+static void warn_empty(const struct sph_scene *scene, int profile, const struct sph_facets *facets,
+                       struct sph_build_report *report) {
+    if (!facets->n_empty) return;
+    sph_note(report->warning, sizeof report->warning,
+             "%s:%u: the first of %u triangles that have no area on the grid of profile %s and are "
+             "left out: no ray would meet them\n",
+             scene->path, scene->facets[facets->first_empty].line, facets->n_empty,
+             sph_profiles[profile].name);
+}
+
+/* Spheres and facets on the grid; balls[id] for all ids. */
+static int quantise(const struct sph_scene *scene, const struct sph_grid *grid, int profile,
+                    struct parts *parts, struct sph_build_report *report, struct sph_error *err) {
+    if (sph_grid_spheres(grid, scene, profile, parts->balls, &report->smallest_radius, err) ||
+        sph_grid_facets(grid, scene, profile, &parts->facets, err))
+        return -1;
+    for (uint32_t i = 0; i < parts->facets.n; i++)
+        parts->balls[scene->n_spheres + i] = parts->facets.list[i].ball;
+    report->planes = parts->facets.n_planes;
+    report->triangles = parts->facets.n - report->planes;
+    warn_coarse(scene, profile, report);
+    warn_empty(scene, profile, &parts->facets, report);
+    return 0;
+}
+
 /* The work of sph_build() on memory that the caller frees. */
 static int build(const struct sph_scene *scene, const struct sph_build_options *o,
-                 struct sph_ball *balls, struct sph_tree *tree, struct sph_machine *m,
-                 struct sph_build_report *report, struct sph_error *err) {
+                 struct parts *parts, struct sph_machine *m, struct sph_build_report *report,
+                 struct sph_error *err) {
+    const struct sph_ball *balls = parts->balls;
+    const struct sph_facets *facets = &parts->facets;
+    struct sph_tree *tree = &parts->tree;
     const struct sph_profile *profile = &sph_profiles[o->profile];
     struct sph_grid grid;
     struct sph_rays rays = {0};
@@ -122,16 +169,14 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
     m->regs[SPH_REG_FRAME] = SPH_FRAMES - 1;
     if (sph_grid_fit(scene, profile->w, &grid, err)) return -1;
     if (place_camera(scene, o, &grid, &rays, m, err)) return -1;
-    if (sph_grid_spheres(&grid, scene, o->profile, balls, &report->smallest_radius, err)) return -1;
     report->grid_step = grid.step;
     report->fov_error = rays.fov_error;
-    warn_coarse(scene, o->profile, report);
+    if (quantise(scene, &grid, o->profile, parts, report, err)) return -1;
 
     uint32_t n = scene->n_spheres;
-    int failed = o->tree == SPH_TREE_PAPER
-                     ? sph_tree_paper(balls, n, profile, tree, err)
-                     : sph_tree_balanced(balls, n, profile, grid.eye, tree, err);
-    if (failed || sph_emit_memory(scene, balls, tree, m, err)) return -1;
+    struct sph_plants plants = {balls, n, facets, profile, grid.eye, o->tree};
+    if (sph_tree_build(&plants, tree, err) || sph_emit_memory(scene, balls, facets, tree, m, err))
+        return -1;
     report->nodes = tree->n_nodes;
     report->depth = tree->depth;
 
@@ -139,7 +184,7 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
     sph_emit_colours(scene, m, report);
     int mended =
         o->traverse == SPH_BUILD_NEAREST || (o->interpenetrate != SPH_OFF && o->inside != SPH_OFF);
-    struct sph_world world = {balls, n, profile, grid.eye, mended};
+    struct sph_world world = {balls, n, profile, grid.eye, facets, mended};
     struct sph_survey survey = {scene, &grid, o, world};
     if (sph_emit_effects(&survey, m, report, err)) return -1;
     snprintf(m->name, sizeof m->name, "%s", scene->name);
@@ -152,15 +197,17 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
 int sph_build(const struct sph_scene *scene, const struct sph_build_options *options,
               struct sph_machine *machine, struct sph_build_report *report, struct sph_error *err) {
     double start = seconds();
-    struct sph_tree tree = {0};
+    struct parts parts = {0};
     memset(machine, 0, sizeof *machine);
     memset(report, 0, sizeof *report);
     if (check(scene, options, err)) return -1;
-    struct sph_ball *balls = malloc((scene->n_spheres + 1ull) * sizeof *balls);
-    int result = balls ? build(scene, options, balls, &tree, machine, report, err)
-                       : sph_fail(err, "out of memory for %u spheres", scene->n_spheres);
-    free(balls);
-    free(tree.nodes);
+    uint64_t n = (uint64_t)scene->n_spheres + scene->n_facets;
+    parts.balls = malloc((n + 1) * sizeof *parts.balls);
+    int result = parts.balls ? build(scene, options, &parts, machine, report, err)
+                             : sph_fail(err, "out of memory for %u spheres", scene->n_spheres);
+    free(parts.balls);
+    free(parts.tree.nodes);
+    sph_facets_free(&parts.facets);
     if (result) sph_machine_free(machine);
     report->build_seconds = seconds() - start;
     return result;

@@ -6,12 +6,11 @@
 #ifndef SPH_BUILD_H
 #define SPH_BUILD_H
 
-#include "build/bound.h"
+#include "build/tree.h"
 #include "build/work.h"
 #include "machine/machine.h"
 #include "scene/scene.h"
 
-enum { SPH_TREE_PAPER = 1, SPH_TREE_BALANCED = 2 };
 enum { SPH_BG_NONE = 0, SPH_BG_RECT = 1, SPH_BG_SPANS = 2, SPH_BG_EXACT = 3 };
 enum { SPH_BUILD_NEAREST = 0, SPH_BUILD_FIRST = 1 };
 enum { SPH_AUTO = -1, SPH_OFF = 0, SPH_ON = 1 }; /* auto: as the scene calls for */
@@ -47,6 +46,7 @@ enum {
     SPH_REPORT_INSIDE,
     SPH_REPORT_FIRST,
     SPH_REPORT_INTERPENETRATE,
+    SPH_REPORT_FACETS,
     SPH_REPORTS
 };
 
@@ -56,9 +56,10 @@ struct sph_build_report {
     double smallest_radius; /* grid units */
     double fov_error;       /* relative error of tan(angle/2) by quantisation */
     uint32_t nodes, depth;  /* of the tree */
+    uint32_t triangles, planes;
     double build_seconds;
     char warning[8192];   /* empty if none; finer profiles, clamped colours, effects left out */
-    struct sph_ball root; /* grid units: holds every sphere */
+    struct sph_ball root; /* grid units: holds every primitive */
     int bg_points;        /* spans: meridians that were needed, 0: none */
     struct sph_work bg_work, bg_check; /* spans, exact: set-up; spans: proof that they cover */
     char background[512];              /* how the separation went, one line each */
@@ -66,8 +67,8 @@ struct sph_build_report {
 };
 
 /* Builds the machine. 0, or -1 with "file:line: ..." (a sphere that does not fit the grid, zero
- * radius on the grid, exact duplicates, raster too wide for the profile, effects that exclude each
- * other). */
+ * radius on the grid, exact duplicates, more than SPH_MAX_PLANES planes, raster too wide for the
+ * profile, effects that exclude each other). */
 int sph_build(const struct sph_scene *scene, const struct sph_build_options *options,
               struct sph_machine *machine, struct sph_build_report *report, struct sph_error *err);
 

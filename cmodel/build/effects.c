@@ -45,8 +45,13 @@ static void find_shadow(const struct sph_survey *s, const struct sph_lights *lig
     struct sph_witness w;
     for (int l = 0; l < lights->n_shining; l++)
         sph_grid_point(s->grid, s->scene, s->scene->lights[lights->shining[l]].pos, at[l]);
-    if (!lights->n_shining || !s->world.n) {
-        WHY(entry, s->world.n ? "no light shines" : "there is no sphere");
+    int any = s->world.n > 0 || s->world.facets->n > 0;
+    if (!lights->n_shining || !any) {
+        WHY(entry, any ? "no light shines" : "there is no sphere");
+        return;
+    }
+    if (s->world.facets->n) {
+        sph_find_facet_shadow(s, entry);
         return;
     }
     int how = sph_occlusion(&s->world, (const int32_t(*)[3])at, lights->n_shining, &w);
@@ -67,17 +72,22 @@ static void find_shadow(const struct sph_survey *s, const struct sph_lights *lig
 }
 
 /* The used material with the largest mirror weight; NULL if none has any. */
-static const struct sph_material *best_mirror(const struct sph_scene *scene) {
+static const struct sph_material *best_mirror(const struct sph_survey *s) {
+    const struct sph_scene *scene = s->scene;
+    const struct sph_facets *facets = s->world.facets;
     const struct sph_material *best = NULL;
-    for (uint32_t i = 0; i < scene->n_spheres; i++) {
-        const struct sph_material *m = &scene->materials[scene->spheres[i].material];
+    for (uint32_t i = 0; i < scene->n_spheres + facets->n; i++) {
+        uint32_t number = i < scene->n_spheres
+                              ? scene->spheres[i].material
+                              : scene->facets[facets->list[i - scene->n_spheres].scene].material;
+        const struct sph_material *m = &scene->materials[number];
         if (m != best && sph_material_kr(m) > (best ? sph_material_kr(best) : 0)) best = m;
     }
     return best;
 }
 
 static void find_reflect(const struct sph_survey *s, struct sph_effect_report *entry) {
-    const struct sph_material *mirror = best_mirror(s->scene);
+    const struct sph_material *mirror = best_mirror(s);
     int depth = s->options->max_depth, asked = s->options->reflect;
     if (!mirror)
         WHY(entry, "no used material mirrors (ks is 0)");
@@ -137,6 +147,8 @@ static int find_inside(const struct sph_survey *s, struct sph_build_report *repo
     inside->called = around < s->world.n || near.called;
     if (around < s->world.n)
         WHY(inside, "the eye is in the sphere %s", sph_sphere_place(s->scene, around).text);
+    else if (!near.called && sph_find_facet_inside(s, inside))
+        inside->called = 1;
     else
         WHY(inside, "%s%s", near.why, near.called || !s->world.n ? "" : ", and the eye is in none");
     settle(inside, o->inside);
@@ -160,8 +172,8 @@ static void warn_missing(const struct sph_scene *scene, const struct sph_lights 
 
 int sph_emit_effects(const struct sph_survey *s, struct sph_machine *machine,
                      struct sph_build_report *report, struct sph_error *err) {
-    static const char *const names[] = {"shadow", "reflect", "lights",
-                                        "inside", "first",   "interpenetrate"};
+    static const char *const names[] = {"shadow", "reflect",        "lights", "inside",
+                                        "first",  "interpenetrate", "facets"};
     struct sph_effect_report *effects = report->effects;
     struct sph_lights lights;
     int32_t *regs = machine->regs;
@@ -173,12 +185,14 @@ int sph_emit_effects(const struct sph_survey *s, struct sph_machine *machine,
     settle(&effects[SPH_REPORT_SHADOW], s->options->shadow);
     find_reflect(s, &effects[SPH_REPORT_REFLECT]);
     if (find_inside(s, report, err)) return -1;
+    sph_find_facets(s, &effects[SPH_REPORT_FACETS]);
     warn_missing(s->scene, &lights, report);
     regs[SPH_REG_MAX_DEPTH] = effects[SPH_REPORT_REFLECT].on;
     regs[SPH_REG_EFFECTS] = effects[SPH_REPORT_SHADOW].on << SPH_EFFECT_SHADOW |
                             (effects[SPH_REPORT_REFLECT].on > 0) << SPH_EFFECT_REFLECT |
                             effects[SPH_REPORT_INSIDE].on << SPH_EFFECT_INSIDE |
                             effects[SPH_REPORT_FIRST].on << SPH_EFFECT_FIRST |
-                            effects[SPH_REPORT_INTERPENETRATE].on << SPH_EFFECT_INTERPENETRATE;
+                            effects[SPH_REPORT_INTERPENETRATE].on << SPH_EFFECT_INTERPENETRATE |
+                            effects[SPH_REPORT_FACETS].on << SPH_EFFECT_FACETS;
     return 0;
 }

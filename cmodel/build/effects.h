@@ -32,6 +32,15 @@ int sph_emit_effects(const struct sph_survey *survey, struct sph_machine *machin
 void sph_choose_lights(const struct sph_survey *survey, struct sph_lights *lights,
                        struct sph_effect_report *report);
 
+/* The part of the effects that hangs on triangles and planes; nothing without them. */
+void sph_find_facets(const struct sph_survey *survey, struct sph_effect_report *report);
+
+/* Whether facets call for SHADOW: entry->called and why. */
+void sph_find_facet_shadow(const struct sph_survey *survey, struct sph_effect_report *entry);
+
+/* INSIDE: a facet that is near a sphere. 1 with the reason appended to entry->why, or 0. */
+int sph_find_facet_inside(const struct sph_survey *survey, struct sph_effect_report *entry);
+
 /* Light registers. Appends to report->warning what had to be clamped. */
 void sph_emit_lights(const struct sph_survey *survey, const struct sph_lights *lights,
                      struct sph_machine *machine, struct sph_build_report *report);
@@ -43,6 +52,7 @@ struct sph_place {
 struct sph_place sph_place_of(const struct sph_scene *scene, uint32_t line, const char *what,
                               uint32_t index);
 struct sph_place sph_sphere_place(const struct sph_scene *scene, uint32_t index);
+struct sph_place sph_facet_place(const struct sph_survey *survey, uint32_t facet);
 struct sph_place sph_light_place(const struct sph_scene *scene, int index);
 
 /* lround(32768 * c) for c in [0, 65535/32768]; *clamped counts what was outside. */

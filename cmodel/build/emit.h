@@ -9,10 +9,16 @@
 #include "build/tree.h"
 
 /* Writes nodes, leaf records and primitive records to machine->mem and the registers that tell
- * where they are. -1 if memory or addresses are out, or a node's radius exceeds its field. */
+ * where they are; balls[id]. With facets every leaf has a line of its own, and the table of facets
+ * follows. -1 if memory or addresses are out, or a node's radius exceeds its field. */
 int sph_emit_memory(const struct sph_scene *scene, const struct sph_ball *balls,
-                    const struct sph_tree *tree, struct sph_machine *machine,
-                    struct sph_error *err);
+                    const struct sph_facets *facets, const struct sph_tree *tree,
+                    struct sph_machine *machine, struct sph_error *err);
+
+/* Writes the leaf line of a facet, and the part of its primitive record that a sphere's leaf record
+ * has elsewhere. */
+void sph_emit_facet(uint32_t *line, const struct sph_grid_facet *facet, uint32_t id);
+void sph_emit_facet_prim(uint32_t *line, const struct sph_grid_facet *facet, uint32_t id);
 
 /* Ambient and background colours. Appends to report->warning what had to be clamped. */
 void sph_emit_colours(const struct sph_scene *scene, struct sph_machine *machine,

@@ -58,6 +58,25 @@ static void box_add(struct box *box, const double at[3], double rad) {
     }
 }
 
+/* Adds the corners of triangles and the points of planes. */
+static int add_facets(const struct sph_scene *scene, const double m[9], struct box *box,
+                      struct sph_error *err) {
+    for (uint32_t i = 0; i < scene->n_facets; i++) {
+        const struct sph_facet *f = &scene->facets[i];
+        int points = f->kind == SPH_PLANE ? 1 : 3;
+        for (int k = 0; k < 3; k++) {
+            double at[3], size = fabs(f->v[k].x) + fabs(f->v[k].y) + fabs(f->v[k].z);
+            turn(m, sub(f->v[k], scene->camera.from), at);
+            if (!isfinite(size + at[0] + at[1] + at[2]) || (k == 1 && points == 1 && !(size > 0)))
+                return sph_fail(err, "%s:%u: %s", scene->path, f->line,
+                                points == 1 ? "plane needs a finite point and normal"
+                                            : "triangle needs finite corners");
+            if (k < points) box_add(box, at, 0);
+        }
+    }
+    return 0;
+}
+
 /* The box, in the camera's axes around the eye, of all that must lie on the grid. */
 static int bounds(const struct sph_scene *scene, const double m[9], struct box *box,
                   struct sph_error *err) {
@@ -77,7 +96,7 @@ static int bounds(const struct sph_scene *scene, const double m[9], struct box *
                             scene->path, s->line);
         box_add(box, at, s->rad);
     }
-    return 0;
+    return add_facets(scene, m, box, err);
 }
 
 /* Whether a ball lies inside w bits with the margin. */
@@ -101,6 +120,12 @@ static int all_fit(const struct sph_grid *grid, const struct sph_scene *scene, i
         ball = sph_grid_ball(grid, scene, &scene->spheres[i]);
         if (!fits(&ball, w)) return 0;
     }
+    ball.r = 0;
+    for (uint32_t i = 0; i < scene->n_facets; i++)
+        for (int k = 0; k < (scene->facets[i].kind == SPH_PLANE ? 1 : 3); k++) {
+            sph_grid_point(grid, scene, scene->facets[i].v[k], ball.c);
+            if (!fits(&ball, w)) return 0;
+        }
     return 1;
 }
 

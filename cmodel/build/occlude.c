@@ -107,5 +107,7 @@ uint32_t sph_dark_ball(const struct sph_world *world, const int32_t light[3]) {
     for (uint32_t i = 0; i < world->n; i++)
         if (i != around && sph_nearness(ball, &world->balls[i], world->profile) != SPH_APART)
             return world->n;
+    for (uint32_t i = 0; i < world->facets->n; i++)
+        if (sph_facet_near(&world->facets->list[i], ball, world->profile)) return world->n;
     return around;
 }

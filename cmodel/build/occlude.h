@@ -7,14 +7,16 @@
 #ifndef SPH_OCCLUDE_H
 #define SPH_OCCLUDE_H
 
+#include "build/facets.h"
 #include "build/near.h"
 
-/* The spheres as the machine has them, and where its rays may start. */
+/* The primitives as the machine has them, and where its rays may start. */
 struct sph_world {
     const struct sph_ball *balls;
     uint32_t n;
     const struct sph_profile *profile;
     const int32_t *eye;
+    const struct sph_facets *facets;
     int mended; /* no pixel shows a point inside another sphere: nearest hits, or INTERPENETRATE */
 };
 
@@ -50,8 +52,12 @@ enum { SPH_MOST_BURIED = 2048 };
 int sph_occlusion(const struct sph_world *world, const int32_t (*lights)[3], int count,
                   struct sph_witness *found);
 
+/* Looks for a facet and a ball that are not farther apart than the error of hit points: 1 with
+ * *facet and *ball, 0 if there are none, -1 if there are too many pairs to try. */
+int sph_near_facet(const struct sph_world *world, uint32_t *facet, uint32_t *ball);
+
 /* The ball around a light that keeps it from reaching anything, n if there is none: the eye is not
- * in it, the light is deep in it, and no other ball is near it. */
+ * in it, the light is deep in it, and no other ball and no facet is near it. */
 uint32_t sph_dark_ball(const struct sph_world *world, const int32_t light[3]);
 
 #endif

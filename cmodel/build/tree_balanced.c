@@ -121,7 +121,7 @@ int sph_tree_balanced(const struct sph_ball *balls, uint32_t n, const struct sph
         tree->n_nodes = tree->depth = 0;
         collapse(&w, 0, 0);
         sph_split_free(&w.split);
-        if (tree->depth - 1 <= SPH_STACK_DEPTH) break;
+        if (tree->depth - 1 + tree->above <= SPH_STACK_DEPTH) break;
     }
     struct sph_tree_node *less = realloc(tree->nodes, tree->n_nodes * sizeof *tree->nodes);
     if (less) tree->nodes = less;

@@ -26,6 +26,15 @@ static void box_add(struct box *box, const struct sph_ball *ball, int64_t unit) 
     }
 }
 
+/* Cuts off what lies outside of the grid: balls of triangles may reach there, triangles do not. */
+static void clip(struct box *box, const struct sph_profile *profile) {
+    int64_t half = 1ll << (profile->w - 1);
+    for (int i = 0; i < 3; i++) {
+        if (box->lo[i] < -half) box->lo[i] = -half;
+        if (box->hi[i] > half - 1) box->hi[i] = half - 1;
+    }
+}
+
 /* The sphere on a box: centre C = (near + far)/2 in filter units, R to the farthest corner. */
 static struct sph_ball box_ball(const struct box *box, const struct sph_profile *profile) {
     int k = profile->w - profile->fw;
@@ -102,6 +111,7 @@ int sph_tree_paper(const struct sph_ball *balls, uint32_t n, const struct sph_pr
     for (uint32_t i = 0; i < n; i++)
         box_add(&box, &balls[i], 1);
     struct sph_ball most = {.r = 0};
+    clip(&box, profile);
     if (n) most = box_ball(&box, profile);
 
     uint32_t start = total, below_start = 0, below = n;

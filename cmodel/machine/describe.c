@@ -5,10 +5,12 @@
 
 #include <math.h>
 
+#include "machine/facets.h"
+
 struct shape {
     uint32_t nodes, depth;
     uint32_t children[5];                 /* nodes with that many children */
-    uint32_t leaves[SPH_STACK_DEPTH + 1]; /* spheres whose node is on that level, root: 1 */
+    uint32_t leaves[SPH_STACK_DEPTH + 1]; /* primitives whose node is on that level, root: 1 */
 };
 
 /* Counts the node at `line` on `level` and all below. */
@@ -28,16 +30,18 @@ static void count(const struct sph_machine *m, uint32_t line, uint32_t level, st
 static void describe_tree(const struct sph_machine *m, FILE *file) {
     struct shape s = {0};
     count(m, (uint32_t)m->regs[SPH_REG_ROOT], 1, &s);
-    fprintf(file, "tree      %s, %u nodes on %u levels, %d spheres below them\n",
-            m->regs[SPH_REG_TREE] == 1 ? "paper" : "balanced", s.nodes, s.depth,
-            m->regs[SPH_REG_N_PRIMS]);
+    struct sph_counts n = sph_machine_count(m);
+    fprintf(file, "tree      %s, %u nodes on %u levels, %u spheres",
+            m->regs[SPH_REG_TREE] == 1 ? "paper" : "balanced", s.nodes, s.depth, n.spheres);
+    if (n.triangles + n.planes) fprintf(file, ", %u triangles, %u planes", n.triangles, n.planes);
+    fprintf(file, " below them\n");
     fprintf(file, "children ");
     for (int i = 0; i <= 4; i++)
         if (s.children[i]) fprintf(file, " %d: %u", i, s.children[i]);
     fprintf(file, "  (children of a node: nodes)\nleaves   ");
     for (uint32_t i = 1; i <= s.depth; i++)
         if (s.leaves[i]) fprintf(file, " %u: %u", i, s.leaves[i]);
-    fprintf(file, "  (level of the node: spheres)\n");
+    fprintf(file, "  (level of the node: primitives)\n");
 }
 
 #define NAMED(name)                                                                                \

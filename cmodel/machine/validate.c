@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "machine/machine.h"
+#include "machine/facets.h"
 #include "scene/scene.h" /* SPH_MAX_SPHERES */
 
 /* Checks lo <= register <= hi. */
@@ -22,10 +22,15 @@ static int in_range(const struct sph_machine *m, int number, const char *name, i
 /* Frame, window, background and colours. */
 static int check_frame(const struct sph_machine *m, struct sph_error *err) {
     const int32_t *r = m->regs;
-    RANGE(EFFECTS, 0, (2 << SPH_EFFECT_INTERPENETRATE) - 1);
+    RANGE(EFFECTS, 0, (2 << SPH_EFFECT_FACETS) - 1);
     if (sph_machine_effect(m, SPH_EFFECT_INTERPENETRATE) &&
         !(sph_machine_effect(m, SPH_EFFECT_FIRST) && sph_machine_effect(m, SPH_EFFECT_INSIDE)))
         return sph_fail(err, "register EFFECTS is %d: INTERPENETRATE needs FIRST and INSIDE",
+                        r[SPH_REG_EFFECTS]);
+    if (sph_machine_effect(m, SPH_EFFECT_FACETS) &&
+        (sph_machine_effect(m, SPH_EFFECT_FIRST) ||
+         sph_machine_effect(m, SPH_EFFECT_INTERPENETRATE)))
+        return sph_fail(err, "register EFFECTS is %d: FACETS excludes FIRST and INTERPENETRATE",
                         r[SPH_REG_EFFECTS]);
     RANGE(MAX_DEPTH, 0, SPH_MAX_DEPTH);
     RANGE(N_LIGHTS, 0, SPH_MAX_LIGHTS);
@@ -79,12 +84,19 @@ static int check_geometry(const struct sph_machine *m, struct sph_error *err) {
 /* Sizes and addresses of memory. */
 static int check_memory(const struct sph_machine *m, struct sph_error *err) {
     const int32_t *r = m->regs;
+    int facets = sph_machine_effect(m, SPH_EFFECT_FACETS);
     if (m->lines < 1 || m->lines >= 1u << SPH_NODE_BASE_BITS)
         return sph_fail(err, "memory has %u lines, not 1..%u", m->lines,
                         (1u << SPH_NODE_BASE_BITS) - 1);
     RANGE(MEM_LINES, m->lines, m->lines);
-    RANGE(N_PRIMS, 0, SPH_MAX_SPHERES);
+    RANGE(N_PRIMS, 0, facets ? SPH_ID_NONE : SPH_MAX_SPHERES);
     RANGE(PRIM_BASE, 1, (int64_t)m->lines - r[SPH_REG_N_PRIMS]);
+    RANGE(N_SPHERES, facets ? (int64_t)r[SPH_REG_N_PRIMS] - SPH_MAX_FACETS : 0,
+          facets ? r[SPH_REG_N_PRIMS] : 0);
+    RANGE(N_SPHERES, 0, SPH_MAX_SPHERES);
+    RANGE(FACET_BASE, facets ? (int64_t)r[SPH_REG_PRIM_BASE] + r[SPH_REG_N_PRIMS] : 0,
+          facets ? m->lines - sph_machine_facets(m) : 0);
+    RANGE(TEX_FILTER, 0, 0);
     RANGE(ROOT, 0, r[SPH_REG_PRIM_BASE] - 1);
     RANGE(VISIT_LIMIT, 1, 0xffffff);
     RANGE(TREE, 1, 2);
@@ -151,7 +163,10 @@ static int check_background(const struct sph_machine *m, struct sph_error *err) 
         RANGE(BG_BASE, 0, 0);
         return 0;
     }
-    RANGE(BG_BASE, (int64_t)r[SPH_REG_PRIM_BASE] + r[SPH_REG_N_PRIMS], (int64_t)m->lines - lines);
+    int64_t first = sph_machine_effect(m, SPH_EFFECT_FACETS)
+                        ? r[SPH_REG_FACET_BASE] + sph_machine_facets(m)
+                        : (int64_t)r[SPH_REG_PRIM_BASE] + r[SPH_REG_N_PRIMS];
+    RANGE(BG_BASE, first, (int64_t)m->lines - lines);
     return mode == 2 ? check_spans(m, err) : check_cones(m, err);
 }
 
@@ -166,6 +181,10 @@ static int check_leaf(struct walk *w, uint32_t line, int half, struct sph_error 
     const struct sph_machine *m = w->m;
     const uint32_t *leaf = line_at(m, line) + half * SPH_LEAF_STRIDE / 32;
     uint32_t id = sph_field(leaf, SPH_LEAF_ID_LSB, SPH_LEAF_ID_BITS);
+    int whole = sph_machine_effect(m, SPH_EFFECT_FACETS);
+    if (whole && sph_validate_leaf_line(m, line, &id, err)) return -1;
+    if (whole && id >= (uint32_t)m->regs[SPH_REG_N_SPHERES])
+        return w->found[id]++ ? sph_fail(err, "line %u: primitive %u stands twice", line, id) : 0;
     if (id >= (uint32_t)m->regs[SPH_REG_N_PRIMS])
         return sph_fail(err, "line %u: leaf id %u, there are %d primitives", line, id,
                         m->regs[SPH_REG_N_PRIMS]);
@@ -184,7 +203,9 @@ static int check_node(struct walk *w, uint32_t line, int level, struct sph_error
     uint32_t base = sph_field(node, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS);
     uint32_t n_inner = sph_field(node, SPH_NODE_N_INNER_LSB, SPH_NODE_N_INNER_BITS);
     uint32_t n_leaf = sph_field(node, SPH_NODE_N_LEAF_LSB, SPH_NODE_N_LEAF_BITS);
-    uint32_t group = n_inner + (n_leaf + 1) / 2, end = (uint32_t)w->m->regs[SPH_REG_PRIM_BASE];
+    int whole = sph_machine_effect(w->m, SPH_EFFECT_FACETS); /* a line for each leaf */
+    uint32_t group = n_inner + (whole ? n_leaf : (n_leaf + 1) / 2),
+             end = (uint32_t)w->m->regs[SPH_REG_PRIM_BASE];
     if (level > SPH_STACK_DEPTH)
         return sph_fail(err, "line %u: node on level %d, the stack has %d", line, level,
                         SPH_STACK_DEPTH);
@@ -197,7 +218,7 @@ static int check_node(struct walk *w, uint32_t line, int level, struct sph_error
         if (w->used[base + i]++)
             return sph_fail(err, "line %u: child line %u belongs to another node", line, base + i);
     for (uint32_t j = 0; j < n_leaf; j++)
-        if (check_leaf(w, base + n_inner + j / 2, j & 1, err)) return -1;
+        if (check_leaf(w, base + n_inner + (whole ? j : j / 2), whole ? 0 : j & 1, err)) return -1;
     for (uint32_t i = 0; i < n_inner; i++)
         if (check_node(w, base + i, level + 1, err)) return -1;
     return 0;
@@ -226,5 +247,6 @@ int sph_machine_validate(const struct sph_machine *m, struct sph_error *err) {
     if (check_frame(m, err) || check_geometry(m, err) || check_memory(m, err) ||
         check_background(m, err))
         return -1;
+    if (sph_machine_effect(m, SPH_EFFECT_FACETS) && sph_validate_facets(m, err)) return -1;
     return check_tree(m, err);
 }

@@ -6,6 +6,8 @@
 #include <inttypes.h>
 #include <string.h>
 
+#include "machine/facets.h"
+
 FILE *print_stream(const char *json_path) {
     return json_path && !strcmp(json_path, "-") ? NULL : stdout;
 }
@@ -36,9 +38,11 @@ void print_build(FILE *to, const struct tool_built *built) {
     const int32_t *r = m->regs;
     if (built->from_scene && b->warning[0]) print_lines(stderr, "sphaera: warning: ", b->warning);
     if (!to) return;
-    fprintf(to, "scene    %s: %d spheres, %d lights, %dx%d, profile %s\n", m->name,
-            r[SPH_REG_N_PRIMS], r[SPH_REG_N_LIGHTS], r[SPH_REG_FRAME_W], r[SPH_REG_FRAME_H],
-            sph_machine_profile(m)->name);
+    struct sph_counts n = sph_machine_count(m);
+    fprintf(to, "scene    %s: %u spheres, ", m->name, n.spheres);
+    if (n.triangles + n.planes) fprintf(to, "%u triangles, %u planes, ", n.triangles, n.planes);
+    fprintf(to, "%d lights, %dx%d, profile %s\n", r[SPH_REG_N_LIGHTS], r[SPH_REG_FRAME_W],
+            r[SPH_REG_FRAME_H], sph_machine_profile(m)->name);
     if (!built->from_scene) return;
     if (built->skipped) fprintf(to, "skipped  %u unsupported primitives\n", built->skipped);
     fprintf(to, "grid     step %g, smallest radius %.4g steps, field of view off by %.2g\n",

@@ -7,6 +7,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "machine/facets.h"
 #include "output.h"
 
 json_t *report_new(const char *command) {
@@ -41,10 +42,12 @@ json_t *report_names(uint32_t bits, const char *const *names, int n) {
 }
 
 void report_machine(json_t *report, const struct sph_machine *m) {
-    static const char *const effects[] = {"shadow", "reflect", "inside", "first", "interpenetrate"};
+    static const char *const effects[] = {"shadow", "reflect",        "inside",
+                                          "first",  "interpenetrate", "facets"};
     static const char *const ways[] = {"none", "rect", "spans", "exact"};
     const int32_t *r = m->regs;
     if (!report) return;
+    struct sph_counts n = sph_machine_count(m);
     json_t *machine = json_object();
     report_text(machine, "name", m->name);
     report_text(machine, "profile", sph_machine_profile(m)->name);
@@ -52,11 +55,14 @@ void report_machine(json_t *report, const struct sph_machine *m) {
     report_text(machine, "background", ways[r[SPH_REG_BG_MODE]]);
     report_count(machine, "width", (uint64_t)r[SPH_REG_FRAME_W]);
     report_count(machine, "height", (uint64_t)r[SPH_REG_FRAME_H]);
-    report_count(machine, "spheres", (uint64_t)r[SPH_REG_N_PRIMS]);
+    report_count(machine, "spheres", n.spheres);
+    report_count(machine, "triangles", n.triangles);
+    report_count(machine, "planes", n.planes);
     report_count(machine, "lights", (uint64_t)r[SPH_REG_N_LIGHTS]);
     report_count(machine, "max_depth", (uint64_t)r[SPH_REG_MAX_DEPTH]);
     report_count(machine, "memory_bytes", (uint64_t)m->lines * SPH_LINE_WORDS * 4);
-    add(machine, "effects", report_names((uint32_t)r[SPH_REG_EFFECTS], effects, 5));
+    add(machine, "effects",
+        report_names((uint32_t)r[SPH_REG_EFFECTS], effects, sizeof effects / sizeof *effects));
     report_number(machine, "grid_step", ldexp(1.0, m->grid_log2));
     add(report, "machine", machine);
 }
