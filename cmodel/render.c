@@ -27,9 +27,11 @@ int sph_render(const struct sph_machine *m, const struct sph_render_options *o,
         uint32_t my_errors = 0;
 #pragma omp for schedule(dynamic, 4)
         for (int y = r[SPH_REG_WIN_Y0]; y < r[SPH_REG_WIN_Y1]; y++) {
-            for (int x = r[SPH_REG_WIN_X0]; x < r[SPH_REG_WIN_X1]; x++)
-                frame->pixels[(size_t)y * (size_t)width + (size_t)x] =
-                    sph_render_pixel(m, o, x, y, &mine, &my_errors);
+            for (int x = r[SPH_REG_WIN_X0]; x < r[SPH_REG_WIN_X1]; x++) {
+                size_t at = (size_t)y * (size_t)width + (size_t)x;
+                frame->pixels[at] = sph_render_pixel(m, o, x, y, &mine, &my_errors,
+                                                     o->trails ? o->trails + at : NULL);
+            }
             if (o->progress) {
 #pragma omp critical
                 o->progress(o->user, ++rows_done, rows);

@@ -13,6 +13,13 @@
  * for the nearest hit, whatever effect FIRST says. */
 enum { SPH_TRAVERSE_TREE, SPH_TRAVERSE_BRUTE };
 
+/* What the rays of a pixel met; no part of the frame, and the hardware does not tell it. */
+struct sph_trail {
+    uint32_t faced, blocked; /* bit l: light l of the machine shines on the side of the primary
+                                hit that is seen; of these, no light comes through */
+    uint32_t reflected_id;   /* found by the mirror ray of the primary hit, SPH_ID_NONE: nothing */
+};
+
 struct sph_render_options {
     int traverse;                                          /* SPH_TRAVERSE_* */
     int threads;                                           /* 0: all */
@@ -21,6 +28,7 @@ struct sph_render_options {
     void (*fetch)(void *user, const struct sph_texel *texel); /* may be NULL; every texel, as it is
                                                                 asked for: with one thread */
     void *fetch_user;
+    struct sph_trail *trails; /* may be NULL; one for each pixel of the frame, row by row */
 };
 
 /* Renders the machine's window into *frame (allocated here at the full frame size; pixels outside

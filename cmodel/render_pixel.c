@@ -23,6 +23,7 @@ struct job {
     struct sph_pixel *pixel;
     uint32_t *errors;
     struct sph_texture_work *texture;
+    struct sph_trail *trail; /* may be NULL */
 };
 
 static struct sph_hit trace(const struct job *j, const struct sph_ray *ray) {
@@ -64,7 +65,7 @@ static void surface(const struct job *j, const struct sph_ray *ray, const struct
 
 /* Light that reaches the surface: ambient and every light that it faces and sees; u2.15. */
 static void light(const struct job *j, const struct sph_hit *hit, const struct sph_surface *s,
-                  uint32_t sum[3]) {
+                  uint32_t sum[3], struct sph_trail *trail) {
     const int32_t *r = j->m->regs;
     for (int i = 0; i < 3; i++)
         sum[i] = (uint32_t)r[SPH_REG_AMBIENT_R + i];
@@ -78,7 +79,9 @@ static void light(const struct job *j, const struct sph_hit *hit, const struct s
         sph_ray_setup(j->p, &ray);
         uint32_t cosine = sph_lambert(&s->unit, &ray.unit);
         if (!cosine) continue;
-        if (sph_machine_effect(j->m, SPH_EFFECT_SHADOW) && trace(j, &ray).key) continue;
+        int blocked = sph_machine_effect(j->m, SPH_EFFECT_SHADOW) && trace(j, &ray).key;
+        if (trail) trail->faced |= 1u << l, trail->blocked |= (uint32_t)blocked << l;
+        if (blocked) continue;
         for (int i = 0; i < 3; i++)
             sum[i] = sph_light_add(sum[i], cosine, (uint32_t)lamp[3 + i]);
     }
@@ -126,6 +129,7 @@ static int path(const struct job *j, struct sph_ray ray) {
     struct sph_surface s = {0};
     struct sph_blend blend;
     sph_blend_start(&blend);
+    if (j->trail) *j->trail = (struct sph_trail){0, 0, SPH_ID_NONE};
     struct sph_hit hit = trace(j, &ray);
     const uint32_t *prim = prim_line(j, &hit);
     uint64_t length = 0;
@@ -135,6 +139,7 @@ static int path(const struct job *j, struct sph_ray ray) {
     for (;;) {
         uint32_t colour[3], kr = 0;
         int last = 1;
+        struct sph_trail *trail = ray.kind == SPH_PRIMARY ? j->trail : NULL;
         if (!prim) { /* background */
             for (int i = 0; i < 3; i++)
                 colour[i] = ((uint32_t)r[SPH_REG_BG_COLOUR] >> (8 * i) & 255) << 8;
@@ -143,7 +148,7 @@ static int path(const struct job *j, struct sph_ray ray) {
             surface(j, &ray, &hit, prim, &s);
             length = sph_path_add(j->p, &ray, hit.key, length);
             uint32_t tint = texel(j, &hit, prim, &s, length);
-            light(j, &hit, &s, sum);
+            light(j, &hit, &s, sum, trail);
             for (int i = 0; i < 3; i++) {
                 uint32_t albedo = sph_field(prim, SPH_PRIM_RED_LSB + 8 * i, 8);
                 albedo = sph_texture_albedo(albedo, tint >> (8 * i) & 255);
@@ -162,6 +167,7 @@ static int path(const struct job *j, struct sph_ray ray) {
         prim = prim_line(j, &other);
         if (probe && prim && other.far && other.id != hit.id) return 1;
         if (last) break;
+        if (trail) trail->reflected_id = prim ? other.id : SPH_ID_NONE;
         ray = next;
         hit = other;
     }
@@ -171,9 +177,11 @@ static int path(const struct job *j, struct sph_ray ray) {
 }
 
 struct sph_pixel sph_render_pixel(const struct sph_machine *m, const struct sph_render_options *o,
-                                  int x, int y, struct sph_counters *c, uint32_t *errors) {
+                                  int x, int y, struct sph_counters *c, uint32_t *errors,
+                                  struct sph_trail *trail) {
     struct sph_pixel pixel = {.id = SPH_ID_NONE, .texture = SPH_NO_TEXTURE};
     struct sph_texture_work texture = {.fetch = o->fetch, .user = o->fetch_user};
+    if (trail) *trail = (struct sph_trail){0, 0, SPH_ID_NONE};
     if (sph_is_background(m, x, y)) {
         c->count[SPH_COUNT_BACKGROUND]++;
         for (int i = 0; i < SPH_FRAMES; i++)
@@ -182,7 +190,8 @@ struct sph_pixel sph_render_pixel(const struct sph_machine *m, const struct sph_
     }
     int inside = sph_machine_effect(m, SPH_EFFECT_INSIDE);
     int first = sph_machine_effect(m, SPH_EFFECT_FIRST) && o->traverse == SPH_TRAVERSE_TREE;
-    struct job j = {m, sph_machine_profile(m), o->traverse, inside, c, &pixel, errors, &texture};
+    struct job j = {m,    sph_machine_profile(m), o->traverse, inside, c, &pixel, errors, &texture,
+                    trail};
     if (path(&j, primary(&j, x, y, first))) path(&j, primary(&j, x, y, 0));
     c->count[SPH_COUNT_TEXELS] += texture.texels;
     *errors |= texture.errors;

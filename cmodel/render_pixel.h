@@ -7,8 +7,9 @@
 #include "render.h"
 
 /* Renders pixel x, y; adds to *c and to the sticky *errors. Of the options traverse and fetch
- * count. */
+ * count. trail may be NULL. */
 struct sph_pixel sph_render_pixel(const struct sph_machine *m, const struct sph_render_options *o,
-                                  int x, int y, struct sph_counters *c, uint32_t *errors);
+                                  int x, int y, struct sph_counters *c, uint32_t *errors,
+                                  struct sph_trail *trail);
 
 #endif

@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-#include "reference/reference.h"
+#include "reference/accuracy.h"
 
 enum { W = 160, H = 90, DEPTH = 3 };
 
@@ -128,6 +128,81 @@ static void facets_by_hand(void **state) {
     sph_reference_free(&r);
 }
 
+/* A ball before a large one, lit from the right by the second light; the first is black
+ * and build leaves it out. */
+static struct sph_scene two_balls(struct sph_material *f, struct sph_sphere balls[2]) {
+    *f = (struct sph_material){.rgb = {1, 0.5, 0.25}, .kd = 0.5, .ks = 0.5};
+    balls[0] = (struct sph_sphere){.ctr = {0, 0, -20}, .rad = 19};
+    balls[1] = (struct sph_sphere){.ctr = {3, 0, 2}, .rad = 1};
+    struct sph_scene scene = {.path = "two balls", .n_lights = 2, .n_materials = 1, .n_spheres = 2};
+    scene.camera = (struct sph_camera){{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, 30, 0, 48, 48};
+    scene.lights[0] = (struct sph_light){{0, 0, 20}, {0, 0, 0}, 0};
+    scene.lights[1] = (struct sph_light){{8, 0, 10}, {0.75, 0.75, 0.75}, 0};
+    scene.materials = f, scene.spheres = balls;
+    return scene;
+}
+
+/* Every kind of mistake is counted, once each, where there was none. */
+static void mistakes(void **state) {
+    (void)state;
+    struct sph_material f;
+    struct sph_sphere balls[2];
+    struct sph_scene scene = two_balls(&f, balls);
+    struct sph_build_options o = {.profile = SPH_REFERENCE,
+                                  .tree = SPH_TREE_BALANCED,
+                                  .background = SPH_BG_NONE,
+                                  .max_depth = DEPTH,
+                                  .shadow = SPH_AUTO,
+                                  .reflect = SPH_AUTO,
+                                  .lights = SPH_AUTO,
+                                  .inside = SPH_AUTO,
+                                  .interpenetrate = SPH_AUTO};
+    static struct sph_trail trails[48 * 48];
+    struct sph_render_options how = {.threads = 1, .trails = trails};
+    struct sph_machine m;
+    struct sph_build_report report;
+    struct sph_frame frame;
+    struct sph_counters c = {{0}};
+    struct sph_error err = {{0}};
+    assert_int_equal(sph_build(&scene, &o, &m, &report, &err), 0);
+    assert_int_equal(m.regs[SPH_REG_N_LIGHTS], 1);
+    assert_int_equal(report.lights[0], 1);
+    assert_int_equal(sph_render(&m, &how, &frame, &c, &err), 0);
+    struct sph_reference r = reference(&scene, 48, 48);
+    struct sph_accuracy_frame view = {&m, &frame, trails, report.lights};
+
+    struct sph_accuracy e = sph_accuracy_measure(&view, &r);
+    assert_int_equal(e.image.silhouette + e.image.wrong_id + e.shadow + e.reflected, 0);
+    assert_true(e.same > 1000 && e.t_worst > 0 && e.t_worst < 0.5 && e.t_mean < e.t_worst);
+
+    int shaded = -1, mirrored = -1;
+    for (int i = 0; i < 48 * 48; i++) {
+        if (trails[i].blocked) shaded = i;
+        if (trails[i].reflected_id == 1 && frame.pixels[i].id == 0) mirrored = i;
+    }
+    assert_true(shaded >= 0 && mirrored >= 0);
+    assert_int_equal(r.pixels[shaded].shadow, 2);
+    trails[shaded].blocked = 0;
+    assert_int_equal(sph_accuracy_measure(&view, &r).shadow, 1);
+    trails[shaded].faced = 0; /* then it is no shadow, but a light on the other side */
+    assert_int_equal(sph_accuracy_measure(&view, &r).shadow, 0);
+    trails[mirrored].reflected_id = SPH_ID_NONE;
+    assert_int_equal(sph_accuracy_measure(&view, &r).reflected, 1);
+    r.pixels[mirrored].distance += ldexp(100, m.grid_log2);
+    e = sph_accuracy_measure(&view, &r);
+    assert_true(fabs(e.t_worst - 100) < 1);
+    assert_int_equal(48 * e.y + e.x, mirrored);
+    r.pixels[mirrored].id = 1; /* another sphere: nothing else is asked of the pixel */
+    e = sph_accuracy_measure(&view, &r);
+    assert_int_equal(e.image.wrong_id, 1);
+    assert_int_equal(e.reflected, 0);
+    assert_true(e.t_worst < 0.5);
+
+    sph_reference_free(&r);
+    sph_frame_free(&frame);
+    sph_machine_free(&m);
+}
+
 static void comparison(void **state) {
     (void)state;
     struct sph_pixel p[2] = {{.colour = {0x102030, 0, 0}, .id = 1}, {.id = SPH_ID_NONE}};
@@ -147,9 +222,8 @@ static void comparison(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(reference_by_hand),
-        cmocka_unit_test(facets_by_hand),
-        cmocka_unit_test(comparison),
+        cmocka_unit_test(reference_by_hand), cmocka_unit_test(facets_by_hand),
+        cmocka_unit_test(mistakes),          cmocka_unit_test(comparison),
         cmocka_unit_test(psnr_of_profiles),
     };
     return cmocka_run_group_tests_name("accuracy", tests, NULL, NULL);

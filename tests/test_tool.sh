@@ -57,6 +57,25 @@ for way in rect spans "spans --bg-points 4 --bg-border 0" exact "exact --bg-leve
         "$(picture a.nff --background $way)"
 done
 
+# ---- accuracy ----
+check "accuracy" "$s" accuracy a.nff --profile reference -d strip.png --json acc.json
+check "accuracy report: nothing wrong on one flake" json acc.json \
+    'r["accuracy"]["pixels"] == 3072 and
+    r["accuracy"]["psnr"][2] > 45 and r["accuracy"]["silhouette"] < 2 and
+    r["accuracy"]["wrong_id"] < 4 and r["frame"]["width"] == 64 and
+    0 < r["accuracy"]["t_mean"] < r["accuracy"]["t_worst"]'
+"$s" accuracy a.nff --profile draft --json draft.json >accuracy.txt 2>&1
+check "accuracy prints what it reports" sh -c "grep -q '^wrong .*shadow [0-9]*, reflected [0-9]*$' \
+    accuracy.txt && grep -q '^psnr  *[0-9.]* dB' accuracy.txt"
+check "draft is worse" sh -c "python3 -c 'import json
+a, b = (json.load(open(n))[\"accuracy\"][\"psnr\"][2] for n in (\"draft.json\", \"acc.json\"))
+assert a + 6 < b, (a, b)'"
+"$s" accuracy a.nff --depth 0 --truth 2 --json flat.json >flat.txt 2>&1
+check "mirrors left out show against a truth that has them" json flat.json \
+    'r["accuracy"]["psnr"][2] < 40 and r["accuracy"]["psnr"][0] > 40 and
+     r["accuracy"]["reflected"] > 50'
+check "strip is three pictures wide" sh -c "oiiotool --info strip.png | grep -q '192 x  *48'"
+
 # ---- background ----
 mkdir pictures
 check "background of a view" "$s" background a.nff --size 40x30 --pictures pictures --json w.json
@@ -113,6 +132,10 @@ fails 1 "a machine as scene" "$s" build a.sph -o x.sph
 fails 1 "build options for a machine" "$s" render a.sph --depth 1 -o x.png
 fails 1 "unknown kind of scene" "$s" gen nothing -o x.nff
 fails 2 "background without scene" "$s" background
+fails 2 "accuracy without scene" "$s" accuracy
+fails 1 "accuracy of a machine" "$s" accuracy a.sph
+fails 1 "accuracy of nothing" "$s" accuracy missing.nff
+fails 2 "a truth of 6 reflections" "$s" accuracy a.nff --truth 6
 fails 1 "background of a machine" "$s" background a.sph
 fails 1 "pictures into no folder" "$s" background a.nff --size 8x8 --pictures nothing
 fails 1 "no such molecule" "$s" import nothing.pdb -o x.nff

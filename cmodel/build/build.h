@@ -64,6 +64,7 @@ struct sph_build_report {
     struct sph_work bg_work, bg_check; /* spans, exact: set-up; spans: proof that they cover */
     char background[512];              /* how the separation went, one line each */
     struct sph_effect_report effects[SPH_REPORTS];
+    int lights[SPH_MAX_LIGHTS]; /* number in the scene of each light of the machine */
 };
 
 /* Builds the machine. 0, or -1 with "file:line: ..." (a sphere that does not fit the grid, zero

@@ -62,6 +62,7 @@ void sph_emit_lights(const struct sph_survey *s, const struct sph_lights *lights
     machine->regs[SPH_REG_N_LIGHTS] = lights->count;
     for (int l = 0; l < lights->count; l++) {
         const struct sph_light *lamp = &s->scene->lights[lights->index[l]];
+        report->lights[l] = lights->index[l];
         int32_t *regs = machine->regs + SPH_REG_LIGHT0_X + SPH_LIGHT_STRIDE * l, at[3];
         sph_grid_point(s->grid, s->scene, lamp->pos, at);
         for (int i = 0; i < 3; i++) {

@@ -50,9 +50,11 @@ static int camera(struct job *j) {
     return isfinite(j->screen) && j->screen > 0;
 }
 
-/* Light that reaches a point, per channel; sets a bit of *blocked for each light in shadow. */
+/* Light that reaches a point, per channel; sets a bit of *faced for each light on the normal's
+ * side, and of *blocked if it is in shadow. */
 static void light(const struct job *j, const double at[3], const double normal[3],
-                  const struct sph_ref_hit *hit, double sum[3], uint32_t *blocked) {
+                  const struct sph_ref_hit *hit, double sum[3], uint32_t *faced,
+                  uint32_t *blocked) {
     for (int i = 0; i < 3; i++)
         sum[i] = j->scene->ambient[i];
     for (int l = 0; l < j->scene->n_lights; l++) {
@@ -64,6 +66,7 @@ static void light(const struct job *j, const double at[3], const double normal[3
             .inside = hit->far};
         double cosine = dot(ray.dir, normal) / sqrt(dot(ray.dir, ray.dir));
         if (!(cosine > 0)) continue;
+        *faced |= 1u << l;
         if (j->o->shadow && sph_ref_trace(j->tree, &ray, 1, 1).t < 1) {
             *blocked |= 1u << l;
             continue;
@@ -102,7 +105,7 @@ static uint32_t byte(double c) {
 }
 
 static struct sph_reference_pixel render_pixel(const struct job *j, int x, int y) {
-    struct sph_reference_pixel pixel = {{0}, SPH_ID_NONE, SPH_ID_NONE, 0};
+    struct sph_reference_pixel pixel = {{0}, SPH_ID_NONE, SPH_ID_NONE, 0, 0, INFINITY};
     const struct sph_camera *c = &j->scene->camera;
     struct sph_ref_ray ray = {.org = {c->from.x, c->from.y, c->from.z}, .skip = SPH_ID_NONE};
     double weight = 1, sum[3] = {0};
@@ -119,13 +122,16 @@ static struct sph_reference_pixel render_pixel(const struct job *j, int x, int y
         } else {
             double at[3], normal[3], lit[3];
             const struct sph_material *f = surface(j->scene, &ray, &hit, at, normal);
-            uint32_t blocked = 0;
-            light(j, at, normal, &hit, lit, &blocked);
+            uint32_t faced = 0, blocked = 0;
+            light(j, at, normal, &hit, lit, &faced, &blocked);
             ks = fmin(fmax(f->ks, 0), 1);
             double share = ks < 1 ? fmin(1, f->kd / (1 - ks)) : f->kd;
             for (int i = 0; i < 3; i++)
                 colour[i] = fmin(1, f->rgb[i] * share * lit[i]);
-            if (depth == 0) pixel.shadow = blocked;
+            if (depth == 0) {
+                pixel.faced = faced, pixel.shadow = blocked;
+                pixel.distance = hit.t * sqrt(dot(ray.dir, ray.dir));
+            }
 
             double dn = dot(ray.dir, normal) / dot(normal, normal);
             ray.skip = hit.id, ray.inside = hit.far;

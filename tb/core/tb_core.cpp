@@ -68,7 +68,8 @@ int main(int argc, char **argv) {
     std::string error;
     if (!prepare(o, machine, c.window, error)) return complain(error);
 
-    sph_render_options how = {SPH_TRAVERSE_TREE, 0, nullptr, nullptr};
+    sph_render_options how{};
+    how.traverse = SPH_TRAVERSE_TREE;
     int model_errors = sph_render(&machine, &how, &c.model_frame, &c.model_counters, &err);
     if (model_errors < 0) return complain(err.text);
     c.model_errors = static_cast<uint32_t>(model_errors);

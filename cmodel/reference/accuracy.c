@@ -1,0 +1,51 @@
+/* accuracy.c - see accuracy.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "reference/accuracy.h"
+
+#include <math.h>
+
+#include "math/quotient.h"
+#include "pixel/walk.h"
+
+/* Distance from the eye to the hit of pixel x, y in grid units, as the machine's quotient has it.
+ */
+static double distance(const struct sph_machine *m, int x, int y, uint64_t key) {
+    const struct sph_profile *p = sph_machine_profile(m);
+    int64_t dir[3];
+    sph_primary_dir(m, x, y, dir);
+    uint64_t a = (uint64_t)(dir[0] * dir[0] + dir[1] * dir[1] + dir[2] * dir[2]);
+    struct sph_quotient t = sph_quotient(key, p->w + p->wd + 2, a, 2 * p->wd, p->pq);
+    return ldexp((double)t.mant, -t.exp) * sqrt((double)a);
+}
+
+/* Bits of the machine's lights as bits of the scene's. */
+static uint32_t scene_lights(const struct sph_accuracy_frame *f, uint32_t bits) {
+    uint32_t mapped = 0;
+    for (int l = 0; l < f->machine->regs[SPH_REG_N_LIGHTS]; l++)
+        mapped |= (bits >> l & 1) << f->lights[l];
+    return mapped;
+}
+
+struct sph_accuracy sph_accuracy_measure(const struct sph_accuracy_frame *f,
+                                         const struct sph_reference *reference) {
+    struct sph_accuracy e = {.image = sph_reference_compare(f->frame, reference), .x = -1, .y = -1};
+    double sum = 0;
+    for (uint64_t i = 0; i < e.image.pixels; i++) {
+        const struct sph_pixel *p = &f->frame->pixels[i];
+        const struct sph_reference_pixel *r = &reference->pixels[i];
+        if (p->id != r->id || p->id == SPH_ID_NONE) continue;
+        uint32_t faced = scene_lights(f, f->trails[i].faced) & r->faced;
+        e.same++;
+        e.shadow += ((scene_lights(f, f->trails[i].blocked) ^ r->shadow) & faced) != 0;
+        e.reflected += f->trails[i].reflected_id != r->reflected_id;
+
+        int x = (int)(i % (uint64_t)f->frame->width), y = (int)(i / (uint64_t)f->frame->width);
+        double off =
+            fabs(distance(f->machine, x, y, p->key) - ldexp(r->distance, -f->machine->grid_log2));
+        sum += off;
+        if (e.x < 0 || off > e.t_worst) e.t_worst = off, e.x = x, e.y = y;
+    }
+    if (e.same) e.t_mean = sum / (double)e.same;
+    return e;
+}
