@@ -4,7 +4,7 @@
 # Variables, shown by `make help`: name, what it is.
 ## SCENE       scene file (.nff) to render or simulate
 SCENE ?= scenes/sphereflake2.nff
-## PROFILE     draft, standard, fine or reference
+## PROFILE     draft, standard, fine or reference; widths of its own: NAME:w=14,wd=15,pr=20,...
 PROFILE ?= standard
 ## SIZE        frame, pixels (empty: as the scene file says)
 SIZE ?= 320x180
@@ -25,6 +25,10 @@ BUILD_MORE ?=
 EFFECTS ?= auto
 ## ENGINES     tracing engines in the core
 ENGINES ?= 1
+## ROOT_STEP   bits that a root of the core gains a clock
+ROOT_STEP ?= 2
+## QUOTIENT_STEP bits that a quotient of the core gains a clock
+QUOTIENT_STEP ?= 2
 ## SEED        of generated scenes and of random stalls
 SEED ?= 1
 ## LATENCY     of the simulated memory, clocks
@@ -74,8 +78,8 @@ TOOL   := $B/sphaera
 .DEFAULT_GOAL := help
 
 help: export HELP_VALUES = $(foreach v,SCENE PROFILE SIZE TREE DEPTH BACKGROUND TRAVERSE LEVELS \
-                           BUILD_MORE EFFECTS ENGINES SEED LATENCY STALL SIM WINDOW WARM TARGET \
-                           FLAT WAVES JOBS V,$(v)=$($(v));)
+                           BUILD_MORE EFFECTS ENGINES ROOT_STEP QUOTIENT_STEP SEED LATENCY STALL \
+                           SIM WINDOW WARM TARGET FLAT WAVES JOBS V,$(v)=$($(v));)
 help: ## this text
 	@awk -f sim/help.awk $(MAKEFILE_LIST)
 

@@ -11,15 +11,21 @@
 
 B       ?= build
 RTL     ?= rtl
+# PROFILE: a name, alone or with widths of its own, as sim/profile.sh takes it
 PROFILE ?= standard
 CORE    ?= all
 ENGINES ?= 1
+# bits that a root and a quotient gain a clock; in KEY if they are not the core's own
+ROOT_STEP     ?= 2
+QUOTIENT_STEP ?= 2
 WAVES   ?= 0
 OPT     ?= -O3
 JOBS    ?= 2
 
-KEY := $(PROFILE)-$(CORE)-engines$(ENGINES)$(OPT)$(if $(filter \
-           1,$(WAVES)),-waves)
+STEPS := $(if $(filter-out 2,$(ROOT_STEP)),-root$(ROOT_STEP))$(if $(filter-out \
+             2,$(QUOTIENT_STEP)),-quotient$(QUOTIENT_STEP))
+KEY := $(shell sh sim/profile.sh '$(PROFILE)' name)-$(CORE)-engines$(ENGINES)$(STEPS)$(OPT)$(if \
+           $(filter 1,$(WAVES)),-waves)
 S   := $B/sim
 K   := $S/$(KEY)
 LIB := $B/libsphaera.a
@@ -31,11 +37,8 @@ LIBS     := -fopenmp -pthread -ljansson -lm
 RTL_FILES := $(shell find $(RTL) -name '*.v' -o -name '*.vh')
 RTL_DIRS  := $(sort $(dir $(RTL_FILES)))
 SOURCES   := $(RTL_DIRS:%=-I%) $(sort $(filter %.v,$(RTL_FILES)))
-# profile NAME w wd pq ng fw: as parameters
-PARAMETERS := $(shell awk -v p=$(PROFILE) '$$1 == "profile" { \
-                  if ($$2 == p) print "W=" $$3, "WD=" $$4, "PQ=" $$5, "NG=" $$6, "FW=" $$7, \
-                                      "PROFILE=" n + 0; n++ }' cmodel/machine/machine.def) \
-              $(shell sh sim/parameters.sh '$(CORE)') ENGINES=$(ENGINES)
+PARAMETERS := $(shell sh sim/profile.sh '$(PROFILE)') $(shell sh sim/parameters.sh '$(CORE)') \
+              ENGINES=$(ENGINES) ROOT_STEP=$(ROOT_STEP) QUOTIENT_STEP=$(QUOTIENT_STEP)
 
 SHARED := $(patsubst tb/core/%.cpp,$S/obj/%.o,$(filter-out tb/core/simulate_%.cpp, \
               $(wildcard tb/core/*.cpp)))

@@ -2,8 +2,8 @@
 # core.sh - one machine through the RTL core and the golden model, compared bit for bit
 # SPDX-License-Identifier: Apache-2.0
 #
-# usage: [EFFECTS=auto|LIST] [ENGINES=n] [SIM=verilator|icarus] \
-#            sim/core.sh --machine FILE [OPTION...]
+# usage: [EFFECTS=auto|LIST] [ENGINES=n] [ROOT_STEP=n] [QUOTIENT_STEP=n] \
+#            [SIM=verilator|icarus] sim/core.sh --machine FILE [OPTION...]
 #
 # Builds the core that the machine asks for unless it is there (cached by parameters), with
 # waveforms if --trace is among the options, then runs the harness; its options: --help.
@@ -14,7 +14,9 @@
 # all was just built: nothing is looked at, which takes longer than a small frame.
 set -eu
 cd "$(dirname "$0")/.."
-EFFECTS=${EFFECTS:-all} ENGINES=${ENGINES:-1} SIM=${SIM:-verilator} OPT=${OPT:--O3} WAVES=0
+EFFECTS=${EFFECTS:-all} ENGINES=${ENGINES:-1}
+ROOT_STEP=${ROOT_STEP:-2} QUOTIENT_STEP=${QUOTIENT_STEP:-2}
+SIM=${SIM:-verilator} OPT=${OPT:--O3} WAVES=0
 BUILD=${BUILD:-build}
 
 machine= previous=
@@ -37,7 +39,7 @@ target() { # lock, target, variables
         B="$BUILD" "$@" "$goal" >&2
 }
 [ -f "$BUILD/libsphaera.a" ] || make -s B="$BUILD" "$BUILD/libsphaera.a" >&2
-target tools tools
+target tools tools PROFILE=standard CORE=all # whatever the environment has
 tool=$BUILD/sim/tb_core_icarus
 [ -n "$machine" ] || exec "$tool" "$@"
 
@@ -48,15 +50,20 @@ core=${core%% *}
 [ "$EFFECTS" = auto ] || core=$EFFECTS
 built=$(sh sim/parameters.sh "$core")
 [ "$SIM" = verilator ] || WAVES=0
-key=$profile-$core-engines$ENGINES$OPT
+key=$(sh sim/profile.sh "$profile" name)-$core-engines$ENGINES
+[ "$ROOT_STEP" = 2 ] || key=$key-root$ROOT_STEP
+[ "$QUOTIENT_STEP" = 2 ] || key=$key-quotient$QUOTIENT_STEP
+key=$key$OPT
 [ "$WAVES" = 0 ] || key=$key-waves
 [ "$SIM" = verilator ] && goal=core || goal=icarus
 [ -e "$BUILD/sim/$key/tb_core" ] || [ $goal = icarus ] ||
     echo "building the core $key in Verilator: half a minute or so, once" >&2
 target "$key-$goal" "$goal" PROFILE="$profile" CORE="$core" \
-    ENGINES="$ENGINES" WAVES="$WAVES" OPT="$OPT" ${RTL:+RTL="$RTL"}
+    ENGINES="$ENGINES" ROOT_STEP="$ROOT_STEP" QUOTIENT_STEP="$QUOTIENT_STEP" \
+    WAVES="$WAVES" OPT="$OPT" ${RTL:+RTL="$RTL"}
 
-repeat="EFFECTS=$EFFECTS ENGINES=$ENGINES SIM=$SIM sim/core.sh"
+repeat="EFFECTS=$EFFECTS ENGINES=$ENGINES ROOT_STEP=$ROOT_STEP QUOTIENT_STEP=$QUOTIENT_STEP"
+repeat="$repeat SIM=$SIM sim/core.sh"
 if [ "$SIM" = verilator ]; then
     exec "$BUILD/sim/$key/tb_core" --core "$core" --built "$built" --repeat "$repeat" "$@"
 else

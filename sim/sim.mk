@@ -1,6 +1,7 @@
 # sim.mk - scenes through the golden model and the RTL
 # SPDX-License-Identifier: Apache-2.0
 #
+# PROFILE may be NAME:key=value,...; in names of files without : , and =.
 # Every choice that shapes the machine is in the folder's name, so results never mix:
 #   $(RUN_DIR)/scene.sph    machine file, read by the model and by the RTL benches
 #   $(RUN_DIR)/model.frame  what the golden model makes of it
@@ -24,15 +25,18 @@ SCENE_FILE := $(if $(SCENE_ARG),$B/scenes/$(SCENE_KIND)-$(SCENE_ARG)-$(SEED).nff
 GEN_OPTION := $(if $(filter sphereflake,$(SCENE_KIND)),--size $(SCENE_ARG),$(if $(filter \
                   random,$(SCENE_KIND)),--spheres $(SCENE_ARG) --seed $(SEED),--seed $(SCENE_ARG)))
 
+comma := ,
+file_name = $(subst =,,$(subst $(comma),_,$(subst :,_,$(1))))
+PROFILE_NAME := $(call file_name,$(PROFILE))
 SCENE_NAME := $(basename $(notdir $(SCENE_FILE)))
 space    := $() $()
 # Options of `sphaera build` that differ from its own defaults, as words; the same as a file name.
 BUILD_EXTRA := $(if $(filter-out nearest,$(TRAVERSE)),--traverse $(TRAVERSE)) \
                $(if $(LEVELS),--bg-levels $(LEVELS)) $(BUILD_MORE)
 BUILD_NAME  := $(TREE)-$(DEPTH)-$(BACKGROUND)$(subst /,_,$(subst $(space),,$(strip $(BUILD_EXTRA))))
-RUN_NAME := $(SCENE_NAME)-$(PROFILE)-$(or $(SIZE),file)-$(BUILD_NAME)
+RUN_NAME := $(SCENE_NAME)-$(PROFILE_NAME)-$(or $(SIZE),file)-$(BUILD_NAME)
 RUN_DIR  := $B/run/$(RUN_NAME)
-OUT_DIR  := $B/out/$(SCENE_NAME)-$(PROFILE)
+OUT_DIR  := $B/out/$(SCENE_NAME)-$(PROFILE_NAME)
 BUILD_OPTIONS := --profile $(PROFILE) --tree $(TREE) --depth $(DEPTH) --background $(BACKGROUND) \
                  $(if $(SIZE),--size $(SIZE)) $(BUILD_EXTRA)
 
@@ -71,7 +75,8 @@ sim: $(RUN_DIR)/scene.sph $(PICTURES) ## SCENE through model and RTL, compared b
 	@mkdir -p $(OUT_DIR)
 	$(call say,SIM,"$(SCENE_NAME) $(PROFILE) $(SIZE) in $(SIM)")
 	+$(Q)rm -f $(OUT_DIR)/rtl.frame; \
-	    EFFECTS='$(EFFECTS)' ENGINES=$(ENGINES) SIM=$(SIM) BUILD=$B JOBS=$(JOBS) \
+	    EFFECTS='$(EFFECTS)' ENGINES=$(ENGINES) ROOT_STEP=$(ROOT_STEP) \
+	    QUOTIENT_STEP=$(QUOTIENT_STEP) SIM=$(SIM) BUILD=$B JOBS=$(JOBS) \
 	        sh sim/core.sh $(SIM_OPTIONS) >$(OUT_DIR)/log; rc=$$?; \
 	    cat $(OUT_DIR)/log; [ -f $(OUT_DIR)/rtl.frame ] || exit $$rc; \
 	    $(PICTURES) $(OUT_DIR)/model.frame $(OUT_DIR)/rtl.frame $(OUT_DIR) || exit 1; \

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # usage: make -f synth/area.mk report PROFILES=... TARGETS=... EFFECTS=...
-#   PROFILES  draft standard fine reference, or all
+#   PROFILES  draft standard fine reference, or all; each with widths of its own: sim/profile.sh
 #   TARGETS   ecp5 xc7 generic, or all
 #   EFFECTS   what the cores are elaborated with: lists as sim/parameters.sh takes them
 # KEY names every parameter that shapes the core, so that results never mix. $B/synth/KEY/ holds
@@ -13,6 +13,9 @@ PROFILES ?= standard
 TARGETS  ?= ecp5
 EFFECTS  ?= all
 ENGINES  ?= 1
+# bits that a root and a quotient gain a clock; in KEY if they are not the core's own
+ROOT_STEP     ?= 2
+QUOTIENT_STEP ?= 2
 FLAT     ?= 0
 V        ?= 0
 Q        := $(if $(filter 1,$(V)),,@)
@@ -22,14 +25,17 @@ KNOWN_PROFILES := $(shell awk '$$1 == "profile" { print $$2 }' $(DEF))
 KNOWN_TARGETS  := ecp5 xc7 generic
 profiles := $(if $(filter all,$(PROFILES)),$(KNOWN_PROFILES),$(PROFILES))
 targets  := $(if $(filter all,$(TARGETS)),$(KNOWN_TARGETS),$(TARGETS))
-$(foreach p,$(profiles),$(if $(filter $p,$(KNOWN_PROFILES)),,$(error synth: \
+$(foreach p,$(profiles),$(if $(shell sh sim/profile.sh '$p'),,$(error synth: \
     no profile '$p'; there are $(KNOWN_PROFILES) and all)))
+profiles := $(foreach p,$(profiles),$(shell sh sim/profile.sh '$p' name))
 $(foreach t,$(targets),$(if $(filter $t,$(KNOWN_TARGETS)),,$(error synth: \
     no target '$t'; there are $(KNOWN_TARGETS) and all)))
 
 $(foreach e,$(EFFECTS),$(if $(shell sh sim/parameters.sh '$e'),,$(error synth: \
     no core is built with '$e')))
-VARIANTS := $(EFFECTS:%=%-engines$(ENGINES)$(if $(filter 1,$(FLAT)),-flat))
+STEPS := $(if $(filter-out 2,$(ROOT_STEP)),-root$(ROOT_STEP))$(if $(filter-out \
+             2,$(QUOTIENT_STEP)),-quotient$(QUOTIENT_STEP))
+VARIANTS := $(EFFECTS:%=%-engines$(ENGINES)$(STEPS)$(if $(filter 1,$(FLAT)),-flat))
 KEYS := $(foreach p,$(profiles),$(foreach t,$(targets),$(VARIANTS:%=$p-$t-%)))
 
 # What docs/area.md shows: everything on, and the standard core for ecp5 with less, and flat.
@@ -43,7 +49,7 @@ PAGE := $(foreach p,$(KNOWN_PROFILES),$(foreach t,$(KNOWN_TARGETS),$p-$t$(FULL))
 .PHONY: report results page
 results: $(KEYS:%=$B/synth/%/stat.json)
 
-$B/synth/%/stat.json: synth/core.sh sim/parameters.sh $(DEF)
+$B/synth/%/stat.json: synth/core.sh sim/parameters.sh sim/profile.sh $(DEF)
 	$(Q)sh synth/core.sh $* $(@D)
 
 report: results

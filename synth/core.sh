@@ -2,7 +2,8 @@
 # core.sh - synthesises the core once with Yosys and keeps what it says
 # SPDX-License-Identifier: Apache-2.0
 #
-# usage: synth/core.sh PROFILE-TARGET-LIST-engines1[-flat] FOLDER    (LIST: sim/parameters.sh)
+# usage: synth/core.sh PROFILE-TARGET-LIST-engines1[-rootN][-quotientN][-flat] FOLDER
+#   PROFILE: sim/profile.sh, as a part of a file name; LIST: sim/parameters.sh
 # Leaves in FOLDER:
 #   parameters  what the core was elaborated with, and the seconds that it took
 #   rtl.json    stat before mapping: bits of memory as they are declared
@@ -21,13 +22,14 @@ flat=
 case $variant in *-flat) flat=1 variant=${variant%-flat} ;; esac
 top=rt_core
 
-# PROFILE, W, WD, PQ, NG and FW from the one definition; the others are in the key.
-parameters=$(awk -v p="$profile" '$1 == "profile" { if ($2 == p)
-    print "PROFILE=" n + 0, "W=" $3, "WD=" $4, "PQ=" $5, "NG=" $6, "FW=" $7; n++ }' \
-    cmodel/machine/machine.def)
-parameters="$parameters $(sh sim/parameters.sh "${variant%-engines*}")"
+# Widths from the one definition; the others are in the key.
+parameters="$(sh sim/profile.sh "$profile") $(sh sim/parameters.sh "${variant%-engines*}")"
+root=2 quotient=2
+case $variant in *-quotient*) quotient=${variant##*-quotient} variant=${variant%-quotient*} ;; esac
+case $variant in *-root*) root=${variant##*-root} variant=${variant%-root*} ;; esac
 parameters="$parameters ENGINES=${variant##*-engines}"
-set_all=$(echo "$parameters" | sed 's/\([A-Z]*\)=\([0-9]*\)/-set \1 \2/g')
+parameters="$parameters ROOT_STEP=$root QUOTIENT_STEP=$quotient"
+set_all=$(echo "$parameters" | sed 's/\([A-Z_]*\)=\([0-9]*\)/-set \1 \2/g')
 
 folders=$(find rtl -name '*.v*' -exec dirname {} + | sort -u)
 include='' library=''

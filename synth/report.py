@@ -36,6 +36,10 @@ def effects(run):
     text = run["list"]
     if run["parameters"].get("ENGINES", 1) > 1:
         text += f", {run['parameters']['ENGINES']} engines"
+    for name in "root", "quotient":
+        step = run["parameters"].get(f"{name.upper()}_STEP", 2)
+        if step != 2:
+            text += f", {name} {step} a clock"
     return text + (", flat" if run["flat"] else "")
 
 
@@ -102,12 +106,15 @@ def place(page, tables, what):
 def main(folder, keys):
     runs = [results.read(os.path.join(folder, key)) for key in keys]
     command = "make synth PROFILE={} TARGET={}".format(
-        *("all" if len({k.split("-")[i] for k in keys}) > 1 else keys[0].split("-")[i]
-          for i in (0, 1)))
+        *("all" if len({r[name] for r in runs}) > 1 else runs[0][name]
+          for name in ("profile", "target")))
     if runs[0]["list"] != "all":
         command += " EFFECTS=" + runs[0]["list"]
     if runs[0]["parameters"]["ENGINES"] > 1:
         command += f" ENGINES={runs[0]['parameters']['ENGINES']}"
+    for step in "ROOT_STEP", "QUOTIENT_STEP":
+        if runs[0]["parameters"].get(step, 2) != 2:
+            command += f" {step}={runs[0]['parameters'][step]}"
     if runs[0]["flat"]:
         command += " FLAT=1"
     write(os.path.join(folder, "report.md"), markdown(runs, command))

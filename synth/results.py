@@ -84,6 +84,9 @@ def read(folder):
     folder = Path(folder)
     key = folder.name
     profile, target, variant = key.split("-", 2)
+    name, *widths = profile.split("_")
+    if widths:  # NAME_pq12_ng0: sim/profile.sh
+        profile = name + ":" + ",".join(re.sub(r"(\d)", r"=\1", w, count=1) for w in widths)
     parameters = dict(p.split("=") for p in (folder / "parameters").read_text().split())
     parameters = {name: int(value) for name, value in parameters.items()}
     seconds = parameters.pop("SECONDS")

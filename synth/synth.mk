@@ -3,6 +3,7 @@
 #
 #   make synth                          the standard core for ecp5, everything on
 #   make synth PROFILE=all TARGET=all   every profile for every target
+#   make synth PROFILE=standard:pq=12   widths of its own; ROOT_STEP, QUOTIENT_STEP, ENGINES
 #   make synth SCENE=x                  only the effects that the machine of scene x asks for
 #   make synth EFFECTS=shadow+lights1   a core with just these: names of sim/parameters.sh
 #   make synth EFFECTS=all-reflect      everything but this one
@@ -19,8 +20,8 @@ FLAT ?= 0
 SYNTH_SCENE := $(if $(filter file undefined,$(origin SCENE)),,$(if $(filter \
                    auto,$(EFFECTS)),$(SCENE_FILE)))
 SYNTH_PROFILE := $(if $(filter all,$(PROFILE)),reference,$(PROFILE))
-SYNTH_MACHINE := $(if $(SYNTH_SCENE),$B/synth/$(SCENE_NAME)-$(SYNTH_PROFILE)-$(or \
-                     $(SIZE),file)-$(BUILD_NAME).sph)
+SYNTH_MACHINE := $(if $(SYNTH_SCENE),$B/synth/$(SCENE_NAME)-$(call \
+                     file_name,$(SYNTH_PROFILE))-$(or $(SIZE),file)-$(BUILD_NAME).sph)
 SYNTH_OPTIONS := --profile $(SYNTH_PROFILE) --tree $(TREE) --depth $(DEPTH) \
                  --background $(BACKGROUND) $(if $(SIZE),--size $(SIZE)) $(BUILD_EXTRA)
 
@@ -35,7 +36,8 @@ synth: $(SYNTH_MACHINE) ## area with Yosys: PROFILE and TARGET, or all; effects 
 	+$(Q)effects=$(if $(SYNTH_SCENE),$$($(TOOL) info $< | sed -n 's/^core *//p'),$(or \
 	    $(filter-out auto,$(EFFECTS)),all)) && \
 	    $(MAKE) --no-print-directory -j$(JOBS) -f synth/area.mk report B=$B V=$(V) \
-	    PROFILES=$(PROFILE) TARGETS=$(TARGET) EFFECTS="$$effects" ENGINES=$(ENGINES) FLAT=$(FLAT)
+	    PROFILES=$(PROFILE) TARGETS=$(TARGET) EFFECTS="$$effects" ENGINES=$(ENGINES) FLAT=$(FLAT) \
+	    ROOT_STEP=$(ROOT_STEP) QUOTIENT_STEP=$(QUOTIENT_STEP)
 
 area: ## the tables of docs/area.md, made anew: 16 minutes of a processor
 	+$(Q)$(MAKE) --no-print-directory -j$(JOBS) -f synth/area.mk page B=$B V=$(V)

@@ -16,7 +16,7 @@ extern "C" {
 namespace {
 
 constexpr uint64_t LATENCY = 20, INTERVAL = 10;
-const struct sph_profile profile = {PROFILE, WD - 1, WD, WD, 2, 12};
+const struct sph_profile profile = {PROFILE, WD - 1, WD, WD, 2, 12, 0};
 
 struct Vector {
     int64_t dir[3], normal[3];

@@ -19,7 +19,7 @@ constexpr uint64_t KMAX = ((uint64_t)1 << (W + WD + 1)) - 1; /* no key of a hit 
 constexpr uint64_t STEP = (uint64_t)1 << (W + WD - 15);      /* 1 of the key's top 17 bits */
 constexpr int32_t LIMIT = (2 << FW) - 1;
 constexpr uint32_t IDS = 0xffffff;
-const struct sph_profile profile = {PROFILE, W, WD, 0, 0, FW};
+const struct sph_profile profile = {PROFILE, W, WD, 0, 0, FW, 0};
 
 struct Result {
     uint64_t key;

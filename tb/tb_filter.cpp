@@ -27,7 +27,7 @@ constexpr int64_t C_MIN = -((int64_t)1 << (W - 1)), C_MAX = -C_MIN - 1,
                   R_MAX = ((int64_t)1 << W) - 1;
 constexpr int64_t D_MIN = -((int64_t)1 << (WD - 1)), D_MAX = -D_MIN - 1;
 constexpr int64_t F_MIN = -((int64_t)1 << (FW - 1)), F_MAX = -F_MIN - 1;
-const sph_profile profile = {PROFILE, W, WD, WD, 2, FW};
+const sph_profile profile = {PROFILE, W, WD, WD, 2, FW, 0};
 
 struct Vector {
     sph_ray ray{};

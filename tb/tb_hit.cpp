@@ -18,7 +18,7 @@ extern "C" {
 namespace {
 
 constexpr uint64_t LATENCY = 18, INTERVAL = 8;
-const struct sph_profile profile = {PROFILE, W, WD, PQ, NG, 12};
+const struct sph_profile profile = {PROFILE, W, WD, PQ, NG, 12, 0};
 
 struct Vector {
     uint64_t key, a; /* t = key / a */

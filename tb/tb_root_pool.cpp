@@ -1,4 +1,4 @@
-/* tb_root_pool.cpp - rt_root_pool, and rt_isqrt inside it, against sph_leaf_key()
+/* tb_root_pool.cpp - rt_root_pool, and rt_isqrt inside it, against sph_leaf_key_bits()
  * SPDX-License-Identifier: Apache-2.0
  *
  * The hits of tests/hard come first. Results leave in any order: each is looked up by its tag, and
@@ -71,7 +71,7 @@ Vector make(bench::Random &random) {
     }
     if (v.disc < 1 || v.disc > XMAX) v.disc = 1;
     int inexact;
-    int64_t exact = (int64_t)sph_isqrt((bench::u128)v.disc, &inexact);
+    int64_t exact = (int64_t)sph_isqrt((bench::u128)v.disc, &inexact); /* PR: keys below 1 too */
     int64_t key = (int64_t)random.log_bits(KW - 2) + 1;
     v.b = v.far ? key - exact - inexact : key + exact;
     if (v.b > BMAX) v.b = BMAX;
@@ -139,7 +139,7 @@ int main(int argc, char **argv) {
             r.disc = e.disc;
             r.b = e.b;
             b.expect("out_key_o", b.get(b.dut.out_key_o),
-                     (i128)bench::low(sph_leaf_key(&r, &roots), KW), KW);
+                     (i128)bench::low(sph_leaf_key_bits(&r, PR, &roots), KW), KW);
             b.expect("out_far_o", b.dut.out_far_o, r.far, 1);
             if (b.bad()) {
                 e.hard.show();

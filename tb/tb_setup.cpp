@@ -23,7 +23,7 @@ constexpr bool SHADOWS = LIGHTS && SHADOW; /* else the core takes a vector to a 
 const char *const kinds[] = {"primary ray", "ray to a light", "reflected ray", "normal"};
 constexpr int K = W - FW, NO_BOUND = 63;
 constexpr uint64_t LONGEST = 4 * SLOTS + 60; /* clocks until all slots are idle again */
-const struct sph_profile profile = {PROFILE, W, WD, 0, 0, FW};
+const struct sph_profile profile = {PROFILE, W, WD, 0, 0, FW, 0};
 
 struct Vec {
     int64_t v[3];

@@ -26,7 +26,7 @@ using bench::u128;
 
 namespace {
 
-const struct sph_profile profile = {PROFILE, W, WD, PQ, NG, 12};
+const struct sph_profile profile = {PROFILE, W, WD, PQ, NG, 12, 0};
 constexpr int64_t MAX = ((int64_t)1 << (W - 1)) - 1, MIN = -MAX - 1;     /* coordinate */
 constexpr int64_t DMAX = ((int64_t)1 << (WD - 1)) - 1, DMIN = -DMAX - 1; /* direction */
 constexpr uint64_t KMAX = ((uint64_t)1 << (W + WD + 2)) - 1;             /* key */

@@ -86,7 +86,8 @@ struct Run {
         m = sph_machine();
         int32_t *g = m.regs;
         for (int i = 0; i < SPH_PROFILES; i++)
-            if (sph_profiles[i].w == W && sph_profiles[i].wd == WD) g[SPH_REG_PROFILE] = i;
+            if (sph_profiles[i].w == W && sph_profiles[i].wd == WD)
+                sph_machine_set_profile(&m, &sph_profiles[i]);
         for (int i = 0; i < 4; i++)
             g[SPH_REG_WIN_X0 + i] = win[i], g[SPH_REG_RECT_X0 + i] = rect[i];
         g[SPH_REG_DIR_X0] = (int32_t)dir[0], g[SPH_REG_DIR_Y0] = (int32_t)dir[1];

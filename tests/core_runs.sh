@@ -32,6 +32,7 @@ asked_for() {
 # One machine of each profile and list builds the core: --info simulates nothing. Verilator's
 # first: they take longest.
 build_cores() {
+    sh sim/core.sh --help >"$TMP/tools.log" 2>&1 # the tools, if sources changed
     while IFS='|' read -r name command options; do
         settings=${command%% sh sim/core.sh*}
         asked=$(asked_for "${command##* }")

@@ -33,6 +33,14 @@ frames() {
         done
     done
 }
+# Exit code, what the last line of output must have, command.
+fails_with() {
+    want=$1 pattern=$2
+    shift 2
+    "$@" >"$TMP/out" 2>&1
+    [ $? -eq "$want" ] && grep -q "$pattern" "$TMP/out" && rc=0 || rc=1
+    tap $rc "$pattern" "$TMP/out"
+}
 # Name, expected bits, options: the sticky bits are set, every pixel arrives, nothing hangs.
 broken() {
     fault=$1 bits=$2
@@ -112,7 +120,32 @@ broken "wrong profile" 32 --reg 30=1
 broken "bus error at the first line" 8 --bus-error-at 0
 broken "bus error later" 8 --bus-error-at 9
 
+# One width of its own, each knob once; the core is built with what the scene asks for.
+for knob in w=14 wd=19 pq=11 ng=0 fw=9 pr=12; do
+    file=$machines/turned-$knob.sph
+    "$SPHAERA" build scenes/inside.nff --profile standard:$knob --size 32x24 -o "$file" \
+        >"$TMP/build" 2>&1 || check "standard:$knob" cat "$TMP/build"
+    wanted "verilator inside standard:$knob" auto SIM=verilator "$file"
+done
+short=$machines/short.sph
+"$SPHAERA" build scenes/interpenetrating.nff --profile draft:wd=14,ng=1,pr=7 --size 16x12 \
+    -o "$short" >"$TMP/build" 2>&1 || check "draft:wd=14,ng=1,pr=7" cat "$TMP/build"
+wanted "icarus interpenetrating draft:wd=14,ng=1,pr=7" auto SIM=icarus "$short"
+
+# Other bits a clock: the same frame and counters.
+"$SPHAERA" build scenes/paper5.nff --profile draft --size 16x12 -o "$machines/steps.sph" \
+    >"$TMP/build" 2>&1 || check "steps" cat "$TMP/build"
+for steps in "ROOT_STEP=2 QUOTIENT_STEP=2" "ROOT_STEP=5 QUOTIENT_STEP=1"; do
+    wanted "icarus paper5 $steps" auto "SIM=icarus $steps" "$machines/steps.sph"
+done
+
 build_cores
 run_all
 judge
+
+# Two profiles without a name, the machine of one on the core of the other.
+[ -n "$CORE" ] || for built in "$BUILD"/sim/standard_pq11-*-O0/tb_core; do
+    fails_with 3 "refused: the core sets wrong_profile and gives no pixel; the machine was built \
+for profile standard:pr=12" "$built" --machine "$machines/turned-pr=12.sph"
+done
 done_testing

@@ -79,7 +79,7 @@ static void check_small(struct sph_ray *ray, const struct sph_leaf *s, int64_t d
 
 /* Every oc, dir and rad of w bits, every kind of ray. gmp: one in so many goes to GMP as well. */
 static void exhaustive_bits(int w, uint64_t gmp) {
-    const struct sph_profile tiny = {"tiny", w, w, w, 0, w};
+    const struct sph_profile tiny = {"tiny", w, w, w, 0, w, 0};
     int64_t most = (1 << w) - 1, low = -(1 << (w - 1));
     uint64_t n = 0, hits = 0;
     for (int64_t i = 0; i < (2 * most + 1) * (2 * most + 1) * (2 * most + 1); i++) {

@@ -89,8 +89,9 @@ static void test_damaged_bytes(void **unused) {
     bytes[n - 9] ^= 1, put_file(bytes, n), refused("checksum"), bytes[n - 9] ^= 1;
     bytes[n - 1] ^= 1, put_file(bytes, n), refused("checksum"), bytes[n - 1] ^= 1;
     bytes[0] ^= 1, put_file(bytes, n), refused("magic"), bytes[0] ^= 1;
-    bytes[SPH_AT_VERSION] ^= 1, put_file(bytes, n), refused("version is 2");
-    bytes[SPH_AT_VERSION] ^= 1;
+    bytes[SPH_AT_VERSION] ^= 7, put_file(bytes, n), refused("version is 3, not 4"); /* old */
+    bytes[SPH_AT_VERSION] ^= 6, put_file(bytes, n), refused("version is 5, not 4"),
+        bytes[SPH_AT_VERSION] ^= 1;
     sph_put32(bytes + SPH_AT_LINES, 0xffffffff); /* must not be allocated */
     put_file(bytes, n), refused("by its header");
     free(bytes);
@@ -229,7 +230,8 @@ static void test_wrong_registers(void **unused) {
         {SPH_REG_MEM_LINES, 3, "MEM_LINES"},
         {SPH_REG_N_PRIMS, -1, "N_PRIMS"},
         {SPH_REG_VISIT_LIMIT, 0, "VISIT_LIMIT"},
-        {SPH_REG_PROFILE, 0, "register"},
+        {SPH_REG_PROFILE, 0, "profile width W is 16, not 0"},
+        {SPH_REG_PROFILE, 1 << 30, "profile width"},
         {SPH_REG_TREE, 3, "TREE"},
         {SPH_REG_LIGHT0_X + 8, -40000, "LIGHT1_X"},
         {SPH_REG_LIGHT0_R, 65536, "LIGHT0_R"},
@@ -242,14 +244,55 @@ static void test_wrong_registers(void **unused) {
         wrong(&m, list[i].name);
         m.regs[list[i].number] = before;
     }
+    m.regs[SPH_REG_PROFILE] |= 1 << 29; /* a bit of no width */
+    wrong(&m, "register PROFILE");
     sph_machine_free(&m);
+}
+
+/* Widths of its own come back; such as cannot be, in header and register alike, are refused. */
+static void test_widths(void **unused) {
+    static const struct {
+        const char *text, *part;
+        int w, fw, pr;
+    } list[] = {
+        {"standard:pr=20,fw=12", NULL, 0, 0, 0},
+        {"standard", "register PROFILE is", 17, 0, 0}, /* WD would have to be 18 */
+        {"standard", "the filter sees the top fw of w bits", 13, 14, 0},
+        {"standard", "fw is 15", 16, 15, 0},
+        {"standard", "pr is 33, neither 0", 0, 0, 33},
+    };
+    struct sph_scene s = cloud(20, 0.1);
+    (void)unused;
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
+        struct sph_profile p;
+        struct sph_build_options o = standard;
+        struct sph_build_report report;
+        struct sph_error err = {{0}};
+        assert_int_equal(sph_profile_parse(list[i].text, &p, &err), 0);
+        o.widths = &p;
+        struct sph_machine m = built(&s, o, &report), back;
+        if (list[i].w) p.w = list[i].w;
+        if (list[i].fw) p.fw = list[i].fw;
+        if (list[i].pr) p.pr = list[i].pr;
+        sph_machine_set_profile(&m, &p);
+        if (list[i].part) {
+            wrong(&m, list[i].part);
+        } else {
+            assert_int_equal(sph_machine_write(&m, path, NULL), 0);
+            assert_int_equal(sph_machine_read(path, &back, &err), 0);
+            assert_string_equal(sph_machine_profile(&back)->name, "standard:fw=12,pr=20");
+            sph_machine_free(&back);
+        }
+        sph_machine_free(&m);
+    }
+    free(s.spheres);
 }
 
 int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_round_trip),   cmocka_unit_test(test_damaged_bytes),
         cmocka_unit_test(test_wrong_tree),   cmocka_unit_test(test_wrong_registers),
-        cmocka_unit_test(test_wrong_tables),
+        cmocka_unit_test(test_wrong_tables), cmocka_unit_test(test_widths),
     };
     seed(argc, argv);
     snprintf(path, sizeof path, "/tmp/test_machine_%ld.sph", (long)getpid());

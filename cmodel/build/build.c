@@ -44,8 +44,9 @@ static int check_effects(const struct sph_scene *scene, const struct sph_build_o
 
 static int check(const struct sph_scene *scene, const struct sph_build_options *o,
                  struct sph_error *err) {
-    if (o->profile < 0 || o->profile >= SPH_PROFILES)
+    if (!o->widths && (o->profile < 0 || o->profile >= SPH_PROFILES))
         return sph_fail(err, "there is no profile %d", o->profile);
+    if (sph_profile_check(sph_build_profile(o), err)) return -1;
     if (o->tree != SPH_TREE_PAPER && o->tree != SPH_TREE_BALANCED)
         return sph_fail(err, "there is no tree %d", o->tree);
     if (o->background < SPH_BG_NONE || o->background > SPH_BG_EXACT)
@@ -93,10 +94,16 @@ static int place_camera(const struct sph_scene *scene, const struct sph_build_op
     if (width < 1 || height < 1 || width > SPH_MAX_SIDE || height > SPH_MAX_SIDE)
         return sph_fail(err, "%s: a raster of %dx%d, sides are 1..%d", scene->path, width, height,
                         SPH_MAX_SIDE);
+    const struct sph_profile *p = sph_build_profile(o);
     struct sph_error why = {{0}};
-    if (sph_rays_fit(width, height, scene->camera.angle, sph_profiles[o->profile].wd, rays, &why))
-        return sph_fail(err, "%s: profile %s: %.400s", scene->path, sph_profiles[o->profile].name,
-                        why.text);
+    if (sph_rays_fit(width, height, scene->camera.angle, p->wd, rays, &why))
+        return sph_fail(err, "%s: profile %s: %.400s", scene->path, p->name, why.text);
+    if (-(int64_t)rays->z < sph_min_screen(p))
+        return sph_fail(err,
+                        "%s: profile %s: angle %g puts the screen %d away, %d bits of the "
+                        "quotient need %lld",
+                        scene->path, p->name, scene->camera.angle, -rays->z, p->pq,
+                        (long long)sph_min_screen(p));
     int32_t *regs = m->regs;
     regs[SPH_REG_FRAME_W] = regs[SPH_REG_WIN_X1] = width;
     regs[SPH_REG_FRAME_H] = regs[SPH_REG_WIN_Y1] = height;
@@ -116,32 +123,32 @@ struct parts {
     struct sph_tree tree;
 };
 
-static void warn_coarse(const struct sph_scene *scene, int profile,
+static void warn_coarse(const struct sph_scene *scene, const struct sph_profile *profile,
                         struct sph_build_report *report) {
     enum { COARSE = 4 }; /* grid units */
     if (!scene->n_spheres || report->smallest_radius >= COARSE) return;
     int finer = sph_grid_finer(scene, profile, report->smallest_radius * report->grid_step, COARSE);
     sph_note(report->warning, sizeof report->warning,
              "%s: the smallest radius is %.2f grid units of profile %s: %s%s\n", scene->path,
-             report->smallest_radius, sph_profiles[profile].name,
+             report->smallest_radius, profile->name,
              finer < 0 ? "no finer profile has 4" : "rounder with profile ",
              finer < 0 ? "" : sph_profiles[finer].name);
 }
 
 /* Says what of the facets was left out. */
-static void warn_empty(const struct sph_scene *scene, int profile, const struct sph_facets *facets,
-                       struct sph_build_report *report) {
+static void warn_empty(const struct sph_scene *scene, const struct sph_profile *profile,
+                       const struct sph_facets *facets, struct sph_build_report *report) {
     if (!facets->n_empty) return;
     sph_note(report->warning, sizeof report->warning,
              "%s:%u: the first of %u triangles that have no area on the grid of profile %s and are "
              "left out: no ray would meet them\n",
-             scene->path, scene->facets[facets->first_empty].line, facets->n_empty,
-             sph_profiles[profile].name);
+             scene->path, scene->facets[facets->first_empty].line, facets->n_empty, profile->name);
 }
 
 /* Spheres and facets on the grid; balls[id] for all ids. */
-static int quantise(const struct sph_scene *scene, const struct sph_grid *grid, int profile,
-                    struct parts *parts, struct sph_build_report *report, struct sph_error *err) {
+static int quantise(const struct sph_scene *scene, const struct sph_grid *grid,
+                    const struct sph_profile *profile, struct parts *parts,
+                    struct sph_build_report *report, struct sph_error *err) {
     if (sph_grid_spheres(grid, scene, profile, parts->balls, &report->smallest_radius, err) ||
         sph_grid_facets(grid, scene, profile, &parts->facets, err))
         return -1;
@@ -161,17 +168,17 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
     const struct sph_ball *balls = parts->balls;
     const struct sph_facets *facets = &parts->facets;
     struct sph_tree *tree = &parts->tree;
-    const struct sph_profile *profile = &sph_profiles[o->profile];
+    const struct sph_profile *profile = sph_build_profile(o);
     struct sph_grid grid;
     struct sph_rays rays = {0};
-    m->regs[SPH_REG_PROFILE] = o->profile;
+    sph_machine_set_profile(m, profile);
     m->regs[SPH_REG_TREE] = o->tree;
     m->regs[SPH_REG_FRAME] = SPH_FRAMES - 1;
     if (sph_grid_fit(scene, profile->w, &grid, err)) return -1;
     if (place_camera(scene, o, &grid, &rays, m, err)) return -1;
     report->grid_step = grid.step;
     report->fov_error = rays.fov_error;
-    if (quantise(scene, &grid, o->profile, parts, report, err)) return -1;
+    if (quantise(scene, &grid, profile, parts, report, err)) return -1;
 
     uint32_t n = scene->n_spheres;
     struct sph_plants plants = {balls, n, facets, profile, grid.eye, o->tree};

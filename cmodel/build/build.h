@@ -16,21 +16,27 @@ enum { SPH_BUILD_NEAREST = 0, SPH_BUILD_FIRST = 1 };
 enum { SPH_AUTO = -1, SPH_OFF = 0, SPH_ON = 1 }; /* auto: as the scene calls for */
 
 struct sph_build_options {
-    int profile;        /* SPH_DRAFT .. */
-    int tree;           /* SPH_TREE_* */
-    int background;     /* SPH_BG_* */
-    int width, height;  /* 0: the scene file's */
-    int max_depth;      /* reflections 0..5 */
-    int shadow;         /* SPH_AUTO, SPH_OFF, SPH_ON */
-    int reflect;        /* the same */
-    int lights;         /* SPH_AUTO, or how many of the scene's, from the first on */
-    int inside;         /* SPH_AUTO, SPH_OFF, SPH_ON */
-    int traverse;       /* SPH_BUILD_*: how a primary ray finds its hit */
-    int interpenetrate; /* SPH_AUTO, SPH_OFF, SPH_ON */
-    int bg_points;      /* spans: meridians, and parallels, 4..4096; 0: 16 */
-    int bg_border;      /* spans: pixels around the outline, 0..64 */
-    int bg_levels;      /* exact: 0 the root, 1 its children, 2 theirs */
+    const struct sph_profile *widths; /* NULL: those of `profile` */
+    int profile;                      /* SPH_DRAFT .. */
+    int tree;                         /* SPH_TREE_* */
+    int background;                   /* SPH_BG_* */
+    int width, height;                /* 0: the scene file's */
+    int max_depth;                    /* reflections 0..5 */
+    int shadow;                       /* SPH_AUTO, SPH_OFF, SPH_ON */
+    int reflect;                      /* the same */
+    int lights;                       /* SPH_AUTO, or how many of the scene's, from the first on */
+    int inside;                       /* SPH_AUTO, SPH_OFF, SPH_ON */
+    int traverse;                     /* SPH_BUILD_*: how a primary ray finds its hit */
+    int interpenetrate;               /* SPH_AUTO, SPH_OFF, SPH_ON */
+    int bg_points;                    /* spans: meridians, and parallels, 4..4096; 0: 16 */
+    int bg_border;                    /* spans: pixels around the outline, 0..64 */
+    int bg_levels;                    /* exact: 0 the root, 1 its children, 2 theirs */
 };
+
+/* The widths that are asked for. */
+static inline const struct sph_profile *sph_build_profile(const struct sph_build_options *o) {
+    return o->widths ? o->widths : &sph_profiles[o->profile];
+}
 
 /* What became of one effect. */
 struct sph_effect_report {

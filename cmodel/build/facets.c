@@ -106,27 +106,27 @@ static int same(const struct sph_grid_facet *a, const struct sph_grid_facet *b) 
     return off == 0;
 }
 
-static int fail_duplicate(const struct sph_scene *scene, int profile,
+static int fail_duplicate(const struct sph_scene *scene, const struct sph_profile *profile,
                           const struct sph_grid_facet *a, const struct sph_grid_facet *b,
                           struct sph_error *err) {
     const char *what = b->kind == SPH_PLANE ? "plane" : "triangle";
     uint32_t first = scene->facets[a->scene].line, second = scene->facets[b->scene].line;
-    for (int p = profile + 1; p < SPH_PROFILES; p++) {
+    for (int p = 0; p < SPH_PROFILES; p++) {
         struct sph_grid grid;
         struct sph_grid_facet c, d;
-        if (sph_grid_fit(scene, sph_profiles[p].w, &grid, NULL)) continue;
+        if (sph_profiles[p].w <= profile->w || sph_grid_fit(scene, sph_profiles[p].w, &grid, NULL))
+            continue;
         quantise(&grid, scene, a->scene, &sph_profiles[p], &c);
         quantise(&grid, scene, b->scene, &sph_profiles[p], &d);
         if (!same(&c, &d))
             return sph_fail(err,
                             "%s:%u: the grid of profile %s merges this %s with that of line %u: "
                             "profile %s separates them",
-                            scene->path, second, sph_profiles[profile].name, what, first,
-                            sph_profiles[p].name);
+                            scene->path, second, profile->name, what, first, sph_profiles[p].name);
     }
     return sph_fail(err,
                     "%s:%u: the same %s as in line %u, on the grid of every profile from %s on",
-                    scene->path, second, what, first, sph_profiles[profile].name);
+                    scene->path, second, what, first, profile->name);
 }
 
 /* Mixes the corners of a triangle; 0 for every plane. */
@@ -143,8 +143,8 @@ static uint64_t hash(const struct sph_grid_facet *f) {
 }
 
 /* Looks for equal facets with an open hash table. */
-static int duplicates(const struct sph_scene *scene, int profile, const struct sph_facets *facets,
-                      struct sph_error *err) {
+static int duplicates(const struct sph_scene *scene, const struct sph_profile *profile,
+                      const struct sph_facets *facets, struct sph_error *err) {
     uint64_t size = 4;
     while (size < 2ull * facets->n)
         size *= 2;
@@ -163,15 +163,16 @@ static int duplicates(const struct sph_scene *scene, int profile, const struct s
     return result;
 }
 
-int sph_grid_facets(const struct sph_grid *grid, const struct sph_scene *scene, int profile,
-                    struct sph_facets *facets, struct sph_error *err) {
+int sph_grid_facets(const struct sph_grid *grid, const struct sph_scene *scene,
+                    const struct sph_profile *profile, struct sph_facets *facets,
+                    struct sph_error *err) {
     memset(facets, 0, sizeof *facets);
     if (!scene->n_facets) return 0;
     facets->list = malloc(scene->n_facets * sizeof *facets->list);
     if (!facets->list) return sph_fail(err, "out of memory for %u triangles", scene->n_facets);
     for (uint32_t i = 0; i < scene->n_facets; i++) {
         struct sph_grid_facet *to = &facets->list[facets->n];
-        if (quantise(grid, scene, i, &sph_profiles[profile], to)) {
+        if (quantise(grid, scene, i, profile, to)) {
             facets->n++;
             facets->n_planes += to->kind == SPH_PLANE;
             if (facets->n_planes > SPH_MAX_PLANES)

@@ -25,8 +25,9 @@ struct sph_facets {
  * Triangles without area there are left out (no ray meets them, and what they joined stays
  * closed). -1 if two facets are the same on the grid, with line and the finer profile that helps,
  * or memory is out. *facets is to be freed in any case. */
-int sph_grid_facets(const struct sph_grid *grid, const struct sph_scene *scene, int profile,
-                    struct sph_facets *facets, struct sph_error *err);
+int sph_grid_facets(const struct sph_grid *grid, const struct sph_scene *scene,
+                    const struct sph_profile *profile, struct sph_facets *facets,
+                    struct sph_error *err);
 
 void sph_facets_free(struct sph_facets *facets);
 

@@ -5,6 +5,7 @@
 #define SPH_GRID_H
 
 #include "build/bound.h"
+#include "profile.h"
 #include "scene/scene.h"
 
 struct sph_grid {
@@ -28,11 +29,13 @@ struct sph_ball sph_grid_ball(const struct sph_grid *grid, const struct sph_scen
 
 /* Quantises all spheres. -1 for a radius that rounds to nothing and for duplicates, with line
  * and the finer profile that helps. *smallest: the smallest radius in grid units, unrounded. */
-int sph_grid_spheres(const struct sph_grid *grid, const struct sph_scene *scene, int profile,
-                     struct sph_ball *balls, double *smallest, struct sph_error *err);
+int sph_grid_spheres(const struct sph_grid *grid, const struct sph_scene *scene,
+                     const struct sph_profile *profile, struct sph_ball *balls, double *smallest,
+                     struct sph_error *err);
 
 /* The next finer profile under which a radius is at least `units` grid units, or -1. */
-int sph_grid_finer(const struct sph_scene *scene, int profile, double rad, double units);
+int sph_grid_finer(const struct sph_scene *scene, const struct sph_profile *profile, double rad,
+                   double units);
 
 /* dir(x, y) = (x0 + x*pitch, y0 - y*pitch, z), integers of wd bits. */
 struct sph_rays {

@@ -4,8 +4,11 @@
 #include "build/near.h"
 
 int64_t sph_point_error(const struct sph_profile *p) {
-    /* along each axis: quotient 2^(W+2-PQ), roundings 1/2 and 2^-(NG+1) */
-    int64_t axis = (1ll << (p->w + 2 - p->pq + sph_error_bits(p))) + (1ll << p->ng) + 1;
+    /* along each axis: quotient 2^(W+2-PQ), root 2^(W+1-PR), roundings 1/2 and 2^-(NG+1) */
+    int quotient = p->w + 2 - p->pq + sph_error_bits(p),
+        root = p->w + 1 - p->pr + sph_error_bits(p);
+    int64_t axis = (1ll << (quotient > 0 ? quotient : 0)) + (1ll << p->ng) + 1;
+    if (p->pr) axis += 1ll << (root > 0 ? root : 0);
     return sph_ceil_sqrt(3 * axis * axis);
 }
 

@@ -7,9 +7,11 @@
 
 #include "build/grid.h"
 
-int sph_grid_finer(const struct sph_scene *scene, int profile, double rad, double units) {
-    for (int p = profile + 1; p < SPH_PROFILES; p++) {
+int sph_grid_finer(const struct sph_scene *scene, const struct sph_profile *profile, double rad,
+                   double units) {
+    for (int p = 0; p < SPH_PROFILES; p++) {
         struct sph_grid grid;
+        if (sph_profiles[p].w <= profile->w) continue;
         if (!sph_grid_fit(scene, sph_profiles[p].w, &grid, NULL) && rad / grid.step >= units)
             return p;
     }
@@ -21,10 +23,12 @@ static int same(const struct sph_ball *a, const struct sph_ball *b) {
 }
 
 /* The next finer profile that tells two spheres apart, or -1. */
-static int finer_apart(const struct sph_scene *scene, int profile, uint32_t i, uint32_t j) {
-    for (int p = profile + 1; p < SPH_PROFILES; p++) {
+static int finer_apart(const struct sph_scene *scene, const struct sph_profile *profile, uint32_t i,
+                       uint32_t j) {
+    for (int p = 0; p < SPH_PROFILES; p++) {
         struct sph_grid grid;
-        if (sph_grid_fit(scene, sph_profiles[p].w, &grid, NULL)) continue;
+        if (sph_profiles[p].w <= profile->w || sph_grid_fit(scene, sph_profiles[p].w, &grid, NULL))
+            continue;
         struct sph_ball a = sph_grid_ball(&grid, scene, &scene->spheres[i]);
         struct sph_ball b = sph_grid_ball(&grid, scene, &scene->spheres[j]);
         if (!same(&a, &b)) return p;
@@ -32,8 +36,8 @@ static int finer_apart(const struct sph_scene *scene, int profile, uint32_t i, u
     return -1;
 }
 
-static int fail_duplicate(const struct sph_scene *scene, int profile, uint32_t i, uint32_t j,
-                          struct sph_error *err) {
+static int fail_duplicate(const struct sph_scene *scene, const struct sph_profile *profile,
+                          uint32_t i, uint32_t j, struct sph_error *err) {
     const struct sph_sphere *a = &scene->spheres[i], *b = &scene->spheres[j];
     if (a->ctr.x == b->ctr.x && a->ctr.y == b->ctr.y && a->ctr.z == b->ctr.z && a->rad == b->rad)
         return sph_fail(err, "%s:%u: the same sphere as in line %u: remove one", scene->path,
@@ -43,15 +47,14 @@ static int fail_duplicate(const struct sph_scene *scene, int profile, uint32_t i
         return sph_fail(err,
                         "%s:%u: the grid of profile %s merges this sphere with that of line %u, "
                         "and no finer profile separates them",
-                        scene->path, b->line, sph_profiles[profile].name, a->line);
+                        scene->path, b->line, profile->name, a->line);
     return sph_fail(err,
                     "%s:%u: the grid of profile %s merges this sphere with that of line %u: "
                     "profile %s separates them",
-                    scene->path, b->line, sph_profiles[profile].name, a->line,
-                    sph_profiles[finer].name);
+                    scene->path, b->line, profile->name, a->line, sph_profiles[finer].name);
 }
 
-static int fail_zero(const struct sph_scene *scene, int profile, uint32_t i,
+static int fail_zero(const struct sph_scene *scene, const struct sph_profile *profile, uint32_t i,
                      const struct sph_grid *grid, struct sph_error *err) {
     const struct sph_sphere *s = &scene->spheres[i];
     int finer = sph_grid_finer(scene, profile, s->rad, 0.5);
@@ -59,11 +62,11 @@ static int fail_zero(const struct sph_scene *scene, int profile, uint32_t i,
         return sph_fail(err,
                         "%s:%u: radius %g is nothing on the grid of profile %s (step %g), and no "
                         "finer profile would do",
-                        scene->path, s->line, s->rad, sph_profiles[profile].name, grid->step);
+                        scene->path, s->line, s->rad, profile->name, grid->step);
     return sph_fail(err,
                     "%s:%u: radius %g is nothing on the grid of profile %s (step %g): profile %s "
                     "would do",
-                    scene->path, s->line, s->rad, sph_profiles[profile].name, grid->step,
+                    scene->path, s->line, s->rad, profile->name, grid->step,
                     sph_profiles[finer].name);
 }
 
@@ -78,8 +81,8 @@ static uint64_t hash(const struct sph_ball *b) {
 }
 
 /* Looks for equal balls with an open hash table. */
-static int duplicates(const struct sph_scene *scene, int profile, const struct sph_ball *balls,
-                      struct sph_error *err) {
+static int duplicates(const struct sph_scene *scene, const struct sph_profile *profile,
+                      const struct sph_ball *balls, struct sph_error *err) {
     uint64_t size = 4;
     while (size < 2ull * scene->n_spheres)
         size *= 2;
@@ -97,8 +100,9 @@ static int duplicates(const struct sph_scene *scene, int profile, const struct s
     return result;
 }
 
-int sph_grid_spheres(const struct sph_grid *grid, const struct sph_scene *scene, int profile,
-                     struct sph_ball *balls, double *smallest, struct sph_error *err) {
+int sph_grid_spheres(const struct sph_grid *grid, const struct sph_scene *scene,
+                     const struct sph_profile *profile, struct sph_ball *balls, double *smallest,
+                     struct sph_error *err) {
     *smallest = scene->n_spheres ? INFINITY : 0;
     for (uint32_t i = 0; i < scene->n_spheres; i++) {
         balls[i] = sph_grid_ball(grid, scene, &scene->spheres[i]);

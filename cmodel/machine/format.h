@@ -13,7 +13,7 @@
 #define SPH_MAGIC "SPHAERA1"
 
 enum {
-    SPH_FILE_VERSION = 3,
+    SPH_FILE_VERSION = 4,
     SPH_AT_MAGIC = 0,
     SPH_AT_VERSION = 8,
     SPH_AT_HEADER = 12, /* bytes before memory */
@@ -21,7 +21,8 @@ enum {
     SPH_AT_LINE_WORDS = 20,
     SPH_AT_LINES = 24,
     SPH_AT_GRID_LOG2 = 28,
-    SPH_AT_PROFILE = 32,   /* w, wd, pq, ng, fw */
+    SPH_AT_PROFILE = 32, /* w, wd, pq, ng, fw, pr */
+    SPH_N_WIDTHS = 6,
     SPH_AT_NAME = 56,      /* 128 bytes, zero at the end */
     SPH_AT_ORIGIN = 184,   /* 3 doubles */
     SPH_AT_ROTATION = 208, /* 9 doubles */

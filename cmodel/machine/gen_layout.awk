@@ -17,11 +17,21 @@ BEGIN {
 }
 { sub(/#.*/, "") }
 $1 == "profile" {
-    row = row sprintf("%s{\"%s\", %s, %s, %s, %s, %s}", row ? ", " : "", $2, $3, $4, $5, $6, $7)
+    row = row sprintf("%s{\"%s\", %s, %s, %s, %s, %s, %s}", row ? ", " : "", $2, $3, $4, $5, $6,
+                      $7, $8)
     p = "PROFILE_" toupper($2) "_"
     if (lang == "v") {
         def(p "W", $3); def(p "WD", $4); def(p "PQ", $5); def(p "NG", $6); def(p "FW", $7)
+        def(p "PR", $8)
     }
+}
+$1 == "width" {
+    p = "WIDTH_" toupper($2) "_"
+    why = $7
+    for (i = 8; i <= NF; i++) why = why " " $i
+    widths = widths sprintf("%s{\"%s\", offsetof(struct sph_profile, %s), %s, %s, %s, %s, \"%s\"}",
+                            widths ? ", " : "", $2, $2, $3, $4, $5, $6, why)
+    if (lang == "v") { def(p "LSB", $3); def(p "MIN", $5); def(p "MAX", $6) }
 }
 $1 == "const"   { def($2, $3) }
 $1 == "field" && $3 == "stride" { def(toupper($2) "_STRIDE", $5); next }
@@ -42,7 +52,8 @@ $1 == "error" {
 END {
     def("COUNTERS", counters); def("COUNTERS_BOTH", both); def("ERRORS", n_errors)
     if (lang == "c") {
-        def("PROFILE_TABLE", row); def("COUNTER_NAMES", names); def("ERROR_NAMES", errors)
+        def("PROFILE_TABLE", row); def("WIDTH_TABLE", widths)
+        def("COUNTER_NAMES", names); def("ERROR_NAMES", errors)
         print "\n#endif"
     } else print "`endif"
 }

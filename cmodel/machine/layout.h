@@ -256,7 +256,8 @@
 #define SPH_COUNTERS 20
 #define SPH_COUNTERS_BOTH 459775
 #define SPH_ERRORS 6
-#define SPH_PROFILE_TABLE {"draft", 12, 13, 13, 2, 12}, {"standard", 16, 17, 17, 2, 14}, {"fine", 20, 22, 24, 2, 14}, {"reference", 24, 25, 28, 2, 14}
+#define SPH_PROFILE_TABLE {"draft", 12, 13, 13, 2, 12, 0}, {"standard", 16, 17, 17, 2, 14, 0}, {"fine", 20, 22, 24, 2, 14, 0}, {"reference", 24, 25, 28, 2, 14, 0}
+#define SPH_WIDTH_TABLE {"w", offsetof(struct sph_profile, w), 0, 5, 8, 24, "a leaf record has 24 bits"}, {"wd", offsetof(struct sph_profile, wd), 5, 5, 9, 31, "a register has 32 bits"}, {"pq", offsetof(struct sph_profile, pq), 10, 6, 4, 32, "a quotient is one word of the model"}, {"ng", offsetof(struct sph_profile, ng), 16, 3, 0, 4, "the bounds of build are 64-bit numbers"}, {"fw", offsetof(struct sph_profile, fw), 19, 4, 6, 14, "a node record has 14 bits"}, {"pr", offsetof(struct sph_profile, pr), 23, 6, 0, 54, "the longest root has 55 bits"}
 #define SPH_COUNTER_NAMES "rays_primary", "rays_shadow", "rays_reflected", "node_visits", "child_tests", "leaf_tests", "roots", "quotients", "background", "saturations", "cycles", "issue_wait", "node_misses", "leaf_misses", "rays_waiting", "pop_bubbles", "facet_tests", "divisions", "texels", "texel_misses"
 #define SPH_ERROR_NAMES "bad_node", "stack_overflow", "visit_limit", "bus_error", "missing_effect", "wrong_profile"
 

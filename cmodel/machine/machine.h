@@ -16,6 +16,7 @@ struct sph_machine {
     int32_t regs[SPH_N_REGS];
     uint32_t *mem; /* lines * SPH_LINE_WORDS words */
     uint32_t lines;
+    struct sph_profile profile; /* register PROFILE in words: sph_machine_set_profile() */
     /* Information that the hardware does not see: */
     char name[128];     /* scene */
     int32_t grid_log2;  /* a grid unit is 2^grid_log2 units of the scene file */
@@ -24,7 +25,13 @@ struct sph_machine {
 };
 
 static inline const struct sph_profile *sph_machine_profile(const struct sph_machine *m) {
-    return &sph_profiles[m->regs[SPH_REG_PROFILE]];
+    return &m->profile;
+}
+
+/* The widths p, in the register too. */
+static inline void sph_machine_set_profile(struct sph_machine *m, const struct sph_profile *p) {
+    m->profile = *p;
+    m->regs[SPH_REG_PROFILE] = (int32_t)sph_profile_pack(p);
 }
 
 /* 1 if the machine asks for an effect, SPH_EFFECT_*. */

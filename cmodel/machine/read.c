@@ -45,17 +45,15 @@ static int check_header(const unsigned char *h, long long bytes, struct sph_erro
     return 0;
 }
 
-/* The widths that the file was built for must be those of its profile here. */
+/* The widths in the header must be those of register PROFILE. */
 static int check_profile(const unsigned char *h, const struct sph_machine *m,
                          struct sph_error *err) {
-    int32_t number = m->regs[SPH_REG_PROFILE];
-    if (number < 0 || number >= SPH_PROFILES)
-        return sph_fail(err, "register PROFILE is %d, not in 0..%d", number, SPH_PROFILES - 1);
-    const struct sph_profile *p = &sph_profiles[number];
-    const int widths[5] = {p->w, p->wd, p->pq, p->ng, p->fw};
-    static const char *const names[5] = {"profile width W", "profile width WD", "profile width PQ",
-                                         "profile width NG", "profile width FW"};
-    for (int i = 0; i < 5; i++)
+    const struct sph_profile *p = &m->profile;
+    const int widths[SPH_N_WIDTHS] = {p->w, p->wd, p->pq, p->ng, p->fw, p->pr};
+    static const char *const names[SPH_N_WIDTHS] = {"profile width W",  "profile width WD",
+                                                    "profile width PQ", "profile width NG",
+                                                    "profile width FW", "profile width PR"};
+    for (int i = 0; i < SPH_N_WIDTHS; i++)
         if (expect(h, SPH_AT_PROFILE + 4 * i, (uint32_t)widths[i], names[i], err)) return -1;
     return 0;
 }
@@ -71,6 +69,7 @@ static void take_header(const unsigned char *h, struct sph_machine *m) {
         m->rotation[i] = get_double(h + SPH_AT_ROTATION + 8 * i);
     for (int i = 0; i < SPH_N_REGS; i++)
         m->regs[i] = (int32_t)sph_get32(h + SPH_AT_REGS + 4 * i);
+    m->profile = sph_profile_unpack((uint32_t)m->regs[SPH_REG_PROFILE]);
 }
 
 /* Reads memory and checksum behind a checked header. */

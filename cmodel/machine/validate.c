@@ -52,6 +52,15 @@ static int check_frame(const struct sph_machine *m, struct sph_error *err) {
     return 0;
 }
 
+/* The widths are those of the register, and such as model and RTL can hold. */
+static int check_profile(const struct sph_machine *m, struct sph_error *err) {
+    struct sph_error why = {{0}};
+    int32_t packed = (int32_t)sph_profile_pack(&m->profile);
+    RANGE(PROFILE, packed, packed);
+    if (!sph_profile_check(&m->profile, &why)) return 0;
+    return sph_fail(err, "register PROFILE is %d: %.300s", packed, why.text);
+}
+
 /* Eye, directions and lights, in the widths of the profile. */
 static int check_geometry(const struct sph_machine *m, struct sph_error *err) {
     const struct sph_profile *p = sph_machine_profile(m);
@@ -62,7 +71,7 @@ static int check_geometry(const struct sph_machine *m, struct sph_error *err) {
     RANGE(EYE_Z, -w, w - 1);
     RANGE(DIR_X0, -wd, wd);
     RANGE(DIR_Y0, -wd, wd);
-    RANGE(DIR_Z, -wd, -SPH_MIN_SCREEN);
+    RANGE(DIR_Z, -wd, -sph_min_screen(p));
     RANGE(PITCH, 1, 2 * wd);
     if (r[SPH_REG_DIR_X0] + (r[SPH_REG_FRAME_W] - 1ll) * r[SPH_REG_PITCH] > wd)
         return sph_fail(err, "register PITCH is %d: the last column leaves %d bits",
@@ -243,9 +252,8 @@ static int check_tree(const struct sph_machine *m, struct sph_error *err) {
 }
 
 int sph_machine_validate(const struct sph_machine *m, struct sph_error *err) {
-    RANGE(PROFILE, 0, SPH_PROFILES - 1);
-    if (check_frame(m, err) || check_geometry(m, err) || check_memory(m, err) ||
-        check_background(m, err))
+    if (check_profile(m, err) || check_frame(m, err) || check_geometry(m, err) ||
+        check_memory(m, err) || check_background(m, err))
         return -1;
     if (sph_machine_effect(m, SPH_EFFECT_FACETS) && sph_validate_facets(m, err)) return -1;
     return check_tree(m, err);

@@ -15,7 +15,7 @@ static void put_double(unsigned char *to, double v) {
 
 static void fill_header(const struct sph_machine *m, unsigned char *h) {
     const struct sph_profile *p = sph_machine_profile(m);
-    const int widths[5] = {p->w, p->wd, p->pq, p->ng, p->fw};
+    const int widths[SPH_N_WIDTHS] = {p->w, p->wd, p->pq, p->ng, p->fw, p->pr};
     memset(h, 0, SPH_HEADER_BYTES);
     for (int i = 0; i < 8; i++)
         h[SPH_AT_MAGIC + i] = (unsigned char)SPH_MAGIC[i];
@@ -25,7 +25,7 @@ static void fill_header(const struct sph_machine *m, unsigned char *h) {
     sph_put32(h + SPH_AT_LINE_WORDS, SPH_LINE_WORDS);
     sph_put32(h + SPH_AT_LINES, m->lines);
     sph_put32(h + SPH_AT_GRID_LOG2, (uint32_t)m->grid_log2);
-    for (int i = 0; i < 5; i++)
+    for (int i = 0; i < SPH_N_WIDTHS; i++)
         sph_put32(h + SPH_AT_PROFILE + 4 * i, (uint32_t)widths[i]);
     for (size_t i = 0; i < sizeof m->name - 1 && m->name[i]; i++)
         h[SPH_AT_NAME + i] = (unsigned char)m->name[i];

@@ -49,7 +49,7 @@ static struct sph_naive_leaf facet(const struct sph_machine *m, const struct sph
                                    int32_t index) {
     int32_t line = m->regs[SPH_REG_FACET_BASE] + index - m->regs[SPH_REG_N_SPHERES];
     struct sph_facet_leaf f = sph_naive_facet_read(m->mem + (int64_t)SPH_LINE_WORDS * line);
-    return sph_naive_facet(ray, &f, sph_profiles[m->regs[SPH_REG_PROFILE]].w);
+    return sph_naive_facet(ray, &f, sph_machine_profile(m)->w);
 }
 
 /* Tests primitive `index`; a hit with a smaller key, or the same and a smaller id, replaces *best.
@@ -58,7 +58,8 @@ static void consider(const struct sph_machine *m, const struct sph_ray *ray, int
                      struct found *best) {
     struct prim prim = prim_read(m, index);
     struct sph_naive_leaf how =
-        prim.facet ? facet(m, ray, index) : sph_naive_leaf(ray, &prim.sphere);
+        prim.facet ? facet(m, ray, index)
+                   : sph_naive_leaf_bits(ray, &prim.sphere, sph_machine_profile(m)->pr);
     if (!how.hit) return;
     if (!best->how.hit || how.key < best->how.key ||
         (how.key == best->how.key && prim.sphere.id < best->prim.sphere.id))
@@ -147,7 +148,7 @@ static struct point point_of(const struct sph_profile *p, const struct sph_ray *
 /* Ambient light and all lights that the point faces and sees, u2.15. */
 static void light(const struct sph_machine *m, const struct found *f, const struct point *s,
                   int64_t sum[3]) {
-    const struct sph_profile *p = &sph_profiles[m->regs[SPH_REG_PROFILE]];
+    const struct sph_profile *p = sph_machine_profile(m);
     for (int i = 0; i < 3; i++)
         sum[i] = m->regs[SPH_REG_AMBIENT_R + i];
     for (int l = 0; l < m->regs[SPH_REG_N_LIGHTS]; l++) {
@@ -179,7 +180,7 @@ static struct sph_ray mirror_ray(const struct sph_machine *m, const struct sph_r
                            .inside = on(m, SPH_EFFECT_INSIDE)};
     for (int i = 0; i < 3; i++)
         next.org[i] = s->at[i];
-    mirror(ray->dir, s->normal, sph_profiles[m->regs[SPH_REG_PROFILE]].wd, next.dir);
+    mirror(ray->dir, s->normal, sph_machine_profile(m)->wd, next.dir);
     return next;
 }
 
@@ -187,7 +188,7 @@ static struct sph_ray mirror_ray(const struct sph_machine *m, const struct sph_r
 static int buried(const struct sph_machine *m, const struct sph_ray *ray) {
     struct found f = first_node(m, ray, (uint32_t)m->regs[SPH_REG_ROOT]);
     if (!f.how.hit) return 0;
-    struct point s = point_of(&sph_profiles[m->regs[SPH_REG_PROFILE]], ray, &f);
+    struct point s = point_of(sph_machine_profile(m), ray, &f);
     struct sph_ray next = mirror_ray(m, ray, &f, &s);
     struct found around = trace(m, &next);
     return around.how.hit && around.how.far && around.prim.sphere.id != f.prim.sphere.id;
@@ -195,7 +196,7 @@ static int buried(const struct sph_machine *m, const struct sph_ray *ray) {
 
 struct sph_pixel sph_naive_pixel(const struct sph_machine *m, int x, int y) {
     const int32_t *r = m->regs;
-    const struct sph_profile *p = &sph_profiles[r[SPH_REG_PROFILE]];
+    const struct sph_profile *p = sph_machine_profile(m);
     struct sph_pixel pixel = {.id = SPH_ID_NONE, .texture = SPH_NO_TEXTURE};
     int background = sph_naive_background(m, x, y);
     int64_t weight = 65536, sum[3] = {0};

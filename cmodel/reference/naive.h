@@ -23,8 +23,14 @@ struct sph_naive_leaf {
 };
 
 /* Tests one sphere; of *ray only org, dir, kind, skip and inside are read. Total for any int64
- * operands below 2^30. */
-struct sph_naive_leaf sph_naive_leaf(const struct sph_ray *ray, const struct sph_leaf *leaf);
+ * operands below 2^30. pr: significant bits of the root that the key is made of, 0: all. */
+struct sph_naive_leaf sph_naive_leaf_bits(const struct sph_ray *ray, const struct sph_leaf *leaf,
+                                          int pr);
+
+static inline struct sph_naive_leaf sph_naive_leaf(const struct sph_ray *ray,
+                                                   const struct sph_leaf *leaf) {
+    return sph_naive_leaf_bits(ray, leaf, 0);
+}
 
 /* Tests one facet, in a world of w-bit coordinates: org + t*dir = v0 + x*e1 + y*e2 is solved in
  * rational numbers. exit is 0, and far that the normal looks along the ray. */

@@ -29,7 +29,7 @@ static void add(mpz_t x, int64_t factor, const uint32_t *from, int lsb, int bits
 }
 
 static int in_cone(const struct sph_machine *m, const uint32_t *cone, int64_t x, int64_t y) {
-    const struct sph_profile *p = &sph_profiles[m->regs[SPH_REG_PROFILE]];
+    const struct sph_profile *p = sph_machine_profile(m);
     mpz_t f, b;
     mpz_inits(f, b, NULL);
     add(f, 1, cone, SPH_CONE_F_LSB, SPH_CONE_F_BITS);

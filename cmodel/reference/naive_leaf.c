@@ -75,6 +75,33 @@ static uint64_t root_key(struct line *l, int root) {
     return key;
 }
 
+/* b - root, or b + root rounded up, at least 1, for the greatest number m * step <= sqrt(disc) with
+ * m < 2^bits and step the least power of two for which the next m would be too great. */
+static uint64_t cut_key(struct line *l, int which, int bits) {
+    mpz_t step, root, next;
+    mpz_inits(root, next, NULL);
+    mpz_init_set_si(step, 1);
+    for (;;) { /* is 2^bits steps too far? */
+        mpz_mul_2exp(next, step, (mp_bitcnt_t)bits);
+        mpz_mul(l->y, next, next);
+        if (mpz_cmp(l->y, l->disc) > 0) break;
+        mpz_mul_2exp(step, step, 1);
+    }
+    for (int i = bits - 1; i >= 0; i--) {
+        mpz_mul_2exp(next, step, (mp_bitcnt_t)i);
+        mpz_add(next, next, root);
+        mpz_mul(l->y, next, next);
+        if (mpz_cmp(l->y, l->disc) <= 0) mpz_set(root, next);
+    }
+    mpz_mul(l->y, root, root);
+    if (which == FAR && mpz_cmp(l->y, l->disc) != 0) mpz_add_ui(root, root, 1);
+    mpz_mul_si(root, root, which);
+    mpz_add(root, root, l->b);
+    uint64_t key = mpz_sgn(root) > 0 ? mpz_get_ui(root) : 1;
+    mpz_clears(step, root, next, NULL);
+    return key;
+}
+
 /* Where org + t*dir lies: 1 outside the sphere, 0 on it, -1 in it. */
 static int side(const struct sph_ray *ray, int64_t t, const struct sph_leaf *leaf) {
     mpz_t distance2;
@@ -89,7 +116,8 @@ static int side(const struct sph_ray *ray, int64_t t, const struct sph_leaf *lea
     return sign > 0 ? 1 : sign < 0 ? -1 : 0;
 }
 
-struct sph_naive_leaf sph_naive_leaf(const struct sph_ray *ray, const struct sph_leaf *leaf) {
+struct sph_naive_leaf sph_naive_leaf_bits(const struct sph_ray *ray, const struct sph_leaf *leaf,
+                                          int pr) {
     struct sph_naive_leaf r = {0};
     int own = leaf->id == ray->skip.id;
     if (!ray->inside && (own || side(ray, 0, leaf) <= 0)) return r;
@@ -113,7 +141,7 @@ struct sph_naive_leaf sph_naive_leaf(const struct sph_ray *ray, const struct sph
         r.hit = root && root_cmp(&l, root, l.a) < 0;
     } else if (root) {
         r.hit = 1;
-        r.key = root_key(&l, root);
+        r.key = pr ? cut_key(&l, root, pr) : root_key(&l, root);
     } else if (own) {
         r.hit = r.exit = 1;
         r.key = 1;

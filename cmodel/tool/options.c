@@ -63,7 +63,9 @@ enum {
 
 static const struct argp_option options[] = {
     {NULL, 0, NULL, 0, "From scene to machine:", 1},
-    {"profile", KEY_PROFILE, "NAME", 0, "draft, standard (default), fine or reference", 1},
+    {"profile", KEY_PROFILE, "NAME[:KEY=N,...]", 0,
+     "draft, standard (default), fine or reference; with widths of its own: w, wd, pr, pq, ng, fw",
+     1},
     {"tree", KEY_TREE, "NAME", 0, "balanced (default) or paper", 1},
     {"background", KEY_BACKGROUND, "NAME", 0,
      "pixels not traced: none (default), those outside a rectangle (rect), outside the outline of "
@@ -112,12 +114,11 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     static const char *const backgrounds[] = {"none", "rect", "spans", "exact", NULL};
     static const char *const hows[] = {"nearest", "first", NULL};
     struct tool_source *s = state->input;
-    const char *profiles[SPH_PROFILES + 1] = {NULL};
+    struct sph_error err = {{0}};
     switch (key) {
     case KEY_PROFILE:
-        for (int i = 0; i < SPH_PROFILES; i++)
-            profiles[i] = sph_profiles[i].name;
-        s->build.profile = tool_choice(state, "--profile", arg, profiles);
+        if (sph_profile_parse(arg, &s->profile, &err)) argp_error(state, "--profile: %s", err.text);
+        s->build.widths = &s->profile;
         break;
     case KEY_TREE:
         s->build.tree = SPH_TREE_PAPER + tool_choice(state, "--tree", arg, trees);

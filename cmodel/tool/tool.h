@@ -47,7 +47,8 @@ void tool_size(const struct argp_state *state, const char *option, const char *a
 struct tool_source {
     struct sph_build_options build;
     struct sph_read_options read;
-    const char *option; /* the last build option given, NULL if none */
+    struct sph_profile profile; /* what build.widths points to, if --profile was given */
+    const char *option;         /* the last build option given, NULL if none */
 };
 
 /* Options of build, for every command that takes a scene; its input is a struct tool_source. */

@@ -34,10 +34,11 @@ struct sph_leaf_result sph_leaf_test(const struct sph_ray *ray, const struct sph
     return r;
 }
 
-uint64_t sph_leaf_key(const struct sph_leaf_result *r, uint64_t *roots) {
+uint64_t sph_leaf_key_bits(const struct sph_leaf_result *r, int pr, uint64_t *roots) {
     if (r->exit) return 1;
     int inexact;
-    int64_t root = (int64_t)sph_isqrt((sph_u128)r->disc, &inexact);
+    int64_t root = (int64_t)sph_isqrt_bits((sph_u128)r->disc, pr, &inexact);
     ++*roots;
-    return (uint64_t)(r->far ? r->b + root + inexact : r->b - root);
+    int64_t key = r->far ? r->b + root + inexact : r->b - root;
+    return pr && r->far && key < 1 ? 1 : (uint64_t)key; /* < 1: the lost bits outweigh the rest */
 }

@@ -32,7 +32,13 @@ struct sph_leaf_result {
 struct sph_leaf_result sph_leaf_test(const struct sph_ray *ray, const struct sph_leaf *leaf);
 
 /* ceil(a*t) of a hit, u(W+WD+2), at least 1. Orders the hits of one ray; *root counts square
- * roots. RTL: rtl/trace/rt_collect.v */
-uint64_t sph_leaf_key(const struct sph_leaf_result *r, uint64_t *roots);
+ * roots. Of the root the pr most significant bits count, 0: all; then b -+ root, at least 1.
+ * RTL: rtl/trace/rt_root_pool.v */
+uint64_t sph_leaf_key_bits(const struct sph_leaf_result *r, int pr, uint64_t *roots);
+
+/* With every bit of the root. */
+static inline uint64_t sph_leaf_key(const struct sph_leaf_result *r, uint64_t *roots) {
+    return sph_leaf_key_bits(r, 0, roots);
+}
 
 #endif

@@ -23,13 +23,14 @@ static void keep(struct sph_hit *best, struct sph_hit hit) {
         *best = hit;
 }
 
-/* Exact test of one sphere. */
-static void sphere_visit(const struct sph_ray *ray, const struct sph_leaf *leaf,
+/* Exact test of one sphere, its key of pr root bits. */
+static void sphere_visit(const struct sph_ray *ray, const struct sph_leaf *leaf, int pr,
                          struct sph_hit *best, struct sph_counters *c) {
     struct sph_leaf_result r = sph_leaf_test(ray, leaf);
     c->count[SPH_COUNT_LEAF_TESTS]++;
     if (!r.hit) return;
-    uint64_t key = ray->kind == SPH_SHADOW ? 1 : sph_leaf_key(&r, &c->count[SPH_COUNT_ROOTS]);
+    uint64_t key =
+        ray->kind == SPH_SHADOW ? 1 : sph_leaf_key_bits(&r, pr, &c->count[SPH_COUNT_ROOTS]);
     keep(best, (struct sph_hit){key, leaf->id, r.far});
 }
 
@@ -38,7 +39,7 @@ static void line_visit(const struct sph_profile *p, const struct sph_ray *ray, c
                        struct sph_hit *best, struct sph_counters *c) {
     if (!sph_leaf_kind(line)) {
         struct sph_leaf sphere = sph_leaf_read(line, 0, p->w);
-        sphere_visit(ray, &sphere, best, c);
+        sphere_visit(ray, &sphere, p->pr, best, c);
         return;
     }
     struct sph_facet_leaf facet = sph_facet_read(line, p->w);
@@ -61,7 +62,7 @@ static struct sph_hit brute(const struct sph_machine *m, const struct sph_ray *r
         if (id < spheres) {
             size_t line = (uint32_t)m->regs[SPH_REG_PRIM_BASE] + (size_t)id;
             struct sph_leaf leaf = sph_leaf_read(m->mem + line * SPH_LINE_WORDS, 0, p->w);
-            sphere_visit(ray, &leaf, &best, c);
+            sphere_visit(ray, &leaf, p->pr, &best, c);
         } else {
             size_t line = (uint32_t)m->regs[SPH_REG_FACET_BASE] + (size_t)(id - spheres);
             line_visit(p, ray, m->mem + line * SPH_LINE_WORDS, &best, c);
@@ -114,7 +115,7 @@ struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *r
                     line_visit(p, ray, leaf, &best, c);
                 } else {
                     struct sph_leaf sphere = sph_leaf_read(leaf, j & 1, p->w);
-                    sphere_visit(ray, &sphere, &best, c);
+                    sphere_visit(ray, &sphere, p->pr, &best, c);
                 }
                 if (best.key != key_before && ray->kind != SPH_SHADOW)
                     depth_max = sph_ray_depth(p, ray, best.key);

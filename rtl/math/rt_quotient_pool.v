@@ -10,6 +10,7 @@ module rt_quotient_pool #(
     parameter AW    = 34,  // a, bits
     parameter PQ    = 17,  // quotient, bits
     parameter UNITS = 3,   // dividers
+    parameter STEP  = 2,   // quotient bits a clock
     parameter TAG   = 8    // tag, bits
 ) (
     input  wire            clk,
@@ -38,7 +39,7 @@ module rt_quotient_pool #(
             wire [PQ-1:0]      mant;
             wire signed [7:0]  exp;
             reg [TAG-1:0]      tag_q;
-            rt_quotient #(.KW(KW), .AW(AW), .PQ(PQ)) u_quotient (
+            rt_quotient #(.KW(KW), .AW(AW), .PQ(PQ), .STEP(STEP)) u_quotient (
                 .clk(clk), .rst(rst),
                 .in_valid_i(take[u]), .in_ready_o(ready[u]), .in_key_i(in_key_i), .in_a_i(in_a_i),
                 .out_valid_o(done[u]), .out_ready_i(give[u] && out_ready_i),

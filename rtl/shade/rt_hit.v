@@ -11,7 +11,7 @@ module rt_hit #(
     parameter W   = 16,  // coordinate, bits
     parameter WD  = 17,  // direction component, bits, at least W+1
     parameter PQ  = 17,  // quotient, significant bits
-    parameter NG  = 2,   // guard bits of the normal, at least 1
+    parameter NG  = 2,   // guard bits of the normal
     parameter INSIDE = 1, // 0: no hit comes from inside
     parameter TAG = 8    // tag, bits
 ) (
@@ -45,18 +45,11 @@ module rt_hit #(
     localparam PW = PQ + WD;                    // mant * dir
     localparam SW = PW + 1;                     // and one bit to round
     localparam GW = W + NG;                     // guarded coordinate
-    localparam VW = GW + 1;                     // not normalised normal
+    localparam VW = (GW > WD ? GW : WD) + 1;    // not normalised normal, or -dir
     localparam        [31:0] BITS  = NG;
     localparam signed [8:0]  GUARD = BITS[8:0];
-    localparam        [GW:0] HALF  = {{(W+1){1'b0}}, 1'b1, {(NG-1){1'b0}}};
-    generate
-        if (NG < 1 || WD > W + NG) begin : illegal
-            initial begin
-                $display("rt_hit: W %0d, WD %0d, NG %0d do not fit", W, WD, NG);
-                $finish;
-            end
-        end
-    endgenerate
+    localparam        [GW:0] ONE   = {{GW{1'b0}}, 1'b1};
+    localparam        [GW:0] HALF  = (ONE << NG) >> 1;  // NG 0: nothing to round
 
     // ---- control: ph_q[n] n cycles after the hit was taken; x has its turn first ----
     reg  [11:1]          ph_q;
@@ -115,8 +108,9 @@ module rt_hit #(
 
     // ---- stage 4, cycles 4 to 6: (2*org*2^NG + 1 + offset) / 2 rounds half up ----
     reg  signed [SW:0]   s4_sum_q;
-    wire signed [SW:0]   s4_org = $signed({{(SW-GW){org_x_q[W-1]}}, org_x_q, {NG{1'b0}}, 1'b1});
-    always @(posedge clk) s4_sum_q <= s4_org + $signed({s3_prod_q[SW-1], s3_prod_q});
+    wire signed [SW:0]   s4_org = $signed({{(SW-W){org_x_q[W-1]}}, org_x_q, 1'b0}) <<< NG;
+    always @(posedge clk)
+        s4_sum_q <= $signed({s4_org[SW:1], 1'b1}) + $signed({s3_prod_q[SW-1], s3_prod_q});
 
     // ---- stage 5, cycles 5 to 7: limit to the guarded grid ----
     reg  signed [GW-1:0] s5_g_q;
@@ -133,9 +127,9 @@ module rt_hit #(
     reg                  s6_over_q, s6_any_q;
     reg  signed [W-1:0]  s6_px_q, s6_py_q, s6_pz_q;
     reg  signed [VW-1:0] s6_nx_q, s6_ny_q, s6_nz_q;
-    wire signed [GW:0]   s6_g     = $signed({s5_g_q[GW-1], s5_g_q});
-    wire signed [GW:0]   s6_ctr   = $signed({ctr_x_q[W-1], ctr_x_q, {NG{1'b0}}});
-    wire signed [GW:0]   s6_round = s6_g + $signed(HALF);
+    wire signed [VW-1:0] s6_g     = $signed({{(VW-GW){s5_g_q[GW-1]}}, s5_g_q});
+    wire signed [VW-1:0] s6_ctr   = $signed({{(VW-W){ctr_x_q[W-1]}}, ctr_x_q}) <<< NG;
+    wire signed [GW:0]   s6_round = $signed({s5_g_q[GW-1], s5_g_q}) + $signed(HALF);
     wire                 s6_over  = s6_round[GW] != s6_round[GW-1];
     wire signed [VW-1:0] s6_n     = (far_q ? s6_ctr : s6_g) - (far_q ? s6_g : s6_ctr);
     always @(posedge clk) begin
@@ -167,6 +161,6 @@ module rt_hit #(
             out_saturated_o <= s6_over_q;
             {out_point_x_o, out_point_y_o, out_point_z_o} <= {s6_px_q, s6_py_q, s6_pz_q};
         end
-    wire unused = &{1'b0, s4_sum_q[0], s6_round[NG-1:0], back[VW+WD:VW]};
+    wire unused = &{1'b0, s4_sum_q[0], s4_org[0], s6_round, back[VW+WD:VW]};
 endmodule
 `default_nettype wire

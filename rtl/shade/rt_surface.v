@@ -17,7 +17,8 @@ module rt_surface #(
     parameter INSIDE  = 1,     // 0: no ray starts inside a sphere
     parameter SLOTS = 32,      // power of two
     parameter SLOTW = 5,       // log2 of SLOTS
-    parameter QUOTIENTS = 3    // dividers
+    parameter QUOTIENTS = 3,   // dividers
+    parameter QUOTIENT_STEP = 2 // quotient bits a clock
 ) (
     input  wire              clk,
     input  wire              rst,
@@ -99,7 +100,8 @@ module rt_surface #(
             end
             assign h_taken    = h_read_q && divider;
             assign quotient_o = h_taken;
-            rt_quotient_pool #(.KW(KW), .AW(2*WD), .PQ(PQ), .UNITS(QUOTIENTS), .TAG(FB)) u_pool (
+            rt_quotient_pool #(.KW(KW), .AW(2*WD), .PQ(PQ), .UNITS(QUOTIENTS),
+                               .STEP(QUOTIENT_STEP), .TAG(FB)) u_pool (
                 .clk(clk), .rst(rst), .in_valid_i(h_read_q), .in_ready_o(divider),
                 .in_tag_i({h_slot, h[KW +: 26]}), .in_key_i(h[KW-1:0]), .in_a_i(h_a),
                 .out_valid_o(t_valid), .out_ready_i(1'b1), .out_tag_o(t_fetch),

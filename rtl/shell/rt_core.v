@@ -11,7 +11,7 @@ module rt_core #(
     parameter PQ         = `RT_PROFILE_STANDARD_PQ,  // significant bits of the quotient
     parameter NG         = `RT_PROFILE_STANDARD_NG,  // guard bits of the normal
     parameter FW         = `RT_PROFILE_STANDARD_FW,  // filter coordinate, bits
-    parameter PROFILE    = 1,    // number of the profile that the widths belong to
+    parameter PR         = `RT_PROFILE_STANDARD_PR,  // significant bits of the root, 0: all
     parameter ENGINES    = 1,    // barrels, 1..8
     parameter K          = 64,   // rays in flight an engine, power of two
     // what is elaborated; a machine that asks for more is refused (MISSING_EFFECT)
@@ -27,7 +27,9 @@ module rt_core #(
     parameter NODE_LINES = 256,  // cache lines an engine, powers of two
     parameter LEAF_LINES = 128,
     parameter ROOTS      = 3,    // square root units an engine
-    parameter QUOTIENTS  = 3     // dividers an engine
+    parameter QUOTIENTS  = 3,    // dividers an engine
+    parameter ROOT_STEP  = 2,    // root bits a clock, 1..W+WD
+    parameter QUOTIENT_STEP = 2  // quotient bits a clock, 1..PQ
 ) (
     input  wire              clk,
     input  wire              rst,
@@ -67,6 +69,19 @@ module rt_core #(
     localparam EW = 8*PLACES;                        // their events of a cycle
     localparam SEPARATED = RECT != 0 || SPANS != 0 || CONES != 0;  // background goes by itself
 
+    // cmodel/profile.c says which of these fails
+    localparam FIT = W >= `RT_WIDTH_W_MIN && W <= `RT_WIDTH_W_MAX && WD > W &&
+                     WD <= `RT_WIDTH_WD_MAX && 3*W + 2*WD <= 126 && PQ >= `RT_WIDTH_PQ_MIN &&
+                     PQ <= `RT_WIDTH_PQ_MAX && PQ + WD <= 62 && PQ >= W + NG + 5 - WD &&
+                     NG <= `RT_WIDTH_NG_MAX &&
+                     FW >= `RT_WIDTH_FW_MIN && FW <= `RT_WIDTH_FW_MAX && FW <= W &&
+                     (PR == 0 || (PR >= 4 && PR < W + WD));
+    generate
+        if (!FIT) begin : g_check
+            rt_core_widths_do_not_fit_see_number_formats_md u_error ();
+        end
+    endgenerate
+
     // ---- registers, start ----
     wire [31:0]      effects, profile;
     wire [2:0]       max_depth;
@@ -104,7 +119,10 @@ module rt_core #(
     wire missing = (effects & ~built) != 32'd0 ||    // the machine asks for what is not here
                    {29'd0, max_depth} > REFLECT || {28'd0, n_lights} > LIGHTS ||
                    !ways[bg_mode] || (bg_mode == 2'd3 && {27'd0, bg_count} > CONES);
-    wire foreign = profile != PROFILE;
+    localparam [31:0] PROFILE = W << `RT_WIDTH_W_LSB | WD << `RT_WIDTH_WD_LSB |
+                                PQ << `RT_WIDTH_PQ_LSB | NG << `RT_WIDTH_NG_LSB |
+                                FW << `RT_WIDTH_FW_LSB | PR << `RT_WIDTH_PR_LSB;
+    wire foreign = profile != PROFILE;               // built for other widths
     wire start   = start_i && !busy_o;
     wire go      = start && !missing && !foreign;
 
@@ -182,12 +200,13 @@ module rt_core #(
             wire         visit, leaf, sqrt, quotient, saturated, bubble;
             wire [1:0]   miss;
             wire [EW-1:0] add_e;
-            rt_engine #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .FW(FW), .SLOTS(K),
+            rt_engine #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .FW(FW), .PR(PR), .SLOTS(K),
                         .STACK(`RT_STACK_DEPTH), .SHADOW(SHADOW), .REFLECT(REFLECT),
                         .LIGHTS(LIGHTS), .INSIDE(INSIDE), .FIRST(FIRST),
                         .INTERPENETRATE(INTERPENETRATE),
                         .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES), .ROOTS(ROOTS),
-                        .QUOTIENTS(QUOTIENTS)) u_engine (
+                        .QUOTIENTS(QUOTIENTS), .ROOT_STEP(ROOT_STEP),
+                        .QUOTIENT_STEP(QUOTIENT_STEP)) u_engine (
                 .clk(clk), .rst(rst), .flush_i(go && !keep_cache_i), .busy_o(e_busy[e]),
                 .effects_i(effects[4:0]), .max_depth_i(max_depth), .n_lights_i(n_lights),
                 .background_i(background), .ambient_i(ambient), .eye_i(eye), .root_i(root),

@@ -10,6 +10,7 @@ module rt_engine #(
     parameter PQ         = 17,   // significant bits of the quotient
     parameter NG         = 2,    // guard bits of the normal
     parameter FW         = 14,   // filter coordinate, bits
+    parameter PR         = 0,    // significant bits of the root, 0: all
     parameter SLOTS      = 64,   // rays in flight, power of two
     parameter STACK      = 16,   // sibling groups waiting per ray, power of two
     parameter SHADOW     = 1,    // effects elaborated, see rt_core
@@ -21,7 +22,9 @@ module rt_engine #(
     parameter NODE_LINES = 256,  // node cache
     parameter LEAF_LINES = 128,  // leaf and primitive cache
     parameter ROOTS      = 3,    // square root units
-    parameter QUOTIENTS  = 3     // dividers
+    parameter QUOTIENTS  = 3,    // dividers
+    parameter ROOT_STEP  = 2,    // root bits a clock
+    parameter QUOTIENT_STEP = 2  // quotient bits a clock
 ) (
     input  wire              clk,
     input  wire              rst,
@@ -196,7 +199,8 @@ module rt_engine #(
     wire [25:0]       fetch_line;
     wire [255:0]      prim_data;
     rt_leaf_unit #(.W(W), .WD(WD), .SLOTS(SLOTS), .SLOTW(SLOTW), .LINES(LEAF_LINES),
-                   .ROOTS(ROOTS), .SHADOW(SHADOWS), .INSIDE(INSIDE)) u_leaves (
+                   .ROOTS(ROOTS), .ROOT_STEP(ROOT_STEP), .PR(PR), .SHADOW(SHADOWS),
+                   .INSIDE(INSIDE)) u_leaves (
         .clk(clk), .rst(rst), .flush_i(flush_i), .inside_on_i(inside_on),
         .ray_valid_i(ray_valid), .ray_slot_i(ray_slot), .ray_shadow_i(ray_shadow),
         .ray_org_i(ray_org), .ray_dir_i(ray_dir), .ray_a_i(ray_a), .ray_skip_i(ray_skip),
@@ -282,7 +286,8 @@ module rt_engine #(
     wire              bare_valid;             // a surface that needs no point
     wire [SLOTW-1:0]  bare_slot;
     rt_surface #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .POINTS(POINTS), .BOUNCES(BOUNCES),
-                 .INSIDE(INSIDE), .SLOTS(SLOTS), .SLOTW(SLOTW), .QUOTIENTS(QUOTIENTS)) u_surface (
+                 .INSIDE(INSIDE), .SLOTS(SLOTS), .SLOTW(SLOTW), .QUOTIENTS(QUOTIENTS),
+                 .QUOTIENT_STEP(QUOTIENT_STEP)) u_surface (
         .clk(clk), .rst(rst), .prim_base_i(prim_base_i), .eye_i(eye_i), .points_on_i(points_on),
         .ray_valid_i(ray_valid && !ray_shadow), .ray_slot_i(ray_slot), .ray_org_i(ray_org),
         .ray_dir_i(ray_dir), .ray_a_i(ray_a),

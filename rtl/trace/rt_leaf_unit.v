@@ -14,6 +14,8 @@ module rt_leaf_unit #(
     parameter SLOTW = 5,    // log2 of SLOTS
     parameter LINES = 64,   // leaf cache, lines
     parameter ROOTS = 3,    // square root units
+    parameter ROOT_STEP = 2, // root bits a clock
+    parameter PR    = 0,    // significant bits of the root, 0: all
     parameter SHADOW = 1,   // 1: shadow rays
     parameter INSIDE = 1    // 1: rays that start inside a sphere
 ) (
@@ -212,7 +214,8 @@ module rt_leaf_unit #(
         .in_data_i(d_all[RW+IB:0]),
         .out_valid_o(d_valid), .out_ready_i(!p_valid), .out_data_o(d)
     );
-    rt_root_pool #(.W(W), .WD(WD), .UNITS(ROOTS), .TAG(RW), .INSIDE(INSIDE)) u_pool (
+    rt_root_pool #(.W(W), .WD(WD), .PR(PR), .UNITS(ROOTS), .STEP(ROOT_STEP), .TAG(RW),
+                   .INSIDE(INSIDE)) u_pool (
         .clk(clk), .rst(rst),
         .in_valid_i(r_valid), .in_ready_o(r_ready), .in_tag_i(r[XW+KW +: RW]),
         .in_far_i(INSIDE != 0 && r[RW+XW+KW+IB-1]),

@@ -1,14 +1,17 @@
 // rt_root_pool.v - square roots of leaf hits, and their keys
 // SPDX-License-Identifier: Apache-2.0
 // key = b - root for the near root, b + root + inexact for the far one: ceil(a*t).
+// PR not 0: of the root its first PR bits count; a far key is then at least 1.
 // UNITS iterative roots. A result that waits may give way to one of a lower unit: the consumer
 // looks at it only when it takes it.
-// Model: sph_leaf_key() in cmodel/trace/leaf.c
+// Model: sph_leaf_key_bits() in cmodel/trace/leaf.c
 `default_nettype none
 module rt_root_pool #(
     parameter W     = 16,  // coordinate, bits
     parameter WD    = 17,  // direction component, bits
+    parameter PR    = 0,   // significant bits of the root, 0: all
     parameter UNITS = 3,   // square root units, 1..8
+    parameter STEP  = 2,   // root bits a clock
     parameter TAG   = 8,   // tag, bits
     parameter INSIDE = 1   // 1: the far root may count
 ) (
@@ -28,6 +31,8 @@ module rt_root_pool #(
 );
     localparam XW = 2*W + 2*WD;                // radicand
     localparam KW = W + WD + 2;                // key
+    localparam BW = PR != 0 ? PR : XW/2;       // root, without the 0s behind it
+    localparam VW = PR != 0 ? KW + BW + 7 : KW;  // of a unit: key, or b, inexact, shift, root
     wire [UNITS-1:0] ready, done;
     wire [UNITS-1:0] take, give;               // one-hot choice of the lowest
     assign take = ready & (~ready + 1'b1) & {UNITS{in_valid_i}};
@@ -35,20 +40,21 @@ module rt_root_pool #(
     assign in_ready_o  = |ready;
     assign out_valid_o = |done;
 
-    wire [UNITS*(KW+TAG+1)-1:0] results;
+    wire [UNITS*(VW+TAG+1)-1:0] results;
     genvar u;
     generate
         for (u = 0; u < UNITS; u = u + 1) begin : g_unit
-            wire [XW/2-1:0]       root;
+            wire [BW-1:0]         root;
+            wire [5:0]            shift;
             wire                  inexact;
             reg [TAG-1:0]         tag_q;
             reg                   far_q;
             reg signed [KW-1:0]   b_q;
-            rt_isqrt #(.XW(XW)) u_isqrt (
+            rt_isqrt #(.XW(XW), .STEP(STEP), .BITS(PR)) u_isqrt (
                 .clk(clk), .rst(rst),
                 .in_valid_i(take[u]), .in_ready_o(ready[u]), .in_x_i(in_disc_i),
                 .out_valid_o(done[u]), .out_ready_i(give[u] && out_ready_i),
-                .out_root_o(root), .out_inexact_o(inexact)
+                .out_root_o(root), .out_shift_o(shift), .out_inexact_o(inexact)
             );
             always @(posedge clk)
                 if (take[u]) begin
@@ -56,18 +62,39 @@ module rt_root_pool #(
                     far_q <= INSIDE != 0 && in_far_i;
                     b_q   <= in_b_i;
                 end
-            wire [KW-1:0] wide = {{(KW-XW/2){1'b0}}, root};
-            wire [KW-1:0] key  = far_q ? b_q + wide + {{(KW-1){1'b0}}, inexact} : b_q - wide;
-            assign results[u*(KW+TAG+1) +: KW+TAG+1] =
-                give[u] ? {tag_q, far_q, key} : {(KW+TAG+1){1'b0}};
+            wire [VW-1:0] value;
+            if (PR != 0) begin : g_cut
+                assign value = {b_q, inexact, shift, root};
+            end else begin : g_all
+                wire [KW-1:0] wide = {{(KW-BW){1'b0}}, root};
+                assign value = far_q ? b_q + wide + {{(KW-1){1'b0}}, inexact} : b_q - wide;
+                wire unused = &{1'b0, shift};
+            end
+            assign results[u*(VW+TAG+1) +: VW+TAG+1] =
+                give[u] ? {tag_q, far_q, value} : {(VW+TAG+1){1'b0}};
         end
     endgenerate
-    reg [KW+TAG:0] result;
+    reg [VW+TAG:0] result;
     integer i;
     always @* begin
-        result = {(KW+TAG+1){1'b0}};
-        for (i = 0; i < UNITS; i = i + 1) result = result | results[i*(KW+TAG+1) +: KW+TAG+1];
+        result = {(VW+TAG+1){1'b0}};
+        for (i = 0; i < UNITS; i = i + 1) result = result | results[i*(VW+TAG+1) +: VW+TAG+1];
     end
-    assign {out_tag_o, out_far_o, out_key_o} = result;
+    assign {out_tag_o, out_far_o} = result[VW+TAG -: TAG+1];
+    generate
+        if (PR != 0) begin : g_key                   // one shift and one sum for all units
+            wire [BW-1:0] root    = result[BW-1:0];
+            wire [5:0]    shift   = result[BW +: 6];
+            wire          inexact = result[BW+6];
+            wire [KW-1:0] b       = result[BW+7 +: KW];
+            wire [KW-1:0] wide    = {{(KW-BW){1'b0}}, root} << shift;
+            wire [KW-1:0] far     = b + wide + {{(KW-1){1'b0}}, inexact};
+            // b < 0, and the lost bits outweigh what the root is longer
+            wire          none    = b[KW-1] && (far[KW-1] || far == {KW{1'b0}});
+            assign out_key_o = !out_far_o ? b - wide : none ? {{(KW-1){1'b0}}, 1'b1} : far;
+        end else begin : g_given
+            assign out_key_o = result[VW-1:0];
+        end
+    endgenerate
 endmodule
 `default_nettype wire

@@ -48,7 +48,11 @@ std::string refusal(const Options &o, const sph_machine &machine, uint32_t error
         std::string text = "refused: the core sets";
         for (int i = 0; i < SPH_ERRORS; i++)
             if (errors & REFUSED & 1u << i) text += std::string(" ") + names[i];
-        return text + " and gives no pixel\n";
+        text += " and gives no pixel";
+        if (errors >> SPH_ERROR_WRONG_PROFILE & 1)
+            text += std::string("; the machine was built for profile ") +
+                    sph_machine_profile(&machine)->name;
+        return text + "\n";
     }
     std::string text = "refused: the machine asks for ";
     for (size_t i = 0; i < words.size(); i++)

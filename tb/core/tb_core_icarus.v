@@ -15,8 +15,10 @@ module tb_core_icarus #(
     parameter PQ = 17,
     parameter NG = 2,
     parameter FW = 14,
-    parameter PROFILE = 1,
+    parameter PR = 0,
     parameter ENGINES = 1,
+    parameter ROOT_STEP = 2,
+    parameter QUOTIENT_STEP = 2,
     parameter SHADOW = 1,
     parameter REFLECT = 5,
     parameter LIGHTS = 8,
@@ -59,9 +61,10 @@ module tb_core_icarus #(
     wire [5:0] errors;
 
     rt_core #(
-        .W(W), .WD(WD), .PQ(PQ), .NG(NG), .FW(FW), .PROFILE(PROFILE),
+        .W(W), .WD(WD), .PQ(PQ), .NG(NG), .FW(FW), .PR(PR),
         .ENGINES(ENGINES), .SHADOW(SHADOW), .REFLECT(REFLECT), .LIGHTS(LIGHTS), .INSIDE(INSIDE),
-        .FIRST(FIRST), .INTERPENETRATE(INTERPENETRATE), .RECT(RECT), .SPANS(SPANS), .CONES(CONES)
+        .FIRST(FIRST), .INTERPENETRATE(INTERPENETRATE), .RECT(RECT), .SPANS(SPANS), .CONES(CONES),
+        .ROOT_STEP(ROOT_STEP), .QUOTIENT_STEP(QUOTIENT_STEP)
     ) u_core (
         .clk(clk), .rst(rst),
         .cfg_valid_i(cfg_valid), .cfg_addr_i(cfg_addr), .cfg_data_i(cfg_data),

@@ -100,7 +100,7 @@ static void two_leaves(const struct named *n, const struct sph_leaf leaf[2], uin
     memset(mem, 0, 4 * SPH_LINE_WORDS * sizeof *mem);
     m->mem = mem;
     m->lines = 4;
-    m->regs[SPH_REG_PROFILE] = n->profile;
+    sph_machine_set_profile(m, &sph_profiles[n->profile]);
     m->regs[SPH_REG_PRIM_BASE] = 2;
     m->regs[SPH_REG_MEM_LINES] = 4;
     m->regs[SPH_REG_N_PRIMS] = 2;

@@ -1,0 +1,52 @@
+#!/bin/sh
+# profile.sh - the widths of a profile, from its name and what replaces them
+# SPDX-License-Identifier: Apache-2.0
+#
+# usage: sim/profile.sh PROFILE [name]
+#   PROFILE  a name of machine.def, alone or with widths of its own: NAME:key=value,... (keys w, wd,
+#            pr, pq, ng, fw), or the same as a part of a file name, NAME_keyVALUE_...
+# Prints parameters of rtl/shell/rt_core.v, NAME=VALUE, all on one line; with `name` the part of a
+# file name. The tool and rt_core check what widths go together, this script each by itself.
+set -eu
+awk -v text="$1" -v want="${2:-}" '
+function fail(why) {
+    print "profile " text ": " why > "/dev/stderr"
+    failed = 1
+    exit 1
+}
+BEGIN {
+    n = split(text, part, /[:,_]/)
+    plain = text
+    gsub(/[:,]/, "_", plain)
+    gsub(/=/, "", plain)
+}
+$1 == "profile" { names = names " " $2 }
+$1 == "profile" && $2 == part[1] {
+    found = 1
+    split("w wd pq ng fw pr", key, " ")
+    for (i = 1; i <= 6; i++) value[key[i]] = $(i + 2)
+}
+$1 == "width" { least[$2] = $5; most[$2] = $6 }
+END {
+    if (failed) exit 1
+    if (!found) fail("there are" names ", and each with widths of its own, NAME:key=value,...")
+    for (i = 2; i <= n; i++) {
+        if (!match(part[i], /[0-9]+$/)) fail("\"" part[i] "\" is no key=value")
+        number = substr(part[i], RSTART) + 0
+        name = substr(part[i], 1, RSTART - 1)
+        sub(/=$/, "", name)
+        if (!(name in value)) fail("\"" name "\" is none of w, wd, pr, pq, ng and fw")
+        if (name in seen) fail(name " is given twice")
+        seen[name] = 1
+        if (number < least[name] || number > most[name] + (name == "pr"))
+            fail(name " is " number ", not in " least[name] ".." most[name])
+        value[name] = number
+    }
+    if (value["pr"] == value["w"] + value["wd"]) value["pr"] = 0
+    if (want == "name") print plain
+    else {
+        for (i = 1; i <= 6; i++)
+            printf "%s%s=%d", (i > 1 ? " " : ""), toupper(key[i]), value[key[i]]
+        print ""
+    }
+}' "$(dirname "$0")/../cmodel/machine/machine.def"
