@@ -22,7 +22,7 @@ constexpr int64_t D_MIN = -((int64_t)1 << (WD - 1)), D_MAX = -D_MIN - 1;
 constexpr int64_t N_MIN = -(1 << 23), N_MAX = -N_MIN - 1;
 constexpr uint64_t ROUND = (2 * WD + 1 <= 35 ? 2 : 3) + 8; /* clocks of a triangle */
 constexpr int PATTERNS = 1 << 10; /* 5 bits of corners and origin, 3 of dir, plane, shadow */
-const struct sph_profile profile = {PROFILE, W, WD, 0, 0, 0};
+const struct sph_profile profile = {PROFILE, W, WD, 0, 0, 0, 0};
 
 struct Vector {
     sph_ray ray{};

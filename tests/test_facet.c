@@ -10,7 +10,7 @@
 
 enum { OWN = 7 }; /* id of every tested facet */
 
-static const struct sph_profile two_bits = {"two bits", 2, 2, 2, 0, 2};
+static const struct sph_profile two_bits = {"two bits", 2, 2, 2, 0, 2, 0};
 
 static int sign(int64_t x) {
     return (x > 0) - (x < 0);

@@ -10,7 +10,7 @@
 
 typedef int64_t point[3];
 
-static const struct sph_profile small = {"small", 4, 4, 4, 0, 4};
+static const struct sph_profile small = {"small", 4, 4, 4, 0, 4, 0};
 
 /* Number n of the side^3 lattice points around 0. */
 static void lattice(uint64_t n, int64_t side, point p) {
