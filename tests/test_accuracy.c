@@ -98,7 +98,7 @@ static void facets_by_hand(void **state) {
     (void)state;
     struct sph_material f = {.rgb = {1, 0.5, 0.25}, .kd = 1};
     struct sph_facet facets[3] = {
-        {.kind = SPH_TRIANGLE, .v = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}}},
+        {.kind = SPH_TRIANGLE, .v = {{1, -1, 0}, {1, 1, 0}, {-1, -1, 0}}},
         {.kind = SPH_TRIANGLE, .v = {{-1, -1, 0}, {-1, 1, 0}, {1, 1, 0}}},
         {.kind = SPH_PLANE, .v = {{3, 4, -5}, {0, 0, -2}}, .group = 1},
     };
