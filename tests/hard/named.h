@@ -16,8 +16,9 @@ struct named {
     struct hard_tally tally;
     uint64_t vectors;
     int wrong;
-    const char *scenes;     /* folder */
-    struct hard_list *list; /* vectors are added here and not judged; NULL: judged */
+    const char *scenes;         /* folder */
+    struct hard_list *list;     /* vectors are added here and not judged; NULL: judged */
+    struct hard_facets *facets; /* with list: those of facets (facet.h), NULL: left out */
     FILE *out;
 };
 
@@ -68,7 +69,10 @@ named_case named_tangent, named_pell_hit, named_pell_miss, named_distance, named
     named_disc_one, named_same_point, named_tie, named_near_far, named_concentric, named_identical,
     named_lens, named_contact, named_behind, named_light_on, named_light_in, named_light_zero,
     named_isqrt, named_quotient, named_off_grid, named_normal0, named_grazed, named_node_radius,
-    named_node_largest, named_node_corner, named_disc_small, named_alternate;
+    named_node_largest, named_node_corner, named_disc_small, named_alternate, named_facet_edge_on,
+    named_facet_edge, named_facet_neighbours, named_facet_corner, named_facet_origin_on,
+    named_facet_group, named_facet_back, named_facet_light, named_facet_ties, named_facet_horizon,
+    named_facet_grazing, named_facet_ends, named_facet_sliver, named_facet_dir0;
 
 /* Scenes: the model, brute force and the naive model draw the same picture. */
 void named_scene(struct named *n, const char *name);

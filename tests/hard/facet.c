@@ -1,0 +1,230 @@
+/* facet.c - runs the named cases of facets, see facet.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "facet.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "machine/machine.h"
+#include "reference/naive.h"
+#include "trace/traverse.h"
+
+struct hard_facet triangle(const int64_t org[3], const int64_t dir[3], const int64_t v0[3],
+                           const int64_t v1[3], const int64_t v2[3]) {
+    struct hard_facet c = {.ray = {.kind = SPH_PRIMARY, .skip = {SPH_ID_NONE, 0}, .inside = 1},
+                           .facet = {.kind = SPH_TRIANGLE, .id = HARD_ID}};
+    memcpy(c.ray.org, org, sizeof c.ray.org);
+    memcpy(c.ray.dir, dir, sizeof c.ray.dir);
+    memcpy(c.facet.v[0], v0, sizeof c.facet.v[0]);
+    memcpy(c.facet.v[1], v1, sizeof c.facet.v[1]);
+    memcpy(c.facet.v[2], v2, sizeof c.facet.v[2]);
+    return c;
+}
+
+struct hard_facet plane(const int64_t org[3], const int64_t dir[3], const int64_t point[3],
+                        const int64_t normal[3]) {
+    struct hard_facet c = triangle(org, dir, point, normal, V3(0, 0, 0));
+    c.facet.kind = SPH_PLANE;
+    return c;
+}
+
+uint64_t key_at(const int64_t dir[3], int64_t x, int64_t d) {
+    sph_i128 a = (sph_i128)dir[0] * dir[0] + (sph_i128)dir[1] * dir[1] + (sph_i128)dir[2] * dir[2];
+    return (uint64_t)((a * x + d - 1) / d);
+}
+
+struct hard_facet wall(const int64_t org[3], const int64_t dir[3], int64_t x, int64_t height,
+                       int64_t width) {
+    return triangle(org, dir, V3(x, 0, -width), V3(x, 0, width), V3(x, height, 0));
+}
+
+static void turn(int64_t v[3]) {
+    int64_t x = v[0];
+    v[0] = v[1], v[1] = v[2], v[2] = x;
+}
+
+static void swap(int64_t a[3], int64_t b[3]) {
+    for (int i = 0; i < 3; i++) {
+        int64_t x = a[i];
+        a[i] = b[i], b[i] = x;
+    }
+}
+
+static void in_range(struct named *n, const struct hard_facet *c) {
+    int legal = gen_on_grid(n->p, c->ray.org) && gen_on_grid(n->p, c->facet.v[0]);
+    for (int i = 0; i < 3; i++)
+        legal &= c->ray.dir[i] >= -n->most - 1 && c->ray.dir[i] <= n->most;
+    if (c->facet.kind == SPH_TRIANGLE)
+        legal &= gen_on_grid(n->p, c->facet.v[1]) && gen_on_grid(n->p, c->facet.v[2]);
+    require(n, legal, "a vector is out of range");
+}
+
+static void add(struct hard_facets *list, const struct hard_facet *c, int named) {
+    if (list->n == list->room) {
+        size_t room = list->room ? 2 * list->room : 1024;
+        struct hard_facet *items = realloc(list->items, room * sizeof *items);
+        if (!items) {
+            perror("hard_facets_named");
+            exit(2);
+        }
+        list->items = items;
+        list->room = room;
+    }
+    list->items[list->n] = *c;
+    list->items[list->n++].named = named;
+}
+
+/* One vector; the axes are turned by `turned`. */
+static void judge(struct named *n, const struct hard_facet *c, int outcome, uint64_t key) {
+    static const char *const names[] = {"anything", "miss", "near", "far"};
+    if (n->list) {
+        if (n->facets) add(n->facets, c, n->list->named);
+        return;
+    }
+    in_range(n, c);
+    n->vectors++;
+    struct sph_ray ray = c->ray;
+    uint64_t divisions = 0, got = 0;
+    sph_ray_setup(n->p, &ray);
+    struct sph_facet_result r = sph_facet_test(n->p, &ray, &c->facet);
+    if (r.hit && ray.kind != SPH_SHADOW) got = sph_facet_key(&ray, &r, &divisions);
+    struct sph_naive_leaf naive = sph_naive_facet(&c->ray, &c->facet, n->p->w);
+    int is = !r.hit ? MISS : r.far ? FAR : NEAR;
+    int right = (outcome == ORACLE || is == outcome) && (!key || got == key);
+    if (right && r.hit == naive.hit && (!r.hit || r.far == naive.far) && got == naive.key) return;
+    const int64_t *o = ray.org, *d = ray.dir;
+    require(n, 0,
+            "org %ld %ld %ld dir %ld %ld %ld: %s, key %lu, naive %s, key %lu, expected %s, key %lu",
+            o[0], o[1], o[2], d[0], d[1], d[2], names[is], got,
+            names[!naive.hit  ? MISS
+                  : naive.far ? FAR
+                              : NEAR],
+            naive.key, names[outcome], key);
+    const int64_t(*v)[3] = c->facet.v;
+    require(n, 0, "  kind %d: %ld %ld %ld, %ld %ld %ld, %ld %ld %ld", c->facet.kind, v[0][0],
+            v[0][1], v[0][2], v[1][0], v[1][1], v[1][2], v[2][0], v[2][1], v[2][2]);
+}
+
+void expect_facet(struct named *n, struct hard_facet c, int outcome, uint64_t key) {
+    int odd = outcome == NEAR ? FAR : outcome == FAR ? NEAR : outcome;
+    for (int axes = 0; axes < 3; axes++) {
+        for (int order = 0; order < 6; order++) {
+            judge(n, &c, order & 1 ? odd : outcome, key);
+            if (c.facet.kind == SPH_PLANE) break;
+            swap(c.facet.v[order & 1], c.facet.v[2]); /* six times: back where it began */
+        }
+        turn(c.ray.org);
+        turn(c.ray.dir);
+        for (int i = 0; i < 3; i++)
+            turn(c.facet.v[i]);
+    }
+}
+
+/* ---- two leaves of one node ---- */
+
+static void put_vector(uint32_t *line, int at, const int64_t v[3]) {
+    for (int i = 0; i < 3; i++)
+        sph_field_set(line, at + 24 * i, 24, (uint32_t)v[i]);
+}
+
+static void put_facet(uint32_t *line, const struct sph_facet_leaf *f, uint32_t id) {
+    for (int i = 0; i < (f->kind == SPH_PLANE ? 2 : 3); i++)
+        put_vector(line, 72 * i, f->v[i]);
+    sph_field_set(line, SPH_FACET_ID_LSB, SPH_FACET_ID_BITS, id);
+    sph_field_set(line, SPH_FACET_KIND_LSB, SPH_FACET_KIND_BITS, (uint32_t)f->kind);
+}
+
+static void put_sphere(uint32_t *line, const struct sph_leaf *s) {
+    put_vector(line, SPH_LEAF_CTR_X_LSB, s->ctr);
+    sph_field_set(line, SPH_LEAF_RAD_LSB, SPH_LEAF_RAD_BITS, (uint32_t)s->rad);
+}
+
+/* Traces through a root of two leaves in lines 1 and 2, primitive records in 3 and 4, leaf lines of
+ * facets from line 3 + (number of spheres) on: the sphere of id 0 is no facet. */
+static void trace_two(struct named *n, struct sph_ray ray, const struct sph_facet_leaf *f[2],
+                      const struct sph_leaf *sphere, int winner) {
+    for (int order = 0; order < (sphere ? 2 : 4); order++) { /* of storage and of ids */
+        uint32_t mem[8 * SPH_LINE_WORDS] = {0}, visits = 0, errors = 0;
+        struct sph_machine m = {.mem = mem, .lines = 8};
+        struct sph_counters counters = {0};
+        uint32_t ids[2] = {order >> 1 & 1, !(order >> 1 & 1)};
+        m.regs[SPH_REG_PROFILE] = n->profile;
+        m.regs[SPH_REG_EFFECTS] = 1 << SPH_EFFECT_FACETS | 1 << SPH_EFFECT_INSIDE;
+        m.regs[SPH_REG_PRIM_BASE] = 3;
+        m.regs[SPH_REG_FACET_BASE] = 5;
+        m.regs[SPH_REG_N_SPHERES] = sphere != NULL;
+        m.regs[SPH_REG_MEM_LINES] = 8;
+        m.regs[SPH_REG_N_PRIMS] = 2;
+        m.regs[SPH_REG_VISIT_LIMIT] = 2;
+        sph_field_set(mem, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS, 1);
+        sph_field_set(mem, SPH_NODE_N_LEAF_LSB, SPH_NODE_N_LEAF_BITS, 2);
+        for (int i = 0; i < 2; i++) {
+            uint32_t *leaf = mem + SPH_LINE_WORDS * (1 + (i ^ (order & 1)));
+            sph_field_set(mem, i * SPH_CHILD_STRIDE + SPH_CHILD_RAD_LSB, SPH_CHILD_RAD_BITS,
+                          7u * (1u << (n->p->fw - 3)) + 8); /* 7/8 of a side: more than the box */
+            if (f[i]) {
+                put_facet(leaf, f[i], ids[i]);
+                put_facet(mem + SPH_LINE_WORDS * (5 + ids[i] - (sphere != NULL)), f[i], ids[i]);
+            } else if (sphere) {
+                put_sphere(leaf, sphere);
+                put_sphere(mem + SPH_LINE_WORDS * 3, sphere);
+            }
+        }
+        uint32_t id = ids[winner < 0 ? ids[1] == 0 : winner];
+        sph_ray_setup(n->p, &ray);
+        struct sph_hit tree =
+            sph_traverse(&m, &ray, SPH_TRAVERSE_TREE, &counters, &visits, &errors);
+        uint64_t tests = counters.count[SPH_COUNT_FACET_TESTS];
+        struct sph_hit all =
+            sph_traverse(&m, &ray, SPH_TRAVERSE_BRUTE, &counters, &visits, &errors);
+        require(n,
+                !errors && tree.id == id && all.id == id && tree.key == all.key &&
+                    tree.far == all.far && tests == (sphere ? 1u : 2u),
+                "order %d: id %u in the tree, %u of all, expected %u, after %lu tests", order,
+                tree.id, all.id, id, tests);
+    }
+}
+
+static uint64_t key_of(const struct named *n, struct sph_ray ray, const struct sph_facet_leaf *f) {
+    return sph_naive_facet(&ray, f, n->p->w).key;
+}
+
+static void require_keys(struct named *n, uint64_t a, uint64_t b, int winner) {
+    int right = winner < 0 ? a == b && a : winner ? b && (!a || b < a) : a && (!b || a < b);
+    require(n, right, "keys %lu and %lu, expected %d first", a, b, winner);
+}
+
+void expect_first_facet(struct named *n, struct hard_facet c, const struct sph_facet_leaf *other,
+                        int winner) {
+    struct hard_facet second = {0, c.ray, *other};
+    const struct sph_facet_leaf *both[2] = {&c.facet, other};
+    expect_facet(n, c, ORACLE, 0);
+    expect_facet(n, second, ORACLE, 0);
+    if (n->list) return;
+    require_keys(n, key_of(n, c.ray, &c.facet), key_of(n, c.ray, other), winner);
+    trace_two(n, c.ray, both, NULL, winner);
+}
+
+void expect_first_sphere(struct named *n, struct hard_facet c, const struct sph_leaf *sphere,
+                         int winner) {
+    const struct sph_facet_leaf *both[2] = {NULL, &c.facet};
+    expect_facet(n, c, ORACLE, 0);
+    if (n->list) return;
+    require_keys(n, sph_naive_leaf(&c.ray, sphere).key, key_of(n, c.ray, &c.facet), winner);
+    trace_two(n, c.ray, both, sphere, winner);
+}
+
+struct hard_facets hard_facets_named(int profile) {
+    struct hard_facets facets = {0};
+    struct hard_list list = {0};
+    for (int i = 0; i < hard_n_named; i++) {
+        struct named n = hard_named_start(profile);
+        n.list = &list;
+        n.facets = &facets;
+        list.named = i + 1;
+        hard_named[i].run(&n);
+    }
+    free(list.items);
+    return facets;
+}

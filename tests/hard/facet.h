@@ -1,0 +1,53 @@
+/* facet.h - hard cases of ray and facet: what the named ones are made with, and their list
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * The list is for who drives something else than the model: every vector that is judged, in the
+ * same order, with the axes turned and the corners exchanged as they are there.
+ */
+#ifndef HARD_FACET_H
+#define HARD_FACET_H
+
+#include "named.h"
+#include "trace/facet.h"
+
+struct hard_facet {
+    int named;          /* number of the named case */
+    struct sph_ray ray; /* what set-up does not make */
+    struct sph_facet_leaf facet;
+};
+
+struct hard_facets {
+    struct hard_facet *items;
+    size_t n, room;
+};
+
+/* All vectors of a profile; the caller frees items. Ends the program if memory does not do. */
+struct hard_facets hard_facets_named(int profile);
+
+/* A primary ray and a facet of id HARD_ID; near and far are of its normal (e1 x e2): towards the
+ * ray's origin, or along the ray. */
+struct hard_facet triangle(const int64_t org[3], const int64_t dir[3], const int64_t v0[3],
+                           const int64_t v1[3], const int64_t v2[3]);
+struct hard_facet plane(const int64_t org[3], const int64_t dir[3], const int64_t point[3],
+                        const int64_t normal[3]);
+
+/* The triangle at x with an edge on the z axis and a corner at y = height, normal towards -x. */
+struct hard_facet wall(const int64_t org[3], const int64_t dir[3], int64_t x, int64_t height,
+                       int64_t width);
+
+/* ceil(a*t) of a ray that has gone x along an axis when its direction says d. */
+uint64_t key_at(const int64_t dir[3], int64_t x, int64_t d);
+
+/* The case with each axis in each place and a triangle's corners in each order, as a ray of its
+ * kind: the model against the naive one and the expected outcome; a key of 0 is not fixed. */
+void expect_facet(struct named *n, struct hard_facet c, int outcome, uint64_t key);
+
+/* Both facets of one ray, or a sphere and a facet: each as with ORACLE; then both orders of storage
+ * (and of ids, of two facets) through tree and brute force. winner: which is hit first, -1 if the
+ * keys are equal: the one with the smaller id, a sphere before a facet. */
+void expect_first_facet(struct named *n, struct hard_facet c, const struct sph_facet_leaf *other,
+                        int winner);
+void expect_first_sphere(struct named *n, struct hard_facet c, const struct sph_leaf *sphere,
+                         int winner);
+
+#endif
