@@ -197,7 +197,7 @@ static void test_wrong_registers(void **unused) {
         int number, value;
         const char *name;
     } list[] = {
-        {SPH_REG_EFFECTS, 64, "EFFECTS is 64"},
+        {SPH_REG_EFFECTS, 128, "EFFECTS is 128"},
         {SPH_REG_EFFECTS, 40, "EFFECTS is 40: FACETS excludes FIRST"},
         {SPH_REG_FACET_BASE, 30, "FACET_BASE is 30, not in 0..0"},
         {SPH_REG_N_SPHERES, 1, "N_SPHERES is 1, not in 0..0"},

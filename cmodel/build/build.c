@@ -11,6 +11,8 @@
 #include "build/effects.h"
 #include "build/emit.h"
 #include "build/spans.h"
+#include "build/texture.h"
+#include "texture/lookup.h"
 
 static double seconds(void) {
     struct timespec now;
@@ -49,6 +51,8 @@ static int check(const struct sph_scene *scene, const struct sph_build_options *
     if (sph_profile_check(sph_build_profile(o), err)) return -1;
     if (o->tree != SPH_TREE_PAPER && o->tree != SPH_TREE_BALANCED)
         return sph_fail(err, "there is no tree %d", o->tree);
+    if (o->tex_filter < 0 || o->tex_filter >= SPH_FILTERS)
+        return sph_fail(err, "there is no texture filter %d", o->tex_filter);
     if (o->background < SPH_BG_NONE || o->background > SPH_BG_EXACT)
         return sph_fail(err, "there is no background mode %d", o->background);
     if (o->bg_points && (o->bg_points < SPH_POINTS_MIN || o->bg_points > SPH_POINTS_MAX))
@@ -75,12 +79,18 @@ static int check(const struct sph_scene *scene, const struct sph_build_options *
         if (scene->spheres[i].material >= scene->n_materials)
             return sph_fail(err, "%s:%u: sphere without material", scene->path,
                             scene->spheres[i].line);
+    for (uint32_t i = 0; i < scene->n_spheres; i++)
+        if (scene->spheres[i].texture > scene->n_textures)
+            return sph_fail(err, "%s:%u: there is no texture %u", scene->path,
+                            scene->spheres[i].line, scene->spheres[i].texture);
     for (uint32_t i = 0; i < scene->n_facets; i++) {
         const struct sph_facet *f = &scene->facets[i];
         if (f->kind != SPH_TRIANGLE && f->kind != SPH_PLANE)
             return sph_fail(err, "%s:%u: neither a triangle nor a plane", scene->path, f->line);
         if (f->material >= scene->n_materials)
             return sph_fail(err, "%s:%u: triangle or plane without material", scene->path, f->line);
+        if (f->texture > scene->n_textures)
+            return sph_fail(err, "%s:%u: there is no texture %u", scene->path, f->line, f->texture);
     }
     return 0;
 }
@@ -193,7 +203,9 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
         o->traverse == SPH_BUILD_NEAREST || (o->interpenetrate != SPH_OFF && o->inside != SPH_OFF);
     struct sph_world world = {balls, n, profile, grid.eye, facets, mended};
     struct sph_survey survey = {scene, &grid, o, world};
-    if (sph_emit_effects(&survey, m, report, err)) return -1;
+    if (sph_emit_effects(&survey, m, report, err) ||
+        sph_emit_textures(scene, &grid, facets, o, m, report, err))
+        return -1;
     snprintf(m->name, sizeof m->name, "%s", scene->name);
     m->grid_log2 = grid.log2;
     memcpy(m->origin, grid.origin, sizeof m->origin);

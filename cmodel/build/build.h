@@ -10,6 +10,7 @@
 #include "build/work.h"
 #include "machine/machine.h"
 #include "scene/scene.h"
+#include "texture/mip.h"
 
 enum { SPH_BG_NONE = 0, SPH_BG_RECT = 1, SPH_BG_SPANS = 2, SPH_BG_EXACT = 3 };
 enum { SPH_BUILD_NEAREST = 0, SPH_BUILD_FIRST = 1 };
@@ -31,6 +32,11 @@ struct sph_build_options {
     int bg_points;                    /* spans: meridians, and parallels, 4..4096; 0: 16 */
     int bg_border;                    /* spans: pixels around the outline, 0..64 */
     int bg_levels;                    /* exact: 0 the root, 1 its children, 2 theirs */
+    int texture;                      /* SPH_AUTO, SPH_OFF */
+    int tex_filter;                   /* SPH_FILTER_* */
+    int lod_literal;                  /* 1: base as the paper prints it (docs/lod.md) */
+    const struct sph_mip *mips;       /* of the scene's textures, in its order; equal images may
+                                         share texels */
 };
 
 /* The widths that are asked for. */
@@ -53,6 +59,7 @@ enum {
     SPH_REPORT_FIRST,
     SPH_REPORT_INTERPENETRATE,
     SPH_REPORT_FACETS,
+    SPH_REPORT_TEXTURE,
     SPH_REPORTS
 };
 

@@ -173,7 +173,7 @@ static void warn_missing(const struct sph_scene *scene, const struct sph_lights 
 int sph_emit_effects(const struct sph_survey *s, struct sph_machine *machine,
                      struct sph_build_report *report, struct sph_error *err) {
     static const char *const names[] = {"shadow", "reflect",        "lights", "inside",
-                                        "first",  "interpenetrate", "facets"};
+                                        "first",  "interpenetrate", "facets", "texture"};
     struct sph_effect_report *effects = report->effects;
     struct sph_lights lights;
     int32_t *regs = machine->regs;

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "machine/facets.h"
+#include "machine/textures.h"
 #include "scene/scene.h" /* SPH_MAX_SPHERES */
 
 /* Checks lo <= register <= hi. */
@@ -22,7 +23,7 @@ static int in_range(const struct sph_machine *m, int number, const char *name, i
 /* Frame, window, background and colours. */
 static int check_frame(const struct sph_machine *m, struct sph_error *err) {
     const int32_t *r = m->regs;
-    RANGE(EFFECTS, 0, (2 << SPH_EFFECT_FACETS) - 1);
+    RANGE(EFFECTS, 0, (2 << SPH_EFFECT_TEXTURE) - 1);
     if (sph_machine_effect(m, SPH_EFFECT_INTERPENETRATE) &&
         !(sph_machine_effect(m, SPH_EFFECT_FIRST) && sph_machine_effect(m, SPH_EFFECT_INSIDE)))
         return sph_fail(err, "register EFFECTS is %d: INTERPENETRATE needs FIRST and INSIDE",
@@ -105,7 +106,7 @@ static int check_memory(const struct sph_machine *m, struct sph_error *err) {
     RANGE(N_SPHERES, 0, SPH_MAX_SPHERES);
     RANGE(FACET_BASE, facets ? (int64_t)r[SPH_REG_PRIM_BASE] + r[SPH_REG_N_PRIMS] : 0,
           facets ? m->lines - sph_machine_facets(m) : 0);
-    RANGE(TEX_FILTER, 0, 0);
+    RANGE(TEX_FILTER, 0, sph_machine_effect(m, SPH_EFFECT_TEXTURE) ? 3 : 0);
     RANGE(ROOT, 0, r[SPH_REG_PRIM_BASE] - 1);
     RANGE(VISIT_LIMIT, 1, 0xffffff);
     RANGE(TREE, 1, 2);
@@ -256,5 +257,6 @@ int sph_machine_validate(const struct sph_machine *m, struct sph_error *err) {
         check_memory(m, err) || check_background(m, err))
         return -1;
     if (sph_machine_effect(m, SPH_EFFECT_FACETS) && sph_validate_facets(m, err)) return -1;
+    if (sph_machine_effect(m, SPH_EFFECT_TEXTURE) && sph_validate_textures(m, err)) return -1;
     return check_tree(m, err);
 }

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "tool/textures.h"
 #include "tool/tool.h"
 
 int tool_is_machine(const char *path) {
@@ -30,7 +31,12 @@ int tool_load(const char *path, const struct tool_source *source, struct tool_bu
     if (sph_scene_read(path, &source->read, &scene, err)) return -1;
     built->from_scene = 1;
     built->skipped = scene.n_skipped;
-    int rc = sph_build(&scene, &source->build, &built->machine, &built->report, err);
+    struct sph_build_options options = source->build;
+    struct sph_mip *mips = NULL;
+    int rc = options.texture == SPH_OFF ? 0 : tool_mips_load(&scene, &mips, err);
+    options.mips = mips;
+    if (!rc) rc = sph_build(&scene, &options, &built->machine, &built->report, err);
+    tool_mips_free(mips, scene.n_textures);
     sph_scene_free(&scene);
     return rc;
 }

@@ -7,6 +7,7 @@
 
 #include "build/background.h"
 #include "build/spans.h"
+#include "texture/lookup.h"
 #include "tool/tool.h"
 
 int tool_choice(const struct argp_state *state, const char *option, const char *arg,
@@ -58,6 +59,9 @@ enum {
     KEY_INSIDE,
     KEY_TRAVERSE,
     KEY_INTERPENETRATE,
+    KEY_TEXTURE,
+    KEY_FILTER,
+    KEY_LOD,
     KEY_SKIP
 };
 
@@ -85,6 +89,13 @@ static const struct argp_option options[] = {
      "primary rays find the nearest hit (default), or end at the first one, as in the paper", 1},
     {"interpenetrate", KEY_INTERPENETRATE, "WHEN", 0,
      "with --traverse first, mends hits inside another sphere: auto (default), on or off", 1},
+    {"texture", KEY_TEXTURE, "WHEN", 0, "images on surfaces: auto (default) or off", 1},
+    {"filter", KEY_FILTER, "NAME", 0,
+     "texels: nearest or bilinear of the whole image, bilinear of one level of its MIP chain "
+     "(level), or of two (between, default)",
+     1},
+    {"lod", KEY_LOD, "NAME", 0,
+     "how far away a pixel is as large as a texel: mended (default), or as the paper prints it", 1},
     {"skip-unsupported", KEY_SKIP, NULL, 0,
      "leave out polygons, cones and so on instead of refusing the scene", 1},
     {0},
@@ -100,7 +111,9 @@ const struct tool_source tool_source_default = {
               .reflect = SPH_AUTO,
               .lights = SPH_AUTO,
               .inside = SPH_AUTO,
-              .interpenetrate = SPH_AUTO},
+              .interpenetrate = SPH_AUTO,
+              .texture = SPH_AUTO,
+              .tex_filter = SPH_FILTER_BETWEEN},
 };
 
 /* auto, off or on. */
@@ -115,6 +128,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     static const char *const hows[] = {"nearest", "first", NULL};
     struct tool_source *s = state->input;
     struct sph_error err = {{0}};
+    static const char *const filters[] = {"nearest", "bilinear", "level", "between", NULL};
+    static const char *const lods[] = {"mended", "paper", NULL};
+    static const char *const textures[] = {"auto", "off", NULL};
     switch (key) {
     case KEY_PROFILE:
         if (sph_profile_parse(arg, &s->profile, &err)) argp_error(state, "--profile: %s", err.text);
@@ -161,6 +177,15 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         break;
     case KEY_INTERPENETRATE:
         s->build.interpenetrate = when(state, "--interpenetrate", arg);
+        break;
+    case KEY_TEXTURE:
+        s->build.texture = SPH_AUTO + tool_choice(state, "--texture", arg, textures);
+        break;
+    case KEY_FILTER:
+        s->build.tex_filter = tool_choice(state, "--filter", arg, filters);
+        break;
+    case KEY_LOD:
+        s->build.lod_literal = tool_choice(state, "--lod", arg, lods);
         break;
     case KEY_SKIP:
         s->read.skip_unsupported = 1;
