@@ -89,7 +89,7 @@ static void sorted(const struct sph_grid_facet *f, int32_t v[3][3]) {
 }
 
 /* Whether two facets are the same set of points: triangles with the same corners, planes with
- * parallel normals of which one holds the point of the other. */
+ * parallel normals, less than a grid unit apart. */
 static int same(const struct sph_grid_facet *a, const struct sph_grid_facet *b) {
     int32_t p[3][3], q[3][3];
     if (a->kind != b->kind) return 0;
@@ -97,13 +97,14 @@ static int same(const struct sph_grid_facet *a, const struct sph_grid_facet *b) 
         sorted(a, p), sorted(b, q);
         return !memcmp(p, q, sizeof p);
     }
-    int64_t off = 0;
+    int64_t off = 0, square = 0;
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3;
         if ((int64_t)a->v[1][i] * b->v[1][j] != (int64_t)a->v[1][j] * b->v[1][i]) return 0;
         off += (int64_t)a->v[1][i] * (b->v[0][i] - a->v[0][i]);
+        square += (int64_t)a->v[1][i] * a->v[1][i];
     }
-    return off == 0;
+    return (__int128)off * off < square;
 }
 
 static int fail_duplicate(const struct sph_scene *scene, const struct sph_profile *profile,

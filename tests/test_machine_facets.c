@@ -1,0 +1,216 @@
+/* test_machine_facets.c - machines with triangles and planes: every wrong field is refused by name
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * build/test/test_machine_facets [seed]
+ */
+#include "facets_scene.h"
+
+#include <unistd.h>
+
+#include "machine/facets.h"
+
+static char path[64];
+
+/* One sphere, triangles 1..4, of which 3 and 4 are a polygon, and the plane 5. */
+static struct sph_machine example(void) {
+    struct sph_scene s = bare();
+    struct sph_build_options o = standard;
+    struct sph_build_report report;
+    o.background = SPH_BG_SPANS;
+    add_ball(&s, at(0, 0, 0), 0.5);
+    soup(&s, 2, 1);
+    add_triangle(&s, at(0, 0, 1), at(1, 0, 1), at(0, 1, 1), 2);
+    add_triangle(&s, at(0, 1, 1), at(1, 0, 1), at(1, 1, 1), 2);
+    add_plane(&s, at(0, 0, -1), at(0.1, 0.2, 1));
+    return built(&s, o, &report);
+}
+
+/* A machine with a wrong value but a right checksum: written, then read, which must refuse. */
+static void wrong(struct sph_machine *m, const char *part) {
+    struct sph_machine again;
+    struct sph_error err = {{0}};
+    assert_int_equal(sph_machine_write(m, path, NULL), 0);
+    if (!sph_machine_read(path, &again, &err)) fail_msg("read, not refused: '%s'", part);
+    if (!strstr(err.text, part)) fail_msg("message '%s' lacks '%s'", err.text, part);
+    assert_null(again.mem);
+}
+
+static uint32_t *line_of(struct sph_machine *m, int reg, uint32_t i) {
+    return m->mem + ((size_t)m->regs[reg] + i) * SPH_LINE_WORDS;
+}
+
+/* Tries a value in a field of a line and puts the line back. */
+static void field(struct sph_machine *m, uint32_t *line, int lsb, int width, int64_t value,
+                  const char *part) {
+    uint32_t before[SPH_LINE_WORDS];
+    memcpy(before, line, sizeof before);
+    sph_field_set(line, lsb, width, (uint32_t)value);
+    assert_memory_not_equal(before, line, sizeof before);
+    wrong(m, part);
+    memcpy(line, before, sizeof before);
+}
+
+#define FACET(name) SPH_FACET_##name##_LSB, SPH_FACET_##name##_BITS
+
+static void test_table(void **unused) {
+    (void)unused;
+    struct sph_machine m = example();
+    uint32_t *first = line_of(&m, SPH_REG_FACET_BASE, 0), *plane = first + 4 * SPH_LINE_WORDS;
+    struct sph_counts n = sph_machine_count(&m);
+    assert_true(n.spheres == 1 && n.triangles == 4 && n.planes == 1);
+    field(&m, first, FACET(KIND), 0, "facet of kind 0");
+    field(&m, first, FACET(KIND), 3, "facet of kind 3");
+    field(&m, first, FACET(ID), 2, "not the facet 1");
+    field(&m, first, FACET(BEFORE), 1, "the polygon of facet 1 is 0..1, facets are 1..5");
+    field(&m, first, FACET(AFTER), 5, "the polygon of facet 1 is 1..6, facets are 1..5");
+    field(&m, first + 3 * SPH_LINE_WORDS, FACET(BEFORE), 4, "the polygon of facet 4 is 0..4");
+    for (int i = 0; i < 9; i++) {
+        field(&m, first, 24 * i, 24, 1 << 15, "of the triangle is not on the grid");
+        field(&m, first, 24 * i, 24, -(1 << 15) - 1, "of the triangle is not on the grid");
+    }
+    for (int i = 0; i < 3; i++)
+        field(&m, plane, 24 * i, 24, 1 << 15, "the point of the plane is not on the grid");
+    for (int bit = SPH_PLANE_N_Z_LSB + SPH_PLANE_N_Z_BITS; bit < SPH_FACET_ID_LSB; bit++)
+        field(&m, plane, bit, 1, 1, "bits of the plane that must be 0 are not");
+    field(&m, plane, FACET(BEFORE), 4, "bits of the plane that must be 0 are not");
+    field(&m, plane, SPH_PLANE_N_X_LSB, 24, -(1 << 23), "cannot be turned");
+    uint32_t save[SPH_LINE_WORDS];
+    memcpy(save, plane, sizeof save);
+    for (int i = 0; i < 3; i++)
+        sph_field_set(plane, SPH_PLANE_N_X_LSB + 24 * i, 24, 0);
+    wrong(&m, "the normal of the plane is zero");
+    memcpy(plane, save, sizeof save);
+    memcpy(save, first, sizeof save); /* a triangle that is a line */
+    for (int i = 0; i < 9; i++)
+        sph_field_set(first, 24 * i, 24, (uint32_t)(i / 3 * (5 + i % 3)));
+    wrong(&m, "the triangle has no area");
+    memcpy(first, save, sizeof save);
+    sph_machine_free(&m);
+}
+
+static void test_records(void **unused) {
+    (void)unused;
+    struct sph_machine m = example();
+    uint32_t *sphere = line_of(&m, SPH_REG_PRIM_BASE, 0), *facet = sphere + SPH_LINE_WORDS;
+    field(&m, sphere, SPH_PRIM_FACET_LSB, 1, 1, "primitive 0: not marked as a sphere");
+    field(&m, sphere, SPH_PRIM_FACET_LSB + 1, 7, 64, "primitive 0: not marked");
+    field(&m, facet, SPH_PRIM_FACET_LSB, 1, 0, "primitive 1: not marked as a facet");
+    field(&m, facet, SPH_LEAF_RAD_LSB, 24, 1, "primitive 1: a facet with a radius");
+    field(&m, facet, SPH_LEAF_ID_LSB, 24, 0, "primitive 1: another id");
+    for (int i = 0; i < 3; i++) {
+        int32_t normal = sph_field_signed(facet, 24 * i, 24);
+        field(&m, facet, 24 * i, 24, normal + 1, "primitive 1: the normal is not that of its");
+        field(&m, facet + 4 * SPH_LINE_WORDS, 24 * i, 24, 0, "primitive 5: the normal is not");
+    }
+    sph_machine_free(&m);
+}
+
+/* Flips every bit of every leaf line below a node; how many lines. */
+static uint32_t flip_leaves(struct sph_machine *m, uint32_t line) {
+    const uint32_t *node = m->mem + (size_t)line * SPH_LINE_WORDS;
+    uint32_t base = sph_field(node, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS);
+    uint32_t n_inner = sph_field(node, SPH_NODE_N_INNER_LSB, SPH_NODE_N_INNER_BITS);
+    uint32_t n_leaf = sph_field(node, SPH_NODE_N_LEAF_LSB, SPH_NODE_N_LEAF_BITS), leaves = n_leaf;
+    for (uint32_t i = 0; i < n_inner; i++)
+        leaves += flip_leaves(m, base + i);
+    for (uint32_t j = 0; j < n_leaf; j++)
+        for (int bit = 0; bit < 256; bit++) {
+            uint32_t *word = m->mem + (size_t)(base + n_inner + j) * SPH_LINE_WORDS + bit / 32;
+            *word ^= 1u << bit % 32;
+            wrong(m, "line");
+            *word ^= 1u << bit % 32;
+        }
+    return leaves;
+}
+
+static void test_leaves(void **unused) {
+    (void)unused;
+    struct sph_machine m = example();
+    assert_int_equal(flip_leaves(&m, 0), 6);
+    sph_machine_free(&m);
+}
+
+static void test_registers(void **unused) {
+    static const struct {
+        int number, change;
+        const char *part;
+    } list[] = {
+        {SPH_REG_EFFECTS, 1 << SPH_EFFECT_FIRST, "FACETS excludes FIRST"},
+        {SPH_REG_EFFECTS, -(1 << SPH_EFFECT_FACETS), "N_SPHERES is 1, not in 0..0"},
+        {SPH_REG_N_SPHERES, -2, "N_SPHERES is -1"},
+        {SPH_REG_N_SPHERES, 6, "N_SPHERES is 7"},
+        {SPH_REG_N_SPHERES, 1, "primitive 1: not marked as a sphere"},
+        {SPH_REG_N_SPHERES, -1, "BG_BASE is"}, /* the table would reach into the spans */
+        {SPH_REG_FACET_BASE, -1, "FACET_BASE is"},
+        {SPH_REG_FACET_BASE, 100, "FACET_BASE is"},
+        {SPH_REG_FACET_BASE, 1, "BG_BASE is"},
+        {SPH_REG_BG_BASE, -1, "BG_BASE is"},
+        {SPH_REG_N_PRIMS, 1, "FACET_BASE is"},
+        {SPH_REG_TEX_FILTER, 1, "TEX_FILTER is 1"},
+    };
+    (void)unused;
+    struct sph_machine m = example();
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
+        int32_t before = m.regs[list[i].number];
+        m.regs[list[i].number] += list[i].change;
+        wrong(&m, list[i].part);
+        m.regs[list[i].number] = before;
+    }
+    sph_machine_free(&m);
+}
+
+/* A leaf that stands twice, one that is missing, a table line of another facet in the tree. */
+static void test_tree(void **unused) {
+    (void)unused;
+    struct sph_machine m = example();
+    uint32_t *table = line_of(&m, SPH_REG_FACET_BASE, 0), found = 0, save[SPH_LINE_WORDS];
+    for (uint32_t line = 1; line < (uint32_t)m.regs[SPH_REG_PRIM_BASE]; line++)
+        if (!memcmp(m.mem + line * SPH_LINE_WORDS, table, sizeof save)) found = line;
+    uint32_t *leaf = m.mem + found * SPH_LINE_WORDS;
+    assert_true(found > 0);
+    memcpy(save, leaf, sizeof save);
+    memcpy(leaf, table + SPH_LINE_WORDS, sizeof save);
+    wrong(&m, "primitive 2 stands twice");
+    leaf[0] ^= 1;
+    wrong(&m, "facet 2 differs from its line in the table");
+    memset(leaf, 0, sizeof save);
+    wrong(&m, "leaf 0 differs from its primitive record");
+    memcpy(leaf, save, sizeof save);
+    sph_field_set(leaf, FACET(ID), 0);
+    wrong(&m, "leaf id 0 of kind 1, there are 1 spheres, then 5 facets");
+    sph_field_set(leaf, FACET(ID), 6);
+    wrong(&m, "leaf id 6 of kind 1");
+    sph_machine_free(&m);
+}
+
+/* Random damage: refused or valid, never a crash. */
+static void test_damaged(void **unused) {
+    (void)unused;
+    int valid = 0;
+    for (int run = 0; run < 2000; run++) {
+        struct sph_machine m = example();
+        struct sph_error err = {{0}};
+        for (int n = (int)between(1, 4); n; n--) {
+            uint32_t *word = uniform() < 0.3
+                                 ? (uint32_t *)&m.regs[(int)between(0, SPH_N_REGS)]
+                                 : &m.mem[(size_t)between(0, m.lines * (double)SPH_LINE_WORDS)];
+            *word ^= 1u << (int)between(0, 32);
+        }
+        if (!sph_machine_validate(&m, &err)) valid++;
+        sph_machine_free(&m);
+    }
+    assert_in_range(valid, 100, 1900); /* colours, lights and the like may be anything */
+}
+
+int main(int argc, char **argv) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_table),  cmocka_unit_test(test_records),
+        cmocka_unit_test(test_leaves), cmocka_unit_test(test_registers),
+        cmocka_unit_test(test_tree),   cmocka_unit_test(test_damaged),
+    };
+    seed(argc, argv);
+    snprintf(path, sizeof path, "/tmp/test_facets_%ld.sph", (long)getpid());
+    int failed = cmocka_run_group_tests_name("machine of facets", tests, NULL, NULL);
+    remove(path);
+    return failed;
+}
