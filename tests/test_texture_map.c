@@ -112,7 +112,8 @@ static void planes(void **state) {
         assert_null(textured_map(&m, 0));
         const uint32_t *map = textured_map(&m, 1);
         for (int i = 0; i < 200; i++) {
-            double x = 1 + (i % 20 - 10) / 3.0, z = -3 + (i / 20 - 5) / 3.0;
+            int column = i % 20, row = i / 20;
+            double x = 1 + (column - 10) / 3.0, z = -3 + (row - 5) / 3.0;
             double d[3] = {x, -2, z};
             int64_t at[3];
             for (int k = 0; k < 3; k++) {

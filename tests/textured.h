@@ -21,7 +21,7 @@ static inline uint32_t level_colour(int level) {
 /* A chain whose texels the caller frees; random: noise instead of level_colour(). */
 static inline struct sph_mip textured_mip(int width, int height, struct sph_rng *random) {
     struct sph_mip mip = {width, height, sph_mip_levels(width, height), NULL};
-    mip.texels = calloc(sph_mip_at(&mip, mip.levels), sizeof *mip.texels);
+    mip.texels = calloc(sph_mip_at(&mip, mip.levels) + 1, sizeof *mip.texels);
     assert_non_null(mip.texels);
     for (int l = 0; l < mip.levels; l++)
         for (size_t i = sph_mip_at(&mip, l); i < sph_mip_at(&mip, l + 1); i++)
@@ -57,6 +57,7 @@ static inline struct sph_machine textured_build(const struct sph_scene *scene,
     struct sph_error err = {{0}};
     if (sph_build(scene, options, &m, report, &err) || sph_machine_validate(&m, &err))
         fail_msg("%s", err.text);
+    assert_non_null(m.mem);
     return m;
 }
 
