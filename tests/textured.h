@@ -57,7 +57,7 @@ static inline struct sph_machine textured_build(const struct sph_scene *scene,
     struct sph_error err = {{0}};
     if (sph_build(scene, options, &m, report, &err) || sph_machine_validate(&m, &err))
         fail_msg("%s", err.text);
-    assert_non_null(m.mem);
+    if (!m.mem) abort();
     return m;
 }
 
