@@ -34,6 +34,18 @@ static inline struct sph_scene model_scene(const char *name) {
     return scene;
 }
 
+/* Scenes of triangles and planes. */
+static const char *const facet_scenes[] = {"tests/facets/room.nff"};
+enum { FACET_SCENES = sizeof facet_scenes / sizeof *facet_scenes };
+
+static inline struct sph_scene facet_scene(int n) {
+    struct sph_scene scene;
+    struct sph_error err = {{0}};
+    struct sph_read_options options = {0};
+    if (sph_scene_read(facet_scenes[n], &options, &scene, &err)) fail_msg("%s", err.text);
+    return scene;
+}
+
 /* Frames of the comparisons; the sanitizers slow the naive model's memory down most. */
 #ifdef __SANITIZE_ADDRESS__
 enum { MODEL_W = 16, MODEL_H = 9, NAIVE_W = 6, NAIVE_H = 4 };

@@ -17,12 +17,21 @@ enum { W = 160, H = 90, DEPTH = 3 };
 static const double floors[SPH_PROFILES] = {41, 50, 54.5, 56};
 static const double scene_floors[SPH_PROFILES] = {28, 29, 40, 49.5};
 
-static struct sph_reference reference(const struct sph_scene *scene, int width, int height) {
-    struct sph_reference_options o = {width, height, DEPTH, 1, 1, 0, NULL};
+static const double facet_floors[SPH_PROFILES] = {38, 44, 50.5, 51};
+
+/* world: where planes end, or NULL. */
+static struct sph_reference reference(const struct sph_scene *scene, int width, int height,
+                                      const struct sph_machine *world) {
+    struct sph_reference_options o = {width, height, DEPTH, 1, 1, 0, world};
     struct sph_reference r;
     struct sph_error err = {{0}};
     if (sph_reference_render(scene, &o, &r, &err)) fail_msg("%s", err.text);
     return r;
+}
+
+static void print_row(const char *scene, int profile, const struct sph_image_error *e) {
+    printf("# %-16s %-9s %6.1f %6.1f %6.1f %5lu %5lu %5lu %5d\n", scene, sph_profiles[profile].name,
+           e->psnr[0], e->psnr[1], e->psnr[2], e->silhouette, e->wrong_id, e->far_off, e->worst);
 }
 
 static void psnr_of_profiles(void **state) {
@@ -33,7 +42,7 @@ static void psnr_of_profiles(void **state) {
            "deep", "edge", "id", ">8", "worst");
     for (int n = 0; n < MODEL_SCENES; n++) {
         struct sph_scene scene = model_scene(model_scenes[n]);
-        struct sph_reference r = reference(&scene, W, H);
+        struct sph_reference r = reference(&scene, W, H, NULL);
         for (int profile = 0; profile < SPH_PROFILES; profile++) {
             struct sph_machine m;
             struct sph_counters c;
@@ -42,9 +51,7 @@ static void psnr_of_profiles(void **state) {
             struct sph_frame f = model_render(&m, SPH_TRAVERSE_TREE, 0, &c, &errors);
             struct sph_image_error e = sph_reference_compare(&f, &r);
             assert_int_equal(e.pixels, W * H);
-            printf("# %-16s %-9s %6.1f %6.1f %6.1f %5lu %5lu %5lu %5d\n", model_scenes[n],
-                   sph_profiles[profile].name, e.psnr[0], e.psnr[1], e.psnr[2], e.silhouette,
-                   e.wrong_id, e.far_off, e.worst);
+            print_row(model_scenes[n], profile, &e);
             assert_true(e.psnr[SPH_FRAMES - 1] >= scene_floors[profile]);
             if (isfinite(e.psnr[SPH_FRAMES - 1])) {
                 mean[profile] += e.psnr[SPH_FRAMES - 1];
@@ -65,6 +72,30 @@ static void psnr_of_profiles(void **state) {
     }
 }
 
+/* Triangles and planes, which end where the machine's world does. */
+static void psnr_of_facets(void **state) {
+    (void)state;
+    for (int n = 0; n < FACET_SCENES; n++) {
+        struct sph_scene scene = facet_scene(n);
+        for (int profile = 0; profile < SPH_PROFILES; profile++) {
+            struct sph_machine m;
+            struct sph_counters c;
+            int errors;
+            if (!model_build(&scene, profile, SPH_TREE_BALANCED, SPH_BG_RECT, W, H, &m)) continue;
+            struct sph_reference r = reference(&scene, W, H, &m);
+            struct sph_frame f = model_render(&m, SPH_TRAVERSE_TREE, 0, &c, &errors);
+            struct sph_image_error e = sph_reference_compare(&f, &r);
+            assert_int_equal(e.pixels, W * H);
+            print_row(facet_scenes[n], profile, &e);
+            assert_true(e.psnr[SPH_FRAMES - 1] >= facet_floors[profile]);
+            sph_frame_free(&f);
+            sph_machine_free(&m);
+            sph_reference_free(&r);
+        }
+        sph_scene_free(&scene);
+    }
+}
+
 /* One sphere on the axis: the reference itself against a formula. */
 static void reference_by_hand(void **state) {
     (void)state;
@@ -75,7 +106,7 @@ static void reference_by_hand(void **state) {
     scene.lights[0] = (struct sph_light){{0, 0, 20}, {0.75, 0.75, 0.75}, 0};
     scene.ambient[0] = scene.background[1] = 0.25;
     scene.materials = &f, scene.spheres = &ball;
-    struct sph_reference r = reference(&scene, 33, 33);
+    struct sph_reference r = reference(&scene, 33, 33, NULL);
     const struct sph_reference_pixel *middle = &r.pixels[16 * 33 + 16], *corner = &r.pixels[0];
     assert_int_equal(corner->id, SPH_ID_NONE);
     assert_int_equal(corner->colour[0], 64 << 8);
@@ -107,7 +138,7 @@ static void facets_by_hand(void **state) {
     scene.lights[0] = (struct sph_light){{0, 0, 5}, {0.75, 0.75, 0.75}, 0};
     scene.ambient[0] = 0.25;
     scene.materials = &f, scene.facets = facets;
-    struct sph_reference r = reference(&scene, 33, 33);
+    struct sph_reference r = reference(&scene, 33, 33, NULL);
     const struct sph_reference_pixel *row = &r.pixels[16 * 33];
     assert_int_equal(row[16].id, 0); /* on the edge that both have */
     assert_int_equal(row[16].colour[0], 48 << 16 | 96 << 8 | 255);
@@ -168,7 +199,7 @@ static void mistakes(void **state) {
     assert_int_equal(m.regs[SPH_REG_N_LIGHTS], 1);
     assert_int_equal(report.lights[0], 1);
     assert_int_equal(sph_render(&m, &how, &frame, &c, &err), 0);
-    struct sph_reference r = reference(&scene, 48, 48);
+    struct sph_reference r = reference(&scene, 48, 48, NULL);
     struct sph_accuracy_frame view = {&m, &frame, trails, report.lights};
 
     struct sph_accuracy e = sph_accuracy_measure(&view, &r);
@@ -224,7 +255,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(reference_by_hand), cmocka_unit_test(facets_by_hand),
         cmocka_unit_test(mistakes),          cmocka_unit_test(comparison),
-        cmocka_unit_test(psnr_of_profiles),
+        cmocka_unit_test(psnr_of_profiles),  cmocka_unit_test(psnr_of_facets),
     };
     return cmocka_run_group_tests_name("accuracy", tests, NULL, NULL);
 }

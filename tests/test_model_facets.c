@@ -57,12 +57,7 @@ static struct sph_scene soup(void) {
 }
 
 static struct sph_scene scene_of(int n) {
-    struct sph_scene scene;
-    struct sph_error err = {{0}};
-    struct sph_read_options options = {0};
-    if (n == SOUP) return soup();
-    if (sph_scene_read("tests/facets/room.nff", &options, &scene, &err)) fail_msg("%s", err.text);
-    return scene;
+    return n == SOUP ? soup() : facet_scene(0);
 }
 
 static void trees_are_brute_force(void **state) {

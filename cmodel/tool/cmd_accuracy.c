@@ -87,7 +87,8 @@ static int run_reference(const struct arguments *a, const struct sph_scene *scen
                                         .max_depth = a->truth < 0 ? b->max_depth : a->truth,
                                         .shadow = 1,
                                         .reflect = 1,
-                                        .threads = a->threads};
+                                        .threads = a->threads,
+                                        .world = &m->built.machine};
     double start = progress_now();
     int rc = sph_reference_render(scene, &how, &m->reference, err);
     m->reference_seconds = progress_now() - start;
