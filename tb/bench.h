@@ -291,8 +291,10 @@ template <class Top> class Bench {
     bool vector_bad = false, hangs = false;
 
     void repeat() const {
-        printf("# repeat: sh tb/run_bench.sh %s/%s %llu %ld\n", title, PROFILE,
-               (unsigned long long)seed, target);
+        const char *alone = getenv("HARD_CASE"); /* tb/hard.h */
+        printf("# repeat: %s%s%ssh tb/run_bench.sh %s/%s %llu %ld\n", alone ? "HARD_CASE=" : "",
+               alone ? alone : "", alone ? " " : "", title, PROFILE, (unsigned long long)seed,
+               target);
     }
     void heading() const {
         printf("# %s %s: vector %ld, cycle %llu\n", title, PROFILE, vectors,

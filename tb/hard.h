@@ -12,6 +12,9 @@
  *     while (hard.next(c)) ...                    // never, if these are the words of no profile
  *     if (b.bad()) c.show();                      // its name, or the command that repeats it
  *     hard.report(b);                             // their number; fails if some were left over
+ *
+ * HARD_CASE=29 in the environment: named case 29 and nothing else. The bench leaves out its own
+ * directed vectors (alone()) and ends behind the last of the case (limit(b)).
  */
 #ifndef SPH_TB_HARD_H
 #define SPH_TB_HARD_H
@@ -31,16 +34,23 @@ namespace hard {
 
 constexpr uint64_t EACH = 2000;
 
+/* The named case that is driven alone; 0: everything is driven. */
+inline int alone() {
+    static const char *const number = getenv("HARD_CASE");
+    static const int n = number ? atoi(number) : 0;
+    return n;
+}
+
 /* What of a case a unit takes is there if it is not 0: disc, key, and dir with a normal. */
 struct Case {
     int named = 0, family = 0, profile = 0;
     uint64_t seed = 0, number = 0;
-    bool given = false, is_ray = false;
-    sph_ray ray{}; /* is_ray: set up */
+    bool given = false, is_ray = false, is_point = false;
+    sph_ray ray{}; /* is_ray, is_point: set up */
     sph_leaf leaf{};
     sph_leaf_result result{}; /* is_ray: of the model */
     bench::u128 disc = 0;     /* radicand */
-    uint64_t key = 0, a = 0;  /* quotient; is_ray: of the hit */
+    uint64_t key = 0, a = 0;  /* quotient; is_ray, is_point: of the hit */
     int64_t dir[3] = {}, normal[3] = {};
     bool mirrors = false; /* dir and normal are there */
 
@@ -66,6 +76,19 @@ class Source {
         items.reset(list.items);
     }
 
+    /* With HARD_CASE the bench checks as many vectors as the case has for it, at least one. */
+    template <class Bench> void limit(Bench &b) {
+        Case c;
+        if (!alone()) return;
+        while (next(c))
+            ;
+        b.target = named;
+        at = 0;
+        outside = false;
+        named = 0;
+        if (!b.target) b.fail("the case has no vector for this bench");
+    }
+
     bool next(Case &c) {
         c = {};
         while (sphere < waiting.n || fetch()) {
@@ -73,6 +96,20 @@ class Source {
             if (!wanted(made)) continue;
             (made.named ? named : generated)++;
             c = made;
+            return true;
+        }
+        return false;
+    }
+
+    /* The next two spheres of one ray that both have a key. */
+    bool next_pair(Case &one, Case &other) {
+        while (fetch()) {
+            if (waiting.n != 2) continue;
+            one = make(0);
+            other = make(1);
+            sphere = 2;
+            if (!one.key || !other.key) continue;
+            (one.named ? named : generated)++;
             return true;
         }
         return false;
@@ -109,12 +146,14 @@ class Source {
         if (profile == SPH_PROFILES) return false;
         while (at < list.n) {
             item = items.get()[at++];
+            if (alone() && item.named != alone()) continue;
             waiting = item.c;
             if (item.what != HARD_RAY) waiting.n = !outside;
             if (outside) waiting.ray.inside = 0;
             if (waiting.n) return true;
         }
         item = {};
+        if (alone()) family = HARD_FAMILIES;
         do {
             if (number == EACH) family++, number = 0;
             if (family == HARD_FAMILIES) {
@@ -145,20 +184,22 @@ class Source {
         c.mirrors = item.what == HARD_MIRROR;
         memcpy(c.dir, item.dir, sizeof c.dir);
         memcpy(c.normal, item.normal, sizeof c.normal);
-        if (item.what != HARD_RAY) return c;
+        if (item.what != HARD_RAY && item.what != HARD_POINT_AT) return c;
 
         uint64_t roots = 0;
         sph_surface s;
-        c.is_ray = true;
+        c.is_ray = item.what == HARD_RAY;
+        c.is_point = !c.is_ray;
         c.ray = waiting.ray;
         c.leaf = waiting.sphere[which];
         sph_ray_setup(&p, &c.ray);
-        c.result = sph_leaf_test(&c.ray, &c.leaf);
         c.a = c.ray.a;
-        if (!c.result.hit) return c;
+        if (c.is_ray) c.result = sph_leaf_test(&c.ray, &c.leaf);
+        if (c.is_ray && !c.result.hit) return c;
         if (c.result.disc > 0) c.disc = (bench::u128)c.result.disc;
-        if (c.ray.kind == SPH_SHADOW || !c.a || (!c.result.exit && c.result.disc <= 0)) return c;
-        c.key = sph_leaf_key(&c.result, &roots);
+        if (c.ray.kind == SPH_SHADOW || !c.a) return c;
+        if (c.is_ray && !c.result.exit && c.result.disc <= 0) return c;
+        if (c.is_ray) c.key = sph_leaf_key(&c.result, &roots);
         sph_hit hit = {c.key, c.leaf.id, c.result.far};
         sph_surface_at(&p, &c.ray, &hit, &c.leaf, &s);
         c.mirrors = true;

@@ -7,6 +7,7 @@
 #   BENCH_BUILD  build folder (build); all that is made here lies in its folder tb
 #   BENCH_JOBS   benches at once (1)
 #   BENCH_OPT    compiler's effort (-O2)
+#   HARD_CASE    number of a named case: these vectors and no others (tb/hard.h)
 cd "$(dirname "$0")/.." || exit 1
 BENCH_BUILD=${BENCH_BUILD:-build} BENCH_OPT=${BENCH_OPT:--O2}
 export BENCH_BUILD BENCH_OPT

@@ -110,10 +110,12 @@ int main(int argc, char **argv) {
             b.show("in_normal_i", e.normal[i], WD);
         }
     };
-    std::vector<Vector> directed(std::begin(corners), std::end(corners));
+    std::vector<Vector> directed;
+    if (!hard::alone()) directed.assign(std::begin(corners), std::end(corners));
     hard::Source source(
         b.seed, [](const sph_profile &p) { return p.wd == WD; },
         [](const hard::Case &c) { return c.mirrors; });
+    source.limit(b);
     for (Vector v{}; source.next(v.hard);) {
         for (int i = 0; i < 3; i++) {
             v.dir[i] = v.hard.dir[i];

@@ -3,10 +3,14 @@
  *
  * Every slot lives through rays of some visits; results of all slots arrive interleaved. Between
  * visits the three read ports ask for any slot. A vector is a token or an answer. What is not
- * elaborated gets inputs all the same.
+ * elaborated gets inputs all the same. First come the corners, then the pairs of hits of
+ * tests/hard: both orders of arrival with both orders of ids.
  */
+#include <vector>
+
 #include "Vrt_collect.h"
 #include "bench.h"
+#include "hard.h"
 
 extern "C" {
 #include "trace/ray.h"
@@ -33,6 +37,7 @@ struct Ray {
     int32_t depth;
     int results; /* of its first visit, in this order; 0: random */
     Result result[4];
+    hard::Case hard{};
 };
 
 const Ray corners[] = {
@@ -56,13 +61,30 @@ const Ray corners[] = {
     {32768, 16, 7, 4, {{1, 1, 1, 1}, {2, 1, 0, 1}, {3, 1, 0, 1}, {4, 1, 0, 1}}}, /* first wins */
     {32768, 16, 7, 4, {{0, 1, 0, 0}, {0, 2, 0, 0}, {0, 3, 0, 0}, {0, 4, 0, 0}}}, /* four misses */
 };
-constexpr size_t CORNERS = sizeof corners / sizeof *corners;
+
+/* A pair of hits as one visit, four times. */
+void add_pair(std::vector<Ray> &directed, const hard::Case &one, const hard::Case &other) {
+    for (int order = 0; order < 4; order++) {
+        const hard::Case &first = order & 1 ? other : one, &second = order & 1 ? one : other;
+        bool lower = order >> 1; /* the first has the lower id */
+        Ray ray{};
+        ray.scale = one.ray.depth_scale;
+        ray.shift = one.ray.depth_shift < 0 ? -1 : one.ray.depth_shift;
+        ray.depth = one.ray.depth_max;
+        ray.results = 2;
+        ray.result[0] = {first.key, lower ? 4u : 5u, first.result.far, 1};
+        ray.result[1] = {second.key, lower ? 5u : 4u, second.result.far, 1};
+        ray.hard = one;
+        directed.push_back(ray);
+    }
+}
 
 struct Slot {
     enum { IDLE, READY, VISIT, DRAIN } state;
     Ray ray;
     int primary, shadow, first_hit, found, want, sent;
-    bool first; /* no visit yet */
+    bool first;  /* no visit yet */
+    bool unseen; /* directed, and its hit has not been asked for */
     Result best;
 };
 
@@ -105,13 +127,24 @@ struct Port {
 } // namespace
 
 int main(int argc, char **argv) {
-    bench::Bench<Vrt_collect> b("tb_collect", argc, argv);
+    bench::Bench<Vrt_collect> b("tb_collect", argc, argv, 800000);
     Slot slots[SLOTS] = {};
     std::queue<std::pair<int, uint64_t>> tokens; /* slot, cycle of the last result */
     size_t corner = 0;
+    std::vector<Ray> directed;
+    if (!hard::alone()) directed.assign(std::begin(corners), std::end(corners));
+    hard::Source source(
+        b.seed, [](const sph_profile &p) { return p.w == W && p.wd == WD && p.fw == FW; },
+        [](const hard::Case &) { return true; });
+    for (hard::Case one, other; source.next_pair(one, other);)
+        add_pair(directed, one, other);
+    source.report(b);
+    if (hard::alone() && directed.empty()) b.fail("the case has no vector for this bench");
+    size_t seen = 0;
     auto any = [&] { return (int)b.random.below(SLOTS); };
     auto show = [&](const Slot &s, int slot) {
         if (!b.bad()) return;
+        if (s.unseen) s.ray.hard.show();
         b.show("slot", slot, SLOTW);
         b.show("scale", s.ray.scale, 17);
         b.show("shift", s.ray.shift, 6);
@@ -125,7 +158,7 @@ int main(int argc, char **argv) {
     b.reset();
     for (int i = 0; i < SLOTS; i++) /* it clears its memories */
         b.tick();
-    while (b.more()) {
+    while (b.more() && !(hard::alone() && seen == directed.size())) {
         /* reads: between the visits of their slot */
         Port ports[3];
         for (Port &p : ports) {
@@ -168,7 +201,8 @@ int main(int argc, char **argv) {
         /* one visit begins, or a ray ends */
         at = any();
         s = &slots[at];
-        b.dut.want_valid_i = s->state == Slot::READY && b.random.percent(80);
+        bool more = s->first || (!s->unseen && !hard::alone());
+        b.dut.want_valid_i = s->state == Slot::READY && more && b.random.percent(80);
         int want = s->first && s->ray.results ? s->ray.results : (int)b.random.between(1, 4);
         b.dut.want_slot_i = (uint8_t)at;
         b.dut.want_count_i = (uint8_t)want;
@@ -176,15 +210,17 @@ int main(int argc, char **argv) {
             s->state = Slot::VISIT;
             s->want = want;
             s->sent = 0;
-        } else if (s->state == Slot::READY && !(s->first && s->ray.results)) {
+        } else if (s->state == Slot::READY && !s->unseen) {
             s->state = Slot::IDLE;
         }
         /* one new ray */
         int fresh = any();
         s = &slots[fresh];
         Ray ray = random_ray(b.random);
-        b.dut.new_valid_i = s->state == Slot::IDLE && fresh != at;
-        if (b.dut.new_valid_i && corner < CORNERS) ray = corners[corner++];
+        bool left = corner < directed.size();
+        b.dut.new_valid_i = s->state == Slot::IDLE && fresh != at && (left || !hard::alone());
+        bool given = b.dut.new_valid_i && left;
+        if (given) ray = directed[corner++];
         b.dut.new_slot_i = (uint8_t)fresh;
         b.dut.new_primary_i = (uint8_t)b.random.below(2);
         b.dut.new_shadow_i = (uint8_t)b.random.below(2);
@@ -196,6 +232,7 @@ int main(int argc, char **argv) {
             *s = Slot{};
             s->state = Slot::READY;
             s->first = true;
+            s->unseen = given;
             s->ray = ray;
             s->primary = b.dut.new_primary_i;
             s->shadow = SHADOW && b.dut.new_shadow_i;
@@ -226,6 +263,10 @@ int main(int argc, char **argv) {
             }
             show(e, ports[i].slot);
             b.done();
+            if (i == 2 && !e.first && e.unseen) {
+                slots[ports[i].slot].unseen = false;
+                seen++;
+            }
         }
         bool due = !tokens.empty() && tokens.front().second + LATENCY == b.cycle;
         b.expect("out_valid_o", b.dut.out_valid_o, due, 1);
@@ -241,5 +282,6 @@ int main(int argc, char **argv) {
             b.done(); /* a token that nothing asked for */
         }
     }
+    if (b.all_vectors && seen < directed.size()) b.fail("not all directed rays were driven");
     return b.finish();
 }

@@ -71,7 +71,7 @@ class Source {
 
     Vector next() {
         Vector v;
-        if (count < 64 * 6)
+        if (!hard::alone() && count < 64 * 6)
             ends(v, count++);
         else if (from_tests(v))
             around(v, v.hard.ray.inside);
@@ -234,6 +234,7 @@ class Source {
 int main(int argc, char **argv) {
     bench::Bench<Vrt_filter> b("tb_filter", argc, argv, 300000);
     Source source(b.random, b.seed);
+    source.hard.limit(b);
     std::deque<Vector> sent;
     Vrt_filter &t = b.dut;
     while (b.more()) {

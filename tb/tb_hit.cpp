@@ -158,11 +158,13 @@ int main(int argc, char **argv) {
             b.show("in_ctr_i", e.ctr[i], W);
         }
     };
-    std::vector<Vector> directed(std::begin(corners), std::end(corners));
+    std::vector<Vector> directed;
+    if (!hard::alone()) directed.assign(std::begin(corners), std::end(corners));
     hard::Source source(
         b.seed,
         [](const sph_profile &p) { return p.w == W && p.wd == WD && p.pq == PQ && p.ng == NG; },
-        [](const hard::Case &c) { return c.is_ray && c.key; });
+        [](const hard::Case &c) { return (c.is_ray || c.is_point) && c.key; });
+    source.limit(b);
     for (Vector v{}; source.next(v.hard);) {
         v.key = v.hard.key;
         v.a = v.hard.a;

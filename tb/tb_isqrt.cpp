@@ -44,6 +44,7 @@ int main(int argc, char **argv) {
     hard::Source source(
         b.seed, [](const sph_profile &p) { return 2 * (p.w + p.wd) == XW; },
         [](const hard::Case &c) { return c.disc && !(c.disc >> XW); });
+    source.limit(b);
     hard::Case hard, hard_inside;
     u128 x = 0, inside = 0;
     bool offered = false;

@@ -51,7 +51,7 @@ class Source {
         v.ray.skip.inside = random.percent(50);
         v.ray.kind = random.percent(33) ? SPH_SHADOW : SPH_PRIMARY;
         v.tag = (unsigned)random.bits(TAG);
-        if (count < 3 * 512 * 2)
+        if (!hard::alone() && count < 3 * 512 * 2)
             v.family = 0, extremes(v, count++);
         else if (from_tests(v))
             v.family = -1;
@@ -303,6 +303,7 @@ class Source {
 int main(int argc, char **argv) {
     bench::Bench<Vrt_leaf> b("tb_leaf", argc, argv, 300000);
     Source source(b.random, b.seed);
+    source.hard.limit(b);
     std::deque<Vector> sent;
     Vector v = source.next();
     bool offered = false;

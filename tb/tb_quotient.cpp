@@ -61,6 +61,7 @@ int main(int argc, char **argv) {
         b.seed,
         [](const sph_profile &p) { return p.w + p.wd + 2 == KW && 2 * p.wd == AW && p.pq == PQ; },
         [](const hard::Case &c) { return c.key != 0; });
+    source.limit(b);
     hard::Case hard, hard_inside;
     Operands o = {1, 1}, inside = o;
     bool offered = false;

@@ -82,10 +82,12 @@ Vector make(bench::Random &random) {
 
 int main(int argc, char **argv) {
     bench::Bench<Vrt_root_pool> b("tb_root_pool", argc, argv, 100000);
-    std::vector<Vector> directed(std::begin(corners), std::end(corners));
+    std::vector<Vector> directed;
+    if (!hard::alone()) directed.assign(std::begin(corners), std::end(corners));
     hard::Source source(
         b.seed, [](const sph_profile &p) { return p.w == W && p.wd == WD; },
         [](const hard::Case &c) { return c.is_ray && c.disc && c.key; });
+    source.limit(b);
     for (Vector d{}; source.next(d.hard);) {
         d.disc = (i128)d.hard.disc;
         d.b = d.hard.result.b;
@@ -107,7 +109,10 @@ int main(int argc, char **argv) {
             busy = (unsigned)b.random.below(3) * 48;
         }
         if (!b.dut.in_valid_i) { /* without valid: inputs that must not matter */
-            v = corner < directed.size() ? directed[corner] : make(b.random);
+            if (hard::alone())   /* results leave in any order: the first ones once more behind */
+                v = directed[corner % directed.size()];
+            else
+                v = corner < directed.size() ? directed[corner] : make(b.random);
             do
                 tag = (int)b.random.below(TAGS);
             while (waits[tag]);

@@ -56,12 +56,34 @@ for n in $(seq "$names"); do
 done
 all_named() { [ "$names" -eq 61 ]; }
 check "61 named cases" all_named
-listed() { # between the markers of the page stands what --list prints
-    "$hard" --list >"$TMP/list"
-    sed -n '/^<!-- list -->$/,/^<!-- end -->$/p' docs/hard_cases.md | sed '1d;$d' |
-        diff - "$TMP/list"
+block() { # what stands in the page behind a mark
+    sed -n "/^<!-- $1 -->\$/,/^<!-- end -->\$/p" docs/hard_cases.md | sed '1d;$d'
 }
-check "docs/hard_cases.md lists them" listed
+listed() { # as --list prints
+    "$hard" --list >"$TMP/list"
+    block list | diff - "$TMP/list"
+}
+check "docs/hard_cases.md lists them: make hard-lists" listed
+faults() {
+    awk -f tests/hard/faults.awk tests/hard/mutants.txt tests/hard/rtl_mutants.txt >"$TMP/faults"
+    block faults | diff - "$TMP/faults"
+}
+check "docs/hard_cases.md lists the faults: make hard-lists" faults
+campaign() { # 10^8 cases a profile, every family in each, nothing wrong
+    "$hard" --list | sed -n 's/^| `\([a-z0-9_]*\)` .*/\1/p' >"$TMP/families"
+    block campaign | awk -F ' *[|] *' -v families="$(wc -l <"$TMP/families")" '
+        NR == FNR { family[$1]; next }
+        $6 ~ "/" && ($6 != "0/0/0" || $7 != 0) { print; bad = 1 }
+        $2 in family { rows[$3]++; cases[$3] += $4 }
+        END {
+            for (p in cases) {
+                n++
+                if (rows[p] != families || cases[p] < 1e8) { print p, rows[p], cases[p]; bad = 1 }
+            }
+            exit bad || n != 4
+        }' "$TMP/families" -
+}
+check "docs/hard_cases.md: 10^8 cases a profile in every family, 0 wrong" campaign
 
 # ---- generated cases ----
 run() { "$hard" --seed "${SEED:-1}" "$@"; }

@@ -3,6 +3,7 @@
 #
 #   make hard                  all operands of three bits, 1 million generated cases a profile
 #   make hard N=100000000 STATE=file      a campaign that can be stopped and resumed
+#   make hard-rtl              every fault of tests/hard/rtl_mutants.txt
 HARD_C      := $(sort $(wildcard tests/hard/*.c))
 HARD_CFLAGS := -Itests -Itests/hard -ffp-contract=off
 HARD_LIBS    = $(call pkg,--libs jansson) $(MODEL_LIBS)
@@ -13,7 +14,26 @@ hard: $B/test/hard ## hard cases: N a profile, SEED, JOBS processes, STATE file 
 	@$< --cases $(N) --seed $(SEED) --processes $(JOBS) $(if $(STATE),--state $(STATE)) \
 	    --json $B/test/hard.json
 
-.PHONY: hard
+# Of a campaign that is done, at once.
+hard-page: $B/test/hard ## the same, and its table and chart put into docs/hard_cases.md
+	@$< --cases $(N) --seed $(SEED) --processes $(JOBS) $(if $(STATE),--state $(STATE)) \
+	    --json $B/test/hard.json >$B/test/hard.table
+	@python3 tests/hard/page.py docs/hard_cases.md $B/test/hard.json $B/test/hard.table \
+	    docs/pictures/hard_cases.svg
+
+hard-lists: $B/test/hard ## lists of docs/hard_cases.md: cases, families, faults
+	@$< --list >$B/test/hard.list
+	@awk -f tests/hard/faults.awk tests/hard/mutants.txt tests/hard/rtl_mutants.txt \
+	    >$B/test/hard.faults
+	@for mark in list faults; do \
+	    awk -v mark=$$mark -v text=$B/test/hard.$$mark -f tests/hard/splice.awk \
+	        docs/hard_cases.md >$B/test/hard.page && \
+	        cp $B/test/hard.page docs/hard_cases.md || exit 1; done
+
+hard-rtl: $(LIB) $B/test/libhard.a ## faults in the RTL that the named cases notice: all of the list
+	@ALL=1 BUILD=$(abspath $B) JOBS=$(JOBS) sh tests/run.sh tests/test_hard_rtl.sh
+
+.PHONY: hard hard-page hard-lists hard-rtl
 $B/test/obj/%.o: %.c $B/flags
 	$(call say,CC,$(<F))
 	@mkdir -p $(@D)
@@ -39,6 +59,6 @@ $B/test/hard.sanitized: $(HARD_C:%.c=$B/test/asan/%.o) $B/asan/obj/cmodel/tool/p
 
 # the suite runs both
 tests/test_hard.sh: | $B/test/hard $B/test/hard.sanitized
-tests/test_benches.sh tests/test_mutants.sh: | $B/test/libhard.a
+tests/test_benches.sh tests/test_mutants.sh tests/test_hard_rtl.sh: | $B/test/libhard.a
 
 -include $(HARD_C:%.c=$B/test/obj/%.d) $(HARD_C:%.c=$B/test/asan/%.d)

@@ -85,6 +85,7 @@ void named_disc_ends(struct named *n) {
         require(n, sph_leaf_test(&c.ray, &c.sphere[0]).disc == -8 * unit,
                 "the least disc is not -8 (2^W-1)^2 2^(2WD-2)");
         expect(n, c, MISS, 0);
+        expect(n, vector(ctr, V3(d, d, d), org, 0), MISS, 0); /* b > 0: disc alone decides */
     }
     struct hard_case c = vector(V3(1, 0, low), V3(d, d, d), V3(1, 0, low), (int64_t)most);
     sph_ray_setup(n->p, &c.ray);
@@ -108,8 +109,11 @@ void named_disc_one(struct named *n) {
 
 void named_behind(struct named *n) {
     for (int64_t r = 1; r < n->half / 2; r = 3 * r + 1)
-        for (int64_t y = 0; y < r; y = 2 * y + 1)
+        for (int64_t y = 0; y < r; y = 2 * y + 1) {
+            int64_t end = -n->half; /* behind a node around it too */
             expect(n, vector(V3(0, 0, 0), V3(n->most, 0, 0), V3(-r - 1, y, 0), r), MISS, 0);
+            expect(n, vector(V3(0, 0, 0), V3(n->most, 0, 0), V3(end, y, 0), r), MISS, 0);
+        }
 }
 
 /* A shadow ray from org to the light. */

@@ -31,11 +31,13 @@ void named_tie(struct named *n) {
     }
 }
 
-/* Far root of 100 and 3: sqrt(9991) = 99.95; near roots 99.27 (equal keys) and 98.76 (first). */
+/* Far root of 100 and 3: sqrt(9991) = 99.95; near roots 99.27 (equal keys), 98.76 (first) and
+ * 100.27 (behind, by the lowest bit of the key). */
 void named_near_far(struct named *n) {
     struct hard_case c = vector(V3(0, 0, 0), V3(1, 0, 0), V3(0, 3, 0), 100);
     expect_first(n, pair(c, V3(101, 1, 0), 2), -1);
     expect_first(n, pair(c, V3(101, 2, 0), 3), 1);
+    expect_first(n, pair(c, V3(102, 1, 0), 2), 0);
     for (int64_t r = 100; r < n->half - 4; r *= 3) {
         c = vector(V3(0, 0, 0), V3(1, 0, 0), V3(0, 1, 0), r);
         expect_first(n, pair(c, V3(r + 1, 2, 0), 3), 1);

@@ -75,7 +75,8 @@ const struct hard_named hard_named[] = {
     {"equal keys, unequal t", "Less than 1/|dir| apart the key cannot tell: the lower id.",
      named_tie},
     {"near root against far root",
-     "Far root 99.95 against near 99.27 and 98.76: a far key rounded down would come first.",
+     "Far root 99.95 against near 99.27, 98.76 and 100.27: a far key rounded down would come "
+     "first.",
      named_near_far},
     {"concentric", "Radii R and R+1: the outer from outside, the inner from inside.",
      named_concentric},
@@ -89,7 +90,7 @@ const struct hard_named hard_named[] = {
      "Through the contact across: two tangents, miss; along: out of one into "
      "the other at equal t.",
      named_contact},
-    {"behind", "disc > 0 with both roots behind: miss.", named_behind},
+    {"behind", "disc > 0 with both roots behind, by one unit or far: miss.", named_behind},
     {"light on a surface",
      "t = 1 exactly: not hidden, from outside and from inside; one unit "
      "deeper: hidden.",
@@ -111,7 +112,9 @@ const struct hard_named hard_named[] = {
      "back.",
      named_normal0},
     {"mirror ray at 90 degrees", "dir.normal = 0: the ray goes on in its direction.", named_grazed},
-    {"node around one child", "The radius in filter units is rounded up, by no more than it must.",
+    {"node around one child",
+     "The radius in filter units is rounded up, by no more than it must; a ray that touches the "
+     "node passes the filter, one beside it does not.",
      named_node_radius},
     {"largest node", "Spheres as large as the grid and larger: the filter lets every hit through.",
      named_node_largest},

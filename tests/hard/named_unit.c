@@ -98,6 +98,8 @@ void named_normal0(struct named *n) {
         sph_ray_setup(n->p, &c.ray);
         expect(n, c, NEAR, 0);
         struct sph_hit hit = {(uint64_t)(6 * m * k), HARD_ID, 0};
+        struct hard_item item = {.what = HARD_POINT_AT, .c = c, .key = hit.key};
+        if (n->list) hard_list_add(n->list, item);
         int limited = sph_surface_at(n->p, &c.ray, &hit, &c.sphere[0], &s);
         sph_i128 minus[3] = {-m, -2 * m, m};
         exact_normalise(minus, n->p->wd, back);
@@ -148,8 +150,26 @@ static void check_node(struct named *n, const struct sph_ball *ball) {
     n->vectors++;
 }
 
+/* The filter takes a ray that touches the node's sphere, from any side, and none further off. */
+static void touch_node(struct named *n, int64_t rad) {
+    int64_t unit = 1ll << (n->p->w - n->p->fw), off = rad + SPH_FILTER_MARGIN;
+    for (int side = -1; side <= 1; side += 2) {
+        struct hard_case c = vector(V3(-n->half / 2, 0, 0), V3(n->most, 0, 0),
+                                    V3(0, side * off * unit, 0), rad * unit);
+        struct sph_child child = {{0, (int32_t)(side * off), 0}, (int32_t)off};
+        int32_t near;
+        expect(n, c, MISS, 0);
+        sph_ray_setup(n->p, &c.ray);
+        require(n, sph_filter(&c.ray, &child, c.ray.depth_max, &near), "a node touched is left");
+        child.ctr[1] += side;
+        require(n, !sph_filter(&c.ray, &child, c.ray.depth_max, &near), "a node beside is taken");
+    }
+}
+
 void named_node_radius(struct named *n) {
     int64_t unit = 1ll << (n->p->w - n->p->fw);
+    for (int64_t rad = 1; rad < 1ll << (n->p->fw - 2); rad = 3 * rad + 1)
+        touch_node(n, rad);
     for (int64_t r = 1; r < 40; r++)
         for (int off = 0; off < 27; off++) {
             struct sph_ball ball = {{0, 0, 0}, (int32_t)(r * unit / 8)};
