@@ -105,9 +105,62 @@ static void exhaustive(void **state) {
     assert_true(hits > n / 20);
 }
 
+/* Plane through p with normal n: hit if the side changes before the ray leaves the world, -2..1. */
+static int check_plane(const int64_t org[3], const int64_t dir[3], const int64_t p[3],
+                       const int64_t n[3]) {
+    struct sph_ray ray = {.skip = {SPH_ID_NONE, 0}};
+    struct sph_facet_leaf f = {.kind = SPH_PLANE, .id = OWN};
+    int64_t start = 0, step = 0, a = 0, key = 0; /* at t the side is that of start + t * step */
+    for (int i = 0; i < 3; i++) {
+        ray.org[i] = org[i], ray.dir[i] = dir[i];
+        f.v[0][i] = p[i], f.v[1][i] = n[i];
+        start += n[i] * (org[i] - p[i]);
+        step += n[i] * dir[i];
+        a += dir[i] * dir[i];
+    }
+    ray.a = (uint64_t)a;
+    int towards = start && sign(step) == -sign(start), hit = towards;
+    for (int i = 0; i < 3; i++) { /* leaves at t = (face - org) / dir: is the side another? */
+        int64_t face = dir[i] > 0 ? 1 : -2, there = start * labs(dir[i]);
+        if (dir[i]) hit &= sign(there + step * labs(face - org[i])) != sign(start);
+    }
+    while (hit && sign(start * a + key * step) == sign(start))
+        key++;
+    int shadow = towards && sign(start + step) == sign(step);
+
+    uint64_t divisions = 0, got = 0;
+    struct sph_facet_result r = sph_facet_test(&two_bits, &ray, &f);
+    if (r.hit) got = sph_facet_key(&ray, &r, &divisions);
+    ray.kind = SPH_SHADOW;
+    int got_shadow = sph_facet_test(&two_bits, &ray, &f).hit;
+    if (r.hit != hit || got_shadow != shadow || got != (uint64_t)key || r.far != (step > 0))
+        fail_msg("org (%ld %ld %ld) dir (%ld %ld %ld) plane (%ld %ld %ld) normal (%ld %ld %ld): "
+                 "hit %d shadow %d key %lu far %d, expected %d %d %ld %d",
+                 org[0], org[1], org[2], dir[0], dir[1], dir[2], p[0], p[1], p[2], n[0], n[1], n[2],
+                 r.hit, got_shadow, got, r.far, hit, shadow, key, step > 0);
+    return hit;
+}
+
+/* Every origin, direction and point of two bits, normals of -1, 0, 1. */
+static void exhaustive_planes(void **state) {
+    (void)state;
+    uint64_t hits = 0, n = 0;
+    for (uint64_t c = 0; c < 27u << 18; c += VEC_SHARE, n++) {
+        int64_t v[3][3], normal[3];
+        for (int i = 0; i < 9; i++)
+            v[i / 3][i % 3] = (int64_t)(c >> 2 * i & 3) - 2;
+        for (int i = 0; i < 3; i++)
+            normal[i] = digit(c >> 18, i, 3, -1);
+        hits += (uint64_t)check_plane(v[0], v[1], v[2], normal);
+    }
+    printf("# %lu planes and rays, %lu hits\n", n, hits);
+    assert_true(hits > n / 20);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(exhaustive),
+        cmocka_unit_test(exhaustive_planes),
     };
     return cmocka_run_group_tests_name("facet", tests, NULL, NULL);
 }

@@ -11,8 +11,9 @@ enum { W = 24, H = 16 };
 
 static int profile; /* of every machine here */
 
+/* name: NULL for a scene of triangles and planes. */
 static struct sph_machine machine(const char *name) {
-    struct sph_scene scene = model_scene(name);
+    struct sph_scene scene = name ? model_scene(name) : facet_scene(0);
     struct sph_machine m;
     assert_true(model_build(&scene, profile, SPH_TREE_BALANCED, SPH_BG_NONE, W, H, &m));
     sph_scene_free(&scene);
@@ -124,6 +125,26 @@ static void high_bits(void **state) {
     sph_machine_free(&m);
 }
 
+/* Nor are those of corners, and of the points of planes. */
+static void high_bits_of_facets(void **state) {
+    (void)state;
+    struct sph_machine m = machine(NULL);
+    struct sph_counters c;
+    int errors, w = sph_profiles[profile].w;
+    struct sph_frame before = model_render(&m, SPH_TRAVERSE_BRUTE, 1, &c, &errors);
+    for (uint32_t line = (uint32_t)m.regs[SPH_REG_FACET_BASE]; line < m.lines; line++) {
+        uint32_t *facet = m.mem + (size_t)line * SPH_LINE_WORDS;
+        int plane = sph_field(facet, SPH_FACET_KIND_LSB, SPH_FACET_KIND_BITS) == SPH_PLANE;
+        for (int i = 0; i < (plane ? 3 : 9) && w < 24; i++)
+            sph_field_set(facet, 24 * i + w, 24 - w, 0x5aa55a >> (line + (uint32_t)i) % 8);
+    }
+    struct sph_frame after = model_render(&m, SPH_TRAVERSE_BRUTE, 1, &c, &errors);
+    assert_int_equal(model_differ("high bits", &m, &after, &before), 0);
+    sph_frame_free(&before);
+    sph_frame_free(&after);
+    sph_machine_free(&m);
+}
+
 static void visit_limit(void **state) {
     (void)state;
     struct sph_machine m = machine("paper100");
@@ -154,19 +175,18 @@ static void cycles(void **state) {
 }
 
 /* Random bits of memory turned over: anything may be seen, but every frame ends. */
-static void random_damage(void **state) {
-    (void)state;
+static void damage(const char *name, int times) {
     const char *text = getenv("SEED");
     uint64_t seed = text ? strtoull(text, NULL, 0) : 1;
     struct sph_rng rng = {seed};
     int reported = 0;
-    printf("# random_damage: SEED=%lu\n", seed);
-    struct sph_machine m = machine("interpenetrating");
+    printf("# %s: SEED=%lu\n", name ? name : "facets", seed);
+    struct sph_machine m = machine(name);
     size_t bytes = (size_t)m.lines * SPH_LINE_WORDS * sizeof *m.mem;
     uint32_t *sound = malloc(bytes);
     memcpy(sound, m.mem, bytes);
     m.regs[SPH_REG_VISIT_LIMIT] = 200;
-    for (int i = 0; i < 150; i++) {
+    for (int i = 0; i < times; i++) {
         uint64_t flips = 1 + sph_rng_next(&rng) % 40;
         memcpy(m.mem, sound, bytes);
         for (uint64_t j = 0; j < flips; j++) {
@@ -175,10 +195,16 @@ static void random_damage(void **state) {
         }
         reported += (walk(&m, SPH_TRAVERSE_TREE) | paper_errors_of(&m)) != 0;
     }
-    printf("# %d of 150 damaged machines were reported\n", reported);
+    printf("# %d of %d damaged machines were reported\n", reported, times);
     assert_true(reported > 0);
     free(sound);
     sph_machine_free(&m);
+}
+
+static void random_damage(void **state) {
+    (void)state;
+    damage("interpenetrating", 150);
+    damage(NULL, 50);
 }
 
 int main(void) {
@@ -187,7 +213,7 @@ int main(void) {
         cmocka_unit_test(five_children),       cmocka_unit_test(prim_beyond_memory),
         cmocka_unit_test(other_beyond_memory), cmocka_unit_test(high_bits),
         cmocka_unit_test(visit_limit),         cmocka_unit_test(cycles),
-        cmocka_unit_test(random_damage),
+        cmocka_unit_test(random_damage),       cmocka_unit_test(high_bits_of_facets),
     };
     int failed = 0;
     for (profile = 0; profile < SPH_PROFILES; profile++)
