@@ -89,7 +89,7 @@ setup: ## install missing packages (apt), see sim/packages.txt
 all: tool ## everything that is built without simulators
 tool: $(TOOL) ## the command-line tool build/sphaera
 
-include sim/objects.mk sim/sim.mk sim/bench.mk sim/lint.mk sim/background.mk \
+include sim/objects.mk sim/sim.mk sim/bench.mk sim/lint.mk sim/background.mk sim/study/study.mk \
         synth/synth.mk synth/effects.mk tests/test.mk tests/image/image.mk \
         tests/hard/hard.mk formal/formal.mk
 

