@@ -26,7 +26,8 @@ def strips(tool, build, pictures):
     for profile in points.PROFILES:
         out = os.path.join(pictures, f"strip_{profile}.png")
         subprocess.run([tool, "accuracy", run.scene_file(tool, build, STRIP), "--profile", profile,
-                        "--size", STRIP_SIZE, "-d", out, "--json", os.devnull], check=True)
+                        "--size", STRIP_SIZE, "-d", out], check=True,
+                       stdout=subprocess.DEVNULL)
 
 
 def main(argv):
