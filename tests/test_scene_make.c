@@ -94,9 +94,48 @@ static void test_generate(void **state) {
     }
 }
 
+static int by_edge(const void *a, const void *b) {
+    return memcmp(a, b, 2 * sizeof(struct sph_vec));
+}
+
+/* Every edge of a closed mesh has two triangles, one in each direction, to the last bit. */
+static void test_icosphere(void **state) {
+    (void)state;
+    struct edge {
+        struct sph_vec from, to;
+    };
+    for (int size = 1; size <= 3; size++) {
+        struct sph_error err = {""};
+        struct sph_scene s;
+        struct sph_generate_options o = {.size = size};
+        assert_int_equal(sph_generate("icosphere", &o, &s, &err), 0);
+        uint32_t n = 20u << 2 * size, edges = 3 * n;
+        assert_int_equal(s.n_facets, n + 1);
+        assert_int_equal(s.facets[n].kind, SPH_PLANE);
+        struct edge *list = calloc(edges, sizeof *list);
+        assert_non_null(list);
+        for (uint32_t i = 0; i < edges; i++) {
+            struct sph_vec *v = s.facets[i / 3].v, zero = {0, 0, 0};
+            struct edge *e = &list[i];
+            e->from = v[i % 3], e->to = v[(i + 1) % 3];
+            e->from.x += zero.x, e->from.y += zero.y, e->from.z += zero.z; /* no -0 */
+            e->to.x += zero.x, e->to.y += zero.y, e->to.z += zero.z;
+        }
+        qsort(list, edges, sizeof *list, by_edge);
+        for (uint32_t i = 0; i < edges; i++) {
+            struct edge back = {list[i].to, list[i].from};
+            assert_true(i == 0 || by_edge(&list[i - 1], &list[i]) != 0);
+            assert_non_null(bsearch(&back, list, edges, sizeof *list, by_edge));
+        }
+        round_trip(&s);
+        free(list);
+        sph_scene_free(&s);
+    }
+}
+
 static void test_generate_bad(void **state) {
     (void)state;
-    struct sph_error err = {""}, err2 = {""}, err3 = {""}, err4 = {""};
+    struct sph_error err = {""}, err2 = {""}, err3 = {""}, err4 = {""}, err5 = {""};
     struct sph_generate_options big = {.size = 6, .n = SPH_MAX_SPHERES + 1};
     struct sph_generate_options wide = {.width = 20000, .height = 1};
     struct sph_scene s;
@@ -106,6 +145,7 @@ static void test_generate_bad(void **state) {
     assert_int_equal(sph_generate("random", &big, &s, &err3), -1);
     assert_int_equal(sph_generate("paper5", &wide, &s, &err4), -1);
     assert_non_null(strstr(err4.text, "20000"));
+    assert_int_equal(sph_generate("icosphere", &big, &s, &err5), -1);
     assert_null(s.spheres);
 }
 
@@ -125,7 +165,10 @@ static void test_scene_files(void **state) {
                  {"inside", NULL, 7},
                  {"eight_lights", NULL, 8},
                  {"no_light", NULL, 2},
-                 {"empty", NULL, 0}};
+                 {"empty", NULL, 0},
+                 {"facets/triangles", NULL, 0},
+                 {"facets/plane", NULL, 6},
+                 {"facets/room", NULL, 7}};
     for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
         struct sph_error err = {""};
         struct sph_scene s, made;
@@ -134,7 +177,8 @@ static void test_scene_files(void **state) {
         if (sph_scene_read(path, NULL, &s, &err)) fail_msg("%s", err.text);
         assert_int_equal(s.n_spheres, files[i].n_spheres);
         assert_true(s.camera.width == 320 && s.camera.height == 180);
-        assert_string_equal(s.name, files[i].name);
+        const char *slash = strrchr(files[i].name, '/');
+        assert_string_equal(s.name, slash ? slash + 1 : files[i].name);
         if (files[i].kind) {
             assert_int_equal(sph_generate(files[i].kind, NULL, &made, &err), 0);
             assert_same_scene(&s, &made);
@@ -147,6 +191,7 @@ static void test_scene_files(void **state) {
 int main(void) {
     const struct CMUnitTest others[] = {
         cmocka_unit_test(test_sphereflake), cmocka_unit_test(test_generate),
-        cmocka_unit_test(test_generate_bad), cmocka_unit_test(test_scene_files)};
+        cmocka_unit_test(test_icosphere), cmocka_unit_test(test_generate_bad),
+        cmocka_unit_test(test_scene_files)};
     return run_cases("scene_make", NULL, NULL, 0, others, sizeof others / sizeof others[0]);
 }

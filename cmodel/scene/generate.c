@@ -12,7 +12,8 @@ const char sph_generate_help[] =
     "paper100          100 random spheres, one light (Borodavka 2015, Fig. 12; seed)\n"
     "interpenetrating  spheres that cut each other\n"
     "random            n spheres in a cube (n, seed)\n"
-    "huge_tiny         one huge sphere under small and tiny ones\n";
+    "huge_tiny         one huge sphere under small and tiny ones\n"
+    "icosphere         80, 320, 1280, 5120, 20480 triangles over a plane (size 1 to 5)\n";
 
 static const struct {
     const char *kind;
@@ -21,6 +22,7 @@ static const struct {
     {"sphereflake", sph_make_sphereflake}, {"paper5", sph_make_paper5},
     {"paper100", sph_make_paper100},       {"interpenetrating", sph_make_interpenetrating},
     {"random", sph_make_random},           {"huge_tiny", sph_make_huge_tiny},
+    {"icosphere", sph_make_icosphere},
 };
 
 enum { N_MAKERS = sizeof makers / sizeof makers[0] };

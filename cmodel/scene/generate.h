@@ -7,7 +7,7 @@
 #include "scene/scene.h"
 
 struct sph_generate_options {
-    int size;          /* sphereflake: 1 to 5; 0 means 2 */
+    int size;          /* sphereflake, icosphere: 1 to 5; 0 means 2 */
     uint32_t n;        /* random: spheres, 1 to SPH_MAX_SPHERES; 0 means 1000 */
     uint64_t seed;     /* paper5, paper100, random: another choice of spheres; 0 is the default */
     int width, height; /* resolution; 0 means 320 x 180 */
@@ -23,6 +23,7 @@ extern const char sph_generate_help[];
  *   interpenetrating spheres that cut each other
  *   random           n spheres in a cube, as dense for every n
  *   huge_tiny        one huge sphere under small and tiny ones (radii 1000 to 0.02)
+ *   icosphere        20 * 4^size triangles, a closed mesh, over a plane
  * options may be NULL. No two spheres are the same. 0, or -1 with a message (unknown kind,
  * option out of range, no memory); then there is nothing to free. */
 int sph_generate(const char *kind, const struct sph_generate_options *options,

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Each gets a scene of zero bytes with name, path and resolution set, and adds camera, lights,
- * materials and spheres. 0, or -1 with a message; sph_generate frees the scene then.
+ * materials and primitives. 0, or -1 with a message; sph_generate frees the scene then.
  */
 #ifndef SPH_SCENE_GENERATE_KINDS_H
 #define SPH_SCENE_GENERATE_KINDS_H
@@ -21,6 +21,9 @@ int sph_make_interpenetrating(const struct sph_generate_options *options, struct
 int sph_make_random(const struct sph_generate_options *options, struct sph_scene *scene,
                     struct sph_error *err);
 int sph_make_huge_tiny(const struct sph_generate_options *options, struct sph_scene *scene,
+                       struct sph_error *err);
+
+int sph_make_icosphere(const struct sph_generate_options *options, struct sph_scene *scene,
                        struct sph_error *err);
 
 /* Sets the eye, target, up direction and vertical field of view (degrees). */

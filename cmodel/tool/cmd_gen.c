@@ -19,7 +19,7 @@ enum { KEY_SIZE = 512, KEY_SEED, KEY_WATER, KEY_RESOLUTION, KEY_ELEMENTS };
 
 static const struct argp_option gen_options[] = {
     {"output", 'o', "FILE.nff", 0, "scene to write (default: standard output)", 0},
-    {"size", KEY_SIZE, "N", 0, "sphereflake: levels, 1 to 5 (2)", 0},
+    {"size", KEY_SIZE, "N", 0, "sphereflake: levels, icosphere: cuts, 1 to 5 (2)", 0},
     {"spheres", 'n', "N", 0, "random: number of spheres (1000)", 0},
     {"seed", KEY_SEED, "N", 0, "another choice of spheres (0)", 0},
     {"resolution", KEY_RESOLUTION, "WxH", 0, "frame in pixels (320x180)", 0},
@@ -82,8 +82,8 @@ static int finish(const struct arguments *a, struct sph_scene *scene, struct sph
         rc = sph_output_close(&out, failed, err);
     }
     if (!rc && strcmp(path, "-"))
-        printf("%s: %u spheres, %d lights, %u materials\n", path, scene->n_spheres, scene->n_lights,
-               scene->n_materials);
+        printf("%s: %u spheres, %u facets, %d lights, %u materials\n", path, scene->n_spheres,
+               scene->n_facets, scene->n_lights, scene->n_materials);
     sph_scene_free(scene);
     return rc;
 }
