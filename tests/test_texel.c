@@ -9,6 +9,7 @@
 #include "texture/cache.h"
 #include "texture/filter.h"
 #include "texture/lookup.h"
+#include "texture/order.h"
 #include "texture/texel.h"
 
 static int modulo(int64_t x, int64_t n) {
@@ -78,6 +79,41 @@ static void addresses(void **state) {
     }
     assert_int_equal(sph_level_lines(2048, 2048), 1 << 19);
     assert_int_equal(sph_level_lines(5, 3), 4);
+}
+
+/* Every order has a word for each texel of all levels, within its lines; tiles are the machine's.
+ */
+static void orders(void **state) {
+    (void)state;
+    static const uint32_t sizes[][2] = {{1, 1}, {64, 64}, {37, 21}, {3, 130}, {200, 5}};
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
+        for (int order = 0; order < SPH_ORDERS; order++) {
+            uint32_t w = sizes[i][0], h = sizes[i][1], levels = 1, texels = 0, first = 0;
+            while (w >> levels || h >> levels)
+                levels++;
+            uint32_t lines = sph_order_lines(order, w, h, levels);
+            uint8_t *used = calloc(lines, 8);
+            assert_non_null(used);
+            for (uint32_t l = 0; l < levels; l++) {
+                uint32_t wl = sph_level_size(w, (int)l), hl = sph_level_size(h, (int)l);
+                for (uint32_t at = 0; at < wl * hl; at++, texels++) {
+                    uint32_t word = sph_order_word(order, w, h, l, at % wl, at / wl);
+                    assert_in_range(word, 0, 8 * lines - 1);
+                    assert_int_equal(used[word]++, 0);
+                    if (order == SPH_ORDER_TILES)
+                        assert_int_equal(word, 8 * first + sph_texel_word(wl, at % wl, at / wl));
+                }
+                first += sph_level_lines(wl, hl);
+            }
+            assert_in_range(lines, (texels + 7) / 8, 4 * first);
+            free(used);
+        }
+    /* along a Z curve four tiles of a square stand together, then four such squares */
+    assert_int_equal(sph_order_word(SPH_ORDER_MORTON, 64, 64, 0, 4, 0), 8);
+    assert_int_equal(sph_order_word(SPH_ORDER_MORTON, 64, 64, 0, 0, 2), 16);
+    assert_int_equal(sph_order_word(SPH_ORDER_MORTON, 64, 64, 0, 7, 3), 24 + 7);
+    assert_int_equal(sph_order_word(SPH_ORDER_MORTON, 64, 64, 0, 8, 0), 32);
+    assert_int_equal(sph_order_word(SPH_ORDER_ROWS, 9, 4, 0, 8, 1), 24);
 }
 
 static void constant_stays(void **state) {
@@ -257,11 +293,11 @@ static void cache(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(axis_texels), cmocka_unit_test(level_sizes),
-        cmocka_unit_test(addresses),   cmocka_unit_test(constant_stays),
-        cmocka_unit_test(filters),     cmocka_unit_test(albedo_every_pair),
-        cmocka_unit_test(lookups),     cmocka_unit_test(damaged),
-        cmocka_unit_test(cache),
+        cmocka_unit_test(axis_texels),       cmocka_unit_test(level_sizes),
+        cmocka_unit_test(addresses),         cmocka_unit_test(orders),
+        cmocka_unit_test(constant_stays),    cmocka_unit_test(filters),
+        cmocka_unit_test(albedo_every_pair), cmocka_unit_test(lookups),
+        cmocka_unit_test(damaged),           cmocka_unit_test(cache),
     };
     return cmocka_run_group_tests_name("texel", tests, NULL, NULL);
 }

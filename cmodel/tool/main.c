@@ -13,9 +13,9 @@ static const struct {
     const char *name;
     int (*run)(int argc, char **argv);
 } commands[] = {
-    {"build", tool_build},           {"render", tool_render},     {"info", tool_info},
-    {"compare", tool_compare},       {"gen", tool_gen},           {"import", tool_import},
-    {"background", tool_background}, {"accuracy", tool_accuracy},
+    {"build", tool_build},           {"render", tool_render}, {"info", tool_info},
+    {"compare", tool_compare},       {"gen", tool_gen},       {"import", tool_import},
+    {"background", tool_background}, {"texels", tool_texels}, {"accuracy", tool_accuracy},
 };
 enum { N_COMMANDS = sizeof commands / sizeof *commands };
 
@@ -30,6 +30,7 @@ static const char doc[] =
     "  gen      scenes made by formula\n"
     "  import   molecules (PDB) as scenes\n"
     "  background   the ways of background separation, compared on a scene\n"
+    "  texels   orders of texels in memory, compared by the hits of caches\n"
     "  accuracy     a scene through model and double reference: what the arithmetic costs\n\n"
     "`sphaera COMMAND --help` explains a command. Exit code: 0 good, 1 failed or different, "
     "2 wrong usage.";

@@ -23,6 +23,7 @@ int tool_compare(int argc, char **argv);
 int tool_gen(int argc, char **argv);
 int tool_import(int argc, char **argv);
 int tool_background(int argc, char **argv);
+int tool_texels(int argc, char **argv);
 int tool_accuracy(int argc, char **argv);
 
 /* Prints the message of err; returns TOOL_FAILED. */

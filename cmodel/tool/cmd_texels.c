@@ -1,0 +1,152 @@
+/* cmd_texels.c - `sphaera texels`: orders of texels in memory, compared by the hits of caches
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Pixels are taken as the core walks them, in columns of eight; the texels of a pixel in the order
+ * in which the model asks for them.
+ */
+#include <inttypes.h>
+
+#include "render_pixel.h"
+#include "texture/cache.h"
+#include "texture/order.h"
+#include "tool/print.h"
+#include "tool/report.h"
+
+enum { SIZES = 6, SMALLEST = 8, WAYS = 4, COLUMN = 8 };
+static const char *const orders[] = {"rows", "tiles", "morton"}; /* SPH_ORDER_* */
+
+struct arguments {
+    struct tool_source source;
+    const char *input, *json;
+};
+
+enum { KEY_JSON = 512 };
+
+static const struct argp_option options[] = {
+    {"json", KEY_JSON, "FILE", 0, "report as JSON (- : on standard output instead of text)", 0},
+    {0},
+};
+
+static error_t parse(int key, char *arg, struct argp_state *state) {
+    struct arguments *a = state->input;
+    switch (key) {
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &a->source;
+        return 0;
+    case KEY_JSON:
+        a->json = arg;
+        return 0;
+    case ARGP_KEY_ARG:
+        if (a->input) argp_error(state, "one scene at a time: '%s' is one too many", arg);
+        a->input = arg;
+        return 0;
+    case ARGP_KEY_END:
+        if (!a->input) argp_error(state, "no scene given");
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+/* Caches of every size for every order, which see the same texels. */
+struct caches {
+    const struct sph_machine *m;
+    struct sph_cache cache[SPH_ORDERS][SIZES];
+};
+
+static void ask(void *user, const struct sph_texel *t) {
+    struct caches *c = user;
+    const uint32_t *head = c->m->mem + (size_t)t->image * SPH_LINE_WORDS;
+    uint32_t w = sph_field(head, SPH_IMAGE_W_LSB, SPH_IMAGE_W_BITS) + 1;
+    uint32_t h = sph_field(head, SPH_IMAGE_H_LSB, SPH_IMAGE_H_BITS) + 1;
+    for (int o = 0; o < SPH_ORDERS; o++) {
+        /* no order needs more than four times the lines of another: images stay apart */
+        uint32_t word =
+            4 * SPH_LINE_WORDS * (t->image + 1) + sph_order_word(o, w, h, t->level, t->x, t->y);
+        for (int s = 0; s < SIZES; s++)
+            sph_cache_ask(&c->cache[o][s], word);
+    }
+}
+
+static void walk(const struct sph_machine *m, struct caches *c) {
+    struct sph_render_options how = {.fetch = ask, .fetch_user = c};
+    const int32_t *r = m->regs;
+    struct sph_counters counters = {{0}};
+    uint32_t errors = 0;
+    for (int x0 = r[SPH_REG_WIN_X0]; x0 < r[SPH_REG_WIN_X1]; x0 += COLUMN)
+        for (int y = r[SPH_REG_WIN_Y0]; y < r[SPH_REG_WIN_Y1]; y++)
+            for (int x = x0; x < x0 + COLUMN && x < r[SPH_REG_WIN_X1]; x++)
+                sph_render_pixel(m, &how, x, y, &counters, &errors, NULL);
+}
+
+/* The table, and the same numbers for the report. */
+static void tell(const struct caches *c, FILE *to, json_t *report) {
+    json_t *list = json_array();
+    uint64_t asked = c->cache[0][0].asked;
+    if (to) {
+        fprintf(to, "texels   %" PRIu64 "\nhits, %%  cache of ", asked);
+        for (int s = 0; s < SIZES; s++)
+            fprintf(to, "%7d", SMALLEST << s);
+        fprintf(to, " lines, %d ways\n", WAYS);
+    }
+    for (int o = 0; o < SPH_ORDERS; o++) {
+        json_t *entry = json_object(), *missed = json_array();
+        if (to) fprintf(to, "%-17s ", orders[o]);
+        for (int s = 0; s < SIZES; s++) {
+            const struct sph_cache *cache = &c->cache[o][s];
+            double hits = asked ? 100.0 * (double)(asked - cache->missed) / (double)asked : 0;
+            if (to) fprintf(to, "%7.2f", hits);
+            json_array_append_new(missed, json_integer((json_int_t)cache->missed));
+        }
+        if (to) fprintf(to, "\n");
+        report_text(entry, "order", orders[o]);
+        json_object_set_new(entry, "missed", missed);
+        json_array_append_new(list, entry);
+    }
+    if (report) {
+        report_count(report, "texels", asked);
+        json_object_set(report, "orders", list);
+    }
+    json_decref(list);
+}
+
+static int start(struct caches *c, struct sph_error *err) {
+    for (int o = 0; o < SPH_ORDERS; o++)
+        for (int s = 0; s < SIZES; s++)
+            if (sph_cache_start(&c->cache[o][s], (uint32_t)(SPH_LINE_WORDS * SMALLEST) << s,
+                                SPH_LINE_WORDS, WAYS, err))
+                return -1;
+    return 0;
+}
+
+int tool_texels(int argc, char **argv) {
+    static const struct argp_child children[] = {{&tool_source_argp, 0, NULL, 1}, {0}};
+    static const struct argp argp = {
+        options,
+        parse,
+        "MACHINE.sph|SCENE.nff",
+        "Renders with the golden model and asks caches of several sizes for the texels, as they "
+        "would stand in rows, in tiles of 4 x 2, and in the same tiles along a Z curve.",
+        children,
+        NULL,
+        NULL};
+    struct arguments a = {.source = tool_source_default};
+    struct tool_built built;
+    struct caches c = {0};
+    struct sph_error err = {""};
+    argp_parse(&argp, argc, argv, 0, NULL, &a);
+    if (tool_load(a.input, &a.source, &built, &err)) return tool_failed(&err);
+    c.m = &built.machine;
+    int rc = start(&c, &err);
+    if (!rc) {
+        walk(&built.machine, &c);
+        json_t *report = report_new("texels");
+        report_text(report, "input", a.input);
+        tell(&c, print_stream(a.json), report);
+        rc = report_write(report, a.json, &err);
+    }
+    for (int i = 0; i < SPH_ORDERS * SIZES; i++)
+        sph_cache_end(&c.cache[i / SIZES][i % SIZES]);
+    sph_machine_free(&built.machine);
+    return rc ? tool_failed(&err) : TOOL_GOOD;
+}
