@@ -36,6 +36,14 @@ u128 radicand(bench::Random &r, long n) {
     }
 }
 
+/* Clocks with digits: to the last one, or BITS behind the first 1. */
+uint64_t rounds(u128 x) {
+    int inexact, all = (XW / 2 + STEP - 1) / STEP;
+    int length = sph_bit_length(sph_isqrt(x, &inexact));
+    int digits = BITS && length > BITS ? all * STEP - length + BITS : all * STEP;
+    return (uint64_t)((digits + STEP - 1) / STEP);
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
@@ -50,6 +58,7 @@ int main(int argc, char **argv) {
     bool offered = false;
     unsigned gaps = 0, stalls = 0;
     long sent = 0, taken = 0;
+    uint64_t due = 0; /* cycle of the result */
     t.in_valid_i = t.out_ready_i = 0;
     b.reset();
     while (b.more()) {
@@ -68,6 +77,7 @@ int main(int argc, char **argv) {
             int inexact;
             uint64_t root = sph_isqrt_bits(inside, BITS, &inexact);
             if (b.vectors == taken) b.fail("a result that nobody asked for");
+            if (b.cycle < due) b.fail("too early");
             if (BITS ? t.out_shift_o > XW / 2 - BITS : t.out_shift_o)
                 b.fail("out_shift_o: longer than the bits that are left out");
             b.expect("out_root_o", (bench::i128)b.get(t.out_root_o) << t.out_shift_o,
@@ -76,8 +86,10 @@ int main(int argc, char **argv) {
             if (b.bad()) hard_inside.show(), b.show("in_x_i", (bench::i128)inside, XW);
             if (t.out_ready_i) b.done();
         }
+        if (!t.out_valid_o && b.vectors < taken && b.cycle >= due) b.fail("too late");
         if (offered && t.in_ready_o) {
             inside = x;
+            due = b.cycle + 1 + rounds(x);
             hard_inside = hard;
             offered = false;
             taken++;

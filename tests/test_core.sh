@@ -132,16 +132,30 @@ short=$machines/short.sph
     -o "$short" >"$TMP/build" 2>&1 || check "draft:wd=14,ng=1,pr=7" cat "$TMP/build"
 wanted "icarus interpenetrating draft:wd=14,ng=1,pr=7" auto SIM=icarus "$short"
 
-# Other bits a clock: the same frame and counters.
+# Other bits a clock: the same frame and counters, other cycles.
 "$SPHAERA" build scenes/paper5.nff --profile draft --size 16x12 -o "$machines/steps.sph" \
     >"$TMP/build" 2>&1 || check "steps" cat "$TMP/build"
-for steps in "ROOT_STEP=2 QUOTIENT_STEP=2" "ROOT_STEP=5 QUOTIENT_STEP=1"; do
+for steps in "ROOT_STEP=2 QUOTIENT_STEP=2" "ROOT_STEP=5 QUOTIENT_STEP=2" \
+    "ROOT_STEP=2 QUOTIENT_STEP=1"; do
     wanted "icarus paper5 $steps" auto "SIM=icarus $steps" "$machines/steps.sph"
 done
 
 build_cores
 run_all
 judge
+
+cycles() { # steps: cycles of the same stimulus
+    env BUILT=1 EFFECTS=auto SIM=icarus "$@" sh sim/core.sh --machine "$machines/steps.sph" |
+        sed -n 's/^core .* 0 mismatches, \([0-9]*\) cycles.*/\1/p'
+}
+fewer() { echo "$1 $2" && [ "$1" -gt 0 ] && [ "$1" -lt "$2" ]; }
+[ -n "$CORE" ] || {
+    usual=$(cycles ROOT_STEP=2 QUOTIENT_STEP=2)
+    check "roots of 5 bits a clock take fewer cycles" fewer \
+        "$(cycles ROOT_STEP=5 QUOTIENT_STEP=2)" "$usual"
+    check "quotients of 1 bit a clock take more" fewer "$usual" \
+        "$(cycles ROOT_STEP=2 QUOTIENT_STEP=1)"
+}
 
 # Two profiles without a name, the machine of one on the core of the other.
 [ -n "$CORE" ] || for built in "$BUILD"/sim/standard_pq11-*-O0/tb_core; do
