@@ -6,19 +6,21 @@ from jobs import job
 PROFILES = ["draft", "standard", "fine", "reference"]
 # knob: widths around standard, alone; w and wd go together upwards since w + 1 <= wd
 KNOBS = {
-    "w": ["standard:w=12", "standard:w=14", "standard", "standard:w=18,wd=19",
+    "w": ["standard:w=12,fw=12", "standard:w=14", "standard", "standard:w=18,wd=19",
           "standard:w=20,wd=21"],
     "wd": ["standard", "standard:wd=19", "standard:wd=21"],
     "pr": [f"standard:pr={n}" for n in (8, 12, 16, 20)] + ["standard"],
     "pq": [f"standard:pq={n}" for n in (9, 11, 13, 15)] + ["standard", "standard:pq=20"],
     "ng": [f"standard:ng={n}" for n in (0, 1)] + ["standard", "standard:ng=4"],
-    "fw": [f"standard:fw={n}" for n in (9, 12)] + ["standard", "standard:fw=16"],
+    "fw": [f"standard:fw={n}" for n in (9, 12)] + ["standard"],
+    "w, pq": ["standard:w=18,wd=19,pq=20", "standard:w=18,wd=19,pq=20,pr=14",
+              "standard:w=20,wd=21,pq=24", "fine:pr=16"],
 }
 # rate knobs: the picture is the same
 RATES = [{}] + [{"root": n} for n in (1, 4)] + [{"quotient": n} for n in (1, 4)] + [{"engines": 2}]
 # of these, cores are simulated and synthesised; the others are pictures alone
-CORES = PROFILES + ["standard:pq=11", "standard:pr=12", "standard:w=18,wd=19", "standard:fw=12",
-                    "standard:w=14", "standard:wd=21", "standard:ng=0"]
+CORES = PROFILES + ["standard:pr=12", "standard:w=18,wd=19,pq=20,pr=14", "standard:fw=12",
+                    "standard:pq=13", "standard:w=14", "standard:wd=21", "standard:ng=0"]
 SCENES = ["sphereflake:3", "protein", "paper100", "huge_tiny", "interpenetrating"]
 CORE = "shadow+reflect2+lights3+inside"  # what the nearest hit in all of SCENES calls for
 PICTURE, FRAME = "320x180", "96x54"      # of accuracy, of the RTL

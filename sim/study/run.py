@@ -69,9 +69,9 @@ def accuracy(tool, build, w, temporary):
     if report["errors"]:
         fail("errors of the machine", ran)
     return {"accuracy": report["accuracy"], "counters": report["counters"],
-            "grid_step": report["machine"]["grid_step"], "seconds": report["seconds"],
+            "grid_step": report["machine"]["grid_step"], "cpu_seconds": report["cpu_seconds"],
             "build_seconds": report["build"]["seconds"],
-            "reference_seconds": report["reference_seconds"]}
+            "reference_cpu_seconds": report["reference_cpu_seconds"]}
 
 
 def cycles(tool, build, w, temporary):

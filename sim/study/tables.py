@@ -173,9 +173,9 @@ def model(study):
     rows = []
     for s in points.SCENES:
         runs = [study.accuracy(p, s) for p in points.PROFILES]
-        seconds = [None if r is None or "refused" in r else r["seconds"] for r in runs]
-        double = next((r["reference_seconds"] for r in reversed(runs) if r and "refused" not in r),
-                      None)
+        seconds = [None if r is None or "refused" in r else r["cpu_seconds"] for r in runs]
+        double = next((r["reference_cpu_seconds"] for r in reversed(runs)
+                       if r and "refused" not in r), None)
         rows.append([scene_name(s)] + [show(t and 1000 * t, "{:.0f}") for t in seconds]
                     + [show(double and 1000 * double, "{:.0f}")])
     return report.table(["scene"] + points.PROFILES + ["double"], rows)

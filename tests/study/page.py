@@ -35,9 +35,9 @@ def row(rows, *start):
 def accuracy(psnr, **more):
     counts = dict(silhouette=1, wrong_id=2, shadow=3, reflected=4, worst=9, t_worst=1.5,
                   t_mean=0.25, **more)
-    return {"accuracy": dict(counts, psnr=[None, None, psnr]), "seconds": 0.5,
+    return {"accuracy": dict(counts, psnr=[None, None, psnr]), "cpu_seconds": 0.5,
             "counters": {"rays_primary": 10, "rays_shadow": 0, "rays_reflected": 0,
-                         "node_visits": 20}, "reference_seconds": 0.25}
+                         "node_visits": 20}, "reference_cpu_seconds": 0.25}
 
 
 # ---- nothing is there: dashes, no plot ----
@@ -81,7 +81,7 @@ assert step[1:3] == ["14.5", "+544.8"], step
 assert row(rows, "`paper100`")[0][2] == "70.0 (1 2 3 4; 1.5)"
 assert row(rows, "`standard`", "50.0", "routed")[0][3:7] == ["20.0", "5.0", "12",
                                                              "u_core.u_a to u_core.u_b"]
-assert row(rows, "W", "`standard:w=12`")[0][2] == "-"
+assert row(rows, "W", "`standard:w=14`")[0][2] == "-"
 assert "3 plots" in said, said
 for name in "milliseconds", "multipliers", "luts":
     svg = f"{folder}/pictures/accuracy/pareto_{name}.svg"
