@@ -1,8 +1,8 @@
 /* facets_near.c - does a facet come near a sphere? See facets.h, docs/build.md
  * SPDX-License-Identifier: Apache-2.0
  *
- * Exact integers in units of the error, 2^-(NG+1); with W = 24 a coordinate has 27 bits, the
- * difference of two 28. Where a root is needed it is taken upwards, which can only turn no to yes.
+ * Exact integers in units of the error, 2^-(NG+1); with W = 24 and NG = 4 a coordinate has 29 bits,
+ * the difference of two 30. Where a root is needed it is taken upwards, which can only turn no to yes.
  */
 #include "build/occlude.h"
 
@@ -19,7 +19,7 @@ static void sub(const int64_t a[3], const int64_t b[3], int64_t out[3]) {
         out[i] = a[i] - b[i];
 }
 
-/* An s with s*s >= v and, for small v, the smallest; v < 2^118. */
+/* An s with s*s >= v and, for small v, the smallest; v < 2^126. */
 static wide ceil_root(wide v) {
     int shift = 0;
     while (v >> (2 * shift) >= (wide)1 << 60)
@@ -33,7 +33,7 @@ static int segment_near(const int64_t a[3], const int64_t b[3], const int64_t c[
     wide square = (wide)r * r;
     sub(b, a, e), sub(c, a, p), sub(c, b, q);
     if (dot(p, p) <= square || dot(q, q) <= square) return 1;
-    wide along = dot(p, e), length = dot(e, e); /* 58 bits */
+    wide along = dot(p, e), length = dot(e, e); /* 62 bits */
     return along > 0 && along < length && dot(p, p) * length - along * along <= square * length;
 }
 
@@ -53,7 +53,7 @@ static int above(const int64_t v[3][3], const int64_t n[3], const int64_t c[3]) 
         sub(v[(k + 1) % 3], v[k], e), sub(c, v[k], p);
         for (int i = 0; i < 3; i++) {
             int j = (i + 1) % 3, l = (i + 2) % 3;
-            side += (wide)(e[j] * p[l] - e[l] * p[j]) * n[i]; /* 57 + 57 bits */
+            side += (wide)(e[j] * p[l] - e[l] * p[j]) * n[i]; /* 61 + 61 bits */
         }
         if (side < 0) return 0;
     }
@@ -74,7 +74,7 @@ int sph_facet_near(const struct sph_grid_facet *f, const struct sph_ball *ball,
     for (int k = 0; k < 3; k++)
         if (segment_near(v[k], v[(k + 1) % 3], c, r)) return 1;
     sub(v[1], v[0], e[0]), sub(v[2], v[0], e[1]);
-    for (int i = 0; i < 3; i++) { /* 57 bits: e is 28 */
+    for (int i = 0; i < 3; i++) { /* 60 bits: e is 30 */
         int j = (i + 1) % 3, k = (i + 2) % 3;
         n[i] = e[0][j] * e[1][k] - e[0][k] * e[1][j];
     }

@@ -36,6 +36,10 @@ struct sph_plants {
  * children are ids. -1 if memory is out; what is in *tree then is to be freed. */
 int sph_tree_build(const struct sph_plants *plants, struct sph_tree *tree, struct sph_error *err);
 
+/* Makes the nodes of a tree of ids smaller: around corners of triangles, not around their balls.
+ * There may be no planes in it yet. -1 if memory is out. */
+int sph_tree_tighten(const struct sph_plants *plants, struct sph_tree *tree, struct sph_error *err);
+
 /* Borodavka et al. IV: sorted by z, merged by four, level by level. -1 if memory is out. */
 int sph_tree_paper(const struct sph_ball *balls, uint32_t n, const struct sph_profile *profile,
                    struct sph_tree *tree, struct sph_error *err);

@@ -56,6 +56,7 @@ static int raise(struct sph_tree *tree, struct sph_error *err) {
 
 int sph_tree_build(const struct sph_plants *p, struct sph_tree *tree, struct sph_error *err) {
     if (plant(p, tree, err)) return -1;
+    if (p->kind == SPH_TREE_BALANCED && sph_tree_tighten(p, tree, err)) return -1;
     struct sph_tree_node *root = tree->nodes;
     if (!p->facets->n_planes) return 0;
     if (root->n_inner + root->n_leaf > 1) {
