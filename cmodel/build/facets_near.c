@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Exact integers in units of the error, 2^-(NG+1); with W = 24 and NG = 4 a coordinate has 29 bits,
- * the difference of two 30. Where a root is needed it is taken upwards, which can only turn no to yes.
+ * the difference of two 30. Roots are taken upwards, which can only turn no to yes.
  */
 #include "build/occlude.h"
 
