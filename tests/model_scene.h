@@ -35,7 +35,8 @@ static inline struct sph_scene model_scene(const char *name) {
 }
 
 /* Scenes of triangles and planes. */
-static const char *const facet_scenes[] = {"tests/facets/room.nff"};
+static const char *const facet_scenes[] = {"tests/facets/mixed.nff", "scenes/facets/plane.nff",
+                                           "scenes/facets/room.nff", "scenes/facets/triangles.nff"};
 enum { FACET_SCENES = sizeof facet_scenes / sizeof *facet_scenes };
 
 static inline struct sph_scene facet_scene(int n) {
@@ -48,9 +49,9 @@ static inline struct sph_scene facet_scene(int n) {
 
 /* Frames of the comparisons; the sanitizers slow the naive model's memory down most. */
 #ifdef __SANITIZE_ADDRESS__
-enum { MODEL_W = 16, MODEL_H = 9, NAIVE_W = 6, NAIVE_H = 4 };
+enum { MODEL_W = 16, MODEL_H = 9, NAIVE_W = 6, NAIVE_H = 4, SANITIZED = 1 };
 #else
-enum { MODEL_W = 64, MODEL_H = 36, NAIVE_W = 32, NAIVE_H = 24 };
+enum { MODEL_W = 64, MODEL_H = 36, NAIVE_W = 32, NAIVE_H = 24, SANITIZED = 0 };
 #endif
 
 /* A small frame with every effect; a scene may be too fine for a coarse profile: 0. */
