@@ -225,10 +225,10 @@ template <class Top> class Bench {
         mismatches++;
         hangs = true;
     }
-    /* Runs a pipeline of fixed latency with in_valid_i, in_ready_o, in_tag_i and their out_...:
-     * first the corners (an array or a vector), then what make(random) returns, with random gaps.
-     * send(v) sets the other inputs of a Vector, which has members tag and taken; check(v) compares
-     * the outputs. The module must be ready at least every `interval` clocks. */
+    /* Runs a pipeline of fixed latency with in_valid_i, in_ready_o (or without), in_tag_i and
+     * out_...: first the corners (an array or a vector), then what make(random) returns, with
+     * random gaps. send(v) sets the other inputs of a Vector, which has members tag and taken;
+     * check(v) compares the outputs. The module must be ready at least every `interval` clocks. */
     template <class Corners, class Make, class Send, class Check>
     void stream(const Corners &corners, Make make, int tag_bits, uint64_t latency,
                 uint64_t interval, Send send, Check check) {
@@ -251,12 +251,12 @@ template <class Top> class Bench {
                 corner += dut.in_valid_i;
             }
             settle();
-            bool taken = dut.in_valid_i && dut.in_ready_o;
+            bool taken = dut.in_valid_i && ready(dut, 0);
             if (taken) {
                 v.taken = cycle;
                 sent.push(v);
             }
-            if (dut.in_ready_o) last = cycle;
+            if (ready(dut, 0)) last = cycle;
             if (cycle - last >= interval) fail("in_ready_o is low for too long");
             tick();
             if (taken) dut.in_valid_i = 0;
@@ -287,6 +287,12 @@ template <class Top> class Bench {
     }
 
   private:
+    /* in_ready_o; a free-running pipeline has none and takes everything. */
+    template <class T> static auto ready(const T &top, int) -> decltype(top.in_ready_o, bool()) {
+        return top.in_ready_o;
+    }
+    template <class T> static bool ready(const T &, long) { return true; }
+
     const char *title;
     bool vector_bad = false, hangs = false;
 

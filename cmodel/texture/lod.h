@@ -11,7 +11,7 @@
 
 #include "trace/ray.h"
 
-/* log2(x), u5.8, of x >= 1: x is rounded half up to nine significant bits, of which a table gives
+/* log2(x), u6.8, of x >= 1: x is rounded half up to nine significant bits, of which a table gives
  * the fraction. Off by less than 0.0048; exact for powers of two; never falls when x rises. */
 uint32_t sph_log2(uint32_t x);
 
