@@ -1,17 +1,19 @@
 /* tb_facet.cpp - rt_facet against sph_facet_test() and sph_facet_key()
  * SPDX-License-Identifier: Apache-2.0
  *
- * The first vectors are the least and greatest operands in every pattern, as triangle and as plane.
- * Then families in turn (`family`), by reason: what lies on an edge, a corner, the light, a face of
- * the world, in the plane. Results may overtake each other: a tag is one facet's until its result
- * is there. The default run has to meet every outcome.
+ * The first vectors are the least and greatest operands in every pattern, as triangle and as plane;
+ * then those of the named cases of tests/hard, if these are the words of a profile. Then families
+ * in turn (`family`), by reason: what lies on an edge, a corner, the light, a face of the world, in
+ * the plane. Results may overtake each other: a tag is one facet's until its result is there. The
+ * default run has to meet every outcome.
  */
 #include <algorithm>
 #include <map>
 
 #include "Vrt_facet.h"
-#include "bench.h"
+#include "hard.h"
 extern "C" {
+#include "tests/hard/facet_list.h"
 #include "trace/facet.h"
 }
 
@@ -28,7 +30,7 @@ struct Vector {
     sph_ray ray{};
     sph_facet_leaf facet{};
     bool shadow = false; /* the port; a shadow ray only if they are elaborated */
-    int family = 0;
+    int family = 0, named = 0;
 };
 
 int64_t clamp(int64_t x, int64_t low, int64_t high) {
@@ -37,10 +39,29 @@ int64_t clamp(int64_t x, int64_t low, int64_t high) {
 
 class Source {
   public:
-    explicit Source(bench::Random &r) : random(r) {}
+    explicit Source(bench::Random &r) : random(r) {
+        for (int p = 0; p < SPH_PROFILES; p++)
+            if (sph_profiles[p].w == W && sph_profiles[p].wd == WD) list = hard_facets_named(p);
+        for (size_t i = 0; i < list.n; i++) /* of HARD_CASE alone, if it is given */
+            if (!hard::alone() || list.items[i].named == hard::alone())
+                list.items[n_named++] = list.items[i];
+        if (hard::alone()) count = PATTERNS;
+    }
+    ~Source() { free(list.items); }
+    Source(const Source &) = delete;
+    Source &operator=(const Source &) = delete;
+
+    size_t named() const { return n_named; }
 
     Vector next() {
         Vector v;
+        if (count >= PATTERNS && at < n_named) {
+            const hard_facet &c = list.items[at++];
+            v.ray = c.ray;
+            v.facet = c.facet;
+            v.named = c.named;
+            return finish(v);
+        }
         v.facet.id = (uint32_t)random.bits(random.percent(50) ? 3 : 24);
         v.facet.before = (uint32_t)random.mixed(7);
         v.facet.after = (uint32_t)random.mixed(7);
@@ -62,15 +83,23 @@ class Source {
         if (v.family && random.percent(3)) v.ray.dir[random.below(3)] = 0;
         for (int i = 0; i < 3; i++)
             v.ray.dir[i] = clamp(v.ray.dir[i], D_MIN, D_MAX);
-        const int64_t *d = v.ray.dir;
-        v.ray.a = (uint64_t)(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-        v.ray.kind = SHADOW && v.shadow ? SPH_SHADOW : SPH_PRIMARY;
-        return v;
+        v.ray.kind = v.shadow ? SPH_SHADOW : SPH_PRIMARY;
+        return finish(v);
     }
 
   private:
     bench::Random &random;
     int count = 0;
+    hard_facets list{};
+    size_t n_named = 0, at = 0;
+
+    static Vector finish(Vector &v) {
+        const int64_t *d = v.ray.dir;
+        v.ray.a = (uint64_t)(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+        v.shadow = v.ray.kind == SPH_SHADOW;
+        if (!SHADOW) v.ray.kind = SPH_PRIMARY;
+        return v;
+    }
 
     int64_t coordinate(int small) { return small ? random.between(-3, 3) : random.smixed(W); }
 
@@ -177,8 +206,10 @@ struct Expected {
 } // namespace
 
 int main(int argc, char **argv) {
-    bench::Bench<Vrt_facet> b("tb_facet", argc, argv, 40000);
+    bench::Bench<Vrt_facet> b("tb_facet", argc, argv, 50000);
     Source source(b.random);
+    if (hard::alone()) b.target = (long)source.named();
+    if (hard::alone() && !b.target) b.fail("the case has no vector for this bench");
     std::map<unsigned, Expected> sent;
     Vector v = source.next();
     unsigned tag = 0, gaps = 0, stalls = 0;
@@ -235,6 +266,9 @@ int main(int argc, char **argv) {
             }
             if (b.bad()) {
                 const Vector &x = e.v;
+                if (x.named)
+                    printf("#   named case %d, %s: build/test/hard --named=%d\n", x.named,
+                           hard_named_name(x.named), x.named);
                 printf("# inputs, family %d: a %s, %s\n", x.family,
                        x.facet.kind == SPH_PLANE ? "plane" : "triangle",
                        x.shadow ? "to a light" : "of no light");
@@ -274,12 +308,14 @@ int main(int argc, char **argv) {
         }
         b.tick();
     }
+    bool all = b.all_vectors && !hard::alone();
     for (int i = 0; i < 8; i++)
-        if (b.all_vectors && !met[i >> 2][i >> 1 & 1][i & 1] && (SHADOW || !(i & 2)))
+        if (all && !met[i >> 2][i >> 1 & 1][i & 1] && (SHADOW || !(i & 2)))
             b.fail("a kind of facet, ray and outcome that never came");
-    if (b.all_vectors && (least[0] != ROUND || least[1] != ROUND + 2))
+    if (all && (least[0] != ROUND || least[1] != ROUND + 2))
         b.fail("other than L + 8 clocks a triangle, L + 10 a plane");
     if (divisions > divided || divisions + (long)sent.size() < divided)
         b.fail("divide_o counts other than the keys of hits");
+    printf("# vectors of hard cases: %zu named\n", source.named());
     return b.finish();
 }

@@ -1,28 +1,11 @@
-/* facet.h - hard cases of ray and facet: what the named ones are made with, and their list
+/* facet.h - hard cases of ray and facet: what the named ones are made with
  * SPDX-License-Identifier: Apache-2.0
- *
- * The list is for who drives something else than the model: every vector that is judged, in the
- * same order, with the axes turned and the corners exchanged as they are there.
  */
 #ifndef HARD_FACET_H
 #define HARD_FACET_H
 
+#include "facet_list.h"
 #include "named.h"
-#include "trace/facet.h"
-
-struct hard_facet {
-    int named;          /* number of the named case */
-    struct sph_ray ray; /* what set-up does not make */
-    struct sph_facet_leaf facet;
-};
-
-struct hard_facets {
-    struct hard_facet *items;
-    size_t n, room;
-};
-
-/* All vectors of a profile; the caller frees items. Ends the program if memory does not do. */
-struct hard_facets hard_facets_named(int profile);
 
 /* A primary ray and a facet of id HARD_ID; near and far are of its normal (e1 x e2): towards the
  * ray's origin, or along the ray. */
