@@ -6,9 +6,10 @@
  */
 #include "vectors.h"
 
+#include "reference/naive.h"
 #include "trace/facet.h"
 
-enum { OWN = 7 }; /* id of every tested facet */
+enum { OWN = 7, NAIVE = 997 }; /* id of every tested facet; one in so many in GMP as well */
 
 static const struct sph_profile two_bits = {"two bits", 2, 2, 2, 0, 2, 0};
 
@@ -50,8 +51,16 @@ static int seen_within(const int64_t v[3][3], const int64_t dir[3], int64_t at, 
     return 0;
 }
 
+/* The second model says the same of a ray that hits or not, with a key or to a light. */
+static void check_naive(const struct sph_ray *ray, const struct sph_facet_leaf *f, int hit, int far,
+                        uint64_t key) {
+    struct sph_naive_leaf n = sph_naive_facet(ray, f, two_bits.w);
+    assert_true(n.hit == hit && n.key == (ray->kind == SPH_SHADOW ? 0 : key));
+    assert_true(!hit || n.far == far);
+}
+
 /* Triangle v (relative to the origin) against the ray dir; returns hits. */
-static int check_small(const int64_t v[3][3], const int64_t dir[3]) {
+static int check_small(const int64_t v[3][3], const int64_t dir[3], int naive) {
     struct sph_ray ray = {.skip = {SPH_ID_NONE, 0}};
     struct sph_facet_leaf f = {.kind = SPH_TRIANGLE, .id = OWN};
     int64_t a = 0, key = 0, before = side(v, dir, 0, 1), past = side(v, dir, 1, 1) - before;
@@ -70,8 +79,10 @@ static int check_small(const int64_t v[3][3], const int64_t dir[3]) {
     uint64_t divisions = 0, got = 0;
     struct sph_facet_result r = sph_facet_test(&two_bits, &ray, &f);
     if (r.hit) got = sph_facet_key(&ray, &r, &divisions);
+    if (naive) check_naive(&ray, &f, hit, r.far, hit ? (uint64_t)key : 0);
     ray.kind = SPH_SHADOW;
     int got_shadow = sph_facet_test(&two_bits, &ray, &f).hit;
+    if (naive) check_naive(&ray, &f, shadow, r.far, 0);
     if (r.hit != hit || got_shadow != shadow || (hit && got != (uint64_t)key) ||
         divisions != (uint64_t)hit || r.far != (past > 0))
         fail_msg("(%ld %ld %ld) (%ld %ld %ld) (%ld %ld %ld) dir (%ld %ld %ld): hit %d shadow %d "
@@ -98,7 +109,7 @@ static void exhaustive(void **state) {
             v[i / 3][i % 3] = digit(corners, i, 4, -2);
         for (uint64_t d = 0; d < 64; d++, n++) {
             int64_t dir[3] = {digit(d, 0, 4, -2), digit(d, 1, 4, -2), digit(d, 2, 4, -2)};
-            hits += (uint64_t)check_small((const int64_t(*)[3])v, dir);
+            hits += (uint64_t)check_small((const int64_t(*)[3])v, dir, n % NAIVE == 0);
         }
     }
     printf("# %lu triangles and rays, %lu hits\n", n, hits);
@@ -107,7 +118,7 @@ static void exhaustive(void **state) {
 
 /* Plane through p with normal n: hit if the side changes before the ray leaves the world, -2..1. */
 static int check_plane(const int64_t org[3], const int64_t dir[3], const int64_t p[3],
-                       const int64_t n[3]) {
+                       const int64_t n[3], int naive) {
     struct sph_ray ray = {.skip = {SPH_ID_NONE, 0}};
     struct sph_facet_leaf f = {.kind = SPH_PLANE, .id = OWN};
     int64_t start = 0, step = 0, a = 0, key = 0; /* at t the side is that of start + t * step */
@@ -131,8 +142,10 @@ static int check_plane(const int64_t org[3], const int64_t dir[3], const int64_t
     uint64_t divisions = 0, got = 0;
     struct sph_facet_result r = sph_facet_test(&two_bits, &ray, &f);
     if (r.hit) got = sph_facet_key(&ray, &r, &divisions);
+    if (naive) check_naive(&ray, &f, hit, r.far, hit ? (uint64_t)key : 0);
     ray.kind = SPH_SHADOW;
     int got_shadow = sph_facet_test(&two_bits, &ray, &f).hit;
+    if (naive) check_naive(&ray, &f, shadow, r.far, 0);
     if (r.hit != hit || got_shadow != shadow || got != (uint64_t)key || r.far != (step > 0))
         fail_msg("org (%ld %ld %ld) dir (%ld %ld %ld) plane (%ld %ld %ld) normal (%ld %ld %ld): "
                  "hit %d shadow %d key %lu far %d, expected %d %d %ld %d",
@@ -151,7 +164,7 @@ static void exhaustive_planes(void **state) {
             v[i / 3][i % 3] = (int64_t)(c >> 2 * i & 3) - 2;
         for (int i = 0; i < 3; i++)
             normal[i] = digit(c >> 18, i, 3, -1);
-        hits += (uint64_t)check_plane(v[0], v[1], v[2], normal);
+        hits += (uint64_t)check_plane(v[0], v[1], v[2], normal, n % NAIVE == 0);
     }
     printf("# %lu planes and rays, %lu hits\n", n, hits);
     assert_true(hits > n / 20);
