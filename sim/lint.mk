@@ -10,7 +10,7 @@ V_HEADS  := $(sort $(shell find rtl -name '*.vh'))
 V_DIRS   := $(patsubst %/,%,$(sort $(dir $(V_FILES) $(V_HEADS))))
 WAIVERS  := $(wildcard sim/waivers.vlt)
 C_HEADS  := $(sort $(shell find cmodel tb tests -name '*.h'))
-TIDY     := $(filter-out $(GENERATORS),$(C_FILES)) $(IMAGE_CXX) $(TEST_C) $(HARD_C)
+TIDY     := $(filter-out $(GENERATORS),$(C_FILES)) $(IMAGE_CXX) $(TEST_C) $(HARD_C) $(PICTURES_C)
 LINTS    := verilator iverilog yosys tidy format text
 # gcc's omp.h, whose malloc attribute clang does not know
 OMP_DIR   = $(dir $(shell $(CC) -print-file-name=include/omp.h))

@@ -56,8 +56,8 @@ for n in $(seq "$names"); do
 done
 all_named() { [ "$names" -eq 61 ]; }
 check "61 named cases" all_named
-block() { # what stands in the page behind a mark
-    sed -n "/^<!-- $1 -->\$/,/^<!-- end -->\$/p" docs/hard_cases.md | sed '1d;$d'
+block() { # what stands behind a mark of a page
+    sed -n "/^<!-- $1 -->\$/,/^<!-- end -->\$/p" "docs/${2:-hard_cases}.md" | sed '1d;$d'
 }
 listed() { # as --list prints
     "$hard" --list >"$TMP/list"
@@ -84,6 +84,16 @@ campaign() { # 10^8 cases a profile, every family in each, nothing wrong
         }' "$TMP/families" -
 }
 check "docs/hard_cases.md: 10^8 cases a profile in every family, 0 wrong" campaign
+pictures() { # the same pixels and counts; the model shows no other sphere
+    mkdir -p "$TMP/pictures" || return 1
+    "$hard-pictures" tests/hard/pictures "$TMP/pictures" >"$TMP/counts" || return 1
+    block counts hard_pictures | diff - "$TMP/counts" || return 1
+    for file in "$TMP"/pictures/*.png docs/pictures/hard_*.png; do
+        name=$(basename "$file")
+        "$SPHAERA" compare "docs/pictures/$name" "$TMP/pictures/$name" || return 1
+    done
+}
+check "docs/hard_pictures.md: pictures and counts of make hard-pictures" pictures
 
 # ---- generated cases ----
 run() { "$hard" --seed "${SEED:-1}" "$@"; }

@@ -15,4 +15,9 @@ struct floats {
  * shadow rays. It knows no skip. */
 struct floats floats_leaf(int formula, const struct sph_ray *ray, const struct sph_leaf *leaf);
 
+/* The same of any ray: the smallest root between least and most. The formulas of float32 round what
+ * they are given. */
+struct floats floats_hit(int formula, const double org[3], const double dir[3], const double ctr[3],
+                         double rad, double least, double most);
+
 #endif

@@ -33,7 +33,7 @@ hard-lists: $B/test/hard ## lists of docs/hard_cases.md: cases, families, faults
 hard-rtl: $(LIB) $B/test/libhard.a ## faults in the RTL that the named cases notice: all of the list
 	@ALL=1 BUILD=$(abspath $B) JOBS=$(JOBS) sh tests/run.sh tests/test_hard_rtl.sh
 
-.PHONY: hard hard-page hard-lists hard-rtl
+.PHONY: hard hard-page hard-lists hard-rtl hard-pictures
 $B/test/obj/%.o: %.c $B/flags
 	$(call say,CC,$(<F))
 	@mkdir -p $(@D)
@@ -57,8 +57,20 @@ $B/test/hard.sanitized: $(HARD_C:%.c=$B/test/asan/%.o) $B/asan/obj/cmodel/tool/p
 	$(call say,LD,$(@F))
 	$(Q)$(CC) -fopenmp $(SANITIZE) $^ $(HARD_LIBS) -o $@
 
-# the suite runs both
-tests/test_hard.sh: | $B/test/hard $B/test/hard.sanitized
+# Close-ups of what floats get wrong, and their counts, into docs/hard_pictures.md.
+PICTURES_C := $(sort $(wildcard tests/hard/pictures/*.c))
+hard-pictures: $B/test/hard-pictures ## pictures and counts of docs/hard_pictures.md
+	@$< tests/hard/pictures docs/pictures >$B/test/hard.counts
+	@awk -v mark=counts -v text=$B/test/hard.counts -f tests/hard/splice.awk \
+	    docs/hard_pictures.md >$B/test/hard.page && cp $B/test/hard.page docs/hard_pictures.md
+
+$B/test/hard-pictures: $(PICTURES_C:%.c=$B/test/obj/%.o) $B/test/libhard.a $(IMAGE) $(LIB)
+	$(call say,LD,$(@F))
+	$(Q)$(CXX) -fopenmp $^ $(IMAGE_LIBS) $(MODEL_LIBS) -o $@
+
+# the suite runs all three
+tests/test_hard.sh: | $B/test/hard $B/test/hard.sanitized $B/test/hard-pictures
 tests/test_benches.sh tests/test_mutants.sh tests/test_hard_rtl.sh: | $B/test/libhard.a
 
--include $(HARD_C:%.c=$B/test/obj/%.d) $(HARD_C:%.c=$B/test/asan/%.d)
+-include $(HARD_C:%.c=$B/test/obj/%.d) $(PICTURES_C:%.c=$B/test/obj/%.d) \
+         $(HARD_C:%.c=$B/test/asan/%.d)
