@@ -149,7 +149,7 @@ static void trace_two(struct named *n, struct sph_ray ray, const struct sph_face
         struct sph_machine m = {.mem = mem, .lines = 8};
         struct sph_counters counters = {0};
         uint32_t ids[2] = {order >> 1 & 1, !(order >> 1 & 1)};
-        m.regs[SPH_REG_PROFILE] = n->profile;
+        sph_machine_set_profile(&m, &sph_profiles[n->profile]);
         m.regs[SPH_REG_EFFECTS] = 1 << SPH_EFFECT_FACETS | 1 << SPH_EFFECT_INSIDE;
         m.regs[SPH_REG_PRIM_BASE] = 3;
         m.regs[SPH_REG_FACET_BASE] = 5;
