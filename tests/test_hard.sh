@@ -89,8 +89,8 @@ pictures() { # the same pixels and counts; the model shows no other sphere
     "$hard-pictures" tests/hard/pictures "$TMP/pictures" >"$TMP/counts" || return 1
     block counts hard_pictures | diff - "$TMP/counts" || return 1
     for file in "$TMP"/pictures/*.png docs/pictures/hard_*.png; do
-        name=$(basename "$file")
-        "$SPHAERA" compare "docs/pictures/$name" "$TMP/pictures/$name" || return 1
+        picture=$(basename "$file")
+        "$SPHAERA" compare "docs/pictures/$picture" "$TMP/pictures/$picture" || return 1
     done
 }
 check "docs/hard_pictures.md: pictures and counts of make hard-pictures" pictures
