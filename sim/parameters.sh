@@ -4,15 +4,16 @@
 #
 # usage: sim/parameters.sh LIST
 #   LIST  all, all-NAME (all but one), none, or names joined by +:
-#         shadow reflectN lightsN inside first interpenetrate rect spans conesN
+#         shadow reflectN lightsN inside first interpenetrate facets rect spans conesN
 #         (N: reflections 1..5, lights 1..8, spheres of exact background separation 1..16;
 #         interpenetrate needs first and inside, so all-first and all-inside leave it out too)
 # Prints the parameters of rtl/shell/rt_core.v, NAME=VALUE, all on one line.
 set -eu
 awk -v list="$1" 'BEGIN {
-    n = split("shadow reflect lights inside first interpenetrate rect spans cones", name, " ")
-    split("1 5 8 1 1 1 1 1 16", most, " ")
-    split("1 5 8 1 1 1 1 1 1", full, " ")
+    n = split("shadow reflect lights inside first interpenetrate facets rect spans cones", name,
+              " ")
+    split("1 5 8 1 1 1 1 1 1 16", most, " ")
+    split("1 5 8 1 1 1 1 1 1 1", full, " ")
     but = list
     if (sub(/^all-/, "", but)) list = "all"; else but = ""
     for (i = 1; i <= n; i++) {

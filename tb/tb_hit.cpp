@@ -1,4 +1,4 @@
-/* tb_hit.cpp - rt_hit, and rt_normalise inside it, against sph_surface_at()
+/* tb_hit.cpp - rt_hit, and rt_normalise inside it, against sph_surface_at(), sph_surface_facet()
  * SPDX-License-Identifier: Apache-2.0
  *
  * The hits of tests/hard come first. Vectors are keys and a, so that every quotient is one that
@@ -15,17 +15,22 @@ extern "C" {
 #include "shade/surface.h"
 }
 
+#ifndef FACETS
+#define FACETS 0
+#endif
+
 namespace {
 
 constexpr uint64_t LATENCY = 18, INTERVAL = 8;
 const struct sph_profile profile = {PROFILE, W, WD, PQ, NG, 12, 0};
 
 struct Vector {
-    uint64_t key, a; /* t = key / a */
-    int64_t org[3], dir[3], ctr[3];
+    uint64_t key, a;                /* t = key / a */
+    int64_t org[3], dir[3], ctr[3]; /* ctr: the normal of a facet */
     int far;
     uint64_t tag, taken;
     hard::Case hard{};
+    bool facet = false;
 };
 
 constexpr int64_t MAX = ((int64_t)1 << (W - 1)) - 1, MIN = -MAX - 1;     /* coordinate */
@@ -99,6 +104,10 @@ Vector make(bench::Random &random) {
         }
         if (random.percent(50)) v.ctr[random.below(3)] ^= 1; /* or just beside it */
     }
+    v.facet = FACETS && random.percent(50);
+    for (int i = 0; i < 3 && v.facet; i++)
+        v.ctr[i] = random.percent(10) ? 0 : random.smixed(24);
+    if (v.facet && random.percent(2)) v.ctr[0] = v.ctr[1] = v.ctr[2] = 0; /* -dir */
     return v;
 }
 
@@ -110,6 +119,12 @@ struct sph_quotient quotient(const Vector &v) {
 
 int main(int argc, char **argv) {
     bench::Bench<Vrt_hit> b("tb_hit", argc, argv);
+    auto centre = [&](const Vector &v,
+                      int i) { /* above W bits: what must not matter */
+                               bench::u128 high = v.facet ? 0 : b.random.bits(24) >> W << W;
+                               return (bench::i128)(
+                                   high | bench::low((bench::u128)v.ctr[i], v.facet ? 24 : W));
+    };
     auto send = [&](const Vector &v) {
         struct sph_quotient t = quotient(v);
         b.set(b.dut.in_mant_i, PQ, t.mant);
@@ -120,9 +135,10 @@ int main(int argc, char **argv) {
         b.set(b.dut.in_dir_x_i, WD, v.dir[0]);
         b.set(b.dut.in_dir_y_i, WD, v.dir[1]);
         b.set(b.dut.in_dir_z_i, WD, v.dir[2]);
-        b.set(b.dut.in_ctr_x_i, W, v.ctr[0]);
-        b.set(b.dut.in_ctr_y_i, W, v.ctr[1]);
-        b.set(b.dut.in_ctr_z_i, W, v.ctr[2]);
+        b.set(b.dut.in_ctr_x_i, 24, centre(v, 0));
+        b.set(b.dut.in_ctr_y_i, 24, centre(v, 1));
+        b.set(b.dut.in_ctr_z_i, 24, centre(v, 2));
+        b.dut.in_facet_i = v.facet || (!FACETS && b.random.percent(50));
         b.dut.in_far_i = (uint8_t)v.far;
     };
     auto check = [&](const Vector &e) {
@@ -136,7 +152,8 @@ int main(int argc, char **argv) {
         }
         ray.a = e.a;
         struct sph_hit hit = {e.key, 0, e.far};
-        int saturated = sph_surface_at(&profile, &ray, &hit, &sphere, &s);
+        int saturated = e.facet ? sph_surface_facet(&profile, &ray, &hit, e.ctr, &s)
+                                : sph_surface_at(&profile, &ray, &hit, &sphere, &s);
         b.expect("out_point_x_o", b.sget(b.dut.out_point_x_o, W), s.point[0], W);
         b.expect("out_point_y_o", b.sget(b.dut.out_point_y_o, W), s.point[1], W);
         b.expect("out_point_z_o", b.sget(b.dut.out_point_z_o, W), s.point[2], W);
@@ -151,6 +168,7 @@ int main(int argc, char **argv) {
             b.show("in_mant_i", quotient(e).mant, PQ);
             b.show("in_exp_i", quotient(e).exp, 8);
             b.show("in_far_i", e.far, 1);
+            b.show("in_facet_i", e.facet, 1);
         }
         for (int i = 0; i < 3 && b.bad(); i++) {
             b.show("in_org_i", e.org[i], W);

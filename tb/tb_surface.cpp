@@ -1,4 +1,5 @@
-/* tb_surface.cpp - rt_surface, with its dividers and rt_hit, against sph_surface_at()
+/* tb_surface.cpp - rt_surface, with its dividers and rt_hit, against sph_surface_at(),
+ * sph_surface_facet()
  * SPDX-License-Identifier: Apache-2.0
  *
  * Every slot gets a ray, then a hit; the record that its token asks for comes after a random time
@@ -22,6 +23,10 @@ extern "C" {
 #define INSIDE 1
 #endif
 
+#ifndef FACETS
+#define FACETS 0
+#endif
+
 using bench::u128;
 
 namespace {
@@ -35,9 +40,10 @@ constexpr uint32_t LINES = 1u << 26, IDS = 0xffffff;
 
 struct Vector {
     uint64_t key, a;
-    int64_t org[3], dir[3], ctr[3];
+    int64_t org[3], dir[3], ctr[3]; /* ctr: the normal of a facet */
     int far;
     uint32_t id;
+    bool facet = false;
 };
 
 const Vector corners[] = {
@@ -105,8 +111,8 @@ int main(int argc, char **argv) {
     unsigned ready = 100, pace = 100; /* percent of clocks with prim_ready_i, with a record */
     const uint32_t base = (uint32_t)b.random.below(LINES);
     int64_t eye[3] = {};
-    bool points = true,
-         drain = true; /* points_on_i; it and the eye change while nothing is inside */
+    bool points = true, facets = false, /* points_on_i, facets_on_i */
+        drain = true;                   /* they and the eye change while nothing is inside */
     b.set(b.dut.prim_base_i, 26, base);
     b.dut.ray_valid_i = b.dut.in_valid_i = b.dut.prim_valid_i = b.dut.prim_ready_i = 0;
     b.reset();
@@ -123,6 +129,8 @@ int main(int argc, char **argv) {
             drain = false;
             points = POINTS && b.random.percent(70);
             b.dut.points_on_i = POINTS ? points : b.random.percent(50);
+            facets = FACETS && b.random.percent(80);
+            b.dut.facets_on_i = FACETS ? facets : b.random.percent(50);
             for (int64_t &x : eye)
                 x = b.random.smixed(W);
             b.set(b.dut.eye_i, 3 * W, (bench::i128)pack(eye, W));
@@ -135,7 +143,10 @@ int main(int argc, char **argv) {
         if (b.dut.ray_valid_i && points && corner < CORNERS) v = corners[corner++];
         for (int i = 0; i < 3 && !BOUNCES; i++)
             v.org[i] = eye[i];
-        v.far &= INSIDE;
+        v.far &= INSIDE | FACETS;
+        v.facet = facets && corner == CORNERS && b.random.percent(50);
+        for (int i = 0; i < 3 && v.facet; i++)
+            v.ctr[i] = b.random.smixed(24);
         b.dut.ray_slot_i = (uint8_t)at;
         b.set(b.dut.ray_org_i, 3 * W, (bench::i128)pack(v.org, W));
         b.set(b.dut.ray_dir_i, 3 * WD, (bench::i128)pack(v.dir, WD));
@@ -165,9 +176,12 @@ int main(int argc, char **argv) {
                 b.dut.prim_data_i[i] = (uint32_t)b.random.next();
             u128 low = b.random.bits(128);
             for (int i = 0; i < 3; i++) {
-                u128 mask = (((u128)1 << W) - 1) << (24 * i);
-                low = (low & ~mask) | bench::low((u128)s->v.ctr[i], W) << (24 * i);
+                int used = s->v.facet ? 24 : W;
+                u128 mask = (((u128)1 << used) - 1) << (24 * i);
+                low = (low & ~mask) | bench::low((u128)s->v.ctr[i], used) << (24 * i);
             }
+            u128 bit = (u128)1 << SPH_PRIM_FACET_LSB;
+            if (facets) low = s->v.facet ? low | bit : low & ~bit;
             for (int i = 0; i < 4; i++)
                 b.dut.prim_data_i[i] = (uint32_t)(low >> (32 * i));
         }
@@ -221,7 +235,8 @@ int main(int argc, char **argv) {
             ray.dir[i] = e.v.dir[i];
             sphere.ctr[i] = e.v.ctr[i];
         }
-        int saturated = sph_surface_at(&profile, &ray, &hit, &sphere, &surface);
+        int saturated = e.v.facet ? sph_surface_facet(&profile, &ray, &hit, e.v.ctr, &surface)
+                                  : sph_surface_at(&profile, &ray, &hit, &sphere, &surface);
         b.expect("out_point_o", b.get(b.dut.out_point_o), (bench::i128)pack(surface.point, W),
                  3 * W);
         b.expect("out_normal_o", b.get(b.dut.out_normal_o), (bench::i128)pack(surface.normal, WD),
@@ -232,6 +247,7 @@ int main(int argc, char **argv) {
             b.show("in_key_i", (bench::i128)e.v.key, W + WD + 2);
             b.show("ray_a_i", (bench::i128)e.v.a, 2 * WD);
             b.show("in_far_i", e.v.far, 1);
+            b.show("facet", e.v.facet, 1);
         }
         for (int i = 0; i < 3 && b.bad(); i++) {
             b.show("org", e.v.org[i], W);

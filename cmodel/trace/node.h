@@ -25,8 +25,8 @@ static inline void sph_vector_read(const uint32_t *line, int at, int w, int64_t 
         v[i] = sph_field_signed(line, at + 24 * i, w);
 }
 
-/* What a leaf line of a machine with FACETS holds: 0 a sphere, SPH_TRIANGLE, SPH_PLANE; 3, which
- * no machine has, counts as a plane. */
+/* What a leaf line of a machine with FACETS holds: 0 a sphere, SPH_TRIANGLE, SPH_PLANE; 3: no
+ * kind, which traversal refuses. */
 static inline int sph_leaf_kind(const uint32_t *line) {
     return (int)sph_field(line, SPH_FACET_KIND_LSB, SPH_FACET_KIND_BITS);
 }

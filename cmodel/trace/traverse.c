@@ -34,10 +34,16 @@ static void sphere_visit(const struct sph_ray *ray, const struct sph_leaf *leaf,
     keep(best, (struct sph_hit){key, leaf->id, r.far});
 }
 
-/* Exact test of what a leaf line of a machine with FACETS holds. */
+/* Exact test of what a leaf line of a machine with FACETS holds; of no kind: a miss and an error.
+ */
 static void line_visit(const struct sph_profile *p, const struct sph_ray *ray, const uint32_t *line,
-                       struct sph_hit *best, struct sph_counters *c) {
-    if (!sph_leaf_kind(line)) {
+                       struct sph_hit *best, struct sph_counters *c, uint32_t *errors) {
+    int kind = sph_leaf_kind(line);
+    if (kind > SPH_PLANE) {
+        *errors |= 1u << SPH_ERROR_BAD_NODE;
+        return;
+    }
+    if (!kind) {
         struct sph_leaf sphere = sph_leaf_read(line, 0, p->w);
         sphere_visit(ray, &sphere, p->pr, best, c);
         return;
@@ -52,7 +58,7 @@ static void line_visit(const struct sph_profile *p, const struct sph_ray *ray, c
 }
 
 static struct sph_hit brute(const struct sph_machine *m, const struct sph_ray *ray,
-                            struct sph_counters *c) {
+                            struct sph_counters *c, uint32_t *errors) {
     struct sph_hit best = {0, SPH_ID_NONE, 0};
     const struct sph_profile *p = sph_machine_profile(m);
     uint32_t n = (uint32_t)m->regs[SPH_REG_N_PRIMS];
@@ -65,7 +71,7 @@ static struct sph_hit brute(const struct sph_machine *m, const struct sph_ray *r
             sphere_visit(ray, &leaf, p->pr, &best, c);
         } else {
             size_t line = (uint32_t)m->regs[SPH_REG_FACET_BASE] + (size_t)(id - spheres);
-            line_visit(p, ray, m->mem + line * SPH_LINE_WORDS, &best, c);
+            line_visit(p, ray, m->mem + line * SPH_LINE_WORDS, &best, c, errors);
         }
         if (ray->kind == SPH_SHADOW && best.key) break;
     }
@@ -74,7 +80,7 @@ static struct sph_hit brute(const struct sph_machine *m, const struct sph_ray *r
 
 struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *ray, int how,
                             struct sph_counters *c, uint32_t *visits, uint32_t *errors) {
-    if (how == SPH_TRAVERSE_BRUTE) return brute(m, ray, c);
+    if (how == SPH_TRAVERSE_BRUTE) return brute(m, ray, c, errors);
     struct sph_hit best = {0, SPH_ID_NONE, 0};
     const struct sph_profile *p = sph_machine_profile(m);
     struct siblings now = {0}, stack[SPH_STACK_DEPTH];
@@ -112,7 +118,7 @@ struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *r
                 const uint32_t *leaf = m->mem + at * SPH_LINE_WORDS;
                 uint64_t key_before = best.key;
                 if (whole) {
-                    line_visit(p, ray, leaf, &best, c);
+                    line_visit(p, ray, leaf, &best, c, errors);
                 } else {
                     struct sph_leaf sphere = sph_leaf_read(leaf, j & 1, p->w);
                     sphere_visit(ray, &sphere, p->pr, &best, c);

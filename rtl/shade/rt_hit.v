@@ -2,17 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 //   g = sat(org*2^NG + round(mant * dir / 2^(exp-NG)))    point = sat(round(g / 2^NG))
 //   normal = normalise(g - ctr*2^NG), negated for the far root, -dir at the centre
+//   facet: normalise(the record's normal, in place of ctr), negated if far, -dir without length
 // x, y, z follow one another through one multiplier and one shifter:
 //   product | coarse shift | fine shift | add org | limit | point, normal | normalise
 // Latency 18 cycles, a new hit every 8 cycles.
-// Model: sph_surface_at() in cmodel/shade/surface.c, without quotient and unit
+// Model: sph_surface_at(), _facet() in cmodel/shade/surface.c, without quotient and unit
 `default_nettype none
 module rt_hit #(
     parameter W   = 16,  // coordinate, bits
     parameter WD  = 17,  // direction component, bits, at least W+1
     parameter PQ  = 17,  // quotient, significant bits
     parameter NG  = 2,   // guard bits of the normal
-    parameter INSIDE = 1, // 0: no hit comes from inside
+    parameter INSIDE = 1, // 0: no hit comes from inside or behind
+    parameter FACETS = 0, // 1: facets too
     parameter TAG = 8    // tag, bits
 ) (
     input  wire                 clk,
@@ -28,10 +30,11 @@ module rt_hit #(
     input  wire signed [WD-1:0] in_dir_x_i,     // ray direction
     input  wire signed [WD-1:0] in_dir_y_i,
     input  wire signed [WD-1:0] in_dir_z_i,
-    input  wire signed [W-1:0]  in_ctr_x_i,     // sphere centre
-    input  wire signed [W-1:0]  in_ctr_y_i,
-    input  wire signed [W-1:0]  in_ctr_z_i,
-    input  wire                 in_far_i,       // hit from inside
+    input  wire signed [23:0]   in_ctr_x_i,     // sphere centre, sW; normal of a facet, s24
+    input  wire signed [23:0]   in_ctr_y_i,
+    input  wire signed [23:0]   in_ctr_z_i,
+    input  wire                 in_facet_i,     // it is a facet
+    input  wire                 in_far_i,       // hit from inside, from the normal's other side
     output wire                 out_valid_o,    // one cycle
     output reg  [TAG-1:0]       out_tag_o,
     output reg  signed [W-1:0]  out_point_x_o,
@@ -45,7 +48,9 @@ module rt_hit #(
     localparam PW = PQ + WD;                    // mant * dir
     localparam SW = PW + 1;                     // and one bit to round
     localparam GW = W + NG;                     // guarded coordinate
-    localparam VW = (GW > WD ? GW : WD) + 1;    // not normalised normal, or -dir
+    localparam VS = (GW > WD ? GW : WD) + 1;    // not normalised normal of a sphere, or -dir
+    localparam VW = FACETS != 0 && VS < 25 ? 25 : VS;      // and of a facet
+    localparam CW = FACETS != 0 ? 24 : W;       // centre, or normal of a facet
     localparam        [31:0] BITS  = NG;
     localparam signed [8:0]  GUARD = BITS[8:0];
     localparam        [GW:0] ONE   = {{GW{1'b0}}, 1'b1};
@@ -67,7 +72,8 @@ module rt_hit #(
     reg                  short_q, far_q;        // exp < NG: t leaves any grid
     reg  signed [WD-1:0] dir_x_q, dir_y_q, dir_z_q;
     reg  signed [W-1:0]  org_x_q, org_y_q, org_z_q;
-    reg  signed [W-1:0]  ctr_x_q, ctr_y_q, ctr_z_q;
+    reg  signed [CW-1:0] ctr_x_q, ctr_y_q, ctr_z_q;
+    reg                  facet_q;
     wire signed [8:0]    shift = $signed({in_exp_i[7], in_exp_i}) - GUARD;
     always @(posedge clk) begin
         if (take) begin
@@ -75,10 +81,12 @@ module rt_hit #(
             mant_q   <= in_mant_i;
             short_q  <= shift[8];
             far_q    <= INSIDE != 0 && in_far_i;
+            facet_q  <= FACETS != 0 && in_facet_i;
             shift_q  <= shift[8] ? 6'd0 : |shift[7:6] ? 6'd62 : shift[5:0];
             {dir_x_q, dir_y_q, dir_z_q} <= {in_dir_x_i, in_dir_y_i, in_dir_z_i};
             {org_x_q, org_y_q, org_z_q} <= {in_org_x_i, in_org_y_i, in_org_z_i};
-            {ctr_x_q, ctr_y_q, ctr_z_q} <= {in_ctr_x_i, in_ctr_y_i, in_ctr_z_i};
+            {ctr_x_q, ctr_y_q, ctr_z_q} <= {in_ctr_x_i[CW-1:0], in_ctr_y_i[CW-1:0],
+                                            in_ctr_z_i[CW-1:0]};
         end else begin
             if (|ph_q[2:1]) {dir_x_q, dir_y_q} <= {dir_y_q, dir_z_q};
             if (|ph_q[5:4]) {org_x_q, org_y_q} <= {org_y_q, org_z_q};
@@ -127,11 +135,25 @@ module rt_hit #(
     reg                  s6_over_q, s6_any_q;
     reg  signed [W-1:0]  s6_px_q, s6_py_q, s6_pz_q;
     reg  signed [VW-1:0] s6_nx_q, s6_ny_q, s6_nz_q;
-    wire signed [VW-1:0] s6_g     = $signed({{(VW-GW){s5_g_q[GW-1]}}, s5_g_q});
-    wire signed [VW-1:0] s6_ctr   = $signed({{(VW-W){ctr_x_q[W-1]}}, ctr_x_q}) <<< NG;
+    wire signed [VW-1:0] s6_ctr, s6_from;       // the normal is from - ctr, or ctr - from
+    wire                 s6_turn;
+    wire signed [VW-1:0] s6_g      = $signed({{(VW-GW){s5_g_q[GW-1]}}, s5_g_q});
+    wire signed [VW-1:0] s6_sphere = $signed({{(VW-W+1){ctr_x_q[W-1]}}, ctr_x_q[W-2:0]}) <<< NG;
+    generate
+        if (FACETS != 0) begin : g_facets       // ctr is the normal, from is 0
+            assign s6_ctr  = facet_q ? $signed({{(VW-CW){ctr_x_q[CW-1]}}, ctr_x_q}) : s6_sphere;
+            assign s6_from = facet_q ? $signed({VW{1'b0}}) : s6_g;
+            assign s6_turn = far_q ^ facet_q;
+        end else begin : g_spheres
+            assign s6_ctr  = s6_sphere;
+            assign s6_from = s6_g;
+            assign s6_turn = far_q;
+            wire unused = facet_q;
+        end
+    endgenerate
     wire signed [GW:0]   s6_round = $signed({s5_g_q[GW-1], s5_g_q}) + $signed(HALF);
     wire                 s6_over  = s6_round[GW] != s6_round[GW-1];
-    wire signed [VW-1:0] s6_n     = (far_q ? s6_ctr : s6_g) - (far_q ? s6_g : s6_ctr);
+    wire signed [VW-1:0] s6_n     = (s6_turn ? s6_ctr : s6_from) - (s6_turn ? s6_from : s6_ctr);
     always @(posedge clk) begin
         if (|ph_q[8:6]) begin
             s6_pz_q <= s6_over ? $signed({1'b0, {(W-1){1'b1}}}) : $signed(s6_round[GW-1:NG]);
@@ -161,6 +183,7 @@ module rt_hit #(
             out_saturated_o <= s6_over_q;
             {out_point_x_o, out_point_y_o, out_point_z_o} <= {s6_px_q, s6_py_q, s6_pz_q};
         end
-    wire unused = &{1'b0, s4_sum_q[0], s4_org[0], s6_round, back[VW+WD:VW]};
+    wire unused = &{1'b0, in_ctr_x_i, in_ctr_y_i, in_ctr_z_i, in_facet_i, s4_sum_q[0], s4_org[0],
+                    s6_round, back[VW+WD:VW]};
 endmodule
 `default_nettype wire

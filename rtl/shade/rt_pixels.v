@@ -11,6 +11,7 @@ module rt_pixels #(
     parameter REFLECT = 5,
     parameter LIGHTS  = 8,
     parameter INSIDE  = 1,
+    parameter FACETS  = 0,
     parameter INTERPENETRATE = 1,
     parameter SLOTS   = 32,  // power of two
     parameter SLOTW   = 5    // log2 of SLOTS
@@ -138,7 +139,7 @@ module rt_pixels #(
         shadow_lit_o   <= !done_found_i;
         hit_valid_o    <= d_on && d_found;
         hit_slot_o     <= done_slot_i;
-        hit_far_o      <= INSIDE != 0 && done_far_i;
+        hit_far_o      <= (INSIDE != 0 || FACETS != 0) && done_far_i;
         hit_id_o       <= done_id_i;
         hit_key_o      <= done_key_i;
         sky_valid_q    <= (d_on && !d_found && d_first) || (d_valid && d_end);

@@ -15,6 +15,7 @@ module rt_surface #(
     parameter POINTS  = 1,     // 0: no light, no mirror: the record is all
     parameter BOUNCES = 1,     // 0: every ray comes from the eye
     parameter INSIDE  = 1,     // 0: no ray starts inside a sphere
+    parameter FACETS  = 0,     // 1: triangles and planes too
     parameter SLOTS = 32,      // power of two
     parameter SLOTW = 5,       // log2 of SLOTS
     parameter QUOTIENTS = 3,   // dividers
@@ -24,7 +25,8 @@ module rt_surface #(
     input  wire              rst,
     input  wire [25:0]       prim_base_i,    // register
     input  wire [3*W-1:0]    eye_i,          // register
-    input  wire              points_on_i,    // run-time switch of POINTS
+    input  wire              points_on_i,    // run-time switches of POINTS, FACETS
+    input  wire              facets_on_i,
     // from rt_setup: primary and reflected rays
     input  wire              ray_valid_i,
     input  wire [SLOTW-1:0]  ray_slot_i,
@@ -63,6 +65,7 @@ module rt_surface #(
     output wire              saturated_o
 );
     localparam KW = W + WD + 2;
+    localparam FARS = INSIDE != 0 || FACETS != 0 ? 1 : 0;  // normals that are turned
 
     localparam FB = SLOTW + 26;               // {slot, line of the record}
     wire on = POINTS != 0 && points_on_i;
@@ -149,6 +152,7 @@ module rt_surface #(
             reg              r_valid_q;
             reg [SLOTW-1:0]  r_slot_q;
             reg [71:0]       r_ctr_q;         // {z, y, x} s24
+            reg              r_facet_q;
             rt_slot_ram #(.WIDTH(TW), .SLOTS(SLOTS), .OLD(0)) u_t (
                 .clk(clk), .wr_en_i(t_valid), .wr_addr_i(t_fetch[26 +: SLOTW]), .wr_data_i(t),
                 .rd_en_i(r_load), .rd_addr_i(prim_slot_i), .rd_data_o(r_t)
@@ -167,7 +171,7 @@ module rt_surface #(
                 );
                 assign r_org = eye_i;
             end
-            if (INSIDE != 0) begin : g_far
+            if (FARS != 0) begin : g_far
                 rt_slot_ram #(.WIDTH(1), .SLOTS(SLOTS), .OLD(0)) u_far (
                     .clk(clk), .wr_en_i(in_valid_i), .wr_addr_i(in_slot_i), .wr_data_i(in_far_i),
                     .rd_en_i(r_load), .rd_addr_i(prim_slot_i), .rd_data_o(r_far)
@@ -180,19 +184,21 @@ module rt_surface #(
                 if (r_load) begin
                     r_slot_q <= prim_slot_i;
                     r_ctr_q  <= prim_data_i[71:0];
+                    r_facet_q <= FACETS != 0 && facets_on_i && prim_data_i[`RT_PRIM_FACET_LSB];
                 end
                 if (hit_ready) r_valid_q <= prim_valid_i && on;
                 if (rst) r_valid_q <= 1'b0;
             end
-            rt_hit #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .INSIDE(INSIDE), .TAG(SLOTW)) u_hit (
+            rt_hit #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .INSIDE(FARS), .FACETS(FACETS),
+                     .TAG(SLOTW)) u_hit (
                 .clk(clk), .rst(rst), .in_valid_i(r_valid_q), .in_ready_o(ready),
                 .in_tag_i(r_slot_q), .in_mant_i(r_t[TW-1:8]), .in_exp_i($signed(r_t[7:0])),
                 .in_org_x_i($signed(r_org[0 +: W])), .in_org_y_i($signed(r_org[W +: W])),
                 .in_org_z_i($signed(r_org[2*W +: W])),
                 .in_dir_x_i($signed(r_dir[0 +: WD])), .in_dir_y_i($signed(r_dir[WD +: WD])),
                 .in_dir_z_i($signed(r_dir[2*WD +: WD])),
-                .in_ctr_x_i($signed(r_ctr_q[0 +: W])), .in_ctr_y_i($signed(r_ctr_q[24 +: W])),
-                .in_ctr_z_i($signed(r_ctr_q[48 +: W])), .in_far_i(r_far),
+                .in_ctr_x_i($signed(r_ctr_q[23:0])), .in_ctr_y_i($signed(r_ctr_q[47:24])),
+                .in_ctr_z_i($signed(r_ctr_q[71:48])), .in_facet_i(r_facet_q), .in_far_i(r_far),
                 .out_valid_o(out_valid_o), .out_tag_o(out_slot_o),
                 .out_point_x_o(out_point_o[0 +: W]), .out_point_y_o(out_point_o[W +: W]),
                 .out_point_z_o(out_point_o[2*W +: W]),
@@ -200,7 +206,6 @@ module rt_surface #(
                 .out_normal_z_o(out_normal_o[2*WD +: WD]), .out_saturated_o(saturated)
             );
             assign saturated_o = out_valid_o && saturated;
-            wire unused = &{1'b0, r_ctr_q};
         end else begin : g_bare
             assign hit_ready = 1'b1;
             assign {out_valid_o, saturated_o} = 2'b00;
@@ -209,7 +214,7 @@ module rt_surface #(
             assign out_normal_o = {3*WD{1'b0}};
         end
     endgenerate
-    wire unused = &{1'b0, p_in, prim_data_i, t, t_fetch, hit_ready, eye_i, ray_valid_i, ray_slot_i,
-                    ray_org_i, ray_dir_i, ray_a_i, in_far_i, in_key_i};
+    wire unused = &{1'b0, facets_on_i, p_in, prim_data_i, t, t_fetch, hit_ready, eye_i, ray_valid_i,
+                    ray_slot_i, ray_org_i, ray_dir_i, ray_a_i, in_far_i, in_key_i};
 endmodule
 `default_nettype wire

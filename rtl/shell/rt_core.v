@@ -21,6 +21,7 @@ module rt_core #(
     parameter INSIDE     = 1,    // rays that start inside a sphere, 0 or 1
     parameter FIRST      = 1,    // primary rays that end at their first leaf hit, 0 or 1
     parameter INTERPENETRATE = 1, // their correction, 0 or 1: needs FIRST and INSIDE
+    parameter FACETS     = 1,    // triangles and planes, 0 or 1
     parameter RECT       = 1,    // background separation by rectangle, 0 or 1
     parameter SPANS      = 1,    // by spans in memory, 0 or 1
     parameter CONES      = 1,    // exactly, by up to so many spheres, 0..16
@@ -28,8 +29,10 @@ module rt_core #(
     parameter LEAF_LINES = 128,
     parameter ROOTS      = 3,    // square root units an engine
     parameter QUOTIENTS  = 3,    // dividers an engine
+    parameter DIVISIONS  = 1,    // dividers an engine for the keys of facets
     parameter ROOT_STEP  = 2,    // root bits a clock, 1..W+WD
-    parameter QUOTIENT_STEP = 2  // quotient bits a clock, 1..PQ
+    parameter QUOTIENT_STEP = 2, // quotient bits a clock, 1..PQ
+    parameter DIVISION_STEP = 2  // bits of a facet's key a clock, 1..W+WD
 ) (
     input  wire              clk,
     input  wire              rst,
@@ -65,7 +68,7 @@ module rt_core #(
 );
     localparam KW = W + WD + 2;
     localparam PW = 28 + 72 + 24 + KW + 24;          // a finished pixel
-    localparam PLACES = 16;                          // counters
+    localparam PLACES = FACETS != 0 ? 32 : 16;                         // counters
     localparam EW = 8*PLACES;                        // their events of a cycle
     localparam SEPARATED = RECT != 0 || SPANS != 0 || CONES != 0;  // background goes by itself
 
@@ -114,7 +117,8 @@ module rt_core #(
                         (REFLECT != 0 ? 32'd1 << `RT_EFFECT_REFLECT : 32'd0) |
                         (INSIDE != 0 ? 32'd1 << `RT_EFFECT_INSIDE : 32'd0) |
                         (FIRST != 0 ? 32'd1 << `RT_EFFECT_FIRST : 32'd0) |
-                        (INTERPENETRATE != 0 ? 32'd1 << `RT_EFFECT_INTERPENETRATE : 32'd0);
+                        (INTERPENETRATE != 0 ? 32'd1 << `RT_EFFECT_INTERPENETRATE : 32'd0) |
+                        (FACETS != 0 ? 32'd1 << `RT_EFFECT_FACETS : 32'd0);
     wire [3:0]  ways  = {CONES != 0, SPANS != 0, RECT != 0, 1'b1};
     wire missing = (effects & ~built) != 32'd0 ||    // the machine asks for what is not here
                    {29'd0, max_depth} > REFLECT || {28'd0, n_lights} > LIGHTS ||
@@ -197,18 +201,19 @@ module rt_core #(
     generate
         for (e = 0; e < ENGINES; e = e + 1) begin : g_engine
             wire [2:0]   rays, tests;
-            wire         visit, leaf, sqrt, quotient, saturated, bubble;
+            wire         visit, facet, divide, leaf, sqrt, quotient, saturated, bubble;
             wire [1:0]   miss;
             wire [EW-1:0] add_e;
             rt_engine #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .FW(FW), .PR(PR), .SLOTS(K),
                         .STACK(`RT_STACK_DEPTH), .SHADOW(SHADOW), .REFLECT(REFLECT),
                         .LIGHTS(LIGHTS), .INSIDE(INSIDE), .FIRST(FIRST),
-                        .INTERPENETRATE(INTERPENETRATE),
+                        .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS),
                         .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES), .ROOTS(ROOTS),
-                        .QUOTIENTS(QUOTIENTS), .ROOT_STEP(ROOT_STEP),
-                        .QUOTIENT_STEP(QUOTIENT_STEP)) u_engine (
+                        .QUOTIENTS(QUOTIENTS), .DIVISIONS(DIVISIONS), .ROOT_STEP(ROOT_STEP),
+                        .QUOTIENT_STEP(QUOTIENT_STEP),
+                        .DIVISION_STEP(DIVISION_STEP)) u_engine (
                 .clk(clk), .rst(rst), .flush_i(go && !keep_cache_i), .busy_o(e_busy[e]),
-                .effects_i(effects[4:0]), .max_depth_i(max_depth), .n_lights_i(n_lights),
+                .effects_i(effects[5:0]), .max_depth_i(max_depth), .n_lights_i(n_lights),
                 .background_i(background), .ambient_i(ambient), .eye_i(eye), .root_i(root),
                 .prim_base_i(prim_base), .mem_lines_i(mem_lines), .visit_limit_i(visit_limit),
                 .light_valid_i(light_valid), .light_number_i(light_number),
@@ -228,7 +233,8 @@ module rt_core #(
                 .mem_rsp_data_i(m_rsp_data), .mem_rsp_error_i(m_rsp_error),
                 .count_rays_o(rays), .count_visit_o(visit), .count_tests_o(tests),
                 .count_leaf_o(leaf), .count_root_o(sqrt), .count_quotient_o(quotient),
-                .count_saturated_o(saturated), .count_issued_o(issued[e]), .count_miss_o(miss),
+                .count_facet_o(facet), .count_divide_o(divide), .count_saturated_o(saturated),
+                .count_issued_o(issued[e]), .count_miss_o(miss),
                 .count_bubble_o(bubble), .errors_o(faults[4*e +: 4])
             );
             assign add_e[8*`RT_COUNT_RAYS_PRIMARY   +: 8] = {7'd0, rays[0]};
@@ -247,6 +253,12 @@ module rt_core #(
             assign add_e[8*`RT_COUNT_LEAF_MISSES    +: 8] = {7'd0, miss[1]};
             assign add_e[8*`RT_COUNT_RAYS_WAITING   +: 8] = 8'd0;
             assign add_e[8*`RT_COUNT_POP_BUBBLES    +: 8] = {7'd0, bubble};
+            if (FACETS != 0) begin : g_facets
+                assign add_e[EW-1:8*`RT_COUNT_FACET_TESTS] =
+                    {{(EW-8*`RT_COUNT_FACET_TESTS-16){1'b0}}, 7'd0, divide, 7'd0, facet};
+            end else begin : g_spheres
+                wire unused_e = facet || divide;
+            end
             assign events[EW*e +: EW] = add_e;
         end
     endgenerate
@@ -287,6 +299,11 @@ module rt_core #(
     assign shell_events[8*`RT_COUNT_LEAF_MISSES    +: 8] = 8'd0;
     assign shell_events[8*`RT_COUNT_RAYS_WAITING   +: 8] = {7'd0, ray_valid};
     assign shell_events[8*`RT_COUNT_POP_BUBBLES    +: 8] = 8'd0;
+    generate
+        if (PLACES > 16) begin : g_more
+            assign shell_events[EW-1:128] = {(EW-128){1'b0}};
+        end
+    endgenerate
     reg [EW-1:0] add;
     integer n, k;
     always @* begin

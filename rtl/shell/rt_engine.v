@@ -19,19 +19,22 @@ module rt_engine #(
     parameter INSIDE     = 1,
     parameter FIRST      = 1,
     parameter INTERPENETRATE = 1,
+    parameter FACETS     = 0,
     parameter NODE_LINES = 256,  // node cache
     parameter LEAF_LINES = 128,  // leaf and primitive cache
     parameter ROOTS      = 3,    // square root units
     parameter QUOTIENTS  = 3,    // dividers
+    parameter DIVISIONS  = 1,    // dividers for keys of facets
     parameter ROOT_STEP  = 2,    // root bits a clock
-    parameter QUOTIENT_STEP = 2  // quotient bits a clock
+    parameter QUOTIENT_STEP = 2, // quotient bits a clock
+    parameter DIVISION_STEP = 2  // bits of a facet's key a clock
 ) (
     input  wire              clk,
     input  wire              rst,
     input  wire              flush_i,         // forget the caches
     output wire              busy_o,
     // registers
-    input  wire [4:0]        effects_i,       // EFFECTS of machine.def
+    input  wire [5:0]        effects_i,       // EFFECTS of machine.def
     input  wire [2:0]        max_depth_i,
     input  wire [3:0]        n_lights_i,
     input  wire [23:0]       background_i,
@@ -74,6 +77,8 @@ module rt_engine #(
     output wire [2:0]        count_tests_o,
     output wire              count_leaf_o,
     output wire              count_root_o,
+    output wire              count_facet_o,
+    output wire              count_divide_o,
     output wire              count_quotient_o,
     output wire              count_saturated_o,
     output wire              count_issued_o,
@@ -86,6 +91,7 @@ module rt_engine #(
     localparam SHADOWS = LIGHTS != 0 && SHADOW != 0 ? 1 : 0;           // shadow rays
     localparam BOUNCES = REFLECT != 0 || INTERPENETRATE != 0 ? 1 : 0;  // mirrored rays
     localparam POINTS  = LIGHTS != 0 || BOUNCES != 0 ? 1 : 0;          // hit points, normals
+    localparam FARS    = INSIDE != 0 || FACETS != 0 ? 1 : 0;           // hits that are far
     wire points_on = n_lights_i != 4'd0 ||                             // the same, at run time
                      effects_i[`RT_EFFECT_REFLECT] || effects_i[`RT_EFFECT_INTERPENETRATE];
     generate
@@ -145,6 +151,7 @@ module rt_engine #(
         .cosine_valid_o(cosine_valid), .cosine_slot_o(cosine_slot), .cosine_o(cosine)
     );
     wire              inside_on = effects_i[`RT_EFFECT_INSIDE];
+    wire              facets_on = effects_i[`RT_EFFECT_FACETS];
     wire              ray_again;              // the repeated primary ray of its pixel
     wire              ray_first = FIRST != 0 && effects_i[`RT_EFFECT_FIRST] && ray_primary &&
                                   !ray_again;
@@ -160,11 +167,12 @@ module rt_engine #(
     wire [71:0]       found_list;
     wire [3:0]        found_leaf;
     wire [23:0]       visits;
-    wire              bad_node, visit_limit, node_error, leaf_error, overflow, bad_record;
+    wire              bad_node, visit_limit, node_error, leaf_error, overflow, bad_record, bad_leaf;
     rt_traverse #(.FW(FW), .SLOTS(SLOTS), .SLOTW(SLOTW), .LINES(NODE_LINES), .SHADOW(SHADOWS),
-                  .FIRST(FIRST)) u_traverse (
+                  .FIRST(FIRST), .FACETS(FACETS)) u_traverse (
         .clk(clk), .rst(rst), .flush_i(flush_i),
         .mem_lines_i(mem_lines_i), .root_i(root_i), .visit_limit_i(visit_limit_i),
+        .facets_on_i(facets_on),
         .new_valid_i(ray_valid), .new_slot_i(ray_slot), .new_org_i(ray_forg),
         .new_unit_i(ray_unit), .new_axis_i(ray_axis), .new_negative_i(ray_negative),
         .new_first_i(ray_first),
@@ -200,8 +208,10 @@ module rt_engine #(
     wire [255:0]      prim_data;
     rt_leaf_unit #(.W(W), .WD(WD), .SLOTS(SLOTS), .SLOTW(SLOTW), .LINES(LEAF_LINES),
                    .ROOTS(ROOTS), .ROOT_STEP(ROOT_STEP), .PR(PR), .SHADOW(SHADOWS),
-                   .INSIDE(INSIDE)) u_leaves (
+                   .INSIDE(INSIDE), .FACETS(FACETS), .DIVISIONS(DIVISIONS),
+                   .DIVISION_STEP(DIVISION_STEP)) u_leaves (
         .clk(clk), .rst(rst), .flush_i(flush_i), .inside_on_i(inside_on),
+        .facets_on_i(facets_on),
         .ray_valid_i(ray_valid), .ray_slot_i(ray_slot), .ray_shadow_i(ray_shadow),
         .ray_org_i(ray_org), .ray_dir_i(ray_dir), .ray_a_i(ray_a), .ray_skip_i(ray_skip),
         .in_valid_i(leaf_visit), .in_slot_i(found_slot), .in_leaf_i(found_leaf),
@@ -216,7 +226,8 @@ module rt_engine #(
         .mem_req_line_o(mem_req_line_o[51:26]),
         .mem_rsp_valid_i(mem_rsp_valid_i[1]), .mem_rsp_ready_o(mem_rsp_ready_o[1]),
         .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
-        .test_o(count_leaf_o), .root_o(count_root_o), .miss_o(count_miss_o[1]),
+        .test_o(count_leaf_o), .root_o(count_root_o), .facet_o(count_facet_o),
+        .divide_o(count_divide_o), .bad_node_o(bad_leaf), .miss_o(count_miss_o[1]),
         .bus_error_o(leaf_error)
     );
     wire              visit_valid, next_hit, next_ends;
@@ -226,7 +237,7 @@ module rt_engine #(
     wire [23:0]       done_id;
     wire [KW-1:0]     done_key;
     rt_collect #(.W(W), .WD(WD), .FW(FW), .SLOTS(SLOTS), .SLOTW(SLOTW), .SHADOW(SHADOWS),
-                 .INSIDE(INSIDE), .FIRST(FIRST)) u_collect (
+                 .INSIDE(FARS), .FIRST(FIRST)) u_collect (
         .clk(clk), .rst(rst),
         .want_valid_i(leaf_visit), .want_slot_i(found_slot), .want_count_i(leaf_count),
         .new_valid_i(ray_valid), .new_slot_i(ray_slot), .new_scale_i(ray_scale),
@@ -286,9 +297,10 @@ module rt_engine #(
     wire              bare_valid;             // a surface that needs no point
     wire [SLOTW-1:0]  bare_slot;
     rt_surface #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .POINTS(POINTS), .BOUNCES(BOUNCES),
-                 .INSIDE(INSIDE), .SLOTS(SLOTS), .SLOTW(SLOTW), .QUOTIENTS(QUOTIENTS),
-                 .QUOTIENT_STEP(QUOTIENT_STEP)) u_surface (
+                 .INSIDE(INSIDE), .FACETS(FACETS), .SLOTS(SLOTS), .SLOTW(SLOTW),
+                 .QUOTIENTS(QUOTIENTS), .QUOTIENT_STEP(QUOTIENT_STEP)) u_surface (
         .clk(clk), .rst(rst), .prim_base_i(prim_base_i), .eye_i(eye_i), .points_on_i(points_on),
+        .facets_on_i(facets_on),
         .ray_valid_i(ray_valid && !ray_shadow), .ray_slot_i(ray_slot), .ray_org_i(ray_org),
         .ray_dir_i(ray_dir), .ray_a_i(ray_a),
         .in_valid_i(hit_valid), .in_slot_i(hit_slot), .in_far_i(hit_far), .in_id_i(hit_id),
@@ -339,7 +351,7 @@ module rt_engine #(
         end
     endgenerate
     rt_pixels #(.W(W), .WD(WD), .SHADOW(SHADOWS), .REFLECT(REFLECT), .LIGHTS(LIGHTS),
-                .INSIDE(INSIDE), .INTERPENETRATE(INTERPENETRATE), .SLOTS(SLOTS),
+                .INSIDE(INSIDE), .FACETS(FACETS), .INTERPENETRATE(INTERPENETRATE), .SLOTS(SLOTS),
                 .SLOTW(SLOTW)) u_pixels (
         .clk(clk), .rst(rst), .busy_o(busy_o),
         .reflect_on_i(effects_i[`RT_EFFECT_REFLECT]), .max_depth_i(max_depth_i),
@@ -373,7 +385,8 @@ module rt_engine #(
         .pix_id_o(pix_id_o), .pix_key_o(pix_key_o), .pix_visits_o(pix_visits_o),
         .bad_node_o(bad_record)
     );
-    assign errors_o = {node_error || leaf_error, visit_limit, overflow, bad_node || bad_record};
+    assign errors_o = {node_error || leaf_error, visit_limit, overflow,
+                       bad_node || bad_record || bad_leaf};
     wire unused = &{1'b0, leafy_in, plain_in, effects_i};
 endmodule
 `default_nettype wire

@@ -12,7 +12,7 @@ module rt_collect #(
     parameter SLOTS = 32,  // power of two
     parameter SLOTW = 5,   // log2 of SLOTS
     parameter SHADOW = 1,  // 1: shadow rays
-    parameter INSIDE = 1,  // 1: far roots
+    parameter INSIDE = 1,  // 1: far roots, or facets: far is kept
     parameter FIRST = 1    // 1: rays that end with the first visit that hits
 ) (
     input  wire              clk,

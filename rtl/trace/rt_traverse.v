@@ -12,7 +12,8 @@ module rt_traverse #(
     parameter SLOTW = 5,    // log2 of SLOTS
     parameter LINES = 256,  // node cache, lines
     parameter SHADOW = 1,   // 1: shadow rays
-    parameter FIRST = 1     // 1: rays that visit children in the order of the node
+    parameter FIRST = 1,    // 1: rays that visit children in the order of the node
+    parameter FACETS = 0    // 1: a leaf child may have a whole line
 ) (
     input  wire              clk,
     input  wire              rst,
@@ -20,6 +21,7 @@ module rt_traverse #(
     input  wire [25:0]       mem_lines_i,    // registers
     input  wire [25:0]       root_i,
     input  wire [23:0]       visit_limit_i,
+    input  wire              facets_on_i,    // run-time switch of FACETS
     // from rt_setup: a new ray, then its token
     input  wire              new_valid_i,
     input  wire [SLOTW-1:0]  new_slot_i,
@@ -175,8 +177,10 @@ module rt_traverse #(
     wire [2:0]  t1_n_inner = t1_node_q[`RT_NODE_N_INNER_LSB +: 3];
     wire [2:0]  t1_n_leaf  = t1_node_q[`RT_NODE_N_LEAF_LSB +: 3];
     wire [3:0]  t1_count   = {1'b0, t1_n_inner} + {1'b0, t1_n_leaf};
-    wire [26:0] t1_end     = {1'b0, t1_base} + {24'd0, t1_n_inner} +
-                             {24'd0, t1_n_leaf[2:1]} + {26'd0, t1_n_leaf[0]};
+    wire        whole      = FACETS != 0 && facets_on_i;           // a line a leaf child, or half
+    wire [2:0]  t1_lines   = whole ? t1_n_leaf : {1'b0, t1_n_leaf[2:1]};
+    wire [26:0] t1_end     = {1'b0, t1_base} + {24'd0, t1_n_inner} + {24'd0, t1_lines} +
+                             {26'd0, !whole && t1_n_leaf[0]};
     wire        t1_bad     = t1_count > 4'd4 || t1_end > {1'b0, mem_lines_i};
     wire        t1_live    = t1_valid_q && !t1_kill_q;
     always @(posedge clk) begin
@@ -269,6 +273,6 @@ module rt_traverse #(
         found_line_o  <= f_side_1[31:6] + {23'd0, f_side_1[5:3]};
         if (rst) found_valid_o <= 1'b0;
     end
-    wire unused = &{1'b0, next_in_ready, new_in_ready, shadow_in_ready, f_side_1[2:0]};
+    wire unused = &{1'b0, facets_on_i, next_in_ready, new_in_ready, shadow_in_ready, f_side_1[2:0]};
 endmodule
 `default_nettype wire

@@ -25,6 +25,7 @@ module tb_core_icarus #(
     parameter INSIDE = 1,
     parameter FIRST = 1,
     parameter INTERPENETRATE = 1,
+    parameter FACETS = 1,
     parameter RECT = 1,
     parameter SPANS = 1,
     parameter CONES = 1,
@@ -63,8 +64,8 @@ module tb_core_icarus #(
     rt_core #(
         .W(W), .WD(WD), .PQ(PQ), .NG(NG), .FW(FW), .PR(PR),
         .ENGINES(ENGINES), .SHADOW(SHADOW), .REFLECT(REFLECT), .LIGHTS(LIGHTS), .INSIDE(INSIDE),
-        .FIRST(FIRST), .INTERPENETRATE(INTERPENETRATE), .RECT(RECT), .SPANS(SPANS), .CONES(CONES),
-        .ROOT_STEP(ROOT_STEP), .QUOTIENT_STEP(QUOTIENT_STEP)
+        .FIRST(FIRST), .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .RECT(RECT), .SPANS(SPANS),
+        .CONES(CONES), .ROOT_STEP(ROOT_STEP), .QUOTIENT_STEP(QUOTIENT_STEP)
     ) u_core (
         .clk(clk), .rst(rst),
         .cfg_valid_i(cfg_valid), .cfg_addr_i(cfg_addr), .cfg_data_i(cfg_data),
