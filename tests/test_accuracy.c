@@ -22,7 +22,12 @@ static const double facet_floors[SPH_PROFILES] = {27, 38, 50.5, 51};
 /* world: where planes end, or NULL. */
 static struct sph_reference reference(const struct sph_scene *scene, int width, int height,
                                       const struct sph_machine *world) {
-    struct sph_reference_options o = {width, height, DEPTH, 1, 1, 0, world};
+    struct sph_reference_options o = {.width = width,
+                                      .height = height,
+                                      .max_depth = DEPTH,
+                                      .shadow = 1,
+                                      .reflect = 1,
+                                      .world = world};
     struct sph_reference r;
     struct sph_error err = {{0}};
     if (sph_reference_render(scene, &o, &r, &err)) fail_msg("%s", err.text);

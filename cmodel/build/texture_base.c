@@ -21,8 +21,13 @@ static double mended(const struct sph_texture_area *area, const struct sph_textu
     return 0.5 * log2(area->size / (area->share * area->texels)) + log2(view->distance);
 }
 
+double sph_texture_base_log2(const struct sph_texture_area *area,
+                             const struct sph_texture_view *view) {
+    if (!(area->share > 0)) return INFINITY;
+    return view->literal ? literal(area, view) : mended(area, view);
+}
+
 int sph_texture_base(const struct sph_texture_area *area, const struct sph_texture_view *view) {
-    if (!(area->share > 0)) return MOST;
-    double base = view->literal ? literal(area, view) : mended(area, view);
+    double base = sph_texture_base_log2(area, view);
     return (int)lround(fmin(fmax(base * ONE, -MOST - 1), MOST));
 }

@@ -22,7 +22,11 @@ struct sph_texture_view {
     int literal;     /* 1: the formula as printed */
 };
 
-/* log2 of P_b in grid units, s7.8: to nearest, limited. No texels at all: the largest, level 0. */
+/* log2 of P_b in grid units; INFINITY without texels. */
+double sph_texture_base_log2(const struct sph_texture_area *area,
+                             const struct sph_texture_view *view);
+
+/* The same, s7.8: to nearest, limited. No texels at all: the largest, level 0. */
 int sph_texture_base(const struct sph_texture_area *area, const struct sph_texture_view *view);
 
 #endif

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <omp.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "reference/facet.h"
 #include "reference/tree.h"
@@ -17,6 +18,7 @@ struct job {
     double axes[3][3]; /* camera right, up, back in the scene's frame */
     double screen;     /* distance of the screen in pixels */
     int width, height;
+    struct sph_ref_textures textures;
 };
 
 static double dot(const double a[3], const double b[3]) {
@@ -100,18 +102,27 @@ static const struct sph_material *surface(const struct sph_scene *scene,
     return &scene->materials[material];
 }
 
+/* How the unit normal turns with the hit point. */
+static double curvature(const struct sph_scene *scene, const struct sph_ref_hit *hit) {
+    if (hit->id >= scene->n_spheres) return 0;
+    return (hit->far ? -1 : 1) / scene->spheres[hit->id].rad;
+}
+
 static uint32_t byte(double c) {
     return (uint32_t)(fmin(fmax(c, 0), 1) * 255 + 0.5);
 }
 
 static struct sph_reference_pixel render_pixel(const struct job *j, int x, int y) {
-    struct sph_reference_pixel pixel = {{0}, SPH_ID_NONE, SPH_ID_NONE, 0, 0, INFINITY};
+    struct sph_reference_pixel pixel = {
+        .id = SPH_ID_NONE, .reflected_id = SPH_ID_NONE, .distance = INFINITY};
     const struct sph_camera *c = &j->scene->camera;
     struct sph_ref_ray ray = {.org = {c->from.x, c->from.y, c->from.z}, .skip = SPH_ID_NONE};
     double weight = 1, sum[3] = {0};
     for (int i = 0; i < 3; i++)
         ray.dir[i] = (x - (j->width - 1) / 2.0) * j->axes[0][i] +
                      ((j->height - 1) / 2.0 - y) * j->axes[1][i] - j->screen * j->axes[2][i];
+    struct sph_ref_path path;
+    sph_ref_path_start(&path, ray.dir, j->axes[0], j->axes[1]);
     int last = 0;
     for (int depth = 0; !last; depth++) {
         struct sph_ref_hit hit = sph_ref_trace(j->tree, &ray, INFINITY, 0);
@@ -120,20 +131,26 @@ static struct sph_reference_pixel render_pixel(const struct job *j, int x, int y
             for (int i = 0; i < 3; i++)
                 colour[i] = j->scene->background[i];
         } else {
-            double at[3], normal[3], lit[3];
+            double at[3], normal[3], lit[3], image[3], lod[SPH_LODS];
             const struct sph_material *f = surface(j->scene, &ray, &hit, at, normal);
             uint32_t faced = 0, blocked = 0;
             light(j, at, normal, &hit, lit, &faced, &blocked);
+            sph_ref_path_hit(&path, ray.dir, hit.t, normal);
+            if (sph_ref_texture(&j->textures, hit.id, at, &path, image, lod) && !pixel.textured) {
+                pixel.textured = 1;
+                memcpy(pixel.lod, lod, sizeof lod);
+            }
             ks = fmin(fmax(f->ks, 0), 1);
             double share = ks < 1 ? fmin(1, f->kd / (1 - ks)) : f->kd;
             for (int i = 0; i < 3; i++)
-                colour[i] = fmin(1, f->rgb[i] * share * lit[i]);
+                colour[i] = fmin(1, f->rgb[i] * share * image[i] * lit[i]);
             if (depth == 0) {
                 pixel.faced = faced, pixel.shadow = blocked;
                 pixel.distance = hit.t * sqrt(dot(ray.dir, ray.dir));
             }
 
             double dn = dot(ray.dir, normal) / dot(normal, normal);
+            sph_ref_path_mirror(&path, ray.dir, normal, curvature(j->scene, &hit));
             ray.skip = hit.id, ray.inside = hit.far;
             for (int i = 0; i < 3; i++) {
                 ray.org[i] = at[i];
@@ -164,6 +181,8 @@ int sph_reference_render(const struct sph_scene *scene, const struct sph_referen
     if (j.width <= 0 || j.height <= 0)
         return sph_fail(err, "%s: a frame of %dx%d has no pixels", scene->path, j.width, j.height);
     if (!camera(&j)) return sph_fail(err, "%s: the camera has no direction", scene->path);
+    j.textures = (struct sph_ref_textures){scene,        options->mips, options->filter,
+                                           options->lod, j.screen,      (double)j.width * j.height};
     struct sph_ref_tree *tree = sph_ref_tree_new(scene, options->world);
     out->width = j.width, out->height = j.height;
     out->pixels = calloc((size_t)j.width * (size_t)j.height, sizeof *out->pixels);

@@ -12,6 +12,7 @@
 #include "error.h"
 #include "frame.h"
 #include "machine/machine.h"
+#include "reference/texture.h"
 #include "scene/scene.h"
 
 struct sph_reference_options {
@@ -21,6 +22,8 @@ struct sph_reference_options {
     int reflect;                     /* 1: mirrors are followed */
     int threads;                     /* 0: all */
     const struct sph_machine *world; /* NULL, or planes end at its box as they do in it */
+    const struct sph_mip *mips;      /* images of the scene; NULL: none are shown */
+    int filter, lod;                 /* SPH_FILTER_*; SPH_LOD_*: the level that colours see */
 };
 
 struct sph_reference_pixel {
@@ -30,6 +33,8 @@ struct sph_reference_pixel {
     uint32_t faced;              /* bit l: light l shines on the side of it that is seen */
     uint32_t shadow;             /* bit l: light l does, but is blocked */
     double distance;             /* from the eye to it, scene units; INFINITY: background */
+    int textured;                /* a surface with an image is seen, also in mirrors */
+    double lod[SPH_LODS];        /* of the first one, each way */
 };
 
 struct sph_reference {

@@ -8,20 +8,26 @@
 
 #include "image/image.h"
 #include "reference/accuracy.h"
+#include "tool/levels.h"
 #include "tool/print.h"
 #include "tool/report.h"
+#include "tool/textures.h"
 
 struct arguments {
     struct tool_source source;
     const char *input, *json, *picture;
-    int threads, truth;
+    int threads, truth, levels;
 };
 
-enum { KEY_JSON = 512, KEY_TRUTH };
+enum { KEY_JSON = 512, KEY_TRUTH, KEY_LEVELS };
 
 static const struct argp_option options[] = {
     {"difference", 'd', "FILE.png", 0, "reference, model and their difference side by side", 0},
     {"truth", KEY_TRUTH, "N", 0, "reflections of the reference, 0 to 5 (as --depth)", 0},
+    {"levels", KEY_LEVELS, "NAME", 0,
+     "how the reference chooses levels of textures: mended (default, as the machine), paper, bmrt, "
+     "or by ray differentials (rays)",
+     0},
     {"threads", 't', "N", 0, "0: one for every processor (default)", 0},
     {"json", KEY_JSON, "FILE", 0, "report as JSON (- : on standard output instead of text)", 0},
     {0},
@@ -35,6 +41,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         return 0;
     case 'd':
         a->picture = arg;
+        return 0;
+    case KEY_LEVELS:
+        a->levels = tool_choice(state, "--levels", arg, tool_level_names);
         return 0;
     case KEY_TRUTH:
         a->truth = (int)tool_number(state, "--truth", arg, 0, SPH_MAX_DEPTH);
@@ -65,6 +74,8 @@ struct measured {
     struct sph_reference reference;
     double model_seconds, reference_seconds;
     struct sph_accuracy accuracy;
+    struct sph_mip *mips;
+    struct sph_levels levels;
 };
 
 /* Seconds of processor, all threads. */
@@ -95,7 +106,10 @@ static int run_reference(const struct arguments *a, const struct sph_scene *scen
                                         .shadow = 1,
                                         .reflect = 1,
                                         .threads = a->threads,
-                                        .world = &m->built.machine};
+                                        .world = &m->built.machine,
+                                        .mips = m->mips,
+                                        .filter = b->tex_filter,
+                                        .lod = a->levels};
     double start = cpu_now();
     int rc = sph_reference_render(scene, &how, &m->reference, err);
     m->reference_seconds = cpu_now() - start;
@@ -163,21 +177,27 @@ static int measure(const struct arguments *a, const struct sph_scene *scene, str
                    struct sph_error *err) {
     m->built.from_scene = 1;
     m->built.skipped = scene->n_skipped;
-    if (sph_build(scene, &a->source.build, &m->built.machine, &m->built.report, err)) return -1;
+    struct sph_build_options how = a->source.build;
+    if (how.texture != SPH_OFF && tool_mips_load(scene, &m->mips, err)) return -1;
+    how.mips = m->mips;
+    if (sph_build(scene, &how, &m->built.machine, &m->built.report, err)) return -1;
     if (run_model(a, m, err) || run_reference(a, scene, m, err)) return -1;
     struct sph_accuracy_frame f = {&m->built.machine, &m->shot.frame, m->trails,
                                    m->built.report.lights};
     m->accuracy = sph_accuracy_measure(&f, &m->reference);
+    m->levels = sph_levels_measure(&m->shot.frame, &m->reference);
     if (a->picture && draw(a->picture, m, err)) return -1;
     FILE *to = print_stream(a->json);
     print_build(to, &m->built);
     print(to, m);
+    print_levels(to, &m->levels);
     json_t *report = report_new("accuracy");
     report_text(report, "input", a->input);
     report_machine(report, &m->built.machine);
     report_build(report, &m->built);
     report_shot(report, &m->shot);
     json_object_set_new(report, "accuracy", accuracy_json(&m->accuracy));
+    if (m->levels.pixels) json_object_set_new(report, "levels", levels_json(&m->levels));
     report_number(report, "cpu_seconds", m->model_seconds);
     report_number(report, "reference_cpu_seconds", m->reference_seconds);
     return report_write(report, a->json, err);
@@ -213,6 +233,7 @@ int tool_accuracy(int argc, char **argv) {
     sph_frame_free(&m.shot.frame);
     sph_reference_free(&m.reference);
     free(m.trails);
+    tool_mips_free(m.mips, scene.n_textures);
     sph_scene_free(&scene);
     return rc ? tool_failed(&err) : TOOL_GOOD;
 }

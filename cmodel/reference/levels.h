@@ -1,0 +1,23 @@
+/* levels.h - the levels of a textured picture, the machine's and those of other ways
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef SPH_REFERENCE_LEVELS_H
+#define SPH_REFERENCE_LEVELS_H
+
+#include "frame.h"
+#include "reference/reference.h"
+
+struct sph_levels {
+    uint64_t pixels;              /* that see the same primitive, and a texture, in both */
+    double model_mean;            /* machine's lod against SPH_LOD_MENDED: mean of what it is off */
+    double model_worst;           /* and the most */
+    double mean[SPH_LODS];        /* level of each way; below: less that of SPH_LOD_RAYS */
+    double off[SPH_LODS];         /* mean of the amount */
+    double within_half[SPH_LODS]; /* share of pixels off by at most half a level */
+};
+
+/* Frame and reference of one scene, size and image; all zero without such pixels. */
+struct sph_levels sph_levels_measure(const struct sph_frame *frame,
+                                     const struct sph_reference *reference);
+
+#endif

@@ -1,0 +1,173 @@
+/* texture.c - see texture.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "reference/texture.h"
+
+#include <math.h>
+
+#include "build/texture_base.h"
+#include "texture/lookup.h"
+
+/* How an image lies around a point: coordinates (t down), their gradients in space, and the sizes
+ * that P_b is made of. */
+struct place {
+    double st[2], slope[2][3];
+    double size, share;
+};
+
+static double dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross(const double a[3], const double b[3], double out[3]) {
+    for (int i = 0; i < 3; i++)
+        out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+}
+
+static void minus(struct sph_vec a, struct sph_vec b, double out[3]) {
+    out[0] = a.x - b.x, out[1] = a.y - b.y, out[2] = a.z - b.z;
+}
+
+static void on_sphere(const struct sph_sphere *s, const struct sph_texture *t, const double at[3],
+                      struct place *p) {
+    double pi = acos(-1.0), n[3] = {at[0] - s->ctr.x, at[1] - s->ctr.y, at[2] - s->ctr.z};
+    double flat = n[0] * n[0] + n[2] * n[2], square = flat + n[1] * n[1];
+    p->st[0] = t->repeat[0] * (0.5 + atan2(n[0], n[2]) / (2 * pi)) + t->offset[0];
+    p->st[1] = 1 - t->repeat[1] * (0.5 + atan2(n[1], sqrt(flat)) / pi) - t->offset[1];
+    double s_rise = t->repeat[0] / (2 * pi * fmax(flat, 1e-300));
+    double t_rise = t->repeat[1] / (pi * square * sqrt(fmax(flat, 1e-300)));
+    const double s_slope[3] = {n[2] * s_rise, 0, -n[0] * s_rise};
+    const double t_slope[3] = {n[1] * n[0] * t_rise, -flat * t_rise, n[1] * n[2] * t_rise};
+    for (int i = 0; i < 3; i++)
+        p->slope[0][i] = s_slope[i], p->slope[1][i] = t_slope[i];
+    p->size = 4 * pi * s->rad * s->rad;
+    p->share = t->repeat[0] * t->repeat[1];
+}
+
+static void on_triangle(const struct sph_facet *f, const double from[3], struct place *p) {
+    double e1[3], e2[3], n[3], along[2][3], d[2][2];
+    minus(f->v[1], f->v[0], e1);
+    minus(f->v[2], f->v[0], e2);
+    cross(e1, e2, n);
+    cross(e2, n, along[0]);
+    cross(n, e1, along[1]);
+    for (int k = 0; k < 2; k++) {
+        int sign = k ? -1 : 1; /* t is turned over */
+        for (int c = 0; c < 2; c++)
+            d[k][c] = sign * (f->st[c + 1][k] - f->st[0][k]);
+        for (int i = 0; i < 3; i++)
+            p->slope[k][i] = (d[k][0] * along[0][i] + d[k][1] * along[1][i]) / dot(n, n);
+        p->st[k] = (k ? 1 - f->st[0][1] : f->st[0][0]) + dot(p->slope[k], from);
+    }
+    p->size = sqrt(dot(n, n)) / 2;
+    p->share = fabs(d[0][0] * d[1][1] - d[0][1] * d[1][0]) / 2;
+}
+
+static void on_plane(const struct sph_facet *f, const double from[3], struct place *p) {
+    const double n[3] = {f->v[1].x, f->v[1].y, f->v[1].z};
+    double along[2][3] = {{f->v[2].x, f->v[2].y, f->v[2].z}, {0}};
+    cross(n, along[0], along[1]);
+    cross(along[1], n, along[0]);
+    for (int k = 0; k < 2; k++) {
+        double rise = (k ? -1 : 1) / f->st[0][k] / sqrt(dot(along[k], along[k]));
+        for (int i = 0; i < 3; i++)
+            p->slope[k][i] = rise * along[k][i];
+        p->st[k] = (k ? 1 - f->st[1][1] : f->st[1][0]) + dot(p->slope[k], from);
+    }
+    p->size = f->st[0][0] * f->st[0][1];
+    p->share = 1;
+}
+
+/* The level of each way, not limited yet. */
+static void levels(const struct sph_ref_textures *r, const struct sph_mip *mip,
+                   const struct place *p, const struct sph_ref_path *path, double lod[SPH_LODS]) {
+    const double side[2] = {mip->width, mip->height};
+    struct sph_texture_area area = {p->size, p->share, side[0] * side[1]};
+    struct sph_texture_view view = {r->screen, r->pixels, 1, 0};
+    for (int k = SPH_LOD_MENDED; k <= SPH_LOD_PRINTED; k++) {
+        view.literal = k == SPH_LOD_PRINTED;
+        lod[k] = log2(path->length) - sph_texture_base_log2(&area, &view);
+    }
+    /* lengths of dP/ds and dP/dt, from the gradients */
+    double both[3], most = 0;
+    cross(p->slope[0], p->slope[1], both);
+    for (int k = 0; k < 2; k++) {
+        double length = sqrt(dot(p->slope[1 - k], p->slope[1 - k]) / dot(both, both));
+        most = fmax(most, path->length / r->screen / length * side[k]);
+    }
+    lod[SPH_LOD_BMRT] = log2(most);
+    most = 0;
+    for (int axis = 0; axis < 2; axis++) {
+        double du = dot(p->slope[0], path->org[axis]) * side[0];
+        double dv = dot(p->slope[1], path->org[axis]) * side[1];
+        most = fmax(most, hypot(du, dv));
+    }
+    lod[SPH_LOD_RAYS] = log2(most);
+}
+
+/* Texel of a level, 0..1 a channel; x and y of any size. */
+static void texel(const struct sph_mip *mip, int level, const int wrap[2], double x, double y,
+                  double weight, double rgb[3]) {
+    double at[2] = {x, y}, size[2];
+    for (int k = 0; k < 2; k++) {
+        size[k] = sph_level_size((uint32_t)(k ? mip->height : mip->width), level);
+        if (wrap[k])
+            at[k] = fmin(fmax(at[k], 0), size[k] - 1);
+        else
+            at[k] -= floor(at[k] / size[k]) * size[k];
+    }
+    size_t index = sph_mip_at(mip, level) + (size_t)at[1] * (size_t)size[0] + (size_t)at[0];
+    for (int c = 0; c < 3; c++)
+        rgb[c] += weight * (mip->texels[index] >> 8 * c & 255) / 255.0;
+}
+
+static void bilinear(const struct sph_mip *mip, int level, const int wrap[2], const double st[2],
+                     double weight, double rgb[3]) {
+    double x = st[0] * sph_level_size((uint32_t)mip->width, level) - 0.5;
+    double y = st[1] * sph_level_size((uint32_t)mip->height, level) - 0.5;
+    double wx = x - floor(x), wy = y - floor(y);
+    for (int k = 0; k < 4; k++)
+        texel(mip, level, wrap, floor(x) + (k & 1), floor(y) + (k >> 1),
+              weight * (k & 1 ? wx : 1 - wx) * (k >> 1 ? wy : 1 - wy), rgb);
+}
+
+static void filter(const struct sph_ref_textures *r, const struct sph_mip *mip, const int wrap[2],
+                   const double st[2], double lod, double rgb[3]) {
+    rgb[0] = rgb[1] = rgb[2] = 0;
+    if (r->filter == SPH_FILTER_NEAREST) {
+        texel(mip, 0, wrap, floor(st[0] * mip->width), floor(st[1] * mip->height), 1, rgb);
+    } else if (r->filter == SPH_FILTER_BETWEEN) {
+        double next = lod - floor(lod);
+        bilinear(mip, (int)lod, wrap, st, 1 - next, rgb);
+        if (next > 0) bilinear(mip, (int)lod + 1, wrap, st, next, rgb);
+    } else {
+        bilinear(mip, r->filter == SPH_FILTER_LEVEL ? (int)(lod + 0.5) : 0, wrap, st, 1, rgb);
+    }
+}
+
+int sph_ref_texture(const struct sph_ref_textures *r, uint32_t id, const double at[3],
+                    const struct sph_ref_path *path, double rgb[3], double lod[SPH_LODS]) {
+    const struct sph_scene *scene = r->scene;
+    const struct sph_facet *f =
+        id < scene->n_spheres ? NULL : &scene->facets[id - scene->n_spheres];
+    uint32_t index = f ? f->texture : scene->spheres[id].texture;
+    rgb[0] = rgb[1] = rgb[2] = 1;
+    if (!r->mips || !index) return 0;
+    const struct sph_texture *texture = &scene->textures[index - 1];
+    const struct sph_mip *mip = &r->mips[index - 1];
+    struct place p;
+    if (f) {
+        const double from[3] = {at[0] - f->v[0].x, at[1] - f->v[0].y, at[2] - f->v[0].z};
+        if (f->kind == SPH_PLANE)
+            on_plane(f, from, &p);
+        else
+            on_triangle(f, from, &p);
+    } else {
+        on_sphere(&scene->spheres[id], texture, at, &p);
+    }
+    levels(r, mip, &p, path, lod);
+    for (int k = 0; k < SPH_LODS; k++) /* what is no number is level 0 */
+        lod[k] = lod[k] > 0 ? fmin(lod[k], mip->levels - 1) : 0;
+    filter(r, mip, texture->wrap, p.st, lod[r->lod], rgb);
+    return 1;
+}
