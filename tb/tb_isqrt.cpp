@@ -19,6 +19,11 @@ u128 radicand(bench::Random &r, long n) {
     if (n < XW) return (u128)1 << n;
     if (n < 2 * XW) return bench::low(~(u128)0, (int)(n - XW) + 1);
     if (n < 2 * XW + 256) return bench::low((u128)(n - 2 * XW), XW);
+    if (BITS && r.percent(20)) { /* BITS are exact but for one bit behind them, or none */
+        int shift = 2 * (int)r.below((unsigned)(XW / 2 - BITS) + 1);
+        u128 root = r.mixed(BITS) | (u128)1 << (BITS - 1);
+        return (root * root << shift) + (shift ? (u128)1 << r.below((unsigned)shift) : 0);
+    }
     switch (r.below(5)) {
     case 0:
     case 1: { /* next to a square of any size: the last digit decides */
