@@ -1,4 +1,4 @@
-/* lod.h - which level of a MIP chain a hit sees       RTL: rtl/texture/rt_path.v, rt_log2.v, rt_lod.v
+/* lod.h - which level of a MIP chain a hit sees           RTL: rtl/texture/rt_path.v, rt_lod.v
  * SPDX-License-Identifier: Apache-2.0
  *
  * Park et al. 2011, equation 2: lod = log2(path) - log2(P_b). path is the length of all rays from

@@ -1,7 +1,7 @@
 // rt_path.v - length of the rays from the eye to a hit
 // SPDX-License-Identifier: Apache-2.0
-//   path = min(path + round(key * y / 2^(WD+12-h)), all ones): |t*dir| = key / |dir|, and 1/|dir| is
-//   y * 2^(h-WD-16) by rt_unit
+//   path = min(path + round(key * y / 2^(WD+12-h)), all ones): the way t*dir is key/|dir| long,
+//   and 1/|dir| is y * 2^(h-WD-16) by rt_unit
 //   P product | 1 shift by 16 and 8 | 1 by 4, 2 and 1 | 1 rounded, added; P = `RT_PRODUCT_LATENCY
 // Free-running, latency P + 3: 5 or 6. Model: sph_path_add() in cmodel/texture/lod.c
 `default_nettype none
