@@ -106,6 +106,14 @@ check "picture of the difference" sh -c "'$s' compare a.frame b.frame -d d.png; 
 "$s" compare a.png b.png --json c.json >/dev/null
 check "compare report" json c.json 'not r["same"] and r["difference"]["pixels"] > 0'
 
+# ---- a profile with a width of its own ----
+"$s" build a.nff --profile standard:ng=1,pq=15 -o own.sph >/dev/null 2>&1
+"$s" info own.sph >own.txt
+check "its name, in the order of its widths" has \
+    "^profile   standard:pq=15,ng=1: W 16, WD 17, PR 33, PQ 15, NG 1, FW 14 bits" own.txt
+fails 2 "directions too short for it" "$s" build a.nff --profile standard:wd=16 -o x.sph
+check "... and why" has "wd is 16, w is 16: light - point needs w + 1 bits" "$TMP/err"
+
 # ---- refusals: a message, an exit code, nothing left behind ----
 fails 2 "no command" "$s"
 fails 2 "unknown command" "$s" draw
@@ -113,10 +121,11 @@ fails 2 "unknown option" "$s" build --fast a.nff -o x.sph
 fails 2 "build without output" "$s" build a.nff
 fails 2 "build without scene" "$s" build -o x.sph
 fails 2 "two scenes" "$s" build a.nff a.nff -o x.sph
-for bad in --profile=huge --tree=oak --background=blue --depth=6 --depth=-1 --depth=1x --size=0x4 \
-    --size=64 --size=64x --size=64x48x --size=16384x1 --size=1x16384 --bg-points=3 \
-    --bg-points=4097 --bg-border=65 --bg-levels=3 --shadow=maybe --reflect= --lights=9 \
-    --lights=all --inside=maybe --traverse=brute --interpenetrate=yes; do
+for bad in --profile=huge --profile=standard: --profile=standard:pq=99 --tree=oak \
+    --background=blue --depth=6 --depth=-1 --depth=1x --size=0x4 --size=64 --size=64x \
+    --size=64x48x --size=16384x1 --size=1x16384 --bg-points=3 --bg-points=4097 \
+    --bg-border=65 --bg-levels=3 --shadow=maybe --reflect= --lights=9 --lights=all \
+    --inside=maybe --traverse=brute --interpenetrate=yes; do
     fails 2 "build $bad" "$s" build a.nff -o x.sph "$bad"
 done
 for bad in --layer=3 --brute=last --threads=-1; do
