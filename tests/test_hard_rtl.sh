@@ -69,18 +69,24 @@ if [ "${1:-}" = --job ]; then
     exit 0
 fi
 
-# ---- jobs ----
+# ---- jobs; of the mutants that are not run the edit, at least ----
 jobs=0
 while read -r key rest; do
     case $key in
-    mutant) name=$rest ;;
-    more) name=${ALL:+$rest} ;;
+    mutant) name=$rest run=1 ;;
+    more) name=$rest run=${ALL:-} ;;
     file) file=$rest ;;
     from) from=$rest ;;
     to) to=$rest ;;
     bench) bench=$rest ;;
     case)
-        case "$name $bench" in " "*) continue ;; *"${MUTANT:-}"*) ;; *) continue ;; esac
+        case "$name $bench" in *"${MUTANT:-}"*) ;; *) continue ;; esac
+        if [ -z "$run" ]; then
+            cp "rtl/$file" "$TMP/edited"
+            (export FROM="$from" TO="$to" NEW="$TMP/new" && edit "$TMP/edited") >>"$TMP/edits" ||
+                echo "mutant $name cannot be made" >>"$TMP/edits"
+            continue
+        fi
         jobs=$((jobs + 1))
         printf '%s\n' "$name" "$bench" "$file" "$from" "$to" "$rest" \
             >"$TMP/$(printf %03d $jobs).mutant"
@@ -103,6 +109,9 @@ printf '%s\n' "$@" "$TMP"/*.mutant | grep -vFx "$1" |
     xargs -P "${JOBS:-2}" -I JOB sh "$self" --job JOB
 
 # ---- what became of them ----
+touch "$TMP/edits"
+edits() { ! grep . "$TMP/edits"; }
+[ -n "${ALL:-}" ] || check "the edits of make hard-rtl can be made" edits
 for file in "$TMP"/*.sound; do
     bench=$(sed -n 2p "$file")
     rc=$(cat "$file.rc" 2>/dev/null || echo 2)
