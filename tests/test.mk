@@ -11,7 +11,7 @@ TEST_C  := $(sort $(wildcard tests/test_*.c))
 TEST_SH := $(sort $(wildcard tests/test_*.sh))
 # The longest first: what runs beside them fills their gaps.
 LONG    := tests/test_core.sh tests/test_mutants.sh tests/test_effect_scenes.sh \
-           tests/test_background.sh tests/test_benches.sh
+           tests/test_background.sh tests/test_benches.sh tests/test_hard_rtl.sh
 SUITES  += $(LONG) $(filter-out $(LONG),$(TEST_SH)) \
            $(TEST_C:tests/%.c=$B/test/%) $(TEST_C:tests/%.c=$B/test/%.sanitized) $B/test/test_image
 ONLY    ?=
