@@ -1,67 +1,103 @@
-// rt_path.v - length of the rays from the eye to a hit
+// rt_path.v - length of the way from the eye to a hit: path + key / |dir|
 // SPDX-License-Identifier: Apache-2.0
-//   path = min(path + round(key * y / 2^(WD+12-h)), all ones): the way t*dir is key/|dir| long,
-//   and 1/|dir| is y * 2^(h-WD-16) by rt_unit
-//   P product | 1 shift by 16 and 8 | 1 by 4, 2 and 1 | 1 rounded, added; P = `RT_PRODUCT_LATENCY
-// Free-running, latency P + 3: 5 or 6. Model: sph_path_add() in cmodel/texture/lod.c
+// |t*dir| = key / |dir| = key * y * 2^(h - WD - 16), with y and h of the ray's unit vector: no root,
+// no quotient. Park et al. 2011, Figure 1: the adder beside the ray stack.
+//   CHUNKS products of 17 bits, highest first | shift | shift | round, add | limit
+// A new hit every CHUNKS clocks; a result CHUNKS + 6 clocks after its hit.
+// Model: sph_path_add() in cmodel/texture/lod.c
 `default_nettype none
-`include "rt_fx.vh"
 module rt_path #(
-    parameter W   = 16,                    // coordinate, bits
-    parameter WD  = 17,                    // direction component, bits; W + WD at most 49
-    parameter TAG = 8                      // what travels along, bits
+    parameter W   = 16,                      // coordinate, bits
+    parameter WD  = 17,                      // direction component, bits
+    parameter TAG = 6                        // what travels along, bits
 ) (
     input  wire            clk,
-    input  wire            rst,            // synchronous, active high
+    input  wire            rst,              // synchronous, active high
     input  wire            in_valid_i,
+    output wire            in_ready_o,
     input  wire [TAG-1:0]  in_tag_i,
-    input  wire [W+WD+1:0] in_key_i,       // u(W+WD+2), of the hit
-    input  wire [16:0]     in_y_i,         // u1.16, of the ray's unit vector
-    input  wire [5:0]      in_h_i,         // 0 to WD
-    input  wire [W+7:0]    in_path_i,      // u(W+4).4 grid units, before
-    output wire            out_valid_o,
-    output wire [TAG-1:0]  out_tag_o,
-    output wire [W+7:0]    out_path_o      // u(W+4).4
+    input  wire [W+WD+1:0] in_key_i,         // u(W+WD+2)
+    input  wire [16:0]     in_y_i,           // u1.16 of the ray's unit vector
+    input  wire [5:0]      in_h_i,           // its shift, below WD
+    input  wire [W+7:0]    in_path_i,        // u(W+4).4, where the ray starts
+    output reg             out_valid_o,      // free-running
+    output reg  [TAG-1:0]  out_tag_o,
+    output reg  [W+7:0]    out_path_o        // u(W+4).4, limited to all ones
 );
-    localparam KB = W + WD + 2;
-    localparam PB = W + 8;
-    localparam P  = `RT_PRODUCT_LATENCY(KB + 1);
-    localparam SB = KB + 6;                // the product without 11 bits that no shift keeps
+    localparam KW     = W + WD + 2;
+    localparam PW     = W + 8;               // path
+    localparam CHUNKS = (KW + 16) / 17;
+    localparam AW     = 17*CHUNKS + 17;      // product
+    localparam [31:0] SHIFT = WD + 11;       // right shift for h = 0, one bit kept to round
 
-    // ---- product ----
-    wire signed [KB+18:0] product;
-    wire [5:0]            h;
-    wire [5:0]            right = WD[5:0] - h;   // 0 to WD, less than 32
-    rt_product #(.AW(KB + 1), .BW(18)) u_product (
-        .clk(clk), .a_i({1'b0, in_key_i}), .b_i({1'b0, in_y_i}), .p_o(product)
-    );
-    rt_delay #(.WIDTH(6), .CYCLES(P)) u_h (.clk(clk), .in_i(in_h_i), .out_o(h));
-
-    // ---- shift: one bit of fraction stays ----
-    wire [SB-1:0] n_0 = product[KB+16:11];
-    wire [SB-1:0] n_16 = right[4] ? n_0 >> 16 : n_0;
-    reg  [SB-1:0] a_q, b_q;
-    reg  [2:0]    right_q;
-    wire [SB-1:0] n_4 = right_q[2] ? a_q >> 4 : a_q;
-    wire [SB-1:0] n_2 = right_q[1] ? n_4 >> 2 : n_4;
+    // ---- chunks of the key, highest first ----
+    reg  [CHUNKS-1:0]   at_q;                // one bit: the chunk whose turn it is
+    reg  [17*CHUNKS-1:0] key_q;
+    reg  [16:0]         y_q;
+    reg  [5:0]          h_q;
+    reg  [TAG-1:0]      tag_q;
+    reg  [PW-1:0]       path_q;
+    wire                take = in_valid_i && in_ready_o;
+    assign in_ready_o = at_q == {CHUNKS{1'b0}} || at_q[CHUNKS-1];
     always @(posedge clk) begin
-        a_q     <= right[3] ? n_16 >> 8 : n_16;
-        right_q <= right[2:0];
-        b_q     <= right_q[0] ? n_2 >> 1 : n_2;
+        at_q  <= {at_q[CHUNKS-2:0], take};
+        key_q <= key_q << 17;
+        if (take) begin
+            key_q  <= {{(17*CHUNKS-KW){1'b0}}, in_key_i};
+            y_q    <= in_y_i;
+            h_q    <= in_h_i;
+            tag_q  <= in_tag_i;
+            path_q <= in_path_i;
+        end
+        if (rst) at_q <= {CHUNKS{1'b0}};
     end
 
-    // ---- sum: (length + 1) / 2 rounds half up ----
-    wire [PB-1:0] path;
-    reg  [PB-1:0] path_q;
-    wire [SB:0]   twice = {1'b0, b_q} + {{SB{1'b0}}, 1'b1};
-    wire [SB:0]   sum = {1'b0, twice[SB:1]} + {{(SB+1-PB){1'b0}}, path};
-    rt_delay #(.WIDTH(PB), .CYCLES(P + 2)) u_path (.clk(clk), .in_i(in_path_i), .out_o(path));
-    always @(posedge clk) path_q <= |sum[SB:PB] ? {PB{1'b1}} : sum[PB-1:0];
-    assign out_path_o = path_q;
+    // ---- product ----
+    reg                 s1_first_q, s1_last_q, s2_last_q;
+    reg  [33:0]         s1_prod_q;
+    reg  [AW-1:0]       s2_acc_q;
+    reg  [5:0]          s1_h_q, s2_h_q;
+    reg  [TAG-1:0]      s1_tag_q, s2_tag_q;
+    reg  [PW-1:0]       s1_path_q, s2_path_q;
+    wire [AW-1:0]       s1_more = {s2_acc_q[AW-18:0], 17'd0};
+    always @(posedge clk) begin
+        s1_prod_q  <= key_q[17*CHUNKS-1 -: 17] * y_q;
+        s1_first_q <= at_q[0];
+        s1_last_q  <= at_q[CHUNKS-1];
+        {s1_h_q, s1_tag_q, s1_path_q} <= {h_q, tag_q, path_q};
+        s2_acc_q   <= (s1_first_q ? {AW{1'b0}} : s1_more) + {{(AW-34){1'b0}}, s1_prod_q};
+        s2_last_q  <= s1_last_q;
+        {s2_h_q, s2_tag_q, s2_path_q} <= {s1_h_q, s1_tag_q, s1_path_q};
+        if (rst) begin s1_last_q <= 1'b0; s2_last_q <= 1'b0; end
+    end
 
-    rt_delay #(.WIDTH(TAG), .CYCLES(P + 3)) u_tag (.clk(clk), .in_i(in_tag_i), .out_o(out_tag_o));
-    rt_delay_valid #(.CYCLES(P + 3)) u_valid (.clk(clk), .rst(rst), .in_i(in_valid_i),
-                                              .out_o(out_valid_o));
-    wire unused = &{1'b0, product[KB+18:KB+17], product[10:0], right[5], twice[0]};
+    // ---- shift right by WD + 12 - h, one bit kept to round ----
+    reg                 s3_valid_q, s4_valid_q, s5_valid_q;
+    reg  [AW-1:0]       s3_q, s4_q;
+    reg  [5:0]          s3_shift_q;
+    reg  [TAG-1:0]      s3_tag_q, s4_tag_q, s5_tag_q;
+    reg  [PW-1:0]       s3_path_q, s4_path_q;
+    reg  [AW-1:0]       s5_sum_q;
+    wire [5:0]          s2_shift = SHIFT[5:0] - s2_h_q;
+    always @(posedge clk) begin
+        s3_valid_q <= s2_last_q;
+        s3_q       <= s2_acc_q >> {s2_shift[5:3], 3'd0};
+        s3_shift_q <= s2_shift;
+        {s3_tag_q, s3_path_q} <= {s2_tag_q, s2_path_q};
+        s4_valid_q <= s3_valid_q;
+        s4_q       <= s3_q >> s3_shift_q[2:0];
+        {s4_tag_q, s4_path_q} <= {s3_tag_q, s3_path_q};
+
+        // ---- round half up, add, limit ----
+        s5_valid_q <= s4_valid_q;
+        s5_tag_q   <= s4_tag_q;
+        s5_sum_q   <= {1'b0, s4_q[AW-1:1]} + {{(AW-1){1'b0}}, s4_q[0]} +
+                      {{(AW-PW){1'b0}}, s4_path_q};
+        out_valid_o <= s5_valid_q;
+        out_tag_o   <= s5_tag_q;
+        out_path_o  <= |s5_sum_q[AW-1:PW] ? {PW{1'b1}} : s5_sum_q[PW-1:0];
+        if (rst) {s3_valid_q, s4_valid_q, s5_valid_q, out_valid_o} <= 4'd0;
+    end
+    wire unused = &{1'b0, s3_shift_q[5:3]};
 endmodule
 `default_nettype wire

@@ -1,0 +1,234 @@
+// rt_texture.v - texture unit: path, level of detail, coordinates, texels, filter
+// SPDX-License-Identifier: Apache-2.0
+// Every surface passes; one with a texture goes through its mapping record, the header of its image
+// and the texels around its coordinates before its lights begin (Park et al. 2011, Figure 1). One
+// token a slot: whatever waits lies in a queue or in a memory of SLOTS words, and what the cache
+// returns is always taken. Drawing and timing: docs/texture_unit.md
+// Model: sph_lookup() in cmodel/texture/lookup.c
+`default_nettype none
+module rt_texture #(
+    parameter W     = 16,      // coordinate, bits
+    parameter WD    = 17,      // direction component, bits
+    parameter NG    = 2,       // guard bits of the hit point
+    parameter SLOTS = 32,      // power of two
+    parameter SLOTW = 5,       // log2 of SLOTS
+    parameter LINES = 128,     // texture cache, lines
+    parameter WAYS  = 4        // lines of a set
+) (
+    input  wire                clk,
+    input  wire                rst,
+    input  wire                flush_i,        // forget the texture cache
+    input  wire                on_i,           // run-time switch: effect TEXTURE
+    input  wire [1:0]          filter_i,       // TEX_FILTER
+    input  wire [25:0]         mem_lines_i,
+    // from rt_setup: primary and reflected rays
+    input  wire                ray_valid_i,
+    input  wire [SLOTW-1:0]    ray_slot_i,
+    input  wire                ray_primary_i,
+    input  wire [16:0]         ray_y_i,        // of the unit vector: 1 / |dir|
+    input  wire [5:0]          ray_h_i,
+    // from rt_pixels: what they hit
+    input  wire                hit_valid_i,
+    input  wire [SLOTW-1:0]    hit_slot_i,
+    input  wire                hit_far_i,
+    input  wire [W+WD+1:0]     hit_key_i,
+    // from rt_surface: material, then hit point
+    input  wire                record_valid_i,
+    input  wire [SLOTW-1:0]    record_slot_i,
+    input  wire [32:0]         record_i,       // {kr u1.8, 0xBBGGRR}
+    input  wire [25:0]         record_tex_i,   // line of the mapping record, 0: none
+    input  wire                point_valid_i,
+    input  wire [SLOTW-1:0]    point_slot_i,
+    input  wire [3*(W+NG)-1:0] point_i,        // {z, y, x} s(W+NG)
+    // from rt_setup: a surface, with its unit normal
+    input  wire                in_valid_i,
+    input  wire [SLOTW-1:0]    in_slot_i,
+    input  wire [53:0]         in_unit_i,      // {z, y, x} s1.16
+    // to rt_pixels: the material as textured; to rt_lights, a cycle later: the surface
+    output wire                material_valid_o,
+    output wire [SLOTW-1:0]    material_slot_o,
+    output wire [32:0]         material_o,
+    output reg                 out_valid_o,
+    output reg  [SLOTW-1:0]    out_slot_o,
+    // to rt_pixels: what a pixel has seen of textures, a cycle after its slot
+    input  wire                word_read_i,
+    input  wire [SLOTW-1:0]    word_slot_i,
+    output wire [31:0]         word_o,         // {lod u4.8, sum of texel addresses}
+    // memory
+    output wire                mem_req_valid_o,
+    input  wire                mem_req_ready_i,
+    output wire [25:0]         mem_req_line_o,
+    input  wire                mem_rsp_valid_i,
+    output wire                mem_rsp_ready_o,
+    input  wire [255:0]        mem_rsp_data_i,
+    input  wire                mem_rsp_error_i,
+    // counters and errors
+    output wire                texel_o,        // a texel is asked for
+    output wire                miss_o,
+    output wire                bad_node_o,
+    output wire                bus_error_o
+);
+    localparam PW = W + 8;
+    localparam [1:0] MAP = 2'd0, IMAGE = 2'd1, TEXEL = 2'd2;
+    localparam TAG = SLOTW + 9;                // {slot, kind, index, word, void}
+
+    // ---- path; a surface without a texture is done ----
+    wire             p_valid, p_primary, plain_in, maps_in;
+    wire [SLOTW-1:0] p_slot;
+    wire [25:0]      p_tex;
+    wire [PW-1:0]    p_path;
+    wire             p_textured = on_i && p_tex != 26'd0;
+    rt_texture_path #(.W(W), .WD(WD), .SLOTS(SLOTS), .SLOTW(SLOTW)) u_path (
+        .clk(clk), .rst(rst),
+        .ray_valid_i(ray_valid_i), .ray_slot_i(ray_slot_i), .ray_primary_i(ray_primary_i),
+        .ray_y_i(ray_y_i), .ray_h_i(ray_h_i),
+        .hit_valid_i(hit_valid_i), .hit_slot_i(hit_slot_i), .hit_key_i(hit_key_i),
+        .tex_valid_i(record_valid_i), .tex_slot_i(record_slot_i), .tex_i(record_tex_i),
+        .in_valid_i(in_valid_i), .in_slot_i(in_slot_i),
+        .out_valid_o(p_valid), .out_slot_o(p_slot), .out_tex_o(p_tex),
+        .out_primary_o(p_primary), .out_path_o(p_path)
+    );
+    wire             map_valid, map_ready;
+    wire [SLOTW-1:0] map_slot;
+    wire [25:0]      map_line;
+    rt_fifo #(.WIDTH(SLOTW + 26), .DEPTH(SLOTS)) u_maps (
+        .clk(clk), .rst(rst), .in_valid_i(p_valid && p_textured), .in_ready_o(maps_in),
+        .in_data_i({p_slot, p_tex}),
+        .out_valid_o(map_valid), .out_ready_i(map_ready), .out_data_o({map_slot, map_line})
+    );
+
+    // ---- requests: what is nearer to the end goes first; void ones read line 0 ----
+    wire             texel_valid, texel_ready, image_valid, image_ready, ready;
+    wire [SLOTW-1:0] texel_slot, image_slot, slot;
+    wire [25:0]      image_line;
+    wire [26:0]      texel_line;
+    wire [2:0]       texel_index, texel_word, index, word;
+    wire [26:0]      line   = texel_valid ? texel_line
+                              : {1'b0, image_valid ? image_line : map_line};
+    wire             beyond = line >= {1'b0, mem_lines_i};
+    wire [TAG-2:0]   what   = texel_valid ? {texel_slot, TEXEL, texel_index, texel_word}
+                              : image_valid ? {image_slot, IMAGE, 6'd0} : {map_slot, MAP, 6'd0};
+    wire             come, lost, come_error;
+    wire [1:0]       kind;
+    wire [255:0]     data;
+    assign texel_ready = ready;
+    assign image_ready = ready && !texel_valid;
+    assign map_ready   = ready && !texel_valid && !image_valid;
+    rt_cache #(.TAG(TAG), .LINES(LINES), .WAYS(WAYS), .PENDING(SLOTS)) u_cache (
+        .clk(clk), .rst(rst), .flush_i(flush_i), .miss_o(miss_o),
+        .req_valid_i(texel_valid || image_valid || map_valid), .req_ready_o(ready),
+        .req_line_i(beyond ? 26'd0 : line[25:0]), .req_tag_i({what, beyond}),
+        .rsp_valid_o(come), .rsp_ready_i(1'b1), .rsp_data_o(data),
+        .rsp_tag_o({slot, kind, index, word, lost}), .rsp_error_o(come_error),
+        .mem_req_valid_o(mem_req_valid_o), .mem_req_ready_i(mem_req_ready_i),
+        .mem_req_line_o(mem_req_line_o),
+        .mem_rsp_valid_i(mem_rsp_valid_i), .mem_rsp_ready_o(mem_rsp_ready_o),
+        .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i)
+    );
+    assign bus_error_o = come && come_error;
+    assign texel_o     = texel_valid && texel_ready;
+
+    // ---- a line came ----
+    reg              r_map_q, r_texel_q, r_lost_q;
+    reg [SLOTW-1:0]  r_slot_q;
+    reg [2:0]        r_index_q;
+    reg [23:0]       r_colour_q;
+    wire             come_map   = come && kind == MAP;
+    wire             come_image = come && kind == IMAGE;
+    wire             no_texels;                // of the header that came a cycle ago
+    always @(posedge clk) begin
+        r_map_q    <= come_map;
+        r_texel_q  <= come && kind == TEXEL;
+        r_lost_q   <= lost;
+        r_slot_q   <= slot;
+        r_index_q  <= index;
+        r_colour_q <= lost ? 24'hffffff : data[32*word +: 24];
+        if (rst) begin r_map_q <= 1'b0; r_texel_q <= 1'b0; end
+    end
+    assign bad_node_o = ((r_map_q || r_texel_q) && r_lost_q) || no_texels;
+
+    // ---- record, header, texels ----
+    wire [11:0]      lod;
+    wire [25:0]      header_line;
+    wire             st_read, both_valid, both, mix_valid, mixed;
+    wire [SLOTW-1:0] st_slot, mix_slot, mixed_slot;
+    wire [81:0]      st;
+    wire [39:0]      mix;
+    wire [23:0]      colour;
+    rt_texture_map #(.W(W), .NG(NG), .SLOTS(SLOTS), .SLOTW(SLOTW)) u_map (
+        .clk(clk), .rst(rst),
+        .hit_valid_i(hit_valid_i), .hit_slot_i(hit_slot_i), .hit_far_i(hit_far_i),
+        .point_valid_i(point_valid_i), .point_slot_i(point_slot_i), .point_i(point_i),
+        .unit_valid_i(in_valid_i), .unit_slot_i(in_slot_i), .unit_i(in_unit_i),
+        .path_valid_i(p_valid), .path_slot_i(p_slot), .path_i(p_path),
+        .map_valid_i(come_map), .map_slot_i(slot), .map_i(data), .void_i(r_lost_q),
+        .image_valid_o(image_valid), .image_ready_i(image_ready), .image_slot_o(image_slot),
+        .image_line_o(image_line),
+        .level_read_i(come_image), .level_slot_i(slot), .level_lod_o(lod),
+        .level_line_o(header_line),
+        .st_read_i(st_read), .st_slot_i(st_slot), .st_o(st)
+    );
+    rt_texture_image #(.SLOTS(SLOTS), .SLOTW(SLOTW)) u_image (
+        .clk(clk), .rst(rst), .filter_i(filter_i),
+        .image_valid_i(come_image), .image_slot_i(slot), .image_i(data), .void_i(r_lost_q),
+        .lod_i(lod), .line_i(header_line), .none_o(no_texels),
+        .st_read_o(st_read), .st_slot_o(st_slot), .st_i(st),
+        .texel_valid_o(texel_valid), .texel_ready_i(texel_ready), .texel_slot_o(texel_slot),
+        .texel_index_o(texel_index), .texel_line_o(texel_line), .texel_word_o(texel_word),
+        .both_valid_o(both_valid), .both_o(both),
+        .mix_valid_o(mix_valid), .mix_slot_o(mix_slot), .mix_o(mix),
+        .fresh_valid_i(p_valid && p_primary), .fresh_slot_i(p_slot),
+        .word_read_i(word_read_i), .word_slot_i(word_slot_i), .word_o(word_o)
+    );
+    rt_texture_mix #(.SLOTS(SLOTS), .SLOTW(SLOTW)) u_mix (
+        .clk(clk), .rst(rst), .nearest_i(filter_i == 2'd0),
+        .albedo_valid_i(record_valid_i), .albedo_slot_i(record_slot_i),
+        .albedo_i(record_i[23:0]),
+        .both_valid_i(both_valid), .both_slot_i(texel_slot), .both_i(both),
+        .mix_valid_i(mix_valid), .mix_slot_i(mix_slot), .mix_i(mix),
+        .texel_valid_i(r_texel_q), .texel_slot_i(r_slot_q), .texel_index_i(r_index_q),
+        .texel_i(r_colour_q),
+        .out_valid_o(mixed), .out_slot_o(mixed_slot), .out_colour_o(colour)
+    );
+
+    // ---- the end: mixed surfaces first, the others wait ----
+    wire             plain_valid;
+    wire [SLOTW-1:0] plain_slot;
+    wire             white = (r_map_q && r_lost_q) || no_texels;  // textured, but nothing to see
+    wire             white_valid, white_in, white_take;
+    wire [SLOTW-1:0] white_slot;
+    rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_plain (
+        .clk(clk), .rst(rst), .in_valid_i(p_valid && !p_textured), .in_ready_o(plain_in),
+        .in_data_i(p_slot),
+        .out_valid_o(plain_valid), .out_ready_i(!mixed), .out_data_o(plain_slot)
+    );
+    rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_white (
+        .clk(clk), .rst(rst), .in_valid_i(white), .in_ready_o(white_in), .in_data_i(r_slot_q),
+        .out_valid_o(white_valid), .out_ready_i(white_take), .out_data_o(white_slot)
+    );
+    assign white_take = !mixed && !plain_valid;
+    wire             e_valid = mixed || plain_valid || white_valid;
+    wire [SLOTW-1:0] e_slot  = mixed ? mixed_slot : plain_valid ? plain_slot : white_slot;
+    reg              m_valid_q, m_mixed_q;
+    reg [SLOTW-1:0]  m_slot_q;
+    reg [23:0]       m_colour_q;
+    wire [32:0]      m_record;
+    rt_slot_ram #(.WIDTH(33), .SLOTS(SLOTS), .OLD(0)) u_record (
+        .clk(clk), .wr_en_i(record_valid_i), .wr_addr_i(record_slot_i), .wr_data_i(record_i),
+        .rd_en_i(e_valid), .rd_addr_i(e_slot), .rd_data_o(m_record)
+    );
+    always @(posedge clk) begin
+        m_valid_q   <= e_valid;
+        m_mixed_q   <= mixed;
+        m_slot_q    <= e_slot;
+        m_colour_q  <= colour;
+        out_valid_o <= m_valid_q;
+        out_slot_o  <= m_slot_q;
+        if (rst) begin m_valid_q <= 1'b0; out_valid_o <= 1'b0; end
+    end
+    assign material_valid_o = m_valid_q;
+    assign material_slot_o  = m_slot_q;
+    assign material_o       = {m_record[32:24], m_mixed_q ? m_colour_q : m_record[23:0]};
+    wire unused = &{1'b0, plain_in, maps_in, white_in};
+endmodule
+`default_nettype wire

@@ -1,0 +1,82 @@
+// rt_texture_path.v - adds up the way of every surface's ray and sorts out what has a texture
+// SPDX-License-Identifier: Apache-2.0
+// Park et al. 2011, Figure 1: path length on the ray stack; here a word a slot, begun anew by each
+// primary ray. Tokens leave in order. Model: cmodel/render_pixel.c
+`default_nettype none
+module rt_texture_path #(
+    parameter W     = 16,      // coordinate, bits
+    parameter WD    = 17,      // direction component, bits
+    parameter SLOTS = 32,      // power of two
+    parameter SLOTW = 5        // log2 of SLOTS
+) (
+    input  wire              clk,
+    input  wire              rst,
+    // primary and reflected rays
+    input  wire              ray_valid_i,
+    input  wire [SLOTW-1:0]  ray_slot_i,
+    input  wire              ray_primary_i,
+    input  wire [16:0]       ray_y_i,        // of the unit vector: 1 / |dir|
+    input  wire [5:0]        ray_h_i,
+    // what they hit
+    input  wire              hit_valid_i,
+    input  wire [SLOTW-1:0]  hit_slot_i,
+    input  wire [W+WD+1:0]   hit_key_i,
+    // line of its mapping record, 0: none
+    input  wire              tex_valid_i,
+    input  wire [SLOTW-1:0]  tex_slot_i,
+    input  wire [25:0]       tex_i,
+    // token: a surface
+    input  wire              in_valid_i,
+    input  wire [SLOTW-1:0]  in_slot_i,
+    // the same, with
+    output wire              out_valid_o,
+    output wire [SLOTW-1:0]  out_slot_o,
+    output wire [25:0]       out_tex_o,
+    output wire              out_primary_o,
+    output wire [W+7:0]      out_path_o      // u(W+4).4 from the eye
+);
+    localparam KW = W + WD + 2;
+    localparam PW = W + 8;
+    wire             n_valid, n_in, n_take, ready;
+    wire [SLOTW-1:0] n_slot;
+    wire [KW-1:0]    n_key;
+    wire [23:0]      n_ray;                  // {primary, h, y}
+    wire [25:0]      n_tex;
+    wire [PW-1:0]    n_path;
+    reg              n_read_q;               // what belongs to the head is read
+    rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_in (
+        .clk(clk), .rst(rst), .in_valid_i(in_valid_i), .in_ready_o(n_in), .in_data_i(in_slot_i),
+        .out_valid_o(n_valid), .out_ready_i(n_take), .out_data_o(n_slot)
+    );
+    rt_slot_ram #(.WIDTH(KW), .SLOTS(SLOTS), .OLD(0)) u_key (
+        .clk(clk), .wr_en_i(hit_valid_i), .wr_addr_i(hit_slot_i), .wr_data_i(hit_key_i),
+        .rd_en_i(n_valid), .rd_addr_i(n_slot), .rd_data_o(n_key)
+    );
+    rt_slot_ram #(.WIDTH(24), .SLOTS(SLOTS), .OLD(0)) u_ray (
+        .clk(clk), .wr_en_i(ray_valid_i), .wr_addr_i(ray_slot_i),
+        .wr_data_i({ray_primary_i, ray_h_i, ray_y_i}),
+        .rd_en_i(n_valid), .rd_addr_i(n_slot), .rd_data_o(n_ray)
+    );
+    rt_slot_ram #(.WIDTH(26), .SLOTS(SLOTS), .OLD(0)) u_tex (
+        .clk(clk), .wr_en_i(tex_valid_i), .wr_addr_i(tex_slot_i), .wr_data_i(tex_i),
+        .rd_en_i(n_valid), .rd_addr_i(n_slot), .rd_data_o(n_tex)
+    );
+    rt_slot_ram #(.WIDTH(PW), .SLOTS(SLOTS), .OLD(0)) u_stack (
+        .clk(clk), .wr_en_i(out_valid_o), .wr_addr_i(out_slot_o), .wr_data_i(out_path_o),
+        .rd_en_i(n_valid), .rd_addr_i(n_slot), .rd_data_o(n_path)
+    );
+    assign n_take = n_read_q && ready;
+    always @(posedge clk) begin
+        n_read_q <= n_valid && !n_take;
+        if (rst) n_read_q <= 1'b0;
+    end
+    rt_path #(.W(W), .WD(WD), .TAG(SLOTW + 27)) u_path (
+        .clk(clk), .rst(rst), .in_valid_i(n_read_q), .in_ready_o(ready),
+        .in_tag_i({n_slot, n_tex, n_ray[23]}), .in_key_i(n_key), .in_y_i(n_ray[16:0]),
+        .in_h_i(n_ray[22:17]), .in_path_i(n_ray[23] ? {PW{1'b0}} : n_path),
+        .out_valid_o(out_valid_o), .out_tag_o({out_slot_o, out_tex_o, out_primary_o}),
+        .out_path_o(out_path_o)
+    );
+    wire unused = n_in;
+endmodule
+`default_nettype wire

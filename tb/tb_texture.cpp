@@ -1,0 +1,317 @@
+/* tb_texture.cpp - rt_texture against sph_path_add() and sph_lookup()
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Every slot follows a pixel: rays, their hits, surfaces with and without texture. Memory holds
+ * sound and broken records, headers and texels; it answers late and in bursts. A vector is a
+ * surface; in between the word of a pixel is read.
+ */
+#include <deque>
+#include <vector>
+
+#include "Vrt_texture.h"
+#include "bench.h"
+
+extern "C" {
+#include "texture/filter.h"
+#include "texture/lod.h"
+#include "texture/lookup.h"
+#include "texture/texel.h"
+}
+
+using bench::i128;
+using bench::u128;
+
+namespace {
+
+constexpr uint32_t MAPS = 64, IMAGES = 16, LINES_IN_MEMORY = 6000;
+
+struct sph_profile profile() {
+    struct sph_profile p = {};
+    p.w = W;
+    p.wd = WD;
+    p.ng = NG;
+    return p;
+}
+
+/* Maps in lines 1.., images behind them; some of both are broken. */
+class Memory {
+  public:
+    struct sph_machine machine = {};
+    std::vector<uint32_t> words = std::vector<uint32_t>(LINES_IN_MEMORY * SPH_LINE_WORDS);
+
+    void fill(bench::Random &r) {
+        for (uint32_t &word : words)
+            word = (uint32_t)r.next();
+        uint32_t line = 1 + MAPS, images[IMAGES];
+        for (uint32_t &image : images)
+            line = put_image(r, image = line);
+        for (uint32_t i = 0; i < MAPS; i++)
+            put_map(r, &words[(1 + i) * SPH_LINE_WORDS], images[r.below(IMAGES)]);
+        machine.mem = words.data();
+        machine.lines = LINES_IN_MEMORY;
+        machine.regs[SPH_REG_MEM_LINES] = LINES_IN_MEMORY;
+    }
+
+  private:
+    uint32_t put_image(bench::Random &r, uint32_t at) {
+        uint32_t *header = &words[at * SPH_LINE_WORDS], lines = 0;
+        uint32_t w = r.percent(20) ? 1 : 1 + (uint32_t)r.below(60);
+        uint32_t h = r.percent(20) ? 1 : 1 + (uint32_t)r.below(60);
+        uint32_t levels = 1;
+        while (levels < SPH_TEXTURE_LEVELS && (w >> levels || h >> levels))
+            levels++;
+        if (r.percent(20)) levels = 1 + (uint32_t)r.below(levels);
+        for (uint32_t l = 0; l < levels; l++) {
+            if (l)
+                sph_field_set(header, SPH_IMAGE_FIRST_LSB + SPH_IMAGE_FIRST_BITS * ((int)l - 1),
+                              SPH_IMAGE_FIRST_BITS, lines);
+            lines += sph_level_lines(sph_level_size(w, (int)l), sph_level_size(h, (int)l));
+        }
+        sph_field_set(header, SPH_IMAGE_W_LSB, SPH_IMAGE_W_BITS, w - 1);
+        sph_field_set(header, SPH_IMAGE_H_LSB, SPH_IMAGE_H_BITS, h - 1);
+        sph_field_set(header, SPH_IMAGE_LEVELS_LSB, SPH_IMAGE_LEVELS_BITS, levels);
+        if (r.percent(10)) /* levels that begin anywhere; none, too many */
+            for (int i = 0; i < SPH_LINE_WORDS; i++)
+                header[i] = (uint32_t)r.next();
+        return at + 1 + lines < LINES_IN_MEMORY - 600 ? at + 1 + lines : 1 + MAPS;
+    }
+    void put_map(bench::Random &r, uint32_t *map, uint32_t image) {
+        int base = (int)r.between(-2, W + 4) * 256 + (int)r.below(256);
+        sph_field_set(map, SPH_MAP_KIND_LSB, 2, (uint32_t)r.below(2));
+        sph_field_set(map, SPH_MAP_BASE_LSB, SPH_MAP_BASE_BITS, (uint32_t)base);
+        if (r.percent(95)) sph_field_set(map, SPH_MAP_IMAGE_LSB, SPH_MAP_IMAGE_BITS, image);
+        if (r.percent(50)) return;
+        sph_field_set(map, SPH_MAP_S_E_LSB, SPH_MAP_S_E_BITS, (uint32_t)r.between(-3, 20));
+        sph_field_set(map, SPH_MAP_T_E_LSB, SPH_MAP_T_E_BITS, (uint32_t)r.between(-3, 20));
+        for (int i = 0; i < 9 && sph_field(map, SPH_MAP_KIND_LSB, 1); i++)
+            sph_field_set(map, SPH_MAP_TURN_LSB + 16 * i, 16, (uint32_t)r.between(-18000, 18000));
+    }
+};
+
+struct Slot {
+    enum { IDLE, TOLD, SENT, DONE } state; /* TOLD: all but the token is there */
+    bool primary, again;                   /* another ray of the pixel follows */
+    uint64_t path;
+    struct sph_textured where;
+    struct sph_texture_work work;
+    uint32_t map, kr, albedo, expected;
+};
+
+u128 pack(const int64_t v[3], int bits) {
+    u128 x = 0;
+    for (int i = 2; i >= 0; i--)
+        x = x << bits | bench::low((u128)v[i], bits);
+    return x;
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    bench::Bench<Vrt_texture> b("tb_texture", argc, argv, 6000);
+    Vrt_texture &t = b.dut;
+    const struct sph_profile p = profile();
+    Memory memory;
+    memory.fill(b.random);
+    struct sph_machine &m = memory.machine;
+    std::vector<Slot> slots(SLOTS);
+    struct Line {
+        uint32_t line;
+        uint64_t when;
+    };
+    std::deque<Line> asked;
+    uint64_t texels = 0, texels_asked = 0;
+    uint32_t errors = 0;
+    bool bad_node = false, drain = true, on = true;
+    unsigned pace = 100, latency = 3, reading = 100;
+    int word_slot = -1, material_slot = -1;
+    uint32_t material = 0;
+    t.ray_valid_i = t.hit_valid_i = t.record_valid_i = t.point_valid_i = t.in_valid_i = 0;
+    t.flush_i = t.word_read_i = t.mem_rsp_valid_i = t.mem_req_ready_i = 0;
+    b.set(t.mem_lines_i, 26, LINES_IN_MEMORY);
+    b.reset();
+    for (int i = 0; i < 2 * SLOTS; i++)
+        b.tick();
+    while (b.more()) {
+        if (b.cycle % 2048 == 0) {
+            pace = b.random.percent(40) ? 100 : (unsigned)b.random.between(5, 60);
+            reading = b.random.percent(40) ? 100 : (unsigned)b.random.between(5, 60);
+            latency = (unsigned)b.random.below(4) * 20;
+        }
+        /* registers change, and the cache is flushed, while nothing is inside */
+        bool idle = true;
+        for (const Slot &s : slots)
+            idle &= s.state == Slot::IDLE;
+        if (b.cycle % 4096 == 4000) drain = true;
+        t.flush_i = 0;
+        if (drain && idle) {
+            drain = false;
+            on = b.random.percent(90);
+            t.on_i = on;
+            m.regs[SPH_REG_TEX_FILTER] = (int32_t)b.random.below(SPH_FILTERS);
+            t.filter_i = (uint8_t)m.regs[SPH_REG_TEX_FILTER];
+            t.flush_i = 1;
+        }
+
+        /* a slot is told of a ray, its hit and the surface */
+        int at = (int)b.random.below(SLOTS);
+        Slot &s = slots[(size_t)at];
+        bool tell = s.state == Slot::IDLE && (!drain || s.again) && b.random.percent(pace) &&
+                    !t.flush_i && at != word_slot;
+        t.ray_valid_i = t.hit_valid_i = t.record_valid_i = t.point_valid_i = tell;
+        if (tell) {
+            struct sph_ray ray = {};
+            uint64_t key = (uint64_t)b.random.mixed(W + WD + 2);
+            ray.unit.y = (uint32_t)b.random.between(65535, 131071);
+            ray.unit.h = (int)b.random.below(WD);
+            s.primary = !s.again;
+            s.again = b.random.percent(40);
+            if (s.primary) {
+                s.path = 0;
+                s.work = {};
+                s.work.lod = SPH_LOD_NONE;
+            }
+            s.path = sph_path_add(&p, &ray, key, s.path);
+            s.where.path = s.path;
+            s.where.far = b.random.percent(30);
+            int64_t v[3];
+            for (int i = 0; i < 3; i++) {
+                s.where.guarded[i] = b.random.smixed(W + NG);
+                v[i] = b.random.percent(10) ? 0 : b.random.smixed(WD);
+            }
+            struct sph_unit unit =
+                sph_unit(v, (uint64_t)(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]), WD);
+            for (int i = 0; i < 3; i++)
+                s.where.unit[i] = unit.u[i];
+            s.map = b.random.percent(20)  ? 0
+                    : b.random.percent(3) ? (uint32_t)b.random.bits(26)
+                                          : 1 + (uint32_t)b.random.below(MAPS);
+            s.kr = (uint32_t)b.random.below(257);
+            s.albedo = (uint32_t)b.random.mixed(24);
+            uint32_t tint = ~0u;
+            if (on && s.map) tint = sph_lookup(&m, s.map, &s.where, &s.work);
+            s.expected = 0;
+            for (int c = 0; c < 3; c++)
+                s.expected |= sph_texture_albedo(s.albedo >> 8 * c & 255, tint >> 8 * c & 255)
+                              << 8 * c;
+            texels += s.work.texels;
+            s.work.texels = 0;
+            errors |= s.work.errors;
+            t.ray_slot_i = t.hit_slot_i = t.record_slot_i = t.point_slot_i = (uint8_t)at;
+            t.ray_primary_i = s.primary;
+            t.ray_y_i = ray.unit.y;
+            t.ray_h_i = (uint8_t)ray.unit.h;
+            b.set(t.hit_key_i, W + WD + 2, (i128)key);
+            t.hit_far_i = (uint8_t)s.where.far;
+            b.set(t.record_i, 33, (i128)((uint64_t)s.kr << 24 | s.albedo));
+            t.record_tex_i = s.map;
+            b.set(t.point_i, 3 * (W + NG), (i128)pack(s.where.guarded, W + NG));
+        }
+        /* its token */
+        int in = (int)b.random.below(SLOTS);
+        t.in_valid_i = slots[(size_t)in].state == Slot::TOLD;
+        if (t.in_valid_i) {
+            int64_t unit[3];
+            for (int i = 0; i < 3; i++)
+                unit[i] = slots[(size_t)in].where.unit[i];
+            t.in_slot_i = (uint8_t)in;
+            b.set(t.in_unit_i, 54, (i128)pack(unit, 18));
+        }
+        /* the word of a pixel that ended */
+        int word = (int)b.random.below(SLOTS);
+        t.word_read_i = slots[(size_t)word].state == Slot::DONE && word_slot < 0;
+        t.word_slot_i = (uint8_t)word;
+        /* memory */
+        t.mem_req_ready_i = b.random.percent(reading);
+        t.mem_rsp_valid_i =
+            !asked.empty() && asked.front().when <= b.cycle && b.random.percent(reading);
+        if (!asked.empty())
+            for (int i = 0; i < 8; i++)
+                t.mem_rsp_data_i[i] = memory.words[asked.front().line * SPH_LINE_WORDS + i];
+        b.settle();
+        if (t.mem_req_valid_o && t.mem_req_ready_i) {
+            if (t.mem_req_line_o >= LINES_IN_MEMORY)
+                b.fail("a line behind the end of memory is asked for");
+            else
+                asked.push_back({t.mem_req_line_o, b.cycle + latency});
+        }
+        if (t.mem_rsp_valid_i && t.mem_rsp_ready_o) asked.pop_front();
+        texels_asked += t.texel_o;
+        bad_node |= t.bad_node_o;
+        if (t.bus_error_o) b.fail("a bus error that nobody made");
+        bool out = t.out_valid_o;
+        int out_slot = t.out_slot_o;
+        if (out) {
+            Slot &o = slots[(size_t)out_slot];
+            if (o.state != Slot::SENT) {
+                b.fail("a surface that nobody sent");
+            } else if (material_slot != out_slot) {
+                b.fail("no material a clock before the surface");
+            } else {
+                b.expect("material_o", material, o.expected, 24);
+                if (b.bad()) {
+                    b.show("slot", out_slot, 8);
+                    b.show("map", o.map, 26);
+                    b.show("filter", m.regs[SPH_REG_TEX_FILTER], 2);
+                    b.show("path", (i128)o.path, W + 8);
+                    b.show("lod", o.work.lod, 12);
+                }
+                b.done();
+            }
+            o.state = o.again ? Slot::IDLE : Slot::DONE;
+        }
+        material_slot = -1;
+        if (t.material_valid_o) {
+            material_slot = t.material_slot_o;
+            u128 word33 = b.get(t.material_o);
+            material = (uint32_t)word33 & 0xffffff;
+            if ((uint32_t)(word33 >> 24) != slots[(size_t)material_slot].kr)
+                b.fail("another surface's mirror");
+        }
+        if (tell) s.state = Slot::TOLD;
+        if (t.in_valid_i) slots[(size_t)in].state = Slot::SENT;
+        int read = t.word_read_i ? word : -1;
+        b.tick();
+        if (read >= 0) {
+            const Slot &o = slots[(size_t)read];
+            b.expect("word_o", (i128)b.get(t.word_o),
+                     (i128)((uint64_t)o.work.lod << 20 | o.work.words), 32);
+            if (b.bad()) b.show("slot", read, 8);
+            slots[(size_t)read].state = Slot::IDLE;
+        }
+        word_slot = read;
+    }
+    bool rest = false; /* what is under way was counted when it was told */
+    for (const Slot &s : slots)
+        rest |= s.state == Slot::TOLD || s.state == Slot::SENT;
+    for (int i = 0; rest && i < 20000; i++) {
+        t.ray_valid_i = t.hit_valid_i = t.record_valid_i = t.point_valid_i = t.word_read_i = 0;
+        int in = i % SLOTS;
+        t.in_valid_i = slots[(size_t)in].state == Slot::TOLD;
+        if (t.in_valid_i) {
+            int64_t unit[3];
+            for (int k = 0; k < 3; k++)
+                unit[k] = slots[(size_t)in].where.unit[k];
+            t.in_slot_i = (uint8_t)in;
+            b.set(t.in_unit_i, 54, (i128)pack(unit, 18));
+            slots[(size_t)in].state = Slot::SENT;
+        }
+        t.mem_req_ready_i = 1;
+        t.mem_rsp_valid_i = !asked.empty();
+        if (!asked.empty())
+            for (int k = 0; k < 8; k++)
+                t.mem_rsp_data_i[k] = memory.words[asked.front().line * SPH_LINE_WORDS + k];
+        b.settle();
+        if (t.mem_req_valid_o) asked.push_back({t.mem_req_line_o, 0});
+        if (t.mem_rsp_valid_i && t.mem_rsp_ready_o) asked.pop_front();
+        texels_asked += t.texel_o;
+        bad_node |= t.bad_node_o;
+        b.tick();
+    }
+    if (texels != texels_asked) {
+        printf("# %llu texels expected, %llu asked for\n", (unsigned long long)texels,
+               (unsigned long long)texels_asked);
+        b.fail("another number of texels");
+    }
+    if (bad_node != (errors != 0)) b.fail("bad_node_o does not say what the model says");
+    return b.finish();
+}
