@@ -10,7 +10,8 @@ V_HEADS  := $(sort $(shell find rtl -name '*.vh'))
 V_DIRS   := $(patsubst %/,%,$(sort $(dir $(V_FILES) $(V_HEADS))))
 WAIVERS  := $(wildcard sim/waivers.vlt)
 C_HEADS  := $(sort $(shell find cmodel tb tests -name '*.h'))
-TIDY     := $(filter-out $(GENERATORS),$(C_FILES)) $(IMAGE_CXX) $(TEST_C) $(HARD_C) $(PICTURES_C)
+TIDY     := $(filter-out $(GENERATORS),$(C_FILES)) $(IMAGE_CXX) $(TEST_C) $(HARD_C) \
+            $(PICTURES_C) $(wildcard formal/*.c)
 LINTS    := verilator iverilog yosys tidy format text
 # gcc's omp.h, whose malloc attribute clang does not know
 OMP_DIR   = $(dir $(shell $(CC) -print-file-name=include/omp.h))
@@ -63,7 +64,7 @@ $B/lint/%.cpp: %.cpp $(C_HEADS) .clang-tidy
 
 lint-format:
 	$(call lint_say,clang-format)
-	$(Q)find cmodel tb tests synth \( -name '*.c' -o -name '*.h' -o -name '*.cpp' \) \
+	$(Q)find cmodel formal tb tests synth \( -name '*.c' -o -name '*.h' -o -name '*.cpp' \) \
 	    ! -name '*_table.h' ! -name layout.h -exec clang-format --dry-run -Werror {} +
 
 lint-text:

@@ -6,7 +6,8 @@ cd "$(dirname "$0")/.." || exit 1
 sources=$(find Makefile .ci cmodel rtl formal tb sim synth tests -type f \( \
     -name Makefile -o -name run -o -name '*.c' -o -name '*.h' -o -name '*.cpp' -o -name '*.v' \
     -o -name '*.vh' -o -name '*.vlt' -o -name '*.sh' -o -name '*.mk' -o -name '*.awk' \
-    -o -name '*.py' -o -name '*.ys' -o -name '*.def' -o -name '*.txt' -o -name '*.lib' \))
+    -o -name '*.py' -o -name '*.ys' -o -name '*.def' -o -name '*.txt' -o -name '*.lib' \
+    -o -name '*.smt2' \))
 generated='/(layout\.h|rt_layout\.vh|[a-z_]*_table\.h)$'
 written=$(printf '%s\n' "$sources" | grep -vE "$generated")
 texts=$(find docs scenes README.md -type f \( -name '*.md' -o -name '*.nff' \) 2>/dev/null)

@@ -1,5 +1,5 @@
 #!/bin/sh
-# test_formal.sh - the quick proofs hold, and each fails on a fault put into its module
+# test_formal.sh - the quick proofs hold, and each fails on a fault put into what it proves
 # SPDX-License-Identifier: Apache-2.0
 # Proofs: formal/proofs.txt; faults: formal/faults.txt. `make formal` does the long ones too.
 set -u
@@ -7,7 +7,7 @@ set -u
 . "$(dirname "$0")/edit.sh"
 cd "$(dirname "$0")/.." || exit 1
 
-# ---- the RTL as it is ----
+# ---- the sources as they are ----
 BUILD=$TMP sh formal/prove.sh quick >"$TMP/quick" 2>&1
 sed -n 's/^  PROVE //p' "$TMP/quick" >"$TMP/verdicts"
 while IFS= read -r line; do
@@ -17,15 +17,15 @@ done <"$TMP/verdicts"
 [ -s "$TMP/verdicts" ] || tap 1 "proofs are found" "$TMP/quick"
 
 # ---- with a fault: built, but not proved ----
-cp -r rtl "$TMP/rtl"
+mkdir "$TMP/tree"
+cp -r rtl cmodel formal "$TMP/tree/"
 caught() {
-    cp "rtl/$file" "$TMP/rtl/$file"
     NEW=$TMP/new
     export FROM TO NEW
-    edit "$TMP/rtl/$file" || return
-    BUILD=$TMP RTL=$TMP/rtl sh formal/prove.sh "$proof"
+    edit "$TMP/tree/$file" || return
+    BUILD=$TMP sh "$TMP/tree/formal/prove.sh" "=$proof"
     rc=$?
-    cp "rtl/$file" "$TMP/rtl/$file"
+    cp "$file" "$TMP/tree/$file"
     [ $rc -eq 1 ]
 }
 while read -r key rest; do

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Both operands are shifted left until their top bit is set, by STEP or 1 a clock; then restoring
 // division gives mant = floor(key' / a' * 2^(PQ-1)): key / a = mant * 2^-exp, truncated.
-// One quotient at a time. With z leading zeros in the operand that has more of them a result takes
-// floor(z/STEP) + z%STEP + ceil(PQ/STEP) + 2 clocks. Model: sph_quotient() in math/quotient.c
+// One quotient at a time. It takes n(z) + ceil(PQ/STEP) + 2 clocks with n = floor(z/STEP) + z%STEP,
+// that of the two operands' leading zeros z whose n is greater. Model: sph_quotient() in
+// math/quotient.c
 `default_nettype none
 module rt_quotient #(
     parameter KW   = 35,                     // key, bits
