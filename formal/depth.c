@@ -18,7 +18,7 @@
 #endif
 enum { K = W - FW, BITS = 9 };
 
-static const struct sph_profile profile = {"small", W, BITS, BITS, 2, FW};
+static const struct sph_profile profile = {.name = "small", .w = W, .wd = BITS, .fw = FW};
 static uint64_t tests, sharp; /* sharp: one less would be too little */
 
 static int check_dir(const int64_t dir[3]) {

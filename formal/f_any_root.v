@@ -4,7 +4,8 @@
 `default_nettype none
 module rt_isqrt #(
     parameter XW   = 66,
-    parameter STEP = 2
+    parameter STEP = 2,
+    parameter BITS = 0
 ) (
     input  wire            clk,
     input  wire            rst,
@@ -13,7 +14,8 @@ module rt_isqrt #(
     input  wire [XW-1:0]   in_x_i,
     output wire            out_valid_o,
     input  wire            out_ready_i,
-    output wire [XW/2-1:0] out_root_o,
+    output wire [(BITS != 0 ? BITS : XW/2)-1:0] out_root_o,
+    output wire [5:0]      out_shift_o,
     output wire            out_inexact_o
 );
     (* anyseq *) wire ends;
@@ -31,7 +33,8 @@ module rt_isqrt #(
         end
         if (rst) full_q <= 1'b0;
     end
-    assign out_root_o    = x_q[XW/2-1:0];
+    assign out_root_o    = x_q[(BITS != 0 ? BITS : XW/2)-1:0];
+    assign out_shift_o   = BITS != 0 ? {4'd0, x_q[XW-2 -: 2]} : 6'd0;
     assign out_inexact_o = x_q[XW-1];
 endmodule
 `default_nettype wire

@@ -7,6 +7,7 @@ module f_root_pool #(
     parameter W      = 4,
     parameter WD     = 5,
     parameter TAG    = 4,
+    parameter PR     = 0,
     parameter INSIDE = 1
 ) (
     input wire                   clk,
@@ -22,7 +23,7 @@ module f_root_pool #(
     wire in_ready, out_valid, out_far;
     wire [TAG-1:0] out_tag;
     wire [KW-1:0]  out_key;
-    rt_root_pool #(.W(W), .WD(WD), .UNITS(UNITS), .TAG(TAG), .INSIDE(INSIDE)) u_dut (
+    rt_root_pool #(.W(W), .WD(WD), .PR(PR), .UNITS(UNITS), .TAG(TAG), .INSIDE(INSIDE)) u_dut (
         .clk(clk), .rst(rst), .in_valid_i(in_valid), .in_ready_o(in_ready), .in_tag_i(in_tag),
         .in_far_i(in_far), .in_disc_i(in_disc), .in_b_i(in_b), .out_valid_o(out_valid),
         .out_ready_i(out_ready), .out_tag_o(out_tag), .out_far_o(out_far), .out_key_o(out_key)
@@ -58,8 +59,12 @@ module f_root_pool #(
     wire take = in_valid && in_ready;
     wire give = out_valid && out_ready;
     wire mine = marked_q && \u_dut.give == unit_q;         // stands at the output
-    wire [KW-1:0] root = {{(KW-XW/2){1'b0}}, x_q[XW/2-1:0]};
-    wire [KW-1:0] key  = far_q ? b_q + root + x_q[XW-1] : b_q - root;
+    localparam RW = PR != 0 ? PR : XW/2;
+    wire [KW-1:0] root = x_q[RW-1:0] << (PR != 0 ? x_q[XW-2 -: 2] : 0);
+    wire [KW-1:0] sum  = far_q ? b_q + root + x_q[XW-1] : b_q - root;
+    // the bits that PR cuts off may outweigh the rest: b < 0, and the sum not above 0
+    wire          none = PR != 0 && far_q && b_q[KW-1] && (sum[KW-1] || sum == 0);
+    wire [KW-1:0] key  = none ? 1 : sum;
     always @(posedge clk) begin
         old_q   <= 1'b1;
         count_q <= count_q + {2'd0, take} - {2'd0, give};

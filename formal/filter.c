@@ -28,7 +28,7 @@
 #endif
 enum { K = W - FW, BITS = 9, PAIRS = 1 << (W + 3) };
 
-static const struct sph_profile profile = {"small", W, BITS, BITS, 2, FW};
+static const struct sph_profile profile = {.name = "small", .w = W, .wd = BITS, .fw = FW};
 
 /* One axis: centre less origin as they are, and in filter units as the filter sees them. */
 struct pair {
