@@ -1,4 +1,4 @@
-/* coords.h - texture coordinates of a hit                        RTL: rtl/texture/rt_linear.v
+/* coords.h - texture coordinates of a hit                        RTL: rtl/texture/rt_coords.v
  * SPDX-License-Identifier: Apache-2.0
  *
  * Both kinds of mapping record, drawn in machine.def; formats: docs/texture.md.
