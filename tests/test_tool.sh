@@ -57,6 +57,25 @@ for way in rect spans "spans --bg-points 4 --bg-border 0" exact "exact --bg-leve
         "$(picture a.nff --background $way)"
 done
 
+# ---- triangles and planes ----
+"$s" gen icosphere --size 1 --resolution 64x48 -o i.nff >gen.txt
+check "gen counts facets" has "i.nff: 0 spheres, 81 facets, 1 lights" gen.txt
+"$s" build i.nff -o i.sph --json i.json >build.txt 2>&1
+check "build counts triangles and planes" has "0 spheres, 80 triangles, 1 planes, 1 lights" build.txt
+check "... and tells the effect" has "effect *facets *on *80 triangles, 1 plane; the first is" build.txt
+check "... and in the report" json i.json 'r["machine"]["triangles"] == 80 and
+    r["machine"]["planes"] == 1 and r["machine"]["spheres"] == 0 and
+    "facets" in r["machine"]["effects"] and
+    [e["on"] for e in r["build"]["effects"] if e["name"] == "facets"] == [1]'
+"$s" build a.nff -o a2.sph >off.txt 2>&1
+check "without any it is off" has "effect *facets *off there is no triangle and no plane" off.txt
+check "info knows them" sh -c "'$s' info i.sph | tee info.txt | grep -q '80 triangles, 1 planes below'"
+check "... and the core that they ask for" has "^core .*+facets" info.txt
+check "the paper's tree shows the same of them" equal "$(picture i.sph)" \
+    "$(picture i.nff --tree paper)"
+check "so does brute force" equal "$(picture i.sph)" "$(picture i.sph --brute)"
+check "so does exact separation" equal "$(picture i.sph)" "$(picture i.nff --background exact)"
+
 # ---- accuracy ----
 check "accuracy" "$s" accuracy a.nff --profile reference -d strip.png --json acc.json
 check "accuracy report: nothing wrong on one flake" json acc.json \
@@ -136,6 +155,8 @@ fails 1 "compare of a picture and a frame" "$s" compare a.png a.frame
 fails 1 "compare with nothing" "$s" compare a.png nothing.png
 fails 1 "no such scene" "$s" build nothing.nff -o x.sph
 fails 1 "no such machine" "$s" render nothing.sph -o x.png
+fails 1 "the paper's walk of triangles" "$s" build i.nff --traverse first -o x.sph
+check "... names the first of them" has 'i.nff:[0-9]*: traverse first is for spheres' "$TMP/err"
 fails 1 "a folder as scene" "$s" build . -o x.sph
 fails 1 "a machine as scene" "$s" build a.sph -o x.sph
 fails 1 "build options for a machine" "$s" render a.sph --depth 1 -o x.png

@@ -81,9 +81,11 @@ static int finish(const struct arguments *a, struct sph_scene *scene, struct sph
         int failed = sph_scene_write(scene, out.file, err);
         rc = sph_output_close(&out, failed, err);
     }
-    if (!rc && strcmp(path, "-"))
-        printf("%s: %u spheres, %u facets, %d lights, %u materials\n", path, scene->n_spheres,
-               scene->n_facets, scene->n_lights, scene->n_materials);
+    if (!rc && strcmp(path, "-")) {
+        printf("%s: %u spheres, ", path, scene->n_spheres);
+        if (scene->n_facets) printf("%u facets, ", scene->n_facets);
+        printf("%d lights, %u materials\n", scene->n_lights, scene->n_materials);
+    }
     sph_scene_free(scene);
     return rc;
 }
