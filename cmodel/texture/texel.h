@@ -1,4 +1,4 @@
-/* texel.h - from texture coordinates to texels and their addresses       RTL: rtl/texture/rt_texel.v
+/* texel.h - from texture coordinates to texels and their addresses      RTL: rtl/texture/rt_texel.v
  * SPDX-License-Identifier: Apache-2.0
  */
 #ifndef SPH_TEXEL_H
