@@ -45,6 +45,6 @@ start=$(date +%s)
     tail -n 20 "$out/pnr.out" >&2
     exit 1
 }
-version=$(sed -n 's/.*(Version \([^)]*\)).*/\1/p' "$out/log" "$out/pnr.out" | head -n 1)
+version=$("$pnr" --version 2>&1 | sed -n 's/.*(Version \([^)]*\)).*/\1/p')
 python3 synth/placed.py "$out/report.json" "$ROUTE" "$(($(date +%s) - start))" "$version" \
     >"$out/placed.json"

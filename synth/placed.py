@@ -10,9 +10,10 @@ import sys
 
 
 def instance(cell):
-    """u_core.u_engine.u_leaf of u_core.g_engine[0].u_engine.u_leaf.disc_q_TRELLIS_FF."""
+    """u_core.u_engine.u_leaf of u_core.g_engine[0].u_engine.u_leaf.disc_q_TRELLIS_FF; "" of a name
+    without an instance."""
     parts = [p for p in re.split(r"\.", cell) if re.match(r"u_|g_", p)]
-    return ".".join(re.sub(r"\[\d+\]$", "", p) for p in parts if not p.startswith("g_")) or "placed"
+    return ".".join(re.sub(r"\[\d+\]$", "", p) for p in parts if not p.startswith("g_"))
 
 
 def path_of(report):
@@ -28,7 +29,7 @@ def path_of(report):
             kinds[step["type"]] = kinds.get(step["type"], 0.0) + step["delay"]
             steps += step["type"] == "logic"
             where = instance(step["to"]["cell"])
-            if not through or through[-1] != where:
+            if where and through[-1:] != [where]:
                 through.append(where)
         total = sum(kinds.values())
         if total > best["ns"]:

@@ -24,7 +24,7 @@ KNOB_CORES = ["standard:pr=12", "standard:w=18,wd=19,pq=20,pr=14", "standard:pq=
 SCENES = ["sphereflake:3", "protein", "paper100", "huge_tiny", "interpenetrating"]
 CORE = "shadow+reflect2+lights3+inside"  # what the nearest hit in all of SCENES calls for
 PICTURE, FRAME = "320x180", "96x54"      # of accuracy, of the RTL
-# the papers' trades, on one core that can all of it
+# the papers' trades, on a core that can all of it
 TRADES = [{}] + [{"background": b} for b in ("rect", "spans", "exact-0", "exact-1")] \
     + [{"traverse": "first"}, {"traverse": "first", "tree": "paper"}, {"tree": "paper"}] \
     + [{"depth": d} for d in (0, 1)]
@@ -42,8 +42,8 @@ def cores():
     """Every core: words of CORE in jobs.py."""
     return [dict(profile=p, core=CORE) for p in PROFILES] \
         + [dict(profile="standard", core=CORE, **r) for r in RATES if "engines" in r] \
-        + [dict(profile=p, core=CORE) for p in KNOB_CORES] \
-        + [dict(profile="standard", core=CORE, **r) for r in RATES if r and "engines" not in r]
+        + [dict(profile="standard", core=CORE, **r) for r in RATES if r and "engines" not in r] \
+        + [dict(profile=p, core=CORE) for p in KNOB_CORES]
 
 
 def placed():
@@ -56,7 +56,8 @@ def trade(words, scene, kind):
     """One trade on a scene; the picture against a truth of two reflections."""
     if kind == "accuracy":
         return job(kind, scene=scene, size=PICTURE, **words)
-    return job(kind, scene=scene, size=FRAME, core="all", **words)
+    core = CORE + "+cones4" if words.get("background") == "exact-1" else "all"  # all: one cone
+    return job(kind, scene=scene, size=FRAME, core=core, **words)
 
 
 def plan():
