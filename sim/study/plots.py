@@ -16,17 +16,18 @@ set ylabel "error: rms of a channel, of 255 (log)"
 set logscale y
 set format y "%g"
 set grid lc rgb "#cccccc"
-set key top right
-set offsets graph 0.05, graph 0.22, graph 0.08, graph 0.05
+set key top left
+set xrange [{left}:{right}]
+set yrange [{low}:{high}]
 plot {parts}
 """
 PARTS = {
     "front": '"{data}" index {i} using 1:2 with lines lc rgb "#bbbbbb" lw 2 title "best so far"',
     "own": '"{data}" index {i} using 1:2 with points pt 7 ps 1 lc rgb "#4477aa" title "{title}", '
-           '"" index {i} using 1:2:3 with labels left offset 0.8,0.4 notitle',
+           '"" index {i} using 1:2:3 with labels left rotate by 25 offset 0.5,0.5 notitle',
     "other": '"{data}" index {i} using 1:2 with points pt 6 ps 1 lc rgb "#cc6677" '
              'title "{title}", '
-             '"" index {i} using 1:2:3 with labels left offset 0.8,0.4 notitle',
+             '"" index {i} using 1:2:3 with labels left rotate by 25 offset 0.5,0.5 notitle',
 }
 
 
@@ -53,7 +54,11 @@ def draw(out, folder, title, xlabel, series):
     Path(data).write_text("\n\n\n".join(blocks) + "\n", encoding="utf-8")
     parts = ", \\\n     ".join(PARTS[kind].format(data=data, i=i, title=name)
                                for i, (kind, name, _) in enumerate(series))
-    script = PLOT.format(out=out + ".tmp", title=title, xlabel=xlabel, parts=parts)
+    xs, ys = [d[0] for d in dots], [d[1] for d in dots]
+    span = max(xs) - min(xs) or max(xs)
+    script = PLOT.format(out=out + ".tmp", title=title, xlabel=xlabel, parts=parts,
+                         left=min(xs) - span / 20, right=max(xs) + span / 3,
+                         low=min(ys) / 2, high=max(ys) * 6)
     subprocess.run(["gnuplot"], input=script.encode(), check=True)
     os.replace(out + ".tmp", out)
     return True
