@@ -60,7 +60,7 @@ $B/test/hard.sanitized: $(HARD_C:%.c=$B/test/asan/%.o) $B/asan/obj/cmodel/tool/p
 # Close-ups of what floats get wrong, and their counts, into docs/hard_pictures.md.
 PICTURES_C := $(sort $(wildcard tests/hard/pictures/*.c))
 hard-pictures: $B/test/hard-pictures ## pictures and counts of docs/hard_pictures.md
-	@$< tests/hard/pictures docs/pictures >$B/test/hard.counts
+	@$< tests/hard/pictures docs/pictures >$B/test/hard.counts && cat $B/test/hard.counts
 	@awk -v mark=counts -v text=$B/test/hard.counts -f tests/hard/splice.awk \
 	    docs/hard_pictures.md >$B/test/hard.page && cp $B/test/hard.page docs/hard_pictures.md
 
