@@ -1,0 +1,104 @@
+// f_isqrt_bits.v - proof of rt_isqrt with BITS: the first BITS bits of the root, and what is lost
+// SPDX-License-Identifier: Apache-2.0
+// With s = shift and root the bits there are: root^2 <= x / 4^s < (root+1)^2; s is 0, or root has
+// all BITS bits; inexact = ((root 2^s)^2 != x). A multiplier gives the square: small widths.
+`default_nettype none
+module f_isqrt_bits #(
+    parameter XW   = 10,
+    parameter STEP = 2,
+    parameter BITS = 3
+) (
+    input wire          clk,
+    input wire          rst,
+    input wire          in_valid,
+    input wire [XW-1:0] in_x,
+    input wire          out_ready
+);
+    localparam ROUNDS = (XW/2 + STEP - 1) / STEP;
+    localparam RW     = ROUNDS*STEP;
+    localparam CW     = $clog2(ROUNDS + 1);
+    localparam SW     = 2*RW + 2;        // of squares
+    wire in_ready, out_valid, out_inexact;
+    wire [BITS-1:0] out_root;
+    wire [5:0]      out_shift;
+    rt_isqrt #(.XW(XW), .STEP(STEP), .BITS(BITS)) u_dut (
+        .clk(clk), .rst(rst), .in_valid_i(in_valid), .in_ready_o(in_ready), .in_x_i(in_x),
+        .out_valid_o(out_valid), .out_ready_i(out_ready), .out_root_o(out_root),
+        .out_shift_o(out_shift), .out_inexact_o(out_inexact)
+    );
+    (* hierconn *) wire            \u_dut.full_q ;
+    (* hierconn *) wire [CW-1:0]   \u_dut.count_q ;
+    (* hierconn *) wire [2*RW-1:0] \u_dut.x_q ;
+    (* hierconn *) wire [BITS-1:0] \u_dut.root_q ;
+    (* hierconn *) wire [BITS:0]   \u_dut.rem_q ;
+    (* hierconn *) wire [5:0]      \u_dut.g_cut.over_q ;
+    (* hierconn *) wire            \u_dut.g_cut.lost_q ;
+
+    // ---- model: the radicand; clocks until its root is there ----
+    reg          old_q = 1'b0;
+    reg          full_q;
+    reg [XW-1:0] x_q;
+    reg [CW+1:0] age_q;
+    wire         take = in_valid && in_ready;
+    always @(posedge clk) begin
+        old_q <= 1'b1;
+        if (!out_valid) age_q <= age_q + 1'b1;
+        if (out_valid && out_ready) full_q <= 1'b0;
+        if (take) begin full_q <= 1'b1; x_q <= in_x; age_q <= 1; end
+        if (rst) full_q <= 1'b0;
+    end
+    always @* if (!old_q) assume (rst);
+
+    // ---- the bits of x whose digits are there, and those behind ----
+    wire [2*RW-1:0] wide   = x_q;
+    wire [7:0]      rest   = STEP * \u_dut.count_q ;     // digits of the rounds left
+    wire [7:0]      over   = \u_dut.count_q == ROUNDS ? 0 : \u_dut.g_cut.over_q ;
+    wire [7:0]      shift  = rest + over;
+    wire [SW-1:0]   used   = wide >> (2*shift);
+    wire [SW-1:0]   behind = wide & ~({SW{1'b1}} << (2*shift));
+    wire [SW-1:0]   root   = \u_dut.root_q ;
+    wire [SW-1:0]   square = root * root;
+    wire            lost   = |((wide >> (2*rest)) & ~({SW{1'b1}} << (2*over)));
+    wire            top    = \u_dut.root_q [BITS-1];
+
+    // ---- last clock ----
+    reg wait_q, inexact_q;
+    reg [BITS-1:0] root_q;
+    reg [5:0]      shift_q;
+    always @(posedge clk) begin
+        wait_q    <= out_valid && !out_ready && !rst;
+        root_q    <= out_root;
+        shift_q   <= out_shift;
+        inexact_q <= out_inexact;
+    end
+
+    always @* if (old_q) begin
+        assert (in_ready == (!full_q || (out_valid && out_ready)));
+        if (wait_q) assert (out_valid && out_root == root_q && out_shift == shift_q &&
+                            out_inexact == inexact_q);
+        if (out_valid) begin
+            assert (full_q && out_root == root && out_shift == shift);
+            assert (square <= used && used < square + 2*root + 1);
+            assert (out_inexact == (used != square || behind != 0));
+            if (shift != 0) assert (top);
+            assert (shift < XW/2);
+            // as many rounds as its digits take
+            assert (age_q == (RW - shift + STEP - 1) / STEP + 1);
+        end
+        // invariant
+        assert (full_q == \u_dut.full_q );
+        assert (\u_dut.count_q <= ROUNDS);
+        if (full_q) begin
+            assert (age_q >= 1 && age_q + \u_dut.count_q == ROUNDS + 1);
+            assert (out_valid == (\u_dut.count_q == 0 || top));
+            assert (over < STEP && (over == 0 || top));
+            assert (square + \u_dut.rem_q == used && \u_dut.rem_q <= 2*root);
+            assert (\u_dut.x_q == wide << (2*(RW - rest)));
+            if (\u_dut.count_q != ROUNDS) assert (\u_dut.g_cut.lost_q == lost);
+            if (\u_dut.count_q == ROUNDS) assert (root == 0);
+        end else begin
+            assert (\u_dut.count_q == 0 || top);
+        end
+    end
+endmodule
+`default_nettype wire
