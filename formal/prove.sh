@@ -49,6 +49,21 @@ induction() { # a base case of as many clocks as the step spans, then the step
     # no verdict of the solver: it was stopped, or the assumptions contradict each other
     [ "$verdict" = proved ] || grep -q 'Status: FAILED' "$out.log" || verdict=error
 }
+reach() { # abc's pdr looks for the invariant itself; memories become flip-flops
+    out=$dir/$1
+    sources= sets=
+    for f in $4; do sources="$sources rtl/$f"; done
+    for f in $5; do sources="$sources rtl/memory/rt_$f.v"; done
+    for p in $3; do sets="$sets -set ${p%%=*} ${p#*=}"; done
+    $NICE yosys -q -p "read_verilog $sources formal/$2.v; ${sets:+chparam $sets $2;}
+        hierarchy -check -top $2; proc; flatten; opt; memory; opt -full; techmap; opt; dffunmap;
+        setundef -undriven -anyseq; abc -g AND -fast; opt_clean; write_aiger -zinit $out.aig" \
+        >"$out.log" 2>&1 || { verdict=error; return; }
+    $NICE yosys-abc -c "read_aiger $out.aig; scorr; dc2; pdr -T 1000" >>"$out.log" 2>&1
+    verdict=error
+    ! grep -q '^Property proved' "$out.log" || verdict=proved
+    ! grep -q 'was asserted in frame' "$out.log" || verdict="an answer is wrong"
+}
 lemma() { # every check-sat says what `:status` before it says
     if $NICE z3 "formal/$2" >"$dir/$1.log" 2>&1; then
         verdict=proved
@@ -103,6 +118,7 @@ while IFS='|' read -r name top params rtl memories depth speed; do
     case $top in
     *.smt2) how=lemma method=z3 module=${top%.smt2} ;;
     *.c) how=program method=all module=${top%.c} ;;
+    p_*) how=reach method=pdr module=${rtl%%.v*} module=${module##*/} ;;
     s_*) how=simulation method=all module=${rtl%%.v*} module=${module##*/} ;;
     *) how=induction method=k=${depth#from}
         case $depth in from*) method=t=${depth#from} ;; esac
@@ -128,7 +144,7 @@ awk -F'|' 'BEGIN {
         form = "%-16s %-14s %-26s %-7s %7s  %-8s %s\n"
         printf form, "proof", "module", "parameters", "method", "seconds", "", "property" }
     { printf form, $1, $2, $3, $4, $5, $6, $7; sum += $5; proved += $6 == "proved" }
-    END { printf "%d of %d proved in %.1f s (k: depth of the induction, " \
-          "t: clocks from any state, z3: integers, all: every input)\n", proved, NR, sum }' \
+    END { printf "%d of %d proved in %.1f s (k: depth of the induction, t: clocks from " \
+          "any state, pdr: of abc, z3: integers, all: every input)\n", proved, NR, sum }' \
     "$dir/table"
 exit $worst
