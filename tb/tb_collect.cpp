@@ -1,4 +1,4 @@
-/* tb_collect.cpp - rt_collect against the rules of leaf_visit() and sph_ray_depth()
+/* tb_collect.cpp - rt_collect against the rules of keep() and sph_ray_depth()
  * SPDX-License-Identifier: Apache-2.0
  *
  * Every slot lives through rays of some visits; results of all slots arrive interleaved. Between

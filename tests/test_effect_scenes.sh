@@ -83,7 +83,7 @@ all_but() { # name
         if (n > most) { most = n; name = $1 }
     } END { print name }' "$cases"
 }
-for but in shadow reflect lights inside first interpenetrate rect spans cones; do
+for but in shadow reflect lights inside first interpenetrate facets rect spans cones; do
     title=$(all_but $but)
     [ -z "$title" ] || run "$title: icarus, core all-$but" all-$but SIM=icarus \
         "$here/$title-small.sph"
@@ -99,6 +99,7 @@ none|lights1|0 0 1 0 0
 none|inside|4 0 0 0 0
 none|first|8 0 0 0 0
 none|interpenetrate|16 0 0 0 0
+none|facets|32 0 0 0 0
 none|rect|0 0 0 1 0
 none|spans|0 0 0 2 0
 none|cones1|0 0 0 3 1
@@ -113,10 +114,11 @@ all-lights|lights8|31 5 8 1 0
 all-inside|inside and interpenetrate|31 5 8 1 0
 all-first|first and interpenetrate|31 5 8 1 0
 all-interpenetrate|interpenetrate|31 5 8 1 0
+all-facets|facets|39 5 8 1 0
 all-rect|rect|31 5 8 1 0
 all-spans|spans|31 5 8 2 0
 all-cones|cones1|31 5 8 3 1
-all||32 0 0 0 0
+all||128 0 0 0 0
 END
 $(build scenes/one_sphere.nff 8x8 "$here/bare.sph" "") >"$TMP/bare" 2>&1 || cat "$TMP/bare"
 refused() ( # simulator, core, words, registers

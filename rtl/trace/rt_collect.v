@@ -3,7 +3,7 @@
 // A smaller key wins, a tie goes to the smaller id, so the order of arrival does not matter.
 // The best key gives a depth beyond which nothing can win: key * scale >> shift, rounded up.
 // One result a cycle; the token leaves 4 cycles after the last result of its visit.
-// Model: leaf_visit() in cmodel/trace/traverse.c, sph_ray_depth() in cmodel/trace/setup.c
+// Model: keep() in cmodel/trace/traverse.c, sph_ray_depth() in cmodel/trace/setup.c
 `default_nettype none
 module rt_collect #(
     parameter W     = 16,  // coordinate, bits
