@@ -45,6 +45,7 @@ start=$(date +%s)
     tail -n 20 "$out/pnr.out" >&2
     exit 1
 }
+seconds=$(($(date +%s) - start))
 version=$("$pnr" --version 2>&1 | sed -n 's/.*(Version \([^)]*\)).*/\1/p')
-python3 synth/placed.py "$out/report.json" "$ROUTE" "$(($(date +%s) - start))" "$version" \
+python3 synth/placed.py "$out/report.json" "$out/log" "$ROUTE" "$seconds" "$version" \
     >"$out/placed.json"

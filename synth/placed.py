@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # placed.py - what nextpnr says of a placed core, in short
 # SPDX-License-Identifier: Apache-2.0
-"""usage: synth/placed.py REPORT ROUTED SECONDS VERSION
+"""usage: synth/placed.py REPORT LOG ROUTED SECONDS VERSION
 Prints JSON: Fmax in MHz, the critical path of the clock with the instances that it passes and its
-delays in ns, and what of the device is used."""
+delays in ns, and what of the device is used. Before routing the report has no clocks: then what the
+log estimates, and no path."""
 import json
 import re
 import sys
@@ -38,20 +39,29 @@ def path_of(report):
     return best
 
 
-def main(path, routed, seconds, version):
+def estimated(log):
+    """Clocks as the log of a placement has them, the last word of each."""
+    with open(log, encoding="utf-8") as f:
+        return {m[1]: float(m[2]) for m in
+                re.finditer(r"Max frequency for clock '(.*)': *([0-9.]+) MHz", f.read())}
+
+
+def main(path, log, routed, seconds, version):
     with open(path, encoding="utf-8") as f:
         report = json.load(f)
     clocks = {name: c["achieved"] for name, c in report["fmax"].items()}
+    if routed == "0":
+        clocks = estimated(log)
     if len(clocks) != 1:
         sys.exit(f"placed: {path}: clocks {clocks}, not one")
     used = {k: [v["used"], v["available"]] for k, v in report["utilization"].items() if v["used"]}
     json.dump({"fmax": round(next(iter(clocks.values())), 2), "routed": int(routed),
-               "path": path_of(report), "used": used, "seconds": int(seconds),
-               "nextpnr": version}, sys.stdout, indent=1)
+               "path": path_of(report) if routed != "0" else None, "used": used,
+               "seconds": int(seconds), "nextpnr": version}, sys.stdout, indent=1)
     print()
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 5:
+    if len(sys.argv) != 6:
         sys.exit(__doc__)
     main(*sys.argv[1:])

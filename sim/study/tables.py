@@ -131,11 +131,13 @@ def placed(study):
         if run is None:
             rows.append([title, "not placed"] + ["-"] * 6)
             continue
-        path = run["path"]
-        ends = f"{path['through'][0]} to {path['through'][-1]}" if path["through"] else "-"
-        rows.append([title, f"{run['fmax']:.1f}", "routed" if run["routed"] else "placed",
-                     f"{path['ns']:.1f}", f"{path['logic_ns']:.1f}", path["steps"], ends,
-                     run["seconds"]])
+        row, path = [title, f"{run['fmax']:.1f}"], run["path"]
+        if path:
+            row += ["routing", f"{path['ns']:.1f}", f"{path['logic_ns']:.1f}", path["steps"],
+                    f"{path['through'][0]} to {path['through'][-1]}"]
+        else:
+            row += ["placement"] + ["-"] * 4
+        rows.append(row + [run["seconds"]])
     return report.table(["core", "MHz", "after", "path, ns", "logic, ns", "cells", "from, to",
                          "s"], rows)
 

@@ -79,7 +79,7 @@ assert draft[1][8:] == ["not placed", "-", "-"], draft
 step = row(rows, "`draft` to `standard`")[0]
 assert step[1:3] == ["14.5", "+544.8"], step
 assert row(rows, "`paper100`")[0][2] == "70.0 (1 2 3 4; 1.5)"
-assert row(rows, "`standard`", "50.0", "routed")[0][3:7] == ["20.0", "5.0", "12",
+assert row(rows, "`standard`", "50.0", "routing")[0][3:7] == ["20.0", "5.0", "12",
                                                              "u_core.u_a to u_core.u_b"]
 assert row(rows, "W", "`standard:w=14`")[0][2] == "-"
 assert "3 plots" in said, said

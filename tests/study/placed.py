@@ -27,11 +27,17 @@ report = {"fmax": {"$glbnet$clk": {"achieved": 41.239, "constraint": 60.0}},
 path = sys.argv[1] + "/report.json"
 
 
-def summary():
+log = sys.argv[1] + "/log"
+with open(log, "w", encoding="utf-8") as out:
+    for mhz in "10.00", "63.24":
+        out.write(f"Info: Max frequency for clock '$glbnet$clk': {mhz} MHz (PASS at 60.00 MHz)\n")
+
+
+def summary(routed="1"):
     with open(path, "w", encoding="utf-8") as f:
         json.dump(report, f)
-    ran = subprocess.run([sys.executable, "synth/placed.py", path, "1", "77", "0.1"], check=False,
-                         stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    ran = subprocess.run([sys.executable, "synth/placed.py", path, log, routed, "77", "0.1"],
+                         check=False, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     return json.loads(ran.stdout) if ran.returncode == 0 else ran.stderr.decode()
 
 
@@ -40,6 +46,11 @@ assert got["fmax"] == 41.24 and got["routed"] == 1 and got["seconds"] == 77, got
 assert got["used"] == {"TRELLIS_FF": [7, 83640]}, got
 assert got["path"] == {"ns": 6.0, "logic_ns": 0.75, "steps": 1,
                        "through": ["u_core.u_engine.u_leaf", "u_core.u_engine.u_root"]}, got
+early = dict(report, fmax={}, critical_paths=[])
+report, late = early, report
+got = summary("0")
+assert got["fmax"] == 63.24 and got["routed"] == 0 and got["path"] is None, got
+report = late
 report["fmax"]["other"] = {"achieved": 1.0}
 assert "clocks" in summary()
 
