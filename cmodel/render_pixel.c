@@ -133,7 +133,8 @@ static int path(const struct job *j, struct sph_ray ray) {
     struct sph_hit hit = trace(j, &ray);
     const uint32_t *prim = prim_line(j, &hit);
     uint64_t length = 0;
-    j->texture->lod = SPH_LOD_NONE;
+    j->texture->lod = SPH_LOD_NONE; /* a repeated pixel begins anew */
+    j->texture->words = 0;
     j->pixel->id = prim ? hit.id : SPH_ID_NONE;
     j->pixel->key = prim ? hit.key : 0;
     for (;;) {

@@ -1,7 +1,8 @@
 // rt_coords.v - texture coordinates of a hit
 // SPDX-License-Identifier: Apache-2.0
-// Facet: s = s_0 + (s_x s_y s_z).point * 2^-s_e, t alike. Sphere: longitude and latitude of the unit
-// normal, turned into the frame of the texture, scaled and moved. One multiplier, a product a clock:
+// Facet: s = s_0 + (s_x s_y s_z).point * 2^-s_e, t alike. Sphere: longitude and latitude of the
+// unit normal, turned into the frame of the texture, scaled and moved. One multiplier, a product a
+// clock:
 //   operands | product | sum of three | facet: shift | shift | round, add
 //                                     | sphere: turned normal .. rt_longitude .. scaled, added
 // One hit at a time: 14 clocks for a facet, 59 for a sphere.

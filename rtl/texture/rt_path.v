@@ -1,7 +1,7 @@
 // rt_path.v - length of the way from the eye to a hit: path + key / |dir|
 // SPDX-License-Identifier: Apache-2.0
-// |t*dir| = key / |dir| = key * y * 2^(h - WD - 16), with y and h of the ray's unit vector: no root,
-// no quotient. Park et al. 2011, Figure 1: the adder beside the ray stack.
+// |t*dir| = key / |dir| = key * y * 2^(h - WD - 16), with y and h of the ray's unit vector: no
+// root, no quotient. Park et al. 2011, Figure 1: the adder beside the ray stack.
 //   CHUNKS products of 17 bits, highest first | shift | shift | round, add | limit
 // A new hit every CHUNKS clocks; a result CHUNKS + 6 clocks after its hit.
 // Model: sph_path_add() in cmodel/texture/lod.c

@@ -106,7 +106,8 @@ module rt_texture_image #(
     rt_slot_ram #(.WIDTH(JW), .SLOTS(SLOTS), .OLD(0)) u_job (
         .clk(clk), .wr_en_i(l_valid_q), .wr_addr_i(l_slot_q),
         .wr_data_i({l_image_q[`RT_IMAGE_W_LSB +: 12], l_image_q[`RT_IMAGE_H_LSB +: 12],
-                    l_level_q, l_far_q, l_lod_q, l_line_q + {7'd0, at}, l_line_q + {7'd0, at_next}}),
+                    l_level_q, l_far_q, l_lod_q, l_line_q + {7'd0, at},
+                    l_line_q + {7'd0, at_next}}),
         .rd_en_i(j_valid), .rd_addr_i(j_slot),
         .rd_data_o({j_w, j_h, j_level, j_far, j_lod, j_line, j_next})
     );
