@@ -21,7 +21,7 @@ LEVELS ?=
 ## BUILD_MORE  other options of `sphaera build`, such as --inside off
 BUILD_MORE ?=
 ## EFFECTS     of the core: auto (as the scene asks), all, all-NAME, none, or joined by + of
-##             shadow reflectN lightsN inside first interpenetrate rect spans conesN
+##             shadow reflectN lightsN inside first interpenetrate facets rect spans conesN
 EFFECTS ?= auto
 ## ENGINES     tracing engines in the core
 ENGINES ?= 1

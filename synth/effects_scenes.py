@@ -13,8 +13,8 @@ import sys
 from pathlib import Path
 
 SIZE, PROFILE, SECONDS = "160x90", "standard", 75
-NAMES = ("shadow", "reflect", "lights", "inside", "first", "interpenetrate", "rect", "spans",
-         "cones")
+NAMES = ("shadow", "reflect", "lights", "inside", "first", "interpenetrate", "facets", "rect",
+         "spans", "cones")
 
 
 def scenes():
