@@ -40,13 +40,14 @@ def cost_row(study, core):
     """Cycles, cells, clock and what follows."""
     cells, placed = study.cells(core), study.fmax(core)
     cycles = gather.frame_cycles(study, core)
+    about = "~" if placed and not placed["routed"] else ""  # an estimate
     per_pixel = None if cycles is None else cycles / gather.pixels(points.FRAME)
     return [show(cycles, "{:.0f}"), show(per_pixel, "{:.2f}"),
             show(gather.ray_cycles(study, core), "{:.2f}")] \
         + [show(cells and cells[c]) for c in ("lut4eq", "ff", "bram", "mult")] \
-        + [show(placed["fmax"], "{:.1f}") if placed else "not placed",
-           show(gather.milliseconds(study, core), "{:.2f}"),
-           show(gather.pixel_rate(study, core), "{:.0f}")]
+        + [show(placed["fmax"], about + "{:.1f}") if placed else "not placed",
+           show(gather.milliseconds(study, core), about + "{:.2f}"),
+           show(gather.pixel_rate(study, core), about + "{:.0f}")]
 
 
 COST = ["cycles a frame", "a pixel", "a ray", "LUT4eq", "FF", "DP16KD", "MULT", "MHz", "ms a frame",
