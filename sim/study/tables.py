@@ -195,8 +195,12 @@ def decibels(study):
         for cell in ("lut4eq", "ff", "mult"):
             more = right[cell] - left[cell] if left and right else None
             row.append("-" if gain is None or more is None else f"{more / gain:+.1f}")
+        runs = [study.fmax(core_of(p)) for p in (coarse, fine)]
+        alike = None not in runs and runs[0]["routed"] == runs[1]["routed"]
         for value in (gather.frame_cycles, gather.milliseconds):
             x, y = value(study, core_of(coarse)), value(study, core_of(fine))
+            if value is gather.milliseconds and not alike:
+                x = None  # an estimate is not set against a routed clock
             row.append("-" if gain is None or x is None or y is None
                        else f"{100 * (y / x - 1) / gain:+.2f} %")
         rows.append(row)
