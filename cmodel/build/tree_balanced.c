@@ -123,7 +123,8 @@ int sph_tree_balanced(const struct sph_ball *balls, uint32_t n, const struct sph
         sph_split_free(&w.split);
         if (tree->depth - 1 + tree->above <= SPH_STACK_DEPTH) break;
     }
-    struct sph_tree_node *less = realloc(tree->nodes, tree->n_nodes * sizeof *tree->nodes);
+    size_t used = tree->n_nodes ? tree->n_nodes : 1;
+    struct sph_tree_node *less = realloc(tree->nodes, used * sizeof *tree->nodes);
     if (less) tree->nodes = less;
     return 0;
 }

@@ -48,7 +48,7 @@ module rt_texture_map #(
     localparam PW = W + 8;
     reg              r_valid_q;              // the record came one cycle ago
     reg [SLOTW-1:0]  r_slot_q;
-    reg [15:0]       r_base_q;
+    reg signed [15:0] r_base_q;
     wire             r_sound = r_valid_q && !void_i;
     always @(posedge clk) begin
         r_valid_q <= map_valid_i;
@@ -68,7 +68,7 @@ module rt_texture_map #(
     );
     rt_lod #(.PB(PW), .TAG(SLOTW)) u_lod (
         .clk(clk), .rst(rst), .in_valid_i(r_sound), .in_tag_i(r_slot_q), .in_path_i(r_path),
-        .in_base_i($signed(r_base_q)), .in_levels_i(4'd`RT_TEXTURE_LEVELS),
+        .in_base_i(r_base_q), .in_levels_i(4'd`RT_TEXTURE_LEVELS),
         .out_valid_o(lod_valid), .out_tag_o(lod_slot), .out_lod_o(lod)
     );
     rt_slot_ram #(.WIDTH(12), .SLOTS(SLOTS), .OLD(0)) u_lods (
