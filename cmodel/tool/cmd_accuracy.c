@@ -54,15 +54,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     case KEY_JSON:
         a->json = arg;
         return 0;
-    case ARGP_KEY_ARG:
-        if (a->input) argp_error(state, "one scene at a time: '%s' is one too many", arg);
-        a->input = arg;
-        return 0;
-    case ARGP_KEY_END:
-        if (!a->input) argp_error(state, "no scene given");
-        return 0;
     default:
-        return ARGP_ERR_UNKNOWN;
+        return tool_one_scene(state, key, arg, &a->input, "no scene given");
     }
 }
 

@@ -64,15 +64,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     case KEY_PROGRESS:
         a->progress = 1;
         return 0;
-    case ARGP_KEY_ARG:
-        if (a->input) argp_error(state, "one scene at a time: '%s' is one too many", arg);
-        a->input = arg;
-        return 0;
-    case ARGP_KEY_END:
-        if (!a->input) argp_error(state, "no machine or scene given");
-        return 0;
     default:
-        return ARGP_ERR_UNKNOWN;
+        return tool_one_scene(state, key, arg, &a->input, "no machine or scene given");
     }
 }
 

@@ -44,6 +44,18 @@ void tool_size(const struct argp_state *state, const char *option, const char *a
     *height = (int)h;
 }
 
+error_t tool_one_scene(const struct argp_state *state, int key, char *arg, const char **input,
+                       const char *missing) {
+    if (key == ARGP_KEY_ARG) {
+        if (*input) argp_error(state, "one scene at a time: '%s' is one too many", arg);
+        *input = arg;
+        return 0;
+    }
+    if (key != ARGP_KEY_END) return ARGP_ERR_UNKNOWN;
+    if (!*input) argp_error(state, "%s", missing);
+    return 0;
+}
+
 enum {
     KEY_PROFILE = 256,
     KEY_TREE,

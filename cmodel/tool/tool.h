@@ -43,6 +43,11 @@ unsigned long long tool_number(const struct argp_state *state, const char *optio
 void tool_size(const struct argp_state *state, const char *option, const char *arg, int *width,
                int *height);
 
+/* The one argument of a command: takes it into *input; another, or none (the text `missing`), is a
+ * usage error. Returns what argp's parser has to: ARGP_ERR_UNKNOWN for any other key. */
+error_t tool_one_scene(const struct argp_state *state, int key, char *arg, const char **input,
+                       const char *missing);
+
 /* ---- from a scene to a machine ---- */
 
 struct tool_source {
