@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // key = b - root for the near root, b + root + inexact for the far one: ceil(a*t).
 // PR not 0: of the root its first PR bits count; a far key is then at least 1.
-// UNITS iterative roots. A result that waits may give way to one of a lower unit: the consumer
-// looks at it only when it takes it.
+// UNITS iterative roots behind rt_pool.
 // Model: sph_leaf_key_bits() in cmodel/trace/leaf.c
 `default_nettype none
 module rt_root_pool #(
@@ -33,32 +32,32 @@ module rt_root_pool #(
     localparam KW = W + WD + 2;                // key
     localparam BW = PR != 0 ? PR : XW/2;       // root, without the 0s behind it
     localparam VW = PR != 0 ? KW + BW + 7 : KW;  // of a unit: key, or b, inexact, shift, root
-    wire [UNITS-1:0] ready, done;
-    wire [UNITS-1:0] take, give;               // one-hot choice of the lowest
-    assign take = ready & (~ready + 1'b1) & {UNITS{in_valid_i}};
-    assign give = done & (~done + 1'b1);
-    assign in_ready_o  = |ready;
-    assign out_valid_o = |done;
-
-    wire [UNITS*(VW+TAG+1)-1:0] results;
+    localparam RW = VW + 1;                    // far above it
+    wire [UNITS-1:0]    ready, done, take, give;
+    wire [UNITS*RW-1:0] results;
+    wire [VW-1:0]       result;
+    rt_pool #(.UNITS(UNITS), .RW(RW), .TAG(TAG)) u_pool (
+        .clk(clk), .in_valid_i(in_valid_i), .in_ready_o(in_ready_o), .in_tag_i(in_tag_i),
+        .ready_i(ready), .take_o(take), .done_i(done), .give_o(give), .results_i(results),
+        .out_valid_o(out_valid_o), .out_ready_i(out_ready_i), .out_tag_o(out_tag_o),
+        .out_result_o({out_far_o, result})
+    );
     genvar u;
     generate
         for (u = 0; u < UNITS; u = u + 1) begin : g_unit
             wire [BW-1:0]         root;
             wire [5:0]            shift;
             wire                  inexact;
-            reg [TAG-1:0]         tag_q;
             reg                   far_q;
             reg signed [KW-1:0]   b_q;
             rt_isqrt #(.XW(XW), .STEP(STEP), .BITS(PR)) u_isqrt (
                 .clk(clk), .rst(rst),
                 .in_valid_i(take[u]), .in_ready_o(ready[u]), .in_x_i(in_disc_i),
-                .out_valid_o(done[u]), .out_ready_i(give[u] && out_ready_i),
+                .out_valid_o(done[u]), .out_ready_i(give[u]),
                 .out_root_o(root), .out_shift_o(shift), .out_inexact_o(inexact)
             );
             always @(posedge clk)
                 if (take[u]) begin
-                    tag_q <= in_tag_i;
                     far_q <= INSIDE != 0 && in_far_i;
                     b_q   <= in_b_i;
                 end
@@ -70,18 +69,8 @@ module rt_root_pool #(
                 assign value = far_q ? b_q + wide + {{(KW-1){1'b0}}, inexact} : b_q - wide;
                 wire unused = &{1'b0, shift};
             end
-            assign results[u*(VW+TAG+1) +: VW+TAG+1] =
-                give[u] ? {tag_q, far_q, value} : {(VW+TAG+1){1'b0}};
+            assign results[RW*u +: RW] = {far_q, value};
         end
-    endgenerate
-    reg [VW+TAG:0] result;
-    integer i;
-    always @* begin
-        result = {(VW+TAG+1){1'b0}};
-        for (i = 0; i < UNITS; i = i + 1) result = result | results[i*(VW+TAG+1) +: VW+TAG+1];
-    end
-    assign {out_tag_o, out_far_o} = result[VW+TAG -: TAG+1];
-    generate
         if (PR != 0) begin : g_key                   // one shift and one sum for all units
             wire [BW-1:0] root    = result[BW-1:0];
             wire [5:0]    shift   = result[BW +: 6];
@@ -93,7 +82,7 @@ module rt_root_pool #(
             wire          none    = b[KW-1] && (far[KW-1] || far == {KW{1'b0}});
             assign out_key_o = !out_far_o ? b - wide : none ? {{(KW-1){1'b0}}, 1'b1} : far;
         end else begin : g_given
-            assign out_key_o = result[VW-1:0];
+            assign out_key_o = result;
         end
     endgenerate
 endmodule
