@@ -146,17 +146,19 @@ module rt_texture_image #(
     reg [19:0]       sum_q;                  // of the job so far
     reg              word_known_q;
     wire [31:0]      old, word;
+    wire             known = known_q[texel_slot_o];
     wire             send = texel_valid_o && texel_ready_i;
-    wire [19:0]      sum  = (texel_index_o == 3'd0 ? (known_q[texel_slot_o] ? old[19:0] : 20'd0)
-                             : sum_q) + {texel_line_o[16:0], texel_word_o};
+    wire [19:0]      sum  = (texel_index_o != 3'd0 ? sum_q : known ? old[19:0] : 20'd0) +
+                            {texel_line_o[16:0], texel_word_o};
+    wire [31:0]      next = {known ? old[31:20] : t_lod, sum};
     rt_slot_ram #(.WIDTH(32), .SLOTS(SLOTS), .OLD(0)) u_old (
         .clk(clk), .wr_en_i(t_last), .wr_addr_i(texel_slot_o),
-        .wr_data_i({known_q[texel_slot_o] ? old[31:20] : t_lod, sum}),
+        .wr_data_i(next),
         .rd_en_i(j_take), .rd_addr_i(j_slot), .rd_data_o(old)
     );
     rt_slot_ram #(.WIDTH(32), .SLOTS(SLOTS), .OLD(0)) u_word (
         .clk(clk), .wr_en_i(t_last), .wr_addr_i(texel_slot_o),
-        .wr_data_i({known_q[texel_slot_o] ? old[31:20] : t_lod, sum}),
+        .wr_data_i(next),
         .rd_en_i(word_read_i), .rd_addr_i(word_slot_i), .rd_data_o(word)
     );
     always @(posedge clk) begin
