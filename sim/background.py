@@ -7,7 +7,6 @@ FOLDER has NAME.json of `sphaera background` and NAME-WAY.core.json of the RTL's
 what synth/core.sh left: the plain core first, then one with each way."""
 import json
 import os
-import re
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "synth"))
@@ -116,14 +115,7 @@ def main(page, folder, synth, *rest):
               "walk": walk(views[SHOWN]), "series": series(views[SHOWN]),
               "visits": counted(views, folder, "node_visits"),
               "cycles": counted(views, folder, "cycles"), "cells": cells(synth, keys)}
-    with open(page, encoding="utf-8") as f:
-        text = f.read()
-    for name, table in tables.items():
-        pattern = rf"(<!-- {name} -->\n)(?:\|.*\n)*(<!-- end -->)"
-        text, n = re.subn(pattern, lambda m, t=table: m[1] + t + "\n" + m[2], text)
-        if n != 1:
-            sys.exit(f"background: {page}: {n} places for the table `{name}`, not one")
-    report.write(page, text)
+    report.place(page, tables)
 
 
 if __name__ == "__main__":

@@ -90,9 +90,9 @@ def write(path, text):
     os.replace(path + ".tmp", path)
 
 
-def place(page, tables, what):
+def place(page, tables, yosys=None):
     """Puts tables between `<!-- NAME -->` and `<!-- end -->` of a page; each NAME stands there
-    once. Yosys's version is brought up to date."""
+    once. Yosys's version is brought up to date if it is given."""
     with open(page, encoding="utf-8") as f:
         text = f.read()
     for name, lines in tables.items():
@@ -100,7 +100,9 @@ def place(page, tables, what):
         text, n = re.subn(pattern, lambda m, t=lines: m[1] + t + "\n" + m[2], text)
         if n != 1:
             sys.exit(f"page: {page}: {n} places for the table `{name}`, not one")
-    write(page, re.sub(r"Yosys \d[\d.]*\d( \([^)]*\))?", what.split(" (")[0], text))
+    if yosys:
+        text = re.sub(r"Yosys \d[\d.]*\d( \([^)]*\))?", yosys.split(" (")[0], text)
+    write(page, text)
 
 
 def main(folder, keys):

@@ -5,7 +5,6 @@
 A result that is missing, or does not count, is a dash in a table and no dot in a plot. Plots and
 strips go to pictures/accuracy beside the page."""
 import os
-import re
 import subprocess
 import sys
 
@@ -40,9 +39,7 @@ def main(argv):
     study = gather.Study(results)
     text = tables.everything(study)
     run_of = study.get(gather.jobs.job("cells", **gather.core_of("standard")))
-    with open(page, encoding="utf-8") as f:
-        stated = re.search(r"Yosys \d[\d.]*\d", f.read())
-    report.place(page, text, run_of["yosys"] if run_of else stated[0] if stated else "Yosys")
+    report.place(page, text, run_of and run_of["yosys"])
     drawn = []
     if not bare:
         pictures = os.path.join(os.path.dirname(page), "pictures/accuracy")
