@@ -3,27 +3,29 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # usage: sim/parameters.sh LIST
-#   LIST  all, all-NAME (all but one), none, or names joined by +:
-#         shadow reflectN lightsN inside first interpenetrate facets rect spans conesN
+#   LIST  all, all-NAME (all but one), none, or names joined by +, the first of which may be all:
+#         shadow reflectN lightsN inside first interpenetrate facets texture rect spans conesN
 #         (N: reflections 1..5, lights 1..8, spheres of exact background separation 1..16;
-#         interpenetrate needs first and inside, so all-first and all-inside leave it out too)
+#         interpenetrate needs first and inside, so all-first and all-inside leave it out too;
+#         all has no texture, which makes every core half as big again: all+texture has)
 # Prints the parameters of rtl/shell/rt_core.v, NAME=VALUE, all on one line.
 set -eu
 awk -v list="$1" 'BEGIN {
-    n = split("shadow reflect lights inside first interpenetrate facets rect spans cones", name,
-              " ")
-    split("1 5 8 1 1 1 1 1 1 16", most, " ")
-    split("1 5 8 1 1 1 1 1 1 1", full, " ")
+    n = split("shadow reflect lights inside first interpenetrate facets texture rect spans cones",
+              name, " ")
+    split("1 5 8 1 1 1 1 1 1 1 16", most, " ")
+    split("1 5 8 1 1 1 1 0 1 1 1", full, " ")
     but = list
     if (sub(/^all-/, "", but)) list = "all"; else but = ""
+    all = sub(/^all(\+|$)/, "", list)
     for (i = 1; i <= n; i++) {
         number[name[i]] = i
-        value[i] = list == "all" && name[i] != but ? full[i] : 0
+        value[i] = all && name[i] != but ? full[i] : 0
     }
     if (but == "first") value[number["interpenetrate"]] = 0
     if (but == "inside") value[number["interpenetrate"]] = 0
     bad = but && !(but in number) ? but : ""
-    words = list == "all" || list == "none" ? 0 : split(list, word, "+")
+    words = list == "none" ? 0 : split(list, word, "+")
     for (w = 1; w <= words && !bad; w++) {
         key = word[w]
         count = 1
@@ -32,10 +34,11 @@ awk -v list="$1" 'BEGIN {
             key = substr(key, 1, RSTART - 1)
         }
         i = number[key]
-        if (!i || count < 1 || count > most[i] || (most[i] > 1 && key == word[w])) bad = word[w]
+        if (!i || count < 1 || count > most[i] || (most[i] > 1 && key == word[w]))
+            bad = word[w] != "" ? word[w] : "(nothing)"
         else value[i] = count
     }
-    if (!bad && !list) bad = "(nothing)"
+    if (!bad && !list && !all) bad = "(nothing)"
     if (!bad && value[number["interpenetrate"]] &&
         !(value[number["first"]] && value[number["inside"]])) {
         print list ": interpenetrate needs first and inside" > "/dev/stderr"

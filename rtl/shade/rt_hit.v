@@ -15,6 +15,7 @@ module rt_hit #(
     parameter NG  = 2,   // guard bits of the normal
     parameter INSIDE = 1, // 0: no hit comes from inside or behind
     parameter FACETS = 0, // 1: facets too
+    parameter TEXTURE = 0, // 1: the guarded point leaves too
     parameter TAG = 8    // tag, bits
 ) (
     input  wire                 clk,
@@ -40,6 +41,7 @@ module rt_hit #(
     output reg  signed [W-1:0]  out_point_x_o,
     output reg  signed [W-1:0]  out_point_y_o,
     output reg  signed [W-1:0]  out_point_z_o,
+    output wire [3*(W+NG)-1:0]  out_guarded_o,  // {z, y, x} s(W+NG), g; 0 without TEXTURE
     output wire signed [WD-1:0] out_normal_x_o, // towards the ray's side
     output wire signed [WD-1:0] out_normal_y_o,
     output wire signed [WD-1:0] out_normal_z_o,
@@ -183,6 +185,18 @@ module rt_hit #(
             out_saturated_o <= s6_over_q;
             {out_point_x_o, out_point_y_o, out_point_z_o} <= {s6_px_q, s6_py_q, s6_pz_q};
         end
+    generate
+        if (TEXTURE != 0) begin : g_guarded
+            reg [3*GW-1:0] s6_g_q, guarded_q;
+            always @(posedge clk) begin
+                if (|ph_q[8:6]) s6_g_q <= {s5_g_q, s6_g_q[3*GW-1:GW]};
+                if (ph_q[11]) guarded_q <= s6_g_q;
+            end
+            assign out_guarded_o = guarded_q;
+        end else begin : g_no_guarded
+            assign out_guarded_o = {3*GW{1'b0}};
+        end
+    endgenerate
     wire unused = &{1'b0, in_ctr_x_i, in_ctr_y_i, in_ctr_z_i, in_facet_i, s4_sum_q[0], s4_org[0],
                     s6_round, back[VW+WD:VW]};
 endmodule

@@ -4,6 +4,7 @@
 // surfaces and background over the reflection depths, sends mirror rays off, and delivers.
 // Model: sph_render_pixel() in cmodel/render_pixel.c
 `default_nettype none
+`include "rt_layout.vh"
 module rt_pixels #(
     parameter W       = 16,  // coordinate, bits
     parameter WD      = 17,  // direction component, bits
@@ -79,9 +80,10 @@ module rt_pixels #(
     input  wire [SLOTW-1:0]  sum_slot_i,
     input  wire [50:0]       sum_i,           // 3 x u2.15
     // finished pixels
-    output wire              visits_read_o,   // to rt_traverse
+    output wire              visits_read_o,   // to rt_traverse, rt_texture
     output wire [SLOTW-1:0]  visits_slot_o,
     input  wire [23:0]       visits_i,
+    input  wire [31:0]       texture_i,
     output wire              pix_valid_o,
     input  wire              pix_ready_i,
     output wire [13:0]       pix_x_o,
@@ -90,6 +92,7 @@ module rt_pixels #(
     output wire [23:0]       pix_id_o,
     output wire [W+WD+1:0]   pix_key_o,
     output wire [23:0]       pix_visits_o,
+    output wire [31:0]       pix_texture_o,   // {lod u4.8, sum of texel addresses}
     // errors
     output reg               bad_node_o       // a record lies outside memory
 );
@@ -339,6 +342,7 @@ module rt_pixels #(
     assign pix_id_o      = p_sky_q ? 24'hffffff : p_first[KW +: 24];
     assign pix_key_o     = p_sky_q ? {KW{1'b0}} : p_first[KW-1:0];
     assign pix_visits_o  = visits_i;
+    assign pix_texture_o = p_sky_q ? {12'd`RT_LOD_NONE, 20'd0} : texture_i;
     assign out_done      = pix_valid_o && pix_ready_i;
     assign out_slot      = p_slot_q;
     wire unused = &{1'b0, free_in, q_hit_in, q_miss_in, o_blend_in, o_sky_in, o_end,

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // t = key / a in one of QUOTIENTS iterative dividers, then the primitive record through the leaf
 // cache, then org + t*dir and the normal. Tokens wait in queues between the three.
-// Where no light and no mirror asks for the point (points_on_i low; POINTS 0: never built), a hit
-// goes to its record at once and leaves as a bare surface when that is there.
+// Where no light, no mirror and no texture asks for the point (points_on_i low; POINTS 0: never
+// built), a hit goes to its record at once and leaves as a bare surface when that is there.
 // Model: sph_quotient() in cmodel/math/quotient.c, sph_surface_at() in cmodel/shade/surface.c
 `default_nettype none
 `include "rt_layout.vh"
@@ -12,10 +12,11 @@ module rt_surface #(
     parameter WD    = 17,      // direction component, bits
     parameter PQ    = 17,      // significant bits of the quotient
     parameter NG    = 2,       // guard bits of the normal
-    parameter POINTS  = 1,     // 0: no light, no mirror: the record is all
+    parameter POINTS  = 1,     // 0: no light, no mirror, no texture: the record is all
     parameter BOUNCES = 1,     // 0: every ray comes from the eye
     parameter INSIDE  = 1,     // 0: no ray starts inside a sphere
     parameter FACETS  = 0,     // 1: triangles and planes too
+    parameter TEXTURE = 0,     // 1: textures
     parameter SLOTS = 32,      // power of two
     parameter SLOTW = 5,       // log2 of SLOTS
     parameter QUOTIENTS = 3,   // dividers
@@ -52,6 +53,7 @@ module rt_surface #(
     output wire              material_valid_o,
     output wire [SLOTW-1:0]  material_slot_o,
     output wire [32:0]       material_o,     // {kr u1.8, 0xBBGGRR}
+    output wire [25:0]       material_tex_o, // line of the mapping record, 0: none
     // the surface, without a point
     output wire              bare_valid_o,
     output wire [SLOTW-1:0]  bare_slot_o,
@@ -59,6 +61,7 @@ module rt_surface #(
     output wire              out_valid_o,
     output wire [SLOTW-1:0]  out_slot_o,
     output wire [3*W-1:0]    out_point_o,
+    output wire [3*(W+NG)-1:0] out_guarded_o, // before it is rounded, s(W+NG); with TEXTURE
     output wire [3*WD-1:0]   out_normal_o,
     // counters
     output wire              quotient_o,
@@ -130,6 +133,7 @@ module rt_surface #(
     assign material_valid_o = r_load;
     assign material_slot_o  = prim_slot_i;
     assign material_o = {prim_data_i[`RT_PRIM_KR_LSB +: 9], prim_data_i[`RT_PRIM_RED_LSB +: 24]};
+    assign material_tex_o = TEXTURE != 0 ? prim_data_i[`RT_PRIM_TEX_LSB +: 26] : 26'd0;
 
     // ---- a bare surface: one cycle after its material ----
     reg              bare_valid_q;
@@ -190,7 +194,7 @@ module rt_surface #(
                 if (rst) r_valid_q <= 1'b0;
             end
             rt_hit #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .INSIDE(FARS), .FACETS(FACETS),
-                     .TAG(SLOTW)) u_hit (
+                     .TEXTURE(TEXTURE), .TAG(SLOTW)) u_hit (
                 .clk(clk), .rst(rst), .in_valid_i(r_valid_q), .in_ready_o(ready),
                 .in_tag_i(r_slot_q), .in_mant_i(r_t[TW-1:8]), .in_exp_i($signed(r_t[7:0])),
                 .in_org_x_i($signed(r_org[0 +: W])), .in_org_y_i($signed(r_org[W +: W])),
@@ -201,7 +205,7 @@ module rt_surface #(
                 .in_ctr_z_i($signed(r_ctr_q[71:48])), .in_facet_i(r_facet_q), .in_far_i(r_far),
                 .out_valid_o(out_valid_o), .out_tag_o(out_slot_o),
                 .out_point_x_o(out_point_o[0 +: W]), .out_point_y_o(out_point_o[W +: W]),
-                .out_point_z_o(out_point_o[2*W +: W]),
+                .out_point_z_o(out_point_o[2*W +: W]), .out_guarded_o(out_guarded_o),
                 .out_normal_x_o(out_normal_o[0 +: WD]), .out_normal_y_o(out_normal_o[WD +: WD]),
                 .out_normal_z_o(out_normal_o[2*WD +: WD]), .out_saturated_o(saturated)
             );
@@ -211,6 +215,7 @@ module rt_surface #(
             assign {out_valid_o, saturated_o} = 2'b00;
             assign out_slot_o   = {SLOTW{1'b0}};
             assign out_point_o  = {3*W{1'b0}};
+            assign out_guarded_o = {3*(W+NG){1'b0}};
             assign out_normal_o = {3*WD{1'b0}};
         end
     endgenerate

@@ -22,11 +22,14 @@ module rt_core #(
     parameter FIRST      = 1,    // primary rays that end at their first leaf hit, 0 or 1
     parameter INTERPENETRATE = 1, // their correction, 0 or 1: needs FIRST and INSIDE
     parameter FACETS     = 1,    // triangles and planes, 0 or 1
+    parameter TEXTURE    = 0,    // textures, 0 or 1
     parameter RECT       = 1,    // background separation by rectangle, 0 or 1
     parameter SPANS      = 1,    // by spans in memory, 0 or 1
     parameter CONES      = 1,    // exactly, by up to so many spheres, 0..16
     parameter NODE_LINES = 256,  // cache lines an engine, powers of two
     parameter LEAF_LINES = 128,
+    parameter TEXTURE_LINES = 128,
+    parameter TEXTURE_WAYS = 4,  // lines of a set in the texture cache
     parameter ROOTS      = 3,    // square root units an engine
     parameter QUOTIENTS  = 3,    // dividers an engine
     parameter DIVISIONS  = 1,    // dividers an engine for the keys of facets
@@ -61,14 +64,16 @@ module rt_core #(
     output wire [23:0]       pix_id_o,
     output wire [W+WD+1:0]   pix_key_o,
     output wire [23:0]       pix_visits_o,
+    output wire [31:0]       pix_texture_o,    // {lod u4.8, sum of texel addresses}
     // counters and sticky errors
     input  wire [4:0]        count_addr_i,
     output wire [47:0]       count_data_o,
     output reg  [`RT_ERRORS-1:0] errors_o
 );
     localparam KW = W + WD + 2;
-    localparam PW = 28 + 72 + 24 + KW + 24;          // a finished pixel
-    localparam PLACES = FACETS != 0 ? 32 : 16;                         // counters
+    localparam PV = 28 + 72 + 24 + KW + 24;          // a finished pixel
+    localparam PW = PV + (TEXTURE != 0 ? 32 : 0);    // and its word of texture
+    localparam PLACES = FACETS != 0 || TEXTURE != 0 ? 32 : 16;         // counters
     localparam EW = 8*PLACES;                        // their events of a cycle
     localparam SEPARATED = RECT != 0 || SPANS != 0 || CONES != 0;  // background goes by itself
 
@@ -88,7 +93,7 @@ module rt_core #(
     // ---- registers, start ----
     wire [31:0]      effects, profile;
     wire [2:0]       max_depth;
-    wire [1:0]       frame;
+    wire [1:0]       frame, tex_filter;
     wire [3:0]       n_lights;
     wire [55:0]      window, rect;
     wire [1:0]       bg_mode;
@@ -109,7 +114,7 @@ module rt_core #(
         .bg_count_o(bg_count), .background_o(background),
         .ambient_o(ambient), .eye_o(eye), .dir_o(dir), .pitch_o(pitch), .root_o(root),
         .prim_base_o(prim_base), .mem_lines_o(mem_lines), .visit_limit_o(visit_limit),
-        .profile_o(profile), .frame_o(frame),
+        .profile_o(profile), .frame_o(frame), .tex_filter_o(tex_filter),
         .light_valid_o(light_valid), .light_number_o(light_number),
         .light_part_o(light_part)
     );
@@ -118,7 +123,8 @@ module rt_core #(
                         (INSIDE != 0 ? 32'd1 << `RT_EFFECT_INSIDE : 32'd0) |
                         (FIRST != 0 ? 32'd1 << `RT_EFFECT_FIRST : 32'd0) |
                         (INTERPENETRATE != 0 ? 32'd1 << `RT_EFFECT_INTERPENETRATE : 32'd0) |
-                        (FACETS != 0 ? 32'd1 << `RT_EFFECT_FACETS : 32'd0);
+                        (FACETS != 0 ? 32'd1 << `RT_EFFECT_FACETS : 32'd0) |
+                        (TEXTURE != 0 ? 32'd1 << `RT_EFFECT_TEXTURE : 32'd0);
     wire [3:0]  ways  = {CONES != 0, SPANS != 0, RECT != 0, 1'b1};
     wire missing = (effects & ~built) != 32'd0 ||    // the machine asks for what is not here
                    {29'd0, max_depth} > REFLECT || {28'd0, n_lights} > LIGHTS ||
@@ -130,15 +136,17 @@ module rt_core #(
     wire start   = start_i && !busy_o;
     wire go      = start && !missing && !foreign;
 
-    // ---- memory: two readers an engine, and the walk above them if it has tables ----
-    localparam READERS = 2*ENGINES + (SPANS != 0 || CONES != 0 ? 1 : 0);
-    wire [2*ENGINES:0]       m_req_valid, m_rsp_ready;
-    wire [26*(2*ENGINES+1)-1:0] m_req_line;
+    // ---- memory: READS readers an engine, and the walk above them if it has tables ----
+    localparam READS   = TEXTURE != 0 ? 3 : 2;
+    localparam WALK    = READS*ENGINES;
+    localparam READERS = WALK + (SPANS != 0 || CONES != 0 ? 1 : 0);
+    wire [WALK:0]            m_req_valid, m_rsp_ready;
+    wire [26*(WALK+1)-1:0]   m_req_line;
     wire [READERS-1:0]       m_req_ready, m_rsp_valid;
     wire [255:0]             m_rsp_data;
     wire                     m_rsp_error, bad_table, table_error;
-    wire t_req_ready = READERS > 2*ENGINES && m_req_ready[READERS-1];
-    wire t_rsp_valid = READERS > 2*ENGINES && m_rsp_valid[READERS-1];
+    wire t_req_ready = READERS > WALK && m_req_ready[READERS-1];
+    wire t_rsp_valid = READERS > WALK && m_rsp_valid[READERS-1];
     wire unused = &{1'b0, m_req_valid, m_rsp_ready, m_req_line};  // of the walk without tables
     rt_mem_arbiter #(.CLIENTS(READERS)) u_arbiter (
         .clk(clk), .rst(rst),
@@ -167,9 +175,9 @@ module rt_core #(
         .ray_valid_o(walk_valid), .ray_ready_i(walk_ready),
         .ray_dir_x_o(walk_dir_x), .ray_dir_y_o(walk_dir_y),
         .bg_valid_o(bg_valid), .bg_ready_i(bg_ready), .x_o(x), .y_o(y),
-        .mem_req_valid_o(m_req_valid[2*ENGINES]), .mem_req_ready_i(t_req_ready),
-        .mem_req_line_o(m_req_line[52*ENGINES +: 26]),
-        .mem_rsp_valid_i(t_rsp_valid), .mem_rsp_ready_o(m_rsp_ready[2*ENGINES]),
+        .mem_req_valid_o(m_req_valid[WALK]), .mem_req_ready_i(t_req_ready),
+        .mem_req_line_o(m_req_line[26*WALK +: 26]),
+        .mem_rsp_valid_i(t_rsp_valid), .mem_rsp_ready_o(m_rsp_ready[WALK]),
         .mem_rsp_data_i(m_rsp_data), .mem_rsp_error_i(m_rsp_error),
         .bad_table_o(bad_table), .bus_error_o(table_error)
     );
@@ -201,21 +209,24 @@ module rt_core #(
     generate
         for (e = 0; e < ENGINES; e = e + 1) begin : g_engine
             wire [2:0]   rays, tests;
-            wire         visit, facet, divide, leaf, sqrt, quotient, saturated, bubble;
-            wire [1:0]   miss;
+            wire         visit, facet, divide, leaf, sqrt, quotient, saturated, bubble, texel;
+            wire [2:0]   miss;
+            wire [31:0]  texture;
             wire [EW-1:0] add_e;
             rt_engine #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .FW(FW), .PR(PR), .SLOTS(K),
                         .STACK(`RT_STACK_DEPTH), .SHADOW(SHADOW), .REFLECT(REFLECT),
                         .LIGHTS(LIGHTS), .INSIDE(INSIDE), .FIRST(FIRST),
-                        .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS),
-                        .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES), .ROOTS(ROOTS),
+                        .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),
+                        .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES),
+                        .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS), .ROOTS(ROOTS),
                         .QUOTIENTS(QUOTIENTS), .DIVISIONS(DIVISIONS), .ROOT_STEP(ROOT_STEP),
                         .QUOTIENT_STEP(QUOTIENT_STEP),
                         .DIVISION_STEP(DIVISION_STEP)) u_engine (
                 .clk(clk), .rst(rst), .flush_i(go && !keep_cache_i), .busy_o(e_busy[e]),
-                .effects_i(effects[5:0]), .max_depth_i(max_depth), .n_lights_i(n_lights),
-                .background_i(background), .ambient_i(ambient), .eye_i(eye), .root_i(root),
-                .prim_base_i(prim_base), .mem_lines_i(mem_lines), .visit_limit_i(visit_limit),
+                .effects_i(effects[6:0]), .tex_filter_i(tex_filter), .max_depth_i(max_depth),
+                .n_lights_i(n_lights), .background_i(background), .ambient_i(ambient), .eye_i(eye),
+                .root_i(root), .prim_base_i(prim_base), .mem_lines_i(mem_lines),
+                .visit_limit_i(visit_limit),
                 .light_valid_i(light_valid), .light_number_i(light_number),
                 .light_part_i(light_part), .light_data_i(cfg_data_i),
                 .in_valid_i(ray_valid && e_take[e]), .in_ready_o(e_ready[e]),
@@ -225,16 +236,17 @@ module rt_core #(
                 .pix_x_o(p_data[PW*e +: 14]), .pix_y_o(p_data[PW*e+14 +: 14]),
                 .pix_colour_o(p_data[PW*e+28 +: 72]), .pix_id_o(p_data[PW*e+100 +: 24]),
                 .pix_visits_o(p_data[PW*e+124 +: 24]), .pix_key_o(p_data[PW*e+148 +: KW]),
-                .mem_req_valid_o(m_req_valid[2*e +: 2]),
-                .mem_req_ready_i(m_req_ready[2*e +: 2]),
-                .mem_req_line_o(m_req_line[52*e +: 52]),
-                .mem_rsp_valid_i(m_rsp_valid[2*e +: 2]),
-                .mem_rsp_ready_o(m_rsp_ready[2*e +: 2]),
+                .pix_texture_o(texture),
+                .mem_req_valid_o(m_req_valid[READS*e +: READS]),
+                .mem_req_ready_i(m_req_ready[READS*e +: READS]),
+                .mem_req_line_o(m_req_line[26*READS*e +: 26*READS]),
+                .mem_rsp_valid_i(m_rsp_valid[READS*e +: READS]),
+                .mem_rsp_ready_o(m_rsp_ready[READS*e +: READS]),
                 .mem_rsp_data_i(m_rsp_data), .mem_rsp_error_i(m_rsp_error),
                 .count_rays_o(rays), .count_visit_o(visit), .count_tests_o(tests),
                 .count_leaf_o(leaf), .count_root_o(sqrt), .count_quotient_o(quotient),
                 .count_facet_o(facet), .count_divide_o(divide), .count_saturated_o(saturated),
-                .count_issued_o(issued[e]), .count_miss_o(miss),
+                .count_issued_o(issued[e]), .count_miss_o(miss), .count_texel_o(texel),
                 .count_bubble_o(bubble), .errors_o(faults[4*e +: 4])
             );
             assign add_e[8*`RT_COUNT_RAYS_PRIMARY   +: 8] = {7'd0, rays[0]};
@@ -253,12 +265,17 @@ module rt_core #(
             assign add_e[8*`RT_COUNT_LEAF_MISSES    +: 8] = {7'd0, miss[1]};
             assign add_e[8*`RT_COUNT_RAYS_WAITING   +: 8] = 8'd0;
             assign add_e[8*`RT_COUNT_POP_BUBBLES    +: 8] = {7'd0, bubble};
-            if (FACETS != 0) begin : g_facets
-                assign add_e[EW-1:8*`RT_COUNT_FACET_TESTS] =
-                    {{(EW-8*`RT_COUNT_FACET_TESTS-16){1'b0}}, 7'd0, divide, 7'd0, facet};
-            end else begin : g_spheres
-                wire unused_e = facet || divide;
+            if (PLACES > 16) begin : g_more
+                assign add_e[8*`RT_COUNT_FACET_TESTS  +: 8] = {7'd0, FACETS != 0 && facet};
+                assign add_e[8*`RT_COUNT_DIVISIONS    +: 8] = {7'd0, FACETS != 0 && divide};
+                assign add_e[8*`RT_COUNT_TEXELS       +: 8] = {7'd0, TEXTURE != 0 && texel};
+                assign add_e[8*`RT_COUNT_TEXEL_MISSES +: 8] = {7'd0, TEXTURE != 0 && miss[2]};
+                assign add_e[EW-1:8*`RT_COUNTERS] = {(EW-8*`RT_COUNTERS){1'b0}};
             end
+            if (TEXTURE != 0) begin : g_texture
+                assign p_data[PW*e+PV +: 32] = texture;
+            end
+            wire unused_e = &{1'b0, facet, divide, texel, miss[2], texture};
             assign events[EW*e +: EW] = add_e;
         end
     endgenerate
@@ -268,10 +285,12 @@ module rt_core #(
     wire          mux_ready = !mux_valid_q || pix_ready_i;
     assign p_take   = p_valid & (~p_valid + 1'b1);
     assign bg_ready = SEPARATED && mux_ready && p_valid == 0;
+    wire [31:0]   untextured = {12'd`RT_LOD_NONE, 20'd0};
+    wire [PV+31:0] sky = {untextured, {KW{1'b0}}, 24'd0, 24'hffffff, {3{background}}, y, x};
+    wire unused_sky = &{1'b0, sky};
     integer i;
     always @* begin
-        mux_next = SEPARATED ? {{KW{1'b0}}, 24'd0, 24'hffffff, {3{background}}, y, x}
-                   : p_data[PW-1:0];
+        mux_next = SEPARATED ? sky[PW-1:0] : p_data[PW-1:0];
         for (i = 0; i < ENGINES; i = i + 1)
             if (p_take[i]) mux_next = p_data[PW*i +: PW];
     end
@@ -283,7 +302,8 @@ module rt_core #(
         if (rst) mux_valid_q <= 1'b0;
     end
     assign pix_valid_o = mux_valid_q;
-    assign {pix_key_o, pix_visits_o, pix_id_o, pix_colour_o, pix_y_o, pix_x_o} = mux_q;
+    assign {pix_key_o, pix_visits_o, pix_id_o, pix_colour_o, pix_y_o, pix_x_o} = mux_q[PV-1:0];
+    assign pix_texture_o = TEXTURE != 0 ? mux_q[PW-1 -: 32] : untextured;
 
     assign pix_frame_o = frame == 2'd0 ? pix_colour_o[23:0] : frame == 2'd1 ? pix_colour_o[47:24]
                          : pix_colour_o[71:48];

@@ -20,21 +20,26 @@ module rt_engine #(
     parameter FIRST      = 1,
     parameter INTERPENETRATE = 1,
     parameter FACETS     = 0,
+    parameter TEXTURE    = 0,
     parameter NODE_LINES = 256,  // node cache
     parameter LEAF_LINES = 128,  // leaf and primitive cache
+    parameter TEXTURE_LINES = 128, // texture cache
+    parameter TEXTURE_WAYS = 4,  // its lines of a set
     parameter ROOTS      = 3,    // square root units
     parameter QUOTIENTS  = 3,    // dividers
     parameter DIVISIONS  = 1,    // dividers for keys of facets
     parameter ROOT_STEP  = 2,    // root bits a clock
     parameter QUOTIENT_STEP = 2, // quotient bits a clock
-    parameter DIVISION_STEP = 2  // bits of a facet's key a clock
+    parameter DIVISION_STEP = 2, // bits of a facet's key a clock
+    parameter READS      = TEXTURE != 0 ? 3 : 2  // not to be set: readers of memory
 ) (
     input  wire              clk,
     input  wire              rst,
     input  wire              flush_i,         // forget the caches
     output wire              busy_o,
     // registers
-    input  wire [5:0]        effects_i,       // EFFECTS of machine.def
+    input  wire [6:0]        effects_i,       // EFFECTS of machine.def
+    input  wire [1:0]        tex_filter_i,
     input  wire [2:0]        max_depth_i,
     input  wire [3:0]        n_lights_i,
     input  wire [23:0]       background_i,
@@ -63,12 +68,13 @@ module rt_engine #(
     output wire [23:0]       pix_id_o,
     output wire [W+WD+1:0]   pix_key_o,
     output wire [23:0]       pix_visits_o,
-    // memory: nodes in bit 0, leaves and primitives in bit 1
-    output wire [1:0]        mem_req_valid_o,
-    input  wire [1:0]        mem_req_ready_i,
-    output wire [51:0]       mem_req_line_o,
-    input  wire [1:0]        mem_rsp_valid_i,
-    output wire [1:0]        mem_rsp_ready_o,
+    output wire [31:0]       pix_texture_o,
+    // memory: nodes in bit 0, leaves and primitives in bit 1, textures, if any, in bit 2
+    output wire [READS-1:0]  mem_req_valid_o,
+    input  wire [READS-1:0]  mem_req_ready_i,
+    output wire [26*READS-1:0] mem_req_line_o,
+    input  wire [READS-1:0]  mem_rsp_valid_i,
+    output wire [READS-1:0]  mem_rsp_ready_o,
     input  wire [255:0]      mem_rsp_data_i,
     input  wire              mem_rsp_error_i,
     // events of this cycle, for the counters
@@ -82,7 +88,8 @@ module rt_engine #(
     output wire              count_quotient_o,
     output wire              count_saturated_o,
     output wire              count_issued_o,
-    output wire [1:0]        count_miss_o,    // {leaf, node}
+    output wire [2:0]        count_miss_o,    // {texture, leaf, node}
+    output wire              count_texel_o,
     output wire              count_bubble_o,
     output wire [3:0]        errors_o         // {bus, visit limit, stack, node}
 );
@@ -90,10 +97,11 @@ module rt_engine #(
     localparam KW = W + WD + 2;
     localparam SHADOWS = LIGHTS != 0 && SHADOW != 0 ? 1 : 0;           // shadow rays
     localparam BOUNCES = REFLECT != 0 || INTERPENETRATE != 0 ? 1 : 0;  // mirrored rays
-    localparam POINTS  = LIGHTS != 0 || BOUNCES != 0 ? 1 : 0;          // hit points, normals
+    localparam POINTS  = LIGHTS != 0 || BOUNCES != 0 || TEXTURE != 0 ? 1 : 0; // points, normals
     localparam FARS    = INSIDE != 0 || FACETS != 0 ? 1 : 0;           // hits that are far
     wire points_on = n_lights_i != 4'd0 ||                             // the same, at run time
-                     effects_i[`RT_EFFECT_REFLECT] || effects_i[`RT_EFFECT_INTERPENETRATE];
+                     effects_i[`RT_EFFECT_REFLECT] || effects_i[`RT_EFFECT_INTERPENETRATE] ||
+                     (TEXTURE != 0 && effects_i[`RT_EFFECT_TEXTURE]);
     generate
         if (INTERPENETRATE != 0 && (FIRST == 0 || INSIDE == 0)) begin : g_check
             rt_engine_INTERPENETRATE_needs_FIRST_and_INSIDE u_error ();
@@ -122,6 +130,8 @@ module rt_engine #(
     wire [16:0]       ray_scale;
     wire [5:0]        ray_shift;
     wire [FW:0]       ray_depth;
+    wire [16:0]       ray_y;
+    wire [5:0]        ray_h;
     wire              shadow_go, lamp_valid, lamp_lit, normal_valid, cosine_valid;
     wire [SLOTW-1:0]  normal_slot, cosine_slot;
     wire              ray_go = ray_valid && !ray_shadow;
@@ -129,7 +139,7 @@ module rt_engine #(
     wire [2*WD-1:0]   normal_nn;
     wire [15:0]       cosine;
     rt_setup #(.W(W), .WD(WD), .FW(FW), .SHADOW(SHADOW), .LIGHTS(LIGHTS), .BOUNCES(BOUNCES),
-               .SLOTS(SLOTS), .SLOTW(SLOTW)) u_setup (
+               .TEXTURE(TEXTURE), .SLOTS(SLOTS), .SLOTW(SLOTW)) u_setup (
         .clk(clk), .rst(rst), .eye_i(eye_i), .shadow_on_i(effects_i[`RT_EFFECT_SHADOW]),
         .normal_valid_i(surface_valid), .normal_slot_i(surface_slot),
         .normal_vec_i(surface_normal),
@@ -144,7 +154,7 @@ module rt_engine #(
         .ray_org_o(ray_org), .ray_dir_o(ray_dir), .ray_a_o(ray_a), .ray_skip_o(ray_skip),
         .ray_forg_o(ray_forg), .ray_unit_o(ray_unit), .ray_axis_o(ray_axis),
         .ray_negative_o(ray_negative), .ray_scale_o(ray_scale), .ray_shift_o(ray_shift),
-        .ray_depth_o(ray_depth),
+        .ray_depth_o(ray_depth), .ray_y_o(ray_y), .ray_h_o(ray_h),
         .lamp_valid_o(lamp_valid), .lamp_lit_o(lamp_lit), .shadow_go_o(shadow_go),
         .normal_valid_o(normal_valid), .normal_slot_o(normal_slot),
         .normal_vec_o(normal_vec), .normal_nn_o(normal_nn),
@@ -294,11 +304,14 @@ module rt_engine #(
     wire              material_valid;
     wire [SLOTW-1:0]  material_slot;
     wire [32:0]       material;
+    wire [25:0]       material_tex;
+    wire [3*(W+NG)-1:0] surface_guarded;
     wire              bare_valid;             // a surface that needs no point
     wire [SLOTW-1:0]  bare_slot;
     rt_surface #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .POINTS(POINTS), .BOUNCES(BOUNCES),
-                 .INSIDE(INSIDE), .FACETS(FACETS), .SLOTS(SLOTS), .SLOTW(SLOTW),
-                 .QUOTIENTS(QUOTIENTS), .QUOTIENT_STEP(QUOTIENT_STEP)) u_surface (
+                 .INSIDE(INSIDE), .FACETS(FACETS), .TEXTURE(TEXTURE), .SLOTS(SLOTS),
+                 .SLOTW(SLOTW), .QUOTIENTS(QUOTIENTS),
+                 .QUOTIENT_STEP(QUOTIENT_STEP)) u_surface (
         .clk(clk), .rst(rst), .prim_base_i(prim_base_i), .eye_i(eye_i), .points_on_i(points_on),
         .facets_on_i(facets_on),
         .ray_valid_i(ray_valid && !ray_shadow), .ray_slot_i(ray_slot), .ray_org_i(ray_org),
@@ -310,16 +323,61 @@ module rt_engine #(
         .prim_valid_i(prim_valid), .prim_ready_o(prim_ready), .prim_slot_i(prim_slot),
         .prim_data_i(prim_data),
         .material_valid_o(material_valid), .material_slot_o(material_slot),
-        .material_o(material), .bare_valid_o(bare_valid), .bare_slot_o(bare_slot),
+        .material_o(material), .material_tex_o(material_tex),
+        .bare_valid_o(bare_valid), .bare_slot_o(bare_slot),
         .out_valid_o(surface_valid), .out_slot_o(surface_slot), .out_point_o(surface_point),
-        .out_normal_o(surface_normal),
+        .out_guarded_o(surface_guarded), .out_normal_o(surface_normal),
         .quotient_o(count_quotient_o), .saturated_o(count_saturated_o)
     );
     wire              shadow_valid, shadow_lit, sum_valid;
     wire [SLOTW-1:0]  shadow_slot, sum_slot;
     wire [50:0]       sum;
-    wire              start_valid = normal_valid || bare_valid;  // never both: see points_on
-    wire [SLOTW-1:0]  start_slot  = bare_valid ? bare_slot : normal_slot;
+
+    // ---- texture: between a surface, which may be without a normal, and its lights ----
+    wire              lit_valid = normal_valid || bare_valid;    // never both: see points_on
+    wire [SLOTW-1:0]  lit_slot  = bare_valid ? bare_slot : normal_slot;
+    wire              start_valid, albedo_valid, bad_texture, texture_error;
+    wire [SLOTW-1:0]  start_slot, albedo_slot;
+    wire [32:0]       albedo;
+    wire [31:0]       texture;
+    generate
+        if (TEXTURE != 0) begin : g_texture
+            rt_texture #(.W(W), .WD(WD), .NG(NG), .SLOTS(SLOTS), .SLOTW(SLOTW),
+                         .LINES(TEXTURE_LINES), .WAYS(TEXTURE_WAYS)) u_texture (
+                .clk(clk), .rst(rst), .flush_i(flush_i),
+                .on_i(effects_i[`RT_EFFECT_TEXTURE]), .filter_i(tex_filter_i),
+                .mem_lines_i(mem_lines_i),
+                .ray_valid_i(ray_go), .ray_slot_i(ray_slot), .ray_primary_i(ray_primary),
+                .ray_y_i(ray_y), .ray_h_i(ray_h),
+                .hit_valid_i(hit_valid), .hit_slot_i(hit_slot), .hit_far_i(hit_far),
+                .hit_key_i(hit_key),
+                .record_valid_i(material_valid), .record_slot_i(material_slot),
+                .record_i(material), .record_tex_i(material_tex),
+                .point_valid_i(surface_valid), .point_slot_i(surface_slot),
+                .point_i(surface_guarded),
+                .in_valid_i(lit_valid), .in_slot_i(lit_slot), .in_unit_i(ray_unit),
+                .material_valid_o(albedo_valid), .material_slot_o(albedo_slot),
+                .material_o(albedo), .out_valid_o(start_valid), .out_slot_o(start_slot),
+                .word_read_i(visits_read), .word_slot_i(visits_slot), .word_o(texture),
+                .mem_req_valid_o(mem_req_valid_o[READS-1]),
+                .mem_req_ready_i(mem_req_ready_i[READS-1]),
+                .mem_req_line_o(mem_req_line_o[26*READS-1 -: 26]),
+                .mem_rsp_valid_i(mem_rsp_valid_i[READS-1]),
+                .mem_rsp_ready_o(mem_rsp_ready_o[READS-1]),
+                .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
+                .texel_o(count_texel_o), .miss_o(count_miss_o[2]), .bad_node_o(bad_texture),
+                .bus_error_o(texture_error)
+            );
+        end else begin : g_plain
+            assign {start_valid, start_slot} = {lit_valid, lit_slot};
+            assign {albedo_valid, albedo_slot, albedo} = {material_valid, material_slot, material};
+            assign {count_texel_o, count_miss_o[2], bad_texture, texture_error} = 4'd0;
+            assign texture = {12'd`RT_LOD_NONE, 20'd0};
+            wire unused = &{1'b0, material_tex, surface_guarded, ray_y, ray_h, tex_filter_i};
+        end
+    endgenerate
+
+    // ---- lights, pixels ----
     generate
         if (LIGHTS != 0) begin : g_lights
             rt_lights #(.W(W), .WD(WD), .LIGHTS(LIGHTS), .SHADOW(SHADOW), .SLOTS(SLOTS),
@@ -376,17 +434,18 @@ module rt_engine #(
         .shadow_lit_o(shadow_lit),
         .hit_valid_o(hit_valid), .hit_slot_o(hit_slot), .hit_far_o(hit_far),
         .hit_id_o(hit_id), .hit_key_o(hit_key),
-        .material_valid_i(material_valid), .material_slot_i(material_slot),
-        .material_i(material),
+        .material_valid_i(albedo_valid), .material_slot_i(albedo_slot), .material_i(albedo),
         .sum_valid_i(sum_valid), .sum_slot_i(sum_slot), .sum_i(sum),
         .visits_read_o(visits_read), .visits_slot_o(visits_slot), .visits_i(visits),
+        .texture_i(texture),
         .pix_valid_o(pix_valid_o), .pix_ready_i(pix_ready_i),
         .pix_x_o(pix_x_o), .pix_y_o(pix_y_o), .pix_colour_o(pix_colour_o),
         .pix_id_o(pix_id_o), .pix_key_o(pix_key_o), .pix_visits_o(pix_visits_o),
+        .pix_texture_o(pix_texture_o),
         .bad_node_o(bad_record)
     );
-    assign errors_o = {node_error || leaf_error, visit_limit, overflow,
-                       bad_node || bad_record || bad_leaf};
+    assign errors_o = {node_error || leaf_error || texture_error, visit_limit, overflow,
+                       bad_node || bad_record || bad_leaf || bad_texture};
     wire unused = &{1'b0, leafy_in, plain_in, effects_i};
 endmodule
 `default_nettype wire

@@ -31,6 +31,7 @@ module rt_registers #(
     output reg  [23:0]       visit_limit_o,
     output reg  [31:0]       profile_o,
     output reg  [1:0]        frame_o,
+    output reg  [1:0]        tex_filter_o,
     // lights live in the engines: one write goes by
     output wire              light_valid_o,
     output wire [2:0]        light_number_o,
@@ -72,6 +73,7 @@ module rt_registers #(
                 `RT_REG_VISIT_LIMIT: visit_limit_o   <= data_i[23:0];
                 `RT_REG_PROFILE:     profile_o       <= data_i;
                 `RT_REG_FRAME:       frame_o         <= data_i[1:0];
+                `RT_REG_TEX_FILTER:  tex_filter_o    <= data_i[1:0];
                 `RT_REG_BG_BASE:     bg_base_o       <= data_i[25:0];
                 `RT_REG_BG_COUNT:    bg_count_o      <= data_i[4:0];
                 default: ;

@@ -14,6 +14,7 @@ module rt_setup #(
     parameter SHADOW  = 1, // 1: shadow rays are traced, 0: every light that is faced shines
     parameter LIGHTS  = 8, // 0: no vectors to lights and no cosines
     parameter BOUNCES = 1, // 0: no mirrored directions
+    parameter TEXTURE = 0, // 1: textures need unit normals and the length of rays
     parameter SLOTS   = 32, // power of two
     parameter SLOTW   = 5   // log2 of SLOTS
 ) (
@@ -58,6 +59,8 @@ module rt_setup #(
     output reg [16:0]         ray_scale_o,      // u1.15
     output reg [5:0]          ray_shift_o,      // 63: no bound
     output wire [FW:0]        ray_depth_o,
+    output wire [16:0]        ray_y_o,          // u1.16, of ray_unit_o: with TEXTURE
+    output wire [5:0]         ray_h_o,
     // tokens; a ray that is no shadow ray starts with ray_valid_o
     output wire               lamp_valid_o,     // the light of cosine_slot_o needs no shadow ray
     output wire               lamp_lit_o,
@@ -73,7 +76,7 @@ module rt_setup #(
 );
     localparam PRIMARY = 2'd0, LIGHT = 2'd1, BOUNCE = 2'd2, NORMAL = 2'd3;
     localparam SHADOWS   = LIGHTS != 0 && SHADOW != 0 ? 1 : 0;
-    localparam NORMALS   = LIGHTS != 0 || BOUNCES != 0 ? 1 : 0;
+    localparam NORMALS   = LIGHTS != 0 || BOUNCES != 0 || TEXTURE != 0 ? 1 : 0;
     localparam SECONDARY = SHADOWS != 0 || BOUNCES != 0 ? 1 : 0;  // not from the eye
 
     // ---- choose a vector ----
@@ -235,6 +238,17 @@ module rt_setup #(
             assign ray_depth_o = depth_q;
         end else begin : g_unbounded
             assign ray_depth_o = LIM;
+        end
+    endgenerate
+
+    // ---- 1 / |dir|, from which a texture learns how long the ray is ----
+    generate
+        if (TEXTURE != 0) begin : g_length
+            rt_delay #(.WIDTH(23), .CYCLES(3)) u_length (
+                .clk(clk), .in_i({s1_h_q, s1_rsqrt_q}), .out_o({ray_h_o, ray_y_o})
+            );
+        end else begin : g_no_length
+            assign {ray_h_o, ray_y_o} = 23'd0;
         end
     endgenerate
 

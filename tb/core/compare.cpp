@@ -34,6 +34,7 @@ const char *stage(const sph_pixel &model, const Sample &core) {
     if (core.times > 1) return "delivered more than once: launch, slots or pixel output";
     const sph_pixel &p = core.pixel;
     if (model.id != p.id || model.key != p.key) return "traversal or leaf test (id, key)";
+    if (model.texture != p.texture) return "texture unit (level of detail, addresses of texels)";
     if (model.colour[0] != p.colour[0]) return "shading at the first hit (Rendering)";
     if (model.colour[1] != p.colour[1]) return "first reflection: bounce, its traversal, blend";
     if (model.colour[2] != p.colour[2]) return "deeper reflections: bounce, traversal, blend";
@@ -43,7 +44,8 @@ const char *stage(const sph_pixel &model, const Sample &core) {
 bool equal(const sph_pixel &a, const Sample &s) {
     const sph_pixel &b = s.pixel;
     return s.times == 1 && a.id == b.id && a.key == b.key && (a.visits & 0xffffff) == b.visits &&
-           a.colour[0] == b.colour[0] && a.colour[1] == b.colour[1] && a.colour[2] == b.colour[2];
+           a.texture == b.texture && a.colour[0] == b.colour[0] && a.colour[1] == b.colour[1] &&
+           a.colour[2] == b.colour[2];
 }
 
 std::string colour(const char *name, uint32_t a, uint32_t b) {
@@ -73,6 +75,7 @@ std::string explain(const sph_machine &m, const sph_pixel &p, const Sample &s, i
     text += line("  %-10s %.4f   %.4f grid units", "distance", model_key / std::sqrt(a),
                  core_key / std::sqrt(a));
     text += number("visits", p.visits & 0xffffff, s.pixel.visits);
+    text += number("texture", p.texture, s.pixel.texture);
     for (int i = 0; i < SPH_FRAMES; i++)
         text += colour(colour_names[i], p.colour[i], s.pixel.colour[i]);
     return text + line("  ray        org %d %d %d dir %lld %lld %lld, delivered %u times",

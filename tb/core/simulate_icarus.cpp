@@ -29,7 +29,7 @@ std::string simulator_version() {
 
 namespace {
 
-const uint32_t BENCH_LINES = 65536; /* LINES of the bench */
+const uint32_t BENCH_LINES = 131072; /* LINES of the bench */
 
 using File = FILE *;
 
@@ -101,11 +101,11 @@ bool read_line(const char *text, const sph_machine &m, Sample *samples[PASSES], 
     unsigned long long key = 0;
     char hex[32] = "";
     sph_pixel p{};
-    p.texture = SPH_NO_TEXTURE; /* the core has none */
     switch (text[0]) {
     case 'p':
         if (std::strpbrk(text, "xzXZ") ||
-            std::sscanf(text, "p %x %x %18s %x %llx %x", &x, &y, hex, &p.id, &key, &p.visits) != 6)
+            std::sscanf(text, "p %x %x %18s %x %llx %x %x", &x, &y, hex, &p.id, &key, &p.visits,
+                        &p.texture) != 7)
             return false;
         p.key = key;
         colours(hex, p);

@@ -141,7 +141,7 @@ void Bench::check(const char *port, Held &held, bool valid, bool ready, uint64_t
 void Bench::take_pixel() {
     const uint32_t *c = core_->pix_colour_o;
     sph_pixel p{};
-    p.texture = SPH_NO_TEXTURE; /* the core has none */
+    p.texture = core_->pix_texture_o;
     p.colour[0] = c[0] & 0xffffff;
     p.colour[1] = (c[0] >> 24 | c[1] << 8) & 0xffffff;
     p.colour[2] = (c[1] >> 16 | c[2] << 16) & 0xffffff;
@@ -173,7 +173,7 @@ void Bench::clock() {
         check("mem_req", request_, request, m.request_ready, core_->mem_req_line_o, 0, 0);
         check("pix", pixel_, pixel, core_->pix_ready_i,
               static_cast<uint64_t>(core_->pix_x_o) << 32 | core_->pix_y_o, core_->pix_key_o,
-              core_->pix_colour_o[0] | static_cast<uint64_t>(core_->pix_colour_o[1]) << 32);
+              core_->pix_colour_o[0] | static_cast<uint64_t>(core_->pix_texture_o) << 32);
     }
     if (pixel && core_->pix_ready_i && samples_) take_pixel();
     memory_.take(request, core_->mem_req_line_o, core_->mem_rsp_ready_o);

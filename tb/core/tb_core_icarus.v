@@ -4,7 +4,7 @@
 // vvp BENCH +regs=FILE +mem=FILE +out=FILE +latency=N +stall=PERCENT +seed=N +watchdog=N
 //           +error_at=N (-1: never) +warm=0|1        files in hex, with absolute paths
 //
-// Lines of the output: `p x y colour id key visits` (all hex), `c number value` (hex),
+// Lines of the output: `p x y colour id key visits texture` (all hex), `c number value` (hex),
 // `e errors`, `w` (the warm pass begins), `h why` (hang), `end`. simulate_icarus.cpp reads them.
 // Everything the core sees changes at the rising edge, as in the C++ harness.
 `default_nettype none
@@ -26,10 +26,11 @@ module tb_core_icarus #(
     parameter FIRST = 1,
     parameter INTERPENETRATE = 1,
     parameter FACETS = 1,
+    parameter TEXTURE = 0,
     parameter RECT = 1,
     parameter SPANS = 1,
     parameter CONES = 1,
-    parameter LINES = 65536    // of memory
+    parameter LINES = 131072   // of memory
 );
     localparam N_REGS = `RT_N_REGS;
     localparam QUEUE = 1024;   // requests under way
@@ -58,14 +59,16 @@ module tb_core_icarus #(
     wire [23:0] pix_id;
     wire [W+WD+1:0] pix_key;
     wire [23:0] pix_visits;
+    wire [31:0] pix_texture;
     wire [47:0] count_data;
     wire [5:0] errors;
 
     rt_core #(
         .W(W), .WD(WD), .PQ(PQ), .NG(NG), .FW(FW), .PR(PR),
         .ENGINES(ENGINES), .SHADOW(SHADOW), .REFLECT(REFLECT), .LIGHTS(LIGHTS), .INSIDE(INSIDE),
-        .FIRST(FIRST), .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .RECT(RECT), .SPANS(SPANS),
-        .CONES(CONES), .ROOT_STEP(ROOT_STEP), .QUOTIENT_STEP(QUOTIENT_STEP)
+        .FIRST(FIRST), .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS),
+        .TEXTURE(TEXTURE), .RECT(RECT), .SPANS(SPANS), .CONES(CONES),
+        .ROOT_STEP(ROOT_STEP), .QUOTIENT_STEP(QUOTIENT_STEP)
     ) u_core (
         .clk(clk), .rst(rst),
         .cfg_valid_i(cfg_valid), .cfg_addr_i(cfg_addr), .cfg_data_i(cfg_data),
@@ -75,7 +78,7 @@ module tb_core_icarus #(
         .mem_rsp_error_i(rsp_error),
         .pix_valid_o(pix_valid), .pix_ready_i(pix_ready), .pix_x_o(pix_x), .pix_y_o(pix_y),
         .pix_colour_o(pix_colour), .pix_id_o(pix_id), .pix_key_o(pix_key),
-        .pix_visits_o(pix_visits),
+        .pix_visits_o(pix_visits), .pix_texture_o(pix_texture),
         .count_addr_i(count_addr), .count_data_o(count_data), .errors_o(errors)
     );
 
@@ -133,8 +136,8 @@ module tb_core_icarus #(
         end
         quiet = quiet + 1;
         if (!rst && pix_valid && pix_ready) begin
-            $fwrite(out, "p %h %h %h %h %h %h\n", pix_x, pix_y, pix_colour, pix_id, pix_key,
-                    pix_visits);
+            $fwrite(out, "p %h %h %h %h %h %h %h\n", pix_x, pix_y, pix_colour, pix_id, pix_key,
+                    pix_visits, pix_texture);
             quiet = 0;
         end
         // what the next clock shows
