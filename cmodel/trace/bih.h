@@ -1,0 +1,46 @@
+/* bih.h - how a ray crosses the planes of a bounding interval hierarchy  RTL: rtl/trace/rt_bih.v
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Bounds along a ray are T-words: the top SPH_BIH_T bits of a key's W+WD+2. A lower bound is never
+ * above what it bounds, an upper one never below: docs/bih.md proves that no hit is lost.
+ */
+#ifndef SPH_BIH_H
+#define SPH_BIH_H
+
+#include <stdint.h>
+
+#include "trace/ray.h"
+
+/* Where along the ray something may lie: lo <= key/2^t_shift <= hi. */
+struct sph_interval {
+    uint32_t lo, hi; /* T-words; hi all ones: no bound */
+};
+
+#define SPH_BIH_NO_BOUND ((1u << SPH_BIH_T) - 1)
+
+/* One axis of a ray: a/|dir| in [mant, mant+2) * 2^-exp. */
+struct sph_bih_axis {
+    int zero, negative; /* dir = 0; dir < 0 */
+    uint32_t mant;      /* u18, top or next bit set; 0 if zero */
+    int shift;          /* exp + t_shift - v_shift: what a product is shifted right by */
+};
+
+struct sph_bih_ray {
+    struct sph_bih_axis axis[3];
+    int v_shift;    /* distances lose that many bits */
+    int t_shift;    /* keys lose that many */
+    uint32_t limit; /* T-word of the farthest hit that counts, at the ray's start */
+};
+
+/* What of a ray that was set up (`a` at least) the planes need. */
+void sph_bih_setup(const struct sph_profile *p, const struct sph_ray *ray, struct sph_bih_ray *b);
+
+/* The T-word of a key or of `a`: rounded down, limited. */
+uint32_t sph_bih_time(const struct sph_bih_ray *b, uint64_t key);
+
+/* Cuts *span to what lies on one side of the plane: coordinate `axis` >= clip, or with `below` <=
+ * clip. 0 if nothing is left on this side; whether lo <= hi is for the caller to see. */
+int sph_bih_cut(const struct sph_bih_ray *b, const struct sph_ray *ray, int axis, int64_t clip,
+                int below, struct sph_interval *span);
+
+#endif
