@@ -40,7 +40,7 @@ static inline struct sph_scene cloud(uint32_t n, double rad) {
     s.spheres = calloc(n + 1u, sizeof *s.spheres);
     for (uint32_t i = 0; i < n; i++) {
         double x = uniform(), y = uniform(), z = uniform();
-        s.spheres[i] = (struct sph_sphere){{x, y, z}, rad * between(0.5, 1), 0, i + 10, 0};
+        s.spheres[i] = (struct sph_sphere){{x, y, z}, rad * between(0.5, 1), 0, i + 10, 0, 0};
     }
     return s;
 }

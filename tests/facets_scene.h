@@ -40,7 +40,7 @@ static inline void add_plane(struct sph_scene *s, struct sph_vec p, struct sph_v
 }
 
 static inline void add_ball(struct sph_scene *s, struct sph_vec ctr, double rad) {
-    s->spheres[s->n_spheres] = (struct sph_sphere){ctr, rad, 0, 10 + s->n_spheres, 0};
+    s->spheres[s->n_spheres] = (struct sph_sphere){ctr, rad, 0, 10 + s->n_spheres, 0, 0};
     s->n_spheres++;
 }
 

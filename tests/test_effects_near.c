@@ -54,7 +54,7 @@ static struct sph_scene empty(struct sph_build_options *o) {
 
 static void add_sphere(struct sph_scene *s, struct sph_vec ctr, double rad) {
     spheres[s->n_spheres] =
-        (struct sph_sphere){ctr, rad, (uint32_t)whole(0, 2), s->n_spheres + 10, 0};
+        (struct sph_sphere){ctr, rad, (uint32_t)whole(0, 2), s->n_spheres + 10, 0, 0};
     s->n_spheres++;
 }
 

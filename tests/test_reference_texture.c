@@ -133,7 +133,7 @@ static void sphere_footprints(void **state) {
             path.org[i % 2][k] = step[k];
             n[k] += h * step[k] / 5;
         }
-        assert_int_equal(sph_ref_texture(&r, 0, at, &path, rgb, lod), 1);
+        assert_int_equal(sph_ref_texture(&r, 0, at, &path, rgb, lod, NULL), 1);
         double du = 3 * 1024 * (atan2(n[0], n[2]) - a) / (2 * pi) / h;
         double dv = 2 * 512 * (atan2(hypot(n[0], n[2]), n[1]) - b) / pi / h;
         double expected = log2(hypot(du, dv));

@@ -15,11 +15,19 @@ differ() { [ -n "$1" ] && [ -n "$2" ] && [ "$1" != "$2" ]; }
 equal() { [ -n "$1" ] && [ "$1" = "$2" ]; }
 
 mkdir "$TMP/images"
-cp scenes/texture/images.py "$TMP/images"
+cp scenes/texture/images.py scenes/texture/scenes.py "$TMP/images"
 python3 "$TMP/images/images.py"
-for image in tiles globe letter; do
+python3 "$TMP/images/scenes.py"
+for image in scenes/texture/*.png; do
+    image=$(basename "$image" .png)
     check "$image.png is what images.py makes" cmp "scenes/texture/$image.png" \
         "$TMP/images/$image.png"
+done
+
+for scene in kitchen robot museum; do
+    check "$scene.nff is what scenes.py makes" cmp "scenes/texture/$scene.nff" \
+        "$TMP/images/$scene.nff"
+    check "$scene renders" "$s" render "scenes/texture/$scene.nff" --size 32x18
 done
 
 # shellcheck disable=SC2086
@@ -61,5 +69,6 @@ check "texels report" sh -c "'$s' texels '$hall' $size --json - | python3 -c 'im
 r = json.load(sys.stdin)
 assert [o[\"order\"] for o in r[\"orders\"]] == [\"rows\", \"tiles\", \"morton\"]
 assert all(a >= b for o in r[\"orders\"] for a, b in zip(o[\"missed\"], o[\"missed\"][2:]))
+assert sum(r[\"levels\"]) == r[\"texels\"] and r[\"levels\"][1] > r[\"levels\"][7]
 assert 0 < r[\"orders\"][1][\"missed\"][5] < r[\"texels\"]'"
 done_testing

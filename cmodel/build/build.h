@@ -6,6 +6,7 @@
 #ifndef SPH_BUILD_H
 #define SPH_BUILD_H
 
+#include "build/texture_keep.h"
 #include "build/tree.h"
 #include "build/work.h"
 #include "machine/machine.h"
@@ -37,6 +38,7 @@ struct sph_build_options {
     int lod_literal;                  /* 1: base as the paper prints it (docs/lod.md) */
     const struct sph_mip *mips;       /* of the scene's textures, in its order; equal images may
                                          share texels */
+    struct sph_texture_bases *bases;  /* NULL, or what the frame before left, of the same scene */
 };
 
 /* The widths that are asked for. */
@@ -74,8 +76,10 @@ struct sph_build_report {
     char warning[8192];   /* empty if none; finer profiles, clamped colours, effects left out */
     struct sph_ball root; /* grid units: holds every primitive */
     int bg_points;        /* spans: meridians that were needed, 0: none */
-    struct sph_work bg_work, bg_check; /* spans, exact: set-up; spans: proof that they cover */
-    char background[512];              /* how the separation went, one line each */
+    struct sph_work bg_work, bg_check;   /* spans, exact: set-up; spans: proof that they cover */
+    char background[512];                /* how the separation went, one line each */
+    uint64_t bases_computed, bases_kept; /* P_b of textured primitives */
+    struct sph_flops bases_flops;        /* of those computed */
     struct sph_effect_report effects[SPH_REPORTS];
     int lights[SPH_MAX_LIGHTS]; /* number in the scene of each light of the machine */
 };

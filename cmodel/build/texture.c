@@ -54,12 +54,14 @@ static int put_map(struct emit *e, uint32_t id, uint32_t texture, uint32_t *map,
     sph_field_set(map, SPH_MAP_CLAMP_S_LSB, 1, (uint32_t)t->wrap[0]);
     sph_field_set(map, SPH_MAP_CLAMP_T_LSB, 1, (uint32_t)t->wrap[1]);
     sph_field_set(map, SPH_MAP_IMAGE_LSB, SPH_MAP_IMAGE_BITS, texture);
+    e->job.id = id;
     if (id < scene->n_spheres) {
         const uint32_t *prim = line_at(e->m, (uint32_t)e->m->regs[SPH_REG_PRIM_BASE] + id);
         int64_t rad = sph_field(prim, SPH_LEAF_RAD_LSB, SPH_LEAF_RAD_BITS);
         return sph_map_sphere(&e->job, &scene->spheres[id], rad, mip, map, err);
     }
     const struct sph_grid_facet *on_grid = &e->facets->list[id - scene->n_spheres];
+    e->job.id = scene->n_spheres + on_grid->scene;
     const struct sph_facet *facet = &scene->facets[on_grid->scene];
     return facet->kind == SPH_PLANE ? sph_map_plane(&e->job, facet, on_grid->v[0], mip, map, err)
                                     : sph_map_triangle(&e->job, facet, on_grid->v, mip, map, err);
@@ -212,13 +214,16 @@ int sph_emit_textures(const struct sph_scene *scene, const struct sph_grid *grid
                         scene->textures[0].line);
     struct emit e = {
         .facets = facets, .mips = options->mips, .m = machine, .first = machine->lines};
-    e.job = (struct sph_texture_job){scene,
-                                     grid,
-                                     sph_build_profile(options),
-                                     {-(double)r[SPH_REG_DIR_Z] / r[SPH_REG_PITCH],
-                                      (double)r[SPH_REG_FRAME_W] * r[SPH_REG_FRAME_H], grid->step,
-                                      options->lod_literal}};
+    struct sph_texture_bases own = {0}, *bases = options->bases ? options->bases : &own;
+    struct sph_texture_view view = {-(double)r[SPH_REG_DIR_Z] / r[SPH_REG_PITCH],
+                                    (double)r[SPH_REG_FRAME_W] * r[SPH_REG_FRAME_H], grid->step,
+                                    options->lod_literal};
+    sph_bases_frame(bases, scene, &view);
+    e.job = (struct sph_texture_job){scene, grid, sph_build_profile(options), bases, 0};
     if (run(&e, n, used, entry, err)) return -1;
+    report->bases_computed = bases->computed;
+    report->bases_kept = bases->kept;
+    report->bases_flops = bases->flops;
     machine->regs[SPH_REG_EFFECTS] |= 1 << SPH_EFFECT_TEXTURE;
     machine->regs[SPH_REG_TEX_FILTER] = options->tex_filter;
     return 0;

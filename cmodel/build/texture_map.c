@@ -58,10 +58,9 @@ static int put_linear(uint32_t *map, int lsb, const struct linear *f, int ng) {
     return 0;
 }
 
-static void put_base(const struct sph_texture_job *job, double size, double share,
+static void put_base(const struct sph_texture_job *job, const struct sph_texture_shape *shape,
                      const struct sph_mip *mip, uint32_t *map) {
-    struct sph_texture_area area = {size, share, (double)mip->width * mip->height};
-    int base = sph_texture_base(&area, &job->view);
+    int base = sph_bases_of(job->bases, job->id, shape, (double)mip->width * mip->height);
     sph_field_set(map, SPH_MAP_BASE_LSB, SPH_MAP_BASE_BITS, (uint32_t)base);
 }
 
@@ -77,9 +76,12 @@ static double dot3(const double a[3], const double b[3]) {
 int sph_map_triangle(const struct sph_texture_job *job, const struct sph_facet *facet,
                      const int32_t corner[3][3], const struct sph_mip *mip, uint32_t *map,
                      struct sph_error *err) {
-    double st[3][2], e1[3], e2[3], n[3], along[2][3];
+    struct sph_texture_shape shape = {.kind = SPH_SHAPE_TRIANGLE};
+    double(*st)[2] = shape.st, e1[3], e2[3], n[3], along[2][3];
     struct linear f = {0};
     for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 3; k++)
+            shape.corner[i][k] = corner[i][k];
         e1[i] = (double)corner[1][i] - corner[0][i];
         e2[i] = (double)corner[2][i] - corner[0][i];
         f.sum[i] = (int64_t)corner[0][i] + corner[1][i] + corner[2][i];
@@ -104,9 +106,7 @@ int sph_map_triangle(const struct sph_texture_job *job, const struct sph_facet *
         if (put_linear(map, lsb, &f, job->profile->ng)) /* a sliver: its middle stands for all */
             put_linear(map, lsb, &flat, job->profile->ng);
     }
-    double share = 0.5 * fabs((st[1][0] - st[0][0]) * (st[2][1] - st[0][1]) -
-                              (st[2][0] - st[0][0]) * (st[1][1] - st[0][1]));
-    put_base(job, 0.5 * sqrt(dot3(n, n)), share, mip, map);
+    put_base(job, &shape, mip, map);
     return 0;
 }
 
@@ -152,7 +152,9 @@ int sph_map_plane(const struct sph_texture_job *job, const struct sph_facet *fac
                             job->scene->path, facet->line, facet->st[0][k], job->grid->step);
     }
     double step = job->grid->step;
-    put_base(job, facet->st[0][0] / step * (facet->st[0][1] / step), 1, mip, map);
+    struct sph_texture_shape shape = {.kind = SPH_SHAPE_PLANE,
+                                      .st = {{facet->st[0][0] / step, facet->st[0][1] / step}}};
+    put_base(job, &shape, mip, map);
     return 0;
 }
 
@@ -188,7 +190,9 @@ int sph_map_sphere(const struct sph_texture_job *job, const struct sph_sphere *s
                           (uint32_t)lround(32767 * job->grid->rotation[3 * j + i]));
     for (int k = 0; k < 2; k++)
         if (put_scaled(job, texture, k, map, err)) return -1;
-    double size = 4 * acos(-1.0) * (double)rad * (double)rad;
-    put_base(job, size, texture->repeat[0] * texture->repeat[1], mip, map);
+    struct sph_texture_shape shape = {.kind = SPH_SHAPE_SPHERE,
+                                      .st = {{texture->repeat[0], texture->repeat[1]}},
+                                      .rad = (double)rad};
+    put_base(job, &shape, mip, map);
     return 0;
 }

@@ -8,7 +8,7 @@
 #define SPH_TEXTURE_MAP_H
 
 #include "build/grid.h"
-#include "build/texture_base.h"
+#include "build/texture_keep.h"
 #include "machine/machine.h"
 #include "scene/scene.h"
 #include "texture/mip.h"
@@ -18,7 +18,8 @@ struct sph_texture_job {
     const struct sph_scene *scene;
     const struct sph_grid *grid;
     const struct sph_profile *profile;
-    struct sph_texture_view view;
+    struct sph_texture_bases *bases; /* their view is the machine's */
+    uint32_t id;                     /* of the primitive that is put: the scene's spheres, facets */
 };
 
 /* corner: grid units, as the machine has them. */

@@ -5,9 +5,37 @@
 
 #include <math.h>
 
+/* A level that is a whole number was limited, 0 or the image's last; any other comes so by chance
+ * alone. */
+static int limited(double lod) {
+    return lod == floor(lod);
+}
+
+static void add_slant(struct sph_levels *e, const struct sph_reference_pixel *q) {
+    double rays = q->lod[SPH_LOD_RAYS], path = q->lod[SPH_LOD_MENDED] - rays;
+    if (limited(rays) || limited(q->lod[SPH_LOD_MENDED]) || limited(q->lod[SPH_LOD_BMRT])) return;
+    int angle = (int)(acos(fmin(q->facing, 1)) * 180 / acos(-1.0) / SPH_SLANT_STEP);
+    if (angle >= SPH_SLANTS) angle = SPH_SLANTS - 1;
+    struct sph_slant *s = &e->slant[q->via][angle];
+    s->path_low = s->pixels ? fmin(s->path_low, path) : path;
+    s->path_top = s->pixels ? fmax(s->path_top, path) : path;
+    s->pixels++;
+    s->near += fabs(path) <= 1;
+    s->path += path;
+    s->bmrt += q->lod[SPH_LOD_BMRT] - rays;
+}
+
+static void finish_slants(struct sph_levels *e) {
+    for (int i = 0; i < SPH_VIAS * SPH_SLANTS; i++) {
+        struct sph_slant *s = &e->slant[i / SPH_SLANTS][i % SPH_SLANTS];
+        s->path /= s->pixels ? (double)s->pixels : 1;
+        s->bmrt /= s->pixels ? (double)s->pixels : 1;
+    }
+}
+
 struct sph_levels sph_levels_measure(const struct sph_frame *frame,
                                      const struct sph_reference *reference) {
-    struct sph_levels e = {0};
+    struct sph_levels e = {.pixels = 0};
     if (frame->width != reference->width || frame->height != reference->height) return e;
     for (size_t i = 0; i < (size_t)frame->width * (size_t)frame->height; i++) {
         const struct sph_pixel *p = &frame->pixels[i];
@@ -15,6 +43,7 @@ struct sph_levels sph_levels_measure(const struct sph_frame *frame,
         uint32_t lod = p->texture >> SPH_LOD_LSB;
         if (lod == SPH_LOD_NONE || !q->textured || p->id != q->id) continue;
         double off = fabs(lod / 256.0 - q->lod[SPH_LOD_MENDED]);
+        add_slant(&e, q);
         e.pixels++;
         e.model_mean += off;
         e.model_worst = fmax(e.model_worst, off);
@@ -29,5 +58,6 @@ struct sph_levels sph_levels_measure(const struct sph_frame *frame,
     e.model_mean /= n;
     for (int k = 0; k < SPH_LODS; k++)
         e.mean[k] /= n, e.off[k] /= n, e.within_half[k] /= n;
+    finish_slants(&e);
     return e;
 }

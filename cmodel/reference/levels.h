@@ -7,6 +7,17 @@
 #include "frame.h"
 #include "reference/reference.h"
 
+/* Pixels by the angle between ray and normal, in steps of SPH_SLANT_STEP degrees. Only those count
+ * whose levels no image limits. */
+#define SPH_SLANT_STEP 5
+#define SPH_SLANTS (90 / SPH_SLANT_STEP)
+
+struct sph_slant {
+    uint64_t pixels, near;     /* near: path length at most a level from ray differentials */
+    double path, bmrt;         /* means of level less that of ray differentials */
+    double path_low, path_top; /* path: least and most */
+};
+
 struct sph_levels {
     uint64_t pixels;              /* that see the same primitive, and a texture, in both */
     double model_mean;            /* machine's lod against SPH_LOD_MENDED: mean of what it is off */
@@ -14,6 +25,7 @@ struct sph_levels {
     double mean[SPH_LODS];        /* level of each way; below: less that of SPH_LOD_RAYS */
     double off[SPH_LODS];         /* mean of the amount */
     double within_half[SPH_LODS]; /* share of pixels off by at most half a level */
+    struct sph_slant slant[SPH_VIAS][SPH_SLANTS];
 };
 
 /* Frame and reference of one scene, size and image; all zero without such pixels. */

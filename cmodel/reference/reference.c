@@ -112,7 +112,8 @@ static uint32_t byte(double c) {
     return (uint32_t)(fmin(fmax(c, 0), 1) * 255 + 0.5);
 }
 
-static struct sph_reference_pixel render_pixel(const struct job *j, int x, int y) {
+static struct sph_reference_pixel render_pixel(const struct job *j, int x, int y,
+                                               struct sph_level_work *work) {
     struct sph_reference_pixel pixel = {
         .id = SPH_ID_NONE, .reflected_id = SPH_ID_NONE, .distance = INFINITY};
     const struct sph_camera *c = &j->scene->camera;
@@ -123,7 +124,7 @@ static struct sph_reference_pixel render_pixel(const struct job *j, int x, int y
                      ((j->height - 1) / 2.0 - y) * j->axes[1][i] - j->screen * j->axes[2][i];
     struct sph_ref_path path;
     sph_ref_path_start(&path, ray.dir, j->axes[0], j->axes[1]);
-    int last = 0;
+    int last = 0, via = SPH_VIA_NOTHING;
     for (int depth = 0; !last; depth++) {
         struct sph_ref_hit hit = sph_ref_trace(j->tree, &ray, INFINITY, 0);
         double colour[3], ks = 0;
@@ -136,10 +137,17 @@ static struct sph_reference_pixel render_pixel(const struct job *j, int x, int y
             uint32_t faced = 0, blocked = 0;
             light(j, at, normal, &hit, lit, &faced, &blocked);
             sph_ref_path_hit(&path, ray.dir, hit.t, normal);
-            if (sph_ref_texture(&j->textures, hit.id, at, &path, image, lod) && !pixel.textured) {
-                pixel.textured = 1;
+            if (sph_ref_texture(&j->textures, hit.id, at, &path, image, lod, work) &&
+                !pixel.textured) {
+                pixel.textured = 1, pixel.via = via;
                 memcpy(pixel.lod, lod, sizeof lod);
+                pixel.facing =
+                    fabs(dot(ray.dir, normal)) / sqrt(dot(ray.dir, ray.dir) * dot(normal, normal));
             }
+            if (hit.id < j->scene->n_spheres)
+                via = SPH_VIA_CURVED;
+            else if (via == SPH_VIA_NOTHING)
+                via = SPH_VIA_FLAT;
             ks = fmin(fmax(f->ks, 0), 1);
             double share = ks < 1 ? fmin(1, f->kd / (1 - ks)) : f->kd;
             for (int i = 0; i < 3; i++)
@@ -184,6 +192,7 @@ int sph_reference_render(const struct sph_scene *scene, const struct sph_referen
     j.textures = (struct sph_ref_textures){scene,        options->mips, options->filter,
                                            options->lod, j.screen,      (double)j.width * j.height};
     struct sph_ref_tree *tree = sph_ref_tree_new(scene, options->world);
+    memset(&out->work, 0, sizeof out->work);
     out->width = j.width, out->height = j.height;
     out->pixels = calloc((size_t)j.width * (size_t)j.height, sizeof *out->pixels);
     if (!tree || !out->pixels) {
@@ -194,9 +203,13 @@ int sph_reference_render(const struct sph_scene *scene, const struct sph_referen
     j.tree = tree;
 #pragma omp parallel for schedule(dynamic, 4)                                                      \
     num_threads(options->threads > 0 ? options->threads : omp_get_num_procs())
-    for (int y = 0; y < j.height; y++)
+    for (int y = 0; y < j.height; y++) {
+        struct sph_level_work work = {.hits = {0}};
         for (int x = 0; x < j.width; x++)
-            out->pixels[(size_t)y * (size_t)j.width + (size_t)x] = render_pixel(&j, x, y);
+            out->pixels[(size_t)y * (size_t)j.width + (size_t)x] = render_pixel(&j, x, y, &work);
+#pragma omp critical
+        sph_level_work_add(&out->work, &work);
+    }
     sph_ref_tree_free(tree);
     return 0;
 }

@@ -35,11 +35,17 @@ struct sph_reference_pixel {
     double distance;             /* from the eye to it, scene units; INFINITY: background */
     int textured;                /* a surface with an image is seen, also in mirrors */
     double lod[SPH_LODS];        /* of the first one, each way */
+    int via;                     /* SPH_VIA_*: how that one is seen */
+    double facing;               /* cosine of its normal and the ray */
 };
+
+/* How a textured surface is seen: directly, in flat mirrors, in at least one curved one. */
+enum { SPH_VIA_NOTHING, SPH_VIA_FLAT, SPH_VIA_CURVED, SPH_VIAS };
 
 struct sph_reference {
     int width, height;
     struct sph_reference_pixel *pixels; /* row by row, row 0 on top */
+    struct sph_level_work work;         /* of all textured hits */
 };
 
 struct sph_image_error {

@@ -4,15 +4,15 @@
 #include "reference/texture.h"
 
 #include <math.h>
+#include <string.h>
 
-#include "build/texture_base.h"
 #include "texture/lookup.h"
 
-/* How an image lies around a point: coordinates (t down), their gradients in space, and the sizes
- * that P_b is made of. */
+/* How an image lies around a point: coordinates (t down), their gradients in space, and what the
+ * level is chosen from. */
 struct place {
     double st[2], slope[2][3];
-    double size, share;
+    struct sph_choice choice;
 };
 
 static double dot(const double a[3], const double b[3]) {
@@ -40,15 +40,23 @@ static void on_sphere(const struct sph_sphere *s, const struct sph_texture *t, c
     const double t_slope[3] = {n[1] * n[0] * t_rise, -flat * t_rise, n[1] * n[2] * t_rise};
     for (int i = 0; i < 3; i++)
         p->slope[0][i] = s_slope[i], p->slope[1][i] = t_slope[i];
-    p->size = 4 * pi * s->rad * s->rad;
-    p->share = t->repeat[0] * t->repeat[1];
+    p->choice.shape = (struct sph_texture_shape){
+        .kind = SPH_SHAPE_SPHERE, .st = {{t->repeat[0], t->repeat[1]}}, .rad = s->rad};
+    memcpy(p->choice.from, n, sizeof n);
 }
 
 static void on_triangle(const struct sph_facet *f, const double from[3], struct place *p) {
-    double e1[3], e2[3], n[3], along[2][3], d[2][2];
+    struct sph_texture_shape *shape = &p->choice.shape;
+    double *e1 = shape->edge[0], *e2 = shape->edge[1], *n = shape->normal, along[2][3], d[2][2];
+    *shape = (struct sph_texture_shape){.kind = SPH_SHAPE_TRIANGLE};
     minus(f->v[1], f->v[0], e1);
     minus(f->v[2], f->v[0], e2);
     cross(e1, e2, n);
+    for (int i = 0; i < 3; i++) {
+        minus(f->v[i], (struct sph_vec){0, 0, 0}, shape->corner[i]);
+        for (int k = 0; k < 2; k++)
+            shape->st[i][k] = f->st[i][k];
+    }
     cross(e2, n, along[0]);
     cross(n, e1, along[1]);
     for (int k = 0; k < 2; k++) {
@@ -59,8 +67,6 @@ static void on_triangle(const struct sph_facet *f, const double from[3], struct 
             p->slope[k][i] = (d[k][0] * along[0][i] + d[k][1] * along[1][i]) / dot(n, n);
         p->st[k] = (k ? 1 - f->st[0][1] : f->st[0][0]) + dot(p->slope[k], from);
     }
-    p->size = sqrt(dot(n, n)) / 2;
-    p->share = fabs(d[0][0] * d[1][1] - d[0][1] * d[1][0]) / 2;
 }
 
 static void on_plane(const struct sph_facet *f, const double from[3], struct place *p) {
@@ -74,32 +80,30 @@ static void on_plane(const struct sph_facet *f, const double from[3], struct pla
             p->slope[k][i] = rise * along[k][i];
         p->st[k] = (k ? 1 - f->st[1][1] : f->st[1][0]) + dot(p->slope[k], from);
     }
-    p->size = f->st[0][0] * f->st[0][1];
-    p->share = 1;
+    p->choice.shape =
+        (struct sph_texture_shape){.kind = SPH_SHAPE_PLANE, .st = {{f->st[0][0], f->st[0][1]}}};
 }
 
 /* The level of each way, not limited yet. */
-static void levels(const struct sph_ref_textures *r, const struct sph_mip *mip,
-                   const struct place *p, const struct sph_ref_path *path, double lod[SPH_LODS]) {
-    const double side[2] = {mip->width, mip->height};
-    struct sph_texture_area area = {p->size, p->share, side[0] * side[1]};
+static void levels(const struct sph_ref_textures *r, const struct sph_mip *mip, struct place *p,
+                   const struct sph_ref_path *path, struct sph_level_work *work,
+                   double lod[SPH_LODS]) {
+    struct sph_choice *c = &p->choice;
     struct sph_texture_view view = {r->screen, r->pixels, 1, 0};
-    for (int k = SPH_LOD_MENDED; k <= SPH_LOD_PRINTED; k++) {
-        view.literal = k == SPH_LOD_PRINTED;
-        lod[k] = log2(path->length) - sph_texture_base_log2(&area, &view);
-    }
-    /* lengths of dP/ds and dP/dt, from the gradients */
-    double both[3], most = 0;
-    cross(p->slope[0], p->slope[1], both);
-    for (int k = 0; k < 2; k++) {
-        double length = sqrt(dot(p->slope[1 - k], p->slope[1 - k]) / dot(both, both));
-        most = fmax(most, path->length / r->screen / length * side[k]);
-    }
-    lod[SPH_LOD_BMRT] = log2(most);
-    most = 0;
+    struct sph_flops free = {0};
+    double way[SPH_WAYS], most = 0;
+    c->length = path->length;
+    c->side[0] = mip->width, c->side[1] = mip->height;
+    sph_choose_all(c, &view, work, way);
+    lod[SPH_LOD_MENDED] = way[SPH_WAY_KEPT];
+    lod[SPH_LOD_BMRT] = way[SPH_WAY_BMRT];
+    struct sph_texture_area area = sph_texture_area_of(&c->shape, c->side[0] * c->side[1], &free);
+    view.literal = 1;
+    lod[SPH_LOD_PRINTED] =
+        sph_choose_path(path->length, sph_texture_base_log2(&area, &view, &free), &free);
     for (int axis = 0; axis < 2; axis++) {
-        double du = dot(p->slope[0], path->org[axis]) * side[0];
-        double dv = dot(p->slope[1], path->org[axis]) * side[1];
+        double du = dot(p->slope[0], path->org[axis]) * c->side[0];
+        double dv = dot(p->slope[1], path->org[axis]) * c->side[1];
         most = fmax(most, hypot(du, dv));
     }
     lod[SPH_LOD_RAYS] = log2(most);
@@ -146,7 +150,8 @@ static void filter(const struct sph_ref_textures *r, const struct sph_mip *mip, 
 }
 
 int sph_ref_texture(const struct sph_ref_textures *r, uint32_t id, const double at[3],
-                    const struct sph_ref_path *path, double rgb[3], double lod[SPH_LODS]) {
+                    const struct sph_ref_path *path, double rgb[3], double lod[SPH_LODS],
+                    struct sph_level_work *work) {
     const struct sph_scene *scene = r->scene;
     const struct sph_facet *f =
         id < scene->n_spheres ? NULL : &scene->facets[id - scene->n_spheres];
@@ -165,7 +170,7 @@ int sph_ref_texture(const struct sph_ref_textures *r, uint32_t id, const double 
     } else {
         on_sphere(&scene->spheres[id], texture, at, &p);
     }
-    levels(r, mip, &p, path, lod);
+    levels(r, mip, &p, path, work, lod);
     for (int k = 0; k < SPH_LODS; k++) /* what is no number is level 0 */
         lod[k] = lod[k] > 0 ? fmin(lod[k], mip->levels - 1) : 0;
     filter(r, mip, texture->wrap, p.st, lod[r->lod], rgb);

@@ -9,6 +9,7 @@
 
 #include <stdint.h>
 
+#include "reference/choose.h"
 #include "scene/scene.h"
 #include "texture/mip.h"
 
@@ -51,8 +52,10 @@ void sph_ref_path_mirror(struct sph_ref_path *path, const double dir[3], const d
                          double curvature);
 
 /* Colour 0..1 at the point `at` of a primitive (spheres, then facets), and the level of each way,
- * limited to the image's. 0 if it has no texture: rgb is 1, lod is not set. */
+ * limited to the image's. 0 if it has no texture: rgb is 1, lod is not set. work: what choosing
+ * took is added, may be NULL. */
 int sph_ref_texture(const struct sph_ref_textures *textures, uint32_t id, const double at[3],
-                    const struct sph_ref_path *path, double rgb[3], double lod[SPH_LODS]);
+                    const struct sph_ref_path *path, double rgb[3], double lod[SPH_LODS],
+                    struct sph_level_work *work);
 
 #endif

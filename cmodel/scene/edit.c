@@ -27,7 +27,7 @@ int sph_scene_add_sphere(struct sph_scene *scene, struct sph_vec ctr, double rad
         return sph_fail(err, "%s:%u: no memory for more than %u spheres", scene->path, line,
                         scene->n_spheres);
     scene->spheres = room;
-    room[scene->n_spheres++] = (struct sph_sphere){ctr, rad, material, line, 0};
+    room[scene->n_spheres++] = (struct sph_sphere){ctr, rad, material, line, 0, 0};
     return 0;
 }
 

@@ -45,6 +45,7 @@ struct sph_sphere {
     uint32_t material; /* index into materials */
     uint32_t line;     /* of the file, for messages; 0 if generated */
     uint32_t texture;  /* index into textures + 1, 0: none */
+    uint32_t motion;   /* index into motions + 1, 0: still */
 };
 
 /* A triangle, or a plane without end; both are seen from both sides and are called facets. */
@@ -54,6 +55,7 @@ struct sph_facet {
     double st[3][2];     /* s, t at the corners; plane: [0] units of one repeat, [1] offset */
     uint32_t material;   /* index into materials */
     uint32_t texture;    /* index into textures + 1, 0: none */
+    uint32_t motion;     /* index into motions + 1, 0: still */
     uint32_t group;      /* facets of one polygon have the same; from 0, rising */
     uint32_t line;       /* of the file, for messages; 0 if generated */
 };
@@ -65,6 +67,13 @@ struct sph_texture {
     double repeat[2]; /* spheres: repeats around, and from pole to pole */
     double offset[2]; /* spheres: repeats added */
     uint32_t line;    /* of the file, for messages; 0 if generated */
+};
+
+/* At frame n a point p is at  about + (1 + n * grow) * (p - about) + n * step. */
+struct sph_motion {
+    struct sph_vec step, about;
+    double grow;
+    uint32_t line; /* of the file, for messages; 0 if generated */
 };
 
 struct sph_scene {
@@ -81,6 +90,8 @@ struct sph_scene {
     uint32_t n_facets, n_textures;
     struct sph_facet *facets;
     struct sph_texture *textures;
+    uint32_t n_motions;
+    struct sph_motion *motions;
     uint32_t n_skipped; /* unsupported primitives left out (--skip-unsupported) */
 };
 

@@ -190,7 +190,10 @@ static int measure(const struct arguments *a, const struct sph_scene *scene, str
     report_build(report, &m->built);
     report_shot(report, &m->shot);
     json_object_set_new(report, "accuracy", accuracy_json(&m->accuracy));
-    if (m->levels.pixels) json_object_set_new(report, "levels", levels_json(&m->levels));
+    if (m->levels.pixels) {
+        json_object_set_new(report, "levels", levels_json(&m->levels));
+        json_object_set_new(report, "level_work", level_work_json(&m->reference.work));
+    }
     report_number(report, "cpu_seconds", m->model_seconds);
     report_number(report, "reference_cpu_seconds", m->reference_seconds);
     return report_write(report, a->json, err);

@@ -45,6 +45,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
 struct caches {
     const struct sph_machine *m;
     struct sph_cache cache[SPH_ORDERS][SIZES];
+    uint64_t level[SPH_TEXTURE_LEVELS]; /* texels of each level */
 };
 
 static void ask(void *user, const struct sph_texel *t) {
@@ -52,6 +53,7 @@ static void ask(void *user, const struct sph_texel *t) {
     const uint32_t *head = c->m->mem + (size_t)t->image * SPH_LINE_WORDS;
     uint32_t w = sph_field(head, SPH_IMAGE_W_LSB, SPH_IMAGE_W_BITS) + 1;
     uint32_t h = sph_field(head, SPH_IMAGE_H_LSB, SPH_IMAGE_H_BITS) + 1;
+    c->level[t->level]++;
     for (int o = 0; o < SPH_ORDERS; o++) {
         /* no order needs more than four times the lines of another: images stay apart */
         uint32_t word =
@@ -74,9 +76,13 @@ static void walk(const struct sph_machine *m, struct caches *c) {
 
 /* The table, and the same numbers for the report. */
 static void tell(const struct caches *c, FILE *to, json_t *report) {
-    json_t *list = json_array();
+    json_t *list = json_array(), *levels = json_array();
     uint64_t asked = c->cache[0][0].asked;
     if (to) {
+        fprintf(to, "levels, %%");
+        for (int l = 0; l < SPH_TEXTURE_LEVELS; l++)
+            fprintf(to, " %.1f", asked ? 100.0 * (double)c->level[l] / (double)asked : 0);
+        fprintf(to, "\n");
         fprintf(to, "texels   %" PRIu64 "\nhits, %%  cache of ", asked);
         for (int s = 0; s < SIZES; s++)
             fprintf(to, "%7d", SMALLEST << s);
@@ -96,11 +102,15 @@ static void tell(const struct caches *c, FILE *to, json_t *report) {
         json_object_set_new(entry, "missed", missed);
         json_array_append_new(list, entry);
     }
+    for (int l = 0; l < SPH_TEXTURE_LEVELS; l++)
+        json_array_append_new(levels, json_integer((json_int_t)c->level[l]));
     if (report) {
         report_count(report, "texels", asked);
+        json_object_set(report, "levels", levels);
         json_object_set(report, "orders", list);
     }
     json_decref(list);
+    json_decref(levels);
 }
 
 static int start(struct caches *c, struct sph_error *err) {

@@ -18,6 +18,17 @@ void print_levels(FILE *to, const struct sph_levels *e) {
                 tool_level_names[k], e->mean[k], e->off[k], 100 * e->within_half[k]);
 }
 
+static json_t *slants_json(const struct sph_slant *s) {
+    json_t *list = json_array();
+    for (int i = 0; i < SPH_SLANTS; i++)
+        json_array_append_new(list, json_pack("{sisIsIsfsfsfsf}", "degrees", i * SPH_SLANT_STEP,
+                                              "pixels", (json_int_t)s[i].pixels, "within_one",
+                                              (json_int_t)s[i].near, "path", s[i].path, "path_low",
+                                              s[i].path_low, "path_top", s[i].path_top, "bmrt",
+                                              s[i].bmrt));
+    return list;
+}
+
 json_t *levels_json(const struct sph_levels *e) {
     json_t *json = json_object();
     report_count(json, "pixels", e->pixels);
@@ -27,5 +38,34 @@ json_t *levels_json(const struct sph_levels *e) {
         json_object_set_new(json, tool_level_names[k],
                             json_pack("{sfsfsf}", "mean", e->mean[k], "off", e->off[k],
                                       "within_half", e->within_half[k]));
+    static const char *const via[SPH_VIAS] = {"direct", "flat", "curved"};
+    json_t *slant = json_object();
+    for (int v = 0; v < SPH_VIAS; v++)
+        json_object_set_new(slant, via[v], slants_json(e->slant[v]));
+    json_object_set_new(json, "slant", slant);
+    return json;
+}
+
+json_t *report_flops(const struct sph_flops *f) {
+    json_t *json = json_object();
+    report_count(json, "add", f->add);
+    report_count(json, "mul", f->mul);
+    report_count(json, "div", f->div);
+    report_count(json, "sqrt", f->root);
+    report_count(json, "log", f->log);
+    return json;
+}
+
+json_t *level_work_json(const struct sph_level_work *work) {
+    static const char *const kinds[SPH_SHAPES] = {"triangle", "plane", "sphere"};
+    static const char *const ways[SPH_WAYS] = {"bmrt", "bmrt_alone", "kept", "anew", "anew_alone"};
+    json_t *json = json_object();
+    for (int kind = 0; kind < SPH_SHAPES; kind++) {
+        json_t *entry = json_object();
+        report_count(entry, "hits", work->hits[kind]);
+        for (int way = 0; way < SPH_WAYS; way++)
+            json_object_set_new(entry, ways[way], report_flops(&work->flops[way][kind]));
+        json_object_set_new(json, kinds[kind], entry);
+    }
     return json;
 }

@@ -16,4 +16,9 @@ void print_levels(FILE *to, const struct sph_levels *e);
 
 json_t *levels_json(const struct sph_levels *e);
 
+json_t *report_flops(const struct sph_flops *flops);
+
+/* Arithmetic of the ways to choose a level, by kind of primitive. */
+json_t *level_work_json(const struct sph_level_work *work);
+
 #endif
