@@ -69,6 +69,9 @@ check "texels report" sh -c "'$s' texels '$hall' $size --json - | python3 -c 'im
 r = json.load(sys.stdin)
 assert [o[\"order\"] for o in r[\"orders\"]] == [\"rows\", \"tiles\", \"morton\"]
 assert all(a >= b for o in r[\"orders\"] for a, b in zip(o[\"missed\"], o[\"missed\"][2:]))
-assert sum(r[\"levels\"]) == r[\"texels\"] and r[\"levels\"][1] > r[\"levels\"][7]
+assert sum(r[\"levels\"]) == r[\"texels\"] > r[\"levels\"][0]
 assert 0 < r[\"orders\"][1][\"missed\"][5] < r[\"texels\"]'"
+# shellcheck disable=SC2086
+"$s" texels "$hall" $size --filter bilinear >"$TMP/text" 2>&1
+check "without MIP-mapping all texels are on level 0" has '^levels, % 100.0( 0.0){11}$' "$TMP/text"
 done_testing
