@@ -28,6 +28,12 @@ core() {
     BUILD=$here/build RTL=$here/rtl SIM=icarus sh sim/core.sh --machine "$here/scene.sph" \
         --watchdog 5000 --latency 5 --stall 20 --seed 7 "$@"
 }
+# The same with just what the scene asks for: with textures, too.
+textured() {
+    EFFECTS=auto
+    export EFFECTS
+    core "$@"
+}
 # A block bench, in a folder that looks like this one but for its rtl.
 bench() {
     cp -al Makefile cmodel formal tb sim synth tests "$here/" && sh "$here/tb/run_bench.sh" "$1" 1

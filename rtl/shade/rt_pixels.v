@@ -13,6 +13,7 @@ module rt_pixels #(
     parameter LIGHTS  = 8,
     parameter INSIDE  = 1,
     parameter FACETS  = 0,
+    parameter TEXTURE = 0,
     parameter INTERPENETRATE = 1,
     parameter SLOTS   = 32,  // power of two
     parameter SLOTW   = 5    // log2 of SLOTS
@@ -342,10 +343,10 @@ module rt_pixels #(
     assign pix_id_o      = p_sky_q ? 24'hffffff : p_first[KW +: 24];
     assign pix_key_o     = p_sky_q ? {KW{1'b0}} : p_first[KW-1:0];
     assign pix_visits_o  = visits_i;
-    assign pix_texture_o = p_sky_q ? {12'd`RT_LOD_NONE, 20'd0} : texture_i;
+    assign pix_texture_o = TEXTURE == 0 || p_sky_q ? {12'd`RT_LOD_NONE, 20'd0} : texture_i;
     assign out_done      = pix_valid_o && pix_ready_i;
     assign out_slot      = p_slot_q;
     wire unused = &{1'b0, free_in, q_hit_in, q_miss_in, o_blend_in, o_sky_in, o_end,
-                    material_i};
+                    material_i, texture_i};
 endmodule
 `default_nettype wire

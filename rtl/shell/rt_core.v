@@ -107,7 +107,7 @@ module rt_core #(
     wire [25:0]      root, prim_base, mem_lines;
     wire             light_valid;
     wire [2:0]       light_number, light_part;
-    rt_registers #(.W(W), .WD(WD)) u_registers (
+    rt_registers #(.W(W), .WD(WD), .TEXTURE(TEXTURE)) u_registers (
         .clk(clk), .valid_i(cfg_valid_i && !busy_o), .addr_i(cfg_addr_i), .data_i(cfg_data_i),
         .effects_o(effects), .max_depth_o(max_depth), .n_lights_o(n_lights),
         .window_o(window), .bg_mode_o(bg_mode), .rect_o(rect), .bg_base_o(bg_base),

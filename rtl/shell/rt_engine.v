@@ -409,8 +409,8 @@ module rt_engine #(
         end
     endgenerate
     rt_pixels #(.W(W), .WD(WD), .SHADOW(SHADOWS), .REFLECT(REFLECT), .LIGHTS(LIGHTS),
-                .INSIDE(INSIDE), .FACETS(FACETS), .INTERPENETRATE(INTERPENETRATE), .SLOTS(SLOTS),
-                .SLOTW(SLOTW)) u_pixels (
+                .INSIDE(INSIDE), .FACETS(FACETS), .TEXTURE(TEXTURE),
+                .INTERPENETRATE(INTERPENETRATE), .SLOTS(SLOTS), .SLOTW(SLOTW)) u_pixels (
         .clk(clk), .rst(rst), .busy_o(busy_o),
         .reflect_on_i(effects_i[`RT_EFFECT_REFLECT]), .max_depth_i(max_depth_i),
         .probe_on_i(effects_i[`RT_EFFECT_INTERPENETRATE]),

@@ -6,7 +6,8 @@
 `include "rt_layout.vh"
 module rt_registers #(
     parameter W  = 16,  // coordinate, bits
-    parameter WD = 17   // direction component, bits
+    parameter WD = 17,  // direction component, bits
+    parameter TEXTURE = 0 // 1: the register of textures
 ) (
     input  wire              clk,
     input  wire              valid_i,
@@ -31,7 +32,7 @@ module rt_registers #(
     output reg  [23:0]       visit_limit_o,
     output reg  [31:0]       profile_o,
     output reg  [1:0]        frame_o,
-    output reg  [1:0]        tex_filter_o,
+    output wire [1:0]        tex_filter_o,
     // lights live in the engines: one write goes by
     output wire              light_valid_o,
     output wire [2:0]        light_number_o,
@@ -73,10 +74,19 @@ module rt_registers #(
                 `RT_REG_VISIT_LIMIT: visit_limit_o   <= data_i[23:0];
                 `RT_REG_PROFILE:     profile_o       <= data_i;
                 `RT_REG_FRAME:       frame_o         <= data_i[1:0];
-                `RT_REG_TEX_FILTER:  tex_filter_o    <= data_i[1:0];
                 `RT_REG_BG_BASE:     bg_base_o       <= data_i[25:0];
                 `RT_REG_BG_COUNT:    bg_count_o      <= data_i[4:0];
                 default: ;
             endcase
+    generate
+        if (TEXTURE != 0) begin : g_texture
+            reg [1:0] filter_q;
+            always @(posedge clk)
+                if (valid_i && addr_i == `RT_REG_TEX_FILTER) filter_q <= data_i[1:0];
+            assign tex_filter_o = filter_q;
+        end else begin : g_no_texture
+            assign tex_filter_o = 2'd0;
+        end
+    endgenerate
 endmodule
 `default_nettype wire
