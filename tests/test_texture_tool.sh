@@ -51,6 +51,17 @@ check "paper's tree and brute force show the same" equal "$scene" \
 "$s" render "$hall" $size --texture off >"$TMP/text" 2>&1
 check "textures left out are told" has 'warning: .*texture off: 4 primitives' "$TMP/text"
 
+# shellcheck disable=SC2086
+for bits in 8 4 0; do
+    "$s" render "$hall" $size --lod-bits $bits -o "$TMP/lod$bits.png" >/dev/null
+done
+check "8 bits of levels are the machine's" cmp "$TMP/hall.png" "$TMP/lod8.png"
+check "4 bits draw another picture" sh -c "! cmp -s '$TMP/hall.png' '$TMP/lod4.png'"
+# shellcheck disable=SC2086
+"$s" render "$hall" $size --filter level -o "$TMP/level.png" >/dev/null
+check "without bits the nearest level is left" cmp "$TMP/level.png" "$TMP/lod0.png"
+fails 2 "9 bits" "$s" render "$hall" --lod-bits 9
+
 sed 's/globe.png/nowhere.png/' "$hall" >"$TMP/images/bad.nff"
 fails 1 "a missing image" "$s" render "$TMP/images/bad.nff"
 line=$(grep -n nowhere "$hall" "$TMP/images/bad.nff" | cut -d: -f2)

@@ -84,6 +84,11 @@ static uint32_t filtered(const struct job *j, int filter, uint32_t lod) {
     return sph_filter_levels(near, far, weight);
 }
 
+/* The nearest lod with fewer bits of fraction; the last level is a whole number and stays. */
+static uint32_t coarser(uint32_t lod, int drop) {
+    return (lod + (1u << drop >> 1)) >> drop << drop;
+}
+
 uint32_t sph_lookup(const struct sph_machine *m, uint32_t map, const struct sph_textured *where,
                     struct sph_texture_work *work) {
     const uint32_t *record = line_at(m, map, work);
@@ -101,7 +106,7 @@ uint32_t sph_lookup(const struct sph_machine *m, uint32_t map, const struct sph_
         return white;
     }
     int32_t base = sph_field_signed(record, SPH_MAP_BASE_LSB, SPH_MAP_BASE_BITS);
-    uint32_t lod = sph_lod(where->path, base, levels);
+    uint32_t lod = coarser(sph_lod(where->path, base, levels), work->lod_drop);
     if (work->lod == SPH_LOD_NONE) work->lod = lod;
     j.st = sph_coords(record, where);
     return filtered(&j, m->regs[SPH_REG_TEX_FILTER], lod);

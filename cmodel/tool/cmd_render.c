@@ -10,10 +10,21 @@
 struct arguments {
     struct tool_source source;
     const char *input, *png, *exr, *frame, *json;
-    int layer, traverse, threads, counters, progress;
+    int layer, traverse, threads, counters, progress, lod_drop;
 };
 
-enum { KEY_EXR = 512, KEY_FRAME, KEY_LAYER, KEY_BRUTE, KEY_COUNTERS, KEY_JSON, KEY_PROGRESS };
+enum {
+    KEY_EXR = 512,
+    KEY_FRAME,
+    KEY_LAYER,
+    KEY_BRUTE,
+    KEY_LOD_BITS,
+    KEY_COUNTERS,
+    KEY_JSON,
+    KEY_PROGRESS
+};
+
+enum { LOD_BITS = 8 };
 
 static const struct argp_option options[] = {
     {"output", 'o', "FILE.png", 0, "picture, 8-bit RGB", 0},
@@ -22,6 +33,8 @@ static const struct argp_option options[] = {
     {"layer", KEY_LAYER, "N", 0,
      "colours of pictures: 0 without reflections, 1 one reflection, 2 all (default)", 0},
     {"brute", KEY_BRUTE, NULL, 0, "without tree: test every sphere, find the nearest", 0},
+    {"lod-bits", KEY_LOD_BITS, "N", 0,
+     "bits of the fraction of levels, 0 to 8 (default, as in hardware): what fewer would draw", 0},
     {"threads", 't', "N", 0, "0: one for every processor (default)", 0},
     {"counters", KEY_COUNTERS, NULL, 0, "print the counters", 0},
     {"json", KEY_JSON, "FILE", 0, "report as JSON (- : on standard output instead of text)", 0},
@@ -52,6 +65,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     case KEY_BRUTE:
         a->traverse = SPH_TRAVERSE_BRUTE;
         return 0;
+    case KEY_LOD_BITS:
+        a->lod_drop = LOD_BITS - (int)tool_number(state, "--lod-bits", arg, 0, LOD_BITS);
+        return 0;
     case 't':
         a->threads = (int)tool_number(state, "--threads", arg, 0, 1024);
         return 0;
@@ -73,7 +89,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
 static double render(const struct arguments *a, const struct sph_machine *machine,
                      struct sph_shot *shot, struct sph_error *err) {
     struct progress progress;
-    struct sph_render_options how = {.traverse = a->traverse, .threads = a->threads};
+    struct sph_render_options how = {
+        .traverse = a->traverse, .threads = a->threads, .lod_drop = a->lod_drop};
     if (progress_start(&progress, "rendering", a->progress)) {
         how.progress = progress_show;
         how.user = &progress;
