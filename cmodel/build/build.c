@@ -32,6 +32,11 @@ static int check_effects(const struct sph_scene *scene, const struct sph_build_o
     if (o->traverse == SPH_BUILD_FIRST && scene->n_facets)
         return sph_fail(err, "%s:%u: traverse first is for spheres: there are triangles or planes",
                         scene->path, scene->facets[0].line);
+    if (o->traverse == SPH_BUILD_FIRST && o->tree >= SPH_TREE_BIH)
+        return sph_fail(err,
+                        "traverse first is the paper's walk through nodes of four children: "
+                        "it is not for %s",
+                        o->tree == SPH_TREE_BIH ? "bih" : "brute");
     if (o->lights < SPH_AUTO || o->lights > scene->n_lights)
         return sph_fail(err, "%s: %d lights are asked for, the scene has %d", scene->path,
                         o->lights, scene->n_lights);
@@ -49,8 +54,13 @@ static int check(const struct sph_scene *scene, const struct sph_build_options *
     if (!o->widths && (o->profile < 0 || o->profile >= SPH_PROFILES))
         return sph_fail(err, "there is no profile %d", o->profile);
     if (sph_profile_check(sph_build_profile(o), err)) return -1;
-    if (o->tree != SPH_TREE_PAPER && o->tree != SPH_TREE_BALANCED)
+    if (o->tree < SPH_TREE_PAPER || o->tree > SPH_TREE_BRUTE)
         return sph_fail(err, "there is no tree %d", o->tree);
+    if (o->max_tree_depth > SPH_BIH_STACK + 1)
+        return sph_fail(err, "max_tree_depth %u is not in 0..%d", o->max_tree_depth,
+                        SPH_BIH_STACK + 1);
+    if (o->bih != SPH_BIH_FULL && o->bih != SPH_BIH_LISTING)
+        return sph_fail(err, "there is no way %d to build a BIH", o->bih);
     if (o->tex_filter < 0 || o->tex_filter >= SPH_FILTERS)
         return sph_fail(err, "there is no texture filter %d", o->tex_filter);
     if (o->background < SPH_BG_NONE || o->background > SPH_BG_EXACT)
@@ -192,10 +202,7 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
 
     uint32_t n = scene->n_spheres;
     struct sph_plants plants = {balls, n, facets, profile, grid.eye, o->tree};
-    if (sph_tree_build(&plants, tree, err) || sph_emit_memory(scene, balls, facets, tree, m, err))
-        return -1;
-    report->nodes = tree->n_nodes;
-    report->depth = tree->depth;
+    if (sph_emit_tree(scene, o, &plants, tree, m, report, err)) return -1;
 
     if (sph_emit_background(tree, balls, &rays, o, m, report, err)) return -1;
     sph_emit_colours(scene, m, report);

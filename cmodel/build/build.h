@@ -6,6 +6,7 @@
 #ifndef SPH_BUILD_H
 #define SPH_BUILD_H
 
+#include "build/bih.h"
 #include "build/texture_keep.h"
 #include "build/tree.h"
 #include "build/work.h"
@@ -20,7 +21,10 @@ enum { SPH_AUTO = -1, SPH_OFF = 0, SPH_ON = 1 }; /* auto: as the scene calls for
 struct sph_build_options {
     const struct sph_profile *widths; /* NULL: those of `profile` */
     int profile;                      /* SPH_DRAFT .. */
-    int tree;                         /* SPH_TREE_* */
+    int tree;                         /* SPH_TREE_*: four children a node, BIH, or one leaf */
+    uint32_t max_prims;               /* BIH: primitives of a leaf that is not cut; 0: 8 */
+    uint32_t max_tree_depth;          /* BIH: levels, 1 .. SPH_BIH_STACK + 1; 0: these */
+    int bih;                          /* SPH_BIH_FULL, SPH_BIH_LISTING */
     int background;                   /* SPH_BG_* */
     int width, height;                /* 0: the scene file's */
     int max_depth;                    /* reflections 0..5 */
@@ -40,6 +44,10 @@ struct sph_build_options {
                                          share texels */
     struct sph_texture_bases *bases;  /* NULL, or what the frame before left, of the same scene */
 };
+
+/* A leaf of no more is not cut if nothing else is asked for: docs/scenarios.md has what it costs.
+ */
+enum { SPH_BIH_PRIMS = 8 };
 
 /* The widths that are asked for. */
 static inline const struct sph_profile *sph_build_profile(const struct sph_build_options *o) {
@@ -72,7 +80,8 @@ struct sph_build_report {
     double fov_error;       /* relative error of tan(angle/2) by quantisation */
     uint32_t nodes, depth;  /* of the tree */
     uint32_t triangles, planes;
-    double build_seconds;
+    double build_seconds, tree_seconds; /* all of build; of that, tree and memory image */
+    struct sph_bih_stats bih;           /* with TREE_BIH and TREE_BRUTE */
     char warning[8192];   /* empty if none; finer profiles, clamped colours, effects left out */
     struct sph_ball root; /* grid units: holds every primitive */
     int bg_points;        /* spans: meridians that were needed, 0: none */

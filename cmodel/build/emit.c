@@ -24,8 +24,7 @@ static void put_child(uint32_t *node, int i, const struct sph_ball *ball) {
                   (uint32_t)(ball->r + SPH_FILTER_MARGIN));
 }
 
-/* Writes the leaf record of a sphere into half 0 or 1 of a line. */
-static void put_leaf(uint32_t *line, int half, const struct sph_ball *ball, uint32_t id) {
+void sph_emit_leaf(uint32_t *line, int half, const struct sph_ball *ball, uint32_t id) {
     int at = half * SPH_LEAF_STRIDE;
     sph_field_set(line, at + SPH_LEAF_CTR_X_LSB, SPH_LEAF_CTR_X_BITS, (uint32_t)ball->c[0]);
     sph_field_set(line, at + SPH_LEAF_CTR_Y_LSB, SPH_LEAF_CTR_Y_BITS, (uint32_t)ball->c[1]);
@@ -96,28 +95,53 @@ static void put_node(struct sph_machine *m, const struct content *c, uint32_t no
         uint32_t *leaf = line_at(m, base + (uint32_t)n_inner + (uint32_t)(whole ? j : j >> 1));
         put_child(to, n_inner + j, &ball);
         if (id < c->n_spheres)
-            put_leaf(leaf, whole ? 0 : j & 1, &c->balls[id], id);
+            sph_emit_leaf(leaf, whole ? 0 : j & 1, &c->balls[id], id);
         else
             sph_emit_facet(leaf, &c->facets->list[id - c->n_spheres], id);
     }
 }
 
 /* Writes primitive records from line `base` on, then the table of facets. */
-static void put_prims(struct sph_machine *m, const struct sph_scene *scene, const struct content *c,
+static void put_prims(struct sph_machine *m, const struct sph_scene *scene,
+                      const struct sph_ball *balls, const struct sph_facets *facets,
                       uint32_t base) {
-    uint32_t spheres = c->n_spheres, table = base + spheres + c->facets->n;
+    uint32_t spheres = scene->n_spheres, table = base + spheres + facets->n;
     for (uint32_t id = 0; id < spheres; id++) {
         uint32_t *line = line_at(m, base + id);
-        put_leaf(line, 0, &c->balls[id], id);
+        sph_emit_leaf(line, 0, &balls[id], id);
         put_material(line, &scene->materials[scene->spheres[id].material]);
     }
-    for (uint32_t i = 0; i < c->facets->n; i++) {
-        const struct sph_grid_facet *f = &c->facets->list[i];
+    for (uint32_t i = 0; i < facets->n; i++) {
+        const struct sph_grid_facet *f = &facets->list[i];
         uint32_t *line = line_at(m, base + spheres + i);
         sph_emit_facet_prim(line, f, spheres + i);
         put_material(line, &scene->materials[scene->facets[f->scene].material]);
         sph_emit_facet(line_at(m, table + i), f, spheres + i);
     }
+}
+
+int sph_emit_alloc(struct sph_machine *machine, uint64_t lines, struct sph_error *err) {
+    if (lines < 1ull << SPH_NODE_BASE_BITS)
+        machine->mem = calloc(lines * SPH_LINE_WORDS, sizeof *machine->mem);
+    if (!machine->mem)
+        return sph_fail(err, "out of memory or addresses for %llu lines",
+                        (unsigned long long)lines);
+    machine->lines = (uint32_t)lines;
+    return 0;
+}
+
+void sph_emit_prims(const struct sph_scene *scene, const struct sph_ball *balls,
+                    const struct sph_facets *facets, uint32_t base, uint32_t nodes,
+                    struct sph_machine *machine) {
+    uint32_t n = scene->n_spheres + facets->n;
+    put_prims(machine, scene, balls, facets, base);
+    machine->regs[SPH_REG_ROOT] = 0;
+    machine->regs[SPH_REG_PRIM_BASE] = (int32_t)base;
+    machine->regs[SPH_REG_MEM_LINES] = (int32_t)machine->lines;
+    machine->regs[SPH_REG_N_PRIMS] = (int32_t)n;
+    machine->regs[SPH_REG_N_SPHERES] = facets->n ? (int32_t)scene->n_spheres : 0;
+    machine->regs[SPH_REG_FACET_BASE] = facets->n ? (int32_t)(base + n) : 0;
+    machine->regs[SPH_REG_VISIT_LIMIT] = nodes < 0xfffffe ? (int32_t)nodes + 1 : 0xffffff;
 }
 
 int sph_emit_memory(const struct sph_scene *scene, const struct sph_ball *balls,
@@ -130,12 +154,10 @@ int sph_emit_memory(const struct sph_scene *scene, const struct sph_ball *balls,
     struct place {
         uint32_t node, line;
     } *queue = malloc(tree->n_nodes * sizeof *queue);
-    machine->mem = calloc(lines * SPH_LINE_WORDS, sizeof *machine->mem);
-    if (lines >= 1ull << SPH_NODE_BASE_BITS || !queue || !machine->mem) {
+    if (!queue || sph_emit_alloc(machine, lines, err)) {
         free(queue);
         return sph_fail(err, "out of memory or addresses for %u primitives", n);
     }
-    machine->lines = (uint32_t)lines;
 
     uint32_t base = 1, tail = 1;
     queue[0] = (struct place){0, 0};
@@ -147,15 +169,6 @@ int sph_emit_memory(const struct sph_scene *scene, const struct sph_ball *balls,
         base += group_lines(node, facets->n > 0);
     }
     free(queue);
-    put_prims(machine, scene, &c, base);
-
-    machine->regs[SPH_REG_ROOT] = 0;
-    machine->regs[SPH_REG_PRIM_BASE] = (int32_t)base;
-    machine->regs[SPH_REG_MEM_LINES] = (int32_t)lines;
-    machine->regs[SPH_REG_N_PRIMS] = (int32_t)n;
-    machine->regs[SPH_REG_N_SPHERES] = facets->n ? (int32_t)scene->n_spheres : 0;
-    machine->regs[SPH_REG_FACET_BASE] = facets->n ? (int32_t)(base + n) : 0;
-    machine->regs[SPH_REG_VISIT_LIMIT] =
-        tree->n_nodes < 0xfffffe ? (int32_t)tree->n_nodes + 1 : 0xffffff;
+    sph_emit_prims(scene, balls, facets, base, tree->n_nodes, machine);
     return 0;
 }

@@ -4,9 +4,16 @@
 #ifndef SPH_EMIT_H
 #define SPH_EMIT_H
 
+#include "build/bih.h"
 #include "build/build.h"
 #include "build/grid.h"
 #include "build/tree.h"
+
+/* Builds the tree that is asked for and writes it with one of the two below; *tree is one of four
+ * children in any case. Fills nodes, depth, bih and tree_seconds of the report. */
+int sph_emit_tree(const struct sph_scene *scene, const struct sph_build_options *o,
+                  const struct sph_plants *plants, struct sph_tree *tree, struct sph_machine *m,
+                  struct sph_build_report *report, struct sph_error *err);
 
 /* Writes nodes, leaf records and primitive records to machine->mem and the registers that tell
  * where they are; balls[id]. With facets every leaf has a line of its own, and the table of facets
@@ -14,6 +21,22 @@
 int sph_emit_memory(const struct sph_scene *scene, const struct sph_ball *balls,
                     const struct sph_facets *facets, const struct sph_tree *tree,
                     struct sph_machine *machine, struct sph_error *err);
+
+/* The same with a bounding interval hierarchy, the global box and its leaf records, planes first;
+ * what it is like goes to *stats. With one leaf (brute force) there is no box. */
+int sph_emit_bih(const struct sph_scene *scene, const struct sph_ball *balls,
+                 const struct sph_facets *facets, const struct sph_bih_options *options,
+                 struct sph_machine *machine, struct sph_bih_stats *stats, struct sph_error *err);
+
+/* Parts of both: lines of zeros; primitive records from line `base` on, the table of facets and the
+ * registers that tell where they are and how many nodes a ray can visit. */
+int sph_emit_alloc(struct sph_machine *machine, uint64_t lines, struct sph_error *err);
+void sph_emit_prims(const struct sph_scene *scene, const struct sph_ball *balls,
+                    const struct sph_facets *facets, uint32_t base, uint32_t nodes,
+                    struct sph_machine *machine);
+
+/* Writes the leaf record of a sphere into half 0 or 1 of a line. */
+void sph_emit_leaf(uint32_t *line, int half, const struct sph_ball *ball, uint32_t id);
 
 /* Writes the leaf line of a facet, and the part of its primitive record that a sphere's leaf record
  * has elsewhere. */

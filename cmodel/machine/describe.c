@@ -5,6 +5,7 @@
 
 #include <math.h>
 
+#include "machine/bih_stats.h"
 #include "machine/facets.h"
 
 struct shape {
@@ -27,12 +28,17 @@ static void count(const struct sph_machine *m, uint32_t line, uint32_t level, st
         count(m, base + i, level + 1, s);
 }
 
+const char *sph_machine_tree_name(const struct sph_machine *m) {
+    static const char *const names[] = {"paper", "balanced", "bih", "brute"};
+    return names[(m->regs[SPH_REG_TREE] - 1) & 3];
+}
+
 static void describe_tree(const struct sph_machine *m, FILE *file) {
     struct shape s = {0};
     count(m, (uint32_t)m->regs[SPH_REG_ROOT], 1, &s);
     struct sph_counts n = sph_machine_count(m);
-    fprintf(file, "tree      %s, %u nodes on %u levels, %u spheres",
-            m->regs[SPH_REG_TREE] == 1 ? "paper" : "balanced", s.nodes, s.depth, n.spheres);
+    fprintf(file, "tree      %s, %u nodes on %u levels, %u spheres", sph_machine_tree_name(m),
+            s.nodes, s.depth, n.spheres);
     if (n.triangles + n.planes) fprintf(file, ", %u triangles, %u planes", n.triangles, n.planes);
     fprintf(file, " below them\n");
     fprintf(file, "children ");
@@ -44,6 +50,16 @@ static void describe_tree(const struct sph_machine *m, FILE *file) {
     fprintf(file, "  (level of the node: primitives)\n");
 }
 
+static void describe_bih(const struct sph_machine *m, FILE *file) {
+    struct sph_bih_stats s;
+    struct sph_counts n = sph_machine_count(m);
+    sph_bih_measure(m, &s);
+    fprintf(file, "tree      %s, %u nodes on %u levels, %u spheres", sph_machine_tree_name(m),
+            s.inner + s.leaves, s.depth_max, n.spheres);
+    if (n.triangles) fprintf(file, ", %u triangles", n.triangles);
+    fprintf(file, " below them%s\n", n.planes ? ", planes beside them" : "");
+}
+
 #define NAMED(name)                                                                                \
     { SPH_REG_##name, #name }
 
@@ -51,15 +67,17 @@ static const struct {
     int number;
     const char *name;
 } names[] = {
-    NAMED(EFFECTS),   NAMED(MAX_DEPTH),  NAMED(N_LIGHTS),  NAMED(FRAME_W),   NAMED(FRAME_H),
-    NAMED(WIN_X0),    NAMED(WIN_Y0),     NAMED(WIN_X1),    NAMED(WIN_Y1),    NAMED(BG_MODE),
-    NAMED(RECT_X0),   NAMED(RECT_Y0),    NAMED(RECT_X1),   NAMED(RECT_Y1),   NAMED(BG_COLOUR),
-    NAMED(AMBIENT_R), NAMED(AMBIENT_G),  NAMED(AMBIENT_B), NAMED(EYE_X),     NAMED(EYE_Y),
-    NAMED(EYE_Z),     NAMED(DIR_X0),     NAMED(DIR_Y0),    NAMED(DIR_Z),     NAMED(PITCH),
-    NAMED(ROOT),      NAMED(PRIM_BASE),  NAMED(MEM_LINES), NAMED(N_PRIMS),   NAMED(VISIT_LIMIT),
-    NAMED(PROFILE),   NAMED(TREE),       NAMED(FRAME),     NAMED(LIGHT0_X),  NAMED(LIGHT0_Y),
-    NAMED(LIGHT0_Z),  NAMED(LIGHT0_R),   NAMED(LIGHT0_G),  NAMED(LIGHT0_B),  NAMED(BG_BASE),
-    NAMED(BG_COUNT),  NAMED(FACET_BASE), NAMED(N_SPHERES), NAMED(TEX_FILTER)};
+    NAMED(EFFECTS),   NAMED(MAX_DEPTH),  NAMED(N_LIGHTS),  NAMED(FRAME_W),    NAMED(FRAME_H),
+    NAMED(WIN_X0),    NAMED(WIN_Y0),     NAMED(WIN_X1),    NAMED(WIN_Y1),     NAMED(BG_MODE),
+    NAMED(RECT_X0),   NAMED(RECT_Y0),    NAMED(RECT_X1),   NAMED(RECT_Y1),    NAMED(BG_COLOUR),
+    NAMED(AMBIENT_R), NAMED(AMBIENT_G),  NAMED(AMBIENT_B), NAMED(EYE_X),      NAMED(EYE_Y),
+    NAMED(EYE_Z),     NAMED(DIR_X0),     NAMED(DIR_Y0),    NAMED(DIR_Z),      NAMED(PITCH),
+    NAMED(ROOT),      NAMED(PRIM_BASE),  NAMED(MEM_LINES), NAMED(N_PRIMS),    NAMED(VISIT_LIMIT),
+    NAMED(PROFILE),   NAMED(TREE),       NAMED(FRAME),     NAMED(LIGHT0_X),   NAMED(LIGHT0_Y),
+    NAMED(LIGHT0_Z),  NAMED(LIGHT0_R),   NAMED(LIGHT0_G),  NAMED(LIGHT0_B),   NAMED(BG_BASE),
+    NAMED(BG_COUNT),  NAMED(FACET_BASE), NAMED(N_SPHERES), NAMED(TEX_FILTER), NAMED(LEAF_BASE),
+    NAMED(N_LOOSE),   NAMED(BOX_X0),     NAMED(BOX_Y0),    NAMED(BOX_Z0),     NAMED(BOX_X1),
+    NAMED(BOX_Y1),    NAMED(BOX_Z1)};
 
 static void describe_registers(const struct sph_machine *m, FILE *file) {
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
@@ -104,7 +122,10 @@ void sph_machine_describe(const struct sph_machine *m, FILE *file) {
             m->grid_log2, ldexp(1, m->grid_log2), m->origin[0], m->origin[1], m->origin[2]);
     fprintf(file, "memory    %u lines, %.1f KiB; primitive records from line %d\n", m->lines,
             m->lines * 4.0 * SPH_LINE_WORDS / 1024, m->regs[SPH_REG_PRIM_BASE]);
-    describe_tree(m, file);
+    if (sph_machine_bih(m))
+        describe_bih(m, file);
+    else
+        describe_tree(m, file);
     char core[160];
     sph_machine_core(m, core, sizeof core);
     fprintf(file, "core      %s\n", core);

@@ -39,6 +39,11 @@ static inline int sph_machine_effect(const struct sph_machine *m, int effect) {
     return m->regs[SPH_REG_EFFECTS] >> effect & 1;
 }
 
+/* 1 if it holds a bounding interval hierarchy, or the one leaf of brute force. */
+static inline int sph_machine_bih(const struct sph_machine *m) {
+    return m->regs[SPH_REG_TREE] >= SPH_TREE_BIH;
+}
+
 /* Bits lsb .. lsb+width-1 (width 1..32) of a line, unsigned. */
 static inline uint32_t sph_field(const uint32_t *line, int lsb, int width) {
     uint64_t two = line[lsb >> 5];

@@ -6,11 +6,11 @@
 
 #include "machine/facets.h"
 #include "machine/textures.h"
+#include "machine/validate.h"
 #include "scene/scene.h" /* SPH_MAX_SPHERES */
 
-/* Checks lo <= register <= hi. */
-static int in_range(const struct sph_machine *m, int number, const char *name, int64_t lo,
-                    int64_t hi, struct sph_error *err) {
+int sph_validate_register(const struct sph_machine *m, int number, const char *name, int64_t lo,
+                          int64_t hi, struct sph_error *err) {
     int32_t v = m->regs[number];
     if (v >= lo && v <= hi) return 0;
     return sph_fail(err, "register %s is %d, not in %lld..%lld", name, v, (long long)lo,
@@ -18,7 +18,7 @@ static int in_range(const struct sph_machine *m, int number, const char *name, i
 }
 
 #define RANGE(name, lo, hi)                                                                        \
-    if (in_range(m, SPH_REG_##name, #name, lo, hi, err)) return -1
+    if (sph_validate_register(m, SPH_REG_##name, #name, lo, hi, err)) return -1
 
 /* Frame, window, background and colours. */
 static int check_frame(const struct sph_machine *m, struct sph_error *err) {
@@ -109,7 +109,7 @@ static int check_memory(const struct sph_machine *m, struct sph_error *err) {
     RANGE(TEX_FILTER, 0, sph_machine_effect(m, SPH_EFFECT_TEXTURE) ? 3 : 0);
     RANGE(ROOT, 0, r[SPH_REG_PRIM_BASE] - 1);
     RANGE(VISIT_LIMIT, 1, 0xffffff);
-    RANGE(TREE, 1, 2);
+    RANGE(TREE, 1, SPH_TREE_BRUTE);
     return 0;
 }
 
@@ -180,83 +180,11 @@ static int check_background(const struct sph_machine *m, struct sph_error *err) 
     return mode == 2 ? check_spans(m, err) : check_cones(m, err);
 }
 
-struct walk {
-    const struct sph_machine *m;
-    uint8_t *used;  /* per line below PRIM_BASE */
-    uint8_t *found; /* per primitive */
-};
-
-/* Checks one leaf record, half 0 or 1 of a line, against its primitive record. */
-static int check_leaf(struct walk *w, uint32_t line, int half, struct sph_error *err) {
-    const struct sph_machine *m = w->m;
-    const uint32_t *leaf = line_at(m, line) + half * SPH_LEAF_STRIDE / 32;
-    uint32_t id = sph_field(leaf, SPH_LEAF_ID_LSB, SPH_LEAF_ID_BITS);
-    int whole = sph_machine_effect(m, SPH_EFFECT_FACETS);
-    if (whole && sph_validate_leaf_line(m, line, &id, err)) return -1;
-    if (whole && id >= (uint32_t)m->regs[SPH_REG_N_SPHERES])
-        return w->found[id]++ ? sph_fail(err, "line %u: primitive %u stands twice", line, id) : 0;
-    if (id >= (uint32_t)m->regs[SPH_REG_N_PRIMS])
-        return sph_fail(err, "line %u: leaf id %u, there are %d primitives", line, id,
-                        m->regs[SPH_REG_N_PRIMS]);
-    if (memcmp(leaf, line_at(m, (uint32_t)m->regs[SPH_REG_PRIM_BASE] + id), SPH_LEAF_STRIDE / 8) !=
-        0)
-        return sph_fail(err, "line %u: leaf %u differs from its primitive record", line, id);
-    if (!sph_field(leaf, SPH_LEAF_RAD_LSB, SPH_LEAF_RAD_BITS))
-        return sph_fail(err, "line %u: leaf %u has no radius", line, id);
-    if (w->found[id]++) return sph_fail(err, "line %u: primitive %u stands twice", line, id);
-    return 0;
-}
-
-/* Checks the node at `line` on `level` (root: 1) and all below. The depth bounds recursion. */
-static int check_node(struct walk *w, uint32_t line, int level, struct sph_error *err) {
-    const uint32_t *node = line_at(w->m, line);
-    uint32_t base = sph_field(node, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS);
-    uint32_t n_inner = sph_field(node, SPH_NODE_N_INNER_LSB, SPH_NODE_N_INNER_BITS);
-    uint32_t n_leaf = sph_field(node, SPH_NODE_N_LEAF_LSB, SPH_NODE_N_LEAF_BITS);
-    int whole = sph_machine_effect(w->m, SPH_EFFECT_FACETS); /* a line for each leaf */
-    uint32_t group = n_inner + (whole ? n_leaf : (n_leaf + 1) / 2),
-             end = (uint32_t)w->m->regs[SPH_REG_PRIM_BASE];
-    if (level > SPH_STACK_DEPTH)
-        return sph_fail(err, "line %u: node on level %d, the stack has %d", line, level,
-                        SPH_STACK_DEPTH);
-    if (n_inner + n_leaf > 4)
-        return sph_fail(err, "line %u: node of %u children", line, n_inner + n_leaf);
-    if (group && (base <= line || (uint64_t)base + group > end))
-        return sph_fail(err, "line %u: children at line %u, not in %u..%u", line, base, line + 1,
-                        end - 1);
-    for (uint32_t i = 0; i < group; i++)
-        if (w->used[base + i]++)
-            return sph_fail(err, "line %u: child line %u belongs to another node", line, base + i);
-    for (uint32_t j = 0; j < n_leaf; j++)
-        if (check_leaf(w, base + n_inner + (whole ? j : j / 2), whole ? 0 : j & 1, err)) return -1;
-    for (uint32_t i = 0; i < n_inner; i++)
-        if (check_node(w, base + i, level + 1, err)) return -1;
-    return 0;
-}
-
-/* Checks that the nodes are a tree that holds every primitive once. */
-static int check_tree(const struct sph_machine *m, struct sph_error *err) {
-    uint32_t n = (uint32_t)m->regs[SPH_REG_N_PRIMS], root = (uint32_t)m->regs[SPH_REG_ROOT];
-    struct walk w = {m, calloc((size_t)m->regs[SPH_REG_PRIM_BASE], 1), calloc(n + 1u, 1)};
-    int result;
-    if (w.used && w.found) {
-        w.used[root] = 1;
-        result = check_node(&w, root, 1, err);
-        for (uint32_t id = 0; id < n && !result; id++)
-            if (!w.found[id]) result = sph_fail(err, "primitive %u is not in the tree", id);
-    } else {
-        result = sph_fail(err, "out of memory to check the tree");
-    }
-    free(w.used);
-    free(w.found);
-    return result;
-}
-
 int sph_machine_validate(const struct sph_machine *m, struct sph_error *err) {
     if (check_profile(m, err) || check_frame(m, err) || check_geometry(m, err) ||
         check_memory(m, err) || check_background(m, err))
         return -1;
     if (sph_machine_effect(m, SPH_EFFECT_FACETS) && sph_validate_facets(m, err)) return -1;
     if (sph_machine_effect(m, SPH_EFFECT_TEXTURE) && sph_validate_textures(m, err)) return -1;
-    return check_tree(m, err);
+    return sph_machine_bih(m) ? sph_validate_bih(m, err) : sph_validate_tree(m, err);
 }

@@ -9,12 +9,14 @@
 struct arguments {
     struct tool_source source;
     const char *input, *output, *json;
+    int stats;
 };
 
-enum { KEY_JSON = 512 };
+enum { KEY_JSON = 512, KEY_STATS };
 
 static const struct argp_option options[] = {
     {"output", 'o', "FILE", 0, "machine file to write", 0},
+    {"stats", KEY_STATS, NULL, 0, "bih: nodes, leaves, depth and bytes as text", 0},
     {"json", KEY_JSON, "FILE", 0, "report as JSON (- : on standard output instead of text)", 0},
     {0},
 };
@@ -30,6 +32,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         return 0;
     case KEY_JSON:
         a->json = arg;
+        return 0;
+    case KEY_STATS:
+        a->stats = 1;
         return 0;
     case ARGP_KEY_END:
         if (a->input && !a->output) argp_error(state, "no output given (-o)");
@@ -72,6 +77,10 @@ int tool_build(int argc, char **argv) {
     if (check_target(a.output, &err) || tool_load(a.input, &a.source, &built, &err))
         return tool_failed(&err);
     print_build(print_stream(a.json), &built);
+    if (a.stats && sph_machine_bih(&built.machine)) {
+        print_bih(print_stream(a.json), &built.machine, &built.report.bih);
+        if (!a.json) printf("build    tree %.3f ms\n", 1e3 * built.report.tree_seconds);
+    }
     json_t *report = report_new("build");
     report_text(report, "input", a.input);
     report_text(report, "output", a.output);

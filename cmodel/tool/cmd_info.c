@@ -45,9 +45,13 @@ int tool_info(int argc, char **argv) {
     if (sph_machine_read(a.input, &machine, &err)) return tool_failed(&err);
     FILE *to = print_stream(a.json);
     if (to) sph_machine_describe(&machine, to);
+    struct sph_bih_stats stats;
+    if (sph_machine_bih(&machine))
+        sph_bih_measure(&machine, &stats), print_bih(to, &machine, &stats);
     json_t *report = report_new("info");
     report_text(report, "input", a.input);
     report_machine(report, &machine);
+    if (sph_machine_bih(&machine)) report_bih(report, &machine, &stats);
     int rc = report_write(report, a.json, &err);
     sph_machine_free(&machine);
     return rc ? tool_failed(&err) : TOOL_GOOD;

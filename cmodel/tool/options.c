@@ -82,7 +82,7 @@ static const struct argp_option options[] = {
     {"profile", KEY_PROFILE, "NAME[:KEY=N,...]", 0,
      "draft, standard (default), fine or reference; with widths of its own: w, wd, pr, pq, ng, fw",
      1},
-    {"tree", KEY_TREE, "NAME", 0, "balanced (default) or paper", 1},
+    {"tree", KEY_TREE, "NAME", 0, "bvh4: balanced (default) or paper", 1},
     {"background", KEY_BACKGROUND, "NAME", 0,
      "pixels not traced: none (default), those outside a rectangle (rect), outside the outline of "
      "the scene (spans), or whose ray misses it (exact)",
@@ -144,12 +144,16 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     static const char *const lods[] = {"mended", "paper", NULL};
     static const char *const textures[] = {"auto", "off", NULL};
     switch (key) {
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = s;
+        return 0;
     case KEY_PROFILE:
         if (sph_profile_parse(arg, &s->profile, &err)) argp_error(state, "--profile: %s", err.text);
         s->build.widths = &s->profile;
         break;
     case KEY_TREE:
         s->build.tree = SPH_TREE_PAPER + tool_choice(state, "--tree", arg, trees);
+        s->tree_given = 1;
         break;
     case KEY_BACKGROUND:
         s->build.background = SPH_BG_NONE + tool_choice(state, "--background", arg, backgrounds);
@@ -210,4 +214,6 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     return 0;
 }
 
-const struct argp tool_source_argp = {options, parse, NULL, NULL, NULL, NULL, NULL};
+static const struct argp_child children[] = {{&tool_accel_argp, 0, NULL, 1}, {0}};
+
+const struct argp tool_source_argp = {options, parse, NULL, NULL, children, NULL, NULL};

@@ -6,6 +6,7 @@
 #include <inttypes.h>
 #include <string.h>
 
+#include "machine/describe.h"
 #include "machine/facets.h"
 
 FILE *print_stream(const char *json_path) {
@@ -47,9 +48,8 @@ void print_build(FILE *to, const struct tool_built *built) {
     if (built->skipped) fprintf(to, "skipped  %u unsupported primitives\n", built->skipped);
     fprintf(to, "grid     step %g, smallest radius %.4g steps, field of view off by %.2g\n",
             b->grid_step, b->smallest_radius, b->fov_error);
-    fprintf(to, "tree     %s: %u nodes, depth %u, %.3f s\n",
-            r[SPH_REG_TREE] == SPH_TREE_PAPER ? "paper" : "balanced", b->nodes, b->depth,
-            b->build_seconds);
+    fprintf(to, "tree     %s: %u nodes, depth %u, %.3f s\n", sph_machine_tree_name(m), b->nodes,
+            b->depth, b->build_seconds);
     print_effects(to, b);
     print_lines(to, "backgr.  ", b->background);
     fprintf(to, "memory   %u lines, %" PRIu64 " bytes\n", m->lines,

@@ -16,6 +16,9 @@ FILE *print_stream(const char *json_path);
 /* What build found out; warnings go to stderr. */
 void print_build(FILE *to, const struct tool_built *built);
 
+/* What a hierarchy is like: nodes, leaves, depth, bytes. */
+void print_bih(FILE *to, const struct sph_machine *m, const struct sph_bih_stats *stats);
+
 /* Errors by name, `picture HASH` and `frame HASH`; before them the counters if asked for. */
 void print_shot(FILE *to, const struct sph_shot *shot, int counters);
 

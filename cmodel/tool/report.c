@@ -7,6 +7,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "machine/describe.h"
 #include "machine/facets.h"
 #include "output.h"
 
@@ -51,7 +52,7 @@ void report_machine(json_t *report, const struct sph_machine *m) {
     json_t *machine = json_object();
     report_text(machine, "name", m->name);
     report_text(machine, "profile", sph_machine_profile(m)->name);
-    report_text(machine, "tree", r[SPH_REG_TREE] == SPH_TREE_PAPER ? "paper" : "balanced");
+    report_text(machine, "tree", sph_machine_tree_name(m));
     report_text(machine, "background", ways[r[SPH_REG_BG_MODE]]);
     report_count(machine, "width", (uint64_t)r[SPH_REG_FRAME_W]);
     report_count(machine, "height", (uint64_t)r[SPH_REG_FRAME_H]);
@@ -104,6 +105,8 @@ void report_build(json_t *report, const struct tool_built *built) {
     report_count(build, "depth", b->depth);
     report_count(build, "skipped", built->skipped);
     report_number(build, "seconds", b->build_seconds);
+    report_number(build, "tree_seconds", b->tree_seconds);
+    if (sph_machine_bih(&built->machine)) report_bih(build, &built->machine, &b->bih);
     add(build, "effects", effects_of(b));
     add(build, "background", lines(b->background));
     add(build, "warnings", lines(b->warning));

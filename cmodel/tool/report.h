@@ -18,6 +18,7 @@ void report_number(json_t *report, const char *name, double value);
 void report_count(json_t *report, const char *name, uint64_t value);
 void report_machine(json_t *report, const struct sph_machine *machine);
 void report_build(json_t *report, const struct tool_built *built);
+void report_bih(json_t *report, const struct sph_machine *m, const struct sph_bih_stats *stats);
 void report_shot(json_t *report, const struct sph_shot *shot);
 
 /* Array of the names of the set bits. */

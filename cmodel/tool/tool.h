@@ -50,15 +50,20 @@ error_t tool_one_scene(const struct argp_state *state, int key, char *arg, const
 
 /* ---- from a scene to a machine ---- */
 
+enum { TOOL_BVH4, TOOL_BIH, TOOL_BRUTE };
+
 struct tool_source {
     struct sph_build_options build;
     struct sph_read_options read;
     struct sph_profile profile; /* what build.widths points to, if --profile was given */
+    int accel, tree_given;      /* TOOL_BVH4 ..; --tree was given */
+    const char *bih_option;     /* the last option given that is for a BIH alone */
     const char *option;         /* the last build option given, NULL if none */
 };
 
 /* Options of build, for every command that takes a scene; its input is a struct tool_source. */
 extern const struct argp tool_source_argp;
+extern const struct argp tool_accel_argp; /* a part of it */
 extern const struct tool_source tool_source_default;
 
 /* Is path a machine file, by its name (.sph) or its first bytes? */

@@ -5,6 +5,8 @@
 
 #include <stddef.h>
 
+#include "trace/bih_walk.h"
+#include "trace/leaf_unit.h"
 #include "trace/node.h"
 
 /* Inner children still to visit, in order. */
@@ -17,46 +19,6 @@ struct siblings {
     } list[4];
 };
 
-/* A hit that comes first replaces *best. */
-static void keep(struct sph_hit *best, struct sph_hit hit) {
-    if (!best->key || hit.key < best->key || (hit.key == best->key && hit.id < best->id))
-        *best = hit;
-}
-
-/* Exact test of one sphere, its key of pr root bits. */
-static void sphere_visit(const struct sph_ray *ray, const struct sph_leaf *leaf, int pr,
-                         struct sph_hit *best, struct sph_counters *c) {
-    struct sph_leaf_result r = sph_leaf_test(ray, leaf);
-    c->count[SPH_COUNT_LEAF_TESTS]++;
-    if (!r.hit) return;
-    uint64_t key =
-        ray->kind == SPH_SHADOW ? 1 : sph_leaf_key_bits(&r, pr, &c->count[SPH_COUNT_ROOTS]);
-    keep(best, (struct sph_hit){key, leaf->id, r.far});
-}
-
-/* Exact test of what a leaf line of a machine with FACETS holds; of no kind: a miss and an error.
- */
-static void line_visit(const struct sph_profile *p, const struct sph_ray *ray, const uint32_t *line,
-                       struct sph_hit *best, struct sph_counters *c, uint32_t *errors) {
-    int kind = sph_leaf_kind(line);
-    if (kind > SPH_PLANE) {
-        *errors |= 1u << SPH_ERROR_BAD_NODE;
-        return;
-    }
-    if (!kind) {
-        struct sph_leaf sphere = sph_leaf_read(line, 0, p->w);
-        sphere_visit(ray, &sphere, p->pr, best, c);
-        return;
-    }
-    struct sph_facet_leaf facet = sph_facet_read(line, p->w);
-    struct sph_facet_result r = sph_facet_test(p, ray, &facet);
-    c->count[SPH_COUNT_FACET_TESTS]++;
-    if (!r.hit) return;
-    uint64_t key =
-        ray->kind == SPH_SHADOW ? 1 : sph_facet_key(ray, &r, &c->count[SPH_COUNT_DIVISIONS]);
-    keep(best, (struct sph_hit){key, facet.id, r.far});
-}
-
 static struct sph_hit brute(const struct sph_machine *m, const struct sph_ray *ray,
                             struct sph_counters *c, uint32_t *errors) {
     struct sph_hit best = {0, SPH_ID_NONE, 0};
@@ -67,11 +29,10 @@ static struct sph_hit brute(const struct sph_machine *m, const struct sph_ray *r
     for (uint32_t id = 0; id < n; id++) {
         if (id < spheres) {
             size_t line = (uint32_t)m->regs[SPH_REG_PRIM_BASE] + (size_t)id;
-            struct sph_leaf leaf = sph_leaf_read(m->mem + line * SPH_LINE_WORDS, 0, p->w);
-            sphere_visit(ray, &leaf, p->pr, &best, c);
+            sph_leaf_visit(p, ray, m->mem + line * SPH_LINE_WORDS, 0, 0, &best, c, errors);
         } else {
             size_t line = (uint32_t)m->regs[SPH_REG_FACET_BASE] + (size_t)(id - spheres);
-            line_visit(p, ray, m->mem + line * SPH_LINE_WORDS, &best, c, errors);
+            sph_leaf_visit(p, ray, m->mem + line * SPH_LINE_WORDS, 0, 1, &best, c, errors);
         }
         if (ray->kind == SPH_SHADOW && best.key) break;
     }
@@ -81,6 +42,7 @@ static struct sph_hit brute(const struct sph_machine *m, const struct sph_ray *r
 struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *ray, int how,
                             struct sph_counters *c, uint32_t *visits, uint32_t *errors) {
     if (how == SPH_TRAVERSE_BRUTE) return brute(m, ray, c, errors);
+    if (sph_machine_bih(m)) return sph_bih_walk(m, ray, c, visits, errors, NULL);
     struct sph_hit best = {0, SPH_ID_NONE, 0};
     const struct sph_profile *p = sph_machine_profile(m);
     struct siblings now = {0}, stack[SPH_STACK_DEPTH];
@@ -117,12 +79,7 @@ struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *r
                 size_t at = (size_t)found.base + n_inner + (whole ? j : j >> 1);
                 const uint32_t *leaf = m->mem + at * SPH_LINE_WORDS;
                 uint64_t key_before = best.key;
-                if (whole) {
-                    line_visit(p, ray, leaf, &best, c, errors);
-                } else {
-                    struct sph_leaf sphere = sph_leaf_read(leaf, j & 1, p->w);
-                    sphere_visit(ray, &sphere, p->pr, &best, c);
-                }
+                sph_leaf_visit(p, ray, leaf, j & 1, whole, &best, c, errors);
                 if (best.key != key_before && ray->kind != SPH_SHADOW)
                     depth_max = sph_ray_depth(p, ray, best.key);
             } else { /* insert: near first, ties in the order of children */

@@ -21,8 +21,9 @@ struct sph_hit {
     int far; /* hit from inside */
 };
 
-/* Traces a ray that was set up; adds to counters, to *visits and to the sticky *errors. A shadow
- * ray reports any occluder (key 1). how: SPH_TRAVERSE_*; brute force knows no `first`. */
+/* Traces a ray that was set up, through nodes of four children or a BIH (bih_walk.h), as TREE says;
+ * adds to counters, to *visits and to the sticky *errors. A shadow ray reports any occluder (key
+ * 1). how: SPH_TRAVERSE_*; brute force knows no `first`. */
 struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *ray, int how,
                             struct sph_counters *c, uint32_t *visits, uint32_t *errors);
 
