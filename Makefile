@@ -21,7 +21,8 @@ LEVELS ?=
 ## BUILD_MORE  other options of `sphaera build`, such as --inside off
 BUILD_MORE ?=
 ## EFFECTS     of the core: auto (as the scene asks), all, all-NAME, none, or joined by + of
-##             shadow reflectN lightsN inside first interpenetrate facets rect spans conesN
+##             shadow reflectN lightsN inside first interpenetrate facets texture rect spans
+##             conesN; all has no texture, all+texture has
 EFFECTS ?= auto
 ## ENGINES     tracing engines in the core
 ENGINES ?= 1

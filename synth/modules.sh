@@ -10,4 +10,4 @@ include='' library=''
 for d in $folders; do include="$include -I$d" library="$library -libdir $d"; done
 yosys -q -p "verilog_defaults -add $include -DSYNTHESIS; read_verilog rtl/shell/rt_core.v;
     hierarchy -check -top rt_core $set_all $library; tee -q -o /dev/stdout ls" |
-    grep -o 'rt_[a-z_]*' | sort -u
+    grep -o 'rt_[a-z0-9_]*' | sort -u

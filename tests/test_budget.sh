@@ -62,7 +62,7 @@ assert ram['ff'] == 0 and ram['dpr'] == 0 and ram['bram'] >= m['rt_slot_ram']['i
 assert words['ff'] == 0 and words['bram'] == 0 and words['dpr'] >= m['rt_slot_file']['instances']"
 
 # ---- list of a core, modules that are in the whole core and must not be in this one ----
-sh synth/modules.sh all >"$TMP/all"
+sh synth/modules.sh all+texture >"$TMP/all"
 absent() { # list, modules
     sh synth/modules.sh "$1" >"$TMP/here" || return 1
     printf '%s\n' $2 | sort >"$TMP/absent"
@@ -73,9 +73,11 @@ lights='rt_lights rt_lambert rt_light_add'
 mirrors='rt_mirrors rt_bounce rt_blend'
 ways='rt_background rt_table rt_spans rt_cone'
 point='rt_hit rt_normalise rt_quotient rt_quotient_pool'
+texture='rt_texture rt_texture_path rt_texture_map rt_texture_image rt_texture_mix'
 while IFS='|' read -r list modules; do
     check "core $list has no $modules" absent "$list" "$modules"
 done <<END
+all|$texture
 all-reflect|rt_blend
 all-lights|$lights
 all-inside|rt_probe
@@ -87,6 +89,7 @@ all-cones|rt_cone
 lights1|$mirrors rt_probe $ways
 reflect1|$lights rt_probe $ways
 inside+first|$lights $mirrors rt_probe $point $ways
+texture|$lights $mirrors rt_probe $ways
 rect|$lights $mirrors rt_probe $point $ways
 none|$lights $mirrors rt_probe $point $ways
 END

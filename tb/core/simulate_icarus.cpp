@@ -103,9 +103,8 @@ bool read_line(const char *text, const sph_machine &m, Sample *samples[PASSES], 
     sph_pixel p{};
     switch (text[0]) {
     case 'p':
-        if (std::strpbrk(text, "xzXZ") ||
-            std::sscanf(text, "p %x %x %18s %x %llx %x %x", &x, &y, hex, &p.id, &key, &p.visits,
-                        &p.texture) != 7)
+        if (std::strpbrk(text, "xzXZ") || std::sscanf(text, "p %x %x %18s %x %llx %x %x", &x, &y,
+                                                      hex, &p.id, &key, &p.visits, &p.texture) != 7)
             return false;
         p.key = key;
         colours(hex, p);
