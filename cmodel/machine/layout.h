@@ -23,6 +23,13 @@
 #define SPH_MAX_GROUP 128
 #define SPH_TEXTURE_SIDE 2048
 #define SPH_TEXTURE_LEVELS 12
+#define SPH_INDEX_ONE 1000
+#define SPH_INDEX_MIN 250
+#define SPH_SHINE_MIN 1
+#define SPH_SHINE_MAX 255
+#define SPH_POWER_ONE 16
+#define SPH_INDEX_MAX 4000
+#define SPH_REFRACT_WD 25
 #define SPH_LOD_NONE 4095
 #define SPH_TREE_BIH 3
 #define SPH_TREE_BRUTE 4
@@ -72,6 +79,20 @@
 #define SPH_PRIM_FACET_BITS 1
 #define SPH_PRIM_TEX_LSB 192
 #define SPH_PRIM_TEX_BITS 26
+#define SPH_PRIM_KT_LSB 161
+#define SPH_PRIM_KT_BITS 9
+#define SPH_PRIM_SUM_LSB 170
+#define SPH_PRIM_SUM_BITS 1
+#define SPH_PRIM_KA_LSB 171
+#define SPH_PRIM_KA_BITS 9
+#define SPH_PRIM_KD_LSB 180
+#define SPH_PRIM_KD_BITS 9
+#define SPH_PRIM_KS_LSB 218
+#define SPH_PRIM_KS_BITS 8
+#define SPH_PRIM_POWER_LSB 226
+#define SPH_PRIM_POWER_BITS 12
+#define SPH_PRIM_INDEX_LSB 238
+#define SPH_PRIM_INDEX_BITS 12
 #define SPH_FACET_ID_LSB 216
 #define SPH_FACET_ID_BITS 24
 #define SPH_FACET_BEFORE_LSB 240
@@ -259,6 +280,9 @@
 #define SPH_EFFECT_INTERPENETRATE 4
 #define SPH_EFFECT_FACETS 5
 #define SPH_EFFECT_TEXTURE 6
+#define SPH_EFFECT_REFRACT 7
+#define SPH_EFFECT_SPECULAR 8
+#define SPH_EFFECT_SUM 9
 #define SPH_COUNT_RAYS_PRIMARY 0
 #define SPH_COUNT_RAYS_SHADOW 1
 #define SPH_COUNT_RAYS_REFLECTED 2
@@ -279,18 +303,20 @@
 #define SPH_COUNT_DIVISIONS 17
 #define SPH_COUNT_TEXELS 18
 #define SPH_COUNT_TEXEL_MISSES 19
+#define SPH_COUNT_RAYS_REFRACTED 20
+#define SPH_COUNT_POWERS 21
 #define SPH_ERROR_BAD_NODE 0
 #define SPH_ERROR_STACK_OVERFLOW 1
 #define SPH_ERROR_VISIT_LIMIT 2
 #define SPH_ERROR_BUS_ERROR 3
 #define SPH_ERROR_MISSING_EFFECT 4
 #define SPH_ERROR_WRONG_PROFILE 5
-#define SPH_COUNTERS 20
-#define SPH_COUNTERS_BOTH 459775
+#define SPH_COUNTERS 22
+#define SPH_COUNTERS_BOTH 3605503
 #define SPH_ERRORS 6
 #define SPH_PROFILE_TABLE {"draft", 12, 13, 13, 2, 12, 0}, {"standard", 16, 17, 17, 2, 14, 0}, {"fine", 20, 22, 24, 2, 14, 0}, {"reference", 24, 25, 28, 2, 14, 0}
 #define SPH_WIDTH_TABLE {"w", offsetof(struct sph_profile, w), 0, 5, 8, 24, "a leaf record has 24 bits"}, {"wd", offsetof(struct sph_profile, wd), 5, 5, 9, 31, "a register has 32 bits"}, {"pq", offsetof(struct sph_profile, pq), 10, 6, 4, 32, "a quotient is one word of the model"}, {"ng", offsetof(struct sph_profile, ng), 16, 3, 0, 4, "the bounds of build are 64-bit numbers"}, {"fw", offsetof(struct sph_profile, fw), 19, 4, 6, 14, "a node record has 14 bits"}, {"pr", offsetof(struct sph_profile, pr), 23, 6, 0, 54, "the longest root has 55 bits"}
-#define SPH_COUNTER_NAMES "rays_primary", "rays_shadow", "rays_reflected", "node_visits", "child_tests", "leaf_tests", "roots", "quotients", "background", "saturations", "cycles", "issue_wait", "node_misses", "leaf_misses", "rays_waiting", "pop_bubbles", "facet_tests", "divisions", "texels", "texel_misses"
+#define SPH_COUNTER_NAMES "rays_primary", "rays_shadow", "rays_reflected", "node_visits", "child_tests", "leaf_tests", "roots", "quotients", "background", "saturations", "cycles", "issue_wait", "node_misses", "leaf_misses", "rays_waiting", "pop_bubbles", "facet_tests", "divisions", "texels", "texel_misses", "rays_refracted", "powers"
 #define SPH_ERROR_NAMES "bad_node", "stack_overflow", "visit_limit", "bus_error", "missing_effect", "wrong_profile"
 
 #endif

@@ -171,6 +171,7 @@ static int take_record(struct sph_reader *r, struct sph_error *err) {
     if (!strcmp(word, "tt")) return sph_nff_take_tt(r, err);
     if (!strcmp(word, "plane")) return sph_nff_take_plane(r, err);
     if (!strcmp(word, "texture")) return sph_nff_take_texture(r, err);
+    if (!strcmp(word, "shading")) return sph_nff_take_shading(r, err);
     if (!strcmp(word, "l")) return take_light(r, err);
     if (!strcmp(word, "v")) return take_view(r, err);
     if (!strcmp(word, "b"))

@@ -15,6 +15,7 @@ struct sph_reader {
     struct sph_scene *scene;
     int skip;           /* leave unsupported primitives out */
     int material_used;  /* a primitive uses the newest material */
+    int sum;            /* `shading sum`: materials have words of their own */
     uint32_t texture;   /* of the spheres and planes that follow: index + 1, 0: none */
     uint32_t n_groups;  /* of facets so far */
     uint32_t view_line; /* of `v`, 0 if there was none; the same for `b` and `ambient` */
@@ -50,6 +51,7 @@ int sph_nff_material(struct sph_reader *r, const char *record, const char *what,
 /* One record each, its first word taken. */
 int sph_nff_take_f(struct sph_reader *r, struct sph_error *err);
 int sph_nff_take_fm(struct sph_reader *r, struct sph_error *err);
+int sph_nff_take_shading(struct sph_reader *r, struct sph_error *err);
 int sph_nff_take_texture(struct sph_reader *r, struct sph_error *err);
 int sph_nff_take_polygon(struct sph_reader *r, int with_normals, struct sph_error *err);
 int sph_nff_take_tt(struct sph_reader *r, struct sph_error *err);

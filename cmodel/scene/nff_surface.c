@@ -1,4 +1,4 @@
-/* nff_surface.c - what surfaces look like: `f`, `fm` and `texture`; see nff_reader.h
+/* nff_surface.c - what surfaces look like: `f`, `fm`, `shading`, `texture`; see nff_reader.h
  * SPDX-License-Identifier: Apache-2.0
  */
 #include <math.h>
@@ -36,7 +36,37 @@ static int check_tail(struct sph_reader *r, const char *record, const double tai
     return 0;
 }
 
-/* f red green blue Kd Ks Shine T index */
+/* A number that counts under `shading sum` alone, and there is in low..high. */
+static int check_between(struct sph_reader *r, const char *record, const char *name, double value,
+                         double low, double high, struct sph_error *err) {
+    if (value >= low && value <= high) return 0;
+    return sph_fail(err, "%s:%u: `%s`: %s %g is not within %g to %g", r->lex.path,
+                    r->lex.token_line, record, name, value, low, high);
+}
+
+/* [Ka Kr], and what `shading sum` asks of the numbers before them. */
+static int take_sum(struct sph_reader *r, const char *record, struct sph_material *m,
+                    struct sph_error *err) {
+    static const char *const names[] = {"Ka", "Kr"};
+    double share[2] = {m->kd, m->ks};
+    int got = sph_nff_more(r, record, names, 2, share, err);
+    if (got < 0) return -1;
+    if (got && !r->sum) return sph_nff_fail(r, err, record, "Ka and Kr need `shading sum`");
+    if (!r->sum) return 0;
+    if (sph_nff_check_unit(r, record, names, 2, share, err)) return -1;
+    if (m->ks > 0 &&
+        check_between(r, record, "Shine", m->shine, SPH_SHINE_MIN, SPH_SHINE_MAX, err))
+        return -1;
+    if (m->trans > 0 &&
+        check_between(r, record, "index of refraction", m->ior,
+                      SPH_INDEX_MIN / (double)SPH_INDEX_ONE, SPH_INDEX_MAX / (double)SPH_INDEX_ONE,
+                      err))
+        return -1;
+    m->sum = (struct sph_sum){1, share[0], share[1]};
+    return 0;
+}
+
+/* f red green blue Kd Ks Shine T index [Ka Kr] */
 int sph_nff_take_f(struct sph_reader *r, struct sph_error *err) {
     static const char *const names[] = {"red", "green", "blue", "Kd",
                                         "Ks",  "Shine", "T",    "index of refraction"};
@@ -46,11 +76,11 @@ int sph_nff_take_f(struct sph_reader *r, struct sph_error *err) {
     if (sph_nff_numbers(r, "f", names, N, f, err) ||
         sph_nff_check_unit(r, "f", names, N_UNIT, f, err) || check_tail(r, "f", f + N_UNIT, err))
         return -1;
-    struct sph_material m = {{f[0], f[1], f[2]}, f[3], f[4], f[5], f[6], f[7], line};
-    return add_material(r, &m, err);
+    struct sph_material m = {{f[0], f[1], f[2]}, f[3], f[4], f[5], f[6], f[7], line, {0}};
+    return take_sum(r, "f", &m, err) ? -1 : add_material(r, &m, err);
 }
 
-/* fm ambient(3) diffuse(3) specular(3) Shine T index, of AFF. Ambient colours are not used: there
+/* fm ambient(3) diffuse(3) specular(3) Shine T index [Ka Kr], of AFF. Ambient colours are not used: there
  * is one ambient light. The mirror weight is one number: the mean of the specular colour. */
 int sph_nff_take_fm(struct sph_reader *r, struct sph_error *err) {
     static const char *const names[] = {"ambient red",
@@ -74,8 +104,21 @@ int sph_nff_take_fm(struct sph_reader *r, struct sph_error *err) {
     const double *d = f + DIFFUSE, *s = f + SPECULAR;
     double kd = fmax(d[0], fmax(d[1], d[2])), by = kd > 0 ? kd : 1;
     struct sph_material m = {
-        {d[0] / by, d[1] / by, d[2] / by}, kd, (s[0] + s[1] + s[2]) / 3, f[9], f[10], f[11], line};
-    return add_material(r, &m, err);
+        {d[0] / by, d[1] / by, d[2] / by}, kd,   (s[0] + s[1] + s[2]) / 3, f[9], f[10], f[11],
+        line,                              {0}};
+    return take_sum(r, "fm", &m, err) ? -1 : add_material(r, &m, err);
+}
+
+/* shading blend, or shading sum: of the materials that follow */
+int sph_nff_take_shading(struct sph_reader *r, struct sph_error *err) {
+    int got = sph_lex_peek(&r->lex, err);
+    if (got < 0) return -1;
+    if (!got) return sph_nff_fail(r, err, "shading", "the file ends before blend or sum");
+    sph_lex_take(&r->lex);
+    r->sum = !strcmp(r->lex.token, "sum");
+    if (r->sum || !strcmp(r->lex.token, "blend")) return 0;
+    return sph_fail(err, "%s:%u: `shading`: `%s` is neither blend nor sum", r->lex.path,
+                    r->lex.token_line, sph_lex_printable(&r->lex));
 }
 
 int sph_nff_image(struct sph_reader *r, const char *record, char path[512], struct sph_error *err) {

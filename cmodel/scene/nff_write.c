@@ -35,15 +35,19 @@ static void put_point(FILE *file, const char *word, struct sph_vec v) {
 struct look {
     const struct sph_scene *scene;
     uint32_t material, texture;
+    int sum; /* `shading sum` is in force */
 };
 
 static void put_material(struct look *look, FILE *file, uint32_t material) {
     const struct sph_material *m = &look->scene->materials[material];
     if (look->material == material) return;
     look->material = material;
-    put_record(
-        file, "f",
-        (double[]){m->rgb[0], m->rgb[1], m->rgb[2], m->kd, m->ks, m->shine, m->trans, m->ior}, 8);
+    if (look->sum != m->sum.on) fputs(m->sum.on ? "shading sum\n" : "shading blend\n", file);
+    look->sum = m->sum.on;
+    put_record(file, "f",
+               (double[]){m->rgb[0], m->rgb[1], m->rgb[2], m->kd, m->ks, m->shine, m->trans, m->ior,
+                          m->sum.ka, m->sum.kr},
+               m->sum.on ? 10 : 8);
 }
 
 /* The name of an image: its path without the folder of the scene; quoted where it must be. */
@@ -141,7 +145,7 @@ static void put_scene(const struct sph_scene *scene, FILE *file) {
         put_record(file, "l",
                    (double[]){l->pos.x, l->pos.y, l->pos.z, l->rgb[0], l->rgb[1], l->rgb[2]}, 6);
     }
-    struct look look = {scene, UINT32_MAX, 0};
+    struct look look = {scene, UINT32_MAX, 0, 0};
     for (uint32_t i = 0; i < scene->n_spheres; i++) {
         const struct sph_sphere *s = &scene->spheres[i];
         put_material(&look, file, s->material);

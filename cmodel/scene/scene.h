@@ -33,10 +33,17 @@ struct sph_light {
     uint32_t line; /* of the file, for messages; 0 if generated */
 };
 
+/* Whitted's sum (docs/shading.md): then ks is the highlight alone, and shine, trans and ior count. */
+struct sph_sum {
+    int on;        /* 0: nothing here counts */
+    double ka, kr; /* ambient and mirror share */
+};
+
 struct sph_material {
     double rgb[3];                    /* surface colour 0..1 */
     double kd, ks, shine, trans, ior; /* NFF `f`; ks is highlight and mirror weight */
     int line;                         /* of the file, for messages; 0 if generated */
+    struct sph_sum sum;
 };
 
 struct sph_sphere {

@@ -23,6 +23,31 @@ uint32_t sph_surface_colour(uint32_t albedo, uint32_t light) {
     return r < 65280 ? r : 65280;
 }
 
+uint32_t sph_share(uint32_t weight, uint32_t part) {
+    return (uint32_t)sph_round((int64_t)weight * part, 8);
+}
+
+void sph_shares_add(struct sph_shares *s, int depth, uint32_t whole, uint32_t own,
+                    const uint32_t colour[3]) {
+    for (int f = 0; f < SPH_FRAMES; f++) {
+        if (f < depth && f < SPH_FRAMES - 1) continue;
+        uint32_t share = f == depth && f < SPH_FRAMES - 1 ? whole : own;
+        for (int i = 0; i < 3; i++) {
+            uint32_t sum = s->sum[f][i] + (uint32_t)sph_round((int64_t)share * colour[i], 16);
+            s->sum[f][i] = sum < 65535 ? sum : 65535;
+        }
+    }
+}
+
+uint32_t sph_shares_colour(const struct sph_shares *s, int frame) {
+    uint32_t pixel = 0;
+    for (int i = 0; i < 3; i++) {
+        uint32_t byte = (uint32_t)sph_round(s->sum[frame][i], 8);
+        pixel |= (byte < 255 ? byte : 255) << (8 * i);
+    }
+    return pixel;
+}
+
 void sph_blend_start(struct sph_blend *b) {
     *b = (struct sph_blend){{0, 0, 0}, 1u << 16, 0, {0}};
 }

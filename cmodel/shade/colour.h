@@ -19,7 +19,25 @@ uint32_t sph_light_add(uint32_t sum, uint32_t cosine, uint32_t intensity);
 /* albedo (0..255) * light (u2.15) as u8.8, limited to 255.0. */
 uint32_t sph_surface_colour(uint32_t albedo, uint32_t light);
 
-/* Col = (1-A)*C_F + A*C_R (Borodavka et al. VI.B), front to back: what is in front takes its share
+/* The pixel's frames as sums of shares, whatever the order of the surfaces (docs/refraction.md):
+ * colours at depth 0, 1 and the deepest, u8.8, limited to 2^16-1. */
+struct sph_shares {
+    uint32_t sum[SPH_FRAMES][3];
+};
+
+/* Adds the colour (u8.8) of a surface at depth: whole, u1.16, is the weight of the ray that found
+ * it, own the part of it that is left to the surface itself. */
+void sph_shares_add(struct sph_shares *s, int depth, uint32_t whole, uint32_t own,
+                    const uint32_t colour[3]);
+
+/* A frame, 0xBBGGRR. */
+uint32_t sph_shares_colour(const struct sph_shares *s, int frame);
+
+/* weight * part: u1.16 * u1.8, of 0..256. */
+uint32_t sph_share(uint32_t weight, uint32_t part);
+
+/* One ray after another, as rt_blend does it; sph_shares gives the same frames.
+ * Col = (1-A)*C_F + A*C_R (Borodavka et al. VI.B), front to back: what is in front takes its share
  * first. colour: u8.8; kr: A as u1.8, 0..256. */
 struct sph_blend {
     uint32_t sum[3]; /* u8.8 */

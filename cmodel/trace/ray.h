@@ -9,7 +9,7 @@
 #include "math/rsqrt.h"
 #include "profile.h"
 
-enum { SPH_PRIMARY, SPH_SHADOW, SPH_REFLECTED };
+enum { SPH_PRIMARY, SPH_SHADOW, SPH_REFLECTED, SPH_REFRACTED };
 
 /* The sphere a ray starts on: it is never hit from outside; from inside its far root counts. */
 struct sph_skip {

@@ -270,7 +270,8 @@ module rt_core #(
                 assign add_e[8*`RT_COUNT_DIVISIONS    +: 8] = {7'd0, FACETS != 0 && divide};
                 assign add_e[8*`RT_COUNT_TEXELS       +: 8] = {7'd0, TEXTURE != 0 && texel};
                 assign add_e[8*`RT_COUNT_TEXEL_MISSES +: 8] = {7'd0, TEXTURE != 0 && miss[2]};
-                assign add_e[EW-1:8*`RT_COUNTERS] = {(EW-8*`RT_COUNTERS){1'b0}};
+                assign add_e[EW-1:8*`RT_COUNT_RAYS_REFRACTED] = // and what counts nothing yet
+                    {(EW-8*`RT_COUNT_RAYS_REFRACTED){1'b0}};
             end
             if (TEXTURE != 0) begin : g_texture
                 assign p_data[PW*e+PV +: 32] = texture;

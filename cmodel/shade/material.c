@@ -1,0 +1,41 @@
+/* material.c - see material.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "shade/material.h"
+
+#include "math/fx.h"
+
+enum { ONE = 256 };
+
+struct sph_look sph_look_read(const struct sph_machine *m, const uint32_t *prim) {
+    struct sph_look l = {.ka = ONE, .kd = ONE};
+    for (int i = 0; i < 3; i++)
+        l.rgb[i] = sph_field(prim, SPH_PRIM_RED_LSB + 8 * i, 8);
+    if (sph_machine_effect(m, SPH_EFFECT_REFLECT))
+        l.kr = sph_field(prim, SPH_PRIM_KR_LSB, SPH_PRIM_KR_BITS);
+    if (sph_machine_effect(m, SPH_EFFECT_REFRACT)) {
+        l.kt = sph_field(prim, SPH_PRIM_KT_LSB, SPH_PRIM_KT_BITS);
+        l.index = sph_field(prim, SPH_PRIM_INDEX_LSB, SPH_PRIM_INDEX_BITS);
+    }
+    if (!sph_machine_effect(m, SPH_EFFECT_SUM)) return l;
+    l.sum = (int)sph_field(prim, SPH_PRIM_SUM_LSB, SPH_PRIM_SUM_BITS);
+    if (!l.sum) return l;
+    l.ka = sph_field(prim, SPH_PRIM_KA_LSB, SPH_PRIM_KA_BITS);
+    l.kd = sph_field(prim, SPH_PRIM_KD_LSB, SPH_PRIM_KD_BITS);
+    if (sph_machine_effect(m, SPH_EFFECT_SPECULAR)) {
+        l.ks = sph_field(prim, SPH_PRIM_KS_LSB, SPH_PRIM_KS_BITS);
+        l.power = sph_field(prim, SPH_PRIM_POWER_LSB, SPH_PRIM_POWER_BITS);
+    }
+    return l;
+}
+
+uint32_t sph_look_light(const struct sph_look *look, uint32_t ambient, uint32_t lights) {
+    uint32_t sum = (uint32_t)(sph_round((int64_t)look->ka * ambient, 8) +
+                              sph_round((int64_t)look->kd * lights, 8));
+    return sum < 131071 ? sum : 131071;
+}
+
+uint32_t sph_look_own(const struct sph_look *look, uint32_t kr, uint32_t kt) {
+    if (look->sum) return ONE;
+    return kr + kt < ONE ? ONE - kr - kt : 0;
+}

@@ -1,0 +1,29 @@
+/* material.h - what a primitive record says of its surface           RTL: rtl/shade/rt_surface.v
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Shares and words: docs/refraction.md, docs/shading.md.
+ */
+#ifndef SPH_MATERIAL_H
+#define SPH_MATERIAL_H
+
+#include "machine/machine.h"
+
+struct sph_look {
+    uint32_t rgb[3];
+    uint32_t kr, kt;    /* u1.8; 0 if the machine has no such rays */
+    int sum;            /* the colour counts whole, what rays bring comes on top */
+    uint32_t ka, kd;    /* u1.8; 256 without sum */
+    uint32_t ks, power; /* u8, u8.4; 0 without highlights */
+    uint32_t index;     /* of refraction, thousandths */
+};
+
+/* The record as the effects of the machine let it count. */
+struct sph_look sph_look_read(const struct sph_machine *m, const uint32_t *prim);
+
+/* Light of a surface, u2.15: the ambient light and that of the lights, each by its share. */
+uint32_t sph_look_light(const struct sph_look *look, uint32_t ambient, uint32_t lights);
+
+/* The share that is left to the surface itself, u1.8, when rays of kr and kt leave it. */
+uint32_t sph_look_own(const struct sph_look *look, uint32_t kr, uint32_t kt);
+
+#endif

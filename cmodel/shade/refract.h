@@ -1,0 +1,26 @@
+/* refract.h - where a ray goes that enters a surface or leaves it    (RTL: none yet)
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Snell's law without division (docs/refraction.md): with p the index of the side that the ray comes
+ * from and q that of the other, A = d.d, N = n.n, B = d.n,
+ *
+ *     X = q^2 A N - p^2 (A N - B^2)         T = p N d - (p B + sqrt(X)) n
+ *
+ * X < 0 is total internal reflection, decided exactly.
+ */
+#ifndef SPH_REFRACT_H
+#define SPH_REFRACT_H
+
+#include "shade/surface.h"
+
+/* Refracts ray->dir at the surface; ray and surface as set up, WD at most SPH_REFRACT_WD. from, to:
+ * index of refraction on either side, thousandths, 250..4000. 1 with the direction in out, s(WD);
+ * 0 if all is reflected. */
+int sph_refract(const struct sph_profile *p, const struct sph_ray *ray, const struct sph_surface *s,
+                uint32_t from, uint32_t to, int64_t out[3]);
+
+/* X in full: its sign decides. s(4WD+25). */
+sph_i128 sph_refract_disc(const struct sph_ray *ray, const struct sph_surface *s, uint32_t from,
+                          uint32_t to);
+
+#endif
