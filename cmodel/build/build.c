@@ -23,8 +23,9 @@ static double seconds(void) {
 /* Whether what is asked of the effects can be. */
 static int check_effects(const struct sph_scene *scene, const struct sph_build_options *o,
                          struct sph_error *err) {
-    const int when[] = {o->shadow, o->reflect, o->inside, o->interpenetrate};
-    for (int i = 0; i < 4; i++)
+    const int when[] = {o->shadow, o->reflect,  o->inside, o->interpenetrate,
+                        o->refract, o->specular};
+    for (size_t i = 0; i < sizeof when / sizeof *when; i++)
         if (when[i] < SPH_AUTO || when[i] > SPH_ON)
             return sph_fail(err, "an effect is neither auto, off nor on: %d", when[i]);
     if (o->traverse != SPH_BUILD_NEAREST && o->traverse != SPH_BUILD_FIRST)
@@ -42,6 +43,8 @@ static int check_effects(const struct sph_scene *scene, const struct sph_build_o
                         o->lights, scene->n_lights);
     if (o->reflect == SPH_ON && !o->max_depth)
         return sph_fail(err, "reflect on: there must be a reflection to follow, depth is 0");
+    if (o->refract == SPH_ON && !o->max_depth)
+        return sph_fail(err, "refract on: there must be a ray to follow, depth is 0");
     if (o->interpenetrate == SPH_ON && o->traverse != SPH_BUILD_FIRST)
         return sph_fail(err, "interpenetrate on: it corrects the first hit, traverse is nearest");
     if (o->interpenetrate == SPH_ON && o->inside == SPH_OFF)
@@ -209,7 +212,7 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
     int mended =
         o->traverse == SPH_BUILD_NEAREST || (o->interpenetrate != SPH_OFF && o->inside != SPH_OFF);
     struct sph_world world = {balls, n, profile, grid.eye, facets, mended};
-    struct sph_survey survey = {scene, &grid, o, world};
+    struct sph_survey survey = {scene, &grid, o, world, 0};
     if (sph_emit_effects(&survey, m, report, err) ||
         sph_emit_textures(scene, &grid, facets, o, m, report, err))
         return -1;

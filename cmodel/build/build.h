@@ -30,6 +30,8 @@ struct sph_build_options {
     int max_depth;                    /* reflections 0..5 */
     int shadow;                       /* SPH_AUTO, SPH_OFF, SPH_ON */
     int reflect;                      /* the same */
+    int refract;                      /* the same */
+    int specular;                     /* the same */
     int lights;                       /* SPH_AUTO, or how many of the scene's, from the first on */
     int inside;                       /* SPH_AUTO, SPH_OFF, SPH_ON */
     int traverse;                     /* SPH_BUILD_*: how a primary ray finds its hit */
@@ -70,6 +72,9 @@ enum {
     SPH_REPORT_INTERPENETRATE,
     SPH_REPORT_FACETS,
     SPH_REPORT_TEXTURE,
+    SPH_REPORT_REFRACT,
+    SPH_REPORT_SPECULAR,
+    SPH_REPORT_SUM,
     SPH_REPORTS
 };
 

@@ -29,8 +29,7 @@ struct sph_place sph_light_place(const struct sph_scene *scene, int index) {
 
 #define WHY(entry, ...) sph_note((entry)->why, sizeof(entry)->why, __VA_ARGS__)
 
-/* What `asked` makes of an effect that the scene calls for or not; entry->why tells that. */
-static void settle(struct sph_effect_report *entry, int asked) {
+void sph_settle(struct sph_effect_report *entry, int asked) {
     char found[sizeof entry->why] = "";
     entry->on = asked == SPH_AUTO ? entry->called : asked;
     if (asked == SPH_AUTO) return;
@@ -48,6 +47,11 @@ static void find_shadow(const struct sph_survey *s, const struct sph_lights *lig
     int any = s->world.n > 0 || s->world.facets->n > 0;
     if (!lights->n_shining || !any) {
         WHY(entry, any ? "no light shines" : "there is no sphere");
+        return;
+    }
+    if (s->refracts) {
+        entry->called = 1;
+        WHY(entry, "what refracts is seen from inside too, and shades itself");
         return;
     }
     if (s->world.facets->n) {
@@ -69,36 +73,6 @@ static void find_shadow(const struct sph_survey *s, const struct sph_lights *lig
         WHY(entry, "there are too many spheres to try every pair");
     else
         WHY(entry, "no sphere can come between a light and what it lights");
-}
-
-/* The used material with the largest mirror weight; NULL if none has any. */
-static const struct sph_material *best_mirror(const struct sph_survey *s) {
-    const struct sph_scene *scene = s->scene;
-    const struct sph_facets *facets = s->world.facets;
-    const struct sph_material *best = NULL;
-    for (uint32_t i = 0; i < scene->n_spheres + facets->n; i++) {
-        uint32_t number = i < scene->n_spheres
-                              ? scene->spheres[i].material
-                              : scene->facets[facets->list[i - scene->n_spheres].scene].material;
-        const struct sph_material *m = &scene->materials[number];
-        if (m != best && sph_material_kr(m) > (best ? sph_material_kr(best) : 0)) best = m;
-    }
-    return best;
-}
-
-static void find_reflect(const struct sph_survey *s, struct sph_effect_report *entry) {
-    const struct sph_material *mirror = best_mirror(s);
-    int depth = s->options->max_depth, asked = s->options->reflect;
-    if (!mirror)
-        WHY(entry, "no used material mirrors (ks is 0)");
-    else
-        WHY(entry, "%s mirrors %d/256, depth %d",
-            sph_place_of(s->scene, (uint32_t)mirror->line, "material",
-                         (uint32_t)(mirror - s->scene->materials))
-                .text,
-            sph_material_kr(mirror), depth);
-    entry->called = mirror ? depth : 0;
-    settle(entry, asked == SPH_ON ? depth : asked);
 }
 
 /* Two spheres that are near each other. 1, 0, or -1. */
@@ -138,7 +112,7 @@ static int find_inside(const struct sph_survey *s, struct sph_build_report *repo
 
     cut->called = first->on && near.called;
     WHY(cut, "%s", first->on ? near.why : "the nearest hit is right where spheres overlap");
-    settle(cut, o->interpenetrate);
+    sph_settle(cut, o->interpenetrate);
     if (cut->on && o->inside == SPH_OFF) { /* not as asked: that is refused */
         cut->on = 0;
         WHY(cut, "; but it needs inside, which is off as asked");
@@ -151,10 +125,14 @@ static int find_inside(const struct sph_survey *s, struct sph_build_report *repo
         inside->called = 1;
     else
         WHY(inside, "%s%s", near.why, near.called || !s->world.n ? "" : ", and the eye is in none");
-    settle(inside, o->inside);
+    sph_settle(inside, o->inside);
     if (cut->on && !inside->on) {
         inside->on = 1;
         WHY(inside, "; interpenetrate needs it");
+    }
+    if (s->refracts && !inside->on) {
+        inside->on = 1;
+        WHY(inside, "; refract needs it");
     }
     return 0;
 }
@@ -170,29 +148,40 @@ static void warn_missing(const struct sph_scene *scene, const struct sph_lights 
     }
 }
 
-int sph_emit_effects(const struct sph_survey *s, struct sph_machine *machine,
+int sph_emit_effects(const struct sph_survey *survey, struct sph_machine *machine,
                      struct sph_build_report *report, struct sph_error *err) {
-    static const char *const names[] = {"shadow", "reflect",        "lights", "inside",
-                                        "first",  "interpenetrate", "facets", "texture"};
+    static const char *const names[] = {"shadow",   "reflect",        "lights", "inside",
+                                        "first",    "interpenetrate", "facets", "texture",
+                                        "refract",  "specular",       "sum"};
     struct sph_effect_report *effects = report->effects;
+    struct sph_survey found = *survey, *s = &found;
     struct sph_lights lights;
     int32_t *regs = machine->regs;
     for (int i = 0; i < SPH_REPORTS; i++)
         effects[i] = (struct sph_effect_report){.name = names[i]};
+    if (sph_find_refract(s, &effects[SPH_REPORT_REFRACT], err)) return -1;
+    s->refracts = effects[SPH_REPORT_REFRACT].on;
     sph_choose_lights(s, &lights, &effects[SPH_REPORT_LIGHTS]);
     sph_emit_lights(s, &lights, machine, report);
     find_shadow(s, &lights, &effects[SPH_REPORT_SHADOW]);
-    settle(&effects[SPH_REPORT_SHADOW], s->options->shadow);
-    find_reflect(s, &effects[SPH_REPORT_REFLECT]);
+    sph_settle(&effects[SPH_REPORT_SHADOW], s->options->shadow);
+    sph_find_reflect(s, &effects[SPH_REPORT_REFLECT]);
+    sph_find_specular(s, &lights, &effects[SPH_REPORT_SPECULAR]);
+    sph_find_sum(s, &effects[SPH_REPORT_SUM]);
+    if (effects[SPH_REPORT_SPECULAR].on) effects[SPH_REPORT_SUM].on = 1; /* it is part of it */
     if (find_inside(s, report, err)) return -1;
     sph_find_facets(s, &effects[SPH_REPORT_FACETS]);
     warn_missing(s->scene, &lights, report);
-    regs[SPH_REG_MAX_DEPTH] = effects[SPH_REPORT_REFLECT].on;
+    regs[SPH_REG_MAX_DEPTH] =
+        s->refracts ? s->options->max_depth : effects[SPH_REPORT_REFLECT].on;
     regs[SPH_REG_EFFECTS] = effects[SPH_REPORT_SHADOW].on << SPH_EFFECT_SHADOW |
                             (effects[SPH_REPORT_REFLECT].on > 0) << SPH_EFFECT_REFLECT |
                             effects[SPH_REPORT_INSIDE].on << SPH_EFFECT_INSIDE |
                             effects[SPH_REPORT_FIRST].on << SPH_EFFECT_FIRST |
                             effects[SPH_REPORT_INTERPENETRATE].on << SPH_EFFECT_INTERPENETRATE |
-                            effects[SPH_REPORT_FACETS].on << SPH_EFFECT_FACETS;
+                            effects[SPH_REPORT_FACETS].on << SPH_EFFECT_FACETS |
+                            effects[SPH_REPORT_REFRACT].on << SPH_EFFECT_REFRACT |
+                            effects[SPH_REPORT_SPECULAR].on << SPH_EFFECT_SPECULAR |
+                            effects[SPH_REPORT_SUM].on << SPH_EFFECT_SUM;
     return 0;
 }

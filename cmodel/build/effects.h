@@ -14,6 +14,7 @@ struct sph_survey {
     const struct sph_grid *grid;
     const struct sph_build_options *options;
     struct sph_world world;
+    int refracts; /* the machine has REFRACT: rays see the inside of what is transparent */
 };
 
 /* The lights that the machine gets, as indices of the scene. */
@@ -31,6 +32,18 @@ int sph_emit_effects(const struct sph_survey *survey, struct sph_machine *machin
 /* Chooses the lights and says why; writes nothing to the machine. */
 void sph_choose_lights(const struct sph_survey *survey, struct sph_lights *lights,
                        struct sph_effect_report *report);
+
+/* REFLECT, REFRACT, SPECULAR and SUM: what hangs on materials. REFRACT before all others, since what
+ * rays may see hangs on it; -1 if it cannot be. */
+int sph_find_refract(const struct sph_survey *survey, struct sph_effect_report *entry,
+                     struct sph_error *err);
+void sph_find_reflect(const struct sph_survey *survey, struct sph_effect_report *entry);
+void sph_find_specular(const struct sph_survey *survey, const struct sph_lights *lights,
+                       struct sph_effect_report *entry);
+void sph_find_sum(const struct sph_survey *survey, struct sph_effect_report *entry);
+
+/* What `asked` makes of an effect that the scene calls for or not; entry->why tells that. */
+void sph_settle(struct sph_effect_report *entry, int asked);
 
 /* The part of the effects that hangs on triangles and planes; nothing without them. */
 void sph_find_facets(const struct sph_survey *survey, struct sph_effect_report *report);

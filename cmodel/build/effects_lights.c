@@ -22,7 +22,7 @@ static int explain_dark(const struct sph_survey *s, int light, int shadow, char 
         sph_note(why, size, "%s is black", sph_light_place(s->scene, light).text);
         return 1;
     }
-    if (!shadow) return 0;
+    if (!shadow || s->refracts) return 0; /* shut in, but what shuts it in may be seen through */
     sph_grid_point(s->grid, s->scene, lamp->pos, at);
     uint32_t ball = sph_dark_ball(&s->world, at);
     if (ball == s->world.n) return 0;

@@ -44,6 +44,7 @@ static void put_material(uint32_t *line, const struct sph_material *material) {
     sph_field_set(line, SPH_PRIM_GREEN_LSB, SPH_PRIM_GREEN_BITS, byte(weight * material->rgb[1]));
     sph_field_set(line, SPH_PRIM_BLUE_LSB, SPH_PRIM_BLUE_BITS, byte(weight * material->rgb[2]));
     sph_field_set(line, SPH_PRIM_KR_LSB, SPH_PRIM_KR_BITS, (uint32_t)sph_material_kr(material));
+    if (material->sum.on) sph_emit_sum(line, material);
 }
 
 /* 0 if every node's radius, margin included, fits its field. All spheres lie on the grid, so a

@@ -43,13 +43,18 @@ void sph_emit_leaf(uint32_t *line, int half, const struct sph_ball *ball, uint32
 void sph_emit_facet(uint32_t *line, const struct sph_grid_facet *facet, uint32_t id);
 void sph_emit_facet_prim(uint32_t *line, const struct sph_grid_facet *facet, uint32_t id);
 
+/* The words of a material with Whitted's sum. */
+void sph_emit_sum(uint32_t *line, const struct sph_material *material);
+
 /* Ambient and background colours. Appends to report->warning what had to be clamped. */
 void sph_emit_colours(const struct sph_scene *scene, struct sph_machine *machine,
                       struct sph_build_report *report);
 
 /* Mirror weight of a material in 1/256 (0..256), and its colour weight: what rgb is multiplied
- * by so that (1 - kr/256) * colour = kd * rgb. */
+ * by so that (1 - kr/256) * colour = kd * rgb; 1 with Whitted's sum. */
 int sph_material_kr(const struct sph_material *material);
+int sph_material_kt(const struct sph_material *material); /* transmitted, the same */
+int sph_material_ks(const struct sph_material *material); /* highlight in 1/255 */
 double sph_material_weight(const struct sph_material *material);
 
 /* Appends a printf-style line to text of `size` bytes; cut off where it does not fit. */

@@ -67,6 +67,8 @@ enum {
     KEY_DEPTH,
     KEY_SHADOW,
     KEY_REFLECT,
+    KEY_REFRACT,
+    KEY_SPECULAR,
     KEY_LIGHTS,
     KEY_INSIDE,
     KEY_TRAVERSE,
@@ -92,9 +94,11 @@ static const struct argp_option options[] = {
     {"bg-levels", KEY_BG_LEVELS, "N", 0,
      "exact: 0 the root sphere (default), 1 its children, 2 theirs", 1},
     {"size", KEY_SIZE, "WxH", 0, "frame in pixels; as the scene says if not given", 1},
-    {"depth", KEY_DEPTH, "N", 0, "reflections, 0 to 5 (2)", 1},
+    {"depth", KEY_DEPTH, "N", 0, "reflections and refractions one after another, 0 to 5 (2)", 1},
     {"shadow", KEY_SHADOW, "WHEN", 0, "auto (default: as the scene calls for), on or off", 1},
     {"reflect", KEY_REFLECT, "WHEN", 0, "auto (default), on or off", 1},
+    {"refract", KEY_REFRACT, "WHEN", 0, "rays into what transmits: auto (default), on or off", 1},
+    {"specular", KEY_SPECULAR, "WHEN", 0, "highlights: auto (default), on or off", 1},
     {"lights", KEY_LIGHTS, "N", 0, "auto (default: those that reach something), or the first N", 1},
     {"inside", KEY_INSIDE, "WHEN", 0, "rays that start in a sphere: auto (default), on or off", 1},
     {"traverse", KEY_TRAVERSE, "HOW", 0,
@@ -121,6 +125,8 @@ const struct tool_source tool_source_default = {
               .max_depth = 2,
               .shadow = SPH_AUTO,
               .reflect = SPH_AUTO,
+              .refract = SPH_AUTO,
+              .specular = SPH_AUTO,
               .lights = SPH_AUTO,
               .inside = SPH_AUTO,
               .interpenetrate = SPH_AUTO,
@@ -179,6 +185,12 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         break;
     case KEY_REFLECT:
         s->build.reflect = when(state, "--reflect", arg);
+        break;
+    case KEY_REFRACT:
+        s->build.refract = when(state, "--refract", arg);
+        break;
+    case KEY_SPECULAR:
+        s->build.specular = when(state, "--specular", arg);
         break;
     case KEY_LIGHTS:
         s->build.lights = SPH_AUTO;

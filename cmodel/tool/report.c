@@ -44,7 +44,8 @@ json_t *report_names(uint32_t bits, const char *const *names, int n) {
 
 void report_machine(json_t *report, const struct sph_machine *m) {
     static const char *const effects[] = {"shadow",         "reflect", "inside", "first",
-                                          "interpenetrate", "facets",  "texture"};
+                                          "interpenetrate", "facets",  "texture", "refract",
+                                          "specular",       "sum"};
     static const char *const ways[] = {"none", "rect", "spans", "exact"};
     const int32_t *r = m->regs;
     if (!report) return;
