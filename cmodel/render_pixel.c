@@ -73,8 +73,8 @@ static struct sph_ray reflected(const struct sph_job *j, const struct sph_ray *r
 static int refracted(const struct sph_job *j, const struct sph_ray *ray, const struct sph_hit *hit,
                      const struct sph_surface *s, uint32_t index, struct sph_ray *next) {
     uint32_t from = hit->far ? index : SPH_INDEX_ONE, to = hit->far ? SPH_INDEX_ONE : index;
-    *next = (struct sph_ray){
-        .kind = SPH_REFRACTED, .skip = {hit->id, !hit->far}, .inside = j->inside};
+    *next =
+        (struct sph_ray){.kind = SPH_REFRACTED, .skip = {hit->id, !hit->far}, .inside = j->inside};
     for (int i = 0; i < 3; i++)
         next->org[i] = s->point[i];
     if (!sph_refract(j->p, ray, s, from, to, next->dir)) return 0;
@@ -204,8 +204,8 @@ struct sph_pixel sph_render_pixel(const struct sph_machine *m, const struct sph_
     }
     int inside = sph_machine_effect(m, SPH_EFFECT_INSIDE);
     int first = sph_machine_effect(m, SPH_EFFECT_FIRST) && o->traverse == SPH_TRAVERSE_TREE;
-    struct sph_job j = {m,    sph_machine_profile(m), o->traverse, inside, c, &pixel, errors, &texture,
-                    trail};
+    struct sph_job j = {
+        m, sph_machine_profile(m), o->traverse, inside, c, &pixel, errors, &texture, trail};
     if (path(&j, primary(&j, x, y, first))) path(&j, primary(&j, x, y, 0));
     c->count[SPH_COUNT_TEXELS] += texture.texels;
     *errors |= texture.errors;

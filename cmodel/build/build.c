@@ -23,8 +23,8 @@ static double seconds(void) {
 /* Whether what is asked of the effects can be. */
 static int check_effects(const struct sph_scene *scene, const struct sph_build_options *o,
                          struct sph_error *err) {
-    const int when[] = {o->shadow, o->reflect,  o->inside, o->interpenetrate,
-                        o->refract, o->specular};
+    const int when[] = {o->shadow,         o->reflect, o->inside,
+                        o->interpenetrate, o->refract, o->specular};
     for (size_t i = 0; i < sizeof when / sizeof *when; i++)
         if (when[i] < SPH_AUTO || when[i] > SPH_ON)
             return sph_fail(err, "an effect is neither auto, off nor on: %d", when[i]);

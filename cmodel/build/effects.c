@@ -150,9 +150,9 @@ static void warn_missing(const struct sph_scene *scene, const struct sph_lights 
 
 int sph_emit_effects(const struct sph_survey *survey, struct sph_machine *machine,
                      struct sph_build_report *report, struct sph_error *err) {
-    static const char *const names[] = {"shadow",   "reflect",        "lights", "inside",
-                                        "first",    "interpenetrate", "facets", "texture",
-                                        "refract",  "specular",       "sum"};
+    static const char *const names[] = {"shadow",  "reflect",        "lights", "inside",
+                                        "first",   "interpenetrate", "facets", "texture",
+                                        "refract", "specular",       "sum"};
     struct sph_effect_report *effects = report->effects;
     struct sph_survey found = *survey, *s = &found;
     struct sph_lights lights;
@@ -172,8 +172,7 @@ int sph_emit_effects(const struct sph_survey *survey, struct sph_machine *machin
     if (find_inside(s, report, err)) return -1;
     sph_find_facets(s, &effects[SPH_REPORT_FACETS]);
     warn_missing(s->scene, &lights, report);
-    regs[SPH_REG_MAX_DEPTH] =
-        s->refracts ? s->options->max_depth : effects[SPH_REPORT_REFLECT].on;
+    regs[SPH_REG_MAX_DEPTH] = s->refracts ? s->options->max_depth : effects[SPH_REPORT_REFLECT].on;
     regs[SPH_REG_EFFECTS] = effects[SPH_REPORT_SHADOW].on << SPH_EFFECT_SHADOW |
                             (effects[SPH_REPORT_REFLECT].on > 0) << SPH_EFFECT_REFLECT |
                             effects[SPH_REPORT_INSIDE].on << SPH_EFFECT_INSIDE |

@@ -33,8 +33,8 @@ int sph_emit_effects(const struct sph_survey *survey, struct sph_machine *machin
 void sph_choose_lights(const struct sph_survey *survey, struct sph_lights *lights,
                        struct sph_effect_report *report);
 
-/* REFLECT, REFRACT, SPECULAR and SUM: what hangs on materials. REFRACT before all others, since what
- * rays may see hangs on it; -1 if it cannot be. */
+/* REFLECT, REFRACT, SPECULAR and SUM: what hangs on materials. REFRACT before all others, since
+ * what rays may see hangs on it; -1 if it cannot be. */
 int sph_find_refract(const struct sph_survey *survey, struct sph_effect_report *entry,
                      struct sph_error *err);
 void sph_find_reflect(const struct sph_survey *survey, struct sph_effect_report *entry);

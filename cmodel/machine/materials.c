@@ -14,8 +14,7 @@ int sph_validate_optics(const struct sph_machine *m, struct sph_error *err) {
     if (!sph_machine_effect(m, SPH_EFFECT_REFRACT)) return 0;
     if (!sph_machine_effect(m, SPH_EFFECT_INSIDE))
         return sph_fail(err, "register EFFECTS is %d: REFRACT needs INSIDE", effects);
-    if (sph_machine_effect(m, SPH_EFFECT_FIRST) ||
-        sph_machine_effect(m, SPH_EFFECT_INTERPENETRATE))
+    if (sph_machine_effect(m, SPH_EFFECT_FIRST) || sph_machine_effect(m, SPH_EFFECT_INTERPENETRATE))
         return sph_fail(err, "register EFFECTS is %d: REFRACT excludes FIRST and INTERPENETRATE",
                         effects);
     if (wd > SPH_REFRACT_WD)

@@ -43,7 +43,8 @@ int sph_make_palette(struct sph_scene *scene, double ks, double shine, struct sp
         {0.65, 0.80, 0.25}, {0.92, 0.90, 0.85}, {0.60, 0.40, 0.25}, {0.35, 0.40, 0.55},
     };
     for (int i = 0; i < SPH_PALETTE_SIZE; i++) {
-        struct sph_material m = {{rgb[i][0], rgb[i][1], rgb[i][2]}, 1 - ks, ks, shine, 0, 1, 0, {0}};
+        struct sph_material m = {
+            {rgb[i][0], rgb[i][1], rgb[i][2]}, 1 - ks, ks, shine, 0, 1, 0, {0}};
         if (sph_scene_add_material(scene, &m, err)) return -1;
     }
     return 0;

@@ -54,13 +54,11 @@ static int take_sum(struct sph_reader *r, const char *record, struct sph_materia
     if (got && !r->sum) return sph_nff_fail(r, err, record, "Ka and Kr need `shading sum`");
     if (!r->sum) return 0;
     if (sph_nff_check_unit(r, record, names, 2, share, err)) return -1;
-    if (m->ks > 0 &&
-        check_between(r, record, "Shine", m->shine, SPH_SHINE_MIN, SPH_SHINE_MAX, err))
+    if (m->ks > 0 && check_between(r, record, "Shine", m->shine, SPH_SHINE_MIN, SPH_SHINE_MAX, err))
         return -1;
-    if (m->trans > 0 &&
-        check_between(r, record, "index of refraction", m->ior,
-                      SPH_INDEX_MIN / (double)SPH_INDEX_ONE, SPH_INDEX_MAX / (double)SPH_INDEX_ONE,
-                      err))
+    if (m->trans > 0 && check_between(r, record, "index of refraction", m->ior,
+                                      SPH_INDEX_MIN / (double)SPH_INDEX_ONE,
+                                      SPH_INDEX_MAX / (double)SPH_INDEX_ONE, err))
         return -1;
     m->sum = (struct sph_sum){1, share[0], share[1]};
     return 0;
@@ -80,8 +78,8 @@ int sph_nff_take_f(struct sph_reader *r, struct sph_error *err) {
     return take_sum(r, "f", &m, err) ? -1 : add_material(r, &m, err);
 }
 
-/* fm ambient(3) diffuse(3) specular(3) Shine T index [Ka Kr], of AFF. Ambient colours are not used: there
- * is one ambient light. The mirror weight is one number: the mean of the specular colour. */
+/* fm ambient(3) diffuse(3) specular(3) Shine T index [Ka Kr], of AFF. Ambient colours are not used:
+ * there is one ambient light. The mirror weight is one number: the mean of the specular colour. */
 int sph_nff_take_fm(struct sph_reader *r, struct sph_error *err) {
     static const char *const names[] = {"ambient red",
                                         "ambient green",
@@ -103,9 +101,14 @@ int sph_nff_take_fm(struct sph_reader *r, struct sph_error *err) {
         return -1;
     const double *d = f + DIFFUSE, *s = f + SPECULAR;
     double kd = fmax(d[0], fmax(d[1], d[2])), by = kd > 0 ? kd : 1;
-    struct sph_material m = {
-        {d[0] / by, d[1] / by, d[2] / by}, kd,   (s[0] + s[1] + s[2]) / 3, f[9], f[10], f[11],
-        line,                              {0}};
+    struct sph_material m = {{d[0] / by, d[1] / by, d[2] / by},
+                             kd,
+                             (s[0] + s[1] + s[2]) / 3,
+                             f[9],
+                             f[10],
+                             f[11],
+                             line,
+                             {0}};
     return take_sum(r, "fm", &m, err) ? -1 : add_material(r, &m, err);
 }
 

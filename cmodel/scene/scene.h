@@ -33,7 +33,8 @@ struct sph_light {
     uint32_t line; /* of the file, for messages; 0 if generated */
 };
 
-/* Whitted's sum (docs/shading.md): then ks is the highlight alone, and shine, trans and ior count. */
+/* Whitted's sum (docs/shading.md): then ks is the highlight alone, and shine, trans and ior count.
+ */
 struct sph_sum {
     int on;        /* 0: nothing here counts */
     double ka, kr; /* ambient and mirror share */

@@ -43,7 +43,7 @@ json_t *report_names(uint32_t bits, const char *const *names, int n) {
 }
 
 void report_machine(json_t *report, const struct sph_machine *m) {
-    static const char *const effects[] = {"shadow",         "reflect", "inside", "first",
+    static const char *const effects[] = {"shadow",         "reflect", "inside",  "first",
                                           "interpenetrate", "facets",  "texture", "refract",
                                           "specular",       "sum"};
     static const char *const ways[] = {"none", "rect", "spans", "exact"};
