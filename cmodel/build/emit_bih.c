@@ -90,6 +90,7 @@ static void put_node(struct sph_machine *m, const struct content *c, uint32_t in
         to[SPH_BIH_COUNT_LSB / 32] = from->count;
         return;
     }
+    if (!from->child) return; /* beside an only child there is none */
     sph_field_set(to, SPH_BIH_FIT_LSB, SPH_BIH_FIT_BITS, (uint32_t)from->fit);
     sph_field_set(to, SPH_BIH_CHILD_LSB, SPH_BIH_CHILD_BITS, from->child / 2);
     to[SPH_BIH_CLIP_L_LSB / 32] = clip_word(p, from->clip_l, !from->fit);
