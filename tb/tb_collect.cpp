@@ -1,4 +1,5 @@
-/* tb_collect.cpp - rt_collect against the rules of keep() and sph_ray_depth()
+/* tb_collect.cpp - rt_collect against the rules of keep() and sph_ray_depth(), or with KEYS of
+ * sph_bih_time()
  * SPDX-License-Identifier: Apache-2.0
  *
  * Every slot lives through rays of some visits; results of all slots arrive interleaved. Between
@@ -6,6 +7,7 @@
  * elaborated gets inputs all the same. First come the corners, then the pairs of hits of
  * tests/hard: both orders of arrival with both orders of ids.
  */
+#include <algorithm>
 #include <vector>
 
 #include "Vrt_collect.h"
@@ -13,8 +15,13 @@
 #include "hard.h"
 
 extern "C" {
+#include "trace/bih.h"
 #include "trace/ray.h"
 }
+
+#ifndef KEYS
+#define KEYS 0
+#endif
 
 namespace {
 
@@ -92,6 +99,9 @@ int32_t depth(const Slot &s) {
     struct sph_ray ray = {};
     ray.depth_scale = s.ray.scale;
     ray.depth_shift = s.ray.shift;
+    struct sph_bih_ray bih = {};
+    bih.t_shift = W + WD + 1 > FW ? W + WD + 1 - FW : 0;
+    if (KEYS && s.found) return (int32_t)sph_bih_time(&bih, s.best.key);
     return s.found ? sph_ray_depth(&profile, &ray, s.best.key) : SHADOW ? s.ray.depth : LIMIT;
 }
 
@@ -134,8 +144,11 @@ int main(int argc, char **argv) {
     std::vector<Ray> directed;
     if (!hard::alone()) directed.assign(std::begin(corners), std::end(corners));
     hard::Source source(
-        b.seed, [](const sph_profile &p) { return p.w == W && p.wd == WD && p.fw == FW; },
+        b.seed, [](const sph_profile &p) { return p.w == W && p.wd == WD && (KEYS || p.fw == FW); },
         [](const hard::Case &) { return true; });
+    for (Ray &ray : directed)
+        for (Result &r : ray.result)
+            r.key = std::min(r.key, KMAX); /* those at the limit of a depth, with KEYS */
     for (hard::Case one, other; source.next_pair(one, other);)
         add_pair(directed, one, other);
     source.report(b);

@@ -1,7 +1,8 @@
 // rt_collect.v - gathers the leaf results of a visit and keeps each ray's first hit
 // SPDX-License-Identifier: Apache-2.0
 // A smaller key wins, a tie goes to the smaller id, so the order of arrival does not matter.
-// The best key gives a depth beyond which nothing can win: key * scale >> shift, rounded up.
+// The best key gives a depth beyond which nothing can win: key * scale >> shift, rounded up; with
+// KEYS its own top bits are that depth, and FW + 1 of them are kept.
 // One result a cycle; the token leaves 4 cycles after the last result of its visit.
 // Model: keep() in cmodel/trace/traverse.c, sph_ray_depth() in cmodel/trace/setup.c
 `default_nettype none
@@ -13,7 +14,8 @@ module rt_collect #(
     parameter SLOTW = 5,   // log2 of SLOTS
     parameter SHADOW = 1,  // 1: shadow rays
     parameter INSIDE = 1,  // 1: far roots, or facets: far is kept
-    parameter FIRST = 1    // 1: rays that end with the first visit that hits
+    parameter FIRST = 1,   // 1: rays that end with the first visit that hits
+    parameter KEYS  = 0    // 1: depths are in units of keys, scale and shift are not used
 ) (
     input  wire              clk,
     input  wire              rst,
@@ -80,12 +82,14 @@ module rt_collect #(
         .wr_data_i(!clearing && !in_mark),
         .rd_addr_i(new_slot_i), .rd_data_o(new_mark)
     );
-    wire [16:0] scale;
-    wire [5:0]  shift;
-    rt_slot_file #(.WIDTH(24), .SLOTS(SLOTS)) u_scale (
+    localparam XB = KEYS != 0 ? 0 : 23;      // scale and shift of a ray
+    wire [23:0]   new_scale = {new_mark, new_shift_i, new_scale_i};
+    wire [XB:0]   in_scale;
+    assign in_mark = in_scale[XB];
+    rt_slot_file #(.WIDTH(XB+1), .SLOTS(SLOTS)) u_scale (
         .clk(clk), .wr_en_i(new_valid_i), .wr_addr_i(new_slot_i),
-        .wr_data_i({new_mark, new_shift_i, new_scale_i}),
-        .rd_addr_i(in_slot_i), .rd_data_o({in_mark, shift, scale})
+        .wr_data_i(new_scale[23 -: XB+1]),
+        .rd_addr_i(in_slot_i), .rd_data_o(in_scale)
     );
 
     // ---- count the results of a visit ----
@@ -128,12 +132,7 @@ module rt_collect #(
     reg             s1_win_q, s2_win_q, s3_win_q, s1_last_q, s2_last_q, s3_last_q, s4_last_q;
     reg             s1_mark_q, s2_mark_q, s3_mark_q;
     reg [SLOTW-1:0] s1_slot_q, s2_slot_q, s3_slot_q, s4_slot_q;
-    // A key is below 2.4 * 2^(W+WD) (docs/number_formats.md), so its top + 1 fits 17 bits.
-    reg [16:0]      s1_top_q, s1_scale_q;    // u17 top of the key, rounded up; u1.15
-    reg [5:0]       s1_shift_q, s2_shift_q;
-    reg [33:0]      s2_prod_q;
-    reg [FW:0]      s3_depth_q;
-    wire [33:0]     s2_depth = s2_prod_q >> s2_shift_q;
+    wire [FW:0]     s3_depth;
     always @(posedge clk) begin
         s1_win_q   <= win;
         s1_mark_q  <= !in_mark;
@@ -141,19 +140,12 @@ module rt_collect #(
         s3_mark_q  <= s2_mark_q;
         s1_last_q  <= in_valid_i && last;
         s1_slot_q  <= in_slot_i;
-        s1_top_q   <= in_key_i[KW-1 -: 17] + 17'd1;
-        s1_scale_q <= scale;
-        s1_shift_q <= shift;
         s2_win_q   <= s1_win_q;
         s2_last_q  <= s1_last_q;
         s2_slot_q  <= s1_slot_q;
-        s2_shift_q <= s1_shift_q;
-        s2_prod_q  <= s1_top_q * s1_scale_q;
         s3_win_q   <= s2_win_q;
         s3_last_q  <= s2_last_q;
         s3_slot_q  <= s2_slot_q;
-        s3_depth_q <= s2_shift_q == 6'd63 || s2_depth >= {{(33-FW){1'b0}}, LIM} ? LIM
-                      : s2_depth[FW:0] + 1'b1;
         s4_last_q  <= s3_last_q;
         s4_slot_q  <= s3_slot_q;
         if (rst) begin
@@ -163,6 +155,33 @@ module rt_collect #(
     end
     assign out_valid_o = s4_last_q;
     assign out_slot_o  = s4_slot_q;
+    generate
+        if (KEYS != 0) begin : g_key
+            localparam T = KW > FW + 1 ? KW - FW - 1 : 0;          // bits of a key that are dropped
+            wire [KW+FW:0] key = {{(FW+1){1'b0}}, in_key_i} >> T;  // fits: FW + 1 bits, or KW
+            rt_delay #(.WIDTH(FW+1), .CYCLES(3)) u_key (
+                .clk(clk), .in_i(key[FW:0]), .out_o(s3_depth)
+            );
+            wire unused = &{1'b0, key, new_scale};
+        end else begin : g_scaled
+            // A key is below 2.4 * 2^(W+WD) (docs/number_formats.md), so its top + 1 fits 17 bits.
+            reg [16:0]  s1_top_q, s1_scale_q;    // u17 top of the key, rounded up; u1.15
+            reg [5:0]   s1_shift_q, s2_shift_q;
+            reg [33:0]  s2_prod_q;
+            reg [FW:0]  s3_depth_q;
+            wire [33:0] s2_depth = s2_prod_q >> s2_shift_q;
+            always @(posedge clk) begin
+                s1_top_q   <= in_key_i[KW-1 -: 17] + 17'd1;
+                s1_scale_q <= in_scale[16:0];
+                s1_shift_q <= in_scale[22:17];
+                s2_shift_q <= s1_shift_q;
+                s2_prod_q  <= s1_top_q * s1_scale_q;
+                s3_depth_q <= s2_shift_q == 6'd63 || s2_depth >= {{(33-FW){1'b0}}, LIM} ? LIM
+                              : s2_depth[FW:0] + 1'b1;
+            end
+            assign s3_depth = s3_depth_q;
+        end
+    endgenerate
 
     // ---- depth limit of each slot: set-up writes the first, hits lower it ----
     // Each memory carries its mark; filters and rt_next read both kinds at once.
@@ -187,7 +206,7 @@ module rt_collect #(
     endgenerate
     wire          best_wr   = clearing || s3_win_q;
     wire [SLOTW-1:0] best_slot = clearing ? clear_slot : s3_slot_q;
-    wire [FW+1:0] best_data = clearing ? {(FW+2){1'b0}} : {s3_mark_q, s3_depth_q};
+    wire [FW+1:0] best_data = clearing ? {(FW+2){1'b0}} : {s3_mark_q, s3_depth};
     rt_slot_ram #(.WIDTH(DB+1), .SLOTS(SLOTS), .OLD(0)) u_first_f (
         .clk(clk), .wr_en_i(new_valid_i), .wr_addr_i(new_slot_i), .wr_data_i(new_next[DB:0]),
         .rd_en_i(filter_valid_i), .rd_addr_i(filter_slot_i), .rd_data_o(filter_first)

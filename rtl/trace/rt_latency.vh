@@ -3,4 +3,5 @@
 `ifndef RT_LATENCY_VH
 `define RT_LATENCY_VH
 `define RT_FILTER_LATENCY 7
+`define RT_BIH_STEP_LATENCY 5
 `endif

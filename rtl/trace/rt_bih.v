@@ -1,0 +1,285 @@
+// rt_bih.v - rays through a bounding interval hierarchy: a node a clock, cut by two planes
+// SPDX-License-Identifier: Apache-2.0
+// Stands where rt_traverse and rt_next stand for nodes of four children (ACCEL of rt_core).
+//   0 issue | 1, 2 node cache | 3 node: its half | 4 ray's word of the axis | 5..9 rt_bih_step |
+//   9 decision | 10 token: back to 0 a clock later
+// Starts of rays and axes of the global box go in at 3 while no node comes from the cache.
+// Aroxa 2014, III.B. Model: sph_bih_walk() in cmodel/trace/bih_walk.c
+`default_nettype none
+`include "rt_layout.vh"
+`include "rt_latency.vh"
+`include "rt_bih.vh"
+module rt_bih #(
+    parameter W     = 16,   // coordinate, bits
+    parameter WD    = 17,   // direction component, bits
+    parameter SLOTS = 32,   // power of two
+    parameter SLOTW = 5,    // log2 of SLOTS
+    parameter LINES = 256,  // node cache, lines
+    parameter SHADOW = 1,   // 1: shadow rays
+    parameter FACETS = 0,   // 1: a leaf record may have a whole line
+    parameter STEP  = 2,    // bits of a reciprocal a clock
+    parameter TW    = `RT_BIH_T  // not to be set: bits of a bound
+) (
+    input  wire              clk,
+    input  wire              rst,
+    input  wire              flush_i,        // forget the node cache
+    input  wire [25:0]       mem_lines_i,    // registers
+    input  wire [25:0]       root_i,
+    input  wire [23:0]       visit_limit_i,
+    input  wire [23:0]       n_prims_i,
+    input  wire [25:0]       leaf_base_i,
+    input  wire [23:0]       n_loose_i,
+    input  wire [6*(W+2)-1:0] box_i,         // {z1, y1, x1, z0, y0, x0}
+    input  wire              facets_on_i,    // run-time switch of FACETS
+    // from rt_setup: a new ray, then its token
+    input  wire              new_valid_i,
+    input  wire [SLOTW-1:0]  new_slot_i,
+    input  wire [3*W-1:0]    new_org_i,      // {z, y, x} sW
+    input  wire [3*WD-1:0]   new_dir_i,      // {z, y, x} sWD
+    input  wire [2*WD-1:0]   new_a_i,        // dir.dir
+    input  wire              new_shadow_i,
+    output wire [TW-1:0]     new_limit_o,    // to rt_collect: a shadow ray ends at its light
+    input  wire              go_valid_i,     // primary or reflected
+    input  wire [SLOTW-1:0]  go_slot_i,
+    input  wire              go_pixel_i,     // the pixel's visits start at 0
+    input  wire              shadow_go_i,    // shadow ray
+    input  wire [SLOTW-1:0]  shadow_slot_i,
+    // to rt_leaf_unit and rt_collect: leaf records to test
+    output wire              leaf_valid_o,
+    output wire [SLOTW-1:0]  leaf_slot_o,
+    output wire [3:0]        leaf_mask_o,
+    output wire [2:0]        leaf_count_o,
+    output wire [25:0]       leaf_line_o,
+    // from rt_collect: they are tested; what the ray has found, a clock after the slot
+    input  wire              tested_valid_i,
+    input  wire [SLOTW-1:0]  tested_slot_i,
+    output wire              limit_read_o,
+    output wire [SLOTW-1:0]  limit_slot_o,
+    input  wire [TW-1:0]     limit_i,        // what begins later does not matter
+    input  wire              hit_i,
+    input  wire              ends_i,         // a hit ends the ray
+    // token: the ray is done
+    output wire              done_valid_o,
+    output wire [SLOTW-1:0]  done_slot_o,
+    // visits of a pixel
+    input  wire              visits_read_i,
+    input  wire [SLOTW-1:0]  visits_slot_i,
+    output wire [23:0]       visits_o,
+    // memory
+    output wire              mem_req_valid_o,
+    input  wire              mem_req_ready_i,
+    output wire [25:0]       mem_req_line_o,
+    input  wire              mem_rsp_valid_i,
+    output wire              mem_rsp_ready_o,
+    input  wire [255:0]      mem_rsp_data_i,
+    input  wire              mem_rsp_error_i,
+    // counters and errors
+    output wire              issued_o,       // a token entered the cache
+    output reg               visit_o,        // a node visit
+    output reg [2:0]         tests_o,        // child tests
+    output wire              miss_o,
+    output wire              bubble_o,
+    output reg               bad_node_o,
+    output reg               visit_limit_o,
+    output wire              overflow_o,
+    output reg               bus_error_o
+);
+    localparam CW = W + 2;                           // coordinate of a plane
+    localparam AW = W + 9 + `RT_BIH_G;               // a ray's word of an axis
+
+    localparam T  = W + WD + 2 > TW ? W + WD + 2 - TW : 0;  // low bits of a key that bounds drop
+
+    // ---- rays: their words, how far they go ----
+    wire [2*WD+TW-1:0] light = {{TW{1'b0}}, new_a_i} >> T;
+    assign new_limit_o = !new_shadow_i || |light[2*WD+TW-1:TW] ? {TW{1'b1}} : light[TW-1:0];
+    wire             axis_valid, start_valid, start_pixel;
+    wire [SLOTW-1:0] axis_slot, start_slot;
+    wire [1:0]       axis_number;
+    wire [AW-1:0]    axis_word;
+    wire             put_start;
+    rt_bih_ray #(.W(W), .WD(WD), .SLOTS(SLOTS), .SLOTW(SLOTW), .SHADOW(SHADOW),
+                 .STEP(STEP)) u_rays (
+        .clk(clk), .rst(rst),
+        .new_valid_i(new_valid_i), .new_slot_i(new_slot_i), .new_org_i(new_org_i),
+        .new_dir_i(new_dir_i), .new_a_i(new_a_i),
+        .go_valid_i(go_valid_i), .go_slot_i(go_slot_i), .go_pixel_i(go_pixel_i),
+        .shadow_go_i(shadow_go_i), .shadow_slot_i(shadow_slot_i),
+        .axis_valid_o(axis_valid), .axis_slot_o(axis_slot), .axis_number_o(axis_number),
+        .axis_word_o(axis_word),
+        .start_valid_o(start_valid), .start_ready_i(put_start), .start_slot_o(start_slot),
+        .start_pixel_o(start_pixel)
+    );
+
+    // ---- tokens: nodes to visit, axes of the box ----
+    wire             issue_valid, box_valid, q_issue_in, q_box_in, q_issue_valid, q_box_valid;
+    wire [SLOTW-1:0] issue_slot, box_slot, q_issue_slot, q_box_slot;
+    wire [26:0]      issue_place, q_issue_place;     // {line, half}
+    wire [1:0]       box_axis, q_box_axis;
+    wire             req_ready, rsp_valid;
+    wire             put_box = q_box_valid && !rsp_valid;
+    rt_fifo #(.WIDTH(SLOTW+27), .DEPTH(SLOTS)) u_issue_queue (
+        .clk(clk), .rst(rst), .in_valid_i(issue_valid), .in_ready_o(q_issue_in),
+        .in_data_i({issue_slot, issue_place}),
+        .out_valid_o(q_issue_valid), .out_ready_i(req_ready),
+        .out_data_o({q_issue_slot, q_issue_place})
+    );
+    rt_fifo #(.WIDTH(SLOTW+2), .DEPTH(SLOTS)) u_box_queue (
+        .clk(clk), .rst(rst), .in_valid_i(box_valid), .in_ready_o(q_box_in),
+        .in_data_i({box_slot, box_axis}),
+        .out_valid_o(q_box_valid), .out_ready_i(!rsp_valid), .out_data_o({q_box_slot, q_box_axis})
+    );
+    // A start writes the visits too, so it waits while a node is issued.
+    assign put_start = start_valid && !rsp_valid && !q_box_valid && !q_issue_valid;
+
+    // ---- issue: count the visit ----
+    wire             issue      = q_issue_valid && req_ready;
+    wire [SLOTW-1:0] count_slot = q_issue_valid ? q_issue_slot : start_slot;
+    wire [23:0]      ray_visits, pixel_visits;
+    wire [23:0]      ray_before   = q_issue_valid ? ray_visits : 24'd0;
+    wire [23:0]      pixel_before = q_issue_valid || !start_pixel ? pixel_visits : 24'd0;
+    wire             bad_limit  = ray_visits == visit_limit_i;
+    wire             counted    = q_issue_valid && !bad_limit;
+    wire [23:0]      pixel_next = pixel_before + {23'd0, counted};
+    rt_slot_file #(.WIDTH(48), .SLOTS(SLOTS)) u_visits (
+        .clk(clk), .wr_en_i(issue || put_start), .wr_addr_i(count_slot),
+        .wr_data_i({ray_before + {23'd0, counted}, pixel_next}),
+        .rd_addr_i(count_slot), .rd_data_o({ray_visits, pixel_visits})
+    );
+    rt_slot_ram #(.WIDTH(24), .SLOTS(SLOTS), .OLD(0)) u_visits_out (
+        .clk(clk), .wr_en_i(issue || put_start), .wr_addr_i(count_slot), .wr_data_i(pixel_next),
+        .rd_en_i(visits_read_i), .rd_addr_i(visits_slot_i), .rd_data_o(visits_o)
+    );
+    assign issued_o = issue;
+
+    // ---- node cache; a killed token fetches line 0 and is thrown away behind it ----
+    localparam TAG = SLOTW + 2;
+    wire             rsp_half, rsp_kill, rsp_error;
+    wire [SLOTW-1:0] rsp_slot;
+    wire [255:0]     rsp_data;
+    rt_cache #(.TAG(TAG), .LINES(LINES), .PENDING(SLOTS)) u_cache (
+        .clk(clk), .rst(rst), .flush_i(flush_i),
+        .req_valid_i(q_issue_valid), .req_ready_o(req_ready),
+        .req_line_i(bad_limit ? 26'd0 : q_issue_place[26:1]),
+        .req_tag_i({q_issue_slot, q_issue_place[0], bad_limit}),
+        .rsp_valid_o(rsp_valid), .rsp_ready_i(1'b1), .rsp_data_o(rsp_data),
+        .rsp_tag_o({rsp_slot, rsp_half, rsp_kill}), .rsp_error_o(rsp_error),
+        .mem_req_valid_o(mem_req_valid_o), .mem_req_ready_i(mem_req_ready_i),
+        .mem_req_line_o(mem_req_line_o),
+        .mem_rsp_valid_i(mem_rsp_valid_i), .mem_rsp_ready_o(mem_rsp_ready_o),
+        .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
+        .miss_o(miss_o)
+    );
+
+    // ---- t1: a node, an axis of the box between its planes, or a start ----
+    reg              t1_valid_q, t1_node_q, t1_box_q, t1_kill_q;
+    reg [SLOTW-1:0]  t1_slot_q;
+    reg [95:0]       t1_words_q;                     // of the node
+    reg [1:0]        t1_box_axis_q;
+    reg              sound_q;                        // the registers let a ray start
+    wire [26:0]      records = {1'b0, leaf_base_i} + {3'd0, n_prims_i};
+    always @(posedge clk) begin
+        t1_valid_q    <= rsp_valid || put_box || put_start;
+        t1_node_q     <= rsp_valid;
+        t1_box_q      <= put_box;
+        t1_kill_q     <= rsp_valid ? rsp_kill || rsp_error : !put_box && !sound_q;
+        t1_slot_q     <= rsp_valid ? rsp_slot : put_box ? q_box_slot : start_slot;
+        t1_words_q    <= rsp_half ? rsp_data[128 +: 96] : rsp_data[95:0];
+        t1_box_axis_q <= q_box_axis;
+        sound_q       <= root_i < mem_lines_i && records <= {1'b0, mem_lines_i} &&
+                         n_loose_i <= n_prims_i;
+        if (rst) t1_valid_q <= 1'b0;
+    end
+    wire [28:0]      t1_child = t1_words_q[`RT_BIH_CHILD_LSB +: 29];
+    wire             t1_fit   = t1_words_q[`RT_BIH_FIT_LSB];
+    wire [1:0]       t1_axis  = t1_box_q ? t1_box_axis_q : t1_words_q[`RT_BIH_AXIS_LSB +: 2];
+    wire             t1_leaf  = t1_axis == 2'd`RT_BIH_LEAF;
+    wire [31:0]      t1_first = t1_words_q[`RT_BIH_FIRST_LSB +: 32];
+    wire [31:0]      t1_count = t1_words_q[`RT_BIH_COUNT_LSB +: 32];
+    wire [32:0]      t1_end   = {1'b0, t1_first} + {1'b0, t1_count};
+    wire [29:0]      t1_line  = {4'd0, root_i} + {1'b0, t1_child};
+    wire             t1_bad   = t1_leaf ? t1_end > {9'd0, n_prims_i}
+                                        : t1_line >= {4'd0, mem_lines_i};
+    wire [CW-1:0]    t1_l     = t1_words_q[`RT_BIH_CLIP_L_LSB +: CW];
+    wire [CW-1:0]    t1_r     = t1_words_q[`RT_BIH_CLIP_R_LSB +: CW];
+    wire [AW-1:0]    t2_word;
+    rt_slot_ram #(.WIDTH(AW), .SLOTS(4*SLOTS), .OLD(0)) u_axes (
+        .clk(clk), .wr_en_i(axis_valid), .wr_addr_i({axis_slot, axis_number}),
+        .wr_data_i(axis_word),
+        .rd_en_i(t1_valid_q), .rd_addr_i({t1_slot_q, t1_axis}), .rd_data_o(t2_word)
+    );
+
+    // ---- t2: planes and the ray's word side by side ----
+    // Between two planes: the near one is that above, the far one that below.
+    reg              t2_valid_q, t2_node_q;
+    reg [SLOTW-1:0]  t2_slot_q;
+    reg [2:0]        t2_kind_q;
+    reg [47:0]       t2_data_q;
+    reg signed [CW-1:0] t2_l_q, t2_r_q;
+    wire [3*CW-1:0]  box_end, box_begin;
+    assign {box_end, box_begin} = box_i;
+    wire             t1_live = t1_valid_q && t1_node_q && !t1_kill_q;
+    always @(posedge clk) begin
+        t2_valid_q <= t1_valid_q;
+        t2_node_q  <= t1_valid_q && t1_node_q;
+        t2_slot_q  <= t1_slot_q;
+        t2_kind_q  <= t1_kill_q || (t1_node_q && t1_bad) ? `RT_BIH_KILL
+                      : t1_box_q ? `RT_BIH_BOX_X + {1'b0, t1_box_axis_q}
+                      : !t1_node_q ? `RT_BIH_START
+                      : t1_leaf ? `RT_BIH_LEAVE : t1_fit ? `RT_BIH_FIT : `RT_BIH_INNER;
+        t2_data_q  <= t1_leaf ? {t1_count[23:0], t1_first[23:0]} : {22'd0, t1_line[25:0]};
+        t2_l_q     <= t1_box_q ? box_end[CW*t1_box_axis_q +: CW] : t1_fit ? t1_r : t1_l;
+        t2_r_q     <= t1_box_q ? box_begin[CW*t1_box_axis_q +: CW] : t1_fit ? t1_l : t1_r;
+        visit_o       <= issue && !bad_limit;
+        tests_o       <= t1_live && !t1_bad && !t1_leaf ? 3'd2 : 3'd0;
+        bad_node_o    <= (t1_live && t1_bad) || (put_start && !sound_q);
+        visit_limit_o <= issue && bad_limit;
+        bus_error_o   <= rsp_valid && rsp_error;
+        if (rst) begin
+            t2_valid_q <= 1'b0; t2_node_q <= 1'b0; visit_o <= 1'b0; tests_o <= 3'd0;
+            bad_node_o <= 1'b0; visit_limit_o <= 1'b0; bus_error_o <= 1'b0;
+        end
+    end
+
+    // ---- the step, and beside it whose it is ----
+    wire             s_back, s_near, s_far, pass_valid;
+    wire [TW-1:0]    s_upper, s_lower;
+    wire [SLOTW-1:0] pass_slot;
+    wire [2:0]       pass_kind;
+    rt_bih_step #(.W(W)) u_step (
+        .clk(clk),
+        .in_org_i($signed(t2_word[AW-1 -: W])), .in_back_i(t2_word[AW-W-1]),
+        .in_flat_i(t2_word[AW-W-2]), .in_open_i(t2_word[AW-W-3]),
+        .in_shift_i(t2_word[`RT_BIH_G +: 6]), .in_g_i(t2_word[`RT_BIH_G-1:0]),
+        .in_clip_l_i(t2_l_q), .in_clip_r_i(t2_r_q),
+        .out_back_o(s_back), .out_near_o(s_near), .out_far_o(s_far),
+        .out_upper_o(s_upper), .out_lower_o(s_lower)
+    );
+    rt_delay #(.WIDTH(SLOTW+3), .CYCLES(`RT_BIH_STEP_LATENCY-1)) u_side (
+        .clk(clk), .in_i({t2_slot_q, t2_kind_q}), .out_o({pass_slot, pass_kind})
+    );
+    rt_delay_valid #(.CYCLES(`RT_BIH_STEP_LATENCY-1)) u_valid (
+        .clk(clk), .rst(rst), .in_i(t2_valid_q), .out_o(pass_valid)
+    );
+
+    // ---- decision ----
+    rt_bih_next #(.SLOTS(SLOTS), .SLOTW(SLOTW), .ENDS(SHADOW), .FACETS(FACETS)) u_next (
+        .clk(clk), .rst(rst), .facets_on_i(facets_on_i), .root_i(root_i),
+        .leaf_base_i(leaf_base_i), .n_loose_i(n_loose_i),
+        .node_valid_i(t2_node_q), .node_slot_i(t2_slot_q), .node_i(t2_data_q),
+        .pass_valid_i(pass_valid), .pass_slot_i(pass_slot), .pass_kind_i(pass_kind),
+        .step_back_i(s_back), .step_near_i(s_near), .step_far_i(s_far),
+        .step_upper_i(s_upper), .step_lower_i(s_lower),
+        .tested_valid_i(tested_valid_i), .tested_slot_i(tested_slot_i),
+        .read_o(limit_read_o), .slot_o(limit_slot_o), .limit_i(limit_i), .hit_i(hit_i),
+        .ends_i(ends_i),
+        .issue_valid_o(issue_valid), .issue_slot_o(issue_slot), .issue_place_o(issue_place),
+        .box_valid_o(box_valid), .box_slot_o(box_slot), .box_axis_o(box_axis),
+        .leaf_valid_o(leaf_valid_o), .leaf_slot_o(leaf_slot_o), .leaf_mask_o(leaf_mask_o),
+        .leaf_count_o(leaf_count_o), .leaf_line_o(leaf_line_o),
+        .done_valid_o(done_valid_o), .done_slot_o(done_slot_o),
+        .bubble_o(bubble_o), .overflow_o(overflow_o)
+    );
+    wire unused = &{1'b0, q_issue_in, q_box_in, rsp_data[255:224], rsp_data[127:96],
+                    t1_words_q, t1_line[29:26]};
+endmodule
+`default_nettype wire

@@ -1,0 +1,130 @@
+/* tb_bih_ray.cpp - rt_bih_ray against sph_bih_setup()
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Slots live at random: a ray is written, its token comes some clocks later (or, of a light that
+ * needs no shadow ray, never: the next ray overwrites it), three words and a start must follow. A
+ * vector is a start. First come the ends of directions.
+ */
+#include <vector>
+#include "Vrt_bih_ray.h"
+#include "bench.h"
+extern "C" {
+#include "machine/layout.h"
+#include "trace/bih.h"
+}
+
+namespace {
+
+constexpr int64_t D_MAX = ((int64_t)1 << (WD - 1)) - 1;
+const sph_profile profile = {PROFILE, W, WD, 0, 0, 0, 0};
+
+struct Slot {
+    enum { FREE, WRITTEN, STARTED } state = FREE;
+    sph_ray ray{};
+    bool pixel = false, shadow = false;
+    int words = 0; /* of this ray, bit i: axis i */
+    bench::u128 word[3] = {0, 0, 0};
+};
+
+const int64_t ends[] = {0, 1, -1, 2, -2, D_MAX, -D_MAX, -D_MAX - 1, D_MAX / 2, 3};
+
+sph_ray make(bench::Random &random, unsigned n) {
+    sph_ray ray{};
+    do
+        for (int i = 0; i < 3; i++) {
+            ray.dir[i] = n < 1000             ? ends[n % 10]
+                         : random.percent(50) ? random.smixed(WD)
+                                              : random.log_sbits(WD);
+            ray.org[i] = random.smixed(W);
+            n = n < 1000 ? n / 10 : n;
+        }
+    while (n >= 1000 && !ray.dir[0] && !ray.dir[1] && !ray.dir[2]);
+    for (int64_t d : ray.dir)
+        ray.a += (uint64_t)(d * d);
+    return ray;
+}
+
+bench::u128 word(const sph_ray &ray, const sph_bih_axis &x, int i) {
+    bench::u128 w = bench::low((bench::u128)(bench::i128)ray.org[i], W);
+    w = w << 1 | (unsigned)x.negative;
+    w = w << 1 | (unsigned)x.zero;
+    w = w << 1 | (x.shift < 0);
+    w = w << 6 | (unsigned)(x.shift < 0 ? 0 : x.shift);
+    return w << SPH_BIH_G | x.mant;
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    bench::Bench<Vrt_bih_ray> b("tb_bih_ray", argc, argv, 20000);
+    std::vector<Slot> slots(SLOTS);
+    unsigned made = 0;
+    unsigned load = 30; /* percent of clocks with a new ray */
+    b.reset();
+    while (b.more()) {
+        if (b.random.percent(1)) load = (unsigned)b.random.below(4) * 20;
+        b.dut.new_valid_i = b.dut.go_valid_i = b.dut.shadow_go_i = 0;
+        b.dut.start_ready_i = !b.random.percent(20);
+        size_t at = b.random.below(SLOTS);
+        Slot &s = slots[at];
+        if (s.state == Slot::WRITTEN && b.random.percent(50)) {
+            s.state = Slot::STARTED;
+            s.words = 0;
+            if (s.shadow) {
+                b.dut.shadow_go_i = 1;
+                b.set(b.dut.shadow_slot_i, SLOTW, (bench::i128)at);
+            } else {
+                b.dut.go_valid_i = 1;
+                b.set(b.dut.go_slot_i, SLOTW, (bench::i128)at);
+                b.dut.go_pixel_i = s.pixel;
+            }
+        } else if (s.state == Slot::FREE && b.random.percent(load)) {
+            s.state = Slot::WRITTEN;
+            s.ray = make(b.random, made++);
+            s.shadow = SHADOW && b.random.percent(40);
+            s.pixel = !s.shadow && b.random.percent(50);
+            if (s.shadow && b.random.percent(20)) s.state = Slot::FREE; /* a light without */
+            b.dut.new_valid_i = 1;
+            b.set(b.dut.new_slot_i, SLOTW, (bench::i128)at);
+            bench::u128 org = 0, dir = 0;
+            for (int i = 2; i >= 0; i--) {
+                org = org << W | bench::low((bench::u128)(bench::i128)s.ray.org[i], W);
+                dir = dir << WD | bench::low((bench::u128)(bench::i128)s.ray.dir[i], WD);
+            }
+            b.set(b.dut.new_org_i, 3 * W, (bench::i128)org);
+            b.set(b.dut.new_dir_i, 3 * WD, (bench::i128)dir);
+            b.set(b.dut.new_a_i, 2 * WD, (bench::i128)s.ray.a);
+        }
+        b.settle();
+        bool start = b.dut.start_valid_o && b.dut.start_ready_i;
+        if (start) {
+            size_t n = (size_t)b.get(b.dut.start_slot_o);
+            Slot &t = slots[n];
+            b.expect("a ray that waits", t.state, Slot::STARTED);
+            b.expect("words written", t.words, 7);
+            b.expect("start_pixel_o", b.dut.start_pixel_o, t.pixel);
+            sph_bih_ray bih;
+            sph_bih_setup(&profile, &t.ray, &bih);
+            int flat = !t.ray.dir[0] && !t.ray.dir[1] && !t.ray.dir[2];
+            for (int i = 0; i < 3; i++) {
+                bench::u128 mask = ~(bench::u128)0; /* of a flat axis the flag counts alone */
+                if (bih.axis[i].zero || flat) mask <<= SPH_BIH_G + 7;
+                b.expect("word", (bench::i128)(t.word[i] & mask),
+                         (bench::i128)(word(t.ray, bih.axis[i], i) & mask));
+            }
+            if (b.bad())
+                for (int i = 0; i < 3; i++)
+                    b.show("dir", t.ray.dir[i], WD);
+            t.state = Slot::FREE;
+            b.done();
+        }
+        if (b.dut.axis_valid_o) {
+            Slot &t = slots[(size_t)b.get(b.dut.axis_slot_o)];
+            t.words |= 1 << b.dut.axis_number_o;
+            t.word[b.dut.axis_number_o] = b.get(b.dut.axis_word_o);
+        }
+        b.tick();
+    }
+    printf("# %.1f clocks a ray\n", (double)b.cycle / (double)b.vectors);
+    return b.finish();
+}
