@@ -10,6 +10,8 @@ PROFILE ?= standard
 SIZE ?= 320x180
 ## TREE        balanced or paper
 TREE ?= balanced
+## ACCEL       bvh4 (spheres around four children, by TREE), bih or brute
+ACCEL ?= bvh4
 ## DEPTH       reflections, 0 to 5
 DEPTH ?= 2
 ## BACKGROUND  pixels that are never traced: none, rect, spans or exact
@@ -22,7 +24,7 @@ LEVELS ?=
 BUILD_MORE ?=
 ## EFFECTS     of the core: auto (as the scene asks), all, all-NAME, none, or joined by + of
 ##             shadow reflectN lightsN inside first interpenetrate facets texture rect spans
-##             conesN; all has no texture, all+texture has
+##             conesN bih; all has no texture, all+texture has
 EFFECTS ?= auto
 ## ENGINES     tracing engines in the core
 ENGINES ?= 1
@@ -63,8 +65,7 @@ IMAGE_LIBS  = $(call pkg,--libs OpenImageIO)
 MODEL_PACKAGES := expat gmp mpfr
 
 # Programs that make a table, run by hand; never part of the library.
-GENERATORS := cmodel/math/gen_rsqrt.c cmodel/texture/gen_log2.c cmodel/shade/gen_power.c \
-              cmodel/shade/gen_power_rom.c
+GENERATORS := cmodel/math/gen_rsqrt.c cmodel/texture/gen_log2.c cmodel/shade/gen_power.c
 C_FILES    := $(sort $(shell find cmodel -name '*.c'))
 LIB_C      := $(filter-out cmodel/tool/% $(GENERATORS),$(C_FILES))
 TOOL_C     := $(filter cmodel/tool/%,$(C_FILES))
@@ -79,9 +80,9 @@ TOOL   := $B/sphaera
 .PHONY: help setup all tool layout render sim test synth lint bench clean FORCE
 .DEFAULT_GOAL := help
 
-help: export HELP_VALUES = $(foreach v,SCENE PROFILE SIZE TREE DEPTH BACKGROUND TRAVERSE LEVELS \
-                           BUILD_MORE EFFECTS ENGINES ROOT_STEP QUOTIENT_STEP SEED LATENCY STALL \
-                           SIM WINDOW WARM TARGET FLAT WAVES JOBS V,$(v)=$($(v));)
+help: export HELP_VALUES = $(foreach v,SCENE PROFILE SIZE TREE ACCEL DEPTH BACKGROUND \
+                           TRAVERSE LEVELS BUILD_MORE EFFECTS ENGINES ROOT_STEP QUOTIENT_STEP SEED \
+                           LATENCY STALL SIM WINDOW WARM TARGET FLAT WAVES JOBS V,$(v)=$($(v));)
 help: ## this text
 	@awk -f sim/help.awk $(MAKEFILE_LIST)
 

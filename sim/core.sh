@@ -8,8 +8,8 @@
 # Builds the core that the machine asks for unless it is there (cached by parameters), with
 # waveforms if --trace is among the options, then runs the harness; its options: --help.
 # EFFECTS=auto elaborates only what the machine asks for, all (default) everything, else what is
-# named: a list as sim/parameters.sh takes it. A core with less than the machine asks for refuses
-# it; the harness says what is missing and ends with 3.
+# named: a list as sim/parameters.sh takes it; for a machine with a BIH all is all+bih. A core with
+# less than the machine asks for refuses it; the harness says what is missing and ends with 3.
 # BUILD is the build folder, RTL another source folder, OPT the compiler's effort. BUILT=1 says that
 # all was just built: nothing is looked at, which takes longer than a small frame.
 set -eu
@@ -47,6 +47,7 @@ info=$("$tool" --machine "$machine" --info)
 profile=${info%% *}
 core=${info#* }
 core=${core%% *}
+case $EFFECTS+$core in all+bih | all+*+bih) EFFECTS=all+bih ;; esac # what walks the machine's tree
 [ "$EFFECTS" = auto ] || core=$EFFECTS
 built=$(sh sim/parameters.sh "$core")
 [ "$SIM" = verilator ] || WAVES=0

@@ -4,17 +4,18 @@
 #
 # usage: sim/parameters.sh LIST
 #   LIST  all, all-NAME (all but one), none, or names joined by +, the first of which may be all:
-#         shadow reflectN lightsN inside first interpenetrate facets texture rect spans conesN
+#         shadow reflectN lightsN inside first interpenetrate facets texture rect spans conesN bih
 #         (N: reflections 1..5, lights 1..8, spheres of exact background separation 1..16;
 #         interpenetrate needs first and inside, so all-first and all-inside leave it out too;
-#         all has no texture, which makes every core half as big again: all+texture has)
+#         all has no texture, which makes every core half as big again: all+texture has; with bih
+#         the core walks a BIH, which knows neither first nor interpenetrate: all+bih has neither)
 # Prints the parameters of rtl/shell/rt_core.v, NAME=VALUE, all on one line.
 set -eu
 awk -v list="$1" 'BEGIN {
-    n = split("shadow reflect lights inside first interpenetrate facets texture rect spans cones",
-              name, " ")
-    split("1 5 8 1 1 1 1 1 1 1 16", most, " ")
-    split("1 5 8 1 1 1 1 0 1 1 1", full, " ")
+    n = split("shadow reflect lights inside first interpenetrate facets texture rect spans " \
+              "cones bih", name, " ")
+    split("1 5 8 1 1 1 1 1 1 1 16 1", most, " ")
+    split("1 5 8 1 1 1 1 0 1 1 1 0", full, " ")
     but = list
     if (sub(/^all-/, "", but)) list = "all"; else but = ""
     all = sub(/^all(\+|$)/, "", list)
@@ -25,6 +26,8 @@ awk -v list="$1" 'BEGIN {
     if (but == "first") value[number["interpenetrate"]] = 0
     if (but == "inside") value[number["interpenetrate"]] = 0
     bad = but && !(but in number) ? but : ""
+    bih = list ~ /(^|\+)bih(\+|$)/
+    if (bih && all) value[number["first"]] = value[number["interpenetrate"]] = 0
     words = list == "none" ? 0 : split(list, word, "+")
     for (w = 1; w <= words && !bad; w++) {
         key = word[w]
@@ -39,6 +42,10 @@ awk -v list="$1" 'BEGIN {
         else value[i] = count
     }
     if (!bad && !list && !all) bad = "(nothing)"
+    if (!bad && bih && value[number["first"]]) {
+        print list ": bih does not go with first" > "/dev/stderr"
+        exit 1
+    }
     if (!bad && value[number["interpenetrate"]] &&
         !(value[number["first"]] && value[number["inside"]])) {
         print list ": interpenetrate needs first and inside" > "/dev/stderr"
@@ -53,6 +60,7 @@ awk -v list="$1" 'BEGIN {
         exit 1
     }
     for (i = 1; i <= n; i++)
-        printf "%s%s=%d", (i > 1 ? " " : ""), toupper(name[i]), value[i]
+        printf "%s%s=%d", (i > 1 ? " " : ""), (name[i] == "bih" ? "ACCEL" : toupper(name[i])),
+               value[i]
     print ""
 }'

@@ -33,11 +33,14 @@ space    := $() $()
 # Options of `sphaera build` that differ from its own defaults, as words; the same as a file name.
 BUILD_EXTRA := $(if $(filter-out nearest,$(TRAVERSE)),--traverse $(TRAVERSE)) \
                $(if $(LEVELS),--bg-levels $(LEVELS)) $(BUILD_MORE)
-BUILD_NAME  := $(TREE)-$(DEPTH)-$(BACKGROUND)$(subst /,_,$(subst $(space),,$(strip $(BUILD_EXTRA))))
+BUILD_TREE  := $(if $(filter bvh4,$(ACCEL)),$(TREE),$(ACCEL))
+BUILD_MODE  := $(BUILD_TREE)-$(DEPTH)-$(BACKGROUND)
+BUILD_NAME  := $(BUILD_MODE)$(subst /,_,$(subst $(space),,$(strip $(BUILD_EXTRA))))
 RUN_NAME := $(SCENE_NAME)-$(PROFILE_NAME)-$(or $(SIZE),file)-$(BUILD_NAME)
 RUN_DIR  := $B/run/$(RUN_NAME)
 OUT_DIR  := $B/out/$(SCENE_NAME)-$(PROFILE_NAME)
-BUILD_OPTIONS := --profile $(PROFILE) --tree $(TREE) --depth $(DEPTH) --background $(BACKGROUND) \
+BUILD_OPTIONS := --profile $(PROFILE) --depth $(DEPTH) --background $(BACKGROUND) \
+                 $(if $(filter bvh4,$(ACCEL)),--tree $(TREE),--accel $(ACCEL)) \
                  $(if $(SIZE),--size $(SIZE)) $(BUILD_EXTRA)
 
 ifneq ($(SCENE_ARG),)

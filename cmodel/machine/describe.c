@@ -105,11 +105,12 @@ void sph_machine_core(const struct sph_machine *m, char *text, size_t size) {
     if (mode == 3)
         snprintf(cones, sizeof cones, "%d", r[SPH_REG_BG_COUNT] ? r[SPH_REG_BG_COUNT] : 1);
     char list[160];
-    snprintf(list, sizeof list, "%s%s%s%s%s%s%s%s%s%s%s%s%s", ON(SHADOW) ? "+shadow" : "", reflect,
-             lights, ON(INSIDE) ? "+inside" : "", ON(FIRST) ? "+first" : "",
+    snprintf(list, sizeof list, "%s%s%s%s%s%s%s%s%s%s%s%s%s%s", ON(SHADOW) ? "+shadow" : "",
+             reflect, lights, ON(INSIDE) ? "+inside" : "", ON(FIRST) ? "+first" : "",
              ON(INTERPENETRATE) ? "+interpenetrate" : "", ON(FACETS) ? "+facets" : "",
              ON(TEXTURE) ? "+texture" : "", ON(REFRACT) ? "+refract" : "",
-             ON(SPECULAR) ? "+specular" : "", ON(SUM) ? "+sum" : "", ways[mode], cones);
+             ON(SPECULAR) ? "+specular" : "", ON(SUM) ? "+sum" : "", ways[mode], cones,
+             sph_machine_bih(m) ? "+bih" : "");
 #undef ON
     snprintf(text, size, "%s", *list ? list + 1 : "none");
 }

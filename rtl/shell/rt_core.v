@@ -26,6 +26,7 @@ module rt_core #(
     parameter RECT       = 1,    // background separation by rectangle, 0 or 1
     parameter SPANS      = 1,    // by spans in memory, 0 or 1
     parameter CONES      = 1,    // exactly, by up to so many spheres, 0..16
+    parameter ACCEL      = 0,    // 0: nodes of four children, 1: BIH, needs FIRST to be 0
     parameter NODE_LINES = 256,  // cache lines an engine, powers of two
     parameter LEAF_LINES = 128,
     parameter TEXTURE_LINES = 128,
@@ -107,7 +108,11 @@ module rt_core #(
     wire [25:0]      root, prim_base, mem_lines;
     wire             light_valid;
     wire [2:0]       light_number, light_part;
-    rt_registers #(.W(W), .WD(WD), .TEXTURE(TEXTURE)) u_registers (
+    wire             bih;
+    wire [23:0]      n_prims, n_loose;
+    wire [25:0]      leaf_base;
+    wire [6*(W+2)-1:0] box;
+    rt_registers #(.W(W), .WD(WD), .TEXTURE(TEXTURE), .ACCEL(ACCEL)) u_registers (
         .clk(clk), .valid_i(cfg_valid_i && !busy_o), .addr_i(cfg_addr_i), .data_i(cfg_data_i),
         .effects_o(effects), .max_depth_o(max_depth), .n_lights_o(n_lights),
         .window_o(window), .bg_mode_o(bg_mode), .rect_o(rect), .bg_base_o(bg_base),
@@ -115,6 +120,8 @@ module rt_core #(
         .ambient_o(ambient), .eye_o(eye), .dir_o(dir), .pitch_o(pitch), .root_o(root),
         .prim_base_o(prim_base), .mem_lines_o(mem_lines), .visit_limit_o(visit_limit),
         .profile_o(profile), .frame_o(frame), .tex_filter_o(tex_filter),
+        .bih_o(bih), .n_prims_o(n_prims), .leaf_base_o(leaf_base), .n_loose_o(n_loose),
+        .box_o(box),
         .light_valid_o(light_valid), .light_number_o(light_number),
         .light_part_o(light_part)
     );
@@ -127,6 +134,7 @@ module rt_core #(
                         (TEXTURE != 0 ? 32'd1 << `RT_EFFECT_TEXTURE : 32'd0);
     wire [3:0]  ways  = {CONES != 0, SPANS != 0, RECT != 0, 1'b1};
     wire missing = (effects & ~built) != 32'd0 ||    // the machine asks for what is not here
+                   bih != (ACCEL != 0) ||
                    {29'd0, max_depth} > REFLECT || {28'd0, n_lights} > LIGHTS ||
                    !ways[bg_mode] || (bg_mode == 2'd3 && {27'd0, bg_count} > CONES);
     localparam [31:0] PROFILE = W << `RT_WIDTH_W_LSB | WD << `RT_WIDTH_WD_LSB |
@@ -217,7 +225,7 @@ module rt_core #(
                         .STACK(`RT_STACK_DEPTH), .SHADOW(SHADOW), .REFLECT(REFLECT),
                         .LIGHTS(LIGHTS), .INSIDE(INSIDE), .FIRST(FIRST),
                         .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),
-                        .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES),
+                        .ACCEL(ACCEL), .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES),
                         .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS), .ROOTS(ROOTS),
                         .QUOTIENTS(QUOTIENTS), .DIVISIONS(DIVISIONS), .ROOT_STEP(ROOT_STEP),
                         .QUOTIENT_STEP(QUOTIENT_STEP),
@@ -227,6 +235,7 @@ module rt_core #(
                 .n_lights_i(n_lights), .background_i(background), .ambient_i(ambient), .eye_i(eye),
                 .root_i(root), .prim_base_i(prim_base), .mem_lines_i(mem_lines),
                 .visit_limit_i(visit_limit),
+                .n_prims_i(n_prims), .leaf_base_i(leaf_base), .n_loose_i(n_loose), .box_i(box),
                 .light_valid_i(light_valid), .light_number_i(light_number),
                 .light_part_i(light_part), .light_data_i(cfg_data_i),
                 .in_valid_i(ray_valid && e_take[e]), .in_ready_o(e_ready[e]),

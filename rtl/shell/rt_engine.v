@@ -21,6 +21,7 @@ module rt_engine #(
     parameter INTERPENETRATE = 1,
     parameter FACETS     = 0,
     parameter TEXTURE    = 0,
+    parameter ACCEL      = 0,    // 0: nodes of four children, 1: BIH
     parameter NODE_LINES = 256,  // node cache
     parameter LEAF_LINES = 128,  // leaf and primitive cache
     parameter TEXTURE_LINES = 128, // texture cache
@@ -49,6 +50,10 @@ module rt_engine #(
     input  wire [25:0]       prim_base_i,
     input  wire [25:0]       mem_lines_i,
     input  wire [23:0]       visit_limit_i,
+    input  wire [23:0]       n_prims_i,       // with ACCEL
+    input  wire [25:0]       leaf_base_i,
+    input  wire [23:0]       n_loose_i,
+    input  wire [6*(W+2)-1:0] box_i,          // {z1, y1, x1, z0, y0, x0}
     input  wire              light_valid_i,   // writes one part of one light
     input  wire [2:0]        light_number_i,
     input  wire [2:0]        light_part_i,
@@ -99,12 +104,16 @@ module rt_engine #(
     localparam BOUNCES = REFLECT != 0 || INTERPENETRATE != 0 ? 1 : 0;  // mirrored rays
     localparam POINTS  = LIGHTS != 0 || BOUNCES != 0 || TEXTURE != 0 ? 1 : 0; // points, normals
     localparam FARS    = INSIDE != 0 || FACETS != 0 ? 1 : 0;           // hits that are far
+    localparam LW = ACCEL != 0 ? `RT_BIH_T - 1 : FW;                   // depth limit, bits - 1
     wire points_on = n_lights_i != 4'd0 ||                             // the same, at run time
                      effects_i[`RT_EFFECT_REFLECT] || effects_i[`RT_EFFECT_INTERPENETRATE] ||
                      (TEXTURE != 0 && effects_i[`RT_EFFECT_TEXTURE]);
     generate
         if (INTERPENETRATE != 0 && (FIRST == 0 || INSIDE == 0)) begin : g_check
             rt_engine_INTERPENETRATE_needs_FIRST_and_INSIDE u_error ();
+        end
+        if (ACCEL != 0 && FIRST != 0) begin : g_accel
+            rt_engine_ACCEL_needs_FIRST_to_be_0 u_error ();
         end
     endgenerate
 
@@ -167,47 +176,118 @@ module rt_engine #(
                                   !ray_again;
     assign count_rays_o = {ray_go && !ray_primary, shadow_go, ray_go && ray_primary};
 
-    // ---- traversal ----
-    wire              issue_valid, found_valid, found_fresh, found_kill;
-    wire [SLOTW-1:0]  issue_slot, found_slot, filter_slot, visits_slot;
-    wire [25:0]       issue_line, found_base, found_line;
-    wire              filter_read, visits_read, next_read;
-    wire [FW:0]       filter_depth;
-    wire [2:0]        found_count;
-    wire [71:0]       found_list;
-    wire [3:0]        found_leaf;
+    // ---- traversal: leaf records to test, then a ray that is done ----
+    wire              leaf_visit, visit_valid, done_valid;
+    wire [SLOTW-1:0]  leaf_slot, visit_slot, done_slot, visits_slot;
+    wire [3:0]        leaf_mask;
+    wire [2:0]        leaf_count;
+    wire [25:0]       leaf_line;
+    wire              filter_read, next_read, next_hit, next_ends, visits_read;
+    wire [SLOTW-1:0]  filter_slot, next_slot;
+    wire [LW:0]       ray_limit, filter_depth, next_depth;  // what lies deeper does not matter
     wire [23:0]       visits;
     wire              bad_node, visit_limit, node_error, leaf_error, overflow, bad_record, bad_leaf;
-    rt_traverse #(.FW(FW), .SLOTS(SLOTS), .SLOTW(SLOTW), .LINES(NODE_LINES), .SHADOW(SHADOWS),
-                  .FIRST(FIRST), .FACETS(FACETS)) u_traverse (
-        .clk(clk), .rst(rst), .flush_i(flush_i),
-        .mem_lines_i(mem_lines_i), .root_i(root_i), .visit_limit_i(visit_limit_i),
-        .facets_on_i(facets_on),
-        .new_valid_i(ray_valid), .new_slot_i(ray_slot), .new_org_i(ray_forg),
-        .new_unit_i(ray_unit), .new_axis_i(ray_axis), .new_negative_i(ray_negative),
-        .new_first_i(ray_first),
-        .go_valid_i(ray_go), .go_slot_i(ray_slot), .go_pixel_i(ray_primary && !ray_again),
-        .shadow_go_i(shadow_go), .shadow_slot_i(cosine_slot),
-        .next_valid_i(issue_valid), .next_slot_i(issue_slot), .next_line_i(issue_line),
-        .depth_read_o(filter_read), .depth_slot_o(filter_slot), .depth_i(filter_depth),
-        .found_valid_o(found_valid), .found_slot_o(found_slot), .found_base_o(found_base),
-        .found_count_o(found_count), .found_list_o(found_list),
-        .found_fresh_o(found_fresh), .found_kill_o(found_kill),
-        .found_leaf_o(found_leaf), .found_line_o(found_line),
-        .visits_read_i(visits_read), .visits_slot_i(visits_slot), .visits_o(visits),
-        .mem_req_valid_o(mem_req_valid_o[0]), .mem_req_ready_i(mem_req_ready_i[0]),
-        .mem_req_line_o(mem_req_line_o[25:0]),
-        .mem_rsp_valid_i(mem_rsp_valid_i[0]), .mem_rsp_ready_o(mem_rsp_ready_o[0]),
-        .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
-        .issued_o(count_issued_o), .visit_o(count_visit_o), .tests_o(count_tests_o),
-        .miss_o(count_miss_o[0]), .bad_node_o(bad_node), .visit_limit_o(visit_limit),
-        .bus_error_o(node_error)
-    );
+    generate
+        if (ACCEL == 0) begin : g_four
+            wire              issue_valid, found_valid, found_fresh, found_kill;
+            wire [SLOTW-1:0]  issue_slot;
+            wire [25:0]       issue_line, found_base;
+            wire [2:0]        found_count;
+            wire [71:0]       found_list;
+            assign ray_limit  = ray_depth;
+            assign leaf_visit = found_valid && leaf_mask != 4'd0;
+            assign leaf_count = {2'b0, leaf_mask[0]} + {2'b0, leaf_mask[1]} +
+                                {2'b0, leaf_mask[2]} + {2'b0, leaf_mask[3]};
+            rt_traverse #(.FW(FW), .SLOTS(SLOTS), .SLOTW(SLOTW), .LINES(NODE_LINES),
+                          .SHADOW(SHADOWS), .FIRST(FIRST), .FACETS(FACETS)) u_traverse (
+                .clk(clk), .rst(rst), .flush_i(flush_i),
+                .mem_lines_i(mem_lines_i), .root_i(root_i), .visit_limit_i(visit_limit_i),
+                .facets_on_i(facets_on),
+                .new_valid_i(ray_valid), .new_slot_i(ray_slot), .new_org_i(ray_forg),
+                .new_unit_i(ray_unit), .new_axis_i(ray_axis), .new_negative_i(ray_negative),
+                .new_first_i(ray_first),
+                .go_valid_i(ray_go), .go_slot_i(ray_slot), .go_pixel_i(ray_primary && !ray_again),
+                .shadow_go_i(shadow_go), .shadow_slot_i(cosine_slot),
+                .next_valid_i(issue_valid), .next_slot_i(issue_slot), .next_line_i(issue_line),
+                .depth_read_o(filter_read), .depth_slot_o(filter_slot), .depth_i(filter_depth),
+                .found_valid_o(found_valid), .found_slot_o(leaf_slot), .found_base_o(found_base),
+                .found_count_o(found_count), .found_list_o(found_list),
+                .found_fresh_o(found_fresh), .found_kill_o(found_kill),
+                .found_leaf_o(leaf_mask), .found_line_o(leaf_line),
+                .visits_read_i(visits_read), .visits_slot_i(visits_slot), .visits_o(visits),
+                .mem_req_valid_o(mem_req_valid_o[0]), .mem_req_ready_i(mem_req_ready_i[0]),
+                .mem_req_line_o(mem_req_line_o[25:0]),
+                .mem_rsp_valid_i(mem_rsp_valid_i[0]), .mem_rsp_ready_o(mem_rsp_ready_o[0]),
+                .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
+                .issued_o(count_issued_o), .visit_o(count_visit_o), .tests_o(count_tests_o),
+                .miss_o(count_miss_o[0]), .bad_node_o(bad_node), .visit_limit_o(visit_limit),
+                .bus_error_o(node_error)
+            );
+
+            // the next node: visits with leaves first, they waited longest
+            wire              leafy_valid, plain_valid, leafy_in, plain_in, next_ready;
+            wire [SLOTW-1:0]  leafy_slot, plain_slot;
+            rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_leafy (
+                .clk(clk), .rst(rst), .in_valid_i(visit_valid), .in_ready_o(leafy_in),
+                .in_data_i(visit_slot),
+                .out_valid_o(leafy_valid), .out_ready_i(next_ready), .out_data_o(leafy_slot)
+            );
+            rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_plain (
+                .clk(clk), .rst(rst), .in_valid_i(found_valid && leaf_mask == 4'd0),
+                .in_ready_o(plain_in), .in_data_i(leaf_slot),
+                .out_valid_o(plain_valid), .out_ready_i(next_ready && !leafy_valid),
+                .out_data_o(plain_slot)
+            );
+            rt_next #(.FW(FW), .SLOTS(SLOTS), .SLOTW(SLOTW), .DEPTH(STACK),
+                      .ENDS(SHADOWS != 0 || FIRST != 0 ? 1 : 0)) u_next (
+                .clk(clk), .rst(rst),
+                .found_valid_i(found_valid), .found_slot_i(leaf_slot), .found_base_i(found_base),
+                .found_count_i(found_count), .found_list_i(found_list),
+                .found_fresh_i(found_fresh), .found_kill_i(found_kill),
+                .in_valid_i(leafy_valid || plain_valid), .in_ready_o(next_ready),
+                .in_slot_i(leafy_valid ? leafy_slot : plain_slot),
+                .read_o(next_read), .slot_o(next_slot), .depth_i(next_depth), .hit_i(next_hit),
+                .ends_i(next_ends),
+                .issue_valid_o(issue_valid), .issue_slot_o(issue_slot), .issue_line_o(issue_line),
+                .done_valid_o(done_valid), .done_slot_o(done_slot),
+                .bubble_o(count_bubble_o), .overflow_o(overflow)
+            );
+            wire unused = &{1'b0, leafy_in, plain_in, n_prims_i, leaf_base_i, n_loose_i, box_i};
+        end else begin : g_bih
+            assign {filter_read, filter_slot} = {(SLOTW+1){1'b0}};
+            rt_bih #(.W(W), .WD(WD), .SLOTS(SLOTS), .SLOTW(SLOTW), .LINES(NODE_LINES),
+                     .SHADOW(SHADOWS), .FACETS(FACETS)) u_bih (
+                .clk(clk), .rst(rst), .flush_i(flush_i),
+                .mem_lines_i(mem_lines_i), .root_i(root_i), .visit_limit_i(visit_limit_i),
+                .n_prims_i(n_prims_i), .leaf_base_i(leaf_base_i), .n_loose_i(n_loose_i),
+                .box_i(box_i), .facets_on_i(facets_on),
+                .new_valid_i(ray_valid), .new_slot_i(ray_slot), .new_org_i(ray_org),
+                .new_dir_i(ray_dir), .new_a_i(ray_a), .new_shadow_i(ray_shadow),
+                .new_limit_o(ray_limit),
+                .go_valid_i(ray_go), .go_slot_i(ray_slot),
+                .go_pixel_i(ray_primary && !ray_again),
+                .shadow_go_i(shadow_go), .shadow_slot_i(cosine_slot),
+                .leaf_valid_o(leaf_visit), .leaf_slot_o(leaf_slot), .leaf_mask_o(leaf_mask),
+                .leaf_count_o(leaf_count), .leaf_line_o(leaf_line),
+                .tested_valid_i(visit_valid), .tested_slot_i(visit_slot),
+                .limit_read_o(next_read), .limit_slot_o(next_slot), .limit_i(next_depth),
+                .hit_i(next_hit), .ends_i(next_ends),
+                .done_valid_o(done_valid), .done_slot_o(done_slot),
+                .visits_read_i(visits_read), .visits_slot_i(visits_slot), .visits_o(visits),
+                .mem_req_valid_o(mem_req_valid_o[0]), .mem_req_ready_i(mem_req_ready_i[0]),
+                .mem_req_line_o(mem_req_line_o[25:0]),
+                .mem_rsp_valid_i(mem_rsp_valid_i[0]), .mem_rsp_ready_o(mem_rsp_ready_o[0]),
+                .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
+                .issued_o(count_issued_o), .visit_o(count_visit_o), .tests_o(count_tests_o),
+                .miss_o(count_miss_o[0]), .bubble_o(count_bubble_o), .bad_node_o(bad_node),
+                .visit_limit_o(visit_limit), .overflow_o(overflow), .bus_error_o(node_error)
+            );
+            wire unused = &{1'b0, ray_forg, ray_unit, ray_axis, ray_negative, ray_depth,
+                            filter_depth};
+        end
+    endgenerate
 
     // ---- exact leaves ----
-    wire              leaf_visit = found_valid && found_leaf != 4'd0;
-    wire [2:0]        leaf_count = {2'b0, found_leaf[0]} + {2'b0, found_leaf[1]} +
-                                   {2'b0, found_leaf[2]} + {2'b0, found_leaf[3]};
     wire              result_valid, result_hit, result_far;
     wire [SLOTW-1:0]  result_slot;
     wire [23:0]       result_id;
@@ -224,8 +304,8 @@ module rt_engine #(
         .facets_on_i(facets_on),
         .ray_valid_i(ray_valid), .ray_slot_i(ray_slot), .ray_shadow_i(ray_shadow),
         .ray_org_i(ray_org), .ray_dir_i(ray_dir), .ray_a_i(ray_a), .ray_skip_i(ray_skip),
-        .in_valid_i(leaf_visit), .in_slot_i(found_slot), .in_leaf_i(found_leaf),
-        .in_line_i(found_line),
+        .in_valid_i(leaf_visit), .in_slot_i(leaf_slot), .in_leaf_i(leaf_mask),
+        .in_line_i(leaf_line),
         .out_valid_o(result_valid), .out_slot_o(result_slot), .out_hit_o(result_hit),
         .out_far_o(result_far), .out_id_o(result_id), .out_key_o(result_key),
         .prim_valid_i(fetch_valid), .prim_ready_o(fetch_ready), .prim_slot_i(fetch_slot),
@@ -240,19 +320,16 @@ module rt_engine #(
         .divide_o(count_divide_o), .bad_node_o(bad_leaf), .miss_o(count_miss_o[1]),
         .bus_error_o(leaf_error)
     );
-    wire              visit_valid, next_hit, next_ends;
-    wire [SLOTW-1:0]  visit_slot, next_slot, done_slot;
-    wire [FW:0]       next_depth;
-    wire              done_valid, done_found, done_shadow, done_primary, done_first, done_far;
+    wire              done_found, done_shadow, done_primary, done_first, done_far;
     wire [23:0]       done_id;
     wire [KW-1:0]     done_key;
-    rt_collect #(.W(W), .WD(WD), .FW(FW), .SLOTS(SLOTS), .SLOTW(SLOTW), .SHADOW(SHADOWS),
-                 .INSIDE(FARS), .FIRST(FIRST)) u_collect (
+    rt_collect #(.W(W), .WD(WD), .FW(LW), .KEYS(ACCEL), .SLOTS(SLOTS), .SLOTW(SLOTW),
+                 .SHADOW(SHADOWS), .INSIDE(FARS), .FIRST(FIRST)) u_collect (
         .clk(clk), .rst(rst),
-        .want_valid_i(leaf_visit), .want_slot_i(found_slot), .want_count_i(leaf_count),
+        .want_valid_i(leaf_visit), .want_slot_i(leaf_slot), .want_count_i(leaf_count),
         .new_valid_i(ray_valid), .new_slot_i(ray_slot), .new_scale_i(ray_scale),
         .new_shift_i(ray_shift), .new_shadow_i(ray_shadow), .new_primary_i(ray_primary),
-        .new_first_i(ray_first), .new_depth_i(ray_depth),
+        .new_first_i(ray_first), .new_depth_i(ray_limit),
         .in_valid_i(result_valid), .in_slot_i(result_slot), .in_hit_i(result_hit),
         .in_far_i(result_far), .in_id_i(result_id), .in_key_i(result_key),
         .out_valid_o(visit_valid), .out_slot_o(visit_slot),
@@ -262,35 +339,6 @@ module rt_engine #(
         .done_valid_i(done_valid), .done_slot_i(done_slot), .done_found_o(done_found),
         .done_shadow_o(done_shadow), .done_primary_o(done_primary), .done_first_o(done_first),
         .done_far_o(done_far), .done_id_o(done_id), .done_key_o(done_key)
-    );
-
-    // ---- the next node: visits with leaves first, they waited longest ----
-    wire              leafy_valid, plain_valid, leafy_in, plain_in, next_ready;
-    wire [SLOTW-1:0]  leafy_slot, plain_slot;
-    rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_leafy (
-        .clk(clk), .rst(rst), .in_valid_i(visit_valid), .in_ready_o(leafy_in),
-        .in_data_i(visit_slot),
-        .out_valid_o(leafy_valid), .out_ready_i(next_ready), .out_data_o(leafy_slot)
-    );
-    rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_plain (
-        .clk(clk), .rst(rst), .in_valid_i(found_valid && found_leaf == 4'd0),
-        .in_ready_o(plain_in), .in_data_i(found_slot),
-        .out_valid_o(plain_valid), .out_ready_i(next_ready && !leafy_valid),
-        .out_data_o(plain_slot)
-    );
-    rt_next #(.FW(FW), .SLOTS(SLOTS), .SLOTW(SLOTW), .DEPTH(STACK),
-              .ENDS(SHADOWS != 0 || FIRST != 0 ? 1 : 0)) u_next (
-        .clk(clk), .rst(rst),
-        .found_valid_i(found_valid), .found_slot_i(found_slot), .found_base_i(found_base),
-        .found_count_i(found_count), .found_list_i(found_list),
-        .found_fresh_i(found_fresh), .found_kill_i(found_kill),
-        .in_valid_i(leafy_valid || plain_valid), .in_ready_o(next_ready),
-        .in_slot_i(leafy_valid ? leafy_slot : plain_slot),
-        .read_o(next_read), .slot_o(next_slot), .depth_i(next_depth), .hit_i(next_hit),
-        .ends_i(next_ends),
-        .issue_valid_o(issue_valid), .issue_slot_o(issue_slot), .issue_line_o(issue_line),
-        .done_valid_o(done_valid), .done_slot_o(done_slot),
-        .bubble_o(count_bubble_o), .overflow_o(overflow)
     );
 
     // ---- shading ----
@@ -446,6 +494,6 @@ module rt_engine #(
     );
     assign errors_o = {node_error || leaf_error || texture_error, visit_limit, overflow,
                        bad_node || bad_record || bad_leaf || bad_texture};
-    wire unused = &{1'b0, leafy_in, plain_in, effects_i};
+    wire unused = &{1'b0, effects_i};
 endmodule
 `default_nettype wire

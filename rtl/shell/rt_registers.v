@@ -7,7 +7,8 @@
 module rt_registers #(
     parameter W  = 16,  // coordinate, bits
     parameter WD = 17,  // direction component, bits
-    parameter TEXTURE = 0 // 1: the register of textures
+    parameter TEXTURE = 0, // 1: the register of textures
+    parameter ACCEL = 0    // 1: those of a BIH
 ) (
     input  wire              clk,
     input  wire              valid_i,
@@ -33,6 +34,11 @@ module rt_registers #(
     output reg  [31:0]       profile_o,
     output reg  [1:0]        frame_o,
     output wire [1:0]        tex_filter_o,
+    output reg               bih_o,           // TREE is a BIH
+    output wire [23:0]       n_prims_o,       // of a BIH
+    output wire [25:0]       leaf_base_o,
+    output wire [23:0]       n_loose_o,
+    output wire [6*(W+2)-1:0] box_o,          // {z1, y1, x1, z0, y0, x0}
     // lights live in the engines: one write goes by
     output wire              light_valid_o,
     output wire [2:0]        light_number_o,
@@ -74,6 +80,7 @@ module rt_registers #(
                 `RT_REG_VISIT_LIMIT: visit_limit_o   <= data_i[23:0];
                 `RT_REG_PROFILE:     profile_o       <= data_i;
                 `RT_REG_FRAME:       frame_o         <= data_i[1:0];
+                `RT_REG_TREE:        bih_o           <= data_i[2:0] >= 3'd`RT_TREE_BIH;
                 `RT_REG_BG_BASE:     bg_base_o       <= data_i[25:0];
                 `RT_REG_BG_COUNT:    bg_count_o      <= data_i[4:0];
                 default: ;
@@ -86,6 +93,28 @@ module rt_registers #(
             assign tex_filter_o = filter_q;
         end else begin : g_no_texture
             assign tex_filter_o = 2'd0;
+        end
+        if (ACCEL != 0) begin : g_bih
+            reg [23:0]        n_prims_q, n_loose_q;
+            reg [25:0]        leaf_base_q;
+            reg [6*(W+2)-1:0] box_q;
+            wire [6:0]        side = addr_i - `RT_REG_BOX_X0;
+            integer           i;
+            always @(posedge clk)
+                if (valid_i) begin
+                    if (addr_i == `RT_REG_N_PRIMS)   n_prims_q   <= data_i[23:0];
+                    if (addr_i == `RT_REG_LEAF_BASE) leaf_base_q <= data_i[25:0];
+                    if (addr_i == `RT_REG_N_LOOSE)   n_loose_q   <= data_i[23:0];
+                    for (i = 0; i < 6; i = i + 1)
+                        if (side == i[6:0]) box_q[(W+2)*i +: W+2] <= data_i[W+1:0];
+                end
+            assign n_prims_o   = n_prims_q;
+            assign leaf_base_o = leaf_base_q;
+            assign n_loose_o   = n_loose_q;
+            assign box_o       = box_q;
+        end else begin : g_four
+            assign {n_prims_o, leaf_base_o, n_loose_o} = 74'd0;
+            assign box_o = {6*(W+2){1'b0}};
         end
     endgenerate
 endmodule

@@ -14,6 +14,7 @@ namespace {
 int built_with(const std::string &built, const std::string &name) {
     std::istringstream words(built);
     std::string word, wanted;
+    if (name == "bih") return built_with(built, "accel");
     for (char c : name)
         wanted += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     while (words >> word)

@@ -30,6 +30,7 @@ module tb_core_icarus #(
     parameter RECT = 1,
     parameter SPANS = 1,
     parameter CONES = 1,
+    parameter ACCEL = 0,
     parameter LINES = 131072   // of memory
 );
     localparam N_REGS = `RT_N_REGS;
@@ -67,7 +68,7 @@ module tb_core_icarus #(
         .W(W), .WD(WD), .PQ(PQ), .NG(NG), .FW(FW), .PR(PR),
         .ENGINES(ENGINES), .SHADOW(SHADOW), .REFLECT(REFLECT), .LIGHTS(LIGHTS), .INSIDE(INSIDE),
         .FIRST(FIRST), .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS),
-        .TEXTURE(TEXTURE), .RECT(RECT), .SPANS(SPANS), .CONES(CONES),
+        .TEXTURE(TEXTURE), .RECT(RECT), .SPANS(SPANS), .CONES(CONES), .ACCEL(ACCEL),
         .ROOT_STEP(ROOT_STEP), .QUOTIENT_STEP(QUOTIENT_STEP)
     ) u_core (
         .clk(clk), .rst(rst),
