@@ -65,7 +65,8 @@ IMAGE_LIBS  = $(call pkg,--libs OpenImageIO)
 MODEL_PACKAGES := expat gmp mpfr
 
 # Programs that make a table, run by hand; never part of the library.
-GENERATORS := cmodel/math/gen_rsqrt.c cmodel/texture/gen_log2.c cmodel/shade/gen_power.c
+GENERATORS := cmodel/math/gen_rsqrt.c cmodel/texture/gen_log2.c cmodel/shade/gen_power.c \
+              cmodel/shade/gen_power_rom.c
 C_FILES    := $(sort $(shell find cmodel -name '*.c'))
 LIB_C      := $(filter-out cmodel/tool/% $(GENERATORS),$(C_FILES))
 TOOL_C     := $(filter cmodel/tool/%,$(C_FILES))

@@ -4,7 +4,7 @@
 set -u
 cd "$(dirname "$0")/.." || exit 1
 n=0
-echo 1..7
+echo 1..8
 same() { # name, committed file, fresh file
     n=$((n + 1))
     if diff -u "$2" "$3"; then echo "ok $n - $1"; else echo "not ok $n - $1: see make layout"; fi
@@ -28,3 +28,6 @@ same "rt_log2_rom.v follows gen_log2.c" rtl/texture/rt_log2_rom.v "$TMP/rt_log2_
 ${CC:-gcc} -std=c11 -O2 -Icmodel cmodel/shade/gen_power.c -lm -o "$TMP/gen_power" || exit 1
 "$TMP/gen_power" >"$TMP/power_table.h"
 same "power_table.h follows gen_power.c" cmodel/shade/power_table.h "$TMP/power_table.h"
+${CC:-gcc} -std=c11 -O2 -Icmodel cmodel/shade/gen_power_rom.c -o "$TMP/gen_power_rom" || exit 1
+"$TMP/gen_power_rom" >"$TMP/rt_power_rom.v"
+same "rt_power_rom.v follows power_table.h" rtl/shade/rt_power_rom.v "$TMP/rt_power_rom.v"
