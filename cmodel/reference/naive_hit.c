@@ -1,0 +1,129 @@
+/* naive_hit.c - the naive model: what a ray hits, where, and what leaves there; see naive_hit.h
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Borodavka et al. VI.A (hit point), VI.B (mirror).
+ */
+#include "reference/naive_hit.h"
+
+#include "reference/naive_math.h"
+
+static int on(const struct sph_machine *m, int effect) {
+    return m->regs[SPH_REG_EFFECTS] & 1 << effect ? 1 : 0;
+}
+
+static struct sph_naive_prim prim_read(const struct sph_machine *m, int32_t index) {
+    const uint32_t *line = m->mem + (int64_t)SPH_LINE_WORDS * (m->regs[SPH_REG_PRIM_BASE] + index);
+    struct sph_naive_prim p;
+    for (int i = 0; i < 3; i++) {
+        p.sphere.ctr[i] = sph_field_signed(line, 24 * i, 24);
+        p.rgb[i] = sph_field(line, SPH_PRIM_RED_LSB + 8 * i, 8);
+    }
+    p.sphere.rad = sph_field(line, SPH_LEAF_RAD_LSB, SPH_LEAF_RAD_BITS);
+    p.sphere.id = sph_field(line, SPH_LEAF_ID_LSB, SPH_LEAF_ID_BITS);
+    p.kr = sph_field(line, SPH_PRIM_KR_LSB, SPH_PRIM_KR_BITS);
+    p.kt = sph_field(line, SPH_PRIM_KT_LSB, SPH_PRIM_KT_BITS);
+    p.sum = (int)sph_field(line, SPH_PRIM_SUM_LSB, SPH_PRIM_SUM_BITS);
+    p.ka = sph_field(line, SPH_PRIM_KA_LSB, SPH_PRIM_KA_BITS);
+    p.kd = sph_field(line, SPH_PRIM_KD_LSB, SPH_PRIM_KD_BITS);
+    p.ks = sph_field(line, SPH_PRIM_KS_LSB, SPH_PRIM_KS_BITS);
+    p.power = sph_field(line, SPH_PRIM_POWER_LSB, SPH_PRIM_POWER_BITS);
+    p.index = sph_field(line, SPH_PRIM_INDEX_LSB, SPH_PRIM_INDEX_BITS);
+    p.facet = on(m, SPH_EFFECT_FACETS) && index >= m->regs[SPH_REG_N_SPHERES];
+    return p;
+}
+
+/* Meets facet `index`. */
+static struct sph_naive_leaf facet(const struct sph_machine *m, const struct sph_ray *ray,
+                                   int32_t index) {
+    int32_t line = m->regs[SPH_REG_FACET_BASE] + index - m->regs[SPH_REG_N_SPHERES];
+    struct sph_facet_leaf f = sph_naive_facet_read(m->mem + (int64_t)SPH_LINE_WORDS * line);
+    return sph_naive_facet(ray, &f, sph_machine_profile(m)->w);
+}
+
+/* Tests primitive `index`; a hit with a smaller key, or the same and a smaller id, replaces *best.
+ */
+static void consider(const struct sph_machine *m, const struct sph_ray *ray, int32_t index,
+                     struct sph_naive_found *best) {
+    struct sph_naive_prim prim = prim_read(m, index);
+    struct sph_naive_leaf how =
+        prim.facet ? facet(m, ray, index)
+                   : sph_naive_leaf_bits(ray, &prim.sphere, sph_machine_profile(m)->pr);
+    if (!how.hit) return;
+    if (!best->how.hit || how.key < best->how.key ||
+        (how.key == best->how.key && prim.sphere.id < best->prim.sphere.id))
+        *best = (struct sph_naive_found){how, prim};
+}
+
+struct sph_naive_found sph_naive_trace(const struct sph_machine *m, const struct sph_ray *ray) {
+    struct sph_naive_found best = {0};
+    for (int32_t i = 0; i < m->regs[SPH_REG_N_PRIMS]; i++)
+        consider(m, ray, i, &best);
+    return best;
+}
+
+struct sph_naive_found sph_naive_first(const struct sph_machine *m, const struct sph_ray *ray,
+                                       uint32_t line) {
+    const uint32_t *node = m->mem + (size_t)SPH_LINE_WORDS * line;
+    uint32_t below = node[7] & 0x3ffffff, inner = node[7] >> 26 & 7, leaves = node[7] >> 29;
+    struct sph_naive_found best = {0};
+    for (uint32_t i = 0; i < leaves; i++) {
+        const uint32_t *leaf = m->mem + (size_t)SPH_LINE_WORDS * (below + inner) + (size_t)4 * i;
+        consider(m, ray, (int32_t)(leaf[3] & 0xffffff), &best);
+    }
+    for (uint32_t i = 0; i < inner && !best.how.hit; i++)
+        best = sph_naive_first(m, ray, below + i);
+    return best;
+}
+
+void sph_naive_mirror(const int64_t d[3], const int64_t n[3], int wd, int64_t out[3]) {
+    mpz_t v[3], dn, nn, x;
+    mpz_inits(v[0], v[1], v[2], dn, nn, x, NULL);
+    for (int i = 0; i < 3; i++) {
+        mpz_set_si(x, n[i]);
+        mpz_addmul(nn, x, x);
+        mpz_mul_si(x, x, d[i]);
+        mpz_add(dn, dn, x);
+    }
+    for (int i = 0; i < 3; i++) {
+        mpz_mul_si(v[i], nn, d[i]);
+        mpz_mul_si(x, dn, 2 * n[i]);
+        mpz_sub(v[i], v[i], x);
+    }
+    sph_naive_normalise(v, wd, out);
+    mpz_clears(v[0], v[1], v[2], dn, nn, x, NULL);
+}
+
+struct sph_naive_point sph_naive_point_of(const struct sph_profile *p, const struct sph_ray *ray,
+                                          const struct sph_naive_found *f) {
+    struct sph_naive_point s;
+    uint64_t mant, a = 0;
+    mpz_t n[3], x;
+    mpz_inits(n[0], n[1], n[2], x, NULL);
+    for (int i = 0; i < 3; i++)
+        a += (uint64_t)(ray->dir[i] * ray->dir[i]);
+    long exp = sph_naive_quotient(f->how.key, a, p->pq, &mant);
+    for (int i = 0; i < 3; i++) {
+        mpz_set_ui(n[i], mant);
+        mpz_mul_si(n[i], n[i], ray->dir[i]);
+        sph_naive_round(n[i], exp - p->ng);
+        mpz_set_si(x, ray->org[i]);
+        mpz_mul_2exp(x, x, (mp_bitcnt_t)p->ng);
+        mpz_add(n[i], n[i], x);
+        mpz_set_si(n[i], sph_naive_limit(n[i], p->w + p->ng));
+        mpz_set(x, n[i]);
+        sph_naive_round(x, p->ng);
+        s.at[i] = sph_naive_limit(x, p->w);
+        mpz_set_si(x, f->prim.sphere.ctr[i]);
+        mpz_mul_2exp(x, x, (mp_bitcnt_t)p->ng);
+        mpz_sub(n[i], n[i], x);
+        if (f->prim.facet) mpz_set_si(n[i], f->prim.sphere.ctr[i]);
+        if (f->how.far) mpz_neg(n[i], n[i]);
+    }
+    if (!mpz_sgn(n[0]) && !mpz_sgn(n[1]) && !mpz_sgn(n[2]))
+        for (int i = 0; i < 3; i++)
+            mpz_set_si(n[i], -ray->dir[i]);
+    sph_naive_normalise(n, p->wd, s.normal);
+    sph_naive_unit(s.normal, p->wd, s.unit);
+    mpz_clears(n[0], n[1], n[2], x, NULL);
+    return s;
+}
