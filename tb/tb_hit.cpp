@@ -18,6 +18,9 @@ extern "C" {
 #ifndef FACETS
 #define FACETS 0
 #endif
+#ifndef TEXTURE
+#define TEXTURE 0
+#endif
 
 namespace {
 
@@ -160,6 +163,10 @@ int main(int argc, char **argv) {
         b.expect("out_normal_x_o", b.sget(b.dut.out_normal_x_o, WD), s.normal[0], WD);
         b.expect("out_normal_y_o", b.sget(b.dut.out_normal_y_o, WD), s.normal[1], WD);
         b.expect("out_normal_z_o", b.sget(b.dut.out_normal_z_o, WD), s.normal[2], WD);
+        for (int i = 0; i < 3; i++)
+            b.expect("out_guarded_o",
+                     bench::sign(b.get(b.dut.out_guarded_o) >> (W + NG) * i, W + NG),
+                     TEXTURE ? s.guarded[i] : 0, W + NG);
         b.expect("out_saturated_o", b.dut.out_saturated_o, saturated, 1);
         if (b.bad()) {
             e.hard.show();

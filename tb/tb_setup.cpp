@@ -15,10 +15,14 @@ extern "C" {
 #include "trace/ray.h"
 }
 
+#ifndef TEXTURE
+#define TEXTURE 0
+#endif
+
 namespace {
 
 enum { PRIMARY, LIGHT, BOUNCE, NORMAL, SOURCES, IDLE = -1 };
-const bool built[] = {true, LIGHTS != 0, BOUNCES != 0, LIGHTS != 0 || BOUNCES != 0};
+const bool built[] = {true, LIGHTS != 0, BOUNCES != 0, LIGHTS || BOUNCES || TEXTURE};
 constexpr bool SHADOWS = LIGHTS && SHADOW; /* else the core takes a vector to a light no further */
 const char *const kinds[] = {"primary ray", "ray to a light", "reflected ray", "normal"};
 constexpr int K = W - FW, NO_BOUND = 63;
@@ -293,6 +297,8 @@ class Setup : public bench::Bench<Vrt_setup> {
         expect("ray_scale_o", get(dut.ray_scale_o), r.depth_scale, 17);
         expect("ray_shift_o", get(dut.ray_shift_o), r.depth_shift < 0 ? NO_BOUND : r.depth_shift,
                6);
+        expect("ray_y_o", get(dut.ray_y_o), TEXTURE ? r.unit.y : 0, 17);
+        expect("ray_h_o", get(dut.ray_h_o), TEXTURE ? r.unit.h : 0, 6);
         expect("ray_depth_o", get(dut.ray_depth_o), r.depth_max, FW + 1);
         s.started = true;
         end(s, !light);
@@ -306,6 +312,9 @@ class Setup : public bench::Bench<Vrt_setup> {
         expect("normal_vec_o", (bench::i128)get(dut.normal_vec_o), pack(n, WD), 3 * WD);
         expect("normal_nn_o", (bench::i128)get(dut.normal_nn_o), nn, 2 * WD);
         s.unit = sph_unit(n, nn, WD);
+        for (int i = 0; i < 3; i++)
+            expect("ray_unit_o of a normal", bench::sign(get(dut.ray_unit_o) >> (18 * i), 18),
+                   s.unit.u[i], 18);
         s.normal = s.dir;
         s.has_normal = true;
         end(s, true);

@@ -26,6 +26,9 @@ extern "C" {
 #ifndef FACETS
 #define FACETS 0
 #endif
+#ifndef TEXTURE
+#define TEXTURE 0
+#endif
 
 using bench::u128;
 
@@ -201,6 +204,9 @@ int main(int argc, char **argv) {
             u128 material = b.dut.prim_data_i[4] | (u128)(b.dut.prim_data_i[5] & 1) << 32;
             b.expect("material_slot_o", b.dut.material_slot_o, answer, SLOTW);
             b.expect("material_o", b.get(b.dut.material_o), (bench::i128)material, 33);
+            static_assert(SPH_PRIM_TEX_LSB == 192 && SPH_PRIM_TEX_BITS == 26, "seventh word");
+            b.expect("material_tex_o", b.dut.material_tex_o,
+                     TEXTURE ? b.dut.prim_data_i[6] & 0x3ffffff : 0, 26);
             slots[answer].state = Slot::FETCHED;
         }
 
@@ -241,6 +247,9 @@ int main(int argc, char **argv) {
                  3 * W);
         b.expect("out_normal_o", b.get(b.dut.out_normal_o), (bench::i128)pack(surface.normal, WD),
                  3 * WD);
+        const int64_t none[3] = {0, 0, 0};
+        b.expect("out_guarded_o", b.get(b.dut.out_guarded_o),
+                 (bench::i128)pack(TEXTURE ? surface.guarded : none, W + NG), 3 * (W + NG));
         b.expect("saturated_o", b.dut.saturated_o, saturated, 1);
         if (b.bad()) {
             b.show("slot", at, SLOTW);
