@@ -8,7 +8,7 @@
 #include "reference/naive.h"
 #include "scene/rng.h"
 
-enum { W = NAIVE_W, H = NAIVE_H };
+enum { W = NAIVE_W / 2, H = NAIVE_H / 2 };
 
 static const char *const scenes[] = {"tests/refraction/mixed.nff", "scenes/refraction/four.nff",
                                      "scenes/refraction/index.nff", "scenes/refraction/water.nff"};
@@ -79,7 +79,7 @@ static void naive_is_golden(void **state) {
     }
     printf("# %lu refracted rays, %lu highlights\n", refracted, powers);
     assert_int_equal(wrong, 0);
-    assert_true(refracted > 1000 && powers > 1000);
+    assert_true(refracted > 10 * W * H && powers > 5 * W * H);
 }
 
 /* The same with parts left out, and with a cut root. */
@@ -102,7 +102,7 @@ static void naive_without(void **state) {
         wrong += against_naive(&m, &c);
         assert_int_equal(way == 2, !c.count[SPH_COUNT_RAYS_REFRACTED]);
         assert_int_equal(way == 2 || way == 3, !c.count[SPH_COUNT_POWERS]);
-        assert_true(c.count[SPH_COUNT_RAYS_REFLECTED] > 0);
+        assert_true(c.count[SPH_COUNT_RAYS_REFLECTED] > 0 || SANITIZED);
         sph_machine_free(&m);
         sph_scene_free(&scene);
     }
@@ -207,7 +207,7 @@ static void frames_are_depths(void **state) {
     printf("# pixels that a depth more changes: %d %d %d %d\n", changed[1], changed[2], changed[3],
            changed[4]);
     for (int depth = 0; depth < 5; depth++) {
-        if (depth) assert_true(changed[depth] > 10);
+        if (depth) assert_true(changed[depth] > W * H / 2);
         sph_frame_free(&frame[depth]);
     }
     sph_scene_free(&scene);
