@@ -8,6 +8,7 @@
 module p_cache #(
     parameter LINES   = 4,
     parameter WAYS    = 2,
+    parameter GROUP   = 1,
     parameter PENDING = 2
 ) (
     input  wire       clk,
@@ -40,38 +41,37 @@ module p_cache #(
     wire give = rsp_valid && rsp_ready;
 
     // ---- memory: lines asked for, in order ----
-    reg  [1:0] count_q = 2'd0;
-    reg        ask_0_q = 1'b0, ask_1_q = 1'b0;   // is it the marked line?
+    localparam N = PENDING * GROUP;
+    reg  [3:0] count_q = 4'd0;
+    reg  [N-1:0] ask_q = {N{1'b0}};              // is it the marked line? The oldest in bit 0
     wire ask  = mem_req_valid && mem_req_ready;
     wire send = mem_rsp_valid && count_q != 0;
     wire sent = send && mem_rsp_ready;
-    wire [1:0] left = count_q - {1'b0, sent};
+    wire [3:0] left = count_q - {3'd0, sent};
     wire       line_asked = mem_req_line[2:0] == mark_q;
     always @(posedge clk) begin
-        if (sent) ask_0_q <= ask_1_q;
-        if (ask && left == 0) ask_0_q <= line_asked;
-        if (ask && left != 0) ask_1_q <= line_asked;
-        count_q <= left + {1'b0, ask};
+        ask_q   <= (ask_q >> sent) | ({{(N-1){1'b0}}, ask && line_asked} << left);
+        count_q <= left + {3'd0, ask};
         if (take && !req_tag) line_0_q <= req_line == mark_q;
         if (take &&  req_tag) line_1_q <= req_line == mark_q;
         busy_q <= (busy_q & ~{give && rsp_tag, give && !rsp_tag}) |
                   {take && req_tag, take && !req_tag};
-        if (!old_q) begin busy_q <= 2'd0; count_q <= 2'd0; end
+        if (!old_q) begin busy_q <= 2'd0; count_q <= 4'd0; ask_q <= {N{1'b0}}; end
     end
-    rt_cache #(.TAG(1), .LINES(LINES), .WAYS(WAYS), .PENDING(PENDING)) u_dut (
+    rt_cache #(.TAG(1), .LINES(LINES), .WAYS(WAYS), .GROUP(GROUP), .PENDING(PENDING)) u_dut (
         .clk(clk), .rst(!old_q), .flush_i(flush), .miss_o(miss),
         .req_valid_i(req), .req_ready_o(req_ready), .req_line_i({23'd0, req_line}),
         .req_tag_i(req_tag), .rsp_valid_o(rsp_valid), .rsp_ready_i(rsp_ready),
         .rsp_data_o(rsp_data), .rsp_tag_o(rsp_tag), .rsp_error_o(rsp_error),
         .mem_req_valid_o(mem_req_valid), .mem_req_ready_i(mem_req_ready),
         .mem_req_line_o(mem_req_line), .mem_rsp_valid_i(send), .mem_rsp_ready_o(mem_rsp_ready),
-        .mem_rsp_data_i({255'd0, ask_0_q}), .mem_rsp_error_i(1'b0)
+        .mem_rsp_data_i({255'd0, ask_q[0]}), .mem_rsp_error_i(1'b0)
     );
 
     // ---- an answer that nobody asked for, or with another line; more lines than may be ----
     wire line = rsp_tag ? line_1_q : line_0_q;
     assign bad_o = old_q && ((rsp_valid && !(rsp_tag ? busy_q[1] : busy_q[0])) ||
                              (rsp_valid && (rsp_data[0] != line || rsp_error)) ||
-                             (ask && left == 2));
+                             (ask && left == N));
 endmodule
 `default_nettype wire

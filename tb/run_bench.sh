@@ -51,8 +51,8 @@ build() { # profile, module, bench, parameters
         done >"$dir/all.cpp"
         # shellcheck disable=SC2086  # a list of words on purpose
         g++ -std=c++17 "$BENCH_OPT" -Wall -Wextra -DPROFILE="\"$profile\"" $macros -I. -Icmodel \
-            -Itb -isystem "$dir" -isystem "$include" -MMD -c "$dir/all.cpp" -MF "$dir/bench.d" \
-            -o "$dir/bench.o" || return 1
+            -Itb -isystem "$dir" -isystem "$include" -isystem "$include/vltstd" -MMD \
+            -MF "$dir/bench.d" -c "$dir/all.cpp" -o "$dir/bench.o" || return 1
     fi
     # shellcheck disable=SC2086,SC2046  # lists of words on purpose
     [ -z "$(find "$dir/bench.o" $models -newer "$dir/bench" 2>&1)" ] ||

@@ -3,13 +3,16 @@
  *
  * Every slot follows a pixel: rays, their hits, surfaces with and without texture. Memory holds
  * sound and broken records, headers and texels; it answers late and in bursts. A vector is a
- * surface; in between the word of a pixel is read.
+ * surface; in between the word of a pixel is read. The model's cache, given what the unit asks of
+ * its cache and what memory answers, says in which clocks miss_o must be high.
  */
 #include <deque>
 #include <vector>
 
 #include "Vrt_texture.h"
+#include "Vrt_texture___024root.h"
 #include "bench.h"
+#include "cache_prediction.h"
 
 extern "C" {
 #include "texture/filter.h"
@@ -23,7 +26,7 @@ using bench::u128;
 
 namespace {
 
-constexpr uint32_t MAPS = 64, IMAGES = 16, LINES_IN_MEMORY = 6000;
+constexpr uint32_t MAPS = 64, IMAGES = 16, LINES_IN_MEMORY = 5999;
 
 struct sph_profile profile() {
     struct sph_profile p = {};
@@ -129,6 +132,10 @@ int main(int argc, char **argv) {
     uint32_t errors = 0;
     bool bad_node = false, drain = true, on = true;
     unsigned pace = 100, latency = 3, reading = 100;
+    const uint32_t shape = t.rootp->rt_texture__DOT__cache_shape,
+                   &seen = t.rootp->rt_texture__DOT__cache_seen;
+    CachePrediction prediction(shape >> 16, shape >> 8 & 255, shape & 255);
+    bool must_miss = false;
     int word_slot = -1, material_slot = -1;
     uint32_t material = 0;
     t.ray_valid_i = t.hit_valid_i = t.record_valid_i = t.point_valid_i = t.in_valid_i = 0;
@@ -194,7 +201,8 @@ int main(int argc, char **argv) {
             for (int i = 0; i < 3; i++)
                 s.where.unit[i] = unit.u[i];
             s.map = b.random.percent(20)  ? 0
-                    : b.random.percent(3) ? (uint32_t)b.random.bits(26)
+                    : b.random.percent(2) ? (uint32_t)b.random.bits(26)
+                    : b.random.percent(2) ? LINES_IN_MEMORY - 6 + (uint32_t)b.random.below(9)
                                           : 1 + (uint32_t)b.random.below(MAPS);
             s.kr = (uint32_t)b.random.below(257);
             s.albedo = (uint32_t)b.random.mixed(24);
@@ -247,6 +255,9 @@ int main(int argc, char **argv) {
         }
         if (t.mem_rsp_valid_i && t.mem_rsp_ready_o) asked.pop_front();
         texels_asked += t.texel_o;
+        if (t.miss_o != must_miss) b.fail("another miss than the model's");
+        must_miss = prediction.texture(seen);
+        if (prediction.impossible()) b.fail("a lookup that the model refuses");
         bad_node |= t.bad_node_o;
         if (t.bus_error_o) b.fail("a bus error that nobody made");
         bool out = t.out_valid_o;

@@ -291,6 +291,54 @@ static void cache(void **state) {
     assert_non_null(strstr(other.text, "not powers of two"));
 }
 
+/* Lines that come late: what is asked for while they are on their way, bus errors, a flush. */
+static void cache_late(void **state) {
+    (void)state;
+    struct sph_cache c;
+    struct sph_error err = {{0}};
+    assert_int_equal(sph_cache_start(&c, 128, 16, 2, &err), 0); /* 4 sets of 2 lines of 16 */
+    c.late = 1;
+    assert_int_equal(sph_cache_ask(&c, 0), 1);
+    assert_int_equal(sph_cache_ask(&c, 15), 0); /* on its way */
+    assert_int_equal(sph_cache_ask(&c, 64), 1);
+    assert_int_equal(sph_cache_ask(&c, 128), -1); /* both ways are */
+    assert_int_equal(c.asked, 3);
+    sph_cache_came(&c, 0);
+    assert_int_equal(sph_cache_ask(&c, 0), 0);
+    assert_int_equal(sph_cache_ask(&c, 128), 1); /* 0 was used last, but 64 is on its way */
+    assert_int_equal(sph_cache_ask(&c, 0), -1);
+    sph_cache_came(&c, 1);
+    assert_int_equal(sph_cache_ask(&c, 64), 1); /* a bus error came with it */
+    sph_cache_came(&c, 0);
+    sph_cache_came(&c, 0);
+    assert_int_equal(sph_cache_ask(&c, 79), 0);
+    assert_int_equal(sph_cache_ask(&c, 16), 1); /* another set */
+    sph_cache_forget(&c);
+    sph_cache_came(&c, 1); /* of a line that is forgotten */
+    assert_int_equal(sph_cache_ask(&c, 64), 1);
+    assert_int_equal(c.missed, 6);
+    sph_cache_end(&c);
+}
+
+/* Four ways: the first one not used since all were goes. */
+static void cache_lately(void **state) {
+    (void)state;
+    struct sph_cache c;
+    struct sph_error err = {{0}};
+    assert_int_equal(sph_cache_start(&c, 32, 8, 4, &err), 0); /* one set */
+    static const char asks[] = "abcd"                         /* all used: only d lately */
+                               "e"                            /* a's place */
+                               "b"                            /* stays; now d, e, b */
+                               "f"   /* c's place: all used, only f lately */
+                               "a"   /* e's place */
+                               "bfd" /* there; now all but d: all used, only d lately */
+                               "ce"; /* a's place, b's place */
+    for (size_t i = 0; asks[i]; i++)
+        assert_int_equal(sph_cache_ask(&c, 8u * (uint32_t)(asks[i] - 'a')),
+                         i != 5 && (i < 8 || i > 10));
+    sph_cache_end(&c);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(axis_texels),       cmocka_unit_test(level_sizes),
@@ -298,6 +346,7 @@ int main(void) {
         cmocka_unit_test(constant_stays),    cmocka_unit_test(filters),
         cmocka_unit_test(albedo_every_pair), cmocka_unit_test(lookups),
         cmocka_unit_test(damaged),           cmocka_unit_test(cache),
+        cmocka_unit_test(cache_late),        cmocka_unit_test(cache_lately),
     };
     return cmocka_run_group_tests_name("texel", tests, NULL, NULL);
 }

@@ -5,18 +5,20 @@
 //              +----> queue, in order ------+  +-- memory, in the order of mem_req
 // Hit: latency 2 cycles, one a cycle. Miss: waits in the queue for its line, 2 cycles more.
 // Responses carry the tag of their request; only requests that queue keep their order.
+// A line of the cache is an aligned group of GROUP lines of memory; a miss fetches all of them.
 // Why it is right: docs/cache.md.
 `default_nettype none
 module rt_cache #(
     parameter TAG     = 8,    // bits of a request's tag
-    parameter LINES   = 256,  // lines held, a power of two
-    parameter WAYS    = 4,    // lines of a set, a power of two, 2 .. LINES/2
+    parameter LINES   = 256,  // lines of memory held, a power of two
+    parameter WAYS    = 4,    // groups of a set, a power of two, 1 .. LINES/GROUP/2
+    parameter GROUP   = 1,    // lines of memory fetched together, a power of two
     parameter PENDING = 16    // requests that may wait for memory, a power of two
 ) (
     input  wire           clk,
     input  wire           rst,              // synchronous, active high
     input  wire           flush_i,          // one cycle: forget every line
-    output reg            miss_o,           // one cycle per line asked of memory
+    output reg            miss_o,           // one cycle per group asked of memory
     // from the client
     input  wire           req_valid_i,
     output wire           req_ready_o,
@@ -38,14 +40,19 @@ module rt_cache #(
     input  wire [255:0]   mem_rsp_data_i,
     input  wire           mem_rsp_error_i
 );
-    localparam SETS = LINES / WAYS;
+    localparam SETS = LINES / GROUP / WAYS;
+    localparam GB   = $clog2(GROUP);        // bits of a place in a group
     localparam SB   = $clog2(SETS);         // bits of a set number
-    localparam WB   = $clog2(WAYS);         // bits of a way number
-    localparam KB   = 26 - SB;              // line number above the set
+    localparam WB   = WAYS > 1 ? $clog2(WAYS) : 1; // bits of a way number
+    localparam PB   = SB + GB;              // bits of a set and a place in its group
+    localparam KB   = 26 - PB;              // line number above them
+    localparam AB   = $clog2(LINES);        // bits of an address of the data RAM
     generate
-        if (WAYS < 2 || SETS < 2 || WAYS != (1 << WB) || LINES != (WAYS << SB)) begin : illegal
+        if (WAYS < 1 || SETS < 2 || LINES != (1 << AB) || WAYS != (1 << $clog2(WAYS)) ||
+            GROUP != (1 << GB)) begin : illegal
             initial begin
-                $display("rt_cache: no cache of %0d lines in sets of %0d", LINES, WAYS);
+                $display("rt_cache: no cache of %0d lines in sets of %0d groups of %0d", LINES,
+                         WAYS, GROUP);
                 $finish;
             end
         end
@@ -77,7 +84,8 @@ module rt_cache #(
     reg  [25:0]    s1_line_q;
     reg  [TAG-1:0] s1_tag_q;
     wire           s1_go;                   // the lookup is done with
-    wire [SB-1:0]  s1_set = s1_line_q[SB-1:0];
+    wire [PB-1:0]  s1_place = s1_line_q[PB-1:0];
+    wire [SB-1:0]  s1_set = s1_place[PB-1:GB];
     assign req_ready_o = s1_go || !s1_valid_q;
     always @(posedge clk) begin
         if (req_ready_o) begin
@@ -91,15 +99,18 @@ module rt_cache #(
     // State of a line, in two memories because two places write it:
     //   by allocation: {used, asked, key}     by fill: {error, filled}
     // asked and filled differ while the line is on its way; an allocation makes them differ, the
-    // fill makes them equal again.
+    // fill (the last one of a group) makes them equal again.
     wire [WAYS-1:0] match;                  // way holds or awaits the line
     wire [WAYS-1:0] coming;                 // line of the way is on its way
     wire [WAYS-1:0] good;                   // line of the way is there, without error
     wire            alloc;                  // this cycle allocates a way
     wire [WAYS-1:0] victim;                 // which, one-hot
     wire            fill;                   // this cycle writes a line from memory
+    wire            fill_last;              // it is the last of its group
+    wire            fill_error;             // a bus error came with one of the group so far
     wire            head_asked;             // of the line at the head of the queue
-    wire [SB-1:0]   head_set;
+    wire [PB-1:0]   head_place;
+    wire [SB-1:0]   head_set = head_place[PB-1:GB];
     wire [WB-1:0]   head_way;
     genvar g;
     generate
@@ -110,17 +121,17 @@ module rt_cache #(
                 .clk(clk),
                 .wr_en_i(walk_step || (alloc && victim[g])),
                 .wr_addr_i(walk_q ? walk_set_q : s1_set),
-                .wr_data_i({!walk_q, !walk_q && !filled, s1_line_q[25:SB]}),
+                .wr_data_i({!walk_q, !walk_q && !filled, s1_line_q[25:PB]}),
                 .rd_addr_i(s1_set), .rd_data_o({used, asked, key})
             );
             rt_slot_file #(.WIDTH(2), .SLOTS(SETS)) u_fill (
                 .clk(clk),
-                .wr_en_i(walk_step || (fill && head_way == g[WB-1:0])),
+                .wr_en_i(walk_step || (fill && fill_last && head_way == g[WB-1:0])),
                 .wr_addr_i(walk_step ? walk_set_q : head_set),
-                .wr_data_i({mem_rsp_error_i, !walk_step && head_asked}),
+                .wr_data_i({fill_error, !walk_step && head_asked}),
                 .rd_addr_i(s1_set), .rd_data_o({error, filled})
             );
-            assign match[g]  = used && key == s1_line_q[25:SB];
+            assign match[g]  = used && key == s1_line_q[25:PB];
             assign coming[g] = used && asked != filled;
             assign good[g]   = used && asked == filled && !error;
         end
@@ -153,48 +164,88 @@ module rt_cache #(
     wire rsp_free;                          // the response register can take a line
     wire head_ready;                        // the head of the queue wants the data RAM
     wire queue_room;
-    wire mem_free  = mem_req_ready_i || !mem_req_valid_o;
+    wire mem_go    = mem_req_ready_i || !mem_req_valid_o;
+    wire mem_more;                          // lines of the group at hand are still to be asked for
+    wire mem_free  = mem_go && !mem_more;
     wire s1_run    = s1_valid_q && !walk_q;
     wire hit_go    = s1_run && s1_hit && rsp_free && !head_ready;
     wire follow_go = s1_run && !s1_hit && s1_follow && queue_room;
     assign alloc   = s1_run && !s1_hit && !s1_follow && queue_room && mem_free && |may;
     assign s1_go   = hit_go || follow_go || alloc;
     always @(posedge clk) begin
-        if (mem_free) begin mem_req_valid_o <= alloc; mem_req_line_o <= s1_line_q; end
+        if (mem_go) mem_req_valid_o <= alloc || mem_more;
         miss_o <= alloc;
         if (rst) begin mem_req_valid_o <= 1'b0; miss_o <= 1'b0; end
     end
+
+    // ---- the lines of a group: asked for and filled in order ----
+    wire [PB-1:0] fill_place;
+    generate
+        if (GROUP == 1) begin : g_line
+            always @(posedge clk) if (mem_free) mem_req_line_o <= s1_line_q;
+            assign mem_more   = 1'b0;
+            assign fill_place = head_place;
+            assign fill_last  = 1'b1;
+            assign fill_error = mem_rsp_error_i;
+        end else begin : g_group
+            reg [GB-1:0] fill_q;            // place of the next line from memory
+            reg          error_q;           // a bus error came with one before it
+            always @(posedge clk) begin
+                if (mem_go) mem_req_line_o <= mem_more ? mem_req_line_o + 26'd1
+                                              : {s1_line_q[25:GB], {GB{1'b0}}};
+                if (fill) begin
+                    fill_q  <= fill_q + 1'b1;
+                    error_q <= fill_error && !fill_last;
+                end
+                if (rst) begin fill_q <= {GB{1'b0}}; error_q <= 1'b0; end
+            end
+            assign mem_more   = mem_req_valid_o && !(&mem_req_line_o[GB-1:0]);
+            assign fill_place = {head_set, fill_q};
+            assign fill_last  = &fill_q;
+            assign fill_error = mem_rsp_error_i || error_q;
+        end
+    endgenerate
 
     // ---- queue: leaders, whose line is asked of memory, and followers, in order ----
     wire           head_leader;
     wire           head_go;                 // the head reads the data RAM and leaves
     wire [TAG-1:0] head_tag;
-    reg            head_filled_q;           // the line of the leader is written
-    rt_fifo #(.WIDTH(2+SB+WB+TAG), .DEPTH(PENDING)) u_queue (
+    reg            head_filled_q;           // the group of the leader is written
+    rt_fifo #(.WIDTH(2+PB+WB+TAG), .DEPTH(PENDING)) u_queue (
         .clk(clk), .rst(rst),
         .in_valid_i(follow_go || alloc), .in_ready_o(queue_room),
-        .in_data_i({alloc, |(asked_new & victim), s1_set, number(touch), s1_tag_q}),
+        .in_data_i({alloc, |(asked_new & victim), s1_place, number(touch), s1_tag_q}),
         .out_valid_o(head_valid), .out_ready_i(head_go),
-        .out_data_o({head_leader, head_asked, head_set, head_way, head_tag})
+        .out_data_o({head_leader, head_asked, head_place, head_way, head_tag})
     );
     assign mem_rsp_ready_o = head_valid && head_leader && !head_filled_q;
     assign fill            = mem_rsp_valid_i && mem_rsp_ready_o;
     assign head_ready      = head_valid && (!head_leader || head_filled_q);
     assign head_go         = head_ready && rsp_free;
     always @(posedge clk) begin
-        if (fill)    head_filled_q <= 1'b1;
+        if (fill && fill_last) head_filled_q <= 1'b1;
         if (head_go) head_filled_q <= 1'b0;
         if (rst)     head_filled_q <= 1'b0;
     end
 
     // ---- stage 2: data RAM; its output is the response ----
+    wire [AB-1:0] fill_at, head_at, hit_at;
+    generate
+        if (WAYS == 1) begin : g_direct
+            assign {fill_at, head_at, hit_at} = {fill_place, head_place, s1_place};
+        end else begin : g_ways
+            assign fill_at = {head_way, fill_place};
+            assign head_at = {head_way, head_place};
+            assign hit_at  = {number(match & good), s1_place};
+        end
+    endgenerate
     assign rsp_free = rsp_ready_i || !rsp_valid_o;
     rt_slot_ram #(.WIDTH(257), .SLOTS(LINES), .OLD(0)) u_data (
         .clk(clk),
-        .wr_en_i(fill), .wr_addr_i({head_way, head_set}),
+        .wr_en_i(fill), .wr_addr_i(fill_at),
         .wr_data_i({mem_rsp_error_i, mem_rsp_data_i}),
         .rd_en_i(head_go || hit_go),
-        .rd_addr_i(head_ready ? {head_way, head_set} : {number(match & good), s1_set}),
+        .rd_addr_i(head_ready ? head_at : hit_at),
         .rd_data_o({rsp_error_o, rsp_data_o})
     );
     always @(posedge clk) begin

@@ -12,8 +12,9 @@ module rt_texture #(
     parameter NG    = 2,       // guard bits of the hit point
     parameter SLOTS = 32,      // power of two
     parameter SLOTW = 5,       // log2 of SLOTS
-    parameter LINES = 128,     // texture cache, lines
-    parameter WAYS  = 4        // lines of a set
+    parameter LINES = 128,     // texture cache, lines of memory
+    parameter WAYS  = 4,       // groups of a set
+    parameter GROUP = 1        // lines of memory fetched together: 1, 2 or 4
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -64,7 +65,7 @@ module rt_texture #(
     input  wire                mem_rsp_error_i,
     // counters and errors
     output wire                texel_o,        // a texel is asked for
-    output wire                miss_o,
+    output wire                miss_o,         // a group is fetched: record, header, texel
     output wire                bad_node_o,
     output wire                bus_error_o
 );
@@ -114,19 +115,36 @@ module rt_texture #(
     assign texel_ready = ready;
     assign image_ready = ready && !texel_valid;
     assign map_ready   = ready && !texel_valid && !image_valid;
-    rt_cache #(.TAG(TAG), .LINES(LINES), .WAYS(WAYS), .PENDING(SLOTS)) u_cache (
+    wire             ask = texel_valid || image_valid || map_valid;
+    wire [25:0]      ask_line = beyond ? 26'd0 : line[25:0];
+    wire [25:0]      fetch_line;
+    rt_cache #(.TAG(TAG), .LINES(LINES), .WAYS(WAYS), .GROUP(GROUP), .PENDING(SLOTS)) u_cache (
         .clk(clk), .rst(rst), .flush_i(flush_i), .miss_o(miss_o),
-        .req_valid_i(texel_valid || image_valid || map_valid), .req_ready_o(ready),
-        .req_line_i(beyond ? 26'd0 : line[25:0]), .req_tag_i({what, beyond}),
+        .req_valid_i(ask), .req_ready_o(ready), .req_line_i(ask_line), .req_tag_i({what, beyond}),
         .rsp_valid_o(come), .rsp_ready_i(1'b1), .rsp_data_o(data),
         .rsp_tag_o({slot, kind, index, word, lost}), .rsp_error_o(come_error),
         .mem_req_valid_o(mem_req_valid_o), .mem_req_ready_i(mem_req_ready_i),
-        .mem_req_line_o(mem_req_line_o),
+        .mem_req_line_o(fetch_line),
         .mem_rsp_valid_i(mem_rsp_valid_i), .mem_rsp_ready_o(mem_rsp_ready_o),
         .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i)
     );
     assign bus_error_o = come && come_error;
     assign texel_o     = texel_valid && texel_ready;
+    // a group's lines behind the end of memory: its first line is read in their place
+    generate
+        if (GROUP == 1) begin : g_line
+            assign mem_req_line_o = fetch_line;
+        end else begin : g_group
+            localparam GB = $clog2(GROUP);
+            assign mem_req_line_o = {fetch_line[25:GB], fetch_line >= mem_lines_i ? {GB{1'b0}}
+                                                                        : fetch_line[GB-1:0]};
+        end
+    endgenerate
+    // for benches: the cache's shape, and what it is asked and given
+    wire [31:0] cache_shape /* verilator public_flat_rd */ = {LINES[15:0], WAYS[7:0], GROUP[7:0]};
+    wire [31:0] cache_seen  /* verilator public_flat_rd */ =
+        {flush_i, mem_rsp_valid_i && mem_rsp_ready_o, mem_rsp_error_i, ask, ready, texel_valid,
+         ask_line};
 
     // ---- a line came ----
     reg              r_map_q, r_texel_q, r_lost_q;
