@@ -94,6 +94,48 @@ static void test_generate(void **state) {
     }
 }
 
+static int outside(double v, double reach) {
+    return !(v >= -reach && v <= reach);
+}
+
+/* Aroxa's scenarios: where the spheres are, the lattice without gaps, what options do. */
+static void test_scenarios(void **state) {
+    (void)state;
+    static const char *const kinds[] = {"scenario1", "scenario2", "scenario3"};
+    for (int i = 0; i < 3; i++)
+        for (uint32_t n = 64; n <= 512; n *= 2) {
+            struct sph_error err = {""};
+            struct sph_generate_options o = {.n = n, .seed = n, .radius = 0.5, .plain = n == 128};
+            struct sph_scene s;
+            uint32_t corners = 0, sides[3] = {0};
+            assert_int_equal(sph_generate(kinds[i], &o, &s, &err), 0);
+            assert_true(s.n_spheres == n && s.n_facets == 1 && s.n_lights == 1);
+            assert_true(s.camera.width == 640 && s.camera.height == 1088);
+            assert_true(s.materials[0].sum.on == !o.plain && s.materials[1].trans > 0.6);
+            for (uint32_t j = 0; j < n; j++) {
+                const struct sph_vec c = s.spheres[j].ctr;
+                double near = fmin(fabs(c.x), fmin(fabs(c.y), fabs(c.z)));
+                assert_true(s.spheres[j].rad == 0.5);
+                assert_false(outside(c.x, 19.5) || outside(c.y, 19.5) || outside(c.z, 19.5));
+                corners += near >= 12.5;
+                sides[0] += c.y == s.spheres[n - 1].ctr.y && c.z == s.spheres[n - 1].ctr.z;
+                sides[1] += c.z == s.spheres[n - 1].ctr.z && c.x == s.spheres[n - 1].ctr.x;
+                sides[2] += c.x == s.spheres[n - 1].ctr.x && c.y == s.spheres[n - 1].ctr.y;
+            }
+            if (i == 1) assert_int_equal(corners, n);
+            if (i == 2) assert_true(corners >= n / 2);
+            if (i != 1) assert_int_equal(sides[0] * sides[1] * sides[2], i == 0 ? n : n - n / 2);
+            if (i != 1) assert_true(sides[0] >= sides[2] && sides[0] <= 2 * sides[2]);
+            round_trip(&s);
+            sph_scene_free(&s);
+        }
+    struct sph_generate_options thick = {.radius = 20.5};
+    struct sph_error err = {""};
+    struct sph_scene s;
+    assert_int_equal(sph_generate("scenario1", &thick, &s, &err), -1);
+    assert_non_null(strstr(err.text, "radius 20.5"));
+}
+
 static int by_edge(const void *a, const void *b) {
     return memcmp(a, b, 2 * sizeof(struct sph_vec));
 }
@@ -190,8 +232,8 @@ static void test_scene_files(void **state) {
 
 int main(void) {
     const struct CMUnitTest others[] = {
-        cmocka_unit_test(test_sphereflake), cmocka_unit_test(test_generate),
-        cmocka_unit_test(test_icosphere), cmocka_unit_test(test_generate_bad),
-        cmocka_unit_test(test_scene_files)};
+        cmocka_unit_test(test_sphereflake),  cmocka_unit_test(test_generate),
+        cmocka_unit_test(test_scenarios),    cmocka_unit_test(test_icosphere),
+        cmocka_unit_test(test_generate_bad), cmocka_unit_test(test_scene_files)};
     return run_cases("scene_make", NULL, NULL, 0, others, sizeof others / sizeof others[0]);
 }

@@ -84,6 +84,7 @@ static void put_node(struct sph_machine *m, const struct content *c, uint32_t in
     const struct sph_bih_node *from = &c->bih.nodes[index];
     const struct sph_profile *p = sph_machine_profile(m);
     uint32_t *to = line_at(m, index / 2) + index % 2 * (SPH_BIH_STRIDE / 32);
+    if (from->axis != SPH_BIH_LEAF && !from->child) return; /* beside the root, or an only child */
     sph_field_set(to, SPH_BIH_AXIS_LSB, SPH_BIH_AXIS_BITS, (uint32_t)from->axis);
     if (from->axis == SPH_BIH_LEAF) {
         to[SPH_BIH_FIRST_LSB / 32] = c->n_planes + from->first;
@@ -131,7 +132,7 @@ static int emit(struct content *c, struct sph_machine *m, struct sph_error *err)
     uint64_t base = (uint64_t)tree + records;
     if (sph_emit_alloc(m, base + n + c->facets->n, err)) return -1;
     for (uint32_t i = 0; i < c->bih.n_nodes; i++)
-        if (i != 1) put_node(m, c, i); /* beside the root there is none */
+        put_node(m, c, i);
     put_records(m, c, tree);
     put_box(m, c);
     sph_emit_prims(c->scene, c->balls, c->facets, (uint32_t)base, c->bih.n_nodes, m);

@@ -13,7 +13,10 @@ const char sph_generate_help[] =
     "interpenetrating  spheres that cut each other\n"
     "random            n spheres in a cube (n, seed)\n"
     "huge_tiny         one huge sphere under small and tiny ones\n"
-    "icosphere         80, 320, 1280, 5120, 20480 triangles over a plane (size 1 to 5)\n";
+    "icosphere         80, 320, 1280, 5120, 20480 triangles over a plane (size 1 to 5)\n"
+    "scenario1         n spheres in a lattice, a plane, one light (Aroxa 2014, IV.B; n, radius)\n"
+    "scenario2         in the corners of a cube at random (n, radius, seed)\n"
+    "scenario3         half and half (n, radius, seed)\n";
 
 static const struct {
     const char *kind;
@@ -22,7 +25,8 @@ static const struct {
     {"sphereflake", sph_make_sphereflake}, {"paper5", sph_make_paper5},
     {"paper100", sph_make_paper100},       {"interpenetrating", sph_make_interpenetrating},
     {"random", sph_make_random},           {"huge_tiny", sph_make_huge_tiny},
-    {"icosphere", sph_make_icosphere},
+    {"icosphere", sph_make_icosphere},     {"scenario1", sph_make_scenario1},
+    {"scenario2", sph_make_scenario2},     {"scenario3", sph_make_scenario3},
 };
 
 enum { N_MAKERS = sizeof makers / sizeof makers[0] };
@@ -64,8 +68,10 @@ int sph_generate(const char *kind, const struct sph_generate_options *options,
     struct sph_generate_options o = {0};
     if (options) o = *options;
     if (!o.size) o.size = 2;
-    if (!o.n) o.n = 1000;
-    if (!o.width && !o.height) o.width = 320, o.height = 180;
+    int scenario = !strncmp(kind, "scenario", strlen("scenario"));
+    if (!o.n) o.n = scenario ? 64 : 1000;
+    if (!(o.radius != 0)) o.radius = 1;
+    if (!o.width && !o.height) o.width = scenario ? 640 : 320, o.height = scenario ? 1088 : 180;
     memset(scene, 0, sizeof *scene);
     int i = 0;
     while (i < N_MAKERS && strcmp(kind, makers[i].kind) != 0)

@@ -8,9 +8,11 @@
 
 struct sph_generate_options {
     int size;          /* sphereflake, icosphere: 1 to 5; 0 means 2 */
-    uint32_t n;        /* random: spheres, 1 to SPH_MAX_SPHERES; 0 means 1000 */
-    uint64_t seed;     /* paper5, paper100, random: another choice of spheres; 0 is the default */
-    int width, height; /* resolution; 0 means 320 x 180 */
+    uint32_t n;        /* random, scenarios: spheres, 1 to SPH_MAX_SPHERES; 0 means 1000, 64 */
+    uint64_t seed;     /* paper5, paper100, random, scenario2, 3: another choice of spheres */
+    double radius;     /* scenarios; 0 means 1 */
+    int plain;         /* scenarios: materials without highlights and Whitted's sum */
+    int width, height; /* resolution; 0 means 320 x 180, scenarios 640 x 1088 */
 };
 
 /* One line of text for every kind, for help: "sphereflake  ...\n...". */
@@ -24,6 +26,8 @@ extern const char sph_generate_help[];
  *   random           n spheres in a cube, as dense for every n
  *   huge_tiny        one huge sphere under small and tiny ones (radii 1000 to 0.02)
  *   icosphere        20 * 4^size triangles, a closed mesh, over a plane
+ *   scenario1, 2, 3  Aroxa 2014, IV.B: n spheres in a cube over a plane, in a lattice, in the
+ *                    corners at random, or half and half
  * options may be NULL. No two spheres are the same. 0, or -1 with a message (unknown kind,
  * option out of range, no memory); then there is nothing to free. */
 int sph_generate(const char *kind, const struct sph_generate_options *options,

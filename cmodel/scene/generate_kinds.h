@@ -26,6 +26,13 @@ int sph_make_huge_tiny(const struct sph_generate_options *options, struct sph_sc
 int sph_make_icosphere(const struct sph_generate_options *options, struct sph_scene *scene,
                        struct sph_error *err);
 
+int sph_make_scenario1(const struct sph_generate_options *options, struct sph_scene *scene,
+                       struct sph_error *err);
+int sph_make_scenario2(const struct sph_generate_options *options, struct sph_scene *scene,
+                       struct sph_error *err);
+int sph_make_scenario3(const struct sph_generate_options *options, struct sph_scene *scene,
+                       struct sph_error *err);
+
 /* Sets the eye, target, up direction and vertical field of view (degrees). */
 void sph_make_camera(struct sph_scene *scene, struct sph_vec from, struct sph_vec at,
                      struct sph_vec up, double angle);

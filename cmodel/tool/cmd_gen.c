@@ -1,7 +1,9 @@
 /* cmd_gen.c - `sphaera gen` and `sphaera import`: scenes by formula, scenes from molecules
  * SPDX-License-Identifier: Apache-2.0
  */
+#include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "output.h"
@@ -15,14 +17,17 @@ struct arguments {
     struct sph_import_options import;
 };
 
-enum { KEY_SIZE = 512, KEY_SEED, KEY_WATER, KEY_RESOLUTION, KEY_ELEMENTS };
+enum { KEY_SIZE = 512, KEY_SEED, KEY_WATER, KEY_RESOLUTION, KEY_ELEMENTS, KEY_RADIUS, KEY_PLAIN };
 
 static const struct argp_option gen_options[] = {
     {"output", 'o', "FILE.nff", 0, "scene to write (default: standard output)", 0},
     {"size", KEY_SIZE, "N", 0, "sphereflake: levels, icosphere: cuts, 1 to 5 (2)", 0},
-    {"spheres", 'n', "N", 0, "random: number of spheres (1000)", 0},
+    {"spheres", 'n', "N", 0, "random, scenarios: number of spheres (1000, 64)", 0},
+    {"radius", KEY_RADIUS, "R", 0, "scenarios: of every sphere (1)", 0},
+    {"plain", KEY_PLAIN, NULL, 0,
+     "scenarios: materials without highlights, ambient share and Whitted's sum", 0},
     {"seed", KEY_SEED, "N", 0, "another choice of spheres (0)", 0},
-    {"resolution", KEY_RESOLUTION, "WxH", 0, "frame in pixels (320x180)", 0},
+    {"resolution", KEY_RESOLUTION, "WxH", 0, "frame in pixels (320x180, scenarios 640x1088)", 0},
     {0},
 };
 
@@ -33,6 +38,15 @@ static const struct argp_option import_options[] = {
     {"elements", KEY_ELEMENTS, "FILE", 0, "radii and colours (" SPH_ELEMENTS_PATH ")", 0},
     {0},
 };
+
+/* A number above 0. */
+static double real(const struct argp_state *state, const char *option, const char *arg) {
+    char *end;
+    double value = strtod(arg, &end);
+    if (*end || !isfinite(value) || !(value > 0))
+        argp_error(state, "%s: '%s' is no number above 0", option, arg);
+    return value;
+}
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
     struct arguments *a = state->input;
@@ -48,6 +62,12 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         return 0;
     case KEY_SEED:
         a->generate.seed = tool_number(state, "--seed", arg, 0, UINT64_MAX);
+        return 0;
+    case KEY_RADIUS:
+        a->generate.radius = real(state, "--radius", arg);
+        return 0;
+    case KEY_PLAIN:
+        a->generate.plain = 1;
         return 0;
     case KEY_WATER:
         a->import.keep_water = 1;
