@@ -7,7 +7,7 @@
 #         shadow reflectN lightsN inside first interpenetrate facets texture rect spans conesN bih
 #         (N: reflections 1..5, lights 1..8, spheres of exact background separation 1..16;
 #         interpenetrate needs first and inside, so all-first and all-inside leave it out too;
-#         all has no texture, which makes every core half as big again: all+texture has; with bih
+#         all has no texture, with which a core has 4/10 more cells: all+texture has; with bih
 #         the core walks a BIH, which knows neither first nor interpenetrate: all+bih has neither)
 # Prints the parameters of rtl/shell/rt_core.v, NAME=VALUE, all on one line.
 set -eu

@@ -30,7 +30,8 @@ module rt_core #(
     parameter NODE_LINES = 256,  // cache lines an engine, powers of two
     parameter LEAF_LINES = 128,
     parameter TEXTURE_LINES = 128,
-    parameter TEXTURE_WAYS = 4,  // lines of a set in the texture cache
+    parameter TEXTURE_WAYS = 4,  // of the texture cache: groups of a set
+    parameter TEXTURE_GROUP = 1, // lines fetched together: 1, 2 or 4
     parameter ROOTS      = 3,    // square root units an engine
     parameter QUOTIENTS  = 3,    // dividers an engine
     parameter DIVISIONS  = 1,    // dividers an engine for the keys of facets
@@ -226,8 +227,9 @@ module rt_core #(
                         .LIGHTS(LIGHTS), .INSIDE(INSIDE), .FIRST(FIRST),
                         .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),
                         .ACCEL(ACCEL), .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES),
-                        .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS), .ROOTS(ROOTS),
-                        .QUOTIENTS(QUOTIENTS), .DIVISIONS(DIVISIONS), .ROOT_STEP(ROOT_STEP),
+                        .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS),
+                        .TEXTURE_GROUP(TEXTURE_GROUP), .ROOTS(ROOTS), .QUOTIENTS(QUOTIENTS),
+                        .DIVISIONS(DIVISIONS), .ROOT_STEP(ROOT_STEP),
                         .QUOTIENT_STEP(QUOTIENT_STEP),
                         .DIVISION_STEP(DIVISION_STEP)) u_engine (
                 .clk(clk), .rst(rst), .flush_i(go && !keep_cache_i), .busy_o(e_busy[e]),

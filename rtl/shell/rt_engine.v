@@ -25,7 +25,8 @@ module rt_engine #(
     parameter NODE_LINES = 256,  // node cache
     parameter LEAF_LINES = 128,  // leaf and primitive cache
     parameter TEXTURE_LINES = 128, // texture cache
-    parameter TEXTURE_WAYS = 4,  // its lines of a set
+    parameter TEXTURE_WAYS = 4,  // its groups of a set
+    parameter TEXTURE_GROUP = 1, // lines of a group
     parameter ROOTS      = 3,    // square root units
     parameter QUOTIENTS  = 3,    // dividers
     parameter DIVISIONS  = 1,    // dividers for keys of facets
@@ -391,7 +392,8 @@ module rt_engine #(
     generate
         if (TEXTURE != 0) begin : g_texture
             rt_texture #(.W(W), .WD(WD), .NG(NG), .SLOTS(SLOTS), .SLOTW(SLOTW),
-                         .LINES(TEXTURE_LINES), .WAYS(TEXTURE_WAYS)) u_texture (
+                         .LINES(TEXTURE_LINES), .WAYS(TEXTURE_WAYS),
+                         .GROUP(TEXTURE_GROUP)) u_texture (
                 .clk(clk), .rst(rst), .flush_i(flush_i),
                 .on_i(effects_i[`RT_EFFECT_TEXTURE]), .filter_i(tex_filter_i),
                 .mem_lines_i(mem_lines_i),
