@@ -49,3 +49,22 @@ void sph_ref_path_mirror(struct sph_ref_path *path, const double dir[3], const d
             path->dir[k][i] -= 2 * (dot(d, n) * dn[i] + rise * n[i]);
     }
 }
+
+void sph_ref_path_refract(struct sph_ref_path *path, const double dir[3], const double normal[3],
+                          double curvature, double ratio) {
+    double length = sqrt(dot(dir, dir)), size = sqrt(dot(normal, normal)), d[3], n[3];
+    for (int i = 0; i < 3; i++) {
+        d[i] = dir[i] / length;
+        n[i] = normal[i] / size;
+    }
+    double dn = dot(d, n), out = -sqrt(1 - ratio * ratio * (1 - dn * dn)); /* cosine behind */
+    double mu = ratio * dn - out, steep = ratio - ratio * ratio * dn / out;
+    for (int k = 0; k < 2; k++) {
+        double turn[3];
+        for (int i = 0; i < 3; i++)
+            turn[i] = curvature * path->org[k][i];
+        double rise = dot(path->dir[k], n) + dot(d, turn);
+        for (int i = 0; i < 3; i++)
+            path->dir[k][i] = ratio * path->dir[k][i] - (mu * turn[i] + steep * rise * n[i]);
+    }
+}

@@ -20,6 +20,7 @@ struct sph_reference_options {
     int max_depth;                   /* reflections followed, 0..5 */
     int shadow;                      /* 1: lights are blocked */
     int reflect;                     /* 1: mirrors are followed */
+    int refract, specular;           /* 1: refracted rays are followed; highlights */
     int threads;                     /* 0: all */
     const struct sph_machine *world; /* NULL, or planes end at its box as they do in it */
     const struct sph_mip *mips;      /* images of the scene; NULL: none are shown */

@@ -51,6 +51,10 @@ void sph_ref_path_hit(struct sph_ref_path *path, const double dir[3], double t,
 void sph_ref_path_mirror(struct sph_ref_path *path, const double dir[3], const double normal[3],
                          double curvature);
 
+/* Refracted there; ratio: index of refraction before over that behind. */
+void sph_ref_path_refract(struct sph_ref_path *path, const double dir[3], const double normal[3],
+                          double curvature, double ratio);
+
 /* Colour 0..1 at the point `at` of a primitive (spheres, then facets), and the level of each way,
  * limited to the image's. 0 if it has no texture: rgb is 1, lod is not set. work: what choosing
  * took is added, may be NULL. */

@@ -98,6 +98,8 @@ static int run_reference(const struct arguments *a, const struct sph_scene *scen
                                         .max_depth = a->truth < 0 ? b->max_depth : a->truth,
                                         .shadow = 1,
                                         .reflect = 1,
+                                        .refract = 1,
+                                        .specular = 1,
                                         .threads = a->threads,
                                         .world = &m->built.machine,
                                         .mips = m->mips,

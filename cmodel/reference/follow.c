@@ -1,0 +1,179 @@
+/* follow.c - see follow.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "reference/follow.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "reference/facet.h"
+#include "reference/whitted.h"
+
+static double dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* Scales v to length 1; 0 if it has none. */
+static int unit(double v[3]) {
+    double n = sqrt(dot(v, v));
+    for (int i = 0; i < 3; i++)
+        v[i] /= n;
+    return isfinite(n) && n > 0;
+}
+
+/* What reaches a point: matt light and highlights, a channel. */
+struct lit {
+    double matt[3], gloss[3];
+    uint32_t faced, blocked; /* bit l: light l is on the normal's side; and in shadow */
+};
+
+/* dir: of the ray that sees the point, of length 1. shine 0: no highlights. */
+static struct lit light(const struct sph_ref_job *j, const double at[3], const double normal[3],
+                        const double dir[3], const struct sph_ref_hit *hit, double shine) {
+    struct lit lit = {{0}, {0}, 0, 0};
+    for (int l = 0; l < j->scene->n_lights; l++) {
+        const struct sph_light *lamp = &j->scene->lights[l];
+        struct sph_ref_ray ray = {
+            .org = {at[0], at[1], at[2]},
+            .dir = {lamp->pos.x - at[0], lamp->pos.y - at[1], lamp->pos.z - at[2]},
+            .skip = hit->id,
+            .inside = hit->far};
+        double to[3] = {ray.dir[0], ray.dir[1], ray.dir[2]};
+        double cosine = unit(to) ? dot(to, normal) : 0;
+        if (!(cosine > 0)) continue;
+        lit.faced |= 1u << l;
+        if (j->o->shadow && sph_ref_trace(j->tree, &ray, 1, 1).t < 1) {
+            lit.blocked |= 1u << l;
+            continue;
+        }
+        double gloss = shine > 0 ? sph_ref_shine(normal, to, dir, shine) : 0;
+        for (int i = 0; i < 3; i++) {
+            lit.matt[i] += cosine * lamp->rgb[i];
+            lit.gloss[i] += gloss * lamp->rgb[i];
+        }
+    }
+    return lit;
+}
+
+/* The hit point, and the normal on the ray's side; returns the material. */
+static const struct sph_material *surface(const struct sph_scene *scene,
+                                          const struct sph_ref_ray *ray,
+                                          const struct sph_ref_hit *hit, double at[3],
+                                          double normal[3]) {
+    uint32_t material;
+    for (int i = 0; i < 3; i++)
+        at[i] = ray->org[i] + hit->t * ray->dir[i];
+    if (hit->id < scene->n_spheres) {
+        const struct sph_sphere *s = &scene->spheres[hit->id];
+        const double ctr[3] = {s->ctr.x, s->ctr.y, s->ctr.z};
+        for (int i = 0; i < 3; i++)
+            normal[i] = (at[i] - ctr[i]) / s->rad;
+        material = s->material;
+    } else {
+        const struct sph_facet *f = &scene->facets[hit->id - scene->n_spheres];
+        sph_ref_facet_normal(f, normal);
+        material = f->material;
+    }
+    for (int i = 0; i < 3 && hit->far; i++)
+        normal[i] = -normal[i];
+    return &scene->materials[material];
+}
+
+/* How the unit normal turns with the hit point. */
+static double curvature(const struct sph_scene *scene, const struct sph_ref_hit *hit) {
+    if (hit->id >= scene->n_spheres) return 0;
+    return (hit->far ? -1 : 1) / scene->spheres[hit->id].rad;
+}
+
+/* A surface at depth: whole is the weight of its ray, own what is left of it. */
+static void add(struct sph_ref_seen *seen, int depth, double whole, double own,
+                const double colour[3]) {
+    for (int f = 0; f < SPH_FRAMES; f++) {
+        int final = f == SPH_FRAMES - 1;
+        double share = !final && f == depth ? whole : f > depth || final ? own : 0;
+        for (int i = 0; i < 3; i++)
+            seen->sum[f][i] += share * colour[i];
+    }
+}
+
+/* The colour of a surface. dir: of length 1. */
+static void shade(const struct sph_ref_job *j, struct sph_ref_branch *b,
+                  const struct sph_ref_hit *hit, const struct sph_material *f,
+                  const struct sph_ref_shares *k, const double at[3], const double normal[3],
+                  const double dir[3], struct sph_ref_seen *seen, double colour[3]) {
+    double image[3], lod[SPH_LODS];
+    struct lit lit = light(j, at, normal, dir, hit, k->ks > 0 && j->o->specular ? f->shine : 0);
+    sph_ref_path_hit(&b->path, b->ray.dir, hit->t, normal);
+    if (sph_ref_texture(&j->textures, hit->id, at, &b->path, image, lod, seen->work) &&
+        !seen->pixel.textured) {
+        seen->pixel.textured = 1, seen->pixel.via = b->via;
+        memcpy(seen->pixel.lod, lod, sizeof lod);
+        seen->pixel.facing = fabs(dot(dir, normal)) / sqrt(dot(normal, normal));
+    }
+    if (hit->id < j->scene->n_spheres)
+        b->via = SPH_VIA_CURVED;
+    else if (b->via == SPH_VIA_NOTHING)
+        b->via = SPH_VIA_FLAT;
+    for (int i = 0; i < 3; i++) {
+        double sum = k->ka * j->scene->ambient[i] + k->kd * lit.matt[i];
+        colour[i] = fmin(1, fmin(1, f->rgb[i] * image[i] * sum) + fmin(1, k->ks * lit.gloss[i]));
+    }
+    if (b->depth) return;
+    seen->pixel.faced = lit.faced, seen->pixel.shadow = lit.blocked;
+    seen->pixel.distance = hit->t * sqrt(dot(b->ray.dir, b->ray.dir));
+}
+
+/* The rays that leave a surface. */
+static void leave(const struct sph_ref_job *j, const struct sph_ref_branch *b,
+                  const struct sph_ref_hit *hit, const double at[3], const double normal[3],
+                  const struct sph_ref_shares *k, double ratio, const double bent[3],
+                  struct sph_ref_seen *seen) {
+    double curved = curvature(j->scene, hit);
+    struct sph_ref_branch next = *b;
+    for (int i = 0; i < 3; i++)
+        next.ray.org[i] = at[i];
+    next.ray.skip = hit->id;
+    next.depth++;
+    if (k->kr > 0) {
+        double dn = dot(b->ray.dir, normal) / dot(normal, normal);
+        struct sph_ref_branch mirror = next;
+        sph_ref_path_mirror(&mirror.path, b->ray.dir, normal, curved);
+        mirror.ray.inside = hit->far;
+        mirror.mirrored = 1;
+        mirror.weight *= k->kr;
+        for (int i = 0; i < 3; i++)
+            mirror.ray.dir[i] -= 2 * dn * normal[i];
+        sph_ref_follow(j, mirror, seen);
+    }
+    if (k->kt > 0) {
+        sph_ref_path_refract(&next.path, b->ray.dir, normal, curved, ratio);
+        next.ray.inside = !hit->far;
+        next.mirrored = 0;
+        next.weight *= k->kt;
+        for (int i = 0; i < 3; i++)
+            next.ray.dir[i] = bent[i];
+        sph_ref_follow(j, next, seen);
+    }
+}
+
+void sph_ref_follow(const struct sph_ref_job *j, struct sph_ref_branch b,
+                    struct sph_ref_seen *seen) {
+    struct sph_ref_hit hit = sph_ref_trace(j->tree, &b.ray, INFINITY, 0);
+    if (b.depth == 0) seen->pixel.id = hit.id;
+    if (b.depth == 1 && b.mirrored) seen->pixel.reflected_id = hit.id;
+    if (hit.id == SPH_ID_NONE) {
+        add(seen, b.depth, b.weight, b.weight, j->scene->background);
+        return;
+    }
+    double at[3], normal[3], colour[3], bent[3] = {0}, dir[3];
+    const struct sph_material *f = surface(j->scene, &b.ray, &hit, at, normal);
+    struct sph_ref_shares k =
+        sph_ref_shares_of(f, b.depth < j->o->max_depth, j->o->reflect, j->o->refract);
+    double ratio = hit.far ? f->ior : 1 / f->ior;
+    memcpy(dir, b.ray.dir, sizeof dir);
+    unit(dir);
+    shade(j, &b, &hit, f, &k, at, normal, dir, seen, colour);
+    if (k.kt > 0 && !sph_ref_refract(dir, normal, ratio, bent)) sph_ref_reflect_all(&k, f);
+    add(seen, b.depth, b.weight, b.weight * k.own, colour);
+    leave(j, &b, &hit, at, normal, &k, ratio, bent, seen);
+}

@@ -1,0 +1,39 @@
+/* follow.h - what a ray of the double reference sees, and what the rays after it see
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef SPH_REFERENCE_FOLLOW_H
+#define SPH_REFERENCE_FOLLOW_H
+
+#include "reference/reference.h"
+#include "reference/tree.h"
+
+struct sph_ref_job {
+    const struct sph_scene *scene;
+    const struct sph_reference_options *o;
+    const struct sph_ref_tree *tree;
+    double axes[3][3]; /* camera right, up, back in the scene's frame */
+    double screen;     /* distance of the screen in pixels */
+    int width, height;
+    struct sph_ref_textures textures;
+};
+
+/* A ray on its way. */
+struct sph_ref_branch {
+    struct sph_ref_ray ray;
+    struct sph_ref_path path;
+    double weight;
+    int depth, mirrored; /* it is a mirror ray */
+    int via;             /* SPH_VIA_* */
+};
+
+struct sph_ref_seen {
+    struct sph_reference_pixel pixel;
+    struct sph_level_work *work;
+    double sum[SPH_FRAMES][3]; /* as the frames of the machine: docs/refraction.md */
+};
+
+/* Adds all that the ray sees to *seen. */
+void sph_ref_follow(const struct sph_ref_job *j, struct sph_ref_branch b,
+                    struct sph_ref_seen *seen);
+
+#endif
