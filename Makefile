@@ -12,6 +12,10 @@ SIZE ?= 320x180
 TREE ?= balanced
 ## ACCEL       bvh4 (spheres around four children, by TREE), bih or brute
 ACCEL ?= bvh4
+## MAX_PRIMS   of bih: a leaf of no more primitives is not cut (empty: 8)
+MAX_PRIMS ?=
+## MAX_TREE_DEPTH of bih: its levels (empty: as many as the stack has)
+MAX_TREE_DEPTH ?=
 ## DEPTH       reflections, 0 to 5
 DEPTH ?= 2
 ## BACKGROUND  pixels that are never traced: none, rect, spans or exact
@@ -81,9 +85,10 @@ TOOL   := $B/sphaera
 .PHONY: help setup all tool layout render sim test synth lint bench clean FORCE
 .DEFAULT_GOAL := help
 
-help: export HELP_VALUES = $(foreach v,SCENE PROFILE SIZE TREE ACCEL DEPTH BACKGROUND \
-                           TRAVERSE LEVELS BUILD_MORE EFFECTS ENGINES ROOT_STEP QUOTIENT_STEP SEED \
-                           LATENCY STALL SIM WINDOW WARM TARGET FLAT WAVES JOBS V,$(v)=$($(v));)
+help: export HELP_VALUES = $(foreach v,SCENE PROFILE SIZE TREE ACCEL MAX_PRIMS MAX_TREE_DEPTH \
+                           DEPTH BACKGROUND TRAVERSE LEVELS BUILD_MORE EFFECTS ENGINES ROOT_STEP \
+                           QUOTIENT_STEP SEED LATENCY STALL SIM WINDOW WARM TARGET FLAT WAVES JOBS \
+                           V,$(v)=$($(v));)
 help: ## this text
 	@awk -f sim/help.awk $(MAKEFILE_LIST)
 

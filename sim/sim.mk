@@ -8,7 +8,7 @@
 #   $(OUT_DIR)/             what `make sim` leaves: pictures, report.json, frames
 #
 # SCENE is a file, the name of one in scenes/, or KIND:N of `sphaera gen`: levels of a sphereflake,
-# number of spheres of random, else the seed.
+# number of spheres of random and the scenarios, else the seed.
 
 ## WINDOW      pixels to simulate, x0,y0,x1,y1 (empty: the whole frame)
 WINDOW ?=
@@ -23,7 +23,8 @@ SCENE_ARG  := $(word 2,$(subst :, ,$(SCENE)))
 SCENE_FILE := $(if $(SCENE_ARG),$B/scenes/$(SCENE_KIND)-$(SCENE_ARG)-$(SEED).nff,$(or \
                   $(wildcard $(SCENE)),scenes/$(SCENE).nff))
 GEN_OPTION := $(if $(filter sphereflake,$(SCENE_KIND)),--size $(SCENE_ARG),$(if $(filter \
-                  random,$(SCENE_KIND)),--spheres $(SCENE_ARG) --seed $(SEED),--seed $(SCENE_ARG)))
+                  random scenario%,$(SCENE_KIND)),--spheres $(SCENE_ARG) --seed $(SEED),--seed \
+                  $(SCENE_ARG)))
 
 comma := ,
 file_name = $(subst =,,$(subst $(comma),_,$(subst :,_,$(1))))
@@ -33,14 +34,20 @@ space    := $() $()
 # Options of `sphaera build` that differ from its own defaults, as words; the same as a file name.
 BUILD_EXTRA := $(if $(filter-out nearest,$(TRAVERSE)),--traverse $(TRAVERSE)) \
                $(if $(LEVELS),--bg-levels $(LEVELS)) $(BUILD_MORE)
-BUILD_TREE  := $(if $(filter bvh4,$(ACCEL)),$(TREE),$(ACCEL))
+# What does not belong together is passed on all the same: the tool refuses it by name.
+GIVEN_TREE  := $(if $(filter-out file,$(origin TREE)),$(TREE))
+BUILD_TREE  := $(if $(filter bvh4,$(ACCEL)),$(TREE),$(ACCEL)$(GIVEN_TREE))$(MAX_PRIMS)$(addprefix \
+                   x,$(MAX_TREE_DEPTH))
 BUILD_MODE  := $(BUILD_TREE)-$(DEPTH)-$(BACKGROUND)
 BUILD_NAME  := $(BUILD_MODE)$(subst /,_,$(subst $(space),,$(strip $(BUILD_EXTRA))))
 RUN_NAME := $(SCENE_NAME)-$(PROFILE_NAME)-$(or $(SIZE),file)-$(BUILD_NAME)
 RUN_DIR  := $B/run/$(RUN_NAME)
 OUT_DIR  := $B/out/$(SCENE_NAME)-$(PROFILE_NAME)
 BUILD_OPTIONS := --profile $(PROFILE) --depth $(DEPTH) --background $(BACKGROUND) \
-                 $(if $(filter bvh4,$(ACCEL)),--tree $(TREE),--accel $(ACCEL)) \
+                 $(if $(filter bvh4,$(ACCEL)),--tree $(TREE),--accel $(ACCEL) \
+                     $(if $(GIVEN_TREE),--tree $(GIVEN_TREE))) \
+                 $(if $(MAX_PRIMS),--max-prims $(MAX_PRIMS)) \
+                 $(if $(MAX_TREE_DEPTH),--max-tree-depth $(MAX_TREE_DEPTH)) \
                  $(if $(SIZE),--size $(SIZE)) $(BUILD_EXTRA)
 
 ifneq ($(SCENE_ARG),)
