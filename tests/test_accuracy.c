@@ -244,7 +244,7 @@ static void comparison(void **state) {
     struct sph_pixel p[2] = {{.colour = {0x102030, 0, 0}, .id = 1}, {.id = SPH_ID_NONE}};
     struct sph_reference_pixel q[2] = {{.colour = {0x102030, 0, 9}, .id = 2}, {.id = 3}};
     struct sph_frame f = {2, 1, p};
-    struct sph_reference r = {2, 1, q};
+    struct sph_reference r = {.width = 2, .height = 1, .pixels = q};
     struct sph_image_error e = sph_reference_compare(&f, &r);
     assert_true(isinf(e.psnr[0]) && isinf(e.psnr[1]));
     assert_true(fabs(e.psnr[2] - 10 * log10(65025.0 * 6 / 81)) < 1e-9);
