@@ -40,6 +40,7 @@ machine hall-standard $hall --size 24x14
 machine hall-small $hall --profile draft --size 10x6
 machine hall-only $hall --profile draft --size 16x10 --depth 0 --lights 0 --filter nearest
 machine hall-rect $hall --profile draft --size 16x10 --background rect
+machine hall-bih $hall --profile draft --size 10x6 --accel bih
 machine balls $balls --profile draft
 machine balls-first $balls --profile draft --traverse first --tree paper
 machine balls-small $balls --profile draft --size 6x5
@@ -64,6 +65,7 @@ wanted "verilator balls, textures need the point" $whole SIM=verilator balls --r
 wanted "verilator hall standard, two engines" auto ENGINES=2 hall-standard
 
 wanted "icarus hall" auto SIM=icarus hall-small
+wanted "icarus hall, found by a BIH" auto SIM=icarus hall-bih
 wanted "icarus balls" auto SIM=icarus balls-small
 wanted "icarus hall, textures alone" auto SIM=icarus hall-only
 wanted "icarus balls, textures alone" auto SIM=icarus balls-only
