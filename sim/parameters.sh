@@ -4,18 +4,21 @@
 #
 # usage: sim/parameters.sh LIST
 #   LIST  all, all-NAME (all but one), none, or names joined by +, the first of which may be all:
-#         shadow reflectN lightsN inside first interpenetrate facets texture rect spans conesN bih
+#         shadow reflectN lightsN inside first interpenetrate facets texture refract specular sum
+#         rect spans conesN bih
 #         (N: reflections 1..5, lights 1..8, spheres of exact background separation 1..16;
 #         interpenetrate needs first and inside, so all-first and all-inside leave it out too;
-#         all has no texture, with which a core has 4/10 more cells: all+texture has; with bih
+#         refract needs inside, specular needs sum;
+#         all has no texture, with which a core has 4/10 more cells, and no refract, specular and
+#         sum: all+texture+refract+specular+sum has them; with bih
 #         the core walks a BIH, which knows neither first nor interpenetrate: all+bih has neither)
 # Prints the parameters of rtl/shell/rt_core.v, NAME=VALUE, all on one line.
 set -eu
 awk -v list="$1" 'BEGIN {
-    n = split("shadow reflect lights inside first interpenetrate facets texture rect spans " \
-              "cones bih", name, " ")
-    split("1 5 8 1 1 1 1 1 1 1 16 1", most, " ")
-    split("1 5 8 1 1 1 1 0 1 1 1 0", full, " ")
+    n = split("shadow reflect lights inside first interpenetrate facets texture refract " \
+              "specular sum rect spans cones bih", name, " ")
+    split("1 5 8 1 1 1 1 1 1 1 1 1 1 16 1", most, " ")
+    split("1 5 8 1 1 1 1 0 0 0 0 1 1 1 0", full, " ")
     but = list
     if (sub(/^all-/, "", but)) list = "all"; else but = ""
     all = sub(/^all(\+|$)/, "", list)
@@ -42,6 +45,14 @@ awk -v list="$1" 'BEGIN {
         else value[i] = count
     }
     if (!bad && !list && !all) bad = "(nothing)"
+    if (!bad && value[number["refract"]] && !value[number["inside"]]) {
+        print list ": refract needs inside" > "/dev/stderr"
+        exit 1
+    }
+    if (!bad && value[number["specular"]] && !value[number["sum"]]) {
+        print list ": specular needs sum" > "/dev/stderr"
+        exit 1
+    }
     if (!bad && bih && value[number["first"]]) {
         print list ": bih does not go with first" > "/dev/stderr"
         exit 1

@@ -10,6 +10,8 @@ module rt_lights #(
     parameter WD    = 17,  // direction component, bits, at least W+1
     parameter LIGHTS = 8,  // lights that are kept, 1..8
     parameter SHADOW = 1,  // 1: shadow rays are traced, 0: a light settles without one
+    parameter AMBIENT = 1, // 0: the sum starts from nothing
+    parameter GLOSS = 0,   // 1: highlights are summed too
     parameter SLOTS = 32,  // power of two
     parameter SLOTW = 5    // log2 of SLOTS
 ) (
@@ -35,6 +37,7 @@ module rt_lights #(
     input  wire              lamp_valid_i,    // a light settled without a shadow ray
     input  wire [SLOTW-1:0]  lamp_slot_i,
     input  wire              lamp_lit_i,
+    input  wire [15:0]       lamp_highlight_i, // u1.15, with GLOSS
     // a shadow ray is done
     input  wire              shadow_valid_i,
     input  wire [SLOTW-1:0]  shadow_slot_i,
@@ -46,8 +49,10 @@ module rt_lights #(
     // to rt_pixels: all lights are summed
     output reg               sum_valid_o,
     output reg [SLOTW-1:0]   sum_slot_o,
-    output reg [50:0]        sum_o            // 3 x u2.15
+    output reg [50:0]        sum_o,           // 3 x u2.15
+    output wire [50:0]       gloss_o          // the same of highlights
 );
+    localparam HB = GLOSS != 0 ? 16 : 0;              // bits of a highlight
     localparam NW = $clog2(LIGHTS + 1);               // number of lights
     localparam LW = LIGHTS > 1 ? $clog2(LIGHTS) : 1;  // number of a light
     generate
@@ -119,7 +124,9 @@ module rt_lights #(
     // ---- queues of events ----
     wire             s_valid, l_valid, t_valid, s_in, l_in, t_in, add_ready;
     wire [SLOTW-1:0] s_slot;
-    wire [SLOTW:0]   l_event, t_event;
+    wire [SLOTW:0]   t_event;
+    wire [SLOTW+HB:0] l_event;                        // {highlight, slot, lit}
+    wire [SLOTW+16:0] l_new = {lamp_highlight_i, lamp_slot_i, lamp_lit_i};
     wire             e_load = !e_valid_q || add_ready;
     wire             pick_t = t_valid;
     wire             pick_l = !t_valid && l_valid;
@@ -129,9 +136,9 @@ module rt_lights #(
         .in_data_i(start_slot_i),
         .out_valid_o(s_valid), .out_ready_i(e_load && pick_s), .out_data_o(s_slot)
     );
-    rt_fifo #(.WIDTH(SLOTW+1), .DEPTH(SLOTS)) u_lamps (
+    rt_fifo #(.WIDTH(SLOTW+1+HB), .DEPTH(SLOTS)) u_lamps (
         .clk(clk), .rst(rst), .in_valid_i(lamp_valid_i), .in_ready_o(l_in),
-        .in_data_i({lamp_slot_i, lamp_lit_i}),
+        .in_data_i(l_new[SLOTW+HB:0]),
         .out_valid_o(l_valid), .out_ready_i(e_load && pick_l), .out_data_o(l_event)
     );
     generate
@@ -171,7 +178,8 @@ module rt_lights #(
     );
 
     // ---- add ----
-    wire [50:0] ambient = {1'b0, ambient_i[47:32], 1'b0, ambient_i[31:16], 1'b0, ambient_i[15:0]};
+    wire [50:0] ambient = AMBIENT == 0 ? 51'd0 :
+                          {1'b0, ambient_i[47:32], 1'b0, ambient_i[31:16], 1'b0, ambient_i[15:0]};
     rt_light_add #(.TAG(SLOTW+NW)) u_add (
         .clk(clk), .rst(rst), .in_valid_i(e_valid_q), .in_ready_o(add_ready),
         .in_tag_i({e_slot_q, e_next}),
@@ -180,6 +188,34 @@ module rt_lights #(
         .in_intensity_i(e_start_q ? 48'd0 : colour),
         .out_valid_o(a_valid), .out_tag_o({a_slot, a_next}), .out_sum_o(a_sum)
     );
+
+    generate
+        if (GLOSS != 0) begin : g_gloss               // in step with the other sum
+            wire [50:0] e_gloss, a_gloss;
+            wire        g_ready, g_valid, g_tag;
+            reg  [15:0] e_highlight_q;
+            reg  [50:0] gloss_q;
+            rt_slot_ram #(.WIDTH(51), .SLOTS(SLOTS), .OLD(0)) u_gloss (
+                .clk(clk), .wr_en_i(a_valid), .wr_addr_i(a_slot), .wr_data_i(a_gloss),
+                .rd_en_i(read), .rd_addr_i(slot), .rd_data_o(e_gloss)
+            );
+            rt_light_add #(.TAG(1)) u_add_gloss (
+                .clk(clk), .rst(rst), .in_valid_i(e_valid_q), .in_ready_o(g_ready),
+                .in_tag_i(1'b0), .in_sum_i(e_start_q ? 51'd0 : e_gloss),
+                .in_cosine_i(e_lit_q && !e_start_q ? e_highlight_q : 16'd0),
+                .in_intensity_i(e_start_q ? 48'd0 : colour),
+                .out_valid_o(g_valid), .out_tag_o(g_tag), .out_sum_o(a_gloss)
+            );
+            always @(posedge clk) begin
+                if (e_load) e_highlight_q <= l_event[SLOTW+1 +: 16];
+                gloss_q <= a_gloss;
+            end
+            assign gloss_o = gloss_q;
+            wire unused = &{1'b0, g_ready, g_valid, g_tag};
+        end else begin : g_matt
+            assign gloss_o = 51'd0;
+        end
+    endgenerate
 
     // ---- next light, or done ----
     wire [3*W-1:0]  v_point;
@@ -204,6 +240,6 @@ module rt_lights #(
             assign vec_o[WD*i +: WD] = light - point;  // exact: WD > W
         end
     endgenerate
-    wire unused = &{1'b0, s_in, l_in, t_in, light_data_i, n_lights_i};
+    wire unused = &{1'b0, s_in, l_in, t_in, light_data_i, n_lights_i, l_new, ambient_i};
 endmodule
 `default_nettype wire

@@ -15,6 +15,10 @@ module rt_pixels #(
     parameter FACETS  = 0,
     parameter TEXTURE = 0,
     parameter INTERPENETRATE = 1,
+    parameter REFRACT = 0,
+    parameter SPECULAR = 0,
+    parameter SUM     = 0,
+    parameter PR      = 0,   // significant bits of the root, 0: all
     parameter SLOTS   = 32,  // power of two
     parameter SLOTW   = 5    // log2 of SLOTS
 ) (
@@ -22,10 +26,11 @@ module rt_pixels #(
     input  wire              rst,
     output wire              busy_o,          // slots are in use
     // registers
-    input  wire              reflect_on_i,
-    input  wire              probe_on_i,      // run-time switch of INTERPENETRATE
+    input  wire [3:0]        shares_on_i,     // run-time switches: {SUM, SPECULAR, REFRACT, REFLECT}
+    input  wire              probe_on_i,      // that of INTERPENETRATE
     input  wire [2:0]        max_depth_i,
     input  wire [23:0]       background_i,    // 0xBBGGRR
+    input  wire [47:0]       ambient_i,       // 3 x u1.15, red low
     input  wire [25:0]       prim_base_i,
     input  wire [25:0]       mem_lines_i,
     // from rt_walk: a pixel to trace
@@ -46,6 +51,7 @@ module rt_pixels #(
     input  wire              ray_valid_i,     // primary or reflected ray
     input  wire [SLOTW-1:0]  ray_slot_i,
     input  wire [3*WD-1:0]   ray_dir_i,
+    input  wire [2*WD-1:0]   ray_a_i,
     output wire              ray_again_o,     // it is the repeated primary ray of its pixel
     input  wire              normal_valid_i,
     input  wire [SLOTW-1:0]  normal_slot_i,
@@ -80,6 +86,24 @@ module rt_pixels #(
     input  wire              sum_valid_i,
     input  wire [SLOTW-1:0]  sum_slot_i,
     input  wire [50:0]       sum_i,           // 3 x u2.15
+    // with REFRACT or SUM: the rest of the material, highlights, hit points, paths
+    input  wire              look_valid_i,
+    input  wire [SLOTW-1:0]  look_slot_i,
+    input  wire [59:0]       look_i,          // {index, power, ks, kd, ka, sum, kt}
+    input  wire [50:0]       gloss_i,         // 3 x u2.15, with sum_valid_i
+    input  wire              point_valid_i,
+    input  wire [SLOTW-1:0]  point_slot_i,
+    input  wire [3*W-1:0]    point_i,
+    input  wire              path_valid_i,
+    input  wire [SLOTW-1:0]  path_slot_i,
+    input  wire [W+7:0]      path_i,          // u(W+4).4
+    // where a refracted ray starts, with bounce_valid_o, to where that is kept
+    output wire              back_valid_o,
+    input  wire              back_ready_i,
+    output wire [3*W-1:0]    back_point_o,
+    output wire [24:0]       back_skip_o,     // {inside, id}
+    output wire [W+7:0]      back_path_o,
+    output wire [1:0]        count_o,         // {refracted, reflected}: one starts
     // finished pixels
     output wire              visits_read_o,   // to rt_traverse, rt_texture
     output wire [SLOTW-1:0]  visits_slot_o,
@@ -98,7 +122,9 @@ module rt_pixels #(
     output reg               bad_node_o       // a record lies outside memory
 );
     localparam KW = W + WD + 2;
-    localparam MIRRORS = REFLECT != 0 || INTERPENETRATE != 0 ? 1 : 0;
+    localparam SHARES = REFRACT != 0 || SUM != 0 ? 1 : 0;  // blends by shares
+    localparam DEEP = REFLECT != 0 || REFRACT != 0 ? 1 : 0; // surfaces behind the first one
+    localparam MIRRORS = DEEP != 0 || INTERPENETRATE != 0 ? 1 : 0;
     localparam PB = INTERPENETRATE != 0 ? 1 : 0;     // bits of a flag about probes
     wire             again_valid;                    // a primary ray is to be repeated
     wire [SLOTW-1:0] again_slot;
@@ -179,7 +205,7 @@ module rt_pixels #(
         end else begin : g_ambient                   // the same for every surface
             assign e_light = sum_i;
         end
-        if (REFLECT != 0) begin : g_miss
+        if (DEEP != 0) begin : g_miss
             rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_misses (
                 .clk(clk), .rst(rst), .in_valid_i(miss_valid_q), .in_ready_o(q_miss_in),
                 .in_data_i(hit_slot_o),
@@ -193,7 +219,7 @@ module rt_pixels #(
     always @(posedge clk) begin
         if (e_load) begin
             e_valid_q <= q_hit || q_miss;
-            e_miss_q  <= REFLECT != 0 && !q_hit;
+            e_miss_q  <= DEEP != 0 && !q_hit;
             e_slot_q  <= e_slot;
         end
         if (rst) e_valid_q <= 1'b0;
@@ -203,7 +229,7 @@ module rt_pixels #(
     wire [71:0]      p_colour;
 
     // ---- which surface of its pixel it is; its material ----
-    localparam FB = REFLECT != 0 ? 1 : 0;            // more than the first one is blended
+    localparam FB = DEEP;                           // more than the first one is blended
     localparam MW = REFLECT != 0 ? 33 : 24;          // without a mirror's share
     wire         e_first, e_probe;                   // what the pixel sees itself; to be probed
     wire [MW-1:0] e_material;
@@ -237,22 +263,69 @@ module rt_pixels #(
         .rd_en_i(e_read), .rd_addr_i(e_slot), .rd_data_o(e_material)
     );
 
-    // ---- blend ----
-    wire         e_last  = e_kr == 9'd0 || REFLECT == 0 ||  // background has no share either
-                           !reflect_on_i || e_depth == max_depth_i;
-    rt_blends #(.REFLECT(REFLECT), .PROBE(PB), .SLOTS(SLOTS), .SLOTW(SLOTW)) u_blends (
-        .clk(clk), .rst(rst),
-        .read_i(e_read), .read_slot_i(e_slot), .in_first_i(e_first), .depth_o(e_depth),
-        .in_valid_i(e_valid_q), .in_ready_o(blend_ready), .in_slot_i(e_slot_q),
-        .in_light_i(e_light), .in_albedo_i(e_miss_q ? background_i : e_material[23:0]),
-        .in_background_i(e_miss_q), .in_kr_i(e_kr), .in_last_i(e_last), .in_probe_i(e_probe),
-        .out_valid_o(b_valid), .out_slot_o(b_slot), .out_last_o(b_last), .out_probe_o(b_probe),
-        .frames_read_i(o_read), .frames_slot_i(o_slot), .frames_o(p_colour)
-    );
-
-    // ---- mirror rays ----
+    // ---- blend; mirrored and refracted rays ----
+    wire             e_reflect = REFLECT != 0 && shares_on_i[0];
+    wire             end_valid;                      // a pixel is complete
+    wire [SLOTW-1:0] end_slot;
     generate
-        if (MIRRORS != 0) begin : g_mirrors
+        if (SHARES != 0) begin : g_shares
+            rt_shares #(.W(W), .WD(WD), .PR(PR), .REFLECT(REFLECT), .REFRACT(REFRACT),
+                        .SPECULAR(SPECULAR), .SUM(SUM), .MIRRORS(MIRRORS), .PROBE(PB),
+                        .PATHS(TEXTURE), .SLOTS(SLOTS), .SLOTW(SLOTW)) u_shares (
+                .clk(clk), .rst(rst), .on_i(shares_on_i), .max_depth_i(max_depth_i),
+                .ambient_i(ambient_i),
+                .ray_valid_i(ray_valid_i), .ray_slot_i(ray_slot_i), .ray_dir_i(ray_dir_i),
+                .ray_a_i(ray_a_i),
+                .normal_valid_i(normal_valid_i), .normal_slot_i(normal_slot_i),
+                .normal_vec_i(normal_vec_i), .normal_nn_i(normal_nn_i),
+                .hit_valid_i(hit_valid_o), .hit_slot_i(hit_slot_o), .hit_far_i(hit_far_o),
+                .hit_id_i(hit_id_o),
+                .point_valid_i(point_valid_i), .point_slot_i(point_slot_i), .point_i(point_i),
+                .path_valid_i(path_valid_i), .path_slot_i(path_slot_i), .path_i(path_i),
+                .look_valid_i(look_valid_i), .look_slot_i(look_slot_i), .look_i(look_i),
+                .gloss_valid_i(sum_valid_i), .gloss_slot_i(sum_slot_i), .gloss_i(gloss_i),
+                .read_i(e_read), .read_slot_i(e_slot), .in_first_i(e_first),
+                .in_valid_i(e_valid_q), .in_ready_o(blend_ready), .in_slot_i(e_slot_q),
+                .in_light_i(e_light), .in_albedo_i(e_miss_q ? background_i : e_material[23:0]),
+                .in_background_i(e_miss_q), .in_kr_i(e_kr), .in_probe_i(e_probe && !e_miss_q),
+                .out_valid_o(b_valid), .out_slot_o(b_slot), .out_last_o(b_last),
+                .out_probe_o(b_probe), .end_valid_o(end_valid), .end_slot_o(end_slot),
+                .ray_valid_o(bounce_valid_o), .ray_slot_o(bounce_slot_o),
+                .ray_vec_o(bounce_vec_o), .count_o(count_o),
+                .back_valid_o(back_valid_o), .back_ready_i(back_ready_i),
+                .back_point_o(back_point_o), .back_skip_o(back_skip_o),
+                .back_path_o(back_path_o),
+                .frames_read_i(o_read), .frames_slot_i(o_slot), .frames_o(p_colour)
+            );
+            wire unused = &{1'b0, e_depth, e_reflect};
+            assign e_depth = 3'd0;
+        end else begin : g_blends
+            wire e_last = e_kr == 9'd0 ||            // background has no share either
+                          !e_reflect || e_depth == max_depth_i;
+            rt_blends #(.REFLECT(REFLECT), .PROBE(PB), .SLOTS(SLOTS), .SLOTW(SLOTW)) u_blends (
+                .clk(clk), .rst(rst),
+                .read_i(e_read), .read_slot_i(e_slot), .in_first_i(e_first), .depth_o(e_depth),
+                .in_valid_i(e_valid_q), .in_ready_o(blend_ready), .in_slot_i(e_slot_q),
+                .in_light_i(e_light), .in_albedo_i(e_miss_q ? background_i : e_material[23:0]),
+                .in_background_i(e_miss_q), .in_kr_i(e_kr), .in_last_i(e_last),
+                .in_probe_i(e_probe),
+                .out_valid_o(b_valid), .out_slot_o(b_slot), .out_last_o(b_last),
+                .out_probe_o(b_probe),
+                .frames_read_i(o_read), .frames_slot_i(o_slot), .frames_o(p_colour)
+            );
+            assign end_valid    = b_valid && b_last && !b_probe;
+            assign end_slot     = b_slot;
+            assign back_valid_o = 1'b0;
+            assign back_point_o = {3*W{1'b0}};
+            assign back_skip_o  = 25'd0;
+            assign back_path_o  = {(W+8){1'b0}};
+            assign count_o      = 2'b00;
+            wire unused = &{1'b0, ray_a_i, shares_on_i, ambient_i, look_valid_i, look_slot_i,
+                            look_i, gloss_i, point_valid_i, point_slot_i, point_i, path_valid_i,
+                            path_slot_i, path_i, back_ready_i};
+        end
+        if (SHARES != 0) begin : g_rays
+        end else if (MIRRORS != 0) begin : g_mirrors
             rt_mirrors #(.WD(WD), .SLOTS(SLOTS), .SLOTW(SLOTW)) u_mirrors (
                 .clk(clk), .rst(rst),
                 .ray_valid_i(ray_valid_i), .ray_slot_i(ray_slot_i), .ray_dir_i(ray_dir_i),
@@ -291,7 +364,7 @@ module rt_pixels #(
             assign {d_void, d_end, again_valid, ray_again_o} = 4'd0;
             assign again_slot = {SLOTW{1'b0}};
             assign again_dir  = {3*WD{1'b0}};
-            wire unused = &{1'b0, ask_valid_i, ask_slot_i};
+            wire unused = &{1'b0, ask_valid_i, ask_slot_i, b_valid, b_slot, b_last, b_probe};
         end
     endgenerate
 
@@ -306,9 +379,8 @@ module rt_pixels #(
     assign           o_slot = o_blend ? o_blend_slot : o_sky_slot;
     assign           o_read = o_load && (o_blend || o_sky);
     rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_blended (
-        .clk(clk), .rst(rst), .in_valid_i(b_valid && b_last && !b_probe),
-        .in_ready_o(o_blend_in),
-        .in_data_i(b_slot),
+        .clk(clk), .rst(rst), .in_valid_i(end_valid), .in_ready_o(o_blend_in),
+        .in_data_i(end_slot),
         .out_valid_o(o_blend), .out_ready_i(o_load), .out_data_o(o_blend_slot)
     );
     rt_fifo #(.WIDTH(SLOTW+PB), .DEPTH(SLOTS)) u_skies (

@@ -17,6 +17,7 @@ module rt_surface #(
     parameter INSIDE  = 1,     // 0: no ray starts inside a sphere
     parameter FACETS  = 0,     // 1: triangles and planes too
     parameter TEXTURE = 0,     // 1: textures
+    parameter LOOKS   = 0,     // 1: the rest of the material, for refraction and sum
     parameter SLOTS = 32,      // power of two
     parameter SLOTW = 5,       // log2 of SLOTS
     parameter QUOTIENTS = 3,   // dividers
@@ -54,6 +55,7 @@ module rt_surface #(
     output wire [SLOTW-1:0]  material_slot_o,
     output wire [32:0]       material_o,     // {kr u1.8, 0xBBGGRR}
     output wire [25:0]       material_tex_o, // line of the mapping record, 0: none
+    output wire [59:0]       material_look_o, // {index, power, ks, kd, ka, sum, kt}; with LOOKS
     // the surface, without a point
     output wire              bare_valid_o,
     output wire [SLOTW-1:0]  bare_slot_o,
@@ -133,6 +135,11 @@ module rt_surface #(
     assign material_valid_o = r_load;
     assign material_slot_o  = prim_slot_i;
     assign material_o = {prim_data_i[`RT_PRIM_KR_LSB +: 9], prim_data_i[`RT_PRIM_RED_LSB +: 24]};
+    assign material_look_o = LOOKS == 0 ? 60'd0 :
+        {prim_data_i[`RT_PRIM_INDEX_LSB +: 12], prim_data_i[`RT_PRIM_POWER_LSB +: 12],
+         prim_data_i[`RT_PRIM_KS_LSB +: 8], prim_data_i[`RT_PRIM_KD_LSB +: 9],
+         prim_data_i[`RT_PRIM_KA_LSB +: 9], prim_data_i[`RT_PRIM_SUM_LSB],
+         prim_data_i[`RT_PRIM_KT_LSB +: 9]};
     assign material_tex_o = TEXTURE != 0 ? prim_data_i[`RT_PRIM_TEX_LSB +: 26] : 26'd0;
 
     // ---- a bare surface: one cycle after its material ----

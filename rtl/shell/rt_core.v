@@ -23,6 +23,9 @@ module rt_core #(
     parameter INTERPENETRATE = 1, // their correction, 0 or 1: needs FIRST and INSIDE
     parameter FACETS     = 1,    // triangles and planes, 0 or 1
     parameter TEXTURE    = 0,    // textures, 0 or 1
+    parameter REFRACT    = 0,    // refracted rays, 0 or 1: needs INSIDE
+    parameter SPECULAR   = 0,    // highlights, 0 or 1: needs SUM
+    parameter SUM        = 0,    // materials that add up, 0 or 1
     parameter RECT       = 1,    // background separation by rectangle, 0 or 1
     parameter SPANS      = 1,    // by spans in memory, 0 or 1
     parameter CONES      = 1,    // exactly, by up to so many spheres, 0..16
@@ -75,7 +78,8 @@ module rt_core #(
     localparam KW = W + WD + 2;
     localparam PV = 28 + 72 + 24 + KW + 24;          // a finished pixel
     localparam PW = PV + (TEXTURE != 0 ? 32 : 0);    // and its word of texture
-    localparam PLACES = FACETS != 0 || TEXTURE != 0 ? 32 : 16;         // counters
+    localparam OPTICS = REFRACT != 0 || SPECULAR != 0;
+    localparam PLACES = FACETS != 0 || TEXTURE != 0 || OPTICS ? 32 : 16;  // counters
     localparam EW = 8*PLACES;                        // their events of a cycle
     localparam SEPARATED = RECT != 0 || SPANS != 0 || CONES != 0;  // background goes by itself
 
@@ -132,11 +136,15 @@ module rt_core #(
                         (FIRST != 0 ? 32'd1 << `RT_EFFECT_FIRST : 32'd0) |
                         (INTERPENETRATE != 0 ? 32'd1 << `RT_EFFECT_INTERPENETRATE : 32'd0) |
                         (FACETS != 0 ? 32'd1 << `RT_EFFECT_FACETS : 32'd0) |
-                        (TEXTURE != 0 ? 32'd1 << `RT_EFFECT_TEXTURE : 32'd0);
+                        (TEXTURE != 0 ? 32'd1 << `RT_EFFECT_TEXTURE : 32'd0) |
+                        (REFRACT != 0 ? 32'd1 << `RT_EFFECT_REFRACT : 32'd0) |
+                        (SPECULAR != 0 ? 32'd1 << `RT_EFFECT_SPECULAR : 32'd0) |
+                        (SUM != 0 ? 32'd1 << `RT_EFFECT_SUM : 32'd0);
+    localparam DEEPEST = REFRACT != 0 ? 5 : REFLECT;
     wire [3:0]  ways  = {CONES != 0, SPANS != 0, RECT != 0, 1'b1};
     wire missing = (effects & ~built) != 32'd0 ||    // the machine asks for what is not here
                    bih != (ACCEL != 0) ||
-                   {29'd0, max_depth} > REFLECT || {28'd0, n_lights} > LIGHTS ||
+                   {29'd0, max_depth} > DEEPEST || {28'd0, n_lights} > LIGHTS ||
                    !ways[bg_mode] || (bg_mode == 2'd3 && {27'd0, bg_count} > CONES);
     localparam [31:0] PROFILE = W << `RT_WIDTH_W_LSB | WD << `RT_WIDTH_WD_LSB |
                                 PQ << `RT_WIDTH_PQ_LSB | NG << `RT_WIDTH_NG_LSB |
@@ -217,7 +225,9 @@ module rt_core #(
     genvar e;
     generate
         for (e = 0; e < ENGINES; e = e + 1) begin : g_engine
-            wire [2:0]   rays, tests;
+            wire [3:0]   rays;
+            wire [2:0]   tests;
+            wire         power;
             wire         visit, facet, divide, leaf, sqrt, quotient, saturated, bubble, texel;
             wire [2:0]   miss;
             wire [31:0]  texture;
@@ -226,14 +236,15 @@ module rt_core #(
                         .STACK(`RT_STACK_DEPTH), .SHADOW(SHADOW), .REFLECT(REFLECT),
                         .LIGHTS(LIGHTS), .INSIDE(INSIDE), .FIRST(FIRST),
                         .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),
-                        .ACCEL(ACCEL), .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES),
+                        .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM), .ACCEL(ACCEL),
+                        .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES),
                         .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS),
                         .TEXTURE_GROUP(TEXTURE_GROUP), .ROOTS(ROOTS), .QUOTIENTS(QUOTIENTS),
                         .DIVISIONS(DIVISIONS), .ROOT_STEP(ROOT_STEP),
                         .QUOTIENT_STEP(QUOTIENT_STEP),
                         .DIVISION_STEP(DIVISION_STEP)) u_engine (
                 .clk(clk), .rst(rst), .flush_i(go && !keep_cache_i), .busy_o(e_busy[e]),
-                .effects_i(effects[6:0]), .tex_filter_i(tex_filter), .max_depth_i(max_depth),
+                .effects_i(effects[9:0]), .tex_filter_i(tex_filter), .max_depth_i(max_depth),
                 .n_lights_i(n_lights), .background_i(background), .ambient_i(ambient), .eye_i(eye),
                 .root_i(root), .prim_base_i(prim_base), .mem_lines_i(mem_lines),
                 .visit_limit_i(visit_limit),
@@ -254,7 +265,7 @@ module rt_core #(
                 .mem_rsp_valid_i(m_rsp_valid[READS*e +: READS]),
                 .mem_rsp_ready_o(m_rsp_ready[READS*e +: READS]),
                 .mem_rsp_data_i(m_rsp_data), .mem_rsp_error_i(m_rsp_error),
-                .count_rays_o(rays), .count_visit_o(visit), .count_tests_o(tests),
+                .count_rays_o(rays), .count_power_o(power), .count_visit_o(visit), .count_tests_o(tests),
                 .count_leaf_o(leaf), .count_root_o(sqrt), .count_quotient_o(quotient),
                 .count_facet_o(facet), .count_divide_o(divide), .count_saturated_o(saturated),
                 .count_issued_o(issued[e]), .count_miss_o(miss), .count_texel_o(texel),
@@ -281,13 +292,14 @@ module rt_core #(
                 assign add_e[8*`RT_COUNT_DIVISIONS    +: 8] = {7'd0, FACETS != 0 && divide};
                 assign add_e[8*`RT_COUNT_TEXELS       +: 8] = {7'd0, TEXTURE != 0 && texel};
                 assign add_e[8*`RT_COUNT_TEXEL_MISSES +: 8] = {7'd0, TEXTURE != 0 && miss[2]};
-                assign add_e[EW-1:8*`RT_COUNT_RAYS_REFRACTED] = // and what counts nothing yet
-                    {(EW-8*`RT_COUNT_RAYS_REFRACTED){1'b0}};
+                assign add_e[8*`RT_COUNT_RAYS_REFRACTED +: 8] = {7'd0, REFRACT != 0 && rays[3]};
+                assign add_e[8*`RT_COUNT_POWERS       +: 8] = {7'd0, SPECULAR != 0 && power};
+                assign add_e[EW-1:8*`RT_COUNTERS] = {(EW-8*`RT_COUNTERS){1'b0}};
             end
             if (TEXTURE != 0) begin : g_texture
                 assign p_data[PW*e+PV +: 32] = texture;
             end
-            wire unused_e = &{1'b0, facet, divide, texel, miss[2], texture};
+            wire unused_e = &{1'b0, power, rays[3], facet, divide, texel, miss[2], texture};
             assign events[EW*e +: EW] = add_e;
         end
     endgenerate
@@ -344,7 +356,8 @@ module rt_core #(
             for (k = 0; k < PLACES; k = k + 1)
                 add[8*k +: 8] = add[8*k +: 8] + events[EW*n + 8*k +: 8];
     end
-    rt_counters #(.PLACES(PLACES)) u_counters (
+    localparam COUNTERS = OPTICS ? `RT_COUNTERS : PLACES > 16 ? `RT_COUNT_RAYS_REFRACTED : 16;
+    rt_counters #(.PLACES(PLACES), .USED(COUNTERS)) u_counters (
         .clk(clk), .rst(rst), .clear_i(go), .add_i(add),
         .addr_i(count_addr_i), .data_o(count_data_o)
     );

@@ -6,7 +6,8 @@
 `default_nettype none
 `include "rt_layout.vh"
 module rt_counters #(
-    parameter PLACES = 16         // counters from here on read as 0: 16 or 32
+    parameter PLACES = 16,        // counters from here on read as 0: 16 or 32
+    parameter USED   = PLACES < `RT_COUNTERS ? PLACES : `RT_COUNTERS  // those that count
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -18,7 +19,6 @@ module rt_counters #(
     localparam AB = $clog2(PLACES);
     localparam SW = AB + 6;       // PLACES cycles of 63 events
     localparam [AB:0] ALL = {1'b1, {AB{1'b0}}};  // PLACES
-    localparam USED = PLACES < `RT_COUNTERS ? PLACES : `RT_COUNTERS;
     reg [AB-1:0] turn_q;
     reg [AB:0]   clear_q;         // totals that still start anew
     wire         clearing = clear_q != {(AB+1){1'b0}};

@@ -21,6 +21,9 @@ module rt_engine #(
     parameter INTERPENETRATE = 1,
     parameter FACETS     = 0,
     parameter TEXTURE    = 0,
+    parameter REFRACT    = 0,
+    parameter SPECULAR   = 0,
+    parameter SUM        = 0,
     parameter ACCEL      = 0,    // 0: nodes of four children, 1: BIH
     parameter NODE_LINES = 256,  // node cache
     parameter LEAF_LINES = 128,  // leaf and primitive cache
@@ -40,7 +43,7 @@ module rt_engine #(
     input  wire              flush_i,         // forget the caches
     output wire              busy_o,
     // registers
-    input  wire [6:0]        effects_i,       // EFFECTS of machine.def
+    input  wire [9:0]        effects_i,       // EFFECTS of machine.def
     input  wire [1:0]        tex_filter_i,
     input  wire [2:0]        max_depth_i,
     input  wire [3:0]        n_lights_i,
@@ -84,7 +87,8 @@ module rt_engine #(
     input  wire [255:0]      mem_rsp_data_i,
     input  wire              mem_rsp_error_i,
     // events of this cycle, for the counters
-    output wire [2:0]        count_rays_o,    // {reflected, shadow, primary}
+    output wire [3:0]        count_rays_o,    // {refracted, reflected, shadow, primary}
+    output wire              count_power_o,
     output wire              count_visit_o,
     output wire [2:0]        count_tests_o,
     output wire              count_leaf_o,
@@ -102,16 +106,22 @@ module rt_engine #(
     localparam SLOTW = $clog2(SLOTS);
     localparam KW = W + WD + 2;
     localparam SHADOWS = LIGHTS != 0 && SHADOW != 0 ? 1 : 0;           // shadow rays
-    localparam BOUNCES = REFLECT != 0 || INTERPENETRATE != 0 ? 1 : 0;  // mirrored rays
+    localparam SHARES  = REFRACT != 0 || SUM != 0 ? 1 : 0;             // blends by shares
+    localparam GLOSS   = LIGHTS != 0 && SPECULAR != 0 ? 1 : 0;         // highlights
+    localparam BOUNCES = REFLECT != 0 || INTERPENETRATE != 0 || REFRACT != 0 ? 1 : 0; // mirrored
     localparam POINTS  = LIGHTS != 0 || BOUNCES != 0 || TEXTURE != 0 ? 1 : 0; // points, normals
     localparam FARS    = INSIDE != 0 || FACETS != 0 ? 1 : 0;           // hits that are far
     localparam LW = ACCEL != 0 ? `RT_BIH_T - 1 : FW;                   // depth limit, bits - 1
     wire points_on = n_lights_i != 4'd0 ||                             // the same, at run time
                      effects_i[`RT_EFFECT_REFLECT] || effects_i[`RT_EFFECT_INTERPENETRATE] ||
+                     (REFRACT != 0 && effects_i[`RT_EFFECT_REFRACT]) ||
                      (TEXTURE != 0 && effects_i[`RT_EFFECT_TEXTURE]);
     generate
         if (INTERPENETRATE != 0 && (FIRST == 0 || INSIDE == 0)) begin : g_check
             rt_engine_INTERPENETRATE_needs_FIRST_and_INSIDE u_error ();
+        end
+        if ((REFRACT != 0 && INSIDE == 0) || (SPECULAR != 0 && SUM == 0)) begin : g_check_optics
+            rt_engine_REFRACT_needs_INSIDE_and_SPECULAR_needs_SUM u_error ();
         end
         if (ACCEL != 0 && FIRST != 0) begin : g_accel
             rt_engine_ACCEL_needs_FIRST_to_be_0 u_error ();
@@ -142,7 +152,12 @@ module rt_engine #(
     wire [FW:0]       ray_depth;
     wire [16:0]       ray_y;
     wire [5:0]        ray_h;
-    wire              shadow_go, lamp_valid, lamp_lit, normal_valid, cosine_valid;
+    wire              shadow_go, lamp_valid, lamp_lit, normal_valid, cosine_valid, unit_light;
+    wire              back_valid, back_ready;      // a refracted ray starts: where, on what
+    wire [3*W-1:0]    back_point;
+    wire [24:0]       back_skip;
+    wire [W+7:0]      back_path;
+    wire [1:0]        deep_rays;                   // {refracted, reflected}, with SHARES
     wire [SLOTW-1:0]  normal_slot, cosine_slot;
     wire              ray_go = ray_valid && !ray_shadow;
     wire [3*WD-1:0]   normal_vec;
@@ -157,8 +172,11 @@ module rt_engine #(
         .bounce_valid_i(bounce_valid), .bounce_slot_i(bounce_slot), .bounce_vec_i(bounce_vec),
         .primary_valid_i(primary_valid), .primary_ready_o(primary_ready),
         .primary_slot_i(primary_slot), .primary_vec_i(primary_vec),
-        .point_valid_i(surface_valid), .point_slot_i(surface_slot), .point_i(surface_point),
-        .skip_valid_i(hit_valid), .skip_slot_i(hit_slot), .skip_i({hit_far, hit_id}),
+        .point_valid_i(surface_valid || back_valid),
+        .point_slot_i(back_valid ? bounce_slot : surface_slot),
+        .point_i(back_valid ? back_point : surface_point),
+        .skip_valid_i(hit_valid || back_valid), .skip_slot_i(back_valid ? bounce_slot : hit_slot),
+        .skip_i(back_valid ? back_skip : {hit_far, hit_id}),
         .ray_valid_o(ray_valid), .ray_slot_o(ray_slot), .ray_shadow_o(ray_shadow),
         .ray_primary_o(ray_primary),
         .ray_org_o(ray_org), .ray_dir_o(ray_dir), .ray_a_o(ray_a), .ray_skip_o(ray_skip),
@@ -168,6 +186,7 @@ module rt_engine #(
         .lamp_valid_o(lamp_valid), .lamp_lit_o(lamp_lit), .shadow_go_o(shadow_go),
         .normal_valid_o(normal_valid), .normal_slot_o(normal_slot),
         .normal_vec_o(normal_vec), .normal_nn_o(normal_nn),
+        .light_valid_o(unit_light),
         .cosine_valid_o(cosine_valid), .cosine_slot_o(cosine_slot), .cosine_o(cosine)
     );
     wire              inside_on = effects_i[`RT_EFFECT_INSIDE];
@@ -175,7 +194,8 @@ module rt_engine #(
     wire              ray_again;              // the repeated primary ray of its pixel
     wire              ray_first = FIRST != 0 && effects_i[`RT_EFFECT_FIRST] && ray_primary &&
                                   !ray_again;
-    assign count_rays_o = {ray_go && !ray_primary, shadow_go, ray_go && ray_primary};
+    assign count_rays_o = {deep_rays[1], SHARES != 0 ? deep_rays[0] : ray_go && !ray_primary,
+                           shadow_go, ray_go && ray_primary};
 
     // ---- traversal: leaf records to test, then a ray that is done ----
     wire              leaf_visit, visit_valid, done_valid;
@@ -354,12 +374,13 @@ module rt_engine #(
     wire [SLOTW-1:0]  material_slot;
     wire [32:0]       material;
     wire [25:0]       material_tex;
+    wire [59:0]       material_look;
     wire [3*(W+NG)-1:0] surface_guarded;
     wire              bare_valid;             // a surface that needs no point
     wire [SLOTW-1:0]  bare_slot;
     rt_surface #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .POINTS(POINTS), .BOUNCES(BOUNCES),
-                 .INSIDE(INSIDE), .FACETS(FACETS), .TEXTURE(TEXTURE), .SLOTS(SLOTS),
-                 .SLOTW(SLOTW), .QUOTIENTS(QUOTIENTS),
+                 .INSIDE(INSIDE), .FACETS(FACETS), .TEXTURE(TEXTURE), .LOOKS(SHARES),
+                 .SLOTS(SLOTS), .SLOTW(SLOTW), .QUOTIENTS(QUOTIENTS),
                  .QUOTIENT_STEP(QUOTIENT_STEP)) u_surface (
         .clk(clk), .rst(rst), .prim_base_i(prim_base_i), .eye_i(eye_i), .points_on_i(points_on),
         .facets_on_i(facets_on),
@@ -373,6 +394,7 @@ module rt_engine #(
         .prim_data_i(prim_data),
         .material_valid_o(material_valid), .material_slot_o(material_slot),
         .material_o(material), .material_tex_o(material_tex),
+        .material_look_o(material_look),
         .bare_valid_o(bare_valid), .bare_slot_o(bare_slot),
         .out_valid_o(surface_valid), .out_slot_o(surface_slot), .out_point_o(surface_point),
         .out_guarded_o(surface_guarded), .out_normal_o(surface_normal),
@@ -389,6 +411,9 @@ module rt_engine #(
     wire [SLOTW-1:0]  start_slot, albedo_slot;
     wire [32:0]       albedo;
     wire [31:0]       texture;
+    wire              path_valid;
+    wire [SLOTW-1:0]  path_slot;
+    wire [W+7:0]      path;
     generate
         if (TEXTURE != 0) begin : g_texture
             rt_texture #(.W(W), .WD(WD), .NG(NG), .SLOTS(SLOTS), .SLOTW(SLOTW),
@@ -405,6 +430,8 @@ module rt_engine #(
                 .record_i(material), .record_tex_i(material_tex),
                 .point_valid_i(surface_valid), .point_slot_i(surface_slot),
                 .point_i(surface_guarded),
+                .path_valid_o(path_valid), .path_slot_o(path_slot), .path_o(path),
+                .back_valid_i(back_valid), .back_slot_i(bounce_slot), .back_path_i(back_path),
                 .in_valid_i(lit_valid), .in_slot_i(lit_slot), .in_unit_i(ray_unit),
                 .material_valid_o(albedo_valid), .material_slot_o(albedo_slot),
                 .material_o(albedo), .out_valid_o(start_valid), .out_slot_o(start_slot),
@@ -423,14 +450,45 @@ module rt_engine #(
             assign {albedo_valid, albedo_slot, albedo} = {material_valid, material_slot, material};
             assign {count_texel_o, count_miss_o[2], bad_texture, texture_error} = 4'd0;
             assign texture = {12'd`RT_LOD_NONE, 20'd0};
-            wire unused = &{1'b0, material_tex, surface_guarded, ray_y, ray_h, tex_filter_i};
+            assign {path_valid, path_slot, path} = {(SLOTW+W+9){1'b0}};
+            wire unused = &{1'b0, material_tex, surface_guarded, ray_y, ray_h, tex_filter_i,
+                            back_path};
+        end
+    endgenerate
+
+    // ---- highlights: between a light that has settled and the sum ----
+    wire              settled, settled_lit;
+    wire [SLOTW-1:0]  settled_slot;
+    wire [15:0]       settled_highlight;
+    wire [50:0]       gloss;
+    generate
+        if (GLOSS != 0) begin : g_shine
+            rt_shine #(.SHADOW(SHADOWS), .SLOTS(SLOTS), .SLOTW(SLOTW)) u_shine (
+                .clk(clk), .rst(rst),
+                .on_i(effects_i[`RT_EFFECT_SUM] && effects_i[`RT_EFFECT_SPECULAR]),
+                .dir_valid_i(ray_go), .normal_valid_i(normal_valid), .light_valid_i(unit_light),
+                .unit_slot_i(ray_slot), .unit_i(ray_unit),
+                .look_valid_i(material_valid), .look_slot_i(material_slot),
+                .look_i(material_look),
+                .lamp_valid_i(lamp_valid), .lamp_slot_i(cosine_slot), .lamp_lit_i(lamp_lit),
+                .shadow_valid_i(shadow_valid), .shadow_slot_i(shadow_slot),
+                .shadow_lit_i(shadow_lit),
+                .out_valid_o(settled), .out_slot_o(settled_slot), .out_lit_o(settled_lit),
+                .out_highlight_o(settled_highlight), .power_o(count_power_o)
+            );
+        end else begin : g_no_shine
+            assign {settled, settled_slot, settled_lit} = {lamp_valid, cosine_slot, lamp_lit};
+            assign settled_highlight = 16'd0;
+            assign count_power_o     = 1'b0;
+            wire unused = &{1'b0, unit_light};
         end
     endgenerate
 
     // ---- lights, pixels ----
     generate
         if (LIGHTS != 0) begin : g_lights
-            rt_lights #(.W(W), .WD(WD), .LIGHTS(LIGHTS), .SHADOW(SHADOW), .SLOTS(SLOTS),
+            rt_lights #(.W(W), .WD(WD), .LIGHTS(LIGHTS), .SHADOW(GLOSS != 0 ? 0 : SHADOW),
+                        .AMBIENT(SUM != 0 ? 0 : 1), .GLOSS(GLOSS), .SLOTS(SLOTS),
                         .SLOTW(SLOTW)) u_lights (
                 .clk(clk), .rst(rst), .n_lights_i(n_lights_i), .ambient_i(ambient_i),
                 .light_valid_i(light_valid_i), .light_number_i(light_number_i),
@@ -439,11 +497,13 @@ module rt_engine #(
                 .point_i(surface_point),
                 .cosine_valid_i(cosine_valid), .cosine_slot_i(cosine_slot), .cosine_i(cosine),
                 .start_valid_i(start_valid), .start_slot_i(start_slot),
-                .lamp_valid_i(lamp_valid), .lamp_slot_i(cosine_slot), .lamp_lit_i(lamp_lit),
+                .lamp_valid_i(settled), .lamp_slot_i(settled_slot), .lamp_lit_i(settled_lit),
+                .lamp_highlight_i(settled_highlight),
                 .shadow_valid_i(shadow_valid), .shadow_slot_i(shadow_slot),
                 .shadow_lit_i(shadow_lit),
                 .vec_valid_o(vec_valid), .vec_slot_o(vec_slot), .vec_o(vec),
-                .sum_valid_o(sum_valid), .sum_slot_o(sum_slot), .sum_o(sum)
+                .sum_valid_o(sum_valid), .sum_slot_o(sum_slot), .sum_o(sum),
+                .gloss_o(gloss)
             );
         end else begin : g_ambient
             assign vec_valid = 1'b0;
@@ -451,18 +511,24 @@ module rt_engine #(
             assign vec       = {3*WD{1'b0}};
             assign sum_valid = start_valid;
             assign sum_slot  = start_slot;
-            assign sum       = {1'b0, ambient_i[47:32], 1'b0, ambient_i[31:16],
+            assign gloss     = 51'd0;
+            assign sum       = SUM != 0 ? 51'd0 :
+                               {1'b0, ambient_i[47:32], 1'b0, ambient_i[31:16],
                                 1'b0, ambient_i[15:0]};
             wire unused = &{1'b0, light_valid_i, light_number_i, light_part_i, light_data_i,
-                            cosine_valid, cosine_slot, cosine, lamp_valid, lamp_lit,
+                            cosine_valid, cosine_slot, cosine, settled, settled_slot,
+                            settled_lit, settled_highlight,
                             shadow_valid, shadow_slot, shadow_lit};
         end
     endgenerate
     rt_pixels #(.W(W), .WD(WD), .SHADOW(SHADOWS), .REFLECT(REFLECT), .LIGHTS(LIGHTS),
                 .INSIDE(INSIDE), .FACETS(FACETS), .TEXTURE(TEXTURE),
-                .INTERPENETRATE(INTERPENETRATE), .SLOTS(SLOTS), .SLOTW(SLOTW)) u_pixels (
+                .INTERPENETRATE(INTERPENETRATE), .REFRACT(REFRACT), .SPECULAR(SPECULAR),
+                .SUM(SUM), .PR(PR), .SLOTS(SLOTS), .SLOTW(SLOTW)) u_pixels (
         .clk(clk), .rst(rst), .busy_o(busy_o),
-        .reflect_on_i(effects_i[`RT_EFFECT_REFLECT]), .max_depth_i(max_depth_i),
+        .shares_on_i({effects_i[`RT_EFFECT_SUM], effects_i[`RT_EFFECT_SPECULAR],
+                      effects_i[`RT_EFFECT_REFRACT], effects_i[`RT_EFFECT_REFLECT]}),
+        .max_depth_i(max_depth_i), .ambient_i(ambient_i),
         .probe_on_i(effects_i[`RT_EFFECT_INTERPENETRATE]),
         .background_i(background_i),
         .prim_base_i(prim_base_i), .mem_lines_i(mem_lines_i),
@@ -472,7 +538,7 @@ module rt_engine #(
         .primary_slot_o(primary_slot), .primary_vec_o(primary_vec),
         .bounce_valid_o(bounce_valid), .bounce_slot_o(bounce_slot), .bounce_vec_o(bounce_vec),
         .ray_valid_i(ray_valid && !ray_shadow), .ray_slot_i(ray_slot), .ray_dir_i(ray_dir),
-        .ray_again_o(ray_again),
+        .ray_a_i(ray_a), .ray_again_o(ray_again),
         .normal_valid_i(normal_valid), .normal_slot_i(normal_slot),
         .normal_vec_i(normal_vec), .normal_nn_i(normal_nn),
         .ask_valid_i(done_valid), .ask_slot_i(done_slot),
@@ -486,6 +552,12 @@ module rt_engine #(
         .hit_id_o(hit_id), .hit_key_o(hit_key),
         .material_valid_i(albedo_valid), .material_slot_i(albedo_slot), .material_i(albedo),
         .sum_valid_i(sum_valid), .sum_slot_i(sum_slot), .sum_i(sum),
+        .look_valid_i(material_valid), .look_slot_i(material_slot), .look_i(material_look),
+        .gloss_i(gloss), .point_valid_i(surface_valid), .point_slot_i(surface_slot),
+        .point_i(surface_point),
+        .path_valid_i(path_valid), .path_slot_i(path_slot), .path_i(path),
+        .back_valid_o(back_valid), .back_ready_i(back_ready), .back_point_o(back_point),
+        .back_skip_o(back_skip), .back_path_o(back_path), .count_o(deep_rays),
         .visits_read_o(visits_read), .visits_slot_o(visits_slot), .visits_i(visits),
         .texture_i(texture),
         .pix_valid_o(pix_valid_o), .pix_ready_i(pix_ready_i),
@@ -494,6 +566,7 @@ module rt_engine #(
         .pix_texture_o(pix_texture_o),
         .bad_node_o(bad_record)
     );
+    assign back_ready = !surface_valid && !hit_valid && !path_valid;
     assign errors_o = {node_error || leaf_error || texture_error, visit_limit, overflow,
                        bad_node || bad_record || bad_leaf || bad_texture};
     wire unused = &{1'b0, effects_i};

@@ -45,6 +45,13 @@ module rt_texture #(
     input  wire                in_valid_i,
     input  wire [SLOTW-1:0]    in_slot_i,
     input  wire [53:0]         in_unit_i,      // {z, y, x} s1.16
+    // to and from rt_pixels: paths of surfaces; of rays that waited, not with path_valid_o
+    output wire                path_valid_o,
+    output wire [SLOTW-1:0]    path_slot_o,
+    output wire [W+7:0]        path_o,
+    input  wire                back_valid_i,
+    input  wire [SLOTW-1:0]    back_slot_i,
+    input  wire [W+7:0]        back_path_i,
     // to rt_pixels: the material as textured; to rt_lights, a cycle later: the surface
     output wire                material_valid_o,
     output wire [SLOTW-1:0]    material_slot_o,
@@ -85,10 +92,12 @@ module rt_texture #(
         .ray_y_i(ray_y_i), .ray_h_i(ray_h_i),
         .hit_valid_i(hit_valid_i), .hit_slot_i(hit_slot_i), .hit_key_i(hit_key_i),
         .tex_valid_i(record_valid_i), .tex_slot_i(record_slot_i), .tex_i(record_tex_i),
+        .back_valid_i(back_valid_i), .back_slot_i(back_slot_i), .back_path_i(back_path_i),
         .in_valid_i(in_valid_i), .in_slot_i(in_slot_i),
         .out_valid_o(p_valid), .out_slot_o(p_slot), .out_tex_o(p_tex),
         .out_primary_o(p_primary), .out_path_o(p_path)
     );
+    assign {path_valid_o, path_slot_o, path_o} = {p_valid, p_slot, p_path};
     wire             map_valid, map_ready;
     wire [SLOTW-1:0] map_slot;
     wire [25:0]      map_line;

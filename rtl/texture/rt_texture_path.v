@@ -25,6 +25,10 @@ module rt_texture_path #(
     input  wire              tex_valid_i,
     input  wire [SLOTW-1:0]  tex_slot_i,
     input  wire [25:0]       tex_i,
+    // the path of a ray that takes up where another has left; not with out_valid_o
+    input  wire              back_valid_i,
+    input  wire [SLOTW-1:0]  back_slot_i,
+    input  wire [W+7:0]      back_path_i,
     // token: a surface
     input  wire              in_valid_i,
     input  wire [SLOTW-1:0]  in_slot_i,
@@ -62,7 +66,9 @@ module rt_texture_path #(
         .rd_en_i(n_valid), .rd_addr_i(n_slot), .rd_data_o(n_tex)
     );
     rt_slot_ram #(.WIDTH(PW), .SLOTS(SLOTS), .OLD(0)) u_stack (
-        .clk(clk), .wr_en_i(out_valid_o), .wr_addr_i(out_slot_o), .wr_data_i(out_path_o),
+        .clk(clk), .wr_en_i(out_valid_o || back_valid_i),
+        .wr_addr_i(back_valid_i ? back_slot_i : out_slot_o),
+        .wr_data_i(back_valid_i ? back_path_i : out_path_o),
         .rd_en_i(n_valid), .rd_addr_i(n_slot), .rd_data_o(n_path)
     );
     assign n_take = n_read_q && ready;

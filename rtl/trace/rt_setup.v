@@ -69,6 +69,7 @@ module rt_setup #(
     output reg [SLOTW-1:0]    normal_slot_o,
     output reg [3*WD-1:0]     normal_vec_o,
     output reg [2*WD-1:0]     normal_nn_o,
+    output wire               light_valid_o,    // ray_unit_o is that to a light
     // cosine of a light, with lamp_valid_o or shadow_go_o
     output wire               cosine_valid_o,
     output wire [SLOTW-1:0]   cosine_slot_o,
@@ -281,6 +282,7 @@ module rt_setup #(
                 .in_light_z_i($signed(ray_unit_o[53:36])),
                 .out_valid_o(c_valid), .out_tag_o(cosine_slot_o), .out_cosine_o(cosine_o)
             );
+            assign light_valid_o  = s4_light_q;
             assign cosine_valid_o = c_valid;
             assign shadow_go_o    = c_valid && c_trace;
             assign lamp_valid_o   = c_valid && !c_trace;
@@ -288,6 +290,7 @@ module rt_setup #(
             wire unused = c_ready;
         end else begin : g_dark
             assign {cosine_valid_o, shadow_go_o, lamp_valid_o, lamp_lit_o} = 4'b0000;
+            assign light_valid_o  = 1'b0;
             assign cosine_slot_o = {SLOTW{1'b0}};
             assign cosine_o      = 16'd0;
             wire unused = shadow_on_i;

@@ -30,6 +30,9 @@ module tb_core_icarus #(
     parameter RECT = 1,
     parameter SPANS = 1,
     parameter CONES = 1,
+    parameter REFRACT = 0,
+    parameter SPECULAR = 0,
+    parameter SUM = 0,
     parameter ACCEL = 0,
     parameter LINES = 131072   // of memory
 );
@@ -68,7 +71,8 @@ module tb_core_icarus #(
         .W(W), .WD(WD), .PQ(PQ), .NG(NG), .FW(FW), .PR(PR),
         .ENGINES(ENGINES), .SHADOW(SHADOW), .REFLECT(REFLECT), .LIGHTS(LIGHTS), .INSIDE(INSIDE),
         .FIRST(FIRST), .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS),
-        .TEXTURE(TEXTURE), .RECT(RECT), .SPANS(SPANS), .CONES(CONES), .ACCEL(ACCEL),
+        .TEXTURE(TEXTURE), .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM),
+        .RECT(RECT), .SPANS(SPANS), .CONES(CONES), .ACCEL(ACCEL),
         .ROOT_STEP(ROOT_STEP), .QUOTIENT_STEP(QUOTIENT_STEP)
     ) u_core (
         .clk(clk), .rst(rst),

@@ -1,0 +1,252 @@
+// rt_rays.v - which ray follows a surface: mirrored, refracted, one that waits, or none
+// SPDX-License-Identifier: Apache-2.0
+// A surface with a transmitted share goes through rt_refract. If a mirror ray leaves it too, that
+// goes first and the refracted ray waits with all that it needs, in one of five places of its slot,
+// a place a depth. What has no ray of its own takes up the deepest that waits; with none the pixel
+// is complete. Refractions go before other surfaces.
+// Model: path(), leave() in cmodel/render_pixel.c
+`default_nettype none
+`include "rt_layout.vh"
+module rt_rays #(
+    parameter W     = 16,  // coordinate, bits
+    parameter WD    = 17,  // direction component, bits
+    parameter PR    = 0,   // significant bits of the root, 0: all
+    parameter PATHS = 0,   // 1: the length of a ray's path is kept, for textures
+    parameter SLOTS = 32,  // power of two
+    parameter SLOTW = 5    // log2 of SLOTS
+) (
+    input  wire              clk,
+    input  wire              rst,
+    // what a ray needs: from rt_setup, rt_surface, rt_texture
+    input  wire              ray_valid_i,
+    input  wire [SLOTW-1:0]  ray_slot_i,
+    input  wire [3*WD-1:0]   ray_dir_i,
+    input  wire [2*WD-1:0]   ray_a_i,
+    input  wire              normal_valid_i,
+    input  wire [SLOTW-1:0]  normal_slot_i,
+    input  wire [3*WD-1:0]   normal_vec_i,
+    input  wire [2*WD-1:0]   normal_nn_i,
+    input  wire              hit_valid_i,
+    input  wire [SLOTW-1:0]  hit_slot_i,
+    input  wire              hit_far_i,
+    input  wire [23:0]       hit_id_i,
+    input  wire              point_valid_i,
+    input  wire [SLOTW-1:0]  point_slot_i,
+    input  wire [3*W-1:0]    point_i,
+    input  wire              index_valid_i,
+    input  wire [SLOTW-1:0]  index_slot_i,
+    input  wire [11:0]       index_i,         // of refraction, thousandths
+    input  wire              path_valid_i,
+    input  wire [SLOTW-1:0]  path_slot_i,
+    input  wire [W+7:0]      path_i,          // u(W+4).4 from the eye
+    // a surface is blended
+    input  wire              in_valid_i,
+    input  wire [SLOTW-1:0]  in_slot_i,
+    input  wire [2:0]        in_depth_i,
+    input  wire              in_mirror_i,     // a mirror ray leaves it
+    input  wire              in_refract_i,    // a refracted ray leaves it, if not all is reflected
+    input  wire [50:0]       in_weights_i,    // {all is reflected, refracted, mirrored}
+    // the next ray of its pixel, or none
+    output wire              mirror_valid_o,  // to rt_mirrors
+    output wire [SLOTW-1:0]  slot_o,
+    output wire              end_valid_o,     // the pixel is complete
+    output wire              next_valid_o,    // weight and depth of what the next ray will hit
+    output wire [16:0]       next_weight_o,
+    output wire [2:0]        next_depth_o,
+    // a refracted ray, to rt_setup and to where its origin is kept
+    output wire              out_valid_o,     // with out_ready_i
+    input  wire              out_ready_i,
+    output wire [3*WD-1:0]   out_vec_o,
+    output wire [3*W-1:0]    out_point_o,
+    output wire [24:0]       out_skip_o,      // {inside, id}
+    output wire [W+7:0]      out_path_o
+);
+    localparam BACK = PATHS != 0 ? W + 8 : 0;
+    localparam GW   = 3*WD + 3*W + 25 + 17;          // {weight, skip, point, dir}
+    localparam EW   = SLOTW + 4 + 51;                // {weights, mirror, depth, slot}
+    localparam BW   = SLOTW + 4 + 17;
+
+    // ---- queues: surfaces to refract at, all others ----
+    wire             a_valid, a_take, a_in, b_valid, b_take, b_in;
+    wire [EW-1:0]    a;
+    wire [BW-1:0]    b;
+    wire [SLOTW+3:0] in_what = {in_mirror_i, in_depth_i, in_slot_i};
+    rt_fifo #(.WIDTH(EW), .DEPTH(SLOTS)) u_bends (
+        .clk(clk), .rst(rst), .in_valid_i(in_valid_i && in_refract_i), .in_ready_o(a_in),
+        .in_data_i({in_weights_i, in_what}),
+        .out_valid_o(a_valid), .out_ready_i(a_take), .out_data_o(a)
+    );
+    rt_fifo #(.WIDTH(BW), .DEPTH(SLOTS)) u_others (
+        .clk(clk), .rst(rst), .in_valid_i(in_valid_i && !in_refract_i), .in_ready_o(b_in),
+        .in_data_i({in_weights_i[16:0], in_what}),
+        .out_valid_o(b_valid), .out_ready_i(b_take), .out_data_o(b)
+    );
+
+    // ---- refraction: one at a time, its result waits ----
+    wire [SLOTW-1:0] a_slot = a[SLOTW-1:0];
+    wire [3*WD-1:0]  a_dir, a_normal;
+    wire [2*WD-1:0]  a_a, a_nn;
+    wire [11:0]      a_index;
+    wire             a_far, bend_ready, bent, bent_total;
+    wire [EW-1:0]    bent_what;
+    wire [3*WD-1:0]  bent_dir;
+    reg              a_read_q;                       // what belongs to the head is read
+    reg              r_valid_q, r_total_q;
+    reg [EW-1:0]     r_q;
+    reg [3*WD-1:0]   r_dir_q;
+    wire             r_take;
+    rt_slot_ram #(.WIDTH(5*WD), .SLOTS(SLOTS), .OLD(0)) u_dir (
+        .clk(clk), .wr_en_i(ray_valid_i), .wr_addr_i(ray_slot_i),
+        .wr_data_i({ray_a_i, ray_dir_i}),
+        .rd_en_i(a_valid), .rd_addr_i(a_slot), .rd_data_o({a_a, a_dir})
+    );
+    rt_slot_ram #(.WIDTH(5*WD), .SLOTS(SLOTS), .OLD(0)) u_normal (
+        .clk(clk), .wr_en_i(normal_valid_i), .wr_addr_i(normal_slot_i),
+        .wr_data_i({normal_nn_i, normal_vec_i}),
+        .rd_en_i(a_valid), .rd_addr_i(a_slot), .rd_data_o({a_nn, a_normal})
+    );
+    rt_slot_ram #(.WIDTH(12), .SLOTS(SLOTS), .OLD(0)) u_index (
+        .clk(clk), .wr_en_i(index_valid_i), .wr_addr_i(index_slot_i), .wr_data_i(index_i),
+        .rd_en_i(a_valid), .rd_addr_i(a_slot), .rd_data_o(a_index)
+    );
+    rt_slot_file #(.WIDTH(1), .SLOTS(SLOTS)) u_far (
+        .clk(clk), .wr_en_i(hit_valid_i), .wr_addr_i(hit_slot_i), .wr_data_i(hit_far_i),
+        .rd_addr_i(a_slot), .rd_data_o(a_far)
+    );
+    wire             a_go = a_read_q && !r_valid_q && !bent;
+    assign a_take = a_go && bend_ready;
+    always @(posedge clk) begin
+        a_read_q <= a_valid && !a_take;
+        if (bent) begin
+            r_valid_q <= 1'b1;
+            r_total_q <= bent_total;
+            r_q       <= bent_what;
+            r_dir_q   <= bent_dir;
+        end else if (r_take) begin
+            r_valid_q <= 1'b0;
+        end
+        if (rst) begin a_read_q <= 1'b0; r_valid_q <= 1'b0; end
+    end
+    rt_refract #(.W(W), .WD(WD), .PR(PR), .TAG(EW)) u_refract (
+        .clk(clk), .rst(rst), .in_valid_i(a_go), .in_ready_o(bend_ready), .in_tag_i(a),
+        .in_dir_i(a_dir), .in_a_i(a_a), .in_normal_i(a_normal), .in_nn_i(a_nn),
+        .in_from_i(a_far ? a_index : 12'd`RT_INDEX_ONE),
+        .in_to_i(a_far ? 12'd`RT_INDEX_ONE : a_index),
+        .out_valid_o(bent), .out_tag_o(bent_what), .out_total_o(bent_total),
+        .out_dir_o(bent_dir)
+    );
+
+    // ---- a surface with all that is known of it ----
+    localparam [1:0] IDLE = 2'd0, ACT = 2'd1, POP = 2'd2, GO = 2'd3;
+    reg  [1:0]       state_q;
+    reg              v_bend_q, v_mirror_q;           // rays that leave it
+    reg  [SLOTW-1:0] v_slot_q;
+    reg  [2:0]       v_depth_q;
+    reg  [16:0]      v_weight_q, v_bent_q;           // of a mirrored, of a refracted ray
+    reg  [3*WD-1:0]  v_dir_q;
+    wire             pick = state_q == IDLE && (r_valid_q || b_valid);
+    wire [SLOTW-1:0] slot = r_valid_q ? r_q[SLOTW-1:0] : b[SLOTW-1:0];
+    assign r_take = state_q == IDLE && r_valid_q;
+    assign b_take = state_q == IDLE && !r_valid_q;
+    always @(posedge clk)
+        if (state_q == IDLE) begin
+            v_slot_q   <= slot;
+            v_depth_q  <= r_valid_q ? r_q[SLOTW +: 3] : b[SLOTW +: 3];
+            v_bend_q   <= r_valid_q && !r_total_q;
+            v_mirror_q <= r_valid_q ? r_total_q || r_q[SLOTW+3] : b[SLOTW+3];
+            v_weight_q <= !r_valid_q ? b[SLOTW+4 +: 17] : r_total_q ? r_q[EW-1 -: 17]
+                          : r_q[SLOTW+4 +: 17];
+            v_bent_q   <= r_q[SLOTW+21 +: 17];
+            v_dir_q    <= r_dir_q;
+        end
+    wire [24:0]      v_hit;                          // {far, id}
+    wire [3*W-1:0]   v_point;
+    rt_slot_ram #(.WIDTH(25), .SLOTS(SLOTS), .OLD(0)) u_hit (
+        .clk(clk), .wr_en_i(hit_valid_i), .wr_addr_i(hit_slot_i),
+        .wr_data_i({hit_far_i, hit_id_i}),
+        .rd_en_i(pick), .rd_addr_i(slot), .rd_data_o(v_hit)
+    );
+    rt_slot_ram #(.WIDTH(3*W), .SLOTS(SLOTS), .OLD(0)) u_point (
+        .clk(clk), .wr_en_i(point_valid_i), .wr_addr_i(point_slot_i), .wr_data_i(point_i),
+        .rd_en_i(pick), .rd_addr_i(slot), .rd_data_o(v_point)
+    );
+
+    // ---- places: bit d of a slot's word tells that a ray of depth d waits ----
+    wire [5:1]       kept, places;
+    reg  [5:1]       places_d;
+    rt_slot_file #(.WIDTH(5), .SLOTS(SLOTS)) u_places (
+        .clk(clk), .wr_en_i(state_q == ACT), .wr_addr_i(v_slot_q), .wr_data_i(places_d),
+        .rd_addr_i(v_slot_q), .rd_data_o(kept)
+    );
+    assign places = v_depth_q == 3'd0 ? 5'd0 : kept; // a new pixel
+    wire [2:0]       deepest = places[5] ? 3'd5 : places[4] ? 3'd4 : places[3] ? 3'd3
+                               : places[2] ? 3'd2 : 3'd1;
+    wire [2:0]       below   = v_depth_q + 3'd1;     // depth of what leaves this surface
+    wire             act     = state_q == ACT;
+    wire             push    = act && v_bend_q && v_mirror_q;
+    wire             back    = act && !v_bend_q && !v_mirror_q && places != 5'd0;
+    integer d;
+    always @* begin
+        places_d = places;
+        for (d = 1; d <= 5; d = d + 1) begin
+            if (push && below == d[2:0])   places_d[d] = 1'b1;
+            if (back && deepest == d[2:0]) places_d[d] = 1'b0;
+        end
+    end
+    wire [GW-1:0]    v_ray = {v_bent_q, !v_hit[24], v_hit[23:0], v_point, v_dir_q};
+    wire [GW-1:0]    w_ray;
+    rt_slot_ram #(.WIDTH(GW), .SLOTS(8*SLOTS), .OLD(0)) u_waiting (
+        .clk(clk), .wr_en_i(push), .wr_addr_i({v_slot_q, below}), .wr_data_i(v_ray),
+        .rd_en_i(back), .rd_addr_i({v_slot_q, deepest}), .rd_data_o(w_ray)
+    );
+
+    // ---- the ray that goes: at once, or out of its place ----
+    reg  [GW-1:0]    g_q;
+    reg  [2:0]       g_depth_q;
+    always @(posedge clk) begin
+        case (state_q)
+            IDLE: if (pick) state_q <= ACT;
+            ACT:  state_q <= back ? POP : v_bend_q && !v_mirror_q ? GO : IDLE;
+            POP:  state_q <= GO;
+            default: if (out_ready_i) state_q <= IDLE;
+        endcase
+        if (state_q == ACT) begin
+            g_q       <= v_ray;
+            g_depth_q <= v_bend_q ? below : deepest;
+        end else if (state_q == POP) begin
+            g_q       <= w_ray;
+        end
+        if (rst) state_q <= IDLE;
+    end
+    generate
+        if (PATHS != 0) begin : g_path
+            wire [BACK-1:0] v_path, w_path;
+            reg  [BACK-1:0] g_path_q;
+            rt_slot_ram #(.WIDTH(BACK), .SLOTS(SLOTS), .OLD(0)) u_path (
+                .clk(clk), .wr_en_i(path_valid_i), .wr_addr_i(path_slot_i), .wr_data_i(path_i),
+                .rd_en_i(pick), .rd_addr_i(slot), .rd_data_o(v_path)
+            );
+            rt_slot_ram #(.WIDTH(BACK), .SLOTS(8*SLOTS), .OLD(0)) u_waiting_path (
+                .clk(clk), .wr_en_i(push), .wr_addr_i({v_slot_q, below}), .wr_data_i(v_path),
+                .rd_en_i(back), .rd_addr_i({v_slot_q, deepest}), .rd_data_o(w_path)
+            );
+            always @(posedge clk)
+                if (state_q == ACT)      g_path_q <= v_path;
+                else if (state_q == POP) g_path_q <= w_path;
+            assign out_path_o = g_path_q;
+        end else begin : g_no_path
+            assign out_path_o = {(W+8){1'b0}};
+            wire unused = &{1'b0, path_valid_i, path_slot_i, path_i};
+        end
+    endgenerate
+    assign slot_o         = v_slot_q;
+    assign mirror_valid_o = act && v_mirror_q;
+    assign end_valid_o    = act && !v_mirror_q && !v_bend_q && places == 5'd0;
+    assign out_valid_o    = state_q == GO;
+    assign {out_skip_o, out_point_o, out_vec_o} = g_q[GW-18:0];
+    assign next_valid_o   = mirror_valid_o || (out_valid_o && out_ready_i);
+    assign next_weight_o  = act ? v_weight_q : g_q[GW-1 -: 17];
+    assign next_depth_o   = act ? below : g_depth_q;
+    wire unused = &{1'b0, a_in, b_in};
+endmodule
+`default_nettype wire
