@@ -26,7 +26,7 @@ module rt_pixels #(
     input  wire              rst,
     output wire              busy_o,          // slots are in use
     // registers
-    input  wire [3:0]        shares_on_i,     // run-time switches: {SUM, SPECULAR, REFRACT, REFLECT}
+    input  wire [3:0]        shares_on_i,     // run-time: {SUM, SPECULAR, REFRACT, REFLECT}
     input  wire              probe_on_i,      // that of INTERPENETRATE
     input  wire [2:0]        max_depth_i,
     input  wire [23:0]       background_i,    // 0xBBGGRR

@@ -22,7 +22,7 @@ module rt_shares #(
     input  wire             clk,
     input  wire             rst,
     // registers
-    input  wire [3:0]       on_i,             // run-time switches: {SUM, SPECULAR, REFRACT, REFLECT}
+    input  wire [3:0]       on_i,             // run-time: {SUM, SPECULAR, REFRACT, REFLECT}
     input  wire [2:0]       max_depth_i,
     input  wire [47:0]      ambient_i,        // 3 x u1.15, red low
     // what rays need: from rt_setup, rt_surface, rt_texture
@@ -96,7 +96,6 @@ module rt_shares #(
     wire             next_valid;
     wire [SLOTW-1:0] next_slot;
     wire [19:0]      next_state;
-    wire [35:0]      look_in = {look_i[35:28], look_i[27:19], look_i[18:10], look_i[9], look_i[8:0]};
     rt_slot_ram #(.WIDTH(144), .SLOTS(SLOTS), .OLD(0)) u_sums (
         .clk(clk), .wr_en_i(out_valid_o), .wr_addr_i(out_slot_o), .wr_data_i(sums),
         .rd_en_i(read_i), .rd_addr_i(read_slot_i), .rd_data_o(frames)
@@ -106,7 +105,7 @@ module rt_shares #(
         .rd_en_i(read_i), .rd_addr_i(read_slot_i), .rd_data_o(state)
     );
     rt_slot_ram #(.WIDTH(36), .SLOTS(SLOTS), .OLD(0)) u_look (
-        .clk(clk), .wr_en_i(look_valid_i), .wr_addr_i(look_slot_i), .wr_data_i(look_in),
+        .clk(clk), .wr_en_i(look_valid_i), .wr_addr_i(look_slot_i), .wr_data_i(look_i[35:0]),
         .rd_en_i(read_i), .rd_addr_i(read_slot_i), .rd_data_o(look)
     );
     generate

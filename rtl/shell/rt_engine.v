@@ -154,6 +154,7 @@ module rt_engine #(
     wire [5:0]        ray_h;
     wire              shadow_go, lamp_valid, lamp_lit, normal_valid, cosine_valid, unit_light;
     wire              back_valid, back_ready;      // a refracted ray starts: where, on what
+    wire              back = REFRACT != 0 && back_valid;
     wire [3*W-1:0]    back_point;
     wire [24:0]       back_skip;
     wire [W+7:0]      back_path;
@@ -172,11 +173,10 @@ module rt_engine #(
         .bounce_valid_i(bounce_valid), .bounce_slot_i(bounce_slot), .bounce_vec_i(bounce_vec),
         .primary_valid_i(primary_valid), .primary_ready_o(primary_ready),
         .primary_slot_i(primary_slot), .primary_vec_i(primary_vec),
-        .point_valid_i(surface_valid || back_valid),
-        .point_slot_i(back_valid ? bounce_slot : surface_slot),
-        .point_i(back_valid ? back_point : surface_point),
-        .skip_valid_i(hit_valid || back_valid), .skip_slot_i(back_valid ? bounce_slot : hit_slot),
-        .skip_i(back_valid ? back_skip : {hit_far, hit_id}),
+        .point_valid_i(surface_valid || back), .point_slot_i(back ? bounce_slot : surface_slot),
+        .point_i(back ? back_point : surface_point),
+        .skip_valid_i(hit_valid || back), .skip_slot_i(back ? bounce_slot : hit_slot),
+        .skip_i(back ? back_skip : {hit_far, hit_id}),
         .ray_valid_o(ray_valid), .ray_slot_o(ray_slot), .ray_shadow_o(ray_shadow),
         .ray_primary_o(ray_primary),
         .ray_org_o(ray_org), .ray_dir_o(ray_dir), .ray_a_o(ray_a), .ray_skip_o(ray_skip),
@@ -194,7 +194,8 @@ module rt_engine #(
     wire              ray_again;              // the repeated primary ray of its pixel
     wire              ray_first = FIRST != 0 && effects_i[`RT_EFFECT_FIRST] && ray_primary &&
                                   !ray_again;
-    assign count_rays_o = {deep_rays[1], SHARES != 0 ? deep_rays[0] : ray_go && !ray_primary,
+    assign count_rays_o = {SHARES != 0 && deep_rays[1],
+                           SHARES != 0 ? deep_rays[0] : ray_go && !ray_primary,
                            shadow_go, ray_go && ray_primary};
 
     // ---- traversal: leaf records to test, then a ray that is done ----
@@ -416,7 +417,7 @@ module rt_engine #(
     wire [W+7:0]      path;
     generate
         if (TEXTURE != 0) begin : g_texture
-            rt_texture #(.W(W), .WD(WD), .NG(NG), .SLOTS(SLOTS), .SLOTW(SLOTW),
+            rt_texture #(.W(W), .WD(WD), .NG(NG), .BACK(REFRACT), .SLOTS(SLOTS), .SLOTW(SLOTW),
                          .LINES(TEXTURE_LINES), .WAYS(TEXTURE_WAYS),
                          .GROUP(TEXTURE_GROUP)) u_texture (
                 .clk(clk), .rst(rst), .flush_i(flush_i),
@@ -431,7 +432,7 @@ module rt_engine #(
                 .point_valid_i(surface_valid), .point_slot_i(surface_slot),
                 .point_i(surface_guarded),
                 .path_valid_o(path_valid), .path_slot_o(path_slot), .path_o(path),
-                .back_valid_i(back_valid), .back_slot_i(bounce_slot), .back_path_i(back_path),
+                .back_valid_i(back), .back_slot_i(bounce_slot), .back_path_i(back_path),
                 .in_valid_i(lit_valid), .in_slot_i(lit_slot), .in_unit_i(ray_unit),
                 .material_valid_o(albedo_valid), .material_slot_o(albedo_slot),
                 .material_o(albedo), .out_valid_o(start_valid), .out_slot_o(start_slot),

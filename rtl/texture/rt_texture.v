@@ -10,6 +10,7 @@ module rt_texture #(
     parameter W     = 16,      // coordinate, bits
     parameter WD    = 17,      // direction component, bits
     parameter NG    = 2,       // guard bits of the hit point
+    parameter BACK  = 0,       // 1: rays that waited come back (REFRACT)
     parameter SLOTS = 32,      // power of two
     parameter SLOTW = 5,       // log2 of SLOTS
     parameter LINES = 128,     // texture cache, lines of memory
@@ -86,7 +87,7 @@ module rt_texture #(
     wire [25:0]      p_tex;
     wire [PW-1:0]    p_path;
     wire             p_textured = on_i && p_tex != 26'd0;
-    rt_texture_path #(.W(W), .WD(WD), .SLOTS(SLOTS), .SLOTW(SLOTW)) u_path (
+    rt_texture_path #(.W(W), .WD(WD), .BACK(BACK), .SLOTS(SLOTS), .SLOTW(SLOTW)) u_path (
         .clk(clk), .rst(rst),
         .ray_valid_i(ray_valid_i), .ray_slot_i(ray_slot_i), .ray_primary_i(ray_primary_i),
         .ray_y_i(ray_y_i), .ray_h_i(ray_h_i),

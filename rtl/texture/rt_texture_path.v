@@ -6,6 +6,7 @@
 module rt_texture_path #(
     parameter W     = 16,      // coordinate, bits
     parameter WD    = 17,      // direction component, bits
+    parameter BACK  = 0,       // 1: rays that waited come back
     parameter SLOTS = 32,      // power of two
     parameter SLOTW = 5        // log2 of SLOTS
 ) (
@@ -41,6 +42,7 @@ module rt_texture_path #(
 );
     localparam KW = W + WD + 2;
     localparam PW = W + 8;
+    wire             back = BACK != 0 && back_valid_i;
     wire             n_valid, n_in, n_take, ready;
     wire [SLOTW-1:0] n_slot;
     wire [KW-1:0]    n_key;
@@ -66,9 +68,8 @@ module rt_texture_path #(
         .rd_en_i(n_valid), .rd_addr_i(n_slot), .rd_data_o(n_tex)
     );
     rt_slot_ram #(.WIDTH(PW), .SLOTS(SLOTS), .OLD(0)) u_stack (
-        .clk(clk), .wr_en_i(out_valid_o || back_valid_i),
-        .wr_addr_i(back_valid_i ? back_slot_i : out_slot_o),
-        .wr_data_i(back_valid_i ? back_path_i : out_path_o),
+        .clk(clk), .wr_en_i(out_valid_o || back), .wr_addr_i(back ? back_slot_i : out_slot_o),
+        .wr_data_i(back ? back_path_i : out_path_o),
         .rd_en_i(n_valid), .rd_addr_i(n_slot), .rd_data_o(n_path)
     );
     assign n_take = n_read_q && ready;
@@ -83,6 +84,6 @@ module rt_texture_path #(
         .out_valid_o(out_valid_o), .out_tag_o({out_slot_o, out_tex_o, out_primary_o}),
         .out_path_o(out_path_o)
     );
-    wire unused = n_in;
+    wire unused = &{1'b0, n_in, back_valid_i};
 endmodule
 `default_nettype wire
