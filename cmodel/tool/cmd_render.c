@@ -1,6 +1,8 @@
 /* cmd_render.c - `sphaera render`: a machine or a scene through the golden model
  * SPDX-License-Identifier: Apache-2.0
  */
+#include <stdlib.h>
+
 #include "image/image.h"
 #include "render.h"
 #include "tool/print.h"
@@ -10,7 +12,7 @@
 struct arguments {
     struct tool_source source;
     const char *input, *png, *exr, *frame, *json;
-    int layer, traverse, threads, counters, progress, lod_drop;
+    int layer, traverse, threads, counters, progress, lod_drop, depths;
 };
 
 enum {
@@ -21,7 +23,8 @@ enum {
     KEY_LOD_BITS,
     KEY_COUNTERS,
     KEY_JSON,
-    KEY_PROGRESS
+    KEY_PROGRESS,
+    KEY_DEPTHS
 };
 
 enum { LOD_BITS = 8 };
@@ -32,6 +35,10 @@ static const struct argp_option options[] = {
     {"frame", KEY_FRAME, "FILE", 0, "frame file, for `sphaera compare`", 0},
     {"layer", KEY_LAYER, "N", 0,
      "colours of pictures: 0 without reflections, 1 one reflection, 2 all (default)", 0},
+    {"depths", KEY_DEPTHS, NULL, 0,
+     "pictures tell how many surfaces behind one another made a pixel: 0 black, 1 red, 2 green, "
+     "3 blue, 4 yellow, 5 magenta, 6 white",
+     0},
     {"brute", KEY_BRUTE, NULL, 0, "without tree: test every sphere, find the nearest", 0},
     {"lod-bits", KEY_LOD_BITS, "N", 0,
      "bits of the fraction of levels, 0 to 8 (default, as in hardware): what fewer would draw", 0},
@@ -62,6 +69,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     case KEY_LAYER:
         a->layer = (int)tool_number(state, "--layer", arg, 0, SPH_FRAMES - 1);
         return 0;
+    case KEY_DEPTHS:
+        a->depths = 1;
+        return 0;
     case KEY_BRUTE:
         a->traverse = SPH_TRAVERSE_BRUTE;
         return 0;
@@ -85,12 +95,12 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     }
 }
 
-/* Renders into *shot; returns the seconds it took, or -1 with a message. */
+/* Renders into *shot; returns the seconds it took, or -1 with a message. trails may be NULL. */
 static double render(const struct arguments *a, const struct sph_machine *machine,
-                     struct sph_shot *shot, struct sph_error *err) {
+                     struct sph_shot *shot, struct sph_trail *trails, struct sph_error *err) {
     struct progress progress;
     struct sph_render_options how = {
-        .traverse = a->traverse, .threads = a->threads, .lod_drop = a->lod_drop};
+        .traverse = a->traverse, .threads = a->threads, .lod_drop = a->lod_drop, .trails = trails};
     if (progress_start(&progress, "rendering", a->progress)) {
         how.progress = progress_show;
         how.user = &progress;
@@ -102,21 +112,49 @@ static double render(const struct arguments *a, const struct sph_machine *machin
     return bits < 0 ? -1 : progress_now() - start;
 }
 
-static int write_files(const struct arguments *a, const struct sph_shot *shot,
-                       struct sph_error *err) {
-    const struct sph_frame *f = &shot->frame;
+static int write_pictures(const struct arguments *a, const struct sph_frame *f,
+                          struct sph_error *err) {
     if (a->png && sph_image_write_png(a->png, f, a->layer, err)) return -1;
-    if (a->exr && sph_image_write_exr(a->exr, f, a->layer, err)) return -1;
-    return a->frame ? sph_shot_write(shot, a->frame, err) : 0;
+    return a->exr ? sph_image_write_exr(a->exr, f, a->layer, err) : 0;
+}
+
+/* Pictures in the colours of --depths, those of Aroxa 2014, Figure 4.2f. */
+static int write_depths(const struct arguments *a, const struct sph_frame *frame,
+                        const struct sph_trail *trails, struct sph_error *err) {
+    static const uint32_t colours[SPH_MAX_DEPTH + 2] = {0,        0x0000ff, 0x00ff00, 0xff0000,
+                                                        0x00ffff, 0xff00ff, 0xffffff};
+    size_t n = (size_t)frame->width * (size_t)frame->height;
+    struct sph_frame painted = {frame->width, frame->height, malloc(n * sizeof *painted.pixels)};
+    if (!painted.pixels) return sph_fail(err, "%s: no memory for depths", a->input);
+    for (size_t i = 0; i < n; i++) {
+        painted.pixels[i] = frame->pixels[i];
+        for (int layer = 0; layer < SPH_FRAMES; layer++)
+            painted.pixels[i].colour[layer] = colours[trails[i].depth];
+    }
+    int rc = write_pictures(a, &painted, err);
+    sph_frame_free(&painted);
+    return rc;
+}
+
+static int write_files(const struct arguments *a, const struct sph_shot *shot,
+                       const struct sph_trail *trails, struct sph_error *err) {
+    int rc =
+        trails ? write_depths(a, &shot->frame, trails, err) : write_pictures(a, &shot->frame, err);
+    return !rc && a->frame ? sph_shot_write(shot, a->frame, err) : rc;
 }
 
 /* Everything after reading and building. */
 static int render_built(const struct arguments *a, const struct tool_built *built,
                         struct sph_error *err) {
     struct sph_shot shot = {0};
-    double seconds = render(a, &built->machine, &shot, err);
+    const int32_t *r = built->machine.regs;
+    size_t pixels = (size_t)r[SPH_REG_FRAME_W] * (size_t)r[SPH_REG_FRAME_H];
+    struct sph_trail *trails = a->depths ? calloc(pixels, sizeof *trails) : NULL;
+    if (a->depths && !trails) return sph_fail(err, "%s: no memory for depths", a->input);
+    double seconds = render(a, &built->machine, &shot, trails, err);
+    int rc = seconds < 0 ? -1 : write_files(a, &shot, trails, err);
+    free(trails);
     if (seconds < 0) return -1;
-    int rc = write_files(a, &shot, err);
     FILE *to = rc ? NULL : print_stream(a->json);
     print_build(to, built);
     print_shot(to, &shot, a->counters);
