@@ -10,14 +10,15 @@
 
 #include "hard.h"
 
-enum { HARD_RAY, HARD_ROOT, HARD_QUOTIENT_OF, HARD_MIRROR, HARD_POINT_AT };
+enum { HARD_RAY, HARD_ROOT, HARD_QUOTIENT_OF, HARD_MIRROR, HARD_POINT_AT, HARD_REFRACT };
 
 struct hard_item {
     int what, named;           /* which of the enum above; number of the named case */
     struct hard_case c;        /* HARD_RAY: each sphere counts on its own; HARD_POINT_AT: one */
     sph_u128 x;                /* HARD_ROOT: the radicand */
     uint64_t key, a;           /* HARD_QUOTIENT_OF: key / a; HARD_POINT_AT: key */
-    int64_t dir[3], normal[3]; /* HARD_MIRROR */
+    int64_t dir[3], normal[3]; /* HARD_MIRROR, HARD_REFRACT */
+    uint32_t from, to;         /* HARD_REFRACT: indices, thousandths */
 };
 
 struct hard_list {

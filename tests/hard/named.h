@@ -72,7 +72,9 @@ named_case named_tangent, named_pell_hit, named_pell_miss, named_distance, named
     named_node_largest, named_node_corner, named_disc_small, named_alternate, named_facet_edge_on,
     named_facet_edge, named_facet_neighbours, named_facet_corner, named_facet_origin_on,
     named_facet_group, named_facet_back, named_facet_light, named_facet_ties, named_facet_horizon,
-    named_facet_grazing, named_facet_ends, named_facet_sliver, named_facet_dir0;
+    named_facet_grazing, named_facet_ends, named_facet_sliver, named_facet_dir0, named_critical,
+    named_refract_along, named_refract_away, named_refract_head_on, named_refract_ends,
+    named_refract_graze, named_refract_centre, named_refract_cancel;
 
 /* Scenes: the model, brute force and the naive model draw the same picture. */
 void named_scene(struct named *n, const char *name);

@@ -158,5 +158,28 @@ const struct hard_named hard_named[] = {
      "Least and greatest corners, directions, normals: a*num of 3W+2WD+1 bits.", named_facet_ends},
     {"sliver", "One unit wide and as long as the world; without area: miss.", named_facet_sliver},
     {"facet, no direction", "dir = 0: miss.", named_facet_dir0},
+    {"critical angle",
+     "X = 0: the refracted ray goes along the surface; one unit flatter: all is reflected.",
+     named_critical},
+    {"refraction, along the surface",
+     "B = 0: into the denser side by the critical angle, else reflected; of one index: straight "
+     "on.",
+     named_refract_along},
+    {"refraction, normal turned away", "B > 0: to the other side all the same.",
+     named_refract_away},
+    {"refraction, head on", "Nothing bends, whatever the lengths of direction and normal.",
+     named_refract_head_on},
+    {"refraction at the ends of all ranges",
+     "Least and greatest components and indices: X of 4WD+25 bits, T of 3WD+13.",
+     named_refract_ends},
+    {"refraction, grazed sphere",
+     "Inside, though rounding put the origin outside or turned the ray outwards: it leaves, at "
+     "once "
+     "if nothing is ahead, and never comes back.",
+     named_refract_graze},
+    {"refraction at the centre", "The normal is -dir: straight on.", named_refract_centre},
+    {"refraction, nearly nothing",
+     "Indices a thousandth apart, rays nearly along the surface: the sign of X is exact.",
+     named_refract_cancel},
 };
 const int hard_n_named = sizeof hard_named / sizeof *hard_named;
