@@ -15,6 +15,7 @@
 #include "Vrt_core.h"
 #include "memory.h"
 #include "silence.h"
+#include "texture_watch.h"
 #include "verilated.h"
 #if VM_TRACE_FST
 #include "verilated_fst_c.h"
@@ -68,6 +69,7 @@ class Bench {
     Random random_;
     VerilatedContext context_;
     std::unique_ptr<Vrt_core> core_;
+    std::unique_ptr<TextureWatch> textures_;
 #if VM_TRACE_FST
     std::unique_ptr<VerilatedFstC> trace_;
 #endif
@@ -103,6 +105,7 @@ Bench::Bench(const Options &o, const sph_machine &machine, Run &run)
             clock();
     }
     context_.gotFinish(false);
+    textures_ = std::make_unique<TextureWatch>(context_);
     core_->rst = 0;
     request_.waits = pixel_.waits = false;
 }
@@ -176,6 +179,7 @@ void Bench::clock() {
               core_->pix_colour_o[0] | static_cast<uint64_t>(core_->pix_texture_o) << 32);
     }
     if (pixel && core_->pix_ready_i && samples_) take_pixel();
+    if (!core_->rst) textures_->clock();
     memory_.take(request, core_->mem_req_line_o, core_->mem_rsp_ready_o);
     core_->clk = 1;
     core_->eval();
@@ -217,7 +221,7 @@ void Bench::pass(Sample *samples, bool keep, Pass &out) {
     core_->keep_cache_i = keep;
     core_->start_i = 1;
     last_pixel_ = cycle_;
-    uint64_t begin = cycle_;
+    const uint64_t begin = cycle_, missed = textures_->missed();
     clock();
     core_->start_i = 0;
     while (core_->busy_o && !run_.failure[0]) {
@@ -231,6 +235,11 @@ void Bench::pass(Sample *samples, bool keep, Pass &out) {
     out.errors = core_->errors_o;
     for (int i = 0; i < SPH_COUNTERS; i++)
         out.count[i] = counter(i);
+    uint64_t misses = out.count[SPH_COUNT_TEXEL_MISSES], predicted = textures_->missed() - missed;
+    if ((misses != predicted || textures_->impossible()) && !run_.failure[0])
+        fail(run_, "counter texel_misses %llu, by the model's cache %llu%s",
+             static_cast<unsigned long long>(misses), static_cast<unsigned long long>(predicted),
+             textures_->impossible() ? " up to a lookup that it refuses" : "");
     if (memory_.out_of_range())
         fail(run_, "the core asked for %llu lines beyond its memory",
              static_cast<unsigned long long>(memory_.out_of_range()));

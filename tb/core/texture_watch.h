@@ -1,0 +1,58 @@
+/* texture_watch.h - the model's cache beside every texture cache of a verilated core
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Each rt_texture shows what its cache is asked and given (cache_seen) and the cache's shape; they
+ * are found by name, wherever they stand. The core's counter of misses must be what they add up to.
+ */
+#ifndef TB_TEXTURE_WATCH_H
+#define TB_TEXTURE_WATCH_H
+
+#include <memory>
+#include <vector>
+
+#include "../cache_prediction.h"
+#include "verilated.h"
+#include "verilated_syms.h"
+
+class TextureWatch {
+  public:
+    /* After the first clock of the core that was made in this context. */
+    explicit TextureWatch(VerilatedContext &context) {
+        for (const auto &scope : *context.scopeNameMap()) {
+            const VerilatedVar *seen = scope.second->varFind("cache_seen");
+            const VerilatedVar *shape = scope.second->varFind("cache_shape");
+            if (!seen || !shape) continue;
+            uint32_t is = *static_cast<const uint32_t *>(shape->datap());
+            units_.push_back(
+                {static_cast<const uint32_t *>(seen->datap()),
+                 std::make_unique<CachePrediction>(is >> 16, is >> 8 & 255, is & 255)});
+        }
+    }
+    /* Before every clock edge, when all has settled; not in reset. */
+    void clock() {
+        for (const Unit &unit : units_)
+            unit.cache->texture(*unit.seen);
+    }
+    /* So far. */
+    uint64_t missed() const {
+        uint64_t sum = 0;
+        for (const Unit &unit : units_)
+            sum += unit.cache->missed();
+        return sum;
+    }
+    bool impossible() const {
+        bool any = false;
+        for (const Unit &unit : units_)
+            any |= unit.cache->impossible();
+        return any;
+    }
+
+  private:
+    struct Unit {
+        const uint32_t *seen;
+        std::unique_ptr<CachePrediction> cache;
+    };
+    std::vector<Unit> units_;
+};
+
+#endif
