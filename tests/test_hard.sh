@@ -135,7 +135,7 @@ refused() {
 refused "a family that is none" --family none
 refused "a number that is none" --cases 1k
 refused "a case that is none" --case pair:reference
-refused "a named case that is none" --named=62
+refused "a named case that is none" --named=70
 refused "the state of another campaign" --cases 5001 --exhaustive 0 --state "$TMP/state"
 head -n 9 "$TMP/state" >"$TMP/damaged"
 refused "a damaged state" --cases 5000 --exhaustive 0 --state "$TMP/damaged" --seed "${SEED:-1}"

@@ -104,7 +104,8 @@ void named_refract_head_on(struct named *n) {
                 if (!n->list)
                     require(n, !out[0] && !out[1] && out[2] >= end, "bent though it is head on");
                 bend(n, V3(-k, k, 0), V3(1, -1, 0), 1000, index[i], THROUGH, out);
-                if (!n->list) require(n, out[0] == -out[1] || out[0] == -out[1] - 1, "bent");
+                if (!n->list)
+                    require(n, out[0] + out[1] <= 1 && out[0] + out[1] >= -1 && !out[2], "bent");
                 bend(n, V3(0, -1, 0), V3(-1, 0, 0), 1000, index[i], ANY, out);
             }
 }
