@@ -11,7 +11,7 @@ s=$SPHAERA
 has() { grep -q -- "$1" "$2"; } # pattern, file
 equal() { echo "'$1' '$2'"; [ -n "$1" ] && [ "$1" = "$2" ]; }
 json() { python3 -c "import json,sys; r=json.load(open(sys.argv[1])); assert ($2), r" "$1"; }
-picture() { "$s" render "$@" --size 40x30 | awk '$1 == "picture" { print $2 }'; }
+picture() { "$s" render "$@" | awk '$1 == "picture" { print $2 }'; }
 said() { cat out.txt; [ "$1" -ge 1 ] && [ "$1" -le 2 ] && grep -q -- "$2" out.txt; }
 says() { # name, text, command: exits with 1 or 2 and says that
     name=$1 text=$2
@@ -21,7 +21,7 @@ says() { # name, text, command: exits with 1 or 2 and says that
 }
 
 # ---- the same picture, whatever finds it ----
-"$s" gen scenario2 -n 100 --seed 3 --radius 1.5 -o a.nff >gen.txt
+"$s" gen scenario2 -n 100 --seed 3 --radius 1.5 --resolution 40x30 -o a.nff >gen.txt
 check "gen of a scenario" has "a.nff: 100 spheres, 1 facets, 1 lights, 2 materials" gen.txt
 want=$(picture a.nff --brute)
 for way in bih brute "bih --bih listing" "bih --max-prims 1" "bih --max-prims infinity" \
@@ -55,7 +55,7 @@ check "... of one visit a ray" sh -c "awk '/^rays_/ { r += \$2 } /^node_v/ { v =
     END { exit !(v > 0 && v <= r) }' c.txt"
 
 # ---- what rays walk through ----
-check "picture of the walk" "$s" render a.nff --accel bih --size 40x30 --depth 0 --walk w.png \
+check "picture of the walk" "$s" render a.nff --accel bih --depth 0 --walk w.png \
     -o p.png
 check "... is bluer and greener" sh -c "oiiotool w.png p.png --sub --fixnan none --stats |
     grep 'Stats Max' | awk '{ exit !(\$3 < 0.001 && \$4 > 0 && \$5 > 0) }'"
