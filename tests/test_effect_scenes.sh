@@ -101,6 +101,9 @@ none|first|8 0 0 0 0
 none|interpenetrate|16 0 0 0 0
 none|facets|32 0 0 0 0
 none|texture|64 0 0 0 0
+none|refract|128 0 0 0 0
+none|specular|256 0 0 0 0
+none|sum|512 0 0 0 0
 none|rect|0 0 0 1 0
 none|spans|0 0 0 2 0
 none|cones1|0 0 0 3 1
@@ -120,7 +123,8 @@ all-rect|rect|31 5 8 1 0
 all-spans|spans|31 5 8 2 0
 all-cones|cones1|31 5 8 3 1
 all|texture|95 5 8 3 1
-all||128 0 0 0 0
+all|refract, specular and sum|927 5 8 3 1
+all||1024 0 0 0 0
 END
 $(build scenes/one_sphere.nff 8x8 "$here/bare.sph" "") >"$TMP/bare" 2>&1 || cat "$TMP/bare"
 refused() ( # simulator, core, words, registers
