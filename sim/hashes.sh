@@ -19,7 +19,7 @@ cat <<'END'
 # Written by `make hashes`, compared by `make test`: a change here is a change of the pictures.
 # scene profile tree size depth hash
 END
-for scene in scenes/*.nff scenes/effects/*.nff scenes/facets/*.nff; do
+for scene in scenes/*.nff scenes/effects/*.nff scenes/facets/*.nff scenes/refraction/*.nff; do
     name=${scene#scenes/} name=${name%.nff} tree=balanced
     more=$(options "$name")
     case $more in *--tree=paper*) tree=paper ;; esac

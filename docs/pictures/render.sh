@@ -27,3 +27,19 @@ for lod in paper mended; do
 done
 oiiotool "$scenes/paper.png" "$scenes/mended.png" --mosaic:pad=4 2x1 -o "$to/texture_lod.png"
 "$tool" render scenes/texture/hall.nff --size 640x360 --profile fine -o "$to/hall.png"
+
+# four spheres of Aroxa 2014: depth 0 to 5, and how many surfaces made a pixel at depth 4 and 5
+list=
+for depth in 0 1 2 3 4 5; do
+    "$tool" render scenes/refraction/four.nff --size 240x180 --depth $depth -o "$scenes/$depth.png"
+    list="$list $scenes/$depth.png"
+done
+for depth in 4 5; do
+    "$tool" render scenes/refraction/four.nff --size 240x180 --depth $depth --depths \
+        -o "$scenes/depths$depth.png"
+    list="$list $scenes/depths$depth.png"
+done
+# shellcheck disable=SC2086  # a list of words on purpose
+oiiotool $list --mosaic:pad=4 4x2 -o "$to/refraction_depths.png"
+"$tool" render scenes/refraction/index.nff --size 640x320 --depth 5 -o "$to/refraction_index.png"
+"$tool" render scenes/refraction/water.nff --size 400x300 --depth 5 -o "$to/refraction_water.png"
