@@ -12,7 +12,7 @@ SIZE ?= 320x180
 TREE ?= balanced
 ## ACCEL       bvh4 (spheres around four children, by TREE), bih or brute
 ACCEL ?= bvh4
-## MAX_PRIMS   of bih: a leaf of no more primitives is not cut (empty: 8)
+## MAX_PRIMS   of bih: a leaf of no more primitives is not cut (empty: 4)
 MAX_PRIMS ?=
 ## MAX_TREE_DEPTH of bih: its levels (empty: as many as the stack has)
 MAX_TREE_DEPTH ?=

@@ -22,7 +22,7 @@ struct sph_build_options {
     const struct sph_profile *widths; /* NULL: those of `profile` */
     int profile;                      /* SPH_DRAFT .. */
     int tree;                         /* SPH_TREE_*: four children a node, BIH, or one leaf */
-    uint32_t max_prims;               /* BIH: primitives of a leaf that is not cut; 0: 8 */
+    uint32_t max_prims;               /* BIH: primitives of a leaf that is not cut; 0: 4 */
     uint32_t max_tree_depth;          /* BIH: levels, 1 .. SPH_BIH_STACK + 1; 0: these */
     int bih;                          /* SPH_BIH_FULL, SPH_BIH_LISTING */
     int background;                   /* SPH_BG_* */
@@ -49,7 +49,7 @@ struct sph_build_options {
 
 /* A leaf of no more is not cut if nothing else is asked for: docs/scenarios.md has what it costs.
  */
-enum { SPH_BIH_PRIMS = 8 };
+enum { SPH_BIH_PRIMS = 4 };
 
 /* The widths that are asked for. */
 static inline const struct sph_profile *sph_build_profile(const struct sph_build_options *o) {

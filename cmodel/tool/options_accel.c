@@ -13,7 +13,7 @@ static const struct argp_option options[] = {
      "(every primitive)",
      1},
     {"max-prims", KEY_MAX_PRIMS, "N", 0,
-     "bih: a leaf of no more primitives is not cut (8); or infinity", 1},
+     "bih: a leaf of no more primitives is not cut (4); or infinity", 1},
     {"max-tree-depth", KEY_MAX_TREE_DEPTH, "N", 0,
      "bih: levels, the root's is 1; infinity (default) means 65, as the stack has it", 1},
     {"bih", KEY_BIH, "HOW", 0,
