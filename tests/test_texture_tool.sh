@@ -76,12 +76,17 @@ for order in rows tiles morton; do
     check "texels tells the hits of $order" has "^$order( +[0-9.]+){6}\$" "$TMP/text"
 done
 # shellcheck disable=SC2086
+for shape in "1    1" "1    2" "2    4" "4    2"; do
+    check "texels tells hits and traffic of $shape" sh -c \
+        "[ \$(grep -cE '^ +$shape( +[0-9.]+){6}\$' '$TMP/text') = 2 ]"
+done
 check "texels report" sh -c "'$s' texels '$hall' $size --json - | python3 -c 'import json, sys
 r = json.load(sys.stdin)
 assert [o[\"order\"] for o in r[\"orders\"]] == [\"rows\", \"tiles\", \"morton\"]
 assert all(a >= b for o in r[\"orders\"] for a, b in zip(o[\"missed\"], o[\"missed\"][2:]))
 assert sum(r[\"levels\"]) == r[\"texels\"] > r[\"levels\"][0]
-assert 0 < r[\"orders\"][1][\"missed\"][5] < r[\"texels\"]'"
+assert 0 < r[\"orders\"][1][\"missed\"][5] < r[\"texels\"]
+assert len(r[\"shapes\"]) == 9 and r[\"shapes\"][8][\"missed\"][0] is None'"
 # shellcheck disable=SC2086
 "$s" texels "$hall" $size --filter bilinear >"$TMP/text" 2>&1
 check "without MIP-mapping all texels are on level 0" has '^levels, % 100.0( 0.0){11}$' "$TMP/text"

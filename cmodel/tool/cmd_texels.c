@@ -11,8 +11,9 @@
 #include "texture/order.h"
 #include "tool/print.h"
 #include "tool/report.h"
+#include "tool/shapes.h"
 
-enum { SIZES = 6, SMALLEST = 8, WAYS = 4, COLUMN = 8 };
+enum { SIZES = SHAPES_SIZES, SMALLEST = SHAPES_SMALLEST, WAYS = 4, COLUMN = 8 };
 static const char *const orders[] = {"rows", "tiles", "morton"}; /* SPH_ORDER_* */
 
 struct arguments {
@@ -45,6 +46,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
 struct caches {
     const struct sph_machine *m;
     struct sph_cache cache[SPH_ORDERS][SIZES];
+    struct shapes shapes;               /* for the order that the machine has */
     uint64_t level[SPH_TEXTURE_LEVELS]; /* texels of each level */
 };
 
@@ -54,6 +56,7 @@ static void ask(void *user, const struct sph_texel *t) {
     uint32_t w = sph_field(head, SPH_IMAGE_W_LSB, SPH_IMAGE_W_BITS) + 1;
     uint32_t h = sph_field(head, SPH_IMAGE_H_LSB, SPH_IMAGE_H_BITS) + 1;
     c->level[t->level]++;
+    shapes_ask(&c->shapes, t->word);
     for (int o = 0; o < SPH_ORDERS; o++) {
         /* no order needs more than four times the lines of another: images stay apart */
         uint32_t word =
@@ -102,15 +105,18 @@ static void tell(const struct caches *c, FILE *to, json_t *report) {
         json_object_set_new(entry, "missed", missed);
         json_array_append_new(list, entry);
     }
+    json_t *shapes = shapes_tell(&c->shapes, to);
     for (int l = 0; l < SPH_TEXTURE_LEVELS; l++)
         json_array_append_new(levels, json_integer((json_int_t)c->level[l]));
     if (report) {
         report_count(report, "texels", asked);
         json_object_set(report, "levels", levels);
         json_object_set(report, "orders", list);
+        json_object_set(report, "shapes", shapes);
     }
     json_decref(list);
     json_decref(levels);
+    json_decref(shapes);
 }
 
 static int start(struct caches *c, struct sph_error *err) {
@@ -119,7 +125,7 @@ static int start(struct caches *c, struct sph_error *err) {
             if (sph_cache_start(&c->cache[o][s], (uint32_t)(SPH_LINE_WORDS * SMALLEST) << s,
                                 SPH_LINE_WORDS, WAYS, err))
                 return -1;
-    return 0;
+    return shapes_start(&c->shapes, err);
 }
 
 int tool_texels(int argc, char **argv) {
@@ -129,7 +135,8 @@ int tool_texels(int argc, char **argv) {
         parse,
         "MACHINE.sph|SCENE.nff",
         "Renders with the golden model and asks caches of several sizes for the texels, as they "
-        "would stand in rows, in tiles of 4 x 2, and in the same tiles along a Z curve.",
+        "would stand in rows, in tiles of 4 x 2, and in the same tiles along a Z curve; and for "
+        "tiles caches that fetch 1, 2 or 4 lines together and have 1, 2 or 4 ways.",
         children,
         NULL,
         NULL};
@@ -150,6 +157,7 @@ int tool_texels(int argc, char **argv) {
     }
     for (int i = 0; i < SPH_ORDERS * SIZES; i++)
         sph_cache_end(&c.cache[i / SIZES][i % SIZES]);
+    shapes_end(&c.shapes);
     sph_machine_free(&built.machine);
     return rc ? tool_failed(&err) : TOOL_GOOD;
 }
