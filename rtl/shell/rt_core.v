@@ -357,7 +357,8 @@ module rt_core #(
             for (k = 0; k < PLACES; k = k + 1)
                 add[8*k +: 8] = add[8*k +: 8] + events[EW*n + 8*k +: 8];
     end
-    localparam COUNTERS = OPTICS ? `RT_COUNTERS : PLACES > 16 ? `RT_COUNT_RAYS_REFRACTED : 16;
+    localparam COUNTERS = OPTICS ? `RT_COUNTERS : TEXTURE != 0 ? `RT_COUNT_RAYS_REFRACTED :
+                          PLACES > 16 ? `RT_COUNT_TEXELS : 16;
     rt_counters #(.PLACES(PLACES), .USED(COUNTERS)) u_counters (
         .clk(clk), .rst(rst), .clear_i(go), .add_i(add),
         .addr_i(count_addr_i), .data_o(count_data_o)
