@@ -41,8 +41,8 @@ machine hall-small $hall --profile draft --size 10x6
 machine hall-only $hall --profile draft --size 16x10 --depth 0 --lights 0 --filter nearest
 machine hall-rect $hall --profile draft --size 16x10 --background rect
 machine hall-bih $hall --profile draft --size 10x6 --accel bih
-machine balls $balls --profile draft
-machine balls-first $balls --profile draft --traverse first --tree paper
+machine balls $balls --profile draft --size 16x12
+machine balls-first $balls --profile draft --size 16x12 --traverse first --tree paper
 machine balls-small $balls --profile draft --size 6x5
 machine balls-only $balls --profile draft --size 6x5 --depth 0 --lights 0
 for profile in fine reference; do machine balls-$profile $balls --profile $profile --size 4x3; done
@@ -85,7 +85,7 @@ broken "image without levels" --poke 10:24:4=0
 broken "image of thirteen levels" --poke 10:24:4=13
 broken "texels beyond memory" --reg 27=1000
 wanted "verilator broken: bus error at a texel" $whole SIM=verilator balls --expect-errors 8 \
-    --bus-error-at 100
+    --bus-error-at 20
 
 build_cores
 run_all
