@@ -24,6 +24,8 @@ BACKGROUND ?= none
 TRAVERSE ?= nearest
 ## LEVELS      exact background: 0 the root sphere, 1 its children, 2 theirs (empty: 0)
 LEVELS ?=
+## AT          frame that moving primitives are moved to (empty: 0)
+AT ?=
 ## BUILD_MORE  other options of `sphaera build`, such as --inside off
 BUILD_MORE ?=
 ## EFFECTS     of the core: auto (as the scene asks), all, all-NAME, none, or joined by + of
@@ -86,9 +88,9 @@ TOOL   := $B/sphaera
 .DEFAULT_GOAL := help
 
 help: export HELP_VALUES = $(foreach v,SCENE PROFILE SIZE TREE ACCEL MAX_PRIMS MAX_TREE_DEPTH \
-                           DEPTH BACKGROUND TRAVERSE LEVELS BUILD_MORE EFFECTS ENGINES ROOT_STEP \
-                           QUOTIENT_STEP SEED LATENCY STALL SIM WINDOW WARM TARGET FLAT WAVES JOBS \
-                           V,$(v)=$($(v));)
+                           DEPTH BACKGROUND TRAVERSE LEVELS AT BUILD_MORE EFFECTS ENGINES \
+                           ROOT_STEP QUOTIENT_STEP SEED LATENCY STALL SIM WINDOW WARM TARGET FLAT \
+                           WAVES JOBS V,$(v)=$($(v));)
 help: ## this text
 	@awk -f sim/help.awk $(MAKEFILE_LIST)
 
@@ -98,9 +100,9 @@ setup: ## install missing packages (apt), see sim/packages.txt
 all: tool ## everything that is built without simulators
 tool: $(TOOL) ## the command-line tool build/sphaera
 
-include sim/objects.mk sim/sim.mk sim/bench.mk sim/lint.mk sim/background.mk sim/study/study.mk \
-        synth/synth.mk synth/effects.mk tests/test.mk tests/image/image.mk \
-        tests/hard/hard.mk formal/formal.mk
+include sim/objects.mk sim/sim.mk sim/bench.mk sim/lint.mk sim/background.mk sim/textures.mk \
+        sim/study/study.mk synth/synth.mk synth/effects.mk tests/test.mk \
+        tests/image/image.mk tests/hard/hard.mk formal/formal.mk
 
 layout: ## regenerate the C and Verilog layout headers from cmodel/machine/machine.def
 	$(call say,GEN,"layout.h rt_layout.vh")

@@ -33,7 +33,7 @@ SCENE_NAME := $(basename $(notdir $(SCENE_FILE)))
 space    := $() $()
 # Options of `sphaera build` that differ from its own defaults, as words; the same as a file name.
 BUILD_EXTRA := $(if $(filter-out nearest,$(TRAVERSE)),--traverse $(TRAVERSE)) \
-               $(if $(LEVELS),--bg-levels $(LEVELS)) $(BUILD_MORE)
+               $(if $(LEVELS),--bg-levels $(LEVELS)) $(if $(AT),--at $(AT)) $(BUILD_MORE)
 # What does not belong together is passed on all the same: the tool refuses it by name.
 GIVEN_TREE  := $(if $(filter-out file,$(origin TREE)),$(TREE))
 BUILD_TREE  := $(if $(filter bvh4,$(ACCEL)),$(TREE),$(ACCEL)$(GIVEN_TREE))$(MAX_PRIMS)$(addprefix \

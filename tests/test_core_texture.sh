@@ -46,6 +46,7 @@ machine balls-first $balls --profile draft --size 16x12 --traverse first --tree 
 machine balls-small $balls --profile draft --size 6x5
 machine balls-only $balls --profile draft --size 6x5 --depth 0 --lights 0
 for profile in fine reference; do machine balls-$profile $balls --profile $profile --size 4x3; done
+machine robot-3 scenes/texture/robot.nff --profile draft --size 12x7 --at 3
 machine plain scenes/paper100.nff --profile draft --size 32x24
 
 whole=all+texture
@@ -56,6 +57,7 @@ done
 wanted "verilator balls, probes and pixels that start again" $whole SIM=verilator balls-first
 wanted "verilator hall, textures alone" $whole SIM=verilator hall-only
 wanted "verilator hall, background by rectangle" $whole SIM=verilator hall-rect
+wanted "verilator robot, frame 3" $whole SIM=verilator robot-3
 wanted "verilator paper100, no textures" $whole SIM=verilator plain
 wanted "verilator hall, caches kept" $whole SIM=verilator hall --warm
 # bits of EFFECTS: 2 reflect, 4 inside, 64 texture; without lights

@@ -94,6 +94,7 @@ void sph_scene_free(struct sph_scene *scene) {
     free(scene->spheres);
     free(scene->facets);
     free(scene->textures);
+    free(scene->motions);
     memset(scene, 0, sizeof *scene);
 }
 

@@ -10,6 +10,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "scene/motion.h"
 #include "scene/nff_skip.h"
 
 const char *const sph_nff_point[3] = {"x", "y", "z"};
@@ -159,6 +160,26 @@ static int take_sphere(struct sph_reader *r, struct sph_error *err) {
     return 0;
 }
 
+/* move dx dy dz [grow cx cy cz], or still */
+static int take_move(struct sph_reader *r, struct sph_error *err) {
+    static const char *const names[] = {"grow", "x of its middle", "y of its middle",
+                                        "z of its middle"};
+    struct sph_motion m = {.line = r->lex.token_line};
+    double grow[4] = {0};
+    if (sph_nff_vec(r, "move", &m.step, err) || sph_nff_more(r, "move", names, 4, grow, err) < 0)
+        return -1;
+    m.grow = grow[0];
+    m.about = sph_vec_of(grow[1], grow[2], grow[3]);
+    if (sph_scene_add_motion(r->scene, &m, err)) return -1;
+    r->motion = r->scene->n_motions;
+    return 0;
+}
+
+static int take_still(struct sph_reader *r) {
+    r->motion = 0;
+    return 0;
+}
+
 static int take_record(struct sph_reader *r, struct sph_error *err) {
     char word[SPH_LEX_TOKEN + 1];
     memcpy(word, r->lex.token, sizeof word);
@@ -172,6 +193,8 @@ static int take_record(struct sph_reader *r, struct sph_error *err) {
     if (!strcmp(word, "plane")) return sph_nff_take_plane(r, err);
     if (!strcmp(word, "texture")) return sph_nff_take_texture(r, err);
     if (!strcmp(word, "shading")) return sph_nff_take_shading(r, err);
+    if (!strcmp(word, "move")) return take_move(r, err);
+    if (!strcmp(word, "still")) return take_still(r);
     if (!strcmp(word, "l")) return take_light(r, err);
     if (!strcmp(word, "v")) return take_view(r, err);
     if (!strcmp(word, "b"))
@@ -179,6 +202,17 @@ static int take_record(struct sph_reader *r, struct sph_error *err) {
     if (!strcmp(word, "ambient"))
         return take_colour_once(r, "ambient", &r->ambient_line, r->scene->ambient, err);
     return sph_nff_skip(&r->lex, r->skip, &r->scene->n_skipped, err);
+}
+
+/* A record, and the motion of the primitives that it added. */
+static int take_moving(struct sph_reader *r, struct sph_error *err) {
+    uint32_t sphere = r->scene->n_spheres, facet = r->scene->n_facets;
+    if (take_record(r, err)) return -1;
+    for (; sphere < r->scene->n_spheres; sphere++)
+        r->scene->spheres[sphere].motion = r->motion;
+    for (; facet < r->scene->n_facets; facet++)
+        r->scene->facets[facet].motion = r->motion;
+    return 0;
 }
 
 /* What can only be checked at the end of the file. */
@@ -204,12 +238,13 @@ int sph_scene_read(const char *path, const struct sph_read_options *options,
     sph_scene_set_path(scene, path);
     if (sph_lex_open(&r.lex, path, err)) return -1;
     while (!bad && (got = sph_lex_peek(&r.lex, err)) != 0) {
-        bad = got < 0 ? -1 : take_record(&r, err);
+        bad = got < 0 ? -1 : take_moving(&r, err);
         records = 1;
     }
     sph_lex_close(&r.lex);
     if (!bad && !records) bad = sph_fail(err, "%s: the file is empty", path);
     if (!bad) bad = finish(&r, err);
+    if (!bad && options) bad = sph_scene_move(scene, options->at, err);
     if (bad) sph_scene_free(scene);
     return bad;
 }

@@ -17,6 +17,7 @@ struct sph_reader {
     int material_used;  /* a primitive uses the newest material */
     int sum;            /* `shading sum`: materials have words of their own */
     uint32_t texture;   /* of the spheres and planes that follow: index + 1, 0: none */
+    uint32_t motion;    /* of the primitives that follow: index + 1, 0: still */
     uint32_t n_groups;  /* of facets so far */
     uint32_t view_line; /* of `v`, 0 if there was none; the same for `b` and `ambient` */
     uint32_t background_line, ambient_line;

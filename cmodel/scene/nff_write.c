@@ -34,7 +34,7 @@ static void put_point(FILE *file, const char *word, struct sph_vec v) {
 /* What the primitives that are written next look like. */
 struct look {
     const struct sph_scene *scene;
-    uint32_t material, texture;
+    uint32_t material, texture, motion;
     int sum; /* `shading sum` is in force */
 };
 
@@ -48,6 +48,19 @@ static void put_material(struct look *look, FILE *file, uint32_t material) {
                (double[]){m->rgb[0], m->rgb[1], m->rgb[2], m->kd, m->ks, m->shine, m->trans, m->ior,
                           m->sum.ka, m->sum.kr},
                m->sum.on ? 10 : 8);
+}
+
+static void put_motion(struct look *look, FILE *file, uint32_t motion) {
+    const struct sph_motion *m = motion ? &look->scene->motions[motion - 1] : NULL;
+    if (look->motion == motion) return;
+    look->motion = motion;
+    if (m)
+        put_record(file, "move",
+                   (double[]){m->step.x, m->step.y, m->step.z, m->grow, m->about.x, m->about.y,
+                              m->about.z},
+                   7);
+    else
+        fputs("still\n", file);
 }
 
 /* The name of an image: its path without the folder of the scene; quoted where it must be. */
@@ -104,6 +117,7 @@ static void put_polygon(FILE *file, const struct sph_facet *f, uint32_t n) {
 static uint32_t put_facet(struct look *look, FILE *file, uint32_t i) {
     const struct sph_facet *f = &look->scene->facets[i];
     uint32_t n = 1;
+    put_motion(look, file, f->motion);
     put_material(look, file, f->material);
     if (f->kind == SPH_PLANE) {
         put_texture(look, file, f->texture);
@@ -145,9 +159,10 @@ static void put_scene(const struct sph_scene *scene, FILE *file) {
         put_record(file, "l",
                    (double[]){l->pos.x, l->pos.y, l->pos.z, l->rgb[0], l->rgb[1], l->rgb[2]}, 6);
     }
-    struct look look = {scene, UINT32_MAX, 0, 0};
+    struct look look = {scene, UINT32_MAX, 0, 0, 0};
     for (uint32_t i = 0; i < scene->n_spheres; i++) {
         const struct sph_sphere *s = &scene->spheres[i];
+        put_motion(&look, file, s->motion);
         put_material(&look, file, s->material);
         put_texture(&look, file, s->texture);
         put_record(file, "s", (double[]){s->ctr.x, s->ctr.y, s->ctr.z, s->rad}, 4);

@@ -105,6 +105,7 @@ struct sph_scene {
 
 struct sph_read_options {
     int skip_unsupported; /* leave out c, pb, ...: render the rest */
+    uint32_t at;          /* frame that moving primitives are moved to (motion.h) */
 };
 
 /* Reads an NFF file (docs/scene_format.md) into *scene. 0, or -1 with "file:line: ..." in *err;

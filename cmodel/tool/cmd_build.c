@@ -1,22 +1,27 @@
 /* cmd_build.c - `sphaera build`: scene file to machine file
  * SPDX-License-Identifier: Apache-2.0
  */
+#include <stdlib.h>
 #include <sys/stat.h>
 
 #include "tool/print.h"
 #include "tool/report.h"
+#include "tool/sequence.h"
 
 struct arguments {
     struct tool_source source;
     const char *input, *output, *json;
     int stats;
+    struct tool_frames frames;
 };
 
-enum { KEY_JSON = 512, KEY_STATS };
+enum { KEY_JSON = 512, KEY_STATS, KEY_FRAMES };
 
 static const struct argp_option options[] = {
     {"output", 'o', "FILE", 0, "machine file to write", 0},
     {"stats", KEY_STATS, NULL, 0, "bih: nodes, leaves, depth and bytes as text", 0},
+    {"frames", KEY_FRAMES, "A..B", 0,
+     "machines of these frames of a moving scene, FILE-0007.sph and so on", 0},
     {"json", KEY_JSON, "FILE", 0, "report as JSON (- : on standard output instead of text)", 0},
     {0},
 };
@@ -36,7 +41,12 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     case KEY_STATS:
         a->stats = 1;
         return 0;
+    case KEY_FRAMES:
+        tool_frames_parse(state, arg, &a->frames);
+        return 0;
     case ARGP_KEY_END:
+        if (a->frames.on && a->source.read.at)
+            argp_error(state, "--frames and --at exclude each other");
         if (a->input && !a->output) argp_error(state, "no output given (-o)");
         break;
     default:
@@ -51,6 +61,28 @@ static int check_target(const char *path, struct sph_error *err) {
     if (!stat(path, &st) && !S_ISREG(st.st_mode))
         return sph_fail(err, "%s: not a file that can be replaced", path);
     return 0;
+}
+
+static int write_frame(void *user, uint32_t frame, const struct tool_built *built, json_t *entry,
+                       struct sph_error *err) {
+    const struct arguments *a = user;
+    char *path = tool_numbered(a->output, frame);
+    int rc = path ? check_target(path, err) : sph_fail(err, "no memory for the name of a file");
+    if (!rc) rc = sph_machine_write(&built->machine, path, err);
+    report_text(entry, "output", path);
+    free(path);
+    return rc;
+}
+
+static int build_frames(struct arguments *a) {
+    struct sph_error err = {""};
+    json_t *report = report_new("build"), *list = json_array();
+    report_text(report, "input", a->input);
+    json_object_set_new(report, "frames", list);
+    int rc = tool_each_frame(a->input, &a->source, &a->frames, print_stream(a->json), list,
+                             write_frame, a, &err);
+    if (report_write(report, rc ? NULL : a->json, &err)) rc = -1;
+    return rc ? tool_failed(&err) : TOOL_GOOD;
 }
 
 int tool_build(int argc, char **argv) {
@@ -74,6 +106,7 @@ int tool_build(int argc, char **argv) {
         sph_fail(&err, "%s: is a machine file already", a.input);
         return tool_failed(&err);
     }
+    if (a.frames.on) return build_frames(&a);
     if (check_target(a.output, &err) || tool_load(a.input, &a.source, &built, &err))
         return tool_failed(&err);
     print_build(print_stream(a.json), &built);

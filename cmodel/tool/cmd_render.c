@@ -6,15 +6,18 @@
 #include "image/image.h"
 #include "machine/describe.h"
 #include "render.h"
+#include "tool/depth_picture.h"
 #include "tool/print.h"
 #include "tool/progress.h"
 #include "tool/report.h"
+#include "tool/sequence.h"
 #include "tool/walk_picture.h"
 
 struct arguments {
     struct tool_source source;
     const char *input, *png, *exr, *frame, *json, *walk;
     int layer, traverse, threads, counters, progress, lod_drop, depths;
+    struct tool_frames frames;
 };
 
 enum {
@@ -25,6 +28,7 @@ enum {
     KEY_LOD_BITS,
     KEY_COUNTERS,
     KEY_JSON,
+    KEY_FRAMES,
     KEY_PROGRESS,
     KEY_DEPTHS,
     KEY_WALK
@@ -51,6 +55,8 @@ static const struct argp_option options[] = {
      "bits of the fraction of levels, 0 to 8 (default, as in hardware): what fewer would draw", 0},
     {"threads", 't', "N", 0, "0: one for every processor (default)", 0},
     {"counters", KEY_COUNTERS, NULL, 0, "print the counters", 0},
+    {"frames", KEY_FRAMES, "A..B", 0,
+     "these frames of a moving scene, with numbers in the names of files: FILE-0007.png", 0},
     {"json", KEY_JSON, "FILE", 0, "report as JSON (- : on standard output instead of text)", 0},
     {"progress", KEY_PROGRESS, NULL, 0, "show progress though stderr is no terminal", 0},
     {0},
@@ -94,6 +100,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     case KEY_COUNTERS:
         a->counters = 1;
         return 0;
+    case KEY_FRAMES:
+        tool_frames_parse(state, arg, &a->frames);
+        return 0;
     case KEY_JSON:
         a->json = arg;
         return 0;
@@ -101,6 +110,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         a->progress = 1;
         return 0;
     default:
+        if (key == ARGP_KEY_END && a->frames.on && a->source.read.at)
+            argp_error(state, "--frames and --at exclude each other");
         return tool_one_scene(state, key, arg, &a->input, "no machine or scene given");
     }
 }
@@ -128,19 +139,11 @@ static int write_pictures(const struct arguments *a, const struct sph_frame *f,
     return a->exr ? sph_image_write_exr(a->exr, f, a->layer, err) : 0;
 }
 
-/* Pictures in the colours of --depths, those of Aroxa 2014, Figure 4.2f. */
 static int write_depths(const struct arguments *a, const struct sph_frame *frame,
                         const struct sph_trail *trails, struct sph_error *err) {
-    static const uint32_t colours[SPH_MAX_DEPTH + 2] = {0,        0x0000ff, 0x00ff00, 0xff0000,
-                                                        0x00ffff, 0xff00ff, 0xffffff};
-    size_t n = (size_t)frame->width * (size_t)frame->height;
-    struct sph_frame painted = {frame->width, frame->height, malloc(n * sizeof *painted.pixels)};
-    if (!painted.pixels) return sph_fail(err, "%s: no memory for depths", a->input);
-    for (size_t i = 0; i < n; i++) {
-        painted.pixels[i] = frame->pixels[i];
-        for (int layer = 0; layer < SPH_FRAMES; layer++)
-            painted.pixels[i].colour[layer] = colours[trails[i].depth];
-    }
+    struct sph_frame painted;
+    if (depth_picture(frame, trails, &painted))
+        return sph_fail(err, "%s: no memory for depths", a->input);
     int rc = write_pictures(a, &painted, err);
     sph_frame_free(&painted);
     return rc;
@@ -153,10 +156,9 @@ static int write_files(const struct arguments *a, const struct sph_shot *shot,
     return !rc && a->frame ? sph_shot_write(shot, a->frame, err) : rc;
 }
 
-/* Everything after reading and building. */
-static int render_built(const struct arguments *a, const struct tool_built *built,
-                        struct sph_error *err) {
-    struct sph_shot shot = {0};
+/* Renders, and writes every file but the report; *seconds: of rendering. */
+static int shoot(const struct arguments *a, const struct tool_built *built, struct sph_shot *shot,
+                 double *seconds, struct sph_error *err) {
     if (a->walk && !sph_machine_bih(&built->machine))
         return sph_fail(err, "--walk is for --accel bih and brute, this is %s",
                         sph_machine_tree_name(&built->machine));
@@ -164,11 +166,20 @@ static int render_built(const struct arguments *a, const struct tool_built *buil
     size_t pixels = (size_t)r[SPH_REG_FRAME_W] * (size_t)r[SPH_REG_FRAME_H];
     struct sph_trail *trails = a->depths ? calloc(pixels, sizeof *trails) : NULL;
     if (a->depths && !trails) return sph_fail(err, "%s: no memory for depths", a->input);
-    double seconds = render(a, &built->machine, &shot, trails, err);
-    int rc = seconds < 0 ? -1 : write_files(a, &shot, trails, err);
-    if (!rc && a->walk) rc = walk_picture(a->walk, &built->machine, &shot.frame, a->layer, err);
+    *seconds = render(a, &built->machine, shot, trails, err);
+    int rc = *seconds < 0 ? -1 : write_files(a, shot, trails, err);
+    if (!rc && a->walk) rc = walk_picture(a->walk, &built->machine, &shot->frame, a->layer, err);
     free(trails);
-    if (seconds < 0) return -1;
+    return rc;
+}
+
+/* Everything after reading and building. */
+static int render_built(const struct arguments *a, const struct tool_built *built,
+                        struct sph_error *err) {
+    struct sph_shot shot = {0};
+    double seconds = 0;
+    int rc = shoot(a, built, &shot, &seconds, err);
+    if (!shot.frame.pixels) return -1;
     FILE *to = rc ? NULL : print_stream(a->json);
     print_build(to, built);
     print_shot(to, &shot, a->counters);
@@ -183,6 +194,40 @@ static int render_built(const struct arguments *a, const struct tool_built *buil
     if (report_write(report, rc ? NULL : a->json, err)) rc = -1;
     sph_frame_free(&shot.frame);
     return rc;
+}
+
+/* One of several frames, into files of its own. */
+static int render_frame(void *user, uint32_t frame, const struct tool_built *built, json_t *entry,
+                        struct sph_error *err) {
+    const struct arguments *all = user;
+    struct arguments a = *all;
+    struct sph_shot shot = {0};
+    double seconds = 0;
+    char *names[] = {tool_numbered(all->png, frame), tool_numbered(all->exr, frame),
+                     tool_numbered(all->frame, frame), tool_numbered(all->walk, frame)};
+    a.png = names[0], a.exr = names[1], a.frame = names[2], a.walk = names[3];
+    int rc = shoot(&a, built, &shot, &seconds, err);
+    if (!rc) {
+        print_shot(print_stream(a.json), &shot, a.counters);
+        report_shot(entry, &shot);
+        report_number(entry, "seconds", seconds);
+    }
+    sph_frame_free(&shot.frame);
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        free(names[i]);
+    return rc;
+}
+
+static int render_frames(struct arguments *a) {
+    struct sph_error err = {""};
+    json_t *report = report_new("render"), *list = json_array();
+    report_text(report, "input", a->input);
+    report_text(report, "traverse", traversals[a->traverse]);
+    json_object_set_new(report, "frames", list);
+    int rc = tool_each_frame(a->input, &a->source, &a->frames, print_stream(a->json), list,
+                             render_frame, a, &err);
+    if (report_write(report, rc ? NULL : a->json, &err)) rc = -1;
+    return rc ? tool_failed(&err) : TOOL_GOOD;
 }
 
 int tool_render(int argc, char **argv) {
@@ -202,6 +247,7 @@ int tool_render(int argc, char **argv) {
     struct sph_error err = {""};
     argp_parse(&argp, argc, argv, 0, NULL, &a);
 
+    if (a.frames.on) return render_frames(&a);
     if (tool_load(a.input, &a.source, &built, &err)) return tool_failed(&err);
     int rc = render_built(&a, &built, &err);
     sph_machine_free(&built.machine);

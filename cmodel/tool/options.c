@@ -7,6 +7,7 @@
 
 #include "build/background.h"
 #include "build/spans.h"
+#include "scene/motion.h"
 #include "texture/lookup.h"
 #include "tool/tool.h"
 
@@ -76,6 +77,7 @@ enum {
     KEY_TEXTURE,
     KEY_FILTER,
     KEY_LOD,
+    KEY_AT,
     KEY_SKIP
 };
 
@@ -112,6 +114,7 @@ static const struct argp_option options[] = {
      1},
     {"lod", KEY_LOD, "NAME", 0,
      "how far away a pixel is as large as a texel: mended (default), or as the paper prints it", 1},
+    {"at", KEY_AT, "N", 0, "frame that moving primitives are moved to, 0 (default) to 65535", 1},
     {"skip-unsupported", KEY_SKIP, NULL, 0,
      "leave out polygons, cones and so on instead of refusing the scene", 1},
     {0},
@@ -214,6 +217,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         break;
     case KEY_LOD:
         s->build.lod_literal = tool_choice(state, "--lod", arg, lods);
+        break;
+    case KEY_AT:
+        s->read.at = (uint32_t)tool_number(state, "--at", arg, 0, SPH_MAX_FRAME);
         break;
     case KEY_SKIP:
         s->read.skip_unsupported = 1;

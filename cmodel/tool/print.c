@@ -51,6 +51,9 @@ void print_build(FILE *to, const struct tool_built *built) {
     fprintf(to, "tree     %s: %u nodes, depth %u, %.3f s\n", sph_machine_tree_name(m), b->nodes,
             b->depth, b->build_seconds);
     print_effects(to, b);
+    if (b->bases_computed)
+        fprintf(to, "bases    %" PRIu64 " made: levels of textured primitives\n",
+                b->bases_computed);
     print_lines(to, "backgr.  ", b->background);
     fprintf(to, "memory   %u lines, %" PRIu64 " bytes\n", m->lines,
             (uint64_t)m->lines * SPH_LINE_WORDS * 4);

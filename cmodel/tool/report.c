@@ -10,6 +10,7 @@
 #include "machine/describe.h"
 #include "machine/facets.h"
 #include "output.h"
+#include "tool/sequence.h"
 
 json_t *report_new(const char *command) {
     return json_pack("{s:s, s:i, s:s, s:s}", "schema", "sphaera-report", "version", 2, "program",
@@ -108,6 +109,7 @@ void report_build(json_t *report, const struct tool_built *built) {
     report_number(build, "seconds", b->build_seconds);
     report_number(build, "tree_seconds", b->tree_seconds);
     if (sph_machine_bih(&built->machine)) report_bih(build, &built->machine, &b->bih);
+    report_bases(build, b);
     add(build, "effects", effects_of(b));
     add(build, "background", lines(b->background));
     add(build, "warnings", lines(b->warning));

@@ -128,6 +128,8 @@ def robot():
     # far away, so that the grid is wide and the ground goes to a horizon
     s.material((0.8, 0.5, 0.3))
     s.sphere(8, 1, -40, 1)
+    # all of the robot walks, and the lamp on its head grows
+    s.add("move 0.03 0 0.05")
     s.material((1, 1, 1), 0.85, 0.15, 40)
     s.image("face", 1, 1)
     s.sphere(0, 2.02, 0, 0.3)
@@ -149,6 +151,7 @@ def robot():
         s.sphere(side * 0.78, 0.9, -side * 0.36, 0.13)
         s.sphere(side * 0.2, 0.43, side * 0.24, 0.11)
     s.sphere(0, 1.72, 0, 0.1)
+    s.add("move 0.03 0 0.05 0.04 0 2.42 0")
     s.material((0.9, 0.2, 0.15))
     s.sphere(0, 2.42, 0, 0.07)
     s.sphere(0, 2.34, 0, 0.03)

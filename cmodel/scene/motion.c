@@ -1,0 +1,92 @@
+/* motion.c - see motion.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "scene/motion.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "scene/edit.h"
+
+int sph_scene_add_motion(struct sph_scene *scene, const struct sph_motion *motion,
+                         struct sph_error *err) {
+    uint32_t n = scene->n_motions;
+    struct sph_motion *room = scene->motions;
+    if (!(n & (n - 1))) room = realloc(room, (n ? 2 * (size_t)n : 1) * sizeof *room);
+    if (!room)
+        return sph_fail(err, "%s:%u: no memory for more than %u motions", scene->path, motion->line,
+                        n);
+    scene->motions = room;
+    room[scene->n_motions++] = *motion;
+    return 0;
+}
+
+static double growth(const struct sph_motion *m, uint32_t frame) {
+    return 1 + frame * m->grow;
+}
+
+static struct sph_vec moved(const struct sph_motion *m, uint32_t frame, struct sph_vec p) {
+    double by = growth(m, frame);
+    return sph_vec_of(m->about.x + by * (p.x - m->about.x) + frame * m->step.x,
+                      m->about.y + by * (p.y - m->about.y) + frame * m->step.y,
+                      m->about.z + by * (p.z - m->about.z) + frame * m->step.z);
+}
+
+static void move_facet(struct sph_facet *f, const struct sph_motion *m, uint32_t frame) {
+    int points = f->kind == SPH_PLANE ? 1 : 3;
+    for (int k = 0; k < points; k++)
+        f->v[k] = moved(m, frame, f->v[k]);
+    for (int k = 0; k < 2 && f->kind == SPH_PLANE; k++)
+        f->st[0][k] *= growth(m, frame);
+}
+
+int sph_scene_move(struct sph_scene *scene, uint32_t frame, struct sph_error *err) {
+    uint32_t first, second;
+    for (uint32_t i = 0; i < scene->n_motions; i++)
+        if (!(growth(&scene->motions[i], frame) > 0))
+            return sph_fail(err, "%s:%u: `move`: nothing is left at frame %u", scene->path,
+                            scene->motions[i].line, frame);
+    if (!frame || !scene->n_motions) return 0;
+    for (uint32_t i = 0; i < scene->n_spheres; i++) {
+        struct sph_sphere *s = &scene->spheres[i];
+        if (!s->motion) continue;
+        s->ctr = moved(&scene->motions[s->motion - 1], frame, s->ctr);
+        s->rad *= growth(&scene->motions[s->motion - 1], frame);
+    }
+    for (uint32_t i = 0; i < scene->n_facets; i++) {
+        struct sph_facet *f = &scene->facets[i];
+        if (f->motion) move_facet(f, &scene->motions[f->motion - 1], frame);
+    }
+    int found = sph_scene_duplicate(scene, &first, &second, err);
+    if (found > 0)
+        return sph_fail(err, "%s:%u: at frame %u the same sphere (centre and radius) as in line %u",
+                        scene->path, scene->spheres[second].line, frame,
+                        scene->spheres[first].line);
+    return found;
+}
+
+int sph_scene_at(const struct sph_scene *rest, uint32_t frame, struct sph_scene *moved_scene,
+                 struct sph_error *err) {
+    struct sph_scene *m = moved_scene;
+    size_t spheres = rest->n_spheres * sizeof *m->spheres;
+    size_t facets = rest->n_facets * sizeof *m->facets;
+    *m = *rest;
+    m->spheres = malloc(spheres + 1);
+    m->facets = malloc(facets + 1);
+    if (!m->spheres || !m->facets) {
+        sph_scene_at_free(m);
+        return sph_fail(err, "%s: no memory for frame %u", rest->path, frame);
+    }
+    if (spheres) memcpy(m->spheres, rest->spheres, spheres);
+    if (facets) memcpy(m->facets, rest->facets, facets);
+    int rc = sph_scene_move(m, frame, err);
+    if (rc) sph_scene_at_free(m);
+    return rc;
+}
+
+void sph_scene_at_free(struct sph_scene *m) {
+    free(m->spheres);
+    free(m->facets);
+    m->spheres = NULL;
+    m->facets = NULL;
+}

@@ -1,0 +1,28 @@
+/* motion.h - primitives that move and grow from frame to frame
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * A scene as it is read stands at frame 0, at rest.
+ */
+#ifndef SPH_SCENE_MOTION_H
+#define SPH_SCENE_MOTION_H
+
+#include "scene/scene.h"
+
+#define SPH_MAX_FRAME 65535u
+
+/* Adds a motion at the end. -1 with a message if memory is short. */
+int sph_scene_add_motion(struct sph_scene *scene, const struct sph_motion *motion,
+                         struct sph_error *err);
+
+/* Moves what moves from rest to a frame: centres, radii, corners, points of planes and the size of
+ * one repeat there. -1 with "file:line: ..." if nothing is left of a primitive, or two spheres
+ * become the same. */
+int sph_scene_move(struct sph_scene *scene, uint32_t frame, struct sph_error *err);
+
+/* A copy of a scene at rest, moved to a frame: shares with it all but spheres and facets.
+ * sph_scene_at_free() gives back what is its own. 0, or -1 with a message and nothing to free. */
+int sph_scene_at(const struct sph_scene *rest, uint32_t frame, struct sph_scene *moved,
+                 struct sph_error *err);
+void sph_scene_at_free(struct sph_scene *moved);
+
+#endif

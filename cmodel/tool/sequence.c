@@ -1,0 +1,99 @@
+/* sequence.c - see sequence.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "tool/sequence.h"
+
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "scene/motion.h"
+#include "tool/levels.h"
+#include "tool/print.h"
+#include "tool/report.h"
+#include "tool/textures.h"
+
+void tool_frames_parse(const struct argp_state *state, const char *arg,
+                       struct tool_frames *frames) {
+    const char *dots = strstr(arg, "..");
+    char first[16] = "";
+    if (!dots || dots - arg >= (int)sizeof first)
+        argp_error(state, "--frames: '%s' is no range of frames such as 0..9", arg);
+    memcpy(first, arg, (size_t)(dots - arg));
+    frames->first = (uint32_t)tool_number(state, "--frames", first, 0, SPH_MAX_FRAME);
+    frames->last = (uint32_t)tool_number(state, "--frames", dots + 2, 0, SPH_MAX_FRAME);
+    if (frames->first > frames->last)
+        argp_error(state, "--frames: '%s': the first is after the last", arg);
+    frames->on = 1;
+}
+
+char *tool_numbered(const char *path, uint32_t frame) {
+    if (!path) return NULL;
+    const char *slash = strrchr(path, '/'), *dot = strrchr(path, '.');
+    if (!dot || (slash && dot < slash)) dot = path + strlen(path);
+    size_t size = strlen(path) + 16;
+    char *name = malloc(size);
+    if (name) snprintf(name, size, "%.*s-%04" PRIu32 "%s", (int)(dot - path), path, frame, dot);
+    return name;
+}
+
+void report_bases(json_t *report, const struct sph_build_report *build) {
+    json_t *json = report_flops(&build->bases_flops);
+    report_count(json, "computed", build->bases_computed);
+    report_count(json, "kept", build->bases_kept);
+    json_object_set_new(report, "bases", json);
+}
+
+/* What all frames share. */
+struct run {
+    struct sph_scene rest;
+    struct sph_mip *mips;
+    struct sph_texture_bases bases;
+    struct sph_build_options options;
+};
+
+static int build_frame(struct run *run, uint32_t frame, struct tool_built *built,
+                       struct sph_error *err) {
+    struct sph_scene moved;
+    memset(built, 0, sizeof *built);
+    if (sph_scene_at(&run->rest, frame, &moved, err)) return -1;
+    built->from_scene = 1;
+    built->skipped = moved.n_skipped;
+    int rc = sph_build(&moved, &run->options, &built->machine, &built->report, err);
+    sph_scene_at_free(&moved);
+    return rc;
+}
+
+int tool_each_frame(const char *path, const struct tool_source *source,
+                    const struct tool_frames *frames, FILE *to, json_t *list,
+                    int (*take)(void *user, uint32_t frame, const struct tool_built *built,
+                                json_t *entry, struct sph_error *err),
+                    void *user, struct sph_error *err) {
+    struct run run = {.options = source->build};
+    if (tool_is_machine(path))
+        return sph_fail(err, "%s: --frames is for scenes, this is a machine file", path);
+    if (sph_scene_read(path, &source->read, &run.rest, err)) return -1;
+    int rc = run.options.texture == SPH_OFF ? 0 : tool_mips_load(&run.rest, &run.mips, err);
+    if (!rc) rc = sph_bases_start(&run.bases, &run.rest, err);
+    run.options.mips = run.mips;
+    run.options.bases = &run.bases;
+    for (uint32_t frame = frames->first; !rc && frame <= frames->last; frame++) {
+        struct tool_built built;
+        rc = build_frame(&run, frame, &built, err);
+        if (rc) break;
+        json_t *entry = json_object();
+        report_count(entry, "at", frame);
+        report_bases(entry, &built.report);
+        if (frame == frames->first) print_build(NULL, &built); /* warnings alone */
+        if (to)
+            fprintf(to, "frame %-5" PRIu32 " bases %" PRIu64 " made, %" PRIu64 " kept\n", frame,
+                    built.report.bases_computed, built.report.bases_kept);
+        rc = take(user, frame, &built, entry, err);
+        json_array_append_new(list, entry);
+        sph_machine_free(&built.machine);
+    }
+    sph_bases_end(&run.bases);
+    tool_mips_free(run.mips, run.rest.n_textures);
+    sph_scene_free(&run.rest);
+    return rc;
+}

@@ -1,0 +1,37 @@
+/* sequence.h - several frames of a moving scene in one run
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * The scene and its images are read once, and P_b of still primitives is made once; everything else
+ * is built for each frame.
+ */
+#ifndef SPH_TOOL_SEQUENCE_H
+#define SPH_TOOL_SEQUENCE_H
+
+#include <jansson.h>
+
+#include "tool/tool.h"
+
+struct tool_frames {
+    int on;
+    uint32_t first, last;
+};
+
+/* "A..B" of option --frames, A <= B. */
+void tool_frames_parse(const struct argp_state *state, const char *arg, struct tool_frames *frames);
+
+/* Builds each frame of the scene at path and hands it over; user's own. Prints a line for each on
+ * `to` unless that is NULL, and adds it to `list`. The first failure ends it: -1 with a message. */
+int tool_each_frame(const char *path, const struct tool_source *source,
+                    const struct tool_frames *frames, FILE *to, json_t *list,
+                    int (*take)(void *user, uint32_t frame, const struct tool_built *built,
+                                json_t *entry, struct sph_error *err),
+                    void *user, struct sph_error *err);
+
+/* path with the frame's number, four digits or more, before its ending: a.png is a-0007.png. NULL
+ * stays NULL; else the caller frees. */
+char *tool_numbered(const char *path, uint32_t frame);
+
+/* P_b made and kept, and what making took, into a report's object. */
+void report_bases(json_t *report, const struct sph_build_report *build);
+
+#endif

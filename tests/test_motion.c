@@ -1,0 +1,151 @@
+/* test_motion.c - primitives that move and grow: scene files, places, P_b that is kept
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "scene_files.h"
+#include "textured.h"
+
+#include "scene/motion.h"
+
+static const struct bad bads[] = {
+    {"short", CAM MAT "move 1 2\ns 0 0 0 1\n", 10, "`move`: z: `s` is not", 0, 0},
+    {"grow_alone", CAM MAT "move 1 2 3 .5\ns 0 0 0 1\n", 10, "x of its middle: `s` is not", 0, 0},
+    {"no_number", CAM MAT "move 1 2 nan\n", 9, "`move`: z: `nan` is not", 0, 0},
+    {"end", CAM MAT "move 1 2", 9, "ends within `move`, before z", 0, 0},
+};
+static const struct bad bads_at_3[] = {
+    {"gone", CAM MAT "move 0 0 0 -.5 0 0 0\ns 0 0 0 1\n", 9, "nothing is left at frame 3", 0, 0},
+    {"meet", CAM MAT "s 3 0 0 1\nmove 1 0 0\ns 0 0 0 1\n", 11,
+     "at frame 3 the same sphere (centre and radius) as in line 9", 0, 0},
+};
+
+static void refused(const struct bad *bad, uint32_t at) {
+    struct sph_read_options read = {.at = at};
+    struct sph_error err = {""};
+    struct sph_scene scene;
+    put_bad(bad);
+    assert_int_equal(sph_scene_read(file_name, &read, &scene, &err), -1);
+    assert_message(bad, &err);
+    assert_null(scene.motions);
+}
+
+static void test_bad(void **state) {
+    refused(*state, 0);
+}
+
+static void test_bad_at_3(void **state) {
+    (void)state;
+    for (size_t i = 0; i < sizeof bads_at_3 / sizeof *bads_at_3; i++)
+        refused(&bads_at_3[i], 3);
+}
+
+/* A still sphere, then all kinds of primitives in one motion, a second motion, a still triangle. */
+static const char moving[] = CAM MAT "s 9 9 9 1\n"
+                                     "move 1 0 -2 .5 10 0 0\n"
+                                     "s 10 2 0 1\np 3 0 0 0 2 0 0 0 2 0\n"
+                                     "texture x.png 3 4\nplane 10 0 0 0 1 0\ntexture none\n"
+                                     "move 0 4 0\ns 0 0 0 2\nstill\np 3 5 0 0 6 0 0 5 1 0\n";
+
+static void read_at(const char *text, uint32_t at, struct sph_scene *scene) {
+    struct sph_read_options read = {.at = at};
+    struct sph_error err = {""};
+    if (text) put_file(text, strlen(text));
+    if (sph_scene_read(file_name, &read, scene, &err)) fail_msg("%s", err.text);
+}
+
+static void at(struct sph_vec v, double x, double y, double z) {
+    assert_true(v.x == x && v.y == y && v.z == z);
+}
+
+static void places(void **state) {
+    (void)state;
+    struct sph_scene rest, s, again;
+    struct sph_error err = {""};
+    read_at(moving, 0, &rest);
+    at(rest.spheres[1].ctr, 10, 2, 0);
+    if (sph_scene_at(&rest, 2, &s, &err)) fail_msg("%s", err.text);
+    static const uint32_t motion[] = {0, 1, 2, 1, 1, 0};
+    for (int i = 0; i < 6; i++)
+        assert_int_equal(i < 3 ? s.spheres[i].motion : s.facets[i - 3].motion, motion[i]);
+    at(s.spheres[0].ctr, 9, 9, 9);
+    at(s.spheres[1].ctr, 12, 4, -4); /* twice as far from 10 0 0, and two steps on */
+    assert_true(s.spheres[1].rad == 2 && s.spheres[2].rad == 2);
+    at(s.spheres[2].ctr, 0, 8, 0);
+    at(s.facets[0].v[0], -8, 0, -4);
+    at(s.facets[0].v[1], -4, 0, -4);
+    at(s.facets[0].v[2], -8, 4, -4);
+    at(s.facets[1].v[0], 12, 0, -4);
+    at(s.facets[1].v[1], 0, 1, 0); /* a direction */
+    assert_true(s.facets[1].st[0][0] == 6 && s.facets[1].st[0][1] == 8);
+    at(s.facets[2].v[1], 6, 0, 0);
+    at(rest.spheres[1].ctr, 10, 2, 0); /* stays as it was */
+    at(rest.facets[0].v[1], 2, 0, 0);
+    FILE *file = fopen(file_name, "w"); /* what is written moves as well */
+    assert_non_null(file);
+    assert_int_equal(sph_scene_write(&rest, file, &err), 0);
+    fclose(file);
+    read_at(NULL, 2, &again);
+    assert_same_scene(&s, &again);
+    assert_same_facets(&s, &again);
+    sph_scene_free(&again);
+    sph_scene_at_free(&s);
+    sph_scene_free(&rest);
+}
+
+/* A sequence builds, bit for bit, what each frame alone does; still primitives keep P_b while the
+ * grid's step stays, and what moves has it made anew. */
+static const char show[] =
+    "v from 0 0 5 at 0 0 0 up 0 1 0 angle 40 resolution 16 12\n" MAT "texture x.png 2 1\n"
+    "s 2 0 -5 1.37\nplane 0 -2 0 0 1 0\n"
+    "move .11 0 -.3 .07 0 0 0\ns -1 0 0 1\ntt x.png 0 0 0 0 0 1 .3 0 1 0 0 1 .2 0 1\n"
+    "move 0 0 -40\ntexture none\ns 0 3 -30 1\n";
+
+static void kept(void **state) {
+    (void)state;
+    struct sph_scene rest, s;
+    struct sph_error err = {""};
+    struct sph_texture_bases bases;
+    struct sph_mip mips[2] = {textured_mip(64, 32, NULL), {0}};
+    struct sph_build_options o = textured_options;
+    int other_steps = 0, all_kept = 0;
+    double step = 0;
+    mips[1] = mips[0];
+    o.mips = mips;
+    read_at(show, 0, &rest);
+    assert_int_equal(rest.n_textures, 2);
+    assert_int_equal(sph_bases_start(&bases, &rest, &err), 0);
+    for (uint32_t frame = 0; frame < 9; frame++) {
+        struct sph_build_report alone, kept_report;
+        if (sph_scene_at(&rest, frame, &s, &err)) fail_msg("%s", err.text);
+        o.bases = NULL;
+        struct sph_machine one = textured_build(&s, &o, &alone);
+        o.bases = &bases;
+        struct sph_machine m = textured_build(&s, &o, &kept_report);
+        assert_int_equal(one.lines, m.lines);
+        assert_memory_equal(one.mem, m.mem, (size_t)m.lines * SPH_LINE_WORDS * sizeof *m.mem);
+        assert_memory_equal(one.regs, m.regs, sizeof m.regs);
+        assert_int_equal(alone.bases_computed, 4);
+        assert_int_equal(alone.bases_kept, 0);
+        int same = frame && kept_report.grid_step == step;
+        other_steps += frame && !same;
+        all_kept += same;
+        assert_int_equal(kept_report.bases_kept, same ? 2 : 0);
+        assert_int_equal(kept_report.bases_computed, same ? 2 : 4);
+        assert_true(same ? kept_report.bases_flops.mul < alone.bases_flops.mul
+                         : kept_report.bases_flops.mul == alone.bases_flops.mul);
+        step = kept_report.grid_step;
+        sph_machine_free(&one);
+        sph_machine_free(&m);
+        sph_scene_at_free(&s);
+    }
+    assert_true(other_steps >= 2 && all_kept >= 4);
+    sph_bases_end(&bases);
+    sph_scene_free(&rest);
+    free(mips[0].texels);
+}
+
+int main(void) {
+    const struct CMUnitTest others[] = {cmocka_unit_test(test_bad_at_3), cmocka_unit_test(places),
+                                        cmocka_unit_test(kept)};
+    return run_cases("motion", test_bad, bads, sizeof bads / sizeof bads[0], others,
+                     sizeof others / sizeof others[0]);
+}
