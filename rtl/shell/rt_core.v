@@ -35,6 +35,7 @@ module rt_core #(
     parameter TEXTURE_LINES = 128,
     parameter TEXTURE_WAYS = 4,  // of the texture cache: groups of a set
     parameter TEXTURE_GROUP = 1, // lines fetched together: 1, 2 or 4
+    parameter TEXTURE_COORDS = 1, // units for texture coordinates an engine
     parameter ROOTS      = 3,    // square root units an engine
     parameter QUOTIENTS  = 3,    // dividers an engine
     parameter DIVISIONS  = 1,    // dividers an engine for the keys of facets
@@ -239,7 +240,8 @@ module rt_core #(
                         .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM), .ACCEL(ACCEL),
                         .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES),
                         .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS),
-                        .TEXTURE_GROUP(TEXTURE_GROUP), .ROOTS(ROOTS), .QUOTIENTS(QUOTIENTS),
+                        .TEXTURE_GROUP(TEXTURE_GROUP), .TEXTURE_COORDS(TEXTURE_COORDS),
+                        .ROOTS(ROOTS), .QUOTIENTS(QUOTIENTS),
                         .DIVISIONS(DIVISIONS), .ROOT_STEP(ROOT_STEP),
                         .QUOTIENT_STEP(QUOTIENT_STEP),
                         .DIVISION_STEP(DIVISION_STEP)) u_engine (

@@ -11,20 +11,18 @@
 `include "rt_layout.vh"
 module rt_coords #(
     parameter W   = 16,                    // coordinate, bits
-    parameter NG  = 2,                     // guard bits of the hit point
-    parameter TAG = 6                      // what travels along, bits
+    parameter NG  = 2                      // guard bits of the hit point
 ) (
     input  wire                clk,
     input  wire                rst,        // synchronous, active high
     input  wire                in_valid_i,
     output wire                in_ready_o,
-    input  wire [TAG-1:0]      in_tag_i,
     input  wire [255:0]        in_map_i,   // mapping record
     input  wire [3*(W+NG)-1:0] in_point_i, // {z, y, x} s(W+NG), guarded hit point
     input  wire [53:0]         in_unit_i,  // {z, y, x} s1.16, normal towards the ray's side
     input  wire                in_far_i,   // hit from inside
-    output reg                 out_valid_o,// one clock
-    output wire [TAG-1:0]      out_tag_o,
+    output reg                 out_valid_o,
+    input  wire                out_ready_i,
     output reg  [39:0]         out_s_o,    // s19.20, modulo 2^20
     output reg  [39:0]         out_t_o
 );
@@ -35,14 +33,12 @@ module rt_coords #(
 
     // ---- the hit at hand ----
     reg              busy_q, far_q;
-    reg [TAG-1:0]    tag_q;
     reg [255:0]      map_q;
     reg [3*GW-1:0]   point_q;
     reg [53:0]       unit_q;
     wire             take   = in_valid_i && in_ready_o;
     wire             sphere = map_q[`RT_MAP_KIND_LSB];
     assign in_ready_o = !busy_q;
-    assign out_tag_o  = tag_q;
 
     // ---- steps: products 0 to 5 of a facet, 0 to 8 and then 9, 10 of a sphere ----
     reg              go_q;                 // a product is begun in this clock
@@ -57,8 +53,7 @@ module rt_coords #(
     always @(posedge clk) begin
         if (along_valid) {around_q, down_q} <= {around, down};
         if (take) begin
-            {tag_q, map_q, point_q, unit_q, far_q} <= {in_tag_i, in_map_i, in_point_i, in_unit_i,
-                                                       in_far_i};
+            {map_q, point_q, unit_q, far_q} <= {in_map_i, in_point_i, in_unit_i, in_far_i};
             step_q <= 4'd0;
             part_q <= 2'd0;
         end else if (go_q) begin
@@ -68,7 +63,7 @@ module rt_coords #(
         if (take || along_valid) go_q <= 1'b1;
         else if (end_facet || end_turns || end_sphere) go_q <= 1'b0;
         if (take) busy_q <= 1'b1;
-        else if (out_valid_o) busy_q <= 1'b0;
+        else if (out_valid_o && out_ready_i) busy_q <= 1'b0;
         if (rst) begin go_q <= 1'b0; busy_q <= 1'b0; end
     end
 
@@ -170,7 +165,8 @@ module rt_coords #(
         if (s4_go_q && s4_t_q)  out_t_o <= s4_round[40:1] + at_t;
         if (s2_scaled && s2_step_q == 4'd9)  out_s_o <= sphere_s;
         if (s2_scaled && s2_step_q == 4'd10) out_t_o <= sphere_t;
-        out_valid_o <= (s4_go_q && s4_t_q) || (s2_scaled && s2_step_q == 4'd10);
+        if ((s4_go_q && s4_t_q) || (s2_scaled && s2_step_q == 4'd10)) out_valid_o <= 1'b1;
+        else if (out_ready_i) out_valid_o <= 1'b0;
         if (rst) out_valid_o <= 1'b0;
     end
     wire unused = &{1'b0, along_ready, along_tag, map_q, out_sum, s3_wide, s4_round[0]};

@@ -15,7 +15,8 @@ module rt_texture #(
     parameter SLOTW = 5,       // log2 of SLOTS
     parameter LINES = 128,     // texture cache, lines of memory
     parameter WAYS  = 4,       // groups of a set
-    parameter GROUP = 1        // lines of memory fetched together: 1, 2 or 4
+    parameter GROUP = 1,       // lines of memory fetched together: 1, 2 or 4
+    parameter COORDS = 1       // units for coordinates
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -183,7 +184,7 @@ module rt_texture #(
     wire [81:0]      st;
     wire [39:0]      mix;
     wire [23:0]      colour;
-    rt_texture_map #(.W(W), .NG(NG), .SLOTS(SLOTS), .SLOTW(SLOTW)) u_map (
+    rt_texture_map #(.W(W), .NG(NG), .SLOTS(SLOTS), .SLOTW(SLOTW), .COORDS(COORDS)) u_map (
         .clk(clk), .rst(rst),
         .hit_valid_i(hit_valid_i), .hit_slot_i(hit_slot_i), .hit_far_i(hit_far_i),
         .point_valid_i(point_valid_i), .point_slot_i(point_slot_i), .point_i(point_i),
