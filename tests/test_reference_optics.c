@@ -76,8 +76,9 @@ static double dot(const double a[3], const double b[3]) {
 static void angles(void **state) {
     (void)state;
     const double normal[3] = {0, 1, 0};
-    for (double index = 0.25; index <= 4; index *= 1.09)
-        for (double in = 0.01; in < 1.57; in += 0.01) {
+    for (int i = 25; i <= 400; i += 1 + i / 11)
+        for (int k = 1; k < 157; k++) {
+            double index = i / 100.0, in = k / 100.0;
             const double dir[3] = {sin(in), -cos(in), 0};
             double out[3], back[3], up[3], sine = sin(in) / index;
             int through = sph_ref_refract(dir, normal, 1 / index, out);
@@ -88,8 +89,8 @@ static void angles(void **state) {
             const double turned[3] = {-out[0], -out[1], -out[2]}, down[3] = {0, -1, 0};
             if (sine > 0.9999) continue;
             assert_true(sph_ref_refract(turned, down, index, back));
-            for (int i = 0; i < 3; i++)
-                up[i] = back[i] + dir[i];
+            for (int j = 0; j < 3; j++)
+                up[j] = back[j] + dir[j];
             assert_true(dot(up, up) < 1e-16);
         }
 }
@@ -130,8 +131,8 @@ static void through_ball(double x, double y, struct sph_ref_path *path, double a
 static void differentials(void **state) {
     (void)state;
     const double step = 1e-4;
-    for (double x = -40; x <= 60; x += 20)
-        for (double y = 10; y <= 50; y += 20) { /* above the middle: bent down to the floor */
+    for (int x = -40; x <= 60; x += 20)
+        for (int y = 10; y <= 50; y += 20) { /* above the middle: bent down to the floor */
             struct sph_ref_path path, other;
             double at[3], next[2][3];
             through_ball(x, y, &path, at);

@@ -136,6 +136,31 @@ check "its name, in the order of its widths" has \
 fails 2 "directions too short for it" "$s" build a.nff --profile standard:wd=16 -o x.sph
 check "... and why" has "wd is 16, w is 16: light - point needs w + 1 bits" "$TMP/err"
 
+# ---- refraction and Whitted's sum: two red balls, the first seen through the glass of a third ----
+printf '%s\n' v "from 0 0 12" "at 0 0 0" "up 0 1 0" "angle 30" "resolution 64 48" "l 5 9 9 1 1 1" \
+    "ambient 1 1 1" "shading sum" "f .9 .3 .3 .3 .1 40 0 0 .3 .3" "s 0 0 -4 1" "s 2.5 0 -3 1" \
+    "f 1 1 1 .1 .1 50 .7 .95 .1 0" "s 0 0 0 1.5" >g.nff
+"$s" build g.nff -o g.sph --depth 3 --json g.json >build.txt 2>&1
+check "build tells what transmits" has "effect *refract *on *g.nff:13 transmits 179/256, depth 3" \
+    build.txt
+check "... and in the report" json g.json '[e["on"] for e in r["build"]["effects"]
+    if e["name"] in ("refract", "specular", "sum")] == [1, 1, 1] and
+    {"refract", "specular", "sum"} <= set(r["machine"]["effects"])'
+"$s" info g.sph >info.txt
+check "info names the core that it asks for" has "^core .*+refract+specular+sum" info.txt
+check "brute force shows the same of it" equal "$(picture g.sph)" "$(picture g.sph --brute)"
+counted() { "$s" render g.sph --counters "$@" | awk '/^rays_refracted|^powers/ { print ($2 > 0) }'; }
+check "refracted rays and highlights are counted" equal "$(counted)" "$(printf '1\n1')"
+check "pictures of depths have the same hash" equal "$(hash g.sph)" \
+    "$(hash g.sph --depths -o d.png)"
+colours() { # picture, colours
+    oiiotool "$1" --colorcount "$2" | awk '{ some += $1 > 0; all += $1 }
+        END { exit !(some == NR && all == 64 * 48) }'
+}
+check "black, red, green, blue, yellow" colours d.png "0,0,0:1,0,0:0,1,0:0,0,1:1,1,0"
+"$s" render g.nff --depth 0 --depths -o d.png >/dev/null 2>&1
+check "... at depth 0 black and red" colours d.png "0,0,0:1,0,0"
+
 # ---- refusals: a message, an exit code, nothing left behind ----
 fails 2 "no command" "$s"
 fails 2 "unknown command" "$s" draw
@@ -147,7 +172,7 @@ for bad in --profile=huge --profile=standard: --profile=standard:pq=99 --tree=oa
     --background=blue --depth=6 --depth=-1 --depth=1x --size=0x4 --size=64 --size=64x \
     --size=64x48x --size=16384x1 --size=1x16384 --bg-points=3 --bg-points=4097 \
     --bg-border=65 --bg-levels=3 --shadow=maybe --reflect= --lights=9 --lights=all \
-    --inside=maybe --traverse=brute --interpenetrate=yes; do
+    --inside=maybe --traverse=brute --interpenetrate=yes --refract=maybe --specular=1; do
     fails 2 "build $bad" "$s" build a.nff -o x.sph "$bad"
 done
 for bad in --layer=3 --brute=last --threads=-1; do
@@ -160,6 +185,10 @@ fails 1 "no such scene" "$s" build nothing.nff -o x.sph
 fails 1 "no such machine" "$s" render nothing.sph -o x.png
 fails 1 "the paper's walk of triangles" "$s" build i.nff --traverse first -o x.sph
 check "... names the first of them" has 'i.nff:[0-9]*: traverse first is for spheres' "$TMP/err"
+fails 1 "the paper's walk of glass" "$s" build g.nff --traverse first -o x.sph
+check "... names the material" has 'g.nff:13: traverse first is for scenes' "$TMP/err"
+fails 1 "refraction without inside" "$s" build g.nff --inside off -o x.sph
+fails 1 "refraction of depth 0" "$s" build g.nff --refract on --depth 0 -o x.sph
 fails 1 "a folder as scene" "$s" build . -o x.sph
 fails 1 "a machine as scene" "$s" build a.sph -o x.sph
 fails 1 "build options for a machine" "$s" render a.sph --depth 1 -o x.png
