@@ -164,7 +164,7 @@ static void tree_is_brute_force(void **state) {
     int wrong = 0;
     for (int n = 0; n < SCENES; n++) {
         struct sph_scene scene = scene_of(n);
-        for (int tree = SPH_TREE_PAPER; tree <= SPH_TREE_BALANCED; tree++) {
+        for (int tree = SPH_TREE_PAPER; tree <= SPH_TREE_BIH; tree++) {
             struct sph_build_options o = options(n % SPH_PROFILES, 5);
             o.tree = tree;
             struct sph_machine m = built(&scene, &o);
