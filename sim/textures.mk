@@ -1,11 +1,12 @@
 # textures.mk - the experiments of the texture paper on this machine, into docs/texture_results.md
 # SPDX-License-Identifier: Apache-2.0
 #
-# $B/textures/ holds, for each scene NAME and filter WAY (off, level, between):
+# $B/textures/ holds, for each scene NAME and filter WAY (nearest, off, level, between):
 #   NAME-WAY.png, .rms         picture of the model, and how far it is from NAME-truth.tif
 #   NAME-WAY.json              `sphaera texels`: texels of each level, hits of caches
 #   NAME-WAY-rtl.json          the same at the size of the RTL's frames
-#   NAME-WAY.core.json         report of the RTL's run
+#   NAME-WAY.core.json         report of the RTL's run; -slow: memory latency TEX_SLOW
+#   NAME-walk.json             P_b of the first frames
 #   NAME-lodN.png, .rms        with N bits of fraction in the level
 #   NAME.levels.json           `sphaera accuracy`: arithmetic of the ways to choose a level
 #   slant-N.json               levels against the angle, views of slant.nff; slant-ball.json
@@ -13,7 +14,9 @@
 
 TEX        := $B/textures
 TEX_NAMES  := kitchen robot museum
-TEX_WAYS   := off level between
+TEX_WAYS   := nearest off level between
+TEX_DRAWN  := off level between
+TEX_nearest := nearest
 TEX_off    := bilinear
 TEX_level  := level
 TEX_between := between
@@ -21,7 +24,8 @@ TEX_WIDTH  := 480
 TEX_HEIGHT := 270
 TEX_TRUTH  := 8
 TEX_SIZE   := $(TEX_WIDTH)x$(TEX_HEIGHT)
-TEX_RTL    := 240x135
+TEX_RTL    := 160x90
+TEX_SLOW   := 200
 TEX_CORE   := shadow+reflect2+lights2+inside+facets+texture
 TEX_LODS   := 0 1 2 3 4 5 6 7 8
 TEX_PAGE   := docs/texture_results.md
@@ -37,7 +41,8 @@ TEX_BOTH := $(foreach n,$(TEX_NAMES),$(TEX_WAYS:%=$n-%))
 TEX_LOD_BOTH := $(foreach n,$(TEX_NAMES),$(TEX_LODS:%=$n-lod%))
 TEX_DATA := $(TEX_BOTH:%=$(TEX)/%.rms) $(TEX_BOTH:%=$(TEX)/%.json) \
             $(TEX_BOTH:%=$(TEX)/%-rtl.json) $(TEX_BOTH:%=$(TEX)/%.core.json) \
-            $(TEX_LOD_BOTH:%=$(TEX)/%.rms) $(TEX_NAMES:%=$(TEX)/%.levels.json) \
+            $(foreach n,$(TEX_NAMES),$(TEX_DRAWN:%=$(TEX)/$n-%-slow.core.json)) \
+            $(TEX)/robot-walk.json $(TEX_LOD_BOTH:%=$(TEX)/%.rms) $(TEX_NAMES:%=$(TEX)/%.levels.json) \
             $(TEX_SLANTS:%=$(TEX)/slant-%.json) $(TEX)/slant-ball.json
 
 .PHONY: textures textures-page
@@ -74,7 +79,7 @@ $(TEX)/$(1)-lod%.png: scenes/texture/$(1).nff $(TEX_IMAGES) $(TOOL)
 	$$(Q)$(TOOL) render $$< --size $(TEX_SIZE) --lod-bits $$* -o $$@ >$$(@:.png=.log)
 
 # seen, in this order: without, nearest level, two levels, the truth
-$(TEX_SHOWN)/$(1).png: $(TEX_WAYS:%=$(TEX)/$(1)-%.png) $(TEX)/$(1)-truth.tif
+$(TEX_SHOWN)/$(1).png: $(TEX_DRAWN:%=$(TEX)/$(1)-%.png) $(TEX)/$(1)-truth.tif
 	@mkdir -p $$(@D)
 	$$(Q)oiiotool $$(foreach p,$$^,$$p --cut $(TEX_CROP_$(1))) --mosaic:pad=2 4x1 -d uint8 -o $$@
 endef
@@ -105,6 +110,12 @@ $(TEX)/$(1).core.json: $(TEX)/$(1).sph $(V_FILES) $(V_HEADS)
 	$$(Q)EFFECTS=$(TEX_CORE) OPT=-O2 BUILD=$B JOBS=1 sh sim/core.sh --machine $$< \
 	    --json $$@.tmp >$$@.log || { cat $$@.log; exit 1; }
 	@mv $$@.tmp $$@
+
+$(TEX)/$(1)-slow.core.json: $(TEX)/$(1).sph $(V_FILES) $(V_HEADS)
+	$$(call say,SIM,"$(1) with slow memory")
+	$$(Q)EFFECTS=$(TEX_CORE) OPT=-O2 BUILD=$B JOBS=1 sh sim/core.sh --machine $$< \
+	    --latency $(TEX_SLOW) --json $$@.tmp >$$@.log || { cat $$@.log; exit 1; }
+	@mv $$@.tmp $$@
 endef
 $(foreach b,$(TEX_BOTH),$(eval $(call tex_both,$b)))
 
@@ -113,6 +124,10 @@ $(TEX)/$(1).rms: $(TEX)/$(1).png $(TEX)/$(firstword $(subst -, ,$(1)))-truth.tif
 	$$(Q)oiiotool --diff --fail 1 --hardfail 2 $$^ >$$@
 endef
 $(foreach b,$(TEX_BOTH) $(TEX_LOD_BOTH),$(eval $(call tex_rms,$b)))
+
+$(TEX)/%-walk.json: scenes/texture/%.nff $(TEX_IMAGES) $(TOOL)
+	@mkdir -p $(TEX)/views
+	$(Q)$(TOOL) build $< --size $(TEX_SIZE) --frames 0..2 -o $(TEX)/views/$*.sph --json $@ >/dev/null
 
 # narrow views of the floor: `at` is 1 away from the eye, 2 above it; one of the ball
 $(TEX)/slant-%.json: scenes/texture/slant.nff $(TEX_IMAGES) $(TOOL)
