@@ -154,7 +154,7 @@ static int path(const struct sph_job *j, struct sph_ray ray) {
     struct sph_shares shares = {{{0}}};
     struct branch at = {ray, 1u << 16, 0, 0}, waiting[SPH_MAX_DEPTH];
     int n_waiting = 0; /* the deepest last */
-    if (j->trail) *j->trail = (struct sph_trail){0, 0, SPH_ID_NONE, 0};
+    if (j->trail) *j->trail = (struct sph_trail){0, 0, SPH_ID_NONE, SPH_ID_NONE, 0};
     struct sph_hit hit = sph_job_trace(j, &ray);
     const uint32_t *prim = prim_line(j, &hit);
     j->texture->lod = SPH_LOD_NONE; /* a repeated pixel begins anew */
@@ -163,7 +163,7 @@ static int path(const struct sph_job *j, struct sph_ray ray) {
     j->pixel->key = prim ? hit.key : 0;
     for (;;) {
         struct leaving l = shade(j, &at, &hit, prim, &s, &shares);
-        int last = !l.kr && !l.kt, was_primary = at.ray.kind == SPH_PRIMARY;
+        int last = !l.kr && !l.kt;
         int probe = prim && at.ray.first && sph_machine_effect(j->m, SPH_EFFECT_INTERPENETRATE);
         if (last && !probe && !n_waiting) break;
         struct branch refracted_ray = {l.refracted, sph_share(at.weight, l.kt), at.depth + 1,
@@ -182,7 +182,11 @@ static int path(const struct sph_job *j, struct sph_ray ray) {
         prim = prim_line(j, &hit);
         if (probe && prim && hit.far && hit.id != id) return 1;
         if (last && probe) break;
-        if (j->trail && was_primary && l.kr) j->trail->reflected_id = prim ? hit.id : SPH_ID_NONE;
+        if (j->trail && at.depth == 1) {
+            int bent = at.ray.kind == SPH_REFRACTED;
+            *(bent ? &j->trail->refracted_id : &j->trail->reflected_id) =
+                prim ? hit.id : SPH_ID_NONE;
+        }
     }
     for (int i = 0; i < SPH_FRAMES; i++)
         j->pixel->colour[i] = sph_shares_colour(&shares, i);
@@ -195,7 +199,7 @@ struct sph_pixel sph_render_pixel(const struct sph_machine *m, const struct sph_
     struct sph_pixel pixel = {.id = SPH_ID_NONE, .texture = SPH_NO_TEXTURE};
     struct sph_texture_work texture = {
         .fetch = o->fetch, .user = o->fetch_user, .lod_drop = o->lod_drop};
-    if (trail) *trail = (struct sph_trail){0, 0, SPH_ID_NONE, 0};
+    if (trail) *trail = (struct sph_trail){0, 0, SPH_ID_NONE, SPH_ID_NONE, 0};
     if (sph_is_background(m, x, y)) {
         c->count[SPH_COUNT_BACKGROUND]++;
         for (int i = 0; i < SPH_FRAMES; i++)

@@ -87,7 +87,7 @@ check "accuracy report: nothing wrong on one flake" json acc.json \
     r["accuracy"]["wrong_id"] < 4 and r["frame"]["width"] == 64 and
     0 < r["accuracy"]["t_mean"] < r["accuracy"]["t_worst"]'
 "$s" accuracy a.nff --profile draft --json draft.json >accuracy.txt 2>&1
-check "accuracy prints what it reports" sh -c "grep -q '^wrong .*shadow [0-9]*, reflected [0-9]*$' \
+check "accuracy prints what it reports" sh -c "grep -q '^wrong .*shadow [0-9]*, reflected [0-9]*, refracted [0-9]*$' \
     accuracy.txt && grep -q '^psnr  *[0-9.]* dB' accuracy.txt"
 check "draft is worse" sh -c "python3 -c 'import json
 a, b = (json.load(open(n))[\"accuracy\"][\"psnr\"][2] for n in (\"draft.json\", \"acc.json\"))

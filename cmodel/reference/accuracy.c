@@ -39,6 +39,7 @@ struct sph_accuracy sph_accuracy_measure(const struct sph_accuracy_frame *f,
         e.same++;
         e.shadow += ((scene_lights(f, f->trails[i].blocked) ^ r->shadow) & faced) != 0;
         e.reflected += f->trails[i].reflected_id != r->reflected_id;
+        e.refracted += f->trails[i].refracted_id != r->refracted_id;
 
         int x = (int)(i % (uint64_t)f->frame->width), y = (int)(i / (uint64_t)f->frame->width);
         double off =

@@ -18,12 +18,13 @@ struct sph_accuracy_frame {
     const int *lights;              /* number in the scene of each light of the machine */
 };
 
-/* Pixels of the last three are those that see the same sphere in both. */
+/* Pixels of the last four are those that see the same sphere in both. */
 struct sph_accuracy {
     struct sph_image_error image;
     uint64_t same;      /* pixels that see the same sphere */
     uint64_t shadow;    /* a light that both take to shine on this side is blocked in one alone */
     uint64_t reflected; /* the mirror ray finds another sphere, or none, in one of them */
+    uint64_t refracted; /* the refracted ray does */
     double t_worst;     /* distance from the eye along the ray, error in grid units */
     double t_mean;      /* mean of its magnitude */
     int x, y;           /* pixel of t_worst, -1 if there is none */

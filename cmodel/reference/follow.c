@@ -160,7 +160,8 @@ void sph_ref_follow(const struct sph_ref_job *j, struct sph_ref_branch b,
                     struct sph_ref_seen *seen) {
     struct sph_ref_hit hit = sph_ref_trace(j->tree, &b.ray, INFINITY, 0);
     if (b.depth == 0) seen->pixel.id = hit.id;
-    if (b.depth == 1 && b.mirrored) seen->pixel.reflected_id = hit.id;
+    if (b.depth == 1)
+        *(b.mirrored ? &seen->pixel.reflected_id : &seen->pixel.refracted_id) = hit.id;
     if (hit.id == SPH_ID_NONE) {
         add(seen, b.depth, b.weight, b.weight, j->scene->background);
         return;

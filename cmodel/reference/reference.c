@@ -47,9 +47,11 @@ static uint32_t byte(double c) {
 
 static struct sph_reference_pixel render_pixel(const struct sph_ref_job *j, int x, int y,
                                                struct sph_level_work *work) {
-    struct sph_ref_seen seen = {
-        .pixel = {.id = SPH_ID_NONE, .reflected_id = SPH_ID_NONE, .distance = INFINITY},
-        .work = work};
+    struct sph_ref_seen seen = {.pixel = {.id = SPH_ID_NONE,
+                                          .reflected_id = SPH_ID_NONE,
+                                          .refracted_id = SPH_ID_NONE,
+                                          .distance = INFINITY},
+                                .work = work};
     const struct sph_camera *c = &j->scene->camera;
     struct sph_ref_branch b = {
         .ray = {.org = {c->from.x, c->from.y, c->from.z}, .skip = SPH_ID_NONE}, .weight = 1};

@@ -31,6 +31,7 @@ struct sph_reference_pixel {
     uint32_t colour[SPH_FRAMES]; /* 0xBBGGRR at depth 0, 1 and the deepest, as sph_pixel */
     uint32_t id;                 /* sphere or facet seen, SPH_ID_NONE: background */
     uint32_t reflected_id;       /* seen in it; SPH_ID_NONE: none */
+    uint32_t refracted_id;       /* seen through it; SPH_ID_NONE: none */
     uint32_t faced;              /* bit l: light l shines on the side of it that is seen */
     uint32_t shadow;             /* bit l: light l does, but is blocked */
     double distance;             /* from the eye to it, scene units; INFINITY: background */

@@ -138,8 +138,8 @@ static void print(FILE *to, const struct measured *m) {
             image->pixels, image->far_off, image->worst);
     fprintf(to,
             "wrong      silhouette %" PRIu64 ", other sphere %" PRIu64 ", shadow %" PRIu64
-            ", reflected %" PRIu64 "\n",
-            image->silhouette, image->wrong_id, e->shadow, e->reflected);
+            ", reflected %" PRIu64 ", refracted %" PRIu64 "\n",
+            image->silhouette, image->wrong_id, e->shadow, e->reflected, e->refracted);
     fprintf(to, "distance   off by %.3f grid steps on the mean of %" PRIu64 " pixels", e->t_mean,
             e->same);
     if (e->x >= 0) fprintf(to, ", by %.3f at x %d y %d", e->t_worst, e->x, e->y);
@@ -158,6 +158,7 @@ static json_t *accuracy_json(const struct sph_accuracy *e) {
     report_count(json, "wrong_id", e->image.wrong_id);
     report_count(json, "shadow", e->shadow);
     report_count(json, "reflected", e->reflected);
+    report_count(json, "refracted", e->refracted);
     report_count(json, "far_off", e->image.far_off);
     report_count(json, "worst", (uint64_t)e->image.worst);
     report_count(json, "same", e->same);
@@ -211,7 +212,8 @@ int tool_accuracy(int argc, char **argv) {
         "The golden model is compared with a renderer in double precision that sees the scene as "
         "it is written. Wrong pixels: hit in one and background in the other (silhouette); another "
         "sphere; the same sphere, but a light that is blocked in one alone (shadow) or another "
-        "sphere in the mirror (reflected). The exit code says nothing of their number.",
+        "sphere in the mirror (reflected) or through it (refracted). The exit code says nothing of "
+        "their number.",
         children,
         NULL,
         NULL};
