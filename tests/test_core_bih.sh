@@ -3,9 +3,9 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # Colours, id, key and visits of each pixel, and the counters, of a core built with ACCEL = 1; in
-# Verilator and Icarus, with random memory latency and 30 % stalls: every scene of scenes/, triangles
-# and planes, leaves of one primitive and of all, every profile, two engines, textures, trees and
-# registers that are broken on purpose, machines for the other kind of core.
+# Verilator and Icarus, with random memory latency and 30 % stalls: every scene of scenes/,
+# triangles and planes, leaves of one primitive and of all, every profile, two engines, textures,
+# trees and registers that are broken on purpose, machines for the other kind of core.
 #   SEED=n        other latencies and stalls (1)
 #   CORE=pattern  only the runs whose name has the pattern in it
 set -u
@@ -55,7 +55,7 @@ for profile in standard fine reference; do
     machine mixed-$profile $mixed --profile $profile --size 3x2 --depth 1
 done
 machine wide scenes/paper100.nff --profile standard:w=14,wd=21,pr=12 --size 10x7
-"$SPHAERA" build scenes/paper5.nff --profile draft --size 16x12 -o "$machines/four.sph" >"$TMP/build"
+machine four scenes/paper5.nff --accel bvh4 --size 16x12
 
 for name in ones threes flat brute mixed mixed-ones mixed-brute triangles; do
     wanted "verilator $name" all SIM=verilator $name
@@ -95,7 +95,8 @@ run_all
 judge
 
 refused() { # list, machine: the core gives no pixel
-    env -u BUILT SIM=icarus EFFECTS="$1" sh sim/core.sh --machine "$machines/$2.sph" >"$TMP/said" 2>&1
+    env -u BUILT SIM=icarus EFFECTS="$1" sh sim/core.sh --machine "$machines/$2.sph" \
+        >"$TMP/said" 2>&1
     [ $? -eq 3 ] && cat "$TMP/said" && grep -q '^refused: ' "$TMP/said"
 }
 [ -n "$CORE" ] || {
