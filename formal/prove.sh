@@ -25,7 +25,7 @@ induction() { # a base case of as many clocks as the step spans, then the step
     for p in $3; do sets="$sets -set ${p%%=*} ${p#*=}"; done
     # RTL without its own assertions: they are about its users, but for those of a user's proof
     $NICE yosys -q -p "read_verilog -Irtl/math -Irtl/trace -Irtl/shell $sources;
-        read_verilog -formal -Irtl/math -Irtl/trace $models; ${sets:+chparam $sets $2;}
+        read_verilog -formal -Irtl/math -Irtl/trace -Irtl/shell $models; ${sets:+chparam $sets $2;}
         hierarchy -check -top $2; prep -flatten -nordff;
         async2sync; opt_clean; dffunmap; opt_clean; check -assert;
         write_smt2 -wires $out.smt2" >"$out.log" 2>&1 || { verdict=error; return; }

@@ -24,7 +24,8 @@ SYNTH_PROFILE := $(if $(filter all,$(PROFILE)),reference,$(PROFILE))
 SYNTH_MACHINE := $(if $(SYNTH_SCENE),$B/synth/$(SCENE_NAME)-$(call \
                      file_name,$(SYNTH_PROFILE))-$(or $(SIZE),file)-$(BUILD_NAME).sph)
 SYNTH_OPTIONS := --profile $(SYNTH_PROFILE) --depth $(DEPTH) \
-                 $(if $(filter bvh4,$(ACCEL)),--tree $(TREE),--accel $(ACCEL)) --background $(BACKGROUND) $(if $(SIZE),--size $(SIZE)) $(BUILD_EXTRA)
+                 $(if $(filter bvh4,$(ACCEL)),--tree $(TREE),--accel $(ACCEL)) \
+                 --background $(BACKGROUND) $(if $(SIZE),--size $(SIZE)) $(BUILD_EXTRA)
 
 ifneq ($(SYNTH_SCENE),)
 $(SYNTH_MACHINE): $(SYNTH_SCENE) $(TOOL)

@@ -215,8 +215,10 @@ module rt_bih #(
     reg [2:0]        t2_kind_q;
     reg [47:0]       t2_data_q;
     reg signed [CW-1:0] t2_l_q, t2_r_q;
-    wire [3*CW-1:0]  box_end, box_begin;
-    assign {box_end, box_begin} = box_i;
+    wire [CW-1:0]    box_end   = t1_box_axis_q[1] ? box_i[5*CW +: CW]
+                                 : t1_box_axis_q[0] ? box_i[4*CW +: CW] : box_i[3*CW +: CW];
+    wire [CW-1:0]    box_begin = t1_box_axis_q[1] ? box_i[2*CW +: CW]
+                                 : t1_box_axis_q[0] ? box_i[CW +: CW] : box_i[0 +: CW];
     wire             t1_live = t1_valid_q && t1_node_q && !t1_kill_q;
     always @(posedge clk) begin
         t2_valid_q <= t1_valid_q;
@@ -227,8 +229,8 @@ module rt_bih #(
                       : !t1_node_q ? `RT_BIH_START
                       : t1_leaf ? `RT_BIH_LEAVE : t1_fit ? `RT_BIH_FIT : `RT_BIH_INNER;
         t2_data_q  <= t1_leaf ? {t1_count[23:0], t1_first[23:0]} : {22'd0, t1_line[25:0]};
-        t2_l_q     <= t1_box_q ? box_end[CW*t1_box_axis_q +: CW] : t1_fit ? t1_r : t1_l;
-        t2_r_q     <= t1_box_q ? box_begin[CW*t1_box_axis_q +: CW] : t1_fit ? t1_l : t1_r;
+        t2_l_q     <= t1_box_q ? box_end : t1_fit ? t1_r : t1_l;
+        t2_r_q     <= t1_box_q ? box_begin : t1_fit ? t1_l : t1_r;
         visit_o       <= issue && !bad_limit;
         tests_o       <= t1_live && !t1_bad && !t1_leaf ? 3'd2 : 3'd0;
         bad_node_o    <= (t1_live && t1_bad) || (put_start && !sound_q);

@@ -136,8 +136,17 @@ module rt_bih_ray #(
     endgenerate
 
     // ---- one axis a clock ----
-    wire signed [7:0] exp   = $signed(exps[8*next_q +: 8]);
-    wire signed [7:0] shift = exp + zeros_q + BIAS[7:0];  // below 0: nothing bounds the ray
+    localparam PW = W + 2 + GW + 8;          // {org, dir < 0, flat, g, exponent} of an axis
+    wire [3*PW-1:0]  parts;
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : g_part
+            assign parts[PW*i +: PW] = {org[W*i +: W], dir[WD*i + WD-1], flat[i],
+                                        mants[GW*i +: GW], exps[8*i +: 8]};
+        end
+    endgenerate
+    wire [PW-1:0]    part = next_q[1] ? parts[2*PW +: PW] : next_q[0] ? parts[PW +: PW]
+                            : parts[0 +: PW];
+    wire signed [7:0] shift = $signed(part[7:0]) + zeros_q + BIAS[7:0];  // below 0: no bound
     reg [W-1:0]      org_q;
     reg              back_q, flat_q, open_q;
     reg [5:0]        shift_q;
@@ -145,12 +154,9 @@ module rt_bih_ray #(
     always @(posedge clk) begin
         axis_valid_o  <= write;
         axis_number_o <= next_q;
-        org_q   <= org[W*next_q +: W];
-        back_q  <= dir[WD*next_q + WD-1];
-        flat_q  <= flat[next_q];
+        {org_q, back_q, flat_q, g_q} <= part[PW-1:8];
         open_q  <= shift[7];
         shift_q <= shift[7] ? 6'd0 : shift[5:0];
-        g_q     <= mants[GW*next_q +: GW];
         if (rst) axis_valid_o <= 1'b0;
     end
     assign axis_slot_o = slot_q;
