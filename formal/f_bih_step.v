@@ -1,13 +1,12 @@
-// f_bih_step.v - proof that rt_bih_step never cuts off what lies in a child, at a small width
+// f_bih_step.v - proof that the bounds of rt_bih_step are never too narrow, at the real width
 // SPDX-License-Identifier: Apache-2.0
-// Inputs are anything; LATENCY clocks later, with v the exact distances along the ray to the near
-// plane and to the far one, and any a/|dir| * 2^shift = q in [g, g + 2): a point before the near
-// plane has key v*q / 2^shift < upper, one behind the far plane at least lower.
+// One clock at a time, in words that hold every value: distances, products, what rounding up adds.
+// Then, for any product: below upper * 2^shift, unless that says no bound, and not below
+// lower * 2^shift. docs/bih.md says why that loses no hit.
 `default_nettype none
 `include "rt_layout.vh"
-`include "rt_latency.vh"
 module f_bih_step #(
-    parameter W = 4
+    parameter W = 16
 ) (
     input wire                 clk,
     input wire signed [W-1:0]  org,
@@ -16,45 +15,83 @@ module f_bih_step #(
     input wire [`RT_BIH_G-1:0] g,
     input wire signed [W+1:0]  clip_l, clip_r
 );
-    localparam T  = `RT_BIH_STEP_LATENCY;
-    localparam IN = 3*W + 13 + `RT_BIH_G;
-    localparam X  = `RT_BIH_T + 64;                  // bits of the exact words
+    localparam TW = `RT_BIH_T;
+    localparam GW = `RT_BIH_G;
+    localparam V  = W + 2 > `RT_BIH_V ? W + 2 - `RT_BIH_V : 0;
+    localparam VW = W + 2 - V;
+    localparam PW = VW + GW + 1;
+    localparam X  = TW + 64;                         // bits of the exact words
     wire out_back, out_near, out_far;
-    wire [`RT_BIH_T-1:0] upper, lower;
+    wire [TW-1:0] upper, lower;
     rt_bih_step #(.W(W)) u_dut (
         .clk(clk), .in_org_i(org), .in_back_i(back), .in_flat_i(flat), .in_open_i(open),
         .in_shift_i(shift), .in_g_i(g), .in_clip_l_i(clip_l), .in_clip_r_i(clip_r),
         .out_back_o(out_back), .out_near_o(out_near), .out_far_o(out_far),
         .out_upper_o(upper), .out_lower_o(lower)
     );
+    (* hierconn *) wire signed [W+2:0]  \u_dut.s1_near_q , \u_dut.s1_far_q ;
+    (* hierconn *) wire                 \u_dut.s1_back_q , \u_dut.s1_flat_q , \u_dut.s1_open_q ;
+    (* hierconn *) wire [GW-1:0]        \u_dut.s1_g_q ;
+    (* hierconn *) wire [5:0]           \u_dut.s1_shift_q , \u_dut.s2_shift_q , \u_dut.s3_shift_q ;
+    (* hierconn *) wire [VW+GW-1:0]     \u_dut.s2_near_q , \u_dut.s2_far_q , \u_dut.s3_far_q ;
+    (* hierconn *) wire [PW-1:0]        \u_dut.s2_more_q , \u_dut.s3_near_q ;
 
-    // ---- what came in LATENCY clocks before ----
-    reg [T*IN-1:0] line_q;
-    always @(posedge clk)
-        line_q <= {line_q[(T-1)*IN-1:0], clip_r, clip_l, org, back, flat, open, shift, g};
-    wire signed [W+1:0] t_r, t_l;
-    wire signed [W-1:0] t_org;
-    wire                t_back, t_flat, t_open;
-    wire [5:0]          t_shift;
-    wire [`RT_BIH_G-1:0] t_g;
-    assign {t_r, t_l, t_org, t_back, t_flat, t_open, t_shift, t_g} = line_q[T*IN-1 -: IN];
+    // ---- what each stage must hold, from the stage before ----
+    reg signed [W+3:0] near_1, far_1;
+    reg [VW+GW-1:0]    p_near_2, p_far_2, p_far_3;
+    reg [PW:0]         more_2, sum_3;
+    reg [5:0]          shift_2, shift_3, shift_4, shift_5;
+    reg [PW-1:0]       near_4, near_5;               // products, and their flags beside them
+    reg [VW+GW-1:0]    far_4, far_5;
+    reg [4:0]          side_2, side_3, side_4, side_5;
+    wire signed [W+2:0] v_near = \u_dut.s1_near_q , v_far = \u_dut.s1_far_q ;
+    wire [V:0]         low = {v_near, 1'b0} & ((1 << (V + 1)) - 1);
+    wire [VW:0]        up  = v_near[W+1:V] + (low != 0);
+    always @(posedge clk) begin
+        near_1   <= back ? org - clip_r : clip_l - org;
+        far_1    <= back ? org - clip_l : clip_r - org;
+        p_near_2 <= v_near[W+1:V] * \u_dut.s1_g_q ;
+        p_far_2  <= v_far[W+1:V] * \u_dut.s1_g_q ;
+        more_2   <= 2*up + (low != 0 ? \u_dut.s1_g_q : 0);  // up*(g+2) less v*g
+        shift_2  <= \u_dut.s1_shift_q ;
+        side_2   <= {\u_dut.s1_back_q , v_near >= 0, v_far > 0, \u_dut.s1_flat_q ,
+                     \u_dut.s1_open_q };
+        sum_3    <= \u_dut.s2_near_q + \u_dut.s2_more_q ;
+        p_far_3  <= \u_dut.s2_far_q ;
+        shift_3  <= \u_dut.s2_shift_q ;
+        side_3   <= side_2;
+        near_4   <= \u_dut.s3_near_q ;
+        far_4    <= \u_dut.s3_far_q ;
+        shift_4  <= \u_dut.s3_shift_q ;
+        side_4   <= side_3;
+        near_5   <= near_4;
+        far_5    <= far_4;
+        shift_5  <= shift_4;
+        side_5   <= side_4;
+    end
+    wire t_back, t_near, t_far, t_flat, t_open;
+    assign {t_back, t_near, t_far, t_flat, t_open} = side_5;
+    wire [X-1:0] near = near_5, far = far_5, above = upper, below = lower;
 
-    wire signed [W+2:0] near = t_back ? t_org - t_r : t_l - t_org;
-    wire signed [W+2:0] far  = t_back ? t_org - t_l : t_r - t_org;
-    wire [X-1:0] near_v = near, far_v = far;         // for those that are not negative
-    wire [X-1:0] end_key   = near_v * (t_g + {{(X-2){1'b0}}, 2'd2});
-    wire [X-1:0] begin_key = far_v * t_g;
-    reg [2:0] age_q = 3'd0;
-    always @(posedge clk) age_q <= age_q + (age_q != T);
-    always @* if (age_q == T) begin
-        assert (out_back == t_back);
-        assert (out_near == (near >= 0));
-        assert (out_far == (!t_flat || far <= 0));
-        if (near >= 0 && upper != {`RT_BIH_T{1'b1}})
-            assert (!t_flat && !t_open &&
-                    end_key < ({{(X-`RT_BIH_T){1'b0}}, upper} << t_shift));
-        if (far <= 0 || t_flat) assert (lower == 0);
-        else assert (({{(X-`RT_BIH_T){1'b0}}, lower} << t_shift) <= begin_key);
+    reg [2:0] age_q = 3'd0;                          // stages that hold what came in
+    always @(posedge clk) age_q <= age_q + (age_q != 5);
+    always @* begin
+        if (age_q >= 1) assert (\u_dut.s1_near_q == near_1 && \u_dut.s1_far_q == far_1);
+        if (age_q >= 2) begin
+            assert (\u_dut.s2_near_q == p_near_2 && \u_dut.s2_far_q == p_far_2);
+            if (side_2[3]) assert (\u_dut.s2_more_q == more_2);
+            assert (\u_dut.s2_shift_q == shift_2);
+        end
+        if (age_q >= 3) begin
+            if (side_3[3]) assert (\u_dut.s3_near_q == sum_3[PW-1:0]);
+            assert (\u_dut.s3_far_q == p_far_3 && \u_dut.s3_shift_q == shift_3);
+        end
+        if (age_q >= 5) begin
+            assert (out_back == t_back && out_near == t_near && out_far == (!t_flat || !t_far));
+            if (upper != {TW{1'b1}}) assert (!t_flat && !t_open && near < above << shift_5);
+            if (t_flat || !t_far) assert (lower == 0);
+            else assert (below << shift_5 <= far);
+        end
     end
 endmodule
 `default_nettype wire
