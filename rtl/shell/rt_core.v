@@ -35,7 +35,7 @@ module rt_core #(
     parameter TEXTURE_LINES = 128,
     parameter TEXTURE_WAYS = 4,  // of the texture cache: groups of a set
     parameter TEXTURE_GROUP = 1, // lines fetched together: 1, 2 or 4
-    parameter TEXTURE_COORDS = 1, // units for texture coordinates an engine
+    parameter TEXTURE_COORDS = 2, // units for texture coordinates an engine
     parameter ROOTS      = 3,    // square root units an engine
     parameter QUOTIENTS  = 3,    // dividers an engine
     parameter DIVISIONS  = 1,    // dividers an engine for the keys of facets

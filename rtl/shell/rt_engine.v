@@ -30,7 +30,7 @@ module rt_engine #(
     parameter TEXTURE_LINES = 128, // texture cache
     parameter TEXTURE_WAYS = 4,  // its groups of a set
     parameter TEXTURE_GROUP = 1, // lines of a group
-    parameter TEXTURE_COORDS = 1, // units for texture coordinates
+    parameter TEXTURE_COORDS = 2, // units for texture coordinates
     parameter ROOTS      = 3,    // square root units
     parameter QUOTIENTS  = 3,    // dividers
     parameter DIVISIONS  = 1,    // dividers for keys of facets

@@ -4,35 +4,40 @@
 // unit normal, turned into the frame of the texture, scaled and moved. One multiplier, a product a
 // clock:
 //   operands | product | sum of three | facet: shift | shift | round, add
-//                                     | sphere: turned normal .. rt_longitude .. scaled, added
-// One hit at a time: 14 clocks for a facet, 59 for a sphere.
+//                                     | sphere: turned normal, then rt_around
+// A facet every 13 clocks or so, or a sphere, of which UNITS are in rt_around at a time; hits may
+// overtake each other. 13 clocks for a facet, 57 for a sphere.
 // Model: sph_coords() in cmodel/texture/coords.c
 `default_nettype none
 `include "rt_layout.vh"
 module rt_coords #(
     parameter W   = 16,                    // coordinate, bits
-    parameter NG  = 2                      // guard bits of the hit point
+    parameter NG  = 2,                     // guard bits of the hit point
+    parameter TAG = 6,                     // what travels along, bits
+    parameter UNITS = 2                    // spheres in rt_around at once
 ) (
     input  wire                clk,
     input  wire                rst,        // synchronous, active high
     input  wire                in_valid_i,
     output wire                in_ready_o,
+    input  wire [TAG-1:0]      in_tag_i,
     input  wire [255:0]        in_map_i,   // mapping record
     input  wire [3*(W+NG)-1:0] in_point_i, // {z, y, x} s(W+NG), guarded hit point
     input  wire [53:0]         in_unit_i,  // {z, y, x} s1.16, normal towards the ray's side
     input  wire                in_far_i,   // hit from inside
-    output reg                 out_valid_o,
-    input  wire                out_ready_i,
-    output reg  [39:0]         out_s_o,    // s19.20, modulo 2^20
-    output reg  [39:0]         out_t_o
+    output wire                out_valid_o,// one clock
+    output wire [TAG-1:0]      out_tag_o,
+    output wire [39:0]         out_s_o,    // s19.20, modulo 2^20
+    output wire [39:0]         out_t_o
 );
     localparam GW = W + NG;
-    localparam BW = GW > 19 ? GW : 19;     // second operand
+    localparam BW = GW > 18 ? GW : 18;     // second operand
     localparam PW = 18 + BW + 2;           // sum of three products
     localparam SW = PW + 33;               // before the shift: 32 places left, one bit to round
 
     // ---- the hit at hand ----
     reg              busy_q, far_q;
+    reg [TAG-1:0]    tag_q;
     reg [255:0]      map_q;
     reg [3*GW-1:0]   point_q;
     reg [53:0]       unit_q;
@@ -40,30 +45,28 @@ module rt_coords #(
     wire             sphere = map_q[`RT_MAP_KIND_LSB];
     assign in_ready_o = !busy_q;
 
-    // ---- steps: products 0 to 5 of a facet, 0 to 8 and then 9, 10 of a sphere ----
+    // ---- steps: products 0 to 5 of a facet, 0 to 8 of a sphere ----
     reg              go_q;                 // a product is begun in this clock
     reg [3:0]        step_q;
     reg [1:0]        part_q;               // x, y, z
     wire             end_facet  = !sphere && step_q == 4'd5;
-    wire             end_turns  = sphere && step_q == 4'd8;
-    wire             end_sphere = sphere && step_q == 4'd10;
-    wire             along_valid;          // of rt_longitude
-    wire [17:0]      around, down;
-    reg  [17:0]      around_q, down_q;
+    wire             end_sphere = sphere && step_q == 4'd8;
+    reg              facet_q, sphere_q;    // a facet is done; a normal is turned
+    wire             facet_go, sphere_go;  // it leaves
     always @(posedge clk) begin
-        if (along_valid) {around_q, down_q} <= {around, down};
         if (take) begin
-            {map_q, point_q, unit_q, far_q} <= {in_map_i, in_point_i, in_unit_i, in_far_i};
+            {tag_q, map_q, point_q, unit_q, far_q} <= {in_tag_i, in_map_i, in_point_i, in_unit_i,
+                                                       in_far_i};
             step_q <= 4'd0;
             part_q <= 2'd0;
         end else if (go_q) begin
             step_q <= step_q + 4'd1;
             part_q <= part_q == 2'd2 ? 2'd0 : part_q + 2'd1;
         end
-        if (take || along_valid) go_q <= 1'b1;
-        else if (end_facet || end_turns || end_sphere) go_q <= 1'b0;
+        if (take) go_q <= 1'b1;
+        else if (end_facet || end_sphere) go_q <= 1'b0;
         if (take) busy_q <= 1'b1;
-        else if (out_valid_o && out_ready_i) busy_q <= 1'b0;
+        else if (facet_go || sphere_go) busy_q <= 1'b0;
         if (rst) begin go_q <= 1'b0; busy_q <= 1'b0; end
     end
 
@@ -71,12 +74,8 @@ module rt_coords #(
     wire signed [17:0] first  = map_q[`RT_MAP_S_X_LSB + 18*part_q +: 18];
     wire signed [17:0] second = map_q[`RT_MAP_T_X_LSB + 18*part_q +: 18];
     wire signed [15:0] turn   = map_q[`RT_MAP_TURN_LSB + 16*step_q +: 16];
-    wire signed [15:0] scale  = step_q[0] ? map_q[`RT_MAP_SCALE_S_LSB +: 16]
-                                          : map_q[`RT_MAP_SCALE_T_LSB +: 16];
     wire signed [GW-1:0] point = point_q[GW*part_q +: GW];
     wire signed [17:0] unit   = unit_q[18*part_q +: 18];
-    wire signed [18:0] along  = $signed({1'b0, step_q[0] ? around_q : down_q});
-    wire               scaled = step_q == 4'd9 || step_q == 4'd10;
     reg                s0_go_q, s1_go_q, s2_go_q;        // last product of a sum
     reg                s0_first_q, s1_first_q;
     reg  [3:0]         s0_step_q, s1_step_q, s2_step_q;
@@ -85,14 +84,11 @@ module rt_coords #(
     reg  signed [PW-3:0] s1_prod_q;
     reg  signed [PW-1:0] s2_sum_q;
     always @(posedge clk) begin
-        s0_go_q    <= go_q && (part_q == 2'd2 || scaled);
-        s0_first_q <= part_q == 2'd0 || scaled;
+        s0_go_q    <= go_q && part_q == 2'd2;
+        s0_first_q <= part_q == 2'd0;
         s0_step_q  <= step_q;
-        s0_a_q     <= sphere ? (scaled ? {{2{scale[15]}}, scale} : {{2{turn[15]}}, turn})
-                             : step_q < 4'd3 ? first : second;
-        s0_b_q     <= sphere ? (scaled ? {{(BW-19){along[18]}}, along}
-                                       : {{(BW-18){unit[17]}}, unit})
-                             : {{(BW-GW){point[GW-1]}}, point};
+        s0_a_q     <= sphere ? {{2{turn[15]}}, turn} : step_q < 4'd3 ? first : second;
+        s0_b_q     <= sphere ? {{(BW-18){unit[17]}}, unit} : {{(BW-GW){point[GW-1]}}, point};
         s1_go_q    <= s0_go_q;
         s1_first_q <= s0_first_q;
         s1_step_q  <= s0_step_q;
@@ -130,45 +126,44 @@ module rt_coords #(
         if (rst) {s3_go_q, s4_go_q} <= 2'd0;
     end
 
-    // ---- sphere: the turned normal, then its longitude and latitude ----
-    wire               s2_turned = s2_go_q && sphere && s2_step_q <= 4'd8;
-    wire               s2_scaled = s2_go_q && sphere && s2_step_q > 4'd8;
+    reg  [39:0]        s_q, t_q;
+    always @(posedge clk) begin
+        if (s4_go_q && !s4_t_q) s_q <= s4_round[40:1] + at_s;
+        if (s4_go_q && s4_t_q)  t_q <= s4_round[40:1] + at_t;
+        if (s4_go_q && s4_t_q) facet_q <= 1'b1;
+        else if (facet_go) facet_q <= 1'b0;
+        if (rst) facet_q <= 1'b0;
+    end
+
+    // ---- sphere: the turned normal ----
+    wire               s2_turned = s2_go_q && sphere;
     wire signed [PW-1:0] out_sum = far_q ? -s2_sum_q : s2_sum_q;          // outward
     wire [18:0]        turned = out_sum[33:15] + {18'd0, out_sum[14]};
     reg  signed [18:0] x_q, y_q, z_q;
-    reg                turned_q;
     always @(posedge clk) begin
         if (s2_turned) {x_q, y_q, z_q} <= {y_q, z_q, turned};
-        turned_q <= s2_turned && s2_step_q == 4'd8;
-        if (rst) turned_q <= 1'b0;
+        if (s2_turned && s2_step_q == 4'd8) sphere_q <= 1'b1;
+        else if (sphere_go) sphere_q <= 1'b0;
+        if (rst) sphere_q <= 1'b0;
     end
-    wire               along_ready, along_tag;
-    rt_longitude #(.TAG(1)) u_longitude (
-        .clk(clk), .rst(rst), .in_valid_i(turned_q), .in_ready_o(along_ready), .in_tag_i(1'b0),
+    wire               a_ready, a_valid;
+    wire [TAG-1:0]     a_tag;
+    wire [39:0]        a_s, a_t;
+    assign sphere_go = sphere_q && a_ready;
+    rt_around #(.TAG(TAG), .UNITS(UNITS)) u_around (
+        .clk(clk), .rst(rst), .in_valid_i(sphere_q), .in_ready_o(a_ready), .in_tag_i(tag_q),
         .in_x_i(x_q), .in_y_i(y_q), .in_z_i(z_q),
-        .out_valid_o(along_valid), .out_tag_o(along_tag), .out_around_o(around),
-        .out_down_o(down)
+        .in_scale_i({map_q[`RT_MAP_SCALE_T_LSB +: 16], map_q[`RT_MAP_SCALE_S_LSB +: 16]}),
+        .in_plus_i({map_q[`RT_MAP_PLUS_T_LSB +: 16], map_q[`RT_MAP_PLUS_S_LSB +: 16]}),
+        .out_valid_o(a_valid), .out_tag_o(a_tag), .out_s_o(a_s), .out_t_o(a_t)
     );
-    wire [15:0]        plus_s = map_q[`RT_MAP_PLUS_S_LSB +: 16];
-    wire [15:0]        plus_t = map_q[`RT_MAP_PLUS_T_LSB +: 16];
-    wire signed [35:0] s2_sum = s2_sum_q[35:0];
-    wire signed [35:0] by_s   = s2_sum >>> 6;
-    wire signed [35:0] by_t   = s2_sum >>> 5;
-    wire [39:0]        sphere_s = {{16{plus_s[15]}}, plus_s, 8'd0} + {{4{by_s[35]}}, by_s} +
-                                  {39'd0, s2_sum[5]};
-    wire [39:0]        sphere_t = {{16{plus_t[15]}}, plus_t, 8'd0} + {{4{by_t[35]}}, by_t} +
-                                  {39'd0, s2_sum[4]};
 
-    // ---- result ----
-    always @(posedge clk) begin
-        if (s4_go_q && !s4_t_q) out_s_o <= s4_round[40:1] + at_s;
-        if (s4_go_q && s4_t_q)  out_t_o <= s4_round[40:1] + at_t;
-        if (s2_scaled && s2_step_q == 4'd9)  out_s_o <= sphere_s;
-        if (s2_scaled && s2_step_q == 4'd10) out_t_o <= sphere_t;
-        if ((s4_go_q && s4_t_q) || (s2_scaled && s2_step_q == 4'd10)) out_valid_o <= 1'b1;
-        else if (out_ready_i) out_valid_o <= 1'b0;
-        if (rst) out_valid_o <= 1'b0;
-    end
-    wire unused = &{1'b0, along_ready, along_tag, map_q, out_sum, s3_wide, s4_round[0]};
+    // ---- result: spheres first, a facet waits ----
+    assign facet_go    = facet_q && !a_valid;
+    assign out_valid_o = facet_q || a_valid;
+    assign out_tag_o   = a_valid ? a_tag : tag_q;
+    assign out_s_o     = a_valid ? a_s : s_q;
+    assign out_t_o     = a_valid ? a_t : t_q;
+    wire unused = &{1'b0, map_q, out_sum, s3_wide, s4_round[0]};
 endmodule
 `default_nettype wire

@@ -16,7 +16,7 @@ module rt_texture #(
     parameter LINES = 128,     // texture cache, lines of memory
     parameter WAYS  = 4,       // groups of a set
     parameter GROUP = 1,       // lines of memory fetched together: 1, 2 or 4
-    parameter COORDS = 1       // units for coordinates
+    parameter COORDS = 2       // units for coordinates
 ) (
     input  wire                clk,
     input  wire                rst,

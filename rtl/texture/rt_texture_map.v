@@ -1,7 +1,7 @@
 // rt_texture_map.v - mapping record in, level of detail and texture coordinates out
 // SPDX-License-Identifier: Apache-2.0
-// The level is computed as the record comes, coordinates of COORDS surfaces at once, which may
-// overtake each other; then the image's header is asked for.
+// The level is computed as the record comes, coordinates of COORDS spheres at once, and hits
+// may overtake each other; then the image's header is asked for.
 // Model: the first half of sph_lookup() in cmodel/texture/lookup.c
 `default_nettype none
 `include "rt_layout.vh"
@@ -10,7 +10,7 @@ module rt_texture_map #(
     parameter NG    = 2,       // guard bits of the hit point
     parameter SLOTS = 32,      // power of two
     parameter SLOTW = 5,       // log2 of SLOTS
-    parameter COORDS = 1       // units for coordinates
+    parameter COORDS = 2       // units for spheres' coordinates
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -115,27 +115,12 @@ module rt_texture_map #(
     wire [25:0]      t_line;
     wire [1:0]       t_clamp;
     wire [39:0]      t_s, t_t;
-    wire [COORDS-1:0]    u_ready, u_take, u_done, u_give;
-    wire [80*COORDS-1:0] u_st_all;           // {t, s} of each unit
-    rt_pool #(.UNITS(COORDS), .RW(80), .TAG(SLOTW + 28)) u_pool (
-        .clk(clk), .in_valid_i(c_read_q), .in_ready_o(c_ready),
+    rt_coords #(.W(W), .NG(NG), .TAG(SLOTW + 28), .UNITS(COORDS)) u_coords (
+        .clk(clk), .rst(rst), .in_valid_i(c_read_q), .in_ready_o(c_ready),
         .in_tag_i({c_slot, c_map[`RT_MAP_CLAMP_S_LSB +: 2], c_map[`RT_MAP_IMAGE_LSB +: 26]}),
-        .ready_i(u_ready), .take_o(u_take), .done_i(u_done), .give_o(u_give),
-        .results_i(u_st_all),
-        .out_valid_o(t_valid), .out_ready_i(1'b1), .out_tag_o({t_slot, t_clamp, t_line}),
-        .out_result_o({t_t, t_s})
+        .in_map_i(c_map), .in_point_i(c_point), .in_unit_i(c_unit), .in_far_i(c_far),
+        .out_valid_o(t_valid), .out_tag_o({t_slot, t_clamp, t_line}), .out_s_o(t_s), .out_t_o(t_t)
     );
-    genvar u;
-    generate
-        for (u = 0; u < COORDS; u = u + 1) begin : g_coords
-            rt_coords #(.W(W), .NG(NG)) u_coords (
-                .clk(clk), .rst(rst), .in_valid_i(u_take[u]), .in_ready_o(u_ready[u]),
-                .in_map_i(c_map), .in_point_i(c_point), .in_unit_i(c_unit), .in_far_i(c_far),
-                .out_valid_o(u_done[u]), .out_ready_i(u_give[u]),
-                .out_s_o(u_st_all[80*u +: 40]), .out_t_o(u_st_all[80*u+40 +: 40])
-            );
-        end
-    endgenerate
     rt_slot_ram #(.WIDTH(82), .SLOTS(SLOTS), .OLD(0)) u_st (
         .clk(clk), .wr_en_i(t_valid), .wr_addr_i(t_slot), .wr_data_i({t_clamp, t_t, t_s}),
         .rd_en_i(st_read_i), .rd_addr_i(st_slot_i), .rd_data_o(st_o)
