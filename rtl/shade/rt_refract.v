@@ -53,13 +53,13 @@ module rt_refract #(
         end
     endgenerate
 
-    // ---- control: a product is loaded, runs, and is drained where its sum is waited for ----
-    localparam [2:0] IDLE = 3'd0, SHIFT = 3'd1, LOAD = 3'd2, RUN = 3'd3, ADD = 3'd4, DRAIN = 3'd5,
+    // ---- control: a product is loaded and runs; if its sum is waited for, it is added first ----
+    localparam [2:0] IDLE = 3'd0, SHIFT = 3'd1, LOAD = 3'd2, RUN = 3'd3, ADD = 3'd4, TEST = 3'd5,
                      ROOT = 3'd6, END = 3'd7;
     localparam [3:0] O_B = 4'd0, O_PB = 4'd3, O_PN = 4'd4, O_AN = 4'd5, O_LESS = 4'd6,
-                     O_MORE = 4'd7, O_SQUARE = 4'd8, O_X = 4'd10, O_Z = 4'd15;
+                     O_MORE = 4'd7, O_SQUARE = 4'd8, O_X = 4'd10;
     reg  [2:0]     state_q;
-    reg  [3:0]     op_q;                   // O_B + 0..2; O_X..O_Z: p*N*d_i, then (p*B + root)*n_i
+    reg  [3:0]     op_q;                   // O_B + 0..2; O_X..15: p*N*d_i, then (p*B + root)*n_i
     reg  [CW-1:0]  left_q;                 // digits
     wire           last = left_q == {{(CW-1){1'b0}}, 1'b1};
     wire           vector = op_q >= O_X || op_q < O_PB;
@@ -70,7 +70,7 @@ module rt_refract #(
     wire           shifted = (normal_long && dir_long) || room_q == {HW{1'b0}};
     wire           root_valid, norm_valid;
     reg  signed [XW-1:0] acc_q;
-    wire           total = state_q == DRAIN && op_q == O_SQUARE && acc_q[XW-1];
+    wire           total = state_q == TEST && acc_q[XW-1];
     assign in_ready_o  = state_q == IDLE;
     assign out_total_o = total;
     assign out_valid_o = total || norm_valid;
@@ -80,14 +80,15 @@ module rt_refract #(
             SHIFT: if (shifted) state_q <= LOAD;
             LOAD:  state_q <= RUN;
             RUN:   if (last) state_q <= follow ? LOAD : ADD;
-            ADD:   state_q <= DRAIN;
-            DRAIN: state_q <= total ? IDLE : op_q == O_SQUARE ? ROOT : op_q == O_Z ? END : LOAD;
+            ADD:   state_q <= op_q == O_SQUARE ? TEST : op_q == 4'd15 ? END : LOAD;
+            TEST:  state_q <= total ? IDLE : ROOT;
             ROOT:  if (root_valid) state_q <= LOAD;
             default: if (norm_valid) state_q <= IDLE;
         endcase
         if (state_q == SHIFT) op_q <= O_B;
-        else if ((state_q == RUN && last && follow) || state_q == DRAIN ||
-                 (state_q == ROOT && root_valid)) op_q <= op_q + 4'd1;
+        else if ((state_q == RUN && last && follow) || (state_q == ADD && op_q != O_SQUARE))
+            op_q <= op_q + 4'd1;
+        else if (state_q == TEST) op_q <= O_X;
         room_q <= take ? WD[HW-1:0] : room_q - 1'b1;
         if (rst) state_q <= IDLE;
     end
@@ -180,8 +181,8 @@ module rt_refract #(
                 default:  left_q <= D_VEC[CW-1:0];
             endcase
         end
-        if (state_q == DRAIN && op_q == O_PB) pb_q <= acc_q[BW-1:0];
-        if (state_q == DRAIN && op_q == O_PN) pn_q <= acc_q[2*WD+11:0];
+        if (state_q == LOAD && op_q == O_PN) pb_q <= acc_q[BW-1:0];
+        if (state_q == LOAD && op_q == O_AN) pn_q <= acc_q[2*WD+11:0];
     end
 
     // ---- root ----
@@ -189,7 +190,7 @@ module rt_refract #(
     wire [5:0]    zeros;
     wire          root_in, inexact;
     rt_isqrt #(.XW(QW), .STEP(STEP), .BITS(PR)) u_isqrt (
-        .clk(clk), .rst(rst), .in_valid_i(state_q == DRAIN && op_q == O_SQUARE && !total),
+        .clk(clk), .rst(rst), .in_valid_i(state_q == TEST && !total),
         .in_ready_o(root_in), .in_x_i(acc_q[2*S +: QW]),
         .out_valid_o(root_valid), .out_ready_i(1'b1), .out_root_o(root), .out_shift_o(zeros),
         .out_inexact_o(inexact)
@@ -199,8 +200,13 @@ module rt_refract #(
         if (root_valid) along_q <= {pb_q[BW-1], pb_q} + root_long;
 
     // ---- x, y, z of the direction ----
+    reg           component_q;             // one is added up
+    always @(posedge clk) begin
+        component_q <= state_q == ADD && op_q > O_X;
+        if (rst) component_q <= 1'b0;
+    end
     rt_normalise #(.VW(VW), .BITS(WD)) u_normalise (
-        .clk(clk), .rst(rst), .in_valid_i(state_q == DRAIN && op_q > O_X),
+        .clk(clk), .rst(rst), .in_valid_i(component_q),
         .in_v_i(acc_q[VW-1:0]), .out_valid_o(norm_valid),
         .out_x_o(out_dir_o[0 +: WD]), .out_y_o(out_dir_o[WD +: WD]),
         .out_z_o(out_dir_o[2*WD +: WD])
