@@ -5,7 +5,7 @@
 #   NAME-WAY.png, .rms         picture of the model, and how far it is from NAME-truth.tif
 #   NAME-WAY.json              `sphaera texels`: texels of each level, hits of caches
 #   NAME-WAY-rtl.json          the same at the size of the RTL's frames
-#   NAME-WAY.core.json         report of the RTL's run; -slow: memory latency TEX_SLOW
+#   NAME-WAY.core.json         report of the RTL's run; robot-WAY-slow: memory latency TEX_SLOW
 #   NAME-walk.json             P_b of the first frames
 #   NAME-lodN.png, .rms        with N bits of fraction in the level
 #   NAME.levels.json           `sphaera accuracy`: arithmetic of the ways to choose a level
@@ -31,9 +31,9 @@ TEX_LODS   := 0 1 2 3 4 5 6 7 8
 TEX_PAGE   := docs/texture_results.md
 TEX_SHOWN  := docs/pictures/textures
 # what of a picture is shown: width x height + left + top
-TEX_CROP_kitchen := 190x120+20+75
-TEX_CROP_robot   := 190x120+285+75
-TEX_CROP_museum  := 190x120+160+70
+TEX_CROP_kitchen := 150x100+10+95
+TEX_CROP_robot   := 150x100+320+85
+TEX_CROP_museum  := 150x100+250+80
 # degrees of view below the horizon; the ball fills a wider view
 TEX_SLANTS := 89 75 60 45 30 16 5
 
@@ -41,8 +41,8 @@ TEX_BOTH := $(foreach n,$(TEX_NAMES),$(TEX_WAYS:%=$n-%))
 TEX_LOD_BOTH := $(foreach n,$(TEX_NAMES),$(TEX_LODS:%=$n-lod%))
 TEX_DATA := $(TEX_BOTH:%=$(TEX)/%.rms) $(TEX_BOTH:%=$(TEX)/%.json) \
             $(TEX_BOTH:%=$(TEX)/%-rtl.json) $(TEX_BOTH:%=$(TEX)/%.core.json) \
-            $(foreach n,$(TEX_NAMES),$(TEX_DRAWN:%=$(TEX)/$n-%-slow.core.json)) \
-            $(TEX)/robot-walk.json $(TEX_LOD_BOTH:%=$(TEX)/%.rms) $(TEX_NAMES:%=$(TEX)/%.levels.json) \
+            $(TEX_DRAWN:%=$(TEX)/robot-%-slow.core.json) $(TEX)/robot-walk.json \
+            $(TEX_LOD_BOTH:%=$(TEX)/%.rms) $(TEX_NAMES:%=$(TEX)/%.levels.json) \
             $(TEX_SLANTS:%=$(TEX)/slant-%.json) $(TEX)/slant-ball.json
 
 .PHONY: textures textures-page
@@ -142,4 +142,4 @@ $(TEX)/slant-%.json: scenes/texture/slant.nff $(TEX_IMAGES) $(TOOL)
 
 $(TEX_SHOWN)/scenes.png: $(TEX_NAMES:%=$(TEX)/%-between.png)
 	@mkdir -p $(@D)
-	$(Q)oiiotool $(foreach p,$^,$p --resize 320x180) --mosaic:pad=2 3x1 -d uint8 -o $@
+	$(Q)oiiotool $(foreach p,$^,$p --resize 256x144) --mosaic:pad=2 3x1 -d uint8 -o $@

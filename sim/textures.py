@@ -14,6 +14,8 @@ import report  # noqa: E402
 from texture_angles import angles, plot, slants  # noqa: E402
 
 CLOCK = 67.7      # MHz, routed, of profile standard: docs/accuracy.md
+THEIRS = "800x480"
+SLOW = "robot"    # simulated with slow memory as well
 TILES, LINES = 1, 4  # of `orders` and of a `missed`: tiles of 4 x 2, 128 lines of 4 ways, the core
 WAYS = {"nearest": "nearest texel, MIP off", "off": "bilinear, MIP off",
         "level": "bilinear, nearest level", "between": "trilinear"}
@@ -157,22 +159,33 @@ def caches(data):
                          f"model, {data.rtl}", f"core, {data.rtl}", "the paper's"], rows, left=2)
 
 
+def cycles_of(data, name):
+    run = data.read(name + ".core.json")
+    return run and run["cold"]["counters"]["cycles"]
+
+
 def speed(data):
     rows = []
     for name in data.names:
         for way in ("off", "level", "between"):
-            row = [name if way == "off" else "", WAYS[way]]
-            for slow in "", "-slow":
-                run = data.read(f"{name}-{way}{slow}.core.json")
-                cycles = run and run["cold"]["counters"]["cycles"]
-                row += [show(cycles), show(cycles and cycles / area(data.rtl), "{:.1f}"),
-                        show(cycles and CLOCK * 1e6 / cycles, "{:.1f}")]
-            rows.append(row + [f"{PAPER[name][2][way != 'off']}"])
-    head = ["cycles", "a pixel", "frames/s"]
-    return report.table(["scene", "filter"] + [h + ", latency 20" if h == "cycles" else h
-                                               for h in head]
-                        + [h + ", latency 200" if h == "cycles" else h for h in head]
-                        + ["the paper's"], rows, left=2)
+            cycles = cycles_of(data, f"{name}-{way}")
+            pixel = cycles and cycles / area(data.rtl)
+            rows.append([name if way == "off" else "", WAYS[way], show(cycles),
+                         show(pixel, "{:.1f}"), show(cycles and CLOCK * 1e6 / cycles, "{:.1f}"),
+                         show(pixel and CLOCK * 1e6 / pixel / area(THEIRS), "{:.2f}"),
+                         f"{PAPER[name][2][way != 'off']}"])
+    return report.table(["scene", "filter", "cycles", "a pixel", f"frames/s, {data.rtl}",
+                         f"{THEIRS} at the same rate", "the paper's"], rows, left=2)
+
+
+def slow(data):
+    """Cycles with memory at its usual latency, and at ten times that."""
+    rows = []
+    for way in ("off", "level", "between"):
+        both = [cycles_of(data, f"{SLOW}-{way}{end}") for end in ("", "-slow")]
+        more = None if None in both else 100 * (both[1] / both[0] - 1)
+        rows.append([WAYS[way]] + [show(c) for c in both] + [show(more, "{:+.1f} %")])
+    return report.table([f"{SLOW}, {data.rtl}", "latency 20", "latency 200", ""], rows)
 
 
 def errors(data):
@@ -197,14 +210,13 @@ def prices(data):
     rows = []
     for way, title in WAYS.items():
         texels = [data.read(f"{n}-{way}.json") for n in data.names]
-        cores = [data.read(f"{n}-{way}.core.json") for n in data.names]
-        cycles = mean(c and c["cold"]["counters"]["cycles"] for c in cores)
+        cycles = mean(cycles_of(data, f"{n}-{way}") for n in data.names)
         rows.append(price(data, [f"{n}-{way}" for n in data.names], title)
                     + [show(mean(t and t["texels"] / area(data.size) for t in texels), "{:.2f}"),
                        show(cycles, "{:.0f}")])
     for bits in BITS:
         rows.append(price(data, [f"{n}-lod{bits}" for n in data.names],
-                          f"trilinear, {bits} bits of level") + ["", ""])
+                          f"trilinear, LF {bits}") + ["", ""])
     return report.table(["filter", "RMS error", "PSNR", "texels a pixel", "cycles a frame"], rows)
 
 
@@ -216,7 +228,8 @@ def main(page, accuracy, folder, pictures, size, rtl, dashes, *names):
     plot(found, folder, os.path.join(pictures, "angles.svg"))
     report.place(page, {"levels": levels(data), "decisions": decisions(data),
                         "totals": totals(data), "bases": bases(data), "caches": caches(data),
-                        "speed": speed(data), "errors": errors(data), "angles": angles(found)})
+                        "speed": speed(data), "slow": slow(data), "errors": errors(data),
+                        "angles": angles(found)})
     report.place(accuracy, {"textures": prices(data)})
 
 
