@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Slots live at random: a ray is written, its token comes some clocks later (or, of a light that
- * needs no shadow ray, never: the next ray overwrites it), three words and a start must follow. A
+ * needs no shadow ray, never: the next ray overwrites it), six words and a start must follow. A
  * vector is a start. First come the ends of directions.
  */
 #include <vector>
@@ -22,8 +22,8 @@ struct Slot {
     enum { FREE, WRITTEN, STARTED } state = FREE;
     sph_ray ray{};
     bool pixel = false, shadow = false;
-    int words = 0; /* of this ray, bit i: axis i */
-    bench::u128 word[3] = {0, 0, 0};
+    int words = 0; /* of this ray, bit i: place on axis i, bit 3 + i: pace */
+    bench::u128 place[3] = {0, 0, 0}, pace[3] = {0, 0, 0};
 };
 
 const int64_t ends[] = {0, 1, -1, 2, -2, D_MAX, -D_MAX, -D_MAX - 1, D_MAX / 2, 3};
@@ -44,13 +44,13 @@ sph_ray make(bench::Random &random, unsigned n) {
     return ray;
 }
 
-bench::u128 word(const sph_ray &ray, const sph_bih_axis &x, int i) {
+bench::u128 place(const sph_ray &ray, const sph_bih_axis &x, int i) {
     bench::u128 w = bench::low((bench::u128)(bench::i128)ray.org[i], W);
-    w = w << 1 | (unsigned)x.negative;
-    w = w << 1 | (unsigned)x.zero;
-    w = w << 1 | (x.shift < 0);
-    w = w << 6 | (unsigned)(x.shift < 0 ? 0 : x.shift);
-    return w << SPH_BIH_G | x.mant;
+    return w << 2 | (unsigned)x.negative << 1 | (unsigned)x.zero;
+}
+bench::u128 pace(const sph_bih_axis &x) {
+    unsigned shift = x.shift < 0 ? 64 : (unsigned)x.shift;
+    return (bench::u128)shift << SPH_BIH_G | x.mant;
 }
 
 } // namespace
@@ -101,16 +101,14 @@ int main(int argc, char **argv) {
             size_t n = (size_t)b.get(b.dut.start_slot_o);
             Slot &t = slots[n];
             b.expect("a ray that waits", t.state, Slot::STARTED);
-            b.expect("words written", t.words, 7);
+            b.expect("words written", t.words, 63);
             b.expect("start_pixel_o", b.dut.start_pixel_o, t.pixel);
             sph_bih_ray bih;
             sph_bih_setup(&profile, &t.ray, &bih);
-            int flat = !t.ray.dir[0] && !t.ray.dir[1] && !t.ray.dir[2];
             for (int i = 0; i < 3; i++) {
-                bench::u128 mask = ~(bench::u128)0; /* of a flat axis the flag counts alone */
-                if (bih.axis[i].zero || flat) mask <<= SPH_BIH_G + 7;
-                b.expect("word", (bench::i128)(t.word[i] & mask),
-                         (bench::i128)(word(t.ray, bih.axis[i], i) & mask));
+                const sph_bih_axis &x = bih.axis[i];
+                b.expect("place_o", (bench::i128)t.place[i], (bench::i128)place(t.ray, x, i));
+                if (!x.zero) b.expect("pace_o", (bench::i128)t.pace[i], (bench::i128)pace(x));
             }
             if (b.bad())
                 for (int i = 0; i < 3; i++)
@@ -118,10 +116,15 @@ int main(int argc, char **argv) {
             t.state = Slot::FREE;
             b.done();
         }
-        if (b.dut.axis_valid_o) {
-            Slot &t = slots[(size_t)b.get(b.dut.axis_slot_o)];
-            t.words |= 1 << b.dut.axis_number_o;
-            t.word[b.dut.axis_number_o] = b.get(b.dut.axis_word_o);
+        if (b.dut.place_valid_o) {
+            Slot &t = slots[(size_t)b.get(b.dut.place_slot_o)];
+            t.words |= 1 << b.dut.place_axis_o;
+            t.place[b.dut.place_axis_o] = b.get(b.dut.place_o);
+        }
+        if (b.dut.pace_valid_o) {
+            Slot &t = slots[(size_t)b.get(b.dut.pace_slot_o)];
+            t.words |= 8 << b.dut.pace_axis_o;
+            t.pace[b.dut.pace_axis_o] = b.get(b.dut.pace_o);
         }
         b.tick();
     }

@@ -17,6 +17,7 @@ module rt_bih #(
     parameter LINES = 256,  // node cache, lines
     parameter SHADOW = 1,   // 1: shadow rays
     parameter FACETS = 0,   // 1: a leaf record may have a whole line
+    parameter BANKS = 2,    // rays that are divided at once
     parameter STEP  = 2,    // bits of a reciprocal a clock
     parameter TW    = `RT_BIH_T  // not to be set: bits of a bound
 ) (
@@ -85,27 +86,29 @@ module rt_bih #(
     output reg               bus_error_o
 );
     localparam CW = W + 2;                           // coordinate of a plane
-    localparam AW = W + 9 + `RT_BIH_G;               // a ray's word of an axis
+    localparam GW = `RT_BIH_G;
 
     localparam T  = W + WD + 2 > TW ? W + WD + 2 - TW : 0;  // low bits of a key that bounds drop
 
     // ---- rays: their words, how far they go ----
     wire [2*WD+TW-1:0] light = {{TW{1'b0}}, new_a_i} >> T;
     assign new_limit_o = !new_shadow_i || |light[2*WD+TW-1:TW] ? {TW{1'b1}} : light[TW-1:0];
-    wire             axis_valid, start_valid, start_pixel;
-    wire [SLOTW-1:0] axis_slot, start_slot;
-    wire [1:0]       axis_number;
-    wire [AW-1:0]    axis_word;
-    wire             put_start;
-    rt_bih_ray #(.W(W), .WD(WD), .SLOTS(SLOTS), .SLOTW(SLOTW), .SHADOW(SHADOW),
+    wire             place_valid, pace_valid, start_valid, start_pixel, put_start;
+    wire [SLOTW-1:0] place_slot, pace_slot, start_slot;
+    wire [1:0]       place_axis, pace_axis;
+    wire [W+1:0]     place;
+    wire [GW+6:0]    pace;
+    rt_bih_ray #(.W(W), .WD(WD), .SLOTS(SLOTS), .SLOTW(SLOTW), .SHADOW(SHADOW), .BANKS(BANKS),
                  .STEP(STEP)) u_rays (
         .clk(clk), .rst(rst),
         .new_valid_i(new_valid_i), .new_slot_i(new_slot_i), .new_org_i(new_org_i),
         .new_dir_i(new_dir_i), .new_a_i(new_a_i),
         .go_valid_i(go_valid_i), .go_slot_i(go_slot_i), .go_pixel_i(go_pixel_i),
         .shadow_go_i(shadow_go_i), .shadow_slot_i(shadow_slot_i),
-        .axis_valid_o(axis_valid), .axis_slot_o(axis_slot), .axis_number_o(axis_number),
-        .axis_word_o(axis_word),
+        .place_valid_o(place_valid), .place_slot_o(place_slot), .place_axis_o(place_axis),
+        .place_o(place),
+        .pace_valid_o(pace_valid), .pace_slot_o(pace_slot), .pace_axis_o(pace_axis),
+        .pace_o(pace),
         .start_valid_o(start_valid), .start_ready_i(put_start), .start_slot_o(start_slot),
         .start_pixel_o(start_pixel)
     );
@@ -201,11 +204,15 @@ module rt_bih #(
                                         : t1_line >= {4'd0, mem_lines_i};
     wire [CW-1:0]    t1_l     = t1_words_q[`RT_BIH_CLIP_L_LSB +: CW];
     wire [CW-1:0]    t1_r     = t1_words_q[`RT_BIH_CLIP_R_LSB +: CW];
-    wire [AW-1:0]    t2_word;
-    rt_slot_ram #(.WIDTH(AW), .SLOTS(4*SLOTS), .OLD(0)) u_axes (
-        .clk(clk), .wr_en_i(axis_valid), .wr_addr_i({axis_slot, axis_number}),
-        .wr_data_i(axis_word),
-        .rd_en_i(t1_valid_q), .rd_addr_i({t1_slot_q, t1_axis}), .rd_data_o(t2_word)
+    wire [W+1:0]     t2_place;
+    wire [GW+6:0]    t2_pace;
+    rt_slot_ram #(.WIDTH(W+2), .SLOTS(4*SLOTS), .OLD(0)) u_places (
+        .clk(clk), .wr_en_i(place_valid), .wr_addr_i({place_slot, place_axis}), .wr_data_i(place),
+        .rd_en_i(t1_valid_q), .rd_addr_i({t1_slot_q, t1_axis}), .rd_data_o(t2_place)
+    );
+    rt_slot_ram #(.WIDTH(GW+7), .SLOTS(4*SLOTS), .OLD(0)) u_paces (
+        .clk(clk), .wr_en_i(pace_valid), .wr_addr_i({pace_slot, pace_axis}), .wr_data_i(pace),
+        .rd_en_i(t1_valid_q), .rd_addr_i({t1_slot_q, t1_axis}), .rd_data_o(t2_pace)
     );
 
     // ---- t2: planes and the ray's word side by side ----
@@ -249,9 +256,8 @@ module rt_bih #(
     wire [2:0]       pass_kind;
     rt_bih_step #(.W(W)) u_step (
         .clk(clk),
-        .in_org_i($signed(t2_word[AW-1 -: W])), .in_back_i(t2_word[AW-W-1]),
-        .in_flat_i(t2_word[AW-W-2]), .in_open_i(t2_word[AW-W-3]),
-        .in_shift_i(t2_word[`RT_BIH_G +: 6]), .in_g_i(t2_word[`RT_BIH_G-1:0]),
+        .in_org_i($signed(t2_place[W+1:2])), .in_back_i(t2_place[1]), .in_flat_i(t2_place[0]),
+        .in_open_i(t2_pace[GW+6]), .in_shift_i(t2_pace[GW +: 6]), .in_g_i(t2_pace[GW-1:0]),
         .in_clip_l_i(t2_l_q), .in_clip_r_i(t2_r_q),
         .out_back_o(s_back), .out_near_o(s_near), .out_far_o(s_far),
         .out_upper_o(s_upper), .out_lower_o(s_lower)
