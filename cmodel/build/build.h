@@ -85,7 +85,8 @@ struct sph_build_report {
     double fov_error;       /* relative error of tan(angle/2) by quantisation */
     uint32_t nodes, depth;  /* of the tree */
     uint32_t triangles, planes;
-    double build_seconds, tree_seconds; /* all of build; of that, tree and memory image */
+    double build_seconds, tree_seconds; /* all of build; of processor, of tree and memory
+                                           image alone */
     struct sph_bih_stats bih;           /* with TREE_BIH and TREE_BRUTE */
     char warning[8192];   /* empty if none; finer profiles, clamped colours, effects left out */
     struct sph_ball root; /* grid units: holds every primitive */

@@ -18,7 +18,7 @@ struct content {
     uint32_t *ids; /* of boxes */
     struct sph_aabb *boxes;
     uint32_t n_boxes, n_planes;
-    struct sph_bih bih;
+    const struct sph_bih *bih;
 };
 
 static uint32_t *line_at(struct sph_machine *m, uint32_t line) {
@@ -45,11 +45,8 @@ static struct sph_aabb aabb(const struct content *c, uint32_t id) {
 }
 
 /* Planes to the front of ids, boxes of all others. */
-static int gather(struct content *c, struct sph_error *err) {
+static void gather(struct content *c) {
     uint32_t n = c->scene->n_spheres + c->facets->n, next = c->facets->n_planes;
-    c->ids = malloc((n + 1ull) * sizeof *c->ids);
-    c->boxes = malloc((n + 1ull) * sizeof *c->boxes);
-    if (!c->ids || !c->boxes) return sph_fail(err, "out of memory for %u boxes", n);
     c->n_boxes = n - next;
     for (uint32_t id = 0; id < n; id++) {
         if (id >= c->scene->n_spheres &&
@@ -60,7 +57,6 @@ static int gather(struct content *c, struct sph_error *err) {
             c->ids[next++] = id;
         }
     }
-    return 0;
 }
 
 /* A plane of a box, moved outwards by the error of a hit point: a ray may start that far outside of
@@ -81,7 +77,7 @@ static uint32_t clip_word(const struct sph_profile *p, int32_t clip, int up) {
 }
 
 static void put_node(struct sph_machine *m, const struct content *c, uint32_t index) {
-    const struct sph_bih_node *from = &c->bih.nodes[index];
+    const struct sph_bih_node *from = &c->bih->nodes[index];
     const struct sph_profile *p = sph_machine_profile(m);
     uint32_t *to = line_at(m, index / 2) + index % 2 * (SPH_BIH_STRIDE / 32);
     if (from->axis != SPH_BIH_LEAF && !from->child) return; /* beside the root, or an only child */
@@ -102,7 +98,7 @@ static void put_node(struct sph_machine *m, const struct content *c, uint32_t in
 static void put_records(struct sph_machine *m, const struct content *c, uint32_t base) {
     int whole = c->facets->n > 0;
     for (uint32_t i = 0; i < c->n_planes + c->n_boxes; i++) {
-        uint32_t id = c->ids[i < c->n_planes ? i : c->n_planes + c->bih.order[i - c->n_planes]];
+        uint32_t id = c->ids[i < c->n_planes ? i : c->n_planes + c->bih->order[i - c->n_planes]];
         uint32_t *line = line_at(m, base + (whole ? i : i / 2));
         if (id < c->scene->n_spheres)
             sph_emit_leaf(line, whole ? 0 : i & 1, &c->balls[id], id);
@@ -120,22 +116,22 @@ static void put_box(struct sph_machine *m, const struct content *c) {
         if (!c->n_boxes)
             lo = end - 1, hi = -end;
         else if (r[SPH_REG_TREE] == SPH_TREE_BIH)
-            lo = outwards(p, c->bih.box.lo[i], 0), hi = outwards(p, c->bih.box.hi[i], 1);
+            lo = outwards(p, c->bih->box.lo[i], 0), hi = outwards(p, c->bih->box.hi[i], 1);
         r[SPH_REG_BOX_X0 + i] = lo;
         r[SPH_REG_BOX_X1 + i] = hi;
     }
 }
 
 static int emit(struct content *c, struct sph_machine *m, struct sph_error *err) {
-    uint32_t n = c->n_planes + c->n_boxes, tree = c->bih.n_nodes / 2;
+    uint32_t n = c->n_planes + c->n_boxes, tree = c->bih->n_nodes / 2;
     uint32_t records = c->facets->n ? n : (n + 1) / 2;
     uint64_t base = (uint64_t)tree + records;
     if (sph_emit_alloc(m, base + n + c->facets->n, err)) return -1;
-    for (uint32_t i = 0; i < c->bih.n_nodes; i++)
+    for (uint32_t i = 0; i < c->bih->n_nodes; i++)
         put_node(m, c, i);
     put_records(m, c, tree);
     put_box(m, c);
-    sph_emit_prims(c->scene, c->balls, c->facets, (uint32_t)base, c->bih.n_nodes, m);
+    sph_emit_prims(c->scene, c->balls, c->facets, (uint32_t)base, c->bih->n_nodes, m);
     m->regs[SPH_REG_LEAF_BASE] = (int32_t)tree;
     m->regs[SPH_REG_N_LOOSE] = (int32_t)c->n_planes;
     return 0;
@@ -144,14 +140,27 @@ static int emit(struct content *c, struct sph_machine *m, struct sph_error *err)
 int sph_emit_bih(const struct sph_scene *scene, const struct sph_ball *balls,
                  const struct sph_facets *facets, const struct sph_bih_options *options,
                  struct sph_machine *machine, struct sph_bih_stats *stats, struct sph_error *err) {
-    struct content c = {.scene = scene, .balls = balls, .facets = facets};
-    int failed = gather(&c, err) || sph_bih_build(c.boxes, c.n_boxes, options, &c.bih, err);
+    uint32_t n = scene->n_spheres + facets->n;
+    struct sph_bih bih = {0};
+    struct content c = {.scene = scene,
+                        .bih = &bih,
+                        .balls = balls,
+                        .facets = facets,
+                        .ids = malloc((n + 1ull) * sizeof *c.ids),
+                        .boxes = malloc((n + 1ull) * sizeof *c.boxes)};
+    int failed = -1;
+    if (!c.ids || !c.boxes) {
+        sph_fail(err, "out of memory for %u boxes", n);
+    } else {
+        gather(&c);
+        failed = sph_bih_build(c.boxes, c.n_boxes, options, &bih, err);
+    }
     if (!failed) {
-        *stats = c.bih.stats;
+        *stats = bih.stats;
         failed = emit(&c, machine, err);
     }
     free(c.ids);
     free(c.boxes);
-    sph_bih_free(&c.bih);
-    return failed ? -1 : 0;
+    sph_bih_free(&bih);
+    return failed;
 }

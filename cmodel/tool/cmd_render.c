@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  */
 #include <stdlib.h>
+#include <time.h>
 
 #include "image/image.h"
 #include "machine/describe.h"
@@ -178,7 +179,9 @@ static int render_built(const struct arguments *a, const struct tool_built *buil
                         struct sph_error *err) {
     struct sph_shot shot = {0};
     double seconds = 0;
+    clock_t start = clock();
     int rc = shoot(a, built, &shot, &seconds, err);
+    double cpu = (double)(clock() - start) / CLOCKS_PER_SEC;
     if (!shot.frame.pixels) return -1;
     FILE *to = rc ? NULL : print_stream(a->json);
     print_build(to, built);
@@ -191,6 +194,7 @@ static int render_built(const struct arguments *a, const struct tool_built *buil
     report_build(report, built);
     report_shot(report, &shot);
     report_number(report, "seconds", seconds);
+    report_number(report, "cpu_seconds", cpu);
     if (report_write(report, rc ? NULL : a->json, err)) rc = -1;
     sph_frame_free(&shot.frame);
     return rc;

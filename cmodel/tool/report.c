@@ -63,6 +63,7 @@ void report_machine(json_t *report, const struct sph_machine *m) {
     report_count(machine, "planes", n.planes);
     report_count(machine, "lights", (uint64_t)r[SPH_REG_N_LIGHTS]);
     report_count(machine, "max_depth", (uint64_t)r[SPH_REG_MAX_DEPTH]);
+    report_count(machine, "tree_bytes", (uint64_t)r[SPH_REG_PRIM_BASE] * SPH_LINE_WORDS * 4);
     report_count(machine, "memory_bytes", (uint64_t)m->lines * SPH_LINE_WORDS * 4);
     add(machine, "effects",
         report_names((uint32_t)r[SPH_REG_EFFECTS], effects, sizeof effects / sizeof *effects));
