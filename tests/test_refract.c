@@ -9,6 +9,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "math/isqrt.h"
 #include "reference/naive_optics.h"
 #include "shade/refract.h"
 
@@ -191,6 +192,52 @@ static void snell(void **state) {
     assert_true(through > 10000 / VEC_SHARE);
 }
 
+/* Bits of x in two's complement, without the sign. */
+static int bits_of(sph_i128 x) {
+    return sph_bit_length128((sph_u128)(x < 0 ? ~x : x));
+}
+
+/* The widths of docs/refraction.md hold at the ends of all ranges, and X and T fill theirs but for
+ * a few bits. */
+static void widths(void **state) {
+    (void)state;
+    for (int pr = 0; pr < SPH_PROFILES; pr++) {
+        const struct sph_profile *p = &sph_profiles[pr];
+        int64_t most = (1ll << (p->wd - 1)) - 1;
+        const int64_t ends[] = {-most - 1, -1, 0, 1, most};
+        int x_bits = 0, t_bits = 0, cut = p->wd - p->w + 12;
+        for (int i = 0; i < 125; i++)
+            for (int k = 0; k<125 * SIDES; k += VEC_SHARE> 1 ? 11 : 1) {
+                int j = k / SIDES;
+                const int64_t d[3] = {ends[i % 5], ends[i / 5 % 5], ends[i / 25]};
+                const int64_t n[3] = {ends[j % 5], ends[j / 5 % 5], ends[j / 25]};
+                if (i == 62 || j == 62) continue;
+                uint32_t from = sides[k % SIDES][0], to = sides[k % SIDES][1];
+                struct meeting m = meet(p, d, n);
+                sph_i128 x = sph_refract_disc(&m.ray, &m.s, from, to), dn = 0;
+                x_bits = bits_of(x) > x_bits ? bits_of(x) : x_bits;
+                if (x < 0) continue;
+                int inexact;
+                assert_true(bits_of(x >> 2 * cut) <= 2 * p->w + 2 * p->wd);
+                sph_i128 root = (sph_i128)sph_isqrt((sph_u128)x >> 2 * cut, &inexact) << cut;
+                sph_i128 nn = (sph_i128)m.s.nn << 2 * m.s.unit.h;
+                for (int c = 0; c < 3; c++)
+                    dn += ((sph_i128)d[c] * n[c]) * ((sph_i128)1 << (m.ray.unit.h + m.s.unit.h));
+                assert_true(bits_of(dn) <= 2 * p->wd && bits_of(from * nn) <= 2 * p->wd + 12);
+                assert_true(bits_of(from * dn + root) <= 2 * p->wd + 13);
+                for (int c = 0; c < 3; c++) {
+                    sph_i128 t = from * nn * d[c] * (1 << m.ray.unit.h) -
+                                 (from * dn + root) * n[c] * (1 << m.s.unit.h);
+                    t_bits = bits_of(t) > t_bits ? bits_of(t) : t_bits;
+                }
+            }
+        printf("# %s: X %d of %d bits, T %d of %d\n", p->name, x_bits + 1, 4 * p->wd + 25,
+               t_bits + 1, 3 * p->wd + 13);
+        assert_true(x_bits <= 4 * p->wd + 24 && x_bits > 4 * p->wd + 24 - 3);
+        assert_true(t_bits <= 3 * p->wd + 12 && t_bits > 3 * p->wd + 12 - 3);
+    }
+}
+
 /* With one index on both sides a ray goes straight on. */
 static void straight(void **state) {
     (void)state;
@@ -220,6 +267,7 @@ int main(void) {
         cmocka_unit_test(error_within_bound),
         cmocka_unit_test(snell),
         cmocka_unit_test(straight),
+        cmocka_unit_test(widths),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -8,6 +8,8 @@
 #include "exact.h"
 #include "floats.h"
 #include "reference/naive.h"
+#include "reference/naive_optics.h"
+#include "shade/refract.h"
 #include "surface.h"
 #include "trace/filter.h"
 
@@ -47,6 +49,22 @@ static void check_t(struct job *j, const struct answer *a, const struct sph_quot
     if (part > 1 + 0x1p-40L) wrong(j, HARD_T, "error above its bound");
 }
 
+/* The ray that goes through the surface, for an index made of the key. */
+static void check_refracted(struct job *j, const struct sph_surface *s, uint64_t key, int far) {
+    uint32_t index = SPH_INDEX_MIN + (uint32_t)(key * 0x9e3779b97f4a7c15u >> 40) %
+                                         (SPH_INDEX_MAX - SPH_INDEX_MIN + 1);
+    uint32_t from = far ? index : SPH_INDEX_ONE, to = far ? SPH_INDEX_ONE : index;
+    int64_t out[3] = {0}, other[3] = {0};
+    int through = sph_refract(j->p, &j->ray, s, from, to, out);
+    if (through != exact_refract(j->p, j->ray.dir, s->normal, from, to, other))
+        wrong(j, HARD_BOUNCE, "not reflected wholly where it should be, or so");
+    else if (memcmp(out, other, sizeof other))
+        wrong(j, HARD_BOUNCE, "not the rounded refracted ray");
+    if (j->naive && (through != sph_naive_refract(j->p, j->ray.dir, s->normal, from, to, other) ||
+                     memcmp(out, other, sizeof other)))
+        wrong(j, HARD_NAIVE, "refracted ray");
+}
+
 /* The point of a hit and all that follows from it. */
 static void check_surface(struct job *j, const struct sph_leaf *s, const struct answer *a,
                           int far) {
@@ -68,6 +86,7 @@ static void check_surface(struct job *j, const struct sph_leaf *s, const struct 
     sph_bounce(p, j->ray.dir, &model, bounce);
     exact_bounce(p, j->ray.dir, model.normal, other);
     if (memcmp(bounce, other, sizeof other)) wrong(j, HARD_BOUNCE, "not the rounded mirror ray");
+    check_refracted(j, &model, a->key, far);
     j->t->points++;
     if (!j->naive) return;
     if (limited != naive_surface(p, &j->ray, a->key, far, s, &exact) ||

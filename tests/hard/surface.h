@@ -24,6 +24,11 @@ int exact_surface(const struct sph_profile *p, const struct sph_ray *ray,
 void exact_bounce(const struct sph_profile *p, const int64_t dir[3], const int64_t normal[3],
                   int64_t out[3]);
 
+/* The refracted direction, |d x n|^2 by components, the root of a float mended to floor; 0: all is
+ * reflected. */
+int exact_refract(const struct sph_profile *p, const int64_t dir[3], const int64_t normal[3],
+                  uint32_t from, uint32_t to, int64_t out[3]);
+
 /* The same from the key on, and the unit vector of the normal. */
 int naive_surface(const struct sph_profile *p, const struct sph_ray *ray, uint64_t key, int far,
                   const struct sph_leaf *sphere, struct sph_surface *s);
