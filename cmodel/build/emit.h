@@ -28,6 +28,10 @@ int sph_emit_bih(const struct sph_scene *scene, const struct sph_ball *balls,
                  const struct sph_facets *facets, const struct sph_bih_options *options,
                  struct sph_machine *machine, struct sph_bih_stats *stats, struct sph_error *err);
 
+/* Its nodes from line 0 on, global box and the two registers of leaf records, n_planes of which
+ * come first; memory has room for them, and TREE is set. */
+void sph_emit_bih_nodes(const struct sph_bih *bih, uint32_t n_planes, struct sph_machine *m);
+
 /* Parts of both: lines of zeros; primitive records from line `base` on, the table of facets and the
  * registers that tell where they are and how many nodes a ray can visit. */
 int sph_emit_alloc(struct sph_machine *machine, uint64_t lines, struct sph_error *err);

@@ -76,14 +76,15 @@ static uint32_t clip_word(const struct sph_profile *p, int32_t clip, int up) {
     return (uint32_t)outwards(p, clip, up);
 }
 
-static void put_node(struct sph_machine *m, const struct content *c, uint32_t index) {
-    const struct sph_bih_node *from = &c->bih->nodes[index];
+static void put_node(struct sph_machine *m, const struct sph_bih *bih, uint32_t index,
+                     uint32_t n_planes) {
+    const struct sph_bih_node *from = &bih->nodes[index];
     const struct sph_profile *p = sph_machine_profile(m);
     uint32_t *to = line_at(m, index / 2) + index % 2 * (SPH_BIH_STRIDE / 32);
     if (from->axis != SPH_BIH_LEAF && !from->child) return; /* beside the root, or an only child */
     sph_field_set(to, SPH_BIH_AXIS_LSB, SPH_BIH_AXIS_BITS, (uint32_t)from->axis);
     if (from->axis == SPH_BIH_LEAF) {
-        to[SPH_BIH_FIRST_LSB / 32] = c->n_planes + from->first;
+        to[SPH_BIH_FIRST_LSB / 32] = n_planes + from->first;
         to[SPH_BIH_COUNT_LSB / 32] = from->count;
         return;
     }
@@ -108,18 +109,26 @@ static void put_records(struct sph_machine *m, const struct content *c, uint32_t
 }
 
 /* The global box; brute force has none, and an empty one holds nothing. */
-static void put_box(struct sph_machine *m, const struct content *c) {
+static void put_box(struct sph_machine *m, const struct sph_bih *bih) {
     const struct sph_profile *p = sph_machine_profile(m);
     int32_t *r = m->regs, end = 1 << (p->w + 1);
     for (int i = 0; i < 3; i++) {
         int32_t lo = -end, hi = end - 1;
-        if (!c->n_boxes)
+        if (bih->box.lo[i] > bih->box.hi[i])
             lo = end - 1, hi = -end;
         else if (r[SPH_REG_TREE] == SPH_TREE_BIH)
-            lo = outwards(p, c->bih->box.lo[i], 0), hi = outwards(p, c->bih->box.hi[i], 1);
+            lo = outwards(p, bih->box.lo[i], 0), hi = outwards(p, bih->box.hi[i], 1);
         r[SPH_REG_BOX_X0 + i] = lo;
         r[SPH_REG_BOX_X1 + i] = hi;
     }
+}
+
+void sph_emit_bih_nodes(const struct sph_bih *bih, uint32_t n_planes, struct sph_machine *m) {
+    for (uint32_t i = 0; i < bih->n_nodes; i++)
+        put_node(m, bih, i, n_planes);
+    put_box(m, bih);
+    m->regs[SPH_REG_LEAF_BASE] = (int32_t)(bih->n_nodes / 2);
+    m->regs[SPH_REG_N_LOOSE] = (int32_t)n_planes;
 }
 
 static int emit(struct content *c, struct sph_machine *m, struct sph_error *err) {
@@ -127,13 +136,9 @@ static int emit(struct content *c, struct sph_machine *m, struct sph_error *err)
     uint32_t records = c->facets->n ? n : (n + 1) / 2;
     uint64_t base = (uint64_t)tree + records;
     if (sph_emit_alloc(m, base + n + c->facets->n, err)) return -1;
-    for (uint32_t i = 0; i < c->bih->n_nodes; i++)
-        put_node(m, c, i);
+    sph_emit_bih_nodes(c->bih, c->n_planes, m);
     put_records(m, c, tree);
-    put_box(m, c);
     sph_emit_prims(c->scene, c->balls, c->facets, (uint32_t)base, c->bih->n_nodes, m);
-    m->regs[SPH_REG_LEAF_BASE] = (int32_t)tree;
-    m->regs[SPH_REG_N_LOOSE] = (int32_t)c->n_planes;
     return 0;
 }
 

@@ -6,7 +6,6 @@
 #include <stdarg.h>
 #include <string.h>
 
-#include "build/bound.h"
 #include "exact.h"
 #include "machine/machine.h"
 #include "trace/traverse.h"
@@ -84,45 +83,6 @@ void expect(struct named *n, struct hard_case c, int outcome, uint64_t key) {
     }
 }
 
-static void put_leaf(uint32_t *line, int half, const struct sph_leaf *s) {
-    int at = half * SPH_LEAF_STRIDE;
-    sph_field_set(line, at + SPH_LEAF_CTR_X_LSB, SPH_LEAF_CTR_X_BITS, (uint32_t)s->ctr[0]);
-    sph_field_set(line, at + SPH_LEAF_CTR_Y_LSB, SPH_LEAF_CTR_Y_BITS, (uint32_t)s->ctr[1]);
-    sph_field_set(line, at + SPH_LEAF_CTR_Z_LSB, SPH_LEAF_CTR_Z_BITS, (uint32_t)s->ctr[2]);
-    sph_field_set(line, at + SPH_LEAF_RAD_LSB, SPH_LEAF_RAD_BITS, (uint32_t)s->rad);
-    sph_field_set(line, at + SPH_LEAF_ID_LSB, SPH_LEAF_ID_BITS, s->id);
-}
-
-/* A machine of one node with two leaves, in this order; their ids are 0 and 1. mem: 4 lines. */
-static void two_leaves(const struct named *n, const struct sph_leaf leaf[2], uint32_t *mem,
-                       struct sph_machine *m) {
-    memset(m, 0, sizeof *m);
-    memset(mem, 0, 4 * SPH_LINE_WORDS * sizeof *mem);
-    m->mem = mem;
-    m->lines = 4;
-    sph_machine_set_profile(m, &sph_profiles[n->profile]);
-    m->regs[SPH_REG_PRIM_BASE] = 2;
-    m->regs[SPH_REG_MEM_LINES] = 4;
-    m->regs[SPH_REG_N_PRIMS] = 2;
-    m->regs[SPH_REG_VISIT_LIMIT] = 2;
-    sph_field_set(mem, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS, 1);
-    sph_field_set(mem, SPH_NODE_N_LEAF_LSB, SPH_NODE_N_LEAF_BITS, 2);
-    for (int i = 0; i < 2; i++) {
-        const struct sph_leaf *s = &leaf[i];
-        struct sph_ball ball = {{(int32_t)s->ctr[0], (int32_t)s->ctr[1], (int32_t)s->ctr[2]},
-                                (int32_t)s->rad};
-        struct sph_ball child = sph_filter_leaf(&ball, n->p);
-        int at = i * SPH_CHILD_STRIDE;
-        sph_field_set(mem, at + SPH_CHILD_CTR_X_LSB, SPH_CHILD_CTR_X_BITS, (uint32_t)child.c[0]);
-        sph_field_set(mem, at + SPH_CHILD_CTR_Y_LSB, SPH_CHILD_CTR_Y_BITS, (uint32_t)child.c[1]);
-        sph_field_set(mem, at + SPH_CHILD_CTR_Z_LSB, SPH_CHILD_CTR_Z_BITS, (uint32_t)child.c[2]);
-        sph_field_set(mem, at + SPH_CHILD_RAD_LSB, SPH_CHILD_RAD_BITS,
-                      (uint32_t)(child.r + SPH_FILTER_MARGIN));
-        put_leaf(mem + SPH_LINE_WORDS, i, s);
-        put_leaf(mem + (2 + s->id) * SPH_LINE_WORDS, 0, s);
-    }
-}
-
 /* a*t of a hit, rounded up; 0 for a miss. */
 static uint64_t key_of(const struct exact *e) {
     return e->hit ? (uint64_t)(e->whole + (e->part > 0)) : 0;
@@ -157,6 +117,14 @@ void expect_first(struct named *n, struct hard_case c, int winner) {
         require(n, !errors && tree.id == id && brute.id == id && tree.key == brute.key,
                 "order %d: id %u in the tree, %u of all, expected %u", order, tree.id, brute.id,
                 id);
+        for (int kind = SPH_TREE_BIH; kind <= SPH_TREE_BRUTE; kind++) {
+            uint32_t words[TWO_LINES * SPH_LINE_WORDS];
+            two_in_bih(n, leaf, kind, words, &m);
+            struct sph_hit bih =
+                sph_traverse(&m, &c.ray, SPH_TRAVERSE_TREE, &counters, &visits, &errors);
+            require(n, !errors && bih.id == id && bih.key == brute.key,
+                    "order %d: id %u in tree %d, expected %u", order, bih.id, kind, id);
+        }
     }
 }
 

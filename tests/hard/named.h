@@ -6,6 +6,7 @@
 
 #include "gen.h"
 #include "hard.h"
+#include "machine/machine.h"
 #include "list.h"
 
 /* A run of one named case in one profile. */
@@ -78,5 +79,15 @@ named_case named_tangent, named_pell_hit, named_pell_miss, named_distance, named
 
 /* Scenes: the model, brute force and the naive model draw the same picture. */
 void named_scene(struct named *n, const char *name);
+
+/* A machine of one node with two leaves, in this order; their ids are 0 and 1. mem: 4 lines. */
+void two_leaves(const struct named *n, const struct sph_leaf leaf[2], uint32_t *mem,
+                struct sph_machine *m);
+
+/* Makes of it a BIH of one primitive a leaf, or one leaf: tree is SPH_TREE_BIH or SPH_TREE_BRUTE.
+ */
+enum { TWO_LINES = 16 };
+void two_in_bih(struct named *n, const struct sph_leaf leaf[2], int tree,
+                uint32_t mem[TWO_LINES * SPH_LINE_WORDS], struct sph_machine *m);
 
 #endif
