@@ -3,7 +3,8 @@
 // Stands where rt_traverse and rt_next stand for nodes of four children (ACCEL of rt_core).
 //   0 issue | 1, 2 node cache | 3 node: its half | 4 ray's word of the axis | 5..9 rt_bih_step |
 //   9 decision | 10 token: back to 0 a clock later
-// Starts of rays and axes of the global box go in at 3 while no node comes from the cache.
+// Starts of rays and axes of the global box go in at 3 while no node comes from the cache; a start
+// without records of no node is axis x of the box.
 // Aroxa 2014, III.B. Model: sph_bih_walk() in cmodel/trace/bih_walk.c
 `default_nettype none
 `include "rt_layout.vh"
@@ -183,11 +184,11 @@ module rt_bih #(
     always @(posedge clk) begin
         t1_valid_q    <= rsp_valid || put_box || put_start;
         t1_node_q     <= rsp_valid;
-        t1_box_q      <= put_box;
+        t1_box_q      <= put_box || (put_start && n_loose_i == 24'd0);
         t1_kill_q     <= rsp_valid ? rsp_kill || rsp_error : !put_box && !sound_q;
         t1_slot_q     <= rsp_valid ? rsp_slot : put_box ? q_box_slot : start_slot;
         t1_words_q    <= rsp_half ? rsp_data[128 +: 96] : rsp_data[95:0];
-        t1_box_axis_q <= q_box_axis;
+        t1_box_axis_q <= put_box ? q_box_axis : 2'd0;
         sound_q       <= root_i < mem_lines_i && records <= {1'b0, mem_lines_i} &&
                          n_loose_i <= n_prims_i;
         if (rst) t1_valid_q <= 1'b0;

@@ -135,14 +135,15 @@ module rt_bih_next #(
     wire leave = pass && s1_kind_q == `RT_BIH_LEAVE;
     wire start = pass && s1_kind_q == `RT_BIH_START;
     wire box   = pass && s1_kind_q >= `RT_BIH_BOX_X;
+    wire box_x = s1_kind_q == `RT_BIH_BOX_X;         // a start without records of no node
     wire box_z = s1_kind_q == `RT_BIH_BOX_Z;
     wire [SPW:0] sp = s1_state_q[SPW:0];
     wire loose = s1_state_q[SPW+1];
     wire ended = (pass && s1_kind_q == `RT_BIH_KILL) || (ENDS != 0 && ends_i && hit_i);
 
     // ---- children ----
-    wire [TW-1:0] lo = s1_kind_q == `RT_BIH_BOX_X ? {TW{1'b0}} : span[TW-1:0];
-    wire [TW-1:0] hi = s1_kind_q == `RT_BIH_BOX_X ? NONE : span[2*TW-1:TW];
+    wire [TW-1:0] lo = box_x ? {TW{1'b0}} : span[TW-1:0];
+    wire [TW-1:0] hi = box_x ? NONE : span[2*TW-1:TW];
     wire near = step_near_i && lo <= step_upper_i;
     wire far  = step_far_i && step_lower_i <= hi && step_lower_i <= limit_i;
     wire both = near && far && step_lower_i <= step_upper_i;  // something lies between the planes
@@ -168,7 +169,7 @@ module rt_bih_next #(
     wire down     = (inner && (near || far)) || (fit && both);
     wire full     = sp[SPW];
     wire aside    = inner && near && far;
-    wire to_box   = (start && !some) || (finished && loose) || (box && both && !box_z);
+    wire to_box   = (finished && loose) || (box && both && !box_z);
     wire to_root  = box && both && box_z;
     wire to_top   = s1_valid_q && pop && sp != 0 && top[TW-1:0] <= limit_i;
     wire go       = !ended && ((down && !(aside && full)) || to_root || to_top);
@@ -182,8 +183,9 @@ module rt_bih_next #(
     assign span_wr    = go || (to_box && !ended);
     assign span_next  = pop ? top[2*TW-1:0]
                         : {inner && !near ? hi : earlier, inner && near ? lo : later};
-    assign state_next = {start ? some : loose && chunk,
-                         start ? {(SPW+1){1'b0}} : push ? sp + 1'b1 : pop ? sp - 1'b1 : sp};
+    assign state_next = {start || (loose && chunk),
+                         start || (box && box_x) ? {(SPW+1){1'b0}}
+                         : push ? sp + 1'b1 : pop ? sp - 1'b1 : sp};
     always @(posedge clk) begin
         issue_valid_o <= go;
         issue_slot_o  <= s1_slot_q;
