@@ -71,8 +71,8 @@ int sph_scene_at(const struct sph_scene *rest, uint32_t frame, struct sph_scene 
     size_t spheres = rest->n_spheres * sizeof *m->spheres;
     size_t facets = rest->n_facets * sizeof *m->facets;
     *m = *rest;
-    m->spheres = malloc(spheres + 1);
-    m->facets = malloc(facets + 1);
+    m->spheres = calloc((size_t)rest->n_spheres + 1, sizeof *m->spheres);
+    m->facets = calloc((size_t)rest->n_facets + 1, sizeof *m->facets);
     if (!m->spheres || !m->facets) {
         sph_scene_at_free(m);
         return sph_fail(err, "%s: no memory for frame %u", rest->path, frame);
