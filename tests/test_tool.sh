@@ -87,7 +87,8 @@ check "accuracy report: nothing wrong on one flake" json acc.json \
     r["accuracy"]["wrong_id"] < 4 and r["frame"]["width"] == 64 and
     0 < r["accuracy"]["t_mean"] < r["accuracy"]["t_worst"]'
 "$s" accuracy a.nff --profile draft --json draft.json >accuracy.txt 2>&1
-check "accuracy prints what it reports" sh -c "grep -q '^wrong .*shadow [0-9]*, reflected [0-9]*, refracted [0-9]*$' \
+wrong='^wrong .*shadow [0-9]*, reflected [0-9]*, refracted [0-9]*$'
+check "accuracy prints what it reports" sh -c "grep -q '$wrong' \
     accuracy.txt && grep -q '^psnr  *[0-9.]* dB' accuracy.txt"
 check "draft is worse" sh -c "python3 -c 'import json
 a, b = (json.load(open(n))[\"accuracy\"][\"psnr\"][2] for n in (\"draft.json\", \"acc.json\"))
@@ -149,7 +150,9 @@ check "... and in the report" json g.json '[e["on"] for e in r["build"]["effects
 "$s" info g.sph >info.txt
 check "info names the core that it asks for" has "^core .*+refract+specular+sum" info.txt
 check "brute force shows the same of it" equal "$(picture g.sph)" "$(picture g.sph --brute)"
-counted() { "$s" render g.sph --counters "$@" | awk '/^rays_refracted|^powers/ { print ($2 > 0) }'; }
+counted() {
+    "$s" render g.sph --counters | awk '/^rays_refracted|^powers/ { print ($2 > 0) }'
+}
 check "refracted rays and highlights are counted" equal "$(counted)" "$(printf '1\n1')"
 check "pictures of depths have the same hash" equal "$(hash g.sph)" \
     "$(hash g.sph --depths -o d.png)"
