@@ -1,4 +1,4 @@
-/* gloss.h - highlights: Phong's cosine and its power                  (RTL: none yet)
+/* gloss.h - highlights: Phong's cosine and its power                RTL: rtl/shade/rt_gloss.v
  * SPDX-License-Identifier: Apache-2.0
  *
  * Formats and bounds: docs/shading.md.

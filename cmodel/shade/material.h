@@ -1,4 +1,4 @@
-/* material.h - what a primitive record says of its surface           RTL: rtl/shade/rt_surface.v
+/* material.h - what a primitive record says of its surface           RTL: rtl/shade/rt_share.v
  * SPDX-License-Identifier: Apache-2.0
  *
  * Shares and words: docs/refraction.md, docs/shading.md.

@@ -1,4 +1,4 @@
-/* refract.h - where a ray goes that enters a surface or leaves it    (RTL: none yet)
+/* refract.h - where a ray goes that enters a surface or leaves it  RTL: rtl/shade/rt_refract.v
  * SPDX-License-Identifier: Apache-2.0
  *
  * Snell's law without division (docs/refraction.md): with p the index of the side that the ray
