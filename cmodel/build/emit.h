@@ -10,7 +10,8 @@
 #include "build/tree.h"
 
 /* Builds the tree that is asked for and writes it with one of the two below; *tree is one of four
- * children in any case. Fills nodes, depth, bih and tree_seconds of the report. */
+ * children in any case, with a BIH and no background separation its root alone. Fills nodes, depth,
+ * bih and tree_seconds of the report. */
 int sph_emit_tree(const struct sph_scene *scene, const struct sph_build_options *o,
                   const struct sph_plants *plants, struct sph_tree *tree, struct sph_machine *m,
                   struct sph_build_report *report, struct sph_error *err);

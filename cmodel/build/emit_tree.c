@@ -1,6 +1,7 @@
 /* emit_tree.c - the tree that a machine gets, built and written; see emit.h
  * SPDX-License-Identifier: Apache-2.0
  */
+#include <stdlib.h>
 #include <time.h>
 
 #include "build/emit.h"
@@ -12,8 +13,27 @@ static double seconds(void) {
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
+/* A tree of one node without children around everything. */
+static int root_alone(const struct sph_plants *plants, struct sph_tree *tree,
+                      struct sph_error *err) {
+    uint32_t n = plants->n_spheres + plants->facets->n;
+    uint32_t *index = malloc((n + 1ull) * sizeof *index);
+    tree->nodes = calloc(1, sizeof *tree->nodes);
+    tree->n_nodes = tree->depth = 1;
+    if (index && tree->nodes && plants->facets->n_planes) {
+        tree->nodes->ball = sph_filter_whole(plants->profile);
+    } else if (index && tree->nodes && n) {
+        for (uint32_t i = 0; i < n; i++)
+            index[i] = i;
+        tree->nodes->ball = sph_filter_enclose(plants->balls, index, n, plants->profile);
+    }
+    int made = index && tree->nodes;
+    free(index);
+    return made ? 0 : sph_fail(err, "out of memory for a sphere around %u primitives", n);
+}
+
 /* A bounding interval hierarchy, or one leaf. Background separation works on the spheres of nodes
- * of four children, so that such a tree is made too. */
+ * of four children, so that such a tree is made too where it is asked for. */
 static int emit_bih(const struct sph_scene *scene, const struct sph_build_options *o,
                     const struct sph_plants *plants, struct sph_tree *tree, struct sph_machine *m,
                     struct sph_build_report *report, struct sph_error *err) {
@@ -28,7 +48,8 @@ static int emit_bih(const struct sph_scene *scene, const struct sph_build_option
     report->tree_seconds = seconds() - start;
     report->nodes = report->bih.inner + report->bih.leaves;
     report->depth = report->bih.depth_max;
-    return sph_tree_build(&four, tree, err);
+    return o->background == SPH_BG_NONE ? root_alone(plants, tree, err)
+                                        : sph_tree_build(&four, tree, err);
 }
 
 int sph_emit_tree(const struct sph_scene *scene, const struct sph_build_options *o,
