@@ -108,7 +108,7 @@ Vector make(bench::Random &random) {
 } // namespace
 
 int main(int argc, char **argv) {
-    bench::Bench<Vrt_refract> b("tb_refract", argc, argv, 20000);
+    bench::Bench<Vrt_refract> b("tb_refract", argc, argv, 8000);
     auto vector = [&](auto &port, const int64_t v[3]) {
         bench::u128 word = 0;
         for (int i = 0; i < 3; i++)

@@ -62,7 +62,10 @@ assert ram['ff'] == 0 and ram['dpr'] == 0 and ram['bram'] >= m['rt_slot_ram']['i
 assert words['ff'] == 0 and words['bram'] == 0 and words['dpr'] >= m['rt_slot_file']['instances']"
 
 # ---- list of a core, modules that are in the whole core and must not be in this one ----
-sh synth/modules.sh all+texture >"$TMP/all"
+{
+    sh synth/modules.sh all+texture
+    sh synth/modules.sh all+texture+refract+specular+sum
+} | sort -u >"$TMP/all"
 absent() { # list, modules
     sh synth/modules.sh "$1" >"$TMP/here" || return 1
     printf '%s\n' $2 | sort >"$TMP/absent"
@@ -74,10 +77,14 @@ mirrors='rt_mirrors rt_bounce rt_blend'
 ways='rt_background rt_table rt_spans rt_cone'
 point='rt_hit rt_normalise rt_quotient rt_quotient_pool'
 texture='rt_texture rt_texture_path rt_texture_map rt_texture_image rt_texture_mix'
+bend='rt_rays rt_refract'
+shine='rt_shine rt_gloss rt_power_rom'
 while IFS='|' read -r list modules; do
     check "core $list has no $modules" absent "$list" "$modules"
 done <<END
-all|$texture
+all|$texture $bend $shine rt_shares rt_share
+lights1+inside+refract|rt_blends rt_blend $shine
+lights1+sum|rt_blends $mirrors $bend $shine
 all-reflect|rt_blend
 all-lights|$lights
 all-inside|rt_probe
