@@ -4,8 +4,8 @@
 #
 # Colours, id, key, visits and texture word of each pixel, and the counters, RAYS_REFRACTED and
 # POWERS among them; in Verilator and Icarus, with random memory latency and 30 % stalls. Every
-# depth, what EFFECTS switches off at run time, two engines, roots that are cut, cores that have
-# only a part of it, and one without any, which refuses.
+# depth, what EFFECTS switches off at run time, two engines, a BIH, roots that are cut, cores that
+# have only a part of it, and one without any, which refuses.
 #   SEED=n        other latencies and stalls (1)
 #   CORE=pattern  only the runs whose name has the pattern in it
 set -u
@@ -39,6 +39,7 @@ machine mixed $mixed --profile draft --size 10x8 --depth 5
 machine water scenes/refraction/water.nff --profile draft --size 16x10 --depth 3
 machine plain scenes/paper5.nff --profile draft --size 16x10 --depth 4
 machine probes scenes/interpenetrating.nff --profile draft --size 16x10 --traverse first
+machine bih $mixed --profile draft --size 4x3 --depth 3 --accel bih
 machine two $mixed --profile draft --size 4x3 --depth 4
 machine cut $mixed --profile draft:pr=9 --size 4x3 --depth 3
 machine bends $mixed --profile draft --size 5x4 --lights 0 --reflect off --specular off
@@ -62,6 +63,7 @@ wanted "verilator glass, no highlights, no lights" $whole SIM=verilator glass --
 wanted "verilator glass, sum alone" $whole SIM=verilator glass --reg 0=548 --reg 2=0
 
 wanted "icarus mixed, two engines" auto "SIM=icarus ENGINES=2" two
+wanted "icarus mixed, in a BIH" auto SIM=icarus bih
 wanted "icarus mixed, roots cut" auto SIM=icarus cut
 wanted "icarus mixed, only refracted" auto SIM=icarus bends
 wanted "icarus mixed, only sums" auto SIM=icarus sums

@@ -1,7 +1,8 @@
 // rt_pixels.v - slots of an engine: a pixel comes in, its colours go out
 // SPDX-License-Identifier: Apache-2.0
 // Gives each traced pixel a free slot, sorts the rays that are done (shadow, hit, miss), blends
-// surfaces and background over the reflection depths, sends mirror rays off, and delivers.
+// surfaces and background over the reflection depths, sends mirror rays off, and delivers. With
+// REFRACT or SUM rt_shares blends, and sends refracted rays off too.
 // Model: sph_render_pixel() in cmodel/render_pixel.c
 `default_nettype none
 `include "rt_layout.vh"
