@@ -29,8 +29,8 @@ AT ?=
 ## BUILD_MORE  other options of `sphaera build`, such as --inside off
 BUILD_MORE ?=
 ## EFFECTS     of the core: auto (as the scene asks), all, all-NAME, none, or joined by + of
-##             shadow reflectN lightsN inside first interpenetrate facets texture rect spans
-##             conesN bih; all has no texture, all+texture has
+##             shadow reflectN lightsN inside first interpenetrate facets texture coarseN
+##             refract specular sum rect spans conesN bih; all has no texture, all+texture has
 EFFECTS ?= auto
 ## ENGINES     tracing engines in the core
 ENGINES ?= 1

@@ -30,8 +30,6 @@ struct sph_render_options {
     void (*fetch)(void *user, const struct sph_texel *texel); /* may be NULL; every texel, as it is
                                                                 asked for: with one thread */
     void *fetch_user;
-    int lod_drop; /* bits of the levels' fractions that are left out, 0..8: what a narrower lod
-                     would draw; 0 is the machine */
     struct sph_trail *trails; /* may be NULL; one for each pixel of the frame, row by row */
 };
 

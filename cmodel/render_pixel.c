@@ -197,8 +197,7 @@ struct sph_pixel sph_render_pixel(const struct sph_machine *m, const struct sph_
                                   int x, int y, struct sph_counters *c, uint32_t *errors,
                                   struct sph_trail *trail) {
     struct sph_pixel pixel = {.id = SPH_ID_NONE, .texture = SPH_NO_TEXTURE};
-    struct sph_texture_work texture = {
-        .fetch = o->fetch, .user = o->fetch_user, .lod_drop = o->lod_drop};
+    struct sph_texture_work texture = {.fetch = o->fetch, .user = o->fetch_user};
     if (trail) *trail = (struct sph_trail){0, 0, SPH_ID_NONE, SPH_ID_NONE, 0};
     if (sph_is_background(m, x, y)) {
         c->count[SPH_COUNT_BACKGROUND]++;

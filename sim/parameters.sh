@@ -4,9 +4,10 @@
 #
 # usage: sim/parameters.sh LIST
 #   LIST  all, all-NAME (all but one), none, or names joined by +, the first of which may be all:
-#         shadow reflectN lightsN inside first interpenetrate facets texture refract specular sum
-#         rect spans conesN bih
-#         (N: reflections 1..5, lights 1..8, spheres of exact background separation 1..16;
+#         shadow reflectN lightsN inside first interpenetrate facets texture coarseN refract
+#         specular sum rect spans conesN bih
+#         (N: reflections 1..5, lights 1..8, spheres of exact background separation 1..16, bits
+#         that levels of textures have less 1..8, which needs texture;
 #         interpenetrate needs first and inside, so all-first and all-inside leave it out too;
 #         refract needs inside, specular needs sum;
 #         all has no texture, with which a core has 4/10 more cells, and no refract, specular and
@@ -15,10 +16,10 @@
 # Prints the parameters of rtl/shell/rt_core.v, NAME=VALUE, all on one line.
 set -eu
 awk -v list="$1" 'BEGIN {
-    n = split("shadow reflect lights inside first interpenetrate facets texture refract " \
-              "specular sum rect spans cones bih", name, " ")
-    split("1 5 8 1 1 1 1 1 1 1 1 1 1 16 1", most, " ")
-    split("1 5 8 1 1 1 1 0 0 0 0 1 1 1 0", full, " ")
+    n = split("shadow reflect lights inside first interpenetrate facets texture coarse " \
+              "refract specular sum rect spans cones bih", name, " ")
+    split("1 5 8 1 1 1 1 1 8 1 1 1 1 1 16 1", most, " ")
+    split("1 5 8 1 1 1 1 0 0 0 0 0 1 1 1 0", full, " ")
     but = list
     if (sub(/^all-/, "", but)) list = "all"; else but = ""
     all = sub(/^all(\+|$)/, "", list)
@@ -47,6 +48,10 @@ awk -v list="$1" 'BEGIN {
     if (!bad && !list && !all) bad = "(nothing)"
     if (!bad && value[number["refract"]] && !value[number["inside"]]) {
         print list ": refract needs inside" > "/dev/stderr"
+        exit 1
+    }
+    if (!bad && value[number["coarse"]] && !value[number["texture"]]) {
+        print list ": coarse needs texture" > "/dev/stderr"
         exit 1
     }
     if (!bad && value[number["specular"]] && !value[number["sum"]]) {

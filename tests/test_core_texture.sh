@@ -40,6 +40,7 @@ machine hall-standard $hall --size 24x14
 machine hall-small $hall --profile draft --size 10x6
 machine hall-only $hall --profile draft --size 16x10 --depth 0 --lights 0 --filter nearest
 machine hall-rect $hall --profile draft --size 16x10 --background rect
+machine hall-coarse $hall --profile draft --size 10x6 --lod-bits 3
 machine hall-bih $hall --profile draft --size 10x6 --accel bih
 machine balls $balls --profile draft --size 16x12
 machine balls-first $balls --profile draft --size 16x12 --traverse first --tree paper
@@ -68,6 +69,7 @@ wanted "verilator hall standard, two engines" auto ENGINES=2 hall-standard
 
 wanted "icarus hall" auto SIM=icarus hall-small
 wanted "icarus hall, found by a BIH" auto SIM=icarus hall-bih
+wanted "icarus hall, levels of three bits" auto SIM=icarus hall-coarse
 wanted "icarus balls" auto SIM=icarus balls-small
 wanted "icarus hall, textures alone" auto SIM=icarus hall-only
 wanted "icarus balls, textures alone" auto SIM=icarus balls-only
@@ -101,4 +103,12 @@ counts() { # counter: the core counted some
 [ -n "$CORE" ] || for counter in texels texel_misses; do
     check "the core counts $counter" counts $counter
 done
+
+# A core of other levels than the machine's gives no pixel.
+coarser() {
+    env BUILT=1 EFFECTS=$whole sh sim/core.sh --machine "$machines/balls.sph" --reg 102=5 \
+        >"$TMP/refused"
+    [ $? -eq 3 ] && grep 'asks for coarse5' "$TMP/refused"
+}
+[ -n "$CORE" ] || check "levels of three bits, a core of eight: refused" coarser
 done_testing

@@ -64,6 +64,8 @@ static int check(const struct sph_scene *scene, const struct sph_build_options *
                         SPH_BIH_STACK + 1);
     if (o->bih != SPH_BIH_FULL && o->bih != SPH_BIH_LISTING)
         return sph_fail(err, "there is no way %d to build a BIH", o->bih);
+    if (o->coarse < 0 || o->coarse > SPH_LOD_BITS)
+        return sph_fail(err, "a level has no %d bits of fraction", SPH_LOD_BITS - o->coarse);
     if (o->tex_filter < 0 || o->tex_filter >= SPH_FILTERS)
         return sph_fail(err, "there is no texture filter %d", o->tex_filter);
     if (o->background < SPH_BG_NONE || o->background > SPH_BG_EXACT)

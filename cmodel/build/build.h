@@ -41,6 +41,7 @@ struct sph_build_options {
     int bg_levels;                    /* exact: 0 the root, 1 its children, 2 theirs */
     int texture;                      /* SPH_AUTO, SPH_OFF */
     int tex_filter;                   /* SPH_FILTER_* */
+    int coarse;                       /* bits of levels' fractions that are left out, 0..8 */
     int lod_literal;                  /* 1: base as the paper prints it (docs/lod.md) */
     const struct sph_mip *mips;       /* of the scene's textures, in its order; equal images may
                                          share texels */

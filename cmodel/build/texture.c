@@ -226,5 +226,6 @@ int sph_emit_textures(const struct sph_scene *scene, const struct sph_grid *grid
     report->bases_flops = bases->flops;
     machine->regs[SPH_REG_EFFECTS] |= 1 << SPH_EFFECT_TEXTURE;
     machine->regs[SPH_REG_TEX_FILTER] = options->tex_filter;
+    machine->regs[SPH_REG_COARSE] = options->coarse;
     return 0;
 }

@@ -75,9 +75,9 @@ static const struct {
     NAMED(ROOT),      NAMED(PRIM_BASE),  NAMED(MEM_LINES), NAMED(N_PRIMS),    NAMED(VISIT_LIMIT),
     NAMED(PROFILE),   NAMED(TREE),       NAMED(FRAME),     NAMED(LIGHT0_X),   NAMED(LIGHT0_Y),
     NAMED(LIGHT0_Z),  NAMED(LIGHT0_R),   NAMED(LIGHT0_G),  NAMED(LIGHT0_B),   NAMED(BG_BASE),
-    NAMED(BG_COUNT),  NAMED(FACET_BASE), NAMED(N_SPHERES), NAMED(TEX_FILTER), NAMED(LEAF_BASE),
-    NAMED(N_LOOSE),   NAMED(BOX_X0),     NAMED(BOX_Y0),    NAMED(BOX_Z0),     NAMED(BOX_X1),
-    NAMED(BOX_Y1),    NAMED(BOX_Z1)};
+    NAMED(BG_COUNT),  NAMED(FACET_BASE), NAMED(N_SPHERES), NAMED(TEX_FILTER), NAMED(COARSE),
+    NAMED(LEAF_BASE), NAMED(N_LOOSE),    NAMED(BOX_X0),    NAMED(BOX_Y0),     NAMED(BOX_Z0),
+    NAMED(BOX_X1),    NAMED(BOX_Y1),     NAMED(BOX_Z1)};
 
 static void describe_registers(const struct sph_machine *m, FILE *file) {
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
@@ -96,7 +96,7 @@ static void describe_registers(const struct sph_machine *m, FILE *file) {
 void sph_machine_core(const struct sph_machine *m, char *text, size_t size) {
     static const char *const ways[] = {"", "+rect", "+spans", "+cones"};
     const int32_t *r = m->regs;
-    char reflect[16] = "", lights[16] = "", cones[16] = "";
+    char reflect[16] = "", lights[16] = "", cones[16] = "", coarse[16] = "";
     int mode = r[SPH_REG_BG_MODE] & 3, depth = r[SPH_REG_MAX_DEPTH];
 #define ON(name) (r[SPH_REG_EFFECTS] >> SPH_EFFECT_##name & 1)
     if (!depth && ON(REFLECT)) depth = 1; /* the bit alone asks for it too */
@@ -104,11 +104,12 @@ void sph_machine_core(const struct sph_machine *m, char *text, size_t size) {
     if (r[SPH_REG_N_LIGHTS]) snprintf(lights, sizeof lights, "+lights%d", r[SPH_REG_N_LIGHTS]);
     if (mode == 3)
         snprintf(cones, sizeof cones, "%d", r[SPH_REG_BG_COUNT] ? r[SPH_REG_BG_COUNT] : 1);
+    if (r[SPH_REG_COARSE]) snprintf(coarse, sizeof coarse, "+coarse%d", r[SPH_REG_COARSE]);
     char list[160];
-    snprintf(list, sizeof list, "%s%s%s%s%s%s%s%s%s%s%s%s%s%s", ON(SHADOW) ? "+shadow" : "",
+    snprintf(list, sizeof list, "%s%s%s%s%s%s%s%s%s%s%s%s%s%s%s", ON(SHADOW) ? "+shadow" : "",
              reflect, lights, ON(INSIDE) ? "+inside" : "", ON(FIRST) ? "+first" : "",
              ON(INTERPENETRATE) ? "+interpenetrate" : "", ON(FACETS) ? "+facets" : "",
-             ON(TEXTURE) ? "+texture" : "", ON(REFRACT) ? "+refract" : "",
+             ON(TEXTURE) ? "+texture" : "", coarse, ON(REFRACT) ? "+refract" : "",
              ON(SPECULAR) ? "+specular" : "", ON(SUM) ? "+sum" : "", ways[mode], cones,
              sph_machine_bih(m) ? "+bih" : "");
 #undef ON

@@ -106,7 +106,7 @@ uint32_t sph_lookup(const struct sph_machine *m, uint32_t map, const struct sph_
         return white;
     }
     int32_t base = sph_field_signed(record, SPH_MAP_BASE_LSB, SPH_MAP_BASE_BITS);
-    uint32_t lod = coarser(sph_lod(where->path, base, levels), work->lod_drop);
+    uint32_t lod = coarser(sph_lod(where->path, base, levels), m->regs[SPH_REG_COARSE]);
     if (work->lod == SPH_LOD_NONE) work->lod = lod;
     j.st = sph_coords(record, where);
     return filtered(&j, m->regs[SPH_REG_TEX_FILTER], lod);

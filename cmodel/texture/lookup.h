@@ -31,7 +31,6 @@ struct sph_texture_work {
     uint32_t lod;    /* u4.8 of the first lookup, SPH_LOD_NONE: none yet */
     uint32_t words;  /* sum of the addresses of all texels fetched, modulo 2^20 */
     uint32_t errors; /* 1 << SPH_ERROR_* */
-    int lod_drop;    /* bits of lod's fraction that are rounded away, half up; 0 in hardware */
     void (*fetch)(void *user, const struct sph_texel *texel);
     void *user;
 };

@@ -17,7 +17,7 @@
 struct arguments {
     struct tool_source source;
     const char *input, *png, *exr, *frame, *json, *walk;
-    int layer, traverse, threads, counters, progress, lod_drop, depths;
+    int layer, traverse, threads, counters, progress, depths;
     struct tool_frames frames;
 };
 
@@ -26,7 +26,6 @@ enum {
     KEY_FRAME,
     KEY_LAYER,
     KEY_BRUTE,
-    KEY_LOD_BITS,
     KEY_COUNTERS,
     KEY_JSON,
     KEY_FRAMES,
@@ -34,8 +33,6 @@ enum {
     KEY_DEPTHS,
     KEY_WALK
 };
-
-enum { LOD_BITS = 8 };
 
 static const struct argp_option options[] = {
     {"output", 'o', "FILE.png", 0, "picture, 8-bit RGB", 0},
@@ -52,8 +49,6 @@ static const struct argp_option options[] = {
      "3 blue, 4 yellow, 5 magenta, 6 white",
      0},
     {"brute", KEY_BRUTE, NULL, 0, "without tree: test every sphere, find the nearest", 0},
-    {"lod-bits", KEY_LOD_BITS, "N", 0,
-     "bits of the fraction of levels, 0 to 8 (default, as in hardware): what fewer would draw", 0},
     {"threads", 't', "N", 0, "0: one for every processor (default)", 0},
     {"counters", KEY_COUNTERS, NULL, 0, "print the counters", 0},
     {"frames", KEY_FRAMES, "A..B", 0,
@@ -92,9 +87,6 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     case KEY_BRUTE:
         a->traverse = SPH_TRAVERSE_BRUTE;
         return 0;
-    case KEY_LOD_BITS:
-        a->lod_drop = LOD_BITS - (int)tool_number(state, "--lod-bits", arg, 0, LOD_BITS);
-        return 0;
     case 't':
         a->threads = (int)tool_number(state, "--threads", arg, 0, 1024);
         return 0;
@@ -122,7 +114,7 @@ static double render(const struct arguments *a, const struct sph_machine *machin
                      struct sph_shot *shot, struct sph_trail *trails, struct sph_error *err) {
     struct progress progress;
     struct sph_render_options how = {
-        .traverse = a->traverse, .threads = a->threads, .lod_drop = a->lod_drop, .trails = trails};
+        .traverse = a->traverse, .threads = a->threads, .trails = trails};
     if (progress_start(&progress, "rendering", a->progress)) {
         how.progress = progress_show;
         how.user = &progress;

@@ -77,6 +77,7 @@ enum {
     KEY_TEXTURE,
     KEY_FILTER,
     KEY_LOD,
+    KEY_LOD_BITS,
     KEY_AT,
     KEY_SKIP
 };
@@ -107,6 +108,7 @@ static const struct argp_option options[] = {
      "primary rays find the nearest hit (default), or end at the first one, as in the paper", 1},
     {"interpenetrate", KEY_INTERPENETRATE, "WHEN", 0,
      "with --traverse first, mends hits inside another sphere: auto (default), on or off", 1},
+    {"lod-bits", KEY_LOD_BITS, "N", 0, "bits of the fraction of a level, 0 to 8 (8)", 1},
     {"texture", KEY_TEXTURE, "WHEN", 0, "images on surfaces: auto (default) or off", 1},
     {"filter", KEY_FILTER, "NAME", 0,
      "texels: nearest or bilinear of the whole image, bilinear of one level of its MIP chain "
@@ -217,6 +219,10 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         break;
     case KEY_LOD:
         s->build.lod_literal = tool_choice(state, "--lod", arg, lods);
+        break;
+    case KEY_LOD_BITS:
+        s->build.coarse =
+            SPH_LOD_BITS - (int)tool_number(state, "--lod-bits", arg, 0, SPH_LOD_BITS);
         break;
     case KEY_AT:
         s->read.at = (uint32_t)tool_number(state, "--at", arg, 0, SPH_MAX_FRAME);

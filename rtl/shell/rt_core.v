@@ -23,6 +23,7 @@ module rt_core #(
     parameter INTERPENETRATE = 1, // their correction, 0 or 1: needs FIRST and INSIDE
     parameter FACETS     = 1,    // triangles and planes, 0 or 1
     parameter TEXTURE    = 0,    // textures, 0 or 1
+    parameter COARSE     = 0,    // bits of their levels' fraction that are rounded away, 0..8
     parameter REFRACT    = 0,    // refracted rays, 0 or 1: needs INSIDE
     parameter SPECULAR   = 0,    // highlights, 0 or 1: needs SUM
     parameter SUM        = 0,    // materials that add up, 0 or 1
@@ -101,6 +102,7 @@ module rt_core #(
     wire [31:0]      effects, profile;
     wire [2:0]       max_depth;
     wire [1:0]       frame, tex_filter;
+    wire [3:0]       coarse;
     wire [3:0]       n_lights;
     wire [55:0]      window, rect;
     wire [1:0]       bg_mode;
@@ -125,7 +127,7 @@ module rt_core #(
         .bg_count_o(bg_count), .background_o(background),
         .ambient_o(ambient), .eye_o(eye), .dir_o(dir), .pitch_o(pitch), .root_o(root),
         .prim_base_o(prim_base), .mem_lines_o(mem_lines), .visit_limit_o(visit_limit),
-        .profile_o(profile), .frame_o(frame), .tex_filter_o(tex_filter),
+        .profile_o(profile), .frame_o(frame), .tex_filter_o(tex_filter), .coarse_o(coarse),
         .bih_o(bih), .n_prims_o(n_prims), .leaf_base_o(leaf_base), .n_loose_o(n_loose),
         .box_o(box),
         .light_valid_o(light_valid), .light_number_o(light_number),
@@ -144,7 +146,7 @@ module rt_core #(
     localparam DEEPEST = REFRACT != 0 ? 5 : REFLECT;
     wire [3:0]  ways  = {CONES != 0, SPANS != 0, RECT != 0, 1'b1};
     wire missing = (effects & ~built) != 32'd0 ||    // the machine asks for what is not here
-                   bih != (ACCEL != 0) ||
+                   bih != (ACCEL != 0) || coarse != (TEXTURE != 0 ? COARSE[3:0] : 4'd0) ||
                    {29'd0, max_depth} > DEEPEST || {28'd0, n_lights} > LIGHTS ||
                    !ways[bg_mode] || (bg_mode == 2'd3 && {27'd0, bg_count} > CONES);
     localparam [31:0] PROFILE = W << `RT_WIDTH_W_LSB | WD << `RT_WIDTH_WD_LSB |
@@ -241,6 +243,7 @@ module rt_core #(
                         .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES),
                         .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS),
                         .TEXTURE_GROUP(TEXTURE_GROUP), .TEXTURE_COORDS(TEXTURE_COORDS),
+                        .COARSE(COARSE),
                         .ROOTS(ROOTS), .QUOTIENTS(QUOTIENTS),
                         .DIVISIONS(DIVISIONS), .ROOT_STEP(ROOT_STEP),
                         .QUOTIENT_STEP(QUOTIENT_STEP),

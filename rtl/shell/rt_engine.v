@@ -31,6 +31,7 @@ module rt_engine #(
     parameter TEXTURE_WAYS = 4,  // its groups of a set
     parameter TEXTURE_GROUP = 1, // lines of a group
     parameter TEXTURE_COORDS = 2, // units for texture coordinates
+    parameter COARSE     = 0,    // bits of a level's fraction that are rounded away
     parameter ROOTS      = 3,    // square root units
     parameter QUOTIENTS  = 3,    // dividers
     parameter DIVISIONS  = 1,    // dividers for keys of facets
@@ -420,7 +421,8 @@ module rt_engine #(
         if (TEXTURE != 0) begin : g_texture
             rt_texture #(.W(W), .WD(WD), .NG(NG), .BACK(REFRACT), .SLOTS(SLOTS), .SLOTW(SLOTW),
                          .LINES(TEXTURE_LINES), .WAYS(TEXTURE_WAYS),
-                         .GROUP(TEXTURE_GROUP), .COORDS(TEXTURE_COORDS)) u_texture (
+                         .GROUP(TEXTURE_GROUP), .COORDS(TEXTURE_COORDS),
+                         .COARSE(COARSE)) u_texture (
                 .clk(clk), .rst(rst), .flush_i(flush_i),
                 .on_i(effects_i[`RT_EFFECT_TEXTURE]), .filter_i(tex_filter_i),
                 .mem_lines_i(mem_lines_i),

@@ -70,6 +70,7 @@
 `define RT_POWER_ONE 16
 `define RT_INDEX_MAX 4000
 `define RT_REFRACT_WD 25
+`define RT_LOD_BITS 8
 `define RT_LOD_NONE 4095
 `define RT_TREE_BIH 3
 `define RT_TREE_BRUTE 4
@@ -303,6 +304,7 @@
 `define RT_REG_FACET_BASE 99
 `define RT_REG_N_SPHERES 100
 `define RT_REG_TEX_FILTER 101
+`define RT_REG_COARSE 102
 `define RT_REG_LEAF_BASE 104
 `define RT_REG_N_LOOSE 105
 `define RT_REG_BOX_X0 106

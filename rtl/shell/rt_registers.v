@@ -34,6 +34,7 @@ module rt_registers #(
     output reg  [31:0]       profile_o,
     output reg  [1:0]        frame_o,
     output wire [1:0]        tex_filter_o,
+    output wire [3:0]        coarse_o,
     output reg               bih_o,           // TREE is a BIH
     output wire [23:0]       n_prims_o,       // of a BIH
     output wire [25:0]       leaf_base_o,
@@ -88,11 +89,16 @@ module rt_registers #(
     generate
         if (TEXTURE != 0) begin : g_texture
             reg [1:0] filter_q;
-            always @(posedge clk)
+            reg [3:0] coarse_q;
+            always @(posedge clk) begin
                 if (valid_i && addr_i == `RT_REG_TEX_FILTER) filter_q <= data_i[1:0];
+                if (valid_i && addr_i == `RT_REG_COARSE)     coarse_q <= data_i[3:0];
+            end
             assign tex_filter_o = filter_q;
+            assign coarse_o     = coarse_q;
         end else begin : g_no_texture
             assign tex_filter_o = 2'd0;
+            assign coarse_o     = 4'd0;
         end
         if (ACCEL != 0) begin : g_bih
             reg [23:0]        n_prims_q, n_loose_q;

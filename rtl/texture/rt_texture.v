@@ -16,7 +16,8 @@ module rt_texture #(
     parameter LINES = 128,     // texture cache, lines of memory
     parameter WAYS  = 4,       // groups of a set
     parameter GROUP = 1,       // lines of memory fetched together: 1, 2 or 4
-    parameter COORDS = 2       // units for coordinates
+    parameter COORDS = 2,      // units for coordinates
+    parameter COARSE = 0       // bits of the level's fraction that are rounded away, 0 to 8
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -197,7 +198,7 @@ module rt_texture #(
         .level_line_o(header_line),
         .st_read_i(st_read), .st_slot_i(st_slot), .st_o(st)
     );
-    rt_texture_image #(.SLOTS(SLOTS), .SLOTW(SLOTW)) u_image (
+    rt_texture_image #(.SLOTS(SLOTS), .SLOTW(SLOTW), .COARSE(COARSE)) u_image (
         .clk(clk), .rst(rst), .filter_i(filter_i),
         .image_valid_i(come_image), .image_slot_i(slot), .image_i(data), .void_i(r_lost_q),
         .lod_i(lod), .line_i(header_line), .none_o(no_texels),

@@ -7,7 +7,8 @@
 `include "rt_layout.vh"
 module rt_texture_image #(
     parameter SLOTS = 32,      // power of two
-    parameter SLOTW = 5        // log2 of SLOTS
+    parameter SLOTW = 5,       // log2 of SLOTS
+    parameter COARSE = 0       // bits of the level's fraction that are rounded away, 0 to 8
 ) (
     input  wire              clk,
     input  wire              rst,
@@ -53,7 +54,9 @@ module rt_texture_image #(
     wire [3:0]       levels = r_image_q[`RT_IMAGE_LEVELS_LSB +: 4];
     wire             r_none = void_i || levels == 4'd0 || levels > `RT_TEXTURE_LEVELS;
     wire [11:0]      most   = {levels - 4'd1, 8'd0};
-    wire [11:0]      lod    = lod_i > most ? most : lod_i;
+    wire [11:0]      fine   = lod_i > most ? most : lod_i;
+    wire [11:0]      half   = 12'd1 << COARSE >> 1;
+    wire [11:0]      lod    = (fine + half) >> COARSE << COARSE;
     wire [12:0]      near   = {1'b0, lod} + 13'd128;
     assign none_o = r_valid_q && r_none;
     always @(posedge clk) begin

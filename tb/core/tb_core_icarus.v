@@ -27,6 +27,7 @@ module tb_core_icarus #(
     parameter INTERPENETRATE = 1,
     parameter FACETS = 1,
     parameter TEXTURE = 0,
+    parameter COARSE = 0,
     parameter RECT = 1,
     parameter SPANS = 1,
     parameter CONES = 1,
@@ -71,7 +72,7 @@ module tb_core_icarus #(
         .W(W), .WD(WD), .PQ(PQ), .NG(NG), .FW(FW), .PR(PR),
         .ENGINES(ENGINES), .SHADOW(SHADOW), .REFLECT(REFLECT), .LIGHTS(LIGHTS), .INSIDE(INSIDE),
         .FIRST(FIRST), .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS),
-        .TEXTURE(TEXTURE), .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM),
+        .TEXTURE(TEXTURE), .COARSE(COARSE), .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM),
         .RECT(RECT), .SPANS(SPANS), .CONES(CONES), .ACCEL(ACCEL),
         .ROOT_STEP(ROOT_STEP), .QUOTIENT_STEP(QUOTIENT_STEP)
     ) u_core (
