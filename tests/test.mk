@@ -23,8 +23,12 @@ test: | $(filter setup,$(MAKECMDGOALS)) ## every check; ends with `N passed, M f
 	    UNBUILT=$$unbuilt SPHAERA=$(abspath $(TOOL)) BUILD=$(abspath $B) JOBS=$(JOBS) \
 	    sh tests/run.sh $(RUN)
 
-.PHONY: suites
+.PHONY: suites mutants
 suites: $(TOOL) $(RUN)
+
+mutants: suites ## faults put into the RTL and what notices them: all of tests/mutants
+	@ALL=1 SPHAERA=$(abspath $(TOOL)) BUILD=$(abspath $B) JOBS=$(JOBS) \
+	    sh tests/run.sh tests/test_mutants.sh
 
 TEST_LIBS = $(call pkg,--libs cmocka) $(MODEL_LIBS)
 
