@@ -1,12 +1,38 @@
 # core_runs.sh - many runs of the core's harness, two at a time; sourced after tap.sh
 # SPDX-License-Identifier: Apache-2.0
 #
-# run NAME CORE SETTINGS MACHINE [OPTION...]   notes a run; latency 1 to 60 by SEED and NAME
+# start FOLDER    SEED, BUILD, CORE as they are or by default; FOLDER of $BUILD/test for machines, empty
+# machine NAME SCENE [OPTION...]   builds one there; $every: options of all
+# wanted NAME CORE SETTINGS MACHINE [OPTION...]   run of such a machine, if NAME has $CORE in it
+# run NAME CORE SETTINGS FILE [OPTION...]   notes a run; latency 1 to 60 by SEED and NAME
 # build_cores     builds what the runs need, each core once
 # run_all         runs them; leaves NUMBER.log and NUMBER.rc in $TMP, NUMBER counted from 1
 # judge           one TAP line a run: ok if not one bit differs
 runs=$TMP/runs
 : >"$runs"
+every=
+
+start() {
+    SEED=${SEED:-1} BUILD=${BUILD:-build} CORE=${CORE:-}
+    export BUILD OPT=-O0 JOBS=1
+    echo "# SEED=$SEED; one run again: SEED=$SEED CORE=NAME make test ONLY=test_$1"
+    machines=$BUILD/test/$1
+    rm -rf "$machines"
+    mkdir -p "$machines"
+}
+machine() {
+    file=$machines/$1.sph scene=$2
+    shift 2
+    # shellcheck disable=SC2086  # a list of words on purpose
+    "$SPHAERA" build "$scene" -o "$file" $every "$@" >"$TMP/build" 2>&1 ||
+        check "$file" cat "$TMP/build"
+}
+wanted() {
+    case $1 in *"$CORE"*) ;; *) return ;; esac
+    title=$1 list=$2 with=$3 file=$machines/$4.sph
+    shift 4
+    run "$title" "$list" "$with" "$file" "$@"
+}
 
 # CORE: the list that is built, or auto. SETTINGS: SIM=..., ENGINES=... of sim/core.sh.
 run() {

@@ -11,15 +11,7 @@ set -u
 . "$(dirname "$0")/tap.sh"
 . "$(dirname "$0")/core_runs.sh"
 cd "$(dirname "$0")/.." || exit 1
-SEED=${SEED:-1}
-BUILD=${BUILD:-build}
-CORE=${CORE:-}
-export BUILD OPT=-O0 JOBS=1
-echo "# SEED=$SEED; one run again: SEED=$SEED CORE=NAME make test ONLY=test_background"
-
-machines=$BUILD/test/background
-mkdir -p "$machines"
-rm -f "$machines"/*.sph
+start background
 wanted() { case $1 in *"$CORE"*) run "$@" ;; esac }
 # Name, scene, options.
 machine() {

@@ -12,14 +12,7 @@ set -u
 . "$(dirname "$0")/tap.sh"
 . "$(dirname "$0")/core_runs.sh"
 cd "$(dirname "$0")/.." || exit 1
-SEED=${SEED:-1}
-BUILD=${BUILD:-build}
-CORE=${CORE:-}
-export BUILD OPT=-O0 JOBS=1
-echo "# SEED=$SEED; one run again: SEED=$SEED CORE=NAME make test ONLY=test_core"
-
-machines=$BUILD/test/core
-mkdir -p "$machines"
+start core
 # Name, list, settings of core.sh, machine, options.
 wanted() { case $1 in *"$CORE"*) run "$@" ;; esac }
 # Simulator, size, profiles: every scene.
@@ -52,7 +45,6 @@ broken() {
 }
 
 # A profile may refuse a scene, and says which one would do.
-rm -f "$machines"/*.sph
 for scene in scenes/*.nff; do
     scene_name=$(basename "$scene" .nff)
     for profile in draft standard fine reference; do

@@ -12,27 +12,8 @@ set -u
 . "$(dirname "$0")/tap.sh"
 . "$(dirname "$0")/core_runs.sh"
 cd "$(dirname "$0")/.." || exit 1
-SEED=${SEED:-1}
-BUILD=${BUILD:-build}
-CORE=${CORE:-}
-export BUILD OPT=-O0 JOBS=1
-echo "# SEED=$SEED; one run again: SEED=$SEED CORE=NAME make test ONLY=test_core_bih"
-machines=$BUILD/test/core_bih
-rm -rf "$machines"
-mkdir -p "$machines"
-
-wanted() { # name, list, settings of core.sh, machine, options of the harness
-    case $1 in *"$CORE"*) ;; *) return ;; esac
-    title=$1 list=$2 with=$3 file=$machines/$4.sph
-    shift 4
-    run "$title" "$list" "$with" "$file" "$@"
-}
-machine() { # name, scene, options of build
-    file=$machines/$1.sph scene=$2
-    shift 2
-    "$SPHAERA" build "$scene" -o "$file" --profile draft --accel bih "$@" >"$TMP/build" 2>&1 ||
-        check "$file" cat "$TMP/build"
-}
+start core_bih
+every="--profile draft --accel bih" # what a run asks for itself counts more
 mixed=tests/facets/mixed.nff
 for scene in scenes/*.nff; do
     [ "$scene" != scenes/huge_tiny.nff ] || continue # not in this profile

@@ -13,27 +13,7 @@ set -u
 . "$(dirname "$0")/tap.sh"
 . "$(dirname "$0")/core_runs.sh"
 cd "$(dirname "$0")/.." || exit 1
-SEED=${SEED:-1}
-BUILD=${BUILD:-build}
-CORE=${CORE:-}
-export BUILD OPT=-O0 JOBS=1
-echo "# SEED=$SEED; one run again: SEED=$SEED CORE=NAME make test ONLY=test_core_texture"
-machines=$BUILD/test/core_texture
-rm -rf "$machines"
-mkdir -p "$machines"
-
-wanted() { # name, list, settings of core.sh, machine, options of the harness
-    case $1 in *"$CORE"*) ;; *) return ;; esac
-    title=$1 list=$2 with=$3 file=$machines/$4.sph
-    shift 4
-    run "$title" "$list" "$with" "$file" "$@"
-}
-machine() { # name, scene, options of build
-    file=$machines/$1.sph scene=$2
-    shift 2
-    "$SPHAERA" build "$scene" -o "$file" "$@" >"$TMP/build" 2>&1 ||
-        check "$file" cat "$TMP/build"
-}
+start core_texture
 hall=scenes/texture/hall.nff balls=tests/texture/balls.nff
 machine hall $hall --profile draft --size 32x18
 machine hall-standard $hall --size 24x14

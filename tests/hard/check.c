@@ -8,6 +8,7 @@
 #include "exact.h"
 #include "floats.h"
 #include "reference/naive.h"
+#include "reference/naive_hit.h"
 #include "reference/naive_optics.h"
 #include "shade/refract.h"
 #include "surface.h"
@@ -94,7 +95,7 @@ static void check_surface(struct job *j, const struct sph_leaf *s, const struct 
         memcmp(model.normal, exact.normal, sizeof exact.normal) ||
         memcmp(model.unit.u, exact.unit.u, sizeof exact.unit.u))
         wrong(j, HARD_NAIVE, "point, normal or unit vector");
-    naive_bounce(p, j->ray.dir, model.normal, other);
+    sph_naive_mirror(j->ray.dir, model.normal, p->wd, other);
     if (memcmp(bounce, other, sizeof other)) wrong(j, HARD_NAIVE, "mirror ray");
 }
 

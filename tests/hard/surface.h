@@ -32,7 +32,5 @@ int exact_refract(const struct sph_profile *p, const int64_t dir[3], const int64
 /* The same from the key on, and the unit vector of the normal. */
 int naive_surface(const struct sph_profile *p, const struct sph_ray *ray, uint64_t key, int far,
                   const struct sph_leaf *sphere, struct sph_surface *s);
-void naive_bounce(const struct sph_profile *p, const int64_t dir[3], const int64_t normal[3],
-                  int64_t out[3]);
 
 #endif

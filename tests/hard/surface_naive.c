@@ -45,22 +45,3 @@ int naive_surface(const struct sph_profile *p, const struct sph_ray *ray, uint64
     mpz_clears(n[0], n[1], n[2], x, NULL);
     return limited != 0;
 }
-
-void naive_bounce(const struct sph_profile *p, const int64_t dir[3], const int64_t normal[3],
-                  int64_t out[3]) {
-    mpz_t v[3], dn, nn, x;
-    mpz_inits(v[0], v[1], v[2], dn, nn, x, NULL);
-    for (int i = 0; i < 3; i++) {
-        mpz_set_si(x, normal[i]);
-        mpz_addmul(nn, x, x);
-        mpz_mul_si(x, x, dir[i]);
-        mpz_add(dn, dn, x);
-    }
-    for (int i = 0; i < 3; i++) {
-        mpz_mul_si(v[i], nn, dir[i]);
-        mpz_mul_si(x, dn, 2 * normal[i]);
-        mpz_sub(v[i], v[i], x);
-    }
-    sph_naive_normalise(v, p->wd, out);
-    mpz_clears(v[0], v[1], v[2], dn, nn, x, NULL);
-}
