@@ -1,7 +1,7 @@
 # core_runs.sh - many runs of the core's harness, two at a time; sourced after tap.sh
 # SPDX-License-Identifier: Apache-2.0
 #
-# start FOLDER    SEED, BUILD, CORE as they are or by default; FOLDER of $BUILD/test for machines, empty
+# start FOLDER    SEED, BUILD, CORE by default; empties FOLDER of $BUILD/test, for machines
 # machine NAME SCENE [OPTION...]   builds one there; $every: options of all
 # wanted NAME CORE SETTINGS MACHINE [OPTION...]   run of such a machine, if NAME has $CORE in it
 # run NAME CORE SETTINGS FILE [OPTION...]   notes a run; latency 1 to 60 by SEED and NAME
