@@ -48,8 +48,8 @@ module f_leaf #(
     wire signed [X-1:0] disc = k*a + b*b;
     wire signed [X-1:0] light = k + 2*b - a;
     wire own    = id == skip_id;
-    wire inside = INSIDE != 0 && on;
-    wire skip   = inside ? own && !skip_inside : own || k >= 0;
+    wire inner  = INSIDE != 0 && on;
+    wire skip   = inner ? own && !skip_inside : own || k >= 0;
     wire ahead  = disc > 0 && (b > 0 || k > 0);
     wire far    = !skip && (k >= 0 || own);
     wire ends   = SHADOW != 0 && shadow;

@@ -7,13 +7,13 @@ module s_square;
     wire [27:0] square;
     rt_square u_dut (.clk(clk), .in_i(n[13:0]), .out_q(square));
     always #1 clk = !clk;
-    wire [14:0] before = n - 15'd3;      // at the 4th edge
-    wire [27:0] r = {13'd0, before};
+    wire [14:0] taken = n - 15'd3;       // at the 4th edge
+    wire [27:0] r = {13'd0, taken};
     always @(negedge clk) begin
         if (n >= 3 && square !== r*r) begin
-            $display("fails: square of %0d is %0d", before, square);
+            $display("fails: square of %0d is %0d", taken, square);
             $finish;
-        end else if (before == 15'h3fff) begin
+        end else if (taken == 15'h3fff) begin
             $display("proved");
             $finish;
         end

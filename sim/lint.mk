@@ -3,29 +3,32 @@
 #
 # Files are checked again only when they or what they include changed ($B/lint/...). Verilator takes
 # each module as a top of its own (waivers with reasons in sim/waivers.vlt); Icarus and Yosys take
-# all files at once.
+# all files at once. `systemverilog` reads the same files, those of formal/ and the benches as
+# SystemVerilog, whose keywords are more: Verilator, Icarus, and slang where it is installed.
 
 V_FILES  := $(sort $(shell find rtl -name '*.v'))
 V_HEADS  := $(sort $(shell find rtl -name '*.vh'))
+V_BENCHES := $(sort $(wildcard formal/*.v tb/*/*.v))
 V_DIRS   := $(patsubst %/,%,$(sort $(dir $(V_FILES) $(V_HEADS))))
 WAIVERS  := $(wildcard sim/waivers.vlt)
 C_HEADS  := $(sort $(shell find cmodel tb tests -name '*.h'))
 # Tests are left to gcc's warnings and sanitizers: clang-tidy takes seven seconds a file.
 TIDY     := $(filter-out $(GENERATORS),$(C_FILES)) $(IMAGE_CXX) $(wildcard formal/*.c)
-LINTS    := verilator iverilog yosys tidy format text
+LINTS    := verilator iverilog systemverilog yosys tidy format text
 # gcc's omp.h, whose malloc attribute clang does not know
 OMP_DIR   = $(dir $(shell $(CC) -print-file-name=include/omp.h))
 TIDY_C    = -std=c11 -D_GNU_SOURCE -Icmodel -Itests -Itests/hard -fopenmp -idirafter $(OMP_DIR) \
             '-D__malloc__(x)='
 lint_say  = $(if $(filter 1,$(V)),@echo '  LINT $(1)',@:)
 
-lint: ## silent tools: verilator, iverilog, yosys, clang-tidy, clang-format, text rules
+lint: ## silent tools: verilator, iverilog, slang, yosys, clang-tidy, clang-format, text rules
 	+$(Q)$(MAKE) --no-print-directory -k -j$(JOBS) $(LINTS:%=lint-%)
 	@echo "lint: $(words $(V_FILES)) Verilog and $(words $(TIDY)) C files are clean"
 
 .PHONY: $(LINTS:%=lint-%)
 lint-verilator: $(V_FILES:%=$B/lint/%)
 lint-iverilog: $B/lint/iverilog
+lint-systemverilog: $B/lint/systemverilog
 lint-yosys: $B/lint/yosys
 lint-tidy: $(TIDY:%=$B/lint/%)
 
@@ -41,6 +44,16 @@ $B/lint/iverilog: $(V_FILES) $(V_HEADS)
 	@mkdir -p $(@D)
 	$(Q)iverilog -g2005 -Wall -t null $(V_DIRS:%=-I%) $(V_FILES) >$@.log 2>&1; rc=$$?; \
 	    cat $@.log; [ $$rc = 0 ] && [ ! -s $@.log ]
+	@touch $@
+
+$B/lint/systemverilog: $(V_FILES) $(V_HEADS) $(V_BENCHES) sim/lint_slang.py
+	$(call lint_say,SystemVerilog)
+	@mkdir -p $(@D)
+	$(Q)verilator --lint-only -Wall $(V_DIRS:%=-I%) --top-module rt_core $(WAIVERS) $(V_FILES)
+	$(Q)(for f in "$(V_FILES)" $(V_BENCHES); do \
+	    iverilog -g2012 -Wall -t null -Y .v $(V_DIRS:%=-I%) $(V_DIRS:%=-y %) $$f || exit 1; \
+	    done) >$@.log 2>&1; rc=$$?; cat $@.log; [ $$rc = 0 ] && [ ! -s $@.log ]
+	$(Q)python3 sim/lint_slang.py $(V_DIRS) -- $(V_FILES) $(V_BENCHES)
 	@touch $@
 
 $B/lint/yosys: $(V_FILES) $(V_HEADS)

@@ -208,6 +208,8 @@ module rt_core #(
         .out_data_o({ray_dir_y, ray_dir_x, ray_y, ray_x})
     );
     assign e_take = e_ready & (~e_ready + 1'b1);     // the lowest engine with a free slot
+    reg              mux_valid_q;                    // a pixel is at the port
+    wire             mux_ready = !mux_valid_q || pix_ready_i;
     wire             working = walk_busy || ray_valid || e_busy != 0 || mux_valid_q;
     localparam SB = $clog2(PLACES + 3);
     localparam [31:0] WAIT = PLACES + 2;
@@ -310,9 +312,7 @@ module rt_core #(
         end
     endgenerate
     // ---- pixel port: engines first, then background ----
-    reg           mux_valid_q;
     reg [PW-1:0]  mux_q, mux_next;
-    wire          mux_ready = !mux_valid_q || pix_ready_i;
     assign p_take   = p_valid & (~p_valid + 1'b1);
     assign bg_ready = SEPARATED && mux_ready && p_valid == 0;
     wire [31:0]   untextured = {12'd`RT_LOD_NONE, 20'd0};

@@ -81,14 +81,14 @@ module rt_texel #(
     wire             t_turn  = step_q == 4'd1;           // the operands of t enter
     wire [39:0]      at      = t_turn ? t_q : s_q;
     wire             clamp   = clamp_q[t_turn];
-    wire [19:0]      inside  = !clamp ? at[19:0] : at[39] ? 20'd0 : |at[38:20] ? 20'hfffff
+    wire [19:0]      bounded = !clamp ? at[19:0] : at[39] ? 20'd0 : |at[38:20] ? 20'hfffff
                                : at[19:0];
     // ---- and the row of tiles of a texel: y / 2 * tiles ----
     wire [10:0]      tiles   = {1'b0, w_q[11:2]} + 11'd1;         // (w + 3) / 4
     reg  [11:0]      y0_q, y1_q, x0_q, x1_q;
     wire             row_turn = step_q >= 4'd3;          // y1 as long as the first request waits
     wire [10:0]      pair    = step_q == 4'd3 ? y0_q[11:1] : y1_q[11:1];
-    wire [19:0]      a       = row_turn ? {9'd0, pair} : inside;
+    wire [19:0]      a       = row_turn ? {9'd0, pair} : bounded;
     wire [12:0]      b       = row_turn ? {2'd0, tiles} : {1'b0, t_turn ? h_q : w_q} + 13'd1;
     reg  [32:0]      prod_q;                             // one clock after its operands
     always @(posedge clk) prod_q <= a * b;
@@ -97,12 +97,12 @@ module rt_texel #(
     wire             t_done  = step_q == 4'd2;           // the product of t is there
     wire [20:0]      place   = prod_q[32:12];            // u13.8
     wire [20:0]      middle  = place + 21'd128;
-    wire [12:0]      before  = middle[20:8];             // the second texel, not yet wrapped
+    wire [12:0]      high    = middle[20:8];             // the second texel, not yet wrapped
     wire [11:0]      last    = t_done ? h_q : w_q;
     wire             stay   = clamp_q[t_done];
-    wire [12:0]      low     = before - 13'd1;
-    wire [11:0]      first   = |before ? low[11:0] : stay ? 12'd0 : last;
-    wire [11:0]      second  = before <= {1'b0, last} ? before[11:0] : stay ? last : 12'd0;
+    wire [12:0]      low     = high - 13'd1;
+    wire [11:0]      first   = |high ? low[11:0] : stay ? 12'd0 : last;
+    wire [11:0]      second  = high <= {1'b0, last} ? high[11:0] : stay ? last : 12'd0;
     reg  [31:0]      weights_q;
     wire [7:0]       weight  = nearest_q ? 8'd0 : middle[7:0];
     reg  [21:0]      row0_q, row1_q;                     // y / 2 * tiles

@@ -76,8 +76,8 @@ module rt_facet_feed #(
                            : w_at[0] ? {{(AW-WD){1'b0}}, w_abs} : {{(AW-W){1'b0}}, w_face};
 
     // ---- lanes ----
-    wire wide  = op_i == `RT_FACET_BDET || op_i == `RT_FACET_BNUM || op_i == `RT_FACET_KEY;
-    wire cross = op_i == `RT_FACET_X0 || op_i == `RT_FACET_X1;
+    wire wide     = op_i == `RT_FACET_BDET || op_i == `RT_FACET_BNUM || op_i == `RT_FACET_KEY;
+    wire cross_op = op_i == `RT_FACET_X0 || op_i == `RT_FACET_X1;
     wire [3*CUT-1:0] pieces = op_i == `RT_FACET_BDET ? {{(3*CUT-DW){1'b0}}, det_i}
                               : {{(3*CUT-MW){1'b0}}, num_i};
     genvar j;
@@ -101,7 +101,7 @@ module rt_facet_feed #(
                     `RT_FACET_U1:  b = of_difference(e2_q[(W+1)*j +: W+1]);
                     default:       b = of_difference(y);
                 endcase
-            assign a_o[AW*j +: AW] = wide ? w_q : cross ? {{(AW-NW){x[NW-1]}}, x}
+            assign a_o[AW*j +: AW] = wide ? w_q : cross_op ? {{(AW-NW){x[NW-1]}}, x}
                                      : {{(AW-CW){v_q[CW-1]}}, v_q};
             assign b_o[BW*j +: BW] = wide ? {1'b0, pieces[CUT*j +: CUT]}
                                      : {{(BW-NW){b[NW-1]}}, b};

@@ -116,8 +116,8 @@ module rt_leaf #(
             assign kind_wait[j*3 +: 3] = kind_q;
         end
     endgenerate
-    wire own, inside, shadow;                    // in clock T_B+2
-    assign {own, inside, shadow} = kind_wait[(N_KIND-1)*3 +: 3];
+    wire own, inner, shadow;                     // in clock T_B+2
+    assign {own, inner, shadow} = kind_wait[(N_KIND-1)*3 +: 3];
 
     // a: stage 0 in clock 1, stage j in clocks 2j, 2j+1; used in clocks T_B, T_B+1 (T_B is even)
     localparam N_A = T_B/2 + 1;
@@ -240,7 +240,7 @@ module rt_leaf #(
     wire light_out = light_q[LW-1];              // the light is outside
     wire light_in  = !light_out && light_q != {LW{1'b0}};
     wire on        = INSIDE != 0 && inside_on_i;
-    wire leaves    = on && own && inside;        // starts on the inner side of its own sphere
+    wire leaves    = on && own && inner;         // starts on the inner side of its own sphere
     wire skip      = own ? !leaves               // never hits the sphere it leaves
                          : !on && !k_neg_q;      // starts inside no sphere
     wire ahead     = bb_pos_q || (INSIDE != 0 && k_pos_q);  // if disc > 0, a root with t > 0
