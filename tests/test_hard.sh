@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # Each mutant of tests/hard/mutants.txt is one edit in a copy of one file of the model, linked with
-# the objects of `hard`, and run on the named case that must notice it.
+# the objects of `hard`, and run on the named case that must notice it; or linked with the test that
+# must fail.
 #   MUTANT=pattern  only mutants whose name has the pattern in it
 set -u
 self=$0
@@ -15,25 +16,31 @@ export BUILD TMP
 hard=$BUILD/test/hard
 libs=$(pkg-config --libs jansson expat gmp mpfr)
 
-# A job file: name, file, from, to, case. 0: noticed, 1: not noticed, 2: could not be run.
+# A job file: name, file, from, to, and the number of a case or the name of a test.
+# 0: noticed, 1: not noticed, 2: could not be run.
 job() {
+    job=$1
     {
         IFS= read -r name
         IFS= read -r file
         IFS= read -r FROM
         IFS= read -r TO
-        IFS= read -r number
-    } <"$1"
-    NEW=$1.new
+        IFS= read -r by
+    } <"$job"
+    NEW=$job.new
     export FROM TO NEW
-    cp "cmodel/$file" "$1.c" && edit "$1.c" || return 2
+    cp "cmodel/$file" "$job.c" && edit "$job.c" || return 2
+    case $by in
+    test_*) set -- "tests/$by.c" -lcmocka ;;
+    *) set -- "$BUILD"/test/obj/tests/hard/*.o "$BUILD/obj/cmodel/tool/progress.o" ;;
+    esac
     # shellcheck disable=SC2086  # a list of words on purpose
     gcc -std=c11 -D_GNU_SOURCE -O1 -w -Icmodel "-Icmodel/${file%/*}" -fopenmp \
-        "$1.c" "$BUILD"/test/obj/tests/hard/*.o "$BUILD/obj/cmodel/tool/progress.o" \
-        "$BUILD/libsphaera.a" $libs -lm -o "$1.run" || return 2
-    timeout 60 "$1.run" --named="$number"
+        "$job.c" "$@" "$BUILD/libsphaera.a" $libs -lm -o "$job.run" || return 2
+    case $by in test_*) set -- ;; *) set -- --named="$by" ;; esac
+    timeout 60 "$job.run" "$@"
     rc=$?
-    case $1 in */001.job) ;; *) rm -f "$1.run" ;; esac
+    case $job in */001.job) ;; *) rm -f "$job.run" ;; esac
     [ $rc -le 1 ] && return $((1 - rc))
     return 2
 }
@@ -149,7 +156,7 @@ while read -r key rest; do
     file) file=$rest ;;
     from) from=$rest ;;
     to) to=$rest ;;
-    case)
+    case | test)
         case $name in *"${MUTANT:-}"*) ;; *) continue ;; esac
         jobs=$((jobs + 1))
         printf '%s\n' "$name" "$file" "$from" "$to" "$rest" >"$TMP/$(printf %03d $jobs).job"
@@ -159,10 +166,11 @@ done <tests/hard/mutants.txt
 find "$TMP" -name '*.job' | sort | xargs -P 2 -I JOB sh "$self" --job JOB
 for file in "$TMP"/*.job; do
     name=$(sed -n 1p "$file")
-    number=$(sed -n 5p "$file")
+    by=$(sed -n 5p "$file")
+    case $by in test_*) ;; *) by="case $by" ;; esac
     case $(cat "$file.rc" 2>/dev/null) in
-    0) tap 0 "mutant ($name) killed by case $number" "$file.log" ;;
-    1) tap 1 "mutant ($name) survives case $number" "$file.log" ;;
+    0) tap 0 "mutant ($name) killed by $by" "$file.log" ;;
+    1) tap 1 "mutant ($name) survives $by" "$file.log" ;;
     *) tap 1 "mutant ($name) cannot be run" "$file.log" ;;
     esac
 done

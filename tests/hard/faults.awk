@@ -1,4 +1,4 @@
-# faults.awk - table of the faults put into model and RTL, and the case that notices each
+# faults.awk - table of the faults put into model and RTL, and the case or test that notices each
 # SPDX-License-Identifier: Apache-2.0
 #
 # usage: awk -f tests/hard/faults.awk tests/hard/mutants.txt tests/hard/rtl_mutants.txt
@@ -10,8 +10,8 @@
     later = $1 == "more"
 }
 /^(file|bench) / { where = $2 }
-/^case / {
-    if (FNR == NR) model[name] = "`" where "`, " $2
+/^(case|test) / {
+    if (FNR == NR) model[name] = "`" where "`, " ($1 == "test" ? "`" $2 "`" : $2)
     else rtl[name] = "`" where "`, " $2 (later ? " *" : "")
 }
 END {
