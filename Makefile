@@ -106,7 +106,7 @@ include sim/objects.mk sim/sim.mk sim/bench.mk sim/lint.mk sim/background.mk sim
 
 layout: ## regenerate the C and Verilog layout headers from cmodel/machine/machine.def
 	$(call say,GEN,"layout.h rt_layout.vh")
-	$(Q)sh sim/layout.sh cmodel/machine/layout.h rtl/shell/rt_layout.vh
+	$(Q)sh sim/layout.sh cmodel/machine/layout.h rtl/core/rt_layout.vh
 
 clean: ## remove build/
 	$(Q)rm -rf $B

@@ -24,8 +24,8 @@ induction() { # a base case of as many clocks as the step spans, then the step
     for f in $5; do models="$models formal/f_$f.v"; done
     for p in $3; do sets="$sets -set ${p%%=*} ${p#*=}"; done
     # RTL without its own assertions: they are about its users, but for those of a user's proof
-    $NICE yosys -q -p "read_verilog -Irtl/math -Irtl/trace -Irtl/shell $sources;
-        read_verilog -formal -Irtl/math -Irtl/trace -Irtl/shell $models; ${sets:+chparam $sets $2;}
+    $NICE yosys -q -p "read_verilog -Irtl/math -Irtl/trace -Irtl/core $sources;
+        read_verilog -formal -Irtl/math -Irtl/trace -Irtl/core $models; ${sets:+chparam $sets $2;}
         hierarchy -check -top $2; prep -flatten -nordff;
         async2sync; opt_clean; dffunmap; opt_clean; check -assert;
         write_smt2 -wires $out.smt2" >"$out.log" 2>&1 || { verdict=error; return; }

@@ -13,7 +13,7 @@
 #         all has no texture, with which a core has 4/10 more cells, and no refract, specular and
 #         sum: all+texture+refract+specular+sum has them; with bih
 #         the core walks a BIH, which knows neither first nor interpenetrate: all+bih has neither)
-# Prints the parameters of rtl/shell/rt_core.v, NAME=VALUE, all on one line.
+# Prints the parameters of rtl/core/rt_core.v, NAME=VALUE, all on one line.
 set -eu
 awk -v list="$1" 'BEGIN {
     n = split("shadow reflect lights inside first interpenetrate facets texture coarse " \

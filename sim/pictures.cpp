@@ -13,8 +13,8 @@
 
 #include "image/image.h"
 extern "C" {
-#include "frame_file.h"
-#include "render.h"
+#include "core/frame_file.h"
+#include "core/render.h"
 }
 
 namespace {

@@ -5,7 +5,7 @@
 # usage: sim/profile.sh PROFILE [name]
 #   PROFILE  a name of machine.def, alone or with widths of its own: NAME:key=value,... (keys w, wd,
 #            pr, pq, ng, fw), or the same as a part of a file name, NAME_keyVALUE_...
-# Prints parameters of rtl/shell/rt_core.v, NAME=VALUE, all on one line; with `name` the part of a
+# Prints parameters of rtl/core/rt_core.v, NAME=VALUE, all on one line; with `name` the part of a
 # file name. The tool and rt_core check what widths go together, this script each by itself.
 set -eu
 awk -v text="$1" -v want="${2:-}" '

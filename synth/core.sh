@@ -58,7 +58,7 @@ printf '  %-4s %s\n' SYN "$key"
 start=$(date +%s)
 # shellcheck disable=SC2086  # lists of words on purpose
 nice yosys -q -l "$out/log" -E "$out/sources" -p "verilog_defaults -add $include -DSYNTHESIS;
-    read_verilog rtl/shell/$top.v; chparam $set_all $top; hierarchy -check -top $top $library;
+    read_verilog rtl/core/$top.v; chparam $set_all $top; hierarchy -check -top $top $library;
     proc; check -assert; tee -q -o $out/rtl.json stat -json;
     $map; check -assert; tee -q -o $out/stat.tmp stat -json;
     write_rtlil $out/netlist.il; $depth" >"$out/errors" 2>&1 || {

@@ -8,6 +8,6 @@ set_all=$(sh sim/parameters.sh "$1" | sed 's/\([A-Z]*\)=\([0-9]*\)/-chparam \1 \
 folders=$(find rtl -name '*.v*' -exec dirname {} + | sort -u)
 include='' library=''
 for d in $folders; do include="$include -I$d" library="$library -libdir $d"; done
-yosys -q -p "verilog_defaults -add $include -DSYNTHESIS; read_verilog rtl/shell/rt_core.v;
+yosys -q -p "verilog_defaults -add $include -DSYNTHESIS; read_verilog rtl/core/rt_core.v;
     hierarchy -check -top rt_core $set_all $library; tee -q -o /dev/stdout ls" |
     grep -o 'rt_[a-z0-9_]*' | sort -u

@@ -13,7 +13,7 @@
 
 extern "C" {
 #include "machine/layout.h"
-#include "texture/cache.h"
+#include "memory/cache.h"
 }
 
 class CachePrediction {

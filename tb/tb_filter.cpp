@@ -13,7 +13,7 @@
 #include "bench.h"
 #include "hard.h"
 extern "C" {
-#include "build/bound.h"
+#include "builder/bound.h"
 #include "machine/layout.h"
 #include "trace/filter.h"
 #include "trace/leaf.h"

@@ -13,7 +13,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "build/build.h"
+#include "builder/build.h"
 
 static uint64_t state = 1; /* of the generator: argument 1 of a test program */
 

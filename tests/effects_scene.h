@@ -9,8 +9,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "build/build.h"
-#include "render.h"
+#include "builder/build.h"
+#include "core/render.h"
 
 /* The options of a machine with all that the scene may need, whatever build finds. */
 static inline struct sph_build_options everything(const struct sph_scene *scene,

@@ -14,8 +14,8 @@
 
 #include <cmocka.h>
 
-#include "build/build.h"
-#include "render.h"
+#include "builder/build.h"
+#include "core/render.h"
 
 /* One scene for each thing that can go wrong in a picture; from the root of the repository. */
 static const char *const model_scenes[] = {

@@ -10,7 +10,7 @@
 
 #include "pixel/walk.h"
 #include "reference/naive.h"
-#include "render.h"
+#include "core/render.h"
 
 enum { W = 24, H = 18 };
 

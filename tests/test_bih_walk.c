@@ -7,7 +7,7 @@
 #include "model_scene.h"
 #include "vectors.h"
 
-#include "build/near.h"
+#include "builder/near.h"
 #include "reference/naive.h"
 #include "scene/edit.h"
 #include "trace/node.h"

@@ -8,8 +8,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "build/emit.h"
-#include "build/tree.h"
+#include "builder/emit.h"
+#include "builder/tree.h"
 
 static int32_t child_field(const uint32_t *line, int child, int lsb, int width) {
     return sph_field_signed(line, child * SPH_CHILD_STRIDE + lsb, width);

@@ -3,7 +3,7 @@
  */
 #include "textured.h"
 
-#include "build/texture_base.h"
+#include "builder/texture_base.h"
 
 static void free_all(struct sph_machine *m, struct sph_mip *mip) {
     sph_machine_free(m);

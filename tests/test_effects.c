@@ -7,7 +7,7 @@
 
 #include <time.h>
 
-#include "build/occlude.h"
+#include "builder/occlude.h"
 #include "machine/layout.h"
 #include "shade/surface.h"
 

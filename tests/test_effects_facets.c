@@ -6,7 +6,7 @@
  */
 #include "facets_scene.h"
 
-#include "build/occlude.h"
+#include "builder/occlude.h"
 #include "effects_scene.h"
 #include "machine/layout.h"
 

@@ -11,7 +11,7 @@ same() { # name, committed file, fresh file
 }
 sh sim/layout.sh "$TMP/layout.h" "$TMP/rt_layout.vh"
 same "layout.h follows machine.def" cmodel/machine/layout.h "$TMP/layout.h"
-same "rt_layout.vh follows machine.def" rtl/shell/rt_layout.vh "$TMP/rt_layout.vh"
+same "rt_layout.vh follows machine.def" rtl/core/rt_layout.vh "$TMP/rt_layout.vh"
 
 ${CC:-gcc} -std=c11 -O2 -Icmodel cmodel/math/gen_rsqrt.c -lm -o "$TMP/gen_rsqrt" || exit 1
 "$TMP/gen_rsqrt" c >"$TMP/rsqrt_table.h"

@@ -5,9 +5,9 @@
 
 #include <string.h>
 
-#include "build/cones.h"
-#include "build/literal.h"
-#include "build/spans.h"
+#include "builder/cones.h"
+#include "builder/literal.h"
+#include "builder/spans.h"
 
 enum { SIDE = 64, MARGIN = 4, WIDE = SIDE + 2 * MARGIN };
 

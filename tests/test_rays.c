@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-#include "build/rect.h"
+#include "builder/rect.h"
 
 static void test_rays(void **unused) {
     (void)unused;

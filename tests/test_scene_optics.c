@@ -3,7 +3,7 @@
  */
 #include "scene_files.h"
 
-#include "build/build.h"
+#include "builder/build.h"
 #include "machine/describe.h"
 
 #define SUM "shading sum\n"

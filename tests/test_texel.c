@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "texture/cache.h"
+#include "memory/cache.h"
 #include "texture/filter.h"
 #include "texture/lookup.h"
 #include "texture/order.h"

@@ -9,8 +9,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "build/build.h"
-#include "render.h"
+#include "builder/build.h"
+#include "core/render.h"
 #include "texture/lookup.h"
 
 /* Red of level l is 20 * l + 10, so that a picture tells the level; green and blue are 255. */

@@ -17,7 +17,7 @@
 #include <cmocka.h>
 
 #include "machine/layout.h"
-#include "profile.h"
+#include "machine/profile.h"
 #include "scene/rng.h"
 #include "trace/leaf.h"
 #include "trace/ray.h"

@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-#include "build/grid.h"
+#include "builder/grid.h"
 
 /* Random views of a test; the sanitizers slow them down. */
 #ifdef __SANITIZE_ADDRESS__

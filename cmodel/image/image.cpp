@@ -16,7 +16,7 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
-#include "output.h"
+#include "common/output.h"
 
 namespace {
 

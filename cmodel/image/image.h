@@ -13,8 +13,8 @@
 extern "C" {
 #endif
 
-#include "error.h"
-#include "frame.h"
+#include "common/error.h"
+#include "core/frame.h"
 
 /* 8-bit picture in memory: width * height * channels bytes, row 0 on top. */
 struct sph_image {

@@ -10,7 +10,7 @@
 extern "C" {
 #endif
 
-#include "error.h"
+#include "common/error.h"
 #include "texture/mip.h"
 
 /* Reads an image of any kind that OpenImageIO knows and makes its MIP chain. One channel is grey,

@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "fnv.h"
+#include "common/fnv.h"
 #include "machine/machine.h"
 
 #define SPH_MAGIC "SPHAERA1"

@@ -8,9 +8,9 @@
 
 #include <stdint.h>
 
-#include "error.h"
+#include "common/error.h"
 #include "machine/layout.h"
-#include "profile.h"
+#include "machine/profile.h"
 
 struct sph_machine {
     int32_t regs[SPH_N_REGS];

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "machine/format.h"
-#include "output.h"
+#include "common/output.h"
 
 static void put_double(unsigned char *to, double v) {
     uint64_t bits;

@@ -8,7 +8,7 @@
 
 #include "machine/machine.h"
 #include "reference/reference.h"
-#include "render.h"
+#include "core/render.h"
 
 /* A render of the model with its trails. */
 struct sph_accuracy_frame {

@@ -4,7 +4,7 @@
 #ifndef SPH_REFERENCE_LEVELS_H
 #define SPH_REFERENCE_LEVELS_H
 
-#include "frame.h"
+#include "core/frame.h"
 #include "reference/reference.h"
 
 /* Pixels by the angle between ray and normal, in steps of SPH_SLANT_STEP degrees. Only those count

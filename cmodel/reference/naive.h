@@ -9,7 +9,7 @@
 #ifndef SPH_NAIVE_H
 #define SPH_NAIVE_H
 
-#include "frame.h"
+#include "core/frame.h"
 #include "machine/machine.h"
 #include "trace/facet.h"
 #include "trace/leaf.h"

@@ -6,7 +6,7 @@
 
 #include <stdint.h>
 
-#include "profile.h"
+#include "machine/profile.h"
 
 /* The direction behind a surface with normal n, any length, of a ray that comes along d with index
  * `from` on its side and `to` on the other. 0 if all is reflected. */

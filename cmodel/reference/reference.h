@@ -9,8 +9,8 @@
 
 #include <stdint.h>
 
-#include "error.h"
-#include "frame.h"
+#include "common/error.h"
+#include "core/frame.h"
 #include "machine/machine.h"
 #include "reference/texture.h"
 #include "scene/scene.h"

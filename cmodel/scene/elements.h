@@ -4,7 +4,7 @@
 #ifndef SPH_SCENE_ELEMENTS_H
 #define SPH_SCENE_ELEMENTS_H
 
-#include "error.h"
+#include "common/error.h"
 
 #define SPH_MAX_ELEMENTS 128
 

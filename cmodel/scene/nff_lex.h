@@ -11,7 +11,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "error.h"
+#include "common/error.h"
 
 #define SPH_LEX_TOKEN 63    /* characters of the longest token */
 #define SPH_NUMBER_MAX 1e30 /* greatest size of a number: squares and products stay finite */

@@ -4,7 +4,7 @@
 #ifndef SPH_SCENE_POLYGON_H
 #define SPH_SCENE_POLYGON_H
 
-#include "error.h"
+#include "common/error.h"
 #include "scene/scene.h"
 
 #define SPH_MAX_CORNERS 1024

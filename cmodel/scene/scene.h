@@ -9,7 +9,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "error.h"
+#include "common/error.h"
 #include "machine/layout.h" /* SPH_MAX_LIGHTS */
 
 #define SPH_MAX_SPHERES 16000000u /* ids are 24 bits wide; the all-ones id means "no hit" */

@@ -6,7 +6,7 @@
 
 #include <stdint.h>
 
-#include "frame.h"
+#include "core/frame.h"
 #include "math/rsqrt.h"
 
 /* Lambert's cosine of two unit vectors (Borodavka et al. VI.C), u1.15 0..32768, 0 if facing away.

@@ -5,9 +5,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "frame_compare.h"
+#include "core/frame_compare.h"
 #include "image/image.h"
-#include "render.h"
+#include "core/render.h"
 #include "tool/print.h"
 #include "tool/report.h"
 

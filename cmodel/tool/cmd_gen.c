@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "output.h"
+#include "common/output.h"
 #include "scene/generate.h"
 #include "scene/pdb_import.h"
 #include "tool/tool.h"

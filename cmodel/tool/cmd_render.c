@@ -6,7 +6,7 @@
 
 #include "image/image.h"
 #include "machine/describe.h"
-#include "render.h"
+#include "core/render.h"
 #include "tool/depth_picture.h"
 #include "tool/print.h"
 #include "tool/progress.h"

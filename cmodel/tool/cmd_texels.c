@@ -6,8 +6,8 @@
  */
 #include <inttypes.h>
 
-#include "render_pixel.h"
-#include "texture/cache.h"
+#include "engine/render_pixel.h"
+#include "memory/cache.h"
 #include "texture/order.h"
 #include "tool/print.h"
 #include "tool/report.h"

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "build/background.h"
-#include "build/spans.h"
+#include "builder/background.h"
+#include "builder/spans.h"
 #include "scene/motion.h"
 #include "texture/lookup.h"
 #include "tool/tool.h"

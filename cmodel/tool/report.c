@@ -9,7 +9,7 @@
 
 #include "machine/describe.h"
 #include "machine/facets.h"
-#include "output.h"
+#include "common/output.h"
 #include "tool/sequence.h"
 
 json_t *report_new(const char *command) {

@@ -6,7 +6,7 @@
 
 #include <jansson.h>
 
-#include "frame_file.h"
+#include "core/frame_file.h"
 #include "tool/tool.h"
 
 /* The head that every report starts with. */

@@ -10,7 +10,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "texture/cache.h"
+#include "memory/cache.h"
 
 /* Sizes are SHAPES_SMALLEST lines of memory, twice that, and so on. */
 enum { SHAPES_SIZES = 6, SHAPES_SMALLEST = 8, SHAPES = 9 };

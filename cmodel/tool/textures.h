@@ -4,7 +4,7 @@
 #ifndef SPH_TOOL_TEXTURES_H
 #define SPH_TOOL_TEXTURES_H
 
-#include "error.h"
+#include "common/error.h"
 #include "scene/scene.h"
 #include "texture/mip.h"
 

@@ -9,8 +9,8 @@
 
 #include <argp.h>
 
-#include "build/build.h"
-#include "error.h"
+#include "builder/build.h"
+#include "common/error.h"
 #include "machine/machine.h"
 #include "scene/scene.h"
 

@@ -4,7 +4,7 @@
 #ifndef SPH_TOOL_WALK_PICTURE_H
 #define SPH_TOOL_WALK_PICTURE_H
 
-#include "frame.h"
+#include "core/frame.h"
 #include "machine/machine.h"
 
 /* Aroxa 2014, Figure 4.3: writes the colours of `layer` with a fifth more green for every inner

@@ -6,11 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "build/cones.h"
-#include "build/literal.h"
-#include "build/spans.h"
+#include "builder/cones.h"
+#include "builder/literal.h"
+#include "builder/spans.h"
 #include "pixel/walk.h"
-#include "render.h"
+#include "core/render.h"
 
 const char *const way_names[WAYS] = {"none",          "rect",          "rect literal",
                                      "spans",         "spans 16x16",   "spans 16x16, no border",

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "build/literal.h"
+#include "builder/literal.h"
 #include "image/image.h"
 #include "tool/ways.h"
 

@@ -7,7 +7,7 @@
 #include <stdint.h>
 
 #include "math/rsqrt.h"
-#include "profile.h"
+#include "machine/profile.h"
 
 enum { SPH_PRIMARY, SPH_SHADOW, SPH_REFLECTED, SPH_REFRACTED };
 

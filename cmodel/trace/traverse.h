@@ -10,9 +10,9 @@
 #ifndef SPH_TRAVERSE_H
 #define SPH_TRAVERSE_H
 
-#include "frame.h"
+#include "core/frame.h"
 #include "machine/machine.h"
-#include "render.h"
+#include "core/render.h"
 #include "trace/ray.h"
 
 struct sph_hit {

@@ -3,7 +3,7 @@
 // Gives each traced pixel a free slot, sorts the rays that are done (shadow, hit, miss), blends
 // surfaces and background over the reflection depths, sends mirror rays off, and delivers. With
 // REFRACT or SUM rt_shares blends, and sends refracted rays off too.
-// Model: sph_render_pixel() in cmodel/render_pixel.c
+// Model: sph_render_pixel() in cmodel/engine/render_pixel.c
 `default_nettype none
 `include "rt_layout.vh"
 module rt_pixels #(

@@ -3,7 +3,7 @@
 // A primary ray that ended at its first hit may have found a surface inside another sphere. The
 // mirror ray of that surface tells: if it hits another sphere from inside, the surface lies in
 // there, all that the pixel has is void, and its primary ray starts again, nearest first.
-// Borodavka et al. VI.D. Model: path() in cmodel/render_pixel.c
+// Borodavka et al. VI.D. Model: path() in cmodel/engine/render_pixel.c
 `default_nettype none
 module rt_probe #(
     parameter WD    = 17,  // direction component, bits

@@ -4,7 +4,7 @@
 // goes first and the refracted ray waits with all that it needs, in one of five places of its slot,
 // a place a depth. What has no ray of its own takes up the deepest that waits; with none the pixel
 // is complete. Refractions go before other surfaces.
-// Model: path(), leave() in cmodel/render_pixel.c
+// Model: path(), leave() in cmodel/engine/render_pixel.c
 `default_nettype none
 `include "rt_layout.vh"
 module rt_rays #(

@@ -3,7 +3,7 @@
 // Takes the place of rt_blends in a core that refracts or has materials with sum. The ray of a slot
 // has a weight and a depth; frames are sums, so that rays may come in any order.
 // read_i reads what belongs to the surface that enters one cycle later.
-// Model: path(), shade() in cmodel/render_pixel.c, sph_shares_add() in cmodel/shade/colour.c
+// Model: path(), shade() in cmodel/engine/render_pixel.c, sph_shares_add() in cmodel/shade/colour.c
 `default_nettype none
 module rt_shares #(
     parameter W        = 16,  // coordinate, bits

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Keeps the unit vectors of each slot's ray, surface and light. A light that shines on a material
 // with a highlight waits for rt_gloss; any other passes, also by one that is still in there.
-// Model: add() in cmodel/render_light.c
+// Model: add() in cmodel/engine/render_light.c
 `default_nettype none
 `include "rt_layout.vh"
 module rt_shine #(

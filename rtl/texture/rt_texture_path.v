@@ -1,7 +1,7 @@
 // rt_texture_path.v - adds up the way of every surface's ray and sorts out what has a texture
 // SPDX-License-Identifier: Apache-2.0
 // Park et al. 2011, Figure 1: path length on the ray stack; here a word a slot, begun anew by each
-// primary ray. Tokens leave in order. Model: cmodel/render_pixel.c
+// primary ray. Tokens leave in order. Model: cmodel/engine/render_pixel.c
 `default_nettype none
 module rt_texture_path #(
     parameter W     = 16,      // coordinate, bits

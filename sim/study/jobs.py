@@ -27,9 +27,10 @@ FIELDS = {
     "cells": CORE,
     "fmax": dict(CORE, route="1"),
 }
-MODEL = ["cmodel/*.[ch]"] + [f"cmodel/{d}/*.[ch]" for d in (
-    "build", "machine", "math", "pixel", "reference", "scene", "shade", "texture", "trace")]
-BUILD = [f"cmodel/{d}/*.[ch]" for d in ("build", "scene")] + ["cmodel/machine/machine.def"]
+MODEL = [f"cmodel/{d}/*.[ch]" for d in (
+    "builder", "common", "core", "engine", "machine", "math", "memory", "pixel", "prim",
+    "reference", "scene", "shade", "texture", "trace")]
+BUILD = [f"cmodel/{d}/*.[ch]" for d in ("builder", "scene")] + ["cmodel/machine/machine.def"]
 RTL = ["rtl/*/*.v", "rtl/*/*.vh"]
 PROTEIN = "/usr/share/pymol/data/demo/1tii.pdb"
 

@@ -5,12 +5,12 @@
 #define TB_MODEL_H
 
 extern "C" {
-#include "error.h"
-#include "frame.h"
-#include "frame_file.h"
+#include "common/error.h"
+#include "core/frame.h"
+#include "core/frame_file.h"
 #include "machine/describe.h"
 #include "machine/machine.h"
-#include "render.h"
+#include "core/render.h"
 }
 
 #endif

@@ -8,7 +8,7 @@
 #include <cstdio>
 
 extern "C" {
-#include "output.h"
+#include "common/output.h"
 }
 
 namespace {

@@ -7,7 +7,7 @@
 #ifndef HARD_CAMPAIGN_H
 #define HARD_CAMPAIGN_H
 
-#include "error.h"
+#include "common/error.h"
 #include "hard.h"
 
 enum { HARD_BLOCK = 1 << 16, HARD_NAIVE_SHARE = 64 /* one in so many in GMP as well */ };

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "build/bound.h"
+#include "builder/bound.h"
 #include "exact.h"
 #include "floats.h"
 #include "reference/naive.h"

@@ -11,7 +11,7 @@
 #include <stdio.h>
 
 #include "machine/layout.h"
-#include "profile.h"
+#include "machine/profile.h"
 #include "scene/rng.h"
 #include "trace/leaf.h"
 #include "trace/ray.h"

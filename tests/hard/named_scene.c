@@ -4,10 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "build/build.h"
+#include "builder/build.h"
 #include "named.h"
 #include "reference/naive.h"
-#include "render.h"
+#include "core/render.h"
 
 enum { W = 16, H = 12 };
 

@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-#include "build/emit.h"
+#include "builder/emit.h"
 
 static void put_leaf(uint32_t *line, int half, const struct sph_leaf *s) {
     int at = half * SPH_LEAF_STRIDE;

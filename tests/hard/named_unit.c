@@ -3,7 +3,7 @@
  */
 #include <string.h>
 
-#include "build/bound.h"
+#include "builder/bound.h"
 #include "math/isqrt.h"
 #include "named.h"
 #include "surface.h"

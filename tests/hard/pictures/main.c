@@ -9,10 +9,10 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "build/build.h"
+#include "builder/build.h"
 #include "draw.h"
 #include "image/image.h"
-#include "render.h"
+#include "core/render.h"
 
 enum { W = 100, H = 75, FIELDS = 4, SCALE = 2, GAP = 4, FAR_OFF = 8 };
 

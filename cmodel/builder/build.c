@@ -1,0 +1,245 @@
+/* build.c - scene in, machine out; see build.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "builder/build.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "builder/background.h"
+#include "builder/effects.h"
+#include "builder/emit.h"
+#include "builder/spans.h"
+#include "builder/texture.h"
+#include "texture/lookup.h"
+
+static double seconds(void) {
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+/* Whether what is asked of the effects can be. */
+static int check_effects(const struct sph_scene *scene, const struct sph_build_options *o,
+                         struct sph_error *err) {
+    const int when[] = {o->shadow,         o->reflect, o->inside,
+                        o->interpenetrate, o->refract, o->specular};
+    for (size_t i = 0; i < sizeof when / sizeof *when; i++)
+        if (when[i] < SPH_AUTO || when[i] > SPH_ON)
+            return sph_fail(err, "an effect is neither auto, off nor on: %d", when[i]);
+    if (o->traverse != SPH_BUILD_NEAREST && o->traverse != SPH_BUILD_FIRST)
+        return sph_fail(err, "there is no traversal %d", o->traverse);
+    if (o->traverse == SPH_BUILD_FIRST && scene->n_facets)
+        return sph_fail(err, "%s:%u: traverse first is for spheres: there are triangles or planes",
+                        scene->path, scene->facets[0].line);
+    if (o->traverse == SPH_BUILD_FIRST && o->tree >= SPH_TREE_BIH)
+        return sph_fail(err,
+                        "traverse first is the paper's walk through nodes of four children: "
+                        "it is not for %s",
+                        o->tree == SPH_TREE_BIH ? "bih" : "brute");
+    if (o->lights < SPH_AUTO || o->lights > scene->n_lights)
+        return sph_fail(err, "%s: %d lights are asked for, the scene has %d", scene->path,
+                        o->lights, scene->n_lights);
+    if (o->reflect == SPH_ON && !o->max_depth)
+        return sph_fail(err, "reflect on: there must be a reflection to follow, depth is 0");
+    if (o->refract == SPH_ON && !o->max_depth)
+        return sph_fail(err, "refract on: there must be a ray to follow, depth is 0");
+    if (o->interpenetrate == SPH_ON && o->traverse != SPH_BUILD_FIRST)
+        return sph_fail(err, "interpenetrate on: it corrects the first hit, traverse is nearest");
+    if (o->interpenetrate == SPH_ON && o->inside == SPH_OFF)
+        return sph_fail(err, "interpenetrate on: it needs inside, which is off");
+    return 0;
+}
+
+static int check(const struct sph_scene *scene, const struct sph_build_options *o,
+                 struct sph_error *err) {
+    if (!o->widths && (o->profile < 0 || o->profile >= SPH_PROFILES))
+        return sph_fail(err, "there is no profile %d", o->profile);
+    if (sph_profile_check(sph_build_profile(o), err)) return -1;
+    if (o->tree < SPH_TREE_PAPER || o->tree > SPH_TREE_BRUTE)
+        return sph_fail(err, "there is no tree %d", o->tree);
+    if (o->max_tree_depth > SPH_BIH_STACK + 1)
+        return sph_fail(err, "max_tree_depth %u is not in 0..%d", o->max_tree_depth,
+                        SPH_BIH_STACK + 1);
+    if (o->bih != SPH_BIH_FULL && o->bih != SPH_BIH_LISTING)
+        return sph_fail(err, "there is no way %d to build a BIH", o->bih);
+    if (o->coarse < 0 || o->coarse > SPH_LOD_BITS)
+        return sph_fail(err, "a level has no %d bits of fraction", SPH_LOD_BITS - o->coarse);
+    if (o->tex_filter < 0 || o->tex_filter >= SPH_FILTERS)
+        return sph_fail(err, "there is no texture filter %d", o->tex_filter);
+    if (o->background < SPH_BG_NONE || o->background > SPH_BG_EXACT)
+        return sph_fail(err, "there is no background mode %d", o->background);
+    if (o->bg_points && (o->bg_points < SPH_POINTS_MIN || o->bg_points > SPH_POINTS_MAX))
+        return sph_fail(err, "bg_points %d is not in %d..%d", o->bg_points, SPH_POINTS_MIN,
+                        SPH_POINTS_MAX);
+    if (o->bg_border < 0 || o->bg_border > SPH_BORDER_MAX)
+        return sph_fail(err, "bg_border %d is not in 0..%d", o->bg_border, SPH_BORDER_MAX);
+    if (o->bg_levels < 0 || o->bg_levels > SPH_BG_LEVELS)
+        return sph_fail(err, "bg_levels %d is not in 0..%d", o->bg_levels, SPH_BG_LEVELS);
+    if (o->max_depth < 0 || o->max_depth > SPH_MAX_DEPTH)
+        return sph_fail(err, "max_depth %d is not in 0..%d", o->max_depth, SPH_MAX_DEPTH);
+    if (scene->n_lights < 0 || scene->n_lights > SPH_MAX_LIGHTS)
+        return sph_fail(err, "%s: %d lights, at most %d", scene->path, scene->n_lights,
+                        SPH_MAX_LIGHTS);
+    if (scene->n_spheres > SPH_MAX_SPHERES)
+        return sph_fail(err, "%s: %u spheres, at most %u", scene->path, scene->n_spheres,
+                        SPH_MAX_SPHERES);
+    if (scene->n_facets > SPH_MAX_FACETS || scene->n_spheres + scene->n_facets > SPH_ID_NONE)
+        return sph_fail(err, "%s: %u spheres and %u triangles and planes; at most %d, of them %d",
+                        scene->path, scene->n_spheres, scene->n_facets, SPH_ID_NONE,
+                        SPH_MAX_FACETS);
+    if (check_effects(scene, o, err)) return -1;
+    for (uint32_t i = 0; i < scene->n_spheres; i++)
+        if (scene->spheres[i].material >= scene->n_materials)
+            return sph_fail(err, "%s:%u: sphere without material", scene->path,
+                            scene->spheres[i].line);
+    for (uint32_t i = 0; i < scene->n_spheres; i++)
+        if (scene->spheres[i].texture > scene->n_textures)
+            return sph_fail(err, "%s:%u: there is no texture %u", scene->path,
+                            scene->spheres[i].line, scene->spheres[i].texture);
+    for (uint32_t i = 0; i < scene->n_facets; i++) {
+        const struct sph_facet *f = &scene->facets[i];
+        if (f->kind != SPH_TRIANGLE && f->kind != SPH_PLANE)
+            return sph_fail(err, "%s:%u: neither a triangle nor a plane", scene->path, f->line);
+        if (f->material >= scene->n_materials)
+            return sph_fail(err, "%s:%u: triangle or plane without material", scene->path, f->line);
+        if (f->texture > scene->n_textures)
+            return sph_fail(err, "%s:%u: there is no texture %u", scene->path, f->line, f->texture);
+    }
+    return 0;
+}
+
+/* Frame, window, eye and primary rays. */
+static int place_camera(const struct sph_scene *scene, const struct sph_build_options *o,
+                        const struct sph_grid *grid, struct sph_rays *rays, struct sph_machine *m,
+                        struct sph_error *err) {
+    int width = o->width ? o->width : scene->camera.width;
+    int height = o->height ? o->height : scene->camera.height;
+    if (width < 1 || height < 1 || width > SPH_MAX_SIDE || height > SPH_MAX_SIDE)
+        return sph_fail(err, "%s: a raster of %dx%d, sides are 1..%d", scene->path, width, height,
+                        SPH_MAX_SIDE);
+    const struct sph_profile *p = sph_build_profile(o);
+    struct sph_error why = {{0}};
+    if (sph_rays_fit(width, height, scene->camera.angle, p->wd, rays, &why))
+        return sph_fail(err, "%s: profile %s: %.400s", scene->path, p->name, why.text);
+    if (-(int64_t)rays->z < sph_min_screen(p))
+        return sph_fail(err,
+                        "%s: profile %s: angle %g puts the screen %d away, %d bits of the "
+                        "quotient need %lld",
+                        scene->path, p->name, scene->camera.angle, -rays->z, p->pq,
+                        (long long)sph_min_screen(p));
+    int32_t *regs = m->regs;
+    regs[SPH_REG_FRAME_W] = regs[SPH_REG_WIN_X1] = width;
+    regs[SPH_REG_FRAME_H] = regs[SPH_REG_WIN_Y1] = height;
+    for (int i = 0; i < 3; i++)
+        regs[SPH_REG_EYE_X + i] = grid->eye[i];
+    regs[SPH_REG_DIR_X0] = rays->x0;
+    regs[SPH_REG_DIR_Y0] = rays->y0;
+    regs[SPH_REG_DIR_Z] = rays->z;
+    regs[SPH_REG_PITCH] = rays->pitch;
+    return 0;
+}
+
+/* What build works on. */
+struct parts {
+    struct sph_ball *balls; /* of every id: spheres, then facets */
+    struct sph_facets facets;
+    struct sph_tree tree;
+};
+
+static void warn_coarse(const struct sph_scene *scene, const struct sph_profile *profile,
+                        struct sph_build_report *report) {
+    enum { COARSE = 4 }; /* grid units */
+    if (!scene->n_spheres || report->smallest_radius >= COARSE) return;
+    int finer = sph_grid_finer(scene, profile, report->smallest_radius * report->grid_step, COARSE);
+    sph_note(report->warning, sizeof report->warning,
+             "%s: the smallest radius is %.2f grid units of profile %s: %s%s\n", scene->path,
+             report->smallest_radius, profile->name,
+             finer < 0 ? "no finer profile has 4" : "rounder with profile ",
+             finer < 0 ? "" : sph_profiles[finer].name);
+}
+
+/* Says what of the facets was left out. */
+static void warn_empty(const struct sph_scene *scene, const struct sph_profile *profile,
+                       const struct sph_facets *facets, struct sph_build_report *report) {
+    if (!facets->n_empty) return;
+    sph_note(report->warning, sizeof report->warning,
+             "%s:%u: the first of %u triangles that have no area on the grid of profile %s and are "
+             "left out: no ray would meet them\n",
+             scene->path, scene->facets[facets->first_empty].line, facets->n_empty, profile->name);
+}
+
+/* Spheres and facets on the grid; balls[id] for all ids. */
+static int quantise(const struct sph_scene *scene, const struct sph_grid *grid,
+                    const struct sph_profile *profile, struct parts *parts,
+                    struct sph_build_report *report, struct sph_error *err) {
+    if (sph_grid_spheres(grid, scene, profile, parts->balls, &report->smallest_radius, err) ||
+        sph_grid_facets(grid, scene, profile, &parts->facets, err))
+        return -1;
+    for (uint32_t i = 0; i < parts->facets.n; i++)
+        parts->balls[scene->n_spheres + i] = parts->facets.list[i].ball;
+    report->planes = parts->facets.n_planes;
+    report->triangles = parts->facets.n - report->planes;
+    warn_coarse(scene, profile, report);
+    warn_empty(scene, profile, &parts->facets, report);
+    return 0;
+}
+
+/* The work of sph_build() on memory that the caller frees. */
+static int build(const struct sph_scene *scene, const struct sph_build_options *o,
+                 struct parts *parts, struct sph_machine *m, struct sph_build_report *report,
+                 struct sph_error *err) {
+    const struct sph_ball *balls = parts->balls;
+    const struct sph_facets *facets = &parts->facets;
+    struct sph_tree *tree = &parts->tree;
+    const struct sph_profile *profile = sph_build_profile(o);
+    struct sph_grid grid;
+    struct sph_rays rays = {0};
+    sph_machine_set_profile(m, profile);
+    m->regs[SPH_REG_TREE] = o->tree;
+    m->regs[SPH_REG_FRAME] = SPH_FRAMES - 1;
+    if (sph_grid_fit(scene, profile->w, &grid, err)) return -1;
+    if (place_camera(scene, o, &grid, &rays, m, err)) return -1;
+    report->grid_step = grid.step;
+    report->fov_error = rays.fov_error;
+    if (quantise(scene, &grid, profile, parts, report, err)) return -1;
+
+    uint32_t n = scene->n_spheres;
+    struct sph_plants plants = {balls, n, facets, profile, grid.eye, o->tree};
+    if (sph_emit_tree(scene, o, &plants, tree, m, report, err)) return -1;
+
+    if (sph_emit_background(tree, balls, &rays, o, m, report, err)) return -1;
+    sph_emit_colours(scene, m, report);
+    int mended =
+        o->traverse == SPH_BUILD_NEAREST || (o->interpenetrate != SPH_OFF && o->inside != SPH_OFF);
+    struct sph_world world = {balls, n, profile, grid.eye, facets, mended};
+    struct sph_survey survey = {scene, &grid, o, world, 0};
+    if (sph_emit_effects(&survey, m, report, err) ||
+        sph_emit_textures(scene, &grid, facets, o, m, report, err))
+        return -1;
+    snprintf(m->name, sizeof m->name, "%s", scene->name);
+    m->grid_log2 = grid.log2;
+    memcpy(m->origin, grid.origin, sizeof m->origin);
+    memcpy(m->rotation, grid.rotation, sizeof m->rotation);
+    return 0;
+}
+
+int sph_build(const struct sph_scene *scene, const struct sph_build_options *options,
+              struct sph_machine *machine, struct sph_build_report *report, struct sph_error *err) {
+    double start = seconds();
+    struct parts parts = {0};
+    memset(machine, 0, sizeof *machine);
+    memset(report, 0, sizeof *report);
+    if (check(scene, options, err)) return -1;
+    uint64_t n = (uint64_t)scene->n_spheres + scene->n_facets;
+    parts.balls = malloc((n + 1) * sizeof *parts.balls);
+    int result = parts.balls ? build(scene, options, &parts, machine, report, err)
+                             : sph_fail(err, "out of memory for %u spheres", scene->n_spheres);
+    free(parts.balls);
+    free(parts.tree.nodes);
+    sph_facets_free(&parts.facets);
+    if (result) sph_machine_free(machine);
+    report->build_seconds = seconds() - start;
+    return result;
+}

@@ -1,0 +1,109 @@
+/* build.h - everything that the papers leave to the CPU: scene in, machine out
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Borodavka et al. IV (tree), V (background separation); docs/build.md, docs/background.md.
+ */
+#ifndef SPH_BUILD_H
+#define SPH_BUILD_H
+
+#include "builder/bih.h"
+#include "builder/texture_keep.h"
+#include "builder/tree.h"
+#include "builder/work.h"
+#include "machine/machine.h"
+#include "scene/scene.h"
+#include "texture/mip.h"
+
+enum { SPH_BG_NONE = 0, SPH_BG_RECT = 1, SPH_BG_SPANS = 2, SPH_BG_EXACT = 3 };
+enum { SPH_BUILD_NEAREST = 0, SPH_BUILD_FIRST = 1 };
+enum { SPH_AUTO = -1, SPH_OFF = 0, SPH_ON = 1 }; /* auto: as the scene calls for */
+
+struct sph_build_options {
+    const struct sph_profile *widths; /* NULL: those of `profile` */
+    int profile;                      /* SPH_DRAFT .. */
+    int tree;                         /* SPH_TREE_*: four children a node, BIH, or one leaf */
+    uint32_t max_prims;               /* BIH: primitives of a leaf that is not cut; 0: 4 */
+    uint32_t max_tree_depth;          /* BIH: levels, 1 .. SPH_BIH_STACK + 1; 0: these */
+    int bih;                          /* SPH_BIH_FULL, SPH_BIH_LISTING */
+    int background;                   /* SPH_BG_* */
+    int width, height;                /* 0: the scene file's */
+    int max_depth;                    /* reflections 0..5 */
+    int shadow;                       /* SPH_AUTO, SPH_OFF, SPH_ON */
+    int reflect;                      /* the same */
+    int refract;                      /* the same */
+    int specular;                     /* the same */
+    int lights;                       /* SPH_AUTO, or how many of the scene's, from the first on */
+    int inside;                       /* SPH_AUTO, SPH_OFF, SPH_ON */
+    int traverse;                     /* SPH_BUILD_*: how a primary ray finds its hit */
+    int interpenetrate;               /* SPH_AUTO, SPH_OFF, SPH_ON */
+    int bg_points;                    /* spans: meridians, and parallels, 4..4096; 0: 16 */
+    int bg_border;                    /* spans: pixels around the outline, 0..64 */
+    int bg_levels;                    /* exact: 0 the root, 1 its children, 2 theirs */
+    int texture;                      /* SPH_AUTO, SPH_OFF */
+    int tex_filter;                   /* SPH_FILTER_* */
+    int coarse;                       /* bits of levels' fractions that are left out, 0..8 */
+    int lod_literal;                  /* 1: base as the paper prints it (docs/lod.md) */
+    const struct sph_mip *mips;       /* of the scene's textures, in its order; equal images may
+                                         share texels */
+    struct sph_texture_bases *bases;  /* NULL, or what the frame before left, of the same scene */
+};
+
+/* A leaf of no more is not cut if nothing else is asked for: docs/scenarios.md has what it costs.
+ */
+enum { SPH_BIH_PRIMS = 4 };
+
+/* The widths that are asked for. */
+static inline const struct sph_profile *sph_build_profile(const struct sph_build_options *o) {
+    return o->widths ? o->widths : &sph_profiles[o->profile];
+}
+
+/* What became of one effect. */
+struct sph_effect_report {
+    const char *name;
+    int on, called; /* lights, reflections, or 0 and 1: in the machine; called for by the scene */
+    char why[2048]; /* names the material, light or spheres; no line ends */
+};
+
+enum {
+    SPH_REPORT_SHADOW,
+    SPH_REPORT_REFLECT,
+    SPH_REPORT_LIGHTS,
+    SPH_REPORT_INSIDE,
+    SPH_REPORT_FIRST,
+    SPH_REPORT_INTERPENETRATE,
+    SPH_REPORT_FACETS,
+    SPH_REPORT_TEXTURE,
+    SPH_REPORT_REFRACT,
+    SPH_REPORT_SPECULAR,
+    SPH_REPORT_SUM,
+    SPH_REPORTS
+};
+
+/* What build tells the user besides the machine. */
+struct sph_build_report {
+    double grid_step;       /* scene units */
+    double smallest_radius; /* grid units */
+    double fov_error;       /* relative error of tan(angle/2) by quantisation */
+    uint32_t nodes, depth;  /* of the tree */
+    uint32_t triangles, planes;
+    double build_seconds, tree_seconds; /* all of build; of processor, of tree and memory
+                                           image alone */
+    struct sph_bih_stats bih;           /* with TREE_BIH and TREE_BRUTE */
+    char warning[8192];   /* empty if none; finer profiles, clamped colours, effects left out */
+    struct sph_ball root; /* grid units: holds every primitive */
+    int bg_points;        /* spans: meridians that were needed, 0: none */
+    struct sph_work bg_work, bg_check;   /* spans, exact: set-up; spans: proof that they cover */
+    char background[512];                /* how the separation went, one line each */
+    uint64_t bases_computed, bases_kept; /* P_b of textured primitives */
+    struct sph_flops bases_flops;        /* of those computed */
+    struct sph_effect_report effects[SPH_REPORTS];
+    int lights[SPH_MAX_LIGHTS]; /* number in the scene of each light of the machine */
+};
+
+/* Builds the machine. 0, or -1 with "file:line: ..." (a sphere that does not fit the grid, zero
+ * radius on the grid, exact duplicates, more than SPH_MAX_PLANES planes, raster too wide for the
+ * profile, effects that exclude each other). */
+int sph_build(const struct sph_scene *scene, const struct sph_build_options *options,
+              struct sph_machine *machine, struct sph_build_report *report, struct sph_error *err);
+
+#endif

@@ -1,0 +1,175 @@
+/* emit.c - tree and spheres to memory words; see emit.h, machine/machine.def
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Breadth first: the children of a node stand together from its base, inner ones a line each,
+ * then leaf records two to a line, or one with facets; after all of them the primitive records and
+ * the table of facets.
+ */
+#include <math.h>
+#include <stdlib.h>
+
+#include "builder/emit.h"
+
+static uint32_t *line_at(struct sph_machine *m, uint32_t line) {
+    return m->mem + (size_t)line * SPH_LINE_WORDS;
+}
+
+/* Writes child slot i of a node line: the sphere with the filter's margin. */
+static void put_child(uint32_t *node, int i, const struct sph_ball *ball) {
+    int at = i * SPH_CHILD_STRIDE;
+    sph_field_set(node, at + SPH_CHILD_CTR_X_LSB, SPH_CHILD_CTR_X_BITS, (uint32_t)ball->c[0]);
+    sph_field_set(node, at + SPH_CHILD_CTR_Y_LSB, SPH_CHILD_CTR_Y_BITS, (uint32_t)ball->c[1]);
+    sph_field_set(node, at + SPH_CHILD_CTR_Z_LSB, SPH_CHILD_CTR_Z_BITS, (uint32_t)ball->c[2]);
+    sph_field_set(node, at + SPH_CHILD_RAD_LSB, SPH_CHILD_RAD_BITS,
+                  (uint32_t)(ball->r + SPH_FILTER_MARGIN));
+}
+
+void sph_emit_leaf(uint32_t *line, int half, const struct sph_ball *ball, uint32_t id) {
+    int at = half * SPH_LEAF_STRIDE;
+    sph_field_set(line, at + SPH_LEAF_CTR_X_LSB, SPH_LEAF_CTR_X_BITS, (uint32_t)ball->c[0]);
+    sph_field_set(line, at + SPH_LEAF_CTR_Y_LSB, SPH_LEAF_CTR_Y_BITS, (uint32_t)ball->c[1]);
+    sph_field_set(line, at + SPH_LEAF_CTR_Z_LSB, SPH_LEAF_CTR_Z_BITS, (uint32_t)ball->c[2]);
+    sph_field_set(line, at + SPH_LEAF_RAD_LSB, SPH_LEAF_RAD_BITS, (uint32_t)ball->r);
+    sph_field_set(line, at + SPH_LEAF_ID_LSB, SPH_LEAF_ID_BITS, id);
+}
+
+/* lround(255 * c) of a colour 0..1, clamped. */
+static uint32_t byte(double c) {
+    return (uint32_t)lround(255 * fmin(fmax(c, 0), 1));
+}
+
+static void put_material(uint32_t *line, const struct sph_material *material) {
+    double weight = sph_material_weight(material);
+    sph_field_set(line, SPH_PRIM_RED_LSB, SPH_PRIM_RED_BITS, byte(weight * material->rgb[0]));
+    sph_field_set(line, SPH_PRIM_GREEN_LSB, SPH_PRIM_GREEN_BITS, byte(weight * material->rgb[1]));
+    sph_field_set(line, SPH_PRIM_BLUE_LSB, SPH_PRIM_BLUE_BITS, byte(weight * material->rgb[2]));
+    sph_field_set(line, SPH_PRIM_KR_LSB, SPH_PRIM_KR_BITS, (uint32_t)sph_material_kr(material));
+    if (material->sum.on) sph_emit_sum(line, material);
+}
+
+/* 0 if every node's radius, margin included, fits its field. All spheres lie on the grid, so a
+ * sound tree has none above sqrt(3) * 2^(FW-1); a leaf's is smaller still. */
+static int check_radii(const struct sph_tree *tree, struct sph_error *err) {
+    for (uint32_t i = 0; i < tree->n_nodes; i++)
+        if (tree->nodes[i].ball.r + SPH_FILTER_MARGIN >= 1 << SPH_CHILD_RAD_BITS)
+            return sph_fail(err, "node %u: a radius of %d filter units does not fit %d bits", i,
+                            tree->nodes[i].ball.r, SPH_CHILD_RAD_BITS);
+    return 0;
+}
+
+/* Lines of the children of a node; `whole`: each leaf has one. */
+static uint32_t group_lines(const struct sph_tree_node *node, int whole) {
+    return node->n_inner + (whole ? node->n_leaf : (node->n_leaf + 1u) / 2);
+}
+
+/* Lines of all nodes and leaf records. */
+static uint64_t tree_lines(const struct sph_tree *tree, int whole) {
+    uint64_t lines = 1;
+    for (uint32_t i = 0; i < tree->n_nodes; i++)
+        lines += group_lines(&tree->nodes[i], whole);
+    return lines;
+}
+
+/* What the memory is made of. */
+struct content {
+    const struct sph_tree *tree;
+    const struct sph_ball *balls;
+    const struct sph_facets *facets;
+    uint32_t n_spheres;
+};
+
+/* Writes node `node` to `line`, its leaf children from `base` on; queues its inner children. */
+static void put_node(struct sph_machine *m, const struct content *c, uint32_t node, uint32_t line,
+                     uint32_t base) {
+    const struct sph_tree_node *from = &c->tree->nodes[node];
+    uint32_t *to = line_at(m, line);
+    int n_inner = from->n_inner;
+    sph_field_set(to, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS, base);
+    sph_field_set(to, SPH_NODE_N_INNER_LSB, SPH_NODE_N_INNER_BITS, from->n_inner);
+    sph_field_set(to, SPH_NODE_N_LEAF_LSB, SPH_NODE_N_LEAF_BITS, from->n_leaf);
+    for (int i = 0; i < n_inner; i++)
+        put_child(to, i, &c->tree->nodes[from->child[i]].ball);
+    for (int j = 0; j < from->n_leaf; j++) {
+        uint32_t id = from->child[n_inner + j];
+        struct sph_ball ball = sph_filter_leaf(&c->balls[id], sph_machine_profile(m));
+        int whole = c->facets->n > 0;
+        uint32_t *leaf = line_at(m, base + (uint32_t)n_inner + (uint32_t)(whole ? j : j >> 1));
+        put_child(to, n_inner + j, &ball);
+        if (id < c->n_spheres)
+            sph_emit_leaf(leaf, whole ? 0 : j & 1, &c->balls[id], id);
+        else
+            sph_emit_facet(leaf, &c->facets->list[id - c->n_spheres], id);
+    }
+}
+
+/* Writes primitive records from line `base` on, then the table of facets. */
+static void put_prims(struct sph_machine *m, const struct sph_scene *scene,
+                      const struct sph_ball *balls, const struct sph_facets *facets,
+                      uint32_t base) {
+    uint32_t spheres = scene->n_spheres, table = base + spheres + facets->n;
+    for (uint32_t id = 0; id < spheres; id++) {
+        uint32_t *line = line_at(m, base + id);
+        sph_emit_leaf(line, 0, &balls[id], id);
+        put_material(line, &scene->materials[scene->spheres[id].material]);
+    }
+    for (uint32_t i = 0; i < facets->n; i++) {
+        const struct sph_grid_facet *f = &facets->list[i];
+        uint32_t *line = line_at(m, base + spheres + i);
+        sph_emit_facet_prim(line, f, spheres + i);
+        put_material(line, &scene->materials[scene->facets[f->scene].material]);
+        sph_emit_facet(line_at(m, table + i), f, spheres + i);
+    }
+}
+
+int sph_emit_alloc(struct sph_machine *machine, uint64_t lines, struct sph_error *err) {
+    if (lines < 1ull << SPH_NODE_BASE_BITS)
+        machine->mem = calloc(lines * SPH_LINE_WORDS, sizeof *machine->mem);
+    if (!machine->mem)
+        return sph_fail(err, "out of memory or addresses for %llu lines",
+                        (unsigned long long)lines);
+    machine->lines = (uint32_t)lines;
+    return 0;
+}
+
+void sph_emit_prims(const struct sph_scene *scene, const struct sph_ball *balls,
+                    const struct sph_facets *facets, uint32_t base, uint32_t nodes,
+                    struct sph_machine *machine) {
+    uint32_t n = scene->n_spheres + facets->n;
+    put_prims(machine, scene, balls, facets, base);
+    machine->regs[SPH_REG_ROOT] = 0;
+    machine->regs[SPH_REG_PRIM_BASE] = (int32_t)base;
+    machine->regs[SPH_REG_MEM_LINES] = (int32_t)machine->lines;
+    machine->regs[SPH_REG_N_PRIMS] = (int32_t)n;
+    machine->regs[SPH_REG_N_SPHERES] = facets->n ? (int32_t)scene->n_spheres : 0;
+    machine->regs[SPH_REG_FACET_BASE] = facets->n ? (int32_t)(base + n) : 0;
+    machine->regs[SPH_REG_VISIT_LIMIT] = nodes < 0xfffffe ? (int32_t)nodes + 1 : 0xffffff;
+}
+
+int sph_emit_memory(const struct sph_scene *scene, const struct sph_ball *balls,
+                    const struct sph_facets *facets, const struct sph_tree *tree,
+                    struct sph_machine *machine, struct sph_error *err) {
+    if (check_radii(tree, err)) return -1;
+    struct content c = {tree, balls, facets, scene->n_spheres};
+    uint32_t n = scene->n_spheres + facets->n;
+    uint64_t prim_base = tree_lines(tree, facets->n > 0), lines = prim_base + n + facets->n;
+    struct place {
+        uint32_t node, line;
+    } *queue = malloc(tree->n_nodes * sizeof *queue);
+    if (!queue || sph_emit_alloc(machine, lines, err)) {
+        free(queue);
+        return sph_fail(err, "out of memory or addresses for %u primitives", n);
+    }
+
+    uint32_t base = 1, tail = 1;
+    queue[0] = (struct place){0, 0};
+    for (uint32_t head = 0; head < tail; head++) {
+        const struct sph_tree_node *node = &tree->nodes[queue[head].node];
+        put_node(machine, &c, queue[head].node, queue[head].line, base);
+        for (uint32_t i = 0; i < node->n_inner; i++)
+            queue[tail++] = (struct place){node->child[i], base + i};
+        base += group_lines(node, facets->n > 0);
+    }
+    free(queue);
+    sph_emit_prims(scene, balls, facets, base, tree->n_nodes, machine);
+    return 0;
+}

@@ -1,0 +1,171 @@
+/* emit_bih.c - primitives to a bounding interval hierarchy in memory; see emit.h, docs/bih.md
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * The root in line 0, pairs of children as they were made, leaf records in the order of the leaves
+ * behind the planes, then what every machine has.
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "builder/emit.h"
+#include "builder/near.h"
+
+/* What the memory is made of. */
+struct content {
+    const struct sph_scene *scene;
+    const struct sph_ball *balls;
+    const struct sph_facets *facets;
+    uint32_t *ids; /* of boxes */
+    struct sph_aabb *boxes;
+    uint32_t n_boxes, n_planes;
+    const struct sph_bih *bih;
+};
+
+static uint32_t *line_at(struct sph_machine *m, uint32_t line) {
+    return m->mem + (size_t)line * SPH_LINE_WORDS;
+}
+
+/* The box of a sphere or triangle. */
+static struct sph_aabb aabb(const struct content *c, uint32_t id) {
+    struct sph_aabb b;
+    const struct sph_ball *ball = &c->balls[id];
+    const struct sph_grid_facet *f = &c->facets->list[id - c->scene->n_spheres];
+    for (int i = 0; i < 3; i++) {
+        if (id < c->scene->n_spheres) {
+            b.lo[i] = ball->c[i] - ball->r, b.hi[i] = ball->c[i] + ball->r;
+            continue;
+        }
+        b.lo[i] = b.hi[i] = f->v[0][i];
+        for (int j = 1; j < 3; j++) {
+            if (f->v[j][i] < b.lo[i]) b.lo[i] = f->v[j][i];
+            if (f->v[j][i] > b.hi[i]) b.hi[i] = f->v[j][i];
+        }
+    }
+    return b;
+}
+
+/* Planes to the front of ids, boxes of all others. */
+static void gather(struct content *c) {
+    uint32_t n = c->scene->n_spheres + c->facets->n, next = c->facets->n_planes;
+    c->n_boxes = n - next;
+    for (uint32_t id = 0; id < n; id++) {
+        if (id >= c->scene->n_spheres &&
+            c->facets->list[id - c->scene->n_spheres].kind == SPH_PLANE) {
+            c->ids[c->n_planes++] = id;
+        } else {
+            c->boxes[next - c->facets->n_planes] = aabb(c, id);
+            c->ids[next++] = id;
+        }
+    }
+}
+
+/* A plane of a box, moved outwards by the error of a hit point: a ray may start that far outside of
+ * the sphere that it is in. Beyond the ends of the grid nothing is. */
+static int32_t outwards(const struct sph_profile *p, int32_t clip, int up) {
+    int64_t unit = 1ll << sph_error_bits(p), end = 1ll << (p->w - 1);
+    int64_t margin = (sph_point_error(p) + unit - 1) / unit;
+    int64_t far = up ? clip + margin : clip - margin;
+    return (int32_t)(far > end ? end : far < -end ? -end : far);
+}
+
+/* A clip word; the two that leave no room become the ends of W+2 bits. */
+static uint32_t clip_word(const struct sph_profile *p, int32_t clip, int up) {
+    int32_t end = 1 << (p->w + 1);
+    if (clip == SPH_BIH_NOTHING_BELOW) return (uint32_t)-end;
+    if (clip == SPH_BIH_NOTHING_ABOVE) return (uint32_t)(end - 1);
+    return (uint32_t)outwards(p, clip, up);
+}
+
+static void put_node(struct sph_machine *m, const struct sph_bih *bih, uint32_t index,
+                     uint32_t n_planes) {
+    const struct sph_bih_node *from = &bih->nodes[index];
+    const struct sph_profile *p = sph_machine_profile(m);
+    uint32_t *to = line_at(m, index / 2) + index % 2 * (SPH_BIH_STRIDE / 32);
+    if (from->axis != SPH_BIH_LEAF && !from->child) return; /* beside the root, or an only child */
+    sph_field_set(to, SPH_BIH_AXIS_LSB, SPH_BIH_AXIS_BITS, (uint32_t)from->axis);
+    if (from->axis == SPH_BIH_LEAF) {
+        to[SPH_BIH_FIRST_LSB / 32] = n_planes + from->first;
+        to[SPH_BIH_COUNT_LSB / 32] = from->count;
+        return;
+    }
+    if (!from->child) return; /* beside an only child there is none */
+    sph_field_set(to, SPH_BIH_FIT_LSB, SPH_BIH_FIT_BITS, (uint32_t)from->fit);
+    sph_field_set(to, SPH_BIH_CHILD_LSB, SPH_BIH_CHILD_BITS, from->child / 2);
+    to[SPH_BIH_CLIP_L_LSB / 32] = clip_word(p, from->clip_l, !from->fit);
+    to[SPH_BIH_CLIP_R_LSB / 32] = clip_word(p, from->clip_r, from->fit);
+}
+
+/* Writes leaf records from line `base` on. */
+static void put_records(struct sph_machine *m, const struct content *c, uint32_t base) {
+    int whole = c->facets->n > 0;
+    for (uint32_t i = 0; i < c->n_planes + c->n_boxes; i++) {
+        uint32_t id = c->ids[i < c->n_planes ? i : c->n_planes + c->bih->order[i - c->n_planes]];
+        uint32_t *line = line_at(m, base + (whole ? i : i / 2));
+        if (id < c->scene->n_spheres)
+            sph_emit_leaf(line, whole ? 0 : i & 1, &c->balls[id], id);
+        else
+            sph_emit_facet(line, &c->facets->list[id - c->scene->n_spheres], id);
+    }
+}
+
+/* The global box; brute force has none, and an empty one holds nothing. */
+static void put_box(struct sph_machine *m, const struct sph_bih *bih) {
+    const struct sph_profile *p = sph_machine_profile(m);
+    int32_t *r = m->regs, end = 1 << (p->w + 1);
+    for (int i = 0; i < 3; i++) {
+        int32_t lo = -end, hi = end - 1;
+        if (bih->box.lo[i] > bih->box.hi[i])
+            lo = end - 1, hi = -end;
+        else if (r[SPH_REG_TREE] == SPH_TREE_BIH)
+            lo = outwards(p, bih->box.lo[i], 0), hi = outwards(p, bih->box.hi[i], 1);
+        r[SPH_REG_BOX_X0 + i] = lo;
+        r[SPH_REG_BOX_X1 + i] = hi;
+    }
+}
+
+void sph_emit_bih_nodes(const struct sph_bih *bih, uint32_t n_planes, struct sph_machine *m) {
+    for (uint32_t i = 0; i < bih->n_nodes; i++)
+        put_node(m, bih, i, n_planes);
+    put_box(m, bih);
+    m->regs[SPH_REG_LEAF_BASE] = (int32_t)(bih->n_nodes / 2);
+    m->regs[SPH_REG_N_LOOSE] = (int32_t)n_planes;
+}
+
+static int emit(struct content *c, struct sph_machine *m, struct sph_error *err) {
+    uint32_t n = c->n_planes + c->n_boxes, tree = c->bih->n_nodes / 2;
+    uint32_t records = c->facets->n ? n : (n + 1) / 2;
+    uint64_t base = (uint64_t)tree + records;
+    if (sph_emit_alloc(m, base + n + c->facets->n, err)) return -1;
+    sph_emit_bih_nodes(c->bih, c->n_planes, m);
+    put_records(m, c, tree);
+    sph_emit_prims(c->scene, c->balls, c->facets, (uint32_t)base, c->bih->n_nodes, m);
+    return 0;
+}
+
+int sph_emit_bih(const struct sph_scene *scene, const struct sph_ball *balls,
+                 const struct sph_facets *facets, const struct sph_bih_options *options,
+                 struct sph_machine *machine, struct sph_bih_stats *stats, struct sph_error *err) {
+    uint32_t n = scene->n_spheres + facets->n;
+    struct sph_bih bih = {0};
+    struct content c = {.scene = scene,
+                        .bih = &bih,
+                        .balls = balls,
+                        .facets = facets,
+                        .ids = malloc((n + 1ull) * sizeof *c.ids),
+                        .boxes = malloc((n + 1ull) * sizeof *c.boxes)};
+    int failed = -1;
+    if (!c.ids || !c.boxes) {
+        sph_fail(err, "out of memory for %u boxes", n);
+    } else {
+        gather(&c);
+        failed = sph_bih_build(c.boxes, c.n_boxes, options, &bih, err);
+    }
+    if (!failed) {
+        *stats = bih.stats;
+        failed = emit(&c, machine, err);
+    }
+    free(c.ids);
+    free(c.boxes);
+    sph_bih_free(&bih);
+    return failed;
+}

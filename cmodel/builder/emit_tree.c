@@ -1,0 +1,67 @@
+/* emit_tree.c - the tree that a machine gets, built and written; see emit.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include <stdlib.h>
+#include <time.h>
+
+#include "builder/emit.h"
+
+/* Of processor, whatever else runs. */
+static double seconds(void) {
+    struct timespec now;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+/* A tree of one node without children around everything. */
+static int root_alone(const struct sph_plants *plants, struct sph_tree *tree,
+                      struct sph_error *err) {
+    uint32_t n = plants->n_spheres + plants->facets->n;
+    uint32_t *index = malloc((n + 1ull) * sizeof *index);
+    tree->nodes = calloc(1, sizeof *tree->nodes);
+    tree->n_nodes = tree->depth = 1;
+    if (index && tree->nodes && plants->facets->n_planes) {
+        tree->nodes->ball = sph_filter_whole(plants->profile);
+    } else if (index && tree->nodes && n) {
+        for (uint32_t i = 0; i < n; i++)
+            index[i] = i;
+        tree->nodes->ball = sph_filter_enclose(plants->balls, index, n, plants->profile);
+    }
+    int made = index && tree->nodes;
+    free(index);
+    return made ? 0 : sph_fail(err, "out of memory for a sphere around %u primitives", n);
+}
+
+/* A bounding interval hierarchy, or one leaf. Background separation works on the spheres of nodes
+ * of four children, so that such a tree is made too where it is asked for. */
+static int emit_bih(const struct sph_scene *scene, const struct sph_build_options *o,
+                    const struct sph_plants *plants, struct sph_tree *tree, struct sph_machine *m,
+                    struct sph_build_report *report, struct sph_error *err) {
+    struct sph_bih_options how = {o->max_prims ? o->max_prims : SPH_BIH_PRIMS,
+                                  o->max_tree_depth ? o->max_tree_depth : SPH_BIH_STACK + 1,
+                                  o->bih};
+    struct sph_plants four = *plants;
+    if (o->tree == SPH_TREE_BRUTE) how.max_prims = UINT32_MAX;
+    four.kind = SPH_TREE_BALANCED;
+    double start = seconds();
+    if (sph_emit_bih(scene, plants->balls, plants->facets, &how, m, &report->bih, err)) return -1;
+    report->tree_seconds = seconds() - start;
+    report->nodes = report->bih.inner + report->bih.leaves;
+    report->depth = report->bih.depth_max;
+    return o->background == SPH_BG_NONE ? root_alone(plants, tree, err)
+                                        : sph_tree_build(&four, tree, err);
+}
+
+int sph_emit_tree(const struct sph_scene *scene, const struct sph_build_options *o,
+                  const struct sph_plants *plants, struct sph_tree *tree, struct sph_machine *m,
+                  struct sph_build_report *report, struct sph_error *err) {
+    if (o->tree >= SPH_TREE_BIH) return emit_bih(scene, o, plants, tree, m, report, err);
+    double start = seconds();
+    if (sph_tree_build(plants, tree, err) ||
+        sph_emit_memory(scene, plants->balls, plants->facets, tree, m, err))
+        return -1;
+    report->tree_seconds = seconds() - start;
+    report->nodes = tree->n_nodes;
+    report->depth = tree->depth;
+    return 0;
+}

@@ -1,0 +1,171 @@
+/* grid.c - camera frame and grid; see grid.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "builder/grid.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { MARGIN = 4 }; /* grid units kept free at each side */
+
+struct box {
+    double lo[3], hi[3];
+};
+
+static struct sph_vec sub(struct sph_vec a, struct sph_vec b) {
+    return (struct sph_vec){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+static struct sph_vec cross(struct sph_vec a, struct sph_vec b) {
+    return (struct sph_vec){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/* Divides by the length; 0 if there is none. */
+static int normalise(struct sph_vec *v) {
+    double most = fmax(fabs(v->x), fmax(fabs(v->y), fabs(v->z)));
+    if (!(most > 0) || !isfinite(most)) return 0;
+    v->x /= most, v->y /= most, v->z /= most;
+    double len = sqrt(v->x * v->x + v->y * v->y + v->z * v->z);
+    v->x /= len, v->y /= len, v->z /= len;
+    return 1;
+}
+
+/* The camera looks along -z, x to the right, y up. */
+static int rotation(const struct sph_scene *scene, double m[9], struct sph_error *err) {
+    const struct sph_camera *cam = &scene->camera;
+    struct sph_vec z = sub(cam->from, cam->at), up = cam->up;
+    if (!normalise(&z)) return sph_fail(err, "%s: from and at are the same point", scene->path);
+    if (!normalise(&up)) return sph_fail(err, "%s: up has no direction", scene->path);
+    struct sph_vec x = cross(up, z);
+    if (x.x * x.x + x.y * x.y + x.z * x.z < 1e-20 || !normalise(&x))
+        return sph_fail(err, "%s: up is parallel to the view", scene->path);
+    struct sph_vec y = cross(z, x);
+    const double rows[9] = {x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z};
+    memcpy(m, rows, sizeof rows);
+    return 0;
+}
+
+/* Camera-frame coordinates of v. */
+static void turn(const double m[9], struct sph_vec v, double out[3]) {
+    for (int i = 0; i < 3; i++)
+        out[i] = m[3 * i] * v.x + m[3 * i + 1] * v.y + m[3 * i + 2] * v.z;
+}
+
+static void box_add(struct box *box, const double at[3], double rad) {
+    for (int i = 0; i < 3; i++) {
+        if (at[i] - rad < box->lo[i]) box->lo[i] = at[i] - rad;
+        if (at[i] + rad > box->hi[i]) box->hi[i] = at[i] + rad;
+    }
+}
+
+/* Adds the corners of triangles and the points of planes. */
+static int add_facets(const struct sph_scene *scene, const double m[9], struct box *box,
+                      struct sph_error *err) {
+    for (uint32_t i = 0; i < scene->n_facets; i++) {
+        const struct sph_facet *f = &scene->facets[i];
+        int points = f->kind == SPH_PLANE ? 1 : 3;
+        for (int k = 0; k < 3; k++) {
+            double at[3], size = fabs(f->v[k].x) + fabs(f->v[k].y) + fabs(f->v[k].z);
+            turn(m, sub(f->v[k], scene->camera.from), at);
+            if (!isfinite(size + at[0] + at[1] + at[2]) || (k == 1 && points == 1 && !(size > 0)))
+                return sph_fail(err, "%s:%u: %s", scene->path, f->line,
+                                points == 1 ? "plane needs a finite point and normal"
+                                            : "triangle needs finite corners");
+            if (k < points) box_add(box, at, 0);
+        }
+    }
+    return 0;
+}
+
+/* The box, in the camera's axes around the eye, of all that must lie on the grid. */
+static int bounds(const struct sph_scene *scene, const double m[9], struct box *box,
+                  struct sph_error *err) {
+    double at[3];
+    memset(box, 0, sizeof *box); /* the eye */
+    for (int l = 0; l < scene->n_lights; l++) {
+        turn(m, sub(scene->lights[l].pos, scene->camera.from), at);
+        if (!isfinite(at[0] + at[1] + at[2]))
+            return sph_fail(err, "%s: light %d is not at a finite place", scene->path, l);
+        box_add(box, at, 0);
+    }
+    for (uint32_t i = 0; i < scene->n_spheres; i++) {
+        const struct sph_sphere *s = &scene->spheres[i];
+        turn(m, sub(s->ctr, scene->camera.from), at);
+        if (!isfinite(at[0] + at[1] + at[2] + s->rad) || !(s->rad > 0))
+            return sph_fail(err, "%s:%u: sphere needs a finite centre and a radius above zero",
+                            scene->path, s->line);
+        box_add(box, at, s->rad);
+    }
+    return add_facets(scene, m, box, err);
+}
+
+/* Whether a ball lies inside w bits with the margin. */
+static int fits(const struct sph_ball *ball, int w) {
+    int64_t lo = -(1ll << (w - 1)) + MARGIN, hi = (1ll << (w - 1)) - 1 - MARGIN;
+    for (int i = 0; i < 3; i++)
+        if ((int64_t)ball->c[i] - ball->r < lo || (int64_t)ball->c[i] + ball->r > hi) return 0;
+    return 1;
+}
+
+/* Whether eye, lights and spheres, quantised, lie inside w bits with the margin. */
+static int all_fit(const struct sph_grid *grid, const struct sph_scene *scene, int w) {
+    struct sph_ball ball = {.r = 0};
+    memcpy(ball.c, grid->eye, sizeof ball.c);
+    if (!fits(&ball, w)) return 0;
+    for (int l = 0; l < scene->n_lights; l++) {
+        sph_grid_point(grid, scene, scene->lights[l].pos, ball.c);
+        if (!fits(&ball, w)) return 0;
+    }
+    for (uint32_t i = 0; i < scene->n_spheres; i++) {
+        ball = sph_grid_ball(grid, scene, &scene->spheres[i]);
+        if (!fits(&ball, w)) return 0;
+    }
+    ball.r = 0;
+    for (uint32_t i = 0; i < scene->n_facets; i++)
+        for (int k = 0; k < (scene->facets[i].kind == SPH_PLANE ? 1 : 3); k++) {
+            sph_grid_point(grid, scene, scene->facets[i].v[k], ball.c);
+            if (!fits(&ball, w)) return 0;
+        }
+    return 1;
+}
+
+int sph_grid_fit(const struct sph_scene *scene, int w, struct sph_grid *grid,
+                 struct sph_error *err) {
+    struct box box;
+    memset(grid, 0, sizeof *grid);
+    grid->step = 1;
+    if (rotation(scene, grid->rotation, err) || bounds(scene, grid->rotation, &box, err)) return -1;
+    double span = 0, from[3];
+    for (int i = 0; i < 3; i++)
+        span = fmax(span, box.hi[i] - box.lo[i]);
+    if (!isfinite(span)) return sph_fail(err, "%s: the scene is too large", scene->path);
+    /* one unit too fine at most: all_fit() decides */
+    if (span > 0) grid->log2 = (int)floor(log2(span / ldexp(1, w)));
+    for (;; grid->log2++) {
+        grid->step = ldexp(1, grid->log2);
+        if (span / grid->step > ldexp(1, w)) continue;
+        for (int i = 0; i < 3; i++)
+            grid->eye[i] = (int32_t)lround(-(box.lo[i] + box.hi[i]) / 2 / grid->step);
+        if (all_fit(grid, scene, w)) break;
+    }
+    turn(grid->rotation, scene->camera.from, from);
+    for (int i = 0; i < 3; i++)
+        grid->origin[i] = from[i] - grid->eye[i] * grid->step;
+    return 0;
+}
+
+void sph_grid_point(const struct sph_grid *grid, const struct sph_scene *scene, struct sph_vec p,
+                    int32_t out[3]) {
+    double at[3];
+    turn(grid->rotation, sub(p, scene->camera.from), at);
+    for (int i = 0; i < 3; i++)
+        out[i] = (int32_t)lround(at[i] / grid->step) + grid->eye[i];
+}
+
+struct sph_ball sph_grid_ball(const struct sph_grid *grid, const struct sph_scene *scene,
+                              const struct sph_sphere *sphere) {
+    struct sph_ball ball;
+    sph_grid_point(grid, scene, sphere->ctr, ball.c);
+    ball.r = (int32_t)lround(sphere->rad / grid->step);
+    return ball;
+}

@@ -1,0 +1,51 @@
+/* grid.h - camera frame, grid and primary rays: real numbers to integers
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef SPH_GRID_H
+#define SPH_GRID_H
+
+#include "builder/bound.h"
+#include "machine/profile.h"
+#include "scene/scene.h"
+
+struct sph_grid {
+    double rotation[9]; /* rows: camera x, y, z axes in the scene's frame */
+    double origin[3];   /* camera-frame coordinates of grid point 0 */
+    int32_t eye[3];     /* grid units, exact */
+    int log2;           /* a grid unit is 2^log2 scene units */
+    double step;        /* 2^log2 */
+};
+
+/* Finds the finest power-of-two grid of w bits that holds the scene (docs/build.md). -1 if the
+ * camera has no direction or a number of the scene is not usable. */
+int sph_grid_fit(const struct sph_scene *scene, int w, struct sph_grid *grid,
+                 struct sph_error *err);
+
+/* A point, and a sphere, of the scene in grid units, to nearest (halves away from zero). */
+void sph_grid_point(const struct sph_grid *grid, const struct sph_scene *scene, struct sph_vec p,
+                    int32_t out[3]);
+struct sph_ball sph_grid_ball(const struct sph_grid *grid, const struct sph_scene *scene,
+                              const struct sph_sphere *sphere);
+
+/* Quantises all spheres. -1 for a radius that rounds to nothing and for duplicates, with line
+ * and the finer profile that helps. *smallest: the smallest radius in grid units, unrounded. */
+int sph_grid_spheres(const struct sph_grid *grid, const struct sph_scene *scene,
+                     const struct sph_profile *profile, struct sph_ball *balls, double *smallest,
+                     struct sph_error *err);
+
+/* The next finer profile under which a radius is at least `units` grid units, or -1. */
+int sph_grid_finer(const struct sph_scene *scene, const struct sph_profile *profile, double rad,
+                   double units);
+
+/* dir(x, y) = (x0 + x*pitch, y0 - y*pitch, z), integers of wd bits. */
+struct sph_rays {
+    int32_t x0, y0, z, pitch;
+    double fov_error; /* relative, of tan(angle/2) */
+};
+
+/* Primary rays of a width x height raster with a vertical field of view of `angle` degrees.
+ * -1 if the raster is too large for wd bits. */
+int sph_rays_fit(int width, int height, double angle, int wd, struct sph_rays *rays,
+                 struct sph_error *err);
+
+#endif

@@ -1,0 +1,26 @@
+/* near.c - the error of hit points, and two spheres against it; see near.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "builder/near.h"
+
+int64_t sph_point_error(const struct sph_profile *p) {
+    /* along each axis: quotient 2^(W+2-PQ), root 2^(W+1-PR), roundings 1/2 and 2^-(NG+1) */
+    int quotient = p->w + 2 - p->pq + sph_error_bits(p),
+        root = p->w + 1 - p->pr + sph_error_bits(p);
+    int64_t axis = (1ll << (quotient > 0 ? quotient : 0)) + (1ll << p->ng) + 1;
+    if (p->pr) axis += 1ll << (root > 0 ? root : 0);
+    return sph_ceil_sqrt(3 * axis * axis);
+}
+
+int sph_nearness(const struct sph_ball *a, const struct sph_ball *b, const struct sph_profile *p) {
+    int64_t sum = (int64_t)a->r + b->r, less = (int64_t)a->r - b->r, apart = 0;
+    for (int i = 0; i < 3; i++) {
+        int64_t d = (int64_t)a->c[i] - b->c[i];
+        apart += d * d;
+    }
+    if (apart <= less * less) return SPH_NESTED;
+    if (apart < sum * sum) return SPH_OVERLAP;
+    if (apart == sum * sum) return SPH_TOUCH;
+    int64_t unit = 1ll << sph_error_bits(p), reach = sum * unit + sph_point_error(p);
+    return apart * unit * unit <= reach * reach ? SPH_NEARLY : SPH_APART;
+}

@@ -1,0 +1,32 @@
+/* near.h - do spheres come so near each other that a rounded hit point may lie in another one?
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * The bound and its proof: docs/build.md. All of it is exact integers; error bounds are in units
+ * of 2^-(NG+1) grid units, the step of the last rounding but one.
+ */
+#ifndef SPH_NEAR_H
+#define SPH_NEAR_H
+
+#include "builder/bound.h"
+#include "common/error.h"
+
+/* How two spheres lie to each other; all but the first are near. */
+enum { SPH_APART, SPH_NEARLY, SPH_TOUCH, SPH_OVERLAP, SPH_NESTED };
+
+/* Bits of fraction of the bound, NG + 1. */
+static inline int sph_error_bits(const struct sph_profile *p) {
+    return p->ng + 1;
+}
+
+/* No point where a secondary ray starts is farther than this from the sphere that was hit. */
+int64_t sph_point_error(const struct sph_profile *p);
+
+/* SPH_APART if the gap between the surfaces exceeds sph_point_error(). */
+int sph_nearness(const struct sph_ball *a, const struct sph_ball *b, const struct sph_profile *p);
+
+/* Looks for two of n balls that are not SPH_APART: 1 and pair[0] < pair[1], 0 if there are none,
+ * -1 if memory is out. Which pair it is depends on the balls alone. */
+int sph_near_pair(const struct sph_ball *balls, uint32_t n, const struct sph_profile *p,
+                  uint32_t pair[2], struct sph_error *err);
+
+#endif

@@ -1,0 +1,42 @@
+/* texture_keep.h - P_b of primitives, kept from frame to frame while they are still
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Park et al. 2011, section 4: log(P_b) is made once in a static scene, and for each frame where
+ * coordinates change. A base is kept if its primitive does not move and the grid's step and the
+ * screen are those of the frame before: corners are rounded before the grid is shifted, so P_b does
+ * not depend on where the grid lies.
+ */
+#ifndef SPH_TEXTURE_KEEP_H
+#define SPH_TEXTURE_KEEP_H
+
+#include "builder/flops.h"
+#include "builder/texture_base.h"
+#include "common/error.h"
+#include "scene/scene.h"
+
+struct sph_texture_bases {
+    uint32_t n;                   /* primitives of the scene, spheres, then facets; 0: no keeping */
+    int32_t *base;                /* of each: s7.8, or SPH_NO_BASE */
+    struct sph_texture_view view; /* that they hold for */
+    /* of the newest build: */
+    uint64_t computed, kept;
+    struct sph_flops flops; /* of those computed */
+};
+
+#define SPH_NO_BASE INT32_MAX
+
+/* Room for the bases of a scene, none known yet. -1 with a message if memory is out. */
+int sph_bases_start(struct sph_texture_bases *bases, const struct sph_scene *scene,
+                    struct sph_error *err);
+
+void sph_bases_end(struct sph_texture_bases *bases);
+
+/* Before a build: forgets the primitives that move, and all of them if the view is another. */
+void sph_bases_frame(struct sph_texture_bases *bases, const struct sph_scene *scene,
+                     const struct sph_texture_view *view);
+
+/* Base of a primitive, kept or made from its shape. */
+int sph_bases_of(struct sph_texture_bases *bases, uint32_t id,
+                 const struct sph_texture_shape *shape, double texels);
+
+#endif

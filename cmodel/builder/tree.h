@@ -1,0 +1,56 @@
+/* tree.h - both tree builders fill this, emit.c turns it into memory words
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef SPH_TREE_H
+#define SPH_TREE_H
+
+#include "builder/facets.h"
+#include "common/error.h"
+
+enum { SPH_TREE_PAPER = 1, SPH_TREE_BALANCED = 2 };
+
+struct sph_tree_node {
+    struct sph_ball ball; /* filter units, without margin: holds all leaves below */
+    uint32_t child[4];    /* n_inner node indices, then n_leaf sphere indices */
+    uint8_t n_inner, n_leaf;
+};
+
+struct sph_tree {
+    struct sph_tree_node *nodes; /* root first; malloc */
+    uint32_t n_nodes;
+    uint32_t depth; /* levels of nodes, plus one for the leaves */
+    uint32_t above; /* levels that will be put above: the balanced tree leaves the stack to them */
+};
+
+/* What a tree is made of. */
+struct sph_plants {
+    const struct sph_ball *balls; /* of every id: spheres, then facets */
+    uint32_t n_spheres;
+    const struct sph_facets *facets;
+    const struct sph_profile *profile;
+    const int32_t *eye;
+    int kind; /* SPH_TREE_* */
+};
+
+/* A tree of all primitives by one of the builders below, planes as leaf children of the root; leaf
+ * children are ids. -1 if memory is out; what is in *tree then is to be freed. */
+int sph_tree_build(const struct sph_plants *plants, struct sph_tree *tree, struct sph_error *err);
+
+/* Makes the nodes of a tree of ids smaller: around corners of triangles, not around their balls.
+ * There may be no planes in it yet. -1 if memory is out. */
+int sph_tree_tighten(const struct sph_plants *plants, struct sph_tree *tree, struct sph_error *err);
+
+/* Borodavka et al. IV: sorted by z, merged by four, level by level. -1 if memory is out. */
+int sph_tree_paper(const struct sph_ball *balls, uint32_t n, const struct sph_profile *profile,
+                   struct sph_tree *tree, struct sph_error *err);
+
+/* Surface-area heuristic, collapsed to four children at least cost; at most SPH_STACK_DEPTH
+ * levels of nodes. `eye` orders siblings near first. -1 if memory is out. */
+int sph_tree_balanced(const struct sph_ball *balls, uint32_t n, const struct sph_profile *profile,
+                      const int32_t eye[3], struct sph_tree *tree, struct sph_error *err);
+
+/* Indices 0..n-1 sorted by coordinate `axis` of the centre (equal ones by index), rising or
+ * falling; malloc, NULL if memory is out. */
+uint32_t *sph_tree_sort(const struct sph_ball *balls, uint32_t n, int axis, int falling);
+
+#endif

@@ -1,0 +1,71 @@
+/* tree_planes.c - a tree of spheres, triangles and planes; see tree.h
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * A plane's ball is the whole grid, so that nothing is gained by sorting it in: planes are leaf
+ * children of the root, and the tree of all others is a child beside them.
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "builder/tree.h"
+
+/* Builds the tree of what is not a plane; leaf children are ids. */
+static int plant(const struct sph_plants *p, struct sph_tree *tree, struct sph_error *err) {
+    const struct sph_facets *facets = p->facets;
+    uint32_t n = 0, all = p->n_spheres + facets->n;
+    struct sph_ball *balls = malloc((all + 1ull) * sizeof *balls);
+    uint32_t *id = malloc((all + 1ull) * sizeof *id);
+    int failed = -1;
+    if (!balls || !id) {
+        sph_fail(err, "out of memory for a tree of %u primitives", all);
+    } else {
+        for (uint32_t i = 0; i < all; i++) {
+            if (i >= p->n_spheres && facets->list[i - p->n_spheres].kind == SPH_PLANE) continue;
+            balls[n] = p->balls[i];
+            id[n++] = i;
+        }
+        tree->above = facets->n_planes > 0;
+        failed = p->kind == SPH_TREE_PAPER
+                     ? sph_tree_paper(balls, n, p->profile, tree, err)
+                     : sph_tree_balanced(balls, n, p->profile, p->eye, tree, err);
+    }
+    for (uint32_t i = 0; !failed && i < tree->n_nodes; i++) {
+        struct sph_tree_node *node = &tree->nodes[i];
+        for (int j = 0; j < node->n_leaf; j++)
+            node->child[node->n_inner + j] = id[node->child[node->n_inner + j]];
+    }
+    free(balls);
+    free(id);
+    return failed;
+}
+
+/* Puts a node above the root and the tree below it. */
+static int raise(struct sph_tree *tree, struct sph_error *err) {
+    struct sph_tree_node *more = realloc(tree->nodes, (tree->n_nodes + 1ull) * sizeof *more);
+    if (!more) return sph_fail(err, "out of memory for a tree of %u nodes", tree->n_nodes);
+    tree->nodes = more;
+    memmove(more + 1, more, tree->n_nodes * sizeof *more);
+    tree->n_nodes++;
+    tree->depth++;
+    for (uint32_t i = 1; i < tree->n_nodes; i++)
+        for (int j = 0; j < more[i].n_inner; j++)
+            more[i].child[j]++;
+    more[0] = (struct sph_tree_node){.child = {1}, .n_inner = 1};
+    return 0;
+}
+
+int sph_tree_build(const struct sph_plants *p, struct sph_tree *tree, struct sph_error *err) {
+    if (plant(p, tree, err)) return -1;
+    if (p->kind == SPH_TREE_BALANCED && sph_tree_tighten(p, tree, err)) return -1;
+    struct sph_tree_node *root = tree->nodes;
+    if (!p->facets->n_planes) return 0;
+    if (root->n_inner + root->n_leaf > 1) {
+        if (raise(tree, err)) return -1;
+        root = tree->nodes;
+    }
+    root->ball = sph_filter_whole(p->profile);
+    for (uint32_t i = 0; i < p->facets->n; i++)
+        if (p->facets->list[i].kind == SPH_PLANE)
+            root->child[root->n_inner + root->n_leaf++] = p->n_spheres + i;
+    return 0;
+}

@@ -1,0 +1,178 @@
+/* tree_split.c - binary surface-area splits of spheres; see tree_split.h
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Top down: every place of the spheres sorted along x, y and z is tried; the price of a split is
+ * d^2 * n^0.8 of left and right, d the diagonal of the box: bounding spheres are hit like d^2, and
+ * visits grow slower than n (measured: 7 % fewer visits than box area * n). Bottom up: cost[j], the
+ * least expected visits below a pair if it may become j children: one node, visited with
+ * probability ~ R^2 of its bounding sphere, or the children of its two halves.
+ */
+#include "builder/tree_split.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "machine/layout.h"
+
+struct work {
+    const struct sph_ball *balls;
+    struct sph_pair *pairs;
+    uint32_t n_pairs;
+    uint32_t *order[3], *spare;
+    uint8_t *right; /* per sphere: side of the split at hand */
+    float *price;   /* of the right part from place i on */
+    float *weight;  /* [n]: n^0.8 */
+    int limit;      /* binary levels */
+    double margin;  /* of node radii, grid units */
+};
+
+struct box {
+    float lo[3], hi[3];
+};
+
+static const struct box EMPTY = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+
+static void box_add(struct box *box, const struct sph_ball *ball) {
+    for (int i = 0; i < 3; i++) {
+        float lo = (float)(ball->c[i] - ball->r), hi = (float)(ball->c[i] + ball->r);
+        if (lo < box->lo[i]) box->lo[i] = lo;
+        if (hi > box->hi[i]) box->hi[i] = hi;
+    }
+}
+
+/* The squared diagonal: the bounding sphere on the box is hit like this. */
+static float box_area(const struct box *box) {
+    float x = box->hi[0] - box->lo[0], y = box->hi[1] - box->lo[1], z = box->hi[2] - box->lo[2];
+    return x * x + y * y + z * z;
+}
+
+/* Finds the cheapest split of a pair: axis and size of the left part. */
+static void choose(struct work *w, const struct sph_pair *p, int *axis, uint32_t *left) {
+    float best = INFINITY;
+    *axis = 0, *left = p->count / 2;
+    for (int a = 0; a < 3; a++) {
+        const uint32_t *order = w->order[a] + p->first;
+        struct box box = EMPTY;
+        for (uint32_t i = p->count - 1; i > 0; i--) {
+            box_add(&box, &w->balls[order[i]]);
+            w->price[i] = box_area(&box) * w->weight[p->count - i];
+        }
+        box = EMPTY;
+        for (uint32_t i = 1; i < p->count; i++) {
+            box_add(&box, &w->balls[order[i - 1]]);
+            float price = box_area(&box) * w->weight[i] + w->price[i];
+            if (price < best) best = price, *axis = a, *left = i;
+        }
+    }
+}
+
+/* The longest axis of the centres, for a split in half. */
+static int longest(const struct work *w, const struct sph_pair *p) {
+    int64_t most = -1;
+    int axis = 0;
+    for (int a = 0; a < 3; a++) {
+        int64_t low = w->balls[w->order[a][p->first]].c[a];
+        int64_t length = w->balls[w->order[a][p->first + p->count - 1]].c[a] - low;
+        if (length > most) most = length, axis = a;
+    }
+    return axis;
+}
+
+/* Moves the first `left` spheres along `axis` to the front of the other two orders. */
+static void partition(struct work *w, const struct sph_pair *p, int axis, uint32_t left) {
+    for (uint32_t i = 0; i < p->count; i++)
+        w->right[w->order[axis][p->first + i]] = i >= left;
+    for (int a = 0; a < 3; a++) {
+        uint32_t *order = w->order[a] + p->first, lower = 0, upper = 0;
+        if (a == axis) continue;
+        for (uint32_t i = 0; i < p->count; i++) {
+            if (w->right[order[i]])
+                w->spare[upper++] = order[i];
+            else
+                order[lower++] = order[i];
+        }
+        memcpy(order + lower, w->spare, upper * sizeof *order);
+    }
+}
+
+int sph_pair_share(const struct sph_pair *pairs, const struct sph_pair *p, int j, float *cost) {
+    int best = j / 2;
+    *cost = INFINITY;
+    for (int i = 1; i < j; i++) {
+        if (i > 3 || j - i > 3) continue;
+        float c = sph_pair_cost(pairs, p->child[0], i) + sph_pair_cost(pairs, p->child[1], j - i);
+        if (c < *cost) *cost = c, best = i;
+    }
+    return best;
+}
+
+/* Fills cost[] of a pair whose children are done. */
+static void fill_costs(const struct work *w, struct sph_pair *p) {
+    double sphere[4];
+    float shared[5];
+    sph_enclose(w->balls, w->order[0] + p->first, p->count, sphere);
+    double r = sphere[3] + w->margin;
+    for (int j = 2; j <= 4; j++)
+        sph_pair_share(w->pairs, p, j, &shared[j]);
+    p->cost[0] = shared[4];
+    p->cost[1] = (float)(r * r) + shared[4];
+    p->cost[2] = fminf(p->cost[1], shared[2]);
+    p->cost[3] = fminf(p->cost[2], shared[3]);
+}
+
+/* Splits the spheres first..first+count-1 and fills the costs; returns the binary child. */
+static uint32_t split(struct work *w, uint32_t first, uint32_t count, int depth) {
+    if (count == 1) return SPH_PAIR_LEAF | w->order[0][first];
+    uint32_t me = w->n_pairs++, left;
+    struct sph_pair *p = &w->pairs[me];
+    int axis, need = 0;
+    p->first = first, p->count = count;
+    while (1ull << need < count)
+        need++;
+    if (depth + need >= w->limit)
+        axis = longest(w, p), left = count / 2;
+    else
+        choose(w, p, &axis, &left);
+    partition(w, p, axis, left);
+    p->child[0] = split(w, first, left, depth + 1);
+    p->child[1] = split(w, first + left, count - left, depth + 1);
+    fill_costs(w, p);
+    return me;
+}
+
+int sph_split(const struct sph_ball *balls, uint32_t n, const struct sph_profile *profile,
+              int limit, struct sph_split *out, struct sph_error *err) {
+    struct work w = {.balls = balls, .limit = limit};
+    w.margin = ldexp(SPH_FILTER_MARGIN + 1, profile->w - profile->fw);
+    *out = (struct sph_split){.pairs = malloc(n * sizeof *w.pairs)};
+    w.pairs = out->pairs;
+    w.spare = malloc(n * sizeof *w.spare);
+    w.right = malloc(n);
+    w.price = malloc(n * sizeof *w.price);
+    w.weight = malloc(n * sizeof *w.weight);
+    for (int a = 0; a < 3; a++)
+        w.order[a] = sph_tree_sort(balls, n, a, 0);
+    int good = w.pairs && w.spare && w.right && w.price && w.weight && w.order[0] && w.order[1] &&
+               w.order[2];
+    for (uint32_t i = 0; good && i < n; i++)
+        w.weight[i] = powf((float)i, 0.8f);
+    if (good) split(&w, 0, n, 0);
+    free(w.spare);
+    free(w.right);
+    free(w.price);
+    free(w.weight);
+    free(w.order[1]);
+    free(w.order[2]);
+    out->n_pairs = w.n_pairs;
+    out->order = w.order[0];
+    if (good) return 0;
+    sph_split_free(out);
+    return sph_fail(err, "out of memory for a tree of %u spheres", n);
+}
+
+void sph_split_free(struct sph_split *tree) {
+    free(tree->pairs);
+    free(tree->order);
+    memset(tree, 0, sizeof *tree);
+}

@@ -1,0 +1,39 @@
+/* tree_split.h - the binary tree that tree_balanced.c collapses to nodes of four
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef SPH_TREE_SPLIT_H
+#define SPH_TREE_SPLIT_H
+
+#include "builder/tree.h"
+
+#define SPH_PAIR_LEAF 0x80000000u /* a binary child that is one sphere */
+
+struct sph_pair {          /* node of the binary tree */
+    uint32_t first, count; /* its spheres: order[first..first+count-1] */
+    uint32_t child[2];     /* pair index, or SPH_PAIR_LEAF | sphere index */
+    float cost[4];         /* least expected visits as at most [j] children; [0]: inside a node */
+};
+
+struct sph_split {
+    struct sph_pair *pairs; /* root first */
+    uint32_t n_pairs;
+    uint32_t *order;
+};
+
+/* Splits n >= 2 spheres by the surface-area heuristic; where a branch would grow deeper than
+ * `limit` binary levels it is split in half. -1 if memory is out. */
+int sph_split(const struct sph_ball *balls, uint32_t n, const struct sph_profile *profile,
+              int limit, struct sph_split *split, struct sph_error *err);
+
+void sph_split_free(struct sph_split *split);
+
+/* The cost of a binary child that may become j = 1..3 children; spheres cost nothing here. */
+static inline float sph_pair_cost(const struct sph_pair *pairs, uint32_t child, int j) {
+    return child & SPH_PAIR_LEAF ? 0 : pairs[child].cost[j];
+}
+
+/* Divides j = 2..4 children among the two halves of a pair: the first half's share of the
+ * cheapest way, and its cost. */
+int sph_pair_share(const struct sph_pair *pairs, const struct sph_pair *p, int j, float *cost);
+
+#endif

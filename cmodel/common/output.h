@@ -1,0 +1,34 @@
+/* output.h - files that are written whole or not at all
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * A file is written under a temporary name in the folder of its final one and renamed at the end.
+ * A device or a pipe, which has no final name to be renamed to, is written directly.
+ */
+#ifndef SPH_OUTPUT_H
+#define SPH_OUTPUT_H
+
+#include <stdio.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#include "common/error.h"
+
+struct sph_output {
+    FILE *file;
+    char path[4096], temporary[4096]; /* temporary: empty if written directly */
+};
+
+/* Opens path for writing ("-": standard output) as out->file. 0, or -1 with a message. */
+int sph_output_open(struct sph_output *out, const char *path, struct sph_error *err);
+
+/* Closes, checks for write errors and renames; with failed != 0 closes and removes instead.
+ * 0, or -1 (with a message unless failed). */
+int sph_output_close(struct sph_output *out, int failed, struct sph_error *err);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,44 @@
+/* render.h - the golden model: machine in, frame out, bit by bit what the RTL gives
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef SPH_RENDER_H
+#define SPH_RENDER_H
+
+#include "common/error.h"
+#include "core/frame.h"
+#include "machine/machine.h"
+#include "texture/lookup.h"
+
+/* How spheres are found: through the tree, bit by bit as the RTL does; or by testing every sphere
+ * for the nearest hit, whatever effect FIRST says. */
+enum { SPH_TRAVERSE_TREE, SPH_TRAVERSE_BRUTE };
+
+/* What the rays of a pixel met; no part of the frame, and the hardware does not tell it. */
+struct sph_trail {
+    uint32_t faced, blocked; /* bit l: light l of the machine shines on the side of the primary
+                                hit that is seen; of these, no light comes through */
+    uint32_t reflected_id;   /* found by the mirror ray of the primary hit, SPH_ID_NONE: nothing */
+    uint32_t refracted_id;   /* by its refracted ray */
+    int depth;               /* surfaces one after another that made the colour, at most; 0: none */
+};
+
+struct sph_render_options {
+    int traverse;                                          /* SPH_TRAVERSE_* */
+    int threads;                                           /* 0: all */
+    void (*progress)(void *user, int rows_done, int rows); /* may be NULL; called under a lock */
+    void *user;
+    void (*fetch)(void *user, const struct sph_texel *texel); /* may be NULL; every texel, as it is
+                                                                asked for: with one thread */
+    void *fetch_user;
+    struct sph_trail *trails; /* may be NULL; one for each pixel of the frame, row by row */
+};
+
+/* Renders the machine's window into *frame (allocated here at the full frame size; pixels outside
+ * the window are zero) and adds up *counters. Returns the sticky error bits (1 << SPH_ERROR_*),
+ * or -1 with a message if memory is out. */
+int sph_render(const struct sph_machine *machine, const struct sph_render_options *options,
+               struct sph_frame *frame, struct sph_counters *counters, struct sph_error *err);
+
+void sph_frame_free(struct sph_frame *frame);
+
+#endif

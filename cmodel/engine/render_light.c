@@ -1,0 +1,65 @@
+/* render_light.c - see render_light.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "engine/render_light.h"
+
+#include "shade/colour.h"
+#include "shade/gloss.h"
+#include "texture/filter.h"
+#include "trace/traverse.h"
+
+struct sph_hit sph_job_trace(const struct sph_job *j, const struct sph_ray *ray) {
+    static const int kinds[] = {SPH_COUNT_RAYS_PRIMARY, SPH_COUNT_RAYS_SHADOW,
+                                SPH_COUNT_RAYS_REFLECTED, SPH_COUNT_RAYS_REFRACTED};
+    j->c->count[kinds[ray->kind]]++;
+    return sph_traverse(j->m, ray, j->how, j->c, &j->pixel->visits, j->errors);
+}
+
+/* Light of the lights that the surface faces and sees, u2.15: matt, and as a highlight. */
+struct sums {
+    uint32_t matt[3], gloss[3];
+};
+
+/* Adds what light l gives. */
+static void add(const struct sph_job *j, const struct sph_ray *ray, const struct sph_ray *to_light,
+                const struct sph_surface *s, const struct sph_look *look, uint32_t cosine,
+                const int32_t *rgb, struct sums *sums) {
+    uint32_t shine = 0;
+    if (look->ks) {
+        uint32_t c = sph_gloss_cosine(&s->unit, &to_light->unit, &ray->unit);
+        shine = sph_power(c, look->power);
+        j->c->count[SPH_COUNT_POWERS]++;
+    }
+    for (int i = 0; i < 3; i++) {
+        sums->matt[i] = sph_light_add(sums->matt[i], cosine, (uint32_t)rgb[i]);
+        sums->gloss[i] = sph_light_add(sums->gloss[i], shine, (uint32_t)rgb[i]);
+    }
+}
+
+void sph_job_light(const struct sph_job *j, const struct sph_ray *ray, const struct sph_hit *hit,
+                   const struct sph_surface *s, const struct sph_look *look, uint32_t tint,
+                   uint32_t colour[3], struct sph_trail *trail) {
+    const int32_t *r = j->m->regs;
+    struct sums sums = {{0}, {0}};
+    for (int l = 0; l < r[SPH_REG_N_LIGHTS]; l++) {
+        const int32_t *lamp = r + SPH_REG_LIGHT0_X + l * SPH_LIGHT_STRIDE;
+        struct sph_ray to = {.kind = SPH_SHADOW, .skip = {hit->id, hit->far}, .inside = j->inside};
+        for (int i = 0; i < 3; i++) {
+            to.org[i] = s->point[i];
+            to.dir[i] = lamp[i] - s->point[i];
+        }
+        sph_ray_setup(j->p, &to);
+        uint32_t cosine = sph_lambert(&s->unit, &to.unit);
+        if (!cosine) continue;
+        int blocked = sph_machine_effect(j->m, SPH_EFFECT_SHADOW) && sph_job_trace(j, &to).key;
+        if (trail) trail->faced |= 1u << l, trail->blocked |= (uint32_t)blocked << l;
+        if (!blocked) add(j, ray, &to, s, look, cosine, lamp + 3, &sums);
+    }
+    for (int i = 0; i < 3; i++) {
+        uint32_t light = sph_look_light(look, (uint32_t)r[SPH_REG_AMBIENT_R + i], sums.matt[i]);
+        uint32_t albedo = sph_texture_albedo(look->rgb[i], tint >> (8 * i) & 255);
+        uint32_t all =
+            sph_surface_colour(albedo, light) + sph_surface_colour(look->ks, sums.gloss[i]);
+        colour[i] = all < 65280 ? all : 65280;
+    }
+}

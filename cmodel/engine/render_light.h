@@ -1,0 +1,31 @@
+/* render_light.h - what the parts of a pixel share, and the light of one surface
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef SPH_RENDER_LIGHT_H
+#define SPH_RENDER_LIGHT_H
+
+#include "core/render.h"
+#include "shade/material.h"
+#include "shade/surface.h"
+
+struct sph_job {
+    const struct sph_machine *m;
+    const struct sph_profile *p;
+    int how, inside;
+    struct sph_counters *c;
+    struct sph_pixel *pixel;
+    uint32_t *errors;
+    struct sph_texture_work *texture;
+    struct sph_trail *trail; /* may be NULL */
+};
+
+/* A ray through the tree, counted by its kind. */
+struct sph_hit sph_job_trace(const struct sph_job *j, const struct sph_ray *ray);
+
+/* The colour, u8.8, of the surface that the ray hits: s is where, look its material, tint what its
+ * rgb is multiplied by (0xAABBGGRR). Sends rays to the lights. trail may be NULL. */
+void sph_job_light(const struct sph_job *j, const struct sph_ray *ray, const struct sph_hit *hit,
+                   const struct sph_surface *s, const struct sph_look *look, uint32_t tint,
+                   uint32_t colour[3], struct sph_trail *trail);
+
+#endif

@@ -1,0 +1,217 @@
+/* render_pixel.c - see render_pixel.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "engine/render_pixel.h"
+
+#include <stddef.h>
+
+#include "pixel/walk.h"
+#include "engine/render_light.h"
+#include "shade/colour.h"
+#include "shade/refract.h"
+#include "texture/lod.h"
+#include "texture/lookup.h"
+#include "trace/node.h"
+#include "trace/traverse.h"
+
+/* The primitive record of a hit; NULL if nothing is hit or the record does not lie in memory. */
+static const uint32_t *prim_line(const struct sph_job *j, const struct sph_hit *hit) {
+    size_t line = (uint32_t)j->m->regs[SPH_REG_PRIM_BASE] + (size_t)hit->id;
+    if (!hit->key) return NULL;
+    if (line < (uint32_t)j->m->regs[SPH_REG_MEM_LINES]) return j->m->mem + line * SPH_LINE_WORDS;
+    *j->errors |= 1u << SPH_ERROR_BAD_NODE;
+    return NULL;
+}
+
+/* Point and normal, unless nothing will start at the point and no texture lies there. */
+static void surface(const struct sph_job *j, const struct sph_ray *ray, const struct sph_hit *hit,
+                    const uint32_t *prim, struct sph_surface *s) {
+    if (!j->m->regs[SPH_REG_N_LIGHTS] && !sph_machine_effect(j->m, SPH_EFFECT_REFLECT) &&
+        !sph_machine_effect(j->m, SPH_EFFECT_INTERPENETRATE) &&
+        !sph_machine_effect(j->m, SPH_EFFECT_TEXTURE) &&
+        !sph_machine_effect(j->m, SPH_EFFECT_REFRACT))
+        return;
+    int saturated;
+    if (sph_machine_effect(j->m, SPH_EFFECT_FACETS) &&
+        sph_field(prim, SPH_PRIM_FACET_LSB, SPH_PRIM_FACET_BITS)) {
+        int64_t normal[3];
+        sph_vector_read(prim, SPH_LEAF_CTR_X_LSB, SPH_LEAF_CTR_X_BITS, normal);
+        saturated = sph_surface_facet(j->p, ray, hit, normal, s);
+    } else {
+        struct sph_leaf sphere = sph_leaf_read(prim, 0, j->p->w);
+        saturated = sph_surface_at(j->p, ray, hit, &sphere, s);
+    }
+    j->c->count[SPH_COUNT_QUOTIENTS]++;
+    j->c->count[SPH_COUNT_SATURATIONS] += (uint64_t)saturated;
+}
+
+/* What the surface's colour is multiplied by, 0xAABBGGRR: white without texture. path: from the eye
+ * to the hit. */
+static uint32_t texel(const struct sph_job *j, const struct sph_hit *hit, const uint32_t *prim,
+                      const struct sph_surface *s, uint64_t path) {
+    uint32_t map = sph_field(prim, SPH_PRIM_TEX_LSB, SPH_PRIM_TEX_BITS);
+    if (!sph_machine_effect(j->m, SPH_EFFECT_TEXTURE) || !map) return 0xffffffff;
+    struct sph_textured where = {.far = hit->far, .path = path};
+    for (int i = 0; i < 3; i++) {
+        where.guarded[i] = s->guarded[i];
+        where.unit[i] = s->unit.u[i];
+    }
+    return sph_lookup(j->m, map, &where, j->texture);
+}
+
+static struct sph_ray reflected(const struct sph_job *j, const struct sph_ray *ray,
+                                const struct sph_hit *hit, const struct sph_surface *s) {
+    struct sph_ray next = {.kind = SPH_REFLECTED, .skip = {hit->id, hit->far}, .inside = j->inside};
+    for (int i = 0; i < 3; i++)
+        next.org[i] = s->point[i];
+    sph_bounce(j->p, ray->dir, s, next.dir);
+    sph_ray_setup(j->p, &next);
+    return next;
+}
+
+/* The refracted ray; 0 if all is reflected. */
+static int refracted(const struct sph_job *j, const struct sph_ray *ray, const struct sph_hit *hit,
+                     const struct sph_surface *s, uint32_t index, struct sph_ray *next) {
+    uint32_t from = hit->far ? index : SPH_INDEX_ONE, to = hit->far ? SPH_INDEX_ONE : index;
+    *next =
+        (struct sph_ray){.kind = SPH_REFRACTED, .skip = {hit->id, !hit->far}, .inside = j->inside};
+    for (int i = 0; i < 3; i++)
+        next->org[i] = s->point[i];
+    if (!sph_refract(j->p, ray, s, from, to, next->dir)) return 0;
+    sph_ray_setup(j->p, next);
+    return 1;
+}
+
+static struct sph_ray primary(const struct sph_job *j, int x, int y, int first) {
+    struct sph_ray ray = {
+        .kind = SPH_PRIMARY, .skip = {SPH_ID_NONE, 0}, .inside = j->inside, .first = first};
+    for (int i = 0; i < 3; i++)
+        ray.org[i] = j->m->regs[SPH_REG_EYE_X + i];
+    sph_primary_dir(j->m, x, y, ray.dir);
+    sph_ray_setup(j->p, &ray);
+    return ray;
+}
+
+/* A ray on its way, with what it has of its pixel. */
+struct branch {
+    struct sph_ray ray;
+    uint32_t weight; /* u1.16 */
+    int depth;
+    uint64_t length; /* of the path to its origin */
+};
+
+/* What leaves a surface: a mirror ray, a refracted ray, or both. */
+struct leaving {
+    uint32_t kr, kt; /* u1.8 */
+    struct sph_ray refracted;
+};
+
+/* The rays that leave a surface, unless it is as deep as they go. */
+static struct leaving leave(const struct sph_job *j, const struct branch *at,
+                            const struct sph_hit *hit, const struct sph_surface *s,
+                            const struct sph_look *look) {
+    struct leaving l = {0};
+    if (at->depth >= j->m->regs[SPH_REG_MAX_DEPTH]) return l;
+    l.kr = look->kr;
+    l.kt = look->kt;
+    if (l.kt && !refracted(j, &at->ray, hit, s, look->index, &l.refracted)) {
+        l.kr = l.kr + l.kt < 256 ? l.kr + l.kt : 256;
+        l.kt = 0;
+    }
+    return l;
+}
+
+/* Colour and rays of what the branch's ray has hit; prim NULL: the background. */
+static struct leaving shade(const struct sph_job *j, struct branch *at, const struct sph_hit *hit,
+                            const uint32_t *prim, struct sph_surface *s,
+                            struct sph_shares *shares) {
+    struct sph_trail *trail = at->ray.kind == SPH_PRIMARY ? j->trail : NULL;
+    struct leaving l = {0};
+    struct sph_look look = {0};
+    uint32_t colour[3];
+    if (prim) {
+        look = sph_look_read(j->m, prim);
+        surface(j, &at->ray, hit, prim, s);
+        at->length = sph_path_add(j->p, &at->ray, hit->key, at->length);
+        uint32_t tint = texel(j, hit, prim, s, at->length);
+        sph_job_light(j, &at->ray, hit, s, &look, tint, colour, trail);
+        l = leave(j, at, hit, s, &look);
+        if (j->trail && j->trail->depth <= at->depth) j->trail->depth = at->depth + 1;
+    } else {
+        for (int i = 0; i < 3; i++)
+            colour[i] = ((uint32_t)j->m->regs[SPH_REG_BG_COLOUR] >> (8 * i) & 255) << 8;
+    }
+    uint32_t own = sph_share(at->weight, sph_look_own(&look, l.kr, l.kt));
+    sph_shares_add(shares, at->depth, at->weight, own, colour);
+    return l;
+}
+
+/* The colours, id and key that a primary ray and the rays after it give the pixel. Returns 1 if
+ * they are void: the mirror ray of the surface that a FIRST ray found starts inside the other
+ * sphere that it hits, so the surface lies in there too (Borodavka et al. VI.D). */
+static int path(const struct sph_job *j, struct sph_ray ray) {
+    struct sph_surface s = {0};
+    struct sph_shares shares = {{{0}}};
+    struct branch at = {ray, 1u << 16, 0, 0}, waiting[SPH_MAX_DEPTH];
+    int n_waiting = 0; /* the deepest last */
+    if (j->trail) *j->trail = (struct sph_trail){0, 0, SPH_ID_NONE, SPH_ID_NONE, 0};
+    struct sph_hit hit = sph_job_trace(j, &ray);
+    const uint32_t *prim = prim_line(j, &hit);
+    j->texture->lod = SPH_LOD_NONE; /* a repeated pixel begins anew */
+    j->texture->words = 0;
+    j->pixel->id = prim ? hit.id : SPH_ID_NONE;
+    j->pixel->key = prim ? hit.key : 0;
+    for (;;) {
+        struct leaving l = shade(j, &at, &hit, prim, &s, &shares);
+        int last = !l.kr && !l.kt;
+        int probe = prim && at.ray.first && sph_machine_effect(j->m, SPH_EFFECT_INTERPENETRATE);
+        if (last && !probe && !n_waiting) break;
+        struct branch refracted_ray = {l.refracted, sph_share(at.weight, l.kt), at.depth + 1,
+                                       at.length};
+        uint32_t id = hit.id;
+        if (last && !probe) {
+            at = waiting[--n_waiting];
+        } else if (l.kr || probe) {
+            if (l.kt) waiting[n_waiting++] = refracted_ray;
+            at = (struct branch){reflected(j, &at.ray, &hit, &s), sph_share(at.weight, l.kr),
+                                 at.depth + 1, at.length};
+        } else {
+            at = refracted_ray;
+        }
+        hit = sph_job_trace(j, &at.ray);
+        prim = prim_line(j, &hit);
+        if (probe && prim && hit.far && hit.id != id) return 1;
+        if (last && probe) break;
+        if (j->trail && at.depth == 1) {
+            int bent = at.ray.kind == SPH_REFRACTED;
+            *(bent ? &j->trail->refracted_id : &j->trail->reflected_id) =
+                prim ? hit.id : SPH_ID_NONE;
+        }
+    }
+    for (int i = 0; i < SPH_FRAMES; i++)
+        j->pixel->colour[i] = sph_shares_colour(&shares, i);
+    return 0;
+}
+
+struct sph_pixel sph_render_pixel(const struct sph_machine *m, const struct sph_render_options *o,
+                                  int x, int y, struct sph_counters *c, uint32_t *errors,
+                                  struct sph_trail *trail) {
+    struct sph_pixel pixel = {.id = SPH_ID_NONE, .texture = SPH_NO_TEXTURE};
+    struct sph_texture_work texture = {.fetch = o->fetch, .user = o->fetch_user};
+    if (trail) *trail = (struct sph_trail){0, 0, SPH_ID_NONE, SPH_ID_NONE, 0};
+    if (sph_is_background(m, x, y)) {
+        c->count[SPH_COUNT_BACKGROUND]++;
+        for (int i = 0; i < SPH_FRAMES; i++)
+            pixel.colour[i] = (uint32_t)m->regs[SPH_REG_BG_COLOUR];
+        return pixel;
+    }
+    int inside = sph_machine_effect(m, SPH_EFFECT_INSIDE);
+    int first = sph_machine_effect(m, SPH_EFFECT_FIRST) && o->traverse == SPH_TRAVERSE_TREE;
+    struct sph_job j = {
+        m, sph_machine_profile(m), o->traverse, inside, c, &pixel, errors, &texture, trail};
+    if (path(&j, primary(&j, x, y, first))) path(&j, primary(&j, x, y, 0));
+    c->count[SPH_COUNT_TEXELS] += texture.texels;
+    *errors |= texture.errors;
+    pixel.texture = texture.lod << SPH_LOD_LSB | texture.words;
+    return pixel;
+}

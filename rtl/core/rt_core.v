@@ -1,0 +1,390 @@
+// rt_core.v - the ray tracer: registers, pixel walk, engines, memory port, counters
+// SPDX-License-Identifier: Apache-2.0
+// Ports and their order of use: docs/rtl_interfaces.md. Borodavka et al. VII: Rendering, L1 and L2
+// come out of one pass as the colours at reflection depth 0, 1 and the deepest.
+// Model: sph_render() in cmodel/core/render.c
+`default_nettype none
+`include "rt_layout.vh"
+module rt_core #(
+    parameter W          = `RT_PROFILE_STANDARD_W,   // coordinate, bits
+    parameter WD         = `RT_PROFILE_STANDARD_WD,  // direction component, bits
+    parameter PQ         = `RT_PROFILE_STANDARD_PQ,  // significant bits of the quotient
+    parameter NG         = `RT_PROFILE_STANDARD_NG,  // guard bits of the normal
+    parameter FW         = `RT_PROFILE_STANDARD_FW,  // filter coordinate, bits
+    parameter PR         = `RT_PROFILE_STANDARD_PR,  // significant bits of the root, 0: all
+    parameter ENGINES    = 1,    // barrels, 1..8
+    parameter K          = 64,   // rays in flight an engine, power of two
+    // what is elaborated; a machine that asks for more is refused (MISSING_EFFECT)
+    parameter SHADOW     = 1,    // shadow rays, 0 or 1
+    parameter REFLECT    = 5,    // reflections, 0..5
+    parameter LIGHTS     = 8,    // lights, 0..8
+    parameter INSIDE     = 1,    // rays that start inside a sphere, 0 or 1
+    parameter FIRST      = 1,    // primary rays that end at their first leaf hit, 0 or 1
+    parameter INTERPENETRATE = 1, // their correction, 0 or 1: needs FIRST and INSIDE
+    parameter FACETS     = 1,    // triangles and planes, 0 or 1
+    parameter TEXTURE    = 0,    // textures, 0 or 1
+    parameter COARSE     = 0,    // bits of their levels' fraction that are rounded away, 0..8
+    parameter REFRACT    = 0,    // refracted rays, 0 or 1: needs INSIDE
+    parameter SPECULAR   = 0,    // highlights, 0 or 1: needs SUM
+    parameter SUM        = 0,    // materials that add up, 0 or 1
+    parameter RECT       = 1,    // background separation by rectangle, 0 or 1
+    parameter SPANS      = 1,    // by spans in memory, 0 or 1
+    parameter CONES      = 1,    // exactly, by up to so many spheres, 0..16
+    parameter ACCEL      = 0,    // 0: nodes of four children, 1: BIH, needs FIRST to be 0
+    parameter NODE_LINES = 256,  // cache lines an engine, powers of two
+    parameter LEAF_LINES = 128,
+    parameter TEXTURE_LINES = 128,
+    parameter TEXTURE_WAYS = 4,  // of the texture cache: groups of a set
+    parameter TEXTURE_GROUP = 1, // lines fetched together: 1, 2 or 4
+    parameter TEXTURE_COORDS = 2, // units for texture coordinates an engine
+    parameter ROOTS      = 3,    // square root units an engine
+    parameter QUOTIENTS  = 3,    // dividers an engine
+    parameter DIVISIONS  = 1,    // dividers an engine for the keys of facets
+    parameter ROOT_STEP  = 2,    // root bits a clock, 1..W+WD
+    parameter QUOTIENT_STEP = 2, // quotient bits a clock, 1..PQ
+    parameter DIVISION_STEP = 2  // bits of a facet's key a clock, 1..W+WD
+) (
+    input  wire              clk,
+    input  wire              rst,
+    // configuration, while idle
+    input  wire              cfg_valid_i,
+    input  wire [6:0]        cfg_addr_i,
+    input  wire [31:0]       cfg_data_i,
+    input  wire              start_i,          // one cycle: render the window
+    input  wire              keep_cache_i,     // with start_i: memory did not change
+    output wire              busy_o,
+    // memory
+    output wire              mem_req_valid_o,
+    input  wire              mem_req_ready_i,
+    output wire [25:0]       mem_req_line_o,
+    input  wire              mem_rsp_valid_i,
+    output wire              mem_rsp_ready_o,
+    input  wire [63:0]       mem_rsp_data_i,
+    input  wire              mem_rsp_error_i,
+    // pixels
+    output wire              pix_valid_o,
+    input  wire              pix_ready_i,
+    output wire [13:0]       pix_x_o,
+    output wire [13:0]       pix_y_o,
+    output wire [71:0]       pix_colour_o,     // L2, L1, Rendering
+    output wire [23:0]       pix_frame_o,      // the one of them that register FRAME selects
+    output wire [23:0]       pix_id_o,
+    output wire [W+WD+1:0]   pix_key_o,
+    output wire [23:0]       pix_visits_o,
+    output wire [31:0]       pix_texture_o,    // {lod u4.8, sum of texel addresses}
+    // counters and sticky errors
+    input  wire [4:0]        count_addr_i,
+    output wire [47:0]       count_data_o,
+    output reg  [`RT_ERRORS-1:0] errors_o
+);
+    localparam KW = W + WD + 2;
+    localparam PV = 28 + 72 + 24 + KW + 24;          // a finished pixel
+    localparam PW = PV + (TEXTURE != 0 ? 32 : 0);    // and its word of texture
+    localparam OPTICS = REFRACT != 0 || SPECULAR != 0;
+    localparam PLACES = FACETS != 0 || TEXTURE != 0 || OPTICS ? 32 : 16;  // counters
+    localparam EW = 8*PLACES;                        // their events of a cycle
+    localparam SEPARATED = RECT != 0 || SPANS != 0 || CONES != 0;  // background goes by itself
+
+    // cmodel/machine/profile.c says which of these fails
+    localparam FIT = W >= `RT_WIDTH_W_MIN && W <= `RT_WIDTH_W_MAX && WD > W &&
+                     WD <= `RT_WIDTH_WD_MAX && 3*W + 2*WD <= 126 && PQ >= `RT_WIDTH_PQ_MIN &&
+                     PQ <= `RT_WIDTH_PQ_MAX && PQ + WD <= 62 && PQ >= W + NG + 5 - WD &&
+                     NG <= `RT_WIDTH_NG_MAX &&
+                     FW >= `RT_WIDTH_FW_MIN && FW <= `RT_WIDTH_FW_MAX && FW <= W &&
+                     (PR == 0 || (PR >= 4 && PR < W + WD));
+    generate
+        if (!FIT) begin : g_check
+            rt_core_widths_do_not_fit_see_number_formats_md u_error ();
+        end
+    endgenerate
+
+    // ---- registers, start ----
+    wire [31:0]      effects, profile;
+    wire [2:0]       max_depth;
+    wire [1:0]       frame, tex_filter;
+    wire [3:0]       coarse;
+    wire [3:0]       n_lights;
+    wire [55:0]      window, rect;
+    wire [1:0]       bg_mode;
+    wire [25:0]      bg_base;
+    wire [4:0]       bg_count;
+    wire [23:0]      background, visit_limit;
+    wire [47:0]      ambient;
+    wire [3*W-1:0]   eye;
+    wire [3*WD-1:0]  dir;
+    wire [WD-1:0]    pitch;
+    wire [25:0]      root, prim_base, mem_lines;
+    wire             light_valid;
+    wire [2:0]       light_number, light_part;
+    wire             bih;
+    wire [23:0]      n_prims, n_loose;
+    wire [25:0]      leaf_base;
+    wire [6*(W+2)-1:0] box;
+    rt_registers #(.W(W), .WD(WD), .TEXTURE(TEXTURE), .ACCEL(ACCEL)) u_registers (
+        .clk(clk), .valid_i(cfg_valid_i && !busy_o), .addr_i(cfg_addr_i), .data_i(cfg_data_i),
+        .effects_o(effects), .max_depth_o(max_depth), .n_lights_o(n_lights),
+        .window_o(window), .bg_mode_o(bg_mode), .rect_o(rect), .bg_base_o(bg_base),
+        .bg_count_o(bg_count), .background_o(background),
+        .ambient_o(ambient), .eye_o(eye), .dir_o(dir), .pitch_o(pitch), .root_o(root),
+        .prim_base_o(prim_base), .mem_lines_o(mem_lines), .visit_limit_o(visit_limit),
+        .profile_o(profile), .frame_o(frame), .tex_filter_o(tex_filter), .coarse_o(coarse),
+        .bih_o(bih), .n_prims_o(n_prims), .leaf_base_o(leaf_base), .n_loose_o(n_loose),
+        .box_o(box),
+        .light_valid_o(light_valid), .light_number_o(light_number),
+        .light_part_o(light_part)
+    );
+    wire [31:0] built = (SHADOW != 0 ? 32'd1 << `RT_EFFECT_SHADOW : 32'd0) |
+                        (REFLECT != 0 ? 32'd1 << `RT_EFFECT_REFLECT : 32'd0) |
+                        (INSIDE != 0 ? 32'd1 << `RT_EFFECT_INSIDE : 32'd0) |
+                        (FIRST != 0 ? 32'd1 << `RT_EFFECT_FIRST : 32'd0) |
+                        (INTERPENETRATE != 0 ? 32'd1 << `RT_EFFECT_INTERPENETRATE : 32'd0) |
+                        (FACETS != 0 ? 32'd1 << `RT_EFFECT_FACETS : 32'd0) |
+                        (TEXTURE != 0 ? 32'd1 << `RT_EFFECT_TEXTURE : 32'd0) |
+                        (REFRACT != 0 ? 32'd1 << `RT_EFFECT_REFRACT : 32'd0) |
+                        (SPECULAR != 0 ? 32'd1 << `RT_EFFECT_SPECULAR : 32'd0) |
+                        (SUM != 0 ? 32'd1 << `RT_EFFECT_SUM : 32'd0);
+    localparam DEEPEST = REFRACT != 0 ? 5 : REFLECT;
+    wire [3:0]  ways  = {CONES != 0, SPANS != 0, RECT != 0, 1'b1};
+    wire missing = (effects & ~built) != 32'd0 ||    // the machine asks for what is not here
+                   bih != (ACCEL != 0) || coarse != (TEXTURE != 0 ? COARSE[3:0] : 4'd0) ||
+                   {29'd0, max_depth} > DEEPEST || {28'd0, n_lights} > LIGHTS ||
+                   !ways[bg_mode] || (bg_mode == 2'd3 && {27'd0, bg_count} > CONES);
+    localparam [31:0] PROFILE = W << `RT_WIDTH_W_LSB | WD << `RT_WIDTH_WD_LSB |
+                                PQ << `RT_WIDTH_PQ_LSB | NG << `RT_WIDTH_NG_LSB |
+                                FW << `RT_WIDTH_FW_LSB | PR << `RT_WIDTH_PR_LSB;
+    wire foreign = profile != PROFILE;               // built for other widths
+    wire start   = start_i && !busy_o;
+    wire go      = start && !missing && !foreign;
+
+    // ---- memory: READS readers an engine, and the walk above them if it has tables ----
+    localparam READS   = TEXTURE != 0 ? 3 : 2;
+    localparam WALK    = READS*ENGINES;
+    localparam READERS = WALK + (SPANS != 0 || CONES != 0 ? 1 : 0);
+    wire [WALK:0]            m_req_valid, m_rsp_ready;
+    wire [26*(WALK+1)-1:0]   m_req_line;
+    wire [READERS-1:0]       m_req_ready, m_rsp_valid;
+    wire [255:0]             m_rsp_data;
+    wire                     m_rsp_error, bad_table, table_error;
+    wire t_req_ready = READERS > WALK && m_req_ready[READERS-1];
+    wire t_rsp_valid = READERS > WALK && m_rsp_valid[READERS-1];
+    wire unused = &{1'b0, m_req_valid, m_rsp_ready, m_req_line};  // of the walk without tables
+    rt_mem_arbiter #(.CLIENTS(READERS)) u_arbiter (
+        .clk(clk), .rst(rst),
+        .req_valid_i(m_req_valid[READERS-1:0]), .req_ready_o(m_req_ready),
+        .req_line_i(m_req_line[26*READERS-1:0]),
+        .rsp_valid_o(m_rsp_valid), .rsp_ready_i(m_rsp_ready[READERS-1:0]),
+        .rsp_data_o(m_rsp_data), .rsp_error_o(m_rsp_error),
+        .mem_req_valid_o(mem_req_valid_o), .mem_req_ready_i(mem_req_ready_i),
+        .mem_req_line_o(mem_req_line_o),
+        .mem_rsp_valid_i(mem_rsp_valid_i), .mem_rsp_ready_o(mem_rsp_ready_o),
+        .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i)
+    );
+
+    // ---- pixel walk ----
+    // A short queue of traced pixels keeps the engines fed while the walk crosses background.
+    wire             walk_busy, walk_valid, walk_ready, ray_valid, bg_valid, bg_ready;
+    wire [13:0]      x, y, ray_x, ray_y;
+    wire signed [WD-1:0] walk_dir_x, walk_dir_y;
+    wire [WD-1:0]    ray_dir_x, ray_dir_y;
+    wire [ENGINES-1:0] e_ready, e_take, e_busy;
+    rt_walk #(.W(W), .WD(WD), .RECT(RECT), .SPANS(SPANS), .CONES(CONES)) u_walk (
+        .clk(clk), .rst(rst), .start_i(go), .busy_o(walk_busy),
+        .window_i(window), .dir_x0_i($signed(dir[0 +: WD])), .dir_y0_i($signed(dir[WD +: WD])),
+        .pitch_i(pitch), .bg_mode_i(bg_mode), .rect_i(rect), .bg_base_i(bg_base),
+        .bg_count_i(bg_count), .mem_lines_i(mem_lines),
+        .ray_valid_o(walk_valid), .ray_ready_i(walk_ready),
+        .ray_dir_x_o(walk_dir_x), .ray_dir_y_o(walk_dir_y),
+        .bg_valid_o(bg_valid), .bg_ready_i(bg_ready), .x_o(x), .y_o(y),
+        .mem_req_valid_o(m_req_valid[WALK]), .mem_req_ready_i(t_req_ready),
+        .mem_req_line_o(m_req_line[26*WALK +: 26]),
+        .mem_rsp_valid_i(t_rsp_valid), .mem_rsp_ready_o(m_rsp_ready[WALK]),
+        .mem_rsp_data_i(m_rsp_data), .mem_rsp_error_i(m_rsp_error),
+        .bad_table_o(bad_table), .bus_error_o(table_error)
+    );
+    rt_fifo #(.WIDTH(28 + 2*WD), .DEPTH(16)) u_traced (
+        .clk(clk), .rst(rst), .in_valid_i(walk_valid && walk_ready), .in_ready_o(walk_ready),
+        .in_data_i({walk_dir_y, walk_dir_x, y, x}),
+        .out_valid_o(ray_valid), .out_ready_i(|e_ready),
+        .out_data_o({ray_dir_y, ray_dir_x, ray_y, ray_x})
+    );
+    assign e_take = e_ready & (~e_ready + 1'b1);     // the lowest engine with a free slot
+    reg              mux_valid_q;                    // a pixel is at the port
+    wire             mux_ready = !mux_valid_q || pix_ready_i;
+    wire             working = walk_busy || ray_valid || e_busy != 0 || mux_valid_q;
+    localparam SB = $clog2(PLACES + 3);
+    localparam [31:0] WAIT = PLACES + 2;
+    reg [SB-1:0]     settle_q;                       // cycles until the counters are complete
+    assign busy_o = working || settle_q != {SB{1'b0}};
+    always @(posedge clk) begin
+        if (working || go) settle_q <= WAIT[SB-1:0];
+        else if (settle_q != {SB{1'b0}}) settle_q <= settle_q - 1'b1;
+        if (rst) settle_q <= {SB{1'b0}};
+    end
+
+    // ---- engines ----
+    wire [ENGINES-1:0]     p_valid, p_take;
+    wire [ENGINES*PW-1:0]  p_data;
+    wire [ENGINES*EW-1:0]  events;
+    wire [ENGINES-1:0]     issued;
+    wire [ENGINES*4-1:0]   faults;
+    genvar e;
+    generate
+        for (e = 0; e < ENGINES; e = e + 1) begin : g_engine
+            wire [3:0]   rays;
+            wire [2:0]   tests;
+            wire         power;
+            wire         visit, facet, divide, leaf, sqrt, quotient, saturated, bubble, texel;
+            wire [2:0]   miss;
+            wire [31:0]  texture;
+            wire [EW-1:0] add_e;
+            rt_engine #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .FW(FW), .PR(PR), .SLOTS(K),
+                        .STACK(`RT_STACK_DEPTH), .SHADOW(SHADOW), .REFLECT(REFLECT),
+                        .LIGHTS(LIGHTS), .INSIDE(INSIDE), .FIRST(FIRST),
+                        .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),
+                        .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM), .ACCEL(ACCEL),
+                        .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES),
+                        .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS),
+                        .TEXTURE_GROUP(TEXTURE_GROUP), .TEXTURE_COORDS(TEXTURE_COORDS),
+                        .COARSE(COARSE),
+                        .ROOTS(ROOTS), .QUOTIENTS(QUOTIENTS),
+                        .DIVISIONS(DIVISIONS), .ROOT_STEP(ROOT_STEP),
+                        .QUOTIENT_STEP(QUOTIENT_STEP),
+                        .DIVISION_STEP(DIVISION_STEP)) u_engine (
+                .clk(clk), .rst(rst), .flush_i(go && !keep_cache_i), .busy_o(e_busy[e]),
+                .effects_i(effects[9:0]), .tex_filter_i(tex_filter), .max_depth_i(max_depth),
+                .n_lights_i(n_lights), .background_i(background), .ambient_i(ambient), .eye_i(eye),
+                .root_i(root), .prim_base_i(prim_base), .mem_lines_i(mem_lines),
+                .visit_limit_i(visit_limit),
+                .n_prims_i(n_prims), .leaf_base_i(leaf_base), .n_loose_i(n_loose), .box_i(box),
+                .light_valid_i(light_valid), .light_number_i(light_number),
+                .light_part_i(light_part), .light_data_i(cfg_data_i),
+                .in_valid_i(ray_valid && e_take[e]), .in_ready_o(e_ready[e]),
+                .in_x_i(ray_x), .in_y_i(ray_y),
+                .in_dir_i({dir[2*WD +: WD], ray_dir_y, ray_dir_x}),
+                .pix_valid_o(p_valid[e]), .pix_ready_i(p_take[e] && mux_ready),
+                .pix_x_o(p_data[PW*e +: 14]), .pix_y_o(p_data[PW*e+14 +: 14]),
+                .pix_colour_o(p_data[PW*e+28 +: 72]), .pix_id_o(p_data[PW*e+100 +: 24]),
+                .pix_visits_o(p_data[PW*e+124 +: 24]), .pix_key_o(p_data[PW*e+148 +: KW]),
+                .pix_texture_o(texture),
+                .mem_req_valid_o(m_req_valid[READS*e +: READS]),
+                .mem_req_ready_i(m_req_ready[READS*e +: READS]),
+                .mem_req_line_o(m_req_line[26*READS*e +: 26*READS]),
+                .mem_rsp_valid_i(m_rsp_valid[READS*e +: READS]),
+                .mem_rsp_ready_o(m_rsp_ready[READS*e +: READS]),
+                .mem_rsp_data_i(m_rsp_data), .mem_rsp_error_i(m_rsp_error),
+                .count_rays_o(rays), .count_power_o(power), .count_visit_o(visit),
+                .count_tests_o(tests),
+                .count_leaf_o(leaf), .count_root_o(sqrt), .count_quotient_o(quotient),
+                .count_facet_o(facet), .count_divide_o(divide), .count_saturated_o(saturated),
+                .count_issued_o(issued[e]), .count_miss_o(miss), .count_texel_o(texel),
+                .count_bubble_o(bubble), .errors_o(faults[4*e +: 4])
+            );
+            assign add_e[8*`RT_COUNT_RAYS_PRIMARY   +: 8] = {7'd0, rays[0]};
+            assign add_e[8*`RT_COUNT_RAYS_SHADOW    +: 8] = {7'd0, rays[1]};
+            assign add_e[8*`RT_COUNT_RAYS_REFLECTED +: 8] = {7'd0, rays[2]};
+            assign add_e[8*`RT_COUNT_NODE_VISITS    +: 8] = {7'd0, visit};
+            assign add_e[8*`RT_COUNT_CHILD_TESTS    +: 8] = {5'd0, tests};
+            assign add_e[8*`RT_COUNT_LEAF_TESTS     +: 8] = {7'd0, leaf};
+            assign add_e[8*`RT_COUNT_ROOTS          +: 8] = {7'd0, sqrt};
+            assign add_e[8*`RT_COUNT_QUOTIENTS      +: 8] = {7'd0, quotient};
+            assign add_e[8*`RT_COUNT_BACKGROUND     +: 8] = 8'd0;
+            assign add_e[8*`RT_COUNT_SATURATIONS    +: 8] = {7'd0, saturated};
+            assign add_e[8*`RT_COUNT_CYCLES         +: 8] = 8'd0;
+            assign add_e[8*`RT_COUNT_ISSUE_WAIT     +: 8] = 8'd0;
+            assign add_e[8*`RT_COUNT_NODE_MISSES    +: 8] = {7'd0, miss[0]};
+            assign add_e[8*`RT_COUNT_LEAF_MISSES    +: 8] = {7'd0, miss[1]};
+            assign add_e[8*`RT_COUNT_RAYS_WAITING   +: 8] = 8'd0;
+            assign add_e[8*`RT_COUNT_POP_BUBBLES    +: 8] = {7'd0, bubble};
+            if (PLACES > 16) begin : g_more
+                assign add_e[8*`RT_COUNT_FACET_TESTS  +: 8] = {7'd0, FACETS != 0 && facet};
+                assign add_e[8*`RT_COUNT_DIVISIONS    +: 8] = {7'd0, FACETS != 0 && divide};
+                assign add_e[8*`RT_COUNT_TEXELS       +: 8] = {7'd0, TEXTURE != 0 && texel};
+                assign add_e[8*`RT_COUNT_TEXEL_MISSES +: 8] = {7'd0, TEXTURE != 0 && miss[2]};
+                assign add_e[8*`RT_COUNT_RAYS_REFRACTED +: 8] = {7'd0, REFRACT != 0 && rays[3]};
+                assign add_e[8*`RT_COUNT_POWERS       +: 8] = {7'd0, SPECULAR != 0 && power};
+                assign add_e[EW-1:8*`RT_COUNTERS] = {(EW-8*`RT_COUNTERS){1'b0}};
+            end
+            if (TEXTURE != 0) begin : g_texture
+                assign p_data[PW*e+PV +: 32] = texture;
+            end
+            wire unused_e = &{1'b0, power, rays[3], facet, divide, texel, miss[2], texture};
+            assign events[EW*e +: EW] = add_e;
+        end
+    endgenerate
+    // ---- pixel port: engines first, then background ----
+    reg [PW-1:0]  mux_q, mux_next;
+    assign p_take   = p_valid & (~p_valid + 1'b1);
+    assign bg_ready = SEPARATED && mux_ready && p_valid == 0;
+    wire [31:0]   untextured = {12'd`RT_LOD_NONE, 20'd0};
+    wire [PV+31:0] sky = {untextured, {KW{1'b0}}, 24'd0, 24'hffffff, {3{background}}, y, x};
+    wire unused_sky = &{1'b0, sky};
+    integer i;
+    always @* begin
+        mux_next = SEPARATED ? sky[PW-1:0] : p_data[PW-1:0];
+        for (i = 0; i < ENGINES; i = i + 1)
+            if (p_take[i]) mux_next = p_data[PW*i +: PW];
+    end
+    always @(posedge clk) begin
+        if (mux_ready) begin
+            mux_valid_q <= (SEPARATED && bg_valid) || p_valid != 0;
+            mux_q       <= mux_next;
+        end
+        if (rst) mux_valid_q <= 1'b0;
+    end
+    assign pix_valid_o = mux_valid_q;
+    assign {pix_key_o, pix_visits_o, pix_id_o, pix_colour_o, pix_y_o, pix_x_o} = mux_q[PV-1:0];
+    assign pix_texture_o = TEXTURE != 0 ? mux_q[PW-1 -: 32] : untextured;
+
+    assign pix_frame_o = frame == 2'd0 ? pix_colour_o[23:0] : frame == 2'd1 ? pix_colour_o[47:24]
+                         : pix_colour_o[71:48];
+
+    // ---- counters: sums over the engines ----
+    wire [EW-1:0] shell_events;
+    assign shell_events[8*`RT_COUNT_RAYS_PRIMARY   +: 64] = 64'd0;  // up to QUOTIENTS
+    assign shell_events[8*`RT_COUNT_BACKGROUND     +: 8] = {7'd0, bg_valid && bg_ready};
+    assign shell_events[8*`RT_COUNT_SATURATIONS    +: 8] = 8'd0;
+    assign shell_events[8*`RT_COUNT_CYCLES         +: 8] = {7'd0, working};
+    assign shell_events[8*`RT_COUNT_ISSUE_WAIT     +: 8] = {7'd0, ray_valid && issued == 0};
+    assign shell_events[8*`RT_COUNT_NODE_MISSES    +: 8] = 8'd0;
+    assign shell_events[8*`RT_COUNT_LEAF_MISSES    +: 8] = 8'd0;
+    assign shell_events[8*`RT_COUNT_RAYS_WAITING   +: 8] = {7'd0, ray_valid};
+    assign shell_events[8*`RT_COUNT_POP_BUBBLES    +: 8] = 8'd0;
+    generate
+        if (PLACES > 16) begin : g_more
+            assign shell_events[EW-1:128] = {(EW-128){1'b0}};
+        end
+    endgenerate
+    reg [EW-1:0] add;
+    integer n, k;
+    always @* begin
+        add = shell_events;
+        for (n = 0; n < ENGINES; n = n + 1)
+            for (k = 0; k < PLACES; k = k + 1)
+                add[8*k +: 8] = add[8*k +: 8] + events[EW*n + 8*k +: 8];
+    end
+    localparam COUNTERS = OPTICS ? `RT_COUNTERS : TEXTURE != 0 ? `RT_COUNT_RAYS_REFRACTED :
+                          PLACES > 16 ? `RT_COUNT_TEXELS : 16;
+    rt_counters #(.PLACES(PLACES), .USED(COUNTERS)) u_counters (
+        .clk(clk), .rst(rst), .clear_i(go), .add_i(add),
+        .addr_i(count_addr_i), .data_o(count_data_o)
+    );
+
+    // ---- sticky errors ----
+    reg [3:0] fault;
+    integer m;
+    always @* begin
+        fault = {table_error, 2'd0, bad_table};
+        for (m = 0; m < ENGINES; m = m + 1) fault = fault | faults[4*m +: 4];
+    end
+    always @(posedge clk) begin
+        if (start) errors_o <= 0;
+        if (fault[0]) errors_o[`RT_ERROR_BAD_NODE]       <= 1'b1;
+        if (fault[1]) errors_o[`RT_ERROR_STACK_OVERFLOW] <= 1'b1;
+        if (fault[2]) errors_o[`RT_ERROR_VISIT_LIMIT]    <= 1'b1;
+        if (fault[3]) errors_o[`RT_ERROR_BUS_ERROR]      <= 1'b1;
+        if (start && missing) errors_o[`RT_ERROR_MISSING_EFFECT] <= 1'b1;
+        if (start && foreign) errors_o[`RT_ERROR_WRONG_PROFILE]  <= 1'b1;
+        if (rst) errors_o <= 0;
+    end
+endmodule
+`default_nettype wire
