@@ -80,10 +80,10 @@ $K/tb_core.vvp: tb/core/tb_core_icarus.v $(RTL_FILES) $K/icarus.flags
 	$(ELABORATE) -o $@ $< $(SOURCES) 2>$@.log || { cat $@.log >&2; exit 1; }
 	@cat $@.log >&2
 
-# Verilator's warnings are errors; what is waived stands with its reason in sim/waivers.vlt.
-$K/Vrt_core__ALL.a: $(RTL_FILES) $(wildcard sim/waivers.vlt) $K/verilator.flags
+# Verilator's warnings are errors; none is waived.
+$K/Vrt_core__ALL.a: $(RTL_FILES) $K/verilator.flags
 	@mkdir -p $(@D)
-	$(VERILATE) --Mdir $(@D) $(wildcard sim/waivers.vlt) $(SOURCES)
+	$(VERILATE) --Mdir $(@D) $(SOURCES)
 	$(MAKE) -s -C $(@D) -f Vrt_core.mk -j$(JOBS) OPT_FAST=$(OPT) OPT_SLOW=$(OPT) Vrt_core__ALL.a \
 	    >$(@D)/compile.log || { cat $(@D)/compile.log >&2; exit 1; }
 

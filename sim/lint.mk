@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # Files are checked again only when they or what they include changed ($B/lint/...). Verilator takes
-# each module as a top of its own (waivers with reasons in sim/waivers.vlt); Icarus and Yosys take
+# each module as a top of its own; Icarus and Yosys take
 # all files at once. `systemverilog` reads the same files, those of formal/ and the benches as
 # SystemVerilog, whose keywords are more: Verilator, Icarus, and slang where it is installed.
 
@@ -10,7 +10,6 @@ V_FILES  := $(sort $(shell find rtl -name '*.v'))
 V_HEADS  := $(sort $(shell find rtl -name '*.vh'))
 V_BENCHES := $(sort $(wildcard formal/*.v tb/*/*.v))
 V_DIRS   := $(patsubst %/,%,$(sort $(dir $(V_FILES) $(V_HEADS))))
-WAIVERS  := $(wildcard sim/waivers.vlt)
 C_HEADS  := $(sort $(shell find cmodel tb tests -name '*.h'))
 # Tests are left to gcc's warnings and sanitizers: clang-tidy takes seven seconds a file.
 TIDY     := $(filter-out $(GENERATORS),$(C_FILES)) $(IMAGE_CXX) $(wildcard formal/*.c)
@@ -32,11 +31,11 @@ lint-systemverilog: $B/lint/systemverilog
 lint-yosys: $B/lint/yosys
 lint-tidy: $(TIDY:%=$B/lint/%)
 
-$B/lint/%.v: %.v $(V_FILES) $(V_HEADS) $(WAIVERS)
+$B/lint/%.v: %.v $(V_FILES) $(V_HEADS)
 	$(call lint_say,$(<F))
 	@mkdir -p $(@D)
 	$(Q)verilator --lint-only -Wall --language 1364-2005 $(V_DIRS:%=-y %) $(V_DIRS:%=-I%) \
-	    --top-module $(*F) $(WAIVERS) $<
+	    --top-module $(*F) $<
 	@touch $@
 
 $B/lint/iverilog: $(V_FILES) $(V_HEADS)
@@ -49,7 +48,7 @@ $B/lint/iverilog: $(V_FILES) $(V_HEADS)
 $B/lint/systemverilog: $(V_FILES) $(V_HEADS) $(V_BENCHES) sim/lint_slang.py
 	$(call lint_say,SystemVerilog)
 	@mkdir -p $(@D)
-	$(Q)verilator --lint-only -Wall $(V_DIRS:%=-I%) --top-module rt_core $(WAIVERS) $(V_FILES)
+	$(Q)verilator --lint-only -Wall $(V_DIRS:%=-I%) --top-module rt_core $(V_FILES)
 	$(Q)(for f in "$(V_FILES)" $(V_BENCHES); do \
 	    iverilog -g2012 -Wall -t null -Y .v $(V_DIRS:%=-I%) $(V_DIRS:%=-y %) $$f || exit 1; \
 	    done) >$@.log 2>&1; rc=$$?; cat $@.log; [ $$rc = 0 ] && [ ! -s $@.log ]

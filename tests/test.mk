@@ -5,7 +5,7 @@
 #   tests/test_*.c    cmocka, linked with the model; runs plain and under the sanitizers
 #   tests/test_*.sh   a script; finds the tool in $SPHAERA, its own empty folder in $TMP
 #   SUITES += path    any other executable, with a rule that makes it
-# `make test ONLY=pattern` runs the suites whose file name has the pattern in it.
+# `make test ONLY=PATTERN` runs the suites whose file name has the pattern in it.
 
 TEST_C  := $(sort $(wildcard tests/test_*.c))
 TEST_SH := $(sort $(wildcard tests/test_*.sh))

@@ -1,5 +1,6 @@
 /* colour.h - light, surface colour and the blend of reflection depths
- * SPDX-License-Identifier: Apache-2.0              RTL: rtl/shade/rt_light.v, rtl/shade/rt_blend.v
+ * SPDX-License-Identifier: Apache-2.0
+ * RTL: rtl/shade/rt_light_add.v, rtl/shade/rt_blend.v
  */
 #ifndef SPH_COLOUR_H
 #define SPH_COLOUR_H

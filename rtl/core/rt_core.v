@@ -12,11 +12,11 @@ module rt_core #(
     parameter NG         = `RT_PROFILE_STANDARD_NG,  // guard bits of the normal
     parameter FW         = `RT_PROFILE_STANDARD_FW,  // filter coordinate, bits
     parameter PR         = `RT_PROFILE_STANDARD_PR,  // significant bits of the root, 0: all
-    parameter ENGINES    = 1,    // barrels, 1..8
+    parameter ENGINES    = 1,    // engines, 1..8
     parameter K          = 64,   // rays in flight an engine, power of two
     // what is elaborated; a machine that asks for more is refused (MISSING_EFFECT)
     parameter SHADOW     = 1,    // shadow rays, 0 or 1
-    parameter REFLECT    = 5,    // reflections, 0..5
+    parameter REFLECT    = 5,    // reflections, 0..5; with REFRACT MAX_DEPTH goes to 5 all the same
     parameter LIGHTS     = 8,    // lights, 0..8
     parameter INSIDE     = 1,    // rays that start inside a sphere, 0 or 1
     parameter FIRST      = 1,    // primary rays that end at their first leaf hit, 0 or 1
@@ -31,9 +31,9 @@ module rt_core #(
     parameter SPANS      = 1,    // by spans in memory, 0 or 1
     parameter CONES      = 1,    // exactly, by up to so many spheres, 0..16
     parameter ACCEL      = 0,    // 0: nodes of four children, 1: BIH, needs FIRST to be 0
-    parameter NODE_LINES = 256,  // cache lines an engine, powers of two
-    parameter LEAF_LINES = 128,
-    parameter TEXTURE_LINES = 128,
+    parameter NODE_LINES = 256,  // lines of an engine's node cache, power of two
+    parameter LEAF_LINES = 128,  // of its leaf cache
+    parameter TEXTURE_LINES = 128, // of its texture cache
     parameter TEXTURE_WAYS = 4,  // of the texture cache: groups of a set
     parameter TEXTURE_GROUP = 1, // lines fetched together: 1, 2 or 4
     parameter TEXTURE_COORDS = 2, // units for texture coordinates an engine
@@ -46,14 +46,15 @@ module rt_core #(
 ) (
     input  wire              clk,
     input  wire              rst,
-    // configuration, while idle
+    // registers, written while the core is idle; a write while it is busy is ignored
     input  wire              cfg_valid_i,
     input  wire [6:0]        cfg_addr_i,
     input  wire [31:0]       cfg_data_i,
-    input  wire              start_i,          // one cycle: render the window
-    input  wire              keep_cache_i,     // with start_i: memory did not change
-    output wire              busy_o,
-    // memory
+    // a frame
+    input  wire              start_i,          // one cycle: clear counters, render the window
+    input  wire              keep_cache_i,     // with start_i: memory did not change, caches stay
+    output wire              busy_o,           // until the last pixel has left and counters stand
+    // memory: 256-bit lines, asked for by number; four beats each, low bits first, in order
     output wire              mem_req_valid_o,
     input  wire              mem_req_ready_i,
     output wire [25:0]       mem_req_line_o,
@@ -61,21 +62,21 @@ module rt_core #(
     output wire              mem_rsp_ready_o,
     input  wire [63:0]       mem_rsp_data_i,
     input  wire              mem_rsp_error_i,
-    // pixels
+    // finished pixels, in any order
     output wire              pix_valid_o,
     input  wire              pix_ready_i,
     output wire [13:0]       pix_x_o,
     output wire [13:0]       pix_y_o,
-    output wire [71:0]       pix_colour_o,     // L2, L1, Rendering
+    output wire [71:0]       pix_colour_o,     // {L2, L1, Rendering}, each 0xBBGGRR
     output wire [23:0]       pix_frame_o,      // the one of them that register FRAME selects
-    output wire [23:0]       pix_id_o,
-    output wire [W+WD+1:0]   pix_key_o,
-    output wire [23:0]       pix_visits_o,
-    output wire [31:0]       pix_texture_o,    // {lod u4.8, sum of texel addresses}
+    output wire [23:0]       pix_id_o,         // primitive of the primary hit, all ones: none
+    output wire [W+WD+1:0]   pix_key_o,        // key of that hit, 0: none
+    output wire [23:0]       pix_visits_o,     // node visits of all rays of the pixel
+    output wire [31:0]       pix_texture_o,    // {lod u4.8 of its first texture, sum of addresses}
     // counters and sticky errors
-    input  wire [4:0]        count_addr_i,
-    output wire [47:0]       count_data_o,
-    output reg  [`RT_ERRORS-1:0] errors_o
+    input  wire [4:0]        count_addr_i,     // number of a counter
+    output wire [47:0]       count_data_o,     // the counter, a cycle later
+    output reg  [`RT_ERRORS-1:0] errors_o      // a bit an error, until the next start_i
 );
     localparam KW = W + WD + 2;
     localparam PV = 28 + 72 + 24 + KW + 24;          // a finished pixel

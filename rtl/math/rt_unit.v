@@ -15,7 +15,7 @@ module rt_unit #(
     input  wire                   rst,        // synchronous, active high
     // from rt_setup, rt_lambert
     input  wire                   in_valid_i,
-    output wire                   in_ready_o,
+    output wire                   in_ready_o, // high every second clock
     input  wire [TAG-1:0]         in_tag_i,
     input  wire signed [BITS-1:0] in_x_i,     // sBITS
     input  wire signed [BITS-1:0] in_y_i,

@@ -5,7 +5,7 @@
 //    cones once
 // Nothing moves before the cones are loaded; a pixel waits for the span of its row. A table that
 // does not lie in memory: BAD_NODE, and every pixel is traced.
-// Model: sph_is_background() in cmodel/pixel/walk.h
+// Model: sph_is_background() in cmodel/pixel/background.c
 `default_nettype none
 `include "rt_layout.vh"
 module rt_background #(

@@ -5,7 +5,7 @@
 // f(x,y) = f + x*fx + x(x-1)/2*fxx + y*fy + y(y-1)/2*fyy + x*y*fxy,  b(x,y) = b + x*bx + y*by
 // hit = f > 0 && (b > 0 || inside): the discriminant, the projection of the sphere's centre.
 // A place is (f, gx, gy, b) with gx = f(x+1,y) - f(x,y), gy = f(x,y+1) - f(x,y). Latency 1 cycle.
-// Model: sph_is_background() in cmodel/pixel/walk.h
+// Model: sph_is_background() in cmodel/pixel/background.c
 `default_nettype none
 `include "rt_layout.vh"
 module rt_cone #(

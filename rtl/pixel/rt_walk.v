@@ -5,7 +5,8 @@
 // Background separation: Borodavka et al. V.C; a background pixel leaves by its own port.
 // One pixel a cycle, with CONES less 3 cycles a column; WIN_X0 + WIN_Y0 + 3 cycles from start_i to
 // the first, and more with CONES or SPANS.
-// Model: sph_primary_dir() and sph_is_background() in cmodel/pixel/walk.h
+// Model: sph_primary_dir() in cmodel/pixel/walk.h, sph_is_background() in
+// cmodel/pixel/background.c
 `default_nettype none
 module rt_walk #(
     parameter W     = 16,  // coordinate, bits

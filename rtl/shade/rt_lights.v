@@ -3,7 +3,8 @@
 // Every event adds one light's share to the slot's sum (nothing at the start, or in shadow), then
 // sends the vector to the next light to rt_setup, or the token on to rt_pixels.
 // One event every 3 cycles. Without shadow rays there is no queue for them; one light alone stands
-// in registers and has no number. Model: light() in cmodel/engine/render_pixel.c
+// in registers and has no number. Model: sph_job_light() in
+// cmodel/engine/render_light.c
 `default_nettype none
 module rt_lights #(
     parameter W     = 16,  // coordinate, bits

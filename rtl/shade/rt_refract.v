@@ -59,7 +59,7 @@ module rt_refract #(
     localparam [3:0] O_B = 4'd0, O_PB = 4'd3, O_PN = 4'd4, O_AN = 4'd5, O_LESS = 4'd6,
                      O_MORE = 4'd7, O_SQUARE = 4'd8, O_X = 4'd10;
     reg  [2:0]     state_q;
-    reg  [3:0]     op_q;                   // O_B + 0..2; O_X..15: p*N*d_i, then (p*B + root)*n_i
+    reg  [3:0]     op_q;                   // O_B + 0..2; O_X..15: p*N*d[i], then (p*B + root)*n[i]
     reg  [CW-1:0]  left_q;                 // digits
     wire           last = left_q == {{(CW-1){1'b0}}, 1'b1};
     wire           vector = op_q >= O_X || op_q < O_PB;

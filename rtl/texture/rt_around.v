@@ -4,7 +4,7 @@
 //   rt_longitude, UNITS of them | operands of s, of t | products | sums
 // In order: each unit takes 39 clocks. Normals must come at least 5 clocks apart, as they do from
 // rt_coords, which takes nine clocks to turn one: so results do not meet.
-// Model: on_sphere() in cmodel/texture/coords.c
+// Model: sph_coords_sphere() in cmodel/texture/coords.c
 `default_nettype none
 module rt_around #(
     parameter TAG   = 6,                   // what travels along, bits

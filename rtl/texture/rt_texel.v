@@ -4,7 +4,8 @@
 // line each, row by row. One multiplier:
 //   at * size, s and t | texels, weights | row of tiles, y0 and y1 | four requests
 // One hit at a time: 8 clocks a level and one for each request that waits, and one.
-// Model: sph_axis_at(), sph_texel_word() in cmodel/texture/texel.[ch]
+// Model: sph_axis_at() in cmodel/texture/texel.c, sph_texel_word() in
+// cmodel/texture/texel.h
 `default_nettype none
 module rt_texel #(
     parameter TAG = 6                     // what travels along, bits

@@ -4,7 +4,7 @@
 // The best key gives a depth beyond which nothing can win: key * scale >> shift, rounded up; with
 // KEYS its own top bits are that depth, and FW + 1 of them are kept.
 // One result a cycle; the token leaves 4 cycles after the last result of its visit.
-// Model: keep() in cmodel/trace/traverse.c, sph_ray_depth() in cmodel/trace/setup.c
+// Model: keep() in cmodel/trace/leaf_unit.c, sph_ray_depth() in cmodel/trace/setup.c
 `default_nettype none
 module rt_collect #(
     parameter W     = 16,  // coordinate, bits

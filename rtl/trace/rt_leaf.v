@@ -17,7 +17,7 @@ module rt_leaf #(
 ) (
     input  wire                   clk,
     input  wire                   rst,           // synchronous, active high
-    input  wire                   inside_on_i,   // run-time switch of INSIDE
+    input  wire                   inside_on_i,   // switch of INSIDE, changes between leaves
     // from the leaf fetch
     input  wire                   in_valid_i,
     output wire                   in_ready_o,    // low in the clock after a transfer

@@ -4,7 +4,7 @@
 // visit, near first. The current group stands in a slot file, the others in the stack: one push or
 // one pop a visit, so one write and one read port serve. A group whose nearest child lies deeper
 // than the ray's limit is dropped whole, and so is the stack when its smallest near depth does.
-// Two stages, one token a cycle; a pruned top of stack costs one more pass (out_bubble_o).
+// Two stages, one token a cycle; a pruned top of stack costs one more pass (bubble_o).
 // Model: the end of the loop in sph_traverse(), cmodel/trace/traverse.c
 `default_nettype none
 module rt_next #(

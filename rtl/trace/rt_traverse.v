@@ -1,6 +1,6 @@
 // rt_traverse.v - one node of four children a cycle: issue, node cache, filters, sort
 // SPDX-License-Identifier: Apache-2.0
-// A token brings a slot and the line of a node. It leaves towards rt_leaf_queue if the filters
+// A token brings a slot and the line of a node. It leaves towards rt_leaf_unit if the filters
 // leave leaf children, else towards rt_next. Free-running behind the cache.
 // Borodavka et al. IV. Model: the loop body of sph_traverse(), cmodel/trace/traverse.c
 `default_nettype none
@@ -51,7 +51,7 @@ module rt_traverse #(
     output wire [71:0]       found_list_o,
     output reg               found_fresh_o,
     output reg               found_kill_o,
-    // to rt_leaf_queue: leaf children that pass (with found_valid_o)
+    // to rt_leaf_unit: leaf children that pass (with found_valid_o)
     output reg [3:0]         found_leaf_o,   // bit j: leaf child j
     output reg [25:0]        found_line_o,   // line of leaf child 0
     // visits of a pixel

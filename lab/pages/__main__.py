@@ -1,0 +1,60 @@
+# __main__.py - brings pages up to date with the sources, or says which are not
+# SPDX-License-Identifier: Apache-2.0
+"""usage: python3 -m lab.pages [--check] [PAGE...]
+Fills the regions of the pages: README.md and all of docs/ if none is named. --check writes nothing,
+shows the lines that differ, and exits with 1 if there are any."""
+import difflib
+import os
+import sys
+from pathlib import Path
+
+from . import markdown, regions, verilog
+
+
+def pages():
+    """All pages of the tree."""
+    return [Path("README.md"), Path("CONTRIBUTING.md")] + sorted(Path("docs").rglob("*.md"))
+
+
+def fresh(page):
+    """(as it stands, as it ought to be)"""
+    text = page.read_text(encoding="utf-8")
+    opened, closed = text.count("<!-- begin: "), len(markdown.names(text))
+    if opened != closed:
+        raise regions.Unknown(f"{opened} regions begin and {closed} end")
+    return text, markdown.fill(text, regions.make)
+
+
+def write(page, text):
+    new = page.with_suffix(".tmp")
+    new.write_text(text, encoding="utf-8")
+    os.replace(new, page)
+
+
+def main(arguments):
+    check = "--check" in arguments
+    stale = bad = 0
+    for page in [Path(a) for a in arguments if a != "--check"] or pages():
+        try:
+            now, wanted = fresh(page)
+        except (regions.Unknown, verilog.Bad) as fault:
+            print(f"{page}: {fault}", file=sys.stderr)
+            bad += 1
+            continue
+        if now == wanted:
+            continue
+        stale += 1
+        if check:
+            lines = difflib.unified_diff(now.splitlines(), wanted.splitlines(), str(page),
+                                         "as the sources have it", n=0, lineterm="")
+            print("\n".join(lines))
+        else:
+            write(page, wanted)
+            print(f"  PAGE {page}")
+    if check and stale:
+        print(f"{stale} pages do not tell what the sources say: make pages")
+    sys.exit(bool(bad or check and stale))
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

@@ -1,0 +1,89 @@
+# blocks.py - parameters and ports of modules, and the list of all modules, as tables
+# SPDX-License-Identifier: Apache-2.0
+import re
+from itertools import groupby
+from pathlib import Path
+
+from . import markdown, verilog
+
+EVERYWHERE = "clk", "rst"
+
+
+def _read(module):
+    paths = verilog.files()
+    if module not in paths:
+        raise verilog.Bad(f"there is no module {module} in rtl/")
+    return verilog.header(paths[module], verilog.defines())
+
+
+def _alike(name, other):
+    """x_i and y_i of one vector: names that differ in single letters alone."""
+    one, two = name.split("_"), other.split("_")
+    return len(one) == len(two) and all(a == b or len(a) == len(b) == 1 for a, b in zip(one, two))
+
+
+def _rows(items, value):
+    """(names, values, meaning). An item without a comment belongs to the row above if it is another
+    component of the same vector, or if the row has no comment either."""
+    merged = []
+    for item in items:
+        first = merged[-1][0] if merged else None
+        if first and not item.comment and (
+                not first.comment
+                or _alike(item.name, first.name) and value(item) == value(first)):
+            merged[-1].append(item)
+        else:
+            merged.append([item])
+    for group in merged:
+        values = [value(item) for item in group]
+        shown = values[0] if len(set(values)) == 1 else ", ".join(values)
+        comment = group[0].comment
+        yield ", ".join(f"`{item.name}`" for item in group), shown, "" if comment in (
+            shown, "u" + shown) else comment
+
+
+def parameters(*modules):
+    """One table for the modules; what the later ones have besides stands under their names."""
+    rows, seen = [], set()
+    for module in modules:
+        items = [item for item in _read(module)[0] if item.name not in seen]
+        seen.update(item.name for item in items)
+        if module != modules[0] and items:
+            rows.append([f"*{module}*", "", ""])
+        rows += [list(row) for row in _rows(items, lambda item: item.default)]
+    return markdown.table(["parameter", "default", "meaning"], rows)
+
+
+def ports(module):
+    """Headings of the source are rows of their own; clock and reset are left out."""
+    items = [item for item in _read(module)[1] if item.name not in EVERYWHERE]
+    rows = []
+    for heading, group in groupby(items, lambda item: item.heading):
+        if heading:
+            rows.append([f"*{heading}*", "", ""])
+        rows += [list(row) for row in _rows(group, lambda i: i.bits)]
+    return markdown.table([f"port of `{module}`", "bits", "meaning"], rows)
+
+
+def benches():
+    """{module: bench} of the lists in tb/."""
+    found = {}
+    for path in sorted(Path("tb").glob("benches*.txt")):
+        for line in path.read_text().splitlines():
+            word = line.split("#")[0].split()
+            if word:
+                found.setdefault(word[1], []).append(word[2])
+    return found
+
+
+def modules():
+    """Each module with its first line, its model and its bench."""
+    tested = benches()
+    rows = []
+    for name, path in verilog.files().items():
+        text = path.read_text()
+        does = re.match(r"// \S+ - (.*)", text)
+        model = re.search(r"^// Model: (\w+\(\))", text, re.M)
+        rows.append([f"[{name}]({{}})", does[1] if does else "", f"`{model[1]}`" if model else "",
+                     ", ".join(f"`{b}`" for b in sorted(set(tested.get(name, []))))])
+    return markdown.table(["module", "does", "model", "bench"], rows)

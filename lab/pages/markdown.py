@@ -1,0 +1,24 @@
+# markdown.py - tables of words, and regions of pages
+# SPDX-License-Identifier: Apache-2.0
+"""A region is what stands between `<!-- begin: NAME -->` and `<!-- end -->`: lines, if the marks
+stand on lines of their own, else words within a line."""
+import re
+
+REGION = re.compile(r"(<!-- begin: ([^\n]*?) -->)(\n?)(.*?)(<!-- end -->)", re.S)
+
+
+def table(head, rows):
+    """A table of words, without padding: a longer cell changes one line."""
+    lines = ["| " + " | ".join(cell.replace("|", r"\|") for cell in map(str, row)) + " |"
+             for row in [head, ["---"] * len(head)] + rows]
+    return "\n".join(lines).replace("|  |", "| |").replace("|  |", "| |")
+
+
+def names(text):
+    """Of all regions, in their order."""
+    return [match[2] for match in REGION.finditer(text)]
+
+
+def fill(text, make):
+    """The text with each region as make(name) has it."""
+    return REGION.sub(lambda m: m[1] + m[3] + make(m[2]) + m[3] + m[5], text)

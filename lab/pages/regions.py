@@ -1,0 +1,36 @@
+# regions.py - what each region of a page is made from
+# SPDX-License-Identifier: Apache-2.0
+"""The name of a region is a word of MAKERS and its arguments."""
+from . import blocks, machine
+
+
+class Unknown(Exception):
+    """A region that nothing makes."""
+
+
+def count(kind, *words):
+    """How many lines of machine.def a kind has, those with all the words."""
+    return str(sum(set(words) <= set(row) for row in machine.rows(kind)))
+
+
+def const(name):
+    return machine.constants()[name]
+
+
+MAKERS = {
+    "parameters": blocks.parameters, "ports": blocks.ports, "modules": blocks.modules,
+    "registers": machine.registers, "effects": machine.effects, "counters": machine.counters,
+    "errors": machine.errors, "profiles": machine.profiles, "widths": machine.widths,
+    "count": count, "const": const,
+}
+
+
+def make(name):
+    """The text of a region."""
+    maker, *arguments = name.split()
+    if maker not in MAKERS:
+        raise Unknown(f"no region is called `{name}`; there are {', '.join(sorted(MAKERS))}")
+    try:
+        return MAKERS[maker](*arguments)
+    except (TypeError, KeyError) as fault:
+        raise Unknown(f"region `{name}`: {fault}") from fault

@@ -1,0 +1,9 @@
+# pages.mk - tables and figures of the pages, from the sources
+# SPDX-License-Identifier: Apache-2.0
+#
+# A page has regions, `<!-- begin: NAME -->` to `<!-- end -->`, that lab/pages/regions.py makes.
+# `make test ONLY=test_pages` fails when one is older than what it tells of.
+
+.PHONY: pages
+pages: ## tables and figures of README and docs, as the sources have them
+	$(Q)python3 -m lab.pages
