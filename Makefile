@@ -101,8 +101,8 @@ all: tool ## everything that is built without simulators
 tool: $(TOOL) ## the command-line tool build/sphaera
 
 include sim/objects.mk sim/sim.mk sim/pages.mk sim/bench.mk sim/lint.mk sim/background.mk \
-        sim/textures.mk sim/scenarios/scenarios.mk sim/study/study.mk synth/synth.mk synth/effects.mk \
-        tests/test.mk tests/image/image.mk tests/hard/hard.mk formal/formal.mk
+        sim/textures.mk sim/scenarios/scenarios.mk sim/study/study.mk synth/synth.mk \
+        synth/effects.mk tests/test.mk tests/image/image.mk tests/hard/hard.mk formal/formal.mk
 
 layout: ## regenerate the C and Verilog layout headers from cmodel/machine/machine.def
 	$(call say,GEN,"layout.h rt_layout.vh")
