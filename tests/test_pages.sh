@@ -19,7 +19,8 @@ stale() { # file, sed expression, what the check prints
     ! python3 -m lab.pages --check >said 2>&1 && grep -q -- "$3" said && python3 -m lab.pages &&
         python3 -m lab.pages --check
 }
-core=rtl/shell/rt_core.v def=cmodel/machine/machine.def
+core=$(find rtl -name rt_core.v) def=$(find cmodel -name machine.def)
+profile=$(find cmodel -name profile.c)
 check "a default" stale $core 's/K          = 64/K          = 32/' '^+| `K` | 32 |'
 check "a port" stale $core 's/\[47:0\]       count_data_o/[39:0] count_data_o/' 'count_data_o` | 40'
 check "a register" stale $def 's/^reg    98 /reg    103 /' '^+| 103 | `BG_COUNT`'
@@ -37,13 +38,13 @@ check "a region that nothing makes" broken 's/begin: errors/begin: erors/' 'ther
 check "a region without an end" broken '$s/.*/<!-- begin: errors -->/' 'regions begin'
 check "a module that is not there" broken 's/begin: ports rt_core/begin: ports rt_cor/' 'rt_cor'
 
-cat >>"$page" <<'END'
-`cmodel/render_pixels.c`
-`render_pixels.c`
-`pix_colours_o`
-`sph_renders()`
-`sph_render()` in `cmodel/profile.c`
-as `make pagez SCNE=x` does
+cat >>"$page" <<END
+\`cmodel/render_pixels.c\`
+\`render_pixels.c\`
+\`pix_colours_o\`
+\`sph_renders()\`
+\`sph_render()\` in \`$profile\`
+as \`make pagez SCNE=x\` does
 [x](core.md#regsters)
 END
 echo '// to rt_leaf_queue' >>$core
@@ -53,7 +54,7 @@ check "a file" says 'md:[0-9]*: cmodel/render_pixels.c is not a file or folder'
 check "a file without its folder" says 'md:[0-9]*: render_pixels.c is not a file'
 check "a port of no module" says 'md:[0-9]*: pix_colours_o is not a port'
 check "a function" says 'md:[0-9]*: sph_renders is not a name of cmodel'
-check "a function of another file" says 'sph_render() in cmodel/profile.c is not a function of that'
+check "a function of another file" says 'sph_render() in cmodel/.*profile.c is not a function of that'
 check "a target" says 'md:[0-9]*: make pagez is not a target'
 check "a variable" says 'md:[0-9]*: SCNE=x is not a variable'
 check "a heading" says 'md:[0-9]*: core.md#regsters is not a heading'
