@@ -49,6 +49,9 @@ static void test_pdb_small(void **state) {
     sph_scene_free(&s);
 }
 
+#define X10(s) s s s s s s s s s s
+#define X100(s) X10(X10(s))
+
 static const struct bad bad_pdbs[] = {
     {"pdb_coordinate",
      "REMARK\n" ATOM(" C  ", " ", "ALA", "   1.0a0", "   2.000", "   3.000", " C"), 2,
@@ -61,6 +64,7 @@ static const struct bad bad_pdbs[] = {
     {"pdb_element", ATOM("??? ", " ", "XXX", "   1.000", "   2.000", "   3.000", "  "), 1,
      "no element", 0, 0},
     {"pdb_nul", "ATOM  \0\n", 1, "byte 0x00", 0, 8},
+    {"pdb_long_line", "REMARK\n" X100("0123456789") "0\n", 2, "more than 1000 characters", 0, 0},
     {"pdb_no_atom", "REMARK\nEND\n", 0, "no atoms", 0, 0},
     {"pdb_empty", "", 0, "no atoms", 0, 0},
 };

@@ -65,8 +65,8 @@ fails 2 "9 bits" "$s" render "$hall" --lod-bits 9
 sed 's/globe.png/nowhere.png/' "$hall" >"$TMP/images/bad.nff"
 fails 1 "a missing image" "$s" render "$TMP/images/bad.nff"
 line=$(grep -n nowhere "$hall" "$TMP/images/bad.nff" | cut -d: -f2)
-check "... with scene, line and file" has "bad.nff:$line: texture: .*nowhere.png: No such file" \
-    "$TMP/err"
+check "... with scene, line and file" \
+    has "bad.nff:$line: texture: .*nowhere.png: cannot open: No such file" "$TMP/err"
 check "... is not read with --texture off" "$s" render "$TMP/images/bad.nff" --texture off \
     --size 16x9
 

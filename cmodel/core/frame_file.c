@@ -3,15 +3,15 @@
  */
 #include "core/frame_file.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "common/fnv.h"
+#include "common/input.h"
 #include "common/output.h"
 
-enum { VERSION = 2, MAX_SIDE = 65536 };
+enum { VERSION = 2, MAX_SIDE = 65536, PIXEL_BYTES = 4 * (SPH_FRAMES + 3) + 8 };
 static const char magic[8] = {'S', 'P', 'H', 'F', 'R', 'A', 'M', 'E'};
 
 /* A file and the running hash of what went through it. */
@@ -65,6 +65,17 @@ int sph_shot_write(const struct sph_shot *shot, const char *path, struct sph_err
     return sph_output_close(&out, 0, err);
 }
 
+/* Whether the file is as long as its header says; what follows may then be believed to be there. */
+static int check_bytes(FILE *file, const char *path, long long pixels, struct sph_error *err) {
+    long at = ftell(file), bytes = -1;
+    if (at >= 0 && !fseek(file, 0, SEEK_END)) bytes = ftell(file);
+    if (bytes < 0 || fseek(file, at, SEEK_SET)) return sph_fail(err, "%s: cannot be read", path);
+    long long need = at + 8ll * SPH_COUNTERS + PIXEL_BYTES * pixels + 8;
+    if (bytes == need) return 0;
+    return sph_fail(err, "%s: frame file %s: %ld bytes, %lld by its header", path,
+                    bytes < need ? "ends early" : "is too long", bytes, need);
+}
+
 static int read_head(struct stream *s, const char *path, struct sph_shot *shot,
                      struct sph_error *err) {
     char found[sizeof magic];
@@ -84,7 +95,7 @@ static int read_head(struct stream *s, const char *path, struct sph_shot *shot,
         return sph_fail(err, "%s: frame size %ux%u", path, width, height);
     shot->frame.width = (int)width;
     shot->frame.height = (int)height;
-    return 0;
+    return check_bytes(s->file, path, (long long)width * height, err);
 }
 
 static int read_all(struct stream *s, const char *path, struct sph_shot *shot,
@@ -108,14 +119,13 @@ static int read_all(struct stream *s, const char *path, struct sph_shot *shot,
     if (get(s, 8) != hash && !s->bad)
         return sph_fail(err, "%s: frame file is damaged (checksum)", path);
     if (s->bad) return sph_fail(err, "%s: frame file ends early", path);
-    if (getc(s->file) != EOF) return sph_fail(err, "%s: frame file is too long", path);
     return 0;
 }
 
 int sph_shot_read(const char *path, struct sph_shot *shot, struct sph_error *err) {
     memset(shot, 0, sizeof *shot);
-    FILE *file = fopen(path, "rb");
-    if (!file) return sph_fail(err, "%s: %s", path, strerror(errno));
+    FILE *file = sph_input_open(path, SPH_INPUT_ANY, err);
+    if (!file) return -1;
     struct stream s = {file, SPH_FNV_START, 0};
     int rc = read_all(&s, path, shot, err);
     fclose(file);

@@ -3,7 +3,6 @@
  */
 #include "image/image.h"
 
-#include <cerrno>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -16,11 +15,16 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include "common/input.h"
 #include "common/output.h"
+#include "machine/layout.h"
 
 namespace {
 
 const int amplify = 16;
+
+/* Of a picture: three of the largest side by side, four bytes a pixel, not compressed; a head. */
+const long long most_bytes = 12ll * SPH_MAX_SIDE * SPH_MAX_SIDE + (1 << 20);
 
 /* Writes pixels, native in the spec's formats, to path as a file of kind format. The file is made
  * in memory first: OpenImageIO's writers do not report a full disk. */
@@ -135,8 +139,8 @@ int sph_image_write_exr(const char *path, const struct sph_frame *frame, int lay
 
 int sph_image_read(const char *path, struct sph_image *image, struct sph_error *err) {
     *image = {};
-    std::FILE *probe = std::fopen(path, "rb"); /* for the system's own message */
-    if (!probe) return sph_fail(err, "%s: %s", path, std::strerror(errno));
+    std::FILE *probe = sph_input_open(path, most_bytes, err); /* OpenImageIO takes any file */
+    if (!probe) return -1;
     std::fclose(probe);
     return guarded(path, err, [&] {
         std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(path);

@@ -18,9 +18,14 @@
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
 
+#include "common/input.h"
+
 namespace {
 
 enum { CHANNELS = 4 };
+
+/* Of an image: four floats a texel, not compressed, and a head. */
+const long long MOST_BYTES = 16ll * SPH_TEXTURE_SIDE * SPH_TEXTURE_SIDE + (1 << 20);
 
 /* 0 .. 1 to 0 .. 255, to nearest; what is no number is 0. */
 std::uint32_t byte(float v) {
@@ -136,8 +141,8 @@ int load(const char *path, struct sph_mip *mip, struct sph_error *err) {
 
 int sph_mip_load(const char *path, struct sph_mip *mip, struct sph_error *err) {
     *mip = {};
-    std::FILE *probe = std::fopen(path, "rb"); /* for the system's own message */
-    if (!probe) return sph_fail(err, "%s: %s", path, std::strerror(errno));
+    std::FILE *probe = sph_input_open(path, MOST_BYTES, err); /* OpenImageIO takes any file */
+    if (!probe) return -1;
     int empty = std::fgetc(probe) == EOF;
     int why = errno;
     if (empty && std::ferror(probe)) {

@@ -18,8 +18,9 @@ extern "C" {
  * says so; without alpha it is 1. Whole numbers are taken by their range, real ones limited to
  * 0 .. 1; nothing is converted between colour spaces, and colour is not multiplied by alpha.
  * Level l + 1 is the box-filtered half of level l, in float; each is rounded once, to bytes.
- * 0; or -1 with file and reason, and nothing to free: missing, damaged, no pixels, more than
- * SPH_TEXTURE_SIDE on a side, a volume, deep pixels. */
+ * 0; or -1 with file and reason, and nothing to free: missing, no regular file, damaged, no pixels,
+ * more than SPH_TEXTURE_SIDE on a side, more bytes than such an image needs, a volume, deep
+ * pixels. */
 int sph_mip_load(const char *path, struct sph_mip *mip, struct sph_error *err);
 
 void sph_mip_free(struct sph_mip *mip);

@@ -1,11 +1,11 @@
 /* read.c - file to machine, nothing believed unchecked; see machine.h, docs/machine_file.md
  * SPDX-License-Identifier: Apache-2.0
  */
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/input.h"
 #include "machine/format.h"
 
 void sph_machine_free(struct sph_machine *m) {
@@ -99,7 +99,7 @@ static int take_file(FILE *file, struct sph_machine *m, struct sph_error *err) {
     unsigned char header[SPH_HEADER_BYTES];
     long bytes = -1;
     if (!fseek(file, 0, SEEK_END)) bytes = ftell(file);
-    if (bytes < 0 || fseek(file, 0, SEEK_SET)) return sph_fail(err, "not a regular file");
+    if (bytes < 0 || fseek(file, 0, SEEK_SET)) return sph_fail(err, "cannot be read");
     if (bytes < 8 || fread(header, 1, 8, file) != 8 || memcmp(header, SPH_MAGIC, 8) != 0)
         return sph_fail(err, "magic: not a machine file of Sphaera");
     if (fread(header + 8, 1, sizeof header - 8, file) != sizeof header - 8)
@@ -114,8 +114,8 @@ static int take_file(FILE *file, struct sph_machine *m, struct sph_error *err) {
 int sph_machine_read(const char *path, struct sph_machine *m, struct sph_error *err) {
     struct sph_error why = {{0}};
     memset(m, 0, sizeof *m);
-    FILE *file = fopen(path, "rb");
-    if (!file) return sph_fail(err, "%s: cannot be opened: %s", path, strerror(errno));
+    FILE *file = sph_input_open(path, SPH_INPUT_ANY, err);
+    if (!file) return -1;
     int result = take_file(file, m, &why);
     fclose(file);
     if (!result) return 0;

@@ -6,6 +6,7 @@
  *                 <array dictRef="bo:elementColor">0.50 0.50 0.50</array> </atom>
  */
 #include "scene/elements.h"
+#include "common/input.h"
 #include "scene/nff_lex.h"
 
 #include <errno.h>
@@ -104,10 +105,11 @@ static int parse_file(struct parse *p, FILE *file) {
 int sph_elements_read(const char *path, struct sph_elements *elements, struct sph_error *err) {
     struct parse p = {.path = path, .elements = elements, .err = err};
     elements->n = 0;
-    FILE *file = fopen(path, "rb");
+    struct sph_error why = {""};
+    FILE *file = sph_input_open(path, SPH_INPUT_ANY, &why);
     if (!file)
-        return sph_fail(err, "%s: %s; van der Waals radii are in the Debian package bodr", path,
-                        strerror(errno));
+        return sph_fail(err, "%.400s; van der Waals radii are in the Debian package bodr",
+                        why.text);
     p.parser = XML_ParserCreate(NULL);
     int bad = -1;
     if (!p.parser) {

@@ -8,21 +8,17 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
+
+#include "common/input.h"
 
 int sph_lex_open(struct sph_lex *lex, const char *path, struct sph_error *err) {
-    struct stat about;
     lex->path = path;
     lex->pos = lex->len = 0;
     lex->line = lex->token_line = 1;
     lex->ready = 0;
     lex->token[0] = 0;
-    lex->file = fopen(path, "rb");
-    if (!lex->file) return sph_fail(err, "%s: cannot open: %s", path, strerror(errno));
-    if (fstat(fileno(lex->file), &about) == 0 && S_ISDIR(about.st_mode)) {
-        sph_lex_close(lex);
-        return sph_fail(err, "%s: is a folder, not a file", path);
-    }
+    lex->file = sph_input_open(path, SPH_INPUT_ANY, err);
+    if (!lex->file) return -1;
     lex->len = fread(lex->buf, 1, sizeof lex->buf, lex->file);
     if (lex->len >= 3 && !memcmp(lex->buf, "\xef\xbb\xbf", 3)) lex->pos = 3; /* UTF-8 mark */
     return 0;

@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * A token is a run of characters other than blanks, ends of line and `#`; `#` starts a comment
- * that runs to the end of the line. The file is read in pieces, so its size does not matter
- * and pipes work. Numbers do not depend on the locale.
+ * that runs to the end of the line. The file is read in pieces, so its size does not matter.
+ * Numbers do not depend on the locale.
  */
 #ifndef SPH_SCENE_NFF_LEX_H
 #define SPH_SCENE_NFF_LEX_H
@@ -27,7 +27,7 @@ struct sph_lex {
     unsigned char buf[65536];
 };
 
-/* Opens path (kept, not copied). 0, or -1 with a message: missing, no permission, a folder. */
+/* Opens path (kept, not copied). 0, or -1 with a message: as of sph_input_open(). */
 int sph_lex_open(struct sph_lex *lex, const char *path, struct sph_error *err);
 
 void sph_lex_close(struct sph_lex *lex);

@@ -8,6 +8,7 @@
  * columns 79-80 are blank or a charge.
  */
 #include "scene/pdb_import.h"
+#include "common/input.h"
 #include "scene/edit.h"
 #include "scene/elements.h"
 #include "scene/nff_lex.h"
@@ -17,7 +18,8 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/types.h>
+
+enum { LINE_MOST = 1000 }; /* characters; the format has 80 */
 
 struct import {
     struct sph_scene *scene;
@@ -117,34 +119,45 @@ static int take_atom(struct import *im, const char *line, struct sph_error *err)
                                 im->elements.list[element].rad, (uint32_t)material, im->line, err);
 }
 
+/* The next line, without its end. 1, 0 at the end of the file, -1 with a message. */
+static int next_line(struct import *im, FILE *file, char line[LINE_MOST + 1],
+                     struct sph_error *err) {
+    const char *path = im->scene->path;
+    size_t n = 0;
+    int c;
+    errno = 0;
+    im->line++;
+    while ((c = getc(file)) != EOF && c != '\n') {
+        if (!c) return sph_fail(err, "%s:%u: byte 0x00: this is not a text file", path, im->line);
+        if (n == LINE_MOST)
+            return sph_fail(err, "%s:%u: a line of more than %d characters", path, im->line,
+                            LINE_MOST);
+        line[n++] = (char)c;
+    }
+    if (ferror(file)) return sph_fail(err, "%s: cannot read: %s", path, strerror(errno));
+    if (c == EOF && n == 0) return 0;
+    while (n > 0 && line[n - 1] == '\r')
+        n--;
+    line[n] = 0;
+    return 1;
+}
+
 /* Takes the lines up to the end of the first model. */
 static int take_lines(struct import *im, FILE *file, struct sph_error *err) {
-    const char *path = im->scene->path;
-    char *line = NULL;
-    size_t size = 0;
-    ssize_t n;
-    int bad = 0;
-    errno = 0;
-    while (!bad && (n = getline(&line, &size, file)) >= 0) {
-        im->line++;
-        while (n > 0 && (line[n - 1] == '\n' || line[n - 1] == '\r'))
-            line[--n] = 0;
-        if (strlen(line) != (size_t)n)
-            bad = sph_fail(err, "%s:%u: byte 0x00: this is not a text file", path, im->line);
-        else if (!strncmp(line, "ENDMDL", 6) || !strcmp(line, "END"))
-            break;
-        else if (!strncmp(line, "ATOM ", 5) || !strncmp(line, "HETATM", 6))
+    char line[LINE_MOST + 1];
+    int got, bad = 0;
+    while (!bad && (got = next_line(im, file, line, err)) > 0) {
+        if (!strncmp(line, "ENDMDL", 6) || !strcmp(line, "END")) break;
+        if (!strncmp(line, "ATOM ", 5) || !strncmp(line, "HETATM", 6))
             bad = take_atom(im, line, err);
     }
-    if (!bad && ferror(file)) bad = sph_fail(err, "%s: cannot read: %s", path, strerror(errno));
-    free(line);
-    return bad;
+    return bad || got < 0 ? -1 : 0;
 }
 
 /* Everything but the elements and the camera. */
 static int take_file(struct import *im, const char *path, struct sph_error *err) {
-    FILE *file = fopen(path, "rb");
-    if (!file) return sph_fail(err, "%s: cannot open: %s", path, strerror(errno));
+    FILE *file = sph_input_open(path, SPH_INPUT_ANY, err);
+    if (!file) return -1;
     int bad = take_lines(im, file, err);
     fclose(file);
     if (!bad && im->scene->n_spheres == 0)

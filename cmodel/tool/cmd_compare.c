@@ -7,6 +7,7 @@
 
 #include "core/frame_compare.h"
 #include "image/image.h"
+#include "common/input.h"
 #include "core/render.h"
 #include "tool/print.h"
 #include "tool/report.h"
@@ -55,12 +56,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
 }
 
 static int is_frame(const char *path) {
-    char head[8] = "";
-    FILE *file = fopen(path, "rb");
-    if (!file) return 0;
-    size_t n = fread(head, 1, sizeof head, file);
-    fclose(file);
-    return n == sizeof head && !memcmp(head, "SPHFRAME", sizeof head);
+    return sph_input_starts(path, "SPHFRAME", 8);
 }
 
 /* What both kinds of comparison report. */

@@ -1,21 +1,16 @@
 /* load.c - a machine from a machine file or a scene file
  * SPDX-License-Identifier: Apache-2.0
  */
-#include <stdio.h>
 #include <string.h>
 
+#include "common/input.h"
 #include "tool/textures.h"
 #include "tool/tool.h"
 
 int tool_is_machine(const char *path) {
     size_t length = strlen(path);
     if (length > 4 && !strcmp(path + length - 4, ".sph")) return 1;
-    char head[7] = "";
-    FILE *file = fopen(path, "rb");
-    if (!file) return 0;
-    size_t n = fread(head, 1, sizeof head, file);
-    fclose(file);
-    return n == sizeof head && !memcmp(head, "SPHAERA", sizeof head);
+    return sph_input_starts(path, "SPHAERA", 7);
 }
 
 int tool_load(const char *path, const struct tool_source *source, struct tool_built *built,
