@@ -57,5 +57,6 @@ report: results
 
 page: $(PAGE:%=$B/synth/%/stat.json)
 	$(Q)python3 synth/page.py docs/area.md $B/synth $(PAGE)
+	$(Q)python3 -m lab.pages.measured docs/area.md "make area"
 
 -include $(patsubst %,$B/synth/%/sources.d,$(sort $(KEYS) $(PAGE)))

@@ -18,6 +18,7 @@ effects: ## docs/effects.md: each effect of each scene, cells and time it costs;
 	    EFFECTS="$$(cat $E/lists)"
 	+$(Q)$(MAKE) --no-print-directory -j$(JOBS) effects-runs
 	$(Q)python3 synth/effects_page.py docs/effects.md $E $B/synth
+	$(Q)python3 -m lab.pages.measured docs/effects.md "make effects"
 
 effects-machines: $(TOOL)
 	$(Q)python3 synth/effects_scenes.py $(TOOL) $E $B/synth

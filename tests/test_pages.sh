@@ -9,7 +9,7 @@ check "pages are as the sources have them: make pages" python3 -m lab.pages --ch
 check "files, modules, functions, targets that are named are there" python3 -m lab.pages.names
 
 # faults in a copy of the tree
-cp -r cmodel docs formal lab rtl sim synth tb Makefile README.md CONTRIBUTING.md "$TMP"
+cp -r cmodel docs formal lab rtl scenes sim synth tb Makefile README.md CONTRIBUTING.md "$TMP"
 cd "$TMP" || exit 1
 edited() { # file, sed expression: it must change something
     cp "$1" before && sed -i "$2" "$1" && ! cmp -s before "$1"
@@ -34,6 +34,28 @@ broken() { # sed expression, what is said
     cp kept "$page"
     return $rc
 }
+area=$(find docs -name area.md)
+by_hand() {
+    cp "$area" kept
+    sed -i '/^<!-- ecp5/,/^<!-- end/s/| 12257 |/| 12357 |/' "$area"
+    cmp -s "$area" kept && return 1
+    ! python3 -m lab.pages --check >said 2>&1 && cat said && grep 'ecp5 is not the one' said
+    rc=$?
+    cp kept "$area"
+    return $rc
+}
+check "a measured table that was changed by hand" by_hand
+unknown() {
+    cp "$page" kept
+    printf '%s\n' '<!-- speed -->' '| 1 |' '<!-- end -->' >>"$page"
+    ! python3 -m lab.pages --check >said 2>&1 && cat said && grep 'nothing says when' said &&
+        python3 -m lab.pages.measured "$page" "make speed" &&
+        ! python3 -m lab.pages --check >said 2>&1 && cat said && grep 'does not tell' said
+    rc=$?
+    cp kept "$page"
+    return $rc
+}
+check "a measured table of no age" unknown
 check "a region that nothing makes" broken 's/begin: errors/begin: erors/' 'there are '
 check "a region without an end" broken '$s/.*/<!-- begin: errors -->/' 'regions begin'
 check "a module that is not there" broken 's/begin: ports rt_core/begin: ports rt_cor/' 'rt_cor'
@@ -54,7 +76,7 @@ check "a file" says 'md:[0-9]*: cmodel/render_pixels.c is not a file or folder'
 check "a file without its folder" says 'md:[0-9]*: render_pixels.c is not a file'
 check "a port of no module" says 'md:[0-9]*: pix_colours_o is not a port'
 check "a function" says 'md:[0-9]*: sph_renders is not a name of cmodel'
-check "a function of another file" says 'sph_render() in cmodel/.*profile.c is not a function of that'
+check "a function of another file" says 'sph_render() in .*profile.c is not a function of that'
 check "a target" says 'md:[0-9]*: make pagez is not a target'
 check "a variable" says 'md:[0-9]*: SCNE=x is not a variable'
 check "a heading" says 'md:[0-9]*: core.md#regsters is not a heading'

@@ -8,7 +8,7 @@ import os
 import sys
 from pathlib import Path
 
-from . import markdown, regions, verilog
+from . import markdown, measured, regions, verilog
 
 
 def pages():
@@ -34,6 +34,9 @@ def write(page, text):
 def main(arguments):
     check = "--check" in arguments
     stale = bad = 0
+    for fault in measured.wrong(pages()) if check else ():
+        print(fault, file=sys.stderr)
+        bad += 1
     for page in [Path(a) for a in arguments if a != "--check"] or pages():
         try:
             now, wanted = fresh(page)

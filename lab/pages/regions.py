@@ -1,7 +1,7 @@
 # regions.py - what each region of a page is made from
 # SPDX-License-Identifier: Apache-2.0
 """The name of a region is a word of MAKERS and its arguments."""
-from . import blocks, machine
+from . import blocks, machine, measured
 
 
 class Unknown(Exception):
@@ -21,7 +21,7 @@ MAKERS = {
     "parameters": blocks.parameters, "ports": blocks.ports, "modules": blocks.modules,
     "registers": machine.registers, "effects": machine.effects, "counters": machine.counters,
     "errors": machine.errors, "profiles": machine.profiles, "widths": machine.widths,
-    "count": count, "const": const,
+    "count": count, "const": const, "age": measured.age,
 }
 
 

@@ -14,6 +14,7 @@ scenarios: ## a BIH on the scenes of its thesis: docs/scenarios.md
 scenarios: $(TOOL) $(SCN_DRAWN:%=$(SCN_SHOWN)/%.png)
 	$(Q)python3 sim/scenarios/measure.py $(TOOL) $(SCN)
 	$(Q)python3 sim/scenarios/page.py docs/scenarios.md $(SCN)
+	$(Q)python3 -m lab.pages.measured docs/scenarios.md "make scenarios"
 	@echo "tables and pictures in docs/scenarios.md"
 
 scenarios-rtl: $(TOOL)

@@ -23,7 +23,7 @@ study_run  = $(Q)python3 sim/study/plan.py $(1) $(if $(KINDS),--kinds $(KINDS)) 
 study: $(TOOL) ## docs/accuracy.md: what a bit costs in time and cells; two hours of a processor
 	$(call study_run)
 	+$(Q)$(MAKE) --no-print-directory -k -j$(JOBS) -f $(STUDY)/jobs.mk; rc=$$?; \
-	    python3 sim/study/page.py docs/accuracy.md $(RESULTS) $(STUDY) $(TOOL) && exit $$rc
+	    $(MAKE) --no-print-directory study-page && exit $$rc
 
 study-short: $(TOOL)
 	$(call study_run,--short)
@@ -31,6 +31,7 @@ study-short: $(TOOL)
 
 study-page: $(TOOL)
 	$(Q)python3 sim/study/page.py docs/accuracy.md $(RESULTS) $(STUDY) $(TOOL)
+	$(Q)python3 -m lab.pages.measured docs/accuracy.md "make study"
 
 study-pnr: $(STUDY)/venv/done
 $(STUDY)/venv/done:

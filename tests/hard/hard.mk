@@ -20,6 +20,7 @@ hard-page: $B/test/hard ## the same, and its table and chart put into docs/hard_
 	    --json $B/test/hard.json >$B/test/hard.table
 	@python3 tests/hard/page.py docs/hard_cases.md $B/test/hard.json $B/test/hard.table \
 	    docs/pictures/hard_cases.svg
+	@python3 -m lab.pages.measured docs/hard_cases.md "make hard-page N=$(N)"
 
 hard-lists: $B/test/hard ## lists of docs/hard_cases.md: cases, families, faults
 	@$< --list >$B/test/hard.list
@@ -63,6 +64,7 @@ hard-pictures: $B/test/hard-pictures ## pictures and counts of docs/hard_picture
 	@$< tests/hard/pictures docs/pictures >$B/test/hard.counts && cat $B/test/hard.counts
 	@awk -v mark=counts -v text=$B/test/hard.counts -f tests/hard/splice.awk \
 	    docs/hard_pictures.md >$B/test/hard.page && cp $B/test/hard.page docs/hard_pictures.md
+	@python3 -m lab.pages.measured docs/hard_pictures.md "make hard-pictures"
 
 $B/test/hard-pictures: $(PICTURES_C:%.c=$B/test/obj/%.o) $B/test/libhard.a $(IMAGE) $(LIB)
 	$(call say,LD,$(@F))

@@ -1,0 +1,115 @@
+# measured.py - tables that an experiment has put into a page: when, of which sources, untouched?
+# SPDX-License-Identifier: Apache-2.0
+"""usage: python3 -m lab.pages.measured PAGE COMMAND
+Notes that COMMAND has just made its tables of PAGE, and brings the page's own words up to date.
+
+Such a table stands between `<!-- NAME -->` and `<!-- end -->`. The record has a line for each: page,
+table, command, kinds of sources (digest.py), their digest, commit and day, digest of the table.
+An experiment of minutes or hours is not run again for every change; its page says how old it is.
+A command of a test, which compares the table itself, has dashes."""
+import hashlib
+import os
+import re
+import subprocess
+import sys
+from collections import namedtuple
+from itertools import groupby
+from pathlib import Path
+
+from . import digest
+
+RECORD = Path("docs/results/data/measured.tsv")
+HEAD = ("# measured.tsv - when the tables of the pages were measured, and of which sources\n"
+        "# SPDX-License-Identifier: Apache-2.0\n"
+        "# written by lab/pages/measured.py\n")
+Row = namedtuple("Row", "page table command kinds sources commit day text")
+TABLE = re.compile(r"<!-- (?!begin: |end |SPDX)([a-z0-9_]+) -->\n(.*?)<!-- end -->", re.S)
+NAMES = {"rtl": "RTL", "model": "model", "scenes": "scenes"}
+
+
+def tables(page):
+    """{name: digest} of the measured tables of a page."""
+    text = Path(page).read_text(encoding="utf-8")
+    return {name: hashlib.sha256(body.encode()).hexdigest()[:8]
+            for name, body in TABLE.findall(text)}
+
+
+def rows():
+    if not RECORD.exists():
+        return []
+    lines = RECORD.read_text(encoding="utf-8").splitlines()
+    return [Row(*line.split("\t")) for line in lines if not line.startswith("#")]
+
+
+def write(found):
+    new = RECORD.with_suffix(".tmp")
+    new.parent.mkdir(parents=True, exist_ok=True)
+    new.write_text(HEAD + "".join("\t".join(row) + "\n" for row in sorted(found)),
+                   encoding="utf-8")
+    os.replace(new, RECORD)
+
+
+def commit():
+    """(commit, day) of the tree; a + behind it if something differs from that commit."""
+    def git(*words):
+        ran = subprocess.run(["git", *words], check=False, stdout=subprocess.PIPE,
+                             stderr=subprocess.DEVNULL)
+        return ran.stdout.decode().strip()
+    changed = git("status", "--porcelain", "-uno", "--", "rtl", "cmodel", "scenes")
+    head = git("log", "-1", "--format=%h %cs") or "unknown unknown"
+    name, day = head.split()
+    return name + ("+" if changed else ""), day
+
+
+def stamp(page, command):
+    """Notes that the tables of a command are of now, and those that nobody knew of."""
+    stem, now, found = Path(page).stem, commit(), rows()
+    texts = tables(page)
+    known = {row.table for row in found if row.page == stem}
+    found += [Row(stem, name, command, "+".join(digest.KINDS), "", "", "", "")
+              for name in texts if name not in known]
+    write(row if (row.page, row.command) != (stem, command) else
+          row._replace(sources=digest.of(row.kinds), commit=now[0], day=now[1],
+                       text=texts[row.table])
+          for row in found if row.page != stem or row.table in texts)
+
+
+def age(stem):
+    """A sentence for each run of an experiment, for a page's reader."""
+    def key(row):
+        return row.command, row.commit, row.day, row.kinds, row.sources
+    told = []
+    for (command, at, day, kinds, sources), group in groupby(
+            sorted((r for r in rows() if r.page == stem and r.kinds != "-"), key=key), key):
+        which = ", ".join(f"*{row.table}*" for row in group)
+        same = digest.of(kinds) == sources
+        *first, last = [NAMES[kind] for kind in kinds.split("+")]
+        what = ", ".join(first) + (" and " if same else " or ") + last if first else last
+        what = what[0].upper() + what[1:] + (" have" if first else " has")
+        told.append(f"{which}: `{command}` at {at} of {day}. {what} "
+                    f"{'not ' if same else ''}changed since.")
+    return "\n".join(f"- {line}" for line in told)
+
+
+def wrong(pages):
+    """What does not agree between pages and record."""
+    record = {(row.page, row.table): row for row in rows()}
+    for page in pages:
+        there = tables(page)
+        for name, text in there.items():
+            row = record.pop((page.stem, name), None)
+            if row is None:
+                yield f"{page}: nothing says when the table {name} was measured"
+            elif row.text not in (text, "-"):
+                yield f"{page}: the table {name} is not the one that `{row.command}` made"
+        mark = f"<!-- begin: age {page.stem} -->"
+        if age(page.stem) and mark not in page.read_text(encoding="utf-8"):
+            yield f"{page}: has measured tables and does not tell their age"
+    for page, name in record:
+        yield f"{RECORD}: there is no table {name} in {page}.md"
+
+
+if __name__ == "__main__":
+    stamp(*sys.argv[1:])
+    sys.exit(subprocess.run([sys.executable, "-m", "lab.pages", sys.argv[1]], check=False)
+             .returncode)
