@@ -29,8 +29,7 @@ AT ?=
 ## BUILD_MORE  other options of `sphaera build`, such as --inside off
 BUILD_MORE ?=
 ## EFFECTS     of the core: auto (as the scene asks), all, all-NAME, none, or joined by + of
-##             shadow reflectN lightsN inside first interpenetrate facets texture coarseN
-##             refract specular sum rect spans conesN bih; all has no texture, all+texture has
+##             {words}; all leaves out {not in all}
 EFFECTS ?= auto
 ## ENGINES     tracing engines in the core
 ENGINES ?= 1
@@ -92,7 +91,7 @@ help: export HELP_VALUES = $(foreach v,SCENE PROFILE SIZE TREE ACCEL MAX_PRIMS M
                            ROOT_STEP QUOTIENT_STEP SEED LATENCY STALL SIM WINDOW WARM TARGET FLAT \
                            WAVES JOBS V,$(v)=$($(v));)
 help: ## this text
-	@awk -f sim/help.awk $(MAKEFILE_LIST)
+	@awk -f cmodel/machine/effects.awk -f sim/help.awk cmodel/machine/machine.def $(MAKEFILE_LIST)
 
 setup: ## install missing packages (apt), see sim/packages.txt
 	@sh sim/setup.sh
@@ -104,9 +103,9 @@ include sim/objects.mk sim/sim.mk sim/pages.mk sim/bench.mk sim/lint.mk sim/back
         sim/textures.mk sim/scenarios/scenarios.mk sim/study/study.mk synth/synth.mk \
         synth/effects.mk tests/test.mk tests/image/image.mk tests/hard/hard.mk formal/formal.mk
 
-layout: ## regenerate the C and Verilog layout headers from cmodel/machine/machine.def
+layout: ## headers and parameters of the core from cmodel/machine/machine.def
 	$(call say,GEN,"layout.h rt_layout.vh")
-	$(Q)sh sim/layout.sh cmodel/machine/layout.h rtl/core/rt_layout.vh
+	$(Q)sh sim/layout.sh
 
 clean: ## remove build/
 	$(Q)rm -rf $B

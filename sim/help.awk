@@ -1,5 +1,28 @@
 # help.awk - help from `target: ... ## text` and `## VARIABLE text` lines of makefiles
 # SPDX-License-Identifier: Apache-2.0
+#
+# Needs cmodel/machine/effects.awk before it and machine.def as the first file: {words} in a text
+# are those that a core can be built with, {not in all} those that the core `all` has not.
+function fill(text, i, words_all, rest) {
+    for (i = 1; i <= words; i++) {
+        words_all = words_all " " word[i] (most[i] > 1 ? "N" : "")
+        if (!all[i]) rest = rest " " word[i]
+    }
+    sub(/\{words\}/, substr(words_all, 2), text)
+    sub(/\{not in all\}/, substr(rest, 2), text)
+    return text
+}
+function fold(text, lines, n, part, i) { # pieces of at most 66 columns, lines[1..]
+    split("", lines)
+    n = 1
+    while (length(text) > 66) {
+        for (i = 66; i > 1 && substr(text, i, 1) != " "; i--);
+        lines[n++] = substr(text, 1, i - 1)
+        text = substr(text, i + 1)
+    }
+    lines[n] = text
+    return n
+}
 BEGIN {
     n = split(ENVIRON["HELP_VALUES"], pairs, /; */)
     for (i = 1; i <= n; i++) {
@@ -21,6 +44,7 @@ BEGIN {
 }
 /^##  +/ && name {
     sub(/^## +/, "")
-    variables = variables sprintf("  %-12s %-18s %s\n", "", "", $0)
+    n = fold(fill($0), line)
+    for (i = 1; i <= n; i++) variables = variables sprintf("  %-12s %-18s %s\n", "", "", line[i])
 }
 END { printf "\n%s", variables }

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import report
 import results
-from effects_scenes import NAMES
+from effects_scenes import names
 
 CHART = """set terminal svg noenhanced size 1000,{height} font "sans,12" background "white"
 set output "{out}"
@@ -70,12 +70,12 @@ def cost_table(scenes, cores):
 
 def why_table(scenes):
     """What is on and off in each scene, and build's reason; file names left out."""
-    rows = []
+    rows, counted = [], names("counted")
     for name, s in scenes.items():
         for e in s["build"]["effects"]:
             if e["name"] in ("first", "interpenetrate") and "--traverse=first" not in s["options"]:
                 continue
-            count = e["name"] in ("reflect", "lights") and e["on"]
+            count = e["name"] in counted and e["on"]
             rows.append([show(name), f"**{e['name']}**" if e["on"] else e["name"],
                          e["on"] if count else "on" if e["on"] else "off",
                          re.sub(re.escape(s["scene"]) + r":(\d+)", r"(line \1)", e["why"])])
@@ -87,7 +87,7 @@ def price_table(cores):
     columns = ("lut4eq", "ff", "dpr", "bram", "mult")
     whole = cores["all"]["core"]
     rows = [["everything on"] + [whole[c] for c in columns] + ["", ""]]
-    for name in NAMES + ("none",):
+    for name in names("all") + ["none"]:
         core = cores["none" if name == "none" else f"all-{name}"]["core"]
         rows.append([f"without {name}" if name != "none" else "with none of them"]
                     + [f"{core[c] - whole[c]:+d}" if core[c] != whole[c] else "0" for c in columns]

@@ -13,8 +13,13 @@ import sys
 from pathlib import Path
 
 SIZE, PROFILE, SECONDS = "160x90", "standard", 75
-NAMES = ("shadow", "reflect", "lights", "inside", "first", "interpenetrate", "facets", "rect",
-         "spans", "cones")
+
+
+def names(which):
+    """Words of the list of effects: those of the core `all`, those that have a count."""
+    ran = subprocess.run(["sh", "sim/parameters.sh", "--names", which], check=True,
+                         stdout=subprocess.PIPE)
+    return ran.stdout.decode().split()
 
 
 def scenes():
@@ -55,8 +60,8 @@ def core_list(tool, machine):
 
 def main(tool, folder, synth):
     os.makedirs(folder, exist_ok=True)
-    wanted = ["all", "none"] + ["all-" + name for name in NAMES]
-    names = []
+    wanted = ["all", "none"] + ["all-" + name for name in names("all")]
+    built = []
     for name, scene, options in scenes():
         base = f"{folder}/{name}"
         report = build(tool, scene, options, base + ".sph")
@@ -66,14 +71,14 @@ def main(tool, folder, synth):
         Path(base + ".build.json").write_text(json.dumps(report, indent=1), encoding="utf-8")
         if cores not in wanted:
             wanted.append(cores)
-        names.append(name)
+        built.append(name)
     for old in Path(folder).glob("*.sph"):
-        if old.stem.removesuffix(".forced") not in names:
+        if old.stem.removesuffix(".forced") not in built:
             old.unlink()
-    Path(folder, "scenes").write_text("\n".join(names) + "\n", encoding="utf-8")
+    Path(folder, "scenes").write_text("\n".join(built) + "\n", encoding="utf-8")
     Path(folder, "lists").write_text(" ".join(wanted) + "\n", encoding="utf-8")
     there = sum(os.path.exists(f"{synth}/{PROFILE}-ecp5-{w}-engines1/stat.json") for w in wanted)
-    print(f"effects: {len(names)} scenes; {len(wanted)} cores to synthesise, {there} of them were "
+    print(f"effects: {len(built)} scenes; {len(wanted)} cores to synthesise, {there} of them were "
           f"before.\n  What is new takes about {SECONDS} s of a processor a core, "
           f"{len(wanted) * SECONDS // 60} minutes for all,\n  and about half a minute a scene.",
           flush=True)

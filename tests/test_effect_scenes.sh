@@ -83,7 +83,7 @@ all_but() { # name
         if (n > most) { most = n; name = $1 }
     } END { print name }' "$cases"
 }
-for but in shadow reflect lights inside first interpenetrate facets rect spans cones; do
+for but in $(sh sim/parameters.sh --names all); do
     title=$(all_but $but)
     [ -z "$title" ] || run "$title: icarus, core all-$but" all-$but SIM=icarus \
         "$here/$title-small.sph"
@@ -91,19 +91,9 @@ done
 
 # ---- what is refused: core, what it lacks, registers EFFECTS MAX_DEPTH N_LIGHTS BG_MODE BG_COUNT
 cat >"$TMP/refused" <<END
-none|shadow|1 0 0 0 0
 none|reflect1|2 1 0 0 0
 none|reflect1|0 1 0 0 0
-none|reflect1|2 0 0 0 0
 none|lights1|0 0 1 0 0
-none|inside|4 0 0 0 0
-none|first|8 0 0 0 0
-none|interpenetrate|16 0 0 0 0
-none|facets|32 0 0 0 0
-none|texture|64 0 0 0 0
-none|refract|128 0 0 0 0
-none|specular|256 0 0 0 0
-none|sum|512 0 0 0 0
 none|rect|0 0 0 1 0
 none|spans|0 0 0 2 0
 none|cones1|0 0 0 3 1
@@ -124,7 +114,14 @@ all-spans|spans|31 5 8 2 0
 all-cones|cones1|31 5 8 3 1
 all|texture|95 5 8 3 1
 all|refract, specular and sum|927 5 8 3 1
-all||1024 0 0 0 0
+END
+# each bit by itself, and the first that means nothing
+awk -f cmodel/machine/effects.awk -f - cmodel/machine/machine.def >>"$TMP/refused" <<'END'
+END {
+    for (i = 1; i <= words; i++)
+        if (bit[i] >= 0) print "none|" word[i] (most[i] > 1 ? 1 : "") "|" 2 ^ bit[i] " 0 0 0 0"
+    print "all||" 2 ^ bits " 0 0 0 0"
+}
 END
 $(build scenes/one_sphere.nff 8x8 "$here/bare.sph" "") >"$TMP/bare" 2>&1 || cat "$TMP/bare"
 refused() ( # simulator, core, words, registers

@@ -4,14 +4,16 @@
 set -u
 cd "$(dirname "$0")/.." || exit 1
 n=0
-echo 1..8
+echo 1..10
 same() { # name, committed file, fresh file
     n=$((n + 1))
     if diff -u "$2" "$3"; then echo "ok $n - $1"; else echo "not ok $n - $1: see make layout"; fi
 }
-sh sim/layout.sh "$TMP/layout.h" "$TMP/rt_layout.vh"
-same "layout.h follows machine.def" cmodel/machine/layout.h "$TMP/layout.h"
-same "rt_layout.vh follows machine.def" rtl/core/rt_layout.vh "$TMP/rt_layout.vh"
+sh sim/layout.sh "$TMP" || exit 1
+for file in cmodel/machine/layout.h rtl/core/rt_layout.vh rtl/core/rt_core.v \
+    tb/core/tb_core_icarus.v; do
+    same "${file##*/} follows machine.def" $file "$TMP/${file##*/}"
+done
 
 ${CC:-gcc} -std=c11 -O2 -Icmodel cmodel/math/gen_rsqrt.c -lm -o "$TMP/gen_rsqrt" || exit 1
 "$TMP/gen_rsqrt" c >"$TMP/rsqrt_table.h"

@@ -203,7 +203,7 @@ static void test_wrong_registers(void **unused) {
         {SPH_REG_N_SPHERES, 1, "N_SPHERES is 1, not in 0..0"},
         {SPH_REG_TEX_FILTER, 1, "TEX_FILTER is 1"},
         {SPH_REG_EFFECTS, -1, "EFFECTS is -1"},
-        {SPH_REG_EFFECTS, 16, "EFFECTS is 16: INTERPENETRATE needs FIRST and INSIDE"},
+        {SPH_REG_EFFECTS, 16, "EFFECTS is 16: INTERPENETRATE needs INSIDE and FIRST"},
         {SPH_REG_EFFECTS, 20, "EFFECTS is 20: INTERPENETRATE needs"},
         {SPH_REG_EFFECTS, 24, "EFFECTS is 24: INTERPENETRATE needs"},
         {SPH_REG_MAX_DEPTH, 6, "MAX_DEPTH"},

@@ -24,7 +24,8 @@ profile=$(find cmodel -name profile.c)
 check "a default" stale $core 's/K          = 64/K          = 32/' '^+| `K` | 32 |'
 check "a port" stale $core 's/\[47:0\]       count_data_o/[39:0] count_data_o/' 'count_data_o` | 40'
 check "a register" stale $def 's/^reg    98 /reg    103 /' '^+| 103 | `BG_COUNT`'
-check "an effect" stale $def 's/^effect 9 .*/&\neffect 10 HAZE fog/' '^+| 10 | `HAZE` | fog'
+check "an effect" stale $def 's/^effect sum .*/&\neffect haze bit=10 : fog/' \
+    '^+| `haze` | `HAZE` | 0, 1 | 1 | 10 | fog'
 check "a counter" stale $def 's/^counter 21 POWERS  *both/counter 21 POWERS rtl/' '21 | `POWERS`'
 page=$(find docs -name core.md)
 broken() { # sed expression, what is said

@@ -23,11 +23,11 @@ static double seconds(void) {
 /* Whether what is asked of the effects can be. */
 static int check_effects(const struct sph_scene *scene, const struct sph_build_options *o,
                          struct sph_error *err) {
-    const int when[] = {o->shadow,         o->reflect, o->inside,
-                        o->interpenetrate, o->refract, o->specular};
-    for (size_t i = 0; i < sizeof when / sizeof *when; i++)
-        if (when[i] < SPH_AUTO || when[i] > SPH_ON)
-            return sph_fail(err, "an effect is neither auto, off nor on: %d", when[i]);
+    for (int i = 0; i < SPH_REPORTS; i++)
+        if (sph_parts[i].option == SPH_OPTION_WHEN &&
+            (o->asked[i] < SPH_AUTO || o->asked[i] > SPH_ON))
+            return sph_fail(err, "%s is neither auto, off nor on: %d", sph_parts[i].word,
+                            o->asked[i]);
     if (o->traverse != SPH_BUILD_NEAREST && o->traverse != SPH_BUILD_FIRST)
         return sph_fail(err, "there is no traversal %d", o->traverse);
     if (o->traverse == SPH_BUILD_FIRST && scene->n_facets)

@@ -11,6 +11,7 @@
 #include "builder/tree.h"
 #include "builder/work.h"
 #include "machine/machine.h"
+#include "machine/parts.h"
 #include "scene/scene.h"
 #include "texture/mip.h"
 
@@ -28,24 +29,24 @@ struct sph_build_options {
     int background;                   /* SPH_BG_* */
     int width, height;                /* 0: the scene file's */
     int max_depth;                    /* reflections 0..5 */
-    int shadow;                       /* SPH_AUTO, SPH_OFF, SPH_ON */
-    int reflect;                      /* the same */
-    int refract;                      /* the same */
-    int specular;                     /* the same */
-    int lights;                       /* SPH_AUTO, or how many of the scene's, from the first on */
-    int inside;                       /* SPH_AUTO, SPH_OFF, SPH_ON */
-    int traverse;                     /* SPH_BUILD_*: how a primary ray finds its hit */
-    int interpenetrate;               /* SPH_AUTO, SPH_OFF, SPH_ON */
-    int bg_points;                    /* spans: meridians, and parallels, 4..4096; 0: 16 */
-    int bg_border;                    /* spans: pixels around the outline, 0..64 */
-    int bg_levels;                    /* exact: 0 the root, 1 its children, 2 theirs */
-    int texture;                      /* SPH_AUTO, SPH_OFF */
-    int tex_filter;                   /* SPH_FILTER_* */
-    int coarse;                       /* bits of levels' fractions that are left out, 0..8 */
-    int lod_literal;                  /* 1: base as the paper prints it (docs/lod.md) */
-    const struct sph_mip *mips;       /* of the scene's textures, in its order; equal images may
-                                         share texels */
-    struct sph_texture_bases *bases;  /* NULL, or what the frame before left, of the same scene */
+    union {
+        int asked[SPH_REPORTS]; /* of each effect with an option: SPH_AUTO, SPH_OFF, SPH_ON; of
+                                   lights SPH_AUTO, or how many of the scene's, from the first on */
+#define SPH_FIELD(name, word, ...) int word;
+        struct {
+            SPH_EACH_EFFECT(SPH_FIELD)
+        }; /* the same by name */
+    };
+    int traverse;                    /* SPH_BUILD_*: how a primary ray finds its hit */
+    int bg_points;                   /* spans: meridians, and parallels, 4..4096; 0: 16 */
+    int bg_border;                   /* spans: pixels around the outline, 0..64 */
+    int bg_levels;                   /* exact: 0 the root, 1 its children, 2 theirs */
+    int tex_filter;                  /* SPH_FILTER_* */
+    int coarse;                      /* bits of levels' fractions that are left out, 0..8 */
+    int lod_literal;                 /* 1: base as the paper prints it (docs/lod.md) */
+    const struct sph_mip *mips;      /* of the scene's textures, in its order; equal images may
+                                        share texels */
+    struct sph_texture_bases *bases; /* NULL, or what the frame before left, of the same scene */
 };
 
 /* A leaf of no more is not cut if nothing else is asked for: docs/scenarios.md has what it costs.
@@ -62,21 +63,6 @@ struct sph_effect_report {
     const char *name;
     int on, called; /* lights, reflections, or 0 and 1: in the machine; called for by the scene */
     char why[2048]; /* names the material, light or spheres; no line ends */
-};
-
-enum {
-    SPH_REPORT_SHADOW,
-    SPH_REPORT_REFLECT,
-    SPH_REPORT_LIGHTS,
-    SPH_REPORT_INSIDE,
-    SPH_REPORT_FIRST,
-    SPH_REPORT_INTERPENETRATE,
-    SPH_REPORT_FACETS,
-    SPH_REPORT_TEXTURE,
-    SPH_REPORT_REFRACT,
-    SPH_REPORT_SPECULAR,
-    SPH_REPORT_SUM,
-    SPH_REPORTS
 };
 
 /* What build tells the user besides the machine. */

@@ -137,6 +137,12 @@ static int find_inside(const struct sph_survey *s, struct sph_build_report *repo
     return 0;
 }
 
+/* An effect that no material, light or sphere calls for. */
+static void find_none(const struct sph_survey *s, int effect, struct sph_build_report *report) {
+    WHY(&report->effects[effect], "nothing of a scene calls for it");
+    sph_settle(&report->effects[effect], s->options->asked[effect]);
+}
+
 /* Warns of what is called for and left out; lights are counted by those that shine. */
 static void warn_missing(const struct sph_scene *scene, const struct sph_lights *lights,
                          struct sph_build_report *report) {
@@ -150,15 +156,12 @@ static void warn_missing(const struct sph_scene *scene, const struct sph_lights 
 
 int sph_emit_effects(const struct sph_survey *survey, struct sph_machine *machine,
                      struct sph_build_report *report, struct sph_error *err) {
-    static const char *const names[] = {"shadow",  "reflect",        "lights", "inside",
-                                        "first",   "interpenetrate", "facets", "texture",
-                                        "refract", "specular",       "sum"};
     struct sph_effect_report *effects = report->effects;
     struct sph_survey found = *survey, *s = &found;
     struct sph_lights lights;
     int32_t *regs = machine->regs;
     for (int i = 0; i < SPH_REPORTS; i++)
-        effects[i] = (struct sph_effect_report){.name = names[i]};
+        effects[i] = (struct sph_effect_report){.name = sph_parts[i].word};
     if (sph_find_refract(s, &effects[SPH_REPORT_REFRACT], err)) return -1;
     s->refracts = effects[SPH_REPORT_REFRACT].on;
     sph_choose_lights(s, &lights, &effects[SPH_REPORT_LIGHTS]);
@@ -171,16 +174,12 @@ int sph_emit_effects(const struct sph_survey *survey, struct sph_machine *machin
     if (effects[SPH_REPORT_SPECULAR].on) effects[SPH_REPORT_SUM].on = 1; /* it is part of it */
     if (find_inside(s, report, err)) return -1;
     sph_find_facets(s, &effects[SPH_REPORT_FACETS]);
+    for (int i = 0; i < SPH_REPORTS; i++)
+        if (sph_parts[i].option == SPH_OPTION_WHEN && !effects[i].why[0]) find_none(s, i, report);
     warn_missing(s->scene, &lights, report);
     regs[SPH_REG_MAX_DEPTH] = s->refracts ? s->options->max_depth : effects[SPH_REPORT_REFLECT].on;
-    regs[SPH_REG_EFFECTS] = effects[SPH_REPORT_SHADOW].on << SPH_EFFECT_SHADOW |
-                            (effects[SPH_REPORT_REFLECT].on > 0) << SPH_EFFECT_REFLECT |
-                            effects[SPH_REPORT_INSIDE].on << SPH_EFFECT_INSIDE |
-                            effects[SPH_REPORT_FIRST].on << SPH_EFFECT_FIRST |
-                            effects[SPH_REPORT_INTERPENETRATE].on << SPH_EFFECT_INTERPENETRATE |
-                            effects[SPH_REPORT_FACETS].on << SPH_EFFECT_FACETS |
-                            effects[SPH_REPORT_REFRACT].on << SPH_EFFECT_REFRACT |
-                            effects[SPH_REPORT_SPECULAR].on << SPH_EFFECT_SPECULAR |
-                            effects[SPH_REPORT_SUM].on << SPH_EFFECT_SUM;
-    return 0;
+    regs[SPH_REG_EFFECTS] = 0;
+    for (int i = 0; i < SPH_REPORTS; i++)
+        if (sph_parts[i].bit >= 0) regs[SPH_REG_EFFECTS] |= (effects[i].on > 0) << sph_parts[i].bit;
+    return sph_validate_effects(machine, err);
 }

@@ -47,7 +47,6 @@ void sph_choose_lights(const struct sph_survey *s, struct sph_lights *lights,
         if (taken && shines) lights->shining[lights->n_shining++] = l;
         lights->called += shines;
     }
-    report->name = "lights";
     report->on = lights->count;
     report->called = lights->called;
     if (asked != SPH_AUTO) sph_note(report->why, sizeof report->why, "as asked; ");

@@ -7,6 +7,7 @@
 
 #include "machine/bih_stats.h"
 #include "machine/facets.h"
+#include "machine/parts.h"
 
 struct shape {
     uint32_t nodes, depth;
@@ -60,24 +61,12 @@ static void describe_bih(const struct sph_machine *m, FILE *file) {
     fprintf(file, " below them%s\n", n.planes ? ", planes beside them" : "");
 }
 
-#define NAMED(name)                                                                                \
-    { SPH_REG_##name, #name }
-
 static const struct {
     int number;
     const char *name;
 } names[] = {
-    NAMED(EFFECTS),   NAMED(MAX_DEPTH),  NAMED(N_LIGHTS),  NAMED(FRAME_W),    NAMED(FRAME_H),
-    NAMED(WIN_X0),    NAMED(WIN_Y0),     NAMED(WIN_X1),    NAMED(WIN_Y1),     NAMED(BG_MODE),
-    NAMED(RECT_X0),   NAMED(RECT_Y0),    NAMED(RECT_X1),   NAMED(RECT_Y1),    NAMED(BG_COLOUR),
-    NAMED(AMBIENT_R), NAMED(AMBIENT_G),  NAMED(AMBIENT_B), NAMED(EYE_X),      NAMED(EYE_Y),
-    NAMED(EYE_Z),     NAMED(DIR_X0),     NAMED(DIR_Y0),    NAMED(DIR_Z),      NAMED(PITCH),
-    NAMED(ROOT),      NAMED(PRIM_BASE),  NAMED(MEM_LINES), NAMED(N_PRIMS),    NAMED(VISIT_LIMIT),
-    NAMED(PROFILE),   NAMED(TREE),       NAMED(FRAME),     NAMED(LIGHT0_X),   NAMED(LIGHT0_Y),
-    NAMED(LIGHT0_Z),  NAMED(LIGHT0_R),   NAMED(LIGHT0_G),  NAMED(LIGHT0_B),   NAMED(BG_BASE),
-    NAMED(BG_COUNT),  NAMED(FACET_BASE), NAMED(N_SPHERES), NAMED(TEX_FILTER), NAMED(COARSE),
-    NAMED(LEAF_BASE), NAMED(N_LOOSE),    NAMED(BOX_X0),    NAMED(BOX_Y0),     NAMED(BOX_Z0),
-    NAMED(BOX_X1),    NAMED(BOX_Y1),     NAMED(BOX_Z1)};
+#define NAMED(name) {SPH_REG_##name, #name},
+    SPH_EACH_REG(NAMED)};
 
 static void describe_registers(const struct sph_machine *m, FILE *file) {
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
@@ -94,26 +83,16 @@ static void describe_registers(const struct sph_machine *m, FILE *file) {
 }
 
 void sph_machine_core(const struct sph_machine *m, char *text, size_t size) {
-    static const char *const ways[] = {"", "+rect", "+spans", "+cones"};
-    const int32_t *r = m->regs;
-    char reflect[16] = "", lights[16] = "", cones[16] = "", coarse[16] = "";
-    int mode = r[SPH_REG_BG_MODE] & 3, depth = r[SPH_REG_MAX_DEPTH];
-#define ON(name) (r[SPH_REG_EFFECTS] >> SPH_EFFECT_##name & 1)
-    if (!depth && ON(REFLECT)) depth = 1; /* the bit alone asks for it too */
-    if (depth) snprintf(reflect, sizeof reflect, "+reflect%d", depth);
-    if (r[SPH_REG_N_LIGHTS]) snprintf(lights, sizeof lights, "+lights%d", r[SPH_REG_N_LIGHTS]);
-    if (mode == 3)
-        snprintf(cones, sizeof cones, "%d", r[SPH_REG_BG_COUNT] ? r[SPH_REG_BG_COUNT] : 1);
-    if (r[SPH_REG_COARSE]) snprintf(coarse, sizeof coarse, "+coarse%d", r[SPH_REG_COARSE]);
-    char list[160];
-    snprintf(list, sizeof list, "%s%s%s%s%s%s%s%s%s%s%s%s%s%s%s", ON(SHADOW) ? "+shadow" : "",
-             reflect, lights, ON(INSIDE) ? "+inside" : "", ON(FIRST) ? "+first" : "",
-             ON(INTERPENETRATE) ? "+interpenetrate" : "", ON(FACETS) ? "+facets" : "",
-             ON(TEXTURE) ? "+texture" : "", coarse, ON(REFRACT) ? "+refract" : "",
-             ON(SPECULAR) ? "+specular" : "", ON(SUM) ? "+sum" : "", ways[mode], cones,
-             sph_machine_bih(m) ? "+bih" : "");
-#undef ON
-    snprintf(text, size, "%s", *list ? list + 1 : "none");
+    size_t used = 0;
+    snprintf(text, size, "none");
+    for (int i = 0; i < SPH_PARTS; i++) {
+        int asked = sph_part_asked(m, i);
+        if (!asked || used >= size) continue;
+        used +=
+            (size_t)snprintf(text + used, size - used, "%s%s", used ? "+" : "", sph_parts[i].word);
+        if (sph_parts[i].most > 1 && used < size)
+            used += (size_t)snprintf(text + used, size - used, "%d", asked);
+    }
 }
 
 void sph_machine_describe(const struct sph_machine *m, FILE *file) {

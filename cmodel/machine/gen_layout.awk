@@ -1,6 +1,54 @@
 # gen_layout.awk - machine.def to a C header (-v lang=c) or a Verilog header (-v lang=v)
 # SPDX-License-Identifier: Apache-2.0
+#
+# Needs effects.awk before it. sim/layout.sh runs it, also for what stands in Verilog files between
+# marks: lang=parameters, a parameter for each effect and part; lang=connections, its connection.
+function mask(list, part, n, i, bits_set) { # of words, by their place in the list
+    n = split(list, part, ",")
+    for (i = 1; i <= n; i++) bits_set += 2 ^ (number[part[i]] - 1)
+    return bits_set + 0
+}
+function range(text, end) { # "3..4" or "3": one of its two ends
+    if (!index(text, "..")) return text
+    return end ? substr(text, index(text, "..") + 2) : substr(text, 1, index(text, "..") - 1)
+}
+function entry(i, when, count, lo, hi) { # X(NAME, word, ...) of SPH_EACH_PART
+    when = asked[i]
+    count = when
+    if (index(when, "=")) {
+        lo = substr(when, index(when, "=") + 1)
+        when = substr(when, 1, index(when, "=") - 1)
+        count = index(lo, ":") ? substr(lo, index(lo, ":") + 1) : ""
+        sub(/:.*/, "", lo)
+        hi = range(lo, 1)
+        lo = range(lo, 0)
+    } else when = ""
+    return sprintf("X(%s, %s, \"%s\", %d, %d, %d, %s, %d, %d, %s, %s, %s, %s, \"%s\")",
+                   toupper(word[i]), word[i], core[i], bit[i], most[i], all[i],
+                   "SPH_OPTION_" toupper(option[i]), mask(needs[i]), mask(excludes[i]),
+                   when == "" ? "-1" : "SPH_REG_" when, lo == "" ? "0" : lo, hi == "" ? "0" : hi,
+                   count == "" ? "-1" : "SPH_REG_" count, about[i])
+}
+function parameters(i, range_text) {
+    for (i = 1; i <= words; i++) {
+        range_text = most[i] > 1 ? "0.." most[i] : "0 or 1"
+        printf "    parameter %-10s = %d,%s// %s: %s\n", core[i], all[i],
+               substr("    ", length(core[i]) > 10 ? 4 : 1), range_text, about[i]
+    }
+}
+function connections(i, line, next_one) {
+    for (i = 1; i <= words; i++) {
+        next_one = "." core[i] "(" core[i] "),"
+        if (length(line next_one) > 90) {
+            print line
+            line = ""
+        }
+        line = line (line ? " " : "        ") next_one
+    }
+    print line
+}
 function def(name, value) {
+    if (lang != "c" && lang != "v") return
     if (lang == "c") printf "#define SPH_%s %s\n", name, value
     else printf "`define RT_%s %s\n", name, value
 }
@@ -9,7 +57,7 @@ BEGIN {
         print "/* layout.h - generated from machine.def by gen_layout.awk; do not edit"
         print " * SPDX-License-Identifier: Apache-2.0\n */"
         print "#ifndef SPH_LAYOUT_H\n#define SPH_LAYOUT_H\n"
-    } else {
+    } else if (lang == "v") {
         print "// rt_layout.vh - generated from machine.def by gen_layout.awk; do not edit"
         print "// SPDX-License-Identifier: Apache-2.0"
         print "`ifndef RT_LAYOUT_VH\n`define RT_LAYOUT_VH"
@@ -36,8 +84,7 @@ $1 == "width" {
 $1 == "const"   { def($2, $3) }
 $1 == "field" && $3 == "stride" { def(toupper($2) "_STRIDE", $5); next }
 $1 == "field"   { def(toupper($2 "_" $3) "_LSB", $4); def(toupper($2 "_" $3) "_BITS", $5) }
-$1 == "reg"     { def("REG_" $3, $2) }
-$1 == "effect"  { def("EFFECT_" $3, $2) }
+$1 == "reg"     { def("REG_" $3, $2); regs = regs " \\\n    X(" $3 ")" }
 $1 == "counter" {
     def("COUNT_" $3, $2)
     names = names sprintf("%s\"%s\"", names ? ", " : "", tolower($3))
@@ -50,10 +97,30 @@ $1 == "error" {
     n_errors++
 }
 END {
+    if (failed) exit 1
+    if (lang == "parameters") { parameters(); exit }
+    if (lang == "connections") { connections(); exit }
+    for (i = 1; i <= words; i++) {
+        if (bit[i] >= 0) {
+            def("EFFECT_" toupper(word[i]), bit[i])
+            effects_mask += 2 ^ bit[i]
+            built = built sprintf(" | (%s != 0 ? 32'd1 << %d : 32'd0)", core[i], bit[i])
+        }
+        if (i <= effects) each_effect = each_effect " \\\n    " entry(i)
+        else each_part = each_part " \\\n    " entry(i)
+    }
+    def("EFFECT_BITS", bits)
     def("COUNTERS", counters); def("COUNTERS_BOTH", both); def("ERRORS", n_errors)
     if (lang == "c") {
         def("PROFILE_TABLE", row); def("WIDTH_TABLE", widths)
         def("COUNTER_NAMES", names); def("ERROR_NAMES", errors)
+        def("EFFECT_MASK", effects_mask)
+        def("EACH_EFFECT(X)", each_effect)
+        def("EACH_PART(X)", "SPH_EACH_EFFECT(X)" each_part)
+        def("EACH_REG(X)", regs)
         print "\n#endif"
-    } else print "`endif"
+    } else {
+        def("EFFECTS_BUILT", "(32'd0" built ")")
+        print "`endif"
+    }
 }

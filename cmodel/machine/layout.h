@@ -275,16 +275,6 @@
 #define SPH_REG_BOX_Z1 111
 #define SPH_LIGHT_STRIDE 8
 #define SPH_N_REGS 112
-#define SPH_EFFECT_SHADOW 0
-#define SPH_EFFECT_REFLECT 1
-#define SPH_EFFECT_INSIDE 2
-#define SPH_EFFECT_FIRST 3
-#define SPH_EFFECT_INTERPENETRATE 4
-#define SPH_EFFECT_FACETS 5
-#define SPH_EFFECT_TEXTURE 6
-#define SPH_EFFECT_REFRACT 7
-#define SPH_EFFECT_SPECULAR 8
-#define SPH_EFFECT_SUM 9
 #define SPH_COUNT_RAYS_PRIMARY 0
 #define SPH_COUNT_RAYS_SHADOW 1
 #define SPH_COUNT_RAYS_REFLECTED 2
@@ -313,6 +303,17 @@
 #define SPH_ERROR_BUS_ERROR 3
 #define SPH_ERROR_MISSING_EFFECT 4
 #define SPH_ERROR_WRONG_PROFILE 5
+#define SPH_EFFECT_SHADOW 0
+#define SPH_EFFECT_REFLECT 1
+#define SPH_EFFECT_INSIDE 2
+#define SPH_EFFECT_FIRST 3
+#define SPH_EFFECT_INTERPENETRATE 4
+#define SPH_EFFECT_FACETS 5
+#define SPH_EFFECT_TEXTURE 6
+#define SPH_EFFECT_REFRACT 7
+#define SPH_EFFECT_SPECULAR 8
+#define SPH_EFFECT_SUM 9
+#define SPH_EFFECT_BITS 10
 #define SPH_COUNTERS 22
 #define SPH_COUNTERS_BOTH 3605503
 #define SPH_ERRORS 6
@@ -320,5 +321,78 @@
 #define SPH_WIDTH_TABLE {"w", offsetof(struct sph_profile, w), 0, 5, 8, 24, "a leaf record has 24 bits"}, {"wd", offsetof(struct sph_profile, wd), 5, 5, 9, 31, "a register has 32 bits"}, {"pq", offsetof(struct sph_profile, pq), 10, 6, 4, 32, "a quotient is one word of the model"}, {"ng", offsetof(struct sph_profile, ng), 16, 3, 0, 4, "the bounds of build are 64-bit numbers"}, {"fw", offsetof(struct sph_profile, fw), 19, 4, 6, 14, "a node record has 14 bits"}, {"pr", offsetof(struct sph_profile, pr), 23, 6, 0, 54, "the longest root has 55 bits"}
 #define SPH_COUNTER_NAMES "rays_primary", "rays_shadow", "rays_reflected", "node_visits", "child_tests", "leaf_tests", "roots", "quotients", "background", "saturations", "cycles", "issue_wait", "node_misses", "leaf_misses", "rays_waiting", "pop_bubbles", "facet_tests", "divisions", "texels", "texel_misses", "rays_refracted", "powers"
 #define SPH_ERROR_NAMES "bad_node", "stack_overflow", "visit_limit", "bus_error", "missing_effect", "wrong_profile"
+#define SPH_EFFECT_MASK 1023
+#define SPH_EACH_EFFECT(X)  \
+    X(SHADOW, shadow, "SHADOW", 0, 1, 1, SPH_OPTION_WHEN, 0, 0, -1, 0, 0, -1, "rays towards the lights") \
+    X(REFLECT, reflect, "REFLECT", 1, 5, 5, SPH_OPTION_WHEN, 0, 0, -1, 0, 0, SPH_REG_MAX_DEPTH, "mirror rays, up to MAX_DEPTH") \
+    X(LIGHTS, lights, "LIGHTS", -1, 8, 8, SPH_OPTION_COUNT, 0, 0, -1, 0, 0, SPH_REG_N_LIGHTS, "point lights") \
+    X(INSIDE, inside, "INSIDE", 2, 1, 1, SPH_OPTION_WHEN, 0, 0, -1, 0, 0, -1, "rays may start inside a sphere, far roots count") \
+    X(FIRST, first, "FIRST", 3, 1, 1, SPH_OPTION_NONE, 0, 0, -1, 0, 0, -1, "primary rays end at the first visit that hits a leaf") \
+    X(INTERPENETRATE, interpenetrate, "INTERPENETRATE", 4, 1, 1, SPH_OPTION_WHEN, 24, 0, -1, 0, 0, -1, "mends first hits that lie in another sphere") \
+    X(FACETS, facets, "FACETS", 5, 1, 1, SPH_OPTION_NONE, 0, 48, -1, 0, 0, -1, "triangles and planes") \
+    X(TEXTURE, texture, "TEXTURE", 6, 1, 0, SPH_OPTION_OFF, 0, 0, -1, 0, 0, -1, "images on surfaces") \
+    X(REFRACT, refract, "REFRACT", 7, 1, 0, SPH_OPTION_WHEN, 8, 48, -1, 0, 0, -1, "refracted rays, mirror rays where all is reflected") \
+    X(SPECULAR, specular, "SPECULAR", 8, 1, 0, SPH_OPTION_WHEN, 1024, 0, -1, 0, 0, -1, "highlights of materials with sum") \
+    X(SUM, sum, "SUM", 9, 1, 0, SPH_OPTION_NONE, 0, 0, -1, 0, 0, -1, "materials whose shares add up, colour on top of rays")
+#define SPH_EACH_PART(X) SPH_EACH_EFFECT(X) \
+    X(COARSE, coarse, "COARSE", -1, 8, 0, SPH_OPTION_NONE, 128, 0, -1, 0, 0, SPH_REG_COARSE, "bits of the fraction of levels rounded away") \
+    X(RECT, rect, "RECT", -1, 1, 1, SPH_OPTION_NONE, 0, 0, SPH_REG_BG_MODE, 1, 1, -1, "background separation by rectangle") \
+    X(SPANS, spans, "SPANS", -1, 1, 1, SPH_OPTION_NONE, 0, 0, SPH_REG_BG_MODE, 2, 2, -1, "background separation by spans in memory") \
+    X(CONES, cones, "CONES", -1, 16, 1, SPH_OPTION_NONE, 0, 0, SPH_REG_BG_MODE, 3, 3, SPH_REG_BG_COUNT, "exact background separation, by so many spheres") \
+    X(BIH, bih, "ACCEL", -1, 1, 0, SPH_OPTION_NONE, 0, 16, SPH_REG_TREE, 3, 4, -1, "a BIH instead of nodes of four children")
+#define SPH_EACH_REG(X)  \
+    X(EFFECTS) \
+    X(MAX_DEPTH) \
+    X(N_LIGHTS) \
+    X(FRAME_W) \
+    X(FRAME_H) \
+    X(WIN_X0) \
+    X(WIN_Y0) \
+    X(WIN_X1) \
+    X(WIN_Y1) \
+    X(BG_MODE) \
+    X(RECT_X0) \
+    X(RECT_Y0) \
+    X(RECT_X1) \
+    X(RECT_Y1) \
+    X(BG_COLOUR) \
+    X(AMBIENT_R) \
+    X(AMBIENT_G) \
+    X(AMBIENT_B) \
+    X(EYE_X) \
+    X(EYE_Y) \
+    X(EYE_Z) \
+    X(DIR_X0) \
+    X(DIR_Y0) \
+    X(DIR_Z) \
+    X(PITCH) \
+    X(ROOT) \
+    X(PRIM_BASE) \
+    X(MEM_LINES) \
+    X(N_PRIMS) \
+    X(VISIT_LIMIT) \
+    X(PROFILE) \
+    X(TREE) \
+    X(LIGHT0_X) \
+    X(LIGHT0_Y) \
+    X(LIGHT0_Z) \
+    X(LIGHT0_R) \
+    X(LIGHT0_G) \
+    X(LIGHT0_B) \
+    X(FRAME) \
+    X(BG_BASE) \
+    X(BG_COUNT) \
+    X(FACET_BASE) \
+    X(N_SPHERES) \
+    X(TEX_FILTER) \
+    X(COARSE) \
+    X(LEAF_BASE) \
+    X(N_LOOSE) \
+    X(BOX_X0) \
+    X(BOX_Y0) \
+    X(BOX_Z0) \
+    X(BOX_X1) \
+    X(BOX_Y1) \
+    X(BOX_Z1)
 
 #endif

@@ -8,19 +8,10 @@
 enum { ONE = 256 }; /* a share, u1.8 */
 
 int sph_validate_optics(const struct sph_machine *m, struct sph_error *err) {
-    int effects = m->regs[SPH_REG_EFFECTS], wd = sph_machine_profile(m)->wd;
-    if (sph_machine_effect(m, SPH_EFFECT_SPECULAR) && !sph_machine_effect(m, SPH_EFFECT_SUM))
-        return sph_fail(err, "register EFFECTS is %d: SPECULAR needs SUM", effects);
-    if (!sph_machine_effect(m, SPH_EFFECT_REFRACT)) return 0;
-    if (!sph_machine_effect(m, SPH_EFFECT_INSIDE))
-        return sph_fail(err, "register EFFECTS is %d: REFRACT needs INSIDE", effects);
-    if (sph_machine_effect(m, SPH_EFFECT_FIRST) || sph_machine_effect(m, SPH_EFFECT_INTERPENETRATE))
-        return sph_fail(err, "register EFFECTS is %d: REFRACT excludes FIRST and INTERPENETRATE",
-                        effects);
-    if (wd > SPH_REFRACT_WD)
-        return sph_fail(err, "register EFFECTS is %d: REFRACT with WD %d, at most %d", effects, wd,
-                        SPH_REFRACT_WD);
-    return 0;
+    int wd = sph_machine_profile(m)->wd;
+    if (!sph_machine_effect(m, SPH_EFFECT_REFRACT) || wd <= SPH_REFRACT_WD) return 0;
+    return sph_fail(err, "register EFFECTS is %d: REFRACT with WD %d, at most %d",
+                    m->regs[SPH_REG_EFFECTS], wd, SPH_REFRACT_WD);
 }
 
 /* A field of the record of primitive id lies in low..high. */

@@ -6,7 +6,7 @@
 
 #include "machine/machine.h"
 
-/* Whether REFRACT and SPECULAR go with the other effects and the profile. 0, or -1 with a message.
+/* Whether REFRACT goes with the profile. 0, or -1 with a message.
  */
 int sph_validate_optics(const struct sph_machine *m, struct sph_error *err);
 

@@ -6,6 +6,7 @@
 
 #include "machine/facets.h"
 #include "machine/materials.h"
+#include "machine/parts.h"
 #include "machine/textures.h"
 #include "machine/validate.h"
 #include "scene/scene.h" /* SPH_MAX_SPHERES */
@@ -24,17 +25,7 @@ int sph_validate_register(const struct sph_machine *m, int number, const char *n
 /* Frame, window, background and colours. */
 static int check_frame(const struct sph_machine *m, struct sph_error *err) {
     const int32_t *r = m->regs;
-    RANGE(EFFECTS, 0, (2 << SPH_EFFECT_SUM) - 1);
-    if (sph_machine_effect(m, SPH_EFFECT_INTERPENETRATE) &&
-        !(sph_machine_effect(m, SPH_EFFECT_FIRST) && sph_machine_effect(m, SPH_EFFECT_INSIDE)))
-        return sph_fail(err, "register EFFECTS is %d: INTERPENETRATE needs FIRST and INSIDE",
-                        r[SPH_REG_EFFECTS]);
-    if (sph_machine_effect(m, SPH_EFFECT_FACETS) &&
-        (sph_machine_effect(m, SPH_EFFECT_FIRST) ||
-         sph_machine_effect(m, SPH_EFFECT_INTERPENETRATE)))
-        return sph_fail(err, "register EFFECTS is %d: FACETS excludes FIRST and INTERPENETRATE",
-                        r[SPH_REG_EFFECTS]);
-    if (sph_validate_optics(m, err)) return -1;
+    if (sph_validate_effects(m, err) || sph_validate_optics(m, err)) return -1;
     RANGE(MAX_DEPTH, 0, SPH_MAX_DEPTH);
     RANGE(N_LIGHTS, 0, SPH_MAX_LIGHTS);
     RANGE(FRAME_W, 1, SPH_MAX_SIDE);

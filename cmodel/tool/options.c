@@ -66,15 +66,7 @@ enum {
     KEY_BG_LEVELS,
     KEY_SIZE,
     KEY_DEPTH,
-    KEY_SHADOW,
-    KEY_REFLECT,
-    KEY_REFRACT,
-    KEY_SPECULAR,
-    KEY_LIGHTS,
-    KEY_INSIDE,
     KEY_TRAVERSE,
-    KEY_INTERPENETRATE,
-    KEY_TEXTURE,
     KEY_FILTER,
     KEY_LOD,
     KEY_LOD_BITS,
@@ -98,18 +90,9 @@ static const struct argp_option options[] = {
      "exact: 0 the root sphere (default), 1 its children, 2 theirs", 1},
     {"size", KEY_SIZE, "WxH", 0, "frame in pixels; as the scene says if not given", 1},
     {"depth", KEY_DEPTH, "N", 0, "reflections and refractions one after another, 0 to 5 (2)", 1},
-    {"shadow", KEY_SHADOW, "WHEN", 0, "auto (default: as the scene calls for), on or off", 1},
-    {"reflect", KEY_REFLECT, "WHEN", 0, "auto (default), on or off", 1},
-    {"refract", KEY_REFRACT, "WHEN", 0, "rays into what transmits: auto (default), on or off", 1},
-    {"specular", KEY_SPECULAR, "WHEN", 0, "highlights: auto (default), on or off", 1},
-    {"lights", KEY_LIGHTS, "N", 0, "auto (default: those that reach something), or the first N", 1},
-    {"inside", KEY_INSIDE, "WHEN", 0, "rays that start in a sphere: auto (default), on or off", 1},
     {"traverse", KEY_TRAVERSE, "HOW", 0,
      "primary rays find the nearest hit (default), or end at the first one, as in the paper", 1},
-    {"interpenetrate", KEY_INTERPENETRATE, "WHEN", 0,
-     "with --traverse first, mends hits inside another sphere: auto (default), on or off", 1},
     {"lod-bits", KEY_LOD_BITS, "N", 0, "bits of the fraction of a level, 0 to 8 (8)", 1},
-    {"texture", KEY_TEXTURE, "WHEN", 0, "images on surfaces: auto (default) or off", 1},
     {"filter", KEY_FILTER, "NAME", 0,
      "texels: nearest or bilinear of the whole image, bilinear of one level of its MIP chain "
      "(level), or of two (between, default)",
@@ -122,28 +105,16 @@ static const struct argp_option options[] = {
     {0},
 };
 
+#define AUTO(...) SPH_AUTO,
 const struct tool_source tool_source_default = {
     .build = {.profile = SPH_STANDARD,
               .tree = SPH_TREE_BALANCED,
               .background = SPH_BG_NONE,
               .bg_border = 1,
               .max_depth = 2,
-              .shadow = SPH_AUTO,
-              .reflect = SPH_AUTO,
-              .refract = SPH_AUTO,
-              .specular = SPH_AUTO,
-              .lights = SPH_AUTO,
-              .inside = SPH_AUTO,
-              .interpenetrate = SPH_AUTO,
-              .texture = SPH_AUTO,
+              .asked = {SPH_EACH_EFFECT(AUTO)},
               .tex_filter = SPH_FILTER_BETWEEN},
 };
-
-/* auto, off or on. */
-static int when(const struct argp_state *state, const char *option, const char *arg) {
-    static const char *const choices[] = {"auto", "off", "on", NULL};
-    return SPH_AUTO + tool_choice(state, option, arg, choices);
-}
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
     static const char *const trees[] = {"paper", "balanced", NULL};
@@ -153,10 +124,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     struct sph_error err = {{0}};
     static const char *const filters[] = {"nearest", "bilinear", "level", "between", NULL};
     static const char *const lods[] = {"mended", "paper", NULL};
-    static const char *const textures[] = {"auto", "off", NULL};
     switch (key) {
     case ARGP_KEY_INIT:
-        state->child_inputs[0] = s;
+        state->child_inputs[0] = state->child_inputs[1] = s;
         return 0;
     case KEY_PROFILE:
         if (sph_profile_parse(arg, &s->profile, &err)) argp_error(state, "--profile: %s", err.text);
@@ -185,34 +155,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     case KEY_DEPTH:
         s->build.max_depth = (int)tool_number(state, "--depth", arg, 0, SPH_MAX_DEPTH);
         break;
-    case KEY_SHADOW:
-        s->build.shadow = when(state, "--shadow", arg);
-        break;
-    case KEY_REFLECT:
-        s->build.reflect = when(state, "--reflect", arg);
-        break;
-    case KEY_REFRACT:
-        s->build.refract = when(state, "--refract", arg);
-        break;
-    case KEY_SPECULAR:
-        s->build.specular = when(state, "--specular", arg);
-        break;
-    case KEY_LIGHTS:
-        s->build.lights = SPH_AUTO;
-        if (strcmp(arg, "auto") != 0)
-            s->build.lights = (int)tool_number(state, "--lights", arg, 0, SPH_MAX_LIGHTS);
-        break;
-    case KEY_INSIDE:
-        s->build.inside = when(state, "--inside", arg);
-        break;
     case KEY_TRAVERSE:
         s->build.traverse = SPH_BUILD_NEAREST + tool_choice(state, "--traverse", arg, hows);
-        break;
-    case KEY_INTERPENETRATE:
-        s->build.interpenetrate = when(state, "--interpenetrate", arg);
-        break;
-    case KEY_TEXTURE:
-        s->build.texture = SPH_AUTO + tool_choice(state, "--texture", arg, textures);
         break;
     case KEY_FILTER:
         s->build.tex_filter = tool_choice(state, "--filter", arg, filters);
@@ -238,6 +182,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     return 0;
 }
 
-static const struct argp_child children[] = {{&tool_accel_argp, 0, NULL, 1}, {0}};
+static const struct argp_child children[] = {
+    {&tool_accel_argp, 0, NULL, 1}, {&tool_effects_argp, 0, NULL, 1}, {0}};
 
 const struct argp tool_source_argp = {options, parse, NULL, NULL, children, NULL, NULL};

@@ -26,9 +26,8 @@ static void print_lines(FILE *to, const char *head, const char *text) {
 static void print_effects(FILE *to, const struct sph_build_report *b) {
     for (int i = 0; i < SPH_REPORTS; i++) {
         const struct sph_effect_report *e = &b->effects[i];
-        int counts = i == SPH_REPORT_LIGHTS || i == SPH_REPORT_REFLECT;
         char on[16];
-        snprintf(on, sizeof on, counts ? "%d" : "on", e->on);
+        snprintf(on, sizeof on, sph_parts[i].most > 1 ? "%d" : "on", e->on);
         fprintf(to, "effect   %-14s %-3s %s\n", e->name, e->on ? on : "off", e->why);
     }
 }

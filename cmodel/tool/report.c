@@ -44,9 +44,6 @@ json_t *report_names(uint32_t bits, const char *const *names, int n) {
 }
 
 void report_machine(json_t *report, const struct sph_machine *m) {
-    static const char *const effects[] = {"shadow",         "reflect", "inside",  "first",
-                                          "interpenetrate", "facets",  "texture", "refract",
-                                          "specular",       "sum"};
     static const char *const ways[] = {"none", "rect", "spans", "exact"};
     const int32_t *r = m->regs;
     if (!report) return;
@@ -65,8 +62,11 @@ void report_machine(json_t *report, const struct sph_machine *m) {
     report_count(machine, "max_depth", (uint64_t)r[SPH_REG_MAX_DEPTH]);
     report_count(machine, "tree_bytes", (uint64_t)r[SPH_REG_PRIM_BASE] * SPH_LINE_WORDS * 4);
     report_count(machine, "memory_bytes", (uint64_t)m->lines * SPH_LINE_WORDS * 4);
-    add(machine, "effects",
-        report_names((uint32_t)r[SPH_REG_EFFECTS], effects, sizeof effects / sizeof *effects));
+    json_t *effects = json_array();
+    for (int i = 0; i < SPH_REPORTS; i++)
+        if (sph_parts[i].bit >= 0 && sph_machine_effect(m, sph_parts[i].bit))
+            json_array_append_new(effects, json_string(sph_parts[i].word));
+    add(machine, "effects", effects);
     report_number(machine, "grid_step", ldexp(1.0, m->grid_log2));
     add(report, "machine", machine);
 }

@@ -63,7 +63,7 @@ struct tool_source {
 
 /* Options of build, for every command that takes a scene; its input is a struct tool_source. */
 extern const struct argp tool_source_argp;
-extern const struct argp tool_accel_argp; /* a part of it */
+extern const struct argp tool_accel_argp, tool_effects_argp; /* parts of it */
 extern const struct tool_source tool_source_default;
 
 /* Is path a machine file, by its name (.sph) or its first bytes? */

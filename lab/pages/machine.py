@@ -1,5 +1,6 @@
 # machine.py - what cmodel/machine/machine.def defines, as tables
 # SPDX-License-Identifier: Apache-2.0
+import subprocess
 from pathlib import Path
 
 from . import markdown
@@ -37,9 +38,17 @@ def registers():
 
 
 def effects():
-    return markdown.table(["bit", "name", "what the machine asks for"],
-                          [[bit, f"`{name}`", " ".join(words)] for bit, name, *words
-                           in rows("effect")])
+    """What a core can do, and the bit of EFFECTS by which a machine asks for it."""
+    listed = subprocess.run(["sh", "sim/parameters.sh", "--table"], check=True, text=True,
+                            stdout=subprocess.PIPE).stdout
+    def words(text):
+        return text.replace(",", ", ")
+    return markdown.table(["word", "parameter", "values", "in `all`", "bit", "what it is", "needs",
+                           "goes without"],
+                          [[f"`{word}`", f"`{core}`", "0, 1" if most == "1" else f"0 .. {most}",
+                            whole, bit, about, words(needs), words(excludes)]
+                           for word, core, bit, most, whole, needs, excludes, about
+                           in (line.split("\t") for line in listed.splitlines())])
 
 
 def counters():

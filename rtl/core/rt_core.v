@@ -15,22 +15,24 @@ module rt_core #(
     parameter ENGINES    = 1,    // engines, 1..8
     parameter K          = 64,   // rays in flight an engine, power of two
     // what is elaborated; a machine that asks for more is refused (MISSING_EFFECT)
-    parameter SHADOW     = 1,    // shadow rays, 0 or 1
-    parameter REFLECT    = 5,    // reflections, 0..5; with REFRACT MAX_DEPTH goes to 5 all the same
-    parameter LIGHTS     = 8,    // lights, 0..8
-    parameter INSIDE     = 1,    // rays that start inside a sphere, 0 or 1
-    parameter FIRST      = 1,    // primary rays that end at their first leaf hit, 0 or 1
-    parameter INTERPENETRATE = 1, // their correction, 0 or 1: needs FIRST and INSIDE
-    parameter FACETS     = 1,    // triangles and planes, 0 or 1
-    parameter TEXTURE    = 0,    // textures, 0 or 1
-    parameter COARSE     = 0,    // bits of their levels' fraction that are rounded away, 0..8
-    parameter REFRACT    = 0,    // refracted rays, 0 or 1: needs INSIDE
-    parameter SPECULAR   = 0,    // highlights, 0 or 1: needs SUM
-    parameter SUM        = 0,    // materials that add up, 0 or 1
-    parameter RECT       = 1,    // background separation by rectangle, 0 or 1
-    parameter SPANS      = 1,    // by spans in memory, 0 or 1
-    parameter CONES      = 1,    // exactly, by up to so many spheres, 0..16
-    parameter ACCEL      = 0,    // 0: nodes of four children, 1: BIH, needs FIRST to be 0
+    // parameters of machine.def
+    parameter SHADOW     = 1,    // 0 or 1: rays towards the lights
+    parameter REFLECT    = 5,    // 0..5: mirror rays, up to MAX_DEPTH
+    parameter LIGHTS     = 8,    // 0..8: point lights
+    parameter INSIDE     = 1,    // 0 or 1: rays may start inside a sphere, far roots count
+    parameter FIRST      = 1,    // 0 or 1: primary rays end at the first visit that hits a leaf
+    parameter INTERPENETRATE = 1, // 0 or 1: mends first hits that lie in another sphere
+    parameter FACETS     = 1,    // 0 or 1: triangles and planes
+    parameter TEXTURE    = 0,    // 0 or 1: images on surfaces
+    parameter REFRACT    = 0,    // 0 or 1: refracted rays, mirror rays where all is reflected
+    parameter SPECULAR   = 0,    // 0 or 1: highlights of materials with sum
+    parameter SUM        = 0,    // 0 or 1: materials whose shares add up, colour on top of rays
+    parameter COARSE     = 0,    // 0..8: bits of the fraction of levels rounded away
+    parameter RECT       = 1,    // 0 or 1: background separation by rectangle
+    parameter SPANS      = 1,    // 0 or 1: background separation by spans in memory
+    parameter CONES      = 1,    // 0..16: exact background separation, by so many spheres
+    parameter ACCEL      = 0,    // 0 or 1: a BIH instead of nodes of four children
+    // end of parameters
     parameter NODE_LINES = 256,  // lines of an engine's node cache, power of two
     parameter LEAF_LINES = 128,  // of its leaf cache
     parameter TEXTURE_LINES = 128, // of its texture cache
@@ -134,17 +136,8 @@ module rt_core #(
         .light_valid_o(light_valid), .light_number_o(light_number),
         .light_part_o(light_part)
     );
-    wire [31:0] built = (SHADOW != 0 ? 32'd1 << `RT_EFFECT_SHADOW : 32'd0) |
-                        (REFLECT != 0 ? 32'd1 << `RT_EFFECT_REFLECT : 32'd0) |
-                        (INSIDE != 0 ? 32'd1 << `RT_EFFECT_INSIDE : 32'd0) |
-                        (FIRST != 0 ? 32'd1 << `RT_EFFECT_FIRST : 32'd0) |
-                        (INTERPENETRATE != 0 ? 32'd1 << `RT_EFFECT_INTERPENETRATE : 32'd0) |
-                        (FACETS != 0 ? 32'd1 << `RT_EFFECT_FACETS : 32'd0) |
-                        (TEXTURE != 0 ? 32'd1 << `RT_EFFECT_TEXTURE : 32'd0) |
-                        (REFRACT != 0 ? 32'd1 << `RT_EFFECT_REFRACT : 32'd0) |
-                        (SPECULAR != 0 ? 32'd1 << `RT_EFFECT_SPECULAR : 32'd0) |
-                        (SUM != 0 ? 32'd1 << `RT_EFFECT_SUM : 32'd0);
-    localparam DEEPEST = REFRACT != 0 ? 5 : REFLECT;
+    wire [31:0] built = `RT_EFFECTS_BUILT;
+    localparam DEEPEST = REFRACT != 0 ? 5 : REFLECT;  // refracted rays alone go to 5
     wire [3:0]  ways  = {CONES != 0, SPANS != 0, RECT != 0, 1'b1};
     wire missing = (effects & ~built) != 32'd0 ||    // the machine asks for what is not here
                    bih != (ACCEL != 0) || coarse != (TEXTURE != 0 ? COARSE[3:0] : 4'd0) ||
@@ -252,8 +245,9 @@ module rt_core #(
                         .QUOTIENT_STEP(QUOTIENT_STEP),
                         .DIVISION_STEP(DIVISION_STEP)) u_engine (
                 .clk(clk), .rst(rst), .flush_i(go && !keep_cache_i), .busy_o(e_busy[e]),
-                .effects_i(effects[9:0]), .tex_filter_i(tex_filter), .max_depth_i(max_depth),
-                .n_lights_i(n_lights), .background_i(background), .ambient_i(ambient), .eye_i(eye),
+                .effects_i(effects[`RT_EFFECT_BITS-1:0]), .tex_filter_i(tex_filter),
+                .max_depth_i(max_depth), .n_lights_i(n_lights), .background_i(background),
+                .ambient_i(ambient), .eye_i(eye),
                 .root_i(root), .prim_base_i(prim_base), .mem_lines_i(mem_lines),
                 .visit_limit_i(visit_limit),
                 .n_prims_i(n_prims), .leaf_base_i(leaf_base), .n_loose_i(n_loose), .box_i(box),

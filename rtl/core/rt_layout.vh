@@ -315,16 +315,6 @@
 `define RT_REG_BOX_Z1 111
 `define RT_LIGHT_STRIDE 8
 `define RT_N_REGS 112
-`define RT_EFFECT_SHADOW 0
-`define RT_EFFECT_REFLECT 1
-`define RT_EFFECT_INSIDE 2
-`define RT_EFFECT_FIRST 3
-`define RT_EFFECT_INTERPENETRATE 4
-`define RT_EFFECT_FACETS 5
-`define RT_EFFECT_TEXTURE 6
-`define RT_EFFECT_REFRACT 7
-`define RT_EFFECT_SPECULAR 8
-`define RT_EFFECT_SUM 9
 `define RT_COUNT_RAYS_PRIMARY 0
 `define RT_COUNT_RAYS_SHADOW 1
 `define RT_COUNT_RAYS_REFLECTED 2
@@ -353,7 +343,19 @@
 `define RT_ERROR_BUS_ERROR 3
 `define RT_ERROR_MISSING_EFFECT 4
 `define RT_ERROR_WRONG_PROFILE 5
+`define RT_EFFECT_SHADOW 0
+`define RT_EFFECT_REFLECT 1
+`define RT_EFFECT_INSIDE 2
+`define RT_EFFECT_FIRST 3
+`define RT_EFFECT_INTERPENETRATE 4
+`define RT_EFFECT_FACETS 5
+`define RT_EFFECT_TEXTURE 6
+`define RT_EFFECT_REFRACT 7
+`define RT_EFFECT_SPECULAR 8
+`define RT_EFFECT_SUM 9
+`define RT_EFFECT_BITS 10
 `define RT_COUNTERS 22
 `define RT_COUNTERS_BOTH 3605503
 `define RT_ERRORS 6
+`define RT_EFFECTS_BUILT (32'd0 | (SHADOW != 0 ? 32'd1 << 0 : 32'd0) | (REFLECT != 0 ? 32'd1 << 1 : 32'd0) | (INSIDE != 0 ? 32'd1 << 2 : 32'd0) | (FIRST != 0 ? 32'd1 << 3 : 32'd0) | (INTERPENETRATE != 0 ? 32'd1 << 4 : 32'd0) | (FACETS != 0 ? 32'd1 << 5 : 32'd0) | (TEXTURE != 0 ? 32'd1 << 6 : 32'd0) | (REFRACT != 0 ? 32'd1 << 7 : 32'd0) | (SPECULAR != 0 ? 32'd1 << 8 : 32'd0) | (SUM != 0 ? 32'd1 << 9 : 32'd0))
 `endif

@@ -45,7 +45,7 @@ module rt_engine #(
     input  wire              flush_i,         // forget the caches
     output wire              busy_o,
     // registers
-    input  wire [9:0]        effects_i,       // EFFECTS of machine.def
+    input  wire [`RT_EFFECT_BITS-1:0] effects_i, // EFFECTS of machine.def
     input  wire [1:0]        tex_filter_i,
     input  wire [2:0]        max_depth_i,
     input  wire [3:0]        n_lights_i,

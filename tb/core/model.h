@@ -10,6 +10,7 @@ extern "C" {
 #include "core/frame_file.h"
 #include "machine/describe.h"
 #include "machine/machine.h"
+#include "machine/parts.h"
 #include "core/render.h"
 }
 

@@ -3,38 +3,30 @@
  */
 #include "refuse.h"
 
-#include <cctype>
 #include <cstdlib>
 #include <sstream>
 #include <vector>
 
 namespace {
 
-/* Value of NAME in "SHADOW=1 REFLECT=2 ..."; name in small letters. 0 if it is not there. */
-int built_with(const std::string &built, const std::string &name) {
+/* Value of a parameter in "SHADOW=1 REFLECT=2 ...". 0 if it is not there. */
+int built_with(const std::string &built, const std::string &parameter) {
     std::istringstream words(built);
-    std::string word, wanted;
-    if (name == "bih") return built_with(built, "accel");
-    for (char c : name)
-        wanted += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    std::string word;
     while (words >> word)
-        if (word.compare(0, wanted.size() + 1, wanted + "=") == 0)
-            return std::atoi(word.c_str() + wanted.size() + 1);
+        if (word.compare(0, parameter.size() + 1, parameter + "=") == 0)
+            return std::atoi(word.c_str() + parameter.size() + 1);
     return 0;
 }
 
-/* The words of the machine's list, such as reflect2, for which the core is too small. */
+/* What the machine asks for and the core has too little of, as words such as reflect2. */
 std::vector<std::string> missing(const sph_machine &m, const std::string &built) {
-    char list[160];
-    sph_machine_core(&m, list, sizeof list);
     std::vector<std::string> result;
-    std::istringstream words(list);
-    std::string word;
-    while (std::getline(words, word, '+')) {
-        size_t digits = word.find_first_of("0123456789");
-        int count = digits == std::string::npos ? 1 : std::atoi(word.c_str() + digits);
-        if (word != "none" && built_with(built, word.substr(0, digits)) < count)
-            result.push_back(word);
+    for (int i = 0; i < SPH_PARTS; i++) {
+        int asked = sph_part_asked(&m, i);
+        if (built_with(built, sph_parts[i].core) >= asked) continue;
+        result.push_back(sph_parts[i].word);
+        if (sph_parts[i].most > 1) result.back() += std::to_string(asked);
     }
     return result;
 }

@@ -19,22 +19,24 @@ module tb_core_icarus #(
     parameter ENGINES = 1,
     parameter ROOT_STEP = 2,
     parameter QUOTIENT_STEP = 2,
-    parameter SHADOW = 1,
-    parameter REFLECT = 5,
-    parameter LIGHTS = 8,
-    parameter INSIDE = 1,
-    parameter FIRST = 1,
-    parameter INTERPENETRATE = 1,
-    parameter FACETS = 1,
-    parameter TEXTURE = 0,
-    parameter COARSE = 0,
-    parameter RECT = 1,
-    parameter SPANS = 1,
-    parameter CONES = 1,
-    parameter REFRACT = 0,
-    parameter SPECULAR = 0,
-    parameter SUM = 0,
-    parameter ACCEL = 0,
+    // parameters of machine.def
+    parameter SHADOW     = 1,    // 0 or 1: rays towards the lights
+    parameter REFLECT    = 5,    // 0..5: mirror rays, up to MAX_DEPTH
+    parameter LIGHTS     = 8,    // 0..8: point lights
+    parameter INSIDE     = 1,    // 0 or 1: rays may start inside a sphere, far roots count
+    parameter FIRST      = 1,    // 0 or 1: primary rays end at the first visit that hits a leaf
+    parameter INTERPENETRATE = 1, // 0 or 1: mends first hits that lie in another sphere
+    parameter FACETS     = 1,    // 0 or 1: triangles and planes
+    parameter TEXTURE    = 0,    // 0 or 1: images on surfaces
+    parameter REFRACT    = 0,    // 0 or 1: refracted rays, mirror rays where all is reflected
+    parameter SPECULAR   = 0,    // 0 or 1: highlights of materials with sum
+    parameter SUM        = 0,    // 0 or 1: materials whose shares add up, colour on top of rays
+    parameter COARSE     = 0,    // 0..8: bits of the fraction of levels rounded away
+    parameter RECT       = 1,    // 0 or 1: background separation by rectangle
+    parameter SPANS      = 1,    // 0 or 1: background separation by spans in memory
+    parameter CONES      = 1,    // 0..16: exact background separation, by so many spheres
+    parameter ACCEL      = 0,    // 0 or 1: a BIH instead of nodes of four children
+    // end of parameters
     parameter LINES = 131072   // of memory
 );
     localparam N_REGS = `RT_N_REGS;
@@ -70,10 +72,13 @@ module tb_core_icarus #(
 
     rt_core #(
         .W(W), .WD(WD), .PQ(PQ), .NG(NG), .FW(FW), .PR(PR),
-        .ENGINES(ENGINES), .SHADOW(SHADOW), .REFLECT(REFLECT), .LIGHTS(LIGHTS), .INSIDE(INSIDE),
-        .FIRST(FIRST), .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS),
-        .TEXTURE(TEXTURE), .COARSE(COARSE), .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM),
-        .RECT(RECT), .SPANS(SPANS), .CONES(CONES), .ACCEL(ACCEL),
+        .ENGINES(ENGINES),
+        // connections of machine.def
+        .SHADOW(SHADOW), .REFLECT(REFLECT), .LIGHTS(LIGHTS), .INSIDE(INSIDE),
+        .FIRST(FIRST), .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),
+        .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM), .COARSE(COARSE), .RECT(RECT),
+        .SPANS(SPANS), .CONES(CONES), .ACCEL(ACCEL),
+        // end of connections
         .ROOT_STEP(ROOT_STEP), .QUOTIENT_STEP(QUOTIENT_STEP)
     ) u_core (
         .clk(clk), .rst(rst),
