@@ -56,8 +56,10 @@ B := build
 Q := $(if $(filter 1,$(V)),,@)
 say = $(if $(filter 1,$(V)),,@printf '  %-4s %s\n' $(1) $(2))
 
-CC       := gcc
-CXX      := g++
+# A compiler cache, if there is one: `make setup` installs it.
+CCACHE   := $(if $(shell command -v ccache),ccache)
+CC       := $(CCACHE) gcc
+CXX      := $(CCACHE) g++
 WARN     := -Wall -Wextra -Wconversion -Wshadow -Werror
 CFLAGS   := -std=c11 -D_GNU_SOURCE -O3 $(WARN) -Icmodel -fopenmp
 CXXFLAGS := -std=c++17 -O2 $(WARN) -Icmodel

@@ -19,8 +19,7 @@ ENGINES ?= 1
 ROOT_STEP     ?= 2
 QUOTIENT_STEP ?= 2
 WAVES   ?= 0
-OPT     ?= -O3
-JOBS    ?= 2
+OPT     ?= -O2
 
 STEPS := $(if $(filter-out 2,$(ROOT_STEP)),-root$(ROOT_STEP))$(if $(filter-out \
              2,$(QUOTIENT_STEP)),-quotient$(QUOTIENT_STEP))
@@ -30,7 +29,10 @@ S   := $B/sim
 K   := $S/$(KEY)
 LIB := $B/libsphaera.a
 
-CXX      ?= g++
+# clang compiles a core in half of gcc's time, and the core runs faster; g++ links, for libgomp.
+CCACHE   := $(if $(shell command -v ccache),ccache)
+CLANG    := $(if $(shell command -v clang++),clang++)
+CORE_CXX := $(CCACHE) $(or $(CLANG),$(CXX))
 CXXFLAGS := -std=c++17 -O2 -Wall -Wextra -Icmodel -Itb/core
 LIBS     := -fopenmp -pthread -ljansson -lm
 
@@ -43,34 +45,40 @@ PARAMETERS := $(shell sh sim/profile.sh '$(PROFILE)') $(shell sh sim/parameters.
 SHARED := $(patsubst tb/core/%.cpp,$S/obj/%.o,$(filter-out tb/core/simulate_%.cpp, \
               $(wildcard tb/core/*.cpp)))
 
-# Verilator's own library, the same for every core.
+# Verilator's own library, the same for every core; waveforms only where one is written.
 ROOT      := $(shell verilator --getenv VERILATOR_ROOT)/include
-VERILATED := $(patsubst %,$S/obj/%.o,verilated verilated_threads verilated_fst_c)
+VERILATED := $(patsubst %,$S/obj/%.o,verilated verilated_threads)
+TRACED    := $(if $(filter 1,$(WAVES)),$S/obj/verilated_fst_c.o)
 
 # Written anew only when its text changes.
 stamp = @mkdir -p $(@D); echo '$(1)' >$@.$$$$; cmp -s $@.$$$$ $@ && rm $@.$$$$ || mv $@.$$$$ $@
 VERILATE := verilator --cc --language 1364-2005 -Wall -O3 --x-assign fast --top-module rt_core \
-                --prefix Vrt_core $(PARAMETERS:%=-G%) --output-split 20000 \
-                $(if $(filter 1,$(WAVES)),--trace-fst)
+                --prefix Vrt_core $(PARAMETERS:%=-G%) $(if $(TRACED),--trace-fst)
 ELABORATE := iverilog -g2005 -Wall $(PARAMETERS:%=-Ptb_core_icarus.%) -s tb_core_icarus
+# All of a core at once: each file of its own would read the same headers, a second and more.
+COMPILE   := $(CORE_CXX) -std=c++17 -Wall -Wextra $(OPT) -I. -Icmodel -isystem $K \
+                 -isystem $(ROOT) -isystem $(ROOT)/vltstd -DVM_TRACE=$(WAVES) \
+                 -DVM_TRACE_FST=$(WAVES)
+# What runs once, before the first clock, is not worth an optimiser's time.
+ONCE      := \#pragma $(if $(CLANG),clang optimize off,GCC optimize("O0"))
 
 .DELETE_ON_ERROR:
 .SUFFIXES:
 .PHONY: tools core icarus FORCE
-tools: $S/tb_core_icarus $(SHARED) $(VERILATED)
+tools: $S/tb_core_icarus $(SHARED) $(VERILATED) $(TRACED)
 core: $K/tb_core
 icarus: $K/tb_core.vvp
 
 $S/obj/flags: FORCE
 	$(call stamp,$(CXX) $(CXXFLAGS) $(ROOT))
 $K/verilator.flags: FORCE
-	$(call stamp,$(VERILATE) $(OPT) $(SOURCES))
+	$(call stamp,$(VERILATE) $(COMPILE) $(SOURCES))
 $K/icarus.flags: FORCE
 	$(call stamp,$(ELABORATE) $(SOURCES))
 
 $S/obj/%.o: tb/core/%.cpp $S/obj/flags
 	@mkdir -p $(@D)
-	$(CXX) $(CXXFLAGS) -MMD -MP -c $< -o $@
+	$(CCACHE) $(CXX) $(CXXFLAGS) -MMD -MP -c $< -o $@
 
 $S/tb_core_icarus: $(SHARED) $S/obj/simulate_icarus.o $(LIB)
 	$(CXX) $^ $(LIBS) -o $@
@@ -81,22 +89,23 @@ $K/tb_core.vvp: tb/core/tb_core_icarus.v $(RTL_FILES) $K/icarus.flags
 	@cat $@.log >&2
 
 # Verilator's warnings are errors; none is waived.
-$K/Vrt_core__ALL.a: $(RTL_FILES) $K/verilator.flags
+$K/core.cpp: $(RTL_FILES) $K/verilator.flags
 	@mkdir -p $(@D)
-	$(VERILATE) --Mdir $(@D) $(SOURCES)
-	$(MAKE) -s -C $(@D) -f Vrt_core.mk -j$(JOBS) OPT_FAST=$(OPT) OPT_SLOW=$(OPT) Vrt_core__ALL.a \
-	    >$(@D)/compile.log || { cat $(@D)/compile.log >&2; exit 1; }
+	@rm -f $K/Vrt_core*
+	$(VERILATE) --Mdir $K $(SOURCES)
+	@cd $K && { printf '#include <%s>\n' $$(ls Vrt_core*.cpp | grep -v __Slow); \
+	    echo '#include "tb/core/simulate_verilator.cpp"'; echo '$(ONCE)'; \
+	    printf '#include <%s>\n' $$(ls Vrt_core*__Slow.cpp); } >$(@F)
 
-$(VERILATED): $S/obj/%.o: $(ROOT)/%.cpp $S/obj/flags
+$K/core.o: $K/core.cpp
+	$(COMPILE) -MMD -MP -c $< -o $@
+
+$(VERILATED) $(TRACED): $S/obj/%.o: $(ROOT)/%.cpp $S/obj/flags
 	@mkdir -p $(@D)
-	$(CXX) -std=c++17 -O2 -w -I$(ROOT) -I$(ROOT)/vltstd -DVM_TRACE=1 -DVM_TRACE_FST=1 \
-	    -DVL_USER_FINISH -c $< -o $@
+	$(CCACHE) $(CXX) -std=c++17 -O2 -w -I$(ROOT) -I$(ROOT)/vltstd -DVL_USER_FINISH \
+	    $(if $(filter %fst_c.cpp,$<),-DVM_TRACE=1 -DVM_TRACE_FST=1) -c $< -o $@
 
-$K/simulate_verilator.o: tb/core/simulate_verilator.cpp $K/Vrt_core__ALL.a
-	$(CXX) $(CXXFLAGS) -I$K -isystem $(ROOT) -isystem $(ROOT)/vltstd -DVM_TRACE=$(WAVES) \
-	    -DVM_TRACE_FST=$(WAVES) -MMD -MP -c $< -o $@
+$K/tb_core: $(SHARED) $K/core.o $(VERILATED) $(TRACED) $(LIB)
+	$(CXX) $^ $(LIBS) $(if $(TRACED),-lz) -o $@
 
-$K/tb_core: $(SHARED) $K/simulate_verilator.o $K/Vrt_core__ALL.a $(VERILATED) $(LIB)
-	$(CXX) $^ $(LIBS) -lz -o $@
-
--include $(wildcard $S/obj/*.d $K/simulate_verilator.d)
+-include $(wildcard $S/obj/*.d $K/core.d)

@@ -16,7 +16,7 @@ set -eu
 cd "$(dirname "$0")/.."
 EFFECTS=${EFFECTS:-all} ENGINES=${ENGINES:-1}
 ROOT_STEP=${ROOT_STEP:-2} QUOTIENT_STEP=${QUOTIENT_STEP:-2}
-SIM=${SIM:-verilator} OPT=${OPT:--O3} WAVES=0
+SIM=${SIM:-verilator} OPT=${OPT:--O2} WAVES=0
 BUILD=${BUILD:-build}
 
 machine= previous=
@@ -39,7 +39,7 @@ target() { # lock, target, variables
         B="$BUILD" "$@" "$goal" >&2
 }
 [ -f "$BUILD/libsphaera.a" ] || make -s B="$BUILD" "$BUILD/libsphaera.a" >&2
-target tools tools PROFILE=standard CORE=all # whatever the environment has
+target tools tools PROFILE=standard CORE=all WAVES=$WAVES # whatever the environment has
 tool=$BUILD/sim/tb_core_icarus
 [ -n "$machine" ] || exec "$tool" "$@"
 
@@ -59,6 +59,8 @@ key=$key$OPT
 [ "$SIM" = verilator ] && goal=core || goal=icarus
 [ -e "$BUILD/sim/$key/tb_core" ] || [ $goal = icarus ] ||
     echo "building the core $key in Verilator: half a minute or so, once" >&2
+command -v clang++ >/dev/null || [ "$SIM" = icarus ] ||
+    echo "no clang++ here (make setup installs it): g++ compiles the core, in twice the time" >&2
 target "$key-$goal" "$goal" PROFILE="$profile" CORE="$core" \
     ENGINES="$ENGINES" ROOT_STEP="$ROOT_STEP" QUOTIENT_STEP="$QUOTIENT_STEP" \
     WAVES="$WAVES" OPT="$OPT" ${RTL:+RTL="$RTL"}

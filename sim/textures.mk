@@ -109,13 +109,13 @@ $(TEX)/$(1).sph: scenes/texture/$(firstword $(subst -, ,$(1))).nff $(TEX_IMAGES)
 
 $(TEX)/$(1).core.json: $(TEX)/$(1).sph $(V_FILES) $(V_HEADS)
 	$$(call say,SIM,$(1))
-	$$(Q)EFFECTS=$(TEX_CORE) OPT=-O2 BUILD=$B JOBS=1 sh sim/core.sh --machine $$< \
+	$$(Q)EFFECTS=$(TEX_CORE) BUILD=$B JOBS=1 sh sim/core.sh --machine $$< \
 	    --json $$@.tmp >$$@.log || { cat $$@.log; exit 1; }
 	@mv $$@.tmp $$@
 
 $(TEX)/$(1)-slow.core.json: $(TEX)/$(1).sph $(V_FILES) $(V_HEADS)
 	$$(call say,SIM,"$(1) with slow memory")
-	$$(Q)EFFECTS=$(TEX_CORE) OPT=-O2 BUILD=$B JOBS=1 sh sim/core.sh --machine $$< \
+	$$(Q)EFFECTS=$(TEX_CORE) BUILD=$B JOBS=1 sh sim/core.sh --machine $$< \
 	    --latency $(TEX_SLOW) --json $$@.tmp >$$@.log || { cat $$@.log; exit 1; }
 	@mv $$@.tmp $$@
 endef

@@ -32,14 +32,20 @@ mutants: suites ## faults put into the RTL and what notices them: all of tests/m
 
 TEST_LIBS = $(call pkg,--libs cmocka) $(MODEL_LIBS)
 
-$B/test/%: tests/%.c $(LIB) $B/flags
-	$(call say,TEST,$(@F))
+$B/test/%.o: tests/%.c $B/flags
+	$(call say,TEST,$(*F))
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(CFLAGS) -MMD -MP -MF $@.d $< $(LIB) $(TEST_LIBS) -o $@
+	$(Q)$(CC) $(CFLAGS) -MMD -MP -c $< -o $@
 
-$B/test/%.sanitized: tests/%.c $B/asan/libsphaera.a $B/flags
-	$(call say,TEST,$(@F))
+$B/test/%.sanitized.o: tests/%.c $B/flags
+	$(call say,TEST,"$(*F) sanitized")
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(CFLAGS) $(SANITIZE) -MMD -MP -MF $@.d $< $B/asan/libsphaera.a $(TEST_LIBS) -o $@
+	$(Q)$(CC) $(CFLAGS) $(SANITIZE) -MMD -MP -c $< -o $@
+
+$(TEST_C:tests/%.c=$B/test/%): %: %.o $(LIB)
+	$(Q)$(CC) -fopenmp $^ $(TEST_LIBS) -o $@
+
+$(TEST_C:tests/%.c=$B/test/%.sanitized): %: %.o $B/asan/libsphaera.a
+	$(Q)$(CC) -fopenmp $(SANITIZE) $^ $(TEST_LIBS) -o $@
 
 -include $(TEST_C:tests/%.c=$B/test/%.d) $(TEST_C:tests/%.c=$B/test/%.sanitized.d)
