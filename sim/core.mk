@@ -42,8 +42,9 @@ SOURCES   := $(RTL_DIRS:%=-I%) $(sort $(filter %.v,$(RTL_FILES)))
 PARAMETERS := $(shell sh sim/profile.sh '$(PROFILE)') $(shell sh sim/parameters.sh '$(CORE)') \
               ENGINES=$(ENGINES) ROOT_STEP=$(ROOT_STEP) QUOTIENT_STEP=$(QUOTIENT_STEP)
 
-SHARED := $(patsubst tb/core/%.cpp,$S/obj/%.o,$(filter-out tb/core/simulate_%.cpp, \
-              $(wildcard tb/core/*.cpp)))
+# What both simulators' harnesses share; tb_counters.cpp is the bench of a block.
+SHARED := $(patsubst tb/core/%.cpp,$S/obj/%.o,$(filter-out tb/core/simulate_%.cpp \
+              tb/core/tb_counters.cpp,$(wildcard tb/core/*.cpp)))
 
 # Verilator's own library, the same for every core; waveforms only where one is written.
 ROOT      := $(shell verilator --getenv VERILATOR_ROOT)/include

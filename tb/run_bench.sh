@@ -50,7 +50,7 @@ build() { # profile, module, bench, parameters
             --x-initial unique $(find rtl -type d | sed 's/.*/-y & -I&/') $generics \
             -Mdir "$dir" $(find rtl -name "$top.v") || return 1
         { # what runs once, before the first clock, is not worth an optimiser's time
-            echo "#include \"tb/$bench.cpp\""
+            find tb -name "$bench.cpp" | sed 's/.*/#include "&"/'
             ls "$dir" | sed '/^V.*cpp$/!d; /__Slow/d; s/.*/#include <&>/'
             case $cxx in
             *clang++) echo '#pragma clang optimize off' ;;

@@ -35,8 +35,9 @@ static inline struct sph_scene model_scene(const char *name) {
 }
 
 /* Scenes of triangles and planes. */
-static const char *const facet_scenes[] = {"tests/facets/mixed.nff", "scenes/facets/plane.nff",
-                                           "scenes/facets/room.nff", "scenes/facets/triangles.nff"};
+static const char *const facet_scenes[] = {"tests/scenes/facets/mixed.nff",
+                                           "scenes/facets/plane.nff", "scenes/facets/room.nff",
+                                           "scenes/facets/triangles.nff"};
 enum { FACET_SCENES = sizeof facet_scenes / sizeof *facet_scenes };
 
 static inline struct sph_scene facet_scene(int n) {

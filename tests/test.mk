@@ -2,18 +2,19 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # A suite is a program or script that prints TAP lines, `ok ...` or `not ok ...`; run.sh counts.
-#   tests/test_*.c    cmocka, linked with the model; runs plain and under the sanitizers
-#   tests/test_*.sh   a script; finds the tool in $SPHAERA, its own empty folder in $TMP
+#   tests/*/test_*.c  cmocka, linked with the model; runs plain and under the sanitizers
+#   tests/*/test_*.sh a script; finds the tool in $SPHAERA, its own empty folder in $TMP
 #   SUITES += path    any other executable, with a rule that makes it
 # `make test ONLY=PATTERN` runs the suites whose file name has the pattern in it.
 
-TEST_C  := $(sort $(wildcard tests/test_*.c))
-TEST_SH := $(sort $(wildcard tests/test_*.sh))
+TEST_C  := $(sort $(wildcard tests/test_*.c tests/*/test_*.c))
+TEST_SH := $(sort $(wildcard tests/test_*.sh tests/*/test_*.sh))
+TEST_RUN := $(patsubst %.c,$B/test/%,$(notdir $(TEST_C)))
 # The longest first: what runs beside them fills their gaps.
-LONG    := tests/test_core.sh tests/test_mutants.sh tests/test_effect_scenes.sh \
-           tests/test_background.sh tests/test_benches.sh tests/test_hard_rtl.sh
+LONG    := tests/core/test_core.sh tests/mutants/test_mutants.sh tests/core/test_effect_scenes.sh \
+           tests/pixel/test_background.sh tests/flow/test_benches.sh tests/hard/test_hard_rtl.sh
 SUITES  += $(LONG) $(filter-out $(LONG),$(TEST_SH)) \
-           $(TEST_C:tests/%.c=$B/test/%) $(TEST_C:tests/%.c=$B/test/%.sanitized) $B/test/test_image
+           $(TEST_RUN) $(TEST_RUN:%=%.sanitized) $B/test/test_image
 ONLY    ?=
 chosen   = $(if $(findstring $(ONLY),$(notdir $(1))),$(1))
 RUN      = $(if $(ONLY),$(foreach s,$(SUITES),$(call chosen,$s)),$(SUITES))
@@ -28,24 +29,25 @@ suites: $(TOOL) $(RUN)
 
 mutants: suites ## faults put into the RTL and what notices them: all of tests/mutants
 	@ALL=1 SPHAERA=$(abspath $(TOOL)) BUILD=$(abspath $B) JOBS=$(JOBS) \
-	    sh tests/run.sh tests/test_mutants.sh
+	    sh tests/run.sh tests/mutants/test_mutants.sh
 
 TEST_LIBS = $(call pkg,--libs cmocka) $(MODEL_LIBS)
 
-$B/test/%.o: tests/%.c $B/flags
-	$(call say,TEST,$(*F))
+vpath test_%.c $(sort $(dir $(TEST_C)))
+$B/test/test_%.o: test_%.c $B/flags
+	$(call say,TEST,test_$*)
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(CFLAGS) -MMD -MP -c $< -o $@
+	$(Q)$(CC) $(CFLAGS) -Itests -MMD -MP -c $< -o $@
 
-$B/test/%.sanitized.o: tests/%.c $B/flags
-	$(call say,TEST,"$(*F) sanitized")
+$B/test/test_%.sanitized.o: test_%.c $B/flags
+	$(call say,TEST,"test_$* sanitized")
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(CFLAGS) $(SANITIZE) -MMD -MP -c $< -o $@
+	$(Q)$(CC) $(CFLAGS) -Itests $(SANITIZE) -MMD -MP -c $< -o $@
 
-$(TEST_C:tests/%.c=$B/test/%): %: %.o $(LIB)
+$(TEST_RUN): %: %.o $(LIB)
 	$(Q)$(CC) -fopenmp $^ $(TEST_LIBS) -o $@
 
-$(TEST_C:tests/%.c=$B/test/%.sanitized): %: %.o $B/asan/libsphaera.a
+$(TEST_RUN:%=%.sanitized): %: %.o $B/asan/libsphaera.a
 	$(Q)$(CC) -fopenmp $(SANITIZE) $^ $(TEST_LIBS) -o $@
 
--include $(TEST_C:tests/%.c=$B/test/%.d) $(TEST_C:tests/%.c=$B/test/%.sanitized.d)
+-include $(TEST_RUN:%=%.d) $(TEST_RUN:%=%.sanitized.d)

@@ -4,7 +4,7 @@
 #   make study                   every job that has no result that counts, then the page
 #   make study KINDS=accuracy    only jobs of these kinds (joined by commas), then the page
 #   make study-page              the page from the results that are there; the rest is a dash
-#   make study-short             some small jobs and no page: what tests/test_study.sh runs
+#   make study-short             some small jobs and no page: what tests/lab/test_study.sh runs
 #   make study RESULTS=folder    results elsewhere: put folders of several machines together
 # sim/study/points.py says which runs these are, sim/study/jobs.py how a result is kept. Place and
 # route: nextpnr-ecp5 of the PATH, or make study-pnr, which takes a pinned one into build/study/venv

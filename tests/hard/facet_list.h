@@ -2,8 +2,8 @@
  * model
  * SPDX-License-Identifier: Apache-2.0
  *
- * The bench of the RTL reads it (tb/tb_facet.cpp): every vector that is judged, in the same order,
- * with the axes turned and the corners exchanged as they are there.
+ * The bench of the RTL reads it (tb/trace/tb_facet.cpp): every vector that is judged, in the same
+ * order, with the axes turned and the corners exchanged as they are there.
  */
 #ifndef HARD_FACET_LIST_H
 #define HARD_FACET_LIST_H

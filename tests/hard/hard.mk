@@ -32,7 +32,7 @@ hard-lists: $B/test/hard ## lists of docs/hard_cases.md: cases, families, faults
 	        cp $B/test/hard.page docs/hard_cases.md || exit 1; done
 
 hard-rtl: $(LIB) $B/test/libhard.a ## faults in the RTL that the named cases notice: all of the list
-	@ALL=1 BUILD=$(abspath $B) JOBS=$(JOBS) sh tests/run.sh tests/test_hard_rtl.sh
+	@ALL=1 BUILD=$(abspath $B) JOBS=$(JOBS) sh tests/run.sh tests/hard/test_hard_rtl.sh
 
 .PHONY: hard hard-page hard-lists hard-rtl hard-pictures
 $B/test/obj/%.o: %.c $B/flags
@@ -71,8 +71,9 @@ $B/test/hard-pictures: $(PICTURES_C:%.c=$B/test/obj/%.o) $B/test/libhard.a $(IMA
 	$(Q)$(CXX) -fopenmp $^ $(IMAGE_LIBS) $(MODEL_LIBS) -o $@
 
 # the suite runs all three
-tests/test_hard.sh: | $B/test/hard $B/test/hard.sanitized $B/test/hard-pictures
-tests/test_benches.sh tests/test_mutants.sh tests/test_hard_rtl.sh: | $B/test/libhard.a
+tests/hard/test_hard.sh: | $B/test/hard $B/test/hard.sanitized $B/test/hard-pictures
+tests/flow/test_benches.sh tests/mutants/test_mutants.sh \
+    tests/hard/test_hard_rtl.sh: | $B/test/libhard.a
 
 -include $(HARD_C:%.c=$B/test/obj/%.d) $(PICTURES_C:%.c=$B/test/obj/%.d) \
          $(HARD_C:%.c=$B/test/asan/%.d)

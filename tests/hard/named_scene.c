@@ -63,7 +63,7 @@ void named_scene(struct named *n, const char *name) {
                                   .shadow = 1,
                                   .reflect = 1};
     struct sph_build_report report;
-    if (n->list) return; /* runs of tests/test_core.sh */
+    if (n->list) return; /* runs of tests/core/test_core.sh */
     snprintf(path, sizeof path, "%s/%s.nff", n->scenes, name);
     int failed = sph_scene_read(path, &read, &scene, &err);
     if (!strcmp(name, "identical")) {

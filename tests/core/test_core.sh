@@ -1,0 +1,176 @@
+#!/bin/sh
+# test_core.sh - whole frames of the RTL core equal the golden model's, in two simulators
+# SPDX-License-Identifier: Apache-2.0
+#
+# Every scene of scenes/ in every profile: three colours, id, key and visits of each pixel, and the
+# counters; with random memory latency and 30 % stalls on every handshake. Then the scenes of
+# tests/hard, EFFECTS at run time, two engines, and machines that are broken on purpose. Cores with
+# less than everything: test_effect_scenes.sh.
+#   SEED=n        other latencies and stalls (1)
+#   CORE=pattern  only the runs whose name has the pattern in it
+set -u
+. "$(dirname "$0")/../tap.sh"
+. "$(dirname "$0")/../core_runs.sh"
+cd "$(dirname "$0")/../.." || exit 1
+start core
+# Name, list, settings of core.sh, machine, options.
+wanted() { case $1 in *"$CORE"*) run "$@" ;; esac }
+# Simulator, size, profiles: every scene.
+frames() {
+    sim=$1 size=$2
+    shift 2
+    for profile; do
+        for machine in "$machines"/*-"$profile-$size.sph"; do
+            scene=$(basename "$machine" "-$profile-$size.sph")
+            wanted "$sim $scene $profile $size" all "SIM=$sim" "$machine"
+        done
+    done
+}
+# Exit code, what the last line of output must have, command.
+fails_with() {
+    want=$1 pattern=$2
+    shift 2
+    "$@" >"$TMP/out" 2>&1
+    [ $? -eq "$want" ] && grep -q "$pattern" "$TMP/out" && rc=0 || rc=1
+    tap $rc "$pattern" "$TMP/out"
+}
+# Name, expected bits, options: the sticky bits are set, every pixel arrives, nothing hangs.
+broken() {
+    fault=$1 bits=$2
+    shift 2
+    for sim in verilator icarus; do
+        wanted "$sim broken: $fault" all "SIM=$sim" "$machines/paper100-draft-16x12.sph" \
+            --expect-errors "$bits" --watchdog 20000 "$@"
+    done
+}
+
+# A profile may refuse a scene, and says which one would do.
+for scene in scenes/*.nff; do
+    scene_name=$(basename "$scene" .nff)
+    for profile in draft standard fine reference; do
+        for size in 32x24 16x12; do
+            "$SPHAERA" build "$scene" --profile $profile --size $size \
+                -o "$machines/$scene_name-$profile-$size.sph" >"$TMP/build" 2>&1 && continue
+            check "$scene_name $profile $size: refused with advice" grep 'would do' "$TMP/build"
+        done
+    done
+done
+
+frames verilator 32x24 draft standard fine reference
+frames icarus 32x24 draft
+frames icarus 16x12 standard fine reference
+
+# Hard cases that are scenes; the one of two equal spheres is refused.
+hard=$machines/hard
+rm -rf "$hard"
+mkdir -p "$hard"
+for scene in tests/hard/scenes/*.nff; do
+    scene_name=$(basename "$scene" .nff)
+    for profile in draft standard fine reference; do
+        file=$hard/$scene_name-$profile.sph
+        "$SPHAERA" build "$scene" --profile $profile --size 16x12 -o "$file" >"$TMP/build" 2>&1 || {
+            check "hard case $scene_name $profile: refused" grep 'the same sphere' "$TMP/build"
+            continue
+        }
+        wanted "verilator hard case $scene_name $profile" all SIM=verilator "$file"
+        [ $profile != draft ] || wanted "icarus hard case $scene_name" all SIM=icarus "$file"
+    done
+done
+
+# Bits of EFFECTS: 1 shadow, 2 reflect, 4 inside, 8 first, 16 interpenetrate. The paper's tree puts
+# spheres into any order, so its first hit is often not the nearest, and pixels start again.
+overlap=$machines/overlap-draft
+for size in 32x24 16x12; do
+    "$SPHAERA" build scenes/interpenetrating.nff --profile draft --tree paper --size $size \
+        -o "$overlap-$size.sph" >"$TMP/build" 2>&1 || check "overlap $size" cat "$TMP/build"
+done
+for bits in 0 3 9 13 15 16 23 28 30 31; do
+    for scene in overlap inside paper100 sphereflake2; do
+        wanted "verilator effects $bits $scene" all SIM=verilator \
+            "$machines/$scene-draft-32x24.sph" --reg 0=$bits
+    done
+done
+for bits in 3 28 31; do
+    wanted "icarus effects $bits overlap" all SIM=icarus "$overlap-16x12.sph" --reg 0=$bits
+    wanted "icarus effects $bits inside" all SIM=icarus "$machines/inside-draft-16x12.sph" \
+        --reg 0=$bits
+done
+wanted "verilator effects 31 overlap two engines" all ENGINES=2 "$overlap-32x24.sph" --reg 0=31
+wanted "verilator sphereflake2 draft two engines" all ENGINES=2 \
+    "$machines/sphereflake2-draft-32x24.sph"
+wanted "verilator sphereflake2 standard warm caches" all SIM=verilator \
+    "$machines/sphereflake2-standard-32x24.sph" --warm
+# Triangles and planes: every profile; two engines; a core without rays inside spheres; lines that
+# no machine has, which model and core take in the same way. The spheres above had the same core.
+facets=$machines/facets
+for profile in draft standard fine reference; do
+    "$SPHAERA" build tests/scenes/facets/mixed.nff --profile $profile --size 8x6 --depth 1 \
+        -o "$facets-$profile.sph" >"$TMP/build" 2>&1 || check "facets $profile" cat "$TMP/build"
+    wanted "verilator facets $profile" all SIM=verilator "$facets-$profile.sph"
+done
+wanted "icarus facets draft" all SIM=icarus "$facets-draft.sph"
+wanted "verilator facets two engines" all ENGINES=2 "$facets-draft.sph"
+wanted "verilator facets standard warm caches" all SIM=verilator "$facets-standard.sph" --warm
+"$SPHAERA" build scenes/facets/triangles.nff --profile draft --size 5x4 --depth 1 \
+    -o "$facets-only.sph" >"$TMP/build" 2>&1 || check "facets without spheres" cat "$TMP/build"
+wanted "icarus facets without spheres" auto SIM=icarus "$facets-only.sph"
+for poke in 2:254:2=3 2:72:24=0 3:240:14=0x3fff; do # line 2, 3: the planes below the root
+    wanted "verilator facets poke $poke" all SIM=verilator "$facets-draft.sph" --poke $poke
+done
+wanted "verilator facets poke mixed kinds" all SIM=verilator "$facets-draft.sph" \
+    --poke 2:254:2=0 --poke 3:254:2=1
+broken "root is its own child" 4 --poke 0:224:26=0 --reg 29=12
+broken "child beyond memory" 1 --poke 0:224:26=0x3ffffff
+broken "five children" 1 --poke 0:250:6=0x0c
+broken "root beyond memory" 1 --reg 25=0x3ffffff
+broken "visits run out" 4 --reg 29=3
+broken "records beyond memory" 1 --reg 26=0x3000000
+broken "visits of probes run out" 4 --reg 29=3 --reg 0=31
+broken "records of probes beyond memory" 1 --reg 26=0x3000000 --reg 0=31
+broken "wrong profile" 32 --reg 30=1
+broken "bus error at the first line" 8 --bus-error-at 0
+broken "bus error later" 8 --bus-error-at 9
+
+# One width of its own, each knob once; the core is built with what the scene asks for.
+for knob in w=14 wd=19 pq=11 ng=0 fw=9 pr=12; do
+    file=$machines/turned-$knob.sph
+    "$SPHAERA" build scenes/inside.nff --profile standard:$knob --size 32x24 -o "$file" \
+        >"$TMP/build" 2>&1 || check "standard:$knob" cat "$TMP/build"
+    wanted "verilator inside standard:$knob" auto SIM=verilator "$file"
+done
+short=$machines/short.sph
+"$SPHAERA" build scenes/interpenetrating.nff --profile draft:wd=14,ng=1,pr=7 --size 16x12 \
+    -o "$short" >"$TMP/build" 2>&1 || check "draft:wd=14,ng=1,pr=7" cat "$TMP/build"
+wanted "icarus interpenetrating draft:wd=14,ng=1,pr=7" auto SIM=icarus "$short"
+
+# Other bits a clock: the same frame and counters, other cycles.
+"$SPHAERA" build scenes/paper5.nff --profile draft --size 16x12 -o "$machines/steps.sph" \
+    >"$TMP/build" 2>&1 || check "steps" cat "$TMP/build"
+for steps in "ROOT_STEP=2 QUOTIENT_STEP=2" "ROOT_STEP=5 QUOTIENT_STEP=2" \
+    "ROOT_STEP=2 QUOTIENT_STEP=1"; do
+    wanted "icarus paper5 $steps" auto "SIM=icarus $steps" "$machines/steps.sph"
+done
+
+build_cores
+run_all
+judge
+
+cycles() { # steps: cycles of the same stimulus
+    env BUILT=1 EFFECTS=auto SIM=icarus "$@" sh sim/core.sh --machine "$machines/steps.sph" |
+        sed -n 's/^core .* 0 mismatches, \([0-9]*\) cycles.*/\1/p'
+}
+fewer() { echo "$1 $2" && [ "$1" -gt 0 ] && [ "$1" -lt "$2" ]; }
+[ -n "$CORE" ] || {
+    usual=$(cycles ROOT_STEP=2 QUOTIENT_STEP=2)
+    check "roots of 5 bits a clock take fewer cycles" fewer \
+        "$(cycles ROOT_STEP=5 QUOTIENT_STEP=2)" "$usual"
+    check "quotients of 1 bit a clock take more" fewer "$usual" \
+        "$(cycles ROOT_STEP=2 QUOTIENT_STEP=1)"
+}
+
+# Two profiles without a name, the machine of one on the core of the other.
+[ -n "$CORE" ] || for built in "$BUILD"/sim/standard_pq11-*-O0/tb_core; do
+    fails_with 3 "refused: the core sets wrong_profile and gives no pixel; the machine was built \
+for profile standard:pr=12" "$built" --machine "$machines/turned-pr=12.sph"
+done
+done_testing

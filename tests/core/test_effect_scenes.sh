@@ -1,0 +1,176 @@
+#!/bin/sh
+# test_effect_scenes.sh - a core with just what a scene asks for draws what the whole core draws
+# SPDX-License-Identifier: Apache-2.0
+#
+# Every scene of scenes/effects/, listed with its options and what it asks for in effects.txt:
+#   - build finds that list, and with everything forced on the model draws the same picture;
+#   - cores elaborated for exactly that list, and with everything, equal the model bit for bit, in
+#     Verilator (32x24) and in Icarus (12x9), with random latency and 30 % stalls;
+#   - the two cores' frames are equal in every field, and in counters and error bits.
+# Every way of background separation on one of scenes/views/ (test_background.sh has more). Then
+# machines that ask for more than a core was built with: each is refused, by name, without a pixel.
+#   SEED=n          other latencies and stalls (1)
+#   EFFECT=pattern  only what has the pattern in its name
+set -u
+. "$(dirname "$0")/../tap.sh"
+. "$(dirname "$0")/../core_runs.sh"
+cd "$(dirname "$0")/../.." || exit 1
+SEED=${SEED:-1}
+BUILD=${BUILD:-build}
+EFFECT=${EFFECT:-}
+export BUILD OPT=-O0 JOBS=1
+echo "# SEED=$SEED; one run again: SEED=$SEED EFFECT=NAME make test ONLY=test_effect_scenes"
+here=$BUILD/test/effects
+cases=$TMP/cases
+
+# ---- what is drawn: NAME|SCENE|OPTIONS|LIST ----
+view_asks=shadow+reflect2+lights1+inside
+{
+    grep -v '^ *\(#\|$\)' scenes/effects/effects.txt | while read -r title options list; do
+        [ "$options" != - ] || options=
+        echo "$title|scenes/effects/$title.nff|$(echo "$options" | tr , ' ')|$list"
+    done
+    echo "first|scenes/effects/none.nff|--traverse=first|first"
+    for way in rect spans exact; do
+        echo "off_axis_$way|scenes/views/off_axis.nff|--background=$way|$view_asks+$way"
+    done | sed 's/exact$/cones1/'
+} | grep -e "$EFFECT" >"$cases"
+
+# Scene, size, machine, options: the command that builds it.
+build() {
+    echo "$SPHAERA build $1 --profile draft --size $2 -o $3 $4"
+}
+rm -rf "$here"
+mkdir -p "$here"
+while IFS='|' read -r title scene options list; do
+    more="$options --shadow=on --reflect=on --inside=on"
+    case $options in *--traverse=first*) more="$more --interpenetrate=on" ;; esac
+    echo "$(build "$scene" 32x24 "$here/$title.sph" "$options") &&" \
+        "$(build "$scene" 12x9 "$here/$title-small.sph" "$options") &&" \
+        "$(build "$scene" 32x24 "$here/$title-forced.sph" "$more")"
+done <"$cases" | two_at_a_time
+asks_for() { # list, machine, log of build
+    now=$(asked_for "$2")
+    echo "asks for ${now#* }, listed is $1" | cat - "$3"
+    [ "${now#* }" = "$1" ]
+}
+number=0
+while IFS='|' read -r title scene options list; do
+    number=$((number + 1))
+    machine=$here/$title
+    check "$title: asks for $list" asks_for "$list" "$machine.sph" "$TMP/$number.log"
+    for core in "$list" all; do
+        run "$title: verilator, core $core" "$core" SIM=verilator "$machine.sph" \
+            --frame "$machine-verilator-$core.frame" --model-frame "$machine-$core.frame"
+        run "$title: icarus, core $core" "$core" SIM=icarus "$machine-small.sph" \
+            --frame "$machine-icarus-$core.frame"
+    done
+    run "$title: verilator, core all, everything forced on" all SIM=verilator \
+        "$machine-forced.sph" --model-frame "$machine-forced.frame"
+done <"$cases"
+
+# ---- more spheres of background separation than the whole core is built with ----
+machine=$here/levels.sph
+$(build scenes/views/centred.nff 12x9 "$machine" "--background=exact --bg-levels=1") >"$TMP/levels"
+levels=$(asked_for "$machine" | cut -d' ' -f2)
+run "levels: icarus, core $levels" "$levels" SIM=icarus "$machine"
+
+# ---- a core without one effect draws what does not ask for it: the longest such list ----
+all_but() { # name
+    awk -F'|' -v but="$1" '{
+        n = split($4, word, "+")
+        for (i = 1; i <= n; i++) if (word[i] ~ "^" but "[0-9]*$") next
+        if (n > most) { most = n; name = $1 }
+    } END { print name }' "$cases"
+}
+for but in $(sh sim/parameters.sh --names all); do
+    title=$(all_but $but)
+    [ -z "$title" ] || run "$title: icarus, core all-$but" all-$but SIM=icarus \
+        "$here/$title-small.sph"
+done
+
+# ---- what is refused: core, what it lacks, registers EFFECTS MAX_DEPTH N_LIGHTS BG_MODE BG_COUNT
+cat >"$TMP/refused" <<END
+none|reflect1|2 1 0 0 0
+none|reflect1|0 1 0 0 0
+none|lights1|0 0 1 0 0
+none|rect|0 0 0 1 0
+none|spans|0 0 0 2 0
+none|cones1|0 0 0 3 1
+none|shadow, lights8 and rect|1 0 8 1 0
+shadow+reflect2+lights1|reflect3|3 3 1 0 0
+shadow+reflect2+lights1|lights2|3 2 2 0 0
+shadow+reflect2+lights1|inside and spans|7 2 1 2 0
+all|cones2|31 5 8 3 2
+all-shadow|shadow|31 5 8 1 0
+all-reflect|reflect5|31 5 8 1 0
+all-lights|lights8|31 5 8 1 0
+all-inside|inside and interpenetrate|31 5 8 1 0
+all-first|first and interpenetrate|31 5 8 1 0
+all-interpenetrate|interpenetrate|31 5 8 1 0
+all-facets|facets|39 5 8 1 0
+all-rect|rect|31 5 8 1 0
+all-spans|spans|31 5 8 2 0
+all-cones|cones1|31 5 8 3 1
+all|texture|95 5 8 3 1
+all|refract, specular and sum|927 5 8 3 1
+END
+# each bit by itself, and the first that means nothing
+awk -f cmodel/machine/effects.awk -f - cmodel/machine/machine.def >>"$TMP/refused" <<'END'
+END {
+    for (i = 1; i <= words; i++)
+        if (bit[i] >= 0) print "none|" word[i] (most[i] > 1 ? 1 : "") "|" 2 ^ bit[i] " 0 0 0 0"
+    print "all||" 2 ^ bits " 0 0 0 0"
+}
+END
+$(build scenes/one_sphere.nff 8x8 "$here/bare.sph" "") >"$TMP/bare" 2>&1 || cat "$TMP/bare"
+refused() ( # simulator, core, words, registers
+    # shellcheck disable=SC2086  # five numbers
+    set -- "$1" "$2" "$3" $4
+    command="env SIM=$1 EFFECTS=$2 sh sim/core.sh --machine $here/bare.sph"
+    registers="--reg 0=$4 --reg 1=$5 --reg 2=$6 --reg 9=$7 --reg 98=$8"
+    echo "$1|$2|$3|$command|$registers"
+)
+while IFS='|' read -r core words registers; do
+    refused icarus "$core" "$words" "$registers"
+    # one effect at a time: the small core and the whole one are enough
+    case $core in all-*) ;; *) refused verilator "$core" "$words" "$registers" ;; esac
+done <"$TMP/refused" | grep -e "$EFFECT" >"$TMP/refusals"
+
+build_cores
+cut -d'|' -f4 "$TMP/refusals" | sed 's/$/ --info/' | sort -u | two_at_a_time
+run_all
+judge
+
+# ---- exact and whole: the same in every field, forced on in every colour, id and key ----
+while IFS='|' read -r title scene options list; do
+    for sim in verilator icarus; do
+        echo "$title: $sim, frames of cores $list and all are equal|$SPHAERA compare" \
+            "$here/$title-$sim-$list.frame $here/$title-$sim-all.frame"
+    done
+    echo "$title: the model's frame with everything forced on is equal|$SPHAERA compare" \
+        "--ignore-work $here/$title-all.frame $here/$title-forced.frame"
+done <"$cases" >"$TMP/compares"
+cut -d'|' -f2 "$TMP/compares" | two_at_a_time
+number=0
+while IFS='|' read -r title command; do
+    number=$((number + 1))
+    tap "$(cat "$TMP/$number.rc")" "$title" "$TMP/$number.log"
+done <"$TMP/compares"
+
+# ---- refused: by name, without a pixel, the error bit stays, and again when started again ----
+while IFS='|' read -r sim core words command registers; do
+    echo "$command $registers; [ \$? = 3 ] && $command $registers --warm --expect-errors 16"
+done <"$TMP/refusals" | two_at_a_time
+number=0
+while IFS='|' read -r sim core words command registers; do
+    number=$((number + 1))
+    why="refused: the machine asks for $words, the core was built with $core"
+    [ -n "$words" ] || why="refused: the core sets missing_effect and gives no pixel"
+    [ "$(cat "$TMP/$number.rc")" = 0 ] &&
+        [ "$(sort -u "$TMP/$number.log" | grep -c '^refused:')" = 1 ] &&
+        grep -qFx "$why" "$TMP/$number.log" &&
+        grep -q ': 64 pixels, 0 mismatches, 0 cycles' "$TMP/$number.log" && rc=0 || rc=1
+    tap $rc "$sim, core $core refuses what asks for ${words:-an unknown effect}" "$TMP/$number.log"
+done <"$TMP/refusals"
+done_testing

@@ -1,0 +1,9 @@
+#!/bin/sh
+# test_benches.sh - every block of the RTL against its model, tb/benches*.txt
+# SPDX-License-Identifier: Apache-2.0
+#
+#   SEED=n  other vectors (1)
+cd "$(dirname "$0")/../.." || exit 1
+BENCH_BUILD=${BUILD:-build} BENCH_JOBS=${JOBS:-2} BENCH_OPT=-O1
+export BENCH_BUILD BENCH_JOBS BENCH_OPT
+exec sh tb/run_bench.sh / "${SEED:-1}"

@@ -1,0 +1,105 @@
+#!/bin/sh
+# test_budget.sh - the standard core for ecp5 stays within its budgets: everything on, nothing on
+# SPDX-License-Identifier: Apache-2.0
+#
+# Synthesises both if a source changed (two minutes), and shows that the check can fail: a budget
+# that is one multiplier or one LUT short, or names what is not there, is noticed. Then: what a core
+# is not built for is not in it, by the modules of the elaborated core.
+set -u
+. "$(dirname "$0")/../tap.sh"
+cd "$(dirname "$0")/../.." || exit 1
+BUILD=${BUILD:-build}
+key=standard-ecp5-all-engines1
+run=$BUILD/synth/$key
+
+if ! command -v yosys >"$TMP/yosys"; then
+    echo "ok 1 - # SKIP no yosys"
+    echo "1..1"
+    exit 0
+fi
+check "synthesis; no loop, no undriven net" \
+    env -u MAKEFLAGS -u MFLAGS make -s -j2 -f synth/area.mk results B="$BUILD" \
+    PROFILES=standard EFFECTS="all none"
+none=$BUILD/synth/standard-ecp5-none-engines1
+[ -f "$run/stat.json" ] && [ -f "$none/stat.json" ] || {
+    done_testing
+    exit 1
+}
+
+python3 synth/budget.py "$run" synth/budget.txt >"$TMP/budget"
+python3 synth/budget.py "$none" synth/budget_none.txt | sed 's/ecp5/& none:/' >"$TMP/none"
+while read -r line; do
+    case $line in ok*) rc=0 ;; *) rc=1 ;; esac
+    echo "$line" >"$TMP/line"
+    tap $rc "${line#*- }" "$TMP/line"
+done <<END
+$(cat "$TMP/budget" "$TMP/none")
+END
+
+over() { ! python3 synth/budget.py "$run" "$1" && [ "$2" = "$(python3 synth/budget.py "$run" \
+    "$1" | grep -c '^not ok')" ]; }
+core=$(sed -n 's/.* rt_core: \([0-9]*\) of [0-9]* MULT18X18D, \([0-9]*\) of .*/\1 \2/p' \
+    "$TMP/budget")
+mult=${core% *} lut4eq=${core#* }
+echo "rt_core $mult $lut4eq" >"$TMP/exact"
+check "what the core takes is within a budget of just that" \
+    python3 synth/budget.py "$run" "$TMP/exact"
+echo "rt_core $((mult - 1)) $lut4eq" >"$TMP/multiplier"
+check "one multiplier too many is noticed" over "$TMP/multiplier" 1
+echo "rt_core $mult $((lut4eq - 1))" >"$TMP/lut"
+check "one LUT4 too many is noticed" over "$TMP/lut" 1
+echo "rt_nowhere 1 1" >"$TMP/nowhere"
+check "a module that is gone is noticed" over "$TMP/nowhere" 1
+check "no latch" sh -c "! grep '^Latch inferred' '$run/log'"
+check "no memory but the block and distributed ones fell apart" sh -c \
+    "! grep 'using FF mapping for memory' '$run/log'"
+check "every rt_slot_ram is block RAM, every rt_slot_file distributed" python3 -c "
+import sys; sys.path.insert(0, 'synth'); import results
+m = results.read('$run')['modules']
+ram, words = m['rt_slot_ram']['own'], m['rt_slot_file']['own']
+print(ram, words)
+assert ram['ff'] == 0 and ram['dpr'] == 0 and ram['bram'] >= m['rt_slot_ram']['instances']
+assert words['ff'] == 0 and words['bram'] == 0 and words['dpr'] >= m['rt_slot_file']['instances']"
+
+# ---- list of a core, modules that are in the whole core and must not be in this one ----
+{
+    sh synth/modules.sh all+texture
+    sh synth/modules.sh all+texture+refract+specular+sum
+} | sort -u >"$TMP/all"
+absent() { # list, modules
+    sh synth/modules.sh "$1" >"$TMP/here" || return 1
+    printf '%s\n' $2 | sort >"$TMP/absent"
+    echo "not in the whole core:" && ! comm -23 "$TMP/absent" "$TMP/all" | grep . || return 1
+    echo "in the core $1:" && ! comm -12 "$TMP/absent" "$TMP/here" | grep .
+}
+lights='rt_lights rt_lambert rt_light_add'
+mirrors='rt_mirrors rt_bounce rt_blend'
+ways='rt_background rt_table rt_spans rt_cone'
+point='rt_hit rt_normalise rt_quotient rt_quotient_pool'
+texture='rt_texture rt_texture_path rt_texture_map rt_texture_image rt_texture_mix'
+bend='rt_rays rt_refract'
+shine='rt_shine rt_gloss rt_power_rom'
+while IFS='|' read -r list modules; do
+    check "core $list has no $modules" absent "$list" "$modules"
+done <<END
+all|$texture $bend $shine rt_shares rt_share
+lights1+inside+refract|rt_blends rt_blend $shine
+lights1+sum|rt_blends $mirrors $bend $shine
+all-reflect|rt_blend
+all-lights|$lights
+all-inside|rt_probe
+all-first|rt_probe
+all-interpenetrate|rt_probe
+all-facets|rt_facet rt_divide_pool
+all-spans|rt_spans
+all-cones|rt_cone
+lights1|$mirrors rt_probe $ways
+reflect1|$lights rt_probe $ways
+inside+first|$lights $mirrors rt_probe $point $ways
+texture|$lights $mirrors rt_probe $ways
+rect|$lights $mirrors rt_probe $point $ways
+none|$lights $mirrors rt_probe $point $ways
+END
+noticed() { ! absent lights1 rt_lights && ! absent none rt_nowhere; }
+check "a module that is there is noticed, and one that is gone for good" noticed
+done_testing

@@ -1,0 +1,35 @@
+#!/bin/sh
+# test_generated.sh - generated files equal what their generators make today
+# SPDX-License-Identifier: Apache-2.0
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+n=0
+echo 1..10
+same() { # name, committed file, fresh file
+    n=$((n + 1))
+    if diff -u "$2" "$3"; then echo "ok $n - $1"; else echo "not ok $n - $1: see make layout"; fi
+}
+sh sim/layout.sh "$TMP" || exit 1
+for file in cmodel/machine/layout.h rtl/core/rt_layout.vh rtl/core/rt_core.v \
+    tb/core/tb_core_icarus.v; do
+    same "${file##*/} follows machine.def" $file "$TMP/${file##*/}"
+done
+
+${CC:-gcc} -std=c11 -O2 -Icmodel cmodel/math/gen_rsqrt.c -lm -o "$TMP/gen_rsqrt" || exit 1
+"$TMP/gen_rsqrt" c >"$TMP/rsqrt_table.h"
+"$TMP/gen_rsqrt" v >"$TMP/rt_rsqrt_rom.v"
+same "rsqrt_table.h follows gen_rsqrt.c" cmodel/math/rsqrt_table.h "$TMP/rsqrt_table.h"
+same "rt_rsqrt_rom.v follows gen_rsqrt.c" rtl/math/rt_rsqrt_rom.v "$TMP/rt_rsqrt_rom.v"
+
+${CC:-gcc} -std=c11 -O2 -Icmodel cmodel/texture/gen_log2.c -lm -o "$TMP/gen_log2" || exit 1
+"$TMP/gen_log2" c >"$TMP/log2_table.h"
+"$TMP/gen_log2" v >"$TMP/rt_log2_rom.v"
+same "log2_table.h follows gen_log2.c" cmodel/texture/log2_table.h "$TMP/log2_table.h"
+same "rt_log2_rom.v follows gen_log2.c" rtl/texture/rt_log2_rom.v "$TMP/rt_log2_rom.v"
+
+${CC:-gcc} -std=c11 -O2 -Icmodel cmodel/shade/gen_power.c -lm -o "$TMP/gen_power" || exit 1
+"$TMP/gen_power" >"$TMP/power_table.h"
+same "power_table.h follows gen_power.c" cmodel/shade/power_table.h "$TMP/power_table.h"
+${CC:-gcc} -std=c11 -O2 -Icmodel cmodel/shade/gen_power_rom.c -o "$TMP/gen_power_rom" || exit 1
+"$TMP/gen_power_rom" >"$TMP/rt_power_rom.v"
+same "rt_power_rom.v follows power_table.h" rtl/shade/rt_power_rom.v "$TMP/rt_power_rom.v"

@@ -1,0 +1,187 @@
+#!/bin/sh
+# test_hard.sh - hard cases: named, generated, resumed; faults in the model are noticed
+# SPDX-License-Identifier: Apache-2.0
+#
+# Each mutant of tests/hard/mutants.txt is one edit in a copy of one file of the model, linked with
+# the objects of `hard`, and run on the named case that must notice it; or linked with the test that
+# must fail.
+#   MUTANT=pattern  only mutants whose name has the pattern in it
+set -u
+self=$0
+. "$(dirname "$0")/../tap.sh"
+. "$(dirname "$0")/../edit.sh"
+cd "$(dirname "$0")/../.." || exit 1
+BUILD=${BUILD:-build}
+export BUILD TMP
+hard=$BUILD/test/hard
+libs=$(pkg-config --libs jansson expat gmp mpfr)
+
+# A job file: name, file, from, to, and the number of a case or the name of a test.
+# 0: noticed, 1: not noticed, 2: could not be run.
+job() {
+    job=$1
+    {
+        IFS= read -r name
+        IFS= read -r file
+        IFS= read -r FROM
+        IFS= read -r TO
+        IFS= read -r by
+    } <"$job"
+    NEW=$job.new
+    export FROM TO NEW
+    cp "cmodel/$file" "$job.c" && edit "$job.c" || return 2
+    case $by in
+    test_*) set -- -Itests "$(find tests -name "$by.c")" -lcmocka ;;
+    *) set -- "$BUILD"/test/obj/tests/hard/*.o "$BUILD/obj/cmodel/tool/progress.o" ;;
+    esac
+    # shellcheck disable=SC2086  # a list of words on purpose
+    gcc -std=c11 -D_GNU_SOURCE -O1 -w -Icmodel "-Icmodel/${file%/*}" -fopenmp \
+        "$job.c" "$@" "$BUILD/libsphaera.a" $libs -lm -o "$job.run" || return 2
+    case $by in test_*) set -- ;; *) set -- --named="$by" ;; esac
+    timeout 60 "$job.run" "$@"
+    rc=$?
+    case $job in */001.job) ;; *) rm -f "$job.run" ;; esac
+    [ $rc -le 1 ] && return $((1 - rc))
+    return 2
+}
+if [ "${1:-}" = --job ]; then
+    job "$2" >"$2.log" 2>&1
+    echo $? >"$2.rc"
+    exit 0
+fi
+
+# ---- named cases ----
+"$hard" --named >"$TMP/named" 2>&1
+awk -v at="$TMP/named." '/^(not )?ok /{ n++ } { print >(at (n + 0)) }' "$TMP/named"
+names=$(grep -cE '^(not )?ok ' "$TMP/named")
+for n in $(seq "$names"); do
+    IFS= read -r line <"$TMP/named.$n"
+    case $line in
+    ok*) tap 0 "case ${line#ok }" "$TMP/named.$n" ;;
+    *) tap 1 "case ${line#not ok }" "$TMP/named.$n" ;;
+    esac
+done
+all_named() { [ "$names" -eq 69 ]; }
+check "69 named cases" all_named
+block() { # what stands behind a mark of a page
+    sed -n "/^<!-- $1 -->\$/,/^<!-- end -->\$/p" "docs/${2:-hard_cases}.md" | sed '1d;$d'
+}
+listed() { # as --list prints
+    "$hard" --list >"$TMP/list"
+    block list | diff - "$TMP/list"
+}
+check "docs/hard_cases.md lists them: make hard-lists" listed
+faults() {
+    awk -f tests/hard/faults.awk tests/hard/mutants.txt tests/hard/rtl_mutants.txt >"$TMP/faults"
+    block faults | diff - "$TMP/faults"
+}
+check "docs/hard_cases.md lists the faults: make hard-lists" faults
+campaign() { # 10^8 cases a profile, every family in each, nothing wrong
+    "$hard" --list | sed -n 's/^| `\([a-z0-9_]*\)` .*/\1/p' >"$TMP/families"
+    block campaign | awk -F ' *[|] *' -v families="$(wc -l <"$TMP/families")" '
+        NR == FNR { family[$1]; next }
+        $6 ~ "/" && ($6 != "0/0/0" || $7 != 0) { print; bad = 1 }
+        $2 in family { rows[$3]++; cases[$3] += $4 }
+        END {
+            for (p in cases) {
+                n++
+                if (rows[p] != families || cases[p] < 1e8) { print p, rows[p], cases[p]; bad = 1 }
+            }
+            exit bad || n != 4
+        }' "$TMP/families" -
+}
+check "docs/hard_cases.md: 10^8 cases a profile in every family, 0 wrong" campaign
+pictures() { # the same pixels and counts; the model shows no other sphere
+    mkdir -p "$TMP/pictures" || return 1
+    "$hard-pictures" tests/hard/pictures "$TMP/pictures" >"$TMP/counts" || return 1
+    block counts hard_pictures | diff - "$TMP/counts" || return 1
+    for file in "$TMP"/pictures/*.png docs/pictures/hard_*.png; do
+        picture=$(basename "$file")
+        "$SPHAERA" compare "docs/pictures/$picture" "$TMP/pictures/$picture" || return 1
+    done
+}
+check "docs/hard_pictures.md: pictures and counts of make hard-pictures" pictures
+
+# ---- generated cases ----
+run() { "$hard" --seed "${SEED:-1}" "$@"; }
+short() {
+    run --cases 40000 --exhaustive 16 --processes 2 --json "$TMP/hard.json" >"$TMP/table" &&
+        grep -q ' 0 wrong$' "$TMP/table" && grep -q '"family": "filter"' "$TMP/hard.json" ||
+        { cat "$TMP/table" && return 1; }
+}
+check "generated and exhaustive cases: hard --cases 40000 --exhaustive 16 --seed ${SEED:-1}" short
+resumed() { # in three runs the same as in one
+    set -- --cases 5000 --exhaustive 0
+    run "$@" | grep '^|' >"$TMP/whole"
+    run "$@" --state "$TMP/state" --chunks 33 | grep 'not all of it' || return 1
+    run "$@" --state "$TMP/state" --chunks 20 --processes 2 | grep 'not all of it' || return 1
+    run "$@" --state "$TMP/state" --processes 2 | grep '^|' | diff - "$TMP/whole"
+}
+check "a campaign in three runs is the same as in one" resumed
+spread() { # numbers 0 to 9 and 10 to 19 are other cases
+    run --cases 200 --exhaustive 0 | grep '^|' >"$TMP/a"
+    run --cases 200 --exhaustive 0 --first 10 | grep '^|' >"$TMP/b"
+    ! cmp -s "$TMP/a" "$TMP/b"
+}
+check "--first goes on to other cases" spread
+sanitized() {
+    "$hard.sanitized" --cases 2000 --exhaustive 2000 --seed "${SEED:-1}" || return 1
+    for n in 4 7 20 24 25 38 39 40 41 43 50 56 59; do
+        "$hard.sanitized" --named=$n || return 1
+    done
+}
+check "the same under the sanitizers" sanitized
+check "one case, repeated" run --case pair:reference:77
+refused() {
+    name=$1
+    shift
+    "$hard" "$@" >"$TMP/out" 2>&1 && rc=0 || rc=$?
+    [ $rc -eq 2 ] && rc=0 || rc=1
+    tap $rc "$name" "$TMP/out"
+}
+refused "a family that is none" --family none
+refused "a number that is none" --cases 1k
+refused "a case that is none" --case pair:reference
+refused "a named case that is none" --named=70
+refused "the state of another campaign" --cases 5001 --exhaustive 0 --state "$TMP/state"
+head -n 9 "$TMP/state" >"$TMP/damaged"
+refused "a damaged state" --cases 5000 --exhaustive 0 --state "$TMP/damaged" --seed "${SEED:-1}"
+refused "a state that cannot be written" --cases 20 --exhaustive 0 --state "$TMP/none/state"
+
+# ---- mutants ----
+jobs=0
+while read -r key rest; do
+    case $key in
+    mutant) name=$rest ;;
+    file) file=$rest ;;
+    from) from=$rest ;;
+    to) to=$rest ;;
+    case | test)
+        case $name in *"${MUTANT:-}"*) ;; *) continue ;; esac
+        jobs=$((jobs + 1))
+        printf '%s\n' "$name" "$file" "$from" "$to" "$rest" >"$TMP/$(printf %03d $jobs).job"
+        ;;
+    esac
+done <tests/hard/mutants.txt
+find "$TMP" -name '*.job' | sort | xargs -P 2 -I JOB sh "$self" --job JOB
+for file in "$TMP"/*.job; do
+    name=$(sed -n 1p "$file")
+    by=$(sed -n 5p "$file")
+    case $by in test_*) ;; *) by="case $by" ;; esac
+    case $(cat "$file.rc" 2>/dev/null) in
+    0) tap 0 "mutant ($name) killed by $by" "$file.log" ;;
+    1) tap 1 "mutant ($name) survives $by" "$file.log" ;;
+    *) tap 1 "mutant ($name) cannot be run" "$file.log" ;;
+    esac
+done
+repeats() { # a failing case is printed with a command that shows it again
+    wrong="$TMP/001.job.run"
+    "$wrong" --cases 400 --exhaustive 0 --family graze0 >"$TMP/failing" && return 1
+    grep -q '[1-9][0-9]* wrong$' "$TMP/failing" || return 1
+    again=$(sed -n 's/^  repeat: //p' "$TMP/failing" | head -n 1)
+    [ -n "$again" ] || return 1
+    $again >"$TMP/again" && return 1
+    grep 'wrong hit: hits' "$TMP/again"
+}
+[ -n "${MUTANT:-}" ] || check "a failing case is printed and can be repeated" repeats
+done_testing

@@ -1,0 +1,85 @@
+#!/bin/sh
+# test_pages.sh - pages tell what the sources say, and what they name is there
+# SPDX-License-Identifier: Apache-2.0
+set -u
+. "$(dirname "$0")/../tap.sh"
+cd "$(dirname "$0")/../.." || exit 1
+
+check "pages are as the sources have them: make pages" python3 -m lab.pages --check
+check "files, modules, functions, targets that are named are there" python3 -m lab.pages.names
+
+# faults in a copy of the tree
+cp -r cmodel docs formal lab rtl scenes sim synth tb Makefile README.md CONTRIBUTING.md "$TMP"
+cd "$TMP" || exit 1
+edited() { # file, sed expression: it must change something
+    cp "$1" before && sed -i "$2" "$1" && ! cmp -s before "$1"
+}
+stale() { # file, sed expression, what the check prints
+    edited "$1" "$2" || return 1
+    ! python3 -m lab.pages --check >said 2>&1 && grep -q -- "$3" said && python3 -m lab.pages &&
+        python3 -m lab.pages --check
+}
+core=$(find rtl -name rt_core.v) def=$(find cmodel -name machine.def)
+profile=$(find cmodel -name profile.c)
+check "a default" stale $core 's/K          = 64/K          = 32/' '^+| `K` | 32 |'
+check "a port" stale $core 's/\[47:0\]       count_data_o/[39:0] count_data_o/' 'count_data_o` | 40'
+check "a register" stale $def 's/^reg    98 /reg    103 /' '^+| 103 | `BG_COUNT`'
+check "an effect" stale $def 's/^effect sum .*/&\neffect haze bit=10 : fog/' \
+    '^+| `haze` | `HAZE` | 0, 1 | 1 | 10 | fog'
+check "a counter" stale $def 's/^counter 21 POWERS  *both/counter 21 POWERS rtl/' '21 | `POWERS`'
+page=$(find docs -name core.md)
+broken() { # sed expression, what is said
+    cp "$page" kept
+    edited "$page" "$1" && ! python3 -m lab.pages >said 2>&1 && grep "$2" said
+    rc=$?
+    cp kept "$page"
+    return $rc
+}
+area=$(find docs -name area.md)
+by_hand() {
+    cp "$area" kept
+    sed -i '/^<!-- ecp5/,/^<!-- end/s/| 12257 |/| 12357 |/' "$area"
+    cmp -s "$area" kept && return 1
+    ! python3 -m lab.pages --check >said 2>&1 && cat said && grep 'ecp5 is not the one' said
+    rc=$?
+    cp kept "$area"
+    return $rc
+}
+check "a measured table that was changed by hand" by_hand
+unknown() {
+    cp "$page" kept
+    printf '%s\n' '<!-- speed -->' '| 1 |' '<!-- end -->' >>"$page"
+    ! python3 -m lab.pages --check >said 2>&1 && cat said && grep 'nothing says when' said &&
+        python3 -m lab.pages.measured "$page" "make speed" &&
+        ! python3 -m lab.pages --check >said 2>&1 && cat said && grep 'does not tell' said
+    rc=$?
+    cp kept "$page"
+    return $rc
+}
+check "a measured table of no age" unknown
+check "a region that nothing makes" broken 's/begin: errors/begin: erors/' 'there are '
+check "a region without an end" broken '$s/.*/<!-- begin: errors -->/' 'regions begin'
+check "a module that is not there" broken 's/begin: ports rt_core/begin: ports rt_cor/' 'rt_cor'
+
+cat >>"$page" <<END
+\`cmodel/render_pixels.c\`
+\`render_pixels.c\`
+\`pix_colours_o\`
+\`sph_renders()\`
+\`sph_render()\` in \`$profile\`
+as \`make pagez SCNE=x\` does
+[x](core.md#regsters)
+END
+echo '// to rt_leaf_queue' >>$core
+python3 -m lab.pages.names "$page" $core >said
+says() { cat said && grep -q -- "$1" said; }
+check "a file" says 'md:[0-9]*: cmodel/render_pixels.c is not a file or folder'
+check "a file without its folder" says 'md:[0-9]*: render_pixels.c is not a file'
+check "a port of no module" says 'md:[0-9]*: pix_colours_o is not a port'
+check "a function" says 'md:[0-9]*: sph_renders is not a name of cmodel'
+check "a function of another file" says 'sph_render() in .*profile.c is not a function of that'
+check "a target" says 'md:[0-9]*: make pagez is not a target'
+check "a variable" says 'md:[0-9]*: SCNE=x is not a variable'
+check "a heading" says 'md:[0-9]*: core.md#regsters is not a heading'
+check "a module" says 'rt_core.v:[0-9]*: rt_leaf_queue is not a module'
+done_testing

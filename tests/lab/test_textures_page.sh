@@ -1,0 +1,59 @@
+#!/bin/sh
+# test_textures_page.sh - the tables of docs/texture_results.md from results, or dashes without them
+# SPDX-License-Identifier: Apache-2.0
+set -u
+. "$(dirname "$0")/../tap.sh"
+cd "$(dirname "$0")/../.." || exit 1
+s=$SPHAERA
+page=$TMP/page.md data=$TMP/data
+cp docs/texture_results.md "$page"
+cp docs/accuracy.md "$TMP/accuracy.md"
+mkdir "$data"
+
+has() { grep -qE -- "$1" "$2"; } # pattern, file
+fill() {
+    python3 sim/textures.py "$page" "$TMP/accuracy.md" "$data" "$TMP" 48x27 24x14 -- \
+        kitchen robot museum
+}
+outside() {
+    awk '/^<!-- end/ { inside = 0 } !inside { print } /^<!-- [a-z]+ -->/ { inside = 1 }' "$1"
+}
+row() { has "^\\|  +\\| $1" "$page"; }
+
+check "without results" fill
+check "there are dashes" has '^\| +\| trilinear +\| +- \| +- \| +- \| +- \| +93.7 \|' "$page"
+outside docs/texture_results.md >"$TMP/before"
+outside "$page" >"$TMP/after"
+check "text outside of tables stays" cmp "$TMP/before" "$TMP/after"
+
+size="--size 48x27"
+# shellcheck disable=SC2086  # options on purpose
+{
+    "$s" texels scenes/texture/robot.nff $size --filter level --json "$data/robot-level.json"
+    "$s" accuracy scenes/texture/robot.nff $size --json "$data/robot.levels.json"
+    "$s" build scenes/texture/robot.nff $size --frames 0..2 -o "$TMP/r.sph" \
+        --json "$data/robot-walk.json"
+    "$s" accuracy scenes/texture/slant.nff $size --json "$data/slant-45.json"
+} >"$TMP/text" 2>&1
+cat >"$data/robot-level.rms" <<END
+  RMS error = 0.0331
+  Peak SNR = 29.61
+END
+echo '{"cold": {"counters": {"cycles": 100000, "texels": 1000, "texel_misses": 250}}}' \
+    >"$data/robot-level.core.json"
+check "with some results" fill
+check "levels of the robot" has '^\|  +\| ours +\| +[0-9]+ \| +[0-9.]+ \|' "$page"
+check "kept decisions are one addition and one logarithm" \
+    has '^\| path length, P_b kept +(\| +1, 0, 0, 0, 1 ){3}\|' "$page"
+check "frame 1 keeps bases" has '^\|  +\| frame 1 +\| +81 \| +289 \|' "$page"
+check "hits of the core" row 'bilinear, nearest level \| +[0-9]+ .* 75.0 \| +98.6 \|'
+check "frames a second" row 'bilinear, nearest level \| +100000 \| +297.6 \| +677.0 '
+check "errors" has '^\|  +\| bilinear, nearest level \| +0.0331 \| +29.61 \|' "$page"
+check "angles" has '^\| 60 to 65 +\| +[0-9]+ \| +-[01]\.[0-9]+ \|' "$page"
+check "the plot is drawn" has '<svg' "$TMP/angles.svg"
+check "missing scenes are dashes in the prices" has '^\| bilinear, nearest level +\| +- \|' \
+    "$TMP/accuracy.md"
+sed '/<!-- slow/d' docs/texture_results.md >"$page"
+fails_plain() { ! fill; }
+check "a page without a table's place is refused" fails_plain
+done_testing

@@ -1,0 +1,132 @@
+#!/bin/sh
+# test_mutants.sh - faults put into the RTL are noticed by the comparisons
+# SPDX-License-Identifier: Apache-2.0
+#
+# Each mutant of tests/mutants/mutants.txt is one edit in a copy of the RTL, run in Icarus (which
+# builds in a second) against the golden model, or in a block bench. Every comparison runs on the
+# sound RTL first, and must pass there.
+# Every second of the list, to save time.
+#   MUTANT=pattern  those whose name has the pattern in it
+#   ALL=1           all (`make mutants`)
+set -u
+self=$0
+. "$(dirname "$0")/../tap.sh"
+. "$(dirname "$0")/../edit.sh"
+cd "$(dirname "$0")/../.." || exit 1
+BUILD=${BUILD:-build}
+export BUILD SPHAERA TMP
+
+# Frame of the core in draft widths: scene [build options] [-- harness options].
+core() {
+    scene=$1 options=
+    shift
+    while [ $# -gt 0 ] && [ "$1" != -- ]; do
+        options="$options $1"
+        shift
+    done
+    [ $# -eq 0 ] || shift
+    # shellcheck disable=SC2086  # a list of words on purpose
+    "$SPHAERA" build "$scene" --profile draft --size 25x19 $options -o "$here/scene.sph" || return 2
+    BUILD=$here/build RTL=$here/rtl SIM=icarus sh sim/core.sh --machine "$here/scene.sph" \
+        --watchdog 5000 --latency 5 --stall 20 --seed 7 "$@"
+}
+# The same with just what the scene asks for: with textures, too.
+textured() {
+    EFFECTS=auto
+    export EFFECTS
+    core "$@"
+}
+# A block bench, in a folder that looks like this one but for its rtl.
+bench() {
+    cp -al Makefile cmodel formal tb sim synth tests "$here/" && sh "$here/tb/run_bench.sh" "$1" 1
+}
+# Runs a job file; 0: noticed (sound RTL: passes), 1: not noticed, 2: could not be run.
+job() {
+    {
+        IFS= read -r name
+        IFS= read -r file
+        IFS= read -r FROM
+        IFS= read -r TO
+        IFS= read -r by
+    } <"$1"
+    here=$1.dir NEW=$1.new
+    export FROM TO NEW
+    mkdir -p "$here/build/sim" "$here/build/test"
+    cp -r "$TMP/rtl" "$here/rtl"
+    [ "$file" = - ] || edit "$here/rtl/$file" || return 2
+    # what is the same for all counts as built
+    cp -al "$BUILD/sim/obj" "$BUILD/sim/tb_core_icarus" "$here/build/sim/"
+    cp -al "$BUILD/libsphaera.a" "$BUILD/obj" "$BUILD/flags" "$BUILD/sources" "$here/build/"
+    cp -al "$BUILD/test/obj" "$BUILD/test/libhard.a" "$here/build/test/"
+    # shellcheck disable=SC2086  # a list of words on purpose
+    $by >"$1.out" 2>&1
+    rc=$?
+    cat "$1.out"
+    rm -rf "$here"
+    [ "$file" != - ] || return $rc
+    # a difference, not a build that broke
+    [ $rc -eq 1 ] || return $((rc ? 2 : 1))
+    grep -qE 'does not build|nothing matches' "$1.out" && return 2
+    grep -qE ' [1-9][0-9]* mismatches|^not ok' "$1.out"
+}
+if [ "${1:-}" = --job ]; then
+    job "$2" >"$2.log" 2>&1
+    echo $? >"$2.rc"
+    exit 0
+fi
+
+# ---- jobs: first the sound RTL in every comparison that some mutant is run in ----
+jobs=0
+add() { # name, file, from, to, by, rule
+    jobs=$((jobs + 1))
+    printf '%s\n' "$@" >"$TMP/$(printf %03d $jobs).job"
+}
+wanted() {
+    name= file= from= to= by= rule= nth=0
+    while read -r key rest; do
+        case $key in
+        mutant) name=$rest nth=$((nth + 1)) ;;
+        rule) rule=$rest ;;
+        file) file=$rest ;;
+        from) from=$rest ;;
+        to) to=$rest ;;
+        by)
+            case ${ALL:+all}${MUTANT:-} in
+            '') [ $((nth % 2)) -eq 1 ] && "$1" "$rest" ;;
+            all*) "$1" "$rest" ;;
+            *) case $name in *"$MUTANT"*) "$1" "$rest" ;; esac ;;
+            esac
+            ;;
+        esac
+    done <tests/mutants/mutants.txt
+}
+print_by() { echo "$1"; }
+add_mutant() { add "$name" "$file" "$from" "$to" "$1" "$rule"; }
+wanted print_by | sort -u >"$TMP/comparisons"
+while IFS= read -r by; do add "sound RTL" - - - "$by" "passes $by"; done <"$TMP/comparisons"
+wanted add_mutant
+
+cp -r rtl "$TMP/rtl" # all jobs see one state
+sh sim/core.sh --help >"$TMP/harness.log" 2>&1 || cat "$TMP/harness.log"
+find "$TMP" -name '*.job' | sort | xargs -P 2 -I JOB sh "$self" --job JOB
+
+# ---- what became of them ----
+for file in "$TMP"/*.job; do
+    name=$(sed -n 1p "$file")
+    rule=$(sed -n 6p "$file")
+    rc=$(cat "$file.rc" 2>/dev/null || echo 2)
+    by=$(sed -n 5p "$file")
+    if [ "$name" = "sound RTL" ]; then
+        tap "$((rc != 0))" "$rule" "$file.log"
+        continue
+    fi
+    how=$(sed -n 's/^  stage  *//p; s/^counter \([^ ]*\).*/counter \1/p
+        s/^\(error bit [a-z_]*\).*/\1/p; s/^\(no pixel for .* clocks\).*/hang: \1/p
+        s/^vvp ended .* time: .*u_core\.//p; s/^not ok/&/p' "$file.log" | head -n 1)
+    case $rc in
+    0) tap 0 "mutant $name ($rule) killed by $by: $how" "$file.log" ;;
+    1) tap 1 "mutant $name ($rule) survives $by" "$file.log" ;;
+    *) tap 1 "mutant $name cannot be run" "$file.log" ;;
+    esac
+done
+done_testing

@@ -1,0 +1,63 @@
+#!/bin/sh
+# test_inputs.sh - what is no file of a bounded size is refused at once by every reader of the tool
+# SPDX-License-Identifier: Apache-2.0
+set -u
+. "$(dirname "$0")/../tap.sh"
+cd "$TMP" || exit 1
+s=$SPHAERA
+
+has() { grep -q -- "$1" "$TMP/err"; }
+refused() { # what the message says, arguments of the tool
+    message=$1
+    shift
+    fails 1 "refused: sphaera $*" timeout 10 "$s" "$@"
+    check "... $message" has "^sphaera: .*$message"
+}
+textured() { # a scene of one sphere with this image
+    "$s" gen sphereflake --size 1 --resolution 48x27 | grep -v '^s '
+    printf 'texture %s 1 1\ns 0 0 0 1\n' "$1"
+}
+
+mkfifo pipe
+mkdir folder
+mkdir folder.sph
+mkfifo pipe.sph
+for file in /dev/zero:"a device" pipe:"a pipe" folder:"a folder"; do
+    path=${file%%:*} says="${file%%:*}: is ${file#*:}, not a file"
+    refused "$says" build "$path" -o x.sph
+    refused "$says" import "$path" -o x.nff
+    refused "$says" import /nowhere.pdb --elements "$path" -o x.nff
+    refused "$says" compare "$path" "$path"
+    textured "$path" >scene.nff
+    refused "scene.nff:[0-9]*: texture: $says" render scene.nff
+done
+refused "pipe.sph: is a pipe" info pipe.sph
+refused "folder.sph: is a folder" render folder.sph
+
+# ---- sizes ----
+truncate -s 100M large.png
+textured large.png >scene.nff
+refused "large.png: has 104857600 bytes, more than the 68157440" build scene.nff -o x.sph
+truncate -s 4G huge.png
+refused "huge.png: has 4294967296 bytes, more than the" compare huge.png huge.png
+truncate -s 4G zeros.pdb
+refused "zeros.pdb:1: byte 0x00" import zeros.pdb -o x.nff
+
+# A frame file that says it has 65536 x 65536 pixels.
+"$s" gen sphereflake --size 1 --resolution 8x4 -o s.nff
+"$s" render s.nff --frame s.frame >out.txt
+{
+    head -c 12 s.frame
+    printf '\000\000\001\000\000\000\001\000'
+    tail -c +21 s.frame
+} >lies.frame
+refused "lies.frame: frame file ends early: .* 1374389[0-9]* by its header" \
+    compare lies.frame s.frame
+{
+    cat s.frame
+    echo
+} >long.frame
+refused "long.frame: frame file is too long" compare long.frame s.frame
+check "the frame itself is sound" "$s" compare s.frame s.frame
+check "nothing was written" sh -c '! ls x.sph x.nff'
+done_testing

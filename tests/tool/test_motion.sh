@@ -1,0 +1,60 @@
+#!/bin/sh
+# test_motion.sh - frames of moving scenes through the tool: --at, --frames
+# SPDX-License-Identifier: Apache-2.0
+set -u
+. "$(dirname "$0")/../tap.sh"
+cd "$(dirname "$0")/../.." || exit 1
+s=$SPHAERA
+robot=scenes/texture/robot.nff
+size="--size 32x18"
+
+has() { grep -qE -- "$1" "$2"; } # pattern, file
+
+# shellcheck disable=SC2086  # options on purpose
+check "a sequence of machines" "$s" build $robot $size --frames 1..3 -o "$TMP/all.sph" \
+    --json "$TMP/all.json"
+for frame in 1 2 3; do
+    # shellcheck disable=SC2086
+    "$s" build $robot $size --at $frame -o "$TMP/one.sph" >"$TMP/text" 2>&1
+    check "frame $frame is what --at builds" cmp "$TMP/one.sph" "$TMP/all-000$frame.sph"
+done
+check "--at tells its bases" has '^bases +370 made' "$TMP/text"
+check "still primitives keep theirs" python3 -c 'import json, sys
+first, second, third = json.load(open(sys.argv[1]))["frames"]
+b = [f["bases"] for f in (first, second, third)]
+assert [f["at"] for f in (first, second, third)] == [1, 2, 3]
+assert b[0]["computed"] == 370 and b[0]["kept"] == 0 and b[0]["log"] == 370
+assert b[1] == b[2] and b[1]["computed"] == b[1]["log"] == 81 and b[1]["kept"] == 289' \
+    "$TMP/all.json"
+# shellcheck disable=SC2086
+"$s" build $robot $size -o "$TMP/rest.sph" >/dev/null
+check "frame 1 is not frame 0" sh -c "! cmp -s '$TMP/rest.sph' '$TMP/all-0001.sph'"
+
+# shellcheck disable=SC2086
+fails 1 "pictures into no folder" "$s" render $robot $size --frames 2..3 -o "$TMP/v.1/a.png" \
+    --frame "$TMP/a.frame"
+mkdir "$TMP/v.1"
+# shellcheck disable=SC2086
+check "in a folder that is there" "$s" render $robot $size --frames 2..3 -o "$TMP/v.1/a.png" \
+    --frame "$TMP/a.frame"
+"$s" render "$TMP/one.sph" -o "$TMP/one.png" --frame "$TMP/one.frame" >/dev/null
+check "frame 3 is the picture of its machine" cmp "$TMP/one.png" "$TMP/v.1/a-0003.png"
+check "and so is the frame file" "$s" compare "$TMP/one.frame" "$TMP/a-0003.frame"
+
+for way in 3 1..x ..2 2..1 0..65536; do
+    fails 2 "--frames $way" "$s" render $robot --frames $way
+done
+fails 2 "--at 65536" "$s" render $robot --at 65536
+fails 2 "--at with --frames" "$s" build $robot --at 1 --frames 0..1 -o "$TMP/x.sph"
+fails 1 "--at of a machine" "$s" render "$TMP/one.sph" --at 1
+fails 1 "--frames of a machine" "$s" render "$TMP/one.sph" --frames 0..1
+sed 's/^move.*/move 0 0 0 -.25 0 0 0/' $robot >"$TMP/gone.nff"
+cp scenes/texture/*.png "$TMP"
+# shellcheck disable=SC2086
+fails 1 "growing to nothing" "$s" build "$TMP/gone.nff" $size --frames 2..5 -o "$TMP/gone.sph"
+line=$(grep -n '^move' "$TMP/gone.nff" | head -1 | cut -d: -f1)
+check "... with file, line and frame" has "gone.nff:$line: .move.: nothing is left at frame 4" \
+    "$TMP/err"
+check "frames before it were written" test -f "$TMP/gone-0003.sph"
+check "it was not" test ! -e "$TMP/gone-0004.sph"
+done_testing
