@@ -105,9 +105,10 @@ include sim/objects.mk sim/sim.mk sim/pages.mk sim/bench.mk sim/lint.mk sim/back
         sim/textures.mk sim/scenarios/scenarios.mk sim/study/study.mk synth/synth.mk \
         synth/effects.mk tests/test.mk tests/image/image.mk tests/hard/hard.mk formal/formal.mk
 
-layout: ## headers and parameters of the core from cmodel/machine/machine.def
-	$(call say,GEN,"layout.h rt_layout.vh")
+layout: ## headers and parameters of the core from machine.def, of its bundles from bundles.def
+	$(call say,GEN,"layout.h rt_layout.vh rt_bundles.vh bundles.h")
 	$(Q)sh sim/layout.sh
+	$(Q)sh sim/bundles.sh rtl/engine/rt_bundles.vh tb/bundles.h
 
 clean: ## remove build/
 	$(Q)rm -rf $B

@@ -28,7 +28,7 @@ module f_next #(
     wire in_ready, read, issue_valid, done_valid, bubble, overflow;
     wire [SLOTW-1:0] read_slot, issue_slot, done_slot;
     wire [25:0] issue_line;
-    rt_next #(.FW(FW), .SLOTS(SLOTS), .SLOTW(SLOTW), .DEPTH(DEPTH)) u_dut (
+    rt_next #(.FW(FW), .SLOTS(SLOTS), .DEPTH(DEPTH)) u_dut (
         .clk(clk), .rst(rst), .found_valid_i(found_valid), .found_slot_i(found_slot),
         .found_base_i(found_base), .found_count_i(found_count), .found_list_i(found_list),
         .found_fresh_i(found_fresh), .found_kill_i(found_kill),

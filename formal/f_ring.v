@@ -48,7 +48,7 @@ module f_ring #(
         .clk(clk), .rst(rst), .in_valid_i(take), .in_ready_o(rest_room), .in_data_i(take_slot),
         .out_valid_o(rest_valid), .out_ready_i(rest_now && next_ready), .out_data_o(rest_slot)
     );
-    rt_next #(.FW(FW), .SLOTS(SLOTS), .SLOTW(SLOTW), .DEPTH(DEPTH)) u_dut (
+    rt_next #(.FW(FW), .SLOTS(SLOTS), .DEPTH(DEPTH)) u_dut (
         .clk(clk), .rst(rst), .found_valid_i(found_valid), .found_slot_i(found_slot),
         .found_base_i(found_base), .found_count_i(found_count), .found_list_i(found_list),
         .found_fresh_i(found_fresh), .found_kill_i(found_kill),

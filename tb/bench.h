@@ -30,6 +30,10 @@
 #define PROFILE "default"
 #endif
 
+#ifdef SLOTS
+constexpr int SLOTW = __builtin_ctz(SLOTS); /* bits of a slot */
+#endif
+
 namespace bench {
 
 typedef __int128 i128;
@@ -148,6 +152,32 @@ inline void print_value(const char *name, i128 value, int bits) {
                (unsigned long long)x, digits + at);
     else
         printf("#   %-16s 0x%llx  %s\n", name, (unsigned long long)x, digits + at);
+}
+
+/* Fields of bundles, at the low bit and bits that the names of bundles.h stand for:
+ * put(dut.hit_i, RT_HIT_SLOT, 3), get(dut.ray_o, RT_RAY_A). At most 128 bits. */
+template <class Port> u128 get(const Port &port, int lsb, int bits) {
+    if constexpr (std::is_integral<Port>::value) {
+        return low((u128)port >> lsb, bits);
+    } else {
+        u128 x = 0;
+        for (int i = bits - 1; i >= 0; i--)
+            x = x << 1 | (port[(lsb + i) / 32] >> (lsb + i) % 32 & 1);
+        return x;
+    }
+}
+
+template <class Port> void put(Port &port, int lsb, int bits, i128 value) {
+    if constexpr (std::is_integral<Port>::value) {
+        u128 mask = low(~(u128)0, bits) << lsb;
+        port = (Port)(((u128)port & ~mask) | ((u128)value << lsb & mask));
+    } else {
+        for (int i = 0; i < bits; i++) {
+            uint32_t bit = 1u << (lsb + i) % 32;
+            auto &word = port[(lsb + i) / 32];
+            word = (u128)value >> i & 1 ? word | bit : word & ~bit;
+        }
+    }
 }
 
 template <class Top> class Bench {

@@ -8,6 +8,8 @@ import sys
 from functools import lru_cache
 from pathlib import Path
 
+from . import measured
+
 TOPS = ("cmodel", "docs", "formal", "lab", "rtl", "scenes", "sim", "synth", "tb", "tests")
 COMMENTS = {
     (".v", ".vh", ".c", ".h", ".cpp", ".vlt"): re.compile(r"//[^\n]*|/\*.*?\*/", re.S),
@@ -211,10 +213,13 @@ RULES = paths, plain_files, modules, signals, c_functions, model_lines, benches,
 
 
 def comments(path):
-    """(position, text) of the comments of a file; a page is all comment."""
+    """(position, text) of the comments of a file; a page is all comment, but for its measured
+    tables, which tell of the sources that they were measured with."""
     for endings, pattern in COMMENTS.items():
         if path.name.endswith(endings):
             text = path.read_text(encoding="utf-8", errors="replace")
+            if path.suffix == ".md":
+                text = measured.TABLE.sub(lambda table: re.sub(r"[^\n]", " ", table[0]), text)
             return text, [(match.start(), match[0]) for match in pattern.finditer(text) if match[0]]
     return "", []
 

@@ -1,7 +1,7 @@
 # regions.py - what each region of a page is made from
 # SPDX-License-Identifier: Apache-2.0
 """The name of a region is a word of MAKERS and its arguments."""
-from . import blocks, machine, measured
+from . import blocks, bundles, machine, measured
 
 
 class Unknown(Exception):
@@ -19,7 +19,8 @@ def const(name):
 
 MAKERS = {
     "parameters": blocks.parameters, "ports": blocks.ports, "modules": blocks.modules,
-    "registers": machine.registers, "effects": machine.effects, "counters": machine.counters,
+    "bundles": bundles.bundles, "registers": machine.registers,
+    "effects": machine.effects, "counters": machine.counters,
     "errors": machine.errors, "profiles": machine.profiles, "widths": machine.widths,
     "count": count, "const": const, "age": measured.age,
 }

@@ -5,6 +5,7 @@
 // Model: sph_render() in cmodel/core/render.c
 `default_nettype none
 `include "rt_layout.vh"
+`include "rt_bundles.vh"
 module rt_core #(
     parameter W          = `RT_PROFILE_STANDARD_W,   // coordinate, bits
     parameter WD         = `RT_PROFILE_STANDARD_WD,  // direction component, bits
@@ -136,6 +137,27 @@ module rt_core #(
         .light_valid_o(light_valid), .light_number_o(light_number),
         .light_part_o(light_part)
     );
+    wire [`RT_REGS_BITS-1:0]  regs;
+    wire [`RT_LIGHT_BITS-1:0] light;
+    assign regs[`RT_REGS_EFFECTS]     = effects[`RT_EFFECT_BITS-1:0];
+    assign regs[`RT_REGS_TEX_FILTER]  = tex_filter;
+    assign regs[`RT_REGS_MAX_DEPTH]   = max_depth;
+    assign regs[`RT_REGS_N_LIGHTS]    = n_lights;
+    assign regs[`RT_REGS_BACKGROUND]  = background;
+    assign regs[`RT_REGS_AMBIENT]     = ambient;
+    assign regs[`RT_REGS_EYE]         = eye;
+    assign regs[`RT_REGS_ROOT]        = root;
+    assign regs[`RT_REGS_PRIM_BASE]   = prim_base;
+    assign regs[`RT_REGS_MEM_LINES]   = mem_lines;
+    assign regs[`RT_REGS_VISIT_LIMIT] = visit_limit;
+    assign regs[`RT_REGS_N_PRIMS]     = n_prims;
+    assign regs[`RT_REGS_LEAF_BASE]   = leaf_base;
+    assign regs[`RT_REGS_N_LOOSE]     = n_loose;
+    assign regs[`RT_REGS_BOX]         = box;
+    assign light[`RT_LIGHT_VALID]     = light_valid;
+    assign light[`RT_LIGHT_NUMBER]    = light_number;
+    assign light[`RT_LIGHT_PART]      = light_part;
+    assign light[`RT_LIGHT_DATA]      = cfg_data_i;
     wire [31:0] built = `RT_EFFECTS_BUILT;
     localparam DEEPEST = REFRACT != 0 ? 5 : REFLECT;  // refracted rays alone go to 5
     wire [3:0]  ways  = {CONES != 0, SPANS != 0, RECT != 0, 1'b1};
@@ -177,13 +199,14 @@ module rt_core #(
     // ---- pixel walk ----
     // A short queue of traced pixels keeps the engines fed while the walk crosses background.
     wire             walk_busy, walk_valid, walk_ready, ray_valid, bg_valid, bg_ready;
-    wire [13:0]      x, y, ray_x, ray_y;
+    wire [13:0]      x, y;
     wire signed [WD-1:0] walk_dir_x, walk_dir_y;
-    wire [WD-1:0]    ray_dir_x, ray_dir_y;
+    wire [`RT_START_BITS-1:0] pixel;                 // the next one to trace
+    wire [3*WD-1:0]  pixel_dir;
     wire [ENGINES-1:0] e_ready, e_take, e_busy;
     rt_walk #(.W(W), .WD(WD), .RECT(RECT), .SPANS(SPANS), .CONES(CONES)) u_walk (
         .clk(clk), .rst(rst), .start_i(go), .busy_o(walk_busy),
-        .window_i(window), .dir_x0_i($signed(dir[0 +: WD])), .dir_y0_i($signed(dir[WD +: WD])),
+        .window_i(window), .dir_x0_i($signed(dir[`RT_VEC_X])), .dir_y0_i($signed(dir[`RT_VEC_Y])),
         .pitch_i(pitch), .bg_mode_i(bg_mode), .rect_i(rect), .bg_base_i(bg_base),
         .bg_count_i(bg_count), .mem_lines_i(mem_lines),
         .ray_valid_o(walk_valid), .ray_ready_i(walk_ready),
@@ -199,8 +222,11 @@ module rt_core #(
         .clk(clk), .rst(rst), .in_valid_i(walk_valid && walk_ready), .in_ready_o(walk_ready),
         .in_data_i({walk_dir_y, walk_dir_x, y, x}),
         .out_valid_o(ray_valid), .out_ready_i(|e_ready),
-        .out_data_o({ray_dir_y, ray_dir_x, ray_y, ray_x})
+        .out_data_o({pixel_dir[`RT_VEC_Y], pixel_dir[`RT_VEC_X], pixel[`RT_START_Y],
+                     pixel[`RT_START_X]})
     );
+    assign pixel_dir[`RT_VEC_Z]  = dir[`RT_VEC_Z];   // the same for all pixels
+    assign pixel[`RT_START_DIR]  = pixel_dir;
     assign e_take = e_ready & (~e_ready + 1'b1);     // the lowest engine with a free slot
     reg              mux_valid_q;                    // a pixel is at the port
     wire             mux_ready = !mux_valid_q || pix_ready_i;
@@ -220,17 +246,16 @@ module rt_core #(
     wire [ENGINES*PW-1:0]  p_data;
     wire [ENGINES*EW-1:0]  events;
     wire [ENGINES-1:0]     issued;
-    wire [ENGINES*4-1:0]   faults;
+    wire [ENGINES*16-1:0]  faults;
     genvar e;
     generate
         for (e = 0; e < ENGINES; e = e + 1) begin : g_engine
-            wire [3:0]   rays;
-            wire [2:0]   tests;
-            wire         power;
-            wire         visit, facet, divide, leaf, sqrt, quotient, saturated, bubble, texel;
-            wire [2:0]   miss;
-            wire [31:0]  texture;
-            wire [EW-1:0] add_e;
+            wire [`RT_EVENT_BITS-1:0]       event_e;
+            wire [`RT_TRACE_EVENT_BITS-1:0] trace = event_e[`RT_EVENT_TRACE];
+            wire [`RT_EXACT_EVENT_BITS-1:0] exact = event_e[`RT_EVENT_EXACT];
+            wire [`RT_SHADE_EVENT_BITS-1:0] shade = event_e[`RT_EVENT_SHADE];
+            wire [`RT_PIXEL_BITS-1:0]       pix;
+            reg  [EW-1:0]                   add_e;
             rt_engine #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .FW(FW), .PR(PR), .SLOTS(K),
                         .STACK(`RT_STACK_DEPTH), .SHADOW(SHADOW), .REFLECT(REFLECT),
                         .LIGHTS(LIGHTS), .INSIDE(INSIDE), .FIRST(FIRST),
@@ -245,64 +270,47 @@ module rt_core #(
                         .QUOTIENT_STEP(QUOTIENT_STEP),
                         .DIVISION_STEP(DIVISION_STEP)) u_engine (
                 .clk(clk), .rst(rst), .flush_i(go && !keep_cache_i), .busy_o(e_busy[e]),
-                .effects_i(effects[`RT_EFFECT_BITS-1:0]), .tex_filter_i(tex_filter),
-                .max_depth_i(max_depth), .n_lights_i(n_lights), .background_i(background),
-                .ambient_i(ambient), .eye_i(eye),
-                .root_i(root), .prim_base_i(prim_base), .mem_lines_i(mem_lines),
-                .visit_limit_i(visit_limit),
-                .n_prims_i(n_prims), .leaf_base_i(leaf_base), .n_loose_i(n_loose), .box_i(box),
-                .light_valid_i(light_valid), .light_number_i(light_number),
-                .light_part_i(light_part), .light_data_i(cfg_data_i),
-                .in_valid_i(ray_valid && e_take[e]), .in_ready_o(e_ready[e]),
-                .in_x_i(ray_x), .in_y_i(ray_y),
-                .in_dir_i({dir[2*WD +: WD], ray_dir_y, ray_dir_x}),
-                .pix_valid_o(p_valid[e]), .pix_ready_i(p_take[e] && mux_ready),
-                .pix_x_o(p_data[PW*e +: 14]), .pix_y_o(p_data[PW*e+14 +: 14]),
-                .pix_colour_o(p_data[PW*e+28 +: 72]), .pix_id_o(p_data[PW*e+100 +: 24]),
-                .pix_visits_o(p_data[PW*e+124 +: 24]), .pix_key_o(p_data[PW*e+148 +: KW]),
-                .pix_texture_o(texture),
+                .regs_i(regs), .light_i(light),
+                .in_valid_i(ray_valid && e_take[e]), .in_ready_o(e_ready[e]), .start_i(pixel),
+                .pix_valid_o(p_valid[e]), .pix_ready_i(p_take[e] && mux_ready), .pix_o(pix),
                 .mem_req_valid_o(m_req_valid[READS*e +: READS]),
                 .mem_req_ready_i(m_req_ready[READS*e +: READS]),
                 .mem_req_line_o(m_req_line[26*READS*e +: 26*READS]),
                 .mem_rsp_valid_i(m_rsp_valid[READS*e +: READS]),
                 .mem_rsp_ready_o(m_rsp_ready[READS*e +: READS]),
                 .mem_rsp_data_i(m_rsp_data), .mem_rsp_error_i(m_rsp_error),
-                .count_rays_o(rays), .count_power_o(power), .count_visit_o(visit),
-                .count_tests_o(tests),
-                .count_leaf_o(leaf), .count_root_o(sqrt), .count_quotient_o(quotient),
-                .count_facet_o(facet), .count_divide_o(divide), .count_saturated_o(saturated),
-                .count_issued_o(issued[e]), .count_miss_o(miss), .count_texel_o(texel),
-                .count_bubble_o(bubble), .errors_o(faults[4*e +: 4])
+                .event_o(event_e), .fault_o(faults[16*e +: 16])
             );
-            assign add_e[8*`RT_COUNT_RAYS_PRIMARY   +: 8] = {7'd0, rays[0]};
-            assign add_e[8*`RT_COUNT_RAYS_SHADOW    +: 8] = {7'd0, rays[1]};
-            assign add_e[8*`RT_COUNT_RAYS_REFLECTED +: 8] = {7'd0, rays[2]};
-            assign add_e[8*`RT_COUNT_NODE_VISITS    +: 8] = {7'd0, visit};
-            assign add_e[8*`RT_COUNT_CHILD_TESTS    +: 8] = {5'd0, tests};
-            assign add_e[8*`RT_COUNT_LEAF_TESTS     +: 8] = {7'd0, leaf};
-            assign add_e[8*`RT_COUNT_ROOTS          +: 8] = {7'd0, sqrt};
-            assign add_e[8*`RT_COUNT_QUOTIENTS      +: 8] = {7'd0, quotient};
-            assign add_e[8*`RT_COUNT_BACKGROUND     +: 8] = 8'd0;
-            assign add_e[8*`RT_COUNT_SATURATIONS    +: 8] = {7'd0, saturated};
-            assign add_e[8*`RT_COUNT_CYCLES         +: 8] = 8'd0;
-            assign add_e[8*`RT_COUNT_ISSUE_WAIT     +: 8] = 8'd0;
-            assign add_e[8*`RT_COUNT_NODE_MISSES    +: 8] = {7'd0, miss[0]};
-            assign add_e[8*`RT_COUNT_LEAF_MISSES    +: 8] = {7'd0, miss[1]};
-            assign add_e[8*`RT_COUNT_RAYS_WAITING   +: 8] = 8'd0;
-            assign add_e[8*`RT_COUNT_POP_BUBBLES    +: 8] = {7'd0, bubble};
-            if (PLACES > 16) begin : g_more
-                assign add_e[8*`RT_COUNT_FACET_TESTS  +: 8] = {7'd0, FACETS != 0 && facet};
-                assign add_e[8*`RT_COUNT_DIVISIONS    +: 8] = {7'd0, FACETS != 0 && divide};
-                assign add_e[8*`RT_COUNT_TEXELS       +: 8] = {7'd0, TEXTURE != 0 && texel};
-                assign add_e[8*`RT_COUNT_TEXEL_MISSES +: 8] = {7'd0, TEXTURE != 0 && miss[2]};
-                assign add_e[8*`RT_COUNT_RAYS_REFRACTED +: 8] = {7'd0, REFRACT != 0 && rays[3]};
-                assign add_e[8*`RT_COUNT_POWERS       +: 8] = {7'd0, SPECULAR != 0 && power};
-                assign add_e[EW-1:8*`RT_COUNTERS] = {(EW-8*`RT_COUNTERS){1'b0}};
+            assign p_data[PW*e +: PW] = pix[PW-1:0];
+            assign issued[e] = trace[`RT_TRACE_EVENT_ISSUED];
+            always @* begin
+                add_e = {EW{1'b0}};
+                add_e[8*`RT_COUNT_RAYS_PRIMARY]    = shade[`RT_SHADE_EVENT_PRIMARY];
+                add_e[8*`RT_COUNT_RAYS_SHADOW]     = shade[`RT_SHADE_EVENT_SHADOW];
+                add_e[8*`RT_COUNT_RAYS_REFLECTED]  = shade[`RT_SHADE_EVENT_REFLECTED];
+                add_e[8*`RT_COUNT_NODE_VISITS]     = trace[`RT_TRACE_EVENT_VISIT];
+                add_e[8*`RT_COUNT_CHILD_TESTS +: 3] = trace[`RT_TRACE_EVENT_TESTS];
+                add_e[8*`RT_COUNT_LEAF_TESTS]      = exact[`RT_EXACT_EVENT_LEAF];
+                add_e[8*`RT_COUNT_ROOTS]           = exact[`RT_EXACT_EVENT_ROOT];
+                add_e[8*`RT_COUNT_QUOTIENTS]       = shade[`RT_SHADE_EVENT_QUOTIENT];
+                add_e[8*`RT_COUNT_SATURATIONS]     = shade[`RT_SHADE_EVENT_SATURATED];
+                add_e[8*`RT_COUNT_NODE_MISSES]     = trace[`RT_TRACE_EVENT_MISS];
+                add_e[8*`RT_COUNT_LEAF_MISSES]     = exact[`RT_EXACT_EVENT_MISS];
+                add_e[8*`RT_COUNT_POP_BUBBLES]     = trace[`RT_TRACE_EVENT_BUBBLE];
+                if (FACETS != 0) begin
+                    add_e[8*`RT_COUNT_FACET_TESTS] = exact[`RT_EXACT_EVENT_FACET];
+                    add_e[8*`RT_COUNT_DIVISIONS]   = exact[`RT_EXACT_EVENT_DIVIDE];
+                end
+                if (TEXTURE != 0) begin
+                    add_e[8*`RT_COUNT_TEXELS]      = shade[`RT_SHADE_EVENT_TEXEL];
+                    add_e[8*`RT_COUNT_TEXEL_MISSES] = shade[`RT_SHADE_EVENT_MISS];
+                end
+                if (REFRACT != 0)
+                    add_e[8*`RT_COUNT_RAYS_REFRACTED] = shade[`RT_SHADE_EVENT_REFRACTED];
+                if (SPECULAR != 0)
+                    add_e[8*`RT_COUNT_POWERS]      = shade[`RT_SHADE_EVENT_POWER];
             end
-            if (TEXTURE != 0) begin : g_texture
-                assign p_data[PW*e+PV +: 32] = texture;
-            end
-            wire unused_e = &{1'b0, power, rays[3], facet, divide, texel, miss[2], texture};
+            wire unused_e = &{1'b0, exact, shade, pix};
             assign events[EW*e +: EW] = add_e;
         end
     endgenerate
@@ -369,7 +377,7 @@ module rt_core #(
     integer m;
     always @* begin
         fault = {table_error, 2'd0, bad_table};
-        for (m = 0; m < ENGINES; m = m + 1) fault = fault | faults[4*m +: 4];
+        for (m = 0; m < 4*ENGINES; m = m + 1) fault = fault | faults[4*m +: 4];
     end
     always @(posedge clk) begin
         if (start) errors_o <= 0;

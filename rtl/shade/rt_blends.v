@@ -9,19 +9,18 @@
 module rt_blends #(
     parameter REFLECT = 5,   // reflections, 0..5
     parameter PROBE   = 1,   // 1: some surfaces are probed (INTERPENETRATE)
-    parameter SLOTS   = 32,  // power of two
-    parameter SLOTW   = 5    // log2 of SLOTS
+    parameter SLOTS   = 32  // power of two
 ) (
     input  wire             clk,
     input  wire             rst,
     // a surface, or the background behind a mirror
     input  wire             read_i,
-    input  wire [SLOTW-1:0] read_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] read_slot_i,
     input  wire             in_first_i,       // what the pixel sees itself; one cycle after read_i
     output wire [2:0]       depth_o,          // reflections before it
     input  wire             in_valid_i,
     output wire             in_ready_o,
-    input  wire [SLOTW-1:0] in_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] in_slot_i,
     input  wire [50:0]      in_light_i,       // 3 x u2.15, red low
     input  wire [23:0]      in_albedo_i,      // 0xBBGGRR
     input  wire             in_background_i,  // nothing hit: albedo is the colour
@@ -30,14 +29,15 @@ module rt_blends #(
     input  wire             in_probe_i,       // to be probed
     // it is blended
     output wire             out_valid_o,      // one cycle
-    output wire [SLOTW-1:0] out_slot_o,
+    output wire [$clog2(SLOTS)-1:0] out_slot_o,
     output wire             out_last_o,
     output wire             out_probe_o,
     // complete frames of a slot, one cycle after
     input  wire             frames_read_i,
-    input  wire [SLOTW-1:0] frames_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] frames_slot_i,
     output wire [71:0]      frames_o          // L2, L1, Rendering
 );
+    localparam SLOTW = $clog2(SLOTS);
     localparam FRAMES = REFLECT > 1 ? 3 : REFLECT + 1;
     localparam TAG    = SLOTW + 1 + PROBE;
     wire [SLOTW+1:0]     in_tag = {in_probe_i, in_last_i, in_slot_i};

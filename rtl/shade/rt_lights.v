@@ -1,7 +1,7 @@
 // rt_lights.v - walks a surface's lights and sums what they give
 // SPDX-License-Identifier: Apache-2.0
 // Every event adds one light's share to the slot's sum (nothing at the start, or in shadow), then
-// sends the vector to the next light to rt_setup, or the token on to rt_pixels.
+// sends the vector to the next light to rt_setup, or the token on to rt_compose.
 // One event every 3 cycles. Without shadow rays there is no queue for them; one light alone stands
 // in registers and has no number. Model: sph_job_light() in
 // cmodel/engine/render_light.c
@@ -13,8 +13,7 @@ module rt_lights #(
     parameter SHADOW = 1,  // 1: shadow rays are traced, 0: a light settles without one
     parameter AMBIENT = 1, // 0: the sum starts from nothing
     parameter GLOSS = 0,   // 1: highlights are summed too
-    parameter SLOTS = 32,  // power of two
-    parameter SLOTW = 5    // log2 of SLOTS
+    parameter SLOTS = 32  // power of two
 ) (
     input  wire              clk,
     input  wire              rst,
@@ -27,32 +26,33 @@ module rt_lights #(
     input  wire [31:0]       light_data_i,
     // from rt_surface
     input  wire              point_valid_i,
-    input  wire [SLOTW-1:0]  point_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] point_slot_i,
     input  wire [3*W-1:0]    point_i,
     // from rt_setup
     input  wire              cosine_valid_i,
-    input  wire [SLOTW-1:0]  cosine_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] cosine_slot_i,
     input  wire [15:0]       cosine_i,
     input  wire              start_valid_i,   // a surface is ready
-    input  wire [SLOTW-1:0]  start_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] start_slot_i,
     input  wire              lamp_valid_i,    // a light settled without a shadow ray
-    input  wire [SLOTW-1:0]  lamp_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] lamp_slot_i,
     input  wire              lamp_lit_i,
     input  wire [15:0]       lamp_highlight_i, // u1.15, with GLOSS
     // a shadow ray is done
     input  wire              shadow_valid_i,
-    input  wire [SLOTW-1:0]  shadow_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] shadow_slot_i,
     input  wire              shadow_lit_i,
     // to rt_setup: vector to the next light
     output reg               vec_valid_o,
-    output reg [SLOTW-1:0]   vec_slot_o,
+    output reg [$clog2(SLOTS)-1:0] vec_slot_o,
     output wire [3*WD-1:0]   vec_o,
-    // to rt_pixels: all lights are summed
+    // to rt_compose: all lights are summed
     output reg               sum_valid_o,
-    output reg [SLOTW-1:0]   sum_slot_o,
+    output reg [$clog2(SLOTS)-1:0] sum_slot_o,
     output reg [50:0]        sum_o,           // 3 x u2.15
     output wire [50:0]       gloss_o          // the same of highlights
 );
+    localparam SLOTW = $clog2(SLOTS);
     localparam HB = GLOSS != 0 ? 16 : 0;              // bits of a highlight
     localparam NW = $clog2(LIGHTS + 1);               // number of lights
     localparam LW = LIGHTS > 1 ? $clog2(LIGHTS) : 1;  // number of a light

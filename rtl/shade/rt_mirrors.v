@@ -3,29 +3,24 @@
 // Keeps the direction of each slot's ray and the normal of its surface, and sends the mirrored
 // direction to rt_setup when the surface is blended. Model: sph_bounce() in cmodel/shade/surface.c
 `default_nettype none
+`include "rt_bundles.vh"
 module rt_mirrors #(
+    parameter W     = 16,  // coordinate, bits
     parameter WD    = 17,  // direction component, bits
-    parameter SLOTS = 32,  // power of two
-    parameter SLOTW = 5    // log2 of SLOTS
+    parameter SLOTS = 32  // power of two
 ) (
     input  wire              clk,
     input  wire              rst,
-    // from rt_setup
-    input  wire              ray_valid_i,     // primary or reflected ray
-    input  wire [SLOTW-1:0]  ray_slot_i,
-    input  wire [3*WD-1:0]   ray_dir_i,
-    input  wire              normal_valid_i,
-    input  wire [SLOTW-1:0]  normal_slot_i,
-    input  wire [3*WD-1:0]   normal_vec_i,
-    input  wire [2*WD-1:0]   normal_nn_i,
+    input  wire [`RT_RAY_BITS-1:0] ray_i,     // from rt_setup
     // a surface
     input  wire              in_valid_i,
-    input  wire [SLOTW-1:0]  in_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] in_slot_i,
     // to rt_setup
     output wire              out_valid_o,     // one cycle
-    output wire [SLOTW-1:0]  out_slot_o,
+    output wire [$clog2(SLOTS)-1:0] out_slot_o,
     output wire [3*WD-1:0]   out_vec_o
 );
+    localparam SLOTW = $clog2(SLOTS);
     wire             m_valid, m_in, ready;
     wire [SLOTW-1:0] m_slot;
     reg              n_valid_q;
@@ -38,12 +33,13 @@ module rt_mirrors #(
         .out_valid_o(m_valid), .out_ready_i(m_load), .out_data_o(m_slot)
     );
     rt_slot_ram #(.WIDTH(3*WD), .SLOTS(SLOTS), .OLD(0)) u_dir (
-        .clk(clk), .wr_en_i(ray_valid_i), .wr_addr_i(ray_slot_i), .wr_data_i(ray_dir_i),
+        .clk(clk), .wr_en_i(ray_i[`RT_RAY_VALID] && !ray_i[`RT_RAY_SHADOW]),
+        .wr_addr_i(ray_i[`RT_RAY_SLOT]), .wr_data_i(ray_i[`RT_RAY_DIR]),
         .rd_en_i(m_load && m_valid), .rd_addr_i(m_slot), .rd_data_o(n_dir)
     );
     rt_slot_ram #(.WIDTH(5*WD), .SLOTS(SLOTS), .OLD(0)) u_normal (
-        .clk(clk), .wr_en_i(normal_valid_i), .wr_addr_i(normal_slot_i),
-        .wr_data_i({normal_nn_i, normal_vec_i}),
+        .clk(clk), .wr_en_i(ray_i[`RT_RAY_NORMAL]), .wr_addr_i(ray_i[`RT_RAY_SLOT]),
+        .wr_data_i({ray_i[`RT_RAY_A], ray_i[`RT_RAY_DIR]}),
         .rd_en_i(m_load && m_valid), .rd_addr_i(m_slot), .rd_data_o({n_nn, n_normal})
     );
     always @(posedge clk) begin
@@ -55,14 +51,14 @@ module rt_mirrors #(
     end
     rt_bounce #(.WD(WD), .TAG(SLOTW)) u_bounce (
         .clk(clk), .rst(rst), .in_valid_i(n_valid_q), .in_ready_o(ready), .in_tag_i(n_slot_q),
-        .in_dir_x_i($signed(n_dir[0 +: WD])), .in_dir_y_i($signed(n_dir[WD +: WD])),
-        .in_dir_z_i($signed(n_dir[2*WD +: WD])),
-        .in_normal_x_i($signed(n_normal[0 +: WD])), .in_normal_y_i($signed(n_normal[WD +: WD])),
-        .in_normal_z_i($signed(n_normal[2*WD +: WD])), .in_nn_i(n_nn),
+        .in_dir_x_i($signed(n_dir[`RT_VEC_X])), .in_dir_y_i($signed(n_dir[`RT_VEC_Y])),
+        .in_dir_z_i($signed(n_dir[`RT_VEC_Z])),
+        .in_normal_x_i($signed(n_normal[`RT_VEC_X])), .in_normal_y_i($signed(n_normal[`RT_VEC_Y])),
+        .in_normal_z_i($signed(n_normal[`RT_VEC_Z])), .in_nn_i(n_nn),
         .out_valid_o(out_valid_o), .out_tag_o(out_slot_o),
-        .out_dir_x_o(out_vec_o[0 +: WD]), .out_dir_y_o(out_vec_o[WD +: WD]),
-        .out_dir_z_o(out_vec_o[2*WD +: WD])
+        .out_dir_x_o(out_vec_o[`RT_VEC_X]), .out_dir_y_o(out_vec_o[`RT_VEC_Y]),
+        .out_dir_z_o(out_vec_o[`RT_VEC_Z])
     );
-    wire unused = m_in;
+    wire unused = &{1'b0, ray_i, m_in};
 endmodule
 `default_nettype wire

@@ -7,48 +7,30 @@
 // Model: path(), leave() in cmodel/engine/render_pixel.c
 `default_nettype none
 `include "rt_layout.vh"
+`include "rt_bundles.vh"
 module rt_rays #(
     parameter W     = 16,  // coordinate, bits
     parameter WD    = 17,  // direction component, bits
+    parameter NG    = 2,   // guard bits of the hit point
     parameter PR    = 0,   // significant bits of the root, 0: all
     parameter PATHS = 0,   // 1: the length of a ray's path is kept, for textures
-    parameter SLOTS = 32,  // power of two
-    parameter SLOTW = 5    // log2 of SLOTS
+    parameter SLOTS = 32  // power of two
 ) (
     input  wire              clk,
     input  wire              rst,
-    // what a ray needs: from rt_setup, rt_surface, rt_texture
-    input  wire              ray_valid_i,
-    input  wire [SLOTW-1:0]  ray_slot_i,
-    input  wire [3*WD-1:0]   ray_dir_i,
-    input  wire [2*WD-1:0]   ray_a_i,
-    input  wire              normal_valid_i,
-    input  wire [SLOTW-1:0]  normal_slot_i,
-    input  wire [3*WD-1:0]   normal_vec_i,
-    input  wire [2*WD-1:0]   normal_nn_i,
-    input  wire              hit_valid_i,
-    input  wire [SLOTW-1:0]  hit_slot_i,
-    input  wire              hit_far_i,
-    input  wire [23:0]       hit_id_i,
-    input  wire              point_valid_i,
-    input  wire [SLOTW-1:0]  point_slot_i,
-    input  wire [3*W-1:0]    point_i,
-    input  wire              index_valid_i,
-    input  wire [SLOTW-1:0]  index_slot_i,
-    input  wire [11:0]       index_i,         // of refraction, thousandths
-    input  wire              path_valid_i,
-    input  wire [SLOTW-1:0]  path_slot_i,
-    input  wire [W+7:0]      path_i,          // u(W+4).4 from the eye
-    // a surface is blended
-    input  wire              in_valid_i,
-    input  wire [SLOTW-1:0]  in_slot_i,
-    input  wire [2:0]        in_depth_i,
-    input  wire              in_mirror_i,     // a mirror ray leaves it
-    input  wire              in_refract_i,    // a refracted ray leaves it, if not all is reflected
-    input  wire [50:0]       in_weights_i,    // {all is reflected, refracted, mirrored}
+    // what a ray needs: from rt_setup, rt_slots, rt_surface, rt_texture
+    input  wire [`RT_RAY_BITS-1:0]      ray_i,
+    input  wire [`RT_HIT_BITS-1:0]      hit_i,
+    input  wire [`RT_MATERIAL_BITS-1:0] material_i,
+    input  wire [`RT_SURFACE_BITS-1:0]  surface_i,
+    input  wire                         path_valid_i,
+    input  wire [$clog2(SLOTS)-1:0]     path_slot_i,
+    input  wire [W+7:0]                 path_i,     // u(W+4).4 from the eye
+    // from rt_compose: a surface is blended
+    input  wire [`RT_BLEND_BITS-1:0]    blend_i,
     // the next ray of its pixel, or none
     output wire              mirror_valid_o,  // to rt_mirrors
-    output wire [SLOTW-1:0]  slot_o,
+    output wire [$clog2(SLOTS)-1:0] slot_o,
     output wire              end_valid_o,     // the pixel is complete
     output wire              next_valid_o,    // weight and depth of what the next ray will hit
     output wire [16:0]       next_weight_o,
@@ -61,6 +43,7 @@ module rt_rays #(
     output wire [24:0]       out_skip_o,      // {inside, id}
     output wire [W+7:0]      out_path_o
 );
+    localparam SLOTW = $clog2(SLOTS);
     localparam BACK = PATHS != 0 ? W + 8 : 0;
     localparam GW   = 3*WD + 3*W + 25 + 17;          // {weight, skip, point, dir}
     localparam EW   = SLOTW + 4 + 51;                // {weights, mirror, depth, slot}
@@ -70,15 +53,19 @@ module rt_rays #(
     wire             a_valid, a_take, a_in, b_valid, b_take, b_in;
     wire [EW-1:0]    a;
     wire [BW-1:0]    b;
-    wire [SLOTW+3:0] in_what = {in_mirror_i, in_depth_i, in_slot_i};
+    wire             in_valid   = blend_i[`RT_BLEND_VALID];
+    wire             in_refract = blend_i[`RT_BLEND_REFRACT];
+    wire             in_mirror  = blend_i[`RT_BLEND_MIRROR] || blend_i[`RT_BLEND_PROBE];
+    wire [SLOTW+3:0] in_what = {in_mirror, blend_i[`RT_BLEND_DEPTH], blend_i[`RT_BLEND_SLOT]};
     rt_fifo #(.WIDTH(EW), .DEPTH(SLOTS)) u_bends (
-        .clk(clk), .rst(rst), .in_valid_i(in_valid_i && in_refract_i), .in_ready_o(a_in),
-        .in_data_i({in_weights_i, in_what}),
+        .clk(clk), .rst(rst), .in_valid_i(in_valid && in_refract), .in_ready_o(a_in),
+        .in_data_i({blend_i[`RT_BLEND_W_TOTAL], blend_i[`RT_BLEND_W_REFRACT],
+                    blend_i[`RT_BLEND_W_MIRROR], in_what}),
         .out_valid_o(a_valid), .out_ready_i(a_take), .out_data_o(a)
     );
     rt_fifo #(.WIDTH(BW), .DEPTH(SLOTS)) u_others (
-        .clk(clk), .rst(rst), .in_valid_i(in_valid_i && !in_refract_i), .in_ready_o(b_in),
-        .in_data_i({in_weights_i[16:0], in_what}),
+        .clk(clk), .rst(rst), .in_valid_i(in_valid && !in_refract), .in_ready_o(b_in),
+        .in_data_i({blend_i[`RT_BLEND_W_MIRROR], in_what}),
         .out_valid_o(b_valid), .out_ready_i(b_take), .out_data_o(b)
     );
 
@@ -96,21 +83,23 @@ module rt_rays #(
     reg [3*WD-1:0]   r_dir_q;
     wire             r_take;
     rt_slot_ram #(.WIDTH(5*WD), .SLOTS(SLOTS), .OLD(0)) u_dir (
-        .clk(clk), .wr_en_i(ray_valid_i), .wr_addr_i(ray_slot_i),
-        .wr_data_i({ray_a_i, ray_dir_i}),
+        .clk(clk), .wr_en_i(ray_i[`RT_RAY_VALID] && !ray_i[`RT_RAY_SHADOW]),
+        .wr_addr_i(ray_i[`RT_RAY_SLOT]), .wr_data_i({ray_i[`RT_RAY_A], ray_i[`RT_RAY_DIR]}),
         .rd_en_i(a_valid), .rd_addr_i(a_slot), .rd_data_o({a_a, a_dir})
     );
     rt_slot_ram #(.WIDTH(5*WD), .SLOTS(SLOTS), .OLD(0)) u_normal (
-        .clk(clk), .wr_en_i(normal_valid_i), .wr_addr_i(normal_slot_i),
-        .wr_data_i({normal_nn_i, normal_vec_i}),
+        .clk(clk), .wr_en_i(ray_i[`RT_RAY_NORMAL]), .wr_addr_i(ray_i[`RT_RAY_SLOT]),
+        .wr_data_i({ray_i[`RT_RAY_A], ray_i[`RT_RAY_DIR]}),
         .rd_en_i(a_valid), .rd_addr_i(a_slot), .rd_data_o({a_nn, a_normal})
     );
     rt_slot_ram #(.WIDTH(12), .SLOTS(SLOTS), .OLD(0)) u_index (
-        .clk(clk), .wr_en_i(index_valid_i), .wr_addr_i(index_slot_i), .wr_data_i(index_i),
+        .clk(clk), .wr_en_i(material_i[`RT_MATERIAL_VALID]),
+        .wr_addr_i(material_i[`RT_MATERIAL_SLOT]), .wr_data_i(material_i[`RT_MATERIAL_INDEX]),
         .rd_en_i(a_valid), .rd_addr_i(a_slot), .rd_data_o(a_index)
     );
     rt_slot_file #(.WIDTH(1), .SLOTS(SLOTS)) u_far (
-        .clk(clk), .wr_en_i(hit_valid_i), .wr_addr_i(hit_slot_i), .wr_data_i(hit_far_i),
+        .clk(clk), .wr_en_i(hit_i[`RT_HIT_HIT]), .wr_addr_i(hit_i[`RT_HIT_SLOT]),
+        .wr_data_i(hit_i[`RT_HIT_FAR]),
         .rd_addr_i(a_slot), .rd_data_o(a_far)
     );
     wire             a_go = a_read_q && !r_valid_q && !bent;
@@ -159,15 +148,17 @@ module rt_rays #(
             v_bent_q   <= r_q[SLOTW+21 +: 17];
             v_dir_q    <= r_dir_q;
         end
-    wire [24:0]      v_hit;                          // {far, id}
+    wire             v_far;
+    wire [23:0]      v_id;
     wire [3*W-1:0]   v_point;
     rt_slot_ram #(.WIDTH(25), .SLOTS(SLOTS), .OLD(0)) u_hit (
-        .clk(clk), .wr_en_i(hit_valid_i), .wr_addr_i(hit_slot_i),
-        .wr_data_i({hit_far_i, hit_id_i}),
-        .rd_en_i(pick), .rd_addr_i(slot), .rd_data_o(v_hit)
+        .clk(clk), .wr_en_i(hit_i[`RT_HIT_HIT]), .wr_addr_i(hit_i[`RT_HIT_SLOT]),
+        .wr_data_i({hit_i[`RT_HIT_FAR], hit_i[`RT_HIT_ID]}),
+        .rd_en_i(pick), .rd_addr_i(slot), .rd_data_o({v_far, v_id})
     );
     rt_slot_ram #(.WIDTH(3*W), .SLOTS(SLOTS), .OLD(0)) u_point (
-        .clk(clk), .wr_en_i(point_valid_i), .wr_addr_i(point_slot_i), .wr_data_i(point_i),
+        .clk(clk), .wr_en_i(surface_i[`RT_SURFACE_VALID]), .wr_addr_i(surface_i[`RT_SURFACE_SLOT]),
+        .wr_data_i(surface_i[`RT_SURFACE_POINT]),
         .rd_en_i(pick), .rd_addr_i(slot), .rd_data_o(v_point)
     );
 
@@ -193,7 +184,7 @@ module rt_rays #(
             if (back && deepest == d[2:0]) places_d[d] = 1'b0;
         end
     end
-    wire [GW-1:0]    v_ray = {v_bent_q, !v_hit[24], v_hit[23:0], v_point, v_dir_q};
+    wire [GW-1:0]    v_ray = {v_bent_q, !v_far, v_id, v_point, v_dir_q};
     wire [GW-1:0]    w_ray;
     rt_slot_ram #(.WIDTH(GW), .SLOTS(8*SLOTS), .OLD(0)) u_waiting (
         .clk(clk), .wr_en_i(push), .wr_addr_i({v_slot_q, below}), .wr_data_i(v_ray),
@@ -247,6 +238,6 @@ module rt_rays #(
     assign next_valid_o   = mirror_valid_o || (out_valid_o && out_ready_i);
     assign next_weight_o  = act ? v_weight_q : g_q[GW-1 -: 17];
     assign next_depth_o   = act ? below : g_depth_q;
-    wire unused = &{1'b0, a_in, b_in};
+    wire unused = &{1'b0, ray_i, hit_i, material_i, surface_i, blend_i, a_in, b_in};
 endmodule
 `default_nettype wire

@@ -1,42 +1,37 @@
-// rt_shine.v - gives lights that settle their highlight, between rt_setup and rt_lights
+// rt_shine.v - gives lights that settle their highlight, between rt_cosine and rt_lights
 // SPDX-License-Identifier: Apache-2.0
 // Keeps the unit vectors of each slot's ray, surface and light. A light that shines on a material
 // with a highlight waits for rt_gloss; any other passes, also by one that is still in there.
 // Model: add() in cmodel/engine/render_light.c
 `default_nettype none
-`include "rt_layout.vh"
+`include "rt_bundles.vh"
 module rt_shine #(
+    parameter W      = 16, // coordinate, bits
+    parameter WD     = 17, // direction component, bits
     parameter SHADOW = 1,  // 0: no shadow rays
-    parameter SLOTS  = 32, // power of two
-    parameter SLOTW  = 5   // log2 of SLOTS
+    parameter SLOTS  = 32  // power of two
 ) (
-    input  wire             clk,
-    input  wire             rst,
-    input  wire             on_i,            // run-time switch: effects SUM and SPECULAR
+    input  wire                         clk,
+    input  wire                         rst,
+    input  wire                         on_i,          // run-time switch: effects SUM and SPECULAR
     // from rt_setup: unit vectors of primary, mirrored and refracted rays, of normals, to lights
-    input  wire             dir_valid_i,
-    input  wire             normal_valid_i,
-    input  wire             light_valid_i,
-    input  wire [SLOTW-1:0] unit_slot_i,
-    input  wire [53:0]      unit_i,          // {z, y, x} s1.16
-    // from rt_surface
-    input  wire             look_valid_i,
-    input  wire [SLOTW-1:0] look_slot_i,
-    input  wire [59:0]      look_i,          // {index, power, ks, kd, ka, sum, kt}
-    // tokens: a light settled, a shadow ray is done
-    input  wire             lamp_valid_i,
-    input  wire [SLOTW-1:0] lamp_slot_i,
-    input  wire             lamp_lit_i,
-    input  wire             shadow_valid_i,
-    input  wire [SLOTW-1:0] shadow_slot_i,
-    input  wire             shadow_lit_i,
+    input  wire [`RT_RAY_BITS-1:0]      ray_i,
+    input  wire [`RT_MATERIAL_BITS-1:0] material_i,    // from rt_surface
+    // tokens: a light is settled, a shadow ray is done
+    input  wire                         lamp_valid_i,
+    input  wire [$clog2(SLOTS)-1:0]     lamp_slot_i,
+    input  wire                         lamp_lit_i,
+    input  wire                         shadow_valid_i,
+    input  wire [$clog2(SLOTS)-1:0]     shadow_slot_i,
+    input  wire                         shadow_lit_i,
     // the same, to rt_lights
-    output wire             out_valid_o,
-    output wire [SLOTW-1:0] out_slot_o,
-    output wire             out_lit_o,
-    output wire [15:0]      out_highlight_o, // u1.15
-    output wire             power_o          // counter: a highlight is begun
+    output wire                         out_valid_o,
+    output wire [$clog2(SLOTS)-1:0]     out_slot_o,
+    output wire                         out_lit_o,
+    output wire [15:0]                  out_highlight_o, // u1.15
+    output wire                         power_o          // event: a highlight is begun
 );
+    localparam SLOTW = $clog2(SLOTS);
     // ---- queues of events, shadow rays first ----
     wire             l_valid, t_valid, l_in, t_in;
     wire [SLOTW:0]   l_event, t_event;
@@ -74,35 +69,41 @@ module rt_shine #(
     // ---- what belongs to its slot ----
     wire [SLOTW-1:0] slot = event_d[SLOTW:1];
     wire [53:0]      dir, normal, light;
-    wire [12:0]      look;                   // {there is a highlight, power}
-    wire             shines = look_i[9] && look_i[35:28] != 8'd0;
+    wire             e_shines;               // the material has a highlight
+    wire [11:0]      e_power;
+    wire [SLOTW-1:0] unit_slot = ray_i[`RT_RAY_SLOT];
+    wire [53:0]      unit      = ray_i[`RT_RAY_UNIT];
+    wire             shines    = material_i[`RT_MATERIAL_SUM] &&
+                                 material_i[`RT_MATERIAL_KS] != 8'd0;
     rt_slot_ram #(.WIDTH(54), .SLOTS(SLOTS), .OLD(0)) u_dir (
-        .clk(clk), .wr_en_i(dir_valid_i), .wr_addr_i(unit_slot_i), .wr_data_i(unit_i),
+        .clk(clk), .wr_en_i(ray_i[`RT_RAY_VALID] && !ray_i[`RT_RAY_SHADOW]),
+        .wr_addr_i(unit_slot), .wr_data_i(unit),
         .rd_en_i(read), .rd_addr_i(slot), .rd_data_o(dir)
     );
     rt_slot_ram #(.WIDTH(54), .SLOTS(SLOTS), .OLD(0)) u_normal (
-        .clk(clk), .wr_en_i(normal_valid_i), .wr_addr_i(unit_slot_i), .wr_data_i(unit_i),
+        .clk(clk), .wr_en_i(ray_i[`RT_RAY_NORMAL]), .wr_addr_i(unit_slot), .wr_data_i(unit),
         .rd_en_i(read), .rd_addr_i(slot), .rd_data_o(normal)
     );
     rt_slot_ram #(.WIDTH(54), .SLOTS(SLOTS), .OLD(0)) u_light (
-        .clk(clk), .wr_en_i(light_valid_i), .wr_addr_i(unit_slot_i), .wr_data_i(unit_i),
+        .clk(clk), .wr_en_i(ray_i[`RT_RAY_LIGHT]), .wr_addr_i(unit_slot), .wr_data_i(unit),
         .rd_en_i(read), .rd_addr_i(slot), .rd_data_o(light)
     );
     rt_slot_ram #(.WIDTH(13), .SLOTS(SLOTS), .OLD(0)) u_look (
-        .clk(clk), .wr_en_i(look_valid_i), .wr_addr_i(look_slot_i),
-        .wr_data_i({shines, look_i[47:36]}),
-        .rd_en_i(read), .rd_addr_i(slot), .rd_data_o(look)
+        .clk(clk), .wr_en_i(material_i[`RT_MATERIAL_VALID]),
+        .wr_addr_i(material_i[`RT_MATERIAL_SLOT]),
+        .wr_data_i({shines, material_i[`RT_MATERIAL_POWER]}),
+        .rd_en_i(read), .rd_addr_i(slot), .rd_data_o({e_shines, e_power})
     );
 
     // ---- highlight, or none ----
-    wire             need = on_i && e_lit_q && look[12];
+    wire             need = on_i && e_lit_q && e_shines;
     wire             g_ready, g_valid;
     wire [SLOTW-1:0] g_slot;
     wire [15:0]      highlight;
     rt_gloss #(.TAG(SLOTW)) u_gloss (
         .clk(clk), .rst(rst), .in_valid_i(e_valid_q && need), .in_ready_o(g_ready),
         .in_tag_i(e_slot_q), .in_normal_i(normal), .in_light_i(light), .in_dir_i(dir),
-        .in_power_i(look[11:0]),
+        .in_power_i(e_power),
         .out_valid_o(g_valid), .out_tag_o(g_slot), .out_highlight_o(highlight)
     );
     assign e_go            = need ? g_ready : !g_valid;
@@ -111,6 +112,6 @@ module rt_shine #(
     assign out_slot_o      = g_valid ? g_slot : e_slot_q;
     assign out_lit_o       = g_valid || e_lit_q;
     assign out_highlight_o = g_valid ? highlight : 16'd0;
-    wire unused = &{1'b0, l_in, t_in, look_i};
+    wire unused = &{1'b0, l_in, t_in, ray_i, material_i};
 endmodule
 `default_nettype wire

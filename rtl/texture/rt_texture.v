@@ -6,13 +6,14 @@
 // returns is always taken. Drawing and timing: docs/texture_unit.md
 // Model: sph_lookup() in cmodel/texture/lookup.c
 `default_nettype none
+`include "rt_layout.vh"
+`include "rt_bundles.vh"
 module rt_texture #(
     parameter W     = 16,      // coordinate, bits
     parameter WD    = 17,      // direction component, bits
     parameter NG    = 2,       // guard bits of the hit point
     parameter BACK  = 0,       // 1: rays that waited come back (REFRACT)
     parameter SLOTS = 32,      // power of two
-    parameter SLOTW = 5,       // log2 of SLOTS
     parameter LINES = 128,     // texture cache, lines of memory
     parameter WAYS  = 4,       // groups of a set
     parameter GROUP = 1,       // lines of memory fetched together: 1, 2 or 4
@@ -22,48 +23,30 @@ module rt_texture #(
     input  wire                clk,
     input  wire                rst,
     input  wire                flush_i,        // forget the texture cache
-    input  wire                on_i,           // run-time switch: effect TEXTURE
-    input  wire [1:0]          filter_i,       // TEX_FILTER
-    input  wire [25:0]         mem_lines_i,
-    // from rt_setup: primary and reflected rays
-    input  wire                ray_valid_i,
-    input  wire [SLOTW-1:0]    ray_slot_i,
-    input  wire                ray_primary_i,
-    input  wire [16:0]         ray_y_i,        // of the unit vector: 1 / |dir|
-    input  wire [5:0]          ray_h_i,
-    // from rt_pixels: what they hit
-    input  wire                hit_valid_i,
-    input  wire [SLOTW-1:0]    hit_slot_i,
-    input  wire                hit_far_i,
-    input  wire [W+WD+1:0]     hit_key_i,
-    // from rt_surface: material, then hit point
-    input  wire                record_valid_i,
-    input  wire [SLOTW-1:0]    record_slot_i,
-    input  wire [32:0]         record_i,       // {kr u1.8, 0xBBGGRR}
-    input  wire [25:0]         record_tex_i,   // line of the mapping record, 0: none
-    input  wire                point_valid_i,
-    input  wire [SLOTW-1:0]    point_slot_i,
-    input  wire [3*(W+NG)-1:0] point_i,        // {z, y, x} s(W+NG)
-    // from rt_setup: a surface, with its unit normal
-    input  wire                in_valid_i,
-    input  wire [SLOTW-1:0]    in_slot_i,
-    input  wire [53:0]         in_unit_i,      // {z, y, x} s1.16
-    // to and from rt_pixels: paths of surfaces; of rays that waited, not with path_valid_o
-    output wire                path_valid_o,
-    output wire [SLOTW-1:0]    path_slot_o,
-    output wire [W+7:0]        path_o,
-    input  wire                back_valid_i,
-    input  wire [SLOTW-1:0]    back_slot_i,
-    input  wire [W+7:0]        back_path_i,
-    // to rt_pixels: the material as textured; to rt_lights, a cycle later: the surface
+    input  wire [`RT_REGS_BITS-1:0]     regs_i,
+    // from rt_setup: rays, unit normals; from rt_slots: what they hit; from rt_surface: material,
+    // then hit point
+    input  wire [`RT_RAY_BITS-1:0]      ray_i,
+    input  wire [`RT_HIT_BITS-1:0]      hit_i,
+    input  wire [`RT_MATERIAL_BITS-1:0] material_i,
+    input  wire [`RT_SURFACE_BITS-1:0]  surface_i,
+    // token: a surface, with its unit normal in ray_i
+    input  wire                         in_valid_i,
+    input  wire [$clog2(SLOTS)-1:0]     in_slot_i,
+    // to and from rt_leave: paths of surfaces; of rays that waited, not with path_valid_o
+    output wire                         path_valid_o,
+    output wire [$clog2(SLOTS)-1:0]     path_slot_o,
+    output wire [W+7:0]                 path_o,
+    input  wire [`RT_BACK_BITS-1:0]     back_i,
+    // to rt_compose: the material as textured; to rt_lights, a cycle later: the surface
     output wire                material_valid_o,
-    output wire [SLOTW-1:0]    material_slot_o,
+    output wire [$clog2(SLOTS)-1:0] material_slot_o,
     output wire [32:0]         material_o,
     output reg                 out_valid_o,
-    output reg  [SLOTW-1:0]    out_slot_o,
-    // to rt_pixels: what a pixel has seen of textures, a cycle after its slot
+    output reg  [$clog2(SLOTS)-1:0] out_slot_o,
+    // to rt_slots: what a pixel has seen of textures, a cycle after its slot
     input  wire                word_read_i,
-    input  wire [SLOTW-1:0]    word_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] word_slot_i,
     output wire [31:0]         word_o,         // {lod u4.8, sum of texel addresses}
     // memory
     output wire                mem_req_valid_o,
@@ -79,23 +62,35 @@ module rt_texture #(
     output wire                bad_node_o,
     output wire                bus_error_o
 );
+    localparam SLOTW = $clog2(SLOTS);
     localparam PW = W + 8;
     localparam [1:0] MAP = 2'd0, IMAGE = 2'd1, TEXEL = 2'd2;
     localparam TAG = SLOTW + 9;                // {slot, kind, index, word, void}
+
+    wire [`RT_EFFECT_BITS-1:0] effects   = regs_i[`RT_REGS_EFFECTS];
+    wire [1:0]       filter    = regs_i[`RT_REGS_TEX_FILTER];
+    wire [25:0]      mem_lines = regs_i[`RT_REGS_MEM_LINES];
+    wire             record_valid = material_i[`RT_MATERIAL_VALID];
+    wire [SLOTW-1:0] record_slot  = material_i[`RT_MATERIAL_SLOT];
+    wire [23:0]      record_rgb   = material_i[`RT_MATERIAL_RGB];
 
     // ---- path; a surface without a texture is done ----
     wire             p_valid, p_primary, plain_in, maps_in;
     wire [SLOTW-1:0] p_slot;
     wire [25:0]      p_tex;
     wire [PW-1:0]    p_path;
-    wire             p_textured = on_i && p_tex != 26'd0;
-    rt_texture_path #(.W(W), .WD(WD), .BACK(BACK), .SLOTS(SLOTS), .SLOTW(SLOTW)) u_path (
+    wire             p_textured = effects[`RT_EFFECT_TEXTURE] && p_tex != 26'd0;
+    rt_texture_path #(.W(W), .WD(WD), .BACK(BACK), .SLOTS(SLOTS)) u_path (
         .clk(clk), .rst(rst),
-        .ray_valid_i(ray_valid_i), .ray_slot_i(ray_slot_i), .ray_primary_i(ray_primary_i),
-        .ray_y_i(ray_y_i), .ray_h_i(ray_h_i),
-        .hit_valid_i(hit_valid_i), .hit_slot_i(hit_slot_i), .hit_key_i(hit_key_i),
-        .tex_valid_i(record_valid_i), .tex_slot_i(record_slot_i), .tex_i(record_tex_i),
-        .back_valid_i(back_valid_i), .back_slot_i(back_slot_i), .back_path_i(back_path_i),
+        .ray_valid_i(ray_i[`RT_RAY_VALID] && !ray_i[`RT_RAY_SHADOW]),
+        .ray_slot_i(ray_i[`RT_RAY_SLOT]), .ray_primary_i(ray_i[`RT_RAY_PRIMARY]),
+        .ray_y_i(ray_i[`RT_RAY_Y]), .ray_h_i(ray_i[`RT_RAY_H]),
+        .hit_valid_i(hit_i[`RT_HIT_HIT]), .hit_slot_i(hit_i[`RT_HIT_SLOT]),
+        .hit_key_i(hit_i[`RT_HIT_KEY]),
+        .tex_valid_i(record_valid), .tex_slot_i(record_slot),
+        .tex_i(material_i[`RT_MATERIAL_TEX]),
+        .back_valid_i(back_i[`RT_BACK_VALID]), .back_slot_i(back_i[`RT_BACK_SLOT]),
+        .back_path_i(back_i[`RT_BACK_PATH]),
         .in_valid_i(in_valid_i), .in_slot_i(in_slot_i),
         .out_valid_o(p_valid), .out_slot_o(p_slot), .out_tex_o(p_tex),
         .out_primary_o(p_primary), .out_path_o(p_path)
@@ -118,7 +113,7 @@ module rt_texture #(
     wire [2:0]       texel_index, texel_word, index, word;
     wire [26:0]      line   = texel_valid ? texel_line
                               : {1'b0, image_valid ? image_line : map_line};
-    wire             beyond = line >= {1'b0, mem_lines_i};
+    wire             beyond = line >= {1'b0, mem_lines};
     wire [TAG-2:0]   what   = texel_valid ? {texel_slot, TEXEL, texel_index, texel_word}
                               : image_valid ? {image_slot, IMAGE, 6'd0} : {map_slot, MAP, 6'd0};
     wire             come, lost, come_error;
@@ -148,7 +143,7 @@ module rt_texture #(
             assign mem_req_line_o = fetch_line;
         end else begin : g_group
             localparam GB = $clog2(GROUP);
-            assign mem_req_line_o = {fetch_line[25:GB], fetch_line >= mem_lines_i ? {GB{1'b0}}
+            assign mem_req_line_o = {fetch_line[25:GB], fetch_line >= mem_lines ? {GB{1'b0}}
                                                                         : fetch_line[GB-1:0]};
         end
     endgenerate
@@ -185,11 +180,13 @@ module rt_texture #(
     wire [81:0]      st;
     wire [39:0]      mix;
     wire [23:0]      colour;
-    rt_texture_map #(.W(W), .NG(NG), .SLOTS(SLOTS), .SLOTW(SLOTW), .COORDS(COORDS)) u_map (
+    rt_texture_map #(.W(W), .NG(NG), .SLOTS(SLOTS), .COORDS(COORDS)) u_map (
         .clk(clk), .rst(rst),
-        .hit_valid_i(hit_valid_i), .hit_slot_i(hit_slot_i), .hit_far_i(hit_far_i),
-        .point_valid_i(point_valid_i), .point_slot_i(point_slot_i), .point_i(point_i),
-        .unit_valid_i(in_valid_i), .unit_slot_i(in_slot_i), .unit_i(in_unit_i),
+        .hit_valid_i(hit_i[`RT_HIT_HIT]), .hit_slot_i(hit_i[`RT_HIT_SLOT]),
+        .hit_far_i(hit_i[`RT_HIT_FAR]),
+        .point_valid_i(surface_i[`RT_SURFACE_VALID]), .point_slot_i(surface_i[`RT_SURFACE_SLOT]),
+        .point_i(surface_i[`RT_SURFACE_GUARDED]),
+        .unit_valid_i(in_valid_i), .unit_slot_i(in_slot_i), .unit_i(ray_i[`RT_RAY_UNIT]),
         .path_valid_i(p_valid), .path_slot_i(p_slot), .path_i(p_path),
         .map_valid_i(come_map), .map_slot_i(slot), .map_i(data), .void_i(r_lost_q),
         .image_valid_o(image_valid), .image_ready_i(image_ready), .image_slot_o(image_slot),
@@ -198,8 +195,8 @@ module rt_texture #(
         .level_line_o(header_line),
         .st_read_i(st_read), .st_slot_i(st_slot), .st_o(st)
     );
-    rt_texture_image #(.SLOTS(SLOTS), .SLOTW(SLOTW), .COARSE(COARSE)) u_image (
-        .clk(clk), .rst(rst), .filter_i(filter_i),
+    rt_texture_image #(.SLOTS(SLOTS), .COARSE(COARSE)) u_image (
+        .clk(clk), .rst(rst), .filter_i(filter),
         .image_valid_i(come_image), .image_slot_i(slot), .image_i(data), .void_i(r_lost_q),
         .lod_i(lod), .line_i(header_line), .none_o(no_texels),
         .st_read_o(st_read), .st_slot_o(st_slot), .st_i(st),
@@ -210,10 +207,9 @@ module rt_texture #(
         .fresh_valid_i(p_valid && p_primary), .fresh_slot_i(p_slot),
         .word_read_i(word_read_i), .word_slot_i(word_slot_i), .word_o(word_o)
     );
-    rt_texture_mix #(.SLOTS(SLOTS), .SLOTW(SLOTW)) u_mix (
-        .clk(clk), .rst(rst), .nearest_i(filter_i == 2'd0),
-        .albedo_valid_i(record_valid_i), .albedo_slot_i(record_slot_i),
-        .albedo_i(record_i[23:0]),
+    rt_texture_mix #(.SLOTS(SLOTS)) u_mix (
+        .clk(clk), .rst(rst), .nearest_i(filter == 2'd0),
+        .albedo_valid_i(record_valid), .albedo_slot_i(record_slot), .albedo_i(record_rgb),
         .both_valid_i(both_valid), .both_slot_i(texel_slot), .both_i(both),
         .mix_valid_i(mix_valid), .mix_slot_i(mix_slot), .mix_i(mix),
         .texel_valid_i(r_texel_q), .texel_slot_i(r_slot_q), .texel_index_i(r_index_q),
@@ -244,7 +240,8 @@ module rt_texture #(
     reg [23:0]       m_colour_q;
     wire [32:0]      m_record;
     rt_slot_ram #(.WIDTH(33), .SLOTS(SLOTS), .OLD(0)) u_record (
-        .clk(clk), .wr_en_i(record_valid_i), .wr_addr_i(record_slot_i), .wr_data_i(record_i),
+        .clk(clk), .wr_en_i(record_valid), .wr_addr_i(record_slot),
+        .wr_data_i({material_i[`RT_MATERIAL_KR], record_rgb}),
         .rd_en_i(e_valid), .rd_addr_i(e_slot), .rd_data_o(m_record)
     );
     always @(posedge clk) begin
@@ -259,6 +256,7 @@ module rt_texture #(
     assign material_valid_o = m_valid_q;
     assign material_slot_o  = m_slot_q;
     assign material_o       = {m_record[32:24], m_mixed_q ? m_colour_q : m_record[23:0]};
-    wire unused = &{1'b0, plain_in, maps_in, white_in};
+    wire unused = &{1'b0, regs_i, effects, ray_i, hit_i, material_i, surface_i, back_i, plain_in,
+                    maps_in, white_in};
 endmodule
 `default_nettype wire

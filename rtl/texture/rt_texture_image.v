@@ -7,7 +7,6 @@
 `include "rt_layout.vh"
 module rt_texture_image #(
     parameter SLOTS = 32,      // power of two
-    parameter SLOTW = 5,       // log2 of SLOTS
     parameter COARSE = 0       // bits of the level's fraction that are rounded away, 0 to 8
 ) (
     input  wire              clk,
@@ -15,7 +14,7 @@ module rt_texture_image #(
     input  wire [1:0]        filter_i,       // TEX_FILTER
     // a header; void_i, lod_i and line_i a cycle later
     input  wire              image_valid_i,
-    input  wire [SLOTW-1:0]  image_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] image_slot_i,
     input  wire [255:0]      image_i,
     input  wire              void_i,         // it does not lie in memory
     input  wire [11:0]       lod_i,          // u4.8, of the longest chain
@@ -23,12 +22,12 @@ module rt_texture_image #(
     output wire              none_o,         // a cycle later too: no texels; the surface is done
     // coordinates, one cycle after the slot
     output wire              st_read_o,
-    output wire [SLOTW-1:0]  st_slot_o,
+    output wire [$clog2(SLOTS)-1:0] st_slot_o,
     input  wire [81:0]       st_i,           // {clamp t s, t, s}
     // requests
     output wire              texel_valid_o,
     input  wire              texel_ready_i,
-    output wire [SLOTW-1:0]  texel_slot_o,
+    output wire [$clog2(SLOTS)-1:0] texel_slot_o,
     output wire [2:0]        texel_index_o,
     output wire [26:0]       texel_line_o,
     output wire [2:0]        texel_word_o,   // of the line
@@ -36,15 +35,16 @@ module rt_texture_image #(
     output wire              both_valid_o,
     output wire              both_o,
     output wire              mix_valid_o,
-    output wire [SLOTW-1:0]  mix_slot_o,
+    output wire [$clog2(SLOTS)-1:0] mix_slot_o,
     output wire [39:0]       mix_o,          // {weight of the next level, t s t s} u0.8
     // the word of a pixel: forgotten when it begins, read a cycle after its slot
     input  wire              fresh_valid_i,
-    input  wire [SLOTW-1:0]  fresh_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] fresh_slot_i,
     input  wire              word_read_i,
-    input  wire [SLOTW-1:0]  word_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] word_slot_i,
     output wire [31:0]       word_o          // {lod u4.8, sum modulo 2^20}
 );
+    localparam SLOTW = $clog2(SLOTS);
     localparam [1:0] NEAREST = 2'd0, LEVEL = 2'd2, BETWEEN = 2'd3;
 
     // ---- header, with the level that was asked for ----

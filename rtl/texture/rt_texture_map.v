@@ -9,43 +9,43 @@ module rt_texture_map #(
     parameter W     = 16,      // coordinate, bits
     parameter NG    = 2,       // guard bits of the hit point
     parameter SLOTS = 32,      // power of two
-    parameter SLOTW = 5,       // log2 of SLOTS
     parameter COORDS = 2       // units for spheres' coordinates
 ) (
     input  wire                clk,
     input  wire                rst,
     // what is known of the surface
     input  wire                hit_valid_i,
-    input  wire [SLOTW-1:0]    hit_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] hit_slot_i,
     input  wire                hit_far_i,
     input  wire                point_valid_i,
-    input  wire [SLOTW-1:0]    point_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] point_slot_i,
     input  wire [3*(W+NG)-1:0] point_i,      // {z, y, x} s(W+NG)
     input  wire                unit_valid_i,
-    input  wire [SLOTW-1:0]    unit_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] unit_slot_i,
     input  wire [53:0]         unit_i,       // {z, y, x} s1.16, of the normal
     input  wire                path_valid_i,
-    input  wire [SLOTW-1:0]    path_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] path_slot_i,
     input  wire [W+7:0]        path_i,       // u(W+4).4
     // the record; void_i a cycle later: it does not lie in memory
     input  wire                map_valid_i,
-    input  wire [SLOTW-1:0]    map_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] map_slot_i,
     input  wire [255:0]        map_i,
     input  wire                void_i,
     // the image's header is wanted
     output wire                image_valid_o,
     input  wire                image_ready_i,
-    output wire [SLOTW-1:0]    image_slot_o,
+    output wire [$clog2(SLOTS)-1:0] image_slot_o,
     output wire [25:0]         image_line_o,
     // by slot, one cycle after its number: when the header comes, and when texels are chosen
     input  wire                level_read_i,
-    input  wire [SLOTW-1:0]    level_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] level_slot_i,
     output wire [11:0]         level_lod_o,  // u4.8, of the longest chain
     output wire [25:0]         level_line_o, // of the header
     input  wire                st_read_i,
-    input  wire [SLOTW-1:0]    st_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] st_slot_i,
     output wire [81:0]         st_o          // {clamp t s, t, s}
 );
+    localparam SLOTW = $clog2(SLOTS);
     localparam GW = W + NG;
     localparam PW = W + 8;
     reg              r_valid_q;              // the record came one cycle ago

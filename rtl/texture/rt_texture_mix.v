@@ -4,33 +4,33 @@
 // Model: filtered() in cmodel/texture/lookup.c, sph_texture_albedo() in cmodel/texture/filter.c
 `default_nettype none
 module rt_texture_mix #(
-    parameter SLOTS = 32,      // power of two
-    parameter SLOTW = 5        // log2 of SLOTS
+    parameter SLOTS = 32  // power of two
 ) (
     input  wire              clk,
     input  wire              rst,
     input  wire              nearest_i,      // register: one texel a surface
     // colour of the surface itself
     input  wire              albedo_valid_i,
-    input  wire [SLOTW-1:0]  albedo_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] albedo_slot_i,
     input  wire [23:0]       albedo_i,       // 0xBBGGRR
     // how to mix, with the first request of a surface and with its last
     input  wire              both_valid_i,
-    input  wire [SLOTW-1:0]  both_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] both_slot_i,
     input  wire              both_i,
     input  wire              mix_valid_i,
-    input  wire [SLOTW-1:0]  mix_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] mix_slot_i,
     input  wire [39:0]       mix_i,          // {weight of the next level, t s t s} u0.8
     // a texel
     input  wire              texel_valid_i,
-    input  wire [SLOTW-1:0]  texel_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] texel_slot_i,
     input  wire [2:0]        texel_index_i,
     input  wire [23:0]       texel_i,        // 0xBBGGRR
     // the surface
     output wire              out_valid_o,    // one clock
-    output wire [SLOTW-1:0]  out_slot_o,
+    output wire [$clog2(SLOTS)-1:0] out_slot_o,
     output wire [23:0]       out_colour_o
 );
+    localparam SLOTW = $clog2(SLOTS);
     // ---- texels that came, by slot; a count begins and ends at 0 ----
     reg  [SLOTW:0]   clear_q;                // after reset: counts still to clear
     wire             clearing = !clear_q[SLOTW];

@@ -7,39 +7,39 @@ module rt_texture_path #(
     parameter W     = 16,      // coordinate, bits
     parameter WD    = 17,      // direction component, bits
     parameter BACK  = 0,       // 1: rays that waited come back
-    parameter SLOTS = 32,      // power of two
-    parameter SLOTW = 5        // log2 of SLOTS
+    parameter SLOTS = 32  // power of two
 ) (
     input  wire              clk,
     input  wire              rst,
     // primary and reflected rays
     input  wire              ray_valid_i,
-    input  wire [SLOTW-1:0]  ray_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] ray_slot_i,
     input  wire              ray_primary_i,
     input  wire [16:0]       ray_y_i,        // of the unit vector: 1 / |dir|
     input  wire [5:0]        ray_h_i,
     // what they hit
     input  wire              hit_valid_i,
-    input  wire [SLOTW-1:0]  hit_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] hit_slot_i,
     input  wire [W+WD+1:0]   hit_key_i,
     // line of its mapping record, 0: none
     input  wire              tex_valid_i,
-    input  wire [SLOTW-1:0]  tex_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] tex_slot_i,
     input  wire [25:0]       tex_i,
     // the path of a ray that takes up where another has left; not with out_valid_o
     input  wire              back_valid_i,
-    input  wire [SLOTW-1:0]  back_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] back_slot_i,
     input  wire [W+7:0]      back_path_i,
     // token: a surface
     input  wire              in_valid_i,
-    input  wire [SLOTW-1:0]  in_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] in_slot_i,
     // the same, with
     output wire              out_valid_o,
-    output wire [SLOTW-1:0]  out_slot_o,
+    output wire [$clog2(SLOTS)-1:0] out_slot_o,
     output wire [25:0]       out_tex_o,
     output wire              out_primary_o,
     output wire [W+7:0]      out_path_o      // u(W+4).4 from the eye
 );
+    localparam SLOTW = $clog2(SLOTS);
     localparam KW = W + WD + 2;
     localparam PW = W + 8;
     wire             back = BACK != 0 && back_valid_i;

@@ -8,13 +8,13 @@
 // Aroxa 2014, III.B. Model: sph_bih_walk() in cmodel/trace/bih_walk.c
 `default_nettype none
 `include "rt_layout.vh"
+`include "rt_bundles.vh"
 `include "rt_latency.vh"
 `include "rt_bih.vh"
 module rt_bih #(
     parameter W     = 16,   // coordinate, bits
     parameter WD    = 17,   // direction component, bits
     parameter SLOTS = 32,   // power of two
-    parameter SLOTW = 5,    // log2 of SLOTS
     parameter LINES = 256,  // node cache, lines
     parameter SHADOW = 1,   // 1: shadow rays
     parameter FACETS = 0,   // 1: a leaf record may have a whole line
@@ -22,89 +22,78 @@ module rt_bih #(
     parameter STEP  = 2,    // bits of a reciprocal a clock
     parameter TW    = `RT_BIH_T  // not to be set: bits of a bound
 ) (
-    input  wire              clk,
-    input  wire              rst,
-    input  wire              flush_i,        // forget the node cache
-    input  wire [25:0]       mem_lines_i,    // registers
-    input  wire [25:0]       root_i,
-    input  wire [23:0]       visit_limit_i,
-    input  wire [23:0]       n_prims_i,
-    input  wire [25:0]       leaf_base_i,
-    input  wire [23:0]       n_loose_i,
-    input  wire [6*(W+2)-1:0] box_i,         // {z1, y1, x1, z0, y0, x0}
-    input  wire              facets_on_i,    // run-time switch of FACETS
-    // from rt_setup: a new ray, then its token
-    input  wire              new_valid_i,
-    input  wire [SLOTW-1:0]  new_slot_i,
-    input  wire [3*W-1:0]    new_org_i,      // {z, y, x} sW
-    input  wire [3*WD-1:0]   new_dir_i,      // {z, y, x} sWD
-    input  wire [2*WD-1:0]   new_a_i,        // dir.dir
-    input  wire              new_shadow_i,
-    output wire [TW-1:0]     new_limit_o,    // to rt_collect: a shadow ray ends at its light
-    input  wire              go_valid_i,     // primary or reflected
-    input  wire [SLOTW-1:0]  go_slot_i,
-    input  wire              go_pixel_i,     // the pixel's visits start at 0
-    input  wire              shadow_go_i,    // shadow ray
-    input  wire [SLOTW-1:0]  shadow_slot_i,
+    input  wire                       clk,
+    input  wire                       rst,
+    input  wire                       flush_i,        // forget the node cache
+    input  wire [`RT_REGS_BITS-1:0]   regs_i,
+    // from rt_setup: a new ray, with its token unless it is a shadow ray
+    input  wire [`RT_RAY_BITS-1:0]    ray_i,
+    input  wire                       pixel_i,        // the pixel's visits start at 0
+    output wire [TW-1:0]              ray_limit_o,    // to rt_collect: the light of a shadow ray
+    // from rt_shade: a shadow ray starts
+    input  wire                       shadow_go_i,
+    input  wire [$clog2(SLOTS)-1:0]   shadow_slot_i,
     // to rt_leaf_unit and rt_collect: leaf records to test
-    output wire              leaf_valid_o,
-    output wire [SLOTW-1:0]  leaf_slot_o,
-    output wire [3:0]        leaf_mask_o,
-    output wire [2:0]        leaf_count_o,
-    output wire [25:0]       leaf_line_o,
+    output wire [`RT_VISIT_BITS-1:0]  visit_o,
+    output wire [2:0]                 count_o,
     // from rt_collect: they are tested; what the ray has found, a clock after the slot
-    input  wire              tested_valid_i,
-    input  wire [SLOTW-1:0]  tested_slot_i,
-    output wire              limit_read_o,
-    output wire [SLOTW-1:0]  limit_slot_o,
-    input  wire [TW-1:0]     limit_i,        // what begins later does not matter
-    input  wire              hit_i,
-    input  wire              ends_i,         // a hit ends the ray
+    input  wire                       tested_valid_i,
+    input  wire [$clog2(SLOTS)-1:0]   tested_slot_i,
+    output wire                       limit_read_o,
+    output wire [$clog2(SLOTS)-1:0]   limit_slot_o,
+    input  wire [TW-1:0]              limit_i,        // what begins later does not matter
+    input  wire                       hit_i,
+    input  wire                       ends_i,         // a hit ends the ray
     // token: the ray is done
-    output wire              done_valid_o,
-    output wire [SLOTW-1:0]  done_slot_o,
+    output wire                       done_valid_o,
+    output wire [$clog2(SLOTS)-1:0]   done_slot_o,
     // visits of a pixel
-    input  wire              visits_read_i,
-    input  wire [SLOTW-1:0]  visits_slot_i,
-    output wire [23:0]       visits_o,
+    input  wire                       visits_read_i,
+    input  wire [$clog2(SLOTS)-1:0]   visits_slot_i,
+    output wire [23:0]                visits_o,
     // memory
-    output wire              mem_req_valid_o,
-    input  wire              mem_req_ready_i,
-    output wire [25:0]       mem_req_line_o,
-    input  wire              mem_rsp_valid_i,
-    output wire              mem_rsp_ready_o,
-    input  wire [255:0]      mem_rsp_data_i,
-    input  wire              mem_rsp_error_i,
-    // counters and errors
-    output wire              issued_o,       // a token entered the cache
-    output reg               visit_o,        // a node visit
-    output reg [2:0]         tests_o,        // child tests
-    output wire              miss_o,
-    output wire              bubble_o,
-    output reg               bad_node_o,
-    output reg               visit_limit_o,
-    output wire              overflow_o,
-    output reg               bus_error_o
+    output wire                       mem_req_valid_o,
+    input  wire                       mem_req_ready_i,
+    output wire [25:0]                mem_req_line_o,
+    input  wire                       mem_rsp_valid_i,
+    output wire                       mem_rsp_ready_o,
+    input  wire [255:0]               mem_rsp_data_i,
+    input  wire                       mem_rsp_error_i,
+    // events and faults of this clock
+    output wire [`RT_TRACE_EVENT_BITS-1:0] event_o,
+    output wire [3:0]                 fault_o         // by number of the error, machine.def
 );
+    localparam SLOTW = $clog2(SLOTS);
     localparam CW = W + 2;                           // coordinate of a plane
     localparam GW = `RT_BIH_G;
 
     localparam T  = W + WD + 2 > TW ? W + WD + 2 - TW : 0;  // low bits of a key that bounds drop
 
+    wire [`RT_EFFECT_BITS-1:0] effects   = regs_i[`RT_REGS_EFFECTS];
+    wire [25:0]      mem_lines = regs_i[`RT_REGS_MEM_LINES];
+    wire [25:0]      root      = regs_i[`RT_REGS_ROOT];
+    wire [25:0]      leaf_base = regs_i[`RT_REGS_LEAF_BASE];
+    wire [23:0]      n_prims   = regs_i[`RT_REGS_N_PRIMS];
+    wire [23:0]      n_loose   = regs_i[`RT_REGS_N_LOOSE];
+    wire [6*CW-1:0]  box       = regs_i[`RT_REGS_BOX];
+
     // ---- rays: their words, how far they go ----
-    wire [2*WD+TW-1:0] light = {{TW{1'b0}}, new_a_i} >> T;
-    assign new_limit_o = !new_shadow_i || |light[2*WD+TW-1:TW] ? {TW{1'b1}} : light[TW-1:0];
+    wire [2*WD+TW-1:0] light = {{TW{1'b0}}, ray_i[`RT_RAY_A]} >> T;
+    assign ray_limit_o = !ray_i[`RT_RAY_SHADOW] || |light[2*WD+TW-1:TW] ? {TW{1'b1}}
+                                                                        : light[TW-1:0];
     wire             place_valid, pace_valid, start_valid, start_pixel, put_start;
     wire [SLOTW-1:0] place_slot, pace_slot, start_slot;
     wire [1:0]       place_axis, pace_axis;
     wire [W+1:0]     place;
     wire [GW+6:0]    pace;
-    rt_bih_ray #(.W(W), .WD(WD), .SLOTS(SLOTS), .SLOTW(SLOTW), .SHADOW(SHADOW), .BANKS(BANKS),
+    rt_bih_ray #(.W(W), .WD(WD), .SLOTS(SLOTS), .SHADOW(SHADOW), .BANKS(BANKS),
                  .STEP(STEP)) u_rays (
         .clk(clk), .rst(rst),
-        .new_valid_i(new_valid_i), .new_slot_i(new_slot_i), .new_org_i(new_org_i),
-        .new_dir_i(new_dir_i), .new_a_i(new_a_i),
-        .go_valid_i(go_valid_i), .go_slot_i(go_slot_i), .go_pixel_i(go_pixel_i),
+        .new_valid_i(ray_i[`RT_RAY_VALID]), .new_slot_i(ray_i[`RT_RAY_SLOT]),
+        .new_org_i(ray_i[`RT_RAY_ORG]), .new_dir_i(ray_i[`RT_RAY_DIR]),
+        .new_a_i(ray_i[`RT_RAY_A]),
+        .go_valid_i(ray_i[`RT_RAY_VALID] && !ray_i[`RT_RAY_SHADOW]),
+        .go_slot_i(ray_i[`RT_RAY_SLOT]), .go_pixel_i(pixel_i),
         .shadow_go_i(shadow_go_i), .shadow_slot_i(shadow_slot_i),
         .place_valid_o(place_valid), .place_slot_o(place_slot), .place_axis_o(place_axis),
         .place_o(place),
@@ -141,7 +130,7 @@ module rt_bih #(
     wire [23:0]      ray_visits, pixel_visits;
     wire [23:0]      ray_before   = q_issue_valid ? ray_visits : 24'd0;
     wire [23:0]      pixel_before = q_issue_valid || !start_pixel ? pixel_visits : 24'd0;
-    wire             bad_limit  = ray_visits == visit_limit_i;
+    wire             bad_limit  = ray_visits == regs_i[`RT_REGS_VISIT_LIMIT];
     wire             counted    = q_issue_valid && !bad_limit;
     wire [23:0]      pixel_next = pixel_before + {23'd0, counted};
     rt_slot_file #(.WIDTH(48), .SLOTS(SLOTS)) u_visits (
@@ -153,7 +142,7 @@ module rt_bih #(
         .clk(clk), .wr_en_i(issue || put_start), .wr_addr_i(count_slot), .wr_data_i(pixel_next),
         .rd_en_i(visits_read_i), .rd_addr_i(visits_slot_i), .rd_data_o(visits_o)
     );
-    assign issued_o = issue;
+    assign event_o[`RT_TRACE_EVENT_ISSUED] = issue;
 
     // ---- node cache; a killed token fetches line 0 and is thrown away behind it ----
     localparam TAG = SLOTW + 2;
@@ -171,7 +160,7 @@ module rt_bih #(
         .mem_req_line_o(mem_req_line_o),
         .mem_rsp_valid_i(mem_rsp_valid_i), .mem_rsp_ready_o(mem_rsp_ready_o),
         .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
-        .miss_o(miss_o)
+        .miss_o(event_o[`RT_TRACE_EVENT_MISS])
     );
 
     // ---- t1: a node, an axis of the box between its planes, or a start ----
@@ -180,17 +169,17 @@ module rt_bih #(
     reg [95:0]       t1_words_q;                     // of the node
     reg [1:0]        t1_box_axis_q;
     reg              sound_q;                        // the registers let a ray start
-    wire [26:0]      records = {1'b0, leaf_base_i} + {3'd0, n_prims_i};
+    wire [26:0]      records = {1'b0, leaf_base} + {3'd0, n_prims};
     always @(posedge clk) begin
         t1_valid_q    <= rsp_valid || put_box || put_start;
         t1_node_q     <= rsp_valid;
-        t1_box_q      <= put_box || (put_start && n_loose_i == 24'd0);
+        t1_box_q      <= put_box || (put_start && n_loose == 24'd0);
         t1_kill_q     <= rsp_valid ? rsp_kill || rsp_error : !put_box && !sound_q;
         t1_slot_q     <= rsp_valid ? rsp_slot : put_box ? q_box_slot : start_slot;
         t1_words_q    <= rsp_half ? rsp_data[128 +: 96] : rsp_data[95:0];
         t1_box_axis_q <= put_box ? q_box_axis : 2'd0;
-        sound_q       <= root_i < mem_lines_i && records <= {1'b0, mem_lines_i} &&
-                         n_loose_i <= n_prims_i;
+        sound_q       <= root < mem_lines && records <= {1'b0, mem_lines} &&
+                         n_loose <= n_prims;
         if (rst) t1_valid_q <= 1'b0;
     end
     wire [28:0]      t1_child = t1_words_q[`RT_BIH_CHILD_LSB +: 29];
@@ -200,9 +189,9 @@ module rt_bih #(
     wire [31:0]      t1_first = t1_words_q[`RT_BIH_FIRST_LSB +: 32];
     wire [31:0]      t1_count = t1_words_q[`RT_BIH_COUNT_LSB +: 32];
     wire [32:0]      t1_end   = {1'b0, t1_first} + {1'b0, t1_count};
-    wire [29:0]      t1_line  = {4'd0, root_i} + {1'b0, t1_child};
-    wire             t1_bad   = t1_leaf ? t1_end > {9'd0, n_prims_i}
-                                        : t1_line >= {4'd0, mem_lines_i};
+    wire [29:0]      t1_line  = {4'd0, root} + {1'b0, t1_child};
+    wire             t1_bad   = t1_leaf ? t1_end > {9'd0, n_prims}
+                                        : t1_line >= {4'd0, mem_lines};
     wire [CW-1:0]    t1_l     = t1_words_q[`RT_BIH_CLIP_L_LSB +: CW];
     wire [CW-1:0]    t1_r     = t1_words_q[`RT_BIH_CLIP_R_LSB +: CW];
     wire [W+1:0]     t2_place;
@@ -221,12 +210,14 @@ module rt_bih #(
     reg              t2_valid_q, t2_node_q;
     reg [SLOTW-1:0]  t2_slot_q;
     reg [2:0]        t2_kind_q;
+    reg              visit_q, bad_node_q, visit_limit_q, bus_error_q;
+    reg [2:0]        tests_q;
     reg [47:0]       t2_data_q;
     reg signed [CW-1:0] t2_l_q, t2_r_q;
-    wire [CW-1:0]    box_end   = t1_box_axis_q[1] ? box_i[5*CW +: CW]
-                                 : t1_box_axis_q[0] ? box_i[4*CW +: CW] : box_i[3*CW +: CW];
-    wire [CW-1:0]    box_begin = t1_box_axis_q[1] ? box_i[2*CW +: CW]
-                                 : t1_box_axis_q[0] ? box_i[CW +: CW] : box_i[0 +: CW];
+    wire [CW-1:0]    box_end   = t1_box_axis_q[1] ? box[5*CW +: CW]
+                                 : t1_box_axis_q[0] ? box[4*CW +: CW] : box[3*CW +: CW];
+    wire [CW-1:0]    box_begin = t1_box_axis_q[1] ? box[2*CW +: CW]
+                                 : t1_box_axis_q[0] ? box[CW +: CW] : box[0 +: CW];
     wire             t1_live = t1_valid_q && t1_node_q && !t1_kill_q;
     always @(posedge clk) begin
         t2_valid_q <= t1_valid_q;
@@ -239,16 +230,22 @@ module rt_bih #(
         t2_data_q  <= t1_leaf ? {t1_count[23:0], t1_first[23:0]} : {22'd0, t1_line[25:0]};
         t2_l_q     <= t1_box_q ? box_end : t1_fit ? t1_r : t1_l;
         t2_r_q     <= t1_box_q ? box_begin : t1_fit ? t1_l : t1_r;
-        visit_o       <= issue && !bad_limit;
-        tests_o       <= t1_live && !t1_bad && !t1_leaf ? 3'd2 : 3'd0;
-        bad_node_o    <= (t1_live && t1_bad) || (put_start && !sound_q);
-        visit_limit_o <= issue && bad_limit;
-        bus_error_o   <= rsp_valid && rsp_error;
+        visit_q       <= issue && !bad_limit;
+        tests_q       <= t1_live && !t1_bad && !t1_leaf ? 3'd2 : 3'd0;
+        bad_node_q    <= (t1_live && t1_bad) || (put_start && !sound_q);
+        visit_limit_q <= issue && bad_limit;
+        bus_error_q   <= rsp_valid && rsp_error;
         if (rst) begin
-            t2_valid_q <= 1'b0; t2_node_q <= 1'b0; visit_o <= 1'b0; tests_o <= 3'd0;
-            bad_node_o <= 1'b0; visit_limit_o <= 1'b0; bus_error_o <= 1'b0;
+            t2_valid_q <= 1'b0; t2_node_q <= 1'b0; visit_q <= 1'b0; tests_q <= 3'd0;
+            bad_node_q <= 1'b0; visit_limit_q <= 1'b0; bus_error_q <= 1'b0;
         end
     end
+
+    assign event_o[`RT_TRACE_EVENT_VISIT] = visit_q;
+    assign event_o[`RT_TRACE_EVENT_TESTS] = tests_q;
+    assign fault_o[`RT_ERROR_BAD_NODE]    = bad_node_q;
+    assign fault_o[`RT_ERROR_VISIT_LIMIT] = visit_limit_q;
+    assign fault_o[`RT_ERROR_BUS_ERROR]   = bus_error_q;
 
     // ---- the step, and beside it whose it is ----
     wire             s_back, s_near, s_far, pass_valid;
@@ -271,9 +268,9 @@ module rt_bih #(
     );
 
     // ---- decision ----
-    rt_bih_next #(.SLOTS(SLOTS), .SLOTW(SLOTW), .ENDS(SHADOW), .FACETS(FACETS)) u_next (
-        .clk(clk), .rst(rst), .facets_on_i(facets_on_i), .root_i(root_i),
-        .leaf_base_i(leaf_base_i), .n_loose_i(n_loose_i),
+    rt_bih_next #(.SLOTS(SLOTS), .ENDS(SHADOW), .FACETS(FACETS)) u_next (
+        .clk(clk), .rst(rst), .facets_on_i(effects[`RT_EFFECT_FACETS]), .root_i(root),
+        .leaf_base_i(leaf_base), .n_loose_i(n_loose),
         .node_valid_i(t2_node_q), .node_slot_i(t2_slot_q), .node_i(t2_data_q),
         .pass_valid_i(pass_valid), .pass_slot_i(pass_slot), .pass_kind_i(pass_kind),
         .step_back_i(s_back), .step_near_i(s_near), .step_far_i(s_far),
@@ -283,12 +280,14 @@ module rt_bih #(
         .ends_i(ends_i),
         .issue_valid_o(issue_valid), .issue_slot_o(issue_slot), .issue_place_o(issue_place),
         .box_valid_o(box_valid), .box_slot_o(box_slot), .box_axis_o(box_axis),
-        .leaf_valid_o(leaf_valid_o), .leaf_slot_o(leaf_slot_o), .leaf_mask_o(leaf_mask_o),
-        .leaf_count_o(leaf_count_o), .leaf_line_o(leaf_line_o),
+        .leaf_valid_o(visit_o[`RT_VISIT_VALID]), .leaf_slot_o(visit_o[`RT_VISIT_SLOT]),
+        .leaf_mask_o(visit_o[`RT_VISIT_LEAF]), .leaf_count_o(count_o),
+        .leaf_line_o(visit_o[`RT_VISIT_LINE]),
         .done_valid_o(done_valid_o), .done_slot_o(done_slot_o),
-        .bubble_o(bubble_o), .overflow_o(overflow_o)
+        .bubble_o(event_o[`RT_TRACE_EVENT_BUBBLE]),
+        .overflow_o(fault_o[`RT_ERROR_STACK_OVERFLOW])
     );
-    wire unused = &{1'b0, q_issue_in, q_box_in, rsp_data[255:224], rsp_data[127:96],
-                    t1_words_q, t1_line[29:26]};
+    wire unused = &{1'b0, q_issue_in, q_box_in, regs_i, effects, ray_i, rsp_data[255:224],
+                    rsp_data[127:96], t1_words_q, t1_line[29:26]};
 endmodule
 `default_nettype wire

@@ -9,7 +9,6 @@
 `include "rt_bih.vh"
 module rt_bih_next #(
     parameter SLOTS = 32,   // power of two
-    parameter SLOTW = 5,    // log2 of SLOTS
     parameter DEPTH = `RT_BIH_STACK,  // stack entries a slot, power of two
     parameter ENDS  = 1,    // 1: some rays end with a hit
     parameter FACETS = 0,   // 1: a leaf record may have a whole line
@@ -24,11 +23,11 @@ module rt_bih_next #(
     input  wire [23:0]      n_loose_i,
     // from rt_bih: what the node says, before its pass comes
     input  wire             node_valid_i,
-    input  wire [SLOTW-1:0] node_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] node_slot_i,
     input  wire [47:0]      node_i,         // inner: line of the children; leaf: {count, first}
     // a pass, and a clock later what rt_bih_step makes of it
     input  wire             pass_valid_i,
-    input  wire [SLOTW-1:0] pass_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] pass_slot_i,
     input  wire [2:0]       pass_kind_i,    // rt_bih.vh
     input  wire             step_back_i,
     input  wire             step_near_i,
@@ -37,31 +36,32 @@ module rt_bih_next #(
     input  wire [TW-1:0]    step_lower_i,
     // from rt_collect: the records of a chunk are tested; asked in stage 0, answered in stage 1
     input  wire             tested_valid_i,
-    input  wire [SLOTW-1:0] tested_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] tested_slot_i,
     output wire             read_o,
-    output wire [SLOTW-1:0] slot_o,
+    output wire [$clog2(SLOTS)-1:0] slot_o,
     input  wire [TW-1:0]    limit_i,        // what begins later does not matter
     input  wire             hit_i,          // the ray has a hit
     input  wire             ends_i,         // and ends with it
     // to rt_bih: visit this node, or cut by an axis of the global box
     output reg              issue_valid_o,
-    output reg [SLOTW-1:0]  issue_slot_o,
+    output reg [$clog2(SLOTS)-1:0] issue_slot_o,
     output reg [26:0]       issue_place_o,  // {line, half}
     output reg              box_valid_o,
-    output reg [SLOTW-1:0]  box_slot_o,
+    output reg [$clog2(SLOTS)-1:0] box_slot_o,
     output reg [1:0]        box_axis_o,
     // to rt_leaf_unit and rt_collect: a chunk of leaf records
     output reg              leaf_valid_o,
-    output reg [SLOTW-1:0]  leaf_slot_o,
+    output reg [$clog2(SLOTS)-1:0] leaf_slot_o,
     output reg [3:0]        leaf_mask_o,    // bit j: record j from the start of the line
     output reg [2:0]        leaf_count_o,
     output reg [25:0]       leaf_line_o,
     // the ray is done
     output reg              done_valid_o,
-    output reg [SLOTW-1:0]  done_slot_o,
+    output reg [$clog2(SLOTS)-1:0] done_slot_o,
     output reg              bubble_o,       // counts nodes popped behind the hit
     output reg              overflow_o      // the stack was full: the ray ends
 );
+    localparam SLOTW = $clog2(SLOTS);
     localparam SPW = $clog2(DEPTH);
     localparam EW  = 27 + 2*TW;             // stack entry: {place, hi, lo}
     localparam [TW-1:0] NONE = {TW{1'b1}};

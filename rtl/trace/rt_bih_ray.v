@@ -12,7 +12,6 @@ module rt_bih_ray #(
     parameter W     = 16,  // coordinate, bits
     parameter WD    = 17,  // direction component, bits
     parameter SLOTS = 32,  // power of two
-    parameter SLOTW = 5,   // log2 of SLOTS
     parameter SHADOW = 1,  // 1: shadow rays
     parameter BANKS = 2,   // rays that are divided at once, three dividers each
     parameter STEP  = 2    // quotient bits a clock
@@ -21,31 +20,32 @@ module rt_bih_ray #(
     input  wire             rst,
     // from rt_setup: a ray, then its token
     input  wire             new_valid_i,
-    input  wire [SLOTW-1:0] new_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] new_slot_i,
     input  wire [3*W-1:0]   new_org_i,      // {z, y, x} sW
     input  wire [3*WD-1:0]  new_dir_i,      // {z, y, x} sWD
     input  wire [2*WD-1:0]  new_a_i,        // dir.dir
     input  wire             go_valid_i,     // primary or reflected
-    input  wire [SLOTW-1:0] go_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] go_slot_i,
     input  wire             go_pixel_i,     // the pixel's visits start at 0
     input  wire             shadow_go_i,    // shadow ray
-    input  wire [SLOTW-1:0] shadow_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] shadow_slot_i,
     // to rt_bih: where a ray stands on an axis and which way it goes
     output reg              place_valid_o,
-    output reg [SLOTW-1:0]  place_slot_o,
+    output reg [$clog2(SLOTS)-1:0] place_slot_o,
     output reg [1:0]        place_axis_o,   // 0 x, 1 y, 2 z
     output reg [W+1:0]      place_o,        // {org sW, back, flat}
     // how fast
     output reg              pace_valid_o,
-    output reg [SLOTW-1:0]  pace_slot_o,
+    output reg [$clog2(SLOTS)-1:0] pace_slot_o,
     output reg [1:0]        pace_axis_o,
     output reg [`RT_BIH_G+6:0] pace_o,      // {open, shift u6, g}
     // token: all six are written
     output wire             start_valid_o,
     input  wire             start_ready_i,
-    output wire [SLOTW-1:0] start_slot_o,
+    output wire [$clog2(SLOTS)-1:0] start_slot_o,
     output wire             start_pixel_o
 );
+    localparam SLOTW = $clog2(SLOTS);
     localparam GW = `RT_BIH_G;
     localparam DW = WD > `RT_BIH_DIVIDE ? WD : `RT_BIH_DIVIDE;  // bits of a that are divided
     localparam NW = 2*WD > DW ? 2*WD : DW;                      // a, on its way up

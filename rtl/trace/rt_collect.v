@@ -11,7 +11,6 @@ module rt_collect #(
     parameter WD    = 17,  // direction component, bits
     parameter FW    = 14,  // filter coordinate, bits
     parameter SLOTS = 32,  // power of two
-    parameter SLOTW = 5,   // log2 of SLOTS
     parameter SHADOW = 1,  // 1: shadow rays
     parameter INSIDE = 1,  // 1: far roots, or facets: far is kept
     parameter FIRST = 1,   // 1: rays that end with the first visit that hits
@@ -21,11 +20,11 @@ module rt_collect #(
     input  wire              rst,
     // from rt_traverse: how many results the visit of a slot will have
     input  wire              want_valid_i,
-    input  wire [SLOTW-1:0]  want_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] want_slot_i,
     input  wire [2:0]        want_count_i,
     // from rt_setup: a new ray in a slot
     input  wire              new_valid_i,
-    input  wire [SLOTW-1:0]  new_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] new_slot_i,
     input  wire [16:0]       new_scale_i,   // u1.15
     input  wire [5:0]        new_shift_i,   // 63: depth cannot be bounded
     input  wire              new_shadow_i,
@@ -34,25 +33,25 @@ module rt_collect #(
     input  wire [FW:0]       new_depth_i,   // depth limit at the start
     // from rt_leaf by way of rt_root_pool: one result
     input  wire              in_valid_i,
-    input  wire [SLOTW-1:0]  in_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] in_slot_i,
     input  wire              in_hit_i,
     input  wire              in_far_i,
     input  wire [23:0]       in_id_i,
     input  wire [W+WD+1:0]   in_key_i,
     // to rt_next: the visit is complete
     output wire              out_valid_o,
-    output wire [SLOTW-1:0]  out_slot_o,
+    output wire [$clog2(SLOTS)-1:0] out_slot_o,
     // state of a slot, one cycle after its number
     input  wire              filter_valid_i,
-    input  wire [SLOTW-1:0]  filter_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] filter_slot_i,
     output wire [FW:0]       filter_depth_o, // what lies deeper does not matter
     input  wire              next_valid_i,
-    input  wire [SLOTW-1:0]  next_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] next_slot_i,
     output wire [FW:0]       next_depth_o,
     output wire              next_found_o,   // the ray has a hit
     output wire              next_ends_o,    // a hit ends the ray: shadow, or first
     input  wire              done_valid_i,
-    input  wire [SLOTW-1:0]  done_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] done_slot_i,
     output wire              done_found_o,
     output wire              done_shadow_o,
     output wire              done_primary_o,
@@ -61,6 +60,7 @@ module rt_collect #(
     output wire [23:0]       done_id_o,
     output wire [W+WD+1:0]   done_key_o
 );
+    localparam SLOTW = $clog2(SLOTS);
     localparam KW   = W + WD + 2;            // key
     localparam BW   = KW + 24;               // {id, key}; above it the mark, then far
     localparam LIM  = {(FW+1){1'b1}};        // largest depth

@@ -1,17 +1,17 @@
 // rt_leaf_unit.v - leaf children of a visit: fetched, tested exactly, given a key
 // SPDX-License-Identifier: Apache-2.0
 // Takes the leaf children that a visit left, reads their records through the leaf cache, tests them
-// against the slot's ray, takes the root of a hit, and hands every result to rt_collect. The same
-// cache serves the primitive records of rt_surface. At most HOLD spheres are under way behind the
-// cache, so the queues in front of rt_collect cannot overflow; rt_facet can be held back.
+// against the slot's ray, takes the root of a hit, and hands every result to rt_trace. The same
+// cache serves the primitive records of rt_shade. At most HOLD spheres are under way behind the
+// cache, so the queues in front of the results cannot overflow; rt_facet can be held back.
 // Model: sphere_visit(), line_visit() in cmodel/trace/leaf_unit.c
 `default_nettype none
 `include "rt_layout.vh"
+`include "rt_bundles.vh"
 module rt_leaf_unit #(
     parameter W     = 16,   // coordinate, bits
     parameter WD    = 17,   // direction component, bits
     parameter SLOTS = 32,   // power of two
-    parameter SLOTW = 5,    // log2 of SLOTS
     parameter LINES = 64,   // leaf cache, lines
     parameter ROOTS = 3,    // square root units
     parameter ROOT_STEP = 2, // root bits a clock
@@ -22,64 +22,40 @@ module rt_leaf_unit #(
     parameter DIVISIONS = 1, // dividers for their keys
     parameter DIVISION_STEP = 2 // bits of a key a clock
 ) (
-    input  wire              clk,
-    input  wire              rst,
-    input  wire              flush_i,       // forget the leaf cache
-    input  wire              inside_on_i,   // run-time switches of INSIDE, FACETS
-    input  wire              facets_on_i,
-    // from rt_setup: the rays
-    input  wire              ray_valid_i,
-    input  wire [SLOTW-1:0]  ray_slot_i,
-    input  wire              ray_shadow_i,
-    input  wire [3*W-1:0]    ray_org_i,
-    input  wire [3*WD-1:0]   ray_dir_i,
-    input  wire [2*WD-1:0]   ray_a_i,
-    input  wire [24:0]       ray_skip_i,    // {inside, id}
-    // from rt_traverse: leaf children to test
-    input  wire              in_valid_i,
-    input  wire [SLOTW-1:0]  in_slot_i,
-    input  wire [3:0]        in_leaf_i,     // bit j: leaf child j, not all 0
-    input  wire [25:0]       in_line_i,     // line of leaf child 0
-    // to rt_collect
-    output wire              out_valid_o,
-    output wire [SLOTW-1:0]  out_slot_o,
-    output wire              out_hit_o,
-    output wire              out_far_o,
-    output wire [23:0]       out_id_o,
-    output wire [W+WD+1:0]   out_key_o,
-    // from and to rt_surface: primitive records
-    input  wire              prim_valid_i,
-    output wire              prim_ready_o,
-    input  wire [SLOTW-1:0]  prim_slot_i,
-    input  wire [25:0]       prim_line_i,
-    output wire              prim_valid_o,
-    input  wire              prim_ready_i,
-    output wire [SLOTW-1:0]  prim_slot_o,
-    output wire [255:0]      prim_data_o,
+    input  wire                       clk,
+    input  wire                       rst,
+    input  wire                       flush_i,    // forget the leaf cache
+    input  wire [`RT_REGS_BITS-1:0]   regs_i,
+    input  wire [`RT_RAY_BITS-1:0]    ray_i,      // from rt_setup
+    input  wire [`RT_VISIT_BITS-1:0]  visit_i,    // from rt_trace: leaf children to test
+    output wire [`RT_RESULT_BITS-1:0] result_o,   // to rt_trace
+    // from and to rt_shade: primitive records
+    input  wire [`RT_FETCH_BITS-1:0]  fetch_i,
+    output wire                       fetch_ready_o,
+    output wire [`RT_RECORD_BITS-1:0] record_o,
+    input  wire                       record_ready_i,
     // memory
-    output wire              mem_req_valid_o,
-    input  wire              mem_req_ready_i,
-    output wire [25:0]       mem_req_line_o,
-    input  wire              mem_rsp_valid_i,
-    output wire              mem_rsp_ready_o,
-    input  wire [255:0]      mem_rsp_data_i,
-    input  wire              mem_rsp_error_i,
-    // counters and errors
-    output wire              test_o,        // a leaf test
-    output wire              root_o,        // a square root
-    output wire              facet_o,       // a facet test
-    output wire              divide_o,      // a division for its key
-    output wire              bad_node_o,    // a leaf line of no kind
-    output wire              miss_o,
-    output wire              bus_error_o
+    output wire                       mem_req_valid_o,
+    input  wire                       mem_req_ready_i,
+    output wire [25:0]                mem_req_line_o,
+    input  wire                       mem_rsp_valid_i,
+    output wire                       mem_rsp_ready_o,
+    input  wire [255:0]               mem_rsp_data_i,
+    input  wire                       mem_rsp_error_i,
+    // events and faults of this clock
+    output wire [`RT_EXACT_EVENT_BITS-1:0] event_o,
+    output wire [3:0]                 fault_o     // by number of the error, machine.def
 );
+    localparam SLOTW = $clog2(SLOTS);
     localparam KW   = W + WD + 2;
     localparam XW   = 2*W + 2*WD;
     localparam HOLD = 16;
     localparam SB   = SHADOW != 0 ? 1 : 0;           // bits of a flag, if it is elaborated
     localparam IB   = INSIDE != 0 ? 1 : 0;
     localparam LB   = FACETS != 0 ? 256 : 128;       // bits of a leaf
-    wire       whole = FACETS != 0 && facets_on_i;   // a line a leaf
+    wire [`RT_EFFECT_BITS-1:0] effects = regs_i[`RT_REGS_EFFECTS];
+    wire       whole = FACETS != 0 && effects[`RT_EFFECT_FACETS];  // a line a leaf
+    wire       prim  = fetch_i[`RT_FETCH_VALID];     // a primitive record goes first
 
     // ---- one candidate after the other: queue of slots, what to test in block RAM ----
     wire             q_valid, q_in_ready;
@@ -87,22 +63,23 @@ module rt_leaf_unit #(
     reg              v_valid_q, open_q;              // a visit is at hand; todo_q is in use
     reg [SLOTW-1:0]  v_slot_q;
     reg [3:0]        todo_q;                         // left of the visit
-    wire [29:0]      v;                              // {leaf children, line}
-    wire [3:0]       todo = open_q ? todo_q : v[29:26];
+    wire [3:0]       v_leaf;
+    wire [25:0]      v_line;
+    wire [3:0]       todo = open_q ? todo_q : v_leaf;
     wire [1:0]       pick = todo[0] ? 2'd0 : todo[1] ? 2'd1 : todo[2] ? 2'd2 : 2'd3;
     wire [3:0]       rest = todo & (todo - 4'd1);
     wire             req_ready;
-    wire             take = v_valid_q && req_ready && !prim_valid_i;
+    wire             take = v_valid_q && req_ready && !prim;
     wire             v_load = !v_valid_q || (take && rest == 4'd0);
     rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_queue (
-        .clk(clk), .rst(rst), .in_valid_i(in_valid_i), .in_ready_o(q_in_ready),
-        .in_data_i(in_slot_i),
+        .clk(clk), .rst(rst), .in_valid_i(visit_i[`RT_VISIT_VALID]), .in_ready_o(q_in_ready),
+        .in_data_i(visit_i[`RT_VISIT_SLOT]),
         .out_valid_o(q_valid), .out_ready_i(v_load), .out_data_o(q_slot)
     );
     rt_slot_ram #(.WIDTH(30), .SLOTS(SLOTS), .OLD(0)) u_visit (
-        .clk(clk), .wr_en_i(in_valid_i), .wr_addr_i(in_slot_i),
-        .wr_data_i({in_leaf_i, in_line_i}),
-        .rd_en_i(v_load && q_valid), .rd_addr_i(q_slot), .rd_data_o(v)
+        .clk(clk), .wr_en_i(visit_i[`RT_VISIT_VALID]), .wr_addr_i(visit_i[`RT_VISIT_SLOT]),
+        .wr_data_i({visit_i[`RT_VISIT_LEAF], visit_i[`RT_VISIT_LINE]}),
+        .rd_en_i(v_load && q_valid), .rd_addr_i(q_slot), .rd_data_o({v_leaf, v_line})
     );
     always @(posedge clk) begin
         if (v_load) begin
@@ -121,26 +98,28 @@ module rt_leaf_unit #(
     wire             c_valid, c_ready, c_half, c_prim, c_error;
     wire [SLOTW-1:0] c_slot;
     wire [255:0]     c_data;
-    assign prim_ready_o = req_ready;
+    assign fetch_ready_o = req_ready;
     rt_cache #(.TAG(TAG), .LINES(LINES), .PENDING(SLOTS)) u_cache (
         .clk(clk), .rst(rst), .flush_i(flush_i),
-        .req_valid_i(prim_valid_i || v_valid_q), .req_ready_o(req_ready),
-        .req_line_i(prim_valid_i ? prim_line_i
-                    : v[25:0] + {24'd0, whole && pick[1], whole ? pick[0] : pick[1]}),
-        .req_tag_i(prim_valid_i ? {prim_slot_i, 1'b0, 1'b1}
-                                : {v_slot_q, pick[0] && !whole, 1'b0}),
+        .req_valid_i(prim || v_valid_q), .req_ready_o(req_ready),
+        .req_line_i(prim ? fetch_i[`RT_FETCH_LINE]
+                    : v_line + {24'd0, whole && pick[1], whole ? pick[0] : pick[1]}),
+        .req_tag_i(prim ? {fetch_i[`RT_FETCH_SLOT], 1'b0, 1'b1}
+                        : {v_slot_q, pick[0] && !whole, 1'b0}),
         .rsp_valid_o(c_valid), .rsp_ready_i(c_ready), .rsp_data_o(c_data),
         .rsp_tag_o({c_slot, c_half, c_prim}), .rsp_error_o(c_error),
         .mem_req_valid_o(mem_req_valid_o), .mem_req_ready_i(mem_req_ready_i),
         .mem_req_line_o(mem_req_line_o),
         .mem_rsp_valid_i(mem_rsp_valid_i), .mem_rsp_ready_o(mem_rsp_ready_o),
         .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
-        .miss_o(miss_o)
+        .miss_o(event_o[`RT_EXACT_EVENT_MISS])
     );
-    assign prim_valid_o = c_valid && c_prim;
-    assign prim_slot_o  = c_slot;
-    assign prim_data_o  = c_data;
-    assign bus_error_o  = c_valid && c_ready && c_error;
+    assign record_o[`RT_RECORD_VALID] = c_valid && c_prim;
+    assign record_o[`RT_RECORD_SLOT]  = c_slot;
+    assign record_o[`RT_RECORD_DATA]  = c_data;
+    assign fault_o[`RT_ERROR_BUS_ERROR] = c_valid && c_ready && c_error;
+    assign fault_o[`RT_ERROR_STACK_OVERFLOW] = 1'b0;
+    assign fault_o[`RT_ERROR_VISIT_LIMIT]    = 1'b0;
 
     // ---- record and ray side by side ----
     reg              l_valid_q, l_error_q;
@@ -148,14 +127,16 @@ module rt_leaf_unit #(
     reg [LB-1:0]     l_leaf_q;
     wire             leaf_ready, credit, facet_ready;
     wire [1:0]       l_kind;                         // 0: for rt_leaf
-    wire             l_bad   = l_kind == 2'd3;       // of no kind: a miss, as a bus error is
+    wire             l_bad   = l_kind == 2'd3;       // no kind: counts as a miss, as a bus error
     wire             l_facet = l_kind == `RT_TRIANGLE || l_kind == `RT_PLANE;
     wire             l_taken = l_valid_q && (l_facet ? facet_ready : leaf_ready && credit);
     wire             l_load  = c_valid && !c_prim && (!l_valid_q || l_taken);
-    assign c_ready = c_prim ? prim_ready_i : !l_valid_q || l_taken;
+    assign c_ready = c_prim ? record_ready_i : !l_valid_q || l_taken;
     localparam YW = 3*W + 5*WD + 24;                 // a ray; above it shadow, inside
-    wire [YW+1:0]       y = {INSIDE != 0 ? {ray_shadow_i, ray_skip_i[24]} : {2{ray_shadow_i}},
-                             ray_skip_i[23:0], ray_a_i, ray_dir_i, ray_org_i};
+    wire                shadow = ray_i[`RT_RAY_SHADOW];
+    wire [YW+1:0]       y = {INSIDE != 0 ? {shadow, ray_i[`RT_RAY_INSIDE]} : {2{shadow}},
+                             ray_i[`RT_RAY_SKIP], ray_i[`RT_RAY_A], ray_i[`RT_RAY_DIR],
+                             ray_i[`RT_RAY_ORG]};
     wire [YW+SB+IB-1:0] l_ray;
     wire                l_shadow = SHADOW != 0 && l_ray[YW+SB+IB-1];
     wire                l_inside = INSIDE != 0 && l_ray[YW+IB-1];
@@ -165,7 +146,8 @@ module rt_leaf_unit #(
     wire [3*W-1:0]      l_org;
     assign {l_skip, l_a, l_dir, l_org} = l_ray[YW-1:0];
     rt_slot_ram #(.WIDTH(YW+SB+IB), .SLOTS(SLOTS), .OLD(0)) u_ray (
-        .clk(clk), .wr_en_i(ray_valid_i), .wr_addr_i(ray_slot_i), .wr_data_i(y[YW+SB+IB-1:0]),
+        .clk(clk), .wr_en_i(ray_i[`RT_RAY_VALID]), .wr_addr_i(ray_i[`RT_RAY_SLOT]),
+        .wr_data_i(y[YW+SB+IB-1:0]),
         .rd_en_i(l_load), .rd_addr_i(c_slot), .rd_data_o(l_ray)
     );
     always @(posedge clk) begin
@@ -177,9 +159,9 @@ module rt_leaf_unit #(
         if (l_load || l_taken) l_valid_q <= l_load;
         if (rst) l_valid_q <= 1'b0;
     end
-    assign test_o     = l_taken && l_kind == 2'd0;
-    assign facet_o    = l_taken && l_facet;
-    assign bad_node_o = l_taken && l_bad;
+    assign event_o[`RT_EXACT_EVENT_LEAF]  = l_taken && l_kind == 2'd0;
+    assign event_o[`RT_EXACT_EVENT_FACET] = l_taken && l_facet;
+    assign fault_o[`RT_ERROR_BAD_NODE]    = l_taken && l_bad;
 
     // ---- exact test ----
     wire             x_valid, x_hit, x_far, x_exit, x_shadow, x_error;
@@ -192,17 +174,18 @@ module rt_leaf_unit #(
     assign {x_slot, x_error} = x_tag[SLOTW:0];
     assign x_shadow = SHADOW != 0 && x_tag[SLOTW+SB];
     rt_leaf #(.W(W), .WD(WD), .TAG(SLOTW+1+SB), .SHADOW(SHADOW), .INSIDE(INSIDE)) u_leaf (
-        .clk(clk), .rst(rst), .inside_on_i(inside_on_i),
+        .clk(clk), .rst(rst), .inside_on_i(effects[`RT_EFFECT_INSIDE]),
         .in_valid_i(l_valid_q && !l_facet && credit), .in_ready_o(leaf_ready),
         .in_tag_i(l_tag[SLOTW+SB:0]),
         .in_ctr_x_i($signed(l_leaf_q[`RT_LEAF_CTR_X_LSB +: W])),
         .in_ctr_y_i($signed(l_leaf_q[`RT_LEAF_CTR_Y_LSB +: W])),
         .in_ctr_z_i($signed(l_leaf_q[`RT_LEAF_CTR_Z_LSB +: W])),
-        .in_rad_i(l_leaf_q[`RT_LEAF_RAD_LSB +: W]), .in_id_i(l_leaf_q[`RT_LEAF_ID_LSB +: 24]),
-        .in_org_x_i($signed(l_org[0 +: W])), .in_org_y_i($signed(l_org[W +: W])),
-        .in_org_z_i($signed(l_org[2*W +: W])),
-        .in_dir_x_i($signed(l_dir[0 +: WD])), .in_dir_y_i($signed(l_dir[WD +: WD])),
-        .in_dir_z_i($signed(l_dir[2*WD +: WD])), .in_a_i(l_a),
+        .in_rad_i(l_leaf_q[`RT_LEAF_RAD_LSB +: W]),
+        .in_id_i(l_leaf_q[`RT_LEAF_ID_LSB +: `RT_LEAF_ID_BITS]),
+        .in_org_x_i($signed(l_org[`RT_POINT_X])), .in_org_y_i($signed(l_org[`RT_POINT_Y])),
+        .in_org_z_i($signed(l_org[`RT_POINT_Z])),
+        .in_dir_x_i($signed(l_dir[`RT_VEC_X])), .in_dir_y_i($signed(l_dir[`RT_VEC_Y])),
+        .in_dir_z_i($signed(l_dir[`RT_VEC_Z])), .in_a_i(l_a),
         .in_shadow_i(l_shadow), .in_skip_id_i(l_skip), .in_skip_inside_i(l_inside),
         .out_valid_o(x_valid), .out_tag_o(x_tag), .out_id_o(x_id),
         .out_hit_o(x_hit), .out_far_o(x_far), .out_exit_o(x_exit),
@@ -233,15 +216,16 @@ module rt_leaf_unit #(
                 .in_shadow_i(l_shadow), .in_skip_id_i(l_skip),
                 .out_valid_o(f_valid), .out_ready_i(f_taken), .out_tag_o(f_slot),
                 .out_id_o(f_id), .out_hit_o(f_hit), .out_far_o(f_far), .out_key_o(f_key),
-                .divide_o(divide_o)
+                .divide_o(event_o[`RT_EXACT_EVENT_DIVIDE])
             );
         end else begin : g_spheres
             assign l_kind = 2'd0;
-            assign {facet_ready, f_valid, f_hit, f_far, divide_o} = 5'd0;
+            assign {facet_ready, f_valid, f_hit, f_far} = 4'd0;
+            assign event_o[`RT_EXACT_EVENT_DIVIDE] = 1'b0;
             assign f_slot = {SLOTW{1'b0}};
             assign f_id   = 24'd0;
             assign f_key  = {KW{1'b0}};
-            wire unused = &{1'b0, facets_on_i, l_facet, f_taken};
+            wire unused = &{1'b0, l_facet, f_taken};
         end
     endgenerate
 
@@ -275,7 +259,7 @@ module rt_leaf_unit #(
         .out_valid_o(p_valid), .out_ready_i(1'b1), .out_tag_o(p_tag), .out_far_o(p_far),
         .out_key_o(p_key)
     );
-    assign root_o = r_valid && r_ready;
+    assign event_o[`RT_EXACT_EVENT_ROOT] = r_valid && r_ready;
     reg [4:0] held_q;                                // candidates behind the credit
     wire      d_leaves = d_valid && d_taken;
     wire      left = (r_valid && r_ready) || d_leaves;
@@ -285,15 +269,18 @@ module rt_leaf_unit #(
         held_q <= held_q + {4'd0, l_taken && !l_facet} - {4'd0, left} - {4'd0, both};
         if (rst) held_q <= 5'd0;
     end
-    // ---- to rt_collect: roots, which cannot wait long, then facets, then the others ----
+
+    // ---- to rt_trace: roots, which cannot wait long, then facets, then the others ----
     wire      d_far = INSIDE != 0 && (p_valid ? p_far : d[RW+IB]);
     assign f_taken = !p_valid;
     assign d_taken = !p_valid && !f_valid;
-    assign out_valid_o = p_valid || f_valid || d_valid;
-    assign {out_slot_o, out_id_o} = p_valid ? p_tag : f_valid ? {f_slot, f_id} : d[RW:1];
-    assign out_far_o = f_valid && !p_valid ? f_far : d_far;
-    assign out_hit_o = p_valid || (f_valid ? f_hit : d[0]);
-    assign out_key_o = p_valid ? p_key : f_valid ? f_key : {{(KW-1){1'b0}}, 1'b1};
-    wire unused = &{1'b0, q_in_ready, r_in, d_in, l_leaf_q, y, l_tag, r_all, d_all, ray_skip_i};
+    assign result_o[`RT_RESULT_VALID] = p_valid || f_valid || d_valid;
+    assign {result_o[`RT_RESULT_SLOT], result_o[`RT_RESULT_ID]} =
+        p_valid ? p_tag : f_valid ? {f_slot, f_id} : d[RW:1];
+    assign result_o[`RT_RESULT_FAR] = f_valid && !p_valid ? f_far : d_far;
+    assign result_o[`RT_RESULT_HIT] = p_valid || (f_valid ? f_hit : d[0]);
+    assign result_o[`RT_RESULT_KEY] = p_valid ? p_key : f_valid ? f_key : {{(KW-1){1'b0}}, 1'b1};
+    wire unused = &{1'b0, q_in_ready, r_in, d_in, l_leaf_q, y, l_tag, r_all, d_all, ray_i, regs_i,
+                    effects};
 endmodule
 `default_nettype wire

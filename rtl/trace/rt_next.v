@@ -10,7 +10,6 @@
 module rt_next #(
     parameter FW    = 14,   // filter coordinate, bits
     parameter SLOTS = 32,   // power of two
-    parameter SLOTW = 5,    // log2 of SLOTS
     parameter DEPTH = 16,   // stack entries a slot, power of two
     parameter ENDS  = 1     // 1: some rays end with a hit
 ) (
@@ -18,7 +17,7 @@ module rt_next #(
     input  wire             rst,
     // from rt_traverse: what the visit found, written before its token arrives
     input  wire             found_valid_i,
-    input  wire [SLOTW-1:0] found_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] found_slot_i,
     input  wire [25:0]      found_base_i,
     input  wire [2:0]       found_count_i,
     input  wire [71:0]      found_list_i,   // 4 x {near s16, child u2}
@@ -27,23 +26,24 @@ module rt_next #(
     // tokens
     input  wire             in_valid_i,
     output wire             in_ready_o,
-    input  wire [SLOTW-1:0] in_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] in_slot_i,
     // from rt_collect: asked in stage 0, answered in stage 1
     output wire             read_o,
-    output wire [SLOTW-1:0] slot_o,
+    output wire [$clog2(SLOTS)-1:0] slot_o,
     input  wire [FW:0]      depth_i,        // what lies deeper does not matter
     input  wire             hit_i,          // the ray has a hit
     input  wire             ends_i,         // and ends with it
     // to rt_traverse: visit this node
     output reg              issue_valid_o,
-    output reg [SLOTW-1:0]  issue_slot_o,
+    output reg [$clog2(SLOTS)-1:0] issue_slot_o,
     output reg [25:0]       issue_line_o,
     // the ray is done
     output reg              done_valid_o,
-    output reg [SLOTW-1:0]  done_slot_o,
+    output reg [$clog2(SLOTS)-1:0] done_slot_o,
     output reg              bubble_o,       // counts passes for a pruned top of stack
     output reg              overflow_o      // the stack was full: the ray ends
 );
+    localparam SLOTW = $clog2(SLOTS);
     localparam DEPTHW = $clog2(DEPTH);
     localparam signed [15:0] FAR = 16'sh7fff;
     localparam CW = 26 + 3 + 72;            // current group: {base, count, list}

@@ -5,29 +5,25 @@
 //   filter origin = org / 2^(W-FW), half up, limited to FW bits
 // Latency 2 cycles, one a cycle. Model: sph_ray_setup() in cmodel/trace/setup.c
 `default_nettype none
+`include "rt_bundles.vh"
 module rt_origin #(
     parameter W         = 16,  // coordinate, bits
     parameter FW        = 14,  // filter coordinate, bits
     parameter SECONDARY = 1,   // 1: there are shadow or reflected rays
-    parameter SLOTS     = 32,  // power of two
-    parameter SLOTW     = 5    // log2 of SLOTS
+    parameter SLOTS     = 32   // power of two
 ) (
-    input  wire              clk,
-    input  wire [3*W-1:0]    eye_i,           // {z, y, x} register
+    input  wire                     clk,
+    input  wire [3*W-1:0]           eye_i,  // register
     // where secondary rays start, and on what
-    input  wire              point_valid_i,
-    input  wire [SLOTW-1:0]  point_slot_i,
-    input  wire [3*W-1:0]    point_i,
-    input  wire              skip_valid_i,
-    input  wire [SLOTW-1:0]  skip_slot_i,
-    input  wire [24:0]       skip_i,          // {inside, id}
+    input  wire [`RT_ORG_BITS-1:0]  org_i,
+    input  wire [`RT_SKIP_BITS-1:0] skip_i,
     // a ray
-    input  wire              read_i,
-    input  wire [SLOTW-1:0]  slot_i,
-    input  wire              primary_i,
-    output wire [3*W-1:0]    org_o,
-    output wire [24:0]       skip_o,
-    output reg  [3*FW-1:0]   forg_o           // 3 x sFW
+    input  wire                     read_i,
+    input  wire [$clog2(SLOTS)-1:0] slot_i,
+    input  wire                     primary_i,
+    output wire [3*W-1:0]           org_o,
+    output wire [24:0]              skip_o, // {inside, id}
+    output reg  [3*FW-1:0]          forg_o  // 3 x sFW
 );
     localparam K = W - FW;
     localparam [24:0] NONE = {1'b0, 24'hffffff};
@@ -40,11 +36,13 @@ module rt_origin #(
             reg [3*W-1:0]  org_q;
             reg [24:0]     skip_q;
             rt_slot_ram #(.WIDTH(3*W), .SLOTS(SLOTS), .OLD(0)) u_point (
-                .clk(clk), .wr_en_i(point_valid_i), .wr_addr_i(point_slot_i), .wr_data_i(point_i),
+                .clk(clk), .wr_en_i(org_i[`RT_ORG_VALID]), .wr_addr_i(org_i[`RT_ORG_SLOT]),
+                .wr_data_i(org_i[`RT_ORG_POINT]),
                 .rd_en_i(read_i), .rd_addr_i(slot_i), .rd_data_o(point)
             );
             rt_slot_ram #(.WIDTH(25), .SLOTS(SLOTS), .OLD(0)) u_skip (
-                .clk(clk), .wr_en_i(skip_valid_i), .wr_addr_i(skip_slot_i), .wr_data_i(skip_i),
+                .clk(clk), .wr_en_i(skip_i[`RT_SKIP_VALID]), .wr_addr_i(skip_i[`RT_SKIP_SLOT]),
+                .wr_data_i({skip_i[`RT_SKIP_INSIDE], skip_i[`RT_SKIP_ID]}),
                 .rd_en_i(read_i), .rd_addr_i(slot_i), .rd_data_o(skip)
             );
             assign org = primary_q ? eye_i : point;
@@ -59,8 +57,7 @@ module rt_origin #(
             assign org    = eye_i;
             assign org_o  = eye_i;
             assign skip_o = NONE;
-            wire unused = &{1'b0, point_valid_i, point_slot_i, point_i, skip_valid_i, skip_slot_i,
-                            skip_i, read_i, slot_i, primary_i};
+            wire unused = &{1'b0, org_i, skip_i, read_i, slot_i, primary_i};
         end
     endgenerate
 

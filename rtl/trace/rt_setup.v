@@ -1,80 +1,42 @@
-// rt_setup.v - ray set-up: unit vectors, depth scale and Lambert's cosine
+// rt_setup.v - ray set-up: unit vectors, origin, depth scale
 // SPDX-License-Identifier: Apache-2.0
-// Takes directions from four sources (surface normals first, primary rays last), makes each a unit
-// vector, and from that all a ray carries. Rays towards a light meet the surface's unit normal:
-// those that face away never start. One vector a cycle, a light every second cycle; where only
-// primary rays come, one every second cycle.
-// Model: sph_ray_setup() in cmodel/trace/setup.c, sph_lambert() in cmodel/shade/colour.c
+// Takes vectors from four sources (surface normals first, primary rays last), makes each a unit
+// vector, and from that all a ray carries. One vector a cycle, a light every second cycle; where
+// only primary rays come, one every second cycle.
+// Model: sph_ray_setup() in cmodel/trace/setup.c
 `default_nettype none
 `include "rt_layout.vh"
+`include "rt_bundles.vh"
 module rt_setup #(
     parameter W       = 16, // coordinate, bits
     parameter WD      = 17, // direction component, bits
     parameter FW      = 14, // filter coordinate, bits
-    parameter SHADOW  = 1, // 1: shadow rays are traced, 0: every light that is faced shines
-    parameter LIGHTS  = 8, // 0: no vectors to lights and no cosines
-    parameter BOUNCES = 1, // 0: no mirrored directions
-    parameter TEXTURE = 0, // 1: textures need unit normals and the length of rays
-    parameter SLOTS   = 32, // power of two
-    parameter SLOTW   = 5   // log2 of SLOTS
+    parameter SHADOW  = 1,  // 1: shadow rays are traced, 0: every light that is faced shines
+    parameter LIGHTS  = 8,  // 0: no vectors to lights
+    parameter BOUNCES = 1,  // 0: no mirrored or refracted directions
+    parameter TEXTURE = 0,  // 1: textures need unit normals and the length of rays
+    parameter SLOTS   = 32  // power of two
 ) (
-    input  wire               clk,
-    input  wire               rst,
-    input  wire [3*W-1:0]     eye_i,            // {z, y, x} register
-    input  wire               shadow_on_i,      // run-time switch of SHADOW
-    // sources of vectors {z, y, x}
-    input  wire               normal_valid_i,
-    input  wire [SLOTW-1:0]   normal_slot_i,
-    input  wire [3*WD-1:0]    normal_vec_i,
-    input  wire               light_valid_i,
-    input  wire [SLOTW-1:0]   light_slot_i,
-    input  wire [3*WD-1:0]    light_vec_i,
-    input  wire               bounce_valid_i,
-    input  wire [SLOTW-1:0]   bounce_slot_i,
-    input  wire [3*WD-1:0]    bounce_vec_i,
-    input  wire               primary_valid_i,
-    output wire               primary_ready_o,
-    input  wire [SLOTW-1:0]   primary_slot_i,
-    input  wire [3*WD-1:0]    primary_vec_i,
-    // from rt_surface: where secondary rays start, and on what
-    input  wire               point_valid_i,
-    input  wire [SLOTW-1:0]   point_slot_i,
-    input  wire [3*W-1:0]     point_i,
-    input  wire               skip_valid_i,
-    input  wire [SLOTW-1:0]   skip_slot_i,
-    input  wire [24:0]        skip_i,           // {inside, id}
-    // a ray, to everyone who keeps a part of it
-    output reg                ray_valid_o,
-    output reg [SLOTW-1:0]    ray_slot_o,
-    output reg                ray_shadow_o,
-    output reg                ray_primary_o,
-    output wire [3*W-1:0]     ray_org_o,
-    output reg [3*WD-1:0]     ray_dir_o,
-    output reg [2*WD-1:0]     ray_a_o,
-    output wire [24:0]        ray_skip_o,
-    output wire [3*FW-1:0]    ray_forg_o,       // origin in filter units
-    output reg [53:0]         ray_unit_o,
-    output reg [1:0]          ray_axis_o,
-    output reg                ray_negative_o,
-    output reg [16:0]         ray_scale_o,      // u1.15
-    output reg [5:0]          ray_shift_o,      // 63: no bound
-    output wire [FW:0]        ray_depth_o,
-    output wire [16:0]        ray_y_o,          // u1.16, of ray_unit_o: with TEXTURE
-    output wire [5:0]         ray_h_o,
-    // tokens; a ray that is no shadow ray starts with ray_valid_o
-    output wire               lamp_valid_o,     // the light of cosine_slot_o needs no shadow ray
-    output wire               lamp_lit_o,
-    output wire               shadow_go_o,      // the shadow ray of cosine_slot_o starts
-    output reg                normal_valid_o,   // a surface is ready for its lights
-    output reg [SLOTW-1:0]    normal_slot_o,
-    output reg [3*WD-1:0]     normal_vec_o,
-    output reg [2*WD-1:0]     normal_nn_o,
-    output wire               light_valid_o,    // ray_unit_o is that to a light
-    // cosine of a light, with lamp_valid_o or shadow_go_o
-    output wire               cosine_valid_o,
-    output wire [SLOTW-1:0]   cosine_slot_o,
-    output wire [15:0]        cosine_o
+    input  wire                       clk,
+    input  wire                       rst,
+    input  wire [3*W-1:0]             eye_i,          // register
+    // from rt_shade: normals, vectors to lights, directions of rays that leave a surface
+    input  wire [`RT_VECTOR_BITS-1:0] normal_i,
+    input  wire [`RT_VECTOR_BITS-1:0] light_i,
+    input  wire [`RT_VECTOR_BITS-1:0] bounce_i,
+    // from rt_slots: primary rays, which wait
+    input  wire [`RT_VECTOR_BITS-1:0] primary_i,
+    output wire                       primary_ready_o,
+    // from rt_shade: where secondary rays start, and on what
+    input  wire [`RT_ORG_BITS-1:0]    org_i,
+    input  wire [`RT_SKIP_BITS-1:0]   skip_i,
+    // a ray, normal or light, to everyone who keeps a part of it
+    output wire [`RT_RAY_BITS-1:0]    ray_o,
+    output wire [`RT_FILTER_BITS-1:0] filter_o,
+    output wire                       next_light_o,   // ray_o has LIGHT in the next clock,
+    output wire [$clog2(SLOTS)-1:0]   next_slot_o     // and this slot
 );
+    localparam SLOTW = $clog2(SLOTS);
     localparam PRIMARY = 2'd0, LIGHT = 2'd1, BOUNCE = 2'd2, NORMAL = 2'd3;
     localparam SHADOWS   = LIGHTS != 0 && SHADOW != 0 ? 1 : 0;
     localparam NORMALS   = LIGHTS != 0 || BOUNCES != 0 || TEXTURE != 0 ? 1 : 0;
@@ -85,16 +47,11 @@ module rt_setup #(
     wire [SLOTW-1:0] v_slot;
     wire [3*WD-1:0]  v_vec;
     wire [1:0]       v_kind  = v_normal ? NORMAL : v_light ? LIGHT : v_bounce ? BOUNCE : PRIMARY;
-    rt_vectors #(.WD(WD), .NORMALS(NORMALS), .LIGHTS(LIGHTS), .BOUNCES(BOUNCES), .SLOTS(SLOTS),
-                 .SLOTW(SLOTW)) u_vectors (
+    rt_vectors #(.WD(WD), .NORMALS(NORMALS), .LIGHTS(LIGHTS), .BOUNCES(BOUNCES),
+                 .SLOTS(SLOTS)) u_vectors (
         .clk(clk), .rst(rst),
-        .normal_valid_i(normal_valid_i), .normal_slot_i(normal_slot_i),
-        .normal_vec_i(normal_vec_i),
-        .light_valid_i(light_valid_i), .light_slot_i(light_slot_i), .light_vec_i(light_vec_i),
-        .bounce_valid_i(bounce_valid_i), .bounce_slot_i(bounce_slot_i),
-        .bounce_vec_i(bounce_vec_i),
-        .primary_valid_i(primary_valid_i), .primary_ready_o(primary_ready_o),
-        .primary_slot_i(primary_slot_i), .primary_vec_i(primary_vec_i),
+        .normal_i(normal_i), .light_i(light_i), .bounce_i(bounce_i), .primary_i(primary_i),
+        .primary_ready_o(primary_ready_o),
         .out_valid_o(v_valid), .out_ready_i(v_ready),
         .out_normal_o(v_normal), .out_light_o(v_light), .out_bounce_o(v_bounce),
         .out_slot_o(v_slot), .out_vec_o(v_vec)
@@ -102,7 +59,7 @@ module rt_setup #(
 
     // ---- unit vector ----
     // Two units, a vector a cycle. Lights go to the first only, so that they leave at the pace of
-    // rt_lambert. Primary rays alone, of one kind, do with one unit.
+    // rt_cosine. Primary rays alone, of one kind, do with one unit.
     localparam UNITS = NORMALS != 0 ? 2 : 1;
     localparam KB    = NORMALS != 0 ? 2 : 0;         // bits of a kind
     wire [SLOTW+1:0]  v_tag = {v_slot, v_kind};
@@ -112,7 +69,7 @@ module rt_setup #(
     wire [1:0]        u_kind = u_tag[1:0];
     wire [2*WD-1:0]   u_vv;
     wire [53:0]       u_unit;
-    wire [17:0]       u_x = u_unit[17:0], u_y = u_unit[35:18], u_z = u_unit[53:36];
+    wire [17:0]       u_x = u_unit[`RT_UNIT_X], u_y = u_unit[`RT_UNIT_Y], u_z = u_unit[`RT_UNIT_Z];
     wire [16:0]       u_rsqrt;
     wire [5:0]        u_shift;
     rt_units #(.BITS(WD), .TAG(SLOTW+KB), .UNITS(UNITS)) u_units (
@@ -154,6 +111,15 @@ module rt_setup #(
                          : s1_mag_y_q >= s1_mag_z_q ? 2'd1 : 2'd2;
 
     // ---- stage 2: factors of the depth scale ----
+    reg              ray_valid_q, ray_normal_q, ray_light_q, ray_shadow_q, ray_primary_q;
+    reg [SLOTW-1:0]  ray_slot_q;
+    reg [3*WD-1:0]   ray_dir_q;
+    reg [2*WD-1:0]   ray_a_q;
+    reg [53:0]       ray_unit_q;
+    reg [1:0]        ray_axis_q;
+    reg              ray_negative_q;
+    reg [16:0]       ray_scale_q;                    // u1.15
+    reg [5:0]        ray_shift_q;                    // 63: no bound
     reg [3*WD-1:0]  s2_vec_q, s3_vec_q;
     reg [1:0]       s2_axis_q, s3_axis_q;
     reg             s2_negative_q, s3_negative_q;
@@ -190,34 +156,48 @@ module rt_setup #(
         s3_prod_q     <= s2_mag_q * s2_recip_q;
         if (rst) s3_valid_q <= 1'b0;
 
-        // ---- stage 4: ray or normal ----
-        ray_valid_o    <= s3_valid_q && s3_kind_q != NORMAL &&
+        // ---- stage 4: ray, normal or light ----
+        ray_valid_q    <= s3_valid_q && s3_kind_q != NORMAL &&
                           (SHADOWS != 0 || s3_kind_q != LIGHT);
-        ray_slot_o     <= s3_slot_q;
-        ray_shadow_o   <= SHADOWS != 0 && s3_kind_q == LIGHT;
-        ray_primary_o  <= s3_kind_q == PRIMARY;
-        ray_dir_o      <= s3_vec_q;
-        ray_a_o        <= s3_vv_q;
-        ray_unit_o     <= s3_unit_q;
-        ray_axis_o     <= s3_axis_q;
-        ray_negative_o <= s3_negative_q;
-        ray_scale_o    <= s3_prod_q[32:16] + 17'd1;
-        ray_shift_o    <= s3_shift_q;
-        normal_valid_o <= s3_valid_q && s3_kind_q == NORMAL;
-        normal_slot_o  <= s3_slot_q;
-        normal_vec_o   <= s3_vec_q;
-        normal_nn_o    <= s3_vv_q;
-        if (rst) begin ray_valid_o <= 1'b0; normal_valid_o <= 1'b0; end
+        ray_normal_q   <= s3_valid_q && s3_kind_q == NORMAL;
+        ray_light_q    <= next_light_o;
+        ray_slot_q     <= s3_slot_q;
+        ray_shadow_q   <= SHADOWS != 0 && s3_kind_q == LIGHT;
+        ray_primary_q  <= s3_kind_q == PRIMARY;
+        ray_dir_q      <= s3_vec_q;
+        ray_a_q        <= s3_vv_q;
+        ray_unit_q     <= s3_unit_q;
+        ray_axis_q     <= s3_axis_q;
+        ray_negative_q <= s3_negative_q;
+        ray_scale_q    <= s3_prod_q[32:16] + 17'd1;
+        ray_shift_q    <= s3_shift_q;
+        if (rst) begin
+            ray_valid_q <= 1'b0; ray_normal_q <= 1'b0; ray_light_q <= 1'b0;
+        end
     end
+    assign next_light_o = LIGHTS != 0 && s3_valid_q && s3_kind_q == LIGHT;
+    assign next_slot_o  = s3_slot_q;
+    assign ray_o[`RT_RAY_VALID]       = ray_valid_q;
+    assign ray_o[`RT_RAY_NORMAL]      = ray_normal_q;
+    assign ray_o[`RT_RAY_LIGHT]       = ray_light_q;
+    assign ray_o[`RT_RAY_SLOT]        = ray_slot_q;
+    assign ray_o[`RT_RAY_PRIMARY]     = ray_primary_q;
+    assign ray_o[`RT_RAY_SHADOW]      = ray_shadow_q;
+    assign ray_o[`RT_RAY_DIR]         = ray_dir_q;
+    assign ray_o[`RT_RAY_A]           = ray_a_q;
+    assign ray_o[`RT_RAY_UNIT]        = ray_unit_q;
+    assign filter_o[`RT_FILTER_AXIS]  = ray_axis_q;
+    assign filter_o[`RT_FILTER_NEGATIVE] = ray_negative_q;
+    assign filter_o[`RT_FILTER_SCALE] = ray_scale_q;
+    assign filter_o[`RT_FILTER_SHIFT] = ray_shift_q;
 
     // ---- origin: read so that it is there with the ray ----
-    rt_origin #(.W(W), .FW(FW), .SECONDARY(SECONDARY), .SLOTS(SLOTS), .SLOTW(SLOTW)) u_origin (
-        .clk(clk), .eye_i(eye_i),
-        .point_valid_i(point_valid_i), .point_slot_i(point_slot_i), .point_i(point_i),
-        .skip_valid_i(skip_valid_i), .skip_slot_i(skip_slot_i), .skip_i(skip_i),
+    rt_origin #(.W(W), .FW(FW), .SECONDARY(SECONDARY), .SLOTS(SLOTS)) u_origin (
+        .clk(clk), .eye_i(eye_i), .org_i(org_i), .skip_i(skip_i),
         .read_i(s2_valid_q && s2_kind_q != NORMAL), .slot_i(s2_slot_q),
         .primary_i(s2_kind_q == PRIMARY),
-        .org_o(ray_org_o), .skip_o(ray_skip_o), .forg_o(ray_forg_o)
+        .org_o(ray_o[`RT_RAY_ORG]), .skip_o({ray_o[`RT_RAY_INSIDE], ray_o[`RT_RAY_SKIP]}),
+        .forg_o(filter_o[`RT_FILTER_ORG])
     );
 
     // ---- depth at the start: a shadow ray ends at its light ----
@@ -227,8 +207,8 @@ module rt_setup #(
             reg [WD-1:0]  s2_span_q;                     // |dir| along the axis
             reg [FW:0]    s3_depth_q, depth_q;
             wire signed [WD-1:0] s1_along = $signed(
-                s1_axis == 2'd0 ? s1_vec[0 +: WD] : s1_axis == 2'd1 ? s1_vec[WD +: WD]
-                : s1_vec[2*WD +: WD]);
+                s1_axis == 2'd0 ? s1_vec[`RT_VEC_X] : s1_axis == 2'd1 ? s1_vec[`RT_VEC_Y]
+                : s1_vec[`RT_VEC_Z]);
             wire [WD-1:0] s2_units = s2_span_q >> (W - FW);
             always @(posedge clk) begin
                 s2_span_q  <= s1_along[WD-1] ? ~s1_along + 1'b1 : s1_along;
@@ -236,9 +216,9 @@ module rt_setup #(
                               ? s2_units[FW:0] + 1'b1 : LIM;
                 depth_q    <= s3_depth_q;
             end
-            assign ray_depth_o = depth_q;
+            assign filter_o[`RT_FILTER_DEPTH] = depth_q;
         end else begin : g_unbounded
-            assign ray_depth_o = LIM;
+            assign filter_o[`RT_FILTER_DEPTH] = LIM;
         end
     endgenerate
 
@@ -246,56 +226,13 @@ module rt_setup #(
     generate
         if (TEXTURE != 0) begin : g_length
             rt_delay #(.WIDTH(23), .CYCLES(3)) u_length (
-                .clk(clk), .in_i({s1_h_q, s1_rsqrt_q}), .out_o({ray_h_o, ray_y_o})
+                .clk(clk), .in_i({s1_h_q, s1_rsqrt_q}), .out_o({ray_o[`RT_RAY_H], ray_o[`RT_RAY_Y]})
             );
         end else begin : g_no_length
-            assign {ray_h_o, ray_y_o} = 23'd0;
+            assign {ray_o[`RT_RAY_H], ray_o[`RT_RAY_Y]} = 23'd0;
         end
     endgenerate
 
-    // ---- Lambert's cosine with the surface's unit normal ----
-    generate
-        if (LIGHTS != 0) begin : g_cosine
-            wire [53:0] s4_normal;
-            reg         s4_light_q;
-            wire        c_valid, c_ready;
-            wire        c_dark  = cosine_o == 16'd0;
-            wire        c_trace = SHADOW != 0 && shadow_on_i && !c_dark;  // needs a shadow ray
-            rt_slot_ram #(.WIDTH(54), .SLOTS(SLOTS), .OLD(0)) u_normal (
-                .clk(clk), .wr_en_i(s3_valid_q && s3_kind_q == NORMAL), .wr_addr_i(s3_slot_q),
-                .wr_data_i(s3_unit_q),
-                .rd_en_i(s3_valid_q && s3_kind_q == LIGHT), .rd_addr_i(s3_slot_q),
-                .rd_data_o(s4_normal)
-            );
-            always @(posedge clk) begin
-                s4_light_q <= s3_valid_q && s3_kind_q == LIGHT;
-                if (rst) s4_light_q <= 1'b0;
-            end
-            rt_lambert #(.TAG(SLOTW)) u_lambert (
-                .clk(clk), .rst(rst),
-                .in_valid_i(s4_light_q), .in_ready_o(c_ready), .in_tag_i(ray_slot_o),
-                .in_normal_x_i($signed(s4_normal[17:0])),
-                .in_normal_y_i($signed(s4_normal[35:18])),
-                .in_normal_z_i($signed(s4_normal[53:36])),
-                .in_light_x_i($signed(ray_unit_o[17:0])),
-                .in_light_y_i($signed(ray_unit_o[35:18])),
-                .in_light_z_i($signed(ray_unit_o[53:36])),
-                .out_valid_o(c_valid), .out_tag_o(cosine_slot_o), .out_cosine_o(cosine_o)
-            );
-            assign light_valid_o  = s4_light_q;
-            assign cosine_valid_o = c_valid;
-            assign shadow_go_o    = c_valid && c_trace;
-            assign lamp_valid_o   = c_valid && !c_trace;
-            assign lamp_lit_o     = !c_dark;
-            wire unused = c_ready;
-        end else begin : g_dark
-            assign {cosine_valid_o, shadow_go_o, lamp_valid_o, lamp_lit_o} = 4'b0000;
-            assign light_valid_o  = 1'b0;
-            assign cosine_slot_o = {SLOTW{1'b0}};
-            assign cosine_o      = 16'd0;
-            wire unused = shadow_on_i;
-        end
-    endgenerate
     wire unused = &{1'b0, v_tag, s1_vec, s3_prod_q[33], s3_prod_q[15:0], s1_rsqrt_q[0]};
 endmodule
 `default_nettype wire

@@ -1,80 +1,65 @@
 // rt_traverse.v - one node of four children a cycle: issue, node cache, filters, sort
 // SPDX-License-Identifier: Apache-2.0
-// A token brings a slot and the line of a node. It leaves towards rt_leaf_unit if the filters
-// leave leaf children, else towards rt_next. Free-running behind the cache.
+// A token brings a slot and the line of a node. What the visit finds leaves as found_o and, if leaf
+// children pass, as visit_o; where the token goes next is for rt_trace. Free-running behind the
+// cache.
 // Borodavka et al. IV. Model: the loop body of sph_traverse(), cmodel/trace/traverse.c
 `default_nettype none
 `include "rt_latency.vh"
 `include "rt_layout.vh"
+`include "rt_bundles.vh"
 module rt_traverse #(
+    parameter W     = 16,   // coordinate, bits
+    parameter WD    = 17,   // direction component, bits
     parameter FW    = 14,   // filter coordinate, bits
     parameter SLOTS = 32,   // power of two
-    parameter SLOTW = 5,    // log2 of SLOTS
     parameter LINES = 256,  // node cache, lines
     parameter SHADOW = 1,   // 1: shadow rays
     parameter FIRST = 1,    // 1: rays that visit children in the order of the node
     parameter FACETS = 0    // 1: a leaf child may have a whole line
 ) (
-    input  wire              clk,
-    input  wire              rst,
-    input  wire              flush_i,        // forget the node cache
-    input  wire [25:0]       mem_lines_i,    // registers
-    input  wire [25:0]       root_i,
-    input  wire [23:0]       visit_limit_i,
-    input  wire              facets_on_i,    // run-time switch of FACETS
-    // from rt_setup: a new ray, then its token
-    input  wire              new_valid_i,
-    input  wire [SLOTW-1:0]  new_slot_i,
-    input  wire [3*FW-1:0]   new_org_i,      // {z, y, x} sFW filter units
-    input  wire [53:0]       new_unit_i,     // {z, y, x} s1.16
-    input  wire [1:0]        new_axis_i,     // of the largest component of unit
-    input  wire              new_negative_i, // its sign
-    input  wire              new_first_i,    // children in the order of the node, none is pruned
-    input  wire              go_valid_i,     // primary or reflected
-    input  wire [SLOTW-1:0]  go_slot_i,
-    input  wire              go_pixel_i,     // the pixel's visits start at 0
-    input  wire              shadow_go_i,    // shadow ray
-    input  wire [SLOTW-1:0]  shadow_slot_i,
+    input  wire                       clk,
+    input  wire                       rst,
+    input  wire                       flush_i,        // forget the node cache
+    input  wire [`RT_REGS_BITS-1:0]   regs_i,
+    // from rt_setup: a new ray, with its token unless it is a shadow ray
+    input  wire [`RT_RAY_BITS-1:0]    ray_i,
+    input  wire [`RT_FILTER_BITS-1:0] filter_i,
+    input  wire                       first_i,        // children as the node has them, none pruned
+    input  wire                       pixel_i,        // the pixel's visits start at 0
+    // from rt_shade: a shadow ray starts
+    input  wire                       shadow_go_i,
+    input  wire [$clog2(SLOTS)-1:0]   shadow_slot_i,
     // from rt_next: the next node of a ray
-    input  wire              next_valid_i,
-    input  wire [SLOTW-1:0]  next_slot_i,
-    input  wire [25:0]       next_line_i,
+    input  wire                       next_valid_i,
+    input  wire [$clog2(SLOTS)-1:0]   next_slot_i,
+    input  wire [25:0]                next_line_i,
     // from rt_collect
-    output wire              depth_read_o,
-    output wire [SLOTW-1:0]  depth_slot_o,
-    input  wire [FW:0]       depth_i,        // a cycle later: what lies deeper does not matter
-    // to rt_next: result of a visit
-    output reg               found_valid_o,
-    output reg [SLOTW-1:0]   found_slot_o,
-    output reg [25:0]        found_base_o,
-    output wire [2:0]        found_count_o,
-    output wire [71:0]       found_list_o,
-    output reg               found_fresh_o,
-    output reg               found_kill_o,
-    // to rt_leaf_unit: leaf children that pass (with found_valid_o)
-    output reg [3:0]         found_leaf_o,   // bit j: leaf child j
-    output reg [25:0]        found_line_o,   // line of leaf child 0
+    output wire                       depth_read_o,
+    output wire [$clog2(SLOTS)-1:0]   depth_slot_o,
+    input  wire [FW:0]                depth_i,        // a clock later: what lies deeper is pruned
+    // result of a visit: to rt_next; leaf children that pass, to rt_leaf_unit
+    output wire [`RT_FOUND_BITS-1:0]  found_o,
+    output wire [`RT_VISIT_BITS-1:0]  visit_o,
     // visits of a pixel
-    input  wire              visits_read_i,
-    input  wire [SLOTW-1:0]  visits_slot_i,
-    output wire [23:0]       visits_o,
+    input  wire                       visits_read_i,
+    input  wire [$clog2(SLOTS)-1:0]   visits_slot_i,
+    output wire [23:0]                visits_o,
     // memory
-    output wire              mem_req_valid_o,
-    input  wire              mem_req_ready_i,
-    output wire [25:0]       mem_req_line_o,
-    input  wire              mem_rsp_valid_i,
-    output wire              mem_rsp_ready_o,
-    input  wire [255:0]      mem_rsp_data_i,
-    input  wire              mem_rsp_error_i,
-    // counters and errors
-    output wire              issued_o,       // a token entered the cache
-    output reg               visit_o,        // a node visit
-    output reg [2:0]         tests_o,        // child tests
-    output wire              miss_o,
-    output reg               bad_node_o,
-    output reg               visit_limit_o,
-    output reg               bus_error_o
+    output wire                       mem_req_valid_o,
+    input  wire                       mem_req_ready_i,
+    output wire [25:0]                mem_req_line_o,
+    input  wire                       mem_rsp_valid_i,
+    output wire                       mem_rsp_ready_o,
+    input  wire [255:0]               mem_rsp_data_i,
+    input  wire                       mem_rsp_error_i,
+    // events and faults of this clock
+    output wire [`RT_TRACE_EVENT_BITS-1:0] event_o,
+    output wire [3:0]                 fault_o         // by number of the error, machine.def
 );
+    localparam SLOTW = $clog2(SLOTS);
+    wire [`RT_EFFECT_BITS-1:0] effects   = regs_i[`RT_REGS_EFFECTS];
+    wire [25:0]      mem_lines = regs_i[`RT_REGS_MEM_LINES];
     localparam LAT = `RT_FILTER_LATENCY;
 
     // ---- queues of tokens: rays under way first, then new ones ----
@@ -90,8 +75,8 @@ module rt_traverse #(
         .out_valid_o(q_next_valid), .out_ready_i(req_ready), .out_data_o(q_next)
     );
     rt_fifo #(.WIDTH(SLOTW+1), .DEPTH(SLOTS)) u_new_queue (
-        .clk(clk), .rst(rst), .in_valid_i(go_valid_i), .in_ready_o(new_in_ready),
-        .in_data_i({go_slot_i, go_pixel_i}),
+        .clk(clk), .rst(rst), .in_valid_i(ray_i[`RT_RAY_VALID] && !ray_i[`RT_RAY_SHADOW]),
+        .in_ready_o(new_in_ready), .in_data_i({ray_i[`RT_RAY_SLOT], pixel_i}),
         .out_valid_o(q_new_valid), .out_ready_i(req_ready && !q_next_valid && !q_shadow_valid),
         .out_data_o(q_new)
     );
@@ -110,7 +95,8 @@ module rt_traverse #(
     endgenerate
     localparam YW = 3*FW + 57;
     localparam FB = FIRST != 0 ? 1 : 0;
-    wire [YW:0]      y = {new_first_i, new_negative_i, new_axis_i, new_unit_i, new_org_i};
+    wire [YW:0]      y = {first_i, filter_i[`RT_FILTER_NEGATIVE], filter_i[`RT_FILTER_AXIS],
+                          ray_i[`RT_RAY_UNIT], filter_i[`RT_FILTER_ORG]};
     wire [YW+FB-1:0] t1_ray;
     wire             t1_first = FIRST != 0 && t1_ray[YW+FB-1];
     wire             t1_negative;
@@ -120,7 +106,8 @@ module rt_traverse #(
     wire             rsp_valid, rsp_fresh, rsp_kill, rsp_error;
     wire [SLOTW-1:0] rsp_slot;
     rt_slot_ram #(.WIDTH(YW+FB), .SLOTS(SLOTS), .OLD(0)) u_ray (
-        .clk(clk), .wr_en_i(new_valid_i), .wr_addr_i(new_slot_i), .wr_data_i(y[YW+FB-1:0]),
+        .clk(clk), .wr_en_i(ray_i[`RT_RAY_VALID]), .wr_addr_i(ray_i[`RT_RAY_SLOT]),
+        .wr_data_i(y[YW+FB-1:0]),
         .rd_en_i(rsp_valid), .rd_addr_i(rsp_slot), .rd_data_o(t1_ray)
     );
     assign {t1_negative, t1_axis, t1_unit, t1_org} = t1_ray[YW-1:0];
@@ -130,14 +117,14 @@ module rt_traverse #(
     wire             req_fresh = !q_next_valid;
     wire [SLOTW-1:0] req_slot  = q_next_valid ? q_next[26 +: SLOTW]
                                  : q_shadow_valid ? q_shadow : q_new[1 +: SLOTW];
-    wire [25:0]      req_line  = q_next_valid ? q_next[25:0] : root_i;
+    wire [25:0]      req_line  = q_next_valid ? q_next[25:0] : regs_i[`RT_REGS_ROOT];
     wire             issue     = req_valid && req_ready;
     wire [23:0]      ray_visits, pixel_visits;
     wire [23:0]      ray_before   = req_fresh ? 24'd0 : ray_visits;
     wire             req_pixel    = req_fresh && !q_shadow_valid && q_new[0];
     wire [23:0]      pixel_before = req_pixel ? 24'd0 : pixel_visits;
-    wire             bad_line = req_line >= mem_lines_i;
-    wire             bad_limit = ray_before == visit_limit_i;
+    wire             bad_line = req_line >= mem_lines;
+    wire             bad_limit = ray_before == regs_i[`RT_REGS_VISIT_LIMIT];
     wire             req_kill = bad_line || bad_limit;
     rt_slot_file #(.WIDTH(48), .SLOTS(SLOTS)) u_visits (
         .clk(clk), .wr_en_i(issue), .wr_addr_i(req_slot),
@@ -149,7 +136,7 @@ module rt_traverse #(
         .wr_data_i(pixel_before + {23'd0, !req_kill}),
         .rd_en_i(visits_read_i), .rd_addr_i(visits_slot_i), .rd_data_o(visits_o)
     );
-    assign issued_o = issue;
+    assign event_o[`RT_TRACE_EVENT_ISSUED] = issue;
 
     // ---- node cache; a killed token fetches line 0 and is thrown away behind it ----
     localparam TAG = SLOTW + 2;
@@ -164,24 +151,26 @@ module rt_traverse #(
         .mem_req_line_o(mem_req_line_o),
         .mem_rsp_valid_i(mem_rsp_valid_i), .mem_rsp_ready_o(mem_rsp_ready_o),
         .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
-        .miss_o(miss_o)
+        .miss_o(event_o[`RT_TRACE_EVENT_MISS])
     );
 
     // ---- t1: node and ray side by side ----
     reg              t1_valid_q, t1_fresh_q, t1_kill_q;
     reg [SLOTW-1:0]  t1_slot_q;
     reg [255:0]      t1_node_q;
+    reg              visit_q, bad_node_q, visit_limit_q, bus_error_q;
+    reg [2:0]        tests_q;
     assign depth_read_o = rsp_valid;
     assign depth_slot_o = rsp_slot;
-    wire [25:0] t1_base    = t1_node_q[`RT_NODE_BASE_LSB +: 26];
-    wire [2:0]  t1_n_inner = t1_node_q[`RT_NODE_N_INNER_LSB +: 3];
-    wire [2:0]  t1_n_leaf  = t1_node_q[`RT_NODE_N_LEAF_LSB +: 3];
+    wire [25:0] t1_base    = t1_node_q[`RT_NODE_BASE_LSB +: `RT_NODE_BASE_BITS];
+    wire [2:0]  t1_n_inner = t1_node_q[`RT_NODE_N_INNER_LSB +: `RT_NODE_N_INNER_BITS];
+    wire [2:0]  t1_n_leaf  = t1_node_q[`RT_NODE_N_LEAF_LSB +: `RT_NODE_N_LEAF_BITS];
     wire [3:0]  t1_count   = {1'b0, t1_n_inner} + {1'b0, t1_n_leaf};
-    wire        whole      = FACETS != 0 && facets_on_i;           // a line a leaf child, or half
+    wire        whole      = FACETS != 0 && effects[`RT_EFFECT_FACETS];  // a line a leaf child
     wire [2:0]  t1_lines   = whole ? t1_n_leaf : {1'b0, t1_n_leaf[2:1]};
     wire [26:0] t1_end     = {1'b0, t1_base} + {24'd0, t1_n_inner} + {24'd0, t1_lines} +
                              {26'd0, !whole && t1_n_leaf[0]};
-    wire        t1_bad     = t1_count > 4'd4 || t1_end > {1'b0, mem_lines_i};
+    wire        t1_bad     = t1_count > 4'd4 || t1_end > {1'b0, mem_lines};
     wire        t1_live    = t1_valid_q && !t1_kill_q;
     always @(posedge clk) begin
         t1_valid_q <= rsp_valid;
@@ -189,16 +178,24 @@ module rt_traverse #(
         t1_fresh_q <= rsp_fresh;
         t1_kill_q  <= rsp_kill || rsp_error;
         t1_node_q  <= rsp_data;
-        visit_o       <= issue && !req_kill;
-        tests_o       <= t1_live && !t1_bad ? t1_count[2:0] : 3'd0;
-        bad_node_o    <= (issue && bad_line) || (t1_live && t1_bad);
-        visit_limit_o <= issue && bad_limit && !bad_line;
-        bus_error_o   <= rsp_valid && rsp_error;
+        visit_q       <= issue && !req_kill;
+        tests_q       <= t1_live && !t1_bad ? t1_count[2:0] : 3'd0;
+        bad_node_q    <= (issue && bad_line) || (t1_live && t1_bad);
+        visit_limit_q <= issue && bad_limit && !bad_line;
+        bus_error_q   <= rsp_valid && rsp_error;
         if (rst) begin
-            t1_valid_q <= 1'b0; visit_o <= 1'b0; tests_o <= 3'd0;
-            bad_node_o <= 1'b0; visit_limit_o <= 1'b0; bus_error_o <= 1'b0;
+            t1_valid_q <= 1'b0; visit_q <= 1'b0; tests_q <= 3'd0;
+            bad_node_q <= 1'b0; visit_limit_q <= 1'b0; bus_error_q <= 1'b0;
         end
     end
+
+    assign event_o[`RT_TRACE_EVENT_VISIT]  = visit_q;
+    assign event_o[`RT_TRACE_EVENT_TESTS]  = tests_q;
+    assign event_o[`RT_TRACE_EVENT_BUBBLE] = 1'b0;
+    assign fault_o[`RT_ERROR_BAD_NODE]     = bad_node_q;
+    assign fault_o[`RT_ERROR_STACK_OVERFLOW] = 1'b0;
+    assign fault_o[`RT_ERROR_VISIT_LIMIT]  = visit_limit_q;
+    assign fault_o[`RT_ERROR_BUS_ERROR]    = bus_error_q;
 
     // ---- four filters ----
     wire [3:0]  f_pass;
@@ -211,13 +208,13 @@ module rt_traverse #(
                 .clk(clk),
                 .in_org_x_i($signed(t1_org[0 +: FW])), .in_org_y_i($signed(t1_org[FW +: FW])),
                 .in_org_z_i($signed(t1_org[2*FW +: FW])),
-                .in_u_x_i($signed(t1_unit[17:0])), .in_u_y_i($signed(t1_unit[35:18])),
-                .in_u_z_i($signed(t1_unit[53:36])),
+                .in_u_x_i($signed(t1_unit[`RT_UNIT_X])), .in_u_y_i($signed(t1_unit[`RT_UNIT_Y])),
+                .in_u_z_i($signed(t1_unit[`RT_UNIT_Z])),
                 .in_axis_i(t1_axis), .in_negative_i(t1_negative), .in_depth_max_i(depth_i),
-                .in_ctr_x_i($signed(child[`RT_CHILD_CTR_X_LSB +: 14])),
-                .in_ctr_y_i($signed(child[`RT_CHILD_CTR_Y_LSB +: 14])),
-                .in_ctr_z_i($signed(child[`RT_CHILD_CTR_Z_LSB +: 14])),
-                .in_rad_i(child[`RT_CHILD_RAD_LSB +: 14]),
+                .in_ctr_x_i($signed(child[`RT_CHILD_CTR_X_LSB +: `RT_CHILD_CTR_X_BITS])),
+                .in_ctr_y_i($signed(child[`RT_CHILD_CTR_Y_LSB +: `RT_CHILD_CTR_Y_BITS])),
+                .in_ctr_z_i($signed(child[`RT_CHILD_CTR_Z_LSB +: `RT_CHILD_CTR_Z_BITS])),
+                .in_rad_i(child[`RT_CHILD_RAD_LSB +: `RT_CHILD_RAD_BITS]),
                 .out_pass_o(f_pass[c]), .out_near_o(f_near[16*c +: 16])
             );
         end
@@ -225,19 +222,20 @@ module rt_traverse #(
 
     // ---- what travels beside the filters and the sort ----
     localparam DW = SLOTW + 2 + 26 + 6;
-    wire [DW-1:0] f_side, f_side_1;
-    wire          f_valid, f_valid_1;
+    wire [DW-1:0]    f_side;
+    wire [SLOTW-1:0] f_slot, g_slot;
+    wire             f_fresh, f_kill, g_fresh, g_kill, f_valid, g_valid;
+    wire [25:0]      f_base, g_base;
+    wire [2:0]       f_n_inner, f_n_leaf, g_n_inner, g_n_leaf;
     rt_delay #(.WIDTH(DW), .CYCLES(LAT)) u_side (
         .clk(clk),
         .in_i({t1_slot_q, t1_fresh_q, t1_kill_q || t1_bad, t1_base, t1_n_inner, t1_n_leaf}),
         .out_o(f_side)
     );
+    assign {f_slot, f_fresh, f_kill, f_base, f_n_inner, f_n_leaf} = f_side;
     rt_delay_valid #(.CYCLES(LAT)) u_valid (
         .clk(clk), .rst(rst), .in_i(t1_valid_q), .out_o(f_valid)
     );
-    wire       f_kill    = f_side[32];
-    wire [2:0] f_n_inner = f_side[5:3];
-    wire [2:0] f_n_leaf  = f_side[2:0];
     wire [3:0] f_inner   = ~(4'hf << f_n_inner);                   // children that are nodes
     wire [3:0] f_present = ~(4'hf << (f_n_inner + f_n_leaf));
     wire [3:0] f_hit     = f_kill ? 4'd0 : f_pass & f_present;
@@ -255,24 +253,39 @@ module rt_traverse #(
     // Equal depths are put in the order of the node; the smallest is below every limit.
     rt_sort u_sort (
         .clk(clk), .hit_i(f_hit & f_inner), .near_i(f_first ? {4{16'h8000}} : f_near),
-        .count_o(found_count_o), .list_o(found_list_o)
+        .count_o(found_o[`RT_FOUND_COUNT]), .list_o(found_o[`RT_FOUND_LIST])
     );
-    rt_delay #(.WIDTH(DW), .CYCLES(1)) u_side_1 (.clk(clk), .in_i(f_side), .out_o(f_side_1));
+    rt_delay #(.WIDTH(DW), .CYCLES(1)) u_side_1 (
+        .clk(clk), .in_i(f_side), .out_o({g_slot, g_fresh, g_kill, g_base, g_n_inner, g_n_leaf})
+    );
     rt_delay_valid #(.CYCLES(1)) u_valid_1 (
-        .clk(clk), .rst(rst), .in_i(f_valid), .out_o(f_valid_1)
+        .clk(clk), .rst(rst), .in_i(f_valid), .out_o(g_valid)
     );
-    reg [3:0] f_leaf_q;
+    reg [3:0]        f_leaf_q, leaf_q;
+    reg              valid_q, fresh_q, kill_q;
+    reg [SLOTW-1:0]  slot_q;
+    reg [25:0]       base_q, line_q;
     always @(posedge clk) begin
         f_leaf_q <= (f_hit & ~f_inner) >> f_n_inner;
-        found_valid_o <= f_valid_1;
-        found_slot_o  <= f_side_1[DW-1 -: SLOTW];
-        found_fresh_o <= f_side_1[33];
-        found_kill_o  <= f_side_1[32];
-        found_base_o  <= f_side_1[31:6];
-        found_leaf_o  <= f_leaf_q;
-        found_line_o  <= f_side_1[31:6] + {23'd0, f_side_1[5:3]};
-        if (rst) found_valid_o <= 1'b0;
+        valid_q <= g_valid;
+        slot_q  <= g_slot;
+        fresh_q <= g_fresh;
+        kill_q  <= g_kill;
+        base_q  <= g_base;
+        leaf_q  <= f_leaf_q;
+        line_q  <= g_base + {23'd0, g_n_inner};
+        if (rst) valid_q <= 1'b0;
     end
-    wire unused = &{1'b0, facets_on_i, next_in_ready, new_in_ready, shadow_in_ready, f_side_1[2:0]};
+    assign found_o[`RT_FOUND_VALID] = valid_q;
+    assign found_o[`RT_FOUND_SLOT]  = slot_q;
+    assign found_o[`RT_FOUND_FRESH] = fresh_q;
+    assign found_o[`RT_FOUND_KILL]  = kill_q;
+    assign found_o[`RT_FOUND_BASE]  = base_q;
+    assign visit_o[`RT_VISIT_VALID] = valid_q && leaf_q != 4'd0;
+    assign visit_o[`RT_VISIT_SLOT]  = slot_q;
+    assign visit_o[`RT_VISIT_LEAF]  = leaf_q;
+    assign visit_o[`RT_VISIT_LINE]  = line_q;
+    wire unused = &{1'b0, regs_i, effects, ray_i, filter_i, next_in_ready, new_in_ready,
+                    shadow_in_ready, f_slot, f_fresh, f_base, g_n_leaf};
 endmodule
 `default_nettype wire

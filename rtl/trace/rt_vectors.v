@@ -5,43 +5,39 @@
 // RAM the vectors. A source that is not built leaves nothing behind.
 // Model: none, order does not matter there
 `default_nettype none
+`include "rt_bundles.vh"
 module rt_vectors #(
     parameter WD      = 17,  // direction component, bits
     parameter NORMALS = 1,   // 1: surface normals come
     parameter LIGHTS  = 1,   // 1: vectors to lights come
     parameter BOUNCES = 1,   // 1: mirrored directions come
-    parameter SLOTS   = 32,  // power of two
-    parameter SLOTW   = 5    // log2 of SLOTS
+    parameter SLOTS   = 32   // power of two
 ) (
-    input  wire              clk,
-    input  wire              rst,
-    // sources of vectors {z, y, x}
-    input  wire              normal_valid_i,
-    input  wire [SLOTW-1:0]  normal_slot_i,
-    input  wire [3*WD-1:0]   normal_vec_i,
-    input  wire              light_valid_i,
-    input  wire [SLOTW-1:0]  light_slot_i,
-    input  wire [3*WD-1:0]   light_vec_i,
-    input  wire              bounce_valid_i,
-    input  wire [SLOTW-1:0]  bounce_slot_i,
-    input  wire [3*WD-1:0]   bounce_vec_i,
-    input  wire              primary_valid_i,
-    output wire              primary_ready_o,
-    input  wire [SLOTW-1:0]  primary_slot_i,
-    input  wire [3*WD-1:0]   primary_vec_i,
+    input  wire                       clk,
+    input  wire                       rst,
+    // sources of vectors
+    input  wire [`RT_VECTOR_BITS-1:0] normal_i,
+    input  wire [`RT_VECTOR_BITS-1:0] light_i,
+    input  wire [`RT_VECTOR_BITS-1:0] bounce_i,
+    input  wire [`RT_VECTOR_BITS-1:0] primary_i,
+    output wire                       primary_ready_o,
     // the vector chosen
-    output reg               out_valid_o,
-    input  wire              out_ready_i,
-    output wire              out_normal_o,  // its kind; none of the three: primary
-    output wire              out_light_o,
-    output wire              out_bounce_o,
-    output reg [SLOTW-1:0]   out_slot_o,
-    output wire [3*WD-1:0]   out_vec_o
+    output reg                        out_valid_o,
+    input  wire                       out_ready_i,
+    output wire                       out_normal_o,  // its kind; none of the three: primary
+    output wire                       out_light_o,
+    output wire                       out_bounce_o,
+    output reg [$clog2(SLOTS)-1:0]    out_slot_o,
+    output wire [3*WD-1:0]            out_vec_o
 );
+    localparam SLOTW = $clog2(SLOTS);
     localparam [2:0] BUILT = {BOUNCES != 0, LIGHTS != 0, NORMALS != 0};  // bit 0 goes first
-    wire [2:0]         in_valid = {bounce_valid_i, light_valid_i, normal_valid_i};
-    wire [3*SLOTW-1:0] in_slot  = {bounce_slot_i, light_slot_i, normal_slot_i};
-    wire [9*WD-1:0]    in_vec   = {bounce_vec_i, light_vec_i, normal_vec_i};
+    wire [2:0]         in_valid = {bounce_i[`RT_VECTOR_VALID], light_i[`RT_VECTOR_VALID],
+                                   normal_i[`RT_VECTOR_VALID]};
+    wire [3*SLOTW-1:0] in_slot  = {bounce_i[`RT_VECTOR_SLOT], light_i[`RT_VECTOR_SLOT],
+                                   normal_i[`RT_VECTOR_SLOT]};
+    wire [9*WD-1:0]    in_vec   = {bounce_i[`RT_VECTOR_VEC], light_i[`RT_VECTOR_VEC],
+                                   normal_i[`RT_VECTOR_VEC]};
 
     // ---- choose ----
     wire               load = !out_valid_o || out_ready_i;
@@ -79,11 +75,11 @@ module rt_vectors #(
     reg [3*WD-1:0]     primary_q;
     always @(posedge clk) begin
         if (load) begin
-            out_valid_o <= valid != 3'd0 || primary_valid_i;
+            out_valid_o <= valid != 3'd0 || primary_i[`RT_VECTOR_VALID];
             from_q      <= take;
             out_slot_o  <= take[0] ? slot[0 +: SLOTW] : take[1] ? slot[SLOTW +: SLOTW]
-                           : take[2] ? slot[2*SLOTW +: SLOTW] : primary_slot_i;
-            primary_q   <= primary_vec_i;
+                           : take[2] ? slot[2*SLOTW +: SLOTW] : primary_i[`RT_VECTOR_SLOT];
+            primary_q   <= primary_i[`RT_VECTOR_VEC];
         end
         if (rst) out_valid_o <= 1'b0;
     end

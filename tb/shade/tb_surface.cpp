@@ -7,6 +7,7 @@
  */
 #include "Vrt_surface.h"
 #include "bench.h"
+#include "bundles.h"
 
 extern "C" {
 #include "machine/layout.h"
@@ -28,6 +29,9 @@ extern "C" {
 #endif
 #ifndef TEXTURE
 #define TEXTURE 0
+#endif
+#ifndef LOOKS
+#define LOOKS 0
 #endif
 
 using bench::u128;
@@ -97,6 +101,10 @@ struct Slot {
     Vector v;
 };
 
+int first_bit(int lsb, int) {
+    return lsb;
+} /* of a field of bundles.h */
+
 u128 pack(const int64_t v[3], int bits) {
     u128 x = 0;
     for (int i = 2; i >= 0; i--)
@@ -109,15 +117,19 @@ u128 pack(const int64_t v[3], int bits) {
 int main(int argc, char **argv) {
     bench::Bench<Vrt_surface> b("tb_surface", argc, argv, 100000);
     Slot slots[SLOTS] = {};
+    uint32_t data[8] = {}; /* of record_i */
     size_t corner = 0;
     int answer = 0, quotients = 0, hits = 0;
-    unsigned ready = 100, pace = 100; /* percent of clocks with prim_ready_i, with a record */
+    unsigned ready = 100, pace = 100; /* percent of clocks with fetch_ready_i, with a record */
     const uint32_t base = (uint32_t)b.random.below(LINES);
     int64_t eye[3] = {};
-    bool points = true, facets = false, /* points_on_i, facets_on_i */
+    bool points = true, facets = false, /* points_on_i, effect FACETS */
         drain = true;                   /* they and the eye change while nothing is inside */
-    b.set(b.dut.prim_base_i, 26, base);
-    b.dut.ray_valid_i = b.dut.in_valid_i = b.dut.prim_valid_i = b.dut.prim_ready_i = 0;
+    bench::put(b.dut.regs_i, RT_REGS_PRIM_BASE, base);
+    bench::put(b.dut.ray_i, RT_RAY_VALID, 0);
+    bench::put(b.dut.hit_i, RT_HIT_HIT, 0);
+    bench::put(b.dut.record_i, RT_RECORD_VALID, 0);
+    b.dut.fetch_ready_i = 0;
     b.reset();
     while (b.more()) {
         if (b.random.percent(1)) {
@@ -133,50 +145,55 @@ int main(int argc, char **argv) {
             points = POINTS && b.random.percent(70);
             b.dut.points_on_i = POINTS ? points : b.random.percent(50);
             facets = FACETS && b.random.percent(80);
-            b.dut.facets_on_i = FACETS ? facets : b.random.percent(50);
+            uint32_t on = (uint32_t)b.random.bits(10) & ~(1u << SPH_EFFECT_FACETS);
+            on |= (uint32_t)(FACETS ? facets : b.random.percent(50)) << SPH_EFFECT_FACETS;
+            bench::put(b.dut.regs_i, RT_REGS_EFFECTS, on);
             for (int64_t &x : eye)
                 x = b.random.smixed(W);
-            b.set(b.dut.eye_i, 3 * W, (bench::i128)pack(eye, W));
+            bench::put(b.dut.regs_i, RT_REGS_EYE, (bench::i128)pack(eye, W));
         }
         /* a ray */
         int at = (int)b.random.below(SLOTS);
         Slot *s = &slots[at];
         Vector v = make(b.random);
-        b.dut.ray_valid_i = s->state == Slot::IDLE && !drain;
-        if (b.dut.ray_valid_i && points && corner < CORNERS) v = corners[corner++];
+        bool go = s->state == Slot::IDLE && !drain;
+        if (go && points && corner < CORNERS) v = corners[corner++];
         for (int i = 0; i < 3 && !BOUNCES; i++)
             v.org[i] = eye[i];
         v.far &= INSIDE | FACETS;
         v.facet = facets && corner == CORNERS && b.random.percent(50);
         for (int i = 0; i < 3 && v.facet; i++)
             v.ctr[i] = b.random.smixed(24);
-        b.dut.ray_slot_i = (uint8_t)at;
-        b.set(b.dut.ray_org_i, 3 * W, (bench::i128)pack(v.org, W));
-        b.set(b.dut.ray_dir_i, 3 * WD, (bench::i128)pack(v.dir, WD));
-        b.set(b.dut.ray_a_i, 2 * WD, (bench::i128)v.a);
-        int fresh = b.dut.ray_valid_i ? at : -1;
+        /* a shadow ray of the slot is no matter of this module */
+        bool shadow = !go && b.random.percent(30);
+        bench::put(b.dut.ray_i, RT_RAY_VALID, go || shadow);
+        bench::put(b.dut.ray_i, RT_RAY_SHADOW, shadow);
+        bench::put(b.dut.ray_i, RT_RAY_SLOT, at);
+        bench::put(b.dut.ray_i, RT_RAY_ORG, (bench::i128)pack(v.org, W));
+        bench::put(b.dut.ray_i, RT_RAY_DIR, (bench::i128)pack(v.dir, WD));
+        bench::put(b.dut.ray_i, RT_RAY_A, (bench::i128)v.a);
+        int fresh = go ? at : -1;
         if (fresh >= 0) s->v = v;
         /* its hit */
         at = (int)b.random.below(SLOTS);
         s = &slots[at];
-        b.dut.in_valid_i = s->state == Slot::RAY;
-        b.dut.in_slot_i = (uint8_t)at;
-        b.dut.in_far_i = (uint8_t)s->v.far;
-        b.set(b.dut.in_id_i, 24, s->v.id);
-        b.set(b.dut.in_key_i, W + WD + 2, (bench::i128)s->v.key);
-        if (b.dut.in_valid_i) {
+        bool hit_now = s->state == Slot::RAY;
+        bench::put(b.dut.hit_i, RT_HIT_HIT, hit_now);
+        bench::put(b.dut.hit_i, RT_HIT_SLOT, at);
+        bench::put(b.dut.hit_i, RT_HIT_FAR, s->v.far);
+        bench::put(b.dut.hit_i, RT_HIT_ID, s->v.id);
+        bench::put(b.dut.hit_i, RT_HIT_KEY, (bench::i128)s->v.key);
+        if (hit_now) {
             s->state = Slot::WAITS;
             hits += points;
         }
         if (fresh >= 0) slots[fresh].state = Slot::RAY;
         /* its record, as the memory holds it; bits that no one reads are random */
-        if (!b.dut.prim_valid_i) {
+        if (!bench::get(b.dut.record_i, RT_RECORD_VALID)) {
             answer = (int)b.random.below(SLOTS);
             s = &slots[answer];
-            b.dut.prim_valid_i = s->state == Slot::ASKED && b.random.percent(pace);
-            b.dut.prim_slot_i = (uint8_t)answer;
-            for (int i = 0; i < 8; i++)
-                b.dut.prim_data_i[i] = (uint32_t)b.random.next();
+            for (uint32_t &word : data)
+                word = (uint32_t)b.random.next();
             u128 low = b.random.bits(128);
             for (int i = 0; i < 3; i++) {
                 int used = s->v.facet ? 24 : W;
@@ -185,47 +202,62 @@ int main(int argc, char **argv) {
             }
             u128 bit = (u128)1 << SPH_PRIM_FACET_LSB;
             if (facets) low = s->v.facet ? low | bit : low & ~bit;
-            for (int i = 0; i < 4; i++)
-                b.dut.prim_data_i[i] = (uint32_t)(low >> (32 * i));
+            for (int i = 0; i < 8; i++) {
+                if (i < 4) data[i] = (uint32_t)(low >> (32 * i));
+                bench::put(b.dut.record_i, first_bit(RT_RECORD_DATA) + 32 * i, 32, data[i]);
+            }
+            bench::put(b.dut.record_i, RT_RECORD_SLOT, answer);
+            bench::put(b.dut.record_i, RT_RECORD_VALID,
+                       s->state == Slot::ASKED && b.random.percent(pace));
         }
-        b.dut.prim_ready_i = b.random.percent(ready);
+        b.dut.fetch_ready_i = b.random.percent(ready);
         b.settle();
         quotients += b.dut.quotient_o;
-        if (b.dut.prim_valid_o && b.dut.prim_ready_i) { /* a token asks for its record */
-            Slot &e = slots[b.dut.prim_slot_o];
+        if (bench::get(b.dut.fetch_o, RT_FETCH_VALID) &&
+            b.dut.fetch_ready_i) { /* a token asks for its record */
+            Slot &e = slots[bench::get(b.dut.fetch_o, RT_FETCH_SLOT)];
             if (e.state != Slot::WAITS) b.fail("a record that no hit asked for");
-            b.expect("prim_line_o", b.get(b.dut.prim_line_o), (base + e.v.id) % LINES, 26);
+            b.expect("LINE", bench::get(b.dut.fetch_o, RT_FETCH_LINE), (base + e.v.id) % LINES, 26);
             e.state = Slot::ASKED;
         }
-        bool taken = b.dut.prim_valid_i && b.dut.prim_ready_o;
-        b.expect("material_valid_o", b.dut.material_valid_o, taken, 1);
+        bool taken = bench::get(b.dut.record_i, RT_RECORD_VALID) && b.dut.record_ready_o;
+        b.expect("VALID of material_o", bench::get(b.dut.material_o, RT_MATERIAL_VALID), taken, 1);
         if (taken) {
-            static_assert(SPH_PRIM_RED_LSB == 128 && SPH_PRIM_KR_LSB == 152, "fifth word");
-            u128 material = b.dut.prim_data_i[4] | (u128)(b.dut.prim_data_i[5] & 1) << 32;
-            b.expect("material_slot_o", b.dut.material_slot_o, answer, SLOTW);
-            b.expect("material_o", b.get(b.dut.material_o), (bench::i128)material, 33);
-            static_assert(SPH_PRIM_TEX_LSB == 192 && SPH_PRIM_TEX_BITS == 26, "seventh word");
-            b.expect("material_tex_o", b.dut.material_tex_o,
-                     TEXTURE ? b.dut.prim_data_i[6] & 0x3ffffff : 0, 26);
+            auto field = [&](const char *name, int lsb, int bits, int from, bool built) {
+                b.expect(name, bench::get(b.dut.material_o, lsb, bits),
+                         built ? sph_field(data, from, bits) : 0, bits);
+            };
+            b.expect("SLOT", bench::get(b.dut.material_o, RT_MATERIAL_SLOT), answer, SLOTW);
+            field("RGB", RT_MATERIAL_RGB, SPH_PRIM_RED_LSB, true);
+            field("KR", RT_MATERIAL_KR, SPH_PRIM_KR_LSB, true);
+            field("TEX", RT_MATERIAL_TEX, SPH_PRIM_TEX_LSB, TEXTURE);
+            field("KT", RT_MATERIAL_KT, SPH_PRIM_KT_LSB, LOOKS);
+            field("SUM", RT_MATERIAL_SUM, SPH_PRIM_SUM_LSB, LOOKS);
+            field("KA", RT_MATERIAL_KA, SPH_PRIM_KA_LSB, LOOKS);
+            field("KD", RT_MATERIAL_KD, SPH_PRIM_KD_LSB, LOOKS);
+            field("KS", RT_MATERIAL_KS, SPH_PRIM_KS_LSB, LOOKS);
+            field("POWER", RT_MATERIAL_POWER, SPH_PRIM_POWER_LSB, LOOKS);
+            field("INDEX", RT_MATERIAL_INDEX, SPH_PRIM_INDEX_LSB, LOOKS);
             slots[answer].state = Slot::FETCHED;
         }
 
         b.tick();
-        if (taken) b.dut.prim_valid_i = 0;
+        if (taken) bench::put(b.dut.record_i, RT_RECORD_VALID, 0);
         b.expect("bare_valid_o", b.dut.bare_valid_o, taken && !points, 1);
         if (b.dut.bare_valid_o) {
             b.expect("bare_slot_o", b.dut.bare_slot_o, answer, SLOTW);
-            b.expect("out_valid_o of a bare surface", b.dut.out_valid_o, 0, 1);
+            b.expect("VALID of a bare surface", bench::get(b.dut.surface_o, RT_SURFACE_VALID), 0,
+                     1);
             slots[answer].state = Slot::IDLE;
             b.done();
             continue;
         }
-        if (!b.dut.out_valid_o) {
-            b.expect("saturated_o without out_valid_o", b.dut.saturated_o, 0, 1);
+        if (!bench::get(b.dut.surface_o, RT_SURFACE_VALID)) {
+            b.expect("saturated_o without a surface", b.dut.saturated_o, 0, 1);
             if (b.bad()) b.done();
             continue;
         }
-        at = b.dut.out_slot_o;
+        at = (int)bench::get(b.dut.surface_o, RT_SURFACE_SLOT);
         Slot &e = slots[at];
         if (e.state != Slot::FETCHED) {
             b.fail("a surface without a record");
@@ -243,19 +275,19 @@ int main(int argc, char **argv) {
         }
         int saturated = e.v.facet ? sph_surface_facet(&profile, &ray, &hit, e.v.ctr, &surface)
                                   : sph_surface_at(&profile, &ray, &hit, &sphere, &surface);
-        b.expect("out_point_o", b.get(b.dut.out_point_o), (bench::i128)pack(surface.point, W),
-                 3 * W);
-        b.expect("out_normal_o", b.get(b.dut.out_normal_o), (bench::i128)pack(surface.normal, WD),
-                 3 * WD);
+        b.expect("POINT", bench::get(b.dut.surface_o, RT_SURFACE_POINT),
+                 (bench::i128)pack(surface.point, W), 3 * W);
+        b.expect("NORMAL", bench::get(b.dut.surface_o, RT_SURFACE_NORMAL),
+                 (bench::i128)pack(surface.normal, WD), 3 * WD);
         const int64_t none[3] = {0, 0, 0};
-        b.expect("out_guarded_o", b.get(b.dut.out_guarded_o),
+        b.expect("GUARDED", bench::get(b.dut.surface_o, RT_SURFACE_GUARDED),
                  (bench::i128)pack(TEXTURE ? surface.guarded : none, W + NG), 3 * (W + NG));
         b.expect("saturated_o", b.dut.saturated_o, saturated, 1);
         if (b.bad()) {
             b.show("slot", at, SLOTW);
-            b.show("in_key_i", (bench::i128)e.v.key, W + WD + 2);
-            b.show("ray_a_i", (bench::i128)e.v.a, 2 * WD);
-            b.show("in_far_i", e.v.far, 1);
+            b.show("KEY", (bench::i128)e.v.key, W + WD + 2);
+            b.show("A", (bench::i128)e.v.a, 2 * WD);
+            b.show("FAR", e.v.far, 1);
             b.show("facet", e.v.facet, 1);
         }
         for (int i = 0; i < 3 && b.bad(); i++) {

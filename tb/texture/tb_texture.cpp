@@ -12,6 +12,7 @@
 #include "Vrt_texture.h"
 #include "Vrt_texture___024root.h"
 #include "bench.h"
+#include "bundles.h"
 #include "cache_prediction.h"
 
 extern "C" {
@@ -138,9 +139,9 @@ int main(int argc, char **argv) {
     bool must_miss = false;
     int word_slot = -1, material_slot = -1;
     uint32_t material = 0;
-    t.ray_valid_i = t.hit_valid_i = t.record_valid_i = t.point_valid_i = t.in_valid_i = 0;
+    t.in_valid_i = 0;
     t.flush_i = t.word_read_i = t.mem_rsp_valid_i = t.mem_req_ready_i = 0;
-    b.set(t.mem_lines_i, 26, LINES_IN_MEMORY);
+    bench::put(t.regs_i, RT_REGS_MEM_LINES, LINES_IN_MEMORY);
     b.reset();
     for (int i = 0; i < 2 * SLOTS; i++)
         b.tick();
@@ -164,9 +165,9 @@ int main(int argc, char **argv) {
         if (drain && idle) {
             drain = false;
             on = b.random.percent(90);
-            t.on_i = on;
+            bench::put(t.regs_i, RT_REGS_EFFECTS, on ? 1 << SPH_EFFECT_TEXTURE : 0);
             m.regs[SPH_REG_TEX_FILTER] = (int32_t)b.random.below(SPH_FILTERS);
-            t.filter_i = (uint8_t)m.regs[SPH_REG_TEX_FILTER];
+            bench::put(t.regs_i, RT_REGS_TEX_FILTER, m.regs[SPH_REG_TEX_FILTER]);
             t.flush_i = 1;
         }
 
@@ -175,7 +176,10 @@ int main(int argc, char **argv) {
         Slot &s = slots[(size_t)at];
         bool tell = more && s.state == Slot::IDLE && (!drain || s.again) &&
                     b.random.percent(pace) && !t.flush_i && at != word_slot;
-        t.ray_valid_i = t.hit_valid_i = t.record_valid_i = t.point_valid_i = tell;
+        bench::put(t.ray_i, RT_RAY_VALID, tell);
+        bench::put(t.hit_i, RT_HIT_HIT, tell);
+        bench::put(t.material_i, RT_MATERIAL_VALID, tell);
+        bench::put(t.surface_i, RT_SURFACE_VALID, tell);
         if (tell) {
             struct sph_ray ray = {};
             uint64_t key = (uint64_t)b.random.mixed(W + WD + 2);
@@ -215,15 +219,19 @@ int main(int argc, char **argv) {
             texels += s.work.texels;
             s.work.texels = 0;
             errors |= s.work.errors;
-            t.ray_slot_i = t.hit_slot_i = t.record_slot_i = t.point_slot_i = (uint8_t)at;
-            t.ray_primary_i = s.primary;
-            t.ray_y_i = ray.unit.y;
-            t.ray_h_i = (uint8_t)ray.unit.h;
-            b.set(t.hit_key_i, W + WD + 2, (i128)key);
-            t.hit_far_i = (uint8_t)s.where.far;
-            b.set(t.record_i, 33, (i128)((uint64_t)s.kr << 24 | s.albedo));
-            t.record_tex_i = s.map;
-            b.set(t.point_i, 3 * (W + NG), (i128)pack(s.where.guarded, W + NG));
+            bench::put(t.ray_i, RT_RAY_SLOT, at);
+            bench::put(t.ray_i, RT_RAY_PRIMARY, s.primary);
+            bench::put(t.ray_i, RT_RAY_Y, ray.unit.y);
+            bench::put(t.ray_i, RT_RAY_H, ray.unit.h);
+            bench::put(t.hit_i, RT_HIT_SLOT, at);
+            bench::put(t.hit_i, RT_HIT_KEY, (i128)key);
+            bench::put(t.hit_i, RT_HIT_FAR, s.where.far);
+            bench::put(t.material_i, RT_MATERIAL_SLOT, at);
+            bench::put(t.material_i, RT_MATERIAL_RGB, s.albedo);
+            bench::put(t.material_i, RT_MATERIAL_KR, s.kr);
+            bench::put(t.material_i, RT_MATERIAL_TEX, s.map);
+            bench::put(t.surface_i, RT_SURFACE_SLOT, at);
+            bench::put(t.surface_i, RT_SURFACE_GUARDED, (i128)pack(s.where.guarded, W + NG));
         }
         /* its token */
         int in = (int)b.random.below(SLOTS);
@@ -233,7 +241,7 @@ int main(int argc, char **argv) {
             for (int i = 0; i < 3; i++)
                 unit[i] = slots[(size_t)in].where.unit[i];
             t.in_slot_i = (uint8_t)in;
-            b.set(t.in_unit_i, 54, (i128)pack(unit, 18));
+            bench::put(t.ray_i, RT_RAY_UNIT, (i128)pack(unit, 18));
         }
         /* the word of a pixel that ended */
         int word = (int)b.random.below(SLOTS);

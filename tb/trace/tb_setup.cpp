@@ -1,17 +1,17 @@
-/* tb_setup.cpp - rt_setup against sph_ray_setup() and sph_lambert()
+/* tb_setup.cpp - rt_setup against sph_ray_setup()
  * SPDX-License-Identifier: Apache-2.0
  *
  * All four sources run at once. A slot has one job at a time, as the token rule wants it: a vector
- * from a source until its ray, normal or, for a light, its cosine has come out.
+ * from a source until its ray, normal or light has come out.
  */
 #include <vector>
 
 #include "Vrt_setup.h"
 #include "bench.h"
+#include "bundles.h"
 
 extern "C" {
 #include "machine/layout.h"
-#include "shade/colour.h"
 #include "trace/ray.h"
 }
 
@@ -35,10 +35,9 @@ struct Vec {
 
 struct Slot {
     int job = IDLE;
-    bool started = false, has_normal = false; /* a light's ray is out; lights have a surface */
+    bool has_normal = false; /* lights have a surface */
     Vec dir{}, point{}, normal{};
     uint32_t skip = 0; /* {inside, id} */
-    struct sph_unit unit = {};
 };
 
 constexpr int64_t MAX = ((int64_t)1 << (WD - 1)) - 1, MIN = -MAX - 1;
@@ -121,7 +120,6 @@ class Setup : public bench::Bench<Vrt_setup> {
     void phase() {
         eye = random_point(random);
         set(dut.eye_i, 3 * W, pack(eye.v, W));
-        dut.shadow_on_i = shadow_on = random.percent(60);
         for (unsigned &p : rate)
             p = (const unsigned[]){0, 5, 30, 100}[random.below(4)];
         rate[random.below(SOURCES)] = 100;
@@ -138,38 +136,36 @@ class Setup : public bench::Bench<Vrt_setup> {
             Vec any = random_dir(random, nullptr);
             bench::i128 vec = pack(valid ? slots[s].dir.v : any.v, WD);
             bench::i128 slot = valid ? s : (bench::i128)random.below(SLOTS);
-            if (kind == NORMAL) {
-                dut.normal_valid_i = valid;
-                set(dut.normal_slot_i, SLOTW, slot);
-                set(dut.normal_vec_i, 3 * WD, vec);
-            } else if (kind == LIGHT) {
-                dut.light_valid_i = valid;
-                set(dut.light_slot_i, SLOTW, slot);
-                set(dut.light_vec_i, 3 * WD, vec);
-            } else {
-                dut.bounce_valid_i = valid;
-                set(dut.bounce_slot_i, SLOTW, slot);
-                set(dut.bounce_vec_i, 3 * WD, vec);
-            }
+            auto &port = kind == NORMAL ? dut.normal_i : kind == LIGHT ? dut.light_i : dut.bounce_i;
+            bench::put(port, RT_VECTOR_VALID, valid);
+            bench::put(port, RT_VECTOR_SLOT, slot);
+            bench::put(port, RT_VECTOR_VEC, vec);
             if (kind == NORMAL) write_point(valid, valid ? s : -1);
         }
-        if (!dut.primary_valid_i && start && random.percent(rate[PRIMARY]) &&
+        if (!bench::get(dut.primary_i, RT_VECTOR_VALID) && start && random.percent(rate[PRIMARY]) &&
             (s = idle(PRIMARY)) >= 0) {
             begin(PRIMARY, s);
-            dut.primary_valid_i = 1;
-            set(dut.primary_slot_i, SLOTW, s);
-            set(dut.primary_vec_i, 3 * WD, pack(slots[s].dir.v, WD));
+            bench::put(dut.primary_i, RT_VECTOR_VALID, 1);
+            bench::put(dut.primary_i, RT_VECTOR_SLOT, s);
+            bench::put(dut.primary_i, RT_VECTOR_VEC, pack(slots[s].dir.v, WD));
         }
         write_skip();
         settle();
-        bool accepted = dut.primary_valid_i && dut.primary_ready_o;
+        bool accepted = bench::get(dut.primary_i, RT_VECTOR_VALID) && dut.primary_ready_o;
+        bool light = dut.next_light_o;
+        int light_slot = dut.next_slot_o;
         tick();
-        if (accepted) dut.primary_valid_i = 0;
-        if (dut.ray_valid_o) check_ray((int)get(dut.ray_slot_o));
-        if (dut.normal_valid_o) check_normal((int)get(dut.normal_slot_o));
-        if (dut.cosine_valid_o) check_cosine((int)get(dut.cosine_slot_o));
-        if (!dut.cosine_valid_o && (dut.lamp_valid_o || dut.shadow_go_o))
-            fail("lamp_valid_o or shadow_go_o without cosine_valid_o");
+        if (accepted) bench::put(dut.primary_i, RT_VECTOR_VALID, 0);
+        int slot = (int)bench::get(dut.ray_o, RT_RAY_SLOT);
+        bool normal = bench::get(dut.ray_o, RT_RAY_NORMAL) != 0;
+        bool now = bench::get(dut.ray_o, RT_RAY_LIGHT) != 0;
+        if (now != light || (light && light_slot != slot))
+            fail("next_light_o and next_slot_o do not tell of the next light");
+        if (normal) check_normal(slot);
+        if (bench::get(dut.ray_o, RT_RAY_VALID) || now) {
+            if (normal) fail("a normal that is a ray too");
+            check_ray(slot);
+        }
     }
 
     bool all_idle() const {
@@ -180,8 +176,12 @@ class Setup : public bench::Bench<Vrt_setup> {
 
     /* Every job is lost. */
     void restart() {
-        dut.normal_valid_i = dut.light_valid_i = dut.bounce_valid_i = dut.primary_valid_i = 0;
-        dut.point_valid_i = dut.skip_valid_i = 0;
+        bench::put(dut.normal_i, RT_VECTOR_VALID, 0);
+        bench::put(dut.light_i, RT_VECTOR_VALID, 0);
+        bench::put(dut.bounce_i, RT_VECTOR_VALID, 0);
+        bench::put(dut.primary_i, RT_VECTOR_VALID, 0);
+        bench::put(dut.org_i, RT_ORG_VALID, 0);
+        bench::put(dut.skip_i, RT_SKIP_VALID, 0);
         reset();
         for (Slot &s : slots) {
             if (s.job == NORMAL) s.has_normal = false;
@@ -194,12 +194,11 @@ class Setup : public bench::Bench<Vrt_setup> {
         restart();
         for (int i = 0; i < SLOTS; i++) {
             write_point(true, i);
-            dut.skip_valid_i = 1;
-            set(dut.skip_slot_i, SLOTW, i);
-            set(dut.skip_i, 25, slots[i].skip = (uint32_t)random.bits(25));
+            put_skip(true, i, (uint32_t)random.bits(25));
             tick();
         }
-        dut.point_valid_i = dut.skip_valid_i = 0;
+        bench::put(dut.org_i, RT_ORG_VALID, 0);
+        bench::put(dut.skip_i, RT_SKIP_VALID, 0);
     }
 
   private:
@@ -207,7 +206,6 @@ class Setup : public bench::Bench<Vrt_setup> {
     std::vector<Vec> corners;
     size_t done_corners[SOURCES] = {};
     Vec eye{};
-    bool shadow_on = false;
     unsigned rate[SOURCES] = {}; /* percent of clocks with a new job */
 
     /* A slot for a job, or -1; the search starts anywhere. */
@@ -223,7 +221,6 @@ class Setup : public bench::Bench<Vrt_setup> {
     void begin(int kind, int number) {
         Slot &s = slots[number];
         s.job = kind;
-        s.started = false;
         s.dir = done_corners[kind] < corners.size()
                     ? corners[done_corners[kind]++]
                     : random_dir(random, kind == LIGHT ? &s.normal : nullptr);
@@ -233,23 +230,28 @@ class Setup : public bench::Bench<Vrt_setup> {
     void write_point(bool valid, int number) {
         if (!valid && random.percent(30) && (number = (int)random.below(SLOTS)) >= 0)
             valid = slots[number].job == IDLE;
-        dut.point_valid_i = valid;
         Vec any = random_point(random);
-        set(dut.point_slot_i, SLOTW, valid ? number : (int)random.below(SLOTS));
-        set(dut.point_i, 3 * W, pack(any.v, W));
+        bench::put(dut.org_i, RT_ORG_VALID, valid);
+        bench::put(dut.org_i, RT_ORG_SLOT, valid ? number : (int)random.below(SLOTS));
+        bench::put(dut.org_i, RT_ORG_POINT, pack(any.v, W));
         if (valid) slots[number].point = any;
     }
 
     void write_skip() {
         int number = (int)random.below(SLOTS);
-        uint32_t skip = (uint32_t)random.mixed(25);
-        dut.skip_valid_i = slots[number].job == IDLE && random.percent(50);
-        set(dut.skip_slot_i, SLOTW, number);
-        set(dut.skip_i, 25, skip);
-        if (dut.skip_valid_i) slots[number].skip = skip;
+        put_skip(slots[number].job == IDLE && random.percent(50), number,
+                 (uint32_t)random.mixed(25));
     }
 
-    void end(Slot &s, bool idle) {
+    void put_skip(bool valid, int number, uint32_t skip) {
+        bench::put(dut.skip_i, RT_SKIP_VALID, valid);
+        bench::put(dut.skip_i, RT_SKIP_SLOT, number);
+        bench::put(dut.skip_i, RT_SKIP_ID, skip & SPH_ID_NONE);
+        bench::put(dut.skip_i, RT_SKIP_INSIDE, skip >> 24);
+        if (valid) slots[number].skip = skip;
+    }
+
+    void end(Slot &s) {
         if (bad()) {
             printf("#   %s, slot %d\n", s.job == IDLE ? "no job" : kinds[s.job], (int)(&s - slots));
             for (int64_t x : s.dir.v)
@@ -259,7 +261,6 @@ class Setup : public bench::Bench<Vrt_setup> {
             for (int64_t x : s.normal.v)
                 show("normal", x, WD);
         }
-        if (!idle) return;
         s.job = IDLE;
         done();
     }
@@ -279,29 +280,39 @@ class Setup : public bench::Bench<Vrt_setup> {
     void check_ray(int number) {
         Slot &s = slots[number];
         bool primary = s.job == PRIMARY, light = s.job == LIGHT;
-        if (s.job == IDLE || s.job == NORMAL || s.started || (light && !SHADOWS))
-            return fail("a ray that nothing asked for");
+        if (s.job == IDLE || s.job == NORMAL) return fail("a ray that nothing asked for");
         struct sph_ray r = model(s);
-        expect("ray_shadow_o", dut.ray_shadow_o, light, 1);
-        expect("ray_primary_o", dut.ray_primary_o, primary, 1);
-        expect("ray_org_o", (bench::i128)get(dut.ray_org_o), pack(r.org, W), 3 * W);
-        expect("ray_dir_o", (bench::i128)get(dut.ray_dir_o), pack(r.dir, WD), 3 * WD);
-        expect("ray_a_o", (bench::i128)get(dut.ray_a_o), r.a, 2 * WD);
-        expect("ray_skip_o", get(dut.ray_skip_o), primary ? SPH_ID_NONE : s.skip, 25);
-        for (int i = 0; i < 3; i++) {
-            expect("ray_forg_o", bench::sign(get(dut.ray_forg_o) >> (FW * i), FW), r.forg[i], FW);
-            expect("ray_unit_o", bench::sign(get(dut.ray_unit_o) >> (18 * i), 18), r.unit.u[i], 18);
+        expect("VALID", field(RT_RAY_VALID), !light || SHADOWS, 1);
+        expect("LIGHT", field(RT_RAY_LIGHT), light, 1);
+        expect("PRIMARY", field(RT_RAY_PRIMARY), primary, 1);
+        for (int i = 0; i < 3; i++)
+            expect("UNIT", unit(i), r.unit.u[i], 18);
+        expect("DIR", field(RT_RAY_DIR), pack(r.dir, WD), 3 * WD);
+        expect("A", field(RT_RAY_A), r.a, 2 * WD);
+        if (!light || SHADOWS) {
+            uint32_t skip = primary ? SPH_ID_NONE : s.skip;
+            expect("SHADOW", field(RT_RAY_SHADOW), light, 1);
+            expect("ORG", field(RT_RAY_ORG), pack(r.org, W), 3 * W);
+            expect("SKIP", field(RT_RAY_SKIP), skip & SPH_ID_NONE, 24);
+            expect("INSIDE", field(RT_RAY_INSIDE), skip >> 24, 1);
+            expect("Y", field(RT_RAY_Y), TEXTURE ? r.unit.y : 0, 17);
+            expect("H", field(RT_RAY_H), TEXTURE ? r.unit.h : 0, 6);
+            check_filter(r);
         }
-        expect("ray_axis_o", get(dut.ray_axis_o), r.axis, 2);
-        expect("ray_negative_o", get(dut.ray_negative_o), r.negative, 1);
-        expect("ray_scale_o", get(dut.ray_scale_o), r.depth_scale, 17);
-        expect("ray_shift_o", get(dut.ray_shift_o), r.depth_shift < 0 ? NO_BOUND : r.depth_shift,
-               6);
-        expect("ray_y_o", get(dut.ray_y_o), TEXTURE ? r.unit.y : 0, 17);
-        expect("ray_h_o", get(dut.ray_h_o), TEXTURE ? r.unit.h : 0, 6);
-        expect("ray_depth_o", get(dut.ray_depth_o), r.depth_max, FW + 1);
-        s.started = true;
-        end(s, !light);
+        end(s);
+    }
+
+    void check_filter(const struct sph_ray &r) {
+        for (int i = 0; i < 3; i++)
+            expect("filter ORG",
+                   bench::sign(bench::get(dut.filter_o, RT_FILTER_ORG) >> (FW * i), FW), r.forg[i],
+                   FW);
+        expect("AXIS", bench::get(dut.filter_o, RT_FILTER_AXIS), r.axis, 2);
+        expect("NEGATIVE", bench::get(dut.filter_o, RT_FILTER_NEGATIVE), r.negative, 1);
+        expect("SCALE", bench::get(dut.filter_o, RT_FILTER_SCALE), r.depth_scale, 17);
+        expect("SHIFT", bench::get(dut.filter_o, RT_FILTER_SHIFT),
+               r.depth_shift < 0 ? NO_BOUND : r.depth_shift, 6);
+        expect("DEPTH", bench::get(dut.filter_o, RT_FILTER_DEPTH), r.depth_max, FW + 1);
     }
 
     void check_normal(int number) {
@@ -309,28 +320,21 @@ class Setup : public bench::Bench<Vrt_setup> {
         if (s.job != NORMAL) return fail("a normal that nothing asked for");
         const int64_t *n = s.dir.v;
         uint64_t nn = (uint64_t)(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-        expect("normal_vec_o", (bench::i128)get(dut.normal_vec_o), pack(n, WD), 3 * WD);
-        expect("normal_nn_o", (bench::i128)get(dut.normal_nn_o), nn, 2 * WD);
-        s.unit = sph_unit(n, nn, WD);
+        expect("DIR of a normal", field(RT_RAY_DIR), pack(n, WD), 3 * WD);
+        expect("A of a normal", field(RT_RAY_A), nn, 2 * WD);
+        struct sph_unit u = sph_unit(n, nn, WD);
         for (int i = 0; i < 3; i++)
-            expect("ray_unit_o of a normal", bench::sign(get(dut.ray_unit_o) >> (18 * i), 18),
-                   s.unit.u[i], 18);
+            expect("UNIT of a normal", unit(i), u.u[i], 18);
         s.normal = s.dir;
         s.has_normal = true;
-        end(s, true);
+        end(s);
     }
 
-    void check_cosine(int number) {
-        Slot &s = slots[number];
-        if (s.job != LIGHT || s.started != SHADOWS) return fail("a cosine that nothing asked for");
-        struct sph_ray r = model(s);
-        uint32_t cosine = sph_lambert(&s.unit, &r.unit);
-        bool trace = SHADOWS && shadow_on && cosine;
-        expect("cosine_o", get(dut.cosine_o), cosine, 16);
-        expect("shadow_go_o", dut.shadow_go_o, trace, 1);
-        expect("lamp_valid_o", dut.lamp_valid_o, !trace, 1);
-        if (!trace) expect("lamp_lit_o", dut.lamp_lit_o, cosine != 0, 1);
-        end(s, true);
+    bench::i128 field(int lsb, int bits) const {
+        return (bench::i128)bench::get(dut.ray_o, lsb, bits);
+    }
+    bench::i128 unit(int axis) const {
+        return bench::sign(bench::get(dut.ray_o, RT_RAY_UNIT) >> (18 * axis), 18);
     }
 };
 

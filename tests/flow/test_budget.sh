@@ -72,7 +72,7 @@ absent() { # list, modules
     echo "not in the whole core:" && ! comm -23 "$TMP/absent" "$TMP/all" | grep . || return 1
     echo "in the core $1:" && ! comm -12 "$TMP/absent" "$TMP/here" | grep .
 }
-lights='rt_lights rt_lambert rt_light_add'
+lights='rt_lights rt_cosine rt_lambert rt_light_add'
 mirrors='rt_mirrors rt_bounce rt_blend'
 ways='rt_background rt_table rt_spans rt_cone'
 point='rt_hit rt_normalise rt_quotient rt_quotient_pool'

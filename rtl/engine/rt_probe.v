@@ -7,26 +7,25 @@
 `default_nettype none
 module rt_probe #(
     parameter WD    = 17,  // direction component, bits
-    parameter SLOTS = 32,  // power of two
-    parameter SLOTW = 5    // log2 of SLOTS
+    parameter SLOTS = 32  // power of two
 ) (
     input  wire              clk,
     input  wire              rst,
     // a new pixel; z of its direction is the same for all pixels of a frame
     input  wire              pixel_valid_i,
-    input  wire [SLOTW-1:0]  pixel_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] pixel_slot_i,
     input  wire [3*WD-1:0]   pixel_dir_i,
     // a surface is blended, its mirror ray starts unless it is the last and no probe
     input  wire              blend_valid_i,
-    input  wire [SLOTW-1:0]  blend_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] blend_slot_i,
     input  wire              blend_probe_i,  // a surface that a first-hit ray found
     input  wire              blend_last_i,   // the mirror ray is no more than a probe
     // a ray will be done in the next cycle
     input  wire              ask_valid_i,
-    input  wire [SLOTW-1:0]  ask_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] ask_slot_i,
     // a primary or mirror ray is done
     input  wire              done_valid_i,
-    input  wire [SLOTW-1:0]  done_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] done_slot_i,
     input  wire              done_primary_i,
     input  wire              done_found_i,   // a sphere with a record
     input  wire              done_far_i,
@@ -36,12 +35,13 @@ module rt_probe #(
     // to rt_setup: the primary ray once more
     output reg               again_valid_o,
     input  wire              again_ready_i,
-    output reg  [SLOTW-1:0]  again_slot_o,
+    output reg  [$clog2(SLOTS)-1:0] again_slot_o,
     output wire [3*WD-1:0]   again_dir_o,
     // which primary rays are repeated
-    input  wire [SLOTW-1:0]  ray_slot_i,
+    input  wire [$clog2(SLOTS)-1:0] ray_slot_i,
     output wire              ray_again_o
 );
+    localparam SLOTW = $clog2(SLOTS);
     // ---- the mirror ray of a probe is done ----
     wire             probe, last;                    // of the slot's latest surface
     wire [23:0]      first_id;                       // what the primary ray found

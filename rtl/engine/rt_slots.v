@@ -1,0 +1,223 @@
+// rt_slots.v - slots of an engine: a pixel comes in, its colours go out
+// SPDX-License-Identifier: Apache-2.0
+// Gives each traced pixel a free slot, sorts the rays that are done (shadow, hit, miss), repeats
+// the primary rays that rt_probe asks for, and delivers the pixels that are complete.
+// Model: sph_render_pixel() in cmodel/engine/render_pixel.c
+`default_nettype none
+`include "rt_layout.vh"
+`include "rt_bundles.vh"
+module rt_slots #(
+    parameter W       = 16,  // coordinate, bits
+    parameter WD      = 17,  // direction component, bits
+    parameter SHADOW  = 1,   // 1: shadow rays
+    parameter FARS    = 1,   // 1: hits that are far
+    parameter TEXTURE = 0,   // 1: pixels have a word of texture
+    parameter INTERPENETRATE = 1, // 1: first hits may lie in another sphere
+    parameter SLOTS   = 32   // power of two
+) (
+    input  wire                       clk,
+    input  wire                       rst,
+    output wire                       busy_o,          // slots are in use
+    input  wire [`RT_REGS_BITS-1:0]   regs_i,
+    // from rt_walk: a pixel to trace
+    input  wire                       in_valid_i,
+    output wire                       in_ready_o,
+    input  wire [`RT_START_BITS-1:0]  start_i,
+    // to rt_setup: primary rays
+    output wire [`RT_VECTOR_BITS-1:0] primary_o,
+    input  wire                       primary_ready_i,
+    // from rt_setup, to rt_trace: the ray of this slot is the repeated primary ray of its pixel
+    input  wire [$clog2(SLOTS)-1:0]   ray_slot_i,
+    output wire                       ray_again_o,
+    // from rt_trace: a ray is done, a clock later how
+    input  wire                       done_valid_i,
+    input  wire [$clog2(SLOTS)-1:0]   done_slot_i,
+    input  wire [`RT_DONE_BITS-1:0]   done_i,
+    // to and from rt_shade: what becomes of it; a surface is blended; a pixel is complete
+    output wire [`RT_HIT_BITS-1:0]    hit_o,
+    input  wire [`RT_BLEND_BITS-1:0]  blend_i,
+    input  wire                       end_valid_i,
+    input  wire [$clog2(SLOTS)-1:0]   end_slot_i,
+    // of a pixel that leaves, a clock after its slot: from rt_trace and rt_shade
+    output wire                       read_o,
+    output wire [$clog2(SLOTS)-1:0]   read_slot_o,
+    input  wire [23:0]                visits_i,
+    input  wire [71:0]                colour_i,
+    input  wire [31:0]                texture_i,
+    // finished pixels
+    output wire                       pix_valid_o,
+    input  wire                       pix_ready_i,
+    output wire [`RT_PIXEL_BITS-1:0]  pix_o,
+    output wire [3:0]                 fault_o          // by number of the error, machine.def
+);
+    localparam SLOTW = $clog2(SLOTS);
+    localparam KW = W + WD + 2;
+    localparam PB = INTERPENETRATE != 0 ? 1 : 0;     // bits of a flag about probes
+    wire [`RT_EFFECT_BITS-1:0] effects    = regs_i[`RT_REGS_EFFECTS];
+    wire [23:0]      background = regs_i[`RT_REGS_BACKGROUND];
+    wire             again_valid;                    // a primary ray is to be repeated
+    wire [SLOTW-1:0] again_slot;
+    wire [3*WD-1:0]  again_dir;
+
+    // ---- free slots: all of them after reset, then those that were delivered ----
+    reg [SLOTW:0]    fill_q;                         // slots put into the queue after reset
+    wire             filling = !fill_q[SLOTW];
+    wire             free_valid, free_in, out_done;
+    wire [SLOTW-1:0] free_slot, out_slot;
+    reg [SLOTW:0]    used_q;
+    wire             taken = in_valid_i && in_ready_o;
+    rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_free (
+        .clk(clk), .rst(rst), .in_valid_i(filling || out_done), .in_ready_o(free_in),
+        .in_data_i(filling ? fill_q[SLOTW-1:0] : out_slot),
+        .out_valid_o(free_valid), .out_ready_i(taken), .out_data_o(free_slot)
+    );
+    assign in_ready_o      = free_valid && !filling && primary_ready_i && !again_valid;
+    assign primary_o[`RT_VECTOR_VALID] = (in_valid_i && free_valid && !filling) || again_valid;
+    assign primary_o[`RT_VECTOR_SLOT]  = again_valid ? again_slot : free_slot;
+    assign primary_o[`RT_VECTOR_VEC]   = again_valid ? again_dir : start_i[`RT_START_DIR];
+    assign busy_o          = used_q != 0;
+    always @(posedge clk) begin
+        if (filling) fill_q <= fill_q + 1'b1;
+        used_q <= used_q + {{SLOTW{1'b0}}, taken} - {{SLOTW{1'b0}}, out_done};
+        if (rst) begin fill_q <= 0; used_q <= 0; end
+    end
+
+    // ---- rays that are done ----
+    reg              d_valid_q;                      // rt_trace tells how
+    reg [SLOTW-1:0]  d_slot_q;
+    always @(posedge clk) begin
+        d_valid_q <= done_valid_i;
+        d_slot_q  <= done_slot_i;
+        if (rst) d_valid_q <= 1'b0;
+    end
+    wire [23:0] d_id      = done_i[`RT_DONE_ID];
+    wire [26:0] d_line    = {1'b0, regs_i[`RT_REGS_PRIM_BASE]} + {3'b0, d_id};
+    wire        d_outside = d_line >= {1'b0, regs_i[`RT_REGS_MEM_LINES]};
+    wire        d_found   = done_i[`RT_DONE_FOUND] && !d_outside;
+    wire        d_first   = done_i[`RT_DONE_PRIMARY];
+    wire        d_shadow  = SHADOW != 0 && done_i[`RT_DONE_SHADOW];
+    wire        d_valid   = d_valid_q && !d_shadow;
+    wire        d_void, d_end;                       // a probe: the pixel starts again; is complete
+    wire        d_on      = d_valid && !d_void && !d_end;
+    reg              shadow_q, lit_q, hit_q, far_q, first_q, probe_q;
+    reg              miss_q, sky_q, end_q;           // behind a mirror; to be delivered, blended
+    reg              outside_q;
+    reg [SLOTW-1:0]  slot_q;
+    reg [23:0]       id_q;
+    reg [KW-1:0]     key_q;
+    always @(posedge clk) begin
+        shadow_q  <= d_valid_q && d_shadow;
+        slot_q    <= d_slot_q;
+        lit_q     <= !done_i[`RT_DONE_FOUND];
+        hit_q     <= d_on && d_found;
+        miss_q    <= d_on && !d_found && !d_first;
+        first_q   <= d_first;
+        probe_q   <= done_i[`RT_DONE_FIRST] && effects[`RT_EFFECT_INTERPENETRATE];
+        far_q     <= FARS != 0 && done_i[`RT_DONE_FAR];
+        id_q      <= d_id;
+        key_q     <= done_i[`RT_DONE_KEY];
+        sky_q     <= (d_on && !d_found && d_first) || (d_valid && d_end);
+        end_q     <= d_end;
+        outside_q <= d_valid && done_i[`RT_DONE_FOUND] && d_outside;
+        if (rst) begin
+            shadow_q <= 1'b0; hit_q <= 1'b0; sky_q <= 1'b0; miss_q <= 1'b0; outside_q <= 1'b0;
+        end
+    end
+    assign hit_o[`RT_HIT_HIT]    = hit_q;
+    assign hit_o[`RT_HIT_MISS]   = miss_q;
+    assign hit_o[`RT_HIT_SHADOW] = shadow_q;
+    assign hit_o[`RT_HIT_SLOT]   = slot_q;
+    assign hit_o[`RT_HIT_LIT]    = lit_q;
+    assign hit_o[`RT_HIT_FIRST]  = first_q;
+    assign hit_o[`RT_HIT_PROBE]  = PB != 0 && probe_q;
+    assign hit_o[`RT_HIT_FAR]    = far_q;
+    assign hit_o[`RT_HIT_ID]     = id_q;
+    assign hit_o[`RT_HIT_KEY]    = key_q;
+    assign fault_o[`RT_ERROR_BAD_NODE]       = outside_q;
+    assign fault_o[`RT_ERROR_STACK_OVERFLOW] = 1'b0;
+    assign fault_o[`RT_ERROR_VISIT_LIMIT]    = 1'b0;
+    assign fault_o[`RT_ERROR_BUS_ERROR]      = 1'b0;
+
+    // ---- first hits that may lie in another sphere ----
+    generate
+        if (INTERPENETRATE != 0) begin : g_probe
+            rt_probe #(.WD(WD), .SLOTS(SLOTS)) u_probe (
+                .clk(clk), .rst(rst),
+                .pixel_valid_i(taken), .pixel_slot_i(free_slot),
+                .pixel_dir_i(start_i[`RT_START_DIR]),
+                .blend_valid_i(blend_i[`RT_BLEND_VALID]), .blend_slot_i(blend_i[`RT_BLEND_SLOT]),
+                .blend_probe_i(blend_i[`RT_BLEND_PROBE]), .blend_last_i(blend_i[`RT_BLEND_LAST]),
+                .ask_valid_i(done_valid_i), .ask_slot_i(done_slot_i),
+                .done_valid_i(d_valid), .done_slot_i(d_slot_q), .done_primary_i(d_first),
+                .done_found_i(d_found), .done_far_i(done_i[`RT_DONE_FAR]), .done_id_i(d_id),
+                .done_void_o(d_void), .done_end_o(d_end),
+                .again_valid_o(again_valid), .again_ready_i(primary_ready_i),
+                .again_slot_o(again_slot), .again_dir_o(again_dir),
+                .ray_slot_i(ray_slot_i), .ray_again_o(ray_again_o)
+            );
+        end else begin : g_no_probe
+            assign {d_void, d_end, again_valid, ray_again_o} = 4'd0;
+            assign again_slot = {SLOTW{1'b0}};
+            assign again_dir  = {3*WD{1'b0}};
+            wire unused = &{1'b0, ray_slot_i, probe_q};
+        end
+    endgenerate
+
+    // ---- delivery ----
+    wire             o_blend, o_sky, o_blend_in, o_sky_in;
+    wire [SLOTW:0]   o_end = {end_q, slot_q};
+    wire [SLOTW+PB-1:0] o_next;
+    wire [SLOTW-1:0] o_blend_slot, o_sky_slot, o_slot;
+    reg              p_valid_q, p_sky_q;
+    reg [SLOTW-1:0]  p_slot_q;
+    wire             o_load = !p_valid_q || pix_ready_i;
+    wire             o_read = o_load && (o_blend || o_sky);
+    assign           o_slot = o_blend ? o_blend_slot : o_sky_slot;
+    rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_blended (
+        .clk(clk), .rst(rst), .in_valid_i(end_valid_i), .in_ready_o(o_blend_in),
+        .in_data_i(end_slot_i),
+        .out_valid_o(o_blend), .out_ready_i(o_load), .out_data_o(o_blend_slot)
+    );
+    rt_fifo #(.WIDTH(SLOTW+PB), .DEPTH(SLOTS)) u_skies (
+        .clk(clk), .rst(rst), .in_valid_i(sky_q), .in_ready_o(o_sky_in),
+        .in_data_i(o_end[SLOTW+PB-1:0]),
+        .out_valid_o(o_sky), .out_ready_i(o_load && !o_blend), .out_data_o(o_next)
+    );
+    assign o_sky_slot = o_next[SLOTW-1:0];
+    wire             o_sky_end = PB != 0 && o_next[SLOTW+PB-1];
+    wire [23:0]      p_id;                           // of the primary hit
+    wire [KW-1:0]    p_key;
+    rt_slot_ram #(.WIDTH(28), .SLOTS(SLOTS), .OLD(0)) u_pixel (
+        .clk(clk), .wr_en_i(taken), .wr_addr_i(free_slot),
+        .wr_data_i({start_i[`RT_START_Y], start_i[`RT_START_X]}),
+        .rd_en_i(o_read), .rd_addr_i(o_slot),
+        .rd_data_o({pix_o[`RT_PIXEL_Y], pix_o[`RT_PIXEL_X]})
+    );
+    rt_slot_ram #(.WIDTH(KW+24), .SLOTS(SLOTS), .OLD(0)) u_first (
+        .clk(clk), .wr_en_i(d_valid && d_first && d_found),
+        .wr_addr_i(d_slot_q), .wr_data_i({d_id, done_i[`RT_DONE_KEY]}),
+        .rd_en_i(o_read), .rd_addr_i(o_slot), .rd_data_o({p_id, p_key})
+    );
+    always @(posedge clk) begin
+        if (o_load) begin
+            p_valid_q  <= o_blend || o_sky;
+            p_sky_q    <= !o_blend && !o_sky_end;
+            p_slot_q   <= o_slot;
+        end
+        if (rst) p_valid_q <= 1'b0;
+    end
+    assign read_o      = o_read;
+    assign read_slot_o = o_slot;
+    assign pix_valid_o = p_valid_q;
+    assign pix_o[`RT_PIXEL_COLOUR]  = p_sky_q ? {3{background}} : colour_i;
+    assign pix_o[`RT_PIXEL_ID]      = p_sky_q ? 24'd`RT_ID_NONE : p_id;
+    assign pix_o[`RT_PIXEL_KEY]     = p_sky_q ? {KW{1'b0}} : p_key;
+    assign pix_o[`RT_PIXEL_VISITS]  = visits_i;
+    assign pix_o[`RT_PIXEL_TEXTURE] = TEXTURE == 0 || p_sky_q ? {12'd`RT_LOD_NONE, 20'd0}
+                                                              : texture_i;
+    assign out_done    = pix_valid_o && pix_ready_i;
+    assign out_slot    = p_slot_q;
+    wire unused = &{1'b0, regs_i, effects, blend_i, free_in, o_blend_in, o_sky_in, o_end,
+                    texture_i};
+endmodule
+`default_nettype wire

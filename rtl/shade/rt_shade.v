@@ -1,0 +1,276 @@
+// rt_shade.v - shading: from the hits of a slot's rays to the frames of its pixel
+// SPDX-License-Identifier: Apache-2.0
+//   hit --> rt_surface --+--> normal, to rt_setup and back --+--> rt_texture --> rt_lights --+
+//             record     +--> bare: no point is wanted ------+                   ^   |       | sum
+//                                     light: rt_cosine --> rt_shine -------------+   v       v
+//   vectors to rt_setup <-- rt_leave <-- blended -- rt_compose <------------------- light, material
+// A block that no effect asks for is not built; its tokens go straight on.
+// Model: path(), shade(), leave() in cmodel/engine/render_pixel.c
+`default_nettype none
+`include "rt_layout.vh"
+`include "rt_bundles.vh"
+module rt_shade #(
+    parameter W          = 16,   // coordinate, bits
+    parameter WD         = 17,   // direction component, bits
+    parameter PQ         = 17,   // significant bits of the quotient
+    parameter NG         = 2,    // guard bits of the normal
+    parameter PR         = 0,    // significant bits of the root, 0: all
+    parameter SLOTS      = 64,   // rays in flight, power of two
+    parameter SHADOW     = 1,    // 1: shadow rays
+    parameter REFLECT    = 5,    // effects elaborated, see rt_core
+    parameter LIGHTS     = 8,
+    parameter INSIDE     = 1,
+    parameter INTERPENETRATE = 1,
+    parameter FACETS     = 0,
+    parameter TEXTURE    = 0,
+    parameter REFRACT    = 0,
+    parameter SPECULAR   = 0,
+    parameter SUM        = 0,
+    parameter TEXTURE_LINES = 128, // texture cache
+    parameter TEXTURE_WAYS = 4,  // its groups of a set
+    parameter TEXTURE_GROUP = 1, // lines of a group
+    parameter TEXTURE_COORDS = 2, // units for texture coordinates
+    parameter COARSE     = 0,    // bits of a level's fraction that are rounded away
+    parameter QUOTIENTS  = 3,    // dividers
+    parameter QUOTIENT_STEP = 2  // quotient bits a clock
+) (
+    input  wire                       clk,
+    input  wire                       rst,
+    input  wire                       flush_i,         // forget the texture cache
+    input  wire [`RT_REGS_BITS-1:0]   regs_i,
+    input  wire [`RT_LIGHT_BITS-1:0]  light_i,         // a light is written
+    // from rt_setup
+    input  wire [`RT_RAY_BITS-1:0]    ray_i,
+    input  wire                       next_light_i,    // ray_i has LIGHT in the next clock,
+    input  wire [$clog2(SLOTS)-1:0]   next_slot_i,     // and this slot
+    // from rt_slots: what rays hit; to it: a surface is blended, a pixel is complete
+    input  wire [`RT_HIT_BITS-1:0]    hit_i,
+    output wire [`RT_BLEND_BITS-1:0]  blend_o,
+    output wire                       end_valid_o,
+    output wire [$clog2(SLOTS)-1:0]   end_slot_o,
+    // to and from rt_leaf_unit: primitive records
+    output wire [`RT_FETCH_BITS-1:0]  fetch_o,
+    input  wire                       fetch_ready_i,
+    input  wire [`RT_RECORD_BITS-1:0] record_i,
+    output wire                       record_ready_o,
+    // to rt_setup: vectors, and where and on what the next ray starts
+    output wire [`RT_VECTOR_BITS-1:0] normal_o,
+    output wire [`RT_VECTOR_BITS-1:0] vec_light_o,
+    output wire [`RT_VECTOR_BITS-1:0] bounce_o,
+    output wire [`RT_ORG_BITS-1:0]    org_o,
+    output wire [`RT_SKIP_BITS-1:0]   skip_o,
+    // to rt_trace: token, a shadow ray starts
+    output wire                       shadow_go_o,
+    output wire [$clog2(SLOTS)-1:0]   shadow_slot_o,
+    // to rt_slots: of a pixel that leaves, a clock after its slot
+    input  wire                       read_i,
+    input  wire [$clog2(SLOTS)-1:0]   read_slot_i,
+    output wire [71:0]                colour_o,
+    output wire [31:0]                texture_o,
+    // memory, with TEXTURE
+    output wire                       mem_req_valid_o,
+    input  wire                       mem_req_ready_i,
+    output wire [25:0]                mem_req_line_o,
+    input  wire                       mem_rsp_valid_i,
+    output wire                       mem_rsp_ready_o,
+    input  wire [255:0]               mem_rsp_data_i,
+    input  wire                       mem_rsp_error_i,
+    // events and faults of this clock
+    output wire [`RT_SHADE_EVENT_BITS-1:0] event_o,
+    output wire [3:0]                 fault_o          // by number of the error, machine.def
+);
+    localparam SLOTW = $clog2(SLOTS);
+    localparam SHARES  = REFRACT != 0 || SUM != 0 ? 1 : 0;             // blends by shares
+    localparam GLOSS   = LIGHTS != 0 && SPECULAR != 0 ? 1 : 0;         // highlights
+    localparam BOUNCES = REFLECT != 0 || INTERPENETRATE != 0 || REFRACT != 0 ? 1 : 0; // mirrored
+    localparam POINTS  = LIGHTS != 0 || BOUNCES != 0 || TEXTURE != 0 ? 1 : 0; // points, normals
+    wire [`RT_EFFECT_BITS-1:0] effects  = regs_i[`RT_REGS_EFFECTS];
+    wire [3:0]       n_lights = regs_i[`RT_REGS_N_LIGHTS];
+    wire [47:0]      ambient  = regs_i[`RT_REGS_AMBIENT];
+    wire             ray_go   = ray_i[`RT_RAY_VALID] && !ray_i[`RT_RAY_SHADOW];
+
+    // ---- hit: record, point, normal ----
+    wire             points_on = n_lights != 4'd0 ||                   // POINTS at run time
+                     effects[`RT_EFFECT_REFLECT] || effects[`RT_EFFECT_INTERPENETRATE] ||
+                     (REFRACT != 0 && effects[`RT_EFFECT_REFRACT]) ||
+                     (TEXTURE != 0 && effects[`RT_EFFECT_TEXTURE]);
+    wire [`RT_MATERIAL_BITS-1:0] material;
+    wire [`RT_SURFACE_BITS-1:0]  surface;
+    wire             bare_valid;              // a surface that needs no point
+    wire [SLOTW-1:0] bare_slot;
+    rt_surface #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .POINTS(POINTS), .BOUNCES(BOUNCES),
+                 .INSIDE(INSIDE), .FACETS(FACETS), .TEXTURE(TEXTURE), .LOOKS(SHARES),
+                 .SLOTS(SLOTS), .QUOTIENTS(QUOTIENTS),
+                 .QUOTIENT_STEP(QUOTIENT_STEP)) u_surface (
+        .clk(clk), .rst(rst), .regs_i(regs_i), .points_on_i(points_on),
+        .ray_i(ray_i), .hit_i(hit_i),
+        .fetch_o(fetch_o), .fetch_ready_i(fetch_ready_i),
+        .record_i(record_i), .record_ready_o(record_ready_o),
+        .material_o(material), .bare_valid_o(bare_valid), .bare_slot_o(bare_slot),
+        .surface_o(surface),
+        .quotient_o(event_o[`RT_SHADE_EVENT_QUOTIENT]),
+        .saturated_o(event_o[`RT_SHADE_EVENT_SATURATED])
+    );
+    assign normal_o[`RT_VECTOR_VALID] = surface[`RT_SURFACE_VALID];
+    assign normal_o[`RT_VECTOR_SLOT]  = surface[`RT_SURFACE_SLOT];
+    assign normal_o[`RT_VECTOR_VEC]   = surface[`RT_SURFACE_NORMAL];
+
+    // ---- where the next ray starts: at the surface, or where a refracted ray has waited ----
+    wire [`RT_BACK_BITS-1:0] back;
+    wire             path_valid;
+    wire             back_valid = REFRACT != 0 && back[`RT_BACK_VALID];
+    wire             back_ready = !surface[`RT_SURFACE_VALID] && !hit_i[`RT_HIT_HIT] &&
+                                  !path_valid;
+    assign org_o[`RT_ORG_VALID]   = surface[`RT_SURFACE_VALID] || back_valid;
+    assign org_o[`RT_ORG_SLOT]    = back_valid ? back[`RT_BACK_SLOT] : surface[`RT_SURFACE_SLOT];
+    assign org_o[`RT_ORG_POINT]   = back_valid ? back[`RT_BACK_POINT] : surface[`RT_SURFACE_POINT];
+    assign skip_o[`RT_SKIP_VALID] = hit_i[`RT_HIT_HIT] || back_valid;
+    assign skip_o[`RT_SKIP_SLOT]  = back_valid ? back[`RT_BACK_SLOT] : hit_i[`RT_HIT_SLOT];
+    assign skip_o[`RT_SKIP_ID]    = back_valid ? back[`RT_BACK_ID] : hit_i[`RT_HIT_ID];
+    assign skip_o[`RT_SKIP_INSIDE] = back_valid ? back[`RT_BACK_INSIDE] : hit_i[`RT_HIT_FAR];
+
+    // ---- texture: between a surface, which may be without a normal, and its lights ----
+    wire             lit_valid = ray_i[`RT_RAY_NORMAL] || bare_valid;  // never both: see points_on
+    wire [SLOTW-1:0] lit_slot  = bare_valid ? bare_slot : ray_i[`RT_RAY_SLOT];
+    wire             start_valid, albedo_valid;
+    wire [SLOTW-1:0] start_slot, albedo_slot, path_slot;
+    wire [32:0]      albedo;                  // {kr, rgb}
+    wire [W+7:0]     path;
+    generate
+        if (TEXTURE != 0) begin : g_texture
+            rt_texture #(.W(W), .WD(WD), .NG(NG), .BACK(REFRACT), .SLOTS(SLOTS),
+                         .LINES(TEXTURE_LINES), .WAYS(TEXTURE_WAYS), .GROUP(TEXTURE_GROUP),
+                         .COORDS(TEXTURE_COORDS), .COARSE(COARSE)) u_texture (
+                .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i),
+                .ray_i(ray_i), .hit_i(hit_i), .material_i(material), .surface_i(surface),
+                .in_valid_i(lit_valid), .in_slot_i(lit_slot),
+                .path_valid_o(path_valid), .path_slot_o(path_slot), .path_o(path),
+                .back_i(back),
+                .material_valid_o(albedo_valid), .material_slot_o(albedo_slot),
+                .material_o(albedo), .out_valid_o(start_valid), .out_slot_o(start_slot),
+                .word_read_i(read_i), .word_slot_i(read_slot_i), .word_o(texture_o),
+                .mem_req_valid_o(mem_req_valid_o), .mem_req_ready_i(mem_req_ready_i),
+                .mem_req_line_o(mem_req_line_o),
+                .mem_rsp_valid_i(mem_rsp_valid_i), .mem_rsp_ready_o(mem_rsp_ready_o),
+                .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
+                .texel_o(event_o[`RT_SHADE_EVENT_TEXEL]), .miss_o(event_o[`RT_SHADE_EVENT_MISS]),
+                .bad_node_o(fault_o[`RT_ERROR_BAD_NODE]),
+                .bus_error_o(fault_o[`RT_ERROR_BUS_ERROR])
+            );
+        end else begin : g_plain
+            assign {start_valid, start_slot}   = {lit_valid, lit_slot};
+            assign {albedo_valid, albedo_slot} = {material[`RT_MATERIAL_VALID],
+                                                  material[`RT_MATERIAL_SLOT]};
+            assign albedo    = {material[`RT_MATERIAL_KR], material[`RT_MATERIAL_RGB]};
+            assign texture_o = {12'd`RT_LOD_NONE, 20'd0};
+            assign {path_valid, path_slot, path} = {(SLOTW+W+9){1'b0}};
+            assign {mem_req_valid_o, mem_req_line_o, mem_rsp_ready_o} = 28'd0;
+            assign event_o[`RT_SHADE_EVENT_TEXEL] = 1'b0;
+            assign event_o[`RT_SHADE_EVENT_MISS]  = 1'b0;
+            assign fault_o[`RT_ERROR_BAD_NODE]    = 1'b0;
+            assign fault_o[`RT_ERROR_BUS_ERROR]   = 1'b0;
+            wire unused = &{1'b0, flush_i, mem_req_ready_i, mem_rsp_valid_i, mem_rsp_data_i,
+                            mem_rsp_error_i};
+        end
+    endgenerate
+    assign fault_o[`RT_ERROR_STACK_OVERFLOW] = 1'b0;
+    assign fault_o[`RT_ERROR_VISIT_LIMIT]    = 1'b0;
+
+    // ---- lights: cosine, shadow ray, highlight, sum ----
+    wire             sum_valid;
+    wire [SLOTW-1:0] sum_slot;
+    wire [50:0]      sum, gloss;
+    generate
+        if (LIGHTS != 0) begin : g_lights
+            wire             cosine_valid, lamp_valid, lamp_lit, settled, settled_lit;
+            wire [SLOTW-1:0] settled_slot;
+            wire [15:0]      cosine, highlight;
+            rt_cosine #(.W(W), .WD(WD), .SHADOW(SHADOW), .SLOTS(SLOTS)) u_cosine (
+                .clk(clk), .rst(rst), .shadow_on_i(effects[`RT_EFFECT_SHADOW]),
+                .ray_i(ray_i), .next_light_i(next_light_i), .next_slot_i(next_slot_i),
+                .out_valid_o(cosine_valid), .out_slot_o(shadow_slot_o), .out_cosine_o(cosine),
+                .shadow_go_o(shadow_go_o), .lamp_valid_o(lamp_valid), .lamp_lit_o(lamp_lit)
+            );
+            if (GLOSS != 0) begin : g_shine
+                rt_shine #(.W(W), .WD(WD), .SHADOW(SHADOW), .SLOTS(SLOTS)) u_shine (
+                    .clk(clk), .rst(rst),
+                    .on_i(effects[`RT_EFFECT_SUM] && effects[`RT_EFFECT_SPECULAR]),
+                    .ray_i(ray_i), .material_i(material),
+                    .lamp_valid_i(lamp_valid), .lamp_slot_i(shadow_slot_o),
+                    .lamp_lit_i(lamp_lit),
+                    .shadow_valid_i(hit_i[`RT_HIT_SHADOW]), .shadow_slot_i(hit_i[`RT_HIT_SLOT]),
+                    .shadow_lit_i(hit_i[`RT_HIT_LIT]),
+                    .out_valid_o(settled), .out_slot_o(settled_slot), .out_lit_o(settled_lit),
+                    .out_highlight_o(highlight), .power_o(event_o[`RT_SHADE_EVENT_POWER])
+                );
+            end else begin : g_no_shine
+                assign {settled, settled_slot, settled_lit} = {lamp_valid, shadow_slot_o, lamp_lit};
+                assign highlight = 16'd0;
+                assign event_o[`RT_SHADE_EVENT_POWER] = 1'b0;
+            end
+            rt_lights #(.W(W), .WD(WD), .LIGHTS(LIGHTS), .SHADOW(GLOSS != 0 ? 0 : SHADOW),
+                        .AMBIENT(SUM != 0 ? 0 : 1), .GLOSS(GLOSS), .SLOTS(SLOTS)) u_lights (
+                .clk(clk), .rst(rst), .n_lights_i(n_lights), .ambient_i(ambient),
+                .light_valid_i(light_i[`RT_LIGHT_VALID]),
+                .light_number_i(light_i[`RT_LIGHT_NUMBER]),
+                .light_part_i(light_i[`RT_LIGHT_PART]), .light_data_i(light_i[`RT_LIGHT_DATA]),
+                .point_valid_i(surface[`RT_SURFACE_VALID]),
+                .point_slot_i(surface[`RT_SURFACE_SLOT]), .point_i(surface[`RT_SURFACE_POINT]),
+                .cosine_valid_i(cosine_valid), .cosine_slot_i(shadow_slot_o), .cosine_i(cosine),
+                .start_valid_i(start_valid), .start_slot_i(start_slot),
+                .lamp_valid_i(settled), .lamp_slot_i(settled_slot), .lamp_lit_i(settled_lit),
+                .lamp_highlight_i(highlight),
+                .shadow_valid_i(hit_i[`RT_HIT_SHADOW]), .shadow_slot_i(hit_i[`RT_HIT_SLOT]),
+                .shadow_lit_i(hit_i[`RT_HIT_LIT]),
+                .vec_valid_o(vec_light_o[`RT_VECTOR_VALID]),
+                .vec_slot_o(vec_light_o[`RT_VECTOR_SLOT]),
+                .vec_o(vec_light_o[`RT_VECTOR_VEC]),
+                .sum_valid_o(sum_valid), .sum_slot_o(sum_slot), .sum_o(sum), .gloss_o(gloss)
+            );
+        end else begin : g_ambient
+            assign vec_light_o   = {`RT_VECTOR_BITS{1'b0}};
+            assign shadow_go_o   = 1'b0;
+            assign shadow_slot_o = {SLOTW{1'b0}};
+            assign sum_valid     = start_valid;
+            assign sum_slot      = start_slot;
+            assign gloss         = 51'd0;
+            assign sum           = SUM != 0 ? 51'd0 : {1'b0, ambient[47:32], 1'b0,
+                                                       ambient[31:16], 1'b0, ambient[15:0]};
+            assign event_o[`RT_SHADE_EVENT_POWER] = 1'b0;
+            wire unused = &{1'b0, light_i, next_light_i, next_slot_i};
+        end
+    endgenerate
+
+    // ---- frames of a pixel; the ray that goes on ----
+    wire             next_valid;
+    wire [SLOTW-1:0] next_slot;
+    wire [16:0]      next_weight;
+    wire [2:0]       next_depth;
+    rt_compose #(.W(W), .WD(WD), .REFLECT(REFLECT), .LIGHTS(LIGHTS),
+                 .INTERPENETRATE(INTERPENETRATE), .REFRACT(REFRACT), .SPECULAR(SPECULAR),
+                 .SUM(SUM), .SLOTS(SLOTS)) u_compose (
+        .clk(clk), .rst(rst), .regs_i(regs_i), .hit_i(hit_i), .material_i(material),
+        .albedo_valid_i(albedo_valid), .albedo_slot_i(albedo_slot), .albedo_i(albedo),
+        .sum_valid_i(sum_valid), .sum_slot_i(sum_slot), .sum_i(sum), .gloss_i(gloss),
+        .next_valid_i(next_valid), .next_slot_i(next_slot), .next_weight_i(next_weight),
+        .next_depth_i(next_depth), .blend_o(blend_o),
+        .read_i(read_i), .read_slot_i(read_slot_i), .colour_o(colour_o)
+    );
+    wire             reflected;
+    rt_leave #(.W(W), .WD(WD), .NG(NG), .PR(PR), .MIRRORS(BOUNCES), .REFRACT(REFRACT),
+               .PATHS(TEXTURE), .SLOTS(SLOTS)) u_leave (
+        .clk(clk), .rst(rst), .ray_i(ray_i), .hit_i(hit_i), .material_i(material),
+        .surface_i(surface), .path_valid_i(path_valid), .path_slot_i(path_slot), .path_i(path),
+        .blend_i(blend_o), .next_valid_o(next_valid), .next_slot_o(next_slot),
+        .next_weight_o(next_weight), .next_depth_o(next_depth),
+        .end_valid_o(end_valid_o), .end_slot_o(end_slot_o), .bounce_o(bounce_o),
+        .back_o(back), .back_ready_i(back_ready), .reflected_o(reflected),
+        .refracted_o(event_o[`RT_SHADE_EVENT_REFRACTED])
+    );
+    assign event_o[`RT_SHADE_EVENT_PRIMARY]   = ray_go && ray_i[`RT_RAY_PRIMARY];
+    assign event_o[`RT_SHADE_EVENT_SHADOW]    = shadow_go_o;
+    assign event_o[`RT_SHADE_EVENT_REFLECTED] = SHARES != 0 ? reflected
+                                                : ray_go && !ray_i[`RT_RAY_PRIMARY];
+    wire unused = &{1'b0, effects, back, reflected, surface};
+endmodule
+`default_nettype wire

@@ -1,0 +1,192 @@
+// rt_trace.v - traversal: rays go through the tree, leaf children to their test, first hits out
+// SPDX-License-Identifier: Apache-2.0
+//   ray --> rt_traverse --+-- leaf children, rt_leaf_unit --> rt_collect --+--> rt_next --+--> done
+//             ^           +-- none ----------------------------------------+              |
+//             +----------------------------- next node -----------------------------------+
+// or rt_bih in place of rt_traverse and rt_next (ACCEL). One token a slot goes round; queues of
+// SLOTS words never fill. Visits that had leaves go before others, since they waited longest.
+// Model: sph_traverse() in cmodel/trace/traverse.c, sph_bih_walk() in cmodel/trace/bih_walk.c
+`default_nettype none
+`include "rt_layout.vh"
+`include "rt_bundles.vh"
+module rt_trace #(
+    parameter W     = 16,   // coordinate, bits
+    parameter WD    = 17,   // direction component, bits
+    parameter FW    = 14,   // filter coordinate, bits
+    parameter SLOTS = 32,   // rays in flight, power of two
+    parameter STACK = 16,   // sibling groups waiting per ray, power of two
+    parameter LINES = 256,  // node cache, lines
+    parameter SHADOW = 1,   // 1: shadow rays
+    parameter FIRST = 1,    // 1: primary rays may end with their first hit
+    parameter FARS  = 1,    // 1: hits that are far
+    parameter FACETS = 0,   // 1: a leaf child may have a whole line
+    parameter ACCEL = 0     // 0: nodes of four children, 1: BIH
+) (
+    input  wire                       clk,
+    input  wire                       rst,
+    input  wire                       flush_i,        // forget the node cache
+    input  wire [`RT_REGS_BITS-1:0]   regs_i,
+    // from rt_setup: a new ray, with its token unless it is a shadow ray
+    input  wire [`RT_RAY_BITS-1:0]    ray_i,
+    input  wire [`RT_FILTER_BITS-1:0] filter_i,
+    input  wire                       ray_again_i,    // the repeated primary ray of its pixel
+    // from rt_shade: a shadow ray starts
+    input  wire                       shadow_go_i,
+    input  wire [$clog2(SLOTS)-1:0]   shadow_slot_i,
+    // to and from rt_leaf_unit
+    output wire [`RT_VISIT_BITS-1:0]  visit_o,
+    input  wire [`RT_RESULT_BITS-1:0] result_i,
+    // to rt_slots: a ray is done, a clock later how
+    output wire                       done_valid_o,
+    output wire [$clog2(SLOTS)-1:0]   done_slot_o,
+    output wire [`RT_DONE_BITS-1:0]   done_o,
+    // to rt_slots: visits of a pixel, a clock after its slot
+    input  wire                       visits_read_i,
+    input  wire [$clog2(SLOTS)-1:0]   visits_slot_i,
+    output wire [23:0]                visits_o,
+    // memory
+    output wire                       mem_req_valid_o,
+    input  wire                       mem_req_ready_i,
+    output wire [25:0]                mem_req_line_o,
+    input  wire                       mem_rsp_valid_i,
+    output wire                       mem_rsp_ready_o,
+    input  wire [255:0]               mem_rsp_data_i,
+    input  wire                       mem_rsp_error_i,
+    // events and faults of this clock
+    output wire [`RT_TRACE_EVENT_BITS-1:0] event_o,
+    output wire [3:0]                 fault_o         // by number of the error, machine.def
+);
+    localparam SLOTW = $clog2(SLOTS);
+    localparam LW = ACCEL != 0 ? `RT_BIH_T - 1 : FW;         // depth limit, bits - 1
+
+    // ---- how a ray goes ----
+    wire [`RT_EFFECT_BITS-1:0] effects = regs_i[`RT_REGS_EFFECTS];
+    wire             pixel   = ray_i[`RT_RAY_PRIMARY] && !ray_again_i; // visits start at 0
+    wire             first   = FIRST != 0 && effects[`RT_EFFECT_FIRST] && pixel;
+
+    // ---- pipe ----
+    wire             read_valid, next_read, next_hit, next_ends, tested_valid;
+    wire [SLOTW-1:0] read_slot, next_slot, tested_slot;
+    wire [2:0]       count;                                  // leaf children of a visit
+    wire [LW:0]      limit, read_depth, next_depth;          // what lies deeper does not matter
+    generate
+        if (ACCEL == 0) begin : g_four
+            wire [`RT_FOUND_BITS-1:0] found;
+            wire             issue_valid;
+            wire             found_valid = found[`RT_FOUND_VALID];
+            wire [SLOTW-1:0] issue_slot;
+            wire [25:0]      issue_line;
+            wire [3:0]       leaf = visit_o[`RT_VISIT_LEAF];
+            wire [`RT_TRACE_EVENT_BITS-1:0] events;
+            wire [3:0]       faults;
+            wire             bubble, overflow;
+            assign limit = filter_i[`RT_FILTER_DEPTH];
+            assign count = {2'b0, leaf[0]} + {2'b0, leaf[1]} + {2'b0, leaf[2]} + {2'b0, leaf[3]};
+            rt_traverse #(.W(W), .WD(WD), .FW(FW), .SLOTS(SLOTS), .LINES(LINES), .SHADOW(SHADOW),
+                          .FIRST(FIRST), .FACETS(FACETS)) u_traverse (
+                .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i),
+                .ray_i(ray_i), .filter_i(filter_i), .first_i(first), .pixel_i(pixel),
+                .shadow_go_i(shadow_go_i), .shadow_slot_i(shadow_slot_i),
+                .next_valid_i(issue_valid), .next_slot_i(issue_slot), .next_line_i(issue_line),
+                .depth_read_o(read_valid), .depth_slot_o(read_slot), .depth_i(read_depth),
+                .found_o(found), .visit_o(visit_o),
+                .visits_read_i(visits_read_i), .visits_slot_i(visits_slot_i),
+                .visits_o(visits_o),
+                .mem_req_valid_o(mem_req_valid_o), .mem_req_ready_i(mem_req_ready_i),
+                .mem_req_line_o(mem_req_line_o),
+                .mem_rsp_valid_i(mem_rsp_valid_i), .mem_rsp_ready_o(mem_rsp_ready_o),
+                .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
+                .event_o(events), .fault_o(faults)
+            );
+
+            // ---- queues of visits, those with leaves first ----
+            wire             leafy_valid, plain_valid, leafy_in, plain_in, next_ready;
+            wire [SLOTW-1:0] leafy_slot, plain_slot;
+            rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_leafy (
+                .clk(clk), .rst(rst), .in_valid_i(tested_valid), .in_ready_o(leafy_in),
+                .in_data_i(tested_slot),
+                .out_valid_o(leafy_valid), .out_ready_i(next_ready), .out_data_o(leafy_slot)
+            );
+            rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_plain (
+                .clk(clk), .rst(rst), .in_valid_i(found_valid && !visit_o[`RT_VISIT_VALID]),
+                .in_ready_o(plain_in), .in_data_i(found[`RT_FOUND_SLOT]),
+                .out_valid_o(plain_valid), .out_ready_i(next_ready && !leafy_valid),
+                .out_data_o(plain_slot)
+            );
+
+            // ---- the next node ----
+            rt_next #(.FW(FW), .SLOTS(SLOTS), .DEPTH(STACK),
+                      .ENDS(SHADOW != 0 || FIRST != 0 ? 1 : 0)) u_next (
+                .clk(clk), .rst(rst),
+                .found_valid_i(found_valid), .found_slot_i(found[`RT_FOUND_SLOT]),
+                .found_base_i(found[`RT_FOUND_BASE]), .found_count_i(found[`RT_FOUND_COUNT]),
+                .found_list_i(found[`RT_FOUND_LIST]), .found_fresh_i(found[`RT_FOUND_FRESH]),
+                .found_kill_i(found[`RT_FOUND_KILL]),
+                .in_valid_i(leafy_valid || plain_valid), .in_ready_o(next_ready),
+                .in_slot_i(leafy_valid ? leafy_slot : plain_slot),
+                .read_o(next_read), .slot_o(next_slot), .depth_i(next_depth), .hit_i(next_hit),
+                .ends_i(next_ends),
+                .issue_valid_o(issue_valid), .issue_slot_o(issue_slot), .issue_line_o(issue_line),
+                .done_valid_o(done_valid_o), .done_slot_o(done_slot_o),
+                .bubble_o(bubble), .overflow_o(overflow)
+            );
+            assign event_o[`RT_TRACE_EVENT_ISSUED] = events[`RT_TRACE_EVENT_ISSUED];
+            assign event_o[`RT_TRACE_EVENT_VISIT]  = events[`RT_TRACE_EVENT_VISIT];
+            assign event_o[`RT_TRACE_EVENT_TESTS]  = events[`RT_TRACE_EVENT_TESTS];
+            assign event_o[`RT_TRACE_EVENT_MISS]   = events[`RT_TRACE_EVENT_MISS];
+            assign event_o[`RT_TRACE_EVENT_BUBBLE] = bubble;
+            assign fault_o[`RT_ERROR_BAD_NODE]     = faults[`RT_ERROR_BAD_NODE];
+            assign fault_o[`RT_ERROR_STACK_OVERFLOW] = overflow;
+            assign fault_o[`RT_ERROR_VISIT_LIMIT]  = faults[`RT_ERROR_VISIT_LIMIT];
+            assign fault_o[`RT_ERROR_BUS_ERROR]    = faults[`RT_ERROR_BUS_ERROR];
+            wire unused = &{1'b0, leafy_in, plain_in, events, faults};
+        end else begin : g_bih
+            assign {read_valid, read_slot} = {(SLOTW+1){1'b0}};
+            rt_bih #(.W(W), .WD(WD), .SLOTS(SLOTS), .LINES(LINES), .SHADOW(SHADOW),
+                     .FACETS(FACETS)) u_bih (
+                .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i),
+                .ray_i(ray_i), .pixel_i(pixel), .ray_limit_o(limit),
+                .shadow_go_i(shadow_go_i), .shadow_slot_i(shadow_slot_i),
+                .visit_o(visit_o), .count_o(count),
+                .tested_valid_i(tested_valid), .tested_slot_i(tested_slot),
+                .limit_read_o(next_read), .limit_slot_o(next_slot), .limit_i(next_depth),
+                .hit_i(next_hit), .ends_i(next_ends),
+                .done_valid_o(done_valid_o), .done_slot_o(done_slot_o),
+                .visits_read_i(visits_read_i), .visits_slot_i(visits_slot_i),
+                .visits_o(visits_o),
+                .mem_req_valid_o(mem_req_valid_o), .mem_req_ready_i(mem_req_ready_i),
+                .mem_req_line_o(mem_req_line_o),
+                .mem_rsp_valid_i(mem_rsp_valid_i), .mem_rsp_ready_o(mem_rsp_ready_o),
+                .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
+                .event_o(event_o), .fault_o(fault_o)
+            );
+            wire unused = &{1'b0, read_depth};
+        end
+    endgenerate
+
+    // ---- results of leaf children; first hits ----
+    rt_collect #(.W(W), .WD(WD), .FW(LW), .KEYS(ACCEL), .SLOTS(SLOTS), .SHADOW(SHADOW),
+                 .INSIDE(FARS), .FIRST(FIRST)) u_collect (
+        .clk(clk), .rst(rst),
+        .want_valid_i(visit_o[`RT_VISIT_VALID]), .want_slot_i(visit_o[`RT_VISIT_SLOT]),
+        .want_count_i(count),
+        .new_valid_i(ray_i[`RT_RAY_VALID]), .new_slot_i(ray_i[`RT_RAY_SLOT]),
+        .new_scale_i(filter_i[`RT_FILTER_SCALE]), .new_shift_i(filter_i[`RT_FILTER_SHIFT]),
+        .new_shadow_i(ray_i[`RT_RAY_SHADOW]), .new_primary_i(ray_i[`RT_RAY_PRIMARY]),
+        .new_first_i(first), .new_depth_i(limit),
+        .in_valid_i(result_i[`RT_RESULT_VALID]), .in_slot_i(result_i[`RT_RESULT_SLOT]),
+        .in_hit_i(result_i[`RT_RESULT_HIT]), .in_far_i(result_i[`RT_RESULT_FAR]),
+        .in_id_i(result_i[`RT_RESULT_ID]), .in_key_i(result_i[`RT_RESULT_KEY]),
+        .out_valid_o(tested_valid), .out_slot_o(tested_slot),
+        .filter_valid_i(read_valid), .filter_slot_i(read_slot), .filter_depth_o(read_depth),
+        .next_valid_i(next_read), .next_slot_i(next_slot), .next_depth_o(next_depth),
+        .next_found_o(next_hit), .next_ends_o(next_ends),
+        .done_valid_i(done_valid_o), .done_slot_i(done_slot_o),
+        .done_found_o(done_o[`RT_DONE_FOUND]), .done_shadow_o(done_o[`RT_DONE_SHADOW]),
+        .done_primary_o(done_o[`RT_DONE_PRIMARY]), .done_first_o(done_o[`RT_DONE_FIRST]),
+        .done_far_o(done_o[`RT_DONE_FAR]), .done_id_o(done_o[`RT_DONE_ID]),
+        .done_key_o(done_o[`RT_DONE_KEY])
+    );
+    wire unused = &{1'b0, effects, filter_i};
+endmodule
+`default_nettype wire
