@@ -101,9 +101,9 @@ setup: ## install missing packages (apt), see sim/packages.txt
 all: tool ## everything that is built without simulators
 tool: $(TOOL) ## the command-line tool build/sphaera
 
-include sim/objects.mk sim/sim.mk sim/pages.mk sim/bench.mk sim/lint.mk sim/background.mk \
-        sim/textures.mk sim/scenarios/scenarios.mk sim/study/study.mk synth/synth.mk \
-        synth/effects.mk tests/test.mk tests/image/image.mk tests/hard/hard.mk formal/formal.mk
+include make/objects.mk make/sim.mk make/pages.mk make/bench.mk make/lint.mk make/background.mk \
+        make/textures.mk make/scenarios.mk make/study.mk make/synth.mk \
+        make/effects.mk make/test.mk make/image.mk make/hard.mk make/formal.mk
 
 layout: ## headers and parameters of the core from machine.def, of its bundles from bundles.def
 	$(call say,GEN,"layout.h rt_layout.vh rt_bundles.vh bundles.h")

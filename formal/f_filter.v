@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The formula of cmodel/trace/filter.c in words that hold every value, one clock of it from what
 // the lane had a clock before: no register loses a bit or has the wrong sign. Of u only that is
-// needed that 16 |oc x u|^2 < 2^34, which is so for a unit vector (docs/filter.md). The square of
-// the radius is that of s_square.v.
+// needed that 16 |oc x u|^2 < 2^34, which is so for a unit vector (docs/blocks/filter.md). The
+// square of the radius is that of s_square.v.
 `default_nettype none
 `include "rt_fx.vh"
 module f_filter #(

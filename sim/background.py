@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# background.py - puts the tables of docs/background.md in their places
+# background.py - puts the tables of docs/results/background.md in their places
 # SPDX-License-Identifier: Apache-2.0
 """usage: sim/background.py PAGE FOLDER SYNTH KEY... -- NAME...
 A table stands between `<!-- NAME -->` and `<!-- end -->`; what is outside is left as it is.

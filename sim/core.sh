@@ -35,7 +35,7 @@ target() { # lock, target, variables
     [ -z "${BUILT:-}" ] || return 0
     lock=$BUILD/sim/.$1.lock goal=$2
     shift 2
-    flock "$lock" env -u MAKEFLAGS -u MFLAGS make -s --no-print-directory -f sim/core.mk \
+    flock "$lock" env -u MAKEFLAGS -u MFLAGS make -s --no-print-directory -f make/core.mk \
         B="$BUILD" "$@" "$goal" >&2
 }
 [ -f "$BUILD/libsphaera.a" ] || make -s B="$BUILD" "$BUILD/libsphaera.a" >&2

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-# textures.py - puts the tables of docs/texture_results.md in their places, and draws its plot
+# textures.py - puts the tables of docs/results/texture_results.md in their places, and draws its
+# plot
 # SPDX-License-Identifier: Apache-2.0
 """usage: sim/textures.py PAGE ACCURACY FOLDER PICTURES SIZE RTL_SIZE -- NAME...
-FOLDER has what sim/textures.mk says; what is not there is a dash. The table `textures` stands in
+FOLDER has what make/textures.mk says; what is not there is a dash. The table `textures` stands in
 ACCURACY."""
 import json
 import os
@@ -13,7 +14,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "synth"))
 import report  # noqa: E402
 from texture_angles import angles, plot, slants  # noqa: E402
 
-CLOCK = 67.7      # MHz, routed, of profile standard: docs/accuracy.md
+CLOCK = 67.7      # MHz, routed, of profile standard: docs/results/accuracy.md
 THEIRS = "800x480"
 SLOW = "robot"    # simulated with slow memory as well
 TILES, LINES = 1, 4  # of `orders` and of a `missed`: tiles of 4 x 2, 128 lines of 4 ways, the core
@@ -206,7 +207,7 @@ def price(data, files, title):
 
 
 def prices(data):
-    """For docs/accuracy.md: kinds of filter, bits of the level."""
+    """For docs/results/accuracy.md: kinds of filter, bits of the level."""
     rows = []
     for way, title in WAYS.items():
         texels = [data.read(f"{n}-{way}.json") for n in data.names]

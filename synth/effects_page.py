@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-# effects_page.py - puts the tables and the chart of docs/effects.md in their places
+# effects_page.py - puts the tables and the chart of docs/results/effects.md in their places
 # SPDX-License-Identifier: Apache-2.0
-"""usage: synth/effects_page.py PAGE FOLDER SYNTH; see synth/effects.mk"""
+"""usage: synth/effects_page.py PAGE FOLDER SYNTH; see make/effects.mk"""
 import json
 import os
 import re
@@ -120,7 +120,8 @@ def chart(scenes, cores, page, folder):
         shares = [f"{100 * core[c] / everything[c]:.2f}" if core else "-" for c in ("lut4eq", "ff")]
         time = 100 * s["runs"]["own"]["cpu"] / s["runs"]["all"]["cpu"]
         lines.append(f"\"{show(name)}\" {shares[0]} {shares[1]} {time:.2f}")
-    data, out = f"{folder}/chart.txt", os.path.join(os.path.dirname(page), "pictures/effects.svg")
+    data = f"{folder}/chart.txt"
+    out = os.path.join(os.path.dirname(page), "../pictures/effects.svg")
     Path(data).write_text("\n".join(lines) + "\n", encoding="utf-8")
     script = CHART.format(height=480, out=out + ".tmp", data=data)
     subprocess.run(["gnuplot"], input=script.encode(), check=True)
@@ -139,7 +140,7 @@ def main(page, folder, synth):
                         "rays": ray_table(scenes), "reasons": why_table(scenes)},
                  cores["all"]["yosys"])
     chart(scenes, cores, page, folder)
-    print(f"effects: {page} and pictures/effects.svg beside it")
+    print(f"effects: {page} and ../pictures/effects.svg")
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# page.py - puts the tables of docs/area.md in their places
+# page.py - puts the tables of docs/results/area.md in their places
 # SPDX-License-Identifier: Apache-2.0
 """usage: synth/page.py PAGE FOLDER KEY...; a table stands between `<!-- NAME -->`, `<!-- end -->`.
 NAME is a target, effects, modules or profiles; what is outside is left as it is."""

@@ -1,4 +1,4 @@
-/* buried.c - spheres that no picture shows and no shadow needs; see occlude.h, docs/build.md
+/* buried.c - spheres that no picture shows and no shadow needs; see occlude.h, docs/model/build.md
  * SPDX-License-Identifier: Apache-2.0
  */
 #include <string.h>

@@ -1,4 +1,4 @@
-/* effects_facets.c - what triangles and planes call for; see effects.h, docs/build.md
+/* effects_facets.c - what triangles and planes call for; see effects.h, docs/model/build.md
  * SPDX-License-Identifier: Apache-2.0
  */
 #include "builder/effects.h"

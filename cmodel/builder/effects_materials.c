@@ -1,4 +1,4 @@
-/* effects_materials.c - what materials call for; see effects.h, docs/build.md
+/* effects_materials.c - what materials call for; see effects.h, docs/model/build.md
  * SPDX-License-Identifier: Apache-2.0
  */
 #include "builder/effects.h"

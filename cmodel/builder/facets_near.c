@@ -1,4 +1,4 @@
-/* facets_near.c - does a facet come near a sphere? See facets.h, docs/build.md
+/* facets_near.c - does a facet come near a sphere? See facets.h, docs/model/build.md
  * SPDX-License-Identifier: Apache-2.0
  *
  * Exact integers in units of the error, 2^-(NG+1); with W = 24 and NG = 4 a coordinate has 29 bits,

@@ -16,8 +16,8 @@ struct sph_grid {
     double step;        /* 2^log2 */
 };
 
-/* Finds the finest power-of-two grid of w bits that holds the scene (docs/build.md). -1 if the
- * camera has no direction or a number of the scene is not usable. */
+/* Finds the finest power-of-two grid of w bits that holds the scene (docs/model/build.md). -1 if
+ * the camera has no direction or a number of the scene is not usable. */
 int sph_grid_fit(const struct sph_scene *scene, int w, struct sph_grid *grid,
                  struct sph_error *err);
 

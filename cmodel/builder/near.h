@@ -1,8 +1,8 @@
 /* near.h - do spheres come so near each other that a rounded hit point may lie in another one?
  * SPDX-License-Identifier: Apache-2.0
  *
- * The bound and its proof: docs/build.md. All of it is exact integers; error bounds are in units
- * of 2^-(NG+1) grid units, the step of the last rounding but one.
+ * The bound and its proof: docs/model/build.md. All of it is exact integers; error bounds are in
+ * units of 2^-(NG+1) grid units, the step of the last rounding but one.
  */
 #ifndef SPH_NEAR_H
 #define SPH_NEAR_H

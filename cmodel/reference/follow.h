@@ -29,7 +29,7 @@ struct sph_ref_branch {
 struct sph_ref_seen {
     struct sph_reference_pixel pixel;
     struct sph_level_work *work;
-    double sum[SPH_FRAMES][3]; /* as the frames of the machine: docs/refraction.md */
+    double sum[SPH_FRAMES][3]; /* as the frames of the machine: docs/model/refraction.md */
 };
 
 /* Adds all that the ray sees to *seen. */

@@ -1,4 +1,4 @@
-/* nff_write.c - writes a scene as NFF; see scene.h and docs/scene_format.md
+/* nff_write.c - writes a scene as NFF; see scene.h and docs/use/scene_format.md
  * SPDX-License-Identifier: Apache-2.0
  *
  * Numbers are written with 15 digits where these give the same double back, with 17 otherwise,

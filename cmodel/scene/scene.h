@@ -33,7 +33,8 @@ struct sph_light {
     uint32_t line; /* of the file, for messages; 0 if generated */
 };
 
-/* Whitted's sum (docs/shading.md): then ks is the highlight alone, and shine, trans and ior count.
+/* Whitted's sum (docs/model/shading.md): then ks is the highlight alone, and shine, trans and ior
+ * count.
  */
 struct sph_sum {
     int on;        /* 0: nothing here counts */
@@ -108,7 +109,7 @@ struct sph_read_options {
     uint32_t at;          /* frame that moving primitives are moved to (motion.h) */
 };
 
-/* Reads an NFF file (docs/scene_format.md) into *scene. 0, or -1 with "file:line: ..." in *err;
+/* Reads an NFF file (docs/use/scene_format.md) into *scene. 0, or -1 with "file:line: ..." in *err;
  * on failure *scene holds nothing to free. */
 int sph_scene_read(const char *path, const struct sph_read_options *options,
                    struct sph_scene *scene, struct sph_error *err);

@@ -20,8 +20,8 @@ uint32_t sph_light_add(uint32_t sum, uint32_t cosine, uint32_t intensity);
 /* albedo (0..255) * light (u2.15) as u8.8, limited to 255.0. */
 uint32_t sph_surface_colour(uint32_t albedo, uint32_t light);
 
-/* The pixel's frames as sums of shares, whatever the order of the surfaces (docs/refraction.md):
- * colours at depth 0, 1 and the deepest, u8.8, limited to 2^16-1. */
+/* The pixel's frames as sums of shares, whatever the order of the surfaces
+ * (docs/model/refraction.md): colours at depth 0, 1 and the deepest, u8.8, limited to 2^16-1. */
 struct sph_shares {
     uint32_t sum[SPH_FRAMES][3];
 };

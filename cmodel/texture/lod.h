@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Park et al. 2011, equation 2: lod = log2(path) - log2(P_b). path is the length of all rays from
- * the eye to the hit; P_b stands in the mapping record. Formats and bounds: docs/lod.md.
+ * the eye to the hit; P_b stands in the mapping record. Formats and bounds: docs/model/lod.md.
  */
 #ifndef SPH_LOD_H
 #define SPH_LOD_H

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Bounds along a ray are T-words: the top SPH_BIH_T bits of a key's W+WD+2. A lower bound is never
- * above what it bounds, an upper one never below: docs/bih.md proves that no hit is lost.
+ * above what it bounds, an upper one never below: docs/model/bih.md proves that no hit is lost.
  */
 #ifndef SPH_BIH_H
 #define SPH_BIH_H

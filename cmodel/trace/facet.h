@@ -3,7 +3,7 @@
  *
  * t = num/det is never formed: with N = e1 x e2 (plane: its normal), det = N.dir and num = N.A0,
  * A0 = v0 - org, all is decided by signs of exact integers. Widths and why no ray slips between two
- * triangles: docs/facet.md.
+ * triangles: docs/model/facet.md.
  */
 #ifndef SPH_FACET_H
 #define SPH_FACET_H

@@ -5,8 +5,8 @@
  * without the cancellation of rad^2 - |oc|^2 + (oc.u)^2. Depth is measured along the largest axis
  * of u: a child behind the origin or deeper than the best hit is left out.
  *
- * Why it never rejects wrongly: docs/filter.md adds up the roundings, SPH_FILTER_MARGIN covers
- * them.
+ * Why it never rejects wrongly: docs/blocks/filter.md adds up the roundings, SPH_FILTER_MARGIN
+ * covers them.
  */
 #ifndef SPH_FILTER_H
 #define SPH_FILTER_H

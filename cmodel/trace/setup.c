@@ -20,7 +20,7 @@ void sph_ray_setup(const struct sph_profile *p, struct sph_ray *ray) {
     ray->negative = ray->unit.u[ray->axis] < 0;
 
     /* depth = key * |d_axis| / a / 2^k, and |d_axis|/|d| <= (|u|+1/2) * rsqrt/y. The added terms
-     * cover the unit's rounding and twice the table's error (docs/number_formats.md). */
+     * cover the unit's rounding and twice the table's error (docs/model/number_formats.md). */
     uint64_t y = (ray->unit.y >> 1) + SPH_RSQRT_ERROR + 2;
     ray->depth_scale = (uint32_t)((mag[ray->axis] + 1) * y >> 16) + 1;
     ray->depth_shift = 30 - p->fw - ray->unit.h;

@@ -3,8 +3,8 @@
 """usage: python3 -m lab.pages.measured PAGE COMMAND
 Notes that COMMAND has just made its tables of PAGE, and brings the page's own words up to date.
 
-Such a table stands between `<!-- NAME -->` and `<!-- end -->`. The record has a line for each: page,
-table, command, kinds of sources (digest.py), their digest, commit and day, digest of the table.
+Such a table stands between `<!-- NAME -->` and `<!-- end -->`. The record has a line for each:
+page, table, command, kinds of sources (digest.py), their digest, commit, day, digest of the table.
 An experiment of minutes or hours is not run again for every change; its page says how old it is.
 A command of a test, which compares the table itself, has dashes."""
 import hashlib

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from . import measured
 
-TOPS = ("cmodel", "docs", "formal", "lab", "rtl", "scenes", "sim", "synth", "tb", "tests")
+TOPS = ("cmodel", "docs", "formal", "lab", "make", "rtl", "scenes", "sim", "synth", "tb", "tests")
 COMMENTS = {
     (".v", ".vh", ".c", ".h", ".cpp", ".vlt"): re.compile(r"//[^\n]*|/\*.*?\*/", re.S),
     (".sh", ".mk", ".awk", ".txt", ".def", "Makefile"): re.compile(r"(?<!\S)#[^\n]*"),

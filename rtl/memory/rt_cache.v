@@ -6,7 +6,7 @@
 // Hit: latency 2 cycles, one a cycle. Miss: waits in the queue for its line, 2 cycles more.
 // Responses carry the tag of their request; only requests that queue keep their order.
 // A line of the cache is an aligned group of GROUP lines of memory; a miss fetches all of them.
-// Why it is right: docs/cache.md.
+// Why it is right: docs/blocks/cache.md.
 `default_nettype none
 module rt_cache #(
     parameter TAG     = 8,    // bits of a request's tag

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The oldest word stands at the output without being asked for. Latency 1 cycle from a push into
 // the empty queue to out_valid_o; one push and one pop every cycle.
-// In the engine no queue can overflow (token rule, docs/rtl_interfaces.md) and in_ready_o may stay
-// open; a push while in_ready_o is low is lost and stops a simulation.
+// In the engine no queue can overflow (token rule, docs/blocks/rtl_interfaces.md) and in_ready_o
+// may stay open; a push while in_ready_o is low is lost and stops a simulation.
 `default_nettype none
 module rt_fifo #(
     parameter WIDTH = 8,   // bits of a word

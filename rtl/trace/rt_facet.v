@@ -6,8 +6,8 @@
 // clock 4 of the facet that follows. P = L + 4, L = `RT_PRODUCT_LATENCY(AW):
 //   triangle  0,1 N | 2,3 m | P det, num, U2, U1                               every L + 8 clocks
 //   plane     0 det, num | P det'*(face-org), num'*|dir| of x, y, z            every L + 10
-// Results that need a key overtake none, but may be overtaken. Ports, timing: docs/facet_unit.md.
-// Model: sph_facet_test(), sph_facet_key() in cmodel/trace/facet.c
+// Results that need a key overtake none, but may be overtaken. Ports, timing:
+// docs/blocks/facet_unit.md. Model: sph_facet_test(), sph_facet_key() in cmodel/trace/facet.c
 `default_nettype none
 `include "rt_facet.vh"
 `include "rt_fx.vh"
@@ -53,7 +53,7 @@ module rt_facet #(
     localparam CW0  = W + WD > 2*W ? W + WD + 1 : 2*W + 1;
     localparam CW   = CW0 > 24 ? CW0 : 24;               // m, N
     localparam AW   = 2*WD + 1 > CW ? 2*WD + 1 : CW;     // wide operand: m, N, a
-    localparam DW   = (2*W > 24 ? 2*W : 24) + WD + 1;    // det' (docs/facet.md)
+    localparam DW   = (2*W > 24 ? 2*W : 24) + WD + 1;    // det' (docs/model/facet.md)
     localparam MW   = 3*W + 1 > W + 25 ? 3*W + 1 : W + 25;  // num'
     localparam RW0  = 2*WD + MW + 1;                     // a*num', signed
     localparam RW   = RW0 > AW + BW ? RW0 : AW + BW;     // the longest sum

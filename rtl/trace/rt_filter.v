@@ -1,7 +1,8 @@
 // rt_filter.v - one lane of the node filter: may the child hold a hit?
 // SPDX-License-Identifier: Apache-2.0
 // pass = |oc x u|^2 <= rad^2 && depth + rad >= 0 && depth - rad <= depth_max, oc = ctr - org,
-// depth = oc along the largest axis of u. Never rejects what the exact test hits (docs/filter.md).
+// depth = oc along the largest axis of u. Never rejects what the exact test hits
+// (docs/blocks/filter.md).
 //   1 oc | 2 products | 3 differences | 4 round to 2 fraction bits | 5 squares | 6 sums | 7 compare
 // Latency 7 = `RT_FILTER_LATENCY, one child a clock. Model: sph_filter() in cmodel/trace/filter.c
 `default_nettype none

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# measure.py - runs what the tables of docs/scenarios.md are made of, once
+# measure.py - runs what the tables of docs/results/scenarios.md are made of, once
 # SPDX-License-Identifier: Apache-2.0
 """usage: sim/scenarios/measure.py TOOL FOLDER [--rtl]
 Leaves NAME.json in FOLDER for each machine: what build and render report, times of several runs. A

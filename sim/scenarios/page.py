@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# page.py - puts the tables of docs/scenarios.md in their places
+# page.py - puts the tables of docs/results/scenarios.md in their places
 # SPDX-License-Identifier: Apache-2.0
 """usage: sim/scenarios/page.py PAGE FOLDER
 A table stands between `<!-- NAME -->` and `<!-- end -->`; what is outside is left as it is. FOLDER

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-# page.py - puts tables, plots and picture strips of the study into docs/accuracy.md
+# page.py - puts tables, plots and picture strips of the study into docs/results/accuracy.md
 # SPDX-License-Identifier: Apache-2.0
 """usage: sim/study/page.py [--only-tables] PAGE RESULTS FOLDER [TOOL]
 A result that is missing, or does not count, is a dash in a table and no dot in a plot. Plots and
-strips go to pictures/accuracy beside the page."""
+strips go to pictures/accuracy beside the folder of PAGE."""
 import os
 import subprocess
 import sys
@@ -42,7 +42,7 @@ def main(argv):
     report.place(page, text, run_of and run_of["yosys"])
     drawn = []
     if not bare:
-        pictures = os.path.join(os.path.dirname(page), "pictures/accuracy")
+        pictures = os.path.join(os.path.dirname(page), "../pictures/accuracy")
         os.makedirs(pictures, exist_ok=True)
         os.makedirs(folder, exist_ok=True)
         drawn = plots.everything(study, pictures, folder)

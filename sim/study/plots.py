@@ -1,4 +1,4 @@
-# plots.py - Pareto plots of docs/accuracy.md, drawn by gnuplot as SVG
+# plots.py - Pareto plots of docs/results/accuracy.md, drawn by gnuplot as SVG
 # SPDX-License-Identifier: Apache-2.0
 import os
 import subprocess

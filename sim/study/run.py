@@ -91,7 +91,7 @@ def cycles(tool, build, w, temporary):
 
 
 def synth_key(w):
-    """The name that synth/area.mk has for the core."""
+    """The name that make/area.mk has for the core."""
     name = call(["sh", "sim/profile.sh", w["profile"], "name"])
     if name.returncode:
         fail(w["profile"], name)
@@ -100,7 +100,7 @@ def synth_key(w):
 
 
 def cells(tool, build, w, temporary):
-    ran = call(["make", "-s", "-f", "synth/area.mk", "results", f"B={build}", "TARGETS=ecp5",
+    ran = call(["make", "-s", "-f", "make/area.mk", "results", f"B={build}", "TARGETS=ecp5",
                 f"PROFILES={w['profile']}", f"EFFECTS={w['core']}", f"ENGINES={w['engines']}",
                 f"ROOT_STEP={w['root']}", f"QUOTIENT_STEP={w['quotient']}"],
                env={k: v for k, v in os.environ.items() if k not in ("MAKEFLAGS", "MFLAGS")})

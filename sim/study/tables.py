@@ -1,4 +1,4 @@
-# tables.py - tables of docs/accuracy.md
+# tables.py - tables of docs/results/accuracy.md
 # SPDX-License-Identifier: Apache-2.0
 import sys
 

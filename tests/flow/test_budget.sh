@@ -18,7 +18,7 @@ if ! command -v yosys >"$TMP/yosys"; then
     exit 0
 fi
 check "synthesis; no loop, no undriven net" \
-    env -u MAKEFLAGS -u MFLAGS make -s -j2 -f synth/area.mk results B="$BUILD" \
+    env -u MAKEFLAGS -u MFLAGS make -s -j2 -f make/area.mk results B="$BUILD" \
     PROFILES=standard EFFECTS="all none"
 none=$BUILD/synth/standard-ecp5-none-engines1
 [ -f "$run/stat.json" ] && [ -f "$none/stat.json" ] || {

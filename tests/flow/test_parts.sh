@@ -10,7 +10,7 @@ cd "$(dirname "$0")/../.." || exit 1
 export CCACHE_BASEDIR="$PWD"
 copy=$TMP/copy
 mkdir -p "$copy" && cp -r Makefile README.md CONTRIBUTING.md \
-    cmodel docs formal lab rtl sim synth tb tests "$copy" || exit 1
+    cmodel docs formal lab make rtl sim synth tb tests "$copy" || exit 1
 cd "$copy" || exit 1
 def=cmodel/machine/machine.def
 line="effect dummy most=3 bit=$(awk -f cmodel/machine/effects.awk -f - $def <<'END'
@@ -51,8 +51,9 @@ make help >"$TMP/help" 2>&1
 check "make help names it" says dummyN "$TMP/help"
 
 make pages >"$TMP/pages" 2>&1 || cat "$TMP/pages"
-check "the page of the core has it" says '| `dummy` | `DUMMY` | 0 .. 3 |.*does nothing' docs/core.md
-check "... and its table of parameters" says '^| `DUMMY` | 3 |' docs/core.md
+check "the page of the core has it" says \
+    '| `dummy` | `DUMMY` | 0 .. 3 |.*does nothing' docs/use/core.md
+check "... and its table of parameters" says '^| `DUMMY` | 3 |' docs/use/core.md
 
 # ---- the core elaborates with it and without, silently ----
 elaborate() { # list

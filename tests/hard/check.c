@@ -38,7 +38,8 @@ static void wrong(struct job *j, int check, const char *what) {
     if (j->out) fprintf(j->out, "  wrong %s: %s\n", hard_checks[check], what);
 }
 
-/* t lies less than 1/|dir| above and 2^(2-PQ) of the distance below (docs/number_formats.md). */
+/* t lies less than 1/|dir| above and 2^(2-PQ) of the distance below
+ * (docs/model/number_formats.md). */
 static void check_t(struct job *j, const struct answer *a, const struct sph_quotient *q) {
     long double length = sqrtl((long double)j->ray.a), t = ldexpl(q->mant, -q->exp);
     long double error = (t - exact_t(&a->exact)) * length;
@@ -100,7 +101,7 @@ static void check_surface(struct job *j, const struct sph_leaf *s, const struct 
 }
 
 /* Whether the origin lies at most sqrt(3)/2 outside the sphere: where rounding puts the origins of
- * rays that start on its inner side, for which alone the filter speaks (docs/filter.md). */
+ * rays that start on its inner side, for which alone the filter speaks (docs/blocks/filter.md). */
 static int next_to(const struct sph_ray *ray, const struct sph_leaf *s) {
     int64_t off = -4 * s->rad * s->rad - 3; /* |oc| <= rad + sqrt(3)/2, squared */
     for (int i = 0; i < 3; i++)

@@ -58,7 +58,7 @@ void require(struct named *n, int holds, const char *format, ...)
  * failures behind it. Returns the number of cases that failed. */
 int hard_named_run(int number, const char *scenes, FILE *out);
 
-/* Named cases and families as tables, for docs/hard_cases.md. */
+/* Named cases and families as tables, for docs/results/hard_cases.md. */
 void hard_named_list(FILE *out);
 
 typedef void named_case(struct named *n);

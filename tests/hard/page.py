@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# page.py - puts the table and the chart of a campaign in their places in docs/hard_cases.md
+# page.py - puts the table and the chart of a campaign in their places in docs/results/hard_cases.md
 # SPDX-License-Identifier: Apache-2.0
 """usage: tests/hard/page.py PAGE JSON TABLE PICTURE
 

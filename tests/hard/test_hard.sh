@@ -64,18 +64,18 @@ done
 all_named() { [ "$names" -eq 69 ]; }
 check "69 named cases" all_named
 block() { # what stands behind a mark of a page
-    sed -n "/^<!-- $1 -->\$/,/^<!-- end -->\$/p" "docs/${2:-hard_cases}.md" | sed '1d;$d'
+    sed -n "/^<!-- $1 -->\$/,/^<!-- end -->\$/p" "docs/results/${2:-hard_cases}.md" | sed '1d;$d'
 }
 listed() { # as --list prints
     "$hard" --list >"$TMP/list"
     block list | diff - "$TMP/list"
 }
-check "docs/hard_cases.md lists them: make hard-lists" listed
+check "docs/results/hard_cases.md lists them: make hard-lists" listed
 faults() {
     awk -f tests/hard/faults.awk tests/hard/mutants.txt tests/hard/rtl_mutants.txt >"$TMP/faults"
     block faults | diff - "$TMP/faults"
 }
-check "docs/hard_cases.md lists the faults: make hard-lists" faults
+check "docs/results/hard_cases.md lists the faults: make hard-lists" faults
 campaign() { # 10^8 cases a profile, every family in each, nothing wrong
     "$hard" --list | sed -n 's/^| `\([a-z0-9_]*\)` .*/\1/p' >"$TMP/families"
     block campaign | awk -F ' *[|] *' -v families="$(wc -l <"$TMP/families")" '
@@ -90,7 +90,7 @@ campaign() { # 10^8 cases a profile, every family in each, nothing wrong
             exit bad || n != 4
         }' "$TMP/families" -
 }
-check "docs/hard_cases.md: 10^8 cases a profile in every family, 0 wrong" campaign
+check "docs/results/hard_cases.md: 10^8 cases a profile in every family, 0 wrong" campaign
 pictures() { # the same pixels and counts; the model shows no other sphere
     mkdir -p "$TMP/pictures" || return 1
     "$hard-pictures" tests/hard/pictures "$TMP/pictures" >"$TMP/counts" || return 1
@@ -100,7 +100,7 @@ pictures() { # the same pixels and counts; the model shows no other sphere
         "$SPHAERA" compare "docs/pictures/$picture" "$TMP/pictures/$picture" || return 1
     done
 }
-check "docs/hard_pictures.md: pictures and counts of make hard-pictures" pictures
+check "docs/results/hard_pictures.md: pictures and counts of make hard-pictures" pictures
 
 # ---- generated cases ----
 run() { "$hard" --seed "${SEED:-1}" "$@"; }

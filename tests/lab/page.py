@@ -13,12 +13,12 @@ import jobs  # noqa: E402
 import points  # noqa: E402
 
 folder = sys.argv[1]
-results, page = folder + "/results", folder + "/accuracy.md"
-os.makedirs(folder)
+results, page = folder + "/results", folder + "/docs/results/accuracy.md"
+os.makedirs(os.path.dirname(page))
 
 
 def page_of():
-    shutil.copy("docs/accuracy.md", page)
+    shutil.copy("docs/results/accuracy.md", page)
     ran = subprocess.run([sys.executable, "sim/study/page.py", page, results, folder + "/plots"],
                          check=True, stdout=subprocess.PIPE, text=True)
     with open(page, encoding="utf-8") as f:
@@ -84,6 +84,6 @@ assert row(rows, "`standard`", "50.0", "routing")[0][3:7] == ["20.0", "5.0", "12
 assert row(rows, "W", "`standard:w=14`")[0][2] == "-"
 assert "3 plots" in said, said
 for name in "milliseconds", "multipliers", "luts":
-    svg = f"{folder}/pictures/accuracy/pareto_{name}.svg"
+    svg = f"{folder}/docs/pictures/accuracy/pareto_{name}.svg"
     text = xml.dom.minidom.parse(svg).toxml()
     assert "standard" in text and "draft" in text, svg

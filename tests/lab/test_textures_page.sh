@@ -1,13 +1,14 @@
 #!/bin/sh
-# test_textures_page.sh - the tables of docs/texture_results.md from results, or dashes without them
+# test_textures_page.sh - the tables of docs/results/texture_results.md from results, or dashes
+# without them
 # SPDX-License-Identifier: Apache-2.0
 set -u
 . "$(dirname "$0")/../tap.sh"
 cd "$(dirname "$0")/../.." || exit 1
 s=$SPHAERA
 page=$TMP/page.md data=$TMP/data
-cp docs/texture_results.md "$page"
-cp docs/accuracy.md "$TMP/accuracy.md"
+cp docs/results/texture_results.md "$page"
+cp docs/results/accuracy.md "$TMP/accuracy.md"
 mkdir "$data"
 
 has() { grep -qE -- "$1" "$2"; } # pattern, file
@@ -22,7 +23,7 @@ row() { has "^\\|  +\\| $1" "$page"; }
 
 check "without results" fill
 check "there are dashes" has '^\| +\| trilinear +\| +- \| +- \| +- \| +- \| +93.7 \|' "$page"
-outside docs/texture_results.md >"$TMP/before"
+outside docs/results/texture_results.md >"$TMP/before"
 outside "$page" >"$TMP/after"
 check "text outside of tables stays" cmp "$TMP/before" "$TMP/after"
 
@@ -53,7 +54,7 @@ check "angles" has '^\| 60 to 65 +\| +[0-9]+ \| +-[01]\.[0-9]+ \|' "$page"
 check "the plot is drawn" has '<svg' "$TMP/angles.svg"
 check "missing scenes are dashes in the prices" has '^\| bilinear, nearest level +\| +- \|' \
     "$TMP/accuracy.md"
-sed '/<!-- slow/d' docs/texture_results.md >"$page"
+sed '/<!-- slow/d' docs/results/texture_results.md >"$page"
 fails_plain() { ! fill; }
 check "a page without a table's place is refused" fails_plain
 done_testing

@@ -204,8 +204,8 @@ static void estimate(void **state) {
     }
 }
 
-/* What a decision counts is what stands in docs/texture_results.md, worked out by hand: edges and
- * cross product of a triangle are 6 and 3 additions and 6 products. */
+/* What a decision counts is what stands in docs/results/texture_results.md, worked out by hand:
+ * edges and cross product of a triangle are 6 and 3 additions and 6 products. */
 static void counts(void **state) {
     (void)state;
     static const struct sph_flops triangle[SPH_WAYS] = {

@@ -1,0 +1,62 @@
+# area.mk - synthesises the core for some profiles and targets, and makes the report
+# SPDX-License-Identifier: Apache-2.0
+#
+# usage: make -f make/area.mk report PROFILES=... TARGETS=... EFFECTS=...
+#   PROFILES  draft standard fine reference, or all; each with widths of its own: sim/profile.sh
+#   TARGETS   ecp5 xc7 generic, or all
+#   EFFECTS   what the cores are elaborated with: lists as sim/parameters.sh takes them
+# KEY names every parameter that shapes the core, so that results never mix. $B/synth/KEY/ holds
+# what Yosys printed; it is made again when a source of the core or core.sh changes.
+
+B        ?= build
+PROFILES ?= standard
+TARGETS  ?= ecp5
+EFFECTS  ?= all
+ENGINES  ?= 1
+# bits that a root and a quotient gain a clock; in KEY if they are not the core's own
+ROOT_STEP     ?= 2
+QUOTIENT_STEP ?= 2
+FLAT     ?= 0
+V        ?= 0
+Q        := $(if $(filter 1,$(V)),,@)
+DEF      := cmodel/machine/machine.def
+
+KNOWN_PROFILES := $(shell awk '$$1 == "profile" { print $$2 }' $(DEF))
+KNOWN_TARGETS  := ecp5 xc7 generic
+profiles := $(if $(filter all,$(PROFILES)),$(KNOWN_PROFILES),$(PROFILES))
+targets  := $(if $(filter all,$(TARGETS)),$(KNOWN_TARGETS),$(TARGETS))
+$(foreach p,$(profiles),$(if $(shell sh sim/profile.sh '$p'),,$(error synth: \
+    no profile '$p'; there are $(KNOWN_PROFILES) and all)))
+profiles := $(foreach p,$(profiles),$(shell sh sim/profile.sh '$p' name))
+$(foreach t,$(targets),$(if $(filter $t,$(KNOWN_TARGETS)),,$(error synth: \
+    no target '$t'; there are $(KNOWN_TARGETS) and all)))
+
+$(foreach e,$(EFFECTS),$(if $(shell sh sim/parameters.sh '$e'),,$(error synth: \
+    no core is built with '$e')))
+STEPS := $(if $(filter-out 2,$(ROOT_STEP)),-root$(ROOT_STEP))$(if $(filter-out \
+             2,$(QUOTIENT_STEP)),-quotient$(QUOTIENT_STEP))
+VARIANTS := $(EFFECTS:%=%-engines$(ENGINES)$(STEPS)$(if $(filter 1,$(FLAT)),-flat))
+KEYS := $(foreach p,$(profiles),$(foreach t,$(targets),$(VARIANTS:%=$p-$t-%)))
+
+# What docs/results/area.md shows: everything on; the standard core for ecp5 with less, and flat.
+FULL := -all-engines1
+PAGE := $(foreach p,$(KNOWN_PROFILES),$(foreach t,$(KNOWN_TARGETS),$p-$t$(FULL))) \
+    $(foreach e,none all-shadow all-reflect,standard-ecp5-$e-engines1) \
+    standard-ecp5$(FULL)-flat
+
+.DELETE_ON_ERROR:
+.SUFFIXES:
+.PHONY: report results page
+results: $(KEYS:%=$B/synth/%/stat.json)
+
+$B/synth/%/stat.json: synth/core.sh sim/parameters.sh sim/profile.sh $(DEF)
+	$(Q)sh synth/core.sh $* $(@D)
+
+report: results
+	$(Q)python3 synth/report.py $B/synth $(KEYS)
+
+page: $(PAGE:%=$B/synth/%/stat.json)
+	$(Q)python3 synth/page.py docs/results/area.md $B/synth $(PAGE)
+	$(Q)python3 -m lab.pages.measured docs/results/area.md "make area"
+
+-include $(patsubst %,$B/synth/%/sources.d,$(sort $(KEYS) $(PAGE)))

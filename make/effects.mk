@@ -1,0 +1,30 @@
+# effects.mk - what each scene calls for, and what that saves: docs/results/effects.md
+# SPDX-License-Identifier: Apache-2.0
+#
+# make effects   builds the machine of every scene, then, each only where a source changed,
+#   build/synth/KEY/          the core of each list, and everything but one effect, for ecp5
+#   build/effects/NAME.json   the scene on its own core and on the whole one, in turn, in Verilator
+# and puts tables and chart into docs/results/effects.md. Jobs run JOBS at once.
+
+E := $B/effects
+EFFECTS_SOURCES := $(shell find rtl tb/core -name '*.v' -o -name '*.vh' -o -name '*.cpp' -o \
+                       -name '*.h') synth/effects_run.py sim/core.sh make/core.mk sim/parameters.sh
+EFFECTS_RUNS = $(patsubst %.sph,%.json,$(filter-out %.forced.sph,$(wildcard $E/*.sph)))
+
+.PHONY: effects effects-machines effects-runs
+effects: ## docs/results/effects.md: each effect of each scene, cells and time it costs; 50 minutes
+	+$(Q)$(MAKE) --no-print-directory effects-machines
+	+$(Q)$(MAKE) --no-print-directory -j$(JOBS) -f make/area.mk results B=$B V=$(V) \
+	    EFFECTS="$$(cat $E/lists)"
+	+$(Q)$(MAKE) --no-print-directory -j$(JOBS) effects-runs
+	$(Q)python3 synth/effects_page.py docs/results/effects.md $E $B/synth
+	$(Q)python3 -m lab.pages.measured docs/results/effects.md "make effects"
+
+effects-machines: $(TOOL)
+	$(Q)python3 synth/effects_scenes.py $(TOOL) $E $B/synth
+
+effects-runs: $(EFFECTS_RUNS)
+
+$E/%.json: $E/%.sph $E/%.forced.sph $(EFFECTS_SOURCES)
+	$(call say,SIM,$*)
+	+$(Q)BUILD=$B python3 synth/effects_run.py $(TOOL) $E $*

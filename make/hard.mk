@@ -1,0 +1,80 @@
+# hard.mk - hard cases of ray and sphere: the program `hard`, its objects, `make hard`
+# SPDX-License-Identifier: Apache-2.0
+#
+#   make hard                  all operands of three bits, 1 million generated cases a profile
+#   make hard N=100000000 STATE=file      a campaign that can be stopped and resumed
+#   make hard-rtl              every fault of tests/hard/rtl_mutants.txt
+HARD_C      := $(sort $(wildcard tests/hard/*.c))
+HARD_CFLAGS := -Itests -Itests/hard -ffp-contract=off
+HARD_LIBS    = $(call pkg,--libs jansson) $(MODEL_LIBS)
+N           ?= 1000000
+STATE       ?=
+
+hard: $B/test/hard ## hard cases: N a profile, SEED, JOBS processes, STATE file to resume from
+	@$< --cases $(N) --seed $(SEED) --processes $(JOBS) $(if $(STATE),--state $(STATE)) \
+	    --json $B/test/hard.json
+
+# Of a campaign that is done, at once.
+hard-page: $B/test/hard ## the same, and its table and chart put into docs/results/hard_cases.md
+	@$< --cases $(N) --seed $(SEED) --processes $(JOBS) $(if $(STATE),--state $(STATE)) \
+	    --json $B/test/hard.json >$B/test/hard.table
+	@python3 tests/hard/page.py docs/results/hard_cases.md $B/test/hard.json $B/test/hard.table \
+	    docs/pictures/hard_cases.svg
+	@python3 -m lab.pages.measured docs/results/hard_cases.md "make hard-page N=$(N)"
+
+hard-lists: $B/test/hard ## lists of docs/results/hard_cases.md: cases, families, faults
+	@$< --list >$B/test/hard.list
+	@awk -f tests/hard/faults.awk tests/hard/mutants.txt tests/hard/rtl_mutants.txt \
+	    >$B/test/hard.faults
+	@for mark in list faults; do \
+	    awk -v mark=$$mark -v text=$B/test/hard.$$mark -f tests/hard/splice.awk \
+	        docs/results/hard_cases.md >$B/test/hard.page && \
+	        cp $B/test/hard.page docs/results/hard_cases.md || exit 1; done
+
+hard-rtl: $(LIB) $B/test/libhard.a ## faults in the RTL that the named cases notice: all of the list
+	@ALL=1 BUILD=$(abspath $B) JOBS=$(JOBS) sh tests/run.sh tests/hard/test_hard_rtl.sh
+
+.PHONY: hard hard-page hard-lists hard-rtl hard-pictures
+$B/test/obj/%.o: %.c $B/flags
+	$(call say,CC,$(<F))
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(CFLAGS) $(HARD_CFLAGS) -MMD -MP -c $< -o $@
+
+$B/test/hard: $(HARD_C:%.c=$B/test/obj/%.o) $B/obj/cmodel/tool/progress.o $(LIB)
+	$(call say,LD,$(@F))
+	$(Q)$(CC) -fopenmp $^ $(HARD_LIBS) -o $@
+
+# For benches of the RTL (tb/hard.h): what they do not call is not linked.
+$B/test/libhard.a: $(patsubst %.c,$B/test/obj/%.o,$(filter-out %/main.c %/report.c \
+                     %/campaign.c %/campaign_state.c,$(HARD_C)))
+
+$B/test/asan/%.o: %.c $B/flags
+	$(call say,CC,"$(<F) sanitized")
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(CFLAGS) $(HARD_CFLAGS) $(SANITIZE) -MMD -MP -c $< -o $@
+
+$B/test/hard.sanitized: $(HARD_C:%.c=$B/test/asan/%.o) $B/asan/obj/cmodel/tool/progress.o \
+                        $B/asan/libsphaera.a
+	$(call say,LD,$(@F))
+	$(Q)$(CC) -fopenmp $(SANITIZE) $^ $(HARD_LIBS) -o $@
+
+# Close-ups of what floats get wrong, and their counts, into docs/results/hard_pictures.md.
+PICTURES_C := $(sort $(wildcard tests/hard/pictures/*.c))
+hard-pictures: $B/test/hard-pictures ## pictures and counts of docs/results/hard_pictures.md
+	@$< tests/hard/pictures docs/pictures >$B/test/hard.counts && cat $B/test/hard.counts
+	@awk -v mark=counts -v text=$B/test/hard.counts -f tests/hard/splice.awk \
+	    docs/results/hard_pictures.md >$B/test/hard.page && \
+	    cp $B/test/hard.page docs/results/hard_pictures.md
+	@python3 -m lab.pages.measured docs/results/hard_pictures.md "make hard-pictures"
+
+$B/test/hard-pictures: $(PICTURES_C:%.c=$B/test/obj/%.o) $B/test/libhard.a $(IMAGE) $(LIB)
+	$(call say,LD,$(@F))
+	$(Q)$(CXX) -fopenmp $^ $(IMAGE_LIBS) $(MODEL_LIBS) -o $@
+
+# the suite runs all three
+tests/hard/test_hard.sh: | $B/test/hard $B/test/hard.sanitized $B/test/hard-pictures
+tests/flow/test_benches.sh tests/mutants/test_mutants.sh \
+    tests/hard/test_hard_rtl.sh: | $B/test/libhard.a
+
+-include $(HARD_C:%.c=$B/test/obj/%.d) $(PICTURES_C:%.c=$B/test/obj/%.d) \
+         $(HARD_C:%.c=$B/test/asan/%.d)

