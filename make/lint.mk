@@ -13,7 +13,7 @@ V_DIRS   := $(patsubst %/,%,$(sort $(dir $(V_FILES) $(V_HEADS))))
 C_HEADS  := $(sort $(shell find cmodel tb tests -name '*.h'))
 # Tests are left to gcc's warnings and sanitizers: clang-tidy takes seven seconds a file.
 TIDY     := $(filter-out $(GENERATORS),$(C_FILES)) $(IMAGE_CXX) $(wildcard formal/*.c)
-LINTS    := verilator iverilog systemverilog yosys tidy format text
+LINTS    := verilator iverilog systemverilog yosys tidy format circles text
 # gcc's omp.h, whose malloc attribute clang does not know
 OMP_DIR   = $(dir $(shell $(CC) -print-file-name=include/omp.h))
 TIDY_C    = -std=c11 -D_GNU_SOURCE -Icmodel -Itests -Itests/hard -fopenmp -idirafter $(OMP_DIR) \
@@ -79,6 +79,10 @@ lint-format:
 	$(Q)find cmodel formal tb tests synth \( -name '*.c' -o -name '*.h' -o -name '*.cpp' \) \
 	    ! -name '*_table.h' ! -name layout.h ! -name bundles.h \
 	    -exec clang-format --dry-run -Werror {} +
+
+lint-circles: $(call objects,obj/,$(LIB_C) $(TOOL_C))
+	$(call lint_say,circles)
+	$(Q)python3 sim/lint_circles.py $(filter %.o,$^)
 
 lint-text:
 	$(call lint_say,"text rules")

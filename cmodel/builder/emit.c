@@ -10,10 +10,6 @@
 
 #include "builder/emit.h"
 
-static uint32_t *line_at(struct sph_machine *m, uint32_t line) {
-    return m->mem + (size_t)line * SPH_LINE_WORDS;
-}
-
 /* Writes child slot i of a node line: the sphere with the filter's margin. */
 static void put_child(uint32_t *node, int i, const struct sph_ball *ball) {
     int at = i * SPH_CHILD_STRIDE;
@@ -82,7 +78,7 @@ struct content {
 static void put_node(struct sph_machine *m, const struct content *c, uint32_t node, uint32_t line,
                      uint32_t base) {
     const struct sph_tree_node *from = &c->tree->nodes[node];
-    uint32_t *to = line_at(m, line);
+    uint32_t *to = sph_line(m, line);
     int n_inner = from->n_inner;
     sph_field_set(to, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS, base);
     sph_field_set(to, SPH_NODE_N_INNER_LSB, SPH_NODE_N_INNER_BITS, from->n_inner);
@@ -93,7 +89,7 @@ static void put_node(struct sph_machine *m, const struct content *c, uint32_t no
         uint32_t id = from->child[n_inner + j];
         struct sph_ball ball = sph_filter_leaf(&c->balls[id], sph_machine_profile(m));
         int whole = c->facets->n > 0;
-        uint32_t *leaf = line_at(m, base + (uint32_t)n_inner + (uint32_t)(whole ? j : j >> 1));
+        uint32_t *leaf = sph_line(m, base + (uint32_t)n_inner + (uint32_t)(whole ? j : j >> 1));
         put_child(to, n_inner + j, &ball);
         if (id < c->n_spheres)
             sph_emit_leaf(leaf, whole ? 0 : j & 1, &c->balls[id], id);
@@ -108,16 +104,16 @@ static void put_prims(struct sph_machine *m, const struct sph_scene *scene,
                       uint32_t base) {
     uint32_t spheres = scene->n_spheres, table = base + spheres + facets->n;
     for (uint32_t id = 0; id < spheres; id++) {
-        uint32_t *line = line_at(m, base + id);
+        uint32_t *line = sph_line(m, base + id);
         sph_emit_leaf(line, 0, &balls[id], id);
         put_material(line, &scene->materials[scene->spheres[id].material]);
     }
     for (uint32_t i = 0; i < facets->n; i++) {
         const struct sph_grid_facet *f = &facets->list[i];
-        uint32_t *line = line_at(m, base + spheres + i);
+        uint32_t *line = sph_line(m, base + spheres + i);
         sph_emit_facet_prim(line, f, spheres + i);
         put_material(line, &scene->materials[scene->facets[f->scene].material]);
-        sph_emit_facet(line_at(m, table + i), f, spheres + i);
+        sph_emit_facet(sph_line(m, table + i), f, spheres + i);
     }
 }
 

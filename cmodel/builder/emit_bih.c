@@ -21,10 +21,6 @@ struct content {
     const struct sph_bih *bih;
 };
 
-static uint32_t *line_at(struct sph_machine *m, uint32_t line) {
-    return m->mem + (size_t)line * SPH_LINE_WORDS;
-}
-
 /* The box of a sphere or triangle. */
 static struct sph_aabb aabb(const struct content *c, uint32_t id) {
     struct sph_aabb b;
@@ -80,7 +76,7 @@ static void put_node(struct sph_machine *m, const struct sph_bih *bih, uint32_t 
                      uint32_t n_planes) {
     const struct sph_bih_node *from = &bih->nodes[index];
     const struct sph_profile *p = sph_machine_profile(m);
-    uint32_t *to = line_at(m, index / 2) + index % 2 * (SPH_BIH_STRIDE / 32);
+    uint32_t *to = sph_line(m, index / 2) + index % 2 * (SPH_BIH_STRIDE / 32);
     if (from->axis != SPH_BIH_LEAF && !from->child) return; /* beside the root, or an only child */
     sph_field_set(to, SPH_BIH_AXIS_LSB, SPH_BIH_AXIS_BITS, (uint32_t)from->axis);
     if (from->axis == SPH_BIH_LEAF) {
@@ -100,7 +96,7 @@ static void put_records(struct sph_machine *m, const struct content *c, uint32_t
     int whole = c->facets->n > 0;
     for (uint32_t i = 0; i < c->n_planes + c->n_boxes; i++) {
         uint32_t id = c->ids[i < c->n_planes ? i : c->n_planes + c->bih->order[i - c->n_planes]];
-        uint32_t *line = line_at(m, base + (whole ? i : i / 2));
+        uint32_t *line = sph_line(m, base + (whole ? i : i / 2));
         if (id < c->scene->n_spheres)
             sph_emit_leaf(line, whole ? 0 : i & 1, &c->balls[id], id);
         else

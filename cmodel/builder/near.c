@@ -12,6 +12,20 @@ int64_t sph_point_error(const struct sph_profile *p) {
     return sph_ceil_sqrt(3 * axis * axis);
 }
 
+static int64_t square(const struct sph_ball *ball, const int32_t at[3]) {
+    int64_t sum = 0;
+    for (int i = 0; i < 3; i++) {
+        int64_t d = (int64_t)ball->c[i] - at[i];
+        sum += d * d;
+    }
+    return sum;
+}
+
+int sph_ball_side(const struct sph_ball *ball, const int32_t at[3]) {
+    int64_t room = (int64_t)ball->r * ball->r - square(ball, at);
+    return room > 0 ? 1 : room < 0 ? -1 : 0;
+}
+
 int sph_nearness(const struct sph_ball *a, const struct sph_ball *b, const struct sph_profile *p) {
     int64_t sum = (int64_t)a->r + b->r, less = (int64_t)a->r - b->r, apart = 0;
     for (int i = 0; i < 3; i++) {

@@ -18,6 +18,9 @@ static inline int sph_error_bits(const struct sph_profile *p) {
     return p->ng + 1;
 }
 
+/* A point lies in the ball: 1; on its surface: 0; outside: -1. */
+int sph_ball_side(const struct sph_ball *ball, const int32_t at[3]);
+
 /* No point where a secondary ray starts is farther than this from the sphere that was hit. */
 int64_t sph_point_error(const struct sph_profile *p);
 

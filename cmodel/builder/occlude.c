@@ -17,20 +17,6 @@ static int64_t dot(const int64_t a[3], const int64_t b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-static int64_t square(const struct sph_ball *ball, const int32_t at[3]) {
-    int64_t sum = 0;
-    for (int i = 0; i < 3; i++) {
-        int64_t d = (int64_t)ball->c[i] - at[i];
-        sum += d * d;
-    }
-    return sum;
-}
-
-int sph_ball_side(const struct sph_ball *ball, const int32_t at[3]) {
-    int64_t room = (int64_t)ball->r * ball->r - square(ball, at);
-    return room > 0 ? 1 : room < 0 ? -1 : 0;
-}
-
 uint32_t sph_eye_ball(const struct sph_world *world) {
     uint32_t i = 0;
     while (i < world->n && sph_ball_side(&world->balls[i], world->eye) < 0)

@@ -20,9 +20,6 @@ struct sph_world {
     int mended; /* no pixel shows a point inside another sphere: nearest hits, or INTERPENETRATE */
 };
 
-/* A point lies in the ball: 1; on its surface: 0; outside: -1. */
-int sph_ball_side(const struct sph_ball *ball, const int32_t at[3]);
-
 /* The first ball that the eye is in or on; n if there is none. */
 uint32_t sph_eye_ball(const struct sph_world *world);
 

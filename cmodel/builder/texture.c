@@ -26,10 +26,6 @@ struct emit {
     uint32_t *line; /* of a texture's image header, 0: not in memory yet */
 };
 
-static uint32_t *line_at(struct sph_machine *m, uint32_t line) {
-    return m->mem + (size_t)line * SPH_LINE_WORDS;
-}
-
 /* Line of a record equal to the one just written behind all others. */
 static uint32_t keep(struct emit *e) {
     const uint32_t *map = e->maps + (size_t)e->n_maps * SPH_LINE_WORDS;
@@ -56,7 +52,7 @@ static int put_map(struct emit *e, uint32_t id, uint32_t texture, uint32_t *map,
     sph_field_set(map, SPH_MAP_IMAGE_LSB, SPH_MAP_IMAGE_BITS, texture);
     e->job.id = id;
     if (id < scene->n_spheres) {
-        const uint32_t *prim = line_at(e->m, (uint32_t)e->m->regs[SPH_REG_PRIM_BASE] + id);
+        const uint32_t *prim = sph_line(e->m, (uint32_t)e->m->regs[SPH_REG_PRIM_BASE] + id);
         int64_t rad = sph_field(prim, SPH_LEAF_RAD_LSB, SPH_LEAF_RAD_BITS);
         return sph_map_sphere(&e->job, &scene->spheres[id], rad, mip, map, err);
     }
@@ -85,7 +81,7 @@ static uint32_t image_lines(const struct sph_mip *mip) {
 
 /* Writes header and texels from line `at` on. */
 static void put_image(struct sph_machine *m, uint32_t at, const struct sph_mip *mip) {
-    uint32_t *head = line_at(m, at), first = 0;
+    uint32_t *head = sph_line(m, at), first = 0;
     sph_field_set(head, SPH_IMAGE_W_LSB, SPH_IMAGE_W_BITS, (uint32_t)mip->width - 1);
     sph_field_set(head, SPH_IMAGE_H_LSB, SPH_IMAGE_H_BITS, (uint32_t)mip->height - 1);
     sph_field_set(head, SPH_IMAGE_LEVELS_LSB, SPH_IMAGE_LEVELS_BITS, (uint32_t)mip->levels);
@@ -93,7 +89,7 @@ static void put_image(struct sph_machine *m, uint32_t at, const struct sph_mip *
         uint32_t w = sph_level_size((uint32_t)mip->width, l);
         uint32_t h = sph_level_size((uint32_t)mip->height, l);
         const uint32_t *texel = mip->texels + sph_mip_at(mip, l);
-        uint32_t *to = line_at(m, at + 1 + first);
+        uint32_t *to = sph_line(m, at + 1 + first);
         if (l)
             sph_field_set(head, SPH_IMAGE_FIRST_LSB + SPH_IMAGE_FIRST_BITS * (l - 1),
                           SPH_IMAGE_FIRST_BITS, first);
@@ -135,7 +131,7 @@ static int put_all(struct emit *e, struct sph_error *err) {
     m->lines = (uint32_t)lines;
     m->regs[SPH_REG_MEM_LINES] = (int32_t)lines;
     for (uint32_t i = 0; i < e->n_maps; i++) {
-        uint32_t *map = line_at(m, e->first + i);
+        uint32_t *map = sph_line(m, e->first + i);
         memcpy(map, e->maps + (size_t)i * SPH_LINE_WORDS, SPH_LINE_WORDS * sizeof *map);
         uint32_t t = sph_field(map, SPH_MAP_IMAGE_LSB, SPH_MAP_IMAGE_BITS) - 1;
         sph_field_set(map, SPH_MAP_IMAGE_LSB, SPH_MAP_IMAGE_BITS, e->line[t]);
@@ -152,8 +148,8 @@ static int emit(struct emit *e, uint32_t n, struct sph_error *err) {
         uint32_t *map = e->maps + (size_t)e->n_maps * SPH_LINE_WORDS;
         memset(map, 0, SPH_LINE_WORDS * sizeof *map);
         if (put_map(e, id, texture, map, err)) return -1;
-        sph_field_set(line_at(e->m, (uint32_t)e->m->regs[SPH_REG_PRIM_BASE] + id), SPH_PRIM_TEX_LSB,
-                      SPH_PRIM_TEX_BITS, keep(e));
+        sph_field_set(sph_line(e->m, (uint32_t)e->m->regs[SPH_REG_PRIM_BASE] + id),
+                      SPH_PRIM_TEX_LSB, SPH_PRIM_TEX_BITS, keep(e));
     }
     return put_all(e, err);
 }

@@ -8,10 +8,7 @@
 #include "core/frame.h"
 #include "machine/machine.h"
 #include "texture/lookup.h"
-
-/* How spheres are found: through the tree, bit by bit as the RTL does; or by testing every sphere
- * for the nearest hit, whatever effect FIRST says. */
-enum { SPH_TRAVERSE_TREE, SPH_TRAVERSE_BRUTE };
+#include "trace/traverse.h"
 
 /* What the rays of a pixel met; no part of the frame, and the hardware does not tell it. */
 struct sph_trail {

@@ -18,7 +18,7 @@
 static const uint32_t *prim_line(const struct sph_job *j, const struct sph_hit *hit) {
     size_t line = (uint32_t)j->m->regs[SPH_REG_PRIM_BASE] + (size_t)hit->id;
     if (!hit->key) return NULL;
-    if (line < (uint32_t)j->m->regs[SPH_REG_MEM_LINES]) return j->m->mem + line * SPH_LINE_WORDS;
+    if (line < (uint32_t)j->m->regs[SPH_REG_MEM_LINES]) return sph_line(j->m, line);
     *j->errors |= 1u << SPH_ERROR_BAD_NODE;
     return NULL;
 }

@@ -19,7 +19,7 @@ void sph_bih_count_leaf(struct sph_bih_stats *s, uint32_t prims, uint32_t depth)
 /* Counts the node in a half of `line` and all below; a valid machine bounds the depth. */
 static void count(const struct sph_machine *m, uint32_t line, int half, uint32_t depth,
                   struct sph_bih_stats *s) {
-    const uint32_t *node = m->mem + (size_t)line * SPH_LINE_WORDS + half * (SPH_BIH_STRIDE / 32);
+    const uint32_t *node = sph_line(m, line) + half * (SPH_BIH_STRIDE / 32);
     if (sph_field(node, SPH_BIH_AXIS_LSB, SPH_BIH_AXIS_BITS) == SPH_BIH_LEAF) {
         sph_bih_count_leaf(s, sph_field(node, SPH_BIH_COUNT_LSB, SPH_BIH_COUNT_BITS), depth);
         return;

@@ -17,7 +17,7 @@ struct shape {
 
 /* Counts the node at `line` on `level` and all below. */
 static void count(const struct sph_machine *m, uint32_t line, uint32_t level, struct shape *s) {
-    const uint32_t *node = m->mem + (size_t)line * SPH_LINE_WORDS;
+    const uint32_t *node = sph_line(m, line);
     uint32_t base = sph_field(node, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS);
     uint32_t n_inner = sph_field(node, SPH_NODE_N_INNER_LSB, SPH_NODE_N_INNER_BITS);
     uint32_t n_leaf = sph_field(node, SPH_NODE_N_LEAF_LSB, SPH_NODE_N_LEAF_BITS);

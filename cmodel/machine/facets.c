@@ -5,15 +5,11 @@
 
 #include "machine/facets.h"
 
-static const uint32_t *line_at(const struct sph_machine *m, uint32_t line) {
-    return m->mem + (size_t)line * SPH_LINE_WORDS;
-}
-
 struct sph_counts sph_machine_count(const struct sph_machine *m) {
     uint32_t facets = (uint32_t)sph_machine_facets(m), base = (uint32_t)m->regs[SPH_REG_FACET_BASE];
     struct sph_counts n = {(uint32_t)m->regs[SPH_REG_N_PRIMS] - facets, 0, 0};
     for (uint32_t i = 0; i < facets; i++) {
-        uint32_t kind = sph_field(line_at(m, base + i), SPH_FACET_KIND_LSB, SPH_FACET_KIND_BITS);
+        uint32_t kind = sph_field(sph_line(m, base + i), SPH_FACET_KIND_LSB, SPH_FACET_KIND_BITS);
         *(kind == SPH_PLANE ? &n.planes : &n.triangles) += 1;
     }
     return n;
@@ -75,7 +71,7 @@ static int check_triangle(const struct sph_machine *m, uint32_t line, int32_t no
     static const int at[3] = {SPH_TRIANGLE_V0_X_LSB, SPH_TRIANGLE_V1_X_LSB, SPH_TRIANGLE_V2_X_LSB};
     int32_t v[3][3];
     for (int i = 0; i < 3; i++) {
-        vector(line_at(m, line), at[i], v[i]);
+        vector(sph_line(m, line), at[i], v[i]);
         if (!on_grid(m, v[i]))
             return sph_fail(err, "line %u: corner %d of the triangle is not on the grid", line, i);
     }
@@ -87,7 +83,7 @@ static int check_triangle(const struct sph_machine *m, uint32_t line, int32_t no
 /* Checks what a plane's line holds; its normal. */
 static int check_plane(const struct sph_machine *m, uint32_t line, int32_t normal[3],
                        struct sph_error *err) {
-    const uint32_t *words = line_at(m, line);
+    const uint32_t *words = sph_line(m, line);
     const int end = SPH_PLANE_N_Z_LSB + SPH_PLANE_N_Z_BITS;
     int32_t p[3];
     vector(words, SPH_PLANE_P_X_LSB, p);
@@ -109,7 +105,7 @@ static int check_plane(const struct sph_machine *m, uint32_t line, int32_t norma
  */
 static int check_prim(const struct sph_machine *m, uint32_t id, const int32_t normal[3],
                       struct sph_error *err) {
-    const uint32_t *prim = line_at(m, (uint32_t)m->regs[SPH_REG_PRIM_BASE] + id);
+    const uint32_t *prim = sph_line(m, (uint32_t)m->regs[SPH_REG_PRIM_BASE] + id);
     int32_t stored[3];
     vector(prim, SPH_LEAF_CTR_X_LSB, stored);
     if (memcmp(stored, normal, sizeof stored) != 0)
@@ -125,7 +121,7 @@ static int check_prim(const struct sph_machine *m, uint32_t id, const int32_t no
 static int check_facet(const struct sph_machine *m, uint32_t i, struct sph_error *err) {
     uint32_t line = (uint32_t)m->regs[SPH_REG_FACET_BASE] + i;
     uint32_t id = (uint32_t)m->regs[SPH_REG_N_SPHERES] + i, n = (uint32_t)m->regs[SPH_REG_N_PRIMS];
-    const uint32_t *words = line_at(m, line);
+    const uint32_t *words = sph_line(m, line);
     uint32_t kind = sph_field(words, SPH_FACET_KIND_LSB, SPH_FACET_KIND_BITS);
     uint32_t before = sph_field(words, SPH_FACET_BEFORE_LSB, SPH_FACET_BEFORE_BITS);
     uint32_t after = sph_field(words, SPH_FACET_AFTER_LSB, SPH_FACET_AFTER_BITS);
@@ -146,7 +142,7 @@ static int check_facet(const struct sph_machine *m, uint32_t i, struct sph_error
 int sph_validate_facets(const struct sph_machine *m, struct sph_error *err) {
     uint32_t spheres = (uint32_t)m->regs[SPH_REG_N_SPHERES], n = (uint32_t)m->regs[SPH_REG_N_PRIMS];
     for (uint32_t id = 0; id < n; id++) {
-        const uint32_t *prim = line_at(m, (uint32_t)m->regs[SPH_REG_PRIM_BASE] + id);
+        const uint32_t *prim = sph_line(m, (uint32_t)m->regs[SPH_REG_PRIM_BASE] + id);
         uint32_t facet = sph_field(prim, SPH_PRIM_FACET_LSB, SPH_PRIM_FACET_BITS);
         if (facet != (id >= spheres) || any_bit(prim, SPH_PRIM_FACET_LSB + 1, SPH_PRIM_RED_LSB - 1))
             return sph_fail(err, "primitive %u: not marked as a %s", id,
@@ -159,7 +155,7 @@ int sph_validate_facets(const struct sph_machine *m, struct sph_error *err) {
 
 int sph_validate_leaf_line(const struct sph_machine *m, uint32_t line, uint32_t *id,
                            struct sph_error *err) {
-    const uint32_t *words = line_at(m, line);
+    const uint32_t *words = sph_line(m, line);
     uint32_t spheres = (uint32_t)m->regs[SPH_REG_N_SPHERES], n = (uint32_t)m->regs[SPH_REG_N_PRIMS];
     uint32_t kind = sph_field(words, SPH_FACET_KIND_LSB, SPH_FACET_KIND_BITS);
     *id = kind ? sph_field(words, SPH_FACET_ID_LSB, SPH_FACET_ID_BITS)
@@ -170,7 +166,7 @@ int sph_validate_leaf_line(const struct sph_machine *m, uint32_t line, uint32_t 
     if (!kind && any_bit(words, SPH_LEAF_ID_LSB + SPH_LEAF_ID_BITS, SPH_LINE_WORDS * 32 - 1))
         return sph_fail(err, "line %u: more than a sphere in its leaf line", line);
     uint32_t table = (uint32_t)m->regs[SPH_REG_FACET_BASE] + *id - spheres;
-    if (kind && memcmp(words, line_at(m, table), SPH_LINE_WORDS * sizeof *words) != 0)
+    if (kind && memcmp(words, sph_line(m, table), SPH_LINE_WORDS * sizeof *words) != 0)
         return sph_fail(err, "line %u: facet %u differs from its line in the table", line, *id);
     return 0;
 }

@@ -6,6 +6,7 @@
 #ifndef SPH_MACHINE_H
 #define SPH_MACHINE_H
 
+#include <stddef.h>
 #include <stdint.h>
 
 #include "common/error.h"
@@ -42,6 +43,11 @@ static inline int sph_machine_effect(const struct sph_machine *m, int effect) {
 /* 1 if it holds a bounding interval hierarchy, or the one leaf of brute force. */
 static inline int sph_machine_bih(const struct sph_machine *m) {
     return m->regs[SPH_REG_TREE] >= SPH_TREE_BIH;
+}
+
+/* The words of a line of memory. */
+static inline uint32_t *sph_line(const struct sph_machine *m, size_t line) {
+    return m->mem + line * SPH_LINE_WORDS;
 }
 
 /* Bits lsb .. lsb+width-1 (width 1..32) of a line, unsigned. */

@@ -40,7 +40,7 @@ int sph_validate_materials(const struct sph_machine *m, struct sph_error *err) {
         return 0;
     for (uint32_t id = 0; id < (uint32_t)m->regs[SPH_REG_N_PRIMS]; id++) {
         size_t line = (size_t)m->regs[SPH_REG_PRIM_BASE] + id;
-        if (check_prim(m->mem + line * SPH_LINE_WORDS, id, err)) return -1;
+        if (check_prim(sph_line(m, line), id, err)) return -1;
     }
     return 0;
 }

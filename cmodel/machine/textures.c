@@ -7,10 +7,6 @@
 
 #include "texture/mip.h"
 
-static const uint32_t *line_at(const struct sph_machine *m, uint32_t line) {
-    return m->mem + (size_t)line * SPH_LINE_WORDS;
-}
-
 /* First line behind primitive records and the table of facets. */
 static uint32_t first_line(const struct sph_machine *m) {
     const int32_t *r = m->regs;
@@ -21,7 +17,7 @@ static uint32_t first_line(const struct sph_machine *m) {
 }
 
 static int check_image(const struct sph_machine *m, uint32_t line, struct sph_error *err) {
-    const uint32_t *head = line_at(m, line);
+    const uint32_t *head = sph_line(m, line);
     struct sph_mip mip = {.width = (int)sph_field(head, SPH_IMAGE_W_LSB, SPH_IMAGE_W_BITS) + 1,
                           .height = (int)sph_field(head, SPH_IMAGE_H_LSB, SPH_IMAGE_H_BITS) + 1,
                           .levels =
@@ -50,7 +46,7 @@ static int check_image(const struct sph_machine *m, uint32_t line, struct sph_er
 }
 
 static int check_map(const struct sph_machine *m, uint32_t line, struct sph_error *err) {
-    const uint32_t *map = line_at(m, line);
+    const uint32_t *map = sph_line(m, line);
     uint32_t kind = sph_field(map, SPH_MAP_KIND_LSB, SPH_MAP_KIND_BITS);
     uint32_t image = sph_field(map, SPH_MAP_IMAGE_LSB, SPH_MAP_IMAGE_BITS);
     if (kind > 1) return sph_fail(err, "line %u: mapping of kind %u", line, kind);
@@ -63,7 +59,7 @@ static int check_map(const struct sph_machine *m, uint32_t line, struct sph_erro
 int sph_validate_textures(const struct sph_machine *m, struct sph_error *err) {
     uint32_t n = (uint32_t)m->regs[SPH_REG_N_PRIMS], first = first_line(m), last = 0;
     for (uint32_t id = 0; id < n; id++) {
-        const uint32_t *prim = line_at(m, (uint32_t)m->regs[SPH_REG_PRIM_BASE] + id);
+        const uint32_t *prim = sph_line(m, (uint32_t)m->regs[SPH_REG_PRIM_BASE] + id);
         uint32_t map = sph_field(prim, SPH_PRIM_TEX_LSB, SPH_PRIM_TEX_BITS);
         if (!map || map == last) continue;
         if (map < first || map >= m->lines)

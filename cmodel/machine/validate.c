@@ -11,14 +11,6 @@
 #include "machine/validate.h"
 #include "scene/scene.h" /* SPH_MAX_SPHERES */
 
-int sph_validate_register(const struct sph_machine *m, int number, const char *name, int64_t lo,
-                          int64_t hi, struct sph_error *err) {
-    int32_t v = m->regs[number];
-    if (v >= lo && v <= hi) return 0;
-    return sph_fail(err, "register %s is %d, not in %lld..%lld", name, v, (long long)lo,
-                    (long long)hi);
-}
-
 #define RANGE(name, lo, hi)                                                                        \
     if (sph_validate_register(m, SPH_REG_##name, #name, lo, hi, err)) return -1
 
@@ -107,16 +99,12 @@ static int check_memory(const struct sph_machine *m, struct sph_error *err) {
     return 0;
 }
 
-static const uint32_t *line_at(const struct sph_machine *m, uint32_t line) {
-    return m->mem + (size_t)line * SPH_LINE_WORDS;
-}
-
 /* Spans of background separation: every row within the frame. */
 static int check_spans(const struct sph_machine *m, struct sph_error *err) {
     const int32_t *r = m->regs;
     uint32_t base = (uint32_t)r[SPH_REG_BG_BASE], width = (uint32_t)r[SPH_REG_FRAME_W];
     for (uint32_t y = 0; y < (uint32_t)r[SPH_REG_FRAME_H]; y++) {
-        const uint32_t *word = line_at(m, base + y / SPH_LINE_WORDS) + y % SPH_LINE_WORDS;
+        const uint32_t *word = sph_line(m, base + y / SPH_LINE_WORDS) + y % SPH_LINE_WORDS;
         uint32_t x0 = sph_field(word, SPH_SPAN_X0_LSB, SPH_SPAN_X0_BITS);
         uint32_t x1 = sph_field(word, SPH_SPAN_X1_LSB, SPH_SPAN_X1_BITS);
         if (x0 > x1 || x1 > width)
@@ -142,7 +130,7 @@ static int check_cones(const struct sph_machine *m, struct sph_error *err) {
     int f_bits = 2 * p->w + 2 * p->wd + 4, b_bits = p->w + p->wd + 4;
     for (int i = 0; i < m->regs[SPH_REG_BG_COUNT]; i++) {
         uint32_t base = (uint32_t)(m->regs[SPH_REG_BG_BASE] + SPH_CONE_LINES * i);
-        const uint32_t *cone = line_at(m, base);
+        const uint32_t *cone = sph_line(m, base);
         int good = 1, tail = SPH_CONE_INSIDE_LSB / 32;
         for (int lsb = SPH_CONE_F_LSB; lsb <= SPH_CONE_FYY_LSB; lsb += SPH_CONE_F_BITS)
             good &= extended(cone + lsb / 32, SPH_CONE_F_BITS / 32, f_bits);

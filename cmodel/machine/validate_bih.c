@@ -14,7 +14,7 @@ struct walk {
 
 /* A node's words, in the low or the high half of a line. */
 static const uint32_t *node_at(const struct sph_machine *m, uint32_t line, int half) {
-    return m->mem + (size_t)line * SPH_LINE_WORDS + half * (SPH_BIH_STRIDE / 32);
+    return sph_line(m, line) + half * (SPH_BIH_STRIDE / 32);
 }
 
 static int is_zero(const uint32_t *node) {

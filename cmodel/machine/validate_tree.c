@@ -14,33 +14,9 @@ struct walk {
     uint8_t *found; /* per primitive */
 };
 
-static const uint32_t *line_at(const struct sph_machine *m, uint32_t line) {
-    return m->mem + (size_t)line * SPH_LINE_WORDS;
-}
-
-int sph_validate_record(const struct sph_machine *m, uint32_t line, int half, uint8_t *found,
-                        struct sph_error *err) {
-    const uint32_t *leaf = line_at(m, line) + half * SPH_LEAF_STRIDE / 32;
-    uint32_t id = sph_field(leaf, SPH_LEAF_ID_LSB, SPH_LEAF_ID_BITS);
-    int whole = sph_machine_effect(m, SPH_EFFECT_FACETS);
-    if (whole && sph_validate_leaf_line(m, line, &id, err)) return -1;
-    if (whole && id >= (uint32_t)m->regs[SPH_REG_N_SPHERES])
-        return found[id]++ ? sph_fail(err, "line %u: primitive %u stands twice", line, id) : 0;
-    if (id >= (uint32_t)m->regs[SPH_REG_N_PRIMS])
-        return sph_fail(err, "line %u: leaf id %u, there are %d primitives", line, id,
-                        m->regs[SPH_REG_N_PRIMS]);
-    if (memcmp(leaf, line_at(m, (uint32_t)m->regs[SPH_REG_PRIM_BASE] + id), SPH_LEAF_STRIDE / 8) !=
-        0)
-        return sph_fail(err, "line %u: leaf %u differs from its primitive record", line, id);
-    if (!sph_field(leaf, SPH_LEAF_RAD_LSB, SPH_LEAF_RAD_BITS))
-        return sph_fail(err, "line %u: leaf %u has no radius", line, id);
-    if (found[id]++) return sph_fail(err, "line %u: primitive %u stands twice", line, id);
-    return 0;
-}
-
 /* Checks the node at `line` on `level` (root: 1) and all below. The depth bounds recursion. */
 static int check_node(struct walk *w, uint32_t line, int level, struct sph_error *err) {
-    const uint32_t *node = line_at(w->m, line);
+    const uint32_t *node = sph_line(w->m, line);
     uint32_t base = sph_field(node, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS);
     uint32_t n_inner = sph_field(node, SPH_NODE_N_INNER_LSB, SPH_NODE_N_INNER_BITS);
     uint32_t n_leaf = sph_field(node, SPH_NODE_N_LEAF_LSB, SPH_NODE_N_LEAF_BITS);

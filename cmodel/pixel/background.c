@@ -7,10 +7,6 @@
 
 #include "math/fx.h"
 
-static const uint32_t *line_at(const struct sph_machine *m, size_t line) {
-    return m->mem + line * SPH_LINE_WORDS;
-}
-
 int sph_background_missing(const struct sph_machine *m) {
     const int32_t *r = m->regs;
     int64_t lines = 0;
@@ -30,7 +26,7 @@ static int outside_rect(const int32_t *r, int x, int y) {
 
 static int outside_span(const struct sph_machine *m, int x, int y) {
     size_t line = (uint32_t)m->regs[SPH_REG_BG_BASE] + (size_t)(y / SPH_LINE_WORDS);
-    const uint32_t *word = line_at(m, line) + y % SPH_LINE_WORDS;
+    const uint32_t *word = sph_line(m, line) + y % SPH_LINE_WORDS;
     return (uint32_t)x < sph_field(word, SPH_SPAN_X0_LSB, SPH_SPAN_X0_BITS) ||
            (uint32_t)x >= sph_field(word, SPH_SPAN_X1_LSB, SPH_SPAN_X1_BITS);
 }
@@ -64,7 +60,7 @@ static int inside_cone(const struct sph_profile *p, const uint32_t *cone, int x,
 static int outside_cones(const struct sph_machine *m, int x, int y) {
     for (int i = 0; i < m->regs[SPH_REG_BG_COUNT]; i++) {
         size_t line = (uint32_t)m->regs[SPH_REG_BG_BASE] + (size_t)i * SPH_CONE_LINES;
-        if (inside_cone(sph_machine_profile(m), line_at(m, line), x, y)) return 0;
+        if (inside_cone(sph_machine_profile(m), sph_line(m, line), x, y)) return 0;
     }
     return 1;
 }

@@ -1,8 +1,8 @@
 /* nff_reader.h - what the files that read NFF records share: the reader's state and its helpers
  * SPDX-License-Identifier: Apache-2.0
  *
- * nff_read.c takes camera, lights and spheres; nff_surface.c materials and textures; nff_facet.c
- * polygons, triangles and planes.
+ * nff_take.c takes numbers and vectors; nff_read.c camera, lights and spheres; nff_surface.c
+ * materials and textures; nff_facet.c polygons, triangles and planes.
  */
 #ifndef SPH_SCENE_NFF_READER_H
 #define SPH_SCENE_NFF_READER_H

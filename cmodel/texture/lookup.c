@@ -23,9 +23,9 @@ struct job {
 };
 
 /* A line of memory; NULL and BAD_NODE behind its end. */
-static const uint32_t *line_at(const struct sph_machine *m, uint64_t line,
+static const uint32_t *line_in(const struct sph_machine *m, uint64_t line,
                                struct sph_texture_work *work) {
-    if (line < (uint32_t)m->regs[SPH_REG_MEM_LINES]) return m->mem + line * SPH_LINE_WORDS;
+    if (line < (uint32_t)m->regs[SPH_REG_MEM_LINES]) return sph_line(m, line);
     work->errors |= 1u << SPH_ERROR_BAD_NODE;
     return NULL;
 }
@@ -47,7 +47,7 @@ static uint32_t fetch(const struct job *j, uint32_t level, uint32_t width, uint3
     j->work->words = (j->work->words + address) & WORDS_MASK;
     if (j->work->fetch)
         j->work->fetch(j->work->user, &(struct sph_texel){j->line, width, level, x, y, address});
-    const uint32_t *at = line_at(j->m, line, j->work);
+    const uint32_t *at = line_in(j->m, line, j->work);
     return at ? at[word % SPH_LINE_WORDS] : white;
 }
 
@@ -91,14 +91,14 @@ static uint32_t coarser(uint32_t lod, int drop) {
 
 uint32_t sph_lookup(const struct sph_machine *m, uint32_t map, const struct sph_textured *where,
                     struct sph_texture_work *work) {
-    const uint32_t *record = line_at(m, map, work);
+    const uint32_t *record = line_in(m, map, work);
     if (!record) return white;
     struct job j = {.m = m,
                     .line = sph_field(record, SPH_MAP_IMAGE_LSB, SPH_MAP_IMAGE_BITS),
                     .clamp = {(int)sph_field(record, SPH_MAP_CLAMP_S_LSB, 1),
                               (int)sph_field(record, SPH_MAP_CLAMP_T_LSB, 1)},
                     .work = work};
-    j.image = line_at(m, j.line, work);
+    j.image = line_in(m, j.line, work);
     if (!j.image) return white;
     int levels = (int)sph_field(j.image, SPH_IMAGE_LEVELS_LSB, SPH_IMAGE_LEVELS_BITS);
     if (levels < 1 || levels > SPH_TEXTURE_LEVELS) {

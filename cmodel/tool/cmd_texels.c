@@ -52,7 +52,7 @@ struct caches {
 
 static void ask(void *user, const struct sph_texel *t) {
     struct caches *c = user;
-    const uint32_t *head = c->m->mem + (size_t)t->image * SPH_LINE_WORDS;
+    const uint32_t *head = sph_line(c->m, t->image);
     uint32_t w = sph_field(head, SPH_IMAGE_W_LSB, SPH_IMAGE_W_BITS) + 1;
     uint32_t h = sph_field(head, SPH_IMAGE_H_LSB, SPH_IMAGE_H_BITS) + 1;
     c->level[t->level]++;

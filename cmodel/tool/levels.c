@@ -5,7 +5,7 @@
 
 #include <inttypes.h>
 
-#include "tool/report.h"
+#include "tool/json.h"
 
 const char *const tool_level_names[] = {"mended", "paper", "bmrt", "rays", NULL};
 

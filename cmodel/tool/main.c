@@ -7,8 +7,6 @@
 
 #include "tool/tool.h"
 
-const char *argp_program_version = "sphaera 1.0";
-
 static const struct {
     const char *name;
     int (*run)(int argc, char **argv);
@@ -57,11 +55,6 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     default:
         return ARGP_ERR_UNKNOWN;
     }
-}
-
-int tool_failed(const struct sph_error *err) {
-    fprintf(stderr, "sphaera: %s\n", err->text[0] ? err->text : "failed");
-    return TOOL_FAILED;
 }
 
 int main(int argc, char **argv) {

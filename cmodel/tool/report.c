@@ -12,37 +12,6 @@
 #include "common/output.h"
 #include "tool/sequence.h"
 
-json_t *report_new(const char *command) {
-    return json_pack("{s:s, s:i, s:s, s:s}", "schema", "sphaera-report", "version", 2, "program",
-                     argp_program_version, "command", command);
-}
-
-static void add(json_t *report, const char *name, json_t *value) {
-    if (report)
-        json_object_set_new(report, name, value ? value : json_null());
-    else
-        json_decref(value);
-}
-
-void report_text(json_t *report, const char *name, const char *text) {
-    add(report, name, json_string(text)); /* null if it is not UTF-8 */
-}
-
-void report_number(json_t *report, const char *name, double value) {
-    add(report, name, isfinite(value) ? json_real(value) : NULL);
-}
-
-void report_count(json_t *report, const char *name, uint64_t value) {
-    add(report, name, json_integer((json_int_t)value));
-}
-
-json_t *report_names(uint32_t bits, const char *const *names, int n) {
-    json_t *list = json_array();
-    for (int i = 0; i < n; i++)
-        if (bits >> i & 1) json_array_append_new(list, json_string(names[i]));
-    return list;
-}
-
 void report_machine(json_t *report, const struct sph_machine *m) {
     static const char *const ways[] = {"none", "rect", "spans", "exact"};
     const int32_t *r = m->regs;
@@ -66,9 +35,9 @@ void report_machine(json_t *report, const struct sph_machine *m) {
     for (int i = 0; i < SPH_REPORTS; i++)
         if (sph_parts[i].bit >= 0 && sph_machine_effect(m, sph_parts[i].bit))
             json_array_append_new(effects, json_string(sph_parts[i].word));
-    add(machine, "effects", effects);
+    report_add(machine, "effects", effects);
     report_number(machine, "grid_step", ldexp(1.0, m->grid_log2));
-    add(report, "machine", machine);
+    report_add(report, "machine", machine);
 }
 
 /* The lines of text as an array of strings. */
@@ -111,10 +80,10 @@ void report_build(json_t *report, const struct tool_built *built) {
     report_number(build, "tree_seconds", b->tree_seconds);
     if (sph_machine_bih(&built->machine)) report_bih(build, &built->machine, &b->bih);
     report_bases(build, b);
-    add(build, "effects", effects_of(b));
-    add(build, "background", lines(b->background));
-    add(build, "warnings", lines(b->warning));
-    add(report, "build", build);
+    report_add(build, "effects", effects_of(b));
+    report_add(build, "background", lines(b->background));
+    report_add(build, "warnings", lines(b->warning));
+    report_add(report, "build", build);
 }
 
 void report_shot(json_t *report, const struct sph_shot *shot) {
@@ -130,9 +99,9 @@ void report_shot(json_t *report, const struct sph_shot *shot) {
     report_text(frame, "picture_hash", hash);
     for (int i = 0; i < SPH_COUNTERS; i++)
         if (sph_counter_both(i)) report_count(counts, counters[i], shot->counters.count[i]);
-    add(report, "frame", frame);
-    add(report, "counters", counts);
-    add(report, "errors", report_names(shot->errors, errors, SPH_ERRORS));
+    report_add(report, "frame", frame);
+    report_add(report, "counters", counts);
+    report_add(report, "errors", report_names(shot->errors, errors, SPH_ERRORS));
 }
 
 int report_write(json_t *report, const char *path, struct sph_error *err) {

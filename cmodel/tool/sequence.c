@@ -8,9 +8,9 @@
 #include <string.h>
 
 #include "scene/motion.h"
+#include "tool/json.h"
 #include "tool/levels.h"
 #include "tool/print.h"
-#include "tool/report.h"
 #include "tool/textures.h"
 
 void tool_frames_parse(const struct argp_state *state, const char *arg,

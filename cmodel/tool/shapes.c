@@ -4,7 +4,7 @@
 #include "tool/shapes.h"
 
 #include "machine/layout.h"
-#include "tool/report.h"
+#include "tool/json.h"
 
 static uint32_t group(int shape) {
     return 1u << shape / 3;

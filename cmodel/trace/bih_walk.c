@@ -40,8 +40,8 @@ static int leaf(struct walk *w, uint32_t first, uint32_t end) {
         for (; first < end && first < stop; first++) {
             size_t line =
                 (uint32_t)w->m->regs[SPH_REG_LEAF_BASE] + (size_t)(whole ? first : first / 2);
-            sph_leaf_visit(w->p, w->ray, w->m->mem + line * SPH_LINE_WORDS, first & 1, whole,
-                           &w->best, w->c, w->errors);
+            sph_leaf_visit(w->p, w->ray, sph_line(w->m, line), first & 1, whole, &w->best, w->c,
+                           w->errors);
         }
         if (!w->best.key) continue;
         if (w->ray->kind == SPH_SHADOW) return 0;
@@ -143,8 +143,7 @@ struct sph_hit sph_bih_walk(const struct sph_machine *m, const struct sph_ray *r
         ray_visits++;
         ++*visits;
         c->count[SPH_COUNT_NODE_VISITS]++;
-        const uint32_t *node =
-            m->mem + (size_t)at.line * SPH_LINE_WORDS + at.half * (SPH_BIH_STRIDE / 32);
+        const uint32_t *node = sph_line(m, at.line) + at.half * (SPH_BIH_STRIDE / 32);
         if (sph_field(node, SPH_BIH_AXIS_LSB, SPH_BIH_AXIS_BITS) != SPH_BIH_LEAF) {
             more = inner(&w, node, &at);
             continue;

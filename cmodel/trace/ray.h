@@ -34,6 +34,12 @@ struct sph_ray {
     int32_t depth_max; /* what lies deeper along axis cannot matter, at the ray's start */
 };
 
+struct sph_hit {
+    uint64_t key; /* 0: nothing hit */
+    uint32_t id;
+    int far; /* hit from inside */
+};
+
 /* Fills in everything from `a` on. */
 void sph_ray_setup(const struct sph_profile *p, struct sph_ray *ray);
 

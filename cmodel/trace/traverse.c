@@ -29,10 +29,10 @@ static struct sph_hit brute(const struct sph_machine *m, const struct sph_ray *r
     for (uint32_t id = 0; id < n; id++) {
         if (id < spheres) {
             size_t line = (uint32_t)m->regs[SPH_REG_PRIM_BASE] + (size_t)id;
-            sph_leaf_visit(p, ray, m->mem + line * SPH_LINE_WORDS, 0, 0, &best, c, errors);
+            sph_leaf_visit(p, ray, sph_line(m, line), 0, 0, &best, c, errors);
         } else {
             size_t line = (uint32_t)m->regs[SPH_REG_FACET_BASE] + (size_t)(id - spheres);
-            sph_leaf_visit(p, ray, m->mem + line * SPH_LINE_WORDS, 0, 1, &best, c, errors);
+            sph_leaf_visit(p, ray, sph_line(m, line), 0, 1, &best, c, errors);
         }
         if (ray->kind == SPH_SHADOW && best.key) break;
     }
@@ -60,7 +60,7 @@ struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *r
         ++*visits;
         c->count[SPH_COUNT_NODE_VISITS]++;
 
-        const uint32_t *line = m->mem + (size_t)node * SPH_LINE_WORDS;
+        const uint32_t *line = sph_line(m, node);
         struct siblings found = {sph_field(line, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS), 0, {{0}}};
         uint32_t n_inner = sph_field(line, SPH_NODE_N_INNER_LSB, SPH_NODE_N_INNER_BITS);
         uint32_t n_leaf = sph_field(line, SPH_NODE_N_LEAF_LSB, SPH_NODE_N_LEAF_BITS);
@@ -77,7 +77,7 @@ struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *r
             if (i >= n_inner) {
                 uint32_t j = i - n_inner;
                 size_t at = (size_t)found.base + n_inner + (whole ? j : j >> 1);
-                const uint32_t *leaf = m->mem + at * SPH_LINE_WORDS;
+                const uint32_t *leaf = sph_line(m, at);
                 uint64_t key_before = best.key;
                 sph_leaf_visit(p, ray, leaf, j & 1, whole, &best, c, errors);
                 if (best.key != key_before && ray->kind != SPH_SHADOW)

@@ -12,14 +12,11 @@
 
 #include "core/frame.h"
 #include "machine/machine.h"
-#include "core/render.h"
 #include "trace/ray.h"
 
-struct sph_hit {
-    uint64_t key; /* 0: nothing hit */
-    uint32_t id;
-    int far; /* hit from inside */
-};
+/* How primitives are found: through the tree, bit by bit as the RTL does; or by testing every one
+ * for the nearest hit, whatever effect FIRST says. */
+enum { SPH_TRAVERSE_TREE, SPH_TRAVERSE_BRUTE };
 
 /* Traces a ray that was set up, through nodes of four children or a BIH (bih_walk.h), as TREE says;
  * adds to counters, to *visits and to the sticky *errors. A shadow ray reports any occluder (key

@@ -9,7 +9,20 @@ silent() {
         "lint-$1" || return 1
     ! grep -v 'pyslang is not installed' "$TMP/out"
 }
-for tool in verilator iverilog systemverilog yosys tidy format text; do
+for tool in verilator iverilog systemverilog yosys tidy format circles text; do
     check "$tool" silent $tool
 done
+
+# two files that call each other, and two headers that include each other, are noticed
+mkdir -p "$TMP/obj/cmodel" "$TMP/cmodel" && cd "$TMP" || exit 1
+for pair in "one two" "two one"; do
+    echo "int ${pair#* }(void); int ${pair% *}(void) { return ${pair#* }(); }" >one.c
+    ${CC:-gcc} -c one.c -o "obj/cmodel/${pair% *}.o"
+    echo "#include \"${pair#* }.h\"" >"cmodel/${pair% *}.h"
+done
+circle() {
+    ! python3 "$OLDPWD/sim/lint_circles.py" obj/cmodel/*.o >circles && cat circles &&
+        grep -qx 'a circle: one, two' circles && grep -qx 'a circle: one.h, two.h' circles
+}
+check "circles between files are told" circle
 done_testing

@@ -1,0 +1,61 @@
+/* values.c - values of options, and what a command says when it fails; see tool.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tool/tool.h"
+
+const char *argp_program_version = "sphaera 1.0";
+
+int tool_failed(const struct sph_error *err) {
+    fprintf(stderr, "sphaera: %s\n", err->text[0] ? err->text : "failed");
+    return TOOL_FAILED;
+}
+
+int tool_choice(const struct argp_state *state, const char *option, const char *arg,
+                const char *const *choices) {
+    char list[256] = "";
+    for (int i = 0; choices[i]; i++) {
+        if (!strcmp(arg, choices[i])) return i;
+        size_t used = strlen(list);
+        snprintf(list + used, sizeof list - used, "%s%s", i ? ", " : "", choices[i]);
+    }
+    argp_error(state, "%s: '%s' is none of %s", option, arg, list);
+    return -1;
+}
+
+unsigned long long tool_number(const struct argp_state *state, const char *option, const char *arg,
+                               unsigned long long min, unsigned long long max) {
+    char *end;
+    errno = 0;
+    unsigned long long value = strtoull(arg, &end, 10);
+    if (*arg < '0' || *arg > '9' || *end || errno || value < min || value > max)
+        argp_error(state, "%s: '%s' is no number from %llu to %llu", option, arg, min, max);
+    return value;
+}
+
+void tool_size(const struct argp_state *state, const char *option, const char *arg, int *width,
+               int *height) {
+    char *end, *end2 = NULL;
+    long w = *arg >= '0' && *arg <= '9' ? strtol(arg, &end, 10) : 0, h = 0;
+    if (w > 0 && *end == 'x' && end[1] >= '0' && end[1] <= '9') h = strtol(end + 1, &end2, 10);
+    if (h < 1 || *end2 || w > SPH_MAX_SIDE || h > SPH_MAX_SIDE)
+        argp_error(state, "%s: '%s' is no size such as 640x480, up to %dx%d", option, arg,
+                   SPH_MAX_SIDE, SPH_MAX_SIDE);
+    *width = (int)w;
+    *height = (int)h;
+}
+
+error_t tool_one_scene(const struct argp_state *state, int key, char *arg, const char **input,
+                       const char *missing) {
+    if (key == ARGP_KEY_ARG) {
+        if (*input) argp_error(state, "one scene at a time: '%s' is one too many", arg);
+        *input = arg;
+        return 0;
+    }
+    if (key != ARGP_KEY_END) return ARGP_ERR_UNKNOWN;
+    if (!*input) argp_error(state, "%s", missing);
+    return 0;
+}
