@@ -57,7 +57,7 @@ Q := $(if $(filter 1,$(V)),,@)
 say = $(if $(filter 1,$(V)),,@printf '  %-4s %s\n' $(1) $(2))
 
 # A compiler cache, if there is one: `make setup` installs it.
-CCACHE   := $(if $(shell command -v ccache),ccache)
+CCACHE   := $(shell sh sim/ccache.sh)
 CC       := $(CCACHE) gcc
 CXX      := $(CCACHE) g++
 WARN     := -Wall -Wextra -Wconversion -Wshadow -Werror

@@ -19,20 +19,16 @@ ENGINES ?= 1
 ROOT_STEP     ?= 2
 QUOTIENT_STEP ?= 2
 WAVES   ?= 0
-OPT     ?= -O2
+
+include make/verilated.mk
 
 STEPS := $(if $(filter-out 2,$(ROOT_STEP)),-root$(ROOT_STEP))$(if $(filter-out \
              2,$(QUOTIENT_STEP)),-quotient$(QUOTIENT_STEP))
 KEY := $(shell sh sim/profile.sh '$(PROFILE)' name)-$(CORE)-engines$(ENGINES)$(STEPS)$(OPT)$(if \
            $(filter 1,$(WAVES)),-waves)
-S   := $B/sim
 K   := $S/$(KEY)
 LIB := $B/libsphaera.a
 
-# clang compiles a core in half of gcc's time, and the core runs faster; g++ links, for libgomp.
-CCACHE   := $(if $(shell command -v ccache),ccache)
-CLANG    := $(if $(shell command -v clang++),clang++)
-CORE_CXX := $(CCACHE) $(or $(CLANG),$(CXX))
 CXXFLAGS := -std=c++17 -O2 -Wall -Wextra -Icmodel -Itb/core
 LIBS     := -fopenmp -pthread -ljansson -lm
 
@@ -47,33 +43,24 @@ SHARED := $(patsubst tb/core/%.cpp,$S/obj/%.o,$(filter-out tb/core/simulate_%.cp
               tb/core/tb_counters.cpp,$(wildcard tb/core/*.cpp)))
 
 # Verilator's own library, the same for every core; waveforms only where one is written.
-ROOT      := $(shell verilator --getenv VERILATOR_ROOT)/include
 VERILATED := $(patsubst %,$S/obj/%.o,verilated verilated_threads)
 TRACED    := $(if $(filter 1,$(WAVES)),$S/obj/verilated_fst_c.o)
 
-# Written anew only when its text changes.
-stamp = @mkdir -p $(@D); echo '$(1)' >$@.$$$$; cmp -s $@.$$$$ $@ && rm $@.$$$$ || mv $@.$$$$ $@
 VERILATE := verilator --cc --language 1364-2005 -Wall -O3 --x-assign fast --top-module rt_core \
                 --prefix Vrt_core $(PARAMETERS:%=-G%) $(if $(TRACED),--trace-fst)
 ELABORATE := iverilog -g2005 -Wall $(PARAMETERS:%=-Ptb_core_icarus.%) -s tb_core_icarus
-# All of a core at once: each file of its own would read the same headers, a second and more.
-COMPILE   := $(CORE_CXX) -std=c++17 -Wall -Wextra $(OPT) -I. -Icmodel -isystem $K \
-                 -isystem $(ROOT) -isystem $(ROOT)/vltstd -DVM_TRACE=$(WAVES) \
-                 -DVM_TRACE_FST=$(WAVES)
-# What runs once, before the first clock, is not worth an optimiser's time.
-ONCE      := \#pragma $(if $(CLANG),clang optimize off,GCC optimize("O0"))
+COMPILE_CORE := $(if $(TRACED),$(subst $(PRECOMPILED:%=-include-pch %),,$(COMPILE)),$(COMPILE)) \
+                    -isystem $K -DVM_TRACE=$(WAVES) -DVM_TRACE_FST=$(WAVES)
 
-.DELETE_ON_ERROR:
-.SUFFIXES:
-.PHONY: tools core icarus FORCE
-tools: $S/tb_core_icarus $(SHARED) $(VERILATED) $(TRACED)
+.PHONY: tools core icarus
+tools: $S/tb_core_icarus $(SHARED) $(VERILATED) $(TRACED) $(PRECOMPILED)
 core: $K/tb_core
 icarus: $K/tb_core.vvp
 
 $S/obj/flags: FORCE
 	$(call stamp,$(CXX) $(CXXFLAGS) $(ROOT))
 $K/verilator.flags: FORCE
-	$(call stamp,$(VERILATE) $(COMPILE) $(SOURCES))
+	$(call stamp,$(VERILATE) $(COMPILE_CORE) $(SOURCES))
 $K/icarus.flags: FORCE
 	$(call stamp,$(ELABORATE) $(SOURCES))
 
@@ -94,16 +81,14 @@ $K/core.cpp: $(RTL_FILES) $K/verilator.flags
 	@mkdir -p $(@D)
 	@rm -f $K/Vrt_core*
 	$(VERILATE) --Mdir $K $(SOURCES)
-	@cd $K && { printf '#include <%s>\n' $$(ls Vrt_core*.cpp | grep -v __Slow); \
-	    echo '#include "tb/core/simulate_verilator.cpp"'; echo '$(ONCE)'; \
-	    printf '#include <%s>\n' $$(ls Vrt_core*__Slow.cpp); } >$(@F)
+	@sh sim/at_once.sh $K tb/core/simulate_verilator.cpp >$@
 
-$K/core.o: $K/core.cpp
-	$(COMPILE) -MMD -MP -c $< -o $@
+$K/core.o: $K/core.cpp $(PRECOMPILED)
+	$(COMPILE_CORE) -MMD -MP -c $< -o $@
 
 $(VERILATED) $(TRACED): $S/obj/%.o: $(ROOT)/%.cpp $S/obj/flags
 	@mkdir -p $(@D)
-	$(CCACHE) $(CXX) -std=c++17 -O2 -w -I$(ROOT) -I$(ROOT)/vltstd -DVL_USER_FINISH \
+	$(CCACHE) $(CXX) -std=c++17 -O2 -w $(HEADERS) -DVL_USER_FINISH \
 	    $(if $(filter %fst_c.cpp,$<),-DVM_TRACE=1 -DVM_TRACE_FST=1) -c $< -o $@
 
 $K/tb_core: $(SHARED) $K/core.o $(VERILATED) $(TRACED) $(LIB)

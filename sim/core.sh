@@ -39,7 +39,7 @@ target() { # lock, target, variables
         B="$BUILD" "$@" "$goal" >&2
 }
 [ -f "$BUILD/libsphaera.a" ] || make -s B="$BUILD" "$BUILD/libsphaera.a" >&2
-target tools tools PROFILE=standard CORE=all WAVES=$WAVES # whatever the environment has
+target tools tools PROFILE=standard CORE=all WAVES=$WAVES OPT="$OPT" # whatever the environment has
 tool=$BUILD/sim/tb_core_icarus
 [ -n "$machine" ] || exec "$tool" "$@"
 

@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # pattern selects lines of tb/benches*.txt by bench/profile, e.g. tb_leaf or tb_leaf/standard.
+# run_bench.sh --tools builds what all benches have in common, and no more.
 # A line: profile, module, bench, parameters of the module / only the bench's.
 #   BENCH_BUILD  build folder (build); all that is made here lies in its folder tb
 #   BENCH_JOBS   benches at once (1)
@@ -11,12 +12,8 @@
 cd "$(dirname "$0")/.." || exit 1
 BENCH_BUILD=${BENCH_BUILD:-build} BENCH_OPT=${BENCH_OPT:--O2}
 export BENCH_BUILD BENCH_OPT
-out=$BENCH_BUILD/tb models="$BENCH_BUILD/test/libhard.a $BENCH_BUILD/libsphaera.a"
-# clang is faster than gcc at code that Verilator wrote; g++ links, for libgomp
-ccache=$(command -v ccache >/dev/null && echo ccache || :)
-cxx="$ccache $(command -v clang++ >/dev/null && echo clang++ || echo g++)"
-include=$(verilator --getenv VERILATOR_ROOT)/include
-
+out=$BENCH_BUILD/tb shared=$BENCH_BUILD/sim/obj
+models="$BENCH_BUILD/test/libhard.a $BENCH_BUILD/libsphaera.a"
 # Whether one of the files that a compiler's dependency file names is newer than a result.
 outdated() { # result, dependency files
     result=$1
@@ -49,23 +46,14 @@ build() { # profile, module, bench, parameters
         verilator --cc --top-module "$top" --language 1364-2005 -Wall -O3 --x-assign unique \
             --x-initial unique $(find rtl -type d | sed 's/.*/-y & -I&/') $generics \
             -Mdir "$dir" $(find rtl -name "$top.v") || return 1
-        { # what runs once, before the first clock, is not worth an optimiser's time
-            find tb -name "$bench.cpp" | sed 's/.*/#include "&"/'
-            ls "$dir" | sed '/^V.*cpp$/!d; /__Slow/d; s/.*/#include <&>/'
-            case $cxx in
-            *clang++) echo '#pragma clang optimize off' ;;
-            *) echo '#pragma GCC optimize("O0")' ;;
-            esac
-            ls "$dir" | sed '/^V.*__Slow.cpp$/!d; s/.*/#include <&>/'
-        } >"$dir/all.cpp"
-        # shellcheck disable=SC2086  # a list of words on purpose
-        $cxx -std=c++17 "$BENCH_OPT" -Wall -Wextra -DPROFILE="\"$profile\"" $macros -I. -Icmodel \
-            -Itb -isystem "$dir" -isystem "$include" -isystem "$include/vltstd" -MMD \
+        sh sim/at_once.sh "$dir" "$(find tb -name "$bench.cpp")" >"$dir/all.cpp"
+        # shellcheck disable=SC2046,SC2086  # lists of words on purpose
+        $(cat "$shared/compile$BENCH_OPT") -DPROFILE="\"$profile\"" $macros -isystem "$dir" -MMD \
             -MF "$dir/bench.d" -c "$dir/all.cpp" -o "$dir/bench.o" || return 1
     fi
     # shellcheck disable=SC2086,SC2046  # lists of words on purpose
     [ -z "$(find "$dir/bench.o" $models -newer "$dir/bench" 2>&1)" ] ||
-        g++ -fopenmp "$dir/bench.o" "$out"/verilated*.o $models -Wl,--as-needed \
+        g++ -fopenmp "$dir/bench.o" "$shared"/bench_*.o $models -Wl,--as-needed \
             $(pkg-config --libs gmp mpfr expat) -lm -lpthread -o "$dir/bench"
 }
 
@@ -90,15 +78,13 @@ fi
 
 pattern=${1:-/}
 [ $# -gt 0 ] && shift
-mkdir -p "$out"
+mkdir -p "$out" "$BENCH_BUILD/sim"
 # shellcheck disable=SC2086  # a list of words on purpose
 env -u MAKEFLAGS -u MFLAGS make --no-print-directory B="$BENCH_BUILD" \
     $models >"$out/model.log" || { cat "$out/model.log"; exit 1; }
-for part in verilated verilated_threads; do
-    [ -f "$out/$part.o" ] && continue
-    $ccache g++ -std=c++17 -O2 -I"$include" -c "$include/$part.cpp" -o "$out/$part.o.$$" &&
-        mv "$out/$part.o.$$" "$out/$part.o" || exit 1
-done
+flock "$BENCH_BUILD/sim/.tools.lock" env -u MAKEFLAGS -u MFLAGS make -s --no-print-directory \
+    -f make/verilated.mk B="$BENCH_BUILD" OPT="$BENCH_OPT" bench-tools || exit 1
+[ "$pattern" != --tools ] || exit 0
 
 awk -v pattern="$pattern" '
     /^#/ || !NF { next }

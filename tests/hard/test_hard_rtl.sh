@@ -13,14 +13,15 @@ self=$0
 . "$(dirname "$0")/../edit.sh"
 cd "$(dirname "$0")/../.." || exit 1
 BUILD=${BUILD:-build}
-export BUILD TMP BENCH_BUILD=build BENCH_OPT=-O0
+export BUILD TMP BENCH_BUILD=build BENCH_OPT=-O1
 
 # A folder that looks like this one, built as far as all benches share it.
 tree() { # its name
-    mkdir -p "$1/build/test" "$1/build/tb"
-    cp -al Makefile cmodel formal tb sim synth tests "$1/"
+    mkdir -p "$1/build/test" "$1/build/sim"
+    cp -al Makefile make cmodel formal tb sim synth tests "$1/"
     cp -al "$BUILD/libsphaera.a" "$BUILD/obj" "$BUILD/flags" "$BUILD/sources" "$1/build/"
     cp -al "$BUILD/test/obj" "$BUILD/test/libhard.a" "$1/build/test/"
+    cp -al "$BUILD/sim/obj" "$1/build/sim/"
     cp -r "$TMP/rtl" "$1/rtl"
 }
 # A job file: name, bench, file, from, to, case. 0: noticed, 1: not noticed, 2: could not be run.
@@ -37,7 +38,6 @@ mutant() {
     export FROM TO NEW HARD_CASE
     tree "$here"
     edit "$here/rtl/$file" || return 2
-    cp -al "$TMP"/verilated*.o "$here/build/tb/"
     sh "$here/tb/run_bench.sh" "$bench" 1 >"$1.out" 2>&1
     cat "$1.out"
     rm -rf "$here"
@@ -54,7 +54,6 @@ sound() {
     here=$1.dir
     tree "$here"
     sh "$here/tb/run_bench.sh" "$bench" 1 1 || return 1
-    cp "$here"/build/tb/verilated*.o "$TMP/"
     for number in $numbers; do
         HARD_CASE=$number "$here"/build/tb/*/bench 1 || return 1
     done
@@ -103,9 +102,8 @@ sort -u "$TMP/wanted" | LC_ALL=C awk -v tmp="$TMP" '
     { printf "%s ", $2 >file }'
 
 cp -r rtl "$TMP/rtl" # all jobs see one state
-set -- "$TMP"/*.sound
-sh "$self" --job "$1" # it makes what verilator's library has in common
-printf '%s\n' "$@" "$TMP"/*.mutant | grep -vFx "$1" |
+BENCH_BUILD=$BUILD sh tb/run_bench.sh --tools
+printf '%s\n' "$TMP"/*.sound "$TMP"/*.mutant |
     xargs -P "${JOBS:-2}" -I JOB sh "$self" --job JOB
 
 # ---- what became of them ----

@@ -14,7 +14,7 @@ self=$0
 . "$(dirname "$0")/../edit.sh"
 cd "$(dirname "$0")/../.." || exit 1
 BUILD=${BUILD:-build}
-export BUILD SPHAERA TMP
+export BUILD SPHAERA TMP BENCH_OPT=-O1
 
 # Frame of the core in draft widths: scene [build options] [-- harness options].
 core() {
@@ -38,7 +38,7 @@ textured() {
 }
 # A block bench, in a folder that looks like this one but for its rtl.
 bench() {
-    cp -al Makefile cmodel formal tb sim synth tests "$here/" && sh "$here/tb/run_bench.sh" "$1" 1
+    cp -al Makefile make cmodel formal tb sim synth tests "$here/" && sh "$here/tb/run_bench.sh" "$1" 1
 }
 # Runs a job file; 0: noticed (sound RTL: passes), 1: not noticed, 2: could not be run.
 job() {
@@ -108,6 +108,7 @@ wanted add_mutant
 
 cp -r rtl "$TMP/rtl" # all jobs see one state
 sh sim/core.sh --help >"$TMP/harness.log" 2>&1 || cat "$TMP/harness.log"
+BENCH_BUILD=$BUILD sh tb/run_bench.sh --tools
 find "$TMP" -name '*.job' | sort | xargs -P 2 -I JOB sh "$self" --job JOB
 
 # ---- what became of them ----
