@@ -53,10 +53,10 @@ $B/synth/%/stat.json: synth/core.sh sim/parameters.sh sim/profile.sh $(DEF)
 	$(Q)sh synth/core.sh $* $(@D)
 
 report: results
-	$(Q)python3 synth/report.py $B/synth $(KEYS)
+	$(Q)python3 -m lab.synth.report $B/synth $(KEYS)
 
 page: $(PAGE:%=$B/synth/%/stat.json)
-	$(Q)python3 synth/page.py docs/results/area.md $B/synth $(PAGE)
+	$(Q)python3 -m lab.synth.page docs/results/area.md $B/synth $(PAGE)
 	$(Q)python3 -m lab.pages.measured docs/results/area.md "make area"
 
 -include $(patsubst %,$B/synth/%/sources.d,$(sort $(KEYS) $(PAGE)))

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 .PHONY: bench hashes
 bench: $(TOOL) ## the golden model against its peers, as ratios
-	$(Q)python3 sim/bench.py $(TOOL) $B/bench
+	$(Q)python3 -m lab.bench $(TOOL) $B/bench
 
 hashes: $(TOOL) ## write scenes/hashes.txt: what the golden model draws now
 	$(Q)SPHAERA=$(TOOL) sh sim/hashes.sh >$B/hashes.txt

@@ -8,7 +8,7 @@
 
 E := $B/effects
 EFFECTS_SOURCES := $(shell find rtl tb/core -name '*.v' -o -name '*.vh' -o -name '*.cpp' -o \
-                       -name '*.h') synth/effects_run.py sim/core.sh make/core.mk sim/parameters.sh
+                       -name '*.h') lab/effects/run.py sim/core.sh make/core.mk sim/parameters.sh
 EFFECTS_RUNS = $(patsubst %.sph,%.json,$(filter-out %.forced.sph,$(wildcard $E/*.sph)))
 
 .PHONY: effects effects-machines effects-runs
@@ -17,14 +17,14 @@ effects: ## docs/results/effects.md: each effect of each scene, cells and time i
 	+$(Q)$(MAKE) --no-print-directory -j$(JOBS) -f make/area.mk results B=$B V=$(V) \
 	    EFFECTS="$$(cat $E/lists)"
 	+$(Q)$(MAKE) --no-print-directory -j$(JOBS) effects-runs
-	$(Q)python3 synth/effects_page.py docs/results/effects.md $E $B/synth
+	$(Q)python3 -m lab.effects.page docs/results/effects.md $E $B/synth
 	$(Q)python3 -m lab.pages.measured docs/results/effects.md "make effects"
 
 effects-machines: $(TOOL)
-	$(Q)python3 synth/effects_scenes.py $(TOOL) $E $B/synth
+	$(Q)python3 -m lab.effects.scenes $(TOOL) $E $B/synth
 
 effects-runs: $(EFFECTS_RUNS)
 
 $E/%.json: $E/%.sph $E/%.forced.sph $(EFFECTS_SOURCES)
 	$(call say,SIM,$*)
-	+$(Q)BUILD=$B python3 synth/effects_run.py $(TOOL) $E $*
+	+$(Q)BUILD=$B python3 -m lab.effects.run $(TOOL) $E $*

@@ -18,7 +18,7 @@ hard: $B/test/hard ## hard cases: N a profile, SEED, JOBS processes, STATE file 
 hard-page: $B/test/hard ## the same, and its table and chart put into docs/results/hard_cases.md
 	@$< --cases $(N) --seed $(SEED) --processes $(JOBS) $(if $(STATE),--state $(STATE)) \
 	    --json $B/test/hard.json >$B/test/hard.table
-	@python3 tests/hard/page.py docs/results/hard_cases.md $B/test/hard.json $B/test/hard.table \
+	@python3 -m lab.hard docs/results/hard_cases.md $B/test/hard.json $B/test/hard.table \
 	    docs/pictures/hard_cases.svg
 	@python3 -m lab.pages.measured docs/results/hard_cases.md "make hard-page N=$(N)"
 
@@ -27,9 +27,8 @@ hard-lists: $B/test/hard ## lists of docs/results/hard_cases.md: cases, families
 	@awk -f tests/hard/faults.awk tests/hard/mutants.txt tests/hard/rtl_mutants.txt \
 	    >$B/test/hard.faults
 	@for mark in list faults; do \
-	    awk -v mark=$$mark -v text=$B/test/hard.$$mark -f tests/hard/splice.awk \
-	        docs/results/hard_cases.md >$B/test/hard.page && \
-	        cp $B/test/hard.page docs/results/hard_cases.md || exit 1; done
+	    python3 -m lab.pages.place docs/results/hard_cases.md $$mark $B/test/hard.$$mark || exit 1; \
+	done
 
 hard-rtl: $(LIB) $B/test/libhard.a ## faults in the RTL that the named cases notice: all of the list
 	@ALL=1 BUILD=$(abspath $B) JOBS=$(JOBS) sh tests/run.sh tests/hard/test_hard_rtl.sh
@@ -62,9 +61,7 @@ $B/test/hard.sanitized: $(HARD_C:%.c=$B/test/asan/%.o) $B/asan/obj/cmodel/tool/p
 PICTURES_C := $(sort $(wildcard tests/hard/pictures/*.c))
 hard-pictures: $B/test/hard-pictures ## pictures and counts of docs/results/hard_pictures.md
 	@$< tests/hard/pictures docs/pictures >$B/test/hard.counts && cat $B/test/hard.counts
-	@awk -v mark=counts -v text=$B/test/hard.counts -f tests/hard/splice.awk \
-	    docs/results/hard_pictures.md >$B/test/hard.page && \
-	    cp $B/test/hard.page docs/results/hard_pictures.md
+	@python3 -m lab.pages.place docs/results/hard_pictures.md counts $B/test/hard.counts
 	@python3 -m lab.pages.measured docs/results/hard_pictures.md "make hard-pictures"
 
 $B/test/hard-pictures: $(PICTURES_C:%.c=$B/test/obj/%.o) $B/test/libhard.a $(IMAGE) $(LIB)

@@ -45,14 +45,14 @@ $B/lint/iverilog: $(V_FILES) $(V_HEADS)
 	    cat $@.log; [ $$rc = 0 ] && [ ! -s $@.log ]
 	@touch $@
 
-$B/lint/systemverilog: $(V_FILES) $(V_HEADS) $(V_BENCHES) sim/lint_slang.py
+$B/lint/systemverilog: $(V_FILES) $(V_HEADS) $(V_BENCHES) lab/lint_slang.py
 	$(call lint_say,SystemVerilog)
 	@mkdir -p $(@D)
 	$(Q)verilator --lint-only -Wall $(V_DIRS:%=-I%) --top-module rt_core $(V_FILES)
 	$(Q)(for f in "$(V_FILES)" $(V_BENCHES); do \
 	    iverilog -g2012 -Wall -t null -Y .v $(V_DIRS:%=-I%) $(V_DIRS:%=-y %) $$f || exit 1; \
 	    done) >$@.log 2>&1; rc=$$?; cat $@.log; [ $$rc = 0 ] && [ ! -s $@.log ]
-	$(Q)python3 sim/lint_slang.py $(V_DIRS) -- $(V_FILES) $(V_BENCHES)
+	$(Q)python3 -m lab.lint_slang $(V_DIRS) -- $(V_FILES) $(V_BENCHES)
 	@touch $@
 
 $B/lint/yosys: $(V_FILES) $(V_HEADS)
@@ -82,7 +82,7 @@ lint-format:
 
 lint-circles: $(call objects,obj/,$(LIB_C) $(TOOL_C))
 	$(call lint_say,circles)
-	$(Q)python3 sim/lint_circles.py $(filter %.o,$^)
+	$(Q)python3 -m lab.lint_circles $(filter %.o,$^)
 
 lint-text:
 	$(call lint_say,"text rules")

@@ -12,13 +12,13 @@ SCN_DRAWN := depth1-1 depth3-1 depthinfinity-1 depthinfinity-64 depthinfinity-32
 .PHONY: scenarios scenarios-rtl
 scenarios: ## a BIH on the scenes of its thesis: docs/results/scenarios.md
 scenarios: $(TOOL) $(SCN_DRAWN:%=$(SCN_SHOWN)/%.png)
-	$(Q)python3 sim/scenarios/measure.py $(TOOL) $(SCN)
-	$(Q)python3 sim/scenarios/page.py docs/results/scenarios.md $(SCN)
+	$(Q)python3 -m lab.scenarios.measure $(TOOL) $(SCN)
+	$(Q)python3 -m lab.scenarios.page docs/results/scenarios.md $(SCN)
 	$(Q)python3 -m lab.pages.measured docs/results/scenarios.md "make scenarios"
 	@echo "tables and pictures in docs/results/scenarios.md"
 
 scenarios-rtl: $(TOOL)
-	$(Q)python3 sim/scenarios/measure.py $(TOOL) $(SCN) --rtl
+	$(Q)python3 -m lab.scenarios.measure $(TOOL) $(SCN) --rtl
 
 $(SCN)/drawn.nff: $(TOOL)
 	@mkdir -p $(@D)

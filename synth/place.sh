@@ -47,5 +47,5 @@ start=$(date +%s)
 }
 seconds=$(($(date +%s) - start))
 version=$("$pnr" --version 2>&1 | sed -n 's/.*(Version \([^)]*\)).*/\1/p')
-python3 synth/placed.py "$out/report.json" "$out/log" "$ROUTE" "$seconds" "$version" \
+python3 -m lab.synth.placed "$out/report.json" "$out/log" "$ROUTE" "$seconds" "$version" \
     >"$out/placed.json"

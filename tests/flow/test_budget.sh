@@ -26,8 +26,8 @@ none=$BUILD/synth/standard-ecp5-none-engines1
     exit 1
 }
 
-python3 synth/budget.py "$run" synth/budget.txt >"$TMP/budget"
-python3 synth/budget.py "$none" synth/budget_none.txt | sed 's/ecp5/& none:/' >"$TMP/none"
+python3 -m lab.synth.budget "$run" synth/budget.txt >"$TMP/budget"
+python3 -m lab.synth.budget "$none" synth/budget_none.txt | sed 's/ecp5/& none:/' >"$TMP/none"
 while read -r line; do
     case $line in ok*) rc=0 ;; *) rc=1 ;; esac
     echo "$line" >"$TMP/line"
@@ -36,14 +36,14 @@ done <<END
 $(cat "$TMP/budget" "$TMP/none")
 END
 
-over() { ! python3 synth/budget.py "$run" "$1" && [ "$2" = "$(python3 synth/budget.py "$run" \
-    "$1" | grep -c '^not ok')" ]; }
+budget() { python3 -m lab.synth.budget "$@"; }
+over() { ! budget "$run" "$1" && [ "$2" = "$(budget "$run" "$1" | grep -c '^not ok')" ]; }
 core=$(sed -n 's/.* rt_core: \([0-9]*\) of [0-9]* MULT18X18D, \([0-9]*\) of .*/\1 \2/p' \
     "$TMP/budget")
 mult=${core% *} lut4eq=${core#* }
 echo "rt_core $mult $lut4eq" >"$TMP/exact"
 check "what the core takes is within a budget of just that" \
-    python3 synth/budget.py "$run" "$TMP/exact"
+    python3 -m lab.synth.budget "$run" "$TMP/exact"
 echo "rt_core $((mult - 1)) $lut4eq" >"$TMP/multiplier"
 check "one multiplier too many is noticed" over "$TMP/multiplier" 1
 echo "rt_core $mult $((lut4eq - 1))" >"$TMP/lut"
@@ -54,7 +54,7 @@ check "no latch" sh -c "! grep '^Latch inferred' '$run/log'"
 check "no memory but the block and distributed ones fell apart" sh -c \
     "! grep 'using FF mapping for memory' '$run/log'"
 check "every rt_slot_ram is block RAM, every rt_slot_file distributed" python3 -c "
-import sys; sys.path.insert(0, 'synth'); import results
+from lab.synth import results
 m = results.read('$run')['modules']
 ram, words = m['rt_slot_ram']['own'], m['rt_slot_file']['own']
 print(ram, words)

@@ -21,7 +21,7 @@ for pair in "one two" "two one"; do
     echo "#include \"${pair#* }.h\"" >"cmodel/${pair% *}.h"
 done
 circle() {
-    ! python3 "$OLDPWD/sim/lint_circles.py" obj/cmodel/*.o >circles && cat circles &&
+    ! python3 "$OLDPWD/lab/lint_circles.py" obj/cmodel/*.o >circles && cat circles &&
         grep -qx 'a circle: one, two' circles && grep -qx 'a circle: one.h, two.h' circles
 }
 check "circles between files are told" circle

@@ -3,7 +3,7 @@
 #
 # The short form of the study (pictures of one scene, one RTL frame on a core that other tests build
 # too, no synthesis), then what must not happen: a job done twice, half a file, a damaged result
-# that counts. tests/lab/page.py checks the page's numbers on results that are made up.
+# that counts. lab/checks/page.py checks the page's numbers on results that are made up.
 set -u
 . "$(dirname "$0")/../tap.sh"
 cd "$(dirname "$0")/../.." || exit 1
@@ -11,9 +11,9 @@ BUILD=${BUILD:-build} tool=${SPHAERA:-$BUILD/sphaera}
 export STUDY_OPT=-O0 TMPDIR="$TMP"
 results=$TMP/results
 
-plan() { python3 sim/study/plan.py --short "$@" "$tool" "$BUILD" "$results" "$TMP/jobs.mk"; }
+plan() { python3 -m lab.study.plan --short "$@" "$tool" "$BUILD" "$results" "$TMP/jobs.mk"; }
 jobs() { env -u MAKEFLAGS -u MFLAGS make -s -f "$TMP/jobs.mk"; }
-run() { python3 sim/study/run.py "$tool" "$BUILD" "$results" "$1"; }
+run() { python3 -m lab.study.run "$tool" "$BUILD" "$results" "$1"; }
 has() { grep -q -- "$1" "$2"; }
 says() { # pattern, command: its output has the pattern, whatever its exit code
     pattern=$1
@@ -24,7 +24,7 @@ says() { # pattern, command: its output has the pattern, whatever its exit code
 }
 count() { ls "$results" | wc -l; }
 state() { ls -l --time-style=full-iso "$results"; }
-mine() { python3 -c "import sys; sys.path.insert(0, 'sim/study'); import jobs
+mine() { python3 -c "from lab.study import jobs
 print($1)"; }
 
 # ---- all of it, twice ----
@@ -40,9 +40,7 @@ check "a job that is there is not done again" run "$key"
 state >"$TMP/after"
 check "no file was touched" cmp "$TMP/before" "$TMP/after"
 check "model and RTL made the same visits" python3 -c "
-import json, sys
-sys.path.insert(0, 'sim/study')
-import jobs
+from lab.study import jobs
 core = dict(core='shadow+reflect2+lights1', scene='paper5', size='32x18')
 rtl = jobs.look('$results', jobs.job('cycles', **core))[0]['counters']
 model = jobs.look('$results', '$key')[0]['counters']
@@ -64,14 +62,14 @@ cp "$other" "$file"
 check "the result of another job is noticed" says "$file is damaged" plan
 cp "$TMP/good" "$file"
 check "sources that change are noticed, a write that breaks leaves nothing" \
-    python3 tests/lab/jobs.py "$TMP/folder"
+    python3 -m lab.checks.jobs "$TMP/folder"
 
 # ---- jobs that fail or are killed ----
 slow=$TMP/slow
 printf '#!/bin/sh\necho started >%s/started\nexec sleep 60\n' "$TMP" >"$slow"
 chmod +x "$slow"
 rm "$file"
-python3 sim/study/run.py "$slow" "$BUILD" "$results" "$key" >"$TMP/killed" 2>&1 &
+python3 -m lab.study.run "$slow" "$BUILD" "$results" "$key" >"$TMP/killed" 2>&1 &
 victim=$!
 tries=0
 while [ ! -f "$TMP/started" ] && [ $tries -lt 100 ]; do sleep 0.1 && tries=$((tries + 1)); done
@@ -93,8 +91,8 @@ done
 check "no result of any of these" [ "$(count)" = "$before" ]
 
 # ---- the page, and place and route ----
-check "numbers, dashes and plots of the page" python3 tests/lab/page.py "$TMP/page"
-check "what nextpnr reports, in short" python3 tests/lab/placed.py "$TMP"
+check "numbers, dashes and plots of the page" python3 -m lab.checks.page "$TMP/page"
+check "what nextpnr reports, in short" python3 -m lab.checks.placed "$TMP"
 if command -v nextpnr-ecp5 >"$TMP/which"; then
     echo "ok $((checks += 1)) - # SKIP there is a nextpnr-ecp5"
 else

@@ -13,7 +13,7 @@ mkdir "$data"
 
 has() { grep -qE -- "$1" "$2"; } # pattern, file
 fill() {
-    python3 sim/textures.py "$page" "$TMP/accuracy.md" "$data" "$TMP" 48x27 24x14 -- \
+    python3 -m lab.textures.page "$page" "$TMP/accuracy.md" "$data" "$TMP" 48x27 24x14 -- \
         kitchen robot museum
 }
 outside() {

@@ -15,9 +15,8 @@ differ() { [ -n "$1" ] && [ -n "$2" ] && [ "$1" != "$2" ]; }
 equal() { [ -n "$1" ] && [ "$1" = "$2" ]; }
 
 mkdir "$TMP/images"
-cp scenes/texture/images.py scenes/texture/scenes.py "$TMP/images"
-python3 "$TMP/images/images.py"
-python3 "$TMP/images/scenes.py"
+python3 -m lab.textures.images "$TMP/images"
+python3 -m lab.textures.scenes "$TMP/images"
 for image in scenes/texture/*.png; do
     image=$(basename "$image" .png)
     check "$image.png is what images.py makes" cmp "scenes/texture/$image.png" \

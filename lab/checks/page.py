@@ -1,0 +1,86 @@
+# page.py - the page of the study on results that are made up: every figure can be told beforehand
+# SPDX-License-Identifier: Apache-2.0
+"""usage: python3 -m lab.checks.page FOLDER"""
+import os
+import shutil
+import subprocess
+import sys
+import xml.dom.minidom
+
+from ..study import gather, jobs, points
+
+folder = sys.argv[1]
+results, page = folder + "/results", folder + "/docs/results/accuracy.md"
+os.makedirs(os.path.dirname(page))
+
+
+def page_of():
+    shutil.copy("docs/results/accuracy.md", page)
+    ran = subprocess.run([sys.executable, "-m", "lab.study.page", page, results, folder + "/plots"],
+                         check=True, stdout=subprocess.PIPE, text=True)
+    with open(page, encoding="utf-8") as f:
+        return ran.stdout, [[c.strip() for c in line.split("|")[1:-1]] for line in f
+                            if line.startswith("| ")]
+
+
+def row(rows, *start):
+    found = [r for r in rows if r[:len(start)] == list(start)]
+    assert found, (start, rows)
+    return found
+
+
+def accuracy(psnr, **more):
+    counts = dict(silhouette=1, wrong_id=2, shadow=3, reflected=4, worst=9, t_worst=1.5,
+                  t_mean=0.25, **more)
+    return {"accuracy": dict(counts, psnr=[None, None, psnr]), "cpu_seconds": 0.5,
+            "counters": {"rays_primary": 10, "rays_shadow": 0, "rays_reflected": 0,
+                         "node_visits": 20}, "reference_cpu_seconds": 0.25}
+
+
+# ---- nothing is there: dashes, no plot ----
+said, rows = page_of()
+assert f"0 of {len(points.plan())} results" in said and "0 plots" in said, said
+assert row(rows, "`standard`")[0][1:3] == ["-", "-"]
+assert "not placed" in row(rows, "`standard`")[1]
+
+# ---- draft and standard are there; an equal picture counts as 70 dB ----
+for profile, base in ("draft", 40.0), ("standard", 50.0):
+    for i, scene in enumerate(points.SCENES):
+        psnr = None if profile == "standard" and scene == "paper100" else base + i
+        key = jobs.job("accuracy", profile=profile, scene=scene, size=points.PICTURE)
+        refused = profile == "draft" and scene == "huge_tiny"
+        jobs.save(results, key, [], {"refused": "too small"} if refused else accuracy(psnr))
+        counters = {"cycles": 100000, "rays_primary": 5000, "rays_shadow": 3000,
+                    "rays_reflected": 2000}
+        jobs.save(results, jobs.job("cycles", scene=scene, size=points.FRAME,
+                                    **gather.core_of(profile)), [], {"counters": counters})
+    core = {"lut4eq": 10000 if profile == "draft" else 17900, "ff": 9000, "bram": 80, "mult": 64}
+    jobs.save(results, jobs.job("cells", **gather.core_of(profile)), [],
+              {"core": core, "yosys": "Yosys 0.23 (git)"})
+path = {"ns": 20.0, "logic_ns": 5.0, "steps": 12, "through": ["u_core.u_a", "u_core.u_b"]}
+jobs.save(results, jobs.job("fmax", **gather.core_of("standard")), [],
+          {"fmax": 50.0, "routed": 1, "path": path, "seconds": 400})
+said, rows = page_of()
+
+draft, standard = row(rows, "`draft`"), row(rows, "`standard`")
+# scenes 0, 1, 2 and 4 of five: 40 41 42 44; 50 51 70 54
+assert draft[0][1:3] == ["41.8", "refused"] and standard[0][1:3] == ["56.2", "53.0"], (draft, rows)
+assert standard[0][3:7] == ["4", "8", "12", "16"], standard
+assert standard[0][7:] == ["1.5", "0.25"], standard
+# 100000 cycles at 50 MHz: 2 ms; 96*54 pixels in it, 64 multipliers
+cost = standard[1]
+assert cost[1:4] == ["100000", "19.29", "10.00"], cost
+assert cost[4:8] == ["17900", "9000", "80", "64"], cost
+assert cost[8:] == ["50.0", "2.00", "40500"], cost
+assert draft[1][8:] == ["not placed", "-", "-"], draft
+step = row(rows, "`draft` to `standard`")[0]
+assert step[1:3] == ["14.5", "+544.8"], step
+assert row(rows, "`paper100`")[0][2] == "70.0 (1 2 3 4; 1.5)"
+assert row(rows, "`standard`", "50.0", "routing")[0][3:7] == ["20.0", "5.0", "12",
+                                                             "u_core.u_a to u_core.u_b"]
+assert row(rows, "W", "`standard:w=14`")[0][2] == "-"
+assert "3 plots" in said, said
+for name in "milliseconds", "multipliers", "luts":
+    svg = f"{folder}/docs/pictures/accuracy/pareto_{name}.svg"
+    text = xml.dom.minidom.parse(svg).toxml()
+    assert "standard" in text and "draft" in text, svg

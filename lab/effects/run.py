@@ -1,0 +1,70 @@
+#!/usr/bin/env python3
+# run.py - one scene on the core of its list and on the whole core, in turn
+# SPDX-License-Identifier: Apache-2.0
+"""usage: [BUILD=build] python3 -m lab.effects.run TOOL FOLDER NAME
+Reads NAME.sph, NAME.forced.sph and NAME.build.json of FOLDER, writes NAME.json. Speed is processor
+time of the simulation alone, the best of ROUNDS, both cores in turn; every run must be without a
+mismatch."""
+import json
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+ROUNDS, EFFORT = 3, "-O3"
+
+
+def core(effects, machine):
+    """Builds the core; the folder of its harness."""
+    subprocess.run(["sh", "sim/core.sh", "--machine", machine, "--info"], check=True,
+                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                   env=dict(os.environ, EFFECTS=effects, OPT=EFFORT, JOBS="1"))
+    return f"{os.environ.get('BUILD', 'build')}/sim/standard-{effects}-engines1{EFFORT}"
+
+
+def simulate(folder, machine, out):
+    """Counters of the core, and the processor seconds that its simulation took."""
+    ran = subprocess.run([f"{folder}/tb_core", "--machine", machine, "--latency", "20", "--json",
+                          out], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+    if ran.returncode:
+        sys.exit(f"effects: {machine} on {folder}:\n{ran.stdout.decode()}")
+    with open(out, encoding="utf-8") as f:
+        report = json.load(f)
+    os.remove(out)
+    return report["cold"]["counters"], sum(t["cpu_seconds"] for t in report["cold"]["tiles"])
+
+
+def code_bytes(folder):
+    """Code and constants of the verilated model, without the harness."""
+    lines = subprocess.run(["size", f"{folder}/Vrt_core__ALL.a"], check=True,
+                           stdout=subprocess.PIPE).stdout.decode().splitlines()
+    return sum(int(re.split(r"\s+", line.strip())[0]) for line in lines[1:])
+
+
+def model(tool, machine, folder, name):
+    """Counters of the golden model."""
+    made = subprocess.run([tool, "render", machine, "--threads", "1", "--json", "-", "-o",
+                           f"{folder}/{name}.png"], check=True, stdout=subprocess.PIPE)
+    return json.loads(made.stdout)["counters"]
+
+
+def main(tool, folder, name):
+    base = f"{folder}/{name}"
+    result = json.loads(Path(base + ".build.json").read_text(encoding="utf-8"))
+    cores = {"own": core(result["list"], base + ".sph"), "all": core("all", base + ".sph")}
+    runs = {}
+    for _ in range(ROUNDS):
+        for which, where in cores.items():
+            counters, cpu = simulate(where, base + ".sph", f"{base}.{which}.tmp")
+            best = min(cpu, runs[which]["cpu"]) if which in runs else cpu
+            runs[which] = {"counters": counters, "cpu": best, "bytes": code_bytes(where)}
+    runs["forced"] = {"counters": simulate(cores["all"], base + ".forced.sph", base + ".tmp")[0]}
+    result.update(runs=runs, model=model(tool, base + ".sph", folder, name),
+                  model_forced=model(tool, base + ".forced.sph", folder, name))
+    Path(base + ".json.tmp").write_text(json.dumps(result, indent=1), encoding="utf-8")
+    os.replace(base + ".json.tmp", base + ".json")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

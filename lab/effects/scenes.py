@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+# scenes.py - machines of every scene for `make effects`, and the lists of their cores
+# SPDX-License-Identifier: Apache-2.0
+"""usage: python3 -m lab.effects.scenes TOOL FOLDER SYNTH
+Leaves in FOLDER, for each scene of scenes/ and scenes/effects/: NAME.sph as the scene asks,
+NAME.forced.sph with every effect forced on, NAME.build.json, both rewritten only if they changed;
+lists: what is to be synthesised; scenes: names in the order of the report."""
+import filecmp
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+SIZE, PROFILE, SECONDS = "160x90", "standard", 75
+
+
+def names(which):
+    """Words of the list of effects: those of the core `all`, those that have a count."""
+    ran = subprocess.run(["sh", "sim/parameters.sh", "--names", which], check=True,
+                         stdout=subprocess.PIPE)
+    return ran.stdout.decode().split()
+
+
+def scenes():
+    """(name, file, options) of every scene, those of scenes/ first."""
+    rows = [(path.stem, str(path), []) for path in sorted(Path("scenes").glob("*.nff"))]
+    listed = Path("scenes/effects/effects.txt")
+    for line in listed.read_text(encoding="utf-8").splitlines() if listed.exists() else []:
+        word = line.split("#")[0].split()
+        if word:
+            options = [] if word[1] == "-" else word[1].split(",")
+            rows.append(("effects." + word[0], f"scenes/effects/{word[0]}.nff", options))
+    return rows
+
+
+def forced(options):
+    """The same machine with everything on that a user may switch on without another picture."""
+    more = ["--shadow=on", "--reflect=on", "--inside=on"]
+    return options + more + (["--interpenetrate=on"] if "--traverse=first" in options else [])
+
+
+def build(tool, scene, options, machine):
+    """Builds the machine; the report of build. An unchanged file keeps its time."""
+    new = machine + ".new"
+    made = subprocess.run([tool, "build", scene, "--profile", PROFILE, "--size", SIZE, *options,
+                           "-o", new, "--json", "-"], check=True, stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE)
+    if os.path.exists(machine) and filecmp.cmp(new, machine, shallow=False):
+        os.remove(new)
+    else:
+        os.replace(new, machine)
+    return json.loads(made.stdout)
+
+
+def core_list(tool, machine):
+    info = subprocess.run([tool, "info", machine], check=True, stdout=subprocess.PIPE).stdout
+    return next(line.split()[1] for line in info.decode().splitlines() if line.startswith("core "))
+
+
+def main(tool, folder, synth):
+    os.makedirs(folder, exist_ok=True)
+    wanted = ["all", "none"] + ["all-" + name for name in names("all")]
+    built = []
+    for name, scene, options in scenes():
+        base = f"{folder}/{name}"
+        report = build(tool, scene, options, base + ".sph")
+        build(tool, scene, forced(options), base + ".forced.sph")
+        cores = core_list(tool, base + ".sph")
+        report.update(scene=scene, options=options, list=cores)
+        Path(base + ".build.json").write_text(json.dumps(report, indent=1), encoding="utf-8")
+        if cores not in wanted:
+            wanted.append(cores)
+        built.append(name)
+    for old in Path(folder).glob("*.sph"):
+        if old.stem.removesuffix(".forced") not in built:
+            old.unlink()
+    Path(folder, "scenes").write_text("\n".join(built) + "\n", encoding="utf-8")
+    Path(folder, "lists").write_text(" ".join(wanted) + "\n", encoding="utf-8")
+    there = sum(os.path.exists(f"{synth}/{PROFILE}-ecp5-{w}-engines1/stat.json") for w in wanted)
+    print(f"effects: {len(built)} scenes; {len(wanted)} cores to synthesise, {there} of them were "
+          f"before.\n  What is new takes about {SECONDS} s of a processor a core, "
+          f"{len(wanted) * SECONDS // 60} minutes for all,\n  and about half a minute a scene.",
+          flush=True)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

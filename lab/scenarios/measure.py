@@ -1,0 +1,132 @@
+#!/usr/bin/env python3
+# measure.py - runs what the tables of docs/results/scenarios.md are made of, once
+# SPDX-License-Identifier: Apache-2.0
+"""usage: python3 -m lab.scenarios.measure TOOL FOLDER [--rtl]
+Leaves NAME.json in FOLDER for each machine: what build and render report, times of several runs. A
+result that is younger than the tool is kept. --rtl also runs the machines of list `speed` and
+`trees` through the RTL: NAME.core.json, with sim/core.sh."""
+import json
+import os
+import subprocess
+import sys
+
+SPHERES = 4096
+PRIMS = [1, 2, 4, 8, 16]
+FEW = [64, 128, 256]
+MANY = [1024, 2048, 4096]
+SCENES = ["sphereflake2", "paper100", "random4096", "room", "scenario1", "scenario2", "scenario3"]
+ACCELS = ["paper", "balanced", "bih1", "bih4", "bih8", "brute"]
+# only primary rays; no shadows
+PRIMARY = ["--depth", "0", "--shadow", "off"]
+BUILDS, RENDERS = 5, 3
+
+
+def accel(name):
+    """Options of build: bihN, listingN, a tree of four children, or brute."""
+    for head, more in (("bih", []), ("listing", ["--bih", "listing"])):
+        if name.startswith(head):
+            return ["--accel", "bih", "--max-prims", name[len(head):]] + more
+    return ["--accel", "brute"] if name == "brute" else ["--tree", name]
+
+
+class Runner:
+    def __init__(self, tool, folder, rtl):
+        self.tool, self.folder, self.rtl = tool, folder, rtl
+        os.makedirs(folder, exist_ok=True)
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def fresh(self, path):
+        return os.path.exists(path) and os.path.getmtime(path) > os.path.getmtime(self.tool)
+
+    def run(self, *words):
+        done = subprocess.run([self.tool, *words], stdout=subprocess.PIPE, text=True, check=False)
+        if done.returncode:
+            sys.exit(f"measure: {' '.join(words)} failed")
+        return done.stdout
+
+    def generated(self, kind, n, radius=1):
+        """A scene file without Whitted's sum, which every core can draw."""
+        path = self.path(f"{kind}-{n}-{radius}.nff")
+        if not self.fresh(path):
+            more = [] if kind == "random" else ["--radius", str(radius), "--plain"]
+            self.run("gen", kind, "-n", str(n), *more, "-o", path)
+        return path
+
+    def machine(self, name, scene, build, renders=1, builds=1):
+        """Builds, and renders if asked for; NAME.json has both reports and all times."""
+        target = self.path(name + ".json")
+        if self.fresh(target):
+            return
+        print("  RUN ", name, flush=True)
+        sph, times, result = self.path(name + ".sph"), [], {}
+        for _ in range(builds):
+            report = json.loads(self.run("build", scene, *build, "-o", sph, "--json", "-"))
+            times.append(report["build"]["tree_seconds"])
+        result["build"], result["build_times"] = report, times
+        if renders:
+            runs = [json.loads(self.run("render", sph, "-t", "1", "--json", "-"))
+                    for _ in range(renders)]
+            result["render"], result["render_times"] = runs[0], [r["cpu_seconds"] for r in runs]
+        with open(target + ".tmp", "w", encoding="utf-8") as f:
+            json.dump(result, f, indent=1)
+        os.rename(target + ".tmp", target)
+
+    def core(self, name):
+        """The machine through the RTL, twice: the second time with warm caches."""
+        target = self.path(name + ".core.json")
+        if not self.rtl or self.fresh(target):
+            return
+        print("  SIM ", name, flush=True)
+        build = os.path.dirname(os.path.abspath(self.tool))
+        words = ["sh", "sim/core.sh", "--machine", self.path(name + ".sph"), "--warm",
+                 "--latency", "100", "--json", target + ".tmp"]
+        env = dict(os.environ, EFFECTS="auto", BUILD=build, JOBS="1")
+        done = subprocess.run(words, env=env, stdout=subprocess.DEVNULL, check=False)
+        if done.returncode:
+            sys.exit(f"measure: {name}: {' '.join(words)} failed")
+        os.rename(target + ".tmp", target)
+
+
+def scene_file(runner, name):
+    if name == "room":
+        return "scenes/facets/room.nff"
+    if name == "random4096":
+        return runner.generated("random", 4096)
+    if name.startswith("scenario"):
+        return runner.generated(name, SPHERES)
+    return f"scenes/{name}.nff"
+
+
+def main(tool, folder, *more):
+    runner = Runner(tool, folder, "--rtl" in more)
+    for number in 1, 2, 3:
+        kind = f"scenario{number}"
+        for how in "bih1", "bih8", "listing1", "listing8":
+            runner.machine(f"table-{number}-{how}", runner.generated(kind, SPHERES), accel(how),
+                           0, BUILDS)
+        for n in MANY:
+            for prims in PRIMS:
+                runner.machine(f"memory-{number}-{n}-{prims}", runner.generated(kind, n, 0.001),
+                               accel(f"bih{prims}") + ["--profile", "fine"], 0)
+        for n in FEW:
+            for way in ["brute"] + [f"bih{p}" for p in PRIMS]:
+                scene = runner.generated(kind, n)
+                name = f"speed-{number}-{n}-{way}"
+                runner.machine(name, scene, accel(way) + PRIMARY + ["--size", "160x272"], RENDERS)
+                small = f"rtl-{number}-{n}-{way}"
+                if runner.rtl:
+                    runner.machine(small, scene, accel(way) + PRIMARY + ["--size", "40x68"])
+                    runner.core(small)
+    for scene in SCENES:
+        size = "90x153" if scene.startswith("scenario") else "160x90"
+        for way in ACCELS:
+            runner.machine(f"trees-{scene}-{way}", scene_file(runner, scene),
+                           accel(way) + ["--size", size], builds=BUILDS)
+            if way != "brute":
+                runner.core(f"trees-{scene}-{way}")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

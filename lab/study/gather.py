@@ -1,0 +1,122 @@
+# gather.py - results of the study put together: what a profile, a core, a trade amounts to
+# SPDX-License-Identifier: Apache-2.0
+"""Every function gives None where a result is missing; tables show a dash then."""
+import math
+
+from . import jobs, points
+
+# scenes that every profile can take: means are over these
+COMMON = [s for s in points.SCENES if s != "huge_tiny"]
+CEILING = 70.0  # dB that an equal picture counts as in a mean
+
+
+class Study:
+    """Results of a folder that count, by key."""
+
+    def __init__(self, folder):
+        self.folder, self.digests, self.known = folder, {}, {}
+
+    def get(self, key):
+        if key not in self.known:
+            self.known[key] = jobs.look(self.folder, key, self.digests)[0]
+        return self.known[key]
+
+    def accuracy(self, profile, scene, **words):
+        return self.get(jobs.job("accuracy", profile=profile, scene=scene, size=points.PICTURE,
+                                 **words))
+
+    def cycles(self, core, scene, **words):
+        return self.get(jobs.job("cycles", scene=scene, size=points.FRAME, **core, **words))
+
+    def cells(self, core):
+        run = self.get(jobs.job("cells", **core))
+        return run and run["core"]
+
+    def fmax(self, core):
+        """Routed if it is there, else placed alone."""
+        return self.get(jobs.job("fmax", **core)) or self.get(jobs.job("fmax", route=0, **core))
+
+
+def psnr(run):
+    """Of the deepest layer; None for no result or a refusal."""
+    if run is None or "refused" in run:
+        return None
+    value = run["accuracy"]["psnr"][-1]
+    return CEILING if value is None else value
+
+
+def mean(values):
+    values = list(values)
+    return None if not values or None in values else sum(values) / len(values)
+
+
+def total(values):
+    values = list(values)
+    return None if None in values else sum(values)
+
+
+def mean_psnr(study, profile):
+    return mean(psnr(study.accuracy(profile, s)) for s in COMMON)
+
+
+def wrong(study, profile, name, scenes=None):
+    """Pixels of a kind of mistake, summed over scenes."""
+    runs = [study.accuracy(profile, s) for s in scenes or COMMON]
+    return total(None if r is None or "refused" in r else r["accuracy"][name] for r in runs)
+
+
+def worst(study, profile, name, scenes=None):
+    runs = [study.accuracy(profile, s) for s in scenes or COMMON]
+    values = [None if r is None or "refused" in r else r["accuracy"][name] for r in runs]
+    return None if None in values else max(values)
+
+
+def mean_of(study, profile, name):
+    """Mean of the scenes."""
+    runs = [study.accuracy(profile, s) for s in COMMON]
+    return mean(None if r is None or "refused" in r else r["accuracy"][name] for r in runs)
+
+
+def pixels(size):
+    width, height = size.split("x")
+    return int(width) * int(height)
+
+
+def frame_cycles(study, core, scenes=None):
+    """Cycles of a frame, mean of the scenes."""
+    runs = [study.cycles(core, s) for s in scenes or COMMON]
+    return mean(None if r is None or "refused" in r else r["counters"]["cycles"] for r in runs)
+
+
+def ray_cycles(study, core, scenes=None):
+    """Cycles over rays of all kinds, of all the scenes together."""
+    runs = [study.cycles(core, s) for s in scenes or COMMON]
+    if any(r is None or "refused" in r for r in runs):
+        return None
+    rays = sum(r["counters"][f"rays_{k}"] for r in runs
+               for k in ("primary", "shadow", "reflected"))
+    return sum(r["counters"]["cycles"] for r in runs) / rays
+
+
+def milliseconds(study, core, clock=None):
+    """Of a frame of points.FRAME, at the core's own clock or at one given in MHz."""
+    cycles, placed = frame_cycles(study, core), study.fmax(core)
+    if clock is None and placed:
+        clock = placed["fmax"]
+    return None if cycles is None or clock is None else cycles / clock / 1000
+
+
+def pixel_rate(study, core):
+    """Pixels a second for each multiplier."""
+    ms, cells = milliseconds(study, core), study.cells(core)
+    return None if ms is None or cells is None \
+        else pixels(points.FRAME) / ms * 1000 / cells["mult"]
+
+
+def core_of(profile):
+    return {"profile": profile, "core": points.CORE}
+
+
+def error(db):
+    """Root mean square of the error of a channel, of 255."""
+    return 255 / math.pow(10, db / 20)

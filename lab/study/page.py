@@ -1,0 +1,51 @@
+#!/usr/bin/env python3
+# page.py - puts tables, plots and picture strips of the study into docs/results/accuracy.md
+# SPDX-License-Identifier: Apache-2.0
+"""usage: python3 -m lab.study.page [--only-tables] PAGE RESULTS FOLDER [TOOL]
+A result that is missing, or does not count, is a dash in a table and no dot in a plot. Plots and
+strips go to pictures/accuracy beside the folder of PAGE."""
+import os
+import subprocess
+import sys
+
+from ..pages.place import place
+from . import gather, plots, points, run, tables
+
+STRIP, STRIP_SIZE = "paper100", "240x135"
+
+
+def strips(tool, build, pictures):
+    """reference | model | difference, one picture a profile."""
+    for profile in points.PROFILES:
+        out = os.path.join(pictures, f"strip_{profile}.png")
+        subprocess.run([tool, "accuracy", run.scene_file(tool, build, STRIP), "--profile", profile,
+                        "--size", STRIP_SIZE, "-d", out], check=True,
+                       stdout=subprocess.DEVNULL)
+
+
+def main(argv):
+    bare = argv[:1] == ["--only-tables"]
+    if bare:
+        argv = argv[1:]
+    if len(argv) not in (3, 4):
+        sys.exit(__doc__)
+    page, results, folder = argv[:3]
+    study = gather.Study(results)
+    text = tables.everything(study)
+    run_of = study.get(gather.jobs.job("cells", **gather.core_of("standard")))
+    place(page, text, run_of and run_of["yosys"])
+    drawn = []
+    if not bare:
+        pictures = os.path.join(os.path.dirname(page), "../pictures/accuracy")
+        os.makedirs(pictures, exist_ok=True)
+        os.makedirs(folder, exist_ok=True)
+        drawn = plots.everything(study, pictures, folder)
+        if len(argv) == 4:
+            strips(argv[3], os.path.dirname(folder), pictures)
+    there = [k for k in points.plan() if study.get(k)]
+    print(f"study: {len(there)} of {len(points.plan())} results in {page}, "
+          f"{len(drawn)} plots: {' '.join(drawn) or 'none'}")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

@@ -1,0 +1,82 @@
+# points.py - which runs make up the study
+# SPDX-License-Identifier: Apache-2.0
+"""What is to be shown first stands first: a study that is broken off has measured that."""
+from .jobs import job
+
+PROFILES = ["draft", "standard", "fine", "reference"]
+# knob: widths around standard, alone; w and wd go together upwards since w + 1 <= wd
+KNOBS = {
+    "w": ["standard:w=12,fw=12", "standard:w=14", "standard", "standard:w=18,wd=19",
+          "standard:w=20,wd=21"],
+    "wd": ["standard", "standard:wd=19", "standard:wd=21"],
+    "pr": [f"standard:pr={n}" for n in (8, 12, 16, 20)] + ["standard"],
+    "pq": [f"standard:pq={n}" for n in (9, 11, 13, 15)] + ["standard", "standard:pq=20"],
+    "ng": [f"standard:ng={n}" for n in (0, 1)] + ["standard", "standard:ng=4"],
+    "fw": [f"standard:fw={n}" for n in (9, 12)] + ["standard"],
+    "w, pq": ["standard:w=18,wd=19,pq=20", "standard:w=18,wd=19,pq=20,pr=14",
+              "standard:w=20,wd=21,pq=24", "fine:pr=16"],
+}
+# rate knobs: the picture is the same
+RATES = [{}, {"engines": 2}, {"root": 1}, {"root": 4}, {"quotient": 1}, {"quotient": 4}]
+# beside the profiles these cores are simulated and synthesised; the others are pictures alone
+KNOB_CORES = ["standard:pr=12", "standard:w=18,wd=19,pq=20,pr=14", "standard:pq=13",
+              "standard:fw=12", "standard:w=14", "standard:wd=21", "standard:ng=0"]
+SCENES = ["sphereflake:3", "protein", "paper100", "huge_tiny", "interpenetrating"]
+CORE = "shadow+reflect2+lights3+inside"  # what the nearest hit in all of SCENES calls for
+PICTURE, FRAME = "320x180", "96x54"      # of accuracy, of the RTL
+# the papers' trades, on a core that can all of it
+TRADES = [{}] + [{"background": b} for b in ("rect", "spans", "exact-0", "exact-1")] \
+    + [{"traverse": "first"}, {"traverse": "first", "tree": "paper"}, {"tree": "paper"}] \
+    + [{"depth": d} for d in (0, 1)]
+# the short form, for continuous integration: no synthesis, one small core
+SHORT_SCENES, SHORT_SIZE, SHORT_CORE = ["paper5"], "32x18", "shadow+reflect2+lights1"
+SHORT_PROFILES = ["draft", "standard", "standard:pq=11"]
+
+
+def widths():
+    """Every profile of the study once."""
+    return list(dict.fromkeys(PROFILES + [p for knob in KNOBS.values() for p in knob]))
+
+
+def cores():
+    """Every core: words of CORE in jobs.py."""
+    return [dict(profile=p, core=CORE) for p in PROFILES] \
+        + [dict(profile="standard", core=CORE, **r) for r in RATES if "engines" in r] \
+        + [dict(profile="standard", core=CORE, **r) for r in RATES if r and "engines" not in r] \
+        + [dict(profile=p, core=CORE) for p in KNOB_CORES]
+
+
+def placed():
+    """Cores that are placed and routed."""
+    return [dict(profile=p, core=CORE) for p in ["standard", "draft", "fine", "reference"]] \
+        + [dict(profile="standard", core=CORE, engines=2)]
+
+
+def trade(words, scene, kind):
+    """One trade on a scene; the picture against a truth of two reflections."""
+    if kind == "accuracy":
+        return job(kind, scene=scene, size=PICTURE, **words)
+    core = CORE + "+cones4" if words.get("background") == "exact-1" else "all"  # all: one cone
+    return job(kind, scene=scene, size=FRAME, core=core, **words)
+
+
+def plan():
+    """All jobs of the study, the most important first."""
+    keys = [job("accuracy", profile=p, scene=s, size=PICTURE) for p in widths() for s in SCENES]
+    keys += [trade(t, s, "accuracy") for t in TRADES for s in SCENES]
+    runs = [[job("cycles", scene=s, size=FRAME, **c) for s in SCENES] + [job("cells", **c)]
+            for c in cores()]
+    first = len(PROFILES) + 1
+    keys += sum(runs[:first], []) + [job("fmax", **placed()[0])]
+    # the paper's tree takes 25 times the visits, and the simulation as long: its pictures alone
+    keys += [trade(t, s, "cycles") for t in TRADES if "tree" not in t for s in SCENES]
+    keys += sum(runs[first:], []) + [job("fmax", **c) for c in placed()]
+    return list(dict.fromkeys(keys))
+
+
+def short():
+    """Some small ones: pictures, and one core."""
+    keys = [job("accuracy", profile=p, scene=s, size=SHORT_SIZE)
+            for p in SHORT_PROFILES for s in SHORT_SCENES]
+    return keys + [job("cycles", profile="standard", core=SHORT_CORE, scene=s, size=SHORT_SIZE)
+                   for s in SHORT_SCENES]

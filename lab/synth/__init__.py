@@ -1,0 +1,2 @@
+# __init__.py - synthesised cores: tables, budgets
+# SPDX-License-Identifier: Apache-2.0

@@ -1,0 +1,42 @@
+#!/usr/bin/env python3
+# budget.py - is a synthesised core within synth/budget.txt? TAP lines, one a module
+# SPDX-License-Identifier: Apache-2.0
+"""usage: python3 -m lab.synth.budget FOLDER BUDGET...; the last budget that names a module counts.
+Exits with 1 if a module is over its budget or is not in the core."""
+import sys
+
+from . import results
+
+
+def read_budget(path):
+    """{module: (multipliers, LUT4eq)}"""
+    limits = {}
+    with open(path, encoding="utf-8") as lines:
+        for number, line in enumerate(lines, 1):
+            word = line.split("#")[0].split()
+            if not word:
+                continue
+            if len(word) != 3 or not (word[1] + word[2]).isdigit():
+                sys.exit(f"budget: {path}:{number}: not `module MULT18X18D LUT4eq`: {line.strip()}")
+            limits[word[0]] = int(word[1]), int(word[2])
+    return limits
+
+
+def main(folder, budgets):
+    run = results.read(folder)
+    limits = {}
+    for path in budgets:
+        limits.update(read_budget(path))
+    bad = 0
+    for module, (mult, lut4eq) in limits.items():
+        total = run["modules"].get(module, {"total": None})["total"]
+        ok = total is not None and total["mult"] <= mult and total["lut4eq"] <= lut4eq
+        bad += not ok
+        is_now = (f"{total['mult']} of {mult} MULT18X18D, {total['lut4eq']} of {lut4eq} LUT4eq"
+                  if total else "not in the core")
+        print(f"{'ok' if ok else 'not ok'} - {run['profile']} {run['target']} {module}: {is_now}")
+    sys.exit(bad > 0)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1], sys.argv[2:])

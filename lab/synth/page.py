@@ -1,0 +1,38 @@
+#!/usr/bin/env python3
+# page.py - puts the tables of docs/results/area.md in their places
+# SPDX-License-Identifier: Apache-2.0
+"""usage: python3 -m lab.synth.page PAGE FOLDER KEY...
+A table stands between `<!-- NAME -->` and `<!-- end -->`; NAME is a target, effects, modules or
+profiles."""
+import os
+import sys
+
+from ..pages.place import place
+from . import report, results
+
+
+def profiles(runs):
+    """Blocks with what is inside them: LUT4eq, then multipliers, for each profile on ecp5."""
+    names = [name for name, m in sorted(runs[-1]["modules"].items(),
+                                        key=lambda m: (-m[1]["total"]["lut4eq"], m[0]))
+             if m["total"]["lut4eq"] >= 400 or m["total"]["mult"] > 1]
+    rows = [[name] + [r["modules"][name]["total"][column]
+                      for column in ("lut4eq", "mult") for r in runs] for name in names]
+    return report.table(["module"] + [r["profile"] for r in runs]
+                        + [r["profile"] + " MULT" for r in runs], rows)
+
+
+def main(page, folder, keys):
+    runs = [results.read(os.path.join(folder, key)) for key in keys]
+    everything = [r for r in runs if r["list"] == "all" and not r["flat"]]
+    ecp5 = [r for r in everything if r["target"] == "ecp5"]
+    standard = [r for r in runs if r["profile"] == "standard" and r["target"] == "ecp5"]
+    tables = {target: report.cores(everything, target) for target in results.COLUMNS}
+    tables["effects"] = report.cores(standard, "ecp5")
+    tables["modules"] = report.modules(next(r for r in ecp5 if r["profile"] == "standard"))
+    tables["profiles"] = profiles(ecp5)
+    place(page, tables, runs[0]["yosys"])
+
+
+if __name__ == "__main__":
+    main(sys.argv[1], sys.argv[2], sys.argv[3:])

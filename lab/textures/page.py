@@ -1,0 +1,240 @@
+#!/usr/bin/env python3
+# page.py - puts the tables of docs/results/texture_results.md in their places, and draws its
+# plot
+# SPDX-License-Identifier: Apache-2.0
+"""usage: python3 -m lab.textures.page PAGE ACCURACY FOLDER PICTURES SIZE RTL_SIZE -- NAME...
+FOLDER has what make/textures.mk says; what is not there is a dash. The table `textures` stands in
+ACCURACY."""
+import json
+import os
+import re
+import sys
+
+from ..pages.place import place
+from ..synth import report
+from .angles import angles, plot, slants
+
+CLOCK = 67.7      # MHz, routed, of profile standard: docs/results/accuracy.md
+THEIRS = "800x480"
+SLOW = "robot"    # simulated with slow memory as well
+TILES, LINES = 1, 4  # of `orders` and of a `missed`: tiles of 4 x 2, 128 lines of 4 ways, the core
+WAYS = {"nearest": "nearest texel, MIP off", "off": "bilinear, MIP off",
+        "level": "bilinear, nearest level", "between": "trilinear"}
+# Park et al. 2011, Table I: shares of levels 0 to 3, hit rates, frames a second, off and on
+PAPER = {"kitchen": ((13, 30, 9, 48), (74.5, 93.7), (3.4, 3.7)),
+         "robot": ((2, 1, 2, 95), (73.9, 98.6), (5.1, 6.3)),
+         "museum": ((0, 58, 26, 16), (79.6, 97.2), (6.1, 6.4))}
+KINDS = ["triangle", "plane", "sphere"]
+OPERATIONS = ["add", "mul", "div", "sqrt", "log"]
+DECISIONS = {"bmrt": "BMRT's estimate", "bmrt_alone": "the same, edges too",
+             "kept": "path length, P_b kept", "anew": "path length, P_b at the hit",
+             "anew_alone": "the same, edges and normal too"}
+BITS = range(9)
+
+
+class Data:
+    """Results of a folder; None where one is missing."""
+
+    def __init__(self, folder, size, rtl, names):
+        self.folder, self.size, self.rtl, self.names = folder, size, rtl, names
+
+    def read(self, name):
+        try:
+            with open(os.path.join(self.folder, name), encoding="utf-8") as f:
+                return json.load(f)
+        except FileNotFoundError:
+            return None
+
+    def rms(self, name):
+        """(RMS, PSNR) as oiiotool tells them."""
+        try:
+            with open(os.path.join(self.folder, name + ".rms"), encoding="utf-8") as f:
+                text = f.read()
+        except FileNotFoundError:
+            return None
+        return tuple(float(re.search(what + r" = ([0-9.]+)", text)[1])
+                     for what in ("RMS error", "Peak SNR"))
+
+
+def show(value, form="{}"):
+    return "-" if value is None else form.format(value)
+
+
+def area(size):
+    width, height = size.split("x")
+    return int(width) * int(height)
+
+
+def mean(values):
+    values = list(values)
+    return None if None in values else sum(values) / len(values)
+
+
+def hits(texels):
+    """Percent, of the model's cache with the core's shape."""
+    return texels and 100 - 100 * texels["orders"][TILES]["missed"][LINES] / texels["texels"]
+
+
+def levels(data):
+    """Shares of hits on each level, nearest ones: four texels each."""
+    rows = []
+    for name in data.names:
+        run = data.read(f"{name}-level.json")
+        row = [name, "the paper's", "-"] + [f"{p}" for p in PAPER[name][0]]
+        rows.append(row)
+        if run:
+            count = run["levels"]
+            share = [100 * c / run["texels"] for c in count[:3] + [sum(count[3:])]]
+            rows.append(["", "ours", run["texels"] // 4] + [f"{s:.1f}" for s in share])
+    return report.table(["scene", "", "hits", "level 0, %", "1", "2", "3 and more"], rows, left=2)
+
+
+def decisions(data):
+    """Operations of one decision, by kind of primitive; the same for every hit of a kind."""
+    total = {}
+    for name in data.names:
+        run = data.read(f"{name}.levels.json")
+        for kind in KINDS if run else []:
+            entry = total.setdefault(kind, {"hits": 0})
+            work = run["level_work"][kind]
+            entry["hits"] += work["hits"]
+            for way in DECISIONS:
+                for op in OPERATIONS:
+                    entry.setdefault(way, dict.fromkeys(OPERATIONS, 0))[op] += work[way][op]
+    rows = []
+    for way, title in DECISIONS.items():
+        row = [title]
+        for kind in KINDS:
+            entry = total.get(kind)
+            row.append("-" if not entry or not entry["hits"] else ", ".join(
+                f"{entry[way][op] / entry['hits']:g}" for op in OPERATIONS))
+        rows.append(row)
+    return report.table(["way"] + KINDS, rows)
+
+
+def totals(data):
+    """Operations of all decisions of a frame."""
+    rows = []
+    for name in data.names:
+        run = data.read(f"{name}.levels.json")
+        if not run:
+            rows.append([name] + ["-"] * 8)
+            continue
+        work = run["level_work"]
+        count = sum(work[k]["hits"] for k in KINDS)
+        for way in ("bmrt", "kept", "anew"):
+            ops = [sum(work[k][way][op] for k in KINDS) for op in OPERATIONS]
+            rows.append([name if way == "bmrt" else "", DECISIONS[way],
+                         count if way == "bmrt" else ""] + ops + [f"{sum(ops) / count:.1f}"])
+    return report.table(["scene", "way", "hits"] + OPERATIONS + ["all, a hit"], rows, left=2)
+
+
+def bases(data):
+    """P_b before the frame, and for each frame of the robot's walk."""
+    rows = []
+    for name in data.names:
+        run = data.read(f"{name}.levels.json")
+        frames = [("the only frame", run and run["build"]["bases"])]
+        walk = data.read(f"{name}-walk.json")
+        if walk:
+            frames = [(f"frame {f['at']}", f["bases"]) for f in walk["frames"][:3]]
+        for i, (title, b) in enumerate(frames):
+            rows.append([name if i == 0 else "", title]
+                        + [show(b and b[k]) for k in ["computed", "kept"] + OPERATIONS])
+    return report.table(["scene", "", "P_b made", "kept"] + OPERATIONS, rows, left=2)
+
+
+def caches(data):
+    rows = []
+    for name in data.names:
+        paper = PAPER[name][1]
+        for way in ("off", "level", "between"):
+            run, small = data.read(f"{name}-{way}.json"), data.read(f"{name}-{way}-rtl.json")
+            core = data.read(f"{name}-{way}.core.json")
+            count = core and core["cold"]["counters"]
+            rtl = count and 100 - 100 * count["texel_misses"] / count["texels"]
+            rows.append([name if way == "off" else "", WAYS[way], show(run and run["texels"]),
+                         show(hits(run), "{:.1f}"), show(hits(small), "{:.1f}"),
+                         show(rtl, "{:.1f}"), f"{paper[way != 'off']}"])
+    return report.table(["scene", "filter", f"texels, {data.size}", f"model, {data.size}",
+                         f"model, {data.rtl}", f"core, {data.rtl}", "the paper's"], rows, left=2)
+
+
+def cycles_of(data, name):
+    run = data.read(name + ".core.json")
+    return run and run["cold"]["counters"]["cycles"]
+
+
+def speed(data):
+    rows = []
+    for name in data.names:
+        for way in ("off", "level", "between"):
+            cycles = cycles_of(data, f"{name}-{way}")
+            pixel = cycles and cycles / area(data.rtl)
+            rows.append([name if way == "off" else "", WAYS[way], show(cycles),
+                         show(pixel, "{:.1f}"), show(cycles and CLOCK * 1e6 / cycles, "{:.1f}"),
+                         show(pixel and CLOCK * 1e6 / pixel / area(THEIRS), "{:.2f}"),
+                         f"{PAPER[name][2][way != 'off']}"])
+    return report.table(["scene", "filter", "cycles", "a pixel", f"frames/s, {data.rtl}",
+                         f"{THEIRS} at the same rate", "the paper's"], rows, left=2)
+
+
+def slow(data):
+    """Cycles with memory at its usual latency, and at ten times that."""
+    rows = []
+    for way in ("off", "level", "between"):
+        both = [cycles_of(data, f"{SLOW}-{way}{end}") for end in ("", "-slow")]
+        more = None if None in both else 100 * (both[1] / both[0] - 1)
+        rows.append([WAYS[way]] + [show(c) for c in both] + [show(more, "{:+.1f} %")])
+    return report.table([f"{SLOW}, {data.rtl}", "latency 20", "latency 200", ""], rows)
+
+
+def errors(data):
+    rows = []
+    for name in data.names:
+        for way in ("off", "level", "between"):
+            e = data.rms(f"{name}-{way}")
+            rows.append([name if way == "off" else "", WAYS[way], show(e and e[0], "{:.4f}"),
+                         show(e and e[1], "{:.2f}")])
+    return report.table(["scene", "filter", "RMS error, 1 is white", "PSNR, dB"], rows, left=2)
+
+
+def price(data, files, title):
+    """Error, texels and cycles, means of the scenes."""
+    rms = [data.rms(f) for f in files]
+    errors_of = mean(r and r[0] for r in rms)
+    return [title, show(errors_of, "{:.4f}"), show(mean(r and r[1] for r in rms), "{:.2f}")]
+
+
+def prices(data):
+    """For docs/results/accuracy.md: kinds of filter, bits of the level."""
+    rows = []
+    for way, title in WAYS.items():
+        texels = [data.read(f"{n}-{way}.json") for n in data.names]
+        cycles = mean(cycles_of(data, f"{n}-{way}") for n in data.names)
+        rows.append(price(data, [f"{n}-{way}" for n in data.names], title)
+                    + [show(mean(t and t["texels"] / area(data.size) for t in texels), "{:.2f}"),
+                       show(cycles, "{:.0f}")])
+    for bits in BITS:
+        rows.append(price(data, [f"{n}-lod{bits}" for n in data.names],
+                          f"trilinear, LF {bits}") + ["", ""])
+    return report.table(["filter", "RMS error", "PSNR", "texels a pixel", "cycles a frame"], rows)
+
+
+def main(page, accuracy, folder, pictures, size, rtl, dashes, *names):
+    if dashes != "--" or not names:
+        sys.exit(__doc__)
+    data = Data(folder, size, rtl, names)
+    found = slants(folder)
+    plot(found, folder, os.path.join(pictures, "angles.svg"))
+    place(page, {"levels": levels(data), "decisions": decisions(data),
+                        "totals": totals(data), "bases": bases(data), "caches": caches(data),
+                        "speed": speed(data), "slow": slow(data), "errors": errors(data),
+                        "angles": angles(found)})
+    place(accuracy, {"textures": prices(data)})
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 9:
+        sys.exit(__doc__)
+    main(*sys.argv[1:])
