@@ -64,6 +64,13 @@ WARN     := -Wall -Wextra -Wconversion -Wshadow -Werror
 CFLAGS   := -std=c11 -D_GNU_SOURCE -O3 $(WARN) -Icmodel -fopenmp
 CXXFLAGS := -std=c++17 -O2 $(WARN) -Icmodel
 SANITIZE := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all
+CLANG_CC := $(CCACHE) clang
+# gcc's omp.h, whose malloc attribute clang does not know; __SANITIZE_ADDRESS__ as gcc defines it
+CLANG_OMP      = -idirafter $(dir $(shell $(CC) -print-file-name=include/omp.h)) '-D__malloc__(x)='
+CLANG_SANITIZE := -O0 -gline-tables-only -fsanitize=address,undefined -fno-sanitize-recover=all \
+                  -D__SANITIZE_ADDRESS__
+# without threads: the loops of OpenMP run one after another
+CLANG_FLAGS    = -std=c11 -D_GNU_SOURCE -Icmodel -fopenmp=libgomp $(CLANG_OMP) $(CLANG_SANITIZE)
 # Looked up when used, so that `make setup` may install them first.
 pkg         = $(shell pkg-config $(1))
 MODEL_LIBS  = -Wl,--as-needed $(call pkg,--libs $(MODEL_PACKAGES)) -lm

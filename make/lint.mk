@@ -14,10 +14,7 @@ C_HEADS  := $(sort $(shell find cmodel tb tests -name '*.h'))
 # Tests are left to gcc's warnings and sanitizers: clang-tidy takes seven seconds a file.
 TIDY     := $(filter-out $(GENERATORS),$(C_FILES)) $(IMAGE_CXX) $(wildcard formal/*.c)
 LINTS    := verilator iverilog systemverilog yosys tidy format circles text
-# gcc's omp.h, whose malloc attribute clang does not know
-OMP_DIR   = $(dir $(shell $(CC) -print-file-name=include/omp.h))
-TIDY_C    = -std=c11 -D_GNU_SOURCE -Icmodel -Itests -Itests/hard -fopenmp -idirafter $(OMP_DIR) \
-            '-D__malloc__(x)='
+TIDY_C    = -std=c11 -D_GNU_SOURCE -Icmodel -Itests -Itests/hard -fopenmp $(CLANG_OMP)
 lint_say  = $(if $(filter 1,$(V)),@echo '  LINT $(1)',@:)
 
 lint: ## silent tools: verilator, iverilog, slang, yosys, clang-tidy, clang-format, text rules

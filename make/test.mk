@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # A suite is a program or script that prints TAP lines, `ok ...` or `not ok ...`; run.sh counts.
-#   tests/*/test_*.c  cmocka, linked with the model; runs plain and under the sanitizers
+#   tests/*/test_*.c  cmocka, linked with the model; runs plain and under gcc's sanitizers, those of
+#                     CLANG_C under clang's too
 #   tests/*/test_*.sh a script; finds the tool in $SPHAERA, its own empty folder in $TMP
 #   SUITES += path    any other executable, with a rule that makes it
 # `make test ONLY=PATTERN` runs the suites whose file name has the pattern in it.
@@ -13,8 +14,12 @@ TEST_RUN := $(patsubst %.c,$B/test/%,$(notdir $(TEST_C)))
 # The longest first: what runs beside them fills their gaps.
 LONG    := tests/core/test_core.sh tests/mutants/test_mutants.sh tests/core/test_effect_scenes.sh \
            tests/pixel/test_background.sh tests/flow/test_benches.sh tests/hard/test_hard_rtl.sh
+# What is quick and goes through each part of the model: `make test ONLY=.clang`.
+CLANG_C := bih bih_walk build cones facets_grid leaf_cases limits machine_bih machine_facets \
+           model_optics motion reference_optics render_texture scene_make scene_optics scene_pdb
+CLANG_RUN := $(CLANG_C:%=$B/test/test_%.clang)
 SUITES  += $(LONG) $(filter-out $(LONG),$(TEST_SH)) \
-           $(TEST_RUN) $(TEST_RUN:%=%.sanitized) $B/test/test_image
+           $(TEST_RUN) $(TEST_RUN:%=%.sanitized) $(CLANG_RUN) $B/test/test_image
 ONLY    ?=
 chosen   = $(if $(findstring $(ONLY),$(notdir $(1))),$(1))
 RUN      = $(if $(ONLY),$(foreach s,$(SUITES),$(call chosen,$s)),$(SUITES))
@@ -44,10 +49,18 @@ $B/test/test_%.sanitized.o: test_%.c $B/flags
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) -Itests $(SANITIZE) -MMD -MP -c $< -o $@
 
+$B/test/test_%.clang.o: test_%.c $B/flags
+	$(call say,TEST,"test_$* sanitized by clang")
+	@mkdir -p $(@D)
+	$(Q)$(CLANG_CC) $(CLANG_FLAGS) -Itests -MMD -MP -c $< -o $@
+
 $(TEST_RUN): %: %.o $(LIB)
 	$(Q)$(CC) -fopenmp $^ $(TEST_LIBS) -o $@
 
 $(TEST_RUN:%=%.sanitized): %: %.o $B/asan/libsphaera.a
 	$(Q)$(CC) -fopenmp $(SANITIZE) $^ $(TEST_LIBS) -o $@
 
--include $(TEST_RUN:%=%.d) $(TEST_RUN:%=%.sanitized.d)
+$(CLANG_RUN): %: %.o $B/clang/libsphaera.a
+	$(Q)$(CLANG_CC) $(CLANG_FLAGS) $^ $(TEST_LIBS) -o $@
+
+-include $(TEST_RUN:%=%.d) $(TEST_RUN:%=%.sanitized.d) $(CLANG_RUN:%=%.d)

@@ -24,13 +24,14 @@ struct content {
 /* The box of a sphere or triangle. */
 static struct sph_aabb aabb(const struct content *c, uint32_t id) {
     struct sph_aabb b;
-    const struct sph_ball *ball = &c->balls[id];
+    if (id < c->scene->n_spheres) {
+        const struct sph_ball *ball = &c->balls[id];
+        for (int i = 0; i < 3; i++)
+            b.lo[i] = ball->c[i] - ball->r, b.hi[i] = ball->c[i] + ball->r;
+        return b;
+    }
     const struct sph_grid_facet *f = &c->facets->list[id - c->scene->n_spheres];
     for (int i = 0; i < 3; i++) {
-        if (id < c->scene->n_spheres) {
-            b.lo[i] = ball->c[i] - ball->r, b.hi[i] = ball->c[i] + ball->r;
-            continue;
-        }
         b.lo[i] = b.hi[i] = f->v[0][i];
         for (int j = 1; j < 3; j++) {
             if (f->v[j][i] < b.lo[i]) b.lo[i] = f->v[j][i];
