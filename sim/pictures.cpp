@@ -53,9 +53,9 @@ int main(int argc, char **argv) {
         for (size_t i = 0; i < n; i++)
             pixels[i] = difference(model.frame.pixels[i], rtl.frame.pixels[i]);
         sph_frame diff = {model.frame.width, model.frame.height, pixels.data()};
-        failed = sph_image_write_png((folder + "model.png").c_str(), &model.frame, LAYER, &err) ||
-                 sph_image_write_png((folder + "rtl.png").c_str(), &rtl.frame, LAYER, &err) ||
-                 sph_image_write_png((folder + "diff.png").c_str(), &diff, LAYER, &err) ||
+        failed = sph_image_write((folder + "model.png").c_str(), &model.frame, LAYER, &err) ||
+                 sph_image_write((folder + "rtl.png").c_str(), &rtl.frame, LAYER, &err) ||
+                 sph_image_write((folder + "diff.png").c_str(), &diff, LAYER, &err) ||
                  sph_image_write_difference((folder + "side-by-side.png").c_str(), &model.frame,
                                             &rtl.frame, LAYER, &err);
     }

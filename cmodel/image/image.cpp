@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <strings.h>
 #include <exception>
 #include <memory>
 #include <string>
@@ -22,6 +23,13 @@
 namespace {
 
 const int amplify = 16;
+const char *const no_time = "1970:01:01 00:00:00"; /* the same frame, the same bytes */
+
+/* Endings of names and what OpenImageIO calls their formats. */
+const struct {
+    const char *ending, *format;
+} formats[] = {{"png", "png"}, {"tif", "tiff"},  {"tiff", "tiff"},  {"ppm", "pnm"},
+               {"bmp", "bmp"}, {"tga", "targa"}, {"exr", "openexr"}};
 
 /* Of a picture: three of the largest side by side, four bytes a pixel, not compressed; a head. */
 const long long most_bytes = 12ll * SPH_MAX_SIDE * SPH_MAX_SIDE + (1 << 20);
@@ -43,6 +51,16 @@ int write_file(const char *path, const char *format, const OIIO::ImageSpec &spec
     const std::vector<unsigned char> &bytes = memory.buffer();
     std::fwrite(bytes.data(), 1, bytes.size(), out.file);
     return sph_output_close(&out, 0, err);
+}
+
+/* Bytes, 8-bit RGB, into a file of the format of its name. */
+int write_bytes(const char *path, int width, int height, const std::vector<std::uint8_t> &bytes,
+                struct sph_error *err) {
+    const char *format = sph_image_format(path, err);
+    if (!format) return -1;
+    OIIO::ImageSpec spec(width, height, 3, OIIO::TypeUInt8);
+    if (!std::strcmp(format, "tiff")) spec.attribute("DateTime", no_time);
+    return write_file(path, format, spec, bytes.data(), err);
 }
 
 /* No exception leaves the C interface. */
@@ -70,8 +88,21 @@ static_assert(sizeof(exr_pixel) == 32, "channels lie side by side");
 
 } // namespace
 
-int sph_image_write_png(const char *path, const struct sph_frame *frame, int layer,
-                        struct sph_error *err) {
+const char *sph_image_format(const char *path, struct sph_error *err) {
+    const char *slash = std::strrchr(path, '/'), *name = slash ? slash + 1 : path;
+    const char *dot = *name ? std::strrchr(name + 1, '.') : nullptr; /* .. is a folder */
+    if (!dot) return formats[0].format;
+    std::string endings;
+    for (const auto &f : formats) {
+        if (!strcasecmp(dot + 1, f.ending)) return f.format;
+        endings += std::string(endings.empty() ? "" : ", ") + f.ending;
+    }
+    sph_fail(err, "%s: no picture is written as %s; endings are %s", path, dot, endings.c_str());
+    return nullptr;
+}
+
+int sph_image_write(const char *path, const struct sph_frame *frame, int layer,
+                    struct sph_error *err) {
     return guarded(path, err, [&] {
         std::size_t n = pixel_count(frame);
         std::vector<std::uint8_t> bytes(3 * n);
@@ -79,8 +110,7 @@ int sph_image_write_png(const char *path, const struct sph_frame *frame, int lay
             for (int c = 0; c < 3; c++)
                 bytes[3 * i + static_cast<std::size_t>(c)] =
                     channel(frame->pixels[i].colour[layer], c);
-        OIIO::ImageSpec spec(frame->width, frame->height, 3, OIIO::TypeUInt8);
-        return write_file(path, "png", spec, bytes.data(), err);
+        return write_bytes(path, frame->width, frame->height, bytes, err);
     });
 }
 
@@ -108,8 +138,7 @@ int sph_image_write_difference(const char *path, const struct sph_frame *a,
                 (p.id != q.id || p.key != q.key || p.visits != q.visits || p.texture != q.texture))
                 right[2] = 255;
         }
-        OIIO::ImageSpec spec(3 * a->width, a->height, 3, OIIO::TypeUInt8);
-        return write_file(path, "png", spec, bytes.data(), err);
+        return write_bytes(path, 3 * a->width, a->height, bytes, err);
     });
 }
 
@@ -132,7 +161,7 @@ int sph_image_write_exr(const char *path, const struct sph_frame *frame, int lay
         spec.channelformats.assign(3, OIIO::TypeFloat);
         spec.channelformats.resize(8, OIIO::TypeUInt32);
         spec.attribute("compression", "zip");
-        spec.attribute("DateTime", "1970:01:01 00:00:00"); /* the same frame, the same bytes */
+        spec.attribute("DateTime", no_time);
         return write_file(path, "openexr", spec, pixels.data(), err);
     });
 }

@@ -22,11 +22,16 @@ struct sph_image {
     uint8_t *bytes;
 };
 
-/* PNG, 8-bit RGB. */
-int sph_image_write_png(const char *path, const struct sph_frame *frame, int layer,
-                        struct sph_error *err);
+/* What OpenImageIO calls the format of a picture of this name, by its ending in letters of either
+ * size: png, also for a name without ending, such as a device; tiff, pnm (of .ppm), bmp, targa,
+ * openexr. NULL with a message that lists the endings if it is another. */
+const char *sph_image_format(const char *path, struct sph_error *err);
 
-/* PNG of two frames of one size beside their difference (per byte, 16 times, at most 255; any
+/* 8-bit RGB, in the format of its name, which must lose nothing: any but openexr. */
+int sph_image_write(const char *path, const struct sph_frame *frame, int layer,
+                    struct sph_error *err);
+
+/* The same of two frames of one size beside their difference (per byte, 16 times, at most 255; any
  * difference in id, key, visits or texture alone shows as blue): a | b | difference. */
 int sph_image_write_difference(const char *path, const struct sph_frame *a,
                                const struct sph_frame *b, int layer, struct sph_error *err);

@@ -40,7 +40,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         state->child_inputs[0] = &a->source;
         return 0;
     case 'd':
-        a->picture = arg;
+        a->picture = tool_picture(state, &a->source.outputs, "--difference", arg, 0);
         return 0;
     case KEY_LEVELS:
         a->levels = tool_choice(state, "--levels", arg, tool_level_names);
@@ -52,7 +52,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         a->threads = (int)tool_number(state, "--threads", arg, 0, 1024);
         return 0;
     case KEY_JSON:
-        a->json = arg;
+        a->json = tool_output(&a->source.outputs, arg);
         return 0;
     default:
         return tool_one_scene(state, key, arg, &a->input, "no scene given");
@@ -226,7 +226,7 @@ int tool_accuracy(int argc, char **argv) {
         sph_fail(&err, "%s: is a machine file, a scene is needed", a.input);
         return tool_failed(&err);
     }
-    if (sph_scene_read(a.input, &a.source.read, &scene, &err)) return tool_failed(&err);
+    if (tool_scene_read(a.input, &a.source, &scene, &err)) return tool_failed(&err);
     struct measured m = {0};
     int rc = measure(&a, &scene, &m, &err);
     sph_machine_free(&m.built.machine);

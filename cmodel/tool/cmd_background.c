@@ -1,7 +1,11 @@
 /* cmd_background.c - `sphaera background`: the ways of background separation compared
  * SPDX-License-Identifier: Apache-2.0
  */
+#include <errno.h>
 #include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
 
 #include "tool/print.h"
 #include "tool/report.h"
@@ -15,7 +19,8 @@ struct arguments {
 enum { KEY_JSON = 512, KEY_PICTURES };
 
 static const struct argp_option options[] = {
-    {"pictures", KEY_PICTURES, "FOLDER", 0, "PNG of every step and way, into a folder", 0},
+    {"pictures", KEY_PICTURES, "FOLDER", 0,
+     "PNG of every step and way, into a folder, made if there is none", 0},
     {"json", KEY_JSON, "FILE", 0, "report as JSON (- : on standard output instead of text)", 0},
     {0},
 };
@@ -30,7 +35,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         a->pictures = arg;
         return 0;
     case KEY_JSON:
-        a->json = arg;
+        a->json = tool_output(&a->source.outputs, arg);
         return 0;
     default:
         return tool_one_scene(state, key, arg, &a->input, "no scene given");
@@ -113,6 +118,8 @@ static void report_ways(json_t *report, const struct ways *w) {
 static int compare(const struct arguments *a, const struct sph_scene *scene,
                    struct sph_error *err) {
     struct ways ways;
+    if (a->pictures && mkdir(a->pictures, 0777) && errno != EEXIST)
+        return sph_fail(err, "%s: %s", a->pictures, strerror(errno));
     int rc = ways_measure(scene, &a->source.build, &ways, err);
     if (!rc && a->pictures) rc = ways_draw(&ways, a->pictures, err);
     FILE *to = print_stream(a->json);
@@ -125,6 +132,16 @@ static int compare(const struct arguments *a, const struct sph_scene *scene,
     }
     ways_free(&ways);
     return rc;
+}
+
+/* Notes what will be drawn. */
+static int name_pictures(struct arguments *a, char **drawn, struct sph_error *err) {
+    for (int i = 0; i < PICTURES; i++) {
+        drawn[i] = ways_picture(a->pictures, i);
+        if (!drawn[i]) return sph_fail(err, "out of memory");
+        tool_output(&a->source.outputs, drawn[i]);
+    }
+    return 0;
 }
 
 int tool_background(int argc, char **argv) {
@@ -149,8 +166,13 @@ int tool_background(int argc, char **argv) {
         sph_fail(&err, "%s: is a machine file, a scene is needed", a.input);
         return tool_failed(&err);
     }
-    if (sph_scene_read(a.input, &a.source.read, &scene, &err)) return tool_failed(&err);
-    int rc = compare(&a, &scene, &err);
-    sph_scene_free(&scene);
+    char *drawn[PICTURES] = {NULL};
+    int rc = a.pictures ? name_pictures(&a, drawn, &err) : 0;
+    if (!rc && !(rc = tool_scene_read(a.input, &a.source, &scene, &err))) {
+        rc = compare(&a, &scene, &err);
+        sph_scene_free(&scene);
+    }
+    for (int i = 0; i < PICTURES; i++)
+        free(drawn[i]);
     return rc ? tool_failed(&err) : TOOL_GOOD;
 }

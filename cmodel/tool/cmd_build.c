@@ -33,10 +33,10 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         state->child_inputs[0] = &a->source;
         return 0;
     case 'o':
-        a->output = arg;
+        a->output = tool_output(&a->source.outputs, arg);
         return 0;
     case KEY_JSON:
-        a->json = arg;
+        a->json = tool_output(&a->source.outputs, arg);
         return 0;
     case KEY_STATS:
         a->stats = 1;

@@ -15,6 +15,7 @@
 struct arguments {
     const char *input[2], *json, *picture;
     int inputs, layer, ignore_work;
+    struct tool_outputs outputs;
 };
 
 enum { KEY_JSON = 512, KEY_LAYER, KEY_IGNORE };
@@ -32,10 +33,10 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     struct arguments *a = state->input;
     switch (key) {
     case 'd':
-        a->picture = arg;
+        a->picture = tool_picture(state, &a->outputs, "--difference", arg, 0);
         return 0;
     case KEY_JSON:
-        a->json = arg;
+        a->json = tool_output(&a->outputs, arg);
         return 0;
     case KEY_LAYER:
         a->layer = (int)tool_number(state, "--layer", arg, 0, SPH_FRAMES - 1);
@@ -142,6 +143,8 @@ int tool_compare(int argc, char **argv) {
     struct sph_error err = {""};
     argp_parse(&argp, argc, argv, 0, NULL, &a);
 
+    for (int i = 0; i < a.inputs; i++)
+        if (tool_spares(&a.outputs, a.input[i], &err)) return tool_failed(&err);
     FILE *to = print_stream(a.json);
     json_t *report = report_new("compare");
     report_text(report, "first", a.input[0]);

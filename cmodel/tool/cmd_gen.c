@@ -15,6 +15,7 @@ struct arguments {
     const char *what, *output;
     struct sph_generate_options generate;
     struct sph_import_options import;
+    struct tool_outputs outputs;
 };
 
 enum { KEY_SIZE = 512, KEY_SEED, KEY_WATER, KEY_RESOLUTION, KEY_ELEMENTS, KEY_RADIUS, KEY_PLAIN };
@@ -52,7 +53,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     struct arguments *a = state->input;
     switch (key) {
     case 'o':
-        a->output = arg;
+        a->output = tool_output(&a->outputs, arg);
         return 0;
     case 'n':
         a->generate.n = (uint32_t)tool_number(state, "-n", arg, 1, SPH_MAX_SPHERES);
@@ -143,6 +144,9 @@ int tool_import(int argc, char **argv) {
     struct sph_error err = {""};
     argp_parse(&argp, argc, argv, 0, NULL, &a);
     a.import.counts = &counts;
+    const char *elements = a.import.elements_path ? a.import.elements_path : SPH_ELEMENTS_PATH;
+    if (tool_spares(&a.outputs, a.what, &err) || tool_spares(&a.outputs, elements, &err))
+        return tool_failed(&err);
     if (sph_import_pdb(a.what, &a.import, &scene, &err) || finish(&a, &scene, &err))
         return tool_failed(&err);
     fprintf(stderr, "%u atoms; left out: %u waters, %u alternates, %u duplicates\n", counts.atoms,

@@ -7,6 +7,7 @@
 
 struct arguments {
     const char *input, *json;
+    struct tool_outputs outputs;
 };
 
 enum { KEY_JSON = 512 };
@@ -20,7 +21,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     struct arguments *a = state->input;
     switch (key) {
     case KEY_JSON:
-        a->json = arg;
+        a->json = tool_output(&a->outputs, arg);
         return 0;
     case ARGP_KEY_ARG:
         if (a->input) argp_error(state, "one file at a time: '%s' is one too many", arg);
@@ -37,11 +38,12 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
 int tool_info(int argc, char **argv) {
     static const struct argp argp = {
         options, parse, "MACHINE.sph", "Checks a machine file and describes it.", NULL, NULL, NULL};
-    struct arguments a = {NULL, NULL};
+    struct arguments a = {0};
     struct sph_machine machine;
     struct sph_error err = {""};
     argp_parse(&argp, argc, argv, 0, NULL, &a);
 
+    if (tool_spares(&a.outputs, a.input, &err)) return tool_failed(&err);
     if (sph_machine_read(a.input, &machine, &err)) return tool_failed(&err);
     FILE *to = print_stream(a.json);
     if (to) sph_machine_describe(&machine, to);

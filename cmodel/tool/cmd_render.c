@@ -16,7 +16,7 @@
 
 struct arguments {
     struct tool_source source;
-    const char *input, *png, *exr, *frame, *json, *walk;
+    const char *input, *picture, *exr, *frame, *json, *walk;
     int layer, traverse, threads, counters, progress, depths;
     struct tool_frames frames;
 };
@@ -35,8 +35,8 @@ enum {
 };
 
 static const struct argp_option options[] = {
-    {"output", 'o', "FILE.png", 0, "picture, 8-bit RGB", 0},
-    {"exr", KEY_EXR, "FILE", 0, "picture with ids, keys and visits, OpenEXR", 0},
+    {"output", 'o', "FILE", 0, "picture, 8-bit RGB: .png, .tif, .ppm, .bmp or .tga", 0},
+    {"exr", KEY_EXR, "FILE.exr", 0, "picture with ids, keys and visits, OpenEXR", 0},
     {"frame", KEY_FRAME, "FILE", 0, "frame file, for `sphaera compare`", 0},
     {"walk", KEY_WALK, "FILE.png", 0,
      "bih: picture with a fifth more green for each empty space, more blue for each node that the "
@@ -67,16 +67,16 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         state->child_inputs[0] = &a->source;
         return 0;
     case 'o':
-        a->png = arg;
+        a->picture = tool_picture(state, &a->source.outputs, "--output", arg, 0);
         return 0;
     case KEY_EXR:
-        a->exr = arg;
+        a->exr = tool_picture(state, &a->source.outputs, "--exr", arg, 1);
         return 0;
     case KEY_FRAME:
-        a->frame = arg;
+        a->frame = tool_output(&a->source.outputs, arg);
         return 0;
     case KEY_WALK:
-        a->walk = arg;
+        a->walk = tool_picture(state, &a->source.outputs, "--walk", arg, 0);
         return 0;
     case KEY_LAYER:
         a->layer = (int)tool_number(state, "--layer", arg, 0, SPH_FRAMES - 1);
@@ -97,7 +97,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         tool_frames_parse(state, arg, &a->frames);
         return 0;
     case KEY_JSON:
-        a->json = arg;
+        a->json = tool_output(&a->source.outputs, arg);
         return 0;
     case KEY_PROGRESS:
         a->progress = 1;
@@ -128,7 +128,7 @@ static double render(const struct arguments *a, const struct sph_machine *machin
 
 static int write_pictures(const struct arguments *a, const struct sph_frame *f,
                           struct sph_error *err) {
-    if (a->png && sph_image_write_png(a->png, f, a->layer, err)) return -1;
+    if (a->picture && sph_image_write(a->picture, f, a->layer, err)) return -1;
     return a->exr ? sph_image_write_exr(a->exr, f, a->layer, err) : 0;
 }
 
@@ -199,9 +199,9 @@ static int render_frame(void *user, uint32_t frame, const struct tool_built *bui
     struct arguments a = *all;
     struct sph_shot shot = {0};
     double seconds = 0;
-    char *names[] = {tool_numbered(all->png, frame), tool_numbered(all->exr, frame),
+    char *names[] = {tool_numbered(all->picture, frame), tool_numbered(all->exr, frame),
                      tool_numbered(all->frame, frame), tool_numbered(all->walk, frame)};
-    a.png = names[0], a.exr = names[1], a.frame = names[2], a.walk = names[3];
+    a.picture = names[0], a.exr = names[1], a.frame = names[2], a.walk = names[3];
     int rc = shoot(&a, built, &shot, &seconds, err);
     if (!rc) {
         print_shot(print_stream(a.json), &shot, a.counters);

@@ -35,7 +35,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         state->child_inputs[0] = &a->source;
         return 0;
     case KEY_JSON:
-        a->json = arg;
+        a->json = tool_output(&a->source.outputs, arg);
         return 0;
     default:
         return tool_one_scene(state, key, arg, &a->input, "no scene given");

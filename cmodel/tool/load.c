@@ -13,6 +13,15 @@ int tool_is_machine(const char *path) {
     return sph_input_starts(path, "SPHAERA", 7);
 }
 
+int tool_scene_read(const char *path, const struct tool_source *source, struct sph_scene *scene,
+                    struct sph_error *err) {
+    if (tool_spares(&source->outputs, path, err) || sph_scene_read(path, &source->read, scene, err))
+        return -1;
+    if (!tool_spares_images(&source->outputs, scene, err)) return 0;
+    sph_scene_free(scene);
+    return -1;
+}
+
 int tool_load(const char *path, const struct tool_source *source, struct tool_built *built,
               struct sph_error *err) {
     memset(built, 0, sizeof *built);
@@ -20,10 +29,11 @@ int tool_load(const char *path, const struct tool_source *source, struct tool_bu
         if (source->option)
             return sph_fail(err, "%s: --%s is for scenes, this is a machine file", path,
                             source->option);
+        if (tool_spares(&source->outputs, path, err)) return -1;
         return sph_machine_read(path, &built->machine, err);
     }
     struct sph_scene scene;
-    if (sph_scene_read(path, &source->read, &scene, err)) return -1;
+    if (tool_scene_read(path, source, &scene, err)) return -1;
     built->from_scene = 1;
     built->skipped = scene.n_skipped;
     struct sph_build_options options = source->build;

@@ -64,6 +64,21 @@ static int build_frame(struct run *run, uint32_t frame, struct tool_built *built
     return rc;
 }
 
+/* No numbered output may be the scene's file or an image of it. */
+static int spares(const char *path, const struct sph_scene *scene, const struct tool_source *source,
+                  const struct tool_frames *frames, struct sph_error *err) {
+    int rc = 0;
+    for (int i = 0; i < source->outputs.n; i++)
+        for (uint32_t frame = frames->first; !rc && frame <= frames->last; frame++) {
+            char *name = tool_numbered(source->outputs.path[i], frame);
+            struct tool_outputs one = {{name}, 1};
+            if (!name) return sph_fail(err, "no memory for the name of a file");
+            rc = tool_spares(&one, path, err) ? -1 : tool_spares_images(&one, scene, err);
+            free(name);
+        }
+    return rc;
+}
+
 int tool_each_frame(const char *path, const struct tool_source *source,
                     const struct tool_frames *frames, FILE *to, json_t *list,
                     int (*take)(void *user, uint32_t frame, const struct tool_built *built,
@@ -72,7 +87,8 @@ int tool_each_frame(const char *path, const struct tool_source *source,
     struct run run = {.options = source->build};
     if (tool_is_machine(path))
         return sph_fail(err, "%s: --frames is for scenes, this is a machine file", path);
-    if (sph_scene_read(path, &source->read, &run.rest, err)) return -1;
+    if (tool_scene_read(path, source, &run.rest, err)) return -1;
+    if (spares(path, &run.rest, source, frames, err)) return sph_scene_free(&run.rest), -1;
     int rc = run.options.texture == SPH_OFF ? 0 : tool_mips_load(&run.rest, &run.mips, err);
     if (!rc) rc = sph_bases_start(&run.bases, &run.rest, err);
     run.options.mips = run.mips;

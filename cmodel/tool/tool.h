@@ -13,6 +13,7 @@
 #include "common/error.h"
 #include "machine/machine.h"
 #include "scene/scene.h"
+#include "tool/outputs.h"
 
 enum { TOOL_GOOD = 0, TOOL_FAILED = 1, TOOL_USAGE = 2 };
 
@@ -55,10 +56,11 @@ enum { TOOL_BVH4, TOOL_BIH, TOOL_BRUTE };
 struct tool_source {
     struct sph_build_options build;
     struct sph_read_options read;
-    struct sph_profile profile; /* what build.widths points to, if --profile was given */
-    int accel, tree_given;      /* TOOL_BVH4 ..; --tree was given */
-    const char *bih_option;     /* the last option given that is for a BIH alone */
-    const char *option;         /* the last build option given, NULL if none */
+    struct sph_profile profile;  /* what build.widths points to, if --profile was given */
+    int accel, tree_given;       /* TOOL_BVH4 ..; --tree was given */
+    const char *bih_option;      /* the last option given that is for a BIH alone */
+    const char *option;          /* the last build option given, NULL if none */
+    struct tool_outputs outputs; /* of the command: none may be a file that is read */
 };
 
 /* Options of build, for every command that takes a scene; its input is a struct tool_source. */
@@ -69,6 +71,11 @@ extern const struct tool_source tool_source_default;
 /* Is path a machine file, by its name (.sph) or its first bytes? */
 int tool_is_machine(const char *path);
 
+/* Reads the scene file at path, unless an output would overwrite it or an image of it. 0, or -1
+ * with a message and nothing to free. */
+int tool_scene_read(const char *path, const struct tool_source *source, struct sph_scene *scene,
+                    struct sph_error *err);
+
 struct tool_built {
     struct sph_machine machine;
     int from_scene; /* the fields below are set */
@@ -76,7 +83,8 @@ struct tool_built {
     uint32_t skipped; /* unsupported primitives left out */
 };
 
-/* Reads the machine file, or reads and builds the scene file, at path. 0, or -1 with a message. */
+/* Reads the machine file, or reads and builds the scene file, at path, unless an output would
+ * overwrite it. 0, or -1 with a message. */
 int tool_load(const char *path, const struct tool_source *source, struct tool_built *built,
               struct sph_error *err);
 

@@ -46,7 +46,7 @@ int walk_picture(const char *path, const struct sph_machine *m, const struct sph
         uint32_t *colour = &picture.pixels[i].colour[layer];
         *colour = tint(m, x, y, *colour);
     }
-    int rc = sph_image_write_png(path, &picture, layer, err);
+    int rc = sph_image_write(path, &picture, layer, err);
     free(picture.pixels);
     return rc;
 }

@@ -61,7 +61,14 @@ int ways_measure(const struct sph_scene *scene, const struct sph_build_options *
 
 void ways_free(struct ways *ways);
 
-/* Writes pictures of the steps and of each way into a folder that exists. 0, or -1. */
+/* Pictures of the steps, then of each way. */
+enum { PICTURE_POINTS, PICTURE_ROWS, PICTURE_OUTLINE, PICTURE_SQUARE, PICTURE_WAYS };
+enum { PICTURES = PICTURE_WAYS + WAYS };
+
+/* The file of a picture in a folder; the caller frees. NULL if memory is out. */
+char *ways_picture(const char *folder, int picture);
+
+/* Writes the pictures into a folder that exists. 0, or -1. */
 int ways_draw(const struct ways *ways, const char *folder, struct sph_error *err);
 
 #endif

@@ -40,10 +40,21 @@ static void set(struct canvas *c, double x, double y, uint32_t colour) {
         c->colour[(size_t)y * (size_t)c->width + (size_t)x] = colour;
 }
 
-/* Writes the canvas as folder/name.png, enlarged to about 640 columns with a line between pixels
- * if there is room for it. */
-static int finish(struct canvas *c, const char *folder, const char *name, struct sph_error *err) {
-    char path[4096];
+char *ways_picture(const char *folder, int picture) {
+    static const char *const names[PICTURES] = {"points",           "rows",       "outline",
+                                                "square",           "way_none",   "way_rect",
+                                                "way_rect_literal", "way_spans",  "way_spans16",
+                                                "way_spans16_bare", "way_exact0", "way_exact1",
+                                                "way_exact2"};
+    size_t size = strlen(folder) + strlen(names[picture]) + sizeof "/.png";
+    char *path = malloc(size);
+    if (path) snprintf(path, size, "%s/%s.png", folder, names[picture]);
+    return path;
+}
+
+/* Writes the canvas enlarged to about 640 columns, with a line between pixels if there is room for
+ * it. */
+static int finish(struct canvas *c, const char *folder, int picture, struct sph_error *err) {
     int zoom = c->width < 640 ? 640 / c->width : 1, line = zoom >= 5;
     struct sph_frame frame = {c->width * zoom, c->height * zoom, NULL};
     size_t n = (size_t)frame.width * (size_t)frame.height;
@@ -55,9 +66,9 @@ static int finish(struct canvas *c, const char *folder, const char *name, struct
         if (line && (x % zoom == 0 || y % zoom == 0)) colour = colour >> 2 & 0x3f3f3f;
         frame.pixels[i].colour[0] = colour;
     }
-    int length = snprintf(path, sizeof path, "%s/%s.png", folder, name);
-    int rc = length < (int)sizeof path ? sph_image_write_png(path, &frame, 0, err)
-                                       : sph_fail(err, "%s: too long a path", folder);
+    char *path = ways_picture(folder, picture);
+    int rc = path ? sph_image_write(path, &frame, 0, err) : sph_fail(err, "out of memory");
+    free(path);
     free(frame.pixels);
     return rc;
 }
@@ -97,8 +108,8 @@ static int draw_steps(const struct ways *w, const char *folder, struct sph_error
     }
     for (int i = 0; i < w->width * w->height && !rc; i++)
         if (w->root[i] && final.colour[i] == disc) final.colour[i] = lost;
-    rc = rc || finish(&points, folder, "points", err) || finish(&rows, folder, "rows", err) ||
-         finish(&final, folder, "outline", err);
+    rc = rc || finish(&points, folder, PICTURE_POINTS, err) ||
+         finish(&rows, folder, PICTURE_ROWS, err) || finish(&final, folder, PICTURE_OUTLINE, err);
     free(points.colour), free(rows.colour), free(final.colour);
     free(o.rows);
     return rc ? -1 : 0;
@@ -122,7 +133,7 @@ static int draw_square(const struct ways *w, const char *folder, struct sph_erro
                 c.colour[i] = spent;
         for (int i = 0; i < 4 && !way->no_answer; i++)
             set(&c, at[i][0], at[i][1], point);
-        rc = finish(&c, folder, "square", err);
+        rc = finish(&c, folder, PICTURE_SQUARE, err);
     }
     free(c.colour);
     free(rows);
@@ -130,9 +141,6 @@ static int draw_square(const struct ways *w, const char *folder, struct sph_erro
 }
 
 static int draw_way(const struct ways *w, int index, const char *folder, struct sph_error *err) {
-    static const char *const files[WAYS] = {"way_none",   "way_rect",    "way_rect_literal",
-                                            "way_spans",  "way_spans16", "way_spans16_bare",
-                                            "way_exact0", "way_exact1",  "way_exact2"};
     const uint8_t *traced = w->way[index].traced;
     struct canvas c;
     if (start(&c, w, err)) return -1;
@@ -141,7 +149,7 @@ static int draw_way(const struct ways *w, int index, const char *folder, struct 
             c.colour[i] = w->hit[i] ? seen : spent;
         else
             c.colour[i] = w->hit[i] ? lost : ground;
-    int rc = finish(&c, folder, files[index], err);
+    int rc = finish(&c, folder, PICTURE_WAYS + index, err);
     free(c.colour);
     return rc;
 }

@@ -141,7 +141,7 @@ static int picture(int n, const char *scenes, const char *to) {
             put(&sheet, 3, x, y, marked(exact, bad[pictures[n].first]));
         }
     snprintf(path, sizeof path, "%s/hard_%s.png", to, pictures[n].name);
-    if (sph_image_write_png(path, &sheet, 0, &err)) die(&err);
+    if (sph_image_write(path, &sheet, 0, &err)) die(&err);
     printf("| %s | %s |", pictures[n].name, sph_profiles[pictures[n].profile].name);
     for (int w = 0; w < WAYS; w++)
         if (w == NO_EPSILON && !pictures[n].shadow)

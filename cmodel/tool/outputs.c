@@ -1,0 +1,46 @@
+/* outputs.c - see outputs.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "tool/outputs.h"
+
+#include <assert.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "image/image.h"
+
+const char *tool_output(struct tool_outputs *outputs, const char *path) {
+    assert(outputs->n < TOOL_OUTPUTS);
+    outputs->path[outputs->n++] = path;
+    return path;
+}
+
+const char *tool_picture(const struct argp_state *state, struct tool_outputs *outputs,
+                         const char *option, const char *path, int exr) {
+    struct sph_error err = {""};
+    const char *format = sph_image_format(path, &err), *dot = strrchr(path, '.');
+    if (!format) argp_error(state, "%s: %s", option, err.text);
+    if (!exr && !strcmp(format, "openexr"))
+        argp_error(state, "%s: %s: only `sphaera render --exr FILE` writes OpenEXR", option, path);
+    if (exr && dot && strcmp(format, "openexr") != 0)
+        argp_error(state, "%s: %s: OpenEXR is written to names that end in .exr", option, path);
+    return tool_output(outputs, path);
+}
+
+int tool_spares(const struct tool_outputs *outputs, const char *input, struct sph_error *err) {
+    struct stat in, out;
+    for (int i = 0; i < outputs->n; i++) {
+        const char *path = outputs->path[i];
+        if (strcmp(path, "-") && !stat(path, &out) && !stat(input, &in) && S_ISREG(in.st_mode) &&
+            out.st_dev == in.st_dev && out.st_ino == in.st_ino)
+            return sph_fail(err, "%.200s: would overwrite %.200s, which is read", path, input);
+    }
+    return 0;
+}
+
+int tool_spares_images(const struct tool_outputs *outputs, const struct sph_scene *scene,
+                       struct sph_error *err) {
+    for (uint32_t i = 0; i < scene->n_textures; i++)
+        if (tool_spares(outputs, scene->textures[i].path, err)) return -1;
+    return 0;
+}

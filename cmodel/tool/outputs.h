@@ -1,0 +1,36 @@
+/* outputs.h - files that a command writes, and what they may not overwrite
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef SPH_TOOL_OUTPUTS_H
+#define SPH_TOOL_OUTPUTS_H
+
+#include <argp.h>
+
+#include "error.h"
+#include "scene/scene.h"
+
+/* The most files that a command writes, sequences counted once. */
+enum { TOOL_OUTPUTS = 16 };
+
+struct tool_outputs {
+    const char *path[TOOL_OUTPUTS];
+    int n;
+};
+
+/* Notes a file that will be written, and returns its name. */
+const char *tool_output(struct tool_outputs *outputs, const char *path);
+
+/* The same for a picture. The name's ending says the format: one without loss, or OpenEXR alone if
+ * exr is set; another is a usage error. */
+const char *tool_picture(const struct argp_state *state, struct tool_outputs *outputs,
+                         const char *option, const char *path, int exr);
+
+/* 0 if no output is the file at `input`, else -1 with a message that names both. Two names of one
+ * file count as the same; what is no regular file is never overwritten. */
+int tool_spares(const struct tool_outputs *outputs, const char *input, struct sph_error *err);
+
+/* The same for the images of a scene. */
+int tool_spares_images(const struct tool_outputs *outputs, const struct sph_scene *scene,
+                       struct sph_error *err);
+
+#endif

@@ -1,0 +1,64 @@
+#!/bin/sh
+# test_outputs.sh - no output replaces what is read; pictures in the format of their name
+# SPDX-License-Identifier: Apache-2.0
+set -u
+. "$(dirname "$0")/../tap.sh"
+cd "$(dirname "$0")/../.." || exit 1
+s=$SPHAERA
+has() { grep -q -- "$1" "$2"; } # pattern, file
+
+# ---- the tool: what is read is never overwritten ----
+cp scenes/texture/*.png scenes/texture/hall.nff scenes/paper5.nff "$TMP"
+cp "$TMP/tiles.png" "$TMP/tiles-0001.png"
+sed 's/tiles\.png/tiles-0001.png/' "$TMP/hall.nff" >"$TMP/moving.nff"
+cp "$TMP/moving.nff" "$TMP/moving-0002.nff"
+"$s" build "$TMP/paper5.nff" -o "$TMP/five.sph" >"$TMP/text"
+"$s" render "$TMP/five.sph" --size=8x8 -o "$TMP/x.png" >"$TMP/text" 2>&1
+"$s" render "$TMP/paper5.nff" --size 9x9 --frame "$TMP/five.frame" -o "$TMP/five.png" >"$TMP/text"
+ln -s five.sph "$TMP/link.sph"
+printf 'HETATM    1  C   LIG A   1       1.0     2.0     3.0  1.00  0.00           C\n' \
+    >"$TMP/atom.pdb"
+mkdir "$TMP/drawn"
+cp "$TMP/paper5.nff" "$TMP/drawn/way_rect.png"
+kept() { # the file at stake, command of the tool
+    cp "$1" "$TMP/copy"
+    file=$1
+    shift
+    fails 1 "refused: $*" "$s" "$@"
+    check "... and named" has "would overwrite .*, which is read" "$TMP/err"
+    check "... and whole" cmp "$TMP/copy" "$file"
+}
+cd "$TMP" || exit 1
+kept paper5.nff render paper5.nff --frame paper5.nff --size 8x8
+kept paper5.nff render paper5.nff --json ./paper5.nff --size 8x8
+kept paper5.nff build paper5.nff -o ../test_outputs.sh/paper5.nff
+kept paper5.nff accuracy paper5.nff --size 8x8 --json paper5.nff
+kept paper5.nff texels paper5.nff --size 8x8 --json paper5.nff
+kept tiles.png render hall.nff --size 8x8 -o tiles.png
+kept tiles-0001.png render moving.nff --size 8x8 --frames 0..2 -o tiles.png
+kept moving-0002.nff build moving-0002.nff --frames 0..2 -o moving.nff
+kept five.sph info five.sph --json link.sph
+kept five.sph render link.sph --frame five.sph
+kept five.frame compare five.frame five.frame -d five.png --json five.frame
+kept atom.pdb import atom.pdb -o atom.pdb
+kept drawn/way_rect.png background drawn/way_rect.png --size 8x8 --pictures drawn
+check "no frame of a refused sequence is there" sh -c '! ls tiles-000[02].png'
+
+# ---- the tool: pictures by the ending of their name ----
+"$s" render paper5.nff --size 21x13 -o same.png >text
+for ending in png PNG tif tiff ppm bmp tga; do
+    "$s" render paper5.nff --size 21x13 -o "p.$ending" >text
+    check "a picture .$ending has every colour" "$s" compare same.png "p.$ending"
+done
+check "no two of them are the same kind of file" sh -c \
+    '[ "$(for e in png tif ppm bmp tga; do head -c 2 p.$e | od -x; done | sort -u | wc -l)" = 6 ]'
+for bad in "-o p.jpg" "-o p.exr" "-o p.nff" "--exr p.png" "--walk p.gif"; do
+    # shellcheck disable=SC2086  # options on purpose
+    fails 2 "render $bad" "$s" render paper5.nff --accel bih --size 8x8 $bad
+done
+check "... says what there is" has "p.gif: no picture is written as .gif; endings are png, tif," err
+fails 2 "compare -d p.jpg" "$s" compare five.frame five.frame -d p.jpg
+fails 2 "accuracy -d p.jpg" "$s" accuracy paper5.nff --size 8x8 -d p.jpg
+check "a folder of pictures is made" "$s" background paper5.nff --size 8x8 --pictures new
+check "... and filled" test -s new/way_exact2.png
+done_testing
