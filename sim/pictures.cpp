@@ -14,7 +14,6 @@
 #include "image/image.h"
 extern "C" {
 #include "core/frame_file.h"
-#include "core/render.h"
 }
 
 namespace {

@@ -3,7 +3,7 @@
  */
 #include "core/frame.h"
 
-#include <stddef.h>
+#include <stdlib.h>
 
 #include "common/fnv.h"
 
@@ -31,4 +31,9 @@ uint64_t sph_frame_hash(const struct sph_frame *frame) {
 
 uint64_t sph_frame_picture_hash(const struct sph_frame *frame) {
     return hash_frame(frame, 0);
+}
+
+void sph_frame_free(struct sph_frame *frame) {
+    free(frame->pixels);
+    frame->pixels = NULL;
 }

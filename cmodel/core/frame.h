@@ -43,4 +43,6 @@ uint64_t sph_frame_hash(const struct sph_frame *frame);
  */
 uint64_t sph_frame_picture_hash(const struct sph_frame *frame);
 
+void sph_frame_free(struct sph_frame *frame);
+
 #endif

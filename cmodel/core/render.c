@@ -46,8 +46,3 @@ int sph_render(const struct sph_machine *m, const struct sph_render_options *o,
     }
     return (int)errors;
 }
-
-void sph_frame_free(struct sph_frame *frame) {
-    free(frame->pixels);
-    frame->pixels = NULL;
-}

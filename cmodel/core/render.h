@@ -36,6 +36,4 @@ struct sph_render_options {
 int sph_render(const struct sph_machine *machine, const struct sph_render_options *options,
                struct sph_frame *frame, struct sph_counters *counters, struct sph_error *err);
 
-void sph_frame_free(struct sph_frame *frame);
-
 #endif
