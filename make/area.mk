@@ -5,15 +5,15 @@
 #   PROFILES  draft standard fine reference, or all; each with widths of its own: sim/profile.sh
 #   TARGETS   ecp5 xc7 generic, or all
 #   EFFECTS   what the cores are elaborated with: lists as sim/parameters.sh takes them
-# KEY names every parameter that shapes the core, so that results never mix. $B/synth/KEY/ holds
-# what Yosys printed; it is made again when a source of the core or core.sh changes.
+# KEY is what sim/key.sh says of a core, with -flat behind it if FLAT is 1. $B/synth/KEY/ holds what
+# Yosys printed; it is made again when a source of the core or core.sh changes.
 
 B        ?= build
 PROFILES ?= standard
 TARGETS  ?= ecp5
 EFFECTS  ?= all
 ENGINES  ?= 1
-# bits that a root and a quotient gain a clock; in KEY if they are not the core's own
+# bits that a root and a quotient gain a clock
 ROOT_STEP     ?= 2
 QUOTIENT_STEP ?= 2
 FLAT     ?= 0
@@ -27,16 +27,15 @@ profiles := $(if $(filter all,$(PROFILES)),$(KNOWN_PROFILES),$(PROFILES))
 targets  := $(if $(filter all,$(TARGETS)),$(KNOWN_TARGETS),$(TARGETS))
 $(foreach p,$(profiles),$(if $(shell sh sim/profile.sh '$p'),,$(error synth: \
     no profile '$p'; there are $(KNOWN_PROFILES) and all)))
-profiles := $(foreach p,$(profiles),$(shell sh sim/profile.sh '$p' name))
 $(foreach t,$(targets),$(if $(filter $t,$(KNOWN_TARGETS)),,$(error synth: \
     no target '$t'; there are $(KNOWN_TARGETS) and all)))
 
 $(foreach e,$(EFFECTS),$(if $(shell sh sim/parameters.sh '$e'),,$(error synth: \
     no core is built with '$e')))
-STEPS := $(if $(filter-out 2,$(ROOT_STEP)),-root$(ROOT_STEP))$(if $(filter-out \
-             2,$(QUOTIENT_STEP)),-quotient$(QUOTIENT_STEP))
-VARIANTS := $(EFFECTS:%=%-engines$(ENGINES)$(STEPS)$(if $(filter 1,$(FLAT)),-flat))
-KEYS := $(foreach p,$(profiles),$(foreach t,$(targets),$(VARIANTS:%=$p-$t-%)))
+key = $(shell ENGINES=$(ENGINES) ROOT_STEP=$(ROOT_STEP) QUOTIENT_STEP=$(QUOTIENT_STEP) \
+          sh sim/key.sh '$(1)' '$(2)' $(3))$(if $(filter 1,$(FLAT)),-flat)
+KEYS := $(foreach p,$(profiles),$(foreach t,$(targets),$(foreach e,$(EFFECTS), \
+            $(call key,$p,$e,$t))))
 
 # What docs/results/area.md shows: everything on; the standard core for ecp5 with less, and flat.
 FULL := -all-engines1

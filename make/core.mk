@@ -5,9 +5,9 @@
 #   tools    build/sim/tb_core_icarus (every machine), objects that all harnesses share
 #   core     build/sim/KEY/tb_core    (Verilator)
 #   icarus   build/sim/KEY/tb_core.vvp
-# KEY names every parameter that shapes the core (CORE: names of parameters.sh), so that builds
-# never mix; what they are elaborated and compiled with stands in build/sim/KEY/flags and in
-# build/sim/obj/flags, and a change of these builds anew.
+# KEY, which sim/core.sh gives, names every parameter that shapes the core; what they are elaborated
+# and compiled with stands in build/sim/KEY/flags and in build/sim/obj/flags, and a change of these
+# builds anew.
 
 B       ?= build
 RTL     ?= rtl
@@ -15,17 +15,13 @@ RTL     ?= rtl
 PROFILE ?= standard
 CORE    ?= all
 ENGINES ?= 1
-# bits that a root and a quotient gain a clock; in KEY if they are not the core's own
+# bits that a root and a quotient gain a clock
 ROOT_STEP     ?= 2
 QUOTIENT_STEP ?= 2
 WAVES   ?= 0
 
 include make/verilated.mk
 
-STEPS := $(if $(filter-out 2,$(ROOT_STEP)),-root$(ROOT_STEP))$(if $(filter-out \
-             2,$(QUOTIENT_STEP)),-quotient$(QUOTIENT_STEP))
-KEY := $(shell sh sim/profile.sh '$(PROFILE)' name)-$(CORE)-engines$(ENGINES)$(STEPS)$(OPT)$(if \
-           $(filter 1,$(WAVES)),-waves)
 K   := $S/$(KEY)
 LIB := $B/libsphaera.a
 

@@ -6,7 +6,8 @@
 #            [SIM=verilator|icarus] sim/core.sh --machine FILE [OPTION...]
 #
 # Builds the core that the machine asks for unless it is there (cached by parameters), with
-# waveforms if --trace is among the options, then runs the harness; its options: --help.
+# waveforms if --trace is among the options, then runs the harness; its options: --help. With
+# --folder it runs nothing and prints the folder of the core.
 # EFFECTS=auto elaborates only what the machine asks for, all (default) everything, else what is
 # named: a list as sim/parameters.sh takes it; for a machine with a BIH all is all+bih. A core with
 # less than the machine asks for refuses it; the harness says what is missing and ends with 3.
@@ -19,12 +20,13 @@ ROOT_STEP=${ROOT_STEP:-2} QUOTIENT_STEP=${QUOTIENT_STEP:-2}
 SIM=${SIM:-verilator} OPT=${OPT:--O2} WAVES=0
 BUILD=${BUILD:-build}
 
-machine= previous=
+machine= previous= folder=
 for word; do
     case $previous in --machine | -m) machine=$word ;; esac
     case $word in
     --machine=*) machine=${word#*=} ;;
     --trace | --trace=*) WAVES=1 ;;
+    --folder) folder=1 ;;
     esac
     previous=$word
 done
@@ -51,20 +53,22 @@ case $EFFECTS+$core in all+bih | all+*+bih) EFFECTS=all+bih ;; esac # what walks
 [ "$EFFECTS" = auto ] || core=$EFFECTS
 built=$(sh sim/parameters.sh "$core")
 [ "$SIM" = verilator ] || WAVES=0
-key=$(sh sim/profile.sh "$profile" name)-$core-engines$ENGINES
-[ "$ROOT_STEP" = 2 ] || key=$key-root$ROOT_STEP
-[ "$QUOTIENT_STEP" = 2 ] || key=$key-quotient$QUOTIENT_STEP
-key=$key$OPT
+key=$(ENGINES=$ENGINES ROOT_STEP=$ROOT_STEP QUOTIENT_STEP=$QUOTIENT_STEP \
+    sh sim/key.sh "$profile" "$core")$OPT
 [ "$WAVES" = 0 ] || key=$key-waves
 [ "$SIM" = verilator ] && goal=core || goal=icarus
 [ -e "$BUILD/sim/$key/tb_core" ] || [ $goal = icarus ] ||
     echo "building the core $key in Verilator: half a minute or so, once" >&2
 command -v clang++ >/dev/null || [ "$SIM" = icarus ] ||
     echo "no clang++ here (make setup installs it): g++ compiles the core, in twice the time" >&2
-target "$key-$goal" "$goal" PROFILE="$profile" CORE="$core" \
+target "$key-$goal" "$goal" KEY="$key" PROFILE="$profile" CORE="$core" \
     ENGINES="$ENGINES" ROOT_STEP="$ROOT_STEP" QUOTIENT_STEP="$QUOTIENT_STEP" \
     WAVES="$WAVES" OPT="$OPT" ${RTL:+RTL="$RTL"}
 
+[ -z "$folder" ] || {
+    echo "$BUILD/sim/$key"
+    exit
+}
 repeat="EFFECTS=$EFFECTS ENGINES=$ENGINES ROOT_STEP=$ROOT_STEP QUOTIENT_STEP=$QUOTIENT_STEP"
 repeat="$repeat SIM=$SIM sim/core.sh"
 if [ "$SIM" = verilator ]; then

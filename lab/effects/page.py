@@ -11,7 +11,7 @@ from pathlib import Path
 
 from ..pages.place import place
 from ..synth import report, results
-from .scenes import names
+from .scenes import PROFILE, names
 
 CHART = """set terminal svg noenhanced size 1000,{height} font "sans,12" background "white"
 set output "{out}"
@@ -130,7 +130,7 @@ def chart(scenes, cores, page, folder):
 
 def main(page, folder, synth):
     lists = Path(folder, "lists").read_text(encoding="utf-8").split()
-    cores = {c: results.read(f"{synth}/standard-ecp5-{c}-engines1") for c in lists}
+    cores = {c: results.read(f"{synth}/{results.key(PROFILE, c)}") for c in lists}
     scenes = {}
     for name in Path(folder, "scenes").read_text(encoding="utf-8").split():
         # measured before, perhaps; what build says, just now

@@ -17,10 +17,10 @@ ROUNDS, EFFORT = 3, "-O3"
 
 def core(effects, machine):
     """Builds the core; the folder of its harness."""
-    subprocess.run(["sh", "sim/core.sh", "--machine", machine, "--info"], check=True,
-                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                   env=dict(os.environ, EFFECTS=effects, OPT=EFFORT, JOBS="1"))
-    return f"{os.environ.get('BUILD', 'build')}/sim/standard-{effects}-engines1{EFFORT}"
+    ran = subprocess.run(["sh", "sim/core.sh", "--machine", machine, "--folder"], check=True,
+                         stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+                         env=dict(os.environ, EFFECTS=effects, OPT=EFFORT, JOBS="1"))
+    return ran.stdout.decode().strip()
 
 
 def simulate(folder, machine, out):

@@ -12,6 +12,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+from ..synth.results import key
+
 SIZE, PROFILE, SECONDS = "160x90", "standard", 75
 
 
@@ -77,7 +79,7 @@ def main(tool, folder, synth):
             old.unlink()
     Path(folder, "scenes").write_text("\n".join(built) + "\n", encoding="utf-8")
     Path(folder, "lists").write_text(" ".join(wanted) + "\n", encoding="utf-8")
-    there = sum(os.path.exists(f"{synth}/{PROFILE}-ecp5-{w}-engines1/stat.json") for w in wanted)
+    there = sum(os.path.exists(f"{synth}/{key(PROFILE, w)}/stat.json") for w in wanted)
     print(f"effects: {len(built)} scenes; {len(wanted)} cores to synthesise, {there} of them were "
           f"before.\n  What is new takes about {SECONDS} s of a processor a core, "
           f"{len(wanted) * SECONDS // 60} minutes for all,\n  and about half a minute a scene.",

@@ -89,12 +89,7 @@ def cycles(tool, build, w, temporary):
 
 
 def synth_key(w):
-    """The name that make/area.mk has for the core."""
-    name = call(["sh", "sim/profile.sh", w["profile"], "name"])
-    if name.returncode:
-        fail(w["profile"], name)
-    steps = "".join(f"-{s}{w[s]}" for s in ("root", "quotient") if w[s] != "2")
-    return f"{name.stdout.strip()}-ecp5-{w['core']}-engines{w['engines']}{steps}"
+    return results.key(w["profile"], w["core"], "ecp5", w["engines"], w["root"], w["quotient"])
 
 
 def cells(tool, build, w, temporary):

@@ -3,7 +3,10 @@
 """A run is a dictionary of plain values; its rows are modules, all parameter sets of one together:
 own is what the instances hold themselves, total includes what is instantiated inside them."""
 import json
+import os
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 # columns of each target: name, {cell type pattern: weight}, heading
@@ -38,6 +41,14 @@ COLUMNS = {
 EXTRA = {"ecp5": [("bits", "RAM bits")], "xc7": [("bits", "RAM bits")],
          "generic": [("pp_bits", "product bits"), ("bits", "RAM bits")]}
 SIZE = {"ecp5": "lut4eq", "xc7": "lut", "generic": "gates"}
+
+
+def key(profile, cores, target="ecp5", engines="1", root="2", quotient="2"):
+    """The name of a synthesised core, as sim/key.sh has it."""
+    ran = subprocess.run(["sh", "sim/key.sh", profile, cores, target], check=False,
+                         stdout=subprocess.PIPE, text=True, env=dict(
+                             os.environ, ENGINES=engines, ROOT_STEP=root, QUOTIENT_STEP=quotient))
+    return ran.stdout.strip() if ran.returncode == 0 else sys.exit(1)
 
 
 def columns(target):

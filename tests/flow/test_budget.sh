@@ -9,7 +9,7 @@ set -u
 . "$(dirname "$0")/../tap.sh"
 cd "$(dirname "$0")/../.." || exit 1
 BUILD=${BUILD:-build}
-key=standard-ecp5-all-engines1
+key=$(sh sim/key.sh standard all ecp5)
 run=$BUILD/synth/$key
 
 if ! command -v yosys >"$TMP/yosys"; then
@@ -20,7 +20,7 @@ fi
 check "synthesis; no loop, no undriven net" \
     env -u MAKEFLAGS -u MFLAGS make -s -j2 -f make/area.mk results B="$BUILD" \
     PROFILES=standard EFFECTS="all none"
-none=$BUILD/synth/standard-ecp5-none-engines1
+none=$BUILD/synth/$(sh sim/key.sh standard none ecp5)
 [ -f "$run/stat.json" ] && [ -f "$none/stat.json" ] || {
     done_testing
     exit 1
