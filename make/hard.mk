@@ -37,11 +37,11 @@ hard-rtl: $(LIB) $B/test/libhard.a ## faults in the RTL that the named cases not
 $B/test/obj/%.o: %.c $B/flags
 	$(call say,CC,$(<F))
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(CFLAGS) $(HARD_CFLAGS) -MMD -MP -c $< -o $@
+	$(call compile_whole,$(CC) $(CFLAGS) $(HARD_CFLAGS))
 
 $B/test/hard: $(HARD_C:%.c=$B/test/obj/%.o) $B/obj/cmodel/tool/progress.o $(LIB)
 	$(call say,LD,$(@F))
-	$(Q)$(CC) -fopenmp $^ $(HARD_LIBS) -o $@
+	$(call make_whole,$(CC) -fopenmp $^ $(HARD_LIBS))
 
 # For benches of the RTL (tb/hard.h): what they do not call is not linked.
 $B/test/libhard.a: $(patsubst %.c,$B/test/obj/%.o,$(filter-out %/main.c %/report.c \
@@ -50,12 +50,12 @@ $B/test/libhard.a: $(patsubst %.c,$B/test/obj/%.o,$(filter-out %/main.c %/report
 $B/test/asan/%.o: %.c $B/flags
 	$(call say,CC,"$(<F) sanitized")
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(CFLAGS) $(HARD_CFLAGS) $(SANITIZE) -MMD -MP -c $< -o $@
+	$(call compile_whole,$(CC) $(CFLAGS) $(HARD_CFLAGS) $(SANITIZE))
 
 $B/test/hard.sanitized: $(HARD_C:%.c=$B/test/asan/%.o) $B/asan/obj/cmodel/tool/progress.o \
                         $B/asan/libsphaera.a
 	$(call say,LD,$(@F))
-	$(Q)$(CC) -fopenmp $(SANITIZE) $^ $(HARD_LIBS) -o $@
+	$(call make_whole,$(CC) -fopenmp $(SANITIZE) $^ $(HARD_LIBS))
 
 # Close-ups of what floats get wrong, and their counts, into docs/results/hard_pictures.md.
 PICTURES_C := $(sort $(wildcard tests/hard/pictures/*.c))
@@ -66,7 +66,7 @@ hard-pictures: $B/test/hard-pictures ## pictures and counts of docs/results/hard
 
 $B/test/hard-pictures: $(PICTURES_C:%.c=$B/test/obj/%.o) $B/test/libhard.a $(IMAGE) $(LIB)
 	$(call say,LD,$(@F))
-	$(Q)$(CXX) -fopenmp $^ $(IMAGE_LIBS) $(MODEL_LIBS) -o $@
+	$(call make_whole,$(CXX) -fopenmp $^ $(IMAGE_LIBS) $(MODEL_LIBS))
 
 # the suite runs all three
 tests/hard/test_hard.sh: | $B/test/hard $B/test/hard.sanitized $B/test/hard-pictures

@@ -4,11 +4,18 @@
 # $B/obj holds the optimised objects, $B/asan/obj the same under the sanitizers of gcc, $B/clang/obj
 # under those of clang, which see other faults.
 
+# What is made gets its name when it is whole, so that two calls of make in one folder do not meet
+# each other's halves. Dependencies name the build folder $(B): it may be given by another path.
+make_whole    = $(Q)to=$@.$$$$; $(1) -o $$to && mv $$to $@ || { rm -f $$to; exit 1; }
+compile_whole = $(Q)to=$@.$$$$; $(1) -MMD -MP -MT '$(@:$B/%=$$(B)/%)' -MF $$to.d -c $< -o $$to && \
+                    mv $$to.d $(@:.o=.d) && mv $$to $@ || { rm -f $$to $$to.d; exit 1; }
+
 # Written anew only when its text changes: what depends on it follows the command line.
 define stamp
 $B/$(1): FORCE
 	@mkdir -p $$(@D)
-	@printf '%s\n' '$(2)' | cmp -s - $$@ || printf '%s\n' '$(2)' >$$@
+	@new=$$@.$$$$$$$$; printf '%s\n' '$(2)' >$$$$new; \
+	    cmp -s $$$$new $$@ && rm $$$$new || mv $$$$new $$@
 endef
 $(eval $(call stamp,flags,$(CC) $(CFLAGS) / $(CXX) $(CXXFLAGS) / $(SANITIZE) / \
       $(CLANG_CC) $(CLANG_SANITIZE)))
@@ -17,23 +24,23 @@ $(eval $(call stamp,sources,$(LIB_C) / $(TOOL_C)))
 $B/obj/%.o: %.c $B/flags
 	$(call say,CC,$(<F))
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(CFLAGS) -MMD -MP -c $< -o $@
+	$(call compile_whole,$(CC) $(CFLAGS))
 
 $B/obj/%.o: %.cpp $B/flags
 	$(call say,CXX,$(<F))
 	@mkdir -p $(@D)
-	$(Q)$(CXX) $(CXXFLAGS) $(call pkg,--cflags OpenImageIO | sed 's/-I/-isystem /g') \
-	    -MMD -MP -c $< -o $@
+	$(call compile_whole,$(CXX) $(CXXFLAGS) \
+	    $(call pkg,--cflags OpenImageIO | sed 's/-I/-isystem /g'))
 
 $B/asan/obj/%.o: %.c $B/flags
 	$(call say,CC,"$(<F) sanitized")
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(CFLAGS) $(SANITIZE) -MMD -MP -c $< -o $@
+	$(call compile_whole,$(CC) $(CFLAGS) $(SANITIZE))
 
 $B/clang/obj/%.o: %.c $B/flags
 	$(call say,CC,"$(<F) sanitized by clang")
 	@mkdir -p $(@D)
-	$(Q)$(CLANG_CC) $(CLANG_FLAGS) -MMD -MP -c $< -o $@
+	$(call compile_whole,$(CLANG_CC) $(CLANG_FLAGS))
 
 objects = $(patsubst %.c,$B/$(1)%.o,$(filter %.c,$(2))) \
           $(patsubst %.cpp,$B/$(1)%.o,$(filter %.cpp,$(2)))
@@ -44,13 +51,12 @@ $B/asan/libsphaera.a: $(call objects,asan/obj/,$(LIB_C)) $B/sources
 $B/clang/libsphaera.a: $(call objects,clang/obj/,$(LIB_C)) $B/sources
 %.a:
 	$(call say,AR,$(@F))
-	@rm -f $@
-	$(Q)ar rcs $@ $(filter %.o,$^)
+	$(Q)to=$@.$$$$; ar rcs $$to $(filter %.o,$^) && mv $$to $@ || { rm -f $$to; exit 1; }
 
 $(TOOL): $(call objects,obj/,$(TOOL_C)) $(IMAGE) $(LIB)
 	$(call say,LD,$(@F))
-	$(Q)$(CXX) -fopenmp $(filter %.o %.a,$^) $(call pkg,--libs jansson) $(IMAGE_LIBS) \
-	    $(MODEL_LIBS) -o $@
+	$(call make_whole,$(CXX) -fopenmp $(filter %.o %.a,$^) $(call pkg,--libs jansson) \
+	    $(IMAGE_LIBS) $(MODEL_LIBS))
 
 -include $(patsubst %.o,%.d,$(call objects,obj/,$(LIB_C) $(TOOL_C) $(IMAGE_CXX)) \
                             $(call objects,asan/obj/,$(LIB_C)) \

@@ -73,7 +73,7 @@ PICTURES := $B/sim/pictures
 $(PICTURES): $B/obj/sim/pictures.o $(IMAGE) $(LIB)
 	$(call say,LD,$(@F))
 	@mkdir -p $(@D)
-	$(Q)$(CXX) -fopenmp $^ $(IMAGE_LIBS) $(MODEL_LIBS) -o $@
+	$(call make_whole,$(CXX) -fopenmp $^ $(IMAGE_LIBS) $(MODEL_LIBS))
 -include $B/obj/sim/pictures.d
 
 SIM_OPTIONS = --machine $(RUN_DIR)/scene.sph --latency $(LATENCY) --stall $(STALL) --seed $(SEED) \

@@ -42,25 +42,25 @@ vpath test_%.c $(sort $(dir $(TEST_C)))
 $B/test/test_%.o: test_%.c $B/flags
 	$(call say,TEST,test_$*)
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(CFLAGS) -Itests -MMD -MP -c $< -o $@
+	$(call compile_whole,$(CC) $(CFLAGS) -Itests)
 
 $B/test/test_%.sanitized.o: test_%.c $B/flags
 	$(call say,TEST,"test_$* sanitized")
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(CFLAGS) -Itests $(SANITIZE) -MMD -MP -c $< -o $@
+	$(call compile_whole,$(CC) $(CFLAGS) -Itests $(SANITIZE))
 
 $B/test/test_%.clang.o: test_%.c $B/flags
 	$(call say,TEST,"test_$* sanitized by clang")
 	@mkdir -p $(@D)
-	$(Q)$(CLANG_CC) $(CLANG_FLAGS) -Itests -MMD -MP -c $< -o $@
+	$(call compile_whole,$(CLANG_CC) $(CLANG_FLAGS) -Itests)
 
 $(TEST_RUN): %: %.o $(LIB)
-	$(Q)$(CC) -fopenmp $^ $(TEST_LIBS) -o $@
+	$(call make_whole,$(CC) -fopenmp $^ $(TEST_LIBS))
 
 $(TEST_RUN:%=%.sanitized): %: %.o $B/asan/libsphaera.a
-	$(Q)$(CC) -fopenmp $(SANITIZE) $^ $(TEST_LIBS) -o $@
+	$(call make_whole,$(CC) -fopenmp $(SANITIZE) $^ $(TEST_LIBS))
 
 $(CLANG_RUN): %: %.o $B/clang/libsphaera.a
-	$(Q)$(CLANG_CC) $(CLANG_FLAGS) $^ $(TEST_LIBS) -o $@
+	$(call make_whole,$(CLANG_CC) $(CLANG_FLAGS) $^ $(TEST_LIBS))
 
 -include $(TEST_RUN:%=%.d) $(TEST_RUN:%=%.sanitized.d) $(CLANG_RUN:%=%.d)

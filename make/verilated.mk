@@ -7,6 +7,8 @@
 
 B   ?= build
 OPT ?= -O2
+# One name for one folder: it is a part of commands and of what the compiler says of dependencies.
+override B := $(if $(filter /%,$B),$(B:$(CURDIR)/%=%),$B)
 S   := $B/sim
 
 # clang takes half of gcc's time, and the code runs faster; g++ links, for libgomp.

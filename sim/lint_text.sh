@@ -1,5 +1,5 @@
 #!/bin/sh
-# lint_text.sh - SPDX lines, lines of at most 100 columns, no space at line ends
+# lint_text.sh - SPDX lines, lines of at most 100 columns, no space at line ends, run bits
 # SPDX-License-Identifier: Apache-2.0
 cd "$(dirname "$0")/.." || exit 1
 
@@ -22,6 +22,8 @@ report() { # title, findings
     report "no SPDX line" "$(grep -L 'SPDX-License-Identifier: Apache-2.0' $sources)"
     report "longer than 100 columns" \
         "$(LC_ALL=C.UTF-8 grep -noE '^.{101}' $written | cut -d: -f1,2)"
+    report "script without run bit" \
+        "$(find $(awk 'FNR == 1 && /^#!/ { print FILENAME }' $sources) ! -perm -u=x)"
     report "space at the end" "$(grep -nE '[[:space:]]+$' $sources $texts)"
 }
 exit $bad
