@@ -1,9 +1,10 @@
-# effects.awk - the list of effects and parts in machine.def, read by whatever follows it
+# effects.awk - effects, parts and sizes in machine.def, read by whatever follows it
 # SPDX-License-Identifier: Apache-2.0
 #
 # usage: awk -f cmodel/machine/effects.awk -f PROGRAM [...] cmodel/machine/machine.def
 # Leaves, in order, word[1..words], the first `effects` of them effects, number[word], and by number
-# core, bit (-1: none), most, all, asked, option, needs, excludes (lists of words) and about.
+# core, bit (-1: none), most, all, asked, option, needs, excludes (lists of words) and about; sizes
+# as size[1..sizes], and by number standard, least, largest, power (1: of two) and size_about.
 function effects_fail(why) {
     print FILENAME ":" FNR ": " why > "/dev/stderr"
     failed = 1
@@ -44,6 +45,14 @@ $1 == "effect" || $1 == "part" {
     if (bit[words] < 0 && asked[words] == "") effects_fail("nothing asks for " $2)
     if (bit[words] >= 0) taken[bit[words]] = 1
     if (bit[words] >= bits) bits = bit[words] + 1
+}
+$1 == "size" {
+    size[++sizes] = $2
+    standard[sizes] = $3; least[sizes] = $4; largest[sizes] = $5; power[sizes] = $6 == "power"
+    text = $0
+    if (!sub(/^.* : /, "", text)) effects_fail($2 ": what it is does not stand behind a colon")
+    size_about[sizes] = text
+    next
 }
 words && /(^| ): / {
     text = $0

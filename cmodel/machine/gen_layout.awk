@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # Needs effects.awk before it. sim/layout.sh runs it, also for what stands in Verilog files between
-# marks: lang=parameters, a parameter for each effect and part; lang=connections, its connection.
+# marks: lang=parameters, a parameter for each effect, part and size; lang=connections, its
+# connection.
 function mask(list, part, n, i, bits_set) { # of words, by their place in the list
     n = split(list, part, ",")
     for (i = 1; i <= n; i++) bits_set += 2 ^ (number[part[i]] - 1)
@@ -29,16 +30,44 @@ function entry(i, when, count, lo, hi) { # X(NAME, word, ...) of SPH_EACH_PART
                    when == "" ? "-1" : "SPH_REG_" when, lo == "" ? "0" : lo, hi == "" ? "0" : hi,
                    count == "" ? "-1" : "SPH_REG_" count, about[i])
 }
-function parameters(i, range_text) {
+function parameter(name, value, range_text, what) { # the last ends a list: no comma
+    name = sprintf("    parameter %-10s = %s%s", name, value, name == size[sizes] ? "" : ",")
+    printf "%-33s// %s: %s\n", name " ", range_text, what
+}
+function parameters(i) {
+    for (i = 1; i <= words; i++)
+        parameter(core[i], all[i], most[i] > 1 ? "0.." most[i] : "0 or 1", about[i])
+    for (i = 1; i <= sizes; i++)
+        parameter(size[i], standard[i], least[i] ".." largest[i] (power[i] ? ", power of two" : ""),
+                  size_about[i])
+}
+function check(legal, message) { # one line of RT_CHECK_CORE
+    gsub(/[+]/, "_plus_", message)
+    checks = checks sprintf(" \\\n    `RT_CHECK(%s, rt_core_%s)", legal, message)
+}
+function between(name, from, to, two, legal) {
+    legal = sprintf("%s >= %s && %s <= %s", name, from, name, to)
+    if (two) legal = legal sprintf(" && (%s & (%s - 1)) == 0", name, name)
+    check(legal, name "_must_be_" (two ? "a_power_of_two_from_" : "") from "_to_" to)
+}
+function all_checks(i, k, n, part, legal) {
     for (i = 1; i <= words; i++) {
-        range_text = most[i] > 1 ? "0.." most[i] : "0 or 1"
-        printf "    parameter %-10s = %d,%s// %s: %s\n", core[i], all[i],
-               substr("    ", length(core[i]) > 10 ? 4 : 1), range_text, about[i]
+        between(core[i], 0, most[i])
+        n = split(needs[i], part, ",")
+        for (k = 1; k <= n; k++)
+            check(core[i] " == 0 || " core[number[part[k]]] " != 0",
+                  core[i] "_needs_" core[number[part[k]]])
+        n = i > effects ? split(excludes[i], part, ",") : 0
+        for (k = 1; k <= n; k++)
+            check(core[i] " == 0 || " core[number[part[k]]] " == 0",
+                  core[i] "_excludes_" core[number[part[k]]])
     }
+    for (i = 1; i <= sizes; i++) between(size[i], least[i], largest[i], power[i])
 }
 function connections(i, line, next_one) {
-    for (i = 1; i <= words; i++) {
-        next_one = "." core[i] "(" core[i] "),"
+    for (i = 1; i <= words + sizes; i++) {
+        next_one = i <= words ? core[i] : size[i - words]
+        next_one = "." next_one "(" next_one ")" (i < words + sizes ? "," : "")
         if (length(line next_one) > 90) {
             print line
             line = ""
@@ -79,7 +108,8 @@ $1 == "width" {
     for (i = 8; i <= NF; i++) why = why " " $i
     widths = widths sprintf("%s{\"%s\", offsetof(struct sph_profile, %s), %s, %s, %s, %s, \"%s\"}",
                             widths ? ", " : "", $2, $2, $3, $4, $5, $6, why)
-    if (lang == "v") { def(p "LSB", $3); def(p "MIN", $5); def(p "MAX", $6) }
+    if (lang == "v") def(p "LSB", $3)
+    between(toupper($2), $5, $6)
 }
 $1 == "const"   { def($2, $3) }
 $1 == "field" && $3 == "stride" { def(toupper($2) "_STRIDE", $5); next }
@@ -121,6 +151,8 @@ END {
         print "\n#endif"
     } else {
         def("EFFECTS_BUILT", "(32'd0" built ")")
+        all_checks()
+        def("CHECK_CORE", checks)
         print "`endif"
     }
 }

@@ -4,6 +4,7 @@
 // and L2 come out of one pass as the colours at reflection depth 0, 1 and the deepest.
 // Model: sph_render() in cmodel/core/render.c
 `default_nettype none
+`include "rt_check.vh"
 `include "rt_layout.vh"
 `include "rt_bundles.vh"
 module rt_core #(
@@ -13,9 +14,7 @@ module rt_core #(
     parameter NG         = `RT_PROFILE_STANDARD_NG,  // guard bits of the normal
     parameter FW         = `RT_PROFILE_STANDARD_FW,  // filter coordinate, bits
     parameter PR         = `RT_PROFILE_STANDARD_PR,  // significant bits of the root, 0: all
-    parameter ENGINES    = 1,    // engines, 1..8
-    parameter K          = 64,   // rays in flight an engine, power of two
-    // what is elaborated; a machine that asks for more is refused (MISSING_EFFECT)
+    // effects that are elaborated, a machine that asks for more is refused (MISSING_EFFECT); sizes
     // parameters of machine.def
     parameter SHADOW     = 1,    // 0 or 1: rays towards the lights
     parameter REFLECT    = 5,    // 0..5: mirror rays, up to MAX_DEPTH
@@ -33,19 +32,21 @@ module rt_core #(
     parameter SPANS      = 1,    // 0 or 1: background separation by spans in memory
     parameter CONES      = 1,    // 0..16: exact background separation, by so many spheres
     parameter ACCEL      = 0,    // 0 or 1: a BIH instead of nodes of four children
+    parameter ENGINES    = 1,    // 1..8: engines
+    parameter K          = 64,   // 4..1024, power of two: rays in flight an engine
+    parameter NODE_LINES = 256,  // 8..4096, power of two: lines of an engine's node cache
+    parameter LEAF_LINES = 128,  // 8..4096, power of two: lines of its leaf cache
+    parameter TEXTURE_LINES = 128, // 8..4096, power of two: lines of its texture cache
+    parameter TEXTURE_WAYS = 4,  // 1..32, power of two: groups of a set of the texture cache
+    parameter TEXTURE_GROUP = 1, // 1..4, power of two: lines of a group, fetched together
+    parameter TEXTURE_COORDS = 2, // 1..8: units for texture coordinates an engine
+    parameter ROOTS      = 3,    // 1..8: square root units an engine
+    parameter QUOTIENTS  = 3,    // 1..8: dividers an engine
+    parameter DIVISIONS  = 1,    // 1..8: dividers an engine for the keys of facets
+    parameter ROOT_STEP  = 2,    // 1..W+WD: root bits a clock
+    parameter QUOTIENT_STEP = 2, // 1..PQ: quotient bits a clock
+    parameter DIVISION_STEP = 2  // 1..W+WD: bits of a facet's key a clock
     // end of parameters
-    parameter NODE_LINES = 256,  // lines of an engine's node cache, power of two
-    parameter LEAF_LINES = 128,  // of its leaf cache
-    parameter TEXTURE_LINES = 128, // of its texture cache
-    parameter TEXTURE_WAYS = 4,  // of the texture cache: groups of a set
-    parameter TEXTURE_GROUP = 1, // lines fetched together: 1, 2 or 4
-    parameter TEXTURE_COORDS = 2, // units for texture coordinates an engine
-    parameter ROOTS      = 3,    // square root units an engine
-    parameter QUOTIENTS  = 3,    // dividers an engine
-    parameter DIVISIONS  = 1,    // dividers an engine for the keys of facets
-    parameter ROOT_STEP  = 2,    // root bits a clock, 1..W+WD
-    parameter QUOTIENT_STEP = 2, // quotient bits a clock, 1..PQ
-    parameter DIVISION_STEP = 2  // bits of a facet's key a clock, 1..W+WD
 ) (
     input  wire              clk,
     input  wire              rst,
@@ -89,18 +90,14 @@ module rt_core #(
     localparam EW = 8*PLACES;                        // their events of a cycle
     localparam SEPARATED = RECT != 0 || SPANS != 0 || CONES != 0;  // background goes by itself
 
-    // cmodel/machine/profile.c says which of these fails
-    localparam FIT = W >= `RT_WIDTH_W_MIN && W <= `RT_WIDTH_W_MAX && WD > W &&
-                     WD <= `RT_WIDTH_WD_MAX && 3*W + 2*WD <= 126 && PQ >= `RT_WIDTH_PQ_MIN &&
-                     PQ <= `RT_WIDTH_PQ_MAX && PQ + WD <= 62 && PQ >= W + NG + 5 - WD &&
-                     NG <= `RT_WIDTH_NG_MAX &&
-                     FW >= `RT_WIDTH_FW_MIN && FW <= `RT_WIDTH_FW_MAX && FW <= W &&
-                     (PR == 0 || (PR >= 4 && PR < W + WD));
-    generate
-        if (!FIT) begin : g_check
-            rt_core_widths_do_not_fit_see_number_formats_md u_error ();
-        end
-    endgenerate
+    // ---- legal values: machine.def and, of widths together, cmodel/machine/profile.c ----
+    `RT_CHECK_CORE
+    `RT_CHECK(WD > W, rt_core_WD_must_be_above_W)
+    `RT_CHECK(FW <= W, rt_core_FW_must_be_at_most_W)
+    `RT_CHECK(3*W + 2*WD <= 126, rt_core_3W_plus_2WD_must_be_at_most_126)
+    `RT_CHECK(PQ + WD <= 62, rt_core_PQ_plus_WD_must_be_at_most_62)
+    `RT_CHECK(PQ + WD >= W + NG + 5, rt_core_PQ_plus_WD_must_be_at_least_W_plus_NG_plus_5)
+    `RT_CHECK(PR == 0 || (PR >= 4 && PR < W + WD), rt_core_PR_must_be_0_or_4_to_W_plus_WD_minus_1)
 
     // ---- registers, start ----
     wire [31:0]      effects, profile;

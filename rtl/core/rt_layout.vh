@@ -27,23 +27,11 @@
 `define RT_PROFILE_REFERENCE_FW 14
 `define RT_PROFILE_REFERENCE_PR 0
 `define RT_WIDTH_W_LSB 0
-`define RT_WIDTH_W_MIN 8
-`define RT_WIDTH_W_MAX 24
 `define RT_WIDTH_WD_LSB 5
-`define RT_WIDTH_WD_MIN 9
-`define RT_WIDTH_WD_MAX 31
 `define RT_WIDTH_PQ_LSB 10
-`define RT_WIDTH_PQ_MIN 4
-`define RT_WIDTH_PQ_MAX 32
 `define RT_WIDTH_NG_LSB 16
-`define RT_WIDTH_NG_MIN 0
-`define RT_WIDTH_NG_MAX 4
 `define RT_WIDTH_FW_LSB 19
-`define RT_WIDTH_FW_MIN 6
-`define RT_WIDTH_FW_MAX 14
 `define RT_WIDTH_PR_LSB 23
-`define RT_WIDTH_PR_MIN 0
-`define RT_WIDTH_PR_MAX 54
 `define RT_FILTER_MARGIN 2
 `define RT_LINE_WORDS 8
 `define RT_MAX_LIGHTS 8
@@ -358,4 +346,47 @@
 `define RT_COUNTERS_BOTH 3605503
 `define RT_ERRORS 6
 `define RT_EFFECTS_BUILT (32'd0 | (SHADOW != 0 ? 32'd1 << 0 : 32'd0) | (REFLECT != 0 ? 32'd1 << 1 : 32'd0) | (INSIDE != 0 ? 32'd1 << 2 : 32'd0) | (FIRST != 0 ? 32'd1 << 3 : 32'd0) | (INTERPENETRATE != 0 ? 32'd1 << 4 : 32'd0) | (FACETS != 0 ? 32'd1 << 5 : 32'd0) | (TEXTURE != 0 ? 32'd1 << 6 : 32'd0) | (REFRACT != 0 ? 32'd1 << 7 : 32'd0) | (SPECULAR != 0 ? 32'd1 << 8 : 32'd0) | (SUM != 0 ? 32'd1 << 9 : 32'd0))
+`define RT_CHECK_CORE  \
+    `RT_CHECK(W >= 8 && W <= 24, rt_core_W_must_be_8_to_24) \
+    `RT_CHECK(WD >= 9 && WD <= 31, rt_core_WD_must_be_9_to_31) \
+    `RT_CHECK(PQ >= 4 && PQ <= 32, rt_core_PQ_must_be_4_to_32) \
+    `RT_CHECK(NG >= 0 && NG <= 4, rt_core_NG_must_be_0_to_4) \
+    `RT_CHECK(FW >= 6 && FW <= 14, rt_core_FW_must_be_6_to_14) \
+    `RT_CHECK(PR >= 0 && PR <= 51, rt_core_PR_must_be_0_to_51) \
+    `RT_CHECK(SHADOW >= 0 && SHADOW <= 1, rt_core_SHADOW_must_be_0_to_1) \
+    `RT_CHECK(REFLECT >= 0 && REFLECT <= 5, rt_core_REFLECT_must_be_0_to_5) \
+    `RT_CHECK(LIGHTS >= 0 && LIGHTS <= 8, rt_core_LIGHTS_must_be_0_to_8) \
+    `RT_CHECK(INSIDE >= 0 && INSIDE <= 1, rt_core_INSIDE_must_be_0_to_1) \
+    `RT_CHECK(FIRST >= 0 && FIRST <= 1, rt_core_FIRST_must_be_0_to_1) \
+    `RT_CHECK(INTERPENETRATE >= 0 && INTERPENETRATE <= 1, rt_core_INTERPENETRATE_must_be_0_to_1) \
+    `RT_CHECK(INTERPENETRATE == 0 || INSIDE != 0, rt_core_INTERPENETRATE_needs_INSIDE) \
+    `RT_CHECK(INTERPENETRATE == 0 || FIRST != 0, rt_core_INTERPENETRATE_needs_FIRST) \
+    `RT_CHECK(FACETS >= 0 && FACETS <= 1, rt_core_FACETS_must_be_0_to_1) \
+    `RT_CHECK(TEXTURE >= 0 && TEXTURE <= 1, rt_core_TEXTURE_must_be_0_to_1) \
+    `RT_CHECK(REFRACT >= 0 && REFRACT <= 1, rt_core_REFRACT_must_be_0_to_1) \
+    `RT_CHECK(REFRACT == 0 || INSIDE != 0, rt_core_REFRACT_needs_INSIDE) \
+    `RT_CHECK(SPECULAR >= 0 && SPECULAR <= 1, rt_core_SPECULAR_must_be_0_to_1) \
+    `RT_CHECK(SPECULAR == 0 || SUM != 0, rt_core_SPECULAR_needs_SUM) \
+    `RT_CHECK(SUM >= 0 && SUM <= 1, rt_core_SUM_must_be_0_to_1) \
+    `RT_CHECK(COARSE >= 0 && COARSE <= 8, rt_core_COARSE_must_be_0_to_8) \
+    `RT_CHECK(COARSE == 0 || TEXTURE != 0, rt_core_COARSE_needs_TEXTURE) \
+    `RT_CHECK(RECT >= 0 && RECT <= 1, rt_core_RECT_must_be_0_to_1) \
+    `RT_CHECK(SPANS >= 0 && SPANS <= 1, rt_core_SPANS_must_be_0_to_1) \
+    `RT_CHECK(CONES >= 0 && CONES <= 16, rt_core_CONES_must_be_0_to_16) \
+    `RT_CHECK(ACCEL >= 0 && ACCEL <= 1, rt_core_ACCEL_must_be_0_to_1) \
+    `RT_CHECK(ACCEL == 0 || FIRST == 0, rt_core_ACCEL_excludes_FIRST) \
+    `RT_CHECK(ENGINES >= 1 && ENGINES <= 8, rt_core_ENGINES_must_be_1_to_8) \
+    `RT_CHECK(K >= 4 && K <= 1024 && (K & (K - 1)) == 0, rt_core_K_must_be_a_power_of_two_from_4_to_1024) \
+    `RT_CHECK(NODE_LINES >= 8 && NODE_LINES <= 4096 && (NODE_LINES & (NODE_LINES - 1)) == 0, rt_core_NODE_LINES_must_be_a_power_of_two_from_8_to_4096) \
+    `RT_CHECK(LEAF_LINES >= 8 && LEAF_LINES <= 4096 && (LEAF_LINES & (LEAF_LINES - 1)) == 0, rt_core_LEAF_LINES_must_be_a_power_of_two_from_8_to_4096) \
+    `RT_CHECK(TEXTURE_LINES >= 8 && TEXTURE_LINES <= 4096 && (TEXTURE_LINES & (TEXTURE_LINES - 1)) == 0, rt_core_TEXTURE_LINES_must_be_a_power_of_two_from_8_to_4096) \
+    `RT_CHECK(TEXTURE_WAYS >= 1 && TEXTURE_WAYS <= 32 && (TEXTURE_WAYS & (TEXTURE_WAYS - 1)) == 0, rt_core_TEXTURE_WAYS_must_be_a_power_of_two_from_1_to_32) \
+    `RT_CHECK(TEXTURE_GROUP >= 1 && TEXTURE_GROUP <= 4 && (TEXTURE_GROUP & (TEXTURE_GROUP - 1)) == 0, rt_core_TEXTURE_GROUP_must_be_a_power_of_two_from_1_to_4) \
+    `RT_CHECK(TEXTURE_COORDS >= 1 && TEXTURE_COORDS <= 8, rt_core_TEXTURE_COORDS_must_be_1_to_8) \
+    `RT_CHECK(ROOTS >= 1 && ROOTS <= 8, rt_core_ROOTS_must_be_1_to_8) \
+    `RT_CHECK(QUOTIENTS >= 1 && QUOTIENTS <= 8, rt_core_QUOTIENTS_must_be_1_to_8) \
+    `RT_CHECK(DIVISIONS >= 1 && DIVISIONS <= 8, rt_core_DIVISIONS_must_be_1_to_8) \
+    `RT_CHECK(ROOT_STEP >= 1 && ROOT_STEP <= W+WD, rt_core_ROOT_STEP_must_be_1_to_W_plus_WD) \
+    `RT_CHECK(QUOTIENT_STEP >= 1 && QUOTIENT_STEP <= PQ, rt_core_QUOTIENT_STEP_must_be_1_to_PQ) \
+    `RT_CHECK(DIVISION_STEP >= 1 && DIVISION_STEP <= W+WD, rt_core_DIVISION_STEP_must_be_1_to_W_plus_WD)
 `endif

@@ -4,6 +4,7 @@
 // slot travels the ring drawn in docs/blocks/engine.md.
 // Model: sph_render_pixel() in cmodel/engine/render_pixel.c, SLOTS pixels at once
 `default_nettype none
+`include "rt_check.vh"
 `include "rt_layout.vh"
 `include "rt_bundles.vh"
 module rt_engine #(
@@ -72,17 +73,12 @@ module rt_engine #(
     localparam SHADOWS = LIGHTS != 0 && SHADOW != 0 ? 1 : 0;           // shadow rays
     localparam BOUNCES = REFLECT != 0 || INTERPENETRATE != 0 || REFRACT != 0 ? 1 : 0; // mirrored
     localparam FARS    = INSIDE != 0 || FACETS != 0 ? 1 : 0;           // hits that are far
-    generate
-        if (INTERPENETRATE != 0 && (FIRST == 0 || INSIDE == 0)) begin : g_check
-            rt_engine_INTERPENETRATE_needs_FIRST_and_INSIDE u_error ();
-        end
-        if ((REFRACT != 0 && INSIDE == 0) || (SPECULAR != 0 && SUM == 0)) begin : g_check_optics
-            rt_engine_REFRACT_needs_INSIDE_and_SPECULAR_needs_SUM u_error ();
-        end
-        if (ACCEL != 0 && FIRST != 0) begin : g_accel
-            rt_engine_ACCEL_needs_FIRST_to_be_0 u_error ();
-        end
-    endgenerate
+    `RT_CHECK(INTERPENETRATE == 0 || (FIRST != 0 && INSIDE != 0),
+              rt_engine_INTERPENETRATE_needs_FIRST_and_INSIDE)
+    `RT_CHECK(REFRACT == 0 || INSIDE != 0, rt_engine_REFRACT_needs_INSIDE)
+    `RT_CHECK(SPECULAR == 0 || SUM != 0, rt_engine_SPECULAR_needs_SUM)
+    `RT_CHECK(ACCEL == 0 || FIRST == 0, rt_engine_ACCEL_excludes_FIRST)
+    `RT_CHECK(REFLECT >= 0 && REFLECT <= 5, rt_engine_REFLECT_must_be_0_to_5)
 
     wire [`RT_VECTOR_BITS-1:0] normal, vec_light, bounce, primary;
     wire [`RT_ORG_BITS-1:0]    org;

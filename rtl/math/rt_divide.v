@@ -4,6 +4,7 @@
 // rem < d. One division at a time: a result ceil(QW/STEP) + 1 clocks after its operands.
 // Model: the division in sph_facet_key(), cmodel/trace/facet.c
 `default_nettype none
+`include "rt_check.vh"
 module rt_divide #(
     parameter DW   = 50,                     // divisor, bits
     parameter QW   = 34,                     // quotient, bits: x < d * 2^QW
@@ -21,11 +22,7 @@ module rt_divide #(
     input  wire             out_ready_i,
     output wire [QW:0]      out_key_o        // u(QW+1)
 );
-    generate
-        if (STEP < 1 || STEP > QW) begin : g_check
-            rt_divide_STEP_must_be_1_to_QW u_error ();
-        end
-    endgenerate
+    `RT_CHECK(STEP >= 1 && STEP <= QW, rt_divide_STEP_must_be_1_to_QW)
     localparam ROUNDS = (QW + STEP - 1) / STEP;
     localparam MW     = ROUNDS*STEP;         // quotient bits of whole rounds; the first ones are 0
     localparam CW     = $clog2(ROUNDS + 1);

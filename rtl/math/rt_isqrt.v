@@ -6,6 +6,7 @@
 // digits end BITS after the first 1, and so do the clocks.
 // Model: sph_isqrt_bits() in cmodel/math/isqrt.c
 `default_nettype none
+`include "rt_check.vh"
 module rt_isqrt #(
     parameter XW   = 66,                   // radicand, bits: even
     parameter STEP = 2,                    // root bits a clock: 1 to XW/2
@@ -24,14 +25,10 @@ module rt_isqrt #(
     output wire [5:0]      out_shift_o,    // 0 if all bits are there
     output wire            out_inexact_o   // root^2 != x
 );
-    generate
-        if (XW % 2 != 0 || STEP < 1 || STEP > XW/2) begin : g_check
-            rt_isqrt_XW_must_be_even_and_STEP_1_to_half_of_it u_error ();
-        end
-        if (BITS != 0 && (BITS < 2 || BITS >= XW/2)) begin : g_check_bits
-            rt_isqrt_BITS_must_be_0_or_2_to_less_than_half_of_XW u_error ();
-        end
-    endgenerate
+    `RT_CHECK(XW % 2 == 0, rt_isqrt_XW_must_be_even)
+    `RT_CHECK(STEP >= 1 && STEP <= XW/2, rt_isqrt_STEP_must_be_1_to_half_of_XW)
+    `RT_CHECK(BITS == 0 || (BITS >= 2 && BITS < XW/2),
+              rt_isqrt_BITS_must_be_0_or_2_to_less_than_half_of_XW)
     localparam ROUNDS = (XW/2 + STEP - 1) / STEP;
     localparam RW     = ROUNDS*STEP;       // root bits of whole rounds; the first ones are 0
     localparam BW     = BITS != 0 ? BITS : RW;

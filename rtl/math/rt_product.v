@@ -5,6 +5,7 @@
 //   stage 1 products | stages 2.. words added in pairs
 // Free-running, latency `RT_PRODUCT_LATENCY(AW): 2 (2 chunks of a), 3 (3). Model: the product.
 `default_nettype none
+`include "rt_check.vh"
 `include "rt_fx.vh"
 module rt_product #(
     parameter AW = 35,                        // bits of a, 19..52
@@ -18,11 +19,9 @@ module rt_product #(
     localparam CA = `RT_MUL_CHUNKS(AW);
     localparam CB = `RT_MUL_CHUNKS(BW);
     localparam PW = 17*(CA + CB) + 2;         // product of whole chunks
-    generate
-        if (CA < 2 || CA > 3 || CB > 2 || (CB == 2 && CA == 2)) begin : g_check
-            rt_product_AW_must_be_19_to_52_BW_at_most_18_or_35 u_error ();
-        end
-    endgenerate
+    `RT_CHECK(CA >= 2 && CA <= 3, rt_product_AW_must_be_19_to_52)
+    `RT_CHECK(CB == 1 || (CB == 2 && CA == 3),
+              rt_product_BW_must_be_at_most_18_or_35_with_AW_above_35)
 
     // ---- stage 1: products ----
     wire signed [17*CA:0] a = {{(17*CA+1-AW){a_i[AW-1]}}, a_i};

@@ -6,6 +6,7 @@
 // that of the two operands' leading zeros z whose n is greater. Model: sph_quotient() in
 // math/quotient.c
 `default_nettype none
+`include "rt_check.vh"
 module rt_quotient #(
     parameter KW   = 35,                     // key, bits
     parameter AW   = 34,                     // a, bits
@@ -25,11 +26,8 @@ module rt_quotient #(
     output wire [PQ-1:0]     out_mant_o,     // u1.(PQ-1), or half of it
     output wire signed [7:0] out_exp_o       // s8, t = mant * 2^-exp
 );
-    generate
-        if (STEP < 1 || STEP > PQ || KW > 64 || AW > 64) begin : g_check
-            rt_quotient_STEP_must_be_1_to_PQ_and_KW_AW_at_most_64 u_error ();
-        end
-    endgenerate
+    `RT_CHECK(STEP >= 1 && STEP <= PQ, rt_quotient_STEP_must_be_1_to_PQ)
+    `RT_CHECK(KW <= 64 && AW <= 64, rt_quotient_KW_and_AW_must_be_at_most_64)
     localparam W      = KW > AW ? KW : AW;
     localparam ROUNDS = (PQ + STEP - 1) / STEP;
     localparam MW     = ROUNDS*STEP;         // quotient bits of whole rounds

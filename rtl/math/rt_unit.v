@@ -6,6 +6,7 @@
 //   1 operands | L products | 2 sum | 2 shift | 1 table | 1 slope | 1 y | 1 operands | L | 1 round
 // Free-running, latency 2*L + 10: 12 for BITS <= 17, else 16. Model: sph_unit() in math/rsqrt.c
 `default_nettype none
+`include "rt_check.vh"
 `include "rt_fx.vh"
 module rt_unit #(
     parameter BITS = 17,                      // component of v, bits: 9 to 32
@@ -30,11 +31,7 @@ module rt_unit #(
     output wire [16:0]            out_y_o,    // u1.16, 2^(BITS+16-h) / |v| from below
     output wire [5:0]             out_h_o     // left shift of v
 );
-    generate
-        if (BITS < 9 || BITS > 32) begin : g_check
-            rt_unit_BITS_must_be_9_to_32 u_error ();
-        end
-    endgenerate
+    `RT_CHECK(BITS >= 9 && BITS <= 32, rt_unit_BITS_must_be_9_to_32)
     localparam OW = BITS + 1 > 18 ? BITS + 1 : 18;  // operands of the multipliers
     localparam L  = `RT_MUL_LATENCY(OW);            // odd: 1 or 3
     localparam VW = 2*BITS;                         // v.v < 3/4 * 2^VW

@@ -3,6 +3,7 @@
 // The second one starts one cycle behind, so never both take, and never both give.
 // Latency that of rt_unit. Model: sph_unit() in cmodel/math/rsqrt.c
 `default_nettype none
+`include "rt_check.vh"
 module rt_units #(
     parameter BITS  = 17,                     // component of v, bits: 9 to 32
     parameter TAG   = 8,                      // what travels along, bits
@@ -30,14 +31,9 @@ module rt_units #(
     wire [UNITS-1:0] ready, valid;
     wire [UNITS*RW-1:0] results;
     wire [UNITS-1:0] may = {UNITS{!in_first_i}} | {{(UNITS-1){1'b0}}, 1'b1};
+    `RT_CHECK(UNITS >= 1 && UNITS <= 2, rt_units_UNITS_must_be_1_or_2)
     genvar g;
     generate
-        if (UNITS < 1 || UNITS > 2) begin : illegal
-            initial begin
-                $display("rt_units: UNITS %0d is not 1 or 2", UNITS);
-                $finish;
-            end
-        end
         for (g = 0; g < UNITS; g = g + 1) begin : g_unit
             wire signed [17:0] x, y, z;
             wire [TAG-1:0]     tag;

@@ -8,6 +8,7 @@
 // A line of the cache is an aligned group of GROUP lines of memory; a miss fetches all of them.
 // Why it is right: docs/blocks/cache.md.
 `default_nettype none
+`include "rt_check.vh"
 module rt_cache #(
     parameter TAG     = 8,    // bits of a request's tag
     parameter LINES   = 256,  // lines of memory held, a power of two
@@ -47,16 +48,10 @@ module rt_cache #(
     localparam PB   = SB + GB;              // bits of a set and a place in its group
     localparam KB   = 26 - PB;              // line number above them
     localparam AB   = $clog2(LINES);        // bits of an address of the data RAM
-    generate
-        if (WAYS < 1 || SETS < 2 || LINES != (1 << AB) || WAYS != (1 << $clog2(WAYS)) ||
-            GROUP != (1 << GB)) begin : illegal
-            initial begin
-                $display("rt_cache: no cache of %0d lines in sets of %0d groups of %0d", LINES,
-                         WAYS, GROUP);
-                $finish;
-            end
-        end
-    endgenerate
+    `RT_CHECK(LINES == (1 << AB), rt_cache_LINES_must_be_a_power_of_two)
+    `RT_CHECK(WAYS == (1 << $clog2(WAYS)), rt_cache_WAYS_must_be_a_power_of_two)
+    `RT_CHECK(GROUP == (1 << GB), rt_cache_GROUP_must_be_a_power_of_two)
+    `RT_CHECK(SETS >= 2, rt_cache_LINES_must_be_at_least_2_sets_of_WAYS_groups)
 
     function [WB-1:0] number(input [WAYS-1:0] onehot);
         integer i;

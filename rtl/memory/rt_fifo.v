@@ -5,6 +5,7 @@
 // In the engine no queue can overflow (token rule, docs/blocks/rtl_interfaces.md) and in_ready_o
 // may stay open; a push while in_ready_o is low is lost and stops a simulation.
 `default_nettype none
+`include "rt_check.vh"
 module rt_fifo #(
     parameter WIDTH = 8,   // bits of a word
     parameter DEPTH = 16   // words, a power of two, at least 2
@@ -21,14 +22,7 @@ module rt_fifo #(
     output wire [WIDTH-1:0] out_data_o
 );
     localparam AB = $clog2(DEPTH);        // address bits
-    generate
-        if (DEPTH < 2 || DEPTH != (1 << AB)) begin : illegal
-            initial begin
-                $display("rt_fifo: DEPTH %0d is not a power of two above 1", DEPTH);
-                $finish;
-            end
-        end
-    endgenerate
+    `RT_CHECK(DEPTH >= 2 && DEPTH == (1 << AB), rt_fifo_DEPTH_must_be_a_power_of_two_above_1)
 
     // ---- pointers: one bit more than the address tells full from empty ----
     reg  [AB:0] wr_q;                     // words pushed, modulo 2 DEPTH

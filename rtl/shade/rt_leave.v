@@ -94,7 +94,7 @@ module rt_leave #(
         end else begin : g_no_mirror
             assign {m_out, m_out_slot, m_vec} = {(SLOTW+3*WD+1){1'b0}};
             assign reflected_o = 1'b0;
-            wire unused = &{1'b0, ray_i, m_valid};
+            wire unused = &{1'b0, clk, rst, ray_i, m_valid};
         end
     endgenerate
     assign next_slot_o = m_slot;

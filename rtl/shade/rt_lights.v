@@ -6,6 +6,7 @@
 // in registers and has no number. Model: sph_job_light() in
 // cmodel/engine/render_light.c
 `default_nettype none
+`include "rt_check.vh"
 module rt_lights #(
     parameter W     = 16,  // coordinate, bits
     parameter WD    = 17,  // direction component, bits, at least W+1
@@ -56,14 +57,7 @@ module rt_lights #(
     localparam HB = GLOSS != 0 ? 16 : 0;              // bits of a highlight
     localparam NW = $clog2(LIGHTS + 1);               // number of lights
     localparam LW = LIGHTS > 1 ? $clog2(LIGHTS) : 1;  // number of a light
-    generate
-        if (LIGHTS < 1 || LIGHTS > 8) begin : illegal
-            initial begin
-                $display("rt_lights: LIGHTS %0d is not 1 to 8", LIGHTS);
-                $finish;
-            end
-        end
-    endgenerate
+    `RT_CHECK(LIGHTS >= 1 && LIGHTS <= 8, rt_lights_LIGHTS_must_be_1_to_8)
     wire             a_valid;                         // an event left the adder
     wire [SLOTW-1:0] a_slot;
     wire [NW-1:0]    a_next;                          // the light to go to

@@ -7,6 +7,7 @@
 //   shift | B p*B p*N | A*N *(q-p) *(q+p) | + (p*B)^2 | root | x y z, to rt_normalise
 // Model: sph_refract() in cmodel/shade/refract.c
 `default_nettype none
+`include "rt_check.vh"
 `include "rt_layout.vh"
 module rt_refract #(
     parameter W     = 16,  // coordinate, bits
@@ -47,11 +48,7 @@ module rt_refract #(
     localparam RW    = D_PB*DIGIT;                 // the longest
     localparam CW    = $clog2(D_PB + 1);
     localparam HW    = $clog2(WD + 1);
-    generate
-        if (WD > `RT_REFRACT_WD) begin : g_check
-            rt_refract_WD_is_too_wide u_error ();
-        end
-    endgenerate
+    `RT_CHECK(WD <= `RT_REFRACT_WD, rt_refract_WD_must_be_at_most_RT_REFRACT_WD)
 
     // ---- control: a product is loaded and runs; if its sum is waited for, it is added first ----
     localparam [2:0] IDLE = 3'd0, SHIFT = 3'd1, LOAD = 3'd2, RUN = 3'd3, ADD = 3'd4, TEST = 3'd5,

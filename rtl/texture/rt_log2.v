@@ -4,6 +4,7 @@
 //   1 shift by 16 and 8 | 2 by 4, 2 and 1, round | 3 table
 // Free-running, latency 3. Model: sph_log2() in cmodel/texture/lod.c
 `default_nettype none
+`include "rt_check.vh"
 module rt_log2 #(
     parameter XB = 24                 // argument, bits: 10 to 32
 ) (
@@ -11,11 +12,7 @@ module rt_log2 #(
     input  wire [XB-1:0] in_x_i,
     output wire [13:0]   out_log2_o   // u6.8; of 0 anything
 );
-    generate
-        if (XB < 10 || XB > 32) begin : g_check
-            rt_log2_XB_must_be_10_to_32 u_error ();
-        end
-    endgenerate
+    `RT_CHECK(XB >= 10 && XB <= 32, rt_log2_XB_must_be_10_to_32)
     localparam TOP = XB - 1;          // e of the largest argument
 
     // ---- stage 1: the first one among the top 8 bits; what comes behind 17 cannot matter ----

@@ -9,6 +9,7 @@
 // Results that need a key overtake none, but may be overtaken. Ports, timing:
 // docs/blocks/facet_unit.md. Model: sph_facet_test(), sph_facet_key() in cmodel/trace/facet.c
 `default_nettype none
+`include "rt_check.vh"
 `include "rt_facet.vh"
 `include "rt_fx.vh"
 module rt_facet #(
@@ -64,11 +65,7 @@ module rt_facet #(
     localparam OB   = 6;                                 // {last, shadow, operation}
     localparam [31:0] FOUR = 4 + L, LAST_T = 7 + L, LAST_P = 9 + L;
     localparam [3:0] P = FOUR[3:0], END_T = LAST_T[3:0], END_P = LAST_P[3:0], COMMIT = 4;
-    generate
-        if (3*CUT < DW || 3*CUT < MW) begin : g_check
-            rt_facet_W_and_WD_do_not_fit_three_pieces u_error ();
-        end
-    endgenerate
+    `RT_CHECK(3*CUT >= DW && 3*CUT >= MW, rt_facet_W_and_WD_must_fit_three_pieces)
     // ---- rounds: the facet at hand, and the key of the one before ----
     reg        run_q, front_q, back_q;           // a round; with a facet; after another
     reg  [3:0] slot_q;

@@ -6,6 +6,7 @@
 //   1 oc | 2 products | 3 differences | 4 round to 2 fraction bits | 5 squares | 6 sums | 7 compare
 // Latency 7 = `RT_FILTER_LATENCY, one child a clock. Model: sph_filter() in cmodel/trace/filter.c
 `default_nettype none
+`include "rt_check.vh"
 `include "rt_fx.vh"
 `include "rt_latency.vh"
 module rt_filter #(
@@ -31,11 +32,7 @@ module rt_filter #(
     output wire                 out_pass_o,  // child may hold a hit
     output wire signed [15:0]   out_near_o   // s16, least depth the child reaches
 );
-    generate
-        if (FW < 2 || FW > 14) begin : g_check
-            rt_filter_FW_must_be_2_to_14 u_error ();
-        end
-    endgenerate
+    `RT_CHECK(FW >= 2 && FW <= 14, rt_filter_FW_must_be_2_to_14)
 
     // ---- stage 1: centre from origin ----
     reg signed [14:0] s1_oc_x_q, s1_oc_y_q, s1_oc_z_q;    // s15

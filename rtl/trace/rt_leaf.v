@@ -7,6 +7,7 @@
 // A leaf every second clock, free-running, latency L + M + 8: 12 up to W/WD 16/17, 15 up to 24/25.
 // Model: sph_leaf_test() in cmodel/trace/leaf.c
 `default_nettype none
+`include "rt_check.vh"
 `include "rt_fx.vh"
 module rt_leaf #(
     parameter W   = 16,                          // coordinate, bits
@@ -63,11 +64,7 @@ module rt_leaf #(
     localparam T_B    = L + 3;                   // b; k one clock later
     localparam T_DISC = L + M + 6;               // disc
     localparam T_OUT  = L + M + 8;               // the result
-    generate
-        if (OW > 35) begin : g_check
-            rt_leaf_W_and_WD_must_be_below_36 u_error ();
-        end
-    endgenerate
+    `RT_CHECK(OW <= 35, rt_leaf_W_and_WD_must_be_below_36)
     genvar j;
 
     // ---- valid bits: valid[t] in the clock t of a leaf, and never in t+1 of another ----

@@ -16,9 +16,7 @@ module tb_core_icarus #(
     parameter NG = 2,
     parameter FW = 14,
     parameter PR = 0,
-    parameter ENGINES = 1,
-    parameter ROOT_STEP = 2,
-    parameter QUOTIENT_STEP = 2,
+    parameter LINES = 131072,  // of memory
     // parameters of machine.def
     parameter SHADOW     = 1,    // 0 or 1: rays towards the lights
     parameter REFLECT    = 5,    // 0..5: mirror rays, up to MAX_DEPTH
@@ -36,8 +34,21 @@ module tb_core_icarus #(
     parameter SPANS      = 1,    // 0 or 1: background separation by spans in memory
     parameter CONES      = 1,    // 0..16: exact background separation, by so many spheres
     parameter ACCEL      = 0,    // 0 or 1: a BIH instead of nodes of four children
+    parameter ENGINES    = 1,    // 1..8: engines
+    parameter K          = 64,   // 4..1024, power of two: rays in flight an engine
+    parameter NODE_LINES = 256,  // 8..4096, power of two: lines of an engine's node cache
+    parameter LEAF_LINES = 128,  // 8..4096, power of two: lines of its leaf cache
+    parameter TEXTURE_LINES = 128, // 8..4096, power of two: lines of its texture cache
+    parameter TEXTURE_WAYS = 4,  // 1..32, power of two: groups of a set of the texture cache
+    parameter TEXTURE_GROUP = 1, // 1..4, power of two: lines of a group, fetched together
+    parameter TEXTURE_COORDS = 2, // 1..8: units for texture coordinates an engine
+    parameter ROOTS      = 3,    // 1..8: square root units an engine
+    parameter QUOTIENTS  = 3,    // 1..8: dividers an engine
+    parameter DIVISIONS  = 1,    // 1..8: dividers an engine for the keys of facets
+    parameter ROOT_STEP  = 2,    // 1..W+WD: root bits a clock
+    parameter QUOTIENT_STEP = 2, // 1..PQ: quotient bits a clock
+    parameter DIVISION_STEP = 2  // 1..W+WD: bits of a facet's key a clock
     // end of parameters
-    parameter LINES = 131072   // of memory
 );
     localparam N_REGS = `RT_N_REGS;
     localparam QUEUE = 1024;   // requests under way
@@ -72,14 +83,17 @@ module tb_core_icarus #(
 
     rt_core #(
         .W(W), .WD(WD), .PQ(PQ), .NG(NG), .FW(FW), .PR(PR),
-        .ENGINES(ENGINES),
         // connections of machine.def
         .SHADOW(SHADOW), .REFLECT(REFLECT), .LIGHTS(LIGHTS), .INSIDE(INSIDE),
         .FIRST(FIRST), .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),
         .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM), .COARSE(COARSE), .RECT(RECT),
-        .SPANS(SPANS), .CONES(CONES), .ACCEL(ACCEL),
+        .SPANS(SPANS), .CONES(CONES), .ACCEL(ACCEL), .ENGINES(ENGINES), .K(K),
+        .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES), .TEXTURE_LINES(TEXTURE_LINES),
+        .TEXTURE_WAYS(TEXTURE_WAYS), .TEXTURE_GROUP(TEXTURE_GROUP),
+        .TEXTURE_COORDS(TEXTURE_COORDS), .ROOTS(ROOTS), .QUOTIENTS(QUOTIENTS),
+        .DIVISIONS(DIVISIONS), .ROOT_STEP(ROOT_STEP), .QUOTIENT_STEP(QUOTIENT_STEP),
+        .DIVISION_STEP(DIVISION_STEP)
         // end of connections
-        .ROOT_STEP(ROOT_STEP), .QUOTIENT_STEP(QUOTIENT_STEP)
     ) u_core (
         .clk(clk), .rst(rst),
         .cfg_valid_i(cfg_valid), .cfg_addr_i(cfg_addr), .cfg_data_i(cfg_data),

@@ -88,7 +88,7 @@ static void refused(void **state) {
         {"standard:fw=5", "fw is 5, not in 6..14"},
         {"standard:pr=3", "pr is 3, neither 0 (all) nor in 4..32"},
         {"standard:pr=34", "pr is 34, neither 0 (all) nor in 4..32"},
-        {"standard:pr=55", "pr is 55, not in 0..54: the longest root"},
+        {"standard:pr=55", "pr is 55, not in 0..51: the longest root"},
     };
     (void)state;
     for (size_t i = 0; i < sizeof list / sizeof *list; i++) {

@@ -1,0 +1,159 @@
+#!/bin/sh
+# test_parameters.sh - the core is elaborated at the ends of each parameter, and refused beyond them
+# SPDX-License-Identifier: Apache-2.0
+#
+# Legal values are those of machine.def. What lies one beyond is refused by Verilator, Icarus and
+# Yosys alike, with the name of a module that does not exist and says what is legal. Every parameter
+# is wrong at once in one elaboration of each tool; alone it is tried in Icarus, which is fast.
+set -u
+. "$(dirname "$0")/../tap.sh"
+cd "$(dirname "$0")/../.." || exit 1
+folders=$(find rtl -name '*.v*' -exec dirname {} + | sort -u)
+include=$(echo "$folders" | sed 's/^/-I/')
+library="$include $(echo "$folders" | sed 's/^/-y /')"
+core=$(find rtl -name rt_core.v)
+# Standard widths; one line a value: NAME low|high|odd|least|most VALUE MESSAGE
+awk -f cmodel/machine/effects.awk -f - cmodel/machine/machine.def >"$TMP/values" <<'END'
+function number_of(text, part, n, i, sum) {
+    n = split(text, part, "+")
+    for (i = 1; i <= n; i++) sum += part[i] in standard_of ? standard_of[part[i]] : part[i]
+    return sum
+}
+function values(name, from, to, two, message) {
+    message = name "_must_be_" (two ? "a_power_of_two_from_" : "") from "_to_" to
+    gsub(/[+]/, "_plus_", message)
+    print name, "low", from - 1, message
+    print name, "high", two ? 2 * to : number_of(to) + 1, message
+    if (two) print name, "odd", number_of(to) - 1, message
+    print name, "least", from, message
+    print name, "most", number_of(to), message
+}
+$1 == "profile" && $2 == "standard" {
+    n = split("W WD PQ NG FW PR", key, " ")
+    for (i = 1; i <= n; i++) standard_of[key[i]] = $(i + 2)
+}
+$1 == "width" { widths++; width[widths] = toupper($2); from[widths] = $5; to[widths] = $6 }
+END {
+    for (i = 1; i <= widths; i++) values(width[i], from[i], to[i])
+    for (i = 1; i <= words; i++) values(core[i], 0, most[i])
+    for (i = 1; i <= sizes; i++) values(size[i], least[i], largest[i], power[i])
+}
+END
+# rt_core with some values: whole, or alone, when all other modules are missing
+# shellcheck disable=SC2046,SC2086  # lists of words on purpose
+elaborate() { # icarus|verilator|yosys, alone|whole, NAME=VALUE...
+    tool=$1 from=$library sources=$(find rtl -name '*.v' | tr '\n' ' ') how='-check -top rt_core'
+    [ "$2" = whole ] || from=$include sources=$core \
+        how='-top rt_core; select -write /dev/stdout t:*'
+    shift 2
+    case $tool in
+    icarus) iverilog -g2005 -Wall -t null $from $(printf ' -Prt_core.%s' "$@") -s rt_core $core ;;
+    verilator)
+        verilator --lint-only -Wall --language 1364-2005 $from $(printf ' -G%s' "$@") \
+            --top-module rt_core $core
+        ;;
+    yosys)
+        yosys -q -e '.*' -p "read_verilog $(echo $include) $sources
+            chparam $(printf ' -set %s' "$@" | sed "s/=-1/ 32'hffffffff/g; s/=/ /g") rt_core
+            hierarchy $how"
+        ;;
+    esac 2>&1
+}
+silent() { elaborate "$@" >"$TMP/said" && ! grep . "$TMP/said"; }
+says() { # message, what elaborate takes: it stops, and says so
+    message=$1
+    shift
+    ! elaborate "$@" >"$TMP/said" && grep -q "rt_core_$message\b" "$TMP/said" && return
+    echo "not said: rt_core_$message"
+    cat "$TMP/said"
+    return 1
+}
+
+# ---- legal: each alone in Icarus, all together in every tool ----
+alone() { # no check speaks; that other modules are missing is what `alone` means
+    elaborate icarus alone "$@" >"$TMP/said"
+    ! grep -E '_must_be_|_needs_|_excludes_' "$TMP/said"
+}
+each_alone() {
+    while read -r parameter kind value _; do
+        case $kind:$parameter=$value in # what goes with it
+        least:W=*) with="FW=$value" ;;
+        most:W=*) with="WD=25 PQ=28" ;;
+        least:WD=*) with="W=8 FW=8" ;;
+        most:WD=*) with="PQ=31" ;;
+        least:PQ=*) with="W=14 WD=21 NG=0" ;;
+        most:PR=*) with="W=21 WD=31 PQ=31" ;;
+        least:FIRST=* | least:INSIDE=*) with="INTERPENETRATE=0" ;;
+        most:SPECULAR=*) with="SUM=1" ;;
+        most:COARSE=*) with="TEXTURE=1" ;;
+        most:ACCEL=*) with="FIRST=0 INTERPENETRATE=0" ;;
+        least:* | most:*) with= ;;
+        *) continue ;;
+        esac
+        # shellcheck disable=SC2086  # words
+        alone $with "$parameter=$value" || return 1
+    done <"$TMP/values"
+}
+check "legal: each parameter's ends, alone" each_alone
+# NAME=VALUE of one kind, but for some names
+all_of() { awk -v kind="$1" -v but="^($2)$" '$2 == kind && $1 !~ but { print $1 "=" $3 }' \
+    "$TMP/values"; }
+# The ends of widths contradict each other; many engines are elaborated by the fastest tool alone.
+widths='W|WD|PQ|NG|FW|PR'
+# shellcheck disable=SC2046  # words
+for tool in icarus verilator yosys; do
+    check "legal: all least, $tool" silent $tool whole $(all_of least "$widths")
+    few="$widths|ACCEL"
+    [ $tool = icarus ] || few="$few|ENGINES|K|ROOTS|QUOTIENTS|DIVISIONS|CONES"
+    check "legal: all largest, $tool" silent $tool whole $(all_of most "$few")
+done
+
+# ---- one beyond: all together in every tool, each alone in Icarus; steps follow widths ----
+# shellcheck disable=SC2046  # words
+for tool in icarus verilator yosys; do
+    for kind in low high odd; do
+        all_say() { # each that lies beyond is named
+            elaborate $tool alone $(all_of $kind '.*_STEP') >"$TMP/said"
+            awk -v kind=$kind '$2 == kind && $1 !~ /_STEP$/ { print "rt_core_" $4 }' \
+                "$TMP/values" >"$TMP/wanted"
+            while read -r message; do
+                grep -q "$message\b" "$TMP/said" || { echo "not said: $message" && return 1; }
+            done <"$TMP/wanted"
+        }
+        check "one beyond, all $kind, $tool" all_say
+    done
+done
+each_beyond() {
+    while read -r parameter kind value message; do
+        case $kind in low | high | odd) ;; *) continue ;; esac
+        says "$message" icarus alone "$parameter=$value" || return 1
+    done <"$TMP/values"
+}
+check "one beyond: each alone" each_beyond
+while read -r message values; do
+    # shellcheck disable=SC2086  # words
+    check "what does not go together: $message" says "$message" icarus alone $values
+done <<'END'
+WD_must_be_above_W WD=16
+FW_must_be_at_most_W W=12
+3W_plus_2WD_must_be_at_most_126 W=24 WD=28 PQ=28
+PQ_plus_WD_must_be_at_most_62 PQ=32 WD=31
+PQ_plus_WD_must_be_at_least_W_plus_NG_plus_5 PQ=5
+PR_must_be_0_or_4_to_W_plus_WD_minus_1 PR=3
+PR_must_be_0_or_4_to_W_plus_WD_minus_1 PR=33
+INTERPENETRATE_needs_INSIDE INSIDE=0
+INTERPENETRATE_needs_FIRST FIRST=0
+REFRACT_needs_INSIDE REFRACT=1 INTERPENETRATE=0 INSIDE=0
+SPECULAR_needs_SUM SPECULAR=1
+COARSE_needs_TEXTURE COARSE=1
+ACCEL_excludes_FIRST ACCEL=1
+END
+
+# ---- the whole core is refused, by every tool ----
+for tool in icarus verilator yosys; do
+    for case in ENGINES=0 ENGINES=9 K=48 NODE_LINES=100 LIGHTS=12; do
+        message=$(awk -v name="${case%=*}" '$1 == name { print $4; exit }' "$TMP/values")
+        check "refused by $tool: $case" says "$message" $tool whole $case
+    done
+done
+done_testing
