@@ -11,7 +11,7 @@
 #include <stdio.h>
 
 #include "machine/layout.h"
-#include "trace/leaf.h"
+#include "prim/leaf.h"
 
 #ifndef W
 #define W 2

@@ -18,7 +18,7 @@
 #include "machine/layout.h"
 #include "math/fx.h"
 #include "trace/filter.h"
-#include "trace/leaf.h"
+#include "prim/leaf.h"
 
 #ifndef W
 #define W 4

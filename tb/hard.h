@@ -24,9 +24,8 @@
 
 #include "bench.h"
 extern "C" {
-#include "shade/surface.h"
 #include "tests/hard/list.h"
-#include "trace/leaf.h"
+#include "prim/sphere.h"
 #include "trace/ray.h"
 }
 

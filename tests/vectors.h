@@ -19,7 +19,7 @@
 #include "machine/layout.h"
 #include "machine/profile.h"
 #include "scene/rng.h"
-#include "trace/leaf.h"
+#include "prim/sphere.h"
 #include "trace/ray.h"
 
 /* The sanitizers look for other mistakes than wrong numbers: a share of the cases does for them. */

@@ -27,5 +27,5 @@ void sph_emit_facet(uint32_t *line, const struct sph_grid_facet *f, uint32_t id)
 void sph_emit_facet_prim(uint32_t *line, const struct sph_grid_facet *f, uint32_t id) {
     put_vector(line, SPH_LEAF_CTR_X_LSB, f->normal);
     sph_field_set(line, SPH_LEAF_ID_LSB, SPH_LEAF_ID_BITS, id);
-    sph_field_set(line, SPH_PRIM_FACET_LSB, SPH_PRIM_FACET_BITS, 1);
+    sph_field_set(line, SPH_PRIM_KIND_LSB, SPH_PRIM_KIND_BITS, (uint32_t)f->kind);
 }

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "machine/facets.h"
+#include "prim/triangle.h"
 
 struct sph_ball sph_grid_whole(const struct sph_profile *profile) {
     int64_t half = 1ll << (profile->w - 1);

@@ -11,7 +11,7 @@
 #include "shade/refract.h"
 #include "texture/lod.h"
 #include "texture/lookup.h"
-#include "trace/node.h"
+#include "prim/prim.h"
 #include "trace/traverse.h"
 
 /* The primitive record of a hit; NULL if nothing is hit or the record does not lie in memory. */
@@ -31,16 +31,10 @@ static void surface(const struct sph_job *j, const struct sph_ray *ray, const st
         !sph_machine_effect(j->m, SPH_EFFECT_TEXTURE) &&
         !sph_machine_effect(j->m, SPH_EFFECT_REFRACT))
         return;
-    int saturated;
-    if (sph_machine_effect(j->m, SPH_EFFECT_FACETS) &&
-        sph_field(prim, SPH_PRIM_FACET_LSB, SPH_PRIM_FACET_BITS)) {
-        int64_t normal[3];
-        sph_vector_read(prim, SPH_LEAF_CTR_X_LSB, SPH_LEAF_CTR_X_BITS, normal);
-        saturated = sph_surface_facet(j->p, ray, hit, normal, s);
-    } else {
-        struct sph_leaf sphere = sph_leaf_read(prim, 0, j->p->w);
-        saturated = sph_surface_at(j->p, ray, hit, &sphere, s);
-    }
+    int64_t normal[3];
+    int saturated = sph_surface_point(j->p, ray, hit->key, s);
+    sph_prim_of(sph_prim_kind(j->m, prim))->normal(j->p, prim, s->guarded, normal);
+    sph_surface_turn(j->p, ray, hit->far, normal, s);
     j->c->count[SPH_COUNT_QUOTIENTS]++;
     j->c->count[SPH_COUNT_SATURATIONS] += (uint64_t)saturated;
 }

@@ -6,7 +6,7 @@
 #include <math.h>
 
 #include "machine/bih_stats.h"
-#include "machine/facets.h"
+#include "machine/prims.h"
 #include "machine/parts.h"
 
 struct shape {
@@ -38,10 +38,10 @@ static void describe_tree(const struct sph_machine *m, FILE *file) {
     struct shape s = {0};
     count(m, (uint32_t)m->regs[SPH_REG_ROOT], 1, &s);
     struct sph_counts n = sph_machine_count(m);
-    fprintf(file, "tree      %s, %u nodes on %u levels, %u spheres", sph_machine_tree_name(m),
-            s.nodes, s.depth, n.spheres);
-    if (n.triangles + n.planes) fprintf(file, ", %u triangles, %u planes", n.triangles, n.planes);
-    fprintf(file, " below them\n");
+    char text[256];
+    sph_counts_text(&n, text, sizeof text);
+    fprintf(file, "tree      %s, %u nodes on %u levels, %s below them\n", sph_machine_tree_name(m),
+            s.nodes, s.depth, text);
     fprintf(file, "children ");
     for (int i = 0; i <= 4; i++)
         if (s.children[i]) fprintf(file, " %d: %u", i, s.children[i]);
@@ -55,10 +55,12 @@ static void describe_bih(const struct sph_machine *m, FILE *file) {
     struct sph_bih_stats s;
     struct sph_counts n = sph_machine_count(m);
     sph_bih_measure(m, &s);
-    fprintf(file, "tree      %s, %u nodes on %u levels, %u spheres", sph_machine_tree_name(m),
-            s.inner + s.leaves, s.depth_max, n.spheres);
-    if (n.triangles) fprintf(file, ", %u triangles", n.triangles);
-    fprintf(file, " below them%s\n", n.planes ? ", planes beside them" : "");
+    char text[256];
+    sph_counts_text(&n, text, sizeof text);
+    fprintf(file, "tree      %s, %u nodes on %u levels, %s below them", sph_machine_tree_name(m),
+            s.inner + s.leaves, s.depth_max, text);
+    if (n.loose) fprintf(file, ", %u of them beside", n.loose);
+    fprintf(file, "\n");
 }
 
 static const struct {

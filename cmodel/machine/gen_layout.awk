@@ -112,6 +112,7 @@ $1 == "width" {
     between(toupper($2), $5, $6)
 }
 $1 == "const"   { def($2, $3) }
+$1 == "kind"    { def(toupper($3), $2); kinds++; each_kind = each_kind " \\\n    X(" $3 ")" }
 $1 == "field" && $3 == "stride" { def(toupper($2) "_STRIDE", $5); next }
 $1 == "field"   { def(toupper($2 "_" $3) "_LSB", $4); def(toupper($2 "_" $3) "_BITS", $5) }
 $1 == "reg"     { def("REG_" $3, $2); regs = regs " \\\n    X(" $3 ")" }
@@ -140,6 +141,7 @@ END {
         else each_part = each_part " \\\n    " entry(i)
     }
     def("EFFECT_BITS", bits)
+    def("KINDS", kinds)
     def("COUNTERS", counters); def("COUNTERS_BOTH", both); def("ERRORS", n_errors)
     if (lang == "c") {
         def("PROFILE_TABLE", row); def("WIDTH_TABLE", widths)
@@ -148,6 +150,7 @@ END {
         def("EACH_EFFECT(X)", each_effect)
         def("EACH_PART(X)", "SPH_EACH_EFFECT(X)" each_part)
         def("EACH_REG(X)", regs)
+        def("EACH_KIND(X)", each_kind)
         print "\n#endif"
     } else {
         def("EFFECTS_BUILT", "(32'd0" built ")")

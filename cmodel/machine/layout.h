@@ -16,8 +16,6 @@
 #define SPH_MAX_SIDE 16383
 #define SPH_MAX_CONES 16
 #define SPH_CONE_LINES 4
-#define SPH_TRIANGLE 1
-#define SPH_PLANE 2
 #define SPH_MAX_FACETS 1048576
 #define SPH_MAX_PLANES 3
 #define SPH_MAX_GROUP 128
@@ -42,6 +40,9 @@
 #define SPH_BIH_CHUNK 4
 #define SPH_BIH_LEAF 3
 #define SPH_FRAMES 3
+#define SPH_SPHERE 0
+#define SPH_TRIANGLE 1
+#define SPH_PLANE 2
 #define SPH_NODE_BASE_LSB 224
 #define SPH_NODE_BASE_BITS 26
 #define SPH_NODE_N_INNER_LSB 250
@@ -76,8 +77,8 @@
 #define SPH_PRIM_BLUE_BITS 8
 #define SPH_PRIM_KR_LSB 152
 #define SPH_PRIM_KR_BITS 9
-#define SPH_PRIM_FACET_LSB 120
-#define SPH_PRIM_FACET_BITS 1
+#define SPH_PRIM_KIND_LSB 120
+#define SPH_PRIM_KIND_BITS 8
 #define SPH_PRIM_TEX_LSB 192
 #define SPH_PRIM_TEX_BITS 26
 #define SPH_PRIM_KT_LSB 161
@@ -102,6 +103,8 @@
 #define SPH_FACET_AFTER_BITS 7
 #define SPH_FACET_KIND_LSB 254
 #define SPH_FACET_KIND_BITS 2
+#define SPH_FACET_MORE_LSB 248
+#define SPH_FACET_MORE_BITS 6
 #define SPH_TRIANGLE_V0_X_LSB 0
 #define SPH_TRIANGLE_V0_X_BITS 24
 #define SPH_TRIANGLE_V0_Y_LSB 24
@@ -314,6 +317,7 @@
 #define SPH_EFFECT_SPECULAR 8
 #define SPH_EFFECT_SUM 9
 #define SPH_EFFECT_BITS 10
+#define SPH_KINDS 3
 #define SPH_COUNTERS 22
 #define SPH_COUNTERS_BOTH 3605503
 #define SPH_ERRORS 6
@@ -394,5 +398,9 @@
     X(BOX_X1) \
     X(BOX_Y1) \
     X(BOX_Z1)
+#define SPH_EACH_KIND(X)  \
+    X(sphere) \
+    X(triangle) \
+    X(plane)
 
 #endif

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "machine/facets.h"
+#include "machine/prims.h"
 #include "machine/materials.h"
 #include "machine/parts.h"
 #include "machine/textures.h"

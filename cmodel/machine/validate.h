@@ -10,9 +10,9 @@
 int sph_validate_register(const struct sph_machine *m, int number, const char *name, int64_t lo,
                           int64_t hi, struct sph_error *err);
 
-/* Checks one leaf record, half 0 or 1 of a line, against its primitive record, and that it stands
- * once: found[id], of every primitive, counts. */
-int sph_validate_record(const struct sph_machine *m, uint32_t line, int half, uint8_t *found,
+/* Checks leaf record i of those from line `base` on, and that its primitive stands once: found[id],
+ * of every primitive, counts. */
+int sph_validate_record(const struct sph_machine *m, uint32_t base, uint32_t i, uint8_t *found,
                         struct sph_error *err);
 
 /* The nodes of four children are a tree that holds every primitive once; those of a BIH too, each

@@ -3,8 +3,10 @@
  */
 #include <stdlib.h>
 
-#include "machine/facets.h"
+#include "machine/prims.h"
+#include "machine/records.h"
 #include "machine/validate.h"
+#include "prim/prim.h"
 
 struct walk {
     const struct sph_machine *m;
@@ -24,16 +26,15 @@ static int is_zero(const uint32_t *node) {
 static int check_registers(const struct sph_machine *m, struct sph_error *err) {
     static const char *const names[] = {"BOX_X0", "BOX_Y0", "BOX_Z0", "BOX_X1", "BOX_Y1", "BOX_Z1"};
     const int32_t *r = m->regs;
-    int whole = sph_machine_effect(m, SPH_EFFECT_FACETS);
-    int64_t end = 2ll << m->profile.w, records = r[SPH_REG_N_PRIMS];
-    if (!whole) records = (records + 1) / 2;
+    int64_t end = 2ll << m->profile.w;
+    int64_t records = (int64_t)sph_record_lines(sph_whole(m), (uint64_t)r[SPH_REG_N_PRIMS]);
+    uint32_t loose = sph_machine_count(m).loose;
     if (sph_machine_effect(m, SPH_EFFECT_FIRST))
         return sph_fail(err, "register EFFECTS is %d: FIRST is not for TREE %d", r[SPH_REG_EFFECTS],
                         r[SPH_REG_TREE]);
     if (sph_validate_register(m, SPH_REG_LEAF_BASE, "LEAF_BASE", r[SPH_REG_ROOT] + 1ll,
                               r[SPH_REG_PRIM_BASE] - records, err) ||
-        sph_validate_register(m, SPH_REG_N_LOOSE, "N_LOOSE", sph_machine_count(m).planes,
-                              sph_machine_count(m).planes, err) ||
+        sph_validate_register(m, SPH_REG_N_LOOSE, "N_LOOSE", loose, loose, err) ||
         sph_validate_register(m, SPH_REG_N_LOOSE, "N_LOOSE", 0, SPH_MAX_PLANES, err))
         return -1;
     for (int i = 0; i < 6; i++)
@@ -41,18 +42,16 @@ static int check_registers(const struct sph_machine *m, struct sph_error *err) {
     return 0;
 }
 
-/* Every primitive has one leaf record, planes the first. */
+/* Every primitive has one leaf record, those without bounds the first. */
 static int check_records(const struct sph_machine *m, uint8_t *found, struct sph_error *err) {
     uint32_t n = (uint32_t)m->regs[SPH_REG_N_PRIMS], base = (uint32_t)m->regs[SPH_REG_LEAF_BASE];
-    int whole = sph_machine_effect(m, SPH_EFFECT_FACETS);
+    int whole = sph_whole(m);
     for (uint32_t i = 0; i < n; i++) {
-        uint32_t line = base + (whole ? i : i / 2);
-        if (sph_validate_record(m, line, whole ? 0 : i & 1, found, err)) return -1;
-        uint32_t kind =
-            whole ? sph_field(node_at(m, line, 0), SPH_FACET_KIND_LSB, SPH_FACET_KIND_BITS) : 0;
-        if ((kind == SPH_PLANE) != (i < (uint32_t)m->regs[SPH_REG_N_LOOSE]))
+        if (sph_validate_record(m, base, i, found, err)) return -1;
+        uint32_t kind = whole ? sph_record_kind(sph_record(m, whole, base, i)) : SPH_SPHERE;
+        if (sph_prim_of(kind)->loose != (i < (uint32_t)m->regs[SPH_REG_N_LOOSE]))
             return sph_fail(err, "line %u: leaf record %u of kind %u, the first %d are planes",
-                            line, i, kind, m->regs[SPH_REG_N_LOOSE]);
+                            base + (whole ? i : i / 2), i, kind, m->regs[SPH_REG_N_LOOSE]);
     }
     return 0; /* n records, none twice: all */
 }

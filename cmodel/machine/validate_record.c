@@ -1,9 +1,8 @@
 /* validate_record.c - a register, and a leaf record of any tree; see validate.h
  * SPDX-License-Identifier: Apache-2.0
  */
-#include <string.h>
-
-#include "machine/facets.h"
+#include "machine/prims.h"
+#include "machine/records.h"
 #include "machine/validate.h"
 
 int sph_validate_register(const struct sph_machine *m, int number, const char *name, int64_t lo,
@@ -14,22 +13,10 @@ int sph_validate_register(const struct sph_machine *m, int number, const char *n
                     (long long)hi);
 }
 
-int sph_validate_record(const struct sph_machine *m, uint32_t line, int half, uint8_t *found,
+int sph_validate_record(const struct sph_machine *m, uint32_t base, uint32_t i, uint8_t *found,
                         struct sph_error *err) {
-    const uint32_t *leaf = sph_line(m, line) + half * SPH_LEAF_STRIDE / 32;
-    uint32_t id = sph_field(leaf, SPH_LEAF_ID_LSB, SPH_LEAF_ID_BITS);
-    int whole = sph_machine_effect(m, SPH_EFFECT_FACETS);
-    if (whole && sph_validate_leaf_line(m, line, &id, err)) return -1;
-    if (whole && id >= (uint32_t)m->regs[SPH_REG_N_SPHERES])
-        return found[id]++ ? sph_fail(err, "line %u: primitive %u stands twice", line, id) : 0;
-    if (id >= (uint32_t)m->regs[SPH_REG_N_PRIMS])
-        return sph_fail(err, "line %u: leaf id %u, there are %d primitives", line, id,
-                        m->regs[SPH_REG_N_PRIMS]);
-    if (memcmp(leaf, sph_line(m, (uint32_t)m->regs[SPH_REG_PRIM_BASE] + id), SPH_LEAF_STRIDE / 8) !=
-        0)
-        return sph_fail(err, "line %u: leaf %u differs from its primitive record", line, id);
-    if (!sph_field(leaf, SPH_LEAF_RAD_LSB, SPH_LEAF_RAD_BITS))
-        return sph_fail(err, "line %u: leaf %u has no radius", line, id);
-    if (found[id]++) return sph_fail(err, "line %u: primitive %u stands twice", line, id);
-    return 0;
+    int whole = sph_whole(m);
+    uint32_t id, line = base + (whole ? i : i / 2);
+    if (sph_validate_leaf(m, line, sph_record(m, whole, base, i), &id, err)) return -1;
+    return found[id]++ ? sph_fail(err, "line %u: primitive %u stands twice", line, id) : 0;
 }

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "machine/facets.h"
+#include "machine/records.h"
 
 struct walk {
     const struct sph_machine *m;
@@ -20,8 +20,7 @@ static int check_node(struct walk *w, uint32_t line, int level, struct sph_error
     uint32_t base = sph_field(node, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS);
     uint32_t n_inner = sph_field(node, SPH_NODE_N_INNER_LSB, SPH_NODE_N_INNER_BITS);
     uint32_t n_leaf = sph_field(node, SPH_NODE_N_LEAF_LSB, SPH_NODE_N_LEAF_BITS);
-    int whole = sph_machine_effect(w->m, SPH_EFFECT_FACETS); /* a line for each leaf */
-    uint32_t group = n_inner + (whole ? n_leaf : (n_leaf + 1) / 2),
+    uint32_t group = n_inner + (uint32_t)sph_record_lines(sph_whole(w->m), n_leaf),
              end = (uint32_t)w->m->regs[SPH_REG_PRIM_BASE];
     if (level > SPH_STACK_DEPTH)
         return sph_fail(err, "line %u: node on level %d, the stack has %d", line, level,
@@ -35,9 +34,7 @@ static int check_node(struct walk *w, uint32_t line, int level, struct sph_error
         if (w->used[base + i]++)
             return sph_fail(err, "line %u: child line %u belongs to another node", line, base + i);
     for (uint32_t j = 0; j < n_leaf; j++)
-        if (sph_validate_record(w->m, base + n_inner + (whole ? j : j / 2), whole ? 0 : j & 1,
-                                w->found, err))
-            return -1;
+        if (sph_validate_record(w->m, base + n_inner, j, w->found, err)) return -1;
     for (uint32_t i = 0; i < n_inner; i++)
         if (check_node(w, base + i, level + 1, err)) return -1;
     return 0;

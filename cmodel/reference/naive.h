@@ -11,8 +11,8 @@
 
 #include "core/frame.h"
 #include "machine/machine.h"
-#include "trace/facet.h"
-#include "trace/leaf.h"
+#include "prim/facet.h"
+#include "prim/leaf.h"
 #include "trace/ray.h"
 
 struct sph_naive_leaf {

@@ -11,6 +11,7 @@
 #ifndef SPH_REFRACT_H
 #define SPH_REFRACT_H
 
+#include "math/fx.h"
 #include "shade/surface.h"
 
 /* Refracts ray->dir at the surface; ray and surface as set up, WD at most SPH_REFRACT_WD. from, to:

@@ -6,9 +6,8 @@
 #include "math/normalise.h"
 #include "math/quotient.h"
 
-/* point and guarded; 1 if they were limited. */
-static int point(const struct sph_profile *p, const struct sph_ray *ray, uint64_t key,
-                 struct sph_surface *s) {
+int sph_surface_point(const struct sph_profile *p, const struct sph_ray *ray, uint64_t key,
+                      struct sph_surface *s) {
     struct sph_quotient t = sph_quotient(key, p->w + p->wd + 2, ray->a, 2 * p->wd, p->pq);
     int shift = t.exp - p->ng, saturated = 0;
     if (shift < 0) shift = 0, saturated = 1; /* t too long for any point of the grid */
@@ -21,10 +20,8 @@ static int point(const struct sph_profile *p, const struct sph_ray *ray, uint64_
     return saturated;
 }
 
-/* normal, unit and nn from any vector, turned if far; without length, as at a sphere's centre: -dir
- */
-static void turn(const struct sph_profile *p, const struct sph_ray *ray, int far,
-                 const int64_t vector[3], struct sph_surface *s) {
+void sph_surface_turn(const struct sph_profile *p, const struct sph_ray *ray, int far,
+                      const int64_t vector[3], struct sph_surface *s) {
     sph_i128 normal[3];
     int any = vector[0] || vector[1] || vector[2];
     for (int i = 0; i < 3; i++)
@@ -33,24 +30,6 @@ static void turn(const struct sph_profile *p, const struct sph_ray *ray, int far
     const int64_t *n = s->normal;
     s->nn = (uint64_t)(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
     s->unit = sph_unit(n, s->nn, p->wd);
-}
-
-int sph_surface_at(const struct sph_profile *p, const struct sph_ray *ray,
-                   const struct sph_hit *hit, const struct sph_leaf *sphere,
-                   struct sph_surface *s) {
-    int saturated = point(p, ray, hit->key, s);
-    int64_t from[3];
-    for (int i = 0; i < 3; i++)
-        from[i] = s->guarded[i] - sphere->ctr[i] * (1 << p->ng);
-    turn(p, ray, hit->far, from, s);
-    return saturated;
-}
-
-int sph_surface_facet(const struct sph_profile *p, const struct sph_ray *ray,
-                      const struct sph_hit *hit, const int64_t normal[3], struct sph_surface *s) {
-    int saturated = point(p, ray, hit->key, s);
-    turn(p, ray, hit->far, normal, s);
-    return saturated;
 }
 
 void sph_bounce(const struct sph_profile *p, const int64_t dir[3], const struct sph_surface *s,

@@ -7,8 +7,7 @@
 #include <stdint.h>
 
 #include "math/rsqrt.h"
-#include "trace/leaf.h"
-#include "trace/traverse.h"
+#include "trace/ray.h"
 
 struct sph_surface {
     int64_t point[3];     /* sW, origin of secondary rays */
@@ -18,14 +17,16 @@ struct sph_surface {
     uint64_t nn;          /* normal.normal, u(2WD) */
 };
 
-/* Hit point org + t*dir with NG guard bits that only a sphere's normal sees, t = key / a rounded
- * down to PQ bits (Borodavka et al. VI.A). A point outside the grid is limited to it: returns 1. */
-int sph_surface_at(const struct sph_profile *p, const struct sph_ray *ray,
-                   const struct sph_hit *hit, const struct sph_leaf *sphere, struct sph_surface *s);
+/* Hit point org + t*dir with NG guard bits that a primitive may make its normal of, t = key / a
+ * rounded down to PQ bits (Borodavka et al. VI.A): guarded and point. A point outside the grid is
+ * limited to it: returns 1. */
+int sph_surface_point(const struct sph_profile *p, const struct sph_ray *ray, uint64_t key,
+                      struct sph_surface *s);
 
-/* The same on a facet with the normal of its record, s24: turned if it looks along the ray. */
-int sph_surface_facet(const struct sph_profile *p, const struct sph_ray *ray,
-                      const struct sph_hit *hit, const int64_t normal[3], struct sph_surface *s);
+/* normal, unit and nn from a vector of any length along the normal: turned if the hit is far; -dir
+ * if it has none, as at a sphere's centre. */
+void sph_surface_turn(const struct sph_profile *p, const struct sph_ray *ray, int far,
+                      const int64_t vector[3], struct sph_surface *s);
 
 /* Mirror direction dir*(n.n) - 2*(dir.n)*n in exact integers, then one normalising shift to sWD
  * (Borodavka et al. VI.B without its divisions). */

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "machine/describe.h"
-#include "machine/facets.h"
+#include "machine/prims.h"
 
 FILE *print_stream(const char *json_path) {
     return json_path && !strcmp(json_path, "-") ? NULL : stdout;
@@ -39,10 +39,11 @@ void print_build(FILE *to, const struct tool_built *built) {
     if (built->from_scene && b->warning[0]) print_lines(stderr, "sphaera: warning: ", b->warning);
     if (!to) return;
     struct sph_counts n = sph_machine_count(m);
-    fprintf(to, "scene    %s: %u spheres, ", m->name, n.spheres);
-    if (n.triangles + n.planes) fprintf(to, "%u triangles, %u planes, ", n.triangles, n.planes);
-    fprintf(to, "%d lights, %dx%d, profile %s\n", r[SPH_REG_N_LIGHTS], r[SPH_REG_FRAME_W],
-            r[SPH_REG_FRAME_H], sph_machine_profile(m)->name);
+    char text[256];
+    sph_counts_text(&n, text, sizeof text);
+    fprintf(to, "scene    %s: %s, %d lights, %dx%d, profile %s\n", m->name, text,
+            r[SPH_REG_N_LIGHTS], r[SPH_REG_FRAME_W], r[SPH_REG_FRAME_H],
+            sph_machine_profile(m)->name);
     if (!built->from_scene) return;
     if (built->skipped) fprintf(to, "skipped  %u unsupported primitives\n", built->skipped);
     fprintf(to, "grid     step %g, smallest radius %.4g steps, field of view off by %.2g\n",

@@ -8,7 +8,8 @@
 #include <string.h>
 
 #include "machine/describe.h"
-#include "machine/facets.h"
+#include "machine/prims.h"
+#include "prim/prim.h"
 #include "common/output.h"
 #include "tool/sequence.h"
 
@@ -24,9 +25,11 @@ void report_machine(json_t *report, const struct sph_machine *m) {
     report_text(machine, "background", ways[r[SPH_REG_BG_MODE]]);
     report_count(machine, "width", (uint64_t)r[SPH_REG_FRAME_W]);
     report_count(machine, "height", (uint64_t)r[SPH_REG_FRAME_H]);
-    report_count(machine, "spheres", n.spheres);
-    report_count(machine, "triangles", n.triangles);
-    report_count(machine, "planes", n.planes);
+    for (uint32_t kind = 0; kind < SPH_KINDS; kind++) {
+        char name[32];
+        snprintf(name, sizeof name, "%ss", sph_prim_of(kind)->name);
+        report_count(machine, name, n.of[kind]);
+    }
     report_count(machine, "lights", (uint64_t)r[SPH_REG_N_LIGHTS]);
     report_count(machine, "max_depth", (uint64_t)r[SPH_REG_MAX_DEPTH]);
     report_count(machine, "tree_bytes", (uint64_t)r[SPH_REG_PRIM_BASE] * SPH_LINE_WORDS * 4);

@@ -16,36 +16,30 @@ struct place {
 
 struct walk {
     const struct sph_machine *m;
-    const struct sph_profile *p;
-    const struct sph_ray *ray;
+    struct sph_probe probe;
     struct sph_bih_ray bih;
-    struct sph_hit best;
     uint32_t limit; /* T-word of the best hit */
-    struct sph_counters *c;
-    uint32_t *errors, *gaps;
+    uint32_t *gaps;
     struct place stack[SPH_BIH_STACK];
     int sp;
 };
 
 static int fail(const struct walk *w, int error) {
-    *w->errors |= 1u << error;
+    *w->probe.errors |= 1u << error;
     return 0;
 }
 
 /* Tests leaf records first .. end-1 in chunks; 0 if the ray ends with a hit. */
 static int leaf(struct walk *w, uint32_t first, uint32_t end) {
-    int whole = sph_machine_effect(w->m, SPH_EFFECT_FACETS);
+    int whole = w->probe.whole;
+    size_t base = (uint32_t)w->m->regs[SPH_REG_LEAF_BASE];
     while (first < end) {
         uint32_t stop = (whole ? first : first & ~1u) + SPH_BIH_CHUNK;
-        for (; first < end && first < stop; first++) {
-            size_t line =
-                (uint32_t)w->m->regs[SPH_REG_LEAF_BASE] + (size_t)(whole ? first : first / 2);
-            sph_leaf_visit(w->p, w->ray, sph_line(w->m, line), first & 1, whole, &w->best, w->c,
-                           w->errors);
-        }
-        if (!w->best.key) continue;
-        if (w->ray->kind == SPH_SHADOW) return 0;
-        w->limit = sph_bih_time(&w->bih, w->best.key);
+        for (; first < end && first < stop; first++)
+            sph_leaf_visit(&w->probe, sph_record(w->m, whole, base, first));
+        if (!w->probe.best.key) continue;
+        if (w->probe.ray->kind == SPH_SHADOW) return 0;
+        w->limit = sph_bih_time(&w->bih, w->probe.best.key);
     }
     return 1;
 }
@@ -63,8 +57,8 @@ static int sound(const struct sph_machine *m) {
 static int box(const struct walk *w, struct sph_interval *span) {
     int in = 1;
     for (int i = 0; i < 3; i++)
-        in &= sph_bih_cut(&w->bih, w->ray, i, w->m->regs[SPH_REG_BOX_X0 + i], 0, span) &&
-              sph_bih_cut(&w->bih, w->ray, i, w->m->regs[SPH_REG_BOX_X1 + i], 1, span);
+        in &= sph_bih_cut(&w->bih, w->probe.ray, i, w->m->regs[SPH_REG_BOX_X0 + i], 0, span) &&
+              sph_bih_cut(&w->bih, w->probe.ray, i, w->m->regs[SPH_REG_BOX_X1 + i], 1, span);
     return in && span->lo <= span->hi && span->lo <= w->limit;
 }
 
@@ -81,19 +75,19 @@ static int pop(struct walk *w, struct place *at) {
 /* Cuts the span of a child by one plane; whether the ray meets it. */
 static int meets(const struct walk *w, int axis, int64_t clip, int below,
                  struct sph_interval *span) {
-    return sph_bih_cut(&w->bih, w->ray, axis, clip, below, span) && span->lo <= span->hi &&
+    return sph_bih_cut(&w->bih, w->probe.ray, axis, clip, below, span) && span->lo <= span->hi &&
            span->lo <= w->limit;
 }
 
 /* From an inner node to the next; 0 if there is none or an error ends the ray. */
 static int inner(struct walk *w, const uint32_t *node, struct place *at) {
     int axis = (int)sph_field(node, SPH_BIH_AXIS_LSB, SPH_BIH_AXIS_BITS);
-    int64_t clip_l = sph_field_signed(node, SPH_BIH_CLIP_L_LSB, w->p->w + 2);
-    int64_t clip_r = sph_field_signed(node, SPH_BIH_CLIP_R_LSB, w->p->w + 2);
+    int64_t clip_l = sph_field_signed(node, SPH_BIH_CLIP_L_LSB, w->probe.p->w + 2);
+    int64_t clip_r = sph_field_signed(node, SPH_BIH_CLIP_R_LSB, w->probe.p->w + 2);
     uint64_t line = (uint64_t)(uint32_t)w->m->regs[SPH_REG_ROOT] +
                     sph_field(node, SPH_BIH_CHILD_LSB, SPH_BIH_CHILD_BITS);
     if (line >= (uint32_t)w->m->regs[SPH_REG_MEM_LINES]) return fail(w, SPH_ERROR_BAD_NODE);
-    w->c->count[SPH_COUNT_CHILD_TESTS] += 2;
+    w->probe.c->count[SPH_COUNT_CHILD_TESTS] += 2;
 
     struct place child[2] = {{(uint32_t)line, 0, at->span}, {(uint32_t)line, 1, at->span}};
     int met[2];
@@ -123,23 +117,17 @@ static int inner(struct walk *w, const uint32_t *node, struct place *at) {
 struct sph_hit sph_bih_walk(const struct sph_machine *m, const struct sph_ray *ray,
                             struct sph_counters *c, uint32_t *visits, uint32_t *errors,
                             uint32_t *gaps) {
-    struct walk w = {.m = m,
-                     .p = sph_machine_profile(m),
-                     .ray = ray,
-                     .best = {0, SPH_ID_NONE, 0},
-                     .c = c,
-                     .errors = errors,
-                     .gaps = gaps};
+    struct walk w = {.m = m, .probe = sph_probe_of(m, ray, c, errors), .gaps = gaps};
     struct place at = {(uint32_t)m->regs[SPH_REG_ROOT], 0, {0, SPH_BIH_NO_BOUND}};
     uint32_t prims = (uint32_t)m->regs[SPH_REG_N_PRIMS], ray_visits = 0;
-    if (!sound(m)) return fail(&w, SPH_ERROR_BAD_NODE), w.best;
-    sph_bih_setup(w.p, ray, &w.bih);
+    if (!sound(m)) return fail(&w, SPH_ERROR_BAD_NODE), w.probe.best;
+    sph_bih_setup(w.probe.p, ray, &w.bih);
     w.limit = w.bih.limit;
-    if (!leaf(&w, 0, (uint32_t)m->regs[SPH_REG_N_LOOSE])) return w.best;
+    if (!leaf(&w, 0, (uint32_t)m->regs[SPH_REG_N_LOOSE])) return w.probe.best;
 
     for (int more = box(&w, &at.span); more;) {
         if (ray_visits == (uint32_t)m->regs[SPH_REG_VISIT_LIMIT])
-            return fail(&w, SPH_ERROR_VISIT_LIMIT), w.best;
+            return fail(&w, SPH_ERROR_VISIT_LIMIT), w.probe.best;
         ray_visits++;
         ++*visits;
         c->count[SPH_COUNT_NODE_VISITS]++;
@@ -150,9 +138,9 @@ struct sph_hit sph_bih_walk(const struct sph_machine *m, const struct sph_ray *r
         }
         uint32_t first = sph_field(node, SPH_BIH_FIRST_LSB, SPH_BIH_FIRST_BITS);
         uint32_t count = sph_field(node, SPH_BIH_COUNT_LSB, SPH_BIH_COUNT_BITS);
-        if ((uint64_t)first + count > prims) return fail(&w, SPH_ERROR_BAD_NODE), w.best;
-        if (!leaf(&w, first, first + count)) return w.best;
+        if ((uint64_t)first + count > prims) return fail(&w, SPH_ERROR_BAD_NODE), w.probe.best;
+        if (!leaf(&w, first, first + count)) return w.probe.best;
         more = pop(&w, &at);
     }
-    return w.best;
+    return w.probe.best;
 }

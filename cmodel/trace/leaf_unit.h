@@ -4,13 +4,19 @@
 #ifndef SPH_LEAF_UNIT_H
 #define SPH_LEAF_UNIT_H
 
-#include "trace/traverse.h"
+#include "machine/records.h"
+#include "prim/prim.h"
 
-/* Tests the sphere of a leaf record of half 0 or 1 of a line, or with `whole` what stands in a leaf
- * line of a machine with FACETS; a hit that comes first replaces *best: the smaller key, then the
- * smaller id. Of no kind: a miss and an error. A shadow ray has key 1 for any hit. */
-void sph_leaf_visit(const struct sph_profile *p, const struct sph_ray *ray, const uint32_t *line,
-                    int half, int whole, struct sph_hit *best, struct sph_counters *c,
-                    uint32_t *errors);
+/* A probe of a ray that was set up, which has hit nothing yet; c and errors are added to. */
+static inline struct sph_probe sph_probe_of(const struct sph_machine *m, const struct sph_ray *ray,
+                                            struct sph_counters *c, uint32_t *errors) {
+    return (struct sph_probe){sph_machine_profile(m), ray, sph_whole(m),
+                              {0, SPH_ID_NONE, 0},    c,   errors};
+}
+
+/* Tests the primitive of a leaf record; a hit that comes first replaces probe->best: the smaller
+ * key, then the smaller id. A record of no kind is a miss and an error. A shadow ray has key 1 for
+ * any hit. */
+void sph_leaf_visit(struct sph_probe *probe, const uint32_t *record);
 
 #endif

@@ -5,6 +5,7 @@
 
 #include <stddef.h>
 
+#include "machine/records.h"
 #include "trace/bih_walk.h"
 #include "trace/leaf_unit.h"
 #include "trace/node.h"
@@ -21,41 +22,35 @@ struct siblings {
 
 static struct sph_hit brute(const struct sph_machine *m, const struct sph_ray *ray,
                             struct sph_counters *c, uint32_t *errors) {
-    struct sph_hit best = {0, SPH_ID_NONE, 0};
-    const struct sph_profile *p = sph_machine_profile(m);
+    struct sph_probe probe = sph_probe_of(m, ray, c, errors);
     uint32_t n = (uint32_t)m->regs[SPH_REG_N_PRIMS];
-    uint32_t spheres =
-        sph_machine_effect(m, SPH_EFFECT_FACETS) ? (uint32_t)m->regs[SPH_REG_N_SPHERES] : n;
-    for (uint32_t id = 0; id < n; id++) {
-        if (id < spheres) {
-            size_t line = (uint32_t)m->regs[SPH_REG_PRIM_BASE] + (size_t)id;
-            sph_leaf_visit(p, ray, sph_line(m, line), 0, 0, &best, c, errors);
-        } else {
-            size_t line = (uint32_t)m->regs[SPH_REG_FACET_BASE] + (size_t)(id - spheres);
-            sph_leaf_visit(p, ray, sph_line(m, line), 0, 1, &best, c, errors);
-        }
-        if (ray->kind == SPH_SHADOW && best.key) break;
+    uint32_t spheres = probe.whole ? (uint32_t)m->regs[SPH_REG_N_SPHERES] : n;
+    for (uint32_t id = 0; id < n;
+         id++) { /* a sphere's primitive record begins with its leaf record */
+        probe.whole = id >= spheres;
+        size_t base = (uint32_t)m->regs[probe.whole ? SPH_REG_FACET_BASE : SPH_REG_PRIM_BASE];
+        sph_leaf_visit(&probe, sph_line(m, base + (probe.whole ? id - spheres : id)));
+        if (ray->kind == SPH_SHADOW && probe.best.key) break;
     }
-    return best;
+    return probe.best;
 }
 
 struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *ray, int how,
                             struct sph_counters *c, uint32_t *visits, uint32_t *errors) {
     if (how == SPH_TRAVERSE_BRUTE) return brute(m, ray, c, errors);
     if (sph_machine_bih(m)) return sph_bih_walk(m, ray, c, visits, errors, NULL);
-    struct sph_hit best = {0, SPH_ID_NONE, 0};
-    const struct sph_profile *p = sph_machine_profile(m);
+    struct sph_probe probe = sph_probe_of(m, ray, c, errors);
+    const struct sph_hit *best = &probe.best;
     struct siblings now = {0}, stack[SPH_STACK_DEPTH];
     int sp = 0, ends = ray->kind == SPH_SHADOW || ray->first;
-    int whole = sph_machine_effect(m, SPH_EFFECT_FACETS); /* a line for each leaf */
     int32_t depth_max = ray->depth_max;
     uint32_t lines = (uint32_t)m->regs[SPH_REG_MEM_LINES], ray_visits = 0;
     uint32_t node = (uint32_t)m->regs[SPH_REG_ROOT];
 
     for (;;) {
-        if (node >= lines) return *errors |= 1u << SPH_ERROR_BAD_NODE, best;
+        if (node >= lines) return *errors |= 1u << SPH_ERROR_BAD_NODE, *best;
         if (ray_visits == (uint32_t)m->regs[SPH_REG_VISIT_LIMIT])
-            return *errors |= 1u << SPH_ERROR_VISIT_LIMIT, best;
+            return *errors |= 1u << SPH_ERROR_VISIT_LIMIT, *best;
         ray_visits++;
         ++*visits;
         c->count[SPH_COUNT_NODE_VISITS]++;
@@ -65,8 +60,8 @@ struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *r
         uint32_t n_inner = sph_field(line, SPH_NODE_N_INNER_LSB, SPH_NODE_N_INNER_BITS);
         uint32_t n_leaf = sph_field(line, SPH_NODE_N_LEAF_LSB, SPH_NODE_N_LEAF_BITS);
         if (n_inner + n_leaf > 4 ||
-            found.base + n_inner + (whole ? n_leaf : (n_leaf + 1) / 2) > lines)
-            return *errors |= 1u << SPH_ERROR_BAD_NODE, best;
+            found.base + n_inner + sph_record_lines(probe.whole, n_leaf) > lines)
+            return *errors |= 1u << SPH_ERROR_BAD_NODE, *best;
         c->count[SPH_COUNT_CHILD_TESTS] += n_inner + n_leaf;
 
         int32_t depth_before = depth_max; /* all four are filtered at once */
@@ -75,13 +70,11 @@ struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *r
             int32_t near;
             if (!sph_filter(ray, &child, depth_before, &near)) continue;
             if (i >= n_inner) {
-                uint32_t j = i - n_inner;
-                size_t at = (size_t)found.base + n_inner + (whole ? j : j >> 1);
-                const uint32_t *leaf = sph_line(m, at);
-                uint64_t key_before = best.key;
-                sph_leaf_visit(p, ray, leaf, j & 1, whole, &best, c, errors);
-                if (best.key != key_before && ray->kind != SPH_SHADOW)
-                    depth_max = sph_ray_depth(p, ray, best.key);
+                size_t leaves = (size_t)found.base + n_inner;
+                uint64_t key_before = best->key;
+                sph_leaf_visit(&probe, sph_record(m, probe.whole, leaves, i - n_inner));
+                if (best->key != key_before && ray->kind != SPH_SHADOW)
+                    depth_max = sph_ray_depth(probe.p, ray, best->key);
             } else { /* insert: near first, ties in the order of children */
                 if (ray->first) near = INT32_MIN;
                 int at = found.count++;
@@ -91,17 +84,17 @@ struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *r
                 found.list[at].near = near;
             }
         }
-        if (ends && best.key) return best;
+        if (ends && best->key) return *best;
 
         if (found.count && found.list[0].near <= depth_max) {
             if (now.count) {
-                if (sp == SPH_STACK_DEPTH) return *errors |= 1u << SPH_ERROR_STACK_OVERFLOW, best;
+                if (sp == SPH_STACK_DEPTH) return *errors |= 1u << SPH_ERROR_STACK_OVERFLOW, *best;
                 stack[sp++] = now;
             }
             now = found;
         }
         while (!now.count || now.list[0].near > depth_max) {
-            if (!sp) return best;
+            if (!sp) return *best;
             now = stack[--sp];
         }
         node = now.base + now.list[0].child;

@@ -6,7 +6,7 @@
 // x, y, z follow one another through one multiplier and one shifter:
 //   product | coarse shift | fine shift | add org | limit | point, normal | normalise
 // Latency 18 cycles, a new hit every 8 cycles.
-// Model: sph_surface_at(), sph_surface_facet() in cmodel/shade/surface.c, without quotient and unit
+// Model: sph_surface_point(), sph_surface_turn() in cmodel/shade/surface.c, no quotient, no unit
 `default_nettype none
 module rt_hit #(
     parameter W   = 16,  // coordinate, bits

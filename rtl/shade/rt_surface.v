@@ -4,7 +4,7 @@
 // cache, then org + t*dir and the normal. Tokens wait in queues between the three.
 // Where no light, no mirror and no texture asks for the point (points_on_i low; POINTS 0: never
 // built), a hit goes to its record at once and leaves as a bare surface when that is there.
-// Model: sph_quotient() in cmodel/math/quotient.c, sph_surface_at() in cmodel/shade/surface.c
+// Model: sph_quotient() in cmodel/math/quotient.c, sph_surface_point() in cmodel/shade/surface.c
 `default_nettype none
 `include "rt_layout.vh"
 `include "rt_bundles.vh"
@@ -203,7 +203,8 @@ module rt_surface #(
                 if (r_load) begin
                     r_slot_q <= prim_slot;
                     r_ctr_q  <= prim[`RT_LEAF_CTR_X_LSB +: 72];
-                    r_facet_q <= FACETS != 0 && facets_on && prim[`RT_PRIM_FACET_LSB];
+                    r_facet_q <= FACETS != 0 && facets_on &&
+                                 prim[`RT_PRIM_KIND_LSB +: `RT_PRIM_KIND_BITS] != 0;
                 end
                 if (hit_ready) r_valid_q <= record_i[`RT_RECORD_VALID] && on;
                 if (rst) r_valid_q <= 1'b0;

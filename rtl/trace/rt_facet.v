@@ -7,7 +7,7 @@
 //   triangle  0,1 N | 2,3 m | P det, num, U2, U1                               every L + 8 clocks
 //   plane     0 det, num | P det'*(face-org), num'*|dir| of x, y, z            every L + 10
 // Results that need a key overtake none, but may be overtaken. Ports, timing:
-// docs/blocks/facet_unit.md. Model: sph_facet_test(), sph_facet_key() in cmodel/trace/facet.c
+// docs/blocks/facet_unit.md. Model: sph_facet_test(), sph_facet_key() in cmodel/prim/facet.c
 `default_nettype none
 `include "rt_check.vh"
 `include "rt_facet.vh"

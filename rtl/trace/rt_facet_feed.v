@@ -3,7 +3,7 @@
 // Takes differences of corners and origin, keeps them and the vector of the moment (N, then m), and
 // gives three pairs of factors for each operation. A long operand (det', num') goes to the three
 // lanes in pieces; its partner stands in a register a clock ahead.
-// Model: sph_facet_test() in cmodel/trace/facet.c, its operands
+// Model: sph_facet_test() in cmodel/prim/facet.c, its operands
 `default_nettype none
 `include "rt_facet.vh"
 module rt_facet_feed #(

@@ -4,7 +4,7 @@
 //                                   | p0 + p1 | + p2 = r  a dot product; wide: p1, p2 lie CUT and
 //                                                         2 CUT bits higher, one long product
 // Free-running: c after L + 1 clocks, r after L + 2, L = `RT_PRODUCT_LATENCY(AW).
-// Model: cross() and dot() in cmodel/trace/facet.c
+// Model: cross() and dot() in cmodel/prim/facet.c
 `default_nettype none
 `include "rt_fx.vh"
 module rt_facet_lanes #(

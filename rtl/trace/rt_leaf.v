@@ -5,7 +5,7 @@
 //   1,2 operands (oc,dir) (oc,oc) | L products | 2 sums: b, k | 1 operands (b,b) (k,a) | M products
 //   1 sum: disc | 1 groups of disc | 1 decide       L, M = `RT_MUL_LATENCY of the operands' widths
 // A leaf every second clock, free-running, latency L + M + 8: 12 up to W/WD 16/17, 15 up to 24/25.
-// Model: sph_leaf_test() in cmodel/trace/leaf.c
+// Model: sph_leaf_test() in cmodel/prim/leaf.c
 `default_nettype none
 `include "rt_check.vh"
 `include "rt_fx.vh"

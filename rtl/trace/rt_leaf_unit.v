@@ -4,7 +4,7 @@
 // against the slot's ray, takes the root of a hit, and hands every result to rt_trace. The same
 // cache serves the primitive records of rt_shade. At most HOLD spheres are under way behind the
 // cache, so the queues in front of the results cannot overflow; rt_facet can be held back.
-// Model: sphere_visit(), line_visit() in cmodel/trace/leaf_unit.c
+// Model: sph_leaf_visit() in cmodel/trace/leaf_unit.c
 `default_nettype none
 `include "rt_layout.vh"
 `include "rt_bundles.vh"

@@ -12,7 +12,8 @@
 
 extern "C" {
 #include "math/quotient.h"
-#include "shade/surface.h"
+#include "prim/facet.h"
+#include "prim/sphere.h"
 }
 
 #ifndef FACETS

@@ -11,7 +11,8 @@
 
 extern "C" {
 #include "machine/layout.h"
-#include "shade/surface.h"
+#include "prim/facet.h"
+#include "prim/sphere.h"
 }
 
 #ifndef POINTS
@@ -200,8 +201,9 @@ int main(int argc, char **argv) {
                 u128 mask = (((u128)1 << used) - 1) << (24 * i);
                 low = (low & ~mask) | bench::low((u128)s->v.ctr[i], used) << (24 * i);
             }
-            u128 bit = (u128)1 << SPH_PRIM_FACET_LSB;
-            if (facets) low = s->v.facet ? low | bit : low & ~bit;
+            u128 kinds = (1u << SPH_PRIM_KIND_BITS) - 1; /* of a facet any but 0 */
+            u128 kind = s->v.facet ? 1 + b.random.bits(32) % kinds : 0;
+            if (facets) low = (low & ~(kinds << SPH_PRIM_KIND_LSB)) | kind << SPH_PRIM_KIND_LSB;
             for (int i = 0; i < 8; i++) {
                 if (i < 4) data[i] = (uint32_t)(low >> (32 * i));
                 bench::put(b.dut.record_i, first_bit(RT_RECORD_DATA) + 32 * i, 32, data[i]);

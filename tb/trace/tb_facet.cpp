@@ -14,7 +14,7 @@
 #include "hard.h"
 extern "C" {
 #include "tests/hard/facet_list.h"
-#include "trace/facet.h"
+#include "prim/facet.h"
 }
 
 namespace {

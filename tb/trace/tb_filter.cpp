@@ -16,7 +16,7 @@ extern "C" {
 #include "builder/bound.h"
 #include "machine/layout.h"
 #include "trace/filter.h"
-#include "trace/leaf.h"
+#include "prim/leaf.h"
 #include "trace/ray.h"
 }
 

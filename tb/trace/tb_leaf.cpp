@@ -12,7 +12,7 @@
 #include "bench.h"
 #include "hard.h"
 extern "C" {
-#include "trace/leaf.h"
+#include "prim/leaf.h"
 }
 
 namespace {

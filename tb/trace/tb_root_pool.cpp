@@ -12,7 +12,7 @@
 
 extern "C" {
 #include "math/isqrt.h"
-#include "trace/leaf.h"
+#include "prim/leaf.h"
 }
 
 using bench::i128;

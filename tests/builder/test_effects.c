@@ -9,7 +9,7 @@
 
 #include "builder/occlude.h"
 #include "machine/layout.h"
-#include "shade/surface.h"
+#include "prim/sphere.h"
 
 static const struct sph_facets no_facets;
 

@@ -5,7 +5,7 @@
  */
 #include "facets_scene.h"
 
-#include "machine/facets.h"
+#include "prim/triangle.h"
 
 /* Cross products at the limits of 24 bits. */
 static void test_normals(void **unused) {
@@ -51,7 +51,7 @@ static void test_words(void **unused) {
             int32_t v[3][3] = {{0}}, normal[3];
             assert_int_equal(sph_field(line, SPH_FACET_ID_LSB, SPH_FACET_ID_BITS), i + 1);
             assert_int_equal(sph_field(prim, SPH_LEAF_ID_LSB, SPH_LEAF_ID_BITS), i + 1);
-            assert_int_equal(sph_field(prim, SPH_PRIM_FACET_LSB, 1), 1);
+            assert_int_equal(sph_field(prim, SPH_PRIM_KIND_LSB, SPH_PRIM_KIND_BITS), f->kind);
             assert_int_equal(sph_field(prim, SPH_PRIM_KR_LSB, SPH_PRIM_KR_BITS), 128);
             get_vector(prim, SPH_LEAF_CTR_X_LSB, normal);
             for (int k = 0; k < (f->kind == SPH_PLANE ? 1 : 3); k++) {

@@ -10,7 +10,7 @@
 #include "shade/colour.h"
 #include "texture/lod.h"
 #include "trace/filter.h"
-#include "trace/leaf.h"
+#include "prim/leaf.h"
 
 /* The far key is b + root, rounded up, and at least 1: eight bits of a root of ten are up to three
  * too small, and a key of 0 would be a miss. */

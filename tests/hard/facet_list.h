@@ -10,7 +10,7 @@
 
 #include <stddef.h>
 
-#include "trace/facet.h"
+#include "prim/facet.h"
 #include "trace/ray.h"
 
 struct hard_facet {

@@ -13,7 +13,7 @@
 #include "machine/layout.h"
 #include "machine/profile.h"
 #include "scene/rng.h"
-#include "trace/leaf.h"
+#include "prim/sphere.h"
 #include "trace/ray.h"
 
 enum { HARD_ID = 7, HARD_OTHER = 9 }; /* ids of the first and the second sphere */

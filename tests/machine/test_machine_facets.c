@@ -7,7 +7,8 @@
 
 #include <unistd.h>
 
-#include "machine/facets.h"
+#include "machine/prims.h"
+#include "trace/leaf_unit.h"
 
 static char path[64];
 
@@ -57,7 +58,8 @@ static void test_table(void **unused) {
     struct sph_machine m = example();
     uint32_t *first = line_of(&m, SPH_REG_FACET_BASE, 0), *plane = first + 4 * SPH_LINE_WORDS;
     struct sph_counts n = sph_machine_count(&m);
-    assert_true(n.spheres == 1 && n.triangles == 4 && n.planes == 1);
+    assert_true(n.of[SPH_SPHERE] == 1 && n.of[SPH_TRIANGLE] == 4 && n.of[SPH_PLANE] == 1);
+    assert_int_equal(n.loose, 1);
     field(&m, first, FACET(KIND), 0, "facet of kind 0");
     field(&m, first, FACET(KIND), 3, "facet of kind 3");
     field(&m, first, FACET(ID), 2, "not the facet 1");
@@ -88,13 +90,55 @@ static void test_table(void **unused) {
     sph_machine_free(&m);
 }
 
+/* Kinds beyond the two bits: each number has one pattern, and is told. */
+static void test_kinds(void **unused) {
+    (void)unused;
+    struct sph_machine m = example();
+    uint32_t *first = line_of(&m, SPH_REG_FACET_BASE, 0), save[SPH_LINE_WORDS];
+    memcpy(save, first, sizeof save);
+    for (uint32_t kind = 0; kind < 3 + (1 << SPH_FACET_MORE_BITS); kind++) {
+        char message[64];
+        memcpy(first, save, sizeof save);
+        sph_field_set(first, FACET(KIND), kind < 3 ? kind : 3);
+        if (kind >= 3) sph_field_set(first, FACET(MORE), kind - 3);
+        assert_int_equal(sph_record_kind(first), kind);
+        if (kind == SPH_TRIANGLE || kind == SPH_PLANE) continue;
+        snprintf(message, sizeof message, "facet of kind %u", kind);
+        wrong(&m, message);
+    }
+    sph_machine_free(&m);
+}
+
+/* A leaf line of a kind that there is not is a miss and an error. */
+static void test_no_kind(void **unused) {
+    (void)unused;
+    struct sph_machine m = example();
+    struct sph_ray ray = {.kind = SPH_SHADOW, .skip = {SPH_ID_NONE, 0}, .inside = 1};
+    for (uint32_t kind = 0; kind < 3 + (1 << SPH_FACET_MORE_BITS); kind++) {
+        uint32_t line[SPH_LINE_WORDS] = {0}, errors = 0;
+        struct sph_counters c = {{0}};
+        struct sph_probe probe = sph_probe_of(&m, &ray, &c, &errors);
+        sph_field_set(line, FACET(KIND), kind < 3 ? kind : 3);
+        if (kind >= 3) sph_field_set(line, FACET(MORE), kind - 3);
+        sph_leaf_visit(&probe, line);
+        assert_int_equal(errors, kind < SPH_KINDS ? 0 : 1 << SPH_ERROR_BAD_NODE);
+        assert_int_equal(probe.best.key, 0);
+        assert_int_equal(c.count[SPH_COUNT_LEAF_TESTS], kind == SPH_SPHERE);
+        assert_int_equal(c.count[SPH_COUNT_FACET_TESTS], kind == SPH_TRIANGLE || kind == SPH_PLANE);
+    }
+    sph_machine_free(&m);
+}
+
 static void test_records(void **unused) {
     (void)unused;
     struct sph_machine m = example();
     uint32_t *sphere = line_of(&m, SPH_REG_PRIM_BASE, 0), *facet = sphere + SPH_LINE_WORDS;
-    field(&m, sphere, SPH_PRIM_FACET_LSB, 1, 1, "primitive 0: not marked as a sphere");
-    field(&m, sphere, SPH_PRIM_FACET_LSB + 1, 7, 64, "primitive 0: not marked");
-    field(&m, facet, SPH_PRIM_FACET_LSB, 1, 0, "primitive 1: not marked as a facet");
+    field(&m, sphere, SPH_PRIM_KIND_LSB, 8, SPH_TRIANGLE, "primitive 0: not marked as a sphere");
+    field(&m, sphere, SPH_PRIM_KIND_LSB, 8, 128, "primitive 0: not marked");
+    field(&m, facet, SPH_PRIM_KIND_LSB, 8, SPH_SPHERE, "primitive 1: not marked as a facet");
+    field(&m, facet, SPH_PRIM_KIND_LSB, 8, SPH_KINDS, "primitive 1: not marked as a facet");
+    field(&m, facet, SPH_PRIM_KIND_LSB, 8, SPH_PLANE,
+          "primitive 1: of kind 2, its leaf line is of");
     field(&m, facet, SPH_LEAF_RAD_LSB, 24, 1, "primitive 1: a facet with a radius");
     field(&m, facet, SPH_LEAF_ID_LSB, 24, 0, "primitive 1: another id");
     for (int i = 0; i < 3; i++) {
@@ -204,9 +248,10 @@ static void test_damaged(void **unused) {
 
 int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_table),  cmocka_unit_test(test_records),
-        cmocka_unit_test(test_leaves), cmocka_unit_test(test_registers),
-        cmocka_unit_test(test_tree),   cmocka_unit_test(test_damaged),
+        cmocka_unit_test(test_table),   cmocka_unit_test(test_kinds),
+        cmocka_unit_test(test_no_kind), cmocka_unit_test(test_records),
+        cmocka_unit_test(test_leaves),  cmocka_unit_test(test_registers),
+        cmocka_unit_test(test_tree),    cmocka_unit_test(test_damaged),
     };
     seed(argc, argv);
     snprintf(path, sizeof path, "/tmp/test_facets_%ld.sph", (long)getpid());

@@ -8,7 +8,7 @@
 #include "math/isqrt.h"
 #include "reference/naive.h"
 #include "scene/rng.h"
-#include "trace/leaf.h"
+#include "prim/leaf.h"
 
 /* Widths w wd pr pq ng fw of a text, and the name they are known by. */
 static void texts(void **state) {

@@ -10,7 +10,7 @@
 #include "builder/near.h"
 #include "reference/naive.h"
 #include "scene/edit.h"
-#include "trace/node.h"
+#include "prim/sphere.h"
 #include "trace/traverse.h"
 
 enum { RAYS = 2500 / VEC_SHARE, TINY = SPH_PROFILES, CUT, COARSE, KINDS };
@@ -45,7 +45,7 @@ static struct sph_ray ray_of(struct sph_rng *rng, const struct sph_machine *m) {
                                      m->regs[SPH_REG_N_SPHERES] ? m->regs[SPH_REG_N_SPHERES] - 1
                                                                 : m->regs[SPH_REG_N_PRIMS] - 1);
     struct sph_leaf s =
-        sph_leaf_read(m->mem + ((size_t)m->regs[SPH_REG_PRIM_BASE] + id) * SPH_LINE_WORDS, 0, p->w);
+        sph_sphere_read(m->mem + ((size_t)m->regs[SPH_REG_PRIM_BASE] + id) * SPH_LINE_WORDS, p->w);
     int family = (int)vec_pick(rng, 0, 5);
     int64_t error = sph_point_error(p) >> sph_error_bits(p), half = 1ll << (p->w - 1);
     int axis = (int)vec_pick(rng, 0, 2), sign = vec_pick(rng, 0, 1) ? 1 : -1;
@@ -191,7 +191,7 @@ static struct sph_machine example(uint32_t n, uint32_t prims) {
 static uint32_t shot(const struct sph_machine *m, struct sph_hit *hit, struct sph_counters *c) {
     struct sph_ray ray = {.skip = {SPH_ID_NONE, 0}, .inside = 1};
     const uint32_t *prim = m->mem + (size_t)m->regs[SPH_REG_PRIM_BASE] * SPH_LINE_WORDS;
-    struct sph_leaf s = sph_leaf_read(prim, 0, m->profile.w);
+    struct sph_leaf s = sph_sphere_read(prim, m->profile.w);
     uint32_t visits = 0, errors = 0;
     for (int i = 0; i < 3; i++) {
         ray.org[i] = m->regs[SPH_REG_EYE_X + i];
@@ -266,7 +266,8 @@ static void chunks(void **unused) {
         for (uint32_t i = first; i < 11; i++) {
             m.mem[1] = first, m.mem[2] = 11 - first;
             const uint32_t *leaf = m.mem + (size_t)(1 + i / 2) * SPH_LINE_WORDS;
-            struct sph_leaf at = sph_leaf_read(leaf, i & 1, m.profile.w);
+            struct sph_leaf at =
+                sph_sphere_read(leaf + (i & 1) * (SPH_LEAF_STRIDE / 32), m.profile.w);
             struct sph_ray ray = {.kind = SPH_SHADOW, .skip = {SPH_ID_NONE, 0}, .inside = 1};
             struct sph_counters c = {{0}};
             uint32_t visits = 0, errors = 0, tested = first;

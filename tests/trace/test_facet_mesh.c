@@ -6,7 +6,7 @@
  */
 #include "vectors.h"
 
-#include "trace/facet.h"
+#include "prim/facet.h"
 
 typedef int64_t point[3];
 

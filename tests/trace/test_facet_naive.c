@@ -7,7 +7,7 @@
 #include "vectors.h"
 
 #include "reference/naive.h"
-#include "trace/facet.h"
+#include "prim/facet.h"
 
 enum { OWN = 300 }; /* id of every tested facet */
 

@@ -8,7 +8,6 @@
 
 #include <math.h>
 
-#include "shade/surface.h"
 #include "trace/filter.h"
 
 enum { MARGINS = 3 };

@@ -9,7 +9,7 @@
 #include "../exact.h"
 #include "../floats.h"
 #include "pixel/walk.h"
-#include "trace/node.h"
+#include "prim/sphere.h"
 
 struct draw_scene draw_scene(const struct sph_machine *m) {
     struct draw_scene s = {.m = m, .n = (uint32_t)m->regs[SPH_REG_N_PRIMS]};
@@ -21,7 +21,7 @@ struct draw_scene draw_scene(const struct sph_machine *m) {
     for (uint32_t i = 0; i < s.n; i++) {
         const uint32_t *line =
             m->mem + (size_t)SPH_LINE_WORDS * ((uint32_t)m->regs[SPH_REG_PRIM_BASE] + i);
-        s.spheres[i] = sph_leaf_read(line, 0, sph_machine_profile(m)->w);
+        s.spheres[i] = sph_sphere_read(line, sph_machine_profile(m)->w);
     }
     return s;
 }

@@ -1,7 +1,7 @@
 /* facet.c - see facet.h
  * SPDX-License-Identifier: Apache-2.0
  */
-#include "trace/facet.h"
+#include "prim/facet.h"
 
 static void cross(const int64_t a[3], const int64_t b[3], int64_t out[3]) {
     for (int i = 0; i < 3; i++) {

@@ -1,7 +1,7 @@
 /* leaf.c - see leaf.h
  * SPDX-License-Identifier: Apache-2.0
  */
-#include "trace/leaf.h"
+#include "prim/leaf.h"
 
 #include "math/isqrt.h"
 

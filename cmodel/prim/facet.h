@@ -12,6 +12,7 @@
 
 #include "machine/layout.h"
 #include "math/fx.h"
+#include "shade/surface.h"
 #include "trace/ray.h"
 
 struct sph_facet_leaf {
@@ -38,5 +39,15 @@ struct sph_facet_result sph_facet_test(const struct sph_profile *p, const struct
  * *divisions counts. */
 uint64_t sph_facet_key(const struct sph_ray *ray, const struct sph_facet_result *r,
                        uint64_t *divisions);
+
+/* The surface at a hit on a facet with the normal of its record, s24; 1 if the point was limited.
+ */
+static inline int sph_surface_facet(const struct sph_profile *p, const struct sph_ray *ray,
+                                    const struct sph_hit *hit, const int64_t normal[3],
+                                    struct sph_surface *s) {
+    int saturated = sph_surface_point(p, ray, hit->key, s);
+    sph_surface_turn(p, ray, hit->far, normal, s);
+    return saturated;
+}
 
 #endif

@@ -1,0 +1,56 @@
+/* prim.h - what the model asks of a primitive, of whatever kind it is
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Kinds stand in machine.def; prim/NAME.c has the operations of each. What build asks of it stands
+ * in solid.h.
+ */
+#ifndef SPH_PRIM_H
+#define SPH_PRIM_H
+
+#include "core/frame.h"
+#include "machine/machine.h"
+#include "trace/ray.h"
+
+/* A ray on its way through leaf records, and what it has found. */
+struct sph_probe {
+    const struct sph_profile *p;
+    const struct sph_ray *ray;
+    int whole; /* each leaf record has a line: the machine has FACETS */
+    struct sph_hit best;
+    struct sph_counters *c;
+    uint32_t *errors; /* sticky */
+};
+
+struct sph_prim {
+    const char *name;
+    /* Without bounds: no node holds it. A leaf child of the root, and in front of a BIH. */
+    int loose;
+    /* The exact test of the ray with a leaf record: 1 with key (of a shadow ray 1), id and side of
+     * a hit, 0 for a miss. Counts its work. */
+    int (*test)(const struct sph_probe *probe, const uint32_t *record, struct sph_hit *hit);
+    /* From the primitive record and the point with its guard bits: a vector along the normal, of
+     * any length, outwards or to the front. */
+    void (*normal)(const struct sph_profile *p, const uint32_t *prim, const int64_t guarded[3],
+                   int64_t normal[3]);
+    /* Checks leaf record and primitive record `prim` of primitive id, of which it is known that
+     * both are of this kind. 0, or -1 with a message; line: of the leaf record, for messages. */
+    int (*validate)(const struct sph_machine *m, uint32_t line, const uint32_t *record, uint32_t id,
+                    const uint32_t *prim, struct sph_error *err);
+};
+
+/* The operations of a kind, SPH_SPHERE and so on; of a number that no kind has: an error for each
+ * test, and the normal that the record has. */
+const struct sph_prim *sph_prim_of(uint32_t kind);
+
+/* The kind of a leaf record that has a whole line, and of a primitive record. */
+static inline uint32_t sph_record_kind(const uint32_t *line) {
+    uint32_t kind = sph_field(line, SPH_FACET_KIND_LSB, SPH_FACET_KIND_BITS);
+    if (kind < (1u << SPH_FACET_KIND_BITS) - 1) return kind;
+    return kind + sph_field(line, SPH_FACET_MORE_LSB, SPH_FACET_MORE_BITS);
+}
+static inline uint32_t sph_prim_kind(const struct sph_machine *m, const uint32_t *prim) {
+    if (!sph_machine_effect(m, SPH_EFFECT_FACETS)) return SPH_SPHERE;
+    return sph_field(prim, SPH_PRIM_KIND_LSB, SPH_PRIM_KIND_BITS);
+}
+
+#endif

@@ -1,0 +1,40 @@
+/* sphere.c - a sphere behind the interface of primitives; see prim.h
+ * SPDX-License-Identifier: Apache-2.0                                   RTL: rtl/trace/rt_leaf.v
+ */
+#include <string.h>
+
+#include "prim/kinds.h"
+#include "prim/sphere.h"
+
+static int test(const struct sph_probe *probe, const uint32_t *record, struct sph_hit *hit) {
+    const struct sph_profile *p = probe->p;
+    struct sph_leaf sphere = sph_sphere_read(record, p->w);
+    struct sph_leaf_result r = sph_leaf_test(probe->ray, &sphere);
+    uint64_t *roots = &probe->c->count[SPH_COUNT_ROOTS];
+    probe->c->count[SPH_COUNT_LEAF_TESTS]++;
+    if (!r.hit) return 0;
+    uint64_t key = probe->ray->kind == SPH_SHADOW ? 1 : sph_leaf_key_bits(&r, p->pr, roots);
+    *hit = (struct sph_hit){key, sphere.id, r.far};
+    return 1;
+}
+
+/* From the centre to the point. */
+static void normal(const struct sph_profile *p, const uint32_t *prim, const int64_t guarded[3],
+                   int64_t normal[3]) {
+    struct sph_leaf sphere = sph_sphere_read(prim, p->w);
+    sph_sphere_normal(p, &sphere, guarded, normal);
+}
+
+static int validate(const struct sph_machine *m, uint32_t line, const uint32_t *record, uint32_t id,
+                    const uint32_t *prim, struct sph_error *err) {
+    if (sph_machine_effect(m, SPH_EFFECT_FACETS) &&
+        sph_any_bit(record, SPH_LEAF_ID_LSB + SPH_LEAF_ID_BITS, SPH_LINE_WORDS * 32 - 1))
+        return sph_fail(err, "line %u: more than a sphere in its leaf line", line);
+    if (memcmp(record, prim, SPH_LEAF_STRIDE / 8) != 0)
+        return sph_fail(err, "line %u: leaf %u differs from its primitive record", line, id);
+    if (!sph_field(record, SPH_LEAF_RAD_LSB, SPH_LEAF_RAD_BITS))
+        return sph_fail(err, "line %u: leaf %u has no radius", line, id);
+    return 0;
+}
+
+const struct sph_prim sph_prim_sphere = {"sphere", 0, test, normal, validate};
