@@ -1,0 +1,231 @@
+/* world.h - a machine, its memory and its rays, for benches of the groups of an engine
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * A bench stands in for the other groups with the golden model's functions. The scene is named by
+ * the line of the bench (SCENE=facets/mixed behind the /: tests/scenes or scenes), the widths by
+ * its parameters.
+ */
+#ifndef SPH_WORLD_H
+#define SPH_WORLD_H
+
+#include <unistd.h>
+
+#include <deque>
+#include <vector>
+
+#include "bench.h"
+#include "bundles.h"
+
+extern "C" {
+#include "builder/build.h"
+#include "pixel/walk.h"
+#include "trace/leaf_unit.h"
+#include "trace/traverse.h"
+}
+
+#ifndef W
+#define W 16
+#define WD 17
+#endif
+#ifndef FW
+#define FW 14
+#endif
+#ifndef PQ
+#define PQ 17
+#endif
+#ifndef NG
+#define NG 2
+#endif
+#ifndef PR
+#define PR 0
+#endif
+#ifndef ACCEL
+#define ACCEL 0
+#endif
+#ifndef SCENE
+#define SCENE paper100
+#endif
+#define WORLD_TEXT_OF(x) #x
+#define WORLD_TEXT(x) WORLD_TEXT_OF(x)
+
+namespace world {
+
+using bench::i128;
+using bench::u128;
+enum { WIDTH = 32, HEIGHT = 18 }; /* of a frame, pixels */
+
+inline u128 pack(const int64_t *v, int bits) {
+    u128 x = 0;
+    for (int i = 2; i >= 0; i--)
+        x = x << bits | bench::low((u128)v[i], bits);
+    return x;
+}
+
+inline u128 pack(const int32_t *v, int bits) {
+    const int64_t wide[3] = {v[0], v[1], v[2]};
+    return pack(wide, bits);
+}
+
+inline int first_bit(int lsb, int) {
+    return lsb;
+} /* of a field of bundles.h */
+
+/* A scene of SCENE, built for the bench's widths. */
+class World {
+  public:
+    struct sph_machine m = {};
+    const struct sph_profile p = {PROFILE, W, WD, PQ, NG, FW, PR};
+
+    explicit World(int first = 0, int depth = 3) {
+        struct sph_scene scene;
+        struct sph_error err = {{0}};
+        struct sph_read_options read = {};
+        struct sph_build_options o = {};
+        struct sph_build_report report;
+        for (int &asked : o.asked)
+            asked = SPH_AUTO;
+        o.widths = &p;
+        o.tree = ACCEL ? SPH_TREE_BIH : SPH_TREE_BALANCED;
+        o.traverse = first ? SPH_BUILD_FIRST : SPH_BUILD_NEAREST;
+        o.width = WIDTH;
+        o.height = HEIGHT;
+        o.max_depth = depth;
+        const char *file = "tests/scenes/" WORLD_TEXT(SCENE) ".nff";
+        if (access(file, R_OK)) file = "scenes/" WORLD_TEXT(SCENE) ".nff";
+        if (sph_scene_read(file, &read, &scene, &err) || sph_build(&scene, &o, &m, &report, &err)) {
+            printf("# %s\n", err.text);
+            exit(1);
+        }
+        sph_scene_free(&scene);
+    }
+    ~World() { sph_machine_free(&m); }
+    World(const World &) = delete;
+    World &operator=(const World &) = delete;
+
+    int on(int effect) const { return sph_machine_effect(&m, effect); }
+    const uint32_t *line(uint32_t number) const { return m.mem + (size_t)number * SPH_LINE_WORDS; }
+
+    /* The registers, as rt_core gives them. */
+    template <class Port> void put_regs(Port &port) const {
+        const int32_t *r = m.regs;
+        auto put = [&](int lsb, int bits, int reg) { bench::put(port, lsb, bits, r[reg]); };
+        put(RT_REGS_EFFECTS, SPH_REG_EFFECTS);
+        put(RT_REGS_TEX_FILTER, SPH_REG_TEX_FILTER);
+        put(RT_REGS_MAX_DEPTH, SPH_REG_MAX_DEPTH);
+        put(RT_REGS_N_LIGHTS, SPH_REG_N_LIGHTS);
+        put(RT_REGS_BACKGROUND, SPH_REG_BG_COLOUR);
+        put(RT_REGS_ROOT, SPH_REG_ROOT);
+        put(RT_REGS_PRIM_BASE, SPH_REG_PRIM_BASE);
+        put(RT_REGS_MEM_LINES, SPH_REG_MEM_LINES);
+        put(RT_REGS_VISIT_LIMIT, SPH_REG_VISIT_LIMIT);
+        put(RT_REGS_N_PRIMS, SPH_REG_N_PRIMS);
+        put(RT_REGS_LEAF_BASE, SPH_REG_LEAF_BASE);
+        put(RT_REGS_N_LOOSE, SPH_REG_N_LOOSE);
+        for (int i = 0; i < 3; i++) {
+            bench::put(port, first_bit(RT_REGS_AMBIENT) + 16 * i, 16, r[SPH_REG_AMBIENT_R + i]);
+            bench::put(port, first_bit(RT_REGS_EYE) + W * i, W, r[SPH_REG_EYE_X + i]);
+        }
+        for (int i = 0; i < 6; i++)
+            bench::put(port, first_bit(RT_REGS_BOX) + (W + 2) * i, W + 2, r[SPH_REG_BOX_X0 + i]);
+    }
+
+    /* A primary ray of any pixel, or from anywhere in the grid: to a light, or reflected. */
+    struct sph_ray ray(bench::Random &random, int kind) const {
+        struct sph_ray r = {};
+        r.kind = kind;
+        r.skip.id = SPH_ID_NONE;
+        r.inside = on(SPH_EFFECT_INSIDE);
+        int light = (int)random.below((uint64_t)m.regs[SPH_REG_N_LIGHTS] + 1) - 1;
+        for (int i = 0; i < 3; i++) {
+            int64_t at = random.percent(90) ? random.sbits(W - 1) : random.smixed(W);
+            r.org[i] = kind == SPH_PRIMARY ? m.regs[SPH_REG_EYE_X + i] : at;
+            r.dir[i] = random.percent(50) ? random.sbits(W) : random.smixed(WD);
+            if (kind != SPH_PRIMARY && light < 0 && random.percent(90))
+                r.dir[i] = -at + random.sbits(W - 2); /* somewhere into the middle */
+            if (kind == SPH_SHADOW && light >= 0)
+                r.dir[i] = m.regs[SPH_REG_LIGHT0_X + light * SPH_LIGHT_STRIDE + i] - at;
+        }
+        if (kind == SPH_PRIMARY)
+            sph_primary_dir(&m, (int)random.below(WIDTH), (int)random.below(HEIGHT), r.dir);
+        else if (random.percent(50))
+            r.skip = {(uint32_t)random.below((uint64_t)m.regs[SPH_REG_N_PRIMS]),
+                      random.percent(30)};
+        sph_ray_setup(&p, &r);
+        return r;
+    }
+
+    /* What leaf record j of those from line base on says, as sph_traverse() would take it. */
+    struct sph_hit leaf(const struct sph_ray &ray, uint32_t base, uint32_t j,
+                        struct sph_counters *c, uint32_t *errors) const {
+        struct sph_probe probe = sph_probe_of(&m, &ray, c, errors);
+        sph_leaf_visit(&probe, sph_record(&m, probe.whole, base, j));
+        return probe.best;
+    }
+};
+
+/* A ray as rt_setup gives it; VALID, NORMAL and LIGHT are the bench's own. */
+template <class Port> void put_ray(Port &port, int slot, const struct sph_ray &r) {
+    bench::put(port, RT_RAY_SLOT, slot);
+    bench::put(port, RT_RAY_PRIMARY, r.kind == SPH_PRIMARY);
+    bench::put(port, RT_RAY_SHADOW, r.kind == SPH_SHADOW);
+    bench::put(port, RT_RAY_ORG, (i128)pack(r.org, W));
+    bench::put(port, RT_RAY_DIR, (i128)pack(r.dir, WD));
+    bench::put(port, RT_RAY_A, (i128)r.a);
+    bench::put(port, RT_RAY_SKIP, r.skip.id);
+    bench::put(port, RT_RAY_INSIDE, r.skip.inside);
+    bench::put(port, RT_RAY_UNIT, (i128)pack(r.unit.u, 18));
+    bench::put(port, RT_RAY_Y, r.unit.y);
+    bench::put(port, RT_RAY_H, r.unit.h);
+}
+
+template <class Port> void put_filter(Port &port, const struct sph_ray &r) {
+    bench::put(port, RT_FILTER_ORG, (i128)pack(r.forg, FW));
+    bench::put(port, RT_FILTER_AXIS, r.axis);
+    bench::put(port, RT_FILTER_NEGATIVE, r.negative);
+    bench::put(port, RT_FILTER_SCALE, r.depth_scale);
+    bench::put(port, RT_FILTER_SHIFT, r.depth_shift < 0 ? 63 : r.depth_shift);
+    bench::put(port, RT_FILTER_DEPTH, r.depth_max);
+}
+
+/* Answers one reader of memory, late and in bursts. Once a clock: before() the clock, with all
+ * inputs set, settles them. */
+template <class Top> class Memory {
+  public:
+    Memory(bench::Bench<Top> &bench, const World &w) : b(bench), world(w) {
+        b.dut.mem_req_ready_i = b.dut.mem_rsp_valid_i = b.dut.mem_rsp_error_i = 0;
+    }
+    void before() {
+        if (b.cycle % 512 == 0) {
+            pace = b.random.percent(40) ? 100 : (unsigned)b.random.between(10, 60);
+            latency = (unsigned)b.random.below(3) * 15;
+        }
+        b.dut.mem_req_ready_i = b.random.percent(pace);
+        b.dut.mem_rsp_valid_i =
+            !asked.empty() && asked.front().when <= b.cycle && b.random.percent(pace);
+        if (!asked.empty())
+            for (int i = 0; i < 8; i++)
+                b.dut.mem_rsp_data_i[i] = world.line(asked.front().line)[i];
+        b.settle();
+        if (b.dut.mem_rsp_valid_i && b.dut.mem_rsp_ready_o) asked.pop_front();
+        if (b.dut.mem_req_valid_o && b.dut.mem_req_ready_i) {
+            if (b.dut.mem_req_line_o >= world.m.lines)
+                b.fail("a line behind the end of memory is asked for");
+            else
+                asked.push_back({b.dut.mem_req_line_o, b.cycle + latency});
+        }
+    }
+
+  private:
+    struct Line {
+        uint32_t line;
+        uint64_t when;
+    };
+    bench::Bench<Top> &b;
+    const World &world;
+    std::deque<Line> asked;
+    unsigned pace = 100, latency = 0;
+};
+
+} // namespace world
+
+#endif
