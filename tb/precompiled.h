@@ -1,7 +1,7 @@
 /* precompiled.h - what every harness of verilated code includes, read by clang once
  * SPDX-License-Identifier: Apache-2.0
  *
- * sim/core.mk compiles it. Nothing needs it: each file includes what it uses.
+ * make/core.mk compiles it. Nothing needs it: each file includes what it uses.
  */
 #include <algorithm>
 #include <chrono>
