@@ -19,8 +19,9 @@ HEADERS := -isystem $(ROOT) -isystem $(ROOT)/vltstd
 
 # What all harnesses include is read once. clang asks that both sides optimise, or neither; ccache
 # takes the text of NAME.pch.sum for it.
-PRECOMPILED := $(if $(CLANG),$S/obj/precompiled-$(if $(filter -O0,$(OPT)),O0,O).pch)
-PRECOMPILE  := $(CLANG) -std=c++17 $(OPT) -x c++-header -Xclang -fno-pch-timestamp $(HEADERS)
+EFFORT      := $(if $(filter -O0,$(OPT)),-O0,-O1)
+PRECOMPILED := $(if $(CLANG),$S/obj/precompiled$(EFFORT).pch)
+PRECOMPILE  := $(CLANG) -std=c++17 $(EFFORT) -x c++-header -Xclang -fno-pch-timestamp $(HEADERS)
 REMEMBER    := env CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_PCH_EXTSUM=1 \
                    CCACHE_BASEDIR=$(CURDIR) ccache
 COMPILE     := $(if $(CLANG),$(CCACHE:ccache=$(REMEMBER)) $(CLANG) -include-pch $(PRECOMPILED), \

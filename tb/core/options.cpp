@@ -18,6 +18,7 @@ enum Key {
     WARM,
     WATCHDOG,
     MAX_CYCLES,
+    STOP,
     BUS_ERROR,
     EXPECT,
     POKE,
@@ -44,6 +45,7 @@ const argp_option table[] = {
     {"warm", WARM, nullptr, 0, "render twice and report the second pass, caches kept", 0},
     {"watchdog", WATCHDOG, "N", 0, "clocks without a pixel that count as a hang (200000)", 0},
     {"max-cycles", MAX_CYCLES, "N", 0, "end with a failure after N clocks", 0},
+    {"stop", STOP, nullptr, 0, "end with the first pixel that differs", 0},
     {"bus-error-at", BUS_ERROR, "N", 0, "the N-th line request, from 0, answers with an error", 0},
     {"expect-errors", EXPECT, "BITS", 0, "these sticky error bits must be set at the end", 0},
     {"poke", POKE, "LINE:LSB:WIDTH=VALUE", 0, "overwrite bits of memory, for both sides", 0},
@@ -110,6 +112,9 @@ error_t parse(int key, char *arg, argp_state *state) {
         break;
     case MAX_CYCLES:
         o.max_cycles = static_cast<uint64_t>(number(arg, 1, INT64_MAX, state));
+        break;
+    case STOP:
+        o.stop = true;
         break;
     case BUS_ERROR:
         o.bus_error_at = number(arg, 0, INT64_MAX, state);

@@ -34,6 +34,7 @@ struct Options {
     bool warm = false;            /* renders twice, the second time with caches kept */
     uint64_t watchdog = 200000;   /* clocks without a pixel: hang */
     uint64_t max_cycles = 0;      /* 0: no limit */
+    bool stop = false;            /* at the first pixel that differs; the rest counts as equal */
     int64_t bus_error_at = -1;    /* this line request, from 0, answers with an error */
     int64_t expect_errors = -1;   /* sticky bits that must be set */
     std::vector<Poke> pokes;      /* in the memory, for model and core alike */

@@ -17,6 +17,13 @@ void fail(Run &run, const char *format, ...) {
     if (used + 1 < sizeof run.failure) std::memcpy(run.failure + used, "\n", 2);
 }
 
+bool equal(const sph_pixel &a, const Sample &s) {
+    const sph_pixel &b = s.pixel;
+    return s.times == 1 && a.id == b.id && a.key == b.key && (a.visits & 0xffffff) == b.visits &&
+           a.texture == b.texture && a.colour[0] == b.colour[0] && a.colour[1] == b.colour[1] &&
+           a.colour[2] == b.colour[2];
+}
+
 void deliver(const sph_machine &machine, Run &run, Sample *samples, int x, int y,
              const sph_pixel &pixel) {
     const Window &w = run.window;
@@ -25,10 +32,11 @@ void deliver(const sph_machine &machine, Run &run, Sample *samples, int x, int y
              w.x1, w.y1);
         return;
     }
-    Sample &s =
-        samples[static_cast<size_t>(y) * static_cast<size_t>(machine.regs[SPH_REG_FRAME_W]) +
-                static_cast<size_t>(x)];
+    const size_t at = static_cast<size_t>(y) * static_cast<size_t>(machine.regs[SPH_REG_FRAME_W]) +
+                      static_cast<size_t>(x);
+    Sample &s = samples[at];
     s.pixel = pixel;
     s.times++;
     run.pixels++;
+    if (run.model && !equal(run.model->pixels[at], s)) run.stopped = true;
 }

@@ -31,6 +31,8 @@ struct Pass {
 struct Run {
     Window window;
     Pass pass[PASSES];
+    const sph_frame *model; /* what the pixels are compared with at once; null: they are not */
+    bool stopped;           /* a pixel differed, and nothing after it was simulated */
     std::atomic<uint64_t> pixels; /* delivered so far, all passes */
     std::atomic<int> done;
     double seconds;     /* of this process, by the clock */
@@ -47,7 +49,11 @@ std::string simulator_version();
  * run but done. Without o.warm only pass COLD. */
 void simulate(const Options &o, const sph_machine &machine, Sample *samples[PASSES], Run &run);
 
-/* Stores the pixel if x, y lie in the window; else says so in run.failure. */
+/* Whether the core delivered the model's pixel, once. */
+bool equal(const sph_pixel &model, const Sample &core);
+
+/* Stores the pixel if x, y lie in the window; else says so in run.failure. Stops the run if it is
+ * not run.model's. */
 void deliver(const sph_machine &machine, Run &run, Sample *samples, int x, int y,
              const sph_pixel &pixel);
 

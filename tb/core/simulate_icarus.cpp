@@ -1,8 +1,8 @@
 /* simulate_icarus.cpp - the core in Icarus Verilog; see simulate.h
  * SPDX-License-Identifier: Apache-2.0
  *
- * Writes registers and memory in hex, runs vvp with tb_core_icarus.v, reads its text. The files
- * lie beside the compiled bench and are removed at the end.
+ * Writes registers and memory in hex, runs vvp with tb_core_icarus.v, reads its text, and ends it
+ * by reading no more. The files lie beside the compiled bench and are removed at the end.
  */
 #include "simulate.h"
 
@@ -57,17 +57,17 @@ bool write_memory(const std::string &path, const sph_machine &m) {
     return !std::fclose(f);
 }
 
-/* Runs vvp; its exit status. */
-int run_bench(const Options &o, const std::string &base) {
+/* Starts vvp; the text that it writes. */
+File start_bench(const Options &o, const std::string &base) {
     std::string trace = o.trace.empty() ? "" : " +dump='" + o.trace + "' -fst";
-    std::string command = "exec vvp -n '" + o.engine + "' +regs='" + base + ".regs' +mem='" + base +
-                          ".mem' +out='" + base + ".out' +latency=" + std::to_string(o.latency) +
-                          " +stall=" + std::to_string(o.stall) +
-                          " +seed=" + std::to_string(o.seed) +
-                          " +watchdog=" + std::to_string(o.watchdog) +
-                          " +error_at=" + std::to_string(o.bus_error_at) +
-                          " +warm=" + (o.warm ? "1" : "0") + trace + " >'" + base + ".log' 2>&1";
-    return std::system(command.c_str()); // NOLINT(bugprone-command-processor): vvp has no library
+    std::string command =
+        "exec vvp -n '" + o.engine + "' +regs='" + base + ".regs' +mem='" + base +
+        ".mem' +out=/dev/fd/3 +latency=" + std::to_string(o.latency) +
+        " +stall=" + std::to_string(o.stall) + " +seed=" + std::to_string(o.seed) +
+        " +watchdog=" + std::to_string(o.watchdog) +
+        " +error_at=" + std::to_string(o.bus_error_at) + " +warm=" + (o.warm ? "1" : "0") + trace +
+        " 3>&1 >'" + base + ".log' 2>&1";
+    return popen(command.c_str(), "r"); // NOLINT(bugprone-command-processor): vvp has no library
 }
 
 /* Three 24-bit colours of 18 hex digits. */
@@ -149,21 +149,20 @@ void simulate(const Options &o, const sph_machine &machine, Sample *samples[PASS
     if (!write_registers(base + ".regs", machine, w) || !write_memory(base + ".mem", machine)) {
         fail(run, "cannot write %s.regs and .mem", base.c_str());
     } else {
-        int status = run_bench(o, base);
-        File f = std::fopen((base + ".out").c_str(), "r");
+        File f = start_bench(o, base);
         char text[512];
-        while (f && std::fgets(text, sizeof text, f)) {
+        while (f && !run.stopped && std::fgets(text, sizeof text, f)) {
             ended = ended || !std::strncmp(text, "end", 3);
             if (!read_line(text, machine, samples, pass, run))
                 fail(run, "unknown bits or form: %.*s", static_cast<int>(std::strcspn(text, "\n")),
                      text);
         }
-        if (f) std::fclose(f);
-        if (status || !ended)
+        int status = f ? pclose(f) : -1;
+        if (!run.stopped && (status || !ended))
             fail(run, "vvp ended with status 0x%x before its time: %s",
                  static_cast<unsigned>(status), first_line(base + ".log").c_str());
     }
-    for (const char *ending : {".regs", ".mem", ".out", ".log"})
+    for (const char *ending : {".regs", ".mem", ".log"})
         std::remove((base + ending).c_str());
     run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }

@@ -224,12 +224,13 @@ void Bench::pass(Sample *samples, bool keep, Pass &out) {
     const uint64_t begin = cycle_, missed = textures_->missed();
     clock();
     core_->start_i = 0;
-    while (core_->busy_o && !run_.failure[0]) {
+    while (core_->busy_o && !run_.failure[0] && !run_.stopped) {
         clock();
         if (cycle_ - last_pixel_ > o_.watchdog) hang("no pixel for too long");
         if (o_.max_cycles && cycle_ - begin > o_.max_cycles) hang("more clocks than --max-cycles");
     }
     samples_ = nullptr;
+    if (run_.stopped) return;
     for (int i = 0; i < DRAIN; i++)
         clock();
     out.errors = core_->errors_o;
@@ -260,7 +261,7 @@ void simulate(const Options &o, const sph_machine &machine, Sample *samples[PASS
     Bench bench(o, machine, run);
     bench.configure();
     bench.pass(samples[COLD], false, run.pass[COLD]);
-    if (o.warm && !run.failure[0]) bench.pass(samples[WARM], true, run.pass[WARM]);
+    if (o.warm && !run.failure[0] && !run.stopped) bench.pass(samples[WARM], true, run.pass[WARM]);
     run.cpu = cpu_seconds() - cpu;
     run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }

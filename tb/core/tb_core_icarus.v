@@ -163,6 +163,7 @@ module tb_core_icarus #(
         if (!rst && pix_valid && pix_ready) begin
             $fwrite(out, "p %h %h %h %h %h %h %h\n", pix_x, pix_y, pix_colour, pix_id, pix_key,
                     pix_visits, pix_texture);
+            $fflush(out); // who reads may want no more of it
             quiet = 0;
         end
         // what the next clock shows

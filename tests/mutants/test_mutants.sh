@@ -28,7 +28,7 @@ core() {
     # shellcheck disable=SC2086  # a list of words on purpose
     "$SPHAERA" build "$scene" --profile draft --size 25x19 $options -o "$here/scene.sph" || return 2
     BUILD=$here/build RTL=$here/rtl SIM=icarus sh sim/core.sh --machine "$here/scene.sph" \
-        --watchdog 5000 --latency 5 --stall 20 --seed 7 "$@"
+        --stop --watchdog 5000 --latency 5 --stall 20 --seed 7 "$@"
 }
 # The same with just what the scene asks for: with textures, too.
 textured() {
