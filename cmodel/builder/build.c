@@ -121,14 +121,8 @@ static int place_camera(const struct sph_scene *scene, const struct sph_build_op
                         SPH_MAX_SIDE);
     const struct sph_profile *p = sph_build_profile(o);
     struct sph_error why = {{0}};
-    if (sph_rays_fit(width, height, scene->camera.angle, p->wd, rays, &why))
-        return sph_fail(err, "%s: profile %s: %.400s", scene->path, p->name, why.text);
-    if (-(int64_t)rays->z < sph_min_screen(p))
-        return sph_fail(err,
-                        "%s: profile %s: angle %g puts the screen %d away, %d bits of the "
-                        "quotient need %lld",
-                        scene->path, p->name, scene->camera.angle, -rays->z, p->pq,
-                        (long long)sph_min_screen(p));
+    if (sph_rays_of(width, height, scene->camera.angle, p, rays, &why))
+        return sph_fail(err, "%s: profile %s: %.450s", scene->path, p->name, why.text);
     int32_t *regs = m->regs;
     regs[SPH_REG_FRAME_W] = regs[SPH_REG_WIN_X1] = width;
     regs[SPH_REG_FRAME_H] = regs[SPH_REG_WIN_Y1] = height;
@@ -170,6 +164,16 @@ static void warn_empty(const struct sph_scene *scene, const struct sph_profile *
              scene->path, scene->facets[facets->first_empty].line, facets->n_empty, profile->name);
 }
 
+/* Says which polygons were cut into triangles that do not lie in one plane. */
+static void warn_bent(const struct sph_scene *scene, struct sph_build_report *report) {
+    if (!scene->n_bent) return;
+    sph_note(report->warning, sizeof report->warning,
+             "%s:%u: the polygon is not flat, a corner is %.3g off its plane: it is cut into "
+             "triangles that meet at an angle%s\n",
+             scene->path, scene->bent_line, scene->bent,
+             scene->n_bent > 1 ? "; so are others, nearer to flat" : "");
+}
+
 /* Spheres and facets on the grid; balls[id] for all ids. */
 static int quantise(const struct sph_scene *scene, const struct sph_grid *grid,
                     const struct sph_profile *profile, struct parts *parts,
@@ -183,6 +187,7 @@ static int quantise(const struct sph_scene *scene, const struct sph_grid *grid,
     report->triangles = parts->facets.n - report->planes;
     warn_coarse(scene, profile, report);
     warn_empty(scene, profile, &parts->facets, report);
+    warn_bent(scene, report);
     return 0;
 }
 

@@ -48,4 +48,9 @@ struct sph_rays {
 int sph_rays_fit(int width, int height, double angle, int wd, struct sph_rays *rays,
                  struct sph_error *err);
 
+/* The same for a profile, with a screen as far away as its quotient asks; the message ends with the
+ * finer profile that would do, if one does. */
+int sph_rays_of(int width, int height, double angle, const struct sph_profile *profile,
+                struct sph_rays *rays, struct sph_error *err);
+
 #endif

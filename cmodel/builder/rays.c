@@ -35,7 +35,7 @@ int sph_rays_fit(int width, int height, double angle, int wd, struct sph_rays *r
         return sph_fail(
             err,
             "a raster of %dx%d at angle %g needs finer pixels than %d bits of direction "
-            "can tell apart: choose fewer pixels or a finer profile",
+            "can tell apart: choose fewer pixels",
             width, height, angle, wd);
 
     double least = INFINITY;
@@ -52,4 +52,24 @@ int sph_rays_fit(int width, int height, double angle, int wd, struct sph_rays *r
     rays->z = (int32_t)-d;
     rays->fov_error = least;
     return 0;
+}
+
+/* The same for all that a profile asks of a camera. */
+static int fits(int width, int height, double angle, const struct sph_profile *p,
+                struct sph_rays *rays, struct sph_error *err) {
+    if (sph_rays_fit(width, height, angle, p->wd, rays, err)) return -1;
+    if (-(int64_t)rays->z >= sph_min_screen(p)) return 0;
+    return sph_fail(err, "angle %g puts the screen %d away, %d bits of the quotient need %lld",
+                    angle, -rays->z, p->pq, (long long)sph_min_screen(p));
+}
+
+int sph_rays_of(int width, int height, double angle, const struct sph_profile *profile,
+                struct sph_rays *rays, struct sph_error *err) {
+    struct sph_error why = {{0}};
+    if (!fits(width, height, angle, profile, rays, &why)) return 0;
+    for (int p = 0; p < SPH_PROFILES; p++)
+        if (sph_profiles[p].wd > profile->wd &&
+            !fits(width, height, angle, &sph_profiles[p], rays, NULL))
+            return sph_fail(err, "%.400s; profile %s would do", why.text, sph_profiles[p].name);
+    return sph_fail(err, "%.400s; no finer profile would do", why.text);
 }

@@ -18,13 +18,20 @@ static int take_count(struct sph_reader *r, const char *record, int *n, struct s
     return 0;
 }
 
-/* p n (x y z)..., pp n (x y z nx ny nz)...: facets are flat, so normals are read and not used. */
+/* Notes a polygon that is not flat, for the message of build. */
+static void note_bent(struct sph_scene *scene, uint32_t line, double bent) {
+    if (!scene->n_bent++ || bent > scene->bent) scene->bent = bent, scene->bent_line = line;
+}
+
+/* p n (x y z)..., pp n (x y z nx ny nz)...: facets are flat, so normals are read and not used. The
+ * triangles of a polygon that is not flat are polygons of their own: one may see another. */
 int sph_nff_take_polygon(struct sph_reader *r, int with_normals, struct sph_error *err) {
     const char *record = with_normals ? "pp" : "p";
     struct sph_vec corner[SPH_MAX_CORNERS], normal;
     int index[SPH_MAX_CORNERS - 2][3], n = 0;
-    struct sph_facet facet = {.kind = SPH_TRIANGLE, .group = r->n_groups};
+    struct sph_facet facet = {.kind = SPH_TRIANGLE};
     struct sph_error why = {{0}};
+    double bent = 0;
     facet.line = r->lex.token_line;
     if (sph_nff_material(r, record, "polygon", &facet.material, err) ||
         take_count(r, record, &n, err))
@@ -33,15 +40,17 @@ int sph_nff_take_polygon(struct sph_reader *r, int with_normals, struct sph_erro
         if (sph_nff_vec(r, record, &corner[i], err) ||
             (with_normals && sph_nff_vec(r, record, &normal, err)))
             return -1;
-    int count = sph_polygon_fan(corner, n, index, &why);
+    int count = sph_polygon_fan(corner, n, index, &bent, &why);
     if (count < 0)
         return sph_fail(err, "%s:%u: `%s`: %.300s", r->lex.path, facet.line, record, why.text);
     for (int i = 0; i < count; i++) {
         for (int k = 0; k < 3; k++)
             facet.v[k] = corner[index[i][k]];
+        facet.group = r->n_groups;
         if (sph_scene_add_facet(r->scene, &facet, err)) return -1;
+        if (bent > 0 || i == count - 1) r->n_groups++;
     }
-    r->n_groups++;
+    if (bent > 0) note_bent(r->scene, facet.line, bent);
     return 0;
 }
 

@@ -52,19 +52,30 @@ static int element_of_columns(const struct import *im, const char *line) {
     return symbol[0] ? sph_elements_find(&im->elements, symbol) : -1;
 }
 
+/* Takes the charge off the name of an ion: Na+, Cl-, MG2, Fe3+. Whether it had a sign. */
+static int cut_charge(char *name) {
+    size_t n = strlen(name), letters = 0;
+    int sign = n > 1 && strchr("+-", name[n - 1]) != NULL;
+    while (isalpha((unsigned char)name[letters]))
+        letters++;
+    if (letters > 0 && strspn(name + letters, "0123456789+-") == n - letters) name[letters] = 0;
+    return sign;
+}
+
 /* The element as the atom's name says. In ATOM records (amino and nucleic acids) it is the
- * first letter. In others, and where the residue has the name of the atom (ions), columns
- * 13-14 hold the symbol, right-justified; four-character names that start with H are hydrogen
- * all the same. -1 if the name says nothing. */
+ * first letter. In others, and where the residue has the name of the atom or the name ends with the
+ * sign of a charge (ions), columns 13-14 hold the symbol, right-justified; four-character names
+ * that start with H are hydrogen all the same. -1 if the name says nothing. */
 static int element_of_name(const struct import *im, const char *line) {
     char name[5], residue[4], symbol[3] = "", letter[2] = "";
     column(line, 13, 16, name);
     column(line, 18, 20, residue);
     for (const char *c = name; *c && !letter[0]; c++)
         if (isalpha((unsigned char)*c)) letter[0] = *c;
-    int ion = !strcasecmp(name, residue);
+    int ion = !strcasecmp(name, residue), charged = cut_charge(name);
+    if (cut_charge(residue) && !strcasecmp(name, residue)) charged = 1;
     int plain = !strncmp(line, "ATOM", 4) && letter[0] && strchr("HCNOSP", letter[0]);
-    if (ion) return sph_elements_find(&im->elements, name);
+    if (ion || charged) return sph_elements_find(&im->elements, name);
     if (!plain && isalpha((unsigned char)line[12]) && !(letter[0] == 'H' && strlen(name) == 4)) {
         column(line, 13, 14, symbol);
         int found = sph_elements_find(&im->elements, symbol);

@@ -37,18 +37,22 @@ int sph_parallel(struct sph_vec a, struct sph_vec b) {
     return !(length(cross(a, b)) > EMPTY * length(a) * length(b));
 }
 
-/* -1 with a message if a corner is off the plane or the outline turns back. unit: the normal. */
-static int check_shape(const struct sph_vec *corner, int n, struct sph_vec unit, double size,
-                       struct sph_error *err) {
-    double mean = 0;
+/* The greatest distance of a corner from the plane through their middle. unit: the normal. */
+static double off_plane(const struct sph_vec *corner, int n, struct sph_vec unit) {
+    double mean = 0, most = 0;
     for (int i = 0; i < n; i++)
         mean += dot(sub(corner[i], corner[0]), unit) / n;
+    for (int i = 0; i < n; i++)
+        most = fmax(most, fabs(dot(sub(corner[i], corner[0]), unit) - mean));
+    return most;
+}
+
+/* -1 with a message if the outline turns back. unit: the normal. */
+static int check_convex(const struct sph_vec *corner, int n, struct sph_vec unit, double size,
+                        struct sph_error *err) {
     for (int i = 0; i < n; i++) {
         struct sph_vec a = corner[i], b = corner[(i + 1) % n], c = corner[(i + 2) % n];
-        double off = dot(sub(a, corner[0]), unit) - mean, chord = length(sub(c, a));
-        if (fabs(off) > SPH_POLYGON_FLAT * size)
-            return sph_fail(err, "the polygon is not flat: corner %d is %g off its plane", i + 1,
-                            fabs(off));
+        double chord = length(sub(c, a));
         if (dot(area(a, b, c), unit) < -SPH_POLYGON_CONVEX * size * chord ||
             (i > 0 && i < n - 1 &&
              dot(area(corner[0], a, b), unit) < -SPH_POLYGON_CONVEX * size * size))
@@ -67,7 +71,8 @@ static int empty_pieces(const struct sph_vec *corner, int n, int first) {
     return empty;
 }
 
-int sph_polygon_fan(const struct sph_vec *corner, int n, int (*index)[3], struct sph_error *err) {
+int sph_polygon_fan(const struct sph_vec *corner, int n, int (*index)[3], double *bent,
+                    struct sph_error *err) {
     struct sph_vec normal = {0, 0, 0};
     double size = 0;
     for (int i = 1; i < n; i++) {
@@ -80,7 +85,9 @@ int sph_polygon_fan(const struct sph_vec *corner, int n, int (*index)[3], struct
     if (!(twice > EMPTY * size * size))
         return sph_fail(err, "the %s has no area", n == 3 ? "triangle" : "polygon");
     struct sph_vec unit = {normal.x / twice, normal.y / twice, normal.z / twice};
-    if (check_shape(corner, n, unit, size, err)) return -1;
+    if (check_convex(corner, n, unit, size, err)) return -1;
+    double off = off_plane(corner, n, unit);
+    *bent = off > SPH_POLYGON_FLAT * size ? off : 0;
     int first = 0, fewest = empty_pieces(corner, n, 0), count = 0;
     for (int i = 1; i < n && fewest; i++) {
         int empty = empty_pieces(corner, n, i);

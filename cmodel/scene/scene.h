@@ -102,6 +102,9 @@ struct sph_scene {
     uint32_t n_motions;
     struct sph_motion *motions;
     uint32_t n_skipped; /* unsupported primitives left out (--skip-unsupported) */
+    uint32_t n_bent;    /* polygons that are not flat: each of their triangles is one by itself */
+    uint32_t bent_line; /* the one that is farthest from flat, and by how much */
+    double bent;
 };
 
 struct sph_read_options {

@@ -51,7 +51,9 @@ static const struct argp_option options[] = {
      "how far away a pixel is as large as a texel: mended (default), or as the paper prints it", 1},
     {"at", KEY_AT, "N", 0, "frame that moving primitives are moved to, 0 (default) to 65535", 1},
     {"skip-unsupported", KEY_SKIP, NULL, 0,
-     "leave out polygons, cones and so on instead of refusing the scene", 1},
+     "leave out what is neither sphere, polygon nor plane (cones, patches) instead of refusing the "
+     "scene",
+     1},
     {0},
 };
 

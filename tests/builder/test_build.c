@@ -187,7 +187,11 @@ static void test_refusals(void **unused) {
     refuse(&s, SPH_DRAFT, "cloud.nff:15:", "finite");
     s.spheres[5].rad = 0.1;
     s.camera.width = 9000;
-    refuse(&s, SPH_DRAFT, "cloud.nff: profile draft", "finer profile");
+    refuse(&s, SPH_DRAFT, "cloud.nff: profile draft", "fewer pixels; profile standard would do");
+    s.camera.angle = 1e-5;
+    refuse(&s, SPH_FINE, "cloud.nff: profile fine", "; no finer profile would do");
+    refuse(&s, SPH_REFERENCE, "profile reference: a raster", "fewer pixels; no finer profile");
+    s.camera.angle = 40;
     s.camera.width = 64, s.camera.up = (struct sph_vec){3, 5, 2};
     s.camera.at = (struct sph_vec){-1, -2, -0.5};
     refuse(&s, SPH_DRAFT, "cloud.nff", "up is parallel");

@@ -7,6 +7,7 @@
 
 #include <math.h>
 
+#include "scene/elements.h"
 #include "scene/pdb_import.h"
 
 #define PYMOL "/usr/share/pymol/data/"
@@ -52,6 +53,42 @@ static void test_pdb_small(void **state) {
 #define X10(s) s s s s s s s s s s
 #define X100(s) X10(X10(s))
 
+/* Ions as AMBER and others name them, without columns 77 and 78. */
+static void test_pdb_ions(void **state) {
+    (void)state;
+    static const struct {
+        const char *record, *name, *residue, *element;
+    } ions[] = {
+        {"ATOM  ", "Na+ ", "Na+", "Na"}, {"ATOM  ", " Na+", "Na+", "Na"},
+        {"HETATM", "Cl- ", "Cl-", "Cl"}, {"ATOM  ", " K+ ", "K+ ", "K"},
+        {"ATOM  ", "MG2 ", "MG2", "Mg"}, {"ATOM  ", "Zn2+", "ZN ", "Zn"},
+        {"ATOM  ", "Cs+ ", "CIO", "Cs"}, {"ATOM  ", "NA  ", "Na+", "Na"},
+        {"ATOM  ", "CA  ", "CA ", "Ca"}, {"ATOM  ", " CA ", "ALA", "C"},
+        {"ATOM  ", " N1+", "LIG", "N"},  {"HETATM", "CL1 ", "LIG", "Cl"},
+        {"ATOM  ", " C2 ", "  C", "C"},  {"ATOM  ", " O5'", "DA5", "O"},
+    };
+    enum { IONS = sizeof ions / sizeof *ions };
+    char text[100 * IONS];
+    size_t n = 0;
+    struct sph_error err = {""};
+    struct sph_elements elements;
+    struct sph_scene s;
+    for (int i = 0; i < IONS; i++)
+        n += (size_t)sprintf(text + n, "%s    1 %s %s     1    %8d   0.000   0.000  1.00  0.00\n",
+                             ions[i].record, ions[i].name, ions[i].residue, 5 * i);
+    put_file(text, n);
+    if (sph_import_pdb(file_name, NULL, &s, &err)) fail_msg("%s", err.text);
+    assert_int_equal(sph_elements_read(SPH_ELEMENTS_PATH, &elements, &err), 0);
+    assert_int_equal(s.n_spheres, IONS);
+    for (int i = 0; i < IONS; i++) {
+        const struct sph_element *e = &elements.list[sph_elements_find(&elements, ions[i].element)];
+        const double *rgb = s.materials[s.spheres[i].material].rgb;
+        if (s.spheres[i].rad != e->rad || memcmp(rgb, e->rgb, sizeof e->rgb) != 0)
+            fail_msg("%s of %s is not %s", ions[i].name, ions[i].residue, ions[i].element);
+    }
+    sph_scene_free(&s);
+}
+
 static const struct bad bad_pdbs[] = {
     {"pdb_coordinate",
      "REMARK\n" ATOM(" C  ", " ", "ALA", "   1.0a0", "   2.000", "   3.000", " C"), 2,
@@ -63,6 +100,8 @@ static const struct bad bad_pdbs[] = {
     {"pdb_short_line", "ATOM      1  C   ALA A   1       1.000   2.000", 1, "column 54", 0, 0},
     {"pdb_element", ATOM("??? ", " ", "XXX", "   1.000", "   2.000", "   3.000", "  "), 1,
      "no element", 0, 0},
+    {"pdb_ion", ATOM("Xq+ ", " ", "Xq+", "   1.000", "   2.000", "   3.000", "  "), 1,
+     "no element known for atom `Xq+`", 0, 0},
     {"pdb_nul", "ATOM  \0\n", 1, "byte 0x00", 0, 8},
     {"pdb_long_line", "REMARK\n" X100("0123456789") "0\n", 2, "more than 1000 characters", 0, 0},
     {"pdb_no_atom", "REMARK\nEND\n", 0, "no atoms", 0, 0},
@@ -127,9 +166,9 @@ static void test_pdb_proteins(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest others[] = {cmocka_unit_test(test_pdb_small),
-                                        cmocka_unit_test(test_pdb_files_missing),
-                                        cmocka_unit_test(test_pdb_proteins)};
+    const struct CMUnitTest others[] = {
+        cmocka_unit_test(test_pdb_small), cmocka_unit_test(test_pdb_ions),
+        cmocka_unit_test(test_pdb_files_missing), cmocka_unit_test(test_pdb_proteins)};
     return run_cases("scene_pdb", test_bad_pdb, bad_pdbs, sizeof bad_pdbs / sizeof bad_pdbs[0],
                      others, sizeof others / sizeof others[0]);
 }

@@ -79,6 +79,19 @@ check "the paper's tree shows the same of them" equal "$(picture i.sph)" \
 check "so does brute force" equal "$(picture i.sph)" "$(picture i.sph --brute)"
 check "so does exact separation" equal "$(picture i.sph)" "$(picture i.nff --background exact)"
 
+# ---- what is left out, and what is not ----
+{ cat a.nff; printf 'p 4\n0 0 0\n1 0 0\n1 1 0.01\n0 1 0\nc 0 0 0 1 0 0 1 1\n'; } >cone.nff
+bent=$(($(wc -l <a.nff) + 1))
+"$s" build cone.nff --skip-unsupported -o cone.sph >cone.txt 2>&1
+check "a polygon that is not flat is cut in two and not left out" has "10 spheres, 2 triangles" \
+    cone.txt
+check "... with a warning" has "cone.nff:$bent: the polygon is not flat, a corner is 0.0025 off" \
+    cone.txt
+fails 1 "a cone without --skip-unsupported" "$s" build cone.nff -o x.sph
+"$s" build --help | tr -s ' \n' ' ' >help.txt
+check "--help says what is left out" \
+    has "leave out what is neither sphere, polygon nor plane" help.txt
+
 # ---- accuracy ----
 check "accuracy" "$s" accuracy a.nff --profile reference -d strip.png --json acc.json
 check "accuracy report: nothing wrong on one flake" json acc.json \
