@@ -9,12 +9,30 @@ function fail(text) {
 function expression(width) {
     if (width in bits) return tick "RT_" toupper(width) "_BITS"
     if (width !~ /^[0-9A-Z_+*()]+$/) fail("no width: " width)
-    gsub(/EFFECT_BITS/, lang == "v" ? "`RT_EFFECT_BITS" : "SPH_EFFECT_BITS", width)
+    gsub(/[A-Z]+_BITS/, (lang == "v" ? "`RT_" : "SPH_") "&", width)
     if (lang == "v") gsub(/SLOTW/, "$clog2(SLOTS)", width)
     return width
 }
-# The sum of the widths so far; numbers are added up.
-function sum() { return words (words && number ? "+" : "") (number || !words ? number : "") }
+# The sum of the widths so far; numbers and equal terms are added up.
+function sum(i, all, term) {
+    all = ""
+    for (i = 1; i <= terms; i++) {
+        term = count[i] == 1 ? word[i] : count[i] "*" (word[i] ~ /[+]/ ? "(" word[i] ")" : word[i])
+        all = all (i > 1 ? "+" : "") term
+    }
+    return all (terms && number ? "+" : "") (number || !terms ? number : "")
+}
+function add(width, i) {
+    if (width ~ /^[0-9]+$/) {
+        number += width
+        return
+    }
+    for (i = 1; i <= terms && word[i] != width; i++)
+        ;
+    if (i > terms) count[terms = i] = 0
+    word[i] = width
+    count[i]++
+}
 function define(name, value) {
     if (lang == "v") printf "`define RT_%s %s\n", name, value
     else printf "#define RT_%s %s\n", name, value
@@ -41,7 +59,7 @@ BEGIN {
 $1 == "bundle" {
     close_bundle()
     name = $2
-    words = ""
+    terms = 0
     number = 0
     next
 }
@@ -52,8 +70,7 @@ $1 == "field" {
     width = expression($3)
     if (lang == "v") define(toupper(name) "_" $2, sum() " +: " width)
     else define(toupper(name) "_" $2, "(" sum() "), (" width ")")
-    if (width ~ /^[0-9]+$/) number += width
-    else words = words (words ? "+" : "") width
+    add(width)
     next
 }
 { fail("neither bundle nor field: " $1) }

@@ -33,7 +33,7 @@ module rt_core #(
     parameter CONES      = 1,    // 0..16: exact background separation, by so many spheres
     parameter ACCEL      = 0,    // 0 or 1: a BIH instead of nodes of four children
     parameter ENGINES    = 1,    // 1..8: engines
-    parameter K          = 64,   // 4..1024, power of two: rays in flight an engine
+    parameter SLOTS      = 64,   // 4..1024, power of two: rays in flight an engine
     parameter NODE_LINES = 256,  // 8..4096, power of two: lines of an engine's node cache
     parameter LEAF_LINES = 128,  // 8..4096, power of two: lines of its leaf cache
     parameter TEXTURE_LINES = 128, // 8..4096, power of two: lines of its texture cache
@@ -61,7 +61,7 @@ module rt_core #(
     // memory: 256-bit lines, asked for by number; four beats each, low bits first, in order
     output wire              mem_req_valid_o,
     input  wire              mem_req_ready_i,
-    output wire [25:0]       mem_req_line_o,
+    output wire [`RT_LINE_BITS-1:0] mem_req_line_o,
     input  wire              mem_rsp_valid_i,
     output wire              mem_rsp_ready_o,
     input  wire [63:0]       mem_rsp_data_i,
@@ -73,7 +73,7 @@ module rt_core #(
     output wire [13:0]       pix_y_o,
     output wire [71:0]       pix_colour_o,     // {L2, L1, Rendering}, each 0xBBGGRR
     output wire [23:0]       pix_frame_o,      // the one of them that register FRAME selects
-    output wire [23:0]       pix_id_o,         // primitive of the primary hit, all ones: none
+    output wire [`RT_ID_BITS-1:0] pix_id_o,         // primitive of the primary hit, all ones: none
     output wire [W+WD+1:0]   pix_key_o,        // key of that hit, 0: none
     output wire [23:0]       pix_visits_o,     // node visits of all rays of the pixel
     output wire [31:0]       pix_texture_o,    // {lod u4.8 of its first texture, sum of addresses}
@@ -107,19 +107,19 @@ module rt_core #(
     wire [3:0]       n_lights;
     wire [55:0]      window, rect;
     wire [1:0]       bg_mode;
-    wire [25:0]      bg_base;
+    wire [`RT_LINE_BITS-1:0] bg_base;
     wire [4:0]       bg_count;
     wire [23:0]      background, visit_limit;
     wire [47:0]      ambient;
     wire [3*W-1:0]   eye;
     wire [3*WD-1:0]  dir;
     wire [WD-1:0]    pitch;
-    wire [25:0]      root, prim_base, mem_lines;
+    wire [`RT_LINE_BITS-1:0] root, prim_base, mem_lines;
     wire             light_valid;
     wire [2:0]       light_number, light_part;
     wire             bih;
     wire [23:0]      n_prims, n_loose;
-    wire [25:0]      leaf_base;
+    wire [`RT_LINE_BITS-1:0] leaf_base;
     wire [6*(W+2)-1:0] box;
     rt_registers #(.W(W), .WD(WD), .TEXTURE(TEXTURE), .ACCEL(ACCEL)) u_registers (
         .clk(clk), .valid_i(cfg_valid_i && !busy_o), .addr_i(cfg_addr_i), .data_i(cfg_data_i),
@@ -253,7 +253,7 @@ module rt_core #(
             wire [`RT_SHADE_EVENT_BITS-1:0] shade = event_e[`RT_EVENT_SHADE];
             wire [`RT_PIXEL_BITS-1:0]       pix;
             reg  [EW-1:0]                   add_e;
-            rt_engine #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .FW(FW), .PR(PR), .SLOTS(K),
+            rt_engine #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .FW(FW), .PR(PR), .SLOTS(SLOTS),
                         .STACK(`RT_STACK_DEPTH), .SHADOW(SHADOW), .REFLECT(REFLECT),
                         .LIGHTS(LIGHTS), .INSIDE(INSIDE), .FIRST(FIRST),
                         .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),

@@ -34,6 +34,8 @@
 `define RT_WIDTH_PR_LSB 23
 `define RT_FILTER_MARGIN 2
 `define RT_LINE_WORDS 8
+`define RT_LINE_BITS 26
+`define RT_ID_BITS 24
 `define RT_MAX_LIGHTS 8
 `define RT_MAX_DEPTH 5
 `define RT_MIN_SCREEN 16
@@ -380,7 +382,7 @@
     `RT_CHECK(ACCEL >= 0 && ACCEL <= 1, rt_core_ACCEL_must_be_0_to_1) \
     `RT_CHECK(ACCEL == 0 || FIRST == 0, rt_core_ACCEL_excludes_FIRST) \
     `RT_CHECK(ENGINES >= 1 && ENGINES <= 8, rt_core_ENGINES_must_be_1_to_8) \
-    `RT_CHECK(K >= 4 && K <= 1024 && (K & (K - 1)) == 0, rt_core_K_must_be_a_power_of_two_from_4_to_1024) \
+    `RT_CHECK(SLOTS >= 4 && SLOTS <= 1024 && (SLOTS & (SLOTS - 1)) == 0, rt_core_SLOTS_must_be_a_power_of_two_from_4_to_1024) \
     `RT_CHECK(NODE_LINES >= 8 && NODE_LINES <= 4096 && (NODE_LINES & (NODE_LINES - 1)) == 0, rt_core_NODE_LINES_must_be_a_power_of_two_from_8_to_4096) \
     `RT_CHECK(LEAF_LINES >= 8 && LEAF_LINES <= 4096 && (LEAF_LINES & (LEAF_LINES - 1)) == 0, rt_core_LEAF_LINES_must_be_a_power_of_two_from_8_to_4096) \
     `RT_CHECK(TEXTURE_LINES >= 8 && TEXTURE_LINES <= 4096 && (TEXTURE_LINES & (TEXTURE_LINES - 1)) == 0, rt_core_TEXTURE_LINES_must_be_a_power_of_two_from_8_to_4096) \

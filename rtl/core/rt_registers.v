@@ -20,16 +20,16 @@ module rt_registers #(
     output reg  [55:0]       window_o,        // {y1, x1, y0, x0}
     output reg  [1:0]        bg_mode_o,
     output reg  [55:0]       rect_o,          // {y1, x1, y0, x0}
-    output reg  [25:0]       bg_base_o,
+    output reg  [`RT_LINE_BITS-1:0] bg_base_o,
     output reg  [4:0]        bg_count_o,
     output reg  [23:0]       background_o,
     output reg  [47:0]       ambient_o,       // {blue, green, red}
     output reg  [3*W-1:0]    eye_o,           // {z, y, x}
     output reg  [3*WD-1:0]   dir_o,           // {z, y of row 0, x of column 0}
     output reg  [WD-1:0]     pitch_o,
-    output reg  [25:0]       root_o,
-    output reg  [25:0]       prim_base_o,
-    output reg  [25:0]       mem_lines_o,
+    output reg  [`RT_LINE_BITS-1:0] root_o,
+    output reg  [`RT_LINE_BITS-1:0] prim_base_o,
+    output reg  [`RT_LINE_BITS-1:0] mem_lines_o,
     output reg  [23:0]       visit_limit_o,
     output reg  [31:0]       profile_o,
     output reg  [1:0]        frame_o,
@@ -37,7 +37,7 @@ module rt_registers #(
     output wire [3:0]        coarse_o,
     output reg               bih_o,           // TREE is a BIH
     output wire [23:0]       n_prims_o,       // of a BIH
-    output wire [25:0]       leaf_base_o,
+    output wire [`RT_LINE_BITS-1:0] leaf_base_o,
     output wire [23:0]       n_loose_o,
     output wire [6*(W+2)-1:0] box_o,          // {z1, y1, x1, z0, y0, x0}
     // lights live in the engines: one write goes by
@@ -102,7 +102,7 @@ module rt_registers #(
         end
         if (ACCEL != 0) begin : g_bih
             reg [23:0]        n_prims_q, n_loose_q;
-            reg [25:0]        leaf_base_q;
+            reg [`RT_LINE_BITS-1:0] leaf_base_q;
             reg [6*(W+2)-1:0] box_q;
             wire [6:0]        side = addr_i - `RT_REG_BOX_X0;
             integer           i;

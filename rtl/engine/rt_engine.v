@@ -99,7 +99,7 @@ module rt_engine #(
     wire [71:0]      colour;
     wire [31:0]      texture;
     wire             tex_req_valid, tex_rsp_ready;
-    wire [25:0]      tex_req_line;
+    wire [`RT_LINE_BITS-1:0] tex_req_line;
 
     rt_setup #(.W(W), .WD(WD), .FW(FW), .SHADOW(SHADOW), .LIGHTS(LIGHTS), .BOUNCES(BOUNCES),
                .TEXTURE(TEXTURE), .SLOTS(SLOTS)) u_setup (

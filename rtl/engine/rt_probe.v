@@ -5,6 +5,7 @@
 // there, all that the pixel has is void, and its primary ray starts again, nearest first.
 // Borodavka et al. VI.D. Model: path() in cmodel/engine/render_pixel.c
 `default_nettype none
+`include "rt_layout.vh"
 module rt_probe #(
     parameter WD    = 17,  // direction component, bits
     parameter SLOTS = 32  // power of two
@@ -29,7 +30,7 @@ module rt_probe #(
     input  wire              done_primary_i,
     input  wire              done_found_i,   // a sphere with a record
     input  wire              done_far_i,
-    input  wire [23:0]       done_id_i,
+    input  wire [`RT_ID_BITS-1:0] done_id_i,
     output wire              done_void_o,    // the pixel starts again
     output wire              done_end_o,     // the pixel is complete
     // to rt_setup: the primary ray once more
@@ -44,7 +45,7 @@ module rt_probe #(
     localparam SLOTW = $clog2(SLOTS);
     // ---- the mirror ray of a probe is done ----
     wire             probe, last;                    // of the slot's latest surface
-    wire [23:0]      first_id;                       // what the primary ray found
+    wire [`RT_ID_BITS-1:0] first_id;                       // what the primary ray found
     rt_slot_ram #(.WIDTH(2), .SLOTS(SLOTS), .OLD(0)) u_surface (
         .clk(clk), .wr_en_i(blend_valid_i), .wr_addr_i(blend_slot_i),
         .wr_data_i({blend_probe_i, blend_last_i}),

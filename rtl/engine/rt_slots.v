@@ -90,7 +90,7 @@ module rt_slots #(
         d_slot_q  <= done_slot_i;
         if (rst) d_valid_q <= 1'b0;
     end
-    wire [23:0] d_id      = done_i[`RT_DONE_ID];
+    wire [`RT_ID_BITS-1:0] d_id      = done_i[`RT_DONE_ID];
     wire [26:0] d_line    = {1'b0, regs_i[`RT_REGS_PRIM_BASE]} + {3'b0, d_id};
     wire        d_outside = d_line >= {1'b0, regs_i[`RT_REGS_MEM_LINES]};
     wire        d_found   = done_i[`RT_DONE_FOUND] && !d_outside;
@@ -103,7 +103,7 @@ module rt_slots #(
     reg              miss_q, sky_q, end_q;           // behind a mirror; to be delivered, blended
     reg              outside_q;
     reg [SLOTW-1:0]  slot_q;
-    reg [23:0]       id_q;
+    reg [`RT_ID_BITS-1:0] id_q;
     reg [KW-1:0]     key_q;
     always @(posedge clk) begin
         shadow_q  <= d_valid_q && d_shadow;
@@ -185,7 +185,7 @@ module rt_slots #(
     );
     assign o_sky_slot = o_next[SLOTW-1:0];
     wire             o_sky_end = PB != 0 && o_next[SLOTW+PB-1];
-    wire [23:0]      p_id;                           // of the primary hit
+    wire [`RT_ID_BITS-1:0] p_id;                           // of the primary hit
     wire [KW-1:0]    p_key;
     rt_slot_ram #(.WIDTH(28), .SLOTS(SLOTS), .OLD(0)) u_pixel (
         .clk(clk), .wr_en_i(taken), .wr_addr_i(free_slot),

@@ -14,14 +14,14 @@ module rt_unit #(
 ) (
     input  wire                   clk,
     input  wire                   rst,        // synchronous, active high
-    // from rt_setup, rt_lambert
+    // a vector
     input  wire                   in_valid_i,
     output wire                   in_ready_o, // high every second clock
     input  wire [TAG-1:0]         in_tag_i,
     input  wire signed [BITS-1:0] in_x_i,     // sBITS
     input  wire signed [BITS-1:0] in_y_i,
     input  wire signed [BITS-1:0] in_z_i,
-    // back to it
+    // its unit vector
     output wire                   out_valid_o,
     output wire [TAG-1:0]         out_tag_o,
     output wire [2*BITS-1:0]      out_vv_o,   // u(2BITS), v.v

@@ -8,6 +8,7 @@
 // A line of the cache is an aligned group of GROUP lines of memory; a miss fetches all of them.
 // Why it is right: docs/blocks/cache.md.
 `default_nettype none
+`include "rt_layout.vh"
 `include "rt_check.vh"
 module rt_cache #(
     parameter TAG     = 8,    // bits of a request's tag
@@ -23,7 +24,7 @@ module rt_cache #(
     // from the client
     input  wire           req_valid_i,
     output wire           req_ready_o,
-    input  wire [25:0]    req_line_i,       // line wanted
+    input  wire [`RT_LINE_BITS-1:0] req_line_i,       // line wanted
     input  wire [TAG-1:0] req_tag_i,        // comes back with it
     // to the client
     output reg            rsp_valid_o,
@@ -34,7 +35,7 @@ module rt_cache #(
     // to memory
     output reg            mem_req_valid_o,
     input  wire           mem_req_ready_i,
-    output reg  [25:0]    mem_req_line_o,
+    output reg  [`RT_LINE_BITS-1:0] mem_req_line_o,
     // from memory, in the order of requests
     input  wire           mem_rsp_valid_i,
     output wire           mem_rsp_ready_o,
@@ -76,7 +77,7 @@ module rt_cache #(
 
     // ---- stage 1: lookup ----
     reg            s1_valid_q;
-    reg  [25:0]    s1_line_q;
+    reg  [`RT_LINE_BITS-1:0] s1_line_q;
     reg  [TAG-1:0] s1_tag_q;
     wire           s1_go;                   // the lookup is done with
     wire [PB-1:0]  s1_place = s1_line_q[PB-1:0];

@@ -6,6 +6,7 @@
 // At most PENDING lines are on their way. Each client gets its lines in the order it asked for
 // them; it must take them without waiting for the line of another client.
 `default_nettype none
+`include "rt_layout.vh"
 module rt_mem_arbiter #(
     parameter CLIENTS = 2,    // readers, at least 1
     parameter PENDING = 16    // lines on their way, a power of two
@@ -24,7 +25,7 @@ module rt_mem_arbiter #(
     // to memory
     output reg                   mem_req_valid_o,
     input  wire                  mem_req_ready_i,
-    output reg  [25:0]           mem_req_line_o,
+    output reg  [`RT_LINE_BITS-1:0] mem_req_line_o,
     // from memory: four beats a line, low bits first, in the order of requests
     input  wire                  mem_rsp_valid_i,
     output wire                  mem_rsp_ready_o,
@@ -46,7 +47,7 @@ module rt_mem_arbiter #(
     end
 
     // ---- request register ----
-    reg  [25:0] line;                              // of the client chosen
+    reg  [`RT_LINE_BITS-1:0] line;                              // of the client chosen
     integer i;
     always @* begin
         line = 26'd0;

@@ -20,9 +20,9 @@ module rt_background #(
     // registers
     input  wire [55:0]  window_i,      // {y1, x1, y0, x0}
     input  wire [1:0]   mode_i,        // 2 spans, 3 cones
-    input  wire [25:0]  base_i,        // first line of the table
+    input  wire [`RT_LINE_BITS-1:0] base_i,        // first line of the table
     input  wire [4:0]   count_i,       // cones, 0..CONES
-    input  wire [25:0]  mem_lines_i,   // lines of memory
+    input  wire [`RT_LINE_BITS-1:0] mem_lines_i,   // lines of memory
     // from the walk
     input  wire [13:0]  x_i,           // pixel
     input  wire         row_next_i,    // the row is done, within its column
@@ -37,7 +37,7 @@ module rt_background #(
     // memory
     output wire         req_valid_o,
     input  wire         req_ready_i,
-    output wire [25:0]  req_line_o,
+    output wire [`RT_LINE_BITS-1:0] req_line_o,
     input  wire         rsp_valid_i,
     output wire         rsp_ready_o,
     input  wire [255:0] rsp_data_i,

@@ -3,11 +3,12 @@
 //   start --> first, first+1 .. first+lines-1, and again, passes times
 // One line a cycle at most. Answers go straight to who uses them: rt_spans or the cones.
 `default_nettype none
+`include "rt_layout.vh"
 module rt_table (
     input  wire        clk,
     input  wire        rst,
     input  wire        start_i,      // ask for all of it; only when nothing is left to ask for
-    input  wire [25:0] first_i,      // first line
+    input  wire [`RT_LINE_BITS-1:0] first_i,      // first line
     input  wire [11:0] lines_i,      // of the table
     input  wire [11:0] passes_i,     // times that it is read
     input  wire        room_i,       // there is a place for one more line; falls only with asked_o
@@ -15,7 +16,7 @@ module rt_table (
     // to memory
     output wire        req_valid_o,
     input  wire        req_ready_i,
-    output reg  [25:0] req_line_o
+    output reg  [`RT_LINE_BITS-1:0] req_line_o
 );
     reg  [11:0] line_q, pass_q;      // lines left in this pass and passes left, this one included
     wire        last = line_q == 12'd1;

@@ -8,6 +8,7 @@
 // Model: sph_primary_dir() in cmodel/pixel/walk.h, sph_is_background() in
 // cmodel/pixel/background.c
 `default_nettype none
+`include "rt_layout.vh"
 module rt_walk #(
     parameter W     = 16,  // coordinate, bits
     parameter WD    = 17,  // direction component, bits
@@ -26,9 +27,9 @@ module rt_walk #(
     input  wire [WD-1:0]        pitch_i,       // direction units a pixel
     input  wire [1:0]           bg_mode_i,     // 0 all is traced, 1 rectangle, 2 spans, 3 cones
     input  wire [55:0]          rect_i,        // as the window
-    input  wire [25:0]          bg_base_i,     // first line of the spans or cones
+    input  wire [`RT_LINE_BITS-1:0] bg_base_i,     // first line of the spans or cones
     input  wire [4:0]           bg_count_i,    // cones
-    input  wire [25:0]          mem_lines_i,   // lines of memory
+    input  wire [`RT_LINE_BITS-1:0] mem_lines_i,   // lines of memory
     // to the engines: pixels that are traced
     output wire                 ray_valid_o,
     input  wire                 ray_ready_i,
@@ -43,7 +44,7 @@ module rt_walk #(
     // memory: tables of the background
     output wire                 mem_req_valid_o,
     input  wire                 mem_req_ready_i,
-    output wire [25:0]          mem_req_line_o,
+    output wire [`RT_LINE_BITS-1:0] mem_req_line_o,
     input  wire                 mem_rsp_valid_i,
     output wire                 mem_rsp_ready_o,
     input  wire [255:0]         mem_rsp_data_i,

@@ -3,15 +3,14 @@
 // Every event adds one light's share to the slot's sum (nothing at the start, or in shadow), then
 // sends the vector to the next light to rt_setup, or the token on to rt_compose.
 // One event every 3 cycles. Without shadow rays there is no queue for them; one light alone stands
-// in registers and has no number. Model: sph_job_light() in
-// cmodel/engine/render_light.c
+// in registers and has no number. Model: sph_job_light() in cmodel/engine/render_light.c
 `default_nettype none
 `include "rt_check.vh"
 module rt_lights #(
     parameter W     = 16,  // coordinate, bits
     parameter WD    = 17,  // direction component, bits, at least W+1
     parameter LIGHTS = 8,  // lights that are kept, 1..8
-    parameter SHADOW = 1,  // 1: shadow rays are traced, 0: a light settles without one
+    parameter SHADOW = 1,  // 1: shadow rays end here, 0: there are none, or rt_shine has them
     parameter AMBIENT = 1, // 0: the sum starts from nothing
     parameter GLOSS = 0,   // 1: highlights are summed too
     parameter SLOTS = 32  // power of two
@@ -29,7 +28,7 @@ module rt_lights #(
     input  wire              point_valid_i,
     input  wire [$clog2(SLOTS)-1:0] point_slot_i,
     input  wire [3*W-1:0]    point_i,
-    // from rt_setup
+    // from rt_cosine, rt_texture, rt_shine
     input  wire              cosine_valid_i,
     input  wire [$clog2(SLOTS)-1:0] cosine_slot_i,
     input  wire [15:0]       cosine_i,

@@ -149,7 +149,7 @@ module rt_rays #(
             v_dir_q    <= r_dir_q;
         end
     wire             v_far;
-    wire [23:0]      v_id;
+    wire [`RT_ID_BITS-1:0] v_id;
     wire [3*W-1:0]   v_point;
     rt_slot_ram #(.WIDTH(25), .SLOTS(SLOTS), .OLD(0)) u_hit (
         .clk(clk), .wr_en_i(hit_i[`RT_HIT_HIT]), .wr_addr_i(hit_i[`RT_HIT_SLOT]),

@@ -70,7 +70,7 @@ module rt_shade #(
     // memory, with TEXTURE
     output wire                       mem_req_valid_o,
     input  wire                       mem_req_ready_i,
-    output wire [25:0]                mem_req_line_o,
+    output wire [`RT_LINE_BITS-1:0]   mem_req_line_o,
     input  wire                       mem_rsp_valid_i,
     output wire                       mem_rsp_ready_o,
     input  wire [255:0]               mem_rsp_data_i,

@@ -54,7 +54,7 @@ module rt_surface #(
     wire [`RT_EFFECT_BITS-1:0] effects  = regs_i[`RT_REGS_EFFECTS];
     wire             in_valid = hit_i[`RT_HIT_HIT];
     wire [SLOTW-1:0] in_slot  = hit_i[`RT_HIT_SLOT];
-    wire [25:0]      in_line  = regs_i[`RT_REGS_PRIM_BASE] + {2'b0, hit_i[`RT_HIT_ID]};
+    wire [`RT_LINE_BITS-1:0] in_line  = regs_i[`RT_REGS_PRIM_BASE] + {2'b0, hit_i[`RT_HIT_ID]};
     wire             ray_valid = ray_i[`RT_RAY_VALID] && !ray_i[`RT_RAY_SHADOW];
     wire [SLOTW-1:0] ray_slot  = ray_i[`RT_RAY_SLOT];
 
@@ -67,7 +67,7 @@ module rt_surface #(
         if (POINTS != 0) begin : g_quotient
             wire             h_valid, h_in, h_taken, divider;
             wire [SLOTW-1:0] h_slot;
-            wire [25:0]      h_line;
+            wire [`RT_LINE_BITS-1:0] h_line;
             wire [KW-1:0]    h_key;
             wire [2*WD-1:0]  h_a;
             reg              h_read_q;        // h and h_a belong to the head

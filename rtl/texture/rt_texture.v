@@ -51,7 +51,7 @@ module rt_texture #(
     // memory
     output wire                mem_req_valid_o,
     input  wire                mem_req_ready_i,
-    output wire [25:0]         mem_req_line_o,
+    output wire [`RT_LINE_BITS-1:0] mem_req_line_o,
     input  wire                mem_rsp_valid_i,
     output wire                mem_rsp_ready_o,
     input  wire [255:0]        mem_rsp_data_i,
@@ -69,7 +69,7 @@ module rt_texture #(
 
     wire [`RT_EFFECT_BITS-1:0] effects   = regs_i[`RT_REGS_EFFECTS];
     wire [1:0]       filter    = regs_i[`RT_REGS_TEX_FILTER];
-    wire [25:0]      mem_lines = regs_i[`RT_REGS_MEM_LINES];
+    wire [`RT_LINE_BITS-1:0] mem_lines = regs_i[`RT_REGS_MEM_LINES];
     wire             record_valid = material_i[`RT_MATERIAL_VALID];
     wire [SLOTW-1:0] record_slot  = material_i[`RT_MATERIAL_SLOT];
     wire [23:0]      record_rgb   = material_i[`RT_MATERIAL_RGB];
@@ -77,7 +77,7 @@ module rt_texture #(
     // ---- path; a surface without a texture is done ----
     wire             p_valid, p_primary, plain_in, maps_in;
     wire [SLOTW-1:0] p_slot;
-    wire [25:0]      p_tex;
+    wire [`RT_LINE_BITS-1:0] p_tex;
     wire [PW-1:0]    p_path;
     wire             p_textured = effects[`RT_EFFECT_TEXTURE] && p_tex != 26'd0;
     rt_texture_path #(.W(W), .WD(WD), .BACK(BACK), .SLOTS(SLOTS)) u_path (
@@ -98,7 +98,7 @@ module rt_texture #(
     assign {path_valid_o, path_slot_o, path_o} = {p_valid, p_slot, p_path};
     wire             map_valid, map_ready;
     wire [SLOTW-1:0] map_slot;
-    wire [25:0]      map_line;
+    wire [`RT_LINE_BITS-1:0] map_line;
     rt_fifo #(.WIDTH(SLOTW + 26), .DEPTH(SLOTS)) u_maps (
         .clk(clk), .rst(rst), .in_valid_i(p_valid && p_textured), .in_ready_o(maps_in),
         .in_data_i({p_slot, p_tex}),
@@ -108,7 +108,7 @@ module rt_texture #(
     // ---- requests: what is nearer to the end goes first; void ones read line 0 ----
     wire             texel_valid, texel_ready, image_valid, image_ready, ready;
     wire [SLOTW-1:0] texel_slot, image_slot, slot;
-    wire [25:0]      image_line;
+    wire [`RT_LINE_BITS-1:0] image_line;
     wire [26:0]      texel_line;
     wire [2:0]       texel_index, texel_word, index, word;
     wire [26:0]      line   = texel_valid ? texel_line
@@ -123,8 +123,8 @@ module rt_texture #(
     assign image_ready = ready && !texel_valid;
     assign map_ready   = ready && !texel_valid && !image_valid;
     wire             ask = texel_valid || image_valid || map_valid;
-    wire [25:0]      ask_line = beyond ? 26'd0 : line[25:0];
-    wire [25:0]      fetch_line;
+    wire [`RT_LINE_BITS-1:0] ask_line = beyond ? 26'd0 : line[25:0];
+    wire [`RT_LINE_BITS-1:0] fetch_line;
     rt_cache #(.TAG(TAG), .LINES(LINES), .WAYS(WAYS), .GROUP(GROUP), .PENDING(SLOTS)) u_cache (
         .clk(clk), .rst(rst), .flush_i(flush_i), .miss_o(miss_o),
         .req_valid_i(ask), .req_ready_o(ready), .req_line_i(ask_line), .req_tag_i({what, beyond}),
@@ -174,7 +174,7 @@ module rt_texture #(
 
     // ---- record, header, texels ----
     wire [11:0]      lod;
-    wire [25:0]      header_line;
+    wire [`RT_LINE_BITS-1:0] header_line;
     wire             st_read, both_valid, both, mix_valid, mixed;
     wire [SLOTW-1:0] st_slot, mix_slot, mixed_slot;
     wire [81:0]      st;

@@ -18,7 +18,7 @@ module rt_texture_image #(
     input  wire [255:0]      image_i,
     input  wire              void_i,         // it does not lie in memory
     input  wire [11:0]       lod_i,          // u4.8, of the longest chain
-    input  wire [25:0]       line_i,         // of the header
+    input  wire [`RT_LINE_BITS-1:0] line_i,         // of the header
     output wire              none_o,         // a cycle later too: no texels; the surface is done
     // coordinates, one cycle after the slot
     output wire              st_read_o,

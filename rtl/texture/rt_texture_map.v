@@ -35,12 +35,12 @@ module rt_texture_map #(
     output wire                image_valid_o,
     input  wire                image_ready_i,
     output wire [$clog2(SLOTS)-1:0] image_slot_o,
-    output wire [25:0]         image_line_o,
+    output wire [`RT_LINE_BITS-1:0] image_line_o,
     // by slot, one cycle after its number: when the header comes, and when texels are chosen
     input  wire                level_read_i,
     input  wire [$clog2(SLOTS)-1:0] level_slot_i,
     output wire [11:0]         level_lod_o,  // u4.8, of the longest chain
-    output wire [25:0]         level_line_o, // of the header
+    output wire [`RT_LINE_BITS-1:0] level_line_o, // of the header
     input  wire                st_read_i,
     input  wire [$clog2(SLOTS)-1:0] st_slot_i,
     output wire [81:0]         st_o          // {clamp t s, t, s}
@@ -112,7 +112,7 @@ module rt_texture_map #(
     end
     wire             t_valid;
     wire [SLOTW-1:0] t_slot;
-    wire [25:0]      t_line;
+    wire [`RT_LINE_BITS-1:0] t_line;
     wire [1:0]       t_clamp;
     wire [39:0]      t_s, t_t;
     rt_coords #(.W(W), .NG(NG), .TAG(SLOTW + 28), .UNITS(COORDS)) u_coords (

@@ -3,6 +3,7 @@
 // Park et al. 2011, Figure 1: path length on the ray stack; here a word a slot, begun anew by each
 // primary ray. Tokens leave in order. Model: cmodel/engine/render_pixel.c
 `default_nettype none
+`include "rt_layout.vh"
 module rt_texture_path #(
     parameter W     = 16,      // coordinate, bits
     parameter WD    = 17,      // direction component, bits
@@ -24,7 +25,7 @@ module rt_texture_path #(
     // line of its mapping record, 0: none
     input  wire              tex_valid_i,
     input  wire [$clog2(SLOTS)-1:0] tex_slot_i,
-    input  wire [25:0]       tex_i,
+    input  wire [`RT_LINE_BITS-1:0] tex_i,
     // the path of a ray that takes up where another has left; not with out_valid_o
     input  wire              back_valid_i,
     input  wire [$clog2(SLOTS)-1:0] back_slot_i,
@@ -35,7 +36,7 @@ module rt_texture_path #(
     // the same, with
     output wire              out_valid_o,
     output wire [$clog2(SLOTS)-1:0] out_slot_o,
-    output wire [25:0]       out_tex_o,
+    output wire [`RT_LINE_BITS-1:0] out_tex_o,
     output wire              out_primary_o,
     output wire [W+7:0]      out_path_o      // u(W+4).4 from the eye
 );
@@ -47,7 +48,7 @@ module rt_texture_path #(
     wire [SLOTW-1:0] n_slot;
     wire [KW-1:0]    n_key;
     wire [23:0]      n_ray;                  // {primary, h, y}
-    wire [25:0]      n_tex;
+    wire [`RT_LINE_BITS-1:0] n_tex;
     wire [PW-1:0]    n_path;
     reg              n_read_q;               // what belongs to the head is read
     rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_in (

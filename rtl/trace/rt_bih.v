@@ -54,7 +54,7 @@ module rt_bih #(
     // memory
     output wire                       mem_req_valid_o,
     input  wire                       mem_req_ready_i,
-    output wire [25:0]                mem_req_line_o,
+    output wire [`RT_LINE_BITS-1:0]   mem_req_line_o,
     input  wire                       mem_rsp_valid_i,
     output wire                       mem_rsp_ready_o,
     input  wire [255:0]               mem_rsp_data_i,
@@ -70,9 +70,9 @@ module rt_bih #(
     localparam T  = W + WD + 2 > TW ? W + WD + 2 - TW : 0;  // low bits of a key that bounds drop
 
     wire [`RT_EFFECT_BITS-1:0] effects   = regs_i[`RT_REGS_EFFECTS];
-    wire [25:0]      mem_lines = regs_i[`RT_REGS_MEM_LINES];
-    wire [25:0]      root      = regs_i[`RT_REGS_ROOT];
-    wire [25:0]      leaf_base = regs_i[`RT_REGS_LEAF_BASE];
+    wire [`RT_LINE_BITS-1:0] mem_lines = regs_i[`RT_REGS_MEM_LINES];
+    wire [`RT_LINE_BITS-1:0] root      = regs_i[`RT_REGS_ROOT];
+    wire [`RT_LINE_BITS-1:0] leaf_base = regs_i[`RT_REGS_LEAF_BASE];
     wire [23:0]      n_prims   = regs_i[`RT_REGS_N_PRIMS];
     wire [23:0]      n_loose   = regs_i[`RT_REGS_N_LOOSE];
     wire [6*CW-1:0]  box       = regs_i[`RT_REGS_BOX];

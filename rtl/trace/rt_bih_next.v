@@ -18,8 +18,8 @@ module rt_bih_next #(
     input  wire             rst,
     // registers
     input  wire             facets_on_i,
-    input  wire [25:0]      root_i,
-    input  wire [25:0]      leaf_base_i,
+    input  wire [`RT_LINE_BITS-1:0] root_i,
+    input  wire [`RT_LINE_BITS-1:0] leaf_base_i,
     input  wire [23:0]      n_loose_i,
     // from rt_bih: what the node says, before its pass comes
     input  wire             node_valid_i,
@@ -54,7 +54,7 @@ module rt_bih_next #(
     output reg [$clog2(SLOTS)-1:0] leaf_slot_o,
     output reg [3:0]        leaf_mask_o,    // bit j: record j from the start of the line
     output reg [2:0]        leaf_count_o,
-    output reg [25:0]       leaf_line_o,
+    output reg [`RT_LINE_BITS-1:0] leaf_line_o,
     // the ray is done
     output reg              done_valid_o,
     output reg [$clog2(SLOTS)-1:0] done_slot_o,

@@ -6,6 +6,7 @@
 // One result a cycle; the token leaves 4 cycles after the last result of its visit.
 // Model: keep() in cmodel/trace/leaf_unit.c, sph_ray_depth() in cmodel/trace/setup.c
 `default_nettype none
+`include "rt_layout.vh"
 module rt_collect #(
     parameter W     = 16,  // coordinate, bits
     parameter WD    = 17,  // direction component, bits
@@ -18,7 +19,7 @@ module rt_collect #(
 ) (
     input  wire              clk,
     input  wire              rst,
-    // from rt_traverse: how many results the visit of a slot will have
+    // from rt_traverse or rt_bih: how many results the visit of a slot will have
     input  wire              want_valid_i,
     input  wire [$clog2(SLOTS)-1:0] want_slot_i,
     input  wire [2:0]        want_count_i,
@@ -31,12 +32,12 @@ module rt_collect #(
     input  wire              new_primary_i,
     input  wire              new_first_i,   // ends with the first visit that hits
     input  wire [FW:0]       new_depth_i,   // depth limit at the start
-    // from rt_leaf by way of rt_root_pool: one result
+    // from rt_leaf_unit: one result
     input  wire              in_valid_i,
     input  wire [$clog2(SLOTS)-1:0] in_slot_i,
     input  wire              in_hit_i,
     input  wire              in_far_i,
-    input  wire [23:0]       in_id_i,
+    input  wire [`RT_ID_BITS-1:0] in_id_i,
     input  wire [W+WD+1:0]   in_key_i,
     // to rt_next: the visit is complete
     output wire              out_valid_o,
@@ -57,7 +58,7 @@ module rt_collect #(
     output wire              done_primary_o,
     output wire              done_first_o,
     output wire              done_far_o,
-    output wire [23:0]       done_id_o,
+    output wire [`RT_ID_BITS-1:0] done_id_o,
     output wire [W+WD+1:0]   done_key_o
 );
     localparam SLOTW = $clog2(SLOTS);

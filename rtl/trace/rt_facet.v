@@ -9,6 +9,7 @@
 // Results that need a key overtake none, but may be overtaken. Ports, timing:
 // docs/blocks/facet_unit.md. Model: sph_facet_test(), sph_facet_key() in cmodel/prim/facet.c
 `default_nettype none
+`include "rt_layout.vh"
 `include "rt_check.vh"
 `include "rt_facet.vh"
 `include "rt_fx.vh"
@@ -30,19 +31,19 @@ module rt_facet #(
     input  wire [71:0]        in_v0_i,           // corner 0, a point of the plane: {z, y, x} s24
     input  wire [71:0]        in_v1_i,           // corner 1, the plane's normal: 3 x s24
     input  wire [71:0]        in_v2_i,           // corner 2
-    input  wire [23:0]        in_id_i,
+    input  wire [`RT_ID_BITS-1:0] in_id_i,
     input  wire [6:0]         in_before_i,       // its group: ids id-before .. id+after
     input  wire [6:0]         in_after_i,
     input  wire [3*W-1:0]     in_org_i,          // 3 x sW
     input  wire [3*WD-1:0]    in_dir_i,          // 3 x sWD
     input  wire [2*WD-1:0]    in_a_i,            // u(2WD), dir.dir
     input  wire               in_shadow_i,       // the ray ends at the light, t = 1
-    input  wire [23:0]        in_skip_id_i,      // what the ray starts on
+    input  wire [`RT_ID_BITS-1:0] in_skip_id_i,      // what the ray starts on
     // to rt_collect
     output wire               out_valid_o,
     input  wire               out_ready_i,
     output wire [TAG-1:0]     out_tag_o,
-    output wire [23:0]        out_id_o,
+    output wire [`RT_ID_BITS-1:0] out_id_o,
     output wire               out_hit_o,
     output wire               out_far_o,         // the normal looks along the ray
     output wire [W+WD+1:0]    out_key_o,         // of a hit; 1: of a ray to a light

@@ -7,6 +7,7 @@
 // A leaf every second clock, free-running, latency L + M + 8: 12 up to W/WD 16/17, 15 up to 24/25.
 // Model: sph_leaf_test() in cmodel/prim/leaf.c
 `default_nettype none
+`include "rt_layout.vh"
 `include "rt_check.vh"
 `include "rt_fx.vh"
 module rt_leaf #(
@@ -27,7 +28,7 @@ module rt_leaf #(
     input  wire signed [W-1:0]    in_ctr_y_i,
     input  wire signed [W-1:0]    in_ctr_z_i,
     input  wire [W-1:0]           in_rad_i,      // uW
-    input  wire [23:0]            in_id_i,       // of the sphere
+    input  wire [`RT_ID_BITS-1:0] in_id_i,       // of the sphere
     input  wire signed [W-1:0]    in_org_x_i,    // sW
     input  wire signed [W-1:0]    in_org_y_i,
     input  wire signed [W-1:0]    in_org_z_i,
@@ -36,12 +37,12 @@ module rt_leaf #(
     input  wire signed [WD-1:0]   in_dir_z_i,
     input  wire [2*WD-1:0]        in_a_i,        // u(2WD), dir.dir
     input  wire                   in_shadow_i,   // the ray ends at the light, t = 1
-    input  wire [23:0]            in_skip_id_i,  // sphere the ray starts on
+    input  wire [`RT_ID_BITS-1:0] in_skip_id_i,  // sphere the ray starts on
     input  wire                   in_skip_inside_i,  // and whether inside it
     // to rt_root_pool
     output wire                   out_valid_o,
     output wire [TAG-1:0]         out_tag_o,
-    output wire [23:0]            out_id_o,
+    output wire [`RT_ID_BITS-1:0] out_id_o,
     output wire                   out_hit_o,
     output wire                   out_far_o,     // the far root counts
     output wire                   out_exit_o,    // leaves its own sphere at t = 0

@@ -37,7 +37,7 @@ module rt_leaf_unit #(
     // memory
     output wire                       mem_req_valid_o,
     input  wire                       mem_req_ready_i,
-    output wire [25:0]                mem_req_line_o,
+    output wire [`RT_LINE_BITS-1:0]   mem_req_line_o,
     input  wire                       mem_rsp_valid_i,
     output wire                       mem_rsp_ready_o,
     input  wire [255:0]               mem_rsp_data_i,
@@ -64,7 +64,7 @@ module rt_leaf_unit #(
     reg [SLOTW-1:0]  v_slot_q;
     reg [3:0]        todo_q;                         // left of the visit
     wire [3:0]       v_leaf;
-    wire [25:0]      v_line;
+    wire [`RT_LINE_BITS-1:0] v_line;
     wire [3:0]       todo = open_q ? todo_q : v_leaf;
     wire [1:0]       pick = todo[0] ? 2'd0 : todo[1] ? 2'd1 : todo[2] ? 2'd2 : 2'd3;
     wire [3:0]       rest = todo & (todo - 4'd1);
@@ -166,7 +166,7 @@ module rt_leaf_unit #(
     // ---- exact test ----
     wire             x_valid, x_hit, x_far, x_exit, x_shadow, x_error;
     wire [SLOTW-1:0] x_slot;
-    wire [23:0]      x_id;
+    wire [`RT_ID_BITS-1:0] x_id;
     wire [XW-1:0]    x_disc;
     wire signed [KW-1:0] x_b;
     wire [SLOTW+1:0] l_tag = {l_shadow, l_slot_q, l_error_q || l_bad};
@@ -195,7 +195,7 @@ module rt_leaf_unit #(
     // ---- triangles and planes ----
     wire             f_valid, f_hit, f_far, f_taken;
     wire [SLOTW-1:0] f_slot;
-    wire [23:0]      f_id;
+    wire [`RT_ID_BITS-1:0] f_id;
     wire [KW-1:0]    f_key;
     generate
         if (FACETS != 0) begin : g_facets

@@ -7,6 +7,7 @@
 // Two stages, one token a cycle; a pruned top of stack costs one more pass (bubble_o).
 // Model: the end of the loop in sph_traverse(), cmodel/trace/traverse.c
 `default_nettype none
+`include "rt_layout.vh"
 module rt_next #(
     parameter FW    = 14,   // filter coordinate, bits
     parameter SLOTS = 32,   // power of two
@@ -18,7 +19,7 @@ module rt_next #(
     // from rt_traverse: what the visit found, written before its token arrives
     input  wire             found_valid_i,
     input  wire [$clog2(SLOTS)-1:0] found_slot_i,
-    input  wire [25:0]      found_base_i,
+    input  wire [`RT_LINE_BITS-1:0] found_base_i,
     input  wire [2:0]       found_count_i,
     input  wire [71:0]      found_list_i,   // 4 x {near s16, child u2}
     input  wire             found_fresh_i,  // first visit of the ray
@@ -36,7 +37,7 @@ module rt_next #(
     // to rt_traverse: visit this node
     output reg              issue_valid_o,
     output reg [$clog2(SLOTS)-1:0] issue_slot_o,
-    output reg [25:0]       issue_line_o,
+    output reg [`RT_LINE_BITS-1:0] issue_line_o,
     // the ray is done
     output reg              done_valid_o,
     output reg [$clog2(SLOTS)-1:0] done_slot_o,
@@ -46,8 +47,8 @@ module rt_next #(
     localparam SLOTW = $clog2(SLOTS);
     localparam DEPTHW = $clog2(DEPTH);
     localparam signed [15:0] FAR = 16'sh7fff;
-    localparam CW = 26 + 3 + 72;            // current group: {base, count, list}
-    localparam EW = 16 + 26 + 2 + 54;       // stack entry: {below, base, count, 3 children}
+    localparam CW = `RT_LINE_BITS + 3 + 72;            // current group: {base, count, list}
+    localparam EW = 16 + `RT_LINE_BITS + 2 + 54;       // stack entry: {below, base, count, list}
 
     // ---- stage 0: read everything about the slot ----
     reg              again_q;               // stage 1 sent its token round once more
@@ -85,20 +86,29 @@ module rt_next #(
     );
 
     // ---- stage 1: decide ----
+    // Groups: f that the visit found, c the current one, t the top of the stack.
     reg              s1_valid_q, s1_again_q;
-    wire             s1_kill  = s1_found[CW+1];
-    wire             s1_fresh = s1_found[CW] && !s1_again_q;
+    wire             s1_kill, found_fresh;
+    wire [`RT_LINE_BITS-1:0] f_base, c_base, t_base;
+    wire [2:0]       f_found, c_left;                      // children
+    wire [1:0]       t_count;
+    wire [71:0]      f_list, c_list;
+    wire [53:0]      t_list;
+    wire signed [15:0] t_below;                            // smallest near of what lies below it
+    assign {s1_kill, found_fresh, f_base, f_found, f_list} = s1_found;
+    assign {c_base, c_left, c_list}                        = s1_cur;
+    assign {t_below, t_base, t_count, t_list}              = s1_top;
+    wire             s1_fresh = found_fresh && !s1_again_q;
     reg [DEPTHW:0]   s1_sp_q;
     reg signed [15:0] s1_least_q;
-    wire [2:0]  f_count = s1_again_q ? 3'd0 : s1_found[74:72];
-    wire [2:0]  c_count = s1_fresh || s1_again_q ? 3'd0 : s1_cur[74:72];
+    wire [2:0]  f_count = s1_again_q ? 3'd0 : f_found;
+    wire [2:0]  c_count = s1_fresh || s1_again_q ? 3'd0 : c_left;
     wire [DEPTHW:0] sp  = s1_fresh ? {(DEPTHW+1){1'b0}} : s1_sp_q;
     wire signed [15:0] least = s1_fresh ? FAR : s1_least_q;
     wire signed [15:0] depth = $signed({{(15-FW){1'b0}}, depth_i});
-    wire signed [15:0] f_near = $signed(s1_found[17:2]);
-    wire signed [15:0] c_near = $signed(s1_cur[17:2]);
-    wire signed [15:0] t_near = $signed(s1_top[17:2]);
-    wire signed [15:0] t_below = $signed(s1_top[EW-1 -: 16]);
+    wire signed [15:0] f_near = $signed(f_list[17:2]);     // of the first child of the list
+    wire signed [15:0] c_near = $signed(c_list[17:2]);
+    wire signed [15:0] t_near = $signed(t_list[17:2]);
     wire f_ok  = f_count != 3'd0 && f_near <= depth;
     wire c_ok  = c_count != 3'd0 && c_near <= depth;
     wire t_any = sp != 0 && least <= depth;       // the stack holds something to visit
@@ -112,11 +122,11 @@ module rt_next #(
     wire want_push = use_f && c_count != 3'd0;
     assign push      = s1_valid_q && !ended && want_push && !full;
     assign push_at   = sp[DEPTHW-1:0];
-    assign push_data = {least, s1_cur[100:75], c_count[1:0], s1_cur[53:0]};
+    assign push_data = {least, c_base, c_count[1:0], c_list[53:0]};
 
-    wire [25:0] base  = use_f ? s1_found[100:75] : use_c ? s1_cur[100:75] : s1_top[81:56];
-    wire [2:0]  count = use_f ? f_count : use_c ? c_count : {1'b0, s1_top[55:54]};
-    wire [71:0] list  = use_f ? s1_found[71:0] : use_c ? s1_cur[71:0] : {18'd0, s1_top[53:0]};
+    wire [`RT_LINE_BITS-1:0] base = use_f ? f_base : use_c ? c_base : t_base;
+    wire [2:0]  count = use_f ? f_count : use_c ? c_count : {1'b0, t_count};
+    wire [71:0] list  = use_f ? f_list : use_c ? c_list : {18'd0, t_list};
     assign cur_next   = {base, count - 3'd1, 18'd0, list[71:18]};
     wire [DEPTHW:0] sp_next = want_push ? sp + 1'b1 : use_t ? sp - 1'b1 : sp;
     wire signed [15:0] least_next = want_push ? (c_near < least ? c_near : least)

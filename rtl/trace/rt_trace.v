@@ -47,7 +47,7 @@ module rt_trace #(
     // memory
     output wire                       mem_req_valid_o,
     input  wire                       mem_req_ready_i,
-    output wire [25:0]                mem_req_line_o,
+    output wire [`RT_LINE_BITS-1:0]   mem_req_line_o,
     input  wire                       mem_rsp_valid_i,
     output wire                       mem_rsp_ready_o,
     input  wire [255:0]               mem_rsp_data_i,
@@ -75,7 +75,7 @@ module rt_trace #(
             wire             issue_valid;
             wire             found_valid = found[`RT_FOUND_VALID];
             wire [SLOTW-1:0] issue_slot;
-            wire [25:0]      issue_line;
+            wire [`RT_LINE_BITS-1:0] issue_line;
             wire [3:0]       leaf = visit_o[`RT_VISIT_LEAF];
             wire [`RT_TRACE_EVENT_BITS-1:0] events;
             wire [3:0]       faults;

@@ -33,7 +33,7 @@ module rt_traverse #(
     // from rt_next: the next node of a ray
     input  wire                       next_valid_i,
     input  wire [$clog2(SLOTS)-1:0]   next_slot_i,
-    input  wire [25:0]                next_line_i,
+    input  wire [`RT_LINE_BITS-1:0]   next_line_i,
     // from rt_collect
     output wire                       depth_read_o,
     output wire [$clog2(SLOTS)-1:0]   depth_slot_o,
@@ -48,7 +48,7 @@ module rt_traverse #(
     // memory
     output wire                       mem_req_valid_o,
     input  wire                       mem_req_ready_i,
-    output wire [25:0]                mem_req_line_o,
+    output wire [`RT_LINE_BITS-1:0]   mem_req_line_o,
     input  wire                       mem_rsp_valid_i,
     output wire                       mem_rsp_ready_o,
     input  wire [255:0]               mem_rsp_data_i,
@@ -59,7 +59,7 @@ module rt_traverse #(
 );
     localparam SLOTW = $clog2(SLOTS);
     wire [`RT_EFFECT_BITS-1:0] effects   = regs_i[`RT_REGS_EFFECTS];
-    wire [25:0]      mem_lines = regs_i[`RT_REGS_MEM_LINES];
+    wire [`RT_LINE_BITS-1:0] mem_lines = regs_i[`RT_REGS_MEM_LINES];
     localparam LAT = `RT_FILTER_LATENCY;
 
     // ---- queues of tokens: rays under way first, then new ones ----
@@ -117,7 +117,7 @@ module rt_traverse #(
     wire             req_fresh = !q_next_valid;
     wire [SLOTW-1:0] req_slot  = q_next_valid ? q_next[26 +: SLOTW]
                                  : q_shadow_valid ? q_shadow : q_new[1 +: SLOTW];
-    wire [25:0]      req_line  = q_next_valid ? q_next[25:0] : regs_i[`RT_REGS_ROOT];
+    wire [`RT_LINE_BITS-1:0] req_line  = q_next_valid ? q_next[25:0] : regs_i[`RT_REGS_ROOT];
     wire             issue     = req_valid && req_ready;
     wire [23:0]      ray_visits, pixel_visits;
     wire [23:0]      ray_before   = req_fresh ? 24'd0 : ray_visits;
@@ -162,7 +162,7 @@ module rt_traverse #(
     reg [2:0]        tests_q;
     assign depth_read_o = rsp_valid;
     assign depth_slot_o = rsp_slot;
-    wire [25:0] t1_base    = t1_node_q[`RT_NODE_BASE_LSB +: `RT_NODE_BASE_BITS];
+    wire [`RT_LINE_BITS-1:0] t1_base    = t1_node_q[`RT_NODE_BASE_LSB +: `RT_NODE_BASE_BITS];
     wire [2:0]  t1_n_inner = t1_node_q[`RT_NODE_N_INNER_LSB +: `RT_NODE_N_INNER_BITS];
     wire [2:0]  t1_n_leaf  = t1_node_q[`RT_NODE_N_LEAF_LSB +: `RT_NODE_N_LEAF_BITS];
     wire [3:0]  t1_count   = {1'b0, t1_n_inner} + {1'b0, t1_n_leaf};
@@ -225,7 +225,7 @@ module rt_traverse #(
     wire [DW-1:0]    f_side;
     wire [SLOTW-1:0] f_slot, g_slot;
     wire             f_fresh, f_kill, g_fresh, g_kill, f_valid, g_valid;
-    wire [25:0]      f_base, g_base;
+    wire [`RT_LINE_BITS-1:0] f_base, g_base;
     wire [2:0]       f_n_inner, f_n_leaf, g_n_inner, g_n_leaf;
     rt_delay #(.WIDTH(DW), .CYCLES(LAT)) u_side (
         .clk(clk),
@@ -264,7 +264,7 @@ module rt_traverse #(
     reg [3:0]        f_leaf_q, leaf_q;
     reg              valid_q, fresh_q, kill_q;
     reg [SLOTW-1:0]  slot_q;
-    reg [25:0]       base_q, line_q;
+    reg [`RT_LINE_BITS-1:0] base_q, line_q;
     always @(posedge clk) begin
         f_leaf_q <= (f_hit & ~f_inner) >> f_n_inner;
         valid_q <= g_valid;

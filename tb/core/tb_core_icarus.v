@@ -35,7 +35,7 @@ module tb_core_icarus #(
     parameter CONES      = 1,    // 0..16: exact background separation, by so many spheres
     parameter ACCEL      = 0,    // 0 or 1: a BIH instead of nodes of four children
     parameter ENGINES    = 1,    // 1..8: engines
-    parameter K          = 64,   // 4..1024, power of two: rays in flight an engine
+    parameter SLOTS      = 64,   // 4..1024, power of two: rays in flight an engine
     parameter NODE_LINES = 256,  // 8..4096, power of two: lines of an engine's node cache
     parameter LEAF_LINES = 128,  // 8..4096, power of two: lines of its leaf cache
     parameter TEXTURE_LINES = 128, // 8..4096, power of two: lines of its texture cache
@@ -87,7 +87,7 @@ module tb_core_icarus #(
         .SHADOW(SHADOW), .REFLECT(REFLECT), .LIGHTS(LIGHTS), .INSIDE(INSIDE),
         .FIRST(FIRST), .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),
         .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM), .COARSE(COARSE), .RECT(RECT),
-        .SPANS(SPANS), .CONES(CONES), .ACCEL(ACCEL), .ENGINES(ENGINES), .K(K),
+        .SPANS(SPANS), .CONES(CONES), .ACCEL(ACCEL), .ENGINES(ENGINES), .SLOTS(SLOTS),
         .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES), .TEXTURE_LINES(TEXTURE_LINES),
         .TEXTURE_WAYS(TEXTURE_WAYS), .TEXTURE_GROUP(TEXTURE_GROUP),
         .TEXTURE_COORDS(TEXTURE_COORDS), .ROOTS(ROOTS), .QUOTIENTS(QUOTIENTS),

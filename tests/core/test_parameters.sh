@@ -104,7 +104,7 @@ widths='W|WD|PQ|NG|FW|PR'
 for tool in icarus verilator yosys; do
     check "legal: all least, $tool" silent $tool whole $(all_of least "$widths")
     few="$widths|ACCEL"
-    [ $tool = icarus ] || few="$few|ENGINES|K|ROOTS|QUOTIENTS|DIVISIONS|CONES"
+    [ $tool = icarus ] || few="$few|ENGINES|SLOTS|ROOTS|QUOTIENTS|DIVISIONS|CONES"
     check "legal: all largest, $tool" silent $tool whole $(all_of most "$few")
 done
 
@@ -151,7 +151,7 @@ END
 
 # ---- the whole core is refused, by every tool ----
 for tool in icarus verilator yosys; do
-    for case in ENGINES=0 ENGINES=9 K=48 NODE_LINES=100 LIGHTS=12; do
+    for case in ENGINES=0 ENGINES=9 SLOTS=48 NODE_LINES=100 LIGHTS=12; do
         message=$(awk -v name="${case%=*}" '$1 == name { print $4; exit }' "$TMP/values")
         check "refused by $tool: $case" says "$message" $tool whole $case
     done

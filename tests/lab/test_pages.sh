@@ -21,7 +21,7 @@ stale() { # file, sed expression, what the check prints
 }
 core=$(find rtl -name rt_core.v) def=$(find cmodel -name machine.def)
 profile=$(find cmodel -name profile.c)
-check "a default" stale $core 's/K          = 64/K          = 32/' '^+| `K` | 32 |'
+check "a default" stale $core 's/SLOTS      = 64/SLOTS      = 32/' '^+| `SLOTS` | 32 |'
 check "a port" stale $core 's/\[47:0\]       count_data_o/[39:0] count_data_o/' 'count_data_o` | 40'
 check "a register" stale $def 's/^reg    98 /reg    103 /' '^+| 103 | `BG_COUNT`'
 check "an effect" stale $def 's/^effect sum .*/&\neffect haze bit=10 : fog/' \
