@@ -143,7 +143,7 @@ int sph_emit_background(const struct sph_tree *tree, const struct sph_ball *ball
     r[SPH_REG_BG_MODE] = o->background;
     r[SPH_REG_RECT_X1] = r[SPH_REG_FRAME_W];
     r[SPH_REG_RECT_Y1] = r[SPH_REG_FRAME_H];
-    if (o->background != SPH_BG_NONE && report->planes)
+    if (o->background != SPH_BG_NONE && report->loose)
         sph_note(report->background, sizeof report->background,
                  "a plane may be seen anywhere: every pixel is traced\n");
     if (o->background == SPH_BG_RECT) emit_rect(rays, m, report);

@@ -96,3 +96,8 @@ struct sph_ball sph_filter_enclose(const struct sph_ball *balls, const uint32_t 
     struct sph_ball whole = sph_filter_whole(profile);
     return best.r > whole.r ? whole : best;
 }
+
+struct sph_ball sph_grid_whole(const struct sph_profile *profile) {
+    int64_t half = 1ll << (profile->w - 1);
+    return (struct sph_ball){.r = (int32_t)sph_ceil_sqrt(3 * half * half)};
+}

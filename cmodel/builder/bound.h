@@ -30,6 +30,9 @@ int32_t sph_filter_radius(const int32_t cf[3], const struct sph_ball *ball, int 
 /* The sphere in filter units, without margin, that holds one leaf. */
 struct sph_ball sph_filter_leaf(const struct sph_ball *leaf, const struct sph_profile *profile);
 
+/* The ball that holds the whole grid, in grid units. */
+struct sph_ball sph_grid_whole(const struct sph_profile *profile);
+
 /* The sphere in filter units, without margin, around the whole grid. */
 struct sph_ball sph_filter_whole(const struct sph_profile *profile);
 

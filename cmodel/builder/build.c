@@ -183,8 +183,8 @@ static int quantise(const struct sph_scene *scene, const struct sph_grid *grid,
         return -1;
     for (uint32_t i = 0; i < parts->facets.n; i++)
         parts->balls[scene->n_spheres + i] = parts->facets.list[i].ball;
-    report->planes = parts->facets.n_planes;
-    report->triangles = parts->facets.n - report->planes;
+    report->loose = parts->facets.n_loose;
+    report->facets = parts->facets.n;
     warn_coarse(scene, profile, report);
     warn_empty(scene, profile, &parts->facets, report);
     warn_bent(scene, report);
@@ -221,7 +221,7 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
     struct sph_world world = {balls, n, profile, grid.eye, facets, mended};
     struct sph_survey survey = {scene, &grid, o, world, 0};
     if (sph_emit_effects(&survey, m, report, err) ||
-        sph_emit_textures(scene, &grid, facets, o, m, report, err))
+        sph_emit_textures(scene, &grid, &plants, o, m, report, err))
         return -1;
     snprintf(m->name, sizeof m->name, "%s", scene->name);
     m->grid_log2 = grid.log2;

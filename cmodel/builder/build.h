@@ -73,7 +73,7 @@ struct sph_build_report {
     double smallest_radius; /* grid units */
     double fov_error;       /* relative error of tan(angle/2) by quantisation */
     uint32_t nodes, depth;  /* of the tree */
-    uint32_t triangles, planes;
+    uint32_t facets, loose; /* primitives that are no spheres; of them, without bounds */
     double build_seconds, tree_seconds; /* all of build; of processor, of tree and memory
                                            image alone */
     struct sph_bih_stats bih;           /* with TREE_BIH and TREE_BRUTE */

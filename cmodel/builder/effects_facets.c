@@ -3,11 +3,12 @@
  */
 #include "builder/effects.h"
 #include "builder/emit.h"
+#include "prim/prim.h"
 
 #define WHY(entry, ...) sph_note((entry)->why, sizeof(entry)->why, __VA_ARGS__)
 
 static const char *name_of(const struct sph_grid_facet *facet) {
-    return facet->kind == SPH_PLANE ? "plane" : "triangle";
+    return sph_prim_of((uint32_t)facet->kind)->name;
 }
 
 struct sph_place sph_facet_place(const struct sph_survey *s, uint32_t facet) {
@@ -18,12 +19,16 @@ struct sph_place sph_facet_place(const struct sph_survey *s, uint32_t facet) {
 void sph_find_facets(const struct sph_survey *s, struct sph_effect_report *entry) {
     const struct sph_facets *f = s->world.facets;
     entry->on = entry->called = f->n > 0;
-    if (!f->n)
-        WHY(entry, "there is no triangle and no plane");
-    else
-        WHY(entry, "%u triangle%s, %u plane%s; the first is the %s %s", f->n - f->n_planes,
-            f->n - f->n_planes == 1 ? "" : "s", f->n_planes, f->n_planes == 1 ? "" : "s",
-            name_of(f->list), sph_facet_place(s, 0).text);
+    if (!f->n) WHY(entry, "there is no triangle and no plane");
+    for (uint32_t kind = 0; kind < SPH_KINDS; kind++) {
+        uint32_t n = 0;
+        for (uint32_t i = 0; i < f->n; i++)
+            n += (uint32_t)f->list[i].kind == kind;
+        if (n)
+            WHY(entry, "%s%u %s%s", entry->why[0] ? ", " : "", n, sph_prim_of(kind)->name,
+                n == 1 ? "" : "s");
+    }
+    if (f->n) WHY(entry, "; the first is the %s %s", name_of(f->list), sph_facet_place(s, 0).text);
 }
 
 void sph_find_facet_shadow(const struct sph_survey *s, struct sph_effect_report *entry) {

@@ -3,6 +3,7 @@
  */
 #include "builder/effects.h"
 #include "builder/emit.h"
+#include "prim/build.h"
 
 #define WHY(entry, ...) sph_note((entry)->why, sizeof(entry)->why, __VA_ARGS__)
 
@@ -14,13 +15,11 @@ static int is_sum(const struct sph_material *material) {
 static const struct sph_material *best(const struct sph_survey *s,
                                        int (*weight)(const struct sph_material *)) {
     const struct sph_scene *scene = s->scene;
-    const struct sph_facets *facets = s->world.facets;
+    const struct sph_world *w = &s->world;
     const struct sph_material *best = NULL;
-    for (uint32_t i = 0; i < scene->n_spheres + facets->n; i++) {
-        uint32_t number = i < scene->n_spheres
-                              ? scene->spheres[i].material
-                              : scene->facets[facets->list[i - scene->n_spheres].scene].material;
-        const struct sph_material *m = &scene->materials[number];
+    for (uint32_t id = 0; id < w->n + w->facets->n; id++) {
+        struct sph_grid_prim prim = sph_grid_prim_of(w->balls, w->n, w->facets, id);
+        const struct sph_material *m = &scene->materials[sph_grid_look(scene, &prim).material];
         if (m != best && weight(m) > (best ? weight(best) : 0)) best = m;
     }
     return best;

@@ -9,6 +9,8 @@
 #include <stdlib.h>
 
 #include "builder/emit.h"
+#include "machine/records.h"
+#include "prim/build.h"
 
 /* Writes child slot i of a node line: the sphere with the filter's margin. */
 static void put_child(uint32_t *node, int i, const struct sph_ball *ball) {
@@ -18,15 +20,6 @@ static void put_child(uint32_t *node, int i, const struct sph_ball *ball) {
     sph_field_set(node, at + SPH_CHILD_CTR_Z_LSB, SPH_CHILD_CTR_Z_BITS, (uint32_t)ball->c[2]);
     sph_field_set(node, at + SPH_CHILD_RAD_LSB, SPH_CHILD_RAD_BITS,
                   (uint32_t)(ball->r + SPH_FILTER_MARGIN));
-}
-
-void sph_emit_leaf(uint32_t *line, int half, const struct sph_ball *ball, uint32_t id) {
-    int at = half * SPH_LEAF_STRIDE;
-    sph_field_set(line, at + SPH_LEAF_CTR_X_LSB, SPH_LEAF_CTR_X_BITS, (uint32_t)ball->c[0]);
-    sph_field_set(line, at + SPH_LEAF_CTR_Y_LSB, SPH_LEAF_CTR_Y_BITS, (uint32_t)ball->c[1]);
-    sph_field_set(line, at + SPH_LEAF_CTR_Z_LSB, SPH_LEAF_CTR_Z_BITS, (uint32_t)ball->c[2]);
-    sph_field_set(line, at + SPH_LEAF_RAD_LSB, SPH_LEAF_RAD_BITS, (uint32_t)ball->r);
-    sph_field_set(line, at + SPH_LEAF_ID_LSB, SPH_LEAF_ID_BITS, id);
 }
 
 /* lround(255 * c) of a colour 0..1, clamped. */
@@ -55,7 +48,7 @@ static int check_radii(const struct sph_tree *tree, struct sph_error *err) {
 
 /* Lines of the children of a node; `whole`: each leaf has one. */
 static uint32_t group_lines(const struct sph_tree_node *node, int whole) {
-    return node->n_inner + (whole ? node->n_leaf : (node->n_leaf + 1u) / 2);
+    return node->n_inner + (uint32_t)sph_record_lines(whole, node->n_leaf);
 }
 
 /* Lines of all nodes and leaf records. */
@@ -88,13 +81,10 @@ static void put_node(struct sph_machine *m, const struct content *c, uint32_t no
     for (int j = 0; j < from->n_leaf; j++) {
         uint32_t id = from->child[n_inner + j];
         struct sph_ball ball = sph_filter_leaf(&c->balls[id], sph_machine_profile(m));
-        int whole = c->facets->n > 0;
-        uint32_t *leaf = sph_line(m, base + (uint32_t)n_inner + (uint32_t)(whole ? j : j >> 1));
+        uint32_t *record = sph_record(m, c->facets->n > 0, base + (uint32_t)n_inner, (uint32_t)j);
+        struct sph_grid_prim prim = sph_grid_prim_of(c->balls, c->n_spheres, c->facets, id);
         put_child(to, n_inner + j, &ball);
-        if (id < c->n_spheres)
-            sph_emit_leaf(leaf, whole ? 0 : j & 1, &c->balls[id], id);
-        else
-            sph_emit_facet(leaf, &c->facets->list[id - c->n_spheres], id);
+        sph_prim_build_of(prim.kind)->record(&prim, record);
     }
 }
 
@@ -102,18 +92,14 @@ static void put_node(struct sph_machine *m, const struct content *c, uint32_t no
 static void put_prims(struct sph_machine *m, const struct sph_scene *scene,
                       const struct sph_ball *balls, const struct sph_facets *facets,
                       uint32_t base) {
-    uint32_t spheres = scene->n_spheres, table = base + spheres + facets->n;
-    for (uint32_t id = 0; id < spheres; id++) {
+    uint32_t spheres = scene->n_spheres, n = spheres + facets->n;
+    for (uint32_t id = 0; id < n; id++) {
+        struct sph_grid_prim prim = sph_grid_prim_of(balls, spheres, facets, id);
+        const struct sph_prim_build *kind = sph_prim_build_of(prim.kind);
         uint32_t *line = sph_line(m, base + id);
-        sph_emit_leaf(line, 0, &balls[id], id);
-        put_material(line, &scene->materials[scene->spheres[id].material]);
-    }
-    for (uint32_t i = 0; i < facets->n; i++) {
-        const struct sph_grid_facet *f = &facets->list[i];
-        uint32_t *line = sph_line(m, base + spheres + i);
-        sph_emit_facet_prim(line, f, spheres + i);
-        put_material(line, &scene->materials[scene->facets[f->scene].material]);
-        sph_emit_facet(sph_line(m, table + i), f, spheres + i);
+        kind->prim(&prim, line);
+        put_material(line, &scene->materials[sph_grid_look(scene, &prim).material]);
+        if (id >= spheres) kind->record(&prim, sph_line(m, base + n + id - spheres));
     }
 }
 

@@ -29,9 +29,9 @@ int sph_emit_bih(const struct sph_scene *scene, const struct sph_ball *balls,
                  const struct sph_facets *facets, const struct sph_bih_options *options,
                  struct sph_machine *machine, struct sph_bih_stats *stats, struct sph_error *err);
 
-/* Its nodes from line 0 on, global box and the two registers of leaf records, n_planes of which
+/* Its nodes from line 0 on, global box and the two registers of leaf records, n_loose of which
  * come first; memory has room for them, and TREE is set. */
-void sph_emit_bih_nodes(const struct sph_bih *bih, uint32_t n_planes, struct sph_machine *m);
+void sph_emit_bih_nodes(const struct sph_bih *bih, uint32_t n_loose, struct sph_machine *m);
 
 /* Parts of both: lines of zeros; primitive records from line `base` on, the table of facets and the
  * registers that tell where they are and how many nodes a ray can visit. */
@@ -39,14 +39,6 @@ int sph_emit_alloc(struct sph_machine *machine, uint64_t lines, struct sph_error
 void sph_emit_prims(const struct sph_scene *scene, const struct sph_ball *balls,
                     const struct sph_facets *facets, uint32_t base, uint32_t nodes,
                     struct sph_machine *machine);
-
-/* Writes the leaf record of a sphere into half 0 or 1 of a line. */
-void sph_emit_leaf(uint32_t *line, int half, const struct sph_ball *ball, uint32_t id);
-
-/* Writes the leaf line of a facet, and the part of its primitive record that a sphere's leaf record
- * has elsewhere. */
-void sph_emit_facet(uint32_t *line, const struct sph_grid_facet *facet, uint32_t id);
-void sph_emit_facet_prim(uint32_t *line, const struct sph_grid_facet *facet, uint32_t id);
 
 /* The words of a material with Whitted's sum. */
 void sph_emit_sum(uint32_t *line, const struct sph_material *material);

@@ -2,13 +2,15 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * The root in line 0, pairs of children as they were made, leaf records in the order of the leaves
- * behind the planes, then what every machine has.
+ * behind those without bounds, then what every machine has.
  */
 #include <stdlib.h>
 #include <string.h>
 
 #include "builder/emit.h"
 #include "builder/near.h"
+#include "machine/records.h"
+#include "prim/build.h"
 
 /* What the memory is made of. */
 struct content {
@@ -17,40 +19,25 @@ struct content {
     const struct sph_facets *facets;
     uint32_t *ids; /* of boxes */
     struct sph_aabb *boxes;
-    uint32_t n_boxes, n_planes;
+    uint32_t n_boxes, n_loose;
     const struct sph_bih *bih;
 };
 
-/* The box of a sphere or triangle. */
-static struct sph_aabb aabb(const struct content *c, uint32_t id) {
-    struct sph_aabb b;
-    if (id < c->scene->n_spheres) {
-        const struct sph_ball *ball = &c->balls[id];
-        for (int i = 0; i < 3; i++)
-            b.lo[i] = ball->c[i] - ball->r, b.hi[i] = ball->c[i] + ball->r;
-        return b;
-    }
-    const struct sph_grid_facet *f = &c->facets->list[id - c->scene->n_spheres];
-    for (int i = 0; i < 3; i++) {
-        b.lo[i] = b.hi[i] = f->v[0][i];
-        for (int j = 1; j < 3; j++) {
-            if (f->v[j][i] < b.lo[i]) b.lo[i] = f->v[j][i];
-            if (f->v[j][i] > b.hi[i]) b.hi[i] = f->v[j][i];
-        }
-    }
-    return b;
+static struct sph_grid_prim prim_of(const struct content *c, uint32_t id) {
+    return sph_grid_prim_of(c->balls, c->scene->n_spheres, c->facets, id);
 }
 
-/* Planes to the front of ids, boxes of all others. */
+/* What has no bounds to the front of ids, boxes of all others. */
 static void gather(struct content *c) {
-    uint32_t n = c->scene->n_spheres + c->facets->n, next = c->facets->n_planes;
+    uint32_t n = c->scene->n_spheres + c->facets->n, next = c->facets->n_loose;
     c->n_boxes = n - next;
     for (uint32_t id = 0; id < n; id++) {
-        if (id >= c->scene->n_spheres &&
-            c->facets->list[id - c->scene->n_spheres].kind == SPH_PLANE) {
-            c->ids[c->n_planes++] = id;
+        struct sph_grid_prim prim = prim_of(c, id);
+        const struct sph_prim_build *kind = sph_prim_build_of(prim.kind);
+        if (kind->loose) {
+            c->ids[c->n_loose++] = id;
         } else {
-            c->boxes[next - c->facets->n_planes] = aabb(c, id);
+            kind->box(&prim, &c->boxes[next - c->facets->n_loose]);
             c->ids[next++] = id;
         }
     }
@@ -74,14 +61,14 @@ static uint32_t clip_word(const struct sph_profile *p, int32_t clip, int up) {
 }
 
 static void put_node(struct sph_machine *m, const struct sph_bih *bih, uint32_t index,
-                     uint32_t n_planes) {
+                     uint32_t n_loose) {
     const struct sph_bih_node *from = &bih->nodes[index];
     const struct sph_profile *p = sph_machine_profile(m);
     uint32_t *to = sph_line(m, index / 2) + index % 2 * (SPH_BIH_STRIDE / 32);
     if (from->axis != SPH_BIH_LEAF && !from->child) return; /* beside the root, or an only child */
     sph_field_set(to, SPH_BIH_AXIS_LSB, SPH_BIH_AXIS_BITS, (uint32_t)from->axis);
     if (from->axis == SPH_BIH_LEAF) {
-        to[SPH_BIH_FIRST_LSB / 32] = n_planes + from->first;
+        to[SPH_BIH_FIRST_LSB / 32] = n_loose + from->first;
         to[SPH_BIH_COUNT_LSB / 32] = from->count;
         return;
     }
@@ -95,13 +82,10 @@ static void put_node(struct sph_machine *m, const struct sph_bih *bih, uint32_t 
 /* Writes leaf records from line `base` on. */
 static void put_records(struct sph_machine *m, const struct content *c, uint32_t base) {
     int whole = c->facets->n > 0;
-    for (uint32_t i = 0; i < c->n_planes + c->n_boxes; i++) {
-        uint32_t id = c->ids[i < c->n_planes ? i : c->n_planes + c->bih->order[i - c->n_planes]];
-        uint32_t *line = sph_line(m, base + (whole ? i : i / 2));
-        if (id < c->scene->n_spheres)
-            sph_emit_leaf(line, whole ? 0 : i & 1, &c->balls[id], id);
-        else
-            sph_emit_facet(line, &c->facets->list[id - c->scene->n_spheres], id);
+    for (uint32_t i = 0; i < c->n_loose + c->n_boxes; i++) {
+        uint32_t id = c->ids[i < c->n_loose ? i : c->n_loose + c->bih->order[i - c->n_loose]];
+        struct sph_grid_prim prim = prim_of(c, id);
+        sph_prim_build_of(prim.kind)->record(&prim, sph_record(m, whole, base, i));
     }
 }
 
@@ -120,20 +104,20 @@ static void put_box(struct sph_machine *m, const struct sph_bih *bih) {
     }
 }
 
-void sph_emit_bih_nodes(const struct sph_bih *bih, uint32_t n_planes, struct sph_machine *m) {
+void sph_emit_bih_nodes(const struct sph_bih *bih, uint32_t n_loose, struct sph_machine *m) {
     for (uint32_t i = 0; i < bih->n_nodes; i++)
-        put_node(m, bih, i, n_planes);
+        put_node(m, bih, i, n_loose);
     put_box(m, bih);
     m->regs[SPH_REG_LEAF_BASE] = (int32_t)(bih->n_nodes / 2);
-    m->regs[SPH_REG_N_LOOSE] = (int32_t)n_planes;
+    m->regs[SPH_REG_N_LOOSE] = (int32_t)n_loose;
 }
 
 static int emit(struct content *c, struct sph_machine *m, struct sph_error *err) {
-    uint32_t n = c->n_planes + c->n_boxes, tree = c->bih->n_nodes / 2;
-    uint32_t records = c->facets->n ? n : (n + 1) / 2;
+    uint32_t n = c->n_loose + c->n_boxes, tree = c->bih->n_nodes / 2;
+    uint64_t records = sph_record_lines(c->facets->n > 0, n);
     uint64_t base = (uint64_t)tree + records;
     if (sph_emit_alloc(m, base + n + c->facets->n, err)) return -1;
-    sph_emit_bih_nodes(c->bih, c->n_planes, m);
+    sph_emit_bih_nodes(c->bih, c->n_loose, m);
     put_records(m, c, tree);
     sph_emit_prims(c->scene, c->balls, c->facets, (uint32_t)base, c->bih->n_nodes, m);
     return 0;

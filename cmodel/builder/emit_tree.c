@@ -20,7 +20,7 @@ static int root_alone(const struct sph_plants *plants, struct sph_tree *tree,
     uint32_t *index = malloc((n + 1ull) * sizeof *index);
     tree->nodes = calloc(1, sizeof *tree->nodes);
     tree->n_nodes = tree->depth = 1;
-    if (index && tree->nodes && plants->facets->n_planes) {
+    if (index && tree->nodes && plants->facets->n_loose) {
         tree->nodes->ball = sph_filter_whole(plants->profile);
     } else if (index && tree->nodes && n) {
         for (uint32_t i = 0; i < n; i++)

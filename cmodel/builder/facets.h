@@ -16,8 +16,8 @@ struct sph_grid_facet {
 };
 
 struct sph_facets {
-    struct sph_grid_facet *list; /* as in the file; malloc */
-    uint32_t n, n_planes;
+    struct sph_grid_facet *list;   /* as in the file; malloc */
+    uint32_t n, n_loose;           /* loose: without bounds */
     uint32_t n_empty, first_empty; /* triangles without area on the grid, which are not in list */
 };
 
@@ -34,13 +34,5 @@ void sph_facets_free(struct sph_facets *facets);
 /* Writes before and after: facets of one polygon, and single triangles that follow each other, lie
  * in one plane exactly and share an edge; at most SPH_MAX_GROUP in one. */
 void sph_group_facets(const struct sph_scene *scene, struct sph_facets *facets);
-
-/* The ball that holds the whole grid, in grid units. */
-struct sph_ball sph_grid_whole(const struct sph_profile *profile);
-
-/* Whether a point of the facet may come within sph_point_error() of the ball or lie in it. "No" is
- * exact. */
-int sph_facet_near(const struct sph_grid_facet *facet, const struct sph_ball *ball,
-                   const struct sph_profile *profile);
 
 #endif

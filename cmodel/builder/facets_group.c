@@ -5,6 +5,7 @@
 
 #include "builder/facets.h"
 #include "machine/layout.h"
+#include "prim/build.h"
 
 /* Six times the volume that p spans with a triangle: 0 if p lies in its plane. At most 49 + 26
  * bits. */
@@ -38,6 +39,10 @@ static int share_edge(const struct sph_grid_facet *a, const struct sph_grid_face
     return common >= 2;
 }
 
+static int may_join(const struct sph_grid_facet *f) {
+    return sph_prim_build_of((uint32_t)f->kind)->joins;
+}
+
 /* Whether facet i belongs to the polygon of facet i - 1, whose first facet is `first` and which is
  * exactly flat or not. A polygon of the file belongs to no other one: it may be bent a little. */
 static int joins(const struct sph_scene *scene, const struct sph_facets *facets, uint32_t i,
@@ -46,8 +51,8 @@ static int joins(const struct sph_scene *scene, const struct sph_facets *facets,
     uint32_t group = scene->facets[f[i].scene].group;
     if (group == scene->facets[f[i - 1].scene].group) return 1;
     if (i + 1 < facets->n && group == scene->facets[f[i + 1].scene].group) return 0;
-    return flat && f[i].kind == SPH_TRIANGLE && f[i - 1].kind == SPH_TRIANGLE &&
-           coplanar(&f[first], &f[i]) && share_edge(&f[i - 1], &f[i]);
+    return flat && may_join(&f[i]) && may_join(&f[i - 1]) && coplanar(&f[first], &f[i]) &&
+           share_edge(&f[i - 1], &f[i]);
 }
 
 void sph_group_facets(const struct sph_scene *scene, struct sph_facets *facets) {

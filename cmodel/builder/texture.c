@@ -11,11 +11,12 @@
 #include "builder/emit.h"
 #include "builder/texture_map.h"
 #include "common/fnv.h"
+#include "prim/build.h"
 
 /* What grows while primitives are looked at. */
 struct emit {
     struct sph_texture_job job;
-    const struct sph_facets *facets;
+    const struct sph_plants *plants;
     const struct sph_mip *mips;
     struct sph_machine *m;
     uint32_t first;  /* line of the first record */
@@ -41,33 +42,21 @@ static uint32_t keep(struct emit *e) {
     return e->first + e->n_maps - 1;
 }
 
-/* Writes the record of primitive id behind the others. */
-static int put_map(struct emit *e, uint32_t id, uint32_t texture, uint32_t *map,
-                   struct sph_error *err) {
+static struct sph_grid_prim prim_of(const struct sph_plants *p, uint32_t id) {
+    return sph_grid_prim_of(p->balls, p->n_spheres, p->facets, id);
+}
+
+/* Writes the record of a primitive behind the others. */
+static int put_map(struct emit *e, const struct sph_grid_prim *prim, uint32_t texture,
+                   uint32_t *map, struct sph_error *err) {
     const struct sph_scene *scene = e->job.scene;
     const struct sph_texture *t = &scene->textures[texture - 1];
     const struct sph_mip *mip = &e->mips[texture - 1];
     sph_field_set(map, SPH_MAP_CLAMP_S_LSB, 1, (uint32_t)t->wrap[0]);
     sph_field_set(map, SPH_MAP_CLAMP_T_LSB, 1, (uint32_t)t->wrap[1]);
     sph_field_set(map, SPH_MAP_IMAGE_LSB, SPH_MAP_IMAGE_BITS, texture);
-    e->job.id = id;
-    if (id < scene->n_spheres) {
-        const uint32_t *prim = sph_line(e->m, (uint32_t)e->m->regs[SPH_REG_PRIM_BASE] + id);
-        int64_t rad = sph_field(prim, SPH_LEAF_RAD_LSB, SPH_LEAF_RAD_BITS);
-        return sph_map_sphere(&e->job, &scene->spheres[id], rad, mip, map, err);
-    }
-    const struct sph_grid_facet *on_grid = &e->facets->list[id - scene->n_spheres];
-    e->job.id = scene->n_spheres + on_grid->scene;
-    const struct sph_facet *facet = &scene->facets[on_grid->scene];
-    return facet->kind == SPH_PLANE ? sph_map_plane(&e->job, facet, on_grid->v[0], mip, map, err)
-                                    : sph_map_triangle(&e->job, facet, on_grid->v, mip, map, err);
-}
-
-/* Texture of a primitive: index + 1, or 0. */
-static uint32_t texture_of(const struct sph_scene *scene, const struct sph_facets *facets,
-                           uint32_t id) {
-    if (id < scene->n_spheres) return scene->spheres[id].texture;
-    return scene->facets[facets->list[id - scene->n_spheres].scene].texture;
+    e->job.id = prim->facet ? scene->n_spheres + prim->index : prim->index;
+    return sph_prim_build_of(prim->kind)->map(&e->job, prim, mip, map, err);
 }
 
 /* Lines of an image, header and levels. */
@@ -143,11 +132,12 @@ static int put_all(struct emit *e, struct sph_error *err) {
 /* The work of sph_emit_textures() on memory that the caller frees. */
 static int emit(struct emit *e, uint32_t n, struct sph_error *err) {
     for (uint32_t id = 0; id < n; id++) {
-        uint32_t texture = texture_of(e->job.scene, e->facets, id);
+        struct sph_grid_prim prim = prim_of(e->plants, id);
+        uint32_t texture = sph_grid_look(e->job.scene, &prim).texture;
         if (!texture) continue;
         uint32_t *map = e->maps + (size_t)e->n_maps * SPH_LINE_WORDS;
         memset(map, 0, SPH_LINE_WORDS * sizeof *map);
-        if (put_map(e, id, texture, map, err)) return -1;
+        if (put_map(e, &prim, texture, map, err)) return -1;
         sph_field_set(sph_line(e->m, (uint32_t)e->m->regs[SPH_REG_PRIM_BASE] + id),
                       SPH_PRIM_TEX_LSB, SPH_PRIM_TEX_BITS, keep(e));
     }
@@ -187,14 +177,16 @@ static int run(struct emit *e, uint32_t n, uint32_t used, struct sph_effect_repo
 }
 
 int sph_emit_textures(const struct sph_scene *scene, const struct sph_grid *grid,
-                      const struct sph_facets *facets, const struct sph_build_options *options,
+                      const struct sph_plants *plants, const struct sph_build_options *options,
                       struct sph_machine *machine, struct sph_build_report *report,
                       struct sph_error *err) {
     const int32_t *r = machine->regs;
     struct sph_effect_report *entry = &report->effects[SPH_REPORT_TEXTURE];
-    uint32_t n = scene->n_spheres + facets->n, used = 0;
-    for (uint32_t id = 0; id < n; id++)
-        used += texture_of(scene, facets, id) != 0;
+    uint32_t n = scene->n_spheres + plants->facets->n, used = 0;
+    for (uint32_t id = 0; id < n; id++) {
+        struct sph_grid_prim prim = prim_of(plants, id);
+        used += sph_grid_look(scene, &prim).texture != 0;
+    }
     entry->called = used > 0;
     if (!used) sph_note(entry->why, sizeof entry->why, "no primitive has an image");
     if (used && options->texture == SPH_OFF) {
@@ -209,7 +201,7 @@ int sph_emit_textures(const struct sph_scene *scene, const struct sph_grid *grid
         return sph_fail(err, "%s:%u: the images of the scene were not read", scene->path,
                         scene->textures[0].line);
     struct emit e = {
-        .facets = facets, .mips = options->mips, .m = machine, .first = machine->lines};
+        .plants = plants, .mips = options->mips, .m = machine, .first = machine->lines};
     struct sph_texture_bases own = {0}, *bases = options->bases ? options->bases : &own;
     struct sph_texture_view view = {-(double)r[SPH_REG_DIR_Z] / r[SPH_REG_PITCH],
                                     (double)r[SPH_REG_FRAME_W] * r[SPH_REG_FRAME_H], grid->step,

@@ -5,7 +5,7 @@
 #define SPH_BUILD_TEXTURE_H
 
 #include "builder/build.h"
-#include "builder/facets.h"
+#include "builder/tree.h"
 #include "builder/grid.h"
 
 /* Appends a mapping record for every way that an image lies on a primitive, and the images that are
@@ -14,7 +14,7 @@
  * it is. -1 with "file:line: ..." if images were not given, a mapping does not fit its formats, or
  * memory or addresses are out. */
 int sph_emit_textures(const struct sph_scene *scene, const struct sph_grid *grid,
-                      const struct sph_facets *facets, const struct sph_build_options *options,
+                      const struct sph_plants *plants, const struct sph_build_options *options,
                       struct sph_machine *machine, struct sph_build_report *report,
                       struct sph_error *err);
 

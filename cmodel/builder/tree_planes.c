@@ -8,8 +8,14 @@
 #include <string.h>
 
 #include "builder/tree.h"
+#include "prim/build.h"
 
-/* Builds the tree of what is not a plane; leaf children are ids. */
+static int loose(const struct sph_plants *p, uint32_t id) {
+    struct sph_grid_prim prim = sph_grid_prim_of(p->balls, p->n_spheres, p->facets, id);
+    return sph_prim_build_of(prim.kind)->loose;
+}
+
+/* Builds the tree of what has bounds; leaf children are ids. */
 static int plant(const struct sph_plants *p, struct sph_tree *tree, struct sph_error *err) {
     const struct sph_facets *facets = p->facets;
     uint32_t n = 0, all = p->n_spheres + facets->n;
@@ -20,11 +26,11 @@ static int plant(const struct sph_plants *p, struct sph_tree *tree, struct sph_e
         sph_fail(err, "out of memory for a tree of %u primitives", all);
     } else {
         for (uint32_t i = 0; i < all; i++) {
-            if (i >= p->n_spheres && facets->list[i - p->n_spheres].kind == SPH_PLANE) continue;
+            if (loose(p, i)) continue;
             balls[n] = p->balls[i];
             id[n++] = i;
         }
-        tree->above = facets->n_planes > 0;
+        tree->above = facets->n_loose > 0;
         failed = p->kind == SPH_TREE_PAPER
                      ? sph_tree_paper(balls, n, p->profile, tree, err)
                      : sph_tree_balanced(balls, n, p->profile, p->eye, tree, err);
@@ -58,14 +64,14 @@ int sph_tree_build(const struct sph_plants *p, struct sph_tree *tree, struct sph
     if (plant(p, tree, err)) return -1;
     if (p->kind == SPH_TREE_BALANCED && sph_tree_tighten(p, tree, err)) return -1;
     struct sph_tree_node *root = tree->nodes;
-    if (!p->facets->n_planes) return 0;
+    if (!p->facets->n_loose) return 0;
     if (root->n_inner + root->n_leaf > 1) {
         if (raise(tree, err)) return -1;
         root = tree->nodes;
     }
     root->ball = sph_filter_whole(p->profile);
     for (uint32_t i = 0; i < p->facets->n; i++)
-        if (p->facets->list[i].kind == SPH_PLANE)
+        if (loose(p, p->n_spheres + i))
             root->child[root->n_inner + root->n_leaf++] = p->n_spheres + i;
     return 0;
 }

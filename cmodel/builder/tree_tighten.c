@@ -5,9 +5,9 @@
  * node must hold are the corners: its ball is made again around all of them below it.
  */
 #include <stdlib.h>
-#include <string.h>
 
 #include "builder/tree.h"
+#include "prim/build.h"
 
 struct work {
     const struct sph_plants *plants;
@@ -20,15 +20,8 @@ struct work {
 /* Appends what a leaf consists of. */
 static void add_leaf(struct work *w, uint32_t id) {
     const struct sph_plants *p = w->plants;
-    if (id < p->n_spheres) {
-        w->points[w->n++] = p->balls[id];
-        return;
-    }
-    for (int k = 0; k < 3; k++) {
-        struct sph_ball *corner = &w->points[w->n++];
-        corner->r = 0;
-        memcpy(corner->c, p->facets->list[id - p->n_spheres].v[k], sizeof corner->c);
-    }
+    struct sph_grid_prim prim = sph_grid_prim_of(p->balls, p->n_spheres, p->facets, id);
+    w->n += (uint32_t)sph_prim_build_of(prim.kind)->hull(&prim, &w->points[w->n]);
 }
 
 /* Appends all that is below a node, whose ball is replaced if another one is smaller. */
@@ -46,7 +39,7 @@ static void visit(struct work *w, uint32_t number) {
 
 int sph_tree_tighten(const struct sph_plants *p, struct sph_tree *tree, struct sph_error *err) {
     uint64_t most = p->n_spheres + 3ull * p->facets->n;
-    if (p->facets->n == p->facets->n_planes) return 0;
+    if (p->facets->n == p->facets->n_loose) return 0;
     struct work w = {p, tree, malloc(most * sizeof *w.points), malloc(most * sizeof *w.index), 0};
     int failed = 0;
     if (w.points && w.index) {

@@ -36,7 +36,7 @@ static int check_facet(const struct sph_machine *m, uint32_t i, struct sph_error
     uint32_t line = (uint32_t)m->regs[SPH_REG_FACET_BASE] + i;
     uint32_t id = (uint32_t)m->regs[SPH_REG_N_SPHERES] + i, n = (uint32_t)m->regs[SPH_REG_N_PRIMS];
     const uint32_t *words = sph_line(m, line), *prim = prim_line(m, id);
-    uint32_t kind = sph_record_kind(words);
+    uint32_t kind = sph_record_kind(1, words);
     struct sph_facet_leaf f = sph_facet_head(words, (int)kind);
     if (kind == SPH_SPHERE || kind >= SPH_KINDS)
         return sph_fail(err, "line %u: facet of kind %u", line, kind);
@@ -68,7 +68,7 @@ int sph_validate_leaf(const struct sph_machine *m, uint32_t line, const uint32_t
     uint32_t n = (uint32_t)m->regs[SPH_REG_N_PRIMS];
     int whole = sph_machine_effect(m, SPH_EFFECT_FACETS);
     uint32_t spheres = whole ? (uint32_t)m->regs[SPH_REG_N_SPHERES] : n;
-    uint32_t kind = whole ? sph_record_kind(record) : SPH_SPHERE;
+    uint32_t kind = sph_record_kind(whole, record);
     int facet = kind != SPH_SPHERE;
     *id = facet ? sph_field(record, SPH_FACET_ID_LSB, SPH_FACET_ID_BITS)
                 : sph_field(record, SPH_LEAF_ID_LSB, SPH_LEAF_ID_BITS);

@@ -48,7 +48,7 @@ static int check_records(const struct sph_machine *m, uint8_t *found, struct sph
     int whole = sph_whole(m);
     for (uint32_t i = 0; i < n; i++) {
         if (sph_validate_record(m, base, i, found, err)) return -1;
-        uint32_t kind = whole ? sph_record_kind(sph_record(m, whole, base, i)) : SPH_SPHERE;
+        uint32_t kind = sph_record_kind(whole, sph_record(m, whole, base, i));
         if (sph_prim_of(kind)->loose != (i < (uint32_t)m->regs[SPH_REG_N_LOOSE]))
             return sph_fail(err, "line %u: leaf record %u of kind %u, the first %d are planes",
                             base + (whole ? i : i / 2), i, kind, m->regs[SPH_REG_N_LOOSE]);

@@ -42,8 +42,9 @@ struct sph_prim {
  * test, and the normal that the record has. */
 const struct sph_prim *sph_prim_of(uint32_t kind);
 
-/* The kind of a leaf record that has a whole line, and of a primitive record. */
-static inline uint32_t sph_record_kind(const uint32_t *line) {
+/* The kind of a leaf record, which has a whole line or is a sphere, and of a primitive record. */
+static inline uint32_t sph_record_kind(int whole, const uint32_t *line) {
+    if (!whole) return SPH_SPHERE;
     uint32_t kind = sph_field(line, SPH_FACET_KIND_LSB, SPH_FACET_KIND_BITS);
     if (kind < (1u << SPH_FACET_KIND_BITS) - 1) return kind;
     return kind + sph_field(line, SPH_FACET_MORE_LSB, SPH_FACET_MORE_BITS);

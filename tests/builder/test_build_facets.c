@@ -86,9 +86,10 @@ static void test_containment(void **unused) {
         for (int i = run % 3; i > 0; i--)
             add_ball(&s, at(uniform(), uniform(), uniform()), 0.1);
         struct sph_machine m = built(&s, o, &report);
-        assert_int_equal(check_below(&m, 0, &a), report.triangles + planes + s.n_spheres);
-        assert_in_range(report.triangles, size - size / 50, size); /* draft: some have no area */
-        assert_int_equal(report.planes, planes);
+        assert_int_equal(check_below(&m, 0, &a), report.facets + s.n_spheres);
+        assert_in_range(report.facets - planes, size - size / 50,
+                        size); /* draft: some have no area */
+        assert_int_equal(report.loose, planes);
         assert_int_equal(m.regs[SPH_REG_EFFECTS] >> SPH_EFFECT_FACETS, s.n_facets > 0);
         sph_machine_free(&m);
     }
@@ -156,7 +157,7 @@ static void test_effects(void **unused) {
     assert_int_equal(m.regs[SPH_REG_EFFECTS],
                      1 << SPH_EFFECT_FACETS | 2); /* the material mirrors */
     assert_string_equal(r.effects[SPH_REPORT_FACETS].why,
-                        "0 triangles, 1 plane; the first is the plane cloud.nff:100");
+                        "1 plane; the first is the plane cloud.nff:100");
     assert_string_equal(r.effects[SPH_REPORT_SHADOW].why,
                         "there is one polygon or plane and nothing else");
     assert_non_null(strstr(r.background, "every pixel is traced"));

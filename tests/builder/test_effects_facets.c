@@ -8,7 +8,7 @@
 
 #include "builder/occlude.h"
 #include "effects_scene.h"
-#include "machine/layout.h"
+#include "prim/build.h"
 
 enum { WIDTH = 24, HEIGHT = 16 };
 static int scenes = 600 / SLOW; /* of each test: argument 2 */
@@ -71,7 +71,7 @@ static void test_near(void **unused) {
             ball.r = (int32_t)fmax(d - error + between(-3, 3), 1);
         }
         double gap = triangle_distance(&f, &ball) - ball.r - error;
-        int near = sph_facet_near(&f, &ball, p);
+        int near = sph_prim_build_of((uint32_t)f.kind)->near(&f, &ball, p);
         assert_true(gap > -1e-6 || near); /* never a wrong "no"; samples are too far, if at all */
         if (run % 3 == 2 && size < 100) assert_true(gap < size / 200 + 1 || !near);
         f.kind = SPH_PLANE;
@@ -83,7 +83,7 @@ static void test_near(void **unused) {
         }
         if (square > 0) {
             gap = fabs(off) / sqrt(square) - ball.r - error;
-            near = sph_facet_near(&f, &ball, p);
+            near = sph_prim_build_of((uint32_t)f.kind)->near(&f, &ball, p);
             assert_true(gap > 0 || near);
             assert_true(gap < 1e-3 * ball.r + 1 || square < 1e6 || !near);
         }

@@ -175,7 +175,7 @@ static void test_left_out(void **unused) {
     add_triangle(&s, at(0, 0, 0), at(1, 1e-7, 0), at(0.5, 0, 0), 2);
     add_triangle(&s, at(0, 0, 1), at(1, 0, 1), at(0, 1, 1), 3);
     struct sph_machine m = built(&s, standard, &report);
-    assert_int_equal(report.triangles, 2);
+    assert_int_equal(report.facets, 2);
     assert_int_equal(m.regs[SPH_REG_N_PRIMS], 2);
     assert_non_null(strstr(report.warning, "cloud.nff:101: the first of 2 triangles that have no"));
     sph_machine_free(&m);

@@ -101,7 +101,7 @@ static void test_kinds(void **unused) {
         memcpy(first, save, sizeof save);
         sph_field_set(first, FACET(KIND), kind < 3 ? kind : 3);
         if (kind >= 3) sph_field_set(first, FACET(MORE), kind - 3);
-        assert_int_equal(sph_record_kind(first), kind);
+        assert_int_equal(sph_record_kind(1, first), kind);
         if (kind == SPH_TRIANGLE || kind == SPH_PLANE) continue;
         snprintf(message, sizeof message, "facet of kind %u", kind);
         wrong(&m, message);

@@ -133,7 +133,7 @@ static void facet_rays(void **unused) {
             o.tree = kind == n ? SPH_TREE_BRUTE : SPH_TREE_BIH;
             o.max_prims = 1u << kind;
             struct sph_machine m = built(&s, o, &report);
-            assert_int_equal(m.regs[SPH_REG_N_LOOSE], report.planes);
+            assert_int_equal(m.regs[SPH_REG_N_LOOSE], report.loose);
             assert_true(compare(&rng, &m, &c) > 0);
             sph_machine_free(&m);
         }

@@ -1,12 +1,11 @@
-/* facets_near.c - does a facet come near a sphere? See facets.h, docs/model/build.md
+/* facet_near.c - does a facet come near a sphere? See build.h, docs/model/build.md
  * SPDX-License-Identifier: Apache-2.0
  *
  * Exact integers in units of the error, 2^-(NG+1); with W = 24 and NG = 4 a coordinate has 29 bits,
  * the difference of two 30. Roots are taken upwards, which can only turn no to yes.
  */
-#include "builder/occlude.h"
-
-enum { MOST_TRIES = 1 << 22 }; /* pairs of a sphere and a facet compared */
+#include "builder/near.h"
+#include "prim/facet_build.h"
 
 typedef __int128 wide;
 
@@ -60,17 +59,28 @@ static int above(const int64_t v[3][3], const int64_t n[3], const int64_t c[3]) 
     return 1;
 }
 
-int sph_facet_near(const struct sph_grid_facet *f, const struct sph_ball *ball,
-                   const struct sph_profile *p) {
-    int64_t unit = 1ll << sph_error_bits(p), r = ball->r * unit + sph_point_error(p);
-    int64_t v[3][3], c[3], n[3], e[2][3];
-    for (int i = 0; i < 3; i++) {
+/* Radius and centre of the ball in units of the error; the radius grown by it. */
+static int64_t finer(const struct sph_ball *ball, const struct sph_profile *p, int64_t c[3]) {
+    int64_t unit = 1ll << sph_error_bits(p);
+    for (int i = 0; i < 3; i++)
         c[i] = ball->c[i] * unit;
-        for (int k = 0; k < 3; k++)
+    return ball->r * unit + sph_point_error(p);
+}
+
+int sph_plane_near(const struct sph_grid_facet *f, const struct sph_ball *ball,
+                   const struct sph_profile *p) {
+    int64_t c[3], at[3], n[3], unit = 1ll << sph_error_bits(p), r = finer(ball, p, c);
+    for (int i = 0; i < 3; i++)
+        at[i] = f->v[0][i] * unit, n[i] = f->v[1][i];
+    return plane_near(n, at, c, r);
+}
+
+int sph_triangle_near(const struct sph_grid_facet *f, const struct sph_ball *ball,
+                      const struct sph_profile *p) {
+    int64_t v[3][3], c[3], n[3], e[2][3], unit = 1ll << sph_error_bits(p), r = finer(ball, p, c);
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < 3; i++)
             v[k][i] = f->v[k][i] * unit;
-        n[i] = f->v[1][i];
-    }
-    if (f->kind == SPH_PLANE) return plane_near(n, v[0], c, r);
     for (int k = 0; k < 3; k++)
         if (segment_near(v[k], v[(k + 1) % 3], c, r)) return 1;
     sub(v[1], v[0], e[0]), sub(v[2], v[0], e[1]);
@@ -79,16 +89,4 @@ int sph_facet_near(const struct sph_grid_facet *f, const struct sph_ball *ball,
         n[i] = e[0][j] * e[1][k] - e[0][k] * e[1][j];
     }
     return above((const int64_t(*)[3])v, n, c) && plane_near(n, v[0], c, r);
-}
-
-int sph_near_facet(const struct sph_world *w, uint32_t *facet, uint32_t *ball) {
-    uint64_t tries = (uint64_t)w->n * w->facets->n;
-    for (uint32_t i = 0; i < w->facets->n; i++)
-        for (uint32_t j = 0; j < w->n; j++) {
-            if (tries > MOST_TRIES) return -1;
-            if (!sph_facet_near(&w->facets->list[i], &w->balls[j], w->profile)) continue;
-            *facet = i, *ball = j;
-            return 1;
-        }
-    return 0;
 }
