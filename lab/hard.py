@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab.hard PAGE JSON TABLE PICTURE
 
-JSON and TABLE are what `hard` wrote of one campaign: --json, and its standard output. The part of
-PAGE from the line <!-- campaign --> to the next <!-- end --> is replaced; PICTURE is made anew.
+JSON and TABLE are what `hard` wrote of one campaign: --json, and its standard output. The table and
+its sums are put in their places, PICTURE is made anew.
 """
 import json
 import re
@@ -12,6 +12,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+from .pages import markdown
 from .pages.place import place
 
 CHART = """set terminal svg noenhanced size 1000,640 font "sans,12" background "white"
@@ -62,24 +63,36 @@ def chart(campaign, picture):
     subprocess.run(["gnuplot"], input=text, text=True, check=True)
 
 
-def block(campaign, table):
-    """What stands in the page: the command, the sums, the table as `hard` printed it."""
-    ours = [r["formulas"]["ours"] for r in campaign["rows"]]
-    bad = sum(sum(r["wrong"].values()) for r in campaign["rows"])
-    bad += sum(o["wrong_hit"] + o["wrong_root"] + o["wrong_order"] for o in ours)
-    cases = sum(r["cases"] for r in campaign["rows"])
-    naive = sum(r["naive"] for r in campaign["rows"])
-    lines = [re.sub(" +", " ", line) for line in table.splitlines() if line.startswith("|")]
+def counts(cell):
+    """(hits, roots, orders) that are wrong, of a cell such as `3587/0/0, 1.7` or `0, 7e-13`."""
+    return [int(n) for n in (cell.split(",")[0].split("/") + ["0", "0"])[:3]]
+
+
+def sums(campaign, lines):
+    """What stands in the page: the command, all cases, and each profile's sums of the table."""
+    head, *rows = [[cell.strip() for cell in line.strip()[1:-1].split("|")] for line in lines]
+    rows = [row for row in rows if row[1] and set(row[1]) != {"-"}]
+    wrong = sum(sum(counts(row[4])) + int(row[5]) for row in rows)
+    shown = []
+    for profile in dict.fromkeys(row[1] for row in rows):
+        of = [row for row in rows if row[1] == profile]
+        shown.append([profile, sum(int(row[2]) for row in of), sum(int(row[3]) for row in of)] + [
+            "/".join(str(sum(n)) for n in zip(*(counts(row[i]) for row in of)))
+            for i in (4, *range(8, len(head)))])
+    cases, naive = (sum(r[what] for r in campaign["rows"]) for what in ("cases", "naive"))
     return "\n".join([
         f"    make hard N={campaign['cases_a_profile']} SEED={campaign['seed']}", "",
-        f"{cases} cases, {naive} answers of the naive model, {bad} wrong.", "", *lines])
+        f"{cases} cases, {naive} answers of the naive model, {wrong} wrong.", "",
+        markdown.table(["profile", "cases", "hits", "ours"] + head[8:], shown)])
 
 
 def main():
     page, campaign, table, picture = sys.argv[1:]
     with open(campaign) as f:
         campaign = json.load(f)
-    place(page, {"campaign": block(campaign, Path(table).read_text())})
+    lines = [re.sub(" +", " ", line) for line in Path(table).read_text().splitlines()
+             if line.startswith("|")]
+    place(page, {"campaign": "\n".join(lines), "sums": sums(campaign, lines)})
     chart(campaign, picture)
 
 

@@ -1,17 +1,20 @@
 # page.py - the page of the study on results that are made up: every figure can be told beforehand
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab.checks.page FOLDER"""
-import os
 import shutil
 import subprocess
 import sys
 import xml.dom.minidom
+from pathlib import Path
 
 from ..study import gather, jobs, points
 
 folder = sys.argv[1]
 results, page = folder + "/results", folder + "/docs/results/accuracy.md"
-os.makedirs(os.path.dirname(page))
+beside = Path(page).parent / "data"  # tables that are too long for the page
+beside.mkdir(parents=True)
+for table in Path("docs/results/data").glob("accuracy.*.tsv"):
+    shutil.copy(table, beside)
 
 
 def page_of():
@@ -19,8 +22,10 @@ def page_of():
     ran = subprocess.run([sys.executable, "-m", "lab.study.page", page, results, folder + "/plots"],
                          check=True, stdout=subprocess.PIPE, text=True)
     with open(page, encoding="utf-8") as f:
-        return ran.stdout, [[c.strip() for c in line.split("|")[1:-1]] for line in f
-                            if line.startswith("| ")]
+        found = [[c.strip() for c in line.split("|")[1:-1]] for line in f if line.startswith("| ")]
+    for path in sorted(beside.glob("*.tsv")):
+        found += [line.split("\t") for line in path.read_text(encoding="utf-8").splitlines()]
+    return ran.stdout, found
 
 
 def row(rows, *start):

@@ -28,10 +28,12 @@ NAMES = {"rtl": "RTL", "model": "model", "scenes": "scenes"}
 
 
 def tables(page):
-    """{name: digest} of the measured tables of a page."""
-    text = Path(page).read_text(encoding="utf-8")
-    return {name: hashlib.sha256(body.encode()).hexdigest()[:8]
-            for name, body in TABLE.findall(text)}
+    """{name: digest} of the measured tables of a page, those in files beside it among them."""
+    page = Path(page)
+    texts = dict(TABLE.findall(page.read_text(encoding="utf-8")))
+    for path in (page.parent / "data").glob(f"{page.stem}.*.tsv"):
+        texts[path.name.split(".")[1]] = path.read_text(encoding="utf-8")
+    return {name: hashlib.sha256(body.encode()).hexdigest()[:8] for name, body in texts.items()}
 
 
 def rows():

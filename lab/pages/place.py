@@ -7,6 +7,8 @@ import os
 import re
 import sys
 
+from . import data
+
 
 def write(path, text):
     """A file that is written whole or not at all."""
@@ -16,14 +18,16 @@ def write(path, text):
 
 
 def place(page, texts, yosys=None):
-    """Each NAME of texts stands once in the page. Yosys's version is brought up to date if it is
-    given."""
+    """Each NAME of texts stands once in the page, or has a file of its own beside it (data.py).
+    Yosys's version is brought up to date if it is given."""
     with open(page, encoding="utf-8") as f:
         text = f.read()
     for name, lines in texts.items():
         pattern = rf"(<!-- {name} -->\n)(?:(?!<!-- ).*\n)*(<!-- end -->)"
         text, n = re.subn(pattern, lambda m, t=lines: m[1] + t + "\n" + m[2], text)
-        if n != 1:
+        if n == 0 and data.path_of(page, name).exists():
+            write(str(data.path_of(page, name)), data.of_markdown(lines))
+        elif n != 1:
             sys.exit(f"page: {page}: {n} places for the table `{name}`, not one")
     if yosys:
         text = re.sub(r"Yosys \d[\d.]*\d( \([^)]*\))?", yosys.split(" (")[0], text)

@@ -1,7 +1,7 @@
 # regions.py - what each region of a page is made from
 # SPDX-License-Identifier: Apache-2.0
 """The name of a region is a word of MAKERS and its arguments."""
-from . import blocks, bundles, machine, measured
+from . import blocks, bundles, data, machine, measured
 
 
 class Unknown(Exception):
@@ -23,6 +23,7 @@ MAKERS = {
     "effects": machine.effects, "counters": machine.counters,
     "errors": machine.errors, "profiles": machine.profiles, "widths": machine.widths,
     "count": count, "const": const, "age": measured.age,
+    "rows": data.rows, "cell": data.cell,
 }
 
 

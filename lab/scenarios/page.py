@@ -17,11 +17,11 @@ THESIS = {
     "internal nodes": [4095, 511, 4861, 816, 4316, 774],
     "leaves": [4096, 512, 4107, 812, 3780, 763],
     "primitives of a leaf, least": [1, 8, 0, 0, 0, 1],
-    "mean": [1.00, 8.00, 1.00, 5.04, 1.08, 5.37],
-    "most": [1, 8, 1, 8, 2, 8],
+    "primitives, mean": [1.00, 8.00, 1.00, 5.04, 1.08, 5.37],
+    "primitives, most": [1, 8, 1, 8, 2, 8],
     "depth of a leaf, least": [13, 10, 5, 5, 10, 9],
-    "mean ": [13.00, 10.00, 15.30, 12.09, 14.96, 11.94],
-    "most ": [13, 10, 19, 16, 21, 16],
+    "depth, mean": [13.00, 10.00, 15.30, 12.09, 14.96, 11.94],
+    "depth, most": [13, 10, 19, 16, 21, 16],
     "leaves of 0, %": [0, 0, 0.27, 1.11, 0.11, 0.13],
     "of 1": [100, 0, 99.73, 5.05, 91.43, 2.49],
     "of 2": [0, 0, 0, 8.87, 8.47, 6.03],
@@ -55,7 +55,7 @@ def column(result):
 
 def statistics(folder):
     ours = [column(load(folder, f"table-{s}-bih{p}")) for s, p in CASES]
-    rows = [[name.strip()] + [f"{number(ours[i][j])} ({number(is_)})"
+    rows = [[name] + [f"{number(ours[i][j])} ({number(is_)})"
                               for i, is_ in enumerate(values)]
             for j, (name, values) in enumerate(THESIS.items())]
     return report.table(["ours (thesis)"] + [f"S{s}, {p}" for s, p in CASES], rows)

@@ -57,6 +57,7 @@ unknown() {
     return $rc
 }
 check "a measured table of no age" unknown
+check "a row that is not there" broken 's/begin: errors/begin: rows area.none; x/' 'area.none'
 check "a region that nothing makes" broken 's/begin: errors/begin: erors/' 'there are '
 check "a region without an end" broken '$s/.*/<!-- begin: errors -->/' 'regions begin'
 check "a module that is not there" broken 's/begin: ports rt_core/begin: ports rt_cor/' 'rt_cor'
