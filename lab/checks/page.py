@@ -80,7 +80,7 @@ assert cost[8:] == ["50.0", "2.00", "40500"], cost
 assert draft[1][8:] == ["not placed", "-", "-"], draft
 step = row(rows, "`draft` to `standard`")[0]
 assert step[1:3] == ["14.5", "+544.8"], step
-assert row(rows, "`paper100`")[0][2] == "70.0 (1 2 3 4; 1.5)"
+assert "70.0 (1 2 3 4; 1.5)" in [r[2] for r in row(rows, "`paper100`")]
 assert row(rows, "`standard`", "50.0", "routing")[0][3:7] == ["20.0", "5.0", "12",
                                                              "u_core.u_a to u_core.u_b"]
 assert row(rows, "W", "`standard:w=14`")[0][2] == "-"
