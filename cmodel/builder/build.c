@@ -100,8 +100,9 @@ static int check(const struct sph_scene *scene, const struct sph_build_options *
                             scene->spheres[i].line, scene->spheres[i].texture);
     for (uint32_t i = 0; i < scene->n_facets; i++) {
         const struct sph_facet *f = &scene->facets[i];
-        if (f->kind != SPH_TRIANGLE && f->kind != SPH_PLANE)
-            return sph_fail(err, "%s:%u: neither a triangle nor a plane", scene->path, f->line);
+        if (f->kind == SPH_SPHERE || f->kind < 0 || f->kind >= SPH_KINDS)
+            return sph_fail(err, "%s:%u: there is no facet of kind %d", scene->path, f->line,
+                            f->kind);
         if (f->material >= scene->n_materials)
             return sph_fail(err, "%s:%u: triangle or plane without material", scene->path, f->line);
         if (f->texture > scene->n_textures)

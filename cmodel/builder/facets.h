@@ -7,7 +7,7 @@
 #include "builder/grid.h"
 
 struct sph_grid_facet {
-    int kind;              /* SPH_TRIANGLE or SPH_PLANE */
+    int kind;              /* SPH_TRIANGLE, SPH_PLANE: not SPH_SPHERE */
     int32_t v[3][3];       /* corners, sW; plane: [0] a point of it, [1] its normal, s24 */
     int32_t normal[3];     /* of the primitive record, s24 */
     struct sph_ball ball;  /* grid units: around the corners; plane: around the grid */

@@ -6,6 +6,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "prim/prim.h"
+#include "prim/scene.h"
+
 enum { MARGIN = 4 }; /* grid units kept free at each side */
 
 struct box {
@@ -58,20 +61,19 @@ static void box_add(struct box *box, const double at[3], double rad) {
     }
 }
 
-/* Adds the corners of triangles and the points of planes. */
+/* Adds the points of facets. */
 static int add_facets(const struct sph_scene *scene, const double m[9], struct box *box,
                       struct sph_error *err) {
     for (uint32_t i = 0; i < scene->n_facets; i++) {
         const struct sph_facet *f = &scene->facets[i];
-        int points = f->kind == SPH_PLANE ? 1 : 3;
+        const struct sph_prim_scene *kind = sph_prim_scene_of((uint32_t)f->kind);
         for (int k = 0; k < 3; k++) {
             double at[3], size = fabs(f->v[k].x) + fabs(f->v[k].y) + fabs(f->v[k].z);
             turn(m, sub(f->v[k], scene->camera.from), at);
-            if (!isfinite(size + at[0] + at[1] + at[2]) || (k == 1 && points == 1 && !(size > 0)))
-                return sph_fail(err, "%s:%u: %s", scene->path, f->line,
-                                points == 1 ? "plane needs a finite point and normal"
-                                            : "triangle needs finite corners");
-            if (k < points) box_add(box, at, 0);
+            if (!isfinite(size + at[0] + at[1] + at[2]) || (k == kind->points && !(size > 0)))
+                return sph_fail(err, "%s:%u: %s needs %s", scene->path, f->line,
+                                sph_prim_of((uint32_t)f->kind)->name, kind->wants);
+            if (k < kind->points) box_add(box, at, 0);
         }
     }
     return 0;
@@ -122,7 +124,7 @@ static int all_fit(const struct sph_grid *grid, const struct sph_scene *scene, i
     }
     ball.r = 0;
     for (uint32_t i = 0; i < scene->n_facets; i++)
-        for (int k = 0; k < (scene->facets[i].kind == SPH_PLANE ? 1 : 3); k++) {
+        for (int k = 0; k < sph_prim_scene_of((uint32_t)scene->facets[i].kind)->points; k++) {
             sph_grid_point(grid, scene, scene->facets[i].v[k], ball.c);
             if (!fits(&ball, w)) return 0;
         }

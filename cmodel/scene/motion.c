@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "prim/scene.h"
 #include "scene/edit.h"
 
 int sph_scene_add_motion(struct sph_scene *scene, const struct sph_motion *motion,
@@ -33,11 +34,10 @@ static struct sph_vec moved(const struct sph_motion *m, uint32_t frame, struct s
 }
 
 static void move_facet(struct sph_facet *f, const struct sph_motion *m, uint32_t frame) {
-    int points = f->kind == SPH_PLANE ? 1 : 3;
-    for (int k = 0; k < points; k++)
+    const struct sph_prim_scene *kind = sph_prim_scene_of((uint32_t)f->kind);
+    for (int k = 0; k < kind->points; k++)
         f->v[k] = moved(m, frame, f->v[k]);
-    for (int k = 0; k < 2 && f->kind == SPH_PLANE; k++)
-        f->st[0][k] *= growth(m, frame);
+    if (kind->grow) kind->grow(f, growth(m, frame));
 }
 
 int sph_scene_move(struct sph_scene *scene, uint32_t frame, struct sph_error *err) {

@@ -10,6 +10,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "prim/scene.h"
 #include "scene/motion.h"
 #include "scene/nff_skip.h"
 
@@ -105,22 +106,6 @@ static int take_light(struct sph_reader *r, struct sph_error *err) {
     return 0;
 }
 
-/* s x y z radius */
-static int take_sphere(struct sph_reader *r, struct sph_error *err) {
-    struct sph_vec ctr;
-    double rad;
-    uint32_t line = r->lex.token_line, material;
-    if (sph_nff_material(r, "s", "sphere", &material, err)) return -1;
-    if (sph_nff_vec(r, "s", &ctr, err) || sph_lex_number(&r->lex, "s", "radius", &rad, err))
-        return -1;
-    if (!(rad > 0))
-        return sph_fail(err, "%s:%u: `s`: radius %g is not positive", r->lex.path,
-                        r->lex.token_line, rad);
-    if (sph_scene_add_sphere(r->scene, ctr, rad, material, line, err)) return -1;
-    r->scene->spheres[r->scene->n_spheres - 1].texture = r->texture;
-    return 0;
-}
-
 /* move dx dy dz [grow cx cy cz], or still */
 static int take_move(struct sph_reader *r, struct sph_error *err) {
     static const char *const names[] = {"grow", "x of its middle", "y of its middle",
@@ -145,13 +130,10 @@ static int take_record(struct sph_reader *r, struct sph_error *err) {
     char word[SPH_LEX_TOKEN + 1];
     memcpy(word, r->lex.token, sizeof word);
     sph_lex_take(&r->lex);
-    if (!strcmp(word, "s")) return take_sphere(r, err);
+    const struct sph_nff_word *prim = sph_prim_word(word);
+    if (prim) return prim->take(r, err);
     if (!strcmp(word, "f")) return sph_nff_take_f(r, err);
     if (!strcmp(word, "fm")) return sph_nff_take_fm(r, err);
-    if (!strcmp(word, "p")) return sph_nff_take_polygon(r, 0, err);
-    if (!strcmp(word, "pp")) return sph_nff_take_polygon(r, 1, err);
-    if (!strcmp(word, "tt")) return sph_nff_take_tt(r, err);
-    if (!strcmp(word, "plane")) return sph_nff_take_plane(r, err);
     if (!strcmp(word, "texture")) return sph_nff_take_texture(r, err);
     if (!strcmp(word, "shading")) return sph_nff_take_shading(r, err);
     if (!strcmp(word, "move")) return take_move(r, err);

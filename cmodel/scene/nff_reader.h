@@ -1,8 +1,8 @@
 /* nff_reader.h - what the files that read NFF records share: the reader's state and its helpers
  * SPDX-License-Identifier: Apache-2.0
  *
- * nff_take.c takes numbers and vectors; nff_read.c camera, lights and spheres; nff_surface.c
- * materials and textures; nff_facet.c polygons, triangles and planes.
+ * nff_take.c takes numbers and vectors; nff_read.c camera and lights; nff_surface.c materials and
+ * textures; prim/NAME_scene.c primitives.
  */
 #ifndef SPH_SCENE_NFF_READER_H
 #define SPH_SCENE_NFF_READER_H
@@ -54,9 +54,6 @@ int sph_nff_take_f(struct sph_reader *r, struct sph_error *err);
 int sph_nff_take_fm(struct sph_reader *r, struct sph_error *err);
 int sph_nff_take_shading(struct sph_reader *r, struct sph_error *err);
 int sph_nff_take_texture(struct sph_reader *r, struct sph_error *err);
-int sph_nff_take_polygon(struct sph_reader *r, int with_normals, struct sph_error *err);
-int sph_nff_take_tt(struct sph_reader *r, struct sph_error *err);
-int sph_nff_take_plane(struct sph_reader *r, struct sph_error *err);
 
 /* Takes the name of an image: path is the scene file's folder and the name. 1; 0 for the bare word
  * `none`; -1 with a message. */

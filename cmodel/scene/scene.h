@@ -59,7 +59,7 @@ struct sph_sphere {
 
 /* A triangle, or a plane without end; both are seen from both sides and are called facets. */
 struct sph_facet {
-    int kind;            /* SPH_TRIANGLE or SPH_PLANE */
+    int kind;            /* SPH_TRIANGLE, SPH_PLANE: not SPH_SPHERE */
     struct sph_vec v[3]; /* corners; plane: a point, the normal, the direction of s (any length) */
     double st[3][2];     /* s, t at the corners; plane: [0] units of one repeat, [1] offset */
     uint32_t material;   /* index into materials */

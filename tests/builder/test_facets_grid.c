@@ -232,7 +232,7 @@ static void test_refusals(void **unused) {
     facet_list[3].material = 1;
     refuse(&s, o, "cloud.nff:103: triangle or plane without material");
     facet_list[3].kind = 3;
-    refuse(&s, o, "cloud.nff:103: neither a triangle nor a plane");
+    refuse(&s, o, "cloud.nff:103: there is no facet of kind");
     s.n_facets = SPH_MAX_FACETS + 1;
     refuse(&s, o, "1048577 triangles and planes; at most 16777215, of them 1048576");
 }

@@ -1,10 +1,9 @@
-/* nff_facet.c - polygons, triangles and planes: `p`, `pp`, `tt`, `plane`; see nff_reader.h
+/* triangle_scene.c - triangles in a scene file: `p`, `pp`, `tt`; see scene.h
  * SPDX-License-Identifier: Apache-2.0
  */
 #include <math.h>
-#include <string.h>
 
-#include "scene/nff_reader.h"
+#include "prim/scene.h"
 #include "scene/polygon.h"
 
 /* The number of corners of `p` or `pp`. */
@@ -25,7 +24,7 @@ static void note_bent(struct sph_scene *scene, uint32_t line, double bent) {
 
 /* p n (x y z)..., pp n (x y z nx ny nz)...: facets are flat, so normals are read and not used. The
  * triangles of a polygon that is not flat are polygons of their own: one may see another. */
-int sph_nff_take_polygon(struct sph_reader *r, int with_normals, struct sph_error *err) {
+static int take_polygon(struct sph_reader *r, int with_normals, struct sph_error *err) {
     const char *record = with_normals ? "pp" : "p";
     struct sph_vec corner[SPH_MAX_CORNERS], normal;
     int index[SPH_MAX_CORNERS - 2][3], n = 0;
@@ -55,7 +54,7 @@ int sph_nff_take_polygon(struct sph_reader *r, int with_normals, struct sph_erro
 }
 
 /* tt FILE and three times x y z u v */
-int sph_nff_take_tt(struct sph_reader *r, struct sph_error *err) {
+static int take_tt(struct sph_reader *r, struct sph_error *err) {
     static const char *const names[] = {"u", "v"};
     struct sph_texture texture = {.repeat = {1, 1}, .line = r->lex.token_line};
     struct sph_facet facet = {.kind = SPH_TRIANGLE, .group = r->n_groups, .line = texture.line};
@@ -72,36 +71,57 @@ int sph_nff_take_tt(struct sph_reader *r, struct sph_error *err) {
     return sph_scene_add_facet(r->scene, &facet, err);
 }
 
-/* The axis that s of a plane follows if the file names none: x, or z if that is nearer to lying in
- * the plane. */
-static struct sph_vec default_axis(struct sph_vec n) {
-    return fabs(n.x) <= fabs(n.z) ? sph_vec_of(1, 0, 0) : sph_vec_of(0, 0, 1);
+static int take_p(struct sph_reader *r, struct sph_error *err) {
+    return take_polygon(r, 0, err);
 }
 
-/* plane x y z nx ny nz [sx sy sz] */
-int sph_nff_take_plane(struct sph_reader *r, struct sph_error *err) {
-    static const char *const normal[] = {"nx", "ny", "nz"}, *const along[] = {"sx", "sy", "sz"};
-    struct sph_facet facet = {.kind = SPH_PLANE, .group = r->n_groups};
-    double n[3], s[3];
-    facet.line = r->lex.token_line;
-    if (sph_nff_material(r, "plane", "plane", &facet.material, err) ||
-        sph_nff_vec(r, "plane", &facet.v[0], err) || sph_nff_numbers(r, "plane", normal, 3, n, err))
-        return -1;
-    facet.v[1] = sph_vec_of(n[0], n[1], n[2]);
-    facet.v[2] = default_axis(facet.v[1]);
-    if (!(fmax(fabs(n[0]), fmax(fabs(n[1]), fabs(n[2]))) > 0))
-        return sph_fail(err, "%s:%u: `plane`: the normal is zero", r->lex.path, facet.line);
-    int got = sph_nff_more(r, "plane", along, 3, s, err);
-    if (got < 0) return -1;
-    if (got) facet.v[2] = sph_vec_of(s[0], s[1], s[2]);
-    if (sph_parallel(facet.v[1], facet.v[2]))
-        return sph_fail(err, "%s:%u: `plane`: the direction of s is along the normal, or zero",
-                        r->lex.path, facet.line);
-    facet.texture = r->texture;
-    for (int i = 0; i < 2 && r->texture; i++) {
-        facet.st[0][i] = r->scene->textures[r->texture - 1].repeat[i];
-        facet.st[1][i] = r->scene->textures[r->texture - 1].offset[i];
-    }
-    r->n_groups++;
-    return sph_scene_add_facet(r->scene, &facet, err);
+static int take_pp(struct sph_reader *r, struct sph_error *err) {
+    return take_polygon(r, 1, err);
 }
+
+static void put_tt(struct sph_nff_writer *w, const struct sph_facet *f) {
+    sph_nff_put_image(w, "tt", w->scene->textures[f->texture - 1].path);
+    putc('\n', w->file);
+    for (int i = 0; i < 3; i++)
+        sph_nff_put(w, "", (double[]){f->v[i].x, f->v[i].y, f->v[i].z, f->st[i][0], f->st[i][1]},
+                    5);
+}
+
+static int same_point(struct sph_vec a, struct sph_vec b) {
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+/* Writes n triangles of one polygon, a fan. Pieces without area that the reader left out stand
+ * between two triangles that do not follow each other. */
+static void put_polygon(struct sph_nff_writer *w, const struct sph_facet *f, uint32_t n) {
+    uint32_t corners = n + 2;
+    for (uint32_t i = 1; i < n; i++)
+        corners += !same_point(f[i].v[1], f[i - 1].v[2]);
+    fprintf(w->file, "p %u\n", corners);
+    sph_nff_put_point(w, "", f->v[0]);
+    sph_nff_put_point(w, "", f->v[1]);
+    for (uint32_t i = 0; i < n; i++) {
+        if (i > 0 && !same_point(f[i].v[1], f[i - 1].v[2])) sph_nff_put_point(w, "", f[i].v[1]);
+        sph_nff_put_point(w, "", f[i].v[2]);
+    }
+}
+
+static uint32_t write(struct sph_nff_writer *w, uint32_t i) {
+    const struct sph_facet *f = &w->scene->facets[i];
+    uint32_t n = 1;
+    sph_nff_put_motion(w, f->motion);
+    sph_nff_put_material(w, f->material);
+    if (f->texture) {
+        put_tt(w, f);
+        return 1;
+    }
+    while (i + n < w->scene->n_facets && f[n].group == f->group)
+        n++;
+    put_polygon(w, f, n);
+    return n;
+}
+
+static const struct sph_nff_word words[] = {
+    {"p", take_p}, {"pp", take_pp}, {"tt", take_tt}, {NULL, NULL}};
+const struct sph_prim_scene sph_prim_scene_triangle = {
+    .words = words, .write = write, .points = 3, .wants = "finite corners"};

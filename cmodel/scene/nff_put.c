@@ -1,0 +1,72 @@
+/* nff_put.c - see nff_writer.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "scene/nff_writer.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static void put_number(FILE *file, double value) {
+    char text[40];
+    snprintf(text, sizeof text, "%.15g", value);
+    if (strtod(text, NULL) != value) snprintf(text, sizeof text, "%.17g", value);
+    putc(' ', file);
+    fputs(text, file);
+}
+
+void sph_nff_put(struct sph_nff_writer *w, const char *word, const double *values, int n) {
+    fputs(word, w->file);
+    for (int i = 0; i < n; i++)
+        put_number(w->file, values[i]);
+    putc('\n', w->file);
+}
+
+void sph_nff_put_point(struct sph_nff_writer *w, const char *word, struct sph_vec v) {
+    sph_nff_put(w, word, (double[]){v.x, v.y, v.z}, 3);
+}
+
+void sph_nff_put_material(struct sph_nff_writer *w, uint32_t material) {
+    const struct sph_material *m = &w->scene->materials[material];
+    if (w->material == material) return;
+    w->material = material;
+    if (w->sum != m->sum.on) fputs(m->sum.on ? "shading sum\n" : "shading blend\n", w->file);
+    w->sum = m->sum.on;
+    sph_nff_put(w, "f",
+                (double[]){m->rgb[0], m->rgb[1], m->rgb[2], m->kd, m->ks, m->shine, m->trans,
+                           m->ior, m->sum.ka, m->sum.kr},
+                m->sum.on ? 10 : 8);
+}
+
+void sph_nff_put_motion(struct sph_nff_writer *w, uint32_t motion) {
+    const struct sph_motion *m = motion ? &w->scene->motions[motion - 1] : NULL;
+    if (w->motion == motion) return;
+    w->motion = motion;
+    if (m)
+        sph_nff_put(w, "move",
+                    (double[]){m->step.x, m->step.y, m->step.z, m->grow, m->about.x, m->about.y,
+                               m->about.z},
+                    7);
+    else
+        fputs("still\n", w->file);
+}
+
+void sph_nff_put_image(struct sph_nff_writer *w, const char *word, const char *path) {
+    const char *slash = strrchr(w->scene->path, '/');
+    size_t folder = slash ? (size_t)(slash - w->scene->path) + 1 : 0;
+    if (!strncmp(path, w->scene->path, folder)) path += folder;
+    int bare = strpbrk(path, " \t#") == NULL && strcmp(path, "none") != 0;
+    fprintf(w->file, bare ? "%s %s" : "%s \"%s\"", word, path);
+}
+
+void sph_nff_put_texture(struct sph_nff_writer *w, uint32_t texture) {
+    if (w->texture == texture) return;
+    w->texture = texture;
+    if (!texture) {
+        fputs("texture none\n", w->file);
+        return;
+    }
+    const struct sph_texture *t = &w->scene->textures[texture - 1];
+    sph_nff_put_image(w, "texture", t->path);
+    sph_nff_put(w, "", (double[]){t->repeat[0], t->repeat[1], t->offset[0], t->offset[1]}, 4);
+    if (t->wrap[0]) fputs("clamp\n", w->file);
+}

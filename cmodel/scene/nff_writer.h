@@ -1,0 +1,33 @@
+/* nff_writer.h - what the files that write NFF records share
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Numbers are written with 15 digits where these give the same double back, with 17 otherwise.
+ */
+#ifndef SPH_SCENE_NFF_WRITER_H
+#define SPH_SCENE_NFF_WRITER_H
+
+#include "scene/scene.h"
+
+/* Where to, and what the primitives that are written next look like. */
+struct sph_nff_writer {
+    const struct sph_scene *scene;
+    FILE *file;
+    uint32_t material, texture, motion;
+    int sum; /* `shading sum` is in force */
+};
+
+/* A record: its word, then numbers; and with one vector. */
+void sph_nff_put(struct sph_nff_writer *w, const char *word, const double *values, int n);
+void sph_nff_put_point(struct sph_nff_writer *w, const char *word, struct sph_vec v);
+
+/* Each writes a record if what comes next looks otherwise than what was before: `f` and `shading`,
+ * `move` or `still`, `texture` of spheres and planes. */
+void sph_nff_put_material(struct sph_nff_writer *w, uint32_t material);
+void sph_nff_put_motion(struct sph_nff_writer *w, uint32_t motion);
+void sph_nff_put_texture(struct sph_nff_writer *w, uint32_t texture);
+
+/* A word and the name of an image: its path without the folder of the scene, quoted where it must
+ * be. The line does not end. */
+void sph_nff_put_image(struct sph_nff_writer *w, const char *word, const char *path);
+
+#endif
