@@ -65,6 +65,34 @@ def ports(module):
     return markdown.table([f"port of `{module}`", "bits", "meaning"], rows)
 
 
+def _said(names, value, meaning):
+    """One entry of a list: name, what it is worth unless that is a bit, what it is."""
+    return " ".join([names] + [value] * (value != "1") + [f"({meaning})"] * bool(meaning))
+
+
+def parameter_list(*modules):
+    """As parameters(), in one paragraph a module."""
+    told, seen = [], set()
+    for module in modules:
+        items = [item for item in _read(module)[0] if item.name not in seen]
+        seen.update(item.name for item in items)
+        said = "; ".join(f"{names} = {value}" + f" ({meaning})" * bool(meaning)
+                         for names, value, meaning in _rows(items, lambda item: item.default))
+        if said:
+            told.append(f"- *{module}*: {said}." if module != modules[0] else f"- {said}.")
+    return "\n".join(told)
+
+
+def port_list(module):
+    """As ports(), in one paragraph for each heading of the source."""
+    items = [item for item in _read(module)[1] if item.name not in EVERYWHERE]
+    told = []
+    for heading, group in groupby(items, lambda item: item.heading):
+        said = "; ".join(_said(*row) for row in _rows(group, lambda item: item.bits))
+        told.append(f"- *{heading}*: {said}." if heading else f"- {said}.")
+    return "\n".join(told)
+
+
 def benches():
     """{module: bench} of the lists in tb/."""
     found = {}

@@ -1,22 +1,21 @@
-# bundles.py - the bundles of rtl/engine/bundles.def, as a table
+# bundles.py - the bundles of rtl/engine/bundles.def, as a list
 # SPDX-License-Identifier: Apache-2.0
 from pathlib import Path
-
-from . import markdown
 
 DEF = Path("rtl/engine/bundles.def")
 
 
 def bundles():
-    """A row for each bundle: what it is, and its fields with their bits and meaning."""
-    table = []
+    """A paragraph for each bundle: what it is, and its fields with their bits and meaning."""
+    told = []
     for line in DEF.read_text().splitlines():
         if not line.strip() or line.startswith("#"):
             continue
         kind, *words = line.split(maxsplit=2 if line.startswith("b") else 3)
         if kind == "bundle":
-            table.append([f"**`{words[0]}`**", "", words[1]])
+            told.append((f"- **`{words[0]}`**, {words[1]}:", []))
         elif kind == "field":
             name, width, *meaning = words
-            table.append([f"`{name}`", width, " ".join(meaning)])
-    return markdown.table(["bundle, field", "bits", "what"], table)
+            bits = [width] * (width != "1")
+            told[-1][1].append(" ".join([f"`{name}`"] + bits + [f"({m})" for m in meaning]))
+    return "\n".join(f"{head} {'; '.join(fields)}." for head, fields in told)

@@ -18,12 +18,12 @@ def const(name):
 
 
 MAKERS = {
-    "parameters": blocks.parameters, "ports": blocks.ports, "modules": blocks.modules,
-    "bundles": bundles.bundles, "registers": machine.registers,
-    "effects": machine.effects, "counters": machine.counters,
-    "errors": machine.errors, "profiles": machine.profiles, "widths": machine.widths,
-    "count": count, "const": const, "age": measured.age,
-    "rows": data.rows, "cell": data.cell,
+    "parameters": blocks.parameters, "ports": blocks.ports,
+    "parameter_list": blocks.parameter_list, "port_list": blocks.port_list,
+    "modules": blocks.modules, "bundles": bundles.bundles, "registers": machine.registers,
+    "effects": machine.effects, "counters": machine.counters, "errors": machine.errors,
+    "profiles": machine.profiles, "widths": machine.widths, "count": count, "const": const,
+    "age": measured.age, "rows": data.rows, "cell": data.cell,
 }
 
 
