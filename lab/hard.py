@@ -74,8 +74,8 @@ def sums(campaign, lines):
     rows = [row for row in rows if row[1] and set(row[1]) != {"-"}]
     wrong = sum(sum(counts(row[4])) + int(row[5]) for row in rows)
     shown = []
-    for profile in dict.fromkeys(row[1] for row in rows):
-        of = [row for row in rows if row[1] == profile]
+    for profile in [*dict.fromkeys(row[1] for row in rows), "all"]:
+        of = [row for row in rows if profile in ("all", row[1])]
         shown.append([profile, sum(int(row[2]) for row in of), sum(int(row[3]) for row in of)] + [
             "/".join(str(sum(n)) for n in zip(*(counts(row[i]) for row in of)))
             for i in (4, *range(8, len(head)))])

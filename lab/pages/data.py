@@ -32,8 +32,14 @@ def of_markdown(text):
 
 
 def read(name):
-    """(column names, rows)"""
-    lines = (FOLDER / f"{name}.tsv").read_text(encoding="utf-8").splitlines()
+    """(column names, rows), of a file or of a table in its page."""
+    if (FOLDER / f"{name}.tsv").exists():
+        text = (FOLDER / f"{name}.tsv").read_text(encoding="utf-8")
+    else:
+        page, _, table = name.partition(".")
+        page = (FOLDER.parent / f"{page}.md").read_text(encoding="utf-8")
+        text = of_markdown(re.search(rf"<!-- {table} -->\n(.*?)<!-- end -->", page, re.S)[1])
+    lines = text.splitlines()
     head, *rows = [line.split("\t") for line in lines if not line.startswith("# ")]
     return head, rows
 
