@@ -12,6 +12,7 @@
 #include "builder/emit.h"
 #include "builder/spans.h"
 #include "builder/texture.h"
+#include "builder/warn.h"
 #include "texture/lookup.h"
 
 static double seconds(void) {
@@ -143,38 +144,6 @@ struct parts {
     struct sph_tree tree;
 };
 
-static void warn_coarse(const struct sph_scene *scene, const struct sph_profile *profile,
-                        struct sph_build_report *report) {
-    enum { COARSE = 4 }; /* grid units */
-    if (!scene->n_spheres || report->smallest_radius >= COARSE) return;
-    int finer = sph_grid_finer(scene, profile, report->smallest_radius * report->grid_step, COARSE);
-    sph_note(report->warning, sizeof report->warning,
-             "%s: the smallest radius is %.2f grid units of profile %s: %s%s\n", scene->path,
-             report->smallest_radius, profile->name,
-             finer < 0 ? "no finer profile has 4" : "rounder with profile ",
-             finer < 0 ? "" : sph_profiles[finer].name);
-}
-
-/* Says what of the facets was left out. */
-static void warn_empty(const struct sph_scene *scene, const struct sph_profile *profile,
-                       const struct sph_facets *facets, struct sph_build_report *report) {
-    if (!facets->n_empty) return;
-    sph_note(report->warning, sizeof report->warning,
-             "%s:%u: the first of %u triangles that have no area on the grid of profile %s and are "
-             "left out: no ray would meet them\n",
-             scene->path, scene->facets[facets->first_empty].line, facets->n_empty, profile->name);
-}
-
-/* Says which polygons were cut into triangles that do not lie in one plane. */
-static void warn_bent(const struct sph_scene *scene, struct sph_build_report *report) {
-    if (!scene->n_bent) return;
-    sph_note(report->warning, sizeof report->warning,
-             "%s:%u: the polygon is not flat, a corner is %.3g off its plane: it is cut into "
-             "triangles that meet at an angle%s\n",
-             scene->path, scene->bent_line, scene->bent,
-             scene->n_bent > 1 ? "; so are others, nearer to flat" : "");
-}
-
 /* Spheres and facets on the grid; balls[id] for all ids. */
 static int quantise(const struct sph_scene *scene, const struct sph_grid *grid,
                     const struct sph_profile *profile, struct parts *parts,
@@ -186,9 +155,9 @@ static int quantise(const struct sph_scene *scene, const struct sph_grid *grid,
         parts->balls[scene->n_spheres + i] = parts->facets.list[i].ball;
     report->loose = parts->facets.n_loose;
     report->facets = parts->facets.n;
-    warn_coarse(scene, profile, report);
-    warn_empty(scene, profile, &parts->facets, report);
-    warn_bent(scene, report);
+    sph_warn_coarse(scene, profile, report);
+    sph_warn_empty(scene, profile, &parts->facets, report);
+    sph_warn_bent(scene, report);
     return 0;
 }
 
@@ -228,7 +197,7 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
     m->grid_log2 = grid.log2;
     memcpy(m->origin, grid.origin, sizeof m->origin);
     memcpy(m->rotation, grid.rotation, sizeof m->rotation);
-    return 0;
+    return sph_warn_cut(scene, m, report, err);
 }
 
 int sph_build(const struct sph_scene *scene, const struct sph_build_options *options,

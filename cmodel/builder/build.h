@@ -13,6 +13,7 @@
 #include "builder/work.h"
 #include "machine/machine.h"
 #include "machine/parts.h"
+#include "reference/cut.h"
 #include "scene/scene.h"
 #include "texture/mip.h"
 
@@ -78,6 +79,7 @@ struct sph_build_report {
                                            image alone */
     struct sph_bih_stats bih;           /* with TREE_BIH and TREE_BRUTE */
     char warning[8192];   /* empty if none; finer profiles, clamped colours, effects left out */
+    struct sph_cut cut;   /* of the planes */
     struct sph_ball root; /* grid units: holds every primitive */
     int bg_points;        /* spans: meridians that were needed, 0: none */
     struct sph_work bg_work, bg_check;   /* spans, exact: set-up; spans: proof that they cover */

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "reference/cut.h"
 #include "reference/facet.h"
 #include "reference/whitted.h"
 
@@ -156,6 +157,10 @@ static void leave(const struct sph_ref_job *j, const struct sph_ref_branch *b,
     }
 }
 
+static int is_plane(const struct sph_scene *scene, uint32_t id) {
+    return id >= scene->n_spheres && scene->facets[id - scene->n_spheres].kind == SPH_PLANE;
+}
+
 void sph_ref_follow(const struct sph_ref_job *j, struct sph_ref_branch b,
                     struct sph_ref_seen *seen) {
     struct sph_ref_hit hit = sph_ref_trace(j->tree, &b.ray, INFINITY, 0);
@@ -168,6 +173,8 @@ void sph_ref_follow(const struct sph_ref_job *j, struct sph_ref_branch b,
     }
     double at[3], normal[3], colour[3], bent[3] = {0}, dir[3];
     const struct sph_material *f = surface(j->scene, &b.ray, &hit, at, normal);
+    if (j->o->world && is_plane(j->scene, hit.id) && !sph_on_world(j->o->world, at))
+        seen->pixel.beyond |= b.depth ? SPH_BEYOND_LATER : SPH_BEYOND_EYE;
     struct sph_ref_shares k =
         sph_ref_shares_of(f, b.depth < j->o->max_depth, j->o->reflect, j->o->refract);
     double ratio = hit.far ? f->ior : 1 / f->ior;

@@ -6,14 +6,13 @@
 
 #include "reference/reference.h"
 #include "reference/tree.h"
+#include "reference/view.h"
 
 struct sph_ref_job {
     const struct sph_scene *scene;
     const struct sph_reference_options *o;
     const struct sph_ref_tree *tree;
-    double axes[3][3]; /* camera right, up, back in the scene's frame */
-    double screen;     /* distance of the screen in pixels */
-    int width, height;
+    struct sph_ref_view view;
     struct sph_ref_textures textures;
 };
 

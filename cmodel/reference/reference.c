@@ -10,37 +10,6 @@
 
 #include "reference/follow.h"
 
-static double dot(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const double a[3], const double b[3], double out[3]) {
-    for (int i = 0; i < 3; i++)
-        out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-}
-
-/* Scales v to length 1; 0 if it has none. */
-static int unit(double v[3]) {
-    double n = sqrt(dot(v, v));
-    for (int i = 0; i < 3; i++)
-        v[i] /= n;
-    return isfinite(n) && n > 0;
-}
-
-static int camera(struct sph_ref_job *j) {
-    const struct sph_camera *c = &j->scene->camera;
-    double back[3] = {c->from.x - c->at.x, c->from.y - c->at.y, c->from.z - c->at.z};
-    double up[3] = {c->up.x, c->up.y, c->up.z};
-    if (!unit(back)) return 0;
-    for (int i = 0; i < 3; i++)
-        j->axes[2][i] = back[i];
-    cross(up, back, j->axes[0]);
-    if (!unit(j->axes[0])) return 0;
-    cross(back, j->axes[0], j->axes[1]);
-    j->screen = j->height / 2.0 / tan(c->angle * acos(-1.0) / 360);
-    return isfinite(j->screen) && j->screen > 0;
-}
-
 static uint32_t byte(double c) {
     return (uint32_t)(fmin(fmax(c, 0), 1) * 255 + 0.5);
 }
@@ -52,13 +21,11 @@ static struct sph_reference_pixel render_pixel(const struct sph_ref_job *j, int 
                                           .refracted_id = SPH_ID_NONE,
                                           .distance = INFINITY},
                                 .work = work};
-    const struct sph_camera *c = &j->scene->camera;
+    const struct sph_ref_view *v = &j->view;
     struct sph_ref_branch b = {
-        .ray = {.org = {c->from.x, c->from.y, c->from.z}, .skip = SPH_ID_NONE}, .weight = 1};
-    for (int i = 0; i < 3; i++)
-        b.ray.dir[i] = (x - (j->width - 1) / 2.0) * j->axes[0][i] +
-                       ((j->height - 1) / 2.0 - y) * j->axes[1][i] - j->screen * j->axes[2][i];
-    sph_ref_path_start(&b.path, b.ray.dir, j->axes[0], j->axes[1]);
+        .ray = {.org = {v->eye[0], v->eye[1], v->eye[2]}, .skip = SPH_ID_NONE}, .weight = 1};
+    sph_ref_view_dir(v, x, y, b.ray.dir);
+    sph_ref_path_start(&b.path, b.ray.dir, v->axes[0], v->axes[1]);
     sph_ref_follow(j, b, &seen);
     for (int f = 0; f < SPH_FRAMES; f++)
         for (int i = 0; i < 3; i++)
@@ -69,17 +36,18 @@ static struct sph_reference_pixel render_pixel(const struct sph_ref_job *j, int 
 int sph_reference_render(const struct sph_scene *scene, const struct sph_reference_options *options,
                          struct sph_reference *out, struct sph_error *err) {
     struct sph_ref_job j = {.scene = scene, .o = options};
-    j.width = options->width ? options->width : scene->camera.width;
-    j.height = options->height ? options->height : scene->camera.height;
-    if (j.width <= 0 || j.height <= 0)
-        return sph_fail(err, "%s: a frame of %dx%d has no pixels", scene->path, j.width, j.height);
-    if (!camera(&j)) return sph_fail(err, "%s: the camera has no direction", scene->path);
+    int width = options->width ? options->width : scene->camera.width;
+    int height = options->height ? options->height : scene->camera.height;
+    if (width <= 0 || height <= 0)
+        return sph_fail(err, "%s: a frame of %dx%d has no pixels", scene->path, width, height);
+    if (!sph_ref_view_of(&scene->camera, width, height, &j.view))
+        return sph_fail(err, "%s: the camera has no direction", scene->path);
     j.textures = (struct sph_ref_textures){scene,        options->mips, options->filter,
-                                           options->lod, j.screen,      (double)j.width * j.height};
-    struct sph_ref_tree *tree = sph_ref_tree_new(scene, options->world);
+                                           options->lod, j.view.screen, (double)width * height};
+    struct sph_ref_tree *tree = sph_ref_tree_new(scene);
     memset(&out->work, 0, sizeof out->work);
-    out->width = j.width, out->height = j.height;
-    out->pixels = calloc((size_t)j.width * (size_t)j.height, sizeof *out->pixels);
+    out->width = width, out->height = height;
+    out->pixels = calloc((size_t)width * (size_t)height, sizeof *out->pixels);
     if (!tree || !out->pixels) {
         sph_ref_tree_free(tree);
         sph_reference_free(out);
@@ -88,10 +56,10 @@ int sph_reference_render(const struct sph_scene *scene, const struct sph_referen
     j.tree = tree;
 #pragma omp parallel for schedule(dynamic, 4)                                                      \
     num_threads(options->threads > 0 ? options->threads : omp_get_num_procs())
-    for (int y = 0; y < j.height; y++) {
+    for (int y = 0; y < height; y++) {
         struct sph_level_work work = {.hits = {0}};
-        for (int x = 0; x < j.width; x++)
-            out->pixels[(size_t)y * (size_t)j.width + (size_t)x] = render_pixel(&j, x, y, &work);
+        for (int x = 0; x < width; x++)
+            out->pixels[(size_t)y * (size_t)width + (size_t)x] = render_pixel(&j, x, y, &work);
 #pragma omp critical
         sph_level_work_add(&out->work, &work);
     }

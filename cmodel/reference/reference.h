@@ -16,15 +16,16 @@
 #include "scene/scene.h"
 
 struct sph_reference_options {
-    int width, height;               /* pixels; 0: as the scene says */
-    int max_depth;                   /* reflections followed, 0..5 */
-    int shadow;                      /* 1: lights are blocked */
-    int reflect;                     /* 1: mirrors are followed */
-    int refract, specular;           /* 1: refracted rays are followed; highlights */
-    int threads;                     /* 0: all */
-    const struct sph_machine *world; /* NULL, or planes end at its box as they do in it */
-    const struct sph_mip *mips;      /* images of the scene; NULL: none are shown */
-    int filter, lod;                 /* SPH_FILTER_*; SPH_LOD_*: the level that colours see */
+    int width, height;     /* pixels; 0: as the scene says */
+    int max_depth;         /* reflections followed, 0..5 */
+    int shadow;            /* 1: lights are blocked */
+    int reflect;           /* 1: mirrors are followed */
+    int refract, specular; /* 1: refracted rays are followed; highlights */
+    int threads;           /* 0: all */
+    const struct sph_machine
+        *world;                 /* NULL, or pixels that see planes beyond its grid are marked */
+    const struct sph_mip *mips; /* images of the scene; NULL: none are shown */
+    int filter, lod;            /* SPH_FILTER_*; SPH_LOD_*: the level that colours see */
 };
 
 struct sph_reference_pixel {
@@ -34,12 +35,16 @@ struct sph_reference_pixel {
     uint32_t refracted_id;       /* seen through it; SPH_ID_NONE: none */
     uint32_t faced;              /* bit l: light l shines on the side of it that is seen */
     uint32_t shadow;             /* bit l: light l does, but is blocked */
+    int beyond;                  /* SPH_BEYOND_*: a plane is seen where the world has none */
     double distance;             /* from the eye to it, scene units; INFINITY: background */
     int textured;                /* a surface with an image is seen, also in mirrors */
     double lod[SPH_LODS];        /* of the first one, each way */
     int via;                     /* SPH_VIA_*: how that one is seen */
     double facing;               /* cosine of its normal and the ray */
 };
+
+/* By the eye (its bit), by a ray that leaves a surface. */
+enum { SPH_BEYOND_EYE = 1, SPH_BEYOND_LATER = 2 };
 
 /* How a textured surface is seen: directly, in flat mirrors, in at least one curved one. */
 enum { SPH_VIA_NOTHING, SPH_VIA_FLAT, SPH_VIA_CURVED, SPH_VIAS };

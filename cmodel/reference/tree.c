@@ -26,7 +26,6 @@ struct sph_ref_tree {
     struct box *boxes;
     uint32_t n_items, n_boxes;
     const struct sph_scene *scene;
-    const struct sph_machine *world;
 };
 
 static double middle(const struct item *v, int axis) {
@@ -93,13 +92,11 @@ static void add(struct sph_ref_tree *t, uint32_t id, const struct sph_vec *v, in
         }
 }
 
-struct sph_ref_tree *sph_ref_tree_new(const struct sph_scene *scene,
-                                      const struct sph_machine *world) {
+struct sph_ref_tree *sph_ref_tree_new(const struct sph_scene *scene) {
     struct sph_ref_tree *t = calloc(1, sizeof *t);
     size_t n = (size_t)scene->n_spheres + scene->n_facets;
     if (!t) return NULL;
     t->scene = scene;
-    t->world = world;
     t->items = malloc((n + 1) * sizeof *t->items);
     t->boxes = malloc((2 * n + 1) * sizeof *t->boxes);
     if (!t->items || !t->boxes) {
@@ -158,17 +155,6 @@ static void sphere(const struct sph_sphere *s, uint32_t id, const struct sph_ref
     keep((struct sph_ref_hit){t, id, far}, t_max, best);
 }
 
-/* Whether a point of the scene lies in the machine's box. */
-static int in_world(const struct sph_machine *m, const double p[3]) {
-    double end = ldexp(1, sph_machine_profile(m)->w - 1), step = ldexp(1, m->grid_log2);
-    for (int i = 0; i < 3; i++) {
-        const double *axis = &m->rotation[3 * i];
-        double at = (axis[0] * p[0] + axis[1] * p[1] + axis[2] * p[2] - m->origin[i]) / step;
-        if (!(at >= -end && at <= end - 1)) return 0;
-    }
-    return 1;
-}
-
 /* A facet, unless the ray starts on one of its group. */
 static void facet(const struct sph_ref_tree *t, uint32_t number, const struct sph_ref_ray *ray,
                   double t_max, struct sph_ref_hit *best) {
@@ -179,12 +165,6 @@ static void facet(const struct sph_ref_tree *t, uint32_t number, const struct sp
         s->facets[ray->skip - s->n_spheres].group == f->group)
         return;
     hit.t = sph_ref_facet(f, ray->org, ray->dir, &hit.far);
-    if (f->kind == SPH_PLANE && t->world) {
-        double at[3];
-        for (int i = 0; i < 3; i++)
-            at[i] = ray->org[i] + hit.t * ray->dir[i];
-        if (!in_world(t->world, at)) return;
-    }
     keep(hit, t_max, best);
 }
 

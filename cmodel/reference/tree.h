@@ -6,7 +6,7 @@
 
 #include <stdint.h>
 
-#include "machine/machine.h"
+#include "machine/layout.h"
 #include "scene/scene.h"
 
 struct sph_ref_ray {
@@ -23,10 +23,9 @@ struct sph_ref_hit {
 
 struct sph_ref_tree; /* boxes of two children, split at the median */
 
-/* Builds a tree over the scene's spheres and triangles; NULL if memory is out. The scene must
- * outlive it. Planes end at the box of world, a machine of the scene; NULL: nowhere. */
-struct sph_ref_tree *sph_ref_tree_new(const struct sph_scene *scene,
-                                      const struct sph_machine *world);
+/* Builds a tree over the scene's spheres and triangles, beside its planes, which end nowhere; NULL
+ * if memory is out. The scene must outlive it. */
+struct sph_ref_tree *sph_ref_tree_new(const struct sph_scene *scene);
 void sph_ref_tree_free(struct sph_ref_tree *tree);
 
 /* The first hit with 0 < t < t_max; any_hit: whichever is found first will do. */

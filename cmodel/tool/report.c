@@ -69,6 +69,17 @@ static json_t *effects_of(const struct sph_build_report *b) {
     return list;
 }
 
+/* What the grid cuts off planes. */
+static json_t *cut_of(const struct sph_cut *cut) {
+    json_t *json = json_object();
+    report_count(json, "pixels", cut->pixels);
+    report_count(json, "beyond", cut->beyond);
+    report_add(json, "nearest", cut->beyond ? json_real(cut->nearest) : json_null());
+    report_count(json, "sample", cut->sample);
+    report_count(json, "later", cut->later);
+    return json;
+}
+
 void report_build(json_t *report, const struct tool_built *built) {
     const struct sph_build_report *b = &built->report;
     if (!report || !built->from_scene) return;
@@ -83,6 +94,7 @@ void report_build(json_t *report, const struct tool_built *built) {
     report_number(build, "tree_seconds", b->tree_seconds);
     if (sph_machine_bih(&built->machine)) report_bih(build, &built->machine, &b->bih);
     report_bases(build, b);
+    if (b->cut.pixels) report_add(build, "planes_cut", cut_of(&b->cut));
     report_add(build, "effects", effects_of(b));
     report_add(build, "background", lines(b->background));
     report_add(build, "warnings", lines(b->warning));

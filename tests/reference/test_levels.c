@@ -74,7 +74,6 @@ static void shoot(const struct stage *s, struct sph_frame *f, struct sph_referen
                                       .max_depth = 2,
                                       .reflect = 1,
                                       .threads = 1,
-                                      .world = &m,
                                       .mips = &s->mip,
                                       .filter = SPH_FILTER_LEVEL};
     assert_int_equal(sph_render(&m, &how, f, &c, &err), 0);

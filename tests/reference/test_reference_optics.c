@@ -4,6 +4,7 @@
  * Run from the root of the repository: reads scenes/.
  */
 #include "model_scene.h"
+#include "uncut.h"
 
 #include <math.h>
 
@@ -55,9 +56,14 @@ static void psnr_of_refraction(void **state) {
             struct sph_reference r;
             if (sph_reference_render(&scene, &o, &r, &err)) fail_msg("%s", err.text);
             struct sph_frame f = model_render(&m, SPH_TRAVERSE_TREE, 0, &c, &errors);
+            double all = sph_reference_compare(&f, &r).psnr[2];
+            uint64_t cut = uncut(&f, &r);
+            assert_int_equal(cut, report.cut.beyond);
             struct sph_image_error e = sph_reference_compare(&f, &r);
-            printf("# %-8s %-9s %6.1f %6.1f %6.1f dB, %lu off by more than 8\n", scenes[n],
-                   sph_profiles[profile].name, e.psnr[0], e.psnr[1], e.psnr[2], e.far_off);
+            printf("# %-8s %-9s %6.1f %6.1f %6.1f dB, %lu off by more than 8; %.1f dB with "
+                   "the plane beyond the grid, %lu pixels\n",
+                   scenes[n], sph_profiles[profile].name, e.psnr[0], e.psnr[1], e.psnr[2],
+                   e.far_off, all, cut);
             assert_int_equal(e.pixels, W * H);
             assert_true(e.psnr[SPH_FRAMES - 1] >= floors[n][profile]);
             sph_frame_free(&f);

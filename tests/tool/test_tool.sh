@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 set -u
 . "$(dirname "$0")/../tap.sh"
+root=$(cd "$(dirname "$0")/../.." && pwd)
 cd "$TMP" || exit 1
 mkdir work
 cd work || exit 1
@@ -110,6 +111,13 @@ assert a + 6 < b, (a, b)'"
 check "mirrors left out show against a truth that has them" json flat.json \
     'r["accuracy"]["psnr"][2] < 40 and r["accuracy"]["psnr"][0] > 40 and
      r["accuracy"]["reflected"] > 50'
+floor=$root/tests/scenes/facets/endless.nff
+"$s" accuracy "$floor" --json floor.json >floor.txt 2>&1
+check "accuracy of a floor without end is that of the scene as written" json floor.json \
+    '12 < r["accuracy"]["psnr"][2] < 14 and r["accuracy"]["silhouette"] == 2189 and
+     r["build"]["planes_cut"]["beyond"] == 2189 and r["build"]["planes_cut"]["later"] == 0'
+check "... and build warns of it" \
+    has "warning: .*endless.nff:13: the plane ends with the grid: 15.2 % of the pixels" floor.txt
 check "strip is three pictures wide" sh -c "oiiotool --info strip.png | grep -q '192 x  *48'"
 
 # ---- background ----

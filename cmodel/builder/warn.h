@@ -1,0 +1,28 @@
+/* warn.h - what build says of a scene that it takes, but that the picture shows otherwise
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Each appends a line to report->warning, or nothing.
+ */
+#ifndef SPH_BUILD_WARN_H
+#define SPH_BUILD_WARN_H
+
+#include "builder/build.h"
+#include "builder/facets.h"
+
+/* Spheres of few grid units, and the profile under which they are rounder. */
+void sph_warn_coarse(const struct sph_scene *scene, const struct sph_profile *profile,
+                     struct sph_build_report *report);
+
+/* Triangles that are left out: they have no area on the grid. */
+void sph_warn_empty(const struct sph_scene *scene, const struct sph_profile *profile,
+                    const struct sph_facets *facets, struct sph_build_report *report);
+
+/* Polygons that were cut into triangles that do not lie in one plane. */
+void sph_warn_bent(const struct sph_scene *scene, struct sph_build_report *report);
+
+/* Planes that the frame sees beyond the machine's grid; sets report->cut. -1 with a message if
+ * memory is out. */
+int sph_warn_cut(const struct sph_scene *scene, const struct sph_machine *machine,
+                 struct sph_build_report *report, struct sph_error *err);
+
+#endif
