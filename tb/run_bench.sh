@@ -4,7 +4,8 @@
 #
 # pattern selects lines of tb/benches*.txt by bench/profile, e.g. tb_leaf or tb_leaf/standard.
 # run_bench.sh --tools builds what all benches have in common, and no more.
-# A line: profile, module, bench, parameters of the module / only the bench's.
+# A line: configuration, module, bench, parameters of the module / only the bench's; tb/benches.awk
+# says how it takes the widths of a profile from machine.def.
 #   BENCH_BUILD  build folder (build); all that is made here lies in its folder tb
 #   BENCH_JOBS   benches at once (1)
 #   BENCH_OPT    compiler's effort (-O2)
@@ -86,9 +87,13 @@ flock "$BENCH_BUILD/sim/.tools.lock" env -u MAKEFLAGS -u MFLAGS make -s --no-pri
     -f make/verilated.mk B="$BENCH_BUILD" OPT="$BENCH_OPT" bench-tools || exit 1
 [ "$pattern" != --tools ] || exit 0
 
-awk -v pattern="$pattern" '
-    /^#/ || !NF { next }
-    index($3 "/" $1, pattern)' tb/benches*.txt | tr '\n' '\0' >"$out/lines.$$"
+awk -v pattern="$pattern" -f tb/benches.awk cmodel/machine/machine.def tb/benches*.txt \
+    >"$out/list.$$" || {
+    rm -f "$out/list.$$"
+    exit 1
+}
+tr '\n' '\0' <"$out/list.$$" >"$out/lines.$$"
+rm -f "$out/list.$$"
 if [ ! -s "$out/lines.$$" ]; then
     echo "not ok run_bench.sh: nothing matches $pattern"
     rm -f "$out/lines.$$"
