@@ -14,6 +14,7 @@
 #include "bench.h"
 #include "bundles.h"
 #include "cache_prediction.h"
+#include "texture_memory.h"
 
 extern "C" {
 #include "texture/filter.h"
@@ -27,8 +28,6 @@ using bench::u128;
 
 namespace {
 
-constexpr uint32_t MAPS = 64, IMAGES = 16, LINES_IN_MEMORY = 5999;
-
 struct sph_profile profile() {
     struct sph_profile p = {};
     p.w = W;
@@ -36,61 +35,6 @@ struct sph_profile profile() {
     p.ng = NG;
     return p;
 }
-
-/* Maps in lines 1.., images behind them; some of both are broken. */
-class Memory {
-  public:
-    struct sph_machine machine = {};
-    std::vector<uint32_t> words = std::vector<uint32_t>(LINES_IN_MEMORY * SPH_LINE_WORDS);
-
-    void fill(bench::Random &r) {
-        for (uint32_t &word : words)
-            word = (uint32_t)r.next();
-        uint32_t line = 1 + MAPS, images[IMAGES];
-        for (uint32_t &image : images)
-            line = put_image(r, image = line);
-        for (uint32_t i = 0; i < MAPS; i++)
-            put_map(r, &words[(1 + i) * SPH_LINE_WORDS], images[r.below(IMAGES)]);
-        machine.mem = words.data();
-        machine.lines = LINES_IN_MEMORY;
-        machine.regs[SPH_REG_MEM_LINES] = LINES_IN_MEMORY;
-    }
-
-  private:
-    uint32_t put_image(bench::Random &r, uint32_t at) {
-        uint32_t *header = &words[at * SPH_LINE_WORDS], lines = 0;
-        uint32_t w = r.percent(20) ? 1 : 1 + (uint32_t)r.below(60);
-        uint32_t h = r.percent(20) ? 1 : 1 + (uint32_t)r.below(60);
-        uint32_t levels = 1;
-        while (levels < SPH_TEXTURE_LEVELS && (w >> levels || h >> levels))
-            levels++;
-        if (r.percent(20)) levels = 1 + (uint32_t)r.below(levels);
-        for (uint32_t l = 0; l < levels; l++) {
-            if (l)
-                sph_field_set(header, SPH_IMAGE_FIRST_LSB + SPH_IMAGE_FIRST_BITS * ((int)l - 1),
-                              SPH_IMAGE_FIRST_BITS, lines);
-            lines += sph_level_lines(sph_level_size(w, (int)l), sph_level_size(h, (int)l));
-        }
-        sph_field_set(header, SPH_IMAGE_W_LSB, SPH_IMAGE_W_BITS, w - 1);
-        sph_field_set(header, SPH_IMAGE_H_LSB, SPH_IMAGE_H_BITS, h - 1);
-        sph_field_set(header, SPH_IMAGE_LEVELS_LSB, SPH_IMAGE_LEVELS_BITS, levels);
-        if (r.percent(10)) /* levels that begin anywhere; none, too many */
-            for (int i = 0; i < SPH_LINE_WORDS; i++)
-                header[i] = (uint32_t)r.next();
-        return at + 1 + lines < LINES_IN_MEMORY - 600 ? at + 1 + lines : 1 + MAPS;
-    }
-    void put_map(bench::Random &r, uint32_t *map, uint32_t image) {
-        int base = (int)r.between(-2, W + 4) * 256 + (int)r.below(256);
-        sph_field_set(map, SPH_MAP_KIND_LSB, 2, (uint32_t)r.below(2));
-        sph_field_set(map, SPH_MAP_BASE_LSB, SPH_MAP_BASE_BITS, (uint32_t)base);
-        if (r.percent(95)) sph_field_set(map, SPH_MAP_IMAGE_LSB, SPH_MAP_IMAGE_BITS, image);
-        if (r.percent(50)) return;
-        sph_field_set(map, SPH_MAP_S_E_LSB, SPH_MAP_S_E_BITS, (uint32_t)r.between(-3, 20));
-        sph_field_set(map, SPH_MAP_T_E_LSB, SPH_MAP_T_E_BITS, (uint32_t)r.between(-3, 20));
-        for (int i = 0; i < 9 && sph_field(map, SPH_MAP_KIND_LSB, 1); i++)
-            sph_field_set(map, SPH_MAP_TURN_LSB + 16 * i, 16, (uint32_t)r.between(-18000, 18000));
-    }
-};
 
 struct Slot {
     enum { IDLE, TOLD, SENT, DONE } state; /* TOLD: all but the token is there */
@@ -114,147 +58,198 @@ u128 pack(const int64_t v[3], int bits) {
     return x;
 }
 
-} // namespace
+/* The unit, its memory, and the pixel that each slot follows. */
+class Run {
+  public:
+    Run(int argc, char **argv)
+        : b("tb_texture", argc, argv, 6000), shape(t.rootp->rt_texture__DOT__cache_shape),
+          seen(t.rootp->rt_texture__DOT__cache_seen),
+          prediction(shape >> 16, shape >> 8 & 255, shape & 255) {
+        memory.fill(b.random);
+        t.in_valid_i = 0;
+        t.flush_i = t.word_read_i = t.mem_rsp_valid_i = t.mem_req_ready_i = 0;
+        bench::put(t.regs_i, RT_REGS_MEM_LINES, LINES_IN_MEMORY);
+        b.reset();
+        for (int i = 0; i < 2 * SLOTS; i++)
+            b.tick();
+    }
 
-int main(int argc, char **argv) {
-    bench::Bench<Vrt_texture> b("tb_texture", argc, argv, 6000);
-    Vrt_texture &t = b.dut;
-    const struct sph_profile p = profile();
-    Memory memory;
-    memory.fill(b.random);
-    struct sph_machine &m = memory.machine;
-    std::vector<Slot> slots(SLOTS);
-    struct Line {
-        uint32_t line;
-        uint64_t when;
-    };
-    std::deque<Line> asked;
-    uint64_t texels = 0, texels_asked = 0;
-    uint32_t errors = 0;
-    bool bad_node = false, drain = true, on = true;
-    unsigned pace = 100, latency = 3, reading = 100;
-    const uint32_t shape = t.rootp->rt_texture__DOT__cache_shape,
-                   &seen = t.rootp->rt_texture__DOT__cache_seen;
-    CachePrediction prediction(shape >> 16, shape >> 8 & 255, shape & 255);
-    bool must_miss = false;
-    int word_slot = -1, material_slot = -1;
-    uint32_t material = 0;
-    t.in_valid_i = 0;
-    t.flush_i = t.word_read_i = t.mem_rsp_valid_i = t.mem_req_ready_i = 0;
-    bench::put(t.regs_i, RT_REGS_MEM_LINES, LINES_IN_MEMORY);
-    b.reset();
-    for (int i = 0; i < 2 * SLOTS; i++)
-        b.tick();
-    uint64_t last = 0;
-    for (;;) {
-        /* texels were counted when their surfaces were told: those under way go on to their end */
-        bool more = b.more();
+    /* A clock; 0 at the end. Texels were counted when their surfaces were told, so those that are
+     * under way go on to their end. */
+    bool clock() {
+        more = b.more();
         if (more) last = b.cycle;
-        if (!more && (!under_way(slots) || b.cycle > last + 20000)) break;
+        if (!more && (!under_way(slots) || b.cycle > last + 20000)) return false;
         if (b.cycle % 2048 == 0) {
             pace = b.random.percent(40) ? 100 : (unsigned)b.random.between(5, 60);
             reading = b.random.percent(40) ? 100 : (unsigned)b.random.between(5, 60);
             latency = (unsigned)b.random.below(4) * 20;
         }
-        /* registers change, and the cache is flushed, while nothing is inside */
+        registers();
+        int told = tell(), in = token(), word = ask_word();
+        drive_memory();
+        b.settle();
+        take_requests();
+        if (t.out_valid_o) surface();
+        read_material();
+        if (told >= 0) slots[(size_t)told].state = Slot::TOLD;
+        if (in >= 0) slots[(size_t)in].state = Slot::SENT;
+        b.tick();
+        if (word >= 0) read_word(word);
+        word_slot = word;
+        return true;
+    }
+
+    int finish() {
+        if (texels != texels_asked) {
+            printf("# %llu texels expected, %llu asked for\n", (unsigned long long)texels,
+                   (unsigned long long)texels_asked);
+            b.fail("another number of texels");
+        }
+        if (bad_node != (errors != 0)) b.fail("bad_node_o does not say what the model says");
+        return b.finish();
+    }
+
+  private:
+    struct Line {
+        uint32_t line;
+        uint64_t when;
+    };
+    bench::Bench<Vrt_texture> b;
+    Vrt_texture &t = b.dut;
+    const struct sph_profile p = profile();
+    Memory memory;
+    struct sph_machine &m = memory.machine;
+    std::vector<Slot> slots = std::vector<Slot>(SLOTS);
+    std::deque<Line> asked;
+    uint64_t texels = 0, texels_asked = 0, last = 0;
+    uint32_t errors = 0, material = 0;
+    bool bad_node = false, drain = true, on = true, more = true, must_miss = false;
+    unsigned pace = 100, latency = 3, reading = 100;
+    const uint32_t shape, &seen;
+    CachePrediction prediction;
+    int word_slot = -1, material_slot = -1;
+
+    /* Registers change, and the cache is flushed, while nothing is inside. */
+    void registers() {
         bool idle = true;
         for (const Slot &s : slots)
             idle &= s.state == Slot::IDLE;
         if (b.cycle % 4096 == 4000) drain = true;
         t.flush_i = 0;
-        if (drain && idle) {
-            drain = false;
-            on = b.random.percent(90);
-            bench::put(t.regs_i, RT_REGS_EFFECTS, on ? 1 << SPH_EFFECT_TEXTURE : 0);
-            m.regs[SPH_REG_TEX_FILTER] = (int32_t)b.random.below(SPH_FILTERS);
-            bench::put(t.regs_i, RT_REGS_TEX_FILTER, m.regs[SPH_REG_TEX_FILTER]);
-            t.flush_i = 1;
-        }
+        if (!drain || !idle) return;
+        drain = false;
+        on = b.random.percent(90);
+        bench::put(t.regs_i, RT_REGS_EFFECTS, on ? 1 << SPH_EFFECT_TEXTURE : 0);
+        m.regs[SPH_REG_TEX_FILTER] = (int32_t)b.random.below(SPH_FILTERS);
+        bench::put(t.regs_i, RT_REGS_TEX_FILTER, m.regs[SPH_REG_TEX_FILTER]);
+        t.flush_i = 1;
+    }
 
-        /* a slot is told of a ray, its hit and the surface */
+    /* A slot is told of a ray, its hit and the surface; its number, or -1. */
+    int tell() {
         int at = (int)b.random.below(SLOTS);
         Slot &s = slots[(size_t)at];
-        bool tell = more && s.state == Slot::IDLE && (!drain || s.again) &&
+        bool told = more && s.state == Slot::IDLE && (!drain || s.again) &&
                     b.random.percent(pace) && !t.flush_i && at != word_slot;
-        bench::put(t.ray_i, RT_RAY_VALID, tell);
-        bench::put(t.hit_i, RT_HIT_HIT, tell);
-        bench::put(t.material_i, RT_MATERIAL_VALID, tell);
-        bench::put(t.surface_i, RT_SURFACE_VALID, tell);
-        if (tell) {
-            struct sph_ray ray = {};
-            uint64_t key = (uint64_t)b.random.mixed(W + WD + 2);
-            ray.unit.y = (uint32_t)b.random.between(65535, 131071);
-            ray.unit.h = (int)b.random.below(WD);
-            s.primary = !s.again;
-            s.again = b.random.percent(40);
-            if (s.primary) {
-                s.path = 0;
-                s.work = {};
-                s.work.lod = SPH_LOD_NONE;
-            }
-            s.path = sph_path_add(&p, &ray, key, s.path);
-            s.where.path = s.path;
-            s.where.far = b.random.percent(30);
-            int64_t v[3];
-            for (int i = 0; i < 3; i++) {
-                s.where.guarded[i] = b.random.smixed(W + NG);
-                v[i] = b.random.percent(10) ? 0 : b.random.smixed(WD);
-            }
-            struct sph_unit unit =
-                sph_unit(v, (uint64_t)(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]), WD);
-            for (int i = 0; i < 3; i++)
-                s.where.unit[i] = unit.u[i];
-            s.map = b.random.percent(20)  ? 0
-                    : b.random.percent(2) ? (uint32_t)b.random.bits(26)
-                    : b.random.percent(2) ? LINES_IN_MEMORY - 6 + (uint32_t)b.random.below(9)
-                                          : 1 + (uint32_t)b.random.below(MAPS);
-            s.kr = (uint32_t)b.random.below(257);
-            s.albedo = (uint32_t)b.random.mixed(24);
-            uint32_t tint = ~0u;
-            if (on && s.map) tint = sph_lookup(&m, s.map, &s.where, &s.work);
-            s.expected = 0;
-            for (int c = 0; c < 3; c++)
-                s.expected |= sph_texture_albedo(s.albedo >> 8 * c & 255, tint >> 8 * c & 255)
-                              << 8 * c;
-            texels += s.work.texels;
-            s.work.texels = 0;
-            errors |= s.work.errors;
-            bench::put(t.ray_i, RT_RAY_SLOT, at);
-            bench::put(t.ray_i, RT_RAY_PRIMARY, s.primary);
-            bench::put(t.ray_i, RT_RAY_Y, ray.unit.y);
-            bench::put(t.ray_i, RT_RAY_H, ray.unit.h);
-            bench::put(t.hit_i, RT_HIT_SLOT, at);
-            bench::put(t.hit_i, RT_HIT_KEY, (i128)key);
-            bench::put(t.hit_i, RT_HIT_FAR, s.where.far);
-            bench::put(t.material_i, RT_MATERIAL_SLOT, at);
-            bench::put(t.material_i, RT_MATERIAL_RGB, s.albedo);
-            bench::put(t.material_i, RT_MATERIAL_KR, s.kr);
-            bench::put(t.material_i, RT_MATERIAL_TEX, s.map);
-            bench::put(t.surface_i, RT_SURFACE_SLOT, at);
-            bench::put(t.surface_i, RT_SURFACE_GUARDED, (i128)pack(s.where.guarded, W + NG));
+        bench::put(t.ray_i, RT_RAY_VALID, told);
+        bench::put(t.hit_i, RT_HIT_HIT, told);
+        bench::put(t.material_i, RT_MATERIAL_VALID, told);
+        bench::put(t.surface_i, RT_SURFACE_VALID, told);
+        if (!told) return -1;
+        struct sph_ray ray = {};
+        uint64_t key = (uint64_t)b.random.mixed(W + WD + 2);
+        ray.unit.y = (uint32_t)b.random.between(65535, 131071);
+        ray.unit.h = (int)b.random.below(WD);
+        s.primary = !s.again;
+        s.again = b.random.percent(40);
+        if (s.primary) {
+            s.path = 0;
+            s.work = {};
+            s.work.lod = SPH_LOD_NONE;
         }
-        /* its token */
+        s.path = sph_path_add(&p, &ray, key, s.path);
+        choose(s);
+        expect(s);
+        bench::put(t.ray_i, RT_RAY_SLOT, at);
+        bench::put(t.ray_i, RT_RAY_PRIMARY, s.primary);
+        bench::put(t.ray_i, RT_RAY_Y, ray.unit.y);
+        bench::put(t.ray_i, RT_RAY_H, ray.unit.h);
+        bench::put(t.hit_i, RT_HIT_SLOT, at);
+        bench::put(t.hit_i, RT_HIT_KEY, (i128)key);
+        bench::put(t.hit_i, RT_HIT_FAR, s.where.far);
+        bench::put(t.material_i, RT_MATERIAL_SLOT, at);
+        bench::put(t.material_i, RT_MATERIAL_RGB, s.albedo);
+        bench::put(t.material_i, RT_MATERIAL_KR, s.kr);
+        bench::put(t.material_i, RT_MATERIAL_TEX, s.map);
+        bench::put(t.surface_i, RT_SURFACE_SLOT, at);
+        bench::put(t.surface_i, RT_SURFACE_GUARDED, (i128)pack(s.where.guarded, W + NG));
+        return at;
+    }
+
+    /* Where the ray hits, and what the surface is. */
+    void choose(Slot &s) {
+        s.where.path = s.path;
+        s.where.far = b.random.percent(30);
+        int64_t v[3];
+        for (int i = 0; i < 3; i++) {
+            s.where.guarded[i] = b.random.smixed(W + NG);
+            v[i] = b.random.percent(10) ? 0 : b.random.smixed(WD);
+        }
+        struct sph_unit unit = sph_unit(v, (uint64_t)(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]), WD);
+        for (int i = 0; i < 3; i++)
+            s.where.unit[i] = unit.u[i];
+        s.map = b.random.percent(20)  ? 0
+                : b.random.percent(2) ? (uint32_t)b.random.bits(26)
+                : b.random.percent(2) ? LINES_IN_MEMORY - 6 + (uint32_t)b.random.below(9)
+                                      : 1 + (uint32_t)b.random.below(MAPS);
+        s.kr = (uint32_t)b.random.below(257);
+        s.albedo = (uint32_t)b.random.mixed(24);
+    }
+
+    /* What the model makes of it. */
+    void expect(Slot &s) {
+        uint32_t tint = ~0u;
+        if (on && s.map) tint = sph_lookup(&m, s.map, &s.where, &s.work);
+        s.expected = 0;
+        for (int c = 0; c < 3; c++)
+            s.expected |= sph_texture_albedo(s.albedo >> 8 * c & 255, tint >> 8 * c & 255) << 8 * c;
+        texels += s.work.texels;
+        s.work.texels = 0;
+        errors |= s.work.errors;
+    }
+
+    /* The token of a slot that was told; its number, or -1. */
+    int token() {
         int in = (int)b.random.below(SLOTS);
         t.in_valid_i = slots[(size_t)in].state == Slot::TOLD;
-        if (t.in_valid_i) {
-            int64_t unit[3];
-            for (int i = 0; i < 3; i++)
-                unit[i] = slots[(size_t)in].where.unit[i];
-            t.in_slot_i = (uint8_t)in;
-            bench::put(t.ray_i, RT_RAY_UNIT, (i128)pack(unit, 18));
-        }
-        /* the word of a pixel that ended */
+        if (!t.in_valid_i) return -1;
+        int64_t unit[3];
+        for (int i = 0; i < 3; i++)
+            unit[i] = slots[(size_t)in].where.unit[i];
+        t.in_slot_i = (uint8_t)in;
+        bench::put(t.ray_i, RT_RAY_UNIT, (i128)pack(unit, 18));
+        return in;
+    }
+
+    /* The word of a pixel that ended is read; its slot, or -1. */
+    int ask_word() {
         int word = (int)b.random.below(SLOTS);
         t.word_read_i = slots[(size_t)word].state == Slot::DONE && word_slot < 0;
         t.word_slot_i = (uint8_t)word;
-        /* memory */
+        return t.word_read_i ? word : -1;
+    }
+
+    void drive_memory() {
         t.mem_req_ready_i = b.random.percent(reading);
         t.mem_rsp_valid_i =
             !asked.empty() && asked.front().when <= b.cycle && b.random.percent(reading);
         if (!asked.empty())
             for (int i = 0; i < 8; i++)
                 t.mem_rsp_data_i[i] = memory.words[asked.front().line * SPH_LINE_WORDS + i];
-        b.settle();
+    }
+
+    void take_requests() {
         if (t.mem_req_valid_o && t.mem_req_ready_i) {
             if (t.mem_req_line_o >= LINES_IN_MEMORY)
                 b.fail("a line behind the end of memory is asked for");
@@ -268,53 +263,54 @@ int main(int argc, char **argv) {
         if (prediction.impossible()) b.fail("a lookup that the model refuses");
         bad_node |= t.bad_node_o;
         if (t.bus_error_o) b.fail("a bus error that nobody made");
-        bool out = t.out_valid_o;
+    }
+
+    void surface() {
         int out_slot = t.out_slot_o;
-        if (out) {
-            Slot &o = slots[(size_t)out_slot];
-            if (o.state != Slot::SENT) {
-                b.fail("a surface that nobody sent");
-            } else if (material_slot != out_slot) {
-                b.fail("no material a clock before the surface");
-            } else {
-                b.expect("material_o", material, o.expected, 24);
-                if (b.bad()) {
-                    b.show("slot", out_slot, 8);
-                    b.show("map", o.map, 26);
-                    b.show("filter", m.regs[SPH_REG_TEX_FILTER], 2);
-                    b.show("path", (i128)o.path, W + 8);
-                    b.show("lod", o.work.lod, 12);
-                }
-                b.done();
+        Slot &o = slots[(size_t)out_slot];
+        if (o.state != Slot::SENT) {
+            b.fail("a surface that nobody sent");
+        } else if (material_slot != out_slot) {
+            b.fail("no material a clock before the surface");
+        } else {
+            b.expect("material_o", material, o.expected, 24);
+            if (b.bad()) {
+                b.show("slot", out_slot, 8);
+                b.show("map", o.map, 26);
+                b.show("filter", m.regs[SPH_REG_TEX_FILTER], 2);
+                b.show("path", (i128)o.path, W + 8);
+                b.show("lod", o.work.lod, 12);
             }
-            o.state = o.again ? Slot::IDLE : Slot::DONE;
+            b.done();
         }
+        o.state = o.again ? Slot::IDLE : Slot::DONE;
+    }
+
+    /* The material of the surface that comes a clock later. */
+    void read_material() {
         material_slot = -1;
-        if (t.material_valid_o) {
-            material_slot = t.material_slot_o;
-            u128 word33 = b.get(t.material_o);
-            material = (uint32_t)word33 & 0xffffff;
-            if ((uint32_t)(word33 >> 24) != slots[(size_t)material_slot].kr)
-                b.fail("another surface's mirror");
-        }
-        if (tell) s.state = Slot::TOLD;
-        if (t.in_valid_i) slots[(size_t)in].state = Slot::SENT;
-        int read = t.word_read_i ? word : -1;
-        b.tick();
-        if (read >= 0) {
-            const Slot &o = slots[(size_t)read];
-            b.expect("word_o", (i128)b.get(t.word_o),
-                     (i128)((uint64_t)o.work.lod << 20 | o.work.words), 32);
-            if (b.bad()) b.show("slot", read, 8);
-            slots[(size_t)read].state = Slot::IDLE;
-        }
-        word_slot = read;
+        if (!t.material_valid_o) return;
+        material_slot = t.material_slot_o;
+        u128 word33 = b.get(t.material_o);
+        material = (uint32_t)word33 & 0xffffff;
+        if ((uint32_t)(word33 >> 24) != slots[(size_t)material_slot].kr)
+            b.fail("another surface's mirror");
     }
-    if (texels != texels_asked) {
-        printf("# %llu texels expected, %llu asked for\n", (unsigned long long)texels,
-               (unsigned long long)texels_asked);
-        b.fail("another number of texels");
+
+    void read_word(int slot) {
+        const Slot &o = slots[(size_t)slot];
+        b.expect("word_o", (i128)b.get(t.word_o), (i128)((uint64_t)o.work.lod << 20 | o.work.words),
+                 32);
+        if (b.bad()) b.show("slot", slot, 8);
+        slots[(size_t)slot].state = Slot::IDLE;
     }
-    if (bad_node != (errors != 0)) b.fail("bad_node_o does not say what the model says");
-    return b.finish();
+};
+
+} // namespace
+
+int main(int argc, char **argv) {
+    Run run(argc, argv);
+    while (run.clock())
+        ;
+    return run.finish();
 }
