@@ -134,28 +134,58 @@ struct Port {
     int slot;
 };
 
-} // namespace
+/* The unit, its slots, and what is on the way. */
+class Run {
+  public:
+    Run(int argc, char **argv) : b("tb_collect", argc, argv, 800000) {
+        if (!hard::alone()) directed.assign(std::begin(corners), std::end(corners));
+        hard::Source source(
+            b.seed,
+            [](const sph_profile &p) { return p.w == W && p.wd == WD && (KEYS || p.fw == FW); },
+            [](const hard::Case &) { return true; });
+        for (Ray &ray : directed)
+            for (Result &r : ray.result)
+                r.key = std::min(r.key, KMAX); /* those at the limit of a depth, with KEYS */
+        for (hard::Case one, other; source.next_pair(one, other);)
+            add_pair(directed, one, other);
+        source.report(b);
+        if (hard::alone() && directed.empty()) b.fail("the case has no vector for this bench");
+        b.dut.want_valid_i = b.dut.new_valid_i = b.dut.in_valid_i = 0;
+        b.dut.filter_valid_i = b.dut.next_valid_i = b.dut.done_valid_i = 0;
+        b.reset();
+        for (int i = 0; i < SLOTS; i++) /* it clears its memories */
+            b.tick();
+    }
 
-int main(int argc, char **argv) {
-    bench::Bench<Vrt_collect> b("tb_collect", argc, argv, 800000);
+    bool clock() { /* false at the end */
+        if (!b.more() || (hard::alone() && seen == directed.size())) return false;
+        ask();
+        give_result();
+        begin_ray(begin_visit());
+        b.tick();
+        for (int i = 0; i < 3; i++)
+            if (ports[i].valid) answer(i);
+        token();
+        return true;
+    }
+
+    int finish() {
+        if (b.all_vectors && seen < directed.size()) b.fail("not all directed rays were driven");
+        return b.finish();
+    }
+
+  private:
+    bench::Bench<Vrt_collect> b;
     Slot slots[SLOTS] = {};
     std::queue<std::pair<int, uint64_t>> tokens; /* slot, cycle of the last result */
-    size_t corner = 0;
     std::vector<Ray> directed;
-    if (!hard::alone()) directed.assign(std::begin(corners), std::end(corners));
-    hard::Source source(
-        b.seed, [](const sph_profile &p) { return p.w == W && p.wd == WD && (KEYS || p.fw == FW); },
-        [](const hard::Case &) { return true; });
-    for (Ray &ray : directed)
-        for (Result &r : ray.result)
-            r.key = std::min(r.key, KMAX); /* those at the limit of a depth, with KEYS */
-    for (hard::Case one, other; source.next_pair(one, other);)
-        add_pair(directed, one, other);
-    source.report(b);
-    if (hard::alone() && directed.empty()) b.fail("the case has no vector for this bench");
-    size_t seen = 0;
-    auto any = [&] { return (int)b.random.below(SLOTS); };
-    auto show = [&](const Slot &s, int slot) {
+    size_t corner = 0, seen = 0;
+    Port ports[3];
+    Slot asked[3]; /* as the slots were when they were asked for */
+
+    int any() { return (int)b.random.below(SLOTS); }
+
+    void show(const Slot &s, int slot) {
         if (!b.bad()) return;
         if (s.unseen) s.ray.hard.show();
         b.show("slot", slot, SLOTW);
@@ -165,15 +195,10 @@ int main(int argc, char **argv) {
         b.show("found", s.found, 1);
         b.show("best key", (bench::i128)s.best.key, W + WD + 2);
         b.show("best id", s.best.id, 24);
-    };
-    b.dut.want_valid_i = b.dut.new_valid_i = b.dut.in_valid_i = 0;
-    b.dut.filter_valid_i = b.dut.next_valid_i = b.dut.done_valid_i = 0;
-    b.reset();
-    for (int i = 0; i < SLOTS; i++) /* it clears its memories */
-        b.tick();
-    while (b.more() && !(hard::alone() && seen == directed.size())) {
-        /* reads: between the visits of their slot */
-        Port ports[3];
+    }
+
+    /* Reads, between the visits of their slot. */
+    void ask() {
         for (Port &p : ports) {
             p.slot = any();
             const Slot &s = slots[p.slot];
@@ -183,10 +208,11 @@ int main(int argc, char **argv) {
         b.dut.filter_valid_i = ports[0].valid, b.dut.filter_slot_i = (uint8_t)ports[0].slot;
         b.dut.next_valid_i = ports[1].valid, b.dut.next_slot_i = (uint8_t)ports[1].slot;
         b.dut.done_valid_i = ports[2].valid, b.dut.done_slot_i = (uint8_t)ports[2].slot;
-        Slot asked[3];
         for (int i = 0; i < 3; i++)
             asked[i] = slots[ports[i].slot];
-        /* one result */
+    }
+
+    void give_result() {
         int at = any();
         Slot *s = &slots[at];
         bool read = false;
@@ -200,20 +226,22 @@ int main(int argc, char **argv) {
         b.dut.in_far_i = (uint8_t)r.far;
         b.set(b.dut.in_id_i, 24, r.id);
         b.set(b.dut.in_key_i, W + WD + 2, (bench::i128)r.key);
-        if (b.dut.in_valid_i) {
-            if (r.hit &&
-                (!s->found || r.key < s->best.key || (r.key == s->best.key && r.id < s->best.id))) {
-                s->best = r;
-                s->found = 1;
-            }
-            if (++s->sent == s->want) {
-                s->state = Slot::DRAIN;
-                tokens.push({at, b.cycle});
-            }
+        if (!b.dut.in_valid_i) return;
+        if (r.hit &&
+            (!s->found || r.key < s->best.key || (r.key == s->best.key && r.id < s->best.id))) {
+            s->best = r;
+            s->found = 1;
         }
-        /* one visit begins, or a ray ends */
-        at = any();
-        s = &slots[at];
+        if (++s->sent == s->want) {
+            s->state = Slot::DRAIN;
+            tokens.push({at, b.cycle});
+        }
+    }
+
+    /* One visit begins, or a ray ends; the slot. */
+    int begin_visit() {
+        int at = any();
+        Slot *s = &slots[at];
         bool more = s->first || (!s->unseen && !hard::alone());
         b.dut.want_valid_i = s->state == Slot::READY && more && b.random.percent(80);
         int want = s->first && s->ray.results ? s->ray.results : (int)b.random.between(1, 4);
@@ -226,12 +254,16 @@ int main(int argc, char **argv) {
         } else if (s->state == Slot::READY && !s->unseen) {
             s->state = Slot::IDLE;
         }
-        /* one new ray */
+        return at;
+    }
+
+    /* One new ray, of another slot than one. */
+    void begin_ray(int other) {
         int fresh = any();
-        s = &slots[fresh];
+        Slot *s = &slots[fresh];
         Ray ray = random_ray(b.random);
         bool left = corner < directed.size();
-        b.dut.new_valid_i = s->state == Slot::IDLE && fresh != at && (left || !hard::alone());
+        b.dut.new_valid_i = s->state == Slot::IDLE && fresh != other && (left || !hard::alone());
         bool given = b.dut.new_valid_i && left;
         if (given) ray = directed[corner++];
         b.dut.new_slot_i = (uint8_t)fresh;
@@ -241,50 +273,51 @@ int main(int argc, char **argv) {
         b.set(b.dut.new_scale_i, 17, ray.scale);
         b.set(b.dut.new_shift_i, 6, ray.shift);
         b.set(b.dut.new_depth_i, FW + 1, ray.depth);
-        if (b.dut.new_valid_i) {
-            *s = Slot{};
-            s->state = Slot::READY;
-            s->first = true;
-            s->unseen = given;
-            s->ray = ray;
-            s->primary = b.dut.new_primary_i;
-            s->shadow = SHADOW && b.dut.new_shadow_i;
-            s->first_hit = FIRST && b.dut.new_first_i;
-        }
+        if (!b.dut.new_valid_i) return;
+        *s = Slot{};
+        s->state = Slot::READY;
+        s->first = true;
+        s->unseen = given;
+        s->ray = ray;
+        s->primary = b.dut.new_primary_i;
+        s->shadow = SHADOW && b.dut.new_shadow_i;
+        s->first_hit = FIRST && b.dut.new_first_i;
+    }
 
-        b.tick();
-        for (int i = 0; i < 3; i++) {
-            if (!ports[i].valid) continue;
-            const Slot &e = asked[i];
-            if (i == 0) b.expect("filter_depth_o", b.get(b.dut.filter_depth_o), depth(e), FW + 1);
-            if (i == 1) {
-                b.expect("next_depth_o", b.get(b.dut.next_depth_o), depth(e), FW + 1);
-                b.expect("next_found_o", b.dut.next_found_o, e.found, 1);
-                b.expect("next_ends_o", b.dut.next_ends_o, e.shadow || e.first_hit, 1);
-            }
-            if (i == 2) {
-                b.expect("done_found_o", b.dut.done_found_o, e.found, 1);
-                b.expect("done_shadow_o", b.dut.done_shadow_o, e.shadow, 1);
-                b.expect("done_primary_o", b.dut.done_primary_o, e.primary, 1);
-                b.expect("done_first_o", b.dut.done_first_o, e.first_hit, 1);
-            }
-            if (i == 2 && e.found) {
-                b.expect("done_far_o", b.dut.done_far_o, INSIDE && e.best.far, 1);
-                b.expect("done_id_o", b.get(b.dut.done_id_o), e.best.id, 24);
-                b.expect("done_key_o", b.get(b.dut.done_key_o), (bench::i128)e.best.key,
-                         W + WD + 2);
-            }
-            show(e, ports[i].slot);
-            b.done();
-            if (i == 2 && !e.first && e.unseen) {
-                slots[ports[i].slot].unseen = false;
-                seen++;
-            }
+    /* What read port i says of its slot. */
+    void answer(int i) {
+        const Slot &e = asked[i];
+        if (i == 0) b.expect("filter_depth_o", b.get(b.dut.filter_depth_o), depth(e), FW + 1);
+        if (i == 1) {
+            b.expect("next_depth_o", b.get(b.dut.next_depth_o), depth(e), FW + 1);
+            b.expect("next_found_o", b.dut.next_found_o, e.found, 1);
+            b.expect("next_ends_o", b.dut.next_ends_o, e.shadow || e.first_hit, 1);
         }
+        if (i == 2) {
+            b.expect("done_found_o", b.dut.done_found_o, e.found, 1);
+            b.expect("done_shadow_o", b.dut.done_shadow_o, e.shadow, 1);
+            b.expect("done_primary_o", b.dut.done_primary_o, e.primary, 1);
+            b.expect("done_first_o", b.dut.done_first_o, e.first_hit, 1);
+        }
+        if (i == 2 && e.found) {
+            b.expect("done_far_o", b.dut.done_far_o, INSIDE && e.best.far, 1);
+            b.expect("done_id_o", b.get(b.dut.done_id_o), e.best.id, 24);
+            b.expect("done_key_o", b.get(b.dut.done_key_o), (bench::i128)e.best.key, W + WD + 2);
+        }
+        show(e, ports[i].slot);
+        b.done();
+        if (i == 2 && !e.first && e.unseen) {
+            slots[ports[i].slot].unseen = false;
+            seen++;
+        }
+    }
+
+    /* The token of a visit whose last result came LATENCY clocks ago, and no other. */
+    void token() {
         bool due = !tokens.empty() && tokens.front().second + LATENCY == b.cycle;
         b.expect("out_valid_o", b.dut.out_valid_o, due, 1);
         if (due) {
-            at = tokens.front().first;
+            int at = tokens.front().first;
             tokens.pop();
             if (b.dut.out_valid_o) b.expect("out_slot_o", b.dut.out_slot_o, at, SLOTW);
             show(slots[at], at);
@@ -295,6 +328,13 @@ int main(int argc, char **argv) {
             b.done(); /* a token that nothing asked for */
         }
     }
-    if (b.all_vectors && seen < directed.size()) b.fail("not all directed rays were driven");
-    return b.finish();
+};
+
+} // namespace
+
+int main(int argc, char **argv) {
+    Run run(argc, argv);
+    while (run.clock())
+        ;
+    return run.finish();
 }
