@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# bench.py - times the golden model against its peers, side by side in one run: `make bench`
+# bench.py - times ways of the golden model against each other, in one run: `make bench`
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab.bench TOOL FOLDER
 

@@ -1,7 +1,7 @@
-# bench.mk - the golden model against its peers, and the table of its pictures
+# bench.mk - ways of the golden model against each other
 # SPDX-License-Identifier: Apache-2.0
 .PHONY: bench hashes
-bench: $(TOOL) ## the golden model against its peers, as ratios
+bench: $(TOOL) ## one way of the golden model against another, as ratios
 	$(Q)python3 -m lab.bench $(TOOL) $B/bench
 
 hashes: $(TOOL) ## write scenes/hashes.txt: what the golden model draws now

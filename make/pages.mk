@@ -5,5 +5,6 @@
 # `make test ONLY=test_pages` fails when one is older than what it tells of.
 
 .PHONY: pages
-pages: ## tables and figures of README and docs, as the sources have them
+pages: ## tables and figures of README and docs; synthesises cores whose RTL changed, 90 s each
+	$(Q)BUILD=$B python3 -m lab.pages.cores
 	$(Q)python3 -m lab.pages

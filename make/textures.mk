@@ -6,6 +6,8 @@
 #   NAME-WAY.json              `sphaera texels`: texels of each level, hits of caches
 #   NAME-WAY-rtl.json          the same at the size of the RTL's frames
 #   NAME-WAY.core.json         report of the RTL's run; robot-WAY-slow: memory latency TEX_SLOW
+#   NAME-TREE-WAY-STALL.core.json  of a small frame, memory not ready in STALL percent of clocks;
+#                              TREE: bvh4, or bih with leaves of one primitive
 #   NAME-walk.json             P_b of the first frames
 #   NAME-lodN.png, .rms        with N bits of fraction in the level
 #   NAME.levels.json           `sphaera accuracy`: arithmetic of the ways to choose a level
@@ -27,6 +29,13 @@ TEX_SIZE   := $(TEX_WIDTH)x$(TEX_HEIGHT)
 TEX_RTL    := 160x90
 TEX_SLOW   := 200
 TEX_CORE   := shadow+reflect2+lights2+inside+facets+texture
+# memory that is slow in bytes
+TEX_SMALL  := 80x45
+TEX_STALLS := 0 50 90
+TEX_STALLED := robot hall kitchen
+TEX_TREES  := bvh4 bih
+TEX_bvh4   := --accel bvh4
+TEX_bih    := --accel bih --max-prims 1
 TEX_LODS   := 0 1 2 3 4 5 6 7 8
 TEX_PAGE   := docs/results/texture_results.md
 TEX_SHOWN  := docs/pictures/textures
@@ -38,10 +47,13 @@ TEX_CROP_museum  := 150x100+250+80
 TEX_SLANTS := 89 75 60 45 30 16 5
 
 TEX_BOTH := $(foreach n,$(TEX_NAMES),$(TEX_WAYS:%=$n-%))
+TEX_MACHINES := $(foreach n,$(TEX_STALLED),$(foreach t,$(TEX_TREES),$(TEX_DRAWN:%=$n-$t-%)))
+TEX_STALL_RUNS := $(foreach m,$(TEX_MACHINES),$(TEX_STALLS:%=$m-%))
 TEX_LOD_BOTH := $(foreach n,$(TEX_NAMES),$(TEX_LODS:%=$n-lod%))
 TEX_DATA := $(TEX_BOTH:%=$(TEX)/%.rms) $(TEX_BOTH:%=$(TEX)/%.json) \
             $(TEX_BOTH:%=$(TEX)/%-rtl.json) $(TEX_BOTH:%=$(TEX)/%.core.json) \
             $(TEX_DRAWN:%=$(TEX)/robot-%-slow.core.json) $(TEX)/robot-walk.json \
+            $(TEX_STALL_RUNS:%=$(TEX)/%.core.json) \
             $(TEX_LOD_BOTH:%=$(TEX)/%.rms) $(TEX_NAMES:%=$(TEX)/%.levels.json) \
             $(TEX_SLANTS:%=$(TEX)/slant-%.json) $(TEX)/slant-ball.json
 
@@ -120,6 +132,26 @@ $(TEX)/$(1)-slow.core.json: $(TEX)/$(1).sph $(V_FILES) $(V_HEADS)
 	@mv $$@.tmp $$@
 endef
 $(foreach b,$(TEX_BOTH),$(eval $(call tex_both,$b)))
+
+tex_word = $(word $(2),$(subst -, ,$(1)))
+define tex_small
+.PRECIOUS: $(TEX)/$(1).sph
+$(TEX)/$(1).sph: scenes/texture/$(call tex_word,$(1),1).nff $(TEX_IMAGES) $(TOOL)
+	@mkdir -p $$(@D)
+	$$(Q)$(TOOL) build $$< --size $(TEX_SMALL) --filter $(call tex_way,$(1)) \
+	    $(TEX_$(call tex_word,$(1),2)) -o $$@ >$$@.log
+endef
+$(foreach m,$(TEX_MACHINES),$(eval $(call tex_small,$m)))
+
+define tex_stalled
+$(TEX)/$(1).core.json: $(TEX)/$(1:%-$(call tex_word,$(1),4)=%).sph $(V_FILES) $(V_HEADS)
+	$$(call say,SIM,$(1))
+	$$(Q)EFFECTS=$(TEX_CORE)$(if $(findstring -bih-,$(1)),+bih) OPT=-O2 BUILD=$B JOBS=1 \
+	    sh sim/core.sh --machine $$< --stall $(call tex_word,$(1),4) --json $$@.tmp >$$@.log || { \
+	    cat $$@.log; exit 1; }
+	@mv $$@.tmp $$@
+endef
+$(foreach r,$(TEX_STALL_RUNS),$(eval $(call tex_stalled,$r)))
 
 define tex_rms
 $(TEX)/$(1).rms: $(TEX)/$(1).png $(TEX)/$(firstword $(subst -, ,$(1)))-truth.tif

@@ -9,7 +9,14 @@ size=64x36 depth=2
 # Options of a scene of scenes/effects, from the table there.
 options() {
     case $1 in
-    effects/*) awk -v name="${1#*/}" '$1 == name && $2 != "-" { gsub(/,/, " ", $2); print $2 }' \
+    effects/*) awk -v name="${1#*/}" '$1 == name && $3 != "-" { gsub(/,/, " ", $3); print $3 }' \
+        scenes/effects/effects.txt ;;
+    esac
+}
+# Profiles that a scene is drawn in: of pairs of effects that are simulated in small, one.
+profiles() {
+    case $1 in
+    effects/*) awk -v name="${1#*/}" '$1 == name && $2 != "full" { print "standard" }' \
         scenes/effects/effects.txt ;;
     esac
 }
@@ -23,7 +30,8 @@ for scene in scenes/*.nff scenes/effects/*.nff scenes/facets/*.nff scenes/refrac
     name=${scene#scenes/} name=${name%.nff} tree=balanced
     more=$(options "$name")
     case $more in *--tree=paper*) tree=paper ;; esac
-    for profile in draft standard fine reference; do
+    some=$(profiles "$name")
+    for profile in ${some:-draft standard fine reference}; do
         # shellcheck disable=SC2086  # a list of words on purpose
         hash=$("$SPHAERA" render "$scene" --profile $profile --tree $tree --size $size \
             --depth $depth $more 2>&1 | awk '

@@ -52,7 +52,7 @@ two_at_a_time() {
 }
 # "PROFILE LIST" of a machine. The tool says it too, but takes long to start.
 asked_for() {
-    [ -x "$BUILD/sim/tb_core_icarus" ] || sh sim/core.sh --help >"$TMP/tools.log" 2>&1
+    [ -e "$TMP/tools.log" ] || sh sim/core.sh --help >"$TMP/tools.log" 2>&1 # as sources are now
     "$BUILD/sim/tb_core_icarus" --machine "$1" --info | cut -d' ' -f1,2
 }
 # One machine of each profile and list builds the core: --info simulates nothing. Verilator's

@@ -4,14 +4,13 @@
 """usage: python3 -m lab.effects.page PAGE FOLDER SYNTH; see make/effects.mk"""
 import json
 import os
-import re
 import subprocess
 import sys
 from pathlib import Path
 
 from ..pages.place import place
 from ..synth import report, results
-from .scenes import PROFILE, names
+from .scenes import PRICED, PROFILE, WHOLE, names
 
 CHART = """set terminal svg noenhanced size 1000,{height} font "sans,12" background "white"
 set output "{out}"
@@ -43,7 +42,7 @@ def less(part, whole):
 
 
 def show(name):
-    return name.replace("effects.", "effects/")
+    return name.replace(".", "/", 1)
 
 
 def speed(run):
@@ -52,9 +51,9 @@ def speed(run):
 
 def cost_table(scenes, cores):
     """Cells and time of each scene on the core of its list, against the whole core."""
-    everything = cores["all"]["core"]
     rows = []
     for name, s in scenes.items():
+        everything = cores[s["whole"]]["core"]
         own, whole = s["runs"]["own"], s["runs"]["all"]
         core = cores[s["list"]]["core"] if s["list"] in cores else None
         cells = [core[c] for c in ("lut4eq", "ff", "bram", "mult")] if core else ["-"] * 4
@@ -68,30 +67,21 @@ def cost_table(scenes, cores):
                          "cycles", "of all", "model", "of all", "speed", "time"], rows, left=2)
 
 
-def why_table(scenes):
-    """What is on and off in each scene, and build's reason; file names left out."""
-    rows, counted = [], names("counted")
-    for name, s in scenes.items():
-        for e in s["build"]["effects"]:
-            if e["name"] in ("first", "interpenetrate") and "--traverse=first" not in s["options"]:
-                continue
-            count = e["name"] in counted and e["on"]
-            rows.append([show(name), f"**{e['name']}**" if e["on"] else e["name"],
-                         e["on"] if count else "on" if e["on"] else "off",
-                         re.sub(re.escape(s["scene"]) + r":(\d+)", r"(line \1)", e["why"])])
-    return report.table(["scene", "effect", "is", "because"], rows, left=4)
-
-
 def price_table(cores):
     """What each effect adds to the core that has all the others."""
-    columns = ("lut4eq", "ff", "dpr", "bram", "mult")
-    whole = cores["all"]["core"]
-    rows = [["everything on"] + [whole[c] for c in columns] + ["", ""]]
-    for name in names("all") + ["none"]:
-        core = cores["none" if name == "none" else f"all-{name}"]["core"]
-        rows.append([f"without {name}" if name != "none" else "with none of them"]
-                    + [f"{core[c] - whole[c]:+d}" if core[c] != whole[c] else "0" for c in columns]
-                    + [less(core["lut4eq"], whole["lut4eq"]), less(core["ff"], whole["ff"])])
+    columns, rows = ("lut4eq", "ff", "dpr", "bram", "mult"), []
+
+    def block(title, base, without):
+        whole = cores[base]["core"]
+        rows.append([title] + [whole[c] for c in columns] + ["", ""])
+        for name, cores_list in without.items():
+            core = cores[cores_list]["core"]
+            rows.append([name] + [f"{core[c] - whole[c]:+d}" if core[c] != whole[c] else "0"
+                                  for c in columns]
+                        + [less(core["lut4eq"], whole["lut4eq"]), less(core["ff"], whole["ff"])])
+    block("everything", WHOLE, {f"without {name}": c for name, c in PRICED.items()})
+    block("`all`", "all", {f"without {name}": f"all-{name}" for name in names("all")}
+          | {"with none of them": "none"})
     return report.table(["core", "LUT4eq", "FF", "DPR16X4", "DP16KD", "MULT18X18D",
                          "LUT4eq, share", "FF, share"], rows)
 
@@ -101,21 +91,22 @@ def ray_table(scenes):
     rows = []
     for name, s in scenes.items():
         now, forced = s["model"], s["model_forced"]
-        kinds = [now[f"rays_{kind}"] for kind in ("primary", "shadow", "reflected")]
+        kinds = [now[f"rays_{kind}"] for kind in ("primary", "shadow", "reflected", "refracted")]
         saved = [f"{forced[c] - now[c]:d}" for c in ("rays_shadow", "rays_reflected", "quotients",
                                                      "node_visits")]
         cycles = [s["runs"][which]["counters"]["cycles"] for which in ("own", "forced")]
         rows.append([show(name), *kinds, now["background"], now["node_visits"], *saved,
                      percent(*cycles)])
-    return report.table(["scene", "primary", "shadow", "reflected", "background", "visits",
-                         "shadow saved", "reflected saved", "quotients saved", "visits saved",
-                         "cycles"], rows)
+    return report.table(["scene", "primary", "shadow", "reflected", "refracted", "background",
+                         "visits", "shadow saved", "reflected saved", "quotients saved",
+                         "visits saved", "cycles"], rows)
 
 
 def chart(scenes, cores, page, folder):
     """Bars of each scene, in percent of the core with everything."""
-    everything, lines = cores["all"]["core"], []
+    lines = []
     for name, s in scenes.items():
+        everything = cores[s["whole"]]["core"]
         core = cores[s["list"]]["core"] if s["list"] in cores else None
         shares = [f"{100 * core[c] / everything[c]:.2f}" if core else "-" for c in ("lut4eq", "ff")]
         time = 100 * s["runs"]["own"]["cpu"] / s["runs"]["all"]["cpu"]
@@ -137,8 +128,7 @@ def main(page, folder, synth):
         scenes[name] = json.loads(Path(folder, name + ".json").read_text(encoding="utf-8"))
         scenes[name].update(json.loads(Path(folder, name + ".build.json").read_text("utf-8")))
     place(page, {"costs": cost_table(scenes, cores), "prices": price_table(cores),
-                        "rays": ray_table(scenes), "reasons": why_table(scenes)},
-                 cores["all"]["yosys"])
+                 "rays": ray_table(scenes)}, cores["all"]["yosys"])
     chart(scenes, cores, page, folder)
     print(f"effects: {page} and ../pictures/effects.svg")
 

@@ -52,7 +52,8 @@ def model(tool, machine, folder, name):
 def main(tool, folder, name):
     base = f"{folder}/{name}"
     result = json.loads(Path(base + ".build.json").read_text(encoding="utf-8"))
-    cores = {"own": core(result["list"], base + ".sph"), "all": core("all", base + ".sph")}
+    machine = base + ".sph"
+    cores = {"own": core(result["list"], machine), "all": core(result["whole"], machine)}
     runs = {}
     for _ in range(ROUNDS):
         for which, where in cores.items():

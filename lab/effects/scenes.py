@@ -2,9 +2,10 @@
 # scenes.py - machines of every scene for `make effects`, and the lists of their cores
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab.effects.scenes TOOL FOLDER SYNTH
-Leaves in FOLDER, for each scene of scenes/ and scenes/effects/: NAME.sph as the scene asks,
-NAME.forced.sph with every effect forced on, NAME.build.json, both rewritten only if they changed;
-lists: what is to be synthesised; scenes: names in the order of the report."""
+Leaves in FOLDER, for each scene of scenes/ and its folders, of scenes/effects those that are
+simulated in full or show one effect: NAME.sph as the scene asks, NAME.forced.sph with every effect
+forced on, NAME.build.json, both rewritten only if they changed; lists: what is to be synthesised;
+scenes: names in the order of the report, with a point for the stroke of a folder."""
 import filecmp
 import json
 import os
@@ -13,8 +14,15 @@ import sys
 from pathlib import Path
 
 from ..synth.results import key
+from . import asks
 
 SIZE, PROFILE, SECONDS = "160x90", "standard", 75
+MORE = ("texture", "refract", "specular", "sum")  # what `all` has not
+WHOLE = "+".join(("all",) + MORE)
+# the whole core without one of them; without sum there are no highlights either
+PRICED = {"texture": "all+refract+specular+sum", "refract": "all+texture+specular+sum",
+          "specular": "all+texture+refract+sum", "sum and specular": "all+texture+refract",
+          "texture, refract, specular and sum": "all"}
 
 
 def names(which):
@@ -24,16 +32,21 @@ def names(which):
     return ran.stdout.decode().split()
 
 
+def whole(cores):
+    """The core with everything that draws what a core draws."""
+    words = cores.split("+")
+    more = WHOLE if set(words) & set(MORE) else "all"
+    return more + "+bih" if "bih" in words else more
+
+
 def scenes():
-    """(name, file, options) of every scene, those of scenes/ first."""
-    rows = [(path.stem, str(path), []) for path in sorted(Path("scenes").glob("*.nff"))]
-    listed = Path("scenes/effects/effects.txt")
-    for line in listed.read_text(encoding="utf-8").splitlines() if listed.exists() else []:
-        word = line.split("#")[0].split()
-        if word:
-            options = [] if word[1] == "-" else word[1].split(",")
-            rows.append(("effects." + word[0], f"scenes/effects/{word[0]}.nff", options))
-    return rows
+    """(name, file, options) of each scene."""
+    rows = [(name, f"scenes/{name}.nff", ["--accel=bvh4"]) for name in asks.scenes()]
+    for name, kind, options, _ in asks.listed():
+        if kind == "full" or "_" not in name:
+            rows.append(("effects/" + name, asks.file_of(name),
+                         [] if options == "-" else options.split(",")))
+    return [(name.replace("/", "."), scene, options) for name, scene, options in rows]
 
 
 def forced(options):
@@ -62,22 +75,23 @@ def core_list(tool, machine):
 
 def main(tool, folder, synth):
     os.makedirs(folder, exist_ok=True)
-    wanted = ["all", "none"] + ["all-" + name for name in names("all")]
+    wanted = ["all", "none", WHOLE, *PRICED.values()]
+    wanted += ["all-" + name for name in names("all")]
     built = []
     for name, scene, options in scenes():
         base = f"{folder}/{name}"
         report = build(tool, scene, options, base + ".sph")
         build(tool, scene, forced(options), base + ".forced.sph")
         cores = core_list(tool, base + ".sph")
-        report.update(scene=scene, options=options, list=cores)
+        report.update(scene=scene, options=options, list=cores, whole=whole(cores))
         Path(base + ".build.json").write_text(json.dumps(report, indent=1), encoding="utf-8")
-        if cores not in wanted:
-            wanted.append(cores)
+        wanted += [cores, whole(cores)]
         built.append(name)
     for old in Path(folder).glob("*.sph"):
         if old.stem.removesuffix(".forced") not in built:
             old.unlink()
     Path(folder, "scenes").write_text("\n".join(built) + "\n", encoding="utf-8")
+    wanted = list(dict.fromkeys(wanted))
     Path(folder, "lists").write_text(" ".join(wanted) + "\n", encoding="utf-8")
     there = sum(os.path.exists(f"{synth}/{key(PROFILE, w)}/stat.json") for w in wanted)
     print(f"effects: {len(built)} scenes; {len(wanted)} cores to synthesise, {there} of them were "

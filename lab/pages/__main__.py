@@ -34,6 +34,8 @@ def write(page, text):
 def main(arguments):
     check = "--check" in arguments
     stale = bad = 0
+    if not check:
+        measured.prune(pages())
     for fault in measured.wrong(pages()) if check else ():
         print(fault, file=sys.stderr)
         bad += 1

@@ -105,13 +105,13 @@ def benches():
 
 
 def modules():
-    """Each module with its first line, its model and its bench."""
+    """Each module with the first line of its header, its model and the benches of its own."""
     tested = benches()
     rows = []
     for name, path in verilog.files().items():
         text = path.read_text()
         does = re.match(r"// \S+ - (.*)", text)
-        model = re.search(r"^// Model: (\w+\(\))", text, re.M)
-        rows.append([f"[{name}]({{}})", does[1] if does else "", f"`{model[1]}`" if model else "",
-                     ", ".join(f"`{b}`" for b in sorted(set(tested.get(name, []))))])
+        model = re.search(r"Model:(?: [a-z]+)*? (\w+\(\))", text)
+        rows.append([f"`{name}`", does[1] if does else "", f"`{model[1]}`" if model else "",
+                     ", ".join(f"`{bench}`" for bench in sorted(set(tested.get(name, []))))])
     return markdown.table(["module", "does", "model", "bench"], rows)

@@ -30,9 +30,10 @@ def of_file(path):
     return hashlib.sha256(path.name.encode() + b"\0" + data).hexdigest()
 
 
-def of_files(paths):
+def of_files(paths, more=""):
+    """Of some files, and of a text."""
     each = sorted(of_file(Path(path)) for path in paths)
-    return hashlib.sha256("".join(each).encode()).hexdigest()[:8]
+    return hashlib.sha256("".join(each + more.split()).encode()).hexdigest()[:8]
 
 
 @lru_cache(maxsize=None)

@@ -76,6 +76,14 @@ def stamp(page, command):
           for row in found if row.page != stem or row.table in texts)
 
 
+def prune(pages):
+    """Forgets tables that are in no page any more."""
+    there = {(page.stem, name) for page in pages for name in tables(page)}
+    kept = [row for row in rows() if (row.page, row.table) in there]
+    if len(kept) < len(rows()):
+        write(kept)
+
+
 def age(stem):
     """A sentence for each run of an experiment, for a page's reader."""
     def key(row):

@@ -1,7 +1,8 @@
 # regions.py - what each region of a page is made from
 # SPDX-License-Identifier: Apache-2.0
 """The name of a region is a word of MAKERS and its arguments."""
-from . import blocks, bundles, data, machine, measured
+from ..effects import asks
+from . import blocks, bundles, cores, data, machine, measured
 
 
 class Unknown(Exception):
@@ -24,6 +25,8 @@ MAKERS = {
     "effects": machine.effects, "counters": machine.counters, "errors": machine.errors,
     "profiles": machine.profiles, "widths": machine.widths, "count": count, "const": const,
     "age": measured.age, "rows": data.rows, "cell": data.cell,
+    "core": cores.core, "cores": cores.cores, "inside": cores.inside, "yosys": cores.yosys,
+    "budget": cores.budget, "asks": asks.table, "cells_age": cores.age,
 }
 
 
@@ -34,5 +37,5 @@ def make(name):
         raise Unknown(f"no region is called `{name}`; there are {', '.join(sorted(MAKERS))}")
     try:
         return MAKERS[maker](*arguments)
-    except (TypeError, KeyError) as fault:
+    except (TypeError, KeyError, cores.Unmeasured) as fault:
         raise Unknown(f"region `{name}`: {fault}") from fault

@@ -14,9 +14,12 @@ from ..pages.place import place
 from ..synth import report
 from .angles import angles, plot, slants
 
-CLOCK = 67.7      # MHz, routed, of profile standard: docs/results/accuracy.md
+CLOCK = 67.7      # MHz, routed, of a core of spheres alone: docs/results/accuracy.md
 THEIRS = "800x480"
 SLOW = "robot"    # simulated with slow memory as well
+STALLED = "robot", "hall", "kitchen"  # and with memory that is not ready in STALLS percent
+STALLS = 0, 50, 90
+TREES = {"bvh4": "four a node", "bih": "BIH, leaves of 1"}
 TILES, LINES = 1, 4  # of `orders` and of a `missed`: tiles of 4 x 2, 128 lines of 4 ways, the core
 WAYS = {"nearest": "nearest texel, MIP off", "off": "bilinear, MIP off",
         "level": "bilinear, nearest level", "between": "trilinear"}
@@ -189,6 +192,24 @@ def slow(data):
     return report.table([f"{SLOW}, {data.rtl}", "latency 20", "latency 200", ""], rows)
 
 
+def stalls(data):
+    """Cycles where memory is held back, and what MIP-mapping gains in frames a second."""
+    rows = []
+    for name in STALLED:
+        for tree, title in TREES.items():
+            runs = {way: [cycles_of(data, f"{name}-{tree}-{way}-{stall}") for stall in STALLS]
+                    for way in ("off", "level", "between")}
+            for way, cycles in runs.items():
+                gains = ["" if way == "off" else show(
+                    None if None in (off, now) else 100 * (off / now - 1), "{:+.0f} %")
+                         for off, now in zip(runs["off"], cycles)]
+                first = way == "off"
+                rows.append([name if first and tree == "bvh4" else "", title if first else "",
+                             WAYS[way]] + [show(c) for c in cycles] + gains)
+    return report.table(["80x45", "tree", "filter"] + [f"STALL={s}" for s in STALLS]
+                        + [f"gain, {s}" for s in STALLS], rows, left=3)
+
+
 def errors(data):
     rows = []
     for name in data.names:
@@ -229,7 +250,8 @@ def main(page, accuracy, folder, pictures, size, rtl, dashes, *names):
     plot(found, folder, os.path.join(pictures, "angles.svg"))
     place(page, {"levels": levels(data), "decisions": decisions(data),
                         "totals": totals(data), "bases": bases(data), "caches": caches(data),
-                        "speed": speed(data), "slow": slow(data), "errors": errors(data),
+                        "speed": speed(data), "slow": slow(data), "stall": stalls(data),
+                        "errors": errors(data),
                         "angles": angles(found)})
     place(accuracy, {"textures": prices(data)})
 

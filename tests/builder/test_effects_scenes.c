@@ -9,13 +9,34 @@
 
 #include "machine/describe.h"
 #include "scene/generate.h"
+#include "textured.h"
 
 static struct sph_build_report report;
+
+enum { IMAGES = 16 };
+static struct sph_mip images[IMAGES]; /* noise: what a file shows does not matter here */
 
 static struct sph_build_options small(int width, int height) {
     struct sph_build_options o = standard;
     o.background = SPH_BG_NONE, o.width = width / (SLOW > 1 ? 2 : 1), o.height = height;
+    o.texture = o.refract = o.specular = SPH_AUTO;
+    o.mips = images, o.tex_filter = SPH_FILTER_BETWEEN;
     return o;
+}
+
+static int paint(void **unused) {
+    struct sph_rng random = {1};
+    (void)unused;
+    for (int i = 0; i < IMAGES; i++)
+        images[i] = textured_mip(64, 64, &random);
+    return 0;
+}
+
+static int wipe(void **unused) {
+    (void)unused;
+    for (int i = 0; i < IMAGES; i++)
+        free(images[i].texels);
+    return 0;
 }
 
 static struct sph_scene scene_at(const char *path) {
@@ -23,6 +44,7 @@ static struct sph_scene scene_at(const char *path) {
     struct sph_error err = {{0}};
     struct sph_read_options how = {0};
     if (sph_scene_read(path, &how, &scene, &err)) fail_msg("%s", err.text);
+    assert_true((int)scene.n_textures <= IMAGES);
     return scene;
 }
 
@@ -123,34 +145,67 @@ static int has(const char *list, const char *word) {
     return at && (at == list || at[-1] == '+' || at[-1] == '_');
 }
 
+/* The scene of a line: its name, without bih, which alone is the scene none. */
+static struct sph_scene scene_of(const char *name) {
+    char path[256];
+    int length = (int)strlen(name);
+    if (strcmp(name, "bih") == 0) return scene_at("scenes/effects/none.nff");
+    if (has(name, "bih")) length -= (int)strlen("_bih");
+    snprintf(path, sizeof path, "scenes/effects/%.*s.nff", length, name);
+    return scene_at(path);
+}
+
+/* The list has what the name says, and what comes along. */
+static void check_list(const char *name, const char *list, int lights) {
+    int cut = has(name, "interpenetrate"), glass = has(name, "refract");
+    int shiny = has(name, "specular");
+    assert_int_equal(has(list, "shadow"),
+                     has(name, "shadow") || (lights && (glass || has(name, "facets"))));
+    assert_int_equal(has(list, "reflect"), has(name, "reflect") || glass);
+    assert_int_equal(lights > 1, has(name, "lights"));
+    assert_int_equal(has(list, "inside"), has(name, "inside") || cut || glass);
+    assert_int_equal(has(list, "first") && has(list, "interpenetrate"), cut);
+    assert_int_equal(has(list, "facets"), has(name, "facets"));
+    assert_int_equal(has(list, "texture"), has(name, "texture"));
+    assert_int_equal(has(list, "refract"), glass);
+    assert_int_equal(has(list, "specular"), shiny);
+    assert_int_equal(has(list, "sum"), has(name, "sum") || glass || shiny);
+    assert_int_equal(has(list, "bih"), has(name, "bih"));
+}
+
 /* One line of effects.txt: the machine asks for the list, the list is what the name says, and each
- * effect changes some pixel. */
+ * effect that can be switched off changes some pixel. */
 static void check_line(const char *name, const char *options, const char *list) {
-    char path[256], core[160];
+    char core[160];
     struct sph_build_options o = small(64, 36);
-    snprintf(path, sizeof path, "scenes/effects/%s.nff", name);
-    struct sph_scene scene = scene_at(path);
+    struct sph_scene scene = scene_of(name);
     if (strstr(options, "--traverse=first")) o.traverse = SPH_BUILD_FIRST;
     if (strstr(options, "--tree=paper")) o.tree = SPH_TREE_PAPER;
+    if (strstr(options, "--accel=bih")) o.tree = SPH_TREE_BIH;
     struct sph_machine m = built(&scene, o, &report);
     sph_machine_core(&m, core, sizeof core);
     if (strcmp(core, list) != 0) fail_msg("%s asks for %s, not %s", name, core, list);
     assert_int_equal(report.warning[0], 0);
     sph_machine_free(&m);
 
-    int cut = has(name, "interpenetrate");
-    assert_int_equal(has(list, "shadow"), has(name, "shadow"));
-    assert_int_equal(has(list, "reflect"), has(name, "reflect"));
-    assert_int_equal(scene.n_lights > 1, has(name, "lights"));
-    assert_int_equal(has(list, "inside"), has(name, "inside") || cut);
-    assert_int_equal(has(list, "first") && has(list, "interpenetrate"), cut);
-    struct sph_build_options off[5] = {o, o, o, o, o};
-    off[0].shadow = off[1].reflect = off[2].inside = off[3].interpenetrate = SPH_OFF;
-    off[4].lights = scene.n_lights - 1;
-    const int have[5] = {has(list, "shadow"), has(list, "reflect"), has(list, "inside"), cut,
-                         scene.n_lights > 0};
-    for (int i = 0; i < 5; i++)
-        if (have[i] && !matters(&scene, o, off[i])) fail_msg("%s: effect %d does nothing", name, i);
+    check_list(name, list, scene.n_lights);
+    static const struct {
+        const char *word;
+        int report;
+    } switches[] = {
+        {"shadow", SPH_REPORT_SHADOW},     {"reflect", SPH_REPORT_REFLECT},
+        {"inside", SPH_REPORT_INSIDE},     {"interpenetrate", SPH_REPORT_INTERPENETRATE},
+        {"texture", SPH_REPORT_TEXTURE},   {"refract", SPH_REPORT_REFRACT},
+        {"specular", SPH_REPORT_SPECULAR}, {"lights", SPH_REPORT_LIGHTS}};
+    for (size_t i = 0; i < sizeof switches / sizeof *switches; i++) {
+        int along = (has(name, "refract") || has(name, "facets")) &&
+                    !has(name, switches[i].word); /* comes along, needed or not */
+        if (along || !has(list, switches[i].word)) continue;
+        struct sph_build_options off = o;
+        off.asked[switches[i].report] =
+            switches[i].report == SPH_REPORT_LIGHTS ? scene.n_lights - 1 : SPH_OFF;
+        if (!matters(&scene, o, off)) fail_msg("%s: %s does nothing", name, switches[i].word);
+    }
     sph_scene_free(&scene);
 }
 
@@ -162,12 +217,44 @@ static void test_table(void **unused) {
     assert_non_null(file);
     while (fgets(line, sizeof line, file)) {
         if (line[0] == '#') continue;
-        assert_int_equal(sscanf(line, "%63s %63s %127s", name, options, list), 3);
+        assert_int_equal(sscanf(line, "%63s %*s %63s %127s", name, options, list), 3);
         check_line(name, options, list);
         lines++;
     }
     fclose(file);
-    assert_int_equal(lines, 16);
+    assert_int_equal(lines, 60);
+}
+
+/* docs/results/data/asks.tsv: what every other scene asks for. */
+static void test_asks(void **unused) {
+    char line[256], name[64], list[128], path[128], core[160];
+    int lines = 0;
+    (void)unused;
+    FILE *file = fopen("docs/results/data/asks.tsv", "r");
+    assert_non_null(file);
+    while (fgets(line, sizeof line, file)) {
+        if (line[0] == '#') continue;
+        assert_int_equal(sscanf(line, "%63s %127s", name, list), 2);
+        snprintf(path, sizeof path, "scenes/%s.nff", name);
+        struct sph_build_options o = standard;
+        o.width = 64, o.height = 36, o.background = SPH_BG_NONE;
+        o.texture = o.refract = o.specular = SPH_AUTO;
+        o.mips = images, o.tex_filter = SPH_FILTER_BETWEEN;
+        struct sph_scene scene = scene_at(path);
+        struct sph_machine m = built(&scene, o, &report);
+        sph_machine_core(&m, core, sizeof core);
+        if (strcmp(core, list) != 0)
+            fail_msg("%s asks for %s, not %s: make pages", name, core, list);
+        sph_machine_free(&m);
+        sph_scene_free(&scene);
+        lines++;
+    }
+    fclose(file);
+    glob_t found;
+    assert_int_equal(glob("scenes/*.nff", 0, NULL, &found), 0);
+    assert_int_equal(glob("scenes/[!e]*/*.nff", GLOB_APPEND, NULL, &found), 0); /* not effects/ */
+    assert_int_equal(lines, found.gl_pathc);
+    globfree(&found);
 }
 
 /* What an option makes of a scene: number, and parts of reason and warning. */
@@ -247,8 +334,9 @@ int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_files),  cmocka_unit_test(test_generated),
         cmocka_unit_test(test_sparse), cmocka_unit_test(test_table),
-        cmocka_unit_test(test_forced), cmocka_unit_test(test_lights),
+        cmocka_unit_test(test_asks),   cmocka_unit_test(test_forced),
+        cmocka_unit_test(test_lights),
     };
     seed(argc, argv);
-    return cmocka_run_group_tests_name("effects of scenes", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("effects of scenes", tests, paint, wipe);
 }

@@ -7,6 +7,9 @@
 #   - cores elaborated for exactly that list, and with everything, equal the model bit for bit, in
 #     Verilator (32x24) and in Icarus (12x9), with random latency and 30 % stalls;
 #   - the two cores' frames are equal in every field, and in counters and error bits.
+# Those that are listed as small or whole take smaller frames, and own cores in Icarus or none: a
+# core of its own is the dearest part. The whole core is `all`, or with textures, refraction,
+# highlights and sums where the list has one; over a BIH there is no such core.
 # Every way of background separation on one of scenes/views/ (test_background.sh has more). Then
 # machines that ask for more than a core was built with: each is refused, by name, without a pixel.
 #   SEED=n          other latencies and stalls (1)
@@ -23,17 +26,29 @@ echo "# SEED=$SEED; one run again: SEED=$SEED EFFECT=NAME make test ONLY=test_ef
 here=$BUILD/test/effects
 cases=$TMP/cases
 
-# ---- what is drawn: NAME|SCENE|OPTIONS|LIST ----
+# ---- what is drawn: NAME|SCENE|OPTIONS|LIST|RUNS|WHOLE ----
 view_asks=shadow+reflect2+lights1+inside
+whole_of() { # list: the core with everything that draws it, or nothing
+    case $1 in
+    *texture*bih | *sum*bih) ;;
+    *texture* | *sum*) echo all+texture+refract+specular+sum ;;
+    *) echo all ;;
+    esac
+}
 {
-    grep -v '^ *\(#\|$\)' scenes/effects/effects.txt | while read -r title options list; do
+    grep -v '^ *\(#\|$\)' scenes/effects/effects.txt | while read -r title kind options list; do
         [ "$options" != - ] || options=
-        echo "$title|scenes/effects/$title.nff|$(echo "$options" | tr , ' ')|$list"
+        scene=${title%_bih}
+        [ "$scene" != bih ] || scene=none
+        echo "$title|scenes/effects/$scene.nff|$(echo "$options" | tr , ' ')|$list|$kind|$(
+            whole_of "$list")"
     done
-    echo "first|scenes/effects/none.nff|--traverse=first|first"
+    echo "first|scenes/effects/none.nff|--traverse=first|first|full|all"
     for way in rect spans exact; do
-        echo "off_axis_$way|scenes/views/off_axis.nff|--background=$way|$view_asks+$way"
-    done | sed 's/exact$/cones1/'
+        built=$way
+        [ $way != exact ] || built=cones1
+        echo "off_axis_$way|scenes/views/off_axis.nff|--background=$way|$view_asks+$built|full|all"
+    done
 } | grep -e "$EFFECT" >"$cases"
 
 # Scene, size, machine, options: the command that builds it.
@@ -42,12 +57,14 @@ build() {
 }
 rm -rf "$here"
 mkdir -p "$here"
-while IFS='|' read -r title scene options list; do
+while IFS='|' read -r title scene options list kind whole; do
+    large=32x24 little=12x9
+    [ "$kind" = full ] || large=16x12 little=8x6
     more="$options --shadow=on --reflect=on --inside=on"
     case $options in *--traverse=first*) more="$more --interpenetrate=on" ;; esac
-    echo "$(build "$scene" 32x24 "$here/$title.sph" "$options") &&" \
-        "$(build "$scene" 12x9 "$here/$title-small.sph" "$options") &&" \
-        "$(build "$scene" 32x24 "$here/$title-forced.sph" "$more")"
+    echo "$(build "$scene" $large "$here/$title.sph" "$options") &&" \
+        "$(build "$scene" $little "$here/$title-small.sph" "$options") &&" \
+        "$(build "$scene" $large "$here/$title-forced.sph" "$more")"
 done <"$cases" | two_at_a_time
 asks_for() { # list, machine, log of build
     now=$(asked_for "$2")
@@ -55,17 +72,28 @@ asks_for() { # list, machine, log of build
     [ "${now#* }" = "$1" ]
 }
 number=0
-while IFS='|' read -r title scene options list; do
+# simulator, core, machine's size, what is kept of the frames
+draws() {
+    run "$title: $1, core $2$3" "$2" "SIM=$1" "$machine$3.sph" \
+        --frame "$machine$3-$1-$2.frame" --model-frame "$machine$3-$2.frame"
+}
+while IFS='|' read -r title scene options list kind whole; do
     number=$((number + 1))
     machine=$here/$title
     check "$title: asks for $list" asks_for "$list" "$machine.sph" "$TMP/$number.log"
-    for core in "$list" all; do
-        run "$title: verilator, core $core" "$core" SIM=verilator "$machine.sph" \
-            --frame "$machine-verilator-$core.frame" --model-frame "$machine-$core.frame"
-        run "$title: icarus, core $core" "$core" SIM=icarus "$machine-small.sph" \
-            --frame "$machine-icarus-$core.frame"
-    done
-    run "$title: verilator, core all, everything forced on" all SIM=verilator \
+    case $kind in
+    full)
+        for core in "$list" "$whole"; do
+            draws verilator "$core" ""
+            draws icarus "$core" -small
+        done
+        ;;
+    small) draws icarus "$list" -small ;;
+    esac
+    [ -n "$whole" ] || continue
+    [ "$kind" = full ] || draws verilator "$whole" ""
+    [ "$kind" != small ] || draws verilator "$whole" -small
+    run "$title: verilator, core $whole, everything forced on" "$whole" SIM=verilator \
         "$machine-forced.sph" --model-frame "$machine-forced.frame"
 done <"$cases"
 
@@ -77,7 +105,7 @@ run "levels: icarus, core $levels" "$levels" SIM=icarus "$machine"
 
 # ---- a core without one effect draws what does not ask for it: the longest such list ----
 all_but() { # name
-    awk -F'|' -v but="$1" '{
+    awk -F'|' -v but="$1" '$5 == "full" {
         n = split($4, word, "+")
         for (i = 1; i <= n; i++) if (word[i] ~ "^" but "[0-9]*$") next
         if (n > most) { most = n; name = $1 }
@@ -143,13 +171,23 @@ run_all
 judge
 
 # ---- exact and whole: the same in every field, forced on in every colour, id and key ----
-while IFS='|' read -r title scene options list; do
-    for sim in verilator icarus; do
-        echo "$title: $sim, frames of cores $list and all are equal|$SPHAERA compare" \
-            "$here/$title-$sim-$list.frame $here/$title-$sim-all.frame"
-    done
-    echo "$title: the model's frame with everything forced on is equal|$SPHAERA compare" \
-        "--ignore-work $here/$title-all.frame $here/$title-forced.frame"
+while IFS='|' read -r title scene options list kind whole; do
+    [ -n "$whole" ] || continue
+    machine=$here/$title compare="$SPHAERA compare"
+    case $kind in
+    full)
+        echo "$title: verilator, frames of cores $list and $whole are equal|$compare" \
+            "$machine-verilator-$list.frame $machine-verilator-$whole.frame"
+        echo "$title: icarus, frames of cores $list and $whole are equal|$compare" \
+            "$machine-small-icarus-$list.frame $machine-small-icarus-$whole.frame"
+        ;;
+    small)
+        echo "$title: frames of cores $list in icarus and $whole in verilator are equal|$compare" \
+            "$machine-small-icarus-$list.frame $machine-small-verilator-$whole.frame"
+        ;;
+    esac
+    echo "$title: the model's frame with everything forced on is equal|$compare" \
+        "--ignore-work $machine-$whole.frame $machine-forced.frame"
 done <"$cases" >"$TMP/compares"
 cut -d'|' -f2 "$TMP/compares" | two_at_a_time
 number=0

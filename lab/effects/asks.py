@@ -1,0 +1,65 @@
+# asks.py - what every scene asks for: the core that just draws it, as `sphaera info` says
+# SPDX-License-Identifier: Apache-2.0
+"""usage: python3 -m lab.effects.asks TOOL
+Writes the lists of scenes/ and its folders into docs/results/data/asks.tsv; those of scenes/effects
+stand in effects.txt there. tests/builder/test_effects_scenes.c holds both."""
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from ..pages import markdown
+from ..pages.place import write
+
+RECORD = Path("docs/results/data/asks.tsv")
+EFFECTS = Path("scenes/effects/effects.txt")
+HEAD = ("# asks.tsv - scene, core that it asks for: 64x36, two reflections, four children a node\n"
+        "# SPDX-License-Identifier: Apache-2.0\n# written by lab/effects/asks.py\n")
+
+
+def listed():
+    """(name, what is simulated, options, core) of each line of effects.txt."""
+    lines = EFFECTS.read_text(encoding="utf-8").splitlines()
+    return [line.split() for line in lines if line and not line.startswith("#")]
+
+
+def file_of(name):
+    """The scene of such a line: its name without bih, which alone is the scene none."""
+    name = "none" if name == "bih" else name.removesuffix("_bih")
+    return f"scenes/effects/{name}.nff"
+
+
+def scenes():
+    """Names of all scenes but those of scenes/effects, those without a folder first."""
+    found = [path.relative_to("scenes") for path in Path("scenes").rglob("*.nff")
+             if path.parent.name != "effects"]
+    return sorted((str(path.with_suffix("")) for path in found), key=lambda n: ("/" in n, n))
+
+
+def asked(tool, scene):
+    """The list of a scene's machine."""
+    with tempfile.TemporaryDirectory() as folder:
+        machine = folder + "/machine.sph"
+        subprocess.run([tool, "build", scene, "--size", "64x36", "--accel", "bvh4", "-o", machine],
+                       check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        info = subprocess.run([tool, "info", machine], check=True, stdout=subprocess.PIPE,
+                              text=True).stdout
+    return next(line.split()[1] for line in info.splitlines() if line.startswith("core "))
+
+
+def table():
+    """All scenes with their lists."""
+    rows = [line.split("\t") for line in RECORD.read_text(encoding="utf-8").splitlines()
+            if not line.startswith("#")]
+    rows += [["effects/" + name, core] for name, _, _, core in listed()]
+    return markdown.table(["scene", "core that it asks for"],
+                          [[f"`{name}`", f"`{core}`"] for name, core in rows])
+
+
+def main(tool):
+    write(str(RECORD), HEAD + "".join(f"{name}\t{asked(tool, f'scenes/{name}.nff')}\n"
+                                      for name in scenes()))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,184 @@
+# cores.py - cells of the cores that pages speak of, synthesised anew when their sources changed
+# SPDX-License-Identifier: Apache-2.0
+"""usage: python3 -m lab.pages.cores [--check]
+Synthesises what is old; --check says what is, and exits with 1 if anything is.
+
+A page names a core by its list of effects (sim/parameters.sh), profile standard, one engine, ECP5.
+The record has its cells, and the digest of the RTL files that it was read from."""
+import json
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+from ..synth import results
+from . import digest, markdown, verilog
+
+RECORD = Path("docs/results/data/cores.json")
+SCRIPT = Path("synth/core.sh")
+BUDGET = Path("synth/budget.txt")
+BUILD = Path(os.environ.get("BUILD", "build"))
+COLUMNS = {"mult": "MULT18X18D", "lut4eq": "LUT4eq", "ff": "FF", "bram": "DP16KD",
+           "dpr": "DPR16X4"}
+MAIN = ("mult", "lut4eq", "ff", "bram")
+SECONDS = 90
+REGIONS = "core", "cores", "inside"
+
+
+class Unmeasured(Exception):
+    """A core that the record does not have."""
+
+
+def record():
+    return json.loads(RECORD.read_text(encoding="utf-8")) if RECORD.exists() else {}
+
+
+def write(known):
+    """A core is a few lines, a module one."""
+    text = json.dumps({name: known[name] for name in sorted(known)}, indent=1)
+    text = re.sub(r"\[[^][]*\]", lambda m: " ".join(m[0].split()), text)
+    RECORD.parent.mkdir(parents=True, exist_ok=True)
+    new = RECORD.with_suffix(".tmp")
+    new.write_text(text + "\n", encoding="utf-8")
+    os.replace(new, RECORD)
+
+
+def number(value):
+    """21 937"""
+    return f"{value:,}".replace(",", " ") if value > 9999 else str(value)
+
+
+def entry(core):
+    cores = record()
+    if core not in cores:
+        raise Unmeasured(f"nobody has synthesised the core {core}: make pages")
+    return cores[core]
+
+
+def core(name, *columns):
+    """Its cells in words, or the number of one column."""
+    cells = entry(name)["cells"]
+    if columns:
+        return ", ".join(number(cells[column]) for column in columns)
+    return ", ".join(f"{number(cells[column])} {COLUMNS[column]}" for column in MAIN)
+
+
+def cores(*names):
+    """A row a core."""
+    return markdown.table(["`EFFECTS`", *COLUMNS.values()],
+                          [[f"`{name}`"] + [number(entry(name)["cells"][c]) for c in COLUMNS]
+                           for name in names])
+
+
+def inside(name, *modules):
+    """A row a module of a core, all its instances with what is in them."""
+    parts = entry(name)["modules"]
+    missing = [module for module in modules if module not in parts]
+    if missing:
+        raise Unmeasured(f"the core {name} has no {missing[0]}")
+    return markdown.table([f"module of `{name}`", *COLUMNS.values()],
+                          [[f"`{module}`"] + [number(n) for n in parts[module]]
+                           for module in modules])
+
+
+def yosys():
+    """The version that made them, or the versions."""
+    return ", ".join(sorted({" ".join(e["yosys"].split()[:2]) for e in record().values()}))
+
+
+def budget(module):
+    """What synth/budget.txt allows a module."""
+    for line in BUDGET.read_text(encoding="utf-8").splitlines():
+        word = line.split()
+        if word[:1] == [module]:
+            return f"{number(int(word[1]))} MULT18X18D and {number(int(word[2]))} LUT4eq"
+    raise Unmeasured(f"{BUDGET} has no line for {module}")
+
+
+def wanted(pages):
+    """Lists of the cores that regions of the pages name, each once."""
+    found = []
+    for page in pages:
+        for name in markdown.names(page.read_text(encoding="utf-8")):
+            maker, *words = name.split()
+            if maker in REGIONS:
+                found += words if maker == "cores" else words[:1]
+    return sorted(set(found))
+
+
+def sources(modules):
+    """Digest of the files of a core's modules; None if one is not there any more."""
+    paths = verilog.files()
+    if not set(modules) <= set(paths):
+        return None
+    flow = re.search(r"^case \$target in.*?^esac", SCRIPT.read_text(encoding="utf-8"), re.M | re.S)
+    return digest.of_files([paths[module] for module in modules] +
+                           list(Path("rtl").rglob("*.vh")), flow[0])
+
+
+def age(short=""):
+    """What the page says of cells that are not those of today's sources."""
+    old = [name for name in record() if is_stale(name)]
+    if short:
+        return " of RTL before its last change" if old else ""
+    if not old:
+        return "All are of the RTL as it is."
+    return ("Of RTL before its last change, until `make pages` is run: "
+            + ", ".join(f"`{name}`" for name in old) + ".")
+
+
+def parameters(core_list):
+    """What the core is elaborated with."""
+    words = []
+    for command in ["sim/profile.sh", "standard"], ["sim/parameters.sh", core_list]:
+        words += subprocess.run(["sh", *command], check=True,
+                                stdout=subprocess.PIPE).stdout.decode().split()
+    return words
+
+
+def stale(pages):
+    """Cores whose cells are not those of today's sources."""
+    return [name for name in wanted(pages) if is_stale(name)]
+
+
+def is_stale(name):
+    known = record().get(name)
+    return (known is None or known["sources"] != sources(known["modules"])
+            or known["parameters"] != parameters(name))
+
+
+def synthesise(names):
+    """Runs Yosys, one core after the other, and writes the record after each."""
+    for name in names:
+        subprocess.run(["make", "--no-print-directory", "-f", "make/area.mk", "results",
+                        f"B={BUILD}", f"EFFECTS={name}"], check=True)
+        run = results.read(BUILD / "synth" / results.key("standard", name))
+        known = record()
+        known[name] = {"parameters": parameters(name), "yosys": run["yosys"],
+                       "cells": {column: run["core"][column] for column in COLUMNS},
+                       "modules": {module: [row["total"][column] for column in COLUMNS]
+                                   for module, row in sorted(run["modules"].items())},
+                       "sources": sources(run["modules"])}
+        write(known)
+
+
+def main(pages, check):
+    """Drops what no page names, synthesises what is old."""
+    if check:
+        for name in stale(pages):
+            print(f"cells of the core {name} are not those of these sources: make pages")
+        sys.exit(bool(stale(pages)))
+    named, known = wanted(pages), record()
+    if set(known) - set(named):
+        write({name: known[name] for name in known if name in named})
+    names = stale(pages)
+    if names:
+        print(f"pages: cells of {len(names)} of {len(named)} cores are older than the RTL; Yosys "
+              f"takes about {SECONDS} s each:\n  " + "\n  ".join(names), flush=True)
+    synthesise(names)
+
+
+if __name__ == "__main__":
+    from .__main__ import pages as all_pages
+    main(all_pages(), sys.argv[1:] == ["--check"])
