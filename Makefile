@@ -1,58 +1,32 @@
 # Makefile - Sphaera: golden model, tool, simulations, tests; `make` alone prints help
 # SPDX-License-Identifier: Apache-2.0
 
-# Variables, shown by `make help`: name, what it is.
-## SCENE       scene file (.nff) to render or simulate
-SCENE ?= scenes/sphereflake2.nff
-## PROFILE     draft, standard, fine or reference; widths of its own: NAME:w=14,wd=15,pr=20,...
-PROFILE ?= standard
-## SIZE        frame, pixels (empty: as the scene file says)
-SIZE ?= 320x180
-## TREE        balanced or paper
-TREE ?= balanced
-## ACCEL       bvh4 (spheres around four children, by TREE), bih or brute
-ACCEL ?= bvh4
-## MAX_PRIMS   of bih: a leaf of no more primitives is not cut (empty: 4)
-MAX_PRIMS ?=
-## MAX_TREE_DEPTH of bih: its levels (empty: as many as the stack has)
-MAX_TREE_DEPTH ?=
-## DEPTH       reflections, 0 to 5
-DEPTH ?= 2
-## BACKGROUND  pixels that are never traced: none, rect, spans or exact
-BACKGROUND ?= none
-## TRAVERSE    which hit a primary ray takes: nearest or first (the paper's)
-TRAVERSE ?= nearest
-## LEVELS      exact background: 0 the root sphere, 1 its children, 2 theirs (empty: 0)
-LEVELS ?=
-## AT          frame that moving primitives are moved to (empty: 0)
-AT ?=
-## BUILD_MORE  other options of `sphaera build`, such as --inside off
-BUILD_MORE ?=
-## EFFECTS     of the core: auto (as the scene asks), all, all-NAME, none, or joined by + of
-##             {words}; all leaves out {not in all}
-EFFECTS ?= auto
-## ENGINES     tracing engines in the core
-ENGINES ?= 1
-## ROOT_STEP   bits that a root of the core gains a clock
-ROOT_STEP ?= 2
-## QUOTIENT_STEP bits that a quotient of the core gains a clock
-QUOTIENT_STEP ?= 2
-## SEED        of generated scenes and of random stalls
-SEED ?= 1
-## LATENCY     of the simulated memory, clocks
-LATENCY ?= 20
-## STALL       percent of clocks in which the simulated memory is not ready
-STALL ?= 0
-## SIM         verilator or icarus
-SIM ?= verilator
-## WAVES       1: write a waveform
-WAVES ?= 0
-## JOBS        commands run at once
-JOBS ?= $(shell nproc)
-## V           1: print whole commands
-V ?= 0
+# Called as make -f elsewhere/Makefile: make goes to where this file is, and builds there; a
+# relative SCENE is looked for where it was called.
+HERE := $(patsubst %/,%,$(dir $(realpath $(filter-out Makefile,$(firstword $(MAKEFILE_LIST))))))
+ifneq ($(filter-out $(CURDIR),$(HERE)),)
+.DEFAULT_GOAL := elsewhere
+.PHONY: elsewhere $(MAKECMDGOALS)
+export FROM := $(CURDIR)
+elsewhere:
+	+@$(MAKE) -C '$(HERE)' $(MAKECMDGOALS)
+$(MAKECMDGOALS): elsewhere ; @:
+else
 
-B := build
+include make/variables.mk
+
+# Names in make/variables.mk; a value as the shell takes it; the names' values before a command.
+VARIABLES := $(shell sed -n 's/^\#\# \([A-Z_][A-Z_]*\) .*/\1/p' make/variables.mk)
+quoted = '$(subst ','\'',$(1))'
+values = $(foreach v,$(1),$v=$(call quoted,$($v)))
+# What the command line or the environment has is checked, and whether `sim` has its simulator.
+GIVEN := $(strip $(foreach v,$(.VARIABLES),$(if $(filter command,$(origin $v)),$v)))
+CHECK := $(strip $(foreach v,$(VARIABLES),$(if $(filter command environment,$(origin $v)),$v)))
+ifneq ($(GIVEN)$(CHECK)$(filter sim,$(MAKECMDGOALS)),)
+$(if $(shell $(call values,$(VARIABLES)) sh sim/check.sh --given '$(GIVEN)' \
+    --goals '$(MAKECMDGOALS)' $(CHECK) || echo wrong),$(error nothing is made))
+endif
+
 Q := $(if $(filter 1,$(V)),,@)
 say = $(if $(filter 1,$(V)),,@printf '  %-4s %s\n' $(1) $(2))
 
@@ -95,12 +69,9 @@ TOOL   := $B/sphaera
 .PHONY: help setup all tool layout render sim test synth lint bench clean FORCE
 .DEFAULT_GOAL := help
 
-help: export HELP_VALUES = $(foreach v,SCENE PROFILE SIZE TREE ACCEL MAX_PRIMS MAX_TREE_DEPTH \
-                           DEPTH BACKGROUND TRAVERSE LEVELS AT BUILD_MORE EFFECTS ENGINES \
-                           ROOT_STEP QUOTIENT_STEP SEED LATENCY STALL SIM WINDOW WARM TARGET FLAT \
-                           WAVES JOBS V,$(v)=$($(v));)
 help: ## this text
-	@awk -f cmodel/machine/effects.awk -f sim/help.awk cmodel/machine/machine.def $(MAKEFILE_LIST)
+	@$(call values,$(VARIABLES)) awk -f cmodel/machine/effects.awk -f sim/rules.awk \
+	    -f sim/help.awk cmodel/machine/machine.def $(MAKEFILE_LIST)
 
 setup: ## install missing packages (apt), see sim/packages.txt
 	@sh sim/setup.sh
@@ -119,3 +90,5 @@ layout: ## headers and parameters of the core from machine.def, of its bundles f
 
 clean: ## remove build/
 	$(Q)rm -rf $B
+
+endif

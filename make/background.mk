@@ -28,7 +28,9 @@ BG_CORE_exact1 := +cones4
 BG_CORE_exact2 := +cones16
 BG_RUNS   := $(foreach w,$(BG_WAYS),$(BG_NAMES:%=$(BG)/%-$w.core.json))
 BG_KEY     = $(shell sh sim/key.sh standard '$(BG_PLAIN)$(BG_CORE_$(1))' ecp5)
-BG_SYNTH   = $(foreach w,$(BG_WAYS),$B/synth/$(call BG_KEY,$w))
+# asked for where it is needed: it takes a moment
+BG_SYNTH  := $(if $(filter background,$(MAKECMDGOALS)),$(foreach \
+                 w,$(BG_WAYS),$B/synth/$(call BG_KEY,$w)))
 # picture in docs: view, what `sphaera background` calls it
 BG_DRAWN  := centred-points centred-rows centred-outline centred-square off_axis-way_rect_literal \
              off_axis-way_rect centred-way_spans wide-way_exact0 wide-way_exact1

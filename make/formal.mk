@@ -1,7 +1,5 @@
 # formal.mk - proofs of the RTL
 # SPDX-License-Identifier: Apache-2.0
-## PROVE       proofs that `make formal` does, by part of the name (empty: all; quick: short ones)
-PROVE ?=
 
 .PHONY: formal
 formal: ## proofs of the RTL with yosys-smtbmc and z3, table at the end

@@ -7,8 +7,6 @@
 HARD_C      := $(sort $(wildcard tests/hard/*.c))
 HARD_CFLAGS := -Itests -Itests/hard -ffp-contract=off
 HARD_LIBS    = $(call pkg,--libs jansson) $(MODEL_LIBS)
-N           ?= 1000000
-STATE       ?=
 
 hard: $B/test/hard ## hard cases: N a profile, SEED, JOBS processes, STATE file to resume from
 	@$< --cases $(N) --seed $(SEED) --processes $(JOBS) $(if $(STATE),--state $(STATE)) \

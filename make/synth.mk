@@ -12,30 +12,12 @@
 # What was synthesised before is taken from build/synth/KEY/ as long as its sources are the same;
 # build/synth/report.md and report.json hold the tables of the last call.
 
-## TARGET      of make synth: ecp5, xc7, generic or all
-TARGET ?= ecp5
-## FLAT        1: make synth dissolves the hierarchy before it maps
-FLAT ?= 0
-
 # SCENE counts only if it was asked for, not by its default.
-SYNTH_SCENE := $(if $(filter file undefined,$(origin SCENE)),,$(if $(filter \
-                   auto,$(EFFECTS)),$(SCENE_FILE)))
-SYNTH_PROFILE := $(if $(filter all,$(PROFILE)),reference,$(PROFILE))
-SYNTH_MACHINE := $(if $(SYNTH_SCENE),$B/synth/$(SCENE_NAME)-$(call \
-                     file_name,$(SYNTH_PROFILE))-$(or $(SIZE),file)-$(BUILD_NAME).sph)
-SYNTH_OPTIONS := --profile $(SYNTH_PROFILE) --depth $(DEPTH) \
-                 $(if $(filter bvh4,$(ACCEL)),--tree $(TREE),--accel $(ACCEL)) \
-                 --background $(BACKGROUND) $(if $(SIZE),--size $(SIZE)) $(BUILD_EXTRA)
-
-ifneq ($(SYNTH_SCENE),)
-$(SYNTH_MACHINE): $(SYNTH_SCENE) $(TOOL)
-	@mkdir -p $(@D)
-	$(Q)$(TOOL) build $< $(SYNTH_OPTIONS) -o $@ >$@.log
-endif
+SYNTH_SCENE := $(if $(filter file,$(origin SCENE)),,$(filter auto,$(EFFECTS)))
 
 .PHONY: area
-synth: $(SYNTH_MACHINE) ## area with Yosys: PROFILE and TARGET, or all; effects of SCENE if given
-	+$(Q)effects=$(if $(SYNTH_SCENE),$$($(TOOL) info $< | sed -n 's/^core *//p'),$(or \
+synth: $(if $(SYNTH_SCENE),$(TOOL)) ## area with Yosys: PROFILE and TARGET, or all; effects of SCENE
+	+$(Q)effects=$(if $(SYNTH_SCENE),$$($(call run,core,$(MACHINE_KEY))),$(or \
 	    $(filter-out auto,$(EFFECTS)),$(if $(filter bvh4,$(ACCEL)),all,all+bih))) && \
 	    $(MAKE) --no-print-directory -j$(JOBS) -f make/area.mk report B=$B V=$(V) \
 	    PROFILES=$(PROFILE) TARGETS=$(TARGET) EFFECTS="$$effects" ENGINES=$(ENGINES) FLAT=$(FLAT) \

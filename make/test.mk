@@ -20,7 +20,6 @@ CLANG_C := bih bih_walk build cones facets_grid leaf_cases limits machine_bih ma
 CLANG_RUN := $(CLANG_C:%=$B/test/test_%.clang)
 SUITES  += $(LONG) $(filter-out $(LONG),$(TEST_SH)) \
            $(TEST_RUN) $(TEST_RUN:%=%.sanitized) $(CLANG_RUN) $B/test/test_image
-ONLY    ?=
 chosen   = $(if $(findstring $(ONLY),$(notdir $(1))),$(1))
 RUN      = $(if $(ONLY),$(foreach s,$(SUITES),$(call chosen,$s)),$(SUITES))
 

@@ -8,5 +8,5 @@ here=$(dirname "$0")
 for job in "v $1" "c $2"; do
     to=${job#* }
     awk -v lang="${job%% *}" -f "$here/bundles.awk" "$here/../rtl/engine/bundles.def" >"$to.tmp"
-    mv "$to.tmp" "$to"
+    if cmp -s "$to.tmp" "$to"; then rm "$to.tmp"; else mv "$to.tmp" "$to"; fi
 done

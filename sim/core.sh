@@ -20,6 +20,9 @@ ROOT_STEP=${ROOT_STEP:-2} QUOTIENT_STEP=${QUOTIENT_STEP:-2}
 SIM=${SIM:-verilator} OPT=${OPT:--O2} WAVES=0
 BUILD=${BUILD:-build}
 
+check() { [ -n "${BUILT:-}" ] || sh sim/check.sh "$@"; }
+EFFECTS=$EFFECTS ENGINES=$ENGINES SIM=$SIM OPT=$OPT check EFFECTS ENGINES SIM OPT
+
 machine= previous= folder=
 for word; do
     case $previous in --machine | -m) machine=$word ;; esac
@@ -45,8 +48,11 @@ target tools tools PROFILE=standard CORE=all WAVES=$WAVES OPT="$OPT" # whatever 
 tool=$BUILD/sim/tb_core_icarus
 [ -n "$machine" ] || exec "$tool" "$@"
 
-info=$("$tool" --machine "$machine" --info)
+[ -z "$folder" ] || set -- --machine "$machine"
+info=$("$tool" "$@" --info) # looks at all options, before a core is built
 profile=${info%% *}
+PROFILE=$profile SIM=$SIM ROOT_STEP=$ROOT_STEP QUOTIENT_STEP=$QUOTIENT_STEP \
+    check ROOT_STEP QUOTIENT_STEP
 core=${info#* }
 core=${core%% *}
 case $EFFECTS+$core in all+bih | all+*+bih) EFFECTS=all+bih ;; esac # what walks the machine's tree

@@ -1,8 +1,9 @@
-# help.awk - help from `target: ... ## text` and `## VARIABLE text` lines of makefiles
+# help.awk - help from `target: ... ## text` and `## VARIABLE RULE text` lines of makefiles
 # SPDX-License-Identifier: Apache-2.0
 #
-# Needs cmodel/machine/effects.awk before it and machine.def as the first file: {words} in a text
-# are those that a core can be built with, {not in all} those that the core `all` has not.
+# Needs cmodel/machine/effects.awk and sim/rules.awk before it and machine.def as the first file:
+# {words} in a text are those that a core can be built with, {not in all} those that the core `all`
+# has not.
 function fill(text, i, words_all, rest) {
     for (i = 1; i <= words; i++) {
         words_all = words_all " " word[i] (most[i] > 1 ? "N" : "")
@@ -24,11 +25,6 @@ function fold(text, lines, n, part, i) { # pieces of at most 66 columns, lines[1
     return n
 }
 BEGIN {
-    n = split(ENVIRON["HELP_VALUES"], pairs, /; */)
-    for (i = 1; i <= n; i++) {
-        eq = index(pairs[i], "=")
-        value[substr(pairs[i], 1, eq - 1)] = substr(pairs[i], eq + 1)
-    }
     print "Sphaera: a ray tracer for spheres in hardware\n\nmake TARGET [VARIABLE=value ...]\n"
 }
 /^[a-z][a-z-]*:[^=].*## / || /^[a-z][a-z-]*: *## / {
@@ -39,12 +35,16 @@ BEGIN {
 }
 /^## [A-Z_]+ / {
     name = $2
-    sub(/^## [A-Z_]+ +/, "")
-    variables = variables sprintf("  %-12s %-18s %s\n", name, value[name], $0)
+    rule = spoken($3)
+    sub(/^## [A-Z_]+ +[^ ]+ */, "")
+    n = fold(rule (rule != "" && $0 != "" ? ": " : "") $0, line)
+    for (i = 1; i <= n; i++)
+        variables = variables sprintf("  %-14s %-12s %s\n", i > 1 ? "" : name,
+                                      i > 1 ? "" : ENVIRON[name], line[i])
 }
 /^##  +/ && name {
     sub(/^## +/, "")
     n = fold(fill($0), line)
-    for (i = 1; i <= n; i++) variables = variables sprintf("  %-12s %-18s %s\n", "", "", line[i])
+    for (i = 1; i <= n; i++) variables = variables sprintf("  %-14s %-12s %s\n", "", "", line[i])
 }
 END { printf "\n%s", variables }

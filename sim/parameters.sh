@@ -11,7 +11,8 @@
 # what needs NAME too, and all+bih what does not go with a BIH.
 set -eu
 machine=$(dirname "$0")/../cmodel/machine
-awk -v list="$1" -v which="${2:-}" -f "$machine/effects.awk" -f - "$machine/machine.def" <<'END'
+awk -v list="$1" -v which="${2:-}" -f "$machine/effects.awk" -f "$(dirname "$0")/nearest.awk" -f - \
+    "$machine/machine.def" <<'END'
 function fail(why) {
     print list why > "/dev/stderr"
     failed = 1
@@ -67,8 +68,12 @@ END {
         else wanted[i] = count
     }
     if (bad) {
-        text = bad " names nothing that a core can be built with: all, all-NAME, none, or names " \
-               "joined by + of"
+        name = bad
+        sub(/[0-9]+$/, "", name)
+        meant = nearest(name, word, words)
+        text = bad " names nothing that a core can be built with" \
+               (meant != "" ? "; is " meant " meant?" : ".") \
+               " There are all, all-NAME, none, and names joined by + of"
         for (i = 1; i <= words; i++) text = text " " words_of(i)
         print text > "/dev/stderr"
         exit 1

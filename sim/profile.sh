@@ -8,7 +8,8 @@
 # Prints parameters of rtl/core/rt_core.v, NAME=VALUE, all on one line; with `name` the part of a
 # file name. The tool and rt_core check what widths go together, this script each by itself.
 set -eu
-awk -v text="$1" -v want="${2:-}" '
+here=$(dirname "$0")
+awk -v text="$1" -v want="${2:-}" "$(cat "$here/nearest.awk")"'
 function fail(why) {
     print "profile " text ": " why > "/dev/stderr"
     failed = 1
@@ -20,7 +21,10 @@ BEGIN {
     gsub(/[:,]/, "_", plain)
     gsub(/=/, "", plain)
 }
-$1 == "profile" { names = names " " $2 }
+$1 == "profile" {
+    names = names " " $2
+    list[++profiles] = $2
+}
 $1 == "profile" && $2 == part[1] {
     found = 1
     split("w wd pq ng fw pr", key, " ")
@@ -29,7 +33,11 @@ $1 == "profile" && $2 == part[1] {
 $1 == "width" { least[$2] = $5; most[$2] = $6 }
 END {
     if (failed) exit 1
-    if (!found) fail("there are" names ", and each with widths of its own, NAME:key=value,...")
+    if (!found) {
+        meant = nearest(part[1], list, profiles)
+        fail((meant != "" ? "is " meant " meant? " : "") "There are" names \
+             ", and each with widths of its own, NAME:key=value,...")
+    }
     for (i = 2; i <= n; i++) {
         if (!match(part[i], /[0-9]+$/)) fail("\"" part[i] "\" is no key=value")
         number = substr(part[i], RSTART) + 0
@@ -49,4 +57,4 @@ END {
             printf "%s%s=%d", (i > 1 ? " " : ""), toupper(key[i]), value[key[i]]
         print ""
     }
-}' "$(dirname "$0")/../cmodel/machine/machine.def"
+}' "$here/../cmodel/machine/machine.def"

@@ -21,12 +21,18 @@ const char sph_generate_help[] =
 static const struct {
     const char *kind;
     int (*make)(const struct sph_generate_options *, struct sph_scene *, struct sph_error *);
+    int takes;
 } makers[] = {
-    {"sphereflake", sph_make_sphereflake}, {"paper5", sph_make_paper5},
-    {"paper100", sph_make_paper100},       {"interpenetrating", sph_make_interpenetrating},
-    {"random", sph_make_random},           {"huge_tiny", sph_make_huge_tiny},
-    {"icosphere", sph_make_icosphere},     {"scenario1", sph_make_scenario1},
-    {"scenario2", sph_make_scenario2},     {"scenario3", sph_make_scenario3},
+    {"sphereflake", sph_make_sphereflake, SPH_TAKES_SIZE},
+    {"paper5", sph_make_paper5, SPH_TAKES_SEED},
+    {"paper100", sph_make_paper100, SPH_TAKES_SEED},
+    {"interpenetrating", sph_make_interpenetrating, SPH_TAKES_NOTHING},
+    {"random", sph_make_random, SPH_TAKES_N},
+    {"huge_tiny", sph_make_huge_tiny, SPH_TAKES_NOTHING},
+    {"icosphere", sph_make_icosphere, SPH_TAKES_SIZE},
+    {"scenario1", sph_make_scenario1, SPH_TAKES_N},
+    {"scenario2", sph_make_scenario2, SPH_TAKES_N},
+    {"scenario3", sph_make_scenario3, SPH_TAKES_N},
 };
 
 enum { N_MAKERS = sizeof makers / sizeof makers[0] };
@@ -38,6 +44,12 @@ static int check_distinct(const struct sph_scene *scene, struct sph_error *err) 
         return sph_fail(err, "%s: spheres %u and %u are the same; try another seed", scene->name,
                         first, second);
     return found;
+}
+
+int sph_generate_takes(const char *kind) {
+    for (int i = 0; i < N_MAKERS; i++)
+        if (!strcmp(kind, makers[i].kind)) return makers[i].takes;
+    return SPH_TAKES_NOTHING;
 }
 
 int sph_generate(const char *kind, const struct sph_generate_options *options,

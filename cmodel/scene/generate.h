@@ -18,6 +18,10 @@ struct sph_generate_options {
 /* One line of text for every kind, for help: "sphereflake  ...\n...". */
 extern const char sph_generate_help[];
 
+/* The option that a number behind a kind stands for, as in sphereflake:3. */
+enum { SPH_TAKES_NOTHING, SPH_TAKES_SIZE, SPH_TAKES_N, SPH_TAKES_SEED };
+int sph_generate_takes(const char *kind);
+
 /* Makes the scene of the given kind:
  *   sphereflake      9^0 + ... + 9^size mirrored spheres: the SPD scene `balls` without floor
  *   paper5, paper100 Borodavka 2015, Fig. 10 and 12: random spheres that fill the screen,

@@ -1,6 +1,7 @@
 /* cmd_gen.c - `sphaera gen` and `sphaera import`: scenes by formula, scenes from molecules
  * SPDX-License-Identifier: Apache-2.0
  */
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -93,6 +94,25 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     }
 }
 
+/* The same with KIND:N, the number that a kind is mostly asked for with. */
+static error_t parse_gen(int key, char *arg, struct argp_state *state) {
+    char *colon = key == ARGP_KEY_ARG ? strchr(arg, ':') : NULL;
+    if (!colon) return parse(key, arg, state);
+    *colon = 0;
+    parse(key, arg, state);
+    switch (sph_generate_takes(arg)) {
+    case SPH_TAKES_SIZE:
+        return parse(KEY_SIZE, colon + 1, state);
+    case SPH_TAKES_N:
+        return parse('n', colon + 1, state);
+    case SPH_TAKES_SEED:
+        return parse(KEY_SEED, colon + 1, state);
+    default:
+        argp_error(state, "'%s' is no kind of scene that takes a number", arg);
+        return EINVAL;
+    }
+}
+
 /* Writes the scene where the user wants it, says so, and frees it. */
 static int finish(const struct arguments *a, struct sph_scene *scene, struct sph_error *err) {
     struct sph_output out;
@@ -118,8 +138,14 @@ static char *gen_help(int key, const char *text, void *input) {
 }
 
 int tool_gen(int argc, char **argv) {
-    static const struct argp argp = {
-        gen_options, parse, "KIND", "Makes a scene by formula.\vKinds:", NULL, gen_help, NULL};
+    static const struct argp argp = {gen_options,
+                                     parse_gen,
+                                     "KIND[:N]",
+                                     "Makes a scene by formula. N: size, spheres or seed, the "
+                                     "first that the kind takes.\vKinds:",
+                                     NULL,
+                                     gen_help,
+                                     NULL};
     struct arguments a = {0};
     struct sph_scene scene;
     struct sph_error err = {""};

@@ -102,7 +102,7 @@ error_t parse(int key, char *arg, argp_state *state) {
         o.seed = static_cast<uint64_t>(number(arg, 0, INT64_MAX, state));
         break;
     case PROCESSES:
-        o.processes = small(arg, 1, 64, state);
+        o.processes = small(arg, 1, 1024, state);
         break;
     case WARM:
         o.warm = true;

@@ -59,14 +59,14 @@ int main(int argc, char **argv) {
     sph_error err = {{0}};
     sph_machine machine;
     if (sph_machine_read(o.machine.c_str(), &machine, &err)) return complain(err.text);
+    Outcome c{};
+    std::string error;
+    if (!prepare(o, machine, c.window, error)) return complain(error);
     if (o.info) {
         print_info(machine);
         sph_machine_free(&machine);
         return 0;
     }
-    Outcome c{};
-    std::string error;
-    if (!prepare(o, machine, c.window, error)) return complain(error);
 
     sph_render_options how{};
     how.traverse = SPH_TRAVERSE_TREE;

@@ -8,6 +8,150 @@ cd "$(dirname "$0")/../.." || exit 1
 has() { grep -q -- "$1" "$2"; } # pattern, file
 plain_make() { env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL make --no-print-directory "$@"; }
 
+# ---- wrong words are refused at once: nothing is built, all are named, the right one too ----
+refuse() { # words: $TMP/err has what make says of them
+    timeout 60 env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL make B="$TMP/none" "$@" \
+        >"$TMP/text" 2>"$TMP/err"
+    refused=$?
+    [ ! -e "$TMP/none" ] || refused="not at once"
+    rm -rf "$TMP/none"
+}
+says() { # pattern: the call was refused, with such a line
+    cat "$TMP/err"
+    [ "$refused" = 2 ] && grep -qE -- "$1" "$TMP/err"
+}
+refuse sim SCNE=paper5 scene=paper5
+for word in "no variable SCNE; is SCENE meant" "no variable scene; is SCENE meant" \
+    "There are SCENE PROFILE"; do
+    check "... $word" says "$word"
+done
+refuse sim SIM=questa ENGINES=9 STALL=100 LATENCY=-1 SIZE=axb DEPTH=9 JOBS=x PROFILE=draft N=0 \
+    EFFECTS=shadw TREE=papre ACCEL=bhv4 BACKGROUND=rekt TRAVERSE=frist SEED=x WARM=yes TARGET=ecp \
+    MAX_PRIMS=0 AT=70000 LEVELS=3 ROOT_STEP=26 QUOTIENT_STEP=14 SCENE=pape5 WINDOW=4,4,4,8 V=2
+for word in "SIM=questa: is none of verilator, icarus$" "ENGINES=9: is not 1 to 8$" \
+    "STALL=100: is not 0 to 99$" "LATENCY=-1: is not 1 to 100000$" "JOBS=x: is not 1 to 1024$" \
+    "SIZE=axb: is no size such as 640x360" "DEPTH=9: is not 0 to 5$" \
+    "EFFECTS=shadw: .*; is shadow meant" "TREE=papre: is none of balanced, paper; is paper meant" \
+    "ACCEL=bhv4: .*; is bvh4 meant" "BACKGROUND=rekt: .*; is rect meant" \
+    "SEED=x: is not 0 and more" "TRAVERSE=frist: .*; is first meant" "WARM=yes: is none of 0, 1$" \
+    "TARGET=ecp: .*; is ecp5 meant" "MAX_PRIMS=0: is none of 1 to 16777215, infinity" \
+    "AT=70000: is not 0 to 65535" "LEVELS=3: is not 0 to 2" "ROOT_STEP=26: is not 1 to 25" \
+    "QUOTIENT_STEP=14: is not 1 to 13" "SCENE=pape5: .*; is paper5 meant.* There are effects" \
+    "WINDOW=4,4,4,8: has no pixel" "V=2: "; do
+    check "... $word" says "$word"
+done
+refuse sim ENGINES=two SIZE=16x9 WINDOW=0,0,17,9 PROFILE=standart SCENE=foo STALL= ROOT_STEP=0
+for word in "ENGINES=two: is not 1 to 8$" "WINDOW=0,0,17,9: is not inside SIZE=16x9" \
+    "PROFILE=standart: .*is standard meant" "SCENE=foo: is no file, and no scene" \
+    "^ .* texture/hall " "STALL=: is empty" "ROOT_STEP=0: "; do
+    check "... $word" says "$word"
+done
+refuse sim PROFILE=all
+check "... PROFILE=all, which is for make synth" says "^PROFILE=all: "
+refuse sim SCENE=sphreflake:3
+check "... SCENE=sphreflake:3" says "is sphereflake:N meant"
+SIM=questa refuse sim
+check "... of the environment too" says "^SIM=questa: is none of verilator, icarus$"
+for word in SIM=questa ENGINES=two EFFECTS=shadw; do
+    env BUILD="$TMP/none" "$word" sh sim/core.sh --machine nothing.sph >"$TMP/text" 2>"$TMP/err"
+    refused=$?
+    check "sim/core.sh with $word" says "^$word: "
+    check "... builds nothing" [ ! -e "$TMP/none" ]
+done
+mkdir "$TMP/bin"
+ln -s $(find /bin/ /usr/bin/ "$(dirname "$(command -v python3)")" -maxdepth 1 -type f -o -type l) \
+    "$TMP/bin" 2>"$TMP/text"
+rm -f "$TMP/bin/verilator" "$TMP/bin/iverilog"
+for word in verilator icarus; do
+    PATH=$TMP/bin refuse sim SIM=$word
+    check "without $word" says "^SIM=$word: this simulator is not installed: make setup"
+done
+accepted() { plain_make B="$TMP/none" sim-folder "$@"; }
+check "the bounds are allowed" accepted PROFILE=standard:pq=12 SIZE=16383x1 WINDOW=0,0,16383,1 \
+    DEPTH=5 JOBS=1024 ENGINES=8 STALL=99 LATENCY=100000 MAX_PRIMS=infinity SCENE=icosphere:5 \
+    ROOT_STEP=33 QUOTIENT_STEP=12 EFFECTS=all+texture LEVELS= AT=65535 "BUILD_MORE=--inside off"
+check "so is every profile, of synthesis" accepted PROFILE=all synth -n
+
+# ---- the rules are those of the tool and of the harness ----
+refuse sim DEPTH=x TREE=x ACCEL=x BACKGROUND=x TRAVERSE=x LEVELS=x AT=x MAX_PRIMS=x MAX_TREE_DEPTH=x
+sed -n 's/, infinity//; s/^[A-Z_]*=x: is \(none of\|not\) \([^;]*\).*/\2/p' "$TMP/err" |
+    tr ', ' '\n' | sort >"$TMP/rules"
+for option in depth tree accel background traverse bg-levels at max-prims max-tree-depth; do
+    "$SPHAERA" build scenes/paper5.nff -o "$TMP/x.sph" --accel bih "--$option" x 2>&1 |
+        sed -n "s/.*'x' is \(none of\|no number from\) //p"
+done | tr ', ' '\n' | sort >"$TMP/tool"
+check "words and bounds are those of the tool" diff "$TMP/rules" "$TMP/tool"
+for kind in $(sed -n 's/^    {"\([a-z0-9_]*\)", sph_make.*/\1/p' cmodel/scene/generate.c); do
+    "$SPHAERA" gen "$kind:3" >"$TMP/text" 2>&1 && echo "$kind:N"
+done >"$TMP/tool"
+sh sim/scene.sh nothing 2>&1 | tr ' ' '\n' | grep ':N$' >"$TMP/rules"
+check "so are the kinds of scenes" diff "$TMP/rules" "$TMP/tool"
+same_scene() { "$SPHAERA" gen "$1" | grep -v '^#' >"$TMP/x.nff" && shift && "$SPHAERA" gen "$@" |
+    grep -v '^#' | cmp - "$TMP/x.nff"; }
+check "N is the size of an icosphere" same_scene icosphere:3 icosphere --size 3
+
+# ---- a run's folder is its whole key ----
+other='SCENE=paper5 PROFILE=draft SIZE=8x8 TREE=paper ACCEL=bih MAX_PRIMS=2 MAX_TREE_DEPTH=3 DEPTH=1
+    BACKGROUND=rect TRAVERSE=first LEVELS=1 AT=1 BUILD_MORE=--inside=off EFFECTS=all ENGINES=2
+    ROOT_STEP=1 QUOTIENT_STEP=1 SEED=2 LATENCY=3 STALL=4 SIM=icarus WINDOW=0,0,1,1 WARM=1 WAVES=1
+    JOBS=3'
+same='TARGET FLAT RESULTS KINDS PROVE ONLY CORE EFFECT MUTANT N STATE OPT V B CC
+    CFLAGS CXX CXXFLAGS'
+for word in '' $other; do
+    plain_make sim-folder JOBS=2 $word
+done >"$TMP/folders" 2>&1
+check "each of them has another folder" [ "$(sort -u "$TMP/folders" | grep -c '^build/out/')" = 26 ]
+for word in $other $same; do echo "${word%%=*}"; done | sort >"$TMP/mine"
+sed -n 's/^## \([A-Z_][A-Z_]*\) .*/\1/p' make/variables.mk | sort >"$TMP/rules"
+check "every variable is one of them, or shapes no run" diff "$TMP/mine" "$TMP/rules"
+
+# ---- runs: no answer of another ----
+elsewhere="$TMP/some where"
+mkdir -p "$elsewhere/a" "$elsewhere/b"
+from_elsewhere() (
+    root=$PWD
+    cd "$elsewhere" || exit 1
+    plain_make -f "$root/Makefile" B="$BUILD" SIZE=32x18 "$@"
+)
+hash_of() { "$SPHAERA" render --size 32x18 "$1" | grep '^frame'; }
+shows() { # file, words: such a run draws the picture of the file
+    wanted=$(hash_of "$1")
+    shift
+    from_elsewhere render "$@" >"$TMP/text" 2>&1
+    cat "$TMP/text"
+    grep -qx "$wanted" "$TMP/text"
+}
+cp scenes/inside.nff "$elsewhere/a/x.nff"
+cp scenes/paper5.nff "$elsewhere/b/x.nff"
+cp scenes/texture/*.png scenes/texture/hall.nff "$elsewhere"
+check "inside" shows scenes/inside.nff SCENE=inside
+first=$(readlink "$BUILD/out/last")
+check "effects/inside is another" shows scenes/effects/inside.nff SCENE=effects/inside
+check "... and the first is as it was" [ "$("$SPHAERA" render "$BUILD/out/$first/scene.sph" |
+    grep '^frame')" = "$(hash_of scenes/inside.nff)" ]
+check "a/x.nff, of the folder where make was called" shows "$elsewhere/a/x.nff" SCENE=a/x.nff
+check "b/x.nff is another" shows "$elsewhere/b/x.nff" SCENE=b/x.nff
+cp scenes/one_sphere.nff "$elsewhere/b/x.nff"
+check "a scene that changed is built anew" shows "$elsewhere/b/x.nff" SCENE=b/x.nff
+cp scenes/paper5.nff "$elsewhere/b/my scene's.nff"
+check "a name with a space" shows "$elsewhere/b/my scene's.nff" SCENE="b/my scene's.nff"
+check "an image" shows "$elsewhere/hall.nff" SCENE=hall.nff
+before=$(grep '^frame' "$TMP/text")
+cp "$elsewhere/face.png" "$elsewhere/tiles.png"
+check "an image that changed" shows "$elsewhere/hall.nff" SCENE=hall.nff
+check "... is seen" [ "$before" != "$(grep '^frame' "$TMP/text")" ]
+from_elsewhere render SCENE=random:30 SEED=5 >"$TMP/text" 2>&1
+"$SPHAERA" gen random:30 --seed 5 -o "$TMP/random.nff" >"$TMP/text2"
+check "a seed of a generated scene" grep -x "$(hash_of "$TMP/random.nff")" "$TMP/text"
+echo damaged >"$BUILD/out/last/key"
+refused=0
+from_elsewhere render SCENE=random:30 SEED=5 >"$TMP/text" 2>"$TMP/err" || refused=$?
+check "a folder of another key is left alone" says "belongs to another run"
+rm -r "$BUILD/out/$(readlink "$BUILD/out/last")"
+check "a simulation from elsewhere" from_elsewhere sim SCENE="b/my scene's.nff" SIM=icarus SIZE=6x4
+check "... leaves a report in the last folder" test -s "$BUILD/out/last/report.json"
+check "... and pictures" test -s "$BUILD/out/last/side-by-side.png"
+
 # ---- two calls at the same time: a compiler that takes its time never sees half a file ----
 cat >"$TMP/slow" <<'END'
 #!/bin/sh
@@ -61,4 +205,12 @@ check "a header of the model is seen by either name" rebuilt \
 in_tree touch build/libsphaera.a
 check "a core is built by one name" sh -c "cd '$TMP/tree' && make -n -f '$(find . -name core.mk)' \
     B='$TMP/tree/build' tools >'$TMP/text' && ! grep '$TMP/tree/build' '$TMP/text'"
+
+# ---- generated headers that stay the same keep their time ----
+in_tree plain_make layout >"$TMP/text" 2>&1
+touch "$TMP/now"
+sleep 0.01
+in_tree plain_make layout >"$TMP/text" 2>&1
+check "make layout touches nothing" [ -z "$(find "$TMP/tree/cmodel" "$TMP/tree/rtl" "$TMP/tree/tb" \
+    -newer "$TMP/now" -type f)" ]
 done_testing

@@ -1,0 +1,90 @@
+# variables.mk - what may be given to make: names, rules, meanings, defaults
+# SPDX-License-Identifier: Apache-2.0
+#
+# `## NAME RULE text`: make help prints it, sim/check.sh holds it before anything is made. RULE is a
+# list of alternatives between |, of which an empty one allows no value at all:
+#   word        this word; word@GOAL: only where GOAL is made
+#   0..MOST     whole number; a bound is a sum of numbers, constants of machine.def and parameters
+#               of the core of PROFILE; without a bound it has up to 15 digits
+#   <kind>      text that anybody may give, a word without spaces, or what a script takes: a size,
+#               a window within it, a profile, effects, a scene
+
+## SCENE <scene> a file (.nff), the name of one in scenes/, or KIND:N of `sphaera gen`
+SCENE ?= sphereflake2
+## PROFILE <profile>|all@synth draft, standard, fine, reference; or with widths: NAME:w=14,...
+PROFILE ?= standard
+## SIZE <size>| frame in pixels (empty: as the scene says)
+SIZE ?= 320x180
+## TREE balanced|paper of bvh4
+TREE ?= balanced
+## ACCEL bvh4|bih|brute spheres around four children, a bounding interval hierarchy, or no tree
+ACCEL ?= bvh4
+## MAX_PRIMS 1..ID_NONE|infinity| of bih: a leaf of no more primitives is not cut (empty: 4)
+MAX_PRIMS ?=
+## MAX_TREE_DEPTH 1..BIH_STACK+1|infinity| of bih: its levels (empty: all that the stack has)
+MAX_TREE_DEPTH ?=
+## DEPTH 0..MAX_DEPTH reflections and refractions one after another
+DEPTH ?= 2
+## BACKGROUND none|rect|spans|exact pixels that are never traced
+BACKGROUND ?= none
+## TRAVERSE nearest|first which hit a primary ray takes: first is the paper's
+TRAVERSE ?= nearest
+## LEVELS 0..2| of exact background: the root sphere, its children, theirs (empty: 0)
+LEVELS ?=
+## AT 0..65535| frame that moving primitives are moved to (empty: 0)
+AT ?=
+## BUILD_MORE <text>| other options of `sphaera build`, such as --inside off
+BUILD_MORE ?=
+## EFFECTS auto|<effects> of the core: auto (as the scene asks), all, all-NAME, none, or joined by +
+##             {words}; all leaves out {not in all}
+EFFECTS ?= auto
+## ENGINES 1..8 tracing engines in the core
+ENGINES ?= 1
+## ROOT_STEP 1..W+WD bits that a root of the core gains a clock
+ROOT_STEP ?= 2
+## QUOTIENT_STEP 1..PQ bits that a quotient of the core gains a clock
+QUOTIENT_STEP ?= 2
+## SEED 0.. of generated scenes, of random stalls, of tests
+SEED ?= 1
+## LATENCY 1..100000 of the simulated memory, clocks
+LATENCY ?= 20
+## STALL 0..99 percent of clocks in which the simulated memory is not ready
+STALL ?= 0
+## SIM verilator|icarus
+SIM ?= verilator
+## WINDOW <window>| pixels to simulate, x0,y0,x1,y1 (empty: the whole frame)
+WINDOW ?=
+## WARM 0|1 if 1, render twice and count the second pass, with warm caches
+WARM ?= 0
+## WAVES 0|1 if 1, write a waveform
+WAVES ?= 0
+## TARGET ecp5|xc7|generic|all of make synth
+TARGET ?= ecp5
+## FLAT 0|1 if 1, make synth dissolves the hierarchy before it maps
+FLAT ?= 0
+## RESULTS <word> of make study: folder of its results
+RESULTS ?= $B/study/results
+## KINDS <word>| of make study: accuracy, cycles, cells, fmax, joined by commas (empty: all)
+KINDS ?=
+## PROVE <word>| proofs that `make formal` does, by part of the name (empty: all; quick: short ones)
+PROVE ?=
+## ONLY <word>| suites that `make test` runs, by part of the name (empty: all)
+ONLY ?=
+## CORE <word>| of such a suite the runs, by part of the name; EFFECT and MUTANT likewise
+## EFFECT <word>|
+## MUTANT <word>|
+## N 1.. cases that `make hard` makes for each profile
+N ?= 1000000
+## STATE <word>| file that `make hard` goes on from
+STATE ?=
+## JOBS 1..1024 commands run at once
+JOBS ?= $(shell nproc)
+## OPT -O0|-O1|-O2|-O3| how hard the compiler works on a core (empty: -O2)
+## V 0|1 if 1, print whole commands
+V ?= 0
+## B <word> folder of all that is built
+B := build
+## CC <text> compiler of C; CFLAGS: all its options
+## CFLAGS <text>
+## CXX <text> compiler of C++; CXXFLAGS: all its options
+## CXXFLAGS <text>

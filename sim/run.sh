@@ -1,0 +1,93 @@
+#!/bin/sh
+# run.sh - one run of `make render`, `make sim` or `make synth`, in a folder of its own
+# SPDX-License-Identifier: Apache-2.0
+#
+# usage: NAME=value ... sim/run.sh [--folder] render|sim|core NAME...
+#   NAME...  variables that shape the run; among them SCENE as sim/scene.sh takes it, SEED and
+#            BUILD_OPTIONS, of `sphaera build`, and for sim those of sim/core.sh and its options
+# Also reads PROFILE, SIZE and BUILD, the build folder, with the tool in it.
+#
+# The folder BUILD/out/SCENE-PROFILE-SIZE-DIGEST has these variables in its file key, and what the
+# goal leaves: scene.sph and build.json; of render model.png, model.frame, model.json; of sim
+# pictures, frames, report.json and log. `core` prints the core that the machine asks for.
+# Everything is made anew each time, under a lock; BUILD/out/last is the folder of the last run.
+# With --folder the name of the folder is printed, and nothing made.
+set -euf
+cd "$(dirname "$0")/.."
+only_name=
+[ "$1" != --folder ] || only_name=$1
+[ -z "$only_name" ] || shift
+goal=$1
+shift
+tool=$BUILD/sphaera
+scene=$(sh sim/scene.sh "$SCENE")
+say() { [ "${V:-0}" = 1 ] || printf '  %-4s %s\n' "$@"; }
+
+key() {
+    printf 'goal=%s\nscene=%s\n' "$goal" "$scene"
+    for name; do
+        [ "$name" = SCENE ] || eval "printf '%s=%s\n' $name \"\$$name\""
+    done
+}
+name=${scene#scenes/}
+case $name in /*) name=${name##*/} ;; esac
+name=$(printf '%s' "${name%.nff}" | tr -c 'A-Za-z0-9._-' _)
+digest=$(key "$@" | sha256sum | cut -c 1-8)
+[ "$PROFILE" = all ] || PROFILE=$(sh sim/profile.sh "$PROFILE" name)
+folder=$name-$PROFILE-${SIZE:-file}-$digest
+run=$BUILD/out/$folder
+[ -z "$only_name" ] || {
+    echo "$run"
+    exit
+}
+
+mkdir -p "$run"
+exec 9>"$run/.lock"
+flock 9
+key "$@" >"$run/key.$$"
+if [ -f "$run/key" ] && ! cmp -s "$run/key" "$run/key.$$"; then
+    rm "$run/key.$$"
+    echo "$run: belongs to another run, see its file key" >&2
+    exit 1
+fi
+find "$run" -mindepth 1 ! -name .lock ! -name "key.$$" -delete
+mv "$run/key.$$" "$run/key"
+ln -sfn "$folder" "$BUILD/out/last.$$"
+mv -fT "$BUILD/out/last.$$" "$BUILD/out/last"
+
+if [ ! -f "$scene" ]; then
+    made=$run/${scene%:*}-${scene#*:}-$SEED.nff
+    "$tool" gen "$scene" --seed "$SEED" -o "$made" >"$run/gen.log"
+    scene=$made
+fi
+# shellcheck disable=SC2086  # a list of words on purpose
+"$tool" build "$scene" $BUILD_OPTIONS --json "$run/build.json" -o "$run/scene.sph" >"$run/build.log"
+case $goal in
+core)
+    "$tool" info "$run/scene.sph" | sed -n 's/^core *//p'
+    exit
+    ;;
+render)
+    "$tool" render "$run/scene.sph" --frame "$run/model.frame" --json "$run/model.json" \
+        -o "$run/model.png" >"$run/model.log"
+    cat "$run/build.log" "$run/model.log"
+    echo "picture $run/model.png"
+    exit
+    ;;
+esac
+
+say SIM "$name $PROFILE $SIZE in $SIM"
+set -- --machine "$run/scene.sph" --latency "$LATENCY" --stall "$STALL" --seed "$SEED" \
+    --processes "$JOBS" --progress --frame "$run/rtl.frame" --json "$run/report.json" \
+    --model-frame "$run/model.frame"
+[ -z "$WINDOW" ] || set -- "$@" --window "$WINDOW"
+[ "$WARM" = 0 ] || set -- "$@" --warm
+[ "$WAVES" = 0 ] || set -- "$@" --trace "$run/core.fst"
+rc=0
+sh sim/core.sh "$@" >"$run/log" || rc=$?
+cat "$run/log"
+[ -f "$run/rtl.frame" ] || exit "$rc"
+"$BUILD/sim/pictures" "$run/model.frame" "$run/rtl.frame" "$run"
+echo "pictures and report in $run/"
+sed -n '$s/^core \(.*mismatches\),.*/sim \1/p' "$run/log"
+exit "$rc"
