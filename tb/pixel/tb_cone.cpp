@@ -16,16 +16,34 @@ struct Place {
     int x, y;
 };
 
-} // namespace
+/* The unit, its record, and the three places that it holds. */
+class Run {
+  public:
+    Run(int argc, char **argv) : b("tb_cone", argc, argv) {
+        b.dut.load_i = 0;
+        move(false, false, false, false);
+    }
+    bool clock() { /* false at the end */
+        if (!b.more()) return false;
+        if (left-- == 0) {
+            load();
+            left = (int)b.random.below(200);
+        }
+        step();
+        compare();
+        return true;
+    }
+    int finish() { return b.finish(); }
 
-int main(int argc, char **argv) {
-    bench::Bench<Vrt_cone> b("tb_cone", argc, argv);
+  private:
+    bench::Bench<Vrt_cone> b;
     bench::Ball s{};
     bench::Cone c{};
     bool real = false;
-    int side = 0;
+    int side = 0, left = 0; /* of the frame; moves with this record */
     Place saved{}, row{}, pixel{};
-    auto move = [&](bool fetch, bool enter, bool right, bool save) {
+
+    void move(bool fetch, bool enter, bool right, bool save) {
         b.dut.fetch_i = fetch;
         b.dut.enter_i = enter;
         b.dut.right_i = right;
@@ -37,8 +55,9 @@ int main(int argc, char **argv) {
         if (right) pixel.x++;
         if (fetch) row = saved;
         if (save) saved = before;
-    };
-    auto load = [&] {
+    }
+    /* Another record, real or any, and a place in its frame. */
+    void load() {
         uint32_t words[32];
         side = (int)b.random.between(2, b.random.percent(5) ? 400 : 60);
         real = b.random.percent(50);
@@ -60,15 +79,9 @@ int main(int argc, char **argv) {
         move(false, true, false, false);
         for (int y = (int)b.random.below((uint64_t)side); y > 0; y--)
             move(false, true, false, false);
-    };
-    b.dut.load_i = 0;
-    move(false, false, false, false);
-    int left = 0; /* moves with this record */
-    while (b.more()) {
-        if (left-- == 0) {
-            load();
-            left = (int)b.random.below(200);
-        }
+    }
+
+    void step() {
         uint64_t how = b.random.below(100);
         if (how < 75 && pixel.x < side - 1)
             move(false, false, true, false);
@@ -78,6 +91,9 @@ int main(int argc, char **argv) {
             move(false, false, false, true);
         else
             move(true, false, false, false);
+    }
+
+    void compare() {
         if (real && (c.f_at(pixel.x, pixel.y, 128) != s.f(pixel.x, pixel.y)))
             b.fail("the bench's record is not its sphere");
         bool hit = real ? s.f(pixel.x, pixel.y) > 0 && (s.b(pixel.x, pixel.y) > 0 || s.k > 0)
@@ -92,5 +108,13 @@ int main(int argc, char **argv) {
         }
         b.done();
     }
-    return b.finish();
+};
+
+} // namespace
+
+int main(int argc, char **argv) {
+    Run run(argc, argv);
+    while (run.clock())
+        ;
+    return run.finish();
 }

@@ -33,6 +33,18 @@ uint32_t span(int y) {
     return (uint32_t)y * 2654435761u ^ (uint32_t)y << 3;
 }
 
+using Bench = bench::Bench<Vrt_spans>;
+
+void compare(Bench &b, const Window &w, int y) {
+    b.expect("span_x0_o", b.dut.span_x0_o, span(y) & 0xffff, 16);
+    b.expect("span_x1_o", b.dut.span_x1_o, span(y) >> 16, 16);
+    if (b.bad()) {
+        b.show("win_y0_i", w.y0, 14);
+        b.show("win_y1_i", w.y1, 14);
+        b.show("row", y, 14);
+    }
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
@@ -69,13 +81,7 @@ int main(int argc, char **argv) {
             b.settle();
             int y = w.y0 + (int)(row % (w.y1 - w.y0));
             if (b.dut.span_valid_o) {
-                b.expect("span_x0_o", b.dut.span_x0_o, span(y) & 0xffff, 16);
-                b.expect("span_x1_o", b.dut.span_x1_o, span(y) >> 16, 16);
-                if (b.bad()) {
-                    b.show("win_y0_i", w.y0, 14);
-                    b.show("win_y1_i", w.y1, 14);
-                    b.show("row", y, 14);
-                }
+                compare(b, w, y);
                 if (b.dut.span_next_i) row++, taken = b.cycle;
             }
             if (there && b.dut.rsp_ready_o) way.pop_front();

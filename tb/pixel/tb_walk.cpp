@@ -68,64 +68,88 @@ void load(Vrt_walk &dut, const Run &r) {
     bench::set(dut.pitch_i, WD, r.pitch);
 }
 
-} // namespace
+/* The unit, its memory, and the run of the registers that it makes. */
+class Walk {
+  public:
+    Walk(int argc, char **argv) : b("tb_walk", argc, argv) {
+        b.dut.start_i = 0;
+        b.dut.mem_rsp_valid_i = 0;
+        b.reset();
+    }
+    bool next() { /* a run of the unit; false at the end */
+        if (!b.more()) return false;
+        long wrong = b.mismatches;
+        start();
+        size_t stop = b.random.percent(2) ? b.random.below(pixels.size() + 1) : pixels.size();
+        for (size_t i = 0; i < stop && b.mismatches == wrong; i++) {
+            pixel(i);
+            done();
+        }
+        finish_run(stop == pixels.size() && b.mismatches == wrong);
+        return true;
+    }
+    int finish() { return b.finish(); }
 
-int main(int argc, char **argv) {
-    bench::Bench<Vrt_walk> b("tb_walk", argc, argv);
+  private:
+    bench::Bench<Vrt_walk> b;
     bench::Corners corners;
     Memory mem{};
     Run r{};
+    std::vector<Pixel> pixels;
+    uint64_t first = 0;                       /* clock of the first pixel */
     unsigned ray_ready = 100, bg_ready = 100; /* percent of clocks */
     long bad_tables = 0, bus_errors = 0;
-    auto ready = [&] { /* inputs of a clock */
-                       b.dut.ray_ready_i = b.random.percent(ray_ready);
-                       b.dut.bg_ready_i = b.random.percent(bg_ready);
-                       b.dut.mem_req_ready_i = b.random.percent(mem.ready);
-                       bool there = !mem.way.empty() && mem.way.front().due <= b.cycle;
-                       b.dut.mem_rsp_valid_i = there;
-                       b.dut.mem_rsp_error_i =
-                           there && mem.lines - (long)mem.way.size() == mem.error_at;
-                       for (uint32_t i = 0; i < 8; i++)
-                           b.dut.mem_rsp_data_i[i] = there && !b.dut.mem_rsp_error_i
-                                                         ? r.word(mem.way.front().line, i)
-                                                         : (uint32_t)b.random.next();
-                       b.settle();
-    };
-    auto tick = [&] { /* what memory takes and gives in the clock */
-                      if (mem.asked != Memory::NONE &&
-                          mem.asked != (b.dut.mem_req_valid_o ? (uint32_t)b.dut.mem_req_line_o
-                                                              : Memory::NONE))
-                          b.fail("a request for a line was taken back");
-                      mem.asked =
-                          b.dut.mem_req_valid_o ? (uint32_t)b.dut.mem_req_line_o : Memory::NONE;
-                      if (mem.asked != Memory::NONE) {
-                          if (!r.in_table(mem.asked)) b.fail("a line that is not of the table");
-                          if (b.dut.mem_req_ready_i) {
-                              uint64_t due = b.cycle + 1 + mem.latency;
-                              mem.way.push_back({mem.asked, due + b.random.below(mem.latency + 1)});
-                              mem.lines++;
-                              mem.asked = Memory::NONE;
-                          }
-                      }
-                      if (b.dut.mem_rsp_valid_i && b.dut.mem_rsp_ready_o) mem.way.pop_front();
-                      bad_tables += b.dut.bad_table_o;
-                      bus_errors += b.dut.bus_error_o;
-                      b.tick();
-    };
-    auto done = [&] {
+
+    /* Inputs of a clock. */
+    void ready() {
+        b.dut.ray_ready_i = b.random.percent(ray_ready);
+        b.dut.bg_ready_i = b.random.percent(bg_ready);
+        b.dut.mem_req_ready_i = b.random.percent(mem.ready);
+        bool there = !mem.way.empty() && mem.way.front().due <= b.cycle;
+        b.dut.mem_rsp_valid_i = there;
+        b.dut.mem_rsp_error_i = there && mem.lines - (long)mem.way.size() == mem.error_at;
+        for (uint32_t i = 0; i < 8; i++)
+            b.dut.mem_rsp_data_i[i] = there && !b.dut.mem_rsp_error_i
+                                          ? r.word(mem.way.front().line, i)
+                                          : (uint32_t)b.random.next();
+        b.settle();
+    }
+
+    /* What memory takes and gives in the clock. */
+    void tick() {
+        if (mem.asked != Memory::NONE &&
+            mem.asked != (b.dut.mem_req_valid_o ? (uint32_t)b.dut.mem_req_line_o : Memory::NONE))
+            b.fail("a request for a line was taken back");
+        mem.asked = b.dut.mem_req_valid_o ? (uint32_t)b.dut.mem_req_line_o : Memory::NONE;
+        if (mem.asked != Memory::NONE) {
+            if (!r.in_table(mem.asked)) b.fail("a line that is not of the table");
+            if (b.dut.mem_req_ready_i) {
+                uint64_t due = b.cycle + 1 + mem.latency;
+                mem.way.push_back({mem.asked, due + b.random.below(mem.latency + 1)});
+                mem.lines++;
+                mem.asked = Memory::NONE;
+            }
+        }
+        if (b.dut.mem_rsp_valid_i && b.dut.mem_rsp_ready_o) mem.way.pop_front();
+        bad_tables += b.dut.bad_table_o;
+        bus_errors += b.dut.bus_error_o;
+        b.tick();
+    }
+
+    void done() {
         if (b.bad()) r.print();
         b.done();
-    };
-    auto quiet = [&](int busy) {
+    }
+
+    void quiet(int busy) {
         b.expect("busy_o", b.dut.busy_o, busy);
         b.expect("ray_valid_o", b.dut.ray_valid_o, 0);
         b.expect("bg_valid_o", b.dut.bg_valid_o, 0);
-    };
-    b.dut.start_i = 0;
-    b.dut.mem_rsp_valid_i = 0;
-    b.reset();
-    while (b.more()) {
-        long wrong = b.mismatches;
+    }
+
+    /* Registers, and the clocks before the first pixel. */
+    void start() {
+        first = 0;
         r = corners.left() ? corners.next(b.random) : bench::make_run(b.random);
         ray_ready = (unsigned)b.random.below(3) * 45 + 10;
         bg_ready = (unsigned)b.random.below(3) * 45 + 10;
@@ -136,45 +160,45 @@ int main(int argc, char **argv) {
         ready();
         tick();
         b.dut.start_i = 0;
-        std::vector<Pixel> pixels = walk(r.win);
+        pixels = walk(r.win);
         int seek = r.win[1] + (pixels.empty() ? 0 : r.win[0] + 1); /* clocks without a pixel */
         for (int i = 0; i <= seek; i++) {
             ready();
             quiet(1);
             tick();
         }
-        size_t stop = b.random.percent(2) ? b.random.below(pixels.size() + 1) : pixels.size();
-        uint64_t first = 0;
-        for (size_t i = 0; i < stop && b.mismatches == wrong; i++) {
-            int x = pixels[i].x, y = pixels[i].y;
-            int64_t dir[3];
-            sph_primary_dir(&r.m, x, y, dir);
-            bool background = r.background(x, y), taken = false;
-            b.expect("sph_is_background()", sph_is_background(&r.m, x, y), background);
-            for (uint64_t since = b.cycle; !taken;) { /* what is offered stays until it is taken */
-                ready();
-                bool offered = b.dut.ray_valid_o || b.dut.bg_valid_o;
-                b.expect("busy_o", b.dut.busy_o, 1);
-                if (!offered && bench::TABLES && b.cycle - since < 20000) {
-                    tick();
-                    continue;
-                }
-                if (mem.error_at >= 0) background = b.dut.bg_valid_o; /* whatever picture */
-                b.expect("ray_valid_o", b.dut.ray_valid_o, !background);
-                b.expect("bg_valid_o", b.dut.bg_valid_o, background);
-                b.expect("x_o", b.get(b.dut.x_o), x, 14);
-                b.expect("y_o", b.get(b.dut.y_o), y, 14);
-                b.expect("ray_dir_x_o", b.sget(b.dut.ray_dir_x_o, WD),
-                         bench::sign((bench::u128)dir[0], WD), WD);
-                b.expect("ray_dir_y_o", b.sget(b.dut.ray_dir_y_o, WD),
-                         bench::sign((bench::u128)dir[1], WD), WD);
-                if (i == 0) first = b.cycle;
-                taken = (background ? b.dut.bg_ready_i : b.dut.ray_ready_i) || !offered;
+    }
+
+    void pixel(size_t i) {
+        int x = pixels[i].x, y = pixels[i].y;
+        int64_t dir[3];
+        sph_primary_dir(&r.m, x, y, dir);
+        bool background = r.background(x, y), taken = false;
+        b.expect("sph_is_background()", sph_is_background(&r.m, x, y), background);
+        for (uint64_t since = b.cycle; !taken;) { /* what is offered stays until it is taken */
+            ready();
+            bool offered = b.dut.ray_valid_o || b.dut.bg_valid_o;
+            b.expect("busy_o", b.dut.busy_o, 1);
+            if (!offered && bench::TABLES && b.cycle - since < 20000) {
                 tick();
+                continue;
             }
-            done();
+            if (mem.error_at >= 0) background = b.dut.bg_valid_o; /* whatever picture */
+            b.expect("ray_valid_o", b.dut.ray_valid_o, !background);
+            b.expect("bg_valid_o", b.dut.bg_valid_o, background);
+            b.expect("x_o", b.get(b.dut.x_o), x, 14);
+            b.expect("y_o", b.get(b.dut.y_o), y, 14);
+            b.expect("ray_dir_x_o", b.sget(b.dut.ray_dir_x_o, WD),
+                     bench::sign((bench::u128)dir[0], WD), WD);
+            b.expect("ray_dir_y_o", b.sget(b.dut.ray_dir_y_o, WD),
+                     bench::sign((bench::u128)dir[1], WD), WD);
+            if (i == 0) first = b.cycle;
+            taken = (background ? b.dut.bg_ready_i : b.dut.ray_ready_i) || !offered;
+            tick();
         }
-        bool whole = stop == pixels.size() && b.mismatches == wrong;
+    }
+
+    void finish_run(bool whole) {
         if (whole && !pixels.empty() && ray_ready == 100 && bg_ready == 100 && r.fast(mem.latency))
             b.expect("clocks at most", b.cycle - first <= pixels.size() + r.pauses(), 1);
         for (uint64_t since = b.cycle; whole && b.dut.busy_o && b.cycle - since < 20000;) {
@@ -201,5 +225,13 @@ int main(int argc, char **argv) {
         quiet(0);
         done();
     }
-    return b.finish();
+};
+
+} // namespace
+
+int main(int argc, char **argv) {
+    Walk walk(argc, argv);
+    while (walk.next())
+        ;
+    return walk.finish();
 }

@@ -119,71 +119,73 @@ struct sph_quotient quotient(const Vector &v) {
     return sph_quotient(v.key, W + WD + 2, v.a, 2 * WD, PQ);
 }
 
+using Bench = bench::Bench<Vrt_hit>;
+
+auto centre(Bench &b, const Vector &v, int i) { /* above W bits: what must not matter */
+    bench::u128 high = v.facet ? 0 : b.random.bits(24) >> W << W;
+    return (bench::i128)(high | bench::low((bench::u128)v.ctr[i], v.facet ? 24 : W));
+}
+
+void send(Bench &b, const Vector &v) {
+    struct sph_quotient t = quotient(v);
+    b.set(b.dut.in_mant_i, PQ, t.mant);
+    b.set(b.dut.in_exp_i, 8, t.exp);
+    b.set(b.dut.in_org_x_i, W, v.org[0]);
+    b.set(b.dut.in_org_y_i, W, v.org[1]);
+    b.set(b.dut.in_org_z_i, W, v.org[2]);
+    b.set(b.dut.in_dir_x_i, WD, v.dir[0]);
+    b.set(b.dut.in_dir_y_i, WD, v.dir[1]);
+    b.set(b.dut.in_dir_z_i, WD, v.dir[2]);
+    b.set(b.dut.in_ctr_x_i, 24, centre(b, v, 0));
+    b.set(b.dut.in_ctr_y_i, 24, centre(b, v, 1));
+    b.set(b.dut.in_ctr_z_i, 24, centre(b, v, 2));
+    b.dut.in_facet_i = v.facet || (!FACETS && b.random.percent(50));
+    b.dut.in_far_i = (uint8_t)v.far;
+}
+
+void check(Bench &b, const Vector &e) {
+    struct sph_ray ray = {};
+    struct sph_leaf sphere = {};
+    struct sph_surface s;
+    for (int i = 0; i < 3; i++) {
+        ray.org[i] = e.org[i];
+        ray.dir[i] = e.dir[i];
+        sphere.ctr[i] = e.ctr[i];
+    }
+    ray.a = e.a;
+    struct sph_hit hit = {e.key, 0, e.far};
+    int saturated = e.facet ? sph_surface_facet(&profile, &ray, &hit, e.ctr, &s)
+                            : sph_surface_at(&profile, &ray, &hit, &sphere, &s);
+    b.expect("out_point_x_o", b.sget(b.dut.out_point_x_o, W), s.point[0], W);
+    b.expect("out_point_y_o", b.sget(b.dut.out_point_y_o, W), s.point[1], W);
+    b.expect("out_point_z_o", b.sget(b.dut.out_point_z_o, W), s.point[2], W);
+    b.expect("out_normal_x_o", b.sget(b.dut.out_normal_x_o, WD), s.normal[0], WD);
+    b.expect("out_normal_y_o", b.sget(b.dut.out_normal_y_o, WD), s.normal[1], WD);
+    b.expect("out_normal_z_o", b.sget(b.dut.out_normal_z_o, WD), s.normal[2], WD);
+    for (int i = 0; i < 3; i++)
+        b.expect("out_guarded_o", bench::sign(b.get(b.dut.out_guarded_o) >> (W + NG) * i, W + NG),
+                 TEXTURE ? s.guarded[i] : 0, W + NG);
+    b.expect("out_saturated_o", b.dut.out_saturated_o, saturated, 1);
+    if (b.bad()) {
+        e.hard.show();
+        b.show("key", e.key, W + WD + 2);
+        b.show("a", e.a, 2 * WD);
+        b.show("in_mant_i", quotient(e).mant, PQ);
+        b.show("in_exp_i", quotient(e).exp, 8);
+        b.show("in_far_i", e.far, 1);
+        b.show("in_facet_i", e.facet, 1);
+    }
+    for (int i = 0; i < 3 && b.bad(); i++) {
+        b.show("in_org_i", e.org[i], W);
+        b.show("in_dir_i", e.dir[i], WD);
+        b.show("in_ctr_i", e.ctr[i], W);
+    }
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
     bench::Bench<Vrt_hit> b("tb_hit", argc, argv);
-    auto centre = [&](const Vector &v,
-                      int i) { /* above W bits: what must not matter */
-                               bench::u128 high = v.facet ? 0 : b.random.bits(24) >> W << W;
-                               return (bench::i128)(
-                                   high | bench::low((bench::u128)v.ctr[i], v.facet ? 24 : W));
-    };
-    auto send = [&](const Vector &v) {
-        struct sph_quotient t = quotient(v);
-        b.set(b.dut.in_mant_i, PQ, t.mant);
-        b.set(b.dut.in_exp_i, 8, t.exp);
-        b.set(b.dut.in_org_x_i, W, v.org[0]);
-        b.set(b.dut.in_org_y_i, W, v.org[1]);
-        b.set(b.dut.in_org_z_i, W, v.org[2]);
-        b.set(b.dut.in_dir_x_i, WD, v.dir[0]);
-        b.set(b.dut.in_dir_y_i, WD, v.dir[1]);
-        b.set(b.dut.in_dir_z_i, WD, v.dir[2]);
-        b.set(b.dut.in_ctr_x_i, 24, centre(v, 0));
-        b.set(b.dut.in_ctr_y_i, 24, centre(v, 1));
-        b.set(b.dut.in_ctr_z_i, 24, centre(v, 2));
-        b.dut.in_facet_i = v.facet || (!FACETS && b.random.percent(50));
-        b.dut.in_far_i = (uint8_t)v.far;
-    };
-    auto check = [&](const Vector &e) {
-        struct sph_ray ray = {};
-        struct sph_leaf sphere = {};
-        struct sph_surface s;
-        for (int i = 0; i < 3; i++) {
-            ray.org[i] = e.org[i];
-            ray.dir[i] = e.dir[i];
-            sphere.ctr[i] = e.ctr[i];
-        }
-        ray.a = e.a;
-        struct sph_hit hit = {e.key, 0, e.far};
-        int saturated = e.facet ? sph_surface_facet(&profile, &ray, &hit, e.ctr, &s)
-                                : sph_surface_at(&profile, &ray, &hit, &sphere, &s);
-        b.expect("out_point_x_o", b.sget(b.dut.out_point_x_o, W), s.point[0], W);
-        b.expect("out_point_y_o", b.sget(b.dut.out_point_y_o, W), s.point[1], W);
-        b.expect("out_point_z_o", b.sget(b.dut.out_point_z_o, W), s.point[2], W);
-        b.expect("out_normal_x_o", b.sget(b.dut.out_normal_x_o, WD), s.normal[0], WD);
-        b.expect("out_normal_y_o", b.sget(b.dut.out_normal_y_o, WD), s.normal[1], WD);
-        b.expect("out_normal_z_o", b.sget(b.dut.out_normal_z_o, WD), s.normal[2], WD);
-        for (int i = 0; i < 3; i++)
-            b.expect("out_guarded_o",
-                     bench::sign(b.get(b.dut.out_guarded_o) >> (W + NG) * i, W + NG),
-                     TEXTURE ? s.guarded[i] : 0, W + NG);
-        b.expect("out_saturated_o", b.dut.out_saturated_o, saturated, 1);
-        if (b.bad()) {
-            e.hard.show();
-            b.show("key", e.key, W + WD + 2);
-            b.show("a", e.a, 2 * WD);
-            b.show("in_mant_i", quotient(e).mant, PQ);
-            b.show("in_exp_i", quotient(e).exp, 8);
-            b.show("in_far_i", e.far, 1);
-            b.show("in_facet_i", e.facet, 1);
-        }
-        for (int i = 0; i < 3 && b.bad(); i++) {
-            b.show("in_org_i", e.org[i], W);
-            b.show("in_dir_i", e.dir[i], WD);
-            b.show("in_ctr_i", e.ctr[i], W);
-        }
-    };
     std::vector<Vector> directed;
     if (!hard::alone()) directed.assign(std::begin(corners), std::end(corners));
     hard::Source source(
@@ -203,6 +205,8 @@ int main(int argc, char **argv) {
         directed.push_back(v);
     }
     source.report(b);
-    b.stream(directed, make, TAG, LATENCY, INTERVAL, send, check);
+    b.stream(
+        directed, make, TAG, LATENCY, INTERVAL, [&](const Vector &v) { send(b, v); },
+        [&](const Vector &v) { check(b, v); });
     return b.finish();
 }

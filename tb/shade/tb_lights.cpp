@@ -50,25 +50,52 @@ struct Slot {
     uint32_t cosine, sum[3];
 };
 
-} // namespace
+/* The unit, a scene of lights, and the surfaces under way. */
+class Run {
+  public:
+    Run(int argc, char **argv) : b("tb_lights", argc, argv) {
+        b.dut.light_valid_i = b.dut.point_valid_i = b.dut.cosine_valid_i = 0;
+        b.dut.start_valid_i = b.dut.lamp_valid_i = b.dut.shadow_valid_i = 0;
+        b.reset();
+    }
+    bool next() { /* a scene and its surfaces; false at the end */
+        if (!b.more()) return false;
+        load();
+        started = inside = 0;
+        for (unsigned &p : pace)
+            p = 100;
+        while (b.more() && (started < SURFACES || inside)) {
+            if (b.random.percent(2))
+                for (unsigned &p : pace)
+                    p = b.random.percent(50) ? 100 : (unsigned)b.random.between(2, 50);
+            give_point();
+            lights_done(give_cosine());
+            b.tick();
+            compare();
+        }
+        return true;
+    }
+    int finish() { return b.finish(); }
 
-int main(int argc, char **argv) {
-    bench::Bench<Vrt_lights> b("tb_lights", argc, argv);
+  private:
+    bench::Bench<Vrt_lights> b;
     Slot slots[SLOTS] = {};
     size_t scenes = 0;
-    b.dut.light_valid_i = b.dut.point_valid_i = b.dut.cosine_valid_i = 0;
-    b.dut.start_valid_i = b.dut.lamp_valid_i = b.dut.shadow_valid_i = 0;
-    b.reset();
-    auto is = [&](int64_t fixed, int64_t random) { return fixed == ANY ? random : fixed; };
-    while (b.more()) {
-        /* a scene: lights and ambient, while nothing is under way */
-        Scene scene = {(int)b.random.below(LIGHTS + 1), ANY, ANY, ANY, ANY, ANY,
-                       (int)b.random.below(101)};
+    Scene scene{};
+    int64_t pos[REGISTERS][3];
+    uint32_t ambient[3], intensity[REGISTERS][3];
+    int started = 0, inside = 0;
+    unsigned pace[3] = {100, 100, 100}; /* percent of clocks with a start, lamp, shadow */
+
+    static int64_t is(int64_t fixed, int64_t random) { return fixed == ANY ? random : fixed; }
+
+    /* Lights and ambient light, while nothing is under way. */
+    void load() {
+        scene = {(int)b.random.below(LIGHTS + 1), ANY, ANY, ANY, ANY, ANY,
+                 (int)b.random.below(101)};
         if (scenes < CORNERS) scene = corners[scenes];
         scenes++;
         if (scene.n_lights > LIGHTS) scene.n_lights = LIGHTS;
-        int64_t pos[REGISTERS][3];
-        uint32_t ambient[3], intensity[REGISTERS][3];
         for (int i = 0; i < 3; i++)
             ambient[i] = (uint32_t)is(scene.ambient, (int64_t)b.random.mixed(16));
         b.dut.n_lights_i = (uint8_t)scene.n_lights;
@@ -90,97 +117,108 @@ int main(int argc, char **argv) {
         }
         b.dut.light_valid_i = 0;
         b.set(b.dut.light_data_i, 32, b.random.sbits(32));
+    }
 
-        int started = 0, inside = 0;
-        unsigned pace[3] = {100, 100, 100}; /* percent of clocks with a start, lamp, shadow */
-        while (b.more() && (started < SURFACES || inside)) {
-            if (b.random.percent(2))
-                for (unsigned &p : pace)
-                    p = b.random.percent(50) ? 100 : (unsigned)b.random.between(2, 50);
-            /* a point, and a surface that starts */
-            int at = (int)b.random.below(SLOTS);
-            Slot *s = &slots[at];
-            b.dut.point_valid_i = s->state == Slot::IDLE && started < SURFACES;
-            b.dut.point_slot_i = (uint8_t)at;
-            u128 packed = 0;
-            int64_t point[3];
-            for (int i = 2; i >= 0; i--) {
-                point[i] = is(scene.point, b.random.smixed(W));
-                packed = packed << W | bench::low((u128)point[i], W);
-            }
-            b.set(b.dut.point_i, 3 * W, (bench::i128)packed);
-            if (b.dut.point_valid_i) {
-                started++;
-                inside++;
-                s->state = Slot::POINT;
-                for (int i = 0; i < 3; i++)
-                    s->point[i] = point[i], s->sum[i] = ambient[i];
-                s->lights = 0;
-            }
-            if (b.random.percent(50)) at = (int)b.random.below(SLOTS);
-            s = &slots[at];
-            b.dut.start_valid_i = s->state == Slot::POINT && b.random.percent(pace[0]);
-            b.dut.start_slot_i = (uint8_t)at;
-            if (b.dut.start_valid_i) s->state = Slot::WAITS;
-            /* a cosine; not all that is answered has a new one */
-            at = (int)b.random.below(SLOTS);
-            s = &slots[at];
-            uint32_t cosine = (uint32_t)is(scene.cosine, (int64_t)b.random.below(32769));
-            b.dut.cosine_valid_i = s->state == Slot::ASKED;
-            b.dut.cosine_slot_i = (uint8_t)at;
-            b.dut.cosine_i = (uint16_t)cosine;
-            if (b.dut.cosine_valid_i) {
-                s->state = Slot::COSINE;
-                s->cosine = cosine;
-            }
-            /* a settled lamp and a shadow ray that is done */
-            for (int shadow = 0; shadow < 2; shadow++) {
-                if (b.random.percent(50)) at = (int)b.random.below(SLOTS);
-                s = &slots[at];
-                bool valid = (SHADOW || !shadow) && s->state == Slot::COSINE &&
-                             b.random.percent(pace[1 + shadow]);
-                bool lit = b.random.percent((unsigned)scene.lit);
-                (shadow ? b.dut.shadow_valid_i : b.dut.lamp_valid_i) = valid;
-                (shadow ? b.dut.shadow_slot_i : b.dut.lamp_slot_i) = (uint8_t)at;
-                (shadow ? b.dut.shadow_lit_i : b.dut.lamp_lit_i) = lit;
-                if (!valid) continue;
-                for (int i = 0; i < 3 && lit; i++)
-                    s->sum[i] = sph_light_add(s->sum[i], s->cosine, intensity[s->lights][i]);
-                s->lights++;
-                s->state = Slot::WAITS;
-            }
-
-            b.tick();
-            if (!b.dut.vec_valid_o && !b.dut.sum_valid_o) continue;
-            if (b.dut.vec_valid_o && b.dut.sum_valid_o) b.fail("a vector and a sum at once");
-            at = b.dut.vec_valid_o ? b.dut.vec_slot_o : b.dut.sum_slot_o;
-            Slot &e = slots[at];
-            if (e.state != Slot::WAITS) {
-                b.fail("a slot without an event");
-                continue;
-            }
-            bool last = e.lights == scene.n_lights;
-            b.expect("sum_valid_o", b.dut.sum_valid_o, last, 1);
+    /* A point, and a surface that starts. */
+    void give_point() {
+        int at = (int)b.random.below(SLOTS);
+        Slot *s = &slots[at];
+        b.dut.point_valid_i = s->state == Slot::IDLE && started < SURFACES;
+        b.dut.point_slot_i = (uint8_t)at;
+        u128 packed = 0;
+        int64_t point[3];
+        for (int i = 2; i >= 0; i--) {
+            point[i] = is(scene.point, b.random.smixed(W));
+            packed = packed << W | bench::low((u128)point[i], W);
+        }
+        b.set(b.dut.point_i, 3 * W, (bench::i128)packed);
+        if (b.dut.point_valid_i) {
+            started++;
+            inside++;
+            s->state = Slot::POINT;
             for (int i = 0; i < 3; i++)
-                if (last)
-                    b.expect("sum_o", bench::low(b.get(b.dut.sum_o) >> (17 * i), 17), e.sum[i], 17);
-                else
-                    b.expect("vec_o", bench::sign(b.get(b.dut.vec_o) >> (WD * i), WD),
-                             pos[e.lights][i] - e.point[i], WD);
-            if (b.bad()) {
-                b.show("slot", at, SLOTW);
-                b.show("scene", (bench::i128)scenes - 1, 32);
-                b.show("n_lights_i", scene.n_lights, 4);
-                b.show("lights settled", e.lights, 4);
-                b.show("ambient_i", (bench::i128)b.get(b.dut.ambient_i), 48);
-                b.show("last cosine", e.cosine, 16);
-            }
-            for (int i = 0; i < 3 && b.bad(); i++)
-                b.show("point", e.point[i], W);
-            e.state = last ? Slot::IDLE : Slot::ASKED;
-            inside -= last;
-            b.done();
+                s->point[i] = point[i], s->sum[i] = ambient[i];
+            s->lights = 0;
+        }
+        if (b.random.percent(50)) at = (int)b.random.below(SLOTS);
+        s = &slots[at];
+        b.dut.start_valid_i = s->state == Slot::POINT && b.random.percent(pace[0]);
+        b.dut.start_slot_i = (uint8_t)at;
+        if (b.dut.start_valid_i) s->state = Slot::WAITS;
+    }
+
+    /* A cosine; not all that is answered has a new one. */
+    int give_cosine() {
+        int at = (int)b.random.below(SLOTS);
+        Slot *s = &slots[at];
+        uint32_t cosine = (uint32_t)is(scene.cosine, (int64_t)b.random.below(32769));
+        b.dut.cosine_valid_i = s->state == Slot::ASKED;
+        b.dut.cosine_slot_i = (uint8_t)at;
+        b.dut.cosine_i = (uint16_t)cosine;
+        if (b.dut.cosine_valid_i) {
+            s->state = Slot::COSINE;
+            s->cosine = cosine;
+        }
+        return at;
+    }
+
+    /* A settled lamp and a shadow ray that is done. */
+    void lights_done(int at) {
+        for (int shadow = 0; shadow < 2; shadow++) {
+            if (b.random.percent(50)) at = (int)b.random.below(SLOTS);
+            Slot *s = &slots[at];
+            bool valid = (SHADOW || !shadow) && s->state == Slot::COSINE &&
+                         b.random.percent(pace[1 + shadow]);
+            bool lit = b.random.percent((unsigned)scene.lit);
+            (shadow ? b.dut.shadow_valid_i : b.dut.lamp_valid_i) = valid;
+            (shadow ? b.dut.shadow_slot_i : b.dut.lamp_slot_i) = (uint8_t)at;
+            (shadow ? b.dut.shadow_lit_i : b.dut.lamp_lit_i) = lit;
+            if (!valid) continue;
+            for (int i = 0; i < 3 && lit; i++)
+                s->sum[i] = sph_light_add(s->sum[i], s->cosine, intensity[s->lights][i]);
+            s->lights++;
+            s->state = Slot::WAITS;
         }
     }
-    return b.finish();
+
+    void compare() {
+        if (!b.dut.vec_valid_o && !b.dut.sum_valid_o) return;
+        if (b.dut.vec_valid_o && b.dut.sum_valid_o) b.fail("a vector and a sum at once");
+        int at = b.dut.vec_valid_o ? b.dut.vec_slot_o : b.dut.sum_slot_o;
+        Slot &e = slots[at];
+        if (e.state != Slot::WAITS) {
+            b.fail("a slot without an event");
+            return;
+        }
+        bool last = e.lights == scene.n_lights;
+        b.expect("sum_valid_o", b.dut.sum_valid_o, last, 1);
+        for (int i = 0; i < 3; i++)
+            if (last)
+                b.expect("sum_o", bench::low(b.get(b.dut.sum_o) >> (17 * i), 17), e.sum[i], 17);
+            else
+                b.expect("vec_o", bench::sign(b.get(b.dut.vec_o) >> (WD * i), WD),
+                         pos[e.lights][i] - e.point[i], WD);
+        if (b.bad()) {
+            b.show("slot", at, SLOTW);
+            b.show("scene", (bench::i128)scenes - 1, 32);
+            b.show("n_lights_i", scene.n_lights, 4);
+            b.show("lights settled", e.lights, 4);
+            b.show("ambient_i", (bench::i128)b.get(b.dut.ambient_i), 48);
+            b.show("last cosine", e.cosine, 16);
+        }
+        for (int i = 0; i < 3 && b.bad(); i++)
+            b.show("point", e.point[i], W);
+        e.state = last ? Slot::IDLE : Slot::ASKED;
+        inside -= last;
+        b.done();
+    }
+};
+
+} // namespace
+
+int main(int argc, char **argv) {
+    Run run(argc, argv);
+    while (run.next())
+        ;
+    return run.finish();
 }

@@ -136,66 +136,71 @@ bench::i128 word(const uint32_t part[3], int bits) {
     return (bench::i128)part[0] | (bench::i128)part[1] << bits | (bench::i128)part[2] << (2 * bits);
 }
 
+using Bench = bench::Bench<Vrt_share>;
+
+void send(Bench &b, const Vector &v) {
+    b.dut.in_background_i = v.background != 0;
+    b.set(b.dut.in_ambient_i, 48, word(v.ambient, 16));
+    uint32_t lights[3]; /* without SUM the ambient light is in them */
+    for (int i = 0; i < 3; i++)
+        lights[i] = SUM ? v.lights[i] : std::min(LIGHT, v.lights[i] + v.ambient[i]);
+    b.set(b.dut.in_lights_i, 51, word(lights, 17));
+    b.set(b.dut.in_gloss_i, 51, word(v.gloss, 17));
+    b.set(b.dut.in_albedo_i, 24, word(v.albedo, 8));
+    b.dut.in_sum_i = v.look.sum != 0;
+    b.set(b.dut.in_ka_i, 9, v.look.sum ? v.look.ka : 77); /* must not count without sum */
+    b.set(b.dut.in_kd_i, 9, v.look.sum ? v.look.kd : 99);
+    b.set(b.dut.in_ks_i, 8, v.look.sum ? v.look.ks : 111);
+    b.set(b.dut.in_kr_i, 9, v.look.kr);
+    b.set(b.dut.in_kt_i, 9, v.look.kt);
+    b.set(b.dut.in_weight_i, 17, v.weight);
+    b.set(b.dut.in_depth_i, 2, std::min(v.depth, 2));
+    for (int f = 0; f < 3; f++)
+        for (int i = 0; i < 3; i++) { /* 16 bits at a time: the port has 144 */
+            int at = 48 * f + 16 * i;
+            uint32_t *part = &b.dut.in_frames_i[at / 32];
+            *part = at % 32 ? (*part & 0xffff) | v.shares.sum[f][i] << 16
+                            : (*part & 0xffff0000) | v.shares.sum[f][i];
+        }
+}
+
+void check(Bench &b, const Vector &e) {
+    uint32_t colour[3];
+    for (int i = 0; i < 3; i++) {
+        uint32_t light = sph_look_light(&e.look, e.ambient[i], e.lights[i]);
+        colour[i] = e.background ? e.albedo[i] << 8
+                                 : std::min(65280u, sph_surface_colour(e.albedo[i], light) +
+                                                        sph_surface_colour(e.look.ks, e.gloss[i]));
+    }
+    struct sph_shares shares = e.shares;
+    uint32_t own = sph_share(e.weight, sph_look_own(&e.look, e.look.kr, e.look.kt));
+    sph_shares_add(&shares, e.depth, e.weight, own, colour);
+    for (int f = 0; f < 3; f++)
+        for (int i = 0; i < 3; i++) {
+            int at = 48 * f + 16 * i;
+            uint32_t sum = b.dut.out_frames_o[at / 32] >> (at % 32) & 0xffff;
+            b.expect("out_frames_o", sum, shares.sum[f][i], 16);
+        }
+    uint32_t total = std::min(256u, e.look.kr + e.look.kt);
+    b.expect("out_mirror_o", b.get(b.dut.out_mirror_o), sph_share(e.weight, e.look.kr), 17);
+    b.expect("out_refract_o", b.get(b.dut.out_refract_o), sph_share(e.weight, e.look.kt), 17);
+    b.expect("out_total_o", b.get(b.dut.out_total_o), sph_share(e.weight, total), 17);
+    if (b.bad()) {
+        b.show("depth", e.depth, 3);
+        b.show("in_weight_i", e.weight, 17);
+        b.show("in_sum_i", e.look.sum, 1);
+        b.show("in_kr_i", e.look.kr, 9);
+        b.show("in_kt_i", e.look.kt, 9);
+        b.show("in_background_i", e.background, 1);
+    }
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
     bench::Bench<Vrt_share> b("tb_share", argc, argv);
-    auto send = [&](const Vector &v) {
-        b.dut.in_background_i = v.background != 0;
-        b.set(b.dut.in_ambient_i, 48, word(v.ambient, 16));
-        uint32_t lights[3]; /* without SUM the ambient light is in them */
-        for (int i = 0; i < 3; i++)
-            lights[i] = SUM ? v.lights[i] : std::min(LIGHT, v.lights[i] + v.ambient[i]);
-        b.set(b.dut.in_lights_i, 51, word(lights, 17));
-        b.set(b.dut.in_gloss_i, 51, word(v.gloss, 17));
-        b.set(b.dut.in_albedo_i, 24, word(v.albedo, 8));
-        b.dut.in_sum_i = v.look.sum != 0;
-        b.set(b.dut.in_ka_i, 9, v.look.sum ? v.look.ka : 77); /* must not count without sum */
-        b.set(b.dut.in_kd_i, 9, v.look.sum ? v.look.kd : 99);
-        b.set(b.dut.in_ks_i, 8, v.look.sum ? v.look.ks : 111);
-        b.set(b.dut.in_kr_i, 9, v.look.kr);
-        b.set(b.dut.in_kt_i, 9, v.look.kt);
-        b.set(b.dut.in_weight_i, 17, v.weight);
-        b.set(b.dut.in_depth_i, 2, std::min(v.depth, 2));
-        for (int f = 0; f < 3; f++)
-            for (int i = 0; i < 3; i++) { /* 16 bits at a time: the port has 144 */
-                int at = 48 * f + 16 * i;
-                uint32_t *part = &b.dut.in_frames_i[at / 32];
-                *part = at % 32 ? (*part & 0xffff) | v.shares.sum[f][i] << 16
-                                : (*part & 0xffff0000) | v.shares.sum[f][i];
-            }
-    };
-    auto check = [&](const Vector &e) {
-        uint32_t colour[3];
-        for (int i = 0; i < 3; i++) {
-            uint32_t light = sph_look_light(&e.look, e.ambient[i], e.lights[i]);
-            colour[i] = e.background
-                            ? e.albedo[i] << 8
-                            : std::min(65280u, sph_surface_colour(e.albedo[i], light) +
-                                                   sph_surface_colour(e.look.ks, e.gloss[i]));
-        }
-        struct sph_shares shares = e.shares;
-        uint32_t own = sph_share(e.weight, sph_look_own(&e.look, e.look.kr, e.look.kt));
-        sph_shares_add(&shares, e.depth, e.weight, own, colour);
-        for (int f = 0; f < 3; f++)
-            for (int i = 0; i < 3; i++) {
-                int at = 48 * f + 16 * i;
-                uint32_t sum = b.dut.out_frames_o[at / 32] >> (at % 32) & 0xffff;
-                b.expect("out_frames_o", sum, shares.sum[f][i], 16);
-            }
-        uint32_t total = std::min(256u, e.look.kr + e.look.kt);
-        b.expect("out_mirror_o", b.get(b.dut.out_mirror_o), sph_share(e.weight, e.look.kr), 17);
-        b.expect("out_refract_o", b.get(b.dut.out_refract_o), sph_share(e.weight, e.look.kt), 17);
-        b.expect("out_total_o", b.get(b.dut.out_total_o), sph_share(e.weight, total), 17);
-        if (b.bad()) {
-            b.show("depth", e.depth, 3);
-            b.show("in_weight_i", e.weight, 17);
-            b.show("in_sum_i", e.look.sum, 1);
-            b.show("in_kr_i", e.look.kr, 9);
-            b.show("in_kt_i", e.look.kt, 9);
-            b.show("in_background_i", e.background, 1);
-        }
-    };
-    b.stream(corners, make, TAG, LATENCY, INTERVAL, send, check);
+    b.stream(
+        corners, make, TAG, LATENCY, INTERVAL, [&](const Vector &v) { send(b, v); },
+        [&](const Vector &v) { check(b, v); });
     return b.finish();
 }

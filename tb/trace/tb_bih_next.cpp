@@ -132,6 +132,80 @@ uint32_t bound(bench::Random &random) {
     return (uint32_t)(random.percent(50) ? random.below(64) * (NONE / 63) : random.mixed(22));
 }
 
+using Bench = bench::Bench<Vrt_bih_next>;
+
+void give_node(Bench &b, const Outcome &now, Slot &seen) {
+    if (now.valid && now.go) {
+        unsigned what = (unsigned)b.random.below(100);
+        seen.kind = what < 60 ? INNER : what < 75 ? FIT : what < 98 ? LEAVE : KILL;
+        seen.child = (uint32_t)b.random.bits(26);
+        seen.first = (uint32_t)b.random.bits(20);
+        seen.count = (uint32_t)b.random.below(12);
+        b.dut.node_valid_i = 1;
+        b.dut.node_slot_i = (uint8_t)now.slot;
+        bench::i128 node = seen.kind == LEAVE ? (bench::i128)seen.count << 24 | seen.first
+                                              : (bench::i128)seen.child;
+        b.set(b.dut.node_i, 48, node);
+    } else if (now.valid) {
+        seen.kind = now.box     ? (Kind)(BOX_X + now.axis)
+                    : now.leaf  ? TESTED
+                    : now.again ? AGAIN
+                                : IDLE;
+    }
+}
+
+void send(Bench &b, Slot &s, int at) {
+    s.sent = true;
+    if (s.kind == TESTED) {
+        b.dut.tested_valid_i = 1;
+        b.dut.tested_slot_i = (uint8_t)at;
+        if (b.random.percent(25)) {
+            s.hit = true;
+            uint32_t limit = bound(b.random);
+            if (limit < s.limit) s.limit = limit;
+        }
+    } else {
+        b.dut.pass_valid_i = 1;
+        b.dut.pass_slot_i = (uint8_t)at;
+        b.dut.pass_kind_i = (uint8_t)s.kind;
+        bool easy = b.random.percent(s.kind >= BOX_X ? 80 : 60); /* meets what it can */
+        s.back = b.random.percent(50);
+        s.near = easy || b.random.percent(70);
+        s.far = easy || b.random.percent(70);
+        s.upper = easy ? NONE : bound(b.random);
+        s.lower = easy ? 0 : bound(b.random);
+    }
+}
+
+void answer(Bench &b, const Slot &t) {
+    b.dut.limit_i = t.limit;
+    b.dut.hit_i = t.hit;
+    b.dut.ends_i = t.ends;
+    b.dut.step_back_i = t.back;
+    b.dut.step_near_i = t.near;
+    b.dut.step_far_i = t.far;
+    b.dut.step_upper_i = t.upper;
+    b.dut.step_lower_i = t.lower;
+}
+
+void compare(Bench &b, const Outcome &now) {
+    b.expect("issue_valid_o", b.dut.issue_valid_o, now.valid && now.go);
+    b.expect("box_valid_o", b.dut.box_valid_o, now.valid && now.box);
+    b.expect("leaf_valid_o", b.dut.leaf_valid_o, now.valid && now.leaf);
+    b.expect("bubble_o", b.dut.bubble_o, now.valid && now.again);
+    b.expect("overflow_o", b.dut.overflow_o, now.valid && now.over);
+    b.expect("done_valid_o", b.dut.done_valid_o,
+             now.valid && !now.go && !now.box && !now.leaf && !now.again);
+    if (now.valid) b.expect("slot", b.dut.done_slot_o, now.slot);
+    if (now.valid && now.go) b.expect("issue_place_o", b.dut.issue_place_o, now.place);
+    if (now.valid && now.box) b.expect("box_axis_o", b.dut.box_axis_o, now.axis);
+    if (now.valid && now.leaf) {
+        b.expect("leaf_mask_o", b.dut.leaf_mask_o, now.mask);
+        b.expect("leaf_count_o", b.dut.leaf_count_o, now.count);
+        b.expect("leaf_line_o", b.dut.leaf_line_o, now.line);
+    }
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
@@ -149,23 +223,7 @@ int main(int argc, char **argv) {
         b.dut.pass_valid_i = b.dut.tested_valid_i = b.dut.node_valid_i = 0;
         /* the node of the slot whose outcome is at the outputs */
         Slot &seen = slots[(size_t)now.slot];
-        if (now.valid && now.go) {
-            unsigned what = (unsigned)b.random.below(100);
-            seen.kind = what < 60 ? INNER : what < 75 ? FIT : what < 98 ? LEAVE : KILL;
-            seen.child = (uint32_t)b.random.bits(26);
-            seen.first = (uint32_t)b.random.bits(20);
-            seen.count = (uint32_t)b.random.below(12);
-            b.dut.node_valid_i = 1;
-            b.dut.node_slot_i = (uint8_t)now.slot;
-            bench::i128 node = seen.kind == LEAVE ? (bench::i128)seen.count << 24 | seen.first
-                                                  : (bench::i128)seen.child;
-            b.set(b.dut.node_i, 48, node);
-        } else if (now.valid) {
-            seen.kind = now.box     ? (Kind)(BOX_X + now.axis)
-                        : now.leaf  ? TESTED
-                        : now.again ? AGAIN
-                                    : IDLE;
-        }
+        give_node(b, now, seen);
         if (now.valid) seen.sent = seen.kind == AGAIN; /* that goes round by itself */
         now.valid = false;
         /* one token in */
@@ -180,26 +238,7 @@ int main(int argc, char **argv) {
             s.limit = b.random.percent(50) ? NONE : bound(b.random);
         }
         if (!s.sent && !written && b.random.percent(80)) {
-            s.sent = true;
-            if (s.kind == TESTED) {
-                b.dut.tested_valid_i = 1;
-                b.dut.tested_slot_i = (uint8_t)at;
-                if (b.random.percent(25)) {
-                    s.hit = true;
-                    uint32_t limit = bound(b.random);
-                    if (limit < s.limit) s.limit = limit;
-                }
-            } else {
-                b.dut.pass_valid_i = 1;
-                b.dut.pass_slot_i = (uint8_t)at;
-                b.dut.pass_kind_i = (uint8_t)s.kind;
-                bool easy = b.random.percent(s.kind >= BOX_X ? 80 : 60); /* meets what it can */
-                s.back = b.random.percent(50);
-                s.near = easy || b.random.percent(70);
-                s.far = easy || b.random.percent(70);
-                s.upper = easy ? NONE : bound(b.random);
-                s.lower = easy ? 0 : bound(b.random);
-            }
+            send(b, s, at);
         }
         b.settle();
         bool read = b.dut.read_o;
@@ -207,21 +246,7 @@ int main(int argc, char **argv) {
         b.tick();
         /* the outputs are of the token that was in stage 1 */
         now = next;
-        b.expect("issue_valid_o", b.dut.issue_valid_o, now.valid && now.go);
-        b.expect("box_valid_o", b.dut.box_valid_o, now.valid && now.box);
-        b.expect("leaf_valid_o", b.dut.leaf_valid_o, now.valid && now.leaf);
-        b.expect("bubble_o", b.dut.bubble_o, now.valid && now.again);
-        b.expect("overflow_o", b.dut.overflow_o, now.valid && now.over);
-        b.expect("done_valid_o", b.dut.done_valid_o,
-                 now.valid && !now.go && !now.box && !now.leaf && !now.again);
-        if (now.valid) b.expect("slot", b.dut.done_slot_o, now.slot);
-        if (now.valid && now.go) b.expect("issue_place_o", b.dut.issue_place_o, now.place);
-        if (now.valid && now.box) b.expect("box_axis_o", b.dut.box_axis_o, now.axis);
-        if (now.valid && now.leaf) {
-            b.expect("leaf_mask_o", b.dut.leaf_mask_o, now.mask);
-            b.expect("leaf_count_o", b.dut.leaf_count_o, now.count);
-            b.expect("leaf_line_o", b.dut.leaf_line_o, now.line);
-        }
+        compare(b, now);
         overflows += now.valid && now.over;
         bubbles += now.valid && now.again;
         if (now.valid || b.bad()) b.done();
@@ -229,14 +254,7 @@ int main(int argc, char **argv) {
         next.valid = false;
         if (read) {
             Slot &t = slots[(size_t)slot];
-            b.dut.limit_i = t.limit;
-            b.dut.hit_i = t.hit;
-            b.dut.ends_i = t.ends;
-            b.dut.step_back_i = t.back;
-            b.dut.step_near_i = t.near;
-            b.dut.step_far_i = t.far;
-            b.dut.step_upper_i = t.upper;
-            b.dut.step_lower_i = t.lower;
+            answer(b, t);
             next = decide(t);
             next.slot = slot;
         }

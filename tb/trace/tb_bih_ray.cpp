@@ -53,6 +53,37 @@ bench::u128 pace(const sph_bih_axis &x) {
     return (bench::u128)shift << SPH_BIH_G | x.mant;
 }
 
+using Bench = bench::Bench<Vrt_bih_ray>;
+
+void give(Bench &b, const sph_ray &ray, size_t at) {
+    b.dut.new_valid_i = 1;
+    b.set(b.dut.new_slot_i, SLOTW, (bench::i128)at);
+    bench::u128 org = 0, dir = 0;
+    for (int i = 2; i >= 0; i--) {
+        org = org << W | bench::low((bench::u128)(bench::i128)ray.org[i], W);
+        dir = dir << WD | bench::low((bench::u128)(bench::i128)ray.dir[i], WD);
+    }
+    b.set(b.dut.new_org_i, 3 * W, (bench::i128)org);
+    b.set(b.dut.new_dir_i, 3 * WD, (bench::i128)dir);
+    b.set(b.dut.new_a_i, 2 * WD, (bench::i128)ray.a);
+}
+
+void compare(Bench &b, const Slot &t) {
+    b.expect("a ray that waits", t.state, Slot::STARTED);
+    b.expect("words written", t.words, 63);
+    b.expect("start_pixel_o", b.dut.start_pixel_o, t.pixel);
+    sph_bih_ray bih;
+    sph_bih_setup(&profile, &t.ray, &bih);
+    for (int i = 0; i < 3; i++) {
+        const sph_bih_axis &x = bih.axis[i];
+        b.expect("place_o", (bench::i128)t.place[i], (bench::i128)place(t.ray, x, i));
+        if (!x.zero) b.expect("pace_o", (bench::i128)t.pace[i], (bench::i128)pace(x));
+    }
+    if (b.bad())
+        for (int i = 0; i < 3; i++)
+            b.show("dir", t.ray.dir[i], WD);
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
@@ -84,35 +115,14 @@ int main(int argc, char **argv) {
             s.shadow = SHADOW && b.random.percent(40);
             s.pixel = !s.shadow && b.random.percent(50);
             if (s.shadow && b.random.percent(20)) s.state = Slot::FREE; /* a light without */
-            b.dut.new_valid_i = 1;
-            b.set(b.dut.new_slot_i, SLOTW, (bench::i128)at);
-            bench::u128 org = 0, dir = 0;
-            for (int i = 2; i >= 0; i--) {
-                org = org << W | bench::low((bench::u128)(bench::i128)s.ray.org[i], W);
-                dir = dir << WD | bench::low((bench::u128)(bench::i128)s.ray.dir[i], WD);
-            }
-            b.set(b.dut.new_org_i, 3 * W, (bench::i128)org);
-            b.set(b.dut.new_dir_i, 3 * WD, (bench::i128)dir);
-            b.set(b.dut.new_a_i, 2 * WD, (bench::i128)s.ray.a);
+            give(b, s.ray, at);
         }
         b.settle();
         bool start = b.dut.start_valid_o && b.dut.start_ready_i;
         if (start) {
             size_t n = (size_t)b.get(b.dut.start_slot_o);
             Slot &t = slots[n];
-            b.expect("a ray that waits", t.state, Slot::STARTED);
-            b.expect("words written", t.words, 63);
-            b.expect("start_pixel_o", b.dut.start_pixel_o, t.pixel);
-            sph_bih_ray bih;
-            sph_bih_setup(&profile, &t.ray, &bih);
-            for (int i = 0; i < 3; i++) {
-                const sph_bih_axis &x = bih.axis[i];
-                b.expect("place_o", (bench::i128)t.place[i], (bench::i128)place(t.ray, x, i));
-                if (!x.zero) b.expect("pace_o", (bench::i128)t.pace[i], (bench::i128)pace(x));
-            }
-            if (b.bad())
-                for (int i = 0; i < 3; i++)
-                    b.show("dir", t.ray.dir[i], WD);
+            compare(b, t);
             t.state = Slot::FREE;
             b.done();
         }

@@ -203,6 +203,75 @@ struct Expected {
     uint64_t key;
 };
 
+using Bench = bench::Bench<Vrt_facet>;
+
+template <class Port>
+void vector(Bench &b, Port &port, const int64_t value[3], int bits, int used) {
+    bench::u128 x = 0; /* what is not used must not matter */
+    for (int i = 3; i-- > 0;)
+        x = x << bits | (used < bits ? bench::low(b.random.bits(bits) << used, bits) : 0) |
+            bench::low((bench::u128)value[i], used);
+    bench::set(port, 3 * bits, (bench::i128)x);
+}
+
+void drive(Bench &b, const Vector &v, unsigned tag) {
+    Vrt_facet &t = b.dut;
+    b.set(t.in_tag_i, TAG, tag);
+    t.in_plane_i = v.facet.kind == SPH_PLANE;
+    vector(b, t.in_v0_i, v.facet.v[0], 24, W);
+    vector(b, t.in_v1_i, v.facet.v[1], 24, v.facet.kind == SPH_PLANE ? 24 : W);
+    vector(b, t.in_v2_i, v.facet.v[2], 24, W);
+    b.set(t.in_id_i, 24, v.facet.id);
+    b.set(t.in_before_i, 7, v.facet.before);
+    b.set(t.in_after_i, 7, v.facet.after);
+    vector(b, t.in_org_i, v.ray.org, W, W);
+    vector(b, t.in_dir_i, v.ray.dir, WD, WD);
+    b.set(t.in_a_i, 2 * WD, (bench::i128)v.ray.a);
+    t.in_shadow_i = v.shadow;
+    b.set(t.in_skip_id_i, 24, v.ray.skip.id);
+}
+
+void compare(Bench &b, const Expected &e) {
+    Vrt_facet &t = b.dut;
+    b.expect("out_id_o", (bench::i128)b.get(t.out_id_o), e.v.facet.id, 24);
+    b.expect("out_hit_o", t.out_hit_o, e.r.hit, 1);
+    if (e.r.hit && t.out_hit_o) {
+        b.expect("out_far_o", t.out_far_o, e.r.far, 1);
+        b.expect("out_key_o", (bench::i128)b.get(t.out_key_o), (bench::i128)e.key, W + WD + 2);
+    }
+    if (b.bad()) {
+        const Vector &x = e.v;
+        if (x.named)
+            printf("#   named case %d, %s: build/test/hard --named=%d\n", x.named,
+                   hard_named_name(x.named), x.named);
+        printf("# inputs, family %d: a %s, %s\n", x.family,
+               x.facet.kind == SPH_PLANE ? "plane" : "triangle",
+               x.shadow ? "to a light" : "of no light");
+        for (int c = 0; c < 3; c++)
+            for (int i = 0; i < 3; i++)
+                b.show(c == 0 ? "in_v0_i" : c == 1 ? "in_v1_i" : "in_v2_i", x.facet.v[c][i], 24);
+        for (int i = 0; i < 3; i++)
+            b.show("in_org_i", x.ray.org[i], W);
+        for (int i = 0; i < 3; i++)
+            b.show("in_dir_i", x.ray.dir[i], WD);
+        b.show("in_before_i", x.facet.before, 7);
+        b.show("in_after_i", x.facet.after, 7);
+        b.show("in_skip_id_i", x.ray.skip.id, 24);
+        b.show("model det'", (bench::i128)e.r.det, 2 * W + WD + 2);
+        b.show("model num'", e.r.num, 3 * W + 2);
+    }
+}
+
+/* Every kind of facet, ray and outcome, and the clocks of each kind. */
+void came(Bench &b, const long met[2][2][2], const uint64_t least[2]) {
+    bool all = b.all_vectors && !hard::alone();
+    for (int i = 0; i < 8; i++)
+        if (all && !met[i >> 2][i >> 1 & 1][i & 1] && (SHADOW || !(i & 2)))
+            b.fail("a kind of facet, ray and outcome that never came");
+    if (all && (least[0] != ROUND || least[1] != ROUND + 2))
+        b.fail("other than L + 8 clocks a triangle, L + 10 a plane");
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
@@ -218,13 +287,6 @@ int main(int argc, char **argv) {
     int before = -1;                                    /* it was a plane */
     long met[2][2][2] = {}, divided = 0, divisions = 0; /* plane, shadow, hit */
     Vrt_facet &t = b.dut;
-    auto vector = [&](auto &port, const int64_t value[3], int bits, int used) {
-        bench::u128 x = 0; /* what is not used must not matter */
-        for (int i = 3; i-- > 0;)
-            x = x << bits | (used < bits ? bench::low(b.random.bits(bits) << used, bits) : 0) |
-                bench::low((bench::u128)value[i], used);
-        bench::set(port, 3 * bits, (bench::i128)x);
-    };
     t.in_valid_i = t.out_ready_i = 0;
     b.reset();
     while (b.more()) {
@@ -234,19 +296,7 @@ int main(int argc, char **argv) {
         }
         if (!offered && !sent.count(tag)) offered = !b.random.percent(gaps);
         t.in_valid_i = offered;
-        b.set(t.in_tag_i, TAG, tag);
-        t.in_plane_i = v.facet.kind == SPH_PLANE;
-        vector(t.in_v0_i, v.facet.v[0], 24, W);
-        vector(t.in_v1_i, v.facet.v[1], 24, v.facet.kind == SPH_PLANE ? 24 : W);
-        vector(t.in_v2_i, v.facet.v[2], 24, W);
-        b.set(t.in_id_i, 24, v.facet.id);
-        b.set(t.in_before_i, 7, v.facet.before);
-        b.set(t.in_after_i, 7, v.facet.after);
-        vector(t.in_org_i, v.ray.org, W, W);
-        vector(t.in_dir_i, v.ray.dir, WD, WD);
-        b.set(t.in_a_i, 2 * WD, (bench::i128)v.ray.a);
-        t.in_shadow_i = v.shadow;
-        b.set(t.in_skip_id_i, 24, v.ray.skip.id);
+        drive(b, v, tag);
         t.out_ready_i = !b.random.percent(stalls);
         b.settle();
         divisions += t.divide_o;
@@ -257,37 +307,7 @@ int main(int argc, char **argv) {
                 break;
             }
             const Expected &e = at->second;
-            b.expect("out_id_o", (bench::i128)b.get(t.out_id_o), e.v.facet.id, 24);
-            b.expect("out_hit_o", t.out_hit_o, e.r.hit, 1);
-            if (e.r.hit && t.out_hit_o) {
-                b.expect("out_far_o", t.out_far_o, e.r.far, 1);
-                b.expect("out_key_o", (bench::i128)b.get(t.out_key_o), (bench::i128)e.key,
-                         W + WD + 2);
-            }
-            if (b.bad()) {
-                const Vector &x = e.v;
-                if (x.named)
-                    printf("#   named case %d, %s: build/test/hard --named=%d\n", x.named,
-                           hard_named_name(x.named), x.named);
-                printf("# inputs, family %d: a %s, %s\n", x.family,
-                       x.facet.kind == SPH_PLANE ? "plane" : "triangle",
-                       x.shadow ? "to a light" : "of no light");
-                for (int c = 0; c < 3; c++)
-                    for (int i = 0; i < 3; i++)
-                        b.show(c == 0   ? "in_v0_i"
-                               : c == 1 ? "in_v1_i"
-                                        : "in_v2_i",
-                               x.facet.v[c][i], 24);
-                for (int i = 0; i < 3; i++)
-                    b.show("in_org_i", x.ray.org[i], W);
-                for (int i = 0; i < 3; i++)
-                    b.show("in_dir_i", x.ray.dir[i], WD);
-                b.show("in_before_i", x.facet.before, 7);
-                b.show("in_after_i", x.facet.after, 7);
-                b.show("in_skip_id_i", x.ray.skip.id, 24);
-                b.show("model det'", (bench::i128)e.r.det, 2 * W + WD + 2);
-                b.show("model num'", e.r.num, 3 * W + 2);
-            }
+            compare(b, e);
             b.done();
             sent.erase(at);
         }
@@ -308,12 +328,7 @@ int main(int argc, char **argv) {
         }
         b.tick();
     }
-    bool all = b.all_vectors && !hard::alone();
-    for (int i = 0; i < 8; i++)
-        if (all && !met[i >> 2][i >> 1 & 1][i & 1] && (SHADOW || !(i & 2)))
-            b.fail("a kind of facet, ray and outcome that never came");
-    if (all && (least[0] != ROUND || least[1] != ROUND + 2))
-        b.fail("other than L + 8 clocks a triangle, L + 10 a plane");
+    came(b, met, least);
     if (divisions > divided || divisions + (long)sent.size() < divided)
         b.fail("divide_o counts other than the keys of hits");
     printf("# vectors of hard cases: %zu named\n", source.named());

@@ -229,6 +229,51 @@ class Source {
     }
 };
 
+using Bench = bench::Bench<Vrt_filter>;
+
+void drive(Bench &b, const Vector &v) {
+    Vrt_filter &t = b.dut;
+    b.set(t.in_org_x_i, FW, v.ray.forg[0]);
+    b.set(t.in_org_y_i, FW, v.ray.forg[1]);
+    b.set(t.in_org_z_i, FW, v.ray.forg[2]);
+    b.set(t.in_u_x_i, 18, v.ray.unit.u[0]);
+    b.set(t.in_u_y_i, 18, v.ray.unit.u[1]);
+    b.set(t.in_u_z_i, 18, v.ray.unit.u[2]);
+    t.in_axis_i = (unsigned char)v.ray.axis;
+    t.in_negative_i = v.ray.negative != 0;
+    b.set(t.in_depth_max_i, FW + 1, v.depth_max);
+    b.set(t.in_ctr_x_i, 14, v.child.ctr[0]);
+    b.set(t.in_ctr_y_i, 14, v.child.ctr[1]);
+    b.set(t.in_ctr_z_i, 14, v.child.ctr[2]);
+    b.set(t.in_rad_i, 14, v.child.rad);
+}
+
+void show(Bench &b, const Vector &s) {
+    s.hard.show();
+    static const char *names[4][3] = {{"in_org_x_i", "in_org_y_i", "in_org_z_i"},
+                                      {"in_u_x_i", "in_u_y_i", "in_u_z_i"},
+                                      {"in_ctr_x_i", "in_ctr_y_i", "in_ctr_z_i"},
+                                      {"exact ctr x", "exact ctr y", "exact ctr z"}};
+    static const char *rays[2][3] = {{"exact org x", "exact org y", "exact org z"},
+                                     {"exact dir x", "exact dir y", "exact dir z"}};
+    for (int i = 0; i < 3; i++)
+        b.show(names[0][i], s.ray.forg[i], FW);
+    for (int i = 0; i < 3; i++)
+        b.show(names[1][i], s.ray.unit.u[i], 18);
+    b.show("in_axis_i", s.ray.axis, 2);
+    b.show("in_negative_i", s.ray.negative, 1);
+    b.show("in_depth_max_i", s.depth_max, FW + 1);
+    for (int i = 0; i < 3; i++)
+        b.show(names[2][i], s.child.ctr[i], 14);
+    b.show("in_rad_i", s.child.rad, 14);
+    for (int i = 0; s.exact && i < 3; i++) {
+        b.show(names[3][i], s.leaf.ctr[i], W);
+        b.show(rays[0][i], s.ray.org[i], W);
+        b.show(rays[1][i], s.ray.dir[i], WD);
+    }
+    if (s.exact) b.show("exact rad", s.leaf.rad, W);
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
@@ -239,19 +284,7 @@ int main(int argc, char **argv) {
     Vrt_filter &t = b.dut;
     while (b.more()) {
         Vector v = source.next();
-        b.set(t.in_org_x_i, FW, v.ray.forg[0]);
-        b.set(t.in_org_y_i, FW, v.ray.forg[1]);
-        b.set(t.in_org_z_i, FW, v.ray.forg[2]);
-        b.set(t.in_u_x_i, 18, v.ray.unit.u[0]);
-        b.set(t.in_u_y_i, 18, v.ray.unit.u[1]);
-        b.set(t.in_u_z_i, 18, v.ray.unit.u[2]);
-        t.in_axis_i = (unsigned char)v.ray.axis;
-        t.in_negative_i = v.ray.negative != 0;
-        b.set(t.in_depth_max_i, FW + 1, v.depth_max);
-        b.set(t.in_ctr_x_i, 14, v.child.ctr[0]);
-        b.set(t.in_ctr_y_i, 14, v.child.ctr[1]);
-        b.set(t.in_ctr_z_i, 14, v.child.ctr[2]);
-        b.set(t.in_rad_i, 14, v.child.rad);
+        drive(b, v);
         sent.push_back(v);
         b.tick();
         if (sent.size() < LATENCY) continue;
@@ -263,29 +296,7 @@ int main(int argc, char **argv) {
         b.expect("out_near_o", b.sget(t.out_near_o, 16), near, 16);
         if (s.must_pass) b.expect("out_pass_o, the exact test hits", t.out_pass_o, 1, 1);
         if (b.bad()) {
-            s.hard.show();
-            static const char *names[4][3] = {{"in_org_x_i", "in_org_y_i", "in_org_z_i"},
-                                              {"in_u_x_i", "in_u_y_i", "in_u_z_i"},
-                                              {"in_ctr_x_i", "in_ctr_y_i", "in_ctr_z_i"},
-                                              {"exact ctr x", "exact ctr y", "exact ctr z"}};
-            static const char *rays[2][3] = {{"exact org x", "exact org y", "exact org z"},
-                                             {"exact dir x", "exact dir y", "exact dir z"}};
-            for (int i = 0; i < 3; i++)
-                b.show(names[0][i], s.ray.forg[i], FW);
-            for (int i = 0; i < 3; i++)
-                b.show(names[1][i], s.ray.unit.u[i], 18);
-            b.show("in_axis_i", s.ray.axis, 2);
-            b.show("in_negative_i", s.ray.negative, 1);
-            b.show("in_depth_max_i", s.depth_max, FW + 1);
-            for (int i = 0; i < 3; i++)
-                b.show(names[2][i], s.child.ctr[i], 14);
-            b.show("in_rad_i", s.child.rad, 14);
-            for (int i = 0; s.exact && i < 3; i++) {
-                b.show(names[3][i], s.leaf.ctr[i], W);
-                b.show(rays[0][i], s.ray.org[i], W);
-                b.show(rays[1][i], s.ray.dir[i], WD);
-            }
-            if (s.exact) b.show("exact rad", s.leaf.rad, W);
+            show(b, s);
         }
         b.done();
     }

@@ -298,6 +298,63 @@ class Source {
     }
 };
 
+using Bench = bench::Bench<Vrt_leaf>;
+
+void drive(Bench &b, const Vector &v) {
+    Vrt_leaf &t = b.dut;
+    b.set(t.in_tag_i, TAG, v.tag);
+    b.set(t.in_ctr_x_i, W, v.leaf.ctr[0]);
+    b.set(t.in_ctr_y_i, W, v.leaf.ctr[1]);
+    b.set(t.in_ctr_z_i, W, v.leaf.ctr[2]);
+    b.set(t.in_rad_i, W, v.leaf.rad);
+    b.set(t.in_id_i, 24, v.leaf.id);
+    b.set(t.in_org_x_i, W, v.ray.org[0]);
+    b.set(t.in_org_y_i, W, v.ray.org[1]);
+    b.set(t.in_org_z_i, W, v.ray.org[2]);
+    b.set(t.in_dir_x_i, WD, v.ray.dir[0]);
+    b.set(t.in_dir_y_i, WD, v.ray.dir[1]);
+    b.set(t.in_dir_z_i, WD, v.ray.dir[2]);
+    b.set(t.in_a_i, 2 * WD, (bench::i128)v.ray.a);
+    t.in_shadow_i = v.shadow;
+    b.set(t.in_skip_id_i, 24, v.ray.skip.id);
+    t.in_skip_inside_i = v.ray.skip.inside != 0;
+}
+
+void compare(Bench &b, const Vector &s, const sph_leaf_result &r) {
+    Vrt_leaf &t = b.dut;
+    int disc_bits = 2 * W + 2 * WD;
+    b.expect("out_tag_o", (bench::i128)b.get(t.out_tag_o), s.tag, TAG);
+    b.expect("out_id_o", (bench::i128)b.get(t.out_id_o), s.leaf.id, 24);
+    b.expect("out_hit_o", t.out_hit_o, r.hit, 1);
+    b.expect("out_far_o", t.out_far_o, r.far, 1);
+    b.expect("out_exit_o", t.out_exit_o, r.exit, 1);
+    b.expect("out_b_o", b.sget(t.out_b_o, W + WD + 2), r.b, W + WD + 2);
+    b.expect("out_disc_o", (bench::i128)b.get(t.out_disc_o),
+             (bench::i128)bench::low((bench::u128)r.disc, disc_bits), disc_bits);
+    if (b.bad()) {
+        static const char *names[3][3] = {{"in_ctr_x_i", "in_ctr_y_i", "in_ctr_z_i"},
+                                          {"in_org_x_i", "in_org_y_i", "in_org_z_i"},
+                                          {"in_dir_x_i", "in_dir_y_i", "in_dir_z_i"}};
+        printf("# inputs, family %d\n", s.family);
+        s.hard.show();
+        for (int i = 0; i < 3; i++)
+            b.show(names[0][i], s.leaf.ctr[i], W);
+        b.show("in_rad_i", s.leaf.rad, W);
+        for (int i = 0; i < 3; i++)
+            b.show(names[1][i], s.ray.org[i], W);
+        for (int i = 0; i < 3; i++)
+            b.show(names[2][i], s.ray.dir[i], WD);
+        b.show("in_a_i", (bench::i128)s.ray.a, 2 * WD);
+        b.show("in_id_i", s.leaf.id, 24);
+        b.show("in_skip_id_i", s.ray.skip.id, 24);
+        b.show("in_skip_inside_i", s.ray.skip.inside, 1);
+        b.show("in_shadow_i", s.shadow, 1);
+        b.show("inside_on_i", t.inside_on_i, 1);
+        b.show("model k", r.k, 2 * W + 3);
+        b.show("model disc", r.disc, disc_bits + 2);
+    }
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
@@ -326,22 +383,7 @@ int main(int argc, char **argv) {
         if (!offered && !change) offered = !b.random.percent(gaps);
         v.ray.inside = INSIDE && t.inside_on_i;
         t.in_valid_i = offered;
-        b.set(t.in_tag_i, TAG, v.tag);
-        b.set(t.in_ctr_x_i, W, v.leaf.ctr[0]);
-        b.set(t.in_ctr_y_i, W, v.leaf.ctr[1]);
-        b.set(t.in_ctr_z_i, W, v.leaf.ctr[2]);
-        b.set(t.in_rad_i, W, v.leaf.rad);
-        b.set(t.in_id_i, 24, v.leaf.id);
-        b.set(t.in_org_x_i, W, v.ray.org[0]);
-        b.set(t.in_org_y_i, W, v.ray.org[1]);
-        b.set(t.in_org_z_i, W, v.ray.org[2]);
-        b.set(t.in_dir_x_i, WD, v.ray.dir[0]);
-        b.set(t.in_dir_y_i, WD, v.ray.dir[1]);
-        b.set(t.in_dir_z_i, WD, v.ray.dir[2]);
-        b.set(t.in_a_i, 2 * WD, (bench::i128)v.ray.a);
-        t.in_shadow_i = v.shadow;
-        b.set(t.in_skip_id_i, 24, v.ray.skip.id);
-        t.in_skip_inside_i = v.ray.skip.inside != 0;
+        drive(b, v);
         b.settle();
         if (offered && t.in_ready_o) {
             sent.push_back(v);
@@ -358,37 +400,7 @@ int main(int argc, char **argv) {
         sent.pop_front();
         sph_leaf_result r = sph_leaf_test(&s.ray, &s.leaf);
         refused = refused || (!s.ray.inside && r.k > 0);
-        int disc_bits = 2 * W + 2 * WD;
-        b.expect("out_tag_o", (bench::i128)b.get(t.out_tag_o), s.tag, TAG);
-        b.expect("out_id_o", (bench::i128)b.get(t.out_id_o), s.leaf.id, 24);
-        b.expect("out_hit_o", t.out_hit_o, r.hit, 1);
-        b.expect("out_far_o", t.out_far_o, r.far, 1);
-        b.expect("out_exit_o", t.out_exit_o, r.exit, 1);
-        b.expect("out_b_o", b.sget(t.out_b_o, W + WD + 2), r.b, W + WD + 2);
-        b.expect("out_disc_o", (bench::i128)b.get(t.out_disc_o),
-                 (bench::i128)bench::low((bench::u128)r.disc, disc_bits), disc_bits);
-        if (b.bad()) {
-            static const char *names[3][3] = {{"in_ctr_x_i", "in_ctr_y_i", "in_ctr_z_i"},
-                                              {"in_org_x_i", "in_org_y_i", "in_org_z_i"},
-                                              {"in_dir_x_i", "in_dir_y_i", "in_dir_z_i"}};
-            printf("# inputs, family %d\n", s.family);
-            s.hard.show();
-            for (int i = 0; i < 3; i++)
-                b.show(names[0][i], s.leaf.ctr[i], W);
-            b.show("in_rad_i", s.leaf.rad, W);
-            for (int i = 0; i < 3; i++)
-                b.show(names[1][i], s.ray.org[i], W);
-            for (int i = 0; i < 3; i++)
-                b.show(names[2][i], s.ray.dir[i], WD);
-            b.show("in_a_i", (bench::i128)s.ray.a, 2 * WD);
-            b.show("in_id_i", s.leaf.id, 24);
-            b.show("in_skip_id_i", s.ray.skip.id, 24);
-            b.show("in_skip_inside_i", s.ray.skip.inside, 1);
-            b.show("in_shadow_i", s.shadow, 1);
-            b.show("inside_on_i", t.inside_on_i, 1);
-            b.show("model k", r.k, 2 * W + 3);
-            b.show("model disc", r.disc, disc_bits + 2);
-        }
+        compare(b, s, r);
         b.done();
     }
     source.hard.report(b);

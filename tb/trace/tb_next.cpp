@@ -175,6 +175,51 @@ bench::i128 pack(const Group &g) {
     return (bench::i128)list;
 }
 
+using Bench = bench::Bench<Vrt_next>;
+
+/* Chooses what a visit finds; kinds of rays come in turn first. */
+void begin(Bench &b, Slot &slot, int &kinds) {
+    Slot *s = &slot;
+    if (!s->issue || s->visit > 80) s->fresh = true;
+    if (s->fresh) {
+        s->kind = kinds < RANDOM         ? (Kind)kinds++
+                  : b.random.percent(30) ? (Kind)b.random.below(KINDS)
+                                         : RANDOM;
+        s->visit = 0;
+    }
+    visit(*s, b.random);
+}
+
+void drive(Bench &b, const Slot &slot, int at, bool write) {
+    const Slot *s = &slot;
+    b.dut.found_valid_i = write;
+    b.dut.found_slot_i = (uint8_t)at;
+    b.set(b.dut.found_base_i, 26, s->found.base);
+    b.dut.found_count_i = (uint8_t)s->found.count;
+    b.set(b.dut.found_list_i, 72, pack(s->found));
+    b.dut.found_fresh_i = s->fresh;
+    b.dut.found_kill_i = (uint8_t)s->kill;
+}
+
+void compare(Bench &b, const Slot &e, int at) {
+    b.expect("issue_valid_o", b.dut.issue_valid_o, e.issue, 1);
+    b.expect("overflow_o", b.dut.overflow_o, e.overflow, 1);
+    if (e.issue) b.expect("issue_line_o", b.get(b.dut.issue_line_o), e.line, 26);
+    b.expect("cycle", b.cycle, e.due, 64);
+    if (b.bad()) {
+        b.show("slot", at, SLOTW);
+        b.show("kind", e.kind, 8);
+        b.show("visit of the ray", e.visit, 16);
+        b.show("depth_i", e.depth, FW + 1);
+        b.show("hit_i", e.hit, 1);
+        b.show("ends_i", e.ends, 1);
+        b.show("found_kill_i", e.kill, 1);
+        b.show("found_count_i", e.found.count, 3);
+        b.show("found_list_i", pack(e.found), 72);
+        b.show("stack before", e.sp, 8);
+    }
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
@@ -191,22 +236,9 @@ int main(int argc, char **argv) {
         Slot *s = &slots[at];
         bool write = s->state == Slot::FREE && b.random.percent(80);
         if (write) {
-            if (!s->issue || s->visit > 80) s->fresh = true;
-            if (s->fresh) {
-                s->kind = kinds < RANDOM         ? (Kind)kinds++
-                          : b.random.percent(30) ? (Kind)b.random.below(KINDS)
-                                                 : RANDOM;
-                s->visit = 0;
-            }
-            visit(*s, b.random);
+            begin(b, *s, kinds);
         }
-        b.dut.found_valid_i = write;
-        b.dut.found_slot_i = (uint8_t)at;
-        b.set(b.dut.found_base_i, 26, s->found.base);
-        b.dut.found_count_i = (uint8_t)s->found.count;
-        b.set(b.dut.found_list_i, 72, pack(s->found));
-        b.dut.found_fresh_i = s->fresh;
-        b.dut.found_kill_i = (uint8_t)s->kill;
+        drive(b, *s, at, write);
         /* a token */
         if (!b.dut.in_valid_i) {
             token = (int)b.random.below(SLOTS);
@@ -241,22 +273,7 @@ int main(int argc, char **argv) {
             b.fail("a slot without a token");
             continue;
         }
-        b.expect("issue_valid_o", b.dut.issue_valid_o, e.issue, 1);
-        b.expect("overflow_o", b.dut.overflow_o, e.overflow, 1);
-        if (e.issue) b.expect("issue_line_o", b.get(b.dut.issue_line_o), e.line, 26);
-        b.expect("cycle", b.cycle, e.due, 64);
-        if (b.bad()) {
-            b.show("slot", at, SLOTW);
-            b.show("kind", e.kind, 8);
-            b.show("visit of the ray", e.visit, 16);
-            b.show("depth_i", e.depth, FW + 1);
-            b.show("hit_i", e.hit, 1);
-            b.show("ends_i", e.ends, 1);
-            b.show("found_kill_i", e.kill, 1);
-            b.show("found_count_i", e.found.count, 3);
-            b.show("found_list_i", pack(e.found), 72);
-            b.show("stack before", e.sp, 8);
-        }
+        compare(b, e, at);
         overflows += e.overflow;
         e.state = Slot::FREE;
         b.done();

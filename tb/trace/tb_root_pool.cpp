@@ -78,10 +78,10 @@ Vector make(bench::Random &random) {
     return v;
 }
 
-} // namespace
+using Bench = bench::Bench<Vrt_root_pool>;
 
-int main(int argc, char **argv) {
-    bench::Bench<Vrt_root_pool> b("tb_root_pool", argc, argv, 100000);
+/* What is tried first: the corners, then the hits of tests/hard. */
+std::vector<Vector> vectors(Bench &b) {
     std::vector<Vector> directed;
     if (!hard::alone()) directed.assign(std::begin(corners), std::end(corners));
     hard::Source source(
@@ -95,6 +95,33 @@ int main(int argc, char **argv) {
         directed.push_back(d);
     }
     source.report(b);
+    return directed;
+}
+
+void compare(Bench &b, const Vector &e, int at) {
+    struct sph_leaf_result r = {};
+    uint64_t roots = 0;
+    r.hit = 1;
+    r.far = INSIDE && e.far;
+    r.disc = e.disc;
+    r.b = e.b;
+    b.expect("out_key_o", b.get(b.dut.out_key_o),
+             (i128)bench::low(sph_leaf_key_bits(&r, PR, &roots), KW), KW);
+    b.expect("out_far_o", b.dut.out_far_o, r.far, 1);
+    if (b.bad()) {
+        e.hard.show();
+        b.show("tag", at, TAG);
+        b.show("in_disc_i", e.disc, XW);
+        b.show("in_b_i", e.b, KW);
+        b.show("in_far_i", e.far, 1);
+    }
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    bench::Bench<Vrt_root_pool> b("tb_root_pool", argc, argv, 100000);
+    std::vector<Vector> directed = vectors(b);
     constexpr int TAGS = 1 << TAG;
     Vector sent[TAGS] = {}, v{};
     bool waits[TAGS] = {};
@@ -105,8 +132,7 @@ int main(int argc, char **argv) {
     b.reset();
     while (b.more()) {
         if (b.random.percent(1)) {
-            gaps = (unsigned)b.random.below(3) * 48;
-            busy = (unsigned)b.random.below(3) * 48;
+            gaps = (unsigned)b.random.below(3) * 48, busy = (unsigned)b.random.below(3) * 48;
         }
         if (!b.dut.in_valid_i) { /* without valid: inputs that must not matter */
             if (hard::alone())   /* results leave in any order: the first ones once more behind */
@@ -137,22 +163,7 @@ int main(int argc, char **argv) {
                 continue;
             }
             const Vector &e = sent[at];
-            struct sph_leaf_result r = {};
-            uint64_t roots = 0;
-            r.hit = 1;
-            r.far = INSIDE && e.far;
-            r.disc = e.disc;
-            r.b = e.b;
-            b.expect("out_key_o", b.get(b.dut.out_key_o),
-                     (i128)bench::low(sph_leaf_key_bits(&r, PR, &roots), KW), KW);
-            b.expect("out_far_o", b.dut.out_far_o, r.far, 1);
-            if (b.bad()) {
-                e.hard.show();
-                b.show("tag", at, TAG);
-                b.show("in_disc_i", e.disc, XW);
-                b.show("in_b_i", e.b, KW);
-                b.show("in_far_i", e.far, 1);
-            }
+            compare(b, e, at);
             waits[at] = false;
             inside--;
             b.done();
