@@ -1,5 +1,5 @@
 #!/bin/sh
-# lint_text.sh - SPDX lines, lines of at most 100 columns, no space at line ends, run bits
+# lint_text.sh - SPDX lines, lines of at most 100 columns, no space at line ends, files in folders, run bits
 # SPDX-License-Identifier: Apache-2.0
 cd "$(dirname "$0")/.." || exit 1
 
@@ -25,5 +25,11 @@ report() { # title, findings
     report "script without run bit" \
         "$(find $(awk 'FNR == 1 && /^#!/ { print FILENAME }' $sources) ! -perm -u=x)"
     report "space at the end" "$(grep -nE '[[:space:]]+$' $sources $texts)"
+    report "main of more than 60 lines" "$(find tb -name '*.cpp' -exec awk '
+        FNR == 1 { from = 0 }
+        /^int main\(/ { from = FNR }
+        from && /^}/ { if (FNR - from >= 60) print FILENAME ":" from; from = 0 }' {} +)"
+    report "a test, bench or page outside of its folder" "$(ls tests/test_* tb/tb_* docs/*.md \
+        2>/dev/null | grep -v '^docs/index.md$')"
 }
 exit $bad
