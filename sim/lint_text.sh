@@ -1,5 +1,5 @@
 #!/bin/sh
-# lint_text.sh - SPDX lines, lines of at most 100 columns, no space at line ends, files in folders, run bits
+# lint_text.sh - SPDX lines, lines of at most 100 columns, spaces, run bits, files in their folders
 # SPDX-License-Identifier: Apache-2.0
 cd "$(dirname "$0")/.." || exit 1
 
