@@ -1,9 +1,10 @@
-/* triangle_scene.c - triangles in a scene file: `p`, `pp`, `tt`; see scene.h
+/* triangle_scene.c - triangles in a scene file: `p`, `pp`, `tt`, `c`; see scene.h
  * SPDX-License-Identifier: Apache-2.0
  */
 #include <math.h>
 
 #include "prim/scene.h"
+#include "scene/frustum.h"
 #include "scene/polygon.h"
 
 /* The number of corners of `p` or `pp`. */
@@ -87,6 +88,26 @@ static void put_tt(struct sph_nff_writer *w, const struct sph_facet *f) {
                     5);
 }
 
+/* c base(3) radius apex(3) radius: a cone or cylinder, as triangles. */
+static int take_c(struct sph_reader *r, struct sph_error *err) {
+    struct sph_frustum cone = {.line = r->lex.token_line};
+    struct sph_facet look = {.line = cone.line};
+    if (sph_nff_material(r, "c", "cone", &look.material, err) ||
+        sph_nff_vec(r, "c", &cone.base, err) ||
+        sph_lex_number(&r->lex, "c", "base radius", &cone.base_rad, err) ||
+        sph_nff_vec(r, "c", &cone.apex, err) ||
+        sph_lex_number(&r->lex, "c", "apex radius", &cone.apex_rad, err))
+        return -1;
+    return sph_scene_add_frustum(r->scene, &cone, r->round, &look, &r->n_groups, err);
+}
+
+static void put_cone(struct sph_nff_writer *w, const struct sph_frustum *c) {
+    sph_nff_put(w, "c",
+                (double[]){c->base.x, c->base.y, c->base.z, c->base_rad, c->apex.x, c->apex.y,
+                           c->apex.z, c->apex_rad},
+                8);
+}
+
 static int same_point(struct sph_vec a, struct sph_vec b) {
     return a.x == b.x && a.y == b.y && a.z == b.z;
 }
@@ -115,13 +136,17 @@ static uint32_t write(struct sph_nff_writer *w, uint32_t i) {
         put_tt(w, f);
         return 1;
     }
-    while (i + n < w->scene->n_facets && f[n].group == f->group)
+    while (i + n < w->scene->n_facets &&
+           (f->frustum ? f[n].frustum == f->frustum : f[n].group == f->group))
         n++;
-    put_polygon(w, f, n);
+    if (f->frustum)
+        put_cone(w, &w->scene->frusta[f->frustum - 1]);
+    else
+        put_polygon(w, f, n);
     return n;
 }
 
 static const struct sph_nff_word words[] = {
-    {"p", take_p}, {"pp", take_pp}, {"tt", take_tt}, {NULL, NULL}};
+    {"p", take_p}, {"pp", take_pp}, {"tt", take_tt}, {"c", take_c}, {NULL, NULL}};
 const struct sph_prim_scene sph_prim_scene_triangle = {
     .words = words, .write = write, .points = 3, .wants = "finite corners"};

@@ -58,6 +58,17 @@ int sph_scene_add_facet(struct sph_scene *scene, const struct sph_facet *facet,
     return 0;
 }
 
+int sph_scene_keep_frustum(struct sph_scene *scene, const struct sph_frustum *cone,
+                           struct sph_error *err) {
+    uint32_t n = scene->n_frusta;
+    struct sph_frustum *room = grow(scene->frusta, n, sizeof *scene->frusta);
+    if (!room)
+        return sph_fail(err, "%s:%u: no memory for more than %u cones", scene->path, cone->line, n);
+    scene->frusta = room;
+    room[scene->n_frusta++] = *cone;
+    return 0;
+}
+
 int sph_scene_add_texture(struct sph_scene *scene, const struct sph_texture *texture,
                           struct sph_error *err) {
     uint32_t n = scene->n_textures;
@@ -95,6 +106,7 @@ void sph_scene_free(struct sph_scene *scene) {
     free(scene->facets);
     free(scene->textures);
     free(scene->motions);
+    free(scene->frusta);
     memset(scene, 0, sizeof *scene);
 }
 

@@ -24,6 +24,10 @@ int sph_scene_add_material(struct sph_scene *scene, const struct sph_material *m
 int sph_scene_add_facet(struct sph_scene *scene, const struct sph_facet *facet,
                         struct sph_error *err);
 
+/* Adds a cone at the end, without triangles (frustum.h). -1 with a message if memory is short. */
+int sph_scene_keep_frustum(struct sph_scene *scene, const struct sph_frustum *cone,
+                           struct sph_error *err);
+
 /* Adds a texture at the end. -1 with a message if there are SPH_MAX_TEXTURES already or
  * memory is short. */
 int sph_scene_add_texture(struct sph_scene *scene, const struct sph_texture *texture,

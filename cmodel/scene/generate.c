@@ -16,7 +16,11 @@ const char sph_generate_help[] =
     "icosphere         80, 320, 1280, 5120, 20480 triangles over a plane (size 1 to 5)\n"
     "scenario1         n spheres in a lattice, a plane, one light (Aroxa 2014, IV.B; n, radius)\n"
     "scenario2         in the corners of a cube at random (n, radius, seed)\n"
-    "scenario3         half and half (n, radius, seed)\n";
+    "scenario3         half and half (n, radius, seed)\n"
+    "jacks             crossed bars with balls on their ends, 1 to 25 of them (size 1 to 5)\n"
+    "lattice           8, 27, 64, 125, 216 balls and the bars between them (size 1 to 5)\n"
+    "tree              7, 15, 31, 63, 127 cones that branch (size 1 to 5)\n"
+    "rings             1 to 5 rings of balls and bars, one through the other (size 1 to 5)\n";
 
 static const struct {
     const char *kind;
@@ -33,6 +37,10 @@ static const struct {
     {"scenario1", sph_make_scenario1, SPH_TAKES_N},
     {"scenario2", sph_make_scenario2, SPH_TAKES_N},
     {"scenario3", sph_make_scenario3, SPH_TAKES_N},
+    {"jacks", sph_make_jacks, SPH_TAKES_SIZE},
+    {"lattice", sph_make_lattice, SPH_TAKES_SIZE},
+    {"tree", sph_make_tree, SPH_TAKES_SIZE},
+    {"rings", sph_make_rings, SPH_TAKES_SIZE},
 };
 
 enum { N_MAKERS = sizeof makers / sizeof makers[0] };

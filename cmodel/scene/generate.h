@@ -7,7 +7,7 @@
 #include "scene/scene.h"
 
 struct sph_generate_options {
-    int size;          /* sphereflake, icosphere: 1 to 5; 0 means 2 */
+    int size;          /* sphereflake, icosphere, jacks and so on: 1 to 5; 0 means 2 */
     uint32_t n;        /* random, scenarios: spheres, 1 to SPH_MAX_SPHERES; 0 means 1000, 64 */
     uint64_t seed;     /* paper5, paper100, random, scenario2, 3: another choice of spheres */
     double radius;     /* scenarios; 0 means 1 */
@@ -32,6 +32,8 @@ int sph_generate_takes(const char *kind);
  *   icosphere        20 * 4^size triangles, a closed mesh, over a plane
  *   scenario1, 2, 3  Aroxa 2014, IV.B: n spheres in a cube over a plane, in a lattice, in the
  *                    corners at random, or half and half
+ *   jacks, lattice, tree, rings
+ *                    cones, cylinders and spheres, in the manner of SPD's scenes of these names
  * options may be NULL. No two spheres are the same. 0, or -1 with a message (unknown kind,
  * option out of range, no memory); then there is nothing to free. */
 int sph_generate(const char *kind, const struct sph_generate_options *options,

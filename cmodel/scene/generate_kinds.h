@@ -42,4 +42,13 @@ void sph_make_camera(struct sph_scene *scene, struct sph_vec from, struct sph_ve
 #define SPH_PALETTE_SIZE 12
 int sph_make_palette(struct sph_scene *scene, double ks, double shine, struct sph_error *err);
 
+int sph_make_jacks(const struct sph_generate_options *options, struct sph_scene *scene,
+                   struct sph_error *err);
+int sph_make_lattice(const struct sph_generate_options *options, struct sph_scene *scene,
+                     struct sph_error *err);
+int sph_make_tree(const struct sph_generate_options *options, struct sph_scene *scene,
+                  struct sph_error *err);
+int sph_make_rings(const struct sph_generate_options *options, struct sph_scene *scene,
+                   struct sph_error *err);
+
 #endif

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "prim/scene.h"
+#include "scene/frustum.h"
 #include "scene/motion.h"
 #include "scene/nff_skip.h"
 
@@ -175,7 +176,10 @@ static int finish(struct sph_reader *r, struct sph_error *err) {
 
 int sph_scene_read(const char *path, const struct sph_read_options *options,
                    struct sph_scene *scene, struct sph_error *err) {
-    struct sph_reader r = {.scene = scene, .skip = options && options->skip_unsupported};
+    struct sph_reader r = {.scene = scene,
+                           .skip = options && options->skip_unsupported,
+                           .round =
+                               options && options->round > 0 ? options->round : SPH_FRUSTUM_ROUND};
     int got, bad = 0, records = 0;
     memset(scene, 0, sizeof *scene);
     sph_scene_set_path(scene, path);

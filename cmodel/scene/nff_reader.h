@@ -14,6 +14,7 @@ struct sph_reader {
     struct sph_lex lex;
     struct sph_scene *scene;
     int skip;           /* leave unsupported primitives out */
+    double round;       /* of cones, see frustum.h */
     int material_used;  /* a primitive uses the newest material */
     int sum;            /* `shading sum`: materials have words of their own */
     uint32_t texture;   /* of the spheres and planes that follow: index + 1, 0: none */

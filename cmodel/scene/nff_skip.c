@@ -1,9 +1,8 @@
 /* nff_skip.c - see nff_skip.h
  * SPDX-License-Identifier: Apache-2.0
  *
- * c is NFF; its length is known. The others come from extended formats (AFF, ENFF), whose records
- * hold names as well: there the rest of the line belongs to the record, and every line after it
- * that starts with a number.
+ * Words of extended formats (AFF, ENFF), whose records hold names as well: the rest of the line
+ * belongs to the record, and every line after it that starts with a number.
  */
 #include "scene/nff_skip.h"
 
@@ -11,22 +10,13 @@
 
 static const struct {
     const char *word, *what;
-    int numbers; /* of the record; 0: by lines */
 } words[] = {
-    {"c", "cone or cylinder", 8},
-    {"t", "triangle", 0},
-    {"tpp", "textured triangle with normals", 0},
-    {"pb", "Bezier patch", 0},
+    {"t", "triangle"},
+    {"tpp", "textured triangle with normals"},
+    {"pb", "Bezier patch"},
 };
 
 enum { N_WORDS = sizeof words / sizeof words[0] };
-
-static int skip_numbers(struct sph_lex *lex, const char *word, int n, struct sph_error *err) {
-    double value;
-    for (int i = 0; i < n; i++)
-        if (sph_lex_number(lex, word, "its last number", &value, err)) return -1;
-    return 0;
-}
 
 /* Passes the rest of the line and the lines after it that start with a number. */
 static int skip_lines(struct sph_lex *lex, struct sph_error *err) {
@@ -50,11 +40,10 @@ int sph_nff_skip(struct sph_lex *lex, int skip, uint32_t *n_skipped, struct sph_
     if (!skip)
         return sph_fail(err,
                         "%s:%u: `%s` (%s) is not supported; spheres (`s`), polygons (`p`, `pp`, "
-                        "`tt`) and planes (`plane`) are; --skip-unsupported leaves it out",
+                        "`tt`), cones (`c`) and planes (`plane`) are; --skip-unsupported leaves it "
+                        "out",
                         lex->path, lex->token_line, words[i].word, words[i].what);
-    if (words[i].numbers > 0 ? skip_numbers(lex, words[i].word, words[i].numbers, err)
-                             : skip_lines(lex, err))
-        return -1;
+    if (skip_lines(lex, err)) return -1;
     ++*n_skipped;
     return 0;
 }

@@ -66,7 +66,15 @@ struct sph_facet {
     uint32_t texture;    /* index into textures + 1, 0: none */
     uint32_t motion;     /* index into motions + 1, 0: still */
     uint32_t group;      /* facets of one polygon have the same; from 0, rising */
+    uint32_t frustum;    /* index into frusta + 1, 0: of none */
     uint32_t line;       /* of the file, for messages; 0 if generated */
+};
+
+/* What a ring of triangles was made of (frustum.h); a negative radius: seen from inside. */
+struct sph_frustum {
+    struct sph_vec base, apex;
+    double base_rad, apex_rad;
+    uint32_t line; /* of the file, for messages; 0 if generated */
 };
 
 /* An image and how it lies on spheres: longitude and latitude, poles along +-y, seam at -z. */
@@ -99,16 +107,18 @@ struct sph_scene {
     uint32_t n_facets, n_textures;
     struct sph_facet *facets;
     struct sph_texture *textures;
-    uint32_t n_motions;
+    uint32_t n_motions, n_frusta;
     struct sph_motion *motions;
-    uint32_t n_skipped; /* unsupported primitives left out (--skip-unsupported) */
+    struct sph_frustum *frusta; /* as the file has them, not moved: for sph_scene_write() */
+    uint32_t n_skipped;         /* unsupported primitives left out (--skip-unsupported) */
     uint32_t n_bent;    /* polygons that are not flat: each of their triangles is one by itself */
     uint32_t bent_line; /* the one that is farthest from flat, and by how much */
     double bent;
 };
 
 struct sph_read_options {
-    int skip_unsupported; /* leave out c, pb, ...: render the rest */
+    int skip_unsupported; /* leave out pb, ...: render the rest */
+    double round;         /* of cones, see frustum.h; 0: SPH_FRUSTUM_ROUND */
     uint32_t at;          /* frame that moving primitives are moved to (motion.h) */
 };
 

@@ -3,6 +3,7 @@
  */
 #include "builder/background.h"
 #include "builder/spans.h"
+#include "scene/frustum.h"
 #include "scene/motion.h"
 #include "texture/lookup.h"
 #include "tool/tool.h"
@@ -21,7 +22,8 @@ enum {
     KEY_LOD,
     KEY_LOD_BITS,
     KEY_AT,
-    KEY_SKIP
+    KEY_SKIP,
+    KEY_ROUND
 };
 
 static const struct argp_option options[] = {
@@ -51,8 +53,12 @@ static const struct argp_option options[] = {
      "how far away a pixel is as large as a texel: mended (default), or as the paper prints it", 1},
     {"at", KEY_AT, "N", 0, "frame that moving primitives are moved to, 0 (default) to 65535", 1},
     {"skip-unsupported", KEY_SKIP, NULL, 0,
-     "leave out what is neither sphere, polygon nor plane (cones, patches) instead of refusing the "
+     "leave out what is neither sphere, polygon, cone nor plane (patches) instead of refusing the "
      "scene",
+     1},
+    {"round", KEY_ROUND, "E", 0,
+     "cones and cylinders become triangles: no point of these is farther off than this part of the "
+     "larger radius, 1e-6 to 0.5 (0.005)",
      1},
     {0},
 };
@@ -122,6 +128,10 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         break;
     case KEY_AT:
         s->read.at = (uint32_t)tool_number(state, "--at", arg, 0, SPH_MAX_FRAME);
+        break;
+    case KEY_ROUND:
+        s->read.round =
+            tool_real(state, "--round", arg, SPH_FRUSTUM_ROUND_MIN, SPH_FRUSTUM_ROUND_MAX);
         break;
     case KEY_SKIP:
         s->read.skip_unsupported = 1;

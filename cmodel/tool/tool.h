@@ -40,6 +40,10 @@ int tool_choice(const struct argp_state *state, const char *option, const char *
 unsigned long long tool_number(const struct argp_state *state, const char *option, const char *arg,
                                unsigned long long min, unsigned long long max);
 
+/* A number min .. max. */
+double tool_real(const struct argp_state *state, const char *option, const char *arg, double min,
+                 double max);
+
 /* WIDTHxHEIGHT, both 1 .. SPH_MAX_SIDE. */
 void tool_size(const struct argp_state *state, const char *option, const char *arg, int *width,
                int *height);

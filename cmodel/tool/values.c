@@ -36,6 +36,15 @@ unsigned long long tool_number(const struct argp_state *state, const char *optio
     return value;
 }
 
+double tool_real(const struct argp_state *state, const char *option, const char *arg, double min,
+                 double max) {
+    char *end;
+    double value = strtod(arg, &end);
+    if (end == arg || *end || !(value >= min && value <= max))
+        argp_error(state, "%s: '%s' is no number from %g to %g", option, arg, min, max);
+    return value;
+}
+
 void tool_size(const struct argp_state *state, const char *option, const char *arg, int *width,
                int *height) {
     char *end, *end2 = NULL;

@@ -42,7 +42,7 @@ static void test_good(void **state) {
 static void test_skip(void **state) {
     (void)state;
     struct sph_scene s;
-    read_text(CAM MAT "t 1 2 3\n4 5 6\ns 0 0 0 1\nc\n0 0 0 1\n0 0 1 0\n"
+    read_text(CAM MAT "t 1 2 3\n4 5 6\ns 0 0 0 1\nt\n0 0 0 1\n0 0 1 0\n"
                       "tpp s.png\n0 0 0 0 0 0\n1 1 1 0 0 0\ns 1 1 1 1\npb 1 1 1\n",
               1, &s);
     assert_int_equal(s.n_skipped, 4);

@@ -63,9 +63,8 @@ static const struct bad bads[] = {
     {"garbage", CAM "hello\n", 8, "unknown word `hello`", 0, 0},
     {"garbage_with_skip", CAM "hello\n", 8, "unknown word `hello`", 1, 0},
     {"number_alone", CAM "42\n", 8, "unknown word `42`", 1, 0},
-    {"cone", CAM "c\n0 0 0 1\n0 0 1 1\n", 8, "`c` (cone or cylinder) is not", 0, 0},
     {"patch", CAM "tpp x\n", 8, "`tpp` (textured triangle with normals) is not", 0, 0},
-    {"truncated_cone", CAM "c 0 0 0 1 0 0 1\n", 8, "ends within `c`", 1, 0},
+    {"patch_part", CAM MAT "pb 3 1 2\n", 9, "`pb` (Bezier patch) is not", 0, 0},
 };
 
 static void test_bad(void **state) {

@@ -81,17 +81,28 @@ check "so does brute force" equal "$(picture i.sph)" "$(picture i.sph --brute)"
 check "so does exact separation" equal "$(picture i.sph)" "$(picture i.nff --background exact)"
 
 # ---- what is left out, and what is not ----
-{ cat a.nff; printf 'p 4\n0 0 0\n1 0 0\n1 1 0.01\n0 1 0\nc 0 0 0 1 0 0 1 1\n'; } >cone.nff
+{ cat a.nff; printf 'p 4\n0 0 0\n1 0 0\n1 1 0.01\n0 1 0\npb 0 0 0 1\n'; } >patch.nff
 bent=$(($(wc -l <a.nff) + 1))
-"$s" build cone.nff --skip-unsupported -o cone.sph >cone.txt 2>&1
+"$s" build patch.nff --skip-unsupported -o patch.sph >patch.txt 2>&1
 check "a polygon that is not flat is cut in two and not left out" has "10 spheres, 2 triangles" \
-    cone.txt
-check "... with a warning" has "cone.nff:$bent: the polygon is not flat, a corner is 0.0025 off" \
-    cone.txt
-fails 1 "a cone without --skip-unsupported" "$s" build cone.nff -o x.sph
+    patch.txt
+check "... with a warning" has "patch.nff:$bent: the polygon is not flat, a corner is 0.0025 off" \
+    patch.txt
+fails 1 "a patch without --skip-unsupported" "$s" build patch.nff -o x.sph
 "$s" build --help | tr -s ' \n' ' ' >help.txt
 check "--help says what is left out" \
-    has "leave out what is neither sphere, polygon nor plane" help.txt
+    has "leave out what is neither sphere, polygon, cone nor plane" help.txt
+
+# ---- cones and cylinders ----
+"$s" gen jacks --size 1 -o jacks.nff >gen.txt
+check "a file keeps cones as they are" equal "$(grep -c '^c ' jacks.nff)" 3
+"$s" build jacks.nff -o jacks.sph >jacks.txt 2>&1
+check "three cylinders are rings of 32" has "6 spheres, 194 triangles" jacks.txt
+"$s" build jacks.nff --round 0.1 -o jacks.sph >jacks.txt 2>&1
+check "... and of 7 if a tenth of a radius may be lost" has "6 spheres, 44 triangles" jacks.txt
+for value in 0 0.6 -1 x 0.1x ''; do
+    fails 2 "--round '$value'" "$s" build jacks.nff --round "$value" -o x.sph
+done
 
 # ---- accuracy ----
 check "accuracy" "$s" accuracy a.nff --profile reference -d strip.png --json acc.json
