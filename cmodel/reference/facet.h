@@ -4,7 +4,11 @@
 #ifndef SPH_REFERENCE_FACET_H
 #define SPH_REFERENCE_FACET_H
 
+#include "builder/texture_base.h"
 #include "scene/scene.h"
+
+/* Whether a facet has no end: no box holds it. */
+int sph_ref_facet_endless(const struct sph_facet *facet);
 
 /* The normal of a facet, of length 1 (a triangle of no area: not a number). */
 void sph_ref_facet_normal(const struct sph_facet *facet, double normal[3]);
@@ -13,5 +17,10 @@ void sph_ref_facet_normal(const struct sph_facet *facet, double normal[3]);
  * normal looks along dir. */
 double sph_ref_facet(const struct sph_facet *facet, const double org[3], const double dir[3],
                      int *far);
+
+/* How the image of a facet lies around the point v[0] + from: coordinates (t down), their gradients
+ * in space, and what P_b is made of. */
+void sph_ref_facet_image(const struct sph_facet *facet, const double from[3], double st[2],
+                         double slope[2][3], struct sph_texture_shape *shape);
 
 #endif

@@ -158,7 +158,7 @@ static void leave(const struct sph_ref_job *j, const struct sph_ref_branch *b,
 }
 
 static int is_plane(const struct sph_scene *scene, uint32_t id) {
-    return id >= scene->n_spheres && scene->facets[id - scene->n_spheres].kind == SPH_PLANE;
+    return id >= scene->n_spheres && sph_ref_facet_endless(&scene->facets[id - scene->n_spheres]);
 }
 
 void sph_ref_follow(const struct sph_ref_job *j, struct sph_ref_branch b,

@@ -54,8 +54,23 @@ static int equations_solve(struct equations *e) {
     return 1;
 }
 
+static void triangle_directions(const struct sph_facet_leaf *f, int64_t e1[3], int64_t e2[3]) {
+    for (int i = 0; i < 3; i++) {
+        e1[i] = f->v[1][i] - f->v[0][i];
+        e2[i] = f->v[2][i] - f->v[0][i];
+    }
+}
+
+/* The sides x and y of the triangle are at least 0, and no more than 1 together. */
+static int triangle_holds(struct equations *e, const struct sph_ray *ray, int w) {
+    (void)ray, (void)w;
+    mpq_add(e->x, e->m[0][3], e->m[1][3]);
+    return mpq_sgn(e->m[0][3]) >= 0 && mpq_sgn(e->m[1][3]) >= 0 && mpq_cmp_si(e->x, 1, 1) <= 0;
+}
+
 /* Two directions of the plane with normal n, whose cross product is n times something positive. */
-static void plane_directions(const int64_t n[3], int64_t e1[3], int64_t e2[3]) {
+static void plane_directions(const struct sph_facet_leaf *f, int64_t e1[3], int64_t e2[3]) {
+    const int64_t *n = f->v[1];
     int i = n[0] ? 0 : n[1] ? 1 : 2, j = (i + 1) % 3, k = (i + 2) % 3;
     int64_t turn = n[i] < 0 ? -1 : 1;
     e1[i] = -n[j], e1[j] = n[i], e1[k] = 0; /* e1 x e2 = n[i] * n */
@@ -92,28 +107,30 @@ static uint64_t key_of(struct equations *e, const struct sph_ray *ray) {
     return key;
 }
 
+/* A plane ends with the world; what lies before a light is in it. */
+static int plane_holds(struct equations *e, const struct sph_ray *ray, int w) {
+    return ray->kind == SPH_SHADOW || in_box(e, ray, w);
+}
+
+/* What this model knows of each kind. */
+static const struct {
+    void (*directions)(const struct sph_facet_leaf *f, int64_t e1[3], int64_t e2[3]);
+    int (*holds)(struct equations *solved, const struct sph_ray *ray, int w);
+} kinds[SPH_KINDS] = {[SPH_TRIANGLE] = {triangle_directions, triangle_holds},
+                      [SPH_PLANE] = {plane_directions, plane_holds}};
+
 struct sph_naive_leaf sph_naive_facet(const struct sph_ray *ray, const struct sph_facet_leaf *f,
                                       int w) {
     struct sph_naive_leaf r = {0};
     struct equations e;
     int64_t e1[3], e2[3], skip = ray->skip.id, id = f->id;
     if (id - f->before <= skip && skip <= id + f->after) return r;
-    for (int i = 0; i < 3; i++) {
-        e1[i] = f->v[1][i] - f->v[0][i];
-        e2[i] = f->v[2][i] - f->v[0][i];
-    }
-    if (f->kind == SPH_PLANE) plane_directions(f->v[1], e1, e2);
+    kinds[f->kind].directions(f, e1, e2);
     equations_set(&e, e1, e2, ray, f->v[0]);
     if (equations_solve(&e) && mpq_sgn(e.m[2][3]) > 0) {
         int shadow = ray->kind == SPH_SHADOW;
         r.hit = !shadow || mpq_cmp_si(e.m[2][3], 1, 1) < 0;
-        if (f->kind == SPH_PLANE) {
-            r.hit = r.hit && (shadow || in_box(&e, ray, w));
-        } else {
-            mpq_add(e.x, e.m[0][3], e.m[1][3]);
-            r.hit = r.hit && mpq_sgn(e.m[0][3]) >= 0 && mpq_sgn(e.m[1][3]) >= 0 &&
-                    mpq_cmp_si(e.x, 1, 1) <= 0;
-        }
+        r.hit = r.hit && kinds[f->kind].holds(&e, ray, w);
         r.far = r.hit && e.sign < 0; /* the column of dir is negated */
         if (r.hit && !shadow) r.key = key_of(&e, ray);
     }

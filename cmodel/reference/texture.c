@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "reference/facet.h"
 #include "texture/lookup.h"
 
 /* How an image lies around a point: coordinates (t down), their gradients in space, and what the
@@ -17,15 +18,6 @@ struct place {
 
 static double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const double a[3], const double b[3], double out[3]) {
-    for (int i = 0; i < 3; i++)
-        out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-}
-
-static void minus(struct sph_vec a, struct sph_vec b, double out[3]) {
-    out[0] = a.x - b.x, out[1] = a.y - b.y, out[2] = a.z - b.z;
 }
 
 static void on_sphere(const struct sph_sphere *s, const struct sph_texture *t, const double at[3],
@@ -43,45 +35,6 @@ static void on_sphere(const struct sph_sphere *s, const struct sph_texture *t, c
     p->choice.shape = (struct sph_texture_shape){
         .kind = SPH_SHAPE_SPHERE, .st = {{t->repeat[0], t->repeat[1]}}, .rad = s->rad};
     memcpy(p->choice.from, n, sizeof n);
-}
-
-static void on_triangle(const struct sph_facet *f, const double from[3], struct place *p) {
-    struct sph_texture_shape *shape = &p->choice.shape;
-    double *e1 = shape->edge[0], *e2 = shape->edge[1], *n = shape->normal, along[2][3], d[2][2];
-    *shape = (struct sph_texture_shape){.kind = SPH_SHAPE_TRIANGLE};
-    minus(f->v[1], f->v[0], e1);
-    minus(f->v[2], f->v[0], e2);
-    cross(e1, e2, n);
-    for (int i = 0; i < 3; i++) {
-        minus(f->v[i], (struct sph_vec){0, 0, 0}, shape->corner[i]);
-        for (int k = 0; k < 2; k++)
-            shape->st[i][k] = f->st[i][k];
-    }
-    cross(e2, n, along[0]);
-    cross(n, e1, along[1]);
-    for (int k = 0; k < 2; k++) {
-        int sign = k ? -1 : 1; /* t is turned over */
-        for (int c = 0; c < 2; c++)
-            d[k][c] = sign * (f->st[c + 1][k] - f->st[0][k]);
-        for (int i = 0; i < 3; i++)
-            p->slope[k][i] = (d[k][0] * along[0][i] + d[k][1] * along[1][i]) / dot(n, n);
-        p->st[k] = (k ? 1 - f->st[0][1] : f->st[0][0]) + dot(p->slope[k], from);
-    }
-}
-
-static void on_plane(const struct sph_facet *f, const double from[3], struct place *p) {
-    const double n[3] = {f->v[1].x, f->v[1].y, f->v[1].z};
-    double along[2][3] = {{f->v[2].x, f->v[2].y, f->v[2].z}, {0}};
-    cross(n, along[0], along[1]);
-    cross(along[1], n, along[0]);
-    for (int k = 0; k < 2; k++) {
-        double rise = (k ? -1 : 1) / f->st[0][k] / sqrt(dot(along[k], along[k]));
-        for (int i = 0; i < 3; i++)
-            p->slope[k][i] = rise * along[k][i];
-        p->st[k] = (k ? 1 - f->st[1][1] : f->st[1][0]) + dot(p->slope[k], from);
-    }
-    p->choice.shape =
-        (struct sph_texture_shape){.kind = SPH_SHAPE_PLANE, .st = {{f->st[0][0], f->st[0][1]}}};
 }
 
 /* The level of each way, not limited yet. */
@@ -163,10 +116,7 @@ int sph_ref_texture(const struct sph_ref_textures *r, uint32_t id, const double 
     struct place p;
     if (f) {
         const double from[3] = {at[0] - f->v[0].x, at[1] - f->v[0].y, at[2] - f->v[0].z};
-        if (f->kind == SPH_PLANE)
-            on_plane(f, from, &p);
-        else
-            on_triangle(f, from, &p);
+        sph_ref_facet_image(f, from, p.st, p.slope, &p.choice.shape);
     } else {
         on_sphere(&scene->spheres[id], texture, at, &p);
     }

@@ -106,7 +106,7 @@ struct sph_ref_tree *sph_ref_tree_new(const struct sph_scene *scene) {
     for (uint32_t i = 0; i < scene->n_spheres; i++)
         add(t, i, &scene->spheres[i].ctr, 1, scene->spheres[i].rad);
     for (uint32_t i = 0; i < scene->n_facets; i++)
-        if (scene->facets[i].kind == SPH_TRIANGLE)
+        if (!sph_ref_facet_endless(&scene->facets[i]))
             add(t, scene->n_spheres + i, scene->facets[i].v, 3, 0);
     build(t, 0, t->n_items);
     return t;
@@ -198,7 +198,7 @@ struct sph_ref_hit sph_ref_trace(const struct sph_ref_tree *tree, const struct s
     uint32_t stack[64];
     int sp = 0;
     for (uint32_t i = 0; i < tree->scene->n_facets; i++)
-        if (tree->scene->facets[i].kind == SPH_PLANE) facet(tree, i, ray, t_max, &best);
+        if (sph_ref_facet_endless(&tree->scene->facets[i])) facet(tree, i, ray, t_max, &best);
     if (any_hit && best.t < t_max) return best;
     stack[sp++] = 0;
     while (sp) {
