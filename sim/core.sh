@@ -23,13 +23,14 @@ BUILD=${BUILD:-build}
 check() { [ -n "${BUILT:-}" ] || sh sim/check.sh "$@"; }
 EFFECTS=$EFFECTS ENGINES=$ENGINES SIM=$SIM OPT=$OPT check EFFECTS ENGINES SIM OPT
 
-machine= previous= folder=
+machine= previous= folder= help=
 for word; do
     case $previous in --machine | -m) machine=$word ;; esac
     case $word in
     --machine=*) machine=${word#*=} ;;
     --trace | --trace=*) WAVES=1 ;;
     --folder) folder=1 ;;
+    --help | --usage) help=1 ;;
     esac
     previous=$word
 done
@@ -46,7 +47,7 @@ target() { # lock, target, variables
 [ -f "$BUILD/libsphaera.a" ] || make -s B="$BUILD" "$BUILD/libsphaera.a" >&2
 target tools tools PROFILE=standard CORE=all WAVES=$WAVES OPT="$OPT" # whatever the environment has
 tool=$BUILD/sim/tb_core_icarus
-[ -n "$machine" ] || exec "$tool" "$@"
+[ -n "$machine" ] && [ -z "$help" ] || exec "$tool" "$@"
 
 [ -z "$folder" ] || set -- --machine "$machine"
 info=$("$tool" "$@" --info) # looks at all options, before a core is built

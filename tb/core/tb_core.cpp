@@ -45,11 +45,12 @@ bool prepare(const Options &o, sph_machine &m, Window &w, std::string &error) {
 }
 
 /* "PROFILE CORE WxH NAME": what a build script needs to know of a machine. */
-void print_info(const sph_machine &m) {
+std::string info(const sph_machine &m) {
     char core[160];
     sph_machine_core(&m, core, sizeof core);
-    std::printf("%s %s %dx%d %s\n", sph_machine_profile(&m)->name, core, m.regs[SPH_REG_FRAME_W],
-                m.regs[SPH_REG_FRAME_H], m.name);
+    return std::string(sph_machine_profile(&m)->name) + " " + core + " " +
+           std::to_string(m.regs[SPH_REG_FRAME_W]) + "x" + std::to_string(m.regs[SPH_REG_FRAME_H]) +
+           " " + m.name;
 }
 
 } // namespace
@@ -61,9 +62,10 @@ int main(int argc, char **argv) {
     if (sph_machine_read(o.machine.c_str(), &machine, &err)) return complain(err.text);
     Outcome c{};
     std::string error;
+    const std::string as_read = info(machine);
     if (!prepare(o, machine, c.window, error)) return complain(error);
     if (o.info) {
-        print_info(machine);
+        std::puts(as_read.c_str());
         sph_machine_free(&machine);
         return 0;
     }

@@ -85,7 +85,7 @@ for kind in $(sed -n 's/^    {"\([a-z0-9_]*\)", sph_make.*/\1/p' cmodel/scene/ge
     "$SPHAERA" gen "$kind:3" >"$TMP/text" 2>&1 && echo "$kind:N"
 done >"$TMP/tool"
 sh sim/scene.sh nothing 2>&1 | tr ' ' '\n' | grep ':N$' >"$TMP/rules"
-check "so are the kinds of scenes" diff "$TMP/rules" "$TMP/tool"
+check "so are the kinds of scenes" sh -c "[ -s '$TMP/tool' ] && diff '$TMP/rules' '$TMP/tool'"
 same_scene() { "$SPHAERA" gen "$1" | grep -v '^#' >"$TMP/x.nff" && shift && "$SPHAERA" gen "$@" |
     grep -v '^#' | cmp - "$TMP/x.nff"; }
 check "N is the size of an icosphere" same_scene icosphere:3 icosphere --size 3
