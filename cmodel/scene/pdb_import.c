@@ -155,7 +155,7 @@ static int next_line(struct import *im, FILE *file, char line[LINE_MOST + 1],
 
 /* Takes the lines up to the end of the first model. */
 static int take_lines(struct import *im, FILE *file, struct sph_error *err) {
-    char line[LINE_MOST + 1];
+    char line[LINE_MOST + 1] = "";
     int got, bad = 0;
     while (!bad && (got = next_line(im, file, line, err)) > 0) {
         if (!strncmp(line, "ENDMDL", 6) || !strcmp(line, "END")) break;
