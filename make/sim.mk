@@ -9,7 +9,7 @@ GIVEN_TREE    := $(if $(filter-out file,$(origin TREE)),$(TREE))
 BUILD_PROFILE := $(if $(filter all,$(PROFILE)),reference,$(PROFILE))
 BUILD_OPTIONS := --profile $(BUILD_PROFILE) --depth $(DEPTH) --background $(BACKGROUND) \
                  --traverse $(TRAVERSE) \
-                 $(if $(filter bvh4,$(ACCEL)),--tree $(TREE),--accel $(ACCEL) \
+                 $(if $(filter bvh4,$(ACCEL)),--accel bvh4 --tree $(TREE),--accel $(ACCEL) \
                      $(if $(GIVEN_TREE),--tree $(GIVEN_TREE))) \
                  $(if $(MAX_PRIMS),--max-prims $(MAX_PRIMS)) \
                  $(if $(MAX_TREE_DEPTH),--max-tree-depth $(MAX_TREE_DEPTH)) \

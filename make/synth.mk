@@ -18,7 +18,7 @@ SYNTH_SCENE := $(if $(filter file,$(origin SCENE)),,$(filter auto,$(EFFECTS)))
 .PHONY: area
 synth: $(if $(SYNTH_SCENE),$(TOOL)) ## area with Yosys: PROFILE and TARGET, or all; effects of SCENE
 	+$(Q)effects=$(if $(SYNTH_SCENE),$$($(call run,core,$(MACHINE_KEY))),$(or \
-	    $(filter-out auto,$(EFFECTS)),$(if $(filter bvh4,$(ACCEL)),all,all+bih))) && \
+	    $(filter-out auto,$(EFFECTS)),$(if $(filter bih brute,$(ACCEL)),all+bih,all))) && \
 	    $(MAKE) --no-print-directory -j$(JOBS) -f make/area.mk report B=$B V=$(V) \
 	    PROFILES=$(PROFILE) TARGETS=$(TARGET) EFFECTS="$$effects" ENGINES=$(ENGINES) FLAT=$(FLAT) \
 	    ROOT_STEP=$(ROOT_STEP) QUOTIENT_STEP=$(QUOTIENT_STEP)

@@ -117,7 +117,7 @@ $(TEX)/$(1)-rtl.json: scenes/texture/$(firstword $(subst -, ,$(1))).nff $(TEX_IM
 .PRECIOUS: $(TEX)/$(1).sph
 $(TEX)/$(1).sph: scenes/texture/$(firstword $(subst -, ,$(1))).nff $(TEX_IMAGES) $(TOOL)
 	@mkdir -p $$(@D)
-	$$(Q)$(TOOL) build $$< --size $(TEX_RTL) --filter $(call tex_way,$(1)) -o $$@ >$$@.log
+	$$(Q)$(TOOL) build $$< --accel bvh4 --size $(TEX_RTL) --filter $(call tex_way,$(1)) -o $$@ >$$@.log
 
 $(TEX)/$(1).core.json: $(TEX)/$(1).sph $(V_FILES) $(V_HEADS)
 	$$(call say,SIM,$(1))

@@ -17,8 +17,9 @@ PROFILE ?= standard
 SIZE ?= 320x180
 ## TREE balanced|paper of bvh4
 TREE ?= balanced
-## ACCEL bvh4|bih|brute spheres around four children, a bounding interval hierarchy, or no tree
-ACCEL ?= bvh4
+## ACCEL auto|bvh4|bih|brute spheres around four children, a bounding interval hierarchy, no tree;
+##             auto: bih with MAX_PRIMS=1 if there are more triangles than spheres, else bvh4
+ACCEL ?= auto
 ## MAX_PRIMS 1..ID_NONE|infinity| of bih: a leaf of no more primitives is not cut (empty: 4)
 MAX_PRIMS ?=
 ## MAX_TREE_DEPTH 1..BIH_STACK+1|infinity| of bih: its levels (empty: all that the stack has)

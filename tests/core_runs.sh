@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # start FOLDER    SEED, BUILD, CORE by default; empties FOLDER of $BUILD/test, for machines
-# machine NAME SCENE [OPTION...]   builds one there; $every: options of all
+# machine NAME SCENE [OPTION...]   builds one there; $every: options of all, nodes of four children
+#                                  unless a run asks for another tree
 # wanted NAME CORE SETTINGS MACHINE [OPTION...]   run of such a machine, if NAME has $CORE in it
 # run NAME CORE SETTINGS FILE [OPTION...]   notes a run; latency 1 to 60 by SEED and NAME
 # build_cores     builds what the runs need, each core once
@@ -10,7 +11,7 @@
 # judge           one TAP line a run: ok if not one bit differs
 runs=$TMP/runs
 : >"$runs"
-every=
+every="--accel bvh4"
 
 start() {
     SEED=${SEED:-1} BUILD=${BUILD:-build} CORE=${CORE:-}

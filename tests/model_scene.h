@@ -24,14 +24,18 @@ static const char *const model_scenes[] = {
 };
 enum { MODEL_SCENES = sizeof model_scenes / sizeof *model_scenes };
 
-static inline struct sph_scene model_scene(const char *name) {
-    char path[256];
+static inline struct sph_scene read_scene(const char *path) {
     struct sph_scene scene;
     struct sph_error err = {{0}};
     struct sph_read_options options = {0};
-    snprintf(path, sizeof path, "scenes/%s.nff", name);
     if (sph_scene_read(path, &options, &scene, &err)) fail_msg("%s", err.text);
     return scene;
+}
+
+static inline struct sph_scene model_scene(const char *name) {
+    char path[256];
+    snprintf(path, sizeof path, "scenes/%s.nff", name);
+    return read_scene(path);
 }
 
 /* Scenes of triangles and planes. */
@@ -41,11 +45,7 @@ static const char *const facet_scenes[] = {"tests/scenes/facets/mixed.nff",
 enum { FACET_SCENES = sizeof facet_scenes / sizeof *facet_scenes };
 
 static inline struct sph_scene facet_scene(int n) {
-    struct sph_scene scene;
-    struct sph_error err = {{0}};
-    struct sph_read_options options = {0};
-    if (sph_scene_read(facet_scenes[n], &options, &scene, &err)) fail_msg("%s", err.text);
-    return scene;
+    return read_scene(facet_scenes[n]);
 }
 
 /* Frames of the comparisons; the sanitizers slow the naive model's memory down most. */

@@ -8,6 +8,7 @@
 #include <time.h>
 
 #include "builder/background.h"
+#include "builder/choose_tree.h"
 #include "builder/effects.h"
 #include "builder/emit.h"
 #include "builder/spans.h"
@@ -206,10 +207,12 @@ int sph_build(const struct sph_scene *scene, const struct sph_build_options *opt
     struct parts parts = {0};
     memset(machine, 0, sizeof *machine);
     memset(report, 0, sizeof *report);
-    if (check(scene, options, err)) return -1;
+    struct sph_build_options o = *options;
+    sph_choose_tree(scene, &o, report);
+    if (check(scene, &o, err)) return -1;
     uint64_t n = (uint64_t)scene->n_spheres + scene->n_facets;
     parts.balls = malloc((n + 1) * sizeof *parts.balls);
-    int result = parts.balls ? build(scene, options, &parts, machine, report, err)
+    int result = parts.balls ? build(scene, &o, &parts, machine, report, err)
                              : sph_fail(err, "out of memory for %u spheres", scene->n_spheres);
     free(parts.balls);
     free(parts.tree.nodes);

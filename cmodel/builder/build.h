@@ -24,7 +24,8 @@ enum { SPH_AUTO = -1, SPH_OFF = 0, SPH_ON = 1 }; /* auto: as the scene calls for
 struct sph_build_options {
     const struct sph_profile *widths; /* NULL: those of `profile` */
     int profile;                      /* SPH_DRAFT .. */
-    int tree;                         /* SPH_TREE_*: four children a node, BIH, or one leaf */
+    int tree;                         /* SPH_TREE_*: four children a node, BIH, or one leaf; or
+                                         SPH_TREE_AUTO (choose_tree.h) */
     uint32_t max_prims;               /* BIH: primitives of a leaf that is not cut; 0: 4 */
     uint32_t max_tree_depth;          /* BIH: levels, 1 .. SPH_BIH_STACK + 1; 0: these */
     int bih;                          /* SPH_BIH_FULL, SPH_BIH_LISTING */
@@ -51,6 +52,8 @@ struct sph_build_options {
     struct sph_texture_bases *bases; /* NULL, or what the frame before left, of the same scene */
 };
 
+enum { SPH_TREE_AUTO = 0 };
+
 /* A leaf of no more is not cut if nothing else is asked for: docs/results/scenarios.md has what it
  * costs.
  */
@@ -74,6 +77,7 @@ struct sph_build_report {
     double smallest_radius; /* grid units */
     double fov_error;       /* relative error of tan(angle/2) by quantisation */
     uint32_t nodes, depth;  /* of the tree */
+    char tree_why[64];      /* empty if it was asked for */
     uint32_t facets, loose; /* primitives that are no spheres; of them, without bounds */
     double build_seconds, tree_seconds; /* all of build; of processor, of tree and memory
                                            image alone */

@@ -9,8 +9,10 @@ enum { KEY_ACCEL = 384, KEY_MAX_PRIMS, KEY_MAX_TREE_DEPTH, KEY_BIH };
 
 static const struct argp_option options[] = {
     {"accel", KEY_ACCEL, "NAME", 0,
-     "bvh4 (default: spheres around four children), bih (bounding interval hierarchy) or brute "
-     "(every primitive)",
+     "bvh4 (spheres around four children), bih (bounding interval hierarchy), brute (every "
+     "primitive), or auto (default: bih with --max-prims 1 if there are more triangles than "
+     "spheres, "
+     "else bvh4)",
      1},
     {"max-prims", KEY_MAX_PRIMS, "N", 0,
      "bih: a leaf of no more primitives is not cut (4); or infinity", 1},
@@ -30,7 +32,7 @@ static uint32_t number(const struct argp_state *state, const char *option, const
 }
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
-    static const char *const accels[] = {"bvh4", "bih", "brute", NULL};
+    static const char *const accels[] = {"auto", "bvh4", "bih", "brute", NULL};
     static const char *const ways[] = {"full", "listing", NULL};
     struct tool_source *s = state->input;
     switch (key) {
@@ -54,10 +56,12 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         if (s->bih_option && s->accel != TOOL_BIH)
             argp_error(state, "--%s is for --accel bih, this is %s", s->bih_option,
                        accels[s->accel]);
+        if (s->tree_given && s->accel == TOOL_AUTO) s->accel = TOOL_BVH4;
         if (s->tree_given && s->accel != TOOL_BVH4)
             argp_error(state, "--tree is for --accel bvh4, this is %s", accels[s->accel]);
-        if (s->accel != TOOL_BVH4)
-            s->build.tree = s->accel == TOOL_BIH ? SPH_TREE_BIH : SPH_TREE_BRUTE;
+        if (s->accel == TOOL_AUTO) s->build.tree = SPH_TREE_AUTO;
+        if (s->accel == TOOL_BIH) s->build.tree = SPH_TREE_BIH;
+        if (s->accel == TOOL_BRUTE) s->build.tree = SPH_TREE_BRUTE;
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;

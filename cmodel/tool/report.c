@@ -89,6 +89,7 @@ void report_build(json_t *report, const struct tool_built *built) {
     report_number(build, "fov_error", b->fov_error);
     report_count(build, "nodes", b->nodes);
     report_count(build, "depth", b->depth);
+    if (b->tree_why[0]) report_text(build, "tree_why", b->tree_why);
     report_count(build, "skipped", built->skipped);
     report_number(build, "seconds", b->build_seconds);
     report_number(build, "tree_seconds", b->tree_seconds);

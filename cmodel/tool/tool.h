@@ -55,13 +55,13 @@ error_t tool_one_scene(const struct argp_state *state, int key, char *arg, const
 
 /* ---- from a scene to a machine ---- */
 
-enum { TOOL_BVH4, TOOL_BIH, TOOL_BRUTE };
+enum { TOOL_AUTO, TOOL_BVH4, TOOL_BIH, TOOL_BRUTE };
 
 struct tool_source {
     struct sph_build_options build;
     struct sph_read_options read;
     struct sph_profile profile;  /* what build.widths points to, if --profile was given */
-    int accel, tree_given;       /* TOOL_BVH4 ..; --tree was given */
+    int accel, tree_given;       /* TOOL_AUTO ..; --tree was given */
     const char *bih_option;      /* the last option given that is for a BIH alone */
     const char *option;          /* the last build option given, NULL if none */
     struct tool_outputs outputs; /* of the command: none may be a file that is read */

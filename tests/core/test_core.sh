@@ -105,14 +105,16 @@ wanted "verilator sphereflake2 standard warm caches" all SIM=verilator \
 facets=$machines/facets
 for profile in draft standard fine reference; do
     "$SPHAERA" build tests/scenes/facets/mixed.nff --profile $profile --size 8x6 --depth 1 \
-        -o "$facets-$profile.sph" >"$TMP/build" 2>&1 || check "facets $profile" cat "$TMP/build"
+        --accel bvh4 -o "$facets-$profile.sph" >"$TMP/build" 2>&1 ||
+        check "facets $profile" cat "$TMP/build"
     wanted "verilator facets $profile" all SIM=verilator "$facets-$profile.sph"
 done
 wanted "icarus facets draft" all SIM=icarus "$facets-draft.sph"
 wanted "verilator facets two engines" all ENGINES=2 "$facets-draft.sph"
 wanted "verilator facets standard warm caches" all SIM=verilator "$facets-standard.sph" --warm
 "$SPHAERA" build scenes/facets/triangles.nff --profile draft --size 5x4 --depth 1 \
-    -o "$facets-only.sph" >"$TMP/build" 2>&1 || check "facets without spheres" cat "$TMP/build"
+    --accel bvh4 -o "$facets-only.sph" >"$TMP/build" 2>&1 ||
+    check "facets without spheres" cat "$TMP/build"
 wanted "icarus facets without spheres" auto SIM=icarus "$facets-only.sph"
 for poke in 2:254:2=3 2:72:24=0 3:240:14=0x3fff; do # line 2, 3: the planes below the root
     wanted "verilator facets poke $poke" all SIM=verilator "$facets-draft.sph" --poke $poke

@@ -10,14 +10,6 @@
 
 #include "reference/reference.h"
 
-static struct sph_scene read_scene(const char *path) {
-    struct sph_scene scene;
-    struct sph_error err = {{0}};
-    struct sph_read_options options = {0};
-    if (sph_scene_read(path, &options, &scene, &err)) fail_msg("%s", err.text);
-    return scene;
-}
-
 /* Builds with every effect that the scene calls for. */
 static struct sph_machine build(const struct sph_scene *scene, int width, int height,
                                 struct sph_build_report *report) {

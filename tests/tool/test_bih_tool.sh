@@ -35,7 +35,7 @@ done
 "$s" build a.nff --accel bih --max-prims 1 -o a.sph --stats >build.txt
 "$s" info a.sph --json i.json >info.txt
 check "build names the tree" has "^tree     bih: [0-9]* nodes, depth" build.txt
-check "info too" has "^tree      bih, [0-9]* nodes on .* 100 spheres below them, planes" info.txt
+check "info too" has "^tree      bih, [0-9]* nodes on .* 100 spheres, 1 planes below them" info.txt
 grep -E '^(nodes|prims|depth|leaves|bytes) ' build.txt >b.txt
 grep -E '^(nodes|prims|depth|leaves|bytes) ' info.txt >i.txt
 check "both tell the same" cmp b.txt i.txt
@@ -54,6 +54,27 @@ check "brute is one leaf" json c.json 'r["build"]["bih"]["leaves"] == 1 and
 check "... of one visit a ray" sh -c "awk '/^rays_/ { r += \$2 } /^node_v/ { v = \$2 }
     END { exit !(v > 0 && v <= r) }' c.txt"
 
+# ---- the tree that is not asked for ----
+"$s" gen icosphere --size 1 --resolution 40x30 -o i.nff >/dev/null
+"$s" build i.nff -o auto.sph --json auto.json >/dev/null
+"$s" build i.nff -o auto.sph >auto.txt
+"$s" build i.nff --accel bih --max-prims 1 -o asked.sph >asked.txt
+check "triangles get a BIH" cmp auto.sph asked.sph
+check "... and build says why" \
+    has "^tree     bih: .*, chosen for 80 triangles and 0 spheres\$" auto.txt
+check "... in the report too" json auto.json \
+    'r["build"]["tree_why"] == "chosen for 80 triangles and 0 spheres"'
+check "nothing is said of one that was asked for" sh -c "! grep chosen asked.txt"
+check "spheres get nodes of four children" sh -c "'$s' build a.nff -o s.sph |
+    grep '^tree     balanced: .*, chosen for 0 triangles and 100 spheres'"
+for way in "--accel bvh4" "--tree balanced" "--tree paper"; do
+    # shellcheck disable=SC2086  # options on purpose
+    check "four children are asked for by $way" sh -c "'$s' build i.nff $way -o t.sph |
+        grep -E '^tree     (balanced|paper): [^c]*\$'"
+    # shellcheck disable=SC2086
+    check "... and show the same" equal "$(picture i.nff)" "$(picture i.nff $way)"
+done
+
 # ---- what rays walk through ----
 check "picture of the walk" "$s" render a.nff --accel bih --depth 0 --walk w.png \
     -o p.png
@@ -63,14 +84,14 @@ check "... is bluer and greener" sh -c "oiiotool w.png p.png --sub --fixnan none
 # ---- refusals ----
 says "tree with bih" "--tree is for --accel bvh4, this is bih" \
     "$s" build a.nff --accel bih --tree paper -o x.sph
-says "max-prims without" "--max-prims is for --accel bih, this is bvh4" \
+says "max-prims without" "--max-prims is for --accel bih, this is auto" \
     "$s" build a.nff --max-prims 3 -o x.sph
 says "max-tree-depth of brute" "--max-tree-depth is for --accel bih, this is brute" \
     "$s" build a.nff --accel brute --max-tree-depth 3 -o x.sph
 says "too deep" "'66' is no number from 1 to 65" \
     "$s" build a.nff --accel bih --max-tree-depth 66 -o x.sph
 says "no primitives" "'0' is no number from 1" "$s" build a.nff --accel bih --max-prims 0 -o x.sph
-says "other hierarchy" "'kd' is none of bvh4, bih, brute" "$s" build a.nff --accel kd -o x.sph
+says "other hierarchy" "'kd' is none of auto, bvh4, bih, brute" "$s" build a.nff --accel kd -o x.sph
 says "other builder" "'sah' is none of full, listing" \
     "$s" build a.nff --accel bih --bih sah -o x.sph
 "$s" gen sphereflake --size 1 -o flake.nff >/dev/null

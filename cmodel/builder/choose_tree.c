@@ -1,0 +1,19 @@
+/* choose_tree.c - see choose_tree.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "builder/choose_tree.h"
+
+#include <stdio.h>
+
+void sph_choose_tree(const struct sph_scene *scene, struct sph_build_options *o,
+                     struct sph_build_report *report) {
+    uint32_t triangles = 0;
+    if (o->tree != SPH_TREE_AUTO) return;
+    for (uint32_t i = 0; i < scene->n_facets; i++)
+        triangles += scene->facets[i].kind == SPH_TRIANGLE;
+    int bih = triangles > scene->n_spheres && o->traverse == SPH_BUILD_NEAREST;
+    o->tree = bih ? SPH_TREE_BIH : SPH_TREE_BALANCED;
+    if (bih) o->max_prims = 1;
+    snprintf(report->tree_why, sizeof report->tree_why, "chosen for %u triangles and %u spheres",
+             triangles, scene->n_spheres);
+}
