@@ -59,8 +59,8 @@ module rt_setup #(
 
     // ---- unit vector ----
     // Two units, a vector a cycle. Lights go to the first only, so that they leave at the pace of
-    // rt_cosine. Primary rays alone, of one kind, do with one unit.
-    localparam UNITS = NORMALS != 0 ? 2 : 1;
+    // rt_cosine.
+    localparam UNITS = 2;
     localparam KB    = NORMALS != 0 ? 2 : 0;         // bits of a kind
     wire [SLOTW+1:0]  v_tag = {v_slot, v_kind};
     wire              u_valid;
