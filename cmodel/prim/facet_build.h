@@ -12,9 +12,15 @@ static inline void sph_put_vector(uint32_t *line, int at, const int32_t v[3]) {
         sph_field_set(line, at + SPH_LEAF_CTR_Y_LSB * i, SPH_LEAF_CTR_Y_BITS, (uint32_t)v[i]);
 }
 
-/* Kind, id and group of a leaf line. */
+/* Kind, id and group of a leaf line; a kind that needs more bits has no group. */
 static inline void sph_put_head(const struct sph_grid_prim *prim, uint32_t *line) {
+    const uint32_t more = (1u << SPH_FACET_KIND_BITS) - 1;
     sph_field_set(line, SPH_FACET_ID_LSB, SPH_FACET_ID_BITS, prim->id);
+    if (prim->kind >= more) {
+        sph_field_set(line, SPH_FACET_KIND_LSB, SPH_FACET_KIND_BITS, more);
+        sph_field_set(line, SPH_FACET_MORE_LSB, SPH_FACET_MORE_BITS, prim->kind - more);
+        return;
+    }
     sph_field_set(line, SPH_FACET_BEFORE_LSB, SPH_FACET_BEFORE_BITS, prim->facet->before);
     sph_field_set(line, SPH_FACET_AFTER_LSB, SPH_FACET_AFTER_BITS, prim->facet->after);
     sph_field_set(line, SPH_FACET_KIND_LSB, SPH_FACET_KIND_BITS, prim->kind);

@@ -1,16 +1,18 @@
 #!/bin/sh
-# test_parts.sh - an effect more is one line of machine.def: headers, core, tool and help know it
+# test_parts.sh - an effect more is one line of machine.def, a primitive more six files of the model
 # SPDX-License-Identifier: Apache-2.0
 #
 # In a copy of the tree a line of machine.def names the effect `dummy`; `make layout` does the rest.
-# The copy's tool is compiled without optimisation; the core is elaborated, not simulated.
+# Then the first six steps of docs/blocks/adding_a_primitive.md are done: the primitive `wedge` is a
+# triangle under another name, so it draws what triangles draw. The copy's tool is compiled once,
+# without optimisation; the core is elaborated, not simulated.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/tap.sh
 export CCACHE_BASEDIR="$PWD"
 copy=$TMP/copy
 mkdir -p "$copy" && cp -r Makefile README.md CONTRIBUTING.md \
-    cmodel docs formal lab make rtl sim synth tb tests "$copy" || exit 1
+    cmodel docs formal lab make rtl scenes sim synth tb tests "$copy" || exit 1
 cd "$copy" || exit 1
 def=cmodel/machine/machine.def
 line="effect dummy most=3 bit=$(awk -f cmodel/machine/effects.awk -f - $def <<'END'
@@ -50,7 +52,7 @@ says() { grep -q -e "$1" "$2" || { cat "$2" && false; }; }
 make help >"$TMP/help" 2>&1
 check "make help names it" says dummyN "$TMP/help"
 
-make pages >"$TMP/pages" 2>&1 || cat "$TMP/pages"
+python3 -m lab.pages docs/use/core.md >"$TMP/pages" 2>&1 || cat "$TMP/pages"
 check "the page of the core has it" says \
     '| `dummy` | `DUMMY` | 0 .. 3 |.*does nothing' docs/use/core.md
 check "... and its table of parameters" says '^| `DUMMY` | 3 |' docs/use/core.md
@@ -67,6 +69,37 @@ elaborate() { # list
 }
 check "Icarus elaborates a core with it" elaborate inside+dummy2
 check "Icarus elaborates a core without" elaborate none
+
+# ---- the page names at most ten files, and lines that are there ----
+page=docs/blocks/adding_a_primitive.md
+sed -n 's/^| [^|]* | `\([^`]*\)` | `\(.*\)` |$/\1|\2/p' $page >"$TMP/steps"
+ten() { cut -d'|' -f1 "$TMP/steps" | sort -u >"$TMP/ten" && cat "$TMP/ten" &&
+    [ "$(wc -l <"$TMP/ten")" -le 10 ] && [ "$(wc -l <"$TMP/steps")" -ge 9 ]; }
+check "the page of a primitive names at most ten files" ten
+there() { # file as the page has it, line
+    case $1 in *tb_NAME* | *rt_NAME*) has=facet ;; *) has=triangle ;; esac
+    has=$(echo "$1" | sed "s/NAME/$has/")
+    grep -F -e "$2" "$has" || { echo "$has has no line with $2" && false; }
+}
+while IFS='|' read -r file text; do
+    check "... of $file a line that is there" there "$file" "$text"
+done <"$TMP/steps"
+named() { ! git -C "$OLDPWD" grep -nE '[!=]= *SPH_(TRIANGLE|PLANE)\b' -- cmodel ':!cmodel/prim'; }
+check "no other file of the model asks which kind a primitive is" named
+
+# ---- a primitive more ----
+sed -i 's/^kind   2      plane$/&\nkind   3      wedge/' $def
+sed -e '/^\/\* v \/ 2^shift/,/^static int validate/{/^static int validate/!d}' \
+    -e 's/sph_prim_triangle = {"triangle"/sph_prim_wedge = {"wedge"/' \
+    cmodel/prim/triangle.c >cmodel/prim/wedge.c
+sed 's/sph_prim_build_triangle/sph_prim_build_wedge/' cmodel/prim/triangle_build.c \
+    >cmodel/prim/wedge_build.c
+sed -e 's/SPH_TRIANGLE/SPH_WEDGE/; s/sph_prim_scene_triangle/sph_prim_scene_wedge/' \
+    -e 's/{"p", take_p}.*/{"wedge", take_p}, {NULL, NULL}};/; s/"p %u/"wedge %u/' \
+    cmodel/prim/triangle_scene.c >cmodel/prim/wedge_scene.c
+sed -i 's/\[SPH_TRIANGLE\] = \({[^}]*}\),/[SPH_TRIANGLE] = \1, [SPH_WEDGE] = \1,/' \
+    cmodel/reference/facet.c cmodel/reference/naive_facet.c
+sh sim/layout.sh
 
 # ---- the tool, compiled anew ----
 make tool -j"$JOBS" B=build CFLAGS="-std=c11 -D_GNU_SOURCE -O0 -Icmodel -fopenmp" \
@@ -88,6 +121,26 @@ check "another word is refused" says 'maybe. is none of auto, off, on' "$TMP/bad
 "$tool" build "$scene" --inside off --dummy on -o "$TMP/bad.sph" >"$TMP/bad.log" 2>&1
 check "a machine with it and without inside is refused" \
     says 'register EFFECTS is .*: DUMMY needs INSIDE' "$TMP/bad.log"
+
+# ---- what the new primitive draws ----
+"$tool" gen icosphere --size 1 2>/dev/null | grep -v '^plane' >"$TMP/p.nff"
+sed 's/^p 3/wedge 3/' "$TMP/p.nff" >"$TMP/w.nff"
+picture() { "$tool" render "$@" --size 48x27 -o "$TMP/x.png" 2>&1 | grep -e picture -e errors; }
+same() { # two lists of arguments
+    # shellcheck disable=SC2086  # words
+    picture $1 >"$TMP/a" && picture $2 >"$TMP/b" && cat "$TMP/a" "$TMP/b" &&
+        grep -q 'errors *none' "$TMP/a" && cmp "$TMP/a" "$TMP/b"
+}
+check "wedges draw what triangles draw" same "$TMP/p.nff" "$TMP/w.nff"
+check "... in a tree of the paper's" same "$TMP/p.nff" "$TMP/w.nff --tree paper"
+check "... in a BIH" same "$TMP/p.nff" "$TMP/w.nff --accel bih"
+check "... and by brute force" same "$TMP/p.nff" "$TMP/w.nff --brute"
+"$tool" build "$TMP/w.nff" -o "$TMP/w.sph" >"$TMP/w.log" 2>&1
+check "build counts them" says 'scene .* 80 wedges' "$TMP/w.log"
+"$tool" info "$TMP/w.sph" >"$TMP/info" 2>&1
+check "info counts them" says '80 wedges below' "$TMP/info"
+"$tool" accuracy "$TMP/w.nff" --size 48x27 >"$TMP/w.acc" 2>&1
+check "the reference in double precision sees them" says 'psnr *[4-9][0-9]' "$TMP/w.acc"
 
 # ---- a list that is wrong is told by file and line ----
 wrong() { # line, message
