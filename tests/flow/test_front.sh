@@ -151,6 +151,13 @@ rm -r "$BUILD/out/$(readlink "$BUILD/out/last")"
 check "a simulation from elsewhere" from_elsewhere sim SCENE="b/my scene's.nff" SIM=icarus SIZE=6x4
 check "... leaves a report in the last folder" test -s "$BUILD/out/last/report.json"
 check "... and pictures" test -s "$BUILD/out/last/side-by-side.png"
+harness() { "$BUILD/sim/tb_core_icarus" --machine "$BUILD/out/last/scene.sph" --info "$@"; }
+check "a register that is overwritten asks for no other core" \
+    [ "$(harness)" = "$(harness --reg 0=0)" ]
+refused=0
+harness --window 0,0,7,4 >"$TMP/text" 2>"$TMP/err" || refused=$?
+check "a window outside the scene's own size is refused before a core is built" \
+    says "the window is empty or not inside the frame"
 
 # ---- two calls at the same time: a compiler that takes its time never sees half a file ----
 cat >"$TMP/slow" <<'END'
