@@ -10,7 +10,8 @@
 `include "rt_fx.vh"
 module rt_unit #(
     parameter BITS = 17,                      // component of v, bits: 9 to 32
-    parameter TAG  = 8                        // what travels along, bits
+    parameter TAG  = 8,                       // what travels along, bits
+    parameter ODD  = 0                        // 1: ready a clock after reset, 0: at once
 ) (
     input  wire                   clk,
     input  wire                   rst,        // synchronous, active high
@@ -57,7 +58,7 @@ module rt_unit #(
         valid_q <= {valid_q[T_OUT-2:0], in_valid_i && in_ready_o};
         if (!phase_q) tag_q <= {tag_q[(N_TAG-1)*TAG-1:0], in_tag_i};
         if (rst) begin
-            phase_q <= 1'b0;
+            phase_q <= ODD != 0;
             valid_q <= {T_OUT{1'b0}};
         end
     end

@@ -26,8 +26,6 @@ module rt_units #(
     output wire [5:0]             out_h_o     // left shift of v
 );
     localparam RW = TAG + 2*BITS + 54 + 17 + 6;
-    reg              rst_q;
-    always @(posedge clk) rst_q <= rst;
     wire [UNITS-1:0] ready, valid;
     wire [UNITS*RW-1:0] results;
     wire [UNITS-1:0] may = {UNITS{!in_first_i}} | {{(UNITS-1){1'b0}}, 1'b1};
@@ -40,8 +38,8 @@ module rt_units #(
             wire [2*BITS-1:0]  vv;
             wire [16:0]        rsqrt;
             wire [5:0]         h;
-            rt_unit #(.BITS(BITS), .TAG(TAG)) u_unit (
-                .clk(clk), .rst(g == 0 ? rst : rst_q),
+            rt_unit #(.BITS(BITS), .TAG(TAG), .ODD(g)) u_unit (
+                .clk(clk), .rst(rst),
                 .in_valid_i(in_valid_i && may[g]), .in_ready_o(ready[g]), .in_tag_i(in_tag_i),
                 .in_x_i($signed(in_vec_i[0 +: BITS])), .in_y_i($signed(in_vec_i[BITS +: BITS])),
                 .in_z_i($signed(in_vec_i[2*BITS +: BITS])),
@@ -55,6 +53,5 @@ module rt_units #(
     assign out_valid_o = |valid;
     assign {out_tag_o, out_vv_o, out_u_o, out_y_o, out_h_o} =
         valid[0] ? results[RW-1:0] : results[UNITS*RW-1 -: RW];
-    wire unused = rst_q;
 endmodule
 `default_nettype wire

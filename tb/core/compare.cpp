@@ -54,7 +54,14 @@ std::string number(const char *name, uint64_t a, uint64_t b) {
                 a != b ? "  <--" : "");
 }
 
-std::string explain(const sph_machine &m, const sph_pixel &p, const Sample &s, int x, int y) {
+} // namespace
+
+sph_pixel dark_pixel(const sph_machine &m, uint32_t visits) {
+    auto sky = static_cast<uint32_t>(m.regs[SPH_REG_BG_COLOUR]);
+    return {{sky, sky, sky}, SPH_ID_NONE, visits, SPH_NO_TEXTURE, 0};
+}
+
+std::string difference(const sph_machine &m, const sph_pixel &p, const Sample &s, int x, int y) {
     int64_t dir[3];
     sph_primary_dir(&m, x, y, dir);
     double a = 0;
@@ -78,14 +85,22 @@ std::string explain(const sph_machine &m, const sph_pixel &p, const Sample &s, i
                        static_cast<long long>(dir[2]), s.times);
 }
 
+namespace {
+
 /* The machine is refused, or should be: not one pixel may come. */
 bool refuses(const Options &o, const Outcome &c) {
     return (c.total[COLD].errors & REFUSED) || (o.expect_errors >= 0 && o.expect_errors & REFUSED);
 }
 
-/* The model knows nothing of bus errors: values are not compared then, only delivery. */
-bool values_count(const Options &o, const Outcome &c) {
-    return o.bus_error_at < 0 && !refuses(o, c);
+/* The model knows nothing of bus errors: values are not compared then, only delivery. The warm pass
+ * comes behind the one error. */
+bool values_count(const Options &o, const Outcome &c, int pass) {
+    return (o.bus_error_at < 0 || pass == WARM) && !refuses(o, c);
+}
+
+/* No primitive can be read. */
+bool dark(const Options &o) {
+    return o.spoil >= 0 && !o.warm;
 }
 
 /* Whether the run ended at the first difference, by wish: the rest was never simulated. */
@@ -105,19 +120,35 @@ void compare_pixels(const Options &o, const sph_machine &m, const Outcome &c, in
         for (int x = w.x0; x < w.x1; x++) {
             size_t at = static_cast<size_t>(y) * static_cast<size_t>(c.model_frame.width) +
                         static_cast<size_t>(x);
-            const sph_pixel &p = c.model_frame.pixels[at];
             const Sample &s = c.samples[pass][at];
             if (partly && !s.times) continue;
-            if (values_count(o, c) ? equal(p, s) : s.times == wanted) continue;
+            const sph_pixel p = dark(o) ? dark_pixel(m, s.pixel.visits) : c.model_frame.pixels[at];
+            if (values_count(o, c, pass) ? equal(p, s) : s.times == wanted) continue;
             if (wrong++) continue;
             first = line("first wrong pixel x %d y %d%s:", x, y, pass ? " (warm pass)" : "");
-            first += explain(m, p, s, x, y);
+            first += difference(m, p, s, x, y);
             first += "repeat: " + repeat_command(o, {x, y, x + 1, y + 1}) + "\n";
         }
     if (!wrong) return;
     v.mismatches += wrong;
     v.text += first + line("%llu of %llu pixels differ", static_cast<ull>(wrong),
                            static_cast<ull>(c.pixels()));
+}
+
+/* Nothing was hit, and the core says why. */
+void compare_dark(const Options &o, const sph_machine &m, const Outcome &c, Verdict &v) {
+    const Pass &p = c.total[COLD];
+    uint64_t rays = p.count[SPH_COUNT_RAYS_PRIMARY], visits = p.count[SPH_COUNT_NODE_VISITS];
+    bool root = o.spoil <= m.regs[SPH_REG_ROOT]; /* is all that a ray visits */
+    if (p.errors == 1u << SPH_ERROR_BUS_ERROR && !p.count[SPH_COUNT_ROOTS] &&
+        !p.count[SPH_COUNT_DIVISIONS] && (!root || visits == rays))
+        return;
+    v.mismatches++;
+    v.text += line("errors 0x%x, %llu roots, %llu divisions, %llu visits of %llu rays, though no "
+                   "line from %lld on can be read",
+                   p.errors, static_cast<ull>(p.count[SPH_COUNT_ROOTS]),
+                   static_cast<ull>(p.count[SPH_COUNT_DIVISIONS]), static_cast<ull>(visits),
+                   static_cast<ull>(rays), static_cast<long long>(o.spoil));
 }
 
 void compare_totals(const Outcome &c, int pass, Verdict &v) {
@@ -159,8 +190,9 @@ Verdict compare(const Options &o, const sph_machine &machine, const Outcome &c) 
         }
     for (int pass = COLD; pass <= (o.warm ? WARM : COLD); pass++) {
         compare_pixels(o, machine, c, pass, v);
-        if (values_count(o, c) && !stopped(c)) compare_totals(c, pass, v);
+        if (values_count(o, c, pass) && !dark(o) && !stopped(c)) compare_totals(c, pass, v);
     }
+    if (dark(o)) compare_dark(o, machine, c, v);
     compare_expected(o, c, v);
     if (v.mismatches && v.text.find("repeat: ") == std::string::npos)
         v.text += "repeat: " + repeat_command(o, c.window) + "\n";

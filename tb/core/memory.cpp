@@ -8,7 +8,7 @@ const unsigned BEATS = 4;
 }
 
 Memory::Memory(const sph_machine &machine, int latency, int stall, uint64_t seed, int64_t error_at)
-    : machine_(machine), latency_(latency), stall_(stall), error_at_(error_at), random_(seed) {}
+    : machine_(&machine), latency_(latency), stall_(stall), error_at_(error_at), random_(seed) {}
 
 const Memory::Offer &Memory::offer() {
     now_.request_ready = !random_.percent(stall_);
@@ -17,10 +17,10 @@ const Memory::Offer &Memory::offer() {
     if (queue_.empty() || queue_.front().due > clock_ || random_.percent(stall_)) return now_;
     const Request &r = queue_.front();
     now_.response_valid = true;
-    now_.error = r.error;
+    now_.error = r.error || spoilt(r.line);
     now_.data = 0x0bad0bad0bad0badull;
-    if (!r.error) {
-        const uint32_t *words = machine_.mem + static_cast<size_t>(r.line) * SPH_LINE_WORDS;
+    if (r.line < machine_->lines) {
+        const uint32_t *words = machine_->mem + static_cast<size_t>(r.line) * SPH_LINE_WORDS;
         now_.data = words[2 * beat_] | static_cast<uint64_t>(words[2 * beat_ + 1]) << 32;
     }
     return now_;
@@ -33,7 +33,7 @@ void Memory::take(bool request_valid, uint32_t request_line, bool response_ready
         if (beat_ == 0) queue_.pop_front();
     }
     if (request_valid && now_.request_ready) {
-        bool beyond = request_line >= machine_.lines;
+        bool beyond = request_line >= machine_->lines;
         out_of_range_ += beyond;
         uint64_t due = clock_ + static_cast<uint64_t>(latency_);
         if (random_.percent(stall_)) due += random_.below(static_cast<uint32_t>(2 * latency_ + 16));
@@ -42,4 +42,10 @@ void Memory::take(bool request_valid, uint32_t request_line, bool response_ready
         requests_++;
     }
     clock_++;
+}
+
+void Memory::reset() {
+    queue_.clear();
+    now_ = {false, false, false, 0};
+    beat_ = 0;
 }

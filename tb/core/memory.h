@@ -7,6 +7,8 @@
  *
  *   request taken in clock c  ->  c + latency: beat 0, 1, 2, 3 of the line (one a clock)
  *
+ * An answer with an error has the line's data all the same: whoever uses it is found out.
+ *
  * In every clock: offer(), then the core settles, then take() with what the handshakes did.
  */
 #ifndef TB_MEMORY_H
@@ -14,6 +16,8 @@
 
 #include <cstddef>
 #include <deque>
+#include <utility>
+#include <vector>
 
 #include "model.h"
 #include "random.h"
@@ -32,6 +36,14 @@ class Memory {
     /* What happened in this clock: request_line is looked at if a request was taken. */
     void take(bool request_valid, uint32_t request_line, bool response_ready);
 
+    /* A reset of memory: what was asked for is forgotten. */
+    void reset();
+    /* From now on lines are those of this machine. */
+    void put(const sph_machine &machine) { machine_ = &machine; }
+    const sph_machine &machine() const { return *machine_; }
+    /* From now on the lines marked by their number answer with an error; empty: none. */
+    void spoil(std::vector<bool> lines) { spoilt_ = std::move(lines); }
+
     uint64_t requests() const { return requests_; }
     size_t waiting() const { return queue_.size(); }
     uint64_t out_of_range() const { return out_of_range_; } /* requests beyond the memory */
@@ -42,7 +54,10 @@ class Memory {
         uint64_t due;
         bool error;
     };
-    const sph_machine &machine_;
+    bool spoilt(uint32_t line) const { return line < spoilt_.size() && spoilt_[line]; }
+
+    const sph_machine *machine_;
+    std::vector<bool> spoilt_;
     int latency_, stall_;
     int64_t error_at_;
     Random random_;

@@ -4,6 +4,7 @@
 #include "options.h"
 
 #include <argp.h>
+#include <cinttypes>
 #include <cstdio>
 #include <cstdlib>
 
@@ -20,7 +21,12 @@ enum Key {
     MAX_CYCLES,
     STOP,
     BUS_ERROR,
+    SPOIL,
     EXPECT,
+    RESET_AT,
+    LIFE,
+    THEN,
+    CUTS,
     POKE,
     REG,
     PROGRESS,
@@ -47,6 +53,15 @@ const argp_option table[] = {
     {"max-cycles", MAX_CYCLES, "N", 0, "end with a failure after N clocks", 0},
     {"stop", STOP, nullptr, 0, "end with the first pixel that differs", 0},
     {"bus-error-at", BUS_ERROR, "N", 0, "the N-th line request, from 0, answers with an error", 0},
+    {"spoil", SPOIL, "LINE", 0,
+     "lines from LINE on, all records of leaves or more, answer with an error: no pixel sees a "
+     "primitive; with --warm only in the second pass, which needs no line",
+     0},
+    {"reset-at", RESET_AT, "N[:CLOCKS]", 0,
+     "begin the frame, reset in its N-th clock, from 0, for CLOCKS clocks (1), and begin again", 0},
+    {"life", LIFE, nullptr, 0, "frames, resets and errors one after another (not in Icarus)", 0},
+    {"then", THEN, "FILE", 0, "with --life: a second machine, drawn without a reset between", 0},
+    {"cuts", CUTS, "N", 0, "with --life: reset in N random clocks (in each clock of a frame)", 0},
     {"expect-errors", EXPECT, "BITS", 0, "these sticky error bits must be set at the end", 0},
     {"poke", POKE, "LINE:LSB:WIDTH=VALUE", 0, "overwrite bits of memory, for both sides", 0},
     {"reg", REG, "N=VALUE", 0, "overwrite a register, for both sides", 0},
@@ -118,6 +133,23 @@ error_t parse(int key, char *arg, argp_state *state) {
         break;
     case BUS_ERROR:
         o.bus_error_at = number(arg, 0, INT64_MAX, state);
+        break;
+    case RESET_AT:
+        if (std::sscanf(arg, "%" SCNd64 ":%d%c", &o.reset_at, &o.reset_for, &rest) < 1 ||
+            o.reset_at < 0 || o.reset_for < 1 || rest)
+            argp_error(state, "--reset-at wants N or N:CLOCKS, got '%s'", arg);
+        break;
+    case LIFE:
+        o.life = true;
+        break;
+    case THEN:
+        o.then = arg;
+        break;
+    case CUTS:
+        o.cuts = number(arg, 1, INT64_MAX, state);
+        break;
+    case SPOIL:
+        o.spoil = number(arg, 0, INT64_MAX, state);
         break;
     case EXPECT:
         o.expect_errors = number(arg, 0, 255, state);
@@ -208,7 +240,12 @@ std::string repeat_command(const Options &o, const Window &w) {
         std::snprintf(text, sizeof text, " --reg %d=%d", r.number, r.value);
         command += text;
     }
+    if (o.spoil >= 0) command += " --spoil " + std::to_string(o.spoil);
     if (o.bus_error_at >= 0) command += " --bus-error-at " + std::to_string(o.bus_error_at);
+    if (o.life) command += " --life" + (o.then.empty() ? "" : " --then " + o.then);
+    if (o.cuts) command += " --cuts " + std::to_string(o.cuts);
+    if (o.reset_at >= 0)
+        command += " --reset-at " + std::to_string(o.reset_at) + ":" + std::to_string(o.reset_for);
     if (o.expect_errors >= 0) command += " --expect-errors " + std::to_string(o.expect_errors);
     return command + " --trace pixel.fst";
 }

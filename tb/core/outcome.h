@@ -39,6 +39,13 @@ struct Verdict {
     bool refused;        /* the core takes no such machine, and nobody expected that */
 };
 
+/* A pixel that sees no primitive after so many visits. */
+sph_pixel dark_pixel(const sph_machine &machine, uint32_t visits);
+
+/* Stage that a difference points at, then all values side by side, as lines. */
+std::string difference(const sph_machine &machine, const sph_pixel &model, const Sample &core,
+                       int x, int y);
+
 /* Compares every pixel of every pass that ran (delivered once, three colours, id, key, visits),
  * the counters that model and RTL share, and the error bits. A core that refuses the machine must
  * give no pixel; the text says what it lacks. */

@@ -4,7 +4,7 @@
  * Writes registers and memory in hex, runs vvp with tb_core_icarus.v, reads its text, and ends it
  * by reading no more. The files lie beside the compiled bench and are removed at the end.
  */
-#include "simulate.h"
+#include "host.h"
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -36,14 +36,8 @@ using File = FILE *;
 bool write_registers(const std::string &path, const sph_machine &m, const Window &w) {
     File f = std::fopen(path.c_str(), "w");
     if (!f) return false;
-    for (int i = 0; i < SPH_N_REGS; i++) {
-        int32_t value = i == SPH_REG_WIN_X0   ? w.x0
-                        : i == SPH_REG_WIN_Y0 ? w.y0
-                        : i == SPH_REG_WIN_X1 ? w.x1
-                        : i == SPH_REG_WIN_Y1 ? w.y1
-                                              : m.regs[i];
-        std::fprintf(f, "%08x\n", static_cast<uint32_t>(value));
-    }
+    for (int i = 0; i < SPH_N_REGS; i++)
+        std::fprintf(f, "%08x\n", static_cast<uint32_t>(register_of(m, w, i)));
     return !std::fclose(f);
 }
 
@@ -65,8 +59,9 @@ File start_bench(const Options &o, const std::string &base) {
         ".mem' +out=/dev/fd/3 +latency=" + std::to_string(o.latency) +
         " +stall=" + std::to_string(o.stall) + " +seed=" + std::to_string(o.seed) +
         " +watchdog=" + std::to_string(o.watchdog) +
-        " +error_at=" + std::to_string(o.bus_error_at) + " +warm=" + (o.warm ? "1" : "0") + trace +
-        " 3>&1 >'" + base + ".log' 2>&1";
+        " +error_at=" + std::to_string(o.bus_error_at) + " +warm=" + (o.warm ? "1" : "0") +
+        " +spoil=" + std::to_string(o.spoil) + " +reset_at=" + std::to_string(o.reset_at) +
+        " +reset_for=" + std::to_string(o.reset_for) + trace + " 3>&1 >'" + base + ".log' 2>&1";
     return popen(command.c_str(), "r"); // NOLINT(bugprone-command-processor): vvp has no library
 }
 
@@ -115,6 +110,12 @@ bool read_line(const char *text, const sph_machine &m, Sample *samples[PASSES], 
             std::strpbrk(text, "xzXZ"))
             return false;
         run.pass[pass].count[number] = key;
+        return true;
+    case 'k':
+        if (std::sscanf(text, "k %llx", &key) != 1) return false;
+        if (key != run.pass[pass].count[SPH_COUNT_CYCLES])
+            fail(run, "counter cycles %llu, %llu clocks from start to the last pixel",
+                 static_cast<unsigned long long>(run.pass[pass].count[SPH_COUNT_CYCLES]), key);
         return true;
     case 'e':
         return std::sscanf(text, "e %x", &run.pass[pass].errors) == 1 || text[1] == 'n';
@@ -165,4 +166,8 @@ void simulate(const Options &o, const sph_machine &machine, Sample *samples[PASS
     for (const char *ending : {".regs", ".mem", ".log"})
         std::remove((base + ending).c_str());
     run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+std::unique_ptr<Host> make_host(const Options &, const sph_machine &, Run &) {
+    return nullptr;
 }

@@ -7,7 +7,9 @@
  */
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 
+#include "life.h"
 #include "report.h"
 #include "share.h"
 
@@ -53,6 +55,16 @@ std::string info(const sph_machine &m) {
            " " + m.name;
 }
 
+int one_life(const Options &o, sph_machine &machine, const Window &window) {
+    auto run = std::make_unique<Run>();
+    std::string error;
+    int rc = live(o, machine, *run, error);
+    sph_machine_free(&machine);
+    if (rc > 1) return complain(error);
+    if (rc) std::printf("%srepeat: %s\n", run->failure, repeat_command(o, window).c_str());
+    return rc;
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
@@ -69,6 +81,8 @@ int main(int argc, char **argv) {
         sph_machine_free(&machine);
         return 0;
     }
+
+    if (o.life) return one_life(o, machine, c.window);
 
     sph_render_options how{};
     how.traverse = SPH_TRAVERSE_TREE;

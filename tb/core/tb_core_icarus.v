@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // vvp BENCH +regs=FILE +mem=FILE +out=FILE +latency=N +stall=PERCENT +seed=N +watchdog=N
-//           +error_at=N (-1: never) +warm=0|1        files in hex, with absolute paths
+//           +error_at=N (-1: never) +warm=0|1 +reset_at=N (-1: never) +reset_for=CLOCKS
+//           +spoil=LINE (-1: none)                     files in hex, with absolute paths
 //
 // Lines of the output: `p x y colour id key visits texture` (all hex), `c number value` (hex),
-// `e errors`, `w` (the warm pass begins), `h why` (hang), `end`. simulate_icarus.cpp reads them.
-// Everything the core sees changes at the rising edge, as in the C++ harness.
+// `k clocks` (from start to the last pixel), `e errors`, `w` (the warm pass begins), `h why` (hang),
+// `end`. simulate_icarus.cpp reads them.
+// Everything the core sees changes at the rising edge, or soon after it.
 `default_nettype none
 `include "rt_layout.vh"
 module tb_core_icarus #(
@@ -113,7 +115,7 @@ module tb_core_icarus #(
     reg [8*1024-1:0] name;
     reg [31:0] regs [0:N_REGS-1];
     reg [255:0] mem [0:LINES-1];
-    integer out, latency, stall, seed, watchdog, error_at, warm;
+    integer out, latency, stall, seed, watchdog, error_at, warm, reset_at, reset_for, spoil;
     initial begin
         if (!$value$plusargs("latency=%d", latency)) latency = 20;
         if (!$value$plusargs("stall=%d", stall)) stall = 0;
@@ -121,6 +123,9 @@ module tb_core_icarus #(
         if (!$value$plusargs("watchdog=%d", watchdog)) watchdog = 200000;
         if (!$value$plusargs("error_at=%d", error_at)) error_at = -1;
         if (!$value$plusargs("warm=%d", warm)) warm = 0;
+        if (!$value$plusargs("spoil=%d", spoil)) spoil = -1;
+        if (!$value$plusargs("reset_at=%d", reset_at)) reset_at = -1;
+        if (!$value$plusargs("reset_for=%d", reset_for)) reset_for = 1;
         if ($value$plusargs("regs=%s", name)) $readmemh(name, regs);
         if ($value$plusargs("mem=%s", name)) $readmemh(name, mem);
         if ($value$plusargs("dump=%s", name)) begin
@@ -131,12 +136,15 @@ module tb_core_icarus #(
         out = $fopen(name, "w");
     end
 
-    // ---- memory: in order, `latency` clocks late, random waits ----
+    // ---- memory: in order, `latency` clocks late, random waits; data even with an error ----
     reg [25:0] q_line [0:QUEUE-1];
     integer q_due [0:QUEUE-1];
     reg q_error [0:QUEUE-1];
     integer head, tail, beat, cycle, requests, quiet;
     reg offered;
+    reg cut = 1'b0;            // this frame is going to be cut off
+    reg spoilt = 1'b0;         // lines from `spoil` on answer with an error
+    time begun, last;          // start was taken, the last pixel was given
     reg [255:0] line;
     initial begin
         head = 0; tail = 0; beat = 0; cycle = 0; requests = 0; quiet = 0; offered = 1'b0;
@@ -154,17 +162,24 @@ module tb_core_icarus #(
             q_due[tail] = cycle + latency;
             if ({$random(seed)} % 100 < stall)
                 q_due[tail] = q_due[tail] + {$random(seed)} % (2 * latency + 16);
-            q_error[tail] = requests == error_at || req_line >= LINES;
+            q_error[tail] = requests == error_at || req_line >= LINES ||
+                            (spoilt && req_line >= spoil);
             if (req_line >= LINES) $fwrite(out, "h request for line %0d\n", req_line);
             requests = requests + 1;
             tail = (tail + 1) % QUEUE;
         end
         quiet = quiet + 1;
-        if (!rst && pix_valid && pix_ready) begin
+        if (!rst && pix_valid && pix_ready && !cut) begin
             $fwrite(out, "p %h %h %h %h %h %h %h\n", pix_x, pix_y, pix_colour, pix_id, pix_key,
                     pix_visits, pix_texture);
             $fflush(out); // who reads may want no more of it
             quiet = 0;
+            last = $time;
+        end
+        if (rst) begin         // memory is reset with the core
+            head = tail;
+            beat = 0;
+            offered = 1'b0;
         end
         // what the next clock shows
         cycle = cycle + 1;
@@ -172,7 +187,7 @@ module tb_core_icarus #(
                 {$random(seed)} % 100 >= stall) begin
             offered = 1'b1;
             line = mem[q_line[head]];
-            rsp_data <= q_error[head] ? 64'h0bad0bad0bad0bad : line[64*beat +: 64];
+            rsp_data <= line[64*beat +: 64];
             rsp_error <= q_error[head];
         end
         rsp_valid <= offered;
@@ -181,32 +196,50 @@ module tb_core_icarus #(
     end
 
     // ---- registers, passes, counters ----
-    integer i;
+    integer i, noise;
+    task show(input [4:0] number);   // a clock later it is there
+        begin
+            count_addr <= number;
+            @(posedge clk);
+            #1 $fwrite(out, "c %h %h\n", number, count_data);
+        end
+    endtask
     task pass(input keep_cache);
         begin
             keep <= keep_cache;
             start <= 1'b1;
             quiet = 0;
             @(posedge clk);
+            begun = $time;
+            last = $time;
             start <= 1'b0;
-            @(posedge clk);
-            @(posedge clk);
-            while (busy && quiet < watchdog) @(posedge clk);
+            #1;
+            while (busy && quiet < watchdog) begin
+                if (stall != 0) begin  // what a busy core must ignore
+                    start <= {$random(noise)} % 20 == 0;
+                    cfg_valid <= {$random(noise)} % 5 == 0;
+                    cfg_addr <= $random(noise);
+                    cfg_data <= $random(noise);
+                end
+                @(posedge clk);
+                #1;
+            end
+            start <= 1'b0;
+            cfg_valid <= 1'b0;
             if (busy) $fwrite(out, "h no pixel for %0d clocks: mem_req valid %b line %0d, ", quiet,
                               req_valid, req_line,
                               "mem_rsp valid %b ready %b, memory owes %0d lines, pix valid %b\n",
                               rsp_valid, rsp_ready, (tail - head + QUEUE) % QUEUE, pix_valid);
-            repeat (4) @(posedge clk);
-            for (i = 0; i < `RT_COUNTERS; i = i + 1) begin
-                count_addr <= i;
-                repeat (3) @(posedge clk);
-                $fwrite(out, "c %h %h\n", i, count_data);
-            end
+            show(`RT_COUNT_CYCLES);    // at once: the last one to be complete
+            $fwrite(out, "k %h\n", (last - begun) / 10);
+            for (i = 0; i < `RT_COUNTERS; i = i + 1) show(i);
             $fwrite(out, "e %h\n", errors);
+            @(posedge clk);
         end
     endtask
 
     initial begin
+        noise = seed + 1;
         repeat (4) @(posedge clk);
         rst <= 1'b0;
         for (i = 0; i < N_REGS; i = i + 1) begin
@@ -217,8 +250,21 @@ module tb_core_icarus #(
         end
         cfg_valid <= 1'b0;
         @(posedge clk);
+        if (reset_at >= 0) begin
+            cut = 1'b1;
+            start <= 1'b1;
+            @(posedge clk);
+            start <= 1'b0;
+            repeat (reset_at) @(posedge clk);
+            rst <= 1'b1;
+            repeat (reset_for) @(posedge clk);
+            rst <= 1'b0;
+            cut = 1'b0;
+        end
+        spoilt = spoil >= 0 && warm == 0;
         pass(1'b0);
         if (warm != 0) begin
+            spoilt = spoil >= 0;
             $fwrite(out, "w\n");
             pass(1'b1);
         end

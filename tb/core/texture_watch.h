@@ -22,11 +22,16 @@ class TextureWatch {
             const VerilatedVar *seen = scope.second->varFind("cache_seen");
             const VerilatedVar *shape = scope.second->varFind("cache_shape");
             if (!seen || !shape) continue;
-            uint32_t is = *static_cast<const uint32_t *>(shape->datap());
-            units_.push_back(
-                {static_cast<const uint32_t *>(seen->datap()),
-                 std::make_unique<CachePrediction>(is >> 16, is >> 8 & 255, is & 255)});
+            units_.push_back({static_cast<const uint32_t *>(seen->datap()),
+                              *static_cast<const uint32_t *>(shape->datap()), nullptr});
         }
+        reset();
+    }
+    /* As after a reset of the core. */
+    void reset() {
+        for (Unit &unit : units_)
+            unit.cache = std::make_unique<CachePrediction>(unit.shape >> 16, unit.shape >> 8 & 255,
+                                                           unit.shape & 255);
     }
     /* Before every clock edge, when all has settled; not in reset. */
     void clock() {
@@ -50,6 +55,7 @@ class TextureWatch {
   private:
     struct Unit {
         const uint32_t *seen;
+        uint32_t shape;
         std::unique_ptr<CachePrediction> cache;
     };
     std::vector<Unit> units_;

@@ -133,6 +133,42 @@ broken "wrong profile" 32 --reg 30=1
 broken "bus error at the first line" 8 --bus-error-at 0
 broken "bus error later" 8 --bus-error-at 9
 
+# An answer with an error has data all the same: nobody uses it, and the next frame is whole. The
+# second machine has no node but the root. With caches kept, memory may be gone.
+lone=$machines/one_sphere-draft-16x12.sph five=$machines/paper5-draft-16x12.sph
+for sim in verilator icarus; do
+    wanted "$sim no node can be read" all SIM=$sim "$five" --spoil 0
+    wanted "$sim no leaf record can be read" all SIM=$sim "$lone" --spoil 1
+    wanted "$sim caches kept, no line can be read" all SIM=$sim "$five" --warm --spoil 0
+    wanted "$sim a frame behind a bus error" all SIM=$sim "$five" --warm --bus-error-at 0
+done
+# Memory that ends with the leaf records of the last node, and a line earlier; bit 23 of VISIT_LIMIT.
+bush=$machines/paper100-draft-16x12.sph
+leaves_end=$("$SPHAERA" info "$bush" | awk '$2 == "PRIM_BASE" { print $3 }')
+wanted "icarus memory ends with a leaf" all SIM=icarus "$bush" --reg 26=0 --reg "27=$leaves_end"
+wanted "icarus memory ends before a leaf" all SIM=icarus "$bush" --reg 26=0 \
+    --reg 27=$((leaves_end - 1)) --expect-errors 1
+wanted "icarus 2^23 visits allowed" all SIM=icarus "$five" --reg 29=0x800000
+
+# Frames behind frames: two machines without a reset between them, then a reset in each clock of a
+# frame, or in some.
+for scene in paper5 inside interpenetrating; do
+    "$SPHAERA" build scenes/$scene.nff --profile draft --size 4x3 --depth 1 \
+        -o "$machines/cut-$scene.sph" >"$TMP/build" 2>&1 || check "cut-$scene" cat "$TMP/build"
+done
+"$SPHAERA" build tests/scenes/facets/mixed.nff --profile draft --size 3x2 --depth 1 --accel bvh4 \
+    -o "$machines/cut-mixed.sph" >"$TMP/build" 2>&1 || check "cut-mixed" cat "$TMP/build"
+wanted "verilator paper5, cut off in each clock" all SIM=verilator "$machines/cut-paper5.sph" \
+    --life --then "$machines/cut-inside.sph" --latency 2 --stall 5
+wanted "verilator interpenetrating, cut off" all SIM=verilator \
+    "$machines/cut-interpenetrating.sph" --reg 0=31 --life --cuts 60
+wanted "verilator facets, cut off" all SIM=verilator "$machines/cut-mixed.sph" \
+    --life --then "$machines/cut-paper5.sph" --cuts 60
+for clock in 75 98 131:2 187 264:3; do
+    wanted "icarus paper5, cut off in clock $clock" all SIM=icarus "$machines/cut-paper5.sph" \
+        --reset-at $clock --latency 2
+done
+
 # One width of its own, each knob once; the core is built with what the scene asks for.
 for knob in w=14 wd=19 pq=11 ng=0 fw=9 pr=12; do
     file=$machines/turned-$knob.sph

@@ -71,6 +71,14 @@ broken "visits run out" 4 ones --reg 29=3
 broken "bus error at the first line" 8 ones --bus-error-at 0
 broken "bus error later" 8 ones --bus-error-at 9
 
+# Answers with an error, memory that is gone, resets: see test_core.sh.
+machine cut scenes/sphereflake2.nff --size 3x2 --depth 1
+machine five scenes/paper5.nff --size 16x12
+wanted "verilator no node can be read" all SIM=verilator five --spoil 0
+wanted "verilator caches kept, no line can be read" all SIM=verilator five --warm --spoil 0
+wanted "verilator a frame behind a bus error" all SIM=verilator five --warm --bus-error-at 0
+wanted "verilator cut off" all SIM=verilator cut --life --then "$machines/five.sph" --cuts 40
+
 build_cores
 run_all
 judge

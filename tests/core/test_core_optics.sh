@@ -52,6 +52,11 @@ for profile in fine reference; do
     wanted "icarus glass $profile" auto SIM=icarus glass-$profile
 done
 
+# Two machines without a reset between them, then frames that are cut off by a reset.
+machine balls tests/scenes/texture/balls.nff --profile draft --size 3x2 --depth 1
+machine few $mixed --profile draft --size 3x2 --depth 2
+wanted "verilator cut off" $whole SIM=verilator few --life --then "$machines/balls.sph" --cuts 30
+
 build_cores
 run_all
 judge

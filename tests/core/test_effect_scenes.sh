@@ -117,6 +117,11 @@ for but in $(sh sim/parameters.sh --names all); do
         "$here/$title-small.sph"
 done
 
+# ---- a reset of one clock in each clock of a frame: rays of one kind, one unit for them ----
+machine=$here/cut.sph
+$(build scenes/effects/none.nff 6x4 "$machine" "") >"$TMP/cut"
+run "none: verilator, cut off in each clock" none SIM=verilator "$machine" --life --latency 3
+
 # ---- what is refused: core, what it lacks, registers EFFECTS MAX_DEPTH N_LIGHTS BG_MODE BG_COUNT
 cat >"$TMP/refused" <<END
 none|reflect1|2 1 0 0 0
