@@ -27,6 +27,12 @@ $(if $(shell $(call values,$(VARIABLES)) sh sim/check.sh --given '$(GIVEN)' \
     --goals '$(MAKECMDGOALS)' $(CHECK) || echo wrong),$(error nothing is made))
 endif
 
+# JOBS commands at once; a make that is called by this one, or by a script of it, shares them.
+ifndef SPHAERA_JOBS
+export SPHAERA_JOBS := $(JOBS)
+MAKEFLAGS += -j$(JOBS)
+endif
+
 Q := $(if $(filter 1,$(V)),,@)
 say = $(if $(filter 1,$(V)),,@printf '  %-4s %s\n' $(1) $(2))
 

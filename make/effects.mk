@@ -14,9 +14,9 @@ EFFECTS_RUNS = $(patsubst %.sph,%.json,$(filter-out %.forced.sph,$(wildcard $E/*
 .PHONY: effects effects-machines effects-runs
 effects: ## docs/results/effects.md: each effect of each scene, cells and time it costs; 50 minutes
 	+$(Q)$(MAKE) --no-print-directory effects-machines
-	+$(Q)$(MAKE) --no-print-directory -j$(JOBS) -f make/area.mk results B=$B V=$(V) \
+	+$(Q)$(MAKE) --no-print-directory -f make/area.mk results B=$B V=$(V) \
 	    EFFECTS="$$(cat $E/lists)"
-	+$(Q)$(MAKE) --no-print-directory -j$(JOBS) effects-runs
+	+$(Q)$(MAKE) --no-print-directory effects-runs
 	$(Q)python3 -m lab.effects.page docs/results/effects.md $E $B/synth
 	$(Q)python3 -m lab.pages.measured docs/results/effects.md "make effects"
 

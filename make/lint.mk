@@ -18,7 +18,7 @@ TIDY_C    = -std=c11 -D_GNU_SOURCE -Icmodel -Itests -Itests/hard -fopenmp $(CLAN
 lint_say  = $(if $(filter 1,$(V)),@echo '  LINT $(1)',@:)
 
 lint: ## silent tools: verilator, iverilog, slang, yosys, clang-tidy, clang-format, text rules
-	+$(Q)$(MAKE) --no-print-directory -k -j$(JOBS) $(LINTS:%=lint-%)
+	+$(Q)$(MAKE) --no-print-directory -k $(LINTS:%=lint-%)
 	@echo "lint: $(words $(V_FILES)) Verilog and $(words $(TIDY)) C files are clean"
 
 .PHONY: $(LINTS:%=lint-%)

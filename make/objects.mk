@@ -19,6 +19,10 @@ $B/$(1): FORCE
 endef
 $(eval $(call stamp,flags,$(CC) $(CFLAGS) / $(CXX) $(CXXFLAGS) / $(SANITIZE) / \
       $(CLANG_CC) $(CLANG_SANITIZE)))
+# In `make setup sim` and the like all else waits for what installs compilers, removes the folder
+# or makes headers.
+FIRST := $(filter setup clean layout,$(MAKECMDGOALS))
+$B/flags $B/sources $(filter-out $(FIRST),$(MAKECMDGOALS)): | $(FIRST)
 $(eval $(call stamp,sources,$(LIB_C) / $(TOOL_C)))
 
 $B/obj/%.o: %.c $B/flags

@@ -18,12 +18,12 @@ study_run  = $(Q)python3 -m lab.study.plan $(1) $(if $(KINDS),--kinds $(KINDS)) 
 .PHONY: study study-short study-page study-pnr
 study: $(TOOL) ## docs/results/accuracy.md: what a bit costs in time and cells; two hours
 	$(call study_run)
-	+$(Q)$(MAKE) --no-print-directory -k -j$(JOBS) -f $(STUDY)/jobs.mk; rc=$$?; \
+	+$(Q)$(MAKE) --no-print-directory -k -f $(STUDY)/jobs.mk; rc=$$?; \
 	    $(MAKE) --no-print-directory study-page && exit $$rc
 
 study-short: $(TOOL)
 	$(call study_run,--short)
-	+$(Q)$(MAKE) --no-print-directory -j$(JOBS) -f $(STUDY)/jobs.mk
+	+$(Q)$(MAKE) --no-print-directory -f $(STUDY)/jobs.mk
 
 study-page: $(TOOL)
 	$(Q)python3 -m lab.study.page docs/results/accuracy.md $(RESULTS) $(STUDY) $(TOOL)

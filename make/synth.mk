@@ -19,9 +19,9 @@ SYNTH_SCENE := $(if $(filter file,$(origin SCENE)),,$(filter auto,$(EFFECTS)))
 synth: $(if $(SYNTH_SCENE),$(TOOL)) ## area with Yosys: PROFILE and TARGET, or all; effects of SCENE
 	+$(Q)effects=$(if $(SYNTH_SCENE),$$($(call run,core,$(MACHINE_KEY))),$(or \
 	    $(filter-out auto,$(EFFECTS)),$(if $(filter bih brute,$(ACCEL)),all+bih,all))) && \
-	    $(MAKE) --no-print-directory -j$(JOBS) -f make/area.mk report B=$B V=$(V) \
+	    $(MAKE) --no-print-directory -f make/area.mk report B=$B V=$(V) \
 	    PROFILES=$(PROFILE) TARGETS=$(TARGET) EFFECTS="$$effects" ENGINES=$(ENGINES) FLAT=$(FLAT) \
 	    ROOT_STEP=$(ROOT_STEP) QUOTIENT_STEP=$(QUOTIENT_STEP)
 
 area: ## the tables of docs/results/area.md, made anew: 16 minutes of a processor
-	+$(Q)$(MAKE) --no-print-directory -j$(JOBS) -f make/area.mk page B=$B V=$(V)
+	+$(Q)$(MAKE) --no-print-directory -f make/area.mk page B=$B V=$(V)

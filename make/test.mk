@@ -23,8 +23,8 @@ SUITES  += $(LONG) $(filter-out $(LONG),$(TEST_SH)) \
 chosen   = $(if $(findstring $(ONLY),$(notdir $(1))),$(1))
 RUN      = $(if $(ONLY),$(foreach s,$(SUITES),$(call chosen,$s)),$(SUITES))
 
-test: | $(filter setup,$(MAKECMDGOALS)) ## every check; ends with `N passed, M failed`
-	+@unbuilt=; $(MAKE) --no-print-directory -k -j$(JOBS) suites || unbuilt=1; \
+test: ## every check; ends with `N passed, M failed`
+	+@unbuilt=; $(MAKE) --no-print-directory -k suites || unbuilt=1; \
 	    UNBUILT=$$unbuilt SPHAERA=$(abspath $(TOOL)) BUILD=$(abspath $B) JOBS=$(JOBS) \
 	    sh tests/run.sh $(RUN)
 

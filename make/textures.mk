@@ -146,7 +146,7 @@ $(foreach m,$(TEX_MACHINES),$(eval $(call tex_small,$m)))
 define tex_stalled
 $(TEX)/$(1).core.json: $(TEX)/$(1:%-$(call tex_word,$(1),4)=%).sph $(V_FILES) $(V_HEADS)
 	$$(call say,SIM,$(1))
-	$$(Q)EFFECTS=$(TEX_CORE)$(if $(findstring -bih-,$(1)),+bih) OPT=-O2 BUILD=$B JOBS=1 \
+	$$(Q)EFFECTS=$(TEX_CORE)$(if $(findstring -bih-,$(1)),+bih) BUILD=$B JOBS=1 \
 	    sh sim/core.sh --machine $$< --stall $(call tex_word,$(1),4) --json $$@.tmp >$$@.log || { \
 	    cat $$@.log; exit 1; }
 	@mv $$@.tmp $$@

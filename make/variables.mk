@@ -71,16 +71,16 @@ KINDS ?=
 PROVE ?=
 ## ONLY <word>| suites that `make test` runs, by part of the name (empty: all)
 ONLY ?=
-## CORE <word>| of such a suite the runs, by part of the name; EFFECT and MUTANT likewise
-## EFFECT <word>|
-## MUTANT <word>|
+## CORE <text> of such a suite the runs, by part of the name; EFFECT and MUTANT likewise
+## EFFECT <text>
+## MUTANT <text>
 ## N 1.. cases that `make hard` makes for each profile
 N ?= 1000000
 ## STATE <word>| file that `make hard` goes on from
 STATE ?=
 ## JOBS 1..1024 commands run at once
 JOBS ?= $(shell nproc)
-## OPT -O0|-O1|-O2|-O3| how hard the compiler works on a core (empty: -O2)
+## OPT -O0|-O1|-O2|-O3| how hard the compiler works on a core (empty: -O1)
 ## V 0|1 if 1, print whole commands
 V ?= 0
 ## B <word> folder of all that is built

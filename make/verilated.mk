@@ -6,7 +6,7 @@
 #                Verilator's library as build/sim/obj/bench_*.o
 
 B   ?= build
-OPT ?= -O2
+OPT ?= -O1
 # One name for one folder: it is a part of commands and of what the compiler says of dependencies.
 override B := $(if $(filter /%,$B),$(B:$(CURDIR)/%=%),$B)
 S   := $B/sim

@@ -17,7 +17,7 @@ set -eu
 cd "$(dirname "$0")/.."
 EFFECTS=${EFFECTS:-all} ENGINES=${ENGINES:-1}
 ROOT_STEP=${ROOT_STEP:-2} QUOTIENT_STEP=${QUOTIENT_STEP:-2}
-SIM=${SIM:-verilator} OPT=${OPT:--O2} WAVES=0
+SIM=${SIM:-verilator} OPT=${OPT:--O1} WAVES=0
 BUILD=${BUILD:-build}
 
 check() { [ -n "${BUILT:-}" ] || sh sim/check.sh "$@"; }
@@ -41,8 +41,8 @@ target() { # lock, target, variables
     [ -z "${BUILT:-}" ] || return 0
     lock=$BUILD/sim/.$1.lock goal=$2
     shift 2
-    flock "$lock" env -u MAKEFLAGS -u MFLAGS make -s --no-print-directory -f make/core.mk \
-        B="$BUILD" "$@" "$goal" >&2
+    flock "$lock" env -u MAKEFLAGS -u MFLAGS make -s -j"${JOBS:-2}" --no-print-directory \
+        -f make/core.mk B="$BUILD" "$@" "$goal" >&2
 }
 [ -f "$BUILD/libsphaera.a" ] || make -s B="$BUILD" "$BUILD/libsphaera.a" >&2
 target tools tools PROFILE=standard CORE=all WAVES=$WAVES OPT="$OPT" # whatever the environment has

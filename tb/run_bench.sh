@@ -8,10 +8,10 @@
 # says how it takes the widths of a profile from machine.def.
 #   BENCH_BUILD  build folder (build); all that is made here lies in its folder tb
 #   BENCH_JOBS   benches at once (1)
-#   BENCH_OPT    compiler's effort (-O2)
+#   BENCH_OPT    compiler's effort (-O1)
 #   HARD_CASE    number of a named case: these vectors and no others (tb/hard.h)
 cd "$(dirname "$0")/.." || exit 1
-BENCH_BUILD=${BENCH_BUILD:-build} BENCH_OPT=${BENCH_OPT:--O2}
+BENCH_BUILD=${BENCH_BUILD:-build} BENCH_OPT=${BENCH_OPT:--O1}
 export BENCH_BUILD BENCH_OPT
 out=$BENCH_BUILD/tb shared=$BENCH_BUILD/sim/obj
 models="$BENCH_BUILD/test/libhard.a $BENCH_BUILD/libsphaera.a"

@@ -4,6 +4,6 @@
 #
 #   SEED=n  other vectors (1)
 cd "$(dirname "$0")/../.." || exit 1
-BENCH_BUILD=${BUILD:-build} BENCH_JOBS=${JOBS:-2} BENCH_OPT=-O1
-export BENCH_BUILD BENCH_JOBS BENCH_OPT
+BENCH_BUILD=${BUILD:-build} BENCH_JOBS=${JOBS:-2}
+export BENCH_BUILD BENCH_JOBS
 exec sh tb/run_bench.sh / "${SEED:-1}"

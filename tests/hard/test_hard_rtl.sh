@@ -13,7 +13,7 @@ self=$0
 . "$(dirname "$0")/../edit.sh"
 cd "$(dirname "$0")/../.." || exit 1
 BUILD=${BUILD:-build}
-export BUILD TMP BENCH_BUILD=build BENCH_OPT=-O1
+export BUILD TMP BENCH_BUILD=build
 
 # A folder that looks like this one, built as far as all benches share it.
 tree() { # its name

@@ -14,7 +14,7 @@ self=$0
 . "$(dirname "$0")/../edit.sh"
 cd "$(dirname "$0")/../.." || exit 1
 BUILD=${BUILD:-build}
-export BUILD SPHAERA TMP BENCH_OPT=-O1
+export BUILD SPHAERA TMP
 
 # Frame of the core in draft widths: scene [build options] [-- harness options].
 core() {
