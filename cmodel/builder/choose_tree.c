@@ -5,12 +5,14 @@
 
 #include <stdio.h>
 
+#include "prim/prim.h"
+
 void sph_choose_tree(const struct sph_scene *scene, struct sph_build_options *o,
                      struct sph_build_report *report) {
     uint32_t triangles = 0;
     if (o->tree != SPH_TREE_AUTO) return;
     for (uint32_t i = 0; i < scene->n_facets; i++)
-        triangles += scene->facets[i].kind == SPH_TRIANGLE;
+        triangles += !sph_prim_of((uint32_t)scene->facets[i].kind)->loose;
     int bih = triangles > scene->n_spheres && o->traverse == SPH_BUILD_NEAREST;
     o->tree = bih ? SPH_TREE_BIH : SPH_TREE_BALANCED;
     if (bih) o->max_prims = 1;
