@@ -134,7 +134,7 @@ broken "bus error later" 8 --bus-error-at 9
 
 # An answer with an error has data all the same: nobody uses it, and the next frame is whole. The
 # second machine has no node but the root. With caches kept, memory may be gone.
-lone=$machines/one_sphere-draft-16x12.sph five=$machines/paper5-draft-16x12.sph
+lone=$machines/one_sphere-draft-12x9.sph five=$machines/paper5-draft-12x9.sph
 for sim in verilator icarus; do
     wanted "$sim no node can be read" all SIM=$sim "$five" --spoil 0
     wanted "$sim no leaf record can be read" all SIM=$sim "$lone" --spoil 1
@@ -142,7 +142,7 @@ for sim in verilator icarus; do
     wanted "$sim a frame behind a bus error" all SIM=$sim "$five" --warm --bus-error-at 0
 done
 # Memory that ends with the leaf records of the last node, and a line earlier; bit 23 of VISIT_LIMIT.
-bush=$machines/paper100-draft-16x12.sph
+bush=$machines/paper100-draft-12x9.sph
 leaves_end=$("$SPHAERA" info "$bush" | awk '$2 == "PRIM_BASE" { print $3 }')
 wanted "icarus memory ends with a leaf" all SIM=icarus "$bush" --reg 26=0 --reg "27=$leaves_end"
 wanted "icarus memory ends before a leaf" all SIM=icarus "$bush" --reg 26=0 \
