@@ -19,10 +19,11 @@ const char *tool_picture(const struct argp_state *state, struct tool_outputs *ou
                          const char *option, const char *path, int exr) {
     struct sph_error err = {""};
     const char *format = sph_image_format(path, &err), *dot = strrchr(path, '.');
-    if (!format) argp_error(state, "%s: %s", option, err.text);
-    if (!exr && !strcmp(format, "openexr"))
+    if (!format)
+        argp_error(state, "%s: %s", option, err.text);
+    else if (!exr && !strcmp(format, "openexr"))
         argp_error(state, "%s: %s: only `sphaera render --exr FILE` writes OpenEXR", option, path);
-    if (exr && dot && strcmp(format, "openexr") != 0)
+    else if (exr && dot && strcmp(format, "openexr") != 0)
         argp_error(state, "%s: %s: OpenEXR is written to names that end in .exr", option, path);
     return tool_output(outputs, path);
 }

@@ -6,8 +6,8 @@
 //           +spoil=LINE (-1: none)                     files in hex, with absolute paths
 //
 // Lines of the output: `p x y colour id key visits texture` (all hex), `c number value` (hex),
-// `k clocks` (from start to the last pixel), `e errors`, `w` (the warm pass begins), `h why` (hang),
-// `end`. simulate_icarus.cpp reads them.
+// `k clocks` (from start to the last pixel), `e errors`, `w` (the warm pass begins), `h why`
+// (hang), `end`. simulate_icarus.cpp reads them.
 // Everything the core sees changes at the rising edge, or soon after it.
 `default_nettype none
 `include "rt_layout.vh"

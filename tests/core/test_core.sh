@@ -141,8 +141,8 @@ for sim in verilator icarus; do
     wanted "$sim caches kept, no line can be read" all SIM=$sim "$five" --warm --spoil 0
     wanted "$sim a frame behind a bus error" all SIM=$sim "$five" --warm --bus-error-at 0
 done
-# Memory that ends with the leaf records of the last node, and a line earlier, without mirrors: records
-# of primitives are read where nodes are; bit 23 of VISIT_LIMIT.
+# Memory that ends with the leaf records of the last node, and a line earlier, without mirrors:
+# records of primitives are read where nodes are; bit 23 of VISIT_LIMIT.
 bush=$machines/paper100-draft-12x9.sph
 leaves_end=$("$SPHAERA" info "$bush" | awk '$2 == "PRIM_BASE" { print $3 }')
 wanted "icarus memory ends with a leaf" all SIM=icarus "$bush" --reg 1=0 --reg 26=0 \
