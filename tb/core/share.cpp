@@ -113,8 +113,9 @@ bool simulate_shared(const Options &o, const sph_machine &machine, Outcome &c, s
     for (size_t i = 0; i < bands.size(); i++) {
         new (&run[i]) Run{};
         run[i].window = bands[i];
-        /* the model knows nothing of bus errors */
-        run[i].model = o.stop && o.bus_error_at < 0 ? &c.model_frame : nullptr;
+        /* the model knows nothing of bus errors, nor of lines that cannot be read */
+        const bool known = o.bus_error_at < 0 && (o.spoil < 0 || o.warm);
+        run[i].model = o.stop && known ? &c.model_frame : nullptr;
         runs.push_back(&run[i]);
     }
     if (bands.size() == 1 && !o.progress) {
