@@ -7,6 +7,7 @@ from pathlib import Path
 from . import markdown, verilog
 
 EVERYWHERE = "clk", "rst"
+CORE = "rt_core"
 
 
 def _read(module):
@@ -22,9 +23,9 @@ def _alike(name, other):
     return len(one) == len(two) and all(a == b or len(a) == len(b) == 1 for a, b in zip(one, two))
 
 
-def _rows(items, value):
-    """(names, values, meaning). An item without a comment belongs to the row above if it is another
-    component of the same vector, or if the row has no comment either."""
+def _merged(items, value=lambda item: item.bits):
+    """Groups of items. One without a comment belongs to the group above if it is another component
+    of the same vector, or if that group has no comment either."""
     merged = []
     for item in items:
         first = merged[-1][0] if merged else None
@@ -34,7 +35,12 @@ def _rows(items, value):
             merged[-1].append(item)
         else:
             merged.append([item])
-    for group in merged:
+    return merged
+
+
+def _rows(items, value):
+    """(names, values, meaning) of each group."""
+    for group in _merged(items, value):
         values = [value(item) for item in group]
         shown = values[0] if len(set(values)) == 1 else ", ".join(values)
         comment = group[0].comment
@@ -65,30 +71,55 @@ def ports(module):
     return markdown.table([f"port of `{module}`", "bits", "meaning"], rows)
 
 
-def _said(names, value, meaning):
-    """One entry of a list: name, what it is worth unless that is a bit, what it is."""
-    return " ".join([names] + [value] * (value != "1") + [f"({meaning})"] * bool(meaning))
-
-
 def parameter_list(*modules):
-    """As parameters(), in one paragraph a module."""
-    told, seen = [], set()
+    """A paragraph a module. Parameters of the core are only named: its page has their meaning."""
+    core, told, seen = {item.name for item in _read(CORE)[0]}, [], set()
     for module in modules:
         items = [item for item in _read(module)[0] if item.name not in seen]
         seen.update(item.name for item in items)
-        said = "; ".join(f"{names} = {value}" + f" ({meaning})" * bool(meaning)
-                         for names, value, meaning in _rows(items, lambda item: item.default))
-        if said:
-            told.append(f"- *{module}*: {said}." if module != modules[0] else f"- {said}.")
-    return "\n".join(told)
+        own = [item for item in items if item.name not in core]
+        said = [f"{names} = {value}" + f" ({meaning})" * bool(meaning)
+                for names, value, meaning in _rows(own, lambda item: item.default)]
+        shared = ", ".join(f"`{item.name}`" for item in items if item.name in core)
+        head = f"*{module}*: " * (module != modules[0])
+        if items:
+            told.append("- " + head + "; ".join([f"as in {CORE}: {shared}"] * bool(shared) + said))
+    return "\n".join(line + "." for line in told)
+
+
+def _worth(item):
+    """What is written behind a port: its bits or bundle, unless its name tells them."""
+    usual = {"_slot_": "SLOTW", "_tag_": "TAG"}
+    if item.bits == "1" or any(part in item.name and item.bits == bits
+                               for part, bits in usual.items()):
+        return ""
+    return re.sub(r"bundle (\w+)", r"*\1*", item.bits)
+
+
+def _said(group):
+    """Ports that share a meaning: names and bits, those of a vector once, and the meaning."""
+    worths = [_worth(item) for item in group]
+    if len(set(worths)) == 1:
+        worths[:-1] = [""] * (len(worths) - 1)
+    text = ", ".join(f"`{item.name}` {worth}".strip() for item, worth in zip(group, worths))
+    comment = group[0].comment
+    meant = comment and comment not in (group[0].bits, "u" + group[0].bits)
+    return text + f" ({comment})" * bool(meant)
 
 
 def port_list(module):
-    """As ports(), in one paragraph for each heading of the source."""
+    """As ports(), in one paragraph for each heading of the source. The seven ports of a reader of
+    memory are one entry."""
     items = [item for item in _read(module)[1] if item.name not in EVERYWHERE]
     told = []
     for heading, group in groupby(items, lambda item: item.heading):
-        said = "; ".join(_said(*row) for row in _rows(group, lambda item: item.bits))
+        group = list(group)
+        memory = [item for item in group if item.name.startswith("mem_r")]
+        said = [_said(ports) for ports in _merged(
+            [item for item in group if len(memory) != 7 or item not in memory])]
+        if len(memory) == 7:
+            said.append("`mem_req_*`, `mem_rsp_*`")
+        said = "; ".join(said)
         told.append(f"- *{heading}*: {said}." if heading else f"- {said}.")
     return "\n".join(told)
 
