@@ -1,4 +1,4 @@
-/* facet.h - the exact test of a ray and a triangle or plane            RTL: rtl/trace/rt_facet.v
+/* facet.h - the exact test of a ray and a triangle or plane            RTL: rtl/prim/rt_facet.v
  * SPDX-License-Identifier: Apache-2.0
  *
  * t = num/det is never formed: with N = e1 x e2 (plane: its normal), det = N.dir and num = N.A0,

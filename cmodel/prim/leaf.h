@@ -1,4 +1,4 @@
-/* leaf.h - the exact ray/sphere test, without root or division            RTL: rtl/trace/rt_leaf.v
+/* leaf.h - the exact ray/sphere test, without root or division            RTL: rtl/prim/rt_leaf.v
  * SPDX-License-Identifier: Apache-2.0
  *
  * Borodavka et al. VI.A: (R^2 - L^2) |VP|^2 + (VC.VP)^2 > 0, here disc = k*a + b*b > 0, in exact
@@ -33,7 +33,7 @@ struct sph_leaf_result sph_leaf_test(const struct sph_ray *ray, const struct sph
 
 /* ceil(a*t) of a hit, u(W+WD+2), at least 1. Orders the hits of one ray; *root counts square
  * roots. Of the root the pr most significant bits count, 0: all; then b -+ root, at least 1.
- * RTL: rtl/trace/rt_root_pool.v */
+ * RTL: rtl/prim/rt_root_pool.v */
 uint64_t sph_leaf_key_bits(const struct sph_leaf_result *r, int pr, uint64_t *roots);
 
 /* With every bit of the root. */

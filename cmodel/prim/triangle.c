@@ -1,5 +1,5 @@
 /* triangle.c - a triangle behind the interface of primitives; see prim.h
- * SPDX-License-Identifier: Apache-2.0                                    RTL: rtl/trace/rt_facet.v
+ * SPDX-License-Identifier: Apache-2.0                                    RTL: rtl/prim/rt_facet.v
  */
 #include "prim/triangle.h"
 

@@ -2,7 +2,7 @@
  * model
  * SPDX-License-Identifier: Apache-2.0
  *
- * The bench of the RTL reads it (tb/trace/tb_facet.cpp): every vector that is judged, in the same
+ * The bench of the RTL reads it (tb/prim/tb_facet.cpp): every vector that is judged, in the same
  * order, with the axes turned and the corners exchanged as they are there.
  */
 #ifndef HARD_FACET_LIST_H
