@@ -4,7 +4,7 @@ import re
 from itertools import groupby
 from pathlib import Path
 
-from . import markdown, verilog
+from . import machine, markdown, verilog
 
 EVERYWHERE = "clk", "rst"
 CORE = "rt_core"
@@ -48,16 +48,12 @@ def _rows(items, value):
             shown, "u" + shown) else comment
 
 
-def parameters(*modules):
-    """One table for the modules; what the later ones have besides stands under their names."""
-    rows, seen = [], set()
-    for module in modules:
-        items = [item for item in _read(module)[0] if item.name not in seen]
-        seen.update(item.name for item in items)
-        if module != modules[0] and items:
-            rows.append([f"*{module}*", "", ""])
-        rows += [list(row) for row in _rows(items, lambda item: item.default)]
-    return markdown.table(["parameter", "default", "meaning"], rows)
+def parameters(module):
+    """Those that no table of effects() has already."""
+    told = {row[1] for row in machine.parts()}
+    items = [item for item in _read(module)[0] if item.name not in told]
+    return markdown.table(["parameter", "default", "meaning"],
+                          [list(row) for row in _rows(items, lambda item: item.default)])
 
 
 def ports(module):

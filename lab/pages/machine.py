@@ -37,25 +37,28 @@ def registers():
                            for first, last, name, meaning in merged])
 
 
-def effects():
-    """What a core can do, and the bit of EFFECTS by which a machine asks for it."""
+def parts():
+    """[word, parameter, bit, most, in `all`, needs, excludes, meaning] of all that a core can do."""
     listed = subprocess.run(["sh", "sim/parameters.sh", "--table"], check=True, text=True,
                             stdout=subprocess.PIPE).stdout
+    return [line.split("\t") for line in listed.splitlines()]
+
+
+def effects():
+    """What a core can do, and the bit of EFFECTS by which a machine asks for it."""
     def words(text):
         return text.replace(",", ", ")
     return markdown.table(["word", "parameter", "values", "in `all`", "bit", "what it is", "needs",
                            "goes without"],
                           [[f"`{word}`", f"`{core}`", "0, 1" if most == "1" else f"0 .. {most}",
                             whole, bit, about, words(needs), words(excludes)]
-                           for word, core, bit, most, whole, needs, excludes, about
-                           in (line.split("\t") for line in listed.splitlines())])
+                           for word, core, bit, most, whole, needs, excludes, about in parts()])
 
 
 def counters():
-    """Equal in model and RTL, or counted by the RTL alone."""
-    return markdown.table(["number", "name", "counts", "in"],
-                          [[number, f"`{name}`", " ".join(words),
-                            "model, RTL" if where == "both" else "RTL"]
+    """A star behind the name: counted by the RTL alone."""
+    return markdown.table(["number", "name", "counts"],
+                          [[number, f"`{name}`" + " \\*" * (where == "rtl"), " ".join(words)]
                            for number, name, where, *words in rows("counter")])
 
 
