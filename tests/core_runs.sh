@@ -63,7 +63,11 @@ build_cores() {
     while IFS='|' read -r name command options; do
         settings=${command%% sh sim/core.sh*}
         asked=$(asked_for "${command##* }")
-        case $settings in *EFFECTS=auto*) ;; *) asked=${asked% *} ;; esac
+        case $settings+$asked in # `all` walks the machine's own tree
+        *EFFECTS=auto*) ;;
+        *EFFECTS=all*+bih | *EFFECTS=all*" bih") asked="${asked% *} bih" ;;
+        *) asked=${asked% *} ;;
+        esac
         case $settings in *SIM=icarus*) order=2 ;; *) order=1 ;; esac
         echo "$order $settings $asked|$command --info"
     done <"$runs" | sort -t'|' -k1,1 -u | cut -d'|' -f2 | two_at_a_time

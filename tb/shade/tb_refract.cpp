@@ -10,6 +10,7 @@
 #include "bench.h"
 
 extern "C" {
+#include "machine/layout.h"
 #include "shade/refract.h"
 }
 

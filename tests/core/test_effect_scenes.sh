@@ -51,9 +51,9 @@ whole_of() { # list: the core with everything that draws it, or nothing
     done
 } | grep -e "$EFFECT" >"$cases"
 
-# Scene, size, machine, options: the command that builds it.
+# Scene, size, machine, options: the command that builds it, over the tree that is listed.
 build() {
-    echo "$SPHAERA build $1 --profile draft --size $2 -o $3 $4"
+    echo "$SPHAERA build $1 --profile draft --size $2 -o $3 $every $4"
 }
 rm -rf "$here"
 mkdir -p "$here"
