@@ -2,10 +2,12 @@
 # test_own_core.sh - a scene's own core is no slower than the core with everything
 # SPDX-License-Identifier: Apache-2.0
 #
-# Every scene of scenes/ and scenes/effects/, in Verilator: the core with just what the scene asks
-# for beside `all`, and what `all` lacks if the scene asks for that. The memory answers both alike.
-# Pixels come back sooner where effects are left out, so slots fall into step in another way: that
-# alone moves a frame by up to one percent, and that of effects/shadow_inside by 5.3.
+# Every scene of scenes/, and those of scenes/effects/ whose own core test_effect_scenes.sh builds
+# in Verilator too: the core with just what the scene asks for beside `all`, and what `all` lacks
+# if the scene asks for that. The memory answers both alike. Pixels come back sooner where effects
+# are left out, so slots fall into step in another way: that alone moves a frame by up to one
+# percent, and that of effects/shadow_inside by 5.3.
+#   ALL=1         every scene of scenes/effects/: forty cores more
 #   CORE=pattern  only scenes whose name has the pattern in it
 set -u
 . "$(dirname "$0")/../tap.sh"
@@ -18,14 +20,18 @@ whole() { # own list: `all`, with what it lacks
     # shellcheck disable=SC2046  # a list of words on purpose
     printf '%s\n' $(echo "$1" | tr + ' ') | sed 's/[0-9]*$//' | sort >"$TMP/own"
     { sh sim/parameters.sh --names all && echo none; } | sort | comm -23 "$TMP/own" - |
-        sed 's/^/+/' | tr -d '\n' | sed 's/^/all/'
+        sed '1s/^/+/' | paste -s -d + - | sed 's/^/all/'
 }
 for scene in scenes/*.nff scenes/effects/*.nff; do
     name=${scene#scenes/} name=${name%.nff} options=
     case $name in *"$CORE"*) ;; *) continue ;; esac
     case $name in
-    effects/*) options=$(awk -v name="${name#*/}" '$1 == name && $2 != "-" {
-        gsub(/,/, " ", $2); print $2 }' scenes/effects/effects.txt) ;;
+    effects/*)
+        # shellcheck disable=SC2046  # what is simulated, options
+        set -- $(awk -v name="${name#*/}" '$1 == name { print $2, $3 }' scenes/effects/effects.txt)
+        [ "$1" = full ] || [ -n "${ALL:-}" ] || continue
+        [ "$2" = - ] || options=$(echo "$2" | tr , ' ')
+        ;;
     esac
     title=$(echo "$name" | tr / _)
     # shellcheck disable=SC2086  # a list of words on purpose
