@@ -6,9 +6,9 @@ stand in effects.txt there. tests/builder/test_effects_scenes.c holds both."""
 import subprocess
 import sys
 import tempfile
+import textwrap
 from pathlib import Path
 
-from ..pages import markdown
 from ..pages.place import write
 
 RECORD = Path("docs/results/data/asks.tsv")
@@ -48,12 +48,15 @@ def asked(tool, scene):
 
 
 def table():
-    """All scenes with their lists."""
+    """Each core with the scenes that ask for it, a paragraph a core."""
+    found = {}
     rows = [line.split("\t") for line in RECORD.read_text(encoding="utf-8").splitlines()
             if not line.startswith("#")]
-    rows += [["effects/" + name, core] for name, _, _, core in listed()]
-    return markdown.table(["scene", "core that it asks for"],
-                          [[f"`{name}`", f"`{core}`"] for name, core in rows])
+    for name, core in rows + [["effects/" + name, core] for name, _, _, core in listed()]:
+        found.setdefault(core, []).append(f"`{name}`")
+    return "\n".join(textwrap.fill(f"- `{core}`: {', '.join(names)}", 100, subsequent_indent="  ",
+                                   break_on_hyphens=False)
+                     for core, names in found.items())
 
 
 def main(tool):

@@ -63,8 +63,9 @@ def cost_table(scenes, cores):
                      percent(own["counters"]["cycles"], whole["counters"]["cycles"]),
                      f"{own['bytes'] // 1024} K", percent(own["bytes"], whole["bytes"]),
                      f"{speed(own) / speed(whole):.2f}", percent(own["cpu"], whole["cpu"])])
-    return report.table(["scene", "core", "LUT4eq", "of all", "FF", "of all", "DP16KD", "MULT",
-                         "cycles", "of all", "model", "of all", "speed", "time"], rows, left=2)
+    return report.table(["scene", "core", "LUT4eq", "LUT4eq of all", "FF", "FF of all", "DP16KD",
+                         "MULT", "cycles", "cycles of all", "model", "model of all", "speed",
+                         "time"], rows, left=2)
 
 
 def price_table(cores):
