@@ -12,6 +12,7 @@ import os
 import re
 import subprocess
 import sys
+import textwrap
 from collections import namedtuple
 from itertools import groupby
 from pathlib import Path
@@ -85,20 +86,23 @@ def prune(pages):
 
 
 def age(stem):
-    """A sentence for each run of an experiment, for a page's reader."""
-    def key(row):
-        return row.command, row.commit, row.day, row.kinds, row.sources
+    """A sentence for each experiment whose tables are alike old, for a page's reader."""
+    def alike(row):
+        return row.command, row.kinds, digest.of(row.kinds) == row.sources
+
+    def run(row):
+        return row.commit, row.day
     told = []
-    for (command, at, day, kinds, sources), group in groupby(
-            sorted((r for r in rows() if r.page == stem and r.kinds != "-"), key=key), key):
-        which = ", ".join(f"*{row.table}*" for row in group)
-        same = digest.of(kinds) == sources
+    for (command, kinds, same), group in groupby(
+            sorted((r for r in rows() if r.page == stem and r.kinds != "-"), key=alike), alike):
+        made = "; ".join(", ".join(f"*{row.table}*" for row in some) + f" at {at} of {day}"
+                         for (at, day), some in groupby(sorted(group, key=run), run))
         *first, last = [NAMES[kind] for kind in kinds.split("+")]
         what = ", ".join(first) + (" and " if same else " or ") + last if first else last
         what = what[0].upper() + what[1:] + (" have" if first else " has")
-        told.append(f"{which}: `{command}` at {at} of {day}. {what} "
-                    f"{'not ' if same else ''}changed since.")
-    return "\n".join(f"- {line}" for line in told)
+        told.append(f"- `{command}` made {made}. {what} {'not ' if same else ''}changed since.")
+    return "\n".join(textwrap.fill(line, 100, subsequent_indent="  ", break_on_hyphens=False)
+                     for line in told)
 
 
 def wrong(pages):

@@ -164,7 +164,7 @@ def trades(study):
                      show(cycles and cycles / gather.pixels(points.FRAME), "{:.2f}"),
                      show(cycles and 100 * cycles / base, "{:.1f} %")])
     return report.table(["trade", "PSNR", "wrong spheres", "rays", "visits", "cycles a pixel",
-                         "of none"], rows)
+                         "cycles of none"], rows)
 
 
 def model(study):
