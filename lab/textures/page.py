@@ -203,9 +203,7 @@ def stalls(data):
                 gains = ["" if way == "off" else show(
                     None if None in (off, now) else 100 * (off / now - 1), "{:+.0f} %")
                          for off, now in zip(runs["off"], cycles)]
-                first = way == "off"
-                rows.append([name if first and tree == "bvh4" else "", title if first else "",
-                             WAYS[way]] + [show(c) for c in cycles] + gains)
+                rows.append([name, title, WAYS[way]] + [show(c) for c in cycles] + gains)
     return report.table(["80x45", "tree", "filter"] + [f"STALL={s}" for s in STALLS]
                         + [f"gain, {s}" for s in STALLS], rows, left=3)
 
