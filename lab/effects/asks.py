@@ -48,12 +48,12 @@ def asked(tool, scene):
 
 
 def table():
-    """Each core with the scenes that ask for it, a paragraph a core."""
+    """Each core with the scenes of RECORD that ask for it, a paragraph a core."""
     found = {}
-    rows = [line.split("\t") for line in RECORD.read_text(encoding="utf-8").splitlines()
-            if not line.startswith("#")]
-    for name, core in rows + [["effects/" + name, core] for name, _, _, core in listed()]:
-        found.setdefault(core, []).append(f"`{name}`")
+    for line in RECORD.read_text(encoding="utf-8").splitlines():
+        if not line.startswith("#"):
+            name, core = line.split("\t")
+            found.setdefault(core, []).append(f"`{name}`")
     return "\n".join(textwrap.fill(f"- `{core}`: {', '.join(names)}", 100, subsequent_indent="  ",
                                    break_on_hyphens=False)
                      for core, names in found.items())

@@ -124,8 +124,8 @@ def age(short=""):
         return " of RTL before its last change" if old else ""
     if not old:
         return "All are of the RTL as it is."
-    return ("Of RTL before its last change, until `make pages` is run: "
-            + ", ".join(f"`{name}`" for name in old) + ".")
+    which = "All" if len(old) == len(record()) else ", ".join(f"`{name}`" for name in old)
+    return f"{which} are of RTL before its last change, until `make pages` is run."
 
 
 def parameters(core_list):
