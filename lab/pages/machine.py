@@ -38,7 +38,7 @@ def registers():
 
 
 def parts():
-    """[word, parameter, bit, most, in `all`, needs, excludes, meaning] of all that a core can do."""
+    """[word, parameter, bit, most, in `all`, needs, excludes, meaning] of what a core can do."""
     listed = subprocess.run(["sh", "sim/parameters.sh", "--table"], check=True, text=True,
                             stdout=subprocess.PIPE).stdout
     return [line.split("\t") for line in listed.splitlines()]
