@@ -67,22 +67,6 @@ def ports(module):
     return markdown.table([f"port of `{module}`", "bits", "meaning"], rows)
 
 
-def parameter_list(*modules):
-    """A paragraph a module. Parameters of the core are only named: its page has their meaning."""
-    core, told, seen = {item.name for item in _read(CORE)[0]}, [], set()
-    for module in modules:
-        items = [item for item in _read(module)[0] if item.name not in seen]
-        seen.update(item.name for item in items)
-        own = [item for item in items if item.name not in core]
-        said = [f"{names} = {value}" + f" ({meaning})" * bool(meaning)
-                for names, value, meaning in _rows(own, lambda item: item.default)]
-        shared = ", ".join(f"`{item.name}`" for item in items if item.name in core)
-        head = f"*{module}*: " * (module != modules[0])
-        if items:
-            told.append("- " + head + "; ".join([f"as in {CORE}: {shared}"] * bool(shared) + said))
-    return "\n".join(line + "." for line in told)
-
-
 def _worth(item):
     """What is written behind a port: its bits or bundle, unless its name tells them."""
     usual = {"_slot_": "SLOTW", "_tag_": "TAG"}
@@ -93,29 +77,44 @@ def _worth(item):
 
 
 def _said(group):
-    """Ports that share a meaning: names and bits, those of a vector once, and the meaning."""
+    """Ports that share a meaning: names and bits, those of a vector once, and the meaning. What is
+    named as its bundle stands in italics."""
     worths = [_worth(item) for item in group]
     if len(set(worths)) == 1:
         worths[:-1] = [""] * (len(worths) - 1)
-    text = ", ".join(f"`{item.name}` {worth}".strip() for item, worth in zip(group, worths))
+    text = ", ".join(f"*`{item.name}`*" if f"*{item.name[:-2]}*" == _worth(item)
+                     else f"`{item.name}` {worth}".strip() for item, worth in zip(group, worths))
+    text = re.sub(r"`(\w+_)x(_[io])`, `\1y\2`, `\1z\2`", r"`\1{x,y,z}\2`", text)
     comment = group[0].comment
     meant = comment and comment not in (group[0].bits, "u" + group[0].bits)
     return text + f" ({comment})" * bool(meant)
 
 
-def port_list(module):
-    """As ports(), in one paragraph for each heading of the source. The seven ports of a reader of
-    memory are one entry."""
-    items = [item for item in _read(module)[1] if item.name not in EVERYWHERE]
-    told = []
+def _payload(group):
+    """Ports besides valid, ready, slot and tag that say nothing of their own; all of a group that
+    has no others; without the seven of a reader of memory."""
+    memory = [item for item in group if item.name.startswith("mem_r")]
+    group = [item for item in group if len(memory) != 7 or item not in memory]
+    payload = [item for item in group if item.comment not in ("", "one cycle")
+               or not re.search(r"_(valid|ready|slot|tag)_[io]$", item.name)]
+    return payload or group, ["`mem_req_*`, `mem_rsp_*`"] * (len(memory) == 7)
+
+
+def interface(*modules):
+    """Paragraphs: the parameters of the modules, but for those of the core, whose page has them;
+    then the ports of the first, one paragraph for each heading of the source."""
+    core, told = {item.name for item in _read(CORE)[0]}, []
+    for module in modules:
+        own = [item for item in _read(module)[0] if item.name not in core]
+        core.update(item.name for item in own)
+        said = "; ".join(f"{names} = {value}" + f" ({meaning})" * bool(meaning)
+                         for names, value, meaning in _rows(own, lambda item: item.default))
+        if said:
+            told.append(f"- *{module}*: {said}." if module != modules[0] else f"- {said}.")
+    items = [item for item in _read(modules[0])[1] if item.name not in EVERYWHERE]
     for heading, group in groupby(items, lambda item: item.heading):
-        group = list(group)
-        memory = [item for item in group if item.name.startswith("mem_r")]
-        said = [_said(ports) for ports in _merged(
-            [item for item in group if len(memory) != 7 or item not in memory])]
-        if len(memory) == 7:
-            said.append("`mem_req_*`, `mem_rsp_*`")
-        said = "; ".join(said)
+        payload, memory = _payload(list(group))
+        said = "; ".join([_said(ports) for ports in _merged(payload)] + memory)
         told.append(f"- *{heading}*: {said}." if heading else f"- {said}.")
     return "\n".join(told)
 

@@ -20,11 +20,10 @@ def const(name):
 
 MAKERS = {
     "parameters": blocks.parameters, "ports": blocks.ports,
-    "parameter_list": blocks.parameter_list, "port_list": blocks.port_list,
-    "modules": blocks.modules, "bundles": bundles.bundles, "registers": machine.registers,
-    "effects": machine.effects, "counters": machine.counters, "errors": machine.errors,
-    "profiles": machine.profiles, "widths": machine.widths, "count": count, "const": const,
-    "age": measured.age, "rows": data.rows, "cell": data.cell,
+    "interface": blocks.interface, "modules": blocks.modules, "bundles": bundles.bundles,
+    "registers": machine.registers, "effects": machine.effects, "counters": machine.counters,
+    "errors": machine.errors, "profiles": machine.profiles, "widths": machine.widths,
+    "count": count, "const": const, "age": measured.age, "rows": data.rows, "cell": data.cell,
     "core": cores.core, "cores": cores.cores, "inside": cores.inside, "yosys": cores.yosys,
     "budget": cores.budget, "asks": asks.table, "cells_age": cores.age,
 }
