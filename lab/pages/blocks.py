@@ -1,4 +1,4 @@
-# blocks.py - parameters and ports of modules, and the list of all modules, as tables
+# blocks.py - parameters, ports, model and bench of modules
 # SPDX-License-Identifier: Apache-2.0
 import re
 from itertools import groupby
@@ -100,9 +100,32 @@ def _payload(group):
     return payload or group, ["`mem_req_*`, `mem_rsp_*`"] * (len(memory) == 7)
 
 
+def benches():
+    """{module: bench} of the lists in tb/."""
+    found = {}
+    for path in sorted(Path("tb").glob("benches*.txt")):
+        for line in path.read_text().splitlines():
+            word = line.split("#")[0].split()
+            if word:
+                found.setdefault(word[1], []).append(word[2])
+    return found
+
+
+def _mirror(module):
+    """What the header of a module says of its model, and its benches, as a list of one line."""
+    text = verilog.files()[module].read_text()
+    said = re.search(r"Model: ((?:(?!\.\s).)*?)(?=\.?\n(?!//)|\.\s)", text, re.S)
+    model = re.sub(r"\s*\n//\s*", " ", said[1]) if said else ""
+    model = re.sub(r"\w+\(\)|[\w/]+\.[ch]\b", r"`\g<0>`", model)
+    own = ", ".join(f"`{bench}`" for bench in sorted(set(benches().get(module, []))))
+    line = " ".join([f"Model: {model}."] * bool(model) + [f"Bench: {own}."] * bool(own))
+    return [f"- {line}"] * bool(line)
+
+
 def interface(*modules):
     """Paragraphs: the parameters of the modules, but for those of the core, whose page has them;
-    then the ports of the first, one paragraph for each heading of the source."""
+    then the ports of the first, one paragraph for each heading of the source, its model and its
+    bench."""
     core, told = {item.name for item in _read(CORE)[0]}, []
     for module in modules:
         own = [item for item in _read(module)[0] if item.name not in core]
@@ -116,28 +139,6 @@ def interface(*modules):
         payload, memory = _payload(list(group))
         said = "; ".join([_said(ports) for ports in _merged(payload)] + memory)
         told.append(f"- *{heading}*: {said}." if heading else f"- {said}.")
-    return "\n".join(told)
+    return "\n".join(told + _mirror(modules[0]))
 
 
-def benches():
-    """{module: bench} of the lists in tb/."""
-    found = {}
-    for path in sorted(Path("tb").glob("benches*.txt")):
-        for line in path.read_text().splitlines():
-            word = line.split("#")[0].split()
-            if word:
-                found.setdefault(word[1], []).append(word[2])
-    return found
-
-
-def modules():
-    """Each module with the first line of its header, its model and the benches of its own."""
-    tested = benches()
-    rows = []
-    for name, path in verilog.files().items():
-        text = path.read_text()
-        does = re.match(r"// \S+ - (.*)", text)
-        model = re.search(r"Model:(?: [a-z]+)*? (\w+\(\))", text)
-        rows.append([f"`{name}`", does[1] if does else "", f"`{model[1]}`" if model else "",
-                     ", ".join(f"`{bench}`" for bench in sorted(set(tested.get(name, []))))])
-    return markdown.table(["module", "does", "model", "bench"], rows)

@@ -20,7 +20,7 @@ def const(name):
 
 MAKERS = {
     "parameters": blocks.parameters, "ports": blocks.ports,
-    "interface": blocks.interface, "modules": blocks.modules, "bundles": bundles.bundles,
+    "interface": blocks.interface, "bundles": bundles.bundles,
     "registers": machine.registers, "effects": machine.effects, "counters": machine.counters,
     "errors": machine.errors, "profiles": machine.profiles, "widths": machine.widths,
     "count": count, "const": const, "age": measured.age, "rows": data.rows, "cell": data.cell,
