@@ -10,7 +10,8 @@ REGION = re.compile(r"(<!-- begin: ([^\n]*?) -->)(\n?)(.*?)(<!-- end -->)", re.S
 def table(head, rows):
     """A table of words, without padding: a longer cell changes one line."""
     lines = ["| " + " | ".join(cell.replace("|", r"\|") for cell in map(str, row)) + " |"
-             for row in [head, ["---"] * len(head)] + rows]
+             for row in [head] + rows]
+    lines.insert(1, "|" + "---|" * len(head))
     return "\n".join(lines).replace("|  |", "| |").replace("|  |", "| |")
 
 
