@@ -1,9 +1,9 @@
 # data.py - tables that are too long for a page: docs/results/data/PAGE.TABLE.tsv
 # SPDX-License-Identifier: Apache-2.0
 """Such a file has a line of SPDX, a line of column names, and a line for each row. A page shows
-some of it with the regions `rows PAGE.TABLE; ROW | ROW...; COLUMN | COLUMN...` and
-`cell PAGE.TABLE; ROW; COLUMN`; `all` or nothing stands for all rows, nothing for all columns. A
-row is named by its first column, or by its first ones joined by blanks."""
+some of it with the regions `rows PAGE.TABLE` and `cell PAGE.TABLE; ROW; COLUMN`. Which rows and
+columns, says a line `PAGE.TABLE; ROW | ROW...; COLUMN | COLUMN...` of SHOWN; nothing stands for all
+of them. A row is named by its first column, or by its first ones joined by blanks."""
 import os
 import re
 from pathlib import Path
@@ -11,6 +11,7 @@ from pathlib import Path
 from . import markdown
 
 FOLDER = Path("docs/results/data")
+SHOWN = FOLDER / "shown.txt"
 HEAD = "# SPDX-License-Identifier: Apache-2.0\n"
 
 
@@ -51,7 +52,7 @@ def write(path, text):
 
 
 def _words(text):
-    return [] if text.strip() in ("", "all") else [word.strip() for word in text.split("|")]
+    return [word.strip() for word in text.split("|")] if text.strip() else []
 
 
 def _chosen(name, wanted):
@@ -72,12 +73,19 @@ def _column(name, head, word):
     return head.index(word)
 
 
-def rows(*arguments):
-    """A table of some rows and columns."""
-    name, *parts = " ".join(arguments).split(";")
-    wanted, columns = (parts + ["", ""])[:2]
-    head, found = _chosen(name.strip(), _words(wanted))
-    places = [_column(name, head, word) for word in _words(columns)] or range(len(head))
+def shown(name):
+    """(rows, columns) of a table that its page shows, by name."""
+    for line in SHOWN.read_text(encoding="utf-8").splitlines():
+        if line.startswith(name + ";"):
+            return [_words(part) for part in line.split(";")[1:]]
+    return [], []
+
+
+def rows(name):
+    """A table as its page shows it."""
+    wanted, columns = shown(name)
+    head, found = _chosen(name, wanted)
+    places = [_column(name, head, word) for word in columns] or range(len(head))
     return markdown.table([head[i] for i in places], [[row[i] for i in places] for row in found])
 
 
