@@ -13,14 +13,15 @@ BUILD_OPTIONS := --profile $(BUILD_PROFILE) --depth $(DEPTH) --background $(BACK
                      $(if $(GIVEN_TREE),--tree $(GIVEN_TREE))) \
                  $(if $(MAX_PRIMS),--max-prims $(MAX_PRIMS)) \
                  $(if $(MAX_TREE_DEPTH),--max-tree-depth $(MAX_TREE_DEPTH)) \
-                 $(if $(SIZE),--size $(SIZE)) $(if $(LEVELS),--bg-levels $(LEVELS)) \
-                 $(if $(AT),--at $(AT)) $(BUILD_MORE)
+                 $(if $(SIZE),--size $(SIZE)) \
+                 $(if $(filter-out 1,$(SAMPLES)),--samples $(SAMPLES)) \
+                 $(if $(LEVELS),--bg-levels $(LEVELS)) $(if $(AT),--at $(AT)) $(BUILD_MORE)
 # What shapes a machine, and its run on a core.
 MACHINE_KEY := SCENE SEED BUILD_OPTIONS
 SIM_KEY     := $(MACHINE_KEY) EFFECTS ENGINES ROOT_STEP QUOTIENT_STEP SIM LATENCY STALL WINDOW \
                WARM WAVES JOBS
 # (call run,GOAL,KEY): the names of its folder and how it speaks are passed besides.
-run = $(call values,$(2) PROFILE SIZE V) BUILD=$B sh sim/run.sh $(1) $(2)
+run = $(call values,$(2) PROFILE SIZE SAMPLES V) BUILD=$B sh sim/run.sh $(1) $(2)
 
 render: $(TOOL) ## SCENE through the golden model: picture, counters
 	$(Q)$(call run,render,$(MACHINE_KEY))

@@ -78,7 +78,7 @@ define tex_scene
 $(TEX)/$(1)-truth.tif: scenes/texture/$(1).nff $(TEX_IMAGES) $(TOOL)
 	$$(call say,TRUE,$(1))
 	@mkdir -p $$(@D)
-	$$(Q)$(TOOL) render $$< --filter bilinear -o $(TEX)/$(1)-large.png --size \
+	$$(Q)$(TOOL) render $$< --filter bilinear --transfer linear -o $(TEX)/$(1)-large.png --size \
 	    $$$$(($(TEX_WIDTH) * $(TEX_TRUTH)))x$$$$(($(TEX_HEIGHT) * $(TEX_TRUTH))) >$$(@:.tif=.log)
 	$$(Q)oiiotool $(TEX)/$(1)-large.png --resize:filter=box $(TEX_SIZE) -d float -o $$@
 	@rm $(TEX)/$(1)-large.png
@@ -90,7 +90,8 @@ $(TEX)/$(1).levels.json: scenes/texture/$(1).nff $(TEX_IMAGES) $(TOOL)
 
 $(TEX)/$(1)-lod%.png: scenes/texture/$(1).nff $(TEX_IMAGES) $(TOOL)
 	@mkdir -p $$(@D)
-	$$(Q)$(TOOL) render $$< --size $(TEX_SIZE) --lod-bits $$* -o $$@ >$$(@:.png=.log)
+	$$(Q)$(TOOL) render $$< --size $(TEX_SIZE) --lod-bits $$* --transfer linear -o $$@ \
+	    >$$(@:.png=.log)
 
 # seen, in this order: without, nearest level, two levels, the truth
 $(TEX_SHOWN)/$(1).png: $(TEX_DRAWN:%=$(TEX)/$(1)-%.png) $(TEX)/$(1)-truth.tif
@@ -102,7 +103,8 @@ $(foreach n,$(TEX_NAMES),$(eval $(call tex_scene,$n)))
 define tex_both
 $(TEX)/$(1).png: scenes/texture/$(firstword $(subst -, ,$(1))).nff $(TEX_IMAGES) $(TOOL)
 	@mkdir -p $$(@D)
-	$$(Q)$(TOOL) render $$< --size $(TEX_SIZE) --filter $(call tex_way,$(1)) -o $$@ \
+	$$(Q)$(TOOL) render $$< --size $(TEX_SIZE) --filter $(call tex_way,$(1)) --transfer linear \
+	    -o $$@ \
 	    >$$(@:.png=.log)
 
 $(TEX)/$(1).json: scenes/texture/$(firstword $(subst -, ,$(1))).nff $(TEX_IMAGES) $(TOOL)

@@ -15,6 +15,8 @@ SCENE ?= sphereflake2
 PROFILE ?= standard
 ## SIZE <size>| frame in pixels (empty: as the scene says)
 SIZE ?= 320x180
+## SAMPLES 1..16 N x N rays a pixel: the frame is N times as wide and high, pictures have the mean
+SAMPLES ?= 1
 ## TREE balanced|paper of bvh4
 TREE ?= balanced
 ## ACCEL auto|bvh4|bih|brute spheres around four children, a bounding interval hierarchy, no tree;

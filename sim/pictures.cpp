@@ -1,13 +1,15 @@
 /* pictures.cpp - the pictures of a co-simulation: model, RTL, difference, side by side
  * SPDX-License-Identifier: Apache-2.0
  *
- * usage: pictures MODEL.frame RTL.frame FOLDER
+ * usage: pictures MODEL.frame RTL.frame FOLDER [SAMPLES]
  *
- * Colours are those of the deepest reflection. diff.png shows |model - RTL| of each byte, 16 times
- * and at most 255, and white where only id, key, visits or texture differ.
+ * Colours are those of the deepest reflection, in sRGB; SAMPLES x SAMPLES of the frames' pixels
+ * make one of model.png and rtl.png. diff.png shows |model - RTL| of each byte, 16 times and at
+ * most 255, and white where only id, key, visits or texture differ.
  */
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -33,11 +35,20 @@ sph_pixel difference(const sph_pixel &a, const sph_pixel &b) {
     return d;
 }
 
+int write(const std::string &path, const struct sph_frame *frame, int samples,
+          struct sph_error *err) {
+    struct sph_linear picture {};
+    int failed = sph_linear_of(frame, nullptr, LAYER, samples, &picture, err) ||
+                 sph_linear_write(path.c_str(), &picture, SPH_TRANSFER_SRGB, err);
+    sph_linear_free(&picture);
+    return failed;
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
-    if (argc != 4) {
-        std::fprintf(stderr, "usage: pictures MODEL.frame RTL.frame FOLDER\n");
+    if (argc != 4 && argc != 5) {
+        std::fprintf(stderr, "usage: pictures MODEL.frame RTL.frame FOLDER [SAMPLES]\n");
         return 2;
     }
     sph_error err = {{0}};
@@ -52,8 +63,9 @@ int main(int argc, char **argv) {
         for (size_t i = 0; i < n; i++)
             pixels[i] = difference(model.frame.pixels[i], rtl.frame.pixels[i]);
         sph_frame diff = {model.frame.width, model.frame.height, pixels.data()};
-        failed = sph_image_write((folder + "model.png").c_str(), &model.frame, LAYER, &err) ||
-                 sph_image_write((folder + "rtl.png").c_str(), &rtl.frame, LAYER, &err) ||
+        int samples = argc == 5 ? std::atoi(argv[4]) : 1;
+        failed = write(folder + "model.png", &model.frame, samples, &err) ||
+                 write(folder + "rtl.png", &rtl.frame, samples, &err) ||
                  sph_image_write((folder + "diff.png").c_str(), &diff, LAYER, &err) ||
                  sph_image_write_difference((folder + "side-by-side.png").c_str(), &model.frame,
                                             &rtl.frame, LAYER, &err);

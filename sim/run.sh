@@ -5,7 +5,7 @@
 # usage: NAME=value ... sim/run.sh [--folder] render|sim|core NAME...
 #   NAME...  variables that shape the run; among them SCENE as sim/scene.sh takes it, SEED and
 #            BUILD_OPTIONS, of `sphaera build`, and for sim those of sim/core.sh and its options
-# Also reads PROFILE, SIZE and BUILD, the build folder, with the tool in it.
+# Also reads PROFILE, SIZE, SAMPLES and BUILD, the build folder, with the tool in it.
 #
 # The folder BUILD/out/SCENE-PROFILE-SIZE-DIGEST has these variables in its file key, and what the
 # goal leaves: scene.sph and build.json; of render model.png, model.frame, model.json; of sim
@@ -68,8 +68,8 @@ core)
     exit
     ;;
 render)
-    "$tool" render "$run/scene.sph" --frame "$run/model.frame" --json "$run/model.json" \
-        -o "$run/model.png" >"$run/model.log"
+    "$tool" render "$run/scene.sph" --samples "$SAMPLES" --frame "$run/model.frame" \
+        --json "$run/model.json" -o "$run/model.png" >"$run/model.log"
     cat "$run/build.log" "$run/model.log"
     echo "picture $run/model.png"
     exit
@@ -80,14 +80,15 @@ say SIM "$name $PROFILE $SIZE in $SIM"
 set -- --machine "$run/scene.sph" --latency "$LATENCY" --stall "$STALL" --seed "$SEED" \
     --processes "$JOBS" --progress --frame "$run/rtl.frame" --json "$run/report.json" \
     --model-frame "$run/model.frame"
-[ -z "$WINDOW" ] || set -- "$@" --window "$WINDOW"
+[ -z "$WINDOW" ] || set -- "$@" --window "$(echo "$WINDOW" | awk -F , -v n="$SAMPLES" \
+    '{ print $1 * n "," $2 * n "," $3 * n "," $4 * n }')" # in pixels of the frame
 [ "$WARM" = 0 ] || set -- "$@" --warm
 [ "$WAVES" = 0 ] || set -- "$@" --trace "$run/core.fst"
 rc=0
 sh sim/core.sh "$@" >"$run/log" || rc=$?
 cat "$run/log"
 [ -f "$run/rtl.frame" ] || exit "$rc"
-"$BUILD/sim/pictures" "$run/model.frame" "$run/rtl.frame" "$run"
+"$BUILD/sim/pictures" "$run/model.frame" "$run/rtl.frame" "$run" "$SAMPLES"
 echo "pictures and report in $run/"
 sed -n '$s/^core \(.*mismatches\),.*/sim \1/p' "$run/log"
 exit "$rc"

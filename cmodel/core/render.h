@@ -6,18 +6,10 @@
 
 #include "common/error.h"
 #include "core/frame.h"
+#include "core/trail.h"
 #include "machine/machine.h"
 #include "texture/lookup.h"
 #include "trace/traverse.h"
-
-/* What the rays of a pixel met; no part of the frame, and the hardware does not tell it. */
-struct sph_trail {
-    uint32_t faced, blocked; /* bit l: light l of the machine shines on the side of the primary
-                                hit that is seen; of these, no light comes through */
-    uint32_t reflected_id;   /* found by the mirror ray of the primary hit, SPH_ID_NONE: nothing */
-    uint32_t refracted_id;   /* by its refracted ray */
-    int depth;               /* surfaces one after another that made the colour, at most; 0: none */
-};
 
 struct sph_render_options {
     int traverse;                                          /* SPH_TRAVERSE_* */

@@ -4,6 +4,7 @@
 #include "engine/render_pixel.h"
 
 #include <stddef.h>
+#include <string.h>
 
 #include "pixel/walk.h"
 #include "engine/render_light.h"
@@ -13,6 +14,8 @@
 #include "texture/lookup.h"
 #include "prim/prim.h"
 #include "trace/traverse.h"
+
+static const struct sph_trail no_trail = {.reflected_id = SPH_ID_NONE, .refracted_id = SPH_ID_NONE};
 
 /* The primitive record of a hit; NULL if nothing is hit or the record does not lie in memory. */
 static const uint32_t *prim_line(const struct sph_job *j, const struct sph_hit *hit) {
@@ -148,7 +151,7 @@ static int path(const struct sph_job *j, struct sph_ray ray) {
     struct sph_shares shares = {{{0}}};
     struct branch at = {ray, 1u << 16, 0, 0}, waiting[SPH_MAX_DEPTH];
     int n_waiting = 0; /* the deepest last */
-    if (j->trail) *j->trail = (struct sph_trail){0, 0, SPH_ID_NONE, SPH_ID_NONE, 0};
+    if (j->trail) *j->trail = no_trail;
     struct sph_hit hit = sph_job_trace(j, &ray);
     const uint32_t *prim = prim_line(j, &hit);
     j->texture->lod = SPH_LOD_NONE; /* a repeated pixel begins anew */
@@ -184,6 +187,7 @@ static int path(const struct sph_job *j, struct sph_ray ray) {
     }
     for (int i = 0; i < SPH_FRAMES; i++)
         j->pixel->colour[i] = sph_shares_colour(&shares, i);
+    if (j->trail) memcpy(j->trail->sum, shares.sum, sizeof shares.sum);
     return 0;
 }
 
@@ -192,11 +196,13 @@ struct sph_pixel sph_render_pixel(const struct sph_machine *m, const struct sph_
                                   struct sph_trail *trail) {
     struct sph_pixel pixel = {.id = SPH_ID_NONE, .texture = SPH_NO_TEXTURE};
     struct sph_texture_work texture = {.fetch = o->fetch, .user = o->fetch_user};
-    if (trail) *trail = (struct sph_trail){0, 0, SPH_ID_NONE, SPH_ID_NONE, 0};
+    if (trail) *trail = no_trail;
     if (sph_is_background(m, x, y)) {
         c->count[SPH_COUNT_BACKGROUND]++;
         for (int i = 0; i < SPH_FRAMES; i++)
             pixel.colour[i] = (uint32_t)m->regs[SPH_REG_BG_COLOUR];
+        for (int i = 0; trail && i < 3 * SPH_FRAMES; i++)
+            trail->sum[i / 3][i % 3] = (pixel.colour[0] >> 8 * (i % 3) & 255) << 8;
         return pixel;
     }
     int inside = sph_machine_effect(m, SPH_EFFECT_INSIDE);

@@ -27,18 +27,49 @@ struct sph_image {
  * openexr. NULL with a message that lists the endings if it is another. */
 const char *sph_image_format(const char *path, struct sph_error *err);
 
-/* 8-bit RGB, in the format of its name, which must lose nothing: any but openexr. */
+/* ---- bytes as a frame has them ---- */
+
+/* 8-bit RGB, in the format of its name, which must lose nothing: any but openexr. For colours that
+ * are no light, such as differences and false colours. */
 int sph_image_write(const char *path, const struct sph_frame *frame, int layer,
                     struct sph_error *err);
 
-/* The same of two frames of one size beside their difference (per byte, 16 times, at most 255; any
+/* Two frames of one size, in sRGB, beside the difference of their bytes (16 times, at most 255; any
  * difference in id, key, visits or texture alone shows as blue): a | b | difference. */
 int sph_image_write_difference(const char *path, const struct sph_frame *a,
                                const struct sph_frame *b, int layer, struct sph_error *err);
 
-/* OpenEXR: R, G, B (float: byte / 255), id, key.hi, key.lo, visits, texture (uint). */
-int sph_image_write_exr(const char *path, const struct sph_frame *frame, int layer,
-                        struct sph_error *err);
+/* ---- light ---- */
+
+/* Colours in linear light, 255 is white: red, green, blue of each pixel, row 0 on top. */
+struct sph_linear {
+    int width, height;
+    float *rgb;
+};
+
+/* How bytes stand for light: as it is; as people see it (IEC 61966-2-1). */
+enum { SPH_TRANSFER_LINEAR, SPH_TRANSFER_SRGB };
+
+struct sph_trail;
+
+/* The light of a frame: of its trails, which have more than 8 bits, or of its bytes if trails is
+ * NULL. A pixel is the mean of samples x samples of the frame's. -1 with a message if the frame's
+ * sides are no multiples, or memory is out; free with sph_linear_free. */
+int sph_linear_of(const struct sph_frame *frame, const struct sph_trail *trails, int layer,
+                  int samples, struct sph_linear *out, struct sph_error *err);
+
+void sph_linear_free(struct sph_linear *picture);
+
+/* 8-bit RGB in a transfer, SPH_TRANSFER_*, which PNG names. */
+int sph_linear_write(const char *path, const struct sph_linear *picture, int transfer,
+                     struct sph_error *err);
+
+/* OpenEXR: R, G, B (float, linear, 1 is white); and if picture and frame are of one size id,
+ * key.hi, key.lo, visits, texture (uint). */
+int sph_linear_write_exr(const char *path, const struct sph_linear *picture,
+                         const struct sph_frame *frame, struct sph_error *err);
+
+/* ---- files ---- */
 
 /* Reads any 8-bit picture that OpenImageIO knows (deeper ones are refused); free with
  * sph_image_free. On failure there is nothing to free. */

@@ -176,6 +176,7 @@ static int measure(const struct arguments *a, const struct sph_scene *scene, str
     struct sph_build_options how = a->source.build;
     if (how.texture != SPH_OFF && tool_mips_load(scene, &m->mips, err)) return -1;
     how.mips = m->mips;
+    if (tool_frame_size(&a->source, scene, &how, err)) return -1;
     if (sph_build(scene, &how, &m->built.machine, &m->built.report, err)) return -1;
     if (run_model(a, m, err) || run_reference(a, scene, m, err)) return -1;
     struct sph_accuracy_frame f = {&m->built.machine, &m->shot.frame, m->trails,

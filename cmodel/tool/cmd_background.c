@@ -120,7 +120,9 @@ static int compare(const struct arguments *a, const struct sph_scene *scene,
     struct ways ways;
     if (a->pictures && mkdir(a->pictures, 0777) && errno != EEXIST)
         return sph_fail(err, "%s: %s", a->pictures, strerror(errno));
-    int rc = ways_measure(scene, &a->source.build, &ways, err);
+    struct sph_build_options how = a->source.build;
+    int rc = tool_frame_size(&a->source, scene, &how, err);
+    if (!rc) rc = ways_measure(scene, &how, &ways, err);
     if (!rc && a->pictures) rc = ways_draw(&ways, a->pictures, err);
     FILE *to = print_stream(a->json);
     if (!rc && to) print_ways(to, &ways);

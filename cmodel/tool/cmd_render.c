@@ -7,7 +7,7 @@
 #include "image/image.h"
 #include "machine/describe.h"
 #include "core/render.h"
-#include "tool/depth_picture.h"
+#include "tool/light_picture.h"
 #include "tool/print.h"
 #include "tool/progress.h"
 #include "tool/report.h"
@@ -16,8 +16,9 @@
 
 struct arguments {
     struct tool_source source;
-    const char *input, *picture, *exr, *frame, *json, *walk;
-    int layer, traverse, threads, counters, progress, depths;
+    const char *input, *frame, *json, *walk;
+    struct light_pictures light;
+    int traverse, threads, counters, progress;
     struct tool_frames frames;
 };
 
@@ -31,12 +32,18 @@ enum {
     KEY_FRAMES,
     KEY_PROGRESS,
     KEY_DEPTHS,
-    KEY_WALK
+    KEY_WALK,
+    KEY_TRANSFER
 };
 
 static const struct argp_option options[] = {
     {"output", 'o', "FILE", 0, "picture, 8-bit RGB: .png, .tif, .ppm, .bmp or .tga", 0},
-    {"exr", KEY_EXR, "FILE.exr", 0, "picture with ids, keys and visits, OpenEXR", 0},
+    {"exr", KEY_EXR, "FILE.exr", 0, "picture in linear light with ids, keys and visits, OpenEXR",
+     0},
+    {"transfer", KEY_TRANSFER, "NAME", 0,
+     "how the bytes of the picture stand for light: srgb (default), as people see it; linear, the "
+     "bytes of the frame",
+     0},
     {"frame", KEY_FRAME, "FILE", 0, "frame file, for `sphaera compare`", 0},
     {"walk", KEY_WALK, "FILE.png", 0,
      "bih: picture with a fifth more green for each empty space, more blue for each node that the "
@@ -58,7 +65,8 @@ static const struct argp_option options[] = {
     {0},
 };
 
-static const char *const traversals[] = {"tree", "brute"}; /* SPH_TRAVERSE_* */
+static const char *const transfers[] = {"linear", "srgb", NULL}; /* SPH_TRANSFER_* */
+static const char *const traversals[] = {"tree", "brute"};       /* SPH_TRAVERSE_* */
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
     struct arguments *a = state->input;
@@ -67,10 +75,10 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         state->child_inputs[0] = &a->source;
         return 0;
     case 'o':
-        a->picture = tool_picture(state, &a->source.outputs, "--output", arg, 0);
+        a->light.picture = tool_picture(state, &a->source.outputs, "--output", arg, 0);
         return 0;
     case KEY_EXR:
-        a->exr = tool_picture(state, &a->source.outputs, "--exr", arg, 1);
+        a->light.exr = tool_picture(state, &a->source.outputs, "--exr", arg, 1);
         return 0;
     case KEY_FRAME:
         a->frame = tool_output(&a->source.outputs, arg);
@@ -79,10 +87,13 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         a->walk = tool_picture(state, &a->source.outputs, "--walk", arg, 0);
         return 0;
     case KEY_LAYER:
-        a->layer = (int)tool_number(state, "--layer", arg, 0, SPH_FRAMES - 1);
+        a->light.layer = (int)tool_number(state, "--layer", arg, 0, SPH_FRAMES - 1);
+        return 0;
+    case KEY_TRANSFER:
+        a->light.transfer = tool_choice(state, "--transfer", arg, transfers);
         return 0;
     case KEY_DEPTHS:
-        a->depths = 1;
+        a->light.depths = 1;
         return 0;
     case KEY_BRUTE:
         a->traverse = SPH_TRAVERSE_BRUTE;
@@ -105,6 +116,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     default:
         if (key == ARGP_KEY_END && a->frames.on && a->source.read.at)
             argp_error(state, "--frames and --at exclude each other");
+        if (key == ARGP_KEY_END && a->source.samples > 1 && (a->light.depths || a->walk))
+            argp_error(state, "--samples is for light: --depths and --walk are false colours");
         return tool_one_scene(state, key, arg, &a->input, "no machine or scene given");
     }
 }
@@ -126,29 +139,6 @@ static double render(const struct arguments *a, const struct sph_machine *machin
     return bits < 0 ? -1 : progress_now() - start;
 }
 
-static int write_pictures(const struct arguments *a, const struct sph_frame *f,
-                          struct sph_error *err) {
-    if (a->picture && sph_image_write(a->picture, f, a->layer, err)) return -1;
-    return a->exr ? sph_image_write_exr(a->exr, f, a->layer, err) : 0;
-}
-
-static int write_depths(const struct arguments *a, const struct sph_frame *frame,
-                        const struct sph_trail *trails, struct sph_error *err) {
-    struct sph_frame painted;
-    if (depth_picture(frame, trails, &painted))
-        return sph_fail(err, "%s: no memory for depths", a->input);
-    int rc = write_pictures(a, &painted, err);
-    sph_frame_free(&painted);
-    return rc;
-}
-
-static int write_files(const struct arguments *a, const struct sph_shot *shot,
-                       const struct sph_trail *trails, struct sph_error *err) {
-    int rc =
-        trails ? write_depths(a, &shot->frame, trails, err) : write_pictures(a, &shot->frame, err);
-    return !rc && a->frame ? sph_shot_write(shot, a->frame, err) : rc;
-}
-
 /* Renders, and writes every file but the report; *seconds: of rendering. */
 static int shoot(const struct arguments *a, const struct tool_built *built, struct sph_shot *shot,
                  double *seconds, struct sph_error *err) {
@@ -157,11 +147,15 @@ static int shoot(const struct arguments *a, const struct tool_built *built, stru
                         sph_machine_tree_name(&built->machine));
     const int32_t *r = built->machine.regs;
     size_t pixels = (size_t)r[SPH_REG_FRAME_W] * (size_t)r[SPH_REG_FRAME_H];
-    struct sph_trail *trails = a->depths ? calloc(pixels, sizeof *trails) : NULL;
-    if (a->depths && !trails) return sph_fail(err, "%s: no memory for depths", a->input);
+    int pictures = a->light.picture || a->light.exr;
+    struct sph_trail *trails = pictures ? calloc(pixels, sizeof *trails) : NULL;
+    if (pictures && !trails) return sph_fail(err, "%s: no memory for a picture", a->input);
     *seconds = render(a, &built->machine, shot, trails, err);
-    int rc = *seconds < 0 ? -1 : write_files(a, shot, trails, err);
-    if (!rc && a->walk) rc = walk_picture(a->walk, &built->machine, &shot->frame, a->layer, err);
+    int rc = *seconds < 0 ? -1 : 0;
+    if (!rc && trails) rc = light_picture(&a->light, a->source.samples, &shot->frame, trails, err);
+    if (!rc && a->frame) rc = sph_shot_write(shot, a->frame, err);
+    if (!rc && a->walk)
+        rc = walk_picture(a->walk, &built->machine, &shot->frame, a->light.layer, err);
     free(trails);
     return rc;
 }
@@ -199,9 +193,9 @@ static int render_frame(void *user, uint32_t frame, const struct tool_built *bui
     struct arguments a = *all;
     struct sph_shot shot = {0};
     double seconds = 0;
-    char *names[] = {tool_numbered(all->picture, frame), tool_numbered(all->exr, frame),
+    char *names[] = {tool_numbered(all->light.picture, frame), tool_numbered(all->light.exr, frame),
                      tool_numbered(all->frame, frame), tool_numbered(all->walk, frame)};
-    a.picture = names[0], a.exr = names[1], a.frame = names[2], a.walk = names[3];
+    a.light.picture = names[0], a.light.exr = names[1], a.frame = names[2], a.walk = names[3];
     int rc = shoot(&a, built, &shot, &seconds, err);
     if (!rc) {
         print_shot(print_stream(a.json), &shot, a.counters);
@@ -238,7 +232,8 @@ int tool_render(int argc, char **argv) {
         children,
         NULL,
         NULL};
-    struct arguments a = {.source = tool_source_default, .layer = SPH_FRAMES - 1};
+    struct arguments a = {.source = tool_source_default,
+                          .light = {.layer = SPH_FRAMES - 1, .transfer = SPH_TRANSFER_SRGB}};
     struct tool_built built;
     struct sph_error err = {""};
     argp_parse(&argp, argc, argv, 0, NULL, &a);

@@ -22,6 +22,19 @@ int tool_scene_read(const char *path, const struct tool_source *source, struct s
     return -1;
 }
 
+int tool_frame_size(const struct tool_source *source, const struct sph_scene *scene,
+                    struct sph_build_options *build, struct sph_error *err) {
+    int width = build->width ? build->width : scene->camera.width;
+    int height = build->height ? build->height : scene->camera.height, n = source->samples;
+    if (n == 1) return 0;
+    if (width > SPH_MAX_SIDE / n || height > SPH_MAX_SIDE / n)
+        return sph_fail(err, "%s: %d x %d samples of %dx%d pixels: sides of a frame are 1..%d",
+                        scene->path, n, n, width, height, SPH_MAX_SIDE);
+    build->width = n * width;
+    build->height = n * height;
+    return 0;
+}
+
 int tool_load(const char *path, const struct tool_source *source, struct tool_built *built,
               struct sph_error *err) {
     memset(built, 0, sizeof *built);
@@ -29,8 +42,15 @@ int tool_load(const char *path, const struct tool_source *source, struct tool_bu
         if (source->option)
             return sph_fail(err, "%s: --%s is for scenes, this is a machine file", path,
                             source->option);
-        if (tool_spares(&source->outputs, path, err)) return -1;
-        return sph_machine_read(path, &built->machine, err);
+        if (tool_spares(&source->outputs, path, err) ||
+            sph_machine_read(path, &built->machine, err))
+            return -1;
+        const int32_t *r = built->machine.regs;
+        int width = r[SPH_REG_FRAME_W], height = r[SPH_REG_FRAME_H], n = source->samples;
+        if (width % n == 0 && height % n == 0) return 0;
+        sph_machine_free(&built->machine);
+        return sph_fail(err, "%s: a frame of %dx%d has no whole pixels of %d x %d samples", path,
+                        width, height, n, n);
     }
     struct sph_scene scene;
     if (tool_scene_read(path, source, &scene, err)) return -1;
@@ -40,6 +60,7 @@ int tool_load(const char *path, const struct tool_source *source, struct tool_bu
     struct sph_mip *mips = NULL;
     int rc = options.texture == SPH_OFF ? 0 : tool_mips_load(&scene, &mips, err);
     options.mips = mips;
+    if (!rc) rc = tool_frame_size(source, &scene, &options, err);
     if (!rc) rc = sph_build(&scene, &options, &built->machine, &built->report, err);
     tool_mips_free(mips, scene.n_textures);
     sph_scene_free(&scene);

@@ -23,7 +23,8 @@ enum {
     KEY_LOD_BITS,
     KEY_AT,
     KEY_SKIP,
-    KEY_ROUND
+    KEY_ROUND,
+    KEY_SAMPLES
 };
 
 static const struct argp_option options[] = {
@@ -41,6 +42,11 @@ static const struct argp_option options[] = {
     {"bg-levels", KEY_BG_LEVELS, "N", 0,
      "exact: 0 the root sphere (default), 1 its children, 2 theirs", 1},
     {"size", KEY_SIZE, "WxH", 0, "frame in pixels; as the scene says if not given", 1},
+    {"samples", KEY_SAMPLES, "N", 0,
+     "N x N rays a pixel, 1 to 16: the frame is N times as wide and high, and pictures have the "
+     "mean "
+     "of its light (1)",
+     1},
     {"depth", KEY_DEPTH, "N", 0, "reflections and refractions one after another, 0 to 5 (2)", 1},
     {"traverse", KEY_TRAVERSE, "HOW", 0,
      "primary rays find the nearest hit (default), or end at the first one, as in the paper", 1},
@@ -65,6 +71,7 @@ static const struct argp_option options[] = {
 
 #define AUTO(...) SPH_AUTO,
 const struct tool_source tool_source_default = {
+    .samples = 1,
     .build = {.profile = SPH_STANDARD,
               .tree = SPH_TREE_BALANCED,
               .background = SPH_BG_NONE,
@@ -110,6 +117,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     case KEY_SIZE:
         tool_size(state, "--size", arg, &s->build.width, &s->build.height);
         break;
+    case KEY_SAMPLES:
+        s->samples = (int)tool_number(state, "--samples", arg, 1, TOOL_SAMPLES);
+        return 0; /* for machines too */
     case KEY_DEPTH:
         s->build.max_depth = (int)tool_number(state, "--depth", arg, 0, SPH_MAX_DEPTH);
         break;

@@ -90,6 +90,7 @@ int tool_each_frame(const char *path, const struct tool_source *source,
     if (tool_scene_read(path, source, &run.rest, err)) return -1;
     if (spares(path, &run.rest, source, frames, err)) return sph_scene_free(&run.rest), -1;
     int rc = run.options.texture == SPH_OFF ? 0 : tool_mips_load(&run.rest, &run.mips, err);
+    if (!rc) rc = tool_frame_size(source, &run.rest, &run.options, err);
     if (!rc) rc = sph_bases_start(&run.bases, &run.rest, err);
     run.options.mips = run.mips;
     run.options.bases = &run.bases;

@@ -55,6 +55,8 @@ error_t tool_one_scene(const struct argp_state *state, int key, char *arg, const
 
 /* ---- from a scene to a machine ---- */
 
+enum { TOOL_SAMPLES = 16 }; /* the most */
+
 enum { TOOL_AUTO, TOOL_BVH4, TOOL_BIH, TOOL_BRUTE };
 
 struct tool_source {
@@ -62,6 +64,7 @@ struct tool_source {
     struct sph_read_options read;
     struct sph_profile profile;  /* what build.widths points to, if --profile was given */
     int accel, tree_given;       /* TOOL_AUTO ..; --tree was given */
+    int samples;                 /* across and down a pixel: the frame is as many times larger */
     const char *bih_option;      /* the last option given that is for a BIH alone */
     const char *option;          /* the last build option given, NULL if none */
     struct tool_outputs outputs; /* of the command: none may be a file that is read */
@@ -74,6 +77,11 @@ extern const struct tool_source tool_source_default;
 
 /* Is path a machine file, by its name (.sph) or its first bytes? */
 int tool_is_machine(const char *path);
+
+/* The size of the frame, in *build: the one asked for, or the scene's, times the samples. -1 with a
+ * message if that is too large. */
+int tool_frame_size(const struct tool_source *source, const struct sph_scene *scene,
+                    struct sph_build_options *build, struct sph_error *err);
 
 /* Reads the scene file at path, unless an output would overwrite it or an image of it. 0, or -1
  * with a message and nothing to free. */

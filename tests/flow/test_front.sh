@@ -27,7 +27,8 @@ for word in "no variable SCNE; is SCENE meant" "no variable scene; is SCENE mean
 done
 refuse sim SIM=questa ENGINES=9 STALL=100 LATENCY=-1 SIZE=axb DEPTH=9 JOBS=x PROFILE=draft N=0 \
     EFFECTS=shadw TREE=papre ACCEL=bhv4 BACKGROUND=rekt TRAVERSE=frist SEED=x WARM=yes TARGET=ecp \
-    MAX_PRIMS=0 AT=70000 LEVELS=3 ROOT_STEP=26 QUOTIENT_STEP=14 SCENE=pape5 WINDOW=4,4,4,8 V=2
+    MAX_PRIMS=0 AT=70000 LEVELS=3 ROOT_STEP=26 QUOTIENT_STEP=14 SCENE=pape5 WINDOW=4,4,4,8 V=2 \
+    SAMPLES=17
 for word in "SIM=questa: is none of verilator, icarus$" "ENGINES=9: is not 1 to 8$" \
     "STALL=100: is not 0 to 99$" "LATENCY=-1: is not 1 to 100000$" "JOBS=x: is not 1 to 1024$" \
     "SIZE=axb: is no size such as 640x360" "DEPTH=9: is not 0 to 5$" \
@@ -37,7 +38,8 @@ for word in "SIM=questa: is none of verilator, icarus$" "ENGINES=9: is not 1 to 
     "TARGET=ecp: .*; is ecp5 meant" "MAX_PRIMS=0: is none of 1 to 16777215, infinity" \
     "AT=70000: is not 0 to 65535" "LEVELS=3: is not 0 to 2" "ROOT_STEP=26: is not 1 to 25" \
     "QUOTIENT_STEP=14: is not 1 to 13" "SCENE=pape5: .*; is paper5 meant.* There are effects" \
-    "WINDOW=4,4,4,8: has no pixel" "V=2: "; do
+    "WINDOW=4,4,4,8: has no pixel" "V=2: " \
+    "SAMPLES=17: is not 1 to 16$"; do
     check "... $word" says "$word"
 done
 refuse sim ENGINES=two SIZE=16x9 WINDOW=0,0,17,9 PROFILE=standart SCENE=foo STALL= ROOT_STEP=0
@@ -94,13 +96,13 @@ check "N is the size of an icosphere" same_scene icosphere:3 icosphere --size 3
 other='SCENE=paper5 PROFILE=draft SIZE=8x8 TREE=paper ACCEL=bih MAX_PRIMS=2 MAX_TREE_DEPTH=3 DEPTH=1
     BACKGROUND=rect TRAVERSE=first LEVELS=1 AT=1 BUILD_MORE=--inside=off EFFECTS=all ENGINES=2
     ROOT_STEP=1 QUOTIENT_STEP=1 SEED=2 LATENCY=3 STALL=4 SIM=icarus WINDOW=0,0,1,1 WARM=1 WAVES=1
-    JOBS=3'
+    JOBS=3 SAMPLES=2'
 same='TARGET FLAT RESULTS KINDS PROVE ONLY CORE EFFECT MUTANT N STATE OPT V B CC
     CFLAGS CXX CXXFLAGS'
 for word in '' $other; do
     plain_make sim-folder JOBS=2 $word
 done >"$TMP/folders" 2>&1
-check "each of them has another folder" [ "$(sort -u "$TMP/folders" | grep -c '^build/out/')" = 26 ]
+check "each of them has another folder" [ "$(sort -u "$TMP/folders" | grep -c '^build/out/')" = 27 ]
 for word in $other $same; do echo "${word%%=*}"; done | sort >"$TMP/mine"
 sed -n 's/^## \([A-Z_][A-Z_]*\) .*/\1/p' make/variables.mk | sort >"$TMP/rules"
 check "every variable is one of them, or shapes no run" diff "$TMP/mine" "$TMP/rules"
@@ -158,6 +160,12 @@ refused=0
 harness --window 0,0,7,4 >"$TMP/text" 2>"$TMP/err" || refused=$?
 check "a window outside the scene's own size is refused before a core is built" \
     says "the window is empty or not inside the frame"
+check "four samples a pixel" from_elsewhere sim SCENE="b/my scene's.nff" SIM=icarus SIZE=6x4 \
+    SAMPLES=2 WINDOW=1,1,5,3
+check "... of twice the window" grep -q "32 pixels, 0 mismatches" "$BUILD/out/last/log"
+check "... are the mean of the core's light" sh -c "cd '$BUILD/out/last' &&
+    oiiotool rtl.png model.png --absdiff --printstats | grep 'Stats Max: 0.0* 0.0* 0.0*' &&
+    oiiotool --info rtl.png | grep '6 x  *4,'"
 
 # ---- two calls at the same time: a compiler that takes its time never sees half a file ----
 cat >"$TMP/slow" <<'END'

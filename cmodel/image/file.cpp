@@ -1,0 +1,67 @@
+/* file.cpp - see file.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "image/file.h"
+
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <strings.h>
+
+#include <OpenImageIO/filesystem.h>
+
+#include "common/output.h"
+
+namespace {
+
+/* Endings of names and what OpenImageIO calls their formats. */
+const struct {
+    const char *ending, *format;
+} formats[] = {{"png", "png"}, {"tif", "tiff"},  {"tiff", "tiff"},  {"ppm", "pnm"},
+               {"bmp", "bmp"}, {"tga", "targa"}, {"exr", "openexr"}};
+
+} // namespace
+
+const char *const sph_picture::no_time = "1970:01:01 00:00:00";
+
+int sph_picture::write_file(const char *path, const char *format, const OIIO::ImageSpec &spec,
+                            const void *pixels, struct sph_error *err) {
+    std::unique_ptr<OIIO::ImageOutput> image = OIIO::ImageOutput::create(format);
+    if (!image)
+        return sph_fail(err, "%s: OpenImageIO writes no %s: %s", path, format,
+                        OIIO::geterror().c_str());
+    OIIO::Filesystem::IOVecOutput memory;
+    bool good = image->set_ioproxy(&memory) && image->open(path, spec) &&
+                image->write_image(OIIO::TypeUnknown, pixels) && image->close();
+    if (!good) return sph_fail(err, "%s: %s", path, image->geterror().c_str());
+    struct sph_output out;
+    if (sph_output_open(&out, path, err)) return -1;
+    const std::vector<unsigned char> &bytes = memory.buffer();
+    std::fwrite(bytes.data(), 1, bytes.size(), out.file);
+    return sph_output_close(&out, 0, err);
+}
+
+int sph_picture::write_bytes(const char *path, int width, int height,
+                             const std::vector<std::uint8_t> &bytes, const char *space,
+                             struct sph_error *err) {
+    const char *format = sph_image_format(path, err);
+    if (!format) return -1;
+    OIIO::ImageSpec spec(width, height, 3, OIIO::TypeUInt8);
+    if (space && !std::strcmp(format, "png")) spec.attribute("oiio:ColorSpace", space);
+    if (!std::strcmp(format, "tiff")) spec.attribute("DateTime", no_time);
+    return write_file(path, format, spec, bytes.data(), err);
+}
+
+const char *sph_image_format(const char *path, struct sph_error *err) {
+    const char *slash = std::strrchr(path, '/'), *name = slash ? slash + 1 : path;
+    const char *dot = *name ? std::strrchr(name + 1, '.') : nullptr; /* .. is a folder */
+    if (!dot) return formats[0].format;
+    std::string endings;
+    for (const auto &f : formats) {
+        if (!strcasecmp(dot + 1, f.ending)) return f.format;
+        endings += std::string(endings.empty() ? "" : ", ") + f.ending;
+    }
+    sph_fail(err, "%s: no picture is written as %s; endings are %s", path, dot, endings.c_str());
+    return nullptr;
+}

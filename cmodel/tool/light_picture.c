@@ -1,0 +1,27 @@
+/* light_picture.c - see light_picture.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "tool/light_picture.h"
+
+#include "image/image.h"
+#include "tool/depth_picture.h"
+
+static int write(const struct light_pictures *how, int samples, const struct sph_frame *frame,
+                 const struct sph_trail *trails, struct sph_error *err) {
+    struct sph_linear light = {0};
+    int rc = sph_linear_of(frame, trails, how->layer, samples, &light, err);
+    if (!rc && how->picture) rc = sph_linear_write(how->picture, &light, how->transfer, err);
+    if (!rc && how->exr) rc = sph_linear_write_exr(how->exr, &light, frame, err);
+    sph_linear_free(&light);
+    return rc;
+}
+
+int light_picture(const struct light_pictures *how, int samples, const struct sph_frame *frame,
+                  const struct sph_trail *trails, struct sph_error *err) {
+    struct sph_frame painted;
+    if (!how->depths) return write(how, samples, frame, trails, err);
+    if (depth_picture(frame, trails, &painted)) return sph_fail(err, "no memory for depths");
+    int rc = write(how, samples, &painted, NULL, err);
+    sph_frame_free(&painted);
+    return rc;
+}

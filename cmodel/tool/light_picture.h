@@ -1,0 +1,22 @@
+/* light_picture.h - the pictures that people look at, of a frame
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef SPH_TOOL_LIGHT_PICTURE_H
+#define SPH_TOOL_LIGHT_PICTURE_H
+
+#include "common/error.h"
+#include "core/frame.h"
+#include "core/trail.h"
+
+struct light_pictures {
+    const char *picture, *exr; /* files, NULL: none */
+    int layer, transfer;       /* of the frame's colours; SPH_TRANSFER_*, of picture */
+    int depths;                /* 1: false colours, how many surfaces made the pixel */
+};
+
+/* Writes them, of samples x samples of the frame's pixels each. trails: as many as pixels. 0, or -1
+ * with a message. */
+int light_picture(const struct light_pictures *how, int samples, const struct sph_frame *frame,
+                  const struct sph_trail *trails, struct sph_error *err);
+
+#endif
