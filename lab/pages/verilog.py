@@ -1,8 +1,8 @@
 # verilog.py - parameters and ports of the modules, with their comments
 # SPDX-License-Identifier: Apache-2.0
 """A header is `module NAME #( parameters ) ( ports );`, a parameter or port on a line, a comment
-behind it. A comment on a line of its own is the heading of what follows; one that is indented as
-far as the comments is the rest of the comment above it."""
+behind it. A comment on lines of its own is the heading of what follows; one that is indented as far
+as the comments is the rest of the comment above it."""
 import re
 from collections import namedtuple
 from pathlib import Path
@@ -61,7 +61,7 @@ def bits(span, macros):
 
 def header(path, macros):
     """(parameters, ports) of the module of a file, in their order."""
-    lists, into, heading, column = ([], []), None, "", 0
+    lists, into, heading, column, above = ([], []), None, "", 0, False
     for number, line in enumerate(Path(path).read_text().splitlines(), 1):
         code, _, comment = (part.strip() for part in line.partition("//"))
         if into is None:
@@ -76,7 +76,8 @@ def header(path, macros):
             last = lists[into].pop()
             lists[into].append(last._replace(comment=f"{last.comment} {comment}"))
         elif not code and comment:
-            heading = comment
+            heading, above = f"{heading} {comment}" if above else comment, True
+            continue
         elif code and not code.startswith("`"):
             match = (PARAMETER, PORT)[into].match(code)
             if not match:
@@ -89,4 +90,5 @@ def header(path, macros):
                 size = "s" + (size if re.fullmatch(r"\w+", size) else f"({size})")
             comment = re.sub(r"`(\w+)", lambda m: macros.get(m[1], m[0]), comment)
             lists[into].append(Item(group["name"], size, value, comment, heading))
+        above = False
     raise Bad(f"{path}: no module header that ends with `);`")

@@ -23,9 +23,9 @@ module rt_cosine #(
     output wire                     out_valid_o,   // one cycle
     output wire [$clog2(SLOTS)-1:0] out_slot_o,
     output wire [15:0]              out_cosine_o,  // u1.15; 0: faces away
-    output wire                     shadow_go_o,   // token: its shadow ray starts,
-    output wire                     lamp_valid_o,  // or the light is settled,
-    output wire                     lamp_lit_o     // and shines
+    output wire                     shadow_go_o,   // token: its shadow ray starts
+    output wire                     lamp_valid_o,  // instead: the light is settled
+    output wire                     lamp_lit_o     // and it shines
 );
     localparam SLOTW = $clog2(SLOTS);
     wire [53:0] normal;

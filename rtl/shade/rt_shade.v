@@ -41,8 +41,8 @@ module rt_shade #(
     input  wire [`RT_LIGHT_BITS-1:0]  light_i,         // a light is written
     // from rt_setup
     input  wire [`RT_RAY_BITS-1:0]    ray_i,
-    input  wire                       next_light_i,    // ray_i has LIGHT in the next clock,
-    input  wire [$clog2(SLOTS)-1:0]   next_slot_i,     // and this slot
+    input  wire                       next_light_i,    // ray_i has LIGHT in the next clock
+    input  wire [$clog2(SLOTS)-1:0]   next_slot_i,     // of this slot
     // from rt_slots: what rays hit; to it: a surface is blended, a pixel is complete
     input  wire [`RT_HIT_BITS-1:0]    hit_i,
     output wire [`RT_BLEND_BITS-1:0]  blend_o,

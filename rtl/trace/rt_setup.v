@@ -1,8 +1,7 @@
 // rt_setup.v - ray set-up: unit vectors, origin, depth scale
 // SPDX-License-Identifier: Apache-2.0
 // Takes vectors from four sources (surface normals first, primary rays last), makes each a unit
-// vector, and from that all a ray carries. One vector a cycle, a light every second cycle; where
-// only primary rays come, one every second cycle.
+// vector, and from that all a ray carries. One vector a cycle, a light every second cycle.
 // Model: sph_ray_setup() in cmodel/trace/setup.c
 `default_nettype none
 `include "rt_layout.vh"
@@ -33,8 +32,8 @@ module rt_setup #(
     // a ray, normal or light, to everyone who keeps a part of it
     output wire [`RT_RAY_BITS-1:0]    ray_o,
     output wire [`RT_FILTER_BITS-1:0] filter_o,
-    output wire                       next_light_o,   // ray_o has LIGHT in the next clock,
-    output wire [$clog2(SLOTS)-1:0]   next_slot_o     // and this slot
+    output wire                       next_light_o,   // ray_o has LIGHT in the next clock
+    output wire [$clog2(SLOTS)-1:0]   next_slot_o     // of this slot
 );
     localparam SLOTW = $clog2(SLOTS);
     localparam PRIMARY = 2'd0, LIGHT = 2'd1, BOUNCE = 2'd2, NORMAL = 2'd3;
