@@ -1,7 +1,7 @@
 // rt_engine.v - SLOTS pixels under way: set-up, traversal, exact tests, shading, slots
 // SPDX-License-Identifier: Apache-2.0
-// It only wires five groups together; each bundle that they exchange has one source. One token per
-// slot travels the ring drawn in docs/blocks/engine.md.
+// It only wires five groups together, as drawn in docs/blocks/engine.md; each bundle that they
+// exchange has one source.
 // Model: sph_render_pixel() in cmodel/engine/render_pixel.c, SLOTS pixels at once
 `default_nettype none
 `include "rt_check.vh"
