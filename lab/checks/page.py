@@ -7,6 +7,7 @@ import sys
 import xml.dom.minidom
 from pathlib import Path
 
+from ..pages import markdown
 from ..study import gather, jobs, points
 
 folder = sys.argv[1]
@@ -21,8 +22,9 @@ def page_of():
     shutil.copy("docs/results/accuracy.md", page)
     ran = subprocess.run([sys.executable, "-m", "lab.study.page", page, results, folder + "/plots"],
                          check=True, stdout=subprocess.PIPE, text=True)
-    with open(page, encoding="utf-8") as f:
-        found = [[c.strip() for c in line.split("|")[1:-1]] for line in f if line.startswith("| ")]
+    text = markdown.REGION.sub("", Path(page).read_text(encoding="utf-8"))  # of the real results
+    found = [[c.strip() for c in line.split("|")[1:-1]] for line in text.splitlines()
+             if line.startswith("| ")]
     for path in sorted(beside.glob("*.tsv")):
         found += [line.split("\t") for line in path.read_text(encoding="utf-8").splitlines()]
     return ran.stdout, found

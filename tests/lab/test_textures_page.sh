@@ -50,7 +50,7 @@ echo '{"cold": {"counters": {"cycles": 100000, "texels": 1000, "texel_misses": 2
 check "with some results" fill
 check "levels of the robot" has '^\|  +\| ours +\| +[0-9]+ \| +[0-9.]+ \|' "$page"
 check "kept decisions are one addition and one logarithm" \
-    has '^\| path length, P_b kept +(\| +1, 0, 0, 0, 1 ){3}\|' "$page"
+    file page.decisions '^path length, P_b kept(;1, 0, 0, 0, 1){3}$'
 check "frame 1 keeps bases" file page.bases '^robot;frame 1;81;289;'
 check "hits of the core" file page.caches '^robot;bilinear, nearest level;[0-9]+;.*;75.0;98.6$'
 check "frames a second" file page.speed '^robot;bilinear, nearest level;100000;.*297.6;677.0;'
