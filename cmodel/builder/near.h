@@ -1,8 +1,15 @@
 /* near.h - do spheres come so near each other that a rounded hit point may lie in another one?
  * SPDX-License-Identifier: Apache-2.0
  *
- * The bound and its proof: docs/model/build.md. All of it is exact integers; error bounds are in
+ * The bound E and its proof: docs/model/build.md. All of it is exact integers; error bounds are in
  * units of 2^-(NG+1) grid units, the step of the last rounding but one.
+ *
+ * Without INSIDE the leaf test refuses spheres with k >= 0 (the origin is in or on them) and the
+ * ray's own; with it the own sphere counts only for a ray that started in it. So only an origin in
+ * or on a sphere that the ray did not come from tells them apart. Let the eye be in none, and let
+ * all gaps |ci - cj| - ri - rj exceed E. By induction the ray before hit sphere i from outside; the
+ * next starts at most ri + E from ci, hence more than rj from every other cj: k < 0. The probe of
+ * INTERPENETRATE finds no sphere around its origin but its own, so no pixel is repeated.
  */
 #ifndef SPH_NEAR_H
 #define SPH_NEAR_H

@@ -19,8 +19,9 @@ void sph_ray_setup(const struct sph_profile *p, struct sph_ray *ray) {
     ray->axis = mag[0] >= mag[1] && mag[0] >= mag[2] ? 0 : mag[1] >= mag[2] ? 1 : 2;
     ray->negative = ray->unit.u[ray->axis] < 0;
 
-    /* depth = key * |d_axis| / a / 2^k, and |d_axis|/|d| <= (|u|+1/2) * rsqrt/y. The added terms
-     * cover the unit's rounding and twice the table's error (docs/model/number_formats.md). */
+    /* D = key * |d| / (a * 2^k), d along the axis. 1/|dir| <= (y+6) 2^(h-WD-16) and
+     * |d| * 2^h * y <= (|u|+1/2) 2^WD, so D <= key (|u|+1/2) (y+6)^2/y * 2^(h-WD-32-k), and
+     * (y+6)^2/y <= y + 13 for y >= 2^16: scale >= (|u|+1/2) (y+13) / 2^17, u1.15. */
     uint64_t y = (ray->unit.y >> 1) + SPH_RSQRT_ERROR + 2;
     ray->depth_scale = (uint32_t)((mag[ray->axis] + 1) * y >> 16) + 1;
     ray->depth_shift = 30 - p->fw - ray->unit.h;
@@ -34,7 +35,7 @@ void sph_ray_setup(const struct sph_profile *p, struct sph_ray *ray) {
 int32_t sph_ray_depth(const struct sph_profile *p, const struct sph_ray *ray, uint64_t key) {
     int32_t limit = sph_depth_limit(p);
     if (ray->depth_shift < 0) return limit;
-    uint64_t top = (key >> (p->w + p->wd - 15)) + 1; /* u17 of the key's W+WD+2 bits */
+    uint64_t top = (key >> (p->w + p->wd - 15)) + 1; /* u17, above the key's top bits */
     uint64_t depth = (top * ray->depth_scale >> ray->depth_shift) + 1;
     return depth < (uint64_t)limit ? (int32_t)depth : limit;
 }

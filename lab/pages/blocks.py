@@ -49,22 +49,23 @@ def _rows(items, value):
 
 
 def parameters(module):
-    """Those that no table of effects() has already."""
+    """Those that effects() of machine.py has not."""
     told = {row[1] for row in machine.parts()}
     items = [item for item in _read(module)[0] if item.name not in told]
-    return markdown.table(["parameter", "default", "meaning"],
-                          [list(row) for row in _rows(items, lambda item: item.default)])
+    return markdown.entries((f"{names} = {default}", meaning) for names, default, meaning
+                            in _rows(items, lambda item: item.default))
 
 
 def ports(module):
-    """Headings of the source are rows of their own; clock and reset are left out."""
+    """A list for each heading of the source: names, bits, meaning; without clock and reset."""
     items = [item for item in _read(module)[1] if item.name not in EVERYWHERE]
-    rows = []
+    told = []
     for heading, group in groupby(items, lambda item: item.heading):
+        told.append(markdown.entries((names, bits + f" ({meaning})" * bool(meaning))
+                                     for names, bits, meaning in _rows(group, lambda i: i.bits)))
         if heading:
-            rows.append([f"*{heading}*", "", ""])
-        rows += [list(row) for row in _rows(group, lambda i: i.bits)]
-    return markdown.table([f"port of `{module}`", "bits", "meaning"], rows)
+            told[-1] = f"*{heading}*\n\n{told[-1]}"
+    return "\n\n".join(told)
 
 
 def _worth(item):

@@ -1,4 +1,4 @@
-# machine.py - what cmodel/machine/machine.def defines, as tables
+# machine.py - what cmodel/machine/machine.def defines, as tables and lists
 # SPDX-License-Identifier: Apache-2.0
 import subprocess
 from pathlib import Path
@@ -24,17 +24,16 @@ def constants():
 
 
 def registers():
-    """Those without a meaning share the row above them."""
+    """Those without a meaning, and those with the same one, share an entry."""
     merged = []
     for number, name, *meaning in rows("reg"):
-        if meaning or not merged:
-            merged.append([number, number, f"`{name}`", " ".join(meaning)])
-        else:
+        if merged and meaning in ([], merged[-1][3]):
             merged[-1][1] = number
-            merged[-1][2] += f", `{name}`"
-    return markdown.table(["number", "name", "meaning"],
-                          [[first if first == last else f"{first} .. {last}", name, meaning]
-                           for first, last, name, meaning in merged])
+            merged[-1][2] += f"`, `{name}"
+        else:
+            merged.append([number, number, name, meaning])
+    return markdown.entries((f"{first}{f'..{last}' * (first != last)} `{name}`", " ".join(meaning))
+                            for first, last, name, meaning in merged)
 
 
 def parts():
@@ -45,27 +44,27 @@ def parts():
 
 
 def effects():
-    """What a core can do, and the bit of EFFECTS by which a machine asks for it."""
-    def words(text):
-        return text.replace(",", ", ")
-    return markdown.table(["word", "parameter", "values", "in `all`", "bit", "what it is", "needs",
-                           "goes without"],
-                          [[f"`{word}`", f"`{core}`", "0, 1" if most == "1" else f"0 .. {most}",
-                            whole, bit, about, words(needs), words(excludes)]
-                           for word, core, bit, most, whole, needs, excludes, about in parts()])
+    """Word, parameter with its default and range, the bit of EFFECTS by which a machine asks."""
+    def told(about, needs, excludes):
+        words = [f"needs {needs}"] * bool(needs) + [f"goes without {excludes}"] * bool(excludes)
+        return "; ".join([about] + [text.replace(",", ", ") for text in words])
+
+    def name(word, core, bit, most, whole):
+        asked = f", bit {bit}" * bool(bit)
+        return f"`{word}`, `{core}` = {whole} (0..{most}{asked})"
+    return markdown.entries((name(word, core, bit, most, whole), told(about, needs, excludes))
+                            for word, core, bit, most, whole, needs, excludes, about in parts())
 
 
 def counters():
-    """A star behind the name: counted by the RTL alone."""
-    return markdown.table(["number", "name", "counts"],
-                          [[number, f"`{name}`" + " \\*" * (where == "rtl"), " ".join(words)]
-                           for number, name, where, *words in rows("counter")])
+    """A star behind the number: counted by the RTL alone."""
+    return markdown.entries((number + "\\*" * (where == "rtl") + f" `{name}`", " ".join(words))
+                            for number, name, where, *words in rows("counter"))
 
 
 def errors():
-    return markdown.table(["bit", "name", "when"],
-                          [[bit, f"`{name}`", " ".join(words)] for bit, name, *words
-                           in rows("error")])
+    return markdown.entries((f"{bit} `{name}`", " ".join(words))
+                            for bit, name, *words in rows("error"))
 
 
 def profiles():

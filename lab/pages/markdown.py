@@ -3,6 +3,7 @@
 """A region is what stands between `<!-- begin: NAME -->` and `<!-- end -->`: lines, if the marks
 stand on lines of their own, else words within a line."""
 import re
+import textwrap
 
 REGION = re.compile(r"(<!-- begin: ([^\n]*?) -->)(\n?)(.*?)(<!-- end -->)", re.S)
 
@@ -13,6 +14,13 @@ def table(head, rows):
              for row in [head] + rows]
     lines.insert(1, "|" + "---|" * len(head))
     return "\n".join(lines).replace("|  |", "| |").replace("|  |", "| |")
+
+
+def entries(rows):
+    """A list of (name, meaning), wrapped as the text around it."""
+    return "\n".join(textwrap.fill(f"- {name}: {meaning}", 100, subsequent_indent="  ",
+                                   break_long_words=False, break_on_hyphens=False)
+                     for name, meaning in rows)
 
 
 def names(text):

@@ -21,18 +21,19 @@ stale() { # file, sed expression, what the check prints
 }
 core=$(find rtl -name rt_core.v) def=$(find cmodel -name machine.def)
 profile=$(find cmodel -name profile.c)
-check "a default" stale $core 's/SLOTS      = 64/SLOTS      = 32/' '^+| `SLOTS` | 32 |'
-check "a port" stale $core 's/\[47:0\]       count_data_o/[39:0] count_data_o/' 'count_data_o` | 40'
+check "a default" stale $core 's/SLOTS      = 64/SLOTS      = 32/' '^+- `SLOTS` = 32: '
+check "a port" stale $core 's/\[47:0\]       count_data_o/[39:0] count_data_o/' 'count_data_o`: 40'
 heading=$(find rtl -name rt_texture.v)
 check "a heading of two lines" stale $heading 's|^ *// then hit point|    // and hit point|' \
     'from rt_surface: material, and hit point'
 leaf=$(find rtl -name rt_leaf.v)
 check "a model" stale $leaf 's/Model: sph_leaf_test()/Model: sph_leaf_key_bits()/' \
     '^+- Model: `sph_leaf_key_bits()`'
-check "a register" stale $def 's/^reg    98 /reg    103 /' '^+| 103 | `BG_COUNT`'
+check "a register" stale $def 's/^reg    98 /reg    103 /' '^+- 103 `BG_COUNT`'
 check "an effect" stale $def 's/^effect sum .*/&\neffect haze bit=10 : fog/' \
-    '^+| `haze` | `HAZE` | 0, 1 | 1 | 10 | fog'
-check "a counter" stale $def 's/^counter 21 POWERS  *both/counter 21 POWERS rtl/' '21 | `POWERS`'
+    '^+- `haze`, `HAZE` = 1 (0..1, bit 10): fog'
+check "a counter" stale $def 's/^counter 21 POWERS  *both/counter 21 POWERS rtl/' \
+    '^+- 21.. `POWERS`'
 page=$(find docs -name core.md)
 broken() { # sed expression, what is said
     cp "$page" kept
