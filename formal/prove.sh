@@ -55,7 +55,7 @@ reach() { # abc's pdr looks for the invariant itself; memories become flip-flops
     for f in $4; do sources="$sources rtl/$f"; done
     for f in $5; do sources="$sources rtl/memory/rt_$f.v"; done
     for p in $3; do sets="$sets -set ${p%%=*} ${p#*=}"; done
-    $NICE yosys -q -p "read_verilog $sources formal/$2.v; ${sets:+chparam $sets $2;}
+    $NICE yosys -q -p "read_verilog -Irtl/core $sources formal/$2.v; ${sets:+chparam $sets $2;}
         hierarchy -check -top $2; proc; flatten; opt; memory; opt -full; techmap; opt; dffunmap;
         setundef -undriven -anyseq; abc -g AND -fast; opt_clean; write_aiger -zinit $out.aig" \
         >"$out.log" 2>&1 || { verdict=error; return; }
