@@ -41,7 +41,10 @@ int sph_profile_check(const struct sph_profile *p, struct sph_error *err);
 uint32_t sph_profile_pack(const struct sph_profile *p);
 struct sph_profile sph_profile_unpack(uint32_t packed);
 
-/* Least screen distance of primary rays: hit points of no shorter ray need t * dir shifted left. */
+/* D, the least screen distance of primary rays, hence the least |dir| of a ray whose point is
+ * needed: a mirror ray has a component of WD-1 bits, 2^(WD-2) >= D. So
+ * t < (sqrt(3) + 1) 2^W / D < 2^(W+1.45) / D, and since mant >= 2^(PQ-2),
+ * 2^exp = mant / t > 2^(NG-0.45): exp >= NG, t * dir is shifted right only. */
 int64_t sph_min_screen(const struct sph_profile *p);
 
 #endif

@@ -31,8 +31,11 @@ struct sph_leaf_result {
  * ray->inside the ray's own sphere and every sphere with k >= 0 miss. */
 struct sph_leaf_result sph_leaf_test(const struct sph_ray *ray, const struct sph_leaf *leaf);
 
-/* ceil(a*t) of a hit, u(W+WD+2), at least 1. Orders the hits of one ray; *root counts square
+/* ceil(a*t) of a hit, u(W+WD+2), at least 1. Orders the hits of one ray; *roots counts square
  * roots. Of the root the pr most significant bits count, 0: all; then b -+ root, at least 1.
+ * Cut roots make near keys grow and far keys shrink, so the nearest of two hits may be another one,
+ * but with any tree the same: a sphere that is pruned lies behind the best key, its own key is no
+ * smaller if near, and a ray that starts in it is never pruned from it.
  * RTL: rtl/prim/rt_root_pool.v */
 uint64_t sph_leaf_key_bits(const struct sph_leaf_result *r, int pr, uint64_t *roots);
 

@@ -16,7 +16,14 @@
 
 /* Refracts ray->dir at the surface; ray and surface as set up, WD at most SPH_REFRACT_WD. from, to:
  * index of refraction on either side, thousandths, 250..4000. 1 with the direction in out, s(WD);
- * 0 if all is reflected. */
+ * 0 if all is reflected.
+ *
+ * Against the exact T of the same d, n and index the cut root is off by
+ * T' - T = (sqrt(X) - root) n, less than 2^s |n| long with s = WD-W+12, and |T| = q |d| N. So the
+ * angle is less than 2^s / (q |d||n|) <= 2^(s+2-2WD) / 250 = 2^(14-W-WD) / 250. PR bits of the root
+ * lose less than 2^(1-PR) of it, and sqrt(X) <= q |d||n|: less than 2^(1-PR) more. Rounding to WD
+ * bits moves each component by less than 1/2, of a vector of at least 2^(WD-2), or, if the largest
+ * is limited, that one by less than 1, of at least 2^(WD-1) - 1: sqrt(3)/2 * 2^(2-WD). */
 int sph_refract(const struct sph_profile *p, const struct sph_ray *ray, const struct sph_surface *s,
                 uint32_t from, uint32_t to, int64_t out[3]);
 
