@@ -2,8 +2,20 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * t = num/det is never formed: with N = e1 x e2 (plane: its normal), det = N.dir and num = N.A0,
- * A0 = v0 - org, all is decided by signs of exact integers. Widths and why no ray slips between two
- * triangles: docs/model/facet.md.
+ * A0 = v0 - org, all is decided by signs of exact integers. Why no ray slips between two triangles:
+ * docs/model/facet.md. The widths there, with S = 2^W - 1, D = 2^(WD-1), n = 2^23, hold because
+ *
+ * N      |N_i| is twice the area of the triangle's shadow in a square of side S: at most S^2.
+ * det    |N.dir| <= D (|N_x| + |N_y| + |N_z|) <= 3 S^2 D < 2^(2W+WD+1). Ui is the same for the
+ *        triangle of org and two corners, which lies in the box too.
+ * num    N.A0 is six times the volume of a tetrahedron in a cube of side S. The volume is linear in
+ *        each corner, so it is largest with all four at corners of the cube: 2 S^3 < 2^(3W+1). For
+ *        a plane 3 n S < 2^(W+25) <= 2^(3W+1).
+ * a num' a <= 3 D^2: at most 6 S^3 D^2 = 1.5 * 2^(2WD) S^3 < 2^(3W+2WD+1); for a plane
+ *        9 n S D^2 < 9 * 2^(W+2WD+21) < 2^(W+2WD+25).
+ * key    The point lies in the box: |t dir_i| <= S for each i, so a*t = sum of dir_i * (t dir_i) is
+ *        at most 3 S D < 2^(W+WD+1), a whole number, and the ceiling too.
+ * box    det' <= 3 n D and |face - org_i| <= S; num' <= 3 n S and |dir_i| <= D.
  */
 #ifndef SPH_FACET_H
 #define SPH_FACET_H
