@@ -3,7 +3,14 @@
  *
  * t = num/det is never formed: with N = e1 x e2 (plane: its normal), det = N.dir and num = N.A0,
  * A0 = v0 - org, all is decided by signs of exact integers. Why no ray slips between two triangles:
- * docs/model/facet.md. The widths there, with S = 2^W - 1, D = 2^(WD-1), n = 2^23, hold because
+ * docs/model/facet.md. With Aj = vj - org, A1 = A0 + e1 and A2 = A0 + e2,
+ *
+ *     U2 = dir.(A0 x A1) = dir.(A0 x e1) =  (dir x A0).e1
+ *     U1 = dir.(A2 x A0) = dir.(e2 x A0) = -(dir x A0).e2
+ *     U0 = dir.(A1 x A2)       U0 + U1 + U2 = dir.(e1 x e2) = det
+ *
+ * so Ui is six times the signed volume of org, org+dir and the edge opposite corner i. The widths
+ * of that page hold, with S = 2^W - 1, D = 2^(WD-1), n = 2^23, because
  *
  * N      |N_i| is twice the area of the triangle's shadow in a square of side S: at most S^2.
  * det    |N.dir| <= D (|N_x| + |N_y| + |N_z|) <= 3 S^2 D < 2^(2W+WD+1). Ui is the same for the

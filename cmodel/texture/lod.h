@@ -20,8 +20,10 @@ static inline int sph_path_bits(const struct sph_profile *p) {
     return p->w + 8;
 }
 
-/* path + |t*dir| of a hit of the ray that was set up, u(W+4).4, limited to all ones. The length is
- * key / |dir|, with 1/|dir| from the ray's unit vector: no root, no quotient. */
+/* path + |t*dir| of a hit of the ray that was set up, u(W+4).4, limited to all ones: six segments
+ * on the diagonal of the grid are less than 2^(W+4). t = key/a, so the length is key / |dir|, and
+ * the unit vector has 1/|dir| = y * 2^(h-WD-16), from below within 6 units of y >= 2^16: no root,
+ * no quotient, at most 9.2e-5 of itself too short. */
 uint64_t sph_path_add(const struct sph_profile *p, const struct sph_ray *ray, uint64_t key,
                       uint64_t path);
 
