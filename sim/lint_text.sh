@@ -29,6 +29,13 @@ report() { # title, findings
         FNR == 1 { from = 0 }
         /^int main\(/ { from = FNR }
         from && /^}/ { if (FNR - from >= 60) print FILENAME ":" from; from = 0 }' {} +)"
+    kinds=$(awk '$1 == "kind" { printf "%s|", $3 }' cmodel/machine/machine.def)facet
+    report "a kind of primitive outside of rtl/prim" "$(find rtl -name '*.v' ! -path 'rtl/prim/*' \
+        -exec awk -v kinds="$kinds" '
+        { code = $0; sub("//.*", "", code); names = FILENAME ~ "^rtl/texture/" ? "" : kinds }
+        code ~ "`RT_(" toupper(kinds) "_KIND|FACET_MORE|PRIM_KIND)([^A-Z]|$)" ||
+            names && code ~ "(^|[^A-Za-z])(" kinds ")([^A-Za-z]|$)" {
+                print FILENAME ":" FNR ":" $0 }' {} +)"
     report "a test, bench or page outside of its folder" "$(ls tests/test_* tb/tb_* docs/*.md \
         2>/dev/null | grep -v '^docs/index.md$')"
 }

@@ -250,6 +250,7 @@ module rt_core #(
             wire [`RT_EVENT_BITS-1:0]       event_e;
             wire [`RT_TRACE_EVENT_BITS-1:0] trace = event_e[`RT_EVENT_TRACE];
             wire [`RT_EXACT_EVENT_BITS-1:0] exact = event_e[`RT_EVENT_EXACT];
+            wire [`RT_PRIM_EVENT_BITS-1:0]  prim  = exact[`RT_EXACT_EVENT_PRIM];
             wire [`RT_SHADE_EVENT_BITS-1:0] shade = event_e[`RT_EVENT_SHADE];
             wire [`RT_PIXEL_BITS-1:0]       pix;
             reg  [EW-1:0]                   add_e;
@@ -287,16 +288,16 @@ module rt_core #(
                 add_e[8*`RT_COUNT_RAYS_REFLECTED]  = shade[`RT_SHADE_EVENT_REFLECTED];
                 add_e[8*`RT_COUNT_NODE_VISITS]     = trace[`RT_TRACE_EVENT_VISIT];
                 add_e[8*`RT_COUNT_CHILD_TESTS +: 3] = trace[`RT_TRACE_EVENT_TESTS];
-                add_e[8*`RT_COUNT_LEAF_TESTS]      = exact[`RT_EXACT_EVENT_LEAF];
-                add_e[8*`RT_COUNT_ROOTS]           = exact[`RT_EXACT_EVENT_ROOT];
+                add_e[8*`RT_COUNT_LEAF_TESTS]      = prim[`RT_PRIM_EVENT_LEAF];
+                add_e[8*`RT_COUNT_ROOTS]           = prim[`RT_PRIM_EVENT_ROOT];
                 add_e[8*`RT_COUNT_QUOTIENTS]       = shade[`RT_SHADE_EVENT_QUOTIENT];
                 add_e[8*`RT_COUNT_SATURATIONS]     = shade[`RT_SHADE_EVENT_SATURATED];
                 add_e[8*`RT_COUNT_NODE_MISSES]     = trace[`RT_TRACE_EVENT_MISS];
                 add_e[8*`RT_COUNT_LEAF_MISSES]     = exact[`RT_EXACT_EVENT_MISS];
                 add_e[8*`RT_COUNT_POP_BUBBLES]     = trace[`RT_TRACE_EVENT_BUBBLE];
                 if (FACETS != 0) begin
-                    add_e[8*`RT_COUNT_FACET_TESTS] = exact[`RT_EXACT_EVENT_FACET];
-                    add_e[8*`RT_COUNT_DIVISIONS]   = exact[`RT_EXACT_EVENT_DIVIDE];
+                    add_e[8*`RT_COUNT_FACET_TESTS] = prim[`RT_PRIM_EVENT_FACET];
+                    add_e[8*`RT_COUNT_DIVISIONS]   = prim[`RT_PRIM_EVENT_DIVIDE];
                 end
                 if (TEXTURE != 0) begin
                     add_e[8*`RT_COUNT_TEXELS]      = shade[`RT_SHADE_EVENT_TEXEL];
@@ -307,7 +308,7 @@ module rt_core #(
                 if (SPECULAR != 0)
                     add_e[8*`RT_COUNT_POWERS]      = shade[`RT_SHADE_EVENT_POWER];
             end
-            wire unused_e = &{1'b0, exact, shade, pix};
+            wire unused_e = &{1'b0, exact, prim, shade, pix};
             assign events[EW*e +: EW] = add_e;
         end
     endgenerate

@@ -56,6 +56,16 @@
 `define RT_VISIT_LEAF $clog2(SLOTS)+1 +: 4
 `define RT_VISIT_LINE $clog2(SLOTS)+5 +: `RT_LINE_BITS
 `define RT_VISIT_BITS ($clog2(SLOTS)+`RT_LINE_BITS+5)
+`define RT_TEST_SLOT 0 +: $clog2(SLOTS)
+`define RT_TEST_SHADOW $clog2(SLOTS) +: 1
+`define RT_TEST_INSIDE $clog2(SLOTS)+1 +: 1
+`define RT_TEST_ERROR $clog2(SLOTS)+2 +: 1
+`define RT_TEST_ORG $clog2(SLOTS)+3 +: 3*W
+`define RT_TEST_DIR $clog2(SLOTS)+3*W+3 +: 3*WD
+`define RT_TEST_A $clog2(SLOTS)+3*W+3*WD+3 +: 2*WD
+`define RT_TEST_SKIP $clog2(SLOTS)+3*W+3*WD+2*WD+3 +: `RT_ID_BITS
+`define RT_TEST_RECORD $clog2(SLOTS)+3*W+3*WD+2*WD+`RT_ID_BITS+3 +: 256
+`define RT_TEST_BITS ($clog2(SLOTS)+3*W+3*WD+2*WD+`RT_ID_BITS+259)
 `define RT_FOUND_VALID 0 +: 1
 `define RT_FOUND_SLOT 1 +: $clog2(SLOTS)
 `define RT_FOUND_FRESH $clog2(SLOTS)+1 +: 1
@@ -174,12 +184,14 @@
 `define RT_TRACE_EVENT_MISS 5 +: 1
 `define RT_TRACE_EVENT_BUBBLE 6 +: 1
 `define RT_TRACE_EVENT_BITS (7)
-`define RT_EXACT_EVENT_LEAF 0 +: 1
-`define RT_EXACT_EVENT_FACET 1 +: 1
-`define RT_EXACT_EVENT_ROOT 2 +: 1
-`define RT_EXACT_EVENT_DIVIDE 3 +: 1
-`define RT_EXACT_EVENT_MISS 4 +: 1
-`define RT_EXACT_EVENT_BITS (5)
+`define RT_PRIM_EVENT_LEAF 0 +: 1
+`define RT_PRIM_EVENT_FACET 1 +: 1
+`define RT_PRIM_EVENT_ROOT 2 +: 1
+`define RT_PRIM_EVENT_DIVIDE 3 +: 1
+`define RT_PRIM_EVENT_BITS (4)
+`define RT_EXACT_EVENT_PRIM 0 +: `RT_PRIM_EVENT_BITS
+`define RT_EXACT_EVENT_MISS `RT_PRIM_EVENT_BITS +: 1
+`define RT_EXACT_EVENT_BITS (`RT_PRIM_EVENT_BITS+1)
 `define RT_SHADE_EVENT_PRIMARY 0 +: 1
 `define RT_SHADE_EVENT_SHADOW 1 +: 1
 `define RT_SHADE_EVENT_REFLECTED 2 +: 1

@@ -1,4 +1,4 @@
-// rt_facet.v - the exact test of a ray and a triangle or plane, and the key of a hit
+// rt_facet.v - triangles and planes, kinds of primitives: the exact test and the key of a hit
 // SPDX-License-Identifier: Apache-2.0
 //   A0 = v0-org, e1 = v1-v0, e2 = v2-v0, N = e1 x e2 (plane: given), det = N.dir, num = N.A0,
 //   m = dir x A0: signs of det, num, U2 = m.e1, -U1 = m.e2, U0 = det-U1-U2; key = ceil(a*num/det)
@@ -6,49 +6,34 @@
 // clock 4 of the facet that follows. P = L + 4, L = `RT_PRODUCT_LATENCY(AW):
 //   triangle  0,1 N | 2,3 m | P det, num, U2, U1                               every L + 8 clocks
 //   plane     0 det, num | P det'*(face-org), num'*|dir| of x, y, z            every L + 10
-// Results that need a key overtake none, but may be overtaken. Ports, timing:
-// docs/blocks/facet_unit.md. Model: sph_facet_test(), sph_facet_key() in cmodel/prim/facet.c
+// Ports, timing: docs/blocks/facet_unit.md. Model: sph_facet_test() in cmodel/prim/facet.c
 `default_nettype none
 `include "rt_layout.vh"
+`include "rt_bundles.vh"
 `include "rt_check.vh"
 `include "rt_facet.vh"
 `include "rt_fx.vh"
 module rt_facet #(
     parameter W   = 16,                          // coordinate, bits
     parameter WD  = 17,                          // direction component, bits
-    parameter TAG = 8,                           // what travels along, bits
+    parameter SLOTS = 32,                        // power of two
     parameter SHADOW = 1,                        // 1: some rays end at a light
     parameter STEP  = 2,                         // bits of a key a clock
     parameter UNITS = 1                          // dividers
 ) (
-    input  wire               clk,
-    input  wire               rst,               // synchronous, active high
-    // from the leaf fetch
-    input  wire               in_valid_i,
-    output wire               in_ready_o,
-    input  wire [TAG-1:0]     in_tag_i,
-    input  wire               in_plane_i,        // else a triangle
-    input  wire [71:0]        in_v0_i,           // corner 0, a point of the plane: {z, y, x} s24
-    input  wire [71:0]        in_v1_i,           // corner 1, the plane's normal: 3 x s24
-    input  wire [71:0]        in_v2_i,           // corner 2
-    input  wire [`RT_ID_BITS-1:0] in_id_i,
-    input  wire [6:0]         in_before_i,       // its group: ids id-before .. id+after
-    input  wire [6:0]         in_after_i,
-    input  wire [3*W-1:0]     in_org_i,          // 3 x sW
-    input  wire [3*WD-1:0]    in_dir_i,          // 3 x sWD
-    input  wire [2*WD-1:0]    in_a_i,            // u(2WD), dir.dir
-    input  wire               in_shadow_i,       // the ray ends at the light, t = 1
-    input  wire [`RT_ID_BITS-1:0] in_skip_id_i,      // what the ray starts on
-    // to rt_collect
-    output wire               out_valid_o,
-    input  wire               out_ready_i,
-    output wire [TAG-1:0]     out_tag_o,
-    output wire [`RT_ID_BITS-1:0] out_id_o,
-    output wire               out_hit_o,
-    output wire               out_far_o,         // the normal looks along the ray
-    output wire [W+WD+1:0]    out_key_o,         // of a hit; 1: of a ray to a light
-    output wire               divide_o           // a division begins
+    input  wire                       clk,
+    input  wire                       rst,       // synchronous, active high
+    // from and to rt_prim, as of each kind
+    input  wire                       in_valid_i,
+    output wire                       in_ready_o,
+    input  wire [`RT_TEST_BITS-1:0]   test_i,
+    output wire [`RT_RESULT_BITS-1:0] result_o,
+    input  wire                       result_ready_i,
+    // event
+    output wire                       divide_o   // a division begins
 );
+    localparam SLOTW = $clog2(SLOTS);
+    localparam TAG  = SLOTW + `RT_ID_BITS;               // {slot, id}
     localparam NW   = W + 1 > WD ? W + 1 : WD;           // narrow operands
     localparam CUT  = 17*`RT_MUL_CHUNKS(NW);             // piece of a long operand
     localparam BW   = CUT + 1;
@@ -61,19 +46,21 @@ module rt_facet #(
     localparam RW   = RW0 > AW + BW ? RW0 : AW + BW;     // the longest sum
     localparam YW   = (DW + W > MW + WD ? DW + W : MW + WD) + 1;
     localparam VW   = (DW > MW ? DW : MW) + 1;           // det, num, Ui, signed
-    localparam QW   = W + WD + 1;                        // key
     localparam L    = `RT_PRODUCT_LATENCY(AW);
     localparam OB   = 6;                                 // {last, shadow, operation}
     localparam [31:0] FOUR = 4 + L, LAST_T = 7 + L, LAST_P = 9 + L;
     localparam [3:0] P = FOUR[3:0], END_T = LAST_T[3:0], END_P = LAST_P[3:0], COMMIT = 4;
     `RT_CHECK(3*CUT >= DW && 3*CUT >= MW, rt_facet_W_and_WD_must_fit_three_pieces)
+    wire [255:0] record = test_i[`RT_TEST_RECORD];
+    wire         plane  = record[`RT_FACET_KIND_LSB +: `RT_FACET_KIND_BITS] == `RT_PLANE;
+    wire [`RT_ID_BITS-1:0] id = record[`RT_FACET_ID_LSB +: `RT_FACET_ID_BITS];
+
     // ---- rounds: the facet at hand, and the key of the one before ----
     reg        run_q, front_q, back_q;           // a round; with a facet; after another
     reg  [3:0] slot_q;
     reg        plane_q, shadow_q;
-    reg        o_valid_q, o_divide_q;            // a result waits
-    wire       o_leaves, divider;
-    wire       stay  = slot_q == 4'd0 && o_valid_q && !o_leaves;
+    wire       full;                             // a result waits, and goes on waiting
+    wire       stay  = slot_q == 4'd0 && full;
     wire       step  = run_q && !stay;
     wire       ends  = run_q && slot_q == (!front_q ? COMMIT : plane_q ? END_P : END_T);
     wire       done  = ends && front_q;
@@ -92,7 +79,7 @@ module rt_facet #(
     end
 
     // ---- what travels along ----
-    reg  [TAG+23:0] tag_q, back_tag_q;           // {tag, id}
+    reg  [TAG-1:0]  tag_q, back_tag_q;
     reg             back_shadow_q, back_own_q;
     reg  [24:0]     apart_q;                     // skip - id
     reg  [6:0]      before_q, after_q;
@@ -101,12 +88,12 @@ module rt_facet #(
                             : &apart_q[24:7] && reach[7];
     always @(posedge clk) begin
         if (take) begin
-            tag_q    <= {in_tag_i, in_id_i};
-            plane_q  <= in_plane_i;
-            shadow_q <= SHADOW != 0 && in_shadow_i;
-            apart_q  <= {1'b0, in_skip_id_i} - {1'b0, in_id_i};
-            before_q <= in_before_i;
-            after_q  <= in_after_i;
+            tag_q    <= {test_i[`RT_TEST_SLOT], id};
+            plane_q  <= plane;
+            shadow_q <= SHADOW != 0 && test_i[`RT_TEST_SHADOW];
+            apart_q  <= {1'b0, test_i[`RT_TEST_SKIP]} - {1'b0, id};
+            before_q <= record[`RT_FACET_BEFORE_LSB +: `RT_FACET_BEFORE_BITS];
+            after_q  <= record[`RT_FACET_AFTER_LSB +: `RT_FACET_AFTER_BITS];
         end
         if (done) begin
             back_tag_q    <= tag_q;
@@ -152,8 +139,9 @@ module rt_facet #(
     reg  [MW-1:0]        num_q;                  // num'
     rt_facet_feed #(.W(W), .WD(WD), .NW(NW), .CUT(CUT), .CW(CW), .AW(AW), .DW(DW), .MW(MW),
                     .P(P)) u_feed (
-        .clk(clk), .take_i(take), .plane_i(in_plane_i), .v0_i(in_v0_i), .v1_i(in_v1_i),
-        .v2_i(in_v2_i), .org_i(in_org_i), .dir_i(in_dir_i), .a_i(in_a_i),
+        .clk(clk), .take_i(take), .plane_i(plane), .v0_i(record[`RT_TRIANGLE_V0_X_LSB +: 72]),
+        .v1_i(record[`RT_TRIANGLE_V1_X_LSB +: 72]), .v2_i(record[`RT_TRIANGLE_V2_X_LSB +: 72]),
+        .org_i(test_i[`RT_TEST_ORG]), .dir_i(test_i[`RT_TEST_DIR]), .a_i(test_i[`RT_TEST_A]),
         .step_i(step), .slot_i(slot_q), .op_i(op),
         .vector_i(front_q && !plane_q && (slot_q == P - 4'd1 || slot_q == P + 4'd1)),
         .back_i(done), .key_i(slot_q == COMMIT - 4'd1),
@@ -205,40 +193,15 @@ module rt_facet #(
         end
     end
 
-    // ---- the result waits for a divider or for its taker ----
-    reg  [2*WD+MW-1:0] o_x_q;
-    reg  [DW-1:0]      o_det_q;
-    reg  [TAG+23:0]    o_tag_q;
-    reg                o_hit_q, o_far_q;
-    wire               k_valid, k_far;
-    wire [TAG+23:0]    k_tag;
-    wire [QW:0]        k_key;
-    assign o_leaves = o_divide_q ? divider : out_ready_i && !k_valid;
-    always @(posedge clk) begin
-        if (op == `RT_FACET_KEY) o_det_q <= det_q;
-        if (o_leaves) o_valid_q <= 1'b0;
-        if (op_r == `RT_FACET_KEY) begin
-            o_valid_q  <= 1'b1;
-            o_x_q      <= r[2*WD+MW-1:0];
-            o_tag_q    <= back_tag_q;
-            o_hit_q    <= !end_miss_q && !back_own_q;
-            o_divide_q <= !end_miss_q && !back_own_q && !back_shadow_q;
-            o_far_q    <= end_far_q;
-        end
-        if (rst) o_valid_q <= 1'b0;
-    end
-    assign divide_o = o_valid_q && o_divide_q && divider;
-    rt_divide_pool #(.DW(DW), .QW(QW), .STEP(STEP), .UNITS(UNITS), .TAG(TAG+25)) u_pool (
-        .clk(clk), .rst(rst), .in_valid_i(o_valid_q && o_divide_q), .in_ready_o(divider),
-        .in_tag_i({o_far_q, o_tag_q}), .in_x_i({1'b0, o_x_q}), .in_d_i(o_det_q),
-        .out_valid_o(k_valid), .out_ready_i(out_ready_i), .out_tag_o({k_far, k_tag}),
-        .out_key_o(k_key)
+    // ---- the key of the one before ----
+    rt_facet_key #(.W(W), .WD(WD), .SLOTS(SLOTS), .DW(DW), .MW(MW), .STEP(STEP),
+                   .UNITS(UNITS)) u_key (
+        .clk(clk), .rst(rst), .det_load_i(op == `RT_FACET_KEY), .det_i(det_q),
+        .in_valid_i(op_r == `RT_FACET_KEY), .in_x_i(r[2*WD+MW-1:0]), .in_tag_i(back_tag_q),
+        .in_hit_i(!end_miss_q && !back_own_q), .in_shadow_i(back_shadow_q),
+        .in_far_i(end_far_q), .full_o(full),
+        .result_o(result_o), .result_ready_i(result_ready_i), .divide_o(divide_o)
     );
-    assign out_valid_o = k_valid || (o_valid_q && !o_divide_q);
-    assign {out_tag_o, out_id_o} = k_valid ? k_tag : o_tag_q;
-    assign out_hit_o   = k_valid || o_hit_q;
-    assign out_far_o   = k_valid ? k_far : o_far_q;
-    assign out_key_o   = k_valid ? k_key : {{QW{1'b0}}, 1'b1};
-    wire unused = &{1'b0, y[0], r, abs, since[3:2], reach[6:0], op_y};
+    wire unused = &{1'b0, y[0], r, abs, since[3:2], reach[6:0], op_y, test_i, record};
 endmodule
 `default_nettype wire

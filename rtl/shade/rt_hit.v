@@ -1,25 +1,27 @@
 // rt_hit.v - hit point and normal
 // SPDX-License-Identifier: Apache-2.0
-//   g = sat(org*2^NG + round(mant * dir / 2^(exp-NG)))    point = sat(round(g / 2^NG))
-//   normal = normalise(g - ctr*2^NG), negated for the far root, -dir at the centre
-//   facet: normalise(the record's normal, in place of ctr), negated if far, -dir without length
+//   g = sat(org*2^NG + round(mant * dir / 2^(exp-NG)))    point, vector: rt_prim_point, from g
+//   normal = normalise(vector), or normalise(-dir) where the vector is 0
 // x, y, z follow one another through one multiplier and one shifter:
-//   product | coarse shift | fine shift | add org | limit | point, normal | normalise
+//   product | coarse shift | fine shift | add org | limit | point, vector | normalise
 // Latency 18 cycles, a new hit every 8 cycles.
 // Model: sph_surface_point(), sph_surface_turn() in cmodel/shade/surface.c, no quotient, no unit
 `default_nettype none
+`include "rt_layout.vh"
+`include "rt_prim.vh"
 module rt_hit #(
     parameter W   = 16,  // coordinate, bits
     parameter WD  = 17,  // direction component, bits, at least W+1
     parameter PQ  = 17,  // quotient, significant bits
     parameter NG  = 2,   // guard bits of the normal
     parameter INSIDE = 1, // 0: no hit comes from inside or behind
-    parameter FACETS = 0, // 1: facets too
+    parameter FACETS = 0, // 1: triangles and planes too
     parameter TEXTURE = 0, // 1: the guarded point leaves too
     parameter TAG = 8    // tag, bits
 ) (
     input  wire                 clk,
     input  wire                 rst,
+    input  wire [`RT_EFFECT_BITS-1:0] effects_i, // register EFFECTS
     input  wire                 in_valid_i,
     output wire                 in_ready_o,
     input  wire [TAG-1:0]       in_tag_i,
@@ -31,10 +33,7 @@ module rt_hit #(
     input  wire signed [WD-1:0] in_dir_x_i,     // ray direction
     input  wire signed [WD-1:0] in_dir_y_i,
     input  wire signed [WD-1:0] in_dir_z_i,
-    input  wire signed [23:0]   in_ctr_x_i,     // sphere centre, sW; normal of a facet, s24
-    input  wire signed [23:0]   in_ctr_y_i,
-    input  wire signed [23:0]   in_ctr_z_i,
-    input  wire                 in_facet_i,     // it is a facet
+    input  wire [`RT_LEAF_STRIDE-1:0] in_shape_i, // low half of the primitive record
     input  wire                 in_far_i,       // hit from inside, from the normal's other side
     output wire                 out_valid_o,    // one cycle
     output reg  [TAG-1:0]       out_tag_o,
@@ -50,56 +49,57 @@ module rt_hit #(
     localparam PW = PQ + WD;                    // mant * dir
     localparam SW = PW + 1;                     // and one bit to round
     localparam GW = W + NG;                     // guarded coordinate
-    localparam VS = (GW > WD ? GW : WD) + 1;    // not normalised normal of a sphere, or -dir
-    localparam VW = FACETS != 0 && VS < 25 ? 25 : VS;      // and of a facet
-    localparam CW = FACETS != 0 ? 24 : W;       // centre, or normal of a facet
+    localparam PV = `RT_PRIM_VECTOR_BITS(W, NG, FACETS);
+    localparam VW = PV > WD + 1 ? PV : WD + 1;  // vector, or -dir
     localparam        [31:0] BITS  = NG;
     localparam signed [8:0]  GUARD = BITS[8:0];
-    localparam        [GW:0] ONE   = {{GW{1'b0}}, 1'b1};
-    localparam        [GW:0] HALF  = (ONE << NG) >> 1;  // NG 0: nothing to round
 
     // ---- control: ph_q[n] n cycles after the hit was taken; x has its turn first ----
-    reg  [11:1]          ph_q;
-    wire                 take = in_valid_i && in_ready_o;
-    assign in_ready_o = ~|ph_q[7:1];
+    reg  [8:1]           ph_q;
+    reg  [3:1]           feed_q;                // the vector leaves for normalisation
+    reg  [1:0]           part_q;                // of point and vector: x, y, z
+    reg                  late_q;                // they have not all come
+    wire                 p_valid;
+    wire                 first = p_valid && part_q == 2'd0;
+    wire                 last  = p_valid && part_q == 2'd2;
+    wire                 late  = (ph_q[8] || late_q) && !last;
+    wire                 guarded = |ph_q[8:6];  // a component of g stands in its register
+    wire                 feed  = |feed_q;
+    wire                 take  = in_valid_i && in_ready_o;
+    assign in_ready_o = ~|ph_q[7:1] && !late;
     always @(posedge clk) begin
-        ph_q <= {ph_q[10:1], take};
-        if (rst) ph_q <= 11'd0;
+        ph_q   <= {ph_q[7:1], take};
+        feed_q <= {feed_q[2:1], last};
+        late_q <= late;
+        if (p_valid) part_q <= last ? 2'd0 : part_q + 2'd1;
+        if (rst) {ph_q, feed_q, late_q, part_q} <= 14'd0;
     end
 
     // ---- input: components move to x when theirs is done ----
     reg  [TAG-1:0]       in_tag_q;
     reg  [PQ-1:0]        mant_q;
     reg  [5:0]           shift_q;               // exp - NG, 0..62
-    reg                  short_q, far_q;        // exp < NG: t leaves any grid
+    reg                  short_q;               // exp < NG: t leaves any grid
     reg  signed [WD-1:0] dir_x_q, dir_y_q, dir_z_q;
     reg  signed [W-1:0]  org_x_q, org_y_q, org_z_q;
-    reg  signed [CW-1:0] ctr_x_q, ctr_y_q, ctr_z_q;
-    reg                  facet_q;
     wire signed [8:0]    shift = $signed({in_exp_i[7], in_exp_i}) - GUARD;
     always @(posedge clk) begin
         if (take) begin
             in_tag_q <= in_tag_i;
             mant_q   <= in_mant_i;
             short_q  <= shift[8];
-            far_q    <= INSIDE != 0 && in_far_i;
-            facet_q  <= FACETS != 0 && in_facet_i;
             shift_q  <= shift[8] ? 6'd0 : |shift[7:6] ? 6'd62 : shift[5:0];
             {dir_x_q, dir_y_q, dir_z_q} <= {in_dir_x_i, in_dir_y_i, in_dir_z_i};
             {org_x_q, org_y_q, org_z_q} <= {in_org_x_i, in_org_y_i, in_org_z_i};
-            {ctr_x_q, ctr_y_q, ctr_z_q} <= {in_ctr_x_i[CW-1:0], in_ctr_y_i[CW-1:0],
-                                            in_ctr_z_i[CW-1:0]};
         end else begin
             if (|ph_q[2:1]) {dir_x_q, dir_y_q} <= {dir_y_q, dir_z_q};
             if (|ph_q[5:4]) {org_x_q, org_y_q} <= {org_y_q, org_z_q};
-            if (|ph_q[7:6]) {ctr_x_q, ctr_y_q} <= {ctr_y_q, ctr_z_q};
         end
     end
 
     // ---- stage 1, cycles 1 to 3: product; -dir is kept for a hit at the centre ----
     reg  signed [PW-1:0] s1_prod_q;
     reg  signed [WD:0]   back_x_q, back_y_q, back_z_q;
-    wire                 feed = |ph_q[11:9];    // the normal leaves for normalisation
     always @(posedge clk) begin
         s1_prod_q <= $signed({1'b0, mant_q}) * dir_x_q;
         if (|ph_q[3:1] || feed) begin
@@ -132,47 +132,41 @@ module rt_hit #(
         s5_g_q    <= s5_over ? $signed({s5_sign, {(GW-1){!s5_sign}}}) : $signed(s4_sum_q[GW:1]);
     end
 
-    // ---- stage 6, cycles 6 to 8: point; normal, its sign by the order of the difference ----
+    // ---- stage 6, cycles 6 to 8: point and vector, as the primitive has them ----
     reg  [TAG-1:0]       s6_tag_q;
     reg                  s6_over_q, s6_any_q;
     reg  signed [W-1:0]  s6_px_q, s6_py_q, s6_pz_q;
-    reg  signed [VW-1:0] s6_nx_q, s6_ny_q, s6_nz_q;
-    wire signed [VW-1:0] s6_ctr, s6_from;       // the normal is from - ctr, or ctr - from
-    wire                 s6_turn;
-    wire signed [VW-1:0] s6_g      = $signed({{(VW-GW){s5_g_q[GW-1]}}, s5_g_q});
-    wire signed [VW-1:0] s6_sphere = $signed({{(VW-W+1){ctr_x_q[W-1]}}, ctr_x_q[W-2:0]}) <<< NG;
-    generate
-        if (FACETS != 0) begin : g_facets       // ctr is the normal, from is 0
-            assign s6_ctr  = facet_q ? $signed({{(VW-CW){ctr_x_q[CW-1]}}, ctr_x_q}) : s6_sphere;
-            assign s6_from = facet_q ? $signed({VW{1'b0}}) : s6_g;
-            assign s6_turn = far_q ^ facet_q;
-        end else begin : g_spheres
-            assign s6_ctr  = s6_sphere;
-            assign s6_from = s6_g;
-            assign s6_turn = far_q;
-            wire unused = facet_q;
-        end
-    endgenerate
-    wire signed [GW:0]   s6_round = $signed({s5_g_q[GW-1], s5_g_q}) + $signed(HALF);
-    wire                 s6_over  = s6_round[GW] != s6_round[GW-1];
-    wire signed [VW-1:0] s6_n     = (s6_turn ? s6_ctr : s6_from) - (s6_turn ? s6_from : s6_ctr);
+    reg  signed [PV-1:0] s6_nx_q, s6_ny_q, s6_nz_q;
+    wire signed [W-1:0]  p_point;
+    wire signed [PV-1:0] p_vector;
+    wire                 p_limited;
+    rt_prim_point #(.W(W), .NG(NG), .FARS(INSIDE), .FACETS(FACETS)) u_prim (
+        .clk(clk), .effects_i(effects_i),
+        .take_i(take), .shape_i(in_shape_i), .far_i(in_far_i),
+        .in_valid_i(guarded), .in_guarded_i(s5_g_q),
+        .out_valid_o(p_valid), .out_point_o(p_point), .out_limited_o(p_limited),
+        .out_vector_o(p_vector)
+    );
     always @(posedge clk) begin
-        if (|ph_q[8:6]) begin
-            s6_pz_q <= s6_over ? $signed({1'b0, {(W-1){1'b1}}}) : $signed(s6_round[GW-1:NG]);
+        if (guarded || p_valid)
+            s6_over_q <= (guarded && s5_over_q) || (p_valid && p_limited) ||
+                         (ph_q[6] ? short_q : s6_over_q);
+        if (p_valid) begin
+            s6_pz_q <= p_point;
             {s6_px_q, s6_py_q} <= {s6_py_q, s6_pz_q};
-            s6_over_q <= s6_over || s5_over_q || (ph_q[6] ? short_q : s6_over_q);
-            s6_any_q  <= |s6_n || (s6_any_q && !ph_q[6]);
+            s6_any_q <= |p_vector || (s6_any_q && !first);
         end
-        if (|ph_q[8:6] || feed) begin
-            s6_nz_q <= s6_n;
+        if (p_valid || feed) begin
+            s6_nz_q <= p_vector;
             {s6_nx_q, s6_ny_q} <= {s6_ny_q, s6_nz_q};
         end
-        if (ph_q[8]) s6_tag_q <= in_tag_q;
+        if (last) s6_tag_q <= in_tag_q;
     end
 
     // ---- cycles 9 to 11: to normalisation, out 7 cycles later; the rest waits at the output ----
     wire [VW+WD:0]       back   = {{VW{back_x_q[WD]}}, back_x_q};
-    wire signed [VW-1:0] feed_v = s6_any_q ? s6_nx_q : $signed(back[VW-1:0]);
+    wire signed [VW-1:0] vector = $signed({{(VW-PV+1){s6_nx_q[PV-1]}}, s6_nx_q[PV-2:0]});
+    wire signed [VW-1:0] feed_v = s6_any_q ? vector : $signed(back[VW-1:0]);
     rt_normalise #(.VW(VW), .BITS(WD)) u_normalise (
         .clk(clk), .rst(rst),
         .in_valid_i(feed), .in_v_i(feed_v),
@@ -180,7 +174,7 @@ module rt_hit #(
         .out_x_o(out_normal_x_o), .out_y_o(out_normal_y_o), .out_z_o(out_normal_z_o)
     );
     always @(posedge clk)
-        if (ph_q[11]) begin
+        if (feed_q[3]) begin
             out_tag_o       <= s6_tag_q;
             out_saturated_o <= s6_over_q;
             {out_point_x_o, out_point_y_o, out_point_z_o} <= {s6_px_q, s6_py_q, s6_pz_q};
@@ -189,15 +183,14 @@ module rt_hit #(
         if (TEXTURE != 0) begin : g_guarded
             reg [3*GW-1:0] s6_g_q, guarded_q;
             always @(posedge clk) begin
-                if (|ph_q[8:6]) s6_g_q <= {s5_g_q, s6_g_q[3*GW-1:GW]};
-                if (ph_q[11]) guarded_q <= s6_g_q;
+                if (guarded) s6_g_q <= {s5_g_q, s6_g_q[3*GW-1:GW]};
+                if (feed_q[3]) guarded_q <= s6_g_q;
             end
             assign out_guarded_o = guarded_q;
         end else begin : g_no_guarded
             assign out_guarded_o = {3*GW{1'b0}};
         end
     endgenerate
-    wire unused = &{1'b0, in_ctr_x_i, in_ctr_y_i, in_ctr_z_i, in_facet_i, s4_sum_q[0], s4_org[0],
-                    s6_round, back[VW+WD:VW]};
+    wire unused = &{1'b0, s4_sum_q[0], s4_org[0], back[VW+WD:VW]};
 endmodule
 `default_nettype wire

@@ -164,13 +164,11 @@ module rt_surface #(
             wire [3*W-1:0]   r_org;
             wire [3*WD-1:0]  r_dir;
             wire             r_far, ready, saturated;
-            wire             facets_on = effects[`RT_EFFECT_FACETS];
             wire [3*W-1:0]   point;
             wire [3*WD-1:0]  normal;
             reg              r_valid_q;
             reg [SLOTW-1:0]  r_slot_q;
-            reg [71:0]       r_ctr_q;         // {z, y, x} s24
-            reg              r_facet_q;
+            reg [`RT_LEAF_STRIDE-1:0] r_shape_q;  // what is no material
             rt_slot_ram #(.WIDTH(TW), .SLOTS(SLOTS), .OLD(0)) u_t (
                 .clk(clk), .wr_en_i(t_valid), .wr_addr_i(t_fetch[26 +: SLOTW]), .wr_data_i(t),
                 .rd_en_i(r_load), .rd_addr_i(prim_slot), .rd_data_o(r_t)
@@ -201,26 +199,22 @@ module rt_surface #(
             assign hit_ready = !r_valid_q || ready;
             always @(posedge clk) begin
                 if (r_load) begin
-                    r_slot_q <= prim_slot;
-                    r_ctr_q  <= prim[`RT_LEAF_CTR_X_LSB +: 72];
-                    r_facet_q <= FACETS != 0 && facets_on &&
-                                 prim[`RT_PRIM_KIND_LSB +: `RT_PRIM_KIND_BITS] != 0;
+                    r_slot_q  <= prim_slot;
+                    r_shape_q <= prim[`RT_LEAF_STRIDE-1:0];
                 end
                 if (hit_ready) r_valid_q <= record_i[`RT_RECORD_VALID] && on;
                 if (rst) r_valid_q <= 1'b0;
             end
             rt_hit #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .INSIDE(FARS), .FACETS(FACETS),
                      .TEXTURE(TEXTURE), .TAG(SLOTW)) u_hit (
-                .clk(clk), .rst(rst), .in_valid_i(r_valid_q), .in_ready_o(ready),
-                .in_tag_i(r_slot_q), .in_mant_i(r_t[TW-1:8]), .in_exp_i($signed(r_t[7:0])),
+                .clk(clk), .rst(rst), .effects_i(effects),
+                .in_valid_i(r_valid_q), .in_ready_o(ready), .in_tag_i(r_slot_q),
+                .in_mant_i(r_t[TW-1:8]), .in_exp_i($signed(r_t[7:0])),
                 .in_org_x_i($signed(r_org[`RT_POINT_X])), .in_org_y_i($signed(r_org[`RT_POINT_Y])),
                 .in_org_z_i($signed(r_org[`RT_POINT_Z])),
                 .in_dir_x_i($signed(r_dir[`RT_VEC_X])), .in_dir_y_i($signed(r_dir[`RT_VEC_Y])),
                 .in_dir_z_i($signed(r_dir[`RT_VEC_Z])),
-                .in_ctr_x_i($signed(r_ctr_q[`RT_LEAF_CTR_X_LSB +: `RT_LEAF_CTR_X_BITS])),
-                .in_ctr_y_i($signed(r_ctr_q[`RT_LEAF_CTR_Y_LSB +: `RT_LEAF_CTR_Y_BITS])),
-                .in_ctr_z_i($signed(r_ctr_q[`RT_LEAF_CTR_Z_LSB +: `RT_LEAF_CTR_Z_BITS])),
-                .in_facet_i(r_facet_q), .in_far_i(r_far),
+                .in_shape_i(r_shape_q), .in_far_i(r_far),
                 .out_valid_o(surface_o[`RT_SURFACE_VALID]),
                 .out_tag_o(surface_o[`RT_SURFACE_SLOT]),
                 .out_point_x_o(point[`RT_POINT_X]), .out_point_y_o(point[`RT_POINT_Y]),

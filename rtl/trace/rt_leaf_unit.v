@@ -1,9 +1,10 @@
-// rt_leaf_unit.v - leaf children of a visit: fetched, tested exactly, given a key
+// rt_leaf_unit.v - leaf children of a visit: fetched, and handed to the primitives with their ray
 // SPDX-License-Identifier: Apache-2.0
-// Takes the leaf children that a visit left, reads their records through the leaf cache, tests them
-// against the slot's ray, takes the root of a hit, and hands every result to rt_trace. The same
-// cache serves the primitive records of rt_shade. At most HOLD spheres are under way behind the
-// cache, so the queues in front of the results cannot overflow; rt_facet can be held back.
+//   visits --> queue --> one leaf child --+--> leaf cache --+--> record beside ray --> rt_prim --+
+//                 records of rt_surface --+                 +--> rt_surface          results <---+
+// Reads the records of the leaf children that a visit left through the leaf cache, one after the
+// other, has each tested against its slot's ray, and hands every result to rt_trace. The same cache
+// serves the primitive records of rt_shade. What is behind the cache may wait for a primitive.
 // Model: sph_leaf_visit() in cmodel/trace/leaf_unit.c
 `default_nettype none
 `include "rt_layout.vh"
@@ -47,12 +48,8 @@ module rt_leaf_unit #(
     output wire [3:0]                 fault_o     // by number of the error, machine.def
 );
     localparam SLOTW = $clog2(SLOTS);
-    localparam KW   = W + WD + 2;
-    localparam XW   = 2*W + 2*WD;
-    localparam HOLD = 16;
     localparam SB   = SHADOW != 0 ? 1 : 0;           // bits of a flag, if it is elaborated
     localparam IB   = INSIDE != 0 ? 1 : 0;
-    localparam LB   = FACETS != 0 ? 256 : 128;       // bits of a leaf
     wire [`RT_EFFECT_BITS-1:0] effects = regs_i[`RT_REGS_EFFECTS];
     wire       whole = FACETS != 0 && effects[`RT_EFFECT_FACETS];  // a line a leaf
     wire       prim  = fetch_i[`RT_FETCH_VALID];     // a primitive record goes first
@@ -124,12 +121,10 @@ module rt_leaf_unit #(
     // ---- record and ray side by side ----
     reg              l_valid_q, l_error_q;
     reg [SLOTW-1:0]  l_slot_q;
-    reg [LB-1:0]     l_leaf_q;
-    wire             leaf_ready, credit, facet_ready;
-    wire [1:0]       l_kind;                         // 0: for rt_leaf
-    wire             l_bad   = l_kind == 2'd3;       // no kind: counts as a miss, as a bus error
-    wire             l_facet = l_kind == `RT_TRIANGLE || l_kind == `RT_PLANE;
-    wire             l_taken = l_valid_q && (l_facet ? facet_ready : leaf_ready && credit);
+    reg [127:0]      l_low_q;
+    wire [127:0]     l_high;                         // with FACETS
+    wire             l_ready, l_bad;
+    wire             l_taken = l_valid_q && l_ready;
     wire             l_load  = c_valid && !c_prim && (!l_valid_q || l_taken);
     assign c_ready = c_prim ? record_ready_i : !l_valid_q || l_taken;
     localparam YW = 3*W + 5*WD + 24;                 // a ray; above it shadow, inside
@@ -138,13 +133,7 @@ module rt_leaf_unit #(
                              ray_i[`RT_RAY_SKIP], ray_i[`RT_RAY_A], ray_i[`RT_RAY_DIR],
                              ray_i[`RT_RAY_ORG]};
     wire [YW+SB+IB-1:0] l_ray;
-    wire                l_shadow = SHADOW != 0 && l_ray[YW+SB+IB-1];
-    wire                l_inside = INSIDE != 0 && l_ray[YW+IB-1];
-    wire [23:0]         l_skip;
-    wire [2*WD-1:0]     l_a;
-    wire [3*WD-1:0]     l_dir;
-    wire [3*W-1:0]      l_org;
-    assign {l_skip, l_a, l_dir, l_org} = l_ray[YW-1:0];
+    wire [`RT_TEST_BITS-1:0] test;
     rt_slot_ram #(.WIDTH(YW+SB+IB), .SLOTS(SLOTS), .OLD(0)) u_ray (
         .clk(clk), .wr_en_i(ray_i[`RT_RAY_VALID]), .wr_addr_i(ray_i[`RT_RAY_SLOT]),
         .wr_data_i(y[YW+SB+IB-1:0]),
@@ -153,134 +142,38 @@ module rt_leaf_unit #(
     always @(posedge clk) begin
         if (l_load) begin
             l_slot_q  <= c_slot;
-            l_leaf_q[127:0] <= c_half ? c_data[255:128] : c_data[127:0];
+            l_low_q   <= c_half ? c_data[255:128] : c_data[127:0];
             l_error_q <= c_error;
         end
         if (l_load || l_taken) l_valid_q <= l_load;
         if (rst) l_valid_q <= 1'b0;
     end
-    assign event_o[`RT_EXACT_EVENT_LEAF]  = l_taken && l_kind == 2'd0;
-    assign event_o[`RT_EXACT_EVENT_FACET] = l_taken && l_facet;
-    assign fault_o[`RT_ERROR_BAD_NODE]    = l_taken && l_bad;
-
-    // ---- exact test ----
-    wire             x_valid, x_hit, x_far, x_exit, x_shadow, x_error;
-    wire [SLOTW-1:0] x_slot;
-    wire [`RT_ID_BITS-1:0] x_id;
-    wire [XW-1:0]    x_disc;
-    wire signed [KW-1:0] x_b;
-    wire [SLOTW+1:0] l_tag = {l_shadow, l_slot_q, l_error_q || l_bad};
-    wire [SLOTW+SB:0] x_tag;
-    assign {x_slot, x_error} = x_tag[SLOTW:0];
-    assign x_shadow = SHADOW != 0 && x_tag[SLOTW+SB];
-    rt_leaf #(.W(W), .WD(WD), .TAG(SLOTW+1+SB), .SHADOW(SHADOW), .INSIDE(INSIDE)) u_leaf (
-        .clk(clk), .rst(rst), .inside_on_i(effects[`RT_EFFECT_INSIDE]),
-        .in_valid_i(l_valid_q && !l_facet && credit), .in_ready_o(leaf_ready),
-        .in_tag_i(l_tag[SLOTW+SB:0]),
-        .in_ctr_x_i($signed(l_leaf_q[`RT_LEAF_CTR_X_LSB +: W])),
-        .in_ctr_y_i($signed(l_leaf_q[`RT_LEAF_CTR_Y_LSB +: W])),
-        .in_ctr_z_i($signed(l_leaf_q[`RT_LEAF_CTR_Z_LSB +: W])),
-        .in_rad_i(l_leaf_q[`RT_LEAF_RAD_LSB +: W]),
-        .in_id_i(l_leaf_q[`RT_LEAF_ID_LSB +: `RT_LEAF_ID_BITS]),
-        .in_org_x_i($signed(l_org[`RT_POINT_X])), .in_org_y_i($signed(l_org[`RT_POINT_Y])),
-        .in_org_z_i($signed(l_org[`RT_POINT_Z])),
-        .in_dir_x_i($signed(l_dir[`RT_VEC_X])), .in_dir_y_i($signed(l_dir[`RT_VEC_Y])),
-        .in_dir_z_i($signed(l_dir[`RT_VEC_Z])), .in_a_i(l_a),
-        .in_shadow_i(l_shadow), .in_skip_id_i(l_skip), .in_skip_inside_i(l_inside),
-        .out_valid_o(x_valid), .out_tag_o(x_tag), .out_id_o(x_id),
-        .out_hit_o(x_hit), .out_far_o(x_far), .out_exit_o(x_exit),
-        .out_disc_o(x_disc), .out_b_o(x_b)
-    );
-
-    // ---- triangles and planes ----
-    wire             f_valid, f_hit, f_far, f_taken;
-    wire [SLOTW-1:0] f_slot;
-    wire [`RT_ID_BITS-1:0] f_id;
-    wire [KW-1:0]    f_key;
     generate
-        if (FACETS != 0) begin : g_facets
-            always @(posedge clk) if (l_load) l_leaf_q[LB-1:128] <= c_data[255:128];
-            assign l_kind = whole && !l_error_q ? l_leaf_q[`RT_FACET_KIND_LSB +: 2] : 2'd0;
-            rt_facet #(.W(W), .WD(WD), .TAG(SLOTW), .SHADOW(SHADOW), .STEP(DIVISION_STEP),
-                       .UNITS(DIVISIONS)) u_facet (
-                .clk(clk), .rst(rst),
-                .in_valid_i(l_valid_q && l_facet), .in_ready_o(facet_ready),
-                .in_tag_i(l_slot_q), .in_plane_i(l_kind == `RT_PLANE),
-                .in_v0_i(l_leaf_q[`RT_TRIANGLE_V0_X_LSB +: 72]),
-                .in_v1_i(l_leaf_q[`RT_TRIANGLE_V1_X_LSB +: 72]),
-                .in_v2_i(l_leaf_q[`RT_TRIANGLE_V2_X_LSB +: 72]),
-                .in_id_i(l_leaf_q[`RT_FACET_ID_LSB +: 24]),
-                .in_before_i(l_leaf_q[`RT_FACET_BEFORE_LSB +: 7]),
-                .in_after_i(l_leaf_q[`RT_FACET_AFTER_LSB +: 7]),
-                .in_org_i(l_org), .in_dir_i(l_dir), .in_a_i(l_a),
-                .in_shadow_i(l_shadow), .in_skip_id_i(l_skip),
-                .out_valid_o(f_valid), .out_ready_i(f_taken), .out_tag_o(f_slot),
-                .out_id_o(f_id), .out_hit_o(f_hit), .out_far_o(f_far), .out_key_o(f_key),
-                .divide_o(event_o[`RT_EXACT_EVENT_DIVIDE])
-            );
-        end else begin : g_spheres
-            assign l_kind = 2'd0;
-            assign {facet_ready, f_valid, f_hit, f_far} = 4'd0;
-            assign event_o[`RT_EXACT_EVENT_DIVIDE] = 1'b0;
-            assign f_slot = {SLOTW{1'b0}};
-            assign f_id   = 24'd0;
-            assign f_key  = {KW{1'b0}};
-            wire unused = &{1'b0, l_facet, f_taken};
+        if (FACETS != 0) begin : g_line
+            reg [127:0] high_q;
+            always @(posedge clk) if (l_load) high_q <= c_data[255:128];
+            assign l_high = high_q;
+        end else begin : g_half
+            assign l_high = 128'd0;
         end
     endgenerate
+    assign test[`RT_TEST_SLOT]   = l_slot_q;
+    assign test[`RT_TEST_SHADOW] = SHADOW != 0 && l_ray[YW+SB+IB-1];
+    assign test[`RT_TEST_INSIDE] = INSIDE != 0 && l_ray[YW+IB-1];
+    assign test[`RT_TEST_ERROR]  = l_error_q;
+    assign {test[`RT_TEST_SKIP], test[`RT_TEST_A], test[`RT_TEST_DIR], test[`RT_TEST_ORG]} =
+        l_ray[YW-1:0];
+    assign test[`RT_TEST_RECORD] = {l_high, l_low_q};
 
-    // ---- results with and without a root ----
-    wire hit  = x_hit && !x_error;
-    wire root = hit && !x_shadow && !x_exit;
-    localparam RW = SLOTW + 24;                      // {slot, id}; far stands on top
-    wire               r_valid, r_ready, d_valid, d_taken, r_in, d_in, p_valid, p_far;
-    wire [RW+XW+KW:0]  r_all = {x_far, x_slot, x_id, x_disc, x_b};
-    wire [RW+1:0]      d_all = {x_far, x_slot, x_id, hit};
-    wire [RW+XW+KW+IB-1:0] r;
-    wire [RW+IB:0]     d;
-    wire [RW-1:0]      p_tag;
-    wire [KW-1:0]      p_key;
-    rt_fifo #(.WIDTH(RW+XW+KW+IB), .DEPTH(HOLD)) u_roots (
-        .clk(clk), .rst(rst), .in_valid_i(x_valid && root), .in_ready_o(r_in),
-        .in_data_i(r_all[RW+XW+KW+IB-1:0]),
-        .out_valid_o(r_valid), .out_ready_i(r_ready), .out_data_o(r)
+    // ---- exact tests ----
+    rt_prim #(.W(W), .WD(WD), .SLOTS(SLOTS), .ROOTS(ROOTS), .ROOT_STEP(ROOT_STEP), .PR(PR),
+              .SHADOW(SHADOW), .INSIDE(INSIDE), .FACETS(FACETS), .DIVISIONS(DIVISIONS),
+              .DIVISION_STEP(DIVISION_STEP)) u_prim (
+        .clk(clk), .rst(rst), .effects_i(effects),
+        .in_valid_i(l_valid_q), .in_ready_o(l_ready), .test_i(test),
+        .result_o(result_o), .event_o(event_o[`RT_EXACT_EVENT_PRIM]), .bad_o(l_bad)
     );
-    rt_fifo #(.WIDTH(RW+IB+1), .DEPTH(HOLD)) u_direct (
-        .clk(clk), .rst(rst), .in_valid_i(x_valid && !root), .in_ready_o(d_in),
-        .in_data_i(d_all[RW+IB:0]),
-        .out_valid_o(d_valid), .out_ready_i(d_taken), .out_data_o(d)
-    );
-    rt_root_pool #(.W(W), .WD(WD), .PR(PR), .UNITS(ROOTS), .STEP(ROOT_STEP), .TAG(RW),
-                   .INSIDE(INSIDE)) u_pool (
-        .clk(clk), .rst(rst),
-        .in_valid_i(r_valid), .in_ready_o(r_ready), .in_tag_i(r[XW+KW +: RW]),
-        .in_far_i(INSIDE != 0 && r[RW+XW+KW+IB-1]),
-        .in_disc_i(r[KW +: XW]), .in_b_i($signed(r[KW-1:0])),
-        .out_valid_o(p_valid), .out_ready_i(1'b1), .out_tag_o(p_tag), .out_far_o(p_far),
-        .out_key_o(p_key)
-    );
-    assign event_o[`RT_EXACT_EVENT_ROOT] = r_valid && r_ready;
-    reg [4:0] held_q;                                // candidates behind the credit
-    wire      d_leaves = d_valid && d_taken;
-    wire      left = (r_valid && r_ready) || d_leaves;
-    wire      both = (r_valid && r_ready) && d_leaves;
-    assign credit = held_q < HOLD - 1;
-    always @(posedge clk) begin
-        held_q <= held_q + {4'd0, l_taken && !l_facet} - {4'd0, left} - {4'd0, both};
-        if (rst) held_q <= 5'd0;
-    end
-
-    // ---- to rt_trace: roots, which cannot wait long, then facets, then the others ----
-    wire      d_far = INSIDE != 0 && (p_valid ? p_far : d[RW+IB]);
-    assign f_taken = !p_valid;
-    assign d_taken = !p_valid && !f_valid;
-    assign result_o[`RT_RESULT_VALID] = p_valid || f_valid || d_valid;
-    assign {result_o[`RT_RESULT_SLOT], result_o[`RT_RESULT_ID]} =
-        p_valid ? p_tag : f_valid ? {f_slot, f_id} : d[RW:1];
-    assign result_o[`RT_RESULT_FAR] = f_valid && !p_valid ? f_far : d_far;
-    assign result_o[`RT_RESULT_HIT] = p_valid || (f_valid ? f_hit : d[0]);
-    assign result_o[`RT_RESULT_KEY] = p_valid ? p_key : f_valid ? f_key : {{(KW-1){1'b0}}, 1'b1};
-    wire unused = &{1'b0, q_in_ready, r_in, d_in, l_leaf_q, y, l_tag, r_all, d_all, ray_i, regs_i,
-                    effects};
+    assign fault_o[`RT_ERROR_BAD_NODE] = l_bad;
+    wire unused = &{1'b0, q_in_ready, y, ray_i, regs_i};
 endmodule
 `default_nettype wire

@@ -4,13 +4,14 @@
  * The first vectors are the least and greatest operands in every pattern, as triangle and as plane;
  * then those of the named cases of tests/hard, if these are the words of a profile. Then families
  * in turn (`family`), by reason: what lies on an edge, a corner, the light, a face of the world, in
- * the plane. Results may overtake each other: a tag is one facet's until its result is there. The
+ * the plane. Results may overtake each other: a slot is one facet's until its result is there. The
  * default run has to meet every outcome.
  */
 #include <algorithm>
 #include <map>
 
 #include "Vrt_facet.h"
+#include "bundles.h"
 #include "hard.h"
 extern "C" {
 #include "tests/hard/facet_list.h"
@@ -205,39 +206,50 @@ struct Expected {
 
 using Bench = bench::Bench<Vrt_facet>;
 
-template <class Port>
-void vector(Bench &b, Port &port, const int64_t value[3], int bits, int used) {
-    bench::u128 x = 0; /* what is not used must not matter */
+int record_bit(int lsb, int) {
+    return lsb;
+} /* of field RECORD */
+
+/* Three numbers in fields of `bits` bits; what is not used of them must not matter. */
+bench::u128 pack(Bench &b, const int64_t value[3], int bits, int used) {
+    bench::u128 x = 0;
     for (int i = 3; i-- > 0;)
         x = x << bits | (used < bits ? bench::low(b.random.bits(bits) << used, bits) : 0) |
             bench::low((bench::u128)value[i], used);
-    bench::set(port, 3 * bits, (bench::i128)x);
+    return x;
 }
 
-void drive(Bench &b, const Vector &v, unsigned tag) {
-    Vrt_facet &t = b.dut;
-    b.set(t.in_tag_i, TAG, tag);
-    t.in_plane_i = v.facet.kind == SPH_PLANE;
-    vector(b, t.in_v0_i, v.facet.v[0], 24, W);
-    vector(b, t.in_v1_i, v.facet.v[1], 24, v.facet.kind == SPH_PLANE ? 24 : W);
-    vector(b, t.in_v2_i, v.facet.v[2], 24, W);
-    b.set(t.in_id_i, 24, v.facet.id);
-    b.set(t.in_before_i, 7, v.facet.before);
-    b.set(t.in_after_i, 7, v.facet.after);
-    vector(b, t.in_org_i, v.ray.org, W, W);
-    vector(b, t.in_dir_i, v.ray.dir, WD, WD);
-    b.set(t.in_a_i, 2 * WD, (bench::i128)v.ray.a);
-    t.in_shadow_i = v.shadow;
-    b.set(t.in_skip_id_i, 24, v.ray.skip.id);
+void drive(Bench &b, const Vector &v, unsigned slot) {
+    auto &port = b.dut.test_i;
+    auto field = [&](int lsb, int bits, bench::u128 x) {
+        bench::put(port, record_bit(RT_TEST_RECORD) + lsb, bits, (bench::i128)x);
+    };
+    bool plane = v.facet.kind == SPH_PLANE;
+    field(SPH_TRIANGLE_V0_X_LSB, 72, pack(b, v.facet.v[0], 24, W));
+    field(SPH_TRIANGLE_V1_X_LSB, 72, pack(b, v.facet.v[1], 24, plane ? 24 : W));
+    field(SPH_TRIANGLE_V2_X_LSB, 72, pack(b, v.facet.v[2], 24, W));
+    field(SPH_FACET_ID_LSB, SPH_FACET_ID_BITS, v.facet.id);
+    field(SPH_FACET_BEFORE_LSB, SPH_FACET_BEFORE_BITS, v.facet.before);
+    field(SPH_FACET_AFTER_LSB, SPH_FACET_AFTER_BITS, v.facet.after);
+    field(SPH_FACET_KIND_LSB, SPH_FACET_KIND_BITS, (bench::u128)v.facet.kind);
+    bench::put(port, RT_TEST_SLOT, slot);
+    bench::put(port, RT_TEST_SHADOW, v.shadow);
+    bench::put(port, RT_TEST_INSIDE, b.random.percent(50));
+    bench::put(port, RT_TEST_ORG, (bench::i128)pack(b, v.ray.org, W, W));
+    bench::put(port, RT_TEST_DIR, (bench::i128)pack(b, v.ray.dir, WD, WD));
+    bench::put(port, RT_TEST_A, (bench::i128)v.ray.a);
+    bench::put(port, RT_TEST_SKIP, v.ray.skip.id);
 }
 
 void compare(Bench &b, const Expected &e) {
-    Vrt_facet &t = b.dut;
-    b.expect("out_id_o", (bench::i128)b.get(t.out_id_o), e.v.facet.id, 24);
-    b.expect("out_hit_o", t.out_hit_o, e.r.hit, 1);
-    if (e.r.hit && t.out_hit_o) {
-        b.expect("out_far_o", t.out_far_o, e.r.far, 1);
-        b.expect("out_key_o", (bench::i128)b.get(t.out_key_o), (bench::i128)e.key, W + WD + 2);
+    auto &port = b.dut.result_o;
+    bool hit = bench::get(port, RT_RESULT_HIT) != 0;
+    b.expect("ID", (bench::i128)bench::get(port, RT_RESULT_ID), e.v.facet.id, 24);
+    b.expect("HIT", hit, e.r.hit, 1);
+    if (e.r.hit && hit) {
+        b.expect("FAR", (bench::i128)bench::get(port, RT_RESULT_FAR), e.r.far, 1);
+        b.expect("KEY", (bench::i128)bench::get(port, RT_RESULT_KEY), (bench::i128)e.key,
+                 W + WD + 2);
     }
     if (b.bad()) {
         const Vector &x = e.v;
@@ -249,14 +261,14 @@ void compare(Bench &b, const Expected &e) {
                x.shadow ? "to a light" : "of no light");
         for (int c = 0; c < 3; c++)
             for (int i = 0; i < 3; i++)
-                b.show(c == 0 ? "in_v0_i" : c == 1 ? "in_v1_i" : "in_v2_i", x.facet.v[c][i], 24);
+                b.show(c == 0 ? "v0" : c == 1 ? "v1" : "v2", x.facet.v[c][i], 24);
         for (int i = 0; i < 3; i++)
-            b.show("in_org_i", x.ray.org[i], W);
+            b.show("org", x.ray.org[i], W);
         for (int i = 0; i < 3; i++)
-            b.show("in_dir_i", x.ray.dir[i], WD);
-        b.show("in_before_i", x.facet.before, 7);
-        b.show("in_after_i", x.facet.after, 7);
-        b.show("in_skip_id_i", x.ray.skip.id, 24);
+            b.show("dir", x.ray.dir[i], WD);
+        b.show("before", x.facet.before, 7);
+        b.show("after", x.facet.after, 7);
+        b.show("skip", x.ray.skip.id, 24);
         b.show("model det'", (bench::i128)e.r.det, 2 * W + WD + 2);
         b.show("model num'", e.r.num, 3 * W + 2);
     }
@@ -281,27 +293,27 @@ int main(int argc, char **argv) {
     if (hard::alone() && !b.target) b.fail("the case has no vector for this bench");
     std::map<unsigned, Expected> sent;
     Vector v = source.next();
-    unsigned tag = 0, gaps = 0, stalls = 0;
+    unsigned slot = 0, gaps = 0, stalls = 0;
     bool offered = false;
     uint64_t taken = 0, least[2] = {1000, 1000};        /* clocks until the next one is taken */
     int before = -1;                                    /* it was a plane */
     long met[2][2][2] = {}, divided = 0, divisions = 0; /* plane, shadow, hit */
     Vrt_facet &t = b.dut;
-    t.in_valid_i = t.out_ready_i = 0;
+    t.in_valid_i = t.result_ready_i = 0;
     b.reset();
     while (b.more()) {
         if (b.cycle % 4096 == 0) {
             gaps = (unsigned)b.random.below(3) * 45;
             stalls = (unsigned)b.random.below(4) * 32;
         }
-        if (!offered && !sent.count(tag)) offered = !b.random.percent(gaps);
+        if (!offered && !sent.count(slot)) offered = !b.random.percent(gaps);
         t.in_valid_i = offered;
-        drive(b, v, tag);
-        t.out_ready_i = !b.random.percent(stalls);
+        drive(b, v, slot);
+        t.result_ready_i = !b.random.percent(stalls);
         b.settle();
         divisions += t.divide_o;
-        if (t.out_valid_o && t.out_ready_i) {
-            auto at = sent.find((unsigned)b.get(t.out_tag_o));
+        if (bench::get(t.result_o, RT_RESULT_VALID) && t.result_ready_i) {
+            auto at = sent.find((unsigned)bench::get(t.result_o, RT_RESULT_SLOT));
             if (at == sent.end()) {
                 b.fail("a result that nobody asked for");
                 break;
@@ -321,8 +333,8 @@ int main(int argc, char **argv) {
             before = v.facet.kind == SPH_PLANE;
             taken = b.cycle;
             met[v.facet.kind == SPH_PLANE][shadow][e.r.hit != 0]++;
-            sent.emplace(tag, e);
-            tag = (tag + 1) % (1u << TAG);
+            sent.emplace(slot, e);
+            slot = (slot + 1) % SLOTS;
             v = source.next();
             offered = false;
         }

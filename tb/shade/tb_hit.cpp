@@ -1,4 +1,5 @@
-/* tb_hit.cpp - rt_hit, and rt_normalise inside it, against sph_surface_at(), sph_surface_facet()
+/* tb_hit.cpp - rt_hit, with rt_prim_point and rt_normalise inside it, against sph_surface_at(),
+ * sph_surface_facet()
  * SPDX-License-Identifier: Apache-2.0
  *
  * The hits of tests/hard come first. Vectors are keys and a, so that every quotient is one that
@@ -121,9 +122,20 @@ struct sph_quotient quotient(const Vector &v) {
 
 using Bench = bench::Bench<Vrt_hit>;
 
-auto centre(Bench &b, const Vector &v, int i) { /* above W bits: what must not matter */
-    bench::u128 high = v.facet ? 0 : b.random.bits(24) >> W << W;
-    return (bench::i128)(high | bench::low((bench::u128)v.ctr[i], v.facet ? 24 : W));
+/* The low half of a primitive record; what a kind does not look at must not matter. */
+void shape(Bench &b, const Vector &v) {
+    auto &port = b.dut.in_shape_i;
+    const int at[3] = {SPH_LEAF_CTR_X_LSB, SPH_LEAF_CTR_Y_LSB, SPH_LEAF_CTR_Z_LSB};
+    for (int i = 0; i < SPH_LEAF_STRIDE / 32; i++)
+        bench::put(port, 32 * i, 32, (bench::i128)b.random.bits(32));
+    for (int i = 0; i < 3; i++)
+        bench::put(port, at[i], v.facet ? SPH_LEAF_CTR_X_BITS : W, v.ctr[i]);
+    uint32_t effects = (uint32_t)b.random.bits(SPH_EFFECT_BITS);
+    if (v.facet) effects |= 1 << SPH_EFFECT_FACETS;
+    b.dut.effects_i = (uint16_t)effects;
+    if (FACETS && effects >> SPH_EFFECT_FACETS & 1) /* the kind counts */
+        bench::put(port, SPH_PRIM_KIND_LSB, SPH_PRIM_KIND_BITS,
+                   v.facet ? 1 + (int64_t)b.random.below(255) : SPH_SPHERE);
 }
 
 void send(Bench &b, const Vector &v) {
@@ -136,10 +148,7 @@ void send(Bench &b, const Vector &v) {
     b.set(b.dut.in_dir_x_i, WD, v.dir[0]);
     b.set(b.dut.in_dir_y_i, WD, v.dir[1]);
     b.set(b.dut.in_dir_z_i, WD, v.dir[2]);
-    b.set(b.dut.in_ctr_x_i, 24, centre(b, v, 0));
-    b.set(b.dut.in_ctr_y_i, 24, centre(b, v, 1));
-    b.set(b.dut.in_ctr_z_i, 24, centre(b, v, 2));
-    b.dut.in_facet_i = v.facet || (!FACETS && b.random.percent(50));
+    shape(b, v);
     b.dut.in_far_i = (uint8_t)v.far;
 }
 
@@ -173,7 +182,7 @@ void check(Bench &b, const Vector &e) {
         b.show("in_mant_i", quotient(e).mant, PQ);
         b.show("in_exp_i", quotient(e).exp, 8);
         b.show("in_far_i", e.far, 1);
-        b.show("in_facet_i", e.facet, 1);
+        b.show("stored normal", e.facet, 1);
     }
     for (int i = 0; i < 3 && b.bad(); i++) {
         b.show("in_org_i", e.org[i], W);

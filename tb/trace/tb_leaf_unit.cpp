@@ -58,9 +58,9 @@ class LeafUnit : public bench::Bench<Vrt_leaf_unit> {
         give_fetch(start);
         dut.record_ready_i = random.percent(reading);
         memory.before();
-        seen[0] += bench::get(dut.event_o, RT_EXACT_EVENT_LEAF) != 0;
-        seen[1] += bench::get(dut.event_o, RT_EXACT_EVENT_FACET) != 0;
-        seen[2] += bench::get(dut.event_o, RT_EXACT_EVENT_ROOT) != 0;
+        seen[0] += bench::get(dut.event_o, RT_PRIM_EVENT_LEAF) != 0;
+        seen[1] += bench::get(dut.event_o, RT_PRIM_EVENT_FACET) != 0;
+        seen[2] += bench::get(dut.event_o, RT_PRIM_EVENT_ROOT) != 0;
         faults |= dut.fault_o;
         if (bench::get(dut.result_o, RT_RESULT_VALID)) take_result();
         if (bench::get(dut.record_o, RT_RECORD_VALID) && dut.record_ready_i) take_record();
