@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  */
 #include <math.h>
+#include <string.h>
 
 #include "prim/scene.h"
 #include "scene/frustum.h"
@@ -40,7 +41,7 @@ static int take_polygon(struct sph_reader *r, int with_normals, struct sph_error
         if (sph_nff_vec(r, record, &corner[i], err) ||
             (with_normals && sph_nff_vec(r, record, &normal, err)))
             return -1;
-    int count = sph_polygon_fan(corner, n, index, &bent, &why);
+    int count = sph_polygon_cut(corner, n, index, &bent, &why);
     if (count < 0)
         return sph_fail(err, "%s:%u: `%s`: %.300s", r->lex.path, facet.line, record, why.text);
     for (int i = 0; i < count; i++) {
@@ -112,9 +113,47 @@ static int same_point(struct sph_vec a, struct sph_vec b) {
     return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
+/* The outline of n triangles that were cut off as ears, corner 0 first: each ear goes back between
+ * its neighbours, the last first. How many corners; 0 if a piece without area is missing. */
+static uint32_t outline_of(const struct sph_facet *f, uint32_t n, struct sph_vec *corner) {
+    uint32_t count = 3;
+    memcpy(corner, f[n - 1].v, sizeof f->v);
+    for (uint32_t i = n - 1; i-- > 0; count++) {
+        uint32_t k = 0;
+        while (k < count && !(same_point(corner[k], f[i].v[0]) &&
+                              same_point(corner[(k + 1) % count], f[i].v[2])))
+            k++;
+        if (k == count) return 0;
+        memmove(&corner[k + 2], &corner[k + 1], (count - k - 1) * sizeof *corner);
+        corner[k + 1] = f[i].v[1];
+    }
+    return count;
+}
+
+static void put_corners(struct sph_nff_writer *w, const struct sph_vec *corner, uint32_t n) {
+    fprintf(w->file, "p %u\n", n);
+    for (uint32_t i = 0; i < n; i++)
+        sph_nff_put_point(w, "", corner[i]);
+}
+
+/* Writes n triangles of a polygon that was cut by ears; those of a gap one by one. */
+static void put_ears(struct sph_nff_writer *w, const struct sph_facet *f, uint32_t n) {
+    struct sph_vec corner[SPH_MAX_CORNERS + 1];
+    uint32_t corners = outline_of(f, n, corner);
+    if (corners) put_corners(w, corner, corners);
+    for (uint32_t i = 0; i < n && !corners; i++)
+        put_corners(w, f[i].v, 3);
+}
+
+static int is_fan(const struct sph_facet *f, uint32_t n) {
+    for (uint32_t i = 1; i < n; i++)
+        if (!same_point(f[i].v[0], f[0].v[0])) return 0;
+    return 1;
+}
+
 /* Writes n triangles of one polygon, a fan. Pieces without area that the reader left out stand
  * between two triangles that do not follow each other. */
-static void put_polygon(struct sph_nff_writer *w, const struct sph_facet *f, uint32_t n) {
+static void put_fan(struct sph_nff_writer *w, const struct sph_facet *f, uint32_t n) {
     uint32_t corners = n + 2;
     for (uint32_t i = 1; i < n; i++)
         corners += !same_point(f[i].v[1], f[i - 1].v[2]);
@@ -141,8 +180,10 @@ static uint32_t write(struct sph_nff_writer *w, uint32_t i) {
         n++;
     if (f->frustum)
         put_cone(w, &w->scene->frusta[f->frustum - 1]);
+    else if (is_fan(f, n))
+        put_fan(w, f, n);
     else
-        put_polygon(w, f, n);
+        put_ears(w, f, n);
     return n;
 }
 

@@ -4,6 +4,9 @@
 #include "scene/polygon.h"
 
 #include <math.h>
+#include <string.h>
+
+#include "scene/ears.h"
 
 #define EMPTY 1e-12 /* of the squared size: what rounding leaves of the area of a line */
 
@@ -47,19 +50,17 @@ static double off_plane(const struct sph_vec *corner, int n, struct sph_vec unit
     return most;
 }
 
-/* -1 with a message if the outline turns back. unit: the normal. */
-static int check_convex(const struct sph_vec *corner, int n, struct sph_vec unit, double size,
-                        struct sph_error *err) {
+/* Whether the outline turns back nowhere. unit: the normal. */
+static int is_convex(const struct sph_vec *corner, int n, struct sph_vec unit, double size) {
     for (int i = 0; i < n; i++) {
         struct sph_vec a = corner[i], b = corner[(i + 1) % n], c = corner[(i + 2) % n];
         double chord = length(sub(c, a));
         if (dot(area(a, b, c), unit) < -SPH_POLYGON_CONVEX * size * chord ||
             (i > 0 && i < n - 1 &&
              dot(area(corner[0], a, b), unit) < -SPH_POLYGON_CONVEX * size * size))
-            return sph_fail(err, "the polygon is not convex at corner %d: cut it in convex ones",
-                            (i + 1) % n + 1);
+            return 0;
     }
-    return 0;
+    return 1;
 }
 
 /* Triangles without area in the fan from corner `first`. */
@@ -71,7 +72,21 @@ static int empty_pieces(const struct sph_vec *corner, int n, int first) {
     return empty;
 }
 
-int sph_polygon_fan(const struct sph_vec *corner, int n, int (*index)[3], double *bent,
+/* The fan of a convex polygon. */
+static void fan(const struct sph_vec *corner, int n, int (*index)[3]) {
+    int first = 0, fewest = empty_pieces(corner, n, 0);
+    for (int i = 1; i < n && fewest; i++) {
+        int empty = empty_pieces(corner, n, i);
+        if (empty < fewest) fewest = empty, first = i;
+    }
+    for (int i = 1; i < n - 1; i++) {
+        index[i - 1][0] = first;
+        index[i - 1][1] = (first + i) % n;
+        index[i - 1][2] = (first + i + 1) % n;
+    }
+}
+
+int sph_polygon_cut(const struct sph_vec *corner, int n, int (*index)[3], double *bent,
                     struct sph_error *err) {
     struct sph_vec normal = {0, 0, 0};
     double size = 0;
@@ -85,19 +100,17 @@ int sph_polygon_fan(const struct sph_vec *corner, int n, int (*index)[3], double
     if (!(twice > EMPTY * size * size))
         return sph_fail(err, "the %s has no area", n == 3 ? "triangle" : "polygon");
     struct sph_vec unit = {normal.x / twice, normal.y / twice, normal.z / twice};
-    if (check_convex(corner, n, unit, size, err)) return -1;
+    if (is_convex(corner, n, unit, size))
+        fan(corner, n, index);
+    else if (sph_polygon_ears(corner, n, unit, index, err))
+        return -1;
     double off = off_plane(corner, n, unit);
     *bent = off > SPH_POLYGON_FLAT * size ? off : 0;
-    int first = 0, fewest = empty_pieces(corner, n, 0), count = 0;
-    for (int i = 1; i < n && fewest; i++) {
-        int empty = empty_pieces(corner, n, i);
-        if (empty < fewest) fewest = empty, first = i;
-    }
-    for (int i = 1; i < n - 1; i++) {
-        int b = (first + i) % n, c = (b + 1) % n;
-        if (sph_triangle_empty(corner[first], corner[b], corner[c])) continue;
-        index[count][0] = first, index[count][1] = b, index[count][2] = c;
-        count++;
+    int count = 0;
+    for (int i = 0; i < n - 2; i++) {
+        const int *t = index[i];
+        if (sph_triangle_empty(corner[t[0]], corner[t[1]], corner[t[2]])) continue;
+        memmove(index[count++], t, sizeof index[0]);
     }
     return count;
 }

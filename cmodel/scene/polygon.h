@@ -1,4 +1,4 @@
-/* polygon.h - a convex polygon as triangles
+/* polygon.h - a polygon as triangles
  * SPDX-License-Identifier: Apache-2.0
  */
 #ifndef SPH_SCENE_POLYGON_H
@@ -14,13 +14,14 @@
 #define SPH_POLYGON_FLAT 1e-3
 #define SPH_POLYGON_CONVEX 1e-5
 
-/* Turns a polygon of n = 3 .. SPH_MAX_CORNERS corners into a fan: triangles of one corner `first`
- * and two that follow each other, in order; those without area are left out. The corner is the
- * first one with which the fewest are. index[n - 2][3]: corner numbers. *bent: how far the corner
- * that is farthest off is from the polygon's plane, 0 if the polygon is flat. Returns how many
- * triangles; -1 with a message (to stand behind "file:line: ") if the polygon has no area or is not
- * convex, seen along the normal of its plane. */
-int sph_polygon_fan(const struct sph_vec *corner, int n, int (*index)[3], double *bent,
+/* Turns a polygon of n = 3 .. SPH_MAX_CORNERS corners into triangles. A convex one becomes a fan:
+ * one corner `first` and two that follow each other, in order; `first` is the first corner with
+ * which the fewest triangles have no area. Any other one is cut by ears (ears.h). Triangles without
+ * area are left out. index[n - 2][3]: corner numbers. *bent: how far the corner that is farthest
+ * off is from the polygon's plane, 0 if the polygon is flat. Returns how many triangles; -1 with a
+ * message (to stand behind "file:line: ") if the polygon has no area or its edges meet, seen along
+ * the normal of its plane. */
+int sph_polygon_cut(const struct sph_vec *corner, int n, int (*index)[3], double *bent,
                     struct sph_error *err);
 
 /* Whether two directions are parallel, up to the rounding of their numbers, or one is zero. */
