@@ -83,8 +83,10 @@ static inline void assert_same_scene(const struct sph_scene *p, const struct sph
         const struct sph_sphere *s = &p->spheres[i], *t = &q->spheres[i];
         assert_same_bytes(&s->ctr, &t->ctr, sizeof s->ctr);
         assert_true(s->rad == t->rad);
-        assert_same_bytes(&p->materials[s->material], &q->materials[t->material],
-                          offsetof(struct sph_material, line));
+        const struct sph_material *m = &p->materials[s->material], *n = &q->materials[t->material];
+        assert_same_bytes(m, n, offsetof(struct sph_material, line));
+        assert_int_equal(m->sum.hollow, n->sum.hollow);
+        assert_true(m->sum.around == n->sum.around);
     }
 }
 
@@ -113,8 +115,10 @@ static inline void assert_same_facets(const struct sph_scene *p, const struct sp
         assert_same_bytes(s->v, t->v, sizeof s->v);
         assert_same_bytes(s->st, t->st, sizeof s->st);
         assert_same_texture(p, s->texture, q, t->texture);
-        assert_same_bytes(&p->materials[s->material], &q->materials[t->material],
-                          offsetof(struct sph_material, line));
+        const struct sph_material *m = &p->materials[s->material], *n = &q->materials[t->material];
+        assert_same_bytes(m, n, offsetof(struct sph_material, line));
+        assert_int_equal(m->sum.hollow, n->sum.hollow);
+        assert_true(m->sum.around == n->sum.around);
     }
 }
 

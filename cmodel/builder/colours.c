@@ -8,6 +8,7 @@
 
 #include "builder/effects.h"
 #include "builder/emit.h"
+#include "scene/nesting.h"
 
 void sph_note(char *text, size_t size, const char *format, ...) {
     size_t used = strlen(text);
@@ -52,7 +53,7 @@ void sph_emit_sum(uint32_t *line, const struct sph_material *m) {
                               SPH_POWER_ONE * SPH_SHINE_MAX));
     if (kt)
         sph_field_set(line, SPH_PRIM_INDEX_LSB, SPH_PRIM_INDEX_BITS,
-                      between(m->ior, SPH_INDEX_ONE, SPH_INDEX_MIN, SPH_INDEX_MAX));
+                      between(sph_index_ratio(m), SPH_INDEX_ONE, SPH_INDEX_MIN, SPH_INDEX_MAX));
 }
 
 double sph_material_weight(const struct sph_material *material) {

@@ -1,9 +1,12 @@
 /* sphere_scene.c - a sphere in a scene file: `s`; see scene.h
  * SPDX-License-Identifier: Apache-2.0
  */
-#include "prim/scene.h"
+#include <math.h>
 
-/* s x y z radius */
+#include "prim/scene.h"
+#include "scene/nesting.h"
+
+/* s x y z radius; negative: the inner surface of hollow glass */
 static int take_sphere(struct sph_reader *r, struct sph_error *err) {
     struct sph_vec ctr;
     double rad;
@@ -11,10 +14,11 @@ static int take_sphere(struct sph_reader *r, struct sph_error *err) {
     if (sph_nff_material(r, "s", "sphere", &material, err)) return -1;
     if (sph_nff_vec(r, "s", &ctr, err) || sph_lex_number(&r->lex, "s", "radius", &rad, err))
         return -1;
-    if (!(rad > 0))
-        return sph_fail(err, "%s:%u: `s`: radius %g is not positive", r->lex.path,
-                        r->lex.token_line, rad);
-    if (sph_scene_add_sphere(r->scene, ctr, rad, material, line, err)) return -1;
+    if (rad == 0) return sph_fail(err, "%s:%u: `s`: radius is 0", r->lex.path, r->lex.token_line);
+    if (rad < 0 && sph_material_clear(&r->scene->materials[material]) &&
+        sph_scene_hollow(r->scene, &material, err))
+        return -1;
+    if (sph_scene_add_sphere(r->scene, ctr, fabs(rad), material, line, err)) return -1;
     r->scene->spheres[r->scene->n_spheres - 1].texture = r->texture;
     return 0;
 }
@@ -24,7 +28,8 @@ static uint32_t write(struct sph_nff_writer *w, uint32_t i) {
     sph_nff_put_motion(w, s->motion);
     sph_nff_put_material(w, s->material);
     sph_nff_put_texture(w, s->texture);
-    sph_nff_put(w, "s", (double[]){s->ctr.x, s->ctr.y, s->ctr.z, s->rad}, 4);
+    double sign = w->scene->materials[s->material].sum.hollow ? -1 : 1;
+    sph_nff_put(w, "s", (double[]){s->ctr.x, s->ctr.y, s->ctr.z, sign * s->rad}, 4);
     return 1;
 }
 

@@ -9,6 +9,7 @@
 #include "reference/cut.h"
 #include "reference/facet.h"
 #include "reference/whitted.h"
+#include "scene/nesting.h"
 
 static double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -115,9 +116,11 @@ static void shade(const struct sph_ref_job *j, struct sph_ref_branch *b,
         b->via = SPH_VIA_CURVED;
     else if (b->via == SPH_VIA_NOTHING)
         b->via = SPH_VIA_FLAT;
+    double most = j->o->unlimited ? INFINITY : 1;
     for (int i = 0; i < 3; i++) {
         double sum = k->ka * j->scene->ambient[i] + k->kd * lit.matt[i];
-        colour[i] = fmin(1, fmin(1, f->rgb[i] * image[i] * sum) + fmin(1, k->ks * lit.gloss[i]));
+        colour[i] =
+            fmin(most, fmin(most, f->rgb[i] * image[i] * sum) + fmin(most, k->ks * lit.gloss[i]));
     }
     if (b->depth) return;
     seen->pixel.faced = lit.faced, seen->pixel.shadow = lit.blocked;
@@ -177,7 +180,7 @@ void sph_ref_follow(const struct sph_ref_job *j, struct sph_ref_branch b,
         seen->pixel.beyond |= b.depth ? SPH_BEYOND_LATER : SPH_BEYOND_EYE;
     struct sph_ref_shares k =
         sph_ref_shares_of(f, b.depth < j->o->max_depth, j->o->reflect, j->o->refract);
-    double ratio = hit.far ? f->ior : 1 / f->ior;
+    double inside = sph_index_ratio(f), ratio = hit.far ? inside : 1 / inside;
     memcpy(dir, b.ray.dir, sizeof dir);
     unit(dir);
     shade(j, &b, &hit, f, &k, at, normal, dir, seen, colour);

@@ -21,6 +21,7 @@ struct sph_reference_options {
     int shadow;            /* 1: lights are blocked */
     int reflect;           /* 1: mirrors are followed */
     int refract, specular; /* 1: refracted rays are followed; highlights */
+    int unlimited;         /* 1: a surface may be brighter than 1 until pixels are written */
     int threads;           /* 0: all */
     const struct sph_machine
         *world;                 /* NULL, or pixels that see planes beyond its grid are marked */

@@ -27,6 +27,8 @@ void sph_nff_put_point(struct sph_nff_writer *w, const char *word, struct sph_ve
 
 void sph_nff_put_material(struct sph_nff_writer *w, uint32_t material) {
     const struct sph_material *m = &w->scene->materials[material];
+    while (m->sum.of) /* what the file has */
+        material = m->sum.of - 1, m = &w->scene->materials[material];
     if (w->material == material) return;
     w->material = material;
     if (w->sum != m->sum.on) fputs(m->sum.on ? "shading sum\n" : "shading blend\n", w->file);

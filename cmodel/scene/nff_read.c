@@ -13,6 +13,7 @@
 #include "prim/scene.h"
 #include "scene/frustum.h"
 #include "scene/motion.h"
+#include "scene/nesting.h"
 #include "scene/nff_skip.h"
 
 /* A colour that may be given once a file. */
@@ -192,6 +193,7 @@ int sph_scene_read(const char *path, const struct sph_read_options *options,
     if (!bad && !records) bad = sph_fail(err, "%s: the file is empty", path);
     if (!bad) bad = finish(&r, err);
     if (!bad && options) bad = sph_scene_move(scene, options->at, err);
+    if (!bad) bad = sph_scene_nest(scene, err);
     if (bad) sph_scene_free(scene);
     return bad;
 }

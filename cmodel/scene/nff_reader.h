@@ -15,7 +15,8 @@ struct sph_reader {
     struct sph_scene *scene;
     int skip;           /* leave unsupported primitives out */
     double round;       /* of cones, see frustum.h */
-    int material_used;  /* a primitive uses the newest material */
+    uint32_t material;  /* the newest one of the file */
+    int material_used;  /* a primitive uses it */
     int sum;            /* `shading sum`: materials have words of their own */
     uint32_t texture;   /* of the spheres and planes that follow: index + 1, 0: none */
     uint32_t motion;    /* of the primitives that follow: index + 1, 0: still */

@@ -12,17 +12,18 @@ int sph_nff_material(struct sph_reader *r, const char *record, const char *what,
         return sph_fail(err, "%s:%u: `%s`: no material (`f`) before this %s", r->lex.path,
                         r->lex.token_line, record, what);
     r->material_used = 1;
-    *material = r->scene->n_materials - 1;
+    *material = r->material;
     return 0;
 }
 
 /* Adds a material; it replaces the newest one if that is unused. */
 static int add_material(struct sph_reader *r, const struct sph_material *m, struct sph_error *err) {
     if (r->scene->n_materials > 0 && !r->material_used) {
-        r->scene->materials[r->scene->n_materials - 1] = *m;
+        r->scene->materials[r->material] = *m;
         return 0;
     }
     r->material_used = 0;
+    r->material = r->scene->n_materials;
     return sph_scene_add_material(r->scene, m, err);
 }
 
@@ -60,7 +61,7 @@ static int take_sum(struct sph_reader *r, const char *record, struct sph_materia
                                       SPH_INDEX_MIN / (double)SPH_INDEX_ONE,
                                       SPH_INDEX_MAX / (double)SPH_INDEX_ONE, err))
         return -1;
-    m->sum = (struct sph_sum){1, share[0], share[1]};
+    m->sum = (struct sph_sum){.on = 1, .ka = share[0], .kr = share[1]};
     return 0;
 }
 

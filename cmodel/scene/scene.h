@@ -39,6 +39,10 @@ struct sph_light {
 struct sph_sum {
     int on;        /* 0: nothing here counts */
     double ka, kr; /* ambient and mirror share */
+    /* Of spheres (nesting.h): ior is that outside, inside is 1; index of what is around, 0: 1. */
+    int hollow;
+    double around;
+    uint32_t of; /* index + 1 of the material that it is made of, 0: the file has it */
 };
 
 struct sph_material {

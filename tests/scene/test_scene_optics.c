@@ -3,8 +3,11 @@
  */
 #include "scene_files.h"
 
+#include <math.h>
+
 #include "builder/build.h"
 #include "machine/describe.h"
+#include "scene/nesting.h"
 
 #define SUM "shading sum\n"
 static const struct bad bads[] = {
@@ -31,6 +34,9 @@ static const struct bad bads[] = {
     {"ka_after_blend", CAM SUM "shading blend\nf 1 1 1 .1 .1 50 .7 1.5 .1 0\n", 10,
      "Ka and Kr need `shading sum`", 0, 0},
     {"fm_index", CAM SUM "fm 0 0 0 1 1 1 0 0 0 50 .7 5\n", 9, "5 is not within 0.25 to 4", 0, 0},
+    {"nested_ratio",
+     CAM SUM "f 1 1 1 .1 .1 50 .7 .25\ns 0 0 0 3\nf 1 1 1 .1 .1 50 .7 1.5\ns 0 0 0 1\n", 12,
+     "`s`: index of refraction 1.5 in 0.25: the ratio is not within 0.25 to 4", 0, 0},
     {"shading_other", CAM "shading phong\n", 8, "`phong` is neither blend nor sum", 0, 0},
     {"shading_number", CAM "shading 1\n", 8, "`1` is neither blend nor sum", 0, 0},
     {"shading_nothing", CAM "shading", 8, "the file ends before blend or sum", 0, 0},
@@ -51,6 +57,38 @@ static struct sph_scene read_text(const char *text) {
     put_file(text, strlen(text));
     if (sph_scene_read(file_name, NULL, &scene, &err)) fail_msg("%s", err.text);
     return scene;
+}
+
+static double ratio(const struct sph_scene *s, uint32_t sphere) {
+    return sph_index_ratio(&s->materials[s->spheres[sphere].material]);
+}
+
+/* What is around glass: the smallest transparent sphere that holds it, else the nearest plane that
+ * it is wholly behind, else nothing. */
+#define CLEAR(index) "f 1 1 1 .1 .1 50 .7 " index "\n"
+static void test_nesting(void **state) {
+    (void)state;
+    struct sph_scene s = read_text(
+        CAM SUM CLEAR("1.5") "s 0 0 0 4\ns 0 0 0 -3\n"          /* hollow */
+        CLEAR("1.2") "s 0 0 0 2\ns 0 0 1 1\ns 0 0 -1 .5\n"      /* in its air; 3: in 2, touching */
+                     "s 3.6 0 0 .3\n"                           /* within the wall */
+        CLEAR("1.6") "s 4 0 0 .5\ns 9 0 0 1\n"                  /* cuts the outside; alone */
+        CLEAR("2") "plane 0 -9 0 0 2 0\nplane 0 -20 0 0 1 0\n"  /* water, and deeper */
+        CLEAR("3") "s 0 -12 0 1\ns 0 -30 0 9.9\ns 0 -9.5 0 1\n" /* in it; deeper; half in it */
+                   "f 1 1 1 .1 .1 50 0 1.5\ns 20 0 0 4\n" CLEAR(
+                       "1.3") "s 20 0 0 1\n"                          /* in what is opaque */
+                              "f 1 1 1 .5 .5 50 0 1\ns 30 0 0 -1\n"); /* opaque: the sign says
+                                                                         nothing */
+    const double want[] = {1.5, 1 / 1.5, 1.2,     1.2 / 1.2, 1.2 / 1.2, 1.2 / 1.5, 1.6,
+                           1.6, 3 / 2.0, 3 / 2.0, 3,         1.5,       1.3,       1};
+    assert_int_equal(s.n_spheres, sizeof want / sizeof *want);
+    for (uint32_t i = 0; i < s.n_spheres; i++) {
+        if (fabs(ratio(&s, i) - want[i]) > 1e-15) print_message("sphere %u\n", i);
+        assert_true(fabs(ratio(&s, i) - want[i]) <= 1e-15);
+        assert_true(s.spheres[i].rad > 0);
+    }
+    round_trip(&s);
+    sph_scene_free(&s);
 }
 
 static void test_read(void **state) {
@@ -253,10 +291,38 @@ static void test_machine_refused(void **state) {
     sph_machine_free(&m);
 }
 
+/* The machine has the ratio in thousandths. */
+static void test_nested_machine(void **state) {
+    (void)state;
+    struct sph_scene s = read_text(CAM SUM CLEAR("1.5") "s 0 0 0 1\ns 0 0 0 -.8\n" CLEAR(
+        "1.33") "s 5 0 0 1\n" CLEAR("1.7") "s 5 0 0 .5\n");
+    struct sph_build_options o = {.profile = SPH_STANDARD,
+                                  .max_depth = 2,
+                                  .shadow = SPH_AUTO,
+                                  .reflect = SPH_AUTO,
+                                  .refract = SPH_AUTO,
+                                  .specular = SPH_AUTO,
+                                  .lights = SPH_AUTO,
+                                  .inside = SPH_AUTO,
+                                  .tree = SPH_TREE_BALANCED};
+    struct sph_build_report report;
+    struct sph_error err = {""};
+    struct sph_machine m;
+    static const uint32_t index[] = {1500, 667, 1330, 1278};
+    if (sph_build(&s, &o, &m, &report, &err)) fail_msg("%s", err.text);
+    for (uint32_t i = 0; i < 4; i++)
+        assert_int_equal(sph_field(prim_of(&m, (int)i), SPH_PRIM_INDEX_LSB, SPH_PRIM_INDEX_BITS),
+                         index[i]);
+    sph_machine_free(&m);
+    sph_scene_free(&s);
+}
+
 int main(void) {
     const struct CMUnitTest others[] = {
-        cmocka_unit_test(test_read), cmocka_unit_test(test_words), cmocka_unit_test(test_effects),
-        cmocka_unit_test(test_build_refuses), cmocka_unit_test(test_machine_refused)};
+        cmocka_unit_test(test_read),           cmocka_unit_test(test_nesting),
+        cmocka_unit_test(test_nested_machine), cmocka_unit_test(test_words),
+        cmocka_unit_test(test_effects),        cmocka_unit_test(test_build_refuses),
+        cmocka_unit_test(test_machine_refused)};
     return run_cases("scene_optics", test_bad, bads, sizeof bads / sizeof bads[0], others,
                      sizeof others / sizeof others[0]);
 }
