@@ -87,7 +87,7 @@ tool: $(TOOL) ## the command-line tool build/sphaera
 
 include make/objects.mk make/sim.mk make/pages.mk make/bench.mk make/lint.mk make/background.mk \
         make/textures.mk make/scenarios.mk make/study.mk make/synth.mk \
-        make/effects.mk make/test.mk make/image.mk make/hard.mk make/formal.mk
+        make/effects.mk make/test.mk make/image.mk make/hard.mk make/formal.mk make/truth.mk
 
 layout: ## headers and parameters of the core from machine.def, of its bundles from bundles.def
 	$(call say,GEN,"layout.h rt_layout.vh rt_bundles.vh bundles.h")

@@ -1,12 +1,14 @@
 #!/bin/sh
-# setup.sh - installs the packages of packages.txt that are missing, through apt
+# setup.sh - installs the packages of a list that are missing, through apt
 # SPDX-License-Identifier: Apache-2.0
 #
-# usage: sim/setup.sh [--dry-run]      Does nothing, and needs no network, when all are there.
+# usage: sim/setup.sh [--dry-run] [LIST]      LIST: packages.txt beside this script if not given.
+# Does nothing, and needs no network, when all are there.
 set -eu
 
-list=$(dirname "$0")/packages.txt
-dry_run=${1:-}
+dry_run=
+[ "${1:-}" != --dry-run ] || { dry_run=$1 && shift; }
+list=${1:-$(dirname "$0")/packages.txt}
 
 if ! command -v dpkg-query >/dev/null; then
     echo "setup: no dpkg here; install what $list names with your own package manager" >&2

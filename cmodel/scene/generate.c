@@ -20,7 +20,14 @@ const char sph_generate_help[] =
     "jacks             crossed bars with balls on their ends, 1 to 25 of them (size 1 to 5)\n"
     "lattice           8, 27, 64, 125, 216 balls and the bars between them (size 1 to 5)\n"
     "tree              7, 15, 31, 63, 127 cones that branch (size 1 to 5)\n"
-    "rings             1 to 5 rings of balls and bars, one through the other (size 1 to 5)\n";
+    "rings             1 to 5 rings of balls and bars, one through the other (size 1 to 5)\n"
+    "balls             sphereflake over a square floor (size 1 to 5)\n"
+    "mount             128, 512, .. 32768 triangles, four mirrored balls (size 1 to 5, seed)\n"
+    "tetra             4, 16, .. 1024 tetrahedra of one (size 1 to 5)\n"
+    "shells            1 to 5 spirals of 48 spheres (size 1 to 5)\n"
+    "cover             480 small spheres and three big ones on one of radius 1000 (seed)\n"
+    "cornell           a room with coloured walls and two blocks\n"
+    "horizon           a ball above a plane\n";
 
 static const struct {
     const char *kind;
@@ -41,6 +48,13 @@ static const struct {
     {"lattice", sph_make_lattice, SPH_TAKES_SIZE},
     {"tree", sph_make_tree, SPH_TAKES_SIZE},
     {"rings", sph_make_rings, SPH_TAKES_SIZE},
+    {"balls", sph_make_balls, SPH_TAKES_SIZE},
+    {"mount", sph_make_mount, SPH_TAKES_SIZE},
+    {"tetra", sph_make_tetra, SPH_TAKES_SIZE},
+    {"shells", sph_make_shells, SPH_TAKES_SIZE},
+    {"cover", sph_make_cover, SPH_TAKES_SEED},
+    {"cornell", sph_make_cornell, SPH_TAKES_NOTHING},
+    {"horizon", sph_make_horizon, SPH_TAKES_NOTHING},
 };
 
 enum { N_MAKERS = sizeof makers / sizeof makers[0] };

@@ -34,6 +34,12 @@ int sph_generate_takes(const char *kind);
  *                    corners at random, or half and half
  *   jacks, lattice, tree, rings
  *                    cones, cylinders and spheres, in the manner of SPD's scenes of these names
+ *   balls, mount, tetra, shells
+ *                    likewise: sphereflake with a floor, a mountain of 2 * 4^(size+2) triangles,
+ *                    4^size tetrahedra, size spirals of 48 spheres
+ *   cover            about 480 spheres of radius 0.2 and three of radius 1 on one of radius 1000
+ *   cornell          a room with a red and a green wall, two blocks, a light below the ceiling
+ *   horizon          a ball above a plane that has no end
  * options may be NULL. No two spheres are the same. 0, or -1 with a message (unknown kind,
  * option out of range, no memory); then there is nothing to free. */
 int sph_generate(const char *kind, const struct sph_generate_options *options,

@@ -51,4 +51,19 @@ int sph_make_tree(const struct sph_generate_options *options, struct sph_scene *
 int sph_make_rings(const struct sph_generate_options *options, struct sph_scene *scene,
                    struct sph_error *err);
 
+int sph_make_balls(const struct sph_generate_options *options, struct sph_scene *scene,
+                   struct sph_error *err);
+int sph_make_mount(const struct sph_generate_options *options, struct sph_scene *scene,
+                   struct sph_error *err);
+int sph_make_tetra(const struct sph_generate_options *options, struct sph_scene *scene,
+                   struct sph_error *err);
+int sph_make_shells(const struct sph_generate_options *options, struct sph_scene *scene,
+                    struct sph_error *err);
+int sph_make_cover(const struct sph_generate_options *options, struct sph_scene *scene,
+                   struct sph_error *err);
+int sph_make_cornell(const struct sph_generate_options *options, struct sph_scene *scene,
+                     struct sph_error *err);
+int sph_make_horizon(const struct sph_generate_options *options, struct sph_scene *scene,
+                     struct sph_error *err);
+
 #endif

@@ -1,4 +1,4 @@
-/* generate_sphereflake.c - the SPD scene `balls` without its floor; see generate.h
+/* generate_sphereflake.c - the SPD scene `balls`, with its floor and without; see generate.h
  * SPDX-License-Identifier: Apache-2.0
  *
  * Eric Haines' sphereflake ("A Proposal for Standard Graphics Environments", IEEE CG&A 7(11),
@@ -74,4 +74,22 @@ int sph_make_sphereflake(const struct sph_generate_options *options, struct sph_
     if (sph_scene_add_material(scene, &mirror, err)) return -1;
     child_directions(children);
     return add(scene, children, sph_vec_of(0, 0, 0), 0.5, sph_vec_of(0, 0, 1), options->size, err);
+}
+
+/* The same over a square floor that the first sphere stands on. */
+int sph_make_balls(const struct sph_generate_options *options, struct sph_scene *scene,
+                   struct sph_error *err) {
+    const struct sph_material matt = {{1, 0.75, 0.33}, 0.8, 0, 1, 0, 1, 0, {0}};
+    const double half = 12, top = -0.5;
+    if (sph_make_sphereflake(options, scene, err) || sph_scene_add_material(scene, &matt, err))
+        return -1;
+    snprintf(scene->name, sizeof scene->name, "balls%d", options->size);
+    struct sph_facet f = {.kind = SPH_TRIANGLE, .material = 1};
+    const struct sph_vec c[4] = {
+        {half, half, top}, {-half, half, top}, {-half, -half, top}, {half, -half, top}};
+    for (int i = 1; i < 3; i++) {
+        f.v[0] = c[0], f.v[1] = c[i], f.v[2] = c[i + 1];
+        if (sph_scene_add_facet(scene, &f, err)) return -1;
+    }
+    return 0;
 }

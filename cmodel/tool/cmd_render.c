@@ -65,8 +65,7 @@ static const struct argp_option options[] = {
     {0},
 };
 
-static const char *const transfers[] = {"linear", "srgb", NULL}; /* SPH_TRANSFER_* */
-static const char *const traversals[] = {"tree", "brute"};       /* SPH_TRAVERSE_* */
+static const char *const traversals[] = {"tree", "brute"}; /* SPH_TRAVERSE_* */
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
     struct arguments *a = state->input;
@@ -90,7 +89,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         a->light.layer = (int)tool_number(state, "--layer", arg, 0, SPH_FRAMES - 1);
         return 0;
     case KEY_TRANSFER:
-        a->light.transfer = tool_choice(state, "--transfer", arg, transfers);
+        a->light.transfer = tool_choice(state, "--transfer", arg, tool_transfer_names);
         return 0;
     case KEY_DEPTHS:
         a->light.depths = 1;

@@ -6,6 +6,8 @@
 #include "image/image.h"
 #include "tool/depth_picture.h"
 
+const char *const tool_transfer_names[] = {"linear", "srgb", NULL};
+
 static int write(const struct light_pictures *how, int samples, const struct sph_frame *frame,
                  const struct sph_trail *trails, struct sph_error *err) {
     struct sph_linear light = {0};

@@ -14,6 +14,8 @@ struct light_pictures {
     int depths;                /* 1: false colours, how many surfaces made the pixel */
 };
 
+extern const char *const tool_transfer_names[]; /* SPH_TRANSFER_*, then NULL */
+
 /* Writes them, of samples x samples of the frame's pixels each. trails: as many as pixels. 0, or -1
  * with a message. */
 int light_picture(const struct light_pictures *how, int samples, const struct sph_frame *frame,

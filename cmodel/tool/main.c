@@ -14,6 +14,7 @@ static const struct {
     {"build", tool_build},           {"render", tool_render}, {"info", tool_info},
     {"compare", tool_compare},       {"gen", tool_gen},       {"import", tool_import},
     {"background", tool_background}, {"texels", tool_texels}, {"accuracy", tool_accuracy},
+    {"reference", tool_reference},   {"export", tool_export},
 };
 enum { N_COMMANDS = sizeof commands / sizeof *commands };
 
@@ -29,7 +30,9 @@ static const char doc[] =
     "  import   molecules (PDB) as scenes\n"
     "  background   the ways of background separation, compared on a scene\n"
     "  texels   orders of texels in memory, compared by the hits of caches\n"
-    "  accuracy     a scene through model and double reference: what the arithmetic costs\n\n"
+    "  accuracy     a scene through model and double reference: what the arithmetic costs\n"
+    "  reference    the double reference alone: picture, frame file\n"
+    "  export   scene file for POV-Ray\n\n"
     "`sphaera COMMAND --help` explains a command. Exit code: 0 good, 1 failed or different, "
     "2 wrong usage.";
 

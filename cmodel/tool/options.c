@@ -3,8 +3,6 @@
  */
 #include "builder/background.h"
 #include "builder/spans.h"
-#include "scene/frustum.h"
-#include "scene/motion.h"
 #include "texture/lookup.h"
 #include "tool/tool.h"
 
@@ -15,15 +13,10 @@ enum {
     KEY_BG_POINTS,
     KEY_BG_BORDER,
     KEY_BG_LEVELS,
-    KEY_SIZE,
-    KEY_DEPTH,
     KEY_TRAVERSE,
     KEY_FILTER,
     KEY_LOD,
     KEY_LOD_BITS,
-    KEY_AT,
-    KEY_SKIP,
-    KEY_ROUND,
     KEY_SAMPLES
 };
 
@@ -41,13 +34,11 @@ static const struct argp_option options[] = {
     {"bg-border", KEY_BG_BORDER, "N", 0, "spans: pixels around the outline, 0 to 64 (1)", 1},
     {"bg-levels", KEY_BG_LEVELS, "N", 0,
      "exact: 0 the root sphere (default), 1 its children, 2 theirs", 1},
-    {"size", KEY_SIZE, "WxH", 0, "frame in pixels; as the scene says if not given", 1},
     {"samples", KEY_SAMPLES, "N", 0,
      "N x N rays a pixel, 1 to 16: the frame is N times as wide and high, and pictures have the "
      "mean "
      "of its light (1)",
      1},
-    {"depth", KEY_DEPTH, "N", 0, "reflections and refractions one after another, 0 to 5 (2)", 1},
     {"traverse", KEY_TRAVERSE, "HOW", 0,
      "primary rays find the nearest hit (default), or end at the first one, as in the paper", 1},
     {"lod-bits", KEY_LOD_BITS, "N", 0, "bits of the fraction of a level, 0 to 8 (8)", 1},
@@ -57,15 +48,6 @@ static const struct argp_option options[] = {
      1},
     {"lod", KEY_LOD, "NAME", 0,
      "how far away a pixel is as large as a texel: mended (default), or as the paper prints it", 1},
-    {"at", KEY_AT, "N", 0, "frame that moving primitives are moved to, 0 (default) to 65535", 1},
-    {"skip-unsupported", KEY_SKIP, NULL, 0,
-     "leave out what is neither sphere, polygon, cone nor plane (patches) instead of refusing the "
-     "scene",
-     1},
-    {"round", KEY_ROUND, "E", 0,
-     "cones and cylinders become triangles: no point of these is farther off than this part of the "
-     "larger radius, 1e-6 to 0.5 (0.005)",
-     1},
     {0},
 };
 
@@ -91,7 +73,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     static const char *const lods[] = {"mended", "paper", NULL};
     switch (key) {
     case ARGP_KEY_INIT:
-        state->child_inputs[0] = state->child_inputs[1] = s;
+        for (int i = 0; i < 3; i++)
+            state->child_inputs[i] = s;
         return 0;
     case KEY_PROFILE:
         if (sph_profile_parse(arg, &s->profile, &err)) argp_error(state, "--profile: %s", err.text);
@@ -114,15 +97,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     case KEY_BG_LEVELS:
         s->build.bg_levels = (int)tool_number(state, "--bg-levels", arg, 0, SPH_BG_LEVELS);
         break;
-    case KEY_SIZE:
-        tool_size(state, "--size", arg, &s->build.width, &s->build.height);
-        break;
     case KEY_SAMPLES:
         s->samples = (int)tool_number(state, "--samples", arg, 1, TOOL_SAMPLES);
         return 0; /* for machines too */
-    case KEY_DEPTH:
-        s->build.max_depth = (int)tool_number(state, "--depth", arg, 0, SPH_MAX_DEPTH);
-        break;
     case KEY_TRAVERSE:
         s->build.traverse = SPH_BUILD_NEAREST + tool_choice(state, "--traverse", arg, hows);
         break;
@@ -136,16 +113,6 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         s->build.coarse =
             SPH_LOD_BITS - (int)tool_number(state, "--lod-bits", arg, 0, SPH_LOD_BITS);
         break;
-    case KEY_AT:
-        s->read.at = (uint32_t)tool_number(state, "--at", arg, 0, SPH_MAX_FRAME);
-        break;
-    case KEY_ROUND:
-        s->read.round =
-            tool_real(state, "--round", arg, SPH_FRUSTUM_ROUND_MIN, SPH_FRUSTUM_ROUND_MAX);
-        break;
-    case KEY_SKIP:
-        s->read.skip_unsupported = 1;
-        break;
     default:
         return ARGP_ERR_UNKNOWN;
     }
@@ -154,7 +121,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     return 0;
 }
 
-static const struct argp_child children[] = {
-    {&tool_accel_argp, 0, NULL, 1}, {&tool_effects_argp, 0, NULL, 1}, {0}};
+static const struct argp_child children[] = {{&tool_scene_argp, 0, NULL, 1},
+                                             {&tool_accel_argp, 0, NULL, 1},
+                                             {&tool_effects_argp, 0, NULL, 1},
+                                             {0}};
 
 const struct argp tool_source_argp = {options, parse, NULL, NULL, children, NULL, NULL};

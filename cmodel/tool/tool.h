@@ -26,6 +26,8 @@ int tool_import(int argc, char **argv);
 int tool_background(int argc, char **argv);
 int tool_texels(int argc, char **argv);
 int tool_accuracy(int argc, char **argv);
+int tool_reference(int argc, char **argv);
+int tool_export(int argc, char **argv);
 
 /* Prints the message of err; returns TOOL_FAILED. */
 int tool_failed(const struct sph_error *err);
@@ -73,6 +75,7 @@ struct tool_source {
 /* Options of build, for every command that takes a scene; its input is a struct tool_source. */
 extern const struct argp tool_source_argp;
 extern const struct argp tool_accel_argp, tool_effects_argp; /* parts of it */
+extern const struct argp tool_scene_argp; /* the part of commands that build no machine */
 extern const struct tool_source tool_source_default;
 
 /* Is path a machine file, by its name (.sph) or its first bytes? */

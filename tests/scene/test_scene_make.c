@@ -136,6 +136,53 @@ static void test_scenarios(void **state) {
     assert_non_null(strstr(err.text, "radius 20.5"));
 }
 
+/* Scenes in the manner of SPD, and those that many renderers show: what is in them at sizes 1, 3.
+ */
+static void test_shown(void **state) {
+    (void)state;
+    static const struct {
+        const char *kind;
+        uint32_t spheres[2], facets[2];
+        int lights;
+    } made[] = {{"balls", {10, 820}, {2, 2}, 3},  {"mount", {4, 4}, {128, 2048}, 1},
+                {"tetra", {0, 0}, {16, 256}, 1},  {"shells", {48, 144}, {0, 0}, 1},
+                {"cover", {474, 474}, {0, 0}, 1}, {"cornell", {0, 0}, {30, 30}, 1},
+                {"horizon", {1, 1}, {1, 1}, 1}};
+    for (size_t i = 0; i < sizeof made / sizeof *made; i++)
+        for (int k = 0; k < 2; k++) {
+            struct sph_error err = {""};
+            struct sph_generate_options o = {.size = k ? 3 : 1};
+            struct sph_scene s;
+            if (sph_generate(made[i].kind, &o, &s, &err)) fail_msg("%s", err.text);
+            assert_int_equal(s.n_spheres, made[i].spheres[k]);
+            assert_int_equal(s.n_facets, made[i].facets[k]);
+            assert_int_equal(s.n_lights, made[i].lights);
+            round_trip(&s);
+            sph_scene_free(&s);
+        }
+}
+
+/* The spheres of the cover stand on the largest and do not touch each other. */
+static void test_cover(void **state) {
+    (void)state;
+    for (uint64_t seed = 0; seed < 3; seed++) {
+        struct sph_error err = {""};
+        struct sph_generate_options o = {.seed = seed};
+        struct sph_scene s;
+        assert_int_equal(sph_generate("cover", &o, &s, &err), 0);
+        for (uint32_t i = 1; i < s.n_spheres; i++)
+            for (uint32_t k = 0; k < i; k++) {
+                const struct sph_sphere *a = &s.spheres[i], *b = &s.spheres[k];
+                double apart =
+                    hypot(hypot(a->ctr.x - b->ctr.x, a->ctr.y - b->ctr.y), a->ctr.z - b->ctr.z) -
+                    a->rad - b->rad;
+                assert_true(apart > (k ? 0 : -1e-9));
+                if (!k && a->rad < 1) assert_true(apart < 1e-9);
+            }
+        sph_scene_free(&s);
+    }
+}
+
 static int by_edge(const void *a, const void *b) {
     return memcmp(a, b, 2 * sizeof(struct sph_vec));
 }
@@ -234,6 +281,7 @@ int main(void) {
     const struct CMUnitTest others[] = {
         cmocka_unit_test(test_sphereflake),  cmocka_unit_test(test_generate),
         cmocka_unit_test(test_scenarios),    cmocka_unit_test(test_icosphere),
+        cmocka_unit_test(test_shown),        cmocka_unit_test(test_cover),
         cmocka_unit_test(test_generate_bad), cmocka_unit_test(test_scene_files)};
     return run_cases("scene_make", NULL, NULL, 0, others, sizeof others / sizeof others[0]);
 }

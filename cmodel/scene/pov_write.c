@@ -1,0 +1,209 @@
+/* pov_write.c - camera, lights and primitives of a scene for POV-Ray; see pov_write.h
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * POV-Ray passes over what is nearer than 1/1000 to where a ray starts, and farther than 10^7. So
+ * all is scaled by a power of two, to 2^16 around the eye; planes, seen far beyond, to 2^12.
+ */
+#include "scene/pov_write.h"
+
+#include <errno.h>
+#include <locale.h>
+#include <math.h>
+#include <string.h>
+
+#include "machine/layout.h" /* SPH_TRIANGLE, SPH_PLANE */
+#include "scene/nesting.h"
+#include "scene/pov_surface.h"
+
+enum { EXTENT_LOG2 = 16, EXTENT_LOG2_PLANE = 12 };
+
+struct writer {
+    const struct sph_scene *scene;
+    FILE *file;
+    double scale;
+};
+
+static double distance(struct sph_vec a, struct sph_vec b) {
+    return hypot(hypot(a.x - b.x, a.y - b.y), a.z - b.z);
+}
+
+/* The power of two that brings spheres, triangles and points of planes so near to the eye. */
+static double scale_of(const struct sph_scene *s) {
+    double most = distance(s->camera.from, s->camera.at);
+    int log2, extent = EXTENT_LOG2;
+    for (uint32_t i = 0; i < s->n_spheres; i++)
+        most = fmax(most, distance(s->spheres[i].ctr, s->camera.from) + s->spheres[i].rad);
+    for (uint32_t i = 0; i < s->n_facets; i++) {
+        int plane = s->facets[i].kind == SPH_PLANE;
+        if (plane) extent = EXTENT_LOG2_PLANE;
+        for (int k = 0; k < (plane ? 1 : 3); k++)
+            most = fmax(most, distance(s->facets[i].v[k], s->camera.from));
+    }
+    frexp(most, &log2);
+    return ldexp(1, extent - log2);
+}
+
+static void put_point(const struct writer *w, struct sph_vec v) {
+    sph_pov_vector(w->file, (double[]){v.x * w->scale, v.y * w->scale, v.z * w->scale});
+}
+
+static struct sph_vec cross(struct sph_vec a, struct sph_vec b) {
+    return (struct sph_vec){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+static struct sph_vec unit(struct sph_vec v) {
+    double n = hypot(hypot(v.x, v.y), v.z);
+    return (struct sph_vec){v.x / n, v.y / n, v.z / n};
+}
+
+/* A direction by its word, in pixels. */
+static void put_direction(const struct writer *w, const char *word, struct sph_vec v,
+                          double pixels) {
+    fprintf(w->file, " %s ", word);
+    sph_pov_vector(w->file, (double[]){v.x * pixels, v.y * pixels, v.z * pixels});
+}
+
+/* The screen is a window of width x height pixels, as far away as the field of view asks for. */
+static void put_camera(const struct writer *w, int width, int height) {
+    const struct sph_camera *c = &w->scene->camera;
+    struct sph_vec ahead =
+        unit((struct sph_vec){c->at.x - c->from.x, c->at.y - c->from.y, c->at.z - c->from.z});
+    struct sph_vec right = unit(cross(ahead, c->up)), up = cross(right, ahead);
+    fputs("camera { location ", w->file);
+    put_point(w, c->from);
+    put_direction(w, "direction", ahead, height / 2.0 / tan(c->angle * acos(-1.0) / 360));
+    put_direction(w, "right", right, width);
+    put_direction(w, "up", up, height);
+    fputs(" }\n", w->file);
+}
+
+static void put_head(const struct writer *w, const struct sph_pov_options *o, int width,
+                     int height) {
+    FILE *f = w->file;
+    fputs("// Scene ", f);
+    for (const char *c = w->scene->name; *c; c++)
+        putc((unsigned char)*c < 32 || *c == 127 ? '?' : *c, f);
+    fprintf(f,
+            " for POV-Ray 3.7, lengths times %.15g\n"
+            "// povray FILE.pov +W%d +H%d -A -D +FE +OFILE.exr\n"
+            "// Add Declare=Ids=1 for the numbers of primitives in flat colours; what else may be\n"
+            "// declared, and how surfaces at the last reflection come out: docs/use/tool.md\n"
+            "#version 3.7;\n"
+            "#ifndef (Reflections) #declare Reflections = %d; #end\n"
+            "#ifndef (Whole) #declare Whole = 0; #end\n"
+            "#ifndef (Ids) #declare Ids = 0; #end\n"
+            "global_settings { assumed_gamma 1 adc_bailout 0 max_trace_level Reflections + 1 }\n"
+            "#default { finish { ambient 0 diffuse 0 } }\n",
+            w->scale, width, height, o->max_depth);
+    put_camera(w, width, height);
+    fputs("background { rgb (Ids ? <1,1,1> : ", f);
+    sph_pov_vector(f, w->scene->background);
+    fputs(") }\n", f);
+}
+
+static void put_sphere(const struct writer *w, uint32_t i) {
+    const struct sph_sphere *s = &w->scene->spheres[i];
+    fputs("sphere { ", w->file);
+    put_point(w, s->ctr);
+    putc(',', w->file);
+    sph_pov_number(w->file, s->rad * w->scale);
+}
+
+static void put_triangle(const struct writer *w, const struct sph_facet *f) {
+    fputs("triangle { ", w->file);
+    for (int k = 0; k < 3; k++) {
+        if (k) putc(',', w->file);
+        put_point(w, f->v[k]);
+    }
+}
+
+static void put_plane(const struct writer *w, const struct sph_facet *f) {
+    struct sph_vec n = unit(f->v[1]), p = f->v[0];
+    fputs("plane { ", w->file);
+    sph_pov_vector(w->file, (double[]){n.x, n.y, n.z});
+    putc(',', w->file);
+    sph_pov_number(w->file, (n.x * p.x + n.y * p.y + n.z * p.z) * w->scale);
+}
+
+/* A primitive by its number, without the bracket that ends it; its material. */
+static uint32_t put_shape(const struct writer *w, uint32_t id) {
+    if (id < w->scene->n_spheres) {
+        put_sphere(w, id);
+        return w->scene->spheres[id].material;
+    }
+    const struct sph_facet *f = &w->scene->facets[id - w->scene->n_spheres];
+    if (f->kind == SPH_PLANE)
+        put_plane(w, f);
+    else
+        put_triangle(w, f);
+    return f->material;
+}
+
+static int clear(const struct sph_scene *s, uint32_t material) {
+    return sph_material_clear(&s->materials[material]);
+}
+
+/* What is transparent hides a light whole: the surface itself throws no shadow, and an opaque one
+ * that is nowhere seen does. */
+static void put_primitive(const struct writer *w, uint32_t id) {
+    uint32_t material = put_shape(w, id);
+    fprintf(w->file, " Look(%u,%u)", material, id);
+    if (clear(w->scene, material)) {
+        fprintf(w->file, " Inside(%u) no_shadow }\n", material);
+        put_shape(w, id);
+        fputs(" Shade()", w->file);
+    }
+    fputs(" }\n", w->file);
+}
+
+/* The triangles of a transparent material bound what is inside of them together. */
+static void put_solid(const struct writer *w, uint32_t material) {
+    const struct sph_scene *s = w->scene;
+    uint32_t n = 0;
+    for (int shade = 0; shade < 2; shade++) {
+        for (uint32_t i = 0; i < s->n_facets; i++) {
+            if (s->facets[i].kind == SPH_PLANE || s->facets[i].material != material) continue;
+            if (!n++) fputs("union {\n", w->file);
+            put_triangle(w, &s->facets[i]);
+            if (!shade) fprintf(w->file, " Look(%u,%u)", material, s->n_spheres + i);
+            fputs(" }\n", w->file);
+        }
+        if (n && shade) fputs("Shade() }\n", w->file);
+        if (n && !shade) fprintf(w->file, "Inside(%u) no_shadow }\n", material);
+        n = 0;
+    }
+}
+
+static void put_scene(const struct writer *w, const struct sph_pov_options *o) {
+    const struct sph_scene *s = w->scene;
+    put_head(w, o, o->width ? o->width : s->camera.width, o->height ? o->height : s->camera.height);
+    for (int i = 0; i < s->n_lights; i++) {
+        fputs("light_source { ", w->file);
+        put_point(w, s->lights[i].pos);
+        fputs(" rgb ", w->file);
+        sph_pov_vector(w->file, s->lights[i].rgb);
+        fputs(" }\n", w->file);
+    }
+    sph_pov_surfaces(s, w->file);
+    for (uint32_t i = 0; i < s->n_spheres; i++)
+        put_primitive(w, i);
+    for (uint32_t i = 0; i < s->n_facets; i++)
+        if (s->facets[i].kind == SPH_PLANE || !clear(s, s->facets[i].material))
+            put_primitive(w, s->n_spheres + i);
+    for (uint32_t i = 0; i < s->n_materials; i++)
+        if (clear(s, i)) put_solid(w, i);
+}
+
+int sph_scene_write_pov(const struct sph_scene *scene, const struct sph_pov_options *options,
+                        FILE *file, struct sph_error *err) {
+    locale_t c_locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    if (!c_locale) return sph_fail(err, "%s: no memory to write", scene->path);
+    locale_t before = uselocale(c_locale);
+    struct writer w = {scene, file, scale_of(scene)};
+    put_scene(&w, options);
+    uselocale(before);
+    freelocale(c_locale);
+    if (fflush(file) || ferror(file))
+        return sph_fail(err, "%s: cannot write: %s", scene->path, strerror(errno));
+    return 0;
+}

@@ -1,0 +1,77 @@
+/* cmd_export.c - `sphaera export`: a scene for another renderer
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include <string.h>
+
+#include "common/output.h"
+#include "scene/pov_write.h"
+#include "tool/tool.h"
+
+struct arguments {
+    struct tool_source source;
+    const char *input, *output;
+};
+
+static const struct argp_option options[] = {
+    {"output", 'o', "FILE.pov", 0, "scene to write (default: standard output)", 0},
+    {0},
+};
+
+static error_t parse(int key, char *arg, struct argp_state *state) {
+    struct arguments *a = state->input;
+    switch (key) {
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &a->source;
+        return 0;
+    case 'o':
+        a->output = tool_output(&a->source.outputs, arg);
+        return 0;
+    default:
+        return tool_one_scene(state, key, arg, &a->input, "no scene given");
+    }
+}
+
+/* Writes the scene where the user wants it, and says so. */
+static int finish(const struct arguments *a, const struct sph_scene *scene, struct sph_error *err) {
+    const char *path = a->output ? a->output : "-";
+    struct sph_pov_options how = {a->source.build.width, a->source.build.height,
+                                  a->source.build.max_depth};
+    struct sph_output out;
+    if (sph_output_open(&out, path, err)) return -1;
+    int failed = sph_scene_write_pov(scene, &how, out.file, err);
+    if (sph_output_close(&out, failed, err)) return -1;
+    if (strcmp(path, "-"))
+        printf("%s: %u spheres, %u facets, %d lights, %u materials\n", path, scene->n_spheres,
+               scene->n_facets, scene->n_lights, scene->n_materials);
+    if (scene->n_textures)
+        fprintf(stderr, "sphaera export: %s: %u images are left out\n", scene->path,
+                scene->n_textures);
+    return 0;
+}
+
+int tool_export(int argc, char **argv) {
+    static const struct argp_child children[] = {{&tool_scene_argp, 0, "The scene:", 1}, {0}};
+    static const struct argp argp = {
+        options,
+        parse,
+        "SCENE.nff",
+        "Writes a scene for POV-Ray 3.7.\v"
+        "Lights, surfaces, shadows, mirrors and glass are those of the scene, in linear light; "
+        "images are left out. The first lines of the file say how it is rendered.",
+        children,
+        NULL,
+        NULL};
+    struct arguments a = {.source = tool_source_default};
+    struct sph_scene scene;
+    struct sph_error err = {""};
+    argp_parse(&argp, argc, argv, 0, NULL, &a);
+
+    if (tool_is_machine(a.input)) {
+        sph_fail(&err, "%s: is a machine file, a scene is needed", a.input);
+        return tool_failed(&err);
+    }
+    if (tool_scene_read(a.input, &a.source, &scene, &err)) return tool_failed(&err);
+    int rc = finish(&a, &scene, &err);
+    sph_scene_free(&scene);
+    return rc ? tool_failed(&err) : TOOL_GOOD;
+}

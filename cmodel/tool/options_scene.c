@@ -1,0 +1,52 @@
+/* options_scene.c - the options of every command that draws or builds a scene
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "scene/frustum.h"
+#include "scene/motion.h"
+#include "tool/tool.h"
+
+enum { KEY_SIZE = 640, KEY_DEPTH, KEY_AT, KEY_SKIP, KEY_ROUND };
+
+static const struct argp_option options[] = {
+    {"size", KEY_SIZE, "WxH", 0, "frame in pixels; as the scene says if not given", 1},
+    {"depth", KEY_DEPTH, "N", 0, "reflections and refractions one after another, 0 to 5 (2)", 1},
+    {"at", KEY_AT, "N", 0, "frame that moving primitives are moved to, 0 (default) to 65535", 1},
+    {"skip-unsupported", KEY_SKIP, NULL, 0,
+     "leave out what is neither sphere, polygon, cone nor plane (patches) instead of refusing the "
+     "scene",
+     1},
+    {"round", KEY_ROUND, "E", 0,
+     "cones and cylinders become triangles: no point of these is farther off than this part of the "
+     "larger radius, 1e-6 to 0.5 (0.005)",
+     1},
+    {0},
+};
+
+static error_t parse(int key, char *arg, struct argp_state *state) {
+    struct tool_source *s = state->input;
+    switch (key) {
+    case KEY_SIZE:
+        tool_size(state, "--size", arg, &s->build.width, &s->build.height);
+        break;
+    case KEY_DEPTH:
+        s->build.max_depth = (int)tool_number(state, "--depth", arg, 0, SPH_MAX_DEPTH);
+        break;
+    case KEY_AT:
+        s->read.at = (uint32_t)tool_number(state, "--at", arg, 0, SPH_MAX_FRAME);
+        break;
+    case KEY_ROUND:
+        s->read.round =
+            tool_real(state, "--round", arg, SPH_FRUSTUM_ROUND_MIN, SPH_FRUSTUM_ROUND_MAX);
+        break;
+    case KEY_SKIP:
+        s->read.skip_unsupported = 1;
+        break;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+    for (int i = 0; options[i].key; i++)
+        if (options[i].key == key) s->option = options[i].name;
+    return 0;
+}
+
+const struct argp tool_scene_argp = {options, parse, NULL, NULL, NULL, NULL, NULL};

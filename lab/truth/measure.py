@@ -1,0 +1,128 @@
+#!/usr/bin/env python3
+# measure.py - draws scenes with POV-Ray, the double reference and the model, and compares
+# SPDX-License-Identifier: Apache-2.0
+"""usage: python3 -m lab.truth.measure TOOL FOLDER [NAME...]
+Leaves NAME.json and NAME.png in FOLDER for each scene of scenes.py, or for those named; a result
+that is younger than the tool is kept. Says what to install and exits with 1 without POV-Ray."""
+import json
+import os
+import shutil
+import subprocess
+import sys
+
+from . import pictures, scenes
+
+POVRAY = "povray"
+
+
+def stop(text):
+    sys.exit(f"truth: {text}")
+
+
+class Runner:
+    def __init__(self, tool, folder):
+        self.tool, self.folder = tool, folder
+        os.makedirs(folder, exist_ok=True)
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def sphaera(self, *words):
+        """Runs the tool; its exit code, and the last line that it complained with."""
+        done = subprocess.run([self.tool, *map(str, words)], stdout=subprocess.DEVNULL,
+                              stderr=subprocess.PIPE, text=True, check=False)
+        said = done.stderr.strip().splitlines()
+        return done.returncode, said[-1] if said else ""
+
+    def must(self, *words):
+        code, said = self.sphaera(*words)
+        if code:
+            stop(f"{words[0]} failed: {said}")
+
+    def povray(self, scene, to, *declared):
+        """One picture: EXR of linear light, or PNG of flat colours by the name's ending."""
+        width, height = scenes.SIZE
+        how = ["+FE"] if to.endswith(".exr") else ["+FN8", "File_Gamma=1.0"]
+        words = [POVRAY, f"+I{scene}", f"+O{to}", f"+W{width}", f"+H{height}", "-A", "-D", "-GA",
+                 *how, *(f"Declare={name}={value}" for name, value in declared)]
+        done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                              check=False)
+        if done.returncode or not os.path.exists(to):
+            stop(f"{' '.join(words)} failed:\n{done.stdout[-2000:]}")
+
+    def truth(self, name, scene, depth):
+        """A surface at the last reflection counts whole where `blend` would lessen it: so the
+        picture is that of lessened surfaces to one reflection before, and of whole ones what the
+        last reflection adds."""
+        pov = self.path(name + ".pov")
+        self.must("export", scene, "--depth", depth, "--size", "%dx%d" % scenes.SIZE, "-o", pov)
+        last, before, less, flat = (self.path(f"{name}.{part}") for part in
+                                    ("last.exr", "before.exr", "less.exr", "ids.png"))
+        self.povray(pov, flat, ("Ids", 1))
+        self.povray(pov, last, ("Whole", 1), ("Reflections", depth))
+        parts = [(1, last)]
+        if depth:
+            self.povray(pov, before, ("Whole", 1), ("Reflections", depth - 1))
+            self.povray(pov, less, ("Reflections", depth - 1))
+            parts = [(1, less), (1, last), (-1, before)]
+        return pictures.povray(parts, flat, self.path(name + ".ppm"))
+
+    def frame(self, name, *words):
+        """The frame that a command of the tool draws; None and why if it is refused."""
+        to = self.path(name + ".frame")
+        code, said = self.sphaera(*words, "--size", "%dx%d" % scenes.SIZE, "--frame", to)
+        return (None, said) if code else (pictures.frame(to), "")
+
+    def scene(self, name, scene, depth):
+        """Measures one scene, unless that is done."""
+        target = self.path(name + ".json")
+        if os.path.exists(target) and os.path.getmtime(target) > os.path.getmtime(self.tool):
+            return
+        print(f"  POV  {name}", flush=True)
+        truth = self.truth(name, scene, depth)
+        away = pictures.inner(truth)
+        limited, _ = self.frame(name, "reference", scene, "--depth", depth)
+        unlimited, _ = self.frame(name, "reference", scene, "--depth", depth, "--unlimited")
+        result = {"depth": depth, "pixels": len(away), "away": sum(away),
+                  "reference": pictures.compare(truth, unlimited, away),
+                  "limited": pictures.compare(truth, limited, away), "model": {}}
+        for profile in scenes.PROFILES:
+            model, why = self.frame(name, "render", scene, "--depth", depth, "--profile", profile)
+            result["model"][profile] = {"refused": why} if model is None else dict(
+                pictures.compare(truth, model, away),
+                why=pictures.explain(truth, model, limited, unlimited))
+            if profile == "standard" and model:
+                pictures.strip(self.path(name + ".png"), truth, model)
+        with open(target + ".tmp", "w", encoding="utf-8") as f:
+            json.dump(result, f, indent=1)
+        os.rename(target + ".tmp", target)
+
+
+def listed(runner):
+    """{name: (path, words that make it, if it is none of the tree)} of every scene."""
+    found = {name: (path, ()) for name, path in scenes.files()}
+    for kind in scenes.GENERATED:
+        name = kind.replace(":", "")
+        found[name] = runner.path(name + ".nff"), ("gen", kind)
+    if os.path.exists(scenes.PROTEIN):
+        found["protein"] = runner.path("protein.nff"), ("import", scenes.PROTEIN)
+    return found
+
+
+def main(tool, folder, *names):
+    if not shutil.which(POVRAY):
+        stop(f"no {POVRAY} here: `make truth-setup` installs it")
+    runner = Runner(tool, folder)
+    every = listed(runner)
+    unknown = set(names) - set(every)
+    if unknown:
+        stop(f"no scene {min(unknown)}; there are: {' '.join(every)}")
+    for name in names or every:
+        path, words = every[name]
+        if words:
+            runner.must(*words, "-o", path)
+        runner.scene(name, path, scenes.depth(path))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

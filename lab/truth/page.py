@@ -1,0 +1,97 @@
+#!/usr/bin/env python3
+# page.py - puts the tables of docs/results/truth.md in their places, and its pictures beside it
+# SPDX-License-Identifier: Apache-2.0
+"""usage: python3 -m lab.truth.page PAGE FOLDER PICTURES
+FOLDER is what measure.py left. A picture that the page shows is copied to PICTURES. A dash: the
+profile cannot draw the scene, or the pictures are equal."""
+import json
+import re
+import shutil
+import sys
+from pathlib import Path
+
+from ..pages.place import place
+from ..synth.report import table
+from . import scenes
+
+WHY = {"edge": "edge", "object": "other object", "arithmetic": "arithmetic",
+       "limit": "light above 1", "rule": "rule"}
+EQUAL = 99.0  # dB, for means, where pictures are equal
+
+
+def results(folder):
+    """{name: result}, by name."""
+    found = {}
+    for path in sorted(Path(folder).glob("*.json")):
+        found[path.stem] = json.loads(path.read_text(encoding="utf-8"))
+    if not found:
+        sys.exit(f"truth: no result in {folder}: run make truth")
+    return found
+
+
+def decibel(value):
+    return "equal" if value is None else f"{value:.1f}"
+
+
+def reference(found):
+    """The double reference against POV-Ray."""
+    rows = []
+    for name, r in found.items():
+        whole, limited = r["reference"], r["limited"]
+        rows.append([name, r["depth"], f"{100 * r['away'] / r['pixels']:.0f} %",
+                     decibel(whole["psnr"]), whole["wrong"], whole["far_off"],
+                     decibel(limited["psnr"]), limited["far_off"]])
+    return table(["scene", "depth", "inner", "dB", "other object", "far off", "limited, dB",
+                  "limited, far off"], rows)
+
+
+def cells(found, show):
+    return [[name] + ["-" if "refused" in r["model"][p] else show(r, r["model"][p])
+                      for p in scenes.PROFILES] for name, r in found.items()]
+
+
+def column(found, profile):
+    """dB of every scene that the profile draws."""
+    drawn = (r["model"][profile] for r in found.values() if "refused" not in r["model"][profile])
+    return [EQUAL if m["psnr"] is None else m["psnr"] for m in drawn]
+
+
+def model(found):
+    """The model against POV-Ray: dB of all pixels."""
+    rows = cells(found, lambda r, m: decibel(m["psnr"]))
+    every = [column(found, p) for p in scenes.PROFILES]
+    rows.append(["mean"] + [decibel(sum(c) / len(c)) for c in every])
+    rows.append(["worst"] + [decibel(min(c)) for c in every])
+    return table(["scene"] + scenes.PROFILES, rows)
+
+
+def wrong(found):
+    """Pixels whose object is another one: all of them, and inner ones."""
+    rows = cells(found, lambda r, m: f"{m['wrong']} / {m['wrong_away']}")
+    return table(["scene"] + scenes.PROFILES, rows)
+
+
+def why(found):
+    """Causes of what is far off at standard."""
+    rows = []
+    for name, r in found.items():
+        m = r["model"]["standard"]
+        if "refused" not in m:
+            rows.append([name, m["far_off"]] + [m["why"][key] for key in WHY])
+    return table(["scene", "far off"] + list(WHY.values()), rows)
+
+
+def main(page, folder, shown):
+    found = results(folder)
+    place(page, {"reference": reference(found), "model": model(found), "wrong": wrong(found),
+                 "why": why(found)})
+    Path(shown).mkdir(parents=True, exist_ok=True)
+    text = Path(page).read_text(encoding="utf-8")
+    for name in re.findall(rf"{Path(shown).name}/(\w+)\.png", text):
+        picture = Path(folder, name + ".png")
+        if picture.exists():
+            shutil.copy(picture, shown)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

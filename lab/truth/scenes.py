@@ -1,0 +1,25 @@
+# scenes.py - the scenes that are drawn by POV-Ray, by the double reference and by the model
+# SPDX-License-Identifier: Apache-2.0
+from pathlib import Path
+
+SIZE = (320, 180)
+PROFILES = ["draft", "standard", "fine", "reference"]
+PROTEIN = "/usr/share/pymol/data/demo/1tii.pdb"
+GENERATED = ["balls:3", "mount:4", "tetra:4", "shells:4", "rings:3", "lattice:3", "jacks:3",
+             "tree:4", "sphereflake:4", "icosphere:4", "random:1000", "scenario2:64", "cover",
+             "cornell", "horizon"]
+DEPTH = {"refraction": 4}  # of a folder; 2 elsewhere
+LEFT = {"empty": "nothing is in it"}
+
+
+def files():
+    """[(name, path)] of the scenes of the tree that have no images."""
+    found = sorted(Path("scenes").glob("*.nff"))
+    for folder in "facets", "refraction":
+        found += sorted(Path("scenes", folder).glob("*.nff"))
+    return [(path.stem, path) for path in found if path.stem not in LEFT]
+
+
+def depth(path):
+    """Reflections and refractions one after another."""
+    return DEPTH.get(Path(path).parent.name, 2)

@@ -1,0 +1,18 @@
+# truth.mk - scenes drawn by POV-Ray, by the double reference and by the model, compared
+# SPDX-License-Identifier: Apache-2.0
+#
+#   make truth-setup           installs what sim/packages_truth.txt names: POV-Ray
+#   make truth                 every scene of lab/truth/scenes.py, docs/results/truth.md
+# $B/truth/ holds scenes, pictures and results; one that is younger than the tool is not made again.
+
+TRUTH       := $B/truth
+TRUTH_SHOWN := docs/pictures/truth
+
+.PHONY: truth truth-setup
+truth-setup: ## installs POV-Ray (apt), which `make truth` needs
+	@sh sim/setup.sh sim/packages_truth.txt
+
+truth: $(TOOL) ## docs/results/truth.md: the model against POV-Ray, scene by scene
+	$(Q)python3 -m lab.truth.measure $(TOOL) $(TRUTH)
+	$(Q)python3 -m lab.truth.page docs/results/truth.md $(TRUTH) $(TRUTH_SHOWN)
+	$(Q)python3 -m lab.pages.measured docs/results/truth.md "make truth"
