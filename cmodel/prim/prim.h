@@ -1,8 +1,8 @@
-/* prim.h - what the model asks of a primitive, of whatever kind it is
- * SPDX-License-Identifier: Apache-2.0
+/* prim.h - what the model asks of a primitive, of whatever kind it is    RTL: rtl/prim/rt_prim.v,
+ * SPDX-License-Identifier: Apache-2.0                                    rtl/prim/rt_prim_point.v
  *
  * Kinds stand in machine.def; prim/NAME.c has the operations of each. What build asks of it stands
- * in solid.h.
+ * in build.h.
  */
 #ifndef SPH_PRIM_H
 #define SPH_PRIM_H
