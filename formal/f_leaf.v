@@ -9,7 +9,8 @@ module f_leaf #(
     parameter WD     = 3,
     parameter SHADOW = 1,
     parameter INSIDE = 1,
-    parameter T      = 10                // latency
+    parameter INTERVAL = 2,
+    parameter T      = INTERVAL == 4 ? 16 : 10   // latency
 ) (
     input wire                 clk,
     input wire                 in_valid,
@@ -29,7 +30,8 @@ module f_leaf #(
     wire [23:0] out_id;
     wire [2*W+2*WD-1:0] out_disc;
     wire signed [W+WD+1:0] out_b;
-    rt_leaf #(.W(W), .WD(WD), .TAG(2), .SHADOW(SHADOW), .INSIDE(INSIDE)) u_dut (
+    rt_leaf #(.W(W), .WD(WD), .TAG(2), .SHADOW(SHADOW), .INSIDE(INSIDE),
+              .INTERVAL(INTERVAL)) u_dut (
         .clk(clk), .rst(1'b0), .inside_on_i(on), .in_valid_i(in_valid), .in_ready_o(in_ready),
         .in_tag_i(tag), .in_ctr_x_i(ctr_x), .in_ctr_y_i(ctr_y), .in_ctr_z_i(ctr_z),
         .in_rad_i(rad), .in_id_i(id), .in_org_x_i(org_x), .in_org_y_i(org_y), .in_org_z_i(org_z),
@@ -59,8 +61,10 @@ module f_leaf #(
                             : k < 0 ? disc > 0 && b > 0 && (b < a || light > 0)
                                     : (k > 0 || b > 0) && light < 0);
 
-    // ---- first clock: any state in which leaves have a clock between them ----
-    reg [3:0] age_q = 4'd0;
+    // ---- first clock: any state in which leaves are INTERVAL clocks apart ----
+    reg [4:0] age_q = 5'd0;
+    wire [T-1:0] v = \u_dut.valid_q ;
+    wire apart = !(v & (v << 1)) && (INTERVAL == 2 || !(v & (v << 2 | v << 3)));
     reg signed [X-1:0] disc_q, b_q;
     reg [1:0]  tag_q;
     reg [23:0] id_q;
@@ -80,7 +84,7 @@ module f_leaf #(
         end
     end
     always @* begin
-        if (age_q == 0) assume (in_valid && in_ready && !(\u_dut.valid_q & (\u_dut.valid_q << 1)));
+        if (age_q == 0) assume (in_valid && in_ready && apart);
         if (age_q != 0) assume (on == on_q);             // changes only while no leaf is inside
     end
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# profile.sh - the widths of a profile, from its name and what replaces them
+# profile.sh - the widths and the pace of a profile, from its name and what replaces widths
 # SPDX-License-Identifier: Apache-2.0
 #
 # usage: sim/profile.sh PROFILE [name]
@@ -29,7 +29,10 @@ $1 == "profile" && $2 == part[1] {
     found = 1
     split("w wd pq ng fw pr", key, " ")
     for (i = 1; i <= 6; i++) value[key[i]] = $(i + 2)
+    own_w = $3
+    own_wd = $4
 }
+$1 == "pace" && $2 == part[1] { for (i = 3; i <= NF; i++) pace = pace " " $i }
 $1 == "width" { least[$2] = $5; most[$2] = $6 }
 END {
     if (failed) exit 1
@@ -55,6 +58,6 @@ END {
     else {
         for (i = 1; i <= 6; i++)
             printf "%s%s=%d", (i > 1 ? " " : ""), toupper(key[i]), value[key[i]]
-        print ""
+        print (value["w"] == own_w && value["wd"] == own_wd ? pace : "")
     }
 }' "$here/../cmodel/machine/machine.def"

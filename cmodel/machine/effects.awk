@@ -54,6 +54,16 @@ $1 == "size" {
     size_about[sizes] = text
     next
 }
+$1 == "pace" {
+    for (i = 3; i <= NF; i++) {
+        for (k = 1; k <= sizes && size[k] != substr($i, 1, index($i, "=") - 1); k++) ;
+        given = substr($i, index($i, "=") + 1) + 0
+        if (k > sizes) effects_fail("\"" $i "\" is no size=value")
+        if (given < least[k] || given > largest[k])
+            effects_fail($i " is not in " least[k] ".." largest[k])
+    }
+    next
+}
 words && /(^| ): / {
     text = $0
     sub(/^.*[ ]: /, "", text)

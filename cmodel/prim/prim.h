@@ -1,8 +1,8 @@
-/* prim.h - what the model asks of a primitive, of whatever kind it is    RTL: rtl/prim/rt_prim.v,
- * SPDX-License-Identifier: Apache-2.0                                    rtl/prim/rt_prim_point.v
+/* prim.h - what the model asks of a primitive, of whatever kind it is
+ * SPDX-License-Identifier: Apache-2.0
  *
  * Kinds stand in machine.def; prim/NAME.c has the operations of each. What build asks of it stands
- * in build.h.
+ * in solid.h.
  */
 #ifndef SPH_PRIM_H
 #define SPH_PRIM_H

@@ -1,5 +1,5 @@
 /* sphere.c - a sphere behind the interface of primitives; see prim.h
- * SPDX-License-Identifier: Apache-2.0                                  RTL: rtl/prim/rt_sphere.v
+ * SPDX-License-Identifier: Apache-2.0                                   RTL: rtl/prim/rt_leaf.v
  */
 #include <string.h>
 

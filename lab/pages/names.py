@@ -120,7 +120,7 @@ def paths(text, page):
 def plain_files(text, page):
     """A file name without its folder."""
     del page
-    pattern = rf"(?<![\w/.*$){{}}@<-])([A-Za-z][\w-]+\.{ENDINGS})(?![\w/*(]|\.\w)"
+    pattern = rf"(?<![\w/.*$){{}}@<-])([A-Za-z][\w-]+\.{ENDINGS})(?![\w/*.(])"
     for match in re.finditer(pattern, text):
         if not OPEN.search(match[1]) and match[1] not in basenames() | included():
             yield match.start(), match[1], "a file"

@@ -45,7 +45,12 @@ module rt_core #(
     parameter DIVISIONS  = 1,    // 1..8: dividers an engine for the keys of facets
     parameter ROOT_STEP  = 2,    // 1..W+WD: root bits a clock
     parameter QUOTIENT_STEP = 2, // 1..PQ: quotient bits a clock
-    parameter DIVISION_STEP = 2  // 1..W+WD: bits of a facet's key a clock
+    parameter DIVISION_STEP = 2, // 1..W+WD: bits of a facet's key a clock
+    parameter LEAF_INTERVAL = 2, // 2..4, power of two: clocks an exact test of a sphere
+    parameter UNITS      = 2,    // 1..2: units for unit vectors an engine
+    parameter UNIT_INTERVAL = 2, // 2..4, power of two: clocks a vector of each
+    parameter HIT_INTERVAL = 8,  // 8..12: clocks a hit point and its normal, 8 or 12
+    parameter BOUNCE_INTERVAL = 10 // 10..12: clocks a mirrored direction, 10 or 12
     // end of parameters
 ) (
     input  wire              clk,
@@ -265,7 +270,9 @@ module rt_core #(
                         .COARSE(COARSE),
                         .ROOTS(ROOTS), .QUOTIENTS(QUOTIENTS),
                         .DIVISIONS(DIVISIONS), .ROOT_STEP(ROOT_STEP),
-                        .QUOTIENT_STEP(QUOTIENT_STEP),
+                        .QUOTIENT_STEP(QUOTIENT_STEP), .LEAF_INTERVAL(LEAF_INTERVAL),
+                        .UNITS(UNITS), .UNIT_INTERVAL(UNIT_INTERVAL),
+                        .HIT_INTERVAL(HIT_INTERVAL), .BOUNCE_INTERVAL(BOUNCE_INTERVAL),
                         .DIVISION_STEP(DIVISION_STEP)) u_engine (
                 .clk(clk), .rst(rst), .flush_i(go && !keep_cache_i), .busy_o(e_busy[e]),
                 .regs_i(regs), .light_i(light),

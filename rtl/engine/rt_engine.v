@@ -41,6 +41,11 @@ module rt_engine #(
     parameter ROOT_STEP  = 2,    // root bits a clock
     parameter QUOTIENT_STEP = 2, // quotient bits a clock
     parameter DIVISION_STEP = 2, // bits of a facet's key a clock
+    parameter LEAF_INTERVAL = 2, // clocks an exact test of a sphere
+    parameter UNITS      = 2,    // units for unit vectors
+    parameter UNIT_INTERVAL = 2, // clocks a vector of each
+    parameter HIT_INTERVAL = 8,  // clocks a hit point and its normal
+    parameter BOUNCE_INTERVAL = 10, // clocks a mirrored direction
     parameter READS      = TEXTURE != 0 ? 3 : 2  // not to be set: readers of memory
 ) (
     input  wire                       clk,
@@ -102,7 +107,8 @@ module rt_engine #(
     wire [`RT_LINE_BITS-1:0] tex_req_line;
 
     rt_setup #(.W(W), .WD(WD), .FW(FW), .SHADOW(SHADOW), .LIGHTS(LIGHTS), .BOUNCES(BOUNCES),
-               .TEXTURE(TEXTURE), .SLOTS(SLOTS)) u_setup (
+               .TEXTURE(TEXTURE), .UNITS(UNITS), .UNIT_INTERVAL(UNIT_INTERVAL),
+               .SLOTS(SLOTS)) u_setup (
         .clk(clk), .rst(rst), .eye_i(regs_i[`RT_REGS_EYE]),
         .normal_i(normal), .light_i(vec_light), .bounce_i(bounce), .primary_i(primary),
         .primary_ready_o(primary_ready), .org_i(org), .skip_i(skip),
@@ -124,7 +130,8 @@ module rt_engine #(
         .event_o(event_o[`RT_EVENT_TRACE]), .fault_o(fault_o[3:0])
     );
     rt_leaf_unit #(.W(W), .WD(WD), .SLOTS(SLOTS), .LINES(LEAF_LINES), .ROOTS(ROOTS),
-               .ROOT_STEP(ROOT_STEP), .PR(PR), .SHADOW(SHADOWS), .INSIDE(INSIDE),
+               .ROOT_STEP(ROOT_STEP), .PR(PR), .LEAF_INTERVAL(LEAF_INTERVAL), .SHADOW(SHADOWS),
+               .INSIDE(INSIDE),
                .FACETS(FACETS), .DIVISIONS(DIVISIONS), .DIVISION_STEP(DIVISION_STEP)) u_exact (
         .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i),
         .ray_i(ray), .visit_i(visit), .result_o(result),
@@ -143,7 +150,8 @@ module rt_engine #(
                .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS),
                .TEXTURE_GROUP(TEXTURE_GROUP), .TEXTURE_COORDS(TEXTURE_COORDS),
                .COARSE(COARSE), .QUOTIENTS(QUOTIENTS),
-               .QUOTIENT_STEP(QUOTIENT_STEP)) u_shade (
+               .QUOTIENT_STEP(QUOTIENT_STEP), .HIT_INTERVAL(HIT_INTERVAL),
+               .BOUNCE_INTERVAL(BOUNCE_INTERVAL)) u_shade (
         .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i), .light_i(light_i),
         .ray_i(ray), .next_light_i(next_light), .next_slot_i(next_slot),
         .hit_i(hit), .blend_o(blend), .end_valid_o(end_valid), .end_slot_o(end_slot),

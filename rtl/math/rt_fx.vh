@@ -12,3 +12,6 @@
 
 // rt_product: clocks from operands to product, the wider one of w bits.
 `define RT_PRODUCT_LATENCY(w) (`RT_MUL_CHUNKS(w) == 2 ? 2 : 3)
+
+// rt_leaf over four clocks: pieces of 17 bits of a difference, a radius, a direction.
+`define RT_LEAF_PIECES(w, wd) ((w) <= 16 && (wd) <= 17 ? 1 : 2)

@@ -1,13 +1,14 @@
-// rt_units.v - one rt_unit, or two that take turns: a vector every second cycle, or every cycle
+// rt_units.v - one unit for unit vectors, or two that take turns: UNITS vectors in INTERVAL clocks
 // SPDX-License-Identifier: Apache-2.0
-// The second one starts one cycle behind, so never both take, and never both give.
-// Latency that of rt_unit. Model: sph_unit() in cmodel/math/rsqrt.c
+// The second one starts half an interval behind, so never both take, and never both give.
+// Latency that of rt_unit or rt_unit_four. Model: sph_unit() in cmodel/math/rsqrt.c
 `default_nettype none
 `include "rt_check.vh"
 module rt_units #(
     parameter BITS  = 17,                     // component of v, bits: 9 to 32
     parameter TAG   = 8,                      // what travels along, bits
-    parameter UNITS = 2                       // 1 or 2
+    parameter UNITS = 2,                      // 1 or 2
+    parameter INTERVAL = 2                    // clocks a vector of each: 2 or 4
 ) (
     input  wire                   clk,
     input  wire                   rst,
@@ -30,6 +31,7 @@ module rt_units #(
     wire [UNITS*RW-1:0] results;
     wire [UNITS-1:0] may = {UNITS{!in_first_i}} | {{(UNITS-1){1'b0}}, 1'b1};
     `RT_CHECK(UNITS >= 1 && UNITS <= 2, rt_units_UNITS_must_be_1_or_2)
+    `RT_CHECK(INTERVAL == 2 || INTERVAL == 4, rt_units_INTERVAL_must_be_2_or_4)
     genvar g;
     generate
         for (g = 0; g < UNITS; g = g + 1) begin : g_unit
@@ -38,14 +40,25 @@ module rt_units #(
             wire [2*BITS-1:0]  vv;
             wire [16:0]        rsqrt;
             wire [5:0]         h;
-            rt_unit #(.BITS(BITS), .TAG(TAG), .ODD(g)) u_unit (
-                .clk(clk), .rst(rst),
-                .in_valid_i(in_valid_i && may[g]), .in_ready_o(ready[g]), .in_tag_i(in_tag_i),
-                .in_x_i($signed(in_vec_i[0 +: BITS])), .in_y_i($signed(in_vec_i[BITS +: BITS])),
-                .in_z_i($signed(in_vec_i[2*BITS +: BITS])),
-                .out_valid_o(valid[g]), .out_tag_o(tag), .out_vv_o(vv),
-                .out_u_x_o(x), .out_u_y_o(y), .out_u_z_o(z), .out_y_o(rsqrt), .out_h_o(h)
-            );
+            if (INTERVAL == 2) begin : g_two
+                rt_unit #(.BITS(BITS), .TAG(TAG), .ODD(g)) u_unit (
+                    .clk(clk), .rst(rst),
+                    .in_valid_i(in_valid_i && may[g]), .in_ready_o(ready[g]), .in_tag_i(in_tag_i),
+                    .in_x_i($signed(in_vec_i[0 +: BITS])), .in_y_i($signed(in_vec_i[BITS +: BITS])),
+                    .in_z_i($signed(in_vec_i[2*BITS +: BITS])),
+                    .out_valid_o(valid[g]), .out_tag_o(tag), .out_vv_o(vv),
+                    .out_u_x_o(x), .out_u_y_o(y), .out_u_z_o(z), .out_y_o(rsqrt), .out_h_o(h)
+                );
+            end else begin : g_four
+                rt_unit_four #(.BITS(BITS), .TAG(TAG), .ODD(g)) u_unit (
+                    .clk(clk), .rst(rst),
+                    .in_valid_i(in_valid_i && may[g]), .in_ready_o(ready[g]), .in_tag_i(in_tag_i),
+                    .in_x_i($signed(in_vec_i[0 +: BITS])), .in_y_i($signed(in_vec_i[BITS +: BITS])),
+                    .in_z_i($signed(in_vec_i[2*BITS +: BITS])),
+                    .out_valid_o(valid[g]), .out_tag_o(tag), .out_vv_o(vv),
+                    .out_u_x_o(x), .out_u_y_o(y), .out_u_z_o(z), .out_y_o(rsqrt), .out_h_o(h)
+                );
+            end
             assign results[RW*g +: RW] = {tag, vv, z, y, x, rsqrt, h};
         end
     endgenerate

@@ -18,6 +18,7 @@ module rt_prim #(
     parameter ROOTS = 3,    // square root units
     parameter ROOT_STEP = 2, // root bits a clock
     parameter PR    = 0,    // significant bits of the root, 0: all
+    parameter LEAF_INTERVAL = 2, // clocks an exact test of a sphere, 2 or 4
     parameter SHADOW = 1,   // 1: shadow rays
     parameter INSIDE = 1,   // 1: rays that start inside a sphere
     parameter FACETS = 0,   // 1: triangles and planes too, a line a leaf
@@ -79,7 +80,7 @@ module rt_prim #(
     // ---- the units ----
     wire [RB-1:0] sphere_result;
     rt_sphere #(.W(W), .WD(WD), .SLOTS(SLOTS), .ROOTS(ROOTS), .ROOT_STEP(ROOT_STEP), .PR(PR),
-                .SHADOW(SHADOW), .INSIDE(INSIDE)) u_sphere (
+                .INTERVAL(LEAF_INTERVAL), .SHADOW(SHADOW), .INSIDE(INSIDE)) u_sphere (
         .clk(clk), .rst(rst), .inside_on_i(effects_i[`RT_EFFECT_INSIDE]),
         .in_valid_i(in_valid_i && to[SPHERE]), .in_ready_o(ready[SPHERE]), .test_i(test_i),
         .in_miss_i(error || none),

@@ -16,6 +16,7 @@ module rt_sphere #(
     parameter ROOTS = 3,    // square root units
     parameter ROOT_STEP = 2, // root bits a clock
     parameter PR    = 0,    // significant bits of the root, 0: all
+    parameter INTERVAL = 2, // clocks an exact test, 2 or 4
     parameter SHADOW = 1,   // 1: shadow rays
     parameter INSIDE = 1    // 1: rays that start inside a sphere
 ) (
@@ -56,7 +57,8 @@ module rt_sphere #(
     wire [SLOTW+SB:0] x_tag;
     assign {x_slot, x_miss} = x_tag[SLOTW:0];
     assign x_shadow = SHADOW != 0 && x_tag[SLOTW+SB];
-    rt_leaf #(.W(W), .WD(WD), .TAG(SLOTW+1+SB), .SHADOW(SHADOW), .INSIDE(INSIDE)) u_leaf (
+    rt_leaf #(.W(W), .WD(WD), .TAG(SLOTW+1+SB), .SHADOW(SHADOW), .INSIDE(INSIDE),
+              .INTERVAL(INTERVAL)) u_leaf (
         .clk(clk), .rst(rst), .inside_on_i(inside_on_i),
         .in_valid_i(in_valid_i && credit), .in_ready_o(leaf_ready),
         .in_tag_i(tag[SLOTW+SB:0]),

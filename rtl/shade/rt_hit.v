@@ -4,9 +4,13 @@
 //   normal = normalise(vector), or normalise(-dir) where the vector is 0
 // x, y, z follow one another through one multiplier and one shifter:
 //   product | coarse shift | fine shift | add org | limit | point, vector | normalise
-// Latency 18 cycles, a new hit every 8 cycles.
+// INTERVAL 8: a product a cycle; latency 18 cycles, a hit every 8 cycles. 12: in four cycles, in
+// pieces of 17 bits; in_ready_o comes 10 cycles behind the first sight of a hit, since each stage
+// takes from the port what it needs when it needs it; latency 19 from there, a hit every 12 cycles
+// if rt_prim_point answers within 3 cycles.
 // Model: sph_surface_point(), sph_surface_turn() in cmodel/shade/surface.c, no quotient, no unit
 `default_nettype none
+`include "rt_check.vh"
 `include "rt_layout.vh"
 `include "rt_prim.vh"
 module rt_hit #(
@@ -17,13 +21,14 @@ module rt_hit #(
     parameter INSIDE = 1, // 0: no hit comes from inside or behind
     parameter FACETS = 0, // 1: triangles and planes too
     parameter TEXTURE = 0, // 1: the guarded point leaves too
+    parameter INTERVAL = 8, // cycles a hit, 8 or 12
     parameter TAG = 8    // tag, bits
 ) (
     input  wire                 clk,
     input  wire                 rst,
     input  wire [`RT_EFFECT_BITS-1:0] effects_i, // register EFFECTS
     input  wire                 in_valid_i,
-    output wire                 in_ready_o,
+    output wire                 in_ready_o,     // all stays until then
     input  wire [TAG-1:0]       in_tag_i,
     input  wire [PQ-1:0]        in_mant_i,      // t = mant * 2^-exp
     input  wire signed [7:0]    in_exp_i,
@@ -54,25 +59,37 @@ module rt_hit #(
     localparam        [31:0] BITS  = NG;
     localparam signed [8:0]  GUARD = BITS[8:0];
 
-    // ---- control: ph_q[n] n cycles after the hit was taken; x has its turn first ----
-    reg  [8:1]           ph_q;
+    // ---- control: ph_q[n] n cycles after the hit was first seen; x has its turn first ----
+    // x is in stage n in cycle X+n-1, y and z D and 2D cycles later
+    localparam SLOW = INTERVAL == 12;
+    localparam X = SLOW ? 6 : 1, D = SLOW ? 4 : 1, LAST = X + 2*D;
+    localparam T_ORG = SLOW ? X : 0, T_TAKE = SLOW ? X + 4 : 0;   // org, shift; shape, tag
+    `RT_CHECK(INTERVAL == 8 || INTERVAL == 12, rt_hit_INTERVAL_must_be_8_or_12)
+    reg  [LAST+5:1]      ph_q;
     reg  [3:1]           feed_q;                // the vector leaves for normalisation
     reg  [1:0]           part_q;                // of point and vector: x, y, z
     reg                  late_q;                // they have not all come
     wire                 p_valid;
     wire                 first = p_valid && part_q == 2'd0;
     wire                 last  = p_valid && part_q == 2'd2;
-    wire                 late  = (ph_q[8] || late_q) && !last;
-    wire                 guarded = |ph_q[8:6];  // a component of g stands in its register
+    wire                 late  = (ph_q[LAST+5] || late_q) && !last;
+    wire                 start = in_valid_i && ~|ph_q[INTERVAL-1:1] && !late;
+    wire [LAST+5:0]      ph = {ph_q, start};
+    wire                 in_1  = ph[X] || ph[X+D] || ph[LAST];  // one of the three is in stage 1
+    wire                 in_4  = ph[X+3] || ph[X+D+3] || ph[LAST+3];
+    wire                 guarded = ph[X+5] || ph[X+D+5] || ph[LAST+5];  // g is in its register
     wire                 feed  = |feed_q;
-    wire                 take  = in_valid_i && in_ready_o;
-    assign in_ready_o = ~|ph_q[7:1] && !late;
+    wire                 take  = ph[T_TAKE];
+    assign in_ready_o = SLOW ? take : ~|ph_q[INTERVAL-1:1] && !late;
     always @(posedge clk) begin
-        ph_q   <= {ph_q[7:1], take};
+        ph_q   <= ph[LAST+4:0];
         feed_q <= {feed_q[2:1], last};
         late_q <= late;
         if (p_valid) part_q <= last ? 2'd0 : part_q + 2'd1;
-        if (rst) {ph_q, feed_q, late_q, part_q} <= 14'd0;
+        if (rst) begin
+            ph_q <= {(LAST+5){1'b0}};
+            {feed_q, late_q, part_q} <= 6'd0;
+        end
     end
 
     // ---- input: components move to x when theirs is done ----
@@ -83,46 +100,92 @@ module rt_hit #(
     reg  signed [WD-1:0] dir_x_q, dir_y_q, dir_z_q;
     reg  signed [W-1:0]  org_x_q, org_y_q, org_z_q;
     wire signed [8:0]    shift = $signed({in_exp_i[7], in_exp_i}) - GUARD;
+    wire                 next_dir;              // the product of a component is done
     always @(posedge clk) begin
-        if (take) begin
-            in_tag_q <= in_tag_i;
+        if (start) begin
             mant_q   <= in_mant_i;
+            {dir_x_q, dir_y_q, dir_z_q} <= {in_dir_x_i, in_dir_y_i, in_dir_z_i};
+        end else if (next_dir) begin
+            {dir_x_q, dir_y_q} <= {dir_y_q, dir_z_q};
+        end
+        if (ph[T_ORG]) begin
             short_q  <= shift[8];
             shift_q  <= shift[8] ? 6'd0 : |shift[7:6] ? 6'd62 : shift[5:0];
-            {dir_x_q, dir_y_q, dir_z_q} <= {in_dir_x_i, in_dir_y_i, in_dir_z_i};
             {org_x_q, org_y_q, org_z_q} <= {in_org_x_i, in_org_y_i, in_org_z_i};
-        end else begin
-            if (|ph_q[2:1]) {dir_x_q, dir_y_q} <= {dir_y_q, dir_z_q};
-            if (|ph_q[5:4]) {org_x_q, org_y_q} <= {org_y_q, org_z_q};
+        end else if (in_4) begin
+            {org_x_q, org_y_q} <= {org_y_q, org_z_q};
         end
+        if (take) in_tag_q <= in_tag_i;
     end
 
-    // ---- stage 1, cycles 1 to 3: product; -dir is kept for a hit at the centre ----
-    reg  signed [PW-1:0] s1_prod_q;
+    // ---- stage 1: product; -dir is kept for a hit at the centre ----
+    wire signed [PW-1:0] s1_prod;               // in the cycle behind stage 1
     reg  signed [WD:0]   back_x_q, back_y_q, back_z_q;
-    always @(posedge clk) begin
-        s1_prod_q <= $signed({1'b0, mant_q}) * dir_x_q;
-        if (|ph_q[3:1] || feed) begin
-            back_z_q <= -$signed({dir_x_q[WD-1], dir_x_q});
-            {back_x_q, back_y_q} <= {back_y_q, back_z_q};
+    generate
+        if (INTERVAL == 12) begin : g_slow
+            wire [34:0]        mant = {{(35-PQ){1'b0}}, mant_q};
+            wire [34:0]        dir  = {{(35-WD){dir_x_q[WD-1]}}, dir_x_q};
+            wire signed [17:0] m_l = {1'b0, mant[16:0]}, m_h = mant[34:17];
+            wire signed [17:0] d_l = {1'b0, dir[16:0]},  d_h = dir[34:17];
+            reg  [1:0]         step_q, s1_step_q, s2_step_q;     // ll, lh, hl, hh
+            reg  signed [17:0] s1_m_q, s1_d_q;
+            reg  signed [35:0] s2_p_q;
+            reg  signed [39:0] acc_q;           // 17 bits leave when the weight grows
+            reg  [33:0]        low_q;
+            wire signed [39:0] old = s2_step_q == 2'd2 ? acc_q : acc_q >>> 17;
+            wire signed [39:0] s2_p = {{4{s2_p_q[35]}}, s2_p_q};
+            wire [73:0]        all = {acc_q, low_q};
+            wire [WD:0] in_x = {in_dir_x_i[WD-1], in_dir_x_i};
+            wire [WD:0] in_y = {in_dir_y_i[WD-1], in_dir_y_i};
+            wire [WD:0] in_z = {in_dir_z_i[WD-1], in_dir_z_i};
+            always @(posedge clk) begin
+                step_q    <= start ? 2'd0 : step_q + 2'd1;
+                s1_step_q <= step_q;
+                s2_step_q <= s1_step_q;
+                s1_m_q    <= step_q[1] ? m_h : m_l;
+                s1_d_q    <= step_q[0] ? d_h : d_l;
+                s2_p_q    <= s1_m_q * s1_d_q;
+                acc_q     <= (s2_step_q == 2'd0 ? 40'sd0 : old) + s2_p;
+                if (s2_step_q[0]) low_q <= {acc_q[16:0], low_q[33:17]};
+                // loaded when the last hit's have left, then turned round
+                if (take) {back_x_q, back_y_q, back_z_q} <= {in_x, in_y, in_z};
+                else if (|ph[T_TAKE+3:T_TAKE+1] || feed) begin
+                    back_z_q <= -back_x_q;
+                    {back_x_q, back_y_q} <= {back_y_q, back_z_q};
+                end
+            end
+            assign next_dir = step_q == 2'd3;
+            assign s1_prod  = $signed(all[PW-1:0]);
+            wire unused = &{1'b0, all, in_1};
+        end else begin : g_fast
+            reg signed [PW-1:0] s1_prod_q;
+            always @(posedge clk) begin
+                s1_prod_q <= $signed({1'b0, mant_q}) * dir_x_q;
+                if (in_1 || feed) begin
+                    back_z_q <= -$signed({dir_x_q[WD-1], dir_x_q});
+                    {back_x_q, back_y_q} <= {back_y_q, back_z_q};
+                end
+            end
+            assign next_dir = in_1;
+            assign s1_prod  = s1_prod_q;
         end
-    end
+    endgenerate
 
-    // ---- stages 2 and 3, cycles 2 to 5: shift right, one bit kept to round ----
+    // ---- stages 2 and 3: shift right, one bit kept to round ----
     reg  signed [SW-1:0] s2_prod_q, s3_prod_q;
-    wire signed [SW-1:0] s1_prod = $signed({s1_prod_q, 1'b0});
+    wire signed [SW-1:0] s1_half = $signed({s1_prod, 1'b0});
     always @(posedge clk) begin
-        s2_prod_q <= s1_prod >>> {shift_q[5:3], 3'd0};
+        s2_prod_q <= s1_half >>> {shift_q[5:3], 3'd0};
         s3_prod_q <= s2_prod_q >>> shift_q[2:0];
     end
 
-    // ---- stage 4, cycles 4 to 6: (2*org*2^NG + 1 + offset) / 2 rounds half up ----
+    // ---- stage 4: (2*org*2^NG + 1 + offset) / 2 rounds half up ----
     reg  signed [SW:0]   s4_sum_q;
     wire signed [SW:0]   s4_org = $signed({{(SW-W){org_x_q[W-1]}}, org_x_q, 1'b0}) <<< NG;
     always @(posedge clk)
         s4_sum_q <= $signed({s4_org[SW:1], 1'b1}) + $signed({s3_prod_q[SW-1], s3_prod_q});
 
-    // ---- stage 5, cycles 5 to 7: limit to the guarded grid ----
+    // ---- stage 5: limit to the guarded grid ----
     reg  signed [GW-1:0] s5_g_q;
     reg                  s5_over_q;
     wire                 s5_sign = s4_sum_q[SW];
@@ -132,7 +195,7 @@ module rt_hit #(
         s5_g_q    <= s5_over ? $signed({s5_sign, {(GW-1){!s5_sign}}}) : $signed(s4_sum_q[GW:1]);
     end
 
-    // ---- stage 6, cycles 6 to 8: point and vector, as the primitive has them ----
+    // ---- stage 6: point and vector, as the primitive has them ----
     reg  [TAG-1:0]       s6_tag_q;
     reg                  s6_over_q, s6_any_q;
     reg  signed [W-1:0]  s6_px_q, s6_py_q, s6_pz_q;
@@ -150,7 +213,7 @@ module rt_hit #(
     always @(posedge clk) begin
         if (guarded || p_valid)
             s6_over_q <= (guarded && s5_over_q) || (p_valid && p_limited) ||
-                         (ph_q[6] ? short_q : s6_over_q);
+                         (ph[X+5] ? short_q : s6_over_q);
         if (p_valid) begin
             s6_pz_q <= p_point;
             {s6_px_q, s6_py_q} <= {s6_py_q, s6_pz_q};
@@ -163,7 +226,7 @@ module rt_hit #(
         if (last) s6_tag_q <= in_tag_q;
     end
 
-    // ---- cycles 9 to 11: to normalisation, out 7 cycles later; the rest waits at the output ----
+    // ---- behind z: to normalisation, out 7 cycles later; the rest waits at the output ----
     wire [VW+WD:0]       back   = {{VW{back_x_q[WD]}}, back_x_q};
     wire signed [VW-1:0] vector = $signed({{(VW-PV+1){s6_nx_q[PV-1]}}, s6_nx_q[PV-2:0]});
     wire signed [VW-1:0] feed_v = s6_any_q ? vector : $signed(back[VW-1:0]);

@@ -13,6 +13,7 @@ module rt_leave #(
     parameter MIRRORS = 1,   // 0: no mirror rays
     parameter REFRACT = 0,   // 1: refracted rays
     parameter PATHS   = 0,   // 1: waiting rays keep the length of their path (TEXTURE)
+    parameter BOUNCE_INTERVAL = 10, // clocks a mirrored direction, 10 or 12
     parameter SLOTS   = 32   // power of two
 ) (
     input  wire                         clk,
@@ -86,7 +87,8 @@ module rt_leave #(
                             blend_i, back_ready_i};
         end
         if (MIRRORS != 0) begin : g_mirrors
-            rt_mirrors #(.W(W), .WD(WD), .SLOTS(SLOTS)) u_mirrors (
+            rt_mirrors #(.W(W), .WD(WD), .INTERVAL(BOUNCE_INTERVAL),
+                         .SLOTS(SLOTS)) u_mirrors (
                 .clk(clk), .rst(rst), .ray_i(ray_i), .in_valid_i(m_valid), .in_slot_i(m_slot),
                 .out_valid_o(m_out), .out_slot_o(m_out_slot), .out_vec_o(m_vec)
             );

@@ -4,9 +4,11 @@
 // direction to rt_setup when the surface is blended. Model: sph_bounce() in cmodel/shade/surface.c
 `default_nettype none
 `include "rt_bundles.vh"
+`include "rt_check.vh"
 module rt_mirrors #(
     parameter W     = 16,  // coordinate, bits
     parameter WD    = 17,  // direction component, bits
+    parameter INTERVAL = 10, // clocks a direction, 10 or 12
     parameter SLOTS = 32  // power of two
 ) (
     input  wire              clk,
@@ -21,6 +23,7 @@ module rt_mirrors #(
     output wire [3*WD-1:0]   out_vec_o
 );
     localparam SLOTW = $clog2(SLOTS);
+    `RT_CHECK(INTERVAL == 10 || INTERVAL == 12, rt_mirrors_INTERVAL_must_be_10_or_12)
     wire             m_valid, m_in, ready;
     wire [SLOTW-1:0] m_slot;
     reg              n_valid_q;
@@ -49,16 +52,35 @@ module rt_mirrors #(
         end
         if (rst) n_valid_q <= 1'b0;
     end
-    rt_bounce #(.WD(WD), .TAG(SLOTW)) u_bounce (
-        .clk(clk), .rst(rst), .in_valid_i(n_valid_q), .in_ready_o(ready), .in_tag_i(n_slot_q),
-        .in_dir_x_i($signed(n_dir[`RT_VEC_X])), .in_dir_y_i($signed(n_dir[`RT_VEC_Y])),
-        .in_dir_z_i($signed(n_dir[`RT_VEC_Z])),
-        .in_normal_x_i($signed(n_normal[`RT_VEC_X])), .in_normal_y_i($signed(n_normal[`RT_VEC_Y])),
-        .in_normal_z_i($signed(n_normal[`RT_VEC_Z])), .in_nn_i(n_nn),
-        .out_valid_o(out_valid_o), .out_tag_o(out_slot_o),
-        .out_dir_x_o(out_vec_o[`RT_VEC_X]), .out_dir_y_o(out_vec_o[`RT_VEC_Y]),
-        .out_dir_z_o(out_vec_o[`RT_VEC_Z])
-    );
+    generate
+        if (INTERVAL == 12) begin : g_twelve
+            rt_bounce_twelve #(.WD(WD), .TAG(SLOTW)) u_bounce (
+                .clk(clk), .rst(rst), .in_valid_i(n_valid_q), .in_ready_o(ready),
+                .in_tag_i(n_slot_q),
+                .in_dir_x_i($signed(n_dir[`RT_VEC_X])), .in_dir_y_i($signed(n_dir[`RT_VEC_Y])),
+                .in_dir_z_i($signed(n_dir[`RT_VEC_Z])),
+                .in_normal_x_i($signed(n_normal[`RT_VEC_X])),
+                .in_normal_y_i($signed(n_normal[`RT_VEC_Y])),
+                .in_normal_z_i($signed(n_normal[`RT_VEC_Z])), .in_nn_i(n_nn),
+                .out_valid_o(out_valid_o), .out_tag_o(out_slot_o),
+                .out_dir_x_o(out_vec_o[`RT_VEC_X]), .out_dir_y_o(out_vec_o[`RT_VEC_Y]),
+                .out_dir_z_o(out_vec_o[`RT_VEC_Z])
+            );
+        end else begin : g_ten
+            rt_bounce #(.WD(WD), .TAG(SLOTW)) u_bounce (
+                .clk(clk), .rst(rst), .in_valid_i(n_valid_q), .in_ready_o(ready),
+                .in_tag_i(n_slot_q),
+                .in_dir_x_i($signed(n_dir[`RT_VEC_X])), .in_dir_y_i($signed(n_dir[`RT_VEC_Y])),
+                .in_dir_z_i($signed(n_dir[`RT_VEC_Z])),
+                .in_normal_x_i($signed(n_normal[`RT_VEC_X])),
+                .in_normal_y_i($signed(n_normal[`RT_VEC_Y])),
+                .in_normal_z_i($signed(n_normal[`RT_VEC_Z])), .in_nn_i(n_nn),
+                .out_valid_o(out_valid_o), .out_tag_o(out_slot_o),
+                .out_dir_x_o(out_vec_o[`RT_VEC_X]), .out_dir_y_o(out_vec_o[`RT_VEC_Y]),
+                .out_dir_z_o(out_vec_o[`RT_VEC_Z])
+            );
+        end
+    endgenerate
     wire unused = &{1'b0, ray_i, m_in};
 endmodule
 `default_nettype wire

@@ -32,7 +32,9 @@ module rt_shade #(
     parameter TEXTURE_COORDS = 2, // units for texture coordinates
     parameter COARSE     = 0,    // bits of a level's fraction that are rounded away
     parameter QUOTIENTS  = 3,    // dividers
-    parameter QUOTIENT_STEP = 2  // quotient bits a clock
+    parameter QUOTIENT_STEP = 2, // quotient bits a clock
+    parameter HIT_INTERVAL = 8,  // clocks a hit point and its normal, 8 or 12
+    parameter BOUNCE_INTERVAL = 10 // clocks a mirrored direction, 10 or 12
 ) (
     input  wire                       clk,
     input  wire                       rst,
@@ -101,7 +103,7 @@ module rt_shade #(
     rt_surface #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .POINTS(POINTS), .BOUNCES(BOUNCES),
                  .INSIDE(INSIDE), .FACETS(FACETS), .TEXTURE(TEXTURE), .LOOKS(SHARES),
                  .SLOTS(SLOTS), .QUOTIENTS(QUOTIENTS),
-                 .QUOTIENT_STEP(QUOTIENT_STEP)) u_surface (
+                 .QUOTIENT_STEP(QUOTIENT_STEP), .HIT_INTERVAL(HIT_INTERVAL)) u_surface (
         .clk(clk), .rst(rst), .regs_i(regs_i), .points_on_i(points_on),
         .ray_i(ray_i), .hit_i(hit_i),
         .fetch_o(fetch_o), .fetch_ready_i(fetch_ready_i),
@@ -258,7 +260,7 @@ module rt_shade #(
     );
     wire             reflected;
     rt_leave #(.W(W), .WD(WD), .NG(NG), .PR(PR), .MIRRORS(BOUNCES), .REFRACT(REFRACT),
-               .PATHS(TEXTURE), .SLOTS(SLOTS)) u_leave (
+               .PATHS(TEXTURE), .BOUNCE_INTERVAL(BOUNCE_INTERVAL), .SLOTS(SLOTS)) u_leave (
         .clk(clk), .rst(rst), .ray_i(ray_i), .hit_i(hit_i), .material_i(material),
         .surface_i(surface), .path_valid_i(path_valid), .path_slot_i(path_slot), .path_i(path),
         .blend_i(blend_o), .next_valid_o(next_valid), .next_slot_o(next_slot),

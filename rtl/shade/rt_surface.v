@@ -21,7 +21,8 @@ module rt_surface #(
     parameter LOOKS   = 0,     // 1: the rest of the material, for refraction and sum
     parameter SLOTS = 32,      // power of two
     parameter QUOTIENTS = 3,   // dividers
-    parameter QUOTIENT_STEP = 2 // quotient bits a clock
+    parameter QUOTIENT_STEP = 2, // quotient bits a clock
+    parameter HIT_INTERVAL = 8 // clocks a hit point and its normal, 8 or 12
 ) (
     input  wire                       clk,
     input  wire                       rst,
@@ -169,21 +170,42 @@ module rt_surface #(
             reg              r_valid_q;
             reg [SLOTW-1:0]  r_slot_q;
             reg [`RT_LEAF_STRIDE-1:0] r_shape_q;  // what is no material
+
+            // ---- a slow rt_hit has a queue, so that records do not keep leaves in the cache ----
+            localparam EW = SLOTW + `RT_LEAF_STRIDE;
+            wire             e_valid;         // the next record; it goes to r with its ray and t
+            wire [EW-1:0]    e;
+            wire [SLOTW-1:0] e_slot = e[EW-1 -: SLOTW];
+            wire             r_ready = !r_valid_q || ready;
+            wire             e_load = e_valid && r_ready;
+            wire             offer = record_i[`RT_RECORD_VALID] && on;
+            wire [EW-1:0]    offered = {prim_slot, prim[`RT_LEAF_STRIDE-1:0]};
+            if (HIT_INTERVAL > 8) begin : g_queue
+                rt_fifo #(.WIDTH(EW), .DEPTH(16)) u_records (
+                    .clk(clk), .rst(rst),
+                    .in_valid_i(offer && hit_ready), .in_ready_o(hit_ready), .in_data_i(offered),
+                    .out_valid_o(e_valid), .out_ready_i(r_ready), .out_data_o(e)
+                );
+            end else begin : g_at_once
+                assign hit_ready = r_ready;
+                assign e_valid   = offer;
+                assign e         = offered;
+            end
             rt_slot_ram #(.WIDTH(TW), .SLOTS(SLOTS), .OLD(0)) u_t (
                 .clk(clk), .wr_en_i(t_valid), .wr_addr_i(t_fetch[26 +: SLOTW]), .wr_data_i(t),
-                .rd_en_i(r_load), .rd_addr_i(prim_slot), .rd_data_o(r_t)
+                .rd_en_i(e_load), .rd_addr_i(e_slot), .rd_data_o(r_t)
             );
             if (BOUNCES != 0) begin : g_org
                 rt_slot_ram #(.WIDTH(3*W+3*WD), .SLOTS(SLOTS), .OLD(0)) u_ray (
                     .clk(clk), .wr_en_i(ray_valid), .wr_addr_i(ray_slot),
                     .wr_data_i({ray_i[`RT_RAY_DIR], ray_i[`RT_RAY_ORG]}),
-                    .rd_en_i(r_load), .rd_addr_i(prim_slot), .rd_data_o({r_dir, r_org})
+                    .rd_en_i(e_load), .rd_addr_i(e_slot), .rd_data_o({r_dir, r_org})
                 );
             end else begin : g_eye
                 rt_slot_ram #(.WIDTH(3*WD), .SLOTS(SLOTS), .OLD(0)) u_ray (
                     .clk(clk), .wr_en_i(ray_valid), .wr_addr_i(ray_slot),
                     .wr_data_i(ray_i[`RT_RAY_DIR]),
-                    .rd_en_i(r_load), .rd_addr_i(prim_slot), .rd_data_o(r_dir)
+                    .rd_en_i(e_load), .rd_addr_i(e_slot), .rd_data_o(r_dir)
                 );
                 assign r_org = regs_i[`RT_REGS_EYE];
             end
@@ -191,22 +213,18 @@ module rt_surface #(
                 rt_slot_ram #(.WIDTH(1), .SLOTS(SLOTS), .OLD(0)) u_far (
                     .clk(clk), .wr_en_i(in_valid), .wr_addr_i(in_slot),
                     .wr_data_i(hit_i[`RT_HIT_FAR]),
-                    .rd_en_i(r_load), .rd_addr_i(prim_slot), .rd_data_o(r_far)
+                    .rd_en_i(e_load), .rd_addr_i(e_slot), .rd_data_o(r_far)
                 );
             end else begin : g_near
                 assign r_far = 1'b0;
             end
-            assign hit_ready = !r_valid_q || ready;
             always @(posedge clk) begin
-                if (r_load) begin
-                    r_slot_q  <= prim_slot;
-                    r_shape_q <= prim[`RT_LEAF_STRIDE-1:0];
-                end
-                if (hit_ready) r_valid_q <= record_i[`RT_RECORD_VALID] && on;
+                if (e_load)  {r_slot_q, r_shape_q} <= e;
+                if (r_ready) r_valid_q <= e_valid;
                 if (rst) r_valid_q <= 1'b0;
             end
             rt_hit #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .INSIDE(FARS), .FACETS(FACETS),
-                     .TEXTURE(TEXTURE), .TAG(SLOTW)) u_hit (
+                     .TEXTURE(TEXTURE), .INTERVAL(HIT_INTERVAL), .TAG(SLOTW)) u_hit (
                 .clk(clk), .rst(rst), .effects_i(effects),
                 .in_valid_i(r_valid_q), .in_ready_o(ready), .in_tag_i(r_slot_q),
                 .in_mant_i(r_t[TW-1:8]), .in_exp_i($signed(r_t[7:0])),

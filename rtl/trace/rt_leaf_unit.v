@@ -17,6 +17,7 @@ module rt_leaf_unit #(
     parameter ROOTS = 3,    // square root units
     parameter ROOT_STEP = 2, // root bits a clock
     parameter PR    = 0,    // significant bits of the root, 0: all
+    parameter LEAF_INTERVAL = 2, // clocks an exact test of a sphere, 2 or 4
     parameter SHADOW = 1,   // 1: shadow rays
     parameter INSIDE = 1,   // 1: rays that start inside a sphere
     parameter FACETS = 0,   // 1: triangles and planes too, a line a leaf
@@ -167,8 +168,8 @@ module rt_leaf_unit #(
 
     // ---- exact tests ----
     rt_prim #(.W(W), .WD(WD), .SLOTS(SLOTS), .ROOTS(ROOTS), .ROOT_STEP(ROOT_STEP), .PR(PR),
-              .SHADOW(SHADOW), .INSIDE(INSIDE), .FACETS(FACETS), .DIVISIONS(DIVISIONS),
-              .DIVISION_STEP(DIVISION_STEP)) u_prim (
+              .LEAF_INTERVAL(LEAF_INTERVAL), .SHADOW(SHADOW), .INSIDE(INSIDE), .FACETS(FACETS),
+              .DIVISIONS(DIVISIONS), .DIVISION_STEP(DIVISION_STEP)) u_prim (
         .clk(clk), .rst(rst), .effects_i(effects),
         .in_valid_i(l_valid_q), .in_ready_o(l_ready), .test_i(test),
         .result_o(result_o), .event_o(event_o[`RT_EXACT_EVENT_PRIM]), .bad_o(l_bad)

@@ -1,7 +1,8 @@
 // rt_setup.v - ray set-up: unit vectors, origin, depth scale
 // SPDX-License-Identifier: Apache-2.0
 // Takes vectors from four sources (surface normals first, primary rays last), makes each a unit
-// vector, and from that all a ray carries. One vector a cycle, a light every second cycle.
+// vector, and from that all a ray carries. UNITS vectors in UNIT_INTERVAL clocks, but no light in
+// the clock behind another.
 // Model: sph_ray_setup() in cmodel/trace/setup.c
 `default_nettype none
 `include "rt_layout.vh"
@@ -14,6 +15,8 @@ module rt_setup #(
     parameter LIGHTS  = 8,  // 0: no vectors to lights
     parameter BOUNCES = 1,  // 0: no mirrored or refracted directions
     parameter TEXTURE = 0,  // 1: textures need unit normals and the length of rays
+    parameter UNITS   = 2,  // units for unit vectors, 1 or 2
+    parameter UNIT_INTERVAL = 2, // clocks a vector of each, 2 or 4
     parameter SLOTS   = 32  // power of two
 ) (
     input  wire                       clk,
@@ -57,10 +60,10 @@ module rt_setup #(
     );
 
     // ---- unit vector ----
-    // Two units, a vector a cycle. Lights go to the first only, so that they leave at the pace of
-    // rt_cosine.
-    localparam UNITS = 2;
-    localparam KB    = NORMALS != 0 ? 2 : 0;         // bits of a kind
+    // Lights leave at the pace of rt_cosine, every second clock at most: of two units that could be
+    // faster they take the first only.
+    wire              v_first = UNIT_INTERVAL == 2 && v_light;
+    localparam KB     = NORMALS != 0 ? 2 : 0;         // bits of a kind
     wire [SLOTW+1:0]  v_tag = {v_slot, v_kind};
     wire              u_valid;
     wire [SLOTW+1:0]  u_tag;
@@ -71,9 +74,9 @@ module rt_setup #(
     wire [17:0]       u_x = u_unit[`RT_UNIT_X], u_y = u_unit[`RT_UNIT_Y], u_z = u_unit[`RT_UNIT_Z];
     wire [16:0]       u_rsqrt;
     wire [5:0]        u_shift;
-    rt_units #(.BITS(WD), .TAG(SLOTW+KB), .UNITS(UNITS)) u_units (
+    rt_units #(.BITS(WD), .TAG(SLOTW+KB), .UNITS(UNITS), .INTERVAL(UNIT_INTERVAL)) u_units (
         .clk(clk), .rst(rst),
-        .in_valid_i(v_valid), .in_first_i(v_light), .in_ready_o(v_ready),
+        .in_valid_i(v_valid), .in_first_i(v_first), .in_ready_o(v_ready),
         .in_tag_i(v_tag[SLOTW+1 -: SLOTW+KB]), .in_vec_i(v_vec),
         .out_valid_o(u_valid), .out_tag_o(u_tag[SLOTW+1 -: SLOTW+KB]), .out_vv_o(u_vv),
         .out_u_o(u_unit), .out_y_o(u_rsqrt), .out_h_o(u_shift)

@@ -49,7 +49,12 @@ module tb_core_icarus #(
     parameter DIVISIONS  = 1,    // 1..8: dividers an engine for the keys of facets
     parameter ROOT_STEP  = 2,    // 1..W+WD: root bits a clock
     parameter QUOTIENT_STEP = 2, // 1..PQ: quotient bits a clock
-    parameter DIVISION_STEP = 2  // 1..W+WD: bits of a facet's key a clock
+    parameter DIVISION_STEP = 2, // 1..W+WD: bits of a facet's key a clock
+    parameter LEAF_INTERVAL = 2, // 2..4, power of two: clocks an exact test of a sphere
+    parameter UNITS      = 2,    // 1..2: units for unit vectors an engine
+    parameter UNIT_INTERVAL = 2, // 2..4, power of two: clocks a vector of each
+    parameter HIT_INTERVAL = 8,  // 8..12: clocks a hit point and its normal, 8 or 12
+    parameter BOUNCE_INTERVAL = 10 // 10..12: clocks a mirrored direction, 10 or 12
     // end of parameters
 );
     localparam N_REGS = `RT_N_REGS;
@@ -94,7 +99,9 @@ module tb_core_icarus #(
         .TEXTURE_WAYS(TEXTURE_WAYS), .TEXTURE_GROUP(TEXTURE_GROUP),
         .TEXTURE_COORDS(TEXTURE_COORDS), .ROOTS(ROOTS), .QUOTIENTS(QUOTIENTS),
         .DIVISIONS(DIVISIONS), .ROOT_STEP(ROOT_STEP), .QUOTIENT_STEP(QUOTIENT_STEP),
-        .DIVISION_STEP(DIVISION_STEP)
+        .DIVISION_STEP(DIVISION_STEP), .LEAF_INTERVAL(LEAF_INTERVAL), .UNITS(UNITS),
+        .UNIT_INTERVAL(UNIT_INTERVAL), .HIT_INTERVAL(HIT_INTERVAL),
+        .BOUNCE_INTERVAL(BOUNCE_INTERVAL)
         // end of connections
     ) u_core (
         .clk(clk), .rst(rst),

@@ -1,9 +1,16 @@
-/* tb_unit.cpp - rt_unit against sph_unit()
+/* tb_unit.cpp - rt_unit, or rt_unit_four, against sph_unit()
  * SPDX-License-Identifier: Apache-2.0
  */
 #include <deque>
-#include "Vrt_unit.h"
 #include "bench.h"
+#ifdef FOUR
+#include "Vrt_unit_four.h"
+using Unit = Vrt_unit_four;
+#else
+#include "Vrt_unit.h"
+using Unit = Vrt_unit;
+#define FOUR 0
+#endif
 extern "C" {
 #include "math/rsqrt.h"
 }
@@ -15,6 +22,7 @@ struct Vector {
     unsigned tag;
 };
 
+constexpr uint64_t LATENCY = FOUR ? 23 : BITS <= 17 ? 12 : 16, INTERVAL = FOUR ? 4 : 2;
 constexpr int64_t MIN = -((int64_t)1 << (BITS - 1)), MAX = -MIN - 1;
 
 Vector vector(bench::Random &r, long n) {
@@ -61,16 +69,16 @@ Vector vector(bench::Random &r, long n) {
 } // namespace
 
 int main(int argc, char **argv) {
-    bench::Bench<Vrt_unit> b("tb_unit", argc, argv, 300000);
-    Vrt_unit &t = b.dut;
+    bench::Bench<Unit> b("tb_unit", argc, argv, 300000);
+    Unit &t = b.dut;
     std::deque<std::pair<Vector, uint64_t>> sent; /* and the cycle in which it is due */
-    const uint64_t latency = BITS <= 17 ? 12 : 16;
     Vector v = vector(b.random, 0);
     bool offered = false;
     unsigned gaps = 0;
     long count = 1;
     t.in_valid_i = 0;
     b.reset();
+    uint64_t ready = b.cycle;
     while (b.more()) {
         if (b.cycle % 4096 == 0) gaps = (unsigned)b.random.below(3) * 30;
         if (!offered) offered = !b.random.percent(gaps);
@@ -80,8 +88,10 @@ int main(int argc, char **argv) {
         b.set(t.in_y_i, BITS, v.v[1]);
         b.set(t.in_z_i, BITS, v.v[2]);
         b.settle();
+        if (t.in_ready_o) ready = b.cycle;
+        if (b.cycle - ready >= INTERVAL) b.fail("in_ready_o is low for too long");
         if (offered && t.in_ready_o) {
-            sent.emplace_back(v, b.cycle + latency);
+            sent.emplace_back(v, b.cycle + LATENCY);
             v = vector(b.random, count++);
             offered = false;
         }

@@ -15,7 +15,17 @@ extern "C" {
 #include "prim/leaf.h"
 }
 
+#ifndef INTERVAL
+#define INTERVAL 2
+#endif
+
 namespace {
+
+constexpr int larger(int a, int b) { return a > b ? a : b; }
+constexpr uint64_t multiply(int bits) { return bits <= 18 ? 1 : (uint64_t)(bits + 15) / 17 + 1; }
+constexpr uint64_t LATENCY = INTERVAL == 4 ? (W <= 16 && WD <= 17 ? 16 : 20)
+                                           : multiply(larger(W + 1, WD)) +
+                                                 multiply(larger(2 * W + 3, 2 * WD + 1)) + 8;
 
 constexpr int64_t C_MIN = -((int64_t)1 << (W - 1)), C_MAX = -C_MIN - 1,
                   R_MAX = ((int64_t)1 << W) - 1;
@@ -26,6 +36,7 @@ struct Vector {
     sph_leaf leaf{};
     unsigned tag = 0;
     int family = 0;
+    uint64_t taken = 0; /* cycle */
     bool shadow = false; /* the port; a shadow ray only if they are elaborated */
     hard::Case hard;
 };
@@ -370,6 +381,7 @@ int main(int argc, char **argv) {
     t.in_valid_i = 0;
     t.inside_on_i = 1;
     b.reset();
+    uint64_t ready = b.cycle;
     while (b.more()) {
         if (b.cycle % 4096 == 0) {
             gaps = (unsigned)b.random.below(3) * 30; /* 0: back to back */
@@ -385,7 +397,10 @@ int main(int argc, char **argv) {
         t.in_valid_i = offered;
         drive(b, v);
         b.settle();
+        if (t.in_ready_o) ready = b.cycle;
+        if (b.cycle - ready >= INTERVAL) b.fail("in_ready_o is low for too long");
         if (offered && t.in_ready_o) {
+            v.taken = b.cycle;
             sent.push_back(v);
             v = source.next();
             offered = false;
@@ -400,6 +415,7 @@ int main(int argc, char **argv) {
         sent.pop_front();
         sph_leaf_result r = sph_leaf_test(&s.ray, &s.leaf);
         refused = refused || (!s.ray.inside && r.k > 0);
+        b.expect("latency", (bench::i128)(b.cycle - s.taken), LATENCY);
         compare(b, s, r);
         b.done();
     }

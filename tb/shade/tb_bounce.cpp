@@ -1,12 +1,19 @@
-/* tb_bounce.cpp - rt_bounce, and rt_normalise inside it, against sph_bounce()
+/* tb_bounce.cpp - rt_bounce, or rt_bounce_twelve, and rt_normalise inside it, against sph_bounce()
  * SPDX-License-Identifier: Apache-2.0
  *
  * The hits of tests/hard come first.
  */
 #include <vector>
 
-#include "Vrt_bounce.h"
 #include "bench.h"
+#ifdef TWELVE
+#include "Vrt_bounce_twelve.h"
+using Bounce = Vrt_bounce_twelve;
+#else
+#include "Vrt_bounce.h"
+using Bounce = Vrt_bounce;
+#define TWELVE 0
+#endif
 #include "hard.h"
 
 extern "C" {
@@ -15,7 +22,7 @@ extern "C" {
 
 namespace {
 
-constexpr uint64_t LATENCY = 20, INTERVAL = 10;
+constexpr uint64_t LATENCY = TWELVE ? 24 : 20, INTERVAL = TWELVE ? 24 : 10;
 const struct sph_profile profile = {PROFILE, WD - 1, WD, WD, 2, 12, 0};
 
 struct Vector {
@@ -84,7 +91,7 @@ Vector make(bench::Random &random) {
 } // namespace
 
 int main(int argc, char **argv) {
-    bench::Bench<Vrt_bounce> b("tb_bounce", argc, argv);
+    bench::Bench<Bounce> b("tb_bounce", argc, argv);
     auto send = [&](const Vector &v) {
         b.set(b.dut.in_dir_x_i, WD, v.dir[0]);
         b.set(b.dut.in_dir_y_i, WD, v.dir[1]);

@@ -20,13 +20,17 @@ extern "C" {
 #ifndef FACETS
 #define FACETS 0
 #endif
+#ifndef INTERVAL
+#define INTERVAL 8
+#endif
 #ifndef TEXTURE
 #define TEXTURE 0
 #endif
 
 namespace {
 
-constexpr uint64_t LATENCY = 18, INTERVAL = 8;
+constexpr uint64_t LATENCY = INTERVAL == 12 ? 19 : 18;
+constexpr uint64_t LONGEST = INTERVAL == 12 ? 23 : 8; /* that a hit waits */
 const struct sph_profile profile = {PROFILE, W, WD, PQ, NG, 12, 0};
 
 struct Vector {
@@ -215,7 +219,7 @@ int main(int argc, char **argv) {
     }
     source.report(b);
     b.stream(
-        directed, make, TAG, LATENCY, INTERVAL, [&](const Vector &v) { send(b, v); },
+        directed, make, TAG, LATENCY, LONGEST, [&](const Vector &v) { send(b, v); },
         [&](const Vector &v) { check(b, v); });
     return b.finish();
 }

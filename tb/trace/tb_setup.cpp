@@ -161,6 +161,8 @@ class Setup : public bench::Bench<Vrt_setup> {
         bool now = bench::get(dut.ray_o, RT_RAY_LIGHT) != 0;
         if (now != light || (light && light_slot != slot))
             fail("next_light_o and next_slot_o do not tell of the next light");
+        if (now && cycle == light_before + 1) fail("a light in the clock behind another");
+        if (now) light_before = cycle;
         if (normal) check_normal(slot);
         if (bench::get(dut.ray_o, RT_RAY_VALID) || now) {
             if (normal) fail("a normal that is a ray too");
@@ -207,6 +209,7 @@ class Setup : public bench::Bench<Vrt_setup> {
     size_t done_corners[SOURCES] = {};
     Vec eye{};
     unsigned rate[SOURCES] = {}; /* percent of clocks with a new job */
+    uint64_t light_before = ~(uint64_t)1; /* clock of the last light */
 
     /* A slot for a job, or -1; the search starts anywhere. */
     int idle(int kind) {

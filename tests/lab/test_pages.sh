@@ -105,13 +105,12 @@ cat >>"$page" <<END
 as \`make pagez SCNE=x\` does
 [x](core.md#regsters)
 END
-printf '// to rt_leaf_queue\n// as in render_pixels.h.\n' >>$core
+echo '// to rt_leaf_queue' >>$core
 python3 -m lab.pages.names "$page" $core >said
 says() { cat said && grep -q -- "$1" said; }
 check "a file" says 'md:[0-9]*: cmodel/render_pixels.c is not a file or folder'
 check "a file without its folder" says 'md:[0-9]*: render_pixels.c is not a file'
 check "a port of no module" says 'md:[0-9]*: pix_colours_o is not a port'
-check "a file at the end of a sentence" says 'rt_core.v:[0-9]*: render_pixels.h is not a file'
 check "a function" says 'md:[0-9]*: sph_renders is not a name of cmodel'
 check "a function of another file" says 'sph_render() in .*profile.c is not a function of that'
 check "a target" says 'md:[0-9]*: make pagez is not a target'
