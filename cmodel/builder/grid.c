@@ -171,3 +171,13 @@ struct sph_ball sph_grid_ball(const struct sph_grid *grid, const struct sph_scen
     ball.r = (int32_t)lround(sphere->rad / grid->step);
     return ball;
 }
+
+double sph_grid_off(const struct sph_grid *grid, const struct sph_scene *scene, struct sph_vec p) {
+    double at[3], off = 0;
+    turn(grid->rotation, sub(p, scene->camera.from), at);
+    for (int i = 0; i < 3; i++) {
+        double by = at[i] - round(at[i] / grid->step) * grid->step;
+        off += by * by;
+    }
+    return sqrt(off);
+}

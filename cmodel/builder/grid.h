@@ -27,6 +27,9 @@ void sph_grid_point(const struct sph_grid *grid, const struct sph_scene *scene, 
 struct sph_ball sph_grid_ball(const struct sph_grid *grid, const struct sph_scene *scene,
                               const struct sph_sphere *sphere);
 
+/* How far the grid moves a point of the scene, in units of the scene. */
+double sph_grid_off(const struct sph_grid *grid, const struct sph_scene *scene, struct sph_vec p);
+
 /* Quantises all spheres. -1 for a radius that rounds to nothing and for duplicates, with line
  * and the finer profile that helps. *smallest: the smallest radius in grid units, unrounded. */
 int sph_grid_spheres(const struct sph_grid *grid, const struct sph_scene *scene,

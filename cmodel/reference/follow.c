@@ -25,14 +25,15 @@ static int unit(double v[3]) {
 
 /* What reaches a point: matt light and highlights, a channel. */
 struct lit {
-    double matt[3], gloss[3];
-    uint32_t faced, blocked; /* bit l: light l is on the normal's side; and in shadow */
+    double matt[3], gloss[3], full[3]; /* full: as if all came along the normal */
+    uint32_t faced, blocked;           /* bit l: light l is on the normal's side; and in shadow */
+    struct sph_ref_hit by[SPH_MAX_LIGHTS]; /* what blocks it */
 };
 
 /* dir: of the ray that sees the point, of length 1. shine 0: no highlights. */
 static struct lit light(const struct sph_ref_job *j, const double at[3], const double normal[3],
                         const double dir[3], const struct sph_ref_hit *hit, double shine) {
-    struct lit lit = {{0}, {0}, 0, 0};
+    struct lit lit = {.faced = 0};
     for (int l = 0; l < j->scene->n_lights; l++) {
         const struct sph_light *lamp = &j->scene->lights[l];
         struct sph_ref_ray ray = {
@@ -44,13 +45,16 @@ static struct lit light(const struct sph_ref_job *j, const double at[3], const d
         double cosine = unit(to) ? dot(to, normal) : 0;
         if (!(cosine > 0)) continue;
         lit.faced |= 1u << l;
-        if (j->o->shadow && sph_ref_trace(j->tree, &ray, 1, 1).t < 1) {
+        lit.by[l].t = INFINITY;
+        if (j->o->shadow) lit.by[l] = sph_ref_trace(j->tree, &ray, 1, 1);
+        if (lit.by[l].t < 1) {
             lit.blocked |= 1u << l;
             continue;
         }
         double gloss = shine > 0 ? sph_ref_shine(normal, to, dir, shine) : 0;
         for (int i = 0; i < 3; i++) {
             lit.matt[i] += cosine * lamp->rgb[i];
+            lit.full[i] += lamp->rgb[i];
             lit.gloss[i] += gloss * lamp->rgb[i];
         }
     }
@@ -98,11 +102,22 @@ static void add(struct sph_ref_seen *seen, int depth, double whole, double own,
     }
 }
 
+/* The light of a surface in the log; share: its part of the pixel. */
+static void note_light(struct sph_ref_step *step, const struct lit *lit, const double albedo[3],
+                       double share) {
+    if (!step) return;
+    step->faced = lit->faced, step->blocked = lit->blocked;
+    memcpy(step->by, lit->by, sizeof step->by);
+    for (int i = 0; i < 3; i++)
+        step->swing[i] = share * albedo[i] * lit->full[i];
+}
+
 /* The colour of a surface. dir: of length 1. */
 static void shade(const struct sph_ref_job *j, struct sph_ref_branch *b,
                   const struct sph_ref_hit *hit, const struct sph_material *f,
                   const struct sph_ref_shares *k, const double at[3], const double normal[3],
-                  const double dir[3], struct sph_ref_seen *seen, double colour[3]) {
+                  const double dir[3], struct sph_ref_step *step, struct sph_ref_seen *seen,
+                  double colour[3]) {
     double image[3], lod[SPH_LODS];
     struct lit lit = light(j, at, normal, dir, hit, k->ks > 0 && j->o->specular ? f->shine : 0);
     sph_ref_path_hit(&b->path, b->ray.dir, hit->t, normal);
@@ -121,7 +136,9 @@ static void shade(const struct sph_ref_job *j, struct sph_ref_branch *b,
         double sum = k->ka * j->scene->ambient[i] + k->kd * lit.matt[i];
         colour[i] =
             fmin(most, fmin(most, f->rgb[i] * image[i] * sum) + fmin(most, k->ks * lit.gloss[i]));
+        image[i] *= f->rgb[i];
     }
+    note_light(step, &lit, image, b->weight * k->own * k->kd);
     if (b->depth) return;
     seen->pixel.faced = lit.faced, seen->pixel.shadow = lit.blocked;
     seen->pixel.distance = hit->t * sqrt(dot(b->ray.dir, b->ray.dir));
@@ -164,9 +181,20 @@ static int is_plane(const struct sph_scene *scene, uint32_t id) {
     return id >= scene->n_spheres && sph_ref_facet_endless(&scene->facets[id - scene->n_spheres]);
 }
 
+/* The next step of the log, NULL if there is none. */
+static struct sph_ref_step *note(struct sph_ref_seen *seen, const struct sph_ref_branch *b,
+                                 const struct sph_ref_hit *hit) {
+    struct sph_ref_log *log = seen->log;
+    if (!log || log->n == SPH_REF_STEPS) return NULL;
+    struct sph_ref_step *step = &log->step[log->n++];
+    *step = (struct sph_ref_step){.ray = b->ray, .hit = *hit, .depth = b->depth};
+    return step;
+}
+
 void sph_ref_follow(const struct sph_ref_job *j, struct sph_ref_branch b,
                     struct sph_ref_seen *seen) {
     struct sph_ref_hit hit = sph_ref_trace(j->tree, &b.ray, INFINITY, 0);
+    struct sph_ref_step *step = note(seen, &b, &hit);
     if (b.depth == 0) seen->pixel.id = hit.id;
     if (b.depth == 1)
         *(b.mirrored ? &seen->pixel.reflected_id : &seen->pixel.refracted_id) = hit.id;
@@ -176,6 +204,7 @@ void sph_ref_follow(const struct sph_ref_job *j, struct sph_ref_branch b,
     }
     double at[3], normal[3], colour[3], bent[3] = {0}, dir[3];
     const struct sph_material *f = surface(j->scene, &b.ray, &hit, at, normal);
+    if (step) memcpy(step->at, at, sizeof at), memcpy(step->normal, normal, sizeof normal);
     if (j->o->world && is_plane(j->scene, hit.id) && !sph_on_world(j->o->world, at))
         seen->pixel.beyond |= b.depth ? SPH_BEYOND_LATER : SPH_BEYOND_EYE;
     struct sph_ref_shares k =
@@ -183,7 +212,7 @@ void sph_ref_follow(const struct sph_ref_job *j, struct sph_ref_branch b,
     double inside = sph_index_ratio(f), ratio = hit.far ? inside : 1 / inside;
     memcpy(dir, b.ray.dir, sizeof dir);
     unit(dir);
-    shade(j, &b, &hit, f, &k, at, normal, dir, seen, colour);
+    shade(j, &b, &hit, f, &k, at, normal, dir, step, seen, colour);
     if (k.kt > 0 && !sph_ref_refract(dir, normal, ratio, bent)) sph_ref_reflect_all(&k, f);
     add(seen, b.depth, b.weight, b.weight * k.own, colour);
     leave(j, &b, &hit, at, normal, &k, ratio, bent, seen);

@@ -25,8 +25,28 @@ struct sph_ref_branch {
     int via;             /* SPH_VIA_* */
 };
 
+enum { SPH_REF_STEPS = 16 }; /* of a pixel that are kept; the first ones */
+
+/* A ray and what it met. */
+struct sph_ref_step {
+    struct sph_ref_ray ray;
+    struct sph_ref_hit hit;
+    int depth;
+    double at[3], normal[3];               /* unless nothing is met, as all below */
+    uint32_t faced, blocked;               /* as in sph_reference_pixel */
+    struct sph_ref_hit by[SPH_MAX_LIGHTS]; /* what blocks light l, t as a part of the way to it */
+    double swing[3]; /* of the pixel's colour, if the normal turned by a radian: at most */
+};
+
+/* The rays of a pixel, in the order in which they were followed. */
+struct sph_ref_log {
+    int n;
+    struct sph_ref_step step[SPH_REF_STEPS];
+};
+
 struct sph_ref_seen {
     struct sph_reference_pixel pixel;
+    struct sph_ref_log *log; /* may be NULL */
     struct sph_level_work *work;
     double sum[SPH_FRAMES][3]; /* as the frames of the machine: docs/model/refraction.md */
 };
@@ -34,5 +54,8 @@ struct sph_ref_seen {
 /* Adds all that the ray sees to *seen. */
 void sph_ref_follow(const struct sph_ref_job *j, struct sph_ref_branch b,
                     struct sph_ref_seen *seen);
+
+/* What the primary ray of a pixel sees, into *seen, whose log and work are given. */
+void sph_ref_look(const struct sph_ref_job *j, int x, int y, struct sph_ref_seen *seen);
 
 #endif

@@ -14,19 +14,25 @@ static uint32_t byte(double c) {
     return (uint32_t)(fmin(fmax(c, 0), 1) * 255 + 0.5);
 }
 
-static struct sph_reference_pixel render_pixel(const struct sph_ref_job *j, int x, int y,
-                                               struct sph_level_work *work) {
-    struct sph_ref_seen seen = {.pixel = {.id = SPH_ID_NONE,
-                                          .reflected_id = SPH_ID_NONE,
-                                          .refracted_id = SPH_ID_NONE,
-                                          .distance = INFINITY},
-                                .work = work};
+void sph_ref_look(const struct sph_ref_job *j, int x, int y, struct sph_ref_seen *seen) {
     const struct sph_ref_view *v = &j->view;
     struct sph_ref_branch b = {
         .ray = {.org = {v->eye[0], v->eye[1], v->eye[2]}, .skip = SPH_ID_NONE}, .weight = 1};
+    seen->pixel = (struct sph_reference_pixel){.id = SPH_ID_NONE,
+                                               .reflected_id = SPH_ID_NONE,
+                                               .refracted_id = SPH_ID_NONE,
+                                               .distance = INFINITY};
+    memset(seen->sum, 0, sizeof seen->sum);
+    if (seen->log) seen->log->n = 0;
     sph_ref_view_dir(v, x, y, b.ray.dir);
     sph_ref_path_start(&b.path, b.ray.dir, v->axes[0], v->axes[1]);
-    sph_ref_follow(j, b, &seen);
+    sph_ref_follow(j, b, seen);
+}
+
+static struct sph_reference_pixel render_pixel(const struct sph_ref_job *j, int x, int y,
+                                               struct sph_level_work *work) {
+    struct sph_ref_seen seen = {.work = work};
+    sph_ref_look(j, x, y, &seen);
     for (int f = 0; f < SPH_FRAMES; f++)
         for (int i = 0; i < 3; i++)
             seen.pixel.colour[f] |= byte(seen.sum[f][i]) << (8 * i);

@@ -176,6 +176,12 @@ static void item(const struct sph_ref_tree *t, uint32_t id, const struct sph_ref
         facet(t, id - t->scene->n_spheres, ray, t_max, best);
 }
 
+double sph_ref_meet(const struct sph_ref_tree *t, uint32_t id, const struct sph_ref_ray *ray) {
+    struct sph_ref_hit hit = {INFINITY, SPH_ID_NONE, 0};
+    item(t, id, ray, INFINITY, &hit);
+    return hit.t;
+}
+
 /* Whether the ray meets the box before t_max. */
 static int meets(const struct box *b, const struct sph_ref_ray *ray, double t_max) {
     double near = 0, far = t_max;

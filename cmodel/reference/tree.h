@@ -32,4 +32,7 @@ void sph_ref_tree_free(struct sph_ref_tree *tree);
 struct sph_ref_hit sph_ref_trace(const struct sph_ref_tree *tree, const struct sph_ref_ray *ray,
                                  double t_max, int any_hit);
 
+/* Where the ray meets one sphere or facet, INFINITY if it does not. */
+double sph_ref_meet(const struct sph_ref_tree *tree, uint32_t id, const struct sph_ref_ray *ray);
+
 #endif

@@ -131,6 +131,7 @@ static int draw(const char *path, const struct measured *m, struct sph_error *er
 static void print(FILE *to, const struct measured *m) {
     const struct sph_accuracy *e = &m->accuracy;
     const struct sph_image_error *image = &e->image;
+    const struct sph_estimate *expected = &m->built.expected;
     if (!to) return;
     fprintf(to, "psnr       %.2f dB (depth 0: %.2f, depth 1: %.2f)\n", image->psnr[SPH_FRAMES - 1],
             image->psnr[0], image->psnr[1]);
@@ -143,6 +144,8 @@ static void print(FILE *to, const struct measured *m) {
     fprintf(to, "distance   off by %.3f grid steps on the mean of %" PRIu64 " pixels", e->t_mean,
             e->same);
     if (e->x >= 0) fprintf(to, ", by %.3f at x %d y %d", e->t_worst, e->x, e->y);
+    fprintf(to, "\nexpected   %.2f dB, %.1f pixels of silhouette and other sphere, %.3g pixels off",
+            expected->psnr, expected->wrong * (double)image->pixels, expected->pixels);
     fprintf(to, "\ntime       model %.3f s, reference %.3f s of processor\n", m->model_seconds,
             m->reference_seconds);
 }
@@ -171,13 +174,8 @@ static json_t *accuracy_json(const struct sph_accuracy *e) {
 /* Everything after reading the scene; *m is all zero before and freed by the caller. */
 static int measure(const struct arguments *a, const struct sph_scene *scene, struct measured *m,
                    struct sph_error *err) {
-    m->built.from_scene = 1;
-    m->built.skipped = scene->n_skipped;
-    struct sph_build_options how = a->source.build;
-    if (how.texture != SPH_OFF && tool_mips_load(scene, &m->mips, err)) return -1;
-    how.mips = m->mips;
-    if (tool_frame_size(&a->source, scene, &how, err)) return -1;
-    if (sph_build(scene, &how, &m->built.machine, &m->built.report, err)) return -1;
+    if (a->source.build.texture != SPH_OFF && tool_mips_load(scene, &m->mips, err)) return -1;
+    if (tool_build_scene(&a->source, scene, m->mips, &m->built, err)) return -1;
     if (run_model(a, m, err) || run_reference(a, scene, m, err)) return -1;
     struct sph_accuracy_frame f = {&m->built.machine, &m->shot.frame, m->trails,
                                    m->built.report.lights};

@@ -122,6 +122,8 @@ static int compare(const struct arguments *a, const struct sph_scene *scene,
         return sph_fail(err, "%s: %s", a->pictures, strerror(errno));
     struct sph_build_options how = a->source.build;
     int rc = tool_frame_size(&a->source, scene, &how, err);
+    struct sph_profile_choice choice;
+    if (!rc) rc = tool_profile(&a->source, scene, &how, &choice, err);
     if (!rc) rc = ways_measure(scene, &how, &ways, err);
     if (!rc && a->pictures) rc = ways_draw(&ways, a->pictures, err);
     FILE *to = print_stream(a->json);

@@ -35,6 +35,41 @@ int tool_frame_size(const struct tool_source *source, const struct sph_scene *sc
     return 0;
 }
 
+int tool_profile(const struct tool_source *source, const struct sph_scene *scene,
+                 struct sph_build_options *build, struct sph_profile_choice *choice,
+                 struct sph_error *err) {
+    *choice = (struct sph_profile_choice){.first = build->profile};
+    if (!source->profile_auto) return 0;
+    if (sph_choose_profile(scene, build, &source->keep, choice, err)) return -1;
+    build->profile = choice->first;
+    return 0;
+}
+
+int tool_build_scene(const struct tool_source *source, const struct sph_scene *scene,
+                     const struct sph_mip *mips, struct tool_built *built, struct sph_error *err) {
+    struct sph_build_options o = source->build;
+    struct sph_profile_choice choice;
+    struct sph_build_report *report = &built->report;
+    built->from_scene = 1;
+    built->skipped = scene->n_skipped;
+    o.mips = mips;
+    if (tool_frame_size(source, scene, &o, err) || tool_profile(source, scene, &o, &choice, err))
+        return -1;
+    int rc = sph_build(scene, &o, &built->machine, report, err);
+    while (rc && source->profile_auto && o.profile + 1 < SPH_PROFILES) {
+        o.profile++;
+        rc = sph_build(scene, &o, &built->machine, report, err);
+    }
+    if (rc) return rc;
+    if (!source->profile_auto)
+        return sph_check_profile(scene, &o, &source->keep, &built->expected, report->warning,
+                                 sizeof report->warning, err);
+    built->expected = choice.estimate[o.profile];
+    sph_profile_why(&choice, &source->keep, o.profile, built->profile_why,
+                    sizeof built->profile_why);
+    return 0;
+}
+
 int tool_load(const char *path, const struct tool_source *source, struct tool_built *built,
               struct sph_error *err) {
     memset(built, 0, sizeof *built);
@@ -54,14 +89,9 @@ int tool_load(const char *path, const struct tool_source *source, struct tool_bu
     }
     struct sph_scene scene;
     if (tool_scene_read(path, source, &scene, err)) return -1;
-    built->from_scene = 1;
-    built->skipped = scene.n_skipped;
-    struct sph_build_options options = source->build;
     struct sph_mip *mips = NULL;
-    int rc = options.texture == SPH_OFF ? 0 : tool_mips_load(&scene, &mips, err);
-    options.mips = mips;
-    if (!rc) rc = tool_frame_size(source, &scene, &options, err);
-    if (!rc) rc = sph_build(&scene, &options, &built->machine, &built->report, err);
+    int rc = source->build.texture == SPH_OFF ? 0 : tool_mips_load(&scene, &mips, err);
+    if (!rc) rc = tool_build_scene(source, &scene, mips, built, err);
     tool_mips_free(mips, scene.n_textures);
     sph_scene_free(&scene);
     return rc;

@@ -1,6 +1,8 @@
 /* options.c - the options of build
  * SPDX-License-Identifier: Apache-2.0
  */
+#include <string.h>
+
 #include "builder/background.h"
 #include "builder/spans.h"
 #include "texture/lookup.h"
@@ -17,14 +19,19 @@ enum {
     KEY_FILTER,
     KEY_LOD,
     KEY_LOD_BITS,
-    KEY_SAMPLES
+    KEY_SAMPLES,
+    KEY_ERROR
 };
 
 static const struct argp_option options[] = {
     {NULL, 0, NULL, 0, "From scene to machine:", 1},
     {"profile", KEY_PROFILE, "NAME[:KEY=N,...]", 0,
-     "draft, standard (default), fine or reference; with widths of its own: w, wd, pr, pq, ng, fw",
+     "draft, standard (default), fine or reference, each with widths of its own: w, wd, pr, pq, "
+     "ng, "
+     "fw; or auto, the cheapest that keeps --error",
      1},
+    {"error", KEY_ERROR, "PIXELS[,DB]", 0,
+     "how far what the eye sees may be off, at most, and the picture: 0.125,45", 1},
     {"tree", KEY_TREE, "NAME", 0, "bvh4: balanced (default) or paper", 1},
     {"background", KEY_BACKGROUND, "NAME", 0,
      "pixels not traced: none (default), those outside a rectangle (rect), outside the outline of "
@@ -54,6 +61,7 @@ static const struct argp_option options[] = {
 #define AUTO(...) SPH_AUTO,
 const struct tool_source tool_source_default = {
     .samples = 1,
+    .keep = {SPH_KEEP_PIXELS, SPH_KEEP_PSNR},
     .build = {.profile = SPH_STANDARD,
               .tree = SPH_TREE_BALANCED,
               .background = SPH_BG_NONE,
@@ -62,6 +70,15 @@ const struct tool_source tool_source_default = {
               .asked = {SPH_EACH_EFFECT(AUTO)},
               .tex_filter = SPH_FILTER_BETWEEN},
 };
+
+/* PIXELS or PIXELS,DB */
+static void keep(const struct argp_state *state, const char *arg, struct sph_keep *to) {
+    const char *comma = strchr(arg, ',');
+    char pixels[32] = "";
+    if (comma && comma - arg < (int)sizeof pixels) memcpy(pixels, arg, (size_t)(comma - arg));
+    to->pixels = tool_real(state, "--error", comma ? pixels : arg, 1e-9, 1e9);
+    if (comma) to->psnr = tool_real(state, "--error", comma + 1, 0, 99);
+}
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
     static const char *const trees[] = {"paper", "balanced", NULL};
@@ -77,8 +94,14 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
             state->child_inputs[i] = s;
         return 0;
     case KEY_PROFILE:
+        s->profile_auto = !strcmp(arg, "auto");
+        s->build.widths = NULL;
+        if (s->profile_auto) break;
         if (sph_profile_parse(arg, &s->profile, &err)) argp_error(state, "--profile: %s", err.text);
         s->build.widths = &s->profile;
+        break;
+    case KEY_ERROR:
+        keep(state, arg, &s->keep);
         break;
     case KEY_TREE:
         s->build.tree = SPH_TREE_PAPER + tool_choice(state, "--tree", arg, trees);

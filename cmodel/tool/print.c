@@ -45,6 +45,7 @@ void print_build(FILE *to, const struct tool_built *built) {
             r[SPH_REG_N_LIGHTS], r[SPH_REG_FRAME_W], r[SPH_REG_FRAME_H],
             sph_machine_profile(m)->name);
     if (!built->from_scene) return;
+    if (built->profile_why[0]) fprintf(to, "profile  %s\n", built->profile_why);
     if (built->skipped) fprintf(to, "skipped  %u unsupported primitives\n", built->skipped);
     fprintf(to, "grid     step %g, smallest radius %.4g steps, field of view off by %.2g\n",
             b->grid_step, b->smallest_radius, b->fov_error);

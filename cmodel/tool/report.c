@@ -80,6 +80,15 @@ static json_t *cut_of(const struct sph_cut *cut) {
     return json;
 }
 
+/* What the picture is expected to be like. */
+static json_t *expected(const struct sph_estimate *e) {
+    json_t *json = json_object();
+    report_number(json, "pixels", e->pixels);
+    report_number(json, "wrong", e->wrong);
+    report_number(json, "psnr", e->psnr);
+    return json;
+}
+
 void report_build(json_t *report, const struct tool_built *built) {
     const struct sph_build_report *b = &built->report;
     if (!report || !built->from_scene) return;
@@ -90,6 +99,8 @@ void report_build(json_t *report, const struct tool_built *built) {
     report_count(build, "nodes", b->nodes);
     report_count(build, "depth", b->depth);
     if (b->tree_why[0]) report_text(build, "tree_why", b->tree_why);
+    if (built->profile_why[0]) report_text(build, "profile_why", built->profile_why);
+    if (built->expected.fits) report_add(build, "expected", expected(&built->expected));
     report_count(build, "skipped", built->skipped);
     report_number(build, "seconds", b->build_seconds);
     report_number(build, "tree_seconds", b->tree_seconds);

@@ -64,6 +64,24 @@ static int build_frame(struct run *run, uint32_t frame, struct tool_built *built
     return rc;
 }
 
+/* The finer of the profiles that the first and the last frame ask for: one core draws them all. */
+static int choose(struct run *run, const struct tool_source *source,
+                  const struct tool_frames *frames, struct sph_error *err) {
+    const uint32_t ends[] = {frames->first, frames->last};
+    int most = 0;
+    for (int i = 0; i < 2 && source->profile_auto; i++) {
+        struct sph_scene moved;
+        struct sph_profile_choice choice;
+        if (sph_scene_at(&run->rest, ends[i], &moved, err)) return -1;
+        int rc = tool_profile(source, &moved, &run->options, &choice, err);
+        sph_scene_at_free(&moved);
+        if (rc) return rc;
+        if (choice.first > most) most = choice.first;
+    }
+    if (source->profile_auto) run->options.profile = most;
+    return 0;
+}
+
 /* No numbered output may be the scene's file or an image of it. */
 static int spares(const char *path, const struct sph_scene *scene, const struct tool_source *source,
                   const struct tool_frames *frames, struct sph_error *err) {
@@ -91,6 +109,7 @@ int tool_each_frame(const char *path, const struct tool_source *source,
     if (spares(path, &run.rest, source, frames, err)) return sph_scene_free(&run.rest), -1;
     int rc = run.options.texture == SPH_OFF ? 0 : tool_mips_load(&run.rest, &run.mips, err);
     if (!rc) rc = tool_frame_size(source, &run.rest, &run.options, err);
+    if (!rc) rc = choose(&run, source, frames, err);
     if (!rc) rc = sph_bases_start(&run.bases, &run.rest, err);
     run.options.mips = run.mips;
     run.options.bases = &run.bases;

@@ -9,7 +9,7 @@
 
 #include <argp.h>
 
-#include "builder/build.h"
+#include "builder/choose_profile.h"
 #include "common/error.h"
 #include "machine/machine.h"
 #include "scene/scene.h"
@@ -65,6 +65,8 @@ struct tool_source {
     struct sph_build_options build;
     struct sph_read_options read;
     struct sph_profile profile;  /* what build.widths points to, if --profile was given */
+    int profile_auto;            /* the scene's own */
+    struct sph_keep keep;        /* what it is to keep */
     int accel, tree_given;       /* TOOL_AUTO ..; --tree was given */
     int samples;                 /* across and down a pixel: the frame is as many times larger */
     const char *bih_option;      /* the last option given that is for a BIH alone */
@@ -96,7 +98,20 @@ struct tool_built {
     int from_scene; /* the fields below are set */
     struct sph_build_report report;
     uint32_t skipped; /* unsupported primitives left out */
+    struct sph_estimate expected;
+    char profile_why[512]; /* empty if the profile was asked for */
 };
+
+/* With --profile auto: the options, which have the size of the frame, get the cheapest profile that
+ * keeps what is asked for, or the finest. */
+int tool_profile(const struct tool_source *source, const struct sph_scene *scene,
+                 struct sph_build_options *build, struct sph_profile_choice *choice,
+                 struct sph_error *err);
+
+/* Builds the scene; with --profile auto a profile that cannot hold it gives way to the next. 0, or
+ * -1 with a message. */
+int tool_build_scene(const struct tool_source *source, const struct sph_scene *scene,
+                     const struct sph_mip *mips, struct tool_built *built, struct sph_error *err);
 
 /* Reads the machine file, or reads and builds the scene file, at path, unless an output would
  * overwrite it. 0, or -1 with a message. */

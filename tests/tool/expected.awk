@@ -1,0 +1,40 @@
+# expected.awk - what was expected of a profile against what was measured, a line a run
+# SPDX-License-Identifier: Apache-2.0
+#
+# Reads what `sphaera accuracy` prints, of many runs one after another, each behind a line
+# "run SCENE PROFILE". Prints a row each; ends with 1 if one was worse than expected: its dB are
+# less, or more pixels see another thing. Edges that move hit pixels by chance: these may be more by
+# three times the root of their number and three. Scenes whose planes end with the grid say so, and
+# are left out: no profile draws them.
+function row(most, bad) {
+    if (scene == "") return
+    if (cut || psnr == "") {
+        printf "| %s | %s | %s |\n", scene, profile, cut ? "a plane is cut off" : "does not fit"
+        return
+    }
+    most = wrong + 3 * sqrt(wrong) + 3
+    bad = seen > most || (psnr != "inf" && psnr + 0 < expected + 0)
+    printf "| %s | %s | %s | %s | %d | %.1f | %s |%s\n", scene, profile, psnr, expected, seen,
+           wrong, off, bad ? " worse than expected" : ""
+    failed += bad
+    rows++
+}
+$1 == "run" {
+    row()
+    scene = $2
+    profile = $3
+    cut = 0
+    psnr = ""
+}
+/the plane ends with the grid/ { cut = 1 }
+$1 == "psnr" { psnr = $2 }
+$1 == "wrong" { seen = $3 + $6 }
+$1 == "expected" {
+    expected = $2
+    wrong = $4
+    off = $(NF - 2)
+}
+END {
+    row()
+    exit failed || !rows
+}

@@ -1,0 +1,91 @@
+#!/bin/sh
+# test_profile.sh - what is expected of a profile before it is drawn, against what is drawn
+# SPDX-License-Identifier: Apache-2.0
+set -u
+. "$(dirname "$0")/../tap.sh"
+cd "$(dirname "$0")/../.." || exit 1
+s=$SPHAERA
+has() { grep -q -- "$1" "$2"; }
+
+# ---- every scene in every profile: no picture is worse than was expected ----
+awk -f tests/tool/cover.awk >"$TMP/cover.nff"
+"$s" gen sphereflake:4 -o "$TMP/flake.nff" >"$TMP/text"
+"$s" gen scenario1 -n 64 -o "$TMP/many.nff" >"$TMP/text"
+measure() {
+    for scene in "$TMP"/*.nff scenes/*.nff scenes/facets/*.nff scenes/refraction/*.nff \
+        scenes/texture/*.nff scenes/views/*.nff; do
+        for profile in draft standard fine reference; do
+            echo "run $(basename "$scene" .nff) $profile"
+            "$s" accuracy "$scene" --profile "$profile" --size 240x135 2>&1
+        done
+    done
+}
+measure >"$TMP/runs"
+check "nothing is worse than expected" awk -f tests/tool/expected.awk "$TMP/runs"
+check "... of 20 scenes and more" sh -c \
+    "awk -f tests/tool/expected.awk '$TMP/runs' | awk -F'|' 'NF > 5 { n[\$2] } END {
+        exit length(n) < 20 }'"
+check "a wrong expectation is noticed" sh -c "awk '/^expected/ { \$2 += 12; \$4 /= 9 } { print }' \
+    '$TMP/runs' | awk -f tests/tool/expected.awk | [ \$(grep -c worse) -gt 20 ]"
+
+# ---- auto: the cheapest that keeps what is asked for ----
+takes() { # profile, scene, options
+    profile=$1
+    shift
+    "$s" build "$@" --profile auto -o "$TMP/x.sph" >"$TMP/text" 2>"$TMP/err" || return 1
+    cat "$TMP/text" "$TMP/err"
+    "$s" info "$TMP/x.sph" | grep -q "^profile   $profile: " &&
+        [ "$(grep -c '^profile  ' "$TMP/text")" = 1 ] && has "^profile  $profile" "$TMP/text" &&
+        ! has "pixels off" "$TMP/err"
+}
+check "one sphere" takes draft scenes/one_sphere.nff --size 64x36
+check "five" takes standard scenes/paper5.nff --size 320x180
+check "7381, with a floor" takes fine "$TMP/flake.nff" --size 320x180
+check "a ground of radius 1000 under spheres of 0.2" takes reference "$TMP/cover.nff"
+check "... which no profile keeps: it says so" has "the finest: .* misses 0.125 pixels, 45 dB" \
+    "$TMP/text"
+check "half the pixels, as far off" takes draft scenes/paper5.nff --size 32x18 --error 0.125,30
+check "less is asked for" takes standard "$TMP/flake.nff" --size 320x180 --error 1,30
+check "less is asked for: pixels alone count" takes fine "$TMP/flake.nff" --size 320x180 \
+    --error 0.01,0
+check "a profile that does not hold the scene gives way" takes standard scenes/huge_tiny.nff \
+    --error 100,0
+drawn() { # profile, dB, scene: what auto draws is as good
+    "$s" accuracy "$3" --profile auto --size 320x180 >"$TMP/text" 2>&1
+    cat "$TMP/text"
+    has "profile $1$" "$TMP/text" && awk -v least="$2" '$1 == "psnr" { is = $2 }
+        END { exit !(is >= least) }' "$TMP/text"
+}
+check "the flake is drawn true to 45 dB" drawn fine 45 "$TMP/flake.nff"
+check "the ground and its spheres too" drawn reference 45 "$TMP/cover.nff"
+if [ -f /usr/share/pymol/data/demo/1tii.pdb ]; then
+    "$s" import /usr/share/pymol/data/demo/1tii.pdb -o "$TMP/protein.nff" >"$TMP/text"
+    check "a protein too" drawn fine 45 "$TMP/protein.nff"
+fi
+"$s" build scenes/texture/robot.nff --profile auto --frames 0..2 -o "$TMP/m.sph" >"$TMP/text" 2>&1
+for frame in 0 1 2; do "$s" info "$TMP/m-000$frame.sph" | grep -o 'profile [a-z]*'; done |
+    sort -u >"$TMP/profiles"
+check "frames of a sequence have one profile" [ "$(wc -l <"$TMP/profiles")" = 1 ]
+
+# ---- given by hand ----
+"$s" build scenes/huge_tiny.nff --profile standard -o "$TMP/x.sph" >"$TMP/text" 2>"$TMP/err"
+check "a profile that misses it is told, and the one that would do" has \
+    "pixels off, .* dB expected of profile standard, .*: profile reference would do, " "$TMP/err"
+"$s" build scenes/paper5.nff --profile draft:ng=1 -o "$TMP/x.sph" >"$TMP/text" 2>"$TMP/err"
+check "widths of one's own too" has "expected of profile draft:ng=1, .*: profile standard would do" \
+    "$TMP/err"
+"$s" build scenes/paper5.nff --profile standard -o "$TMP/x.sph" >"$TMP/text" 2>"$TMP/err"
+check "one that keeps it is not" test ! -s "$TMP/err"
+"$s" build scenes/paper5.nff --profile standard --error 0.001 -o "$TMP/x.sph" >"$TMP/text" \
+    2>"$TMP/err"
+check "but of a smaller error" has "which misses 0.001 pixels, 45 dB: profile reference would do" \
+    "$TMP/err"
+"$s" build scenes/paper5.nff --profile auto -o "$TMP/x.sph" --json "$TMP/j.json" >"$TMP/text"
+check "the report has both" sh -c "grep -q '\"profile_why\": \"standard: ' '$TMP/j.json' &&
+    grep -q '\"expected\": {' '$TMP/j.json'"
+for bad in x 0 -1 1e10 0.1, 0.1,x 0.1,100 ,45; do
+    fails 2 "--error $bad" "$s" build scenes/paper5.nff -o "$TMP/y.sph" --error "$bad"
+    check "... is told" has "is no number from" "$TMP/err"
+done
+check "nothing is written" test ! -e "$TMP/y.sph"
+done_testing
