@@ -13,7 +13,7 @@ BUILD_OPTIONS := --profile $(BUILD_PROFILE) --depth $(DEPTH) --background $(BACK
                      $(if $(GIVEN_TREE),--tree $(GIVEN_TREE))) \
                  $(if $(MAX_PRIMS),--max-prims $(MAX_PRIMS)) \
                  $(if $(MAX_TREE_DEPTH),--max-tree-depth $(MAX_TREE_DEPTH)) \
-                 $(if $(SIZE),--size $(SIZE)) \
+                 $(if $(SIZE),--size $(SIZE)) $(if $(ERROR),--error $(ERROR)) \
                  $(if $(filter-out 1,$(SAMPLES)),--samples $(SAMPLES)) \
                  $(if $(LEVELS),--bg-levels $(LEVELS)) $(if $(AT),--at $(AT)) $(BUILD_MORE)
 # What shapes a machine, and its run on a core.

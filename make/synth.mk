@@ -4,6 +4,7 @@
 #   make synth                          the standard core for ecp5, everything on
 #   make synth PROFILE=all TARGET=all   every profile for every target
 #   make synth PROFILE=standard:pq=12   widths of its own; ROOT_STEP, QUOTIENT_STEP, ENGINES
+#   make synth SCENE=x PROFILE=auto     the profile that scene x asks for, and
 #   make synth SCENE=x                  only the effects that the machine of scene x asks for
 #   make synth EFFECTS=shadow+lights1   a core with just these: names of sim/parameters.sh
 #   make synth EFFECTS=all-reflect      everything but this one
@@ -17,10 +18,12 @@ SYNTH_SCENE := $(if $(filter file,$(origin SCENE)),,$(filter auto,$(EFFECTS)))
 
 .PHONY: area
 synth: $(if $(SYNTH_SCENE),$(TOOL)) ## area with Yosys: PROFILE and TARGET, or all; effects of SCENE
-	+$(Q)effects=$(if $(SYNTH_SCENE),$$($(call run,core,$(MACHINE_KEY))),$(or \
-	    $(filter-out auto,$(EFFECTS)),$(if $(filter bih brute,$(ACCEL)),all+bih,all))) && \
+	+$(Q)asked='$(if $(SYNTH_SCENE),,$(or $(filter-out auto,$(PROFILE)),standard) $(or \
+	    $(filter-out auto,$(EFFECTS)),$(if $(filter bih brute,$(ACCEL)),all+bih,all)))' && \
+	    $(if $(SYNTH_SCENE),asked=$$($(call run,core,$(MACHINE_KEY))) &&) set -- $$asked && \
 	    $(MAKE) --no-print-directory -f make/area.mk report B=$B V=$(V) \
-	    PROFILES=$(PROFILE) TARGETS=$(TARGET) EFFECTS="$$effects" ENGINES=$(ENGINES) FLAT=$(FLAT) \
+	    PROFILES=$(if $(SYNTH_SCENE),$(or $(filter all,$(PROFILE)),"$$1"),"$$1") \
+	    TARGETS=$(TARGET) EFFECTS="$$2" ENGINES=$(ENGINES) FLAT=$(FLAT) \
 	    ROOT_STEP=$(ROOT_STEP) QUOTIENT_STEP=$(QUOTIENT_STEP)
 
 area: ## the tables of docs/results/area.md, made anew: 16 minutes of a processor

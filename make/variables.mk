@@ -11,8 +11,12 @@
 
 ## SCENE <scene> a file (.nff), the name of one in scenes/, or KIND:N of `sphaera gen`
 SCENE ?= sphereflake2
-## PROFILE <profile>|all@synth draft, standard, fine, reference; or with widths: NAME:w=14,...
+## PROFILE <profile>|auto|all@synth draft, standard, fine, reference; or with widths:
+##             NAME:w=14,...; auto: the cheapest of the four that keeps ERROR
 PROFILE ?= standard
+## ERROR <error>| of auto: pixels that what is seen may be off, and dB; others are warned of
+##             (empty: 0.125,45)
+ERROR ?=
 ## SIZE <size>| frame in pixels (empty: as the scene says)
 SIZE ?= 320x180
 ## SAMPLES 1..16 N x N rays a pixel: the frame is N times as wide and high, pictures have the mean

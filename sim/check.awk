@@ -37,6 +37,14 @@ function size_fits(value, side) {
     reason = "is no size such as 640x360, up to " constant["MAX_SIDE"] "x" constant["MAX_SIDE"]
     return 0
 }
+function error_fits(value, part) {
+    split(value, part, ",")
+    if (value ~ /^[0-9]*[.]?[0-9]+(,[0-9]*[.]?[0-9]+)?$/ && part[1] >= 1e-9 && part[1] <= 1e9 &&
+        part[2] <= 99)
+        return 1
+    reason = "is no error such as 0.125 or 0.125,45: pixels, and dB up to 99"
+    return 0
+}
 # A rule without words that belong to goals that are not made.
 function for_goals(rule, alternative, n, i, goal, text) {
     n = split(rule, alternative, "|")
@@ -62,6 +70,7 @@ function fits(rule, value, ends) {
     if (rule == "<text>") return 1
     if (rule == "<word>") return value !~ /[ \t]/
     if (rule == "<size>") return size_fits(value)
+    if (rule == "<error>") return error_fits(value)
     if (rule == "<window>") return window_fits(value)
     if (rule == "<profile>") return !says("profile.sh", value)
     if (rule == "<effects>") return !says("parameters.sh", value)

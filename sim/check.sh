@@ -19,7 +19,7 @@ while :; do
 done
 cd "$(dirname "$0")/.." || exit 2
 profile=${PROFILE:-all}
-[ "$profile" != all ] || profile=draft # what all have is what the narrowest has
+case $profile in all | auto) profile=draft ;; esac # what all have is what the narrowest has
 widths=$(sh sim/profile.sh "$profile" 2>/dev/null)
 awk -v names="$*" -v given="$given" -v goals="$goals" -v widths="$widths" \
     -f sim/nearest.awk -f sim/rules.awk -f sim/check.awk \

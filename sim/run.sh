@@ -9,7 +9,7 @@
 #
 # The folder BUILD/out/SCENE-PROFILE-SIZE-DIGEST has these variables in its file key, and what the
 # goal leaves: scene.sph and build.json; of render model.png, model.frame, model.json; of sim
-# pictures, frames, report.json and log. `core` prints the core that the machine asks for.
+# pictures, frames, report.json and log. `core` prints profile and core that the machine asks for.
 # Everything is made anew each time, under a lock; BUILD/out/last is the folder of the last run.
 # With --folder the name of the folder is printed, and nothing made.
 set -euf
@@ -33,7 +33,7 @@ name=${scene#scenes/}
 case $name in /*) name=${name##*/} ;; esac
 name=$(printf '%s' "${name%.nff}" | tr -c 'A-Za-z0-9._-' _)
 digest=$(key "$@" | sha256sum | cut -c 1-8)
-[ "$PROFILE" = all ] || PROFILE=$(sh sim/profile.sh "$PROFILE" name)
+case $PROFILE in all | auto) ;; *) PROFILE=$(sh sim/profile.sh "$PROFILE" name) ;; esac
 folder=$name-$PROFILE-${SIZE:-file}-$digest
 run=$BUILD/out/$folder
 [ -z "$only_name" ] || {
@@ -64,7 +64,7 @@ fi
 "$tool" build "$scene" $BUILD_OPTIONS --json "$run/build.json" -o "$run/scene.sph" >"$run/build.log"
 case $goal in
 core)
-    "$tool" info "$run/scene.sph" | sed -n 's/^core *//p'
+    "$tool" info "$run/scene.sph" | sed -n 's/^profile *\([^ ]*\): .*/\1/p; s/^core *//p'
     exit
     ;;
 render)

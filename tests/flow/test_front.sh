@@ -28,7 +28,7 @@ done
 refuse sim SIM=questa ENGINES=9 STALL=100 LATENCY=-1 SIZE=axb DEPTH=9 JOBS=x PROFILE=draft N=0 \
     EFFECTS=shadw TREE=papre ACCEL=bhv4 BACKGROUND=rekt TRAVERSE=frist SEED=x WARM=yes TARGET=ecp \
     MAX_PRIMS=0 AT=70000 LEVELS=3 ROOT_STEP=26 QUOTIENT_STEP=14 SCENE=pape5 WINDOW=4,4,4,8 V=2 \
-    SAMPLES=17
+    SAMPLES=17 ERROR=0.1,x
 for word in "SIM=questa: is none of verilator, icarus$" "ENGINES=9: is not 1 to 8$" \
     "STALL=100: is not 0 to 99$" "LATENCY=-1: is not 1 to 100000$" "JOBS=x: is not 1 to 1024$" \
     "SIZE=axb: is no size such as 640x360" "DEPTH=9: is not 0 to 5$" \
@@ -39,7 +39,7 @@ for word in "SIM=questa: is none of verilator, icarus$" "ENGINES=9: is not 1 to 
     "AT=70000: is not 0 to 65535" "LEVELS=3: is not 0 to 2" "ROOT_STEP=26: is not 1 to 25" \
     "QUOTIENT_STEP=14: is not 1 to 13" "SCENE=pape5: .*; is paper5 meant.* There are effects" \
     "WINDOW=4,4,4,8: has no pixel" "V=2: " \
-    "SAMPLES=17: is not 1 to 16$"; do
+    "SAMPLES=17: is not 1 to 16$" "ERROR=0.1,x: is no error such as 0.125 or 0.125,45"; do
     check "... $word" says "$word"
 done
 refuse sim ENGINES=two SIZE=16x9 WINDOW=0,0,17,9 PROFILE=standart SCENE=foo STALL= ROOT_STEP=0
@@ -72,6 +72,7 @@ accepted() { plain_make B="$TMP/none" sim-folder "$@"; }
 check "the bounds are allowed" accepted PROFILE=standard:pq=12 SIZE=16383x1 WINDOW=0,0,16383,1 \
     DEPTH=5 JOBS=1024 ENGINES=8 STALL=99 LATENCY=100000 MAX_PRIMS=infinity SCENE=icosphere:5 \
     ROOT_STEP=33 QUOTIENT_STEP=12 EFFECTS=all+texture LEVELS= AT=65535 "BUILD_MORE=--inside off"
+check "auto is a profile of a run" accepted PROFILE=auto ERROR=.5,40
 check "so is every profile, of synthesis" accepted PROFILE=all synth -n
 
 # ---- the rules are those of the tool and of the harness ----
@@ -96,13 +97,13 @@ check "N is the size of an icosphere" same_scene icosphere:3 icosphere --size 3
 other='SCENE=paper5 PROFILE=draft SIZE=8x8 TREE=paper ACCEL=bih MAX_PRIMS=2 MAX_TREE_DEPTH=3 DEPTH=1
     BACKGROUND=rect TRAVERSE=first LEVELS=1 AT=1 BUILD_MORE=--inside=off EFFECTS=all ENGINES=2
     ROOT_STEP=1 QUOTIENT_STEP=1 SEED=2 LATENCY=3 STALL=4 SIM=icarus WINDOW=0,0,1,1 WARM=1 WAVES=1
-    JOBS=3 SAMPLES=2'
+    JOBS=3 SAMPLES=2 ERROR=0.5'
 same='TARGET FLAT RESULTS KINDS PROVE ONLY CORE EFFECT MUTANT N STATE OPT V B CC
     CFLAGS CXX CXXFLAGS'
 for word in '' $other; do
     plain_make sim-folder JOBS=2 $word
 done >"$TMP/folders" 2>&1
-check "each of them has another folder" [ "$(sort -u "$TMP/folders" | grep -c '^build/out/')" = 27 ]
+check "each of them has another folder" [ "$(sort -u "$TMP/folders" | grep -c '^build/out/')" = 28 ]
 for word in $other $same; do echo "${word%%=*}"; done | sort >"$TMP/mine"
 sed -n 's/^## \([A-Z_][A-Z_]*\) .*/\1/p' make/variables.mk | sort >"$TMP/rules"
 check "every variable is one of them, or shapes no run" diff "$TMP/mine" "$TMP/rules"

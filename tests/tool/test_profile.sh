@@ -72,8 +72,8 @@ check "frames of a sequence have one profile" [ "$(wc -l <"$TMP/profiles")" = 1 
 check "a profile that misses it is told, and the one that would do" has \
     "pixels off, .* dB expected of profile standard, .*: profile reference would do, " "$TMP/err"
 "$s" build scenes/paper5.nff --profile draft:ng=1 -o "$TMP/x.sph" >"$TMP/text" 2>"$TMP/err"
-check "widths of one's own too" has "expected of profile draft:ng=1, .*: profile standard would do" \
-    "$TMP/err"
+check "widths of one's own too" has \
+    "expected of profile draft:ng=1, .*: profile standard would do" "$TMP/err"
 "$s" build scenes/paper5.nff --profile standard -o "$TMP/x.sph" >"$TMP/text" 2>"$TMP/err"
 check "one that keeps it is not" test ! -s "$TMP/err"
 "$s" build scenes/paper5.nff --profile standard --error 0.001 -o "$TMP/x.sph" >"$TMP/text" \
