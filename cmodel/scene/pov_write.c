@@ -13,6 +13,7 @@
 
 #include "machine/layout.h" /* SPH_TRIANGLE, SPH_PLANE */
 #include "scene/nesting.h"
+#include "scene/pov_image.h"
 #include "scene/pov_surface.h"
 
 enum { EXTENT_LOG2 = 16, EXTENT_LOG2_PLANE = 12 };
@@ -143,11 +144,28 @@ static int clear(const struct sph_scene *s, uint32_t material) {
     return sph_material_clear(&s->materials[material]);
 }
 
+/* The texture of a primitive: of its material, or its image in that. */
+static void put_look(const struct writer *w, uint32_t id, uint32_t material) {
+    const struct sph_scene *s = w->scene;
+    int round = id < s->n_spheres;
+    const struct sph_facet *f = round ? NULL : &s->facets[id - s->n_spheres];
+    if (!(round ? s->spheres[id].texture : f->texture)) {
+        fprintf(w->file, " Look(%u,%u)", material, id);
+        return;
+    }
+    fprintf(w->file, "\n#if (Ids) Look(%u,%u) #else texture { Looks[%u] ", material, id, material);
+    if (round)
+        sph_pov_round(s, &s->spheres[id], w->scale, w->file);
+    else
+        sph_pov_flat(s, f, w->scale, w->file);
+    fputs(" } #end", w->file);
+}
+
 /* What is transparent hides a light whole: the surface itself throws no shadow, and an opaque one
  * that is nowhere seen does. */
 static void put_primitive(const struct writer *w, uint32_t id) {
     uint32_t material = put_shape(w, id);
-    fprintf(w->file, " Look(%u,%u)", material, id);
+    put_look(w, id, material);
     if (clear(w->scene, material)) {
         fprintf(w->file, " Inside(%u) no_shadow }\n", material);
         put_shape(w, id);
@@ -165,7 +183,7 @@ static void put_solid(const struct writer *w, uint32_t material) {
             if (s->facets[i].kind == SPH_PLANE || s->facets[i].material != material) continue;
             if (!n++) fputs("union {\n", w->file);
             put_triangle(w, &s->facets[i]);
-            if (!shade) fprintf(w->file, " Look(%u,%u)", material, s->n_spheres + i);
+            if (!shade) put_look(w, s->n_spheres + i, material);
             fputs(" }\n", w->file);
         }
         if (n && shade) fputs("Shade() }\n", w->file);
@@ -185,6 +203,7 @@ static void put_scene(const struct writer *w, const struct sph_pov_options *o) {
         fputs(" }\n", w->file);
     }
     sph_pov_surfaces(s, w->file);
+    sph_pov_images(s, w->file);
     for (uint32_t i = 0; i < s->n_spheres; i++)
         put_primitive(w, i);
     for (uint32_t i = 0; i < s->n_facets; i++)

@@ -17,7 +17,7 @@ struct sph_pov_options {
     int max_depth;     /* reflections and refractions one after another */
 };
 
-/* Writes the scene, its images left out. 0, or -1 with a message. */
+/* Writes the scene. 0, or -1 with a message. */
 int sph_scene_write_pov(const struct sph_scene *scene, const struct sph_pov_options *options,
                         FILE *file, struct sph_error *err);
 

@@ -43,9 +43,6 @@ static int finish(const struct arguments *a, const struct sph_scene *scene, stru
     if (strcmp(path, "-"))
         printf("%s: %u spheres, %u facets, %d lights, %u materials\n", path, scene->n_spheres,
                scene->n_facets, scene->n_lights, scene->n_materials);
-    if (scene->n_textures)
-        fprintf(stderr, "sphaera export: %s: %u images are left out\n", scene->path,
-                scene->n_textures);
     return 0;
 }
 
@@ -57,7 +54,8 @@ int tool_export(int argc, char **argv) {
         "SCENE.nff",
         "Writes a scene for POV-Ray 3.7.\v"
         "Lights, surfaces, shadows, mirrors and glass are those of the scene, in linear light; "
-        "images are left out. The first lines of the file say how it is rendered.",
+        "of images the nearest texel is seen, as with --filter nearest. The first lines of the "
+        "file say how it is rendered.",
         children,
         NULL,
         NULL};

@@ -6,7 +6,6 @@
 #include "core/frame_file.h"
 #include "image/image.h"
 #include "reference/reference.h"
-#include "texture/lookup.h"
 #include "tool/levels.h"
 #include "tool/light_picture.h"
 #include "tool/textures.h"
@@ -19,7 +18,7 @@ struct arguments {
     int levels, threads, unlimited;
 };
 
-enum { KEY_EXR = 512, KEY_TRANSFER, KEY_FRAME, KEY_LAYER, KEY_LEVELS, KEY_UNLIMITED };
+enum { KEY_EXR = 512, KEY_TRANSFER, KEY_FRAME, KEY_LAYER, KEY_FILTER, KEY_LEVELS, KEY_UNLIMITED };
 
 static const struct argp_option options[] = {
     {"output", 'o', "FILE", 0, "picture, 8-bit RGB: .png, .tif, .ppm, .bmp or .tga", 0},
@@ -29,6 +28,10 @@ static const struct argp_option options[] = {
     {"frame", KEY_FRAME, "FILE", 0, "frame file: colours and ids; keys, visits, counters are 0", 0},
     {"layer", KEY_LAYER, "N", 0,
      "colours of pictures: 0 without reflections, 1 one reflection, 2 all (default)", 0},
+    {"filter", KEY_FILTER, "NAME", 0,
+     "texels: nearest or bilinear of the whole image, bilinear of one level of its MIP chain "
+     "(level), or of two (between, default)",
+     0},
     {"levels", KEY_LEVELS, "NAME", 0,
      "how levels of textures are chosen: mended (default, as the machine), paper, bmrt, or by ray "
      "differentials (rays)",
@@ -59,6 +62,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         return 0;
     case KEY_LAYER:
         a->light.layer = (int)tool_number(state, "--layer", arg, 0, SPH_FRAMES - 1);
+        return 0;
+    case KEY_FILTER:
+        a->source.build.tex_filter = tool_choice(state, "--filter", arg, tool_filter_names);
         return 0;
     case KEY_LEVELS:
         a->levels = tool_choice(state, "--levels", arg, tool_level_names);
@@ -112,7 +118,7 @@ static int draw(const struct arguments *a, const struct sph_scene *scene, struct
                                         .unlimited = a->unlimited,
                                         .threads = a->threads,
                                         .mips = mips,
-                                        .filter = SPH_FILTER_BETWEEN,
+                                        .filter = a->source.build.tex_filter,
                                         .lod = a->levels};
     int rc = sph_reference_render(scene, &how, &r, err) || write(a, &r, err) ? -1 : 0;
     sph_reference_free(&r);

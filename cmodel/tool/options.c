@@ -71,6 +71,8 @@ const struct tool_source tool_source_default = {
               .tex_filter = SPH_FILTER_BETWEEN},
 };
 
+const char *const tool_filter_names[] = {"nearest", "bilinear", "level", "between", NULL};
+
 /* PIXELS or PIXELS,DB */
 static void keep(const struct argp_state *state, const char *arg, struct sph_keep *to) {
     const char *comma = strchr(arg, ',');
@@ -86,7 +88,6 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     static const char *const hows[] = {"nearest", "first", NULL};
     struct tool_source *s = state->input;
     struct sph_error err = {{0}};
-    static const char *const filters[] = {"nearest", "bilinear", "level", "between", NULL};
     static const char *const lods[] = {"mended", "paper", NULL};
     switch (key) {
     case ARGP_KEY_INIT:
@@ -127,7 +128,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         s->build.traverse = SPH_BUILD_NEAREST + tool_choice(state, "--traverse", arg, hows);
         break;
     case KEY_FILTER:
-        s->build.tex_filter = tool_choice(state, "--filter", arg, filters);
+        s->build.tex_filter = tool_choice(state, "--filter", arg, tool_filter_names);
         break;
     case KEY_LOD:
         s->build.lod_literal = tool_choice(state, "--lod", arg, lods);

@@ -77,7 +77,8 @@ struct tool_source {
 /* Options of build, for every command that takes a scene; its input is a struct tool_source. */
 extern const struct argp tool_source_argp;
 extern const struct argp tool_accel_argp, tool_effects_argp; /* parts of it */
-extern const struct argp tool_scene_argp; /* the part of commands that build no machine */
+extern const struct argp tool_scene_argp;     /* the part of commands that build no machine */
+extern const char *const tool_filter_names[]; /* SPH_FILTER_*, then NULL */
 extern const struct tool_source tool_source_default;
 
 /* Is path a machine file, by its name (.sph) or its first bytes? */

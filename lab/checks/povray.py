@@ -19,8 +19,9 @@ def draw(tool, folder, scene, depth):
     if not os.path.exists(scene):
         path = os.path.join(folder, "points.nff")
         subprocess.run([tool, "gen", scene, "-o", path], check=True, stdout=subprocess.DEVNULL)
-    subprocess.run([tool, "reference", path, "--unlimited", "--depth", depth, "--size",
-                    "%dx%d" % scenes.SIZE, "--frame", to], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run([tool, "reference", path, "--unlimited", "--depth", depth, *scenes.FILTER,
+                    "--size", "%dx%d" % scenes.SIZE, "--frame", to], check=True,
+                   stdout=subprocess.DEVNULL)
     return pictures.frame(to)
 
 

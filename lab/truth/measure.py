@@ -70,7 +70,8 @@ class Runner:
     def frame(self, name, *words):
         """The frame that a command of the tool draws; None and why if it is refused."""
         to = self.path(name + ".frame")
-        code, said = self.sphaera(*words, "--size", "%dx%d" % scenes.SIZE, "--frame", to)
+        code, said = self.sphaera(*words, *scenes.FILTER, "--size", "%dx%d" % scenes.SIZE,
+                                  "--frame", to)
         return (None, said) if code else (pictures.frame(to), "")
 
     def scene(self, name, scene, depth):

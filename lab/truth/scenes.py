@@ -9,13 +9,14 @@ GENERATED = ["balls:3", "mount:4", "tetra:4", "shells:4", "rings:3", "lattice:3"
              "tree:4", "sphereflake:4", "icosphere:4", "random:1000", "scenario2:64", "cover",
              "cornell", "horizon"]
 DEPTH = {"refraction": 4}  # of a folder; 2 elsewhere
+FILTER = ["--filter", "nearest"]  # as images are exported
 LEFT = {"empty": "nothing is in it"}
 
 
 def files():
-    """[(name, path)] of the scenes of the tree that have no images."""
+    """[(name, path)] of the scenes of the tree."""
     found = sorted(Path("scenes").glob("*.nff"))
-    for folder in "facets", "refraction":
+    for folder in "facets", "refraction", "texture":
         found += sorted(Path("scenes", folder).glob("*.nff"))
     return [(path.stem, path) for path in found if path.stem not in LEFT]
 

@@ -27,8 +27,11 @@ for pattern in 'assumed_gamma 1 adc_bailout 0 max_trace_level Reflections' '^#ve
     check "it has $pattern" has "$pattern" "$TMP/water.pov"
 done
 check "each sphere once, glass and its shadow" [ "$(grep -c '^sphere' "$TMP/water.pov")" = 4 ]
-check "images that are left out are told" says 'hall.nff: [0-9]+ images are left out' \
-    "$s" export $hall -o "$TMP/hall.pov"
+check "images" says 'hall.pov: 3 spheres, 3 facets' "$s" export $hall -o "$TMP/hall.pov"
+check "... by the names that the scene has" has 'image_map . "scenes/texture/globe.png" gamma 1' \
+    "$TMP/hall.pov"
+check "... on a sphere, a plane and two triangles" [ "$(grep -c '^#if (Ids) Look' \
+    "$TMP/hall.pov")" = 4 ]
 "$s" build scenes/paper5.nff --size 8x8 -o "$TMP/m.sph" >"$TMP/said" 2>&1
 fails 1 "export of a machine" "$s" export "$TMP/m.sph"
 fails 1 "export of nothing" "$s" export "$TMP/missing.nff"
