@@ -8,17 +8,7 @@
 #include "machine/records.h"
 #include "trace/bih_walk.h"
 #include "trace/leaf_unit.h"
-#include "trace/node.h"
-
-/* Inner children still to visit, in order. */
-struct siblings {
-    uint32_t base;
-    int count;
-    struct {
-        uint8_t child;
-        int32_t near;
-    } list[4];
-};
+#include "trace/visit.h"
 
 static struct sph_hit brute(const struct sph_machine *m, const struct sph_ray *ray,
                             struct sph_counters *c, uint32_t *errors) {
@@ -41,7 +31,7 @@ struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *r
     if (sph_machine_bih(m)) return sph_bih_walk(m, ray, c, visits, errors, NULL);
     struct sph_probe probe = sph_probe_of(m, ray, c, errors);
     const struct sph_hit *best = &probe.best;
-    struct siblings now = {0}, stack[SPH_STACK_DEPTH];
+    struct sph_siblings now = {0}, stack[SPH_STACK_DEPTH];
     int sp = 0, ends = ray->kind == SPH_SHADOW || ray->first;
     int32_t depth_max = ray->depth_max;
     uint32_t lines = (uint32_t)m->regs[SPH_REG_MEM_LINES], ray_visits = 0;
@@ -55,43 +45,23 @@ struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *r
         ++*visits;
         c->count[SPH_COUNT_NODE_VISITS]++;
 
-        const uint32_t *line = sph_line(m, node);
-        struct siblings found = {sph_field(line, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS), 0, {{0}}};
-        uint32_t n_inner = sph_field(line, SPH_NODE_N_INNER_LSB, SPH_NODE_N_INNER_BITS);
-        uint32_t n_leaf = sph_field(line, SPH_NODE_N_LEAF_LSB, SPH_NODE_N_LEAF_BITS);
-        if (n_inner + n_leaf > 4 ||
-            found.base + n_inner + sph_record_lines(probe.whole, n_leaf) > lines)
+        struct sph_found found;
+        if (!sph_visit(m, ray, node, depth_max, &found))
             return *errors |= 1u << SPH_ERROR_BAD_NODE, *best;
-        c->count[SPH_COUNT_CHILD_TESTS] += n_inner + n_leaf;
-
-        int32_t depth_before = depth_max; /* all four are filtered at once */
-        for (uint32_t i = 0; i < n_inner + n_leaf; i++) {
-            struct sph_child child = sph_child_read(line, (int)i);
-            int32_t near;
-            if (!sph_filter(ray, &child, depth_before, &near)) continue;
-            if (i >= n_inner) {
-                size_t leaves = (size_t)found.base + n_inner;
-                uint64_t key_before = best->key;
-                sph_leaf_visit(&probe, sph_record(m, probe.whole, leaves, i - n_inner));
-                if (best->key != key_before && ray->kind != SPH_SHADOW)
-                    depth_max = sph_ray_depth(probe.p, ray, best->key);
-            } else { /* insert: near first, ties in the order of children */
-                if (ray->first) near = INT32_MIN;
-                int at = found.count++;
-                for (; at > 0 && near < found.list[at - 1].near; at--)
-                    found.list[at] = found.list[at - 1];
-                found.list[at].child = (uint8_t)i;
-                found.list[at].near = near;
-            }
-        }
+        c->count[SPH_COUNT_CHILD_TESTS] += found.tests;
+        uint64_t key_before = best->key;
+        for (uint32_t j = 0; found.leaves >> j; j++)
+            if (found.leaves >> j & 1)
+                sph_leaf_visit(&probe, sph_record(m, probe.whole, found.line, j));
         if (ends && best->key) return *best;
+        if (best->key != key_before) depth_max = sph_ray_depth(probe.p, ray, best->key);
 
-        if (found.count && found.list[0].near <= depth_max) {
+        if (found.inner.count && found.inner.list[0].near <= depth_max) {
             if (now.count) {
                 if (sp == SPH_STACK_DEPTH) return *errors |= 1u << SPH_ERROR_STACK_OVERFLOW, *best;
                 stack[sp++] = now;
             }
-            now = found;
+            now = found.inner;
         }
         while (!now.count || now.list[0].near > depth_max) {
             if (!sp) return *best;

@@ -15,6 +15,7 @@
 
 #include "bench.h"
 #include "bundles.h"
+#include "engine/noise.h"
 
 extern "C" {
 #include "builder/build.h"
@@ -92,10 +93,10 @@ class World {
         o.max_depth = depth;
         const char *file = "tests/scenes/" WORLD_TEXT(SCENE) ".nff";
         if (access(file, R_OK)) file = "scenes/" WORLD_TEXT(SCENE) ".nff";
-        if (sph_scene_read(file, &read, &scene, &err) || sph_build(&scene, &o, &m, &report, &err)) {
-            printf("# %s\n", err.text);
-            exit(1);
-        }
+        if (sph_scene_read(file, &read, &scene, &err)) stop(err);
+        Noise noise(scene.n_textures);
+        o.mips = noise.mips.data();
+        if (sph_build(&scene, &o, &m, &report, &err)) stop(err);
         sph_scene_free(&scene);
     }
     ~World() { sph_machine_free(&m); }
@@ -161,6 +162,12 @@ class World {
         sph_leaf_visit(&probe, sph_record(&m, probe.whole, base, j));
         return probe.best;
     }
+
+  private:
+    [[noreturn]] static void stop(const struct sph_error &err) {
+        printf("# %s\n", err.text);
+        exit(1);
+    }
 };
 
 /* A ray as rt_setup gives it; VALID, NORMAL and LIGHT are the bench's own. */
@@ -187,10 +194,13 @@ template <class Port> void put_filter(Port &port, const struct sph_ray &r) {
     bench::put(port, RT_FILTER_DEPTH, r.depth_max);
 }
 
-/* Answers one reader of memory, late and in bursts. Once a clock: before() the clock, with all
- * inputs set, settles them. */
+/* Answers one reader of memory, late and in bursts; lines that are `spoilt` with an error, and with
+ * data that are not theirs. Once a clock: before() the clock, with all inputs set, settles them. */
 template <class Top> class Memory {
   public:
+    std::vector<bool> spoilt; /* by line; empty: none */
+    uint64_t requests = 0;
+
     Memory(bench::Bench<Top> &bench, const World &w) : b(bench), world(w) {
         b.dut.mem_req_ready_i = b.dut.mem_rsp_valid_i = b.dut.mem_rsp_error_i = 0;
     }
@@ -202,12 +212,16 @@ template <class Top> class Memory {
         b.dut.mem_req_ready_i = b.random.percent(pace);
         b.dut.mem_rsp_valid_i =
             !asked.empty() && asked.front().when <= b.cycle && b.random.percent(pace);
-        if (!asked.empty())
+        if (!asked.empty()) {
+            uint32_t line = asked.front().line;
+            b.dut.mem_rsp_error_i = !spoilt.empty() && spoilt[line];
             for (int i = 0; i < 8; i++)
-                b.dut.mem_rsp_data_i[i] = world.line(asked.front().line)[i];
+                b.dut.mem_rsp_data_i[i] = world.line(line)[i] ^ (b.dut.mem_rsp_error_i ? ~0u : 0u);
+        }
         b.settle();
         if (b.dut.mem_rsp_valid_i && b.dut.mem_rsp_ready_o) asked.pop_front();
         if (b.dut.mem_req_valid_o && b.dut.mem_req_ready_i) {
+            requests++;
             if (b.dut.mem_req_line_o >= world.m.lines)
                 b.fail("a line behind the end of memory is asked for");
             else

@@ -11,6 +11,7 @@
 
 extern "C" {
 #include "engine/render_pixel.h"
+#include "texture/lookup.h"
 }
 
 #ifndef SHADOW
@@ -19,9 +20,13 @@ extern "C" {
 #ifndef LIGHTS
 #define LIGHTS 8
 #endif
+#ifndef TEXTURE
+#define TEXTURE 0
+#endif
 
 namespace {
 
+constexpr int EVENTS = 7;      /* that are counted */
 constexpr uint64_t SETUP = 12; /* clocks from a vector to its ray, at least */
 
 struct Slot {
@@ -109,12 +114,13 @@ class Shade : public bench::Bench<Vrt_shade> {
 
     /* Nothing is under way: effects are switched on and off. */
     void phase() {
-        static const int switched[] = {SPH_EFFECT_SHADOW, SPH_EFFECT_REFLECT, SPH_EFFECT_REFRACT,
-                                       SPH_EFFECT_SPECULAR, SPH_EFFECT_SUM};
+        static const int switched[] = {SPH_EFFECT_SHADOW,   SPH_EFFECT_REFLECT, SPH_EFFECT_REFRACT,
+                                       SPH_EFFECT_SPECULAR, SPH_EFFECT_SUM,     SPH_EFFECT_TEXTURE};
         world.m.regs[SPH_REG_EFFECTS] = effects;
         for (int effect : switched)
             if (random.percent(20)) world.m.regs[SPH_REG_EFFECTS] &= ~(1 << effect);
         world.m.regs[SPH_REG_MAX_DEPTH] = random.percent(60) ? depth : (int32_t)random.below(4);
+        if (TEXTURE) world.m.regs[SPH_REG_TEX_FILTER] = (int32_t)random.below(SPH_FILTERS);
         world.put_regs(dut.regs_i);
         pace = random.percent(50) ? 100 : (unsigned)random.between(3, 60);
     }
@@ -124,8 +130,9 @@ class Shade : public bench::Bench<Vrt_shade> {
             clock(false);
         static const int both[] = {SPH_COUNT_RAYS_SHADOW,    SPH_COUNT_RAYS_REFLECTED,
                                    SPH_COUNT_RAYS_REFRACTED, SPH_COUNT_QUOTIENTS,
-                                   SPH_COUNT_SATURATIONS,    SPH_COUNT_POWERS};
-        for (int i = 0; i < 6; i++)
+                                   SPH_COUNT_SATURATIONS,    SPH_COUNT_POWERS,
+                                   SPH_COUNT_TEXELS};
+        for (int i = 0; i < EVENTS; i++)
             expect("events", (bench::i128)seen[i], (bench::i128)counters.count[both[i]], 64);
         if (bad()) show("counter", 0, 8);
         expect("fault_o", faults, errors, 4);
@@ -142,7 +149,7 @@ class Shade : public bench::Bench<Vrt_shade> {
     std::vector<Fetch> fetches;
     struct sph_counters counters = {}, ours = {};
     uint32_t errors = 0, faults = 0;
-    uint64_t seen[6] = {};
+    uint64_t seen[EVENTS] = {};
     int announced = -1; /* of vectors: a light that comes in this clock */
     bool lit = false;   /* a light came in the clock before */
     int reading = -1;
@@ -309,6 +316,7 @@ class Shade : public bench::Bench<Vrt_shade> {
         seen[3] += bench::get(dut.event_o, RT_SHADE_EVENT_QUOTIENT) != 0;
         seen[4] += bench::get(dut.event_o, RT_SHADE_EVENT_SATURATED) != 0;
         seen[5] += bench::get(dut.event_o, RT_SHADE_EVENT_POWER) != 0;
+        seen[6] += bench::get(dut.event_o, RT_SHADE_EVENT_TEXEL) != 0;
     }
 
     int to_read() {

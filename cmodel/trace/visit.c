@@ -1,0 +1,42 @@
+/* visit.c - see visit.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "trace/visit.h"
+
+#include "machine/records.h"
+#include "trace/node.h"
+
+/* Near children come first, equal ones in the order of the node. */
+static void insert(struct sph_siblings *s, uint32_t child, int32_t near) {
+    int at = s->count++;
+    for (; at > 0 && near < s->list[at - 1].near; at--)
+        s->list[at] = s->list[at - 1];
+    s->list[at].child = (uint8_t)child;
+    s->list[at].near = near;
+}
+
+int sph_visit(const struct sph_machine *m, const struct sph_ray *ray, uint32_t node,
+              int32_t depth_max, struct sph_found *found) {
+    const uint32_t *line = sph_line(m, node);
+    uint32_t base = sph_field(line, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS);
+    uint32_t n_inner = sph_field(line, SPH_NODE_N_INNER_LSB, SPH_NODE_N_INNER_BITS);
+    uint32_t n_leaf = sph_field(line, SPH_NODE_N_LEAF_LSB, SPH_NODE_N_LEAF_BITS);
+    found->inner.base = base;
+    found->inner.count = 0;
+    found->leaves = 0;
+    found->line = base + n_inner;
+    found->tests = n_inner + n_leaf;
+    if (found->tests > 4 ||
+        found->line + sph_record_lines(sph_whole(m), n_leaf) > (uint32_t)m->regs[SPH_REG_MEM_LINES])
+        return 0;
+    for (uint32_t i = 0; i < found->tests; i++) {
+        struct sph_child child = sph_child_read(line, (int)i);
+        int32_t near;
+        if (!sph_filter(ray, &child, depth_max, &near)) continue;
+        if (i < n_inner)
+            insert(&found->inner, i, ray->first ? INT16_MIN : near);
+        else
+            found->leaves |= 1u << (i - n_inner);
+    }
+    return 1;
+}

@@ -1,0 +1,143 @@
+/* visit_rays.h - the rays of tb_traverse: which nodes they visit, and when
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef TB_TRACE_VISIT_RAYS_H
+#define TB_TRACE_VISIT_RAYS_H
+
+#include "Vrt_traverse.h"
+#include "trace/random_nodes.h"
+#include "trace/visit_outcomes.h"
+
+#ifndef SHADOW
+#define SHADOW 1
+#endif
+#ifndef FIRST
+#define FIRST 1
+#endif
+#ifndef FACETS
+#define FACETS 0
+#endif
+
+namespace {
+
+constexpr int32_t WIDE = 0x800000; /* a limit that no ray reaches; its lowest bits are 0 */
+
+/* Drives the inputs of rt_traverse; those of memory are world::Memory's. */
+class VisitRays : public bench::Bench<Vrt_traverse> {
+  public:
+    VisitRays(int argc, char **argv)
+        : Bench("tb_traverse", argc, argv, 100000), world(FIRST), nodes(world, random),
+          memory(*this, world), limit(world.m.regs[SPH_REG_VISIT_LIMIT]) {
+        dut.visits_read_i = dut.next_valid_i = dut.shadow_go_i = dut.flush_i = 0;
+        bench::put(dut.ray_i, RT_RAY_VALID, 0);
+        memory.spoilt.resize(world.m.lines);
+    }
+
+    /* All slots are idle: other registers; another memory, and the cache forgets it. */
+    void phase() {
+        int32_t *r = world.m.regs;
+        dut.flush_i = !cycle || random.percent(50);
+        if (dut.flush_i) {
+            r[SPH_REG_EFFECTS] = FACETS && random.percent(50) ? 1 << SPH_EFFECT_FACETS : 0;
+            nodes.fill(memory.spoilt);
+        }
+        r[SPH_REG_ROOT] = (int32_t)(random.percent(10) ? nodes.lines() : nodes.some_line());
+        r[SPH_REG_VISIT_LIMIT] = random.percent(40)   ? limit
+                                 : random.percent(20) ? WIDE
+                                 : random.percent(20) ? 0
+                                                      : (int32_t)random.below(12);
+        world.put_regs(dut.regs_i);
+        pace = random.percent(50) ? 100 : (unsigned)random.between(2, 60);
+    }
+
+    bool all_idle() const {
+        for (const Slot &s : slots)
+            if (s.state != Slot::IDLE) return false;
+        return true;
+    }
+
+  protected:
+    world::World world;
+    RandomNodes nodes;
+    world::Memory<Vrt_traverse> memory;
+    Slot slots[SLOTS];
+    int reading = -1; /* whose visits are at visits_o */
+
+    /* A ray for an idle slot; its number, or -1. */
+    int launch(bool go_on) {
+        int at = (int)random.below(SLOTS);
+        Slot &s = slots[at];
+        bool go = go_on && s.state == Slot::IDLE && at != reading && random.percent(pace);
+        bench::put(dut.ray_i, RT_RAY_VALID, go);
+        dut.first_i = random.percent(50);
+        dut.pixel_i = random.percent(50);
+        if (!go) return -1;
+        int kind = !s.begun || random.percent(30) ? SPH_PRIMARY
+                   : SHADOW && random.percent(50) ? SPH_SHADOW
+                                                  : SPH_REFLECTED;
+        if (!s.begun) dut.pixel_i = 1;
+        s.starts = kind != SPH_SHADOW && dut.pixel_i;
+        s.ray = world.ray(random, kind);
+        s.ray.first = FIRST && dut.first_i;
+        s.fresh = s.begun = true;
+        s.line = (uint32_t)world.m.regs[SPH_REG_ROOT];
+        s.state = kind == SPH_SHADOW ? Slot::HELD : Slot::QUEUED;
+        world::put_ray(dut.ray_i, at, s.ray);
+        world::put_filter(dut.filter_i, s.ray);
+        return at;
+    }
+
+    /* A shadow ray that was told before starts; its slot, or -1. */
+    int release(int told) {
+        int at = (int)random.below(SLOTS);
+        dut.shadow_go_i = at != told && slots[at].state == Slot::HELD;
+        dut.shadow_slot_i = (uint8_t)at;
+        if (!dut.shadow_go_i) return -1;
+        slots[at].state = Slot::QUEUED;
+        return at;
+    }
+
+    /* A ray goes on, or is done; its slot if it goes on, or -1. */
+    int send(bool go_on) {
+        int at = (int)random.below(SLOTS);
+        Slot &s = slots[at];
+        dut.next_valid_i = 0;
+        if (s.state != Slot::FOUND || at == reading) return -1;
+        s.state = Slot::IDLE;
+        if (s.kill || !random.percent(go_on ? 90 : 50)) return -1;
+        s.state = Slot::QUEUED;
+        s.fresh = s.starts = false;
+        s.line = nodes.some_line();
+        dut.next_valid_i = 1;
+        dut.next_slot_i = (uint8_t)at;
+        dut.next_line_i = s.line;
+        return at;
+    }
+
+    /* The slot whose visits are read, one that waits for nothing, or -1. */
+    int ask(int told) {
+        int at = (int)random.below(SLOTS);
+        const Slot &s = slots[at];
+        dut.visits_read_i = s.begun && at != told && reading < 0 &&
+                            (s.state == Slot::IDLE || s.state == Slot::FOUND);
+        dut.visits_slot_i = (uint8_t)at;
+        return dut.visits_read_i ? at : -1;
+    }
+
+    void show_visit(const Slot &s) const {
+        show("line", s.line, SPH_LINE_BITS);
+        show("visits of the ray", s.visits, 24);
+        show("first", s.ray.first, 1);
+        show("depth", s.depth, FW + 1);
+        for (int i = 0; i < 3; i++)
+            show("org", s.ray.org[i], W), show("dir", s.ray.dir[i], WD);
+    }
+
+  private:
+    const int32_t limit;
+    unsigned pace = 100;
+};
+
+} // namespace
+
+#endif
