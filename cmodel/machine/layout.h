@@ -8,6 +8,8 @@
 #define SPH_LINE_WORDS 8
 #define SPH_LINE_BITS 26
 #define SPH_ID_BITS 24
+#define SPH_RGB_BITS 24
+#define SPH_VISITS_BITS 24
 #define SPH_MAX_LIGHTS 8
 #define SPH_MAX_DEPTH 5
 #define SPH_MIN_SCREEN 16

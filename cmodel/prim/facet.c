@@ -59,7 +59,7 @@ struct sph_facet_result sph_facet_test(const struct sph_profile *p, const struct
     r.num = det < 0 ? -num : num;
 
     if (own(ray, f) || det == 0 || r.num <= 0) return r;
-    int shadow = ray->kind == SPH_SHADOW;
+    int shadow = sph_ray_ends(ray);
     if (shadow && r.num >= (sph_i128)r.det) return r;
     if (plane)
         r.hit = shadow || in_world(p, ray, &r); /* what lies before a light is in the box */

@@ -18,7 +18,7 @@ struct sph_leaf_result sph_leaf_test(const struct sph_ray *ray, const struct sph
     int own = leaf->id == ray->skip.id;
     if (ray->inside ? own && !ray->skip.inside : own || r.k >= 0) return r;
     r.far = r.k >= 0 || own; /* own: the origin is inside whatever rounding did to k */
-    if (ray->kind == SPH_SHADOW) {
+    if (sph_ray_ends(ray)) {
         int64_t k_light = r.k + 2 * r.b - a; /* rad^2 - |light - ctr|^2, s(2W+3) */
         if (own)
             r.hit = k_light < 0;

@@ -73,9 +73,8 @@ int sph_make_cover(const struct sph_generate_options *options, struct sph_scene 
                                  i == 0 ? 10 : SPH_PALETTE_SIZE + i % 2, 0, err))
             return -1;
     for (int i = 0; i < 22 * 22; i++) {
-        int column = i % 22, row = i / 22;
-        double x = column - 11 + sph_rng_range(&rng, 0.2, 0.8);
-        double z = row - 11 + sph_rng_range(&rng, 0.2, 0.8);
+        double x = i % 22 - 11 + sph_rng_range(&rng, 0.2, 0.8);
+        double z = i / 22 - 11 + sph_rng_range(&rng, 0.2, 0.8);
         double y = sqrt((ground + small) * (ground + small) - x * x - z * z) - ground;
         double what = sph_rng_range(&rng, 0, 1);
         uint32_t plain = (uint32_t)(sph_rng_next(&rng) % SPH_PALETTE_SIZE);

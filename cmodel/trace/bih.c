@@ -25,7 +25,7 @@ void sph_bih_setup(const struct sph_profile *p, const struct sph_ray *ray, struc
         b->axis[i].mant = q.mant;
         b->axis[i].shift = q.exp - cut + b->t_shift - b->v_shift;
     }
-    b->limit = ray->kind == SPH_SHADOW ? sph_bih_time(b, ray->a) : SPH_BIH_NO_BOUND;
+    b->limit = sph_ray_ends(ray) ? sph_bih_time(b, ray->a) : SPH_BIH_NO_BOUND;
 }
 
 uint32_t sph_bih_time(const struct sph_bih_ray *b, uint64_t key) {

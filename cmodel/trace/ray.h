@@ -19,7 +19,7 @@ struct sph_skip {
 
 struct sph_ray {
     int64_t org[3]; /* sW */
-    int64_t dir[3]; /* sWD, not normalised: only its direction counts (shadow: ends at the light) */
+    int64_t dir[3]; /* sWD, not normalised: only its direction counts, but see sph_ray_ends() */
     int kind;
     struct sph_skip skip;
     int inside; /* effect INSIDE: rays may start inside a sphere, far roots count */
@@ -39,6 +39,12 @@ struct sph_hit {
     uint32_t id;
     int far; /* hit from inside */
 };
+
+/* 1 if the ray ends at a light: its direction is the whole vector, so the light lies at t = 1,
+ * where a key is `a`. What it hits there or farther away does not count. Other rays have no end. */
+static inline int sph_ray_ends(const struct sph_ray *ray) {
+    return ray->kind == SPH_SHADOW;
+}
 
 /* Fills in everything from `a` on. */
 void sph_ray_setup(const struct sph_profile *p, struct sph_ray *ray);

@@ -29,7 +29,7 @@ void sph_ray_setup(const struct sph_profile *p, struct sph_ray *ray) {
     int64_t span = d[ray->axis] < 0 ? -d[ray->axis] : d[ray->axis];
     int32_t limit = sph_depth_limit(p);
     int64_t light = (span >> k) + 1;
-    ray->depth_max = ray->kind == SPH_SHADOW && light < limit ? (int32_t)light : limit;
+    ray->depth_max = sph_ray_ends(ray) && light < limit ? (int32_t)light : limit;
 }
 
 int32_t sph_ray_depth(const struct sph_profile *p, const struct sph_ray *ray, uint64_t key) {

@@ -32,10 +32,12 @@ def files():
 
 
 def tidy(expression, macros):
-    """2*W+WD-1 as a reader writes it: 2W+WD-1; macros that are numbers by their value."""
+    """2*W+WD-1 as a reader writes it: 2W+WD-1; macros that are numbers, and products of numbers,
+    by their value."""
     text = re.sub(r"`(\w+)", lambda m: macros.get(m[1], m[1]), expression).strip()
     text = re.sub(r"RT_(\w+)_BITS", lambda m: "bundle " + m[1].lower(), text)
     text = text.replace("$clog2(SLOTS)", "SLOTW")
+    text = re.sub(r"\b(\d+)\s*\*\s*(\d+)\b", lambda m: str(int(m[1]) * int(m[2])), text)
     return re.sub(r"(?<=\w)\s*\*\s*(?=[\w(])", lambda m: "" if text[m.start() - 1].isdigit()
                   else "*", text)
 

@@ -77,10 +77,10 @@ module rt_core #(
     output wire [13:0]       pix_x_o,
     output wire [13:0]       pix_y_o,
     output wire [71:0]       pix_colour_o,     // {L2, L1, Rendering}, each 0xBBGGRR
-    output wire [23:0]       pix_frame_o,      // the one of them that register FRAME selects
+    output wire [`RT_RGB_BITS-1:0] pix_frame_o,      // the one of them that register FRAME selects
     output wire [`RT_ID_BITS-1:0] pix_id_o,         // primitive of the primary hit, all ones: none
     output wire [W+WD+1:0]   pix_key_o,        // key of that hit, 0: none
-    output wire [23:0]       pix_visits_o,     // node visits of all rays of the pixel
+    output wire [`RT_VISITS_BITS-1:0] pix_visits_o,     // node visits of all rays of the pixel
     output wire [31:0]       pix_texture_o,    // {lod u4.8 of its first texture, sum of addresses}
     // counters and sticky errors
     input  wire [4:0]        count_addr_i,     // number of a counter
@@ -88,7 +88,8 @@ module rt_core #(
     output reg  [`RT_ERRORS-1:0] errors_o      // a bit an error, until the next start_i
 );
     localparam KW = W + WD + 2;
-    localparam PV = 28 + 72 + 24 + KW + 24;          // a finished pixel
+    localparam CB = `RT_RGB_BITS, IB = `RT_ID_BITS, LB = `RT_LINE_BITS, VB = `RT_VISITS_BITS;
+    localparam PV = 28 + 3*CB + IB + KW + VB;        // a finished pixel
     localparam PW = PV + (TEXTURE != 0 ? 32 : 0);    // and its word of texture
     localparam OPTICS = REFRACT != 0 || SPECULAR != 0;
     localparam PLACES = FACETS != 0 || TEXTURE != 0 || OPTICS ? 32 : 16;  // counters
@@ -114,7 +115,8 @@ module rt_core #(
     wire [1:0]       bg_mode;
     wire [`RT_LINE_BITS-1:0] bg_base;
     wire [4:0]       bg_count;
-    wire [23:0]      background, visit_limit;
+    wire [CB-1:0]    background;
+    wire [VB-1:0]    visit_limit;
     wire [47:0]      ambient;
     wire [3*W-1:0]   eye;
     wire [3*WD-1:0]  dir;
@@ -123,7 +125,7 @@ module rt_core #(
     wire             light_valid;
     wire [2:0]       light_number, light_part;
     wire             bih;
-    wire [23:0]      n_prims, n_loose;
+    wire [IB-1:0]    n_prims, n_loose;
     wire [`RT_LINE_BITS-1:0] leaf_base;
     wire [6*(W+2)-1:0] box;
     rt_registers #(.W(W), .WD(WD), .TEXTURE(TEXTURE), .ACCEL(ACCEL)) u_registers (
@@ -179,7 +181,7 @@ module rt_core #(
     localparam WALK    = READS*ENGINES;
     localparam READERS = WALK + (SPANS != 0 || CONES != 0 ? 1 : 0);
     wire [WALK:0]            m_req_valid, m_rsp_ready;
-    wire [26*(WALK+1)-1:0]   m_req_line;
+    wire [LB*(WALK+1)-1:0]   m_req_line;
     wire [READERS-1:0]       m_req_ready, m_rsp_valid;
     wire [255:0]             m_rsp_data;
     wire                     m_rsp_error, bad_table, table_error;
@@ -189,7 +191,7 @@ module rt_core #(
     rt_mem_arbiter #(.CLIENTS(READERS)) u_arbiter (
         .clk(clk), .rst(rst),
         .req_valid_i(m_req_valid[READERS-1:0]), .req_ready_o(m_req_ready),
-        .req_line_i(m_req_line[26*READERS-1:0]),
+        .req_line_i(m_req_line[LB*READERS-1:0]),
         .rsp_valid_o(m_rsp_valid), .rsp_ready_i(m_rsp_ready[READERS-1:0]),
         .rsp_data_o(m_rsp_data), .rsp_error_o(m_rsp_error),
         .mem_req_valid_o(mem_req_valid_o), .mem_req_ready_i(mem_req_ready_i),
@@ -215,7 +217,7 @@ module rt_core #(
         .ray_dir_x_o(walk_dir_x), .ray_dir_y_o(walk_dir_y),
         .bg_valid_o(bg_valid), .bg_ready_i(bg_ready), .x_o(x), .y_o(y),
         .mem_req_valid_o(m_req_valid[WALK]), .mem_req_ready_i(t_req_ready),
-        .mem_req_line_o(m_req_line[26*WALK +: 26]),
+        .mem_req_line_o(m_req_line[LB*WALK +: LB]),
         .mem_rsp_valid_i(t_rsp_valid), .mem_rsp_ready_o(m_rsp_ready[WALK]),
         .mem_rsp_data_i(m_rsp_data), .mem_rsp_error_i(m_rsp_error),
         .bad_table_o(bad_table), .bus_error_o(table_error)
@@ -280,7 +282,7 @@ module rt_core #(
                 .pix_valid_o(p_valid[e]), .pix_ready_i(p_take[e] && mux_ready), .pix_o(pix),
                 .mem_req_valid_o(m_req_valid[READS*e +: READS]),
                 .mem_req_ready_i(m_req_ready[READS*e +: READS]),
-                .mem_req_line_o(m_req_line[26*READS*e +: 26*READS]),
+                .mem_req_line_o(m_req_line[LB*READS*e +: LB*READS]),
                 .mem_rsp_valid_i(m_rsp_valid[READS*e +: READS]),
                 .mem_rsp_ready_o(m_rsp_ready[READS*e +: READS]),
                 .mem_rsp_data_i(m_rsp_data), .mem_rsp_error_i(m_rsp_error),
@@ -324,7 +326,8 @@ module rt_core #(
     assign p_take   = p_valid & (~p_valid + 1'b1);
     assign bg_ready = SEPARATED && mux_ready && p_valid == 0;
     wire [31:0]   untextured = {12'd`RT_LOD_NONE, 20'd0};
-    wire [PV+31:0] sky = {untextured, {KW{1'b0}}, 24'd0, 24'hffffff, {3{background}}, y, x};
+    wire [PV+31:0] sky = {untextured, {KW{1'b0}}, {VB{1'b0}}, `RT_ID_BITS'd`RT_ID_NONE,
+                           {3{background}}, y, x};
     wire unused_sky = &{1'b0, sky};
     integer i;
     always @* begin
@@ -343,8 +346,8 @@ module rt_core #(
     assign {pix_key_o, pix_visits_o, pix_id_o, pix_colour_o, pix_y_o, pix_x_o} = mux_q[PV-1:0];
     assign pix_texture_o = TEXTURE != 0 ? mux_q[PW-1 -: 32] : untextured;
 
-    assign pix_frame_o = frame == 2'd0 ? pix_colour_o[23:0] : frame == 2'd1 ? pix_colour_o[47:24]
-                         : pix_colour_o[71:48];
+    assign pix_frame_o = frame == 2'd0 ? pix_colour_o[0 +: CB]
+                         : frame == 2'd1 ? pix_colour_o[CB +: CB] : pix_colour_o[2*CB +: CB];
 
     // ---- counters: sums over the engines ----
     wire [EW-1:0] shell_events;

@@ -36,6 +36,8 @@
 `define RT_LINE_WORDS 8
 `define RT_LINE_BITS 26
 `define RT_ID_BITS 24
+`define RT_RGB_BITS 24
+`define RT_VISITS_BITS 24
 `define RT_MAX_LIGHTS 8
 `define RT_MAX_DEPTH 5
 `define RT_MIN_SCREEN 16

@@ -22,7 +22,7 @@ module rt_registers #(
     output reg  [55:0]       rect_o,          // {y1, x1, y0, x0}
     output reg  [`RT_LINE_BITS-1:0] bg_base_o,
     output reg  [4:0]        bg_count_o,
-    output reg  [23:0]       background_o,
+    output reg  [`RT_RGB_BITS-1:0] background_o,
     output reg  [47:0]       ambient_o,       // {blue, green, red}
     output reg  [3*W-1:0]    eye_o,           // {z, y, x}
     output reg  [3*WD-1:0]   dir_o,           // {z, y of row 0, x of column 0}
@@ -30,15 +30,15 @@ module rt_registers #(
     output reg  [`RT_LINE_BITS-1:0] root_o,
     output reg  [`RT_LINE_BITS-1:0] prim_base_o,
     output reg  [`RT_LINE_BITS-1:0] mem_lines_o,
-    output reg  [23:0]       visit_limit_o,
+    output reg  [`RT_VISITS_BITS-1:0] visit_limit_o,
     output reg  [31:0]       profile_o,
     output reg  [1:0]        frame_o,
     output wire [1:0]        tex_filter_o,
     output wire [3:0]        coarse_o,
     output reg               bih_o,           // TREE is a BIH
-    output wire [23:0]       n_prims_o,       // of a BIH
+    output wire [`RT_ID_BITS-1:0] n_prims_o,       // of a BIH
     output wire [`RT_LINE_BITS-1:0] leaf_base_o,
-    output wire [23:0]       n_loose_o,
+    output wire [`RT_ID_BITS-1:0] n_loose_o,
     output wire [6*(W+2)-1:0] box_o,          // {z1, y1, x1, z0, y0, x0}
     // lights live in the engines: one write goes by
     output wire              light_valid_o,
@@ -64,7 +64,7 @@ module rt_registers #(
                 `RT_REG_RECT_Y0:     rect_o[27:14]   <= data_i[13:0];
                 `RT_REG_RECT_X1:     rect_o[41:28]   <= data_i[13:0];
                 `RT_REG_RECT_Y1:     rect_o[55:42]   <= data_i[13:0];
-                `RT_REG_BG_COLOUR:   background_o    <= data_i[23:0];
+                `RT_REG_BG_COLOUR:   background_o    <= data_i[`RT_RGB_BITS-1:0];
                 `RT_REG_AMBIENT_R:   ambient_o[15:0]  <= data_i[15:0];
                 `RT_REG_AMBIENT_G:   ambient_o[31:16] <= data_i[15:0];
                 `RT_REG_AMBIENT_B:   ambient_o[47:32] <= data_i[15:0];
@@ -75,14 +75,14 @@ module rt_registers #(
                 `RT_REG_DIR_Y0:      dir_o[WD +: WD]  <= data_i[WD-1:0];
                 `RT_REG_DIR_Z:       dir_o[2*WD +: WD] <= data_i[WD-1:0];
                 `RT_REG_PITCH:       pitch_o         <= data_i[WD-1:0];
-                `RT_REG_ROOT:        root_o          <= data_i[25:0];
-                `RT_REG_PRIM_BASE:   prim_base_o     <= data_i[25:0];
-                `RT_REG_MEM_LINES:   mem_lines_o     <= data_i[25:0];
-                `RT_REG_VISIT_LIMIT: visit_limit_o   <= data_i[23:0];
+                `RT_REG_ROOT:        root_o          <= data_i[`RT_LINE_BITS-1:0];
+                `RT_REG_PRIM_BASE:   prim_base_o     <= data_i[`RT_LINE_BITS-1:0];
+                `RT_REG_MEM_LINES:   mem_lines_o     <= data_i[`RT_LINE_BITS-1:0];
+                `RT_REG_VISIT_LIMIT: visit_limit_o   <= data_i[`RT_VISITS_BITS-1:0];
                 `RT_REG_PROFILE:     profile_o       <= data_i;
                 `RT_REG_FRAME:       frame_o         <= data_i[1:0];
                 `RT_REG_TREE:        bih_o           <= data_i[2:0] >= 3'd`RT_TREE_BIH;
-                `RT_REG_BG_BASE:     bg_base_o       <= data_i[25:0];
+                `RT_REG_BG_BASE:     bg_base_o       <= data_i[`RT_LINE_BITS-1:0];
                 `RT_REG_BG_COUNT:    bg_count_o      <= data_i[4:0];
                 default: ;
             endcase
@@ -101,16 +101,16 @@ module rt_registers #(
             assign coarse_o     = 4'd0;
         end
         if (ACCEL != 0) begin : g_bih
-            reg [23:0]        n_prims_q, n_loose_q;
+            reg [`RT_ID_BITS-1:0] n_prims_q, n_loose_q;
             reg [`RT_LINE_BITS-1:0] leaf_base_q;
             reg [6*(W+2)-1:0] box_q;
             wire [6:0]        side = addr_i - `RT_REG_BOX_X0;
             integer           i;
             always @(posedge clk)
                 if (valid_i) begin
-                    if (addr_i == `RT_REG_N_PRIMS)   n_prims_q   <= data_i[23:0];
-                    if (addr_i == `RT_REG_LEAF_BASE) leaf_base_q <= data_i[25:0];
-                    if (addr_i == `RT_REG_N_LOOSE)   n_loose_q   <= data_i[23:0];
+                    if (addr_i == `RT_REG_N_PRIMS)   n_prims_q   <= data_i[`RT_ID_BITS-1:0];
+                    if (addr_i == `RT_REG_LEAF_BASE) leaf_base_q <= data_i[`RT_LINE_BITS-1:0];
+                    if (addr_i == `RT_REG_N_LOOSE)   n_loose_q   <= data_i[`RT_ID_BITS-1:0];
                     for (i = 0; i < 6; i = i + 1)
                         if (side == i[6:0]) box_q[(W+2)*i +: W+2] <= data_i[W+1:0];
                 end

@@ -65,7 +65,7 @@ module rt_engine #(
     // memory: nodes in bit 0, leaves and primitives in bit 1, textures, if any, in bit 2
     output wire [READS-1:0]           mem_req_valid_o,
     input  wire [READS-1:0]           mem_req_ready_i,
-    output wire [26*READS-1:0]        mem_req_line_o,
+    output wire [`RT_LINE_BITS*READS-1:0] mem_req_line_o,
     input  wire [READS-1:0]           mem_rsp_valid_i,
     output wire [READS-1:0]           mem_rsp_ready_o,
     input  wire [255:0]               mem_rsp_data_i,
@@ -100,8 +100,8 @@ module rt_engine #(
     wire             primary_ready, next_light, ray_again, shadow_go, done_valid;
     wire             fetch_ready, record_ready, end_valid, read;
     wire [SLOTW-1:0] next_slot, shadow_slot, done_slot, end_slot, read_slot;
-    wire [23:0]      visits;
-    wire [71:0]      colour;
+    wire [`RT_VISITS_BITS-1:0] visits;
+    wire [3*`RT_RGB_BITS-1:0] colour;
     wire [31:0]      texture;
     wire             tex_req_valid, tex_rsp_ready;
     wire [`RT_LINE_BITS-1:0] tex_req_line;
@@ -124,7 +124,7 @@ module rt_engine #(
         .done_valid_o(done_valid), .done_slot_o(done_slot), .done_o(done),
         .visits_read_i(read), .visits_slot_i(read_slot), .visits_o(visits),
         .mem_req_valid_o(mem_req_valid_o[0]), .mem_req_ready_i(mem_req_ready_i[0]),
-        .mem_req_line_o(mem_req_line_o[0 +: 26]),
+        .mem_req_line_o(mem_req_line_o[0 +: `RT_LINE_BITS]),
         .mem_rsp_valid_i(mem_rsp_valid_i[0]), .mem_rsp_ready_o(mem_rsp_ready_o[0]),
         .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
         .event_o(event_o[`RT_EVENT_TRACE]), .fault_o(fault_o[3:0])
@@ -138,7 +138,7 @@ module rt_engine #(
         .fetch_i(fetch), .fetch_ready_o(fetch_ready),
         .record_o(record), .record_ready_i(record_ready),
         .mem_req_valid_o(mem_req_valid_o[1]), .mem_req_ready_i(mem_req_ready_i[1]),
-        .mem_req_line_o(mem_req_line_o[26 +: 26]),
+        .mem_req_line_o(mem_req_line_o[`RT_LINE_BITS +: `RT_LINE_BITS]),
         .mem_rsp_valid_i(mem_rsp_valid_i[1]), .mem_rsp_ready_o(mem_rsp_ready_o[1]),
         .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
         .event_o(event_o[`RT_EVENT_EXACT]), .fault_o(fault_o[7:4])
@@ -169,7 +169,7 @@ module rt_engine #(
     generate
         if (TEXTURE != 0) begin : g_texture
             assign mem_req_valid_o[READS-1]        = tex_req_valid;
-            assign mem_req_line_o[26*READS-1 -: 26] = tex_req_line;
+            assign mem_req_line_o[`RT_LINE_BITS*READS-1 -: `RT_LINE_BITS] = tex_req_line;
             assign mem_rsp_ready_o[READS-1]        = tex_rsp_ready;
         end else begin : g_plain
             wire unused = &{1'b0, tex_req_valid, tex_req_line, tex_rsp_ready};

@@ -51,7 +51,7 @@ module rt_probe #(
         .wr_data_i({blend_probe_i, blend_last_i}),
         .rd_en_i(ask_valid_i), .rd_addr_i(ask_slot_i), .rd_data_o({probe, last})
     );
-    rt_slot_ram #(.WIDTH(24), .SLOTS(SLOTS), .OLD(0)) u_first (
+    rt_slot_ram #(.WIDTH(`RT_ID_BITS), .SLOTS(SLOTS), .OLD(0)) u_first (
         .clk(clk), .wr_en_i(done_valid_i && done_primary_i), .wr_addr_i(done_slot_i),
         .wr_data_i(done_id_i),
         .rd_en_i(ask_valid_i), .rd_addr_i(ask_slot_i), .rd_data_o(first_id)

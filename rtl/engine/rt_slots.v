@@ -1,7 +1,7 @@
 // rt_slots.v - slots of an engine: a pixel comes in, its colours go out
 // SPDX-License-Identifier: Apache-2.0
-// Gives each traced pixel a free slot, sorts the rays that are done (shadow, hit, miss), repeats
-// the primary rays that rt_probe asks for, and delivers the pixels that are complete.
+// A pixel to trace gets a free slot. Rays that are done are told apart (shadow, hit, miss), primary
+// rays that rt_probe asks for start again, and pixels that are complete are delivered.
 // Model: sph_render_pixel() in cmodel/engine/render_pixel.c
 `default_nettype none
 `include "rt_layout.vh"
@@ -41,7 +41,7 @@ module rt_slots #(
     // of a pixel that leaves, a clock after its slot: from rt_trace and rt_shade
     output wire                       read_o,
     output wire [$clog2(SLOTS)-1:0]   read_slot_o,
-    input  wire [23:0]                visits_i,
+    input  wire [`RT_VISITS_BITS-1:0]  visits_i,
     input  wire [71:0]                colour_i,
     input  wire [31:0]                texture_i,
     // finished pixels
@@ -54,7 +54,7 @@ module rt_slots #(
     localparam KW = W + WD + 2;
     localparam PB = INTERPENETRATE != 0 ? 1 : 0;     // bits of a flag about probes
     wire [`RT_EFFECT_BITS-1:0] effects    = regs_i[`RT_REGS_EFFECTS];
-    wire [23:0]      background = regs_i[`RT_REGS_BACKGROUND];
+    wire [`RT_RGB_BITS-1:0] background = regs_i[`RT_REGS_BACKGROUND];
     wire             again_valid;                    // a primary ray is to be repeated
     wire [SLOTW-1:0] again_slot;
     wire [3*WD-1:0]  again_dir;
@@ -91,7 +91,8 @@ module rt_slots #(
         if (rst) d_valid_q <= 1'b0;
     end
     wire [`RT_ID_BITS-1:0] d_id      = done_i[`RT_DONE_ID];
-    wire [26:0] d_line    = {1'b0, regs_i[`RT_REGS_PRIM_BASE]} + {3'b0, d_id};
+    wire [`RT_LINE_BITS:0] d_line = {1'b0, regs_i[`RT_REGS_PRIM_BASE]} +
+                                    {{(`RT_LINE_BITS+1-`RT_ID_BITS){1'b0}}, d_id};
     wire        d_outside = d_line >= {1'b0, regs_i[`RT_REGS_MEM_LINES]};
     wire        d_found   = done_i[`RT_DONE_FOUND] && !d_outside;
     wire        d_first   = done_i[`RT_DONE_PRIMARY];
@@ -193,7 +194,7 @@ module rt_slots #(
         .rd_en_i(o_read), .rd_addr_i(o_slot),
         .rd_data_o({pix_o[`RT_PIXEL_Y], pix_o[`RT_PIXEL_X]})
     );
-    rt_slot_ram #(.WIDTH(KW+24), .SLOTS(SLOTS), .OLD(0)) u_first (
+    rt_slot_ram #(.WIDTH(KW+`RT_ID_BITS), .SLOTS(SLOTS), .OLD(0)) u_first (
         .clk(clk), .wr_en_i(d_valid && d_first && d_found),
         .wr_addr_i(d_slot_q), .wr_data_i({d_id, done_i[`RT_DONE_KEY]}),
         .rd_en_i(o_read), .rd_addr_i(o_slot), .rd_data_o({p_id, p_key})
@@ -210,7 +211,7 @@ module rt_slots #(
     assign read_slot_o = o_slot;
     assign pix_valid_o = p_valid_q;
     assign pix_o[`RT_PIXEL_COLOUR]  = p_sky_q ? {3{background}} : colour_i;
-    assign pix_o[`RT_PIXEL_ID]      = p_sky_q ? 24'd`RT_ID_NONE : p_id;
+    assign pix_o[`RT_PIXEL_ID]      = p_sky_q ? `RT_ID_BITS'd`RT_ID_NONE : p_id;
     assign pix_o[`RT_PIXEL_KEY]     = p_sky_q ? {KW{1'b0}} : p_key;
     assign pix_o[`RT_PIXEL_VISITS]  = visits_i;
     assign pix_o[`RT_PIXEL_TEXTURE] = TEXTURE == 0 || p_sky_q ? {12'd`RT_LOD_NONE, 20'd0}

@@ -47,7 +47,7 @@ module rt_cache #(
     localparam SB   = $clog2(SETS);         // bits of a set number
     localparam WB   = WAYS > 1 ? $clog2(WAYS) : 1; // bits of a way number
     localparam PB   = SB + GB;              // bits of a set and a place in its group
-    localparam KB   = 26 - PB;              // line number above them
+    localparam KB   = `RT_LINE_BITS - PB;             // line number above them
     localparam AB   = $clog2(LINES);        // bits of an address of the data RAM
     `RT_CHECK(LINES == (1 << AB), rt_cache_LINES_must_be_a_power_of_two)
     `RT_CHECK(WAYS == (1 << $clog2(WAYS)), rt_cache_WAYS_must_be_a_power_of_two)
@@ -117,7 +117,7 @@ module rt_cache #(
                 .clk(clk),
                 .wr_en_i(walk_step || (alloc && victim[g])),
                 .wr_addr_i(walk_q ? walk_set_q : s1_set),
-                .wr_data_i({!walk_q, !walk_q && !filled, s1_line_q[25:PB]}),
+                .wr_data_i({!walk_q, !walk_q && !filled, s1_line_q[`RT_LINE_BITS-1:PB]}),
                 .rd_addr_i(s1_set), .rd_data_o({used, asked, key})
             );
             rt_slot_file #(.WIDTH(2), .SLOTS(SETS)) u_fill (
@@ -127,7 +127,7 @@ module rt_cache #(
                 .wr_data_i({fill_error, !walk_step && head_asked}),
                 .rd_addr_i(s1_set), .rd_data_o({error, filled})
             );
-            assign match[g]  = used && key == s1_line_q[25:PB];
+            assign match[g]  = used && key == s1_line_q[`RT_LINE_BITS-1:PB];
             assign coming[g] = used && asked != filled;
             assign good[g]   = used && asked == filled && !error;
         end
@@ -187,8 +187,8 @@ module rt_cache #(
             reg [GB-1:0] fill_q;            // place of the next line from memory
             reg          error_q;           // a bus error came with one before it
             always @(posedge clk) begin
-                if (mem_go) mem_req_line_o <= mem_more ? mem_req_line_o + 26'd1
-                                              : {s1_line_q[25:GB], {GB{1'b0}}};
+                if (mem_go) mem_req_line_o <= mem_more ? mem_req_line_o + 1'b1
+                                              : {s1_line_q[`RT_LINE_BITS-1:GB], {GB{1'b0}}};
                 if (fill) begin
                     fill_q  <= fill_q + 1'b1;
                     error_q <= fill_error && !fill_last;

@@ -16,7 +16,7 @@ module rt_mem_arbiter #(
     // from the clients, client i in bit i and in field i
     input  wire [CLIENTS-1:0]    req_valid_i,
     output wire [CLIENTS-1:0]    req_ready_o,
-    input  wire [26*CLIENTS-1:0] req_line_i,
+    input  wire [`RT_LINE_BITS*CLIENTS-1:0] req_line_i,
     // to the clients
     output wire [CLIENTS-1:0]    rsp_valid_o,      // one-hot
     input  wire [CLIENTS-1:0]    rsp_ready_i,
@@ -50,9 +50,9 @@ module rt_mem_arbiter #(
     reg  [`RT_LINE_BITS-1:0] line;                              // of the client chosen
     integer i;
     always @* begin
-        line = 26'd0;
+        line = {`RT_LINE_BITS{1'b0}};
         for (i = 0; i < CLIENTS; i = i + 1)
-            if (grant[i]) line = line | req_line_i[26*i +: 26];
+            if (grant[i]) line = line | req_line_i[`RT_LINE_BITS*i +: `RT_LINE_BITS];
     end
     always @(posedge clk) begin
         if (mem_req_ready_i || !mem_req_valid_o) begin

@@ -54,7 +54,8 @@ module rt_background #(
     // ---- does the table lie in memory ----
     wire [14:0] y_up  = {1'b0, y1} + 15'd7;
     wire [11:0] lines = by_spans ? y_up[14:3] : {5'd0, count_i, 2'd0};
-    wire [26:0] past  = {1'b0, base_i} + {15'd0, lines};
+    localparam LB = `RT_LINE_BITS;
+    wire [LB:0] past  = {1'b0, base_i} + {{(LB-11){1'b0}}, lines};
     reg         bad_q, start_q;                    // start_q: one cycle after start_i
     always @(posedge clk) begin
         if (start_i) bad_q <= (by_spans || by_cones) && past > {1'b0, mem_lines_i};
@@ -72,7 +73,7 @@ module rt_background #(
     wire        room, asked;
     rt_table u_table (
         .clk(clk), .rst(rst), .start_i(start_q && (cones_on || (spans_on && some))),
-        .first_i(base_i + (by_spans ? {15'd0, y0[13:3]} : 26'd0)),
+        .first_i(base_i + (by_spans ? {{(LB-11){1'b0}}, y0[13:3]} : {LB{1'b0}})),
         .lines_i(lines - (by_spans ? {1'b0, y0[13:3]} : 12'd0)),
         .passes_i(by_spans ? x_up[14:3] : 12'd1), .room_i(room || !by_spans), .asked_o(asked),
         .req_valid_o(req_valid_o), .req_ready_i(req_ready_i), .req_line_o(req_line_o)

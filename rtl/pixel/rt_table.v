@@ -25,7 +25,7 @@ module rt_table (
     always @(posedge clk) begin
         if (start_i || asked_o) begin
             line_q     <= start_i || last ? lines_i : line_q - 12'd1;
-            req_line_o <= start_i || last ? first_i : req_line_o + 26'd1;
+            req_line_o <= start_i || last ? first_i : req_line_o + 1'b1;
         end
         if (start_i)              pass_q <= lines_i == 12'd0 ? 12'd0 : passes_i;
         else if (asked_o && last) pass_q <= pass_q - 12'd1;

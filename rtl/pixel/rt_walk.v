@@ -157,7 +157,7 @@ module rt_walk #(
         end else begin : g_no_tables
             assign {loaded, decided, in_table} = 3'b111;
             assign {mem_req_valid_o, mem_rsp_ready_o, bad_table_o, bus_error_o} = 4'd0;
-            assign mem_req_line_o = 26'd0;
+            assign mem_req_line_o = {`RT_LINE_BITS{1'b0}};
             wire unused = &{1'b0, bg_base_i, bg_count_i, mem_lines_i, mem_req_ready_i,
                             mem_rsp_valid_i, mem_rsp_data_i, mem_rsp_error_i};
         end

@@ -37,7 +37,7 @@ module rt_leaf #(
     input  wire signed [WD-1:0]   in_dir_y_i,
     input  wire signed [WD-1:0]   in_dir_z_i,
     input  wire [2*WD-1:0]        in_a_i,        // u(2WD), dir.dir
-    input  wire                   in_shadow_i,   // the ray ends at the light, t = 1
+    input  wire                   in_shadow_i,   // a ray to a light: RT_RAY_SHADOW
     input  wire [`RT_ID_BITS-1:0] in_skip_id_i,  // sphere the ray starts on
     input  wire                   in_skip_inside_i,  // and whether inside it
     // to rt_root_pool

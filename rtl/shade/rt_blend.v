@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //   colour = min(round(albedo*light / 2^7), 255.0)        front = weight * (1-kr)
 //   frame  = byte(sum + weight*colour)    sum += front*colour    weight *= kr    depth += 1
-// The frame is that of its depth and of the deepest so far; frames 0 and 1 are kept beyond theirs.
+// A frame is that of its own depth and, so far, of the deepest; frames 0 and 1 stay as they are
+// when deeper surfaces come.
 // Two multipliers, channels one after another:
 //   operands in cycle 1, 2, 3: albedo, light | weight, kr  4, 5, 6: colour, weight | colour, front
 //   products follow by 1 cycle, what is made of them by 2. Latency 9 cycles, one every 8 cycles.

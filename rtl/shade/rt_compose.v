@@ -24,10 +24,8 @@ module rt_compose #(
     input  wire [`RT_HIT_BITS-1:0]      hit_i,          // from rt_slots
     // from rt_surface; from rt_texture, the part that a texture may change
     input  wire [`RT_MATERIAL_BITS-1:0] material_i,
-    input  wire                         albedo_valid_i,
-    input  wire [$clog2(SLOTS)-1:0]     albedo_slot_i,
-    input  wire [32:0]                  albedo_i,       // {kr u1.8, 0xBBGGRR}
-    // from rt_lights: token, all lights of a surface are summed
+    input  wire [`RT_ALBEDO_BITS-1:0]   albedo_i,
+    // from rt_lighting: token, all lights of a surface are summed
     input  wire                         sum_valid_i,
     input  wire [$clog2(SLOTS)-1:0]     sum_slot_i,
     input  wire [50:0]                  sum_i,          // 3 x u2.15, red low
@@ -42,14 +40,14 @@ module rt_compose #(
     // frames of a slot, a clock after it
     input  wire                         read_i,
     input  wire [$clog2(SLOTS)-1:0]     read_slot_i,
-    output wire [71:0]                  colour_o        // L2, L1, Rendering
+    output wire [3*`RT_RGB_BITS-1:0]    colour_o        // L2, L1, Rendering
 );
     localparam SLOTW = $clog2(SLOTS);
     localparam SHARES = REFRACT != 0 || SUM != 0 ? 1 : 0;   // blends by shares
     localparam FB = REFLECT != 0 || REFRACT != 0 ? 1 : 0;   // more than the first one is blended
     localparam PB = INTERPENETRATE != 0 ? 1 : 0;            // bits of a flag about probes
     wire [`RT_EFFECT_BITS-1:0] effects    = regs_i[`RT_REGS_EFFECTS];
-    wire [23:0]      background = regs_i[`RT_REGS_BACKGROUND];
+    wire [`RT_RGB_BITS-1:0] background = regs_i[`RT_REGS_BACKGROUND];
 
     // ---- queues of surfaces and of background behind mirrors ----
     wire             q_hit, q_miss, q_hit_in, q_miss_in, blend_ready;
@@ -94,7 +92,9 @@ module rt_compose #(
     end
 
     // ---- which surface of its pixel it is; its material ----
-    localparam MW = REFLECT != 0 ? 33 : 24;          // without a mirror's share
+    localparam CB = `RT_RGB_BITS;
+    localparam MW = REFLECT != 0 ? CB + 9 : CB;      // without a mirror's share
+    wire [CB+8:0] albedo = {albedo_i[`RT_ALBEDO_KR], albedo_i[`RT_ALBEDO_RGB]};
     wire         e_first, e_probe;                   // what the pixel sees itself; to be probed
     wire [MW-1:0] e_material;
     wire [8:0]   e_kr;
@@ -114,17 +114,17 @@ module rt_compose #(
             assign {e_first, e_probe} = 2'b10;
         end
         if (REFLECT != 0) begin : g_kr
-            assign e_kr = e_miss_q ? 9'd0 : e_material[MW-1:24];
+            assign e_kr = e_miss_q ? 9'd0 : e_material[MW-1:CB];
         end else begin : g_matt
             assign e_kr = 9'd0;
         end
     endgenerate
     rt_slot_ram #(.WIDTH(MW), .SLOTS(SLOTS), .OLD(0)) u_material (
-        .clk(clk), .wr_en_i(albedo_valid_i), .wr_addr_i(albedo_slot_i),
-        .wr_data_i(albedo_i[MW-1:0]),
+        .clk(clk), .wr_en_i(albedo_i[`RT_ALBEDO_VALID]), .wr_addr_i(albedo_i[`RT_ALBEDO_SLOT]),
+        .wr_data_i(albedo[MW-1:0]),
         .rd_en_i(e_read), .rd_addr_i(e_slot), .rd_data_o(e_material)
     );
-    wire [23:0]  e_albedo = e_miss_q ? background : e_material[23:0];
+    wire [CB-1:0] e_albedo = e_miss_q ? background : e_material[CB-1:0];
 
     // ---- blend ----
     generate
@@ -170,6 +170,6 @@ module rt_compose #(
                             next_depth_i};
         end
     endgenerate
-    wire unused = &{1'b0, regs_i, effects, hit_i, albedo_i, q_hit_in, q_miss_in};
+    wire unused = &{1'b0, regs_i, effects, hit_i, albedo, albedo_i, q_hit_in, q_miss_in};
 endmodule
 `default_nettype wire

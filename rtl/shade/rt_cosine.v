@@ -1,7 +1,7 @@
 // rt_cosine.v - Lambert's cosine of every light, and whether it wants a shadow ray
 // SPDX-License-Identifier: Apache-2.0
-// Keeps the unit normal of each slot's surface. A light that the surface does not face, or every
-// light where there are no shadow rays, is settled at once; the others wait for a shadow ray.
+// The unit normal of each slot's surface is kept here. A light that the surface does not face, or
+// every light where there are no shadow rays, is settled at once; the others wait for a shadow ray.
 //   rt_setup: next light | its unit vector, the normal | rt_lambert, 5 clocks
 // Model: sph_lambert() in cmodel/shade/colour.c
 `default_nettype none

@@ -1,7 +1,7 @@
 // rt_leave.v - the ray that leaves a surface when it is blended: mirrored, refracted, or none
 // SPDX-License-Identifier: Apache-2.0
-// With REFRACT rt_rays decides which of a pixel's rays comes next; without, a surface that mirrors
-// or is to be probed sends its mirror ray off, and any other was the last of its pixel.
+// With REFRACT rt_rays decides which of a pixel's rays comes next. Without it a surface that
+// mirrors or is to be probed sends its mirror ray off, and any other is the last of its pixel.
 // Model: leave() in cmodel/engine/render_pixel.c
 `default_nettype none
 `include "rt_bundles.vh"

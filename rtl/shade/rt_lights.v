@@ -1,9 +1,9 @@
 // rt_lights.v - walks a surface's lights and sums what they give
 // SPDX-License-Identifier: Apache-2.0
 // Every event adds one light's share to the slot's sum (nothing at the start, or in shadow), then
-// sends the vector to the next light to rt_setup, or the token on to rt_compose.
-// One event every 3 cycles. Without shadow rays there is no queue for them; one light alone stands
-// in registers and has no number. Model: sph_job_light() in cmodel/engine/render_light.c
+// sends the vector to the next light to rt_setup, or the token on to rt_compose. An event goes in
+// every 3 clocks. Without shadow rays there is no queue for them; a light that is the only one
+// stands in registers and has no number. Model: sph_job_light() in cmodel/engine/render_light.c
 `default_nettype none
 `include "rt_check.vh"
 module rt_lights #(

@@ -1,7 +1,8 @@
 // rt_mirrors.v - mirrored directions of the surfaces that show what lies behind them
 // SPDX-License-Identifier: Apache-2.0
-// Keeps the direction of each slot's ray and the normal of its surface, and sends the mirrored
-// direction to rt_setup when the surface is blended. Model: sph_bounce() in cmodel/shade/surface.c
+// The direction of each slot's ray and the normal of its surface are kept here; the mirrored
+// direction goes to rt_setup when the surface is blended.
+// Model: sph_bounce() in cmodel/shade/surface.c
 `default_nettype none
 `include "rt_bundles.vh"
 `include "rt_check.vh"

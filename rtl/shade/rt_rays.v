@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A surface with a transmitted share goes through rt_refract. If a mirror ray leaves it too, that
 // goes first and the refracted ray waits with all that it needs, in one of five places of its slot,
-// a place a depth. What has no ray of its own takes up the deepest that waits; with none the pixel
-// is complete. Refractions go before other surfaces.
+// a place a depth. After a surface that no ray leaves, the deepest ray that waits goes on; if none
+// waits, the pixel is complete. Surfaces that refract go before others.
 // Model: path(), leave() in cmodel/engine/render_pixel.c
 `default_nettype none
 `include "rt_layout.vh"
@@ -40,19 +40,25 @@ module rt_rays #(
     input  wire              out_ready_i,
     output wire [3*WD-1:0]   out_vec_o,
     output wire [3*W-1:0]    out_point_o,
-    output wire [24:0]       out_skip_o,      // {inside, id}
+    output wire [`RT_ID_BITS:0] out_skip_o,   // {inside, id}
     output wire [W+7:0]      out_path_o
 );
     localparam SLOTW = $clog2(SLOTS);
     localparam BACK = PATHS != 0 ? W + 8 : 0;
-    localparam GW   = 3*WD + 3*W + 25 + 17;          // {weight, skip, point, dir}
-    localparam EW   = SLOTW + 4 + 51;                // {weights, mirror, depth, slot}
-    localparam BW   = SLOTW + 4 + 17;
+    localparam IB   = `RT_ID_BITS;
+    localparam WB   = 17;                            // u1.16, weight
+    localparam RW   = 3*WD + 3*W + IB + 1;           // {skip, point, dir}
+    localparam GW   = RW + WB;                       // {weight, ray}
+    localparam EW   = SLOTW + 4 + 3*WB;              // {weights, mirror, depth, slot}
+    localparam BW   = SLOTW + 4 + WB;
 
     // ---- queues: surfaces to refract at, all others ----
     wire             a_valid, a_take, a_in, b_valid, b_take, b_in;
     wire [EW-1:0]    a;
-    wire [BW-1:0]    b;
+    wire [SLOTW-1:0] b_slot, r_slot;
+    wire [2:0]       b_depth, r_depth;
+    wire             b_mirror, r_mirror;
+    wire [WB-1:0]    b_weight;
     wire             in_valid   = blend_i[`RT_BLEND_VALID];
     wire             in_refract = blend_i[`RT_BLEND_REFRACT];
     wire             in_mirror  = blend_i[`RT_BLEND_MIRROR] || blend_i[`RT_BLEND_PROBE];
@@ -66,7 +72,8 @@ module rt_rays #(
     rt_fifo #(.WIDTH(BW), .DEPTH(SLOTS)) u_others (
         .clk(clk), .rst(rst), .in_valid_i(in_valid && !in_refract), .in_ready_o(b_in),
         .in_data_i({blend_i[`RT_BLEND_W_MIRROR], in_what}),
-        .out_valid_o(b_valid), .out_ready_i(b_take), .out_data_o(b)
+        .out_valid_o(b_valid), .out_ready_i(b_take),
+        .out_data_o({b_weight, b_mirror, b_depth, b_slot})
     );
 
     // ---- refraction: one at a time, its result waits ----
@@ -74,14 +81,15 @@ module rt_rays #(
     wire [3*WD-1:0]  a_dir, a_normal;
     wire [2*WD-1:0]  a_a, a_nn;
     wire [11:0]      a_index;
-    wire             a_far, bend_ready, bent, bent_total;
+    wire             a_far, bend_ready, bent, bent_total, r_take;
     wire [EW-1:0]    bent_what;
     wire [3*WD-1:0]  bent_dir;
     reg              a_read_q;                       // what belongs to the head is read
     reg              r_valid_q, r_total_q;
     reg [EW-1:0]     r_q;
     reg [3*WD-1:0]   r_dir_q;
-    wire             r_take;
+    wire [WB-1:0]    r_weight, r_bent, r_total;      // mirrored; refracted; all is reflected
+    assign {r_total, r_bent, r_weight, r_mirror, r_depth, r_slot} = r_q;
     rt_slot_ram #(.WIDTH(5*WD), .SLOTS(SLOTS), .OLD(0)) u_dir (
         .clk(clk), .wr_en_i(ray_i[`RT_RAY_VALID] && !ray_i[`RT_RAY_SHADOW]),
         .wr_addr_i(ray_i[`RT_RAY_SLOT]), .wr_data_i({ray_i[`RT_RAY_A], ray_i[`RT_RAY_DIR]}),
@@ -131,27 +139,26 @@ module rt_rays #(
     reg              v_bend_q, v_mirror_q;           // rays that leave it
     reg  [SLOTW-1:0] v_slot_q;
     reg  [2:0]       v_depth_q;
-    reg  [16:0]      v_weight_q, v_bent_q;           // of a mirrored, of a refracted ray
+    reg  [WB-1:0]    v_weight_q, v_bent_q;           // of a mirrored, of a refracted ray
     reg  [3*WD-1:0]  v_dir_q;
     wire             pick = state_q == IDLE && (r_valid_q || b_valid);
-    wire [SLOTW-1:0] slot = r_valid_q ? r_q[SLOTW-1:0] : b[SLOTW-1:0];
+    wire [SLOTW-1:0] slot = r_valid_q ? r_slot : b_slot;
     assign r_take = state_q == IDLE && r_valid_q;
     assign b_take = state_q == IDLE && !r_valid_q;
     always @(posedge clk)
         if (state_q == IDLE) begin
             v_slot_q   <= slot;
-            v_depth_q  <= r_valid_q ? r_q[SLOTW +: 3] : b[SLOTW +: 3];
+            v_depth_q  <= r_valid_q ? r_depth : b_depth;
             v_bend_q   <= r_valid_q && !r_total_q;
-            v_mirror_q <= r_valid_q ? r_total_q || r_q[SLOTW+3] : b[SLOTW+3];
-            v_weight_q <= !r_valid_q ? b[SLOTW+4 +: 17] : r_total_q ? r_q[EW-1 -: 17]
-                          : r_q[SLOTW+4 +: 17];
-            v_bent_q   <= r_q[SLOTW+21 +: 17];
+            v_mirror_q <= r_valid_q ? r_total_q || r_mirror : b_mirror;
+            v_weight_q <= !r_valid_q ? b_weight : r_total_q ? r_total : r_weight;
+            v_bent_q   <= r_bent;
             v_dir_q    <= r_dir_q;
         end
     wire             v_far;
     wire [`RT_ID_BITS-1:0] v_id;
     wire [3*W-1:0]   v_point;
-    rt_slot_ram #(.WIDTH(25), .SLOTS(SLOTS), .OLD(0)) u_hit (
+    rt_slot_ram #(.WIDTH(IB+1), .SLOTS(SLOTS), .OLD(0)) u_hit (
         .clk(clk), .wr_en_i(hit_i[`RT_HIT_HIT]), .wr_addr_i(hit_i[`RT_HIT_SLOT]),
         .wr_data_i({hit_i[`RT_HIT_FAR], hit_i[`RT_HIT_ID]}),
         .rd_en_i(pick), .rd_addr_i(slot), .rd_data_o({v_far, v_id})
@@ -234,9 +241,9 @@ module rt_rays #(
     assign mirror_valid_o = act && v_mirror_q;
     assign end_valid_o    = act && !v_mirror_q && !v_bend_q && places == 5'd0;
     assign out_valid_o    = state_q == GO;
-    assign {out_skip_o, out_point_o, out_vec_o} = g_q[GW-18:0];
+    assign {out_skip_o, out_point_o, out_vec_o} = g_q[RW-1:0];
     assign next_valid_o   = mirror_valid_o || (out_valid_o && out_ready_i);
-    assign next_weight_o  = act ? v_weight_q : g_q[GW-1 -: 17];
+    assign next_weight_o  = act ? v_weight_q : g_q[RW +: WB];
     assign next_depth_o   = act ? below : g_depth_q;
     wire unused = &{1'b0, ray_i, hit_i, material_i, surface_i, blend_i, a_in, b_in};
 endmodule

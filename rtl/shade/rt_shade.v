@@ -1,9 +1,8 @@
 // rt_shade.v - shading: from the hits of a slot's rays to the frames of its pixel
 // SPDX-License-Identifier: Apache-2.0
-//   hit --> rt_surface --+--> normal, to rt_setup and back --+--> rt_texture --> rt_lights --+
-//             record     +--> bare: no point is wanted ------+                   ^   |       | sum
-//                                     light: rt_cosine --> rt_shine -------------+   v       v
-//   vectors to rt_setup <-- rt_leave <-- blended -- rt_compose <------------------- light, material
+//   hit --> rt_surface --+--> normal, to rt_setup and back --+--> rt_texture --> rt_lighting
+//             record     +--> bare: no point is wanted ------+                        | sum
+//   next ray, to rt_setup <-- rt_leave <--- a blended surface --- rt_compose <--------+
 // A block that no effect asks for is not built; its tokens go straight on.
 // Model: path(), shade(), leave() in cmodel/engine/render_pixel.c
 `default_nettype none
@@ -67,7 +66,7 @@ module rt_shade #(
     // to rt_slots: of a pixel that leaves, a clock after its slot
     input  wire                       read_i,
     input  wire [$clog2(SLOTS)-1:0]   read_slot_i,
-    output wire [71:0]                colour_o,
+    output wire [3*`RT_RGB_BITS-1:0]  colour_o,
     output wire [31:0]                texture_o,
     // memory, with TEXTURE
     output wire                       mem_req_valid_o,
@@ -83,12 +82,10 @@ module rt_shade #(
 );
     localparam SLOTW = $clog2(SLOTS);
     localparam SHARES  = REFRACT != 0 || SUM != 0 ? 1 : 0;             // blends by shares
-    localparam GLOSS   = LIGHTS != 0 && SPECULAR != 0 ? 1 : 0;         // highlights
     localparam BOUNCES = REFLECT != 0 || INTERPENETRATE != 0 || REFRACT != 0 ? 1 : 0; // mirrored
     localparam POINTS  = LIGHTS != 0 || BOUNCES != 0 || TEXTURE != 0 ? 1 : 0; // points, normals
     wire [`RT_EFFECT_BITS-1:0] effects  = regs_i[`RT_REGS_EFFECTS];
     wire [3:0]       n_lights = regs_i[`RT_REGS_N_LIGHTS];
-    wire [47:0]      ambient  = regs_i[`RT_REGS_AMBIENT];
     wire             ray_go   = ray_i[`RT_RAY_VALID] && !ray_i[`RT_RAY_SHADOW];
 
     // ---- hit: record, point, normal ----
@@ -134,9 +131,9 @@ module rt_shade #(
     // ---- texture: between a surface, which may be without a normal, and its lights ----
     wire             lit_valid = ray_i[`RT_RAY_NORMAL] || bare_valid;  // never both: see points_on
     wire [SLOTW-1:0] lit_slot  = bare_valid ? bare_slot : ray_i[`RT_RAY_SLOT];
-    wire             start_valid, albedo_valid;
-    wire [SLOTW-1:0] start_slot, albedo_slot, path_slot;
-    wire [32:0]      albedo;                  // {kr, rgb}
+    wire             start_valid;
+    wire [SLOTW-1:0] start_slot, path_slot;
+    wire [`RT_ALBEDO_BITS-1:0] albedo;
     wire [W+7:0]     path;
     generate
         if (TEXTURE != 0) begin : g_texture
@@ -148,8 +145,7 @@ module rt_shade #(
                 .in_valid_i(lit_valid), .in_slot_i(lit_slot),
                 .path_valid_o(path_valid), .path_slot_o(path_slot), .path_o(path),
                 .back_i(back),
-                .material_valid_o(albedo_valid), .material_slot_o(albedo_slot),
-                .material_o(albedo), .out_valid_o(start_valid), .out_slot_o(start_slot),
+                .albedo_o(albedo), .out_valid_o(start_valid), .out_slot_o(start_slot),
                 .word_read_i(read_i), .word_slot_i(read_slot_i), .word_o(texture_o),
                 .mem_req_valid_o(mem_req_valid_o), .mem_req_ready_i(mem_req_ready_i),
                 .mem_req_line_o(mem_req_line_o),
@@ -161,12 +157,14 @@ module rt_shade #(
             );
         end else begin : g_plain
             assign {start_valid, start_slot}   = {lit_valid, lit_slot};
-            assign {albedo_valid, albedo_slot} = {material[`RT_MATERIAL_VALID],
-                                                  material[`RT_MATERIAL_SLOT]};
-            assign albedo    = {material[`RT_MATERIAL_KR], material[`RT_MATERIAL_RGB]};
+            assign albedo[`RT_ALBEDO_VALID] = material[`RT_MATERIAL_VALID];
+            assign albedo[`RT_ALBEDO_SLOT]  = material[`RT_MATERIAL_SLOT];
+            assign albedo[`RT_ALBEDO_RGB]   = material[`RT_MATERIAL_RGB];
+            assign albedo[`RT_ALBEDO_KR]    = material[`RT_MATERIAL_KR];
             assign texture_o = {12'd`RT_LOD_NONE, 20'd0};
             assign {path_valid, path_slot, path} = {(SLOTW+W+9){1'b0}};
-            assign {mem_req_valid_o, mem_req_line_o, mem_rsp_ready_o} = 28'd0;
+            assign {mem_req_valid_o, mem_rsp_ready_o} = 2'd0;
+            assign mem_req_line_o = {`RT_LINE_BITS{1'b0}};
             assign event_o[`RT_SHADE_EVENT_TEXEL] = 1'b0;
             assign event_o[`RT_SHADE_EVENT_MISS]  = 1'b0;
             assign fault_o[`RT_ERROR_BAD_NODE]    = 1'b0;
@@ -178,70 +176,20 @@ module rt_shade #(
     assign fault_o[`RT_ERROR_STACK_OVERFLOW] = 1'b0;
     assign fault_o[`RT_ERROR_VISIT_LIMIT]    = 1'b0;
 
-    // ---- lights: cosine, shadow ray, highlight, sum ----
+    // ---- lights ----
     wire             sum_valid;
     wire [SLOTW-1:0] sum_slot;
     wire [50:0]      sum, gloss;
-    generate
-        if (LIGHTS != 0) begin : g_lights
-            wire             cosine_valid, lamp_valid, lamp_lit, settled, settled_lit;
-            wire [SLOTW-1:0] settled_slot;
-            wire [15:0]      cosine, highlight;
-            rt_cosine #(.W(W), .WD(WD), .SHADOW(SHADOW), .SLOTS(SLOTS)) u_cosine (
-                .clk(clk), .rst(rst), .shadow_on_i(effects[`RT_EFFECT_SHADOW]),
-                .ray_i(ray_i), .next_light_i(next_light_i), .next_slot_i(next_slot_i),
-                .out_valid_o(cosine_valid), .out_slot_o(shadow_slot_o), .out_cosine_o(cosine),
-                .shadow_go_o(shadow_go_o), .lamp_valid_o(lamp_valid), .lamp_lit_o(lamp_lit)
-            );
-            if (GLOSS != 0) begin : g_shine
-                rt_shine #(.W(W), .WD(WD), .SHADOW(SHADOW), .SLOTS(SLOTS)) u_shine (
-                    .clk(clk), .rst(rst),
-                    .on_i(effects[`RT_EFFECT_SUM] && effects[`RT_EFFECT_SPECULAR]),
-                    .ray_i(ray_i), .material_i(material),
-                    .lamp_valid_i(lamp_valid), .lamp_slot_i(shadow_slot_o),
-                    .lamp_lit_i(lamp_lit),
-                    .shadow_valid_i(hit_i[`RT_HIT_SHADOW]), .shadow_slot_i(hit_i[`RT_HIT_SLOT]),
-                    .shadow_lit_i(hit_i[`RT_HIT_LIT]),
-                    .out_valid_o(settled), .out_slot_o(settled_slot), .out_lit_o(settled_lit),
-                    .out_highlight_o(highlight), .power_o(event_o[`RT_SHADE_EVENT_POWER])
-                );
-            end else begin : g_no_shine
-                assign {settled, settled_slot, settled_lit} = {lamp_valid, shadow_slot_o, lamp_lit};
-                assign highlight = 16'd0;
-                assign event_o[`RT_SHADE_EVENT_POWER] = 1'b0;
-            end
-            rt_lights #(.W(W), .WD(WD), .LIGHTS(LIGHTS), .SHADOW(GLOSS != 0 ? 0 : SHADOW),
-                        .AMBIENT(SUM != 0 ? 0 : 1), .GLOSS(GLOSS), .SLOTS(SLOTS)) u_lights (
-                .clk(clk), .rst(rst), .n_lights_i(n_lights), .ambient_i(ambient),
-                .light_valid_i(light_i[`RT_LIGHT_VALID]),
-                .light_number_i(light_i[`RT_LIGHT_NUMBER]),
-                .light_part_i(light_i[`RT_LIGHT_PART]), .light_data_i(light_i[`RT_LIGHT_DATA]),
-                .point_valid_i(surface[`RT_SURFACE_VALID]),
-                .point_slot_i(surface[`RT_SURFACE_SLOT]), .point_i(surface[`RT_SURFACE_POINT]),
-                .cosine_valid_i(cosine_valid), .cosine_slot_i(shadow_slot_o), .cosine_i(cosine),
-                .start_valid_i(start_valid), .start_slot_i(start_slot),
-                .lamp_valid_i(settled), .lamp_slot_i(settled_slot), .lamp_lit_i(settled_lit),
-                .lamp_highlight_i(highlight),
-                .shadow_valid_i(hit_i[`RT_HIT_SHADOW]), .shadow_slot_i(hit_i[`RT_HIT_SLOT]),
-                .shadow_lit_i(hit_i[`RT_HIT_LIT]),
-                .vec_valid_o(vec_light_o[`RT_VECTOR_VALID]),
-                .vec_slot_o(vec_light_o[`RT_VECTOR_SLOT]),
-                .vec_o(vec_light_o[`RT_VECTOR_VEC]),
-                .sum_valid_o(sum_valid), .sum_slot_o(sum_slot), .sum_o(sum), .gloss_o(gloss)
-            );
-        end else begin : g_ambient
-            assign vec_light_o   = {`RT_VECTOR_BITS{1'b0}};
-            assign shadow_go_o   = 1'b0;
-            assign shadow_slot_o = {SLOTW{1'b0}};
-            assign sum_valid     = start_valid;
-            assign sum_slot      = start_slot;
-            assign gloss         = 51'd0;
-            assign sum           = SUM != 0 ? 51'd0 : {1'b0, ambient[47:32], 1'b0,
-                                                       ambient[31:16], 1'b0, ambient[15:0]};
-            assign event_o[`RT_SHADE_EVENT_POWER] = 1'b0;
-            wire unused = &{1'b0, light_i, next_light_i, next_slot_i};
-        end
-    endgenerate
+    rt_lighting #(.W(W), .WD(WD), .NG(NG), .SLOTS(SLOTS), .SHADOW(SHADOW),
+                  .LIGHTS(LIGHTS), .SPECULAR(SPECULAR), .SUM(SUM)) u_lighting (
+        .clk(clk), .rst(rst), .regs_i(regs_i), .light_i(light_i),
+        .ray_i(ray_i), .next_light_i(next_light_i), .next_slot_i(next_slot_i),
+        .hit_i(hit_i), .material_i(material), .surface_i(surface),
+        .start_valid_i(start_valid), .start_slot_i(start_slot), .vec_light_o(vec_light_o),
+        .shadow_go_o(shadow_go_o), .shadow_slot_o(shadow_slot_o),
+        .sum_valid_o(sum_valid), .sum_slot_o(sum_slot), .sum_o(sum), .gloss_o(gloss),
+        .power_o(event_o[`RT_SHADE_EVENT_POWER])
+    );
 
     // ---- frames of a pixel; the ray that goes on ----
     wire             next_valid;
@@ -252,7 +200,7 @@ module rt_shade #(
                  .INTERPENETRATE(INTERPENETRATE), .REFRACT(REFRACT), .SPECULAR(SPECULAR),
                  .SUM(SUM), .SLOTS(SLOTS)) u_compose (
         .clk(clk), .rst(rst), .regs_i(regs_i), .hit_i(hit_i), .material_i(material),
-        .albedo_valid_i(albedo_valid), .albedo_slot_i(albedo_slot), .albedo_i(albedo),
+        .albedo_i(albedo),
         .sum_valid_i(sum_valid), .sum_slot_i(sum_slot), .sum_i(sum), .gloss_i(gloss),
         .next_valid_i(next_valid), .next_slot_i(next_slot), .next_weight_i(next_weight),
         .next_depth_i(next_depth), .blend_o(blend_o),

@@ -1,7 +1,7 @@
 // rt_shares.v - blends by shares: what of a pixel each of its rays decides, and its three frames
 // SPDX-License-Identifier: Apache-2.0
-// Takes the place of rt_blends in a core that refracts or has materials with sum. The ray of a slot
-// has a weight and a depth; frames are sums, so that rays may come in any order.
+// It takes the place of rt_blends in a core that refracts or has materials with sum. The ray of a
+// slot has a weight and a depth; frames are sums, so that rays may come in any order.
 // read_i reads what belongs to the surface that enters one cycle later.
 // Model: path(), shade() in cmodel/engine/render_pixel.c, sph_shares_add() in cmodel/shade/colour.c
 `default_nettype none
@@ -39,7 +39,7 @@ module rt_shares #(
     output wire                         in_ready_o,
     input  wire [$clog2(SLOTS)-1:0]     in_slot_i,
     input  wire [50:0]                  in_light_i,      // 3 x u2.15, red low
-    input  wire [23:0]                  in_albedo_i,     // 0xBBGGRR
+    input  wire [`RT_RGB_BITS-1:0]      in_albedo_i,     // 0xBBGGRR
     input  wire                         in_background_i, // nothing hit: albedo is the colour
     input  wire [8:0]                   in_kr_i,         // u1.8, 0..256, share of the reflection
     input  wire                         in_probe_i,      // to be probed
@@ -48,7 +48,7 @@ module rt_shares #(
     // frames of a slot, one cycle after
     input  wire                         frames_read_i,
     input  wire [$clog2(SLOTS)-1:0]     frames_slot_i,
-    output wire [71:0]                  frames_o         // L2, L1, Rendering
+    output wire [3*`RT_RGB_BITS-1:0]    frames_o         // L2, L1, Rendering
 );
     localparam SLOTW = $clog2(SLOTS);
     localparam TAG = SLOTW + 6;               // {refract, mirror, probe, depth, slot}

@@ -1,7 +1,7 @@
 // rt_shine.v - gives lights that settle their highlight, between rt_cosine and rt_lights
 // SPDX-License-Identifier: Apache-2.0
-// Keeps the unit vectors of each slot's ray, surface and light. A light that shines on a material
-// with a highlight waits for rt_gloss; any other passes, also by one that is still in there.
+// The unit vectors of each slot's ray, surface and light are kept here. A light that shines on a
+// material with a highlight waits for rt_gloss; any other passes at once, even while one waits.
 // Model: add() in cmodel/engine/render_light.c
 `default_nettype none
 `include "rt_bundles.vh"

@@ -7,6 +7,7 @@
 // Model: sph_axis_at() in cmodel/texture/texel.c, sph_texel_word() in
 // cmodel/texture/texel.h
 `default_nettype none
+`include "rt_layout.vh"
 module rt_texel #(
     parameter TAG = 6                     // what travels along, bits
 ) (
@@ -23,14 +24,14 @@ module rt_texel #(
     input  wire [11:0]    in_w_i,         // texels of level 0 across, less one
     input  wire [11:0]    in_h_i,
     input  wire [3:0]     in_level_i,
-    input  wire [26:0]    in_line_i,      // first line of the level
-    input  wire [26:0]    in_next_i,      // of the next one
+    input  wire [`RT_LINE_BITS:0] in_line_i,      // first line of the level
+    input  wire [`RT_LINE_BITS:0] in_next_i,      // of the next one
     // requests
     output wire           req_valid_o,
     input  wire           req_ready_i,
     output wire [TAG-1:0] req_tag_o,
     output wire [2:0]     req_index_o,    // texel of the hit: 0..3, of the next level 4..7
-    output wire [26:0]    req_line_o,
+    output wire [`RT_LINE_BITS:0] req_line_o,
     output wire [2:0]     req_word_o,     // of the line
     // with the last request
     output wire           last_o,
@@ -43,7 +44,7 @@ module rt_texel #(
     reg [1:0]        clamp_q;
     reg [3:0]        step_q;
     reg [11:0]       w_q, h_q;            // size of the level, less one
-    reg [26:0]       line_q, next_q;
+    reg [`RT_LINE_BITS:0] line_q, next_q;
     wire             take = in_valid_i && in_ready_o;
     wire             send = req_valid_o && req_ready_i;
     wire             level_end = send && (nearest_q || step_q == 4'd8);
@@ -134,7 +135,8 @@ module rt_texel #(
     assign req_valid_o = busy_q && step_q >= 4'd5;
     assign req_tag_o   = tag_q;
     assign req_index_o = {second_q, corner};
-    assign req_line_o  = line_q + {5'd0, row} + {17'd0, x[11:2]};
+    assign req_line_o  = line_q + {{(`RT_LINE_BITS-21){1'b0}}, row} +
+                         {{(`RT_LINE_BITS-9){1'b0}}, x[11:2]};
     assign req_word_o  = {odd, x[1:0]};
     assign last_o      = level_end && !more;
     assign weights_o   = weights_q;

@@ -38,12 +38,10 @@ module rt_texture #(
     output wire [$clog2(SLOTS)-1:0]     path_slot_o,
     output wire [W+7:0]                 path_o,
     input  wire [`RT_BACK_BITS-1:0]     back_i,
-    // to rt_compose: the material as textured; to rt_lights, a cycle later: the surface
-    output wire                material_valid_o,
-    output wire [$clog2(SLOTS)-1:0] material_slot_o,
-    output wire [32:0]         material_o,
-    output reg                 out_valid_o,
-    output reg  [$clog2(SLOTS)-1:0] out_slot_o,
+    // to rt_compose: the albedo as textured; to rt_lighting, a cycle later: the surface
+    output wire [`RT_ALBEDO_BITS-1:0] albedo_o,
+    output wire                out_valid_o,
+    output wire [$clog2(SLOTS)-1:0] out_slot_o,
     // to rt_slots: what a pixel has seen of textures, a cycle after its slot
     input  wire                word_read_i,
     input  wire [$clog2(SLOTS)-1:0] word_slot_i,
@@ -72,14 +70,14 @@ module rt_texture #(
     wire [`RT_LINE_BITS-1:0] mem_lines = regs_i[`RT_REGS_MEM_LINES];
     wire             record_valid = material_i[`RT_MATERIAL_VALID];
     wire [SLOTW-1:0] record_slot  = material_i[`RT_MATERIAL_SLOT];
-    wire [23:0]      record_rgb   = material_i[`RT_MATERIAL_RGB];
+    wire [`RT_RGB_BITS-1:0] record_rgb = material_i[`RT_MATERIAL_RGB];
 
     // ---- path; a surface without a texture is done ----
-    wire             p_valid, p_primary, plain_in, maps_in;
+    wire             p_valid, p_primary, maps_in;
     wire [SLOTW-1:0] p_slot;
     wire [`RT_LINE_BITS-1:0] p_tex;
     wire [PW-1:0]    p_path;
-    wire             p_textured = effects[`RT_EFFECT_TEXTURE] && p_tex != 26'd0;
+    wire             p_textured = effects[`RT_EFFECT_TEXTURE] && p_tex != {`RT_LINE_BITS{1'b0}};
     rt_texture_path #(.W(W), .WD(WD), .BACK(BACK), .SLOTS(SLOTS)) u_path (
         .clk(clk), .rst(rst),
         .ray_valid_i(ray_i[`RT_RAY_VALID] && !ray_i[`RT_RAY_SHADOW]),
@@ -99,7 +97,7 @@ module rt_texture #(
     wire             map_valid, map_ready;
     wire [SLOTW-1:0] map_slot;
     wire [`RT_LINE_BITS-1:0] map_line;
-    rt_fifo #(.WIDTH(SLOTW + 26), .DEPTH(SLOTS)) u_maps (
+    rt_fifo #(.WIDTH(SLOTW + `RT_LINE_BITS), .DEPTH(SLOTS)) u_maps (
         .clk(clk), .rst(rst), .in_valid_i(p_valid && p_textured), .in_ready_o(maps_in),
         .in_data_i({p_slot, p_tex}),
         .out_valid_o(map_valid), .out_ready_i(map_ready), .out_data_o({map_slot, map_line})
@@ -109,9 +107,9 @@ module rt_texture #(
     wire             texel_valid, texel_ready, image_valid, image_ready, ready;
     wire [SLOTW-1:0] texel_slot, image_slot, slot;
     wire [`RT_LINE_BITS-1:0] image_line;
-    wire [26:0]      texel_line;
+    wire [`RT_LINE_BITS:0] texel_line;
     wire [2:0]       texel_index, texel_word, index, word;
-    wire [26:0]      line   = texel_valid ? texel_line
+    wire [`RT_LINE_BITS:0] line = texel_valid ? texel_line
                               : {1'b0, image_valid ? image_line : map_line};
     wire             beyond = line >= {1'b0, mem_lines};
     wire [TAG-2:0]   what   = texel_valid ? {texel_slot, TEXEL, texel_index, texel_word}
@@ -123,7 +121,8 @@ module rt_texture #(
     assign image_ready = ready && !texel_valid;
     assign map_ready   = ready && !texel_valid && !image_valid;
     wire             ask = texel_valid || image_valid || map_valid;
-    wire [`RT_LINE_BITS-1:0] ask_line = beyond ? 26'd0 : line[25:0];
+    wire [`RT_LINE_BITS-1:0] ask_line = beyond ? {`RT_LINE_BITS{1'b0}}
+                                             : line[`RT_LINE_BITS-1:0];
     wire [`RT_LINE_BITS-1:0] fetch_line;
     rt_cache #(.TAG(TAG), .LINES(LINES), .WAYS(WAYS), .GROUP(GROUP), .PENDING(SLOTS)) u_cache (
         .clk(clk), .rst(rst), .flush_i(flush_i), .miss_o(miss_o),
@@ -143,8 +142,8 @@ module rt_texture #(
             assign mem_req_line_o = fetch_line;
         end else begin : g_group
             localparam GB = $clog2(GROUP);
-            assign mem_req_line_o = {fetch_line[25:GB], fetch_line >= mem_lines ? {GB{1'b0}}
-                                                                        : fetch_line[GB-1:0]};
+            assign mem_req_line_o = {fetch_line[`RT_LINE_BITS-1:GB],
+                                     fetch_line >= mem_lines ? {GB{1'b0}} : fetch_line[GB-1:0]};
         end
     endgenerate
     // for benches: the cache's shape, and what it is asked and given
@@ -157,7 +156,7 @@ module rt_texture #(
     reg              r_map_q, r_texel_q, r_lost_q;
     reg [SLOTW-1:0]  r_slot_q;
     reg [2:0]        r_index_q;
-    reg [23:0]       r_colour_q;
+    reg [`RT_RGB_BITS-1:0] r_colour_q;
     wire             come_map   = come && kind == MAP;
     wire             come_image = come && kind == IMAGE;
     wire             no_texels;                // of the header that came a cycle ago
@@ -167,7 +166,7 @@ module rt_texture #(
         r_lost_q   <= lost;
         r_slot_q   <= slot;
         r_index_q  <= index;
-        r_colour_q <= lost ? 24'hffffff : data[32*word +: 24];
+        r_colour_q <= lost ? {`RT_RGB_BITS{1'b1}} : data[32*word +: `RT_RGB_BITS];
         if (rst) begin r_map_q <= 1'b0; r_texel_q <= 1'b0; end
     end
     assign bad_node_o = ((r_map_q || r_texel_q) && r_lost_q) || no_texels;
@@ -179,7 +178,7 @@ module rt_texture #(
     wire [SLOTW-1:0] st_slot, mix_slot, mixed_slot;
     wire [81:0]      st;
     wire [39:0]      mix;
-    wire [23:0]      colour;
+    wire [`RT_RGB_BITS-1:0] colour;
     rt_texture_map #(.W(W), .NG(NG), .SLOTS(SLOTS), .COORDS(COORDS)) u_map (
         .clk(clk), .rst(rst),
         .hit_valid_i(hit_i[`RT_HIT_HIT]), .hit_slot_i(hit_i[`RT_HIT_SLOT]),
@@ -217,46 +216,14 @@ module rt_texture #(
         .out_valid_o(mixed), .out_slot_o(mixed_slot), .out_colour_o(colour)
     );
 
-    // ---- the end: mixed surfaces first, the others wait ----
-    wire             plain_valid;
-    wire [SLOTW-1:0] plain_slot;
-    wire             white = (r_map_q && r_lost_q) || no_texels;  // textured, but nothing to see
-    wire             white_valid, white_in, white_take;
-    wire [SLOTW-1:0] white_slot;
-    rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_plain (
-        .clk(clk), .rst(rst), .in_valid_i(p_valid && !p_textured), .in_ready_o(plain_in),
-        .in_data_i(p_slot),
-        .out_valid_o(plain_valid), .out_ready_i(!mixed), .out_data_o(plain_slot)
+    // ---- the end ----
+    rt_texture_end #(.SLOTS(SLOTS)) u_end (
+        .clk(clk), .rst(rst), .material_i(material_i),
+        .plain_valid_i(p_valid && !p_textured), .plain_slot_i(p_slot),
+        .white_valid_i((r_map_q && r_lost_q) || no_texels), .white_slot_i(r_slot_q),
+        .mixed_valid_i(mixed), .mixed_slot_i(mixed_slot), .mixed_i(colour),
+        .albedo_o(albedo_o), .out_valid_o(out_valid_o), .out_slot_o(out_slot_o)
     );
-    rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_white (
-        .clk(clk), .rst(rst), .in_valid_i(white), .in_ready_o(white_in), .in_data_i(r_slot_q),
-        .out_valid_o(white_valid), .out_ready_i(white_take), .out_data_o(white_slot)
-    );
-    assign white_take = !mixed && !plain_valid;
-    wire             e_valid = mixed || plain_valid || white_valid;
-    wire [SLOTW-1:0] e_slot  = mixed ? mixed_slot : plain_valid ? plain_slot : white_slot;
-    reg              m_valid_q, m_mixed_q;
-    reg [SLOTW-1:0]  m_slot_q;
-    reg [23:0]       m_colour_q;
-    wire [32:0]      m_record;
-    rt_slot_ram #(.WIDTH(33), .SLOTS(SLOTS), .OLD(0)) u_record (
-        .clk(clk), .wr_en_i(record_valid), .wr_addr_i(record_slot),
-        .wr_data_i({material_i[`RT_MATERIAL_KR], record_rgb}),
-        .rd_en_i(e_valid), .rd_addr_i(e_slot), .rd_data_o(m_record)
-    );
-    always @(posedge clk) begin
-        m_valid_q   <= e_valid;
-        m_mixed_q   <= mixed;
-        m_slot_q    <= e_slot;
-        m_colour_q  <= colour;
-        out_valid_o <= m_valid_q;
-        out_slot_o  <= m_slot_q;
-        if (rst) begin m_valid_q <= 1'b0; out_valid_o <= 1'b0; end
-    end
-    assign material_valid_o = m_valid_q;
-    assign material_slot_o  = m_slot_q;
-    assign material_o       = {m_record[32:24], m_mixed_q ? m_colour_q : m_record[23:0]};
-    wire unused = &{1'b0, regs_i, effects, ray_i, hit_i, material_i, surface_i, back_i, plain_in,
-                    maps_in, white_in};
+    wire unused = &{1'b0, regs_i, effects, ray_i, hit_i, material_i, surface_i, back_i, maps_in};
 endmodule
 `default_nettype wire

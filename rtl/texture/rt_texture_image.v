@@ -29,7 +29,7 @@ module rt_texture_image #(
     input  wire              texel_ready_i,
     output wire [$clog2(SLOTS)-1:0] texel_slot_o,
     output wire [2:0]        texel_index_o,
-    output wire [26:0]       texel_line_o,
+    output wire [`RT_LINE_BITS:0] texel_line_o,
     output wire [2:0]        texel_word_o,   // of the line
     // how to mix them: whether both levels, at the first request; weights at the last
     output wire              both_valid_o,
@@ -73,7 +73,7 @@ module rt_texture_image #(
     reg [11:0]       l_lod_q;
     reg [3:0]        l_level_q;
     reg [7:0]        l_far_q;                // weight of the next level
-    reg [26:0]       l_line_q;               // of level 0
+    reg [`RT_LINE_BITS:0] l_line_q;          // of level 0
     reg [19:0]       at, at_next;
     integer i;
     always @* begin
@@ -91,16 +91,16 @@ module rt_texture_image #(
         l_lod_q   <= lod;
         l_level_q <= filter_i == LEVEL ? near[11:8] : filter_i == BETWEEN ? lod[11:8] : 4'd0;
         l_far_q   <= filter_i == BETWEEN ? lod[7:0] : 8'd0;
-        l_line_q  <= {1'b0, line_i} + 27'd1;
+        l_line_q  <= {1'b0, line_i} + 1'b1;
         if (rst) l_valid_q <= 1'b0;
     end
-    localparam JW = 2*12 + 4 + 8 + 12 + 2*27;
+    localparam JW = 2*12 + 4 + 8 + 12 + 2*(`RT_LINE_BITS + 1);
     wire             j_valid, j_in, j_take, t_ready;
     wire [SLOTW-1:0] j_slot;
     wire [11:0]      j_w, j_h, j_lod;
     wire [3:0]       j_level;
     wire [7:0]       j_far;
-    wire [26:0]      j_line, j_next;
+    wire [`RT_LINE_BITS:0] j_line, j_next;
     reg              j_read_q;               // what belongs to the head is read
     rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_jobs (
         .clk(clk), .rst(rst), .in_valid_i(l_valid_q), .in_ready_o(j_in), .in_data_i(l_slot_q),

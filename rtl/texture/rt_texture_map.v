@@ -115,9 +115,10 @@ module rt_texture_map #(
     wire [`RT_LINE_BITS-1:0] t_line;
     wire [1:0]       t_clamp;
     wire [39:0]      t_s, t_t;
-    rt_coords #(.W(W), .NG(NG), .TAG(SLOTW + 28), .UNITS(COORDS)) u_coords (
+    rt_coords #(.W(W), .NG(NG), .TAG(SLOTW + 2 + `RT_LINE_BITS), .UNITS(COORDS)) u_coords (
         .clk(clk), .rst(rst), .in_valid_i(c_read_q), .in_ready_o(c_ready),
-        .in_tag_i({c_slot, c_map[`RT_MAP_CLAMP_S_LSB +: 2], c_map[`RT_MAP_IMAGE_LSB +: 26]}),
+        .in_tag_i({c_slot, c_map[`RT_MAP_CLAMP_S_LSB +: 2],
+                   c_map[`RT_MAP_IMAGE_LSB +: `RT_MAP_IMAGE_BITS]}),
         .in_map_i(c_map), .in_point_i(c_point), .in_unit_i(c_unit), .in_far_i(c_far),
         .out_valid_o(t_valid), .out_tag_o({t_slot, t_clamp, t_line}), .out_s_o(t_s), .out_t_o(t_t)
     );
@@ -128,13 +129,13 @@ module rt_texture_map #(
 
     // ---- then the header ----
     wire             image_in;
-    rt_fifo #(.WIDTH(SLOTW + 26), .DEPTH(SLOTS)) u_images (
+    rt_fifo #(.WIDTH(SLOTW + `RT_LINE_BITS), .DEPTH(SLOTS)) u_images (
         .clk(clk), .rst(rst), .in_valid_i(t_valid), .in_ready_o(image_in),
         .in_data_i({t_slot, t_line}),
         .out_valid_o(image_valid_o), .out_ready_i(image_ready_i),
         .out_data_o({image_slot_o, image_line_o})
     );
-    rt_slot_ram #(.WIDTH(26), .SLOTS(SLOTS), .OLD(0)) u_lines (
+    rt_slot_ram #(.WIDTH(`RT_LINE_BITS), .SLOTS(SLOTS), .OLD(0)) u_lines (
         .clk(clk), .wr_en_i(t_valid), .wr_addr_i(t_slot), .wr_data_i(t_line),
         .rd_en_i(level_read_i), .rd_addr_i(level_slot_i), .rd_data_o(level_line_o)
     );

@@ -3,6 +3,7 @@
 // Texels come in any order; when a surface has all of its own, they are filtered.
 // Model: filtered() in cmodel/texture/lookup.c, sph_texture_albedo() in cmodel/texture/filter.c
 `default_nettype none
+`include "rt_layout.vh"
 module rt_texture_mix #(
     parameter SLOTS = 32  // power of two
 ) (
@@ -12,7 +13,7 @@ module rt_texture_mix #(
     // colour of the surface itself
     input  wire              albedo_valid_i,
     input  wire [$clog2(SLOTS)-1:0] albedo_slot_i,
-    input  wire [23:0]       albedo_i,       // 0xBBGGRR
+    input  wire [`RT_RGB_BITS-1:0] albedo_i,       // 0xBBGGRR
     // how to mix, with the first request of a surface and with its last
     input  wire              both_valid_i,
     input  wire [$clog2(SLOTS)-1:0] both_slot_i,
@@ -24,11 +25,11 @@ module rt_texture_mix #(
     input  wire              texel_valid_i,
     input  wire [$clog2(SLOTS)-1:0] texel_slot_i,
     input  wire [2:0]        texel_index_i,
-    input  wire [23:0]       texel_i,        // 0xBBGGRR
+    input  wire [`RT_RGB_BITS-1:0] texel_i,        // 0xBBGGRR
     // the surface
     output wire              out_valid_o,    // one clock
     output wire [$clog2(SLOTS)-1:0] out_slot_o,
-    output wire [23:0]       out_colour_o
+    output wire [`RT_RGB_BITS-1:0] out_colour_o
 );
     localparam SLOTW = $clog2(SLOTS);
     // ---- texels that came, by slot; a count begins and ends at 0 ----
@@ -56,12 +57,12 @@ module rt_texture_mix #(
     // ---- complete surfaces, in turn: a texel a clock into a register ----
     wire             f_valid, f_in, f_take, f_ready;
     wire [SLOTW-1:0] f_slot;
-    wire [23:0]      f_albedo, f_texel;
+    wire [`RT_RGB_BITS-1:0] f_albedo, f_texel;
     wire [39:0]      f_mix;
     reg              f_read_q;               // what belongs to the head is read
     reg              get_q, got_q, full_q;   // a texel is read; it is here; all are
     reg  [2:0]       index_q, got_index_q;
-    reg  [191:0]     texels_q;
+    reg  [8*`RT_RGB_BITS-1:0] texels_q;
     wire             f_both = f_mix[39:32] != 8'd0;
     wire             get_last = index_q == (nearest_i ? 3'd0 : f_both ? 3'd7 : 3'd3);
     assign f_take = full_q && f_ready;
@@ -73,11 +74,11 @@ module rt_texture_mix #(
         .clk(clk), .wr_en_i(mix_valid_i), .wr_addr_i(mix_slot_i), .wr_data_i(mix_i),
         .rd_en_i(f_valid), .rd_addr_i(f_slot), .rd_data_o(f_mix)
     );
-    rt_slot_ram #(.WIDTH(24), .SLOTS(SLOTS), .OLD(0)) u_albedo (
+    rt_slot_ram #(.WIDTH(`RT_RGB_BITS), .SLOTS(SLOTS), .OLD(0)) u_albedo (
         .clk(clk), .wr_en_i(albedo_valid_i), .wr_addr_i(albedo_slot_i), .wr_data_i(albedo_i),
         .rd_en_i(f_valid), .rd_addr_i(f_slot), .rd_data_o(f_albedo)
     );
-    rt_slot_ram #(.WIDTH(24), .SLOTS(8*SLOTS), .OLD(0)) u_texels (
+    rt_slot_ram #(.WIDTH(`RT_RGB_BITS), .SLOTS(8*SLOTS), .OLD(0)) u_texels (
         .clk(clk), .wr_en_i(texel_valid_i), .wr_addr_i({texel_slot_i, texel_index_i}),
         .wr_data_i(texel_i),
         .rd_en_i(get_q), .rd_addr_i({f_slot, index_q}), .rd_data_o(f_texel)
@@ -90,7 +91,7 @@ module rt_texture_mix #(
         got_index_q <= index_q;
         // the first stands for those that do not come, so that each word is defined
         if (got_q && got_index_q == 3'd0) texels_q <= {8{f_texel}};
-        else if (got_q) texels_q[24*got_index_q +: 24] <= f_texel;
+        else if (got_q) texels_q[`RT_RGB_BITS*got_index_q +: `RT_RGB_BITS] <= f_texel;
         full_q <= (got_q && !get_q) || (full_q && !f_take);
         if (rst) {f_read_q, get_q, got_q, full_q} <= 4'd0;
     end
@@ -98,13 +99,14 @@ module rt_texture_mix #(
     // ---- filter, then the colour of the surface ----
     wire             c_valid;
     wire [SLOTW-1:0] c_slot;
-    wire [23:0]      c_albedo, c_texel;
+    wire [`RT_RGB_BITS-1:0] c_albedo, c_texel;
     reg              x_valid_q, out_valid_q;
     reg  [SLOTW-1:0] x_slot_q, out_slot_q;
-    rt_texel_filter #(.TAG(SLOTW + 24)) u_filter (
+    rt_texel_filter #(.TAG(SLOTW + `RT_RGB_BITS)) u_filter (
         .clk(clk), .rst(rst), .in_valid_i(full_q), .in_ready_o(f_ready),
         .in_tag_i({f_slot, f_albedo}),
-        .in_near_i(texels_q[95:0]), .in_far_i(texels_q[191:96]),
+        .in_near_i(texels_q[0 +: 4*`RT_RGB_BITS]),
+        .in_far_i(texels_q[4*`RT_RGB_BITS +: 4*`RT_RGB_BITS]),
         .in_near_weight_i(f_mix[15:0]), .in_far_weight_i(f_mix[31:16]),
         .in_level_i(f_mix[39:32]),
         .out_valid_o(c_valid), .out_tag_o({c_slot, c_albedo}), .out_texel_o(c_texel)

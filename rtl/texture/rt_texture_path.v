@@ -47,7 +47,9 @@ module rt_texture_path #(
     wire             n_valid, n_in, n_take, ready;
     wire [SLOTW-1:0] n_slot;
     wire [KW-1:0]    n_key;
-    wire [23:0]      n_ray;                  // {primary, h, y}
+    wire             n_primary;
+    wire [5:0]       n_h;
+    wire [16:0]      n_y;
     wire [`RT_LINE_BITS-1:0] n_tex;
     wire [PW-1:0]    n_path;
     reg              n_read_q;               // what belongs to the head is read
@@ -59,12 +61,12 @@ module rt_texture_path #(
         .clk(clk), .wr_en_i(hit_valid_i), .wr_addr_i(hit_slot_i), .wr_data_i(hit_key_i),
         .rd_en_i(n_valid), .rd_addr_i(n_slot), .rd_data_o(n_key)
     );
-    rt_slot_ram #(.WIDTH(24), .SLOTS(SLOTS), .OLD(0)) u_ray (
+    rt_slot_ram #(.WIDTH(1 + 6 + 17), .SLOTS(SLOTS), .OLD(0)) u_ray (
         .clk(clk), .wr_en_i(ray_valid_i), .wr_addr_i(ray_slot_i),
         .wr_data_i({ray_primary_i, ray_h_i, ray_y_i}),
-        .rd_en_i(n_valid), .rd_addr_i(n_slot), .rd_data_o(n_ray)
+        .rd_en_i(n_valid), .rd_addr_i(n_slot), .rd_data_o({n_primary, n_h, n_y})
     );
-    rt_slot_ram #(.WIDTH(26), .SLOTS(SLOTS), .OLD(0)) u_tex (
+    rt_slot_ram #(.WIDTH(`RT_LINE_BITS), .SLOTS(SLOTS), .OLD(0)) u_tex (
         .clk(clk), .wr_en_i(tex_valid_i), .wr_addr_i(tex_slot_i), .wr_data_i(tex_i),
         .rd_en_i(n_valid), .rd_addr_i(n_slot), .rd_data_o(n_tex)
     );
@@ -78,10 +80,10 @@ module rt_texture_path #(
         n_read_q <= n_valid && !n_take;
         if (rst) n_read_q <= 1'b0;
     end
-    rt_path #(.W(W), .WD(WD), .TAG(SLOTW + 27)) u_path (
+    rt_path #(.W(W), .WD(WD), .TAG(SLOTW + `RT_LINE_BITS + 1)) u_path (
         .clk(clk), .rst(rst), .in_valid_i(n_read_q), .in_ready_o(ready),
-        .in_tag_i({n_slot, n_tex, n_ray[23]}), .in_key_i(n_key), .in_y_i(n_ray[16:0]),
-        .in_h_i(n_ray[22:17]), .in_path_i(n_ray[23] ? {PW{1'b0}} : n_path),
+        .in_tag_i({n_slot, n_tex, n_primary}), .in_key_i(n_key), .in_y_i(n_y),
+        .in_h_i(n_h), .in_path_i(n_primary ? {PW{1'b0}} : n_path),
         .out_valid_o(out_valid_o), .out_tag_o({out_slot_o, out_tex_o, out_primary_o}),
         .out_path_o(out_path_o)
     );

@@ -3,8 +3,8 @@
 // Stands where rt_traverse and rt_next stand for nodes of four children (ACCEL of rt_core).
 //   0 issue | 1, 2 node cache | 3 node: its half | 4 ray's word of the axis | 5..9 rt_bih_step |
 //   9 decision | 10 token: back to 0 a clock later
-// Starts of rays and axes of the global box go in at 3 while no node comes from the cache; a start
-// without records of no node is axis x of the box.
+// A ray starts at 3, and each axis of the global box is cut from there, in clocks in which no node
+// comes from the cache. A ray without records of no node (N_LOOSE 0) starts with axis x of the box.
 // Aroxa 2014, III.B. Model: sph_bih_walk() in cmodel/trace/bih_walk.c
 `default_nettype none
 `include "rt_layout.vh"
@@ -50,7 +50,7 @@ module rt_bih #(
     // visits of a pixel
     input  wire                       visits_read_i,
     input  wire [$clog2(SLOTS)-1:0]   visits_slot_i,
-    output wire [23:0]                visits_o,
+    output wire [`RT_VISITS_BITS-1:0]  visits_o,
     // memory
     output wire                       mem_req_valid_o,
     input  wire                       mem_req_ready_i,
@@ -69,15 +69,15 @@ module rt_bih #(
 
     localparam T  = W + WD + 2 > TW ? W + WD + 2 - TW : 0;  // low bits of a key that bounds drop
 
-    wire [`RT_EFFECT_BITS-1:0] effects   = regs_i[`RT_REGS_EFFECTS];
+    wire [`RT_EFFECT_BITS-1:0] effects = regs_i[`RT_REGS_EFFECTS];
     wire [`RT_LINE_BITS-1:0] mem_lines = regs_i[`RT_REGS_MEM_LINES];
     wire [`RT_LINE_BITS-1:0] root      = regs_i[`RT_REGS_ROOT];
     wire [`RT_LINE_BITS-1:0] leaf_base = regs_i[`RT_REGS_LEAF_BASE];
-    wire [23:0]      n_prims   = regs_i[`RT_REGS_N_PRIMS];
-    wire [23:0]      n_loose   = regs_i[`RT_REGS_N_LOOSE];
+    wire [`RT_ID_BITS-1:0] n_prims     = regs_i[`RT_REGS_N_PRIMS];
+    wire [`RT_ID_BITS-1:0] n_loose     = regs_i[`RT_REGS_N_LOOSE];
     wire [6*CW-1:0]  box       = regs_i[`RT_REGS_BOX];
 
-    // ---- rays: their words, how far they go ----
+    // ---- rays: their words, how far they go (RT_RAY_SHADOW: to the key of a light) ----
     wire [2*WD+TW-1:0] light = {{TW{1'b0}}, ray_i[`RT_RAY_A]} >> T;
     assign ray_limit_o = !ray_i[`RT_RAY_SHADOW] || |light[2*WD+TW-1:TW] ? {TW{1'b1}}
                                                                         : light[TW-1:0];
@@ -106,11 +106,12 @@ module rt_bih #(
     // ---- tokens: nodes to visit, axes of the box ----
     wire             issue_valid, box_valid, q_issue_in, q_box_in, q_issue_valid, q_box_valid;
     wire [SLOTW-1:0] issue_slot, box_slot, q_issue_slot, q_box_slot;
-    wire [26:0]      issue_place, q_issue_place;     // {line, half}
+    localparam LB = `RT_LINE_BITS;
+    wire [LB:0]      issue_place, q_issue_place;     // {line, half}
     wire [1:0]       box_axis, q_box_axis;
     wire             req_ready, rsp_valid;
     wire             put_box = q_box_valid && !rsp_valid;
-    rt_fifo #(.WIDTH(SLOTW+27), .DEPTH(SLOTS)) u_issue_queue (
+    rt_fifo #(.WIDTH(SLOTW+LB+1), .DEPTH(SLOTS)) u_issue_queue (
         .clk(clk), .rst(rst), .in_valid_i(issue_valid), .in_ready_o(q_issue_in),
         .in_data_i({issue_slot, issue_place}),
         .out_valid_o(q_issue_valid), .out_ready_i(req_ready),
@@ -127,18 +128,20 @@ module rt_bih #(
     // ---- issue: count the visit ----
     wire             issue      = q_issue_valid && req_ready;
     wire [SLOTW-1:0] count_slot = q_issue_valid ? q_issue_slot : start_slot;
-    wire [23:0]      ray_visits, pixel_visits;
-    wire [23:0]      ray_before   = q_issue_valid ? ray_visits : 24'd0;
-    wire [23:0]      pixel_before = q_issue_valid || !start_pixel ? pixel_visits : 24'd0;
+    localparam VB = `RT_VISITS_BITS;
+    wire [VB-1:0]    ray_visits, pixel_visits;
+    wire [VB-1:0]    ray_before   = q_issue_valid ? ray_visits : {VB{1'b0}};
+    wire [VB-1:0]    pixel_before = q_issue_valid || !start_pixel ? pixel_visits : {VB{1'b0}};
     wire             bad_limit  = ray_visits == regs_i[`RT_REGS_VISIT_LIMIT];
     wire             counted    = q_issue_valid && !bad_limit;
-    wire [23:0]      pixel_next = pixel_before + {23'd0, counted};
-    rt_slot_file #(.WIDTH(48), .SLOTS(SLOTS)) u_visits (
+    wire [VB-1:0]    one        = {{(VB-1){1'b0}}, counted};
+    wire [VB-1:0]    pixel_next = pixel_before + one;
+    rt_slot_file #(.WIDTH(2*VB), .SLOTS(SLOTS)) u_visits (
         .clk(clk), .wr_en_i(issue || put_start), .wr_addr_i(count_slot),
-        .wr_data_i({ray_before + {23'd0, counted}, pixel_next}),
+        .wr_data_i({ray_before + one, pixel_next}),
         .rd_addr_i(count_slot), .rd_data_o({ray_visits, pixel_visits})
     );
-    rt_slot_ram #(.WIDTH(24), .SLOTS(SLOTS), .OLD(0)) u_visits_out (
+    rt_slot_ram #(.WIDTH(VB), .SLOTS(SLOTS), .OLD(0)) u_visits_out (
         .clk(clk), .wr_en_i(issue || put_start), .wr_addr_i(count_slot), .wr_data_i(pixel_next),
         .rd_en_i(visits_read_i), .rd_addr_i(visits_slot_i), .rd_data_o(visits_o)
     );
@@ -152,7 +155,7 @@ module rt_bih #(
     rt_cache #(.TAG(TAG), .LINES(LINES), .PENDING(SLOTS)) u_cache (
         .clk(clk), .rst(rst), .flush_i(flush_i),
         .req_valid_i(q_issue_valid), .req_ready_o(req_ready),
-        .req_line_i(bad_limit ? 26'd0 : q_issue_place[26:1]),
+        .req_line_i(bad_limit ? {LB{1'b0}} : q_issue_place[LB:1]),
         .req_tag_i({q_issue_slot, q_issue_place[0], bad_limit}),
         .rsp_valid_o(rsp_valid), .rsp_ready_i(1'b1), .rsp_data_o(rsp_data),
         .rsp_tag_o({rsp_slot, rsp_half, rsp_kill}), .rsp_error_o(rsp_error),
@@ -169,11 +172,11 @@ module rt_bih #(
     reg [95:0]       t1_words_q;                     // of the node
     reg [1:0]        t1_box_axis_q;
     reg              sound_q;                        // the registers let a ray start
-    wire [26:0]      records = {1'b0, leaf_base} + {3'd0, n_prims};
+    wire [LB:0]      records = {1'b0, leaf_base} + {{(LB+1-`RT_ID_BITS){1'b0}}, n_prims};
     always @(posedge clk) begin
         t1_valid_q    <= rsp_valid || put_box || put_start;
         t1_node_q     <= rsp_valid;
-        t1_box_q      <= put_box || (put_start && n_loose == 24'd0);
+        t1_box_q      <= put_box || (put_start && n_loose == {`RT_ID_BITS{1'b0}});
         t1_kill_q     <= rsp_valid ? rsp_kill || rsp_error : !put_box && !sound_q;
         t1_slot_q     <= rsp_valid ? rsp_slot : put_box ? q_box_slot : start_slot;
         t1_words_q    <= rsp_half ? rsp_data[128 +: 96] : rsp_data[95:0];
@@ -212,7 +215,8 @@ module rt_bih #(
     reg [2:0]        t2_kind_q;
     reg              visit_q, bad_node_q, visit_limit_q, bus_error_q;
     reg [2:0]        tests_q;
-    reg [47:0]       t2_data_q;
+    localparam NB = 2*`RT_ID_BITS;                   // {count, first} of leaf records
+    reg [NB-1:0]     t2_data_q;
     reg signed [CW-1:0] t2_l_q, t2_r_q;
     wire [CW-1:0]    box_end   = t1_box_axis_q[1] ? box[5*CW +: CW]
                                  : t1_box_axis_q[0] ? box[4*CW +: CW] : box[3*CW +: CW];
@@ -227,7 +231,8 @@ module rt_bih #(
                       : t1_box_q ? `RT_BIH_BOX_X + {1'b0, t1_box_axis_q}
                       : !t1_node_q ? `RT_BIH_START
                       : t1_leaf ? `RT_BIH_LEAVE : t1_fit ? `RT_BIH_FIT : `RT_BIH_INNER;
-        t2_data_q  <= t1_leaf ? {t1_count[23:0], t1_first[23:0]} : {22'd0, t1_line[25:0]};
+        t2_data_q  <= t1_leaf ? {t1_count[`RT_ID_BITS-1:0], t1_first[`RT_ID_BITS-1:0]}
+                              : {{(NB-LB){1'b0}}, t1_line[LB-1:0]};
         t2_l_q     <= t1_box_q ? box_end : t1_fit ? t1_r : t1_l;
         t2_r_q     <= t1_box_q ? box_begin : t1_fit ? t1_l : t1_r;
         visit_q       <= issue && !bad_limit;
@@ -288,6 +293,6 @@ module rt_bih #(
         .overflow_o(fault_o[`RT_ERROR_STACK_OVERFLOW])
     );
     wire unused = &{1'b0, q_issue_in, q_box_in, regs_i, effects, ray_i, rsp_data[255:224],
-                    rsp_data[127:96], t1_words_q, t1_line[29:26]};
+                    rsp_data[127:96], t1_words_q, t1_line[29:LB]};
 endmodule
 `default_nettype wire

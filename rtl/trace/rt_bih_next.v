@@ -1,8 +1,9 @@
 // rt_bih_next.v - what a ray does next in a BIH: child, leaf records, put aside, done
 // SPDX-License-Identifier: Apache-2.0
-// Tokens: passes of rt_bih_step, which cannot wait; rays that popped a node behind their hit, once
-// more; rays whose leaf records have been tested. Two stages, a token a clock: read all about the
-// slot, decide. An interval {hi, lo} bounds where along the ray the node lies that it is at.
+// A token is a pass of rt_bih_step, which cannot wait, or a ray that popped a node behind its hit
+// and tries once more, or a ray whose leaf records have been tested. Two stages take a token a
+// clock: the first reads all about the slot, the second decides. An interval {hi, lo} bounds where
+// along the ray the node lies that the ray is at.
 // Model: sph_bih_walk() in cmodel/trace/bih_walk.c
 `default_nettype none
 `include "rt_layout.vh"
@@ -20,11 +21,11 @@ module rt_bih_next #(
     input  wire             facets_on_i,
     input  wire [`RT_LINE_BITS-1:0] root_i,
     input  wire [`RT_LINE_BITS-1:0] leaf_base_i,
-    input  wire [23:0]      n_loose_i,
+    input  wire [`RT_ID_BITS-1:0] n_loose_i,
     // from rt_bih: what the node says, before its pass comes
     input  wire             node_valid_i,
     input  wire [$clog2(SLOTS)-1:0] node_slot_i,
-    input  wire [47:0]      node_i,         // inner: line of the children; leaf: {count, first}
+    input  wire [2*`RT_ID_BITS-1:0] node_i, // inner: line of the children; leaf: {count, first}
     // a pass, and a clock later what rt_bih_step makes of it
     input  wire             pass_valid_i,
     input  wire [$clog2(SLOTS)-1:0] pass_slot_i,
@@ -45,7 +46,7 @@ module rt_bih_next #(
     // to rt_bih: visit this node, or cut by an axis of the global box
     output reg              issue_valid_o,
     output reg [$clog2(SLOTS)-1:0] issue_slot_o,
-    output reg [26:0]       issue_place_o,  // {line, half}
+    output reg [`RT_LINE_BITS:0] issue_place_o,  // {line, half}
     output reg              box_valid_o,
     output reg [$clog2(SLOTS)-1:0] box_slot_o,
     output reg [1:0]        box_axis_o,
@@ -63,7 +64,9 @@ module rt_bih_next #(
 );
     localparam SLOTW = $clog2(SLOTS);
     localparam SPW = $clog2(DEPTH);
-    localparam EW  = 27 + 2*TW;             // stack entry: {place, hi, lo}
+    localparam IB  = `RT_ID_BITS;           // number or count of leaf records
+    localparam LB  = `RT_LINE_BITS;
+    localparam EW  = LB + 1 + 2*TW;           // stack entry: {place, hi, lo}
     localparam [TW-1:0] NONE = {TW{1'b1}};
     wire       whole = FACETS != 0 && facets_on_i;
 
@@ -97,8 +100,8 @@ module rt_bih_next #(
         if (rst) s1_valid_q <= 1'b0;
     end
 
-    wire [47:0]      node;
-    rt_slot_ram #(.WIDTH(48), .SLOTS(SLOTS), .OLD(0)) u_node (
+    wire [2*IB-1:0]  node;
+    rt_slot_ram #(.WIDTH(2*IB), .SLOTS(SLOTS), .OLD(0)) u_node (
         .clk(clk), .wr_en_i(node_valid_i), .wr_addr_i(node_slot_i), .wr_data_i(node_i),
         .rd_en_i(pass_valid_i), .rd_addr_i(pass_slot_i), .rd_data_o(node)
     );
@@ -108,8 +111,8 @@ module rt_bih_next #(
         .clk(clk), .wr_en_i(span_wr), .wr_addr_i(s1_slot_q), .wr_data_i(span_next),
         .rd_en_i(pass_valid_i), .rd_addr_i(pass_slot_i), .rd_data_o(span)
     );
-    wire [47:0]      chunk_rest, chunk_next;  // leaf records still to test: {count, first}
-    rt_slot_ram #(.WIDTH(48), .SLOTS(SLOTS), .OLD(0)) u_chunk (
+    wire [2*IB-1:0]  chunk_rest, chunk_next;  // leaf records still to test: {count, first}
+    rt_slot_ram #(.WIDTH(2*IB), .SLOTS(SLOTS), .OLD(0)) u_chunk (
         .clk(clk), .wr_en_i(chunk), .wr_addr_i(s1_slot_q), .wr_data_i(chunk_next),
         .rd_en_i(s0_valid), .rd_addr_i(s0_slot), .rd_data_o(chunk_rest)
     );
@@ -151,16 +154,20 @@ module rt_bih_next #(
     wire [TW-1:0] earlier = step_upper_i < hi ? step_upper_i : hi;
 
     // ---- leaf records: up to four of two lines ----
-    wire [23:0] first = start ? 24'd0 : leave ? node[23:0] : chunk_rest[23:0];
-    wire [23:0] count = start ? n_loose_i : leave ? node[47:24] : chunk_rest[47:24];
+    wire [IB-1:0] leaf_first, leaf_count, rest_first, rest_count, first, count;
+    assign {leaf_count, leaf_first} = node;
+    assign {rest_count, rest_first} = chunk_rest;
+    assign first = start ? {IB{1'b0}} : leave ? leaf_first : rest_first;
+    assign count = start ? n_loose_i : leave ? leaf_count : rest_count;
     wire        odd   = !whole && first[0];                   // begins with the second of a line
     wire [2:0]  room  = odd ? 3'd3 : 3'd4;
-    wire        fits  = count <= {21'd0, room};
+    wire        fits  = count <= {{(IB-3){1'b0}}, room};
     wire [2:0]  n     = fits ? count[2:0] : room;
     wire [3:0]  ones  = ~(4'hf << n);
-    wire        some  = count != 24'd0;
+    wire        some  = count != {IB{1'b0}};
     assign chunk      = (leave || start || (s1_valid_q && s1_tested_q)) && some && !ended;
-    assign chunk_next = {fits ? 24'd0 : count - {21'd0, room}, first + {21'd0, room}};
+    assign chunk_next = {fits ? {IB{1'b0}} : count - {{(IB-3){1'b0}}, room},
+                         first + {{(IB-3){1'b0}}, room}};
 
     // ---- what next? ----
     wire finished = s1_valid_q && s1_tested_q && !some;       // all records of a leaf
@@ -179,7 +186,8 @@ module rt_bih_next #(
 
     // The left child stands in half 0: the near one unless the ray runs back.
     wire half     = fit ? 1'b0 : near ? step_back_i : !step_back_i;
-    assign push_data  = {node[25:0], !step_back_i, hi, later};
+    wire [LB-1:0] child = node[LB-1:0];                       // line of the children
+    assign push_data  = {child, !step_back_i, hi, later};
     assign span_wr    = go || (to_box && !ended);
     assign span_next  = pop ? top[2*TW-1:0]
                         : {inner && !near ? hi : earlier, inner && near ? lo : later};
@@ -189,7 +197,7 @@ module rt_bih_next #(
     always @(posedge clk) begin
         issue_valid_o <= go;
         issue_slot_o  <= s1_slot_q;
-        issue_place_o <= to_root ? {root_i, 1'b0} : pop ? top[EW-1 -: 27] : {node[25:0], half};
+        issue_place_o <= to_root ? {root_i, 1'b0} : pop ? top[EW-1 -: LB+1] : {child, half};
         box_valid_o   <= to_box && !ended;
         box_slot_o    <= s1_slot_q;
         box_axis_o    <= box ? s1_kind_q[1:0] : 2'd0;         // one behind that of the pass
@@ -197,7 +205,8 @@ module rt_bih_next #(
         leaf_slot_o   <= s1_slot_q;
         leaf_mask_o   <= odd ? {ones[2:0], 1'b0} : ones;
         leaf_count_o  <= n;
-        leaf_line_o   <= leaf_base_i + (whole ? {2'd0, first} : {3'd0, first[23:1]});
+        leaf_line_o   <= leaf_base_i + (whole ? {{(LB-IB){1'b0}}, first}
+                                        : {{(LB-IB+1){1'b0}}, first[IB-1:1]});
         done_valid_o  <= s1_valid_q && !keep;
         done_slot_o   <= s1_slot_q;
         bubble_o      <= again;

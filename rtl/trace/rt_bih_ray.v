@@ -4,7 +4,8 @@
 // found while origins and signs are written; then three dividers of a bank make g = a / |dir_i|,
 // times 2^shift, of all axes at once, their words are written and the ray starts.
 //   read 1 | shift a z/2, at least 3 | divide `RT_BIH_G/STEP + z'/2 + 2 | write 3
-// A ray in 5 clocks or, with BANKS, in about 18/BANKS. Shadow rays go before others.
+// A ray leaves every 5 clocks or, if that is more, every 18/BANKS or so. Shadow rays go before
+// others.
 // Model: sph_bih_setup() in cmodel/trace/bih.c
 `default_nettype none
 `include "rt_layout.vh"

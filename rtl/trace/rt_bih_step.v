@@ -4,8 +4,8 @@
 // along the ray's axis they are. T-words, limited to all ones = no bound:
 //   upper = (ceil(vn / 2^V) * (g + 2) >> shift) + 1       lower = floor(vf / 2^V) * g >> shift
 //   stage 1 v | 2 products | 3 what rounding up adds | 4 shift by bytes | 5 by bits, limits
-// Free-running, latency 5 = `RT_BIH_STEP_LATENCY, a node a clock. Model: sph_bih_cut() in
-// cmodel/trace/bih.c, twice
+// Nothing waits here: a node a clock, latency 5 = `RT_BIH_STEP_LATENCY.
+// Model: sph_bih_cut() in cmodel/trace/bih.c, called for both planes
 `default_nettype none
 `include "rt_layout.vh"
 module rt_bih_step #(

@@ -63,7 +63,7 @@ module rt_collect #(
 );
     localparam SLOTW = $clog2(SLOTS);
     localparam KW   = W + WD + 2;            // key
-    localparam BW   = KW + 24;               // {id, key}; above it the mark, then far
+    localparam BW   = KW + `RT_ID_BITS;      // {id, key}; above it the mark, then far
     localparam LIM  = {(FW+1){1'b1}};        // largest depth
     localparam IB   = INSIDE != 0 ? 1 : 0;   // bits of a flag, if it is elaborated
     localparam SB   = SHADOW != 0 ? 1 : 0;
@@ -83,13 +83,14 @@ module rt_collect #(
         .wr_data_i(!clearing && !in_mark),
         .rd_addr_i(new_slot_i), .rd_data_o(new_mark)
     );
-    localparam XB = KEYS != 0 ? 0 : 23;      // scale and shift of a ray
-    wire [23:0]   new_scale = {new_mark, new_shift_i, new_scale_i};
+    localparam XB0 = 6 + 17;                 // {mark, shift, scale} of a ray
+    localparam XB = KEYS != 0 ? 0 : XB0;     // keys need the mark alone
+    wire [XB0:0]  new_scale = {new_mark, new_shift_i, new_scale_i};
     wire [XB:0]   in_scale;
     assign in_mark = in_scale[XB];
     rt_slot_file #(.WIDTH(XB+1), .SLOTS(SLOTS)) u_scale (
         .clk(clk), .wr_en_i(new_valid_i), .wr_addr_i(new_slot_i),
-        .wr_data_i(new_scale[23 -: XB+1]),
+        .wr_data_i(new_scale[XB0 -: XB+1]),
         .rd_addr_i(in_slot_i), .rd_data_o(in_scale)
     );
 
@@ -114,7 +115,7 @@ module rt_collect #(
     wire [BW+IB:0] put = clearing ? {(BW+IB+1){1'b0}} : cand[BW+IB:0];
     wire          found  = best[BW] != in_mark;
     wire          closer = in_key_i < best[KW-1:0] ||
-                           (in_key_i == best[KW-1:0] && in_id_i < best[KW +: 24]);
+                           (in_key_i == best[KW-1:0] && in_id_i < best[KW +: `RT_ID_BITS]);
     assign        win = in_valid_i && in_hit_i && (!found || closer);
     rt_slot_file #(.WIDTH(BW+IB+1), .SLOTS(SLOTS)) u_best (
         .clk(clk), .wr_en_i(clearing || win), .wr_addr_i(clearing ? clear_slot : in_slot_i),

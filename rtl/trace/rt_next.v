@@ -5,7 +5,7 @@
 // one pop a visit, so one write and one read port serve. A group whose nearest child lies deeper
 // than the ray's limit is dropped whole, and so is the stack when its smallest near depth does.
 // Two stages, one token a cycle; a pruned top of stack costs one more pass (bubble_o).
-// Model: the end of the loop in sph_traverse(), cmodel/trace/traverse.c
+// Model: the end of the loop of sph_traverse() in cmodel/trace/traverse.c
 `default_nettype none
 `include "rt_layout.vh"
 module rt_next #(
@@ -149,7 +149,7 @@ module rt_next #(
 
         issue_valid_o <= go;
         issue_slot_o  <= s1_slot_q;
-        issue_line_o  <= base + {24'd0, list[1:0]};
+        issue_line_o  <= base + {{(`RT_LINE_BITS-2){1'b0}}, list[1:0]};
         done_valid_o  <= s1_valid_q && !go && !again;
         done_slot_o   <= s1_slot_q;
         bubble_o      <= again;

@@ -1,9 +1,9 @@
 // rt_origin.v - where a ray starts, on which sphere, and the same in filter units
 // SPDX-License-Identifier: Apache-2.0
 // Primary rays start at the eye, on no sphere. Others start at the point that rt_surface left in
-// their slot; if there are no others, the eye is all there is.
+// their slot; where no others are built, nothing is kept.
 //   filter origin = org / 2^(W-FW), half up, limited to FW bits
-// Latency 2 cycles, one a cycle. Model: sph_ray_setup() in cmodel/trace/setup.c
+// A ray a clock, latency 2 clocks. Model: sph_ray_setup() in cmodel/trace/setup.c
 `default_nettype none
 `include "rt_bundles.vh"
 module rt_origin #(
@@ -22,19 +22,19 @@ module rt_origin #(
     input  wire [$clog2(SLOTS)-1:0] slot_i,
     input  wire                     primary_i,
     output wire [3*W-1:0]           org_o,
-    output wire [24:0]              skip_o, // {inside, id}
+    output wire [`RT_ID_BITS:0]     skip_o, // {inside, id}
     output reg  [3*FW-1:0]          forg_o  // 3 x sFW
 );
     localparam K = W - FW;
-    localparam [24:0] NONE = {1'b0, 24'hffffff};
+    localparam [`RT_ID_BITS:0] NONE = {1'b0, {`RT_ID_BITS{1'b1}}};
     wire [3*W-1:0] org;
     generate
         if (SECONDARY != 0) begin : g_secondary
             wire [3*W-1:0] point;
-            wire [24:0]    skip;
+            wire [`RT_ID_BITS:0] skip;
             reg            primary_q;
             reg [3*W-1:0]  org_q;
-            reg [24:0]     skip_q;
+            reg [`RT_ID_BITS:0] skip_q;
             rt_slot_ram #(.WIDTH(3*W), .SLOTS(SLOTS), .OLD(0)) u_point (
                 .clk(clk), .wr_en_i(org_i[`RT_ORG_VALID]), .wr_addr_i(org_i[`RT_ORG_SLOT]),
                 .wr_data_i(org_i[`RT_ORG_POINT]),

@@ -1,8 +1,8 @@
 // rt_setup.v - ray set-up: unit vectors, origin, depth scale
 // SPDX-License-Identifier: Apache-2.0
-// Takes vectors from four sources (surface normals first, primary rays last), makes each a unit
-// vector, and from that all a ray carries. UNITS vectors in UNIT_INTERVAL clocks, but no light in
-// the clock behind another.
+// A vector from one of four sources (surface normals go first, primary rays last) becomes a unit
+// vector, and from that comes all that a ray carries. UNITS vectors go in within UNIT_INTERVAL
+// clocks, but no light in the clock behind another.
 // Model: sph_ray_setup() in cmodel/trace/setup.c
 `default_nettype none
 `include "rt_layout.vh"
@@ -202,7 +202,7 @@ module rt_setup #(
         .forg_o(filter_o[`RT_FILTER_ORG])
     );
 
-    // ---- depth at the start: a shadow ray ends at its light ----
+    // ---- depth at the start: that of the light to which a ray goes (RT_RAY_SHADOW) ----
     localparam [FW:0] LIM = {(FW+1){1'b1}};
     generate
         if (SHADOWS != 0) begin : g_depth

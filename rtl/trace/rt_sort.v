@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Position of a child = number of hit children before it: six comparisons, no exchange.
 // Latency 2 cycles, one node a cycle.
-// Model: the insertion in sph_traverse(), cmodel/trace/traverse.c
+// Model: insert() in cmodel/trace/visit.c
 `default_nettype none
 module rt_sort (
     input  wire        clk,

@@ -3,8 +3,8 @@
 //   ray --> rt_traverse --+-- leaf children, rt_leaf_unit --> rt_collect --+--> rt_next --+--> done
 //             ^           +-- none ----------------------------------------+              |
 //             +----------------------------- next node -----------------------------------+
-// or rt_bih in place of rt_traverse and rt_next (ACCEL). One token a slot goes round; queues of
-// SLOTS words never fill. Visits that had leaves go before others, since they waited longest.
+// With ACCEL rt_bih takes the place of rt_traverse and rt_next. One token a slot goes round, so
+// queues of SLOTS words never fill. Visits that had leaves go before others: they waited longest.
 // Model: sph_traverse() in cmodel/trace/traverse.c, sph_bih_walk() in cmodel/trace/bih_walk.c
 `default_nettype none
 `include "rt_layout.vh"
@@ -43,7 +43,7 @@ module rt_trace #(
     // to rt_slots: visits of a pixel, a clock after its slot
     input  wire                       visits_read_i,
     input  wire [$clog2(SLOTS)-1:0]   visits_slot_i,
-    output wire [23:0]                visits_o,
+    output wire [`RT_VISITS_BITS-1:0]  visits_o,
     // memory
     output wire                       mem_req_valid_o,
     input  wire                       mem_req_ready_i,

@@ -1,9 +1,10 @@
 // rt_traverse.v - one node of four children a cycle: issue, node cache, filters, sort
 // SPDX-License-Identifier: Apache-2.0
 // A token brings a slot and the line of a node. What the visit finds leaves as found_o and, if leaf
-// children pass, as visit_o; where the token goes next is for rt_trace. Free-running behind the
-// cache.
-// Borodavka et al. IV. Model: the loop body of sph_traverse(), cmodel/trace/traverse.c
+// children pass, as visit_o; where the token goes next is for rt_trace.
+//   issue | node cache | 1 node beside its ray | rt_filter, `RT_FILTER_LATENCY | rt_sort, 2
+// Behind the cache nothing waits: a node a clock.
+// Borodavka et al. IV. Model: sph_visit() in cmodel/trace/visit.c
 `default_nettype none
 `include "rt_latency.vh"
 `include "rt_layout.vh"
@@ -44,7 +45,7 @@ module rt_traverse #(
     // visits of a pixel
     input  wire                       visits_read_i,
     input  wire [$clog2(SLOTS)-1:0]   visits_slot_i,
-    output wire [23:0]                visits_o,
+    output wire [`RT_VISITS_BITS-1:0]  visits_o,
     // memory
     output wire                       mem_req_valid_o,
     input  wire                       mem_req_ready_i,
@@ -64,21 +65,22 @@ module rt_traverse #(
 
     // ---- queues of tokens: rays under way first, then new ones ----
     wire             q_next_valid, q_new_valid, q_shadow_valid;
-    wire [SLOTW+25:0] q_next;
-    wire [SLOTW:0]   q_new;
-    wire [SLOTW-1:0] q_shadow;
+    wire [SLOTW-1:0] q_next_slot;
+    wire [`RT_LINE_BITS-1:0] q_next_line;
+    wire [SLOTW-1:0] q_new_slot, q_shadow;
+    wire             q_new_pixel;
     wire             req_ready;
     wire             next_in_ready, new_in_ready, shadow_in_ready;
-    rt_fifo #(.WIDTH(SLOTW+26), .DEPTH(SLOTS)) u_next_queue (
+    rt_fifo #(.WIDTH(SLOTW+`RT_LINE_BITS), .DEPTH(SLOTS)) u_next_queue (
         .clk(clk), .rst(rst), .in_valid_i(next_valid_i), .in_ready_o(next_in_ready),
         .in_data_i({next_slot_i, next_line_i}),
-        .out_valid_o(q_next_valid), .out_ready_i(req_ready), .out_data_o(q_next)
+        .out_valid_o(q_next_valid), .out_ready_i(req_ready), .out_data_o({q_next_slot, q_next_line})
     );
     rt_fifo #(.WIDTH(SLOTW+1), .DEPTH(SLOTS)) u_new_queue (
         .clk(clk), .rst(rst), .in_valid_i(ray_i[`RT_RAY_VALID] && !ray_i[`RT_RAY_SHADOW]),
         .in_ready_o(new_in_ready), .in_data_i({ray_i[`RT_RAY_SLOT], pixel_i}),
         .out_valid_o(q_new_valid), .out_ready_i(req_ready && !q_next_valid && !q_shadow_valid),
-        .out_data_o(q_new)
+        .out_data_o({q_new_slot, q_new_pixel})
     );
     generate
         if (SHADOW != 0) begin : g_shadow
@@ -115,25 +117,26 @@ module rt_traverse #(
     // ---- issue: count the visit, refuse bad addresses ----
     wire             req_valid = q_next_valid || q_shadow_valid || q_new_valid;
     wire             req_fresh = !q_next_valid;
-    wire [SLOTW-1:0] req_slot  = q_next_valid ? q_next[26 +: SLOTW]
-                                 : q_shadow_valid ? q_shadow : q_new[1 +: SLOTW];
-    wire [`RT_LINE_BITS-1:0] req_line  = q_next_valid ? q_next[25:0] : regs_i[`RT_REGS_ROOT];
+    wire [SLOTW-1:0] req_slot  = q_next_valid ? q_next_slot
+                                 : q_shadow_valid ? q_shadow : q_new_slot;
+    wire [`RT_LINE_BITS-1:0] req_line  = q_next_valid ? q_next_line : regs_i[`RT_REGS_ROOT];
     wire             issue     = req_valid && req_ready;
-    wire [23:0]      ray_visits, pixel_visits;
-    wire [23:0]      ray_before   = req_fresh ? 24'd0 : ray_visits;
-    wire             req_pixel    = req_fresh && !q_shadow_valid && q_new[0];
-    wire [23:0]      pixel_before = req_pixel ? 24'd0 : pixel_visits;
+    localparam VB = `RT_VISITS_BITS;
+    wire [VB-1:0]    ray_visits, pixel_visits;
+    wire [VB-1:0]    ray_before   = req_fresh ? {VB{1'b0}} : ray_visits;
+    wire             req_pixel    = req_fresh && !q_shadow_valid && q_new_pixel;
+    wire [VB-1:0]    pixel_before = req_pixel ? {VB{1'b0}} : pixel_visits;
     wire             bad_line = req_line >= mem_lines;
     wire             bad_limit = ray_before == regs_i[`RT_REGS_VISIT_LIMIT];
     wire             req_kill = bad_line || bad_limit;
-    rt_slot_file #(.WIDTH(48), .SLOTS(SLOTS)) u_visits (
+    wire [VB-1:0]    one = {{(VB-1){1'b0}}, !req_kill};
+    rt_slot_file #(.WIDTH(2*VB), .SLOTS(SLOTS)) u_visits (
         .clk(clk), .wr_en_i(issue), .wr_addr_i(req_slot),
-        .wr_data_i({ray_before + {23'd0, !req_kill}, pixel_before + {23'd0, !req_kill}}),
+        .wr_data_i({ray_before + one, pixel_before + one}),
         .rd_addr_i(req_slot), .rd_data_o({ray_visits, pixel_visits})
     );
-    rt_slot_ram #(.WIDTH(24), .SLOTS(SLOTS), .OLD(0)) u_visits_out (
-        .clk(clk), .wr_en_i(issue), .wr_addr_i(req_slot),
-        .wr_data_i(pixel_before + {23'd0, !req_kill}),
+    rt_slot_ram #(.WIDTH(VB), .SLOTS(SLOTS), .OLD(0)) u_visits_out (
+        .clk(clk), .wr_en_i(issue), .wr_addr_i(req_slot), .wr_data_i(pixel_before + one),
         .rd_en_i(visits_read_i), .rd_addr_i(visits_slot_i), .rd_data_o(visits_o)
     );
     assign event_o[`RT_TRACE_EVENT_ISSUED] = issue;
@@ -144,7 +147,8 @@ module rt_traverse #(
     rt_cache #(.TAG(TAG), .LINES(LINES), .PENDING(SLOTS)) u_cache (
         .clk(clk), .rst(rst), .flush_i(flush_i),
         .req_valid_i(req_valid), .req_ready_o(req_ready),
-        .req_line_i(req_kill ? 26'd0 : req_line), .req_tag_i({req_slot, req_fresh, req_kill}),
+        .req_line_i(req_kill ? {`RT_LINE_BITS{1'b0}} : req_line),
+        .req_tag_i({req_slot, req_fresh, req_kill}),
         .rsp_valid_o(rsp_valid), .rsp_ready_i(1'b1), .rsp_data_o(rsp_data),
         .rsp_tag_o({rsp_slot, rsp_fresh, rsp_kill}), .rsp_error_o(rsp_error),
         .mem_req_valid_o(mem_req_valid_o), .mem_req_ready_i(mem_req_ready_i),
@@ -168,8 +172,9 @@ module rt_traverse #(
     wire [3:0]  t1_count   = {1'b0, t1_n_inner} + {1'b0, t1_n_leaf};
     wire        whole      = FACETS != 0 && effects[`RT_EFFECT_FACETS];  // a line a leaf child
     wire [2:0]  t1_lines   = whole ? t1_n_leaf : {1'b0, t1_n_leaf[2:1]};
-    wire [26:0] t1_end     = {1'b0, t1_base} + {24'd0, t1_n_inner} + {24'd0, t1_lines} +
-                             {26'd0, !whole && t1_n_leaf[0]};
+    localparam LB = `RT_LINE_BITS;
+    wire [LB:0] t1_end     = {1'b0, t1_base} + {{(LB-2){1'b0}}, t1_n_inner} +
+                             {{(LB-2){1'b0}}, t1_lines} + {{LB{1'b0}}, !whole && t1_n_leaf[0]};
     wire        t1_bad     = t1_count > 4'd4 || t1_end > {1'b0, mem_lines};
     wire        t1_live    = t1_valid_q && !t1_kill_q;
     always @(posedge clk) begin
@@ -221,7 +226,7 @@ module rt_traverse #(
     endgenerate
 
     // ---- what travels beside the filters and the sort ----
-    localparam DW = SLOTW + 2 + 26 + 6;
+    localparam DW = SLOTW + 2 + LB + 6;
     wire [DW-1:0]    f_side;
     wire [SLOTW-1:0] f_slot, g_slot;
     wire             f_fresh, f_kill, g_fresh, g_kill, f_valid, g_valid;
@@ -273,7 +278,7 @@ module rt_traverse #(
         kill_q  <= g_kill;
         base_q  <= g_base;
         leaf_q  <= f_leaf_q;
-        line_q  <= g_base + {23'd0, g_n_inner};
+        line_q  <= g_base + {{(LB-3){1'b0}}, g_n_inner};
         if (rst) valid_q <= 1'b0;
     end
     assign found_o[`RT_FOUND_VALID] = valid_q;

@@ -1,9 +1,9 @@
 // rt_vectors.v - chooses the vector that rt_setup takes next
 // SPDX-License-Identifier: Apache-2.0
-// Surface normals go first, then lights, then mirrored directions, new primary rays last: what is
-// nearest to its end. The first three always find room (token rule): queues hold their slots, block
-// RAM the vectors. A source that is not built leaves nothing behind.
-// Model: none, order does not matter there
+// Surface normals go first, then lights, then mirrored directions, and new primary rays last: what
+// is nearest to its end goes first. The first three always find room (token rule): queues hold
+// their slots, block RAM the vectors. For a source that is not built there is neither.
+// There is no model of it: the order of vectors changes no result.
 `default_nettype none
 `include "rt_bundles.vh"
 module rt_vectors #(

@@ -273,7 +273,7 @@ class Run {
         } else if (material_slot != out_slot) {
             b.fail("no material a clock before the surface");
         } else {
-            b.expect("material_o", material, o.expected, 24);
+            b.expect("albedo_o", material, o.expected, 24);
             if (b.bad()) {
                 b.show("slot", out_slot, 8);
                 b.show("map", o.map, 26);
@@ -289,11 +289,10 @@ class Run {
     /* The material of the surface that comes a clock later. */
     void read_material() {
         material_slot = -1;
-        if (!t.material_valid_o) return;
-        material_slot = t.material_slot_o;
-        u128 word33 = b.get(t.material_o);
-        material = (uint32_t)word33 & 0xffffff;
-        if ((uint32_t)(word33 >> 24) != slots[(size_t)material_slot].kr)
+        if (!bench::get(t.albedo_o, RT_ALBEDO_VALID)) return;
+        material_slot = (int)bench::get(t.albedo_o, RT_ALBEDO_SLOT);
+        material = (uint32_t)bench::get(t.albedo_o, RT_ALBEDO_RGB);
+        if (bench::get(t.albedo_o, RT_ALBEDO_KR) != slots[(size_t)material_slot].kr)
             b.fail("another surface's mirror");
     }
 

@@ -68,22 +68,19 @@ static double ratio(const struct sph_scene *s, uint32_t sphere) {
 #define CLEAR(index) "f 1 1 1 .1 .1 50 .7 " index "\n"
 static void test_nesting(void **state) {
     (void)state;
-    static const char text[] = CAM SUM
-        /* hollow; three in its air, the last two in the first, one touching; within the wall */
-        CLEAR("1.5") "s 0 0 0 4\ns 0 0 0 -3\n" CLEAR(
-            "1.2") "s 0 0 0 2\ns 0 0 1 1\ns 0 0 -1 .5\ns 3.6 0 0 .3\n"
-        /* cuts the outside; alone */
-        CLEAR("1.6") "s 4 0 0 .5\ns 9 0 0 1\n"
-        /* water, and deeper: in it, below both, half in it */
-        CLEAR("2") "plane 0 -9 0 0 2 0\n" CLEAR("2.5") "plane 0 -20 0 0 1 0\n" CLEAR(
-            "3") "s 0 -12 0 1\ns 0 -30 0 9.9\ns 0 -9.5 0 1\n"
-                 /* in what is opaque, whose sign says nothing */
-                 "f 1 1 1 .1 .1 50 0 1.5\ns 20 0 0 -4\n" CLEAR("1.3") "s 20 0 0 1\n"
-        /* in two that overlap: the smaller one counts, which begins first */
-        CLEAR("1.4") "s 60 0 0 4\n" CLEAR("1.1") "s 57 0 0 2\n" CLEAR("1.7") "s 57.5 0 0 .3\n";
-    struct sph_scene s = read_text(text);
-    const double want[] = {1.5,     1 / 1.5, 1.2, 1.2 / 1.2, 1.2 / 1.2, 1.2 / 1.5, 1.6, 1.6,
-                           3 / 2.0, 3 / 2.5, 3,   1.5,       1.3,       1.4,       1.1, 1.7 / 1.1};
+    struct sph_scene s = read_text(
+        CAM SUM CLEAR("1.5") "s 0 0 0 4\ns 0 0 0 -3\n"          /* hollow */
+        CLEAR("1.2") "s 0 0 0 2\ns 0 0 1 1\ns 0 0 -1 .5\n"      /* in its air; 3: in 2, touching */
+                     "s 3.6 0 0 .3\n"                           /* within the wall */
+        CLEAR("1.6") "s 4 0 0 .5\ns 9 0 0 1\n"                  /* cuts the outside; alone */
+        CLEAR("2") "plane 0 -9 0 0 2 0\nplane 0 -20 0 0 1 0\n"  /* water, and deeper */
+        CLEAR("3") "s 0 -12 0 1\ns 0 -30 0 9.9\ns 0 -9.5 0 1\n" /* in it; deeper; half in it */
+                   "f 1 1 1 .1 .1 50 0 1.5\ns 20 0 0 4\n" CLEAR(
+                       "1.3") "s 20 0 0 1\n"                          /* in what is opaque */
+                              "f 1 1 1 .5 .5 50 0 1\ns 30 0 0 -1\n"); /* opaque: the sign says
+                                                                         nothing */
+    const double want[] = {1.5, 1 / 1.5, 1.2,     1.2 / 1.2, 1.2 / 1.2, 1.2 / 1.5, 1.6,
+                           1.6, 3 / 2.0, 3 / 2.0, 3,         1.5,       1.3,       1};
     assert_int_equal(s.n_spheres, sizeof want / sizeof *want);
     for (uint32_t i = 0; i < s.n_spheres; i++) {
         if (fabs(ratio(&s, i) - want[i]) > 1e-15) print_message("sphere %u\n", i);
