@@ -6,8 +6,8 @@
 //   product | coarse shift | fine shift | add org | limit | point, vector | normalise
 // INTERVAL 8: a product a cycle; latency 18 cycles, a hit every 8 cycles. 12: in four cycles, in
 // pieces of 17 bits; in_ready_o comes 10 cycles behind the first sight of a hit, since each stage
-// takes from the port what it needs when it needs it; latency 19 from there, a hit every 12 cycles
-// if rt_prim_point answers within 3 cycles.
+// takes from the port what it needs when it needs it; latency 19 from there, a hit every 12 cycles.
+// Both are longer if rt_prim_point answers later: the next hit is held back.
 // Model: sph_surface_point(), sph_surface_turn() in cmodel/shade/surface.c, no quotient, no unit
 `default_nettype none
 `include "rt_check.vh"
@@ -68,11 +68,11 @@ module rt_hit #(
     reg  [LAST+5:1]      ph_q;
     reg  [3:1]           feed_q;                // the vector leaves for normalisation
     reg  [1:0]           part_q;                // of point and vector: x, y, z
-    reg                  late_q;                // they have not all come
+    reg                  late_q;                // they have not all come; SLOW: none of them has
     wire                 p_valid;
     wire                 first = p_valid && part_q == 2'd0;
     wire                 last  = p_valid && part_q == 2'd2;
-    wire                 late  = (ph_q[LAST+5] || late_q) && !last;
+    wire                 late  = SLOW ? late_q : (ph_q[LAST+5] || late_q) && !last;
     wire                 start = in_valid_i && ~|ph_q[INTERVAL-1:1] && !late;
     wire [LAST+5:0]      ph = {ph_q, start};
     wire                 in_1  = ph[X] || ph[X+D] || ph[LAST];  // one of the three is in stage 1
@@ -84,7 +84,7 @@ module rt_hit #(
     always @(posedge clk) begin
         ph_q   <= ph[LAST+4:0];
         feed_q <= {feed_q[2:1], last};
-        late_q <= late;
+        late_q <= SLOW ? take || (late_q && !first) : late;
         if (p_valid) part_q <= last ? 2'd0 : part_q + 2'd1;
         if (rst) begin
             ph_q <= {(LAST+5){1'b0}};

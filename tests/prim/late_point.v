@@ -35,6 +35,7 @@ module rt_prim_point_late #(
 endmodule
 
 module late_point;
+    parameter INTERVAL = 8;                      // of rt_hit, 8 or 12
     localparam W = 16, WD = 17, PQ = 17, NG = 2, HITS = 300, OB = 8 + 3*W + 3*(W+NG) + 3*WD + 1;
     reg clk = 1'b0, rst = 1'b1;
     always #2 clk = !clk;
@@ -68,10 +69,11 @@ module late_point;
                 .out_normal_x_o(o[6*W+3*NG +: WD]), .out_normal_y_o(o[6*W+3*NG+WD +: WD]), \
                 .out_normal_z_o(o[6*W+3*NG+2*WD +: WD]), .out_saturated_o(o[OB-9])
             if (g == 0) begin : g_now
-                rt_hit #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .FACETS(1), .TEXTURE(1)) u_hit (`PORTS);
+                rt_hit #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .FACETS(1), .TEXTURE(1),
+                         .INTERVAL(INTERVAL)) u_hit (`PORTS);
             end else begin : g_late
-                rt_hit_late #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .FACETS(1), .TEXTURE(1)) u_hit (
-                    `PORTS);
+                rt_hit_late #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .FACETS(1), .TEXTURE(1),
+                              .INTERVAL(INTERVAL)) u_hit (`PORTS);
             end
         end
     endgenerate

@@ -49,11 +49,15 @@ cp "$TMP/prim" $prim
 # ---- point and normal that come later ----
 sed -e 's/module rt_hit /module rt_hit_late /; s/rt_prim_point \(.\)(/rt_prim_point_late \1(/' \
     rtl/shade/rt_hit.v >rtl/shade/rt_hit_late.v
-late() { "$1" late_point "$here/tests/prim/late_point.v"; }
-check "a primitive may give point and normal later" late answers
-sed -i 's/assign in_ready_o = ~|ph_q\[7:1\] \&\& !late;/assign in_ready_o = ~|ph_q[7:1];/' \
-    rtl/shade/rt_hit_late.v
-check "... not if rt_hit goes on without them" late differs
+late() { "$1" late_point "$here/tests/prim/late_point.v" "-Plate_point.INTERVAL=$2"; }
+for interval in 8 12; do
+    check "a primitive may give point and normal later: a hit every $interval clocks" \
+        late answers $interval
+done
+sed -i 's/ && !late;/;/' rtl/shade/rt_hit_late.v
+for interval in 8 12; do
+    check "... not if rt_hit goes on without them: $interval" late differs $interval
+done
 
 # ---- kinds stay in their folder ----
 cd "$here" || exit 1
