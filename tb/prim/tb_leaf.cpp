@@ -21,11 +21,15 @@ extern "C" {
 
 namespace {
 
-constexpr int larger(int a, int b) { return a > b ? a : b; }
-constexpr uint64_t multiply(int bits) { return bits <= 18 ? 1 : (uint64_t)(bits + 15) / 17 + 1; }
-constexpr uint64_t LATENCY = INTERVAL == 4 ? (W <= 16 && WD <= 17 ? 16 : 20)
-                                           : multiply(larger(W + 1, WD)) +
-                                                 multiply(larger(2 * W + 3, 2 * WD + 1)) + 8;
+constexpr int larger(int a, int b) {
+    return a > b ? a : b;
+}
+constexpr uint64_t multiply(int bits) {
+    return bits <= 18 ? 1 : (uint64_t)(bits + 15) / 17 + 1;
+}
+constexpr uint64_t LATENCY =
+    INTERVAL == 4 ? (W <= 16 && WD <= 17 ? 16 : 20)
+                  : multiply(larger(W + 1, WD)) + multiply(larger(2 * W + 3, 2 * WD + 1)) + 8;
 
 constexpr int64_t C_MIN = -((int64_t)1 << (W - 1)), C_MAX = -C_MIN - 1,
                   R_MAX = ((int64_t)1 << W) - 1;
@@ -36,7 +40,7 @@ struct Vector {
     sph_leaf leaf{};
     unsigned tag = 0;
     int family = 0;
-    uint64_t taken = 0; /* cycle */
+    uint64_t taken = 0;  /* cycle */
     bool shadow = false; /* the port; a shadow ray only if they are elaborated */
     hard::Case hard;
 };

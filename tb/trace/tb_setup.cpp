@@ -208,7 +208,7 @@ class Setup : public bench::Bench<Vrt_setup> {
     std::vector<Vec> corners;
     size_t done_corners[SOURCES] = {};
     Vec eye{};
-    unsigned rate[SOURCES] = {}; /* percent of clocks with a new job */
+    unsigned rate[SOURCES] = {};          /* percent of clocks with a new job */
     uint64_t light_before = ~(uint64_t)1; /* clock of the last light */
 
     /* A slot for a job, or -1; the search starts anywhere. */
