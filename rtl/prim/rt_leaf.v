@@ -78,21 +78,22 @@ module rt_leaf #(
 
     // ---- what waits does so in registers that are loaded every INTERVAL clocks ----
     // tag and id: stage j in clocks INTERVAL*j+1 .. INTERVAL*(j+1)
+    localparam TB    = TAG + `RT_ID_BITS;
     localparam N_TAG = (T_OUT + INTERVAL - 1)/INTERVAL;
-    wire [N_TAG*(TAG+24)-1:0] tag_wait;
+    wire [N_TAG*TB-1:0] tag_wait;
     generate
         for (j = 0; j < N_TAG; j = j + 1) begin : g_tag
-            reg [TAG+23:0] tag_q;
+            reg [TB-1:0] tag_q;
             if (j == 0) begin : g_in
                 always @(posedge clk) if (take) tag_q <= {in_tag_i, in_id_i};
             end else begin : g_next
                 always @(posedge clk)
-                    if (valid[INTERVAL*j]) tag_q <= tag_wait[(j-1)*(TAG+24) +: TAG+24];
+                    if (valid[INTERVAL*j]) tag_q <= tag_wait[(j-1)*TB +: TB];
             end
-            assign tag_wait[j*(TAG+24) +: TAG+24] = tag_q;
+            assign tag_wait[j*TB +: TB] = tag_q;
         end
     endgenerate
-    assign {out_tag_o, out_id_o} = tag_wait[(N_TAG-1)*(TAG+24) +: TAG+24];
+    assign {out_tag_o, out_id_o} = tag_wait[(N_TAG-1)*TB +: TB];
 
     // kind of ray: the same; used in clock T_SIGN
     localparam N_KIND = (T_SIGN + INTERVAL - 1)/INTERVAL;

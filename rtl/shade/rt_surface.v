@@ -50,7 +50,7 @@ module rt_surface #(
     localparam KW = W + WD + 2;
     localparam FARS = INSIDE != 0 || FACETS != 0 ? 1 : 0;  // normals that are turned
 
-    localparam FB = SLOTW + 26;               // {slot, line of the record}
+    localparam FB = SLOTW + `RT_LINE_BITS;    // {slot, line of the record}
     wire on = POINTS != 0 && points_on_i;
     wire [`RT_EFFECT_BITS-1:0] effects  = regs_i[`RT_REGS_EFFECTS];
     wire             in_valid = hit_i[`RT_HIT_HIT];
@@ -77,7 +77,7 @@ module rt_surface #(
                 .in_data_i(in_slot),
                 .out_valid_o(h_valid), .out_ready_i(h_taken), .out_data_o(h_slot)
             );
-            rt_slot_ram #(.WIDTH(KW+26), .SLOTS(SLOTS), .OLD(0)) u_hit_data (
+            rt_slot_ram #(.WIDTH(KW+`RT_LINE_BITS), .SLOTS(SLOTS), .OLD(0)) u_hit_data (
                 .clk(clk), .wr_en_i(in_valid), .wr_addr_i(in_slot),
                 .wr_data_i({in_line, hit_i[`RT_HIT_KEY]}),
                 .rd_en_i(h_valid), .rd_addr_i(h_slot), .rd_data_o({h_line, h_key})
@@ -121,7 +121,7 @@ module rt_surface #(
     assign record_ready_o = !on || hit_ready;
     assign material_o[`RT_MATERIAL_VALID] = r_load;
     assign material_o[`RT_MATERIAL_SLOT]  = prim_slot;
-    assign material_o[`RT_MATERIAL_RGB]   = prim[`RT_PRIM_RED_LSB +: 24];
+    assign material_o[`RT_MATERIAL_RGB]   = prim[`RT_PRIM_RED_LSB +: `RT_RGB_BITS];
     assign material_o[`RT_MATERIAL_KR]    = prim[`RT_PRIM_KR_LSB +: `RT_PRIM_KR_BITS];
     assign material_o[`RT_MATERIAL_TEX] =
         TEXTURE != 0 ? prim[`RT_PRIM_TEX_LSB +: `RT_PRIM_TEX_BITS] : {`RT_PRIM_TEX_BITS{1'b0}};
@@ -192,7 +192,8 @@ module rt_surface #(
                 assign e         = offered;
             end
             rt_slot_ram #(.WIDTH(TW), .SLOTS(SLOTS), .OLD(0)) u_t (
-                .clk(clk), .wr_en_i(t_valid), .wr_addr_i(t_fetch[26 +: SLOTW]), .wr_data_i(t),
+                .clk(clk), .wr_en_i(t_valid), .wr_addr_i(t_fetch[`RT_LINE_BITS +: SLOTW]),
+                .wr_data_i(t),
                 .rd_en_i(e_load), .rd_addr_i(e_slot), .rd_data_o(r_t)
             );
             if (BOUNCES != 0) begin : g_org
