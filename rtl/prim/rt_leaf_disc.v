@@ -111,8 +111,9 @@ module rt_leaf_disc #(
             reg signed [58:0]  sum_q;
             reg [50:0]         low_q;
             wire signed [58:0] old  = sum_q >>> 17;
-            wire signed [58:0] add  = $signed({{21{s4_low_q[37]}}, s4_low_q})
-                                    + $signed({{4{s4_high_q[37]}}, s4_high_q, 17'd0});
+            wire [41:0]        high = {{21{s4_low_q[37]}}, s4_low_q[37:17]}
+                                    + {{4{s4_high_q[37]}}, s4_high_q};
+            wire signed [58:0] add  = {high, s4_low_q[16:0]};
             always @(posedge clk) begin
                 sum_q <= (s4_step_q == 2'd0 ? 59'sd0 : old) + add;
                 if (s4_step_q != 2'd0) low_q <= {sum_q[16:0], low_q[50:17]};

@@ -104,7 +104,7 @@ module rt_leaf_sums #(
             reg signed [37:0] s4_b_q, s4_k_q;
             reg [2*W-1:0]     rad2_q;
             wire [71:0]       rad2 = {{2{1'b0}}, k_p[2], k_p[0][33:0]};
-            wire [71:0]       rad2_lh = {{19{1'b0}}, k_p[1], 17'd0};
+            wire [71:0]       rad2_all = {rad2[71:17] + {{19{1'b0}}, k_p[1]}, rad2[16:0]};
             always @(posedge clk) begin
                 s2_step_q <= s1_step_q;
                 s3_step_q <= s2_step_q;
@@ -115,7 +115,7 @@ module rt_leaf_sums #(
                 s3_k_z_q  <= k_p[2];
                 s4_b_q    <= s3_b_xy_q + $signed({s3_b_z_q[35], s3_b_z_q});
                 s4_k_q    <= s3_k_xy_q + $signed({s3_k_z_q[35], s3_k_z_q});
-                if (s2_step_q == 2'd2) rad2_q <= rad2[2*W-1:0] + rad2_lh[2*W-1:0];
+                if (s2_step_q == 2'd2) rad2_q <= rad2_all[2*W-1:0];
             end
 
             // ---- accumulators: 17 bits leave when the weight grows ----
@@ -135,7 +135,7 @@ module rt_leaf_sums #(
             wire [73:0] b = {b_q, b_low_q}, oc2 = {k_q, k_low_q};
             assign b_o = b[BW-1:0];
             assign k_o = {3'd0, rad2_q} - oc2[KW-1:0];
-            wire unused = &{1'b0, b, oc2, rad2, rad2_lh};
+            wire unused = &{1'b0, b, oc2, rad2_all};
         end
     endgenerate
 endmodule

@@ -109,7 +109,7 @@ module rt_bounce_twelve #(
     // ---- dn: three products of each weight in slots 3 to 5, joined; from slot 8 on ----
     reg  signed [37:0] ll_q, hh_q;
     reg  signed [38:0] mid_q;
-    reg  [55:0]        low_dn_q;
+    reg  [51:0]        low_dn_q;
     reg  [51:0]        dn_sum_q;
     wire signed [37:0] p0 = {{2{s2_p0_q[35]}}, s2_p0_q}, p1 = {{2{s2_p1_q[35]}}, s2_p1_q};
     wire signed [38:0] p2 = {{3{s2_p2_q[35]}}, s2_p2_q}, p3 = {{3{s2_p3_q[35]}}, s2_p3_q};
@@ -119,8 +119,8 @@ module rt_bounce_twelve #(
             hh_q  <= (slot_q[3] ? 38'sd0 : hh_q) + p1;
             mid_q <= (slot_q[3] ? 39'sd0 : mid_q) + (p2 + p3);
         end
-        low_dn_q <= {{18{ll_q[37]}}, ll_q} + {mid_q, 17'd0};
-        dn_sum_q <= low_dn_q[51:0] + {hh_q[17:0], 34'd0};
+        low_dn_q <= {{{14{ll_q[37]}}, ll_q[37:17]} + mid_q[34:0], ll_q[16:0]};
+        dn_sum_q <= {low_dn_q[51:34] + hh_q[17:0], low_dn_q[33:0]};
     end
     assign dn = dn_sum_q;
 
@@ -154,6 +154,6 @@ module rt_bounce_twelve #(
         .out_valid_o(out_valid_o),
         .out_x_o(out_dir_x_o), .out_y_o(out_dir_y_o), .out_z_o(out_dir_z_o)
     );
-    wire unused = &{1'b0, v, p2, p3, hh_q, low_dn_q, first_q[5], s4_f_q};
+    wire unused = &{1'b0, v, p2, p3, hh_q, mid_q, first_q[5], s4_f_q};
 endmodule
 `default_nettype wire
