@@ -1,7 +1,8 @@
 // rt_units.v - one unit for unit vectors, or two that take turns: UNITS vectors in INTERVAL clocks
 // SPDX-License-Identifier: Apache-2.0
 // The second one starts half an interval behind, so never both take, and never both give.
-// Latency that of rt_unit or rt_unit_four. Model: sph_unit() in cmodel/math/rsqrt.c
+// Below 18 bits they are rt_unit in any case. Latency that of rt_unit or rt_unit_four.
+// Model: sph_unit() in cmodel/math/rsqrt.c
 `default_nettype none
 `include "rt_check.vh"
 module rt_units #(
@@ -14,7 +15,8 @@ module rt_units #(
     input  wire                   rst,
     // a vector {z, y, x}
     input  wire                   in_valid_i,
-    input  wire                   in_first_i, // for the first unit only
+    input  wire                   in_spread_i, // not a clock behind another such: of two fast units
+                                               // the first only
     output wire                   in_ready_o,
     input  wire [TAG-1:0]         in_tag_i,
     input  wire [3*BITS-1:0]      in_vec_i,
@@ -29,7 +31,8 @@ module rt_units #(
     localparam RW = TAG + 2*BITS + 54 + 17 + 6;
     wire [UNITS-1:0] ready, valid;
     wire [UNITS*RW-1:0] results;
-    wire [UNITS-1:0] may = {UNITS{!in_first_i}} | {{(UNITS-1){1'b0}}, 1'b1};
+    localparam FOUR = INTERVAL == 4 && BITS >= 18;    // narrower ones need no pieces
+    wire [UNITS-1:0] may = {UNITS{FOUR || !in_spread_i}} | {{(UNITS-1){1'b0}}, 1'b1};
     `RT_CHECK(UNITS >= 1 && UNITS <= 2, rt_units_UNITS_must_be_1_or_2)
     `RT_CHECK(INTERVAL == 2 || INTERVAL == 4, rt_units_INTERVAL_must_be_2_or_4)
     genvar g;
@@ -40,7 +43,7 @@ module rt_units #(
             wire [2*BITS-1:0]  vv;
             wire [16:0]        rsqrt;
             wire [5:0]         h;
-            if (INTERVAL == 2) begin : g_two
+            if (!FOUR) begin : g_two
                 rt_unit #(.BITS(BITS), .TAG(TAG), .ODD(g)) u_unit (
                     .clk(clk), .rst(rst),
                     .in_valid_i(in_valid_i && may[g]), .in_ready_o(ready[g]), .in_tag_i(in_tag_i),

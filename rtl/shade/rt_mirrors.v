@@ -9,7 +9,7 @@
 module rt_mirrors #(
     parameter W     = 16,  // coordinate, bits
     parameter WD    = 17,  // direction component, bits
-    parameter INTERVAL = 10, // clocks a direction, 10 or 12
+    parameter INTERVAL = 10, // clocks a direction, 10 or 12; below 18 bits of WD 10 in any case
     parameter SLOTS = 32  // power of two
 ) (
     input  wire              clk,
@@ -54,7 +54,7 @@ module rt_mirrors #(
         if (rst) n_valid_q <= 1'b0;
     end
     generate
-        if (INTERVAL == 12) begin : g_twelve
+        if (INTERVAL == 12 && WD >= 18) begin : g_twelve
             rt_bounce_twelve #(.WD(WD), .TAG(SLOTW)) u_bounce (
                 .clk(clk), .rst(rst), .in_valid_i(n_valid_q), .in_ready_o(ready),
                 .in_tag_i(n_slot_q),

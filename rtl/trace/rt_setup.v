@@ -60,9 +60,7 @@ module rt_setup #(
     );
 
     // ---- unit vector ----
-    // Lights leave at the pace of rt_cosine, every second clock at most: of two units that could be
-    // faster they take the first only.
-    wire              v_first = UNIT_INTERVAL == 2 && v_light;
+    // Lights leave at the pace of rt_cosine, every second clock at most.
     localparam KB     = NORMALS != 0 ? 2 : 0;         // bits of a kind
     wire [SLOTW+1:0]  v_tag = {v_slot, v_kind};
     wire              u_valid;
@@ -76,7 +74,7 @@ module rt_setup #(
     wire [5:0]        u_shift;
     rt_units #(.BITS(WD), .TAG(SLOTW+KB), .UNITS(UNITS), .INTERVAL(UNIT_INTERVAL)) u_units (
         .clk(clk), .rst(rst),
-        .in_valid_i(v_valid), .in_first_i(v_first), .in_ready_o(v_ready),
+        .in_valid_i(v_valid), .in_spread_i(v_light), .in_ready_o(v_ready),
         .in_tag_i(v_tag[SLOTW+1 -: SLOTW+KB]), .in_vec_i(v_vec),
         .out_valid_o(u_valid), .out_tag_o(u_tag[SLOTW+1 -: SLOTW+KB]), .out_vv_o(u_vv),
         .out_u_o(u_unit), .out_y_o(u_rsqrt), .out_h_o(u_shift)
