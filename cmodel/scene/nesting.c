@@ -9,6 +9,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "prim/prim.h"
 #include "scene/edit.h"
 
 int sph_material_clear(const struct sph_material *m) {
@@ -76,7 +77,9 @@ static double behind_planes(const struct sph_scene *scene, const struct sph_sphe
     double nearest = INFINITY, index = 1;
     for (uint32_t i = 0; i < scene->n_facets; i++) {
         const struct sph_facet *f = &scene->facets[i];
-        if (f->kind != SPH_PLANE || !sph_material_clear(&scene->materials[f->material])) continue;
+        if (!sph_prim_of((uint32_t)f->kind)->loose ||
+            !sph_material_clear(&scene->materials[f->material]))
+            continue;
         double deep = behind(f, s);
         if (deep >= 0 && deep < nearest)
             nearest = deep, index = sph_index_inside(&scene->materials[f->material]);

@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-#include "machine/layout.h" /* SPH_PLANE */
+#include "machine/layout.h" /* SPH_TRIANGLE, SPH_PLANE */
 #include "scene/pov_surface.h"
 
 void sph_pov_images(const struct sph_scene *s, FILE *f) {
@@ -110,19 +110,22 @@ static void slopes_of_triangle(const struct sph_facet *f, double slope[2][3]) {
                           dot(n, n);
 }
 
+/* Of each kind: how s and t rise, and which of st says what they are at v[0]. */
+static const struct {
+    void (*slopes)(const struct sph_facet *, double slope[2][3]);
+    int start;
+} kinds[SPH_KINDS] = {[SPH_TRIANGLE] = {slopes_of_triangle, 0}, [SPH_PLANE] = {slopes_of_plane, 1}};
+
 void sph_pov_flat(const struct sph_scene *scene, const struct sph_facet *f, double scale,
                   FILE *file) {
     static const char *const way[2] = {"Along", "Along"};
     const double at[3] = {f->v[0].x, f->v[0].y, f->v[0].z};
     double values[2][4], slope[2][3];
-    if (f->kind == SPH_PLANE)
-        slopes_of_plane(f, slope);
-    else
-        slopes_of_triangle(f, slope);
+    kinds[f->kind].slopes(f, slope);
     for (int k = 0; k < 2; k++) {
         for (int i = 0; i < 3; i++)
             values[k][i] = slope[k][i];
-        values[k][3] = (f->kind == SPH_PLANE ? f->st[1][k] : f->st[0][k]) - dot(slope[k], at);
+        values[k][3] = f->st[kinds[f->kind].start][k] - dot(slope[k], at);
     }
     put_pigment(file, scene, f->texture, f->material, way, values, 4);
     fputs(" scale ", file);

@@ -11,7 +11,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "machine/layout.h" /* SPH_TRIANGLE, SPH_PLANE */
+#include "prim/prim.h"
 #include "scene/nesting.h"
 #include "scene/pov_image.h"
 #include "scene/pov_surface.h"
@@ -28,6 +28,11 @@ static double distance(struct sph_vec a, struct sph_vec b) {
     return hypot(hypot(a.x - b.x, a.y - b.y), a.z - b.z);
 }
 
+/* A facet without bounds: a plane. */
+static int endless(const struct sph_scene *s, uint32_t facet) {
+    return sph_prim_of((uint32_t)s->facets[facet].kind)->loose;
+}
+
 /* The power of two that brings spheres, triangles and points of planes so near to the eye. */
 static double scale_of(const struct sph_scene *s) {
     double most = distance(s->camera.from, s->camera.at);
@@ -35,9 +40,9 @@ static double scale_of(const struct sph_scene *s) {
     for (uint32_t i = 0; i < s->n_spheres; i++)
         most = fmax(most, distance(s->spheres[i].ctr, s->camera.from) + s->spheres[i].rad);
     for (uint32_t i = 0; i < s->n_facets; i++) {
-        int plane = s->facets[i].kind == SPH_PLANE;
-        if (plane) extent = EXTENT_LOG2_PLANE;
-        for (int k = 0; k < (plane ? 1 : 3); k++)
+        int one = endless(s, i); /* point of it */
+        if (one) extent = EXTENT_LOG2_PLANE;
+        for (int k = 0; k < (one ? 1 : 3); k++)
             most = fmax(most, distance(s->facets[i].v[k], s->camera.from));
     }
     frexp(most, &log2);
@@ -126,6 +131,9 @@ static void put_plane(const struct writer *w, const struct sph_facet *f) {
     sph_pov_number(w->file, (n.x * p.x + n.y * p.y + n.z * p.z) * w->scale);
 }
 
+static void (*const put_facet[SPH_KINDS])(const struct writer *, const struct sph_facet *) = {
+    [SPH_TRIANGLE] = put_triangle, [SPH_PLANE] = put_plane};
+
 /* A primitive by its number, without the bracket that ends it; its material. */
 static uint32_t put_shape(const struct writer *w, uint32_t id) {
     if (id < w->scene->n_spheres) {
@@ -133,10 +141,7 @@ static uint32_t put_shape(const struct writer *w, uint32_t id) {
         return w->scene->spheres[id].material;
     }
     const struct sph_facet *f = &w->scene->facets[id - w->scene->n_spheres];
-    if (f->kind == SPH_PLANE)
-        put_plane(w, f);
-    else
-        put_triangle(w, f);
+    put_facet[f->kind](w, f);
     return f->material;
 }
 
@@ -174,15 +179,15 @@ static void put_primitive(const struct writer *w, uint32_t id) {
     fputs(" }\n", w->file);
 }
 
-/* The triangles of a transparent material bound what is inside of them together. */
+/* The facets of a transparent material bound what is inside of them together. */
 static void put_solid(const struct writer *w, uint32_t material) {
     const struct sph_scene *s = w->scene;
     uint32_t n = 0;
     for (int shade = 0; shade < 2; shade++) {
         for (uint32_t i = 0; i < s->n_facets; i++) {
-            if (s->facets[i].kind == SPH_PLANE || s->facets[i].material != material) continue;
+            if (endless(s, i) || s->facets[i].material != material) continue;
             if (!n++) fputs("union {\n", w->file);
-            put_triangle(w, &s->facets[i]);
+            put_facet[s->facets[i].kind](w, &s->facets[i]);
             if (!shade) put_look(w, s->n_spheres + i, material);
             fputs(" }\n", w->file);
         }
@@ -207,14 +212,18 @@ static void put_scene(const struct writer *w, const struct sph_pov_options *o) {
     for (uint32_t i = 0; i < s->n_spheres; i++)
         put_primitive(w, i);
     for (uint32_t i = 0; i < s->n_facets; i++)
-        if (s->facets[i].kind == SPH_PLANE || !clear(s, s->facets[i].material))
-            put_primitive(w, s->n_spheres + i);
+        if (endless(s, i) || !clear(s, s->facets[i].material)) put_primitive(w, s->n_spheres + i);
     for (uint32_t i = 0; i < s->n_materials; i++)
         if (clear(s, i)) put_solid(w, i);
 }
 
 int sph_scene_write_pov(const struct sph_scene *scene, const struct sph_pov_options *options,
                         FILE *file, struct sph_error *err) {
+    for (uint32_t i = 0; i < scene->n_facets; i++)
+        if (!put_facet[scene->facets[i].kind])
+            return sph_fail(err, "%s:%d: a %s cannot be written for POV-Ray", scene->path,
+                            scene->facets[i].line,
+                            sph_prim_of((uint32_t)scene->facets[i].kind)->name);
     locale_t c_locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
     if (!c_locale) return sph_fail(err, "%s: no memory to write", scene->path);
     locale_t before = uselocale(c_locale);
