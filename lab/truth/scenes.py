@@ -3,7 +3,7 @@
 from pathlib import Path
 
 SIZE = (320, 180)
-PROFILES = ["draft", "standard", "fine", "reference"]
+PROFILES = ["auto", "draft", "standard", "fine", "reference"]
 PROTEIN = "/usr/share/pymol/data/demo/1tii.pdb"
 GENERATED = ["balls:3", "mount:4", "tetra:4", "shells:4", "rings:3", "lattice:3", "jacks:3",
              "tree:4", "sphereflake:4", "icosphere:4", "random:1000", "scenario2:64", "cover",
