@@ -131,7 +131,8 @@ static void naive_random(void **state) {
             m->shine = 1 + 254 * uniform(&rng);
             m->trans = i % 2 ? uniform(&rng) : 0;
             m->ior = i % 3 ? 0.8 + uniform(&rng) : 0.25 + 3.75 * uniform(&rng);
-            m->sum = (struct sph_sum){i != 4, uniform(&rng), i % 3 ? uniform(&rng) : 0};
+            m->sum = (struct sph_sum){
+                .on = i != 4, .ka = uniform(&rng), .kr = i % 3 ? uniform(&rng) : 0};
         }
         for (int i = 0; i < N; i++)
             spheres[i] = (struct sph_sphere){
