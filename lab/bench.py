@@ -22,7 +22,7 @@ def run(*command):
 
 def render(tool, scene, options):
     size = SMALL if "4096" in scene else SIZE
-    words = ["--size", size, "--threads", "1"] + options.split()
+    words = ["--profile", "standard", "--size", size, "--threads", "1"] + options.split()
     return json.loads(run(tool, "render", scene, *words, "--json", "-"))
 
 

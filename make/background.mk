@@ -51,13 +51,14 @@ background: $(BG_NAMES:%=$(BG)/%.json) $(BG_RUNS) $(BG_SYNTH:%=%/stat.json) \
 $(BG)/%.json: %.nff $(TOOL)
 	$(call say,WAYS,$*)
 	@mkdir -p $(@D)
-	$(Q)$(TOOL) background $< --size $(BG_SIZE) --json $@ >$(BG)/$*.log
+	$(Q)$(TOOL) background $< --profile standard --size $(BG_SIZE) --json $@ >$(BG)/$*.log
 
 define bg_way
 .PRECIOUS: $(BG)/%-$(1).sph
 $(BG)/%-$(1).sph: %.nff $(TOOL)
 	@mkdir -p $$(@D)
-	$$(Q)$(TOOL) build $$< --size $(BG_SIZE) --background $(BG_$(1)) -o $$@ >$(BG)/$$*-$(1).log
+	$$(Q)$(TOOL) build $$< --profile standard --size $(BG_SIZE) --background $(BG_$(1)) -o $$@ \
+	    >$(BG)/$$*-$(1).log
 
 $(BG)/%-$(1).core.json: $(BG)/%-$(1).sph $(V_FILES) $(V_HEADS)
 	$$(call say,SIM,"$$* $(1)")
@@ -76,7 +77,7 @@ $(BG_SYNTH:%=%/stat.json): $B/synth/standard-ecp5-%-engines1/stat.json: $(V_FILE
 $(BG)/drawn-%: %.nff $(TOOL)
 	@rm -rf $@
 	@mkdir -p $@
-	$(Q)$(TOOL) background $< --size 80x45 --pictures $@ >$@/log
+	$(Q)$(TOOL) background $< --profile standard --size 80x45 --pictures $@ >$@/log
 
 define bg_picture
 $(BG_SHOWN)/$(1).png: $(BG)/drawn-$(word 1,$(subst -, ,$(1)))

@@ -26,6 +26,6 @@ $(SCN)/drawn.nff: $(TOOL)
 
 $(SCN_SHOWN)/depth%.png: $(SCN)/drawn.nff
 	@mkdir -p $(@D)
-	$(Q)$(TOOL) render $< --size 160x272 --depth 0 --shadow off --accel bih \
+	$(Q)$(TOOL) render $< --profile standard --size 160x272 --depth 0 --shadow off --accel bih \
 	    --max-tree-depth $(word 1,$(subst -, ,$*)) --max-prims $(word 2,$(subst -, ,$*)) \
 	    --walk $@ >$(SCN)/draw.log

@@ -78,7 +78,8 @@ define tex_scene
 $(TEX)/$(1)-truth.tif: scenes/texture/$(1).nff $(TEX_IMAGES) $(TOOL)
 	$$(call say,TRUE,$(1))
 	@mkdir -p $$(@D)
-	$$(Q)$(TOOL) render $$< --filter bilinear --transfer linear -o $(TEX)/$(1)-large.png --size \
+	$$(Q)$(TOOL) render $$< --profile standard --filter bilinear --transfer linear \
+	    -o $(TEX)/$(1)-large.png --size \
 	    $$$$(($(TEX_WIDTH) * $(TEX_TRUTH)))x$$$$(($(TEX_HEIGHT) * $(TEX_TRUTH))) >$$(@:.tif=.log)
 	$$(Q)oiiotool $(TEX)/$(1)-large.png --resize:filter=box $(TEX_SIZE) -d float -o $$@
 	@rm $(TEX)/$(1)-large.png
@@ -86,12 +87,12 @@ $(TEX)/$(1)-truth.tif: scenes/texture/$(1).nff $(TEX_IMAGES) $(TOOL)
 $(TEX)/$(1).levels.json: scenes/texture/$(1).nff $(TEX_IMAGES) $(TOOL)
 	$$(call say,LEVL,$(1))
 	@mkdir -p $$(@D)
-	$$(Q)$(TOOL) accuracy $$< --size $(TEX_SIZE) --json $$@ >$$(@:.json=.log)
+	$$(Q)$(TOOL) accuracy $$< --profile standard --size $(TEX_SIZE) --json $$@ >$$(@:.json=.log)
 
 $(TEX)/$(1)-lod%.png: scenes/texture/$(1).nff $(TEX_IMAGES) $(TOOL)
 	@mkdir -p $$(@D)
-	$$(Q)$(TOOL) render $$< --size $(TEX_SIZE) --lod-bits $$* --transfer linear -o $$@ \
-	    >$$(@:.png=.log)
+	$$(Q)$(TOOL) render $$< --profile standard --size $(TEX_SIZE) --lod-bits $$* \
+	    --transfer linear -o $$@ >$$(@:.png=.log)
 
 # seen, in this order: without, nearest level, two levels, the truth
 $(TEX_SHOWN)/$(1).png: $(TEX_DRAWN:%=$(TEX)/$(1)-%.png) $(TEX)/$(1)-truth.tif
@@ -103,23 +104,26 @@ $(foreach n,$(TEX_NAMES),$(eval $(call tex_scene,$n)))
 define tex_both
 $(TEX)/$(1).png: scenes/texture/$(firstword $(subst -, ,$(1))).nff $(TEX_IMAGES) $(TOOL)
 	@mkdir -p $$(@D)
-	$$(Q)$(TOOL) render $$< --size $(TEX_SIZE) --filter $(call tex_way,$(1)) --transfer linear \
-	    -o $$@ \
+	$$(Q)$(TOOL) render $$< --profile standard --size $(TEX_SIZE) --transfer linear \
+	    --filter $(call tex_way,$(1)) -o $$@ \
 	    >$$(@:.png=.log)
 
 $(TEX)/$(1).json: scenes/texture/$(firstword $(subst -, ,$(1))).nff $(TEX_IMAGES) $(TOOL)
 	$$(call say,TEXL,$(1))
 	@mkdir -p $$(@D)
-	$$(Q)$(TOOL) texels $$< --size $(TEX_SIZE) --filter $(call tex_way,$(1)) --json $$@ >/dev/null
+	$$(Q)$(TOOL) texels $$< --profile standard --size $(TEX_SIZE) --filter $(call tex_way,$(1)) \
+	    --json $$@ >/dev/null
 
 $(TEX)/$(1)-rtl.json: scenes/texture/$(firstword $(subst -, ,$(1))).nff $(TEX_IMAGES) $(TOOL)
 	@mkdir -p $$(@D)
-	$$(Q)$(TOOL) texels $$< --size $(TEX_RTL) --filter $(call tex_way,$(1)) --json $$@ >/dev/null
+	$$(Q)$(TOOL) texels $$< --profile standard --size $(TEX_RTL) --filter $(call tex_way,$(1)) \
+	    --json $$@ >/dev/null
 
 .PRECIOUS: $(TEX)/$(1).sph
 $(TEX)/$(1).sph: scenes/texture/$(firstword $(subst -, ,$(1))).nff $(TEX_IMAGES) $(TOOL)
 	@mkdir -p $$(@D)
-	$$(Q)$(TOOL) build $$< --accel bvh4 --size $(TEX_RTL) --filter $(call tex_way,$(1)) -o $$@ >$$@.log
+	$$(Q)$(TOOL) build $$< --profile standard --accel bvh4 --size $(TEX_RTL) \
+	    --filter $(call tex_way,$(1)) -o $$@ >$$@.log
 
 $(TEX)/$(1).core.json: $(TEX)/$(1).sph $(V_FILES) $(V_HEADS)
 	$$(call say,SIM,$(1))
@@ -140,7 +144,7 @@ define tex_small
 .PRECIOUS: $(TEX)/$(1).sph
 $(TEX)/$(1).sph: scenes/texture/$(call tex_word,$(1),1).nff $(TEX_IMAGES) $(TOOL)
 	@mkdir -p $$(@D)
-	$$(Q)$(TOOL) build $$< --size $(TEX_SMALL) --filter $(call tex_way,$(1)) \
+	$$(Q)$(TOOL) build $$< --profile standard --size $(TEX_SMALL) --filter $(call tex_way,$(1)) \
 	    $(TEX_$(call tex_word,$(1),2)) -o $$@ >$$@.log
 endef
 $(foreach m,$(TEX_MACHINES),$(eval $(call tex_small,$m)))
@@ -163,7 +167,8 @@ $(foreach b,$(TEX_BOTH) $(TEX_LOD_BOTH),$(eval $(call tex_rms,$b)))
 
 $(TEX)/%-walk.json: scenes/texture/%.nff $(TEX_IMAGES) $(TOOL)
 	@mkdir -p $(TEX)/views
-	$(Q)$(TOOL) build $< --size $(TEX_SIZE) --frames 0..2 -o $(TEX)/views/$*.sph --json $@ >/dev/null
+	$(Q)$(TOOL) build $< --profile standard --size $(TEX_SIZE) --frames 0..2 \
+	    -o $(TEX)/views/$*.sph --json $@ >/dev/null
 
 # narrow views of the floor: `at` is 1 away from the eye, 2 above it; one of the ball
 $(TEX)/slant-%.json: scenes/texture/slant.nff $(TEX_IMAGES) $(TOOL)
@@ -173,7 +178,7 @@ $(TEX)/slant-%.json: scenes/texture/slant.nff $(TEX_IMAGES) $(TOOL)
 	    $$1 == "at" { a = view * atan2(0, -1) / 180; print "at 0", 2 - sin(a), -cos(a); next } \
 	    $$1 == "angle" { print "angle", view == "ball" ? 40 : 16; next } { print }' $< \
 	    >$(TEX)/views/slant-$*.nff
-	$(Q)$(TOOL) accuracy $(TEX)/views/slant-$*.nff --json $@ \
+	$(Q)$(TOOL) accuracy $(TEX)/views/slant-$*.nff --profile standard --json $@ \
 	    --size $(if $(filter ball,$*),192x108,96x54) >$(@:.json=.log)
 
 $(TEX_SHOWN)/scenes.png: $(TEX_NAMES:%=$(TEX)/%-between.png)

@@ -12,8 +12,9 @@
 ## SCENE <scene> a file (.nff), the name of one in scenes/, or KIND:N of `sphaera gen`
 SCENE ?= sphereflake2
 ## PROFILE <profile>|auto|all@synth draft, standard, fine, reference; or with widths:
-##             NAME:w=14,...; auto: the cheapest of the four that keeps ERROR
-PROFILE ?= standard
+##             NAME:w=14,...; auto: the cheapest of the four that keeps ERROR,
+##             of make synth without SCENE standard
+PROFILE ?= auto
 ## ERROR <error>| of auto: pixels that what is seen may be off, and dB; others are warned of
 ##             (empty: 0.125,45)
 ERROR ?=

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # start FOLDER    SEED, BUILD, CORE by default; empties FOLDER of $BUILD/test, for machines
-# machine NAME SCENE [OPTION...]   builds one there; $every: options of all, nodes of four children
-#                                  unless a run asks for another tree
+# machine NAME SCENE [OPTION...]   builds one there; $every: options of all, standard and nodes of
+#                                  four children unless a run asks for something else
 # wanted NAME CORE SETTINGS MACHINE [OPTION...]   run of such a machine, if NAME has $CORE in it
 # run NAME CORE SETTINGS FILE [OPTION...]   notes a run; latency 1 to 60 by SEED and NAME
 # build_cores     builds what the runs need, each core once
@@ -25,7 +25,7 @@ machine() {
     file=$machines/$1.sph scene=$2
     shift 2
     # shellcheck disable=SC2086  # a list of words on purpose
-    "$SPHAERA" build "$scene" -o "$file" $every "$@" >"$TMP/build" 2>&1 ||
+    "$SPHAERA" build "$scene" -o "$file" --profile standard $every "$@" >"$TMP/build" 2>&1 ||
         check "$file" cat "$TMP/build"
 }
 wanted() {

@@ -58,6 +58,7 @@ int tool_build_scene(const struct tool_source *source, const struct sph_scene *s
     int rc = sph_build(scene, &o, &built->machine, report, err);
     while (rc && source->profile_auto && o.profile + 1 < SPH_PROFILES) {
         o.profile++;
+        err->text[0] = 0;
         rc = sph_build(scene, &o, &built->machine, report, err);
     }
     if (rc) return rc;

@@ -26,9 +26,8 @@ enum {
 static const struct argp_option options[] = {
     {NULL, 0, NULL, 0, "From scene to machine:", 1},
     {"profile", KEY_PROFILE, "NAME[:KEY=N,...]", 0,
-     "draft, standard (default), fine or reference, each with widths of its own: w, wd, pr, pq, "
-     "ng, "
-     "fw; or auto, the cheapest that keeps --error",
+     "auto (default), the cheapest that keeps --error; draft, standard, fine or reference, each "
+     "with widths of its own: w, wd, pr, pq, ng, fw",
      1},
     {"error", KEY_ERROR, "PIXELS[,DB]", 0,
      "how far what the eye sees may be off, at most, and the picture: 0.125,45", 1},
@@ -61,6 +60,7 @@ static const struct argp_option options[] = {
 #define AUTO(...) SPH_AUTO,
 const struct tool_source tool_source_default = {
     .samples = 1,
+    .profile_auto = 1,
     .keep = {SPH_KEEP_PIXELS, SPH_KEEP_PSNR},
     .build = {.profile = SPH_STANDARD,
               .tree = SPH_TREE_BALANCED,

@@ -72,7 +72,7 @@ static int choose(struct run *run, const struct tool_source *source,
     for (int i = 0; i < 2 && source->profile_auto; i++) {
         struct sph_scene moved;
         struct sph_profile_choice choice;
-        if (sph_scene_at(&run->rest, ends[i], &moved, err)) return -1;
+        if (sph_scene_at(&run->rest, ends[i], &moved, NULL)) continue; /* told when it is built */
         int rc = tool_profile(source, &moved, &run->options, &choice, err);
         sph_scene_at_free(&moved);
         if (rc) return rc;

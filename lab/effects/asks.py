@@ -40,7 +40,8 @@ def asked(tool, scene):
     """The list of a scene's machine."""
     with tempfile.TemporaryDirectory() as folder:
         machine = folder + "/machine.sph"
-        subprocess.run([tool, "build", scene, "--size", "64x36", "--accel", "bvh4", "-o", machine],
+        subprocess.run([tool, "build", scene, "--profile", "standard", "--size", "64x36",
+                        "--accel", "bvh4", "-o", machine],
                        check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         info = subprocess.run([tool, "info", machine], check=True, stdout=subprocess.PIPE,
                               text=True).stdout

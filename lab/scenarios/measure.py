@@ -62,7 +62,8 @@ class Runner:
         print("  RUN ", name, flush=True)
         sph, times, result = self.path(name + ".sph"), [], {}
         for _ in range(builds):
-            report = json.loads(self.run("build", scene, *build, "-o", sph, "--json", "-"))
+            report = json.loads(self.run("build", scene, "--profile", "standard", *build, "-o", sph,
+                                         "--json", "-"))
             times.append(report["build"]["tree_seconds"])
         result["build"], result["build_times"] = report, times
         if renders:

@@ -80,8 +80,9 @@ check "one that keeps it is not" test ! -s "$TMP/err"
     2>"$TMP/err"
 check "but of a smaller error" has "which misses 0.001 pixels, 45 dB: profile reference would do" \
     "$TMP/err"
-"$s" build scenes/paper5.nff --profile auto -o "$TMP/x.sph" --json "$TMP/j.json" >"$TMP/text"
-check "the report has both" sh -c "grep -q '\"profile_why\": \"standard: ' '$TMP/j.json' &&
+"$s" build scenes/paper5.nff -o "$TMP/x.sph" --json "$TMP/j.json" >"$TMP/text"
+check "auto is the default, and the report has both" sh -c \
+    "grep -q '\"profile_why\": \"standard: ' '$TMP/j.json' &&
     grep -q '\"expected\": {' '$TMP/j.json'"
 for bad in x 0 -1 1e10 0.1, 0.1,x 0.1,100 ,45; do
     fails 2 "--error $bad" "$s" build scenes/paper5.nff -o "$TMP/y.sph" --error "$bad"
