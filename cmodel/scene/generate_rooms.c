@@ -73,8 +73,9 @@ int sph_make_cover(const struct sph_generate_options *options, struct sph_scene 
                                  i == 0 ? 10 : SPH_PALETTE_SIZE + i % 2, 0, err))
             return -1;
     for (int i = 0; i < 22 * 22; i++) {
-        double x = i % 22 - 11 + sph_rng_range(&rng, 0.2, 0.8);
-        double z = i / 22 - 11 + sph_rng_range(&rng, 0.2, 0.8);
+        const int column = i % 22 - 11, row = i / 22 - 11;
+        double x = column + sph_rng_range(&rng, 0.2, 0.8);
+        double z = row + sph_rng_range(&rng, 0.2, 0.8);
         double y = sqrt((ground + small) * (ground + small) - x * x - z * z) - ground;
         double what = sph_rng_range(&rng, 0, 1);
         uint32_t plain = (uint32_t)(sph_rng_next(&rng) % SPH_PALETTE_SIZE);
