@@ -28,11 +28,6 @@ struct look {
     double rgb[3];
 };
 
-static double distance(const struct sph_ref_step *s) {
-    const double *d = s->ray.dir;
-    return s->hit.t * sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-}
-
 static void look(const struct sph_ref_job *j, int x, int y, struct look *out) {
     struct sph_ref_seen seen = {.log = &out->log};
     sph_ref_look(j, x, y, &seen);
@@ -57,7 +52,8 @@ static double edge(const struct sph_waver *w, const struct look *a, const struct
             return fmax(part, *smooth + sph_waver_edge(w, s, t, &of_a[k], &of_b[k]));
         }
         if (s->hit.id == SPH_ID_NONE) continue;
-        *smooth = fmax(*smooth, of_a[k].across / sph_waver_width(&s->ray, &t->ray, distance(s)));
+        *smooth = fmax(*smooth,
+                       of_a[k].across / sph_waver_width(&s->ray, &t->ray, sph_waver_distance(s)));
         uint32_t differ = (s->blocked ^ t->blocked) & s->faced & t->faced;
         for (int l = 0; l < w->scene->n_lights; l++)
             if (differ >> l & 1) part = fmax(part, sph_waver_shadow(w, s, t, &of_a[k], l));
@@ -96,8 +92,8 @@ static void add_pixel(const struct sph_waver *w, const struct look *a, const str
         sums->square += off * off;
     }
     if (s->hit.id == SPH_ID_NONE) return;
-    double by =
-        sph_waver_worst(w, s->hit.id) / sph_waver_width(&s->ray, &b->log.step[0].ray, distance(s));
+    double by = sph_waver_worst(w, s->hit.id) /
+                sph_waver_width(&s->ray, &b->log.step[0].ray, sph_waver_distance(s));
     sums->pixels = fmax(sums->pixels, by + shift);
 }
 

@@ -8,20 +8,13 @@
 
 #include "prim/prim.h"
 #include "prim/scene.h"
+#include "scene/vector.h"
 
 enum { MARGIN = 4 }; /* grid units kept free at each side */
 
 struct box {
     double lo[3], hi[3];
 };
-
-static struct sph_vec sub(struct sph_vec a, struct sph_vec b) {
-    return (struct sph_vec){a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-static struct sph_vec cross(struct sph_vec a, struct sph_vec b) {
-    return (struct sph_vec){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 
 /* Divides by the length; 0 if there is none. */
 static int normalise(struct sph_vec *v) {
@@ -36,13 +29,13 @@ static int normalise(struct sph_vec *v) {
 /* The camera looks along -z, x to the right, y up. */
 static int rotation(const struct sph_scene *scene, double m[9], struct sph_error *err) {
     const struct sph_camera *cam = &scene->camera;
-    struct sph_vec z = sub(cam->from, cam->at), up = cam->up;
+    struct sph_vec z = sph_vec_sub(cam->from, cam->at), up = cam->up;
     if (!normalise(&z)) return sph_fail(err, "%s: from and at are the same point", scene->path);
     if (!normalise(&up)) return sph_fail(err, "%s: up has no direction", scene->path);
-    struct sph_vec x = cross(up, z);
+    struct sph_vec x = sph_vec_cross(up, z);
     if (x.x * x.x + x.y * x.y + x.z * x.z < 1e-20 || !normalise(&x))
         return sph_fail(err, "%s: up is parallel to the view", scene->path);
-    struct sph_vec y = cross(z, x);
+    struct sph_vec y = sph_vec_cross(z, x);
     const double rows[9] = {x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z};
     memcpy(m, rows, sizeof rows);
     return 0;
@@ -69,7 +62,7 @@ static int add_facets(const struct sph_scene *scene, const double m[9], struct b
         const struct sph_prim_scene *kind = sph_prim_scene_of((uint32_t)f->kind);
         for (int k = 0; k < 3; k++) {
             double at[3], size = fabs(f->v[k].x) + fabs(f->v[k].y) + fabs(f->v[k].z);
-            turn(m, sub(f->v[k], scene->camera.from), at);
+            turn(m, sph_vec_sub(f->v[k], scene->camera.from), at);
             if (!isfinite(size + at[0] + at[1] + at[2]) || (k == kind->points && !(size > 0)))
                 return sph_fail(err, "%s:%u: %s needs %s", scene->path, f->line,
                                 sph_prim_of((uint32_t)f->kind)->name, kind->wants);
@@ -85,14 +78,14 @@ static int bounds(const struct sph_scene *scene, const double m[9], struct box *
     double at[3];
     memset(box, 0, sizeof *box); /* the eye */
     for (int l = 0; l < scene->n_lights; l++) {
-        turn(m, sub(scene->lights[l].pos, scene->camera.from), at);
+        turn(m, sph_vec_sub(scene->lights[l].pos, scene->camera.from), at);
         if (!isfinite(at[0] + at[1] + at[2]))
             return sph_fail(err, "%s: light %d is not at a finite place", scene->path, l);
         box_add(box, at, 0);
     }
     for (uint32_t i = 0; i < scene->n_spheres; i++) {
         const struct sph_sphere *s = &scene->spheres[i];
-        turn(m, sub(s->ctr, scene->camera.from), at);
+        turn(m, sph_vec_sub(s->ctr, scene->camera.from), at);
         if (!isfinite(at[0] + at[1] + at[2] + s->rad) || !(s->rad > 0))
             return sph_fail(err, "%s:%u: sphere needs a finite centre and a radius above zero",
                             scene->path, s->line);
@@ -159,7 +152,7 @@ int sph_grid_fit(const struct sph_scene *scene, int w, struct sph_grid *grid,
 void sph_grid_point(const struct sph_grid *grid, const struct sph_scene *scene, struct sph_vec p,
                     int32_t out[3]) {
     double at[3];
-    turn(grid->rotation, sub(p, scene->camera.from), at);
+    turn(grid->rotation, sph_vec_sub(p, scene->camera.from), at);
     for (int i = 0; i < 3; i++)
         out[i] = (int32_t)lround(at[i] / grid->step) + grid->eye[i];
 }
@@ -174,7 +167,7 @@ struct sph_ball sph_grid_ball(const struct sph_grid *grid, const struct sph_scen
 
 double sph_grid_off(const struct sph_grid *grid, const struct sph_scene *scene, struct sph_vec p) {
     double at[3], off = 0;
-    turn(grid->rotation, sub(p, scene->camera.from), at);
+    turn(grid->rotation, sph_vec_sub(p, scene->camera.from), at);
     for (int i = 0; i < 3; i++) {
         double by = at[i] - round(at[i] / grid->step) * grid->step;
         off += by * by;

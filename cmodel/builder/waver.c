@@ -15,7 +15,7 @@ static double length(const double v[3]) {
     return sqrt(dot(v, v));
 }
 
-static double distance(const struct sph_ref_step *s) {
+double sph_waver_distance(const struct sph_ref_step *s) {
     return s->hit.t * length(s->ray.dir);
 }
 
@@ -81,7 +81,7 @@ void sph_waver_log(const struct sph_waver *w, const struct sph_ref_log *log,
         *o = (struct sph_wavers){0, 0, 0, 0};
         parent[s->depth] = k;
         if (s->hit.id == SPH_ID_NONE) continue;
-        double far = distance(s), quotient = far * ldexp(1, 1 - p->pq);
+        double far = sph_waver_distance(s), quotient = far * ldexp(1, 1 - p->pq);
         double off = sph_waver_surface(w, s->hit.id), came = from.at + from.turn * far;
         const struct sph_facet *f = facet_of(w, s->hit.id);
         o->across = came + off;
@@ -117,8 +117,8 @@ static double meets(const struct sph_waver *w, const struct sph_ref_step *a, uin
 double sph_waver_edge(const struct sph_waver *w, const struct sph_ref_step *a,
                       const struct sph_ref_step *b, const struct sph_wavers *of_a,
                       const struct sph_wavers *of_b) {
-    double far_a = a->hit.id == SPH_ID_NONE ? INFINITY : distance(a);
-    double far_b = b->hit.id == SPH_ID_NONE ? INFINITY : distance(b);
+    double far_a = a->hit.id == SPH_ID_NONE ? INFINITY : sph_waver_distance(a);
+    double far_b = b->hit.id == SPH_ID_NONE ? INFINITY : sph_waver_distance(b);
     double other_a = meets(w, a, b->hit.id), other_b = meets(w, b, a->hit.id);
     if (isfinite(other_a) && isfinite(other_b) && isfinite(far_a) && isfinite(far_b)) {
         double gap = other_a - far_a + other_b - far_b; /* they cut each other */

@@ -33,6 +33,9 @@ void sph_waver_log(const struct sph_waver *w, const struct sph_ref_log *log,
 double sph_waver_surface(const struct sph_waver *w, uint32_t id);
 double sph_waver_worst(const struct sph_waver *w, uint32_t id);
 
+/* How far the ray of a step went. */
+double sph_waver_distance(const struct sph_ref_step *s);
+
 /* Distance between two rays of neighbouring pixels so far from their origins. */
 double sph_waver_width(const struct sph_ref_ray *a, const struct sph_ref_ray *b, double distance);
 

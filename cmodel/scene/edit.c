@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "scene/vector.h"
+
 #define FIRST_SIZE 64u /* elements of the first allocation; a power of two */
 
 /* Makes room for element number n of an array that only ever grew through this function.
@@ -110,20 +112,16 @@ void sph_scene_free(struct sph_scene *scene) {
     memset(scene, 0, sizeof *scene);
 }
 
-static double length(struct sph_vec v) {
-    return hypot(hypot(v.x, v.y), v.z);
-}
-
 int sph_camera_check(const struct sph_camera *camera, const char *where, struct sph_error *err) {
     const struct sph_vec f = camera->from, a = camera->at, u = camera->up;
     struct sph_vec dir = {a.x - f.x, a.y - f.y, a.z - f.z};
     struct sph_vec side = {dir.y * u.z - dir.z * u.y, dir.z * u.x - dir.x * u.z,
                            dir.x * u.y - dir.y * u.x};
-    double dist = length(dir), up = length(u);
-    if (!(dist > 1e-12 * fmax(length(f), length(a))))
+    double dist = sph_vec_length(dir), up = sph_vec_length(u);
+    if (!(dist > 1e-12 * fmax(sph_vec_length(f), sph_vec_length(a))))
         return sph_fail(err, "%s: camera: `from` and `at` are the same point", where);
     if (!(up > 0)) return sph_fail(err, "%s: camera: `up` is zero", where);
-    if (!(length(side) > 1e-9 * dist * up))
+    if (!(sph_vec_length(side) > 1e-9 * dist * up))
         return sph_fail(err, "%s: camera: `up` is parallel to the view", where);
     if (!(camera->angle > 0 && camera->angle < 180))
         return sph_fail(err, "%s: camera: `angle` %g is not between 0 and 180 degrees", where,

@@ -6,15 +6,12 @@
 #include <math.h>
 
 #include "scene/edit.h"
+#include "scene/vector.h"
 
 /* Two directions square to the axis and to each other: u x v looks along it. */
 struct frame {
     struct sph_vec u, v;
 };
-
-static struct sph_vec cross(struct sph_vec a, struct sph_vec b) {
-    return sph_vec_of(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
-}
 
 static struct sph_vec unit(struct sph_vec v) {
     double size = fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
@@ -28,8 +25,8 @@ static struct frame frame_of(const struct sph_frustum *c) {
         unit(sph_vec_of(c->apex.x - c->base.x, c->apex.y - c->base.y, c->apex.z - c->base.z));
     double x = fabs(w.x), y = fabs(w.y), z = fabs(w.z);
     struct sph_vec far = sph_vec_of(x <= y && x <= z, y < x && y <= z, z < x && z < y);
-    struct sph_vec u = unit(cross(far, w));
-    return (struct frame){u, cross(w, u)};
+    struct sph_vec u = unit(sph_vec_cross(far, w));
+    return (struct frame){u, sph_vec_cross(w, u)};
 }
 
 /* Corner i of n of the circle around a point. */

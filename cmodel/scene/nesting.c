@@ -11,6 +11,7 @@
 
 #include "prim/prim.h"
 #include "scene/edit.h"
+#include "scene/vector.h"
 
 int sph_material_clear(const struct sph_material *m) {
     return m->sum.on && m->trans > 0;
@@ -60,15 +61,14 @@ static const struct sph_material *look(const struct sph_scene *scene, uint32_t s
 }
 
 static int holds(const struct sph_sphere *a, const struct sph_sphere *b) {
-    double apart = hypot(hypot(a->ctr.x - b->ctr.x, a->ctr.y - b->ctr.y), a->ctr.z - b->ctr.z);
+    double apart = sph_vec_length(sph_vec_sub(a->ctr, b->ctr));
     return a->rad > b->rad && apart + b->rad <= a->rad;
 }
 
 /* How far a sphere lies behind a plane; below 0: not wholly. */
 static double behind(const struct sph_facet *plane, const struct sph_sphere *s) {
     struct sph_vec n = plane->v[1], p = plane->v[0];
-    double along = n.x * (s->ctr.x - p.x) + n.y * (s->ctr.y - p.y) + n.z * (s->ctr.z - p.z);
-    return -along / hypot(hypot(n.x, n.y), n.z) - s->rad;
+    return -sph_vec_dot(n, sph_vec_sub(s->ctr, p)) / sph_vec_length(n) - s->rad;
 }
 
 /* Index of refraction of the nearest transparent plane that the sphere is wholly behind; 1 if there

@@ -3,15 +3,12 @@
  */
 #include "scene/pdb_frame.h"
 #include "scene/edit.h"
+#include "scene/vector.h"
 
 #include <math.h>
 
 #define ANGLE 30.0  /* degrees, vertical */
 #define MARGIN 1.04 /* of the distance */
-
-static double dot(struct sph_vec p, struct sph_vec q) {
-    return p.x * q.x + p.y * q.y + p.z * q.z;
-}
 
 /* Eigenvectors of the symmetric matrix m as columns of axes, by Jacobi's rotations; the
  * eigenvalues are left on the diagonal of m. */
@@ -75,7 +72,7 @@ static void principal(const struct sph_scene *scene, struct sph_vec *right, stru
 static double middle(const struct sph_scene *scene, struct sph_vec axis) {
     double low = INFINITY, high = -INFINITY;
     for (uint32_t i = 0; i < scene->n_spheres; i++) {
-        double along = dot(scene->spheres[i].ctr, axis), rad = scene->spheres[i].rad;
+        double along = sph_vec_dot(scene->spheres[i].ctr, axis), rad = scene->spheres[i].rad;
         low = fmin(low, along - rad);
         high = fmax(high, along + rad);
     }
@@ -99,8 +96,8 @@ void sph_scene_frame(struct sph_scene *scene) {
      * (dist - z) sin h - y cos h >= rad. */
     for (uint32_t i = 0; i < scene->n_spheres; i++) {
         const struct sph_sphere *s = &scene->spheres[i];
-        double x = fabs(dot(s->ctr, right) - x0), y = fabs(dot(s->ctr, up) - y0);
-        double z = dot(s->ctr, to_eye) - z0;
+        double x = fabs(sph_vec_dot(s->ctr, right) - x0), y = fabs(sph_vec_dot(s->ctr, up) - y0);
+        double z = sph_vec_dot(s->ctr, to_eye) - z0;
         dist = fmax(dist, z + (x * cos(wide) + s->rad) / sin(wide));
         dist = fmax(dist, z + (y * cos(tall) + s->rad) / sin(tall));
     }

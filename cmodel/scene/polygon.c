@@ -7,46 +7,31 @@
 #include <string.h>
 
 #include "scene/ears.h"
+#include "scene/vector.h"
 
 #define EMPTY 1e-12 /* of the squared size: what rounding leaves of the area of a line */
 
-static struct sph_vec sub(struct sph_vec a, struct sph_vec b) {
-    return (struct sph_vec){a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-static struct sph_vec cross(struct sph_vec a, struct sph_vec b) {
-    return (struct sph_vec){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-static double dot(struct sph_vec a, struct sph_vec b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-static double length(struct sph_vec v) {
-    return hypot(hypot(v.x, v.y), v.z);
-}
-
 /* Twice the area as a vector. */
 static struct sph_vec area(struct sph_vec a, struct sph_vec b, struct sph_vec c) {
-    return cross(sub(b, a), sub(c, a));
+    return sph_vec_cross(sph_vec_sub(b, a), sph_vec_sub(c, a));
 }
 
 int sph_triangle_empty(struct sph_vec a, struct sph_vec b, struct sph_vec c) {
-    double size = fmax(length(sub(b, a)), length(sub(c, a)));
-    return !(length(area(a, b, c)) > EMPTY * size * size);
+    double size = fmax(sph_vec_length(sph_vec_sub(b, a)), sph_vec_length(sph_vec_sub(c, a)));
+    return !(sph_vec_length(area(a, b, c)) > EMPTY * size * size);
 }
 
 int sph_parallel(struct sph_vec a, struct sph_vec b) {
-    return !(length(cross(a, b)) > EMPTY * length(a) * length(b));
+    return !(sph_vec_length(sph_vec_cross(a, b)) > EMPTY * sph_vec_length(a) * sph_vec_length(b));
 }
 
 /* The greatest distance of a corner from the plane through their middle. unit: the normal. */
 static double off_plane(const struct sph_vec *corner, int n, struct sph_vec unit) {
     double mean = 0, most = 0;
     for (int i = 0; i < n; i++)
-        mean += dot(sub(corner[i], corner[0]), unit) / n;
+        mean += sph_vec_dot(sph_vec_sub(corner[i], corner[0]), unit) / n;
     for (int i = 0; i < n; i++)
-        most = fmax(most, fabs(dot(sub(corner[i], corner[0]), unit) - mean));
+        most = fmax(most, fabs(sph_vec_dot(sph_vec_sub(corner[i], corner[0]), unit) - mean));
     return most;
 }
 
@@ -54,10 +39,10 @@ static double off_plane(const struct sph_vec *corner, int n, struct sph_vec unit
 static int is_convex(const struct sph_vec *corner, int n, struct sph_vec unit, double size) {
     for (int i = 0; i < n; i++) {
         struct sph_vec a = corner[i], b = corner[(i + 1) % n], c = corner[(i + 2) % n];
-        double chord = length(sub(c, a));
-        if (dot(area(a, b, c), unit) < -SPH_POLYGON_CONVEX * size * chord ||
+        double chord = sph_vec_length(sph_vec_sub(c, a));
+        if (sph_vec_dot(area(a, b, c), unit) < -SPH_POLYGON_CONVEX * size * chord ||
             (i > 0 && i < n - 1 &&
-             dot(area(corner[0], a, b), unit) < -SPH_POLYGON_CONVEX * size * size))
+             sph_vec_dot(area(corner[0], a, b), unit) < -SPH_POLYGON_CONVEX * size * size))
             return 0;
     }
     return 1;
@@ -91,12 +76,12 @@ int sph_polygon_cut(const struct sph_vec *corner, int n, int (*index)[3], double
     struct sph_vec normal = {0, 0, 0};
     double size = 0;
     for (int i = 1; i < n; i++) {
-        size = fmax(size, length(sub(corner[i], corner[0])));
+        size = fmax(size, sph_vec_length(sph_vec_sub(corner[i], corner[0])));
         if (i == n - 1) break;
         struct sph_vec more = area(corner[0], corner[i], corner[i + 1]);
         normal = (struct sph_vec){normal.x + more.x, normal.y + more.y, normal.z + more.z};
     }
-    double twice = length(normal);
+    double twice = sph_vec_length(normal);
     if (!(twice > EMPTY * size * size))
         return sph_fail(err, "the %s has no area", n == 3 ? "triangle" : "polygon");
     struct sph_vec unit = {normal.x / twice, normal.y / twice, normal.z / twice};

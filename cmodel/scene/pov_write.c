@@ -15,6 +15,7 @@
 #include "scene/nesting.h"
 #include "scene/pov_image.h"
 #include "scene/pov_surface.h"
+#include "scene/vector.h"
 
 enum { EXTENT_LOG2 = 16, EXTENT_LOG2_PLANE = 12 };
 
@@ -25,7 +26,7 @@ struct writer {
 };
 
 static double distance(struct sph_vec a, struct sph_vec b) {
-    return hypot(hypot(a.x - b.x, a.y - b.y), a.z - b.z);
+    return sph_vec_length(sph_vec_sub(a, b));
 }
 
 /* A facet without bounds: a plane. */
@@ -53,12 +54,8 @@ static void put_point(const struct writer *w, struct sph_vec v) {
     sph_pov_vector(w->file, (double[]){v.x * w->scale, v.y * w->scale, v.z * w->scale});
 }
 
-static struct sph_vec cross(struct sph_vec a, struct sph_vec b) {
-    return (struct sph_vec){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 static struct sph_vec unit(struct sph_vec v) {
-    double n = hypot(hypot(v.x, v.y), v.z);
+    double n = sph_vec_length(v);
     return (struct sph_vec){v.x / n, v.y / n, v.z / n};
 }
 
@@ -74,7 +71,7 @@ static void put_camera(const struct writer *w, int width, int height) {
     const struct sph_camera *c = &w->scene->camera;
     struct sph_vec ahead =
         unit((struct sph_vec){c->at.x - c->from.x, c->at.y - c->from.y, c->at.z - c->from.z});
-    struct sph_vec right = unit(cross(ahead, c->up)), up = cross(right, ahead);
+    struct sph_vec right = unit(sph_vec_cross(ahead, c->up)), up = sph_vec_cross(right, ahead);
     fputs("camera { location ", w->file);
     put_point(w, c->from);
     put_direction(w, "direction", ahead, height / 2.0 / tan(c->angle * acos(-1.0) / 360));

@@ -221,11 +221,8 @@ int tool_accuracy(int argc, char **argv) {
     struct sph_error err = {""};
     argp_parse(&argp, argc, argv, 0, NULL, &a);
 
-    if (tool_is_machine(a.input)) {
-        sph_fail(&err, "%s: is a machine file, a scene is needed", a.input);
+    if (tool_wants_scene(a.input, &err) || tool_scene_read(a.input, &a.source, &scene, &err))
         return tool_failed(&err);
-    }
-    if (tool_scene_read(a.input, &a.source, &scene, &err)) return tool_failed(&err);
     struct measured m = {0};
     int rc = measure(&a, &scene, &m, &err);
     sph_machine_free(&m.built.machine);

@@ -166,10 +166,7 @@ int tool_background(int argc, char **argv) {
     struct sph_error err = {""};
     argp_parse(&argp, argc, argv, 0, NULL, &a);
 
-    if (tool_is_machine(a.input)) {
-        sph_fail(&err, "%s: is a machine file, a scene is needed", a.input);
-        return tool_failed(&err);
-    }
+    if (tool_wants_scene(a.input, &err)) return tool_failed(&err);
     char *drawn[PICTURES] = {NULL};
     int rc = a.pictures ? name_pictures(&a, drawn, &err) : 0;
     if (!rc && !(rc = tool_scene_read(a.input, &a.source, &scene, &err))) {

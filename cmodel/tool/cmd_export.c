@@ -64,11 +64,8 @@ int tool_export(int argc, char **argv) {
     struct sph_error err = {""};
     argp_parse(&argp, argc, argv, 0, NULL, &a);
 
-    if (tool_is_machine(a.input)) {
-        sph_fail(&err, "%s: is a machine file, a scene is needed", a.input);
+    if (tool_wants_scene(a.input, &err) || tool_scene_read(a.input, &a.source, &scene, &err))
         return tool_failed(&err);
-    }
-    if (tool_scene_read(a.input, &a.source, &scene, &err)) return tool_failed(&err);
     int rc = finish(&a, &scene, &err);
     sph_scene_free(&scene);
     return rc ? tool_failed(&err) : TOOL_GOOD;

@@ -18,15 +18,15 @@ struct arguments {
     int levels, threads, unlimited;
 };
 
-enum { KEY_EXR = 512, KEY_TRANSFER, KEY_FRAME, KEY_LAYER, KEY_FILTER, KEY_LEVELS, KEY_UNLIMITED };
+enum { KEY_FRAME = 512, KEY_FILTER, KEY_LEVELS, KEY_UNLIMITED };
 
 static const struct argp_option options[] = {
     {"output", 'o', "FILE", 0, "picture, 8-bit RGB: .png, .tif, .ppm, .bmp or .tga", 0},
-    {"exr", KEY_EXR, "FILE.exr", 0, "picture in linear light with ids, OpenEXR", 0},
-    {"transfer", KEY_TRANSFER, "NAME", 0,
+    {"exr", TOOL_KEY_EXR, "FILE.exr", 0, "picture in linear light with ids, OpenEXR", 0},
+    {"transfer", TOOL_KEY_TRANSFER, "NAME", 0,
      "how the bytes of the picture stand for light: srgb (default), as people see it; linear", 0},
     {"frame", KEY_FRAME, "FILE", 0, "frame file: colours and ids; keys, visits, counters are 0", 0},
-    {"layer", KEY_LAYER, "N", 0,
+    {"layer", TOOL_KEY_LAYER, "N", 0,
      "colours of pictures: 0 without reflections, 1 one reflection, 2 all (default)", 0},
     {"filter", KEY_FILTER, "NAME", 0,
      "texels: nearest or bilinear of the whole image, bilinear of one level of its MIP chain "
@@ -44,24 +44,13 @@ static const struct argp_option options[] = {
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
     struct arguments *a = state->input;
+    if (!light_option(&a->light, &a->source.outputs, key, arg, state)) return 0;
     switch (key) {
     case ARGP_KEY_INIT:
         state->child_inputs[0] = &a->source;
         return 0;
-    case 'o':
-        a->light.picture = tool_picture(state, &a->source.outputs, "--output", arg, 0);
-        return 0;
-    case KEY_EXR:
-        a->light.exr = tool_picture(state, &a->source.outputs, "--exr", arg, 1);
-        return 0;
-    case KEY_TRANSFER:
-        a->light.transfer = tool_choice(state, "--transfer", arg, tool_transfer_names);
-        return 0;
     case KEY_FRAME:
         a->frame = tool_output(&a->source.outputs, arg);
-        return 0;
-    case KEY_LAYER:
-        a->light.layer = (int)tool_number(state, "--layer", arg, 0, SPH_FRAMES - 1);
         return 0;
     case KEY_FILTER:
         a->source.build.tex_filter = tool_choice(state, "--filter", arg, tool_filter_names);
@@ -144,11 +133,8 @@ int tool_reference(int argc, char **argv) {
     struct sph_error err = {""};
     argp_parse(&argp, argc, argv, 0, NULL, &a);
 
-    if (tool_is_machine(a.input)) {
-        sph_fail(&err, "%s: is a machine file, a scene is needed", a.input);
+    if (tool_wants_scene(a.input, &err) || tool_scene_read(a.input, &a.source, &scene, &err))
         return tool_failed(&err);
-    }
-    if (tool_scene_read(a.input, &a.source, &scene, &err)) return tool_failed(&err);
     int rc = draw(&a, &scene, &err);
     sph_scene_free(&scene);
     return rc ? tool_failed(&err) : TOOL_GOOD;

@@ -23,24 +23,21 @@ struct arguments {
 };
 
 enum {
-    KEY_EXR = 512,
-    KEY_FRAME,
-    KEY_LAYER,
+    KEY_FRAME = 512,
     KEY_BRUTE,
     KEY_COUNTERS,
     KEY_JSON,
     KEY_FRAMES,
     KEY_PROGRESS,
     KEY_DEPTHS,
-    KEY_WALK,
-    KEY_TRANSFER
+    KEY_WALK
 };
 
 static const struct argp_option options[] = {
     {"output", 'o', "FILE", 0, "picture, 8-bit RGB: .png, .tif, .ppm, .bmp or .tga", 0},
-    {"exr", KEY_EXR, "FILE.exr", 0, "picture in linear light with ids, keys and visits, OpenEXR",
-     0},
-    {"transfer", KEY_TRANSFER, "NAME", 0,
+    {"exr", TOOL_KEY_EXR, "FILE.exr", 0,
+     "picture in linear light with ids, keys and visits, OpenEXR", 0},
+    {"transfer", TOOL_KEY_TRANSFER, "NAME", 0,
      "how the bytes of the picture stand for light: srgb (default), as people see it; linear, the "
      "bytes of the frame",
      0},
@@ -49,7 +46,7 @@ static const struct argp_option options[] = {
      "bih: picture with a fifth more green for each empty space, more blue for each node that the "
      "primary ray meets",
      0},
-    {"layer", KEY_LAYER, "N", 0,
+    {"layer", TOOL_KEY_LAYER, "N", 0,
      "colours of pictures: 0 without reflections, 1 one reflection, 2 all (default)", 0},
     {"depths", KEY_DEPTHS, NULL, 0,
      "pictures tell how many surfaces behind one another made a pixel: 0 black, 1 red, 2 green, "
@@ -69,27 +66,16 @@ static const char *const traversals[] = {"tree", "brute"}; /* SPH_TRAVERSE_* */
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
     struct arguments *a = state->input;
+    if (!light_option(&a->light, &a->source.outputs, key, arg, state)) return 0;
     switch (key) {
     case ARGP_KEY_INIT:
         state->child_inputs[0] = &a->source;
-        return 0;
-    case 'o':
-        a->light.picture = tool_picture(state, &a->source.outputs, "--output", arg, 0);
-        return 0;
-    case KEY_EXR:
-        a->light.exr = tool_picture(state, &a->source.outputs, "--exr", arg, 1);
         return 0;
     case KEY_FRAME:
         a->frame = tool_output(&a->source.outputs, arg);
         return 0;
     case KEY_WALK:
         a->walk = tool_picture(state, &a->source.outputs, "--walk", arg, 0);
-        return 0;
-    case KEY_LAYER:
-        a->light.layer = (int)tool_number(state, "--layer", arg, 0, SPH_FRAMES - 1);
-        return 0;
-    case KEY_TRANSFER:
-        a->light.transfer = tool_choice(state, "--transfer", arg, tool_transfer_names);
         return 0;
     case KEY_DEPTHS:
         a->light.depths = 1;

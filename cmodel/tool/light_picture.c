@@ -8,6 +8,26 @@
 
 const char *const tool_transfer_names[] = {"linear", "srgb", NULL};
 
+error_t light_option(struct light_pictures *how, struct tool_outputs *outputs, int key, char *arg,
+                     struct argp_state *state) {
+    switch (key) {
+    case 'o':
+        how->picture = tool_picture(state, outputs, "--output", arg, 0);
+        return 0;
+    case TOOL_KEY_EXR:
+        how->exr = tool_picture(state, outputs, "--exr", arg, 1);
+        return 0;
+    case TOOL_KEY_LAYER:
+        how->layer = (int)tool_number(state, "--layer", arg, 0, SPH_FRAMES - 1);
+        return 0;
+    case TOOL_KEY_TRANSFER:
+        how->transfer = tool_choice(state, "--transfer", arg, tool_transfer_names);
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
 static int write(const struct light_pictures *how, int samples, const struct sph_frame *frame,
                  const struct sph_trail *trails, struct sph_error *err) {
     struct sph_linear light = {0};

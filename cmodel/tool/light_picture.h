@@ -7,6 +7,7 @@
 #include "common/error.h"
 #include "core/frame.h"
 #include "core/trail.h"
+#include "tool/tool.h"
 
 struct light_pictures {
     const char *picture, *exr; /* files, NULL: none */
@@ -15,6 +16,13 @@ struct light_pictures {
 };
 
 extern const char *const tool_transfer_names[]; /* SPH_TRANSFER_*, then NULL */
+
+/* Keys of the options that fill it in, beside 'o'. */
+enum { TOOL_KEY_EXR = 1024, TOOL_KEY_LAYER, TOOL_KEY_TRANSFER };
+
+/* Takes such an option; ARGP_ERR_UNKNOWN if it is another. */
+error_t light_option(struct light_pictures *how, struct tool_outputs *outputs, int key, char *arg,
+                     struct argp_state *state);
 
 /* Writes them, of samples x samples of the frame's pixels each. trails: as many as pixels. 0, or -1
  * with a message. */

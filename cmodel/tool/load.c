@@ -13,6 +13,11 @@ int tool_is_machine(const char *path) {
     return sph_input_starts(path, "SPHAERA", 7);
 }
 
+int tool_wants_scene(const char *path, struct sph_error *err) {
+    if (!tool_is_machine(path)) return 0;
+    return sph_fail(err, "%s: is a machine file, a scene is needed", path);
+}
+
 int tool_scene_read(const char *path, const struct tool_source *source, struct sph_scene *scene,
                     struct sph_error *err) {
     if (tool_spares(&source->outputs, path, err) || sph_scene_read(path, &source->read, scene, err))

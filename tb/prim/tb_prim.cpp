@@ -8,7 +8,7 @@
  * with every outcome.
  */
 #include "Vrt_prim.h"
-#include "engine/world.h"
+#include "engine/results.h"
 
 #ifndef SHADOW
 #define SHADOW 1
@@ -69,7 +69,8 @@ class Prim : public bench::Bench<Vrt_prim> {
         seen[1] += bench::get(dut.event_o, RT_PRIM_EVENT_FACET) != 0;
         seen[2] += bench::get(dut.event_o, RT_PRIM_EVENT_ROOT) != 0;
         seen[3] += bench::get(dut.event_o, RT_PRIM_EVENT_DIVIDE) != 0;
-        if (bench::get(dut.result_o, RT_RESULT_VALID)) take_result();
+        if (bench::get(dut.result_o, RT_RESULT_VALID))
+            world::take_result(*this, slots, dut.result_o);
         tick();
         if (taken) dut.in_valid_i = 0;
     }
@@ -165,37 +166,6 @@ class Prim : public bench::Bench<Vrt_prim> {
         if (lucky || offered != SPH_SPHERE || probe.best.key <= 1) return;
         lucky = true, hit_ray = s.ray; /* with a root */
         std::copy(std::begin(record), std::end(record), hit_record);
-    }
-
-    void take_result() {
-        auto &port = dut.result_o;
-        int slot = (int)bench::get(port, RT_RESULT_SLOT);
-        bool hit = bench::get(port, RT_RESULT_HIT) != 0;
-        uint64_t key = (uint64_t)bench::get(port, RT_RESULT_KEY);
-        uint32_t id = (uint32_t)bench::get(port, RT_RESULT_ID);
-        int far = (int)bench::get(port, RT_RESULT_FAR);
-        Slot &s = slots[slot];
-        for (size_t i = 0; i < s.wanted.size(); i++) {
-            const struct sph_hit &w = s.wanted[i];
-            bool shadow = s.ray.kind == SPH_SHADOW;
-            if (hit != (w.key != 0) ||
-                (hit && (w.key != key || w.id != id || (w.far != far && !shadow))))
-                continue;
-            s.wanted.erase(s.wanted.begin() + (long)i);
-            done();
-            return;
-        }
-        expect("a result that the slot waits for", 0, 1, 1);
-        if (bad()) {
-            show("slot", slot, SLOTW), show("hit", hit, 1), show("far", far, 1);
-            show("id", id, 24), show("key", (bench::i128)key, W + WD + 2);
-            for (int i = 0; i < 3; i++)
-                show("org", s.ray.org[i], W), show("dir", s.ray.dir[i], WD);
-            for (const struct sph_hit &w : s.wanted)
-                show("wanted: key", (bench::i128)w.key, W + WD + 2), show("id", w.id, 24);
-        }
-        if (!s.wanted.empty()) s.wanted.pop_back();
-        done();
     }
 };
 

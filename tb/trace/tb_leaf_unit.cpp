@@ -7,7 +7,7 @@
  * slot still waits for.
  */
 #include "Vrt_leaf_unit.h"
-#include "engine/world.h"
+#include "engine/results.h"
 
 #ifndef SHADOW
 #define SHADOW 1
@@ -62,7 +62,8 @@ class LeafUnit : public bench::Bench<Vrt_leaf_unit> {
         seen[1] += bench::get(dut.event_o, RT_PRIM_EVENT_FACET) != 0;
         seen[2] += bench::get(dut.event_o, RT_PRIM_EVENT_ROOT) != 0;
         faults |= dut.fault_o;
-        if (bench::get(dut.result_o, RT_RESULT_VALID)) take_result();
+        if (bench::get(dut.result_o, RT_RESULT_VALID))
+            world::take_result(*this, slots, dut.result_o);
         if (bench::get(dut.record_o, RT_RECORD_VALID) && dut.record_ready_i) take_record();
         bool fetched = bench::get(dut.fetch_i, RT_FETCH_VALID) && dut.fetch_ready_o;
         tick();
@@ -134,36 +135,6 @@ class LeafUnit : public bench::Bench<Vrt_leaf_unit> {
         bench::put(dut.fetch_i, RT_FETCH_VALID, 1);
         bench::put(dut.fetch_i, RT_FETCH_SLOT, at);
         bench::put(dut.fetch_i, RT_FETCH_LINE, slots[at].fetch);
-    }
-
-    void take_result() {
-        int at = (int)bench::get(dut.result_o, RT_RESULT_SLOT);
-        bool hit = bench::get(dut.result_o, RT_RESULT_HIT) != 0;
-        uint64_t key = (uint64_t)bench::get(dut.result_o, RT_RESULT_KEY);
-        uint32_t id = (uint32_t)bench::get(dut.result_o, RT_RESULT_ID);
-        int far = (int)bench::get(dut.result_o, RT_RESULT_FAR);
-        Slot &s = slots[at];
-        for (size_t i = 0; i < s.wanted.size(); i++) {
-            const struct sph_hit &w = s.wanted[i];
-            bool shadow = s.ray.kind == SPH_SHADOW;
-            if (hit != (w.key != 0) ||
-                (hit && (w.key != key || w.id != id || (w.far != far && !shadow))))
-                continue;
-            s.wanted.erase(s.wanted.begin() + (long)i);
-            done();
-            return;
-        }
-        expect("a result that the slot waits for", 0, 1, 1);
-        if (bad()) {
-            show("slot", at, SLOTW), show("hit", hit, 1), show("far", far, 1);
-            show("id", id, 24), show("key", (bench::i128)key, W + WD + 2);
-            for (int i = 0; i < 3; i++)
-                show("org", s.ray.org[i], W), show("dir", s.ray.dir[i], WD);
-            for (const struct sph_hit &w : s.wanted)
-                show("wanted: key", (bench::i128)w.key, W + WD + 2), show("id", w.id, 24);
-        }
-        if (!s.wanted.empty()) s.wanted.pop_back();
-        done();
     }
 
     void take_record() {

@@ -1,0 +1,28 @@
+/* vector.h - arithmetic of points and directions of a scene, in doubles
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef SPH_VECTOR_H
+#define SPH_VECTOR_H
+
+#include <math.h>
+
+#include "scene/scene.h"
+
+static inline struct sph_vec sph_vec_sub(struct sph_vec a, struct sph_vec b) {
+    return (struct sph_vec){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+static inline struct sph_vec sph_vec_cross(struct sph_vec a, struct sph_vec b) {
+    return (struct sph_vec){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+static inline double sph_vec_dot(struct sph_vec a, struct sph_vec b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/* Without overflow or underflow on the way. */
+static inline double sph_vec_length(struct sph_vec v) {
+    return hypot(hypot(v.x, v.y), v.z);
+}
+
+#endif
