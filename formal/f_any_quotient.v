@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The pool must not depend on how long a quotient takes or what it is: bits of key and a stand
 // for it.
+`timescale 1ns / 1ps
 `default_nettype none
 module rt_quotient #(
     parameter KW   = 35,

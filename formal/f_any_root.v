@@ -1,6 +1,7 @@
 // f_any_root.v - stands for rt_isqrt in proofs of its pool: a result at any time, known by its x
 // SPDX-License-Identifier: Apache-2.0
 // The pool must not depend on how long a root takes or what it is: the bits of x stand for it.
+`timescale 1ns / 1ps
 `default_nettype none
 module rt_isqrt #(
     parameter XW   = 66,

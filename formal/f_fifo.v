@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any word that is pushed may be marked. It leaves after exactly the words that were inside when it
 // came, with what was pushed. Pushes into a full queue and resets may come at any time.
+`timescale 1ns / 1ps
 `default_nettype none
 module f_fifo #(
     parameter WIDTH = 8,

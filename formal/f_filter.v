@@ -4,6 +4,7 @@
 // the lane had a clock before: no register loses a bit or has the wrong sign. Of u only that is
 // needed that 16 |oc x u|^2 < 2^34, which is so for a unit vector (docs/blocks/filter.md). The
 // square of the radius is that of s_square.v.
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_fx.vh"
 module f_filter #(

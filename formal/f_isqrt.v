@@ -3,6 +3,7 @@
 // The square of the digits so far is kept beside the root: with root' = 2 root + d, root'^2 is
 // 4 root^2 + d (4 root + 1). So no multiplication is needed, and full widths can be proved. With
 // MULTIPLY the square is that of a multiplier: small widths.
+`timescale 1ns / 1ps
 `default_nettype none
 module f_isqrt #(
     parameter XW       = 66,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // With s = shift and root the bits there are: root^2 <= x / 4^s < (root+1)^2; s is 0, or root has
 // all BITS bits; inexact = ((root 2^s)^2 != x). A multiplier gives the square: small widths.
+`timescale 1ns / 1ps
 `default_nettype none
 module f_isqrt_bits #(
     parameter XW   = 10,

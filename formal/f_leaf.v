@@ -3,6 +3,7 @@
 // A leaf is taken in the first clock, with anything inside: others before and behind it come at any
 // time. T clocks later the result is that of cmodel/prim/leaf.c in words that hold every value, so
 // disc fits its 2W+2WD+2 bits and the sums modulo that are exact.
+`timescale 1ns / 1ps
 `default_nettype none
 module f_leaf #(
     parameter W      = 2,

@@ -3,6 +3,7 @@
 // Any request may be marked. Its line is handed to its client as the one that many lines after the
 // lines asked for before it, with the data and the errors of its four beats. Memory answers only
 // what was asked for; it and the clients may stall at any time.
+`timescale 1ns / 1ps
 `default_nettype none
 module f_mem_arbiter #(
     parameter CLIENTS = 3,

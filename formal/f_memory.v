@@ -1,6 +1,7 @@
 // f_memory.v - proof that rt_slot_file does what f_slot_file.v, which stands for it, says
 // SPDX-License-Identifier: Apache-2.0
 // Any one address, read all the time: reading does not change the memory, so this is every read.
+`timescale 1ns / 1ps
 `default_nettype none
 module f_memory #(
     parameter WIDTH = 8,

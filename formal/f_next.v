@@ -3,6 +3,7 @@
 // Any slot and any depth of its stack may be marked. What is pushed there is the whole group that
 // was current, and that is what is popped from there. A token leaves at the latest after as many
 // passes as its stack is deep. Token rule: a slot's next visit comes only after its token has left.
+`timescale 1ns / 1ps
 `default_nettype none
 module f_next #(
     parameter FW    = 4,

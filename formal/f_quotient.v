@@ -4,6 +4,7 @@
 // 2 an mant <= 2^PQ kn < 2 an (mant + 1). With MULTIPLY this is asserted, from the invariant
 // 2^i kn = 2 an mant + rem, 0 <= rem < 2 an: small widths. Without, that every round makes the
 // digits of which digits.smt2 shows it for integers: all widths.
+`timescale 1ns / 1ps
 `default_nettype none
 module f_quotient #(
     parameter KW   = 6,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any hit may be marked. Quotients may take any time (f_any_quotient.v): what stands for the
 // quotient is the hit's own. Stalls and resets at any time.
+`timescale 1ns / 1ps
 `default_nettype none
 module f_quotient_pool #(
     parameter KW  = 11,

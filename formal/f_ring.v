@@ -5,6 +5,7 @@
 // SLOTS tokens, one a slot, and queues of SLOTS words (rt_traverse has the same two). What a queue
 // gives it was given (f_fifo.v). The queue in the middle stands for caches, filters and leaves: it
 // holds a token as long as it likes.
+`timescale 1ns / 1ps
 `default_nettype none
 module f_ring #(
     parameter SLOTS = 8,

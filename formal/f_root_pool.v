@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any hit may be marked. Roots may take any time (f_any_root.v): what stands for the root is the
 // hit's own. Stalls and resets at any time.
+`timescale 1ns / 1ps
 `default_nettype none
 module f_root_pool #(
     parameter W      = 4,

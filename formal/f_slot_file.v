@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What holds with this holds with the memory, whose reads it allows all: see f_memory.v. A proof
 // about a memory of any size then needs to know of one word only.
+`timescale 1ns / 1ps
 `default_nettype none
 module rt_slot_file #(
     parameter WIDTH = 8,

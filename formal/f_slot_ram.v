@@ -1,6 +1,7 @@
 // f_slot_ram.v - stands for rt_slot_ram in proofs: one marked word, any other reads as anything
 // SPDX-License-Identifier: Apache-2.0
 // As f_slot_file.v. What OLD = 0 promises, no read of a word that is written, is to be proved.
+`timescale 1ns / 1ps
 `default_nettype none
 module rt_slot_ram #(
     parameter WIDTH = 32,

@@ -4,6 +4,7 @@
 // a line's data says whether it is that one. Client and memory may stall at any time, lines come as
 // late as they like, flushes at any time. Tags of requests under way differ (token rule). For abc's
 // pdr, which finds the invariant itself: bad_o is never 1.
+`timescale 1ns / 1ps
 `default_nettype none
 module p_cache #(
     parameter LINES   = 4,

@@ -1,5 +1,6 @@
 // s_square.v - all 2^14 inputs of rt_square, one a clock: it keeps nothing, so this is every case
 // SPDX-License-Identifier: Apache-2.0
+`timescale 1ns / 1ps
 `default_nettype none
 module s_square;
     reg         clk = 1'b0;

@@ -24,6 +24,8 @@ report() { # title, findings
         "$(LC_ALL=C.UTF-8 grep -noE '^.{101}' $written | cut -d: -f1,2)"
     report "script without run bit" \
         "$(find $(awk 'FNR == 1 && /^#!/ { print FILENAME }' $sources) ! -perm -u=x)"
+    report "no timescale of 1ns / 1ps" "$(grep -L '^`timescale 1ns / 1ps$' \
+        $(printf '%s\n' "$sources" | grep '\.v$'))"
     report "space at the end" "$(grep -nE '[[:space:]]+$' $sources $texts)"
     report "main of more than 60 lines" "$(find tb -name '*.cpp' -exec awk '
         FNR == 1 { from = 0 }

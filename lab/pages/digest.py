@@ -1,7 +1,7 @@
 # digest.py - one short number for the sources that a figure depends on
 # SPDX-License-Identifier: Apache-2.0
-"""Comments, white space, folders and included headers' names do not count: what they change is no
-figure. 8 hex digits of SHA-256."""
+"""Comments, white space, folders, included headers' names and the unit of time, which no delay
+uses, do not count: what they change is no figure. 8 hex digits of SHA-256."""
 import hashlib
 import re
 from functools import lru_cache
@@ -13,8 +13,8 @@ KINDS = {
     "scenes": ("scenes", (".nff", ".png")),
 }
 COMMENT = {
-    ".v": r"//[^\n]*|/\*.*?\*/", ".c": r"//[^\n]*|/\*.*?\*/|^#include[^\n]*", ".sh": r"(?m)^ *#.*$",
-    ".def": r"#[^\n]*",
+    ".v": r"//[^\n]*|/\*.*?\*/|^`timescale[^\n]*", ".c": r"//[^\n]*|/\*.*?\*/|^#include[^\n]*",
+    ".sh": r"(?m)^ *#.*$", ".def": r"#[^\n]*",
 }
 COMMENT.update({".vh": COMMENT[".v"], ".h": COMMENT[".c"], ".cpp": COMMENT[".c"],
                 ".nff": COMMENT[".def"]})

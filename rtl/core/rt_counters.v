@@ -3,6 +3,7 @@
 // Events gather in a small sum per counter; one sum a cycle, in turn, goes into its 48-bit total
 // through one adder. A total is complete PLACES cycles after the last event; clear_i takes as long.
 // Numbers: machine.def. data_o is the total addressed one cycle before.
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 module rt_counters #(

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Written one at a time while the core is idle; numbers and formats: machine.def.
 // Lights stand LIGHT_STRIDE registers apart and are kept by rt_lights.
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 module rt_registers #(

@@ -3,6 +3,7 @@
 // It only wires five groups together, as drawn in docs/blocks/engine.md; each bundle that they
 // exchange has one source.
 // Model: sph_render_pixel() in cmodel/engine/render_pixel.c, SLOTS pixels at once
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_check.vh"
 `include "rt_layout.vh"

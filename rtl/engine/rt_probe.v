@@ -4,6 +4,7 @@
 // mirror ray of that surface tells: if it hits another sphere from inside, the surface lies in
 // there, all that the pixel has is void, and its primary ray starts again, nearest first.
 // Borodavka et al. VI.D. Model: path() in cmodel/engine/render_pixel.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 module rt_probe #(

@@ -3,6 +3,7 @@
 // A pixel to trace gets a free slot. Rays that are done are told apart (shadow, hit, miss), primary
 // rays that rt_probe asks for start again, and pixels that are complete are delivered.
 // Model: sph_render_pixel() in cmodel/engine/render_pixel.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 `include "rt_bundles.vh"

@@ -1,5 +1,6 @@
 // rt_delay.v - a word, CYCLES later; data registers only
 // SPDX-License-Identifier: Apache-2.0
+`timescale 1ns / 1ps
 `default_nettype none
 module rt_delay #(
     parameter WIDTH  = 8,  // bits

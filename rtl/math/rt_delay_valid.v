@@ -1,5 +1,6 @@
 // rt_delay_valid.v - a valid bit, CYCLES later; cleared by reset
 // SPDX-License-Identifier: Apache-2.0
+`timescale 1ns / 1ps
 `default_nettype none
 module rt_delay_valid #(
     parameter CYCLES = 1   // at least 1

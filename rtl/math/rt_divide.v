@@ -3,6 +3,7 @@
 // key = ceil(x / d). Restoring division; the quotient enters below as x leaves above. Invariant:
 // rem < d. One division at a time: a result ceil(QW/STEP) + 1 clocks after its operands.
 // Model: the division in sph_facet_key(), cmodel/prim/facet.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_check.vh"
 module rt_divide #(

@@ -1,6 +1,7 @@
 // rt_divide_pool.v - several units of rt_divide that look like one
 // SPDX-License-Identifier: Apache-2.0
 // They stand behind rt_pool. Model: the division in sph_facet_key(), cmodel/prim/facet.c
+`timescale 1ns / 1ps
 `default_nettype none
 module rt_divide_pool #(
     parameter DW    = 50,  // divisor, bits

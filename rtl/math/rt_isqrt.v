@@ -5,6 +5,7 @@
 // One radicand at a time: a result ceil(XW/2/STEP) + 1 clocks after its radicand. BITS not 0: the
 // digits end BITS after the first 1, and so do the clocks.
 // Model: sph_isqrt_bits() in cmodel/math/isqrt.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_check.vh"
 module rt_isqrt #(

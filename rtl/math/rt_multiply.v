@@ -5,6 +5,7 @@
 // without adding; what is left are 2C-1 words:
 //   stage 1 C*C products | stage 2 words j-i = +d and -d added | stages 3.. one word a stage
 // Free-running, latency `RT_MUL_LATENCY(W) = 1 (C = 1) or C + 1. Model: the product itself.
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_fx.vh"
 module rt_multiply #(

@@ -6,6 +6,7 @@
 // One component at a time: x, y, z enter in three cycles, gaps allowed; the result comes 7 cycles
 // after z. The next x may enter 5 cycles after z or later.
 // Model: sph_normalise() in cmodel/math/normalise.c
+`timescale 1ns / 1ps
 `default_nettype none
 module rt_normalise #(
     parameter VW   = 19,  // component at the input, bits, at least 2

@@ -3,6 +3,7 @@
 // The lowest idle unit takes, the lowest that is done gives, so results may overtake each other. A
 // result that waits may give way to one of a lower unit: the consumer looks at it only when it
 // takes it. The units stand outside; combinational but for the tags that they work under.
+`timescale 1ns / 1ps
 `default_nettype none
 module rt_pool #(
     parameter UNITS = 3,  // units

@@ -4,6 +4,7 @@
 // 2 of b. Of products 34 bits apart one whose chunks are both unsigned is joined below another:
 //   stage 1 products | stages 2.. words added in pairs
 // Free-running, latency `RT_PRODUCT_LATENCY(AW): 2 (2 chunks of a), 3 (3). Model: the product.
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_check.vh"
 `include "rt_fx.vh"

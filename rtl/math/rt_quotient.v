@@ -5,6 +5,7 @@
 // One quotient at a time. It takes n(z) + ceil(PQ/STEP) + 2 clocks with n = floor(z/STEP) + z%STEP,
 // that of the two operands' leading zeros z whose n is greater. Model: sph_quotient() in
 // math/quotient.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_check.vh"
 module rt_quotient #(

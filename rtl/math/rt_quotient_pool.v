@@ -1,6 +1,7 @@
 // rt_quotient_pool.v - several dividers that look like one
 // SPDX-License-Identifier: Apache-2.0
 // UNITS iterative dividers behind rt_pool. Model: sph_quotient() in cmodel/math/quotient.c
+`timescale 1ns / 1ps
 `default_nettype none
 module rt_quotient_pool #(
     parameter KW    = 35,  // key, bits

@@ -3,6 +3,7 @@
 //   r^2 = sum over i of r[i] * 4^i * (1 + 4 * (r >> (i+1))): each pair of bits is met once, so the
 //   rows are half as long as those of a product. Added in pairs: 14 rows, 7, 4, 2, 1.
 // Latency 4 cycles, one a cycle. Model: child->rad * child->rad in cmodel/trace/filter.c
+`timescale 1ns / 1ps
 `default_nettype none
 module rt_square (
     input  wire        clk,

@@ -5,6 +5,7 @@
 // (v << h) * y in odd ones: in_ready_o is high in every second clock. L = `RT_MUL_LATENCY(BITS+1):
 //   1 operands | L products | 2 sum | 2 shift | 1 table | 1 slope | 1 y | 1 operands | L | 1 round
 // Free-running, latency 2*L + 10: 12 for BITS <= 17, else 16. Model: sph_unit() in math/rsqrt.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_check.vh"
 `include "rt_fx.vh"

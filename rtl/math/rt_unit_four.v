@@ -6,6 +6,7 @@
 //   x y z    l*l        l*2h       h*h        h(v<<h)*y, of an earlier vector
 //   fourth   l(x)*y     l(y)*y     l(z)*y     slope*frac, of one between
 // Free-running, latency 23. Model: sph_unit() in math/rsqrt.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_check.vh"
 `include "rt_fx.vh"

@@ -3,6 +3,7 @@
 // The second one starts half an interval behind, so never both take, and never both give.
 // Below 18 bits they are rt_unit in any case. Latency that of rt_unit or rt_unit_four.
 // Model: sph_unit() in cmodel/math/rsqrt.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_check.vh"
 module rt_units #(

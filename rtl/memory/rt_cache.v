@@ -7,6 +7,7 @@
 // Responses carry the tag of their request; only requests that queue keep their order.
 // A line of the cache is an aligned group of GROUP lines of memory; a miss fetches all of them.
 // Why it is right: docs/blocks/cache.md.
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 `include "rt_check.vh"

@@ -4,6 +4,7 @@
 // the empty queue to out_valid_o; one push and one pop every cycle.
 // In the engine no queue can overflow (token rule, docs/blocks/rtl_interfaces.md) and in_ready_o
 // may stay open; a push while in_ready_o is low is lost and stops a simulation.
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_check.vh"
 module rt_fifo #(

@@ -5,6 +5,7 @@
 // Request: latency 1 cycle, one a cycle. Line: 1 cycle after its last beat, one every 4 cycles.
 // At most PENDING lines are on their way. Each client gets its lines in the order it asked for
 // them; it must take them without waiting for the line of another client.
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 module rt_mem_arbiter #(

@@ -3,6 +3,7 @@
 // Latency 0: rd_data_o follows rd_addr_i in the same cycle. A word written in cycle n is read from
 // cycle n+1 on; in cycle n itself its address still reads the old word.
 // Contents are not reset: write a word before its value matters.
+`timescale 1ns / 1ps
 `default_nettype none
 module rt_slot_file #(
     parameter WIDTH = 8,                  // bits of a word

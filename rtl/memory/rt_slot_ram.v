@@ -5,6 +5,7 @@
 // (block RAM of some families needs a bypass for it: WIDTH flip-flops and LUTs); with OLD 0 the
 // owner promises that it never happens, and a simulation stops if it does.
 // Contents are not reset: write a word before its value matters.
+`timescale 1ns / 1ps
 `default_nettype none
 module rt_slot_ram #(
     parameter WIDTH = 32,                 // bits of a word

@@ -6,6 +6,7 @@
 // Nothing moves before the cones are loaded; a pixel waits for the span of its row. A table that
 // does not lie in memory: BAD_NODE, and every pixel is traced.
 // Model: sph_is_background() in cmodel/pixel/background.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 module rt_background #(

@@ -6,6 +6,7 @@
 // hit = f > 0 && (b > 0 || inside): the discriminant, the projection of the sphere's centre.
 // A place is (f, gx, gy, b) with gx = f(x+1,y) - f(x,y), gy = f(x,y+1) - f(x,y). Latency 1 cycle.
 // Model: sph_is_background() in cmodel/pixel/background.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 module rt_cone #(

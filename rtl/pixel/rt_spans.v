@@ -4,6 +4,7 @@
 // A line is asked for only if the queue has a place for it, so it is taken at once: 8 cycles at
 // most. First span: 1 cycle after its line. Rows go from WIN_Y0 to WIN_Y1-1 and begin again.
 // Model: sph_is_background() in cmodel/pixel/background.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 module rt_spans (

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //   start --> first, first+1 .. first+lines-1, and again, passes times
 // One line a cycle at most. Answers go straight to who uses them: rt_spans or the cones.
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 module rt_table (

@@ -7,6 +7,7 @@
 // the first, and more with CONES or SPANS.
 // Model: sph_primary_dir() in cmodel/pixel/walk.h, sph_is_background() in
 // cmodel/pixel/background.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 module rt_walk #(

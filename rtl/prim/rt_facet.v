@@ -7,6 +7,7 @@
 //   triangle  0,1 N | 2,3 m | P det, num, U2, U1                               every L + 8 clocks
 //   plane     0 det, num | P det'*(face-org), num'*|dir| of x, y, z            every L + 10
 // Ports, timing: docs/blocks/facet_unit.md. Model: sph_facet_test() in cmodel/prim/facet.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 `include "rt_bundles.vh"

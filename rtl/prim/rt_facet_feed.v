@@ -4,6 +4,7 @@
 // gives three pairs of factors for each operation. A long operand (det', num') goes to the three
 // lanes in pieces; its partner stands in a register a clock ahead.
 // Model: sph_facet_test() in cmodel/prim/facet.c, its operands
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_facet.vh"
 module rt_facet_feed #(

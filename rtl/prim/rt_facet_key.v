@@ -4,6 +4,7 @@
 // One result waits here, others in the dividers. Those of dividers go first; so a result may be
 // overtaken, and the one that is offered may change while nobody takes it.
 // Model: sph_facet_key() in cmodel/prim/facet.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_bundles.vh"
 module rt_facet_key #(

@@ -5,6 +5,7 @@
 //                                                         2 CUT bits higher, one long product
 // Free-running: c after L + 1 clocks, r after L + 2, L = `RT_PRODUCT_LATENCY(AW).
 // Model: cross() and dot() in cmodel/prim/facet.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_fx.vh"
 module rt_facet_lanes #(

@@ -6,6 +6,7 @@
 // A leaf every INTERVAL clocks, free-running; arithmetic by rt_leaf_two or rt_leaf_four.
 // Latency up to W/WD 16/17 12 clocks for INTERVAL 2, 16 for 4; above that 15 and 20.
 // Model: sph_leaf_test() in cmodel/prim/leaf.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 `include "rt_check.vh"

@@ -5,6 +5,7 @@
 //   1-4 oc, dir, rad | rt_leaf_sums | b, k: T_B to T_B+3, their signs from T_B+2 on
 //                                   | rt_leaf_disc | disc
 // Model: sph_leaf_test() in cmodel/prim/leaf.c
+`timescale 1ns / 1ps
 `default_nettype none
 module rt_leaf_four #(
     parameter W  = 24,                           // coordinate, bits, up to 24

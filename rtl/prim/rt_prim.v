@@ -8,6 +8,7 @@
 // of no kind goes to the spheres, which count it as a miss. An urgent result of a sphere goes
 // first, then facets, then other spheres; rt_trace takes one a clock.
 // Model: sph_prim_of() in cmodel/prim/prim.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 `include "rt_bundles.vh"

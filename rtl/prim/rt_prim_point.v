@@ -7,6 +7,7 @@
 // come later than g: rt_hit takes no other hit before they have left. Today they come at once.
 // Model: sph_surface_point() in cmodel/shade/surface.c, normal() in cmodel/prim/sphere.c,
 //        sph_stored_normal() in cmodel/prim/kinds.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 `include "rt_prim.vh"

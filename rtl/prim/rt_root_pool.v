@@ -4,6 +4,7 @@
 // PR not 0: of the root its first PR bits count; a far key is then at least 1.
 // UNITS iterative roots behind rt_pool.
 // Model: sph_leaf_key_bits() in cmodel/prim/leaf.c
+`timescale 1ns / 1ps
 `default_nettype none
 module rt_root_pool #(
     parameter W     = 16,  // coordinate, bits

@@ -6,6 +6,7 @@
 // once. rt_leaf cannot be held back: at most HOLD spheres are under way, so that the queues cannot
 // overflow. Results leave in any order; one of a root unit is urgent, since the unit waits for it.
 // Model: test() in cmodel/prim/sphere.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 `include "rt_bundles.vh"

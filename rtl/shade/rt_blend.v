@@ -8,6 +8,7 @@
 //   operands in cycle 1, 2, 3: albedo, light | weight, kr  4, 5, 6: colour, weight | colour, front
 //   products follow by 1 cycle, what is made of them by 2. Latency 9 cycles, one every 8 cycles.
 // Model: sph_surface_colour(), sph_blend_add() in cmodel/shade/colour.c
+`timescale 1ns / 1ps
 `default_nettype none
 module rt_blend #(
     parameter REFLECT = 5,                  // reflections, 1..5

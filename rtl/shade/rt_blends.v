@@ -5,6 +5,7 @@
 // Without reflections there is one surface and no state: rt_colour makes the one frame.
 // read_i reads the state of a slot for the surface that enters one cycle later.
 // Model: sph_surface_colour(), sph_blend_add() in cmodel/shade/colour.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 module rt_blends #(

@@ -7,6 +7,7 @@
 //   B                           nx*dn(hi,lo) ny*dn(hi,lo) nz*dn(hi,lo)
 // Latency 20 cycles, a new one every 10 cycles.
 // Model: sph_bounce() in cmodel/shade/surface.c
+`timescale 1ns / 1ps
 `default_nettype none
 module rt_bounce #(
     parameter WD  = 17,  // direction and normal component, bits

@@ -10,6 +10,7 @@
 //   p3       nh*dl               nh*dn2               nh*dn0      nh*dn1
 // Then p0 - 2*p2 and p1 - 2*p3 | their sum, where weights are equal | one accumulator | normalise
 // Latency 24 clocks. Model: sph_bounce() in cmodel/shade/surface.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_check.vh"
 module rt_bounce_twelve #(

@@ -5,6 +5,7 @@
 // Channels follow one another through one multiplier: product | add, limit.
 // Latency 5 cycles, a new one every 3 cycles.
 // Model: sph_surface_colour(), then sph_blend_add() of the only surface, in cmodel/shade/colour.c
+`timescale 1ns / 1ps
 `default_nettype none
 module rt_colour #(
     parameter TAG = 8  // tag, bits

@@ -4,6 +4,7 @@
 // time is read with its light and material, and blended into the frames of its slot: by rt_blends,
 // or with REFRACT or SUM by rt_shares. Surfaces go before background.
 // Model: path(), shade() in cmodel/engine/render_pixel.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 `include "rt_bundles.vh"

@@ -4,6 +4,7 @@
 // every light where there are no shadow rays, is settled at once; the others wait for a shadow ray.
 //   rt_setup: next light | its unit vector, the normal | rt_lambert, 5 clocks
 // Model: sph_lambert() in cmodel/shade/colour.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_bundles.vh"
 module rt_cosine #(

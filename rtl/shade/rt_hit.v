@@ -9,6 +9,7 @@
 // takes from the port what it needs when it needs it; latency 19 from there, a hit every 12 cycles.
 // Both are longer if rt_prim_point answers later: the next hit is held back.
 // Model: sph_surface_point(), sph_surface_turn() in cmodel/shade/surface.c, no quotient, no unit
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_check.vh"
 `include "rt_layout.vh"

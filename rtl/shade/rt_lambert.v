@@ -4,6 +4,7 @@
 //   nx*lx, ny*ly | nz*lz, add | add | round, limit        two multipliers
 // Latency 5 cycles, a new pair every 2 cycles.
 // Model: sph_lambert() in cmodel/shade/colour.c
+`timescale 1ns / 1ps
 `default_nettype none
 module rt_lambert #(
     parameter TAG = 8  // tag, bits

@@ -4,6 +4,7 @@
 // Channels follow one another through one multiplier: product | round, add, limit.
 // Latency 5 cycles, a new one every 3 cycles.
 // Model: sph_light_add() in cmodel/shade/colour.c
+`timescale 1ns / 1ps
 `default_nettype none
 module rt_light_add #(
     parameter TAG = 8  // tag, bits

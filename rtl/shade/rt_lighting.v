@@ -6,6 +6,7 @@
 //              +-- settled: it shines or not -- rt_shine, if it is built <---+------------+
 // Without LIGHTS a surface has its ambient light alone, in the clock in which it starts.
 // Model: sph_job_light() in cmodel/engine/render_light.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 `include "rt_bundles.vh"

@@ -4,6 +4,7 @@
 // sends the vector to the next light to rt_setup, or the token on to rt_compose. An event goes in
 // every 3 clocks. Without shadow rays there is no queue for them; a light that is the only one
 // stands in registers and has no number. Model: sph_job_light() in cmodel/engine/render_light.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_check.vh"
 module rt_lights #(

@@ -3,6 +3,7 @@
 // The direction of each slot's ray and the normal of its surface are kept here; the mirrored
 // direction goes to rt_setup when the surface is blended.
 // Model: sph_bounce() in cmodel/shade/surface.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_bundles.vh"
 `include "rt_check.vh"

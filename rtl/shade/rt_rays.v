@@ -5,6 +5,7 @@
 // a place a depth. After a surface that no ray leaves, the deepest ray that waits goes on; if none
 // waits, the pixel is complete. Surfaces that refract go before others.
 // Model: path(), leave() in cmodel/engine/render_pixel.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 `include "rt_bundles.vh"

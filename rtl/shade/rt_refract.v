@@ -6,6 +6,7 @@
 // One product after another, DIGIT bits of the second factor a clock, and one root: slow and small.
 //   shift | B p*B p*N | A*N *(q-p) *(q+p) | + (p*B)^2 | root | x y z, to rt_normalise
 // Model: sph_refract() in cmodel/shade/refract.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_check.vh"
 `include "rt_layout.vh"

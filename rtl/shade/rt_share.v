@@ -8,6 +8,7 @@
 //   1 ka  2 kd  3 ks  4 weight * own, kr, kt  5 rgb  6 weight * (kr + kt)  8, 9 colour
 // products follow by 1 cycle, what is made of them by 2. Latency 12 cycles, one every 12 cycles.
 // Model: sph_look_light(), sph_look_own() in cmodel/shade/material.c, sph_shares_add() in colour.c
+`timescale 1ns / 1ps
 `default_nettype none
 module rt_share #(
     parameter SUM      = 1,  // 0: in_lights_i has the ambient light already, no ka, kd

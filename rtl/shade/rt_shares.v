@@ -4,6 +4,7 @@
 // slot has a weight and a depth; frames are sums, so that rays may come in any order.
 // read_i reads what belongs to the surface that enters one cycle later.
 // Model: path(), shade() in cmodel/engine/render_pixel.c, sph_shares_add() in cmodel/shade/colour.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 `include "rt_bundles.vh"

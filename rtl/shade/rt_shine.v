@@ -3,6 +3,7 @@
 // The unit vectors of each slot's ray, surface and light are kept here. A light that shines on a
 // material with a highlight waits for rt_gloss; any other passes at once, even while one waits.
 // Model: add() in cmodel/engine/render_light.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_bundles.vh"
 module rt_shine #(

@@ -5,6 +5,7 @@
 // In order: each unit takes 39 clocks. Normals must come at least 5 clocks apart, as they do from
 // rt_coords, which takes nine clocks to turn one: so results do not meet.
 // Model: sph_coords_sphere() in cmodel/texture/coords.c
+`timescale 1ns / 1ps
 `default_nettype none
 module rt_around #(
     parameter TAG   = 6,                   // what travels along, bits

@@ -8,6 +8,7 @@
 // A facet every 13 clocks or so, or a sphere, of which UNITS are in rt_around at a time; hits may
 // overtake each other. 13 clocks for a facet, 57 for a sphere.
 // Model: sph_coords() in cmodel/texture/coords.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 module rt_coords #(

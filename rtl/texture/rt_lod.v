@@ -3,6 +3,7 @@
 //   lod = min(max(log2(path) - 4 - base, 0), levels - 1); path 0: 0
 //   1..3 log2 | 4 difference | 5 limits
 // Free-running, latency 5. Model: sph_lod() in cmodel/texture/lod.c
+`timescale 1ns / 1ps
 `default_nettype none
 module rt_lod #(
     parameter PB  = 24,                 // path, bits: W + 8

@@ -3,6 +3,7 @@
 // x is rounded half up to nine significant bits, 2^e * 1.f; log2 = e + table[f], of x > 0.
 //   1 shift by 16 and 8 | 2 by 4, 2 and 1, round | 3 table
 // Free-running, latency 3. Model: sph_log2() in cmodel/texture/lod.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_check.vh"
 module rt_log2 #(

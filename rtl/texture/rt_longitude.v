@@ -5,6 +5,7 @@
 // distance from the axis, GAIN times) and GAIN * y. Words s5.22, angles in 2^-24 turns.
 //   1 load | 18 steps | 1 change | 18 steps | 1 limit, round
 // Latency 39 cycles, one at a time. Model: sph_longitude() in cmodel/texture/longitude.c
+`timescale 1ns / 1ps
 `default_nettype none
 module rt_longitude #(
     parameter TAG = 8                      // what travels along, bits

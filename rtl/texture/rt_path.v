@@ -5,6 +5,7 @@
 //   CHUNKS products of 17 bits, highest first | shift | shift | round, add | limit
 // A new hit every CHUNKS clocks; a result CHUNKS + 6 clocks after its hit.
 // Model: sph_path_add() in cmodel/texture/lod.c
+`timescale 1ns / 1ps
 `default_nettype none
 module rt_path #(
     parameter W   = 16,                      // coordinate, bits

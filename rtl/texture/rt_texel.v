@@ -6,6 +6,7 @@
 // One hit at a time: 8 clocks a level and one for each request that waits, and one.
 // Model: sph_axis_at() in cmodel/texture/texel.c, sph_texel_word() in
 // cmodel/texture/texel.h
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 module rt_texel #(

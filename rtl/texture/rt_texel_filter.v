@@ -5,6 +5,7 @@
 // A channel of a level a clock, near before far, red first, through four multipliers:
 //   1 products in x | 2 rows | 3 product in y | 4 level, rounded | 5 product of levels | 6 rounded
 // Latency 12 cycles, a new one every 6. Model: cmodel/texture/filter.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_fx.vh"
 module rt_texel_filter #(

@@ -5,6 +5,7 @@
 // token a slot: whatever waits lies in a queue or in a memory of SLOTS words, and what the cache
 // returns is always taken. Drawing and timing: docs/blocks/texture_unit.md
 // Model: sph_lookup() in cmodel/texture/lookup.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 `include "rt_bundles.vh"

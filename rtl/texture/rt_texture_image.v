@@ -3,6 +3,7 @@
 //   header, level | limited to the chain | first lines of the two levels | queue | rt_texel
 // Keeps the word of each pixel: level of its first texture, sum of the addresses of its texels.
 // Model: the second half of sph_lookup() in cmodel/texture/lookup.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 module rt_texture_image #(

@@ -3,6 +3,7 @@
 // The level is computed as the record comes, coordinates of COORDS spheres at once, and hits
 // may overtake each other; then the image's header is asked for.
 // Model: the first half of sph_lookup() in cmodel/texture/lookup.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 module rt_texture_map #(

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Park et al. 2011, Figure 1: path length on the ray stack; here a word a slot, begun anew by each
 // primary ray. Tokens leave in order. Model: cmodel/engine/render_pixel.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 module rt_texture_path #(

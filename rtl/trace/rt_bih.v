@@ -6,6 +6,7 @@
 // A ray starts at 3, and each axis of the global box is cut from there, in clocks in which no node
 // comes from the cache. A ray without records of no node (N_LOOSE 0) starts with axis x of the box.
 // Aroxa 2014, III.B. Model: sph_bih_walk() in cmodel/trace/bih_walk.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 `include "rt_bundles.vh"

@@ -5,6 +5,7 @@
 // clock: the first reads all about the slot, the second decides. An interval {hi, lo} bounds where
 // along the ray the node lies that the ray is at.
 // Model: sph_bih_walk() in cmodel/trace/bih_walk.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 `include "rt_bih.vh"

@@ -7,6 +7,7 @@
 // A ray leaves every 5 clocks or, if that is more, every 18/BANKS or so. Shadow rays go before
 // others.
 // Model: sph_bih_setup() in cmodel/trace/bih.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 module rt_bih_ray #(

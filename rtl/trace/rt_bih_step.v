@@ -6,6 +6,7 @@
 //   stage 1 v | 2 products | 3 what rounding up adds | 4 shift by bytes | 5 by bits, limits
 // Nothing waits here: a node a clock, latency 5 = `RT_BIH_STEP_LATENCY.
 // Model: sph_bih_cut() in cmodel/trace/bih.c, called for both planes
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 module rt_bih_step #(

@@ -5,6 +5,7 @@
 // KEYS its own top bits are that depth, and FW + 1 of them are kept.
 // One result a cycle; the token leaves 4 cycles after the last result of its visit.
 // Model: keep() in cmodel/trace/leaf_unit.c, sph_ray_depth() in cmodel/trace/setup.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 module rt_collect #(

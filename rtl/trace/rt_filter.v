@@ -5,6 +5,7 @@
 // (docs/blocks/filter.md).
 //   1 oc | 2 products | 3 differences | 4 round to 2 fraction bits | 5 squares | 6 sums | 7 compare
 // Latency 7 = `RT_FILTER_LATENCY, one child a clock. Model: sph_filter() in cmodel/trace/filter.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_check.vh"
 `include "rt_fx.vh"

@@ -6,6 +6,7 @@
 // other, has each tested against its slot's ray, and hands every result to rt_trace. The same cache
 // serves the primitive records of rt_shade. What is behind the cache may wait for a primitive.
 // Model: sph_leaf_visit() in cmodel/trace/leaf_unit.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 `include "rt_bundles.vh"

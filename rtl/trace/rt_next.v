@@ -6,6 +6,7 @@
 // than the ray's limit is dropped whole, and so is the stack when its smallest near depth does.
 // Two stages, one token a cycle; a pruned top of stack costs one more pass (bubble_o).
 // Model: the end of the loop of sph_traverse() in cmodel/trace/traverse.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 module rt_next #(

@@ -4,6 +4,7 @@
 // their slot; where no others are built, nothing is kept.
 //   filter origin = org / 2^(W-FW), half up, limited to FW bits
 // A ray a clock, latency 2 clocks. Model: sph_ray_setup() in cmodel/trace/setup.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_bundles.vh"
 module rt_origin #(

@@ -4,6 +4,7 @@
 // vector, and from that comes all that a ray carries. UNITS vectors go in within UNIT_INTERVAL
 // clocks, but no light in the clock behind another.
 // Model: sph_ray_setup() in cmodel/trace/setup.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 `include "rt_bundles.vh"

@@ -3,6 +3,7 @@
 // Position of a child = number of hit children before it: six comparisons, no exchange.
 // Latency 2 cycles, one node a cycle.
 // Model: insert() in cmodel/trace/visit.c
+`timescale 1ns / 1ps
 `default_nettype none
 module rt_sort (
     input  wire        clk,

@@ -6,6 +6,7 @@
 // With ACCEL rt_bih takes the place of rt_traverse and rt_next. One token a slot goes round, so
 // queues of SLOTS words never fill. Visits that had leaves go before others: they waited longest.
 // Model: sph_traverse() in cmodel/trace/traverse.c, sph_bih_walk() in cmodel/trace/bih_walk.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 `include "rt_bundles.vh"

@@ -5,6 +5,7 @@
 //   issue | node cache | 1 node beside its ray | rt_filter, `RT_FILTER_LATENCY | rt_sort, 2
 // Behind the cache nothing waits: a node a clock.
 // Borodavka et al. IV. Model: sph_visit() in cmodel/trace/visit.c
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_latency.vh"
 `include "rt_layout.vh"

@@ -4,6 +4,7 @@
 // is nearest to its end goes first. The first three always find room (token rule): queues hold
 // their slots, block RAM the vectors. For a source that is not built there is neither.
 // There is no model of it: the order of vectors changes no result.
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_bundles.vh"
 module rt_vectors #(

@@ -9,6 +9,7 @@
 // `k clocks` (from start to the last pixel), `e errors`, `w` (the warm pass begins), `h why`
 // (hang), `end`. simulate_icarus.cpp reads them.
 // Everything the core sees changes at the rising edge, or soon after it.
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 module tb_core_icarus #(

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The same hits go to rt_hit and to rt_hit_late, which tests/prim/test_kinds.sh makes of it by
 // giving it rt_prim_point_late. Prints `same` or what differs.
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 `include "rt_prim.vh"

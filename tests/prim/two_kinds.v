@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two rt_prim get the same tests, one as KIND 1, the other as KIND; what they answer must be equal
 // in every clock. Prints `same` or what differs. tests/prim/test_kinds.sh makes the new kind.
+`timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 `include "rt_bundles.vh"
