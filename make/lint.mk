@@ -73,8 +73,8 @@ $B/lint/%.cpp: %.cpp $(C_HEADS) .clang-tidy
 
 lint-format:
 	$(call lint_say,clang-format)
-	$(Q)find cmodel formal tb tests synth \( -name '*.c' -o -name '*.h' -o -name '*.cpp' \) \
-	    ! -name '*_table.h' ! -name layout.h ! -name bundles.h \
+	$(Q)find cmodel driver formal tb tests synth \( -name '*.c' -o -name '*.h' -o -name '*.cpp' \) \
+	    ! -name '*_table.h' ! -name layout.h ! -name bundles.h ! -name sphaera_regs.h \
 	    -exec clang-format --dry-run -Werror {} +
 
 lint-circles: $(call objects,obj/,$(LIB_C) $(TOOL_C))

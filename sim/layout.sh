@@ -1,18 +1,23 @@
 #!/bin/sh
-# layout.sh - what follows from machine.def: two layout headers, and lines between marks
+# layout.sh - what follows from machine.def and top.def: headers, and lines between marks
 # SPDX-License-Identifier: Apache-2.0
 #
 # usage: sim/layout.sh [FOLDER]
-# Writes layout.h and rt_layout.vh, and in rt_core.v and tb_core_icarus.v the lines between
-# `// KIND of machine.def` and `// end of KIND`; to FOLDER if it is given, else in their places. A
-# file that stays the same keeps its time.
+# Writes layout.h and rt_layout.vh, of rt_top rt_top.vh, sphaera_regs.h and rt_top.rdl, and in
+# rt_core.v, rt_top.v and tb_core_icarus.v the lines between `// KIND of machine.def` and
+# `// end of KIND`; to FOLDER if it is given, else in their places. A file that stays the same keeps
+# its time.
 set -eu
 cd "$(dirname "$0")/.."
 def=cmodel/machine
 generate() { awk -v lang="$1" -f $def/effects.awk -f $def/gen_layout.awk $def/machine.def; }
+generate_top() {
+    awk -v lang="$1" -f $def/gen_top.awk $def/machine.def $def/top.def
+}
 put() { # file: takes stdin
     to=${to_folder:+$to_folder/${1##*/}}
     to=${to:-$1}
+    mkdir -p "${to%/*}"
     cat >"$to.tmp"
     if cmp -s "$to.tmp" "$to"; then rm "$to.tmp"; else mv "$to.tmp" "$to"; fi
 }
@@ -32,6 +37,12 @@ text=$(generate c)
 printf '%s\n' "$text" | put $def/layout.h
 text=$(generate v)
 printf '%s\n' "$text" | put rtl/core/rt_layout.vh
+text=$(generate_top v)
+printf '%s\n' "$text" | put rtl/top/rt_top.vh
+text=$(generate_top c)
+printf '%s\n' "$text" | put driver/sphaera_regs.h
+text=$(generate_top rdl)
+printf '%s\n' "$text" | put docs/blocks/rt_top.rdl
 for file in rtl/core/rt_core.v tb/core/tb_core_icarus.v; do
     text=$(splice $file)
     printf '%s\n' "$text" | put $file

@@ -3,12 +3,12 @@
 # SPDX-License-Identifier: Apache-2.0
 cd "$(dirname "$0")/.." || exit 1
 
-sources=$(find Makefile .ci make cmodel lab rtl formal tb sim synth tests -type f \( \
+sources=$(find Makefile .ci make cmodel driver lab rtl formal tb sim synth tests -type f \( \
     -name Makefile -o -name run -o -name '*.c' -o -name '*.h' -o -name '*.cpp' -o -name '*.v' \
     -o -name '*.vh' -o -name '*.vlt' -o -name '*.sh' -o -name '*.mk' -o -name '*.awk' \
     -o -name '*.py' -o -name '*.ys' -o -name '*.def' -o -name '*.txt' -o -name '*.lib' \
     -o -name '*.smt2' \))
-generated='/(layout\.h|rt_layout\.vh|bundles\.h|rt_bundles\.vh|[a-z_]*_table\.h)$'
+generated='/(layout\.h|rt_layout\.vh|sphaera_regs\.h|bundles\.h|rt_bundles\.vh|[a-z_]*_table\.h)$'
 written=$(printf '%s\n' "$sources" | grep -vE "$generated")
 texts=$(find docs scenes README.md -type f \( -name '*.md' -o -name '*.nff' \) 2>/dev/null)
 bad=0

@@ -36,6 +36,13 @@ def registers():
                             for first, last, name, meaning in merged)
 
 
+def top_registers():
+    """Those of rt_top, as its bus sees them."""
+    return subprocess.run(["awk", "-v", "lang=page", "-f", DEF.with_name("gen_top.awk"), DEF,
+                           DEF.with_name("top.def")], check=True, text=True,
+                          stdout=subprocess.PIPE).stdout.rstrip()
+
+
 def parts():
     """[word, parameter, bit, most, in `all`, needs, excludes, meaning] of what a core can do."""
     listed = subprocess.run(["sh", "sim/parameters.sh", "--table"], check=True, text=True,

@@ -21,7 +21,8 @@ def const(name):
 MAKERS = {
     "parameters": blocks.parameters, "ports": blocks.ports,
     "interface": blocks.interface, "bundles": bundles.bundles,
-    "registers": machine.registers, "effects": machine.effects, "counters": machine.counters,
+    "registers": machine.registers, "top_registers": machine.top_registers,
+    "effects": machine.effects, "counters": machine.counters,
     "errors": machine.errors, "profiles": machine.profiles, "widths": machine.widths,
     "count": count, "const": const, "age": measured.age, "rows": data.rows, "cell": data.cell,
     "core": cores.core, "cores": cores.cores, "inside": cores.inside, "yosys": cores.yosys,

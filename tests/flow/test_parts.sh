@@ -12,7 +12,7 @@ cd "$(dirname "$0")/../.." || exit 1
 export CCACHE_BASEDIR="$PWD"
 copy=$TMP/copy
 mkdir -p "$copy" && cp -r Makefile README.md CONTRIBUTING.md \
-    cmodel docs formal lab make rtl scenes sim synth tb tests "$copy" || exit 1
+    cmodel docs driver formal lab make rtl scenes sim synth tb tests "$copy" || exit 1
 cd "$copy" || exit 1
 def=cmodel/machine/machine.def
 line="effect dummy most=3 bit=$(awk -f cmodel/machine/effects.awk -f - $def <<'END'

@@ -1,0 +1,231 @@
+/* sphaera_regs.h - generated from top.def and machine.def by gen_top.awk; do not edit
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef SPHAERA_REGS_H
+#define SPHAERA_REGS_H
+
+#define SPHAERA_ID 0x000u /* ro: the letters SpHR */
+#define SPHAERA_ID_RESET 0x53704852u
+#define SPHAERA_VERSION 0x004u /* ro: version of this list */
+#define SPHAERA_VERSION_RESET 0x00010000u
+#define SPHAERA_VERSION_MINOR_LSB 0u
+#define SPHAERA_VERSION_MINOR 0x0000ffffu /* more registers, the others stay */
+#define SPHAERA_VERSION_MAJOR_LSB 16u
+#define SPHAERA_VERSION_MAJOR 0xffff0000u /* another meaning of a register */
+#define SPHAERA_CORE_PROFILE 0x008u /* ro: widths of the core, as register PROFILE has them */
+#define SPHAERA_CORE_EFFECTS 0x00cu /* ro: effects of the core, as register EFFECTS has them */
+#define SPHAERA_CORE_PARTS 0x010u /* ro: what else the core was built with */
+#define SPHAERA_CORE_PARTS_ENGINES_LSB 0u
+#define SPHAERA_CORE_PARTS_ENGINES 0x0000000fu /* engines */
+#define SPHAERA_CORE_PARTS_DEPTH_LSB 4u
+#define SPHAERA_CORE_PARTS_DEPTH 0x00000070u /* deepest reflection or refraction */
+#define SPHAERA_CORE_PARTS_LIGHTS_LSB 8u
+#define SPHAERA_CORE_PARTS_LIGHTS 0x00000f00u /* lights */
+#define SPHAERA_CORE_PARTS_CONES_LSB 12u
+#define SPHAERA_CORE_PARTS_CONES 0x0001f000u /* cones of the background */
+#define SPHAERA_CORE_PARTS_RECT_LSB 17u
+#define SPHAERA_CORE_PARTS_RECT 0x00020000u /* rectangle of the background */
+#define SPHAERA_CORE_PARTS_SPANS_LSB 18u
+#define SPHAERA_CORE_PARTS_SPANS 0x00040000u /* spans of the background */
+#define SPHAERA_CORE_PARTS_ACCEL_LSB 19u
+#define SPHAERA_CORE_PARTS_ACCEL 0x00080000u /* a BIH instead of nodes of four children */
+#define SPHAERA_CORE_PARTS_COARSE_LSB 20u
+#define SPHAERA_CORE_PARTS_COARSE 0x00f00000u /* bits of a level's fraction that are rounded away */
+#define SPHAERA_CORE_BUS 0x014u /* ro: what the block was built with */
+#define SPHAERA_CORE_BUS_DATA_LSB 0u
+#define SPHAERA_CORE_BUS_DATA 0x000000ffu /* data bits of the AXI4 masters, 64 or 128 */
+#define SPHAERA_CORE_BUS_VIDEO_LSB 8u
+#define SPHAERA_CORE_BUS_VIDEO 0x00000100u /* there is a video output */
+#define SPHAERA_CONTROL 0x020u /* wo: each one written is an order */
+#define SPHAERA_CONTROL_RESET 0x00000000u
+#define SPHAERA_CONTROL_START_LSB 0u
+#define SPHAERA_CONTROL_START 0x00000001u /* draw a frame of the machine registers as they stand now */
+#define SPHAERA_CONTROL_KEEP_CACHE_LSB 1u
+#define SPHAERA_CONTROL_KEEP_CACHE 0x00000002u /* with START: memory did not change, caches stay */
+#define SPHAERA_CONTROL_STOP_LSB 2u
+#define SPHAERA_CONTROL_STOP 0x00000004u /* end the frame: it is not complete, nothing else is lost */
+#define SPHAERA_CONTROL_SOFT_RESET_LSB 3u
+#define SPHAERA_CONTROL_SOFT_RESET 0x00000008u /* STOP; errors, interrupts, counts of frames and the frame store start anew */
+#define SPHAERA_CONTROL_FORGET_LSB 4u
+#define SPHAERA_CONTROL_FORGET 0x00000010u /* with SOFT_RESET: the buses were reset too, they owe no answers */
+#define SPHAERA_CONTROL_SNAPSHOT_LSB 5u
+#define SPHAERA_CONTROL_SNAPSHOT 0x00000020u /* copy all counters to where they are read */
+#define SPHAERA_CONTROL_TAKE_LSB 6u
+#define SPHAERA_CONTROL_TAKE 0x00000040u /* take the newest frame to show, as video does at its blanking */
+#define SPHAERA_STATUS 0x024u /* ro: what the block does */
+#define SPHAERA_STATUS_RESET 0x00000000u
+#define SPHAERA_STATUS_BUSY_LSB 0u
+#define SPHAERA_STATUS_BUSY 0x00000001u /* a frame is drawn, or its pixels are still written */
+#define SPHAERA_STATUS_DRAINING_LSB 1u
+#define SPHAERA_STATUS_DRAINING 0x00000002u /* stopped, the buses still owe answers */
+#define SPHAERA_STATUS_BLANK_LSB 2u
+#define SPHAERA_STATUS_BLANK 0x00000004u /* video is between two frames */
+#define SPHAERA_STATUS_VALID_LSB 3u
+#define SPHAERA_STATUS_VALID 0x00000008u /* a frame is shown */
+#define SPHAERA_STATUS_DRAWN_LSB 4u
+#define SPHAERA_STATUS_DRAWN 0x00000030u /* number of the frame that is drawn, or was */
+#define SPHAERA_STATUS_NEWEST_LSB 6u
+#define SPHAERA_STATUS_NEWEST 0x000000c0u /* of the newest complete frame */
+#define SPHAERA_STATUS_SHOWN_LSB 8u
+#define SPHAERA_STATUS_SHOWN 0x00000300u /* of the frame that is shown */
+#define SPHAERA_STATUS_WAITING_LSB 10u
+#define SPHAERA_STATUS_WAITING 0x00000400u /* the next frame waits until the newest is shown */
+#define SPHAERA_FRAME_COUNT 0x028u /* ro: frames complete */
+#define SPHAERA_FRAME_COUNT_RESET 0x00000000u
+#define SPHAERA_ERRORS 0x02cu /* w1c: sticky errors, those of the core first */
+#define SPHAERA_ERRORS_RESET 0x00000000u
+#define SPHAERA_ERRORS_BAD_NODE_LSB 0u
+#define SPHAERA_ERRORS_BAD_NODE 0x00000001u /* an address outside memory; a node, leaf line or texture that is malformed */
+#define SPHAERA_ERRORS_STACK_OVERFLOW_LSB 1u
+#define SPHAERA_ERRORS_STACK_OVERFLOW 0x00000002u /* a tree deeper than the stack */
+#define SPHAERA_ERRORS_VISIT_LIMIT_LSB 2u
+#define SPHAERA_ERRORS_VISIT_LIMIT 0x00000004u /* a ray visited VISIT_LIMIT nodes: a cycle in the tree */
+#define SPHAERA_ERRORS_BUS_ERROR_LSB 3u
+#define SPHAERA_ERRORS_BUS_ERROR 0x00000008u /* memory answered with an error */
+#define SPHAERA_ERRORS_MISSING_EFFECT_LSB 4u
+#define SPHAERA_ERRORS_MISSING_EFFECT 0x00000010u /* EFFECTS or TREE asks for what was not elaborated: nothing is rendered */
+#define SPHAERA_ERRORS_WRONG_PROFILE_LSB 5u
+#define SPHAERA_ERRORS_WRONG_PROFILE 0x00000020u /* the machine has other widths: nothing is rendered */
+#define SPHAERA_ERRORS_SCENE_SLVERR_LSB 8u
+#define SPHAERA_ERRORS_SCENE_SLVERR 0x00000100u /* memory answered a read of the scene with SLVERR */
+#define SPHAERA_ERRORS_SCENE_DECERR_LSB 9u
+#define SPHAERA_ERRORS_SCENE_DECERR 0x00000200u /* memory answered a read of the scene with DECERR */
+#define SPHAERA_ERRORS_FRAME_SLVERR_LSB 10u
+#define SPHAERA_ERRORS_FRAME_SLVERR 0x00000400u /* a write to the frame store was answered with SLVERR */
+#define SPHAERA_ERRORS_FRAME_DECERR_LSB 11u
+#define SPHAERA_ERRORS_FRAME_DECERR 0x00000800u /* a write to the frame store was answered with DECERR */
+#define SPHAERA_ERRORS_SCAN_ERROR_LSB 12u
+#define SPHAERA_ERRORS_SCAN_ERROR 0x00001000u /* a read of the frame that is shown was answered with an error */
+#define SPHAERA_ERRORS_WATCHDOG_LSB 13u
+#define SPHAERA_ERRORS_WATCHDOG 0x00002000u /* a bus did nothing for WATCHDOG clocks */
+#define SPHAERA_ERRORS_REFUSED_LSB 14u
+#define SPHAERA_ERRORS_REFUSED 0x00004000u /* START came while a frame was drawn or drained, and did nothing */
+#define SPHAERA_INTERRUPTS 0x030u /* w1c: what happened */
+#define SPHAERA_INTERRUPTS_RESET 0x00000000u
+#define SPHAERA_INTERRUPTS_FRAME_DONE_LSB 0u
+#define SPHAERA_INTERRUPTS_FRAME_DONE 0x00000001u /* a frame ended, complete or not */
+#define SPHAERA_INTERRUPTS_SWAP_LSB 1u
+#define SPHAERA_INTERRUPTS_SWAP 0x00000002u /* another frame is shown */
+#define SPHAERA_INTERRUPTS_UNDERRUN_LSB 2u
+#define SPHAERA_INTERRUPTS_UNDERRUN 0x00000004u /* video had no pixel when it needed one */
+#define SPHAERA_INTERRUPTS_ERROR_LSB 3u
+#define SPHAERA_INTERRUPTS_ERROR 0x00000008u /* a bit of ERRORS was set */
+#define SPHAERA_INTERRUPT_ENABLE 0x034u /* rw: which of them drive the interrupt line */
+#define SPHAERA_INTERRUPT_ENABLE_RESET 0x00000000u
+#define SPHAERA_INTERRUPT_ENABLE_SOURCES_LSB 0u
+#define SPHAERA_INTERRUPT_ENABLE_SOURCES 0x0000000fu /* the bits of INTERRUPTS */
+#define SPHAERA_WATCHDOG 0x038u /* rw: clocks that a bus may owe an answer, 0: any number */
+#define SPHAERA_WATCHDOG_RESET 0x00100000u
+#define SPHAERA_SCENE_BASE 0x040u /* rw: address of line 0 of the machine, a multiple of 4096 */
+#define SPHAERA_SCENE_BASE_RESET 0x00000000u
+#define SPHAERA_FRAME0 0x044u /* rw: address of frame 0, a multiple of 64 */
+#define SPHAERA_FRAME0_RESET 0x00000000u
+#define SPHAERA_FRAME1 0x048u /* rw: of frame 1 */
+#define SPHAERA_FRAME1_RESET 0x00000000u
+#define SPHAERA_FRAME2 0x04cu /* rw: of frame 2 */
+#define SPHAERA_FRAME2_RESET 0x00000000u
+#define SPHAERA_STRIDE 0x050u /* rw: bytes from a row of a frame to the next */
+#define SPHAERA_STRIDE_RESET 0x00000a00u
+#define SPHAERA_STRIDE_BYTES_LSB 0u
+#define SPHAERA_STRIDE_BYTES 0x0000ffffu /* a multiple of 16 */
+#define SPHAERA_FORMAT 0x054u /* rw: how a pixel is stored */
+#define SPHAERA_FORMAT_RESET 0x00000000u
+#define SPHAERA_FORMAT_RGB565_LSB 0u
+#define SPHAERA_FORMAT_RGB565 0x00000001u /* 0: XRGB8888, 1: RGB565; blue in the low bits */
+#define SPHAERA_MUX 0x058u /* rw: which colours are stored, at once */
+#define SPHAERA_MUX_RESET 0x00000000u
+#define SPHAERA_MUX_FRAME_LSB 0u
+#define SPHAERA_MUX_FRAME 0x00000003u /* 0: as register FRAME of the machine has it, 1 Rendering, 2 L1, 3 L2 */
+#define SPHAERA_FRAME_MODE 0x05cu /* rw: of the frame store */
+#define SPHAERA_FRAME_MODE_RESET 0x00000000u
+#define SPHAERA_FRAME_MODE_WAIT_LSB 0u
+#define SPHAERA_FRAME_MODE_WAIT 0x00000001u /* a frame is not begun before the newest one is shown */
+#define SPHAERA_VIDEO 0x060u /* rw: the display */
+#define SPHAERA_VIDEO_RESET 0x00000000u
+#define SPHAERA_VIDEO_ENABLE_LSB 0u
+#define SPHAERA_VIDEO_ENABLE 0x00000001u /* video runs; its mode must not change then */
+#define SPHAERA_VIDEO_DOUBLE_LSB 1u
+#define SPHAERA_VIDEO_DOUBLE 0x00000002u /* a pixel of the store is shown as two by two */
+#define SPHAERA_VIDEO_H_POL_LSB 2u
+#define SPHAERA_VIDEO_H_POL 0x00000004u /* hsync is high in its pulse */
+#define SPHAERA_VIDEO_V_POL_LSB 3u
+#define SPHAERA_VIDEO_V_POL 0x00000008u /* vsync is high in its pulse */
+#define SPHAERA_VIDEO_H_ACTIVE 0x064u /* rw: pixels of a row */
+#define SPHAERA_VIDEO_H_ACTIVE_RESET 0x00100280u
+#define SPHAERA_VIDEO_H_ACTIVE_ACTIVE_LSB 0u
+#define SPHAERA_VIDEO_H_ACTIVE_ACTIVE 0x00001fffu /* that are shown */
+#define SPHAERA_VIDEO_H_ACTIVE_FRONT_LSB 16u
+#define SPHAERA_VIDEO_H_ACTIVE_FRONT 0x1fff0000u /* from the last one to the pulse */
+#define SPHAERA_VIDEO_H_SYNC 0x068u /* rw: pixels of the pulse */
+#define SPHAERA_VIDEO_H_SYNC_RESET 0x00300060u
+#define SPHAERA_VIDEO_H_SYNC_SYNC_LSB 0u
+#define SPHAERA_VIDEO_H_SYNC_SYNC 0x00001fffu /* the pulse */
+#define SPHAERA_VIDEO_H_SYNC_BACK_LSB 16u
+#define SPHAERA_VIDEO_H_SYNC_BACK 0x1fff0000u /* from it to the first pixel */
+#define SPHAERA_VIDEO_V_ACTIVE 0x06cu /* rw: rows */
+#define SPHAERA_VIDEO_V_ACTIVE_RESET 0x000a01e0u
+#define SPHAERA_VIDEO_V_ACTIVE_ACTIVE_LSB 0u
+#define SPHAERA_VIDEO_V_ACTIVE_ACTIVE 0x00001fffu /* that are shown */
+#define SPHAERA_VIDEO_V_ACTIVE_FRONT_LSB 16u
+#define SPHAERA_VIDEO_V_ACTIVE_FRONT 0x1fff0000u /* from the last one to the pulse */
+#define SPHAERA_VIDEO_V_SYNC 0x070u /* rw: rows of the pulse */
+#define SPHAERA_VIDEO_V_SYNC_RESET 0x00210002u
+#define SPHAERA_VIDEO_V_SYNC_SYNC_LSB 0u
+#define SPHAERA_VIDEO_V_SYNC_SYNC 0x00001fffu /* the pulse */
+#define SPHAERA_VIDEO_V_SYNC_BACK_LSB 16u
+#define SPHAERA_VIDEO_V_SYNC_BACK 0x1fff0000u /* from it to the first row */
+
+#define SPHAERA_MACHINE 0x200u
+#define SPHAERA_MACHINE_REGISTERS 112u
+#define SPHAERA_COUNTERS 0x400u
+#define SPHAERA_COUNTS 41u
+
+#define SPHAERA_COUNT_RAYS_PRIMARY 0u
+#define SPHAERA_COUNT_RAYS_SHADOW 1u
+#define SPHAERA_COUNT_RAYS_REFLECTED 2u
+#define SPHAERA_COUNT_NODE_VISITS 3u
+#define SPHAERA_COUNT_CHILD_TESTS 4u
+#define SPHAERA_COUNT_LEAF_TESTS 5u
+#define SPHAERA_COUNT_ROOTS 6u
+#define SPHAERA_COUNT_QUOTIENTS 7u
+#define SPHAERA_COUNT_BACKGROUND 8u
+#define SPHAERA_COUNT_SATURATIONS 9u
+#define SPHAERA_COUNT_CYCLES 10u
+#define SPHAERA_COUNT_ISSUE_WAIT 11u
+#define SPHAERA_COUNT_NODE_MISSES 12u
+#define SPHAERA_COUNT_LEAF_MISSES 13u
+#define SPHAERA_COUNT_RAYS_WAITING 14u
+#define SPHAERA_COUNT_POP_BUBBLES 15u
+#define SPHAERA_COUNT_FACET_TESTS 16u
+#define SPHAERA_COUNT_DIVISIONS 17u
+#define SPHAERA_COUNT_TEXELS 18u
+#define SPHAERA_COUNT_TEXEL_MISSES 19u
+#define SPHAERA_COUNT_RAYS_REFRACTED 20u
+#define SPHAERA_COUNT_POWERS 21u
+#define SPHAERA_COUNT_READ_BURSTS 32u
+#define SPHAERA_COUNT_READ_BEATS 33u
+#define SPHAERA_COUNT_WRITE_BURSTS 34u
+#define SPHAERA_COUNT_WRITE_BEATS 35u
+#define SPHAERA_COUNT_WRITE_PIXELS 36u
+#define SPHAERA_COUNT_FRAMES_SHOWN 37u
+#define SPHAERA_COUNT_FRAMES_AGAIN 38u
+#define SPHAERA_COUNT_FRAMES_LOST 39u
+#define SPHAERA_COUNT_UNDERRUNS 40u
+
+/* X(bit of ERRORS, what it says) */
+#define SPHAERA_EACH_ERROR(X) \
+    X(SPHAERA_ERRORS_BAD_NODE, "an address outside memory; a node, leaf line or texture that is malformed") \
+    X(SPHAERA_ERRORS_STACK_OVERFLOW, "a tree deeper than the stack") \
+    X(SPHAERA_ERRORS_VISIT_LIMIT, "a ray visited VISIT_LIMIT nodes: a cycle in the tree") \
+    X(SPHAERA_ERRORS_BUS_ERROR, "memory answered with an error") \
+    X(SPHAERA_ERRORS_MISSING_EFFECT, "EFFECTS or TREE asks for what was not elaborated: nothing is rendered") \
+    X(SPHAERA_ERRORS_WRONG_PROFILE, "the machine has other widths: nothing is rendered") \
+    X(SPHAERA_ERRORS_SCENE_SLVERR, "memory answered a read of the scene with SLVERR") \
+    X(SPHAERA_ERRORS_SCENE_DECERR, "memory answered a read of the scene with DECERR") \
+    X(SPHAERA_ERRORS_FRAME_SLVERR, "a write to the frame store was answered with SLVERR") \
+    X(SPHAERA_ERRORS_FRAME_DECERR, "a write to the frame store was answered with DECERR") \
+    X(SPHAERA_ERRORS_SCAN_ERROR, "a read of the frame that is shown was answered with an error") \
+    X(SPHAERA_ERRORS_WATCHDOG, "a bus did nothing for WATCHDOG clocks") \
+    X(SPHAERA_ERRORS_REFUSED, "START came while a frame was drawn or drained, and did nothing")
+
+#endif
