@@ -86,14 +86,16 @@ all: tool ## everything that is built without simulators
 tool: $(TOOL) ## the command-line tool build/sphaera
 
 include make/objects.mk make/sim.mk make/pages.mk make/bench.mk make/lint.mk make/background.mk \
-        make/textures.mk make/scenarios.mk make/study.mk make/synth.mk \
-        make/effects.mk make/test.mk make/image.mk make/hard.mk make/formal.mk make/truth.mk \
+        make/textures.mk make/scenarios.mk make/study.mk make/synth.mk make/effects.mk \
+        make/package.mk make/test.mk make/image.mk make/hard.mk make/formal.mk make/truth.mk \
         make/top.mk
 
-layout: ## headers and parameters from machine.def and top.def, bundles from bundles.def
+layout: ## what follows from machine.def, top.def, bundles.def, VERSION, and the files of rtl
 	$(call say,GEN,"layout.h rt_layout.vh rt_top.vh sphaera_regs.h rt_bundles.vh bundles.h")
+	$(call say,GEN,"sphaera.f sphaera.core")
 	$(Q)sh sim/layout.sh
 	$(Q)sh sim/bundles.sh rtl/engine/rt_bundles.vh tb/bundles.h
+	$(Q)sh sim/filelist.sh
 
 clean: ## remove build/
 	$(Q)rm -rf $B

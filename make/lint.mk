@@ -8,7 +8,7 @@
 
 V_FILES  := $(sort $(shell find rtl -name '*.v'))
 V_HEADS  := $(sort $(shell find rtl -name '*.vh'))
-V_BENCHES := $(sort $(wildcard formal/*.v tb/*/*.v))
+V_BENCHES := $(sort $(wildcard formal/*.v tb/*/*.v examples/*/*.v))
 V_DIRS   := $(patsubst %/,%,$(sort $(dir $(V_FILES) $(V_HEADS))))
 C_HEADS  := $(sort $(shell find cmodel tb tests -name '*.h'))
 # Tests are left to gcc's warnings and sanitizers: clang-tidy takes seven seconds a file.

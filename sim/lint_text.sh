@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: Apache-2.0
 cd "$(dirname "$0")/.." || exit 1
 
-sources=$(find Makefile .ci make cmodel driver lab rtl formal tb sim synth tests -type f \( \
+sources=$(find Makefile .ci make cmodel driver examples lab rtl formal tb sim synth tests \
+    -type f \( \
     -name Makefile -o -name run -o -name '*.c' -o -name '*.h' -o -name '*.cpp' -o -name '*.v' \
     -o -name '*.vh' -o -name '*.vlt' -o -name '*.sh' -o -name '*.mk' -o -name '*.awk' \
     -o -name '*.py' -o -name '*.ys' -o -name '*.def' -o -name '*.txt' -o -name '*.lib' \

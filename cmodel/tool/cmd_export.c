@@ -1,19 +1,28 @@
-/* cmd_export.c - `sphaera export`: a scene for another renderer
+/* cmd_export.c - `sphaera export`: a scene for another renderer, a machine for a core or a host
  * SPDX-License-Identifier: Apache-2.0
  */
 #include <string.h>
 
 #include "common/output.h"
+#include "machine/export.h"
 #include "scene/pov_write.h"
 #include "tool/tool.h"
 
 struct arguments {
     struct tool_source source;
-    const char *input, *output;
+    const char *input, *output, *hex, *c_array;
 };
+
+enum { KEY_HEX = 512, KEY_C_ARRAY };
 
 static const struct argp_option options[] = {
     {"output", 'o', "FILE.pov", 0, "scene to write (default: standard output)", 0},
+    {"hex", KEY_HEX, "STEM", 0,
+     "of a machine file: STEM.regs.hex and STEM.mem.hex, registers and lines of memory for "
+     "$readmemh",
+     0},
+    {"c-array", KEY_C_ARRAY, "FILE.h", 0,
+     "of a machine file: both as arrays of C (- : on standard output)", 0},
     {0},
 };
 
@@ -26,9 +35,20 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     case 'o':
         a->output = tool_output(&a->source.outputs, arg);
         return 0;
+    case KEY_HEX:
+        a->hex = arg;
+        return 0;
+    case KEY_C_ARRAY:
+        a->c_array = tool_output(&a->source.outputs, arg);
+        return 0;
+    case ARGP_KEY_END:
+        if (a->output && (a->hex || a->c_array))
+            argp_error(state, "-o is of a scene, --hex and --c-array are of a machine file");
+        break;
     default:
-        return tool_one_scene(state, key, arg, &a->input, "no scene given");
+        break;
     }
+    return tool_one_scene(state, key, arg, &a->input, "no scene given");
 }
 
 /* Writes the scene where the user wants it, and says so. */
@@ -46,13 +66,28 @@ static int finish(const struct arguments *a, const struct sph_scene *scene, stru
     return 0;
 }
 
+/* A machine file as text. */
+static int export_machine(const struct arguments *a, struct sph_error *err) {
+    struct tool_built built;
+    if (!tool_is_machine(a->input))
+        return sph_fail(err,
+                        "%.200s: is a scene; `sphaera build` makes the machine file of it, "
+                        "which --hex and --c-array take",
+                        a->input);
+    if (tool_load(a->input, &a->source, &built, err)) return -1;
+    int rc = a->hex ? sph_machine_write_hex(&built.machine, a->hex, err) : 0;
+    if (!rc && a->c_array) rc = sph_machine_write_c(&built.machine, a->c_array, err);
+    sph_machine_free(&built.machine);
+    return rc;
+}
+
 int tool_export(int argc, char **argv) {
     static const struct argp_child children[] = {{&tool_scene_argp, 0, "The scene:", 1}, {0}};
     static const struct argp argp = {
         options,
         parse,
-        "SCENE.nff",
-        "Writes a scene for POV-Ray 3.7.\v"
+        "SCENE.nff|MACHINE.sph",
+        "Writes a scene for POV-Ray 3.7, or a machine file for simulators and C compilers.\v"
         "Lights, surfaces, shadows, mirrors and glass are those of the scene, in linear light; "
         "of images the nearest texel is seen, as with --filter nearest. The first lines of the "
         "file say how it is rendered.",
@@ -64,6 +99,7 @@ int tool_export(int argc, char **argv) {
     struct sph_error err = {""};
     argp_parse(&argp, argc, argv, 0, NULL, &a);
 
+    if (a.hex || a.c_array) return export_machine(&a, &err) ? tool_failed(&err) : TOOL_GOOD;
     if (tool_wants_scene(a.input, &err) || tool_scene_read(a.input, &a.source, &scene, &err))
         return tool_failed(&err);
     int rc = finish(&a, &scene, &err);

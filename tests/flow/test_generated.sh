@@ -36,4 +36,7 @@ same "rt_power_rom.v follows power_table.h" rtl/shade/rt_power_rom.v "$TMP/rt_po
 sh sim/bundles.sh "$TMP/rt_bundles.vh" "$TMP/bundles.h"
 same "rt_bundles.vh follows bundles.def" rtl/engine/rt_bundles.vh "$TMP/rt_bundles.vh"
 same "bundles.h follows bundles.def" tb/bundles.h "$TMP/bundles.h"
+sh sim/filelist.sh "$TMP"
+same "sphaera.f lists the files of rtl" rtl/sphaera.f "$TMP/sphaera.f"
+same "sphaera.core lists them, and has the version of VERSION" sphaera.core "$TMP/sphaera.core"
 echo "1..$n"
