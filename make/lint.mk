@@ -9,7 +9,9 @@
 V_FILES  := $(sort $(shell find rtl -name '*.v'))
 V_HEADS  := $(sort $(shell find rtl -name '*.vh'))
 V_BENCHES := $(sort $(wildcard formal/*.v tb/*/*.v examples/*/*.v))
-V_DIRS   := $(patsubst %/,%,$(sort $(dir $(V_FILES) $(V_HEADS))))
+# Models of a vendor's parts, which rtl/board and nothing else instantiates.
+V_PARTS  := $(wildcard tb/board/*.v)
+V_DIRS   := $(patsubst %/,%,$(sort $(dir $(V_FILES) $(V_HEADS) $(V_PARTS))))
 C_HEADS  := $(sort $(shell find cmodel tb tests -name '*.h'))
 # Tests are left to gcc's warnings and sanitizers: clang-tidy takes seven seconds a file.
 TIDY     := $(filter-out $(GENERATORS),$(C_FILES)) $(IMAGE_CXX) $(wildcard formal/*.c)
@@ -35,10 +37,10 @@ $B/lint/%.v: %.v $(V_FILES) $(V_HEADS)
 	    --top-module $(*F) $<
 	@touch $@
 
-$B/lint/iverilog: $(V_FILES) $(V_HEADS)
+$B/lint/iverilog: $(V_FILES) $(V_HEADS) $(V_PARTS)
 	$(call lint_say,iverilog)
 	@mkdir -p $(@D)
-	$(Q)iverilog -g2005 -Wall -t null $(V_DIRS:%=-I%) $(V_FILES) >$@.log 2>&1; rc=$$?; \
+	$(Q)iverilog -g2005 -Wall -t null $(V_DIRS:%=-I%) $(V_FILES) $(V_PARTS) >$@.log 2>&1; rc=$$?; \
 	    cat $@.log; [ $$rc = 0 ] && [ ! -s $@.log ]
 	@touch $@
 
@@ -52,10 +54,10 @@ $B/lint/systemverilog: $(V_FILES) $(V_HEADS) $(V_BENCHES) lab/lint_slang.py
 	$(Q)python3 -m lab.lint_slang $(V_DIRS) -- $(V_FILES) $(V_BENCHES)
 	@touch $@
 
-$B/lint/yosys: $(V_FILES) $(V_HEADS)
+$B/lint/yosys: $(V_FILES) $(V_HEADS) $(V_PARTS)
 	$(call lint_say,"yosys check")
 	@mkdir -p $(@D)
-	$(Q)yosys -q -e '.*' -p "read_verilog $(V_DIRS:%=-I%) $(V_FILES); hierarchy -check; \
+	$(Q)yosys -q -e '.*' -p "read_verilog $(V_DIRS:%=-I%) $(V_FILES) $(V_PARTS); hierarchy -check; \
 	    proc; check -assert"
 	@touch $@
 
@@ -74,7 +76,7 @@ $B/lint/%.cpp: %.cpp $(C_HEADS) .clang-tidy
 lint-format:
 	$(call lint_say,clang-format)
 	$(Q)find cmodel driver formal tb tests synth \( -name '*.c' -o -name '*.h' -o -name '*.cpp' \) \
-	    ! -name '*_table.h' ! -name layout.h ! -name bundles.h ! -name sphaera_regs.h \
+	    ! -name '*_table.h' ! -name layout.h ! -name bundles.h ! -name 'sphaera_*.h' \
 	    -exec clang-format --dry-run -Werror {} +
 
 lint-circles: $(call objects,obj/,$(LIB_C) $(TOOL_C))

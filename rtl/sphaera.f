@@ -6,6 +6,7 @@
 +incdir+rtl/prim
 +incdir+rtl/top
 +incdir+rtl/trace
++incdir+rtl/video
 rtl/core/rt_core.v
 rtl/core/rt_counters.v
 rtl/core/rt_registers.v
@@ -28,11 +29,14 @@ rtl/math/rt_square.v
 rtl/math/rt_unit.v
 rtl/math/rt_unit_four.v
 rtl/math/rt_units.v
+rtl/memory/rt_async_fifo.v
 rtl/memory/rt_cache.v
+rtl/memory/rt_dual_ram.v
 rtl/memory/rt_fifo.v
 rtl/memory/rt_mem_arbiter.v
 rtl/memory/rt_slot_file.v
 rtl/memory/rt_slot_ram.v
+rtl/memory/rt_sync.v
 rtl/pixel/rt_background.v
 rtl/pixel/rt_cone.v
 rtl/pixel/rt_spans.v
@@ -103,3 +107,9 @@ rtl/trace/rt_sort.v
 rtl/trace/rt_trace.v
 rtl/trace/rt_traverse.v
 rtl/trace/rt_vectors.v
+rtl/video/rt_reset_pair.v
+rtl/video/rt_scan.v
+rtl/video/rt_tmds.v
+rtl/video/rt_unpack.v
+rtl/video/rt_video.v
+rtl/video/rt_video_timing.v

@@ -1,12 +1,12 @@
 #!/bin/sh
-# layout.sh - what follows from machine.def and top.def: headers, and lines between marks
+# layout.sh - what follows from machine.def, top.def and modes.def: headers, lines between marks
 # SPDX-License-Identifier: Apache-2.0
 #
 # usage: sim/layout.sh [FOLDER]
-# Writes layout.h and rt_layout.vh, of rt_top rt_top.vh, sphaera_regs.h and rt_top.rdl, and in
-# rt_core.v, rt_top.v and tb_core_icarus.v the lines between `// KIND of machine.def` and
-# `// end of KIND`; to FOLDER if it is given, else in their places. A file that stays the same keeps
-# its time.
+# Writes layout.h and rt_layout.vh, of rt_top rt_top.vh, sphaera_regs.h and rt_top.rdl, of modes of
+# video rt_modes.vh and sphaera_modes.h, and in rt_core.v, rt_top.v and tb_core_icarus.v the lines
+# between `// KIND of machine.def` and `// end of KIND`; to FOLDER if it is given, else in their
+# places. A file that stays the same keeps its time.
 set -eu
 cd "$(dirname "$0")/.."
 def=cmodel/machine
@@ -37,6 +37,10 @@ text=$(generate c)
 printf '%s\n' "$text" | put $def/layout.h
 text=$(generate v)
 printf '%s\n' "$text" | put rtl/core/rt_layout.vh
+for job in "v rtl/video/rt_modes.vh" "c driver/sphaera_modes.h"; do
+    text=$(awk -v lang="${job%% *}" -f sim/modes.awk rtl/video/modes.def)
+    printf '%s\n' "$text" | put "${job#* }"
+done
 text=$(generate_top v)
 printf '%s\n' "$text" | put rtl/top/rt_top.vh
 text=$(generate_top c)

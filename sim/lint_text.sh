@@ -9,7 +9,7 @@ sources=$(find Makefile .ci make cmodel driver examples lab rtl formal tb sim sy
     -o -name '*.vh' -o -name '*.vlt' -o -name '*.sh' -o -name '*.mk' -o -name '*.awk' \
     -o -name '*.py' -o -name '*.ys' -o -name '*.def' -o -name '*.txt' -o -name '*.lib' \
     -o -name '*.smt2' \))
-generated='/(layout\.h|rt_layout\.vh|sphaera_regs\.h|bundles\.h|rt_bundles\.vh|[a-z_]*_table\.h)$'
+generated='/(rt_(layout|modes|bundles)\.vh|(layout|bundles|sphaera_[a-z]*|[a-z_]*_table)\.h)$'
 written=$(printf '%s\n' "$sources" | grep -vE "$generated")
 texts=$(find docs scenes README.md -type f \( -name '*.md' -o -name '*.nff' \) 2>/dev/null)
 bad=0
@@ -27,6 +27,9 @@ report() { # title, findings
         "$(find $(awk 'FNR == 1 && /^#!/ { print FILENAME }' $sources) ! -perm -u=x)"
     report "no timescale of 1ns / 1ps" "$(grep -L '^`timescale 1ns / 1ps$' \
         $(printf '%s\n' "$sources" | grep '\.v$'))"
+    report "a vendor's part outside of rtl/board" "$(grep -nE \
+        '^ *(ODDRX|IDDRX|DP16KD|PDPW16KD|MULT18X18D|EHXPLL|TRELLIS_|CCU2C|DCCA|OBUF|IBUF|RAMB)' \
+        $(find rtl -name '*.v' ! -path 'rtl/board/*'))"
     report "space at the end" "$(grep -nE '[[:space:]]+$' $sources $texts)"
     report "main of more than 60 lines" "$(find tb -name '*.cpp' -exec awk '
         FNR == 1 { from = 0 }

@@ -45,7 +45,7 @@ build() { # profile, module, bench, parameters
         rm -f "$dir/bench" "$dir"/*.cpp "$dir"/*.o
         # shellcheck disable=SC2046,SC2086  # lists of words on purpose
         verilator --cc --top-module "$top" --language 1364-2005 -Wall -O3 --x-assign unique \
-            --x-initial unique $(find rtl -type d | sed 's/.*/-y & -I&/') $generics \
+            --x-initial unique $(find rtl tb/board -type d | sed 's/.*/-y & -I&/') $generics \
             -Mdir "$dir" $(find rtl -name "$top.v") || return 1
         sh sim/at_once.sh "$dir" "$(find tb -name "$bench.cpp")" >"$dir/all.cpp"
         # shellcheck disable=SC2046,SC2086  # lists of words on purpose

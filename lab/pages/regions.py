@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The name of a region is a word of MAKERS and its arguments."""
 from ..effects import asks
-from ..papers import claims
 from . import blocks, bundles, cores, data, machine, measured
 
 
@@ -28,7 +27,6 @@ MAKERS = {
     "count": count, "const": const, "age": measured.age, "rows": data.rows, "cell": data.cell,
     "core": cores.core, "cores": cores.cores, "inside": cores.inside, "yosys": cores.yosys,
     "budget": cores.budget, "asks": asks.table, "cells_age": cores.age,
-    "claims": claims.table, "verdicts": claims.verdicts,
 }
 
 

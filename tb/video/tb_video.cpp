@@ -1,0 +1,225 @@
+/* tb_video.cpp - rt_video: every picture that a display decodes is a frame of the store, or black
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * tb_video [seed] [vectors]
+ *
+ * A vector is a small mode with parts of any length, odd widths and strides, in one of the formats,
+ * doubled or not, at a ratio of clocks from 1:4 to 4:1, with a bus that stalls at random. Some
+ * frames go by; then one of these happens:
+ *     nothing: every picture is its frame, and no underrun is told
+ *     the bus dies for a while: underruns are told, one for each picture that misses pixels; these
+ *         are black from there on; the first that begins after the bus is back is right again
+ *     a reset of either side or both, of a clock or more, in mid-frame
+ *     off and on again, at once or later, with another mode
+ *     no frame is complete: black, and no underrun
+ *     beats with errors: each is told
+ * With PRESETS the modes of modes.def are shown instead, a whole picture of each.
+ */
+#include "bench.h"
+#include "video/rig.h"
+
+#ifndef DATA
+#define DATA 64
+#endif
+#ifndef BURST
+#define BURST 16
+#endif
+#ifndef DEPTH
+#define DEPTH 512
+#endif
+
+namespace {
+
+using video::Mode;
+using video::Rig;
+using video::Shape;
+
+enum Event { NOTHING, BUS_DIES, RESET, OFF_AND_ON, NO_FRAME, ERRORS, EVENTS };
+const char *const EVENT[] = {"nothing", "bus dies", "reset", "off and on", "no frame", "errors"};
+
+/* A mode of which the bus can keep up: rows and blanking are long enough for their beats. */
+Mode make_mode(bench::Random &random, const Rig &rig, Shape &s) {
+    Mode m{};
+    const auto part = [&](unsigned most) { return 1 + (unsigned)random.below(most); };
+    m = {part(random.percent(30) ? 100 : 30),
+         part(5),
+         part(6),
+         part(5),
+         part(12),
+         part(3),
+         part(3),
+         part(3),
+         (unsigned)random.below(2),
+         (unsigned)random.below(2)};
+    s = {m.h_active, m.v_active, random.percent(50), random.percent(50), 0};
+    s.stride = (s.row_bytes() + 15) / 16 * 16 + 16 * (unsigned)random.below(3);
+    const unsigned beats = s.row_bytes() / (DATA / 8) + 1, bursts = beats / BURST + 2;
+    const double slow = 1e4 / ((100 - rig.store.stalls) * (100 - rig.store.stalls));
+    const double clk = (double)rig.clk_period / (double)rig.pix_period;
+    const unsigned row = (unsigned)((beats + 3 * bursts) * slow * clk * 1.3) + 1;
+    if (m.h_total() < row) m.h_back += row - m.h_total();
+    const double start = (DEPTH + (DEPTH + 60 + 2 * rig.store.latency) * slow) * clk + DEPTH + 60;
+    m.v_back += (unsigned)(start / m.h_total()) + 1;
+    return m;
+}
+
+class Check {
+  public:
+    explicit Check(bench::Bench<Vrt_video> &bench)
+        : b(bench), rig(bench.dut, bench.random, DATA / 8) {}
+
+    void vector(Event event) {
+        bench::Random &random = b.random;
+        const unsigned ratio = 1 + (unsigned)random.below(4);
+        rig.clk_period = 997 * (random.percent(50) ? ratio : 1);
+        rig.pix_period = 1000 * (rig.clk_period > 1000 ? 1 : ratio) + random.below(3);
+        rig.store.stalls = random.percent(50) ? (int)random.below(50) : 0;
+        rig.store.latency = (unsigned)random.below(20);
+        rig.waits = random.percent(25) ? 40 : 0;
+        rig.must_be_right = 0;
+        const uint64_t underruns = rig.underruns, wrong = rig.pictures - rig.right;
+        begin();
+        rig.run_pictures(1 + random.below(3));
+        happens(event);
+        rig.run_pictures(2);
+        rig.enable(false);
+        rig.run_clocks(40 + DEPTH / 2);
+        const uint64_t told = rig.underruns - underruns, black = rig.pictures - rig.right - wrong;
+        /* the last picture may have missed pixels and have been cut off */
+        if (event != RESET && told != black && told != black + 1)
+            rig.fail("underruns: " + std::to_string(told) +
+                     " told, wrong pictures: " + std::to_string(black));
+        if (event != BUS_DIES && told) rig.fail("an underrun with a bus that is fast enough");
+        if (rig.errors != rig.store.error_beats) rig.fail("errors of the bus are not told");
+        if (rig.wrong) report(event);
+        count[event]++;
+    }
+    void presets() {
+        struct Named {
+            const char *name;
+            unsigned khz;
+            Mode mode;
+        };
+#define MODE_NAMED(name, khz, ...) {name, khz, {__VA_ARGS__}},
+        const Named modes[] = {SPHAERA_MODES(MODE_NAMED)};
+        for (const Named &n : modes) {
+            rig.clk_period = rig.pix_period = 1000;
+            rig.store.stalls = 0;
+            rig.store.latency = 20;
+            const uint64_t underruns = rig.underruns;
+            const Shape s = {n.mode.h_active, n.mode.v_active, false, false, n.mode.h_active * 4};
+            rig.set(n.mode, s);
+            rig.enable(true);
+            rig.run_pictures(1);
+            rig.enable(false);
+            rig.run_clocks(40 + DEPTH);
+            if (rig.underruns != underruns) rig.fail("an underrun");
+            printf("# %s: %u x %u clocks a frame, %.2f Hz\n", n.name, n.mode.h_total(),
+                   n.mode.v_total(), n.khz * 1e3 / n.mode.h_total() / n.mode.v_total());
+            if (rig.wrong) report(NOTHING);
+            b.done();
+            if (rig.wrong) return;
+        }
+    }
+    void summary() const {
+        printf("# %llu pictures, %llu of them right, %llu underruns, %llu bursts, up to %u on "
+               "their way, %llu beats, %llu with errors\n",
+               (unsigned long long)rig.pictures, (unsigned long long)rig.right,
+               (unsigned long long)rig.underruns, (unsigned long long)rig.store.bursts,
+               rig.store.depth, (unsigned long long)rig.store.beats,
+               (unsigned long long)rig.store.error_beats);
+    }
+    void begin() {
+        Shape s{};
+        const Mode m = make_mode(b.random, rig, s);
+        rig.set(m, s);
+        b.settle();
+        rig.enable(true);
+    }
+
+  private:
+    bench::Bench<Vrt_video> &b;
+    unsigned count[EVENTS] = {0};
+
+  public:
+    Rig rig;
+
+  private:
+    /* At any clock of a frame. */
+    void anywhere() {
+        const uint64_t frame = (uint64_t)rig.mode.h_total() * rig.mode.v_total();
+        rig.run_clocks((unsigned)b.random.below(frame * rig.pix_period / rig.clk_period + 1));
+    }
+    void happens(Event event) {
+        bench::Random &random = b.random;
+        const uint64_t underruns = rig.underruns;
+        anywhere();
+        switch (event) {
+        case BUS_DIES:
+            rig.must_be_right = ~0ull;
+            rig.store.dead = true;
+            rig.run_pictures(3); /* two may be on their way */
+            anywhere();
+            rig.store.dead = false;
+            rig.must_be_right = rig.takes;
+            if (rig.underruns == underruns) rig.fail("no underrun, and the bus is dead");
+            break;
+        case RESET: {
+            const unsigned how = (unsigned)random.below(3);
+            rig.reset(how != 1 ? 1 + (unsigned)random.below(5) : 0,
+                      how != 0 ? 1 + (unsigned)random.below(5) : 0);
+            break;
+        }
+        case OFF_AND_ON:
+            rig.enable(false);
+            rig.run_clocks((unsigned)random.below(random.percent(50) ? 4 : 400));
+            begin();
+            break;
+        case NO_FRAME:
+            rig.store.nothing = true;
+            rig.run_pictures(2);
+            anywhere();
+            rig.store.nothing = false;
+            break;
+        case ERRORS:
+            rig.store.errors = 100;
+            rig.run_pictures(1);
+            rig.store.errors = 0;
+            break;
+        default:
+            break;
+        }
+    }
+    void report(Event event) {
+        if (!b.expect(rig.what.c_str(), 1, 0)) {
+            const Mode &m = rig.mode;
+            printf("#   event %s, clk:pix %llu:%llu, stalls %d %%, latency %u, waits %d %%\n",
+                   EVENT[event], (unsigned long long)rig.clk_period,
+                   (unsigned long long)rig.pix_period, rig.store.stalls, rig.store.latency,
+                   rig.waits);
+            printf("#   mode %u %u %u %u, %u %u %u %u, polarity %u %u; %s%s, stride %u\n",
+                   m.h_active, m.h_front, m.h_sync, m.h_back, m.v_active, m.v_front, m.v_sync,
+                   m.v_back, m.h_pol, m.v_pol, rig.shape.rgb565 ? "RGB565" : "XRGB8888",
+                   rig.shape.twice ? ", doubled" : "", rig.shape.stride);
+        }
+    }
+};
+
+} // namespace
+
+int main(int argc, char **argv) {
+    bench::Bench<Vrt_video> b("tb_video", argc, argv, 240);
+    Check check(b);
+    b.dut.enable_i = 0;
+    check.rig.reset(4, 4);
+#ifdef PRESETS
+    check.presets();
+#else
+    for (unsigned i = 0; b.more() && !check.rig.wrong; i++, b.cycle = 0) {
+        check.vector((Event)(i % EVENTS));
+        b.done();
+    }
+#endif
+    check.summary();
+    return b.finish();
+}
