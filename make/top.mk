@@ -5,7 +5,26 @@ BUS_VENV := $B/venv/bus
 BUS_PACKAGES := systemrdl-compiler==1.33.0 cocotb==2.1.0 cocotbext-axi==0.1.28
 bus_python = $(BUS_VENV)/bin/python
 
-.PHONY: bus-setup rdl
+# The harness of rt_top: two machines, each width of the buses.
+TOP_CORE   := shadow+reflect2+lights2+inside+rect+spans
+TOP_SCENES := paper5 interpenetrating
+TOP_DATA   ?= 64 128
+TOP_RUNS   := $(TOP_SCENES:%=$B/top/%.sph)
+top_tool    = flock $B/sim/.tools.lock env -u MAKEFLAGS -u MFLAGS $(MAKE) -s --no-print-directory \
+                  -f make/rt_top.mk B=$B PROFILE=draft CORE=$(TOP_CORE) DATA=$(1) top
+
+.PHONY: top bus-setup rdl
+top: $(TOP_RUNS) ## rt_top under its driver: frames, errors, resets, silent buses; a minute
+	@mkdir -p $B/sim
+	$(Q)for data in $(TOP_DATA); do \
+	    $(call top_tool,$$data) >$B/top/build.log 2>&1 || { cat $B/top/build.log; exit 1; }; \
+	    $B/sim/top-draft-$(TOP_CORE)-$$data/tb_top $(TOP_RUNS) $(SEED) || exit 1; done
+
+$B/top/%.sph: scenes/%.nff $(TOOL)
+	@mkdir -p $(@D)
+	$(Q)$(TOOL) build $< --profile draft --size 32x20 --depth 2 --interpenetrate off \
+	    --background spans -o $@ >$(@:.sph=.log) 2>&1 || { cat $(@:.sph=.log); exit 1; }
+
 bus-setup: ## installs what `make rdl` and `make cocotb` need into build/venv/bus (PyPI)
 	$(Q)python3 -m venv $(BUS_VENV)
 	$(Q)$(bus_python) -m pip install -q $(BUS_PACKAGES)

@@ -47,7 +47,7 @@ text=$(generate_top c)
 printf '%s\n' "$text" | put driver/sphaera_regs.h
 text=$(generate_top rdl)
 printf '%s\n' "$text" | put docs/blocks/rt_top.rdl
-for file in rtl/core/rt_core.v tb/core/tb_core_icarus.v; do
+for file in rtl/core/rt_core.v rtl/top/rt_top.v tb/core/tb_core_icarus.v; do
     text=$(splice $file)
     printf '%s\n' "$text" | put $file
 done

@@ -44,7 +44,7 @@ $1 == "top" {
 }
 $1 == "bits" { field($2, $3, $4, about($0)) }
 $1 == "place" { place[$3] = $2 }
-function verilog(i, j) {
+function verilog(i, j, set, settings, resets, at, kept, mask, fixed, n_fixed) {
     print "// rt_top.vh - generated from top.def and machine.def by gen_top.awk; do not edit"
     print "// SPDX-License-Identifier: Apache-2.0"
     print "`ifndef RT_TOP_VH\n`define RT_TOP_VH"
@@ -59,6 +59,27 @@ function verilog(i, j) {
                         f_lsb[f] + f_width[f] - 1, f_lsb[f]
         }
     }
+    for (i = regs; i >= 1; i--) # from the highest down, as in a concatenation
+        if (access[i] == "rw") {
+            settings++
+            resets = resets sprintf("%s32'h%s", resets ? ", " : "", substr(reset[i], 3))
+            at = at sprintf("%s12'h%s", at ? ", " : "", substr(offset[i], 3))
+            mask = fields[i] ? 0 : 2 ^ 32 - 1
+            for (j = 1; j <= fields[i]; j++)
+                mask += (2 ^ f_width[i, j] - 1) * 2 ^ f_lsb[i, j]
+            kept = kept sprintf("%s32'h%08x", kept ? ", " : "", mask)
+        } else fixed = fixed sprintf("%s12'h%s", n_fixed++ ? ", " : "", substr(offset[i], 3))
+    for (i = 1; i <= regs; i++)
+        if (access[i] == "rw") {
+            printf "`define RT_TOP_SET_%s %d:%d\n", reg[i], 32 * set + 31, 32 * set
+            for (j = 1; j <= fields[i]; j++)
+                printf "`define RT_TOP_SET_%s_%s %d:%d\n", reg[i], f_name[i, j],
+                       32 * set + f_lsb[i, j] + f_width[i, j] - 1, 32 * set + f_lsb[i, j]
+            set++
+        }
+    printf "`define RT_TOP_SETTINGS %d\n`define RT_TOP_SETTINGS_RESET {%s}\n", settings, resets
+    printf "`define RT_TOP_OTHERS %d\n`define RT_TOP_OTHERS_AT {%s}\n", n_fixed, fixed
+    printf "`define RT_TOP_SETTINGS_KEPT {%s}\n`define RT_TOP_SETTINGS_AT {%s}\n", kept, at
     split("MACHINE COUNTERS", order, " ")
     for (i = 1; i <= 2; i++)
         printf "`define RT_TOP_%s 12'h%s\n", order[i], substr(place[order[i]], 3)
@@ -83,6 +104,9 @@ function header(i, j, errors) {
            place["MACHINE"], last_machine + 1
     printf "#define SPHAERA_COUNTERS %su\n#define SPHAERA_COUNTS %du\n\n",
            place["COUNTERS"], counters
+    for (i = 0; i <= last_machine; i++)
+        if (i in machine) printf "#define SPHAERA_REG_%s %du\n", machine[i], i
+    print ""
     for (i = 0; i < counters; i++)
         if (i in counter) printf "#define SPHAERA_COUNT_%s %du\n", counter[i], i
     print "\n/* X(bit of ERRORS, what it says) */\n#define SPHAERA_EACH_ERROR(X) \\"

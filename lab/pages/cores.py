@@ -114,7 +114,7 @@ def sources(modules):
         return None
     flow = re.search(r"^case \$target in.*?^esac", SCRIPT.read_text(encoding="utf-8"), re.M | re.S)
     return digest.of_files([paths[module] for module in modules] +
-                           list(Path("rtl").rglob("*.vh")), flow[0])
+                           digest.found("rtl", (".vh",)), flow[0])
 
 
 def age(short=""):

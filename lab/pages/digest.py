@@ -12,6 +12,7 @@ KINDS = {
     "model": ("cmodel", (".c", ".h", ".cpp", ".def")),
     "scenes": ("scenes", (".nff", ".png")),
 }
+AROUND = {"board", "bus", "top", "video"}  # folders of rtl/ around the core: no figure of its own
 COMMENT = {
     ".v": r"//[^\n]*|/\*.*?\*/|^`timescale[^\n]*", ".c": r"//[^\n]*|/\*.*?\*/|^#include[^\n]*",
     ".sh": r"(?m)^ *#.*$", ".def": r"#[^\n]*",
@@ -36,11 +37,17 @@ def of_files(paths, more=""):
     return hashlib.sha256("".join(each + more.split()).encode()).hexdigest()[:8]
 
 
+def found(top, endings):
+    """The sources below a folder that figures depend on."""
+    return [path for path in Path(top).rglob("*") if path.suffix in endings
+            and not (path.parts[0] == "rtl" and path.parts[1] in AROUND)]
+
+
 @lru_cache(maxsize=None)
 def of(kinds):
     """Of all sources of some kinds, `rtl+model`."""
     paths = []
     for kind in kinds.split("+"):
         top, endings = KINDS[kind]
-        paths += [path for path in Path(top).rglob("*") if path.suffix in endings]
+        paths += found(top, endings)
     return of_files(paths)

@@ -28,7 +28,7 @@ make layout >"$TMP/layout" 2>&1 || cat "$TMP/layout"
 find . -type f | sort | xargs cksum | diff "$TMP/before" - | sed -n 's/^> .* //p' >"$TMP/changed"
 generated() {
     printf './%s\n' $def cmodel/machine/layout.h rtl/core/rt_core.v rtl/core/rt_layout.vh \
-        tb/core/tb_core_icarus.v | sort | diff - "$TMP/changed"
+        rtl/top/rt_top.v tb/core/tb_core_icarus.v | sort | diff - "$TMP/changed"
 }
 check "one line of machine.def changes what is generated and nothing else" generated
 check "layout.h has bit, entry and mask" \

@@ -1,0 +1,171 @@
+/* sphaera.c - driver of rt_top; see sphaera.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "sphaera.h"
+
+#include <stddef.h>
+
+#include "sphaera_file.h"
+
+static uint32_t get(const struct sphaera *s, uint32_t offset) {
+    return s->bus.read(s->bus.user, offset);
+}
+
+static void put(const struct sphaera *s, uint32_t offset, uint32_t value) {
+    s->bus.write(s->bus.user, offset, value);
+}
+
+/* Until none of the bits of STATUS is set. */
+static int until_clear(const struct sphaera *s, uint32_t bits, uint32_t polls) {
+    while (get(s, SPHAERA_STATUS) & bits)
+        if (polls-- == 0) return SPHAERA_LATE;
+    return SPHAERA_OK;
+}
+
+int sphaera_open(struct sphaera *s, const struct sphaera_bus *bus) {
+    s->bus = *bus;
+    uint32_t version = get(s, SPHAERA_VERSION) ^ SPHAERA_VERSION_RESET;
+    if (get(s, SPHAERA_ID) != SPHAERA_ID_RESET || (version & SPHAERA_VERSION_MAJOR))
+        return SPHAERA_ABSENT;
+    s->profile = get(s, SPHAERA_CORE_PROFILE);
+    s->effects = get(s, SPHAERA_CORE_EFFECTS);
+    s->parts = get(s, SPHAERA_CORE_PARTS);
+    s->built = get(s, SPHAERA_CORE_BUS);
+    put(s, SPHAERA_INTERRUPT_ENABLE, 0);
+    return sphaera_reset(s, 0, SPHAERA_WATCHDOG_RESET);
+}
+
+void sphaera_set(struct sphaera *s, uint32_t number, uint32_t value) {
+    put(s, SPHAERA_MACHINE + 4 * number, value);
+}
+
+int sphaera_load(struct sphaera *s, const uint8_t *file, uint32_t bytes, uint32_t base) {
+    struct sphaera_file f;
+    if (!sphaera_file_read(&f, file, bytes)) return SPHAERA_BAD_FILE;
+    if (base & ~SPHAERA_SCENE_BASE_PAGE) return SPHAERA_MISPLACED;
+    if (sphaera_file_register(&f, SPHAERA_REG_PROFILE) != s->profile) return SPHAERA_OTHER_WIDTHS;
+    if (sphaera_file_register(&f, SPHAERA_REG_EFFECTS) & ~s->effects) return SPHAERA_TOO_MUCH;
+    s->bus.put(s->bus.user, base, f.memory, f.memory_bytes);
+    put(s, SPHAERA_SCENE_BASE, base);
+    for (uint32_t i = 0; i < SPHAERA_MACHINE_REGISTERS; i++)
+        sphaera_set(s, i, sphaera_file_register(&f, i));
+    return SPHAERA_OK;
+}
+
+int sphaera_store(struct sphaera *s, const uint32_t frames[3], uint32_t stride, int rgb565) {
+    for (int i = 0; i < 3; i++)
+        if (frames[i] & ~SPHAERA_FRAME0_PLACE) return SPHAERA_MISPLACED;
+    if (stride & ~SPHAERA_STRIDE_UNITS) return SPHAERA_MISPLACED;
+    put(s, SPHAERA_FRAME0, frames[0]);
+    put(s, SPHAERA_FRAME1, frames[1]);
+    put(s, SPHAERA_FRAME2, frames[2]);
+    put(s, SPHAERA_STRIDE, stride);
+    put(s, SPHAERA_FORMAT, rgb565 ? SPHAERA_FORMAT_RGB565 : 0);
+    return SPHAERA_OK;
+}
+
+void sphaera_mux(struct sphaera *s, unsigned frame) {
+    put(s, SPHAERA_MUX, frame & SPHAERA_MUX_FRAME);
+}
+
+int sphaera_start(struct sphaera *s, int keep_cache) {
+    if (get(s, SPHAERA_STATUS) & (SPHAERA_STATUS_BUSY | SPHAERA_STATUS_DRAINING))
+        return SPHAERA_BUSY;
+    sphaera_errors(s);
+    put(s, SPHAERA_CONTROL, SPHAERA_CONTROL_START | (keep_cache ? SPHAERA_CONTROL_KEEP_CACHE : 0));
+    return SPHAERA_OK;
+}
+
+void sphaera_stop(struct sphaera *s) {
+    put(s, SPHAERA_CONTROL, SPHAERA_CONTROL_STOP);
+}
+
+int sphaera_reset(struct sphaera *s, int forget, uint32_t polls) {
+    put(s, SPHAERA_CONTROL, SPHAERA_CONTROL_SOFT_RESET | (forget ? SPHAERA_CONTROL_FORGET : 0));
+    return until_clear(s, SPHAERA_STATUS_DRAINING, polls);
+}
+
+int sphaera_wait(struct sphaera *s, uint32_t polls) {
+    if (until_clear(s, SPHAERA_STATUS_BUSY, polls)) return SPHAERA_LATE;
+    return get(s, SPHAERA_ERRORS) ? SPHAERA_FAILED : SPHAERA_OK;
+}
+
+void sphaera_interrupts(struct sphaera *s, uint32_t enabled) {
+    put(s, SPHAERA_INTERRUPT_ENABLE, enabled);
+}
+
+uint32_t sphaera_handle(struct sphaera *s) {
+    uint32_t happened = get(s, SPHAERA_INTERRUPTS);
+    put(s, SPHAERA_INTERRUPTS, happened);
+    return happened;
+}
+
+int sphaera_take(struct sphaera *s, unsigned *frame) {
+    put(s, SPHAERA_CONTROL, SPHAERA_CONTROL_TAKE);
+    uint32_t status = get(s, SPHAERA_STATUS);
+    *frame = (status & SPHAERA_STATUS_SHOWN) >> SPHAERA_STATUS_SHOWN_LSB;
+    return status & SPHAERA_STATUS_VALID ? SPHAERA_OK : SPHAERA_BUSY;
+}
+
+uint32_t sphaera_errors(struct sphaera *s) {
+    uint32_t errors = get(s, SPHAERA_ERRORS);
+    put(s, SPHAERA_ERRORS, errors);
+    return errors;
+}
+
+const char *sphaera_error_text(uint32_t *errors) {
+    static const struct {
+        uint32_t bit;
+        const char *text;
+    } words[] = {
+#define ENTRY(bit, text) {bit, text},
+        SPHAERA_EACH_ERROR(ENTRY)
+#undef ENTRY
+    };
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (*errors & words[i].bit) {
+            *errors &= ~words[i].bit;
+            return words[i].text;
+        }
+    return NULL;
+}
+
+void sphaera_counters(struct sphaera *s, uint64_t counters[SPHAERA_COUNTS]) {
+    put(s, SPHAERA_CONTROL, SPHAERA_CONTROL_SNAPSHOT);
+    for (uint32_t i = 0; i < SPHAERA_COUNTS; i++) {
+        uint64_t low = get(s, SPHAERA_COUNTERS + 8 * i);
+        counters[i] = low | (uint64_t)get(s, SPHAERA_COUNTERS + 8 * i + 4) << 32;
+    }
+}
+
+void sphaera_video(struct sphaera *s, const struct sphaera_mode *mode) {
+    put(s, SPHAERA_VIDEO, 0);
+    if (!mode) return;
+    put(s, SPHAERA_VIDEO_H_ACTIVE,
+        mode->h_active | (uint32_t)mode->h_front << SPHAERA_VIDEO_H_ACTIVE_FRONT_LSB);
+    put(s, SPHAERA_VIDEO_H_SYNC,
+        mode->h_sync | (uint32_t)mode->h_back << SPHAERA_VIDEO_H_SYNC_BACK_LSB);
+    put(s, SPHAERA_VIDEO_V_ACTIVE,
+        mode->v_active | (uint32_t)mode->v_front << SPHAERA_VIDEO_V_ACTIVE_FRONT_LSB);
+    put(s, SPHAERA_VIDEO_V_SYNC,
+        mode->v_sync | (uint32_t)mode->v_back << SPHAERA_VIDEO_V_SYNC_BACK_LSB);
+    put(s, SPHAERA_VIDEO,
+        SPHAERA_VIDEO_ENABLE | (mode->doubled ? SPHAERA_VIDEO_DOUBLE : 0) |
+            (mode->h_pol ? SPHAERA_VIDEO_H_POL : 0) | (mode->v_pol ? SPHAERA_VIDEO_V_POL : 0));
+}
+
+const char *sphaera_text(int result) {
+    static const char *const words[] = {
+        "done",
+        "no rt_top answers here, or one of another version",
+        "this is no machine file of this version, or it is cut off",
+        "the machine was built for other widths than the core has",
+        "the machine asks for an effect that the core has not",
+        "an address or a stride is not a multiple of what it must be",
+        "a frame is drawn, or the block is drained",
+        "the time is over",
+        "the frame had errors",
+    };
+    size_t n = sizeof words / sizeof *words;
+    return result >= 0 && (size_t)result < n ? words[result] : "no such result";
+}

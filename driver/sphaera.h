@@ -1,0 +1,112 @@
+/* sphaera.h - driver of rt_top: freestanding C99, no memory of its own
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ *     struct sphaera s;
+ *     sphaera_open(&s, &bus);                        identity, what the core was built with
+ *     sphaera_load(&s, file, bytes, 0x10000000);     a machine file to memory, its registers
+ *     sphaera_store(&s, frames, 2560, 0);            where frames go
+ *     sphaera_start(&s, 0);
+ *     sphaera_wait(&s, 100000000);                   or an interrupt and sphaera_handle()
+ *
+ * Every function that returns int gives SPHAERA_OK or one of the others, which sphaera_text() says
+ * in words. The caller's bus reaches registers and memory; a processor that sees both in its own
+ * address space needs four lines for it. Nothing here waits without an end: `polls` is how often
+ * STATUS is read at most.
+ */
+#ifndef SPHAERA_H
+#define SPHAERA_H
+
+#include <stdint.h>
+
+#include "sphaera_regs.h"
+
+enum sphaera_result {
+    SPHAERA_OK,
+    SPHAERA_ABSENT,       /* the registers are not those of rt_top, or of another version */
+    SPHAERA_BAD_FILE,     /* no machine file, or of another version, or cut off */
+    SPHAERA_OTHER_WIDTHS, /* the machine was built for other widths */
+    SPHAERA_TOO_MUCH,     /* the machine asks for an effect that the core has not */
+    SPHAERA_MISPLACED,    /* an address or a stride is not a multiple of what it must be */
+    SPHAERA_BUSY,         /* a frame is drawn, or the block is drained */
+    SPHAERA_LATE,         /* the time is over */
+    SPHAERA_FAILED        /* the frame had errors: sphaera_errors() */
+};
+
+/* How the registers and the memory of the block are reached. Offsets are bytes, as in
+ * sphaera_regs.h; addresses are those of the block's own bus. */
+struct sphaera_bus {
+    uint32_t (*read)(void *user, uint32_t offset);
+    void (*write)(void *user, uint32_t offset, uint32_t value);
+    void (*put)(void *user, uint32_t address, const uint8_t *bytes, uint32_t count);
+    void *user;
+};
+
+struct sphaera {
+    struct sphaera_bus bus;
+    uint32_t profile, effects, parts, built; /* CORE_PROFILE, CORE_EFFECTS, CORE_PARTS, CORE_BUS */
+};
+
+/* Timing of a display, in pixels and rows; pol: 1 if the pulse is high. */
+struct sphaera_mode {
+    uint16_t h_active, h_front, h_sync, h_back, v_active, v_front, v_sync, v_back;
+    uint8_t h_pol, v_pol, doubled;
+};
+
+/* Looks whether rt_top is there, and ends whatever it did before: SPHAERA_OK, SPHAERA_ABSENT or
+ * SPHAERA_LATE, if its buses still owe answers. */
+int sphaera_open(struct sphaera *s, const struct sphaera_bus *bus);
+
+/* Puts the memory of a machine file at `base`, a multiple of 4096, and its registers into the
+ * block. A frame that is drawn keeps its own registers; its memory must not be written over. */
+int sphaera_load(struct sphaera *s, const uint8_t *file, uint32_t bytes, uint32_t base);
+
+/* One register of the machine, SPHAERA_REG_*; counts from the next start on. */
+void sphaera_set(struct sphaera *s, uint32_t number, uint32_t value);
+
+/* Three frames at addresses that are multiples of 64, rows `stride` bytes apart, a multiple of 32;
+ * rgb565: 16 bits a pixel in place of 32. Counts from the next start on. */
+int sphaera_store(struct sphaera *s, const uint32_t frames[3], uint32_t stride, int rgb565);
+
+/* Which colours are stored, at once: 0 as register FRAME of the machine has it, 1 Rendering, 2 L1,
+ * 3 L2. */
+void sphaera_mux(struct sphaera *s, unsigned frame);
+
+/* Begins a frame; keep_cache: memory did not change since the last one. */
+int sphaera_start(struct sphaera *s, int keep_cache);
+
+/* Ends the frame; it is not complete. */
+void sphaera_stop(struct sphaera *s);
+
+/* STOP, and errors, interrupts, counts of frames and the frame store start anew. If a bus never
+ * answers this ends with SPHAERA_LATE; forget: that bus was reset, and owes nothing. */
+int sphaera_reset(struct sphaera *s, int forget, uint32_t polls);
+
+/* Waits for the end of the frame: SPHAERA_OK if it is complete, SPHAERA_FAILED, SPHAERA_LATE. */
+int sphaera_wait(struct sphaera *s, uint32_t polls);
+
+/* SPHAERA_INTERRUPTS_*: those that drive the interrupt line. */
+void sphaera_interrupts(struct sphaera *s, uint32_t enabled);
+
+/* Of an interrupt: what happened since the last call, SPHAERA_INTERRUPTS_*; cleared by it. */
+uint32_t sphaera_handle(struct sphaera *s);
+
+/* The frame that is shown changes to the newest one, where there is no video. Address of the frame
+ * that is shown, in *frame its number 0..2; SPHAERA_BUSY if none is complete yet. */
+int sphaera_take(struct sphaera *s, unsigned *frame);
+
+/* Errors since the last call, SPHAERA_ERRORS_*; cleared by it. */
+uint32_t sphaera_errors(struct sphaera *s);
+
+/* The lowest of these errors in words; NULL if there is none. It is taken out of *errors. */
+const char *sphaera_error_text(uint32_t *errors);
+
+/* All counters as they are now: SPHAERA_COUNT_*. */
+void sphaera_counters(struct sphaera *s, uint64_t counters[SPHAERA_COUNTS]);
+
+/* Mode of the display, which is on from then on; NULL: it is off. */
+void sphaera_video(struct sphaera *s, const struct sphaera_mode *mode);
+
+/* A result in words. */
+const char *sphaera_text(int result);
+
+#endif

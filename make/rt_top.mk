@@ -1,0 +1,47 @@
+# rt_top.mk - builds the harness of rt_top for one set of parameters; make/top.mk calls it
+# SPDX-License-Identifier: Apache-2.0
+#
+#   build/sim/top-PROFILE-CORE-DATA/tb_top
+B       ?= build
+PROFILE ?= draft
+CORE    ?= all
+DATA    ?= 64
+
+include make/verilated.mk
+
+K    := $S/top-$(PROFILE)-$(CORE)-$(DATA)
+LIB  := $B/libsphaera.a
+RTL_FILES := $(shell find rtl -name '*.v' -o -name '*.vh')
+RTL_DIRS  := $(sort $(dir $(RTL_FILES)))
+PARAMETERS := $(shell sh sim/profile.sh '$(PROFILE)') $(shell sh sim/parameters.sh '$(CORE)') \
+              DATA=$(DATA)
+VERILATE := verilator --cc --language 1364-2005 -Wall -O3 --x-assign unique --x-initial unique \
+                --top-module rt_top --prefix Vrt_top $(PARAMETERS:%=-G%) \
+                $(RTL_DIRS:%=-y %) $(RTL_DIRS:%=-I%) rtl/top/rt_top.v
+DRIVER   := $S/obj/driver.o
+VERILATED := $S/obj/bench_verilated.o $S/obj/bench_verilated_threads.o
+
+.PHONY: top
+top: $K/tb_top
+
+$K/flags: FORCE
+	$(call stamp,$(VERILATE))
+
+$K/all.cpp: $(RTL_FILES) $K/flags
+	@rm -f $K/Vrt_top*
+	$(VERILATE) --Mdir $K
+	@sh sim/at_once.sh $K tb/top/tb_top.cpp >$@
+
+$K/top.o: $K/all.cpp $(PRECOMPILED)
+	$(COMPILE) -DDATA=$(DATA) -isystem $K -MMD -MP -c $< -o $@
+
+# As for a board: no library, no warnings.
+$(DRIVER): $(wildcard driver/*)
+	@mkdir -p $(@D)
+	gcc -std=c99 -ffreestanding -pedantic -Wall -Wextra -Wconversion -Wshadow -Werror -O2 \
+	    -c driver/sphaera.c -o $@
+
+$K/tb_top: $K/top.o $(DRIVER) $(VERILATED) $(LIB)
+	g++ -fopenmp $^ -lm -lpthread -o $@
+
+-include $K/top.d

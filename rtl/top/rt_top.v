@@ -1,0 +1,290 @@
+// rt_top.v - the core as an IP block: AXI4-Lite registers, AXI4 masters for scene and frame store
+// SPDX-License-Identifier: Apache-2.0
+//   AXI4-Lite -> rt_control -> rt_run, rt_machine -> rt_core -> lines  -> rt_axi_read    -> AXI4
+//                rt_totals                                   -> pixels -> rt_frame_write -> AXI4
+// Registers, order of use, timing: docs/blocks/rt_top.md. This module is wires alone.
+`timescale 1ns / 1ps
+`default_nettype none
+`include "rt_check.vh"
+`include "rt_layout.vh"
+`include "rt_top.vh"
+module rt_top #(
+    parameter DATA       = 64,   // data bits of the AXI4 masters, 64 or 128
+    parameter BUFFERS    = 16,   // groups of pixels filled at once, a power of two, 4..64
+    parameter VIDEO      = 0,    // 1: a video output
+    parameter W          = `RT_PROFILE_STANDARD_W,   // coordinate, bits
+    parameter WD         = `RT_PROFILE_STANDARD_WD,  // direction component, bits
+    parameter PQ         = `RT_PROFILE_STANDARD_PQ,  // significant bits of the quotient
+    parameter NG         = `RT_PROFILE_STANDARD_NG,  // guard bits of the normal
+    parameter FW         = `RT_PROFILE_STANDARD_FW,  // filter coordinate, bits
+    parameter PR         = `RT_PROFILE_STANDARD_PR,  // significant bits of the root, 0: all
+    // parameters of machine.def
+    parameter SHADOW     = 1,    // 0 or 1: rays towards the lights
+    parameter REFLECT    = 5,    // 0..5: mirror rays, up to MAX_DEPTH
+    parameter LIGHTS     = 8,    // 0..8: point lights
+    parameter INSIDE     = 1,    // 0 or 1: rays may start inside a sphere, far roots count
+    parameter FIRST      = 1,    // 0 or 1: primary rays end at the first visit that hits a leaf
+    parameter INTERPENETRATE = 1, // 0 or 1: mends first hits that lie in another sphere
+    parameter FACETS     = 1,    // 0 or 1: triangles and planes
+    parameter TEXTURE    = 0,    // 0 or 1: images on surfaces
+    parameter REFRACT    = 0,    // 0 or 1: refracted rays, mirror rays where all is reflected
+    parameter SPECULAR   = 0,    // 0 or 1: highlights of materials with sum
+    parameter SUM        = 0,    // 0 or 1: materials whose shares add up, colour on top of rays
+    parameter COARSE     = 0,    // 0..8: bits of the fraction of levels rounded away
+    parameter RECT       = 1,    // 0 or 1: background separation by rectangle
+    parameter SPANS      = 1,    // 0 or 1: background separation by spans in memory
+    parameter CONES      = 1,    // 0..16: exact background separation, by so many spheres
+    parameter ACCEL      = 0,    // 0 or 1: a BIH instead of nodes of four children
+    parameter ENGINES    = 1,    // 1..8: engines
+    parameter SLOTS      = 64,   // 4..1024, power of two: rays in flight an engine
+    parameter NODE_LINES = 256,  // 8..4096, power of two: lines of an engine's node cache
+    parameter LEAF_LINES = 128,  // 8..4096, power of two: lines of its leaf cache
+    parameter TEXTURE_LINES = 128, // 8..4096, power of two: lines of its texture cache
+    parameter TEXTURE_WAYS = 4,  // 1..32, power of two: groups of a set of the texture cache
+    parameter TEXTURE_GROUP = 1, // 1..4, power of two: lines of a group, fetched together
+    parameter TEXTURE_COORDS = 2, // 1..8: units for texture coordinates an engine
+    parameter ROOTS      = 3,    // 1..8: square root units an engine
+    parameter QUOTIENTS  = 3,    // 1..8: dividers an engine
+    parameter DIVISIONS  = 1,    // 1..8: dividers an engine for the keys of facets
+    parameter ROOT_STEP  = 2,    // 1..W+WD: root bits a clock
+    parameter QUOTIENT_STEP = 2, // 1..PQ: quotient bits a clock
+    parameter DIVISION_STEP = 2, // 1..W+WD: bits of a facet's key a clock
+    parameter LEAF_INTERVAL = 2, // 2..4, power of two: clocks an exact test of a sphere
+    parameter UNITS      = 2,    // 1..2: units for unit vectors an engine
+    parameter UNIT_INTERVAL = 2, // 2..4, power of two: clocks a vector of each
+    parameter HIT_INTERVAL = 8,  // 8..12: clocks a hit point and its normal, 8 or 12
+    parameter BOUNCE_INTERVAL = 10 // 10..12: clocks a mirrored direction, 10 or 12
+    // end of parameters
+) (
+    input  wire              clk,
+    input  wire              rst,
+    output wire              irq_o,            // level, while an enabled interrupt is set
+    // registers: AXI4-Lite
+    input  wire              s_axil_awvalid,
+    output wire              s_axil_awready,
+    input  wire [11:0]       s_axil_awaddr,
+    input  wire              s_axil_wvalid,
+    output wire              s_axil_wready,
+    input  wire [31:0]       s_axil_wdata,
+    input  wire [3:0]        s_axil_wstrb,
+    output wire              s_axil_bvalid,
+    input  wire              s_axil_bready,
+    output wire [1:0]        s_axil_bresp,
+    input  wire              s_axil_arvalid,
+    output wire              s_axil_arready,
+    input  wire [11:0]       s_axil_araddr,
+    output wire              s_axil_rvalid,
+    input  wire              s_axil_rready,
+    output wire [31:0]       s_axil_rdata,
+    output wire [1:0]        s_axil_rresp,
+    // scene: AXI4 reads; INCR, all bytes of each beat, ID 0
+    output wire              m_scene_arvalid,
+    input  wire              m_scene_arready,
+    output wire [31:0]       m_scene_araddr,
+    output wire [7:0]        m_scene_arlen,
+    output wire [2:0]        m_scene_arsize,
+    output wire [1:0]        m_scene_arburst,
+    input  wire              m_scene_rvalid,
+    output wire              m_scene_rready,
+    input  wire [DATA-1:0]   m_scene_rdata,
+    input  wire [1:0]        m_scene_rresp,
+    input  wire              m_scene_rlast,
+    // frame store: AXI4 writes; INCR, ID 0
+    output wire              m_frame_awvalid,
+    input  wire              m_frame_awready,
+    output wire [31:0]       m_frame_awaddr,
+    output wire [7:0]        m_frame_awlen,
+    output wire [2:0]        m_frame_awsize,
+    output wire [1:0]        m_frame_awburst,
+    output wire              m_frame_wvalid,
+    input  wire              m_frame_wready,
+    output wire [DATA-1:0]   m_frame_wdata,
+    output wire [DATA/8-1:0] m_frame_wstrb,
+    output wire              m_frame_wlast,
+    input  wire              m_frame_bvalid,
+    output wire              m_frame_bready,
+    input  wire [1:0]        m_frame_bresp,
+    // a display's own reader: which frame it reads from the next take on
+    input  wire              take_i,           // one cycle, before a frame is read
+    output wire              show_valid_o,     // a frame is shown, at
+    output wire [31:0]       show_base_o       // this address, from the cycle after take_i
+);
+    `RT_CHECK(DATA == 64 || DATA == 128, rt_top_DATA_must_be_64_or_128)
+    `RT_CHECK(VIDEO == 0, rt_top_VIDEO_must_be_0)
+    localparam [2:0] SIZE = DATA == 64 ? 3'd3 : 3'd4;     // bytes of a beat, their logarithm
+    assign m_scene_arsize  = SIZE;
+    assign m_scene_arburst = 2'b01;
+    assign m_frame_awsize  = SIZE;
+    assign m_frame_awburst = 2'b01;
+
+    // ---- what the block was built with ----
+    localparam [31:0] PROFILE = W << `RT_WIDTH_W_LSB | WD << `RT_WIDTH_WD_LSB |
+                                PQ << `RT_WIDTH_PQ_LSB | NG << `RT_WIDTH_NG_LSB |
+                                FW << `RT_WIDTH_FW_LSB | PR << `RT_WIDTH_PR_LSB;
+    localparam [31:0] DEPTH = REFRACT != 0 ? 5 : REFLECT;
+    localparam [31:0] A_ENGINES = ENGINES, A_LIGHTS = LIGHTS, A_CONES = CONES, A_COARSE = COARSE,
+                      A_DATA = DATA;
+    wire [31:0] parts, bus, status;
+    assign parts[31:24] = 8'd0;
+    assign parts[`RT_TOP_CORE_PARTS_COARSE]  = A_COARSE[3:0];
+    assign parts[`RT_TOP_CORE_PARTS_ACCEL]   = ACCEL != 0;
+    assign parts[`RT_TOP_CORE_PARTS_SPANS]   = SPANS != 0;
+    assign parts[`RT_TOP_CORE_PARTS_RECT]    = RECT != 0;
+    assign parts[`RT_TOP_CORE_PARTS_CONES]   = A_CONES[4:0];
+    assign parts[`RT_TOP_CORE_PARTS_LIGHTS]  = A_LIGHTS[3:0];
+    assign parts[7]                          = 1'b0;
+    assign parts[`RT_TOP_CORE_PARTS_DEPTH]   = DEPTH[2:0];
+    assign parts[`RT_TOP_CORE_PARTS_ENGINES] = A_ENGINES[3:0];
+    assign bus[31:9] = 23'd0;
+    assign bus[`RT_TOP_CORE_BUS_VIDEO] = VIDEO != 0;
+    assign bus[`RT_TOP_CORE_BUS_DATA]  = A_DATA[7:0];
+
+    // ---- registers ----
+    wire [6:0]  order, write_addr, read_addr;
+    wire [32*`RT_TOP_SETTINGS-1:0] settings;
+    wire [3:0]  machine_write;
+    wire [31:0] write_data, machine_data, count_data;
+    wire        machine_busy, count_busy;
+    wire [14:0] errors;
+    wire        done, swap, frame_end, good;
+    wire        unused = &{1'b0, settings};               // bits that no register has
+    rt_control u_control (
+        .clk(clk), .rst(rst), .s_awvalid(s_axil_awvalid), .s_awready(s_axil_awready),
+        .s_awaddr(s_axil_awaddr), .s_wvalid(s_axil_wvalid), .s_wready(s_axil_wready),
+        .s_wdata(s_axil_wdata), .s_wstrb(s_axil_wstrb), .s_bvalid(s_axil_bvalid),
+        .s_bready(s_axil_bready), .s_bresp(s_axil_bresp), .s_arvalid(s_axil_arvalid),
+        .s_arready(s_axil_arready), .s_araddr(s_axil_araddr), .s_rvalid(s_axil_rvalid),
+        .s_rready(s_axil_rready), .s_rdata(s_axil_rdata), .s_rresp(s_axil_rresp), .irq_o(irq_o),
+        .built_i({bus, parts, `RT_EFFECTS_BUILT, PROFILE}), .status_i(status),
+        .errors_i(errors), .happened_i({1'b0, swap, done}), .good_i(frame_end && good),
+        .order_o(order), .settings_o(settings), .machine_write_o(machine_write),
+        .write_addr_o(write_addr), .write_data_o(write_data), .read_addr_o(read_addr),
+        .machine_data_i(machine_data), .machine_busy_i(machine_busy),
+        .count_data_i(count_data), .count_busy_i(count_busy)
+    );
+    wire        load, loading, cfg_valid;
+    wire [6:0]  cfg_addr;
+    wire [31:0] cfg_data;
+    rt_machine u_machine (
+        .clk(clk), .rst(rst), .busy_o(machine_busy), .write_i(machine_write),
+        .write_addr_i(write_addr), .write_data_i(write_data), .read_addr_i(read_addr),
+        .read_data_o(machine_data), .load_i(load), .loading_o(loading),
+        .cfg_valid_o(cfg_valid), .cfg_addr_o(cfg_addr), .cfg_data_o(cfg_data)
+    );
+
+    // ---- a frame ----
+    wire        core_rst, core_start, core_keep, core_busy;
+    wire [`RT_ERRORS-1:0] core_errors;
+    wire        room, clear, frame_begin, cut, forget, flush;
+    wire        read_dead, read_idle, read_stall, read_slverr, read_decerr, read_burst, read_beat;
+    wire        write_dead, write_empty, write_idle, write_stall, write_slverr, write_decerr,
+                write_burst, write_beat;
+    rt_run u_run (
+        .clk(clk), .rst(rst), .order_i(order), .limit_i(settings[`RT_TOP_SET_WATCHDOG]),
+        .errors_o(errors), .done_o(done), .busy_o(status[`RT_TOP_STATUS_BUSY]),
+        .draining_o(status[`RT_TOP_STATUS_DRAINING]), .waiting_o(status[`RT_TOP_STATUS_WAITING]),
+        .load_o(load), .loading_i(loading), .core_rst_o(core_rst), .core_start_o(core_start),
+        .core_keep_o(core_keep), .core_busy_i(core_busy), .core_errors_i(core_errors),
+        .room_i(room), .clear_o(clear), .begin_o(frame_begin), .end_o(frame_end), .good_o(good),
+        .cut_o(cut), .forget_o(forget), .read_dead_o(read_dead), .read_idle_i(read_idle),
+        .read_stall_i(read_stall), .read_errors_i({read_decerr, read_slverr}),
+        .write_dead_o(write_dead), .flush_o(flush), .write_empty_i(write_empty),
+        .write_idle_i(write_idle), .write_stall_i(write_stall),
+        .write_errors_i({write_decerr, write_slverr}), .scan_error_i(1'b0)
+    );
+    wire        take = take_i || order[`RT_TOP_CONTROL_TAKE];
+    wire        again, lost;
+    wire [31:0] draw_base;
+    assign status[31:11] = 21'd0;
+    assign status[`RT_TOP_STATUS_BLANK] = 1'b0;
+    assign status[`RT_TOP_STATUS_VALID] = show_valid_o;
+    rt_frames u_frames (
+        .clk(clk), .rst(rst),
+        .bases_i({settings[`RT_TOP_SET_FRAME2], settings[`RT_TOP_SET_FRAME1],
+                  settings[`RT_TOP_SET_FRAME0]}),
+        .wait_i(settings[`RT_TOP_SET_FRAME_MODE_WAIT]), .clear_i(clear), .begin_i(frame_begin),
+        .end_i(frame_end), .good_i(good), .room_o(room), .draw_base_o(draw_base), .take_i(take),
+        .show_valid_o(show_valid_o), .show_base_o(show_base_o), .swap_o(swap), .again_o(again),
+        .lost_o(lost), .drawn_o(status[`RT_TOP_STATUS_DRAWN]),
+        .newest_o(status[`RT_TOP_STATUS_NEWEST]), .shown_o(status[`RT_TOP_STATUS_SHOWN])
+    );
+
+    // ---- core ----
+    wire        req_valid, req_ready, rsp_valid, rsp_ready, rsp_error;
+    wire [`RT_LINE_BITS-1:0] req_line;
+    wire [63:0] rsp_data;
+    wire        pix_valid, pix_ready;
+    wire [13:0] pix_x, pix_y;
+    wire [71:0] pix_colour;
+    wire [23:0] pix_frame;
+    wire [4:0]  count_addr;
+    wire [47:0] count;
+    wire [`RT_ID_BITS-1:0] pix_id;
+    wire [W+WD+1:0] pix_key;
+    wire [`RT_VISITS_BITS-1:0] pix_visits;
+    wire [31:0] pix_texture;
+    wire        unused_pix = &{1'b0, pix_id, pix_key, pix_visits, pix_texture};
+    rt_core #(
+        .W(W), .WD(WD), .PQ(PQ), .NG(NG), .FW(FW), .PR(PR),
+        // connections of machine.def
+        .SHADOW(SHADOW), .REFLECT(REFLECT), .LIGHTS(LIGHTS), .INSIDE(INSIDE),
+        .FIRST(FIRST), .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),
+        .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM), .COARSE(COARSE), .RECT(RECT),
+        .SPANS(SPANS), .CONES(CONES), .ACCEL(ACCEL), .ENGINES(ENGINES), .SLOTS(SLOTS),
+        .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES), .TEXTURE_LINES(TEXTURE_LINES),
+        .TEXTURE_WAYS(TEXTURE_WAYS), .TEXTURE_GROUP(TEXTURE_GROUP),
+        .TEXTURE_COORDS(TEXTURE_COORDS), .ROOTS(ROOTS), .QUOTIENTS(QUOTIENTS),
+        .DIVISIONS(DIVISIONS), .ROOT_STEP(ROOT_STEP), .QUOTIENT_STEP(QUOTIENT_STEP),
+        .DIVISION_STEP(DIVISION_STEP), .LEAF_INTERVAL(LEAF_INTERVAL), .UNITS(UNITS),
+        .UNIT_INTERVAL(UNIT_INTERVAL), .HIT_INTERVAL(HIT_INTERVAL),
+        .BOUNCE_INTERVAL(BOUNCE_INTERVAL)
+        // end of connections
+    ) u_core (
+        .clk(clk), .rst(core_rst), .cfg_valid_i(cfg_valid), .cfg_addr_i(cfg_addr),
+        .cfg_data_i(cfg_data), .start_i(core_start), .keep_cache_i(core_keep),
+        .busy_o(core_busy), .mem_req_valid_o(req_valid), .mem_req_ready_i(req_ready),
+        .mem_req_line_o(req_line), .mem_rsp_valid_i(rsp_valid), .mem_rsp_ready_o(rsp_ready),
+        .mem_rsp_data_i(rsp_data), .mem_rsp_error_i(rsp_error), .pix_valid_o(pix_valid),
+        .pix_ready_i(pix_ready), .pix_x_o(pix_x), .pix_y_o(pix_y), .pix_colour_o(pix_colour),
+        .pix_frame_o(pix_frame), .pix_id_o(pix_id), .pix_key_o(pix_key),
+        .pix_visits_o(pix_visits), .pix_texture_o(pix_texture),
+        .count_addr_i(count_addr), .count_data_o(count), .errors_o(core_errors)
+    );
+    rt_axi_read #(.DATA(DATA)) u_read (
+        .clk(clk), .rst(rst), .begin_i(frame_begin),
+        .base_i(settings[`RT_TOP_SET_SCENE_BASE]), .cut_i(cut),
+        .dead_i(read_dead), .forget_i(forget), .idle_o(read_idle), .stall_o(read_stall),
+        .slverr_o(read_slverr), .decerr_o(read_decerr), .burst_o(read_burst), .beat_o(read_beat),
+        .req_valid_i(req_valid), .req_ready_o(req_ready), .req_line_i(req_line),
+        .rsp_valid_o(rsp_valid), .rsp_ready_i(rsp_ready), .rsp_data_o(rsp_data),
+        .rsp_error_o(rsp_error), .m_arvalid(m_scene_arvalid), .m_arready(m_scene_arready),
+        .m_araddr(m_scene_araddr), .m_arlen(m_scene_arlen), .m_rvalid(m_scene_rvalid),
+        .m_rready(m_scene_rready), .m_rdata(m_scene_rdata), .m_rresp(m_scene_rresp),
+        .m_rlast(m_scene_rlast)
+    );
+    wire [3:0] write_pixels;
+    rt_frame_write #(.DATA(DATA), .BUFFERS(BUFFERS)) u_frame_write (
+        .clk(clk), .rst(rst), .base_i(draw_base), .begin_i(frame_begin),
+        .stride_i({settings[`RT_TOP_SET_STRIDE_UNITS], 5'd0}),
+        .rgb565_i(settings[`RT_TOP_SET_FORMAT_RGB565]), .mux_i(settings[`RT_TOP_SET_MUX_FRAME]),
+        .cut_i(cut), .dead_i(write_dead), .forget_i(forget), .flush_i(flush),
+        .empty_o(write_empty), .idle_o(write_idle), .stall_o(write_stall),
+        .slverr_o(write_slverr), .decerr_o(write_decerr), .burst_o(write_burst),
+        .beat_o(write_beat), .pixels_o(write_pixels), .pix_valid_i(pix_valid),
+        .pix_ready_o(pix_ready), .pix_x_i(pix_x), .pix_y_i(pix_y), .pix_colour_i(pix_colour),
+        .pix_frame_i(pix_frame), .m_awvalid(m_frame_awvalid), .m_awready(m_frame_awready),
+        .m_awaddr(m_frame_awaddr), .m_awlen(m_frame_awlen), .m_wvalid(m_frame_wvalid),
+        .m_wready(m_frame_wready), .m_wdata(m_frame_wdata), .m_wstrb(m_frame_wstrb),
+        .m_wlast(m_frame_wlast), .m_bvalid(m_frame_bvalid), .m_bready(m_frame_bready),
+        .m_bresp(m_frame_bresp)
+    );
+    rt_totals u_totals (
+        .clk(clk), .rst(rst), .snap_i(order[`RT_TOP_CONTROL_SNAPSHOT]), .busy_o(count_busy),
+        .read_addr_i(read_addr), .read_data_o(count_data), .count_addr_o(count_addr),
+        .count_data_i(count), .frame_i(frame_begin), .clear_i(clear),
+        .read_i({read_beat, read_burst}), .write_i({write_beat, write_burst}),
+        .pixels_i(write_pixels), .swap_i(swap), .again_i(again), .lost_i(lost),
+        .underrun_i(1'b0)
+    );
+endmodule
+`default_nettype wire

@@ -1,0 +1,170 @@
+/* tb_top.cpp - rt_top under its driver: registers, frames, errors, resets, a silent bus
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * usage: tb_top A.sph B.sph [seed]        two machines of the core's profile, not of one picture
+ */
+#include "top_faults.h"
+
+static void registers(Checks &c) {
+    TopHost &t = c.top;
+    c.equals("ID", t.read(SPHAERA_ID), SPHAERA_ID_RESET);
+    c.equals("CORE_BUS", t.read(SPHAERA_CORE_BUS) & SPHAERA_CORE_BUS_DATA, DATA);
+    t.write(SPHAERA_ID, 0);
+    c.equals("ID is read-only", t.read(SPHAERA_ID), SPHAERA_ID_RESET);
+    c.equals("and says OKAY", (uint64_t)t.response, OKAY);
+    t.stall = 40;
+    uint32_t copy[SPHAERA_MACHINE_REGISTERS];
+    for (uint32_t i = 0; i < SPHAERA_MACHINE_REGISTERS; i++)
+        sphaera_set(&t.driver, i, copy[i] = (uint32_t)t.random.next());
+    for (int i = 0; i < 300; i++) { /* strobes */
+        uint32_t at = (uint32_t)t.random.below(SPHAERA_MACHINE_REGISTERS);
+        uint32_t value = (uint32_t)t.random.next();
+        unsigned strobe = (unsigned)t.random.below(16);
+        t.write(SPHAERA_MACHINE + 4 * at, value, strobe);
+        for (int b = 0; b < 4; b++)
+            if (strobe >> b & 1) copy[at] = (copy[at] & ~(255u << 8 * b)) | (value & 255u << 8 * b);
+        at = (uint32_t)t.random.below(SPHAERA_MACHINE_REGISTERS);
+        c.equals("machine register", t.read(SPHAERA_MACHINE + 4 * at), copy[at]);
+    }
+    t.write(SPHAERA_WATCHDOG, 0x12345678);
+    t.write(SPHAERA_WATCHDOG, 0xffffffff, 5);
+    c.equals("strobes of a setting", t.read(SPHAERA_WATCHDOG), 0x12ff56ff);
+    t.write(SPHAERA_WATCHDOG, SPHAERA_WATCHDOG_RESET);
+    t.write(SPHAERA_FRAME1, 0xffffffff);
+    c.equals("low bits of an address", t.read(SPHAERA_FRAME1), SPHAERA_FRAME1_PLACE);
+    c.store(c.stride, c.rgb565);
+    for (uint32_t offset : {0x18u, 0x1cu, 0x3cu, 0x74u, 0x3c0u, 0x3fcu, 0x548u, 0xffcu}) {
+        c.equals("no register reads 0", t.read(offset), 0);
+        c.equals("and answers SLVERR", (uint64_t)t.response, SLVERR);
+        t.write(offset, 0xffffffff);
+        c.equals("a write too", (uint64_t)t.response, SLVERR);
+    }
+    c.done("registers: read back, strobes, offsets without one");
+}
+
+static void frames(Checks &c, const Golden &a, const Golden &b) {
+    for (unsigned stall : {0u, 30u, 70u}) {
+        Manner slow;
+        slow.stall = stall;
+        slow.latency = 1 + stall;
+        c.top.scene.behave(slow);
+        c.top.frame.behave(slow);
+        c.whole(a, SCENE_A);
+        c.whole(b, SCENE_B); /* no reset between two machines */
+    }
+    c.done("two machines one after another, buses that stall");
+    c.load(a, SCENE_A);
+    for (int half = 0; half < 2; half++) {
+        c.store(half ? 1024 : 1280, half);
+        for (unsigned mux = 1; mux < 4; mux++) {
+            sphaera_mux(&c.top.driver, mux);
+            c.equals("draw", (uint64_t)c.draw(), SPHAERA_OK);
+            c.same(a, c.newest(), (int)mux - 1);
+        }
+    }
+    sphaera_mux(&c.top.driver, 0);
+    c.store(2560, 0);
+    c.done("frame mux, both formats");
+}
+
+static void counters(Checks &c, const Golden &a) {
+    uint64_t n[SPHAERA_COUNTS];
+    c.top.frame.behave({});
+    c.top.scene.behave({});
+    c.whole(a, SCENE_A);
+    sphaera_counters(&c.top.driver, n);
+    for (int i = 0; i < SPH_COUNTERS; i++)
+        if (sph_counter_both(i)) c.equals("counter of the core", n[i], a.counters.count[i]);
+    c.equals("WRITE_PIXELS", n[SPHAERA_COUNT_WRITE_PIXELS],
+             (uint64_t)(a.frame.width * a.frame.height));
+    c.equals("WRITE_BURSTS", n[SPHAERA_COUNT_WRITE_BURSTS], c.top.frame.requests);
+    c.equals("WRITE_BEATS", n[SPHAERA_COUNT_WRITE_BEATS], c.top.frame.beats);
+    c.equals("READ_BURSTS", n[SPHAERA_COUNT_READ_BURSTS], c.top.scene.requests);
+    c.equals("READ_BEATS", n[SPHAERA_COUNT_READ_BEATS], c.top.scene.answers);
+    printf("# %llu pixels in %llu bursts, %.2f of 8; %llu lines read, %llu clocks\n",
+           (unsigned long long)n[SPHAERA_COUNT_WRITE_PIXELS],
+           (unsigned long long)n[SPHAERA_COUNT_WRITE_BURSTS],
+           (double)n[SPHAERA_COUNT_WRITE_PIXELS] / (double)n[SPHAERA_COUNT_WRITE_BURSTS],
+           (unsigned long long)n[SPHAERA_COUNT_READ_BURSTS],
+           (unsigned long long)n[SPHAERA_COUNT_CYCLES]);
+    c.done("counters");
+}
+
+static void busy(Checks &c, const Golden &a, const Golden &b) {
+    for (int i = 0; i < 4; i++) {
+        c.load(a, SCENE_A);
+        c.spoil();
+        sphaera_start(&c.top.driver, 0);
+        c.top.clocks(c.top.random.below(4000));
+        c.top.write(SPHAERA_CONTROL, SPHAERA_CONTROL_START);
+        c.equals("a second START is refused", c.top.read(SPHAERA_ERRORS), SPHAERA_ERRORS_REFUSED);
+        c.equals("the driver says busy", (uint64_t)sphaera_start(&c.top.driver, 0), SPHAERA_BUSY);
+        c.load(b, SCENE_B); /* while a is drawn */
+        c.equals("still busy", c.top.read(SPHAERA_STATUS) & SPHAERA_STATUS_BUSY, 1);
+        sphaera_errors(&c.top.driver);
+        c.equals("draw", (uint64_t)sphaera_wait(&c.top.driver, POLLS), SPHAERA_OK);
+        c.same(a, c.newest(), c.depth(a));
+        c.equals("draw", (uint64_t)c.draw(), SPHAERA_OK);
+        c.same(b, c.newest(), c.depth(b));
+    }
+    c.done("START while busy; the next machine written while one is drawn");
+}
+
+static void store(Checks &c, const Golden &a) {
+    TopHost &t = c.top;
+    sphaera_reset(&t.driver, 0, POLLS);
+    sphaera_interrupts(&t.driver, SPHAERA_INTERRUPTS_SWAP | SPHAERA_INTERRUPTS_FRAME_DONE);
+    unsigned shown = 9, frame;
+    c.equals("nothing to show", (uint64_t)sphaera_take(&t.driver, &frame), SPHAERA_BUSY);
+    c.load(a, SCENE_A);
+    for (int i = 0; i < 9; i++) {
+        c.equals("no interrupt", t.dut.irq_o, 0);
+        c.equals("draw", (uint64_t)c.draw(), SPHAERA_OK);
+        c.note("what is shown is not drawn", shown != c.drawn());
+        c.equals("interrupt", t.dut.irq_o, 1);
+        c.equals("frame done", sphaera_handle(&t.driver), SPHAERA_INTERRUPTS_FRAME_DONE);
+        if (i % 3 == 0) continue;
+        unsigned newest = c.newest();
+        c.equals("take", (uint64_t)sphaera_take(&t.driver, &shown), SPHAERA_OK);
+        c.equals("the newest is shown", shown, newest);
+        c.equals("its address", t.dut.show_base_o, STORES[shown]);
+        c.equals("swap", sphaera_handle(&t.driver), SPHAERA_INTERRUPTS_SWAP);
+        sphaera_take(&t.driver, &frame);
+        c.equals("the same again", frame, shown);
+        c.equals("no swap", sphaera_handle(&t.driver), 0);
+    }
+    uint64_t n[SPHAERA_COUNTS];
+    sphaera_counters(&t.driver, n);
+    c.equals("FRAME_COUNT", t.read(SPHAERA_FRAME_COUNT), 9);
+    c.equals("FRAMES_SHOWN", n[SPHAERA_COUNT_FRAMES_SHOWN], 6);
+    c.equals("FRAMES_AGAIN", n[SPHAERA_COUNT_FRAMES_AGAIN], 6);
+    c.equals("FRAMES_LOST", n[SPHAERA_COUNT_FRAMES_LOST], 3);
+    t.write(SPHAERA_FRAME_MODE, SPHAERA_FRAME_MODE_WAIT);
+    c.equals("draw", (uint64_t)c.draw(), SPHAERA_OK);
+    sphaera_start(&t.driver, 0);
+    c.equals("it waits", (uint64_t)sphaera_wait(&t.driver, 3000), SPHAERA_LATE);
+    c.note("and says so", t.read(SPHAERA_STATUS) & SPHAERA_STATUS_WAITING);
+    sphaera_take(&t.driver, &shown);
+    c.equals("then goes on", (uint64_t)sphaera_wait(&t.driver, POLLS), SPHAERA_OK);
+    t.write(SPHAERA_FRAME_MODE, 0);
+    sphaera_interrupts(&t.driver, 0);
+    c.done("frame store: three frames, interrupts, counts");
+}
+
+int main(int argc, char **argv) {
+    if (argc < 3) {
+        fprintf(stderr, "usage: tb_top A.sph B.sph [seed]\n");
+        return 2;
+    }
+    Golden a(argv[1]), b(argv[2]);
+    auto c = std::make_unique<Checks>(argc > 3 ? strtoull(argv[3], nullptr, 0) : 1);
+    registers(*c);
+    frames(*c, a, b);
+    counters(*c, a);
+    busy(*c, a, b);
+    store(*c, a);
+    answers(*c, a, b);
+    resets(*c, a, b);
+    silence(*c, a, b);
+    return c->finish();
+}

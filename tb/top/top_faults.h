@@ -1,0 +1,122 @@
+/* top_faults.h - errors of the buses, resets in mid-frame, buses that never answer
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Whatever happens, the frame ends, the error is told, what was shown stays, and the next frame is
+ * whole.
+ */
+#ifndef TB_TOP_FAULTS_H
+#define TB_TOP_FAULTS_H
+
+#include "top_checks.h"
+
+/* SLVERR and DECERR, of reads and of writes, early and late in the frame. */
+static void answers(Checks &c, const Golden &a, const Golden &b) {
+    TopHost &t = c.top;
+    for (int i = 0; i < 12; i++) {
+        bool write = i & 1;
+        int error = i & 2 ? DECERR : SLVERR;
+        uint32_t bit = write ? SPHAERA_ERRORS_FRAME_SLVERR : SPHAERA_ERRORS_SCENE_SLVERR;
+        if (error == DECERR) bit <<= 1;
+        if (!write) bit |= SPHAERA_ERRORS_BUS_ERROR;
+        c.whole(b, SCENE_B);
+        unsigned before = c.newest(), frames = t.read(SPHAERA_FRAME_COUNT);
+        Manner bad;
+        bad.stall = 20;
+        bad.error = error;
+        bad.error_at = (int64_t)t.random.below(write ? 90 : 40);
+        c.load(a, SCENE_A);
+        (write ? t.frame.behave(bad) : t.scene.behave(bad));
+        c.equals("the frame has errors", (uint64_t)c.draw(), SPHAERA_FAILED);
+        c.equals("which", t.read(SPHAERA_ERRORS), bit);
+        c.equals("it is not complete", t.read(SPHAERA_FRAME_COUNT), frames);
+        c.equals("and not the newest", c.newest(), before);
+        uint32_t errors = sphaera_errors(&t.driver);
+        const char *text = sphaera_error_text(&errors);
+        c.note("in words", text && *text);
+        c.equals("cleared by a one", t.read(SPHAERA_ERRORS), 0);
+        t.scene.behave({});
+        t.frame.behave({});
+    }
+    c.whole(a, SCENE_A);
+    c.done("SLVERR and DECERR of both masters");
+}
+
+/* Soft resets and stops at many clocks of a frame, and resets of the whole. */
+static void resets(Checks &c, const Golden &a, const Golden &b) {
+    TopHost &t = c.top;
+    Manner slow;
+    slow.stall = 30;
+    slow.latency = 20;
+    for (int i = 0; i < 60; i++) {
+        int how = i % 3;
+        t.scene.behave(slow);
+        t.frame.behave(slow);
+        c.load(a, SCENE_A);
+        sphaera_start(&t.driver, 0);
+        t.clocks(t.random.below(i < 30 ? 400 : 6000));
+        if (how == 2) {
+            t.reset();
+            struct sphaera_bus bus = t.bus();
+            c.equals("open", (uint64_t)sphaera_open(&t.driver, &bus), SPHAERA_OK);
+            c.store(c.stride, c.rgb565);
+        } else if (how == 1) {
+            sphaera_stop(&t.driver);
+        } else {
+            c.equals("reset", (uint64_t)sphaera_reset(&t.driver, 0, POLLS), SPHAERA_OK);
+            c.equals("no errors are left", t.read(SPHAERA_ERRORS), 0);
+            c.equals("nor frames", t.read(SPHAERA_FRAME_COUNT), 0);
+        }
+        for (unsigned n = 0; n < 5000 && t.read(SPHAERA_STATUS) & SPHAERA_STATUS_DRAINING; n++)
+            ;
+        c.equals("the bus owes nothing", t.scene.waiting(), 0);
+        c.whole(b, SCENE_B);
+        c.equals("no error", sphaera_errors(&t.driver), 0);
+    }
+    t.scene.behave({});
+    t.frame.behave({});
+    c.done("STOP, SOFT_RESET and rst in mid-frame");
+}
+
+/* Resets both buses, which last until they are let go. */
+static void hold(TopHost &t, bool on) {
+    t.scene.reset();
+    t.frame.reset();
+    t.scene.in_reset = t.frame.in_reset = on;
+}
+
+/* A bus that takes or refuses requests and answers none. */
+static void silence(Checks &c, const Golden &a, const Golden &b) {
+    TopHost &t = c.top;
+    for (int i = 0; i < 16; i++) {
+        bool write = i & 1, forget = i & 4;
+        Manner deaf;
+        deaf.deaf_after = (int64_t)t.random.below(write ? 50 : 15);
+        deaf.refuses = i & 2;
+        c.load(a, SCENE_A);
+        t.write(SPHAERA_WATCHDOG, 500 + (uint32_t)t.random.below(1000));
+        (write ? t.frame.behave(deaf) : t.scene.behave(deaf));
+        sphaera_interrupts(&t.driver, SPHAERA_INTERRUPTS_ERROR);
+        c.equals("the frame ends", (uint64_t)c.draw(), SPHAERA_FAILED);
+        c.note("by the watchdog", t.read(SPHAERA_ERRORS) & SPHAERA_ERRORS_WATCHDOG);
+        c.equals("interrupt", t.dut.irq_o, 1);
+        t.write(SPHAERA_ERRORS, 0xffffffff);
+        t.write(SPHAERA_CONTROL, SPHAERA_CONTROL_START);
+        c.equals("no frame before a reset", t.read(SPHAERA_ERRORS), SPHAERA_ERRORS_REFUSED);
+        c.equals("which waits for the bus", (uint64_t)sphaera_reset(&t.driver, 0, 200),
+                 SPHAERA_LATE);
+        if (forget) { /* the interconnect is reset meanwhile */
+            hold(t, true);
+            c.equals("reset", (uint64_t)sphaera_reset(&t.driver, 1, 2), SPHAERA_OK);
+            hold(t, false);
+        }
+        t.scene.revive();
+        t.frame.revive();
+        c.equals("reset", (uint64_t)sphaera_reset(&t.driver, 0, POLLS), SPHAERA_OK);
+        c.equals("no interrupt", t.dut.irq_o, 0);
+        t.write(SPHAERA_WATCHDOG, SPHAERA_WATCHDOG_RESET);
+        c.whole(b, SCENE_B);
+    }
+    c.done("buses that never answer: watchdog, recovery");
+}
+
+#endif

@@ -1,0 +1,138 @@
+/* top_host.h - the verilated rt_top, its memory, and a processor that runs the driver
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * The driver's reads and writes go through AXI4-Lite, with random waits in every handshake; each
+ * takes as many clocks as it needs, and the block works meanwhile.
+ */
+#ifndef TB_TOP_HOST_H
+#define TB_TOP_HOST_H
+
+#include "Vrt_top.h"
+#include "axi_memory.h"
+
+extern "C" {
+#include "../../driver/sphaera.h"
+}
+
+class TopHost {
+  public:
+    static constexpr uint32_t MEMORY = 1u << 26;
+    Vrt_top dut;
+    bench::Random random;
+    std::vector<uint8_t> bytes;
+    ReadSide scene;
+    WriteSide frame;
+    struct sphaera driver;
+    uint64_t cycle = 0;
+    unsigned stall = 0; /* percent, of the registers' bus */
+    int response = 0;   /* of the last access to a register */
+    bool hangs = false;
+
+    explicit TopHost(uint64_t seed)
+        : random(seed), bytes(MEMORY), scene(bytes, random), frame(bytes, random) {
+        idle();
+        reset();
+    }
+    ~TopHost() { dut.final(); }
+
+    void clock() {
+        scene.offer(dut);
+        frame.offer(dut);
+        dut.clk = 0;
+        dut.eval();
+        if (!dut.rst) {
+            scene.take(dut);
+            frame.take(dut);
+        }
+        seen_ = {dut.s_axil_awvalid && dut.s_axil_awready,
+                 dut.s_axil_wvalid && dut.s_axil_wready,
+                 dut.s_axil_bvalid && dut.s_axil_bready,
+                 dut.s_axil_arvalid && dut.s_axil_arready,
+                 dut.s_axil_rvalid && dut.s_axil_rready,
+                 dut.s_axil_rdata,
+                 dut.s_axil_bresp,
+                 dut.s_axil_rresp};
+        dut.clk = 1;
+        dut.eval();
+        cycle++;
+    }
+    void clocks(uint64_t n) {
+        while (n--)
+            clock();
+    }
+    /* Block and buses together. */
+    void reset() {
+        dut.rst = 1;
+        scene.reset();
+        frame.reset();
+        clocks(1 + random.below(4));
+        scene.reset();
+        frame.reset();
+        dut.rst = 0;
+    }
+    uint32_t read(uint32_t offset) {
+        dut.s_axil_araddr = (uint16_t)offset;
+        bool asked = false, done = false;
+        uint32_t value = 0;
+        for (unsigned i = 0; !done && !late(i); i++) {
+            dut.s_axil_arvalid = !asked && (dut.s_axil_arvalid || !random.percent(stall));
+            dut.s_axil_rready = !random.percent(stall);
+            clock();
+            asked = asked || seen_.ar;
+            if (asked) dut.s_axil_arvalid = 0;
+            if (!seen_.r) continue;
+            done = true;
+            value = seen_.data;
+            response = seen_.rresp;
+        }
+        idle();
+        return value;
+    }
+    void write(uint32_t offset, uint32_t value, unsigned strobe = 15) {
+        dut.s_axil_awaddr = (uint16_t)offset;
+        dut.s_axil_wdata = value;
+        dut.s_axil_wstrb = (uint8_t)strobe;
+        bool address = false, data = false, done = false;
+        for (unsigned i = 0; !done && !late(i); i++) {
+            dut.s_axil_awvalid = !address && (dut.s_axil_awvalid || !random.percent(stall));
+            dut.s_axil_wvalid = !data && (dut.s_axil_wvalid || !random.percent(stall));
+            dut.s_axil_bready = !random.percent(stall);
+            clock();
+            address = address || seen_.aw;
+            data = data || seen_.w;
+            if (address) dut.s_axil_awvalid = 0;
+            if (data) dut.s_axil_wvalid = 0;
+            if (!seen_.b) continue;
+            done = true;
+            response = seen_.bresp;
+        }
+        idle();
+    }
+    struct sphaera_bus bus() {
+        struct sphaera_bus b;
+        b.read = [](void *user, uint32_t offset) { return ((TopHost *)user)->read(offset); };
+        b.write = [](void *user, uint32_t offset, uint32_t value) {
+            ((TopHost *)user)->write(offset, value);
+        };
+        b.put = [](void *user, uint32_t address, const uint8_t *from, uint32_t count) {
+            memcpy(&((TopHost *)user)->bytes[address], from, count);
+        };
+        b.user = this;
+        return b;
+    }
+
+  private:
+    struct Seen {
+        bool aw, w, b, ar, r;
+        uint32_t data;
+        int bresp, rresp;
+    } seen_ = {};
+    bool late(unsigned clocks) { return hangs = hangs || clocks > 5000; }
+    void idle() {
+        dut.s_axil_awvalid = dut.s_axil_wvalid = dut.s_axil_arvalid = 0;
+        dut.s_axil_bready = dut.s_axil_rready = 0;
+        dut.take_i = 0;
+    }
+};
+
+#endif
