@@ -7,6 +7,8 @@
 +incdir+rtl/top
 +incdir+rtl/trace
 +incdir+rtl/video
+rtl/bus/rt_axi_read.v
+rtl/bus/rt_axi_write.v
 rtl/core/rt_core.v
 rtl/core/rt_counters.v
 rtl/core/rt_registers.v
@@ -93,6 +95,14 @@ rtl/texture/rt_texture_image.v
 rtl/texture/rt_texture_map.v
 rtl/texture/rt_texture_mix.v
 rtl/texture/rt_texture_path.v
+rtl/top/rt_control.v
+rtl/top/rt_frame_groups.v
+rtl/top/rt_frame_write.v
+rtl/top/rt_frames.v
+rtl/top/rt_machine.v
+rtl/top/rt_run.v
+rtl/top/rt_top.v
+rtl/top/rt_totals.v
 rtl/trace/rt_bih.v
 rtl/trace/rt_bih_next.v
 rtl/trace/rt_bih_ray.v
