@@ -14,7 +14,7 @@ LIB  := $B/libsphaera.a
 RTL_FILES := $(shell find rtl -name '*.v' -o -name '*.vh')
 RTL_DIRS  := $(sort $(dir $(RTL_FILES)))
 PARAMETERS := $(shell sh sim/profile.sh '$(PROFILE)') $(shell sh sim/parameters.sh '$(CORE)') \
-              DATA=$(DATA)
+              DATA=$(DATA) VIDEO=1
 VERILATE := verilator --cc --language 1364-2005 -Wall -O3 --x-assign unique --x-initial unique \
                 --top-module rt_top --prefix Vrt_top $(PARAMETERS:%=-G%) \
                 $(RTL_DIRS:%=-y %) $(RTL_DIRS:%=-I%) rtl/top/rt_top.v

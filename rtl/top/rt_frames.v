@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //   begin: draw a frame that is neither shown nor the newest complete one
 //   end, good: what was drawn is the newest; one that was never shown is lost
-//   take: the newest is shown, or again the one that is
+//   take: the newest is shown, or again the one that is; none, if all were forgotten
 // So nothing is drawn into a frame that is read, and drawing never waits; with wait_i it waits
 // until the newest one was taken. show_*_o changes in the cycle after take_i alone.
 `timescale 1ns / 1ps
@@ -32,31 +32,38 @@ module rt_frames (
     output reg  [1:0]  shown_o
 );
     reg  fresh_q;                      // the newest was not shown yet
+    reg  gone_q;                       // the one that is shown was forgotten
     wire [1:0] taken = {(show_valid_o && shown_o == 2'd1) || (fresh_q && newest_o == 2'd1),
                         (show_valid_o && shown_o == 2'd0) || (fresh_q && newest_o == 2'd0)};
     wire [1:0] free  = !taken[0] ? 2'd0 : !taken[1] ? 2'd1 : 2'd2;
     assign room_o  = !wait_i || !fresh_q;
     assign swap_o  = take_i && fresh_q;
-    assign again_o = take_i && !fresh_q && show_valid_o;
+    assign again_o = take_i && !fresh_q && show_valid_o && !gone_q;
     assign lost_o  = end_i && good_i && fresh_q && !take_i;
     always @(posedge clk) begin
         if (begin_i) begin
             drawn_o     <= free;
             draw_base_o <= bases_i[32*free +: 32];
         end
-        if (take_i && fresh_q) begin
+        if (take_i) begin
             fresh_q      <= 1'b0;
-            shown_o      <= newest_o;
-            show_valid_o <= 1'b1;
-            show_base_o  <= bases_i[32*newest_o +: 32];
+            gone_q       <= 1'b0;
+            show_valid_o <= fresh_q || (show_valid_o && !gone_q);
+        end
+        if (take_i && fresh_q) begin
+            shown_o     <= newest_o;
+            show_base_o <= bases_i[32*newest_o +: 32];
         end
         if (end_i && good_i) begin
             fresh_q  <= 1'b1;
             newest_o <= drawn_o;
         end
         if (rst || clear_i) begin
+            fresh_q <= 1'b0;
+            gone_q  <= !rst;
+        end
+        if (rst) begin
             {drawn_o, newest_o, shown_o} <= 6'd0;
-            fresh_q      <= 1'b0;
             show_valid_o <= 1'b0;
         end
     end

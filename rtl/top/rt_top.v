@@ -7,6 +7,7 @@
 `default_nettype none
 `include "rt_check.vh"
 `include "rt_layout.vh"
+`include "rt_modes.vh"
 `include "rt_top.vh"
 module rt_top #(
     parameter DATA       = 64,   // data bits of the AXI4 masters, 64 or 128
@@ -104,13 +105,39 @@ module rt_top #(
     input  wire              m_frame_bvalid,
     output wire              m_frame_bready,
     input  wire [1:0]        m_frame_bresp,
-    // a display's own reader: which frame it reads from the next take on
+    // a reader of frames that stands outside, without VIDEO or while it is off
     input  wire              take_i,           // one cycle, before a frame is read
     output wire              show_valid_o,     // a frame is shown, at
-    output wire [31:0]       show_base_o       // this address, from the cycle after take_i
+    output wire [31:0]       show_base_o,      // this address, from the cycle after take_i
+    // display: AXI4 reads, as of the scene; without VIDEO all of its outputs are 0
+    output wire              m_scan_arvalid,
+    input  wire              m_scan_arready,
+    output wire [31:0]       m_scan_araddr,
+    output wire [7:0]        m_scan_arlen,
+    output wire [2:0]        m_scan_arsize,
+    output wire [1:0]        m_scan_arburst,
+    input  wire              m_scan_rvalid,
+    output wire              m_scan_rready,
+    input  wire [DATA-1:0]   m_scan_rdata,
+    input  wire [1:0]        m_scan_rresp,
+    input  wire              m_scan_rlast,
+    // pixel clock: AXI4-Stream video, symbols of DVI
+    input  wire              pix_clk,
+    input  wire              pix_rst,          // synchronous to pix_clk, active high
+    output wire              m_video_tvalid,
+    input  wire              m_video_tready,   // high if syncs or symbols are used
+    output wire [23:0]       m_video_tdata,
+    output wire              m_video_tuser,    // first pixel of a frame
+    output wire              m_video_tlast,    // last pixel of a row
+    output wire              de_o,
+    output wire              hsync_o,
+    output wire              vsync_o,
+    output wire [9:0]        tmds0_o,
+    output wire [9:0]        tmds1_o,
+    output wire [9:0]        tmds2_o
 );
     `RT_CHECK(DATA == 64 || DATA == 128, rt_top_DATA_must_be_64_or_128)
-    `RT_CHECK(VIDEO == 0, rt_top_VIDEO_must_be_0)
+    `RT_CHECK(VIDEO == 0 || VIDEO == 1, rt_top_VIDEO_must_be_0_or_1)
     localparam [2:0] SIZE = DATA == 64 ? 3'd3 : 3'd4;     // bytes of a beat, their logarithm
     assign m_scene_arsize  = SIZE;
     assign m_scene_arburst = 2'b01;
@@ -147,6 +174,7 @@ module rt_top #(
     wire        machine_busy, count_busy;
     wire [14:0] errors;
     wire        done, swap, frame_end, good;
+    wire        video_take, blank, underrun, scan_error;
     wire        unused = &{1'b0, settings};               // bits that no register has
     rt_control u_control (
         .clk(clk), .rst(rst), .s_awvalid(s_axil_awvalid), .s_awready(s_axil_awready),
@@ -156,7 +184,7 @@ module rt_top #(
         .s_arready(s_axil_arready), .s_araddr(s_axil_araddr), .s_rvalid(s_axil_rvalid),
         .s_rready(s_axil_rready), .s_rdata(s_axil_rdata), .s_rresp(s_axil_rresp), .irq_o(irq_o),
         .built_i({bus, parts, `RT_EFFECTS_BUILT, PROFILE}), .status_i(status),
-        .errors_i(errors), .happened_i({1'b0, swap, done}), .good_i(frame_end && good),
+        .errors_i(errors), .happened_i({underrun, swap, done}), .good_i(frame_end && good),
         .order_o(order), .settings_o(settings), .machine_write_o(machine_write),
         .write_addr_o(write_addr), .write_data_o(write_data), .read_addr_o(read_addr),
         .machine_data_i(machine_data), .machine_busy_i(machine_busy),
@@ -190,13 +218,14 @@ module rt_top #(
         .read_stall_i(read_stall), .read_errors_i({read_decerr, read_slverr}),
         .write_dead_o(write_dead), .flush_o(flush), .write_empty_i(write_empty),
         .write_idle_i(write_idle), .write_stall_i(write_stall),
-        .write_errors_i({write_decerr, write_slverr}), .scan_error_i(1'b0)
+        .write_errors_i({write_decerr, write_slverr}), .scan_error_i(scan_error)
     );
-    wire        take = take_i || order[`RT_TOP_CONTROL_TAKE];
+    wire        video = VIDEO != 0 && settings[`RT_TOP_SET_VIDEO_ENABLE];
+    wire        take  = video ? video_take : take_i || order[`RT_TOP_CONTROL_TAKE];
     wire        again, lost;
     wire [31:0] draw_base;
     assign status[31:11] = 21'd0;
-    assign status[`RT_TOP_STATUS_BLANK] = 1'b0;
+    assign status[`RT_TOP_STATUS_BLANK] = blank;
     assign status[`RT_TOP_STATUS_VALID] = show_valid_o;
     rt_frames u_frames (
         .clk(clk), .rst(rst),
@@ -284,7 +313,50 @@ module rt_top #(
         .count_data_i(count), .frame_i(frame_begin), .clear_i(clear),
         .read_i({read_beat, read_burst}), .write_i({write_beat, write_burst}),
         .pixels_i(write_pixels), .swap_i(swap), .again_i(again), .lost_i(lost),
-        .underrun_i(1'b0)
+        .underrun_i(underrun)
     );
+
+    // ---- display ----
+    generate
+        if (VIDEO != 0) begin : g_video
+            wire [`RT_MODE_BITS-1:0] mode;
+            assign mode[`RT_MODE_H_ACTIVE] = settings[`RT_TOP_SET_VIDEO_H_ACTIVE_ACTIVE];
+            assign mode[`RT_MODE_H_FRONT]  = settings[`RT_TOP_SET_VIDEO_H_ACTIVE_FRONT];
+            assign mode[`RT_MODE_H_SYNC]   = settings[`RT_TOP_SET_VIDEO_H_SYNC_SYNC];
+            assign mode[`RT_MODE_H_BACK]   = settings[`RT_TOP_SET_VIDEO_H_SYNC_BACK];
+            assign mode[`RT_MODE_V_ACTIVE] = settings[`RT_TOP_SET_VIDEO_V_ACTIVE_ACTIVE];
+            assign mode[`RT_MODE_V_FRONT]  = settings[`RT_TOP_SET_VIDEO_V_ACTIVE_FRONT];
+            assign mode[`RT_MODE_V_SYNC]   = settings[`RT_TOP_SET_VIDEO_V_SYNC_SYNC];
+            assign mode[`RT_MODE_V_BACK]   = settings[`RT_TOP_SET_VIDEO_V_SYNC_BACK];
+            assign mode[`RT_MODE_H_POL]    = settings[`RT_TOP_SET_VIDEO_H_POL];
+            assign mode[`RT_MODE_V_POL]    = settings[`RT_TOP_SET_VIDEO_V_POL];
+            rt_video #(.DATA(DATA)) u_video (
+                .clk(clk), .rst(rst), .enable_i(settings[`RT_TOP_SET_VIDEO_ENABLE]),
+                .mode_i(mode), .format_i(settings[`RT_TOP_SET_FORMAT_RGB565]),
+                .stride_i({settings[`RT_TOP_SET_STRIDE_UNITS], 5'd0}),
+                .double_i(settings[`RT_TOP_SET_VIDEO_DOUBLE]), .take_o(video_take),
+                .show_valid_i(show_valid_o), .show_base_i(show_base_o), .blank_o(blank),
+                .underrun_o(underrun), .error_o(scan_error), .m_scan_arvalid(m_scan_arvalid),
+                .m_scan_arready(m_scan_arready), .m_scan_araddr(m_scan_araddr),
+                .m_scan_arlen(m_scan_arlen), .m_scan_arsize(m_scan_arsize),
+                .m_scan_arburst(m_scan_arburst), .m_scan_rvalid(m_scan_rvalid),
+                .m_scan_rready(m_scan_rready), .m_scan_rdata(m_scan_rdata),
+                .m_scan_rresp(m_scan_rresp), .m_scan_rlast(m_scan_rlast), .pix_clk(pix_clk),
+                .pix_rst(pix_rst), .m_video_tvalid(m_video_tvalid),
+                .m_video_tready(m_video_tready), .m_video_tdata(m_video_tdata),
+                .m_video_tuser(m_video_tuser), .m_video_tlast(m_video_tlast), .de_o(de_o),
+                .hsync_o(hsync_o), .vsync_o(vsync_o), .tmds0_o(tmds0_o), .tmds1_o(tmds1_o),
+                .tmds2_o(tmds2_o)
+            );
+        end else begin : g_no_video
+            assign {video_take, blank, underrun, scan_error} = 4'd0;
+            assign {m_scan_arvalid, m_scan_araddr, m_scan_arlen, m_scan_arsize, m_scan_arburst,
+                    m_scan_rready} = 47'd0;
+            assign {m_video_tvalid, m_video_tdata, m_video_tuser, m_video_tlast, de_o, hsync_o,
+                    vsync_o, tmds0_o, tmds1_o, tmds2_o} = 60'd0;
+            wire unused_video = &{1'b0, m_scan_arready, m_scan_rvalid, m_scan_rdata, m_scan_rresp,
+                                  m_scan_rlast, pix_clk, pix_rst, m_video_tready, video_take};
+        end
+    endgenerate
 endmodule
 `default_nettype wire

@@ -59,6 +59,24 @@ template <class Data> uint64_t word64(const Data &data, int i) {
     return (uint64_t)(bench::get(data) >> 64 * i);
 }
 
+/* The ports of a master that reads, by their names. */
+template <class Bit, class Word, class Byte, class Data> struct ReadPorts {
+    Bit &arvalid, &arready;
+    Word &araddr;
+    Byte &arlen;
+    Bit &rvalid, &rready;
+    Data &rdata;
+    Byte &rresp;
+    Bit &rlast;
+};
+#define READ_PORTS(dut, name)                                                                      \
+    ReadPorts<decltype(dut.name##_arvalid), decltype(dut.name##_araddr),                           \
+              decltype(dut.name##_arlen), decltype(dut.name##_rdata)> {                            \
+        dut.name##_arvalid, dut.name##_arready, dut.name##_araddr, dut.name##_arlen,               \
+            dut.name##_rvalid, dut.name##_rready, dut.name##_rdata, dut.name##_rresp,              \
+            dut.name##_rlast                                                                       \
+    }
+
 class ReadSide : public Channel {
   public:
     Manner manner;
@@ -78,37 +96,35 @@ class ReadSide : public Channel {
         beat_ = 0;
         forget();
     }
-    template <class Top> void offer(Top &t) {
+    template <class Ports> void offer(const Ports &t) {
         clock_++;
-        t.m_scene_arready =
-            !in_reset && !(deaf() && manner.refuses) && !random_.percent(manner.stall);
+        t.arready = !in_reset && !(deaf() && manner.refuses) && !random_.percent(manner.stall);
         bool may = !queue_.empty() && queue_.front().due <= clock_ && !queue_.front().never;
         if (may && !offered_) offered_ = !random_.percent(manner.stall);
-        t.m_scene_rvalid = offered_;
-        t.m_scene_rresp = (uint8_t)random_.below(4); /* noise where it must not matter */
-        bench::set(t.m_scene_rdata, DATA, (bench::i128)random_.bits(DATA));
-        t.m_scene_rlast = random_.percent(50);
+        t.rvalid = offered_;
+        t.rresp = (uint8_t)random_.below(4); /* noise where it must not matter */
+        bench::set(t.rdata, DATA, (bench::i128)random_.bits(DATA));
+        t.rlast = random_.percent(50);
         if (!offered_) return;
         const Burst &b = queue_.front();
         bench::u128 data = 0;
         memcpy(&data, &bytes_[(b.address + beat_ * (DATA / 8)) % bytes_.size()], DATA / 8);
-        bench::set(t.m_scene_rdata, DATA, (bench::i128)data);
-        t.m_scene_rlast = beat_ + 1 == b.beats;
-        t.m_scene_rresp = (uint8_t)((int64_t)answers == manner.error_at ? manner.error : (int)OKAY);
+        bench::set(t.rdata, DATA, (bench::i128)data);
+        t.rlast = beat_ + 1 == b.beats;
+        t.rresp = (uint8_t)((int64_t)answers == manner.error_at ? manner.error : (int)OKAY);
     }
-    template <class Top> void take(Top &t) {
+    template <class Ports> void take(const Ports &t) {
         if (in_reset) return;
-        stable("AR", 0, t.m_scene_arvalid, t.m_scene_arready,
-               (uint64_t)t.m_scene_araddr << 8 | t.m_scene_arlen);
-        if (t.m_scene_arvalid && t.m_scene_arready) {
-            unsigned beats = t.m_scene_arlen + 1u;
-            burst("AR", t.m_scene_araddr, beats, DATA / 8);
+        stable("AR", 0, t.arvalid, t.arready, (uint64_t)t.araddr << 8 | t.arlen);
+        if (t.arvalid && t.arready) {
+            unsigned beats = t.arlen + 1u;
+            burst("AR", t.araddr, beats, DATA / 8);
             uint64_t late =
                 manner.latency + (random_.percent(manner.stall) ? random_.below(60) : 0);
-            queue_.push_back({t.m_scene_araddr, beats, clock_ + late, deaf()});
+            queue_.push_back({t.araddr, beats, clock_ + late, deaf()});
             requests++;
         }
-        if (!offered_ || !t.m_scene_rready) return;
+        if (!offered_ || !t.rready) return;
         offered_ = false;
         answers++;
         if (++beat_ < queue_.front().beats) return;

@@ -3,6 +3,7 @@
  *
  * usage: tb_top A.sph B.sph [seed]        two machines of the core's profile, not of one picture
  */
+#include "top_display.h"
 #include "top_faults.h"
 
 static void registers(Checks &c) {
@@ -166,5 +167,6 @@ int main(int argc, char **argv) {
     answers(*c, a, b);
     resets(*c, a, b);
     silence(*c, a, b);
+    if (c->top.driver.built & SPHAERA_CORE_BUS_VIDEO) display(*c, a, b);
     return c->finish();
 }

@@ -136,7 +136,8 @@ class Checks {
     }
     /* Ends a check: one TAP line. */
     void done(const char *name) {
-        for (const Channel *side : {(const Channel *)&top.scene, (const Channel *)&top.frame})
+        for (const Channel *side :
+             {(const Channel *)&top.scene, (const Channel *)&top.scan, (const Channel *)&top.frame})
             if (!side->broken.empty()) {
                 printf("# %s\n", side->broken.c_str());
                 good_ = false;

@@ -8,6 +8,8 @@
 #define TB_TOP_HOST_H
 
 #include "Vrt_top.h"
+#include <functional>
+
 #include "axi_memory.h"
 
 extern "C" {
@@ -20,7 +22,7 @@ class TopHost {
     Vrt_top dut;
     bench::Random random;
     std::vector<uint8_t> bytes;
-    ReadSide scene;
+    ReadSide scene, scan;
     WriteSide frame;
     struct sphaera driver;
     uint64_t cycle = 0;
@@ -29,19 +31,23 @@ class TopHost {
     bool hangs = false;
 
     explicit TopHost(uint64_t seed)
-        : random(seed), bytes(MEMORY), scene(bytes, random), frame(bytes, random) {
+        : random(seed), bytes(MEMORY), scene(bytes, random), scan(bytes, random),
+          frame(bytes, random) {
         idle();
         reset();
     }
     ~TopHost() { dut.final(); }
 
     void clock() {
-        scene.offer(dut);
+        scene.offer(READ_PORTS(dut, m_scene));
+        scan.offer(READ_PORTS(dut, m_scan));
         frame.offer(dut);
         dut.clk = 0;
+        pixel_clock();
         dut.eval();
         if (!dut.rst) {
-            scene.take(dut);
+            scene.take(READ_PORTS(dut, m_scene));
+            scan.take(READ_PORTS(dut, m_scan));
             frame.take(dut);
         }
         seen_ = {dut.s_axil_awvalid && dut.s_axil_awready,
@@ -62,13 +68,12 @@ class TopHost {
     }
     /* Block and buses together. */
     void reset() {
-        dut.rst = 1;
+        dut.rst = dut.pix_rst = 1;
+        clocks(4 + random.below(4));
         scene.reset();
+        scan.reset();
         frame.reset();
-        clocks(1 + random.below(4));
-        scene.reset();
-        frame.reset();
-        dut.rst = 0;
+        dut.rst = dut.pix_rst = 0;
     }
     uint32_t read(uint32_t offset) {
         dut.s_axil_araddr = (uint16_t)offset;
@@ -121,7 +126,21 @@ class TopHost {
         return b;
     }
 
+    /* Is called in every pixel clock, if there is one. */
+    std::function<void(Vrt_top &)> pixel;
+    unsigned pixel_every = 2; /* clocks */
+
   private:
+    /* Between two edges of clk: a pixel clock of its own. */
+    void pixel_clock() {
+        if (!pixel && !dut.pix_rst) return;
+        if (cycle % pixel_every) return;
+        dut.m_video_tready = 1;
+        dut.pix_clk = 0;
+        dut.eval();
+        if (pixel) pixel(dut);
+        dut.pix_clk = 1;
+    }
     struct Seen {
         bool aw, w, b, ar, r;
         uint32_t data;

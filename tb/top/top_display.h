@@ -1,0 +1,120 @@
+/* top_display.h - rt_top with its video: a display decodes symbols, each picture is a whole frame
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Two machines are drawn in turn while the display runs by its own clock. Every picture must be one
+ * of both as the golden model has it, never a part of each, and the last one drawn must be seen.
+ */
+#ifndef TB_TOP_DISPLAY_H
+#define TB_TOP_DISPLAY_H
+
+#include "top_checks.h"
+#include "video/display.h"
+
+/* A display at the symbols of rt_top; what it saw, in order: 0, 1: these machines, 2: black. */
+class Screen {
+  public:
+    std::vector<int> seen;
+    bool torn = false;
+
+    Screen(Checks &checks, const Golden &a, const Golden &b, const video::Mode &mode)
+        : c(checks), wanted{picture(a), picture(b)}, black(wanted[0].size(), 0), display(mode) {
+        c.top.pixel = [this](Vrt_top &top) {
+            display.take(top.tmds0_o, top.tmds1_o, top.tmds2_o);
+            while (display.has_picture())
+                compare(display.picture().rgb);
+        };
+    }
+    ~Screen() { c.top.pixel = nullptr; }
+    Screen(const Screen &) = delete;
+
+    const std::string &error() const { return display.error(); }
+    /* Until so many pictures more were seen. */
+    bool pictures(size_t more) {
+        size_t wanted_size = seen.size() + more;
+        for (int i = 0; seen.size() < wanted_size && i < 400000; i++)
+            c.top.clock();
+        return seen.size() >= wanted_size;
+    }
+
+  private:
+    Checks &c;
+    std::vector<uint32_t> wanted[2], black;
+    video::Display display;
+
+    static std::vector<uint32_t> picture(const Golden &g) {
+        std::vector<uint32_t> rgb;
+        for (int i = 0; i < g.frame.width * g.frame.height; i++) {
+            uint32_t bgr = g.frame.pixels[i].colour[Checks::depth(g)];
+            rgb.push_back((bgr & 255) << 16 | (bgr & 0xff00) | bgr >> 16);
+        }
+        return rgb;
+    }
+    void compare(const std::vector<uint32_t> &rgb) {
+        int which = rgb == wanted[0] ? 0 : rgb == wanted[1] ? 1 : rgb == black ? 2 : 3;
+        torn = torn || which == 3;
+        seen.push_back(which);
+    }
+};
+
+/* Pictures of two machines; underruns and errors of the scan-out. */
+static void display(Checks &c, const Golden &a, const Golden &b) {
+    TopHost &t = c.top;
+    const Golden *const golden[2] = {&a, &b};
+    sphaera_reset(&t.driver, 0, POLLS);
+    c.store(128, 0);
+    const struct sphaera_mode mode = {32, 2, 4, 30, 20, 2, 2, 40, 0, 1, 0};
+    Screen screen(c, a, b, {32, 2, 4, 30, 20, 2, 2, 40, 0, 1});
+    sphaera_video(&t.driver, &mode);
+    sphaera_interrupts(&t.driver, SPHAERA_INTERRUPTS_UNDERRUN);
+    c.note("a picture", screen.pictures(2));
+    c.equals("black before the first frame", (uint64_t)screen.seen.back(), 2);
+    for (int i = 0; i < 12; i++) {
+        Manner slow;
+        slow.stall = i % 3 * 15u;
+        t.frame.behave(slow);
+        t.scene.behave(slow);
+        t.pixel_every = 1 + (unsigned)i % 4;
+        c.load(*golden[i % 2], SCENE_A);
+        sphaera_start(&t.driver, 0);
+        c.equals("draw", (uint64_t)sphaera_wait(&t.driver, POLLS), SPHAERA_OK);
+        if (i % 3) continue; /* the next is drawn at once: frames are lost or shown */
+        c.note("pictures", screen.pictures(2));
+        c.equals("the last frame is seen", (uint64_t)screen.seen.back(), (uint64_t)i % 2);
+    }
+    c.note("no picture is torn", !screen.torn);
+    c.note("no underrun", !t.dut.irq_o);
+    Manner deaf;
+    deaf.deaf_after = 3;
+    t.scan.behave(deaf);
+    c.note("pictures", screen.pictures(3));
+    c.equals("underrun", t.dut.irq_o, 1);
+    t.scan.revive();
+    c.note("pictures", screen.pictures(3));
+    c.note("right again", screen.seen.back() < 2);
+    sphaera_handle(&t.driver);
+    Manner bad;
+    bad.error_at = 7;
+    bad.error = SLVERR;
+    t.scan.behave(bad);
+    c.note("pictures", screen.pictures(2));
+    c.equals("SCAN_ERROR", t.read(SPHAERA_ERRORS), SPHAERA_ERRORS_SCAN_ERROR);
+    sphaera_errors(&t.driver);
+    t.scan.behave({});
+    uint64_t n[SPHAERA_COUNTS];
+    sphaera_counters(&t.driver, n);
+    c.note("UNDERRUNS", n[SPHAERA_COUNT_UNDERRUNS] >= 1);
+    c.note("frames were shown again", n[SPHAERA_COUNT_FRAMES_AGAIN] > 0);
+    c.note("more than one was shown", n[SPHAERA_COUNT_FRAMES_SHOWN] > 3);
+    if (!screen.error().empty()) printf("# %s\n", screen.error().c_str());
+    c.note("every sync is in its place", screen.error().empty());
+    printf("# %zu pictures; frames shown %llu, again %llu, lost %llu\n", screen.seen.size(),
+           (unsigned long long)n[SPHAERA_COUNT_FRAMES_SHOWN],
+           (unsigned long long)n[SPHAERA_COUNT_FRAMES_AGAIN],
+           (unsigned long long)n[SPHAERA_COUNT_FRAMES_LOST]);
+    sphaera_video(&t.driver, nullptr);
+    t.clocks(2000);
+    c.store(2560, 0);
+    c.done("a display beside: whole pictures, underrun, error of its reads");
+}
+
+#endif
