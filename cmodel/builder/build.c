@@ -157,7 +157,7 @@ static int quantise(const struct sph_scene *scene, const struct sph_grid *grid,
     report->loose = parts->facets.n_loose;
     report->facets = parts->facets.n;
     sph_warn_coarse(scene, profile, report);
-    sph_warn_empty(scene, profile, &parts->facets, report);
+    sph_warn_left_out(scene, profile, &parts->facets, report);
     sph_warn_bent(scene, report);
     return 0;
 }

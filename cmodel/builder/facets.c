@@ -48,23 +48,43 @@ static int fail_duplicate(const struct sph_scene *scene, const struct sph_profil
                     scene->path, second, what, first, profile->name);
 }
 
-/* Looks for equal facets with an open hash table. */
+/* Whether two triangles have the same corners in the scene. */
+static int twice(const struct sph_facet *a, const struct sph_facet *b) {
+    if (a->kind != SPH_TRIANGLE || b->kind != SPH_TRIANGLE) return 0;
+    int found = 0;
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            found |= (a->v[i].x == b->v[k].x && a->v[i].y == b->v[k].y && a->v[i].z == b->v[k].z)
+                     << i;
+    return found == 7;
+}
+
+/* Looks for equal facets with an open hash table. A triangle that stands in the scene a second time
+ * is left out: no ray could tell which of them it met. */
 static int duplicates(const struct sph_scene *scene, const struct sph_profile *profile,
-                      const struct sph_facets *facets, struct sph_error *err) {
+                      struct sph_facets *facets, struct sph_error *err) {
     uint64_t size = 4;
     while (size < 2ull * facets->n)
         size *= 2;
     uint32_t *table = calloc(size, sizeof *table); /* index + 1 */
     if (!table) return sph_fail(err, "out of memory for %u triangles", facets->n);
     int result = 0;
+    uint32_t kept = 0;
     for (uint32_t i = 0; i < facets->n && !result; i++) {
-        uint64_t at = kind_of(&facets->list[i])->hash(&facets->list[i]) & (size - 1);
-        for (; table[at] && !result; at = (at + 1) & (size - 1))
-            if (same(&facets->list[table[at] - 1], &facets->list[i]))
-                result = fail_duplicate(scene, profile, &facets->list[table[at] - 1],
-                                        &facets->list[i], err);
-        table[at] = i + 1;
+        const struct sph_grid_facet *f = &facets->list[i], *old = NULL;
+        uint64_t at = kind_of(f)->hash(f) & (size - 1);
+        for (; table[at] && !old; at = (at + 1) & (size - 1))
+            if (same(&facets->list[table[at] - 1], f)) old = &facets->list[table[at] - 1];
+        if (!old) {
+            facets->list[kept] = *f;
+            table[at] = ++kept;
+        } else if (!twice(&scene->facets[old->scene], &scene->facets[f->scene])) {
+            result = fail_duplicate(scene, profile, old, f, err);
+        } else if (!facets->n_twice++) {
+            facets->first_twice = f->scene;
+        }
     }
+    facets->n = kept;
     free(table);
     return result;
 }
@@ -88,8 +108,9 @@ int sph_grid_facets(const struct sph_grid *grid, const struct sph_scene *scene,
             facets->first_empty = i;
         }
     }
+    if (duplicates(scene, profile, facets, err)) return -1;
     sph_group_facets(scene, facets);
-    return duplicates(scene, profile, facets, err);
+    return 0;
 }
 
 void sph_facets_free(struct sph_facets *facets) {

@@ -18,8 +18,14 @@ void sph_warn_coarse(const struct sph_scene *scene, const struct sph_profile *pr
              finer < 0 ? "" : sph_profiles[finer].name);
 }
 
-void sph_warn_empty(const struct sph_scene *scene, const struct sph_profile *profile,
-                    const struct sph_facets *facets, struct sph_build_report *report) {
+void sph_warn_left_out(const struct sph_scene *scene, const struct sph_profile *profile,
+                       const struct sph_facets *facets, struct sph_build_report *report) {
+    if (facets->n_twice)
+        sph_note(
+            report->warning, sizeof report->warning,
+            "%s:%u: the first of %u triangles that stand in the scene twice: the second is left "
+            "out\n",
+            scene->path, scene->facets[facets->first_twice].line, facets->n_twice);
     if (!facets->n_empty) return;
     sph_note(report->warning, sizeof report->warning,
              "%s:%u: the first of %u triangles that have no area on the grid of profile %s and are "

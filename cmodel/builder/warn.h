@@ -13,9 +13,9 @@
 void sph_warn_coarse(const struct sph_scene *scene, const struct sph_profile *profile,
                      struct sph_build_report *report);
 
-/* Triangles that are left out: they have no area on the grid. */
-void sph_warn_empty(const struct sph_scene *scene, const struct sph_profile *profile,
-                    const struct sph_facets *facets, struct sph_build_report *report);
+/* Triangles that are left out: without area on the grid, or twice in the scene. */
+void sph_warn_left_out(const struct sph_scene *scene, const struct sph_profile *profile,
+                       const struct sph_facets *facets, struct sph_build_report *report);
 
 /* Polygons that were cut into triangles that do not lie in one plane. */
 void sph_warn_bent(const struct sph_scene *scene, struct sph_build_report *report);

@@ -109,6 +109,9 @@ void sph_scene_free(struct sph_scene *scene) {
     free(scene->textures);
     free(scene->motions);
     free(scene->frusta);
+    for (uint32_t i = 0; i < scene->n_files; i++)
+        free(scene->files[i]);
+    free(scene->files);
     memset(scene, 0, sizeof *scene);
 }
 

@@ -68,6 +68,11 @@ int sph_scene_move(struct sph_scene *scene, uint32_t frame, struct sph_error *er
 int sph_scene_at(const struct sph_scene *rest, uint32_t frame, struct sph_scene *moved_scene,
                  struct sph_error *err) {
     struct sph_scene *m = moved_scene;
+    if (rest->aff) {
+        struct sph_read_options options = rest->read;
+        options.at = frame;
+        return sph_scene_read(rest->path, &options, m, err);
+    }
     size_t spheres = rest->n_spheres * sizeof *m->spheres;
     size_t facets = rest->n_facets * sizeof *m->facets;
     *m = *rest;
@@ -85,6 +90,10 @@ int sph_scene_at(const struct sph_scene *rest, uint32_t frame, struct sph_scene 
 }
 
 void sph_scene_at_free(struct sph_scene *m) {
+    if (m->aff) {
+        sph_scene_free(m);
+        return;
+    }
     free(m->spheres);
     free(m->facets);
     m->spheres = NULL;

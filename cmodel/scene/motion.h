@@ -19,7 +19,8 @@ int sph_scene_add_motion(struct sph_scene *scene, const struct sph_motion *motio
  * become the same. */
 int sph_scene_move(struct sph_scene *scene, uint32_t frame, struct sph_error *err);
 
-/* A copy of a scene at rest, moved to a frame: shares with it all but spheres and facets.
+/* A copy of a scene at rest, moved to a frame: shares with it all but spheres and facets; one of
+ * AFF is read again, and shares nothing.
  * sph_scene_at_free() gives back what is its own. 0, or -1 with a message and nothing to free. */
 int sph_scene_at(const struct sph_scene *rest, uint32_t frame, struct sph_scene *moved,
                  struct sph_error *err);

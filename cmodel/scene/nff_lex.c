@@ -15,7 +15,7 @@ int sph_lex_open(struct sph_lex *lex, const char *path, struct sph_error *err) {
     lex->path = path;
     lex->pos = lex->len = 0;
     lex->line = lex->token_line = 1;
-    lex->ready = 0;
+    lex->ready = lex->aff = 0;
     lex->token[0] = 0;
     lex->file = sph_input_open(path, SPH_INPUT_ANY, err);
     if (!lex->file) return -1;
@@ -43,6 +43,14 @@ static inline int is_blank(int c) {
     return c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
 
+static inline int is_comment(const struct sph_lex *lex, int c) {
+    return c == '#' || (lex->aff && c == '%');
+}
+
+static inline int is_brace(const struct sph_lex *lex, int c) {
+    return lex->aff && (c == '{' || c == '}');
+}
+
 static inline int is_control(int c) {
     return (c < 32 && !is_blank(c)) || c == 127;
 }
@@ -57,7 +65,7 @@ static int skip_blanks(struct sph_lex *lex, struct sph_error *err) {
     int comment = 0, c;
     while ((c = next_byte(lex)) >= 0) {
         if (is_control(c)) return fail_control(lex, c, err) * 2;
-        if (c == '#') comment = 1;
+        if (is_comment(lex, c)) comment = 1;
         if (!comment && !is_blank(c)) return c;
         if (c == '\n') {
             lex->line++;
@@ -76,8 +84,9 @@ int sph_lex_peek(struct sph_lex *lex, struct sph_error *err) {
     if (c < 0) return c == -1 ? 0 : -1;
     size_t n = 0;
     lex->token_line = lex->line;
-    for (; c >= 0 && !is_blank(c) && c != '#'; c = next_byte(lex)) {
+    for (; c >= 0 && !is_blank(c) && !is_comment(lex, c); c = next_byte(lex)) {
         if (is_control(c)) return fail_control(lex, c, err);
+        if (n && (is_brace(lex, c) || is_brace(lex, lex->token[0]))) break;
         if (n == SPH_LEX_TOKEN)
             return sph_fail(err, "%s:%u: a word of more than %d characters", lex->path, lex->line,
                             SPH_LEX_TOKEN);
@@ -100,7 +109,7 @@ int sph_lex_name(struct sph_lex *lex, const char *record, const char *field, cha
     lex->token_line = lex->line;
     if (quoted) lex->pos++;
     while ((c = next_byte(lex)) >= 0) {
-        if (quoted ? c == '"' : is_blank(c) || c == '#') break;
+        if (quoted ? c == '"' : is_blank(c) || is_comment(lex, c) || is_brace(lex, c)) break;
         if (is_control(c)) return fail_control(lex, c, err);
         if (c == '\n' || c == '"')
             return sph_fail(err, "%s:%u: `%s`: %s: %s", lex->path, lex->line, record, field,

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * A token is a run of characters other than blanks, ends of line and `#`; `#` starts a comment
- * that runs to the end of the line. The file is read in pieces, so its size does not matter.
+ * that runs to the end of the line. In AFF `%` does so too, and { and } are tokens of their own. The file is read in pieces, so its size does not matter.
  * Numbers do not depend on the locale.
  */
 #ifndef SPH_SCENE_NFF_LEX_H
@@ -21,6 +21,7 @@ struct sph_lex {
     const char *path;
     size_t pos, len; /* next byte and end of the piece in buf */
     uint32_t line;   /* of the next byte, from 1 */
+    int aff;         /* see above; set after sph_lex_open() */
     int ready;       /* token[] holds a token that was not taken yet */
     uint32_t token_line;
     char token[SPH_LEX_TOKEN + 1];

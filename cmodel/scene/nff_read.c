@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "prim/scene.h"
+#include "scene/aff.h"
 #include "scene/frustum.h"
 #include "scene/motion.h"
 #include "scene/nesting.h"
@@ -87,7 +88,7 @@ static int take_view(struct sph_reader *r, struct sph_error *err) {
 }
 
 /* l x y z [red green blue] */
-static int take_light(struct sph_reader *r, struct sph_error *err) {
+int sph_nff_take_light(struct sph_reader *r, struct sph_error *err) {
     struct sph_vec pos;
     double rgb[3] = {1, 1, 1};
     int n = r->scene->n_lights;
@@ -128,7 +129,7 @@ static int take_still(struct sph_reader *r) {
     return 0;
 }
 
-static int take_record(struct sph_reader *r, struct sph_error *err) {
+int sph_nff_take_record(struct sph_reader *r, struct sph_error *err) {
     char word[SPH_LEX_TOKEN + 1];
     memcpy(word, r->lex.token, sizeof word);
     sph_lex_take(&r->lex);
@@ -140,7 +141,7 @@ static int take_record(struct sph_reader *r, struct sph_error *err) {
     if (!strcmp(word, "shading")) return sph_nff_take_shading(r, err);
     if (!strcmp(word, "move")) return take_move(r, err);
     if (!strcmp(word, "still")) return take_still(r);
-    if (!strcmp(word, "l")) return take_light(r, err);
+    if (!strcmp(word, "l")) return sph_nff_take_light(r, err);
     if (!strcmp(word, "v")) return take_view(r, err);
     if (!strcmp(word, "b"))
         return take_colour_once(r, "b", &r->background_line, r->scene->background, err);
@@ -152,7 +153,7 @@ static int take_record(struct sph_reader *r, struct sph_error *err) {
 /* A record, and the motion of the primitives that it added. */
 static int take_moving(struct sph_reader *r, struct sph_error *err) {
     uint32_t sphere = r->scene->n_spheres, facet = r->scene->n_facets;
-    if (take_record(r, err)) return -1;
+    if (sph_nff_take_record(r, err)) return -1;
     for (; sphere < r->scene->n_spheres; sphere++)
         r->scene->spheres[sphere].motion = r->motion;
     for (; facet < r->scene->n_facets; facet++)
@@ -160,8 +161,14 @@ static int take_moving(struct sph_reader *r, struct sph_error *err) {
     return 0;
 }
 
-/* What can only be checked at the end of the file. */
-static int finish(struct sph_reader *r, struct sph_error *err) {
+void sph_nff_start(struct sph_reader *r, struct sph_scene *scene,
+                   const struct sph_read_options *options) {
+    r->scene = scene;
+    r->skip = options && options->skip_unsupported;
+    r->round = options && options->round > 0 ? options->round : SPH_FRUSTUM_ROUND;
+}
+
+int sph_nff_finish(struct sph_reader *r, struct sph_error *err) {
     struct sph_scene *scene = r->scene;
     uint32_t first, second;
     if (!r->view_line) return sph_fail(err, "%s: no camera (`v`)", r->lex.path);
@@ -177,12 +184,11 @@ static int finish(struct sph_reader *r, struct sph_error *err) {
 
 int sph_scene_read(const char *path, const struct sph_read_options *options,
                    struct sph_scene *scene, struct sph_error *err) {
-    struct sph_reader r = {.scene = scene,
-                           .skip = options && options->skip_unsupported,
-                           .round =
-                               options && options->round > 0 ? options->round : SPH_FRUSTUM_ROUND};
+    struct sph_reader r = {.skip = 0};
     int got, bad = 0, records = 0;
+    if (sph_aff_is(path)) return sph_aff_read(path, options, scene, err);
     memset(scene, 0, sizeof *scene);
+    sph_nff_start(&r, scene, options);
     sph_scene_set_path(scene, path);
     if (sph_lex_open(&r.lex, path, err)) return -1;
     while (!bad && (got = sph_lex_peek(&r.lex, err)) != 0) {
@@ -191,7 +197,7 @@ int sph_scene_read(const char *path, const struct sph_read_options *options,
     }
     sph_lex_close(&r.lex);
     if (!bad && !records) bad = sph_fail(err, "%s: the file is empty", path);
-    if (!bad) bad = finish(&r, err);
+    if (!bad) bad = sph_nff_finish(&r, err);
     if (!bad && options) bad = sph_scene_move(scene, options->at, err);
     if (!bad) bad = sph_scene_nest(scene, err);
     if (bad) sph_scene_free(scene);

@@ -26,6 +26,12 @@ struct sph_reader {
     int plain[SPH_MAX_LIGHTS]; /* lights without colour of their own */
 };
 
+/* Starts a reader of an empty scene, and ends it: checks what can only be checked then, and gives
+ * lights without colour theirs. Messages of the end name lex.path. */
+void sph_nff_start(struct sph_reader *r, struct sph_scene *scene,
+                   const struct sph_read_options *options);
+int sph_nff_finish(struct sph_reader *r, struct sph_error *err);
+
 extern const char *const sph_nff_point[3];  /* "x", "y", "z" */
 extern const char *const sph_nff_colour[3]; /* "red", "green", "blue" */
 
@@ -51,13 +57,18 @@ int sph_nff_check_unit(struct sph_reader *r, const char *record, const char *con
 int sph_nff_material(struct sph_reader *r, const char *record, const char *what, uint32_t *material,
                      struct sph_error *err);
 
+/* Any record of NFF; its first word is next. */
+int sph_nff_take_record(struct sph_reader *r, struct sph_error *err);
+
 /* One record each, its first word taken. */
+int sph_nff_take_light(struct sph_reader *r, struct sph_error *err);
 int sph_nff_take_f(struct sph_reader *r, struct sph_error *err);
 int sph_nff_take_fm(struct sph_reader *r, struct sph_error *err);
 int sph_nff_take_shading(struct sph_reader *r, struct sph_error *err);
 int sph_nff_take_texture(struct sph_reader *r, struct sph_error *err);
 
-/* Takes the name of an image: path is the scene file's folder and the name. 1; 0 for the bare word
+/* Takes the name of an image: path is the scene file's folder and the name; of AFF the folder of
+ * the file that is read, or where no such file is, TextureFiles beside that folder. 1; 0 for the bare word
  * `none`; -1 with a message. */
 int sph_nff_image(struct sph_reader *r, const char *record, char path[512], struct sph_error *err);
 

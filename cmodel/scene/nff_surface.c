@@ -3,6 +3,7 @@
  */
 #include <math.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "scene/nff_reader.h"
 
@@ -132,9 +133,12 @@ int sph_nff_image(struct sph_reader *r, const char *record, char path[512], stru
     if (got < 0) return -1;
     if (got == SPH_NAME_BARE && !strcmp(name, "none")) return 0;
     if (!*name) return sph_nff_fail(r, err, record, "the name of the image file is empty");
-    const char *scene = r->scene->path, *slash = strrchr(scene, '/');
+    const char *scene = r->lex.aff ? r->lex.path : r->scene->path, *slash = strrchr(scene, '/');
     int folder = slash && name[0] != '/' ? (int)(slash - scene) + 1 : 0;
-    if (snprintf(path, SIZE, "%.*s%s", folder, scene, name) >= SIZE)
+    int length = snprintf(path, SIZE, "%.*s%s", folder, scene, name);
+    if (r->lex.aff && name[0] != '/' && length < SIZE && access(path, F_OK))
+        length = snprintf(path, SIZE, "%.*s../TextureFiles/%s", folder, scene, name);
+    if (length >= SIZE)
         return sph_nff_fail(r, err, record, "the path of the image file is too long");
     return 1;
 }

@@ -97,6 +97,14 @@ struct sph_motion {
     uint32_t line; /* of the file, for messages; 0 if generated */
 };
 
+struct sph_read_options {
+    int skip_unsupported; /* leave out pb, ...: render the rest */
+    double round;         /* of cones, see frustum.h; 0: SPH_FRUSTUM_ROUND */
+    uint32_t at;          /* frame that moving primitives are moved to (motion.h, aff.h) */
+    int timed;            /* of AFF: at this time, whatever the frame */
+    double time;
+};
+
 struct sph_scene {
     char name[128]; /* file name without folder and ending */
     char path[512]; /* as given, for messages */
@@ -118,15 +126,13 @@ struct sph_scene {
     uint32_t n_bent;    /* polygons that are not flat: each of their triangles is one by itself */
     uint32_t bent_line; /* the one that is farthest from flat, and by how much */
     double bent;
+    int aff; /* read from AFF (aff.h), by these options */
+    struct sph_read_options read;
+    uint32_t n_files; /* what it includes, by path */
+    char **files;
 };
 
-struct sph_read_options {
-    int skip_unsupported; /* leave out pb, ...: render the rest */
-    double round;         /* of cones, see frustum.h; 0: SPH_FRUSTUM_ROUND */
-    uint32_t at;          /* frame that moving primitives are moved to (motion.h) */
-};
-
-/* Reads an NFF file (docs/use/scene_format.md) into *scene. 0, or -1 with "file:line: ..." in *err;
+/* Reads an NFF file, or an AFF file by its name (docs/use/scene_format.md), into *scene. 0, or -1 with "file:line: ..." in *err;
  * on failure *scene holds nothing to free. */
 int sph_scene_read(const char *path, const struct sph_read_options *options,
                    struct sph_scene *scene, struct sph_error *err);

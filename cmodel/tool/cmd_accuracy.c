@@ -206,7 +206,7 @@ int tool_accuracy(int argc, char **argv) {
     static const struct argp argp = {
         options,
         parse,
-        "SCENE.nff",
+        "SCENE",
         "What the machine's arithmetic costs in the picture of a scene.\v"
         "The golden model is compared with a renderer in double precision that sees the scene as "
         "it is written. Wrong pixels: hit in one and background in the other (silhouette); another "

@@ -153,7 +153,7 @@ int tool_background(int argc, char **argv) {
     static const struct argp argp = {
         options,
         parse,
-        "SCENE.nff",
+        "SCENE",
         "Compares every way of background separation on the view of a scene.\v"
         "For each way: rays traced, how much of the true background it finds, wrong pixels (hits "
         "left out), operations of set-up, of proving an outline, and per pixel. The literal "

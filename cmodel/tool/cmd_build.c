@@ -90,7 +90,7 @@ int tool_build(int argc, char **argv) {
     static const struct argp argp = {
         options,
         parse,
-        "SCENE.nff",
+        "SCENE",
         "Quantises a scene, builds its tree and writes the machine file.\v"
         "Prints the grid step, the smallest radius in steps, how much the field of view is off, "
         "the tree, and which effects are on and why.",

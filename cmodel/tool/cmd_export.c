@@ -86,7 +86,7 @@ int tool_export(int argc, char **argv) {
     static const struct argp argp = {
         options,
         parse,
-        "SCENE.nff|MACHINE.sph",
+        "SCENE|MACHINE.sph",
         "Writes a scene for POV-Ray 3.7, or a machine file for simulators and C compilers.\v"
         "Lights, surfaces, shadows, mirrors and glass are those of the scene, in linear light; "
         "of images the nearest texel is seen, as with --filter nearest. The first lines of the "

@@ -1,4 +1,4 @@
-/* cmd_gen.c - `sphaera gen` and `sphaera import`: scenes by formula, scenes from molecules
+/* cmd_gen.c - `sphaera gen` and `sphaera import`: scenes by formula, of molecules, of AFF
  * SPDX-License-Identifier: Apache-2.0
  */
 #include <errno.h>
@@ -9,17 +9,35 @@
 
 #include "common/output.h"
 #include "scene/generate.h"
+#include "scene/aff.h"
+#include "scene/frustum.h"
+#include "scene/motion.h"
 #include "scene/pdb_import.h"
-#include "tool/tool.h"
+#include "tool/import_aff.h"
 
 struct arguments {
     const char *what, *output;
     struct sph_generate_options generate;
     struct sph_import_options import;
+    struct tool_import_aff aff;
+    const char *pdb_option, *aff_option; /* the last one that is for such a file alone */
     struct tool_outputs outputs;
 };
 
-enum { KEY_SIZE = 512, KEY_SEED, KEY_WATER, KEY_RESOLUTION, KEY_ELEMENTS, KEY_RADIUS, KEY_PLAIN };
+enum {
+    KEY_SIZE = 512,
+    KEY_SEED,
+    KEY_WATER,
+    KEY_RESOLUTION,
+    KEY_ELEMENTS,
+    KEY_RADIUS,
+    KEY_PLAIN,
+    KEY_AT,
+    KEY_TIME,
+    KEY_FRAMES,
+    KEY_SKIP,
+    KEY_ROUND
+};
 
 static const struct argp_option gen_options[] = {
     {"output", 'o', "FILE.nff", 0, "scene to write (default: standard output)", 0},
@@ -36,9 +54,16 @@ static const struct argp_option gen_options[] = {
 
 static const struct argp_option import_options[] = {
     {"output", 'o', "FILE.nff", 0, "scene to write (default: standard output)", 0},
-    {"water", KEY_WATER, NULL, 0, "keep water molecules", 0},
-    {"resolution", KEY_RESOLUTION, "WxH", 0, "frame in pixels (320x180)", 0},
-    {"elements", KEY_ELEMENTS, "FILE", 0, "radii and colours (" SPH_ELEMENTS_PATH ")", 0},
+    {"resolution", KEY_RESOLUTION, "WxH", 0, "frame in pixels (320x180; AFF: the scene's)", 0},
+    {NULL, 0, NULL, 0, "Molecules:", 1},
+    {"water", KEY_WATER, NULL, 0, "keep water molecules", 1},
+    {"elements", KEY_ELEMENTS, "FILE", 0, "radii and colours (" SPH_ELEMENTS_PATH ")", 1},
+    {NULL, 0, NULL, 0, "AFF:", 2},
+    {"at", KEY_AT, "N", 0, "frame of the animation, 0 (default) to 65535", 2},
+    {"time", KEY_TIME, "T", 0, "time of the animation, in its own unit, not a frame", 2},
+    {"frames", KEY_FRAMES, "A..B", 0, "these frames; their numbers go before .nff", 2},
+    {"skip-unsupported", KEY_SKIP, NULL, 0, "leave out what is not supported", 2},
+    {"round", KEY_ROUND, "E", 0, "of cones, as of build", 2},
     {0},
 };
 
@@ -74,9 +99,11 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         return 0;
     case KEY_WATER:
         a->import.keep_water = 1;
+        a->pdb_option = "water";
         return 0;
     case KEY_ELEMENTS:
         a->import.elements_path = arg;
+        a->pdb_option = "elements";
         return 0;
     case KEY_RESOLUTION:
         tool_size(state, "--resolution", arg, &a->generate.width, &a->generate.height);
@@ -93,6 +120,35 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     default:
         return ARGP_ERR_UNKNOWN;
     }
+}
+
+/* Options of import: those of AFF, and the others. */
+static error_t parse_import(int key, char *arg, struct argp_state *state) {
+    struct arguments *a = state->input;
+    switch (key) {
+    case KEY_AT:
+        a->aff.read.at = (uint32_t)tool_number(state, "--at", arg, 0, SPH_MAX_FRAME);
+        break;
+    case KEY_TIME:
+        a->aff.read.time = tool_real(state, "--time", arg, -1e9, 1e9);
+        a->aff.read.timed = 1;
+        break;
+    case KEY_FRAMES:
+        tool_frames_parse(state, arg, &a->aff.frames);
+        break;
+    case KEY_SKIP:
+        a->aff.read.skip_unsupported = 1;
+        break;
+    case KEY_ROUND:
+        a->aff.read.round =
+            tool_real(state, "--round", arg, SPH_FRUSTUM_ROUND_MIN, SPH_FRUSTUM_ROUND_MAX);
+        break;
+    default:
+        return parse(key, arg, state);
+    }
+    for (int i = 0; import_options[i].key || import_options[i].doc; i++)
+        if (import_options[i].key == key) a->aff_option = import_options[i].name;
+    return 0;
 }
 
 /* The same with KIND:N, the number that a kind is mostly asked for with. */
@@ -114,10 +170,9 @@ static error_t parse_gen(int key, char *arg, struct argp_state *state) {
     }
 }
 
-/* Writes the scene where the user wants it, says so, and frees it. */
-static int finish(const struct arguments *a, struct sph_scene *scene, struct sph_error *err) {
+int tool_write_scene(const char *output, struct sph_scene *scene, struct sph_error *err) {
     struct sph_output out;
-    const char *path = a->output ? a->output : "-";
+    const char *path = output ? output : "-";
     int rc = sph_output_open(&out, path, err);
     if (!rc) {
         int failed = sph_scene_write(scene, out.file, err);
@@ -151,7 +206,7 @@ int tool_gen(int argc, char **argv) {
     struct sph_scene scene;
     struct sph_error err = {""};
     argp_parse(&argp, argc, argv, 0, NULL, &a);
-    if (sph_generate(a.what, &a.generate, &scene, &err) || finish(&a, &scene, &err))
+    if (sph_generate(a.what, &a.generate, &scene, &err) || tool_write_scene(a.output, &scene, &err))
         return tool_failed(&err);
     return TOOL_GOOD;
 }
@@ -159,9 +214,10 @@ int tool_gen(int argc, char **argv) {
 int tool_import(int argc, char **argv) {
     static const struct argp argp = {
         import_options,
-        parse,
-        "FILE.pdb",
-        "Makes a scene of a molecule: a sphere for every atom of a PDB file.",
+        parse_import,
+        "FILE.pdb|FILE.aff",
+        "Makes a scene of a molecule, a sphere for every atom of a PDB file; or of an AFF scene as "
+        "it stands at a frame or a time.",
         NULL,
         NULL,
         NULL};
@@ -170,11 +226,22 @@ int tool_import(int argc, char **argv) {
     struct sph_scene scene;
     struct sph_error err = {""};
     argp_parse(&argp, argc, argv, 0, NULL, &a);
+    int aff = sph_aff_is(a.what);
+    const char *wrong = aff ? a.pdb_option : a.aff_option;
+    if (wrong) {
+        sph_fail(&err, "%s: --%s is for %s", a.what, wrong, aff ? "molecules" : "AFF scenes");
+        return tool_failed(&err);
+    }
+    if (aff) {
+        a.aff.width = a.import.width, a.aff.height = a.import.height;
+        a.aff.output = a.output, a.aff.outputs = &a.outputs;
+        return tool_import_aff(a.what, &a.aff, &err) ? tool_failed(&err) : TOOL_GOOD;
+    }
     a.import.counts = &counts;
     const char *elements = a.import.elements_path ? a.import.elements_path : SPH_ELEMENTS_PATH;
     if (tool_spares(&a.outputs, a.what, &err) || tool_spares(&a.outputs, elements, &err))
         return tool_failed(&err);
-    if (sph_import_pdb(a.what, &a.import, &scene, &err) || finish(&a, &scene, &err))
+    if (sph_import_pdb(a.what, &a.import, &scene, &err) || tool_write_scene(a.output, &scene, &err))
         return tool_failed(&err);
     fprintf(stderr, "%u atoms; left out: %u waters, %u alternates, %u duplicates\n", counts.atoms,
             counts.waters, counts.alternates, counts.duplicates);

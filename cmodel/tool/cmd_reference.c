@@ -120,7 +120,7 @@ int tool_reference(int argc, char **argv) {
     static const struct argp argp = {
         options,
         parse,
-        "SCENE.nff",
+        "SCENE",
         "Draws a scene as it is written, in double precision.\v"
         "Shading rules are those of the machine, but nothing of it is used: no grid, no tree of "
         "its own, no fixed point. Planes have no end. The hash is that of colours and ids.",

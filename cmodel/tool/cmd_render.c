@@ -210,7 +210,7 @@ int tool_render(int argc, char **argv) {
     static const struct argp argp = {
         options,
         parse,
-        "MACHINE.sph|SCENE.nff",
+        "MACHINE.sph|SCENE",
         "Renders with the golden model, bit by bit as the hardware does.\v"
         "Prints the sticky errors and a hash of every field of every pixel; two frames are the "
         "same if their hashes are. Options of build are for scene files only.",

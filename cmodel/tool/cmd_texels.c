@@ -133,7 +133,7 @@ int tool_texels(int argc, char **argv) {
     static const struct argp argp = {
         options,
         parse,
-        "MACHINE.sph|SCENE.nff",
+        "MACHINE.sph|SCENE",
         "Renders with the golden model and asks caches of several sizes for the texels, as they "
         "would stand in rows, in tiles of 4 x 2, and in the same tiles along a Z curve; and for "
         "tiles caches that fetch 1, 2 or 4 lines together and have 1, 2 or 4 ways.",

@@ -27,7 +27,7 @@ static const char doc[] =
     "  info     what a machine file holds\n"
     "  compare  two pictures or two frame files, exactly\n"
     "  gen      scenes made by formula\n"
-    "  import   molecules (PDB) as scenes\n"
+    "  import   molecules (PDB) and animated scenes (AFF) as scenes\n"
     "  background   the ways of background separation, compared on a scene\n"
     "  texels   orders of texels in memory, compared by the hits of caches\n"
     "  accuracy     a scene through model and double reference: what the arithmetic costs\n"

@@ -5,12 +5,13 @@
 #include "scene/motion.h"
 #include "tool/tool.h"
 
-enum { KEY_SIZE = 640, KEY_DEPTH, KEY_AT, KEY_SKIP, KEY_ROUND };
+enum { KEY_SIZE = 640, KEY_DEPTH, KEY_AT, KEY_SKIP, KEY_ROUND, KEY_TIME };
 
 static const struct argp_option options[] = {
     {"size", KEY_SIZE, "WxH", 0, "frame in pixels; as the scene says if not given", 1},
     {"depth", KEY_DEPTH, "N", 0, "reflections and refractions one after another, 0 to 5 (2)", 1},
     {"at", KEY_AT, "N", 0, "frame that moving primitives are moved to, 0 (default) to 65535", 1},
+    {"time", KEY_TIME, "T", 0, "of AFF: the scene at this time of its own, not at a frame", 1},
     {"skip-unsupported", KEY_SKIP, NULL, 0,
      "leave out what is neither sphere, polygon, cone nor plane (patches) instead of refusing the "
      "scene",
@@ -33,6 +34,10 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         break;
     case KEY_AT:
         s->read.at = (uint32_t)tool_number(state, "--at", arg, 0, SPH_MAX_FRAME);
+        break;
+    case KEY_TIME:
+        s->read.time = tool_real(state, "--time", arg, -1e9, 1e9);
+        s->read.timed = 1;
         break;
     case KEY_ROUND:
         s->read.round =

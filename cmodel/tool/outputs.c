@@ -43,5 +43,7 @@ int tool_spares_images(const struct tool_outputs *outputs, const struct sph_scen
                        struct sph_error *err) {
     for (uint32_t i = 0; i < scene->n_textures; i++)
         if (tool_spares(outputs, scene->textures[i].path, err)) return -1;
+    for (uint32_t i = 0; i < scene->n_files; i++)
+        if (tool_spares(outputs, scene->files[i], err)) return -1;
     return 0;
 }

@@ -29,7 +29,7 @@ const char *tool_picture(const struct argp_state *state, struct tool_outputs *ou
  * file count as the same; what is no regular file is never overwritten. */
 int tool_spares(const struct tool_outputs *outputs, const char *input, struct sph_error *err);
 
-/* The same for the images of a scene. */
+/* The same for the images of a scene and the files that it includes. */
 int tool_spares_images(const struct tool_outputs *outputs, const struct sph_scene *scene,
                        struct sph_error *err);
 

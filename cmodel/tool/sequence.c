@@ -112,7 +112,7 @@ int tool_each_frame(const char *path, const struct tool_source *source,
     if (!rc) rc = choose(&run, source, frames, err);
     if (!rc) rc = sph_bases_start(&run.bases, &run.rest, err);
     run.options.mips = run.mips;
-    run.options.bases = &run.bases;
+    if (!run.rest.aff) run.options.bases = &run.bases; /* AFF: what is seen may change */
     for (uint32_t frame = frames->first; !rc && frame <= frames->last; frame++) {
         struct tool_built built;
         rc = build_frame(&run, frame, &built, err);

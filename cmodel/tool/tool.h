@@ -81,6 +81,9 @@ extern const struct argp tool_scene_argp;     /* the part of commands that build
 extern const char *const tool_filter_names[]; /* SPH_FILTER_*, then NULL */
 extern const struct tool_source tool_source_default;
 
+/* Writes a scene as NFF to output (NULL or -: standard output), says so, and frees it. */
+int tool_write_scene(const char *output, struct sph_scene *scene, struct sph_error *err);
+
 /* Is path a machine file, by its name (.sph) or its first bytes? */
 int tool_is_machine(const char *path);
 

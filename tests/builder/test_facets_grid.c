@@ -197,6 +197,26 @@ static void refuse(const struct sph_scene *s, struct sph_build_options o, const 
     assert_null(m.mem);
 }
 
+/* Of two triangles with the same corners in the scene the second is left out with a warning,
+ * however it is turned; the polygon that it was in goes on without it. */
+static void test_twice(void **unused) {
+    (void)unused;
+    struct sph_scene s = bare();
+    s.camera = (struct sph_camera){{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 40, 0, 64, 48};
+    struct sph_build_report report;
+    const struct sph_vec a = at(0, 0, 0), b = at(1, 0, 0), c = at(0, 1, 0), d = at(1, 1, 0);
+    add_triangle(&s, a, b, c, 0);
+    add_triangle(&s, c, a, b, 1);
+    add_triangle(&s, b, d, c, 2);
+    add_triangle(&s, c, b, a, 3);
+    struct sph_machine m = built(&s, standard, &report);
+    assert_int_equal(report.facets, 2);
+    assert_int_equal(m.regs[SPH_REG_N_PRIMS], 2);
+    assert_non_null(strstr(report.warning, "cloud.nff:101: the first of 2 triangles that stand in "
+                                           "the scene twice: the second is left out"));
+    sph_machine_free(&m);
+}
+
 static void test_refusals(void **unused) {
     (void)unused;
     struct sph_scene s = bare();
@@ -206,7 +226,6 @@ static void test_refusals(void **unused) {
     add_triangle(&s, a, b, c, 0);
     refuse(&s, first, "cloud.nff:100: traverse first is for spheres");
     add_triangle(&s, c, a, b, 1);
-    refuse(&s, o, "cloud.nff:101: the same triangle as in line 100, on the grid of every profile");
     facet_list[1].v[1].z = 1e-4, o.profile = SPH_DRAFT;
     refuse(&s, o, "profile draft merges this triangle with that of line 100: profile standard sep");
     facet_list[1].v[1].z = NAN;
@@ -239,8 +258,9 @@ static void test_refusals(void **unused) {
 
 int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_normals), cmocka_unit_test(test_words), cmocka_unit_test(test_groups),
-        cmocka_unit_test(test_left_out), cmocka_unit_test(test_refusals)};
+        cmocka_unit_test(test_normals), cmocka_unit_test(test_words),
+        cmocka_unit_test(test_groups),  cmocka_unit_test(test_left_out),
+        cmocka_unit_test(test_twice),   cmocka_unit_test(test_refusals)};
     seed(argc, argv);
     return cmocka_run_group_tests_name("facets on the grid", tests, NULL, NULL);
 }

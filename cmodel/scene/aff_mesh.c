@@ -1,0 +1,151 @@
+/* aff_mesh.c - triangles of AFF: `m`, `tpa`, `ttp`; see aff_reader.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "scene/aff_reader.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { VERTICES, NORMALS, COORDS, LISTS };
+
+/* The lists of a mesh: three numbers each, of texture coordinates two. */
+struct mesh {
+    double *list[LISTS];
+    uint32_t n[LISTS];
+    int given[LISTS];
+    struct sph_facet facet; /* what all triangles have */
+};
+
+static const char *const words[LISTS] = {"vertices", "normals", "texturecoords"};
+static const char *const called[LISTS] = {"vertex", "normal", "texture coordinate"};
+static const char *const numbers[] = {"x", "y", "z"}, *const coords[] = {"u", "v"};
+
+static int take_list(struct sph_aff *a, struct mesh *m, int which, struct sph_error *err) {
+    const char *word = words[which], *const *names = which == COORDS ? coords : numbers;
+    int size = which == COORDS ? 2 : 3;
+    struct sph_texture texture = {.repeat = {1, 1}, .line = a->top_line};
+    uint32_t n = 0;
+    if (m->given[which]) return sph_nff_fail(&a->r, err, word, "given twice");
+    if (sph_aff_count(a, word, "how many", 0, SPH_AFF_COUNT, &n, err)) return -1;
+    if (which == COORDS) {
+        int got = sph_nff_image(&a->r, word, texture.path, err);
+        if (got < 0 || (got && sph_nff_find_texture(&a->r, &texture, &m->facet.texture, err)))
+            return -1;
+    }
+    m->given[which] = 1;
+    for (; m->n[which] < n; m->n[which]++) {
+        uint32_t at = m->n[which];
+        if (sph_aff_room(a, &m->list[which], at, (size_t)size * sizeof(double), err) ||
+            sph_nff_numbers(&a->r, word, names, size, m->list[which] + (size_t)size * at, err))
+            return -1;
+    }
+    return 0;
+}
+
+/* Three numbers of a list's elements. */
+static int take_indices(struct sph_aff *a, const struct mesh *m, int which, uint32_t index[3],
+                        struct sph_error *err) {
+    for (int k = 0; k < 3; k++) {
+        double value;
+        if (sph_lex_number(&a->r.lex, "triangles", called[which], &value, err)) return -1;
+        if (!(value >= 0 && value < m->n[which] && value == floor(value)))
+            return sph_fail(err, "%s:%u: `triangles`: %s %g is none of 0 to %lld of this mesh",
+                            a->r.lex.path, a->r.lex.token_line, called[which], value,
+                            (long long)m->n[which] - 1);
+        index[k] = (uint32_t)value;
+    }
+    return 0;
+}
+
+static int take_triangle(struct sph_aff *a, const struct mesh *m, struct sph_error *err) {
+    struct sph_facet f = m->facet;
+    for (int which = 0; which < LISTS; which++) {
+        uint32_t index[3] = {0};
+        if (!m->given[which]) continue;
+        if (take_indices(a, m, which, index, err)) return -1;
+        for (int k = 0; k < 3; k++) {
+            const double *at = m->list[which] + (size_t)(which == COORDS ? 2 : 3) * index[k];
+            if (which == VERTICES) f.v[k] = sph_vec_of(at[0], at[1], at[2]);
+            if (which == COORDS) memcpy(f.st[k], at, sizeof f.st[k]);
+        }
+    }
+    f.group = a->r.n_groups++;
+    return sph_scene_add_facet(a->r.scene, &f, err);
+}
+
+static int take_lists(struct sph_aff *a, struct mesh *m, struct sph_error *err) {
+    for (int got; (got = sph_lex_peek(&a->r.lex, err)) != 0;) {
+        int which = 0;
+        if (got < 0) return -1;
+        sph_lex_take(&a->r.lex);
+        if (!strcmp(a->r.lex.token, "triangles")) return 0;
+        while (which < LISTS && strcmp(a->r.lex.token, words[which]) != 0)
+            which++;
+        if (which == LISTS)
+            return sph_fail(err,
+                            "%s:%u: `m`: `%s` is none of vertices, normals, texturecoords and "
+                            "triangles",
+                            a->r.lex.path, a->r.lex.token_line, sph_lex_printable(&a->r.lex));
+        if (take_list(a, m, which, err)) return -1;
+    }
+    return sph_fail(err, "%s:%u: the file ends within `m`, before triangles", a->r.lex.path,
+                    a->r.lex.token_line);
+}
+
+/* m vertices N .. [normals N ..] [texturecoords N FILE ..] triangles N ..: a triangle has three
+ * numbers of each list, which count from 0. Normals are read and not used. */
+int sph_aff_take_m(struct sph_aff *a, struct sph_error *err) {
+    struct mesh m = {.facet = {.kind = SPH_TRIANGLE, .line = a->top_line}};
+    uint32_t n = 0;
+    int bad = sph_nff_material(&a->r, "m", "mesh", &m.facet.material, err) ||
+              take_lists(a, &m, err) ||
+              sph_aff_count(a, "triangles", "how many", 0, SPH_MAX_FACETS, &n, err);
+    if (!bad && !m.given[VERTICES])
+        bad = sph_nff_fail(&a->r, err, "m", "triangles without vertices");
+    while (!bad && n--)
+        bad = take_triangle(a, &m, err);
+    for (int which = 0; which < LISTS; which++)
+        free(m.list[which]);
+    return bad ? -1 : 0;
+}
+
+/* tpa N and N times: a time, and three points with normals, which are not used */
+int sph_aff_take_tpa(struct sph_aff *a, struct sph_error *err) {
+    struct sph_facet f = {.kind = SPH_TRIANGLE, .line = a->top_line, .group = a->r.n_groups++};
+    struct sph_vec normal;
+    uint32_t n;
+    if (sph_nff_material(&a->r, "tpa", "triangle", &f.material, err) ||
+        sph_aff_count(a, "tpa", "number of times", 1, SPH_AFF_COUNT, &n, err) ||
+        sph_aff_room(a, &a->patches, a->n_patches, sizeof *a->patches, err))
+        return -1;
+    struct sph_aff_patch *p = &a->patches[a->n_patches++];
+    *p = (struct sph_aff_patch){.facet = a->r.scene->n_facets};
+    for (; p->n < n; p->n++) {
+        if (sph_aff_room(a, &p->at, p->n, sizeof *p->at, err)) return -1;
+        struct sph_aff_corners *now = &p->at[p->n];
+        if (sph_lex_number(&a->r.lex, "tpa", "time", &now->time, err)) return -1;
+        if (p->n && !(now->time > now[-1].time))
+            return sph_fail(err, "%s:%u: `tpa`: time %g does not come after the one before, %g",
+                            a->r.lex.path, a->r.lex.token_line, now->time, now[-1].time);
+        for (int k = 0; k < 3; k++)
+            if (sph_nff_vec(&a->r, "tpa", &now->v[k], err) ||
+                sph_nff_vec(&a->r, "tpa", &normal, err))
+                return -1;
+    }
+    return sph_scene_add_facet(a->r.scene, &f, err);
+}
+
+/* ttp FILE and three times x y z nx ny nz u v; normals are not used */
+int sph_aff_take_ttp(struct sph_aff *a, struct sph_error *err) {
+    struct sph_texture texture = {.repeat = {1, 1}, .line = a->top_line};
+    struct sph_facet f = {.kind = SPH_TRIANGLE, .line = a->top_line, .group = a->r.n_groups++};
+    struct sph_vec normal;
+    if (sph_nff_material(&a->r, "ttp", "triangle", &f.material, err)) return -1;
+    int got = sph_nff_image(&a->r, "ttp", texture.path, err);
+    if (got < 0 || (got && sph_nff_find_texture(&a->r, &texture, &f.texture, err))) return -1;
+    for (int k = 0; k < 3; k++)
+        if (sph_nff_vec(&a->r, "ttp", &f.v[k], err) || sph_nff_vec(&a->r, "ttp", &normal, err) ||
+            sph_nff_numbers(&a->r, "ttp", coords, 2, f.st[k], err))
+            return -1;
+    return sph_scene_add_facet(a->r.scene, &f, err);
+}

@@ -1,0 +1,155 @@
+/* aff_pose.c - everything of an AFF file in its place at a time; see aff_reader.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "scene/aff_reader.h"
+
+#include <string.h>
+
+static const struct sph_affine none = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+
+static const struct sph_aff_keys *keys_of(const struct sph_aff *a, const char *name) {
+    for (uint32_t i = 0; i < a->n_keys; i++)
+        if (!strcmp(a->keys[i].name, name)) return &a->keys[i];
+    return NULL;
+}
+
+static struct sph_vec point_of(const struct sph_aff_track *track, double time, double otherwise) {
+    if (!track->n) return sph_vec_of(otherwise, otherwise, otherwise);
+    return sph_spline_point(track->key, track->n, time);
+}
+
+static int turn_of(const struct sph_aff *a, const struct sph_aff_track *track, double time,
+                   struct sph_turn *turn, struct sph_error *err) {
+    *turn = (struct sph_turn){1, 0, 0, 0};
+    if (!track->n || !sph_spline_turn(track->key, track->n, time, turn)) return 0;
+    return sph_fail(err, "%s: no memory for %u keys", a->r.scene->path, track->n);
+}
+
+/* Seen up to the first key, then as the last key up to this time says. */
+static int seen(const struct sph_aff_track *track, double time) {
+    int now = 1;
+    for (uint32_t i = 0; i < track->n && track->key[i].time <= time; i++)
+        now = track->key[i].at.x != 0;
+    return now;
+}
+
+/* What a name's keys do at a time; without keys it stands still. */
+static int moved(const struct sph_aff *a, const char *name, double time, struct sph_affine *map,
+                 int *visible, struct sph_error *err) {
+    const struct sph_aff_keys *k = keys_of(a, name);
+    struct sph_turn turn;
+    *map = none;
+    if (!k) return 0;
+    if (turn_of(a, &k->track[SPH_AFF_TURN], time, &turn, err)) return -1;
+    *map = sph_affine_of(point_of(&k->track[SPH_AFF_SCALE], time, 1), turn,
+                         point_of(&k->track[SPH_AFF_MOVE], time, 0));
+    if (!seen(&k->track[SPH_AFF_SEEN], time)) *visible = 0;
+    return 0;
+}
+
+/* Every node stands behind the one that it is in. */
+static int pose_nodes(struct sph_aff *a, double time, struct sph_error *err) {
+    for (uint32_t i = 0; i < a->n_nodes; i++) {
+        struct sph_aff_node *node = &a->nodes[i], *in = &a->nodes[node->parent - 1];
+        struct sph_affine own = node->still;
+        node->visible = node->parent ? in->visible : 1;
+        if (*node->name && moved(a, node->name, time, &own, &node->visible, err)) return -1;
+        node->world = node->parent ? sph_affine_after(&in->world, &own) : own;
+    }
+    return 0;
+}
+
+/* The corners of animated triangles: straight on between two times. */
+static void pose_patches(struct sph_aff *a, double time) {
+    for (uint32_t i = 0; i < a->n_patches; i++) {
+        const struct sph_aff_patch *p = &a->patches[i];
+        uint32_t at = 0;
+        while (at + 1 < p->n && p->at[at + 1].time <= time)
+            at++;
+        const struct sph_aff_corners *from = &p->at[at], *to = at + 1 < p->n ? from + 1 : from;
+        double u =
+            to == from || time <= from->time ? 0 : (time - from->time) / (to->time - from->time);
+        for (int k = 0; k < 3; k++) {
+            struct sph_vec f = from->v[k], by = sph_vec_sub(to->v[k], f);
+            a->r.scene->facets[p->facet].v[k] =
+                sph_vec_of(f.x + u * by.x, f.y + u * by.y, f.z + u * by.z);
+        }
+    }
+}
+
+static void pose_facets(struct sph_aff *a) {
+    struct sph_scene *scene = a->r.scene;
+    uint32_t kept = 0;
+    for (uint32_t i = 0; i < scene->n_facets; i++) {
+        struct sph_facet f = scene->facets[i];
+        const struct sph_aff_node *node = f.motion ? &a->nodes[f.motion - 1] : NULL;
+        f.motion = 0;
+        if (node && !node->visible) continue;
+        for (int k = 0; node && k < 3; k++)
+            f.v[k] = sph_affine_point(&node->world, f.v[k]);
+        scene->facets[kept++] = f;
+    }
+    scene->n_facets = kept;
+}
+
+static int pose_spheres(struct sph_aff *a, struct sph_error *err) {
+    struct sph_scene *scene = a->r.scene;
+    uint32_t kept = 0;
+    for (uint32_t i = 0; i < scene->n_spheres; i++) {
+        struct sph_sphere s = scene->spheres[i];
+        const struct sph_aff_node *node = s.motion ? &a->nodes[s.motion - 1] : NULL;
+        s.motion = 0;
+        if (node && !node->visible) continue;
+        if (node) {
+            double by = sph_affine_scale(&node->world);
+            if (!(by > 0) && a->r.skip) {
+                scene->n_skipped++;
+                continue;
+            }
+            if (!(by > 0))
+                return sph_fail(err,
+                                "%s:%u: `s`: scaled to no sphere; --skip-unsupported leaves it out",
+                                scene->path, s.line);
+            s.ctr = sph_affine_point(&node->world, s.ctr);
+            s.rad *= by;
+        }
+        scene->spheres[kept++] = s;
+    }
+    scene->n_spheres = kept;
+    return 0;
+}
+
+/* Lights are moved by their own keys, and by what they are in. */
+static int pose_lights(struct sph_aff *a, double time, struct sph_error *err) {
+    for (int i = 0; i < a->r.scene->n_lights; i++) {
+        struct sph_vec *pos = &a->r.scene->lights[i].pos;
+        struct sph_affine own = none;
+        int visible;
+        if (*a->lamp[i].name && moved(a, a->lamp[i].name, time, &own, &visible, err)) return -1;
+        *pos = sph_vec_of(pos->x + own.m[0][3], pos->y + own.m[1][3], pos->z + own.m[2][3]);
+        if (a->lamp[i].node) *pos = sph_affine_point(&a->nodes[a->lamp[i].node - 1].world, *pos);
+    }
+    return 0;
+}
+
+/* The keys of `camera`: it stands where they move to, and looks along -z, y up, turned by them. */
+static int pose_camera(struct sph_aff *a, double time, struct sph_error *err) {
+    struct sph_camera *camera = &a->r.scene->camera;
+    const struct sph_aff_keys *k = keys_of(a, "camera");
+    struct sph_turn turn;
+    if (!k || !a->r.view_line) return 0;
+    if (turn_of(a, &k->track[SPH_AFF_TURN], time, &turn, err)) return -1;
+    if (k->track[SPH_AFF_MOVE].n) camera->from = point_of(&k->track[SPH_AFF_MOVE], time, 0);
+    if (!k->track[SPH_AFF_TURN].n) return 0;
+    struct sph_affine map = sph_affine_of(sph_vec_of(1, 1, 1), turn, camera->from);
+    camera->at = sph_affine_point(&map, sph_vec_of(0, 0, -1));
+    camera->up = sph_vec_of(map.m[0][1], map.m[1][1], map.m[2][1]);
+    return 0;
+}
+
+int sph_aff_pose(struct sph_aff *a, double time, struct sph_error *err) {
+    if (pose_nodes(a, time, err)) return -1;
+    pose_patches(a, time);
+    pose_facets(a);
+    return pose_spheres(a, err) || pose_lights(a, time, err) || pose_camera(a, time, err) ? -1 : 0;
+}
