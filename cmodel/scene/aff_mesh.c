@@ -42,9 +42,9 @@ static int take_list(struct sph_aff *a, struct mesh *m, int which, struct sph_er
     return 0;
 }
 
-/* Three numbers of a list's elements. */
-static int take_indices(struct sph_aff *a, const struct mesh *m, int which, uint32_t index[3],
-                        struct sph_error *err) {
+/* Three elements of a list, by their numbers. */
+static int take_three(struct sph_aff *a, const struct mesh *m, int which, const double *at[3],
+                      struct sph_error *err) {
     for (int k = 0; k < 3; k++) {
         double value;
         if (sph_lex_number(&a->r.lex, "triangles", called[which], &value, err)) return -1;
@@ -52,7 +52,7 @@ static int take_indices(struct sph_aff *a, const struct mesh *m, int which, uint
             return sph_fail(err, "%s:%u: `triangles`: %s %g is none of 0 to %lld of this mesh",
                             a->r.lex.path, a->r.lex.token_line, called[which], value,
                             (long long)m->n[which] - 1);
-        index[k] = (uint32_t)value;
+        at[k] = m->list[which] + (size_t)value * (which == COORDS ? 2 : 3);
     }
     return 0;
 }
@@ -60,13 +60,12 @@ static int take_indices(struct sph_aff *a, const struct mesh *m, int which, uint
 static int take_triangle(struct sph_aff *a, const struct mesh *m, struct sph_error *err) {
     struct sph_facet f = m->facet;
     for (int which = 0; which < LISTS; which++) {
-        uint32_t index[3] = {0};
+        const double *at[3] = {NULL, NULL, NULL};
         if (!m->given[which]) continue;
-        if (take_indices(a, m, which, index, err)) return -1;
+        if (take_three(a, m, which, at, err)) return -1;
         for (int k = 0; k < 3; k++) {
-            const double *at = m->list[which] + (size_t)(which == COORDS ? 2 : 3) * index[k];
-            if (which == VERTICES) f.v[k] = sph_vec_of(at[0], at[1], at[2]);
-            if (which == COORDS) memcpy(f.st[k], at, sizeof f.st[k]);
+            if (which == VERTICES) f.v[k] = sph_vec_of(at[k][0], at[k][1], at[k][2]);
+            if (which == COORDS) memcpy(f.st[k], at[k], sizeof f.st[k]);
         }
     }
     f.group = a->r.n_groups++;

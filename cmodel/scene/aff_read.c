@@ -102,7 +102,7 @@ static int include(struct sph_aff *a, const char *path, struct sph_error *err) {
 /* i level FILE: left out if its level is above that of `d` */
 int sph_aff_take_i(struct sph_aff *a, struct sph_error *err) {
     double level;
-    char name[SPH_LEX_TOKEN + 1], path[sizeof a->r.scene->path + SPH_LEX_TOKEN + 1];
+    char name[SPH_LEX_TOKEN + 1] = "", path[sizeof a->r.scene->path + SPH_LEX_TOKEN + 1];
     const char *slash = strrchr(a->r.lex.path, '/');
     if (sph_lex_number(&a->r.lex, "i", "level of detail", &level, err) ||
         sph_aff_name(a, "i", "file", name, err))
