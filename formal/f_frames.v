@@ -1,0 +1,59 @@
+// f_frames.v - proof of rt_frames: nothing is drawn into the frame that is shown
+// SPDX-License-Identifier: Apache-2.0
+// rt_run begins a frame where there is room, ends it, or forgets all, which ends it too; the
+// display takes at any time.
+`timescale 1ns / 1ps
+`default_nettype none
+module f_frames (
+    input wire        clk,
+    input wire        rst,
+    input wire [95:0] bases,
+    input wire        waits,
+    input wire        clear,
+    input wire        begins,
+    input wire        ends,
+    input wire        good,
+    input wire        take
+);
+    wire room, show_valid, swap, again, lost;
+    wire [31:0] draw_base, show_base;
+    wire [1:0]  drawn, newest, shown;
+    rt_frames u_dut (
+        .clk(clk), .rst(rst), .bases_i(bases), .wait_i(waits), .clear_i(clear), .begin_i(begins),
+        .end_i(ends), .good_i(good), .room_o(room), .draw_base_o(draw_base), .take_i(take),
+        .show_valid_o(show_valid), .show_base_o(show_base), .swap_o(swap), .again_o(again),
+        .lost_o(lost), .drawn_o(drawn), .newest_o(newest), .shown_o(shown)
+    );
+    (* hierconn *) wire \u_dut.fresh_q ;
+    reg        old_q = 1'b0, drawing_q, fresh_q, calm_q, valid_q;
+    reg [31:0] base_q, complete_q;       // of the newest complete frame
+    always @(posedge clk) begin
+        old_q <= 1'b1;
+        if (take) fresh_q <= 1'b0;
+        if (begins) drawing_q <= 1'b1;
+        if (ends) drawing_q <= 1'b0;
+        if (ends && good) fresh_q <= 1'b1;
+        if (rst || clear) begin drawing_q <= 1'b0; fresh_q <= 1'b0; end
+        calm_q  <= !take && !rst;
+        base_q  <= show_base;
+        valid_q <= show_valid;
+    end
+    always @* begin
+        if (!old_q) assume (rst);
+        if (begins) assume (room && !drawing_q && !ends && !clear);
+        if (ends) assume (drawing_q && !clear);
+    end
+    always @* if (old_q) begin
+        if (drawing_q && show_valid) assert (drawn != shown);
+        if (calm_q) assert (show_valid == valid_q && (!show_valid || show_base == base_q));
+        assert (swap == (take && fresh_q));
+        if (lost) assert (fresh_q);
+        assert (room == !(waits && fresh_q));
+        // invariant
+        assert (\u_dut.fresh_q == fresh_q);
+        assert (drawn < 3 && newest < 3 && shown < 3);
+        if (drawing_q && fresh_q) assert (drawn != newest);
+        if (fresh_q && show_valid) assert (newest != shown);
+    end
+endmodule
+`default_nettype wire
