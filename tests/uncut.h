@@ -1,4 +1,4 @@
-/* uncut.h - compares a frame with the double reference where the machine has all planes
+/* uncut.h - compares a frame with the double reference but far beyond the grid
  * SPDX-License-Identifier: Apache-2.0
  */
 #ifndef SPH_TEST_UNCUT_H
@@ -6,8 +6,8 @@
 
 #include "reference/reference.h"
 
-/* The reference was rendered with the frame's machine as its world. Pixels that see a plane beyond
- * its grid, of which build tells, are made equal: the others show what the arithmetic costs.
+/* The reference was rendered with the frame's machine as its world. Pixels that see a plane far
+ * beyond its grid, of which build tells, are made equal: the others show what the arithmetic costs.
  * Returns how many pixels the eye sees so. */
 static inline uint64_t uncut(const struct sph_frame *frame, struct sph_reference *r) {
     uint64_t count = 0;
@@ -15,6 +15,7 @@ static inline uint64_t uncut(const struct sph_frame *frame, struct sph_reference
         if (!r->pixels[i].beyond) continue;
         count += (r->pixels[i].beyond & SPH_BEYOND_EYE) != 0;
         r->pixels[i].id = frame->pixels[i].id;
+        r->pixels[i].textured = 0;
         for (int layer = 0; layer < SPH_FRAMES; layer++)
             r->pixels[i].colour[layer] = frame->pixels[i].colour[layer];
     }

@@ -6,11 +6,15 @@
 #include <math.h>
 #include <string.h>
 
+#include "builder/endless.h"
 #include "prim/prim.h"
 #include "prim/scene.h"
 #include "scene/vector.h"
 
-enum { MARGIN = 4 }; /* grid units kept free at each side */
+enum {
+    MARGIN = 4, /* grid units kept free at each side */
+    LEAST = 12  /* bits that planes leave to what has an end, and half of those beyond */
+};
 
 struct box {
     double lo[3], hi[3];
@@ -94,6 +98,25 @@ static int bounds(const struct sph_scene *scene, const double m[9], struct box *
     return add_facets(scene, m, box, err);
 }
 
+/* Adds the corners of a room of planes. */
+static void add_corners(const struct sph_scene *scene, const double m[9], struct box *box) {
+    struct sph_vec corners[SPH_CORNERS];
+    double at[3];
+    for (int i = sph_endless_corners(scene, corners); i-- > 0;) {
+        turn(m, corners[i], at);
+        box_add(box, at, 0);
+    }
+}
+
+/* The side of the grid, in units of the scene: planes may ask for more than the box. */
+static double side(const struct sph_scene *scene, const struct box *box, int w) {
+    double span = 0;
+    for (int i = 0; i < 3; i++)
+        span = fmax(span, box->hi[i] - box->lo[i]);
+    if (w < LEAST) return span;
+    return fmax(span, fmin(2 * sph_endless_reach(scene), ldexp(span, (w - LEAST) / 2)));
+}
+
 /* Whether a ball lies inside w bits with the margin. */
 static int fits(const struct sph_ball *ball, int w) {
     int64_t lo = -(1ll << (w - 1)) + MARGIN, hi = (1ll << (w - 1)) - 1 - MARGIN;
@@ -130,9 +153,8 @@ int sph_grid_fit(const struct sph_scene *scene, int w, struct sph_grid *grid,
     memset(grid, 0, sizeof *grid);
     grid->step = 1;
     if (rotation(scene, grid->rotation, err) || bounds(scene, grid->rotation, &box, err)) return -1;
-    double span = 0, from[3];
-    for (int i = 0; i < 3; i++)
-        span = fmax(span, box.hi[i] - box.lo[i]);
+    add_corners(scene, grid->rotation, &box);
+    double span = side(scene, &box, w), from[3];
     if (!isfinite(span)) return sph_fail(err, "%s: the scene is too large", scene->path);
     /* one unit too fine at most: all_fit() decides */
     if (span > 0) grid->log2 = (int)floor(log2(span / ldexp(1, w)));

@@ -8,10 +8,11 @@
 #include "common/error.h"
 
 enum { SPH_TREE_PAPER = 1, SPH_TREE_BALANCED = 2 };
+enum { SPH_CHILDREN = 4 }; /* of a node */
 
 struct sph_tree_node {
-    struct sph_ball ball; /* filter units, without margin: holds all leaves below */
-    uint32_t child[4];    /* n_inner node indices, then n_leaf sphere indices */
+    struct sph_ball ball;         /* filter units, without margin: holds all leaves below */
+    uint32_t child[SPH_CHILDREN]; /* n_inner node indices, then n_leaf sphere indices */
     uint8_t n_inner, n_leaf;
 };
 
@@ -32,8 +33,8 @@ struct sph_plants {
     int kind; /* SPH_TREE_* */
 };
 
-/* A tree of all primitives by one of the builders below, planes as leaf children of the root; leaf
- * children are ids. -1 if memory is out; what is in *tree then is to be freed. */
+/* A tree of all primitives by one of the builders below, planes as leaf children of the nodes
+ * above; leaf children are ids. -1 if memory is out; what is in *tree then is to be freed. */
 int sph_tree_build(const struct sph_plants *plants, struct sph_tree *tree, struct sph_error *err);
 
 /* Makes the nodes of a tree of ids smaller: around corners of triangles, not around their balls.

@@ -1,8 +1,9 @@
 /* tree_planes.c - a tree of spheres, triangles and planes; see tree.h
  * SPDX-License-Identifier: Apache-2.0
  *
- * A plane's ball is the whole grid, so that nothing is gained by sorting it in: planes are leaf
- * children of the root, and the tree of all others is a child beside them.
+ * A plane's ball is the whole grid, so that nothing is gained by sorting it in: three planes are
+ * leaf children of the root, and the tree of all others, and of further planes, is a child beside
+ * them.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -30,7 +31,7 @@ static int plant(const struct sph_plants *p, struct sph_tree *tree, struct sph_e
             balls[n] = p->balls[i];
             id[n++] = i;
         }
-        tree->above = facets->n_loose > 0;
+        tree->above = (facets->n_loose + SPH_CHILDREN - 2) / (SPH_CHILDREN - 1);
         failed = p->kind == SPH_TREE_PAPER
                      ? sph_tree_paper(balls, n, p->profile, tree, err)
                      : sph_tree_balanced(balls, n, p->profile, p->eye, tree, err);
@@ -46,7 +47,7 @@ static int plant(const struct sph_plants *p, struct sph_tree *tree, struct sph_e
 }
 
 /* Puts a node above the root and the tree below it. */
-static int raise(struct sph_tree *tree, struct sph_error *err) {
+static int raise(struct sph_tree *tree, const struct sph_profile *profile, struct sph_error *err) {
     struct sph_tree_node *more = realloc(tree->nodes, (tree->n_nodes + 1ull) * sizeof *more);
     if (!more) return sph_fail(err, "out of memory for a tree of %u nodes", tree->n_nodes);
     tree->nodes = more;
@@ -57,21 +58,25 @@ static int raise(struct sph_tree *tree, struct sph_error *err) {
         for (int j = 0; j < more[i].n_inner; j++)
             more[i].child[j]++;
     more[0] = (struct sph_tree_node){.child = {1}, .n_inner = 1};
+    more[0].ball = sph_filter_whole(profile);
     return 0;
+}
+
+static int children(const struct sph_tree_node *node) {
+    return node->n_inner + node->n_leaf;
 }
 
 int sph_tree_build(const struct sph_plants *p, struct sph_tree *tree, struct sph_error *err) {
     if (plant(p, tree, err)) return -1;
     if (p->kind == SPH_TREE_BALANCED && sph_tree_tighten(p, tree, err)) return -1;
-    struct sph_tree_node *root = tree->nodes;
     if (!p->facets->n_loose) return 0;
-    if (root->n_inner + root->n_leaf > 1) {
-        if (raise(tree, err)) return -1;
-        root = tree->nodes;
+    if (children(tree->nodes) > 1 && raise(tree, p->profile, err)) return -1;
+    tree->nodes->ball = sph_filter_whole(p->profile);
+    for (uint32_t i = 0; i < p->facets->n; i++) {
+        if (!loose(p, p->n_spheres + i)) continue;
+        if (children(tree->nodes) == SPH_CHILDREN && raise(tree, p->profile, err)) return -1;
+        struct sph_tree_node *root = tree->nodes;
+        root->child[root->n_inner + root->n_leaf++] = p->n_spheres + i;
     }
-    root->ball = sph_filter_whole(p->profile);
-    for (uint32_t i = 0; i < p->facets->n; i++)
-        if (loose(p, p->n_spheres + i))
-            root->child[root->n_inner + root->n_leaf++] = p->n_spheres + i;
     return 0;
 }

@@ -56,18 +56,18 @@ int sph_warn_cut(const struct sph_scene *scene, const struct sph_machine *machin
     if (sph_cut_measure(scene, machine, cut, err)) return -1;
     if (!cut->beyond && !cut->later) return 0;
     sph_note(report->warning, sizeof report->warning,
-             "%s:%u: the plane ends with the grid: ", scene->path, scene->facets[cut->plane].line);
+             "%s:%u: the plane goes on beyond the grid: ", scene->path,
+             scene->facets[cut->plane].line);
     if (cut->beyond)
         sph_note(report->warning, sizeof report->warning,
-                 "%s of the pixels see it only beyond, %.4g or farther from the eye; ",
+                 "%s of the pixels see it %.4g or farther from the eye; ",
                  percent(cut->beyond, cut->pixels, part), cut->nearest);
     if (cut->later)
         sph_note(report->warning, sizeof report->warning,
                  "about %s%s see it so in mirrors or glass; ",
                  percent(cut->later, cut->sample, part), cut->beyond ? " more" : " of the pixels");
-    sph_note(
-        report->warning, sizeof report->warning,
-        "they show what is behind it. A light or sphere far away makes the grid larger, and its "
-        "step\n");
+    sph_note(report->warning, sizeof report->warning,
+             "its light may be off there by more than 8 of 255, and so is an image on it. A wider "
+             "profile has a larger grid\n");
     return 0;
 }

@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "reference/facet.h"
+#include "reference/world.h"
 
 static double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -73,6 +74,7 @@ void sph_waver_log(const struct sph_waver *w, const struct sph_ref_log *log,
     const struct sph_profile *p = w->profile;
     double step = w->grid.step, guard = sqrt(3) * step * ldexp(1, -p->ng - 1);
     double dir = sqrt(3) * ldexp(1, 1 - p->wd);
+    struct sph_ends ends = {w->grid.rotation, w->grid.origin, step, ldexp(1, p->w - 1)};
     int parent[SPH_MAX_DEPTH + 1] = {0};
     for (int k = 0; k < log->n; k++) {
         const struct sph_ref_step *s = &log->step[k];
@@ -89,6 +91,8 @@ void sph_waver_log(const struct sph_waver *w, const struct sph_ref_log *log,
         double rad = f ? INFINITY : w->scene->spheres[s->hit.id].rad;
         o->normal = (guard + quotient) / rad + (f ? tilt(f, off) : 0);
         o->turn = from.turn + 2 * (o->normal + o->across / rad) + dir;
+        if (f && sph_ref_facet_endless(f)) /* to its colour it is one which of both turns */
+            o->normal += sph_ends_turn(&ends, w->scene, s->ray.org, s->ray.dir, s->hit.t);
     }
 }
 

@@ -21,7 +21,7 @@ struct sph_wavers {
     double across; /* of what the ray meets, across it */
     double at;     /* of the point from which rays go on */
     double turn;   /* of these rays, but those to lights */
-    double normal; /* of the normal against that of the moved surface */
+    double normal; /* of the normal, or the light, against that of the moved surface */
 };
 
 /* Of every ray of a log. */

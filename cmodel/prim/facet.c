@@ -30,15 +30,19 @@ static int within(const int64_t dir[3], const int64_t a0[3], const int64_t e1[3]
     return det > 0 ? u0 >= 0 && u1 >= 0 && u2 >= 0 : u0 <= 0 && u1 <= 0 && u2 <= 0;
 }
 
-/* Whether org + num/det * dir lies in the world box, faces included. */
-static int in_world(const struct sph_profile *p, const struct sph_ray *ray,
-                    const struct sph_facet_result *r) {
-    int64_t half = (int64_t)1 << (p->w - 1);
-    for (int i = 0; i < 3; i++) {
-        sph_i128 det = (sph_i128)r->det, moved = r->num * ray->dir[i];
-        if (moved < det * (-half - ray->org[i]) || moved > det * (half - 1 - ray->org[i])) return 0;
-    }
-    return 1;
+/* Ends a ray that meets a plane farther than one unit beyond the grid: t becomes that of the face
+ * there, along the longest axis of dir, which no point of the grid has behind it. */
+static void end(const struct sph_profile *p, const struct sph_ray *ray,
+                struct sph_facet_result *r) {
+    int64_t half = (int64_t)1 << (p->w - 1), size[3];
+    for (int i = 0; i < 3; i++)
+        size[i] = ray->dir[i] < 0 ? -ray->dir[i] : ray->dir[i];
+    int k = size[1] > size[0];
+    if (size[2] > size[k]) k = 2;
+    int64_t room = ray->dir[k] < 0 ? ray->org[k] + half + 1 : half - ray->org[k]; /* 1 .. 2^W */
+    if (r->num * size[k] <= (sph_i128)r->det * room) return;
+    r->num = room;
+    r->det = (sph_u128)size[k];
 }
 
 struct sph_facet_result sph_facet_test(const struct sph_profile *p, const struct sph_ray *ray,
@@ -61,10 +65,8 @@ struct sph_facet_result sph_facet_test(const struct sph_profile *p, const struct
     if (own(ray, f) || det == 0 || r.num <= 0) return r;
     int shadow = sph_ray_ends(ray);
     if (shadow && r.num >= (sph_i128)r.det) return r;
-    if (plane)
-        r.hit = shadow || in_world(p, ray, &r); /* what lies before a light is in the box */
-    else
-        r.hit = within(ray->dir, a0, e1, e2, det);
+    r.hit = plane || within(ray->dir, a0, e1, e2, det);
+    if (plane && !shadow) end(p, ray, &r);
     return r;
 }
 

@@ -20,9 +20,9 @@
  *        a plane 3 n S < 2^(W+25) <= 2^(3W+1).
  * a num' a <= 3 D^2: at most 6 S^3 D^2 = 1.5 * 2^(2WD) S^3 < 2^(3W+2WD+1); for a plane
  *        9 n S D^2 < 9 * 2^(W+2WD+21) < 2^(W+2WD+25).
- * key    The point lies in the box: |t dir_i| <= S for each i, so a*t = sum of dir_i * (t dir_i) is
- *        at most 3 S D < 2^(W+WD+1), a whole number, and the ceiling too.
- * box    det' <= 3 n D and |face - org_i| <= S; num' <= 3 n S and |dir_i| <= D.
+ * key    |t dir_i| <= S + 1 along the longest axis, where the ray ends, so for each i; a*t = sum of
+ *        dir_i * (t dir_i) is at most 3 (S+1) D < 2^(W+WD+1), a whole number, and the ceiling too.
+ * end    det' <= 3 n D and room <= S + 1; num' <= 3 n S and size <= D. room >= 1, so t > 0.
  */
 #ifndef SPH_FACET_H
 #define SPH_FACET_H
@@ -43,18 +43,18 @@ struct sph_facet_leaf {
 
 /* det and num are given with a miss too. */
 struct sph_facet_result {
-    int hit;      /* t > 0, on the triangle or in the world box; shadow ray: 0 < t < 1 */
+    int hit;      /* t > 0, on the triangle or the plane; shadow ray: 0 < t < 1 */
     int far;      /* det > 0: the normal looks along the ray */
     sph_u128 det; /* |N.dir|, u(2W+WD+1) */
     sph_i128 num; /* N.A0, negated if N.dir < 0: t = num/det; s(3W+2) */
-};
+}; /* of a plane beyond the grid: |dir_k| and the room along k (docs/model/facet.md) */
 
 /* Valid for every operand in range; dir = 0, a ray in the plane and an origin on it miss. A facet
  * of the group that the ray starts on misses. */
 struct sph_facet_result sph_facet_test(const struct sph_profile *p, const struct sph_ray *ray,
                                        const struct sph_facet_leaf *facet);
 
-/* ceil(a*t) of a hit of no shadow ray, 1 .. 3 (2^W-1) 2^(WD-1): orders it among facets and spheres;
+/* ceil(a*t) of a hit of no shadow ray, 1 .. 3 * 2^(W+WD-1): orders it among facets and spheres;
  * *divisions counts. */
 uint64_t sph_facet_key(const struct sph_ray *ray, const struct sph_facet_result *r,
                        uint64_t *divisions);

@@ -9,6 +9,7 @@
 #include "reference/reference.h"
 #include "reference/tree.h"
 #include "reference/view.h"
+#include "reference/world.h"
 
 enum { SAMPLE = 4096 }; /* pixels of the small frame, at most */
 
@@ -40,19 +41,20 @@ static int seen_at(const struct planes *p, const struct sph_ref_ray *ray, double
 static int measure_primary(struct planes *p, const struct sph_machine *m,
                            const struct sph_ref_view *view, struct sph_cut *cut) {
     struct sph_ref_tree *tree = NULL;
+    struct sph_ends ends = sph_ends_of(m);
     int seen = 0;
     for (int y = 0; y < view->height && seen >= 0; y++)
         for (int x = 0; x < view->width && seen >= 0; x++) {
             struct sph_ref_ray ray = {.org = {view->eye[0], view->eye[1], view->eye[2]},
                                       .skip = SPH_ID_NONE};
-            double t, at[3], length = 0;
+            double t, length = 0;
             sph_ref_view_dir(view, x, y, ray.dir);
             int plane = first_plane(p, &ray, &t);
-            for (int i = 0; i < 3 && plane >= 0; i++) {
-                at[i] = ray.org[i] + t * ray.dir[i];
+            if (plane < 0) continue;
+            const struct sph_facet *f = &p->scene->facets[p->facet[plane]];
+            if (!sph_ends_show(&ends, p->scene, f, ray.org, ray.dir, t)) continue;
+            for (int i = 0; i < 3; i++)
                 length += t * ray.dir[i] * t * ray.dir[i];
-            }
-            if (plane < 0 || sph_on_world(m, at)) continue;
             seen = seen_at(p, &ray, t, &tree);
             if (seen <= 0) continue;
             cut->beyond++;

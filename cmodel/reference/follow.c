@@ -6,9 +6,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "reference/cut.h"
 #include "reference/facet.h"
 #include "reference/whitted.h"
+#include "reference/world.h"
 #include "scene/nesting.h"
 
 static double dot(const double a[3], const double b[3]) {
@@ -205,8 +205,12 @@ void sph_ref_follow(const struct sph_ref_job *j, struct sph_ref_branch b,
     double at[3], normal[3], colour[3], bent[3] = {0}, dir[3];
     const struct sph_material *f = surface(j->scene, &b.ray, &hit, at, normal);
     if (step) memcpy(step->at, at, sizeof at), memcpy(step->normal, normal, sizeof normal);
-    if (j->o->world && is_plane(j->scene, hit.id) && !sph_on_world(j->o->world, at))
-        seen->pixel.beyond |= b.depth ? SPH_BEYOND_LATER : SPH_BEYOND_EYE;
+    if (j->o->world && is_plane(j->scene, hit.id)) {
+        struct sph_ends ends = sph_ends_of(j->o->world);
+        const struct sph_facet *plane = &j->scene->facets[hit.id - j->scene->n_spheres];
+        if (sph_ends_show(&ends, j->scene, plane, b.ray.org, b.ray.dir, hit.t))
+            seen->pixel.beyond |= b.depth ? SPH_BEYOND_LATER : SPH_BEYOND_EYE;
+    }
     struct sph_ref_shares k =
         sph_ref_shares_of(f, b.depth < j->o->max_depth, j->o->reflect, j->o->refract);
     double inside = sph_index_ratio(f), ratio = hit.far ? inside : 1 / inside;

@@ -77,19 +77,21 @@ static void plane_directions(const struct sph_facet_leaf *f, int64_t e1[3], int6
     e2[i] = -n[k] * turn, e2[j] = 0, e2[k] = n[i] * turn;
 }
 
-/* Whether the solution's point lies in the box of w-bit coordinates. */
-static int in_box(struct equations *e, const struct sph_ray *ray, int w) {
-    int64_t end = 1;
+/* Where a coordinate along the first of the longest components of dir becomes one that w bits do
+ * not hold, a ray goes no farther. */
+static void end(struct equations *e, const struct sph_ray *ray, int w) {
+    int64_t first = 1, longest = 0;
     for (int i = 1; i < w; i++)
-        end *= 2;
+        first *= 2;
     for (int i = 0; i < 3; i++) {
-        mpq_set_si(e->x, ray->dir[i], 1);
-        mpq_mul(e->x, e->x, e->m[2][3]);
-        mpq_set_si(e->m[0][0], ray->org[i], 1);
-        mpq_add(e->x, e->x, e->m[0][0]);
-        if (mpq_cmp_si(e->x, -end, 1) < 0 || mpq_cmp_si(e->x, end - 1, 1) > 0) return 0;
+        int64_t d = ray->dir[i], size = d < 0 ? -d : d;
+        if (size <= longest) continue;
+        longest = size;
+        mpq_set_si(e->x, (d < 0 ? -first - 1 : first) - ray->org[i], 1);
+        mpq_set_si(e->m[0][0], d, 1);
+        mpq_div(e->x, e->x, e->m[0][0]);
     }
-    return 1;
+    if (mpq_cmp(e->m[2][3], e->x) > 0) mpq_set(e->m[2][3], e->x);
 }
 
 /* The smallest integer that is at least t * |dir|^2. */
@@ -107,15 +109,16 @@ static uint64_t key_of(struct equations *e, const struct sph_ray *ray) {
     return key;
 }
 
-/* A plane ends with the world; what lies before a light is in it. */
+/* A plane has no end, but rays have. */
 static int plane_holds(struct equations *e, const struct sph_ray *ray, int w) {
-    return ray->kind == SPH_SHADOW || in_box(e, ray, w);
+    if (ray->kind != SPH_SHADOW) end(e, ray, w);
+    return 1;
 }
 
 /* What this model knows of each kind. */
 static const struct {
     void (*directions)(const struct sph_facet_leaf *f, int64_t e1[3], int64_t e2[3]);
-    int (*holds)(struct equations *solved, const struct sph_ray *ray, int w);
+    int (*holds)(struct equations *solved, const struct sph_ray *ray, int w); /* moves t */
 } kinds[SPH_KINDS] = {[SPH_TRIANGLE] = {triangle_directions, triangle_holds},
                       [SPH_PLANE] = {plane_directions, plane_holds}};
 

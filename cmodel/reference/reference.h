@@ -24,7 +24,7 @@ struct sph_reference_options {
     int unlimited;         /* 1: a surface may be brighter than 1 until pixels are written */
     int threads;           /* 0: all */
     const struct sph_machine
-        *world;                 /* NULL, or pixels that see planes beyond its grid are marked */
+        *world;                 /* NULL, or pixels are marked that see planes in a wrong light */
     const struct sph_mip *mips; /* images of the scene; NULL: none are shown */
     int filter, lod;            /* SPH_FILTER_*; SPH_LOD_*: the level that colours see */
 };
@@ -36,7 +36,7 @@ struct sph_reference_pixel {
     uint32_t refracted_id;       /* seen through it; SPH_ID_NONE: none */
     uint32_t faced;              /* bit l: light l shines on the side of it that is seen */
     uint32_t shadow;             /* bit l: light l does, but is blocked */
-    int beyond;                  /* SPH_BEYOND_*: a plane is seen where the world has none */
+    int beyond;                  /* SPH_BEYOND_*: a plane is seen far beyond the world */
     double distance;             /* from the eye to it, scene units; INFINITY: background */
     int textured;                /* a surface with an image is seen, also in mirrors */
     double lod[SPH_LODS];        /* of the first one, each way */

@@ -5,7 +5,7 @@
 // One facet after the other through three multipliers, an operation a clock; a*num' comes in
 // clock 4 of the facet that follows. P = L + 4, L = `RT_PRODUCT_LATENCY(AW):
 //   triangle  0,1 N | 2,3 m | P det, num, U2, U1                               every L + 8 clocks
-//   plane     0 det, num | P det'*(face-org), num'*|dir| of x, y, z            every L + 10
+//   plane     0 det, num | P det'*room, num'*size; beyond the grid t is room/size   every L + 10
 // Ports, timing: docs/blocks/facet_unit.md. Model: sph_facet_test() in cmodel/prim/facet.c
 `timescale 1ns / 1ps
 `default_nettype none
@@ -111,9 +111,10 @@ module rt_facet #(
         if (step && slot_q == COMMIT) begin
             if (back_q) op = `RT_FACET_KEY;
         end else if (step && front_q && plane_q) begin
-            if (slot_q >= P)          op = since[0] ? `RT_FACET_BNUM : `RT_FACET_BDET;
-            else if (slot_q == 4'd0)  op = `RT_FACET_DET;
-            else if (slot_q == 4'd1)  op = `RT_FACET_NUM;
+            if (slot_q == P)              op = `RT_FACET_BDET;
+            else if (slot_q == P + 4'd1)  op = `RT_FACET_BNUM;
+            else if (slot_q == 4'd0)      op = `RT_FACET_DET;
+            else if (slot_q == 4'd1)      op = `RT_FACET_NUM;
         end else if (step && front_q) begin
             if (slot_q < COMMIT)      op = slot_q[0] ? `RT_FACET_X1 : `RT_FACET_X0;
             else if (slot_q >= P)     op = `RT_FACET_DET + {2'd0, since[1:0]};
@@ -130,12 +131,14 @@ module rt_facet #(
     wire [3:0] op_r = op_q[OB*(L+2) +: 4];       // with their sum
     wire [3:0] op_f = op_q[OB*(L+3) +: 4];       // with the flags of the sum
     wire [OB-1:0] op_y = op_q[OB*(L+4) +: OB];   // with the flags of the sum of sums
+    wire y_shadow = SHADOW != 0 && op_y[4];
 
     // ---- operands and lanes ----
     wire [3*AW-1:0]      a;
     wire [3*BW-1:0]      b;
     wire [3*CW-1:0]      c;
     wire signed [RW-1:0] r;
+    wire [AW-1:0]        partner;                // of a long operand: room, then size
     reg  [DW-1:0]        det_q;                  // det'
     reg  [MW-1:0]        num_q;                  // num'
     rt_facet_feed #(.W(W), .WD(WD), .NW(NW), .CUT(CUT), .CW(CW), .AW(AW), .DW(DW), .MW(MW),
@@ -146,7 +149,7 @@ module rt_facet #(
         .step_i(step), .slot_i(slot_q), .op_i(op),
         .vector_i(front_q && !plane_q && (slot_q == P - 4'd1 || slot_q == P + 4'd1)),
         .back_i(done), .key_i(slot_q == COMMIT - 4'd1),
-        .c_i(c), .det_i(det_q), .num_i(num_q), .a_o(a), .b_o(b)
+        .c_i(c), .det_i(det_q), .num_i(num_q), .w_o(partner), .a_o(a), .b_o(b)
     );
     rt_facet_lanes #(.AW(AW), .BW(BW), .CW(CW), .RW(RW), .CUT(CUT)) u_lanes (
         .clk(clk), .a_i(a), .b_i(b),
@@ -155,7 +158,7 @@ module rt_facet #(
         .c_o(c), .r_o(r)
     );
 
-    // ---- det', num'; det - num, U0 = det - U2 - U1, det'*face - num'*|dir| ----
+    // ---- det', num'; det - num, U0 = det - U2 - U1, det'*room - num'*size ----
     wire           neg = r[RW-1];
     wire [VW-1:0]  abs = (r[VW-1:0] ^ {VW{neg}}) + {{(VW-1){1'b0}}, neg};
     wire           y_load = op_r == `RT_FACET_DET || op_r == `RT_FACET_BDET;
@@ -165,9 +168,18 @@ module rt_facet #(
     wire [YW:0]    y = {y_load ? {YW{1'b0}} : acc_q, 1'b1} +
                        {r[YW-1:0] ^ {YW{y_sub}}, y_sub};
     reg            rn_q, rz_q, yn_q, yz_q;       // negative, zero
+    reg  [W:0]     room_q;                       // of the facet whose flags come next
+    reg  [WD-1:0]  size_q;
+    wire           beyond = op_y[3:0] == `RT_FACET_BNUM && !y_shadow && yn_q;
     always @(posedge clk) begin
         if (op_r == `RT_FACET_DET) det_q <= abs[DW-1:0];
         if (op_r == `RT_FACET_NUM) num_q <= abs[MW-1:0];
+        if (op == `RT_FACET_BDET) room_q <= partner[W:0];
+        if (op == `RT_FACET_BNUM) size_q <= partner[WD-1:0];
+        if (beyond) begin                        // before the key reads them
+            det_q <= {{(DW-WD){1'b0}}, size_q};
+            num_q <= {{(MW-W-1){1'b0}}, room_q};
+        end
         if (y_load || op_r == `RT_FACET_U2) acc_q <= y[YW:1];
         y_q  <= y[YW:1];
         rn_q <= neg;
@@ -178,10 +190,8 @@ module rt_facet #(
 
     // ---- decide ----
     reg  neg_q, miss_q, end_miss_q, end_far_q;   // of det; of the facet at hand; of the one before
-    wire y_shadow = SHADOW != 0 && op_y[4];
     wire y_miss   = op_y[3:0] == `RT_FACET_NUM ? y_shadow && (yz_q || yn_q != neg_q)
-                    : op_y[3:0] == `RT_FACET_U1 ? !yz_q && yn_q != neg_q
-                    : op_y[3:0] == `RT_FACET_BNUM && !y_shadow && yn_q;
+                    : op_y[3:0] == `RT_FACET_U1 && !yz_q && yn_q != neg_q;
     wire r_miss   = op_f == `RT_FACET_NUM ? rz_q || rn_q != neg_q
                     : op_f == `RT_FACET_U2 ? !rz_q && rn_q != neg_q
                     : op_f == `RT_FACET_U1 && !rz_q && rn_q == neg_q;
@@ -203,6 +213,6 @@ module rt_facet #(
         .in_far_i(end_far_q), .full_o(full),
         .result_o(result_o), .result_ready_i(result_ready_i), .divide_o(divide_o)
     );
-    wire unused = &{1'b0, y[0], r, abs, since[3:2], reach[6:0], op_y, test_i, record};
+    wire unused = &{1'b0, y[0], r, abs, since[3:2], reach[6:0], op_y, test_i, record, partner};
 endmodule
 `default_nettype wire

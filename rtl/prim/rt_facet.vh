@@ -9,7 +9,7 @@
 `define RT_FACET_NUM  4'd4   // N.A0
 `define RT_FACET_U2   4'd5   // m.e1
 `define RT_FACET_U1   4'd6   // m.e2
-`define RT_FACET_BDET 4'd7   // det' * distance from the origin to a face of the world box
-`define RT_FACET_BNUM 4'd8   // num' * |component of dir|
+`define RT_FACET_BDET 4'd7   // det' * room: distance to what lies a unit beyond the grid
+`define RT_FACET_BNUM 4'd8   // num' * size: the longest |component of dir|
 `define RT_FACET_KEY  4'd9   // a * num'
 `endif

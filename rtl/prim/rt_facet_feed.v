@@ -3,6 +3,7 @@
 // Takes differences of corners and origin, keeps them and the vector of the moment (N, then m), and
 // gives three pairs of factors for each operation. A long operand (det', num') goes to the three
 // lanes in pieces; its partner stands in a register a clock ahead.
+//   room: from org to one unit beyond the grid, along the longest axis of dir; size: |dir| along it
 // Model: sph_facet_test() in cmodel/prim/facet.c, its operands
 `timescale 1ns / 1ps
 `default_nettype none
@@ -39,6 +40,7 @@ module rt_facet_feed #(
     input  wire [3*CW-1:0]   c_i,          // 3 x sCW
     input  wire [DW-1:0]     det_i,        // det'
     input  wire [MW-1:0]     num_i,        // num'
+    output wire [AW-1:0]     w_o,          // in slot P room, u(W+1), then size, u(WD)
     // to the lanes
     output wire [3*AW-1:0]   a_o,          // 3 x sAW
     output wire [3*(CUT+1)-1:0] b_o        // 3 x s(CUT+1)
@@ -63,18 +65,27 @@ module rt_facet_feed #(
         of_direction = {{(NW-WD+1){v[WD-1]}}, v[WD-2:0]};
     endfunction
 
-    // ---- partner of a long operand: a; distance to the face ahead, |dir| of x, y, z ----
+    // ---- partner of a long operand: a; room and size along the longest axis of dir ----
+    function [WD-1:0] size_of(input [WD-1:0] v);
+        size_of = (v ^ {WD{v[WD-1]}}) + {{(WD-1){1'b0}}, v[WD-1]};
+    endfunction
+    wire [WD-1:0] size_x = size_of(dir_q[0 +: WD]);
+    wire [WD-1:0] size_y = size_of(dir_q[WD +: WD]);
+    wire [WD-1:0] size_z = size_of(dir_q[2*WD +: WD]);
+    wire          y_wins = size_y > size_x;
+    reg           y_q, z_q;                // the longest axis
     reg  [AW-1:0] w_q;
-    wire [3:0]    w_at   = slot_i + 4'd1 - P;
-    wire [W-1:0]  w_org  = w_at[3:1] == 3'd0 ? org_q[0 +: W]
-                           : w_at[1] ? org_q[W +: W] : org_q[2*W +: W];
-    wire [WD-1:0] w_dir  = w_at[3:1] == 3'd0 ? dir_q[0 +: WD]
-                           : w_at[1] ? dir_q[WD +: WD] : dir_q[2*WD +: WD];
-    wire [W-1:0]  w_face = {!w_org[W-1], w_org[W-2:0]} ^ {W{!w_dir[WD-1]}};
-    wire [WD-1:0] w_abs  = (w_dir ^ {WD{w_dir[WD-1]}}) + {{(WD-1){1'b0}}, w_dir[WD-1]};
-    always @(posedge clk)
+    wire [W-1:0]  w_org  = z_q ? org_q[2*W +: W] : y_q ? org_q[W +: W] : org_q[0 +: W];
+    wire          w_neg  = z_q ? dir_q[3*WD-1] : y_q ? dir_q[2*WD-1] : dir_q[WD-1];
+    wire [WD-1:0] w_size = z_q ? size_z : y_q ? size_y : size_x;
+    wire [W:0]    w_room = {1'b0, {!w_org[W-1], w_org[W-2:0]} ^ {W{!w_neg}}} + {{W{1'b0}}, 1'b1};
+    always @(posedge clk) begin
+        y_q <= y_wins;
+        z_q <= size_z > (y_wins ? size_y : size_x);
         if (step_i) w_q <= key_i ? {{(AW-2*WD){1'b0}}, back_a_q}
-                           : w_at[0] ? {{(AW-WD){1'b0}}, w_abs} : {{(AW-W){1'b0}}, w_face};
+                           : slot_i == P ? {{(AW-WD){1'b0}}, w_size} : {{(AW-W-1){1'b0}}, w_room};
+    end
+    assign w_o = w_q;
 
     // ---- lanes ----
     wire wide     = op_i == `RT_FACET_BDET || op_i == `RT_FACET_BNUM || op_i == `RT_FACET_KEY;

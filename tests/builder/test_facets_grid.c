@@ -246,7 +246,10 @@ static void test_refusals(void **unused) {
     facet_list[2].v[1] = at(1, 0, 0);
     add_plane(&s, at(0, 0, 0), at(0, 1, 0));
     add_plane(&s, at(0, 0, 0), at(0, 0, 1));
-    refuse(&s, o, "cloud.nff:104: more than 3 planes");
+    add_plane(&s, at(0, 0, 0), at(0, 1, 2));
+    add_plane(&s, at(0, 0, 0), at(2, 0, 1));
+    add_plane(&s, at(0, 0, 0), at(1, 2, 3));
+    refuse(&s, o, "cloud.nff:107: more than 6 planes");
     s.n_facets = 4;
     facet_list[3].material = 1;
     refuse(&s, o, "cloud.nff:103: triangle or plane without material");

@@ -50,23 +50,37 @@ void named_facet_horizon(struct named *n) {
             expect_facet(n, c, NEAR, 0); /* on the face itself: t = 1 */
             c.ray.dir[0] += end < 0 ? 1 : -1;
             expect_facet(n, c, NEAR, 0);
-            c.ray.dir[0] += end < 0 ? -2 : 2;
-            expect_facet(n, c, MISS, 0);
-            c.ray.dir[0] += end < 0 ? 1 : -1;
+            c.ray.dir[0] += end < 0 ? -2 : 2; /* a unit beyond the face: t = 1 still */
+            expect_facet(n, c, NEAR, key_at(c.ray.dir, 1, 1));
+            int64_t size = c.ray.dir[0] < 0 ? -c.ray.dir[0] : c.ray.dir[0], room = size;
+            for (int more = 1; more < 4; more++) { /* farther: no longer than to there */
+                c.ray.dir[0] += end < 0 ? -1 : 1;
+                expect_facet(n, c, NEAR, key_at(c.ray.dir, room, size + more));
+            }
+            c.ray.dir[0] += end < 0 ? 4 : -4;
             c.ray.dir[1]++; /* a little steeper: before the face */
             expect_facet(n, c, NEAR, 0);
-            c.ray.dir[1] -= 2;
+            c.ray.dir[1] = 1; /* hardly towards it: far beyond */
+            expect_facet(n, c, NEAR, key_at(c.ray.dir, room, size - 1));
+            c.ray.dir[1] = 0;
             expect_facet(n, c, MISS, 0);
             c = plane(org, V3(end - org[0], 0, 0), V3(end, y, 0), V3(m, 0, 0)); /* the face */
             expect_facet(n, c, end < 0 ? NEAR : FAR, 0);
             c.facet.v[1][1] = m; /* leaves the box before it is met, from beside the edge */
             expect_facet(n, c, ORACLE, 0);
         }
+    for (int i = 0; i < 27; i++) { /* ties of the longest axis, from beside each face */
+        const int64_t s[3] = {i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1}, k = n->half / 2;
+        const int64_t org[3] = {h - 1, -h, s[0]}, dir[3] = {s[0] * k, s[1] * k, s[2] * k};
+        expect_facet(n, plane(org, dir, V3(0, 0, 0), V3(7, -5, 3)), ORACLE, 0);
+        expect_facet(n, plane(org, V3(dir[0], dir[1] + 1, dir[2]), V3(0, 0, 1), V3(-9, 1, 2)),
+                     ORACLE, 0);
+    }
     /* a ray to the corner of the box */
     struct hard_facet c = plane(V3(0, 0, 0), V3(h - 1, h - 1, h - 1), V3(h - 1, 0, 0), V3(9, 0, 0));
     expect_facet(n, c, FAR, 3 * (uint64_t)((h - 1) * (h - 1)));
-    c.ray.dir[0]--;
-    expect_facet(n, c, MISS, 0);
+    c.ray.dir[0]--; /* the face y is first, a unit beyond */
+    expect_facet(n, c, FAR, key_at(c.ray.dir, h, h - 1));
 }
 
 void named_facet_grazing(struct named *n) {
@@ -82,8 +96,10 @@ void named_facet_grazing(struct named *n) {
             c.ray.dir[0] = n->most;
             c.ray.dir[1] = dy;
             expect_facet(n, c, y && dy < 0 && y * n->most <= -dy * m ? NEAR : MISS, 0);
-            expect_facet(n, plane(c.ray.org, c.ray.dir, V3(0, 0, 0), V3(0, 8388607, 0)),
-                         y && dy < 0 && y * n->most <= -dy * m ? NEAR : MISS, 0);
+            struct hard_facet p = plane(c.ray.org, c.ray.dir, V3(0, 0, 0), V3(0, 8388607, 0));
+            int towards = y && dy<0, beyond = y * n->most> - dy * (m + 1);
+            expect_facet(n, p, towards ? NEAR : MISS,
+                         towards && beyond ? key_at(c.ray.dir, m + 1, n->most) : 0);
         }
 }
 

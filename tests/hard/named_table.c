@@ -150,7 +150,8 @@ const struct hard_named hard_named[] = {
      "100 and 99.5 are both 100: sphere before facet, smaller id before greater.",
      named_facet_ties},
     {"horizon of a plane",
-     "A point on a face of the world is hit, a unit of direction beyond is not; the far corner.",
+     "A point on a face of the world and a unit beyond it: t = 1. Farther ones: no longer than to "
+     "there, along the longest axis; the far corner.",
      named_facet_horizon},
     {"facet, grazing", "det of one unit and t up to the other end of the world.",
      named_facet_grazing},

@@ -116,7 +116,8 @@ static void exhaustive(void **state) {
     assert_true(hits > n / 20);
 }
 
-/* Plane through p with normal n: hit if the side changes before the ray leaves the world, -2..1. */
+/* Plane through p with normal n: hit if the side changes, or ends with the world along the longest
+ * axis: at -3 or 2. */
 static int check_plane(const int64_t org[3], const int64_t dir[3], const int64_t p[3],
                        const int64_t n[3], int naive) {
     struct sph_ray ray = {.skip = {SPH_ID_NONE, 0}};
@@ -130,14 +131,14 @@ static int check_plane(const int64_t org[3], const int64_t dir[3], const int64_t
         a += dir[i] * dir[i];
     }
     ray.a = (uint64_t)a;
-    int towards = start && sign(step) == -sign(start), hit = towards;
-    for (int i = 0; i < 3; i++) { /* leaves at t = (face - org) / dir: is the side another? */
-        int64_t face = dir[i] > 0 ? 1 : -2, there = start * labs(dir[i]);
-        if (dir[i]) hit &= sign(there + step * labs(face - org[i])) != sign(start);
-    }
-    while (hit && sign(start * a + key * step) == sign(start))
+    int hit = start && sign(step) == -sign(start), longest = 0;
+    for (int i = 1; i < 3; i++)
+        if (labs(dir[i]) > labs(dir[longest])) longest = i;
+    int64_t room = labs((dir[longest] > 0 ? 2 : -3) - org[longest]);
+    while (hit && key * labs(dir[longest]) < a * room &&
+           sign(start * a + key * step) == sign(start))
         key++;
-    int shadow = towards && sign(start + step) == sign(step);
+    int shadow = hit && sign(start + step) == sign(step);
 
     uint64_t divisions = 0, got = 0;
     struct sph_facet_result r = sph_facet_test(&two_bits, &ray, &f);

@@ -18,7 +18,7 @@ enum { W = 160, H = 90, DEPTH = 3 };
 static const double floors[SPH_PROFILES] = {41, 50, 54.5, 56};
 static const double scene_floors[SPH_PROFILES] = {28, 29, 40, 49.5};
 
-static const double facet_floors[SPH_PROFILES] = {27, 38, 50.5, 51};
+static const double facet_floors[SPH_PROFILES] = {27, 34, 45, 51};
 
 /* world: marks pixels that see planes beyond its grid, or NULL. */
 static struct sph_reference reference(const struct sph_scene *scene, int width, int height,

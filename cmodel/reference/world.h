@@ -1,0 +1,38 @@
+/* world.h - where the grid of a machine ends in the scene, and what that does to a plane's light
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * A ray that meets a plane farther than the grid is shaded where it leaves the grid along its
+ * longest axis (docs/model/facet.md). It sees the plane all the same; lights are in other
+ * directions from there.
+ */
+#ifndef SPH_WORLD_H
+#define SPH_WORLD_H
+
+#include "machine/machine.h"
+#include "scene/scene.h"
+
+struct sph_ends {
+    const double *rotation, *origin; /* as of a machine */
+    double step, half;               /* scene units; grid units, 2^(W-1) */
+};
+
+struct sph_ends sph_ends_of(const struct sph_machine *machine);
+
+/* How many times dir it is from org, a point on the grid, to where the machine ends the ray. */
+double sph_ends_at(const struct sph_ends *ends, const double org[3], const double dir[3]);
+
+/* The angle, in radians, by which the light turns most on a plane that is met at t * dir: 0 unless
+ * that is beyond the grid. */
+double sph_ends_turn(const struct sph_ends *ends, const struct sph_scene *scene,
+                     const double org[3], const double dir[3], double t);
+
+/* By how many of 255 levels the light of a white plane there is off, at most. */
+double sph_ends_levels(const struct sph_ends *ends, const struct sph_scene *scene,
+                       const double org[3], const double dir[3], double t);
+
+/* Whether that is more than a few levels, as pictures are judged by; an image is elsewhere too. */
+int sph_ends_show(const struct sph_ends *ends, const struct sph_scene *scene,
+                  const struct sph_facet *plane, const double org[3], const double dir[3],
+                  double t);
+
+#endif
