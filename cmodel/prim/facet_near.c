@@ -70,6 +70,8 @@ static int64_t finer(const struct sph_ball *ball, const struct sph_profile *p, i
 int sph_plane_near(const struct sph_grid_facet *f, const struct sph_ball *ball,
                    const struct sph_profile *p) {
     int64_t c[3], at[3], n[3], unit = 1ll << sph_error_bits(p), r = finer(ball, p, c);
+    int64_t error = sph_point_error(p), room = 5 * unit; /* an axis, to where rays to planes end */
+    if (error * error > 3 * room * room) return 1;
     for (int i = 0; i < 3; i++)
         at[i] = f->v[0][i] * unit, n[i] = f->v[1][i];
     return plane_near(n, at, c, r);
