@@ -33,6 +33,7 @@ export SPHAERA_JOBS := $(JOBS)
 MAKEFLAGS += -j$(JOBS)
 endif
 
+comma := ,
 Q := $(if $(filter 1,$(V)),,@)
 say = $(if $(filter 1,$(V)),,@printf '  %-4s %s\n' $(1) $(2))
 
@@ -43,6 +44,8 @@ CXX      := $(CCACHE) g++
 WARN     := -Wall -Wextra -Wconversion -Wshadow -Werror
 CFLAGS   := -std=c11 -D_GNU_SOURCE -O3 $(WARN) -Icmodel -fopenmp
 CXXFLAGS := -std=c++17 -O2 $(WARN) -Icmodel
+# The same objects serve the tool and the shared library, which exports what sphaera.h has.
+SHARED   := -fPIC -fvisibility=hidden
 SANITIZE := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all
 CLANG_CC := $(CCACHE) clang
 # gcc's omp.h, whose malloc attribute clang does not know; __SANITIZE_ADDRESS__ as gcc defines it
@@ -62,9 +65,11 @@ MODEL_PACKAGES := expat gmp mpfr
 GENERATORS := cmodel/math/gen_rsqrt.c cmodel/texture/gen_log2.c cmodel/shade/gen_power.c \
               cmodel/shade/gen_power_rom.c
 C_FILES    := $(sort $(shell find cmodel -name '*.c'))
-LIB_C      := $(filter-out cmodel/tool/% $(GENERATORS),$(C_FILES))
+LIB_C      := $(filter-out cmodel/tool/% cmodel/image/% cmodel/sphaera/% $(GENERATORS),$(C_FILES))
 TOOL_C     := $(filter cmodel/tool/%,$(C_FILES))
 IMAGE_CXX  := $(sort $(wildcard cmodel/image/*.cpp))
+IMAGE_C    := $(filter cmodel/image/%,$(C_FILES))
+API_C      := $(filter cmodel/sphaera/%,$(C_FILES))
 
 LIB    := $B/libsphaera.a
 IMAGE  := $B/libsphaera_image.a
@@ -87,8 +92,8 @@ tool: $(TOOL) ## the command-line tool build/sphaera
 
 include make/objects.mk make/sim.mk make/pages.mk make/bench.mk make/lint.mk make/background.mk \
         make/textures.mk make/scenarios.mk make/study.mk make/synth.mk make/effects.mk \
-        make/package.mk make/test.mk make/image.mk make/hard.mk make/formal.mk make/truth.mk \
-        make/top.mk
+        make/package.mk make/install.mk make/test.mk make/image.mk make/hard.mk make/formal.mk \
+        make/truth.mk make/top.mk
 
 layout: ## what follows from machine.def, top.def, bundles.def, modes.def, VERSION, files of rtl
 	$(call say,GEN,"layout.h rt_layout.vh rt_top.vh sphaera_regs.h rt_bundles.vh bundles.h")

@@ -20,7 +20,8 @@ TIDIED   := $B/lint
 TIDY     := $(filter-out $(GENERATORS),$(C_FILES)) $(IMAGE_CXX) $(wildcard formal/*.c)
 LINTS    := verilator iverilog systemverilog yosys tidy format circles text
 ANALYZE   = $(addprefix -Xclang ,-analyzer-config mode=$(DEEP))
-TIDY_C    = $(ANALYZE) -std=c11 -D_GNU_SOURCE -Icmodel -Itests -Itests/hard -fopenmp $(CLANG_OMP)
+TIDY_C    = $(ANALYZE) -std=c11 -D_GNU_SOURCE '-DSPHAERA_VERSION=""' -Icmodel -Itests -Itests/hard \
+            -fopenmp $(CLANG_OMP)
 lint_say  = $(if $(filter 1,$(V)),@echo '  LINT $(1)',@:)
 
 lint: ## silent tools: verilator, iverilog, slang, yosys, clang-tidy, clang-format, text rules
@@ -85,7 +86,7 @@ lint-format:
 	    ! -name '*_table.h' ! -name layout.h ! -name bundles.h ! -name 'sphaera_*.h' \
 	    -exec clang-format --dry-run -Werror {} +
 
-lint-circles: $(call objects,obj/,$(LIB_C) $(TOOL_C))
+lint-circles: $(call objects,obj/,$(LIB_C) $(TOOL_C) $(IMAGE_C) $(API_C))
 	$(call lint_say,circles)
 	$(Q)python3 -m lab.lint_circles $(filter %.o,$^)
 

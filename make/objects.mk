@@ -17,23 +17,23 @@ $B/$(1): FORCE
 	@new=$$@.$$$$$$$$; printf '%s\n' '$(2)' >$$$$new; \
 	    cmp -s $$$$new $$@ && rm $$$$new || mv $$$$new $$@
 endef
-$(eval $(call stamp,flags,$(CC) $(CFLAGS) / $(CXX) $(CXXFLAGS) / $(SANITIZE) / \
+$(eval $(call stamp,flags,$(CC) $(CFLAGS) $(SHARED) / $(CXX) $(CXXFLAGS) / $(SANITIZE) / \
       $(CLANG_CC) $(CLANG_SANITIZE)))
 # In `make setup sim` and the like all else waits for what installs compilers, removes the folder
 # or makes headers.
 FIRST := $(filter setup clean layout,$(MAKECMDGOALS))
 $B/flags $B/sources $(filter-out $(FIRST),$(MAKECMDGOALS)): | $(FIRST)
-$(eval $(call stamp,sources,$(LIB_C) / $(TOOL_C)))
+$(eval $(call stamp,sources,$(LIB_C) / $(TOOL_C) / $(IMAGE_C) / $(API_C)))
 
 $B/obj/%.o: %.c $B/flags
 	$(call say,CC,$(<F))
 	@mkdir -p $(@D)
-	$(call compile_whole,$(CC) $(CFLAGS))
+	$(call compile_whole,$(CC) $(CFLAGS) $(SHARED))
 
 $B/obj/%.o: %.cpp $B/flags
 	$(call say,CXX,$(<F))
 	@mkdir -p $(@D)
-	$(call compile_whole,$(CXX) $(CXXFLAGS) \
+	$(call compile_whole,$(CXX) $(CXXFLAGS) $(SHARED) \
 	    $(call pkg,--cflags OpenImageIO | sed 's/-I/-isystem /g'))
 
 $B/asan/obj/%.o: %.c $B/flags
@@ -50,18 +50,25 @@ objects = $(patsubst %.c,$B/$(1)%.o,$(filter %.c,$(2))) \
           $(patsubst %.cpp,$B/$(1)%.o,$(filter %.cpp,$(2)))
 
 $(LIB): $(call objects,obj/,$(LIB_C)) $B/sources
-$(IMAGE): $(call objects,obj/,$(IMAGE_CXX)) $B/sources
+$(IMAGE): $(call objects,obj/,$(IMAGE_CXX) $(IMAGE_C)) $B/sources
 $B/asan/libsphaera.a: $(call objects,asan/obj/,$(LIB_C)) $B/sources
 $B/clang/libsphaera.a: $(call objects,clang/obj/,$(LIB_C)) $B/sources
 %.a:
 	$(call say,AR,$(@F))
 	$(Q)to=$@.$$$$; ar rcs $$to $(filter %.o,$^) && mv $$to $@ || { rm -f $$to; exit 1; }
 
-$(TOOL): $(call objects,obj/,$(TOOL_C)) $(IMAGE) $(LIB)
+# One place has the version; what prints it is compiled anew when it changes.
+VERSION := $(shell cat VERSION)
+VERSION_O := $B/obj/cmodel/sphaera/version.o
+$(VERSION_O): VERSION
+$(VERSION_O): CFLAGS += -DSPHAERA_VERSION='"$(VERSION)"'
+
+$(TOOL): $(call objects,obj/,$(TOOL_C)) $(VERSION_O) $(IMAGE) $(LIB)
 	$(call say,LD,$(@F))
 	$(call make_whole,$(CXX) -fopenmp $(filter %.o %.a,$^) $(call pkg,--libs jansson) \
 	    $(IMAGE_LIBS) $(MODEL_LIBS))
 
--include $(patsubst %.o,%.d,$(call objects,obj/,$(LIB_C) $(TOOL_C) $(IMAGE_CXX)) \
+-include $(patsubst %.o,%.d,$(call objects,obj/,$(LIB_C) $(TOOL_C) $(IMAGE_CXX) $(IMAGE_C) \
+                            $(API_C)) \
                             $(call objects,asan/obj/,$(LIB_C)) \
                             $(call objects,clang/obj/,$(LIB_C)))

@@ -93,6 +93,10 @@ V ?= 0
 ## B <word> folder of all that is built
 B := build
 ## CC <text> compiler of C; CFLAGS: all its options
+## PREFIX <text> where `make install` puts library, tool and pages
+PREFIX ?= /usr/local
+## DESTDIR <text>| folder before PREFIX, for packages
+DESTDIR ?=
 ## CFLAGS <text>
 ## CXX <text> compiler of C++; CXXFLAGS: all its options
 ## CXXFLAGS <text>

@@ -54,6 +54,15 @@ struct sph_build_options {
 
 enum { SPH_TREE_AUTO = 0 };
 
+/* What is built if nothing is asked for; constant, for initialisers. */
+#define SPH_BUILD_ASKED(...) SPH_AUTO,
+#define SPH_BUILD_DEFAULT                                                                          \
+    {                                                                                              \
+        .profile = SPH_STANDARD, .tree = SPH_TREE_BALANCED, .background = SPH_BG_NONE,             \
+        .bg_border = 1, .max_depth = 2, .asked = {SPH_EACH_EFFECT(SPH_BUILD_ASKED)},               \
+        .tex_filter = SPH_FILTER_BETWEEN                                                           \
+    }
+
 /* A leaf of no more is not cut if nothing else is asked for: docs/results/scenarios.md has what it
  * costs.
  */

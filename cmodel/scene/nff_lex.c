@@ -11,16 +11,21 @@
 
 #include "common/input.h"
 
-int sph_lex_open(struct sph_lex *lex, const char *path, struct sph_error *err) {
+void sph_lex_begin(struct sph_lex *lex, FILE *file, const char *path) {
+    lex->file = file;
     lex->path = path;
-    lex->pos = lex->len = 0;
+    lex->pos = 0;
     lex->line = lex->token_line = 1;
     lex->ready = lex->aff = 0;
     lex->token[0] = 0;
-    lex->file = sph_input_open(path, SPH_INPUT_ANY, err);
-    if (!lex->file) return -1;
     lex->len = fread(lex->buf, 1, sizeof lex->buf, lex->file);
     if (lex->len >= 3 && !memcmp(lex->buf, "\xef\xbb\xbf", 3)) lex->pos = 3; /* UTF-8 mark */
+}
+
+int sph_lex_open(struct sph_lex *lex, const char *path, struct sph_error *err) {
+    FILE *file = sph_input_open(path, SPH_INPUT_ANY, err);
+    if (!file) return -1;
+    sph_lex_begin(lex, file, path);
     return 0;
 }
 

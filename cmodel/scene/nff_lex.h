@@ -31,6 +31,9 @@ struct sph_lex {
 /* Opens path (kept, not copied). 0, or -1 with a message: as of sph_input_open(). */
 int sph_lex_open(struct sph_lex *lex, const char *path, struct sph_error *err);
 
+/* The same of an open file, which sph_lex_close() closes; path: for messages, kept too. */
+void sph_lex_begin(struct sph_lex *lex, FILE *file, const char *path);
+
 void sph_lex_close(struct sph_lex *lex);
 
 /* Makes lex->token the next token, without taking it. 1, 0 at the end of the file, -1 with a

@@ -10,6 +10,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "common/input.h"
 #include "prim/scene.h"
 #include "scene/aff.h"
 #include "scene/frustum.h"
@@ -182,15 +183,15 @@ int sph_nff_finish(struct sph_reader *r, struct sph_error *err) {
     return found;
 }
 
-int sph_scene_read(const char *path, const struct sph_read_options *options,
-                   struct sph_scene *scene, struct sph_error *err) {
+/* The whole of a file, which is closed. */
+static int read_file(FILE *file, const char *path, const struct sph_read_options *options,
+                     struct sph_scene *scene, struct sph_error *err) {
     struct sph_reader r = {.skip = 0};
     int got, bad = 0, records = 0;
-    if (sph_aff_is(path)) return sph_aff_read(path, options, scene, err);
     memset(scene, 0, sizeof *scene);
     sph_nff_start(&r, scene, options);
     sph_scene_set_path(scene, path);
-    if (sph_lex_open(&r.lex, path, err)) return -1;
+    sph_lex_begin(&r.lex, file, path);
     while (!bad && (got = sph_lex_peek(&r.lex, err)) != 0) {
         bad = got < 0 ? -1 : take_moving(&r, err);
         records = 1;
@@ -202,4 +203,23 @@ int sph_scene_read(const char *path, const struct sph_read_options *options,
     if (!bad) bad = sph_scene_nest(scene, err);
     if (bad) sph_scene_free(scene);
     return bad;
+}
+
+int sph_scene_read(const char *path, const struct sph_read_options *options,
+                   struct sph_scene *scene, struct sph_error *err) {
+    if (sph_aff_is(path)) return sph_aff_read(path, options, scene, err);
+    memset(scene, 0, sizeof *scene);
+    FILE *file = sph_input_open(path, SPH_INPUT_ANY, err);
+    return file ? read_file(file, path, options, scene, err) : -1;
+}
+
+int sph_scene_parse(const char *text, size_t length, const char *path,
+                    const struct sph_read_options *options, struct sph_scene *scene,
+                    struct sph_error *err) {
+    memset(scene, 0, sizeof *scene);
+    if (!length) return sph_fail(err, "%s: the text is empty", path);
+    /* read only: "r" never writes to the text */
+    FILE *file = fmemopen((void *)(uintptr_t)text, length, "r");
+    if (!file) return sph_fail(err, "%s: no memory to read %zu bytes", path, length);
+    return read_file(file, path, options, scene, err);
 }

@@ -137,6 +137,12 @@ struct sph_scene {
 int sph_scene_read(const char *path, const struct sph_read_options *options,
                    struct sph_scene *scene, struct sph_error *err);
 
+/* The same of a text of NFF in memory, of `length` bytes, which need no zero behind them. path: for
+ * messages, and its folder is that of images. */
+int sph_scene_parse(const char *text, size_t length, const char *path,
+                    const struct sph_read_options *options, struct sph_scene *scene,
+                    struct sph_error *err);
+
 /* Writes the scene as NFF (round trip: every double survives). 0, or -1 with a message. */
 int sph_scene_write(const struct sph_scene *scene, FILE *file, struct sph_error *err);
 

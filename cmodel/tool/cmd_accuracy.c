@@ -11,7 +11,7 @@
 #include "tool/levels.h"
 #include "tool/print.h"
 #include "tool/report.h"
-#include "tool/textures.h"
+#include "image/mips.h"
 
 struct arguments {
     struct tool_source source;
@@ -174,7 +174,7 @@ static json_t *accuracy_json(const struct sph_accuracy *e) {
 /* Everything after reading the scene; *m is all zero before and freed by the caller. */
 static int measure(const struct arguments *a, const struct sph_scene *scene, struct measured *m,
                    struct sph_error *err) {
-    if (a->source.build.texture != SPH_OFF && tool_mips_load(scene, &m->mips, err)) return -1;
+    if (a->source.build.texture != SPH_OFF && sph_mips_load(scene, &m->mips, err)) return -1;
     if (tool_build_scene(&a->source, scene, m->mips, &m->built, err)) return -1;
     if (run_model(a, m, err) || run_reference(a, scene, m, err)) return -1;
     struct sph_accuracy_frame f = {&m->built.machine, &m->shot.frame, m->trails,
@@ -229,7 +229,7 @@ int tool_accuracy(int argc, char **argv) {
     sph_frame_free(&m.shot.frame);
     sph_reference_free(&m.reference);
     free(m.trails);
-    tool_mips_free(m.mips, scene.n_textures);
+    sph_mips_free(m.mips, scene.n_textures);
     sph_scene_free(&scene);
     return rc ? tool_failed(&err) : TOOL_GOOD;
 }

@@ -8,7 +8,7 @@
 #include "reference/reference.h"
 #include "tool/levels.h"
 #include "tool/light_picture.h"
-#include "tool/textures.h"
+#include "image/mips.h"
 #include "tool/tool.h"
 
 struct arguments {
@@ -96,7 +96,7 @@ static int write(const struct arguments *a, const struct sph_reference *r, struc
 static int draw(const struct arguments *a, const struct sph_scene *scene, struct sph_error *err) {
     struct sph_mip *mips = NULL;
     struct sph_reference r = {0};
-    if (tool_mips_load(scene, &mips, err)) return -1;
+    if (sph_mips_load(scene, &mips, err)) return -1;
     struct sph_reference_options how = {.width = a->source.build.width,
                                         .height = a->source.build.height,
                                         .max_depth = a->source.build.max_depth,
@@ -111,7 +111,7 @@ static int draw(const struct arguments *a, const struct sph_scene *scene, struct
                                         .lod = a->levels};
     int rc = sph_reference_render(scene, &how, &r, err) || write(a, &r, err) ? -1 : 0;
     sph_reference_free(&r);
-    tool_mips_free(mips, scene->n_textures);
+    sph_mips_free(mips, scene->n_textures);
     return rc;
 }
 

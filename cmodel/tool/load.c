@@ -3,8 +3,9 @@
  */
 #include <string.h>
 
+#include "builder/build_auto.h"
 #include "common/input.h"
-#include "tool/textures.h"
+#include "image/mips.h"
 #include "tool/tool.h"
 
 int tool_is_machine(const char *path) {
@@ -58,18 +59,14 @@ int tool_build_scene(const struct tool_source *source, const struct sph_scene *s
     built->from_scene = 1;
     built->skipped = scene->n_skipped;
     o.mips = mips;
-    if (tool_frame_size(source, scene, &o, err) || tool_profile(source, scene, &o, &choice, err))
-        return -1;
-    int rc = sph_build(scene, &o, &built->machine, report, err);
-    while (rc && source->profile_auto && o.profile + 1 < SPH_PROFILES) {
-        o.profile++;
-        err->text[0] = 0;
-        rc = sph_build(scene, &o, &built->machine, report, err);
-    }
-    if (rc) return rc;
+    if (tool_frame_size(source, scene, &o, err)) return -1;
     if (!source->profile_auto)
-        return sph_check_profile(scene, &o, &source->keep, &built->expected, report->warning,
-                                 sizeof report->warning, err);
+        return sph_build(scene, &o, &built->machine, report, err) ||
+                       sph_check_profile(scene, &o, &source->keep, &built->expected,
+                                         report->warning, sizeof report->warning, err)
+                   ? -1
+                   : 0;
+    if (sph_build_auto(scene, &o, &source->keep, &choice, &built->machine, report, err)) return -1;
     built->expected = choice.estimate[o.profile];
     sph_profile_why(&choice, &source->keep, o.profile, built->profile_why,
                     sizeof built->profile_why);
@@ -96,9 +93,9 @@ int tool_load(const char *path, const struct tool_source *source, struct tool_bu
     struct sph_scene scene;
     if (tool_scene_read(path, source, &scene, err)) return -1;
     struct sph_mip *mips = NULL;
-    int rc = source->build.texture == SPH_OFF ? 0 : tool_mips_load(&scene, &mips, err);
+    int rc = source->build.texture == SPH_OFF ? 0 : sph_mips_load(&scene, &mips, err);
     if (!rc) rc = tool_build_scene(source, &scene, mips, built, err);
-    tool_mips_free(mips, scene.n_textures);
+    sph_mips_free(mips, scene.n_textures);
     sph_scene_free(&scene);
     return rc;
 }

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "sphaera/sphaera.h"
 #include "tool/tool.h"
 
 static const struct {
@@ -64,6 +65,9 @@ int main(int argc, char **argv) {
     static const struct argp argp = {NULL, parse, "COMMAND [OPTION...]", doc, NULL, NULL, NULL};
     static char self[] = "sphaera", name[64];
     struct choice choice = {-1, 0};
+    char version[64];
+    snprintf(version, sizeof version, "sphaera %s", sphaera_version());
+    argp_program_version = version;
     argp_err_exit_status = TOOL_USAGE;
     if (argc > 0) argv[0] = self;
     argp_parse(&argp, argc, argv, ARGP_IN_ORDER, NULL, &choice);

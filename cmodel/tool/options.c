@@ -57,18 +57,11 @@ static const struct argp_option options[] = {
     {0},
 };
 
-#define AUTO(...) SPH_AUTO,
 const struct tool_source tool_source_default = {
     .samples = 1,
     .profile_auto = 1,
     .keep = {SPH_KEEP_PIXELS, SPH_KEEP_PSNR},
-    .build = {.profile = SPH_STANDARD,
-              .tree = SPH_TREE_BALANCED,
-              .background = SPH_BG_NONE,
-              .bg_border = 1,
-              .max_depth = 2,
-              .asked = {SPH_EACH_EFFECT(AUTO)},
-              .tex_filter = SPH_FILTER_BETWEEN},
+    .build = SPH_BUILD_DEFAULT,
 };
 
 const char *const tool_filter_names[] = {"nearest", "bilinear", "level", "between", NULL};

@@ -11,7 +11,7 @@
 #include "tool/json.h"
 #include "tool/levels.h"
 #include "tool/print.h"
-#include "tool/textures.h"
+#include "image/mips.h"
 
 void tool_frames_parse(const struct argp_state *state, const char *arg,
                        struct tool_frames *frames) {
@@ -107,7 +107,7 @@ int tool_each_frame(const char *path, const struct tool_source *source,
         return sph_fail(err, "%s: --frames is for scenes, this is a machine file", path);
     if (tool_scene_read(path, source, &run.rest, err)) return -1;
     if (spares(path, &run.rest, source, frames, err)) return sph_scene_free(&run.rest), -1;
-    int rc = run.options.texture == SPH_OFF ? 0 : tool_mips_load(&run.rest, &run.mips, err);
+    int rc = run.options.texture == SPH_OFF ? 0 : sph_mips_load(&run.rest, &run.mips, err);
     if (!rc) rc = tool_frame_size(source, &run.rest, &run.options, err);
     if (!rc) rc = choose(&run, source, frames, err);
     if (!rc) rc = sph_bases_start(&run.bases, &run.rest, err);
@@ -129,7 +129,7 @@ int tool_each_frame(const char *path, const struct tool_source *source,
         sph_machine_free(&built.machine);
     }
     sph_bases_end(&run.bases);
-    tool_mips_free(run.mips, run.rest.n_textures);
+    sph_mips_free(run.mips, run.rest.n_textures);
     sph_scene_free(&run.rest);
     return rc;
 }

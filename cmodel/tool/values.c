@@ -7,8 +7,6 @@
 
 #include "tool/tool.h"
 
-const char *argp_program_version = "sphaera 1.0";
-
 int tool_failed(const struct sph_error *err) {
     fprintf(stderr, "sphaera: %s\n", err->text[0] ? err->text : "failed");
     return TOOL_FAILED;

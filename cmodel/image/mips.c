@@ -1,13 +1,13 @@
-/* textures.c - the images of a scene, read before it is built
+/* mips.c - the images of a scene, read before it is built
  * SPDX-License-Identifier: Apache-2.0
  */
 #include <stdlib.h>
 #include <string.h>
 
 #include "image/texture.h"
-#include "tool/textures.h"
+#include "image/mips.h"
 
-int tool_mips_load(const struct sph_scene *scene, struct sph_mip **mips, struct sph_error *err) {
+int sph_mips_load(const struct sph_scene *scene, struct sph_mip **mips, struct sph_error *err) {
     uint32_t n = scene->n_textures;
     *mips = NULL;
     if (!n) return 0;
@@ -21,7 +21,7 @@ int tool_mips_load(const struct sph_scene *scene, struct sph_mip **mips, struct 
         (*mips)[i] = (*mips)[same];
         struct sph_error why = {{0}};
         if (same == i && sph_mip_load(t->path, &(*mips)[i], &why)) {
-            tool_mips_free(*mips, i);
+            sph_mips_free(*mips, i);
             *mips = NULL;
             return sph_fail(err, "%s:%u: texture: %.400s", scene->path, t->line, why.text);
         }
@@ -29,7 +29,7 @@ int tool_mips_load(const struct sph_scene *scene, struct sph_mip **mips, struct 
     return 0;
 }
 
-void tool_mips_free(struct sph_mip *mips, uint32_t n) {
+void sph_mips_free(struct sph_mip *mips, uint32_t n) {
     for (uint32_t i = 0; mips && i < n; i++) {
         uint32_t same = 0;
         while (same < i && mips[same].texels != mips[i].texels)

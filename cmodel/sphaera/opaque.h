@@ -1,0 +1,32 @@
+/* opaque.h - what the opaque types of sphaera.h hold
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef SPHAERA_OPAQUE_H
+#define SPHAERA_OPAQUE_H
+
+#include "core/frame.h"
+#include "core/trail.h"
+#include "machine/machine.h"
+#include "scene/scene.h"
+#include "sphaera/sphaera.h"
+
+struct sphaera_scene {
+    struct sph_scene scene;
+};
+
+struct sphaera_machine {
+    struct sph_machine machine;
+    char warning[8192]; /* as of sph_build_report */
+};
+
+struct sphaera_frame {
+    struct sph_frame frame;
+    struct sph_trail *trails; /* one for each pixel */
+    struct sph_counters counters;
+    uint32_t errors;
+};
+
+/* The library's message as the user's; returns -1. */
+int sph_api_failed(const struct sph_error *from, sphaera_error *to);
+
+#endif

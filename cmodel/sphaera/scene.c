@@ -1,0 +1,49 @@
+/* scene.c - scenes of the library: see sphaera.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include <stdlib.h>
+
+#include "scene/motion.h"
+#include "sphaera/opaque.h"
+
+/* text NULL: the file called name. */
+static int make(const char *text, size_t length, const char *name, uint32_t at,
+                sphaera_scene **scene, sphaera_error *error) {
+    struct sph_error err = {""};
+    struct sph_read_options options = {.at = at};
+    *scene = NULL;
+    sphaera_scene *made = malloc(sizeof *made);
+    int rc = !made ? sph_fail(&err, "%.400s: no memory for a scene", name)
+             : at > SPH_MAX_FRAME
+                 ? sph_fail(&err, "%.400s: frame %u, the last is %d", name, at, SPH_MAX_FRAME)
+             : text ? sph_scene_parse(text, length, name, &options, &made->scene, &err)
+                    : sph_scene_read(name, &options, &made->scene, &err);
+    if (!rc) {
+        *scene = made;
+        return 0;
+    }
+    free(made);
+    return sph_api_failed(&err, error);
+}
+
+int sphaera_scene_read(const char *path, uint32_t at, sphaera_scene **scene, sphaera_error *error) {
+    return make(NULL, 0, path, at, scene, error);
+}
+
+int sphaera_scene_parse(const char *text, size_t length, const char *name, uint32_t at,
+                        sphaera_scene **scene, sphaera_error *error) {
+    return make(text, length, name, at, scene, error);
+}
+
+void sphaera_scene_free(sphaera_scene *scene) {
+    if (scene) sph_scene_free(&scene->scene);
+    free(scene);
+}
+
+uint32_t sphaera_scene_spheres(const sphaera_scene *scene) {
+    return scene->scene.n_spheres;
+}
+
+uint32_t sphaera_scene_facets(const sphaera_scene *scene) {
+    return scene->scene.n_facets;
+}

@@ -1,0 +1,18 @@
+/* version.c - version and errors of the library
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * The build gives SPHAERA_VERSION, the text of the file VERSION.
+ */
+#include <string.h>
+
+#include "sphaera/opaque.h"
+
+const char *sphaera_version(void) {
+    return SPHAERA_VERSION;
+}
+
+int sph_api_failed(const struct sph_error *from, sphaera_error *to) {
+    _Static_assert(sizeof to->text >= sizeof from->text, "a message fits");
+    if (to) memcpy(to->text, from->text, sizeof from->text);
+    return -1;
+}
