@@ -13,7 +13,7 @@ TOP_RUNS   := $(TOP_SCENES:%=$B/top/%.sph)
 top_tool    = flock $B/sim/.tools.lock env -u MAKEFLAGS -u MFLAGS $(MAKE) -s --no-print-directory \
                   -f make/rt_top.mk B=$B PROFILE=draft CORE=$(TOP_CORE) DATA=$(1) top
 
-.PHONY: top bus-setup rdl
+.PHONY: top bus-setup rdl cocotb
 top: $(TOP_RUNS) ## rt_top under its driver: frames, errors, resets, silent buses; a minute
 	@mkdir -p $B/sim
 	$(Q)for data in $(TOP_DATA); do \
@@ -32,3 +32,17 @@ bus-setup: ## installs what `make rdl` and `make cocotb` need into build/venv/bu
 rdl: ## reads the register list of rt_top with systemrdl-compiler, if `make bus-setup` ran
 	$(Q)if [ -x $(bus_python) ]; then $(bus_python) -m lab.top.rdl docs/blocks/rt_top.rdl; \
 	    else echo "rdl: not checked, systemrdl-compiler is absent: make bus-setup"; fi
+
+cocotb: $B/top/tiny.sph ## rt_top between masters and slaves of cocotbext-axi in Icarus; 2 minutes
+	$(Q)$(TOOL) render $< --frame $B/top/tiny.frame >$B/top/tiny.log
+	$(Q)if [ -x $(bus_python) ]; then for data in $(TOP_DATA); do \
+	    PATH=$(abspath $(BUS_VENV))/bin:$$PATH $(bus_python) -m lab.top.cocotb_run \
+	    $(abspath $B)/top/cocotb-$$data $< $B/top/tiny.frame $$data $$(sh sim/profile.sh draft) \
+	    $$(sh sim/parameters.sh $(TOP_CORE)) >$B/top/cocotb.log 2>&1 || \
+	    { cat $B/top/cocotb.log; exit 1; }; tail -n 1 $B/top/cocotb.log; done; \
+	    else echo "cocotb: nothing is run, it is absent: make bus-setup"; fi
+
+$B/top/tiny.sph: scenes/interpenetrating.nff $(TOOL)
+	@mkdir -p $(@D)
+	$(Q)$(TOOL) build $< --profile draft --size 12x8 --depth 1 --interpenetrate off \
+	    --background spans -o $@ >$(@:.sph=.log) 2>&1 || { cat $(@:.sph=.log); exit 1; }

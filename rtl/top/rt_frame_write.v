@@ -100,8 +100,8 @@ module rt_frame_write #(
     genvar p;
     generate
         for (p = 0; p < 8; p = p + 1) begin : g_pixel
-            wire [7:0] red = s1_rgb_q[24*p +: 8], green = s1_rgb_q[24*p + 8 +: 8],
-                       blue = s1_rgb_q[24*p + 16 +: 8];
+            wire [23:0] rgb_p = s1_mask_q[p] ? s1_rgb_q[24*p +: 24] : 24'd0;
+            wire [7:0]  red = rgb_p[7:0], green = rgb_p[15:8], blue = rgb_p[23:16];
             assign xrgb[32*p +: 32]         = {8'd0, red, green, blue};
             assign rgb565[16*p +: 16]       = {red[7:3], green[7:2], blue[7:3]};
             assign xrgb_strobe[4*p +: 4]    = {4{s1_mask_q[p]}};

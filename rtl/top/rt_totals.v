@@ -1,7 +1,8 @@
 // rt_totals.v - counters of the buses and of the display; the snapshot of all counters
 // SPDX-License-Identifier: Apache-2.0
 // snap_i copies the core's 32 counters and those of RT_TOP_COUNT_*, one a cycle, to a memory that
-// is read at leisure; busy_o is high meanwhile, and after rst, for RT_TOP_COUNTS + 1 cycles.
+// is read at leisure; busy_o is high meanwhile, for RT_TOP_COUNTS + 1 cycles. After rst that is done
+// once by itself, 2^6 cycles later: the core has then cleared its own.
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_top.vh"
@@ -50,21 +51,22 @@ module rt_totals (
 
     // ---- snapshot: counter at_q is asked for, the one before it is written ----
     reg  [5:0]  at_q, put_q;
-    reg         run_q, put_valid_q;
+    reg         run_q, wait_q, put_valid_q;
     wire [5:0]  own = put_q - 6'd32;
     wire [47:0] read;
     wire [47:0] value = put_q[5] ? {16'd0, total_q[32*own[3:0] +: 32]} : count_data_i;
-    assign busy_o       = run_q || put_valid_q;
+    assign busy_o       = run_q || wait_q || put_valid_q;
     assign count_addr_o = at_q[4:0];
     always @(posedge clk) begin
         put_valid_q <= run_q;
         put_q       <= at_q;
-        at_q        <= run_q ? at_q + 1'b1 : 6'd0;
-        if (at_q == ALL - 6'd1) run_q <= 1'b0;
+        at_q        <= run_q || wait_q ? at_q + 1'b1 : 6'd0;
+        if (run_q && at_q == ALL - 6'd1) {run_q, at_q} <= 7'd0;
+        if (wait_q && &at_q) {run_q, wait_q} <= 2'b10;
         if (snap_i && !busy_o) run_q <= 1'b1;
         if (rst) begin
-            run_q <= 1'b1;
-            at_q  <= 6'd0;
+            {run_q, wait_q} <= 2'b01;
+            at_q <= 6'd0;
         end
     end
     rt_slot_file #(.WIDTH(48), .SLOTS(64)) u_shown (

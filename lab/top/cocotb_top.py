@@ -1,0 +1,189 @@
+# cocotb_top.py - rt_top between the masters and slaves of cocotbext-axi, which others wrote
+# SPDX-License-Identifier: Apache-2.0
+"""Tests that cocotb_run.py runs. MACHINE and FRAME in the environment name a machine file and the
+golden model's frame of it; docs/use/machine_file.md and cmodel/core/frame_file.h draw them."""
+import os
+import random
+import struct
+from pathlib import Path
+
+import cocotb
+from cocotb.clock import Clock
+from cocotb.triggers import ClockCycles
+from cocotbext.axi import (AxiLiteBus, AxiLiteMaster, AxiReadBus, AxiResp, AxiSlaveRead,
+                           AxiSlaveWrite, AxiWriteBus)
+from systemrdl import RDLCompiler
+
+SCENE, STORE, APART, STRIDE = 0x4000, 0x100000, 0x10000, 256
+
+
+def registers():
+    """{name: node} as the SystemRDL text has them."""
+    compiler = RDLCompiler()
+    compiler.compile_file(os.environ["RDL"])
+    return {node.inst_name: node for node in compiler.elaborate().top.registers()}
+
+
+REGISTERS = registers()
+
+
+def machine():
+    """(registers, memory) of the machine file."""
+    data = Path(os.environ["MACHINE"]).read_bytes()
+    header, count, _, lines = struct.unpack_from("<4I", data, 12)
+    first = header - 4 * count
+    return struct.unpack_from(f"<{count}I", data, first), data[header:header + 32 * lines]
+
+
+def golden():
+    """Rows of 0x00RRGGBB at the depth that register FRAME of the machine selects."""
+    data = Path(os.environ["FRAME"]).read_bytes()
+    _, width, height, frames, counters, _ = struct.unpack_from("<6I", data, 8)
+    depth = min(machine()[0][96], frames - 1)
+    size, at = 4 * (frames + 3) + 8, 32 + 8 * counters
+    for y in range(height):
+        row = []
+        for x in range(width):
+            bgr, = struct.unpack_from("<I", data, at + size * (y * width + x) + 4 * depth)
+            row.append((bgr & 255) << 16 | bgr & 0xff00 | bgr >> 16)
+        yield row
+
+
+class Reads(AxiSlaveRead):
+    """Memory; the answers whose numbers are in `bad` are errors."""
+    bad = ()
+    answers = 0
+
+    async def _read(self, address, length, **_):
+        self.answers += 1
+        if self.answers in self.bad:
+            raise IOError
+        return bytes(self.target[address:address + length])
+
+
+class Writes(AxiSlaveWrite):
+    bad = ()
+    answers = 0
+
+    async def _write(self, address, data, **_):
+        self.answers += 1
+        if self.answers in self.bad:
+            raise IOError
+        self.target[address:address + len(data)] = data
+
+
+class Bench:
+    def __init__(self, dut):
+        self.dut = dut
+        self.memory = bytearray(0x200000)
+        cocotb.start_soon(Clock(dut.clk, 10, "ns").start())
+        self.lite = AxiLiteMaster(AxiLiteBus.from_prefix(dut, "s_axil"), dut.clk, dut.rst)
+        self.reads = Reads(AxiReadBus.from_prefix(dut, "m_scene"), dut.clk, dut.rst,
+                           target=self.memory)
+        self.writes = Writes(AxiWriteBus.from_prefix(dut, "m_frame"), dut.clk, dut.rst,
+                             target=self.memory)
+
+    async def start(self):
+        self.dut.rst.value = 1
+        await ClockCycles(self.dut.clk, 4)
+        self.dut.rst.value = 0
+        await ClockCycles(self.dut.clk, 2)
+
+    def pauses(self, percent):
+        """Every channel waits in so many of its clocks."""
+        def generator():
+            while True:
+                yield random.randrange(100) < percent
+        for channel in (self.lite.write_if.aw_channel, self.lite.write_if.w_channel,
+                        self.lite.write_if.b_channel, self.lite.read_if.ar_channel,
+                        self.lite.read_if.r_channel, self.reads.ar_channel, self.reads.r_channel,
+                        self.writes.aw_channel, self.writes.w_channel, self.writes.b_channel):
+            channel.set_pause_generator(generator())
+
+    async def get(self, name):
+        answer = await self.lite.read(REGISTERS[name].absolute_address, 4)
+        assert answer.resp == AxiResp.OKAY, name
+        return int.from_bytes(answer.data, "little")
+
+    async def put(self, name, value):
+        answer = await self.lite.write(REGISTERS[name].absolute_address,
+                                       value.to_bytes(4, "little"))
+        assert answer.resp == AxiResp.OKAY, name
+
+    async def draw(self):
+        """The errors of a frame."""
+        await self.put("ERRORS", 0xffffffff)
+        await self.put("CONTROL", 1)
+        while await self.get("STATUS") & 1:
+            await ClockCycles(self.dut.clk, 50)
+        return await self.get("ERRORS")
+
+    async def load(self):
+        values, memory = machine()
+        self.memory[SCENE:SCENE + len(memory)] = memory
+        base = REGISTERS["M_EFFECTS"].absolute_address
+        for number, value in enumerate(values):
+            await self.lite.write(base + 4 * number, value.to_bytes(4, "little"))
+        await self.put("SCENE_BASE", SCENE)
+        await self.put("STRIDE", STRIDE)
+        for frame in range(3):
+            await self.put(f"FRAME{frame}", STORE + APART * frame)
+
+    async def compare(self):
+        newest = await self.get("STATUS") >> 6 & 3
+        for y, row in enumerate(golden()):
+            at = STORE + APART * newest + STRIDE * y
+            drawn = struct.unpack_from(f"<{len(row)}I", self.memory, at)
+            assert list(drawn) == row, f"row {y}: {drawn} is not {row}"
+
+
+@cocotb.test()
+async def every_register(dut):
+    """Resets, then what is read and written: as the SystemRDL text says."""
+    bench = Bench(dut)
+    await bench.start()
+    bench.pauses(30)
+    written = {}
+    for name, node in REGISTERS.items():
+        value = await bench.get(name)
+        for field in node.fields():
+            reset = field.get_property("reset")
+            if reset is not None:
+                assert value >> field.low & (1 << field.width) - 1 == reset, (name, field.inst_name)
+        if name == "CONTROL":
+            continue
+        keeps = sum((1 << f.high + 1) - (1 << f.low) for f in node.fields()
+                    if f.is_sw_writable and f.get_property("onwrite") is None)
+        new = random.getrandbits(32)
+        await bench.put(name, new)
+        changes = any(f.get_property("onwrite") for f in node.fields())
+        if keeps or not (changes or name.startswith(("STATUS", "C_"))):
+            written[name] = new & keeps if keeps else value
+    for name, value in written.items():
+        assert await bench.get(name) == value, name
+    assert (await bench.lite.read(0xffc, 4)).resp == AxiResp.SLVERR
+
+
+@cocotb.test()
+async def frame(dut):
+    """A frame with channels that pause, all of it as the golden model draws it."""
+    bench = Bench(dut)
+    await bench.start()
+    bench.pauses(int(os.environ.get("PAUSES", "40")))
+    await bench.load()
+    assert await bench.draw() == 0
+    await bench.compare()
+
+
+@cocotb.test()
+async def errors(dut):
+    """An error of each bus; the frame behind it is whole."""
+    bench = Bench(dut)
+    await bench.start()
+    await bench.load()
+    for slave, bit in ((bench.reads, 8), (bench.writes, 10)):
+        slave.bad = (slave.answers + 5,)
+        assert await bench.draw() >> bit & 1
+        assert await bench.get("FRAME_COUNT") == (bit == 10)
+        assert await bench.draw() == 0
+        await bench.compare()
