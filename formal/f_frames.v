@@ -25,14 +25,16 @@ module f_frames (
         .lost_o(lost), .drawn_o(drawn), .newest_o(newest), .shown_o(shown)
     );
     (* hierconn *) wire \u_dut.fresh_q ;
+    (* hierconn *) wire [31:0] \u_dut.newest_base_q ;
     reg        old_q = 1'b0, drawing_q, fresh_q, calm_q, valid_q;
-    reg [31:0] base_q, complete_q;       // of the newest complete frame
+    reg [31:0] base_q, complete_q, wanted_q;  // complete_q: where the newest frame was drawn
     always @(posedge clk) begin
         old_q <= 1'b1;
         if (take) fresh_q <= 1'b0;
         if (begins) drawing_q <= 1'b1;
         if (ends) drawing_q <= 1'b0;
-        if (ends && good) fresh_q <= 1'b1;
+        if (ends && good) {fresh_q, complete_q} <= {1'b1, draw_base};
+        if (take && fresh_q) wanted_q <= complete_q;
         if (rst || clear) begin drawing_q <= 1'b0; fresh_q <= 1'b0; end
         calm_q  <= !take && !rst;
         base_q  <= show_base;
@@ -49,7 +51,9 @@ module f_frames (
         assert (swap == (take && fresh_q));
         if (lost) assert (fresh_q);
         assert (room == !(waits && fresh_q));
+        if (show_valid) assert (show_base == wanted_q);
         // invariant
+        if (fresh_q) assert (\u_dut.newest_base_q == complete_q);
         assert (\u_dut.fresh_q == fresh_q);
         assert (drawn < 3 && newest < 3 && shown < 3);
         if (drawing_q && fresh_q) assert (drawn != newest);

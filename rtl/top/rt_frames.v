@@ -32,6 +32,7 @@ module rt_frames (
     output reg  [1:0]  shown_o
 );
     reg  fresh_q;                      // the newest was not shown yet
+    reg  [31:0] newest_base_q;         // where the newest was drawn
     reg  gone_q;                       // the one that is shown was forgotten
     wire [1:0] taken = {(show_valid_o && shown_o == 2'd1) || (fresh_q && newest_o == 2'd1),
                         (show_valid_o && shown_o == 2'd0) || (fresh_q && newest_o == 2'd0)};
@@ -52,11 +53,12 @@ module rt_frames (
         end
         if (take_i && fresh_q) begin
             shown_o     <= newest_o;
-            show_base_o <= bases_i[32*newest_o +: 32];
+            show_base_o <= newest_base_q;
         end
         if (end_i && good_i) begin
             fresh_q  <= 1'b1;
             newest_o <= drawn_o;
+            newest_base_q <= draw_base_o;
         end
         if (rst || clear_i) begin
             fresh_q <= 1'b0;

@@ -1,8 +1,8 @@
 // rt_totals.v - counters of the buses and of the display; the snapshot of all counters
 // SPDX-License-Identifier: Apache-2.0
 // snap_i copies the core's 32 counters and those of RT_TOP_COUNT_*, one a cycle, to a memory that
-// is read at leisure; busy_o is high meanwhile, for RT_TOP_COUNTS + 1 cycles. After rst that is done
-// once by itself, 2^6 cycles later: the core has then cleared its own.
+// is read at leisure; busy_o is high meanwhile, for RT_TOP_COUNTS + 1 cycles. After rst it comes
+// by itself, 2^6 cycles later: the core has then cleared its own.
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_top.vh"
