@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The name of a region is a word of MAKERS and its arguments."""
 from ..effects import asks
-from . import blocks, bundles, cores, data, machine, measured
+from . import blocks, bundles, cores, data, machine, measured, modes
 
 
 class Unknown(Exception):
@@ -26,7 +26,7 @@ MAKERS = {
     "errors": machine.errors, "profiles": machine.profiles, "widths": machine.widths,
     "count": count, "const": const, "age": measured.age, "rows": data.rows, "cell": data.cell,
     "core": cores.core, "cores": cores.cores, "inside": cores.inside, "yosys": cores.yosys,
-    "budget": cores.budget, "asks": asks.table, "cells_age": cores.age,
+    "budget": cores.budget, "asks": asks.table, "modes": modes.modes, "cells_age": cores.age,
 }
 
 
