@@ -49,7 +49,8 @@ module f_async_fifo #(
     reg [WIDTH-1:0]   data_q;
     wire push = wr_valid && wr_ready;
     wire pop  = rd_valid && rd_ready;
-    always @($global_clock) old_q <= 1'b1;
+    (* gclk *) reg step;                 // ticks with every step
+    always @(posedge step) old_q <= 1'b1;
     always @(posedge wr_clk) begin
         if (push) pushes_q <= pushes_q + 1'b1;
         if (push && pick && !marked_q && \u_dut.wr_q [AB-1:0] == \u_dut.u_words.mark ) begin

@@ -13,7 +13,8 @@ module rt_sync #(
 );
     (* anyseq *) wire [WIDTH-1:0] late;
     reg [WIDTH-1:0] before_q, meta_q;
-    always @($global_clock) before_q <= d_i;
+    (* gclk *) reg step;                 // ticks with every step
+    always @(posedge step) before_q <= d_i;
     always @(posedge clk) begin
         meta_q <= (d_i & ~late) | (before_q & late);
         q_o    <= meta_q;
