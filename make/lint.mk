@@ -15,8 +15,8 @@ V_DIRS   := $(patsubst %/,%,$(sort $(dir $(V_FILES) $(V_HEADS) $(V_PARTS))))
 C_HEADS  := $(sort $(shell find cmodel tb tests -name '*.h'))
 # Tests are left to gcc's warnings and sanitizers. Clang's analyzer looks less deep into calls of
 # functions than by itself, which takes a tenth of the time; `make lint-deep` lets it.
-DEEP     := shallow
-TIDIED   := $B/lint
+DEEP     ?= shallow
+TIDIED   ?= $B/lint
 TIDY     := $(filter-out $(GENERATORS),$(C_FILES)) $(IMAGE_CXX) $(wildcard formal/*.c)
 LINTS    := verilator iverilog systemverilog yosys tidy format circles text
 ANALYZE   = $(addprefix -Xclang ,-analyzer-config mode=$(DEEP))
@@ -35,7 +35,7 @@ lint-systemverilog: $B/lint/systemverilog
 lint-yosys: $B/lint/yosys
 lint-tidy: $(TIDY:%=$(TIDIED)/%)
 lint-deep: ## clang-tidy with an analyzer that follows all calls; some minutes
-	+$(Q)$(MAKE) --no-print-directory -k DEEP=deep TIDIED=$B/lint-deep lint-tidy
+	+$(Q)DEEP=deep TIDIED=$B/lint-deep $(MAKE) --no-print-directory -k lint-tidy
 
 $B/lint/%.v: %.v $(V_FILES) $(V_HEADS)
 	$(call lint_say,$(<F))

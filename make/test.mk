@@ -6,14 +6,17 @@
 #                     CLANG_C under clang's too
 #   tests/*/test_*.sh a script; finds the tool in $SPHAERA, its own empty folder in $TMP
 #   SUITES += path    any other executable, with a rule that makes it
-# `make test ONLY=PATTERN` runs the suites whose file name has the pattern in it.
+# `make test ONLY=PATTERN` runs the suites whose file name has the pattern in it; with ALL=1 those
+# that choose by themselves leave nothing out.
 
 TEST_C  := $(sort $(wildcard tests/test_*.c tests/*/test_*.c))
 TEST_SH := $(sort $(wildcard tests/test_*.sh tests/*/test_*.sh))
 TEST_RUN := $(patsubst %.c,$B/test/%,$(notdir $(TEST_C)))
 # The longest first: what runs beside them fills their gaps.
-LONG    := tests/core/test_core.sh tests/mutants/test_mutants.sh tests/core/test_effect_scenes.sh \
-           tests/pixel/test_background.sh tests/flow/test_benches.sh tests/hard/test_hard_rtl.sh
+LONG    := tests/flow/test_benches.sh tests/core/test_core.sh tests/mutants/test_mutants.sh \
+           tests/core/test_effect_scenes.sh tests/flow/test_budget.sh tests/tool/test_profile.sh \
+           tests/pixel/test_background.sh tests/core/test_core_optics.sh \
+           tests/core/test_core_bih.sh tests/hard/test_hard_rtl.sh tests/flow/test_formal.sh
 # What is quick and goes through each part of the model: `make test ONLY=.clang`.
 CLANG_C := bih bih_walk build cones facets_grid leaf_cases limits machine_bih machine_facets \
            model_optics motion reference_optics render_texture scene_make scene_optics scene_pdb
@@ -28,12 +31,15 @@ test: ## every check; ends with `N passed, M failed`
 	    UNBUILT=$$unbuilt SPHAERA=$(abspath $(TOOL)) BUILD=$(abspath $B) JOBS=$(JOBS) \
 	    sh tests/run.sh $(RUN)
 
-.PHONY: suites mutants
+.PHONY: suites mutants budget
 suites: $(TOOL) $(RUN)
 
 mutants: suites ## faults put into the RTL and what notices them: all of tests/mutants
 	@ALL=1 SPHAERA=$(abspath $(TOOL)) BUILD=$(abspath $B) JOBS=$(JOBS) \
 	    sh tests/run.sh tests/mutants/test_mutants.sh
+
+budget: ## what cores take on ecp5, within synth/budget*.txt: with everything, nothing, the widest
+	@ALL=1 BUILD=$(abspath $B) JOBS=$(JOBS) sh tests/run.sh tests/flow/test_budget.sh
 
 TEST_LIBS = $(call pkg,--libs cmocka) $(MODEL_LIBS)
 

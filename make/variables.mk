@@ -78,6 +78,8 @@ KINDS ?=
 PROVE ?=
 ## ONLY <word>| suites that `make test` runs, by part of the name (empty: all)
 ONLY ?=
+## ALL 1| of `make test`: everything that its suites know, an hour more (empty: a choice)
+ALL ?=
 ## CORE <text> of such a suite the runs, by part of the name; EFFECT and MUTANT likewise
 ## EFFECT <text>
 ## MUTANT <text>
