@@ -1,9 +1,10 @@
 # benches.awk - lines of the lists of benches with the widths of their profiles filled in
 # SPDX-License-Identifier: Apache-2.0
 #
-# usage: awk -v pattern=TEXT -f tb/benches.awk cmodel/machine/machine.def tb/benches*.txt
+# usage: awk -v pattern=TEXT [-v all=1] -f tb/benches.awk cmodel/machine/machine.def tb/benches*.txt
 # Prints those whose BENCH/CONFIGURATION has the pattern in it. In a list
-#   each            stands for every profile, a line each
+#   each            stands for every profile, a line each; without `all` for the first and the last
+#   more            before a line: only with `all`
 #   NAME@PROFILE    is configuration NAME with the widths of a profile
 #   W, WD, PQ, NG, FW, PR   alone are the width of the profile; XW=2*W+2*WD is made of them
 function fail(why) {
@@ -45,8 +46,12 @@ NR == FNR {
     next
 }
 /^#/ || !NF { next }
+$1 == "more" {
+    if (!all) next
+    sub(/^more +/, "")
+}
 $1 == "each" {
-    for (p = 1; p <= count; p++) line(profiles[p], profiles[p])
+    for (p = 1; p <= count; p += all ? 1 : count - 1) line(profiles[p], profiles[p])
     next
 }
 {

@@ -2,7 +2,8 @@
 # run_bench.sh - builds and runs block benches: run_bench.sh [pattern [seed [vectors]]]
 # SPDX-License-Identifier: Apache-2.0
 #
-# pattern selects lines of tb/benches*.txt by bench/profile, e.g. tb_leaf or tb_leaf/standard.
+# pattern selects lines of tb/benches*.txt by bench/profile, e.g. tb_leaf or tb_leaf/standard; of
+# all lines (/, the default) those that are for ALL=1 are left out without it.
 # run_bench.sh --tools builds what all benches have in common, and no more.
 # A line: configuration, module, bench, parameters of the module / only the bench's; tb/benches.awk
 # says how it takes the widths of a profile from machine.def.
@@ -87,8 +88,9 @@ flock "$BENCH_BUILD/sim/.tools.lock" env -u MAKEFLAGS -u MFLAGS make -s --no-pri
     -f make/verilated.mk B="$BENCH_BUILD" OPT="$BENCH_OPT" bench-tools || exit 1
 [ "$pattern" != --tools ] || exit 0
 
-awk -v pattern="$pattern" -f tb/benches.awk cmodel/machine/machine.def tb/benches*.txt \
-    >"$out/list.$$" || {
+[ "$pattern" = / ] && all=${ALL:-} || all=1
+awk -v pattern="$pattern" -v all="$all" -f tb/benches.awk cmodel/machine/machine.def \
+    tb/benches*.txt >"$out/list.$$" || {
     rm -f "$out/list.$$"
     exit 1
 }

@@ -106,7 +106,7 @@ def benches():
     found = {}
     for path in sorted(Path("tb").glob("benches*.txt")):
         for line in path.read_text().splitlines():
-            word = line.split("#")[0].split()
+            word = line.split("#")[0].removeprefix("more ").split()
             if word:
                 found.setdefault(word[1], []).append(word[2])
     return found
