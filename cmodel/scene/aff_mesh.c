@@ -48,10 +48,12 @@ static int take_three(struct sph_aff *a, const struct mesh *m, int which, const 
     for (int k = 0; k < 3; k++) {
         double value;
         if (sph_lex_number(&a->r.lex, "triangles", called[which], &value, err)) return -1;
-        if (!(value >= 0 && value < m->n[which] && value == floor(value)))
-            return sph_fail(err, "%s:%u: `triangles`: %s %g is none of 0 to %lld of this mesh",
-                            a->r.lex.path, a->r.lex.token_line, called[which], value,
-                            (long long)m->n[which] - 1);
+        if (!(value >= 0 && value < m->n[which] && value == floor(value))) {
+            sph_fail(err, "%s:%u: `triangles`: %s %g is none of 0 to %lld of this mesh",
+                     a->r.lex.path, a->r.lex.token_line, called[which], value,
+                     (long long)m->n[which] - 1);
+            return -1;
+        }
         at[k] = m->list[which] + (size_t)value * (which == COORDS ? 2 : 3);
     }
     return 0;
