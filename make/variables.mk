@@ -72,6 +72,8 @@ TARGET ?= ecp5
 FLAT ?= 0
 ## RESULTS <word> of make study: folder of its results
 RESULTS ?= $B/study/results
+## BART <word>| of make bart: folder of scene_kitchen, scene_museum, scene_robot
+BART ?=
 ## KINDS <word>| of make study: accuracy, cycles, cells, fmax, joined by commas (empty: all)
 KINDS ?=
 ## PROVE <word>| proofs that `make formal` does, by part of the name (empty: all; quick: short ones)

@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * A token is a run of characters other than blanks, ends of line and `#`; `#` starts a comment
- * that runs to the end of the line. In AFF `%` does so too, and { and } are tokens of their own. The file is read in pieces, so its size does not matter.
- * Numbers do not depend on the locale.
+ * that runs to the end of the line. In AFF `%` does so too, and { and } are tokens of their own.
+ * The file is read in pieces, so its size does not matter. Numbers do not depend on the locale.
  */
 #ifndef SPH_SCENE_NFF_LEX_H
 #define SPH_SCENE_NFF_LEX_H

@@ -68,8 +68,8 @@ int sph_nff_take_shading(struct sph_reader *r, struct sph_error *err);
 int sph_nff_take_texture(struct sph_reader *r, struct sph_error *err);
 
 /* Takes the name of an image: path is the scene file's folder and the name; of AFF the folder of
- * the file that is read, or where no such file is, TextureFiles beside that folder. 1; 0 for the bare word
- * `none`; -1 with a message. */
+ * the file that is read, or where no such file is, TextureFiles beside that folder. 1; 0 for the
+ * bare word `none`; -1 with a message. */
 int sph_nff_image(struct sph_reader *r, const char *record, char path[512], struct sph_error *err);
 
 /* The index + 1 of the texture that is equal but for the line; it is added if there is none. */

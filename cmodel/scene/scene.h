@@ -132,8 +132,8 @@ struct sph_scene {
     char **files;
 };
 
-/* Reads an NFF file, or an AFF file by its name (docs/use/scene_format.md), into *scene. 0, or -1 with "file:line: ..." in *err;
- * on failure *scene holds nothing to free. */
+/* Reads an NFF file, or an AFF file by its name (docs/use/scene_format.md), into *scene. 0, or -1
+ * with "file:line: ..." in *err; on failure *scene holds nothing to free. */
 int sph_scene_read(const char *path, const struct sph_read_options *options,
                    struct sph_scene *scene, struct sph_error *err);
 

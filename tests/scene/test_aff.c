@@ -209,8 +209,9 @@ static void test_turn(void **unused) {
     struct sph_key k[6];
     struct sph_turn q;
     for (int i = 0; i < 6; i++)
-        k[i] = (struct sph_key){
-            .time = i, .at = {0, i % 2 ? -2 : 2, 0}, .degrees = (i % 2 ? -100.0 : 100.0) * i};
+        k[i] = (struct sph_key){.time = i,
+                                .at = {0, i % 2 ? -2 : 2, 0},
+                                .degrees = (i % 2 ? -1 : 1) * (100.0 * i + 360 * (i % 3 == 1))};
     for (int i = 8; i <= 32; i++) {
         double time = i / 8.0;
         assert_int_equal(sph_spline_turn(k, 6, time, &q), 0);

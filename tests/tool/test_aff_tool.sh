@@ -36,7 +36,8 @@ check "a triangle that stands there twice is left out" \
 check "sphere and triangle" has '1 spheres, 1 triangles, 1 lights' "$TMP/text"
 check "its image is found beside the folder" has '1 images' "$TMP/text"
 
-check "import writes NFF elsewhere" sh -c "'$s' import '$scene' --at 2 -o '$TMP/scene.nff' >'$TMP/text'"
+check "import writes NFF elsewhere" \
+    sh -c "'$s' import '$scene' --at 2 -o '$TMP/scene.nff' >'$TMP/text'"
 check "import says what" has '1 spheres, 2 facets, 1 lights, 2 materials' "$TMP/text"
 check "the frame" has '^s 1 0.68518518' "$TMP/scene.nff"
 # shellcheck disable=SC2086
