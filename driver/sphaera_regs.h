@@ -6,12 +6,12 @@
 
 #define SPHAERA_ID 0x000u /* ro: the letters SpHR */
 #define SPHAERA_ID_RESET 0x53704852u
-#define SPHAERA_VERSION 0x004u /* ro: version of this list */
+#define SPHAERA_VERSION 0x004u /* ro: of the release, from file VERSION */
 #define SPHAERA_VERSION_RESET 0x00010000u
 #define SPHAERA_VERSION_MINOR_LSB 0u
-#define SPHAERA_VERSION_MINOR 0x0000ffffu /* more registers, the others stay */
+#define SPHAERA_VERSION_MINOR 0x0000ffffu /* its second number: more registers, the others stay */
 #define SPHAERA_VERSION_MAJOR_LSB 16u
-#define SPHAERA_VERSION_MAJOR 0xffff0000u /* another meaning of a register */
+#define SPHAERA_VERSION_MAJOR 0xffff0000u /* its first number: another meaning of a register */
 #define SPHAERA_CORE_PROFILE 0x008u /* ro: widths of the core, as register PROFILE has them */
 #define SPHAERA_CORE_EFFECTS 0x00cu /* ro: effects of the core, as register EFFECTS has them */
 #define SPHAERA_CORE_PARTS 0x010u /* ro: what else the core was built with */

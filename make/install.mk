@@ -75,3 +75,7 @@ uninstall: $D/man/done ## removes what install put there, and no folder but incl
 	    for page in $D/man/*.1; do \
 	        rm -f '$(DESTDIR)$(PREFIX)/share/man/man1'/"$${page##*/}"; done; \
 	    rmdir '$(DESTDIR)$(PREFIX)/include/sphaera' 2>/dev/null || :
+
+.PHONY: dist
+dist: ## tarball of the sources in build/dist; unpacked there, built and tested (ONLY: some suites)
+	@ONLY='$(ONLY)' JOBS=$(JOBS) sh sim/dist.sh $D

@@ -20,7 +20,7 @@ TIDIED   ?= $B/lint
 TIDY     := $(filter-out $(GENERATORS),$(C_FILES)) $(IMAGE_CXX) $(wildcard formal/*.c)
 LINTS    := verilator iverilog systemverilog yosys tidy format circles text
 ANALYZE   = $(addprefix -Xclang ,-analyzer-config mode=$(DEEP))
-TIDY_C    = $(ANALYZE) -std=c11 -D_GNU_SOURCE '-DSPHAERA_VERSION=""' -Icmodel -Itests -Itests/hard \
+TIDY_C    = $(ANALYZE) -std=c11 -D_GNU_SOURCE '-DSPHAERA_RELEASE=""' -Icmodel -Itests -Itests/hard \
             -fopenmp $(CLANG_OMP)
 lint_say  = $(if $(filter 1,$(V)),@echo '  LINT $(1)',@:)
 

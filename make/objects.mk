@@ -61,7 +61,7 @@ $B/clang/libsphaera.a: $(call objects,clang/obj/,$(LIB_C)) $B/sources
 VERSION := $(shell cat VERSION)
 VERSION_O := $B/obj/cmodel/sphaera/version.o
 $(VERSION_O): VERSION
-$(VERSION_O): CFLAGS += -DSPHAERA_VERSION='"$(VERSION)"'
+$(VERSION_O): CFLAGS += -DSPHAERA_RELEASE='"$(VERSION)"'
 
 $(TOOL): $(call objects,obj/,$(TOOL_C)) $(VERSION_O) $(IMAGE) $(LIB)
 	$(call say,LD,$(@F))

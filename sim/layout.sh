@@ -12,7 +12,7 @@ cd "$(dirname "$0")/.."
 def=cmodel/machine
 generate() { awk -v lang="$1" -f $def/effects.awk -f $def/gen_layout.awk $def/machine.def; }
 generate_top() {
-    awk -v lang="$1" -f $def/gen_top.awk $def/machine.def $def/top.def
+    awk -v lang="$1" -f $def/gen_top.awk VERSION $def/machine.def $def/top.def
 }
 put() { # file: takes stdin
     to=${to_folder:+$to_folder/${1##*/}}

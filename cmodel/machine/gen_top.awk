@@ -1,4 +1,4 @@
-# gen_top.awk - machine.def and top.def to what knows the registers of rt_top
+# gen_top.awk - VERSION, machine.def and top.def to what knows the registers of rt_top
 # SPDX-License-Identifier: Apache-2.0
 #
 # lang=v: rt_top.vh; lang=c: sphaera_regs.h; lang=rdl: SystemRDL; lang=page: the table of the page.
@@ -34,10 +34,14 @@ $1 == "counter" || $1 == "count" {
     counter_what[$2] = what
     if ($2 + 0 >= counters) counters = $2 + 1
 }
+FILENAME ~ /VERSION$/ && split($1, part, ".") == 3 {
+    release = sprintf("0x%04x%04x", part[1], part[2])
+}
 $1 == "top" {
     if ($4 !~ /^(ro|rw|wo|w1c)$/) bad("access is ro, rw, wo or w1c")
     if (hex($2) % 4 || (regs && hex($2) <= hex(offset[regs]))) bad("offset " $2)
-    offset[++regs] = $2; reg[regs] = $3; access[regs] = $4; reset[regs] = $5
+    offset[++regs] = $2; reg[regs] = $3; access[regs] = $4
+    reset[regs] = $5 == "release" ? release : $5
     said[regs] = about($0); next_free = 0
     if ($3 == "ERRORS")
         for (e = 0; e < core_errors; e++) field(e, 1, core_error[e], core_error_what[e])

@@ -1,14 +1,14 @@
 /* version.c - version and errors of the library
  * SPDX-License-Identifier: Apache-2.0
  *
- * The build gives SPHAERA_VERSION, the text of the file VERSION.
+ * The build gives SPHAERA_RELEASE, the text of the file VERSION.
  */
 #include <string.h>
 
 #include "sphaera/opaque.h"
 
 const char *sphaera_version(void) {
-    return SPHAERA_VERSION;
+    return SPHAERA_RELEASE;
 }
 
 int sph_api_failed(const struct sph_error *from, sphaera_error *to) {

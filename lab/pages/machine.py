@@ -38,8 +38,8 @@ def registers():
 
 def top_registers():
     """Those of rt_top, as its bus sees them."""
-    return subprocess.run(["awk", "-v", "lang=page", "-f", DEF.with_name("gen_top.awk"), DEF,
-                           DEF.with_name("top.def")], check=True, text=True,
+    return subprocess.run(["awk", "-v", "lang=page", "-f", DEF.with_name("gen_top.awk"),
+                           "VERSION", DEF, DEF.with_name("top.def")], check=True, text=True,
                           stdout=subprocess.PIPE).stdout.rstrip()
 
 

@@ -16,6 +16,7 @@ has() { grep -qE -- "$1" "$2"; } # pattern, file
 
 # ---- what is there, and what is exported ----
 check "pkg-config knows version $version" [ "$(flags --modversion)" = "$version" ]
+check "CHANGELOG begins with it" [ "$(sed -n 's/^## //p' CHANGELOG.md | head -n 1)" = "$version" ]
 check "the tool has it too" [ "$("$usr/bin/sphaera" --version)" = "sphaera $version" ]
 declared() {
     sed -n 's/^SPHAERA_API .*[ *]\(sphaera_[a-z_]*\)(.*/\1/p' "$usr/include/sphaera/sphaera.h" |
