@@ -3,9 +3,11 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # Each mutant of tests/mutants/mutants.txt is one edit in a copy of the RTL, run in Icarus (which
-# builds in a second) against the golden model, or in a block bench. Every comparison runs on the
-# sound RTL first, and must pass there.
-# Every fourth of the list, to save time.
+# builds in a second) against the golden model, or in a block bench. Every frame is drawn by the
+# sound RTL first, without a mismatch, with ALL in Icarus too; so is every bench, unless
+# test_benches.sh runs it anyway.
+# Of each file of the RTL one mutant, in a bench if it has such. That the text of every mutant
+# stands in its file once is looked at for all.
 #   MUTANT=pattern  those whose name has the pattern in it
 #   ALL=1           all (`make mutants`)
 set -u
@@ -13,8 +15,8 @@ self=$0
 . "$(dirname "$0")/../tap.sh"
 . "$(dirname "$0")/../edit.sh"
 cd "$(dirname "$0")/../.." || exit 1
-BUILD=${BUILD:-build}
-export BUILD SPHAERA TMP
+BUILD=${BUILD:-build} ALL=${ALL:-}
+export BUILD SPHAERA TMP ALL
 
 # Frame of the core in draft widths: scene [build options] [-- harness options].
 core() {
@@ -27,8 +29,12 @@ core() {
     [ $# -eq 0 ] || shift
     # shellcheck disable=SC2086  # a list of words on purpose
     "$SPHAERA" build "$scene" --profile draft --size 25x19 $options -o "$here/scene.sph" || return 2
-    BUILD=$here/build RTL=$here/rtl SIM=icarus sh sim/core.sh --machine "$here/scene.sph" \
-        --stop --watchdog 5000 --latency 5 --stall 20 --seed 7 "$@"
+    set -- --machine "$here/scene.sph" --stop --watchdog 5000 --latency 5 --stall 20 --seed 7 "$@"
+    if [ "$file$ALL" = - ]; then
+        OPT=-O0 sh sim/core.sh "$@"
+    else
+        BUILD=$here/build RTL=$here/rtl SIM=icarus sh sim/core.sh "$@"
+    fi
 }
 # The same with just what the scene asks for: with textures, too.
 textured() {
@@ -82,18 +88,25 @@ add() { # name, file, from, to, by, rule
     jobs=$((jobs + 1))
     printf '%s\n' "$@" >"$TMP/$(printf %03d $jobs).job"
 }
+# Of each file one: the first in a bench, else the first.
+awk '$1 == "mutant" { name = $2 } $1 == "file" { file = $2 } $1 == "by" {
+    if (!(file in chosen) || $2 == "bench" && how[file] != "bench") {
+        chosen[file] = name
+        how[file] = $2
+    }
+} END { for (file in chosen) print chosen[file] }' tests/mutants/mutants.txt >"$TMP/chosen"
 wanted() {
-    name= file= from= to= by= rule= nth=0
+    name= file= from= to= by= rule=
     while read -r key rest; do
         case $key in
-        mutant) name=$rest nth=$((nth + 1)) ;;
+        mutant) name=$rest ;;
         rule) rule=$rest ;;
         file) file=$rest ;;
         from) from=$rest ;;
         to) to=$rest ;;
         by)
             case ${ALL:+all}${MUTANT:-} in
-            '') [ $((nth % 4)) -eq 1 ] && "$1" "$rest" ;;
+            '') grep -qx "$name" "$TMP/chosen" && "$1" "$rest" ;;
             all*) "$1" "$rest" ;;
             *) case $name in *"$MUTANT"*) "$1" "$rest" ;; esac ;;
             esac
@@ -104,8 +117,26 @@ wanted() {
 print_by() { echo "$1"; }
 add_mutant() { add "$name" "$file" "$from" "$to" "$1" "$rule"; }
 wanted print_by | sort -u >"$TMP/comparisons"
-while IFS= read -r by; do add "sound RTL" - - - "$by" "passes $by"; done <"$TMP/comparisons"
+while IFS= read -r by; do
+    case ${ALL:-}${MUTANT:-}$by in bench*) ;; *) add "sound RTL" - - - "$by" "passes $by" ;; esac
+done <"$TMP/comparisons"
 wanted add_mutant
+
+# ---- every mutant fits: its text stands in its file once ----
+fits() {
+    FROM=$from TO=$to NEW=$TMP/new
+    export FROM TO NEW
+    cp "rtl/$file" "$TMP/fits" && edit "$TMP/fits"
+}
+count_fits() {
+    fits >"$TMP/fits.out" 2>&1 || { echo "$name, rtl/$file:" && cat "$TMP/fits.out"; } \
+        >>"$TMP/unfit"
+}
+given=${MUTANT:-}+${ALL:-}
+ALL=1
+wanted count_fits
+MUTANT=${given%+*} ALL=${given#*+}
+check "the text of every mutant stands in its file once" sh -c '! cat "$1" 2>&1' - "$TMP/unfit"
 
 cp -r rtl "$TMP/rtl" # all jobs see one state
 sh sim/core.sh --help >"$TMP/harness.log" 2>&1 || cat "$TMP/harness.log"
