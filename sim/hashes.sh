@@ -16,7 +16,7 @@ options() {
 # Profiles that a scene is drawn in: of pairs of effects that are simulated in small, one.
 profiles() {
     case $1 in
-    effects/*) awk -v name="${1#*/}" '$1 == name && $2 != "full" { print "standard" }' \
+    effects/*) awk -v name="${1#*/}" '$1 == name && $2 !~ /full|pair/ { print "standard" }' \
         scenes/effects/effects.txt ;;
     esac
 }

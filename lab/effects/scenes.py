@@ -43,7 +43,7 @@ def scenes():
     """(name, file, options) of each scene."""
     rows = [(name, f"scenes/{name}.nff", ["--accel=bvh4"]) for name in asks.scenes()]
     for name, kind, options, _ in asks.listed():
-        if kind == "full" or "_" not in name:
+        if kind in ("full", "pair") or "_" not in name:
             rows.append(("effects/" + name, asks.file_of(name),
                          [] if options == "-" else options.split(",")))
     return [(name.replace("/", "."), scene, options) for name, scene, options in rows]

@@ -7,7 +7,7 @@
 # if the scene asks for that. The memory answers both alike. Pixels come back sooner where effects
 # are left out, so slots fall into step in another way: that alone moves a frame by up to one
 # percent, and that of effects/shadow_inside by 5.3.
-#   ALL=1         every scene of scenes/effects/: forty cores more
+#   ALL=1         every scene of scenes/effects/: fifty cores more
 #   CORE=pattern  only scenes whose name has the pattern in it
 set -u
 . "$(dirname "$0")/../tap.sh"

@@ -35,7 +35,7 @@ for way in $ways; do
     done
     wanted "verilator $way warm" all SIM=verilator "$file" --warm
     wanted "verilator $way two engines" all ENGINES=2 "$file"
-    wanted "icarus $way alone" auto SIM=icarus "$file" --window 5,3,30,20
+    wanted "icarus $way alone" auto SIM=icarus "$file" --window 5,3,21,14
     machine "$way-inside" scenes/inside.nff --profile draft --size 33x25 --background "$way"
     machine "$way-beside" tests/scenes/background/beside.nff --profile draft --background "$way"
     wanted "verilator $way inside" all SIM=verilator "$machines/$way-inside.sph"
@@ -43,8 +43,10 @@ for way in $ways; do
 done
 machine levels1 $flake --profile draft --size 33x25 --background exact --bg-levels 1
 machine levels2 $flake --profile draft --size 33x25 --background exact --bg-levels 2
-wanted "icarus exact, level 1" auto SIM=icarus "$machines/levels1.sph"
-wanted "icarus exact, level 2, two engines" auto "SIM=icarus ENGINES=2" "$machines/levels2.sph"
+wanted "icarus exact, level 1" auto SIM=icarus "$machines/levels1.sph" \
+    --window 9,7,26,18
+wanted "icarus exact, level 2, two engines" auto "SIM=icarus ENGINES=2" "$machines/levels2.sph" \
+    --window 9,7,26,18
 
 # Tables that are not in memory: BAD_NODE, and every pixel is traced. A bus error on their first
 # line (the second line asked for is the root's, or of the table too): BUS_ERROR, the frame ends.
