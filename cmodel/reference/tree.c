@@ -25,6 +25,7 @@ struct sph_ref_tree {
     struct item *items;
     struct box *boxes;
     uint32_t n_items, n_boxes;
+    uint32_t *endless, n_endless; /* planes, which no box holds */
     const struct sph_scene *scene;
 };
 
@@ -99,14 +100,17 @@ struct sph_ref_tree *sph_ref_tree_new(const struct sph_scene *scene) {
     t->scene = scene;
     t->items = malloc((n + 1) * sizeof *t->items);
     t->boxes = malloc((2 * n + 1) * sizeof *t->boxes);
-    if (!t->items || !t->boxes) {
+    t->endless = malloc(((size_t)scene->n_facets + 1) * sizeof *t->endless);
+    if (!t->items || !t->boxes || !t->endless) {
         sph_ref_tree_free(t);
         return NULL;
     }
     for (uint32_t i = 0; i < scene->n_spheres; i++)
         add(t, i, &scene->spheres[i].ctr, 1, scene->spheres[i].rad);
     for (uint32_t i = 0; i < scene->n_facets; i++)
-        if (!sph_ref_facet_endless(&scene->facets[i]))
+        if (sph_ref_facet_endless(&scene->facets[i]))
+            t->endless[t->n_endless++] = i;
+        else
             add(t, scene->n_spheres + i, scene->facets[i].v, 3, 0);
     build(t, 0, t->n_items);
     return t;
@@ -116,6 +120,7 @@ void sph_ref_tree_free(struct sph_ref_tree *tree) {
     if (!tree) return;
     free(tree->items);
     free(tree->boxes);
+    free(tree->endless);
     free(tree);
 }
 
@@ -203,8 +208,8 @@ struct sph_ref_hit sph_ref_trace(const struct sph_ref_tree *tree, const struct s
     struct sph_ref_hit best = {INFINITY, SPH_ID_NONE, 0};
     uint32_t stack[64];
     int sp = 0;
-    for (uint32_t i = 0; i < tree->scene->n_facets; i++)
-        if (sph_ref_facet_endless(&tree->scene->facets[i])) facet(tree, i, ray, t_max, &best);
+    for (uint32_t i = 0; i < tree->n_endless; i++)
+        facet(tree, tree->endless[i], ray, t_max, &best);
     if (any_hit && best.t < t_max) return best;
     stack[sp++] = 0;
     while (sp) {
