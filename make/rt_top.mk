@@ -1,15 +1,16 @@
 # rt_top.mk - builds the harness of rt_top for one set of parameters; make/top.mk calls it
 # SPDX-License-Identifier: Apache-2.0
 #
-#   build/sim/top-PROFILE-CORE-DATA/tb_top
+#   build/sim/BENCH-PROFILE-CORE-DATA/BENCH
 B       ?= build
 PROFILE ?= draft
 CORE    ?= all
 DATA    ?= 64
+BENCH   ?= tb_top
 
 include make/verilated.mk
 
-K    := $S/top-$(PROFILE)-$(CORE)-$(DATA)
+K    := $S/$(BENCH)-$(PROFILE)-$(CORE)-$(DATA)
 LIB  := $B/libsphaera.a
 RTL_FILES := $(shell find rtl -name '*.v' -o -name '*.vh')
 RTL_DIRS  := $(sort $(dir $(RTL_FILES)))
@@ -22,7 +23,7 @@ DRIVER   := $S/obj/driver.o
 VERILATED := $S/obj/bench_verilated.o $S/obj/bench_verilated_threads.o
 
 .PHONY: top
-top: $K/tb_top
+top: $K/$(BENCH)
 
 $K/flags: FORCE
 	$(call stamp,$(VERILATE))
@@ -30,7 +31,7 @@ $K/flags: FORCE
 $K/all.cpp: $(RTL_FILES) $K/flags
 	@rm -f $K/Vrt_top*
 	$(VERILATE) --Mdir $K
-	@sh sim/at_once.sh $K tb/top/tb_top.cpp >$@
+	@sh sim/at_once.sh $K tb/top/$(BENCH).cpp >$@
 
 $K/top.o: $K/all.cpp $(PRECOMPILED)
 	$(COMPILE) -DDATA=$(DATA) -isystem $K -MMD -MP -c $< -o $@
@@ -41,7 +42,7 @@ $(DRIVER): $(wildcard driver/*)
 	gcc -std=c99 -ffreestanding -pedantic -Wall -Wextra -Wconversion -Wshadow -Werror -O2 \
 	    -c driver/sphaera.c -o $@
 
-$K/tb_top: $K/top.o $(DRIVER) $(VERILATED) $(LIB)
+$K/$(BENCH): $K/top.o $(DRIVER) $(VERILATED) $(LIB)
 	g++ -fopenmp $^ -lm -lpthread -o $@
 
 -include $K/top.d

@@ -33,8 +33,9 @@ $(PICTURES): $B/obj/sim/pictures.o $(IMAGE) $(LIB)
 	$(call make_whole,$(CXX) -fopenmp $^ $(IMAGE_LIBS) $(MODEL_LIBS))
 -include $B/obj/sim/pictures.d
 
-sim: $(TOOL) $(PICTURES) ## SCENE through model and RTL, compared bit for bit
-	$(Q)$(call run,sim,$(SIM_KEY))
+sim: $(TOOL) $(PICTURES) ## SCENE through model and RTL, compared bit for bit; TOP=1: in rt_top
+	$(Q)$(if $(filter 1,$(TOP)),mkdir -p $B/sim && $(call values,SCENE FRAMES BUILD_OPTIONS LATENCY \
+	    STALL SEED PROFILE) BUILD=$B sh sim/top.sh,$(call run,sim,$(SIM_KEY)))
 
 .PHONY: sim-folder
 sim-folder: # prints where such a run leaves what it makes

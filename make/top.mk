@@ -18,7 +18,7 @@ top: $(TOP_RUNS) ## rt_top under its driver: frames, errors, resets, silent buse
 	@mkdir -p $B/sim
 	$(Q)for data in $(TOP_DATA); do \
 	    $(call top_tool,$$data) >$B/top/build.log 2>&1 || { cat $B/top/build.log; exit 1; }; \
-	    $B/sim/top-draft-$(TOP_CORE)-$$data/tb_top $(TOP_RUNS) $(SEED) || exit 1; done
+	    $B/sim/tb_top-draft-$(TOP_CORE)-$$data/tb_top $(TOP_RUNS) $(SEED) || exit 1; done
 
 $B/top/%.sph: scenes/%.nff $(TOOL)
 	@mkdir -p $(@D)

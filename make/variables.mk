@@ -58,6 +58,10 @@ SEED ?= 1
 LATENCY ?= 20
 ## STALL 0..99 percent of clocks in which the simulated memory is not ready
 STALL ?= 0
+## TOP 0|1 if 1, make sim draws FRAMES one behind the other on one rt_top
+TOP ?= 0
+## FRAMES <text>| of a moving scene, with TOP=1, such as 0..9 (empty: 0..0)
+FRAMES ?= 0..0
 ## SIM verilator|icarus
 SIM ?= verilator
 ## WINDOW <window>| pixels to simulate, x0,y0,x1,y1 (empty: the whole frame)

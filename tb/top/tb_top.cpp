@@ -128,7 +128,7 @@ static void store(Checks &c, const Golden &a) {
         unsigned newest = c.newest();
         c.equals("take", (uint64_t)sphaera_take(&t.driver, &shown), SPHAERA_OK);
         c.equals("the newest is shown", shown, newest);
-        c.equals("its address", t.dut.show_base_o, STORES[shown]);
+        c.equals("its address", t.dut.show_base_o, c.stores[shown]);
         c.equals("swap", sphaera_handle(&t.driver), SPHAERA_INTERRUPTS_SWAP);
         sphaera_take(&t.driver, &frame);
         c.equals("the same again", frame, shown);

@@ -54,12 +54,12 @@ enum : uint32_t {
     STORE = 0x02000000,
     APART = 0x200000
 };
-const uint32_t STORES[3] = {STORE, STORE + APART, STORE + 2 * APART};
 const uint32_t POLLS = 1000000;
 
 class Checks {
   public:
     TopHost top;
+    uint32_t stores[3] = {STORE, STORE + APART, STORE + 2 * APART};
     uint32_t stride = 2560;
     int rgb565 = 0;
 
@@ -71,7 +71,7 @@ class Checks {
     void store(uint32_t bytes, int half) {
         stride = bytes;
         rgb565 = half;
-        note("store", sphaera_store(&top.driver, STORES, bytes, half) == SPHAERA_OK);
+        note("store", sphaera_store(&top.driver, stores, bytes, half) == SPHAERA_OK);
     }
     /* One condition of the check that is under way; the first that does not hold is printed. */
     bool note(const char *what, bool holds) {
@@ -96,7 +96,7 @@ class Checks {
                 uint32_t red = c & 255, green = c >> 8 & 255, blue = c >> 16 & 255;
                 uint32_t want = rgb565 ? (red >> 3) << 11 | (green >> 2) << 5 | blue >> 3
                                        : red << 16 | green << 8 | blue;
-                uint32_t at = STORES[n] + (uint32_t)y * stride + (uint32_t)x * (rgb565 ? 2 : 4);
+                uint32_t at = stores[n] + (uint32_t)y * stride + (uint32_t)x * (rgb565 ? 2 : 4);
                 uint32_t is = 0;
                 memcpy(&is, &top.bytes[at], rgb565 ? 2 : 4);
                 if (is == want) continue;

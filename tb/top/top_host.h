@@ -26,8 +26,9 @@ class TopHost {
     WriteSide frame;
     struct sphaera driver;
     uint64_t cycle = 0;
-    unsigned stall = 0; /* percent, of the registers' bus */
-    int response = 0;   /* of the last access to a register */
+    uint64_t irq_at = 0; /* the first clock with an interrupt since this was set to 0 */
+    unsigned stall = 0;  /* percent, of the registers' bus */
+    int response = 0;    /* of the last access to a register */
     bool hangs = false;
 
     explicit TopHost(uint64_t seed)
@@ -61,6 +62,7 @@ class TopHost {
         dut.clk = 1;
         dut.eval();
         cycle++;
+        if (dut.irq_o && !irq_at) irq_at = cycle;
     }
     void clocks(uint64_t n) {
         while (n--)

@@ -1,0 +1,39 @@
+#!/bin/sh
+# top.sh - frames of a moving scene on one rt_top, one behind the other, each compared
+# SPDX-License-Identifier: Apache-2.0
+#
+# usage: SCENE=... FRAMES=A..B BUILD_OPTIONS=... LATENCY=n STALL=n SEED=n PROFILE=... sim/top.sh
+# Builds the machines of these frames into BUILD/out/top-DIGEST, and rt_top with a core that can do
+# what any of them asks for.
+set -euf
+cd "$(dirname "$0")/.."
+tool=$BUILD/sphaera
+scene=$(sh sim/scene.sh "$SCENE")
+run=$BUILD/out/top-$(printf '%s\n' "$scene" "$FRAMES" "$BUILD_OPTIONS" "$LATENCY" "$STALL" \
+    "$SEED" "$PROFILE" | sha256sum | cut -c 1-8)
+mkdir -p "$run"
+exec 9>"$run/.lock"
+flock 9
+find "$run" -mindepth 1 ! -name .lock -delete
+if [ ! -f "$scene" ]; then
+    "$tool" gen "$scene" --seed "$SEED" -o "$run/scene.nff" >"$run/gen.log"
+    scene=$run/scene.nff
+fi
+start=$(date +%s%N)
+# shellcheck disable=SC2086  # a list of words on purpose
+"$tool" build "$scene" $BUILD_OPTIONS --frames "$FRAMES" -o "$run/frame.sph" >"$run/build.log"
+set +f
+set -- "$run"/frame-*.sph
+echo "$# machines built in $((($(date +%s%N) - start) / 1000000)) ms"
+profile=$("$tool" info "$1" | sed -n 's/^profile *\([^ ]*\): .*/\1/p')
+core=$(for file; do "$tool" info "$file" | sed -n 's/^core *//p'; done | tr '+' '\n' |
+    awk '{ word = $0; sub(/[0-9]+$/, "", word); count = substr($0, length(word) + 1) + 0
+           if (!(word in most)) order[++n] = word
+           if (count > most[word]) most[word] = count; most[word] += 0 }
+        END { for (i = 1; i <= n; i++) if (order[i] != "none" || n == 1)
+                  text = text (text ? "+" : "") order[i] (most[order[i]] ? most[order[i]] : "")
+              print text }')
+flock "$BUILD/sim/.tools.lock" env -u MAKEFLAGS -u MFLAGS make -s --no-print-directory \
+    -f make/rt_top.mk B="$BUILD" BENCH=tb_frames PROFILE="$profile" CORE="$core" DATA=64 top \
+    >"$run/make.log" 2>&1 || { cat "$run/make.log" >&2; exit 1; }
+"$BUILD/sim/tb_frames-$profile-$core-64/tb_frames" "$LATENCY" "$STALL" "$SEED" "$@"
