@@ -10,6 +10,7 @@ module f_frames (
     input wire [95:0] bases,
     input wire        waits,
     input wire        clear,
+    input wire        load,
     input wire        begins,
     input wire        ends,
     input wire        good,
@@ -19,7 +20,8 @@ module f_frames (
     wire [31:0] draw_base, show_base;
     wire [1:0]  drawn, newest, shown;
     rt_frames u_dut (
-        .clk(clk), .rst(rst), .bases_i(bases), .wait_i(waits), .clear_i(clear), .begin_i(begins),
+        .clk(clk), .rst(rst), .bases_i(bases), .wait_i(waits), .clear_i(clear), .load_i(load),
+        .begin_i(begins),
         .end_i(ends), .good_i(good), .room_o(room), .draw_base_o(draw_base), .take_i(take),
         .show_valid_o(show_valid), .show_base_o(show_base), .swap_o(swap), .again_o(again),
         .lost_o(lost), .drawn_o(drawn), .newest_o(newest), .shown_o(shown)

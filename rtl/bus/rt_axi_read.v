@@ -16,7 +16,7 @@ module rt_axi_read #(
     input  wire            clk,
     input  wire            rst,
     // from rt_run
-    input  wire            begin_i,          // a frame begins; from now on
+    input  wire            begin_i,          // START; from now on
     input  wire [31:0]     base_i,           // line 0 has this address
     input  wire            cut_i,            // the core is in reset
     input  wire            dead_i,           // the bus is given up

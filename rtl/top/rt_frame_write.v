@@ -14,7 +14,7 @@ module rt_frame_write #(
     input  wire              rst,
     input  wire [31:0]       base_i,     // of the frame, a multiple of 64
     input  wire [1:0]        mux_i,      // register MUX
-    input  wire              begin_i,    // a frame begins; from now on
+    input  wire              begin_i,    // START; from now on
     input  wire [15:0]       stride_i,   // rows are apart by this, a multiple of 32
     input  wire              rgb565_i,   // and pixels have this format
     // from rt_run

@@ -14,6 +14,7 @@ module rt_frames (
     input  wire        wait_i,         // register FRAME_MODE
     // from rt_run
     input  wire        clear_i,        // forget all frames
+    input  wire        load_i,         // START: from now on these addresses
     input  wire        begin_i,        // a frame begins; room_o is high
     input  wire        end_i,          // it ends
     input  wire        good_i,         // with end_i: it is complete
@@ -37,6 +38,8 @@ module rt_frames (
     wire [1:0] taken = {(show_valid_o && shown_o == 2'd1) || (fresh_q && newest_o == 2'd1),
                         (show_valid_o && shown_o == 2'd0) || (fresh_q && newest_o == 2'd0)};
     wire [1:0] free  = !taken[0] ? 2'd0 : !taken[1] ? 2'd1 : 2'd2;
+    reg  [95:0] bases_q;
+    always @(posedge clk) if (load_i) bases_q <= bases_i;
     assign room_o  = !wait_i || !fresh_q;
     assign swap_o  = take_i && fresh_q;
     assign again_o = take_i && !fresh_q && show_valid_o && !gone_q;
@@ -44,7 +47,7 @@ module rt_frames (
     always @(posedge clk) begin
         if (begin_i) begin
             drawn_o     <= free;
-            draw_base_o <= bases_i[32*free +: 32];
+            draw_base_o <= bases_q[32*free +: 32];
         end
         if (take_i) begin
             fresh_q      <= 1'b0;

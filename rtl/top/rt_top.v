@@ -231,8 +231,9 @@ module rt_top #(
         .clk(clk), .rst(rst),
         .bases_i({settings[`RT_TOP_SET_FRAME2], settings[`RT_TOP_SET_FRAME1],
                   settings[`RT_TOP_SET_FRAME0]}),
-        .wait_i(settings[`RT_TOP_SET_FRAME_MODE_WAIT]), .clear_i(clear), .begin_i(frame_begin),
-        .end_i(frame_end), .good_i(good), .room_o(room), .draw_base_o(draw_base), .take_i(take),
+        .wait_i(settings[`RT_TOP_SET_FRAME_MODE_WAIT]), .clear_i(clear), .load_i(load),
+        .begin_i(frame_begin), .end_i(frame_end), .good_i(good), .room_o(room),
+        .draw_base_o(draw_base), .take_i(take),
         .show_valid_o(show_valid_o), .show_base_o(show_base_o), .swap_o(swap), .again_o(again),
         .lost_o(lost), .drawn_o(status[`RT_TOP_STATUS_DRAWN]),
         .newest_o(status[`RT_TOP_STATUS_NEWEST]), .shown_o(status[`RT_TOP_STATUS_SHOWN])
@@ -280,7 +281,7 @@ module rt_top #(
         .count_addr_i(count_addr), .count_data_o(count), .errors_o(core_errors)
     );
     rt_axi_read #(.DATA(DATA)) u_read (
-        .clk(clk), .rst(rst), .begin_i(frame_begin),
+        .clk(clk), .rst(rst), .begin_i(load),
         .base_i(settings[`RT_TOP_SET_SCENE_BASE]), .cut_i(cut),
         .dead_i(read_dead), .forget_i(forget), .idle_o(read_idle), .stall_o(read_stall),
         .slverr_o(read_slverr), .decerr_o(read_decerr), .burst_o(read_burst), .beat_o(read_beat),
@@ -293,7 +294,7 @@ module rt_top #(
     );
     wire [3:0] write_pixels;
     rt_frame_write #(.DATA(DATA), .BUFFERS(BUFFERS)) u_frame_write (
-        .clk(clk), .rst(rst), .base_i(draw_base), .begin_i(frame_begin),
+        .clk(clk), .rst(rst), .base_i(draw_base), .begin_i(load),
         .stride_i({settings[`RT_TOP_SET_STRIDE_UNITS], 5'd0}),
         .rgb565_i(settings[`RT_TOP_SET_FORMAT_RGB565]), .mux_i(settings[`RT_TOP_SET_MUX_FRAME]),
         .cut_i(cut), .dead_i(write_dead), .forget_i(forget), .flush_i(flush),
