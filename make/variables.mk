@@ -22,8 +22,8 @@ ERROR ?=
 SIZE ?= 320x180
 ## SAMPLES 1..16 N x N rays a pixel: the frame is N times as wide and high, pictures have the mean
 SAMPLES ?= 1
-## TREE balanced|paper of bvh4
-TREE ?= balanced
+## TREE reinserted|balanced|paper of bvh4
+TREE ?= reinserted
 ## ACCEL auto|bvh4|bih|brute spheres around four children, a bounding interval hierarchy, no tree;
 ##             auto: bih with MAX_PRIMS=1 if there are more triangles than spheres, else bvh4
 ACCEL ?= auto

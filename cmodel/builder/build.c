@@ -35,7 +35,7 @@ static int check_effects(const struct sph_scene *scene, const struct sph_build_o
     if (o->traverse == SPH_BUILD_FIRST && scene->n_facets)
         return sph_fail(err, "%s:%u: traverse first is for spheres: there are triangles or planes",
                         scene->path, scene->facets[0].line);
-    if (o->traverse == SPH_BUILD_FIRST && o->tree >= SPH_TREE_BIH)
+    if (o->traverse == SPH_BUILD_FIRST && sph_tree_bih(o->tree))
         return sph_fail(err,
                         "traverse first is the paper's walk through nodes of four children: "
                         "it is not for %s",
@@ -59,7 +59,7 @@ static int check(const struct sph_scene *scene, const struct sph_build_options *
     if (!o->widths && (o->profile < 0 || o->profile >= SPH_PROFILES))
         return sph_fail(err, "there is no profile %d", o->profile);
     if (sph_profile_check(sph_build_profile(o), err)) return -1;
-    if (o->tree < SPH_TREE_PAPER || o->tree > SPH_TREE_BRUTE)
+    if (o->tree < SPH_TREE_PAPER || o->tree > SPH_TREE_LAST)
         return sph_fail(err, "there is no tree %d", o->tree);
     if (o->max_tree_depth > SPH_BIH_STACK + 1)
         return sph_fail(err, "max_tree_depth %u is not in 0..%d", o->max_tree_depth,

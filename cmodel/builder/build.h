@@ -58,7 +58,7 @@ enum { SPH_TREE_AUTO = 0 };
 #define SPH_BUILD_ASKED(...) SPH_AUTO,
 #define SPH_BUILD_DEFAULT                                                                          \
     {                                                                                              \
-        .profile = SPH_STANDARD, .tree = SPH_TREE_BALANCED, .background = SPH_BG_NONE,             \
+        .profile = SPH_STANDARD, .tree = SPH_TREE_REINSERTED, .background = SPH_BG_NONE,           \
         .bg_border = 1, .max_depth = 2, .asked = {SPH_EACH_EFFECT(SPH_BUILD_ASKED)},               \
         .tex_filter = SPH_FILTER_BETWEEN                                                           \
     }

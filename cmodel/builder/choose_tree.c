@@ -14,7 +14,9 @@ void sph_choose_tree(const struct sph_scene *scene, struct sph_build_options *o,
     for (uint32_t i = 0; i < scene->n_facets; i++)
         triangles += !sph_prim_of((uint32_t)scene->facets[i].kind)->loose;
     int bih = triangles > scene->n_spheres && o->traverse == SPH_BUILD_NEAREST;
-    o->tree = bih ? SPH_TREE_BIH : SPH_TREE_BALANCED;
+    o->tree = bih                                ? SPH_TREE_BIH
+              : o->traverse == SPH_BUILD_NEAREST ? SPH_TREE_REINSERTED
+                                                 : SPH_TREE_BALANCED;
     if (bih) o->max_prims = 1;
     snprintf(report->tree_why, sizeof report->tree_why, "chosen for %u triangles and %u spheres",
              triangles, scene->n_spheres);

@@ -55,7 +55,7 @@ static int emit_bih(const struct sph_scene *scene, const struct sph_build_option
 int sph_emit_tree(const struct sph_scene *scene, const struct sph_build_options *o,
                   const struct sph_plants *plants, struct sph_tree *tree, struct sph_machine *m,
                   struct sph_build_report *report, struct sph_error *err) {
-    if (o->tree >= SPH_TREE_BIH) return emit_bih(scene, o, plants, tree, m, report, err);
+    if (sph_tree_bih(o->tree)) return emit_bih(scene, o, plants, tree, m, report, err);
     double start = seconds();
     if (sph_tree_build(plants, tree, err) ||
         sph_emit_memory(scene, plants->balls, plants->facets, tree, m, err))

@@ -7,7 +7,7 @@
 #include "builder/facets.h"
 #include "common/error.h"
 
-enum { SPH_TREE_PAPER = 1, SPH_TREE_BALANCED = 2 };
+enum { SPH_TREE_PAPER = 1, SPH_TREE_BALANCED = 2, SPH_TREE_REINSERTED = 5 };
 enum { SPH_CHILDREN = 4 }; /* of a node */
 
 struct sph_tree_node {
@@ -46,9 +46,11 @@ int sph_tree_paper(const struct sph_ball *balls, uint32_t n, const struct sph_pr
                    struct sph_tree *tree, struct sph_error *err);
 
 /* Surface-area heuristic, collapsed to four children at least cost; at most SPH_STACK_DEPTH
- * levels of nodes. `eye` orders siblings near first. -1 if memory is out. */
+ * levels of nodes. `eye` orders siblings near first. kind: SPH_TREE_REINSERTED: with the pairs that
+ * tree_better.h makes of them, unless that is too deep. -1 if memory is out. */
 int sph_tree_balanced(const struct sph_ball *balls, uint32_t n, const struct sph_profile *profile,
-                      const int32_t eye[3], struct sph_tree *tree, struct sph_error *err);
+                      const int32_t eye[3], int kind, struct sph_tree *tree,
+                      struct sph_error *err);
 
 /* Indices 0..n-1 sorted by coordinate `axis` of the centre (equal ones by index), rising or
  * falling; malloc, NULL if memory is out. */

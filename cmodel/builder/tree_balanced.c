@@ -2,14 +2,14 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * A node opens its halves along the cheapest shares that tree_split.c found until it has four
- * children. Should the tree get deeper than the hardware's stack, it is split again with a lower
- * limit of binary levels; at last in half all the way, two binary levels to a node, which needs
- * ceil(log2(n)/2) levels.
+ * children. Should the tree get deeper than the hardware's stack, it is split again without
+ * reinsertion, then with a lower limit of binary levels; at last in half all the way, two binary
+ * levels to a node, which needs ceil(log2(n)/2) levels.
  */
 #include <string.h>
 #include <stdlib.h>
 
-#include "builder/tree_split.h"
+#include "builder/tree_better.h"
 #include "machine/layout.h"
 
 struct work {
@@ -101,7 +101,8 @@ static void trivial(const struct work *w, uint32_t n) {
 }
 
 int sph_tree_balanced(const struct sph_ball *balls, uint32_t n, const struct sph_profile *profile,
-                      const int32_t eye[3], struct sph_tree *tree, struct sph_error *err) {
+                      const int32_t eye[3], int kind, struct sph_tree *tree,
+                      struct sph_error *err) {
     static const int limits[] = {64, 30, 25, 21, 18, 0};
     struct work w = {.balls = balls, .profile = profile, .eye = eye, .tree = tree};
     /* a node has two children or more, so there are fewer nodes than spheres */
@@ -111,12 +112,15 @@ int sph_tree_balanced(const struct sph_ball *balls, uint32_t n, const struct sph
         trivial(&w, n);
         return 0;
     }
-    for (int i = 0; i < 6; i++) {
-        if (sph_split(balls, n, profile, limits[i], &w.split, err)) {
+    for (int better = kind == SPH_TREE_REINSERTED, i = 0; i < 6; i += !better, better = 0) {
+        if (sph_split(balls, n, limits[i], &w.split, err) ||
+            (better && sph_split_better(balls, n, profile, &w.split, err))) {
+            sph_split_free(&w.split);
             free(tree->nodes);
             tree->nodes = NULL;
             return -1;
         }
+        if (!better) sph_split_fill(balls, profile, &w.split);
         w.even = limits[i] == 0;
         tree->n_nodes = tree->depth = 0;
         collapse(&w, 0, 0);

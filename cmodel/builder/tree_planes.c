@@ -34,7 +34,7 @@ static int plant(const struct sph_plants *p, struct sph_tree *tree, struct sph_e
         tree->above = (facets->n_loose + SPH_CHILDREN - 2) / (SPH_CHILDREN - 1);
         failed = p->kind == SPH_TREE_PAPER
                      ? sph_tree_paper(balls, n, p->profile, tree, err)
-                     : sph_tree_balanced(balls, n, p->profile, p->eye, tree, err);
+                     : sph_tree_balanced(balls, n, p->profile, p->eye, p->kind, tree, err);
     }
     for (uint32_t i = 0; !failed && i < tree->n_nodes; i++) {
         struct sph_tree_node *node = &tree->nodes[i];
@@ -68,7 +68,7 @@ static int children(const struct sph_tree_node *node) {
 
 int sph_tree_build(const struct sph_plants *p, struct sph_tree *tree, struct sph_error *err) {
     if (plant(p, tree, err)) return -1;
-    if (p->kind == SPH_TREE_BALANCED && sph_tree_tighten(p, tree, err)) return -1;
+    if (p->kind != SPH_TREE_PAPER && sph_tree_tighten(p, tree, err)) return -1;
     if (!p->facets->n_loose) return 0;
     if (children(tree->nodes) > 1 && raise(tree, p->profile, err)) return -1;
     tree->nodes->ball = sph_filter_whole(p->profile);

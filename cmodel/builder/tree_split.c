@@ -24,7 +24,6 @@ struct work {
     float *price;   /* of the right part from place i on */
     float *weight;  /* [n]: n^0.8 */
     int limit;      /* binary levels */
-    double margin;  /* of node radii, grid units */
 };
 
 struct box {
@@ -107,21 +106,17 @@ int sph_pair_share(const struct sph_pair *pairs, const struct sph_pair *p, int j
     return best;
 }
 
-/* Fills cost[] of a pair whose children are done. */
-static void fill_costs(const struct work *w, struct sph_pair *p) {
-    double sphere[4];
+void sph_pair_fill(const struct sph_pair *pairs, struct sph_pair *p, double r) {
     float shared[5];
-    sph_enclose(w->balls, w->order[0] + p->first, p->count, sphere);
-    double r = sphere[3] + w->margin;
     for (int j = 2; j <= 4; j++)
-        sph_pair_share(w->pairs, p, j, &shared[j]);
+        sph_pair_share(pairs, p, j, &shared[j]);
     p->cost[0] = shared[4];
     p->cost[1] = (float)(r * r) + shared[4];
     p->cost[2] = fminf(p->cost[1], shared[2]);
     p->cost[3] = fminf(p->cost[2], shared[3]);
 }
 
-/* Splits the spheres first..first+count-1 and fills the costs; returns the binary child. */
+/* Splits the spheres first..first+count-1; returns the binary child. */
 static uint32_t split(struct work *w, uint32_t first, uint32_t count, int depth) {
     if (count == 1) return SPH_PAIR_LEAF | w->order[0][first];
     uint32_t me = w->n_pairs++, left;
@@ -137,14 +132,16 @@ static uint32_t split(struct work *w, uint32_t first, uint32_t count, int depth)
     partition(w, p, axis, left);
     p->child[0] = split(w, first, left, depth + 1);
     p->child[1] = split(w, first + left, count - left, depth + 1);
-    fill_costs(w, p);
     return me;
 }
 
-int sph_split(const struct sph_ball *balls, uint32_t n, const struct sph_profile *profile,
-              int limit, struct sph_split *out, struct sph_error *err) {
+double sph_pair_margin(const struct sph_profile *profile) {
+    return ldexp(SPH_FILTER_MARGIN + 1, profile->w - profile->fw);
+}
+
+int sph_split(const struct sph_ball *balls, uint32_t n, int limit, struct sph_split *out,
+              struct sph_error *err) {
     struct work w = {.balls = balls, .limit = limit};
-    w.margin = ldexp(SPH_FILTER_MARGIN + 1, profile->w - profile->fw);
     *out = (struct sph_split){.pairs = malloc(n * sizeof *w.pairs)};
     w.pairs = out->pairs;
     w.spare = malloc(n * sizeof *w.spare);
@@ -169,6 +166,16 @@ int sph_split(const struct sph_ball *balls, uint32_t n, const struct sph_profile
     if (good) return 0;
     sph_split_free(out);
     return sph_fail(err, "out of memory for a tree of %u spheres", n);
+}
+
+void sph_split_fill(const struct sph_ball *balls, const struct sph_profile *profile,
+                    struct sph_split *split) {
+    for (uint32_t i = split->n_pairs; i-- > 0;) { /* children stand behind their parent */
+        struct sph_pair *p = &split->pairs[i];
+        double ball[4];
+        sph_enclose(balls, split->order + p->first, p->count, ball);
+        sph_pair_fill(split->pairs, p, ball[3] + sph_pair_margin(profile));
+    }
 }
 
 void sph_split_free(struct sph_split *tree) {

@@ -30,8 +30,8 @@ static void count(const struct sph_machine *m, uint32_t line, uint32_t level, st
 }
 
 const char *sph_machine_tree_name(const struct sph_machine *m) {
-    static const char *const names[] = {"paper", "balanced", "bih", "brute"};
-    return names[(m->regs[SPH_REG_TREE] - 1) & 3];
+    static const char *const names[] = {"", "paper", "balanced", "bih", "brute", "reinserted"};
+    return names[m->regs[SPH_REG_TREE] & 7];
 }
 
 static void describe_tree(const struct sph_machine *m, FILE *file) {

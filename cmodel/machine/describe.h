@@ -17,7 +17,7 @@ void sph_machine_describe(const struct sph_machine *m, FILE *file);
  * sim/parameters.sh takes them, such as "shadow+reflect2+lights1+rect"; "none" if nothing. */
 void sph_machine_core(const struct sph_machine *m, char *text, size_t size);
 
-/* paper, balanced, bih or brute. */
+/* paper, balanced, reinserted, bih or brute; the machine must be valid. */
 const char *sph_machine_tree_name(const struct sph_machine *m);
 
 #endif

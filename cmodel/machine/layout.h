@@ -36,6 +36,7 @@
 #define SPH_LOD_NONE 4095
 #define SPH_TREE_BIH 3
 #define SPH_TREE_BRUTE 4
+#define SPH_TREE_LAST 5
 #define SPH_BIH_STACK 64
 #define SPH_BIH_T 22
 #define SPH_BIH_V 18

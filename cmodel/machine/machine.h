@@ -40,9 +40,14 @@ static inline int sph_machine_effect(const struct sph_machine *m, int effect) {
     return m->regs[SPH_REG_EFFECTS] >> effect & 1;
 }
 
-/* 1 if it holds a bounding interval hierarchy, or the one leaf of brute force. */
+/* 1 if a tree is a bounding interval hierarchy, or the one leaf of brute force. */
+static inline int sph_tree_bih(int tree) {
+    return tree == SPH_TREE_BIH || tree == SPH_TREE_BRUTE;
+}
+
+/* 1 if the machine holds such a one. */
 static inline int sph_machine_bih(const struct sph_machine *m) {
-    return m->regs[SPH_REG_TREE] >= SPH_TREE_BIH;
+    return sph_tree_bih(m->regs[SPH_REG_TREE]);
 }
 
 /* The words of a line of memory. */

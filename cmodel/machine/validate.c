@@ -95,7 +95,7 @@ static int check_memory(const struct sph_machine *m, struct sph_error *err) {
     RANGE(COARSE, 0, sph_machine_effect(m, SPH_EFFECT_TEXTURE) ? SPH_LOD_BITS : 0);
     RANGE(ROOT, 0, r[SPH_REG_PRIM_BASE] - 1);
     RANGE(VISIT_LIMIT, 1, 0xffffff);
-    RANGE(TREE, 1, SPH_TREE_BRUTE);
+    RANGE(TREE, 1, SPH_TREE_LAST);
     return 0;
 }
 

@@ -28,7 +28,7 @@ static int take(const sphaera_build_options *from, struct sph_build_options *to,
         const char *name;
         int tree;
     } accels[] = {{"auto", SPH_TREE_AUTO},
-                  {"bvh4", SPH_TREE_BALANCED},
+                  {"bvh4", SPH_TREE_REINSERTED},
                   {"bih", SPH_TREE_BIH},
                   {"brute", SPH_TREE_BRUTE}};
     enum { ACCELS = sizeof accels / sizeof *accels };

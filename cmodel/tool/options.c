@@ -31,7 +31,7 @@ static const struct argp_option options[] = {
      1},
     {"error", KEY_ERROR, "PIXELS[,DB]", 0,
      "how far what the eye sees may be off, at most, and the picture: 0.125,45", 1},
-    {"tree", KEY_TREE, "NAME", 0, "bvh4: balanced (default) or paper", 1},
+    {"tree", KEY_TREE, "NAME", 0, "bvh4: reinserted (default), balanced or paper", 1},
     {"background", KEY_BACKGROUND, "NAME", 0,
      "pixels not traced: none (default), those outside a rectangle (rect), outside the outline of "
      "the scene (spans), or whose ray misses it (exact)",
@@ -61,7 +61,6 @@ const struct tool_source tool_source_default = {
     .samples = 1,
     .profile_auto = 1,
     .keep = {SPH_KEEP_PIXELS, SPH_KEEP_PSNR},
-    .build = SPH_BUILD_DEFAULT,
 };
 
 const char *const tool_filter_names[] = {"nearest", "bilinear", "level", "between", NULL};
@@ -76,7 +75,8 @@ static void keep(const struct argp_state *state, const char *arg, struct sph_kee
 }
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
-    static const char *const trees[] = {"paper", "balanced", NULL};
+    static const char *const trees[] = {"paper", "balanced", "reinserted", NULL};
+    static const int numbers[] = {SPH_TREE_PAPER, SPH_TREE_BALANCED, SPH_TREE_REINSERTED};
     static const char *const backgrounds[] = {"none", "rect", "spans", "exact", NULL};
     static const char *const hows[] = {"nearest", "first", NULL};
     struct tool_source *s = state->input;
@@ -98,7 +98,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         keep(state, arg, &s->keep);
         break;
     case KEY_TREE:
-        s->build.tree = SPH_TREE_PAPER + tool_choice(state, "--tree", arg, trees);
+        s->build.tree = numbers[tool_choice(state, "--tree", arg, trees)];
         s->tree_given = 1;
         break;
     case KEY_BACKGROUND:

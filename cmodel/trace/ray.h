@@ -46,6 +46,12 @@ static inline int sph_ray_ends(const struct sph_ray *ray) {
     return ray->kind == SPH_SHADOW;
 }
 
+/* 1 if any hit will do: the ray ends with the first visit that hits, and takes the children of a
+ * node in the node's order, none of them pruned by its depth. */
+static inline int sph_ray_any(const struct sph_ray *ray) {
+    return ray->kind == SPH_SHADOW || ray->first;
+}
+
 /* Fills in everything from `a` on. */
 void sph_ray_setup(const struct sph_profile *p, struct sph_ray *ray);
 

@@ -32,7 +32,7 @@ struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *r
     struct sph_probe probe = sph_probe_of(m, ray, c, errors);
     const struct sph_hit *best = &probe.best;
     struct sph_siblings now = {0}, stack[SPH_STACK_DEPTH];
-    int sp = 0, ends = ray->kind == SPH_SHADOW || ray->first;
+    int sp = 0, ends = sph_ray_any(ray);
     int32_t depth_max = ray->depth_max;
     uint32_t lines = (uint32_t)m->regs[SPH_REG_MEM_LINES], ray_visits = 0;
     uint32_t node = (uint32_t)m->regs[SPH_REG_ROOT];

@@ -3,9 +3,9 @@
  *
  * Borodavka et al. IV. Which nodes a ray visits depends on the ray alone: the leaves of a visit are
  * all tested before the next visit is chosen. Near children go first, and what lies deeper than the
- * best hit is left out. A ray with `first` takes children in the order of the node and leaves out
- * none that the filter passes. A shadow ray and a ray with `first` end after the first visit with a
- * hit; among that visit's leaves the smallest key wins, then the smaller id.
+ * best hit is left out. A shadow ray and a ray with `first` take children in the order of the node,
+ * leave out none that the filter passes, and end after the first visit with a hit; among that
+ * visit's leaves the smallest key wins, then the smaller id.
  */
 #ifndef SPH_TRAVERSE_H
 #define SPH_TRAVERSE_H

@@ -34,7 +34,7 @@ int sph_visit(const struct sph_machine *m, const struct sph_ray *ray, uint32_t n
         int32_t near;
         if (!sph_filter(ray, &child, depth_max, &near)) continue;
         if (i < n_inner)
-            insert(&found->inner, i, ray->first ? INT16_MIN : near);
+            insert(&found->inner, i, sph_ray_any(ray) ? INT16_MIN : near);
         else
             found->leaves |= 1u << (i - n_inner);
     }

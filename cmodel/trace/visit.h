@@ -10,7 +10,8 @@
 #include "machine/machine.h"
 #include "trace/ray.h"
 
-/* Inner children to visit, in order: the near ones first, equal ones as the node has them. */
+/* Inner children to visit, in order: the near ones first, equal ones as the node has them; all as
+ * the node has them if any hit will do. */
 struct sph_siblings {
     uint32_t base; /* line of child 0 of the node */
     int count;
@@ -29,7 +30,7 @@ struct sph_found {
 };
 
 /* Tests the children of the node in line `node`, which exists, against a ray that was set up. Those
- * of a ray with `first` keep the order of the node: all are at the least depth. Returns 0, and
+ * of a sph_ray_any() keep the order of the node: all are at the least depth. Returns 0, and
  * *found is of no use, if the node has more than four children or they do not end in memory. */
 int sph_visit(const struct sph_machine *m, const struct sph_ray *ray, uint32_t node,
               int32_t depth_max, struct sph_found *found);

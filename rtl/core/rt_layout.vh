@@ -64,6 +64,7 @@
 `define RT_LOD_NONE 4095
 `define RT_TREE_BIH 3
 `define RT_TREE_BRUTE 4
+`define RT_TREE_LAST 5
 `define RT_BIH_STACK 64
 `define RT_BIH_T 22
 `define RT_BIH_V 18

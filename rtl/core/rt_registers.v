@@ -82,7 +82,8 @@ module rt_registers #(
                 `RT_REG_VISIT_LIMIT: visit_limit_o   <= data_i[`RT_VISITS_BITS-1:0];
                 `RT_REG_PROFILE:     profile_o       <= data_i;
                 `RT_REG_FRAME:       frame_o         <= data_i[1:0];
-                `RT_REG_TREE:        bih_o           <= data_i[2:0] >= 3'd`RT_TREE_BIH;
+                `RT_REG_TREE:        bih_o           <= data_i[2:0] == 3'd`RT_TREE_BIH ||
+                                                    data_i[2:0] == 3'd`RT_TREE_BRUTE;
                 `RT_REG_BG_BASE:     bg_base_o       <= data_i[`RT_LINE_BITS-1:0];
                 `RT_REG_BG_COUNT:    bg_count_o      <= data_i[4:0];
                 default: ;

@@ -17,7 +17,7 @@ module rt_traverse #(
     parameter SLOTS = 32,   // power of two
     parameter LINES = 256,  // node cache, lines
     parameter SHADOW = 1,   // 1: shadow rays
-    parameter FIRST = 1,    // 1: rays that visit children in the order of the node
+    parameter FIRST = 1,    // 1: rays that end with their first hit
     parameter FACETS = 0    // 1: a leaf child may have a whole line
 ) (
     input  wire                       clk,
@@ -97,20 +97,22 @@ module rt_traverse #(
         end
     endgenerate
     localparam YW = 3*FW + 57;
-    localparam FB = FIRST != 0 ? 1 : 0;
-    wire [YW:0]      y = {first_i, filter_i[`RT_FILTER_NEGATIVE], filter_i[`RT_FILTER_AXIS],
+    localparam OB = FIRST != 0 || SHADOW != 0 ? 1 : 0;
+    wire             in_order = (FIRST != 0 && first_i) ||    // any hit ends the ray
+                                (SHADOW != 0 && ray_i[`RT_RAY_SHADOW]);
+    wire [YW:0]      y = {in_order, filter_i[`RT_FILTER_NEGATIVE], filter_i[`RT_FILTER_AXIS],
                           ray_i[`RT_RAY_UNIT], filter_i[`RT_FILTER_ORG]};
-    wire [YW+FB-1:0] t1_ray;
-    wire             t1_first = FIRST != 0 && t1_ray[YW+FB-1];
+    wire [YW+OB-1:0] t1_ray;
+    wire             t1_order = OB != 0 && t1_ray[YW+OB-1];
     wire             t1_negative;
     wire [1:0]       t1_axis;
     wire [53:0]      t1_unit;
     wire [3*FW-1:0]  t1_org;
     wire             rsp_valid, rsp_fresh, rsp_kill, rsp_error;
     wire [SLOTW-1:0] rsp_slot;
-    rt_slot_ram #(.WIDTH(YW+FB), .SLOTS(SLOTS), .OLD(0)) u_ray (
+    rt_slot_ram #(.WIDTH(YW+OB), .SLOTS(SLOTS), .OLD(0)) u_ray (
         .clk(clk), .wr_en_i(ray_i[`RT_RAY_VALID]), .wr_addr_i(ray_i[`RT_RAY_SLOT]),
-        .wr_data_i(y[YW+FB-1:0]),
+        .wr_data_i(y[YW+OB-1:0]),
         .rd_en_i(rsp_valid), .rd_addr_i(rsp_slot), .rd_data_o(t1_ray)
     );
     assign {t1_negative, t1_axis, t1_unit, t1_org} = t1_ray[YW-1:0];
@@ -245,20 +247,20 @@ module rt_traverse #(
     wire [3:0] f_inner   = ~(4'hf << f_n_inner);                   // children that are nodes
     wire [3:0] f_present = ~(4'hf << (f_n_inner + f_n_leaf));
     wire [3:0] f_hit     = f_kill ? 4'd0 : f_pass & f_present;
-    wire       f_first;
+    wire       f_order;
     generate
-        if (FIRST != 0) begin : g_first
+        if (OB != 0) begin : g_order
             rt_delay #(.WIDTH(1), .CYCLES(LAT)) u_order (
-                .clk(clk), .in_i(t1_first), .out_o(f_first)
+                .clk(clk), .in_i(t1_order), .out_o(f_order)
             );
         end else begin : g_nearest
-            assign f_first = 1'b0;
-            wire unused = &{1'b0, t1_first, y[YW]};
+            assign f_order = 1'b0;
+            wire unused = &{1'b0, t1_order, y[YW]};
         end
     endgenerate
     // Equal depths are put in the order of the node; the smallest is below every limit.
     rt_sort u_sort (
-        .clk(clk), .hit_i(f_hit & f_inner), .near_i(f_first ? {4{16'h8000}} : f_near),
+        .clk(clk), .hit_i(f_hit & f_inner), .near_i(f_order ? {4{16'h8000}} : f_near),
         .count_o(found_o[`RT_FOUND_COUNT]), .list_o(found_o[`RT_FOUND_LIST])
     );
     rt_delay #(.WIDTH(DW), .CYCLES(1)) u_side_1 (

@@ -68,16 +68,16 @@ class Outcomes {
         add(BOTH, n && f.leaves);
         if (!n) return;
         add((Outcome)(ONE_INNER + n - 1), true);
-        add(IN_ORDER, ray.first && n > 1);
-        for (int i = 1; i < n && !ray.first; i++)
+        add(IN_ORDER, sph_ray_any(&ray) && n > 1);
+        for (int i = 1; i < n && !sph_ray_any(&ray); i++)
             add(TIES, f.inner.list[i].near == f.inner.list[i - 1].near);
     }
 
-    /* Whether each was seen; first: rays may take children in the order of the node. */
-    bool all(bool first) const {
+    /* Whether each was seen; any: there are rays that any hit ends. */
+    bool all(bool any) const {
         bool each = true;
         for (int i = 0; i < OUTCOMES; i++)
-            if (!count[i] && (first || i != IN_ORDER)) {
+            if (!count[i] && (any || i != IN_ORDER)) {
                 printf("# outcome %d of visit_outcomes.h was not seen\n", i);
                 each = false;
             }

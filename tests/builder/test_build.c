@@ -10,6 +10,9 @@
 
 #include "builder/emit.h"
 #include "builder/tree.h"
+#include "machine/describe.h"
+
+static const int trees[] = {SPH_TREE_PAPER, SPH_TREE_BALANCED, SPH_TREE_REINSERTED};
 
 static int32_t child_field(const uint32_t *line, int child, int lsb, int width) {
     return sph_field_signed(line, child * SPH_CHILD_STRIDE + lsb, width);
@@ -71,7 +74,8 @@ static void test_containment(void **unused) {
     (void)unused;
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
         for (int profile = 0; profile < SPH_PROFILES; profile++)
-            for (int tree = SPH_TREE_PAPER; tree <= SPH_TREE_BALANCED; tree++) {
+            for (int kind = 0; kind < 3; kind++) {
+                int tree = trees[kind];
                 struct sph_scene s = cloud(sizes[i], i & 1 ? 0.1 : 0.03);
                 struct sph_build_options o = standard;
                 struct sph_build_report report;
@@ -103,9 +107,11 @@ static void test_depth(void **unused) {
             balls[i].r += (int32_t)(at * 1e5);
         }
         const struct sph_profile *p = &sph_profiles[SPH_REFERENCE];
-        assert_int_equal(sph_tree_balanced(balls, n, p, eye, &tree, NULL), 0);
-        assert_true(tree.depth - 1 <= SPH_STACK_DEPTH);
-        free(tree.nodes);
+        for (int kind = 1; kind < 3; kind++) {
+            assert_int_equal(sph_tree_balanced(balls, n, p, eye, trees[kind], &tree, NULL), 0);
+            assert_true(tree.depth - 1 <= SPH_STACK_DEPTH);
+            free(tree.nodes);
+        }
     }
 }
 
@@ -259,19 +265,18 @@ static void test_effects(void **unused) {
 static void time_large(void) {
     static const uint32_t sizes[] = {100000, 1000000};
     for (int i = 0; i < 2; i++)
-        for (int tree = SPH_TREE_PAPER; tree <= SPH_TREE_BALANCED; tree++) {
+        for (int kind = 0; kind < 3; kind++) {
             struct sph_scene s = cloud(sizes[i], 0.3 / cbrt(sizes[i]));
             struct sph_build_options o = standard;
             struct sph_build_report r;
             struct sph_machine m;
             struct sph_error err = {{0}};
-            o.profile = SPH_FINE, o.tree = tree;
+            o.profile = SPH_FINE, o.tree = trees[kind];
             if (sph_build(&s, &o, &m, &r, &err)) {
                 printf("# %s\n", err.text);
             } else {
                 printf("# %u spheres, %s: %.2f s, %u nodes, depth %u\n", sizes[i],
-                       tree == SPH_TREE_PAPER ? "paper" : "balanced", r.build_seconds, r.nodes,
-                       r.depth);
+                       sph_machine_tree_name(&m), r.build_seconds, r.nodes, r.depth);
                 sph_machine_free(&m);
             }
             free(s.spheres);

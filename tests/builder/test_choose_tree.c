@@ -65,7 +65,7 @@ static void rule(void **state) {
         struct sph_scene scene = read_scene(cases[i].path);
         struct sph_machine m = build(&scene, SPH_TREE_AUTO, 0, &report);
         struct sph_machine same = cases[i].bih ? build(&scene, SPH_TREE_BIH, 1, &asked)
-                                               : build(&scene, SPH_TREE_BALANCED, 0, &asked);
+                                               : build(&scene, SPH_TREE_REINSERTED, 0, &asked);
         printf("# %s: %s\n", cases[i].path, report.tree_why);
         assert_int_equal(m.lines, same.lines);
         assert_memory_equal(m.regs, same.regs, sizeof m.regs);
@@ -95,7 +95,7 @@ static void saves(void **state) {
         struct sph_scene scene = read_scene(cases[i].path);
         struct sph_machine m = build(&scene, SPH_TREE_AUTO, 0, &report);
         int bih = sph_machine_bih(&m);
-        struct sph_machine other = bih ? build(&scene, SPH_TREE_BALANCED, 0, &report)
+        struct sph_machine other = bih ? build(&scene, SPH_TREE_REINSERTED, 0, &report)
                                        : build(&scene, SPH_TREE_BIH, 1, &report);
         double chosen = clocks(&m), otherwise = clocks(&other);
         printf("# %-30s %s %6.1f clocks a pixel, %s %6.1f: %.2f\n", cases[i].path,

@@ -232,7 +232,7 @@ static void test_wrong_registers(void **unused) {
         {SPH_REG_VISIT_LIMIT, 0, "VISIT_LIMIT"},
         {SPH_REG_PROFILE, 0, "profile width W is 16, not 0"},
         {SPH_REG_PROFILE, 1 << 30, "profile width"},
-        {SPH_REG_TREE, SPH_TREE_BRUTE + 1, "TREE"},
+        {SPH_REG_TREE, SPH_TREE_LAST + 1, "TREE"},
         {SPH_REG_TREE, SPH_TREE_BIH, "LEAF_BASE"},
         {SPH_REG_BOX_X0, 1, "BOX_X0"},
         {SPH_REG_N_LOOSE, 1, "N_LOOSE"},

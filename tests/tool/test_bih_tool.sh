@@ -66,11 +66,11 @@ check "... in the report too" json auto.json \
     'r["build"]["tree_why"] == "chosen for 80 triangles and 0 spheres"'
 check "nothing is said of one that was asked for" sh -c "! grep chosen asked.txt"
 check "spheres get nodes of four children" sh -c "'$s' build a.nff -o s.sph |
-    grep '^tree     balanced: .*, chosen for 0 triangles and 100 spheres'"
-for way in "--accel bvh4" "--tree balanced" "--tree paper"; do
+    grep '^tree     reinserted: .*, chosen for 0 triangles and 100 spheres'"
+for way in "--accel bvh4" "--tree reinserted" "--tree balanced" "--tree paper"; do
     # shellcheck disable=SC2086  # options on purpose
     check "four children are asked for by $way" sh -c "'$s' build i.nff $way -o t.sph |
-        grep -E '^tree     (balanced|paper): [^c]*\$'"
+        grep -E '^tree     (reinserted|balanced|paper): [^c]*\$'"
     # shellcheck disable=SC2086
     check "... and show the same" equal "$(picture i.nff)" "$(picture i.nff $way)"
 done
@@ -98,7 +98,7 @@ says "other builder" "'sah' is none of full, listing" \
 says "the paper's walk" "traverse first is the paper's walk .* not for bih" \
     "$s" build flake.nff --accel bih --traverse first -o x.sph
 says "options for a machine" "--accel is for scenes" "$s" render a.sph --accel brute
-says "walk of bvh4" "--walk is for --accel bih and brute, this is balanced" \
+says "walk of bvh4" "--walk is for --accel bih and brute, this is reinserted" \
     "$s" render a.nff --size 16x16 --walk x.png
 says "radius" "'-1' is no number above 0" "$s" gen scenario1 --radius -1 -o x.nff
 says "large radius" "radius 21 is not above 0 and up to 20" "$s" gen scenario1 --radius 21 -o x.nff

@@ -1,0 +1,15 @@
+/* tree_better.h - a binary tree with fewer visits than its splits have
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef SPH_TREE_BETTER_H
+#define SPH_TREE_BETTER_H
+
+#include "builder/tree_split.h"
+
+/* Improves a split of n >= 2 spheres by reinsertion. Up to 8192 spheres it is the cheapest of the
+ * splits, of the splits with reinsertion, and of two trees made from the leaves upwards, with
+ * reinsertion too. The tree does not depend on the number of threads. -1 if memory is out. */
+int sph_split_better(const struct sph_ball *balls, uint32_t n, const struct sph_profile *profile,
+                     struct sph_split *split, struct sph_error *err);
+
+#endif
