@@ -49,8 +49,7 @@ int sph_tree_paper(const struct sph_ball *balls, uint32_t n, const struct sph_pr
  * levels of nodes. `eye` orders siblings near first. kind: SPH_TREE_REINSERTED: with the pairs that
  * tree_better.h makes of them, unless that is too deep. -1 if memory is out. */
 int sph_tree_balanced(const struct sph_ball *balls, uint32_t n, const struct sph_profile *profile,
-                      const int32_t eye[3], int kind, struct sph_tree *tree,
-                      struct sph_error *err);
+                      const int32_t eye[3], int kind, struct sph_tree *tree, struct sph_error *err);
 
 /* Indices 0..n-1 sorted by coordinate `axis` of the centre (equal ones by index), rising or
  * falling; malloc, NULL if memory is out. */
