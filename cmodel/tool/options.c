@@ -61,6 +61,7 @@ const struct tool_source tool_source_default = {
     .samples = 1,
     .profile_auto = 1,
     .keep = {SPH_KEEP_PIXELS, SPH_KEEP_PSNR},
+    .build = SPH_BUILD_DEFAULT,
 };
 
 const char *const tool_filter_names[] = {"nearest", "bilinear", "level", "between", NULL};

@@ -32,7 +32,8 @@ refuse sim SIM=questa ENGINES=9 STALL=100 LATENCY=-1 SIZE=axb DEPTH=9 JOBS=x PRO
 for word in "SIM=questa: is none of verilator, icarus$" "ENGINES=9: is not 1 to 8$" \
     "STALL=100: is not 0 to 99$" "LATENCY=-1: is not 1 to 100000$" "JOBS=x: is not 1 to 1024$" \
     "SIZE=axb: is no size such as 640x360" "DEPTH=9: is not 0 to 5$" \
-    "EFFECTS=shadw: .*; is shadow meant" "TREE=papre: is none of reinserted, balanced, paper; is paper meant" \
+    "EFFECTS=shadw: .*; is shadow meant" \
+    "TREE=papre: is none of reinserted, balanced, paper; is paper meant" \
     "ACCEL=bhv4: .*; is bvh4 meant" "BACKGROUND=rekt: .*; is rect meant" \
     "SEED=x: is not 0 and more" "TRAVERSE=frist: .*; is first meant" "WARM=yes: is none of 0, 1$" \
     "TARGET=ecp: .*; is ecp5 meant" "MAX_PRIMS=0: is none of 1 to 16777215, infinity" \
