@@ -15,6 +15,7 @@ module f_scan #(
     input wire        clk,
     input wire        rst,
     input wire        enable,
+    input wire        forget,        // the bus was reset
     input wire        frame,
     input wire        show_valid,
     input wire [31:0] show_base,
@@ -38,7 +39,8 @@ module f_scan #(
     wire [DATA+1:0] word;
     reg  [CB-1:0] count_q;           // words of the queue
     rt_scan #(.DATA(DATA), .BURST(BURST), .DEPTH(DEPTH)) u_dut (
-        .clk(clk), .rst(rst), .enable_i(enable), .h_active_i(h_active), .v_active_i(v_active),
+        .clk(clk), .rst(rst), .enable_i(enable), .forget_i(forget), .h_active_i(h_active),
+        .v_active_i(v_active),
         .rgb565_i(rgb565), .double_i(twice), .stride_i(stride), .frame_i(frame), .take_o(take),
         .show_valid_i(show_valid), .show_base_i(show_base), .m_scan_arvalid(arvalid),
         .m_scan_arready(arready), .m_scan_araddr(araddr), .m_scan_arlen(arlen),
@@ -71,7 +73,8 @@ module f_scan #(
         wait_q      <= arvalid && !arready;
         wait_addr_q <= araddr;
         wait_len_q  <= arlen;
-        if (rst) begin owed_q <= 0; count_q <= 0; wait_q <= 1'b0; end
+        if (rst || forget) begin owed_q <= 0; wait_q <= 1'b0; end
+        if (rst) count_q <= 0;
     end
     wire [15:0] row_bytes = ((h_active + {12'd0, twice}) >> twice) << (rgb565 ? 1 : 2);
     wire [15:0] beats     = (row_bytes + (BYTES - 1)) / BYTES;

@@ -16,7 +16,8 @@ for d in $folders; do include="$include -I$d" library="$library -libdir $d"; don
 stat=$(mktemp)
 trap 'rm -f "$stat"' EXIT
 nice yosys -q -p "verilog_defaults -add $include -DSYNTHESIS;
-    read_verilog -lib +/ecp5/cells_bb.v; read_verilog $(find rtl -name "$top.v"); ${set_all:+chparam $set_all $top;}
+    read_verilog -lib +/ecp5/cells_bb.v;
+    read_verilog $(find rtl -name "$top.v"); ${set_all:+chparam $set_all $top;}
     hierarchy -check -top $top $library; synth_ecp5 -nowidelut -noflatten -top $top;
     check -assert; tee -q -o $stat stat" >&2
 # the last count is that of the whole: of the hierarchy, if there is one

@@ -333,7 +333,7 @@ module rt_top #(
             assign mode[`RT_MODE_V_POL]    = settings[`RT_TOP_SET_VIDEO_V_POL];
             rt_video #(.DATA(DATA)) u_video (
                 .clk(clk), .rst(rst), .enable_i(settings[`RT_TOP_SET_VIDEO_ENABLE]),
-                .mode_i(mode), .format_i(settings[`RT_TOP_SET_FORMAT_RGB565]),
+                .forget_i(forget), .mode_i(mode), .format_i(settings[`RT_TOP_SET_FORMAT_RGB565]),
                 .stride_i({settings[`RT_TOP_SET_STRIDE_UNITS], 5'd0}),
                 .double_i(settings[`RT_TOP_SET_VIDEO_DOUBLE]), .take_o(video_take),
                 .show_valid_i(show_valid_o), .show_base_i(show_base_o), .blank_o(blank),

@@ -17,6 +17,7 @@ module rt_scan #(
     input  wire        clk,
     input  wire        rst,               // synchronous, active high
     input  wire        enable_i,
+    input  wire        forget_i,          // the bus was reset: it owes nothing
     input  wire [12:0] h_active_i,        // pixels of a row and rows that are shown; stable while
     input  wire [12:0] v_active_i,        // enable_i is high
     input  wire        rgb565_i,          // RGB565, else XRGB8888; from the next frame on
@@ -68,11 +69,12 @@ module rt_scan #(
     assign take_o = enable_i && frame_i != frame_q;
     wire idle     = owed_q == {CB{1'b0}} && !m_scan_arvalid;
     wire room_1   = !word_count_i[CB-1];
-    wire header   = begin_q && idle && room_1 && !take_o && enable_i;
+    wire header   = begin_q && idle && room_1 && !take_o && !forget_i && enable_i;
     always @(posedge clk) begin
         frame_q <= frame_i;
         if (header) begin begin_q <= 1'b0; stale_q <= 1'b0; end
         if (take_o) begin begin_q <= 1'b1; stale_q <= 1'b1; end
+        if (forget_i) stale_q <= 1'b1;    // the rest of this frame is not asked for
         if (!enable_i) begin begin_q <= 1'b0; stale_q <= 1'b1; end
         if (rst) begin
             frame_q <= 1'b0;
@@ -90,7 +92,7 @@ module rt_scan #(
     reg         read_q;                   // there is more to be asked for
     wire [CB:0] full   = {1'b0, word_count_i} + {1'b0, owed_q};
     wire        room   = full <= DEPTH[CB:0] - BURST[CB:0];
-    wire        go     = read_q && !stale_q && !take_o && room && !m_scan_arvalid;
+    wire        go     = read_q && !stale_q && !take_o && room && !m_scan_arvalid && !forget_i;
     wire [LB:0] to_end = BURST[LB:0] - {1'b0, addr_q[BB +: LB]};
     wire        short  = left_q <= {{(12-LB){1'b0}}, to_end};
     wire [LB:0] length = short ? left_q[LB:0] : to_end;
@@ -123,7 +125,8 @@ module rt_scan #(
             again_q <= 1'b0;
             read_q  <= show_valid_i;
         end
-        if (rst) begin m_scan_arvalid <= 1'b0; read_q <= 1'b0; end
+        if (rst || forget_i) m_scan_arvalid <= 1'b0;
+        if (rst) read_q <= 1'b0;
     end
 
     // ---- beats ----
@@ -132,7 +135,7 @@ module rt_scan #(
     assign error_o       = beat && m_scan_rresp[1];
     always @(posedge clk) begin
         owed_q <= owed_q + (go ? {{(CB-LB-1){1'b0}}, length} : {CB{1'b0}}) - {{(CB-1){1'b0}}, beat};
-        if (rst) owed_q <= {CB{1'b0}};
+        if (rst || forget_i) owed_q <= {CB{1'b0}};
     end
     assign word_valid_o = header || (beat && !stale_q && enable_i);
     assign word_data_o  = {header, frame_q, m_scan_rdata[DATA-1:3],

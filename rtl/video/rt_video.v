@@ -16,6 +16,7 @@ module rt_video #(
     input  wire        clk,
     input  wire        rst,               // synchronous, active high; of the bus, too
     input  wire        enable_i,
+    input  wire        forget_i,          // one cycle: the bus was reset, it owes nothing
     input  wire [`RT_MODE_BITS-1:0] mode_i, // stable while enable_i; rt_modes.vh
     input  wire        format_i,          // 0: XRGB8888, 1: RGB565
     input  wire [15:0] stride_i,          // bytes from a row to the next, a multiple of 16
@@ -100,7 +101,7 @@ module rt_video #(
     wire [23:0]     rgb;
     rt_scan #(.DATA(DATA), .BURST(BURST), .DEPTH(DEPTH)) u_scan (
         .clk(clk), .rst(rst), .enable_i(on_q), // memory owes its beats after pix_rst, too
-        .h_active_i(mode_i[`RT_MODE_H_ACTIVE]),
+        .forget_i(forget_i), .h_active_i(mode_i[`RT_MODE_H_ACTIVE]),
         .v_active_i(mode_i[`RT_MODE_V_ACTIVE]), .rgb565_i(format_i), .double_i(double_i),
         .stride_i(stride_i), .frame_i(frame_s), .take_o(take_o),
         .show_valid_i(show_valid_i), .show_base_i(show_base_i),

@@ -74,6 +74,14 @@ class Rig {
         run_clocks(4); /* a frame that began before the other side heard of it; none begins yet */
         lose();
     }
+    /* The bus is reset while the display runs on. */
+    void reset_bus() {
+        store.reset();
+        dut.forget_i = 1;
+        run_clocks(1);
+        dut.forget_i = 0;
+        dut.eval();
+    }
     void run_clocks(unsigned n) {
         for (const uint64_t until = clocks + n; clocks < until;)
             step();

@@ -8,7 +8,8 @@
  * frames go by; then one of these happens:
  *     nothing: every picture is its frame, and no underrun is told
  *     the bus dies for a while: underruns are told, one for each picture that misses pixels; these
- *         are black from there on; the first that begins after the bus is back is right again
+ *         are black from there on; the first that begins after the bus is back, or was reset by
+ *         itself, is right again
  *     a reset of either side or both, of a clock or more, in mid-frame
  *     off and on again, at once or later, with another mode
  *     no frame is complete: black, and no underrun
@@ -160,6 +161,7 @@ class Check {
             rig.store.dead = true;
             rig.run_pictures(3); /* two may be on their way */
             anywhere();
+            if (random.percent(50)) rig.reset_bus();
             rig.store.dead = false;
             rig.must_be_right = rig.takes;
             if (rig.underruns == underruns) rig.fail("no underrun, and the bus is dead");

@@ -1,7 +1,7 @@
 // tb_video_icarus.v - two frames of a small mode in Icarus, decoded from the symbols and compared
 // SPDX-License-Identifier: Apache-2.0
-// Memory is a formula of the address; its port answers a burst at a time. The raster is counted from
-// the first pixel after vertical blanking. Prints `ok` or `not ok` and ends by itself.
+// Memory is a formula of the address; its port answers a burst at a time. The raster is counted
+// from the first pixel after vertical blanking. Prints `ok` or `not ok` and ends by itself.
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_modes.vh"
@@ -60,7 +60,7 @@ module tb_video_icarus;
     wire [23:0] tdata;
     wire [9:0]  blue, green, red;
     rt_video #(.DATA(64), .BURST(4), .DEPTH(16)) u_video (
-        .clk(clk), .rst(rst), .enable_i(enable), .mode_i(mode), .format_i(1'b0),
+        .clk(clk), .rst(rst), .enable_i(enable), .forget_i(1'b0), .mode_i(mode), .format_i(1'b0),
         .stride_i(16'd96), .double_i(1'b0), .take_o(take), .show_valid_i(1'b1),
         .show_base_i(base), .blank_o(blank), .underrun_o(underrun), .error_o(error),
         .m_scan_arvalid(arvalid), .m_scan_arready(!busy), .m_scan_araddr(araddr),
