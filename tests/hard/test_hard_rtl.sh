@@ -18,7 +18,7 @@ export BUILD TMP BENCH_BUILD=build
 # A folder that looks like this one, built as far as all benches share it.
 tree() { # its name
     mkdir -p "$1/build/test" "$1/build/sim"
-    cp -al Makefile make cmodel formal tb sim synth tests "$1/"
+    cp -al Makefile VERSION make cmodel formal tb sim synth tests "$1/"
     cp -al "$BUILD/libsphaera.a" "$BUILD/obj" "$BUILD/flags" "$BUILD/sources" "$1/build/"
     cp -al "$BUILD/test/obj" "$BUILD/test/libhard.a" "$1/build/test/"
     cp -al "$BUILD/sim/obj" "$1/build/sim/"

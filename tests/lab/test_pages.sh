@@ -9,7 +9,8 @@ check "pages are as the sources have them: make pages" python3 -m lab.pages --ch
 check "files, modules, functions, targets that are named are there" python3 -m lab.pages.names
 
 # faults in a copy of the tree
-cp -r cmodel docs formal lab make rtl scenes sim synth tb Makefile README.md CONTRIBUTING.md "$TMP"
+cp -r cmodel docs formal lab make rtl scenes sim synth tb Makefile VERSION README.md \
+    CONTRIBUTING.md "$TMP"
 cd "$TMP" || exit 1
 edited() { # file, sed expression: it must change something
     cp "$1" before && sed -i "$2" "$1" && ! cmp -s before "$1"

@@ -44,7 +44,7 @@ textured() {
 }
 # A block bench, in a folder that looks like this one but for its rtl.
 bench() {
-    cp -al Makefile make cmodel driver formal scenes sim synth tb tests "$here/" &&
+    cp -al Makefile VERSION make cmodel driver formal scenes sim synth tb tests "$here/" &&
         sh "$here/tb/run_bench.sh" "$1" 1
 }
 # Runs a job file; 0: noticed (sound RTL: passes), 1: not noticed, 2: could not be run.

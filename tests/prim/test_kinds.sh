@@ -10,7 +10,7 @@ set -u
 . "$(dirname "$0")/../tap.sh"
 cd "$(dirname "$0")/../.." || exit 1
 here=$PWD
-mkdir -p "$TMP/copy" && cp -r cmodel rtl sim tb "$TMP/copy" && cd "$TMP/copy" || exit 1
+mkdir -p "$TMP/copy" && cp -r VERSION cmodel rtl sim tb "$TMP/copy" && cd "$TMP/copy" || exit 1
 
 # ---- a kind more ----
 sed -i 's/^kind   2      plane$/&\nkind   3      wedge/' cmodel/machine/machine.def
