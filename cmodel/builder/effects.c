@@ -6,6 +6,7 @@
 #include "builder/effects.h"
 
 #include "builder/emit.h"
+#include "builder/lamp.h"
 
 #define WHY(entry, ...) sph_note((entry)->why, sizeof(entry)->why, __VA_ARGS__)
 
@@ -13,8 +14,10 @@ static void find_shadow(const struct sph_survey *s, const struct sph_lights *lig
                         struct sph_effect_report *entry) {
     int32_t at[SPH_MAX_LIGHTS][3];
     struct sph_witness w;
+    int far = -1;
     for (int l = 0; l < lights->n_shining; l++)
-        sph_grid_point(s->grid, s->scene, s->scene->lights[lights->shining[l]].pos, at[l]);
+        if (sph_grid_lamp(s->grid, s->scene, s->scene->lights[lights->shining[l]].pos, at[l]))
+            far = lights->shining[l];
     int any = s->world.n > 0 || s->world.facets->n > 0;
     if (!lights->n_shining || !any) {
         WHY(entry, any ? "no light shines" : "there is no sphere");
@@ -27,6 +30,11 @@ static void find_shadow(const struct sph_survey *s, const struct sph_lights *lig
     }
     if (s->world.facets->n) {
         sph_find_facet_shadow(s, entry);
+        return;
+    }
+    if (far >= 0) {
+        entry->called = 1;
+        WHY(entry, "the light %s is far away", sph_light_place(s->scene, far).text);
         return;
     }
     int how = sph_occlusion(&s->world, (const int32_t(*)[3])at, lights->n_shining, &w);

@@ -7,12 +7,14 @@
 #include <string.h>
 
 #include "builder/endless.h"
+#include "builder/lamp.h"
 #include "prim/prim.h"
 #include "prim/scene.h"
 #include "scene/vector.h"
 
 enum {
     MARGIN = 4, /* grid units kept free at each side */
+    FAR = 4,    /* times finer: then the grid is made without the lights */
     LEAST = 12  /* bits that planes leave to what has an end, and half of those beyond */
 };
 
@@ -76,17 +78,24 @@ static int add_facets(const struct sph_scene *scene, const double m[9], struct b
     return 0;
 }
 
-/* The box, in the camera's axes around the eye, of all that must lie on the grid. */
-static int bounds(const struct sph_scene *scene, const double m[9], struct box *box,
-                  struct sph_error *err) {
+/* Adds the lights. */
+static int add_lights(const struct sph_scene *scene, const double m[9], struct box *box,
+                      struct sph_error *err) {
     double at[3];
-    memset(box, 0, sizeof *box); /* the eye */
     for (int l = 0; l < scene->n_lights; l++) {
         turn(m, sph_vec_sub(scene->lights[l].pos, scene->camera.from), at);
         if (!isfinite(at[0] + at[1] + at[2]))
             return sph_fail(err, "%s: light %d is not at a finite place", scene->path, l);
         box_add(box, at, 0);
     }
+    return 0;
+}
+
+/* The box, in the camera's axes around the eye, of all that must lie on the grid. */
+static int bounds(const struct sph_scene *scene, const double m[9], struct box *box,
+                  struct sph_error *err) {
+    double at[3];
+    memset(box, 0, sizeof *box); /* the eye */
     for (uint32_t i = 0; i < scene->n_spheres; i++) {
         const struct sph_sphere *s = &scene->spheres[i];
         turn(m, sph_vec_sub(s->ctr, scene->camera.from), at);
@@ -117,44 +126,65 @@ static double side(const struct sph_scene *scene, const struct box *box, int w) 
     return fmax(span, fmin(2 * sph_endless_reach(scene), ldexp(span, (w - LEAST) / 2)));
 }
 
-/* Whether a ball lies inside w bits with the margin. */
-static int fits(const struct sph_ball *ball, int w) {
-    int64_t lo = -(1ll << (w - 1)) + MARGIN, hi = (1ll << (w - 1)) - 1 - MARGIN;
+int sph_grid_fits(const struct sph_grid *grid, const struct sph_ball *ball) {
+    int64_t lo = -(1ll << (grid->w - 1)) + MARGIN, hi = (1ll << (grid->w - 1)) - 1 - MARGIN;
     for (int i = 0; i < 3; i++)
         if ((int64_t)ball->c[i] - ball->r < lo || (int64_t)ball->c[i] + ball->r > hi) return 0;
     return 1;
 }
 
-/* Whether eye, lights and spheres, quantised, lie inside w bits with the margin. */
-static int all_fit(const struct sph_grid *grid, const struct sph_scene *scene, int w) {
+/* What of the scene has an end, on the grid; rays start no farther from it than the margin. */
+static struct sph_extent extent_of(const struct sph_grid *grid, const struct sph_scene *scene,
+                                   const struct box *box) {
+    struct sph_extent e = {.rad = 0};
+    for (int i = 0; i < 3; i++) {
+        e.lo[i] = floor(box->lo[i] / grid->step) + grid->eye[i] - 2 * MARGIN;
+        e.hi[i] = ceil(box->hi[i] / grid->step) + grid->eye[i] + 2 * MARGIN;
+    }
+    for (uint32_t i = 0; i < scene->n_spheres; i++)
+        e.rad = fmax(e.rad, scene->spheres[i].rad / grid->step + 1);
+    return e;
+}
+
+/* Whether eye and spheres, quantised, lie inside w bits with the margin, and lights do or are as
+ * good as there. box: of what has an end. */
+static int all_fit(const struct sph_grid *grid, const struct sph_scene *scene,
+                   const struct box *box) {
+    struct sph_extent extent = extent_of(grid, scene, box);
     struct sph_ball ball = {.r = 0};
     memcpy(ball.c, grid->eye, sizeof ball.c);
-    if (!fits(&ball, w)) return 0;
+    if (!sph_grid_fits(grid, &ball)) return 0;
     for (int l = 0; l < scene->n_lights; l++) {
-        sph_grid_point(grid, scene, scene->lights[l].pos, ball.c);
-        if (!fits(&ball, w)) return 0;
+        if (!sph_lamp_sound(grid, scene, scene->lights[l].pos, &extent)) return 0;
     }
     for (uint32_t i = 0; i < scene->n_spheres; i++) {
         ball = sph_grid_ball(grid, scene, &scene->spheres[i]);
-        if (!fits(&ball, w)) return 0;
+        if (!sph_grid_fits(grid, &ball)) return 0;
     }
     ball.r = 0;
     for (uint32_t i = 0; i < scene->n_facets; i++)
         for (int k = 0; k < sph_prim_scene_of((uint32_t)scene->facets[i].kind)->points; k++) {
             sph_grid_point(grid, scene, scene->facets[i].v[k], ball.c);
-            if (!fits(&ball, w)) return 0;
+            if (!sph_grid_fits(grid, &ball)) return 0;
         }
     return 1;
 }
 
 int sph_grid_fit(const struct sph_scene *scene, int w, struct sph_grid *grid,
                  struct sph_error *err) {
-    struct box box;
+    struct box box, lit;
     memset(grid, 0, sizeof *grid);
     grid->step = 1;
+    grid->w = w;
     if (rotation(scene, grid->rotation, err) || bounds(scene, grid->rotation, &box, err)) return -1;
     add_corners(scene, grid->rotation, &box);
-    double span = side(scene, &box, w), from[3];
+    lit = box;
+    if (add_lights(scene, grid->rotation, &lit, err)) return -1;
+    int planes = 0;
+    for (uint32_t i = 0; i < scene->n_facets; i++)
+        planes |= sph_prim_of((uint32_t)scene->facets[i].kind)->loose;
+    double span = side(scene, &box, w), all = side(scene, &lit, w), from[3];
+    if (planes || all < FAR * span || !(span > 0)) box = lit, span = all;
     if (!isfinite(span)) return sph_fail(err, "%s: the scene is too large", scene->path);
     /* one unit too fine at most: all_fit() decides */
     if (span > 0) grid->log2 = (int)floor(log2(span / ldexp(1, w)));
@@ -163,12 +193,19 @@ int sph_grid_fit(const struct sph_scene *scene, int w, struct sph_grid *grid,
         if (span / grid->step > ldexp(1, w)) continue;
         for (int i = 0; i < 3; i++)
             grid->eye[i] = (int32_t)lround(-(box.lo[i] + box.hi[i]) / 2 / grid->step);
-        if (all_fit(grid, scene, w)) break;
+        if (all_fit(grid, scene, &box)) break;
     }
     turn(grid->rotation, scene->camera.from, from);
     for (int i = 0; i < 3; i++)
         grid->origin[i] = from[i] - grid->eye[i] * grid->step;
     return 0;
+}
+
+void sph_grid_real(const struct sph_grid *grid, const struct sph_scene *scene, struct sph_vec p,
+                   double out[3]) {
+    turn(grid->rotation, sph_vec_sub(p, scene->camera.from), out);
+    for (int i = 0; i < 3; i++)
+        out[i] = out[i] / grid->step + grid->eye[i];
 }
 
 void sph_grid_point(const struct sph_grid *grid, const struct sph_scene *scene, struct sph_vec p,

@@ -14,6 +14,7 @@ struct sph_grid {
     int32_t eye[3];     /* grid units, exact */
     int log2;           /* a grid unit is 2^log2 scene units */
     double step;        /* 2^log2 */
+    int w;              /* bits of a coordinate */
 };
 
 /* Finds the finest power-of-two grid of w bits that holds the scene (docs/model/build.md). -1 if
@@ -26,6 +27,13 @@ void sph_grid_point(const struct sph_grid *grid, const struct sph_scene *scene, 
                     int32_t out[3]);
 struct sph_ball sph_grid_ball(const struct sph_grid *grid, const struct sph_scene *scene,
                               const struct sph_sphere *sphere);
+
+/* The same before rounding, as far away as it may be. */
+void sph_grid_real(const struct sph_grid *grid, const struct sph_scene *scene, struct sph_vec p,
+                   double out[3]);
+
+/* Whether a ball lies on the grid, with the margin. */
+int sph_grid_fits(const struct sph_grid *grid, const struct sph_ball *ball);
 
 /* How far the grid moves a point of the scene, in units of the scene. */
 double sph_grid_off(const struct sph_grid *grid, const struct sph_scene *scene, struct sph_vec p);

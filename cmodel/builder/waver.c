@@ -5,6 +5,7 @@
 
 #include <math.h>
 
+#include "builder/lamp.h"
 #include "reference/facet.h"
 #include "reference/world.h"
 
@@ -146,6 +147,6 @@ double sph_waver_shadow(const struct sph_waver *w, const struct sph_ref_step *a,
     }
     double wide = rest * sqrt(fmax(dot(move, move) - along * along, 0));
     double off = sph_waver_surface(w, by->id) + rest * of->at +
-                 by->t * sph_grid_off(&w->grid, w->scene, *lamp);
+                 by->t * sph_lamp_off(&w->grid, w->scene, *lamp);
     return off / fmin(wide, size(w, by->id));
 }

@@ -3,6 +3,7 @@
  */
 #include "engine/render_light.h"
 
+#include "math/fx.h"
 #include "shade/colour.h"
 #include "shade/gloss.h"
 #include "texture/filter.h"
@@ -31,8 +32,8 @@ static void add(const struct sph_job *j, const struct sph_ray *ray, const struct
         j->c->count[SPH_COUNT_POWERS]++;
     }
     for (int i = 0; i < 3; i++) {
-        sums->matt[i] = sph_light_add(sums->matt[i], cosine, (uint32_t)rgb[i]);
-        sums->gloss[i] = sph_light_add(sums->gloss[i], shine, (uint32_t)rgb[i]);
+        sums->matt[i] = sph_light_add(sums->matt[i], cosine, (uint32_t)rgb[i] & 65535);
+        sums->gloss[i] = sph_light_add(sums->gloss[i], shine, (uint32_t)rgb[i] & 65535);
     }
 }
 
@@ -46,7 +47,7 @@ void sph_job_light(const struct sph_job *j, const struct sph_ray *ray, const str
         struct sph_ray to = {.kind = SPH_SHADOW, .skip = {hit->id, hit->far}, .inside = j->inside};
         for (int i = 0; i < 3; i++) {
             to.org[i] = s->point[i];
-            to.dir[i] = lamp[i] - s->point[i];
+            to.dir[i] = lamp[i] - sph_round(s->point[i], lamp[3] >> SPH_LIGHT_SHIFT_LSB);
         }
         sph_ray_setup(j->p, &to);
         uint32_t cosine = sph_lambert(&s->unit, &to.unit);

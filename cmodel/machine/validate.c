@@ -6,6 +6,7 @@
 
 #include "machine/prims.h"
 #include "machine/materials.h"
+#include "math/fx.h"
 #include "machine/parts.h"
 #include "machine/textures.h"
 #include "machine/validate.h"
@@ -67,9 +68,13 @@ static int check_geometry(const struct sph_machine *m, struct sph_error *err) {
                         p->wd);
     for (int l = 0; l < r[SPH_REG_N_LIGHTS]; l++) {
         static const char *const names[6] = {"X", "Y", "Z", "R", "G", "B"};
+        const int32_t *lamp = r + SPH_REG_LIGHT0_X + SPH_LIGHT_STRIDE * l;
+        int shift = lamp[3] >> SPH_LIGHT_SHIFT_LSB;
+        if (shift < 0 || shift >= 1 << SPH_LIGHT_SHIFT_BITS) shift = 0;
         for (int i = 0; i < 6; i++) {
-            int32_t v = r[SPH_REG_LIGHT0_X + SPH_LIGHT_STRIDE * l + i];
-            if (i < 3 ? v < -w || v >= w : v < 0 || v > 65535)
+            int32_t v = i == 3 ? lamp[i] - shift * (1 << SPH_LIGHT_SHIFT_LSB) : lamp[i];
+            int64_t most = shift ? 2 * w - 1 - sph_round(w, shift) : w - 1;
+            if (i < 3 ? v < -most - !shift || v > most : v < 0 || v > 65535)
                 return sph_fail(err, "register LIGHT%d_%s is %d, out of range", l, names[i], v);
         }
     }

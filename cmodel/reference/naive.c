@@ -38,7 +38,7 @@ static void light(const struct sph_machine *m, const struct sph_ray *from,
         int64_t to[3], cosine = 0;
         for (int i = 0; i < 3; i++) {
             ray.org[i] = s->at[i];
-            ray.dir[i] = lamp[i] - s->at[i];
+            ray.dir[i] = lamp[i] - sph_naive_round64(s->at[i], lamp[3] / 65536);
         }
         sph_naive_unit(ray.dir, p->wd, to);
         for (int i = 0; i < 3; i++)
@@ -48,8 +48,8 @@ static void light(const struct sph_machine *m, const struct sph_ray *from,
         if (on(m, SPH_EFFECT_SHADOW) && sph_naive_trace(m, &ray).how.hit) continue;
         int64_t shine = f->prim.ks ? sph_naive_shine(s->unit, to, along, f->prim.power) : 0;
         for (int i = 0; i < 3; i++) {
-            matt[i] += sph_naive_round64(cosine * lamp[3 + i], 15);
-            gloss[i] += sph_naive_round64(shine * lamp[3 + i], 15);
+            matt[i] += sph_naive_round64(cosine * (lamp[3 + i] % 65536), 15);
+            gloss[i] += sph_naive_round64(shine * (lamp[3 + i] % 65536), 15);
         }
     }
 }

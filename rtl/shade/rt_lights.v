@@ -3,10 +3,12 @@
 // Every event adds one light's share to the slot's sum (nothing at the start, or in shadow), then
 // sends the vector to the next light to rt_setup, or the token on to rt_compose. An event goes in
 // every 3 clocks. Without shadow rays there is no queue for them; a light that is the only one
-// stands in registers and has no number. Model: sph_job_light() in cmodel/engine/render_light.c
+// stands in registers and has no number. A vector is light - round(point / 2^shift).
+// Model: sph_job_light() in cmodel/engine/render_light.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_check.vh"
+`include "rt_layout.vh"
 module rt_lights #(
     parameter W     = 16,  // coordinate, bits
     parameter WD    = 17,  // direction component, bits, at least W+1
@@ -23,7 +25,7 @@ module rt_lights #(
     input  wire [47:0]       ambient_i,       // {blue, green, red} u1.15
     input  wire              light_valid_i,   // writes one part of one light
     input  wire [2:0]        light_number_i,
-    input  wire [2:0]        light_part_i,    // 0..2: x, y, z sW; 3..5: red, green, blue u1.15
+    input  wire [2:0]        light_part_i,    // 0..2: x, y, z sWD; 3..5: red, green, blue u1.15
     input  wire [31:0]       light_data_i,
     // from rt_surface
     input  wire              point_valid_i,
@@ -57,6 +59,7 @@ module rt_lights #(
     localparam HB = GLOSS != 0 ? 16 : 0;              // bits of a highlight
     localparam NW = $clog2(LIGHTS + 1);               // number of lights
     localparam LW = LIGHTS > 1 ? $clog2(LIGHTS) : 1;  // number of a light
+    localparam EW = `RT_LIGHT_SHIFT_BITS;
     `RT_CHECK(LIGHTS >= 1 && LIGHTS <= 8, rt_lights_LIGHTS_must_be_1_to_8)
     wire             a_valid;                         // an event left the adder
     wire [SLOTW-1:0] a_slot;
@@ -68,22 +71,28 @@ module rt_lights #(
     wire [SLOTW-1:0] slot;
 
     // ---- the lights; the number of the light that a slot is at ----
-    wire [3*W-1:0] v_light;                           // position, one cycle after a_next
+    wire [3*WD-1:0] v_light;                          // position, one cycle after a_next
+    wire [EW-1:0]  v_shift;                           // its unit is 2^shift grid units
     wire [47:0]    colour;                            // of the light whose event enters the adder
     wire [NW-1:0]  e_next;                            // the one after it
     wire           keep = light_valid_i && {29'd0, light_number_i} < LIGHTS;
     genvar c;
     generate
         if (LIGHTS == 1) begin : g_one
-            reg [3*W-1:0] pos_q;
+            reg [3*WD-1:0] pos_q;
+            reg [EW-1:0]  shift_q;
             reg [47:0]    colour_q;
             for (c = 0; c < 3; c = c + 1) begin : g_part
                 always @(posedge clk) begin
-                    if (keep && light_part_i == c)     pos_q[W*c +: W]      <= light_data_i[W-1:0];
+                    if (keep && light_part_i == c)     pos_q[WD*c +: WD]    <= light_data_i[WD-1:0];
                     if (keep && light_part_i == c + 3) colour_q[16*c +: 16] <= light_data_i[15:0];
                 end
             end
+            always @(posedge clk)
+                if (keep && light_part_i == 3'd3)
+                    shift_q <= light_data_i[`RT_LIGHT_SHIFT_LSB +: EW];
             assign v_light = pos_q;
+            assign v_shift = shift_q;
             assign colour  = colour_q;
             assign e_next  = !e_start_q;
             wire unused = read;
@@ -91,20 +100,29 @@ module rt_lights #(
             wire [LW-1:0] e_light;                    // the light that the event is about
             wire [LW-1:0] e_lamp = e_start_q ? {LW{1'b0}} : e_light;
             wire [NW:0]   after  = {{(NW+1-LW){1'b0}}, e_lamp} + 1'b1;
-            wire [3*W-1:0] pos;
-            reg [3*W-1:0]  v_light_q;
-            always @(posedge clk) v_light_q <= pos;
+            wire [3*WD-1:0] pos;
+            wire [EW-1:0]  shift;
+            reg [3*WD-1:0] v_light_q;
+            reg [EW-1:0]   v_shift_q;
+            always @(posedge clk) {v_shift_q, v_light_q} <= {shift, pos};
             assign v_light = v_light_q;
+            assign v_shift = v_shift_q;
             assign e_next  = e_start_q ? {NW{1'b0}} : after[NW-1:0];
             rt_slot_ram #(.WIDTH(LW), .SLOTS(SLOTS), .OLD(0)) u_light (
                 .clk(clk), .wr_en_i(a_valid), .wr_addr_i(a_slot), .wr_data_i(a_next[LW-1:0]),
                 .rd_en_i(read), .rd_addr_i(slot), .rd_data_o(e_light)
             );
+            rt_slot_file #(.WIDTH(EW), .SLOTS(LIGHTS)) u_shift (
+                .clk(clk), .wr_en_i(keep && light_part_i == 3'd3),
+                .wr_addr_i(light_number_i[LW-1:0]),
+                .wr_data_i(light_data_i[`RT_LIGHT_SHIFT_LSB +: EW]),
+                .rd_addr_i(a_next[LW-1:0]), .rd_data_o(shift)
+            );
             for (c = 0; c < 3; c = c + 1) begin : g_part
-                rt_slot_file #(.WIDTH(W), .SLOTS(LIGHTS)) u_pos (
+                rt_slot_file #(.WIDTH(WD), .SLOTS(LIGHTS)) u_pos (
                     .clk(clk), .wr_en_i(keep && light_part_i == c),
-                    .wr_addr_i(light_number_i[LW-1:0]), .wr_data_i(light_data_i[W-1:0]),
-                    .rd_addr_i(a_next[LW-1:0]), .rd_data_o(pos[W*c +: W])
+                    .wr_addr_i(light_number_i[LW-1:0]), .wr_data_i(light_data_i[WD-1:0]),
+                    .rd_addr_i(a_next[LW-1:0]), .rd_data_o(pos[WD*c +: WD])
                 );
                 rt_slot_file #(.WIDTH(16), .SLOTS(LIGHTS)) u_colour (
                     .clk(clk), .wr_en_i(keep && light_part_i == c + 3),
@@ -230,9 +248,11 @@ module rt_lights #(
     genvar i;
     generate
         for (i = 0; i < 3; i = i + 1) begin : g_vec
-            wire signed [WD-1:0] light = {{(WD-W){v_light[W*i + W-1]}}, v_light[W*i +: W]};
-            wire signed [WD-1:0] point = {{(WD-W){v_point[W*i + W-1]}}, v_point[W*i +: W]};
-            assign vec_o[WD*i +: WD] = light - point;  // exact: WD > W
+            // point / 2^shift with a bit behind it, and light minus that, half up: exact, WD > W
+            wire signed [W:0] at    = $signed({v_point[W*i +: W], 1'b0});
+            wire signed [W:0] part  = at >>> v_shift;
+            wire [WD-1:0]     whole = {{(WD-W){part[W]}}, part[W:1]};
+            assign vec_o[WD*i +: WD] = v_light[WD*i +: WD] + ~whole + {{(WD-1){1'b0}}, !part[0]};
         end
     endgenerate
     wire unused = &{1'b0, s_in, l_in, t_in, light_data_i, n_lights_i, l_new, ambient_i};

@@ -8,6 +8,7 @@
 #include "bench.h"
 
 extern "C" {
+#include "math/fx.h"
 #include "shade/colour.h"
 }
 
@@ -83,6 +84,7 @@ class Run {
     size_t scenes = 0;
     Scene scene{};
     int64_t pos[REGISTERS][3];
+    int shift[REGISTERS]; /* of the position */
     uint32_t ambient[3], intensity[REGISTERS][3];
     int started = 0, inside = 0;
     unsigned pace[3] = {100, 100, 100}; /* percent of clocks with a start, lamp, shadow */
@@ -104,11 +106,13 @@ class Run {
         for (int at = 0; at < REGISTERS * 8; at++) { /* parts 6 and 7 do not exist */
             int light = at >> 3, part = at & 7;
             int64_t data = b.random.sbits(32);
+            if (!part) shift[light] = b.random.percent(50) ? 0 : (int)b.random.bits(5);
             if (part < 3)
-                data = pos[light][part] = is(scene.light, b.random.smixed(W));
+                data = pos[light][part] = is(scene.light, b.random.smixed(shift[light] ? WD : W));
             else if (part < 6)
                 data = intensity[light][part - 3] =
                     (uint32_t)is(scene.intensity, (int64_t)b.random.mixed(16));
+            if (part == 3) data |= shift[light] << SPH_LIGHT_SHIFT_LSB;
             b.dut.light_valid_i = 1;
             b.dut.light_number_i = (uint8_t)light;
             b.dut.light_part_i = (uint8_t)part;
@@ -197,7 +201,9 @@ class Run {
                 b.expect("sum_o", bench::low(b.get(b.dut.sum_o) >> (17 * i), 17), e.sum[i], 17);
             else
                 b.expect("vec_o", bench::sign(b.get(b.dut.vec_o) >> (WD * i), WD),
-                         pos[e.lights][i] - e.point[i], WD);
+                         bench::sign(
+                             (u128)(pos[e.lights][i] - sph_round(e.point[i], shift[e.lights])), WD),
+                         WD);
         if (b.bad()) {
             b.show("slot", at, SLOTW);
             b.show("scene", (bench::i128)scenes - 1, 32);

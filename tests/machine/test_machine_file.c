@@ -237,7 +237,9 @@ static void test_wrong_registers(void **unused) {
         {SPH_REG_BOX_X0, 1, "BOX_X0"},
         {SPH_REG_N_LOOSE, 1, "N_LOOSE"},
         {SPH_REG_LIGHT0_X + 8, -40000, "LIGHT1_X"},
-        {SPH_REG_LIGHT0_R, 65536, "LIGHT0_R"},
+        {SPH_REG_LIGHT0_R, -1, "LIGHT0_R"},
+        {SPH_REG_LIGHT0_R, 32 << SPH_LIGHT_SHIFT_LSB, "LIGHT0_R"},
+        {SPH_REG_LIGHT0_G, 65536, "LIGHT0_G"},
     };
     struct sph_machine m = example();
     (void)unused;
