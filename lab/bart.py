@@ -31,22 +31,30 @@ def frames(data):
                         + ["node visits a pixel", "facet tests a pixel"], rows)
 
 
+def decision(data, own):
+    """Work of the decisions for triangles in a small frame: its own, or the first there is."""
+    for name in [own] + data.names:
+        work = (data.read(f"{name}.levels.json") or {}).get("level_work", {}).get("triangle")
+        if work and work["hits"]:
+            return work
+    return None
+
+
 def operations(data):
     """Of all decisions of a frame: those of a triangle's hit times the textured hits."""
     rows = []
     for name in data.names:
-        run, small = data.read(f"{name}-level.json"), data.read(f"{name}.levels.json")
-        work = small and small["level_work"]["triangle"]
+        run, work = data.read(f"{name}-level.json"), decision(data, name)
         for way in ("bmrt", "kept", "anew"):
             first = way == "bmrt"
             row = [name if first else "", DECISIONS[way]]
-            if not run or not work or not work["hits"]:
+            if not run or not work:
                 rows.append(row + ["-"] * 7)
                 continue
             n = run["texels"] // 4
             each = [work[way][op] / work["hits"] for op in OPERATIONS]
             rows.append(row + [n if first else ""] + [f"{n * e:.0f}" for e in each]
-                        + [f"{sum(each):g}"])
+                        + [f"{sum(each):.3g}"])
     return report.table(["scene", "way", "hits"] + OPERATIONS + ["all, a hit"], rows, left=2)
 
 
