@@ -89,21 +89,28 @@ static void far_lights(void **state) {
     sph_scene_free(&scene);
 }
 
-/* A light moved away from a scene, by a tenth at a time: the grid is never coarser than four times
- * that of the spheres, and the light always sound. */
+/* A light moved away from a row of spheres, by a tenth at a time, along the row and across: the
+ * grid is never coarser than four times that of the spheres, and the light always sound. */
 static void moved_away(void **state) {
+    static const struct sph_vec ways[] = {{1, 0.01, 0}, {-1, 0.05, 0}, {0.9, 1, 0.8}, {0, 1, 0}};
     (void)state;
     struct sph_scene scene = model_scene("paper5");
-    struct sph_vec from = scene.lights[0].pos;
-    for (int profile = 0; profile < SPH_PROFILES; profile++) {
-        double first = 0, by = 1;
-        for (int i = 0; i < 240; i++, by *= 1.1) {
+    for (uint32_t i = 0; i < scene.n_spheres; i++) {
+        scene.spheres[i].ctr = (struct sph_vec){20.0 * i - 40, 0, 0};
+        scene.spheres[i].rad = 9;
+    }
+    scene.camera.from = (struct sph_vec){0, 11, 0};
+    scene.camera.at = (struct sph_vec){0, 0, -100};
+    for (int i = 0; i < 4 * SPH_PROFILES; i++) {
+        double first = 0, by = 20;
+        for (int k = 0; k < 160; k++, by *= 1.1) {
+            const struct sph_vec *way = &ways[i / 4];
             struct sph_machine m;
-            scene.lights[0].pos = (struct sph_vec){from.x * by, from.y * by, from.z * by};
-            if (!model_build(&scene, profile, SPH_TREE_BALANCED, SPH_BG_NONE, W, H, &m)) fail();
-            if (!i) first = ldexp(1, m.grid_log2);
+            scene.lights[0].pos = (struct sph_vec){way->x * by, way->y * by, way->z * by};
+            if (!model_build(&scene, i % 4, SPH_TREE_BALANCED, SPH_BG_NONE, W, H, &m)) fail();
+            if (!k) first = ldexp(1, m.grid_log2);
             assert_true(ldexp(1, m.grid_log2) <= 4 * first);
-            check_light(&scene, &m, 0);
+            if (m.regs[SPH_REG_N_LIGHTS]) check_light(&scene, &m, 0); /* not in a sphere */
             sph_machine_free(&m);
         }
     }
