@@ -18,8 +18,9 @@ namespace {
 /* Endings of names and what OpenImageIO calls their formats. */
 const struct {
     const char *ending, *format;
-} formats[] = {{"png", "png"}, {"tif", "tiff"},  {"tiff", "tiff"},  {"ppm", "pnm"},
-               {"bmp", "bmp"}, {"tga", "targa"}, {"exr", "openexr"}};
+} formats[] = {{"png", "png"},  {"tif", "tiff"},  {"tiff", "tiff"},
+               {"ppm", "pnm"},  {"bmp", "bmp"},   {"tga", "targa"},
+               {"jpg", "jpeg"}, {"jpeg", "jpeg"}, {"exr", "openexr"}};
 
 } // namespace
 
@@ -49,6 +50,7 @@ int sph_picture::write_bytes(const char *path, int width, int height,
     if (!format) return -1;
     OIIO::ImageSpec spec(width, height, 3, OIIO::TypeUInt8);
     if (space && !std::strcmp(format, "png")) spec.attribute("oiio:ColorSpace", space);
+    if (!std::strcmp(format, "jpeg")) spec.attribute("Compression", "jpeg:95");
     if (!std::strcmp(format, "tiff")) spec.attribute("DateTime", no_time);
     return write_file(path, format, spec, bytes.data(), err);
 }

@@ -15,6 +15,7 @@ extern "C" {
 
 #include "common/error.h"
 #include "core/frame.h"
+#include "engine/layers.h"
 
 /* 8-bit picture in memory: width * height * channels bytes, row 0 on top. */
 struct sph_image {
@@ -24,13 +25,13 @@ struct sph_image {
 
 /* What OpenImageIO calls the format of a picture of this name, by its ending in letters of either
  * size: png, also for a name without ending, such as a device; tiff, pnm (of .ppm), bmp, targa,
- * openexr. NULL with a message that lists the endings if it is another. */
+ * jpeg, openexr. NULL with a message that lists the endings if it is another. */
 const char *sph_image_format(const char *path, struct sph_error *err);
 
 /* ---- bytes as a frame has them ---- */
 
-/* 8-bit RGB, in the format of its name, which must lose nothing: any but openexr. For colours that
- * are no light, such as differences and false colours. */
+/* 8-bit RGB, in the format of its name, which must lose nothing: neither openexr nor jpeg. For
+ * colours that are no light, such as differences and false colours. */
 int sph_image_write(const char *path, const struct sph_frame *frame, int layer,
                     struct sph_error *err);
 
@@ -65,9 +66,11 @@ int sph_linear_write(const char *path, const struct sph_linear *picture, int tra
                      struct sph_error *err);
 
 /* OpenEXR: R, G, B (float, linear, 1 is white); and if picture and frame are of one size id,
- * key.hi, key.lo, visits, texture (uint). */
+ * key.hi, key.lo, visits, texture (uint), and unless layers is NULL Z, N.X, N.Y, N.Z, albedo.R,
+ * albedo.G, albedo.B, level (float) of layers.h. */
 int sph_linear_write_exr(const char *path, const struct sph_linear *picture,
-                         const struct sph_frame *frame, struct sph_error *err);
+                         const struct sph_frame *frame, const struct sph_layer *layers,
+                         struct sph_error *err);
 
 /* ---- files ---- */
 

@@ -3,6 +3,8 @@
  */
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
+#include <string>
 
 #include <OpenImageIO/color.h>
 
@@ -15,11 +17,45 @@ using namespace sph_picture;
 
 const float white = 255;
 
-struct exr_pixel {
-    float rgb[3];
-    std::uint32_t id, key_hi, key_lo, visits, texture;
+/* Channels of 32 bits, as their names are listed; words: of one pixel. */
+struct exr_channels {
+    std::vector<std::string> names;
+    std::vector<OIIO::TypeDesc> formats;
+    std::vector<std::uint32_t> words;
+    void real(const char *name, float value) { add(name, OIIO::TypeFloat, &value); }
+    void whole(const char *name, std::uint32_t value) { add(name, OIIO::TypeUInt32, &value); }
+
+  private:
+    void add(const char *name, OIIO::TypeDesc format, const void *value) {
+        names.emplace_back(name);
+        formats.push_back(format);
+        words.resize(words.size() + 1);
+        std::memcpy(&words.back(), value, sizeof words.back());
+    }
 };
-static_assert(sizeof(exr_pixel) == 32, "channels lie side by side");
+
+/* Z is OpenEXR's name of depth; layers are named LAYER.CHANNEL, as compositing programs split them.
+ */
+void channels_of(exr_channels &to, const float *rgb, const struct sph_pixel &p,
+                 const struct sph_layer *layer) {
+    to.real("R", rgb[0] / white);
+    to.real("G", rgb[1] / white);
+    to.real("B", rgb[2] / white);
+    to.whole("id", p.id);
+    to.whole("key.hi", static_cast<std::uint32_t>(p.key >> 32));
+    to.whole("key.lo", static_cast<std::uint32_t>(p.key));
+    to.whole("visits", p.visits);
+    to.whole("texture", p.texture);
+    if (!layer) return;
+    to.real("Z", layer->depth);
+    to.real("N.X", layer->normal[0]);
+    to.real("N.Y", layer->normal[1]);
+    to.real("N.Z", layer->normal[2]);
+    to.real("albedo.R", layer->albedo[0]);
+    to.real("albedo.G", layer->albedo[1]);
+    to.real("albedo.B", layer->albedo[2]);
+    to.real("level", layer->level);
+}
 
 /* The light of a pixel's channel, u8.8: what its byte is rounded from, if that is known. */
 std::uint32_t light(const struct sph_frame *frame, const struct sph_trail *trails, std::size_t at,
@@ -75,10 +111,11 @@ int sph_linear_write(const char *path, const struct sph_linear *picture, int tra
 }
 
 int sph_linear_write_exr(const char *path, const struct sph_linear *picture,
-                         const struct sph_frame *frame, struct sph_error *err) {
+                         const struct sph_frame *frame, const struct sph_layer *layers,
+                         struct sph_error *err) {
     bool whole = frame->width == picture->width && frame->height == picture->height;
     return guarded(path, err, [&] {
-        OIIO::ImageSpec spec(picture->width, picture->height, whole ? 8 : 3, OIIO::TypeFloat);
+        OIIO::ImageSpec spec(picture->width, picture->height, 3, OIIO::TypeFloat);
         spec.channelnames = {"R", "G", "B"};
         spec.attribute("compression", "zip");
         spec.attribute("DateTime", no_time);
@@ -90,20 +127,17 @@ int sph_linear_write_exr(const char *path, const struct sph_linear *picture,
                 light /= white;
             return write_file(path, "openexr", spec, rgb.data(), err);
         }
-        std::vector<exr_pixel> pixels(pixel_count(frame));
-        for (std::size_t i = 0; i < pixels.size(); i++) {
-            const struct sph_pixel &p = frame->pixels[i];
-            for (std::size_t c = 0; c < 3; c++)
-                pixels[i].rgb[c] = picture->rgb[3 * i + c] / white;
-            pixels[i].id = p.id;
-            pixels[i].key_hi = static_cast<std::uint32_t>(p.key >> 32);
-            pixels[i].key_lo = static_cast<std::uint32_t>(p.key);
-            pixels[i].visits = p.visits;
-            pixels[i].texture = p.texture;
+        std::vector<std::uint32_t> words;
+        for (std::size_t i = 0; i < pixel_count(frame); i++) {
+            exr_channels pixel;
+            channels_of(pixel, &picture->rgb[3 * i], frame->pixels[i],
+                        layers ? &layers[i] : nullptr);
+            words.insert(words.end(), pixel.words.begin(), pixel.words.end());
+            if (i) continue;
+            spec.nchannels = static_cast<int>(pixel.names.size());
+            spec.channelnames = pixel.names;
+            spec.channelformats = pixel.formats;
         }
-        spec.channelnames = {"R", "G", "B", "id", "key.hi", "key.lo", "visits", "texture"};
-        spec.channelformats.assign(3, OIIO::TypeFloat);
-        spec.channelformats.resize(8, OIIO::TypeUInt32);
-        return write_file(path, "openexr", spec, pixels.data(), err);
+        return write_file(path, "openexr", spec, words.data(), err);
     });
 }

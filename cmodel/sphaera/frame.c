@@ -94,8 +94,13 @@ uint32_t sphaera_frame_errors(const sphaera_frame *frame) {
 int sphaera_frame_write(const sphaera_frame *frame, const char *path, sphaera_error *error) {
     struct sph_error err = {""};
     struct sph_linear light = {0};
-    int rc = sph_linear_of(&frame->frame, frame->trails, SPH_FRAMES - 1, 1, &light, &err);
-    if (!rc) rc = sph_linear_write(path, &light, SPH_TRANSFER_SRGB, &err);
+    const char *format = sph_image_format(path, &err);
+    int rc =
+        format ? sph_linear_of(&frame->frame, frame->trails, SPH_FRAMES - 1, 1, &light, &err) : -1;
+    if (!rc)
+        rc = strcmp(format, "openexr")
+                 ? sph_linear_write(path, &light, SPH_TRANSFER_SRGB, &err)
+                 : sph_linear_write_exr(path, &light, &frame->frame, NULL, &err);
     sph_linear_free(&light);
     return rc ? sph_api_failed(&err, error) : 0;
 }

@@ -115,7 +115,7 @@ SPHAERA_API uint64_t sphaera_frame_hash(const sphaera_frame *frame);
 /* Sticky errors of the drawing, a bit each (docs/use/core.md); 0: none. */
 SPHAERA_API uint32_t sphaera_frame_errors(const sphaera_frame *frame);
 
-/* Writes an 8-bit picture in sRGB, in the format of the name's ending. */
+/* Writes a picture in the format of the name's ending: 8 bits in sRGB, or OpenEXR, linear. */
 SPHAERA_API int sphaera_frame_write(const sphaera_frame *frame, const char *path,
                                     sphaera_error *error);
 

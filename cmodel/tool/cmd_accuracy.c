@@ -40,7 +40,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         state->child_inputs[0] = &a->source;
         return 0;
     case 'd':
-        a->picture = tool_picture(state, &a->source.outputs, "--difference", arg, 0);
+        a->picture = tool_picture(state, &a->source.outputs, "--difference", arg, TOOL_EXACT);
         return 0;
     case KEY_LEVELS:
         a->levels = tool_choice(state, "--levels", arg, tool_level_names);

@@ -33,7 +33,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     struct arguments *a = state->input;
     switch (key) {
     case 'd':
-        a->picture = tool_picture(state, &a->outputs, "--difference", arg, 0);
+        a->picture = tool_picture(state, &a->outputs, "--difference", arg, TOOL_EXACT);
         return 0;
     case KEY_JSON:
         a->json = tool_output(&a->outputs, arg);

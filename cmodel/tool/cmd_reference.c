@@ -21,7 +21,7 @@ struct arguments {
 enum { KEY_FRAME = 512, KEY_FILTER, KEY_LEVELS, KEY_UNLIMITED };
 
 static const struct argp_option options[] = {
-    {"output", 'o', "FILE", 0, "picture, 8-bit RGB: .png, .tif, .ppm, .bmp or .tga", 0},
+    {"output", 'o', "FILE", 0, TOOL_OUTPUT_TEXT, 0},
     {"exr", TOOL_KEY_EXR, "FILE.exr", 0, "picture in linear light with ids, OpenEXR", 0},
     {"transfer", TOOL_KEY_TRANSFER, "NAME", 0,
      "how the bytes of the picture stand for light: srgb (default), as people see it; linear", 0},
@@ -86,7 +86,7 @@ static int frame_of(const struct sph_reference *r, struct sph_frame *frame) {
 static int write(const struct arguments *a, const struct sph_reference *r, struct sph_error *err) {
     struct sph_shot shot = {0};
     if (frame_of(r, &shot.frame)) return sph_fail(err, "%s: no memory for the frame", a->input);
-    int rc = light_picture(&a->light, 1, &shot.frame, NULL, err) ||
+    int rc = light_picture(&a->light, 1, NULL, &shot.frame, NULL, err) ||
              (a->frame && sph_shot_write(&shot, a->frame, err));
     if (!rc) printf("picture %016lx\n", (unsigned long)sph_frame_picture_hash(&shot.frame));
     sph_frame_free(&shot.frame);

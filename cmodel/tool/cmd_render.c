@@ -34,7 +34,7 @@ enum {
 };
 
 static const struct argp_option options[] = {
-    {"output", 'o', "FILE", 0, "picture, 8-bit RGB: .png, .tif, .ppm, .bmp or .tga", 0},
+    {"output", 'o', "FILE", 0, TOOL_OUTPUT_TEXT, 0},
     {"exr", TOOL_KEY_EXR, "FILE.exr", 0,
      "picture in linear light with ids, keys and visits, OpenEXR", 0},
     {"transfer", TOOL_KEY_TRANSFER, "NAME", 0,
@@ -75,7 +75,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         a->frame = tool_output(&a->source.outputs, arg);
         return 0;
     case KEY_WALK:
-        a->walk = tool_picture(state, &a->source.outputs, "--walk", arg, 0);
+        a->walk = tool_picture(state, &a->source.outputs, "--walk", arg, TOOL_EXACT);
         return 0;
     case KEY_DEPTHS:
         a->light.depths = 1;
@@ -137,7 +137,9 @@ static int shoot(const struct arguments *a, const struct tool_built *built, stru
     if (pictures && !trails) return sph_fail(err, "%s: no memory for a picture", a->input);
     *seconds = render(a, &built->machine, shot, trails, err);
     int rc = *seconds < 0 ? -1 : 0;
-    if (!rc && trails) rc = light_picture(&a->light, a->source.samples, &shot->frame, trails, err);
+    if (!rc && trails)
+        rc =
+            light_picture(&a->light, a->source.samples, &built->machine, &shot->frame, trails, err);
     if (!rc && a->frame) rc = sph_shot_write(shot, a->frame, err);
     if (!rc && a->walk)
         rc = walk_picture(a->walk, &built->machine, &shot->frame, a->light.layer, err);

@@ -3,6 +3,9 @@
  */
 #include "tool/light_picture.h"
 
+#include <stdlib.h>
+#include <string.h>
+
 #include "image/image.h"
 #include "tool/depth_picture.h"
 
@@ -10,12 +13,17 @@ const char *const tool_transfer_names[] = {"linear", "srgb", NULL};
 
 error_t light_option(struct light_pictures *how, struct tool_outputs *outputs, int key, char *arg,
                      struct argp_state *state) {
+    const char *format;
     switch (key) {
     case 'o':
-        how->picture = tool_picture(state, outputs, "--output", arg, 0);
+        format = sph_image_format(tool_picture(state, outputs, "--output", arg, TOOL_LIGHT), NULL);
+        if (format && !strcmp(format, "openexr"))
+            how->exr = arg;
+        else
+            how->picture = arg;
         return 0;
     case TOOL_KEY_EXR:
-        how->exr = tool_picture(state, outputs, "--exr", arg, 1);
+        how->exr = tool_picture(state, outputs, "--exr", arg, TOOL_EXR);
         return 0;
     case TOOL_KEY_LAYER:
         how->layer = (int)tool_number(state, "--layer", arg, 0, SPH_FRAMES - 1);
@@ -28,22 +36,34 @@ error_t light_option(struct light_pictures *how, struct tool_outputs *outputs, i
     }
 }
 
-static int write(const struct light_pictures *how, int samples, const struct sph_frame *frame,
-                 const struct sph_trail *trails, struct sph_error *err) {
+/* m NULL: no machine drew it, and there are no layers. */
+static int write_exr(const char *path, const struct sph_machine *m, const struct sph_linear *light,
+                     const struct sph_frame *frame, struct sph_error *err) {
+    struct sph_layer *layers = m ? sph_layers_of(m, frame) : NULL;
+    if (m && !layers) return sph_fail(err, "%s: no memory for its layers", path);
+    int rc = sph_linear_write_exr(path, light, frame, layers, err);
+    free(layers);
+    return rc;
+}
+
+static int write(const struct light_pictures *how, int samples, const struct sph_machine *m,
+                 const struct sph_frame *frame, const struct sph_trail *trails,
+                 struct sph_error *err) {
     struct sph_linear light = {0};
     int rc = sph_linear_of(frame, trails, how->layer, samples, &light, err);
     if (!rc && how->picture) rc = sph_linear_write(how->picture, &light, how->transfer, err);
-    if (!rc && how->exr) rc = sph_linear_write_exr(how->exr, &light, frame, err);
+    if (!rc && how->exr) rc = write_exr(how->exr, m, &light, frame, err);
     sph_linear_free(&light);
     return rc;
 }
 
-int light_picture(const struct light_pictures *how, int samples, const struct sph_frame *frame,
-                  const struct sph_trail *trails, struct sph_error *err) {
+int light_picture(const struct light_pictures *how, int samples, const struct sph_machine *m,
+                  const struct sph_frame *frame, const struct sph_trail *trails,
+                  struct sph_error *err) {
     struct sph_frame painted;
-    if (!how->depths) return write(how, samples, frame, trails, err);
+    if (!how->depths) return write(how, samples, m, frame, trails, err);
     if (depth_picture(frame, trails, &painted)) return sph_fail(err, "no memory for depths");
-    int rc = write(how, samples, &painted, NULL, err);
+    int rc = write(how, samples, m, &painted, NULL, err);
     sph_frame_free(&painted);
     return rc;
 }

@@ -17,6 +17,10 @@ struct light_pictures {
 
 extern const char *const tool_transfer_names[]; /* SPH_TRANSFER_*, then NULL */
 
+/* What `-o` writes, for --help. */
+#define TOOL_OUTPUT_TEXT                                                                           \
+    "picture, 8-bit RGB: .png, .tif, .ppm, .bmp, .tga, .jpg; or .exr, as --exr does"
+
 /* Keys of the options that fill it in, beside 'o'. */
 enum { TOOL_KEY_EXR = 1024, TOOL_KEY_LAYER, TOOL_KEY_TRANSFER };
 
@@ -24,9 +28,10 @@ enum { TOOL_KEY_EXR = 1024, TOOL_KEY_LAYER, TOOL_KEY_TRANSFER };
 error_t light_option(struct light_pictures *how, struct tool_outputs *outputs, int key, char *arg,
                      struct argp_state *state);
 
-/* Writes them, of samples x samples of the frame's pixels each. trails: as many as pixels. 0, or -1
- * with a message. */
-int light_picture(const struct light_pictures *how, int samples, const struct sph_frame *frame,
-                  const struct sph_trail *trails, struct sph_error *err);
+/* Writes them, of samples x samples of the frame's pixels each. trails: as many as pixels. m: that
+ * drew it, NULL: none. 0, or -1 with a message. */
+int light_picture(const struct light_pictures *how, int samples, const struct sph_machine *m,
+                  const struct sph_frame *frame, const struct sph_trail *trails,
+                  struct sph_error *err);
 
 #endif

@@ -16,14 +16,16 @@ const char *tool_output(struct tool_outputs *outputs, const char *path) {
 }
 
 const char *tool_picture(const struct argp_state *state, struct tool_outputs *outputs,
-                         const char *option, const char *path, int exr) {
+                         const char *option, const char *path, int kinds) {
     struct sph_error err = {""};
     const char *format = sph_image_format(path, &err), *dot = strrchr(path, '.');
     if (!format)
         argp_error(state, "%s: %s", option, err.text);
-    else if (!exr && !strcmp(format, "openexr"))
-        argp_error(state, "%s: %s: only `sphaera render --exr FILE` writes OpenEXR", option, path);
-    else if (exr && dot && strcmp(format, "openexr") != 0)
+    else if (kinds == TOOL_EXACT && !strcmp(format, "openexr"))
+        argp_error(state, "%s: %s: only `sphaera render` writes OpenEXR", option, path);
+    else if (kinds == TOOL_EXACT && !strcmp(format, "jpeg"))
+        argp_error(state, "%s: %s: JPEG would change the values, which are no light", option, path);
+    else if (kinds == TOOL_EXR && dot && strcmp(format, "openexr") != 0)
         argp_error(state, "%s: %s: OpenEXR is written to names that end in .exr", option, path);
     return tool_output(outputs, path);
 }

@@ -20,10 +20,13 @@ struct tool_outputs {
 /* Notes a file that will be written, and returns its name. */
 const char *tool_output(struct tool_outputs *outputs, const char *path);
 
-/* The same for a picture. The name's ending says the format: one without loss, or OpenEXR alone if
- * exr is set; another is a usage error. */
+/* Formats of a picture: those without loss, OpenEXR, and all of light, JPEG too. */
+enum { TOOL_EXACT, TOOL_EXR, TOOL_LIGHT };
+
+/* The same for a picture. The name's ending says the format, one of kinds, TOOL_*; another is a
+ * usage error. */
 const char *tool_picture(const struct argp_state *state, struct tool_outputs *outputs,
-                         const char *option, const char *path, int exr);
+                         const char *option, const char *path, int kinds);
 
 /* 0 if no output is the file at `input`, else -1 with a message that names both. Two names of one
  * file count as the same; what is no regular file is never overwritten. */

@@ -72,4 +72,36 @@ check "... is told" has "m.sph: a frame of 144x81 has no whole pixels of 7 x 7 s
 fails 1 "too many" "$s" render paper5.nff --size 5000x8 --samples 4 -o x.png
 check "... is told" has "4 x 4 samples of 5000x8 pixels: sides of a frame are 1..16383" err
 check "nothing is written" test ! -e x.png
+
+# ---- layers: what is known of one pixel ----
+cat >ball.nff <<'END'
+v from 9 0 0 at 0 0 0 up 0 1 0 angle 20 resolution 65 49
+b 0 0 0
+l 9 3 4
+f 0.8 0.4 0.2 1 0 1 0 1
+s 0 0 0 1
+END
+"$s" render ball.nff --profile reference -o ball.exr >text
+layers() { # column, row: Z, normal, albedo and level there
+    oiiotool ball.exr --ch Z,N.X,N.Y,N.Z,albedo.R,albedo.G,albedo.B,level --cut "1x1+$1+$2" \
+        --printstats | sed -n 's/.*Avg: \(.*\) (float)/\1/p'
+}
+near() { # numbers that must come, of the pixel that follows
+    wanted=$1
+    shift
+    layers "$@" | tee said | awk -v wanted="$wanted" '
+        { n = split(wanted, w, " "); for (i = 1; i <= n; i++) d = $i - w[i] > d ? $i - w[i] : \
+            w[i] - $i > d ? w[i] - $i : d }
+        END { exit !(NR == 1 && n == 8 && NF == 8 && d < 0.004) }' || { cat said; return 1; }
+}
+check "the middle is 8 away, and looks along x" near "8 1 0 0 0.8 0.4 0.2 -1" 32 24
+# 9 - t and a t of |(9 - t, a t)| = 1, where a is 16 tan(10 degrees) / 49
+check "eight rows higher the normal points up" near "8.1159 0.8841 0.4673 0 0.8 0.4 0.2 -1" 32 16
+check "beside it there is nothing" sh -c "oiiotool ball.exr --ch Z --cut 1x1+0+0 --printstats |
+    grep 'InfCount: 1'"
+check "a mean has no layers" sh -c \
+    "'$s' render ball.nff --samples 5 --size 13x9 -o mean.exr >text &&
+    ! oiiotool --info -v mean.exr | grep 'N.X'"
+check "the reference has none" sh -c "'$s' reference ball.nff -o exact.exr >text &&
+    oiiotool --info -v exact.exr | grep 'id (uint)' && ! oiiotool --info -v exact.exr | grep 'N.X'"
 done_testing

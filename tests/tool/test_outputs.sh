@@ -52,7 +52,15 @@ for ending in png PNG tif tiff ppm bmp tga; do
 done
 check "no two of them are the same kind of file" sh -c \
     '[ "$(for e in png tif ppm bmp tga; do head -c 2 p.$e | od -x; done | sort -u | wc -l)" = 6 ]'
-for bad in "-o p.jpg" "-o p.exr" "-o p.nff" "--exr p.png" "--walk p.gif"; do
+"$s" render paper5.nff --size 64x36 -o light.png >text
+"$s" render paper5.nff --size 64x36 -o light.jpg >text
+check "a picture .jpg is JPEG" sh -c \
+    'oiiotool --info light.jpg | grep "64 x *36, 3 channel, uint8 jpeg"'
+check "... and near" oiiotool light.png light.jpg --fail 0.2 --failpercent 2 --diff
+"$s" render paper5.nff --size 64x36 -o by_name.exr >text
+"$s" render paper5.nff --size 64x36 --exr by_option.exr >text
+check "a picture .exr is what --exr writes" cmp by_name.exr by_option.exr
+for bad in "-o p.nff" "--exr p.png" "--walk p.jpg" "--walk p.exr" "--walk p.gif"; do
     # shellcheck disable=SC2086  # options on purpose
     fails 2 "render $bad" "$s" render paper5.nff --accel bih --size 8x8 $bad
 done
