@@ -4,12 +4,12 @@
 # Reads what `sphaera accuracy` prints, of many runs one after another, each behind a line
 # "run SCENE PROFILE". Prints a row each; ends with 1 if one was worse than expected: its dB are
 # less, or more pixels see another thing. Edges that move hit pixels by chance: these may be more by
-# three times the root of their number and three. Scenes whose planes end with the grid say so, and
-# are left out: no profile draws them.
+# three times the root of their number and three. Scenes whose planes are in a wrong light far away
+# say so, and are left out.
 function row(most, bad) {
     if (scene == "") return
     if (cut || psnr == "") {
-        printf "| %s | %s | %s |\n", scene, profile, cut ? "a plane is cut off" : "does not fit"
+        printf "| %s | %s | %s |\n", scene, profile, cut ? "a plane is far off" : "does not fit"
         return
     }
     most = wrong + 3 * sqrt(wrong) + 3
@@ -26,7 +26,7 @@ $1 == "run" {
     cut = 0
     psnr = ""
 }
-/the plane ends with the grid/ { cut = 1 }
+/the plane goes on beyond the grid/ { cut = 1 }
 $1 == "psnr" { psnr = $2 }
 $1 == "wrong" { seen = $3 + $6 }
 $1 == "expected" {
