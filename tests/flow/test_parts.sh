@@ -11,7 +11,7 @@ cd "$(dirname "$0")/../.." || exit 1
 . tests/tap.sh
 export CCACHE_BASEDIR="$PWD"
 copy=$TMP/copy
-mkdir -p "$copy" && cp -r Makefile VERSION README.md CONTRIBUTING.md \
+mkdir -p "$copy" && cp -r Makefile VERSION sphaera.core README.md CONTRIBUTING.md \
     cmodel docs driver formal lab make rtl scenes sim synth tb tests "$copy" || exit 1
 cd "$copy" || exit 1
 def=cmodel/machine/machine.def
