@@ -48,7 +48,7 @@ int sph_find_facet_inside(const struct sph_survey *s, struct sph_effect_report *
     if (found > 0)
         WHY(entry, "the %s %s comes within %.4g grid units of the sphere %s",
             name_of(&w->facets->list[facet]), sph_facet_place(s, facet).text,
-            (double)sph_point_error(w->profile) / (double)(1 << sph_error_bits(w->profile)),
+            (double)sph_facet_error(w->profile) / (double)(1 << sph_error_bits(w->profile)),
             sph_sphere_place(s->scene, ball).text);
     else if (found < 0)
         WHY(entry, "there are too many triangles and spheres to try every pair");

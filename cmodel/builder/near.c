@@ -3,13 +3,22 @@
  */
 #include "builder/near.h"
 
-int64_t sph_point_error(const struct sph_profile *p) {
-    /* along each axis: quotient 2^(W+2-PQ), root 2^(W+1-PR), roundings 1/2 and 2^-(NG+1) */
+/* last: the last rounding, along an axis. */
+static int64_t error(const struct sph_profile *p, int64_t last) {
+    /* along each axis: quotient 2^(W+2-PQ), root 2^(W+1-PR), roundings 2^-(NG+1) and the last */
     int quotient = p->w + 2 - p->pq + sph_error_bits(p),
         root = p->w + 1 - p->pr + sph_error_bits(p);
-    int64_t axis = (1ll << (quotient > 0 ? quotient : 0)) + (1ll << p->ng) + 1;
+    int64_t axis = (1ll << (quotient > 0 ? quotient : 0)) + last + 1;
     if (p->pr) axis += 1ll << (root > 0 ? root : 0);
     return sph_ceil_sqrt(3 * axis * axis);
+}
+
+int64_t sph_point_error(const struct sph_profile *p) {
+    return error(p, 1ll << p->ng); /* 1/2 */
+}
+
+int64_t sph_facet_error(const struct sph_profile *p) {
+    return error(p, 2ll << p->ng); /* 1 */
 }
 
 static int64_t square(const struct sph_ball *ball, const int32_t at[3]) {

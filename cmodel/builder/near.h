@@ -31,6 +31,9 @@ int sph_ball_side(const struct sph_ball *ball, const int32_t at[3]);
 /* No point where a secondary ray starts is farther than this from the sphere that was hit. */
 int64_t sph_point_error(const struct sph_profile *p);
 
+/* Nor farther than this from the facet that was hit, whose points are rounded outwards. */
+int64_t sph_facet_error(const struct sph_profile *p);
+
 /* SPH_APART if the gap between the surfaces exceeds sph_point_error(). */
 int sph_nearness(const struct sph_ball *a, const struct sph_ball *b, const struct sph_profile *p);
 

@@ -36,7 +36,10 @@ static void surface(const struct sph_job *j, const struct sph_ray *ray, const st
         return;
     int64_t normal[3];
     int saturated = sph_surface_point(j->p, ray, hit->key, s);
-    sph_prim_of(sph_prim_kind(j->m, prim))->normal(j->p, prim, s->guarded, normal);
+    const struct sph_prim *kind = sph_prim_of(sph_prim_kind(j->m, prim));
+    kind->normal(j->p, prim, s->guarded, normal);
+    saturated |= kind->flat ? sph_surface_outwards(j->p, hit->far, normal, s)
+                            : sph_surface_nearest(j->p, s);
     sph_surface_turn(j->p, ray, hit->far, normal, s);
     j->c->count[SPH_COUNT_QUOTIENTS]++;
     j->c->count[SPH_COUNT_SATURATIONS] += (uint64_t)saturated;
@@ -72,8 +75,7 @@ static int refracted(const struct sph_job *j, const struct sph_ray *ray, const s
     uint32_t from = hit->far ? index : SPH_INDEX_ONE, to = hit->far ? SPH_INDEX_ONE : index;
     *next =
         (struct sph_ray){.kind = SPH_REFRACTED, .skip = {hit->id, !hit->far}, .inside = j->inside};
-    for (int i = 0; i < 3; i++)
-        next->org[i] = s->point[i];
+    sph_surface_behind(j->p, s, next->org);
     if (!sph_refract(j->p, ray, s, from, to, next->dir)) return 0;
     sph_ray_setup(j->p, next);
     return 1;

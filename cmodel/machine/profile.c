@@ -72,7 +72,8 @@ struct sph_profile sph_profile_unpack(uint32_t packed) {
 }
 
 int64_t sph_min_screen(const struct sph_profile *p) {
-    int bits = p->w + p->ng + 3 - p->pq;
+    int bits = p->w + p->ng + 3 - p->pq, least = p->ng + 1;
+    if (bits < least) bits = least;
     return bits > 4 ? 1ll << bits : SPH_MIN_SCREEN;
 }
 

@@ -36,7 +36,7 @@ struct sph_prim_build {
     /* The box around it, and at most three balls whose hull holds it: how many. */
     void (*box)(const struct sph_grid_prim *prim, struct sph_aabb *box);
     int (*hull)(const struct sph_grid_prim *prim, struct sph_ball hull[3]);
-    /* Whether a point of it may come within sph_point_error() of the ball or lie in it; "no" is
+    /* Whether a point of it may come within sph_facet_error() of the ball or lie in it; "no" is
      * exact. Of facets. */
     int (*near)(const struct sph_grid_facet *facet, const struct sph_ball *ball,
                 const struct sph_profile *profile);

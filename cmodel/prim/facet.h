@@ -65,6 +65,7 @@ static inline int sph_surface_facet(const struct sph_profile *p, const struct sp
                                     const struct sph_hit *hit, const int64_t normal[3],
                                     struct sph_surface *s) {
     int saturated = sph_surface_point(p, ray, hit->key, s);
+    saturated |= sph_surface_outwards(p, hit->far, normal, s);
     sph_surface_turn(p, ray, hit->far, normal, s);
     return saturated;
 }

@@ -64,7 +64,7 @@ static int64_t finer(const struct sph_ball *ball, const struct sph_profile *p, i
     int64_t unit = 1ll << sph_error_bits(p);
     for (int i = 0; i < 3; i++)
         c[i] = ball->c[i] * unit;
-    return ball->r * unit + sph_point_error(p);
+    return ball->r * unit + sph_facet_error(p);
 }
 
 int sph_plane_near(const struct sph_grid_facet *f, const struct sph_ball *ball,

@@ -25,6 +25,9 @@ struct sph_prim {
     const char *name;
     /* Without bounds: no node holds it. A leaf child of the root, and in front of a BIH. */
     int loose;
+    /* Flat: rays that leave it start in front of its plane, not at the nearest point of the grid.
+     */
+    int flat;
     /* The exact test of the ray with a leaf record: 1 with key (of a shadow ray 1), id and side of
      * a hit, 0 for a miss. Counts its work. */
     int (*test)(const struct sph_probe *probe, const uint32_t *record, struct sph_hit *hit);

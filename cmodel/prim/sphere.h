@@ -30,6 +30,7 @@ static inline int sph_surface_at(const struct sph_profile *p, const struct sph_r
                                  struct sph_surface *s) {
     int64_t normal[3];
     int saturated = sph_surface_point(p, ray, hit->key, s);
+    saturated |= sph_surface_nearest(p, s);
     sph_sphere_normal(p, sphere, s->guarded, normal);
     sph_surface_turn(p, ray, hit->far, normal, s);
     return saturated;

@@ -15,10 +15,12 @@ static int test(const struct sph_probe *probe, const uint32_t *record, struct sp
     return sph_facet_visit(probe, &f, hit);
 }
 
-/* v / 2^shift to nearest, halves away from zero; v * 2^-shift if shift < 0. */
+/* v / 2^shift to nearest, halves away from zero, and to 0 only if it is 0: the signs of a normal
+ * are exact. v * 2^-shift if shift < 0. */
 static int64_t scale(int64_t v, int shift) {
     int64_t size = v < 0 ? -v : v;
     size = shift > 0 ? (size + (1ll << (shift - 1))) >> shift : size << -shift;
+    if (v && !size) size = 1;
     return v < 0 ? -size : size;
 }
 
@@ -59,4 +61,4 @@ static int validate(const struct sph_machine *m, uint32_t line, const uint32_t *
     return sph_validate_normal(id, prim, normal, err);
 }
 
-const struct sph_prim sph_prim_triangle = {"triangle", 0, test, sph_stored_normal, validate};
+const struct sph_prim sph_prim_triangle = {"triangle", 0, 1, test, sph_stored_normal, validate};

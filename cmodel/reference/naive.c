@@ -111,7 +111,7 @@ static void follow(const struct sph_machine *m, const struct sph_ray *ray,
                    struct frames *frames) {
     const struct sph_profile *p = sph_machine_profile(m);
     const struct sph_naive_prim *prim = &f->prim;
-    struct sph_naive_point s = {{0}, {0}, {0}};
+    struct sph_naive_point s = {{0}, {0}, {0}, {0}};
     struct sph_ray bent = {.kind = SPH_REFRACTED, .inside = 1};
     int64_t colour[3], kr = 0, kt = 0;
     if (f->how.hit) {
@@ -129,7 +129,7 @@ static void follow(const struct sph_machine *m, const struct sph_ray *ray,
         uint32_t sides[2] = {1000, prim->index}; /* outside, inside */
         bent.skip = (struct sph_skip){prim->sphere.id, !f->how.far};
         for (int i = 0; i < 3; i++)
-            bent.org[i] = s.at[i];
+            bent.org[i] = s.behind[i];
         if (!sph_naive_refract(p, ray->dir, s.normal, sides[f->how.far], sides[!f->how.far],
                                bent.dir)) {
             kr = min(kr + kt, 256);

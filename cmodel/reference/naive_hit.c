@@ -93,6 +93,20 @@ void sph_naive_mirror(const int64_t d[3], const int64_t n[3], int wd, int64_t ou
     mpz_clears(v[0], v[1], v[2], dn, nn, x, NULL);
 }
 
+/* A coordinate x of a facet's point, with ng guard bits, to the grid: the number next to it on the
+ * side that the normal's component n looks to; to nearest if n is 0. */
+static void beyond(mpz_t x, int64_t n, int ng) {
+    if (!n) {
+        sph_naive_round(x, ng);
+    } else if (n > 0) {
+        mpz_fdiv_q_2exp(x, x, (mp_bitcnt_t)ng);
+        mpz_add_ui(x, x, 1);
+    } else {
+        mpz_cdiv_q_2exp(x, x, (mp_bitcnt_t)ng);
+        mpz_sub_ui(x, x, 1);
+    }
+}
+
 struct sph_naive_point sph_naive_point_of(const struct sph_profile *p, const struct sph_ray *ray,
                                           const struct sph_naive_found *f) {
     struct sph_naive_point s;
@@ -111,7 +125,10 @@ struct sph_naive_point sph_naive_point_of(const struct sph_profile *p, const str
         mpz_add(n[i], n[i], x);
         mpz_set_si(n[i], sph_naive_limit(n[i], p->w + p->ng));
         mpz_set(x, n[i]);
-        sph_naive_round(x, p->ng);
+        if (f->prim.facet)
+            beyond(x, f->prim.sphere.ctr[i] * (f->how.far ? -1 : 1), p->ng);
+        else
+            sph_naive_round(x, p->ng);
         s.at[i] = sph_naive_limit(x, p->w);
         mpz_set_si(x, f->prim.sphere.ctr[i]);
         mpz_mul_2exp(x, x, (mp_bitcnt_t)p->ng);
@@ -123,6 +140,11 @@ struct sph_naive_point sph_naive_point_of(const struct sph_profile *p, const str
         for (int i = 0; i < 3; i++)
             mpz_set_si(n[i], -ray->dir[i]);
     sph_naive_normalise(n, p->wd, s.normal);
+    for (int i = 0; i < 3; i++) {
+        int side = f->prim.facet ? (s.normal[i] > 0) - (s.normal[i] < 0) : 0;
+        mpz_set_si(x, s.at[i] - side * (2 + (4ll << p->w >> p->pq)));
+        s.behind[i] = sph_naive_limit(x, p->w);
+    }
     sph_naive_unit(s.normal, p->wd, s.unit);
     mpz_clears(n[0], n[1], n[2], x, NULL);
     return s;

@@ -20,7 +20,8 @@ struct sph_naive_found {
 };
 
 struct sph_naive_point { /* where a ray ends */
-    int64_t at[3], normal[3], unit[3];
+    int64_t at[3], behind[3]; /* start of mirror rays; of refracted ones */
+    int64_t normal[3], unit[3];
 };
 
 /* The first hit in the order of keys, then ids; any hit of a shadow ray. */

@@ -15,9 +15,37 @@ int sph_surface_point(const struct sph_profile *p, const struct sph_ray *ray, ui
     for (int i = 0; i < 3; i++) {
         int64_t offset = sph_round((int64_t)t.mant * ray->dir[i], shift);
         s->guarded[i] = sph_saturate(ray->org[i] * (1 << p->ng) + offset, p->w + p->ng, &saturated);
-        s->point[i] = sph_saturate(sph_round(s->guarded[i], p->ng), p->w, &saturated);
     }
     return saturated;
+}
+
+int sph_surface_nearest(const struct sph_profile *p, struct sph_surface *s) {
+    int saturated = 0;
+    s->flat = 0;
+    for (int i = 0; i < 3; i++)
+        s->point[i] = sph_saturate(sph_round(s->guarded[i], p->ng), p->w, &saturated);
+    return saturated;
+}
+
+int sph_surface_outwards(const struct sph_profile *p, int far, const int64_t vector[3],
+                         struct sph_surface *s) {
+    int64_t unit = 1ll << p->ng;
+    int saturated = 0;
+    s->flat = 1;
+    for (int i = 0; i < 3; i++) {
+        int64_t n = far ? -vector[i] : vector[i], up = n > 0 ? unit : n < 0 ? -1 : unit >> 1;
+        s->point[i] = sph_saturate((s->guarded[i] + up) >> p->ng, p->w, &saturated);
+    }
+    return saturated;
+}
+
+void sph_surface_behind(const struct sph_profile *p, const struct sph_surface *s, int64_t out[3]) {
+    int saturated, lost = p->w + 2 - p->pq;
+    int64_t back = 2 + (lost < 0 ? 0 : 1ll << lost);
+    for (int i = 0; i < 3; i++) {
+        int side = s->flat ? (s->normal[i] > 0) - (s->normal[i] < 0) : 0;
+        out[i] = sph_saturate(s->point[i] - side * back, p->w, &saturated);
+    }
 }
 
 void sph_surface_turn(const struct sph_profile *p, const struct sph_ray *ray, int far,

@@ -11,6 +11,7 @@
 
 struct sph_surface {
     int64_t point[3];     /* sW, origin of secondary rays */
+    int flat;             /* the point lies in front of a facet */
     int64_t guarded[3];   /* s(W+NG), the point with its guard bits */
     int64_t normal[3];    /* sWD, normalised by one shift, towards the ray's side */
     struct sph_unit unit; /* of normal */
@@ -18,10 +19,23 @@ struct sph_surface {
 };
 
 /* Hit point org + t*dir with NG guard bits that a primitive may make its normal of, t = key / a
- * rounded down to PQ bits (Borodavka et al. VI.A): guarded and point. A point outside the grid is
- * limited to it: returns 1. */
+ * rounded down to PQ bits (Borodavka et al. VI.A): guarded. A point outside the grid is limited to
+ * it: returns 1. */
 int sph_surface_point(const struct sph_profile *p, const struct sph_ray *ray, uint64_t key,
                       struct sph_surface *s);
+
+/* The point of the grid where secondary rays start, from the guarded one; limited: returns 1. That
+ * of a sphere is the nearest. That of a facet lies strictly in front of its plane, on the side that
+ * the ray came from: each coordinate goes on to the next number of the grid along the normal
+ * `vector`, turned if the hit is far (docs/model/facet.md has the proof). */
+int sph_surface_nearest(const struct sph_profile *p, struct sph_surface *s);
+int sph_surface_outwards(const struct sph_profile *p, int far, const int64_t vector[3],
+                         struct sph_surface *s);
+
+/* Where a refracted ray starts: the point of a sphere; strictly behind the plane of a facet, back
+ * by 2 and what the quotient may have lost, 2^(W+2-PQ) if that is 1 or more, along each axis that
+ * its normal looks along. Limited to the grid. */
+void sph_surface_behind(const struct sph_profile *p, const struct sph_surface *s, int64_t out[3]);
 
 /* normal, unit and nn from a vector of any length along the normal: turned if the hit is far; -dir
  * if it has none, as at a sphere's centre. */

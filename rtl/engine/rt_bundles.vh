@@ -113,7 +113,8 @@
 `define RT_SURFACE_POINT $clog2(SLOTS)+1 +: 3*W
 `define RT_SURFACE_GUARDED $clog2(SLOTS)+3*W+1 +: 3*(W+NG)
 `define RT_SURFACE_NORMAL $clog2(SLOTS)+3*W+3*(W+NG)+1 +: 3*WD
-`define RT_SURFACE_BITS ($clog2(SLOTS)+3*W+3*(W+NG)+3*WD+1)
+`define RT_SURFACE_FLAT $clog2(SLOTS)+3*W+3*(W+NG)+3*WD+1 +: 1
+`define RT_SURFACE_BITS ($clog2(SLOTS)+3*W+3*(W+NG)+3*WD+2)
 `define RT_MATERIAL_VALID 0 +: 1
 `define RT_MATERIAL_SLOT 1 +: $clog2(SLOTS)
 `define RT_MATERIAL_RGB $clog2(SLOTS)+1 +: `RT_RGB_BITS

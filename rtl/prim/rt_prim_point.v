@@ -1,12 +1,14 @@
 // rt_prim_point.v - primitives at a hit: the point, and a vector along the normal there
 // SPDX-License-Identifier: Apache-2.0
-//   point = sat(round(g / 2^NG))    sphere: vector = g - ctr*2^NG    stored normal: vector = normal
+//   sphere:        vector = g - ctr*2^NG    point = sat(round(g / 2^NG))
+//   stored normal: vector = normal          point = sat(floor((g + up) / 2^NG)), in front of it:
+//                  up = 2^NG, -1, 2^NG / 2 as the component of the turned vector is > 0, < 0, = 0
 // The vector has any length and looks outwards or to the front; if the hit is far it is turned. A
 // hit is taken with the part of its primitive record that is no material; then x, y, z of the
 // guarded point g come, one a clock, and x, y, z of point and vector leave, one a clock. They may
 // come later than g: rt_hit takes no other hit before they have left. Today they come at once.
-// Model: sph_surface_point() in cmodel/shade/surface.c, normal() in cmodel/prim/sphere.c,
-//        sph_stored_normal() in cmodel/prim/kinds.c
+// Model: sph_surface_nearest(), sph_surface_outwards() in cmodel/shade/surface.c,
+//        normal() in cmodel/prim/sphere.c, sph_stored_normal() in cmodel/prim/kinds.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
@@ -30,12 +32,14 @@ module rt_prim_point #(
     output wire                       out_valid_o,
     output wire signed [W-1:0]        out_point_o,
     output wire                       out_limited_o,  // the point was limited to the grid
+    output wire                       out_flat_o,     // it lies in front of a flat primitive
     output wire signed [`RT_PRIM_VECTOR_BITS(W, NG, FACETS)-1:0] out_vector_o
 );
     localparam GW = W + NG;
     localparam VW = `RT_PRIM_VECTOR_BITS(W, NG, FACETS);
     localparam CW = FACETS != 0 ? `RT_LEAF_CTR_X_BITS : W;
-    localparam [GW:0] HALF = ({{GW{1'b0}}, 1'b1} << NG) >> 1;  // NG 0: nothing to round
+    localparam [GW:0] UNIT = {{GW{1'b0}}, 1'b1} << NG;
+    localparam [GW:0] HALF = UNIT >> 1;          // NG 0: nothing to round
 
     // ---- shape: the component that is next stands in x ----
     reg  signed [CW-1:0] ctr_x_q, ctr_y_q, ctr_z_q;   // centre, or stored normal
@@ -52,10 +56,14 @@ module rt_prim_point #(
             {ctr_x_q, ctr_y_q} <= {ctr_y_q, ctr_z_q};
         end
 
-    // ---- point: of every kind the guarded one, rounded half up ----
-    wire signed [GW:0] sum = $signed({in_guarded_i[GW-1], in_guarded_i}) + $signed(HALF);
+    // ---- point: the guarded one, rounded half up, or along the normal to the next of the grid ----
+    wire        down = ctr_x_q[CW-1] != far_q;   // the turned normal looks down
+    wire        up_any = stored_q && ctr_x_q != {CW{1'b0}};
+    wire [GW:0] up   = !up_any ? HALF : down ? {(GW+1){1'b1}} : UNIT;
+    wire signed [GW:0] sum = $signed({in_guarded_i[GW-1], in_guarded_i}) + $signed(up);
     assign out_limited_o = sum[GW] != sum[GW-1];
-    assign out_point_o = out_limited_o ? $signed({1'b0, {(W-1){1'b1}}}) : $signed(sum[GW-1:NG]);
+    assign out_point_o = out_limited_o ? $signed({sum[GW], {(W-1){!sum[GW]}}})
+                                       : $signed(sum[GW-1:NG]);
 
     // ---- vector: front - back, or what turns it, back - front ----
     wire signed [VW-1:0] guarded = {{(VW-GW+1){in_guarded_i[GW-1]}}, in_guarded_i[GW-2:0]};
@@ -74,6 +82,7 @@ module rt_prim_point #(
     endgenerate
     assign out_vector_o = (far_q ? back : front) - (far_q ? front : back);
     assign out_valid_o  = in_valid_i;
+    assign out_flat_o   = stored_q;
     wire unused = &{1'b0, effects_i, shape_i, sum};
 endmodule
 `default_nettype wire

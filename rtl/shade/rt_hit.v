@@ -50,6 +50,7 @@ module rt_hit #(
     output wire signed [WD-1:0] out_normal_x_o, // towards the ray's side
     output wire signed [WD-1:0] out_normal_y_o,
     output wire signed [WD-1:0] out_normal_z_o,
+    output reg                  out_flat_o,     // the point lies in front of a facet's plane
     output reg                  out_saturated_o // the point was limited to the grid
 );
     localparam PW = PQ + WD;                    // mant * dir
@@ -198,17 +199,18 @@ module rt_hit #(
 
     // ---- stage 6: point and vector, as the primitive has them ----
     reg  [TAG-1:0]       s6_tag_q;
-    reg                  s6_over_q, s6_any_q;
+    reg                  s6_over_q, s6_any_q, s6_flat_q;
     reg  signed [W-1:0]  s6_px_q, s6_py_q, s6_pz_q;
     reg  signed [PV-1:0] s6_nx_q, s6_ny_q, s6_nz_q;
     wire signed [W-1:0]  p_point;
     wire signed [PV-1:0] p_vector;
-    wire                 p_limited;
+    wire                 p_limited, p_flat;
     rt_prim_point #(.W(W), .NG(NG), .FARS(INSIDE), .FACETS(FACETS)) u_prim (
         .clk(clk), .effects_i(effects_i),
         .take_i(take), .shape_i(in_shape_i), .far_i(in_far_i),
         .in_valid_i(guarded), .in_guarded_i(s5_g_q),
         .out_valid_o(p_valid), .out_point_o(p_point), .out_limited_o(p_limited),
+        .out_flat_o(p_flat),
         .out_vector_o(p_vector)
     );
     always @(posedge clk) begin
@@ -224,7 +226,7 @@ module rt_hit #(
             s6_nz_q <= p_vector;
             {s6_nx_q, s6_ny_q} <= {s6_ny_q, s6_nz_q};
         end
-        if (last) s6_tag_q <= in_tag_q;
+        if (last) {s6_flat_q, s6_tag_q} <= {p_flat, in_tag_q};
     end
 
     // ---- behind z: to normalisation, out 7 cycles later; the rest waits at the output ----
@@ -240,6 +242,7 @@ module rt_hit #(
     always @(posedge clk)
         if (feed_q[3]) begin
             out_tag_o       <= s6_tag_q;
+            out_flat_o      <= s6_flat_q;
             out_saturated_o <= s6_over_q;
             {out_point_x_o, out_point_y_o, out_point_z_o} <= {s6_px_q, s6_py_q, s6_pz_q};
         end

@@ -9,6 +9,7 @@
 module rt_leave #(
     parameter W       = 16,  // coordinate, bits
     parameter WD      = 17,  // direction component, bits
+    parameter PQ      = 17,  // quotient, significant bits
     parameter NG      = 2,   // guard bits of the hit point
     parameter PR      = 0,   // significant bits of the root, 0: all
     parameter MIRRORS = 1,   // 0: no mirror rays
@@ -51,7 +52,8 @@ module rt_leave #(
         if (REFRACT != 0) begin : g_rays
             wire             go, go_ready, back;
             wire [3*WD-1:0]  vec;
-            rt_rays #(.W(W), .WD(WD), .NG(NG), .PR(PR), .PATHS(PATHS), .SLOTS(SLOTS)) u_rays (
+            rt_rays #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .PR(PR), .PATHS(PATHS),
+                      .SLOTS(SLOTS)) u_rays (
                 .clk(clk), .rst(rst), .ray_i(ray_i), .hit_i(hit_i), .material_i(material_i),
                 .surface_i(surface_i), .path_valid_i(path_valid_i), .path_slot_i(path_slot_i),
                 .path_i(path_i), .blend_i(blend_i),

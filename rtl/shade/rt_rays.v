@@ -12,6 +12,7 @@
 module rt_rays #(
     parameter W     = 16,  // coordinate, bits
     parameter WD    = 17,  // direction component, bits
+    parameter PQ    = 17,  // quotient, significant bits
     parameter NG    = 2,   // guard bits of the hit point
     parameter PR    = 0,   // significant bits of the root, 0: all
     parameter PATHS = 0,   // 1: the length of a ray's path is kept, for textures
@@ -134,6 +135,23 @@ module rt_rays #(
         .out_dir_o(bent_dir)
     );
 
+    // ---- where a refracted ray starts: behind a facet, steps back from the point before it ----
+    // 1 for its rounding, what the quotient may have lost, 1 for the guard bits
+    localparam [31:0] BACKWARDS = 2 + (W + 2 >= PQ ? 1 << (W + 2 - PQ) : 0);
+    wire [3*W-1:0]   before = surface_i[`RT_SURFACE_POINT];
+    wire [3*WD-1:0]  normal = surface_i[`RT_SURFACE_NORMAL];
+    wire [3*W-1:0]   behind;
+    genvar           c;
+    generate
+        for (c = 0; c < 3; c = c + 1) begin : g_behind
+            wire         any  = surface_i[`RT_SURFACE_FLAT] && normal[WD*c +: WD] != {WD{1'b0}};
+            wire [W:0]   step = normal[WD*c+WD-1] ? BACKWARDS[W:0] : -BACKWARDS[W:0];
+            wire [W:0]   sum  = {before[W*c+W-1], before[W*c +: W]} + (any ? step : {(W+1){1'b0}});
+            assign behind[W*c +: W] = sum[W] != sum[W-1] ? {sum[W], {(W-1){!sum[W]}}}
+                                      : sum[W-1:0];
+        end
+    endgenerate
+
     // ---- a surface with all that is known of it ----
     localparam [1:0] IDLE = 2'd0, ACT = 2'd1, POP = 2'd2, GO = 2'd3;
     reg  [1:0]       state_q;
@@ -166,7 +184,7 @@ module rt_rays #(
     );
     rt_slot_ram #(.WIDTH(3*W), .SLOTS(SLOTS), .OLD(0)) u_point (
         .clk(clk), .wr_en_i(surface_i[`RT_SURFACE_VALID]), .wr_addr_i(surface_i[`RT_SURFACE_SLOT]),
-        .wr_data_i(surface_i[`RT_SURFACE_POINT]),
+        .wr_data_i(behind),
         .rd_en_i(pick), .rd_addr_i(slot), .rd_data_o(v_point)
     );
 

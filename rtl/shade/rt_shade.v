@@ -208,8 +208,9 @@ module rt_shade #(
         .read_i(read_i), .read_slot_i(read_slot_i), .colour_o(colour_o)
     );
     wire             reflected;
-    rt_leave #(.W(W), .WD(WD), .NG(NG), .PR(PR), .MIRRORS(BOUNCES), .REFRACT(REFRACT),
-               .PATHS(TEXTURE), .BOUNCE_INTERVAL(BOUNCE_INTERVAL), .SLOTS(SLOTS)) u_leave (
+    rt_leave #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .PR(PR), .MIRRORS(BOUNCES),
+               .REFRACT(REFRACT), .PATHS(TEXTURE), .BOUNCE_INTERVAL(BOUNCE_INTERVAL),
+               .SLOTS(SLOTS)) u_leave (
         .clk(clk), .rst(rst), .ray_i(ray_i), .hit_i(hit_i), .material_i(material),
         .surface_i(surface), .path_valid_i(path_valid), .path_slot_i(path_slot), .path_i(path),
         .blend_i(blend_o), .next_valid_o(next_valid), .next_slot_o(next_slot),

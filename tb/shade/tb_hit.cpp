@@ -178,6 +178,7 @@ void check(Bench &b, const Vector &e) {
     for (int i = 0; i < 3; i++)
         b.expect("out_guarded_o", bench::sign(b.get(b.dut.out_guarded_o) >> (W + NG) * i, W + NG),
                  TEXTURE ? s.guarded[i] : 0, W + NG);
+    b.expect("out_flat_o", b.dut.out_flat_o, s.flat, 1);
     b.expect("out_saturated_o", b.dut.out_saturated_o, saturated, 1);
     if (b.bad()) {
         e.hard.show();

@@ -71,7 +71,7 @@ class Rays : public bench::Bench<Vrt_rays> {
     }
 
   private:
-    const struct sph_profile p = {PROFILE, W, WD, 0, NG, FW, PR};
+    const struct sph_profile p = {PROFILE, W, WD, PQ, NG, FW, PR};
     Slot slots[SLOTS];
     unsigned pace = 100;
 
@@ -96,9 +96,16 @@ class Rays : public bench::Bench<Vrt_rays> {
         s.surface = {};
         for (int i = 0; i < 3; i++) {
             s.ray.dir[i] = random.smixed(WD);
-            s.surface.point[i] = random.sbits(W);
+            s.surface.point[i] = random.percent(70) ? random.sbits(W) : random.smixed(W);
             s.surface.normal[i] = random.percent(80) ? random.sbits(WD) : random.smixed(WD - 3);
             s.surface.nn += (uint64_t)(s.surface.normal[i] * s.surface.normal[i]);
+        }
+        s.surface.flat = random.percent(50);
+        if (random.percent(10)) { /* along an axis */
+            int axis = (int)random.below(3);
+            int64_t n = s.surface.normal[axis] |= 1;
+            s.surface.normal[(axis + 1) % 3] = s.surface.normal[(axis + 2) % 3] = 0;
+            s.surface.nn = (uint64_t)(n * n);
         }
         sph_ray_setup(&p, &s.ray);
         s.surface.unit = sph_unit(s.surface.normal, s.surface.nn, WD);
@@ -115,6 +122,8 @@ class Rays : public bench::Bench<Vrt_rays> {
         bench::put(dut.material_i, RT_MATERIAL_INDEX, s.index);
         bench::put(dut.surface_i, RT_SURFACE_SLOT, at);
         bench::put(dut.surface_i, RT_SURFACE_POINT, (i128)world::pack(s.surface.point, W));
+        bench::put(dut.surface_i, RT_SURFACE_NORMAL, (i128)world::pack(s.surface.normal, WD));
+        bench::put(dut.surface_i, RT_SURFACE_FLAT, s.surface.flat);
         dut.path_slot_i = (uint8_t)at;
         bench::set(dut.path_i, W + 8, (i128)s.path);
         held = at;
@@ -153,8 +162,10 @@ class Rays : public bench::Bench<Vrt_rays> {
         bench::put(dut.blend_i, RT_BLEND_W_TOTAL, weight[2]);
         s.state = Slot::BLENDED;
         if (!s.depth) s.waiting.clear();
+        int64_t start[3];
+        sph_surface_behind(&p, &s.surface, start);
         Branch bent = {0,
-                       world::pack(s.surface.point, W),
+                       world::pack(start, W),
                        (uint32_t)!s.far << 24 | s.id,
                        weight[1],
                        s.depth + 1,

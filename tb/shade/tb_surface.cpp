@@ -316,6 +316,7 @@ class Run {
         const int64_t none[3] = {0, 0, 0};
         b.expect("GUARDED", bench::get(t.surface_o, RT_SURFACE_GUARDED),
                  (bench::i128)pack(TEXTURE ? surface.guarded : none, W + NG), 3 * (W + NG));
+        b.expect("FLAT", bench::get(t.surface_o, RT_SURFACE_FLAT), surface.flat, 1);
         b.expect("saturated_o", t.saturated_o, saturated, 1);
         if (b.bad()) {
             b.show("slot", at, SLOTW);

@@ -178,7 +178,7 @@ static void test_effects(void **unused) {
     s.spheres[0].rad = 0.5; /* on the plane */
     m = built(&s, o, &r);
     assert_non_null(strstr(r.effects[SPH_REPORT_INSIDE].why,
-                           "the plane cloud.nff:100 comes within 4.625 grid units of the sphere "
+                           "the plane cloud.nff:100 comes within 5.5 grid units of the sphere "
                            "cloud.nff:10"));
     assert_int_equal(m.regs[SPH_REG_EFFECTS], 1 << SPH_EFFECT_FACETS | 5);
     sph_machine_free(&m);

@@ -57,7 +57,7 @@ static void test_near(void **unused) {
     (void)unused;
     for (int run = 0; run < 4000 / SLOW; run++) {
         const struct sph_profile *p = &sph_profiles[run % SPH_PROFILES];
-        double error = (double)sph_point_error(p) / (1 << sph_error_bits(p));
+        double error = (double)sph_facet_error(p) / (1 << sph_error_bits(p));
         struct sph_grid_facet f = {.kind = SPH_TRIANGLE};
         double size = exp(between(0, log(0.4) + p->w * log(2))), n[3], square = 0;
         struct sph_ball ball = {.r = whole(1, size / 2 + 1)};

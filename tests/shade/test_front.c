@@ -1,0 +1,183 @@
+/* test_front.c - where rays leave a facet: in front of its plane, behind it, and never in a speck
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * In exact integers: a mirror ray, or one to a light, starts strictly in front of the plane of the
+ * facet that was hit, a refracted ray strictly behind it. So nothing of a convex mesh shades what
+ * faces the light.
+ */
+#include "facets_scene.h"
+
+#include "core/render.h"
+#include "pixel/walk.h"
+#include "prim/facet.h"
+#include "prim/kinds.h"
+#include "prim/triangle.h"
+#include "scene/generate.h"
+#include "trace/traverse.h"
+
+#ifdef __SANITIZE_ADDRESS__
+enum { SANITIZED = 1 };
+#else
+enum { SANITIZED = 0 };
+#endif
+
+static int64_t whole(int64_t lo, int64_t hi) {
+    return lo + (int64_t)(uniform() * (double)(hi - lo + 1));
+}
+
+/* N.(p - v0) of a triangle's exact normal. */
+static sph_i128 height(const int64_t v[3][3], const int64_t p[3]) {
+    sph_i128 sum = 0;
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        int64_t n = (v[1][j] - v[0][j]) * (v[2][k] - v[0][k]) -
+                    (v[1][k] - v[0][k]) * (v[2][j] - v[0][j]);
+        sum += (sph_i128)n * (p[i] - v[0][i]);
+    }
+    return sum;
+}
+
+/* A triangle of any size within the grid, flat or steep, and a ray at it from anywhere. */
+static struct sph_ray aim(const struct sph_profile *p, struct sph_facet_leaf *f) {
+    int64_t half = (1ll << (p->w - 1)) - 4, size = 1 + (int64_t)exp(uniform() * p->w * log(2)) / 2;
+    struct sph_ray ray = {.kind = SPH_PRIMARY, .skip = {SPH_ID_NONE, 0}, .inside = 1};
+    int still = (int)whole(0, 5); /* the plane is that of an axis, or nearly */
+    *f = (struct sph_facet_leaf){.kind = SPH_TRIANGLE};
+    double at[3] = {0, 0, 0}, most = 1;
+    for (int i = 0; i < 3; i++) {
+        int64_t base = whole(-half, half);
+        for (int k = 0; k < 3; k++) {
+            int64_t to = base + whole(-size, size) * (still != i) + whole(0, still == i && size > 9);
+            f->v[k][i] = to > half ? half : to < -half ? -half : to;
+        }
+        ray.org[i] = whole(0, 3) ? whole(-half, half) : f->v[0][i] + whole(-9, 9);
+        if (ray.org[i] > half) ray.org[i] = half;
+        if (ray.org[i] < -half) ray.org[i] = -half;
+    }
+    double a = uniform(), b = uniform() * (1 - a);
+    for (int i = 0; i < 3; i++) {
+        at[i] = (double)f->v[0][i] + a * (double)(f->v[1][i] - f->v[0][i]) +
+                b * (double)(f->v[2][i] - f->v[0][i]) - (double)ray.org[i];
+        most = fmax(most, fabs(at[i]));
+    }
+    double reach = whole(0, 3) ? ldexp(between(0.5, 0.99), p->wd - 1)
+                               : (double)sph_min_screen(p) * between(1, 4);
+    for (int i = 0; i < 3; i++)
+        ray.dir[i] = (int64_t)(at[i] * reach / most);
+    sph_ray_setup(p, &ray);
+    return ray;
+}
+
+static void test_sides(void **unused) {
+    (void)unused;
+    long hits = 0, behind = 0, near = 0;
+    for (int run = 0; run < 400000 / (SANITIZED ? 10 : 1); run++) {
+        struct sph_profile p = sph_profiles[run % SPH_PROFILES];
+        if (run % 12 >= 8) p.ng = run % 12 == 8 ? 0 : run % 12 == 9 ? 1 : 4;
+        if (p.ng == 4 && p.pq < p.w + 2) p.pq = p.w + 4;
+        struct sph_facet_leaf f;
+        struct sph_ray ray = aim(&p, &f);
+        if (ray.a < (uint64_t)(sph_min_screen(&p) * sph_min_screen(&p))) continue;
+        struct sph_facet_result r = sph_facet_test(&p, &ray, &f);
+        int32_t v[3][3], normal[3];
+        int64_t n[3], start[3];
+        uint64_t divisions = 0;
+        for (int k = 0; k < 3; k++)
+            for (int i = 0; i < 3; i++)
+                v[k][i] = (int32_t)f.v[k][i];
+        if (!r.hit || !sph_triangle_normal((const int32_t(*)[3])v, normal)) continue;
+        struct sph_hit hit = {sph_facet_key(&ray, &r, &divisions), 0, r.far};
+        struct sph_surface s;
+        for (int i = 0; i < 3; i++)
+            n[i] = normal[i];
+        if (sph_surface_facet(&p, &ray, &hit, n, &s)) continue;
+        int side = r.far ? -1 : 1;
+        assert_true(side * height(f.v, s.point) > 0);
+        sph_surface_behind(&p, &s, start);
+        assert_true(side * height(f.v, start) < 0);
+        hits++;
+        sph_surface_nearest(&p, &s);
+        behind += side * height(f.v, s.point) < 0;
+        near += side * height(f.v, s.point) == 0;
+    }
+    printf("# %ld hits; the nearest point would lie behind the plane for %ld, on it for %ld\n", hits,
+           behind, near);
+    assert_true(hits > 20000 / (SANITIZED ? 10 : 1) && behind > hits / 4);
+}
+
+/* The point of a hit of the eye's ray; 0: none, or on the plane below the mesh. */
+static int seen(const struct sph_machine *m, int x, int y, struct sph_hit *hit,
+                struct sph_surface *s, int64_t v[3][3]) {
+    const struct sph_profile *p = sph_machine_profile(m);
+    static const int lsb[3] = {SPH_TRIANGLE_V0_X_LSB, SPH_TRIANGLE_V1_X_LSB, SPH_TRIANGLE_V2_X_LSB};
+    struct sph_ray ray = {.kind = SPH_PRIMARY, .skip = {SPH_ID_NONE, 0}, .inside = 1};
+    struct sph_counters c = {0};
+    uint32_t visits = 0, errors = 0;
+    int64_t n[3];
+    for (int i = 0; i < 3; i++)
+        ray.org[i] = m->regs[SPH_REG_EYE_X + i];
+    sph_primary_dir(m, x, y, ray.dir);
+    sph_ray_setup(p, &ray);
+    *hit = sph_traverse(m, &ray, SPH_TRAVERSE_TREE, &c, &visits, &errors);
+    if (!hit->key) return 0;
+    const uint32_t *line = machine_line(m, (uint32_t)m->regs[SPH_REG_FACET_BASE] + hit->id);
+    const uint32_t *prim = machine_line(m, (uint32_t)m->regs[SPH_REG_PRIM_BASE] + hit->id);
+    if (sph_record_kind(1, line) != SPH_TRIANGLE) return 0;
+    for (int k = 0; k < 3; k++)
+        sph_vector_read(line, lsb[k], p->w, v[k]);
+    sph_stored_normal(p, prim, NULL, n);
+    sph_surface_facet(p, &ray, hit, n, s);
+    return 1;
+}
+
+/* A ball of triangles: what faces the light is lit, whatever the profile. */
+static void test_convex(void **unused) {
+    (void)unused;
+    struct sph_generate_options how = {.size = 4, .width = 320, .height = 180};
+    struct sph_scene scene;
+    struct sph_error err = {{0}};
+    if (sph_generate("icosphere", &how, &scene, &err)) fail_msg("%s", err.text);
+    for (int profile = 0; profile < SPH_PROFILES; profile++) {
+        struct sph_build_options o = standard;
+        struct sph_build_report report;
+        o.profile = profile;
+        struct sph_machine m = built(&scene, o, &report);
+        const struct sph_profile *p = sph_machine_profile(&m);
+        const int32_t *lamp = m.regs + SPH_REG_LIGHT0_X;
+        long lit = 0, dark = 0, specks = 0;
+        for (int i = 0; i < 320 * 180; i += SANITIZED ? 16 : 1) {
+            struct sph_hit hit;
+            struct sph_surface s;
+            int64_t v[3][3], light[3] = {lamp[0], lamp[1], lamp[2]};
+            if (!seen(&m, i % 320, i / 320, &hit, &s, v)) continue;
+            if (height(v, light) <= 0) continue;
+            for (int nearest = 0; nearest < 2; nearest++) {
+                struct sph_ray to = {
+                    .kind = SPH_SHADOW, .skip = {hit.id, hit.far}, .inside = 1};
+                struct sph_counters c = {0};
+                uint32_t visits = 0, errors = 0;
+                if (nearest) sph_surface_nearest(p, &s);
+                for (int k = 0; k < 3; k++) {
+                    to.org[k] = s.point[k];
+                    to.dir[k] = lamp[k] - s.point[k];
+                }
+                sph_ray_setup(p, &to);
+                struct sph_hit by = sph_traverse(&m, &to, SPH_TRAVERSE_TREE, &c, &visits, &errors);
+                *(nearest ? &specks : &dark) += by.key != 0;
+            }
+            lit++;
+        }
+        printf("# %s: %ld pixels face the light, dark %ld; from the nearest points %ld\n", p->name,
+               lit, dark, specks);
+        assert_int_equal(dark, 0);
+        assert_true(lit > 500 && (specks > 0 || SANITIZED || profile > SPH_STANDARD));
+        sph_machine_free(&m);
+    }
+    sph_scene_free(&scene);
+}
+
+int main(int argc, char **argv) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_sides), cmocka_unit_test(test_convex)};
+    seed(argc, argv);
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
