@@ -38,8 +38,8 @@ static void surface(const struct sph_job *j, const struct sph_ray *ray, const st
     int saturated = sph_surface_point(j->p, ray, hit->key, s);
     const struct sph_prim *kind = sph_prim_of(sph_prim_kind(j->m, prim));
     kind->normal(j->p, prim, s->guarded, normal);
-    saturated |= kind->flat ? sph_surface_outwards(j->p, hit->far, normal, s)
-                            : sph_surface_nearest(j->p, s);
+    saturated |=
+        kind->flat ? sph_surface_outwards(j->p, hit->far, normal, s) : sph_surface_nearest(j->p, s);
     sph_surface_turn(j->p, ray, hit->far, normal, s);
     j->c->count[SPH_COUNT_QUOTIENTS]++;
     j->c->count[SPH_COUNT_SATURATIONS] += (uint64_t)saturated;

@@ -16,6 +16,7 @@ static int test_nothing(const struct sph_probe *probe, const uint32_t *record,
 }
 
 const struct sph_prim *sph_prim_of(uint32_t kind) {
-    static const struct sph_prim none = {.flat = 1, .test = test_nothing, .normal = sph_stored_normal};
+    static const struct sph_prim none = {
+        .flat = 1, .test = test_nothing, .normal = sph_stored_normal};
     return kind < SPH_KINDS ? kinds[kind] : &none;
 }

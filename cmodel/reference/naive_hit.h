@@ -19,7 +19,7 @@ struct sph_naive_found {
     struct sph_naive_prim prim;
 };
 
-struct sph_naive_point { /* where a ray ends */
+struct sph_naive_point {      /* where a ray ends */
     int64_t at[3], behind[3]; /* start of mirror rays; of refracted ones */
     int64_t normal[3], unit[3];
 };

@@ -164,12 +164,8 @@ class Rays : public bench::Bench<Vrt_rays> {
         if (!s.depth) s.waiting.clear();
         int64_t start[3];
         sph_surface_behind(&p, &s.surface, start);
-        Branch bent = {0,
-                       world::pack(start, W),
-                       (uint32_t)!s.far << 24 | s.id,
-                       weight[1],
-                       s.depth + 1,
-                       s.path};
+        Branch bent = {0,         world::pack(start, W), (uint32_t)!s.far << 24 | s.id,
+                       weight[1], s.depth + 1,           s.path};
         int64_t dir[3] = {};
         uint32_t from = s.far ? s.index : SPH_INDEX_ONE, to = s.far ? SPH_INDEX_ONE : s.index;
         bool total = refract && !sph_refract(&p, &s.ray, &s.surface, from, to, dir);

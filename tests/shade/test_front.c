@@ -30,8 +30,8 @@ static sph_i128 height(const int64_t v[3][3], const int64_t p[3]) {
     sph_i128 sum = 0;
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
-        int64_t n = (v[1][j] - v[0][j]) * (v[2][k] - v[0][k]) -
-                    (v[1][k] - v[0][k]) * (v[2][j] - v[0][j]);
+        int64_t n =
+            (v[1][j] - v[0][j]) * (v[2][k] - v[0][k]) - (v[1][k] - v[0][k]) * (v[2][j] - v[0][j]);
         sum += (sph_i128)n * (p[i] - v[0][i]);
     }
     return sum;
@@ -47,7 +47,8 @@ static struct sph_ray aim(const struct sph_profile *p, struct sph_facet_leaf *f)
     for (int i = 0; i < 3; i++) {
         int64_t base = whole(-half, half);
         for (int k = 0; k < 3; k++) {
-            int64_t to = base + whole(-size, size) * (still != i) + whole(0, still == i && size > 9);
+            int64_t to =
+                base + whole(-size, size) * (still != i) + whole(0, still == i && size > 9);
             f->v[k][i] = to > half ? half : to < -half ? -half : to;
         }
         ray.org[i] = whole(0, 3) ? whole(-half, half) : f->v[0][i] + whole(-9, 9);
@@ -100,8 +101,8 @@ static void test_sides(void **unused) {
         behind += side * height(f.v, s.point) < 0;
         near += side * height(f.v, s.point) == 0;
     }
-    printf("# %ld hits; the nearest point would lie behind the plane for %ld, on it for %ld\n", hits,
-           behind, near);
+    printf("# %ld hits; the nearest point would lie behind the plane for %ld, on it for %ld\n",
+           hits, behind, near);
     assert_true(hits > 20000 / (SANITIZED ? 10 : 1) && behind > hits / 4);
 }
 
@@ -152,8 +153,7 @@ static void test_convex(void **unused) {
             if (!seen(&m, i % 320, i / 320, &hit, &s, v)) continue;
             if (height(v, light) <= 0) continue;
             for (int nearest = 0; nearest < 2; nearest++) {
-                struct sph_ray to = {
-                    .kind = SPH_SHADOW, .skip = {hit.id, hit.far}, .inside = 1};
+                struct sph_ray to = {.kind = SPH_SHADOW, .skip = {hit.id, hit.far}, .inside = 1};
                 struct sph_counters c = {0};
                 uint32_t visits = 0, errors = 0;
                 if (nearest) sph_surface_nearest(p, &s);
