@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # trees.py - visits in trees of four children, against a bound from below: `make trees`
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.trees TOOL FOLDER PAGE
-Renders scenes with each tree and puts the table into PAGE. The pictures must be the same.
+"""usage: python3 -m lab.trees TOOL FOLDER
+Renders scenes with each tree and prints a table. The pictures must be the same.
 
 The bound holds for primary rays, whatever the tree: a ray that hits a primitive must visit every
 node above it, and any other ray the root. With w rays that end at each primitive the sum of w times
@@ -15,10 +15,7 @@ import struct
 import subprocess
 import sys
 
-from .pages.place import place
-
 TREES = ["paper", "balanced", "reinserted"]
-NAME = "visits"  # of the place in the page
 NO_ID, HEAD = 0xFFFFFF, 32  # of a frame file: cmodel/core/frame_file.h
 PDB = "/usr/share/pymol/data/demo/1tii.pdb"
 SIZE = "160x90"
@@ -85,17 +82,16 @@ def row(tool, folder, name, source):
     with open(scene, encoding="utf-8") as f:
         n = sum(line.split()[:1] == ["s"] for line in f)
     cells = [f"{visits:.2f}" for visits, _ in whole + primary]
-    print(f"  RUN  {name}, {n}", flush=True)
     return f"| {name} | {n} | {' | '.join(cells)} | {bound(hits, n):.2f} |"
 
 
 def main():
-    tool, folder, page = sys.argv[1:]
+    tool, folder = sys.argv[1:]
     os.makedirs(folder, exist_ok=True)
     heads = ["scene", "spheres", *TREES, *(f"primary: {tree}" for tree in TREES), "bound"]
     lines = ["| " + " | ".join(heads) + " |", "|" + "---|" * len(heads)]
     lines += [row(tool, folder, name, source) for name, source in SCENES]
-    place(page, {NAME: "\n".join(lines)})
+    print("\n".join(lines))
 
 
 if __name__ == "__main__":

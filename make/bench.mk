@@ -8,5 +8,5 @@ hashes: $(TOOL) ## write scenes/hashes.txt: what the golden model draws now
 	$(Q)SPHAERA=$(TOOL) sh sim/hashes.sh >$B/hashes.txt
 	$(Q)mv $B/hashes.txt scenes/hashes.txt
 
-trees: $(TOOL) ## docs/results/trees.md: visits in each tree, against a bound; a minute
-	$(Q)python3 -m lab.trees $(TOOL) $B/trees docs/results/trees.md
+trees: $(TOOL) ## table of visits in each tree, against a bound; a minute
+	$(Q)python3 -m lab.trees $(TOOL) $B/trees
