@@ -55,7 +55,7 @@ static int holds(const struct real_ball *sphere, const struct real_ball *ball) {
  * the n balls `all`. With v = c - c0: v.d_i = e_i + f_i R, |v| = R - r0. 0 if there is none. */
 static int tangent(int m, const struct real_ball *const b[4], int n,
                    const struct real_ball *const all[5], struct real_ball *out) {
-    double d[3][3], g[3][5], va[3] = {0}, vb[3] = {0};
+    double d[3][3] = {{0}}, g[3][5], va[3] = {0}, vb[3] = {0};
     const struct real_ball *o = b[0];
     memset(g, 0, sizeof g);
     for (int i = 1; i < m; i++) {

@@ -13,9 +13,8 @@
 #include "scene/vector.h"
 
 enum {
-    MARGIN = 4, /* grid units kept free at each side */
-    FAR = 4,    /* times finer: then the grid is made without the lights */
-    LEAST = 12  /* bits that planes leave to what has an end, and half of those beyond */
+    FAR = 4,   /* times finer: then the grid is made without the lights */
+    LEAST = 12 /* bits that planes leave to what has an end, and half of those beyond */
 };
 
 struct box {
@@ -47,12 +46,6 @@ static int rotation(const struct sph_scene *scene, double m[9], struct sph_error
     return 0;
 }
 
-/* Camera-frame coordinates of v. */
-static void turn(const double m[9], struct sph_vec v, double out[3]) {
-    for (int i = 0; i < 3; i++)
-        out[i] = m[3 * i] * v.x + m[3 * i + 1] * v.y + m[3 * i + 2] * v.z;
-}
-
 static void box_add(struct box *box, const double at[3], double rad) {
     for (int i = 0; i < 3; i++) {
         if (at[i] - rad < box->lo[i]) box->lo[i] = at[i] - rad;
@@ -68,7 +61,7 @@ static int add_facets(const struct sph_scene *scene, const double m[9], struct b
         const struct sph_prim_scene *kind = sph_prim_scene_of((uint32_t)f->kind);
         for (int k = 0; k < 3; k++) {
             double at[3], size = fabs(f->v[k].x) + fabs(f->v[k].y) + fabs(f->v[k].z);
-            turn(m, sph_vec_sub(f->v[k], scene->camera.from), at);
+            sph_vec_turn(m, sph_vec_sub(f->v[k], scene->camera.from), at);
             if (!isfinite(size + at[0] + at[1] + at[2]) || (k == kind->points && !(size > 0)))
                 return sph_fail(err, "%s:%u: %s needs %s", scene->path, f->line,
                                 sph_prim_of((uint32_t)f->kind)->name, kind->wants);
@@ -83,7 +76,7 @@ static int add_lights(const struct sph_scene *scene, const double m[9], struct b
                       struct sph_error *err) {
     double at[3];
     for (int l = 0; l < scene->n_lights; l++) {
-        turn(m, sph_vec_sub(scene->lights[l].pos, scene->camera.from), at);
+        sph_vec_turn(m, sph_vec_sub(scene->lights[l].pos, scene->camera.from), at);
         if (!isfinite(at[0] + at[1] + at[2]))
             return sph_fail(err, "%s: light %d is not at a finite place", scene->path, l);
         box_add(box, at, 0);
@@ -98,7 +91,7 @@ static int bounds(const struct sph_scene *scene, const double m[9], struct box *
     memset(box, 0, sizeof *box); /* the eye */
     for (uint32_t i = 0; i < scene->n_spheres; i++) {
         const struct sph_sphere *s = &scene->spheres[i];
-        turn(m, sph_vec_sub(s->ctr, scene->camera.from), at);
+        sph_vec_turn(m, sph_vec_sub(s->ctr, scene->camera.from), at);
         if (!isfinite(at[0] + at[1] + at[2] + s->rad) || !(s->rad > 0))
             return sph_fail(err, "%s:%u: sphere needs a finite centre and a radius above zero",
                             scene->path, s->line);
@@ -112,7 +105,7 @@ static void add_corners(const struct sph_scene *scene, const double m[9], struct
     struct sph_vec corners[SPH_CORNERS];
     double at[3];
     for (int i = sph_endless_corners(scene, corners); i-- > 0;) {
-        turn(m, corners[i], at);
+        sph_vec_turn(m, corners[i], at);
         box_add(box, at, 0);
     }
 }
@@ -126,20 +119,13 @@ static double side(const struct sph_scene *scene, const struct box *box, int w) 
     return fmax(span, fmin(2 * sph_endless_reach(scene), ldexp(span, (w - LEAST) / 2)));
 }
 
-int sph_grid_fits(const struct sph_grid *grid, const struct sph_ball *ball) {
-    int64_t lo = -(1ll << (grid->w - 1)) + MARGIN, hi = (1ll << (grid->w - 1)) - 1 - MARGIN;
-    for (int i = 0; i < 3; i++)
-        if ((int64_t)ball->c[i] - ball->r < lo || (int64_t)ball->c[i] + ball->r > hi) return 0;
-    return 1;
-}
-
 /* What of the scene has an end, on the grid; rays start no farther from it than the margin. */
 static struct sph_extent extent_of(const struct sph_grid *grid, const struct sph_scene *scene,
                                    const struct box *box) {
     struct sph_extent e = {.rad = 0};
     for (int i = 0; i < 3; i++) {
-        e.lo[i] = floor(box->lo[i] / grid->step) + grid->eye[i] - 2 * MARGIN;
-        e.hi[i] = ceil(box->hi[i] / grid->step) + grid->eye[i] + 2 * MARGIN;
+        e.lo[i] = floor(box->lo[i] / grid->step) + grid->eye[i] - 2 * SPH_GRID_MARGIN;
+        e.hi[i] = ceil(box->hi[i] / grid->step) + grid->eye[i] + 2 * SPH_GRID_MARGIN;
     }
     for (uint32_t i = 0; i < scene->n_spheres; i++)
         e.rad = fmax(e.rad, scene->spheres[i].rad / grid->step + 1);
@@ -195,41 +181,8 @@ int sph_grid_fit(const struct sph_scene *scene, int w, struct sph_grid *grid,
             grid->eye[i] = (int32_t)lround(-(box.lo[i] + box.hi[i]) / 2 / grid->step);
         if (all_fit(grid, scene, &box)) break;
     }
-    turn(grid->rotation, scene->camera.from, from);
+    sph_vec_turn(grid->rotation, scene->camera.from, from);
     for (int i = 0; i < 3; i++)
         grid->origin[i] = from[i] - grid->eye[i] * grid->step;
     return 0;
-}
-
-void sph_grid_real(const struct sph_grid *grid, const struct sph_scene *scene, struct sph_vec p,
-                   double out[3]) {
-    turn(grid->rotation, sph_vec_sub(p, scene->camera.from), out);
-    for (int i = 0; i < 3; i++)
-        out[i] = out[i] / grid->step + grid->eye[i];
-}
-
-void sph_grid_point(const struct sph_grid *grid, const struct sph_scene *scene, struct sph_vec p,
-                    int32_t out[3]) {
-    double at[3];
-    turn(grid->rotation, sph_vec_sub(p, scene->camera.from), at);
-    for (int i = 0; i < 3; i++)
-        out[i] = (int32_t)lround(at[i] / grid->step) + grid->eye[i];
-}
-
-struct sph_ball sph_grid_ball(const struct sph_grid *grid, const struct sph_scene *scene,
-                              const struct sph_sphere *sphere) {
-    struct sph_ball ball;
-    sph_grid_point(grid, scene, sphere->ctr, ball.c);
-    ball.r = (int32_t)lround(sphere->rad / grid->step);
-    return ball;
-}
-
-double sph_grid_off(const struct sph_grid *grid, const struct sph_scene *scene, struct sph_vec p) {
-    double at[3], off = 0;
-    turn(grid->rotation, sph_vec_sub(p, scene->camera.from), at);
-    for (int i = 0; i < 3; i++) {
-        double by = at[i] - round(at[i] / grid->step) * grid->step;
-        off += by * by;
-    }
-    return sqrt(off);
 }

@@ -8,6 +8,8 @@
 #include "machine/profile.h"
 #include "scene/scene.h"
 
+enum { SPH_GRID_MARGIN = 4 }; /* grid units kept free at each side */
+
 struct sph_grid {
     double rotation[9]; /* rows: camera x, y, z axes in the scene's frame */
     double origin[3];   /* camera-frame coordinates of grid point 0 */

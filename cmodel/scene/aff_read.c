@@ -1,5 +1,5 @@
-/* aff_read.c - reads the Animated File Format: files and what stands in them; see aff.h,
- * aff_reader.h SPDX-License-Identifier: Apache-2.0
+/* aff_read.c - files of the Animated File Format, and what they include; see aff.h, aff_reader.h
+ * SPDX-License-Identifier: Apache-2.0
  */
 #include "scene/aff.h"
 
@@ -13,51 +13,6 @@
 int sph_aff_is(const char *path) {
     size_t length = strlen(path);
     return length > 4 && !strcmp(path + length - 4, ".aff");
-}
-
-int sph_aff_room(struct sph_aff *a, void *list, uint32_t n, size_t element, struct sph_error *err) {
-    void *room;
-    if (n & (n - 1)) return 0;
-    memcpy(&room, list, sizeof room);
-    room = realloc(room, (n ? 2 * (size_t)n : 1) * element);
-    if (!room)
-        return sph_fail(err, "%s:%u: no memory for more than %u", a->r.lex.path,
-                        a->r.lex.token_line, n);
-    memcpy(list, &room, sizeof room);
-    return 0;
-}
-
-int sph_aff_count(struct sph_aff *a, const char *record, const char *field, double min, double max,
-                  uint32_t *count, struct sph_error *err) {
-    double value;
-    if (sph_lex_number(&a->r.lex, record, field, &value, err)) return -1;
-    if (!(value >= min && value <= max && value == floor(value)))
-        return sph_fail(err, "%s:%u: `%s`: %s: %g is no whole number of %.0f to %.0f",
-                        a->r.lex.path, a->r.lex.token_line, record, field, value, min, max);
-    *count = (uint32_t)value;
-    return 0;
-}
-
-int sph_aff_name(struct sph_aff *a, const char *record, const char *field,
-                 char name[SPH_LEX_TOKEN + 1], struct sph_error *err) {
-    int got = sph_lex_peek(&a->r.lex, err);
-    if (got < 0) return -1;
-    if (!got || !strcmp(a->r.lex.token, "{") || !strcmp(a->r.lex.token, "}"))
-        return sph_fail(err, "%s:%u: `%s`: no %s", a->r.lex.path, a->r.lex.token_line, record,
-                        field);
-    memcpy(name, a->r.lex.token, sizeof a->r.lex.token);
-    sph_lex_take(&a->r.lex);
-    return 0;
-}
-
-int sph_aff_brace(struct sph_aff *a, const char *record, struct sph_error *err) {
-    int got = sph_lex_peek(&a->r.lex, err);
-    if (got < 0) return -1;
-    if (!got || strcmp(a->r.lex.token, "{") != 0)
-        return sph_fail(err, "%s:%u: `%s`: { is missing", a->r.lex.path, a->r.lex.token_line,
-                        record);
-    sph_lex_take(&a->r.lex);
-    return 0;
 }
 
 static int take_file(struct sph_aff *a, const char *path, struct sph_error *err);
@@ -100,7 +55,7 @@ static int include(struct sph_aff *a, const char *path, struct sph_error *err) {
 }
 
 /* i level FILE: left out if its level is above that of `d` */
-int sph_aff_take_i(struct sph_aff *a, struct sph_error *err) {
+static int take_include(struct sph_aff *a, struct sph_error *err) {
     double level;
     char name[SPH_LEX_TOKEN + 1] = "", path[sizeof a->r.scene->path + SPH_LEX_TOKEN + 1];
     const char *slash = strrchr(a->r.lex.path, '/');
@@ -121,7 +76,8 @@ static int take_record(struct sph_aff *a, struct sph_error *err) {
     int light = scene->n_lights;
     if (a->depth == 1) a->top_line = a->r.lex.token_line;
     int own = strcmp(a->r.lex.token, "i") != 0; /* an include has done so itself */
-    if (sph_aff_take_word(a, err)) return -1;
+    if (!own) sph_lex_take(&a->r.lex);
+    if (own ? sph_aff_take_word(a, err) : take_include(a, err)) return -1;
     if (scene->n_materials && !a->r.material_used)
         scene->materials[a->r.material].line = (int)a->top_line;
     for (; texture < scene->n_textures; texture++)

@@ -1,10 +1,10 @@
 /* aff_reader.h - what the files that read AFF records share
  * SPDX-License-Identifier: Apache-2.0
  *
- * aff_read.c files; aff_words.c words and transforms; aff_mesh.c `m`, `tpa`, `ttp`; aff_keys.c `k`;
- * aff_pose.c puts all in its place at a time. Keys may stand behind what they move, so that
- * primitives are kept as written up to the end of the file: their `motion` holds the number of
- * their transform.
+ * aff_take.c takes names and counts; aff_read.c files; aff_words.c words and transforms; aff_mesh.c
+ * `m`, `tpa`, `ttp`; aff_keys.c `k`; aff_pose.c puts all in its place at a time. Keys may stand
+ * behind what they move, so that primitives are kept as written up to the end of the file: their
+ * `motion` holds the number of their transform.
  */
 #ifndef SPH_AFF_READER_H
 #define SPH_AFF_READER_H
@@ -81,11 +81,10 @@ int sph_aff_name(struct sph_aff *a, const char *record, const char *field,
 /* Takes `{`. */
 int sph_aff_brace(struct sph_aff *a, const char *record, struct sph_error *err);
 
-/* A record, its first word next. */
+/* A record that is no include, its first word next. */
 int sph_aff_take_word(struct sph_aff *a, struct sph_error *err);
 
 /* One record each, its first word taken. */
-int sph_aff_take_i(struct sph_aff *a, struct sph_error *err);
 int sph_aff_take_m(struct sph_aff *a, struct sph_error *err);
 int sph_aff_take_tpa(struct sph_aff *a, struct sph_error *err);
 int sph_aff_take_ttp(struct sph_aff *a, struct sph_error *err);

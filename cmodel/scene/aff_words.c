@@ -78,8 +78,7 @@ static int take_x(struct sph_aff *a, struct sph_error *err) {
 static const struct {
     const char *word;
     int (*take)(struct sph_aff *a, struct sph_error *err); /* NULL: as in NFF */
-} words[] = {{"i", sph_aff_take_i},
-             {"d", take_d},
+} words[] = {{"d", take_d},
              {"xs", take_xs},
              {"x", take_x},
              {"k", sph_aff_take_k},

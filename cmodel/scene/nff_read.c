@@ -10,9 +10,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "common/input.h"
 #include "prim/scene.h"
-#include "scene/aff.h"
 #include "scene/frustum.h"
 #include "scene/motion.h"
 #include "scene/nesting.h"
@@ -183,9 +181,8 @@ int sph_nff_finish(struct sph_reader *r, struct sph_error *err) {
     return found;
 }
 
-/* The whole of a file, which is closed. */
-static int read_file(FILE *file, const char *path, const struct sph_read_options *options,
-                     struct sph_scene *scene, struct sph_error *err) {
+int sph_nff_read(FILE *file, const char *path, const struct sph_read_options *options,
+                 struct sph_scene *scene, struct sph_error *err) {
     struct sph_reader r = {.skip = 0};
     int got, bad = 0, records = 0;
     memset(scene, 0, sizeof *scene);
@@ -203,23 +200,4 @@ static int read_file(FILE *file, const char *path, const struct sph_read_options
     if (!bad) bad = sph_scene_nest(scene, err);
     if (bad) sph_scene_free(scene);
     return bad;
-}
-
-int sph_scene_read(const char *path, const struct sph_read_options *options,
-                   struct sph_scene *scene, struct sph_error *err) {
-    if (sph_aff_is(path)) return sph_aff_read(path, options, scene, err);
-    memset(scene, 0, sizeof *scene);
-    FILE *file = sph_input_open(path, SPH_INPUT_ANY, err);
-    return file ? read_file(file, path, options, scene, err) : -1;
-}
-
-int sph_scene_parse(const char *text, size_t length, const char *path,
-                    const struct sph_read_options *options, struct sph_scene *scene,
-                    struct sph_error *err) {
-    memset(scene, 0, sizeof *scene);
-    if (!length) return sph_fail(err, "%s: the text is empty", path);
-    /* read only: "r" never writes to the text */
-    FILE *file = fmemopen((void *)(uintptr_t)text, length, "r");
-    if (!file) return sph_fail(err, "%s: no memory to read %zu bytes", path, length);
-    return read_file(file, path, options, scene, err);
 }

@@ -20,6 +20,12 @@ static inline double sph_vec_dot(struct sph_vec a, struct sph_vec b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
+/* m times v: its coordinates in a frame whose axes are the rows of m. */
+static inline void sph_vec_turn(const double m[9], struct sph_vec v, double out[3]) {
+    for (int i = 0; i < 3; i++)
+        out[i] = m[3 * i] * v.x + m[3 * i + 1] * v.y + m[3 * i + 2] * v.z;
+}
+
 /* Without overflow or underflow on the way. */
 static inline double sph_vec_length(struct sph_vec v) {
     return hypot(hypot(v.x, v.y), v.z);

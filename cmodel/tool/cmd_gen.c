@@ -170,23 +170,6 @@ static error_t parse_gen(int key, char *arg, struct argp_state *state) {
     }
 }
 
-int tool_write_scene(const char *output, struct sph_scene *scene, struct sph_error *err) {
-    struct sph_output out;
-    const char *path = output ? output : "-";
-    int rc = sph_output_open(&out, path, err);
-    if (!rc) {
-        int failed = sph_scene_write(scene, out.file, err);
-        rc = sph_output_close(&out, failed, err);
-    }
-    if (!rc && strcmp(path, "-")) {
-        printf("%s: %u spheres, ", path, scene->n_spheres);
-        if (scene->n_facets) printf("%u facets, ", scene->n_facets);
-        printf("%d lights, %u materials\n", scene->n_lights, scene->n_materials);
-    }
-    sph_scene_free(scene);
-    return rc;
-}
-
 /* The kinds of scenes stand in the library; argp's help takes them from here. */
 static char *gen_help(int key, const char *text, void *input) {
     (void)input;

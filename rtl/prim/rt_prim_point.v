@@ -56,7 +56,7 @@ module rt_prim_point #(
             {ctr_x_q, ctr_y_q} <= {ctr_y_q, ctr_z_q};
         end
 
-    // ---- point: the guarded one, rounded half up, or along the normal to the next of the grid ----
+    // ---- point: the guarded one, rounded half up, or to the next along the normal ----
     wire        down = ctr_x_q[CW-1] != far_q;   // the turned normal looks down
     wire        up_any = stored_q && ctr_x_q != {CW{1'b0}};
     wire [GW:0] up   = !up_any ? HALF : down ? {(GW+1){1'b1}} : UNIT;

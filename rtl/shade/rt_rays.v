@@ -138,7 +138,7 @@ module rt_rays #(
     // ---- where a refracted ray starts: behind a facet, steps back from the point before it ----
     // 1 for its rounding, what the quotient may have lost, 1 for the guard bits
     localparam [31:0] BACKWARDS = 2 + (W + 2 >= PQ ? 1 << (W + 2 - PQ) : 0);
-    wire [3*W-1:0]   before = surface_i[`RT_SURFACE_POINT];
+    wire [3*W-1:0]   point = surface_i[`RT_SURFACE_POINT];
     wire [3*WD-1:0]  normal = surface_i[`RT_SURFACE_NORMAL];
     wire [3*W-1:0]   behind;
     genvar           c;
@@ -146,7 +146,7 @@ module rt_rays #(
         for (c = 0; c < 3; c = c + 1) begin : g_behind
             wire         any  = surface_i[`RT_SURFACE_FLAT] && normal[WD*c +: WD] != {WD{1'b0}};
             wire [W:0]   step = normal[WD*c+WD-1] ? BACKWARDS[W:0] : -BACKWARDS[W:0];
-            wire [W:0]   sum  = {before[W*c+W-1], before[W*c +: W]} + (any ? step : {(W+1){1'b0}});
+            wire [W:0]   sum  = {point[W*c+W-1], point[W*c +: W]} + (any ? step : {(W+1){1'b0}});
             assign behind[W*c +: W] = sum[W] != sum[W-1] ? {sum[W], {(W-1){!sum[W]}}}
                                       : sum[W-1:0];
         end

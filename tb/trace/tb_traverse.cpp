@@ -45,7 +45,8 @@ class Traverse : public VisitRays {
     void compare() {
         expect("MISS", (bench::i128)misses, (bench::i128)memory.requests, 64);
         if (bad()) done();
-        if (all_vectors && !more() && !outcomes.all(FIRST || SHADOW)) fail("not every outcome was tried");
+        if (all_vectors && !more() && !outcomes.all(FIRST || SHADOW))
+            fail("not every outcome was tried");
     }
 
   private:

@@ -8,7 +8,7 @@ set -u
 root=$(pwd)
 cd "$TMP" || exit 1
 
-# scenes/paper5.nff times `by` plus `plus`; the eye at `eye` on the z axis if not 0; `angle` degrees.
+# scenes/paper5.nff times `by` plus `plus`; the eye at `eye` on the z axis unless 0; degrees `angle`
 scene() { # by, plus, eye, angle
     awk -v by="$1" -v plus="$2" -v eye="$3" -v angle="$4" '
         function at(x) { return sprintf(" %.17g", x * by + plus) }

@@ -1,0 +1,28 @@
+/* read.c - a scene file or text of a scene, by its format; see scene.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include <stdint.h>
+#include <string.h>
+
+#include "common/input.h"
+#include "scene/aff.h"
+#include "scene/nff_reader.h"
+
+int sph_scene_read(const char *path, const struct sph_read_options *options,
+                   struct sph_scene *scene, struct sph_error *err) {
+    if (sph_aff_is(path)) return sph_aff_read(path, options, scene, err);
+    memset(scene, 0, sizeof *scene);
+    FILE *file = sph_input_open(path, SPH_INPUT_ANY, err);
+    return file ? sph_nff_read(file, path, options, scene, err) : -1;
+}
+
+int sph_scene_parse(const char *text, size_t length, const char *path,
+                    const struct sph_read_options *options, struct sph_scene *scene,
+                    struct sph_error *err) {
+    memset(scene, 0, sizeof *scene);
+    if (!length) return sph_fail(err, "%s: the text is empty", path);
+    /* read only: "r" never writes to the text */
+    FILE *file = fmemopen((void *)(uintptr_t)text, length, "r");
+    if (!file) return sph_fail(err, "%s: no memory to read %zu bytes", path, length);
+    return sph_nff_read(file, path, options, scene, err);
+}
