@@ -68,11 +68,13 @@ C_FILES    := $(sort $(shell find cmodel -name '*.c'))
 LIB_C      := $(filter-out cmodel/tool/% cmodel/image/% cmodel/sphaera/% $(GENERATORS),$(C_FILES))
 TOOL_C     := $(filter cmodel/tool/%,$(C_FILES))
 IMAGE_CXX  := $(sort $(wildcard cmodel/image/*.cpp))
-IMAGE_C    := $(filter cmodel/image/%,$(C_FILES))
+LAZY_C     := cmodel/image/lazy.c
+IMAGE_C    := $(filter-out $(LAZY_C),$(filter cmodel/image/%,$(C_FILES)))
 API_C      := $(filter cmodel/sphaera/%,$(C_FILES))
 
 LIB    := $B/libsphaera.a
 IMAGE  := $B/libsphaera_image.a
+PICTURE := $B/sphaera_image.so
 TOOL   := $B/sphaera
 
 .DELETE_ON_ERROR:

@@ -9,7 +9,8 @@ SO      := libsphaera.so.$(VERSION)
 LIBRARY_O := $(call objects,obj/,$(API_C) $(IMAGE_C) $(IMAGE_CXX) $(LIB_C))
 BASH_TO := $(PREFIX)/share/bash-completion/completions
 ZSH_TO  := $(PREFIX)/share/zsh/site-functions
-INSTALLED := $(PREFIX)/bin/sphaera $(PREFIX)/include/sphaera/sphaera.h \
+INSTALLED := $(PREFIX)/bin/sphaera $(PREFIX)/lib/sphaera/image.so \
+             $(PREFIX)/include/sphaera/sphaera.h \
              $(PREFIX)/lib/$(SO) $(PREFIX)/lib/libsphaera.so.$(SOVERSION) \
              $(PREFIX)/lib/libsphaera.so $(PREFIX)/lib/libsphaera.a \
              $(PREFIX)/lib/pkgconfig/sphaera.pc $(BASH_TO)/sphaera $(ZSH_TO)/_sphaera
@@ -57,9 +58,11 @@ library: $D/$(SO) $D/libsphaera.a $D/sphaera.pc ## libsphaera, shared and static
 install: library $(TOOL) $D/man/done $D/complete.bash $D/complete.zsh ## into PREFIX, below DESTDIR
 	$(call say,INST,'$(DESTDIR)$(PREFIX)')
 	$(Q)to='$(DESTDIR)$(PREFIX)'; set -e; \
-	    install -d "$$to/bin" "$$to/include/sphaera" "$$to/lib/pkgconfig" "$$to/share/man/man1" \
+	    install -d "$$to/bin" "$$to/include/sphaera" "$$to/lib/sphaera" "$$to/lib/pkgconfig" \
+	        "$$to/share/man/man1" \
 	        '$(DESTDIR)$(BASH_TO)' '$(DESTDIR)$(ZSH_TO)'; \
 	    install -m 755 $(TOOL) "$$to/bin/sphaera"; \
+	    install -m 755 $(PICTURE) "$$to/lib/sphaera/image.so"; \
 	    install -m 644 cmodel/sphaera/sphaera.h "$$to/include/sphaera"; \
 	    install -m 755 $D/$(SO) "$$to/lib"; \
 	    ln -sf $(SO) "$$to/lib/libsphaera.so.$(SOVERSION)"; \
@@ -70,11 +73,12 @@ install: library $(TOOL) $D/man/done $D/complete.bash $D/complete.zsh ## into PR
 	    install -m 644 $D/complete.bash '$(DESTDIR)$(BASH_TO)/sphaera'; \
 	    install -m 644 $D/complete.zsh '$(DESTDIR)$(ZSH_TO)/_sphaera'
 
-uninstall: $D/man/done ## removes what install put there, and no folder but include/sphaera
+uninstall: $D/man/done ## removes what install put there, and no folder but sphaera's own
 	$(Q)set -e; for file in $(INSTALLED:%='$(DESTDIR)%'); do rm -f "$$file"; done; \
 	    for page in $D/man/*.1; do \
 	        rm -f '$(DESTDIR)$(PREFIX)/share/man/man1'/"$${page##*/}"; done; \
-	    rmdir '$(DESTDIR)$(PREFIX)/include/sphaera' 2>/dev/null || :
+	    rmdir '$(DESTDIR)$(PREFIX)/include/sphaera' '$(DESTDIR)$(PREFIX)/lib/sphaera' \
+	        2>/dev/null || :
 
 .PHONY: dist
 dist: ## tarball of the sources in build/dist; unpacked there, built and tested (ONLY: some suites)

@@ -23,7 +23,7 @@ $(eval $(call stamp,flags,$(CC) $(CFLAGS) $(SHARED) / $(CXX) $(CXXFLAGS) / $(SAN
 # or makes headers.
 FIRST := $(filter setup clean layout,$(MAKECMDGOALS))
 $B/flags $B/sources $(filter-out $(FIRST),$(MAKECMDGOALS)): | $(FIRST)
-$(eval $(call stamp,sources,$(LIB_C) / $(TOOL_C) / $(IMAGE_C) / $(API_C)))
+$(eval $(call stamp,sources,$(LIB_C) / $(TOOL_C) / $(IMAGE_C) $(LAZY_C) / $(API_C)))
 
 $B/obj/%.o: %.c $B/flags
 	$(call say,CC,$(<F))
@@ -61,14 +61,21 @@ $B/clang/libsphaera.a: $(call objects,clang/obj/,$(LIB_C)) $B/sources
 VERSION := $(shell cat VERSION)
 VERSION_O := $B/obj/cmodel/sphaera/version.o
 $(VERSION_O): VERSION
-$(VERSION_O): CFLAGS += -DSPHAERA_RELEASE='"$(VERSION)"'
+$(VERSION_O): override CFLAGS += -DSPHAERA_RELEASE='"$(VERSION)"'
 
-$(TOOL): $(call objects,obj/,$(TOOL_C)) $(VERSION_O) $(IMAGE) $(LIB)
+# What the tool loads when a picture is asked for: cmodel/image/lazy.c.
+$(PICTURE): $(call objects,obj/,$(IMAGE_CXX) cmodel/image/plain.c) $(LIB) $B/sources
 	$(call say,LD,$(@F))
-	$(call make_whole,$(CXX) -fopenmp $(filter %.o %.a,$^) $(call pkg,--libs jansson) \
-	    $(IMAGE_LIBS) $(MODEL_LIBS))
+	$(call make_whole,$(CXX) -shared -fopenmp -Wl$(comma)-Bsymbolic -Wl$(comma)--no-undefined \
+	    $(filter %.o %.a,$^) $(IMAGE_LIBS) $(MODEL_LIBS))
+
+$(TOOL): $(call objects,obj/,$(TOOL_C) $(IMAGE_C) $(LAZY_C)) $(VERSION_O) $(LIB) $(PICTURE)
+	$(call say,LD,$(@F))
+	$(call make_whole,$(CC) -fopenmp $(filter %.o %.a,$^) $(call pkg,--libs jansson) \
+	    $(MODEL_LIBS) -ldl)
 
 -include $(patsubst %.o,%.d,$(call objects,obj/,$(LIB_C) $(TOOL_C) $(IMAGE_CXX) $(IMAGE_C) \
+                            $(LAZY_C) \
                             $(API_C)) \
                             $(call objects,asan/obj/,$(LIB_C)) \
                             $(call objects,clang/obj/,$(LIB_C)))

@@ -8,6 +8,7 @@
 
 #include "prim/build.h"
 #include "prim/prim.h"
+#include "prim/scene.h"
 
 static const struct sph_prim_build *kind_of(const struct sph_grid_facet *f) {
     return sph_prim_build_of((uint32_t)f->kind);
@@ -48,15 +49,15 @@ static int fail_duplicate(const struct sph_scene *scene, const struct sph_profil
                     scene->path, second, what, first, profile->name);
 }
 
-/* Whether two triangles have the same corners in the scene. */
+/* Whether two facets that have corners have the same ones in the scene. */
 static int twice(const struct sph_facet *a, const struct sph_facet *b) {
-    if (a->kind != SPH_TRIANGLE || b->kind != SPH_TRIANGLE) return 0;
-    int found = 0;
-    for (int i = 0; i < 3; i++)
-        for (int k = 0; k < 3; k++)
+    int n = sph_prim_scene_of((uint32_t)a->kind)->points, found = 0;
+    if (a->kind != b->kind || n < 3) return 0;
+    for (int i = 0; i < n; i++)
+        for (int k = 0; k < n; k++)
             found |= (a->v[i].x == b->v[k].x && a->v[i].y == b->v[k].y && a->v[i].z == b->v[k].z)
                      << i;
-    return found == 7;
+    return found == (1 << n) - 1;
 }
 
 /* Looks for equal facets with an open hash table. A triangle that stands in the scene a second time

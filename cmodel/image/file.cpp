@@ -13,17 +13,6 @@
 
 #include "common/output.h"
 
-namespace {
-
-/* Endings of names and what OpenImageIO calls their formats. */
-const struct {
-    const char *ending, *format;
-} formats[] = {{"png", "png"},  {"tif", "tiff"},  {"tiff", "tiff"},
-               {"ppm", "pnm"},  {"bmp", "bmp"},   {"tga", "targa"},
-               {"jpg", "jpeg"}, {"jpeg", "jpeg"}, {"exr", "openexr"}};
-
-} // namespace
-
 const char *const sph_picture::no_time = "1970:01:01 00:00:00";
 
 int sph_picture::write_file(const char *path, const char *format, const OIIO::ImageSpec &spec,
@@ -53,17 +42,4 @@ int sph_picture::write_bytes(const char *path, int width, int height,
     if (!std::strcmp(format, "jpeg")) spec.attribute("Compression", "jpeg:95");
     if (!std::strcmp(format, "tiff")) spec.attribute("DateTime", no_time);
     return write_file(path, format, spec, bytes.data(), err);
-}
-
-const char *sph_image_format(const char *path, struct sph_error *err) {
-    const char *slash = std::strrchr(path, '/'), *name = slash ? slash + 1 : path;
-    const char *dot = *name ? std::strrchr(name + 1, '.') : nullptr; /* .. is a folder */
-    if (!dot) return formats[0].format;
-    std::string endings;
-    for (const auto &f : formats) {
-        if (!strcasecmp(dot + 1, f.ending)) return f.format;
-        endings += std::string(endings.empty() ? "" : ", ") + f.ending;
-    }
-    sph_fail(err, "%s: no picture is written as %s; endings are %s", path, dot, endings.c_str());
-    return nullptr;
 }

@@ -89,31 +89,3 @@ int sph_image_read(const char *path, struct sph_image *image, struct sph_error *
         return 0;
     });
 }
-
-void sph_image_free(struct sph_image *image) {
-    std::free(image->bytes);
-    *image = {};
-}
-
-int sph_image_compare(const struct sph_image *a, const struct sph_image *b,
-                      struct sph_image_difference *d) {
-    *d = {0, 0, -1, -1, 0};
-    if (a->width != b->width || a->height != b->height || a->channels != b->channels)
-        return d->size_differs = 1;
-    std::size_t at = 0;
-    for (int y = 0; y < a->height; y++)
-        for (int x = 0; x < a->width; x++) {
-            bool differs = false;
-            for (int c = 0; c < a->channels; c++, at++) {
-                int by = std::abs(a->bytes[at] - b->bytes[at]);
-                if (by) differs = true;
-                if (static_cast<std::uint32_t>(by) > d->max_byte)
-                    d->max_byte = static_cast<std::uint32_t>(by);
-            }
-            if (differs && !d->pixels++) {
-                d->x = x;
-                d->y = y;
-            }
-        }
-    return d->pixels != 0;
-}

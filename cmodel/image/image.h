@@ -17,6 +17,9 @@ extern "C" {
 #include "core/frame.h"
 #include "engine/layers.h"
 
+/* lazy.c looks for these by name */
+#pragma GCC visibility push(default)
+
 /* 8-bit picture in memory: width * height * channels bytes, row 0 on top. */
 struct sph_image {
     int width, height, channels;
@@ -90,6 +93,8 @@ struct sph_image_difference {
 /* Exact comparison, size and channels first. Returns 1 if anything differs, else 0. */
 int sph_image_compare(const struct sph_image *a, const struct sph_image *b,
                       struct sph_image_difference *difference);
+
+#pragma GCC visibility pop
 
 #ifdef __cplusplus
 }

@@ -92,11 +92,6 @@ int sph_linear_of(const struct sph_frame *frame, const struct sph_trail *trails,
     return 0;
 }
 
-void sph_linear_free(struct sph_linear *picture) {
-    std::free(picture->rgb);
-    *picture = {};
-}
-
 int sph_linear_write(const char *path, const struct sph_linear *picture, int transfer,
                      struct sph_error *err) {
     return guarded(path, err, [&] {

@@ -160,8 +160,3 @@ int sph_mip_load(const char *path, struct sph_mip *mip, struct sph_error *err) {
     if (rc) sph_mip_free(mip);
     return rc;
 }
-
-void sph_mip_free(struct sph_mip *mip) {
-    std::free(mip->texels);
-    *mip = {};
-}

@@ -13,6 +13,9 @@ extern "C" {
 #include "common/error.h"
 #include "texture/mip.h"
 
+/* lazy.c looks for these by name */
+#pragma GCC visibility push(default)
+
 /* Reads an image of any kind that OpenImageIO knows and makes its MIP chain. One channel is grey,
  * two are grey and alpha; of more the first three are the colour, the fourth is alpha if the file
  * says so; without alpha it is 1. Whole numbers are taken by their range, real ones limited to
@@ -24,6 +27,8 @@ extern "C" {
 int sph_mip_load(const char *path, struct sph_mip *mip, struct sph_error *err);
 
 void sph_mip_free(struct sph_mip *mip);
+
+#pragma GCC visibility pop
 
 #ifdef __cplusplus
 }

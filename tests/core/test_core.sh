@@ -160,7 +160,8 @@ done
 # Memory that ends with the leaf records of the last node, and a line earlier, without mirrors:
 # records of primitives are read where nodes are; bit 23 of VISIT_LIMIT.
 bush=$machines/bush.sph # some of its rays reach the last leaf
-"$SPHAERA" build scenes/paper100.nff --profile draft --size 12x9 -o "$bush" >"$TMP/build" 2>&1 ||
+"$SPHAERA" build scenes/paper100.nff --profile draft --tree balanced --size 12x9 -o "$bush" \
+    >"$TMP/build" 2>&1 ||
     check "bush" cat "$TMP/build"
 leaves_end=$("$SPHAERA" info "$bush" | awk '$2 == "PRIM_BASE" { print $3 }')
 wanted "icarus memory ends with a leaf" all SIM=icarus "$bush" --reg 1=0 --reg 26=0 \

@@ -69,4 +69,12 @@ fails 2 "compare -d p.jpg" "$s" compare five.frame five.frame -d p.jpg
 fails 2 "accuracy -d p.jpg" "$s" accuracy paper5.nff --size 8x8 -d p.jpg
 check "a folder of pictures is made" "$s" background paper5.nff --size 8x8 --pictures new
 check "... and filled" test -s new/way_exact2.png
+
+# ---- what reads and writes pictures is loaded when it is needed ----
+check "the tool starts without OpenImageIO" sh -c '! ldd "$0" | grep -q OpenImageIO' "$s"
+mkdir alone && cp "$s" alone/sphaera
+check "without it the tool does all else" alone/sphaera render paper5.nff --size 8x8 --frame a.frame
+fails 1 "... and says what is missing" alone/sphaera render paper5.nff --size 8x8 -o alone.png
+check "... by its path" has "sphaera: pictures cannot be .*alone/sphaera_image.so: cannot open" err
+check "... and leaves no picture" test ! -e alone.png
 done_testing

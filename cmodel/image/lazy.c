@@ -1,0 +1,109 @@
+/* lazy.c - image.h and texture.h for a program that seldom needs a picture
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * OpenImageIO brings some 250 libraries with it, which a program that links it loads at every start
+ * in a quarter of a second. So the tool links this file, and what does the work stands in an object
+ * of its own, which is loaded when a picture is first asked for.
+ */
+#include <dlfcn.h>
+#include <link.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "image/image.h"
+#include "image/texture.h"
+
+enum { LONGEST = 4096 };
+
+/* Beside the program in a build folder; in PREFIX/lib of an installed one. */
+static const char *const places[] = {"sphaera_image.so", "../lib/sphaera/image.so"};
+enum { PLACES = sizeof places / sizeof *places };
+
+/* The object, and what dlopen() says if there is none. */
+static void *load(char *why, size_t size) {
+    char self[LONGEST], path[LONGEST + 64];
+    ssize_t length = readlink("/proc/self/exe", self, sizeof self - 1);
+    if (length < 0) {
+        snprintf(why, size, "the program's own place is not known");
+        return NULL;
+    }
+    self[length] = 0;
+    char *slash = strrchr(self, '/');
+    int folder = slash ? (int)(slash - self) : 0;
+    void *object = NULL;
+    for (int i = 0; i < PLACES && !object; i++) {
+        snprintf(path, sizeof path, "%.*s/%s", folder, self, places[i]);
+        if (i && access(path, F_OK)) continue; /* the first one's message is of use */
+        object = dlopen(path, RTLD_NOW | RTLD_LOCAL);
+        if (!object) snprintf(why, size, "%s", dlerror());
+    }
+    return object;
+}
+
+/* The function of that name, or NULL with a message. */
+static void *find(const char *name, struct sph_error *err) {
+    static void *object;
+    char why[LONGEST] = "";
+    if (!object) object = load(why, sizeof why);
+    void *function = object ? dlsym(object, name) : NULL;
+    if (!function) sph_fail(err, "pictures cannot be read or written: %s", why);
+    return function;
+}
+
+/* Calls the function of that name, which came with `found`, a pointer to its type. */
+#define FOUND(found, name, err)                                                                    \
+    void *at = find(name, err);                                                                    \
+    memcpy(&(found), &at, sizeof(found))
+
+int sph_image_write(const char *path, const struct sph_frame *frame, int layer,
+                    struct sph_error *err) {
+    int (*f)(const char *, const struct sph_frame *, int, struct sph_error *);
+    FOUND(f, "sph_image_write", err);
+    return f ? f(path, frame, layer, err) : -1;
+}
+
+int sph_image_write_difference(const char *path, const struct sph_frame *a,
+                               const struct sph_frame *b, int layer, struct sph_error *err) {
+    int (*f)(const char *, const struct sph_frame *, const struct sph_frame *, int,
+             struct sph_error *);
+    FOUND(f, "sph_image_write_difference", err);
+    return f ? f(path, a, b, layer, err) : -1;
+}
+
+int sph_linear_of(const struct sph_frame *frame, const struct sph_trail *trails, int layer,
+                  int samples, struct sph_linear *out, struct sph_error *err) {
+    int (*f)(const struct sph_frame *, const struct sph_trail *, int, int, struct sph_linear *,
+             struct sph_error *);
+    FOUND(f, "sph_linear_of", err);
+    return f ? f(frame, trails, layer, samples, out, err) : -1;
+}
+
+int sph_linear_write(const char *path, const struct sph_linear *picture, int transfer,
+                     struct sph_error *err) {
+    int (*f)(const char *, const struct sph_linear *, int, struct sph_error *);
+    FOUND(f, "sph_linear_write", err);
+    return f ? f(path, picture, transfer, err) : -1;
+}
+
+int sph_linear_write_exr(const char *path, const struct sph_linear *picture,
+                         const struct sph_frame *frame, const struct sph_layer *layers,
+                         struct sph_error *err) {
+    int (*f)(const char *, const struct sph_linear *, const struct sph_frame *,
+             const struct sph_layer *, struct sph_error *);
+    FOUND(f, "sph_linear_write_exr", err);
+    return f ? f(path, picture, frame, layers, err) : -1;
+}
+
+int sph_image_read(const char *path, struct sph_image *image, struct sph_error *err) {
+    int (*f)(const char *, struct sph_image *, struct sph_error *);
+    FOUND(f, "sph_image_read", err);
+    return f ? f(path, image, err) : -1;
+}
+
+int sph_mip_load(const char *path, struct sph_mip *mip, struct sph_error *err) {
+    int (*f)(const char *, struct sph_mip *, struct sph_error *);
+    FOUND(f, "sph_mip_load", err);
+    return f ? f(path, mip, err) : -1;
+}
