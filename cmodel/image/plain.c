@@ -1,6 +1,7 @@
 /* plain.c - of image.h and texture.h, what needs no library
  * SPDX-License-Identifier: Apache-2.0
  */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -18,13 +19,14 @@ enum { FORMATS = sizeof formats / sizeof *formats };
 
 const char *sph_image_format(const char *path, struct sph_error *err) {
     char endings[16 * FORMATS] = "";
+    int used = 0;
     const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
     const char *dot = *name ? strrchr(name + 1, '.') : NULL; /* .. is a folder */
     if (!dot) return formats[0].format;
     for (int i = 0; i < FORMATS; i++) {
         if (!strcasecmp(dot + 1, formats[i].ending)) return formats[i].format;
-        if (i) strcat(endings, ", ");
-        strcat(endings, formats[i].ending);
+        used += snprintf(endings + used, sizeof endings - (size_t)used, "%s%s", i ? ", " : "",
+                         formats[i].ending);
     }
     sph_fail(err, "%s: no picture is written as %s; endings are %s", path, dot, endings);
     return NULL;

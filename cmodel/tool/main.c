@@ -15,7 +15,7 @@ static const struct {
     {"build", tool_build},           {"render", tool_render}, {"info", tool_info},
     {"compare", tool_compare},       {"gen", tool_gen},       {"import", tool_import},
     {"background", tool_background}, {"texels", tool_texels}, {"accuracy", tool_accuracy},
-    {"reference", tool_reference},   {"export", tool_export},
+    {"reference", tool_reference},   {"export", tool_export}, {"operations", tool_operations},
 };
 enum { N_COMMANDS = sizeof commands / sizeof *commands };
 
@@ -33,7 +33,8 @@ static const char doc[] =
     "  texels   orders of texels in memory, compared by the hits of caches\n"
     "  accuracy     a scene through model and double reference: what the arithmetic costs\n"
     "  reference    the double reference alone: picture, frame file\n"
-    "  export   scene file for POV-Ray\n\n"
+    "  export   scene file for POV-Ray\n"
+    "  operations   arithmetic of the test of ray and sphere, as four texts have it\n\n"
     "`sphaera COMMAND --help` explains a command. Exit code: 0 good, 1 failed or different, "
     "2 wrong usage.";
 

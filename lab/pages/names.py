@@ -194,6 +194,14 @@ def commands(text, page):
             yield match.start(), only[0], "a test"
 
 
+def tools(text, page):
+    """build/sphaera COMMAND."""
+    del page
+    for match in re.finditer(r"(?:`| {4})build/sphaera ([a-z]+)\b", text):
+        if f"tool_{match[1]}" not in words(".c"):
+            yield match.start(), match[0], "a command of the tool"
+
+
 def links(text, page):
     """Links of a page, with the headings that they point at."""
     if page.suffix != ".md":
@@ -209,7 +217,7 @@ def links(text, page):
                 yield match.start(), f"{match[1]}#{match[2]}", "a heading"
 
 
-RULES = paths, plain_files, modules, signals, c_functions, model_lines, benches, commands, links
+RULES = paths, plain_files, modules, signals, c_functions, model_lines, benches, commands, tools, links
 
 
 def comments(path):

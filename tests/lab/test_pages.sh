@@ -82,6 +82,17 @@ unknown() {
 check "a measured table of no age" unknown
 check "a table that is not there" broken 's/begin: errors/begin: rows area.none/' 'area.none'
 shown=docs/results/data/shown.txt
+claims=lab/papers/claims.py values=docs/results/data/claims.values.tsv
+claim() { # file, sed expression, what is said
+    cp "$1" kept
+    edited "$1" "$2" && ! python3 -m lab.pages --check >said 2>&1 && cat said && grep -q -- "$3" said
+    rc=$?
+    cp kept "$1"
+    return $rc
+}
+check "a claim's verdict that is no word of ours" claim $claims 's/"refuted"),/"perhaps"),/' 'perhaps'
+check "a claim's value that was not measured" claim $values '/^paper_mul/d' 'paper_mul'
+check "a value of a claim, changed by hand" claim $values 's/^\(paper_mul.\)11/\112/' '^+.*| 12 and 11'
 selected() { # sed expression, what is said
     cp "$shown" kept
     edited "$shown" "$1" && ! python3 -m lab.pages >said 2>&1 && cat said && grep "$2" said
@@ -104,6 +115,7 @@ cat >>"$page" <<END
 \`sph_renders()\`
 \`sph_render()\` in \`$profile\`
 as \`make pagez SCNE=x\` does
+\`build/sphaera operates\`
 [x](core.md#regsters)
 END
 echo '// to rt_leaf_queue' >>$core
@@ -115,6 +127,7 @@ check "a port of no module" says 'md:[0-9]*: pix_colours_o is not a port'
 check "a function" says 'md:[0-9]*: sph_renders is not a name of cmodel'
 check "a function of another file" says 'sph_render() in .*profile.c is not a function of that'
 check "a target" says 'md:[0-9]*: make pagez is not a target'
+check "a command of the tool" says 'md:[0-9]*: .*build/sphaera operates is not a command'
 check "a variable" says 'md:[0-9]*: SCNE=x is not a variable'
 check "a heading" says 'md:[0-9]*: core.md#regsters is not a heading'
 check "a module" says 'rt_core.v:[0-9]*: rt_leaf_queue is not a module'

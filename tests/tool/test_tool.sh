@@ -140,6 +140,18 @@ check "... its pictures" sh -c "oiiotool --info pictures/outline.png | grep -q '
     [ \$(ls pictures | wc -l) = 13 ]"
 rm -r pictures
 
+# ---- operations ----
+"$s" operations "$root/scenes/views/inside.nff" --size 32x18 --profile standard --json o.json
+check "operations of the paper's predicate, and of ours" json o.json \
+    'all(r["predicates"][name][case][kind] == each * r["tests"][case] for name, case, kind, each in (
+         ("paper", "hit", "mul", 11), ("paper", "hit", "add", 11), ("paper", "behind", "mul", 6),
+         ("machine", "hit", "mul", 9), ("machine", "miss", "add", 9), ("quadratic", "hit", "mul", 10),
+         ("geometric", "hit", "mul", 7)))'
+check "... answer as the exact test does" json o.json \
+    'sum(r["tests"].values()) == 40 * r["rays"] == 40 * 576 and all(r["tests"][c] for c in (
+         "miss", "hit", "behind")) and not any(p["wrong"] for p in r["predicates"].values())'
+check "operations of a machine" sh -c '"$0" operations a.sph | grep -q "^quadratic  each ray"' "$s"
+
 # ---- compare ----
 check "a frame equals itself" "$s" compare a.frame a.frame
 check "a picture equals itself" "$s" compare a.png a.png

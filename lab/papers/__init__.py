@@ -1,0 +1,2 @@
+# __init__.py - the papers, claim by claim
+# SPDX-License-Identifier: Apache-2.0

@@ -1,0 +1,178 @@
+#!/usr/bin/env python3
+# measure.py - runs what the tables of docs/results/claims.md are made of, once
+# SPDX-License-Identifier: Apache-2.0
+"""usage: python3 -m lab.papers.measure TOOL FOLDER
+Leaves NAME.json in FOLDER for each run of the model, NAME.core.json for those of the RTL. A result
+that is younger than the tool is kept."""
+import json
+import math
+import os
+import subprocess
+import sys
+
+from ..pages.place import write
+from . import scenes
+
+# spheres at random, and in a column: how many
+RANDOM = [256, 1000, 4096, 10000, 100000, 1000000]
+COLUMN = [16, 64, 256, 1024, 4096]
+# what is tried instead of spheres: boxes, icospheres that were cut so many times
+SHAPES = ["box", "1", "2", "3"]
+REPLACED = ["paper5", "paper100", "sphereflake2"]
+SEARCH = ["--tree", "paper", "--traverse", "first", "--depth", "0", "--shadow", "off"]
+FIRST = ["--tree", "paper", "--traverse", "first", "--interpenetrate"]
+CORRECTED = {"nearest": [], "first": [*FIRST, "off"], "mended": [*FIRST, "on"]}
+# one core for the three parts of the paper's machine; its frame has 160x90 pixels
+PARTS, PARTS_CORE = ["paper5", "paper100"], "shadow+reflect2+lights1+inside"
+DEPTHS = [0, 1, 2]
+# a hierarchy of 64 spheres: MAX_PRIMS, MAX_TREE_DEPTH; brute force beside them
+LEAVES = [1, 2, 4, 8, 16, 32, 64]
+LEVELS = [1, 2, 3, 4, 5, 6, 7]
+
+
+class Runner:
+    def __init__(self, tool, folder):
+        self.tool, self.folder = tool, folder
+        self.build = os.path.dirname(os.path.abspath(tool))
+        os.makedirs(folder, exist_ok=True)
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def fresh(self, name):
+        path = self.path(name)
+        return os.path.exists(path) and os.path.getmtime(path) > os.path.getmtime(self.tool)
+
+    def run(self, *words, good=(0,)):
+        done = subprocess.run([self.tool, *words], stdout=subprocess.PIPE,
+                              stderr=subprocess.DEVNULL, text=True, check=False)
+        if done.returncode not in good:
+            sys.exit(f"measure: {self.tool} {' '.join(words)} failed")
+        return done.stdout
+
+    def keep(self, name, *words, good=(0,)):
+        """What a command reports."""
+        if self.fresh(name + ".json"):
+            return
+        print("  RUN ", name, flush=True)
+        write(self.path(name + ".json"), self.run(*words, "--json", "-", good=good))
+
+    def made(self, name, lines):
+        path = self.path(name + ".nff")
+        write(path, "\n".join(lines) + "\n")
+        return path
+
+    def core(self, name, effects, scene, *how):
+        """A machine through the RTL, with cold and with warm caches."""
+        if self.fresh(name + ".core.json"):
+            return
+        print("  SIM ", name, flush=True)
+        machine = self.path(name + ".sph")
+        self.run("build", scene, "--profile", "standard", *how, "-o", machine)
+        report = self.path(name + ".core.json")
+        words = ["sh", "sim/core.sh", "--machine", machine, "--warm", "--latency", "20", "--json",
+                 report + ".tmp"]
+        env = dict(os.environ, EFFECTS=effects, BUILD=self.build, JOBS="1")
+        done = subprocess.run(words, env=env, stdout=subprocess.DEVNULL,
+                              stderr=subprocess.DEVNULL, check=False)
+        if done.returncode:
+            sys.exit(f"measure: {name}: {' '.join(words)} failed")
+        os.replace(report + ".tmp", report)
+
+    def random(self, n):
+        path = self.path(f"random{n}.nff")
+        if not os.path.exists(path):
+            self.run("gen", "random", "-n", str(n), "-o", path)
+        return path
+
+
+def operations(run):
+    for scene in "paper5", "views/inside":
+        run.keep("operations-" + os.path.basename(scene), "operations", f"scenes/{scene}.nff",
+                 "--size", "64x36", "--profile", "standard")
+
+
+def search(run):
+    """The paper's tree and its walk, primary rays alone."""
+    found = {"paper5": "scenes/paper5.nff", "paper100": "scenes/paper100.nff"}
+    found.update({f"random{n}": run.random(n) for n in RANDOM})
+    found.update({f"column{n}": run.made(f"column{n}", scenes.column(n)) for n in COLUMN})
+    for name, scene in found.items():
+        run.keep("search-" + name, "render", scene, *SEARCH, "--size", "64x36", "--profile",
+                 "reference")
+
+
+def corrected(run):
+    """The nearest hit, the first one, and the first one mended; five spheres beside them."""
+    run.keep("drawn-paper5", "render", "scenes/paper5.nff", "--size", "320x180", "-o",
+             run.path("paper5.png"))
+    for name, scene in (("hidden", run.made("hidden", scenes.hidden())),
+                        ("paper100", "scenes/paper100.nff")):
+        for way, how in CORRECTED.items():
+            frame = run.path(f"{name}-{way}.frame")
+            run.keep(f"corrected-{name}-{way}", "render", scene, *how, "--size", "320x180",
+                     "--profile", "fine", "--frame", frame, "-o", run.path(f"{name}-{way}.png"))
+            if way != "nearest":
+                run.keep(f"differ-{name}-{way}", "compare", "--ignore-work", frame,
+                         run.path(f"{name}-nearest.frame"), good=(0, 1))
+
+
+def ppm(path):
+    with open(path, "rb") as f:
+        data = f.read()
+    return data.split(b"\n255\n", 1)[1]
+
+
+def psnr(one, other):
+    square = sum((a - b) ** 2 for a, b in zip(ppm(one), ppm(other))) / len(ppm(one))
+    return 10 * math.log10(255 ** 2 / square) if square else math.inf
+
+
+def shapes(run):
+    """Spheres, and what others draw instead, against the spheres as they are written."""
+    for scene in REPLACED:
+        path = f"scenes/{scene}.nff"
+        truth = run.path(f"{scene}-truth.ppm")
+        view = ["--size", "160x90", "--transfer", "linear", "-o"]
+        if not run.fresh(f"{scene}-truth.ppm"):
+            run.run("reference", path, *view, truth)
+        for shape in ["sphere", *SHAPES]:
+            name = f"shape-{scene}-{shape}"
+            if run.fresh(name + ".psnr"):
+                continue
+            picture = run.path(name + ".ppm")
+            made = path if shape == "sphere" else run.made(name, scenes.replaced(path, shape))
+            run.keep(name, "render", made, "--profile", "reference", *view, picture)
+            write(run.path(name + ".psnr"), f"{psnr(truth, picture):.2f}\n")
+
+
+def parts(run):
+    """Rendering, L1 and L2: frames of one depth each, by one core."""
+    for scene in PARTS:
+        for depth in DEPTHS:
+            run.core(f"parts-{scene}-{depth}", PARTS_CORE, f"scenes/{scene}.nff", "--size",
+                     "160x90", "--depth", str(depth))
+
+
+def leaves(run):
+    """The thesis's two parameters of a hierarchy, and brute force by the same core."""
+    scene = run.path("lattice64.nff")
+    if not run.fresh("lattice64.nff"):
+        run.run("gen", "scenario1", "-n", "64", "--plain", "-o", scene)
+    ways = {f"prims{n}": ["--accel", "bih", "--max-prims", str(n)] for n in LEAVES}
+    ways.update({f"levels{n}": ["--accel", "bih", "--max-prims", "1", "--max-tree-depth", str(n)]
+                 for n in LEVELS})
+    ways["brute"] = ["--accel", "brute"]
+    for name, how in ways.items():
+        run.core(f"leaves-{name}", "lights1+facets+bih", scene, *how, "--size", "40x68", "--depth", "0",
+                 "--shadow", "off")
+
+
+def main(tool, folder):
+    run = Runner(tool, folder)
+    for part in operations, search, corrected, shapes, parts, leaves:
+        part(run)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

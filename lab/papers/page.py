@@ -1,0 +1,133 @@
+#!/usr/bin/env python3
+# page.py - puts the tables of docs/results/claims.md in their places
+# SPDX-License-Identifier: Apache-2.0
+"""usage: python3 -m lab.papers.page PAGE FOLDER
+FOLDER is what measure.py left."""
+import json
+import math
+import os
+import sys
+
+from . import measure
+from ..pages.place import place
+from ..synth import report
+
+MHZ = 67.7  # of the routed core: docs/results/accuracy.md
+PIXELS = 160 * 90
+
+
+def load(folder, name):
+    with open(os.path.join(folder, name + ".json"), encoding="utf-8") as f:
+        return json.load(f)
+
+
+def cycles(folder, name):
+    run = load(folder, name + ".core")
+    if run["mismatches"] or run["cold"]["errors"]:
+        sys.exit(f"page: {name}: model and RTL differ")
+    return run["cold"]["cycles_per_pixel"]
+
+
+def levels(n):
+    return math.ceil(math.log2(n) / 2)
+
+
+def searched(folder):
+    """{scene: (spheres, levels of the tree, spheres that a primary ray tests)}."""
+    found = {}
+    for name in sorted(os.listdir(folder)):
+        if name.startswith("search-"):
+            run = load(folder, name[:-5])
+            counters, n = run["counters"], run["machine"]["spheres"]
+            # the root sphere, which the core does not test, is one of the paper's
+            tests = 1 + counters["child_tests"] / counters["rays_primary"]
+            found[name[7:-5]] = n, run["build"]["depth"], tests
+    return dict(sorted(found.items(), key=lambda item: (item[0].startswith("column"), item[1][0])))
+
+
+def search(folder):
+    rows = [[f"`{name}`", n, depth, levels(n) + 1, f"{tests:.1f}", levels(n) + 4, 4 * levels(n) + 1]
+            for name, (n, depth, tests) in searched(folder).items()]
+    return report.table(["scene", "spheres", "levels", "claimed", "tests a ray", "at best, claimed",
+                         "at worst, claimed"], rows)
+
+
+def mean(flops, n):
+    return [f"{flops[k] / n:.3g}" for k in ("mul", "add", "div", "root")]
+
+
+def operations(folder):
+    rows = []
+    for scene, cases in (("paper5", ["miss", "hit"]), ("inside", ["behind"])):
+        run = load(folder, "operations-" + scene)
+        for name, is_ in run["predicates"].items():
+            if scene == "paper5":
+                rows.append([name, "each ray", *mean(is_["ray"], run["rays"])])
+            for case in cases:
+                rows.append([name, case, *mean(is_[case], run["tests"][case])])
+    order = list(load(folder, "operations-paper5")["predicates"])
+    rows.sort(key=lambda row: order.index(row[0]))
+    return report.table(["predicate", "case", "multiplications", "additions", "divisions", "roots"],
+                        rows, 2)
+
+
+def shapes(folder):
+    rows = []
+    names = {"sphere": "spheres", "box": "boxes around them", "1": "80 triangles each",
+             "2": "320", "3": "1280"}
+    for scene in measure.REPLACED:
+        for shape, name in names.items():
+            run = load(folder, f"shape-{scene}-{shape}")
+            with open(os.path.join(folder, f"shape-{scene}-{shape}.psnr"), encoding="utf-8") as f:
+                decibels = float(f.read())
+            c = run["counters"]
+            rows.append([f"`{scene}`", name, run["machine"]["memory_bytes"], f"{decibels:.1f}",
+                         f"{c['node_visits'] / PIXELS:.1f}",
+                         f"{(c['leaf_tests'] + c['facet_tests']) / PIXELS:.1f}"])
+    return report.table(["scene", "drawn as", "bytes", "dB", "visits a pixel", "exact tests"], rows, 2)
+
+
+def leaves(folder):
+    head = ["", *map(str, measure.LEAVES), "brute"]
+    prims = [f"{cycles(folder, f'leaves-prims{n}'):.1f}" for n in measure.LEAVES]
+    limit = [f"{cycles(folder, f'leaves-levels{n}'):.1f}" for n in measure.LEVELS]
+    return report.table(head, [["MAX_PRIMS", *prims, f"{cycles(folder, 'leaves-brute'):.1f}"],
+                               ["MAX_TREE_DEPTH 1 to 7", *limit, ""]])
+
+
+def values(folder):
+    """What the rows of claims.py name, and more of the same."""
+    found, v = searched(folder), {}
+    v["search_scenes"] = len(found)
+    v["worst_4096"] = 4 * levels(4096) + 1
+    for name, (_, _, tests) in found.items():
+        v["tests_" + name] = f"{tests:.0f}" if tests > 20 else f"{tests:.1f}"
+    run, inside = load(folder, "operations-paper5"), load(folder, "operations-inside")
+    for name, is_ in run["predicates"].items():
+        v[name + "_mul"], v[name + "_add"] = mean(is_["hit"], run["tests"]["hit"])[:2]
+    v["behind_mul"] = mean(inside["predicates"]["paper"]["behind"], inside["tests"]["behind"])[0]
+    v["wrong"] = inside["predicates"]["paper"]["wrong"]
+    v["tests"] = sum(inside["tests"].values())
+    for scene in "hidden", "paper100":
+        for way in "first", "mended":
+            v[f"{scene}_{way}"] = load(folder, f"differ-{scene}-{way}")["difference"]["pixels"]
+    for depth in measure.DEPTHS:
+        v[f"parts_{depth}"] = f"{cycles(folder, f'parts-paper100-{depth}'):.1f}"
+    for scene in measure.PARTS:
+        v["hd_" + scene] = f"{MHZ * 1e6 / (1280 * 720 * cycles(folder, f'parts-{scene}-2')):.1f}"
+    counters = load(folder, "parts-paper100-2.core")["warm"]["counters"]
+    v["busy"] = f"{100 * counters['node_visits'] / counters['cycles']:.0f}"
+    v["leaf_64"] = f"{cycles(folder, 'leaves-prims64'):.1f}"
+    v["leaf_brute"] = f"{cycles(folder, 'leaves-brute'):.1f}"
+    return v
+
+
+def main(page, folder):
+    place(page, {
+        "values": report.table(["name", "value"], [[k, v] for k, v in values(folder).items()]),
+        "search": search(folder), "operations": operations(folder), "shapes": shapes(folder),
+        "leaves": leaves(folder)})
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

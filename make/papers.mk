@@ -1,0 +1,22 @@
+# papers.mk - the papers, claim by claim: docs/results/claims.md
+# SPDX-License-Identifier: Apache-2.0
+#
+# $B/papers holds what lab/papers/measure.py reports of each run, of model and RTL.
+
+PAPERS       := $B/papers
+PAPERS_SHOWN := docs/pictures/papers
+
+.PHONY: papers
+papers: ## the three papers claim by claim: docs/results/claims.md; five minutes
+papers: $(TOOL)
+	$(Q)python3 -m lab.papers.measure $(TOOL) $(PAPERS)
+	$(Q)python3 -m lab.papers.pictures $(PAPERS)/triple.ppm
+	$(Q)mkdir -p $(PAPERS_SHOWN)
+	$(Q)oiiotool $(PAPERS)/triple.ppm -o $(PAPERS_SHOWN)/triple.png
+	$(Q)oiiotool $(PAPERS)/hidden-first.png $(PAPERS)/hidden-mended.png --mosaic 2x1 \
+	    -o $(PAPERS_SHOWN)/hidden.png
+	$(Q)oiiotool $(PAPERS)/paper5.png $(PAPERS)/paper100-mended.png --mosaic 2x1 \
+	    -o $(PAPERS_SHOWN)/scenes.png
+	$(Q)python3 -m lab.papers.page docs/results/claims.md $(PAPERS)
+	$(Q)python3 -m lab.pages.measured docs/results/claims.md "make papers"
+	@echo "tables and pictures in docs/results/claims.md"
