@@ -217,7 +217,8 @@ def links(text, page):
                 yield match.start(), f"{match[1]}#{match[2]}", "a heading"
 
 
-RULES = paths, plain_files, modules, signals, c_functions, model_lines, benches, commands, tools, links
+RULES = (paths, plain_files, modules, signals, c_functions, model_lines, benches, commands, tools,
+         links)
 
 
 def comments(path):

@@ -164,8 +164,8 @@ def leaves(run):
                  for n in LEVELS})
     ways["brute"] = ["--accel", "brute"]
     for name, how in ways.items():
-        run.core(f"leaves-{name}", "lights1+facets+bih", scene, *how, "--size", "40x68", "--depth", "0",
-                 "--shadow", "off")
+        run.core(f"leaves-{name}", "lights1+facets+bih", scene, *how, "--size", "40x68",
+                 "--depth", "0", "--shadow", "off")
 
 
 def main(tool, folder):

@@ -84,7 +84,8 @@ def shapes(folder):
             rows.append([f"`{scene}`", name, run["machine"]["memory_bytes"], f"{decibels:.1f}",
                          f"{c['node_visits'] / PIXELS:.1f}",
                          f"{(c['leaf_tests'] + c['facet_tests']) / PIXELS:.1f}"])
-    return report.table(["scene", "drawn as", "bytes", "dB", "visits a pixel", "exact tests"], rows, 2)
+    return report.table(["scene", "drawn as", "bytes", "dB", "visits a pixel", "exact tests"],
+                        rows, 2)
 
 
 def leaves(folder):

@@ -85,14 +85,17 @@ shown=docs/results/data/shown.txt
 claims=lab/papers/claims.py values=docs/results/data/claims.values.tsv
 claim() { # file, sed expression, what is said
     cp "$1" kept
-    edited "$1" "$2" && ! python3 -m lab.pages --check >said 2>&1 && cat said && grep -q -- "$3" said
+    edited "$1" "$2" && ! python3 -m lab.pages --check >said 2>&1 && cat said &&
+        grep -q -- "$3" said
     rc=$?
     cp kept "$1"
     return $rc
 }
-check "a claim's verdict that is no word of ours" claim $claims 's/"refuted"),/"perhaps"),/' 'perhaps'
+check "a claim's verdict that is no word of ours" claim $claims 's/"refuted"),/"perhaps"),/' \
+    'perhaps'
 check "a claim's value that was not measured" claim $values '/^paper_mul/d' 'paper_mul'
-check "a value of a claim, changed by hand" claim $values 's/^\(paper_mul.\)11/\112/' '^+.*| 12 and 11'
+check "a value of a claim, changed by hand" claim $values 's/^\(paper_mul.\)11/\112/' \
+    '^+.*| 12 and 11'
 selected() { # sed expression, what is said
     cp "$shown" kept
     edited "$shown" "$1" && ! python3 -m lab.pages >said 2>&1 && cat said && grep "$2" said

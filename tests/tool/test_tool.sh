@@ -143,10 +143,10 @@ rm -r pictures
 # ---- operations ----
 "$s" operations "$root/scenes/views/inside.nff" --size 32x18 --profile standard --json o.json
 check "operations of the paper's predicate, and of ours" json o.json \
-    'all(r["predicates"][name][case][kind] == each * r["tests"][case] for name, case, kind, each in (
+    'all(r["predicates"][name][case][kind] == n * r["tests"][case] for name, case, kind, n in (
          ("paper", "hit", "mul", 11), ("paper", "hit", "add", 11), ("paper", "behind", "mul", 6),
-         ("machine", "hit", "mul", 9), ("machine", "miss", "add", 9), ("quadratic", "hit", "mul", 10),
-         ("geometric", "hit", "mul", 7)))'
+         ("machine", "hit", "mul", 9), ("machine", "miss", "add", 9),
+         ("quadratic", "hit", "mul", 10), ("geometric", "hit", "mul", 7)))'
 check "... answer as the exact test does" json o.json \
     'sum(r["tests"].values()) == 40 * r["rays"] == 40 * 576 and all(r["tests"][c] for c in (
          "miss", "hit", "behind")) and not any(p["wrong"] for p in r["predicates"].values())'
