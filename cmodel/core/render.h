@@ -6,6 +6,7 @@
 
 #include "common/error.h"
 #include "core/frame.h"
+#include "core/ray_log.h"
 #include "core/trail.h"
 #include "machine/machine.h"
 #include "texture/lookup.h"
@@ -20,6 +21,8 @@ struct sph_render_options {
                                                                 asked for: with one thread */
     void *fetch_user;
     struct sph_trail *trails; /* may be NULL; one for each pixel of the frame, row by row */
+    /* may be NULL; every ray, with one thread: of one pixel they are a tree */
+    struct sph_ray_log *log;
 };
 
 /* Renders the machine's window into *frame (allocated here at the full frame size; pixels outside

@@ -13,7 +13,10 @@ struct sph_hit sph_job_trace(const struct sph_job *j, const struct sph_ray *ray)
     static const int kinds[] = {SPH_COUNT_RAYS_PRIMARY, SPH_COUNT_RAYS_SHADOW,
                                 SPH_COUNT_RAYS_REFLECTED, SPH_COUNT_RAYS_REFRACTED};
     j->c->count[kinds[ray->kind]]++;
-    return sph_traverse(j->m, ray, j->how, j->c, &j->pixel->visits, j->errors);
+    uint32_t before = j->pixel->visits;
+    struct sph_hit hit = sph_traverse(j->m, ray, j->how, j->c, &j->pixel->visits, j->errors);
+    if (j->log) sph_ray_log_add(j->log, ray, hit, j->pixel->visits - before);
+    return hit;
 }
 
 /* Light of the lights that the surface faces and sees, u2.15: matt, and as a highlight. */

@@ -17,6 +17,7 @@ struct sph_job {
     uint32_t *errors;
     struct sph_texture_work *texture;
     struct sph_trail *trail; /* may be NULL */
+    struct sph_ray_log *log; /* may be NULL */
 };
 
 /* A ray through the tree, counted by its kind. */

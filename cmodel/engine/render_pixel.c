@@ -154,6 +154,7 @@ static int path(const struct sph_job *j, struct sph_ray ray) {
     struct branch at = {ray, 1u << 16, 0, 0}, waiting[SPH_MAX_DEPTH];
     int n_waiting = 0; /* the deepest last */
     if (j->trail) *j->trail = no_trail;
+    if (j->log) j->log->depth = 0;
     struct sph_hit hit = sph_job_trace(j, &ray);
     const uint32_t *prim = prim_line(j, &hit);
     j->texture->lod = SPH_LOD_NONE; /* a repeated pixel begins anew */
@@ -177,6 +178,7 @@ static int path(const struct sph_job *j, struct sph_ray ray) {
         } else {
             at = refracted_ray;
         }
+        if (j->log) j->log->depth = at.depth;
         hit = sph_job_trace(j, &at.ray);
         prim = prim_line(j, &hit);
         if (probe && prim && hit.far && hit.id != id) return 1;
@@ -210,7 +212,7 @@ struct sph_pixel sph_render_pixel(const struct sph_machine *m, const struct sph_
     int inside = sph_machine_effect(m, SPH_EFFECT_INSIDE);
     int first = sph_machine_effect(m, SPH_EFFECT_FIRST) && o->traverse == SPH_TRAVERSE_TREE;
     struct sph_job j = {
-        m, sph_machine_profile(m), o->traverse, inside, c, &pixel, errors, &texture, trail};
+        m, sph_machine_profile(m), o->traverse, inside, c, &pixel, errors, &texture, trail, o->log};
     if (path(&j, primary(&j, x, y, first))) path(&j, primary(&j, x, y, 0));
     c->count[SPH_COUNT_TEXELS] += texture.texels;
     *errors |= texture.errors;

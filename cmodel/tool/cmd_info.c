@@ -2,26 +2,35 @@
  * SPDX-License-Identifier: Apache-2.0
  */
 #include "machine/describe.h"
+#include "tool/pixel_rays.h"
 #include "tool/print.h"
 #include "tool/report.h"
 
 struct arguments {
     const char *input, *json;
+    int pixel[2]; /* x, y; -1: none asked for */
     struct tool_outputs outputs;
 };
 
-enum { KEY_JSON = 512 };
+enum { KEY_JSON = 512, KEY_PIXEL };
 
 static const struct argp_option options[] = {
+    {"pixel", KEY_PIXEL, "X,Y", 0, "the rays of this pixel as a tree, with what each finds", 0},
     {"json", KEY_JSON, "FILE", 0, "report as JSON (- : on standard output instead of text)", 0},
     {0},
 };
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
     struct arguments *a = state->input;
+    char rest;
     switch (key) {
     case KEY_JSON:
         a->json = tool_output(&a->outputs, arg);
+        return 0;
+    case KEY_PIXEL:
+        if (sscanf(arg, "%d,%d%c", &a->pixel[0], &a->pixel[1], &rest) != 2 || a->pixel[0] < 0 ||
+            a->pixel[1] < 0)
+            argp_error(state, "--pixel: '%s' is no pixel such as 21,9", arg);
         return 0;
     case ARGP_KEY_ARG:
         if (a->input) argp_error(state, "one file at a time: '%s' is one too many", arg);
@@ -38,22 +47,37 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
 int tool_info(int argc, char **argv) {
     static const struct argp argp = {
         options, parse, "MACHINE.sph", "Checks a machine file and describes it.", NULL, NULL, NULL};
-    struct arguments a = {0};
+    struct arguments a = {.pixel = {-1, -1}};
     struct sph_machine machine;
     struct sph_error err = {""};
     argp_parse(&argp, argc, argv, 0, NULL, &a);
 
     if (tool_spares(&a.outputs, a.input, &err)) return tool_failed(&err);
     if (sph_machine_read(a.input, &machine, &err)) return tool_failed(&err);
+    struct sph_ray_log log = {0};
+    const int32_t *size = machine.regs + SPH_REG_FRAME_W; /* and height behind it */
+    if (a.pixel[0] >= size[0] || a.pixel[1] >= size[1])
+        sph_fail(&err, "--pixel: %d,%d lies outside of the frame, %dx%d", a.pixel[0], a.pixel[1],
+                 size[0], size[1]);
+    else if (a.pixel[0] >= 0)
+        pixel_rays(&machine, a.pixel[0], a.pixel[1], &log, &err);
+    if (err.text[0]) {
+        sph_machine_free(&machine);
+        sph_ray_log_free(&log);
+        return tool_failed(&err);
+    }
     FILE *to = print_stream(a.json);
     if (to) sph_machine_describe(&machine, to);
     struct sph_bih_stats stats;
     if (sph_machine_bih(&machine))
         sph_bih_measure(&machine, &stats), print_bih(to, &machine, &stats);
+    if (a.pixel[0] >= 0) print_rays(to, &log);
     json_t *report = report_new("info");
     report_text(report, "input", a.input);
     report_machine(report, &machine);
     if (sph_machine_bih(&machine)) report_bih(report, &machine, &stats);
+    if (a.pixel[0] >= 0) report_rays(report, &log);
+    sph_ray_log_free(&log);
     int rc = report_write(report, a.json, &err);
     sph_machine_free(&machine);
     return rc ? tool_failed(&err) : TOOL_GOOD;

@@ -29,6 +29,12 @@ check "build report" json build.json 'r["command"] == "build" and r["machine"]["
     r["build"]["nodes"] > 0 and r["build"]["warnings"] == []'
 check "info" sh -c "'$s' info a.sph --json info.json | grep -q 'WD 17'"
 check "info report" json info.json 'r["machine"]["profile"] == "standard"'
+"$s" info a.sph --pixel 30,24 --json rays.json | sed -n '/^rays/,$p' >rays.txt
+check "rays of a pixel" json rays.json 'r["rays"][0]["kind"] == "primary" and any(
+    i["kind"] == "reflected" and r["rays"][i["parent"]]["hit"] for i in r["rays"])'
+check "... as text" grep -E '^  primary   id [0-9]+, key [0-9]+, distance .* visits$' rays.txt
+fails 1 "no such pixel" "$s" info a.sph --pixel 64,0
+fails 2 "no pixel at all" "$s" info a.sph --pixel 64
 
 "$s" render a.sph -o a.png --exr a.exr --frame a.frame --counters --json a.json >render.txt 2>&1
 check "render exits with 0 and prints a hash" grep -E '^frame +[0-9a-f]{16}$' render.txt

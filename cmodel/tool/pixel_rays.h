@@ -1,0 +1,23 @@
+/* pixel_rays.h - the rays of a pixel, for `sphaera info --pixel`
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef SPH_PIXEL_RAYS_H
+#define SPH_PIXEL_RAYS_H
+
+#include <stdio.h>
+
+#include "core/ray_log.h"
+#include "machine/machine.h"
+#include "tool/json.h"
+
+/* Traces pixel x, y, which must lie in the frame, into log. -1 with a message if memory is out. */
+int pixel_rays(const struct sph_machine *m, int x, int y, struct sph_ray_log *log,
+               struct sph_error *err);
+
+/* Prints them as a tree; to may be NULL. */
+void print_rays(FILE *to, const struct sph_ray_log *log);
+
+/* Adds them as the member `rays`. */
+void report_rays(json_t *report, const struct sph_ray_log *log);
+
+#endif
