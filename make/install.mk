@@ -6,7 +6,10 @@
 D       := $B/dist
 SOVERSION = $(firstword $(subst ., ,$(VERSION)))
 SO      := libsphaera.so.$(VERSION)
-LIBRARY_O := $(call objects,obj/,$(API_C) $(IMAGE_C) $(IMAGE_CXX) $(LIB_C))
+LIBRARY_C := $(API_C) $(IMAGE_C) $(LIB_C)
+# The shared one loads OpenImageIO when a picture is asked for; a static one is linked with it.
+SHARED_O  := $(call objects,obj/,$(LIBRARY_C) $(LAZY_C))
+STATIC_O  := $(call objects,obj/,$(LIBRARY_C) $(IMAGE_CXX))
 BASH_TO := $(PREFIX)/share/bash-completion/completions
 ZSH_TO  := $(PREFIX)/share/zsh/site-functions
 INSTALLED := $(PREFIX)/bin/sphaera $(PREFIX)/lib/sphaera/image.so \
@@ -14,23 +17,22 @@ INSTALLED := $(PREFIX)/bin/sphaera $(PREFIX)/lib/sphaera/image.so \
              $(PREFIX)/lib/$(SO) $(PREFIX)/lib/libsphaera.so.$(SOVERSION) \
              $(PREFIX)/lib/libsphaera.so $(PREFIX)/lib/libsphaera.a \
              $(PREFIX)/lib/pkgconfig/sphaera.pc $(BASH_TO)/sphaera $(ZSH_TO)/_sphaera
-LIBRARY_LIBS = $(IMAGE_LIBS) $(MODEL_LIBS)
 
 $D/exports: cmodel/sphaera/sphaera.h
 	@mkdir -p $D
 	$(Q)printf '{ global: sphaera_*; local: *; };\n' >$@
 
-$D/$(SO): $(LIBRARY_O) $D/exports $B/sources VERSION
+$D/$(SO): $(SHARED_O) $D/exports $B/sources VERSION
 	$(call say,LD,$(@F))
-	$(call make_whole,$(CXX) -shared -fopenmp -Wl$(comma)-soname$(comma)libsphaera.so.$(SOVERSION) \
-	    -Wl$(comma)--version-script=$D/exports -Wl$(comma)--no-undefined $(LIBRARY_O) \
-	    $(LIBRARY_LIBS))
+	$(call make_whole,$(CC) -shared -fopenmp -Wl$(comma)-soname$(comma)libsphaera.so.$(SOVERSION) \
+	    -Wl$(comma)--version-script=$D/exports -Wl$(comma)--no-undefined $(SHARED_O) \
+	    $(MODEL_LIBS))
 
 # One object, in which all names but those of sphaera.h are local.
-$D/libsphaera.a: $(LIBRARY_O) $B/sources
+$D/libsphaera.a: $(STATIC_O) $B/sources
 	$(call say,AR,$(@F))
 	@mkdir -p $D
-	$(Q)ld -r $(LIBRARY_O) -o $D/sphaera.o.$$$$ && \
+	$(Q)ld -r $(STATIC_O) -o $D/sphaera.o.$$$$ && \
 	    objcopy --wildcard --keep-global-symbol='sphaera_*' $D/sphaera.o.$$$$ $D/sphaera.o && \
 	    rm -f $@ $D/sphaera.o.$$$$ && ar rcs $@ $D/sphaera.o && rm $D/sphaera.o
 
@@ -53,7 +55,7 @@ $D/complete.%: $(TOOL) sim/complete.sh
 	$(Q)SPHAERA=$(TOOL) sh sim/complete.sh $* >$@.$$$$ && mv $@.$$$$ $@
 
 .PHONY: library install uninstall
-library: $D/$(SO) $D/libsphaera.a $D/sphaera.pc ## libsphaera, shared and static, in build/dist
+library: $D/$(SO) $(PICTURE) $D/libsphaera.a $D/sphaera.pc ## libsphaera, both kinds, in build/dist
 
 install: library $(TOOL) $D/man/done $D/complete.bash $D/complete.zsh ## into PREFIX, below DESTDIR
 	$(call say,INST,'$(DESTDIR)$(PREFIX)')

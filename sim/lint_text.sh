@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 cd "$(dirname "$0")/.." || exit 1
 
-sources=$(find Makefile .ci make cmodel driver examples lab rtl formal tb sim synth tests \
+sources=$(find Makefile .ci make cmodel driver examples lab rtl formal python tb sim synth tests \
     -type f \( \
     -name Makefile -o -name run -o -name '*.c' -o -name '*.h' -o -name '*.cpp' -o -name '*.v' \
     -o -name '*.vh' -o -name '*.vlt' -o -name '*.sh' -o -name '*.mk' -o -name '*.awk' \

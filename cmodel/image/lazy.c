@@ -1,12 +1,13 @@
-/* lazy.c - image.h and texture.h for a program that seldom needs a picture
+/* lazy.c - image.h and texture.h for what seldom needs a picture
  * SPDX-License-Identifier: Apache-2.0
  *
  * OpenImageIO brings some 250 libraries with it, which a program that links it loads at every start
- * in a quarter of a second. So the tool links this file, and what does the work stands in an object
- * of its own, which is loaded when a picture is first asked for.
+ * in a quarter of a second. So tool and shared library link this file, and what does the work
+ * stands in an object of its own, which is loaded when a picture is first asked for.
  */
 #include <dlfcn.h>
 #include <link.h>
+#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,19 +18,31 @@
 
 enum { LONGEST = 4096 };
 
-/* Beside the program in a build folder; in PREFIX/lib of an installed one. */
-static const char *const places[] = {"sphaera_image.so", "../lib/sphaera/image.so"};
+/* Seen from the folder of the tool or of the library: beside it; of what is installed in
+ * PREFIX/bin or PREFIX/lib; of the library in the build folder. */
+static const char *const places[] = {"sphaera_image.so", "../lib/sphaera/image.so",
+                                     "../sphaera_image.so"};
 enum { PLACES = sizeof places / sizeof *places };
+
+/* The file that this code is in, the program or a shared library; -1: not known. */
+static ssize_t own_place(char *self, size_t size) {
+    Dl_info info;
+    struct link_map *map = NULL;
+    if (dladdr1(places, &info, (void **)&map, RTLD_DL_LINKMAP) && map && map->l_name[0])
+        return snprintf(self, size, "%s", map->l_name);
+    ssize_t length = readlink("/proc/self/exe", self, size - 1);
+    if (length >= 0) self[length] = 0;
+    return length;
+}
 
 /* The object, and what dlopen() says if there is none. */
 static void *load(char *why, size_t size) {
     char self[LONGEST], path[LONGEST + 64];
-    ssize_t length = readlink("/proc/self/exe", self, sizeof self - 1);
-    if (length < 0) {
-        snprintf(why, size, "the program's own place is not known");
+    ssize_t length = own_place(self, sizeof self);
+    if (length < 0 || length >= LONGEST) {
+        snprintf(why, size, "the folder of tool or library is not known");
         return NULL;
     }
-    self[length] = 0;
     char *slash = strrchr(self, '/');
     int folder = slash ? (int)(slash - self) : 0;
     void *object = NULL;
@@ -44,9 +57,12 @@ static void *load(char *why, size_t size) {
 
 /* The function of that name, or NULL with a message. */
 static void *find(const char *name, struct sph_error *err) {
+    static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
     static void *object;
     char why[LONGEST] = "";
+    pthread_mutex_lock(&lock);
     if (!object) object = load(why, sizeof why);
+    pthread_mutex_unlock(&lock);
     void *function = object ? dlsym(object, name) : NULL;
     if (!function) sph_fail(err, "pictures cannot be read or written: %s", why);
     return function;

@@ -1,0 +1,26 @@
+# __init__.py - import sphaera: scenes, machines, and the golden model's frames as NumPy arrays
+# SPDX-License-Identifier: Apache-2.0
+"""Golden model of a ray tracer in hardware.
+
+    scene = sphaera.read("scenes/paper100.nff")
+    frame = scene.build(profile="standard", width=320, height=180).render()
+    frame.rgb()                    # uint8 [180, 320, 3]
+    frame.counters["node_visits"]
+
+A Scene is what a user wrote, a Machine all that the hardware sees, a Frame what the model draws
+of it, bit by bit what the hardware gives. None of them changes once it is made.
+
+Errors: whatever the library refuses raises sphaera.Error with the tool's message, which names
+file, line and field. What is no text or number at all raises TypeError, a number that C has no
+room for OverflowError.
+
+Threads: other Python threads go on while the library reads, builds, draws or traces, and any
+number of them may use the same object."""
+from ._library import Error, version
+from .frame import Frame
+from .machine import Hit, Machine
+from .scene import Scene, parse, read
+
+NONE = Frame.NONE
+__version__ = version()
+__all__ = ["Error", "Frame", "Hit", "Machine", "NONE", "Scene", "parse", "read", "version"]

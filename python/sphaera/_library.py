@@ -1,0 +1,46 @@
+# _library.py - the shared library beside this file, called as sphaera.h declares it
+# SPDX-License-Identifier: Apache-2.0
+import os
+from pathlib import Path
+from typing import Any, Union
+
+from ._declared import ffi
+
+lib: Any = ffi.dlopen(str(Path(__file__).resolve().with_name("libsphaera.so")))
+PathLike = Union[str, os.PathLike[str]]
+
+
+class Error(Exception):
+    """What the library refuses; str() is its message, as the tool prints it."""
+
+
+def text(pointer: Any) -> str:
+    """A string of the library's."""
+    return ffi.string(pointer).decode("utf-8", "replace")
+
+
+def c_text(word: PathLike) -> bytes:
+    """A word or a file's name as C takes it; Error if it has a byte 0, where C would end."""
+    given = os.fsencode(word)
+    if b"\0" in given:
+        raise Error(f"{os.fspath(word)!r} has a byte 0")
+    return given
+
+
+def call(function: Any, *arguments: Any) -> None:
+    """Calls what takes a sphaera_error * last; raises Error if it fails."""
+    error = ffi.new("sphaera_error *")
+    if function(*arguments, error):
+        raise Error(text(error.text))
+
+
+def made(function: Any, free: Any, kind: str, *arguments: Any) -> Any:
+    """Calls what fills a `kind **` behind its arguments; freed with the object that is returned."""
+    to = ffi.new(kind + " **")
+    call(function, *arguments, to)
+    return ffi.gc(to[0], free)
+
+
+def version() -> str:
+    """Of the library, such as "1.2.3"."""
+    return text(lib.sphaera_version())

@@ -1,0 +1,86 @@
+# frame.py - frames: pixels as NumPy arrays, counters
+# SPDX-License-Identifier: Apache-2.0
+from functools import cached_property
+from itertools import count, takewhile
+from typing import Any, Dict
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._library import PathLike, c_text, call, ffi, lib, text
+
+
+class Frame:
+    """What the model draws of a machine; of Machine.render().
+
+    Arrays have shape [height, width], row 0 on top, and are filled by the library itself, without
+    a copy between. id, key and visits are made when they are first asked for, and read-only."""
+
+    NONE: int = lib.SPHAERA_NONE  # id of no primitive
+
+    def __init__(self, pointer: Any) -> None:
+        self._pointer = pointer
+
+    @property
+    def width(self) -> int:
+        """In pixels."""
+        return lib.sphaera_frame_width(self._pointer)
+
+    @property
+    def height(self) -> int:
+        """In pixels."""
+        return lib.sphaera_frame_height(self._pointer)
+
+    def _array(self, fill: Any, dtype: type, kind: str) -> Any:
+        pixels = np.empty((self.height, self.width), dtype)
+        fill(self._pointer, ffi.from_buffer(kind, pixels))
+        pixels.flags.writeable = False
+        return pixels
+
+    def rgb(self, layer: int = 2) -> NDArray[np.uint8]:
+        """uint8 [height, width, 3]: red, green, blue, linear light, 255 is white; of your own.
+        layer: 0 without reflections, 1 with one, 2 all. ValueError: another layer."""
+        pixels = np.empty((self.height, self.width, 3), np.uint8)
+        if lib.sphaera_frame_rgb(self._pointer, layer, ffi.from_buffer("uint8_t[]", pixels)):
+            raise ValueError(f"layer is {layer}, not 0 to 2")
+        return pixels
+
+    @cached_property
+    def id(self) -> NDArray[np.uint32]:
+        """uint32: primitive that the primary ray hit, in the scene's order; NONE: none."""
+        return self._array(lib.sphaera_frame_id, np.uint32, "uint32_t[]")
+
+    @cached_property
+    def key(self) -> NDArray[np.uint64]:
+        """uint64: ceil(a t) of that hit, which orders hits on one ray; 0: none."""
+        return self._array(lib.sphaera_frame_key, np.uint64, "uint64_t[]")
+
+    @cached_property
+    def visits(self) -> NDArray[np.uint32]:
+        """uint32: tree nodes that all rays of the pixel visited."""
+        return self._array(lib.sphaera_frame_visits, np.uint32, "uint32_t[]")
+
+    @cached_property
+    def counters(self) -> Dict[str, int]:
+        """All counters by name (docs/use/core.md); 0 where the hardware alone counts."""
+        names = takewhile(bool, map(lib.sphaera_counter_name, count()))
+        return {text(name): lib.sphaera_frame_counter(self._pointer, i)
+                for i, name in enumerate(names)}
+
+    @property
+    def hash(self) -> int:
+        """Equal frames have equal hashes; `sphaera render` prints it."""
+        return lib.sphaera_frame_hash(self._pointer)
+
+    @property
+    def errors(self) -> int:
+        """Sticky errors of the drawing, a bit each (docs/use/core.md); 0: none."""
+        return lib.sphaera_frame_errors(self._pointer)
+
+    def write(self, path: PathLike) -> None:
+        """Writes a picture in the format of the name's ending: 8 bits in sRGB, or OpenEXR, linear.
+        Error: another ending, or it cannot be written."""
+        call(lib.sphaera_frame_write, self._pointer, c_text(path))
+
+    def __repr__(self) -> str:
+        return f"<sphaera.Frame {self.width}x{self.height}, hash {self.hash:016x}>"

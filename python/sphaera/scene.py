@@ -1,0 +1,69 @@
+# scene.py - scenes: read from files or from text in memory
+# SPDX-License-Identifier: Apache-2.0
+from typing import Any, Optional, Union
+
+from ._library import PathLike, c_text, ffi, lib, made
+from .machine import Machine
+
+Switch = Optional[bool]  # None: as the scene asks for
+
+
+class Scene:
+    """A scene in real numbers; of read() or parse()."""
+
+    def __init__(self, pointer: Any) -> None:
+        self._pointer = pointer
+
+    @property
+    def spheres(self) -> int:
+        """How many spheres it has."""
+        return lib.sphaera_scene_spheres(self._pointer)
+
+    @property
+    def facets(self) -> int:
+        """How many triangles and planes it has."""
+        return lib.sphaera_scene_facets(self._pointer)
+
+    def build(self, *, profile: str = "auto", accel: str = "auto", width: int = 0,
+              height: int = 0, depth: int = 2, shadow: Switch = None, reflect: Switch = None,
+              refract: Switch = None, specular: Switch = None, texture: Switch = None) -> Machine:
+        """The machine: the scene quantised, with its tree; words are those of `sphaera build`.
+
+        profile        auto, draft, standard, fine, reference, or with widths: "draft:w=14"
+        accel          auto, bvh4, bih, brute
+        width, height  pixels, 1 to 16383; 0: as the scene says
+        depth          reflections and refractions one after another, 0 to 5
+        shadow ...     True, False, or None: on if the scene asks for it
+
+        Error: a word or number that is none of these, an image that cannot be read, a scene that
+        the profile has no room for."""
+        options = ffi.new("sphaera_build_options *")
+        lib.sphaera_build_init(options)
+        words = [ffi.new("char[]", c_text(word)) for word in (profile, accel)]  # kept alive
+        options.profile, options.accel = words
+        options.width, options.height, options.depth = width, height, depth
+        for name, on in (("shadow", shadow), ("reflect", reflect), ("refract", refract),
+                         ("specular", specular), ("texture", texture)):
+            if on is not None:
+                setattr(options, name, lib.SPHAERA_ON if on else lib.SPHAERA_OFF)
+        return Machine(made(lib.sphaera_build, lib.sphaera_machine_free, "sphaera_machine",
+                            self._pointer, options))
+
+    def __repr__(self) -> str:
+        return f"<sphaera.Scene of {self.spheres} spheres, {self.facets} triangles and planes>"
+
+
+def read(path: PathLike, at: int = 0) -> Scene:
+    """Reads a scene file (NFF, AFF). at: frame that moving primitives are moved to, 0 to 65535.
+
+    Error: no such file, or what the file says is no scene, with file, line and field."""
+    return Scene(made(lib.sphaera_scene_read, lib.sphaera_scene_free, "sphaera_scene",
+                      c_text(path), at))
+
+
+def parse(text: Union[str, bytes], name: PathLike = "memory.nff", at: int = 0) -> Scene:
+    """The same of a text of NFF in memory. name stands in messages; its folder is where images
+    are looked for."""
+    data = text.encode() if isinstance(text, str) else bytes(text)
+    return Scene(made(lib.sphaera_scene_parse, lib.sphaera_scene_free, "sphaera_scene",
+                      data, len(data), c_text(name), at))
