@@ -97,9 +97,11 @@
 #define SPHAERA_ERRORS_SCAN_ERROR_LSB 12u
 #define SPHAERA_ERRORS_SCAN_ERROR 0x00001000u /* a read of the frame that is shown was answered with an error */
 #define SPHAERA_ERRORS_WATCHDOG_LSB 13u
-#define SPHAERA_ERRORS_WATCHDOG 0x00002000u /* a bus did nothing for WATCHDOG clocks */
+#define SPHAERA_ERRORS_WATCHDOG 0x00002000u /* a bus of scene or frame store did nothing for WATCHDOG clocks */
 #define SPHAERA_ERRORS_REFUSED_LSB 14u
 #define SPHAERA_ERRORS_REFUSED 0x00004000u /* START came while a frame was drawn or drained, and did nothing */
+#define SPHAERA_ERRORS_SCAN_WATCHDOG_LSB 15u
+#define SPHAERA_ERRORS_SCAN_WATCHDOG 0x00008000u /* the bus of the display did nothing for WATCHDOG clocks */
 #define SPHAERA_INTERRUPTS 0x030u /* w1c: what happened */
 #define SPHAERA_INTERRUPTS_RESET 0x00000000u
 #define SPHAERA_INTERRUPTS_FRAME_DONE_LSB 0u
@@ -287,7 +289,8 @@
     X(SPHAERA_ERRORS_FRAME_SLVERR, "a write to the frame store was answered with SLVERR") \
     X(SPHAERA_ERRORS_FRAME_DECERR, "a write to the frame store was answered with DECERR") \
     X(SPHAERA_ERRORS_SCAN_ERROR, "a read of the frame that is shown was answered with an error") \
-    X(SPHAERA_ERRORS_WATCHDOG, "a bus did nothing for WATCHDOG clocks") \
-    X(SPHAERA_ERRORS_REFUSED, "START came while a frame was drawn or drained, and did nothing")
+    X(SPHAERA_ERRORS_WATCHDOG, "a bus of scene or frame store did nothing for WATCHDOG clocks") \
+    X(SPHAERA_ERRORS_REFUSED, "START came while a frame was drawn or drained, and did nothing") \
+    X(SPHAERA_ERRORS_SCAN_WATCHDOG, "the bus of the display did nothing for WATCHDOG clocks")
 
 #endif

@@ -31,7 +31,7 @@ module f_scan #(
     (* anyconst *) wire        rgb565;
     (* anyconst *) wire        twice;
     (* anyconst *) wire [15:0] stride;
-    wire arvalid, rready, take, word_valid, error;
+    wire arvalid, rready, take, word_valid, error, stall;
     wire [31:0] araddr;
     wire [7:0]  arlen;
     wire [2:0]  arsize;
@@ -46,7 +46,7 @@ module f_scan #(
         .m_scan_arready(arready), .m_scan_araddr(araddr), .m_scan_arlen(arlen),
         .m_scan_arsize(arsize), .m_scan_arburst(arburst), .m_scan_rvalid(rvalid),
         .m_scan_rready(rready), .m_scan_rdata(rdata), .m_scan_rresp(rresp), .error_o(error),
-        .word_valid_o(word_valid), .word_data_o(word), .word_count_i(count_q)
+        .stall_o(stall), .word_valid_o(word_valid), .word_data_o(word), .word_count_i(count_q)
     );
     (* hierconn *) wire [CB-1:0] \u_dut.owed_q ;
     (* hierconn *) wire          \u_dut.read_q ;
@@ -96,6 +96,7 @@ module f_scan #(
         if (word_valid) assert (count_q < DEPTH);                     // there is room
         if (word_valid && word[DATA+1]) assert (owed_q == 0 && !arvalid);
         if (word_valid && !word[DATA+1]) assert (beat && word[DATA-1:0] == rdata);
+        assert (stall == ((owed_q != 0 || arvalid) && !rvalid && !ask));
         if (error) assert (beat && rresp[1]);
         if (beat && rresp[1]) assert (error);
         // invariant

@@ -1,7 +1,7 @@
-# rt_top.mk - builds the harness of rt_top for one set of parameters; make/top.mk calls it
+# rt_top.mk - builds a harness of rt_top for one set of parameters; make/top.mk calls it
 # SPDX-License-Identifier: Apache-2.0
 #
-#   build/sim/BENCH-PROFILE-CORE-DATA/BENCH
+#   build/sim/BENCH-PROFILE-CORE-DATA/BENCH      tb_shell has the golden model as its core
 B       ?= build
 PROFILE ?= draft
 CORE    ?= all
@@ -16,19 +16,27 @@ RTL_FILES := $(shell find rtl -name '*.v' -o -name '*.vh')
 RTL_DIRS  := $(sort $(dir $(RTL_FILES)))
 PARAMETERS := $(shell sh sim/profile.sh '$(PROFILE)') $(shell sh sim/parameters.sh '$(CORE)') \
               DATA=$(DATA) VIDEO=1
-VERILATE := verilator --cc --language 1364-2005 -Wall -O3 --x-assign unique --x-initial unique \
+VERILATE := verilator --cc --language 1364-2005 -O3 --x-assign unique --x-initial unique \
                 --top-module rt_top --prefix Vrt_top $(PARAMETERS:%=-G%) \
-                $(RTL_DIRS:%=-y %) $(RTL_DIRS:%=-I%) rtl/top/rt_top.v
+                $(RTL_DIRS:%=-y %) $(RTL_DIRS:%=-I%)
+VERILATE += $(if $(filter tb_shell,$(BENCH)),+1800-2017ext+sv $K/rt_core.sv,-Wall) rtl/top/rt_top.v
 DRIVER   := $S/obj/driver.o
 VERILATED := $S/obj/bench_verilated.o $S/obj/bench_verilated_threads.o
 
-.PHONY: top
+.PHONY: top run
 top: $K/$(BENCH)
+run: top
+	@$K/$(BENCH) $(MACHINES) $(SEED)
 
 $K/flags: FORCE
 	$(call stamp,$(VERILATE))
 
-$K/all.cpp: $(RTL_FILES) $K/flags
+# Its head is rt_core's.
+$K/rt_core.sv: rtl/core/rt_core.v tb/top/golden_core.svh
+	@mkdir -p $K
+	sed '/^);/q' $< | cat - tb/top/golden_core.svh >$@
+
+$K/all.cpp: $(RTL_FILES) $K/flags $(if $(filter tb_shell,$(BENCH)),$K/rt_core.sv)
 	@rm -f $K/Vrt_top*
 	$(VERILATE) --Mdir $K
 	@sh sim/at_once.sh $K tb/top/$(BENCH).cpp >$@

@@ -11,14 +11,19 @@ TOP_SCENES := paper5 interpenetrating
 TOP_DATA   ?= 64 128
 TOP_RUNS   := $(TOP_SCENES:%=$B/top/%.sph)
 top_tool    = flock $B/sim/.tools.lock env -u MAKEFLAGS -u MFLAGS $(MAKE) -s --no-print-directory \
-                  -f make/rt_top.mk B=$B PROFILE=draft CORE=$(TOP_CORE) DATA=$(1) top
+                  -f make/rt_top.mk B=$B DATA=$(1) CORE=$(TOP_CORE) MACHINES='$(TOP_RUNS)' \
+                  SEED=$(SEED)
 
-.PHONY: top bus-setup rdl cocotb
+# So are its mutants, with the golden model as the core: tests/mutants.
+.PHONY: top top-shell bus-setup rdl cocotb
 top: $(TOP_RUNS) ## rt_top under its driver: frames, errors, resets, silent buses; a minute
 	@mkdir -p $B/sim
 	$(Q)for data in $(TOP_DATA); do \
-	    $(call top_tool,$$data) >$B/top/build.log 2>&1 || { cat $B/top/build.log; exit 1; }; \
-	    $B/sim/tb_top-draft-$(TOP_CORE)-$$data/tb_top $(TOP_RUNS) $(SEED) || exit 1; done
+	    $(call top_tool,$$data) top >$B/top/build.log 2>&1 || { cat $B/top/build.log; exit 1; }; \
+	    $(call top_tool,$$data) run || exit 1; done
+
+top-shell: $(TOP_RUNS)
+	@echo "CORE=$(TOP_CORE) MACHINES='$(TOP_RUNS:$B/%=build/%)'"
 
 $B/top/%.sph: scenes/%.nff $(TOOL)
 	@mkdir -p $(@D)

@@ -34,7 +34,7 @@ module rt_control (
     input  wire [127:0] built_i,        // {CORE_BUS, CORE_PARTS, CORE_EFFECTS, CORE_PROFILE}
     input  wire [31:0] status_i,        // STATUS
     // what happens
-    input  wire [14:0] errors_i,        // bits of ERRORS that are set now
+    input  wire [15:0] errors_i,        // bits of ERRORS that are set now
     input  wire [2:0]  happened_i,      // bits of INTERRUPTS but ERROR
     input  wire        good_i,          // a frame is complete
     // orders, settings
@@ -125,17 +125,17 @@ module rt_control (
     assign settings_o = settings_q;
 
     // ---- what happened ----
-    reg  [14:0] errors_q;
+    reg  [15:0] errors_q;
     reg  [3:0]  happened_q;
     reg  [31:0] frames_q;
     always @(posedge clk) begin
-        errors_q   <= (errors_q & ~(write && w_addr == `RT_TOP_ERRORS ? ones[14:0] : 15'd0)) |
+        errors_q   <= (errors_q & ~(write && w_addr == `RT_TOP_ERRORS ? ones[15:0] : 16'd0)) |
                       errors_i;
         happened_q <= (happened_q & ~(write && w_addr == `RT_TOP_INTERRUPTS ? ones[3:0] : 4'd0)) |
-                      {errors_i != 15'd0, happened_i};
+                      {errors_i != 16'd0, happened_i};
         frames_q   <= frames_q + {31'd0, good_i};
         if (rst || order_o[`RT_TOP_CONTROL_SOFT_RESET]) begin
-            errors_q   <= 15'd0;
+            errors_q   <= 16'd0;
             happened_q <= 4'd0;
             frames_q   <= 32'd0;
         end
@@ -159,7 +159,7 @@ module rt_control (
             `RT_TOP_CONTROL:      read_value = 32'd0;
             `RT_TOP_STATUS:       read_value = status_i;
             `RT_TOP_FRAME_COUNT:  read_value = frames_q;
-            `RT_TOP_ERRORS:       read_value = {17'd0, errors_q};
+            `RT_TOP_ERRORS:       read_value = {16'd0, errors_q};
             `RT_TOP_INTERRUPTS:   read_value = {28'd0, happened_q};
             default:              read_value = ar_count ? count_data_i : machine_data_i;
         endcase

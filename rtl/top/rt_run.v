@@ -4,7 +4,8 @@
 //   any -- STOP, SOFT_RESET --> DRAIN until the buses owe nothing -> IDLE
 // A bus that owes an answer and does nothing for limit_i cycles is given up (dead): the core gets
 // errors in place of lines, pixels are thrown away, so that the frame ends; a soft reset then
-// drains the bus before the next frame. A frame with any error is not complete.
+// drains the bus before the next frame. A frame with any error is not complete. A display whose bus
+// is silent shows black and goes on by itself: the error is told once for each silence.
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
@@ -15,7 +16,7 @@ module rt_run (
     // from rt_control
     input  wire [6:0]  order_i,         // bits of CONTROL that are written
     input  wire [31:0] limit_i,         // register WATCHDOG
-    output wire [14:0] errors_o,        // bits of ERRORS that are set now
+    output wire [15:0] errors_o,        // bits of ERRORS that are set now
     output wire        done_o,          // a frame ended
     output wire        busy_o,
     output wire        draining_o,
@@ -50,7 +51,8 @@ module rt_run (
     input  wire        write_stall_i,
     input  wire [1:0]  write_errors_i,
     // rt_video
-    input  wire        scan_error_i
+    input  wire        scan_error_i,
+    input  wire        scan_stall_i
 );
     localparam IDLE = 3'd0, LOAD = 3'd1, WAIT = 3'd2, START = 3'd3, DRAW = 3'd4, FLUSH = 3'd5,
                END = 3'd6, DRAIN = 3'd7;
@@ -96,18 +98,23 @@ module rt_run (
     assign done_o       = end_o || (stop && busy_o);
 
     // ---- watchdogs ----
-    reg  [31:0] read_q, write_q;        // cycles without any move
+    reg  [31:0] read_q, write_q, scan_q; // cycles without any move
+    reg         silent_q;               // of the display, told already
     wire        read_late  = limit_i != 32'd0 && read_q >= limit_i && !dead_q[0] && busy_o;
     wire        write_late = limit_i != 32'd0 && write_q >= limit_i && !dead_q[1] && busy_o;
+    wire        scan_late  = limit_i != 32'd0 && scan_q >= limit_i && !silent_q;
     always @(posedge clk) begin
         read_q  <= read_stall_i ? read_q + {31'd0, !(&read_q)} : 32'd0;
         write_q <= write_stall_i ? write_q + {31'd0, !(&write_q)} : 32'd0;
+        scan_q  <= scan_stall_i ? scan_q + {31'd0, !(&scan_q)} : 32'd0;
         dead_q  <= dead_q | {write_late, read_late};
+        silent_q <= scan_stall_i && (silent_q || scan_late);
         if (state_q == DRAIN && quiet) dead_q <= 2'd0;
         if (rst || forget_o) begin
             dead_q  <= 2'd0;
             read_q  <= 32'd0;
             write_q <= 32'd0;
+            scan_q  <= 32'd0;
         end
     end
     assign {write_dead_o, read_dead_o} = dead_q;
@@ -123,6 +130,7 @@ module rt_run (
     assign errors_o[`RT_TOP_ERRORS_SCAN_ERROR]   = scan_error_i;
     assign errors_o[`RT_TOP_ERRORS_WATCHDOG]     = read_late || write_late;
     assign errors_o[`RT_TOP_ERRORS_REFUSED]      = start && !accept;
+    assign errors_o[`RT_TOP_ERRORS_SCAN_WATCHDOG] = scan_late;
     always @(posedge clk) begin
         seen_q <= core_errors_i;
         if (begin_o) bad_q <= 1'b0;

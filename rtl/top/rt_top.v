@@ -172,9 +172,9 @@ module rt_top #(
     wire [3:0]  machine_write;
     wire [31:0] write_data, machine_data, count_data;
     wire        machine_busy, count_busy;
-    wire [14:0] errors;
+    wire [15:0] errors;
     wire        done, swap, frame_end, good;
-    wire        video_take, blank, underrun, scan_error;
+    wire        video_take, blank, underrun, scan_error, scan_stall;
     wire        unused = &{1'b0, settings};               // bits that no register has
     rt_control u_control (
         .clk(clk), .rst(rst), .s_awvalid(s_axil_awvalid), .s_awready(s_axil_awready),
@@ -218,7 +218,8 @@ module rt_top #(
         .read_stall_i(read_stall), .read_errors_i({read_decerr, read_slverr}),
         .write_dead_o(write_dead), .flush_o(flush), .write_empty_i(write_empty),
         .write_idle_i(write_idle), .write_stall_i(write_stall),
-        .write_errors_i({write_decerr, write_slverr}), .scan_error_i(scan_error)
+        .write_errors_i({write_decerr, write_slverr}), .scan_error_i(scan_error),
+        .scan_stall_i(scan_stall)
     );
     wire        video = VIDEO != 0 && settings[`RT_TOP_SET_VIDEO_ENABLE];
     wire        take  = video ? video_take : take_i || order[`RT_TOP_CONTROL_TAKE];
@@ -337,10 +338,11 @@ module rt_top #(
                 .stride_i({settings[`RT_TOP_SET_STRIDE_UNITS], 5'd0}),
                 .double_i(settings[`RT_TOP_SET_VIDEO_DOUBLE]), .take_o(video_take),
                 .show_valid_i(show_valid_o), .show_base_i(show_base_o), .blank_o(blank),
-                .underrun_o(underrun), .error_o(scan_error), .m_scan_arvalid(m_scan_arvalid),
-                .m_scan_arready(m_scan_arready), .m_scan_araddr(m_scan_araddr),
-                .m_scan_arlen(m_scan_arlen), .m_scan_arsize(m_scan_arsize),
-                .m_scan_arburst(m_scan_arburst), .m_scan_rvalid(m_scan_rvalid),
+                .underrun_o(underrun), .error_o(scan_error), .stall_o(scan_stall),
+                .m_scan_arvalid(m_scan_arvalid), .m_scan_arready(m_scan_arready),
+                .m_scan_araddr(m_scan_araddr), .m_scan_arlen(m_scan_arlen),
+                .m_scan_arsize(m_scan_arsize), .m_scan_arburst(m_scan_arburst),
+                .m_scan_rvalid(m_scan_rvalid),
                 .m_scan_rready(m_scan_rready), .m_scan_rdata(m_scan_rdata),
                 .m_scan_rresp(m_scan_rresp), .m_scan_rlast(m_scan_rlast), .pix_clk(pix_clk),
                 .pix_rst(pix_rst), .m_video_tvalid(m_video_tvalid),
@@ -350,7 +352,7 @@ module rt_top #(
                 .tmds2_o(tmds2_o)
             );
         end else begin : g_no_video
-            assign {video_take, blank, underrun, scan_error} = 4'd0;
+            assign {video_take, blank, underrun, scan_error, scan_stall} = 5'd0;
             assign {m_scan_arvalid, m_scan_araddr, m_scan_arlen, m_scan_arsize, m_scan_arburst,
                     m_scan_rready} = 47'd0;
             assign {m_video_tvalid, m_video_tdata, m_video_tuser, m_video_tlast, de_o, hsync_o,

@@ -41,6 +41,7 @@ module rt_scan #(
     input  wire [DATA-1:0] m_scan_rdata,
     input  wire [1:0]  m_scan_rresp,
     output wire        error_o,           // a beat came with SLVERR or DECERR
+    output wire        stall_o,           // the bus owes something and does nothing
     // to the queue
     output wire        word_valid_o,
     output wire [DATA+1:0] word_data_o,
@@ -133,6 +134,8 @@ module rt_scan #(
     wire beat = m_scan_rvalid && owed_q != {CB{1'b0}};
     assign m_scan_rready = 1'b1;
     assign error_o       = beat && m_scan_rresp[1];
+    assign stall_o       = owed_q != {CB{1'b0}} && !m_scan_rvalid &&
+                           !(m_scan_arvalid && m_scan_arready);
     always @(posedge clk) begin
         owed_q <= owed_q + (go ? {{(CB-LB-1){1'b0}}, length} : {CB{1'b0}}) - {{(CB-1){1'b0}}, beat};
         if (rst || forget_i) owed_q <= {CB{1'b0}};

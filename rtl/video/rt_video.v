@@ -28,6 +28,7 @@ module rt_video #(
     output wire        blank_o,           // vertical blanking, or off
     output wire        underrun_o,        // one clock for a frame that missed a pixel
     output wire        error_o,           // one clock for a beat with SLVERR or DECERR
+    output wire        stall_o,           // the bus owes something and does nothing
     // AXI4 read
     output wire        m_scan_arvalid,
     input  wire        m_scan_arready,
@@ -110,7 +111,7 @@ module rt_video #(
         .m_scan_arsize(m_scan_arsize), .m_scan_arburst(m_scan_arburst),
         .m_scan_rvalid(m_scan_rvalid), .m_scan_rready(m_scan_rready),
         .m_scan_rdata(m_scan_rdata), .m_scan_rresp(m_scan_rresp), .error_o(error_o),
-        .word_valid_o(put_valid), .word_data_o(put), .word_count_i(count)
+        .stall_o(stall_o), .word_valid_o(put_valid), .word_data_o(put), .word_count_i(count)
     );
     rt_async_fifo #(.WIDTH(DATA + 2), .DEPTH(DEPTH)) u_words (
         .wr_clk(clk), .wr_rst(clk_rst), .wr_valid_i(put_valid), .wr_ready_o(put_ready),

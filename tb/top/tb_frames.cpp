@@ -10,7 +10,6 @@
 #include "top_checks.h"
 
 static const uint32_t HALF[2] = {0, 0x01000000};
-static const uint32_t LIMIT = 100000000; /* clocks of the longest frame */
 
 /* Memory as a processor writes it: a beat in each clock. */
 static void put(void *user, uint32_t address, const uint8_t *from, uint32_t count) {
@@ -20,27 +19,6 @@ static void put(void *user, uint32_t address, const uint8_t *from, uint32_t coun
         memcpy(&top.bytes[address + at], from + at, n);
         top.clock();
     }
-}
-
-/* Frames apart as far as they are large, in the upper half of memory. */
-static bool place(Checks &c, const Golden &first) {
-    uint32_t stride = ((uint32_t)first.frame.width * 4 + 31) / 32 * 32;
-    uint32_t apart = (stride * (uint32_t)first.frame.height + 63) / 64 * 64;
-    for (uint32_t i = 0; i < 3; i++)
-        c.stores[i] = STORE + i * apart;
-    c.store(stride, 0);
-    return STORE + 3ull * apart <= TopHost::MEMORY;
-}
-
-/* Waits for the interrupt; the clock that it came in. */
-static uint64_t finish(Checks &c) {
-    TopHost &t = c.top;
-    uint64_t end = t.cycle + LIMIT;
-    while (!t.dut.irq_o && t.cycle < end)
-        t.clock();
-    c.equals("interrupt", sphaera_handle(&t.driver) & SPHAERA_INTERRUPTS_FRAME_DONE,
-             SPHAERA_INTERRUPTS_FRAME_DONE);
-    return t.irq_at;
 }
 
 int main(int argc, char **argv) {
@@ -58,7 +36,7 @@ int main(int argc, char **argv) {
     sphaera_interrupts(&t.driver, SPHAERA_INTERRUPTS_FRAME_DONE);
     printf("frame      bytes     upload       draw   from START to all written   pixels a burst\n");
     auto now = std::make_unique<Golden>(argv[4]);
-    bool fits = place(*c, *now) && now->file.size() <= HALF[1];
+    bool fits = c->place(*now) && now->file.size() <= HALF[1];
     uint64_t upload = t.cycle;
     c->equals("load", (uint64_t)c->load(*now, HALF[0]), SPHAERA_OK);
     upload = t.cycle - upload;
@@ -77,7 +55,7 @@ int main(int argc, char **argv) {
             c->equals("load", (uint64_t)c->load(*next, HALF[(i + 1) % 2]), SPHAERA_OK);
             next_upload = t.cycle - next_upload;
         }
-        uint64_t end = finish(*c);
+        uint64_t end = c->finish_frame();
         c->equals("errors", sphaera_errors(&t.driver), 0);
         sphaera_counters(&t.driver, n);
         c->same(*now, c->newest(), Checks::depth(*now));

@@ -8,6 +8,8 @@
 
 static void registers(Checks &c) {
     TopHost &t = c.top;
+    for (uint32_t i = 0; i < SPHAERA_MACHINE_REGISTERS; i++)
+        c.equals("0 after a reset", t.read(SPHAERA_MACHINE + 4 * i), 0);
     c.equals("ID", t.read(SPHAERA_ID), SPHAERA_ID_RESET);
     c.equals("CORE_BUS", t.read(SPHAERA_CORE_BUS) & SPHAERA_CORE_BUS_DATA, DATA);
     t.write(SPHAERA_ID, 0);
@@ -88,6 +90,12 @@ static void counters(Checks &c, const Golden &a) {
            (double)n[SPHAERA_COUNT_WRITE_PIXELS] / (double)n[SPHAERA_COUNT_WRITE_BURSTS],
            (unsigned long long)n[SPHAERA_COUNT_READ_BURSTS],
            (unsigned long long)n[SPHAERA_COUNT_CYCLES]);
+    uint64_t cold = n[SPHAERA_COUNT_READ_BURSTS];
+    c.equals("start", (uint64_t)sphaera_start(&c.top.driver, 1), SPHAERA_OK);
+    c.equals("draw", (uint64_t)sphaera_wait(&c.top.driver, POLLS), SPHAERA_OK);
+    c.same(a, c.newest(), c.depth(a));
+    sphaera_counters(&c.top.driver, n);
+    c.note("KEEP_CACHE: lines are not read again", n[SPHAERA_COUNT_READ_BURSTS] < cold);
     c.done("counters");
 }
 
@@ -97,7 +105,11 @@ static void busy(Checks &c, const Golden &a, const Golden &b) {
         c.spoil();
         sphaera_start(&c.top.driver, 0);
         c.top.clocks(c.top.random.below(i < 4 ? 150 : 4000));
-        c.top.write(SPHAERA_SCENE_BASE, SCENE_B);
+        c.top.write(SPHAERA_SCENE_BASE, SCENE_B); /* these count from the next START on */
+        for (uint32_t at : {SPHAERA_FRAME0, SPHAERA_FRAME1, SPHAERA_FRAME2})
+            c.top.write(at, STORE + 3 * APART);
+        c.top.write(SPHAERA_STRIDE, 1280);
+        c.top.write(SPHAERA_FORMAT, SPHAERA_FORMAT_RGB565);
         c.top.write(SPHAERA_CONTROL, SPHAERA_CONTROL_START);
         c.equals("a second START is refused", c.top.read(SPHAERA_ERRORS), SPHAERA_ERRORS_REFUSED);
         c.equals("the driver says busy", (uint64_t)sphaera_start(&c.top.driver, 0), SPHAERA_BUSY);
@@ -106,6 +118,7 @@ static void busy(Checks &c, const Golden &a, const Golden &b) {
         sphaera_errors(&c.top.driver);
         c.equals("draw", (uint64_t)sphaera_wait(&c.top.driver, POLLS), SPHAERA_OK);
         c.same(a, c.newest(), c.depth(a));
+        c.store(2560, 0);
         c.equals("draw", (uint64_t)c.draw(), SPHAERA_OK);
         c.same(b, c.newest(), c.depth(b));
     }

@@ -55,6 +55,7 @@ enum : uint32_t {
     APART = 0x200000
 };
 const uint32_t POLLS = 1000000;
+const uint32_t LIMIT = 100000000; /* clocks of the longest frame */
 
 class Checks {
   public:
@@ -72,6 +73,24 @@ class Checks {
         stride = bytes;
         rgb565 = half;
         note("store", sphaera_store(&top.driver, stores, bytes, half) == SPHAERA_OK);
+    }
+    /* Frames apart as far as they are large, in the upper half of memory; whether they fit. */
+    bool place(const Golden &first) {
+        uint32_t bytes = ((uint32_t)first.frame.width * 4 + 31) / 32 * 32;
+        uint32_t apart = (bytes * (uint32_t)first.frame.height + 63) / 64 * 64;
+        for (uint32_t i = 0; i < 3; i++)
+            stores[i] = STORE + i * apart;
+        store(bytes, 0);
+        return STORE + 3ull * apart <= TopHost::MEMORY;
+    }
+    /* Waits for the interrupt; the clock that it came in. */
+    uint64_t finish_frame() {
+        uint64_t end = top.cycle + LIMIT;
+        while (!top.dut.irq_o && top.cycle < end)
+            top.clock();
+        equals("interrupt", sphaera_handle(&top.driver) & SPHAERA_INTERRUPTS_FRAME_DONE,
+               SPHAERA_INTERRUPTS_FRAME_DONE);
+        return top.irq_at;
     }
     /* One condition of the check that is under way; the first that does not hold is printed. */
     bool note(const char *what, bool holds) {

@@ -17,7 +17,8 @@ class Screen {
     bool torn = false;
 
     Screen(Checks &checks, const Golden &a, const Golden &b, const video::Mode &mode)
-        : c(checks), wanted{picture(a), picture(b)}, black(wanted[0].size(), 0), display(mode) {
+        : c(checks), wanted{picture(a), picture(b)}, black(wanted[0].size(), 0), display(mode),
+          clocks(8ull * mode.h_total() * mode.v_total()) {
         c.top.pixel = [this](Vrt_top &top) {
             display.take(top.tmds0_o, top.tmds1_o, top.tmds2_o);
             while (display.has_picture())
@@ -31,7 +32,8 @@ class Screen {
     /* Until so many pictures more were seen. */
     bool pictures(size_t more) {
         size_t wanted_size = seen.size() + more;
-        for (int i = 0; seen.size() < wanted_size && i < 400000; i++)
+        uint64_t end = c.top.cycle + (more + 1) * clocks;
+        while (seen.size() < wanted_size && c.top.cycle < end)
             c.top.clock();
         return seen.size() >= wanted_size;
     }
@@ -40,6 +42,7 @@ class Screen {
     Checks &c;
     std::vector<uint32_t> wanted[2], black;
     video::Display display;
+    uint64_t clocks; /* that two pictures may take, at up to four a pixel */
 
     static std::vector<uint32_t> picture(const Golden &g) {
         std::vector<uint32_t> rgb;
@@ -55,6 +58,45 @@ class Screen {
         seen.push_back(which);
     }
 };
+
+/* The display's bus falls silent: told once, frames are drawn all the same; right again when it
+ * answers, or when it was reset and FORGET says so. */
+static void silent_display(Checks &c, Screen &screen, const Golden &a) {
+    TopHost &t = c.top;
+    t.write(SPHAERA_WATCHDOG, 700);
+    c.load(a, SCENE_A);
+    for (int i = 0; i < 6; i++) {
+        Manner deaf;
+        deaf.deaf_after = (int64_t)t.random.below(20);
+        deaf.refuses = i & 1;
+        c.equals("draw", (uint64_t)c.draw(), SPHAERA_OK);
+        c.note("pictures", screen.pictures(2));
+        c.equals("the frame is seen", (uint64_t)screen.seen.back(), 0);
+        t.scan.behave(deaf);
+        c.note("pictures", screen.pictures(3));
+        c.equals("by its watchdog", t.read(SPHAERA_ERRORS), SPHAERA_ERRORS_SCAN_WATCHDOG);
+        sphaera_errors(&t.driver);
+        unsigned frames = t.read(SPHAERA_FRAME_COUNT);
+        c.equals("draw", (uint64_t)c.draw(), SPHAERA_OK);
+        c.equals("a frame is complete", t.read(SPHAERA_FRAME_COUNT), frames + 1);
+        c.note("pictures", screen.pictures(2));
+        c.equals("told once", t.read(SPHAERA_ERRORS), 0);
+        if (i & 2) { /* the interconnect is reset */
+            t.scan.reset();
+            t.scan.in_reset = true;
+            c.equals("reset", (uint64_t)sphaera_reset(&t.driver, 1, 2), SPHAERA_OK);
+            t.scan.in_reset = false;
+        }
+        t.scan.revive();
+        if (i & 4) c.equals("reset", (uint64_t)sphaera_reset(&t.driver, 0, POLLS), SPHAERA_OK);
+        c.note("pictures", screen.pictures(2));
+    }
+    t.write(SPHAERA_WATCHDOG, SPHAERA_WATCHDOG_RESET);
+    c.equals("draw", (uint64_t)c.draw(), SPHAERA_OK);
+    c.note("pictures", screen.pictures(2));
+    c.equals("the frame is seen", (uint64_t)screen.seen.back(), 0);
+    c.done("a display whose bus is silent: watchdog, recovery");
+}
 
 /* Pictures of two machines; underruns and errors of the scan-out. */
 static void display(Checks &c, const Golden &a, const Golden &b) {
@@ -111,10 +153,11 @@ static void display(Checks &c, const Golden &a, const Golden &b) {
            (unsigned long long)n[SPHAERA_COUNT_FRAMES_SHOWN],
            (unsigned long long)n[SPHAERA_COUNT_FRAMES_AGAIN],
            (unsigned long long)n[SPHAERA_COUNT_FRAMES_LOST]);
+    c.done("a display beside: whole pictures, underrun, error of its reads");
+    silent_display(c, screen, a);
     sphaera_video(&t.driver, nullptr);
     t.clocks(2000);
     c.store(2560, 0);
-    c.done("a display beside: whole pictures, underrun, error of its reads");
 }
 
 #endif

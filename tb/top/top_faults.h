@@ -28,6 +28,8 @@ static void answers(Checks &c, const Golden &a, const Golden &b) {
         (write ? t.frame.behave(bad) : t.scene.behave(bad));
         c.equals("the frame has errors", (uint64_t)c.draw(), SPHAERA_FAILED);
         c.equals("which", t.read(SPHAERA_ERRORS), bit);
+        t.write(SPHAERA_ERRORS, ~bit);
+        c.equals("a zero clears none", t.read(SPHAERA_ERRORS), bit);
         c.equals("it is not complete", t.read(SPHAERA_FRAME_COUNT), frames);
         c.equals("and not the newest", c.newest(), before);
         uint32_t errors = sphaera_errors(&t.driver);
@@ -48,7 +50,7 @@ static void resets(Checks &c, const Golden &a, const Golden &b) {
     slow.stall = 30;
     slow.latency = 20;
     for (int i = 0; i < 60; i++) {
-        int how = i % 3;
+        int how = i < 30 ? i & 1 : i % 3; /* no rst for long: nothing may add up */
         t.scene.behave(slow);
         t.frame.behave(slow);
         c.load(a, SCENE_A);
@@ -116,6 +118,17 @@ static void silence(Checks &c, const Golden &a, const Golden &b) {
         t.write(SPHAERA_WATCHDOG, SPHAERA_WATCHDOG_RESET);
         c.whole(b, SCENE_B);
     }
+    Manner deaf;
+    deaf.deaf_after = 3;
+    t.write(SPHAERA_WATCHDOG, 0);
+    t.scene.behave(deaf);
+    sphaera_start(&t.driver, 0);
+    c.equals("without a watchdog it waits", (uint64_t)sphaera_wait(&t.driver, 2000), SPHAERA_LATE);
+    c.equals("no error", t.read(SPHAERA_ERRORS), 0);
+    t.scene.revive();
+    c.equals("and goes on", (uint64_t)sphaera_wait(&t.driver, POLLS), SPHAERA_OK);
+    c.same(b, c.newest(), c.depth(b));
+    t.write(SPHAERA_WATCHDOG, SPHAERA_WATCHDOG_RESET);
     c.done("buses that never answer: watchdog, recovery");
 }
 

@@ -51,11 +51,11 @@ class Rig {
         row = 0;
         first_take = takes;
     }
-    void enable(bool on) {
+    void enable(bool on, unsigned clocks_off = 3) {
         dut.enable_i = on;
         if (on) return;
         display.lose(~0u);
-        run_clocks(3);
+        run_clocks(clocks_off);
         lose();
     }
     /* Resets for some clocks of each side, none or more; with clk's the bus is reset. */

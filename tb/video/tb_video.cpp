@@ -173,8 +173,8 @@ class Check {
             break;
         }
         case OFF_AND_ON:
-            rig.enable(false);
-            rig.run_clocks((unsigned)random.below(random.percent(50) ? 4 : 400));
+            rig.enable(false, 1 + (unsigned)random.below(3));
+            if (random.percent(50)) rig.run_clocks((unsigned)random.below(400));
             begin();
             break;
         case NO_FRAME:

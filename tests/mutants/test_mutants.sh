@@ -47,6 +47,14 @@ bench() {
     cp -al Makefile VERSION make cmodel driver formal scenes sim synth tb tests "$here/" &&
         sh "$here/tb/run_bench.sh" "$1" 1
 }
+# rt_top with the golden model in place of its core, under its driver.
+top() {
+    cp -al make cmodel driver sim tb "$here/" && cp -al "$BUILD/top" "$here/build/" &&
+        (cd "$here" && eval "set -- DATA=${1:-64} $(cat "$TMP/shell")" &&
+            set -- -s -f make/rt_top.mk B=build BENCH=tb_shell SEED=1 "$@" &&
+            { make "$@" top >build/log 2>&1 || { cat build/log && return 2; }; } &&
+            { timeout 600 make "$@" run || return 1; })
+}
 # Runs a job file; 0: noticed (sound RTL: passes), 1: not noticed, 2: could not be run.
 job() {
     {
@@ -88,8 +96,9 @@ add() { # name, file, from, to, by, rule
     jobs=$((jobs + 1))
     printf '%s\n' "$@" >"$TMP/$(printf %03d $jobs).job"
 }
-# Of each file one: the first in a bench, else the first.
+# Of each file one: the first in a bench, else the first; of rt_top in all one.
 awk '$1 == "mutant" { name = $2 } $1 == "file" { file = $2 } $1 == "by" {
+    if ($2 == "top") file = $2
     if (!(file in chosen) || $2 == "bench" && how[file] != "bench") {
         chosen[file] = name
         how[file] = $2
@@ -141,6 +150,10 @@ check "the text of every mutant stands in its file once" sh -c '! cat "$1" 2>&1'
 cp -r rtl "$TMP/rtl" # all jobs see one state
 sh sim/core.sh --help >"$TMP/harness.log" 2>&1 || cat "$TMP/harness.log"
 BENCH_BUILD=$BUILD sh tb/run_bench.sh --tools
+if grep -q '^top' "$TMP/comparisons"; then
+    env -u MAKEFLAGS -u MFLAGS make -s --no-print-directory B="$BUILD" top-shell \
+        >"$TMP/shell"
+fi
 find "$TMP" -name '*.job' | sort | xargs -P 2 -I JOB sh "$self" --job JOB
 
 # ---- what became of them ----

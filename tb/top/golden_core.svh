@@ -1,0 +1,79 @@
+    // The golden model behind the ports of rt_core: make/rt_top.mk puts this behind the head of
+    // rt_core.v. A frame: all lines are read twice over the bus, then come pixels, one in eight
+    // clocks.
+    // SPDX-License-Identifier: Apache-2.0
+    import "DPI-C" function void golden_register(input int number, input int value);
+    import "DPI-C" function int golden_lines(input int keep);
+    import "DPI-C" function void golden_beat(input int number, input longint data);
+    import "DPI-C" function int golden_draw(input int bad);
+    import "DPI-C" function int golden_pixel(input int number, output int x, output int y,
+        output int rendering, output int l1, output int l2, output int chosen);
+    import "DPI-C" function longint golden_count(input int number);
+
+    localparam IDLE = 2'd0, READ = 2'd1, DRAW = 2'd2, PIXELS = 2'd3;
+    reg [1:0]  state_q;
+    reg [31:0] lines_q, asked_q, beats_q, pixel_q;
+    reg        bad_q, pix_valid_q;
+    reg [2:0]  wait_q;
+    reg [47:0] count_q;
+    int        x, y, rendering, l1, l2, chosen;
+    assign busy_o          = state_q != IDLE;
+    assign mem_req_valid_o = state_q == READ && asked_q != 2 * lines_q;
+    assign mem_req_line_o  = `RT_LINE_BITS'(asked_q < lines_q ? asked_q : asked_q - lines_q);
+    assign mem_rsp_ready_o = state_q == READ && !wait_q[0];
+    assign pix_valid_o     = pix_valid_q;
+    assign pix_x_o         = x[13:0];
+    assign pix_y_o         = y[13:0];
+    assign pix_colour_o    = {l2[23:0], l1[23:0], rendering[23:0]};
+    assign pix_frame_o     = chosen[`RT_RGB_BITS-1:0];
+    assign pix_id_o        = 0;
+    assign pix_key_o       = 0;
+    assign pix_visits_o    = 0;
+    assign pix_texture_o   = 0;
+    assign count_data_o    = count_q;
+    always @(posedge clk) begin
+        count_q <= 48'(golden_count(32'(count_addr_i)));
+        wait_q  <= wait_q + 1'b1;
+        if (cfg_valid_i && state_q == IDLE) golden_register(32'(cfg_addr_i), cfg_data_i);
+        case (state_q)
+            IDLE: if (start_i) begin
+                lines_q  <= golden_lines(32'(keep_cache_i));
+                asked_q  <= 0;
+                beats_q  <= 0;
+                bad_q    <= 1'b0;
+                errors_o <= 0;
+                state_q  <= READ;
+            end
+            READ: begin
+                if (mem_req_valid_o && mem_req_ready_i) asked_q <= asked_q + 1;
+                if (mem_rsp_valid_i && mem_rsp_ready_o) begin
+                    golden_beat(beats_q % (4 * lines_q), mem_rsp_data_i);
+                    beats_q <= beats_q + 1;
+                    bad_q   <= bad_q || mem_rsp_error_i;
+                end
+                if (beats_q == 8 * lines_q) state_q <= DRAW;
+            end
+            DRAW: begin
+                errors_o <= `RT_ERRORS'(golden_draw(32'(bad_q))) | `RT_ERRORS'(bad_q) << `RT_ERROR_BUS_ERROR;
+                pixel_q  <= 0;
+                state_q  <= PIXELS;
+            end
+            PIXELS: begin
+                if (pix_valid_q && pix_ready_i) pix_valid_q <= 1'b0;
+                else if (!pix_valid_q && wait_q == 0) begin
+                    if (golden_pixel(pixel_q, x, y, rendering, l1, l2, chosen) != 0) begin
+                        pix_valid_q <= 1'b1;
+                        pixel_q     <= pixel_q + 1;
+                    end else state_q <= IDLE;
+                end
+            end
+        endcase
+        if (rst) begin
+            state_q     <= IDLE;
+            pix_valid_q <= 1'b0;
+            wait_q      <= 0;
+            errors_o    <= 0;
+        end
+    end
+endmodule
+`default_nettype wire
