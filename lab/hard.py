@@ -1,21 +1,21 @@
 #!/usr/bin/env python3
 # hard.py - puts the table and the chart of a campaign in their places in docs/results/hard_cases.md
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.hard PAGE JSON TABLE PICTURE
+"""usage: python3 -m lab.hard PAGE PICTURE LIST TABLE...
 
-JSON and TABLE are what `hard` wrote of one campaign: --json, and its standard output. The table and
-its sums are put in their places, PICTURE is made anew.
+LIST is what `hard --list` prints; each TABLE is what `hard` printed of a campaign. Its rows take
+the places of those of the same family and profile; families that no TABLE has stay as they are.
+Sums are made of all rows, and PICTURE anew.
 """
-import json
 import re
 import subprocess
 import sys
 from pathlib import Path
 
-from .pages import markdown
+from .pages import data, markdown
 from .pages.place import place
 
-CHART = """set terminal svg noenhanced size 1000,640 font "sans,12" background "white"
+CHART = """set terminal svg noenhanced size 1300,720 font "sans,12" background "white"
 set output "{out}"
 set multiplot layout 2,1 title "Wrong hit or miss, root or order, per million cases (ours: 0)"
 set style data histogram
@@ -31,25 +31,31 @@ set key outside right center vertical samplen 2
 set datafile missing "-"
 """
 PANEL = """set title "profile {profile}"
+set xrange [-0.7:{last}]
 plot {bars}
 """
 COLOURS = {"float32 textbook": "#cc6677", "float32 Gems": "#ddaa33", "float64 textbook": "#4477aa",
            "ours": "#228833"}
+FORMULAS = ["float32 textbook", "float32 paper", "float32 Gems", "float64 textbook"]
 SHOWN = ("standard", "reference")
+
+
+def counts(cell):
+    """(hits, roots, orders) that are wrong, of a cell like `3587/0/0, 1.7`, `0, 7e-13` or `-`."""
+    return [int(n) for n in (cell.replace("-", "0", cell == "-").split(",")[0].split("/")
+                             + ["0", "0"])[:3]]
 
 
 def wrong(row, formula):
     """Per million cases; what is 0 has no place on the axis."""
-    f = row["formulas"][formula]
-    count = f["wrong_hit"] + f["wrong_root"] + f["wrong_order"]
-    return f"{1e6 * count / row['cases']:.3f}" if count else "-"
+    count = sum(counts(row[formula]))
+    return f"{1e6 * count / int(row['cases']):.3f}" if count else "-"
 
 
-def chart(campaign, picture):
+def chart(found, picture):
     text = CHART.format(out=picture)
     for profile in SHOWN:
-        rows = [r for r in campaign["rows"]
-                if r["profile"] == profile and r["family"] != "exhaustive"]
+        rows = [r for r in found if r["profile"] == profile and r["family"] != "3 bits"]
         text += f"${profile} << end\n"
         for r in rows:
             text += " ".join([r["family"]] + [wrong(r, f) for f in COLOURS]) + "\n"
@@ -59,41 +65,60 @@ def chart(campaign, picture):
             what = f'NaN with boxes title "{f}: 0"' if none else \
                 f'${profile} using {n}:xtic(1) title "{f}"'
             bars.append(f'{what} lc rgb "{colour}"')
-        text += "end\n" + PANEL.format(profile=profile, bars=", \\\n     ".join(bars))
+        text += "end\n" + PANEL.format(profile=profile, last=len(rows) - 0.3,
+                                       bars=", \\\n     ".join(bars))
     subprocess.run(["gnuplot"], input=text, text=True, check=True)
 
 
-def counts(cell):
-    """(hits, roots, orders) that are wrong, of a cell such as `3587/0/0, 1.7` or `0, 7e-13`."""
-    return [int(n) for n in (cell.split(",")[0].split("/") + ["0", "0"])[:3]]
+def merged(old, tables):
+    """Rows as dictionaries, those of the tables in the places of old ones or behind them."""
+    rows = {(r["family"], r["profile"]): r for r in old}
+    for table in tables:
+        lines = [line for line in Path(table).read_text(encoding="utf-8").splitlines()
+                 if line.startswith("|")]
+        head, _, *found = [[c.strip() for c in line.strip()[1:-1].split("|")] for line in lines]
+        for cells in found:
+            if cells[1]:
+                rows[cells[0], cells[1]] = dict(zip(head, cells), ours=cells[4])
+    return list(rows.values())
 
 
-def sums(campaign, lines):
-    """What stands in the page: the command, all cases, and each profile's sums of the table."""
-    head, *rows = [[cell.strip() for cell in line.strip()[1:-1].split("|")] for line in lines]
-    rows = [row for row in rows if row[1] and set(row[1]) != {"-"}]
-    wrong = sum(sum(counts(row[4])) + int(row[5]) for row in rows)
-    shown = []
-    for profile in [*dict.fromkeys(row[1] for row in rows), "all"]:
-        of = [row for row in rows if profile in ("all", row[1])]
-        shown.append([profile, sum(int(row[2]) for row in of), sum(int(row[3]) for row in of)] + [
-            "/".join(str(sum(n)) for n in zip(*(counts(row[i]) for row in of)))
-            for i in (4, *range(8, len(head)))])
-    cases, naive = (sum(r[what] for r in campaign["rows"]) for what in ("cases", "naive"))
-    return "\n".join([
-        f"    make hard N={campaign['cases_a_profile']} SEED={campaign['seed']}", "",
-        f"{cases} cases, {naive} answers of the naive model, {wrong} wrong.", "",
-        markdown.table(["profile", "cases", "hits", "ours"] + head[8:], shown)])
+def summed(name, rows):
+    """One line of sums; what no formula says anything of is a dash."""
+    line = [name, sum(int(r["cases"]) for r in rows), sum(int(r["hits"]) for r in rows)]
+    for f in ["ours"] + FORMULAS:
+        cells = [r[f] for r in rows if r[f] != "-"]
+        line.append("/".join(str(sum(n)) for n in zip(*map(counts, cells))) if cells else "-")
+    return line
+
+
+def sums(rows, kind):
+    """What stands in the page: the command, all cases, the sums of profiles and of kinds."""
+    def table(first, key):
+        names = list(dict.fromkeys(map(key, rows)))
+        lines = [summed(n, [r for r in rows if key(r) == n]) for n in names]
+        return markdown.table([first, "cases", "hits", "ours"] + FORMULAS, lines + (
+            [summed("all", rows)] if first == "profile" else []))
+    wrong_ones = sum(sum(counts(r["wrong"])) + int(r["other"]) for r in rows)
+    cases = sum(int(r["cases"]) for r in rows)
+    each = sum(int(r["cases"]) for r in rows if r["profile"] == "standard")
+    head = [f"    make hard N={each} SEED=1", "", f"{cases} cases, {wrong_ones} wrong.", ""]
+    return "\n".join(head + [table("profile", lambda r: r["profile"])]), \
+        table("kind", lambda r: kind.get(r["family"], "spheres"))
 
 
 def main():
-    page, campaign, table, picture = sys.argv[1:]
-    with open(campaign) as f:
-        campaign = json.load(f)
-    lines = [re.sub(" +", " ", line) for line in Path(table).read_text().splitlines()
-             if line.startswith("|")]
-    place(page, {"campaign": "\n".join(lines), "sums": sums(campaign, lines)})
-    chart(campaign, picture)
+    page, picture, listing, *tables = sys.argv[1:]
+    kind = dict(re.findall(r"^\| `(\w+)` \| (\w+) \|", Path(listing).read_text(encoding="utf-8"),
+                           re.M))
+    head, old = data.read("hard_cases.campaign")
+    rows = merged([dict(zip(head, cells), ours=cells[4]) for cells in old if cells[1]], tables)
+    order = ["3 bits", *kind]
+    rows.sort(key=lambda r: order.index(r["family"]))
+    text, kinds = sums(rows, kind)
+    place(page, {"campaign": markdown.table(head, [[r[h] for h in head] for r in rows]),
+                 "sums": text, "kinds": kinds})
+    chart(rows, picture)
 
 
 if __name__ == "__main__":

@@ -91,6 +91,8 @@ ALL ?=
 ## MUTANT <text>
 ## N 1.. cases that `make hard` makes for each profile
 N ?= 1000000
+## FAMILY <word>| of `make hard`: one family of cases, or those of a kind (empty: all)
+FAMILY ?=
 ## STATE <word>| file that `make hard` goes on from
 STATE ?=
 ## JOBS 1..1024 commands run at once

@@ -152,10 +152,10 @@ class Source {
             if (waiting.n) return true;
         }
         item = {};
-        if (alone()) family = HARD_FAMILIES;
+        if (alone()) family = HARD_SPHERE_FAMILIES;
         do {
             if (number == EACH) family++, number = 0;
-            if (family == HARD_FAMILIES) {
+            if (family == HARD_SPHERE_FAMILIES) {
                 waiting.n = 0;
                 if (outside) return false;
                 outside = true;

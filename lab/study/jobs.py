@@ -17,8 +17,9 @@ import json
 import os
 import sys
 
-# kind: words of its key, each with what it is if not given
-COMMON = {"profile": "standard", "scene": None, "size": None, "tree": "balanced",
+# kind: words of its key, each with what it is if not given; tree: as `sphaera build` has it, the
+# one that it takes by itself, or bih
+COMMON = {"profile": "standard", "scene": None, "size": None, "tree": "default",
           "traverse": "nearest", "background": "none", "depth": "2"}
 CORE = {"profile": "standard", "core": None, "engines": "1", "root": "2", "quotient": "2"}
 FIELDS = {

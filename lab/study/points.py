@@ -24,6 +24,16 @@ KNOB_CORES = ["standard:pr=12", "standard:w=18,wd=19,pq=20,pr=14", "standard:pq=
 SCENES = ["sphereflake:3", "protein", "paper100", "huge_tiny", "interpenetrating"]
 CORE = "shadow+reflect2+lights3+inside"  # what the nearest hit in all of SCENES calls for
 PICTURE, FRAME = "320x180", "96x54"      # of accuracy, of the RTL
+# what else a core draws: a scene, the tree it is walked with, and a core that can
+MORE = {
+    "triangles": dict(scene="facets/room", tree="reinserted"),
+    "triangles, BIH": dict(scene="facets/room", tree="bih"),
+    "refraction": dict(scene="refraction/nested", tree="reinserted"),
+    "textures": dict(scene="texture/hall", tree="reinserted"),
+}
+MORE_CORE = CORE + "+facets"
+MORE_PARTS = {"bih": "+bih", "reinserted": "+refract+specular+sum+texture"}
+MORE_FRAME = "48x27"
 # the papers' trades, on a core that can all of it
 TRADES = [{}] + [{"background": b} for b in ("rect", "spans", "exact-0", "exact-1")] \
     + [{"traverse": "first"}, {"traverse": "first", "tree": "paper"}, {"tree": "paper"}] \
@@ -52,6 +62,15 @@ def placed():
         + [dict(profile="standard", core=CORE, engines=2)]
 
 
+def more(what, profile, kind):
+    """One job of MORE."""
+    words = MORE[what]
+    if kind == "accuracy":
+        return job(kind, profile=profile, size=PICTURE, **words)
+    return job(kind, profile=profile, size=MORE_FRAME, core=MORE_CORE + MORE_PARTS[words["tree"]],
+               **words)
+
+
 def trade(words, scene, kind):
     """One trade on a scene; the picture against a truth of two reflections."""
     if kind == "accuracy":
@@ -66,6 +85,8 @@ def plan():
     keys += [trade(t, s, "accuracy") for t in TRADES for s in SCENES]
     runs = [[job("cycles", scene=s, size=FRAME, **c) for s in SCENES] + [job("cells", **c)]
             for c in cores()]
+    keys += [more(what, p, kind) for kind in ("accuracy", "cycles") for what in MORE
+             for p in PROFILES]
     first = len(PROFILES) + 1
     keys += sum(runs[:first], []) + [job("fmax", **placed()[0])]
     # the paper's tree takes 25 times the visits, and the simulation as long: its pictures alone

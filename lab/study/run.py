@@ -47,9 +47,10 @@ def scene_file(tool, build, scene):
 def options(w):
     """Words of a key as options of `sphaera build`."""
     background, _, level = w["background"].partition("-")
-    return ["--profile", w["profile"], "--size", w["size"], "--tree", w["tree"], "--traverse",
-            w["traverse"], "--background", background, "--depth", w["depth"]] \
-        + (["--bg-levels", level] if level else [])
+    trees = {"default": [], "bih": ["--accel", "bih"]}
+    return ["--profile", w["profile"], "--size", w["size"], "--traverse", w["traverse"],
+            "--background", background, "--depth", w["depth"]] \
+        + trees.get(w["tree"], ["--tree", w["tree"]]) + (["--bg-levels", level] if level else [])
 
 
 def refused(ran):

@@ -1,8 +1,11 @@
 /* tb_unit.cpp - rt_unit, or rt_unit_four, against sph_unit()
  * SPDX-License-Identifier: Apache-2.0
+ *
+ * The cases of tests/hard come first.
  */
 #include <deque>
 #include "bench.h"
+#include "hard_cases.h"
 #ifdef FOUR
 #include "Vrt_unit_four.h"
 using Unit = Vrt_unit_four;
@@ -20,14 +23,21 @@ namespace {
 struct Vector {
     int64_t v[3];
     unsigned tag;
+    hard::Vector hard{};
 };
 
 constexpr uint64_t LATENCY = FOUR ? 23 : BITS <= 17 ? 12 : 16, INTERVAL = FOUR ? 4 : 2;
 constexpr int64_t MIN = -((int64_t)1 << (BITS - 1)), MAX = -MIN - 1;
 
-Vector vector(bench::Random &r, long n) {
+Vector vector(bench::Random &r, const std::vector<hard::Vector> &cases, long n) {
     Vector s;
     s.tag = (unsigned)r.bits(TAG);
+    if (n < (long)cases.size()) {
+        s.hard = cases[(size_t)n];
+        memcpy(s.v, s.hard.c.v, sizeof s.v);
+        return s;
+    }
+    n -= (long)cases.size();
     if (n < 27 * 5) { /* zero, ones and ends in every place: v = 0, |v| = 1, the greatest v.v */
         const int64_t sets[5][3] = {
             {0, 1, -1}, {0, MAX, MIN}, {MIN, MAX, 1}, {1, MIN, -1}, {MIN, MIN + 1, 0}};
@@ -71,8 +81,11 @@ Vector vector(bench::Random &r, long n) {
 int main(int argc, char **argv) {
     bench::Bench<Unit> b("tb_unit", argc, argv, 300000);
     Unit &t = b.dut;
+    hard::Cases cases(b.seed, HARD_UNITS, [](const sph_profile &p) { return p.wd == BITS; });
+    const std::vector<hard::Vector> first(cases.begin(), cases.end());
+    cases.limit(b);
     std::deque<std::pair<Vector, uint64_t>> sent; /* and the cycle in which it is due */
-    Vector v = vector(b.random, 0);
+    Vector v = vector(b.random, first, 0);
     bool offered = false;
     unsigned gaps = 0;
     long count = 1;
@@ -92,7 +105,7 @@ int main(int argc, char **argv) {
         if (b.cycle - ready >= INTERVAL) b.fail("in_ready_o is low for too long");
         if (offered && t.in_ready_o) {
             sent.emplace_back(v, b.cycle + LATENCY);
-            v = vector(b.random, count++);
+            v = vector(b.random, first, count++);
             offered = false;
         }
         b.tick();
@@ -114,6 +127,7 @@ int main(int argc, char **argv) {
         b.expect("out_u_y_o", b.sget(t.out_u_y_o, 18), u.u[1], 18);
         b.expect("out_u_z_o", b.sget(t.out_u_z_o, 18), u.u[2], 18);
         if (b.bad()) {
+            s.hard.show();
             b.show("in_x_i", s.v[0], BITS);
             b.show("in_y_i", s.v[1], BITS);
             b.show("in_z_i", s.v[2], BITS);

@@ -2,17 +2,17 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * The first vectors are the least and greatest operands in every pattern, as triangle and as plane;
- * then those of the named cases of tests/hard, if these are the words of a profile. Then families
- * in turn (`family`), by reason: what lies on an edge, a corner, the light, a face of the world, in
- * the plane. Results may overtake each other: a slot is one facet's until its result is there. The
- * default run has to meet every outcome.
+ * then the named and generated cases of tests/hard, if these are the words of a profile. Then
+ * families in turn (`family`), by reason: what lies on an edge, a corner, the light, a face of the
+ * world, in the plane. Results may overtake each other: a slot is one facet's until its result is
+ * there. The default run has to meet every outcome.
  */
 #include <algorithm>
 #include <map>
 
 #include "Vrt_facet.h"
 #include "bundles.h"
-#include "hard.h"
+#include "hard_cases.h"
 extern "C" {
 #include "tests/hard/facet_list.h"
 #include "prim/facet.h"
@@ -32,6 +32,7 @@ struct Vector {
     sph_facet_leaf facet{};
     bool shadow = false; /* the port; a shadow ray only if they are elaborated */
     int family = 0, named = 0;
+    hard::Vector hard{};
 };
 
 int64_t clamp(int64_t x, int64_t low, int64_t high) {
@@ -40,7 +41,12 @@ int64_t clamp(int64_t x, int64_t low, int64_t high) {
 
 class Source {
   public:
-    explicit Source(bench::Random &r) : random(r) {
+    Source(bench::Random &r, uint64_t seed)
+        : random(r),
+          cases(seed, HARD_FACETS, [](const sph_profile &p) { return p.w == W && p.wd == WD; }) {
+        for (const hard::Vector &v : cases)
+            for (int i = 0; i < v.c.n; i++)
+                generated.emplace_back(v, i);
         for (int p = 0; p < SPH_PROFILES; p++)
             if (sph_profiles[p].w == W && sph_profiles[p].wd == WD) list = hard_facets_named(p);
         for (size_t i = 0; i < list.n; i++) /* of HARD_CASE alone, if it is given */
@@ -53,6 +59,7 @@ class Source {
     Source &operator=(const Source &) = delete;
 
     size_t named() const { return n_named; }
+    bool all() const { return at == n_named && behind == generated.size(); }
 
     Vector next() {
         Vector v;
@@ -61,6 +68,12 @@ class Source {
             v.ray = c.ray;
             v.facet = c.facet;
             v.named = c.named;
+            return finish(v);
+        }
+        if (count >= PATTERNS && behind < generated.size()) {
+            v.hard = generated[behind].first;
+            v.ray = v.hard.c.ray;
+            v.facet = v.hard.c.facet[generated[behind++].second];
             return finish(v);
         }
         v.facet.id = (uint32_t)random.bits(random.percent(50) ? 3 : 24);
@@ -90,9 +103,11 @@ class Source {
 
   private:
     bench::Random &random;
+    hard::Cases cases;
+    std::vector<std::pair<hard::Vector, int>> generated; /* which of its facets */
     int count = 0;
     hard_facets list{};
-    size_t n_named = 0, at = 0;
+    size_t n_named = 0, at = 0, behind = 0;
 
     static Vector finish(Vector &v) {
         const int64_t *d = v.ray.dir;
@@ -253,6 +268,7 @@ void compare(Bench &b, const Expected &e) {
     }
     if (b.bad()) {
         const Vector &x = e.v;
+        x.hard.show();
         if (x.named)
             printf("#   named case %d, %s: build/test/hard --named=%d\n", x.named,
                    hard_named_name(x.named), x.named);
@@ -274,9 +290,10 @@ void compare(Bench &b, const Expected &e) {
     }
 }
 
-/* Every kind of facet, ray and outcome, and the clocks of each kind. */
-void came(Bench &b, const long met[2][2][2], const uint64_t least[2]) {
+/* Every hard case, kind of facet, ray and outcome, and the clocks of each kind. */
+void came(Bench &b, const Source &source, const long met[2][2][2], const uint64_t least[2]) {
     bool all = b.all_vectors && !hard::alone();
+    if (all && !source.all()) b.fail("not all hard cases were driven");
     for (int i = 0; i < 8; i++)
         if (all && !met[i >> 2][i >> 1 & 1][i & 1] && (SHADOW || !(i & 2)))
             b.fail("a kind of facet, ray and outcome that never came");
@@ -288,7 +305,7 @@ void came(Bench &b, const long met[2][2][2], const uint64_t least[2]) {
 
 int main(int argc, char **argv) {
     bench::Bench<Vrt_facet> b("tb_facet", argc, argv, 50000);
-    Source source(b.random);
+    Source source(b.random, b.seed);
     if (hard::alone()) b.target = (long)source.named();
     if (hard::alone() && !b.target) b.fail("the case has no vector for this bench");
     std::map<unsigned, Expected> sent;
@@ -340,7 +357,7 @@ int main(int argc, char **argv) {
         }
         b.tick();
     }
-    came(b, met, least);
+    came(b, source, met, least);
     if (divisions > divided || divisions + (long)sent.size() < divided)
         b.fail("divide_o counts other than the keys of hits");
     printf("# vectors of hard cases: %zu named\n", source.named());

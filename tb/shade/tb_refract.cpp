@@ -1,13 +1,14 @@
 /* tb_refract.cpp - rt_refract, with rt_isqrt and rt_normalise inside it, against sph_refract()
  * SPDX-License-Identifier: Apache-2.0
  *
- * Directions at and beside the critical angle are searched for; so are vectors that need long
- * shifts. One result at a time, of any latency.
+ * The cases of tests/hard come first. Directions at and beside the critical angle are searched for;
+ * so are vectors that need long shifts. One result at a time, of any latency.
  */
 #include <vector>
 
 #include "Vrt_refract.h"
 #include "bench.h"
+#include "hard_cases.h"
 
 extern "C" {
 #include "machine/layout.h"
@@ -24,6 +25,7 @@ constexpr int64_t MAX = ((int64_t)1 << (WD - 1)) - 1, MIN = -MAX - 1;
 struct Vector {
     int64_t dir[3], normal[3];
     uint32_t from, to;
+    hard::Vector hard{};
 };
 
 const Vector corners[] = {
@@ -106,10 +108,38 @@ Vector make(bench::Random &random) {
     return v;
 }
 
+void show(const bench::Bench<Vrt_refract> &b, const Vector &v) {
+    v.hard.show();
+    for (int i = 0; i < 3; i++) {
+        b.show("in_dir_i", v.dir[i], WD);
+        b.show("in_normal_i", v.normal[i], WD);
+    }
+    b.show("in_from_i", v.from, 12);
+    b.show("in_to_i", v.to, 12);
+}
+
+/* The corners, then the cases of tests/hard. */
+std::vector<Vector> first(const hard::Cases &cases) {
+    std::vector<Vector> directed;
+    if (!hard::alone()) directed.assign(std::begin(corners), std::end(corners));
+    for (const hard::Vector &c : cases) {
+        Vector v{};
+        memcpy(v.dir, c.c.ray.dir, sizeof v.dir);
+        memcpy(v.normal, c.c.v, sizeof v.normal);
+        v.from = c.c.from, v.to = c.c.to, v.hard = c;
+        directed.push_back(v);
+    }
+    return directed;
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
-    bench::Bench<Vrt_refract> b("tb_refract", argc, argv, 8000);
+    bench::Bench<Vrt_refract> b("tb_refract", argc, argv, 24000);
+    hard::Cases cases(b.seed, HARD_REFRACTION,
+                      [](const sph_profile &p) { return p.w == W && p.wd == WD; });
+    const std::vector<Vector> directed = first(cases);
+    cases.limit(b);
     auto vector = [&](auto &port, const int64_t v[3]) {
         bench::u128 word = 0;
         for (int i = 0; i < 3; i++)
@@ -121,7 +151,7 @@ int main(int argc, char **argv) {
     b.dut.in_valid_i = 0;
     b.reset();
     while (b.more()) {
-        Vector v = corner < std::size(corners) ? corners[corner++] : make(b.random);
+        Vector v = corner < directed.size() ? directed[corner++] : make(b.random);
         uint64_t tag = (uint64_t)b.random.bits(TAG);
         for (uint64_t gap = b.random.percent(30) ? b.random.below(20) : 0; gap; gap--)
             b.tick();
@@ -152,15 +182,12 @@ int main(int argc, char **argv) {
         bench::u128 word = b.get(b.dut.out_dir_o);
         for (int i = 0; i < 3 && !total; i++)
             b.expect("out_dir_o", bench::sign(bench::low(word >> (WD * i), WD), WD), out[i], WD);
-        for (int i = 0; i < 3 && b.bad(); i++) {
-            b.show("in_dir_i", v.dir[i], WD);
-            b.show("in_normal_i", v.normal[i], WD);
-        }
-        if (b.bad()) b.show("in_from_i", v.from, 12), b.show("in_to_i", v.to, 12);
+        if (b.bad()) show(b, v);
         b.done();
         b.tick();
     }
-    if (b.all_vectors && (totals < b.vectors / 20 || totals > b.vectors / 2))
+    if (b.all_vectors && corner < directed.size()) b.fail("not all hard cases were driven");
+    if (b.all_vectors && !hard::alone() && (totals < b.vectors / 20 || totals > b.vectors / 2))
         b.fail("too few or too many are reflected");
     return b.finish();
 }

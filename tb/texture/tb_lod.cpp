@@ -1,8 +1,11 @@
 /* tb_lod.cpp - rt_lod against sph_lod()
  * SPDX-License-Identifier: Apache-2.0
+ *
+ * The cases of tests/hard come behind the corners.
  */
 #include "Vrt_lod.h"
 #include "bench.h"
+#include "hard_cases.h"
 extern "C" {
 #include "texture/lod.h"
 }
@@ -14,6 +17,7 @@ struct Vector {
     int32_t base;  /* s7.8 */
     int levels;
     uint64_t tag, taken;
+    hard::Vector hard{};
 };
 
 const uint32_t LONGEST = 0xffffffffu >> (32 - PB);
@@ -49,6 +53,12 @@ Vector make(bench::Random &random) {
 
 int main(int argc, char **argv) {
     bench::Bench<Vrt_lod> b("tb_lod", argc, argv);
+    hard::Cases cases(b.seed, HARD_LEVELS, [](const sph_profile &p) { return p.w + 8 == PB; });
+    std::vector<Vector> directed;
+    if (!hard::alone()) directed.assign(std::begin(corners), std::end(corners));
+    for (const hard::Vector &c : cases)
+        directed.push_back({c.c.level.path, c.c.level.base, c.c.level.levels, 0, 0, c});
+    cases.limit(b);
     auto send = [&](const Vector &v) {
         b.set(b.dut.in_path_i, PB, v.path);
         b.set(b.dut.in_base_i, 16, v.base);
@@ -58,11 +68,12 @@ int main(int argc, char **argv) {
         uint32_t expected = sph_lod(e.path, (int16_t)e.base, e.levels);
         b.expect("out_lod_o", (bench::i128)b.get(b.dut.out_lod_o), expected, 12);
         if (b.bad()) {
+            e.hard.show();
             b.show("in_path_i", e.path, PB);
             b.show("in_base_i", (int16_t)e.base, 16);
             b.show("in_levels_i", e.levels, 4);
         }
     };
-    b.stream(corners, make, TAG, 5, 1, send, check);
+    b.stream(directed, make, TAG, 5, 1, send, check);
     return b.finish();
 }

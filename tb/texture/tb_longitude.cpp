@@ -1,8 +1,11 @@
 /* tb_longitude.cpp - rt_longitude against sph_longitude()
  * SPDX-License-Identifier: Apache-2.0
+ *
+ * The cases of tests/hard come behind the corners.
  */
 #include "Vrt_longitude.h"
 #include "bench.h"
+#include "hard_cases.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +21,7 @@ constexpr int BITS = 19;
 struct Vector {
     int32_t v[3]; /* s2.16 */
     uint64_t tag, taken;
+    hard::Vector hard{};
 };
 
 const Vector corners[] = {
@@ -62,6 +66,12 @@ Vector make(bench::Random &random) {
 
 int main(int argc, char **argv) {
     bench::Bench<Vrt_longitude> b("tb_longitude", argc, argv, 50000);
+    hard::Cases cases(b.seed, HARD_AROUND, [](const sph_profile &) { return true; });
+    std::vector<Vector> directed;
+    if (!hard::alone()) directed.assign(std::begin(corners), std::end(corners));
+    for (const hard::Vector &c : cases)
+        directed.push_back({{(int32_t)c.c.v[0], (int32_t)c.c.v[1], (int32_t)c.c.v[2]}, 0, 0, c});
+    cases.limit(b);
     auto send = [&](const Vector &v) {
         b.set(b.dut.in_x_i, BITS, v.v[0]);
         b.set(b.dut.in_y_i, BITS, v.v[1]);
@@ -72,11 +82,12 @@ int main(int argc, char **argv) {
         b.expect("out_around_o", (bench::i128)b.get(b.dut.out_around_o), r.around, 18);
         b.expect("out_down_o", (bench::i128)b.get(b.dut.out_down_o), r.down, 18);
         if (b.bad()) {
+            e.hard.show();
             b.show("in_x_i", e.v[0], BITS);
             b.show("in_y_i", e.v[1], BITS);
             b.show("in_z_i", e.v[2], BITS);
         }
     };
-    b.stream(corners, make, TAG, LATENCY, INTERVAL, send, check);
+    b.stream(directed, make, TAG, LATENCY, INTERVAL, send, check);
     return b.finish();
 }

@@ -1,13 +1,15 @@
 /* tb_bih_step.cpp - rt_bih_step against sph_bih_cut(), and against exact fractions
  * SPDX-License-Identifier: Apache-2.0
  *
- * A vector is an axis of a ray, as sph_bih_setup() makes it, and two planes. First all ends of
- * origin, direction and planes, and planes one unit around the origin; then random ones, most of
- * them near. Beside the model's answer: no bound is on the wrong side of the exact a*v/|dir|.
+ * The cases of tests/hard come first, the plane as both. A vector is an axis of a ray, as
+ * sph_bih_setup() makes it, and two planes. First all ends of origin, direction and planes, and
+ * planes one unit around the origin; then random ones, most of them near. Beside the model's
+ * answer: no bound is on the wrong side of the exact a*v/|dir|.
  */
 #include <deque>
 #include "Vrt_bih_step.h"
 #include "bench.h"
+#include "hard_cases.h"
 extern "C" {
 #include "machine/layout.h"
 #include "trace/bih.h"
@@ -26,6 +28,7 @@ struct Vector {
     int axis = 0;
     int64_t clip[2] = {0, 0}; /* left, right */
     bool corner = false;
+    hard::Vector hard{};
 };
 
 const int64_t corners[] = {0, 1, -1, 2, -2, 3, 1 << 4, 1 << 8};
@@ -34,11 +37,16 @@ class Source {
   public:
     long left = 6 * 13 * 100;
 
-    explicit Source(bench::Random &r) : random(r) {}
+    Source(bench::Random &r, const hard::Cases &cases)
+        : random(r), first(cases.begin(), cases.end()) {
+        if (hard::alone()) left = 0;
+    }
 
     Vector next() {
         Vector v;
-        if (left > 0)
+        if (at < first.size())
+            named(v, first[at++]);
+        else if (left > 0)
             ends(v, (unsigned)--left);
         else
             any(v);
@@ -50,8 +58,19 @@ class Source {
         return v;
     }
 
+    bool all() const { return at == first.size() && !left; }
+
   private:
     bench::Random &random;
+    std::vector<hard::Vector> first;
+    size_t at = 0;
+
+    static void named(Vector &v, const hard::Vector &c) {
+        v.hard = c;
+        v.ray = c.c.ray;
+        v.axis = c.c.clip.axis;
+        v.clip[0] = v.clip[1] = c.c.clip.at;
+    }
 
     static int64_t end(unsigned n, int64_t most) {
         static const int64_t small[] = {0, 1, -1, 2, -2};
@@ -102,7 +121,10 @@ int compare(const Vector &v, int64_t distance, uint32_t t) {
 
 int main(int argc, char **argv) {
     bench::Bench<Vrt_bih_step> b("tb_bih_step", argc, argv, 100000);
-    Source source(b.random);
+    hard::Cases cases(b.seed, HARD_CLIPS,
+                      [](const sph_profile &p) { return p.w == W && p.wd == WD; });
+    cases.limit(b);
+    Source source(b.random, cases);
     std::deque<Vector> sent;
     while (b.more()) {
         Vector v = source.next();
@@ -138,6 +160,7 @@ int main(int argc, char **argv) {
         if (far_met && !y.zero && vf > 0)
             b.expect("lower above the plane", compare(v, vf, b.dut.out_lower_o) < 0, 0);
         if (b.bad()) {
+            v.hard.show();
             b.show("org", o, W);
             b.show("dir", v.ray.dir[v.axis], WD);
             b.show("a", (bench::i128)v.ray.a, 2 * WD);
@@ -148,6 +171,6 @@ int main(int argc, char **argv) {
         }
         b.done();
     }
-    if (b.all_vectors && source.left) b.fail("not all ends were driven");
+    if (b.all_vectors && !source.all()) b.fail("not all ends were driven");
     return b.finish();
 }

@@ -32,12 +32,12 @@ static uint64_t next_of(uint64_t *counter) {
     return __atomic_fetch_add(counter, 1, __ATOMIC_RELAXED);
 }
 
-static uint64_t chosen(int one, int all) {
-    return one < 0 ? (uint64_t)all : 1;
+static uint64_t profiles_of(const struct campaign *c) {
+    return c->profile < 0 ? SPH_PROFILES : 1;
 }
 
 uint64_t campaign_family_cases(const struct campaign *c) {
-    uint64_t families = chosen(c->family, HARD_FAMILIES);
+    uint64_t families = (uint64_t)c->families;
     return (c->cases + families - 1) / families;
 }
 
@@ -46,7 +46,7 @@ static uint64_t slices(const struct campaign *c) {
 }
 
 static uint64_t chunks_of(const struct campaign *c) {
-    uint64_t rows = chosen(c->family, HARD_FAMILIES) * chosen(c->profile, SPH_PROFILES);
+    uint64_t rows = (uint64_t)c->families * profiles_of(c);
     uint64_t blocks = (campaign_family_cases(c) + HARD_BLOCK - 1) / HARD_BLOCK;
     return slices(c) + blocks * rows;
 }
@@ -54,12 +54,11 @@ static uint64_t chunks_of(const struct campaign *c) {
 static struct chunk chunk_at(const struct campaign *c, uint64_t i) {
     if (i < slices(c)) return (struct chunk){.family = -1, .slice = (int)i};
     i -= slices(c);
-    uint64_t profiles = chosen(c->profile, SPH_PROFILES);
-    uint64_t families = chosen(c->family, HARD_FAMILIES);
+    uint64_t profiles = profiles_of(c), families = (uint64_t)c->families;
     uint64_t block = i / (families * profiles), left;
-    struct chunk k = {.family = c->family, .profile = c->profile};
+    struct chunk k = {.profile = c->profile};
     if (k.profile < 0) k.profile = (int)(i % profiles);
-    if (k.family < 0) k.family = (int)(i / profiles % families);
+    k.family = c->family + (int)(i / profiles % families);
     left = campaign_family_cases(c) - block * HARD_BLOCK;
     k.first = c->first + block * HARD_BLOCK;
     k.count = left < HARD_BLOCK ? left : HARD_BLOCK;

@@ -18,7 +18,8 @@ struct campaign {
     uint64_t first;       /* number of the first case of a family: to spread a campaign */
     uint64_t share;       /* one in so many of the exhaustive part; 0: none of it */
     uint64_t chunks;      /* most chunks of this run; the rest is left for the next */
-    int family, profile;  /* -1: all */
+    int family, families; /* the first one, and how many */
+    int profile;          /* -1: all */
     int processes;
     const char *state; /* file, or NULL */
     const char *program;

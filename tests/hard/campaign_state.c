@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  *   hard-state 1
- *   plan SEED CASES FIRST SHARE FAMILY PROFILE CHUNKS
+ *   plan SEED CASES FIRST SHARE FAMILY FAMILIES PROFILE CHUNKS
  *   done 4 chunks a digit, hexadecimal
  *   row ...   counts in the order of struct hard_tally, errors as hexadecimal floating point
  *   end
@@ -15,11 +15,11 @@
 #include "campaign.h"
 
 static const char plan_format[] =
-    "plan %" PRIu64 " %" PRIu64 " %" PRIu64 " %" PRIu64 " %d %d %" PRIu64;
+    "plan %" PRIu64 " %" PRIu64 " %" PRIu64 " %" PRIu64 " %d %d %d %" PRIu64;
 
 static void plan_of(const struct campaign *c, uint64_t chunks, char *text, size_t size) {
-    snprintf(text, size, plan_format, c->seed, c->cases, c->first, c->share, c->family, c->profile,
-             chunks);
+    snprintf(text, size, plan_format, c->seed, c->cases, c->first, c->share, c->family, c->families,
+             c->profile, chunks);
 }
 
 /* The counts of a tally, in order. */

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "builder/bound.h"
+#include "check.h"
 #include "exact.h"
 #include "floats.h"
 #include "reference/naive.h"
@@ -14,16 +15,6 @@
 #include "surface.h"
 #include "trace/filter.h"
 
-/* What the parts of a check share. */
-struct job {
-    const struct sph_profile *p;
-    const struct hard_case *c;
-    struct sph_ray ray; /* set up */
-    int naive, mistakes;
-    struct hard_tally *t;
-    FILE *out;
-};
-
 /* What is said of one sphere. */
 struct answer {
     struct exact exact;
@@ -32,7 +23,7 @@ struct answer {
     struct floats floats[HARD_COLUMNS];
 };
 
-static void wrong(struct job *j, int check, const char *what) {
+void job_wrong(struct job *j, int check, const char *what) {
     j->t->wrong[check]++;
     j->mistakes++;
     if (j->out) fprintf(j->out, "  wrong %s: %s\n", hard_checks[check], what);
@@ -48,7 +39,7 @@ static void check_t(struct job *j, const struct answer *a, const struct sph_quot
     struct hard_column *ours = &j->t->column[HARD_OURS];
     ours->worst = fmax(ours->worst, (double)fabsl(error));
     j->t->bound = fmax(j->t->bound, (double)part);
-    if (part > 1 + 0x1p-40L) wrong(j, HARD_T, "error above its bound");
+    if (part > 1 + 0x1p-40L) job_wrong(j, HARD_T, "error above its bound");
 }
 
 /* The ray that goes through the surface, for an index made of the key. */
@@ -59,12 +50,12 @@ static void check_refracted(struct job *j, const struct sph_surface *s, uint64_t
     int64_t out[3] = {0}, other[3] = {0};
     int through = sph_refract(j->p, &j->ray, s, from, to, out);
     if (through != exact_refract(j->p, j->ray.dir, s->normal, from, to, other))
-        wrong(j, HARD_BOUNCE, "not reflected wholly where it should be, or so");
+        job_wrong(j, HARD_BOUNCE, "not reflected wholly where it should be, or so");
     else if (memcmp(out, other, sizeof other))
-        wrong(j, HARD_BOUNCE, "not the rounded refracted ray");
+        job_wrong(j, HARD_BOUNCE, "not the rounded refracted ray");
     if (j->naive && (through != sph_naive_refract(j->p, j->ray.dir, s->normal, from, to, other) ||
                      memcmp(out, other, sizeof other)))
-        wrong(j, HARD_NAIVE, "refracted ray");
+        job_wrong(j, HARD_NAIVE, "refracted ray");
 }
 
 /* The point of a hit and all that follows from it. */
@@ -75,19 +66,21 @@ static void check_surface(struct job *j, const struct sph_leaf *s, const struct 
     struct sph_hit hit = {a->key, s->id, far};
     struct sph_surface model, exact;
     int64_t bounce[3], other[3];
-    if (!exact_is_quotient(p, a->key, j->ray.a, &q)) wrong(j, HARD_QUOTIENT, "not key/a rounded");
+    if (!exact_is_quotient(p, a->key, j->ray.a, &q))
+        job_wrong(j, HARD_QUOTIENT, "not key/a rounded");
     if (a->exact.root) check_t(j, a, &q);
     if (j->ray.a < (uint64_t)SPH_MIN_SCREEN * SPH_MIN_SCREEN) return; /* no ray of a machine */
 
     int limited = sph_surface_at(p, &j->ray, &hit, s, &model);
     int expected = exact_surface(p, &j->ray, &q, far, s, &exact);
     if (limited != expected || memcmp(model.point, exact.point, sizeof exact.point))
-        wrong(j, HARD_POINT, "not org + t*dir rounded");
+        job_wrong(j, HARD_POINT, "not org + t*dir rounded");
     if (model.nn != exact.nn || memcmp(model.normal, exact.normal, sizeof exact.normal))
-        wrong(j, HARD_NORMAL, "not the rounded normal of the point");
+        job_wrong(j, HARD_NORMAL, "not the rounded normal of the point");
     sph_bounce(p, j->ray.dir, &model, bounce);
     exact_bounce(p, j->ray.dir, model.normal, other);
-    if (memcmp(bounce, other, sizeof other)) wrong(j, HARD_BOUNCE, "not the rounded mirror ray");
+    if (memcmp(bounce, other, sizeof other))
+        job_wrong(j, HARD_BOUNCE, "not the rounded mirror ray");
     check_refracted(j, &model, a->key, far);
     j->t->points++;
     if (!j->naive) return;
@@ -95,9 +88,9 @@ static void check_surface(struct job *j, const struct sph_leaf *s, const struct 
         memcmp(model.point, exact.point, sizeof exact.point) ||
         memcmp(model.normal, exact.normal, sizeof exact.normal) ||
         memcmp(model.unit.u, exact.unit.u, sizeof exact.unit.u))
-        wrong(j, HARD_NAIVE, "point, normal or unit vector");
+        job_wrong(j, HARD_NAIVE, "point, normal or unit vector");
     sph_naive_mirror(j->ray.dir, model.normal, p->wd, other);
-    if (memcmp(bounce, other, sizeof other)) wrong(j, HARD_NAIVE, "mirror ray");
+    if (memcmp(bounce, other, sizeof other)) job_wrong(j, HARD_NAIVE, "mirror ray");
 }
 
 /* Whether the origin lies at most sqrt(3)/2 outside the sphere: where rounding puts the origins of
@@ -122,7 +115,7 @@ static void check_filter(struct job *j, const struct sph_leaf *s, uint64_t key) 
     int32_t near, depth = j->ray.depth_max;
     if (key) depth = sph_ray_depth(p, &j->ray, key);
     j->t->filtered++;
-    if (!sph_filter(&j->ray, &child, depth, &near)) wrong(j, HARD_FILTER, "a hit is left out");
+    if (!sph_filter(&j->ray, &child, depth, &near)) job_wrong(j, HARD_FILTER, "a hit is left out");
 }
 
 static void check_floats(struct job *j, const struct sph_leaf *s, struct answer *a) {
@@ -150,15 +143,15 @@ static void check_sphere(struct job *j, const struct sph_leaf *s, struct answer 
     j->t->hits += (uint64_t)e->hit;
     if (r.hit != e->hit) {
         ours->hit++;
-        wrong(j, HARD_HIT, e->hit ? "misses" : "hits");
+        job_wrong(j, HARD_HIT, e->hit ? "misses" : "hits");
     } else if (r.hit && (r.far != e->far || r.exit != e->exit)) {
         ours->root++;
-        wrong(j, HARD_FAR, e->far ? "takes the near root" : "takes the far root");
+        job_wrong(j, HARD_FAR, e->far ? "takes the near root" : "takes the far root");
     }
     sph_i128 most = (sph_i128)1 << (2 * w + 2 * wd + 1);
     if (r.disc != e->disc || r.b != e->b || r.disc >= most || r.disc < -most ||
         r.k >> (2 * w + 2) != (r.k < 0 ? -1 : 0) || r.b >> (w + wd + 1) != (r.b < 0 ? -1 : 0))
-        wrong(j, HARD_DISC, "disc, b or the width of disc, b or k");
+        job_wrong(j, HARD_DISC, "disc, b or the width of disc, b or k");
 
     if (r.hit && !shadow && (r.exit || r.disc > 0)) { /* else there is no root to be taken */
         a->key = sph_leaf_key(&r, &roots);
@@ -167,13 +160,13 @@ static void check_sphere(struct job *j, const struct sph_leaf *s, struct answer 
         if (e->root) /* key - 1 < a*t <= key */
             right = right && exact_compare(e, (int64_t)a->key) <= 0 &&
                     exact_compare(e, (int64_t)a->key - 1) > 0;
-        if (!right) wrong(j, HARD_KEY, "not a*t rounded up");
+        if (!right) job_wrong(j, HARD_KEY, "not a*t rounded up");
     }
     if (j->naive) {
         struct sph_naive_leaf n = sph_naive_leaf(&j->ray, s);
         j->t->naive++;
         if (n.hit != r.hit || (n.hit && (n.far != r.far || n.exit != r.exit)) || n.key != a->key)
-            wrong(j, HARD_NAIVE, "hit, far, exit or key");
+            job_wrong(j, HARD_NAIVE, "hit, far, exit or key");
     }
     if (e->hit && r.hit && a->key && j->ray.a) check_surface(j, s, a, r.far);
     if (e->hit) check_filter(j, s, a->key);
@@ -187,7 +180,7 @@ static void check_order(struct job *j, const struct answer a[2]) {
     j->t->pairs++;
     j->t->column[HARD_OURS].order += said == -order && said;
     j->t->column[HARD_OURS].tie += !said != !order;
-    if (said && said != order) wrong(j, HARD_ORDER, "the keys say otherwise than t");
+    if (said && said != order) job_wrong(j, HARD_ORDER, "the keys say otherwise than t");
     if (j->ray.skip.id != SPH_ID_NONE || !j->ray.inside) return;
     for (int i = HARD_OURS + 1; i < HARD_COLUMNS; i++) {
         const struct floats *f = &a[0].floats[i], *g = &a[1].floats[i];
@@ -198,17 +191,24 @@ static void check_order(struct job *j, const struct answer a[2]) {
     }
 }
 
+static void check_spheres(struct job *j) {
+    struct answer a[2] = {0};
+    for (int i = 0; i < j->c->n; i++)
+        check_sphere(j, &j->c->sphere[i], &a[i]);
+    if (j->c->n == 2 && a[0].exact.root && a[1].exact.root && a[0].hit && a[1].hit &&
+        j->c->ray.kind != SPH_SHADOW)
+        check_order(j, a);
+}
+
 int hard_check(const struct sph_profile *p, const struct hard_case *c, int naive,
                struct hard_tally *t, FILE *out) {
+    static void (*const checks[HARD_KINDS])(struct job *) = {
+        check_spheres, check_facets, check_refraction, check_around, check_texels,
+        check_levels,  check_clips,  check_walks,      check_units};
     struct job j = {p, c, c->ray, naive, 0, t, out};
-    struct answer a[2] = {0};
     sph_ray_setup(p, &j.ray);
     t->cases++;
-    for (int i = 0; i < c->n; i++)
-        check_sphere(&j, &c->sphere[i], &a[i]);
-    if (c->n == 2 && a[0].exact.root && a[1].exact.root && a[0].hit && a[1].hit &&
-        c->ray.kind != SPH_SHADOW)
-        check_order(&j, a);
+    checks[c->of](&j);
     if (j.mistakes && out) hard_print(out, p, c);
     return j.mistakes;
 }

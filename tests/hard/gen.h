@@ -66,6 +66,8 @@ void gen_unit(struct sph_rng *rng, double v[3]);
 typedef void gen_maker(struct sph_rng *rng, const struct sph_profile *p, struct hard_case *c);
 gen_maker gen_random, gen_inside, gen_axis, gen_corner, gen_rad0, gen_dir0, gen_tiny_far,
     gen_huge_near, gen_graze0, gen_graze1, gen_surf_out, gen_surf_in, gen_own, gen_shadows,
-    gen_pair, gen_concentric, gen_root, gen_quotient, gen_surface, gen_filter;
+    gen_pair, gen_concentric, gen_root, gen_quotient, gen_surface, gen_filter, gen_nested, gen_edge,
+    gen_vertex, gen_sliver, gen_flat, gen_skim, gen_plane, gen_planes, gen_critical, gen_seam,
+    gen_texel, gen_level, gen_clip, gen_walk, gen_unit_vector;
 
 #endif

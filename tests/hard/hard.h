@@ -1,4 +1,4 @@
-/* hard.h - hard cases of ray and sphere: what a case is, and what is counted
+/* hard.h - hard cases: what a case is, and what is counted
  * SPDX-License-Identifier: Apache-2.0
  *
  * Data flows one way: family or named case -> check -> tally -> report. A generated case is a
@@ -13,24 +13,61 @@
 #include "machine/layout.h"
 #include "machine/profile.h"
 #include "scene/rng.h"
+#include "prim/facet.h"
 #include "prim/sphere.h"
 #include "trace/ray.h"
 
 enum { HARD_ID = 7, HARD_OTHER = 9 }; /* ids of the first and the second sphere */
 
-/* One ray and up to two spheres. Of the ray, what set-up does not make. */
+/* What a case is of, and so which of its words count. */
+enum {
+    HARD_SPHERES,    /* ray, sphere[n] */
+    HARD_FACETS,     /* ray, facet[n], through */
+    HARD_REFRACTION, /* dir of ray, v: the normal, from, to */
+    HARD_AROUND,     /* v: s2.16, longitude and latitude of an image */
+    HARD_TEXELS,     /* texel */
+    HARD_LEVELS,     /* level */
+    HARD_CLIPS,      /* ray, clip: a plane of a BIH */
+    HARD_WALKS,      /* ray, sphere[2]: through a BIH and through one leaf */
+    HARD_UNITS,      /* v: s(WD) */
+    HARD_KINDS
+};
+extern const char *const hard_kinds[HARD_KINDS];
+
+/* Of the ray, what set-up does not make. */
 struct hard_case {
+    int of; /* one of the above */
     struct sph_ray ray;
     struct sph_leaf sphere[2];
-    int n;
+    struct sph_facet_leaf facet[2];
+    int n;       /* spheres, facets */
+    int through; /* the ray's line meets a point of each of the facets */
+    int64_t v[3];
+    uint32_t from, to; /* indices of refraction, thousandths */
+    struct {
+        int64_t at;    /* s19.20 */
+        uint32_t size; /* of the level */
+        int clamp;
+        uint32_t near[4], far[4], wx, wy, between; /* texels of two levels, weights u0.8 */
+    } texel;
+    struct {
+        uint32_t path; /* u(W+4).4 */
+        int32_t base;  /* s7.8 */
+        int levels;
+    } level;
+    struct {
+        int axis, below;
+        int64_t at; /* s(W+2) */
+    } clip;
 };
 
 /* A generator that is weighted towards what makes its cases hard. */
 struct hard_family {
     const char *name, *what;
     void (*make)(struct sph_rng *rng, const struct sph_profile *p, struct hard_case *c);
+    int of;
 };
-enum { HARD_FAMILIES = 20 };
+enum { HARD_SPHERE_FAMILIES = 21 /* the first ones */, HARD_FAMILIES = 35 };
 extern const struct hard_family hard_families[HARD_FAMILIES];
 
 /* Case `number` of a family; the same for the same arguments. One in eight has the effect INSIDE
@@ -70,6 +107,10 @@ enum {
     HARD_FILTER,
     HARD_ORDER,
     HARD_NAIVE,
+    HARD_THROUGH,
+    HARD_TEXTURE,
+    HARD_TREE,
+    HARD_UNIT,
     HARD_CHECKS
 };
 extern const char *const hard_checks[HARD_CHECKS];
@@ -82,6 +123,10 @@ struct hard_tally {
     struct hard_column column[HARD_COLUMNS];
     double bound; /* greatest error of our t over its proved bound */
 };
+
+/* Whether a formula has anything to say of such cases: `paper` is that of our own integers, `Gems`
+ * is of spheres. */
+int hard_column_is_of(int column, int of);
 
 void hard_tally_add(struct hard_tally *sum, const struct hard_tally *t);
 

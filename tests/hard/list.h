@@ -10,7 +10,15 @@
 
 #include "hard.h"
 
-enum { HARD_RAY, HARD_ROOT, HARD_QUOTIENT_OF, HARD_MIRROR, HARD_POINT_AT, HARD_REFRACT };
+enum {
+    HARD_RAY,
+    HARD_ROOT,
+    HARD_QUOTIENT_OF,
+    HARD_MIRROR,
+    HARD_POINT_AT,
+    HARD_REFRACT,
+    HARD_CASE /* of another kind than spheres, whole */
+};
 
 struct hard_item {
     int what, named;           /* which of the enum above; number of the named case */

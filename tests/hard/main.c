@@ -1,4 +1,4 @@
-/* main.c - hard: hard cases of ray and sphere, against oracles and floating point
+/* main.c - hard: hard cases, against oracles and floating point
  * SPDX-License-Identifier: Apache-2.0
  *
  * Exit code: 0 if ours is right everywhere, 1 if it is not, 2 for bad arguments or files.
@@ -16,7 +16,7 @@ enum { FIRST = 256, CHUNKS, SHARE, STATE, JSON, LIST, NAMED, SCENES };
 static const struct argp_option options[] = {
     {"cases", 'n', "N", 0, "generated cases a profile, spread over the families (100000)", 0},
     {"seed", 's', "S", 0, "seed of the generators (1)", 0},
-    {"family", 'f', "NAME", 0, "this family alone", 0},
+    {"family", 'f', "NAME", 0, "this family alone, or those of this kind", 0},
     {"profile", 'p', "NAME", 0, "this profile alone", 0},
     {"processes", 'j', "N", 0, "processes at once (1)", 0},
     {"first", FIRST, "N", 0, "number of the first case: spreads a campaign (0)", 0},
@@ -53,6 +53,14 @@ static int family_find(const char *name, size_t length) {
     return -1;
 }
 
+/* A family, or all of a kind, which stand together; none if it is neither. */
+static void families_find(const char *name, struct campaign *c) {
+    c->family = family_find(name, strlen(name));
+    c->families = c->family >= 0;
+    for (int i = HARD_FAMILIES; i-- > 0;)
+        if (!strcmp(hard_kinds[hard_families[i].of], name)) c->family = i, c->families++;
+}
+
 static error_t parse(int key, char *arg, struct argp_state *state) {
     struct arguments *a = state->input;
     struct campaign *c = &a->campaign;
@@ -78,8 +86,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
             argp_error(state, "--processes: %s is not 1 to 256", arg);
         break;
     case 'f':
-        c->family = family_find(arg, strlen(arg));
-        if (c->family < 0) argp_error(state, "no family is called %s", arg);
+        families_find(arg, c);
+        if (!c->families) argp_error(state, "no family or kind is called %s", arg);
         break;
     case 'p':
         c->profile = sph_profile_find(arg);
@@ -159,13 +167,12 @@ static int run_campaign(struct arguments *a) {
 
 int main(int argc, char **argv) {
     static const struct argp argp = {
-        options, parse, 0, "Hard cases of ray and sphere: model, oracles, floating point.",
-        0,       0,     0};
+        options, parse, 0, "Hard cases: model, oracles, floating point.", 0, 0, 0};
     struct arguments a = {.named = -1, .scenes = "tests/hard/scenes"};
     a.campaign = (struct campaign){.seed = 1,
                                    .cases = 100000,
                                    .share = 1,
-                                   .family = -1,
+                                   .families = HARD_FAMILIES,
                                    .profile = -1,
                                    .processes = 1,
                                    .chunks = UINT64_MAX,

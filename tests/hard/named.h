@@ -45,6 +45,9 @@ struct hard_case vector(const int64_t org[3], const int64_t dir[3], const int64_
  * outcome of the first sphere; a key of 0 is not fixed. */
 void expect(struct named *n, struct hard_case c, int outcome, uint64_t key);
 
+/* A case of any kind, as it is. */
+void expect_case(struct named *n, const struct hard_case *c);
+
 /* The same with the second sphere's outcome not fixed, and then both orders of storage and both
  * orders of ids through the tree: the sphere that comes first by t wins. winner 0 or 1: which one;
  * -1: the lower id, since the keys are equal. */
@@ -75,7 +78,9 @@ named_case named_tangent, named_pell_hit, named_pell_miss, named_distance, named
     named_facet_group, named_facet_back, named_facet_light, named_facet_ties, named_facet_horizon,
     named_facet_grazing, named_facet_ends, named_facet_sliver, named_facet_dir0, named_critical,
     named_refract_along, named_refract_away, named_refract_head_on, named_refract_ends,
-    named_refract_graze, named_refract_centre, named_refract_cancel;
+    named_refract_graze, named_refract_centre, named_refract_cancel, named_planes_equal,
+    named_plane_along, named_facets_flat, named_seam, named_texel_edge, named_texel_mean,
+    named_level, named_clip, named_walk, named_glass_in_glass, named_unit_ends;
 
 /* Scenes: the model, brute force and the naive model draw the same picture. */
 void named_scene(struct named *n, const char *name);

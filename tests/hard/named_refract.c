@@ -1,4 +1,5 @@
-/* named_refract.c - named cases 62 to 69: refracted rays where they begin, end and turn back
+/* named_refract.c - named cases 62 to 69 and 79: refracted rays where they begin, end and turn
+ * back
  * SPDX-License-Identifier: Apache-2.0
  */
 #include "named.h"
@@ -121,6 +122,27 @@ void named_refract_ends(struct named *n) {
                 const int64_t d[3] = {ends[i % 3], ends[i / 3 % 3], ends[i / 9]};
                 const int64_t normal[3] = {ends[j % 3], ends[j / 3 % 3], ends[j / 9]};
                 bend(n, d, normal, sides[k][0], sides[k][1], ANY, out);
+            }
+}
+
+/* Neither side is air: sine = to/from exactly, 4/5 of 1250/1000 scaled, 3/5, 5/13; one index. */
+void named_glass_in_glass(struct named *n) {
+    static const uint32_t pairs[][2] = {{1500, 1200}, {2000, 1200}, {2600, 1000}, {1001, 1001}};
+    static const int64_t sines[][3] = {{4, 3, 5}, {3, 4, 5}, {5, 12, 13}, {1, 1, 2}};
+    int64_t out[3];
+    for (int i = 0; i < 4; i++)
+        for (int64_t k = 1; sines[i][2] * k < n->most; k = 3 * k + 1)
+            for (int64_t off = -1; off <= 1; off++) {
+                const int64_t d[3] = {sines[i][0] * k + off, 0, -sines[i][1] * k};
+                const int64_t normal[3] = {0, 0, n->half - 5};
+                int expected = off > 0 && i < 3 ? REFLECTED : THROUGH;
+                bend(n, d, normal, pairs[i][0], pairs[i][1], expected, out);
+                bend(n, d, normal, pairs[i][1], pairs[i][0], THROUGH, out); /* back again */
+                if (i == 3 && !n->list)
+                    require(n,
+                            out[0] * sines[i][1] * k + out[2] * d[0] <= n->most &&
+                                out[0] * sines[i][1] * k + out[2] * d[0] >= -n->most,
+                            "bent between equals");
             }
 }
 

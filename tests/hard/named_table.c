@@ -182,5 +182,36 @@ const struct hard_named hard_named[] = {
     {"refraction, nearly nothing",
      "Indices a thousandth apart, rays nearly along the surface: the sign of X is exact.",
      named_refract_cancel},
+    {"planes at one distance",
+     "Through one point of the ray: one key, the smaller id; a unit apart: "
+     "as the oracle says.",
+     named_planes_equal},
+    {"plane nearly along the ray", "det of one unit: the end of the world; det = 0: miss.",
+     named_plane_along},
+    {"facets of one plane", "Triangles that lie over one another: one key, the smaller id.",
+     named_facets_flat},
+    {"seam and poles of an image",
+     "Longitude 0 and all but 1 on either side of the seam, latitude 0 "
+     "and 1 at the poles.",
+     named_seam},
+    {"edges of texels",
+     "On an edge of an image of every size, a unit before and behind, repeated and "
+     "clamped.",
+     named_texel_edge},
+    {"means of texels", "Equal texels stay, halves go up, the greatest slopes.", named_texel_mean},
+    {"levels of an image", "Paths of a power of two: just a level; where nine bits round.",
+     named_level},
+    {"planes of a BIH", "At the origin, a unit before and behind, at the ends; along d = 0.",
+     named_clip},
+    {"spheres in a BIH", "Touching, in one another, at the faces of the grid, ids in both orders.",
+     named_walk},
+    {"glass in glass",
+     "Neither index is 1: X = 0 along the surface, one unit flatter: reflected; equal "
+     "ones: straight on.",
+     named_glass_in_glass},
+    {"ends of the unit vector",
+     "Zero, axes of every length, diagonals, the longest: every line and "
+     "shift of the table.",
+     named_unit_ends},
 };
 const int hard_n_named = sizeof hard_named / sizeof *hard_named;

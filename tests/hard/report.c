@@ -16,7 +16,9 @@ static void cell(FILE *out, const struct hard_column *column) {
     fprintf(out, " %-26s |", text);
 }
 
-static void line(FILE *out, const char *family, const char *profile, const struct hard_tally *t) {
+/* of: the kind of its cases, -1: of all kinds. */
+static void line(FILE *out, const char *family, const char *profile, int of,
+                 const struct hard_tally *t) {
     const struct hard_column *ours = &t->column[HARD_OURS];
     uint64_t other = 0;
     for (int i = 0; i < HARD_CHECKS; i++)
@@ -25,7 +27,10 @@ static void line(FILE *out, const char *family, const char *profile, const struc
             profile, t->cases, t->hits, ours->hit, t->wrong[HARD_FAR], t->wrong[HARD_ORDER], other,
             ours->worst, t->bound);
     for (int i = HARD_OURS + 1; i < HARD_COLUMNS; i++)
-        cell(out, &t->column[i]);
+        if (of < 0 || hard_column_is_of(i, of))
+            cell(out, &t->column[i]);
+        else
+            fprintf(out, " %-26s |", "-");
     fprintf(out, "\n");
 }
 
@@ -39,12 +44,13 @@ void report_table(const struct campaign *c, FILE *out) {
         const struct hard_tally *t = &c->row[i];
         if (!t->cases) continue;
         if (i == HARD_ROWS - 1)
-            line(out, "3 bits", "draft", t);
+            line(out, "3 bits", "draft", HARD_SPHERES, t);
         else
-            line(out, hard_families[i / SPH_PROFILES].name, sph_profiles[i % SPH_PROFILES].name, t);
+            line(out, hard_families[i / SPH_PROFILES].name, sph_profiles[i % SPH_PROFILES].name,
+                 hard_families[i / SPH_PROFILES].of, t);
         hard_tally_add(&sum, t);
     }
-    line(out, "all", "", &sum);
+    line(out, "all", "", -1, &sum);
 }
 
 static json_t *column_json(const struct hard_column *c) {

@@ -1,0 +1,134 @@
+/* facet_exact.c - see facet_exact.h
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * With A_j = v_j - org the line lies on one side of each edge as the volume of dir, A_k, A_l has
+ * its sign; the plane is met at the volume of A_0, A_1, A_2 over the sum of the three.
+ */
+#include "facet_exact.h"
+
+#include <math.h>
+
+/* a . (b x c), by the six products of Leibniz. */
+static sph_i128 volume(const int64_t a[3], const int64_t b[3], const int64_t c[3]) {
+    static const int turn[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1},
+                                   {2, 1, 0}, {1, 0, 2}, {0, 2, 1}};
+    sph_i128 sum = 0;
+    for (int i = 0; i < 6; i++) {
+        sph_i128 product = (sph_i128)a[turn[i][0]] * b[turn[i][1]] * c[turn[i][2]];
+        sum += i < 3 ? product : -product;
+    }
+    return sum;
+}
+
+/* Where the ray leaves the world by one unit, along its longest axis, the first of them: before
+ * the plane? Then this is t. */
+static void end_of_world(const struct sph_profile *p, const struct sph_ray *ray,
+                         struct facet_exact *e) {
+    int64_t most = 0, way = 0, half = 1ll << (p->w - 1);
+    for (int i = 0; i < 3; i++) {
+        int64_t d = ray->dir[i] < 0 ? -ray->dir[i] : ray->dir[i];
+        if (d <= most) continue;
+        most = d;
+        way = ray->dir[i] > 0 ? half - ray->org[i] : ray->org[i] - (-half - 1);
+    }
+    struct facet_exact face = {.num = way, .det = most};
+    if (exact_facet_order(e, &face) <= 0) return;
+    e->num = way;
+    e->det = most;
+    e->ended = 1;
+}
+
+struct facet_exact exact_facet(const struct sph_profile *p, const struct sph_ray *ray,
+                               const struct sph_facet_leaf *f) {
+    struct facet_exact e = {0};
+    int64_t a[3][3], skip = ray->skip.id, plane = f->kind != SPH_TRIANGLE;
+    int above = 1, below = 1;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            a[i][j] = f->v[i][j] - ray->org[j];
+    if (plane) {
+        for (int j = 0; j < 3; j++) {
+            e.det += (sph_i128)f->v[1][j] * ray->dir[j];
+            e.num += (sph_i128)f->v[1][j] * a[0][j];
+        }
+    } else {
+        for (int i = 0; i < 3; i++) {
+            sph_i128 side = volume(ray->dir, a[i], a[(i + 1) % 3]);
+            above &= side >= 0;
+            below &= side <= 0;
+            e.det += side;
+        }
+        e.num = volume(a[0], a[1], a[2]);
+    }
+    e.far = e.det > 0;
+    if (e.det < 0) e.det = -e.det, e.num = -e.num;
+    e.met = e.det && e.num > 0 && (ray->kind != SPH_SHADOW || e.num < e.det) &&
+            (skip < (int64_t)f->id - f->before || skip > (int64_t)f->id + f->after);
+    e.hit = e.met && (above || below);
+    if (!e.hit || ray->kind == SPH_SHADOW) return e;
+    if (plane) end_of_world(p, ray, &e);
+    sph_i128 scaled = e.num * (sph_i128)ray->a;
+    e.key = (uint64_t)(scaled / e.det + (scaled % e.det != 0));
+    return e;
+}
+
+/* By their continued fractions: nothing grows. */
+int exact_facet_order(const struct facet_exact *e1, const struct facet_exact *e2) {
+    sph_i128 a = e1->num, b = e1->det, c = e2->num, d = e2->det;
+    for (int sign = 1;; sign = -sign) {
+        if (a / b != c / d) return a / b < c / d ? -sign : sign;
+        sph_i128 left = a % b, right = c % d;
+        if (!left || !right) return !left && !right ? 0 : !left ? -sign : sign;
+        a = b, b = left, c = d, d = right; /* of the reciprocals the order is the other one */
+    }
+}
+
+/* ---- floating point ---- */
+
+#define FORMULAS(real, name)                                                                       \
+    static void cross_##name(const real a[3], const real b[3], real out[3]) {                      \
+        for (int i = 0; i < 3; i++)                                                                \
+            out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];            \
+    }                                                                                              \
+    static real dot_##name(const real a[3], const real b[3]) {                                     \
+        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];                                            \
+    }                                                                                              \
+    static struct floats facet_##name(int volumes, const struct sph_ray *ray,                      \
+                                      const struct sph_facet_leaf *f) {                            \
+        real d[3], to[3], e1[3], e2[3], n[3], m[3];                                                \
+        for (int i = 0; i < 3; i++) {                                                              \
+            d[i] = (real)ray->dir[i];                                                              \
+            to[i] = (real)f->v[0][i] - (real)ray->org[i];                                          \
+            e1[i] = (real)f->v[1][i] - (real)f->v[0][i];                                           \
+            e2[i] = (real)f->v[2][i] - (real)f->v[0][i];                                           \
+            n[i] = (real)f->v[1][i];                                                               \
+        }                                                                                          \
+        int plane = f->kind != SPH_TRIANGLE, inside = 1;                                           \
+        real det, t;                                                                               \
+        if (plane || volumes) {                                                                    \
+            if (!plane) cross_##name(e1, e2, n);                                                   \
+            det = dot_##name(n, d);                                                                \
+            t = dot_##name(n, to) / det;                                                           \
+            cross_##name(d, to, m);                                                                \
+            real u2 = dot_##name(m, e1), u1 = -dot_##name(m, e2), u0 = det - u1 - u2;              \
+            if (!plane)                                                                            \
+                inside = det > 0 ? u0 >= 0 && u1 >= 0 && u2 >= 0 : u0 <= 0 && u1 <= 0 && u2 <= 0;  \
+        } else {                                                                                   \
+            cross_##name(d, e2, m);                                                                \
+            det = -dot_##name(e1, m);                                                              \
+            real u = dot_##name(to, m) / det;                                                      \
+            cross_##name(to, e1, n);                                                               \
+            real v = dot_##name(d, n) / det;                                                       \
+            t = dot_##name(e2, n) / det;                                                           \
+            inside = u >= 0 && v >= 0 && u + v <= 1;                                               \
+        }                                                                                          \
+        int hit = det != 0 && inside && t > 0 && (ray->kind != SPH_SHADOW || t < 1);               \
+        return (struct floats){hit, det > 0, (double)t};                                           \
+    }
+FORMULAS(float, single)
+FORMULAS(double, full)
+
+struct floats floats_facet(int formula, const struct sph_ray *ray, const struct sph_facet_leaf *f) {
+    if (formula == HARD_F64_TEXTBOOK) return facet_full(0, ray, f);
+    return facet_single(formula == HARD_F32_PAPER, ray, f);
+}
