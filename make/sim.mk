@@ -22,6 +22,8 @@ SIM_KEY     := $(MACHINE_KEY) EFFECTS ENGINES ROOT_STEP QUOTIENT_STEP SIM LATENC
                WARM WAVES JOBS
 # (call run,GOAL,KEY): the names of its folder and how it speaks are passed besides.
 run = $(call values,$(2) PROFILE SIZE SAMPLES V) BUILD=$B sh sim/run.sh $(1) $(2)
+# The command that repeats a run, for its report: what was given to make.
+repeated = make sim $(call values,$(filter-out V CSV,$(CHECK)))
 
 render: $(TOOL) ## SCENE through the golden model: picture, counters
 	$(Q)$(call run,render,$(MACHINE_KEY))
@@ -35,7 +37,8 @@ $(PICTURES): $B/obj/sim/pictures.o $(IMAGE) $(LIB)
 
 sim: $(TOOL) $(PICTURES) ## SCENE through model and RTL, compared bit for bit; TOP=1: in rt_top
 	$(Q)$(if $(filter 1,$(TOP)),mkdir -p $B/sim && $(call values,SCENE FRAMES BUILD_OPTIONS LATENCY \
-	    STALL SEED PROFILE) BUILD=$B sh sim/top.sh,$(call run,sim,$(SIM_KEY)))
+	    STALL SEED PROFILE) BUILD=$B sh sim/top.sh,$(call values,CSV) \
+	    REPEATED=$(call quoted,$(repeated)) $(call run,sim,$(SIM_KEY)))
 
 .PHONY: sim-folder
 sim-folder: # prints where such a run leaves what it makes

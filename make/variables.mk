@@ -70,6 +70,8 @@ WINDOW ?=
 WARM ?= 0
 ## WAVES 0|1 if 1, write a waveform
 WAVES ?= 0
+## CSV <text>| file to which make sim appends a row of what it counted
+CSV ?=
 ## TARGET ecp5|xc7|generic|all of make synth
 TARGET ?= ecp5
 ## FLAT 0|1 if 1, make synth dissolves the hierarchy before it maps

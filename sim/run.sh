@@ -5,11 +5,13 @@
 # usage: NAME=value ... sim/run.sh [--folder] render|sim|core NAME...
 #   NAME...  variables that shape the run; among them SCENE as sim/scene.sh takes it, SEED and
 #            BUILD_OPTIONS, of `sphaera build`, and for sim those of sim/core.sh and its options
-# Also reads PROFILE, SIZE, SAMPLES and BUILD, the build folder, with the tool in it.
+# Also reads PROFILE, SIZE, SAMPLES; BUILD, the build folder, with the tool in it; CSV, a file to
+# which sim appends a row; REPEATED, the command that repeats the run.
 #
 # The folder BUILD/out/SCENE-PROFILE-SIZE-DIGEST has these variables in its file key, and what the
 # goal leaves: scene.sph and build.json; of render model.png, model.frame, model.json; of sim
-# pictures, frames, report.json and log. `core` prints profile and core that the machine asks for.
+# pictures, frames, report.json, report.html and log. `core` prints profile and core that the
+# machine asks for.
 # Everything is made anew each time, under a lock; BUILD/out/last is the folder of the last run.
 # With --folder the name of the folder is printed, and nothing made.
 set -euf
@@ -25,8 +27,8 @@ say() { [ "${V:-0}" = 1 ] || printf '  %-4s %s\n' "$@"; }
 
 key() {
     printf 'goal=%s\nscene=%s\n' "$goal" "$scene"
-    for name; do
-        [ "$name" = SCENE ] || eval "printf '%s=%s\n' $name \"\$$name\""
+    for variable; do
+        [ "$variable" = SCENE ] || eval "printf '%s=%s\n' $variable \"\$$variable\""
     done
 }
 name=${scene#scenes/}
@@ -79,7 +81,7 @@ esac
 say SIM "$name $PROFILE $SIZE in $SIM"
 set -- --machine "$run/scene.sph" --latency "$LATENCY" --stall "$STALL" --seed "$SEED" \
     --processes "$JOBS" --progress --frame "$run/rtl.frame" --json "$run/report.json" \
-    --model-frame "$run/model.frame"
+    --model-frame "$run/model.frame" --clocks "$run/rtl.clocks"
 [ -z "$WINDOW" ] || set -- "$@" --window "$(echo "$WINDOW" | awk -F , -v n="$SAMPLES" \
     '{ print $1 * n "," $2 * n "," $3 * n "," $4 * n }')" # in pixels of the frame
 [ "$WARM" = 0 ] || set -- "$@" --warm
@@ -89,6 +91,9 @@ sh sim/core.sh "$@" >"$run/log" || rc=$?
 cat "$run/log"
 [ -f "$run/rtl.frame" ] || exit "$rc"
 "$BUILD/sim/pictures" "$run/model.frame" "$run/rtl.frame" "$run" "$SAMPLES"
+printf '%s\n' "${REPEATED:-}" >"$run/command"
+case ${CSV:-} in '' | /*) ;; *) CSV=${FROM:-.}/$CSV ;; esac
+BUILD=$BUILD python3 -m lab.report "$run" ${CSV:+--csv "$CSV"} || exit 1
 echo "pictures and report in $run/"
 sed -n '$s/^core \(.*mismatches\),.*/sim \1/p' "$run/log"
 exit "$rc"

@@ -13,6 +13,20 @@
 #include "common/output.h"
 #include "tool/sequence.h"
 
+/* Of the arithmetic, bits. */
+static json_t *widths(const struct sph_profile *p) {
+    return json_pack("{s:i, s:i, s:i, s:i, s:i, s:i}", "W", p->w, "WD", p->wd, "PQ", p->pq, "NG",
+                     p->ng, "FW", p->fw, "PR", p->pr);
+}
+
+/* Where the eye is, and how wide it sees. */
+static json_t *camera(const int32_t *r) {
+    double screen = -(double)r[SPH_REG_DIR_Z], pitch = (double)r[SPH_REG_PITCH];
+    double half = atan(pitch * r[SPH_REG_FRAME_W] / 2 / screen);
+    return json_pack("{s:[i, i, i], s:f}", "eye", r[SPH_REG_EYE_X], r[SPH_REG_EYE_Y],
+                     r[SPH_REG_EYE_Z], "degrees_across", half * 360 / acos(-1));
+}
+
 void report_machine(json_t *report, const struct sph_machine *m) {
     static const char *const ways[] = {"none", "rect", "spans", "exact"};
     const int32_t *r = m->regs;
@@ -21,6 +35,8 @@ void report_machine(json_t *report, const struct sph_machine *m) {
     json_t *machine = json_object();
     report_text(machine, "name", m->name);
     report_text(machine, "profile", sph_machine_profile(m)->name);
+    report_add(machine, "widths", widths(sph_machine_profile(m)));
+    report_add(machine, "camera", camera(r));
     report_text(machine, "tree", sph_machine_tree_name(m));
     report_text(machine, "background", ways[r[SPH_REG_BG_MODE]]);
     report_count(machine, "width", (uint64_t)r[SPH_REG_FRAME_W]);

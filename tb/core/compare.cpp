@@ -127,7 +127,10 @@ void compare_pixels(const Options &o, const sph_machine &m, const Outcome &c, in
             if (wrong++) continue;
             first = line("first wrong pixel x %d y %d%s:", x, y, pass ? " (warm pass)" : "");
             first += difference(m, p, s, x, y);
-            first += "repeat: " + repeat_command(o, {x, y, x + 1, y + 1}) + "\n";
+            if (!v.repeat.empty()) continue;
+            v.first[0] = x;
+            v.first[1] = y;
+            v.repeat = repeat_command(o, {x, y, x + 1, y + 1});
         }
     if (!wrong) return;
     v.mismatches += wrong;
@@ -181,7 +184,7 @@ void compare_expected(const Options &o, const Outcome &c, Verdict &v) {
 } // namespace
 
 Verdict compare(const Options &o, const sph_machine &machine, const Outcome &c) {
-    Verdict v{0, refusal(o, machine, c.total[COLD].errors), false};
+    Verdict v{0, refusal(o, machine, c.total[COLD].errors), false, {-1, -1}, ""};
     v.refused = !v.text.empty() && !(o.expect_errors >= 0 && o.expect_errors & REFUSED);
     for (const Run *run : c.runs)
         if (run->failure[0]) {
@@ -194,7 +197,7 @@ Verdict compare(const Options &o, const sph_machine &machine, const Outcome &c) 
     }
     if (dark(o)) compare_dark(o, machine, c, v);
     compare_expected(o, c, v);
-    if (v.mismatches && v.text.find("repeat: ") == std::string::npos)
-        v.text += "repeat: " + repeat_command(o, c.window) + "\n";
+    if (v.mismatches && v.repeat.empty()) v.repeat = repeat_command(o, c.window);
+    if (v.mismatches) v.text += "repeat: " + v.repeat + "\n";
     return v;
 }

@@ -103,7 +103,7 @@ void Life::frame(const Scene &s, const char *what) {
     samples_.assign(static_cast<size_t>(s.frame.width) * static_cast<size_t>(s.frame.height),
                     Sample{});
     host_.pixel = [&](int x, int y, const sph_pixel &p) {
-        deliver(*s.machine, run_, samples_.data(), x, y, p);
+        deliver(*s.machine, run_, samples_.data(), x, y, p, clock);
         last = clock;
     };
     host_.pins.start = true;

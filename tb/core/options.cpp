@@ -37,6 +37,7 @@ enum Key {
     TRACE,
     FRAME,
     MODEL_FRAME,
+    CLOCKS,
     JSON,
     REPEAT
 };
@@ -74,6 +75,8 @@ const argp_option table[] = {
     {"trace", TRACE, "FILE.fst", 0, "write a waveform (only if built with tracing)", 0},
     {"frame", FRAME, "FILE", 0, "write the core's pixels and counters", 0},
     {"model-frame", MODEL_FRAME, "FILE", 0, "write the model's pixels and counters", 0},
+    {"clocks", CLOCKS, "FILE", 0,
+     "write the clock in which each pixel left, a little-endian word of 32 bits, row by row", 0},
     {"json", JSON, "FILE", 0, "write a report", 0},
     {"repeat", REPEAT, "COMMAND", 0, "how the command printed for repetition starts", 0},
     {nullptr, 0, nullptr, 0, nullptr, 0},
@@ -189,6 +192,9 @@ error_t parse(int key, char *arg, argp_state *state) {
         break;
     case MODEL_FRAME:
         o.model_frame = arg;
+        break;
+    case CLOCKS:
+        o.clocks = arg;
         break;
     case JSON:
         o.json = arg;

@@ -50,7 +50,7 @@ struct Options {
     std::string engine; /* Icarus: the compiled bench */
     std::string core;   /* what the core was built with: a list of sim/parameters.sh */
     std::string built;  /* the same as parameters, NAME=VALUE ... */
-    std::string trace, frame, model_frame, json;
+    std::string trace, frame, model_frame, clocks, json;
     std::string repeat; /* how the command that repeats a failure starts */
 };
 

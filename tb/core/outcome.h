@@ -37,6 +37,8 @@ struct Verdict {
     uint64_t mismatches; /* pixels, counters, error bits and failures of the run */
     std::string text;    /* what is wrong, the first pixel in full; empty if nothing */
     bool refused;        /* the core takes no such machine, and nobody expected that */
+    int first[2];        /* x, y of the first wrong pixel; -1: none */
+    std::string repeat;  /* the command that repeats what is wrong, if anything is */
 };
 
 /* A pixel that sees no primitive after so many visits. */

@@ -103,12 +103,18 @@ bool write_json(const Options &o, const sph_machine &m, const Outcome &c, const 
     for (int i = 0; i < argc; i++)
         command += std::string(i ? " " : "") + argv[i];
     json_t *root = json_pack(
-        "{s:s, s:s, s:s, s:s, s:s, s:s, s:[iiii], s:i, s:i, s:I, s:I, s:I, s:f}", "scene", m.name,
-        "profile", sph_machine_profile(&m)->name, "command", command.c_str(), "simulator",
-        simulator_name, "simulator_version", simulator_version().c_str(), "compiler", __VERSION__,
-        "window", w.x0, w.y0, w.x1, w.y1, "latency", o.latency, "stall", o.stall, "seed",
+        "{s:s, s:i, s:s, s:s, s:s, s:s, s:s, s:s, s:[iiii], s:i, s:i, s:I, s:I, s:I, s:f, s:b}",
+        "schema", "sphaera-simulation", "version", 1, "scene", m.name, "profile",
+        sph_machine_profile(&m)->name, "command", command.c_str(), "simulator", simulator_name,
+        "simulator_version", simulator_version().c_str(), "compiler", __VERSION__, "window", w.x0,
+        w.y0, w.x1, w.y1, "latency", o.latency, "stall", o.stall, "seed",
         static_cast<json_int_t>(o.seed), "pixels", static_cast<json_int_t>(c.pixels()),
-        "mismatches", static_cast<json_int_t>(v.mismatches), "seconds", c.seconds);
+        "mismatches", static_cast<json_int_t>(v.mismatches), "seconds", c.seconds, "refused",
+        v.refused);
+    if (!o.core.empty()) json_object_set_new(root, "core", json_string(o.core.c_str()));
+    if (v.first[0] >= 0)
+        json_object_set_new(root, "first_wrong", json_pack("[ii]", v.first[0], v.first[1]));
+    if (!v.repeat.empty()) json_object_set_new(root, "repeat", json_string(v.repeat.c_str()));
     json_object_set_new(root, "model", counters(c.model_counters.count, true));
     json_object_set_new(root, "cold", pass_json(c, COLD));
     if (o.warm) json_object_set_new(root, "warm", pass_json(c, WARM));
@@ -125,6 +131,23 @@ bool write_json(const Options &o, const sph_machine &m, const Outcome &c, const 
     error = err.text;
     return ok;
 }
+
+namespace {
+
+/* The clocks of the pixels of the last pass; 0: none was delivered. */
+int write_clocks(const Options &o, const Outcome &c, sph_error *err) {
+    const Sample *samples = c.samples[o.warm ? WARM : COLD];
+    sph_output out;
+    if (sph_output_open(&out, o.clocks.c_str(), err)) return -1;
+    int bad = 0;
+    size_t n = static_cast<size_t>(c.model_frame.width) * static_cast<size_t>(c.model_frame.height);
+    for (size_t i = 0; i < n; i++)
+        for (unsigned shift = 0; shift < 32; shift += 8)
+            bad |= std::fputc(static_cast<int>(samples[i].clock >> shift & 255), out.file) < 0;
+    return sph_output_close(&out, bad, err);
+}
+
+} // namespace
 
 bool write_frames(const Options &o, const Outcome &c, std::string &error) {
     sph_error err = {{0}};
@@ -147,6 +170,7 @@ bool write_frames(const Options &o, const Outcome &c, std::string &error) {
             shot.counters.count[i] = c.total[pass].count[i];
         failed |= sph_shot_write(&shot, o.frame.c_str(), &err);
     }
+    if (!o.clocks.empty() && !failed) failed = write_clocks(o, c, &err);
     error = err.text;
     return !failed;
 }

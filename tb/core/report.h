@@ -19,7 +19,8 @@ std::string summary(const Options &o, const sph_machine &machine, const Outcome 
 bool write_json(const Options &o, const sph_machine &machine, const Outcome &c, const Verdict &v,
                 int argc, char **argv, std::string &error);
 
-/* Writes a frame file of the core's pixels of the last pass, or of the model's. */
+/* Writes what is asked for: frame files of the core's pixels of the last pass and of the model's,
+ * and the clocks of the core's pixels. false with a message. */
 bool write_frames(const Options &o, const Outcome &c, std::string &error);
 
 #endif

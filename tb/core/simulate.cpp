@@ -25,7 +25,7 @@ bool equal(const sph_pixel &a, const Sample &s) {
 }
 
 void deliver(const sph_machine &machine, Run &run, Sample *samples, int x, int y,
-             const sph_pixel &pixel) {
+             const sph_pixel &pixel, uint64_t clock) {
     const Window &w = run.window;
     if (x < w.x0 || x >= w.x1 || y < w.y0 || y >= w.y1) {
         fail(run, "the core delivered pixel %d %d, outside of window %d,%d,%d,%d", x, y, w.x0, w.y0,
@@ -37,6 +37,7 @@ void deliver(const sph_machine &machine, Run &run, Sample *samples, int x, int y
     Sample &s = samples[at];
     s.pixel = pixel;
     s.times++;
+    s.clock = static_cast<uint32_t>(clock);
     run.pixels++;
     if (run.model && !equal(run.model->pixels[at], s)) run.stopped = true;
 }

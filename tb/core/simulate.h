@@ -19,6 +19,7 @@ enum { COLD, WARM, PASSES };
 struct Sample {
     sph_pixel pixel;
     uint32_t times; /* must be 1 */
+    uint32_t clock; /* from the start of the pass, when it was last delivered */
 };
 
 /* What the core said about one pass. */
@@ -53,9 +54,9 @@ void simulate(const Options &o, const sph_machine &machine, Sample *samples[PASS
 bool equal(const sph_pixel &model, const Sample &core);
 
 /* Stores the pixel if x, y lie in the window; else says so in run.failure. Stops the run if it is
- * not run.model's. */
+ * not run.model's. clock: since the pass began. */
 void deliver(const sph_machine &machine, Run &run, Sample *samples, int x, int y,
-             const sph_pixel &pixel);
+             const sph_pixel &pixel, uint64_t clock);
 
 /* Appends a printf-style line to run.failure, as far as there is room. */
 void fail(Run &run, const char *format, ...) __attribute__((format(printf, 2, 3)));

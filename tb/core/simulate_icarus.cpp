@@ -93,17 +93,18 @@ std::string first_line(const std::string &path) {
 bool read_line(const char *text, const sph_machine &m, Sample *samples[PASSES], int &pass,
                Run &run) {
     unsigned x = 0, y = 0, number = 0;
-    unsigned long long key = 0;
+    unsigned long long key = 0, clock = 0;
     char hex[32] = "";
     sph_pixel p{};
     switch (text[0]) {
     case 'p':
-        if (std::strpbrk(text, "xzXZ") || std::sscanf(text, "p %x %x %18s %x %llx %x %x", &x, &y,
-                                                      hex, &p.id, &key, &p.visits, &p.texture) != 7)
+        if (std::strpbrk(text, "xzXZ") ||
+            std::sscanf(text, "p %x %x %18s %x %llx %x %x %llx", &x, &y, hex, &p.id, &key,
+                        &p.visits, &p.texture, &clock) != 8)
             return false;
         p.key = key;
         colours(hex, p);
-        deliver(m, run, samples[pass], static_cast<int>(x), static_cast<int>(y), p);
+        deliver(m, run, samples[pass], static_cast<int>(x), static_cast<int>(y), p, clock);
         return true;
     case 'c':
         if (std::sscanf(text, "c %x %llx", &number, &key) != 2 || number >= SPH_COUNTERS ||

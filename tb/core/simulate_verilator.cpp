@@ -79,8 +79,8 @@ void Bench::pass(Sample *samples, bool keep, Pass &out) {
     const uint64_t begin = core_.cycle(), missed = core_.textures().missed();
     uint64_t last_pixel = begin;
     core_.pixel = [&](int x, int y, const sph_pixel &p) {
-        deliver(core_.memory().machine(), run_, samples, x, y, p);
         last_pixel = core_.cycle();
+        deliver(core_.memory().machine(), run_, samples, x, y, p, last_pixel - begin);
     };
     core_.pins.keep_cache = keep;
     core_.pins.start = true;

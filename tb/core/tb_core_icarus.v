@@ -178,8 +178,8 @@ module tb_core_icarus #(
         end
         quiet = quiet + 1;
         if (!rst && pix_valid && pix_ready && !cut) begin
-            $fwrite(out, "p %h %h %h %h %h %h %h\n", pix_x, pix_y, pix_colour, pix_id, pix_key,
-                    pix_visits, pix_texture);
+            $fwrite(out, "p %h %h %h %h %h %h %h %h\n", pix_x, pix_y, pix_colour, pix_id,
+                    pix_key, pix_visits, pix_texture, ($time - begun) / 10);
             $fflush(out); // who reads may want no more of it
             quiet = 0;
             last = $time;

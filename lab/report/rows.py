@@ -1,0 +1,44 @@
+# rows.py - runs as rows of a CSV file
+# SPDX-License-Identifier: Apache-2.0
+import csv
+import fcntl
+import io
+
+
+class Bad(Exception):
+    """A file that has other columns."""
+
+
+def row(run):
+    """{column: value} of a run: what it was asked, and what it counted in its last pass."""
+    report, last = run.report, run.last
+    columns = {name: report[name] for name in ("scene", "profile")}
+    columns.update(width=run.model.width, height=run.model.height,
+                   window=" ".join(map(str, run.window)), core=report.get("core", ""),
+                   engines=run.parameters["ENGINES"], tree=run.machine["tree"],
+                   separation=run.machine["background"], depth=run.machine["max_depth"])
+    columns.update((name, report[name]) for name in
+                   ("simulator", "latency", "stall", "seed", "pixels", "mismatches", "seconds"))
+    columns.update(warm=int("warm" in report), cores=len(last["tiles"]),
+                   cycles_per_pixel=last["cycles_per_pixel"])
+    columns.update(last["counters"])
+    return columns
+
+
+def append(path, columns):
+    """Appends a row under a lock; a new file gets a header before it."""
+    with open(path, "a+", encoding="utf-8", newline="") as file:
+        fcntl.flock(file, fcntl.LOCK_EX)
+        file.seek(0)
+        there = next(csv.reader(file), None)
+        if there is not None and there != list(columns):
+            extra = sorted(set(there) ^ set(columns))
+            raise Bad(f"{path}:1: this header is another one: "
+                      + (f"{', '.join(extra)} in one of them alone" if extra else
+                         "the order of its columns"))
+        text = io.StringIO()
+        out = csv.writer(text, lineterminator="\n")
+        if there is None:
+            out.writerow(columns)
+        out.writerow(columns.values())
+        file.write(text.getvalue())

@@ -1,0 +1,100 @@
+#!/bin/sh
+# test_report.sh - what `make sim` leaves to look at: the page in a real browser, JSON, CSV; a fault
+# SPDX-License-Identifier: Apache-2.0
+set -u
+. "$(dirname "$0")/../tap.sh"
+cd "$(dirname "$0")/../.." || exit 1
+export BUILD
+
+# A small frame in Icarus.
+sim() {
+    env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL make --no-print-directory sim B="$BUILD" JOBS=1 \
+        SIM=icarus SCENE=paper5 PROFILE=draft SIZE=12x8 "$@"
+}
+rm -f "$TMP/runs.csv"
+check "a run leaves a page" sim CSV="$TMP/runs.csv"
+run=$TMP/run wrong=$TMP/wrong
+cp -rL "$BUILD/out/last" "$run"
+python() { PYTHONPATH=. python3 -c "import sys
+from lab.report.run import Run
+run = Run(sys.argv[1])
+$2" "$1"; }
+report() { python3 -m lab.report "$@"; }
+
+check "... of one file: nothing is asked for elsewhere" sh -c "! grep -oE \
+    '(src|href)=\"[^\"]*\"|url\([^)]*\)|@import' '$run/report.html' | grep -vE '\"(data:|$)'"
+check "... that says that Icarus ran" grep -q 'Icarus Verilog.*start as x' "$run/report.html"
+check "... and how to repeat it" grep -q "make sim .*SIZE='*12x8" "$run/command"
+check "the last pixel left in the last cycle" python "$run" \
+    "assert max(run.left) == run.last['counters']['cycles'], max(run.left)"
+check "every traced pixel was in flight, none longer than the frame" python "$run" \
+    "took = run.in_flight(); assert min(took) > 0 and max(took) <= max(run.left), took"
+
+# ---- CSV ----
+columns() { python3 -c "import csv, sys
+rows = list(csv.DictReader(open('$TMP/runs.csv')))
+assert len(rows) == $1 and rows[0]['cycles'] == rows[-1]['cycles'] > '0', rows
+assert rows[0]['scene'] == 'paper5' and rows[0]['mismatches'] == '0', rows"; }
+check "the run is a row below a header" columns 1
+check "another row" report "$run" --csv "$TMP/runs.csv"
+check "... has no header" columns 2
+sed -i '1s/,seed,/,sead,/' "$TMP/runs.csv"
+cp "$TMP/runs.csv" "$TMP/kept.csv"
+refuses() { # words of the message, command
+    words=$1
+    shift
+    "$@" >"$TMP/said" 2>&1 && return 1
+    cat "$TMP/said"
+    grep -q -- "$words" "$TMP/said"
+}
+check "a file with another header is refused" refuses "sead, seed in one of them alone" \
+    report "$run" --csv "$TMP/runs.csv"
+check "... and left alone" cmp "$TMP/runs.csv" "$TMP/kept.csv"
+
+# ---- a fault ----
+# A byte of L2 of pixel 6,4 of the core: the page has to find it by itself.
+cp -r "$run" "$wrong"
+python3 - "$wrong" <<'END'
+import json, struct, sys
+from pathlib import Path
+folder = Path(sys.argv[1])
+data = bytearray((folder / "rtl.frame").read_bytes())
+at = len(data) - 8 - 32 * (12 * 8 - (4 * 12 + 6)) + 8
+data[at] ^= 0x40
+total = 0xcbf29ce484222325
+for byte in data[:-8]:
+    total = (total ^ byte) * 0x100000001b3 % 2**64
+data[-8:] = struct.pack("<Q", total)
+(folder / "rtl.frame").write_bytes(data)
+report = json.loads((folder / "report.json").read_text())
+report.update(mismatches=1, repeat="sim/core.sh --window 6,4,7,5 --trace pixel.fst")
+(folder / "report.json").write_text(json.dumps(report))
+END
+check "a run with a fault has a page too" report "$wrong"
+check "... that names the pixel" grep -q 'first wrong pixel is <b>6, 4</b>' "$wrong/report.html"
+check "... what differs, and that alone" sh -c "grep -o '<tr class=\"wrong\"><td>[a-z0-9]*' \
+    '$wrong/report.html' | grep -x '.*<td>l2'"
+check "... its rays" grep -q '<b>primary</b>: id [0-9]*, key' "$wrong/report.html"
+check "... and the command that makes a waveform" grep -q -- '--trace .*/wrong/pixel.fst' \
+    "$wrong/report.html"
+check "the sound run says nothing of it" sh -c "! grep -q 'What is wrong' '$run/report.html'"
+head -c 100 "$run/rtl.clocks" >"$wrong/rtl.clocks"
+check "a file that is cut is refused" refuses "clocks of 25 pixels, not of 12x8" report "$wrong"
+
+# ---- a browser ----
+python3 -m lab.report.browser --there || {
+    for page in report wrong; do
+        echo "ok $((checks += 1)) - $page.html in a browser # SKIP no Chromium: make browser-setup"
+    done
+    done_testing
+    exit
+}
+browse() { # kind, page
+    mkdir -p "$TMP/$1.shots"
+    PYTHONPATH=. python3 tests/lab/browse.py "$1" "$2" "$TMP/$1.shots"
+}
+check "the page in Chromium" browse report "$run/report.html"
+cp "$run/rtl.clocks" "$wrong"
+report "$wrong"
+check "the page of a fault" browse wrong "$wrong/report.html"
+done_testing
