@@ -108,6 +108,7 @@ void sph_scene_free(struct sph_scene *scene) {
     free(scene->facets);
     free(scene->textures);
     free(scene->motions);
+    free(scene->flights);
     free(scene->frusta);
     for (uint32_t i = 0; i < scene->n_files; i++)
         free(scene->files[i]);

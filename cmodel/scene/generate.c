@@ -93,7 +93,7 @@ int sph_generate(const char *kind, const struct sph_generate_options *options,
     scene->camera.width = o.width;
     scene->camera.height = o.height;
     if (makers[i].make(&o, scene, err) || sph_camera_check(&scene->camera, scene->name, err) ||
-        check_distinct(scene, err)) {
+        check_distinct(scene, err) || sph_make_moving(&o, scene, err)) {
         sph_scene_free(scene);
         return -1;
     }

@@ -33,6 +33,10 @@ int sph_make_scenario2(const struct sph_generate_options *options, struct sph_sc
 int sph_make_scenario3(const struct sph_generate_options *options, struct sph_scene *scene,
                        struct sph_error *err);
 
+/* Sets what is made in motion, as options->drift and ->orbit say. -1 with a message. */
+int sph_make_moving(const struct sph_generate_options *options, struct sph_scene *scene,
+                    struct sph_error *err);
+
 /* Sets the eye, target, up direction and vertical field of view (degrees). */
 void sph_make_camera(struct sph_scene *scene, struct sph_vec from, struct sph_vec at,
                      struct sph_vec up, double angle);

@@ -46,6 +46,7 @@ int sph_scene_move(struct sph_scene *scene, uint32_t frame, struct sph_error *er
         if (!(growth(&scene->motions[i], frame) > 0))
             return sph_fail(err, "%s:%u: `move`: nothing is left at frame %u", scene->path,
                             scene->motions[i].line, frame);
+    if (sph_scene_fly(scene, frame, err)) return -1;
     if (!frame || !scene->n_motions) return 0;
     for (uint32_t i = 0; i < scene->n_spheres; i++) {
         struct sph_sphere *s = &scene->spheres[i];

@@ -128,6 +128,21 @@ static int take_still(struct sph_reader *r) {
     return 0;
 }
 
+/* fly n x y z x y z: eye, and what it looks at, at frame n */
+static int take_fly(struct sph_reader *r, struct sph_error *err) {
+    struct sph_flight f = {.line = r->lex.token_line};
+    double frame;
+    if (sph_lex_number(&r->lex, "fly", "frame", &frame, err)) return -1;
+    if (!(frame >= 1 && frame <= SPH_MAX_FRAME && frame == floor(frame)))
+        return sph_fail(err, "%s:%u: `fly`: frame %g is not a whole number of 1 to %u", r->lex.path,
+                        r->lex.token_line, frame, SPH_MAX_FRAME);
+    f.frame = (uint32_t)frame;
+    return sph_nff_vec(r, "fly", &f.from, err) || sph_nff_vec(r, "fly", &f.at, err) ||
+                   sph_scene_add_flight(r->scene, &f, err)
+               ? -1
+               : 0;
+}
+
 int sph_nff_take_record(struct sph_reader *r, struct sph_error *err) {
     char word[SPH_LEX_TOKEN + 1];
     memcpy(word, r->lex.token, sizeof word);
@@ -140,6 +155,7 @@ int sph_nff_take_record(struct sph_reader *r, struct sph_error *err) {
     if (!strcmp(word, "shading")) return sph_nff_take_shading(r, err);
     if (!strcmp(word, "move")) return take_move(r, err);
     if (!strcmp(word, "still")) return take_still(r);
+    if (!strcmp(word, "fly")) return take_fly(r, err);
     if (!strcmp(word, "l")) return sph_nff_take_light(r, err);
     if (!strcmp(word, "v")) return take_view(r, err);
     if (!strcmp(word, "b"))
@@ -171,6 +187,7 @@ int sph_nff_finish(struct sph_reader *r, struct sph_error *err) {
     struct sph_scene *scene = r->scene;
     uint32_t first, second;
     if (!r->view_line) return sph_fail(err, "%s: no camera (`v`)", r->lex.path);
+    if (sph_scene_check_flights(scene, err)) return -1;
     for (int i = 0; i < scene->n_lights; i++)
         for (int k = 0; k < 3 && r->plain[i]; k++)
             scene->lights[i].rgb[k] = 1 / sqrt(scene->n_lights);

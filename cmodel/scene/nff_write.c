@@ -26,6 +26,12 @@ static void put_scene(const struct sph_scene *scene, FILE *file) {
     sph_nff_put(&w, "angle", &camera->angle, 1);
     sph_nff_put(&w, "hither", &camera->hither, 1);
     fprintf(file, "resolution %d %d\n", camera->width, camera->height);
+    for (uint32_t i = 0; i < scene->n_flights; i++) {
+        const struct sph_flight *f = &scene->flights[i];
+        sph_nff_put(
+            &w, "fly",
+            (double[]){f->frame, f->from.x, f->from.y, f->from.z, f->at.x, f->at.y, f->at.z}, 7);
+    }
     sph_nff_put(&w, "b", scene->background, 3);
     sph_nff_put(&w, "ambient", scene->ambient, 3);
     for (int i = 0; i < scene->n_lights; i++) {

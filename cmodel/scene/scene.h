@@ -97,10 +97,17 @@ struct sph_motion {
     uint32_t line; /* of the file, for messages; 0 if generated */
 };
 
+/* At that frame the camera is at `from` and looks at `at`. */
+struct sph_flight {
+    struct sph_vec from, at;
+    uint32_t frame; /* at least 1 */
+    uint32_t line;  /* of the file, for messages; 0 if generated */
+};
+
 struct sph_read_options {
     int skip_unsupported; /* leave out pb, ...: render the rest */
     double round;         /* of cones, see frustum.h; 0: SPH_FRUSTUM_ROUND */
-    uint32_t at;          /* frame that moving primitives are moved to (motion.h, aff.h) */
+    uint32_t at;          /* frame that primitives and camera are moved to (motion.h, aff.h) */
     int timed;            /* of AFF: at this time, whatever the frame */
     double time;
 };
@@ -119,8 +126,9 @@ struct sph_scene {
     uint32_t n_facets, n_textures;
     struct sph_facet *facets;
     struct sph_texture *textures;
-    uint32_t n_motions, n_frusta;
+    uint32_t n_motions, n_flights, n_frusta;
     struct sph_motion *motions;
+    struct sph_flight *flights; /* by frame, rising: where the camera goes from frame 0 on */
     struct sph_frustum *frusta; /* as the file has them, not moved: for sph_scene_write() */
     uint32_t n_skipped;         /* unsupported primitives left out (--skip-unsupported) */
     uint32_t n_bent;    /* polygons that are not flat: each of their triangles is one by itself */

@@ -32,6 +32,8 @@ enum {
     KEY_ELEMENTS,
     KEY_RADIUS,
     KEY_PLAIN,
+    KEY_DRIFT,
+    KEY_ORBIT,
     KEY_AT,
     KEY_TIME,
     KEY_FRAMES,
@@ -48,6 +50,9 @@ static const struct argp_option gen_options[] = {
     {"plain", KEY_PLAIN, NULL, 0,
      "scenarios: materials without highlights, ambient share and Whitted's sum", 0},
     {"seed", KEY_SEED, "N", 0, "another choice of spheres (0)", 0},
+    {"drift", KEY_DRIFT, "D", 0,
+     "every sphere, polygon and cone moves by D a frame, in a direction of its own", 0},
+    {"orbit", KEY_ORBIT, "DEGREES", 0, "the camera goes round what it looks at, so far a frame", 0},
     {"resolution", KEY_RESOLUTION, "WxH", 0, "frame in pixels (320x180, scenarios 640x1088)", 0},
     {0},
 };
@@ -93,6 +98,12 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         return 0;
     case KEY_RADIUS:
         a->generate.radius = real(state, "--radius", arg);
+        return 0;
+    case KEY_DRIFT:
+        a->generate.drift = real(state, "--drift", arg);
+        return 0;
+    case KEY_ORBIT:
+        a->generate.orbit = tool_real(state, "--orbit", arg, 1e-3, 360);
         return 0;
     case KEY_PLAIN:
         a->generate.plain = 1;

@@ -4,6 +4,8 @@
 #include "scene_files.h"
 #include "textured.h"
 
+#include "scene/affine.h"
+#include "scene/generate.h"
 #include "scene/motion.h"
 
 static const struct bad bads[] = {
@@ -11,11 +13,17 @@ static const struct bad bads[] = {
     {"grow_alone", CAM MAT "move 1 2 3 .5\ns 0 0 0 1\n", 10, "x of its middle: `s` is not", 0, 0},
     {"no_number", CAM MAT "move 1 2 nan\n", 9, "`move`: z: `nan` is not", 0, 0},
     {"end", CAM MAT "move 1 2", 9, "ends within `move`, before z", 0, 0},
+    {"fly_0", CAM "fly 0 0 0 9 0 0 0\n", 8, "`fly`: frame 0 is not a whole number of 1 to", 0, 0},
+    {"fly_back", CAM "fly 5 0 0 9 0 0 0\nfly 5 0 0 8 0 0 0\n", 9,
+     "`fly`: frame 5 is not after frame 5", 0, 0},
+    {"fly_nowhere", CAM "fly 5 1 2 3 1 2 3\n", 8, "`fly`: frame 5", 0, 0},
+    {"fly_up", CAM "fly 5 0 4 0 0 0 0\n", 8, "`fly`: frame 5", 0, 0},
 };
 static const struct bad bads_at_3[] = {
     {"gone", CAM MAT "move 0 0 0 -.5 0 0 0\ns 0 0 0 1\n", 9, "nothing is left at frame 3", 0, 0},
     {"meet", CAM MAT "s 3 0 0 1\nmove 1 0 0\ns 0 0 0 1\n", 11,
      "at frame 3 the same sphere (centre and radius) as in line 9", 0, 0},
+    {"through", CAM MAT "fly 6 0 0 -5 0 0 0\n", 9, "`fly`: frame 3", 0, 0},
 };
 
 static void refused(const struct bad *bad, uint32_t at) {
@@ -91,6 +99,56 @@ static void places(void **state) {
     sph_scene_free(&rest);
 }
 
+/* Equal steps are a straight line, places are met, and behind the last one the camera stays. */
+static void flies(void **state) {
+    (void)state;
+    static const char text[] = CAM "fly 4 4 2 5 0 2 0\nfly 8 8 4 5 0 4 0\nfly 12 8 4 -3 1 0 0\n";
+    struct sph_scene rest, s, again;
+    struct sph_error err = {""};
+    read_at(text, 0, &rest);
+    at(rest.camera.from, 0, 0, 5);
+    static const uint32_t frames[] = {2, 4, 12, 99};
+    static const double from[][3] = {{2, 1, 5}, {4, 2, 5}, {8, 4, -3}, {8, 4, -3}};
+    static const double look[][3] = {{0, 1, 0}, {0, 2, 0}, {1, 0, 0}, {1, 0, 0}};
+    for (int i = 0; i < 4; i++) {
+        if (sph_scene_at(&rest, frames[i], &s, &err)) fail_msg("%s", err.text);
+        at(s.camera.from, from[i][0], from[i][1], from[i][2]);
+        at(s.camera.at, look[i][0], look[i][1], look[i][2]);
+        sph_scene_at_free(&s);
+    }
+    if (sph_scene_at(&rest, 7, &s, &err)) fail_msg("%s", err.text);
+    FILE *file = fopen(file_name, "w");
+    assert_non_null(file);
+    assert_int_equal(sph_scene_write(&rest, file, &err), 0);
+    fclose(file);
+    read_at(NULL, 7, &again);
+    assert_same_scene(&s, &again);
+    at(again.camera.from, s.camera.from.x, s.camera.from.y, s.camera.from.z);
+    sph_scene_free(&again);
+    sph_scene_at_free(&s);
+    sph_scene_free(&rest);
+}
+
+/* What is generated goes once round, and every part moves as far. */
+static void generated(void **state) {
+    (void)state;
+    struct sph_generate_options o = {.drift = .25, .orbit = 10, .size = 1};
+    struct sph_scene scene;
+    struct sph_error err = {""};
+    if (sph_generate("jacks", &o, &scene, &err)) fail_msg("%s", err.text);
+    assert_int_equal(scene.n_flights, 36);
+    assert_int_equal(scene.flights[35].frame, 36);
+    struct sph_vec back = sph_vec_sub(scene.flights[35].from, scene.camera.from);
+    assert_true(sph_vec_length(back) < 1e-9 * sph_vec_length(scene.camera.from));
+    assert_int_equal(scene.n_motions, scene.n_spheres + scene.n_frusta + 1); /* the floor */
+    for (uint32_t i = 0; i < scene.n_motions; i++)
+        assert_float_equal(sph_vec_length(scene.motions[i].step), .25, 1e-12);
+    for (uint32_t i = 1; i < scene.n_facets; i++)
+        assert_int_equal(scene.facets[i].motion == scene.facets[i - 1].motion,
+                         scene.facets[i].frustum == scene.facets[i - 1].frustum);
+    sph_scene_free(&scene);
+}
+
 /* A sequence builds, bit for bit, what each frame alone does; still primitives keep P_b while the
  * grid's step stays, and what moves has it made anew. */
 static const char show[] =
@@ -145,6 +203,7 @@ static void kept(void **state) {
 
 int main(void) {
     const struct CMUnitTest others[] = {cmocka_unit_test(test_bad_at_3), cmocka_unit_test(places),
+                                        cmocka_unit_test(flies), cmocka_unit_test(generated),
                                         cmocka_unit_test(kept)};
     return run_cases("motion", test_bad, bads, sizeof bads / sizeof bads[0], others,
                      sizeof others / sizeof others[0]);

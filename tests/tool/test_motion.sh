@@ -41,6 +41,17 @@ check "in a folder that is there" "$s" render $robot $size --frames 2..3 -o "$TM
 check "frame 3 is the picture of its machine" cmp "$TMP/one.png" "$TMP/v.1/a-0003.png"
 check "and so is the frame file" "$s" compare "$TMP/one.frame" "$TMP/a-0003.frame"
 
+sed 's/^b .*/&\nfly 2 2 1.5 6.3 -0.2 1.15 0/' $robot >"$TMP/fly.nff"
+cp scenes/texture/*.png "$TMP"
+fly() { # shellcheck disable=SC2086
+    "$s" build "$TMP/fly.nff" $size --profile draft "$@" >"$TMP/text" 2>&1
+}
+fly --frames 1..3 -o "$TMP/fly.sph"
+for frame in 1 2 3; do
+    fly --at $frame -o "$TMP/fly$frame.sph"
+    check "frame $frame with a camera that flies" cmp "$TMP/fly$frame.sph" "$TMP/fly-000$frame.sph"
+done
+
 for way in 3 1..x ..2 2..1 0..65536; do
     fails 2 "--frames $way" "$s" render $robot --frames $way
 done
@@ -49,7 +60,6 @@ fails 2 "--at with --frames" "$s" build $robot --at 1 --frames 0..1 -o "$TMP/x.s
 fails 1 "--at of a machine" "$s" render "$TMP/one.sph" --at 1
 fails 1 "--frames of a machine" "$s" render "$TMP/one.sph" --frames 0..1
 sed 's/^move.*/move 0 0 0 -.25 0 0 0/' $robot >"$TMP/gone.nff"
-cp scenes/texture/*.png "$TMP"
 # shellcheck disable=SC2086
 fails 1 "growing to nothing" "$s" build "$TMP/gone.nff" $size --frames 2..5 -o "$TMP/gone.sph"
 line=$(grep -n '^move' "$TMP/gone.nff" | head -1 | cut -d: -f1)
