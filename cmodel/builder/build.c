@@ -198,7 +198,7 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
     m->grid_log2 = grid.log2;
     memcpy(m->origin, grid.origin, sizeof m->origin);
     memcpy(m->rotation, grid.rotation, sizeof m->rotation);
-    return sph_warn_cut(scene, m, report, err);
+    return o->later ? 0 : sph_warn_cut(scene, m, report, err);
 }
 
 int sph_build(const struct sph_scene *scene, const struct sph_build_options *options,

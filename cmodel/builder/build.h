@@ -7,7 +7,7 @@
 #ifndef SPH_BUILD_H
 #define SPH_BUILD_H
 
-#include "builder/bih.h"
+#include "builder/refit.h"
 #include "builder/texture_keep.h"
 #include "builder/tree.h"
 #include "builder/work.h"
@@ -50,6 +50,9 @@ struct sph_build_options {
     const struct sph_mip *mips;      /* of the scene's textures, in its order; equal images may
                                         share texels */
     struct sph_texture_bases *bases; /* NULL, or what the frame before left, of the same scene */
+    struct sph_kept_tree *kept;      /* the same of its tree */
+    int later;                       /* of a sequence, not the first: nothing is measured to be told
+                                        alone, so that planes_cut and its warning are left out */
 };
 
 enum { SPH_TREE_AUTO = 0 };
@@ -87,6 +90,8 @@ struct sph_build_report {
     double fov_error;       /* relative error of tan(angle/2) by quantisation */
     uint32_t nodes, depth;  /* of the tree */
     char tree_why[64];      /* empty if it was asked for */
+    int refitted;           /* the tree is that of the frame before, in new places */
+    double tree_cost;       /* then: its cost over that of the tree when it was built; else 1 */
     uint32_t facets, loose; /* primitives that are no spheres; of them, without bounds */
     double build_seconds, tree_seconds; /* all of build; of processor, of tree and memory
                                            image alone */

@@ -24,9 +24,10 @@ int sph_emit_memory(const struct sph_scene *scene, const struct sph_ball *balls,
                     struct sph_machine *machine, struct sph_error *err);
 
 /* The same with a bounding interval hierarchy, the global box and its leaf records, planes first;
- * what it is like goes to *stats. With one leaf (brute force) there is no box. */
-int sph_emit_bih(const struct sph_scene *scene, const struct sph_ball *balls,
-                 const struct sph_facets *facets, const struct sph_bih_options *options,
+ * what it is like goes to *stats. With one leaf (brute force) there is no box. kept: see refit.h.
+ */
+int sph_emit_bih(const struct sph_scene *scene, const struct sph_plants *plants,
+                 const struct sph_bih_options *options, struct sph_kept_tree *kept,
                  struct sph_machine *machine, struct sph_bih_stats *stats, struct sph_error *err);
 
 /* Its nodes from line 0 on, global box and the two registers of leaf records, n_loose of which

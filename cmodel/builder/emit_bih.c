@@ -123,15 +123,15 @@ static int emit(struct content *c, struct sph_machine *m, struct sph_error *err)
     return 0;
 }
 
-int sph_emit_bih(const struct sph_scene *scene, const struct sph_ball *balls,
-                 const struct sph_facets *facets, const struct sph_bih_options *options,
+int sph_emit_bih(const struct sph_scene *scene, const struct sph_plants *plants,
+                 const struct sph_bih_options *options, struct sph_kept_tree *kept,
                  struct sph_machine *machine, struct sph_bih_stats *stats, struct sph_error *err) {
-    uint32_t n = scene->n_spheres + facets->n;
+    uint32_t n = scene->n_spheres + plants->facets->n;
     struct sph_bih bih = {0};
     struct content c = {.scene = scene,
                         .bih = &bih,
-                        .balls = balls,
-                        .facets = facets,
+                        .balls = plants->balls,
+                        .facets = plants->facets,
                         .ids = malloc((n + 1ull) * sizeof *c.ids),
                         .boxes = malloc((n + 1ull) * sizeof *c.boxes)};
     int failed = -1;
@@ -139,7 +139,7 @@ int sph_emit_bih(const struct sph_scene *scene, const struct sph_ball *balls,
         sph_fail(err, "out of memory for %u boxes", n);
     } else {
         gather(&c);
-        failed = sph_bih_build(c.boxes, c.n_boxes, options, &bih, err);
+        failed = sph_bih_next(plants, c.boxes, c.n_boxes, options, kept, &bih, err);
     }
     if (!failed) {
         *stats = bih.stats;

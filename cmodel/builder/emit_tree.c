@@ -44,7 +44,7 @@ static int emit_bih(const struct sph_scene *scene, const struct sph_build_option
     if (o->tree == SPH_TREE_BRUTE) how.max_prims = UINT32_MAX;
     four.kind = SPH_TREE_BALANCED;
     double start = seconds();
-    if (sph_emit_bih(scene, plants->balls, plants->facets, &how, m, &report->bih, err)) return -1;
+    if (sph_emit_bih(scene, plants, &how, o->kept, m, &report->bih, err)) return -1;
     report->tree_seconds = seconds() - start;
     report->nodes = report->bih.inner + report->bih.leaves;
     report->depth = report->bih.depth_max;
@@ -52,16 +52,29 @@ static int emit_bih(const struct sph_scene *scene, const struct sph_build_option
                                         : sph_tree_build(&four, tree, err);
 }
 
-int sph_emit_tree(const struct sph_scene *scene, const struct sph_build_options *o,
-                  const struct sph_plants *plants, struct sph_tree *tree, struct sph_machine *m,
-                  struct sph_build_report *report, struct sph_error *err) {
-    if (sph_tree_bih(o->tree)) return emit_bih(scene, o, plants, tree, m, report, err);
+static int emit_four(const struct sph_scene *scene, const struct sph_plants *plants,
+                     struct sph_kept_tree *kept, struct sph_tree *tree, struct sph_machine *m,
+                     struct sph_build_report *report, struct sph_error *err) {
     double start = seconds();
-    if (sph_tree_build(plants, tree, err) ||
+    if (sph_tree_next(plants, kept, tree, err) ||
         sph_emit_memory(scene, plants->balls, plants->facets, tree, m, err))
         return -1;
     report->tree_seconds = seconds() - start;
     report->nodes = tree->n_nodes;
     report->depth = tree->depth;
     return 0;
+}
+
+int sph_emit_tree(const struct sph_scene *scene, const struct sph_build_options *o,
+                  const struct sph_plants *plants, struct sph_tree *tree, struct sph_machine *m,
+                  struct sph_build_report *report, struct sph_error *err) {
+    /* the first hit depends on the order of children; the paper's spheres are made as it says */
+    int may = o->traverse == SPH_BUILD_NEAREST && o->tree != SPH_TREE_PAPER;
+    struct sph_kept_tree *kept = may ? o->kept : NULL;
+    if (kept) kept->refitted = 0, kept->cost = 1;
+    int failed = sph_tree_bih(o->tree) ? emit_bih(scene, o, plants, tree, m, report, err)
+                                       : emit_four(scene, plants, kept, tree, m, report, err);
+    report->refitted = kept ? kept->refitted : 0;
+    report->tree_cost = kept ? kept->cost : 1;
+    return failed;
 }

@@ -90,6 +90,7 @@ int tool_load(const char *path, const struct tool_source *source, struct tool_bu
         return sph_fail(err, "%s: a frame of %dx%d has no whole pixels of %d x %d samples", path,
                         width, height, n, n);
     }
+    if (source->refit) return sph_fail(err, "%s: --refit is for several frames: --frames", path);
     struct sph_scene scene;
     if (tool_scene_read(path, source, &scene, err)) return -1;
     struct sph_mip *mips = NULL;

@@ -11,6 +11,7 @@
 enum {
     KEY_PROFILE = 256,
     KEY_TREE,
+    KEY_REFIT,
     KEY_BACKGROUND,
     KEY_BG_POINTS,
     KEY_BG_BORDER,
@@ -32,6 +33,13 @@ static const struct argp_option options[] = {
     {"error", KEY_ERROR, "PIXELS[,DB]", 0,
      "how far what the eye sees may be off, at most, and the picture: 0.125,45", 1},
     {"tree", KEY_TREE, "NAME", 0, "bvh4: reinserted (default), balanced or paper", 1},
+    {"refit", KEY_REFIT, "HOW", 0,
+     "--frames: every tree is built (off, default), or refitted from that of the frame before "
+     "(on); "
+     "auto, auto:PERCENT: while it is expected to make at most so many more visits than when it "
+     "was "
+     "built (10)",
+     1},
     {"background", KEY_BACKGROUND, "NAME", 0,
      "pixels not traced: none (default), those outside a rectangle (rect), outside the outline of "
      "the scene (spans), or whose ray misses it (exact)",
@@ -59,6 +67,7 @@ static const struct argp_option options[] = {
 
 const struct tool_source tool_source_default = {
     .samples = 1,
+    .loss = 0.1,
     .profile_auto = 1,
     .keep = {SPH_KEEP_PIXELS, SPH_KEEP_PSNR},
     .build = SPH_BUILD_DEFAULT,
@@ -73,6 +82,14 @@ static void keep(const struct argp_state *state, const char *arg, struct sph_kee
     if (comma && comma - arg < (int)sizeof pixels) memcpy(pixels, arg, (size_t)(comma - arg));
     to->pixels = tool_real(state, "--error", comma ? pixels : arg, 1e-9, 1e9);
     if (comma) to->psnr = tool_real(state, "--error", comma + 1, 0, 99);
+}
+
+/* off, on, auto or auto:PERCENT */
+static void refit(const struct argp_state *state, const char *arg, struct tool_source *s) {
+    static const char *const hows[] = {"off", "on", "auto", NULL};
+    int bounded = !strncmp(arg, "auto:", 5);
+    s->refit = bounded ? SPH_REFIT_AUTO : tool_choice(state, "--refit", arg, hows);
+    if (bounded) s->loss = tool_real(state, "--refit", arg + 5, 0, 1e6) / 100;
 }
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
@@ -101,6 +118,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     case KEY_TREE:
         s->build.tree = numbers[tool_choice(state, "--tree", arg, trees)];
         s->tree_given = 1;
+        break;
+    case KEY_REFIT:
+        refit(state, arg, s);
         break;
     case KEY_BACKGROUND:
         s->build.background = SPH_BG_NONE + tool_choice(state, "--background", arg, backgrounds);

@@ -44,11 +44,22 @@ void report_bases(json_t *report, const struct sph_build_report *build) {
     json_object_set_new(report, "bases", json);
 }
 
+/* What a frame costs before it is drawn. */
+static void report_time(json_t *report, const struct tool_built *built) {
+    const struct sph_build_report *b = &built->report;
+    report_number(report, "build_seconds", b->build_seconds);
+    report_number(report, "tree_seconds", b->tree_seconds);
+    report_add(report, "refitted", json_boolean(b->refitted));
+    report_number(report, "tree_cost", b->tree_cost);
+    report_count(report, "memory_bytes", (uint64_t)built->machine.lines * SPH_LINE_WORDS * 4);
+}
+
 /* What all frames share. */
 struct run {
     struct sph_scene rest;
     struct sph_mip *mips;
     struct sph_texture_bases bases;
+    struct sph_kept_tree kept;
     struct sph_build_options options;
 };
 
@@ -102,7 +113,8 @@ int tool_each_frame(const char *path, const struct tool_source *source,
                     int (*take)(void *user, uint32_t frame, const struct tool_built *built,
                                 json_t *entry, struct sph_error *err),
                     void *user, struct sph_error *err) {
-    struct run run = {.options = source->build};
+    struct run run = {.options = source->build,
+                      .kept = {.how = source->refit, .loss = source->loss}};
     if (tool_is_machine(path))
         return sph_fail(err, "%s: --frames is for scenes, this is a machine file", path);
     if (tool_scene_read(path, source, &run.rest, err)) return -1;
@@ -112,6 +124,7 @@ int tool_each_frame(const char *path, const struct tool_source *source,
     if (!rc) rc = choose(&run, source, frames, err);
     if (!rc) rc = sph_bases_start(&run.bases, &run.rest, err);
     run.options.mips = run.mips;
+    run.options.kept = &run.kept;
     /* AFF: what is seen may change; where the camera turns, corners are rounded otherwise */
     if (!run.rest.aff && !run.rest.n_flights) run.options.bases = &run.bases;
     for (uint32_t frame = frames->first; !rc && frame <= frames->last; frame++) {
@@ -121,15 +134,23 @@ int tool_each_frame(const char *path, const struct tool_source *source,
         json_t *entry = json_object();
         report_count(entry, "at", frame);
         report_bases(entry, &built.report);
+        report_time(entry, &built);
+        run.options.later = 1;
         if (frame == frames->first) print_build(NULL, &built); /* warnings alone */
         if (to)
-            fprintf(to, "frame %-5" PRIu32 " bases %" PRIu64 " made, %" PRIu64 " kept\n", frame,
-                    built.report.bases_computed, built.report.bases_kept);
+            fprintf(to,
+                    "frame %-5" PRIu32 " bases %" PRIu64 " made, %" PRIu64
+                    " kept; built in %.4f s, "
+                    "tree %s, cost %.3f; %u bytes\n",
+                    frame, built.report.bases_computed, built.report.bases_kept,
+                    built.report.build_seconds, built.report.refitted ? "refitted" : "built",
+                    built.report.tree_cost, built.machine.lines * SPH_LINE_WORDS * 4);
         rc = take(user, frame, &built, entry, err);
         json_array_append_new(list, entry);
         sph_machine_free(&built.machine);
     }
     sph_bases_end(&run.bases);
+    sph_kept_free(&run.kept);
     sph_mips_free(run.mips, run.rest.n_textures);
     sph_scene_free(&run.rest);
     return rc;

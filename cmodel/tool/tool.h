@@ -69,6 +69,8 @@ struct tool_source {
     int profile_auto;            /* the scene's own */
     struct sph_keep keep;        /* what it is to keep */
     int accel, tree_given;       /* TOOL_AUTO ..; --tree was given */
+    int refit;                   /* SPH_REFIT_*: of frames behind the first of several */
+    double loss;                 /* of SPH_REFIT_AUTO */
     int samples;                 /* across and down a pixel: the frame is as many times larger */
     const char *bih_option;      /* the last option given that is for a BIH alone */
     const char *option;          /* the last build option given, NULL if none */

@@ -3,71 +3,7 @@
  *
  * build/test/test_build_facets [seed]
  */
-#include "facets_scene.h"
-
-/* Every corner of every leaf lies in all balls above it; counts leaves. */
-struct ancestors {
-    int n;
-    struct sph_ball ball[SPH_STACK_DEPTH + 1];
-};
-
-static void check_point(const struct sph_machine *m, const struct ancestors *a, const int32_t p[3],
-                        int64_t rad) {
-    const struct sph_profile *prof = sph_machine_profile(m);
-    int64_t k = 1ll << (prof->w - prof->fw);
-    for (int up = 0; up < a->n; up++) {
-        int64_t room = a->ball[up].r * k - rad, sum = 0;
-        for (int i = 0; i < 3; i++)
-            sum += (a->ball[up].c[i] * k - p[i]) * (a->ball[up].c[i] * k - p[i]);
-        assert_true(room >= 0 && room * room >= sum);
-    }
-}
-
-static void check_leaf(const struct sph_machine *m, uint32_t line, const struct ancestors *a) {
-    const uint32_t *leaf = machine_line(m, line);
-    const struct sph_ball *ball = &a->ball[a->n - 1];
-    int64_t half = 1ll << (sph_machine_profile(m)->fw - 1);
-    int32_t v[3];
-    switch (sph_field(leaf, SPH_FACET_KIND_LSB, SPH_FACET_KIND_BITS)) {
-    case 0:
-        get_vector(leaf, SPH_LEAF_CTR_X_LSB, v);
-        check_point(m, a, v, sph_field(leaf, SPH_LEAF_RAD_LSB, SPH_LEAF_RAD_BITS));
-        break;
-    case SPH_TRIANGLE:
-        for (int k = 0; k < 3; k++) {
-            get_vector(leaf, SPH_TRIANGLE_V0_X_LSB + 72 * k, v);
-            check_point(m, a, v, 0);
-        }
-        break;
-    default:                         /* the whole grid */
-        assert_in_range(a->n, 1, 2); /* of the first six */
-        assert_true(!ball->c[0] && !ball->c[1] && !ball->c[2]);
-        assert_true((int64_t)ball->r * ball->r >= 3 * half * half);
-    }
-}
-
-static uint32_t check_below(const struct sph_machine *m, uint32_t line, struct ancestors *a) {
-    const uint32_t *node = machine_line(m, line);
-    uint32_t base = sph_field(node, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS), leaves = 0;
-    uint32_t n_inner = sph_field(node, SPH_NODE_N_INNER_LSB, SPH_NODE_N_INNER_BITS);
-    uint32_t n_leaf = sph_field(node, SPH_NODE_N_LEAF_LSB, SPH_NODE_N_LEAF_BITS);
-    assert_true(a->n < SPH_STACK_DEPTH);
-    for (uint32_t i = 0; i < n_inner + n_leaf; i++) {
-        struct sph_ball *ball = &a->ball[a->n++];
-        int lsb = (int)i * SPH_CHILD_STRIDE;
-        for (int k = 0; k < 3; k++)
-            ball->c[k] =
-                sph_field_signed(node, lsb + SPH_CHILD_CTR_Y_LSB * k, SPH_CHILD_CTR_X_BITS);
-        ball->r = (int32_t)sph_field(node, lsb + SPH_CHILD_RAD_LSB, SPH_CHILD_RAD_BITS);
-        ball->r -= SPH_FILTER_MARGIN;
-        if (i < n_inner)
-            leaves += check_below(m, base + i, a);
-        else
-            check_leaf(m, base + i, a), leaves++;
-        a->n--;
-    }
-    return leaves;
-}
+#include "containment.h"
 
 /* Soups with spheres and planes, large triangles too, in both trees and all profiles. */
 static void test_containment(void **unused) {

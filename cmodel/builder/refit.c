@@ -1,0 +1,112 @@
+/* refit.c - builds a tree or refits the one that is kept; see refit.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "builder/refit.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+void sph_kept_free(struct sph_kept_tree *kept) {
+    free(kept->kinds);
+    free(kept->tree.nodes);
+    sph_bih_free(&kept->bih);
+    *kept = (struct sph_kept_tree){.how = kept->how, .loss = kept->loss};
+}
+
+/* Whether what is kept is a tree of these primitives, wherever they are. */
+static int same(const struct sph_kept_tree *kept, const struct sph_plants *p) {
+    if (kept->kind != p->kind || kept->n_spheres != p->n_spheres || kept->n_facets != p->facets->n)
+        return 0;
+    for (uint32_t i = 0; i < p->facets->n; i++)
+        if (kept->kinds[i] != p->facets->list[i].kind) return 0;
+    return 1;
+}
+
+/* Forgets what is kept, and notes what the next tree is made of. */
+static int note(struct sph_kept_tree *kept, const struct sph_plants *p, double cost,
+                struct sph_error *err) {
+    sph_kept_free(kept);
+    kept->kinds = malloc(p->facets->n + 1ull);
+    if (!kept->kinds) return sph_fail(err, "out of memory for %u primitives", p->facets->n);
+    for (uint32_t i = 0; i < p->facets->n; i++)
+        kept->kinds[i] = (uint8_t)p->facets->list[i].kind;
+    kept->kind = p->kind;
+    kept->n_spheres = p->n_spheres, kept->n_facets = p->facets->n;
+    kept->built = cost;
+    kept->cost = 1;
+    return 0;
+}
+
+/* A copy of `bytes`; malloc, NULL with a message if memory is out. */
+static void *copy(const void *from, size_t bytes, struct sph_error *err) {
+    void *to = malloc(bytes + 1);
+    if (to && bytes) memcpy(to, from, bytes);
+    if (!to) sph_fail(err, "out of memory to keep a tree");
+    return to;
+}
+
+/* What became of a refitted tree: 1 if it is good enough. */
+static int taken(struct sph_kept_tree *kept, double cost) {
+    double over = kept->built > 0 ? cost / kept->built : 1;
+    kept->refitted = kept->how == SPH_REFIT_ON || over <= 1 + kept->loss;
+    if (kept->refitted) kept->cost = over;
+    return kept->refitted;
+}
+
+int sph_tree_next(const struct sph_plants *p, struct sph_kept_tree *kept, struct sph_tree *tree,
+                  struct sph_error *err) {
+    if (!kept || kept->how == SPH_REFIT_OFF) return sph_tree_build(p, tree, err);
+    if (same(kept, p)) {
+        *tree = kept->tree;
+        tree->nodes = copy(kept->tree.nodes, tree->n_nodes * sizeof *tree->nodes, err);
+        if (!tree->nodes || sph_tree_refit(p, tree, err)) return -1;
+        if (taken(kept, sph_tree_cost(tree, p->profile))) return 0;
+        free(tree->nodes);
+        *tree = (struct sph_tree){0};
+    }
+    if (sph_tree_build(p, tree, err) || note(kept, p, sph_tree_cost(tree, p->profile), err))
+        return -1;
+    kept->tree = *tree;
+    kept->tree.nodes = copy(tree->nodes, tree->n_nodes * sizeof *tree->nodes, err);
+    if (!kept->tree.nodes) kept->kind = 0;
+    return kept->tree.nodes ? 0 : -1;
+}
+
+/* A BIH with arrays of its own. */
+static int duplicate(const struct sph_bih *from, uint32_t n, struct sph_bih *to,
+                     struct sph_error *err) {
+    *to = *from;
+    to->nodes = copy(from->nodes, from->n_nodes * sizeof *to->nodes, err);
+    to->order = copy(from->order, n * sizeof *to->order, err);
+    return to->nodes && to->order ? 0 : -1;
+}
+
+int sph_bih_next(const struct sph_plants *p, const struct sph_aabb *boxes, uint32_t n,
+                 const struct sph_bih_options *options, struct sph_kept_tree *kept,
+                 struct sph_bih *bih, struct sph_error *err) {
+    if (!kept || kept->how == SPH_REFIT_OFF) return sph_bih_build(boxes, n, options, bih, err);
+    if (same(kept, p)) {
+        if (duplicate(&kept->bih, n, bih, err)) return -1;
+        sph_bih_refit(boxes, bih);
+        if (taken(kept, sph_bih_cost(bih))) return 0;
+        sph_bih_free(bih);
+    }
+    if (sph_bih_build(boxes, n, options, bih, err) || note(kept, p, sph_bih_cost(bih), err))
+        return -1;
+    if (!duplicate(bih, n, &kept->bih, err)) return 0;
+    kept->kind = 0;
+    return -1;
+}
+
+double sph_tree_cost(const struct sph_tree *tree, const struct sph_profile *profile) {
+    int32_t whole = sph_filter_whole(profile).r;
+    double sum = 0, most = 0;
+    for (uint32_t i = 0; i < tree->n_nodes; i++) {
+        const struct sph_ball *ball = &tree->nodes[i].ball;
+        if (ball->r >= whole) continue; /* above planes: met by every ray */
+        double r = ball->r + SPH_FILTER_MARGIN;
+        sum += r * r;
+        if (r * r > most) most = r * r;
+    }
+    return most > 0 ? sum / most : 0;
+}
