@@ -11,6 +11,7 @@ set -u
 cd "$(dirname "$0")/.." || exit 2
 pattern=${1:-} BUILD=${BUILD:-build} NICE=${NICE:-nice} CC=${CC:-gcc}
 dir=$BUILD/formal
+include='-Irtl/math -Irtl/trace -Irtl/core -Irtl/top'
 mkdir -p "$dir" || exit 2
 : >"$dir/table"
 worst=0
@@ -27,8 +28,8 @@ induction() { # a base case of as many clocks as the step spans, then the step
     # clocks that are inputs: a step is the time between two edges of any
     [ "$depth" = "$6" ] && clocks=async2sync || clocks=clk2fflogic
     # RTL without its own assertions: they are about its users, but for those of a user's proof
-    $NICE yosys -q -p "read_verilog -Irtl/math -Irtl/trace -Irtl/core $sources;
-        read_verilog -formal -Irtl/math -Irtl/trace -Irtl/core $models; ${sets:+chparam $sets $2;}
+    $NICE yosys -q -p "read_verilog $include $sources;
+        read_verilog -formal $include $models; ${sets:+chparam $sets $2;}
         hierarchy -check -top $2; prep -flatten -nordff;
         $clocks; opt_clean; dffunmap; opt_clean; check -assert;
         write_smt2 -wires $out.smt2" >"$out.log" 2>&1 || { verdict=error; return; }

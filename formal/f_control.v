@@ -1,0 +1,143 @@
+// f_control.v - proof of rt_control: rules of AXI4-Lite; a setting is what was written
+// SPDX-License-Identifier: Apache-2.0
+// Followed are one setting, any of the list, and one offset that no register has. The processor
+// asks in any clock, address and data of a write in any order; rt_machine and rt_totals are busy at
+// any time.
+`timescale 1ns / 1ps
+`default_nettype none
+`include "rt_layout.vh"
+`include "rt_top.vh"
+module f_control (
+    input wire         clk,
+    input wire         rst,
+    input wire         awvalid,
+    input wire [11:0]  awaddr,
+    input wire         wvalid,
+    input wire [31:0]  wdata,
+    input wire [3:0]   wstrb,
+    input wire         bready,
+    input wire         arvalid,
+    input wire [11:0]  araddr,
+    input wire         rready,
+    input wire [127:0] built,
+    input wire [31:0]  status,
+    input wire [15:0]  errors,
+    input wire [2:0]   happened,
+    input wire         good,
+    input wire [31:0]  machine_data,
+    input wire         machine_busy,
+    input wire [31:0]  count_data,
+    input wire         count_busy
+);
+    localparam SETTINGS = `RT_TOP_SETTINGS, OTHERS = `RT_TOP_OTHERS;
+    localparam [32*SETTINGS-1:0] RESET = `RT_TOP_SETTINGS_RESET, KEPT = `RT_TOP_SETTINGS_KEPT;
+    localparam [12*SETTINGS-1:0] AT = `RT_TOP_SETTINGS_AT;
+    localparam [12*OTHERS-1:0]   OTHERS_AT = `RT_TOP_OTHERS_AT;
+    wire awready, wready, bvalid, arready, rvalid, irq;
+    wire [1:0]  bresp, rresp;
+    wire [31:0] rdata;
+    wire [6:0]  order;
+    wire [3:0]  machine_write;
+    wire [32*SETTINGS-1:0] settings;
+    rt_control u_dut (
+        .clk(clk), .rst(rst), .s_awvalid(awvalid), .s_awready(awready), .s_awaddr(awaddr),
+        .s_wvalid(wvalid), .s_wready(wready), .s_wdata(wdata), .s_wstrb(wstrb),
+        .s_bvalid(bvalid), .s_bready(bready), .s_bresp(bresp), .s_arvalid(arvalid),
+        .s_arready(arready), .s_araddr(araddr), .s_rvalid(rvalid), .s_rready(rready),
+        .s_rdata(rdata), .s_rresp(rresp), .irq_o(irq), .built_i(built), .status_i(status),
+        .errors_i(errors), .happened_i(happened), .good_i(good), .order_o(order),
+        .settings_o(settings), .machine_write_o(machine_write), .write_addr_o(),
+        .write_data_o(), .read_addr_o(), .machine_data_i(machine_data),
+        .machine_busy_i(machine_busy), .count_data_i(count_data), .count_busy_i(count_busy)
+    );
+    (* hierconn *) wire        \u_dut.aw_full_q ;
+    (* hierconn *) wire        \u_dut.w_full_q ;
+    (* hierconn *) wire        \u_dut.ar_full_q ;
+    (* hierconn *) wire [9:0]  \u_dut.aw_q ;
+    (* hierconn *) wire [9:0]  \u_dut.ar_q ;
+    (* hierconn *) wire [31:0] \u_dut.w_q ;
+    (* hierconn *) wire [3:0]  \u_dut.strobe_q ;
+
+    // ---- model: what the slave took and did not answer ----
+    reg         old_q = 1'b0, aw_q, w_q, ar_q;
+    reg  [9:0]  aw_addr_q, ar_addr_q;
+    reg  [31:0] data_q;
+    reg  [3:0]  strobe_q;
+    wire        to_machine = {aw_addr_q, 2'd0} >= `RT_TOP_MACHINE &&
+                             {aw_addr_q, 2'd0} < `RT_TOP_COUNTERS;
+    wire        does  = aw_q && w_q && !bvalid && !(to_machine && machine_busy);
+    wire [11:0] from  = {ar_addr_q, 2'd0};
+    wire        reads = ar_q && !rvalid &&
+                        !(from >= `RT_TOP_MACHINE && from < `RT_TOP_COUNTERS && machine_busy) &&
+                        !(from >= `RT_TOP_COUNTERS &&
+                          from < `RT_TOP_COUNTERS + 8*`RT_TOP_COUNTS && count_busy);
+    reg         did_q, read_q;
+
+    // ---- one setting, and an offset of nothing ----
+    (* anyconst *) wire [4:0]  number;
+    (* anyconst *) wire [11:0] nowhere;
+    wire [11:0] place = AT[12*number +: 12];
+    wire [31:0] keep  = {{8{strobe_q[3]}}, {8{strobe_q[2]}}, {8{strobe_q[1]}}, {8{strobe_q[0]}}};
+    reg  [31:0] value_q, was_q;
+    reg         known;
+    integer     k;
+    always @* begin
+        known = nowhere >= `RT_TOP_COUNTERS && nowhere < `RT_TOP_COUNTERS + 8*`RT_TOP_COUNTS;
+        if (nowhere >= `RT_TOP_MACHINE && nowhere < `RT_TOP_MACHINE + 4*`RT_N_REGS) known = 1'b1;
+        for (k = 0; k < SETTINGS; k = k + 1) if (nowhere == AT[12*k +: 12]) known = 1'b1;
+        for (k = 0; k < OTHERS; k = k + 1) if (nowhere == OTHERS_AT[12*k +: 12]) known = 1'b1;
+    end
+
+    reg        b_wait_q, r_wait_q;
+    reg [1:0]  bresp_q;
+    reg [33:0] r_q;
+    reg        at_place_q, at_nowhere_q, read_place_q, read_nowhere_q;
+    always @(posedge clk) begin
+        old_q <= 1'b1;
+        if (awvalid && awready) {aw_q, aw_addr_q} <= {1'b1, awaddr[11:2]};
+        if (wvalid && wready) {w_q, data_q, strobe_q} <= {1'b1, wdata, wstrb};
+        if (arvalid && arready) {ar_q, ar_addr_q} <= {1'b1, araddr[11:2]};
+        if (does) {aw_q, w_q} <= 2'd0;
+        if (reads) ar_q <= 1'b0;
+        if (does && {aw_addr_q, 2'd0} == place)
+            value_q <= ((value_q & ~keep) | (data_q & keep)) & KEPT[32*number +: 32];
+        was_q    <= value_q;
+        did_q    <= does && !rst;
+        read_q   <= reads && !rst;
+        b_wait_q <= bvalid && !bready && !rst;
+        r_wait_q <= rvalid && !rready && !rst;
+        bresp_q  <= bresp;
+        r_q      <= {rresp, rdata};
+        at_nowhere_q   <= {aw_addr_q, 2'd0} == nowhere;
+        read_place_q   <= from == place;
+        read_nowhere_q <= from == nowhere;
+        if (rst) {aw_q, w_q, value_q} <= {2'd0, RESET[32*number +: 32]};
+        if (rst) ar_q <= 1'b0;
+    end
+    always @* begin
+        if (!old_q) assume (rst);
+        assume (number < SETTINGS && nowhere[1:0] == 0 && !known);
+    end
+
+    always @* if (old_q) begin
+        if (b_wait_q) assert (bvalid && bresp == bresp_q);                // stable until ready
+        if (r_wait_q) assert (rvalid && {rresp, rdata} == r_q);
+        if (bvalid && !b_wait_q) assert (did_q);                          // no answer unasked
+        if (rvalid && !r_wait_q) assert (read_q);
+        if (did_q) assert (bvalid && bresp == (at_nowhere_q ? 2'b10 : bresp));
+        if (rvalid && !r_wait_q && read_nowhere_q) assert (rresp == 2'b10 && rdata == 0);
+        if (rvalid && !r_wait_q && read_place_q) assert (rresp == 2'b00 && rdata == was_q);
+        if (read_q) assert (rvalid);                                      // never stuck
+        assert (settings[32*number +: 32] == value_q);                    // as it was written
+        if (order != 0) assert (does && {aw_addr_q, 2'd0} == `RT_TOP_CONTROL);
+        if (machine_write != 0) assert (does && to_machine);
+        if (irq) assert (settings[`RT_TOP_SET_INTERRUPT_ENABLE_SOURCES] != 0);
+        // invariant
+        assert (\u_dut.aw_full_q == aw_q && \u_dut.w_full_q == w_q);
+        if (aw_q) assert (\u_dut.aw_q == aw_addr_q);
+        if (w_q) assert (\u_dut.w_q == data_q && \u_dut.strobe_q == strobe_q);
+        assert (\u_dut.ar_full_q == ar_q);
+        if (ar_q) assert (\u_dut.ar_q == ar_addr_q);
+    end
+endmodule
+`default_nettype wire

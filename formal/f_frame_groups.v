@@ -1,0 +1,94 @@
+// f_frame_groups.v - proof of rt_frame_groups: each pixel leaves once, in its own group
+// SPDX-License-Identifier: Apache-2.0
+// Followed is one pixel of any group, the first or the sixth of its eight, of any colour, that the
+// core sends once until it has left. The user takes groups, and flushes, in any clock.
+`timescale 1ns / 1ps
+`default_nettype none
+module f_frame_groups #(
+    parameter BUFFERS = 4
+) (
+    input wire        clk,
+    input wire        rst,
+    input wire        flush,
+    input wire        pix_valid,
+    input wire [13:0] pix_x,
+    input wire [13:0] pix_y,
+    input wire [23:0] pix_rgb,
+    input wire        group_ready
+);
+    localparam AB = $clog2(BUFFERS);
+    localparam TB = 25 - AB;
+    wire empty, pix_ready, group_valid;
+    wire [10:0]  group_column;
+    wire [13:0]  group_y;
+    wire [7:0]   group_mask;
+    wire [191:0] group_rgb;
+    rt_frame_groups #(.BUFFERS(BUFFERS)) u_dut (
+        .clk(clk), .rst(rst), .flush_i(flush), .empty_o(empty), .pix_valid_i(pix_valid),
+        .pix_ready_o(pix_ready), .pix_x_i(pix_x), .pix_y_i(pix_y), .pix_rgb_i(pix_rgb),
+        .group_valid_o(group_valid), .group_ready_i(group_ready), .group_column_o(group_column),
+        .group_y_o(group_y), .group_mask_o(group_mask), .group_rgb_o(group_rgb)
+    );
+    (* hierconn *) wire [BUFFERS-1:0]   \u_dut.used_q ;
+    (* hierconn *) wire [BUFFERS-1:0]   \u_dut.full_q ;
+    (* hierconn *) wire [8*BUFFERS-1:0] \u_dut.mask_q ;
+    (* hierconn *) wire [AB-1:0] \u_dut.u_held.mark ;
+    (* hierconn *) wire [TB-1:0] \u_dut.u_held.word_q ;
+    (* hierconn *) wire [AB-1:0] \u_dut.u_leaves.mark ;
+    (* hierconn *) wire [TB-1:0] \u_dut.u_leaves.word_q ;
+    (* hierconn *) wire [AB-1:0] \u_dut.g_pixel[0].u_rgb.mark ;
+    (* hierconn *) wire [23:0]   \u_dut.g_pixel[0].u_rgb.word_q ;
+    (* hierconn *) wire [AB-1:0] \u_dut.g_pixel[5].u_rgb.mark ;
+    (* hierconn *) wire [23:0]   \u_dut.g_pixel[5].u_rgb.word_q ;
+
+    // ---- the pixel ----
+    (* anyconst *) wire [13:0] x;
+    (* anyconst *) wire [13:0] y;
+    wire [AB-1:0] at    = y[AB-1:0];
+    wire [23:0]   kept  = x[2:0] == 0 ? \u_dut.g_pixel[0].u_rgb.word_q
+                                      : \u_dut.g_pixel[5].u_rgb.word_q ;
+    wire          it    = pix_valid && pix_x == x && pix_y == y;
+    wire [7:0]    mask  = \u_dut.mask_q [8*at +: 8];
+    wire          held  = \u_dut.used_q [at] && mask[x[2:0]] &&
+                          \u_dut.u_held.word_q == {x[13:3], y[13:AB]};
+    wire          there = group_valid && group_column == x[13:3] && group_y == y &&
+                          group_mask[x[2:0]];
+    reg           old_q = 1'b0, in_q, wait_q, stuck_q, flush_q;
+    reg  [23:0]   rgb_q;
+    reg  [13:0]   x_q, y_q;
+    reg  [224:0]  group_q;
+    wire [224:0]  group = {group_column, group_y, group_mask, group_rgb};
+    always @(posedge clk) begin
+        old_q <= 1'b1;
+        if (there && group_ready) in_q <= 1'b0;
+        if (it && pix_ready) {in_q, rgb_q} <= {1'b1, pix_rgb};
+        wait_q  <= group_valid && !group_ready && !rst;
+        group_q <= group;
+        stuck_q <= pix_valid && !pix_ready && (!group_valid || group_ready) && !rst;
+        flush_q <= flush && !pix_valid && |\u_dut.used_q && (!group_valid || group_ready) && !rst;
+        {x_q, y_q} <= {pix_x, pix_y};
+        if (rst) in_q <= 1'b0;
+    end
+    always @* begin
+        if (!old_q) assume (rst);
+        assume (x[2:0] == 0 || x[2:0] == 5);
+        assume (\u_dut.u_held.mark == at && \u_dut.u_leaves.mark == at);
+        assume (\u_dut.g_pixel[0].u_rgb.mark == at && \u_dut.g_pixel[5].u_rgb.mark == at);
+        if (it) assume (!in_q);
+    end
+
+    always @* if (old_q) begin
+        if (there) assert (in_q && group_rgb[24*x[2:0] +: 24] == rgb_q);  // once, its own colour
+        if (in_q) assert (!empty);
+        if (wait_q) assert (group_valid && group == group_q);             // stable until ready
+        if (stuck_q && pix_valid && {pix_x, pix_y} == {x_q, y_q}) assert (pix_ready);
+        if (flush_q) assert (group_valid);                                // a group a clock
+        // invariant
+        assert (in_q == (held || there) && !(held && there));
+        if (held) assert (kept == rgb_q);
+        assert ((\u_dut.full_q & ~\u_dut.used_q ) == 0);
+        if (\u_dut.used_q [at]) assert (\u_dut.full_q [at] == &mask);
+        assert (\u_dut.u_held.word_q == \u_dut.u_leaves.word_q || !\u_dut.used_q [at]);
+    end
+endmodule
+`default_nettype wire
