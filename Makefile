@@ -66,7 +66,7 @@ GENERATORS := cmodel/math/gen_rsqrt.c cmodel/texture/gen_log2.c cmodel/shade/gen
               cmodel/shade/gen_power_rom.c
 C_FILES    := $(sort $(shell find cmodel -name '*.c'))
 LIB_C      := $(filter-out cmodel/tool/% cmodel/image/% cmodel/sphaera/% $(GENERATORS),$(C_FILES))
-TOOL_C     := $(filter cmodel/tool/%,$(C_FILES))
+TOOL_C     := $(filter cmodel/tool/%,$(C_FILES)) driver/sphaera.c
 IMAGE_CXX  := $(sort $(wildcard cmodel/image/*.cpp))
 LAZY_C     := cmodel/image/lazy.c
 IMAGE_C    := $(filter-out $(LAZY_C),$(filter cmodel/image/%,$(C_FILES)))
@@ -95,7 +95,8 @@ tool: $(TOOL) ## the command-line tool build/sphaera
 include make/objects.mk make/sim.mk make/pages.mk make/bench.mk make/lint.mk make/background.mk \
         make/textures.mk make/scenarios.mk make/study.mk make/synth.mk make/effects.mk \
         make/package.mk make/install.mk make/test.mk make/image.mk make/hard.mk make/formal.mk \
-        make/truth.mk make/top.mk make/bart.mk make/papers.mk make/python.mk make/report.mk
+        make/truth.mk make/top.mk make/bart.mk make/papers.mk make/python.mk make/report.mk \
+        make/board.mk
 
 layout: ## what follows from machine.def, top.def, bundles.def, modes.def, VERSION, files of rtl
 	$(call say,GEN,"layout.h rt_layout.vh rt_top.vh sphaera_regs.h rt_bundles.vh bundles.h")

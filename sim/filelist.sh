@@ -3,14 +3,13 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # usage: sim/filelist.sh [FOLDER]
-# Writes both from the files that are in rtl/, without rtl/board/ (parts of one vendor), and the
-# version of VERSION; to FOLDER if it is given,
-# else in their places. Paths are relative to the repository's root. A file that stays the same
-# keeps its time.
+# Writes both from the files that are in rtl/, without rtl/board/ (a board, parts of one vendor),
+# and the version of VERSION; to FOLDER if it is given, else in their places. Paths are
+# relative to the repository's root. A file that stays the same keeps its time.
 set -eu
 cd "$(dirname "$0")/.."
 modules=$(find rtl -name '*.v' ! -path 'rtl/board/*' | LC_ALL=C sort)
-headers=$(find rtl -name '*.vh' | LC_ALL=C sort)
+headers=$(find rtl -name '*.vh' ! -path 'rtl/board/*' | LC_ALL=C sort)
 folders=$(for file in $headers; do echo "${file%/*}"; done | sort -u)
 put() { # file: takes stdin
     to=${to_folder:+$to_folder/${1##*/}}
