@@ -1,8 +1,11 @@
 # rt_top.mk - builds a harness of rt_top for one set of parameters; make/top.mk calls it
 # SPDX-License-Identifier: Apache-2.0
 #
-#   build/sim/BENCH-PROFILE-CORE-DATA/BENCH      tb_shell has the golden model as its core
+#   build/sim/BENCH-NAME/BENCH      tb_shell has the golden model as its core
 B       ?= build
+# another source folder, with a name for what is built of it
+RTL     ?= rtl
+NAME    ?= $(PROFILE)-$(CORE)-$(DATA)
 PROFILE ?= draft
 CORE    ?= all
 DATA    ?= 64
@@ -10,16 +13,17 @@ BENCH   ?= tb_top
 
 include make/verilated.mk
 
-K    := $S/$(BENCH)-$(PROFILE)-$(CORE)-$(DATA)
+K    := $S/$(BENCH)-$(NAME)
 LIB  := $B/libsphaera.a
-RTL_FILES := $(shell find rtl -name '*.v' -o -name '*.vh')
+RTL_FILES := $(shell find $(RTL) -name '*.v' -o -name '*.vh')
 RTL_DIRS  := $(sort $(dir $(RTL_FILES)))
 PARAMETERS := $(shell sh sim/profile.sh '$(PROFILE)') $(shell sh sim/parameters.sh '$(CORE)') \
               DATA=$(DATA) VIDEO=1
 VERILATE := verilator --cc --language 1364-2005 -O3 --x-assign unique --x-initial unique \
                 --top-module rt_top --prefix Vrt_top $(PARAMETERS:%=-G%) \
                 $(RTL_DIRS:%=-y %) $(RTL_DIRS:%=-I%)
-VERILATE += $(if $(filter tb_shell,$(BENCH)),+1800-2017ext+sv $K/rt_core.sv,-Wall) rtl/top/rt_top.v
+VERILATE += $(if $(filter tb_shell,$(BENCH)),+1800-2017ext+sv $K/rt_core.sv,-Wall) \
+            $(filter %/rt_top.v %/cells.v,$(RTL_FILES))
 DRIVER   := $S/obj/driver.o
 VERILATED := $S/obj/bench_verilated.o $S/obj/bench_verilated_threads.o
 

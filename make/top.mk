@@ -15,7 +15,13 @@ top_tool    = flock $B/sim/.tools.lock env -u MAKEFLAGS -u MFLAGS $(MAKE) -s --n
                   SEED=$(SEED)
 
 # So are its mutants, with the golden model as the core: tests/mutants.
-.PHONY: top top-shell bus-setup rdl cocotb
+# One frame of 1280x720 to decoded video, on a core that has what the scene asks for.
+HD_SCENE ?= paper5
+HD_MHZ   := 67.7
+HD       := $B/top/hd.sph
+hd_core   = $$($(TOOL) info $(HD) | sed -n 's/^core *//p')
+
+.PHONY: top top-shell top-hd bus-setup rdl cocotb
 top: $(TOP_RUNS) ## rt_top under its driver: frames, errors, resets, silent buses; a minute
 	@mkdir -p $B/sim
 	$(Q)for data in $(TOP_DATA); do \
@@ -29,6 +35,15 @@ $B/top/%.sph: scenes/%.nff $(TOOL)
 	@mkdir -p $(@D)
 	$(Q)$(TOOL) build $< --profile draft --size 32x20 --depth 2 --interpenetrate off \
 	    --background spans -o $@ >$(@:.sph=.log) 2>&1 || { cat $(@:.sph=.log); exit 1; }
+
+top-hd: $(TOOL) ## a frame of 1280x720 from rt_top to decoded video; minutes of a processor
+	@mkdir -p $B/sim $B/top
+	$(Q)$(TOOL) build scenes/$(HD_SCENE).nff --profile standard --size 1280x720 --depth 2 -o $(HD) \
+	    >$B/top/hd.log
+	$(Q)$(call top_tool,64) BENCH=tb_show PROFILE=standard CORE=$(hd_core) top >$B/top/build.log \
+	    2>&1 || { cat $B/top/build.log; exit 1; }
+	$(Q)$(call top_tool,64) BENCH=tb_show PROFILE=standard CORE=$(hd_core) \
+	    MACHINES='$(HD) $(HD_MHZ)' SEED= run
 
 bus-setup: ## installs what `make rdl` and `make cocotb` need into build/venv/bus (PyPI)
 	$(Q)python3 -m venv $(BUS_VENV)
