@@ -6,7 +6,7 @@
 # builds in a second) against the golden model, or in a block bench. Every frame is drawn by the
 # sound RTL first, without a mismatch, with ALL in Icarus too; so is every bench, unless
 # test_benches.sh runs it anyway.
-# Of each file of the RTL one mutant, in a bench if it has such. That the text of every mutant
+# Of each folder of the RTL one mutant, in a bench if it has such. That the text of every mutant
 # stands in its file once is looked at for all.
 #   MUTANT=pattern  those whose name has the pattern in it
 #   ALL=1           all (`make mutants`)
@@ -96,14 +96,14 @@ add() { # name, file, from, to, by, rule
     jobs=$((jobs + 1))
     printf '%s\n' "$@" >"$TMP/$(printf %03d $jobs).job"
 }
-# Of each file one: the first in a bench, else the first; of rt_top in all one.
-awk '$1 == "mutant" { name = $2 } $1 == "file" { file = $2 } $1 == "by" {
-    if ($2 == "top") file = $2
-    if (!(file in chosen) || $2 == "bench" && how[file] != "bench") {
-        chosen[file] = name
-        how[file] = $2
+# Of each folder one: the first in a bench, else the first; of rt_top in all one.
+awk '$1 == "mutant" { name = $2 } $1 == "file" { split($2, folder, "/") } $1 == "by" {
+    place = $2 == "top" ? "top" : folder[1]
+    if (!(place in chosen) || $2 == "bench" && how[place] != "bench") {
+        chosen[place] = name
+        how[place] = $2
     }
-} END { for (file in chosen) print chosen[file] }' tests/mutants/mutants.txt >"$TMP/chosen"
+} END { for (place in chosen) print chosen[place] }' tests/mutants/mutants.txt >"$TMP/chosen"
 wanted() {
     name= file= from= to= by= rule=
     while read -r key rest; do
