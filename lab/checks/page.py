@@ -8,7 +8,8 @@ import xml.dom.minidom
 from pathlib import Path
 
 from ..pages import markdown
-from ..study import gather, jobs, points
+from ..jobs import store
+from ..study import gather, keys, points
 
 folder = sys.argv[1]
 results, page = folder + "/results", folder + "/docs/results/accuracy.md"
@@ -54,18 +55,18 @@ assert "not placed" in row(rows, "`standard`")[1]
 for profile, base in ("draft", 40.0), ("standard", 50.0):
     for i, scene in enumerate(points.SCENES):
         psnr = None if profile == "standard" and scene == "paper100" else base + i
-        key = jobs.job("accuracy", profile=profile, scene=scene, size=points.PICTURE)
+        key = keys.job("accuracy", profile=profile, scene=scene, size=points.PICTURE)
         refused = profile == "draft" and scene == "huge_tiny"
-        jobs.save(results, key, [], {"refused": "too small"} if refused else accuracy(psnr))
+        store.save(results, key, [], {"refused": "too small"} if refused else accuracy(psnr))
         counters = {"cycles": 100000, "rays_primary": 5000, "rays_shadow": 3000,
                     "rays_reflected": 2000}
-        jobs.save(results, jobs.job("cycles", scene=scene, size=points.FRAME,
+        store.save(results, keys.job("cycles", scene=scene, size=points.FRAME,
                                     **gather.core_of(profile)), [], {"counters": counters})
     core = {"lut4eq": 10000 if profile == "draft" else 17900, "ff": 9000, "bram": 80, "mult": 64}
-    jobs.save(results, jobs.job("cells", **gather.core_of(profile)), [],
+    store.save(results, keys.job("cells", **gather.core_of(profile)), [],
               {"core": core, "yosys": "Yosys 0.23 (git)"})
 path = {"ns": 20.0, "logic_ns": 5.0, "steps": 12, "through": ["u_core.u_a", "u_core.u_b"]}
-jobs.save(results, jobs.job("fmax", **gather.core_of("standard")), [],
+store.save(results, keys.job("fmax", **gather.core_of("standard")), [],
           {"fmax": 50.0, "routed": 1, "path": path, "seconds": 400})
 said, rows = page_of()
 

@@ -3,7 +3,8 @@
 """Every function gives None where a result is missing; tables show a dash then."""
 import math
 
-from . import jobs, points
+from ..jobs import store
+from . import keys, points
 
 # scenes that every profile can take: means are over these
 COMMON = [s for s in points.SCENES if s != "huge_tiny"]
@@ -18,23 +19,23 @@ class Study:
 
     def get(self, key):
         if key not in self.known:
-            self.known[key] = jobs.look(self.folder, key, self.digests)[0]
+            self.known[key] = store.look(self.folder, key, self.digests)[0]
         return self.known[key]
 
     def accuracy(self, profile, scene, **words):
-        return self.get(jobs.job("accuracy", profile=profile, scene=scene, size=points.PICTURE,
+        return self.get(keys.job("accuracy", profile=profile, scene=scene, size=points.PICTURE,
                                  **words))
 
     def cycles(self, core, scene, **words):
-        return self.get(jobs.job("cycles", scene=scene, size=points.FRAME, **core, **words))
+        return self.get(keys.job("cycles", scene=scene, size=points.FRAME, **core, **words))
 
     def cells(self, core):
-        run = self.get(jobs.job("cells", **core))
+        run = self.get(keys.job("cells", **core))
         return run and run["core"]
 
     def fmax(self, core):
         """Routed if it is there, else placed alone."""
-        return self.get(jobs.job("fmax", **core)) or self.get(jobs.job("fmax", route=0, **core))
+        return self.get(keys.job("fmax", **core)) or self.get(keys.job("fmax", route=0, **core))
 
 
 def psnr(run):

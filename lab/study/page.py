@@ -32,7 +32,7 @@ def main(argv):
     page, results, folder = argv[:3]
     study = gather.Study(results)
     text = tables.everything(study)
-    run_of = study.get(gather.jobs.job("cells", **gather.core_of("standard")))
+    run_of = study.get(gather.keys.job("cells", **gather.core_of("standard")))
     place(page, text, run_of and run_of["yosys"])
     drawn = []
     if not bare:

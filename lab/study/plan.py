@@ -1,45 +1,42 @@
 #!/usr/bin/env python3
-# plan.py - writes a makefile with a target for each job of the study that has no result yet
+# plan.py - writes the list of those jobs of the study that have no result yet
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.study.plan [--short] [--kinds KIND,...] TOOL BUILD RESULTS MAKEFILE
-Says how many jobs there are and how many have to be run, and names results that are damaged."""
+"""usage: python3 -m lab.study.plan [--short] [--kinds KIND,...] TOOL BUILD RESULTS LIST
+LIST is for lab/jobs/run.py. Says how many jobs there are and how many have to be run, and names
+results that are damaged."""
 import argparse
-import os
 import sys
 
-from . import jobs, points
+from ..jobs import plan
+from . import keys, points
+
+# Seconds of a job that was never run: of 320x180 pixels, of a frame whose core may have to be made.
+GUESS = {"accuracy": 10, "cycles": 40, "cells": 120, "fmax": 600}
+
+
+def guess(key):
+    words = keys.words(key)
+    if words["kind"] != "accuracy":
+        return GUESS[words["kind"]]
+    width, height = (int(n) for n in words["size"].split("x"))
+    return GUESS["accuracy"] * width * height / (320 * 180)
 
 
 def main(argv):
     parser = argparse.ArgumentParser(prog="plan", description=__doc__.split("\n")[1])
     parser.add_argument("--short", action="store_true", help="the short form")
-    parser.add_argument("--kinds", default=",".join(jobs.FIELDS), help="only these")
-    for name in "tool", "build", "results", "makefile":
+    parser.add_argument("--kinds", default=",".join(keys.FIELDS), help="only these")
+    for name in "tool", "build", "results", "list":
         parser.add_argument(name)
     a = parser.parse_args(argv)
     kinds = a.kinds.split(",")
-    if set(kinds) - set(jobs.FIELDS):
-        sys.exit(f"study: {a.kinds}: kinds are {', '.join(jobs.FIELDS)}")
-    keys = [k for k in (points.short() if a.short else points.plan())
-            if jobs.words(k)["kind"] in kinds]
-    digests, todo = {}, []
-    for key in keys:
-        why = jobs.look(a.results, key, digests)[1]
-        if why:
-            todo.append(key)
-            if "damaged" in why:
-                print(f"study: {why}, made anew", file=sys.stderr)
-    lines = ["# written by lab/study/plan.py: jobs without a result, the most important first"]
-    names = [f"job{i}" for i in range(len(todo))]
-    lines += [".PHONY: all " + " ".join(names), "all: " + " ".join(names)]
-    for name, key in zip(names, todo):
-        lines += [f"{name}:", f"\t@printf '  %-4s %s\\n' JOB '{key}'",
-                  f"\t@python3 -m lab.study.run '{a.tool}' '{a.build}' '{a.results}' '{key}'"]
-    os.makedirs(os.path.dirname(a.makefile) or ".", exist_ok=True)
-    with open(a.makefile + ".tmp", "w", encoding="utf-8") as f:
-        f.write("\n".join(lines) + "\n")
-    os.replace(a.makefile + ".tmp", a.makefile)
-    print(f"study: {len(keys)} jobs, {len(todo)} to run")
+    if set(kinds) - set(keys.FIELDS):
+        sys.exit(f"study: {a.kinds}: kinds are {', '.join(keys.FIELDS)}")
+    chosen = [k for k in (points.short() if a.short else points.plan())
+              if keys.words(k)["kind"] in kinds]
+    command = ["python3", "-m", "lab.study.run", a.tool, a.build, a.results]
+    plan.write(a.list, a.results,
+               [plan.job(a.results, k, [*command, k], guess(k)) for k in chosen], "study")
 
 
 if __name__ == "__main__":

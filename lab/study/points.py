@@ -1,7 +1,7 @@
 # points.py - which runs make up the study
 # SPDX-License-Identifier: Apache-2.0
 """What is to be shown first stands first: a study that is broken off has measured that."""
-from .jobs import job
+from .keys import job
 
 PROFILES = ["draft", "standard", "fine", "reference"]
 # knob: widths around standard, alone; w and wd go together upwards since w + 1 <= wd

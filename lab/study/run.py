@@ -2,16 +2,18 @@
 # run.py - runs one job of a study and keeps its result
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab.study.run TOOL BUILD RESULTS KEY
-KEY as jobs.py has it. Does nothing if the result is there and counts. Exit code 1: the job failed,
+KEY as keys.py has it. Does nothing if the result is there and counts. Exit code 1: the job failed,
 nothing was written. A profile that refuses a scene is a result: {"refused": why}."""
 import json
 import os
 import subprocess
 import sys
 import tempfile
+import time
 
+from ..jobs import store
 from ..synth import results
-from . import jobs
+from . import keys
 
 OPT = os.environ.get("STUDY_OPT", "-O1")  # of the simulation: compiled once, run for seconds
 
@@ -34,7 +36,7 @@ def scene_file(tool, build, scene):
     path = f"{build}/study/scenes/{kind}{number}.nff"
     os.makedirs(os.path.dirname(path), exist_ok=True)
     if scene == "protein":
-        command = [tool, "import", jobs.PROTEIN, "-o", path]
+        command = [tool, "import", keys.PROTEIN, "-o", path]
     else:
         option = {"sphereflake": "--size", "random": "--spheres"}.get(kind, "--seed")
         command = [tool, "gen", kind, option, number, "-o", path]
@@ -123,22 +125,23 @@ def sources(build, w):
     """Patterns of the files that a result depends on."""
     kind = w["kind"]
     if kind == "accuracy":
-        return jobs.MODEL + jobs.scene_files(w["scene"])
+        return keys.MODEL + keys.scene_files(w["scene"])
     if kind == "cycles":
-        return jobs.RTL + jobs.BUILD + jobs.scene_files(w["scene"])
+        return keys.RTL + keys.BUILD + keys.scene_files(w["scene"])
     with open(f"{build}/synth/{synth_key(w)}/sources.d", encoding="utf-8") as f:
         read = f.readlines()[-1].rstrip(":\n").split()
     return read + (["synth/placed.awk", "synth/place.sh"] if kind == "fmax" else [])
 
 
 def main(tool, build, folder, key):
-    w = jobs.words(key)
-    if jobs.look(folder, key)[1] is None:
+    w = keys.words(key)
+    if store.look(folder, key)[1] is None:
         return
+    began = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="sphaera-study-") as temporary:
         kinds = {"accuracy": accuracy, "cycles": cycles, "cells": cells, "fmax": fmax}
         result = kinds[w["kind"]](tool, build, w, temporary)
-    jobs.save(folder, key, sources(build, w), result)
+    store.save(folder, key, sources(build, w), result, time.monotonic() - began)
 
 
 if __name__ == "__main__":

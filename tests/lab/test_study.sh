@@ -11,8 +11,8 @@ BUILD=${BUILD:-build} tool=${SPHAERA:-$BUILD/sphaera}
 export STUDY_OPT=-O0 TMPDIR="$TMP"
 results=$TMP/results
 
-plan() { python3 -m lab.study.plan --short "$@" "$tool" "$BUILD" "$results" "$TMP/jobs.mk"; }
-jobs() { env -u MAKEFLAGS -u MFLAGS make -s -f "$TMP/jobs.mk"; }
+plan() { python3 -m lab.study.plan --short "$@" "$tool" "$BUILD" "$results" "$TMP/jobs"; }
+jobs() { env -u MAKEFLAGS -u MFLAGS python3 -m lab.jobs.run make "$TMP/jobs"; }
 run() { python3 -m lab.study.run "$tool" "$BUILD" "$results" "$1"; }
 has() { grep -q -- "$1" "$2"; }
 says() { # pattern, command: its output has the pattern, whatever its exit code
@@ -24,7 +24,8 @@ says() { # pattern, command: its output has the pattern, whatever its exit code
 }
 count() { ls "$results" | wc -l; }
 state() { ls -l --time-style=full-iso "$results"; }
-mine() { python3 -c "from lab.study import jobs
+mine() { python3 -c "from lab.jobs import store
+from lab.study import keys
 print($1)"; }
 
 # ---- all of it, twice ----
@@ -34,16 +35,17 @@ check "a file each, and nothing else" [ "$(count)" = 4 ]
 state >"$TMP/before"
 check "nothing to run" says '4 jobs, 0 to run' plan
 check "... and nothing is run" jobs
-key=$(mine "jobs.job('accuracy', scene='paper5', size='32x18')")
-file=$(mine "jobs.path('$results', '$key')")
+key=$(mine "keys.job('accuracy', scene='paper5', size='32x18')")
+file=$(mine "store.path('$results', '$key')")
 check "a job that is there is not done again" run "$key"
 state >"$TMP/after"
 check "no file was touched" cmp "$TMP/before" "$TMP/after"
 check "model and RTL made the same visits" python3 -c "
-from lab.study import jobs
+from lab.jobs import store
+from lab.study import keys
 core = dict(core='shadow+reflect2+lights1', scene='paper5', size='32x18')
-rtl = jobs.look('$results', jobs.job('cycles', **core))[0]['counters']
-model = jobs.look('$results', '$key')[0]['counters']
+rtl = store.look('$results', keys.job('cycles', **core))[0]['counters']
+model = store.look('$results', '$key')[0]['counters']
 assert rtl['node_visits'] == model['node_visits'] > 0 and rtl['cycles'] >= rtl['node_visits'], rtl"
 
 # ---- results that do not count ----
@@ -56,7 +58,7 @@ check "half a file is noticed" says "$file is damaged" plan
 check "... and made anew" jobs
 check "... as it was, but for the time" sh -c "grep -v 'seconds\|check' '$file' >'$TMP/new' &&
     grep -v 'seconds\|check' '$TMP/good' | cmp - '$TMP/new'"
-other=$(mine "jobs.path('$results', jobs.job('accuracy', scene='paper5', size='32x18',
+other=$(mine "store.path('$results', keys.job('accuracy', scene='paper5', size='32x18',
     profile='draft'))")
 cp "$other" "$file"
 check "the result of another job is noticed" says "$file is damaged" plan
@@ -76,14 +78,14 @@ while [ ! -f "$TMP/started" ] && [ $tries -lt 100 ]; do sleep 0.1 && tries=$((tr
 kill -9 $victim
 check "a killed job leaves no file" sh -c "[ -f '$TMP/started' ] && [ ! -e '$file' ]"
 check "... and is to run" says '4 jobs, 1 to run' plan
-check "... and then there" sh -c "make -s -f '$TMP/jobs.mk' && [ -f '$file' ]"
-refused=$(mine "jobs.job('accuracy', scene='huge_tiny', size='32x18', profile='draft')")
+check "... and then there" sh -c "python3 -m lab.jobs.run make '$TMP/jobs' && [ -f '$file' ]"
+refused=$(mine "keys.job('accuracy', scene='huge_tiny', size='32x18', profile='draft')")
 check "a scene that the profile refuses is a result" run "$refused"
-check "... that says why" has 'nothing on the grid' "$(mine "jobs.path('$results', '$refused')")"
+check "... that says why" has 'nothing on the grid' "$(mine "store.path('$results', '$refused')")"
 before=$(count)
 no() { ! "$@"; }
-check "no such scene: the job fails" no run "$(mine "jobs.job('accuracy', scene='x', size='8x8')")"
-check "no such profile: the job fails" no run "$(mine "jobs.job('accuracy', scene='paper5',
+check "no such scene: the job fails" no run "$(mine "keys.job('accuracy', scene='x', size='8x8')")"
+check "no such profile: the job fails" no run "$(mine "keys.job('accuracy', scene='paper5',
     size='8x8', profile='huge')")"
 for bad in "kind=tea" "profile=draft" "kind=cells core=all" "$key more=1" ""; do
     check "no job: '$bad'" says "^study: .*'$bad'" no run "$bad"

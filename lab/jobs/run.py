@@ -1,0 +1,41 @@
+#!/usr/bin/env python3
+# run.py - runs the jobs of a list: engine make on this machine, engine slurm on a cluster
+# SPDX-License-Identifier: Apache-2.0
+"""usage: python3 -m lab.jobs.run make|slurm LIST
+LIST as plan.py writes it. Exit code 0: each result is there and counts."""
+import os
+import shlex
+import sys
+
+from . import plan, slurm
+
+
+def by_make(name, jobs):
+    """A makefile with a target for each job: JOBS of them run at once. Does not return."""
+    targets = [f"job{i}" for i in range(len(jobs))]
+    lines = ["# written by lab/jobs/run.py: the most important job first",
+             ".PHONY: all " + " ".join(targets), "all: " + " ".join(targets)]
+    for target, job in zip(targets, jobs):
+        command = shlex.join(job["command"]).replace("$", "$$")
+        lines += [f"{target}:", f"\t@printf '  %-4s %s\\n' JOB '{job['key']}'", f"\t@{command}"]
+    with open(name + ".mk.tmp", "w", encoding="utf-8") as f:
+        f.write("\n".join(lines) + "\n")
+    os.replace(name + ".mk.tmp", name + ".mk")
+    sys.stdout.flush()
+    os.execvp("make", ["make", "--no-print-directory", "-k", "-f", name + ".mk"])
+
+
+def main(argv):
+    if len(argv) != 2 or argv[0] not in ("make", "slurm"):
+        sys.exit(__doc__)
+    engine, name = argv
+    listed = plan.read(name)
+    if not listed["jobs"]:
+        return 0
+    if engine == "make":
+        by_make(name, listed["jobs"])
+    return slurm.run(name, listed)
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
