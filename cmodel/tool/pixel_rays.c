@@ -66,5 +66,5 @@ void report_rays(json_t *report, const struct sph_ray_log *log) {
         }
         json_array_append_new(list, ray);
     }
-    report_add(report, "rays", list);
+    report_add(report, "pixel_rays", list);
 }

@@ -17,7 +17,7 @@ int pixel_rays(const struct sph_machine *m, int x, int y, struct sph_ray_log *lo
 /* Prints them as a tree; to may be NULL. */
 void print_rays(FILE *to, const struct sph_ray_log *log);
 
-/* Adds them as the member `rays`. */
+/* Adds them as the member `pixel_rays`. */
 void report_rays(json_t *report, const struct sph_ray_log *log);
 
 #endif

@@ -3,7 +3,7 @@
 """The name of a region is a word of MAKERS and its arguments."""
 from ..effects import asks
 from ..papers import claims
-from . import blocks, bundles, cores, data, machine, measured, modes
+from . import blocks, bundles, cores, data, machine, measured, modes, schema
 
 
 class Unknown(Exception):
@@ -28,7 +28,7 @@ MAKERS = {
     "count": count, "const": const, "age": measured.age, "rows": data.rows, "cell": data.cell,
     "core": cores.core, "cores": cores.cores, "inside": cores.inside, "yosys": cores.yosys,
     "budget": cores.budget, "asks": asks.table, "modes": modes.modes, "cells_age": cores.age,
-    "claims": claims.table, "verdicts": claims.verdicts,
+    "schema": schema.members, "claims": claims.table, "verdicts": claims.verdicts,
 }
 
 

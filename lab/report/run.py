@@ -46,4 +46,4 @@ class Run:
         tool = os.path.join(os.environ.get("BUILD", "build"), "sphaera")
         said = subprocess.run([tool, "info", self.folder / "scene.sph", "--pixel", f"{x},{y}",
                                "--json", "-"], check=True, capture_output=True, text=True)
-        return json.loads(said.stdout)["rays"]
+        return json.loads(said.stdout)["pixel_rays"]

@@ -30,6 +30,12 @@ check "the last pixel left in the last cycle" python "$run" \
 check "every traced pixel was in flight, none longer than the frame" python "$run" \
     "took = run.in_flight(); assert min(took) > 0 and max(took) <= max(run.left), took"
 
+valid() { python3 -W ignore -m jsonschema -i "$1" docs/use/simulation.schema.json; }
+check "report.json is as its schema has it" valid "$run/report.json"
+sed 's/"mismatches": 0/"mismatches": -1/' "$run/report.json" >"$TMP/broken.json"
+check "... which notices what is wrong" sh -c "! $(command -v python3) -W ignore -m jsonschema -i \
+    '$TMP/broken.json' docs/use/simulation.schema.json >/dev/null 2>&1"
+
 # ---- CSV ----
 columns() { python3 -c "import csv, sys
 rows = list(csv.DictReader(open('$TMP/runs.csv')))

@@ -30,8 +30,8 @@ check "build report" json build.json 'r["command"] == "build" and r["machine"]["
 check "info" sh -c "'$s' info a.sph --json info.json | grep -q 'WD 17'"
 check "info report" json info.json 'r["machine"]["profile"] == "standard"'
 "$s" info a.sph --pixel 30,24 --json rays.json | sed -n '/^rays/,$p' >rays.txt
-check "rays of a pixel" json rays.json 'r["rays"][0]["kind"] == "primary" and any(
-    i["kind"] == "reflected" and r["rays"][i["parent"]]["hit"] for i in r["rays"])'
+check "rays of a pixel" json rays.json 'r["pixel_rays"][0]["kind"] == "primary" and any(
+    i["kind"] == "reflected" and r["pixel_rays"][i["parent"]]["hit"] for i in r["pixel_rays"])'
 check "... as text" grep -E '^  primary   id [0-9]+, key [0-9]+, distance .* visits$' rays.txt
 fails 1 "no such pixel" "$s" info a.sph --pixel 64,0
 fails 2 "no pixel at all" "$s" info a.sph --pixel 64
