@@ -1,0 +1,39 @@
+#!/bin/sh
+# litex.sh - generates the LiteX system of a ULX3S, lints it, compiles its firmware
+# SPDX-License-Identifier: Apache-2.0
+#
+# usage: LITEX=PYTHON synth/litex.sh FOLDER
+# Of what LiteX writes errors are looked for alone (pins of both directions it
+# declares as inputs, and Verilator cannot follow them),
+# of rt_top's connections missing ones too.
+set -eu
+cd "$(dirname "$0")/.."
+out=$1
+mkdir -p "$out"
+# shellcheck disable=SC2046  # lists of words on purpose
+"$LITEX" -m lab.litex.ulx3s "$out" $(sh sim/profile.sh standard) \
+    $(sh sim/parameters.sh shadow+reflect2+lights1+inside+rect) >"$out/litex.log" 2>&1 || {
+    tail -n 20 "$out/litex.log" >&2
+    exit 1
+}
+top=$out/gateware/sphaera_ulx3s.v
+parts=$(dirname "$(dirname "$(command -v yosys)")")/share/yosys/ecp5
+cpu=$("$LITEX" -c 'import pythondata_cpu_vexriscv as cpu; print(cpu.data_location)')
+# shellcheck disable=SC2046
+verilator --lint-only -Wno-fatal -Wno-ASSIGNIN --language 1364-2005 --timescale 1ns/1ps \
+    --top-module sphaera_ulx3s $(find rtl -type d | sed 's/.*/-y & -I&/') -I"$out/gateware" \
+    "$cpu/VexRiscv_Lite.v" "$top" -I"$parts" "$parts/cells_sim.v" \
+    "$parts/cells_bb.v" >"$out/lint.log" 2>&1 ||
+    if grep '^%Error' "$out/lint.log" | grep -vE 'Unsupported: tristate|Exiting due to' >&2; then
+        exit 1
+    fi
+at=$(grep -n '^) rt_top (' "$top" | cut -d: -f1)
+if [ -z "$at" ] || grep "^%Warning-PINMISSING: $top:$at:" "$out/lint.log" >&2; then
+    echo "litex: rt_top is not wholly connected" >&2
+    exit 1
+fi
+clang --target=riscv32 -march=rv32im -mabi=ilp32 -std=c99 -ffreestanding -Os -Wall -Wextra \
+    -Werror -I"$out/software/include" -c lab/litex/firmware.c -o "$out/firmware.o"
+clang --target=riscv32 -march=rv32im -mabi=ilp32 -std=c99 -ffreestanding -Os -Wall -Wextra \
+    -Werror -c driver/sphaera.c -o "$out/driver.o"
+echo "ok - litex: $(wc -l <"$top") lines of Verilog, rt_top connected, firmware compiled for rv32im"
