@@ -4,19 +4,30 @@
 #   make hard                  all operands of three bits, 1 million generated cases a profile
 #   make hard N=175000000 STATE=file      a campaign that can be stopped and resumed
 #   make hard FAMILY=facets               one family, or those of a kind
+#   make hard ENGINE=slurm                on a cluster: docs/use/cluster.md
 #   make hard-rtl              every fault of tests/hard/rtl_mutants.txt
 HARD_C      := $(sort $(wildcard tests/hard/*.c))
 HARD_CFLAGS := -Itests -Itests/hard -ffp-contract=off
 HARD_LIBS    = $(call pkg,--libs jansson) $(MODEL_LIBS)
 
-hard_run = $< --cases $(N) --seed $(SEED) --processes $(JOBS) $(if $(STATE),--state $(STATE)) \
-    $(if $(FAMILY),--family $(FAMILY) --exhaustive 0) --json $B/test/hard.json
+HARD      := $B/hard
+hard_plan  = --cases $(N) --seed $(SEED) $(if $(FAMILY),--family $(FAMILY) --exhaustive 0)
+hard_state = $(if $(filter slurm,$(ENGINE)),$(HARD)/state,$(STATE))
+hard_run   = $< $(hard_plan) --processes $(JOBS) $(if $(hard_state),--state $(hard_state)) \
+                 --json $B/test/hard.json
+# Of a cluster: parts, whose state files are put together.
+hard_parts = $(if $(filter slurm,$(ENGINE)), \
+    python3 -m lab.campaign plan $< $(HARD)/results $(HARD)/jobs $(hard_plan) && \
+    $(call jobs_run,$(HARD)/jobs) && \
+    python3 -m lab.campaign merge $< $(HARD)/results $(HARD)/state $(hard_plan))
 
 hard: $B/test/hard ## hard cases: N a profile, SEED, JOBS processes, STATE file to resume from
+	$(Q)$(hard_parts)
 	@$(hard_run)
 
 # Of a campaign that is done, at once. Families that it leaves out keep the rows that they have.
 hard-page: $B/test/hard ## the same, and its table and chart put into docs/results/hard_cases.md
+	$(Q)$(hard_parts)
 	@$(hard_run) >$B/test/hard.table
 	@$< --list >$B/test/hard.list
 	@python3 -m lab.hard docs/results/hard_cases.md docs/pictures/hard_cases.svg \
@@ -43,7 +54,7 @@ $B/test/hard: $(HARD_C:%.c=$B/test/obj/%.o) $B/obj/cmodel/tool/progress.o $(LIB)
 
 # For benches of the RTL (tb/hard.h): what they do not call is not linked.
 $B/test/libhard.a: $(patsubst %.c,$B/test/obj/%.o,$(filter-out %/main.c %/report.c \
-                     %/campaign.c %/campaign_state.c,$(HARD_C)))
+                     %/campaign.c %/campaign_merge.c %/campaign_state.c,$(HARD_C)))
 
 $B/test/asan/%.o: %.c $B/flags
 	$(call say,CC,"$(<F) sanitized")

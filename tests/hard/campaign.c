@@ -45,7 +45,7 @@ static uint64_t slices(const struct campaign *c) {
     return c->share ? HARD_SLICES : 0;
 }
 
-static uint64_t chunks_of(const struct campaign *c) {
+uint64_t campaign_chunks(const struct campaign *c) {
     uint64_t rows = (uint64_t)c->families * profiles_of(c);
     uint64_t blocks = (campaign_family_cases(c) + HARD_BLOCK - 1) / HARD_BLOCK;
     return slices(c) + blocks * rows;
@@ -89,12 +89,16 @@ static void run_chunk(const struct campaign *c, const struct chunk *k, struct sh
     }
 }
 
+static int is_of_part(const struct campaign *c, uint64_t chunk) {
+    return chunk % c->parts == c->part;
+}
+
 /* A process: takes chunks until none is left, sends what came of each. */
 static void work(const struct campaign *c, struct shared *shared, const uint8_t *done,
                  uint64_t chunks, int to) {
     uint64_t i;
     while ((i = next_of(&shared->next)) < chunks) {
-        if (done[i]) continue;
+        if (done[i] || !is_of_part(c, i)) continue;
         if (next_of(&shared->taken) >= c->chunks) break;
         struct chunk k = chunk_at(c, i);
         struct message m = {.chunk = i};
@@ -116,10 +120,10 @@ static int gather(struct campaign *c, uint8_t *done, uint64_t chunks, int from,
     struct message m;
     struct progress progress;
     double start = progress_now(), saved = start;
-    uint64_t finished = 0, now = 0;
+    uint64_t finished = 0, now = 0, goal = 0;
     int show = progress_start(&progress, "hard cases", 0), failed = 0;
     for (uint64_t i = 0; i < chunks; i++)
-        finished += done[i];
+        finished += done[i], goal += !done[i] && is_of_part(c, i);
     while (!failed && read(from, &m, sizeof m) == sizeof m) {
         struct chunk k = chunk_at(c, m.chunk);
         hard_tally_add(&c->row[row_of(&k)], &m.tally);
@@ -128,14 +132,13 @@ static int gather(struct campaign *c, uint8_t *done, uint64_t chunks, int from,
         now++;
         c->done += m.tally.cases;
         if (show) progress_show(&progress, (int)(1000 * finished / chunks), 1000);
-        if (!c->state || (progress_now() - saved < 10 && finished < chunks && now < c->chunks))
-            continue;
+        if (!c->state || (progress_now() - saved < 10 && now < goal && now < c->chunks)) continue;
         failed = campaign_save(c, done, chunks, err);
         saved = progress_now();
     }
     progress_end(&progress);
     c->seconds = progress_now() - start;
-    if (!failed && finished < chunks && now < c->chunks)
+    if (!failed && now < goal && now < c->chunks)
         return sph_fail(err, "a process ended early: %lu of %lu chunks are done", finished, chunks);
     return failed ? -1 : finished < chunks;
 }
@@ -164,7 +167,7 @@ static int spread(struct campaign *c, struct shared *shared, uint8_t *done, uint
 }
 
 int campaign_run(struct campaign *c, struct sph_error *err) {
-    uint64_t chunks = chunks_of(c);
+    uint64_t chunks = campaign_chunks(c);
     uint8_t *done = calloc(chunks + 1, 1);
     struct shared *shared =
         mmap(NULL, sizeof *shared, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);

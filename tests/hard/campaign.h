@@ -18,6 +18,7 @@ struct campaign {
     uint64_t first;       /* number of the first case of a family: to spread a campaign */
     uint64_t share;       /* one in so many of the exhaustive part; 0: none of it */
     uint64_t chunks;      /* most chunks of this run; the rest is left for the next */
+    uint64_t part, parts; /* of all chunks each parts-th, from number part: for many machines */
     int family, families; /* the first one, and how many */
     int profile;          /* -1: all */
     int processes;
@@ -33,6 +34,13 @@ struct campaign {
  * left for another run; or -1 with a message: state file of another plan or not writable, a process
  * that ended early. */
 int campaign_run(struct campaign *c, struct sph_error *err);
+
+/* Puts the state files of parts of this plan together as c->state. 0, or -1 with a message: a file
+ * that is missing, damaged, of another plan, or has a chunk that one before it has. */
+int campaign_merge(struct campaign *c, char *const *files, int n, struct sph_error *err);
+
+/* Chunks of the plan. */
+uint64_t campaign_chunks(const struct campaign *c);
 
 /* Cases of each family that the plan asks for. */
 uint64_t campaign_family_cases(const struct campaign *c);

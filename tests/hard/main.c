@@ -11,7 +11,7 @@
 #include "campaign.h"
 #include "named.h"
 
-enum { FIRST = 256, CHUNKS, SHARE, STATE, JSON, LIST, NAMED, SCENES };
+enum { FIRST = 256, CHUNKS, SHARE, STATE, JSON, LIST, NAMED, SCENES, PART, MERGE };
 
 static const struct argp_option options[] = {
     {"cases", 'n', "N", 0, "generated cases a profile, spread over the families (100000)", 0},
@@ -22,6 +22,8 @@ static const struct argp_option options[] = {
     {"first", FIRST, "N", 0, "number of the first case: spreads a campaign (0)", 0},
     {"exhaustive", SHARE, "N", 0, "one in N of all operands of three bits; 0: none (1)", 0},
     {"chunks", CHUNKS, "N", 0, "end after N chunks of at most 65536 cases; with --state", 0},
+    {"part", PART, "P/K", 0, "each K-th chunk from chunk P on, P below K; with --state", 0},
+    {"merge", MERGE, 0, 0, "make the file of --state out of those of parts: FILE...", 0},
     {"state", STATE, "FILE", 0, "keep what is done here, and go on from there", 0},
     {"json", JSON, "FILE", 0, "write the table as JSON", 0},
     {"case", 'c', "F:P:N", 0, "one case of family F, profile P, in full", 1},
@@ -34,6 +36,9 @@ struct arguments {
     struct campaign campaign;
     const char *one, *json, *scenes;
     int list, named; /* named: -1 not asked for, 0 all */
+    int merge;       /* 1: argv from `files` on, n_files of them, are put together */
+    char **files;
+    int n_files;
 };
 
 static uint64_t number(const char *text, const char *what, struct argp_state *state) {
@@ -59,6 +64,13 @@ static void families_find(const char *name, struct campaign *c) {
     c->families = c->family >= 0;
     for (int i = HARD_FAMILIES; i-- > 0;)
         if (!strcmp(hard_kinds[hard_families[i].of], name)) c->family = i, c->families++;
+}
+
+/* P/K */
+static void part_of(const char *text, struct campaign *c, struct argp_state *state) {
+    char end;
+    if (sscanf(text, "%lu/%lu%c", &c->part, &c->parts, &end) != 2 || c->part >= c->parts)
+        argp_error(state, "--part: %s is not P/K with P below K", text);
 }
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
@@ -92,6 +104,21 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     case 'p':
         c->profile = sph_profile_find(arg);
         if (c->profile < 0) argp_error(state, "no profile is called %s", arg);
+        break;
+    case PART:
+        part_of(arg, c, state);
+        break;
+    case MERGE:
+        a->merge = 1;
+        break;
+    case ARGP_KEY_ARGS:
+        if (!a->merge) return ARGP_ERR_UNKNOWN;
+        a->files = state->argv + state->next;
+        a->n_files = state->argc - state->next;
+        break;
+    case ARGP_KEY_END:
+        if ((a->merge || c->parts > 1) && !c->state)
+            argp_error(state, "--merge and --part are with --state");
         break;
     case STATE:
         c->state = arg;
@@ -143,6 +170,14 @@ static int run_one(const struct arguments *a) {
     return wrong ? 1 : 0;
 }
 
+/* --merge */
+static int run_merge(struct arguments *a) {
+    struct sph_error err = {{0}};
+    if (!campaign_merge(&a->campaign, a->files, a->n_files, &err)) return 0;
+    fprintf(stderr, "hard: %s\n", err.text);
+    return 2;
+}
+
 static int run_campaign(struct arguments *a) {
     struct sph_error err = {{0}};
     struct campaign *c = &a->campaign;
@@ -167,7 +202,7 @@ static int run_campaign(struct arguments *a) {
 
 int main(int argc, char **argv) {
     static const struct argp argp = {
-        options, parse, 0, "Hard cases: model, oracles, floating point.", 0, 0, 0};
+        options, parse, "", "Hard cases: model, oracles, floating point.", 0, 0, 0};
     struct arguments a = {.named = -1, .scenes = "tests/hard/scenes"};
     a.campaign = (struct campaign){.seed = 1,
                                    .cases = 100000,
@@ -176,6 +211,7 @@ int main(int argc, char **argv) {
                                    .profile = -1,
                                    .processes = 1,
                                    .chunks = UINT64_MAX,
+                                   .parts = 1,
                                    .program = argv[0]};
     argp_err_exit_status = 2;
     if (argp_parse(&argp, argc, argv, 0, 0, &a)) return 2;
@@ -185,5 +221,5 @@ int main(int argc, char **argv) {
     }
     if (a.one) return run_one(&a);
     if (a.named >= 0) return hard_named_run(a.named, a.scenes, stdout) ? 1 : 0;
-    return run_campaign(&a);
+    return a.merge ? run_merge(&a) : run_campaign(&a);
 }

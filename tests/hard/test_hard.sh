@@ -109,6 +109,14 @@ resumed() { # in three runs the same as in one
     run "$@" --state "$TMP/state" --processes 2 | grep '^|' | diff - "$TMP/whole"
 }
 check "a campaign in three runs is the same as in one" resumed
+parts() { # in three parts that are put together the same as in one
+    set -- --cases 5000 --exhaustive 0
+    for p in 0 1 2; do run "$@" --part $p/3 --state "$TMP/part$p" || return 1; done
+    run "$@" --state "$TMP/parts" --merge "$TMP/part2" "$TMP/part0" "$TMP/part1" &&
+        run "$@" --state "$TMP/parts" >"$TMP/all" && grep '^0 cases in' "$TMP/all" &&
+        grep '^|' "$TMP/all" | diff - "$TMP/whole"
+}
+check "a campaign in three parts is the same as in one" parts
 spread() { # numbers 0 to 9 and 10 to 19 are other cases
     run --cases 200 --exhaustive 0 | grep '^|' >"$TMP/a"
     run --cases 200 --exhaustive 0 --first 10 | grep '^|' >"$TMP/b"
@@ -138,6 +146,9 @@ check "a kind of families" kind
 refused "a number that is none" --cases 1k
 refused "a case that is none" --case pair:reference
 refused "a named case that is none" --named=81
+refused "a part that is none" --part 3/3 --state "$TMP/none"
+refused "a part twice" --cases 5000 --exhaustive 0 --seed "${SEED:-1}" --state "$TMP/none" \
+    --merge "$TMP/part0" "$TMP/part0"
 refused "the state of another campaign" --cases 5001 --exhaustive 0 --state "$TMP/state"
 head -n 9 "$TMP/state" >"$TMP/damaged"
 refused "a damaged state" --cases 5000 --exhaustive 0 --state "$TMP/damaged" --seed "${SEED:-1}"

@@ -61,4 +61,12 @@ check "one that was damaged later is made anew, and no other" sh -c "
     python3 -m lab.checks.slurm_study same '$TMP/slurm' '$TMP/make'"
 check "make study takes the engine" sh -c "env -u MAKEFLAGS -u MFLAGS make study-short \
     KINDS=accuracy B='$BUILD' RESULTS='$TMP/short' ENGINE=slurm && ls '$TMP'/short/*.json"
+check "make hard too: its table is that of this machine" sh -c "
+    for engine in make slurm; do
+        env -u MAKEFLAGS -u MFLAGS make hard N=3000 FAMILY=facets SEED=$$ B='$BUILD' \
+            ENGINE=\$engine >'$TMP/hard' || exit 1
+        cat '$TMP/hard' && grep '^|' '$TMP/hard' >'$TMP/hard'.\$engine
+    done
+    grep -q '^hard: 4 jobs, 4 to run' '$TMP/hard' && grep -q '^0 cases in' '$TMP/hard' &&
+    diff '$TMP/hard.make' '$TMP/hard.slurm'"
 done_testing
