@@ -3,9 +3,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab.bench TOOL FOLDER
 
-Each row sets one way against another on the same scene: how many times longer the other takes, and
-how many times more node visits and leaf tests it makes. Best of ROUNDS, the two in turn, one thread
-unless the row is about threads. Nothing is asserted: numbers depend on the machine that runs this.
+A tree is the default one unless it is named. Each row sets one way against another on the same
+scene: how many times longer the other takes, and how many times more node visits and leaf tests it
+makes. Best of ROUNDS, the two in turn, one thread unless the row is about threads. Nothing is
+asserted: numbers depend on the machine that runs this.
 """
 import json
 import os
@@ -54,8 +55,10 @@ def main():
     rows = [
         ("tree", "every sphere (paper: 7 to 15)", small, "", "--brute"),
         ("tree", "every sphere", large, "", "--brute"),
-        ("balanced tree", "paper's tree", small, "", paper),
-        ("balanced tree", "paper's tree", large, "", paper),
+        ("tree", "paper's tree", small, "", paper),
+        ("tree", "paper's tree", large, "", paper),
+        ("tree", "balanced tree", small, "", "--tree balanced"),
+        ("tree", "balanced tree", large, "", "--tree balanced"),
         ("nearest leaf", "first leaf, paper's tree", small, paper, first),
         ("nearest leaf", "first leaf, paper's tree", large, paper, first),
         ("depth 0", "depth 1", flake, "--depth 0", "--depth 1"),

@@ -3,7 +3,8 @@
 #
 #   make study                   every job that has no result that counts, then the page
 #   make study KINDS=accuracy    only jobs of these kinds (joined by commas), then the page
-#   make study-page              the page from the results that are there; the rest is a dash
+#   make study-page              the page from the results that are there; tables of which one is
+#                                missing stay as they are
 #   make study-short             some small jobs and no page: what tests/lab/test_study.sh runs
 #   make study RESULTS=folder    results elsewhere: put folders of several machines together
 #   make study ENGINE=slurm      on a cluster: docs/use/cluster.md
@@ -29,8 +30,8 @@ study-short: $(TOOL)
 	+$(Q)$(call jobs_run,$(STUDY)/jobs)
 
 study-page: $(TOOL)
-	$(Q)python3 -m lab.study.page docs/results/accuracy.md $(RESULTS) $(STUDY) $(TOOL)
-	$(Q)python3 -m lab.pages.measured docs/results/accuracy.md "make study"
+	$(Q)python3 -m lab.study.page --whole docs/results/accuracy.md $(RESULTS) $(STUDY) $(TOOL)
+	$(Q)python3 -m lab.pages.measured docs/results/accuracy.md "make study" $$(cat $(STUDY)/tables)
 
 study-pnr: $(STUDY)/venv/done
 $(STUDY)/venv/done:

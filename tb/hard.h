@@ -1,8 +1,8 @@
 /* hard.h - the hard cases of tests/hard as vectors of the benches
  * SPDX-License-Identifier: Apache-2.0
  *
- * First the named cases, then EACH generated ones of every family, as docs/results/hard_cases.md
- * lists them. Those that have the effect INSIDE off come behind all others, and the named ones with
+ * First the named cases, then EACH generated ones of every family of spheres; hard_cases.h has the
+ * others. Those that have the effect INSIDE off come behind all others, and the named ones with
  * them once more, so that a bench has to switch but once.
  *
  *     hard::Source hard(

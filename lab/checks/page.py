@@ -19,9 +19,10 @@ for table in Path("docs/results/data").glob("accuracy.*.tsv"):
     shutil.copy(table, beside)
 
 
-def page_of():
+def page_of(*options):
     shutil.copy("docs/results/accuracy.md", page)
-    ran = subprocess.run([sys.executable, "-m", "lab.study.page", page, results, folder + "/plots"],
+    ran = subprocess.run([sys.executable, "-m", "lab.study.page", *options, page, results,
+                          folder + "/plots"],
                          check=True, stdout=subprocess.PIPE, text=True)
     text = markdown.REGION.sub("", Path(page).read_text(encoding="utf-8"))  # of the real results
     found = [[c.strip() for c in line.split("|")[1:-1]] for line in text.splitlines()
@@ -87,8 +88,15 @@ assert "70.0 (1 2 3 4; 1.5)" in [r[2] for r in row(rows, "`paper100`")]
 assert row(rows, "`standard`", "50.0", "routing")[0][3:7] == ["20.0", "5.0", "12",
                                                              "u_core.u_a to u_core.u_b"]
 assert row(rows, "W", "`standard:w=14`")[0][2] == "-"
+assert "Yosys 0.23 ([area.md](" in Path(page).read_text(encoding="utf-8"), "a link was taken"
 assert "3 plots" in said, said
 for name in "milliseconds", "multipliers", "luts":
     svg = f"{folder}/docs/pictures/accuracy/pareto_{name}.svg"
     text = xml.dom.minidom.parse(svg).toxml()
     assert "standard" in text and "draft" in text, svg
+
+# ---- whole tables alone: what is missing stays as it was ----
+said, rows = page_of("--whole")
+assert row(rows, "`standard`")[0][1:3] != ["56.2", "53.0"], rows
+made = Path(folder + "/plots/tables").read_text(encoding="utf-8").split()
+assert "profiles" not in made and "costs" not in made, made

@@ -1,7 +1,8 @@
 # measured.py - tables that an experiment has put into a page: when, of which sources, untouched?
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.pages.measured PAGE COMMAND
-Notes that COMMAND has just made its tables of PAGE, and brings the page's own words up to date.
+"""usage: python3 -m lab.pages.measured PAGE COMMAND [TABLE...]
+Notes that COMMAND has just made its tables of PAGE, or those that are named, and brings the page's
+own words up to date.
 
 Such a table stands between `<!-- NAME -->` and `<!-- end -->`. The record has a line for each:
 page, table, command, kinds of sources (digest.py), their digest, commit, day, digest of the table.
@@ -64,14 +65,14 @@ def commit():
     return name + ("+" if changed else ""), day
 
 
-def stamp(page, command):
+def stamp(page, command, *only):
     """Notes that the tables of a command are of now, and those that nobody knew of."""
     stem, now, found = Path(page).stem, commit(), rows()
     texts = tables(page)
     known = {row.table for row in found if row.page == stem}
     found += [Row(stem, name, command, "+".join(digest.KINDS), "", "", "", "")
               for name in texts if name not in known]
-    write(row if (row.page, row.command) != (stem, command) else
+    write(row if (row.page, row.command) != (stem, command) or (only and row.table not in only) else
           row._replace(sources=digest.of(row.kinds), commit=now[0], day=now[1],
                        text=texts[row.table])
           for row in found if row.page != stem or row.table in texts)

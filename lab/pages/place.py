@@ -30,7 +30,7 @@ def place(page, texts, yosys=None):
         elif n != 1:
             sys.exit(f"page: {page}: {n} places for the table `{name}`, not one")
     if yosys:
-        text = re.sub(r"Yosys \d[\d.]*\d( \([^)]*\))?", yosys.split(" (")[0], text)
+        text = re.sub(r"Yosys \d[\d.]*\d( \([^)[]*\))?", yosys.split(" (")[0], text)
     write(page, text)
 
 

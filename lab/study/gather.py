@@ -16,11 +16,16 @@ class Study:
 
     def __init__(self, folder):
         self.folder, self.digests, self.known = folder, {}, {}
+        self.missing = 0  # results that were asked for and do not count
 
-    def get(self, key):
+    def look(self, key):
         if key not in self.known:
             self.known[key] = store.look(self.folder, key, self.digests)[0]
         return self.known[key]
+
+    def get(self, key):
+        self.missing += self.look(key) is None
+        return self.look(key)
 
     def accuracy(self, profile, scene, **words):
         return self.get(keys.job("accuracy", profile=profile, scene=scene, size=points.PICTURE,
@@ -34,8 +39,8 @@ class Study:
         return run and run["core"]
 
     def fmax(self, core):
-        """Routed if it is there, else placed alone."""
-        return self.get(keys.job("fmax", **core)) or self.get(keys.job("fmax", route=0, **core))
+        """Routed if it is there, else placed alone; that neither is there is an answer."""
+        return self.look(keys.job("fmax", **core)) or self.look(keys.job("fmax", route=0, **core))
 
 
 def psnr(run):
@@ -105,6 +110,23 @@ def milliseconds(study, core, clock=None):
     if clock is None and placed:
         clock = placed["fmax"]
     return None if cycles is None or clock is None else cycles / clock / 1000
+
+
+def model_milliseconds(study, profile):
+    """Of the golden model's one thread for a frame of points.FRAME, by its pixels."""
+    seconds = mean_of_runs(study.accuracy(profile, s) for s in COMMON)
+    return seconds and 1000 * seconds * pixels(points.FRAME) / pixels(points.PICTURE)
+
+
+def simulation_milliseconds(study, core):
+    """Of the core simulated by Verilator, one thread, a frame of points.FRAME."""
+    seconds = mean_of_runs(study.cycles(core, s) for s in COMMON)
+    return seconds and 1000 * seconds
+
+
+def mean_of_runs(runs):
+    """Processor seconds of runs, their mean."""
+    return mean(r and r.get("cpu_seconds", r.get("cpu")) for r in runs)
 
 
 def pixel_rate(study, core):

@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 # page.py - puts tables, plots and picture strips of the study into docs/results/accuracy.md
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.study.page [--only-tables] PAGE RESULTS FOLDER [TOOL]
-A result that is missing, or does not count, is a dash in a table and no dot in a plot. Plots and
-strips go to pictures/accuracy beside the folder of PAGE."""
+"""usage: python3 -m lab.study.page [--only-tables] [--whole] PAGE RESULTS FOLDER [TOOL]
+A result that is missing, or does not count, is a dash in a table and no dot in a plot; with --whole
+a table stays as it is if one is missing. Plots and strips go to pictures/accuracy beside the folder
+of PAGE, the names of the tables that were made to FOLDER/tables."""
 import os
 import subprocess
 import sys
 
-from ..pages.place import place
+from ..pages.place import place, write
 from . import gather, plots, points, run, tables
 
 STRIP, STRIP_SIZE = "paper100", "240x135"
@@ -24,21 +25,21 @@ def strips(tool, build, pictures):
 
 
 def main(argv):
-    bare = argv[:1] == ["--only-tables"]
-    if bare:
-        argv = argv[1:]
+    bare, whole = "--only-tables" in argv, "--whole" in argv
+    argv = [word for word in argv if word not in ("--only-tables", "--whole")]
     if len(argv) not in (3, 4):
         sys.exit(__doc__)
     page, results, folder = argv[:3]
     study = gather.Study(results)
-    text = tables.everything(study)
+    text = tables.everything(study, whole)
     run_of = study.get(gather.keys.job("cells", **gather.core_of("standard")))
     place(page, text, run_of and run_of["yosys"])
+    os.makedirs(folder, exist_ok=True)
+    write(os.path.join(folder, "tables"), " ".join(text) + "\n")
     drawn = []
     if not bare:
         pictures = os.path.join(os.path.dirname(page), "../pictures/accuracy")
         os.makedirs(pictures, exist_ok=True)
-        os.makedirs(folder, exist_ok=True)
         drawn = plots.everything(study, pictures, folder)
         if len(argv) == 4:
             strips(argv[3], os.path.dirname(folder), pictures)

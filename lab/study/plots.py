@@ -1,5 +1,6 @@
-# plots.py - Pareto plots of docs/results/accuracy.md, drawn by gnuplot as SVG
+# plots.py - what accuracy costs, as plots of docs/results/accuracy.md, drawn by gnuplot as SVG
 # SPDX-License-Identifier: Apache-2.0
+"""A line for each family of cores; the four profiles have names, all others only a colour."""
 import os
 import subprocess
 from pathlib import Path
@@ -7,92 +8,122 @@ from pathlib import Path
 from . import gather, points
 from .gather import core_of
 
-PLOT = """set terminal svg noenhanced size 860,520 font "sans,12" background "white"
+PLOT = """set terminal svg noenhanced size 900,520 font "sans,13" background "white"
 set output "{out}"
 set title "{title}"
 set xlabel "{xlabel}"
 set ylabel "error: rms of a channel, of 255 (log)"
 set logscale y
+set ytics (0.2, 0.5, 1, 2, 5, 10)
 set format y "%g"
-set grid lc rgb "#cccccc"
-set key top left
+set grid lt 1 lc rgb "#dddddd"
 set xrange [{left}:{right}]
 set yrange [{low}:{high}]
+{more}
 plot {parts}
 """
-PARTS = {
-    "front": '"{data}" index {i} using 1:2 with lines lc rgb "#bbbbbb" lw 2 title "best so far"',
-    "own": '"{data}" index {i} using 1:2 with points pt 7 ps 1 lc rgb "#4477aa" title "{title}", '
-           '"" index {i} using 1:2:3 with labels left rotate by 25 offset 0.5,0.5 notitle',
-    "other": '"{data}" index {i} using 1:2 with points pt 6 ps 1 lc rgb "#cc6677" '
-             'title "{title}", '
-             '"" index {i} using 1:2:3 with labels left rotate by 25 offset 0.5,0.5 notitle',
-}
+COLOURS = ["#4477aa", "#cc6677", "#228833", "#ddaa33", "#aa4499", "#66ccee", "#999933", "#882255"]
+LINE = ('"{data}" index {i} using 1:2 with linespoints pt {shape} ps {size} lw 2 '
+        'lc rgb "{colour}" title "{title}"')
+NAMES = ('"{data}" index {i} using 1:2:3 with labels left offset 1.2,{up} tc rgb "{colour}" '
+         'font "sans,12" notitle')
 
 
-def front(dots):
-    """The dots that no other one beats in both, left to right, as stairs."""
-    best, kept = None, []
-    for x, y, _ in sorted(dots):
-        if best is None or y < best:
-            if kept:
-                kept.append((x, best, ""))
-            kept.append((x, y, ""))
-            best = y
-    return kept
+def heads(series):
+    """Of a plot whose lines stand side by side: each family's name above its line."""
+    lines = ["set logscale x", "unset key"]
+    for i, (name, some) in enumerate(series):
+        middle = sorted(d[0] for d in some)[len(some) // 2]
+        lines.append(f'set label "{name}" at first {middle:.9g}, graph 0.95 center '
+                     f'tc rgb "{COLOURS[i]}" font "sans,13"')
+    return "\n".join(lines)
 
 
-def draw(out, folder, title, xlabel, series):
-    """series: list of (kind of PARTS, title, dots (x, y, name)). True if any dot was drawn."""
-    dots = [d for _, _, s in series for d in s]
+def draw(out, folder, title, xlabel, series, log=False):
+    """series: list of (title, dots (x, y, name)), a line each, named dots with their names. True if
+    any dot was drawn."""
+    series = [(name, dots) for name, dots in series if dots]
+    dots = [d for _, some in series for d in some]
     if not dots:
         return False
-    series = [("front", "", front(dots))] + [s for s in series if s[2]]
     data = os.path.join(folder, os.path.basename(out) + ".txt")
-    blocks = ["\n".join(f'{x:.9g} {y:.6g} "{n}"' for x, y, n in s) for _, _, s in series]
+    blocks = ["\n".join(f'{x:.9g} {y:.6g} "{n}"' for x, y, n in s) for _, s in series]
     Path(data).write_text("\n\n\n".join(blocks) + "\n", encoding="utf-8")
-    parts = ", \\\n     ".join(PARTS[kind].format(data=data, i=i, title=name)
-                               for i, (kind, name, _) in enumerate(series))
+    parts = []
+    for i, (name, some) in enumerate(series):
+        words = dict(data=data, i=i, colour=COLOURS[i % len(COLOURS)], title=name,
+                     shape=[7, 5, 9, 11, 13][i % 5], size=1.3 if some[0][2] else 0.8, up=0.2)
+        parts += [LINE.format(**words)] + ([NAMES.format(**words)] if some[0][2] else [])
     xs, ys = [d[0] for d in dots], [d[1] for d in dots]
     span = max(xs) - min(xs) or max(xs)
-    script = PLOT.format(out=out + ".tmp", title=title, xlabel=xlabel, parts=parts,
-                         left=min(xs) - span / 20, right=max(xs) + span / 3,
-                         low=min(ys) / 2, high=max(ys) * 6)
+    left, right = min(xs) - span / 12, max(xs) + span / 4
+    if log:
+        left, right = min(xs) / 3, max(xs) * 4
+    script = PLOT.format(out=out + ".tmp", title=title, xlabel=xlabel,
+                         parts=", \\\n  ".join(parts),
+                         left=left, right=right, low=min(ys) / 1.6,
+                         high=max(ys) * (4 if log else 2),
+                         more=heads(series) if log else "set key bottom left")
     subprocess.run(["gnuplot"], input=script.encode(), check=True)
     os.replace(out + ".tmp", out)
     return True
 
 
-def errors(study, value):
-    """Dots of all cores: value(core) against the error, None left out."""
-    dots = []
-    for core in points.cores():
+def dots_of(study, cores, value, name=None):
+    """(value, error, name) of each core of which both are known."""
+    found = []
+    for core in cores:
         db, x = gather.mean_psnr(study, core["profile"]), value(core)
-        if db is None or x is None:
-            continue
-        rate = [f"{k} {core[k]}" for k in ("root", "quotient", "engines") if k in core]
-        label = core["profile"].removeprefix("standard:") if ":" in core["profile"] \
-            else core["profile"]
-        dots.append((x, gather.error(db), " ".join([label] + rate)))
-    return dots
+        if db is not None and x is not None:
+            found.append((x, gather.error(db), name(core, x) if name else ""))
+    return found
+
+
+def named(form="{profile}"):
+    return lambda core, x: form.format(profile=core["profile"], x=x)
+
+
+def time(study):
+    """The core at its own clock, the golden model, the simulated core: a frame of each profile."""
+    cores = [core_of(p) for p in points.PROFILES]
+    placed = [study.fmax(c) for c in cores]
+    how = "routed" if all(p and p["routed"] for p in placed) else "placed"
+    label = named("{profile} {x:.3g} ms")
+    return [
+        (f"core at its own\\nclock, {how}",
+         dots_of(study, cores, lambda c: gather.milliseconds(study, c), label)),
+        ("golden model,\\none thread",
+         dots_of(study, cores, lambda c: gather.model_milliseconds(study, c["profile"]), label)),
+        ("core simulated\\nby Verilator",
+         dots_of(study, cores, lambda c: gather.simulation_milliseconds(study, c), label))]
+
+
+def cells(study, kind):
+    """The profiles, and around standard a line for each knob of which cores were made."""
+    def value(core):
+        return (study.cells(core) or {}).get(kind)
+    lines = [("profiles", dots_of(study, [core_of(p) for p in points.PROFILES], value, named()))]
+    for knob, widths in points.KNOBS.items():
+        some = dots_of(study, [core_of(p) for p in widths], value)
+        if len(some) > 1:
+            lines.append((knob.upper(), sorted(some)))
+    for words in points.RATES:
+        some = dots_of(study, [core_of("standard"), dict(core_of("standard"), **words)], value)
+        if words and len(some) > 1:
+            lines.append((", ".join(f"{k} {v}" for k, v in words.items()), some))
+    return lines
 
 
 def everything(study, pictures, folder):
-    """Both Pareto plots; the names of those that were drawn."""
-    standard = study.fmax(core_of("standard"))
-    clock = standard and standard["fmax"]
-    own = errors(study, lambda c: gather.milliseconds(study, c))
-    same = errors(study, lambda c: gather.milliseconds(study, c, clock)
-                  if clock and not study.fmax(c) else None)
-    cells = errors(study, lambda c: (study.cells(c) or {}).get("mult"))
-    luts = errors(study, lambda c: (study.cells(c) or {}).get("lut4eq"))
-    title = f"frame of {points.FRAME}, mean of {len(gather.COMMON)} scenes"
+    """All plots; the names of those that were drawn."""
     wanted = {
-        "milliseconds": ("Error against time: " + title, "ms a frame",
-                         [("own", "at the clock of its own placement", own),
-                          ("other", "not placed: at the clock of standard", same)]),
-        "multipliers": ("Error against multipliers", "MULT18X18D", [("own", "cores", cells)]),
-        "luts": ("Error against logic", "LUT4eq", [("own", "cores", luts)]),
+        "milliseconds": (f"What accuracy costs in time: a frame of {points.FRAME}, mean of "
+                         f"{len(gather.COMMON)} scenes (down: truer)",
+                         "ms a frame (log)", time(study), True),
+        "multipliers": ("What accuracy costs in multipliers", "MULT18X18D",
+                        cells(study, "mult"), False),
+        "luts": ("What accuracy costs in logic", "LUT4eq", cells(study, "lut4eq"), False),
     }
-    return [n for n, (heading, xlabel, series) in wanted.items()
-            if draw(os.path.join(pictures, f"pareto_{n}.svg"), folder, heading, xlabel, series)]
+    return [n for n, (heading, xlabel, series, log) in wanted.items()
+            if draw(os.path.join(pictures, f"pareto_{n}.svg"), folder, heading, xlabel, series,
+                    log)]

@@ -122,6 +122,7 @@ def placed(study):
     rows = []
     for core in points.placed():
         run = study.fmax(core)
+        study.missing += not (run and run["routed"])
         engines = f", {core['engines']} engines" if "engines" in core else ""
         title = name(core["profile"]) + engines
         if run is None:
@@ -203,8 +204,31 @@ def decibels(study):
                          "ms a dB"], rows)
 
 
-def everything(study):
-    return {"profiles": profiles(study), "costs": costs(study), "scenes": scenes(study),
-            "cyclescenes": cycle_scenes(study), "knobs": knobs(study), "rates": rates(study),
-            "placed": placed(study), "trades": trades(study), "model": model(study),
-            "decibels": decibels(study)}
+def more(study):
+    """Cycles a pixel and PSNR of what else a core draws."""
+    rows = []
+    for what, words in points.MORE.items():
+        row = [what, scene_name(words["scene"])]
+        for p in points.PROFILES:
+            cycles = study.get(points.more(what, p, "cycles"))
+            picture = study.get(points.more(what, p, "accuracy"))
+            per_pixel = cycles and cycles["counters"]["cycles"] / gather.pixels(points.MORE_FRAME)
+            row.append(f"{show(per_pixel, '{:.1f}')}; {show(gather.psnr(picture), '{:.1f}')}")
+        rows.append(row)
+    return report.table(["what", "scene"] + points.PROFILES, rows, left=2)
+
+
+TABLES = {"profiles": profiles, "costs": costs, "scenes": scenes, "cyclescenes": cycle_scenes,
+          "more": more, "knobs": knobs, "rates": rates, "placed": placed, "trades": trades,
+          "model": model, "decibels": decibels}
+
+
+def everything(study, whole=False):
+    """{name: table}; whole: of those alone of which no result is missing."""
+    made = {}
+    for name_of, table in TABLES.items():
+        before = study.missing
+        text = table(study)
+        if not whole or study.missing == before:
+            made[name_of] = text
+    return made
