@@ -60,13 +60,18 @@ MODEL_LIBS  = -Wl,--as-needed $(call pkg,--libs $(MODEL_PACKAGES)) -lm
 IMAGE_LIBS  = $(call pkg,--libs OpenImageIO)
 # What the model library itself asks of pkg-config.
 MODEL_PACKAGES := expat gmp mpfr
+# 1 if the live view can have a window: make/view.mk
+SDL        := $(shell pkg-config --exists sdl2 && echo 1)
 
 # Programs that make a table, run by hand; never part of the library.
 GENERATORS := cmodel/math/gen_rsqrt.c cmodel/texture/gen_log2.c cmodel/shade/gen_power.c \
               cmodel/shade/gen_power_rom.c
 C_FILES    := $(sort $(shell find cmodel -name '*.c'))
-LIB_C      := $(filter-out cmodel/tool/% cmodel/image/% cmodel/sphaera/% $(GENERATORS),$(C_FILES))
-TOOL_C     := $(filter cmodel/tool/%,$(C_FILES)) driver/sphaera.c
+LIB_C      := $(filter-out cmodel/tool/% cmodel/image/% cmodel/sphaera/% cmodel/view/% \
+                $(GENERATORS),$(C_FILES))
+SDL_C      := $(filter cmodel/view/sdl/%,$(C_FILES))
+VIEW_C     := $(filter-out $(SDL_C),$(filter cmodel/view/%,$(C_FILES)))
+TOOL_C     := $(filter cmodel/tool/%,$(C_FILES)) $(VIEW_C) driver/sphaera.c
 IMAGE_CXX  := $(sort $(wildcard cmodel/image/*.cpp))
 LAZY_C     := cmodel/image/lazy.c
 IMAGE_C    := $(filter-out $(LAZY_C),$(filter cmodel/image/%,$(C_FILES)))
@@ -75,6 +80,7 @@ API_C      := $(filter cmodel/sphaera/%,$(C_FILES))
 LIB    := $B/libsphaera.a
 IMAGE  := $B/libsphaera_image.a
 PICTURE := $B/sphaera_image.so
+WINDOW := $(if $(SDL),$B/sphaera_view.so)
 TOOL   := $B/sphaera
 
 .DELETE_ON_ERROR:
@@ -96,7 +102,7 @@ include make/objects.mk make/sim.mk make/pages.mk make/bench.mk make/lint.mk mak
         make/textures.mk make/scenarios.mk make/study.mk make/synth.mk make/effects.mk \
         make/package.mk make/install.mk make/test.mk make/image.mk make/hard.mk make/formal.mk \
         make/truth.mk make/top.mk make/bart.mk make/papers.mk make/python.mk make/report.mk \
-        make/board.mk make/jobs.mk make/litex.mk
+        make/board.mk make/jobs.mk make/litex.mk make/view.mk
 
 layout: ## what follows from machine.def, top.def, bundles.def, modes.def, VERSION, files of rtl
 	$(call say,GEN,"layout.h rt_layout.vh rt_top.vh sphaera_regs.h rt_bundles.vh bundles.h")

@@ -11,6 +11,9 @@
 #include "shade/material.h"
 #include "shade/surface.h"
 
+const uint32_t sph_depth_colours[SPH_MAX_DEPTH + 2] = {0,        0x0000ff, 0x00ff00, 0xff0000,
+                                                       0x00ffff, 0xff00ff, 0xffffff};
+
 /* The vector of the camera's frame, towards the eye, as a unit vector of the scene's. */
 static void put_normal(const struct sph_machine *m, const int64_t v[3], const int64_t dir[3],
                        float out[3]) {
@@ -26,8 +29,8 @@ static void put_normal(const struct sph_machine *m, const int64_t v[3], const in
             out[i] += (float)(m->rotation[3 * k + i] * (double)v[k] * scale);
 }
 
-static struct sph_layer layer_of(const struct sph_machine *m, const struct sph_pixel *pixel, int x,
-                                 int y) {
+struct sph_layer sph_layer_of(const struct sph_machine *m, const struct sph_pixel *pixel, int x,
+                              int y) {
     struct sph_layer layer = {.depth = INFINITY, .level = -1};
     size_t line = (uint32_t)m->regs[SPH_REG_PRIM_BASE] + (size_t)pixel->id;
     uint32_t level = pixel->texture >> SPH_LOD_LSB;
@@ -56,7 +59,7 @@ struct sph_layer *sph_layers_of(const struct sph_machine *m, const struct sph_fr
     size_t n = (size_t)frame->width * (size_t)frame->height;
     struct sph_layer *layers = calloc(n, sizeof *layers);
     for (size_t i = 0; layers && i < n; i++)
-        layers[i] = layer_of(m, &frame->pixels[i], (int)(i % (size_t)frame->width),
-                             (int)(i / (size_t)frame->width));
+        layers[i] = sph_layer_of(m, &frame->pixels[i], (int)(i % (size_t)frame->width),
+                                 (int)(i / (size_t)frame->width));
     return layers;
 }

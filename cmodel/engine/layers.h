@@ -16,6 +16,13 @@ struct sph_layer {
     float level;     /* of the image that is seen first, 0: whole size; -1: none */
 };
 
+/* 0xBBGGRR of a pixel that so many surfaces one after another made: Aroxa 2014, Figure 4.2f. */
+extern const uint32_t sph_depth_colours[SPH_MAX_DEPTH + 2];
+
+/* Of the pixel x, y. */
+struct sph_layer sph_layer_of(const struct sph_machine *m, const struct sph_pixel *pixel, int x,
+                              int y);
+
 /* A layer for each pixel of a frame that the machine drew, to be freed. NULL: memory is out. */
 struct sph_layer *sph_layers_of(const struct sph_machine *m, const struct sph_frame *frame);
 

@@ -64,7 +64,11 @@ int sph_linear_of(const struct sph_frame *frame, const struct sph_trail *trails,
 
 void sph_linear_free(struct sph_linear *picture);
 
-/* 8-bit RGB in a transfer, SPH_TRANSFER_*, which PNG names. */
+/* 3 * width * height bytes, RGB, in a transfer, SPH_TRANSFER_*. 0, or -1 with a message. */
+int sph_linear_bytes(const struct sph_linear *picture, int transfer, uint8_t *bytes,
+                     struct sph_error *err);
+
+/* The same as a file, in a transfer that PNG names. */
 int sph_linear_write(const char *path, const struct sph_linear *picture, int transfer,
                      struct sph_error *err);
 

@@ -6,54 +6,14 @@
  * stands in an object of its own, which is loaded when a picture is first asked for.
  */
 #include <dlfcn.h>
-#include <link.h>
 #include <pthread.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
+#include "common/module.h"
 #include "image/image.h"
 #include "image/texture.h"
 
 enum { LONGEST = 4096 };
-
-/* Seen from the folder of the tool or of the library: beside it; of what is installed in
- * PREFIX/bin or PREFIX/lib; of the library in the build folder. */
-static const char *const places[] = {"sphaera_image.so", "../lib/sphaera/image.so",
-                                     "../sphaera_image.so"};
-enum { PLACES = sizeof places / sizeof *places };
-
-/* The file that this code is in, the program or a shared library; -1: not known. */
-static ssize_t own_place(char *self, size_t size) {
-    Dl_info info;
-    struct link_map *map = NULL;
-    if (dladdr1(places, &info, (void **)&map, RTLD_DL_LINKMAP) && map && map->l_name[0])
-        return snprintf(self, size, "%s", map->l_name);
-    ssize_t length = readlink("/proc/self/exe", self, size - 1);
-    if (length >= 0) self[length] = 0;
-    return length;
-}
-
-/* The object, and what dlopen() says if there is none. */
-static void *load(char *why, size_t size) {
-    char self[LONGEST], path[LONGEST + 64];
-    ssize_t length = own_place(self, sizeof self);
-    if (length < 0 || length >= LONGEST) {
-        snprintf(why, size, "the folder of tool or library is not known");
-        return NULL;
-    }
-    char *slash = strrchr(self, '/');
-    int folder = slash ? (int)(slash - self) : 0;
-    void *object = NULL;
-    for (int i = 0; i < PLACES && !object; i++) {
-        snprintf(path, sizeof path, "%.*s/%s", folder, self, places[i]);
-        if (i && access(path, F_OK)) continue; /* the first one's message is of use */
-        object = dlopen(path, RTLD_NOW | RTLD_LOCAL);
-        if (!object) snprintf(why, size, "%s", dlerror());
-    }
-    return object;
-}
 
 /* The function of that name, or NULL with a message. */
 static void *find(const char *name, struct sph_error *err) {
@@ -61,7 +21,7 @@ static void *find(const char *name, struct sph_error *err) {
     static void *object;
     char why[LONGEST] = "";
     pthread_mutex_lock(&lock);
-    if (!object) object = load(why, sizeof why);
+    if (!object) object = sph_module_load("image", why, sizeof why);
     pthread_mutex_unlock(&lock);
     void *function = object ? dlsym(object, name) : NULL;
     if (!function) sph_fail(err, "pictures cannot be read or written: %s", why);
@@ -94,6 +54,13 @@ int sph_linear_of(const struct sph_frame *frame, const struct sph_trail *trails,
              struct sph_error *);
     FOUND(f, "sph_linear_of", err);
     return f ? f(frame, trails, layer, samples, out, err) : -1;
+}
+
+int sph_linear_bytes(const struct sph_linear *picture, int transfer, uint8_t *bytes,
+                     struct sph_error *err) {
+    int (*f)(const struct sph_linear *, int, uint8_t *, struct sph_error *);
+    FOUND(f, "sph_linear_bytes", err);
+    return f ? f(picture, transfer, bytes, err) : -1;
 }
 
 int sph_linear_write(const char *path, const struct sph_linear *picture, int transfer,

@@ -63,6 +63,11 @@ std::uint32_t light(const struct sph_frame *frame, const struct sph_trail *trail
     return trails ? trails[at].sum[layer][c] : 256u * channel(frame->pixels[at].colour[layer], c);
 }
 
+/* Channels of all pixels. */
+std::size_t light_count(const struct sph_linear *picture) {
+    return 3 * static_cast<std::size_t>(picture->width) * static_cast<std::size_t>(picture->height);
+}
+
 } // namespace
 
 std::uint8_t sph_picture::encode(float light, int transfer) {
@@ -92,14 +97,21 @@ int sph_linear_of(const struct sph_frame *frame, const struct sph_trail *trails,
     return 0;
 }
 
+int sph_linear_bytes(const struct sph_linear *picture, int transfer, std::uint8_t *bytes,
+                     struct sph_error *err) {
+    return guarded("a picture", err, [&] {
+        std::size_t n = light_count(picture);
+        for (std::size_t i = 0; i < n; i++)
+            bytes[i] = encode(picture->rgb[i], transfer);
+        return 0;
+    });
+}
+
 int sph_linear_write(const char *path, const struct sph_linear *picture, int transfer,
                      struct sph_error *err) {
     return guarded(path, err, [&] {
-        std::size_t n = 3 * static_cast<std::size_t>(picture->width) *
-                        static_cast<std::size_t>(picture->height);
-        std::vector<std::uint8_t> bytes(n);
-        for (std::size_t i = 0; i < n; i++)
-            bytes[i] = encode(picture->rgb[i], transfer);
+        std::vector<std::uint8_t> bytes(light_count(picture));
+        if (sph_linear_bytes(picture, transfer, bytes.data(), err)) return -1;
         const char *space = transfer == SPH_TRANSFER_SRGB ? "sRGB" : "Linear";
         return write_bytes(path, picture->width, picture->height, bytes, space, err);
     });
@@ -115,9 +127,7 @@ int sph_linear_write_exr(const char *path, const struct sph_linear *picture,
         spec.attribute("compression", "zip");
         spec.attribute("DateTime", no_time);
         if (!whole) {
-            std::size_t n = 3 * static_cast<std::size_t>(picture->width) *
-                            static_cast<std::size_t>(picture->height);
-            std::vector<float> rgb(picture->rgb, picture->rgb + n);
+            std::vector<float> rgb(picture->rgb, picture->rgb + light_count(picture));
             for (float &light : rgb)
                 light /= white;
             return write_file(path, "openexr", spec, rgb.data(), err);

@@ -5,17 +5,17 @@
 
 #include <stdlib.h>
 
+#include "engine/layers.h"
+
 int depth_picture(const struct sph_frame *frame, const struct sph_trail *trails,
                   struct sph_frame *painted) {
-    static const uint32_t colours[SPH_MAX_DEPTH + 2] = {0,        0x0000ff, 0x00ff00, 0xff0000,
-                                                        0x00ffff, 0xff00ff, 0xffffff};
     size_t n = (size_t)frame->width * (size_t)frame->height;
     *painted = (struct sph_frame){frame->width, frame->height, malloc(n * sizeof *frame->pixels)};
     if (!painted->pixels) return -1;
     for (size_t i = 0; i < n; i++) {
         painted->pixels[i] = frame->pixels[i];
         for (int layer = 0; layer < SPH_FRAMES; layer++)
-            painted->pixels[i].colour[layer] = colours[trails[i].depth];
+            painted->pixels[i].colour[layer] = sph_depth_colours[trails[i].depth];
     }
     return 0;
 }

@@ -1,0 +1,50 @@
+/* maker.h - a thread that builds machines, or draws the double reference, while the view goes on
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * One thing at a time, which cannot be broken off: the owner asks for the newest when it is done.
+ * The thread has less of the processors than what draws.
+ */
+#ifndef SPH_VIEW_MAKER_H
+#define SPH_VIEW_MAKER_H
+
+#include "builder/build.h"
+#include "view/paint.h"
+
+struct view_made {
+    struct sph_camera camera; /* what for */
+    struct sph_build_options build;
+    uint64_t camera_changes, build_changes;
+    int failed; /* with err; else one of the two below is there */
+    struct sph_error err;
+    struct sph_machine machine;
+    struct view_truth *truth;
+    double seconds;
+    struct view_made *before; /* of the owner: a list */
+};
+
+struct view_maker;
+
+/* What a maker makes: a machine for *made, or its truth. The scene and its images stay as they
+ * are. */
+typedef void view_make(const struct sph_scene *scene, struct view_made *made);
+view_make view_make_machine, view_make_truth;
+
+/* NULL if no thread can be started. */
+struct view_maker *view_maker_new(const struct sph_scene *scene, view_make *make);
+
+/* Leaves it. What it is making goes on until the process ends: the scene must last as long. 1 if
+ * there is such a thing. */
+int view_maker_free(struct view_maker *maker);
+
+int view_maker_busy(struct view_maker *maker);
+
+/* Asks for something, of which the first four fields say what; it must not be busy. 0, or -1
+ * without memory. */
+int view_maker_ask(struct view_maker *maker, const struct view_made *want);
+
+/* What is made, once; NULL if there is nothing. */
+struct view_made *view_maker_take(struct view_maker *maker);
+
+void view_made_free(struct view_made *made);
+
+#endif

@@ -1,0 +1,25 @@
+# view.mk - the window of `sphaera view`, which the tool has if SDL2 is there
+# SPDX-License-Identifier: Apache-2.0
+#
+#   make view-setup            installs what sim/packages_view.txt names; then `make tool`
+# $B/sphaera_view.so is what the tool loads for it: cmodel/view/screen.h.
+
+.PHONY: view-setup
+view-setup: ## installs SDL2 (apt), which the window of `sphaera view` needs; then make tool
+	@sh sim/setup.sh sim/packages_view.txt
+
+$(SDL_C:%.c=$B/obj/%.o): override CFLAGS += $(call pkg,--cflags sdl2)
+
+$B/sphaera_view.so: $(call objects,obj/,$(SDL_C)) $B/sources
+	$(call say,LD,$(@F))
+	$(call make_whole,$(CC) -shared -Wl$(comma)--no-undefined $(filter %.o,$^) \
+	    $(call pkg,--libs sdl2))
+
+# The parts that know neither threads nor windows, for their suite.
+VIEW_PURE := $(addprefix cmodel/view/,camera.c aim.c keys.c state.c script.c meter.c cell.c pick.c \
+             draw.c paint.c)
+$B/test/test_view: $(call objects,obj/,$(VIEW_PURE) $(IMAGE_C) $(LAZY_C))
+$B/test/test_view.sanitized: $(call objects,asan/obj/,$(VIEW_PURE) $(IMAGE_C) $(LAZY_C))
+
+-include $(patsubst %.o,%.d,$(call objects,obj/,$(SDL_C)) \
+                            $(call objects,asan/obj/,$(VIEW_PURE) $(IMAGE_C) $(LAZY_C)))
