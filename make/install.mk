@@ -12,7 +12,7 @@ SHARED_O  := $(call objects,obj/,$(LIBRARY_C) $(LAZY_C))
 STATIC_O  := $(call objects,obj/,$(LIBRARY_C) $(IMAGE_CXX))
 BASH_TO := $(PREFIX)/share/bash-completion/completions
 ZSH_TO  := $(PREFIX)/share/zsh/site-functions
-INSTALLED := $(PREFIX)/bin/sphaera $(PREFIX)/lib/sphaera/image.so \
+INSTALLED := $(PREFIX)/bin/sphaera $(PREFIX)/lib/sphaera/image.so $(PREFIX)/lib/sphaera/view.so \
              $(PREFIX)/include/sphaera/sphaera.h \
              $(PREFIX)/lib/$(SO) $(PREFIX)/lib/libsphaera.so.$(SOVERSION) \
              $(PREFIX)/lib/libsphaera.so $(PREFIX)/lib/libsphaera.a \
@@ -65,6 +65,7 @@ install: library $(TOOL) $D/man/done $D/complete.bash $D/complete.zsh ## into PR
 	        '$(DESTDIR)$(BASH_TO)' '$(DESTDIR)$(ZSH_TO)'; \
 	    install -m 755 $(TOOL) "$$to/bin/sphaera"; \
 	    install -m 755 $(PICTURE) "$$to/lib/sphaera/image.so"; \
+	    $(if $(WINDOW),install -m 755 $(WINDOW) "$$to/lib/sphaera/view.so";) \
 	    install -m 644 cmodel/sphaera/sphaera.h "$$to/include/sphaera"; \
 	    install -m 755 $D/$(SO) "$$to/lib"; \
 	    ln -sf $(SO) "$$to/lib/libsphaera.so.$(SOVERSION)"; \

@@ -17,11 +17,12 @@ C_HEADS  := $(sort $(shell find cmodel tb tests -name '*.h'))
 # functions than by itself, which takes a tenth of the time; `make lint-deep` lets it.
 DEEP     ?= shallow
 TIDIED   ?= $B/lint
-TIDY     := $(filter-out $(GENERATORS),$(C_FILES)) $(IMAGE_CXX) $(wildcard formal/*.c)
+TIDY     := $(filter-out $(GENERATORS) $(if $(SDL),,$(SDL_C)),$(C_FILES)) $(IMAGE_CXX) \
+            $(wildcard formal/*.c)
 LINTS    := verilator iverilog systemverilog yosys tidy format circles text
 ANALYZE   = $(addprefix -Xclang ,-analyzer-config mode=$(DEEP))
 TIDY_C    = $(ANALYZE) -std=c11 -D_GNU_SOURCE '-DSPHAERA_RELEASE=""' -Icmodel -Itests -Itests/hard \
-            -fopenmp $(CLANG_OMP)
+            -fopenmp $(CLANG_OMP) $(if $(filter $(SDL_C),$<),$(call pkg,--cflags sdl2))
 lint_say  = $(if $(filter 1,$(V)),@echo '  LINT $(1)',@:)
 
 lint: ## silent tools: verilator, iverilog, slang, yosys, clang-tidy, clang-format, text rules

@@ -2,11 +2,15 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 #   make view-setup            installs what sim/packages_view.txt names; then `make tool`
+#   make view-time             how soon it answers, and pictures a second: docs/use/view.md
 # $B/sphaera_view.so is what the tool loads for it: cmodel/view/screen.h.
 
-.PHONY: view-setup
+.PHONY: view-setup view-time
 view-setup: ## installs SDL2 (apt), which the window of `sphaera view` needs; then make tool
 	@sh sim/setup.sh sim/packages_view.txt
+
+view-time: $(TOOL) ## how soon `sphaera view` answers while the camera moves, at 640x360
+	@TMP=$B/view-time SPHAERA=$(TOOL) sh sim/view_time.sh
 
 $(SDL_C:%.c=$B/obj/%.o): override CFLAGS += $(call pkg,--cflags sdl2)
 

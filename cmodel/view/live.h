@@ -51,8 +51,6 @@ struct view {
     struct sph_error *err;
 };
 
-double view_now(void);
-
 /* work.c: takes what makers have made, asks them for more, starts jobs. */
 void view_work(struct view *v, double now);
 

@@ -5,6 +5,13 @@
 
 #include <inttypes.h>
 #include <math.h>
+#include <time.h>
+
+double view_now(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
 
 void view_meter_input(struct view_meter *m, double time, uint64_t camera_changes) {
     m->last_input = time;

@@ -25,6 +25,9 @@ struct view_meter {
 #define VIEW_SOON 0.1   /* what an answer takes at most, if all is well */
 #define VIEW_STILL 0.25 /* without input: the camera does not move any more */
 
+/* Seconds since some time. */
+double view_now(void);
+
 /* An input at a time, which led to this number of changes of the camera. */
 void view_meter_input(struct view_meter *m, double time, uint64_t camera_changes);
 

@@ -23,8 +23,9 @@ uint8_t *view_paint_table(struct sph_error *err) {
     if (!bytes || !all.rgb) {
         sph_fail(err, "no memory for the light of a picture");
     } else {
-        for (int i = 0; i < 3 * VIEW_LIGHTS; i++)
-            all.rgb[i] = (float)(i / 3) / 256 < 255 ? (float)(i / 3) / 256 : 255;
+        for (int i = 0; i < VIEW_LIGHTS; i++)
+            for (int c = 0; c < 3; c++)
+                all.rgb[3 * i + c] = (float)fmin(i / 256.0, 255);
         rc = sph_linear_bytes(&all, SPH_TRANSFER_SRGB, bytes, err);
     }
     for (int i = 0; !rc && i < VIEW_LIGHTS; i++)

@@ -22,16 +22,21 @@ static void push(struct view *v, int kind, double x, double y) {
     if (kind == VIEW_MOVE) v->mouse[0] = x, v->mouse[1] = y;
 }
 
-/* What the window shows, into a file. */
+/* What the window shows, into a file; of as many pixels as the two arrays. */
+static int shoot(struct view *v, const char *path, struct sph_frame *frame, uint32_t *pixels) {
+    size_t n = (size_t)frame->width * (size_t)frame->height;
+    if (v->calls->read(v->screen, pixels, v->err)) return -1;
+    for (size_t i = 0; i < n; i++)
+        frame->pixels[i].colour[0] = pixels[i] & 0xffffff;
+    return sph_image_write(path, frame, 0, v->err);
+}
+
 static int screenshot(struct view *v, const char *path) {
     size_t n = (size_t)v->state.width * (size_t)v->state.height;
     struct sph_frame frame = {v->state.width, v->state.height, calloc(n, sizeof *frame.pixels)};
-    uint32_t *pixels = malloc(n * sizeof *pixels);
-    int rc = frame.pixels && pixels ? v->calls->read(v->screen, pixels, v->err)
+    uint32_t *pixels = calloc(n, sizeof *pixels);
+    int rc = frame.pixels && pixels ? shoot(v, path, &frame, pixels)
                                     : sph_fail(v->err, "%s: no memory for the picture", path);
-    for (size_t i = 0; !rc && i < n; i++)
-        frame.pixels[i].colour[0] = pixels[i] & 0xffffff;
-    if (!rc) rc = sph_image_write(path, &frame, 0, v->err);
     free(pixels);
     sph_frame_free(&frame);
     return rc;

@@ -67,9 +67,10 @@ int view_state_hold(struct view_state *s, double now) {
     return any;
 }
 
-/* The next profile; one of the user's own widths is left for the first. */
+/* The next profile; after widths of the user's own the first. */
 static void next_profile(struct sph_build_options *build) {
-    build->profile = build->widths ? 0 : (build->profile + 1) % SPH_PROFILES;
+    int is = build->widths ? sph_profile_find(build->widths->name) : build->profile;
+    build->profile = (is + 1) % SPH_PROFILES;
     build->widths = NULL;
 }
 

@@ -3,15 +3,8 @@
  */
 #include <stdio.h>
 #include <stdlib.h>
-#include <time.h>
 
 #include "view/live.h"
-
-double view_now(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 /* s that the loop waits for an input: while something is drawn, moved or played; else. */
 #define BRISK 0.003

@@ -7,8 +7,8 @@
 #include "view/workers.h"
 
 #include <pthread.h>
-#include <stdatomic.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -18,11 +18,12 @@ enum { LESS = 4 }; /* of nice, than the thread that answers */
 
 struct canvas {
     struct view_job job;
-    int busy;                     /* workers at it; under the lock */
-    atomic_int stop;              /* they are to leave it */
-    atomic_int next;              /* row of the job to be taken, all passes in one row */
-    atomic_int left[VIEW_PASSES]; /* rows not done */
-    atomic_uchar *done;           /* of each cell: it may be read */
+    int busy; /* workers at it; under the lock */
+    /* read and written by several threads at once, by __atomic functions */
+    int stop;              /* they are to leave it */
+    int next;              /* row of the job to be taken, all passes in one row */
+    int left[VIEW_PASSES]; /* rows not done */
+    uint8_t *done;         /* of each cell: it may be read */
     struct view_cell *cells;
 };
 
@@ -50,10 +51,10 @@ static int draw_row(const struct view_workers *w, struct canvas *c, struct sph_m
     static const struct sph_render_options how = {0};
     int step = step_of(pass), old = pass && y % (2 * step) == 0;
     for (int x = old ? step : 0; x < w->width; x += old ? 2 * step : step) {
-        if (atomic_load_explicit(&c->stop, memory_order_relaxed)) return 0;
+        if (__atomic_load_n(&c->stop, __ATOMIC_RELAXED)) return 0;
         size_t at = (size_t)y * (size_t)w->width + (size_t)x;
         view_cell_draw(m, &c->job.aim, &how, x, y, &c->cells[at]);
-        atomic_store_explicit(&c->done[at], 1, memory_order_release);
+        __atomic_store_n(&c->done[at], 1, __ATOMIC_RELEASE);
     }
     return 1;
 }
@@ -62,11 +63,11 @@ static void draw(const struct view_workers *w, struct canvas *c) {
     struct sph_machine m;
     view_aim_start(c->job.machine, &c->job.aim, &m);
     for (;;) {
-        int row = atomic_fetch_add(&c->next, 1), pass = 0;
+        int row = __atomic_fetch_add(&c->next, 1, __ATOMIC_RELAXED), pass = 0;
         while (pass < VIEW_PASSES && row >= rows_of(w, pass))
             row -= rows_of(w, pass++);
         if (pass == VIEW_PASSES || !draw_row(w, c, &m, pass, row * step_of(pass))) return;
-        atomic_fetch_sub(&c->left[pass], 1);
+        __atomic_fetch_sub(&c->left[pass], 1, __ATOMIC_RELEASE);
     }
 }
 
@@ -126,7 +127,7 @@ struct view_workers *view_workers_new(int width, int height, int threads, struct
 void view_workers_free(struct view_workers *w) {
     if (!w) return;
     pthread_mutex_lock(&w->lock);
-    if (w->now) atomic_store(&w->now->stop, 1);
+    if (w->now) __atomic_store_n(&w->now->stop, 1, __ATOMIC_RELAXED);
     w->quit = 1;
     pthread_cond_broadcast(&w->started);
     pthread_mutex_unlock(&w->lock);
@@ -157,13 +158,11 @@ int view_workers_start(struct view_workers *w, const struct view_job *job) {
     struct canvas *c = free_canvas(w);
     if (c) {
         c->job = *job;
-        for (size_t i = 0; i < (size_t)w->width * (size_t)w->height; i++)
-            atomic_store_explicit(&c->done[i], 0, memory_order_relaxed);
+        memset(c->done, 0, (size_t)w->width * (size_t)w->height);
         for (int pass = 0; pass < VIEW_PASSES; pass++)
-            atomic_store(&c->left[pass], rows_of(w, pass));
-        atomic_store(&c->next, 0);
-        atomic_store(&c->stop, 0);
-        if (w->now) atomic_store(&w->now->stop, 1);
+            c->left[pass] = rows_of(w, pass);
+        c->next = c->stop = 0;
+        if (w->now) __atomic_store_n(&w->now->stop, 1, __ATOMIC_RELAXED);
         w->now = c;
         w->asked++;
         pthread_cond_broadcast(&w->started);
@@ -185,7 +184,8 @@ int view_workers_need(struct view_workers *w, const struct sph_machine *machine)
 
 int view_workers_passes(struct view_workers *w) {
     int passes = 0;
-    while (w->now && passes < VIEW_PASSES && !atomic_load(&w->now->left[passes]))
+    while (w->now && passes < VIEW_PASSES &&
+           !__atomic_load_n(&w->now->left[passes], __ATOMIC_ACQUIRE))
         passes++;
     return passes;
 }
@@ -200,7 +200,7 @@ void view_workers_paint(struct view_workers *w, const struct view_paint *how, co
             int step = 1, drawn = 0;
             for (; step <= VIEW_COARSEST && !drawn; step *= 2) {
                 from = (size_t)(y & -step) * (size_t)w->width + (size_t)(x & -step);
-                drawn = atomic_load_explicit(&c->done[from], memory_order_acquire);
+                drawn = __atomic_load_n(&c->done[from], __ATOMIC_ACQUIRE);
                 if (under) break;
             }
             if (drawn && from != at)

@@ -43,3 +43,13 @@ done
 oiiotool $list --mosaic:pad=4 4x2 -o "$to/refraction_depths.png"
 "$tool" render scenes/refraction/index.nff --size 640x320 --depth 5 -o "$to/refraction_index.png"
 "$tool" render scenes/refraction/water.nff --size 400x300 --depth 5 -o "$to/refraction_water.png"
+
+# the live view, if there is SDL2: in a window that nobody sees
+tool=$(realpath "$tool")
+here=$(pwd)
+if [ -f "${tool%/*}/sphaera_view.so" ]; then
+    (cd "$scenes" && SDL_VIDEODRIVER=dummy "$tool" view "$here/scenes/refraction/four.nff" \
+        --size 240x180 --depth 4 --script "$here/docs/pictures/view.txt")
+    oiiotool "$scenes/rays.png" "$scenes/visits.png" "$scenes/difference.png" --mosaic:pad=4 3x1 \
+        -o "$to/view.png"
+fi
