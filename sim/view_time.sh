@@ -3,9 +3,9 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # usage: SPHAERA=TOOL TMP=FOLDER sim/view_time.sh
-# 640x360, an orbit of two seconds and a walk of one, in a window that nobody sees. Exit code 1 if an
-# answer took more than 100 ms or there were fewer than 15 pictures a second, as on a machine that
-# has other things to do.
+# 640x360, an orbit of two seconds and a walk of one, in a window that nobody sees. Exit code 1 if
+# an answer took more than 100 ms or there were fewer than 15 pictures a second, as on a machine
+# that has other things to do.
 set -eu
 mkdir -p "$TMP"
 cat >"$TMP/move.txt" <<END

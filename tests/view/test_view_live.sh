@@ -1,5 +1,5 @@
 #!/bin/sh
-# test_view_live.sh - `sphaera view` by scripts: what its window shows is what `sphaera render` draws
+# test_view_live.sh - `sphaera view` by scripts: its window shows what `sphaera render` draws
 # SPDX-License-Identifier: Apache-2.0
 #
 # The first window is one of Xvfb if that is installed; the others are SDL's that nobody sees, which
@@ -88,7 +88,8 @@ screenshot $TMP/clear.png
 report
 END
 # shellcheck disable=SC2086  # options on purpose
-check "a script" $real scenes/sphereflake2.nff $standard --script "$TMP/move.txt" --record "$TMP/v.png"
+check "a script" $real scenes/sphereflake2.nff $standard --script "$TMP/move.txt" \
+    --record "$TMP/v.png"
 cp "$TMP/out" "$TMP/live"
 # shellcheck disable=SC2086
 {
