@@ -44,11 +44,13 @@ void view_meter_shown(struct view_meter *m, double time, uint64_t camera_changes
 }
 
 void view_meter_print(const struct view_meter *m, FILE *to) {
-    double answers = m->answers ? (double)m->answers : NAN;
-    fprintf(to,
-            "answers  %" PRIu64 " to inputs, mean %.1f ms, longest %.1f ms, %" PRIu64
-            " above %.0f ms\nmoving   %.1f pictures a second over %.2f s\n",
-            m->answers, 1000 * m->sum / answers, 1000 * m->worst, m->late, 1000 * VIEW_SOON,
-            m->moving > 0 ? (double)m->pictures / m->moving : NAN, m->moving);
+    fprintf(to, "answers  %" PRIu64 " to inputs", m->answers);
+    if (m->answers)
+        fprintf(to, ", mean %.1f ms, longest %.1f ms, %" PRIu64 " above %.0f ms",
+                1000 * m->sum / (double)m->answers, 1000 * m->worst, m->late, 1000 * VIEW_SOON);
+    if (m->moving > 0)
+        fprintf(to, "\nmoving   %.1f pictures a second over %.2f s",
+                (double)m->pictures / m->moving, m->moving);
+    putc('\n', to);
     fflush(to);
 }
