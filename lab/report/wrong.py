@@ -6,12 +6,23 @@ from .html import number, text
 FIELDS = ("id", "key", "visits", "texture", "rendering", "l1", "l2")
 
 
+NONE = {"id": 0xffffff, "key": 0, "texture": 0xfff00000}  # as machine.def has it
+
+
+def shown(name, value):
+    if value == NONE.get(name):
+        return "none"
+    if name in ("rendering", "l1", "l2"):  # 0xBBGGRR
+        rgb = value.to_bytes(3, "little").hex()
+        return f'<i class="swatch" style="background:#{rgb}"></i> 0x{value:06x}'
+    return f"{value} (0x{value:x})"
+
+
 def values(model, core):
     rows = []
     for name in FIELDS:
         a, b = getattr(model, name), getattr(core, name)
-        shown = ["none" if name == "id" and v == 0xffffff else f"{v} (0x{v:x})" for v in (a, b)]
-        rows.append(("" if a == b else "wrong", [name] + shown))
+        rows.append(("" if a == b else "wrong", [name, shown(name, a), shown(name, b)]))
     return html.table(["", "model", "core"], rows, (1, 2))
 
 

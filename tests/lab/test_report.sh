@@ -87,9 +87,24 @@ check "the sound run says nothing of it" sh -c "! grep -q 'What is wrong' '$run/
 head -c 100 "$run/rtl.clocks" >"$wrong/rtl.clocks"
 check "a file that is cut is refused" refuses "clocks of 25 pixels, not of 12x8" report "$wrong"
 
+# ---- the gallery ----
+mkdir -p "$TMP/gallery/facets"
+for name in paper5 materials facets/plane; do
+    "$SPHAERA" render "scenes/$name.nff" --size 32x18 --samples 2 -o "$TMP/gallery/$name.png" \
+        --json "$TMP/gallery/$name.json" >"$TMP/drawn" 2>&1
+done
+check "three scenes on a page" python3 -m lab.report.gallery "$TMP/gallery" "$TMP/gallery.html"
+figures() { grep -o '<figure id="[^"]*"' "$TMP/gallery.html" | tr -d '\n'; }
+check "... sorted into groups" [ "$(figures)" = \
+    '<figure id="materials"<figure id="paper5"<figure id="facets/plane"' ]
+check "... with what they are" grep -q '5 spheres and 1 light; shadow, reflect' "$TMP/gallery.html"
+drawn() { env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL make -n B="$TMP/none" gallery |
+    grep -c 'sphaera render scenes/'; }
+check "make gallery draws every scene" [ "$(drawn)" = "$(find scenes -name '*.nff' | wc -l)" ]
+
 # ---- a browser ----
 python3 -m lab.report.browser --there || {
-    for page in report wrong; do
+    for page in report wrong gallery; do
         echo "ok $((checks += 1)) - $page.html in a browser # SKIP no Chromium: make browser-setup"
     done
     done_testing
@@ -103,4 +118,5 @@ check "the page in Chromium" browse report "$run/report.html"
 cp "$run/rtl.clocks" "$wrong"
 report "$wrong"
 check "the page of a fault" browse wrong "$wrong/report.html"
+check "the gallery" browse gallery "$TMP/gallery.html"
 done_testing
