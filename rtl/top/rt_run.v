@@ -115,6 +115,7 @@ module rt_run (
             read_q  <= 32'd0;
             write_q <= 32'd0;
             scan_q  <= 32'd0;
+            silent_q <= 1'b0;
         end
     end
     assign {write_dead_o, read_dead_o} = dead_q;

@@ -36,9 +36,9 @@ if [ -n "${ALL:-}" ]; then
     while read -r module most_mult most_lut; do
         case $module in rt_*) ;; *) continue ;; esac
         sh synth/module.sh "$module" | tr -d '|' | {
-            read -r name mult lut rest
-            fits="$name: $mult of $most_mult MULT18X18D, $lut of $most_lut LUT4eq"
-            [ "$name $((mult <= most_mult && lut <= most_lut))" = "$module 1" ] &&
+            read -r mult lut rest
+            fits="$module: $mult of $most_mult MULT18X18D, $lut of $most_lut LUT4eq"
+            [ "${rest:+$((mult <= most_mult && lut <= most_lut))}" = 1 ] &&
                 echo "ok ecp5 - $fits" || echo "not ok ecp5 - $fits"
         } >>"$TMP/lines"
     done <synth/budget_top.txt
