@@ -24,6 +24,8 @@ board-sim: $(BOARD_STEM).registers.hex ## the board of block RAM, simulated from
 board: $(BOARD_STEM).registers.hex ## a bitstream for a ULX3S; 12 minutes and more
 	$(Q)sh synth/board.sh rt_ulx3s_ram $(BOARD_VENV) $B/board/ulx3s_ram \
 	    'REGISTERS="$(call board_rom,registers)"' 'SCENE="$(call board_rom,scene)"'
+	$(Q)python3 -m lab.pages.board $B/board/ulx3s_ram
+	$(Q)python3 -m lab.pages
 
 $(BOARD_STEM).registers.hex: $(BOARD_STEM).sph $(TOOL)
 	$(Q)$(TOOL) load --rom $(BOARD_STEM) $<

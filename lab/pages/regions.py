@@ -3,7 +3,7 @@
 """The name of a region is a word of MAKERS and its arguments."""
 from ..effects import asks
 from ..papers import claims
-from . import blocks, bundles, cores, data, machine, measured, modes, schema
+from . import blocks, board, bundles, cores, data, machine, measured, modes, schema
 
 
 class Unknown(Exception):
@@ -29,6 +29,7 @@ MAKERS = {
     "core": cores.core, "cores": cores.cores, "inside": cores.inside, "yosys": cores.yosys,
     "budget": cores.budget, "asks": asks.table, "modes": modes.modes, "cells_age": cores.age,
     "schema": schema.members, "claims": claims.table, "verdicts": claims.verdicts,
+    "board": board.board,
 }
 
 
