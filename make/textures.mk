@@ -59,8 +59,21 @@ TEX_DATA := $(TEX_BOTH:%=$(TEX)/%.rms) $(TEX_BOTH:%=$(TEX)/%.json) \
 
 .PHONY: textures textures-page
 textures: $(TOOL) ## experiments of the texture paper: docs/results/texture_results.md; ten minutes
+ifeq ($(ENGINE),slurm)
+# On a cluster what the data are made of, then the data; here pictures and page.
+	+$(Q)$(call tex_jobs,first,$(TEX_FIRST)) && $(call tex_jobs,data,$(TEX_DATA)) && \
+	    $(MAKE) --no-print-directory textures ENGINE=make
+else
 textures: $(TEX_DATA) $(TEX_NAMES:%=$(TEX_SHOWN)/%.png) $(TEX_SHOWN)/scenes.png
 	+$(Q)$(MAKE) --no-print-directory textures-page
+endif
+
+TEX_FIRST = $(TEX_NAMES:%=$(TEX)/%-truth.tif) $(TEX_BOTH:%=$(TEX)/%.png) \
+            $(TEX_LOD_BOTH:%=$(TEX)/%.png) $(TEX_BOTH:%=$(TEX)/%.sph) $(TEX_MACHINES:%=$(TEX)/%.sph)
+TEX_OF    := cmodel/*/*.[ch],cmodel/*/*.cpp,cmodel/machine/*.def,rtl/*/*.v,rtl/*/*.vh,$\
+             scenes/texture/*,make/textures.mk
+tex_jobs   = python3 -m lab.jobs.targets plan textures $B $(TEX)/results $(TEX)/$(1) \
+                 '$(TEX_OF)' $(2) && $(call jobs_run,$(TEX)/$(1))
 
 textures-page: # from the results that are there
 	@mkdir -p $(TEX) $(TEX_SHOWN)

@@ -78,7 +78,7 @@ TARGET ?= ecp5
 FLAT ?= 0
 ## RESULTS <word> of make study: folder of its results
 RESULTS ?= $B/study/results
-## ENGINE make|slurm what runs make study, make hard: this machine, or a cluster (sbatch)
+## ENGINE make|slurm what runs make study, hard, textures: this machine, or a cluster (sbatch)
 ENGINE ?= make
 ## BART <word>| of make bart: folder of scene_kitchen, scene_museum, scene_robot
 BART ?=

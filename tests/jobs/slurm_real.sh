@@ -69,4 +69,25 @@ check "make hard too: its table is that of this machine" sh -c "
     done
     grep -q '^hard: 4 jobs, 4 to run' '$TMP/hard' && grep -q '^0 cases in' '$TMP/hard' &&
     diff '$TMP/hard.make' '$TMP/hard.slurm'"
+slants="$BUILD/textures/slant-75.json $BUILD/textures/slant-60.json"
+targets() { # shellcheck disable=SC2086  # words
+    python3 -m lab.jobs.targets plan textures "$BUILD" "$TMP/targets" "$TMP/targets.list" \
+        'scenes/texture/*' $slants && python3 -m lab.jobs.run slurm "$TMP/targets.list"
+}
+half() { # a target that breaks off in its middle, and has no result
+    rm -f "$TMP/targets"/*
+    echo '{' >"$BUILD/textures/slant-75.json"
+}
+check "targets of a makefile" targets
+cp "$BUILD/textures/slant-75.json" "$TMP/slant"
+state() { ls -l --time-style=full-iso "$BUILD"/textures/slant-*.json; }
+state >"$TMP/before"
+check "... which are then up to date" sh -c \
+    "env -u MAKEFLAGS -u MFLAGS make B='$BUILD' $slants"
+state >"$TMP/after"
+check "... and not made again" cmp "$TMP/before" "$TMP/after"
+half
+check "... and anew where half of one lies there" targets
+check "... as it was" sh -c "sed '/seconds/d' '$BUILD/textures/slant-75.json' >'$TMP/a' &&
+    sed '/seconds/d' '$TMP/slant' | diff - '$TMP/a'"
 done_testing
