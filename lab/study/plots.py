@@ -55,10 +55,7 @@ def draw(out, folder, title, xlabel, series, log=False):
                      shape=[7, 5, 9, 11, 13][i % 5], size=1.3 if some[0][2] else 0.8, up=0.2)
         parts += [LINE.format(**words)] + ([NAMES.format(**words)] if some[0][2] else [])
     xs, ys = [d[0] for d in dots], [d[1] for d in dots]
-    span = max(xs) - min(xs) or max(xs)
-    left, right = min(xs) - span / 12, max(xs) + span / 4
-    if log:
-        left, right = min(xs) / 3, max(xs) * 4
+    left, right = (min(xs) / 3, max(xs) * 4) if log else (0, max(xs) * 1.2)
     script = PLOT.format(out=out + ".tmp", title=title, xlabel=xlabel,
                          parts=", \\\n  ".join(parts),
                          left=left, right=right, low=min(ys) / 1.6,

@@ -173,22 +173,28 @@ static void check_sphere(struct job *j, const struct sph_leaf *s, struct answer 
     if (j->ray.skip.id != s->id && j->ray.inside) check_floats(j, s, a);
 }
 
+void job_order(struct job *j, int order, const uint64_t key[2], const struct floats *f,
+               const struct floats *g) {
+    struct hard_column *column = j->t->column;
+    int said = key[0] < key[1] ? -1 : key[0] > key[1];
+    j->t->pairs++;
+    if (said && said != order) job_wrong(j, HARD_ORDER, "the keys say otherwise than t");
+    for (int i = HARD_OURS; i < HARD_COLUMNS; i++) {
+        if (i != HARD_OURS) {
+            if (!f || !f[i].hit || !g[i].hit) continue;
+            said = f[i].t < g[i].t ? -1 : f[i].t > g[i].t;
+        }
+        column[i].order += said == -order && said;
+        column[i].tie += !said != !order;
+    }
+}
+
 /* Both spheres are hit: which one is nearer? */
 static void check_order(struct job *j, const struct answer a[2]) {
     int order = exact_order(&a[0].exact, &a[1].exact);
-    int said = a[0].key < a[1].key ? -1 : a[0].key > a[1].key;
-    j->t->pairs++;
-    j->t->column[HARD_OURS].order += said == -order && said;
-    j->t->column[HARD_OURS].tie += !said != !order;
-    if (said && said != order) job_wrong(j, HARD_ORDER, "the keys say otherwise than t");
-    if (j->ray.skip.id != SPH_ID_NONE || !j->ray.inside) return;
-    for (int i = HARD_OURS + 1; i < HARD_COLUMNS; i++) {
-        const struct floats *f = &a[0].floats[i], *g = &a[1].floats[i];
-        if (!f->hit || !g->hit) continue;
-        said = f->t < g->t ? -1 : f->t > g->t;
-        j->t->column[i].order += said == -order && said;
-        j->t->column[i].tie += !said != !order;
-    }
+    int floats = j->ray.skip.id == SPH_ID_NONE && j->ray.inside;
+    const uint64_t key[2] = {a[0].key, a[1].key};
+    job_order(j, order, key, floats ? a[0].floats : NULL, a[1].floats);
 }
 
 static void check_spheres(struct job *j) {

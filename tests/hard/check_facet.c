@@ -64,18 +64,8 @@ void check_facets(struct job *j) {
     for (int i = 0; i < j->c->n; i++)
         check_one(j, &j->c->facet[i], &a[i]);
     if (j->c->n < 2 || !a[0].exact.hit || !a[1].exact.hit || j->ray.kind == SPH_SHADOW) return;
-    int order = exact_facet_order(&a[0].exact, &a[1].exact);
-    int said = a[0].key < a[1].key ? -1 : a[0].key > a[1].key;
-    j->t->pairs++;
-    j->t->column[HARD_OURS].order += said == -order && said;
-    j->t->column[HARD_OURS].tie += !said != !order;
-    if (said && said != order) job_wrong(j, HARD_ORDER, "the keys say otherwise than t");
-    if (a[0].exact.ended || a[1].exact.ended || j->ray.skip.id != SPH_ID_NONE) return;
-    for (int i = HARD_OURS + 1; i < HARD_COLUMNS; i++) {
-        const struct floats *f = &a[0].floats[i], *g = &a[1].floats[i];
-        if (!f->hit || !g->hit) continue;
-        said = f->t < g->t ? -1 : f->t > g->t;
-        j->t->column[i].order += said == -order && said;
-        j->t->column[i].tie += !said != !order;
-    }
+    int floats = !a[0].exact.ended && !a[1].exact.ended && j->ray.skip.id == SPH_ID_NONE;
+    const uint64_t key[2] = {a[0].key, a[1].key};
+    job_order(j, exact_facet_order(&a[0].exact, &a[1].exact), key, floats ? a[0].floats : NULL,
+              a[1].floats);
 }
