@@ -34,6 +34,13 @@ def table(head, rows, numbers=()):
     return f'<div class="scroll"><table><tr>{line("th", head)}</tr>{body}</table></div>'
 
 
+def bar(name, share, value, note, css=""):
+    """A share of 1 as a bar, with its value in words and a note."""
+    return (f'<div class="bar {css}"><span>{text(name)}</span><span class="track">'
+            f'<i style="width:{min(share, 1):.1%}"></i></span><span class="n">{value}</span>'
+            f"<small>{text(note)}</small></div>")
+
+
 def command(name, line):
     return f'<pre id="{name}">{text(line)}</pre><button data-copies="{name}">copy</button>'
 

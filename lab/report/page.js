@@ -20,6 +20,15 @@ if (compare) {
     compare.addEventListener("pointermove", event => event.buttons & 1 && drag(event));
 }
 
+// ---- frames of a moving scene ----
+const film = document.getElementById("film");
+if (film) film.addEventListener("input", () => {
+    document.querySelectorAll(".film img").forEach((picture, at) => {
+        picture.hidden = at !== +film.value;
+        if (!picture.hidden) document.getElementById("shown").textContent = picture.alt;
+    });
+});
+
 // ---- maps ----
 const RAMP = ["000004", "1b0c41", "4a0c6b", "781c6d", "a52c60", "cf4446", "ed6925", "fb9b06",
     "f7d13d", "fcffa4"].map(c => [0, 2, 4].map(i => parseInt(c.slice(i, i + 2), 16)));

@@ -7,7 +7,7 @@ import zlib
 from array import array
 
 from . import html, wrong
-from .html import number, text
+from .html import bar, number, text
 from .units import units
 from .words import effects, machine_words
 
@@ -87,12 +87,6 @@ def maps(run, drawn):
             f'<script type="application/json" id="planes">{json.dumps(drawn)}</script>')
 
 
-def bar(name, share, note, css=""):
-    return (f'<div class="bar {css}"><span>{text(name)}</span><span class="track">'
-            f'<i style="width:{min(share, 1):.1%}"></i></span><span class="n">{share:.1%}</span>'
-            f"<small>{text(note)}</small></div>")
-
-
 def cycles(run):
     count = run.last["counters"]
     total, waiting, idle = (count[name] for name in ("cycles", "rays_waiting", "issue_wait"))
@@ -103,7 +97,8 @@ def cycles(run):
     split = "".join(f'<i style="width:{value / total:.2%}"></i>' for _, value in parts)
     said = "; ".join(f"{name}: {value / total:.1%}" for name, value in parts)
     busy = units(count, run.machine, run.parameters)
-    bars = "".join(bar(u.name, u.clocks / total, u.what) for u in busy)
+    bars = "".join(bar(u.name, u.clocks / total, f"{u.clocks / total:.1%}", u.what,
+                       "most" if u is busy[0] else "") for u in busy)
     return ("<h2>Where cycles go</h2><p>Each unit's work, at its interval, in clocks of the frame. "
             "This is the least that it is busy; the frame cannot be shorter than its busiest unit, "
             f"here <b>{text(busy[0].name)}</b>.</p>"

@@ -1,6 +1,6 @@
 # browse.py - a page of lab.report in a real browser: what it shows, and that it moves
 # SPDX-License-Identifier: Apache-2.0
-"""usage: PYTHONPATH=. python3 tests/lab/browse.py report|wrong|gallery PAGE FOLDER
+"""usage: PYTHONPATH=. python3 tests/lab/browse.py report|wrong|gallery|film PAGE FOLDER
 Says what is not as it should be, and ends with 1. FOLDER gets a screenshot of each width."""
 import subprocess
 import sys
@@ -82,7 +82,14 @@ def everywhere(b, path, folder):
 def main(kind, path, folder):
     with Browser() as b:
         b.open(path)
-        if kind != "gallery":
+        if kind == "film":
+            b.value("(s => { s.value = 1; s.dispatchEvent(new Event('input')); })"
+                    "(document.getElementById('film'))")
+            seen = b.value("[...document.querySelectorAll('.film img')].map("
+                           "i => i.getClientRects().length)")
+            check(f"the slider shows the second frame alone: {seen}", seen == [0, 1])
+            check("... and says so", b.value("shown.textContent") == "frame 4")
+        if kind in ("report", "wrong"):
             slider(b)
             maps(b, 3)
         if kind == "wrong":

@@ -102,9 +102,35 @@ drawn() { env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL make -n B="$TMP/none" gallery 
     grep -c 'sphaera render scenes/'; }
 check "make gallery draws every scene" [ "$(drawn)" = "$(find scenes -name '*.nff' | wc -l)" ]
 
+# ---- frames of a moving scene, as `make sim TOP=1` leaves them ----
+mkdir "$TMP/film"
+for frame in 0 1; do
+    oiiotool "$TMP/gallery/paper5.png" --mulc 1,1,0.$((9 - 3 * frame)) \
+        -o "$TMP/film/shown-000$frame.ppm"
+done
+cat >"$TMP/film/report.json" <<'END'
+{"input": "scenes/moving/orbit.nff", "frames": [
+ {"at": 3, "build_seconds": 0.01, "refitted": false, "memory_bytes": 320, "upload_cycles": 400,
+  "draw_cycles": 31758, "image_cycles": 31913, "pixels_a_burst": 6.33},
+ {"at": 4, "build_seconds": 0.001, "refitted": true, "memory_bytes": 320, "upload_cycles": 446,
+  "draw_cycles": 30792, "image_cycles": 30988, "pixels_a_burst": 6.59}]}
+END
+check "the page of a moving scene" python3 -m lab.report.film "$TMP/film" "make sim TOP=1"
+pixels() { # of the second picture in the page are those of the file
+    python3 -c "import base64, re, sys
+page = open('$TMP/film/report.html').read()
+png = re.findall('base64,([^\"]*)\" alt=\"frame 4', page)[0]
+open('$TMP/film/second.png', 'wb').write(base64.b64decode(png))" &&
+        oiiotool "$TMP/film/second.png" "$TMP/film/shown-0001.ppm" --diff
+}
+check "... has the pictures bit by bit" pixels
+rm "$TMP/film/shown-0001.ppm"
+check "a picture that is missing is refused" refuses "1 pictures of 2 frames" \
+    python3 -m lab.report.film "$TMP/film"
+
 # ---- a browser ----
 python3 -m lab.report.browser --there || {
-    for page in report wrong gallery; do
+    for page in report wrong gallery film; do
         echo "ok $((checks += 1)) - $page.html in a browser # SKIP no Chromium: make browser-setup"
     done
     done_testing
@@ -119,4 +145,5 @@ cp "$run/rtl.clocks" "$wrong"
 report "$wrong"
 check "the page of a fault" browse wrong "$wrong/report.html"
 check "the gallery" browse gallery "$TMP/gallery.html"
+check "the moving scene" browse film "$TMP/film/report.html"
 done_testing
