@@ -124,7 +124,7 @@ static int place_camera(const struct sph_scene *scene, const struct sph_build_op
                         SPH_MAX_SIDE);
     const struct sph_profile *p = sph_build_profile(o);
     struct sph_error why = {{0}};
-    if (sph_rays_of(width, height, scene->camera.angle, p, rays, &why))
+    if (sph_rays_of(width, height, grid->seen_from.angle, p, rays, &why))
         return sph_fail(err, "%s: profile %s: %.450s", scene->path, p->name, why.text);
     int32_t *regs = m->regs;
     regs[SPH_REG_FRAME_W] = regs[SPH_REG_WIN_X1] = width;
@@ -145,15 +145,19 @@ struct parts {
     struct sph_tree tree;
 };
 
-/* Spheres and facets on the grid; balls[id] for all ids. */
+/* Spheres and facets on the grid; balls[id] for all ids, and numbers[id] unless it is NULL. */
 static int quantise(const struct sph_scene *scene, const struct sph_grid *grid,
-                    const struct sph_profile *profile, struct parts *parts,
+                    const struct sph_profile *profile, struct parts *parts, uint32_t *numbers,
                     struct sph_build_report *report, struct sph_error *err) {
     if (sph_grid_spheres(grid, scene, profile, parts->balls, &report->smallest_radius, err) ||
         sph_grid_facets(grid, scene, profile, &parts->facets, err))
         return -1;
     for (uint32_t i = 0; i < parts->facets.n; i++)
         parts->balls[scene->n_spheres + i] = parts->facets.list[i].ball;
+    for (uint32_t i = 0; numbers && i < scene->n_spheres + parts->facets.n; i++)
+        numbers[i] = i < scene->n_spheres
+                         ? i
+                         : scene->n_spheres + parts->facets.list[i - scene->n_spheres].scene;
     report->loose = parts->facets.n_loose;
     report->facets = parts->facets.n;
     sph_warn_coarse(scene, profile, report);
@@ -178,8 +182,10 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
     if (sph_grid_fit(scene, profile->w, &grid, err)) return -1;
     if (place_camera(scene, o, &grid, &rays, m, err)) return -1;
     report->grid_step = grid.step;
-    report->fov_error = rays.fov_error;
-    if (quantise(scene, &grid, profile, parts, report, err)) return -1;
+    report->fov_error = rays.fov_error + grid.seen_from.off;
+    report->eye = grid.seen_from;
+    sph_warn_eye(scene, m, report);
+    if (quantise(scene, &grid, profile, parts, o->numbers, report, err)) return -1;
 
     uint32_t n = scene->n_spheres;
     struct sph_plants plants = {balls, n, facets, profile, grid.eye, o->tree};

@@ -7,6 +7,7 @@
 #ifndef SPH_BUILD_H
 #define SPH_BUILD_H
 
+#include "builder/eye.h"
 #include "builder/refit.h"
 #include "builder/texture_keep.h"
 #include "builder/tree.h"
@@ -53,6 +54,8 @@ struct sph_build_options {
     struct sph_kept_tree *kept;      /* the same of its tree */
     int later;                       /* of a sequence, not the first: nothing is measured to be told
                                         alone, so that planes_cut and its warning are left out */
+    uint32_t *numbers; /* NULL, or where the number in the scene of each of the machine's primitives
+                          goes: spheres, then facets; as many words as the scene has */
 };
 
 enum { SPH_TREE_AUTO = 0 };
@@ -87,7 +90,9 @@ struct sph_effect_report {
 struct sph_build_report {
     double grid_step;       /* scene units */
     double smallest_radius; /* grid units */
-    double fov_error;       /* relative error of tan(angle/2) by quantisation */
+    double fov_error;       /* of tan(angle/2), relative; and by how much of their distance from
+                               the middle of the picture an eye put nearer moves points */
+    struct sph_eye eye;     /* where it is put */
     uint32_t nodes, depth;  /* of the tree */
     char tree_why[64];      /* empty if it was asked for */
     int refitted;           /* the tree is that of the frame before, in new places */

@@ -142,9 +142,9 @@ static int prepare(const struct sph_scene *scene, const struct sph_ref_view *vie
     w->scene = scene;
     w->profile = profile;
     if (sph_grid_fit(scene, profile->w, &w->grid, NULL) ||
-        sph_rays_of(view->width, view->height, scene->camera.angle, profile, &rays, NULL))
+        sph_rays_of(view->width, view->height, w->grid.seen_from.angle, profile, &rays, NULL))
         return 0;
-    w->fov_error = rays.fov_error;
+    w->fov_error = rays.fov_error + w->grid.seen_from.off;
     return 1;
 }
 

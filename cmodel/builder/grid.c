@@ -72,11 +72,11 @@ static int add_facets(const struct sph_scene *scene, const double m[9], struct b
 }
 
 /* Adds the lights. */
-static int add_lights(const struct sph_scene *scene, const double m[9], struct box *box,
-                      struct sph_error *err) {
+static int add_lights(const struct sph_scene *scene, struct sph_vec from, const double m[9],
+                      struct box *box, struct sph_error *err) {
     double at[3];
     for (int l = 0; l < scene->n_lights; l++) {
-        sph_vec_turn(m, sph_vec_sub(scene->lights[l].pos, scene->camera.from), at);
+        sph_vec_turn(m, sph_vec_sub(scene->lights[l].pos, from), at);
         if (!isfinite(at[0] + at[1] + at[2]))
             return sph_fail(err, "%s: light %d is not at a finite place", scene->path, l);
         box_add(box, at, 0);
@@ -84,11 +84,11 @@ static int add_lights(const struct sph_scene *scene, const double m[9], struct b
     return 0;
 }
 
-/* The box, in the camera's axes around the eye, of all that must lie on the grid. */
+/* The box, in the camera's axes around its eye, of spheres and facets. */
 static int bounds(const struct sph_scene *scene, const double m[9], struct box *box,
                   struct sph_error *err) {
     double at[3];
-    memset(box, 0, sizeof *box); /* the eye */
+    *box = (struct box){{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
     for (uint32_t i = 0; i < scene->n_spheres; i++) {
         const struct sph_sphere *s = &scene->spheres[i];
         sph_vec_turn(m, sph_vec_sub(s->ctr, scene->camera.from), at);
@@ -141,16 +141,16 @@ static int all_fit(const struct sph_grid *grid, const struct sph_scene *scene,
     memcpy(ball.c, grid->eye, sizeof ball.c);
     if (!sph_grid_fits(grid, &ball)) return 0;
     for (int l = 0; l < scene->n_lights; l++) {
-        if (!sph_lamp_sound(grid, scene, scene->lights[l].pos, &extent)) return 0;
+        if (!sph_lamp_sound(grid, scene->lights[l].pos, &extent)) return 0;
     }
     for (uint32_t i = 0; i < scene->n_spheres; i++) {
-        ball = sph_grid_ball(grid, scene, &scene->spheres[i]);
+        ball = sph_grid_ball(grid, &scene->spheres[i]);
         if (!sph_grid_fits(grid, &ball)) return 0;
     }
     ball.r = 0;
     for (uint32_t i = 0; i < scene->n_facets; i++)
         for (int k = 0; k < sph_prim_scene_of((uint32_t)scene->facets[i].kind)->points; k++) {
-            sph_grid_point(grid, scene, scene->facets[i].v[k], ball.c);
+            sph_grid_point(grid, scene->facets[i].v[k], ball.c);
             if (!sph_grid_fits(grid, &ball)) return 0;
         }
     return 1;
@@ -163,12 +163,17 @@ int sph_grid_fit(const struct sph_scene *scene, int w, struct sph_grid *grid,
     grid->step = 1;
     grid->w = w;
     if (rotation(scene, grid->rotation, err) || bounds(scene, grid->rotation, &box, err)) return -1;
-    add_corners(scene, grid->rotation, &box);
-    lit = box;
-    if (add_lights(scene, grid->rotation, &lit, err)) return -1;
     int planes = 0;
     for (uint32_t i = 0; i < scene->n_facets; i++)
         planes |= sph_prim_of((uint32_t)scene->facets[i].kind)->loose;
+    grid->seen_from = (struct sph_eye){scene->camera.from, 0, scene->camera.angle, 1, 0};
+    if (!planes) grid->seen_from = sph_eye_place(scene, grid->rotation + 6, box.lo, box.hi, w);
+    box.lo[2] += grid->seen_from.ahead;
+    box.hi[2] += grid->seen_from.ahead;
+    box_add(&box, (const double[3]){0, 0, 0}, 0); /* the eye */
+    add_corners(scene, grid->rotation, &box);
+    lit = box;
+    if (add_lights(scene, grid->seen_from.from, grid->rotation, &lit, err)) return -1;
     double span = side(scene, &box, w), all = side(scene, &lit, w), from[3];
     if (planes || all < FAR * span || !(span > 0)) box = lit, span = all;
     if (!isfinite(span)) return sph_fail(err, "%s: the scene is too large", scene->path);
@@ -181,7 +186,7 @@ int sph_grid_fit(const struct sph_scene *scene, int w, struct sph_grid *grid,
             grid->eye[i] = (int32_t)lround(-(box.lo[i] + box.hi[i]) / 2 / grid->step);
         if (all_fit(grid, scene, &box)) break;
     }
-    sph_vec_turn(grid->rotation, scene->camera.from, from);
+    sph_vec_turn(grid->rotation, grid->seen_from.from, from);
     for (int i = 0; i < 3; i++)
         grid->origin[i] = from[i] - grid->eye[i] * grid->step;
     return 0;

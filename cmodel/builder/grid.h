@@ -5,6 +5,7 @@
 #define SPH_GRID_H
 
 #include "builder/bound.h"
+#include "builder/eye.h"
 #include "machine/profile.h"
 #include "scene/scene.h"
 
@@ -13,10 +14,11 @@ enum { SPH_GRID_MARGIN = 4 }; /* grid units kept free at each side */
 struct sph_grid {
     double rotation[9]; /* rows: camera x, y, z axes in the scene's frame */
     double origin[3];   /* camera-frame coordinates of grid point 0 */
-    int32_t eye[3];     /* grid units, exact */
-    int log2;           /* a grid unit is 2^log2 scene units */
-    double step;        /* 2^log2 */
-    int w;              /* bits of a coordinate */
+    struct sph_eye seen_from;
+    int32_t eye[3]; /* grid units, exact */
+    int log2;       /* a grid unit is 2^log2 scene units */
+    double step;    /* 2^log2 */
+    int w;          /* bits of a coordinate */
 };
 
 /* Finds the finest power-of-two grid of w bits that holds the scene (docs/model/build.md). -1 if
@@ -25,20 +27,17 @@ int sph_grid_fit(const struct sph_scene *scene, int w, struct sph_grid *grid,
                  struct sph_error *err);
 
 /* A point, and a sphere, of the scene in grid units, to nearest (halves away from zero). */
-void sph_grid_point(const struct sph_grid *grid, const struct sph_scene *scene, struct sph_vec p,
-                    int32_t out[3]);
-struct sph_ball sph_grid_ball(const struct sph_grid *grid, const struct sph_scene *scene,
-                              const struct sph_sphere *sphere);
+void sph_grid_point(const struct sph_grid *grid, struct sph_vec p, int32_t out[3]);
+struct sph_ball sph_grid_ball(const struct sph_grid *grid, const struct sph_sphere *sphere);
 
 /* The same before rounding, as far away as it may be. */
-void sph_grid_real(const struct sph_grid *grid, const struct sph_scene *scene, struct sph_vec p,
-                   double out[3]);
+void sph_grid_real(const struct sph_grid *grid, struct sph_vec p, double out[3]);
 
 /* Whether a ball lies on the grid, with the margin. */
 int sph_grid_fits(const struct sph_grid *grid, const struct sph_ball *ball);
 
 /* How far the grid moves a point of the scene, in units of the scene. */
-double sph_grid_off(const struct sph_grid *grid, const struct sph_scene *scene, struct sph_vec p);
+double sph_grid_off(const struct sph_grid *grid, struct sph_vec p);
 
 /* Quantises all spheres. -1 for a radius that rounds to nothing and for duplicates, with line
  * and the finer profile that helps. *smallest: the smallest radius in grid units, unrounded. */

@@ -14,32 +14,29 @@ int sph_grid_fits(const struct sph_grid *grid, const struct sph_ball *ball) {
     return 1;
 }
 
-void sph_grid_real(const struct sph_grid *grid, const struct sph_scene *scene, struct sph_vec p,
-                   double out[3]) {
-    sph_vec_turn(grid->rotation, sph_vec_sub(p, scene->camera.from), out);
+void sph_grid_real(const struct sph_grid *grid, struct sph_vec p, double out[3]) {
+    sph_vec_turn(grid->rotation, sph_vec_sub(p, grid->seen_from.from), out);
     for (int i = 0; i < 3; i++)
         out[i] = out[i] / grid->step + grid->eye[i];
 }
 
-void sph_grid_point(const struct sph_grid *grid, const struct sph_scene *scene, struct sph_vec p,
-                    int32_t out[3]) {
+void sph_grid_point(const struct sph_grid *grid, struct sph_vec p, int32_t out[3]) {
     double at[3];
-    sph_vec_turn(grid->rotation, sph_vec_sub(p, scene->camera.from), at);
+    sph_vec_turn(grid->rotation, sph_vec_sub(p, grid->seen_from.from), at);
     for (int i = 0; i < 3; i++)
         out[i] = (int32_t)lround(at[i] / grid->step) + grid->eye[i];
 }
 
-struct sph_ball sph_grid_ball(const struct sph_grid *grid, const struct sph_scene *scene,
-                              const struct sph_sphere *sphere) {
+struct sph_ball sph_grid_ball(const struct sph_grid *grid, const struct sph_sphere *sphere) {
     struct sph_ball ball;
-    sph_grid_point(grid, scene, sphere->ctr, ball.c);
+    sph_grid_point(grid, sphere->ctr, ball.c);
     ball.r = (int32_t)lround(sphere->rad / grid->step);
     return ball;
 }
 
-double sph_grid_off(const struct sph_grid *grid, const struct sph_scene *scene, struct sph_vec p) {
+double sph_grid_off(const struct sph_grid *grid, struct sph_vec p) {
     double at[3], off = 0;
-    sph_vec_turn(grid->rotation, sph_vec_sub(p, scene->camera.from), at);
+    sph_vec_turn(grid->rotation, sph_vec_sub(p, grid->seen_from.from), at);
     for (int i = 0; i < 3; i++) {
         double by = at[i] - round(at[i] / grid->step) * grid->step;
         off += by * by;

@@ -21,15 +21,14 @@ static int word(const double at[3], int w, int shift, int32_t out[3]) {
     return 1;
 }
 
-int sph_grid_lamp(const struct sph_grid *grid, const struct sph_scene *scene, struct sph_vec pos,
-                  int32_t out[3]) {
+int sph_grid_lamp(const struct sph_grid *grid, struct sph_vec pos, int32_t out[3]) {
     double at[3], most = 0;
-    sph_grid_real(grid, scene, pos, at);
+    sph_grid_real(grid, pos, at);
     for (int i = 0; i < 3; i++)
         most = fmax(most, fabs(at[i]));
     if (most < ldexp(1, grid->w)) { /* no word overflows */
         struct sph_ball ball = {.r = 0};
-        sph_grid_point(grid, scene, pos, ball.c);
+        sph_grid_point(grid, pos, ball.c);
         for (int i = 0; i < 3; i++)
             out[i] = ball.c[i];
         if (sph_grid_fits(grid, &ball)) return 0;
@@ -41,10 +40,9 @@ int sph_grid_lamp(const struct sph_grid *grid, const struct sph_scene *scene, st
     return LONGEST;
 }
 
-int sph_lamp_sound(const struct sph_grid *grid, const struct sph_scene *scene, struct sph_vec pos,
-                   const struct sph_extent *e) {
+int sph_lamp_sound(const struct sph_grid *grid, struct sph_vec pos, const struct sph_extent *e) {
     int32_t at[3];
-    int shift = sph_grid_lamp(grid, scene, pos, at), k = 0;
+    int shift = sph_grid_lamp(grid, pos, at), k = 0;
     double square = 0, round = ldexp(1, grid->w - 1 - shift) + 1;
     if (!shift) return 1;
     for (int i = 0; i < 3; i++) {
@@ -58,10 +56,9 @@ int sph_lamp_sound(const struct sph_grid *grid, const struct sph_scene *scene, s
            square + 2 * sqrt(square) * e->rad <= ldexp(1, 2 * grid->w + 2);
 }
 
-double sph_lamp_off(const struct sph_grid *grid, const struct sph_scene *scene,
-                    struct sph_vec pos) {
+double sph_lamp_off(const struct sph_grid *grid, struct sph_vec pos) {
     int32_t at[3];
-    int shift = sph_grid_lamp(grid, scene, pos, at);
+    int shift = sph_grid_lamp(grid, pos, at);
     /* half a unit of L and of round(P / 2^shift) along each axis */
-    return shift ? sqrt(3) * ldexp(grid->step, shift) : sph_grid_off(grid, scene, pos);
+    return shift ? sqrt(3) * ldexp(grid->step, shift) : sph_grid_off(grid, pos);
 }

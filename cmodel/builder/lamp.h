@@ -18,8 +18,7 @@ struct sph_extent {
 };
 
 /* The words L of a light and its shift, 0 if it lies on the grid. */
-int sph_grid_lamp(const struct sph_grid *grid, const struct sph_scene *scene, struct sph_vec pos,
-                  int32_t out[3]);
+int sph_grid_lamp(const struct sph_grid *grid, struct sph_vec pos, int32_t out[3]);
 
 /* Whether a light that is not on the grid is as good as there: for every P of the extent
  *
@@ -27,10 +26,10 @@ int sph_grid_lamp(const struct sph_grid *grid, const struct sph_scene *scene, st
  * 2^shift) rises with P_k, so the end of the extent that is farther from the light decides;
  * - rad^2 - (P + v - ctr)^2 of a sphere around P, which a shadow ray asks for, is no longer than
  * its word, s(2W+3): |P + v - ctr| <= |v| + rad, so |v|^2 + 2 |v| rad <= 2^(2W+2) does. */
-int sph_lamp_sound(const struct sph_grid *grid, const struct sph_scene *scene, struct sph_vec pos,
+int sph_lamp_sound(const struct sph_grid *grid, struct sph_vec pos,
                    const struct sph_extent *extent);
 
 /* How far the machine's light may be from where it stands, in units of the scene. */
-double sph_lamp_off(const struct sph_grid *grid, const struct sph_scene *scene, struct sph_vec pos);
+double sph_lamp_off(const struct sph_grid *grid, struct sph_vec pos);
 
 #endif

@@ -29,8 +29,8 @@ static int finer_apart(const struct sph_scene *scene, const struct sph_profile *
         struct sph_grid grid;
         if (sph_profiles[p].w <= profile->w || sph_grid_fit(scene, sph_profiles[p].w, &grid, NULL))
             continue;
-        struct sph_ball a = sph_grid_ball(&grid, scene, &scene->spheres[i]);
-        struct sph_ball b = sph_grid_ball(&grid, scene, &scene->spheres[j]);
+        struct sph_ball a = sph_grid_ball(&grid, &scene->spheres[i]);
+        struct sph_ball b = sph_grid_ball(&grid, &scene->spheres[j]);
         if (!same(&a, &b)) return p;
     }
     return -1;
@@ -105,7 +105,7 @@ int sph_grid_spheres(const struct sph_grid *grid, const struct sph_scene *scene,
                      struct sph_error *err) {
     *smallest = scene->n_spheres ? INFINITY : 0;
     for (uint32_t i = 0; i < scene->n_spheres; i++) {
-        balls[i] = sph_grid_ball(grid, scene, &scene->spheres[i]);
+        balls[i] = sph_grid_ball(grid, &scene->spheres[i]);
         if (balls[i].r < 1) return fail_zero(scene, profile, i, grid, err);
         *smallest = fmin(*smallest, scene->spheres[i].rad / grid->step);
     }

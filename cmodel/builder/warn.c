@@ -3,6 +3,8 @@
  */
 #include "builder/warn.h"
 
+#include <math.h>
+
 #include "builder/emit.h"
 #include "builder/grid.h"
 
@@ -16,6 +18,18 @@ void sph_warn_coarse(const struct sph_scene *scene, const struct sph_profile *pr
              report->smallest_radius, profile->name,
              finer < 0 ? "no finer profile has 4" : "rounder with profile ",
              finer < 0 ? "" : sph_profiles[finer].name);
+}
+
+void sph_warn_eye(const struct sph_scene *scene, const struct sph_machine *machine,
+                  struct sph_build_report *report) {
+    const struct sph_eye *eye = &report->eye;
+    if (!(eye->ahead > 0)) return;
+    sph_note(
+        report->warning, sizeof report->warning,
+        "%s: the eye is so far away that the grid would be coarse: it is put %.4g nearer, with "
+        "angle %.4g, which moves points in the picture by %.2g pixels at most\n",
+        scene->path, eye->ahead, eye->angle,
+        eye->off * hypot(machine->regs[SPH_REG_FRAME_W], machine->regs[SPH_REG_FRAME_H]) / 2);
 }
 
 void sph_warn_left_out(const struct sph_scene *scene, const struct sph_profile *profile,

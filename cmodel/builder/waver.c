@@ -37,11 +37,11 @@ double sph_waver_surface(const struct sph_waver *w, uint32_t id) {
     double off = 0, rad = 0;
     if (!f) {
         const struct sph_sphere *s = &w->scene->spheres[id];
-        off = sph_grid_off(&w->grid, w->scene, s->ctr);
+        off = sph_grid_off(&w->grid, s->ctr);
         rad = round(s->rad / w->grid.step) * w->grid.step - s->rad;
     } else {
         for (int k = 0; k < (sph_ref_facet_endless(f) ? 1 : 3); k++)
-            off = fmax(off, sph_grid_off(&w->grid, w->scene, f->v[k]));
+            off = fmax(off, sph_grid_off(&w->grid, f->v[k]));
     }
     return off + fabs(rad);
 }
@@ -84,7 +84,8 @@ void sph_waver_log(const struct sph_waver *w, const struct sph_ref_log *log,
         *o = (struct sph_wavers){0, 0, 0, 0};
         parent[s->depth] = k;
         if (s->hit.id == SPH_ID_NONE) continue;
-        double far = sph_waver_distance(s), quotient = far * ldexp(1, 1 - p->pq);
+        double far = sph_waver_distance(s) - (s->depth ? 0 : w->grid.seen_from.ahead);
+        double quotient = far * ldexp(1, 1 - p->pq);
         double off = sph_waver_surface(w, s->hit.id), came = from.at + from.turn * far;
         const struct sph_facet *f = facet_of(w, s->hit.id);
         o->across = came + off;
@@ -146,7 +147,7 @@ double sph_waver_shadow(const struct sph_waver *w, const struct sph_ref_step *a,
         along += move[i] * to[i] / far;
     }
     double wide = rest * sqrt(fmax(dot(move, move) - along * along, 0));
-    double off = sph_waver_surface(w, by->id) + rest * of->at +
-                 by->t * sph_lamp_off(&w->grid, w->scene, *lamp);
+    double off =
+        sph_waver_surface(w, by->id) + rest * of->at + by->t * sph_lamp_off(&w->grid, *lamp);
     return off / fmin(wide, size(w, by->id));
 }

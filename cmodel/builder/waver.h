@@ -13,7 +13,7 @@ struct sph_waver {
     const struct sph_ref_tree *tree;
     const struct sph_profile *profile;
     struct sph_grid grid;
-    double fov_error; /* of the rays: relative */
+    double fov_error; /* of the rays, and of where the eye is put: relative */
 };
 
 /* Of one ray of a pixel, in units of the scene and radians: at most. */

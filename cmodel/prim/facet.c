@@ -31,7 +31,8 @@ static int within(const int64_t dir[3], const int64_t a0[3], const int64_t e1[3]
 }
 
 /* Ends a ray that meets a plane farther than one unit beyond the grid: t becomes that of the face
- * there, along the longest axis of dir, which no point of the grid has behind it. */
+ * there, along the longest axis of dir, which no point of the grid has behind it. Of the planes
+ * there the nearest has the least to add to its key. */
 static void end(const struct sph_profile *p, const struct sph_ray *ray,
                 struct sph_facet_result *r) {
     int64_t half = (int64_t)1 << (p->w - 1), size[3];
@@ -40,7 +41,9 @@ static void end(const struct sph_profile *p, const struct sph_ray *ray,
     int k = size[1] > size[0];
     if (size[2] > size[k]) k = 2;
     int64_t room = ray->dir[k] < 0 ? ray->org[k] + half + 1 : half - ray->org[k]; /* 1 .. 2^W */
-    if (r->num * size[k] <= (sph_i128)r->det * room) return;
+    sph_i128 face = (sph_i128)r->det * room; /* of t = face / (num * size) that of the face */
+    if (r->num * size[k] <= face) return;
+    r->add = (uint64_t)(size[k] - (int64_t)((face + r->num - 1) / r->num));
     r->num = room;
     r->det = (sph_u128)size[k];
 }
@@ -74,5 +77,5 @@ uint64_t sph_facet_key(const struct sph_ray *ray, const struct sph_facet_result 
                        uint64_t *divisions) {
     ++*divisions;
     sph_u128 scaled = (sph_u128)r->num * ray->a; /* u(3W+2WD+1) */
-    return (uint64_t)((scaled + r->det - 1) / r->det);
+    return (uint64_t)((scaled + r->det - 1) / r->det) + r->add;
 }

@@ -23,6 +23,8 @@
  * key    |t dir_i| <= S + 1 along the longest axis, where the ray ends, so for each i; a*t = sum of
  *        dir_i * (t dir_i) is at most 3 (S+1) D < 2^(W+WD+1), a whole number, and the ceiling too.
  * end    det' <= 3 n D and room <= S + 1; num' <= 3 n S and size <= D. room >= 1, so t > 0.
+ * add    det' room < num' size, so that 1 <= ceil(det' room / num') <= size: 0 <= add < size <= D,
+ *        and key + add < 3 (S+1) D + D < 2^(W+WD+1).
  */
 #ifndef SPH_FACET_H
 #define SPH_FACET_H
@@ -47,15 +49,16 @@ struct sph_facet_result {
     int far;      /* det > 0: the normal looks along the ray */
     sph_u128 det; /* |N.dir|, u(2W+WD+1) */
     sph_i128 num; /* N.A0, negated if N.dir < 0: t = num/det; s(3W+2) */
-}; /* of a plane beyond the grid: |dir_k| and the room along k (docs/model/facet.md) */
+    uint64_t add; /* to the key; u(WD-1) */
+}; /* of a plane beyond the grid: |dir_k|, the room along k, its rank (docs/model/facet.md) */
 
 /* Valid for every operand in range; dir = 0, a ray in the plane and an origin on it miss. A facet
  * of the group that the ray starts on misses. */
 struct sph_facet_result sph_facet_test(const struct sph_profile *p, const struct sph_ray *ray,
                                        const struct sph_facet_leaf *facet);
 
-/* ceil(a*t) of a hit of no shadow ray, 1 .. 3 * 2^(W+WD-1): orders it among facets and spheres;
- * *divisions counts. */
+/* ceil(a*t) + add of a hit of no shadow ray, 1 .. 3 * 2^(W+WD-1) + 2^(WD-1): orders it among facets
+ * and spheres; *divisions counts. */
 uint64_t sph_facet_key(const struct sph_ray *ray, const struct sph_facet_result *r,
                        uint64_t *divisions);
 

@@ -22,7 +22,7 @@ static void plane_normal(const struct sph_grid *grid, struct sph_vec n, int32_t 
 static int quantise(const struct sph_grid *grid, const struct sph_scene *scene,
                     const struct sph_profile *profile, struct sph_grid_facet *out) {
     const struct sph_facet *f = &scene->facets[out->scene];
-    sph_grid_point(grid, scene, f->v[0], out->v[0]);
+    sph_grid_point(grid, f->v[0], out->v[0]);
     plane_normal(grid, f->v[1], out->v[1]);
     memcpy(out->normal, out->v[1], sizeof out->normal);
     out->ball = sph_grid_whole(profile);

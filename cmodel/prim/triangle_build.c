@@ -34,7 +34,7 @@ static int quantise(const struct sph_grid *grid, const struct sph_scene *scene,
                     const struct sph_profile *profile, struct sph_grid_facet *out) {
     (void)profile;
     for (int k = 0; k < 3; k++)
-        sph_grid_point(grid, scene, scene->facets[out->scene].v[k], out->v[k]);
+        sph_grid_point(grid, scene->facets[out->scene].v[k], out->v[k]);
     if (!sph_triangle_normal((const int32_t(*)[3])out->v, out->normal)) return 0;
     out->ball = triangle_ball((const int32_t(*)[3])out->v);
     return 1;

@@ -19,12 +19,35 @@ static double distance(const struct sph_machine *m, int x, int y, uint64_t key) 
     return ldexp((double)t.mant, -t.exp) * sqrt((double)a);
 }
 
+/* The scene's distance from the eye in grid units, as seen from the machine's eye. */
+static double expected(const struct sph_accuracy_frame *f, int x, int y, double from_eye) {
+    int64_t dir[3];
+    if (!(f->ahead > 0)) return ldexp(from_eye, -f->machine->grid_log2);
+    sph_primary_dir(f->machine, x, y, dir);
+    double aside = hypot((double)dir[0], (double)dir[1]) / (double)dir[2];
+    double depth = from_eye / hypot(1, aside / f->wider) - f->ahead;
+    return ldexp(depth * hypot(1, aside), -f->machine->grid_log2);
+}
+
 /* Bits of the machine's lights as bits of the scene's. */
 static uint32_t scene_lights(const struct sph_accuracy_frame *f, uint32_t bits) {
     uint32_t mapped = 0;
     for (int l = 0; l < f->machine->regs[SPH_REG_N_LIGHTS]; l++)
         mapped |= (bits >> l & 1) << f->lights[l];
     return mapped;
+}
+
+static void number(const uint32_t *numbers, uint32_t *id) {
+    if (*id != SPH_ID_NONE) *id = numbers[*id];
+}
+
+void sph_accuracy_number(const uint32_t *numbers, struct sph_frame *frame,
+                         struct sph_trail *trails) {
+    for (int64_t i = 0; i < (int64_t)frame->width * frame->height; i++) {
+        number(numbers, &frame->pixels[i].id);
+        number(numbers, &trails[i].reflected_id);
+        number(numbers, &trails[i].refracted_id);
+    }
 }
 
 struct sph_accuracy sph_accuracy_measure(const struct sph_accuracy_frame *f,
@@ -42,8 +65,7 @@ struct sph_accuracy sph_accuracy_measure(const struct sph_accuracy_frame *f,
         e.refracted += f->trails[i].refracted_id != r->refracted_id;
 
         int x = (int)(i % (uint64_t)f->frame->width), y = (int)(i / (uint64_t)f->frame->width);
-        double off =
-            fabs(distance(f->machine, x, y, p->key) - ldexp(r->distance, -f->machine->grid_log2));
+        double off = fabs(distance(f->machine, x, y, p->key) - expected(f, x, y, r->distance));
         sum += off;
         if (e.x < 0 || off > e.t_worst) e.t_worst = off, e.x = x, e.y = y;
     }

@@ -10,13 +10,19 @@
 #include "reference/reference.h"
 #include "core/render.h"
 
-/* A render of the model with its trails. */
+/* A render of the model with its trails; ids in both are numbers of the scene. */
 struct sph_accuracy_frame {
     const struct sph_machine *machine;
     const struct sph_frame *frame;
     const struct sph_trail *trails; /* as many as pixels */
     const int *lights;              /* number in the scene of each light of the machine */
+    double ahead, wider;            /* of the machine's eye: builder/eye.h; 0 and 1 if it stays */
 };
+
+/* Makes the machine's ids in frame and trails (as many as pixels) the scene's, which are others
+ * where build left something out; numbers: of sph_build_options. */
+void sph_accuracy_number(const uint32_t *numbers, struct sph_frame *frame,
+                         struct sph_trail *trails);
 
 /* Pixels of the last four are those that see the same sphere in both. */
 struct sph_accuracy {

@@ -10,11 +10,13 @@
 /* Three equations of three unknowns, the last column is the right side. */
 struct equations {
     mpq_t m[3][4], x;
-    int sign; /* of the determinant */
+    int sign;     /* of the determinant */
+    uint64_t add; /* to the key */
 };
 
 static void equations_set(struct equations *e, const int64_t e1[3], const int64_t e2[3],
                           const struct sph_ray *ray, const int64_t v0[3]) {
+    e->add = 0;
     mpq_init(e->x);
     for (int i = 0; i < 3; i++) {
         const int64_t row[4] = {e1[i], e2[i], -ray->dir[i], ray->org[i] - v0[i]};
@@ -78,7 +80,8 @@ static void plane_directions(const struct sph_facet_leaf *f, int64_t e1[3], int6
 }
 
 /* Where a coordinate along the first of the longest components of dir becomes one that w bits do
- * not hold, a ray goes no farther. */
+ * not hold, a ray goes no farther. From there to the plane it has a part of the way, of which it is
+ * worth as many keys as that component has units. */
 static void end(struct equations *e, const struct sph_ray *ray, int w) {
     int64_t first = 1, longest = 0;
     for (int i = 1; i < w; i++)
@@ -91,7 +94,13 @@ static void end(struct equations *e, const struct sph_ray *ray, int w) {
         mpq_set_si(e->m[0][0], d, 1);
         mpq_div(e->x, e->x, e->m[0][0]);
     }
-    if (mpq_cmp(e->m[2][3], e->x) > 0) mpq_set(e->m[2][3], e->x);
+    if (mpq_cmp(e->m[2][3], e->x) <= 0) return;
+    mpq_sub(e->m[0][0], e->m[2][3], e->x);
+    mpq_div(e->m[0][0], e->m[0][0], e->m[2][3]);
+    mpz_mul_si(mpq_numref(e->m[0][0]), mpq_numref(e->m[0][0]), longest);
+    mpz_fdiv_q(mpq_numref(e->m[0][0]), mpq_numref(e->m[0][0]), mpq_denref(e->m[0][0]));
+    e->add = mpz_get_ui(mpq_numref(e->m[0][0]));
+    mpq_set(e->m[2][3], e->x);
 }
 
 /* The smallest integer that is at least t * |dir|^2. */
@@ -104,7 +113,7 @@ static uint64_t key_of(struct equations *e, const struct sph_ray *ray) {
     }
     mpz_mul(a, a, mpq_numref(e->m[2][3]));
     mpz_cdiv_q(a, a, mpq_denref(e->m[2][3]));
-    uint64_t key = mpz_get_ui(a);
+    uint64_t key = mpz_get_ui(a) + e->add;
     mpz_clear(a);
     return key;
 }

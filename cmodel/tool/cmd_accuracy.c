@@ -69,6 +69,7 @@ struct measured {
     struct sph_accuracy accuracy;
     struct sph_mip *mips;
     struct sph_levels levels;
+    uint32_t *numbers;
 };
 
 /* Seconds of processor, all threads. */
@@ -175,22 +176,31 @@ static json_t *accuracy_json(const struct sph_accuracy *e) {
 static int measure(const struct arguments *a, const struct sph_scene *scene, struct measured *m,
                    struct sph_error *err) {
     if (a->source.build.texture != SPH_OFF && sph_mips_load(scene, &m->mips, err)) return -1;
-    if (tool_build_scene(&a->source, scene, m->mips, &m->built, err)) return -1;
+    m->numbers = malloc((scene->n_spheres + scene->n_facets + 1ull) * sizeof *m->numbers);
+    if (!m->numbers) return sph_fail(err, "%s: no memory for the numbers of primitives", a->input);
+    struct tool_source source = a->source;
+    source.build.numbers = m->numbers;
+    if (tool_build_scene(&source, scene, m->mips, &m->built, err)) return -1;
     if (run_model(a, m, err) || run_reference(a, scene, m, err)) return -1;
-    struct sph_accuracy_frame f = {&m->built.machine, &m->shot.frame, m->trails,
-                                   m->built.report.lights};
-    m->accuracy = sph_accuracy_measure(&f, &m->reference);
-    m->levels = sph_levels_measure(&m->shot.frame, &m->reference);
-    if (a->picture && draw(a->picture, m, err)) return -1;
-    FILE *to = print_stream(a->json);
-    print_build(to, &m->built);
-    print(to, m);
-    print_levels(to, &m->levels);
     json_t *report = report_new("accuracy");
     report_text(report, "input", a->input);
     report_machine(report, &m->built.machine);
     report_build(report, &m->built);
-    report_shot(report, &m->shot);
+    report_shot(report, &m->shot); /* its hash is of the machine's ids */
+    sph_accuracy_number(m->numbers, &m->shot.frame, m->trails);
+    struct sph_accuracy_frame f = {
+        &m->built.machine,         &m->shot.frame,           m->trails, m->built.report.lights,
+        m->built.report.eye.ahead, m->built.report.eye.wider};
+    m->accuracy = sph_accuracy_measure(&f, &m->reference);
+    m->levels = sph_levels_measure(&m->shot.frame, &m->reference);
+    if (a->picture && draw(a->picture, m, err)) {
+        json_decref(report);
+        return -1;
+    }
+    FILE *to = print_stream(a->json);
+    print_build(to, &m->built);
+    print(to, m);
+    print_levels(to, &m->levels);
     json_object_set_new(report, "accuracy", accuracy_json(&m->accuracy));
     if (m->levels.pixels) {
         json_object_set_new(report, "levels", levels_json(&m->levels));
@@ -229,6 +239,7 @@ int tool_accuracy(int argc, char **argv) {
     sph_frame_free(&m.shot.frame);
     sph_reference_free(&m.reference);
     free(m.trails);
+    free(m.numbers);
     sph_mips_free(m.mips, scene.n_textures);
     sph_scene_free(&scene);
     return rc ? tool_failed(&err) : TOOL_GOOD;

@@ -171,6 +171,8 @@ module rt_facet #(
     reg  [W:0]     room_q;                       // of the facet whose flags come next
     reg  [WD-1:0]  size_q;
     wire           beyond = op_y[3:0] == `RT_FACET_BNUM && !y_shadow && yn_q;
+    reg  [MW+WD-1:0] face_q;                     // of a plane beyond the grid: det'*room, and
+    reg  [MW-1:0]  way_q;                        // its own num'
     always @(posedge clk) begin
         if (op_r == `RT_FACET_DET) det_q <= abs[DW-1:0];
         if (op_r == `RT_FACET_NUM) num_q <= abs[MW-1:0];
@@ -179,6 +181,8 @@ module rt_facet #(
         if (beyond) begin                        // before the key reads them
             det_q <= {{(DW-WD){1'b0}}, size_q};
             num_q <= {{(MW-W-1){1'b0}}, room_q};
+            face_q <= acc_q[MW+WD-1:0];
+            way_q  <= num_q;
         end
         if (y_load || op_r == `RT_FACET_U2) acc_q <= y[YW:1];
         y_q  <= y[YW:1];
@@ -190,6 +194,7 @@ module rt_facet #(
 
     // ---- decide ----
     reg  neg_q, miss_q, end_miss_q, end_far_q;   // of det; of the facet at hand; of the one before
+    reg  past_q, end_past_q;                     // beyond the grid
     wire y_miss   = op_y[3:0] == `RT_FACET_NUM ? y_shadow && (yz_q || yn_q != neg_q)
                     : op_y[3:0] == `RT_FACET_U1 && !yz_q && yn_q != neg_q;
     wire r_miss   = op_f == `RT_FACET_NUM ? rz_q || rn_q != neg_q
@@ -198,9 +203,11 @@ module rt_facet #(
     always @(posedge clk) begin
         miss_q <= op_f == `RT_FACET_DET ? rz_q : miss_q || r_miss || y_miss;
         if (op_f == `RT_FACET_DET) neg_q <= rn_q;
+        past_q <= op_f != `RT_FACET_DET && (past_q || beyond);
         if (op_y[5]) begin
             end_miss_q <= miss_q || y_miss;
             end_far_q  <= !neg_q;
+            end_past_q <= past_q || beyond;
         end
     end
 
@@ -210,7 +217,8 @@ module rt_facet #(
         .clk(clk), .rst(rst), .det_load_i(op == `RT_FACET_KEY), .det_i(det_q),
         .in_valid_i(op_r == `RT_FACET_KEY), .in_x_i(r[2*WD+MW-1:0]), .in_tag_i(back_tag_q),
         .in_hit_i(!end_miss_q && !back_own_q), .in_shadow_i(back_shadow_q),
-        .in_far_i(end_far_q), .full_o(full),
+        .in_far_i(end_far_q), .in_past_i(end_past_q), .in_face_i(face_q), .in_way_i(way_q),
+        .full_o(full),
         .result_o(result_o), .result_ready_i(result_ready_i), .divide_o(divide_o)
     );
     wire unused = &{1'b0, y[0], r, abs, since[3:2], reach[6:0], op_y, test_i, record, partner};

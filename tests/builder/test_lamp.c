@@ -27,9 +27,9 @@ static void check_light(const struct sph_scene *s, const struct sph_machine *m, 
     double at[3];
     int shift = shift_of(m, l);
     assert_int_equal(sph_grid_fit(s, p->w, &grid, NULL), 0);
-    sph_grid_real(&grid, s, s->lights[l].pos, at);
+    sph_grid_real(&grid, s->lights[l].pos, at);
     for (uint32_t i = 0; i < s->n_spheres; i++) {
-        struct sph_ball from = sph_grid_ball(&grid, s, &s->spheres[i]);
+        struct sph_ball from = sph_grid_ball(&grid, &s->spheres[i]);
         double v[3], to[3], vv = 0, tt = 0, vt = 0, end = -INFINITY;
         for (int k = 0; k < 3; k++) {
             int64_t d = lamp[k] - sph_round(from.c[k], shift);
@@ -40,7 +40,7 @@ static void check_light(const struct sph_scene *s, const struct sph_machine *m, 
         double sine = sqrt(fmax(0, 1 - vt / sqrt(vv) * (vt / sqrt(vv)) / tt));
         assert_true(sine < sqrt(3) / sqrt(vv) + 1e-7);
         for (uint32_t j = 0; shift && j < s->n_spheres; j++) { /* nothing lies at the end or on */
-            struct sph_ball to_pass = sph_grid_ball(&grid, s, &s->spheres[j]);
+            struct sph_ball to_pass = sph_grid_ball(&grid, &s->spheres[j]);
             end = -INFINITY;
             for (int k = 0; k < 3; k++)
                 end = fmax(end, copysign(1, v[k]) * (from.c[k] + v[k] - to_pass.c[k]) - to_pass.r);

@@ -41,6 +41,11 @@ void named_facet_ties(struct named *n) {
     }
 }
 
+/* x / by of positive numbers, rounded up. */
+static int64_t up(int64_t x, int64_t by) {
+    return (x + by - 1) / by;
+}
+
 void named_facet_horizon(struct named *n) {
     int64_t h = n->half, y = h / 3;
     for (int64_t end = -h; end < h; end += 2 * h - 1) /* the faces x = -2^(W-1), 2^(W-1)-1 */
@@ -53,15 +58,17 @@ void named_facet_horizon(struct named *n) {
             c.ray.dir[0] += end < 0 ? -2 : 2; /* a unit beyond the face: t = 1 still */
             expect_facet(n, c, NEAR, key_at(c.ray.dir, 1, 1));
             int64_t size = c.ray.dir[0] < 0 ? -c.ray.dir[0] : c.ray.dir[0], room = size;
-            for (int more = 1; more < 4; more++) { /* farther: no longer than to there */
+            for (int more = 1; more < 4; more++) { /* farther: to there, and what is left of dir */
                 c.ray.dir[0] += end < 0 ? -1 : 1;
-                expect_facet(n, c, NEAR, key_at(c.ray.dir, room, size + more));
+                uint64_t key = key_at(c.ray.dir, room, size + more) + (uint64_t)more;
+                expect_facet(n, c, NEAR, key);
             }
             c.ray.dir[0] += end < 0 ? 4 : -4;
             c.ray.dir[1]++; /* a little steeper: before the face */
             expect_facet(n, c, NEAR, 0);
             c.ray.dir[1] = 1; /* hardly towards it: far beyond */
-            expect_facet(n, c, NEAR, key_at(c.ray.dir, room, size - 1));
+            uint64_t key = key_at(c.ray.dir, room, size - 1) + (uint64_t)(size - 1 - up(room, y));
+            expect_facet(n, c, NEAR, key);
             c.ray.dir[1] = 0;
             expect_facet(n, c, MISS, 0);
             c = plane(org, V3(end - org[0], 0, 0), V3(end, y, 0), V3(m, 0, 0)); /* the face */
@@ -98,8 +105,11 @@ void named_facet_grazing(struct named *n) {
             expect_facet(n, c, y && dy < 0 && y * n->most <= -dy * m ? NEAR : MISS, 0);
             struct hard_facet p = plane(c.ray.org, c.ray.dir, V3(0, 0, 0), V3(0, 8388607, 0));
             int towards = y && dy<0, beyond = y * n->most> - dy * (m + 1);
-            expect_facet(n, p, towards ? NEAR : MISS,
-                         towards && beyond ? key_at(c.ray.dir, m + 1, n->most) : 0);
+            uint64_t key = 0;
+            if (towards && beyond)
+                key =
+                    key_at(c.ray.dir, m + 1, n->most) + (uint64_t)(n->most - up(-dy * (m + 1), y));
+            expect_facet(n, p, towards ? NEAR : MISS, key);
         }
 }
 

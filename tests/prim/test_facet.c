@@ -138,6 +138,9 @@ static int check_plane(const int64_t org[3], const int64_t dir[3], const int64_t
     while (hit && key * labs(dir[longest]) < a * room &&
            sign(start * a + key * step) == sign(start))
         key++;
+    int64_t past =
+        labs(start) * labs(dir[longest]) - labs(step) * room; /* the way beyond the face */
+    if (hit && past > 0) key += past / labs(start);
     int shadow = hit && sign(start + step) == sign(step);
 
     uint64_t divisions = 0, got = 0;

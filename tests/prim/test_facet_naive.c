@@ -23,7 +23,8 @@ static void check_widths(const struct sph_profile *p, const struct sph_ray *ray,
     assert_true(r->num >= -num && r->num < num);
     if (r->num > 0)
         assert_true((sph_u128)r->num <= (bit(3 * w + 2 * wd + 1) - 1) / (ray->a + !ray->a));
-    assert_true(key <= 3 * ((1ull << w) - 1) << (wd - 1));
+    assert_true(key <= ((3ull << w) + 1) << (wd - 1));
+    assert_true(r->add < bit(wd - 1));
 }
 
 /* Counts of what was met. */

@@ -41,6 +41,9 @@ angle_179 1 0 0 179
 eye_1e3 1 0 1e3 3.4
 eye_1e4 1 0 1e4 0.34
 eye_1e5 1 0 1e5 0.034
+eye_1e6 1 0 1e6 0.0034
+eye_1e7 1 0 1e7 0.00034
+eye_1e12 1 0 1e12 3.4e-9
 eye_on_a_sphere 1 0 -5.546875 40
 END
 scene 1e30 0 0 40
