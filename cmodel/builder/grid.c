@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "builder/endless.h"
+#include "builder/ground.h"
 #include "builder/lamp.h"
 #include "prim/prim.h"
 #include "prim/scene.h"
@@ -15,10 +16,6 @@
 enum {
     FAR = 4,   /* times finer: then the grid is made without the lights */
     LEAST = 12 /* bits that planes leave to what has an end, and half of those beyond */
-};
-
-struct box {
-    double lo[3], hi[3];
 };
 
 /* Divides by the length; 0 if there is none. */
@@ -46,15 +43,8 @@ static int rotation(const struct sph_scene *scene, double m[9], struct sph_error
     return 0;
 }
 
-static void box_add(struct box *box, const double at[3], double rad) {
-    for (int i = 0; i < 3; i++) {
-        if (at[i] - rad < box->lo[i]) box->lo[i] = at[i] - rad;
-        if (at[i] + rad > box->hi[i]) box->hi[i] = at[i] + rad;
-    }
-}
-
 /* Adds the points of facets. */
-static int add_facets(const struct sph_scene *scene, const double m[9], struct box *box,
+static int add_facets(const struct sph_scene *scene, const double m[9], struct sph_box *box,
                       struct sph_error *err) {
     for (uint32_t i = 0; i < scene->n_facets; i++) {
         const struct sph_facet *f = &scene->facets[i];
@@ -65,7 +55,7 @@ static int add_facets(const struct sph_scene *scene, const double m[9], struct b
             if (!isfinite(size + at[0] + at[1] + at[2]) || (k == kind->points && !(size > 0)))
                 return sph_fail(err, "%s:%u: %s needs %s", scene->path, f->line,
                                 sph_prim_of((uint32_t)f->kind)->name, kind->wants);
-            if (k < kind->points) box_add(box, at, 0);
+            if (k < kind->points) sph_box_add(box, at, 0);
         }
     }
     return 0;
@@ -73,55 +63,68 @@ static int add_facets(const struct sph_scene *scene, const double m[9], struct b
 
 /* Adds the lights. */
 static int add_lights(const struct sph_scene *scene, struct sph_vec from, const double m[9],
-                      struct box *box, struct sph_error *err) {
+                      struct sph_box *box, struct sph_error *err) {
     double at[3];
     for (int l = 0; l < scene->n_lights; l++) {
         sph_vec_turn(m, sph_vec_sub(scene->lights[l].pos, from), at);
         if (!isfinite(at[0] + at[1] + at[2]))
             return sph_fail(err, "%s: light %d is not at a finite place", scene->path, l);
-        box_add(box, at, 0);
+        sph_box_add(box, at, 0);
     }
     return 0;
 }
 
-/* The box, in the camera's axes around its eye, of spheres and facets. */
-static int bounds(const struct sph_scene *scene, const double m[9], struct box *box,
-                  struct sph_error *err) {
+/* The box, in the camera's axes around its eye, of facets and all spheres but one. */
+static int bounds(const struct sph_scene *scene, const double m[9], uint32_t but,
+                  struct sph_box *box, struct sph_error *err) {
     double at[3];
-    *box = (struct box){{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    *box = (struct sph_box){{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
     for (uint32_t i = 0; i < scene->n_spheres; i++) {
         const struct sph_sphere *s = &scene->spheres[i];
         sph_vec_turn(m, sph_vec_sub(s->ctr, scene->camera.from), at);
         if (!isfinite(at[0] + at[1] + at[2] + s->rad) || !(s->rad > 0))
             return sph_fail(err, "%s:%u: sphere needs a finite centre and a radius above zero",
                             scene->path, s->line);
-        box_add(box, at, s->rad);
+        if (i != but) sph_box_add(box, at, s->rad);
     }
     return add_facets(scene, m, box, err);
 }
 
+/* Makes the box of all smaller if the grid need not hold all of the largest sphere. Its number, or
+ * that of spheres. */
+static uint32_t cut_ground(const struct sph_scene *scene, const double m[9], int w,
+                           struct sph_box *box) {
+    uint32_t ground = sph_ground_find(scene);
+    struct sph_box rest;
+    double at[3];
+    if (ground == scene->n_spheres || bounds(scene, m, ground, &rest, NULL))
+        return scene->n_spheres;
+    sph_box_add(&rest, (const double[3]){0, 0, 0}, 0); /* the eye */
+    sph_vec_turn(m, sph_vec_sub(scene->spheres[ground].ctr, scene->camera.from), at);
+    return sph_ground_cut(at, scene->spheres[ground].rad, &rest, w, box) ? ground
+                                                                         : scene->n_spheres;
+}
+
 /* Adds the corners of a room of planes. */
-static void add_corners(const struct sph_scene *scene, const double m[9], struct box *box) {
+static void add_corners(const struct sph_scene *scene, const double m[9], struct sph_box *box) {
     struct sph_vec corners[SPH_CORNERS];
     double at[3];
     for (int i = sph_endless_corners(scene, corners); i-- > 0;) {
         sph_vec_turn(m, corners[i], at);
-        box_add(box, at, 0);
+        sph_box_add(box, at, 0);
     }
 }
 
 /* The side of the grid, in units of the scene: planes may ask for more than the box. */
-static double side(const struct sph_scene *scene, const struct box *box, int w) {
-    double span = 0;
-    for (int i = 0; i < 3; i++)
-        span = fmax(span, box->hi[i] - box->lo[i]);
+static double side(const struct sph_scene *scene, const struct sph_box *box, int w) {
+    double span = sph_box_side(box);
     if (w < LEAST) return span;
     return fmax(span, fmin(2 * sph_endless_reach(scene), ldexp(span, (w - LEAST) / 2)));
 }
 
 /* What of the scene has an end, on the grid; rays start no farther from it than the margin. */
 static struct sph_extent extent_of(const struct sph_grid *grid, const struct sph_scene *scene,
-                                   const struct box *box) {
+                                   const struct sph_box *box) {
     struct sph_extent e = {.rad = 0};
     for (int i = 0; i < 3; i++) {
         e.lo[i] = floor(box->lo[i] / grid->step) + grid->eye[i] - 2 * SPH_GRID_MARGIN;
@@ -132,10 +135,28 @@ static struct sph_extent extent_of(const struct sph_grid *grid, const struct sph
     return e;
 }
 
+/* Whether the centre of a sphere that is not all on the grid lies there, a child of a node may be
+ * as large, and all that is met of it lies on the grid. A child's radius has 14 bits, for which
+ * centre, radius and the filter's margin are rounded up by no more than 5. */
+static int ground_fits(const struct sph_grid *grid, const struct sph_ball *ground,
+                       const struct sph_box *box) {
+    const struct sph_ball centre = {{ground->c[0], ground->c[1], ground->c[2]}, 0};
+    int less = grid->w > SPH_CHILD_RAD_BITS ? 5 << (grid->w - SPH_CHILD_RAD_BITS) : 1;
+    if (!sph_grid_fits(grid, &centre) || ground->r > (1 << grid->w) - less) return 0;
+    for (int end = 0; end < 2; end++) {
+        struct sph_ball corner = {.r = 0};
+        for (int i = 0; i < 3; i++)
+            corner.c[i] = grid->eye[i] + (int32_t)(end ? ceil(box->hi[i] / grid->step)
+                                                       : floor(box->lo[i] / grid->step));
+        if (!sph_grid_fits(grid, &corner)) return 0;
+    }
+    return 1;
+}
+
 /* Whether eye and spheres, quantised, lie inside w bits with the margin, and lights do or are as
  * good as there. box: of what has an end. */
 static int all_fit(const struct sph_grid *grid, const struct sph_scene *scene,
-                   const struct box *box) {
+                   const struct sph_box *box) {
     struct sph_extent extent = extent_of(grid, scene, box);
     struct sph_ball ball = {.r = 0};
     memcpy(ball.c, grid->eye, sizeof ball.c);
@@ -145,7 +166,8 @@ static int all_fit(const struct sph_grid *grid, const struct sph_scene *scene,
     }
     for (uint32_t i = 0; i < scene->n_spheres; i++) {
         ball = sph_grid_ball(grid, &scene->spheres[i]);
-        if (!sph_grid_fits(grid, &ball)) return 0;
+        if (i == grid->ground ? !ground_fits(grid, &ball, box) : !sph_grid_fits(grid, &ball))
+            return 0;
     }
     ball.r = 0;
     for (uint32_t i = 0; i < scene->n_facets; i++)
@@ -158,11 +180,13 @@ static int all_fit(const struct sph_grid *grid, const struct sph_scene *scene,
 
 int sph_grid_fit(const struct sph_scene *scene, int w, struct sph_grid *grid,
                  struct sph_error *err) {
-    struct box box, lit;
+    struct sph_box box, lit;
     memset(grid, 0, sizeof *grid);
     grid->step = 1;
     grid->w = w;
-    if (rotation(scene, grid->rotation, err) || bounds(scene, grid->rotation, &box, err)) return -1;
+    if (rotation(scene, grid->rotation, err) ||
+        bounds(scene, grid->rotation, scene->n_spheres, &box, err))
+        return -1;
     int planes = 0;
     for (uint32_t i = 0; i < scene->n_facets; i++)
         planes |= sph_prim_of((uint32_t)scene->facets[i].kind)->loose;
@@ -170,7 +194,10 @@ int sph_grid_fit(const struct sph_scene *scene, int w, struct sph_grid *grid,
     if (!planes) grid->seen_from = sph_eye_place(scene, grid->rotation + 6, box.lo, box.hi, w);
     box.lo[2] += grid->seen_from.ahead;
     box.hi[2] += grid->seen_from.ahead;
-    box_add(&box, (const double[3]){0, 0, 0}, 0); /* the eye */
+    sph_box_add(&box, (const double[3]){0, 0, 0}, 0); /* the eye */
+    grid->ground = scene->n_spheres;
+    if (!planes && !(grid->seen_from.ahead > 0))
+        grid->ground = cut_ground(scene, grid->rotation, w, &box);
     add_corners(scene, grid->rotation, &box);
     lit = box;
     if (add_lights(scene, grid->seen_from.from, grid->rotation, &lit, err)) return -1;

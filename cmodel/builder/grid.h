@@ -15,10 +15,11 @@ struct sph_grid {
     double rotation[9]; /* rows: camera x, y, z axes in the scene's frame */
     double origin[3];   /* camera-frame coordinates of grid point 0 */
     struct sph_eye seen_from;
-    int32_t eye[3]; /* grid units, exact */
-    int log2;       /* a grid unit is 2^log2 scene units */
-    double step;    /* 2^log2 */
-    int w;          /* bits of a coordinate */
+    uint32_t ground; /* sphere that is not all on it (ground.h); n_spheres: none */
+    int32_t eye[3];  /* grid units, exact */
+    int log2;        /* a grid unit is 2^log2 scene units */
+    double step;     /* 2^log2 */
+    int w;           /* bits of a coordinate */
 };
 
 /* Finds the finest power-of-two grid of w bits that holds the scene (docs/model/build.md). -1 if
