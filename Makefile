@@ -80,7 +80,7 @@ API_C      := $(filter cmodel/sphaera/%,$(C_FILES))
 LIB    := $B/libsphaera.a
 IMAGE  := $B/libsphaera_image.a
 PICTURE := $B/sphaera_image.so
-WINDOW := $(if $(SDL),$B/sphaera_view.so)
+VIEWER := $(if $(SDL),$B/sphaera_view.so)
 TOOL   := $B/sphaera
 
 .DELETE_ON_ERROR:

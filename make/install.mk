@@ -65,7 +65,7 @@ install: library $(TOOL) $D/man/done $D/complete.bash $D/complete.zsh ## into PR
 	        '$(DESTDIR)$(BASH_TO)' '$(DESTDIR)$(ZSH_TO)'; \
 	    install -m 755 $(TOOL) "$$to/bin/sphaera"; \
 	    install -m 755 $(PICTURE) "$$to/lib/sphaera/image.so"; \
-	    $(if $(WINDOW),install -m 755 $(WINDOW) "$$to/lib/sphaera/view.so";) \
+	    $(if $(VIEWER),install -m 755 $(VIEWER) "$$to/lib/sphaera/view.so";) \
 	    install -m 644 cmodel/sphaera/sphaera.h "$$to/include/sphaera"; \
 	    install -m 755 $D/$(SO) "$$to/lib"; \
 	    ln -sf $(SO) "$$to/lib/libsphaera.so.$(SOVERSION)"; \

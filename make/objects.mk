@@ -70,7 +70,7 @@ $(PICTURE): $(call objects,obj/,$(IMAGE_CXX) cmodel/image/plain.c) $(LIB) $B/sou
 	    $(filter %.o %.a,$^) $(IMAGE_LIBS) $(MODEL_LIBS))
 
 $(TOOL): $(call objects,obj/,$(TOOL_C) $(IMAGE_C) $(LAZY_C)) $(VERSION_O) $(LIB) $(PICTURE) \
-         $(WINDOW)
+         $(VIEWER)
 	$(call say,LD,$(@F))
 	$(call make_whole,$(CC) -fopenmp $(filter %.o %.a,$^) $(call pkg,--libs jansson) \
 	    $(MODEL_LIBS) -ldl)

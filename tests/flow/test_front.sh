@@ -8,6 +8,15 @@ cd "$(dirname "$0")/../.." || exit 1
 has() { grep -q -- "$1" "$2"; } # pattern, file
 plain_make() { env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL make --no-print-directory "$@"; }
 
+# ---- what a user gives stands: no makefile sets a variable of make/variables.mk again ----
+set_again() { # but the compilers and their options, to defaults that are no text
+    for name in $(sed -n 's/^## \([A-Z_][A-Z_]*\) .*/\1/p' make/variables.mk |
+        grep -vE '^(CC|CXX|CFLAGS|CXXFLAGS)$'); do
+        grep -nE "^$name *:?=" Makefile make/*.mk
+    done
+}
+check "variables are set in one place" [ -z "$(set_again)" ]
+
 # ---- wrong words are refused at once: nothing is built, all are named, the right one too ----
 refuse() { # words: $TMP/err has what make says of them
     timeout 60 env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL make B="$TMP/none" "$@" \
