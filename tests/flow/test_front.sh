@@ -12,7 +12,7 @@ plain_make() { env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL make --no-print-directory
 set_again() { # but the compilers and their options, to defaults that are no text
     for name in $(sed -n 's/^## \([A-Z_][A-Z_]*\) .*/\1/p' make/variables.mk |
         grep -vE '^(CC|CXX|CFLAGS|CXXFLAGS)$'); do
-        grep -nE "^$name *:?=" Makefile make/*.mk
+        grep -nE "^$name *:?=" Makefile make/[!v]*.mk make/view.mk make/verilated.mk
     done
 }
 check "variables are set in one place" [ -z "$(set_again)" ]
