@@ -27,7 +27,7 @@ for scene in sphereflake:3 random:100000; do
     echo "$scene, load $(cut -d' ' -f1 /proc/loadavg) on $(nproc) processors"
     SDL_VIDEODRIVER=dummy "$SPHAERA" view "$TMP/$kind.nff" --profile standard --size 640x360 \
         --script "$TMP/move.txt" | tee "$TMP/said"
-    awk '/^answers/ && $10 > 0 { bad = 1 } /^moving/ && !($2 >= 15) { bad = 1 } END { exit bad }' \
+    awk '/^answers/ && $11 > 0 { bad = 1 } /^moving/ && !($2 >= 15) { bad = 1 } END { exit bad }' \
         "$TMP/said" || bad=1
 done
 exit $bad

@@ -47,7 +47,7 @@ static void take_inputs(struct view *v) {
                      (answer && s->camera_changes == v->job_camera);
         serve(v);
     }
-    view_state_hold(s, view_now());
+    if (view_state_hold(s, view_now())) v->meter.last_input = view_now(); /* it still moves */
 }
 
 static int make_room(struct view *v) {

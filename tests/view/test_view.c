@@ -385,6 +385,11 @@ static void test_pick(void **state) {
     for (int i = 1; i < rays.n; i++) {
         struct sph_vec hit = rays.list[log.rays[i].parent].to;
         assert_true(sph_vec_length(sph_vec_sub(rays.list[i].from, hit)) < 1e-2);
+        double to_light = INFINITY;
+        for (int l = 0; l < scene.n_lights; l++)
+            to_light =
+                fmin(to_light, sph_vec_length(sph_vec_sub(rays.list[i].to, scene.lights[l].pos)));
+        assert_int_equal(to_light < 1e-2, rays.list[i].kind == SPH_SHADOW);
     }
     struct sph_vec end = rays.list[0].to;
     assert_true(view_line(&scene.camera, MODEL_W, MODEL_H, end, end, ends));
@@ -394,6 +399,8 @@ static void test_pick(void **state) {
     for (int i = 0; i < MODEL_W * MODEL_H; i++)
         painted += canvas[i] != 0;
     assert_true(painted >= 8);
+    assert_int_equal(canvas[y * MODEL_W + x + 3], 0xffffff); /* an arm of the cross */
+    assert_int_equal(canvas[(y - 3) * MODEL_W + x], 0xffffff);
     sph_ray_log_free(&log);
     view_rays_free(&rays);
     sph_machine_free(&m);
@@ -418,6 +425,9 @@ static void test_paint(void **state) {
                                                    0x404040, 0xff8000, 0x404040, 0};
     for (how.layer = 0; how.layer < VIEW_LAYERS; how.layer++)
         assert_int_equal(view_paint(&how, &cell, 0), expected[how.layer]);
+    how.layer = VIEW_VISITS;
+    cell.visits = 31;
+    assert_int_equal(view_paint(&how, &cell, 0), 0x00ff00); /* half of the logarithm */
     how.layer = VIEW_DIFFERENCE;
     how.truth = truth;
     assert_int_equal(view_paint(&how, &cell, 0), 0x0000ff); /* 31 times 16: all */

@@ -127,11 +127,16 @@ key p
 key p
 wait refined
 screenshot $TMP/set.png
+key 5
+screenshot $TMP/visits.png
 key 3
 key t
 key t
 wait refined
 screenshot $TMP/bih.png
+key 5
+screenshot $TMP/visits_bih.png
+key 3
 key 0
 wait refined
 screenshot $TMP/home.png
@@ -144,7 +149,12 @@ check "settings" live scenes/refraction/nested.nff $standard --script "$TMP/set.
     same "the picture of them" "$TMP/set.png" "$@" --tree paper --background exact
     same "with a BIH" "$TMP/bih.png" "$@" --accel bih --background exact
     same "from home" "$TMP/home.png" "$@" --accel bih --background exact
-    same "textures" "$TMP/home.png" "$@"
+    printf 'key 5\nwait refined\nscreenshot %s/asked.png\n' "$TMP" >"$TMP/asked.txt"
+    live "$@" --tree paper --background exact --script "$TMP/asked.txt" >"$TMP/text" 2>&1
+    check "visits of a tree that was switched to" "$s" compare "$TMP/asked.png" "$TMP/visits.png"
+    live "$@" --accel bih --background exact --script "$TMP/asked.txt" >"$TMP/text" 2>&1
+    check "and of a BIH" "$s" compare "$TMP/asked.png" "$TMP/visits_bih.png"
+    check "which are others" sh -c "! cmp -s '$TMP/visits.png' '$TMP/visits_bih.png'"
 }
 
 # What cannot be drawn is told; what was seen stays.
