@@ -1,13 +1,14 @@
 # view.mk - the window of `sphaera view`, which the tool has if SDL2 is there
 # SPDX-License-Identifier: Apache-2.0
 #
-#   make view-setup            installs what sim/packages_view.txt names; then `make tool`
+#   make view-setup            installs what sim/packages_view.txt names, and makes the tool
 #   make view-time             how soon it answers, and pictures a second: docs/use/view.md
 # $B/sphaera_view.so is what the tool loads for it: cmodel/view/screen.h.
 
 .PHONY: view-setup view-time
-view-setup: ## installs SDL2 (apt), which the window of `sphaera view` needs; then make tool
+view-setup: ## installs SDL2 (apt), which the window of `sphaera view` needs, and makes the tool
 	@sh sim/setup.sh sim/packages_view.txt
+	+$(Q)$(MAKE) --no-print-directory tool
 
 view-time: $(TOOL) ## how soon `sphaera view` answers while the camera moves, at 640x360
 	@TMP=$B/view-time SPHAERA=$(TOOL) sh sim/view_time.sh

@@ -13,8 +13,8 @@ const struct view_screen_calls *view_screen_load(struct sph_error *err) {
     const void *calls = module ? dlsym(module, "view_screen_sdl") : NULL;
     if (!calls)
         sph_fail(err,
-                 "there is no live view: %.300s; it needs SDL2: install libsdl2-dev, as `make "
-                 "view-setup` does, and `make tool` again",
+                 "there is no live view: %.300s; it needs SDL2: `make view-setup` installs it and "
+                 "makes the tool again",
                  why);
     return calls;
 }
