@@ -5,6 +5,7 @@
 LIST as plan.py writes it. Exit code 0: each result is there and counts."""
 import os
 import shlex
+import signal
 import sys
 
 from . import plan, slurm
@@ -38,6 +39,7 @@ def main(argv):
 
 
 if __name__ == "__main__":
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         sys.exit(main(sys.argv[1:]))
     except KeyboardInterrupt:

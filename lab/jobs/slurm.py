@@ -19,7 +19,7 @@ from . import chunks, plan, store
 
 ARRAY = 1000     # chunks of an array; Slurm takes 1001 unless its MaxArraySize is another
 FRUITLESS = 2    # rounds without a new result, then it ends
-POLL = float(os.environ.get("SLURM_POLL", "2"))  # seconds between two looks at the folder
+POLL = 2.0       # seconds between two looks at the folder
 # Of the make that called this: a job is called by none.
 OF_MAKE = ("MAKEFLAGS", "MFLAGS", "MAKELEVEL", "SPHAERA_JOBS")
 
