@@ -54,7 +54,7 @@ enum : uint32_t {
     STORE = 0x02000000,
     APART = 0x200000
 };
-const uint32_t POLLS = 1000000;
+const uint32_t POLLS = 100000;
 const uint32_t LIMIT = 100000000; /* clocks of the longest frame */
 
 class Checks {
@@ -131,11 +131,15 @@ class Checks {
     unsigned newest() {
         return (top.read(SPHAERA_STATUS) & SPHAERA_STATUS_NEWEST) >> SPHAERA_STATUS_NEWEST_LSB;
     }
-    /* Draws a machine that is loaded; the store is filled with noise before. */
+    /* Draws a machine that is loaded; the store is filled with noise before. A hang is the end. */
     int draw() {
         spoil();
         int result = sphaera_start(&top.driver, 0);
-        return result == SPHAERA_OK ? sphaera_wait(&top.driver, POLLS) : result;
+        if (result == SPHAERA_OK) result = sphaera_wait(&top.driver, POLLS);
+        if (result != SPHAERA_LATE) return result;
+        printf("not ok %d - a frame does not end, clock %llu\n", number_ + 1,
+               (unsigned long long)top.cycle);
+        exit(1);
     }
     void spoil() { memset(&top.bytes[STORE], 0xa5, 3 * APART); }
     int load(const Golden &golden, uint32_t base) {

@@ -1,0 +1,77 @@
+#!/bin/sh
+# netlist.sh - a module as its netlist for ECP5, to be simulated in the place of its RTL
+# SPDX-License-Identifier: Apache-2.0
+#
+# usage: synth/netlist.sh MODULE FOLDER PARAMETER=VALUE...
+# Leaves in FOLDER:
+#   stat, log  what Yosys said
+#   rtl/       MODULE.v: the module's head as it is in rtl/, and in it the flat netlist; cells.v:
+#              the cells of ECP5, models of Yosys and, where it has none, of tb/netlist; headers
+set -eu
+cd "$(dirname "$0")/.."
+top=$1 out=$2
+shift 2
+source=$(find rtl -name "$top.v")
+set_all=
+for p; do set_all="$set_all -set ${p%%=*} ${p#*=}"; done
+folders=$(find rtl -name '*.v*' -exec dirname {} + | sort -u)
+include='' library=''
+for d in $folders; do include="$include -I$d" library="$library -libdir $d"; done
+mkdir -p "$out/rtl"
+${NICE:-nice} yosys -q -l "$out/log" -p "verilog_defaults -add $include -DSYNTHESIS;
+    read_verilog $source; ${set_all:+chparam $set_all $top;}
+    hierarchy -check -top $top $library; synth_ecp5 -nowidelut -top $top; check -assert;
+    tee -q -o $out/stat stat; rename -top netlist; splitnets;
+    write_verilog -noattr $out/netlist.v" >"$out/errors" 2>&1 || {
+    cat "$out/errors" >&2
+    exit 1
+}
+
+# ---- cells: the heads of all are Yosys's ----
+cells=$(sed -n "s/^Parsing Verilog input from .\(.*ecp5\)\/cells_sim.v' .*/\1/p" "$out/log" |
+    head -n 1)
+names=$({ # those of the carry cell, too
+    printf '%s\n' LUT2 LUT4
+    awk '/Number of cells/ { on = 1; next } on && NF == 2 { print $1 }' "$out/stat"
+} | sort -u)
+quiet() { # what Verilator would say of code that is not ours
+    for word in WIDTH UNUSED UNDRIVEN DECLFILENAME MULTIDRIVEN INITIALDLY PINMISSING UNOPTFLAT; do
+        echo "/* verilator lint_off $word */"
+    done
+}
+one() { # module, its own body if that is given
+    awk -v name="$1" -v body="${2:-}" '
+        $1 == "module" && $2 ~ "^" name "\\(?$" || $0 ~ "^module " name "[ (]" { on = 1 }
+        on && $1 == "specify" { off = 1 }
+        on && $1 == "endmodule" && body { exit }
+        on && !off
+        $1 == "endspecify" { off = 0 }
+        on && $1 == "endmodule" { exit }' "$cells/cells_sim.v" "$cells/cells_bb.v"
+    [ -z "${2:-}" ] || cat "$2"
+}
+{
+    quiet
+    echo '`timescale 1ns / 1ps'
+    echo '`include "rt_check.vh"'
+    for name in $names; do
+        body=tb/netlist/$name.vh
+        [ -f "$body" ] || body=
+        one "$name" "$body"
+    done
+} >"$out/rtl/cells.v"
+
+# ---- the module: its own head, so that a harness sees no difference ----
+find rtl -name '*.vh' -exec cp {} "$out/rtl/" \;
+{
+    quiet
+    sed '/^);/q; s/output reg /output wire/' "$source"
+    echo '    netlist u_netlist ('
+    awk '/^);/ { exit } /^ *(input|output) / {
+            sub(/ *\/\/.*/, ""); sub(/,$/, "")
+            printf "%s        .%s(%s)", (n++ ? ",\n" : ""), $NF, $NF
+        }
+        END { print "\n    );\nendmodule" }' "$source"
+    echo '`default_nettype wire'
+    cat "$out/netlist.v"
+} >"$out/rtl/$top.v"
+rm "$out/netlist.v"

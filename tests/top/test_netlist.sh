@@ -1,0 +1,26 @@
+#!/bin/sh
+# test_netlist.sh - the model of ECP5's block RAM, by netlists of two memories
+# SPDX-License-Identifier: Apache-2.0
+# A fault in a model shows that the comparison can fail.
+set -u
+. "$(dirname "$0")/../tap.sh"
+cd "$(dirname "$0")/../.." || exit 1
+run() { # bench, module, parameters of the bench: its netlist, which is in $TMP/net
+    iverilog -g2005 -I"$TMP/net/rtl" -s "$1" -o "$TMP/tb" $3 "tb/netlist/$1.v" \
+        "$TMP/net/rtl/cells.v" "$TMP/net/rtl/$2.v" >"$TMP/build" 2>&1 || cat "$TMP/build"
+    vvp -n "$TMP/tb" >"$TMP/said" && cat "$TMP/said" && grep -q '^ok' "$TMP/said"
+}
+while read -r parameters; do
+    # shellcheck disable=SC2086  # a list of words
+    check "netlist of rt_slot_ram $parameters" \
+        sh synth/netlist.sh rt_slot_ram "$TMP/net" $parameters
+    set_all=$(echo " $parameters" | sed 's/ / -Ptb_slot_ram./g')
+    check "it is the memory, $parameters" run tb_slot_ram rt_slot_ram "$set_all"
+done <<END
+WIDTH=66 SLOTS=512 OLD=1
+WIDTH=5 SLOTS=4096 OLD=1
+END
+sed -i 's/if (a_writes) begin/if (a_writes \&\& !a_at[5]) begin/' "$TMP/net/rtl/cells.v"
+beside() { ! run tb_slot_ram rt_slot_ram "$set_all" && grep -q '^not ok' "$TMP/said"; }
+check "words that are not written are noticed" beside
+done_testing
