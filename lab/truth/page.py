@@ -81,10 +81,17 @@ def why(found):
     return table(["scene", "far off"] + list(WHY.values()), rows)
 
 
+def scale(folder):
+    """Lines of tests/tool/test_scale.sh, names as words."""
+    rows = [line.split() for line in Path(folder, "scale.txt").read_text("utf-8").splitlines()]
+    return table(["paper5", "dB", "other object"],
+                 [[name.replace("_", " "), *said] for name, *said in rows])
+
+
 def main(page, folder, shown):
     found = results(folder)
     place(page, {"reference": reference(found), "model": model(found), "wrong": wrong(found),
-                 "why": why(found)})
+                 "why": why(found), "scale": scale(folder)})
     Path(shown).mkdir(parents=True, exist_ok=True)
     text = Path(page).read_text(encoding="utf-8")
     for name in re.findall(rf"{Path(shown).name}/(\w+)\.png", text):
