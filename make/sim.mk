@@ -37,8 +37,12 @@ $(PICTURES): $B/obj/sim/pictures.o $(IMAGE) $(LIB)
 
 sim: $(TOOL) $(PICTURES) ## SCENE through model and RTL, compared bit for bit; TOP=1: in rt_top
 	$(Q)$(if $(filter 1,$(TOP)),mkdir -p $B/sim && $(call values,SCENE FRAMES BUILD_OPTIONS LATENCY \
-	    STALL SEED PROFILE) BUILD=$B sh sim/top.sh,$(call values,CSV) \
+	    STALL SEED PROFILE MOVIE) BUILD=$B sh sim/top.sh,$(call values,CSV) \
 	    REPEATED=$(call quoted,$(repeated)) $(call run,sim,$(SIM_KEY)))
+
+.PHONY: movie-setup
+movie-setup: ## installs ffmpeg (apt), which films in .mp4 need
+	@sh sim/setup.sh sim/packages_movie.txt
 
 .PHONY: sim-folder
 sim-folder: # prints where such a run leaves what it makes

@@ -62,6 +62,8 @@ STALL ?= 0
 TOP ?= 0
 ## FRAMES <text>| of a moving scene, with TOP=1, such as 0..9 (empty: 0..0)
 FRAMES ?= 0..0
+## MOVIE <text>| .gif or .mp4 to which make sim TOP=1 puts its frames (.mp4: make movie-setup)
+MOVIE ?=
 ## SIM verilator|icarus
 SIM ?= verilator
 ## WINDOW <window>| pixels to simulate, x0,y0,x1,y1 (empty: the whole frame)

@@ -2,9 +2,10 @@
 # top.sh - frames of a moving scene on one rt_top, one behind the other, each compared
 # SPDX-License-Identifier: Apache-2.0
 #
-# usage: SCENE=... FRAMES=A..B BUILD_OPTIONS=... LATENCY=n STALL=n SEED=n PROFILE=... sim/top.sh
+# usage: SCENE=... FRAMES=A..B BUILD_OPTIONS=... LATENCY=n STALL=n SEED=n PROFILE=...
+#        [MOVIE=FILE] sim/top.sh
 # Builds the machines of these frames into BUILD/out/top-DIGEST, and rt_top with a core that can do
-# what any of them asks for.
+# what any of them asks for. There are report.json, shown-0000.ppm and so on; MOVIE joins these.
 set -euf
 cd "$(dirname "$0")/.."
 tool=$BUILD/sphaera
@@ -19,12 +20,11 @@ if [ ! -f "$scene" ]; then
     "$tool" gen "$scene" --seed "$SEED" -o "$run/scene.nff" >"$run/gen.log"
     scene=$run/scene.nff
 fi
-start=$(date +%s%N)
 # shellcheck disable=SC2086  # a list of words on purpose
-"$tool" build "$scene" $BUILD_OPTIONS --frames "$FRAMES" -o "$run/frame.sph" >"$run/build.log"
+"$tool" build "$scene" $BUILD_OPTIONS --frames "$FRAMES" -o "$run/frame.sph" \
+    --json "$run/build.json" >"$run/build.log"
 set +f
 set -- "$run"/frame-*.sph
-echo "$# machines built in $((($(date +%s%N) - start) / 1000000)) ms"
 profile=$("$tool" info "$1" | sed -n 's/^profile *\([^ ]*\): .*/\1/p')
 core=$(for file; do "$tool" info "$file" | sed -n 's/^core *//p'; done | tr '+' '\n' |
     awk '{ word = $0; sub(/[0-9]+$/, "", word); count = substr($0, length(word) + 1) + 0
@@ -36,4 +36,8 @@ core=$(for file; do "$tool" info "$file" | sed -n 's/^core *//p'; done | tr '+' 
 flock "$BUILD/sim/.tools.lock" env -u MAKEFLAGS -u MFLAGS make -s --no-print-directory \
     -f make/rt_top.mk B="$BUILD" BENCH=tb_frames PROFILE="$profile" CORE="$core" DATA=64 top \
     >"$run/make.log" 2>&1 || { cat "$run/make.log" >&2; exit 1; }
-"$BUILD/sim/tb_frames-$profile-$core-64/tb_frames" "$LATENCY" "$STALL" "$SEED" "$@"
+"$BUILD/sim/tb_frames-$profile-$core-64/tb_frames" "$LATENCY" "$STALL" "$SEED" "$run" "$@" \
+    >"$run/checks" || { cat "$run/checks"
+[ -z "${MOVIE:-}" ] || "$tool" movie -o "$MOVIE" "$run"/shown-*.ppm >&2; exit 1; }
+python3 -m lab.top.frames "$run"
+cat "$run/checks"

@@ -210,6 +210,7 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
 int sph_build(const struct sph_scene *scene, const struct sph_build_options *options,
               struct sph_machine *machine, struct sph_build_report *report, struct sph_error *err) {
     double start = seconds();
+    clock_t busy = clock();
     struct parts parts = {0};
     memset(machine, 0, sizeof *machine);
     memset(report, 0, sizeof *report);
@@ -225,5 +226,6 @@ int sph_build(const struct sph_scene *scene, const struct sph_build_options *opt
     sph_facets_free(&parts.facets);
     if (result) sph_machine_free(machine);
     report->build_seconds = seconds() - start;
+    report->cpu_seconds = (double)(clock() - busy) / CLOCKS_PER_SEC;
     return result;
 }

@@ -98,9 +98,9 @@ struct sph_build_report {
     int refitted;           /* the tree is that of the frame before, in new places */
     double tree_cost;       /* then: its cost over that of the tree when it was built; else 1 */
     uint32_t facets, loose; /* primitives that are no spheres; of them, without bounds */
-    double build_seconds, tree_seconds; /* all of build; of processor, of tree and memory
-                                           image alone */
-    struct sph_bih_stats bih;           /* with TREE_BIH and TREE_BRUTE */
+    double build_seconds, cpu_seconds; /* all of build; of processor, of all threads */
+    double tree_seconds;               /* of processor, of tree and memory image alone */
+    struct sph_bih_stats bih;          /* with TREE_BIH and TREE_BRUTE */
     char warning[8192];   /* empty if none; finer profiles, clamped colours, effects left out */
     struct sph_cut cut;   /* of the planes */
     struct sph_ball root; /* grid units: holds every primitive */

@@ -81,6 +81,11 @@ int sph_linear_write_exr(const char *path, const struct sph_linear *picture,
 
 /* ---- files ---- */
 
+/* An animated GIF of n >= 1 picture files of one size, 8-bit RGB; of a frame 256 colours are kept.
+ * rate: frames a second. */
+int sph_image_write_gif(const char *path, const char *const *pictures, int n, double rate,
+                        struct sph_error *err);
+
 /* Reads any 8-bit picture that OpenImageIO knows (deeper ones are refused); free with
  * sph_image_free. On failure there is nothing to free. */
 int sph_image_read(const char *path, struct sph_image *image, struct sph_error *err);

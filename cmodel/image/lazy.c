@@ -85,6 +85,13 @@ int sph_image_read(const char *path, struct sph_image *image, struct sph_error *
     return f ? f(path, image, err) : -1;
 }
 
+int sph_image_write_gif(const char *path, const char *const *pictures, int n, double rate,
+                        struct sph_error *err) {
+    int (*f)(const char *, const char *const *, int, double, struct sph_error *);
+    FOUND(f, "sph_image_write_gif", err);
+    return f ? f(path, pictures, n, rate, err) : -1;
+}
+
 int sph_mip_load(const char *path, struct sph_mip *mip, struct sph_error *err) {
     int (*f)(const char *, struct sph_mip *, struct sph_error *);
     FOUND(f, "sph_mip_load", err);

@@ -8,6 +8,7 @@
 #include "machine/describe.h"
 #include "core/render.h"
 #include "tool/light_picture.h"
+#include "tool/movie.h"
 #include "tool/print.h"
 #include "tool/progress.h"
 #include "tool/report.h"
@@ -20,6 +21,7 @@ struct arguments {
     struct light_pictures light;
     int traverse, threads, counters, progress;
     struct tool_frames frames;
+    const char *movie;
 };
 
 enum {
@@ -34,7 +36,7 @@ enum {
 };
 
 static const struct argp_option options[] = {
-    {"output", 'o', "FILE", 0, TOOL_OUTPUT_TEXT, 0},
+    {"output", 'o', "FILE", 0, TOOL_OUTPUT_TEXT "; with --frames .gif, or .mp4 by ffmpeg", 0},
     {"exr", TOOL_KEY_EXR, "FILE.exr", 0,
      "picture in linear light with ids, keys and visits, OpenEXR", 0},
     {"transfer", TOOL_KEY_TRANSFER, "NAME", 0,
@@ -66,6 +68,10 @@ static const char *const traversals[] = {"tree", "brute"}; /* SPH_TRAVERSE_* */
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
     struct arguments *a = state->input;
+    if (key == 'o' && movie_is(arg)) {
+        a->movie = tool_output(&a->source.outputs, arg);
+        return 0;
+    }
     if (!light_option(&a->light, &a->source.outputs, key, arg, state)) return 0;
     switch (key) {
     case ARGP_KEY_INIT:
@@ -101,6 +107,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     default:
         if (key == ARGP_KEY_END && a->frames.on && a->source.read.at)
             argp_error(state, "--frames and --at exclude each other");
+        if (key == ARGP_KEY_END && a->movie && !a->frames.on)
+            argp_error(state, "-o %s: of what frames? --frames A..B", a->movie);
         if (key == ARGP_KEY_END && a->source.samples > 1 && (a->light.depths || a->walk))
             argp_error(state, "--samples is for light: --depths and --walk are false colours");
         return tool_one_scene(state, key, arg, &a->input, "no machine or scene given");
@@ -201,8 +209,11 @@ static int render_frames(struct arguments *a) {
     report_text(report, "input", a->input);
     report_text(report, "traverse", traversals[a->traverse]);
     json_object_set_new(report, "frames", list);
-    int rc = tool_each_frame(a->input, &a->source, &a->frames, print_stream(a->json), list,
-                             render_frame, a, &err);
+    FILE *to = print_stream(a->json);
+    int rc = a->movie ? tool_movie_of(a->movie, &a->light.picture, a->input, &a->source, &a->frames,
+                                      to, list, render_frame, a, &err)
+                      : tool_each_frame(a->input, &a->source, &a->frames, to, list, render_frame, a,
+                                        &err);
     if (report_write(report, rc ? NULL : a->json, &err)) rc = -1;
     return rc ? tool_failed(&err) : TOOL_GOOD;
 }

@@ -16,7 +16,7 @@ static const struct {
     {"compare", tool_compare},       {"gen", tool_gen},       {"import", tool_import},
     {"background", tool_background}, {"texels", tool_texels}, {"accuracy", tool_accuracy},
     {"reference", tool_reference},   {"export", tool_export}, {"operations", tool_operations},
-    {"load", tool_load_board},       {"view", tool_view},
+    {"load", tool_load_board},       {"view", tool_view},     {"movie", tool_movie},
 };
 enum { N_COMMANDS = sizeof commands / sizeof *commands };
 
@@ -37,7 +37,8 @@ static const char doc[] =
     "  export   scene file for POV-Ray\n"
     "  operations   arithmetic of the test of ray and sphere, as four texts have it\n"
     "  load     a machine file to a board\n"
-    "  view     the golden model's picture in a window, in which one moves\n\n"
+    "  view     the golden model's picture in a window, in which one moves\n"
+    "  movie    pictures of frames into one file that moves\n\n"
     "`sphaera COMMAND --help` explains a command. Exit code: 0 good, 1 failed or different, "
     "2 wrong usage.";
 

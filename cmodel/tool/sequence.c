@@ -3,13 +3,16 @@
  */
 #include "tool/sequence.h"
 
+#include <errno.h>
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "scene/motion.h"
 #include "tool/json.h"
 #include "tool/levels.h"
+#include "tool/movie.h"
 #include "tool/print.h"
 #include "image/mips.h"
 
@@ -48,6 +51,7 @@ void report_bases(json_t *report, const struct sph_build_report *build) {
 static void report_time(json_t *report, const struct tool_built *built) {
     const struct sph_build_report *b = &built->report;
     report_number(report, "build_seconds", b->build_seconds);
+    report_number(report, "cpu_seconds", b->cpu_seconds);
     report_number(report, "tree_seconds", b->tree_seconds);
     report_add(report, "refitted", json_boolean(b->refitted));
     report_number(report, "tree_cost", b->tree_cost);
@@ -109,9 +113,7 @@ static int spares(const char *path, const struct sph_scene *scene, const struct 
 }
 
 int tool_each_frame(const char *path, const struct tool_source *source,
-                    const struct tool_frames *frames, FILE *to, json_t *list,
-                    int (*take)(void *user, uint32_t frame, const struct tool_built *built,
-                                json_t *entry, struct sph_error *err),
+                    const struct tool_frames *frames, FILE *to, json_t *list, tool_take *take,
                     void *user, struct sph_error *err) {
     struct run run = {.options = source->build,
                       .kept = {.how = source->refit, .loss = source->loss}};
@@ -153,5 +155,33 @@ int tool_each_frame(const char *path, const struct tool_source *source,
     sph_kept_free(&run.kept);
     sph_mips_free(run.mips, run.rest.n_textures);
     sph_scene_free(&run.rest);
+    return rc;
+}
+
+int tool_movie_of(const char *movie, const char **picture, const char *path,
+                  const struct tool_source *source, const struct tool_frames *frames, FILE *to,
+                  json_t *list, tool_take *take, void *user, struct sph_error *err) {
+    char folder[4096], name[4128];
+    uint32_t n = frames->last - frames->first + 1;
+    if (snprintf(folder, sizeof folder, "%s.XXXXXX", movie) >= (int)sizeof folder)
+        return sph_fail(err, "%s: the name is too long", movie);
+    char **shots = calloc(n, sizeof *shots);
+    if (!shots) return sph_fail(err, "%s: no memory for %u names", movie, n);
+    int rc = movie_check(movie, err), made = !rc && mkdtemp(folder);
+    if (!rc && !made) rc = sph_fail(err, "%s: %s", movie, strerror(errno));
+    snprintf(name, sizeof name, "%s/frame.png", folder);
+    *picture = name;
+    for (uint32_t i = 0; i < n && !rc; i++)
+        if (!(shots[i] = tool_numbered(name, frames->first + i)))
+            rc = sph_fail(err, "%s: no memory for %u names", movie, n);
+    if (!rc) rc = tool_each_frame(path, source, frames, to, list, take, user, err);
+    if (!rc) rc = movie_write(movie, (const char *const *)shots, (int)n, MOVIE_RATE, err);
+    for (uint32_t i = 0; i < n; i++) {
+        if (shots[i]) unlink(shots[i]);
+        free(shots[i]);
+    }
+    if (made) rmdir(folder);
+    free(shots);
+    *picture = NULL;
     return rc;
 }

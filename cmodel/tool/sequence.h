@@ -19,13 +19,21 @@ struct tool_frames {
 /* "A..B" of option --frames, A <= B. */
 void tool_frames_parse(const struct argp_state *state, const char *arg, struct tool_frames *frames);
 
+/* What is done with a frame that is built; entry: its part of the report. */
+typedef int tool_take(void *user, uint32_t frame, const struct tool_built *built, json_t *entry,
+                      struct sph_error *err);
+
 /* Builds each frame of the scene at path and hands it over; user's own. Prints a line for each on
  * `to` unless that is NULL, and adds it to `list`. The first failure ends it: -1 with a message. */
 int tool_each_frame(const char *path, const struct tool_source *source,
-                    const struct tool_frames *frames, FILE *to, json_t *list,
-                    int (*take)(void *user, uint32_t frame, const struct tool_built *built,
-                                json_t *entry, struct sph_error *err),
+                    const struct tool_frames *frames, FILE *to, json_t *list, tool_take *take,
                     void *user, struct sph_error *err);
+
+/* The same for frames that `take` writes to the picture *picture, numbered: they are put into one
+ * file that moves (movie.h), and into a folder beside it meanwhile. */
+int tool_movie_of(const char *movie, const char **picture, const char *path,
+                  const struct tool_source *source, const struct tool_frames *frames, FILE *to,
+                  json_t *list, tool_take *take, void *user, struct sph_error *err);
 
 /* path with the frame's number, four digits or more, before its ending: a.png is a-0007.png. NULL
  * stays NULL; else the caller frees. */

@@ -1,13 +1,17 @@
 /* tb_frames.cpp - frames of a moving scene, one behind the other on one rt_top, without a reset
  * SPDX-License-Identifier: Apache-2.0
  *
- * usage: tb_frames LATENCY STALL SEED MACHINE.sph...
+ * usage: tb_frames LATENCY STALL SEED FOLDER MACHINE.sph...
+ *
+ * FOLDER gets frames.tsv, the clocks of each frame, and what the frame store held: shown-0000.ppm.
  *
  * While a frame is drawn the driver writes the next machine to the other half of memory, a beat a
  * clock, and its registers. Every frame is compared with what the golden model draws of that
  * machine alone.
  */
 #include "top_checks.h"
+
+#include <cmath>
 
 static const uint32_t HALF[2] = {0, 0x01000000};
 
@@ -21,9 +25,31 @@ static void put(void *user, uint32_t address, const uint8_t *from, uint32_t coun
     }
 }
 
+/* A byte of linear light as people see it (IEC 61966-2-1). */
+static uint8_t seen(uint32_t byte) {
+    double light = byte / 255.0;
+    double code = light <= 0.0031308 ? 12.92 * light : 1.055 * pow(light, 1 / 2.4) - 0.055;
+    return (uint8_t)lround(255 * code);
+}
+
+/* The newest frame of the store, as a picture. */
+static bool picture(Checks &c, const sph_frame &size, const std::string &path) {
+    FILE *to = fopen(path.c_str(), "wb");
+    if (!to) return false;
+    const uint32_t store = c.stores[c.newest()];
+    fprintf(to, "P6 %d %d 255\n", size.width, size.height);
+    for (int y = 0; y < size.height; y++)
+        for (int x = 0; x < size.width; x++) {
+            const uint8_t *p = &c.top.bytes[store + (uint32_t)y * c.stride];
+            for (int channel = 2; channel >= 0; channel--)
+                fputc(seen(p[4 * x + channel]), to);
+        }
+    return fclose(to) == 0;
+}
+
 int main(int argc, char **argv) {
-    if (argc < 5) {
-        fprintf(stderr, "usage: tb_frames LATENCY STALL SEED MACHINE.sph...\n");
+    if (argc < 6) {
+        fprintf(stderr, "usage: tb_frames LATENCY STALL SEED FOLDER MACHINE.sph...\n");
         return 2;
     }
     auto c = std::make_unique<Checks>(strtoull(argv[3], nullptr, 0));
@@ -34,13 +60,20 @@ int main(int argc, char **argv) {
     manner.stall = (unsigned)atoi(argv[2]);
     t.write(SPHAERA_WATCHDOG, 0);
     sphaera_interrupts(&t.driver, SPHAERA_INTERRUPTS_FRAME_DONE);
-    printf("frame      bytes     upload       draw   from START to all written   pixels a burst\n");
-    auto now = std::make_unique<Golden>(argv[4]);
+    const int first = 5; /* of the machines */
+    const std::string folder = argv[first - 1];
+    FILE *table = fopen((folder + "/frames.tsv").c_str(), "w");
+    if (!table) {
+        fprintf(stderr, "%s: cannot write\n", folder.c_str());
+        return 2;
+    }
+    fprintf(table, "bytes\tupload\tdraw\twritten\tpixels_a_burst\n");
+    auto now = std::make_unique<Golden>(argv[first]);
     bool fits = c->place(*now) && now->file.size() <= HALF[1];
     uint64_t upload = t.cycle;
     c->equals("load", (uint64_t)c->load(*now, HALF[0]), SPHAERA_OK);
     upload = t.cycle - upload;
-    for (int i = 4; fits && i < argc; i++) {
+    for (int i = first; fits && i < argc; i++) {
         t.scene.behave(manner);
         t.frame.behave(manner);
         sphaera_handle(&t.driver);
@@ -52,20 +85,24 @@ int main(int argc, char **argv) {
             next = std::make_unique<Golden>(argv[i + 1]);
             fits = next->file.size() <= HALF[1];
             next_upload = t.cycle;
-            c->equals("load", (uint64_t)c->load(*next, HALF[(i + 1) % 2]), SPHAERA_OK);
+            c->equals("load", (uint64_t)c->load(*next, HALF[(i + 1 - first) % 2]), SPHAERA_OK);
             next_upload = t.cycle - next_upload;
         }
         uint64_t end = c->finish_frame();
         c->equals("errors", sphaera_errors(&t.driver), 0);
         sphaera_counters(&t.driver, n);
         c->same(*now, c->newest(), Checks::depth(*now));
-        printf("%5d %10u %10llu %10llu %27llu %16.2f\n", i - 4, 32 * now->machine.lines,
-               (unsigned long long)upload, (unsigned long long)n[SPHAERA_COUNT_CYCLES],
-               (unsigned long long)(end - begin),
-               (double)n[SPHAERA_COUNT_WRITE_PIXELS] / (double)n[SPHAERA_COUNT_WRITE_BURSTS]);
+        fprintf(table, "%u\t%llu\t%llu\t%llu\t%.2f\n", 32 * now->machine.lines,
+                (unsigned long long)upload, (unsigned long long)n[SPHAERA_COUNT_CYCLES],
+                (unsigned long long)(end - begin),
+                (double)n[SPHAERA_COUNT_WRITE_PIXELS] / (double)n[SPHAERA_COUNT_WRITE_BURSTS]);
+        char name[32];
+        snprintf(name, sizeof name, "/shown-%04d.ppm", i - first);
+        c->note("a picture is written", picture(*c, now->frame, folder + name));
         upload = next_upload;
         now = std::move(next);
     }
+    c->note("the table is written", fclose(table) == 0);
     c->note("frames and machines fit into 64 MB", fits);
     c->done("every frame equals that of its machine alone");
     return c->finish();

@@ -52,6 +52,68 @@ for frame in 1 2 3; do
     check "frame $frame with a camera that flies" cmp "$TMP/fly$frame.sph" "$TMP/fly-000$frame.sph"
 done
 
+# A tree that is refitted: other visits, the same picture.
+# shellcheck disable=SC2086
+"$s" render $robot $size --frames 0..3 --refit on -o "$TMP/refit.png" --json "$TMP/refit.json" \
+    >"$TMP/text"
+# shellcheck disable=SC2086
+"$s" render $robot $size --frames 0..3 -o "$TMP/built.png" --json "$TMP/built.json" >"$TMP/text"
+for frame in 1 2 3; do
+    check "picture $frame of a tree refitted" cmp "$TMP/refit-000$frame.png" \
+        "$TMP/built-000$frame.png"
+done
+check "the report tells" python3 -c 'import json, sys
+a, b = (json.load(open(f))["frames"] for f in sys.argv[1:])
+assert [f["refitted"] for f in a + b] == [False] + 3 * [True] + 4 * [False]
+assert all(f["tree_cost"] == 1 for f in b) and a[3]["tree_cost"] != 1
+assert all(f["memory_bytes"] > 0 and f["build_seconds"] >= 0 for f in a)
+assert all(f["frame"]["picture_hash"] == g["frame"]["picture_hash"] for f, g in zip(a, b))
+assert a[3]["counters"]["node_visits"] != b[3]["counters"]["node_visits"]' \
+    "$TMP/refit.json" "$TMP/built.json"
+fails 1 "--refit of one frame" "$s" render $robot --refit on
+fails 2 "--refit auto:x" "$s" render $robot --frames 0..1 --refit auto:x
+
+# Films, of frames and of pictures that are there; nothing else is left behind.
+mkdir "$TMP/film"
+# shellcheck disable=SC2086
+check "a GIF of frames" "$s" render $robot $size --frames 1..3 -o "$TMP/film/a.gif"
+check "a GIF of pictures" "$s" movie -o "$TMP/film/b.gif" "$TMP/built-0001.png" \
+    "$TMP/built-0002.png" "$TMP/built-0003.png"
+check "they are the same, of three frames" python3 -c 'import sys
+a, b = (open(f, "rb").read() for f in sys.argv[1:])
+assert a == b and a.count(b"\x21\xf9\x04") == 3' "$TMP/film/a.gif" "$TMP/film/b.gif"
+fails 1 "pictures of two sizes" "$s" movie -o "$TMP/film/c.gif" "$TMP/built-0001.png" \
+    docs/pictures/hall.png
+fails 2 "a film of one frame" "$s" render $robot -o "$TMP/film/c.gif"
+fails 2 "a film by another name" "$s" movie -o "$TMP/film/c.avi" "$TMP/built-0001.png"
+fails 1 "MP4 without ffmpeg" env PATH=/nowhere "$s" movie -o "$TMP/film/c.mp4" "$TMP/built-0001.png"
+check "... which is said" has "ffmpeg is not installed" "$TMP/err"
+if command -v ffmpeg >/dev/null; then
+    check "MP4" "$s" movie -o "$TMP/film/d.mp4" "$TMP/built-0001.png" "$TMP/built-0002.png"
+    check "it is one" sh -c "head -c 12 '$TMP/film/d.mp4' | grep -q ftyp"
+    rm -f "$TMP/film/d.mp4"
+fi
+check "no other file" test "$(echo "$TMP"/film/*)" = "$TMP/film/a.gif $TMP/film/b.gif"
+
+# What the harness of rt_top counts, beside what build reports.
+mkdir "$TMP/top"
+# shellcheck disable=SC2086
+"$s" build $robot $size --frames 0..3 -o "$TMP/top/f.sph" --json "$TMP/top/build.json" >"$TMP/text"
+python3 -c 'import json, sys
+print("bytes\tupload\tdraw\twritten\tpixels_a_burst")
+for f in json.load(open(sys.argv[1]))["frames"]:
+    print(f["memory_bytes"], 10, 20 + f["at"], 30, 6.5, sep="\t")' "$TMP/top/build.json" \
+    >"$TMP/top/frames.tsv"
+check "time to image" python3 -m lab.top.frames "$TMP/top"
+check "in a report" python3 -c 'import json, sys
+r = json.load(open(sys.argv[1]))
+assert r["command"] == "top" and [f["draw_cycles"] for f in r["frames"]] == [20, 21, 22, 23]' \
+    "$TMP/top/report.json"
+check "as the schema has it" python3 -W ignore -m jsonschema -i "$TMP/top/report.json" \
+    docs/use/report.schema.json
+sed -i '$d' "$TMP/top/frames.tsv"
+check "a frame too few is told" sh -c "! python3 -m lab.top.frames '$TMP/top'"
+
 for way in 3 1..x ..2 2..1 0..65536; do
     fails 2 "--frames $way" "$s" render $robot --frames $way
 done
