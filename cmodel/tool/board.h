@@ -7,12 +7,9 @@
 #include "../../driver/sphaera.h"
 #include "common/error.h"
 
-/* Places of a machine in the memory of a board: a list of writes, and from SCENE on its lines. */
+/* Places in the memory of a board: the machine's lines from 0 on, behind them three frames. */
 enum {
-    BOARD_SLOTS = 8,
-    BOARD_SLOT_BYTES = 0x200000,
-    BOARD_SCENE = 0x2000,         /* from the start of its slot */
-    BOARD_FRAMES = 0x1000000,     /* frames stand behind the slots */
+    BOARD_FRAMES = 0x1000000,
     BOARD_FRAME_BYTES = 0x100000, /* from a frame to the next */
     BOARD_ITEMS = 256             /* the most writes of a list, its end included */
 };
@@ -49,5 +46,10 @@ int board_record(const struct board_machine *m, struct board_script *script, str
 /* STEM.registers.hex and STEM.scene.hex for rt_ulx3s_ram, for $readmemh. 0, or -1 with a message.
  */
 int board_write_rom(const struct board_machine *m, const char *stem, struct sph_error *err);
+
+/* The machine over the serial port of a board, drawn and shown: rtl/board/rt_uart_bus.v is at the
+ * other end. baud: bits a second. 0, or -1 with a message. */
+int board_load(const struct board_machine *m, const char *device, unsigned baud,
+               struct sph_error *err);
 
 #endif

@@ -1,0 +1,188 @@
+/* tb_load.cpp - `sphaera load` over a pseudo-terminal to rt_uart_bus: registers and memory get it
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * The tool runs as it would before a board; the bytes of its terminal are the bits of the line. A
+ * block of registers answers as rt_top would. Then the line and the buses go wrong, and the tool
+ * must say so; and a packet that was left half sent must not hurt the next load.
+ */
+#include <csignal>
+#include <fcntl.h>
+#include <map>
+#include <poll.h>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <vector>
+
+#include "Vrt_uart_bus.h"
+#include "bench.h"
+
+extern "C" {
+#include "../../driver/sphaera.h"
+#include "machine/machine.h"
+}
+
+namespace {
+
+struct Board {
+    Vrt_uart_bus &dut;
+    bench::Bench<Vrt_uart_bus> &b;
+    sph_machine &machine;
+    std::map<uint32_t, uint32_t> registers, memory;
+    uint32_t last_write = 0;
+    unsigned busy = 0, bytes = 0, spoilt = 0; /* spoilt: the byte with a wrong bit, from 1 */
+    bool slverr = false, deaf = false;
+    std::string sent; /* by the board */
+    unsigned out_bit = 0, out_wait = 0, out_byte = 0;
+
+    uint32_t read(uint32_t offset) {
+        switch (offset) {
+        case SPHAERA_ID:
+            return SPHAERA_ID_RESET;
+        case SPHAERA_VERSION:
+            return SPHAERA_VERSION_RESET;
+        case SPHAERA_CORE_PROFILE:
+            return (uint32_t)machine.regs[SPH_REG_PROFILE];
+        case SPHAERA_CORE_EFFECTS:
+            return ~0u;
+        case SPHAERA_STATUS:
+            return busy ? busy--, SPHAERA_STATUS_BUSY : 0u;
+        default:
+            return registers[offset];
+        }
+    }
+    void clock() {
+        const bool aw = dut.r_awvalid, ar = dut.r_arvalid, mem = dut.m_awvalid;
+        const uint32_t answer = ar ? read(dut.address_o & 0xfff) : 0;
+        if (aw) {
+            last_write = dut.address_o & 0xfff;
+            registers[last_write] = dut.data_o;
+            if (last_write == SPHAERA_CONTROL && dut.data_o & SPHAERA_CONTROL_START) busy = 3;
+        }
+        if (mem) {
+            const uint32_t at = dut.address_o & ~7u;
+            if (dut.m_wstrb & 15) memory[at] = dut.data_o;
+            if (dut.m_wstrb & 0xf0) memory[at + 4] = dut.data_o;
+        }
+        b.tick();
+        b.cycle = 0;
+        dut.r_bvalid = aw;
+        dut.r_rvalid = ar;
+        dut.r_rdata = answer;
+        dut.m_bvalid = mem;
+        dut.r_bresp = dut.m_bresp = slverr && !ar ? 2 : 0;
+        hear();
+    }
+    /* The board's line, as a serial port takes it. */
+    void hear() {
+        if (out_wait) {
+            out_wait--;
+        } else if (!out_bit) {
+            if (dut.tx_o) return;
+            out_bit = 1;
+            out_wait = DIV + DIV / 2 - 1;
+        } else {
+            out_byte = out_byte >> 1 | (unsigned)dut.tx_o << 8;
+            out_wait = DIV - 1;
+            if (++out_bit < 10) return;
+            if (out_byte & 256) sent.push_back((char)out_byte);
+            out_bit = out_wait = 0; /* the next start may come at once */
+        }
+    }
+    void clocks(unsigned n) {
+        while (n--)
+            clock();
+    }
+    void speak(unsigned byte) {
+        if (++bytes == spoilt) byte ^= 4;
+        for (unsigned bits = (byte | 256) << 1, i = 0; i < 10; i++, bits >>= 1) {
+            dut.rx_i = bits & 1;
+            clocks(DIV);
+        }
+    }
+    /* Runs the tool; what it exits with. */
+    int load(const char *tool, const char *file) {
+        const int master = posix_openpt(O_RDWR | O_NOCTTY);
+        if (master < 0 || grantpt(master) || unlockpt(master)) return -1;
+        const std::string device = ptsname(master);
+        const int held = open(device.c_str(), O_RDWR | O_NOCTTY); /* or reads end at once */
+        const pid_t child = fork();
+        if (!child) {
+            execl(tool, tool, "load", device.c_str(), file, (char *)nullptr);
+            _exit(127);
+        }
+        int status = 0;
+        while (!waitpid(child, &status, WNOHANG)) {
+            struct pollfd ready = {master, POLLIN, 0};
+            unsigned char part[64];
+            const ssize_t n = poll(&ready, 1, 1) > 0 ? read_some(master, part) : 0;
+            for (ssize_t i = 0; i < n; i++)
+                speak(part[i]);
+            clocks(200);
+            if (!deaf && !sent.empty() && write(master, sent.data(), sent.size()) > 0) sent.clear();
+        }
+        close(held);
+        close(master);
+        sent.clear();
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+    template <size_t N> static ssize_t read_some(int fd, unsigned char (&part)[N]) {
+        return ::read(fd, part, N);
+    }
+};
+
+/* What arrived is what the file has. */
+void same(Board &board, bench::Bench<Vrt_uart_bus> &b) {
+    for (uint32_t i = 0; i < board.machine.lines * SPH_LINE_WORDS; i++)
+        b.expect("memory", board.memory[4 * i], board.machine.mem[i]);
+    for (uint32_t i = 0; i < SPH_N_REGS; i++)
+        b.expect("register", board.registers[SPHAERA_MACHINE + 4 * i],
+                 (uint32_t)board.machine.regs[i]);
+    b.expect("memory words", board.memory.size(), board.machine.lines * SPH_LINE_WORDS);
+    b.expect("started last", board.last_write, SPHAERA_CONTROL);
+    b.done();
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    bench::Bench<Vrt_uart_bus> b("tb_load", argc, argv, 5);
+    const char *build = getenv("BENCH_BUILD");
+    const std::string tool = std::string(build ? build : "build") + "/sphaera";
+    const std::string file = std::string(build ? build : "build") + "/tb/load.sph";
+    const std::string make = tool + " build scenes/paper5.nff --profile draft --size 320x240 " +
+                             "--depth 1 -o " + file + " >" + file + ".log 2>&1";
+    sph_machine machine{};
+    struct sph_error err = {{0}};
+    if (system(make.c_str()) || sph_machine_read(file.c_str(), &machine, &err))
+        return printf("not ok tb_load: no machine: %s %s\n", make.c_str(), err.text), 1;
+    Board board{b.dut, b, machine, {}, {}};
+    b.dut.rx_i = b.dut.r_awready = b.dut.r_wready = b.dut.r_arready = 1;
+    b.dut.m_awready = b.dut.m_wready = 1;
+    b.reset();
+    board.clocks(100);
+    b.expect("a load", (uint64_t)board.load(tool.c_str(), file.c_str()), 0u);
+    same(board, b);
+    board.bytes = 0;
+    board.spoilt = 700;
+    b.expect("a wrong bit is told", (uint64_t)board.load(tool.c_str(), file.c_str()), 1u);
+    b.done();
+    board.spoilt = 0;
+    board.slverr = true;
+    b.expect("SLVERR is told", (uint64_t)board.load(tool.c_str(), file.c_str()), 1u);
+    b.done();
+    board.slverr = false;
+    board.deaf = true;
+    b.expect("silence is told", (uint64_t)board.load(tool.c_str(), file.c_str()), 1u);
+    b.done();
+    board.deaf = false;
+    board.speak('W');
+    board.speak(0x12);
+    board.clocks(2u << IDLE);
+    board.registers.clear();
+    board.memory.clear();
+    b.expect("a load after half a packet", (uint64_t)board.load(tool.c_str(), file.c_str()), 0u);
+    same(board, b);
+    sph_machine_free(&machine);
+    return b.finish();
+}
