@@ -66,3 +66,5 @@ $B/top/tiny.sph: scenes/interpenetrating.nff $(TOOL)
 	@mkdir -p $(@D)
 	$(Q)$(TOOL) build $< --profile draft --size 12x8 --depth 1 --interpenetrate off \
 	    --background spans -o $@ >$(@:.sph=.log) 2>&1 || { cat $(@:.sph=.log); exit 1; }
+
+include make/netlist.mk

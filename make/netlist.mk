@@ -1,0 +1,31 @@
+# netlist.mk - netlists for ECP5 in the place of the RTL: a frame of the core, a frame on a display
+# SPDX-License-Identifier: Apache-2.0
+#
+# The machine asks for nothing but primary rays, so that both fit: spheres without a light.
+
+NETLIST    := $B/netlist
+NETTED     := $(V_FILES) $(V_HEADS) $(wildcard tb/netlist/*.vh) synth/netlist.sh
+net_core    = $$(sh sim/profile.sh draft) $$(sh sim/parameters.sh none)
+net_top     = $(call top_tool,64) PROFILE=draft CORE=none OPT=-O0 BENCH=tb_show NAME=netlist \
+                  RTL=$(NETLIST)/top/rtl MACHINES=$(NETLIST)/frame.sph SEED=
+
+.PHONY: netlist
+NETLISTS    = $(NETLIST)/core/rtl/rt_core.v $(NETLIST)/top/rtl/rt_top.v $(NETLIST)/frame.sph
+netlist: $(NETLISTS) ## netlists of core and rt_top for ECP5, simulated: 8 processor minutes
+	@mkdir -p $B/sim && ln -f $(LIB) $(NETLIST)/
+	$(Q)BUILD=$(NETLIST) RTL=$(NETLIST)/core/rtl EFFECTS=none OPT=-O0 \
+	    sh sim/core.sh --machine $(NETLIST)/frame.sph --latency 5 --stall 20 --seed 7 --stop
+	$(Q)$(net_top) top >$(NETLIST)/build.log 2>&1 || { cat $(NETLIST)/build.log; exit 1; }
+	$(Q)$(net_top) run
+
+$(NETLIST)/core/rtl/rt_core.v: $(NETTED)
+	$(Q)sh synth/netlist.sh rt_core $(NETLIST)/core $(net_core) ENGINES=1 ROOT_STEP=2 \
+	    QUOTIENT_STEP=2
+$(NETLIST)/top/rtl/rt_top.v: $(NETTED)
+	$(Q)sh synth/netlist.sh rt_top $(NETLIST)/top $(net_core) DATA=64 VIDEO=1
+
+$(NETLIST)/frame.sph: scenes/paper5.nff $(TOOL)
+	@mkdir -p $(@D)
+	$(Q)sed '/^l /d' $< >$(@:.sph=.nff)
+	$(Q)$(TOOL) build $(@:.sph=.nff) --profile draft --size 16x12 --depth 0 -o $@ \
+	    >$(@:.sph=.log) 2>&1 || { cat $(@:.sph=.log); exit 1; }
