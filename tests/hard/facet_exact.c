@@ -21,9 +21,10 @@ static sph_i128 volume(const int64_t a[3], const int64_t b[3], const int64_t c[3
 }
 
 /* Where the ray leaves the world by one unit, along its longest axis, the first of them: before
- * the plane? Then this is t. */
-static void end_of_world(const struct sph_profile *p, const struct sph_ray *ray,
-                         struct facet_exact *e) {
+ * the plane? Then this is t, and the part of the way that is left is worth as many keys as that
+ * component has units. Returns these. */
+static uint64_t end_of_world(const struct sph_profile *p, const struct sph_ray *ray,
+                             struct facet_exact *e) {
     int64_t most = 0, way = 0, half = 1ll << (p->w - 1);
     for (int i = 0; i < 3; i++) {
         int64_t d = ray->dir[i] < 0 ? -ray->dir[i] : ray->dir[i];
@@ -31,11 +32,12 @@ static void end_of_world(const struct sph_profile *p, const struct sph_ray *ray,
         most = d;
         way = ray->dir[i] > 0 ? half - ray->org[i] : ray->org[i] - (-half - 1);
     }
-    struct facet_exact face = {.num = way, .det = most};
-    if (exact_facet_order(e, &face) <= 0) return;
+    struct facet_exact face = {.own_num = way, .own_det = most};
+    if (exact_facet_order(e, &face) <= 0) return 0;
     e->num = way;
     e->det = most;
     e->ended = 1;
+    return (uint64_t)((e->own_num * most - e->own_det * way) / e->own_num);
 }
 
 struct facet_exact exact_facet(const struct sph_profile *p, const struct sph_ray *ray,
@@ -65,16 +67,18 @@ struct facet_exact exact_facet(const struct sph_profile *p, const struct sph_ray
     e.met = e.det && e.num > 0 && (ray->kind != SPH_SHADOW || e.num < e.det) &&
             (skip < (int64_t)f->id - f->before || skip > (int64_t)f->id + f->after);
     e.hit = e.met && (above || below);
+    e.own_num = e.num;
+    e.own_det = e.det;
     if (!e.hit || ray->kind == SPH_SHADOW) return e;
-    if (plane) end_of_world(p, ray, &e);
+    uint64_t more = plane ? end_of_world(p, ray, &e) : 0;
     sph_i128 scaled = e.num * (sph_i128)ray->a;
-    e.key = (uint64_t)(scaled / e.det + (scaled % e.det != 0));
+    e.key = (uint64_t)(scaled / e.det + (scaled % e.det != 0)) + more;
     return e;
 }
 
 /* By their continued fractions: nothing grows. */
 int exact_facet_order(const struct facet_exact *e1, const struct facet_exact *e2) {
-    sph_i128 a = e1->num, b = e1->det, c = e2->num, d = e2->det;
+    sph_i128 a = e1->own_num, b = e1->own_det, c = e2->own_num, d = e2->own_det;
     for (int sign = 1;; sign = -sign) {
         if (a / b != c / d) return a / b < c / d ? -sign : sign;
         sph_i128 left = a % b, right = c % d;

@@ -14,12 +14,13 @@ struct facet_exact {
     int met;      /* the ray's line meets the plane ahead of the origin, and before a light */
     uint64_t key; /* of a hit, of no shadow ray */
     sph_i128 num, det;
+    sph_i128 own_num, own_det; /* of the plane, wherever the ray ends */
 };
 
 struct facet_exact exact_facet(const struct sph_profile *p, const struct sph_ray *ray,
                                const struct sph_facet_leaf *f);
 
-/* Sign of t1 - t2, exactly; both det > 0, both num >= 0. */
+/* Sign of t1 - t2 of the planes, exactly; both det > 0, both num >= 0. */
 int exact_facet_order(const struct facet_exact *e1, const struct facet_exact *e2);
 
 /* textbook: Moeller and Trumbore 1997; paper: the volumes of docs/model/facet.md. No end of the

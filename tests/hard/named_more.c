@@ -33,7 +33,8 @@ void named_plane_along(struct named *n) {
         for (int64_t off = -1; off <= 1; off++) {
             const int64_t dir[3] = {m, 1, 0}, org[3] = {-h, 0, 0};
             struct hard_facet c = plane(org, dir, V3(-h, y, 0), V3(-1, m + off, 0));
-            uint64_t end = key_at(dir, 2 * h, m);
+            int64_t num = (m + off) * y; /* what is left of the way adds to the key */
+            uint64_t end = key_at(dir, 2 * h, m) + (uint64_t)(m - (2 * h + num - 1) / num);
             if (m + off > 8388607) continue;
             expect_facet(n, c, off > 0 ? FAR : MISS, off > 0 ? end : 0);
             c.facet.v[0][1] = -y;
