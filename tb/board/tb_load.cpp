@@ -147,9 +147,10 @@ void same(Board &board, bench::Bench<Vrt_uart_bus> &b) {
 
 int main(int argc, char **argv) {
     bench::Bench<Vrt_uart_bus> b("tb_load", argc, argv, 5);
-    const char *build = getenv("BENCH_BUILD");
-    const std::string tool = std::string(build ? build : "build") + "/sphaera";
-    const std::string file = std::string(build ? build : "build") + "/tb/load.sph";
+    const char *given = getenv("BENCH_BUILD"), *known = getenv("SPHAERA");
+    const std::string build = given ? given : "build";
+    const std::string tool = known ? known : build + "/sphaera";
+    const std::string file = build + "/tb/load.sph";
     const std::string make = tool + " build scenes/paper5.nff --profile draft --size 320x240 " +
                              "--depth 1 -o " + file + " >" + file + ".log 2>&1";
     sph_machine machine{};
@@ -163,9 +164,15 @@ int main(int argc, char **argv) {
     board.clocks(100);
     b.expect("a load", (uint64_t)board.load(tool.c_str(), file.c_str()), 0u);
     same(board, b);
-    board.bytes = 0;
-    board.spoilt = 700;
-    b.expect("a wrong bit is told", (uint64_t)board.load(tool.c_str(), file.c_str()), 1u);
+    const std::map<uint32_t, uint32_t> right = board.registers;
+    for (unsigned i = 0; i < 4; i++) { /* the words of a packet with a wrong bit stay away */
+        board.bytes = 0;
+        board.spoilt = 700 + 3 * i;
+        b.expect("a wrong bit is told", (uint64_t)board.load(tool.c_str(), file.c_str()), 1u);
+        for (const auto &is : board.registers)
+            if (is.first != SPHAERA_CONTROL)
+                b.expect("a register", is.second, right.count(is.first) ? right.at(is.first) : ~0u);
+    }
     b.done();
     board.spoilt = 0;
     board.slverr = true;
