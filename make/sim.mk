@@ -35,10 +35,11 @@ $(PICTURES): $B/obj/sim/pictures.o $(IMAGE) $(LIB)
 	$(call make_whole,$(CXX) -fopenmp $^ $(IMAGE_LIBS) $(MODEL_LIBS))
 -include $B/obj/sim/pictures.d
 
+top_run = mkdir -p $B/sim && $(call values,SCENE FRAMES BUILD_OPTIONS LATENCY STALL SEED PROFILE \
+              MOVIE) BUILD=$B sh sim/top.sh
 sim: $(TOOL) $(PICTURES) ## SCENE through model and RTL, compared bit for bit; TOP=1: in rt_top
-	$(Q)$(if $(filter 1,$(TOP)),mkdir -p $B/sim && $(call values,SCENE FRAMES BUILD_OPTIONS LATENCY \
-	    STALL SEED PROFILE MOVIE) BUILD=$B sh sim/top.sh,$(call values,CSV) \
-	    REPEATED=$(call quoted,$(repeated)) $(call run,sim,$(SIM_KEY)))
+	$(Q)export REPEATED=$(call quoted,$(repeated)); $(if $(filter 1,$(TOP)),$(top_run),\
+	    $(call values,CSV) $(call run,sim,$(SIM_KEY)))
 
 .PHONY: movie-setup
 movie-setup: ## installs ffmpeg (apt), which films in .mp4 need

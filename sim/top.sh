@@ -37,7 +37,9 @@ flock "$BUILD/sim/.tools.lock" env -u MAKEFLAGS -u MFLAGS make -s --no-print-dir
     -f make/rt_top.mk B="$BUILD" BENCH=tb_frames PROFILE="$profile" CORE="$core" DATA=64 top \
     >"$run/make.log" 2>&1 || { cat "$run/make.log" >&2; exit 1; }
 "$BUILD/sim/tb_frames-$profile-$core-64/tb_frames" "$LATENCY" "$STALL" "$SEED" "$run" "$@" \
-    >"$run/checks" || { cat "$run/checks"
-[ -z "${MOVIE:-}" ] || "$tool" movie -o "$MOVIE" "$run"/shown-*.ppm >&2; exit 1; }
+    >"$run/checks" || { cat "$run/checks"; exit 1; }
+[ -z "${MOVIE:-}" ] || "$tool" movie -o "$MOVIE" "$run"/shown-*.ppm >&2
 python3 -m lab.top.frames "$run"
 cat "$run/checks"
+python3 -m lab.report.film "$run" "${REPEATED:-}"
+echo "report in $run/"

@@ -46,8 +46,7 @@ class Browser:
                                 flatten=True)["sessionId"]
         for domain in ("Page", "Runtime", "Log", "Network"):
             self.ask(domain + ".enable")
-        self.ask("Emulation.setDeviceMetricsOverride", width=width, height=height,
-                 deviceScaleFactor=1, mobile=False)
+        self.size = width, height
         self.ask("Emulation.setEmulatedMedia", features=[
             {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}])
 
@@ -110,6 +109,10 @@ class Browser:
                 return answer["result"]
             self.take(answer)
 
+    def resize(self, width, height):
+        self.ask("Emulation.setDeviceMetricsOverride", width=width, height=height,
+                 deviceScaleFactor=1, mobile=False)
+
     def value(self, expression):
         """What a script on the page evaluates to."""
         found = self.ask("Runtime.evaluate", expression=expression, returnByValue=True,
@@ -118,7 +121,8 @@ class Browser:
 
     def open(self, path):
         """Goes to a file and waits until it is loaded and its maps are painted."""
-        self.address = Path(path).resolve().as_uri()
+        self.address, self.seen = Path(path).resolve().as_uri(), []
+        self.resize(*self.size)
         self.ask("Page.navigate", url=self.address)
         while "Page.loadEventFired" not in self.seen:
             self.take(self.message())

@@ -5,6 +5,7 @@ FOLDER has report.json of lab.top.frames and, for each of its frames, what the f
 shown-0000.ppm and so on. COMMAND is the one that repeats the run."""
 import base64
 import json
+import re
 import struct
 import sys
 import zlib
@@ -20,11 +21,13 @@ SHOWN = 12  # frames with bars
 
 def png(path):
     """A binary PPM of 8 bits as PNG, base64."""
-    head, data = path.read_bytes().split(b"\n255\n", 1)
-    magic, width, height = head.split()
-    width, height = int(width), int(height)
-    if magic != b"P6" or len(data) != 3 * width * height:
-        raise Bad(f"{path}: no picture of {width}x{height}")
+    data = path.read_bytes()
+    head = re.match(rb"P6\s+(\d+)\s+(\d+)\s+255\s", data)
+    if not head:
+        raise Bad(f"{path}: no binary PPM of 8 bits")
+    width, height, data = int(head[1]), int(head[2]), data[head.end():]
+    if len(data) != 3 * width * height:
+        raise Bad(f"{path}: {len(data)} bytes, not of {width}x{height}")
 
     def chunk(kind, body):
         return (struct.pack(">I", len(body)) + kind + body

@@ -1,7 +1,8 @@
 # browse.py - a page of lab.report in a real browser: what it shows, and that it moves
 # SPDX-License-Identifier: Apache-2.0
-"""usage: PYTHONPATH=. python3 tests/lab/browse.py report|wrong|gallery|film PAGE FOLDER
-Says what is not as it should be, and ends with 1. FOLDER gets a screenshot of each width."""
+"""usage: PYTHONPATH=. python3 tests/lab/browse.py FOLDER KIND=PAGE...
+KIND: report, wrong, gallery, film. Prints each kind and what was looked at, below; what is not as
+it should be begins with WRONG, and the exit code is 1. FOLDER gets screenshots."""
 import subprocess
 import sys
 
@@ -64,8 +65,7 @@ def maps(b, wanted):
 def everywhere(b, path, folder):
     """Wide and narrow, light and dark: nothing is cut off, and something is to be seen."""
     for width, scheme in ((1000, "light"), (400, "light"), (400, "dark")):
-        b.ask("Emulation.setDeviceMetricsOverride", width=width, height=900, deviceScaleFactor=1,
-              mobile=False)
+        b.resize(width, 900)
         b.ask("Emulation.setEmulatedMedia",
               features=[{"name": "prefers-color-scheme", "value": scheme}])
         picture = f"{folder}/{width}-{scheme}.png"
@@ -79,27 +79,35 @@ def everywhere(b, path, folder):
     check(f"{path} complains of nothing and asks for nothing: {b.complaints}", not b.complaints)
 
 
-def main(kind, path, folder):
+def look(b, kind, path, folder):
+    """One page."""
+    b.open(path)
+    if kind == "film":
+        b.value("(s => { s.value = 1; s.dispatchEvent(new Event('input')); })"
+                "(document.getElementById('film'))")
+        seen = b.value("[...document.querySelectorAll('.film img')].map("
+                       "i => i.getClientRects().length)")
+        check(f"the slider shows the second frame alone: {seen}", seen == [0, 1])
+        check("... and says so", b.value("shown.textContent") == "frame 4")
+    if kind in ("report", "wrong"):
+        slider(b)
+        maps(b, 3)
+    if kind == "wrong":
+        check("the wrong pixel is marked", visible(b, ".mark"))
+        check("its rays are shown", visible(b, ".rays li"))
+    if kind == "gallery":
+        there = b.value("[...document.images].every(i => i.complete && i.naturalWidth > 0)")
+        check("every picture is there", there and b.value(
+            "document.images.length === document.querySelectorAll('figure').length"))
+    everywhere(b, path, folder)
+
+
+def main(folder, *pages):
     with Browser() as b:
-        b.open(path)
-        if kind == "film":
-            b.value("(s => { s.value = 1; s.dispatchEvent(new Event('input')); })"
-                    "(document.getElementById('film'))")
-            seen = b.value("[...document.querySelectorAll('.film img')].map("
-                           "i => i.getClientRects().length)")
-            check(f"the slider shows the second frame alone: {seen}", seen == [0, 1])
-            check("... and says so", b.value("shown.textContent") == "frame 4")
-        if kind in ("report", "wrong"):
-            slider(b)
-            maps(b, 3)
-        if kind == "wrong":
-            check("the wrong pixel is marked", visible(b, ".mark"))
-            check("its rays are shown", visible(b, ".rays li"))
-        if kind == "gallery":
-            there = b.value("[...document.images].every(i => i.complete && i.naturalWidth > 0)")
-            check("every picture is there", there and b.value(
-                "document.images.length === document.querySelectorAll('figure').length"))
-        everywhere(b, path, folder)
+        for page in pages:
+            kind, _, path = page.partition("=")
+            print(kind)
+            look(b, kind, path, folder)
     sys.exit(bool(faults))
 
 
