@@ -5,7 +5,7 @@
 # usage: synth/netlist.sh MODULE FOLDER PARAMETER=VALUE...
 # Leaves in FOLDER:
 #   stat, log  what Yosys said
-#   rtl/       MODULE.v: the module's head as it is in rtl/, and in it the flat netlist; cells.v:
+#   rtl/       MODULE.v: the module's head as it is in rtl/, and in it the flat netlist; beside it
 #              the cells of ECP5, models of Yosys and, where it has none, of tb/netlist; headers
 set -eu
 cd "$(dirname "$0")/.."
