@@ -17,7 +17,7 @@ module rt_video #(
     input  wire        rst,               // synchronous, active high; of the bus, too
     input  wire        enable_i,
     input  wire        forget_i,          // one cycle: the bus was reset, it owes nothing
-    input  wire [`RT_MODE_BITS-1:0] mode_i, // stable while enable_i; rt_modes.vh
+    input  wire [`RT_MODE_BITS-1:0] mode_i, // taken when it is switched on; rt_modes.vh
     input  wire        format_i,          // 0: XRGB8888, 1: RGB565
     input  wire [15:0] stride_i,          // bytes from a row to the next, a multiple of 16
     input  wire        double_i,          // a pixel is shown as two by two
@@ -64,11 +64,17 @@ module rt_video #(
     );
 
     // ---- on and off: each is seen by the other side before it changes again ----
+    // So the display may be on while enable_i is low, or low and high again with another mode.
     reg  on_q;                            // in clk
+    reg  leave_q;                         // enable_i was low since: off as soon as on was seen
+    reg  [`RT_MODE_BITS-1:0] mode_q;      // changes while both sides are off
     reg  shows_q;                         // in pix_clk: a frame, or words of one
     wire shows_s, on_s;
+    wire leave = leave_q || !enable_i;
     always @(posedge clk) begin
-        on_q <= on_q ? enable_i || !shows_s : enable_i && !shows_s;
+        on_q    <= on_q ? !(leave && shows_s) : enable_i && !shows_s;
+        leave_q <= on_q && leave;
+        if (!on_q && !shows_s) mode_q <= mode_i;
         if (clk_rst) on_q <= 1'b0;
     end
     rt_sync u_on (.clk(pix_clk), .d_i(on_q), .q_o(on_s));
@@ -77,7 +83,7 @@ module rt_video #(
     wire advance = !m_video_tvalid || m_video_tready;
     wire run, start, frame, blank, de, first, last, hsync, vsync;
     rt_video_timing u_timing (
-        .clk(pix_clk), .rst(pix_rst_s), .run_i(on_s), .advance_i(advance), .mode_i(mode_i),
+        .clk(pix_clk), .rst(pix_rst_s), .run_i(on_s), .advance_i(advance), .mode_i(mode_q),
         .run_o(run), .start_o(start), .frame_o(frame), .blank_o(blank), .de_o(de),
         .first_o(first), .last_o(last), .hsync_o(hsync), .vsync_o(vsync)
     );
@@ -101,9 +107,9 @@ module rt_video #(
     wire [CB-1:0]   count;
     wire [23:0]     rgb;
     rt_scan #(.DATA(DATA), .BURST(BURST), .DEPTH(DEPTH)) u_scan (
-        .clk(clk), .rst(rst), .enable_i(on_q), // memory owes its beats after pix_rst, too
-        .forget_i(forget_i), .h_active_i(mode_i[`RT_MODE_H_ACTIVE]),
-        .v_active_i(mode_i[`RT_MODE_V_ACTIVE]), .rgb565_i(format_i), .double_i(double_i),
+        .clk(clk), .rst(rst), .enable_i(on_q && !leave), // rst: memory owes beats after pix_rst
+        .forget_i(forget_i), .h_active_i(mode_q[`RT_MODE_H_ACTIVE]),
+        .v_active_i(mode_q[`RT_MODE_V_ACTIVE]), .rgb565_i(format_i), .double_i(double_i),
         .stride_i(stride_i), .frame_i(frame_s), .take_o(take_o),
         .show_valid_i(show_valid_i), .show_base_i(show_base_i),
         .m_scan_arvalid(m_scan_arvalid), .m_scan_arready(m_scan_arready),

@@ -175,6 +175,11 @@ class Check {
         case OFF_AND_ON:
             rig.enable(false, 1 + (unsigned)random.below(3));
             if (random.percent(50)) rig.run_clocks((unsigned)random.below(400));
+            if (random.percent(50)) { /* on for so short that nobody may have seen it */
+                rig.enable(true);
+                rig.run_clocks((unsigned)random.below(24));
+                rig.enable(false, 1 + (unsigned)random.below(3));
+            }
             begin();
             break;
         case NO_FRAME:
