@@ -4,6 +4,7 @@
 #include "image/video.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <signal.h>
 #include <spawn.h>
 #include <stdio.h>
@@ -20,7 +21,8 @@ extern char **environ;
 enum { LONGEST = 4096 };
 
 struct sph_video {
-    int width, height, rate;
+    int width, height;
+    double rate;
     char path[LONGEST], temporary[LONGEST + 64], how[LONGEST + 128];
     pid_t child; /* ffmpeg; 0: pictures */
     int to;      /* its standard input, a socket: writing to a dead one is an error, no signal */
@@ -38,12 +40,12 @@ static size_t ending(const char *path) {
 /* Starts ffmpeg with v->to as its input; errno's number if that fails, ENOENT: not installed. */
 static int spawn(struct sph_video *v) {
     int ends[2], error;
-    char size[32], rate[16];
+    char size[32], rate[32];
     const char *fit = strcmp(v->path + ending(v->path), ".gif") != 0
                           ? "pad=ceil(iw/2)*2:ceil(ih/2)*2,format=yuv420p"
                           : "null";
     snprintf(size, sizeof size, "%dx%d", v->width, v->height);
-    snprintf(rate, sizeof rate, "%d", v->rate);
+    snprintf(rate, sizeof rate, "%g", v->rate);
     const char *const words[] = {"ffmpeg",     "-loglevel",  "error", "-y",          "-f",
                                  "rawvideo",   "-pix_fmt",   "rgb24", "-video_size", size,
                                  "-framerate", rate,         "-i",    "pipe:0",      "-vf",
@@ -61,7 +63,26 @@ static int spawn(struct sph_video *v) {
     return error;
 }
 
-struct sph_video *sph_video_open(const char *path, int width, int height, int rate,
+/* Whether a program ended well. */
+static int ended(pid_t child) {
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0)
+        if (errno != EINTR) return 0;
+    return WIFEXITED(status) && !WEXITSTATUS(status);
+}
+
+int sph_video_can(void) {
+    char *const words[] = {"ffmpeg", "-version", NULL};
+    posix_spawn_file_actions_t quiet;
+    pid_t child;
+    if (posix_spawn_file_actions_init(&quiet)) return 0;
+    posix_spawn_file_actions_addopen(&quiet, 1, "/dev/null", O_WRONLY, 0);
+    int error = posix_spawnp(&child, words[0], &quiet, NULL, words, environ);
+    posix_spawn_file_actions_destroy(&quiet);
+    return !error && ended(child);
+}
+
+struct sph_video *sph_video_open(const char *path, int width, int height, double rate,
                                  struct sph_error *err) {
     struct sph_video *v = calloc(1, sizeof *v);
     size_t pixels = (size_t)width * (size_t)height, stem = ending(path);
@@ -117,20 +138,12 @@ int sph_video_add(struct sph_video *v, const uint32_t *pixels, struct sph_error 
     return 0;
 }
 
-/* Whether ffmpeg ended well. */
-static int ended_well(struct sph_video *v) {
-    int status = 0;
-    close(v->to);
-    while (waitpid(v->child, &status, 0) < 0 && errno == EINTR)
-        ;
-    return WIFEXITED(status) && !WEXITSTATUS(status);
-}
-
 int sph_video_close(struct sph_video *v, int failed, struct sph_error *err) {
     int rc = failed ? -1 : 0;
     if (!v) return rc;
     if (v->child) {
-        if (!ended_well(v) && !rc) rc = sph_fail(err, "%.400s: ffmpeg failed", v->path);
+        close(v->to);
+        if (!ended(v->child) && !rc) rc = sph_fail(err, "%.400s: ffmpeg failed", v->path);
         if (!rc && rename(v->temporary, v->path))
             rc = sph_fail(err, "%.400s: %s", v->path, strerror(errno));
         if (rc) unlink(v->temporary);

@@ -13,9 +13,12 @@
 
 struct sph_video;
 
+/* Whether ffmpeg is installed. */
+int sph_video_can(void);
+
 /* Starts a video of width x height pixels and so many pictures a second in the file at path, whose
  * ending says its format. NULL with a message. */
-struct sph_video *sph_video_open(const char *path, int width, int height, int rate,
+struct sph_video *sph_video_open(const char *path, int width, int height, double rate,
                                  struct sph_error *err);
 
 /* What is written: "PATH, by ffmpeg", or the names of pictures and why. */
