@@ -1,4 +1,4 @@
-"""lint_slang.py - Verilog files through slang as SystemVerilog; says so and succeeds without it
+"""lint_slang.py - Verilog files through slang as SystemVerilog
 SPDX-License-Identifier: Apache-2.0
 
 python3 -m lab.lint_slang RTL_FOLDER... -- FILE...    each file a top, modules from the folders
@@ -7,12 +7,7 @@ Needs the Python package pyslang (10 or later). Outputs left open and names of f
 the habit of benches."""
 import sys
 
-try:
-    from pyslang import driver
-except ImportError:
-    print("lint_slang.py: the Python package pyslang is not installed: no check by slang",
-          file=sys.stderr)
-    sys.exit(0)
+from pyslang import driver
 
 
 def clean(name, folders):

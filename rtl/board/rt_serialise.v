@@ -26,7 +26,7 @@ module rt_serialise #(
 
     // ---- lanes ----
     genvar i;
-    generate for (i = 0; i < LANES; i = i + 1) begin : lane
+    generate for (i = 0; i < LANES; i = i + 1) begin : g_lane
         reg [9:0] left_q;                 // bits to be sent, the next two lowest
         always @(posedge clk5)
             left_q <= load ? symbol_i[10*i +: 10] : {2'b00, left_q[9:2]};

@@ -17,7 +17,7 @@ module rt_store #(
     output wire [63:0]   data_o
 );
     genvar i;
-    generate for (i = 0; i < 4; i = i + 1) begin : part
+    generate for (i = 0; i < 4; i = i + 1) begin : g_part
         (* ram_style = "block", no_rw_check *) reg [15:0] words_q [0:WORDS-1];
         reg [15:0] data_q;
         always @(posedge clk) if (we_i[i]) words_q[wr_addr_i] <= wr_data_i[16*i +: 16];

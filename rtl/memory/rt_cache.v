@@ -111,7 +111,7 @@ module rt_cache #(
     wire [WB-1:0]   head_way;
     genvar g;
     generate
-        for (g = 0; g < WAYS; g = g + 1) begin : way
+        for (g = 0; g < WAYS; g = g + 1) begin : g_way
             wire          used, asked, error, filled;
             wire [KB-1:0] key;
             rt_slot_file #(.WIDTH(KB+2), .SLOTS(SETS)) u_alloc (
@@ -152,8 +152,8 @@ module rt_cache #(
         .rd_addr_i(s1_set), .rd_data_o(lately)
     );
     generate
-        for (g = 0; g < WAYS; g = g + 1) begin : next
-            assign asked_new[g] = !way[g].filled;
+        for (g = 0; g < WAYS; g = g + 1) begin : g_next
+            assign asked_new[g] = !g_way[g].filled;
         end
     endgenerate
 

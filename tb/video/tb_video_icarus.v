@@ -85,8 +85,8 @@ module tb_video_icarus;
         end
     endfunction
     wire [8:0]  b = decode(blue), g = decode(green), r = decode(red);
-    wire [31:0] expected = word(base + y * STRIDE + x * 4);
     integer x = 0, y = 0, frames = 0, wrong = 0, blanks = 0;
+    wire [31:0] expected = word(base + y * STRIDE + x * 4);
     always @(posedge pix_clk) if (enable) begin
         if (b[8] !== g[8] || b[8] !== r[8]) wrong = wrong + (frames > 0);
         if (b[8] === 1'b1) begin
