@@ -1,7 +1,7 @@
 /* workers.h - threads that draw the pixels of a job, coarse ones first
  * SPDX-License-Identifier: Apache-2.0
  *
- * Passes of a step of 32, 16 .. 1 pixels; each draws what the passes before it left. A job ends
+ * Passes of a step of 256, 128 .. 1 pixels; each draws what the passes before it left. A job ends
  * when all is drawn or another one is started. One thread, the owner, calls all functions here.
  */
 #ifndef SPH_VIEW_WORKERS_H
@@ -11,7 +11,7 @@
 #include "view/aim.h"
 #include "view/paint.h"
 
-enum { VIEW_COARSEST = 32 }; /* pixels of the first step */
+enum { VIEW_COARSEST = 256 }; /* pixels of the first step */
 
 /* What is drawn: a snapshot. The machine must live while view_workers_need() it. */
 struct view_job {
@@ -36,7 +36,7 @@ int view_workers_start(struct view_workers *w, const struct view_job *job);
 int view_workers_need(struct view_workers *w, const struct sph_machine *machine);
 
 /* The steps of which all rows are done: 0 not even the first, 1 that, .. VIEW_PASSES all pixels. */
-enum { VIEW_PASSES = 6 };
+enum { VIEW_PASSES = 9 };
 int view_workers_passes(struct view_workers *w);
 
 /* Paints what is drawn so far into pixels of 0xBBGGRR. A pixel that is not, gets its colour from
