@@ -22,10 +22,12 @@ $D/exports: cmodel/sphaera/sphaera.h
 	@mkdir -p $D
 	$(Q)printf '{ global: sphaera_*; local: *; };\n' >$@
 
+# It stays when a program unloads it: its threads, of libgomp, would wake up in nothing.
 $D/$(SO): $(SHARED_O) $D/exports $B/sources VERSION
 	$(call say,LD,$(@F))
 	$(call make_whole,$(CC) -shared -fopenmp -Wl$(comma)-soname$(comma)libsphaera.so.$(SOVERSION) \
-	    -Wl$(comma)--version-script=$D/exports -Wl$(comma)--no-undefined $(SHARED_O) \
+	    -Wl$(comma)--version-script=$D/exports -Wl$(comma)--no-undefined \
+	    -Wl$(comma)-z$(comma)nodelete $(SHARED_O) \
 	    $(MODEL_LIBS))
 
 # One object, in which all names but those of sphaera.h are local.

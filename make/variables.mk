@@ -60,9 +60,9 @@ LATENCY ?= 20
 STALL ?= 0
 ## TOP 0|1 if 1, make sim draws FRAMES one behind the other on one rt_top
 TOP ?= 0
-## FRAMES <text>| of a moving scene, with TOP=1, such as 0..9 (empty: 0..0)
+## FRAMES <text>| of a moving scene, of make film and TOP=1, such as 0..9 (empty: 0..0)
 FRAMES ?= 0..0
-## MOVIE <text>| .gif or .mp4 to which make sim TOP=1 puts its frames (.mp4: make movie-setup)
+## MOVIE <text>| .gif or .mp4 of make film, make sim TOP=1 (.mp4: make movie-setup)
 MOVIE ?=
 ## SIM verilator|icarus
 SIM ?= verilator

@@ -6,7 +6,7 @@
 # $B/sphaera_view.so is what the tool loads for it: cmodel/view/screen.h.
 
 .PHONY: view-setup view-time
-view-setup: movie-setup ## installs SDL2 (apt), which the window of `sphaera view` needs, and makes the tool
+view-setup: movie-setup ## installs SDL2 (apt), for the window of `sphaera view`; makes the tool
 	@sh sim/setup.sh sim/packages_view.txt
 	+$(Q)$(MAKE) --no-print-directory tool
 

@@ -48,7 +48,7 @@ count() {
         /^[ \t]*not ok( |$)/ { failed++ }
         END {
             note = ""
-            if (!(passed + failed)) note = "no check ran, exit code " rc
+            if (!(passed + failed + skipped)) note = "no check ran, exit code " rc
             else if (passed + failed + skipped < plan) note = "stopped early, exit code " rc
             else if (rc && !failed) note = "exit code " rc
             print passed + 0, failed + (note != ""), skipped + 0, note

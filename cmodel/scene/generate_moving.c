@@ -4,6 +4,7 @@
  * Spheres, polygons and cones drift, each in a direction of its own; the camera goes round the axis
  * `up` through the point that it looks at.
  */
+#include "prim/prim.h"
 #include "scene/affine.h"
 #include "scene/generate_kinds.h"
 #include "scene/motion.h"
@@ -27,7 +28,8 @@ static int add_drift(struct sph_rng *rng, double step, struct sph_scene *scene, 
 }
 
 static int together(const struct sph_facet *a, const struct sph_facet *b) {
-    return a->kind != SPH_PLANE && (b->frustum ? a->frustum == b->frustum : a->group == b->group);
+    return !sph_prim_of((uint32_t)a->kind)->loose &&
+           (b->frustum ? a->frustum == b->frustum : a->group == b->group);
 }
 
 static int drift(const struct sph_generate_options *o, struct sph_scene *scene,
@@ -37,7 +39,7 @@ static int drift(const struct sph_generate_options *o, struct sph_scene *scene,
         if (add_drift(&rng, o->drift, scene, &scene->spheres[i].motion, err)) return -1;
     for (uint32_t i = 0; i < scene->n_facets; i++) {
         struct sph_facet *f = &scene->facets[i];
-        if (f->kind == SPH_PLANE) continue;
+        if (sph_prim_of((uint32_t)f->kind)->loose) continue;
         if (i && together(f - 1, f))
             f->motion = f[-1].motion;
         else if (add_drift(&rng, o->drift, scene, &f->motion, err))

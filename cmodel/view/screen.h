@@ -1,7 +1,7 @@
 /* screen.h - a window, and what happens in it: all that the live view asks of a library
  * SPDX-License-Identifier: Apache-2.0
  *
- * screen_sdl.c is the one file that knows SDL2. It becomes an object of its own, which the tool
+ * sdl/screen.c is the one file that knows SDL2. It becomes an object of its own, which the tool
  * loads, so that the tool does not hang on it.
  */
 #ifndef SPH_VIEW_SCREEN_H

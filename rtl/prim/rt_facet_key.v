@@ -69,7 +69,7 @@ module rt_facet_key #(
     assign divide_o = valid_q && divide_q && divider && can;
 
     // ---- order of planes beyond the grid ----
-    rt_divide #(.DW(MW), .QW(WD), .STEP(STEP)) u_rank (
+    rt_divide #(.DW(MW), .QW(WD), .STEP(STEP < WD ? STEP : WD)) u_rank (
         .clk(clk), .rst(rst), .in_valid_i(in_valid_i && in_hit_i && in_past_i),
         .in_ready_o(idle), .in_x_i(in_face_i), .in_d_i(in_way_i),
         .out_valid_o(ranked), .out_ready_i(valid_q && past_q && leaves), .out_key_o(rank)

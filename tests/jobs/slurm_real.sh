@@ -64,6 +64,16 @@ check "make hard too: its table is that of this machine" sh -c "
     done
     grep -q '^hard: 4 jobs, 4 to run' '$TMP/hard' && grep -q '^0 cases in' '$TMP/hard' &&
     diff '$TMP/hard.make' '$TMP/hard.slurm'"
+check "make film too: its frames are those of this machine" sh -c "
+    for engine in slurm make; do
+        env -u MAKEFLAGS -u MFLAGS make film SCENE=moving/orbit SIZE=47x31 FRAMES=0..7 B='$BUILD' \
+            MOVIE='$TMP/film.gif' ENGINE=\$engine >'$TMP/film' 2>&1 || exit 1
+        cat '$TMP/film'
+        folder=\$(dirname \$(ls -t '$BUILD'/film/*/7.png | head -n 1))
+        mv \$folder '$TMP/film-of-'\$engine
+    done
+    for n in 0 1 2 3 4 5 6 7; do
+        cmp '$TMP/film-of-make'/\$n.png '$TMP/film-of-slurm'/\$n.png || exit 1; done"
 slants="$BUILD/textures/slant-75.json $BUILD/textures/slant-60.json"
 targets() { # shellcheck disable=SC2086  # words
     python3 -m lab.jobs.targets plan textures "$BUILD" "$TMP/targets" "$TMP/targets.list" \

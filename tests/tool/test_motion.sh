@@ -114,6 +114,20 @@ check "as the schema has it" python3 -W ignore -m jsonschema -i "$TMP/top/report
 sed -i '$d' "$TMP/top/frames.tsv"
 check "a frame too few is told" sh -c "! python3 -m lab.top.frames '$TMP/top'"
 
+film() { # its frames are those of a sequence
+    rm -rf "${BUILD:-build}/film"
+    env -u MAKEFLAGS -u MFLAGS make -s --no-print-directory film B="${BUILD:-build}" \
+        SCENE=moving/orbit SIZE=16x9 PROFILE=draft FRAMES=1..3 MOVIE="$TMP/film.gif" >"$TMP/made" &&
+        "$s" render scenes/moving/orbit.nff --size 16x9 --profile draft --frames 1..3 --depth 2 \
+            -o "$TMP/whole.png" >"$TMP/drawn" && test -s "$TMP/film.gif" || return 1
+    for n in 1 2 3; do cmp "${BUILD:-build}"/film/*/$n.png "$TMP/whole-000$n.png" || return 1; done
+}
+check "make film draws what render --frames does" film
+fails_film() { ! env -u MAKEFLAGS -u MFLAGS make -s film B="${BUILD:-build}" "$@"; }
+check "... and wants a file" fails_film FRAMES=0..1
+check "... and a range" fails_film FRAMES=2..1 MOVIE="$TMP/none.gif"
+check "... of which there is none then" test ! -e "$TMP/none.gif"
+
 for way in 3 1..x ..2 2..1 0..65536; do
     fails 2 "--frames $way" "$s" render $robot --frames $way
 done

@@ -1,0 +1,36 @@
+#!/bin/sh
+# film.sh - what the frames of a film are made of: one folder for each film
+# SPDX-License-Identifier: Apache-2.0
+#
+# usage: SCENE=... FRAMES=A..B BUILD_OPTIONS=... SEED=n BUILD=folder sim/film.sh
+# Prints the folder, BUILD/film/DIGEST. It gets the file `options`, words of `sphaera render`, and
+# `frames`, the pictures that make/film.mk makes, one for each frame.
+set -euf
+cd "$(dirname "$0")/.."
+case $FRAMES in
+*..*) first=${FRAMES%..*} last=${FRAMES#*..} ;;
+*) first=$FRAMES last=$FRAMES ;;
+esac
+case $first+$last in
+*[!0-9+]* | +* | *+) first=1 last=0 ;;
+esac
+[ "$first" -le "$last" ] || {
+    echo "FRAMES=$FRAMES: is no range of frames such as 0..9" >&2
+    exit 2
+}
+scene=$(sh sim/scene.sh "$SCENE")
+made=
+[ -f "$scene" ] || made=$SEED
+folder=$BUILD/film/$({
+    echo "$scene" "$made" "$BUILD_OPTIONS"
+    [ ! -f "$scene" ] || cat "$scene"
+} | sha256sum | cut -c 1-12)
+mkdir -p "$folder"
+[ -f "$scene" ] || {
+    "$BUILD/sphaera" gen "$scene" --seed "$SEED" -o "$folder/scene.nff" >"$folder/gen.log"
+    scene=$folder/scene.nff
+}
+echo "$scene $BUILD_OPTIONS" >"$folder/options.new"
+cmp -s "$folder/options.new" "$folder/options" || cp "$folder/options.new" "$folder/options"
+seq "$first" "$last" | sed "s,.*,$folder/&.png," >"$folder/frames"
+echo "$folder"
