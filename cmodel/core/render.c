@@ -8,6 +8,7 @@
 
 #include "pixel/background.h"
 #include "engine/render_pixel.h"
+#include "fast/fast.h"
 
 int sph_render(const struct sph_machine *m, const struct sph_render_options *o,
                struct sph_frame *frame, struct sph_counters *counters, struct sph_error *err) {
@@ -19,6 +20,10 @@ int sph_render(const struct sph_machine *m, const struct sph_render_options *o,
     if (!frame->pixels)
         return sph_fail(err, "%s: no memory for a frame of %dx%d", m->name, width, height);
 
+    struct sph_fast *fast =
+        o->traverse == SPH_TRAVERSE_FAST && !o->fast ? sph_fast_new(m, SPH_FAST_BEST) : NULL;
+    struct sph_render_options how = *o;
+    if (fast) how.fast = fast;
     uint32_t errors = sph_background_missing(m) ? 1u << SPH_ERROR_BAD_NODE : 0;
     int rows_done = 0, rows = r[SPH_REG_WIN_Y1] - r[SPH_REG_WIN_Y0];
 #pragma omp parallel num_threads(o->threads > 0 ? o->threads : omp_get_num_procs())
@@ -29,7 +34,7 @@ int sph_render(const struct sph_machine *m, const struct sph_render_options *o,
         for (int y = r[SPH_REG_WIN_Y0]; y < r[SPH_REG_WIN_Y1]; y++) {
             for (int x = r[SPH_REG_WIN_X0]; x < r[SPH_REG_WIN_X1]; x++) {
                 size_t at = (size_t)y * (size_t)width + (size_t)x;
-                frame->pixels[at] = sph_render_pixel(m, o, x, y, &mine, &my_errors,
+                frame->pixels[at] = sph_render_pixel(m, &how, x, y, &mine, &my_errors,
                                                      o->trails ? o->trails + at : NULL);
             }
             if (o->progress) {
@@ -44,5 +49,6 @@ int sph_render(const struct sph_machine *m, const struct sph_render_options *o,
                 counters->count[i] += mine.count[i];
         }
     }
+    sph_fast_free(fast);
     return (int)errors;
 }

@@ -13,8 +13,9 @@
 #include "trace/traverse.h"
 
 struct sph_render_options {
-    int traverse;                                          /* SPH_TRAVERSE_* */
-    int threads;                                           /* 0: all */
+    int traverse;                /* SPH_TRAVERSE_* */
+    const struct sph_fast *fast; /* of sph_render_pixel() with FAST: the machine; NULL: literally */
+    int threads;                 /* 0: all */
     void (*progress)(void *user, int rows_done, int rows); /* may be NULL; called under a lock */
     void *user;
     void (*fetch)(void *user, const struct sph_texel *texel); /* may be NULL; every texel, as it is

@@ -14,7 +14,9 @@ struct sph_hit sph_job_trace(const struct sph_job *j, const struct sph_ray *ray)
                                 SPH_COUNT_RAYS_REFLECTED, SPH_COUNT_RAYS_REFRACTED};
     j->c->count[kinds[ray->kind]]++;
     uint32_t before = j->pixel->visits;
-    struct sph_hit hit = sph_traverse(j->m, ray, j->how, j->c, &j->pixel->visits, j->errors);
+    struct sph_hit hit = j->fast
+                             ? sph_fast_trace(j->fast, ray, j->c, &j->pixel->visits, j->errors)
+                             : sph_traverse(j->m, ray, j->how, j->c, &j->pixel->visits, j->errors);
     if (j->log) sph_ray_log_add(j->log, ray, hit, j->pixel->visits - before);
     return hit;
 }

@@ -5,6 +5,7 @@
 #define SPH_RENDER_LIGHT_H
 
 #include "core/render.h"
+#include "fast/fast.h"
 #include "shade/material.h"
 #include "shade/surface.h"
 
@@ -16,8 +17,9 @@ struct sph_job {
     struct sph_pixel *pixel;
     uint32_t *errors;
     struct sph_texture_work *texture;
-    struct sph_trail *trail; /* may be NULL */
-    struct sph_ray_log *log; /* may be NULL */
+    struct sph_trail *trail;     /* may be NULL */
+    struct sph_ray_log *log;     /* may be NULL */
+    const struct sph_fast *fast; /* NULL: literally */
 };
 
 /* A ray through the tree, counted by its kind. */

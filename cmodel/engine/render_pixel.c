@@ -210,9 +210,13 @@ struct sph_pixel sph_render_pixel(const struct sph_machine *m, const struct sph_
         return pixel;
     }
     int inside = sph_machine_effect(m, SPH_EFFECT_INSIDE);
-    int first = sph_machine_effect(m, SPH_EFFECT_FIRST) && o->traverse == SPH_TRAVERSE_TREE;
-    struct sph_job j = {
-        m, sph_machine_profile(m), o->traverse, inside, c, &pixel, errors, &texture, trail, o->log};
+    int first = sph_machine_effect(m, SPH_EFFECT_FIRST) && o->traverse != SPH_TRAVERSE_BRUTE;
+    struct sph_job j = {m,           sph_machine_profile(m),
+                        o->traverse, inside,
+                        c,           &pixel,
+                        errors,      &texture,
+                        trail,       o->log,
+                        o->fast};
     if (path(&j, primary(&j, x, y, first))) path(&j, primary(&j, x, y, 0));
     c->count[SPH_COUNT_TEXELS] += texture.texels;
     *errors |= texture.errors;

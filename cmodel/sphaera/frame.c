@@ -12,7 +12,7 @@ enum { MOST_THREADS = 1024 };
 
 static int render(const struct sph_machine *m, int threads, sphaera_frame *made,
                   struct sph_error *err) {
-    struct sph_render_options options = {.traverse = SPH_TRAVERSE_TREE, .threads = threads};
+    struct sph_render_options options = {.traverse = SPH_TRAVERSE_FAST, .threads = threads};
     size_t n = (size_t)m->regs[SPH_REG_FRAME_W] * (size_t)m->regs[SPH_REG_FRAME_H];
     options.trails = made->trails = calloc(n, sizeof *made->trails);
     if (!made->trails) return sph_fail(err, "no memory for a frame");

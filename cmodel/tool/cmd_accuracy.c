@@ -83,7 +83,8 @@ static int run_model(const struct arguments *a, struct measured *m, struct sph_e
     const int32_t *r = m->built.machine.regs;
     m->trails = calloc((size_t)r[SPH_REG_FRAME_W] * (size_t)r[SPH_REG_FRAME_H], sizeof *m->trails);
     if (!m->trails) return sph_fail(err, "%s: no memory for the rays of a frame", a->input);
-    struct sph_render_options how = {.threads = a->threads, .trails = m->trails};
+    struct sph_render_options how = {
+        .traverse = SPH_TRAVERSE_FAST, .threads = a->threads, .trails = m->trails};
     double start = cpu_now();
     int bits = sph_render(&m->built.machine, &how, &m->shot.frame, &m->shot.counters, err);
     m->model_seconds = cpu_now() - start;

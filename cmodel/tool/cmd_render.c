@@ -27,6 +27,7 @@ struct arguments {
 enum {
     KEY_FRAME = 512,
     KEY_BRUTE,
+    KEY_LITERAL,
     KEY_COUNTERS,
     KEY_JSON,
     KEY_FRAMES,
@@ -55,6 +56,8 @@ static const struct argp_option options[] = {
      "3 blue, 4 yellow, 5 magenta, 6 white",
      0},
     {"brute", KEY_BRUTE, NULL, 0, "without tree: test every sphere, find the nearest", 0},
+    {"literal", KEY_LITERAL, NULL, 0,
+     "by the functions that the RTL is read beside: slower, the same results", 0},
     {"threads", 't', "N", 0, "0: one for every processor (default)", 0},
     {"counters", KEY_COUNTERS, NULL, 0, "print the counters", 0},
     {"frames", KEY_FRAMES, "A..B", 0,
@@ -64,7 +67,7 @@ static const struct argp_option options[] = {
     {0},
 };
 
-static const char *const traversals[] = {"tree", "brute"}; /* SPH_TRAVERSE_* */
+static const char *const traversals[] = {"tree", "brute", "tree"}; /* SPH_TRAVERSE_* */
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
     struct arguments *a = state->input;
@@ -88,6 +91,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         return 0;
     case KEY_BRUTE:
         a->traverse = SPH_TRAVERSE_BRUTE;
+        return 0;
+    case KEY_LITERAL:
+        if (a->traverse == SPH_TRAVERSE_FAST) a->traverse = SPH_TRAVERSE_TREE;
         return 0;
     case 't':
         a->threads = (int)tool_number(state, "--threads", arg, 0, 1024);
@@ -231,6 +237,7 @@ int tool_render(int argc, char **argv) {
         NULL,
         NULL};
     struct arguments a = {.source = tool_source_default,
+                          .traverse = SPH_TRAVERSE_FAST,
                           .light = {.layer = SPH_FRAMES - 1, .transfer = SPH_TRANSFER_SRGB}};
     struct tool_built built;
     struct sph_error err = {""};

@@ -39,7 +39,7 @@ static void count_walk(struct way *way, int mode, int cones, const struct ways *
 
 /* Truth: the primary rays of a machine without light or reflections. */
 static int find_truth(struct sph_machine *m, struct ways *w, struct sph_error *err) {
-    struct sph_render_options how = {.traverse = SPH_TRAVERSE_TREE};
+    struct sph_render_options how = {.traverse = SPH_TRAVERSE_FAST};
     struct sph_frame frame;
     struct sph_counters counters = {{0}};
     m->regs[SPH_REG_N_LIGHTS] = m->regs[SPH_REG_EFFECTS] = m->regs[SPH_REG_MAX_DEPTH] = 0;

@@ -1,0 +1,153 @@
+/* decode.c - from the words of memory to nodes and records; see fast.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "builder/tree.h" /* SPH_TREE_* */
+#include "fast/decoded.h"
+#include "machine/records.h"
+#include "prim/prim.h"
+#include "prim/sphere.h"
+#include "trace/node.h"
+
+/* What is found on the way: nodes that the root leads to, in the order of their lines, so that the
+ * children of a node stay together. */
+struct job {
+    const struct sph_machine *m;
+    int whole;
+    uint32_t lines, *number; /* of each line: 1 if it is a node, then its number */
+    uint32_t *waiting;       /* nodes to look at */
+    uint32_t nodes, leaves;
+};
+
+/* The head of a node; 0 if a visit would end in BAD_NODE, by the rule of sph_visit(). */
+static int head(const struct job *j, uint32_t line, uint32_t *base, uint32_t *n_inner,
+                uint32_t *n_leaf) {
+    const uint32_t *words = sph_line(j->m, line);
+    *base = sph_field(words, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS);
+    *n_inner = sph_field(words, SPH_NODE_N_INNER_LSB, SPH_NODE_N_INNER_BITS);
+    *n_leaf = sph_field(words, SPH_NODE_N_LEAF_LSB, SPH_NODE_N_LEAF_BITS);
+    return *n_inner + *n_leaf <= 4 &&
+           *base + *n_inner + sph_record_lines(j->whole, *n_leaf) <= j->lines;
+}
+
+/* Marks and counts the nodes below the root, each once though a damaged machine may have circles.
+ */
+static void find(struct job *j, uint32_t root) {
+    uint32_t n = 0, base, n_inner, n_leaf;
+    j->number[root] = 1;
+    j->waiting[n++] = root;
+    while (n) {
+        uint32_t line = j->waiting[--n];
+        j->nodes++;
+        if (!head(j, line, &base, &n_inner, &n_leaf)) continue;
+        j->leaves += n_leaf;
+        for (uint32_t i = 0; i < n_inner; i++)
+            if (!j->number[base + i]) {
+                j->number[base + i] = 1;
+                j->waiting[n++] = base + i;
+            }
+    }
+}
+
+static void read_leaf(const struct job *j, const uint32_t *record, struct sph_fast_leaf *leaf) {
+    *leaf = (struct sph_fast_leaf){{0, 0, 0}, 0, 0, (uint32_t)(record - j->m->mem) + 1};
+    if (sph_record_kind(j->whole, record) != SPH_SPHERE) return;
+    struct sph_leaf sphere = sph_sphere_read(record, sph_machine_profile(j->m)->w);
+    for (int i = 0; i < 3; i++)
+        leaf->ctr[i] = (int32_t)sphere.ctr[i];
+    leaf->rad = (int32_t)sphere.rad;
+    leaf->id = sphere.id;
+    leaf->record = 0;
+}
+
+/* Reads a node, its leaf records to number `leaf` and on; returns how many they are. */
+static uint32_t read_node(const struct job *j, uint32_t line, uint32_t leaf, struct sph_fast *f,
+                          struct sph_fast_node *node) {
+    uint32_t base, n_inner, n_leaf;
+    memset(node, 0, sizeof *node);
+    node->bad = !head(j, line, &base, &n_inner, &n_leaf);
+    if (node->bad) return 0;
+    node->leaf = leaf;
+    node->n_inner = (uint8_t)n_inner;
+    node->tests = (uint8_t)(n_inner + n_leaf);
+    node->valid = (uint8_t)((1 << node->tests) - 1);
+    if (n_inner) node->inner = j->number[base];
+    for (int i = 0; i < node->tests; i++) {
+        struct sph_child child = sph_child_read(sph_line(j->m, line), i);
+        for (int k = 0; k < 3; k++)
+            node->ctr[k][i] = (int16_t)child.ctr[k];
+        node->rad[i] = (int16_t)child.rad;
+    }
+    for (uint32_t i = 0; i < n_leaf; i++)
+        read_leaf(j, sph_record(j->m, j->whole, base + n_inner, i), &f->leaves[leaf + i]);
+    return n_leaf;
+}
+
+/* 0 if memory is out. */
+static int decode(struct job *j, struct sph_fast *f) {
+    uint32_t root = (uint32_t)j->m->regs[SPH_REG_ROOT], at = 0, leaf = 0;
+    j->number = calloc(j->lines, sizeof *j->number);
+    j->waiting = malloc(j->lines * sizeof *j->waiting);
+    if (!j->number || !j->waiting) return 0;
+    find(j, root);
+    f->nodes = aligned_alloc(sizeof *f->nodes, j->nodes * sizeof *f->nodes);
+    f->leaves = malloc((j->leaves + 1) * sizeof *f->leaves);
+    if (!f->nodes || !f->leaves) return 0;
+    for (uint32_t line = 0; line < j->lines; line++)
+        if (j->number[line]) {
+            j->waiting[at] = line;
+            j->number[line] = at++;
+        }
+    f->root = j->number[root];
+    for (uint32_t i = 0; i < j->nodes; i++)
+        leaf += read_node(j, j->waiting[i], leaf, f, &f->nodes[i]);
+    return 1;
+}
+
+static int known(const struct sph_machine *m) {
+    int tree = m->regs[SPH_REG_TREE];
+    return tree == SPH_TREE_PAPER || tree == SPH_TREE_BALANCED || tree == SPH_TREE_REINSERTED;
+}
+
+struct sph_fast *sph_fast_new(const struct sph_machine *m, int lanes) {
+    struct job j = {.m = m, .whole = sph_whole(m), .lines = (uint32_t)m->regs[SPH_REG_MEM_LINES]};
+    struct sph_fast *f = known(m) ? calloc(1, sizeof *f) : NULL;
+    if (!f) return NULL;
+    f->m = m;
+    f->visit_limit = (uint32_t)m->regs[SPH_REG_VISIT_LIMIT];
+    f->no_root = (uint32_t)m->regs[SPH_REG_ROOT] >= j.lines;
+    f->walk = sph_fast_walk_plain;
+    f->lanes = "plain";
+#if defined __x86_64__
+    if (lanes == SPH_FAST_BEST && sph_fast_walk_avx2 && __builtin_cpu_supports("avx2")) {
+        f->walk = sph_fast_walk_avx2;
+        f->lanes = "avx2";
+    }
+#endif
+    int good = f->no_root || decode(&j, f);
+    free(j.number);
+    free(j.waiting);
+    if (good) return f;
+    sph_fast_free(f);
+    return NULL;
+}
+
+void sph_fast_free(struct sph_fast *fast) {
+    if (!fast) return;
+    free(fast->nodes);
+    free(fast->leaves);
+    free(fast);
+}
+
+const char *sph_fast_lanes(const struct sph_fast *fast) {
+    return fast->lanes;
+}
+
+struct sph_hit sph_fast_trace(const struct sph_fast *fast, const struct sph_ray *ray,
+                              struct sph_counters *c, uint32_t *visits, uint32_t *errors) {
+    if (!fast->no_root) return fast->walk(fast, ray, c, visits, errors);
+    *errors |= 1u << SPH_ERROR_BAD_NODE;
+    return (struct sph_hit){0, SPH_ID_NONE, 0};
+}

@@ -1,0 +1,46 @@
+/* decoded.h - a machine's tree as the fast walk reads it
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef SPH_FAST_DECODED_H
+#define SPH_FAST_DECODED_H
+
+#include "fast/fast.h"
+
+/* A node: one line of the processor's cache. The children of a number, leaves behind inner ones. */
+struct sph_fast_node {
+    int16_t ctr[3][4]; /* filter units, of child 0..3 */
+    int16_t rad[4];
+    uint32_t inner; /* number of the node that is inner child 0 */
+    uint32_t leaf;  /* and of the record that is leaf child 0 */
+    uint8_t n_inner, tests;
+    uint8_t valid; /* bit i: there is a child i */
+    uint8_t bad;   /* the error BAD_NODE when it is visited */
+    uint32_t unused[5];
+};
+
+/* A leaf record. */
+struct sph_fast_leaf {
+    int32_t ctr[3], rad;
+    uint32_t id;
+    uint32_t record; /* no sphere: the word of memory where it begins, plus 1; 0: a sphere */
+};
+
+struct sph_fast {
+    const struct sph_machine *m;
+    struct sph_fast_node *nodes; /* the root is number `root` */
+    struct sph_fast_leaf *leaves;
+    uint32_t root, visit_limit;
+    int no_root; /* it does not lie in memory */
+    struct sph_hit (*walk)(const struct sph_fast *, const struct sph_ray *, struct sph_counters *,
+                           uint32_t *, uint32_t *);
+    const char *lanes;
+};
+
+/* The walks of walk.h: four children one after another, or at once. NULL where the compiler knows
+ * no AVX2. */
+struct sph_hit sph_fast_walk_plain(const struct sph_fast *f, const struct sph_ray *ray,
+                                   struct sph_counters *c, uint32_t *visits, uint32_t *errors);
+extern struct sph_hit (*const sph_fast_walk_avx2)(const struct sph_fast *, const struct sph_ray *,
+                                                  struct sph_counters *, uint32_t *, uint32_t *);
+
+#endif

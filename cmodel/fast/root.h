@@ -1,0 +1,37 @@
+/* root.h - the integer root by the processor's own, corrected
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef SPH_FAST_ROOT_H
+#define SPH_FAST_ROOT_H
+
+#include <math.h>
+
+#include "math/fx.h"
+
+/* floor(sqrt(x)) for x < 2^124. The doubles are a guess and no more: the loops at the end do not
+ * stop before root^2 <= x < (root + 1)^2, wherever they begin. They take a step or two, for the
+ * guess is off by less than 2^62 * 2^-52 + 1, and one step of Heron's leaves less than 1 of it. */
+static inline uint64_t sph_fast_isqrt(sph_u128 x) {
+    double guess = sqrt((double)x);
+    uint64_t root = (uint64_t)guess;
+    if (x >> 96 && root) {
+        sph_i128 rest = (sph_i128)x - (sph_i128)((sph_u128)root * root);
+        root += (uint64_t)(int64_t)((double)rest / (2 * guess));
+    }
+    while ((sph_u128)root * root > x)
+        root--;
+    while ((sph_u128)(root + 1) * (root + 1) <= x)
+        root++;
+    return root;
+}
+
+/* As sph_isqrt_bits(): the root's `bits` most significant bits, 0: all. */
+static inline uint64_t sph_fast_isqrt_bits(sph_u128 x, int bits, int *inexact) {
+    uint64_t root = sph_fast_isqrt(x);
+    int length = sph_bit_length(root), left = bits > 0 && length > bits ? length - bits : 0;
+    root = root >> left << left;
+    *inexact = (sph_u128)root * root != x;
+    return root;
+}
+
+#endif

@@ -1,0 +1,83 @@
+/* walk.h - the walk of walk_plain.c and walk_avx2.c, which define the lanes before
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Asked for: `struct lanes`, what of a ray the tests need, made by lanes_of(); `keys`, four numbers
+ * that order the inner children to visit, `near` * 4 + child, KEY_NONE behind the last; children(),
+ * which tests them; first() and next() of keys. The rest is sph_traverse() line by line.
+ */
+#include <stddef.h>
+
+#include "fast/decoded.h"
+#include "fast/leaf.h"
+
+/* Siblings to visit: sph_siblings, the number of child 0 as their base. */
+struct group {
+    keys order;
+    uint32_t base;
+};
+
+static struct sph_hit walk(const struct sph_fast *f, const struct sph_ray *ray,
+                           struct sph_counters *c, uint32_t *visits, uint32_t *errors) {
+    struct sph_probe probe = sph_probe_of(f->m, ray, c, errors);
+    const struct sph_hit *best = &probe.best;
+    const struct lanes lanes = lanes_of(ray);
+    const struct sph_fast_node *nodes = f->nodes;
+    struct group now, stack[SPH_STACK_DEPTH];
+    int sp = 0, ends = sph_ray_any(ray);
+    int32_t depth_max = ray->depth_max, deepest = depth_max * 4 + 3;
+    uint32_t node = f->root, visited = 0, tests = 0, leaf_tests = 0;
+    now.order = no_keys();
+
+    for (;;) {
+        if (visited == f->visit_limit) {
+            *errors |= 1u << SPH_ERROR_VISIT_LIMIT;
+            break;
+        }
+        visited++;
+        const struct sph_fast_node *n = &nodes[node];
+        if (n->bad) {
+            *errors |= 1u << SPH_ERROR_BAD_NODE;
+            break;
+        }
+        keys order;
+        unsigned met = children(&lanes, n, depth_max, &order), leaves = met >> n->n_inner;
+        tests += n->tests;
+        if (leaves) {
+            uint64_t key_before = best->key;
+            do {
+                const struct sph_fast_leaf *leaf =
+                    &f->leaves[n->leaf + (unsigned)__builtin_ctz(leaves)];
+                leaf_tests += !leaf->record;
+                sph_fast_leaf_visit(&probe, leaf, f->m->mem);
+                leaves &= leaves - 1;
+            } while (leaves);
+            if (best->key != key_before) {
+                if (ends) break;
+                depth_max = sph_ray_depth(probe.p, ray, best->key);
+                deepest = depth_max * 4 + 3;
+            }
+        }
+        if (first(order) <= deepest) {
+            if (first(now.order) != KEY_NONE) {
+                if (sp == SPH_STACK_DEPTH) {
+                    *errors |= 1u << SPH_ERROR_STACK_OVERFLOW;
+                    break;
+                }
+                stack[sp++] = now;
+            }
+            now.order = order;
+            now.base = n->inner;
+        }
+        while (first(now.order) > deepest && sp)
+            now = stack[--sp];
+        int32_t key = first(now.order);
+        if (key > deepest) break;
+        node = now.base + ((uint32_t)key & 3);
+        now.order = next(now.order);
+    }
+    *visits += visited;
+    c->count[SPH_COUNT_NODE_VISITS] += visited;
+    c->count[SPH_COUNT_CHILD_TESTS] += tests;
+    c->count[SPH_COUNT_LEAF_TESTS] += leaf_tests;
+    return *best;
+}

@@ -1,0 +1,267 @@
+/* test_fast.c - the fast walk against the literal one: every pixel, counter and error
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Run from the root of the repository: reads scenes/. Each is drawn in one of three profiles and
+ * trees; with ALL=1 in all.
+ */
+#include <glob.h>
+
+#include "fast/fast.h"
+#include "fast/leaf.h"
+#include "fast/root.h"
+#include "math/isqrt.h"
+#include "model_scene.h"
+#include "prim/leaf.h"
+#include "scene/rng.h"
+
+enum { LANES = SPH_FAST_PLAIN + 1 };
+
+static long frames, pixels; /* compared */
+
+static uint64_t seed(void) {
+    const char *text = getenv("SEED");
+    return text ? strtoull(text, NULL, 0) : 1;
+}
+
+/* Renders both ways; fails with the first difference. */
+static void compare(const struct sph_machine *m, const char *what) {
+    struct sph_counters expected;
+    int errors;
+    struct sph_frame frame = model_render(m, SPH_TRAVERSE_TREE, 1, &expected, &errors);
+    for (int lanes = 0; lanes < LANES; lanes++) {
+        struct sph_fast *fast = sph_fast_new(m, lanes);
+        struct sph_render_options o = {.traverse = SPH_TRAVERSE_FAST, .threads = 1, .fast = fast};
+        struct sph_counters c = {{0}};
+        struct sph_error err = {{0}};
+        struct sph_frame other;
+        assert_non_null(fast);
+        int bits = sph_render(m, &o, &other, &c, &err);
+        for (int i = 0; i < frame.width * frame.height; i++)
+            if (memcmp(&frame.pixels[i], &other.pixels[i], sizeof *other.pixels)) {
+                model_differ(what, m, &other, &frame);
+                fail_msg("%s, %s: %s, pixel %d,%d: %u visits, expected %u", what,
+                         sph_machine_profile(m)->name, sph_fast_lanes(fast), i % frame.width,
+                         i / frame.width, other.pixels[i].visits, frame.pixels[i].visits);
+            }
+        for (int i = 0; i < SPH_COUNTERS; i++)
+            if (c.count[i] != expected.count[i])
+                fail_msg("%s, %s: %s, counter %d is %lu, expected %lu", what,
+                         sph_machine_profile(m)->name, sph_fast_lanes(fast), i, c.count[i],
+                         expected.count[i]);
+        if (bits != errors) fail_msg("%s: errors %x, expected %x", what, bits, errors);
+        frames++;
+        pixels += frame.width * frame.height;
+        sph_frame_free(&other);
+        sph_fast_free(fast);
+    }
+    sph_frame_free(&frame);
+}
+
+/* A scene in a profile and tree, as it asks and with other effects of rays; 0: too fine for it. */
+static int scene_in(const struct sph_scene *scene, const char *path, int profile, int tree) {
+    static const int turned[] = {1 << SPH_EFFECT_INSIDE, 1 << SPH_EFFECT_FIRST,
+                                 1 << SPH_EFFECT_FIRST | 1 << SPH_EFFECT_INTERPENETRATE,
+                                 1 << SPH_EFFECT_SHADOW | 1 << SPH_EFFECT_REFLECT};
+    struct sph_machine m;
+    if (!model_build(scene, profile, tree, SPH_BG_NONE, SANITIZED ? 8 : 32, SANITIZED ? 5 : 18, &m))
+        return 0;
+    int effects = m.regs[SPH_REG_EFFECTS];
+    compare(&m, path);
+    for (size_t i = 0; i < sizeof turned / sizeof *turned; i++) {
+        m.regs[SPH_REG_EFFECTS] = effects ^ turned[i];
+        compare(&m, path);
+    }
+    m.regs[SPH_REG_EFFECTS] = effects;
+    struct sph_profile cut = m.profile;
+    cut.pr = cut.w;
+    sph_machine_set_profile(&m, &cut);
+    compare(&m, path);
+    sph_machine_free(&m);
+    return 1;
+}
+
+static void every_scene(void **state) {
+    static const char *const patterns[] = {"scenes/*.nff", "scenes/facets/*.nff",
+                                           "scenes/refraction/*.nff", "tests/scenes/facets/*.nff"};
+    static const int trees[] = {SPH_TREE_PAPER, SPH_TREE_BALANCED, SPH_TREE_REINSERTED};
+    int drawn = 0;
+    glob_t found = {0};
+    (void)state;
+    for (size_t i = 0; i < sizeof patterns / sizeof *patterns; i++)
+        assert_int_equal(glob(patterns[i], i ? GLOB_APPEND : 0, NULL, &found), 0);
+    for (size_t i = 0; i < found.gl_pathc; i++) {
+        struct sph_scene scene = read_scene(found.gl_pathv[i]);
+        for (int p = 0; p < SPH_PROFILES; p++)
+            for (int t = 0; t < 3; t++)
+                if (getenv("ALL") || (i + (size_t)p + (size_t)t) % 3 == 0)
+                    drawn += scene_in(&scene, found.gl_pathv[i], p, trees[t]);
+        sph_scene_free(&scene);
+    }
+    assert_true(drawn > 60);
+    globfree(&found);
+}
+
+/* The root its own children: a stack that is full. */
+static void circles(void **state) {
+    struct sph_scene scene = model_scene("paper100");
+    struct sph_machine m;
+    (void)state;
+    assert_true(model_build(&scene, SPH_STANDARD, SPH_TREE_BALANCED, SPH_BG_NONE, 6, 4, &m));
+    uint32_t root = (uint32_t)m.regs[SPH_REG_ROOT], *line = sph_line(&m, root);
+    for (uint32_t children = 1; children <= 4; children++) {
+        memset(line, 0, SPH_LINE_WORDS * sizeof *line);
+        sph_field_set(line, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS, root);
+        sph_field_set(line, SPH_NODE_N_INNER_LSB, SPH_NODE_N_INNER_BITS, children);
+        for (int i = 0; i < (int)children; i++)
+            sph_field_set(line, i * SPH_CHILD_STRIDE + SPH_CHILD_RAD_LSB, SPH_CHILD_RAD_BITS,
+                          (1u << SPH_CHILD_RAD_BITS) - 1);
+        for (m.regs[SPH_REG_VISIT_LIMIT] = 10; m.regs[SPH_REG_VISIT_LIMIT] < 20;
+             m.regs[SPH_REG_VISIT_LIMIT]++)
+            compare(&m, "circles");
+    }
+    sph_machine_free(&m);
+    sph_scene_free(&scene);
+}
+
+/* A number -n .. n. */
+static int64_t small(struct sph_rng *rng, int n) {
+    return (int64_t)(sph_rng_next(rng) >> 8) % (2 * n + 1) - n;
+}
+
+/* Spheres and rays of few bits, so that each comparison meets both sides equal. */
+static void spheres(void **state) {
+    struct sph_rng rng = {seed()};
+    struct sph_machine m = {.profile = sph_profiles[SPH_DRAFT]};
+    (void)state;
+    for (int i = 0; i < (SANITIZED ? 20000 : 400000); i++) {
+        struct sph_leaf s = {.rad = small(&rng, 2) + 3, .id = (uint32_t)small(&rng, 1) + 1};
+        struct sph_ray ray = {.kind = (int)(sph_rng_next(&rng) >> 8 & 1),
+                              .skip = {(uint32_t)small(&rng, 1) + 1, (int)small(&rng, 1) > 0},
+                              .inside = (int)small(&rng, 1) >= 0};
+        for (int k = 0; k < 3; k++) {
+            s.ctr[k] = small(&rng, 3);
+            ray.org[k] = small(&rng, 3);
+            ray.dir[k] = small(&rng, 3);
+            ray.a += (uint64_t)(ray.dir[k] * ray.dir[k]);
+        }
+        uint32_t record[SPH_LINE_WORDS] = {0}, errors = 0;
+        for (int k = 0; k < 3; k++)
+            sph_field_set(record, SPH_LEAF_CTR_X_LSB + k * SPH_LEAF_CTR_X_BITS, SPH_LEAF_CTR_X_BITS,
+                          (uint32_t)s.ctr[k]);
+        sph_field_set(record, SPH_LEAF_RAD_LSB, SPH_LEAF_RAD_BITS, (uint32_t)s.rad);
+        sph_field_set(record, SPH_LEAF_ID_LSB, SPH_LEAF_ID_BITS, s.id);
+        m.profile.pr = i % 5 ? 0 : 4;
+        struct sph_counters c[2] = {{{0}}, {{0}}};
+        struct sph_probe literal = sph_probe_of(&m, &ray, &c[0], &errors);
+        struct sph_probe fast = sph_probe_of(&m, &ray, &c[1], &errors);
+        struct sph_fast_leaf leaf = {
+            {(int32_t)s.ctr[0], (int32_t)s.ctr[1], (int32_t)s.ctr[2]}, (int32_t)s.rad, s.id, 0};
+        if (i & 1) literal.best = fast.best = (struct sph_hit){5, 1, 0};
+        sph_leaf_visit(&literal, record);
+        sph_fast_leaf_visit(&fast, &leaf, record);
+        assert_int_equal(fast.best.key, literal.best.key);
+        assert_int_equal(fast.best.id, literal.best.id);
+        assert_int_equal(fast.best.far, literal.best.far);
+        assert_int_equal(c[1].count[SPH_COUNT_ROOTS], c[0].count[SPH_COUNT_ROOTS]);
+    }
+}
+
+/* Bits of memory turned over, limits of visits, registers beyond memory: the same errors. */
+static void damage(struct sph_machine *m, const char *name, int times) {
+    struct sph_rng rng = {seed()};
+    size_t bytes = (size_t)m->lines * SPH_LINE_WORDS * sizeof *m->mem;
+    uint32_t *sound = malloc(bytes);
+    int effects = m->regs[SPH_REG_EFFECTS], root = m->regs[SPH_REG_ROOT];
+    memcpy(sound, m->mem, bytes);
+    for (int i = 0; i < times; i++) {
+        uint64_t flips = 1 + sph_rng_next(&rng) % 40, turn = sph_rng_next(&rng);
+        memcpy(m->mem, sound, bytes);
+        for (uint64_t j = 0; j < flips; j++) {
+            uint64_t r = sph_rng_next(&rng);
+            m->mem[(r >> 5) % (m->lines * SPH_LINE_WORDS)] ^= 1u << (r & 31);
+        }
+        m->regs[SPH_REG_VISIT_LIMIT] = turn & 1 ? 200 : (int32_t)(turn >> 8 & 7);
+        m->regs[SPH_REG_EFFECTS] = effects ^ (int)(turn >> 1 & 1) << SPH_EFFECT_FIRST;
+        m->regs[SPH_REG_ROOT] =
+            turn >> 16 & 15 ? root : (int32_t)((turn >> 20) % (m->lines + 2ull));
+        compare(m, name);
+    }
+    memcpy(m->mem, sound, bytes);
+    m->regs[SPH_REG_ROOT] = -1;
+    compare(m, name);
+    free(sound);
+}
+
+static void damaged(void **state) {
+    static const char *const names[] = {"scenes/interpenetrating.nff", "scenes/paper100.nff",
+                                        "tests/scenes/facets/mixed.nff"};
+    (void)state;
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        struct sph_scene scene = read_scene(names[i]);
+        struct sph_machine m;
+        assert_true(model_build(&scene, SPH_STANDARD, SPH_TREE_BALANCED, SPH_BG_NONE, 12, 7, &m));
+        damage(&m, names[i], SANITIZED ? 40 : 300);
+        sph_machine_free(&m);
+        sph_scene_free(&scene);
+    }
+    printf("# SEED=%lu: %ld frames, %ld pixels\n", seed(), frames, pixels);
+}
+
+static void check_root(sph_u128 x, int bits) {
+    int inexact, expected;
+    uint64_t root = sph_fast_isqrt_bits(x, bits, &inexact);
+    assert_int_equal(root, sph_isqrt_bits(x, bits, &expected));
+    assert_int_equal(inexact, expected);
+}
+
+/* Every small radicand; squares, what lies beside them and halfway, of every length. */
+static void roots(void **state) {
+    struct sph_rng rng = {seed()};
+    (void)state;
+    for (uint32_t x = 0; x < (SANITIZED ? 5000 : 300000); x++)
+        check_root(x, (int)(x % 12));
+    for (int length = 1; length <= 62; length++)
+        for (uint64_t i = 0; i < (SANITIZED ? 30 : 2000); i++) {
+            uint64_t most = (1ull << length) - 1;
+            uint64_t root = i < 9 ? most - i : sph_rng_next(&rng) & most;
+            if (i >= 9 && i < 18) root = (1ull << (length - 1)) + i - 9;
+            if (root > most) continue;
+            sph_u128 square = (sph_u128)root * root;
+            int bits = i % 3 ? 0 : 4 + (int)(i % 48);
+            check_root(square, bits);
+            if (square) check_root(square - 1, bits);
+            check_root(square + 1, bits);
+            check_root(square + root, bits);
+            check_root(square + 2 * root, bits);
+        }
+}
+
+/* What no walk here knows is left to the literal one. */
+static void unknown_trees(void **state) {
+    struct sph_scene scene = model_scene("paper100");
+    struct sph_machine m;
+    (void)state;
+    assert_true(model_build(&scene, SPH_STANDARD, SPH_TREE_BIH, SPH_BG_NONE, 12, 7, &m));
+    for (int tree = SPH_TREE_BIH; tree <= SPH_TREE_BRUTE; tree++) {
+        struct sph_counters c, expected;
+        int errors, literal;
+        m.regs[SPH_REG_TREE] = tree;
+        assert_null(sph_fast_new(&m, SPH_FAST_BEST));
+        struct sph_frame a = model_render(&m, SPH_TRAVERSE_FAST, 1, &c, &errors);
+        struct sph_frame b = model_render(&m, SPH_TRAVERSE_TREE, 1, &expected, &literal);
+        assert_int_equal(model_differ("bih", &m, &a, &b), 0);
+        assert_memory_equal(&c, &expected, sizeof c);
+        assert_int_equal(errors, literal);
+        sph_frame_free(&a);
+        sph_frame_free(&b);
+    }
+    sph_machine_free(&m);
+    sph_scene_free(&scene);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(roots),   cmocka_unit_test(spheres), cmocka_unit_test(every_scene),
+        cmocka_unit_test(circles), cmocka_unit_test(damaged), cmocka_unit_test(unknown_trees)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
