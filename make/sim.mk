@@ -18,8 +18,8 @@ BUILD_OPTIONS := --profile $(BUILD_PROFILE) --depth $(DEPTH) --background $(BACK
                  $(if $(LEVELS),--bg-levels $(LEVELS)) $(if $(AT),--at $(AT)) $(BUILD_MORE)
 # What shapes a machine, and its run on a core.
 MACHINE_KEY := SCENE SEED BUILD_OPTIONS
-SIM_KEY     := $(MACHINE_KEY) EFFECTS ENGINES ROOT_STEP QUOTIENT_STEP SIM LATENCY STALL WINDOW \
-               WARM WAVES JOBS
+SIM_KEY     := $(MACHINE_KEY) EFFECTS ENGINES ROOT_STEP QUOTIENT_STEP SIM LATENCY STALL MEMORY \
+               CORE_MHZ WINDOW WARM WAVES JOBS
 # (call run,GOAL,KEY): the names of its folder and how it speaks are passed besides.
 run = $(call values,$(2) PROFILE SIZE SAMPLES V) BUILD=$B sh sim/run.sh $(1) $(2)
 # The command that repeats a run, for its report: what was given to make.
@@ -35,7 +35,8 @@ $(PICTURES): $B/obj/sim/pictures.o $(IMAGE) $(LIB)
 	$(call make_whole,$(CXX) -fopenmp $^ $(IMAGE_LIBS) $(MODEL_LIBS))
 -include $B/obj/sim/pictures.d
 
-top_run = mkdir -p $B/sim && $(call values,SCENE FRAMES BUILD_OPTIONS LATENCY STALL SEED PROFILE \
+top_run = test $(MEMORY) = ideal || { echo 'MEMORY=$(MEMORY): not with TOP=1' >&2; exit 2; }; \
+          mkdir -p $B/sim && $(call values,SCENE FRAMES BUILD_OPTIONS LATENCY STALL SEED PROFILE \
               MOVIE) BUILD=$B sh sim/top.sh
 sim: $(TOOL) $(PICTURES) ## SCENE through model and RTL, compared bit for bit; TOP=1: in rt_top
 	$(Q)export REPEATED=$(call quoted,$(repeated)); $(if $(filter 1,$(TOP)),$(top_run),\

@@ -58,6 +58,11 @@ SEED ?= 1
 LATENCY ?= 20
 ## STALL 0..99 percent of clocks in which the simulated memory is not ready
 STALL ?= 0
+## MEMORY ideal|sdram16|ddr3x16 behind the core, of make sim without TOP and Icarus: a beat a clock,
+##             or a 16-bit SDRAM, a DDR3 x16, with banks, rows, refresh (LATENCY on top)
+MEMORY ?= ideal
+## CORE_MHZ 1..2000 clock of the core beside such a memory
+CORE_MHZ ?= 84
 ## TOP 0|1 if 1, make sim draws FRAMES one behind the other on one rt_top
 TOP ?= 0
 ## FRAMES <text>| of a moving scene, of make film and TOP=1, such as 0..9 (empty: 0..0)

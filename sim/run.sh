@@ -80,6 +80,7 @@ esac
 
 say SIM "$name $PROFILE $SIZE in $SIM"
 set -- --machine "$run/scene.sph" --latency "$LATENCY" --stall "$STALL" --seed "$SEED" \
+    --memory "$MEMORY" --core-mhz "$CORE_MHZ" \
     --processes "$JOBS" --progress --frame "$run/rtl.frame" --json "$run/report.json" \
     --model-frame "$run/model.frame" --clocks "$run/rtl.clocks"
 [ -z "$WINDOW" ] || set -- "$@" --window "$(echo "$WINDOW" | awk -F , -v n="$SAMPLES" \

@@ -8,6 +8,7 @@ from array import array
 
 from . import html, wrong
 from .html import bar, number, text
+from .roof import roof
 from .units import units
 from .words import effects, machine_words
 
@@ -156,7 +157,7 @@ def page(run):
     at, drawn = run.first_wrong(), planes(run)
     repeat = run.folder / "command"
     body = head(run) + wrong.section(run, at) + pictures(run, at) + maps(run, drawn) + cycles(run) \
-        + counters(run) + machine_words(run) + effects(run)
+        + roof(run) + counters(run) + machine_words(run) + effects(run)
     if repeat.exists():
         body += "<h2>Again</h2>" + html.command("again", repeat.read_text("utf-8").strip())
     return html.whole(f"{run.report['scene']}, {run.report['profile']}: model and RTL", body)

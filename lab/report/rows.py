@@ -5,6 +5,9 @@ import fcntl
 import io
 
 
+MEMORY = "bytes_per_pixel", "row_hit_share", "bound_share"  # empty where nobody counts them
+
+
 class Bad(Exception):
     """A file that has other columns."""
 
@@ -19,6 +22,9 @@ def row(run):
                    separation=run.machine["background"], depth=run.machine["max_depth"])
     columns.update((name, report[name]) for name in
                    ("simulator", "latency", "stall", "seed", "pixels", "mismatches", "seconds"))
+    memory = last.get("memory", {})
+    columns.update(memory=report["memory"]["name"], core_mhz=report["memory"]["core_mhz"])
+    columns.update((name, memory.get(name, "")) for name in MEMORY)
     columns.update(warm=int("warm" in report), cores=len(last["tiles"]),
                    cycles_per_pixel=last["cycles_per_pixel"])
     columns.update(last["counters"])

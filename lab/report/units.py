@@ -14,6 +14,7 @@ Unit = namedtuple("Unit", "name clocks what")  # of an engine, or of the one mem
 FACET = 10      # docs/blocks/facet_unit.md: clocks a triangle, at least
 GLOSS = 24      # docs/blocks/shading_unit.md: clocks a highlight
 BEATS = 4       # of a line
+LINE = 32       # its bytes
 RECORD = 1      # docs/blocks/leaf_unit.md: clocks a request of a record
 
 
@@ -26,6 +27,12 @@ def parameters(key):
     return values
 
 
+def lines_of(count, core):
+    """Lines that caches asked for."""
+    return count["node_misses"] + count["leaf_misses"] \
+        + count["texel_misses"] * core["TEXTURE_GROUP"]
+
+
 def units(count, machine, core):
     """Units that had work, the busiest first. count: counters of the core by name; machine: of
     build.json; core: parameters()."""
@@ -35,8 +42,7 @@ def units(count, machine, core):
     hits = count["quotients"]
     vectors = count["rays_primary"] + count["rays_reflected"] + count["rays_refracted"] \
         + hits * (1 + machine["lights"])
-    lines = count["node_misses"] + count["leaf_misses"] \
-        + count["texel_misses"] * core["TEXTURE_GROUP"]
+    lines = lines_of(count, core)
     each = [
         ("nodes", count["node_visits"] + count["pop_bubbles"], "a visit a clock"),
         ("spheres, exact", count["leaf_tests"] * core["LEAF_INTERVAL"] + hits * RECORD,

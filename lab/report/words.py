@@ -17,6 +17,15 @@ def listed(parts):
     return " and ".join(filter(None, [", ".join(parts[:-1]), parts[-1]])) if parts else ""
 
 
+def came(report):
+    """When a line comes."""
+    late, memory = report["latency"], report["memory"]
+    if "part" not in memory:
+        return f"a line comes {late} clocks after it is asked for"
+    return (f"a line comes {late} clocks after {memory['name']} has it ({memory['part']}; the core "
+            f"at {memory['core_mhz']} MHz)")
+
+
 def lines(run):
     machine, build, report = run.machine, run.built["build"], run.report
     things = [several(machine[kind + "s"], kind) for kind in
@@ -39,8 +48,8 @@ def lines(run):
     tree = f"{machine['tree']}: {several(build['nodes'], 'node')}, depth {build['depth']}"
     yield "Tree", tree + (f"; {build['tree_why']}" if "tree_why" in build else "")
     yield "Memory", (f"{number(machine['memory_bytes'])} bytes, {number(machine['tree_bytes'])} of "
-                     f"them tree and leaves; a line comes {report['latency']} clocks after it is "
-                     f"asked for, {report['stall']} % of handshakes are held back")
+                     f"them tree and leaves; {came(report)}, {report['stall']} % of handshakes "
+                     "are held back")
     core = run.parameters
     yield "Core", (f"{report.get('core', 'all')}; {several(core['ENGINES'], 'engine')} of "
                    f"{core['SLOTS']} rays in flight, caches of {core['NODE_LINES']} nodes and "

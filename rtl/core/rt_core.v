@@ -352,11 +352,12 @@ module rt_core #(
 
     // ---- counters: sums over the engines ----
     wire [EW-1:0] shell_events;
+    wire          issue_idle  /* verilator public_flat_rd */ = ray_valid && issued == 0;
     assign shell_events[8*`RT_COUNT_RAYS_PRIMARY   +: 64] = 64'd0;  // up to QUOTIENTS
     assign shell_events[8*`RT_COUNT_BACKGROUND     +: 8] = {7'd0, bg_valid && bg_ready};
     assign shell_events[8*`RT_COUNT_SATURATIONS    +: 8] = 8'd0;
     assign shell_events[8*`RT_COUNT_CYCLES         +: 8] = {7'd0, working};
-    assign shell_events[8*`RT_COUNT_ISSUE_WAIT     +: 8] = {7'd0, ray_valid && issued == 0};
+    assign shell_events[8*`RT_COUNT_ISSUE_WAIT     +: 8] = {7'd0, issue_idle};
     assign shell_events[8*`RT_COUNT_NODE_MISSES    +: 8] = 8'd0;
     assign shell_events[8*`RT_COUNT_LEAF_MISSES    +: 8] = 8'd0;
     assign shell_events[8*`RT_COUNT_RAYS_WAITING   +: 8] = {7'd0, ray_valid};

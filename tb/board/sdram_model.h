@@ -5,8 +5,7 @@
  *     each rising edge of its clock: part.edge(pins); dq_i = part.out();
  *     if (!part.error().empty()) ...       // the first rule that was broken
  *
- * Times are those of a 256 Mbit part of grade 75 (133 MHz), the slowest that a ULX3S has had, of
- * Micron's datasheet MT48LC16M16A2. Words that nobody drives read as noise.
+ * Words that nobody drives read as noise.
  */
 #ifndef TB_SDRAM_MODEL_H
 #define TB_SDRAM_MODEL_H
@@ -15,6 +14,8 @@
 #include <string>
 #include <unordered_map>
 
+#include "../sdram_times.h"
+
 struct SdramPins {
     bool cke;
     unsigned command, bank, address, mask; /* command: cs_n, ras_n, cas_n, we_n */
@@ -22,7 +23,7 @@ struct SdramPins {
     uint16_t dq;
 };
 
-class Sdram {
+class Sdram : SdramTimes {
   public:
     explicit Sdram(double ns) : ns_(ns) {}
     const std::string &error() const { return what_; }
@@ -34,13 +35,11 @@ class Sdram {
         if (p.cke) step(p);
         data(p);
         /* a word is refreshed in time, if 8192 refreshes come in any 64 ms */
-        if (ready_ && since(refreshed_) > 9 * 7812.5) fail("more than 9 refreshes are owed");
+        if (ready_ && since(refreshed_) > 9 * T_REFI) fail("more than 9 refreshes are owed");
     }
 
   private:
     enum { MODE, AUTO, PRECHARGE, ACTIVATE, WRITE, READ, STOP, NOP };
-    static constexpr double T_RCD = 20, T_RP = 20, T_RAS = 44, T_RC = 66, T_RFC = 66, T_RRD = 15,
-                            T_WR = 15, T_POWER = 100000;
     struct Bank {
         bool open = false;
         unsigned row = 0;

@@ -3,18 +3,19 @@
  */
 #include "memory.h"
 
-namespace {
-const unsigned BEATS = 4;
+Memory::Memory(const sph_machine &machine, const Options &o, uint64_t seed)
+    : machine_(&machine), latency_(o.latency), stall_(o.stall), error_at_(o.bus_error_at),
+      random_(seed) {
+    if (const DramPart *part = dram_part(o.memory))
+        dram_ = std::make_unique<Dram>(*part, static_cast<unsigned>(o.core_mhz));
 }
 
-Memory::Memory(const sph_machine &machine, int latency, int stall, uint64_t seed, int64_t error_at)
-    : machine_(&machine), latency_(latency), stall_(stall), error_at_(error_at), random_(seed) {}
-
 const Memory::Offer &Memory::offer() {
-    now_.request_ready = !random_.percent(stall_);
+    now_.request_ready = !random_.percent(stall_) && (!dram_ || queue_.size() < PART_LINES);
     /* valid that waits for ready stays, with the same payload */
     if (now_.response_valid) return now_;
-    if (queue_.empty() || queue_.front().due > clock_ || random_.percent(stall_)) return now_;
+    if (queue_.empty() || queue_.front().due[beat_] > clock_ || random_.percent(stall_))
+        return now_;
     const Request &r = queue_.front();
     now_.response_valid = true;
     now_.error = r.error || spoilt(r.line);
@@ -29,14 +30,20 @@ const Memory::Offer &Memory::offer() {
 void Memory::take(bool request_valid, uint32_t request_line, bool response_ready) {
     if (now_.response_valid && response_ready) {
         now_.response_valid = false;
-        beat_ = (beat_ + 1) % BEATS;
+        beat_ = (beat_ + 1) % Dram::BEATS;
         if (beat_ == 0) queue_.pop_front();
     }
     if (request_valid && now_.request_ready) {
         bool beyond = request_line >= machine_->lines;
         out_of_range_ += beyond;
-        uint64_t due = clock_ + static_cast<uint64_t>(latency_);
-        if (random_.percent(stall_)) due += random_.below(static_cast<uint32_t>(2 * latency_ + 16));
+        uint64_t late = static_cast<uint64_t>(latency_);
+        if (random_.percent(stall_))
+            late += random_.below(static_cast<uint32_t>(2 * latency_ + 16));
+        Dram::Beats due;
+        due.fill(clock_);
+        if (dram_) due = dram_->read_core(request_line, clock_);
+        for (uint64_t &beat : due)
+            beat += late;
         bool error = beyond || static_cast<int64_t>(requests_) == error_at_;
         queue_.push_back({request_line, due, error});
         requests_++;

@@ -7,6 +7,9 @@
  *
  *   request taken in clock c  ->  c + latency: beat 0, 1, 2, 3 of the line (one a clock)
  *
+ * With a named part (dram.h) the beats come when its rules allow, each `latency` clocks later, and
+ * at most PART_LINES lines are under way; nothing else changes.
+ *
  * An answer with an error has the line's data all the same: whoever uses it is found out.
  *
  * In every clock: offer(), then the core settles, then take() with what the handshakes did.
@@ -16,15 +19,18 @@
 
 #include <cstddef>
 #include <deque>
+#include <memory>
 #include <utility>
 #include <vector>
 
+#include "dram.h"
 #include "model.h"
+#include "options.h"
 #include "random.h"
 
 class Memory {
   public:
-    Memory(const sph_machine &machine, int latency, int stall, uint64_t seed, int64_t error_at);
+    Memory(const sph_machine &machine, const Options &o, uint64_t seed);
 
     /* What the core sees in this clock. */
     struct Offer {
@@ -45,15 +51,18 @@ class Memory {
     void spoil(std::vector<bool> lines) { spoilt_ = std::move(lines); }
 
     uint64_t requests() const { return requests_; }
+    /* Of the named part; zeros without one. */
+    Dram::Counts part() const { return dram_ ? dram_->counts() : Dram::Counts{0, 0, 0, 0}; }
     size_t waiting() const { return queue_.size(); }
     uint64_t out_of_range() const { return out_of_range_; } /* requests beyond the memory */
 
   private:
     struct Request {
         uint32_t line;
-        uint64_t due;
+        Dram::Beats due; /* of each beat */
         bool error;
     };
+    static const size_t PART_LINES = 8;
     bool spoilt(uint32_t line) const { return line < spoilt_.size() && spoilt_[line]; }
 
     const sph_machine *machine_;
@@ -61,6 +70,7 @@ class Memory {
     int latency_, stall_;
     int64_t error_at_;
     Random random_;
+    std::unique_ptr<Dram> dram_; /* null: any number of lines, a beat a clock */
     std::deque<Request> queue_;
     Offer now_ = {false, false, false, 0};
     uint64_t clock_ = 0, requests_ = 0, out_of_range_ = 0;

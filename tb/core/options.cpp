@@ -8,10 +8,14 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "dram.h"
+
 namespace {
 
 enum Key {
     WINDOW = 256,
+    MEMORY,
+    CORE_MHZ,
     LATENCY,
     STALL,
     SEED,
@@ -45,7 +49,13 @@ enum Key {
 const argp_option table[] = {
     {"machine", 'm', "FILE", 0, "machine file (.sph) to render", 0},
     {"window", WINDOW, "X0,Y0,X1,Y1", 0, "pixels to render (default: as the machine says)", 0},
-    {"latency", LATENCY, "N", 0, "clocks from a memory request to its first beat (20)", 0},
+    {"memory", MEMORY, "NAME", 0,
+     "ideal: a beat a clock; or a part whose banks, rows, refresh and pins it keeps to: sdram16, "
+     "ddr3x16 (ideal; parts not in Icarus)",
+     0},
+    {"core-mhz", CORE_MHZ, "N", 0, "clock of the core beside such a part (84)", 0},
+    {"latency", LATENCY, "N", 0,
+     "clocks from a memory request to its first beat, of a part on top of its own (20)", 0},
     {"stall", STALL, "PERCENT", 0, "clocks in which a handshake is held back (0)", 0},
     {"seed", SEED, "N", 0, "of the stalls (1)", 0},
     {"processes", PROCESSES, "N", 0, "share the window out by rows (1)", 0},
@@ -109,6 +119,18 @@ error_t parse(int key, char *arg, argp_state *state) {
         if (std::sscanf(arg, "%d,%d,%d,%d%c", &o.window.x0, &o.window.y0, &o.window.x1,
                         &o.window.y1, &rest) != 4)
             argp_error(state, "--window wants X0,Y0,X1,Y1, got '%s'", arg);
+        break;
+    case MEMORY:
+        o.memory = arg;
+        if (o.memory != "ideal" && !dram_part(o.memory)) {
+            std::string names = "ideal";
+            for (const DramPart &part : dram_parts())
+                names += std::string(", ") + part.name;
+            argp_error(state, "--memory: '%s' is none of %s", arg, names.c_str());
+        }
+        break;
+    case CORE_MHZ:
+        o.core_mhz = small(arg, 1, 2000, state);
         break;
     case LATENCY:
         o.latency = small(arg, 1, 100000, state);
@@ -238,6 +260,8 @@ std::string repeat_command(const Options &o, const Window &w) {
                   w.x0, w.y0, w.x1, w.y1, o.latency, o.stall,
                   static_cast<unsigned long long>(o.seed));
     std::string command = o.repeat + " --machine " + o.machine + text;
+    if (o.memory != "ideal")
+        command += " --memory " + o.memory + " --core-mhz " + std::to_string(o.core_mhz);
     for (const Poke &p : o.pokes) {
         std::snprintf(text, sizeof text, " --poke %u:%d:%d=%u", p.line, p.lsb, p.width, p.value);
         command += text;

@@ -5,7 +5,10 @@
 
 #include <jansson.h>
 
+#include <algorithm>
 #include <cstdio>
+
+#include "dram.h"
 
 extern "C" {
 #include "common/output.h"
@@ -40,13 +43,45 @@ double cycles_per_visit(const Pass &p) {
     return visits > 0 ? static_cast<double>(p.count[SPH_COUNT_CYCLES]) / visits : 0;
 }
 
-json_t *pass_json(const Outcome &c, int pass) {
+/* Bytes, and what the clocks went to; of a named part its rows too. */
+json_t *memory_json(const Options &o, const Outcome &c, int pass) {
+    static const char *const names[] = {MEMORY_COUNT_NAMES};
+    const Pass &p = c.total[pass];
+    const bool part = dram_part(o.memory) != nullptr;
+    json_t *object = json_object();
+    for (int i = 0; i < MEMORY_COUNTS; i++)
+        if (part || i < MEMORY_ROW_HITS || i > MEMORY_REFRESHES)
+            json_object_set_new(object, names[i], integer(p.memory[i]));
+    const auto lines = static_cast<double>(p.memory[MEMORY_LINES]);
+    const auto cycles = static_cast<double>(p.count[SPH_COUNT_CYCLES]);
+    json_object_set_new(object, "bytes_per_pixel",
+                        json_real(lines * Dram::LINE_BYTES / static_cast<double>(c.pixels())));
+    if (part)
+        json_object_set_new(
+            object, "row_hit_share",
+            json_real(lines > 0 ? static_cast<double>(p.memory[MEMORY_ROW_HITS]) / lines : 0));
+    json_object_set_new(
+        object, "bound_share",
+        json_real(cycles > 0 ? static_cast<double>(p.memory[MEMORY_BOUND]) / cycles : 0));
+    return object;
+}
+
+/* Bytes that memory can give in a clock of the core. */
+double peak(const Options &o) {
+    const DramPart *part = dram_part(o.memory);
+    const double port = 8;
+    return part ? std::min(port, Dram::peak(*part, static_cast<unsigned>(o.core_mhz))) : port;
+}
+
+json_t *pass_json(const Options &o, const Outcome &c, int pass) {
     json_t *object = json_object();
     json_object_set_new(object, "counters", counters(c.total[pass].count, false));
     json_object_set_new(object, "errors", integer(c.total[pass].errors));
     json_object_set_new(object, "cycles_per_pixel", json_real(cycles_per_pixel(c, pass)));
     json_object_set_new(object, "cycles_per_visit", json_real(cycles_per_visit(c.total[pass])));
     json_object_set_new(object, "issue_port_busy", json_real(issue_use(c.total[pass])));
+    if (std::string(simulator_name) == "verilator")
+        json_object_set_new(object, "memory", memory_json(o, c, pass));
     json_t *tiles = json_array();
     for (const Run *run : c.runs) {
         const Window &w = run->window;
@@ -111,13 +146,18 @@ bool write_json(const Options &o, const sph_machine &m, const Outcome &c, const 
         static_cast<json_int_t>(o.seed), "pixels", static_cast<json_int_t>(c.pixels()),
         "mismatches", static_cast<json_int_t>(v.mismatches), "seconds", c.seconds, "refused",
         v.refused);
+    json_object_set_new(root, "memory",
+                        json_pack("{s:s, s:i, s:f}", "name", o.memory.c_str(), "core_mhz",
+                                  o.core_mhz, "peak_bytes_per_clock", peak(o)));
+    if (const DramPart *part = dram_part(o.memory))
+        json_object_set_new(json_object_get(root, "memory"), "part", json_string(part->chip));
     if (!o.core.empty()) json_object_set_new(root, "core", json_string(o.core.c_str()));
     if (v.first[0] >= 0)
         json_object_set_new(root, "first_wrong", json_pack("[ii]", v.first[0], v.first[1]));
     if (!v.repeat.empty()) json_object_set_new(root, "repeat", json_string(v.repeat.c_str()));
     json_object_set_new(root, "model", counters(c.model_counters.count, true));
-    json_object_set_new(root, "cold", pass_json(c, COLD));
-    if (o.warm) json_object_set_new(root, "warm", pass_json(c, WARM));
+    json_object_set_new(root, "cold", pass_json(o, c, COLD));
+    if (o.warm) json_object_set_new(root, "warm", pass_json(o, c, WARM));
     if (!v.text.empty()) json_object_set_new(root, "explanation", json_string(v.text.c_str()));
 
     sph_error err = {{0}};

@@ -142,6 +142,8 @@ bool simulate_shared(const Options &o, const sph_machine &machine, Outcome &c, s
             c.total[pass].errors |= r->pass[pass].errors;
             for (int i = 0; i < SPH_COUNTERS; i++)
                 c.total[pass].count[i] += r->pass[pass].count[i];
+            for (int i = 0; i < MEMORY_COUNTS; i++)
+                c.total[pass].memory[i] += r->pass[pass].memory[i];
         }
     }
     c.seconds = since(begin);

@@ -22,9 +22,24 @@ struct Sample {
     uint32_t clock; /* from the start of the pass, when it was last delivered */
 };
 
+/* What memory did in a pass; in Icarus all 0. */
+enum {
+    MEMORY_LINES,
+    MEMORY_ROW_HITS,      /* lines whose row was open; this and what follows: of a part alone */
+    MEMORY_ROW_OPENS,     /* ... whose bank was closed */
+    MEMORY_ROW_CONFLICTS, /* ... of whose bank another row was open */
+    MEMORY_REFRESHES,
+    MEMORY_OWING, /* clocks in which a line was owed */
+    MEMORY_BOUND, /* ... in which besides rays waited and none was issued */
+    MEMORY_COUNTS
+};
+#define MEMORY_COUNT_NAMES                                                                         \
+    "lines", "row_hits", "row_opens", "row_conflicts", "refreshes", "owing", "bound"
+
 /* What the core said about one pass. */
 struct Pass {
     uint64_t count[SPH_COUNTERS];
+    uint64_t memory[MEMORY_COUNTS];
     uint32_t errors;
 };
 

@@ -77,6 +77,7 @@ void Bench::hang(const char *why, uint64_t last_pixel) {
 
 void Bench::pass(Sample *samples, bool keep, Pass &out) {
     const uint64_t begin = core_.cycle(), missed = core_.textures().missed();
+    const auto work = core_.memory_work();
     uint64_t last_pixel = begin;
     core_.pixel = [&](int x, int y, const sph_pixel &p) {
         last_pixel = core_.cycle();
@@ -97,6 +98,9 @@ void Bench::pass(Sample *samples, bool keep, Pass &out) {
     core_.pixel = nullptr;
     if (run_.stopped) return;
     out.errors = seen.errors;
+    const auto worked = core_.memory_work();
+    for (size_t i = 0; i < MEMORY_COUNTS; i++)
+        out.memory[i] = worked[i] - work[i];
     uint64_t cycles = counter(SPH_COUNT_CYCLES); /* at once: the last one to be complete */
     if (cycles != last_pixel - begin && !run_.failure[0])
         fail(run_, "counter cycles %llu, %llu clocks from start to the last pixel",

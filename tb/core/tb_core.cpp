@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <memory>
 
+#include "dram.h"
 #include "life.h"
 #include "report.h"
 #include "share.h"
@@ -80,6 +81,14 @@ int main(int argc, char **argv) {
         std::puts(as_read.c_str());
         sph_machine_free(&machine);
         return 0;
+    }
+
+    if (const DramPart *part = dram_part(o.memory)) {
+        if (std::string(simulator_name) == "icarus")
+            return complain("--memory " + o.memory + ": Icarus has memory 'ideal' alone");
+        if (machine.lines > Dram::bytes(*part) / Dram::LINE_BYTES)
+            return complain("the machine has " + std::to_string(machine.lines) +
+                            " lines of memory, more than --memory " + o.memory + " holds");
     }
 
     if (o.life) return one_life(o, machine, c.window);

@@ -7,11 +7,14 @@
 #ifndef TB_VERILATED_CORE_H
 #define TB_VERILATED_CORE_H
 
+#include <array>
+
 #include "Vrt_core.h"
 #include "host.h"
 #include "silence.h"
 #include "texture_watch.h"
 #include "verilated.h"
+#include "verilated_syms.h"
 #if VM_TRACE_FST
 #include "verilated_fst_c.h"
 #endif
@@ -25,6 +28,12 @@ class VerilatedCore : public Host {
     Vrt_core &ports() { return *core_; }
     TextureWatch &textures() { return *textures_; }
     uint64_t cycle() const { return cycle_; }
+    /* What memory did up to now, by MEMORY_... */
+    std::array<uint64_t, MEMORY_COUNTS> memory_work() const {
+        const Dram::Counts part = memory_.part();
+        return {memory_.requests(), part.row_hits, part.row_opens, part.row_conflicts,
+                part.refreshes,     owing_,        bound_};
+    }
 
   private:
     static const int RESET = 8; /* clocks */
@@ -48,12 +57,12 @@ class VerilatedCore : public Host {
     std::unique_ptr<VerilatedFstC> trace_;
 #endif
     Held request_ = {false, 0, 0, 0}, pixel_ = {false, 0, 0, 0};
-    uint64_t cycle_ = 0;
+    const uint8_t *idle_ = nullptr; /* rays wait, none is issued */
+    uint64_t cycle_ = 0, owing_ = 0, bound_ = 0;
 };
 
 inline VerilatedCore::VerilatedCore(const Options &o, const sph_machine &machine, Run &run)
-    : o_(o), run_(run), memory_(machine, o.latency, o.stall, o.seed * 2, o.bus_error_at),
-      random_(o.seed * 2 + 1) {
+    : o_(o), run_(run), memory_(machine, o, o.seed * 2), random_(o.seed * 2 + 1) {
     context_.randReset(2); /* registers without reset start with noise */
     context_.randSeed(static_cast<int>(o.seed % 2147483647 + 1));
     context_.traceEverOn(!o.trace.empty());
@@ -74,6 +83,9 @@ inline VerilatedCore::VerilatedCore(const Options &o, const sph_machine &machine
             clock();
     }
     context_.gotFinish(false);
+    for (const auto &scope : *context_.scopeNameMap())
+        if (const VerilatedVar *idle = scope.second->varFind("issue_idle"))
+            idle_ = static_cast<const uint8_t *>(idle->datap());
     textures_ = std::make_unique<TextureWatch>(context_);
     pins.rst = false;
 }
@@ -140,6 +152,10 @@ inline Host::Seen VerilatedCore::clock() {
     }
     if (given && core_->pix_ready_i && pixel) take_pixel();
     if (textures_) pins.rst ? textures_->reset() : textures_->clock();
+    if (memory_.waiting()) {
+        owing_++;
+        bound_ += idle_ && *idle_;
+    }
     memory_.take(request, core_->mem_req_line_o, core_->mem_rsp_ready_o);
     core_->clk = 1;
     core_->eval();

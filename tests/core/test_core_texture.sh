@@ -41,6 +41,11 @@ wanted "verilator hall, background by rectangle" $whole SIM=verilator hall-rect
 wanted "verilator robot, frame 3" $whole SIM=verilator robot-3
 wanted "verilator paper100, no textures" $whole SIM=verilator plain
 wanted "verilator hall, caches kept" $whole SIM=verilator hall --warm
+for part in sdram16 ddr3x16; do
+    wanted "verilator hall, memory is $part" $whole SIM=verilator hall --memory $part --warm
+done
+wanted "verilator balls, slow memory, a bus error" $whole SIM=verilator balls --expect-errors 8 \
+    --memory sdram16 --core-mhz 500 --bus-error-at 20
 # bits of EFFECTS: 2 reflect, 4 inside, 64 texture; without lights
 wanted "verilator balls, textures switched off" $whole SIM=verilator balls --reg 0=7
 wanted "verilator balls, mirrors and textures" $whole SIM=verilator balls --reg 0=70 --reg 2=0

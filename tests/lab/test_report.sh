@@ -30,9 +30,30 @@ check "the last pixel left in the last cycle" python "$run" \
 check "every traced pixel was in flight, none longer than the frame" python "$run" \
     "took = run.in_flight(); assert min(took) > 0 and max(took) <= max(run.left), took"
 
+check "... the roofline is on the page" grep -q 'limit is <b>[a-z]' "$run/report.html"
+parted=$TMP/parted # the same with what Verilator says of a part
+cp -r "$run" "$parted"
+python3 - "$parted/report.json" <<'END'
+import json, sys
+report = json.load(open(sys.argv[1]))
+report["memory"].update(name="sdram16", part="a part", peak_bytes_per_clock=1e-3)
+report["cold"]["memory"] = dict(lines=100, row_hits=75, row_opens=15, row_conflicts=10, refreshes=3,
+                                owing=700, bound=60, bytes_per_pixel=33.0, row_hit_share=0.75,
+                                bound_share=0.25)
+json.dump(report, open(sys.argv[1], "w"))
+END
+check "a part's figures are there too" report "$parted" --csv "$TMP/parted.csv"
+for word in 'limit is <b>memory' '75.0%' '25.0%' 'has it (a part; the core at 84 MHz)'; do
+    check "... $word" grep -q "$word" "$parted/report.html"
+done
+check "... and in the table" sh -c "sed -n 1p '$TMP/parted.csv' |
+    grep -q ',memory,core_mhz,bytes_per_pixel,row_hit_share,bound_share,' &&
+    grep -q ',sdram16,84,33.0,0.75,0.25,' '$TMP/parted.csv'"
+
 valid() { python3 -W ignore -m jsonschema -i "$1" docs/use/simulation.schema.json; }
 check "report.json is as its schema has it" valid "$run/report.json"
 sed 's/"mismatches": 0/"mismatches": -1/' "$run/report.json" >"$TMP/broken.json"
+check "... a part's too" valid "$parted/report.json"
 check "... which notices what is wrong" sh -c "! $(command -v python3) -W ignore -m jsonschema -i \
     '$TMP/broken.json' docs/use/simulation.schema.json >/dev/null 2>&1"
 
