@@ -93,6 +93,12 @@ cat "$run/log"
 [ -f "$run/rtl.frame" ] || exit "$rc"
 "$BUILD/sim/pictures" "$run/model.frame" "$run/rtl.frame" "$run" "$SAMPLES"
 printf '%s\n' "${REPEATED:-}" >"$run/command"
+# A mismatch: its pixel alone once more, with a waveform, which the report links.
+repeat=$(sed -n 's/^repeat: //p' "$run/log")
+if [ "$rc" != 0 ] && [ "$SIM" = verilator ] && [ -n "$repeat" ]; then
+    say WAVE pixel.fst
+    sh -c "${repeat%pixel.fst}'$run/pixel.fst'" >"$run/pixel.log" 2>&1 || : # it fails again
+fi
 case ${CSV:-} in '' | /*) ;; *) CSV=${FROM:-.}/$CSV ;; esac
 BUILD=$BUILD python3 -m lab.report "$run" ${CSV:+--csv "$CSV"} || exit 1
 echo "pictures and report in $run/"

@@ -43,16 +43,17 @@ def ray(rays, number_of):
 
 
 def waveform(run):
-    """The waveform that is there, and the command that makes one."""
+    """The waveforms that are there, and the command that makes that of the pixel."""
     body = ""
-    if (run.folder / "core.fst").exists():
-        body += '<p>Waveform of this run, beside this page: <a href="core.fst">core.fst</a>.</p>'
+    for name, what in (("core.fst", "this run"), ("pixel.fst", "the pixel alone")):
+        if (run.folder / name).exists():
+            body += (f'<p>Waveform of {what}, beside this page, for GTKWave or Surfer: '
+                     f'<a href="{name}">{name}</a>.</p>')
     if "repeat" in run.report:
         line = run.report["repeat"].replace("--trace pixel.fst",
                                             f"--trace {run.folder}/pixel.fst")
-        body += ('<p>This command repeats it alone, from the root of the tree, and leaves '
-                 '<a href="pixel.fst">pixel.fst</a> beside this page, for GTKWave or Surfer:</p>'
-                 + html.command("alone", line))
+        body += ('<p>This command repeats the pixel alone, from the root of the tree, and leaves '
+                 'pixel.fst:</p>' + html.command("alone", line))
     return body
 
 

@@ -95,6 +95,7 @@ data[-8:] = struct.pack("<Q", total)
 (folder / "rtl.frame").write_bytes(data)
 report = json.loads((folder / "report.json").read_text())
 report.update(mismatches=1, repeat="sim/core.sh --window 6,4,7,5 --trace pixel.fst")
+(folder / "pixel.fst").touch()
 (folder / "report.json").write_text(json.dumps(report))
 END
 check "a run with a fault has a page too" report "$wrong"
@@ -102,6 +103,7 @@ check "... that names the pixel" grep -q 'first wrong pixel is <b>6, 4</b>' "$wr
 check "... what differs, and that alone" sh -c "grep -o '<tr class=\"wrong\"><td>[a-z0-9]*' \
     '$wrong/report.html' | grep -x '.*<td>l2'"
 check "... its rays" grep -q '<b>primary</b>: id [0-9]*, key' "$wrong/report.html"
+check "... its waveform" grep -q 'the pixel alone.*<a href="pixel.fst">' "$wrong/report.html"
 check "... and the command that makes a waveform" grep -q -- '--trace .*/wrong/pixel.fst' \
     "$wrong/report.html"
 check "the sound run says nothing of it" sh -c "! grep -q 'What is wrong' '$run/report.html'"
