@@ -35,11 +35,13 @@ static int check_effects(const struct sph_scene *scene, const struct sph_build_o
     if (o->traverse == SPH_BUILD_FIRST && scene->n_facets)
         return sph_fail(err, "%s:%u: traverse first is for spheres: there are triangles or planes",
                         scene->path, scene->facets[0].line);
-    if (o->traverse == SPH_BUILD_FIRST && sph_tree_bih(o->tree))
+    if (o->traverse == SPH_BUILD_FIRST && (sph_tree_bih(o->tree) || o->tree == SPH_TREE_BOX4))
         return sph_fail(err,
-                        "traverse first is the paper's walk through nodes of four children: "
+                        "traverse first is the paper's walk through nodes of four spheres: "
                         "it is not for %s",
-                        o->tree == SPH_TREE_BIH ? "bih" : "brute");
+                        o->tree == SPH_TREE_BIH    ? "bih"
+                        : o->tree == SPH_TREE_BOX4 ? "box4"
+                                                   : "brute");
     if (o->lights < SPH_AUTO || o->lights > scene->n_lights)
         return sph_fail(err, "%s: %d lights are asked for, the scene has %d", scene->path,
                         o->lights, scene->n_lights);

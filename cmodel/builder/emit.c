@@ -8,6 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "builder/box.h"
 #include "builder/emit.h"
 #include "machine/records.h"
 #include "prim/build.h"
@@ -62,10 +63,29 @@ static uint64_t tree_lines(const struct sph_tree *tree, int whole) {
 /* What the memory is made of. */
 struct content {
     const struct sph_tree *tree;
-    const struct sph_ball *balls;
-    const struct sph_facets *facets;
-    uint32_t n_spheres;
+    const struct sph_plants *plants;
+    const struct sph_aabb *boxes; /* of nodes, or NULL: they are spheres */
 };
+
+/* Writes what bounds the children of a node. */
+static void put_bounds(const struct content *c, const struct sph_tree_node *from, uint32_t *to) {
+    const struct sph_profile *p = c->plants->profile;
+    struct sph_aabb boxes[SPH_CHILDREN];
+    for (int i = 0; i < from->n_inner; i++)
+        if (c->boxes)
+            boxes[i] = c->boxes[from->child[i]];
+        else
+            put_child(to, i, &c->tree->nodes[from->child[i]].ball);
+    for (int i = from->n_inner; i < from->n_inner + from->n_leaf; i++) {
+        if (c->boxes) {
+            sph_box_of(c->plants, from->child[i], &boxes[i]);
+            continue;
+        }
+        struct sph_ball ball = sph_filter_leaf(&c->plants->balls[from->child[i]], p);
+        put_child(to, i, &ball);
+    }
+    if (c->boxes) sph_box_put(to, boxes, from->n_inner + from->n_leaf, p);
+}
 
 /* Writes node `node` to `line`, its leaf children from `base` on; queues its inner children. */
 static void put_node(struct sph_machine *m, const struct content *c, uint32_t node, uint32_t line,
@@ -76,14 +96,12 @@ static void put_node(struct sph_machine *m, const struct content *c, uint32_t no
     sph_field_set(to, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS, base);
     sph_field_set(to, SPH_NODE_N_INNER_LSB, SPH_NODE_N_INNER_BITS, from->n_inner);
     sph_field_set(to, SPH_NODE_N_LEAF_LSB, SPH_NODE_N_LEAF_BITS, from->n_leaf);
-    for (int i = 0; i < n_inner; i++)
-        put_child(to, i, &c->tree->nodes[from->child[i]].ball);
+    put_bounds(c, from, to);
     for (int j = 0; j < from->n_leaf; j++) {
+        const struct sph_plants *p = c->plants;
         uint32_t id = from->child[n_inner + j];
-        struct sph_ball ball = sph_filter_leaf(&c->balls[id], sph_machine_profile(m));
-        uint32_t *record = sph_record(m, c->facets->n > 0, base + (uint32_t)n_inner, (uint32_t)j);
-        struct sph_grid_prim prim = sph_grid_prim_of(c->balls, c->n_spheres, c->facets, id);
-        put_child(to, n_inner + j, &ball);
+        uint32_t *record = sph_record(m, p->facets->n > 0, base + (uint32_t)n_inner, (uint32_t)j);
+        struct sph_grid_prim prim = sph_grid_prim_of(p->balls, p->n_spheres, p->facets, id);
         sph_prim_build_of(prim.kind)->record(&prim, record);
     }
 }
@@ -127,11 +145,15 @@ void sph_emit_prims(const struct sph_scene *scene, const struct sph_ball *balls,
     machine->regs[SPH_REG_VISIT_LIMIT] = nodes < 0xfffffe ? (int32_t)nodes + 1 : 0xffffff;
 }
 
-int sph_emit_memory(const struct sph_scene *scene, const struct sph_ball *balls,
-                    const struct sph_facets *facets, const struct sph_tree *tree,
-                    struct sph_machine *machine, struct sph_error *err) {
-    if (check_radii(tree, err)) return -1;
-    struct content c = {tree, balls, facets, scene->n_spheres};
+int sph_emit_memory(const struct sph_scene *scene, const struct sph_plants *plants,
+                    const struct sph_tree *tree, struct sph_machine *machine,
+                    struct sph_error *err) {
+    const struct sph_facets *facets = plants->facets;
+    struct sph_aabb *boxes = NULL;
+    if (plants->kind == SPH_TREE_BOX4 ? !(boxes = sph_box_nodes(plants, tree, err))
+                                      : check_radii(tree, err))
+        return -1;
+    struct content c = {tree, plants, boxes};
     uint32_t n = scene->n_spheres + facets->n;
     uint64_t prim_base = tree_lines(tree, facets->n > 0), lines = prim_base + n + facets->n;
     struct place {
@@ -139,6 +161,7 @@ int sph_emit_memory(const struct sph_scene *scene, const struct sph_ball *balls,
     } *queue = malloc(tree->n_nodes * sizeof *queue);
     if (!queue || sph_emit_alloc(machine, lines, err)) {
         free(queue);
+        free(boxes);
         return sph_fail(err, "out of memory or addresses for %u primitives", n);
     }
 
@@ -152,6 +175,7 @@ int sph_emit_memory(const struct sph_scene *scene, const struct sph_ball *balls,
         base += group_lines(node, facets->n > 0);
     }
     free(queue);
-    sph_emit_prims(scene, balls, facets, base, tree->n_nodes, machine);
+    free(boxes);
+    sph_emit_prims(scene, plants->balls, facets, base, tree->n_nodes, machine);
     return 0;
 }

@@ -17,11 +17,12 @@ int sph_emit_tree(const struct sph_scene *scene, const struct sph_build_options 
                   struct sph_build_report *report, struct sph_error *err);
 
 /* Writes nodes, leaf records and primitive records to machine->mem and the registers that tell
- * where they are; balls[id]. With facets every leaf has a line of its own, and the table of facets
- * follows. -1 if memory or addresses are out, or a node's radius exceeds its field. */
-int sph_emit_memory(const struct sph_scene *scene, const struct sph_ball *balls,
-                    const struct sph_facets *facets, const struct sph_tree *tree,
-                    struct sph_machine *machine, struct sph_error *err);
+ * where they are; children are boxes if plants->kind is SPH_TREE_BOX4, else spheres. With facets
+ * every leaf has a line of its own, and the table of facets follows. -1 if memory or addresses are
+ * out, or a node's radius exceeds its field. */
+int sph_emit_memory(const struct sph_scene *scene, const struct sph_plants *plants,
+                    const struct sph_tree *tree, struct sph_machine *machine,
+                    struct sph_error *err);
 
 /* The same with a bounding interval hierarchy, the global box and its leaf records, planes first;
  * what it is like goes to *stats. With one leaf (brute force) there is no box. kept: see refit.h.

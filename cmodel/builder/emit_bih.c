@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "builder/box.h"
 #include "builder/emit.h"
-#include "builder/near.h"
 #include "machine/records.h"
 #include "prim/build.h"
 
@@ -43,21 +43,12 @@ static void gather(struct content *c) {
     }
 }
 
-/* A plane of a box, moved outwards by the error of a hit point: a ray may start that far outside of
- * the sphere that it is in. Beyond the ends of the grid nothing is. */
-static int32_t outwards(const struct sph_profile *p, int32_t clip, int up) {
-    int64_t unit = 1ll << sph_error_bits(p), end = 1ll << (p->w - 1);
-    int64_t margin = (sph_point_error(p) + unit - 1) / unit;
-    int64_t far = up ? clip + margin : clip - margin;
-    return (int32_t)(far > end ? end : far < -end ? -end : far);
-}
-
 /* A clip word; the two that leave no room become the ends of W+2 bits. */
 static uint32_t clip_word(const struct sph_profile *p, int32_t clip, int up) {
     int32_t end = 1 << (p->w + 1);
     if (clip == SPH_BIH_NOTHING_BELOW) return (uint32_t)-end;
     if (clip == SPH_BIH_NOTHING_ABOVE) return (uint32_t)(end - 1);
-    return (uint32_t)outwards(p, clip, up);
+    return (uint32_t)sph_outwards(p, clip, up);
 }
 
 static void put_node(struct sph_machine *m, const struct sph_bih *bih, uint32_t index,
@@ -98,7 +89,7 @@ static void put_box(struct sph_machine *m, const struct sph_bih *bih) {
         if (bih->box.lo[i] > bih->box.hi[i])
             lo = end - 1, hi = -end;
         else if (r[SPH_REG_TREE] == SPH_TREE_BIH)
-            lo = outwards(p, bih->box.lo[i], 0), hi = outwards(p, bih->box.hi[i], 1);
+            lo = sph_outwards(p, bih->box.lo[i], 0), hi = sph_outwards(p, bih->box.hi[i], 1);
         r[SPH_REG_BOX_X0 + i] = lo;
         r[SPH_REG_BOX_X1 + i] = hi;
     }

@@ -56,8 +56,7 @@ static int emit_four(const struct sph_scene *scene, const struct sph_plants *pla
                      struct sph_kept_tree *kept, struct sph_tree *tree, struct sph_machine *m,
                      struct sph_build_report *report, struct sph_error *err) {
     double start = seconds();
-    if (sph_tree_next(plants, kept, tree, err) ||
-        sph_emit_memory(scene, plants->balls, plants->facets, tree, m, err))
+    if (sph_tree_next(plants, kept, tree, err) || sph_emit_memory(scene, plants, tree, m, err))
         return -1;
     report->tree_seconds = seconds() - start;
     report->nodes = tree->n_nodes;

@@ -4,6 +4,7 @@
 #ifndef SPH_TREE_H
 #define SPH_TREE_H
 
+#include "builder/bih.h"
 #include "builder/facets.h"
 #include "common/error.h"
 
@@ -47,9 +48,11 @@ int sph_tree_paper(const struct sph_ball *balls, uint32_t n, const struct sph_pr
 
 /* Surface-area heuristic, collapsed to four children at least cost; at most SPH_STACK_DEPTH
  * levels of nodes. `eye` orders siblings near first. kind: SPH_TREE_REINSERTED: with the pairs that
- * tree_better.h makes of them, unless that is too deep. -1 if memory is out. */
-int sph_tree_balanced(const struct sph_ball *balls, uint32_t n, const struct sph_profile *profile,
-                      const int32_t eye[3], int kind, struct sph_tree *tree, struct sph_error *err);
+ * tree_better.h makes of them, unless that is too deep. boxes: around each, where nodes are boxes,
+ * which are reinserted too; else NULL. -1 if memory is out. */
+int sph_tree_balanced(const struct sph_ball *balls, const struct sph_aabb *boxes, uint32_t n,
+                      const struct sph_profile *profile, const int32_t eye[3], int kind,
+                      struct sph_tree *tree, struct sph_error *err);
 
 /* Indices 0..n-1 sorted by coordinate `axis` of the centre (equal ones by index), rising or
  * falling; malloc, NULL if memory is out. */

@@ -49,7 +49,7 @@ static struct sph_link_ball join(struct work *w, uint32_t me, uint32_t a, uint32
     uint32_t n = 0;
     l->child[me - l->n][0] = w->node[a], l->child[me - l->n][1] = w->node[b];
     l->parent[w->node[a]] = l->parent[w->node[b]] = me;
-    if (!tight) return sph_link_merge(&w->ball[a], &w->ball[b]);
+    if (!tight) return sph_link_merge(l, &w->ball[a], &w->ball[b]);
     for (uint32_t i = sph_link_leftmost(l, me); i != me; i = sph_link_next(l, i))
         if (i < l->n) w->spheres[n++] = i;
     return sph_link_around(l, w->spheres, n);

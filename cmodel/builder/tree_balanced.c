@@ -100,9 +100,9 @@ static void trivial(const struct work *w, uint32_t n) {
     w->tree->depth = 2;
 }
 
-int sph_tree_balanced(const struct sph_ball *balls, uint32_t n, const struct sph_profile *profile,
-                      const int32_t eye[3], int kind, struct sph_tree *tree,
-                      struct sph_error *err) {
+int sph_tree_balanced(const struct sph_ball *balls, const struct sph_aabb *boxes, uint32_t n,
+                      const struct sph_profile *profile, const int32_t eye[3], int kind,
+                      struct sph_tree *tree, struct sph_error *err) {
     static const int limits[] = {64, 30, 25, 21, 18, 0};
     struct work w = {.balls = balls, .profile = profile, .eye = eye, .tree = tree};
     /* a node has two children or more, so there are fewer nodes than spheres */
@@ -112,9 +112,10 @@ int sph_tree_balanced(const struct sph_ball *balls, uint32_t n, const struct sph
         trivial(&w, n);
         return 0;
     }
-    for (int better = kind == SPH_TREE_REINSERTED, i = 0; i < 6; i += !better, better = 0) {
-        if (sph_split(balls, n, limits[i], &w.split, err) ||
-            (better && sph_split_better(balls, n, profile, &w.split, err))) {
+    for (int better = kind == SPH_TREE_REINSERTED || boxes, i = 0; i < 6;
+         i += !better, better = 0) {
+        if (sph_split(balls, boxes, n, limits[i], &w.split, err) ||
+            (better && sph_split_better(balls, boxes, n, profile, &w.split, err))) {
             sph_split_free(&w.split);
             free(tree->nodes);
             tree->nodes = NULL;

@@ -34,20 +34,22 @@ static int make_cheaper(struct sph_links *l, int way, struct sph_split *split,
     return 0;
 }
 
-int sph_split_better(const struct sph_ball *balls, uint32_t n, const struct sph_profile *profile,
-                     struct sph_split *split, struct sph_error *err) {
+int sph_split_better(const struct sph_ball *balls, const struct sph_aabb *boxes, uint32_t n,
+                     const struct sph_profile *profile, struct sph_split *split,
+                     struct sph_error *err) {
     struct sph_links links;
     struct sph_split spare = {NULL, 0, NULL};
-    int failed = sph_links_new(balls, n, sph_pair_margin(profile), &links);
-    if (n <= FEW) {
+    int failed = sph_links_new(balls, boxes, n, sph_pair_margin(profile), &links);
+    int many = n > FEW || boxes; /* one way must do */
+    if (!many) {
         spare.pairs = malloc((n - 1) * sizeof *spare.pairs);
         spare.order = malloc(n * sizeof *spare.order);
         failed |= !spare.pairs || !spare.order;
         sph_split_fill(balls, profile, split);
     }
-    for (int way = 0; way < WAYS && !failed && n <= FEW; way++)
+    for (int way = 0; way < WAYS && !failed && !many; way++)
         failed = make_cheaper(&links, way, split, &spare);
-    if (!failed && n > FEW) failed = make(&links, SPLITS, split, split);
+    if (!failed && many) failed = make(&links, SPLITS, split, split);
     sph_links_free(&links);
     sph_split_free(&spare);
     return failed ? sph_fail(err, "out of memory for a tree of %u spheres", n) : 0;

@@ -8,9 +8,10 @@
 
 enum { PARALLEL = 8192 }; /* spheres from which on threads share the work */
 
-int sph_links_new(const struct sph_ball *balls, uint32_t n, double margin, struct sph_links *l) {
+int sph_links_new(const struct sph_ball *balls, const struct sph_aabb *boxes, uint32_t n,
+                  double margin, struct sph_links *l) {
     size_t all = 2ull * n - 1, inner = n - 1ull;
-    *l = (struct sph_links){.balls = balls, .n = n, .margin = (float)margin};
+    *l = (struct sph_links){.balls = balls, .boxes = boxes, .n = n, .margin = (float)margin};
     l->ball = malloc(all * sizeof *l->ball);
     l->parent = malloc(all * sizeof *l->parent);
     l->child = malloc(inner * sizeof *l->child);
@@ -20,7 +21,12 @@ int sph_links_new(const struct sph_ball *balls, uint32_t n, double margin, struc
     l->stale = malloc(inner);
     if (!l->ball || !l->parent || !l->child || !l->order || !l->first || !l->count || !l->stale)
         return -1;
-    for (uint32_t i = 0; i < n; i++) {
+    for (uint32_t i = 0; boxes && i < n; i++)
+        for (int j = 0; j < 3; j++) {
+            l->ball[i].lo[j] = (float)boxes[i].lo[j];
+            l->ball[i].hi[j] = (float)boxes[i].hi[j];
+        }
+    for (uint32_t i = 0; !boxes && i < n; i++) {
         for (int j = 0; j < 3; j++)
             l->ball[i].c[j] = (float)balls[i].c[j];
         l->ball[i].r = (float)balls[i].r + l->margin;
@@ -90,12 +96,13 @@ struct sph_link_ball sph_link_around(const struct sph_links *l, const uint32_t *
                                      uint32_t n) {
     double ball[4];
     sph_enclose(l->balls, spheres, n, ball);
-    return (struct sph_link_ball){{(float)ball[0], (float)ball[1], (float)ball[2]},
-                                  (float)ball[3] + l->margin};
+    return (struct sph_link_ball){.c = {(float)ball[0], (float)ball[1], (float)ball[2]},
+                                  .r = (float)ball[3] + l->margin};
 }
 
 double sph_links_fit(struct sph_links *l, uint32_t most) {
     put_in_order(l);
+    if (l->boxes) most = 0;
 #pragma omp parallel for schedule(dynamic, 256) if (l->n > PARALLEL)
     for (uint32_t i = 0; i < l->n - 1; i++) {
         if (l->count[i] > most || !(l->stale[i] || l->count[i] > l->exact)) continue;
@@ -109,8 +116,8 @@ double sph_links_fit(struct sph_links *l, uint32_t most) {
         if (node < l->n) continue;
         const uint32_t *child = l->child[node - l->n];
         if (l->count[node - l->n] > most)
-            l->ball[node] = sph_link_merge(&l->ball[child[0]], &l->ball[child[1]]);
-        sum += (double)l->ball[node].r * l->ball[node].r;
+            l->ball[node] = sph_link_merge(l, &l->ball[child[0]], &l->ball[child[1]]);
+        sum += (double)sph_link_area(l, &l->ball[node]);
     }
     return sum;
 }
@@ -130,12 +137,20 @@ void sph_links_give(struct sph_links *l, struct sph_split *split) {
             uint32_t child = l->child[i][j], below = child - l->n;
             p->child[j] = child < l->n ? SPH_PAIR_LEAF | child : below ? below : top;
         }
-        sph_pair_fill(split->pairs, p, l->ball[node].r);
+        sph_pair_fill(split->pairs, p, sph_link_area(l, &l->ball[node]));
     }
 }
 
-struct sph_link_ball sph_link_merge(const struct sph_link_ball *a, const struct sph_link_ball *b) {
+struct sph_link_ball sph_link_merge(const struct sph_links *l, const struct sph_link_ball *a,
+                                    const struct sph_link_ball *b) {
     struct sph_link_ball out;
+    if (l->boxes) {
+        for (int i = 0; i < 3; i++) {
+            out.lo[i] = a->lo[i] < b->lo[i] ? a->lo[i] : b->lo[i];
+            out.hi[i] = a->hi[i] > b->hi[i] ? a->hi[i] : b->hi[i];
+        }
+        return out;
+    }
     float apart = sph_link_apart(a, b);
     if (apart + b->r <= a->r) return *a;
     if (apart + a->r <= b->r) return *b;

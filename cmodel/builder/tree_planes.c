@@ -8,12 +8,28 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "builder/tree.h"
+#include "builder/box.h"
 #include "prim/build.h"
 
 static int loose(const struct sph_plants *p, uint32_t id) {
     struct sph_grid_prim prim = sph_grid_prim_of(p->balls, p->n_spheres, p->facets, id);
     return sph_prim_build_of(prim.kind)->loose;
+}
+
+/* A tree of boxes is made of the boxes of primitives; other trees take none. */
+static int make(const struct sph_plants *p, const struct sph_ball *balls, const uint32_t *id,
+                uint32_t n, struct sph_tree *tree, struct sph_error *err) {
+    struct sph_aabb *boxes = NULL;
+    if (p->kind == SPH_TREE_PAPER) return sph_tree_paper(balls, n, p->profile, tree, err);
+    if (p->kind == SPH_TREE_BOX4) {
+        boxes = malloc((n + 1ull) * sizeof *boxes);
+        if (!boxes) return sph_fail(err, "out of memory for %u boxes", n);
+        for (uint32_t i = 0; i < n; i++)
+            sph_box_of(p, id[i], &boxes[i]);
+    }
+    int failed = sph_tree_balanced(balls, boxes, n, p->profile, p->eye, p->kind, tree, err);
+    free(boxes);
+    return failed;
 }
 
 /* Builds the tree of what has bounds; leaf children are ids. */
@@ -32,9 +48,7 @@ static int plant(const struct sph_plants *p, struct sph_tree *tree, struct sph_e
             id[n++] = i;
         }
         tree->above = (facets->n_loose + SPH_CHILDREN - 2) / (SPH_CHILDREN - 1);
-        failed = p->kind == SPH_TREE_PAPER
-                     ? sph_tree_paper(balls, n, p->profile, tree, err)
-                     : sph_tree_balanced(balls, n, p->profile, p->eye, p->kind, tree, err);
+        failed = make(p, balls, id, n, tree, err);
     }
     for (uint32_t i = 0; !failed && i < tree->n_nodes; i++) {
         struct sph_tree_node *node = &tree->nodes[i];

@@ -2,10 +2,10 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Meister, Bittner: Parallel Reinsertion for Bounding Volume Hierarchy Optimization (2018), with
- * balls. In a round nodes look for the place where they would save most; the tree stands still, so
- * that threads may share the work. Then the moves are made one after another, those that save most
- * first, unless one before touched the same nodes. In the next round those look again that wanted
- * to move or were touched.
+ * balls or boxes. In a round nodes look for the place where they would save most; the tree stands
+ * still, so that threads may share the work. Then the moves are made one after another, those that
+ * save most first, unless one before touched the same nodes. In the next round those look again
+ * that wanted to move or were touched.
  */
 #include "builder/tree_reinsert.h"
 
@@ -25,12 +25,28 @@ static float square(float x) {
     return x * x;
 }
 
-/* R^2 of the ball around two. */
-static inline float merged(const struct sph_link_ball *a, const struct sph_link_ball *b) {
+/* The area of what is around two. */
+static inline float merged(const struct sph_links *l, const struct sph_link_ball *a,
+                           const struct sph_link_ball *b) {
+    if (l->boxes) {
+        struct sph_link_ball both = sph_link_merge(l, a, b);
+        return sph_link_surface(both.lo, both.hi);
+    }
     float apart = sph_link_apart(a, b);
     if (apart + b->r <= a->r) return square(a->r);
     if (apart + a->r <= b->r) return square(b->r);
     return square((apart + a->r + b->r) / 2);
+}
+
+/* How far a node is from another: between centres, of boxes four times the square of that. */
+static inline float distance(const struct sph_links *l, uint32_t node,
+                             const struct sph_link_ball *to) {
+    const struct sph_link_ball *at = &l->ball[node];
+    float sum = 0;
+    if (!l->boxes) return sph_link_apart(at, to);
+    for (int i = 0; i < 3; i++)
+        sum += square(at->lo[i] + at->hi[i] - to->lo[i] - to->hi[i]);
+    return sum;
 }
 
 /* Looks for the best place of a node in the subtree `top`, which it is not in. saved: what taking
@@ -43,7 +59,7 @@ static void look_below(const struct sph_links *l, uint32_t top, float saved, int
         float left; /* saved, less what the nodes above it grow */
     } stack[DEEP];
     const struct sph_link_ball *ball = &l->ball[best->node];
-    float least = square(ball->r);
+    float least = sph_link_area(l, ball);
     int n = 0;
     stack[n].node = top, stack[n++].left = saved;
     while (n && *looks > 0) {
@@ -51,13 +67,12 @@ static void look_below(const struct sph_links *l, uint32_t top, float saved, int
         float left = stack[n].left;
         if (left - least <= best->gain) continue;
         --*looks;
-        float area = merged(&l->ball[at], ball), grown = area - square(l->ball[at].r);
+        float area = merged(l, &l->ball[at], ball), grown = area - sph_link_area(l, &l->ball[at]);
         if (left - area > best->gain) best->gain = left - area, best->to = at;
         if (grown > 0) left -= grown;
         if (at < l->n || left - least <= best->gain || n + 2 > DEEP) continue;
         const uint32_t *child = l->child[at - l->n];
-        int near = sph_link_apart(&l->ball[child[1]], ball) <
-                   sph_link_apart(&l->ball[child[0]], ball); /* goes first */
+        int near = distance(l, child[1], ball) < distance(l, child[0], ball); /* goes first */
         stack[n].node = child[!near], stack[n++].left = left;
         stack[n].node = child[near], stack[n++].left = left;
     }
@@ -70,18 +85,19 @@ static struct move look(const struct sph_links *l, uint32_t node) {
     if (parent == SPH_LINK_NONE) return best;
     int looks = LOOKS;
     uint32_t sibling = sph_link_other(l, parent, node), below = parent;
-    float saved = square(l->ball[parent].r);
+    float saved = sph_link_area(l, &l->ball[parent]);
     struct sph_link_ball rest = l->ball[sibling]; /* of `below` without the node */
     if (sibling >= l->n)
         for (int i = 0; i < 2; i++) /* the place beside the sibling is where it is */
             look_below(l, l->child[sibling - l->n][i],
-                       saved + square(rest.r) - merged(&rest, &l->ball[node]), &looks, &best);
+                       saved + sph_link_area(l, &rest) - merged(l, &rest, &l->ball[node]), &looks,
+                       &best);
     for (uint32_t pivot = l->parent[parent]; pivot != SPH_LINK_NONE && looks > 0;
          below = pivot, pivot = l->parent[pivot]) {
         uint32_t other = sph_link_other(l, pivot, below);
         look_below(l, other, saved, &looks, &best);
-        rest = sph_link_merge(&rest, &l->ball[other]);
-        float area = square(l->ball[pivot].r), less = square(rest.r);
+        rest = sph_link_merge(l, &rest, &l->ball[other]);
+        float area = sph_link_area(l, &l->ball[pivot]), less = sph_link_area(l, &rest);
         if (less > area) rest = l->ball[pivot], less = area;
         if (saved - less > best.gain) best.gain = saved - less, best.to = pivot;
         saved += area - less;

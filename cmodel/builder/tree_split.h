@@ -21,11 +21,12 @@ struct sph_split {
 };
 
 /* Splits n >= 2 spheres by the surface-area heuristic; where a branch would grow deeper than
- * `limit` binary levels it is split in half. -1 if memory is out. */
-int sph_split(const struct sph_ball *balls, uint32_t n, int limit, struct sph_split *split,
-              struct sph_error *err);
+ * `limit` binary levels it is split in half. boxes: those that a tree of boxes is made of, or NULL.
+ * -1 if memory is out. */
+int sph_split(const struct sph_ball *balls, const struct sph_aabb *boxes, uint32_t n, int limit,
+              struct sph_split *split, struct sph_error *err);
 
-/* Fills the costs of all pairs of a split. */
+/* Fills the costs of all pairs of a split of balls. */
 void sph_split_fill(const struct sph_ball *balls, const struct sph_profile *profile,
                     struct sph_split *split);
 
@@ -40,8 +41,8 @@ static inline float sph_pair_cost(const struct sph_pair *pairs, uint32_t child, 
  * cheapest way, and its cost. */
 int sph_pair_share(const struct sph_pair *pairs, const struct sph_pair *p, int j, float *cost);
 
-/* Fills cost[] of a pair whose children are done; r: the radius of its ball, grid units. */
-void sph_pair_fill(const struct sph_pair *pairs, struct sph_pair *p, double r);
+/* Fills cost[] of a pair whose children are done; area: what its ball or box is met like. */
+void sph_pair_fill(const struct sph_pair *pairs, struct sph_pair *p, float area);
 
 /* What the radius of a node in memory may be more than that of its ball, grid units. */
 double sph_pair_margin(const struct sph_profile *profile);

@@ -30,11 +30,12 @@ static void count(const struct sph_machine *m, uint32_t line, uint32_t level, st
 }
 
 const char *sph_machine_tree_name(const struct sph_machine *m) {
-    static const char *const names[] = {"", "paper", "balanced", "bih", "brute", "reinserted"};
+    static const char *const names[] = {"",      "paper",      "balanced", "bih",
+                                        "brute", "reinserted", "box4"};
     return names[m->regs[SPH_REG_TREE] & 7];
 }
 
-static void describe_tree(const struct sph_machine *m, FILE *file) {
+void sph_machine_describe_tree(const struct sph_machine *m, FILE *file) {
     struct shape s = {0};
     count(m, (uint32_t)m->regs[SPH_REG_ROOT], 1, &s);
     struct sph_counts n = sph_machine_count(m);
@@ -109,7 +110,7 @@ void sph_machine_describe(const struct sph_machine *m, FILE *file) {
     if (sph_machine_bih(m))
         describe_bih(m, file);
     else
-        describe_tree(m, file);
+        sph_machine_describe_tree(m, file);
     char core[160];
     sph_machine_core(m, core, sizeof core);
     fprintf(file, "core      %s\n", core);

@@ -13,11 +13,14 @@
  * (sph_machine_validate). */
 void sph_machine_describe(const struct sph_machine *m, FILE *file);
 
+/* The part of it on a tree of four children a node: nodes, levels, children and leaves. */
+void sph_machine_describe_tree(const struct sph_machine *m, FILE *file);
+
 /* What a core must be elaborated with to render the machine: names joined by '+' as
  * sim/parameters.sh takes them, such as "shadow+reflect2+lights1+rect"; "none" if nothing. */
 void sph_machine_core(const struct sph_machine *m, char *text, size_t size);
 
-/* paper, balanced, reinserted, bih or brute; the machine must be valid. */
+/* paper, balanced, reinserted, box4, bih or brute; the machine must be valid. */
 const char *sph_machine_tree_name(const struct sph_machine *m);
 
 #endif

@@ -52,6 +52,9 @@ static int check_none(const struct sph_machine *m, struct sph_error *err) {
 int sph_validate_tree(const struct sph_machine *m, struct sph_error *err) {
     uint32_t n = (uint32_t)m->regs[SPH_REG_N_PRIMS], root = (uint32_t)m->regs[SPH_REG_ROOT];
     if (check_none(m, err)) return -1;
+    if (m->regs[SPH_REG_TREE] == SPH_TREE_BOX4 && sph_machine_effect(m, SPH_EFFECT_FIRST))
+        return sph_fail(err, "register EFFECTS is %d: FIRST is not for TREE %d",
+                        m->regs[SPH_REG_EFFECTS], SPH_TREE_BOX4);
     struct walk w = {m, calloc((size_t)m->regs[SPH_REG_PRIM_BASE], 1), calloc(n + 1u, 1)};
     int result;
     if (w.used && w.found) {

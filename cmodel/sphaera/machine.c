@@ -30,7 +30,8 @@ static int take(const sphaera_build_options *from, struct sph_build_options *to,
     } accels[] = {{"auto", SPH_TREE_AUTO},
                   {"bvh4", SPH_TREE_REINSERTED},
                   {"bih", SPH_TREE_BIH},
-                  {"brute", SPH_TREE_BRUTE}};
+                  {"brute", SPH_TREE_BRUTE},
+                  {"box4", SPH_TREE_BOX4}};
     enum { ACCELS = sizeof accels / sizeof *accels };
     int accel = 0;
     if (from->size != sizeof *from || !from->profile || !from->accel)
@@ -38,7 +39,7 @@ static int take(const sphaera_build_options *from, struct sph_build_options *to,
     while (accel < ACCELS && strcmp(accels[accel].name, from->accel) != 0)
         accel++;
     if (accel == ACCELS)
-        return sph_fail(err, "accel is '%.40s', none of auto, bvh4, bih, brute", from->accel);
+        return sph_fail(err, "accel is '%.40s', none of auto, bvh4, bih, brute, box4", from->accel);
     if (from->depth < 0 || from->depth > SPH_MAX_DEPTH)
         return sph_fail(err, "depth is %d, not 0 to %d", from->depth, SPH_MAX_DEPTH);
     if (from->width < 0 || from->height < 0 || from->width > SPH_MAX_SIDE ||

@@ -60,7 +60,7 @@ SPHAERA_API uint32_t sphaera_scene_facets(const sphaera_scene *scene); /* triang
 typedef struct sphaera_build_options {
     size_t size;         /* of this struct, set by sphaera_build_init() */
     const char *profile; /* "auto", "draft", "standard", ...: widths of the arithmetic */
-    const char *accel;   /* "auto", "bvh4", "bih", "brute" */
+    const char *accel;   /* "auto", "bvh4", "bih", "brute", "box4" */
     int width, height;   /* pixels; 0: as the scene says */
     int depth;           /* reflections and refractions one after another, 0..5 */
     int shadow, reflect, refract, specular, texture; /* SPHAERA_AUTO, _OFF, _ON */

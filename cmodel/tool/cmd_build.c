@@ -1,9 +1,11 @@
 /* cmd_build.c - `sphaera build`: scene file to machine file
  * SPDX-License-Identifier: Apache-2.0
  */
+#include <inttypes.h>
 #include <stdlib.h>
 #include <sys/stat.h>
 
+#include "machine/describe.h"
 #include "tool/print.h"
 #include "tool/report.h"
 #include "tool/sequence.h"
@@ -19,7 +21,7 @@ enum { KEY_JSON = 512, KEY_STATS, KEY_FRAMES };
 
 static const struct argp_option options[] = {
     {"output", 'o', "FILE", 0, "machine file to write", 0},
-    {"stats", KEY_STATS, NULL, 0, "bih: nodes, leaves, depth and bytes as text", 0},
+    {"stats", KEY_STATS, NULL, 0, "bih, box4: nodes, leaves, depth and bytes as text", 0},
     {"frames", KEY_FRAMES, "A..B", 0,
      "machines of these frames of a moving scene, FILE-0007.sph and so on", 0},
     {"json", KEY_JSON, "FILE", 0, "report as JSON (- : on standard output instead of text)", 0},
@@ -85,6 +87,14 @@ static int build_frames(struct arguments *a) {
     return rc ? tool_failed(&err) : TOOL_GOOD;
 }
 
+/* What a tree of boxes is like. */
+static void print_boxes(const struct sph_machine *m, uint32_t nodes) {
+    uint32_t bytes = SPH_LINE_WORDS * 4 * nodes;
+    sph_machine_describe_tree(m, stdout);
+    printf("bytes     %u of nodes and %" PRId64 " of leaf records\n", bytes,
+           (int64_t)m->regs[SPH_REG_PRIM_BASE] * SPH_LINE_WORDS * 4 - bytes);
+}
+
 int tool_build(int argc, char **argv) {
     static const struct argp_child children[] = {{&tool_source_argp, 0, NULL, 1}, {0}};
     static const struct argp argp = {
@@ -110,8 +120,10 @@ int tool_build(int argc, char **argv) {
     if (check_target(a.output, &err) || tool_load(a.input, &a.source, &built, &err))
         return tool_failed(&err);
     print_build(print_stream(a.json), &built);
-    if (a.stats && sph_machine_bih(&built.machine)) {
-        print_bih(print_stream(a.json), &built.machine, &built.report.bih);
+    int boxes = built.machine.regs[SPH_REG_TREE] == SPH_TREE_BOX4;
+    if (a.stats && (boxes || sph_machine_bih(&built.machine))) {
+        if (!boxes) print_bih(print_stream(a.json), &built.machine, &built.report.bih);
+        if (boxes && !a.json) print_boxes(&built.machine, built.report.nodes);
         if (!a.json) printf("build    tree %.3f ms\n", 1e3 * built.report.tree_seconds);
     }
     json_t *report = report_new("build");

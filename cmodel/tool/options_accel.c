@@ -9,7 +9,8 @@ enum { KEY_ACCEL = 384, KEY_MAX_PRIMS, KEY_MAX_TREE_DEPTH, KEY_BIH };
 
 static const struct argp_option options[] = {
     {"accel", KEY_ACCEL, "NAME", 0,
-     "bvh4 (spheres around four children), bih (bounding interval hierarchy), brute (every "
+     "bvh4 (spheres around four children), box4 (boxes around them), bih (bounding interval "
+     "hierarchy), brute (every "
      "primitive), or auto (default: bih with --max-prims 1 if there are more triangles than "
      "spheres, "
      "else bvh4)",
@@ -32,7 +33,7 @@ static uint32_t number(const struct argp_state *state, const char *option, const
 }
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
-    static const char *const accels[] = {"auto", "bvh4", "bih", "brute", NULL};
+    static const char *const accels[] = {"auto", "bvh4", "bih", "brute", "box4", NULL};
     static const char *const ways[] = {"full", "listing", NULL};
     struct tool_source *s = state->input;
     switch (key) {
@@ -61,6 +62,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
             argp_error(state, "--tree is for --accel bvh4, this is %s", accels[s->accel]);
         if (s->accel == TOOL_AUTO) s->build.tree = SPH_TREE_AUTO;
         if (s->accel == TOOL_BIH) s->build.tree = SPH_TREE_BIH;
+        if (s->accel == TOOL_BOX4) s->build.tree = SPH_TREE_BOX4;
         if (s->accel == TOOL_BRUTE) s->build.tree = SPH_TREE_BRUTE;
         return 0;
     default:

@@ -63,7 +63,7 @@ error_t tool_one_scene(const struct argp_state *state, int key, char *arg, const
 
 enum { TOOL_SAMPLES = 16 }; /* the most */
 
-enum { TOOL_AUTO, TOOL_BVH4, TOOL_BIH, TOOL_BRUTE };
+enum { TOOL_AUTO, TOOL_BVH4, TOOL_BIH, TOOL_BRUTE, TOOL_BOX4 };
 
 struct tool_source {
     struct sph_build_options build;

@@ -7,6 +7,7 @@
 
 #include "machine/records.h"
 #include "trace/bih_walk.h"
+#include "trace/box.h"
 #include "trace/leaf_unit.h"
 #include "trace/visit.h"
 
@@ -25,6 +26,11 @@ static struct sph_hit brute(const struct sph_machine *m, const struct sph_ray *r
     return probe.best;
 }
 
+/* Depth of what has a key; boxes have their own. */
+static int32_t depth(const struct sph_probe *probe, const struct sph_bih_ray *bih, uint64_t key) {
+    return bih ? sph_box_depth(sph_bih_time(bih, key)) : sph_ray_depth(probe->p, probe->ray, key);
+}
+
 struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *ray, int how,
                             struct sph_counters *c, uint32_t *visits, uint32_t *errors) {
     if (how == SPH_TRAVERSE_BRUTE) return brute(m, ray, c, errors);
@@ -34,9 +40,15 @@ struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *r
     struct sph_siblings now = {0}, stack[SPH_STACK_DEPTH];
     int sp = 0, ends = sph_ray_any(ray);
     int32_t depth_max = ray->depth_max;
+    struct sph_bih_ray planes, *bih = NULL;
     uint32_t lines = (uint32_t)m->regs[SPH_REG_MEM_LINES], ray_visits = 0;
     uint32_t node = (uint32_t)m->regs[SPH_REG_ROOT];
 
+    if (m->regs[SPH_REG_TREE] == SPH_TREE_BOX4) {
+        bih = &planes;
+        sph_bih_setup(probe.p, ray, bih);
+        depth_max = sph_box_depth(bih->limit);
+    }
     for (;;) {
         if (node >= lines) return *errors |= 1u << SPH_ERROR_BAD_NODE, *best;
         if (ray_visits == (uint32_t)m->regs[SPH_REG_VISIT_LIMIT])
@@ -46,7 +58,7 @@ struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *r
         c->count[SPH_COUNT_NODE_VISITS]++;
 
         struct sph_found found;
-        if (!sph_visit(m, ray, node, depth_max, &found))
+        if (!sph_visit(m, ray, bih, node, depth_max, &found))
             return *errors |= 1u << SPH_ERROR_BAD_NODE, *best;
         c->count[SPH_COUNT_CHILD_TESTS] += found.tests;
         uint64_t key_before = best->key;
@@ -54,7 +66,7 @@ struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *r
             if (found.leaves >> j & 1)
                 sph_leaf_visit(&probe, sph_record(m, probe.whole, found.line, j));
         if (ends && best->key) return *best;
-        if (best->key != key_before) depth_max = sph_ray_depth(probe.p, ray, best->key);
+        if (best->key != key_before) depth_max = depth(&probe, bih, best->key);
 
         if (found.inner.count && found.inner.list[0].near <= depth_max) {
             if (now.count) {

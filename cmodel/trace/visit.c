@@ -4,6 +4,7 @@
 #include "trace/visit.h"
 
 #include "machine/records.h"
+#include "trace/box.h"
 #include "trace/node.h"
 
 /* Near children come first, equal ones in the order of the node. */
@@ -15,8 +16,21 @@ static void insert(struct sph_siblings *s, uint32_t child, int32_t near) {
     s->list[at].near = near;
 }
 
-int sph_visit(const struct sph_machine *m, const struct sph_ray *ray, uint32_t node,
-              int32_t depth_max, struct sph_found *found) {
+/* Whether the ray meets child i of a node, and where. */
+static int meets(const struct sph_machine *m, const struct sph_ray *ray,
+                 const struct sph_bih_ray *bih, const uint32_t *line, int i, int32_t depth_max,
+                 int32_t *near) {
+    if (bih) {
+        struct sph_box box;
+        sph_box_read(line, i, sph_machine_profile(m), &box);
+        return sph_box_meets(bih, ray, &box, depth_max, near);
+    }
+    struct sph_child child = sph_child_read(line, i);
+    return sph_filter(ray, &child, depth_max, near);
+}
+
+int sph_visit(const struct sph_machine *m, const struct sph_ray *ray, const struct sph_bih_ray *bih,
+              uint32_t node, int32_t depth_max, struct sph_found *found) {
     const uint32_t *line = sph_line(m, node);
     uint32_t base = sph_field(line, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS);
     uint32_t n_inner = sph_field(line, SPH_NODE_N_INNER_LSB, SPH_NODE_N_INNER_BITS);
@@ -30,9 +44,8 @@ int sph_visit(const struct sph_machine *m, const struct sph_ray *ray, uint32_t n
         found->line + sph_record_lines(sph_whole(m), n_leaf) > (uint32_t)m->regs[SPH_REG_MEM_LINES])
         return 0;
     for (uint32_t i = 0; i < found->tests; i++) {
-        struct sph_child child = sph_child_read(line, (int)i);
         int32_t near;
-        if (!sph_filter(ray, &child, depth_max, &near)) continue;
+        if (!meets(m, ray, bih, line, (int)i, depth_max, &near)) continue;
         if (i < n_inner)
             insert(&found->inner, i, sph_ray_any(ray) ? INT16_MIN : near);
         else

@@ -8,6 +8,7 @@
 #define SPH_VISIT_H
 
 #include "machine/machine.h"
+#include "trace/bih.h"
 #include "trace/ray.h"
 
 /* Inner children to visit, in order: the near ones first, equal ones as the node has them; all as
@@ -29,10 +30,11 @@ struct sph_found {
     uint32_t tests;  /* children of the node */
 };
 
-/* Tests the children of the node in line `node`, which exists, against a ray that was set up. Those
- * of a sph_ray_any() keep the order of the node: all are at the least depth. Returns 0, and
- * *found is of no use, if the node has more than four children or they do not end in memory. */
-int sph_visit(const struct sph_machine *m, const struct sph_ray *ray, uint32_t node,
-              int32_t depth_max, struct sph_found *found);
+/* Tests the children of the node in line `node`, which exists, against a ray that was set up: their
+ * spheres, or with `bih`, the same ray set up for planes, their boxes. Those of a sph_ray_any()
+ * keep the order of the node: all are at the least depth. Returns 0, and *found is of no use, if
+ * the node has more than four children or they do not end in memory. */
+int sph_visit(const struct sph_machine *m, const struct sph_ray *ray, const struct sph_bih_ray *bih,
+              uint32_t node, int32_t depth_max, struct sph_found *found);
 
 #endif

@@ -39,7 +39,7 @@ const struct view_key view_keys[] = {
      "distance: white at the eye, half as bright at what the camera looks at"},
     {"9", VIEW_DO_LAYER + VIEW_DIFFERENCE, NULL,
      "difference to the double reference, 16 times; blue: another primitive; once it is drawn"},
-    {"t", VIEW_DO_TREE, NULL, "next tree: paper, balanced, bih, brute, reinserted"},
+    {"t", VIEW_DO_TREE, NULL, "next tree: paper, balanced, bih, brute, reinserted, box4"},
     {"b", VIEW_DO_BACKGROUND, NULL, "next way of background separation: none, rect, spans, exact"},
     {"n", VIEW_DO_DEPTH, NULL, "next depth, 0 to 5"},
     {"p", VIEW_DO_PROFILE, NULL, "next profile: draft, standard, fine, reference"},

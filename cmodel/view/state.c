@@ -10,7 +10,8 @@
 
 enum { CLICK = 3 }; /* pixels that a button may move and still be a click */
 static const double half_turn = 3.14159265358979323846;
-static const char *const trees[] = {"auto", "paper", "balanced", "bih", "brute", "reinserted"};
+static const char *const trees[] = {"auto",  "paper",      "balanced", "bih",
+                                    "brute", "reinserted", "box4"};
 static const char *const backgrounds[] = {"none", "rect", "spans", "exact"};
 
 void view_state_start(struct view_state *s, const struct sph_camera *camera,

@@ -30,7 +30,7 @@ class Scene:
         """The machine: the scene quantised, with its tree; words are those of `sphaera build`.
 
         profile        auto, draft, standard, fine, reference, or with widths: "draft:w=14"
-        accel          auto, bvh4, bih, brute
+        accel          auto, bvh4, bih, brute, box4
         width, height  pixels, 1 to 16383; 0: as the scene says
         depth          reflections and refractions one after another, 0 to 5
         shadow ...     True, False, or None: on if the scene asks for it

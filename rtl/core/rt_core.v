@@ -125,7 +125,7 @@ module rt_core #(
     wire [`RT_LINE_BITS-1:0] root, prim_base, mem_lines;
     wire             light_valid;
     wire [2:0]       light_number, light_part;
-    wire             bih;
+    wire             bih, boxes;
     wire [IB-1:0]    n_prims, n_loose;
     wire [`RT_LINE_BITS-1:0] leaf_base;
     wire [6*(W+2)-1:0] box;
@@ -137,8 +137,8 @@ module rt_core #(
         .ambient_o(ambient), .eye_o(eye), .dir_o(dir), .pitch_o(pitch), .root_o(root),
         .prim_base_o(prim_base), .mem_lines_o(mem_lines), .visit_limit_o(visit_limit),
         .profile_o(profile), .frame_o(frame), .tex_filter_o(tex_filter), .coarse_o(coarse),
-        .bih_o(bih), .n_prims_o(n_prims), .leaf_base_o(leaf_base), .n_loose_o(n_loose),
-        .box_o(box),
+        .bih_o(bih), .boxes_o(boxes), .n_prims_o(n_prims), .leaf_base_o(leaf_base),
+        .n_loose_o(n_loose), .box_o(box),
         .light_valid_o(light_valid), .light_number_o(light_number),
         .light_part_o(light_part)
     );
@@ -167,7 +167,8 @@ module rt_core #(
     localparam DEEPEST = REFRACT != 0 ? 5 : REFLECT;  // refracted rays alone go to 5
     wire [3:0]  ways  = {CONES != 0, SPANS != 0, RECT != 0, 1'b1};
     wire missing = (effects & ~built) != 32'd0 ||    // the machine asks for what is not here
-                   bih != (ACCEL != 0) || coarse != (TEXTURE != 0 ? COARSE[3:0] : 4'd0) ||
+                   bih != (ACCEL != 0) || boxes ||
+                   coarse != (TEXTURE != 0 ? COARSE[3:0] : 4'd0) ||
                    {29'd0, max_depth} > DEEPEST || {28'd0, n_lights} > LIGHTS ||
                    !ways[bg_mode] || (bg_mode == 2'd3 && {27'd0, bg_count} > CONES);
     localparam [31:0] PROFILE = W << `RT_WIDTH_W_LSB | WD << `RT_WIDTH_WD_LSB |

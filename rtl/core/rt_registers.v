@@ -37,6 +37,7 @@ module rt_registers #(
     output wire [1:0]        tex_filter_o,
     output wire [3:0]        coarse_o,
     output reg               bih_o,           // TREE is a BIH
+    output reg               boxes_o,         // TREE has boxes around children
     output wire [`RT_ID_BITS-1:0] n_prims_o,       // of a BIH
     output wire [`RT_LINE_BITS-1:0] leaf_base_o,
     output wire [`RT_ID_BITS-1:0] n_loose_o,
@@ -82,8 +83,10 @@ module rt_registers #(
                 `RT_REG_VISIT_LIMIT: visit_limit_o   <= data_i[`RT_VISITS_BITS-1:0];
                 `RT_REG_PROFILE:     profile_o       <= data_i;
                 `RT_REG_FRAME:       frame_o         <= data_i[1:0];
-                `RT_REG_TREE:        bih_o           <= data_i[2:0] == 3'd`RT_TREE_BIH ||
-                                                    data_i[2:0] == 3'd`RT_TREE_BRUTE;
+                `RT_REG_TREE: begin
+                    bih_o   <= data_i[2:0] == 3'd`RT_TREE_BIH || data_i[2:0] == 3'd`RT_TREE_BRUTE;
+                    boxes_o <= data_i[2:0] == 3'd`RT_TREE_BOX4;
+                end
                 `RT_REG_BG_BASE:     bg_base_o       <= data_i[`RT_LINE_BITS-1:0];
                 `RT_REG_BG_COUNT:    bg_count_o      <= data_i[4:0];
                 default: ;

@@ -108,7 +108,8 @@ static void test_depth(void **unused) {
         }
         const struct sph_profile *p = &sph_profiles[SPH_REFERENCE];
         for (int kind = 1; kind < 3; kind++) {
-            assert_int_equal(sph_tree_balanced(balls, n, p, eye, trees[kind], &tree, NULL), 0);
+            assert_int_equal(sph_tree_balanced(balls, NULL, n, p, eye, trees[kind], &tree, NULL),
+                             0);
             assert_true(tree.depth - 1 <= SPH_STACK_DEPTH);
             free(tree.nodes);
         }
@@ -216,9 +217,10 @@ static void test_radius(void **unused) {
         struct sph_tree_node nodes[2] = {{.n_inner = 1, .child = {1}},
                                          {.ball = {.r = most + over}}};
         struct sph_tree tree = {.nodes = nodes, .n_nodes = 2, .depth = 2};
+        struct sph_plants plants = {.facets = &none, .kind = SPH_TREE_BALANCED};
         struct sph_machine m = {.regs = {0}};
         struct sph_error err = {{0}};
-        assert_int_equal(sph_emit_memory(&s, NULL, &none, &tree, &m, &err), -over);
+        assert_int_equal(sph_emit_memory(&s, &plants, &tree, &m, &err), -over);
         assert_int_equal(strstr(err.text, "node 1: a radius of 16382 ") != NULL, over);
         sph_machine_free(&m);
     }

@@ -10,7 +10,7 @@
 
 enum { FRAMES = 6, TRIANGLES = 60, BALLS = 12 };
 
-static const int trees[] = {SPH_TREE_BALANCED, SPH_TREE_REINSERTED, SPH_TREE_BIH};
+static const int trees[] = {SPH_TREE_BALANCED, SPH_TREE_REINSERTED, SPH_TREE_BIH, SPH_TREE_BOX4};
 enum { TREES = sizeof trees / sizeof *trees };
 
 static struct sph_scene some(uint32_t planes) {
@@ -65,7 +65,7 @@ static int sequence(int tree, uint32_t planes, int how, double far, uint64_t vis
         o.kept = &kept, o.later = frame > 0;
         struct sph_machine m = built(&s, o, &report);
         assert_false(alone.refitted);
-        if (tree != SPH_TREE_BIH)
+        if (tree != SPH_TREE_BIH && tree != SPH_TREE_BOX4)
             assert_int_equal(check_below(&m, 0, &a), report.facets + s.n_spheres);
         assert_true(picture(&m, &visits[0]) == picture(&one, &visits[1]));
         if (!frame || how == SPH_REFIT_OFF) assert_false(report.refitted);
@@ -123,7 +123,7 @@ static void test_others(void **unused) {
             struct sph_build_report report;
             struct sph_scene s = some(1);
             if (change == 3) s.n_facets = 0;
-            if (change == 3 && trees[i] == SPH_TREE_BIH) continue;
+            if (change == 3 && (trees[i] == SPH_TREE_BIH || trees[i] == SPH_TREE_BOX4)) continue;
             o.tree = change == 4 ? SPH_TREE_PAPER : trees[i], o.kept = &kept,
             o.background = SPH_BG_NONE;
             if (change == 3) o.traverse = SPH_BUILD_FIRST;

@@ -24,8 +24,8 @@ static struct sph_split better(const struct sph_ball *balls, uint32_t n, int thr
     struct sph_error err;
     int before = omp_get_max_threads();
     omp_set_num_threads(threads);
-    assert_int_equal(sph_split(balls, n, 64, &split, &err), 0);
-    assert_int_equal(sph_split_better(balls, n, profile, &split, &err), 0);
+    assert_int_equal(sph_split(balls, NULL, n, 64, &split, &err), 0);
+    assert_int_equal(sph_split_better(balls, NULL, n, profile, &split, &err), 0);
     omp_set_num_threads(before);
     return split;
 }
@@ -73,7 +73,7 @@ static void clouds(void **unused) {
         }
         struct sph_split plain, one = better(balls, n, 1), three = better(balls, n, 3);
         struct sph_error err;
-        assert_int_equal(sph_split(balls, n, 64, &plain, &err), 0);
+        assert_int_equal(sph_split(balls, NULL, n, 64, &plain, &err), 0);
         sph_split_fill(balls, profile, &plain);
         printf("# %u spheres: %.4f of the splits' cost\n", n,
                (double)(one.pairs[0].cost[1] / plain.pairs[0].cost[1]));

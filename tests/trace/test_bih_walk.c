@@ -85,18 +85,19 @@ static int compare(struct sph_rng *rng, const struct sph_machine *m, struct sph_
     return hits;
 }
 
-/* Clouds of spheres that cut each other and of small ones, all profiles, three sizes of leaves. */
+/* Clouds of spheres that cut each other and of small ones, all profiles, three sizes of leaves, one
+ * leaf, boxes. */
 static void rays(void **unused) {
     struct sph_rng rng = vec_seed("test_bih_walk");
     static const uint32_t prims[] = {1, 3, 8};
     (void)unused;
     for (int kind = 0; kind < KINDS; kind++)
-        for (int i = 0; i < 4; i++) {
+        for (int i = 0; i < 6; i++) {
             struct sph_profile p;
             struct sph_build_options o = options(kind, &p);
             struct sph_build_report report;
             struct sph_scene s = cloud(kind == TINY ? 40 : 150, i & 1 ? 0.25 : 0.04);
-            o.tree = i < 3 ? SPH_TREE_BIH : SPH_TREE_BRUTE;
+            o.tree = i < 3 ? SPH_TREE_BIH : i == 3 ? SPH_TREE_BRUTE : SPH_TREE_BOX4;
             o.max_prims = prims[i % 3];
             o.bih = i == 1 ? SPH_BIH_LISTING : SPH_BIH_FULL;
             if (kind == TINY)
@@ -112,8 +113,9 @@ static void rays(void **unused) {
                 assert_true(c.count[SPH_COUNT_LEAF_TESTS] <
                             (uint64_t)RAYS * s.n_spheres / (i & 1 || kind >= TINY ? 1 : 4));
             struct sph_bih_stats stats;
-            sph_bih_measure(&m, &stats);
-            if (o.bih == SPH_BIH_FULL) assert_memory_equal(&stats, &report.bih, sizeof stats);
+            if (o.tree != SPH_TREE_BOX4) sph_bih_measure(&m, &stats);
+            if (o.bih == SPH_BIH_FULL && o.tree != SPH_TREE_BOX4)
+                assert_memory_equal(&stats, &report.bih, sizeof stats);
             sph_machine_free(&m);
             free(s.spheres);
         }
@@ -134,6 +136,10 @@ static void facet_rays(void **unused) {
             o.max_prims = 1u << kind;
             struct sph_machine m = built(&s, o, &report);
             assert_int_equal(m.regs[SPH_REG_N_LOOSE], report.loose);
+            assert_true(compare(&rng, &m, &c) > 0);
+            sph_machine_free(&m);
+            o.tree = SPH_TREE_BOX4;
+            m = built(&s, o, &report);
             assert_true(compare(&rng, &m, &c) > 0);
             sph_machine_free(&m);
         }
@@ -164,6 +170,13 @@ static void frames(void **unused) {
                 wrong += p.id != bih.pixels[i].id || p.key != bih.pixels[i].key ||
                          memcmp(p.colour, bih.pixels[i].colour, sizeof p.colour) != 0;
             }
+            sph_frame_free(&bih);
+            sph_machine_free(&m);
+            assert_true(model_build(&s, profile, SPH_TREE_BOX4, SPH_BG_RECT, MODEL_W, MODEL_H, &m));
+            bih = model_render(&m, SPH_TRAVERSE_TREE, 0, &c, &errors);
+            assert_int_equal(errors, 0);
+            wrong += model_differ("box4", &m, &bih, &tree);
+            assert_int_equal(c.count[SPH_COUNT_RAYS_SHADOW], all.count[SPH_COUNT_RAYS_SHADOW]);
             sph_frame_free(&tree);
             sph_frame_free(&bih);
             sph_machine_free(&m);
