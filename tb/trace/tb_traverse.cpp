@@ -113,7 +113,7 @@ class Traverse : public VisitRays {
         due.push_back({depth_slot, cycle + LATENCY});
         struct sph_found found;
         if (s.kill) return;
-        bool sound = sph_visit(&world.m, &s.ray, s.line, s.depth, &found);
+        bool sound = sph_visit(&world.m, &s.ray, nullptr, s.line, s.depth, &found);
         outcomes.node(found, sound, nodes.end(s.line, found.line), nodes.lines());
         tests[1] = sound ? found.tests : 0;
         broken[1] = s.kill = !sound;
@@ -135,7 +135,7 @@ class Traverse : public VisitRays {
         expect("FRESH", found(RT_FOUND_FRESH), s.fresh, 1);
         expect("KILL", found(RT_FOUND_KILL), s.kill, 1);
         struct sph_found f = {};
-        if (!s.kill) sph_visit(&world.m, &s.ray, s.line, s.depth, &f);
+        if (!s.kill) sph_visit(&world.m, &s.ray, nullptr, s.line, s.depth, &f);
         if (!s.kill) expect("BASE", found(RT_FOUND_BASE), f.inner.base, SPH_LINE_BITS);
         expect("COUNT", found(RT_FOUND_COUNT), f.inner.count, 3);
         for (int i = 0; i < f.inner.count; i++) {
