@@ -1,8 +1,27 @@
-# bench.mk - ways of the golden model against each other
+# bench.mk - ways of the golden model against each other, and against renderers of others
 # SPDX-License-Identifier: Apache-2.0
-.PHONY: bench hashes trees
-bench: $(TOOL) ## one way of the golden model against another, as ratios
+#
+#   make bench-setup    installs what sim/packages_bench.txt names: Embree
+#   make bench          ratios of ways, and docs/results/speed.md; without Embree or POV-Ray it says
+#                       so and leaves out what they would tell
+
+.PHONY: bench bench-setup hashes trees
+# Embree's C interface, if it is installed; looked for when it is used.
+EMBREE = $(if $(wildcard /usr/include/embree3/rtcore.h),$B/sim/embree)
+
+$B/sim/embree: $B/obj/sim/embree.o $(LIB)
+	$(call say,LD,$(@F))
+	@mkdir -p $(@D)
+	$(call make_whole,$(CC) -fopenmp $^ -lembree3 $(MODEL_LIBS))
+-include $B/obj/sim/embree.d
+
+bench-setup: ## installs Embree (apt), which make bench sets the model beside
+	@sh sim/setup.sh sim/packages_bench.txt
+
+bench: $(TOOL) $(EMBREE) ## one way of the golden model against another, and Embree, as ratios
 	$(Q)python3 -m lab.bench $(TOOL) $B/bench
+	$(Q)python3 -m lab.speed $(TOOL) $B/bench docs/results/speed.md $(EMBREE)
+	$(Q)python3 -m lab.pages.measured docs/results/speed.md "make bench"
 
 hashes: $(TOOL) ## write scenes/hashes.txt: what the golden model draws now
 	$(Q)SPHAERA=$(TOOL) sh sim/hashes.sh >$B/hashes.txt

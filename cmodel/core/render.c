@@ -8,7 +8,7 @@
 
 #include "pixel/background.h"
 #include "engine/render_pixel.h"
-#include "fast/fast.h"
+#include "fast/pixel.h"
 
 int sph_render(const struct sph_machine *m, const struct sph_render_options *o,
                struct sph_frame *frame, struct sph_counters *counters, struct sph_error *err) {
@@ -24,6 +24,9 @@ int sph_render(const struct sph_machine *m, const struct sph_render_options *o,
         o->traverse == SPH_TRAVERSE_FAST && !o->fast ? sph_fast_new(m, SPH_FAST_BEST) : NULL;
     struct sph_render_options how = *o;
     if (fast) how.fast = fast;
+    struct sph_pixel (*draw)(const struct sph_machine *, const struct sph_render_options *, int,
+                             int, struct sph_counters *, uint32_t *, struct sph_trail *) =
+        how.fast && !o->log && sph_fast_shades(m) ? sph_fast_pixel : sph_render_pixel;
     uint32_t errors = sph_background_missing(m) ? 1u << SPH_ERROR_BAD_NODE : 0;
     int rows_done = 0, rows = r[SPH_REG_WIN_Y1] - r[SPH_REG_WIN_Y0];
 #pragma omp parallel num_threads(o->threads > 0 ? o->threads : omp_get_num_procs())
@@ -34,8 +37,8 @@ int sph_render(const struct sph_machine *m, const struct sph_render_options *o,
         for (int y = r[SPH_REG_WIN_Y0]; y < r[SPH_REG_WIN_Y1]; y++) {
             for (int x = r[SPH_REG_WIN_X0]; x < r[SPH_REG_WIN_X1]; x++) {
                 size_t at = (size_t)y * (size_t)width + (size_t)x;
-                frame->pixels[at] = sph_render_pixel(m, &how, x, y, &mine, &my_errors,
-                                                     o->trails ? o->trails + at : NULL);
+                frame->pixels[at] =
+                    draw(m, &how, x, y, &mine, &my_errors, o->trails ? o->trails + at : NULL);
             }
             if (o->progress) {
 #pragma omp critical

@@ -9,9 +9,10 @@
 #include "fast/fast.h"
 #include "fast/leaf.h"
 #include "fast/root.h"
+#include "fast/surface.h"
 #include "math/isqrt.h"
 #include "model_scene.h"
-#include "prim/leaf.h"
+#include "prim/sphere.h"
 #include "scene/rng.h"
 
 enum { LANES = SPH_FAST_PLAIN + 1 };
@@ -27,10 +28,17 @@ static uint64_t seed(void) {
 static void compare(const struct sph_machine *m, const char *what) {
     struct sph_counters expected;
     int errors;
-    struct sph_frame frame = model_render(m, SPH_TRAVERSE_TREE, 1, &expected, &errors);
+    size_t n = (size_t)m->regs[SPH_REG_FRAME_W] * (size_t)m->regs[SPH_REG_FRAME_H];
+    struct sph_trail *trails = calloc(2 * n, sizeof *trails);
+    struct sph_render_options literal = {
+        .traverse = SPH_TRAVERSE_TREE, .threads = 1, .trails = trails};
+    struct sph_frame frame;
+    memset(&expected, 0, sizeof expected);
+    errors = sph_render(m, &literal, &frame, &expected, NULL);
     for (int lanes = 0; lanes < LANES; lanes++) {
         struct sph_fast *fast = sph_fast_new(m, lanes);
-        struct sph_render_options o = {.traverse = SPH_TRAVERSE_FAST, .threads = 1, .fast = fast};
+        struct sph_render_options o = {
+            .traverse = SPH_TRAVERSE_FAST, .threads = 1, .fast = fast, .trails = trails + n};
         struct sph_counters c = {{0}};
         struct sph_error err = {{0}};
         struct sph_frame other;
@@ -48,12 +56,16 @@ static void compare(const struct sph_machine *m, const char *what) {
                 fail_msg("%s, %s: %s, counter %d is %lu, expected %lu", what,
                          sph_machine_profile(m)->name, sph_fast_lanes(fast), i, c.count[i],
                          expected.count[i]);
+        for (size_t i = 0; i < n; i++)
+            if (memcmp(&trails[i], &trails[n + i], sizeof *trails))
+                fail_msg("%s: the trail of pixel %zu", what, i);
         if (bits != errors) fail_msg("%s: errors %x, expected %x", what, bits, errors);
         frames++;
         pixels += frame.width * frame.height;
         sph_frame_free(&other);
         sph_fast_free(fast);
     }
+    free(trails);
     sph_frame_free(&frame);
 }
 
@@ -166,6 +178,54 @@ static void spheres(void **state) {
     }
 }
 
+/* A number of at most `bits` bits and a sign, of any length. */
+static int64_t any(struct sph_rng *rng, int bits) {
+    uint64_t r = sph_rng_next(rng) >> 2;
+    int length = (int)(sph_rng_next(rng) >> 8) % (bits + 1);
+    int64_t size = (int64_t)(r & ((1ull << (length < 0 ? -length : length)) - 1));
+    return sph_rng_next(rng) >> 9 & 1 ? -size : size;
+}
+
+/* Set-up, point and normal of rays in widths of any kind: the same words. */
+static void surfaces(void **state) {
+    struct sph_rng rng = {seed()};
+    int done = 0;
+    (void)state;
+    for (int i = 0; i < (SANITIZED ? 40000 : 600000); i++) {
+        struct sph_profile p = sph_profiles[i % SPH_PROFILES];
+        if (i % 3) {
+            p.w = 8 + (int)(sph_rng_next(&rng) >> 8) % 9 + 8 * (i % 2);
+            p.wd = p.w + 1 + (int)(sph_rng_next(&rng) >> 9 & 3);
+            p.pq = 4 + (int)(sph_rng_next(&rng) >> 9 & 15) + 12 * (i % 2);
+            p.ng = (int)(sph_rng_next(&rng) >> 9 & 3);
+            p.fw = p.w < 14 ? p.w : 14;
+        }
+        if (sph_profile_check(&p, NULL)) continue;
+        struct sph_ray a = {.kind = (int)(sph_rng_next(&rng) >> 9 & 3)}, b;
+        struct sph_surface s, t;
+        struct sph_leaf sphere;
+        for (int k = 0; k < 3; k++) {
+            a.org[k] = any(&rng, p.w - 1);
+            a.dir[k] = any(&rng, p.wd - 1);
+            sphere.ctr[k] = any(&rng, p.w - 1);
+        }
+        b = a;
+        sph_ray_setup(&p, &a);
+        sph_fast_prepare(&p, &b);
+        assert_memory_equal(&a, &b, sizeof a);
+        if (!a.a) continue;
+        done++;
+        struct sph_hit hit = {(uint64_t)any(&rng, p.w + p.wd + 1) | 1, 0, i & 1};
+        hit.key = hit.key >> 63 ? -hit.key : hit.key;
+        memset(&s, 0, sizeof s);
+        memset(&t, 0, sizeof t);
+        assert_int_equal(sph_fast_surface(&p, &b, &hit, sphere.ctr, &t),
+                         sph_surface_at(&p, &a, &hit, &sphere, &s));
+        assert_memory_equal(&s, &t, sizeof s);
+    }
+    assert_true(done > 10000);
+}
+
 /* Bits of memory turned over, limits of visits, registers beyond memory: the same errors. */
 static void damage(struct sph_machine *m, const char *name, int times) {
     struct sph_rng rng = {seed()};
@@ -261,7 +321,8 @@ static void unknown_trees(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(roots),   cmocka_unit_test(spheres), cmocka_unit_test(every_scene),
-        cmocka_unit_test(circles), cmocka_unit_test(damaged), cmocka_unit_test(unknown_trees)};
+        cmocka_unit_test(roots),        cmocka_unit_test(spheres), cmocka_unit_test(surfaces),
+        cmocka_unit_test(every_scene),  cmocka_unit_test(circles), cmocka_unit_test(damaged),
+        cmocka_unit_test(unknown_trees)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

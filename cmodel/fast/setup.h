@@ -1,0 +1,67 @@
+/* setup.h - set-up of rays, with fewer steps: the numbers of rsqrt.c and setup.c
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef SPH_FAST_SETUP_H
+#define SPH_FAST_SETUP_H
+
+#include "machine/layout.h"
+#include "math/fx.h"
+#include "math/rsqrt_table.h" /* sph_rsqrt_table */
+#include "trace/ray.h"
+
+/* sph_round() of n > 0 and a number that has room for the half. */
+static inline int64_t sph_fast_round(int64_t x, int n) {
+    return (x + ((int64_t)1 << (n - 1))) >> n;
+}
+
+/* sph_unit() */
+static inline struct sph_unit sph_fast_unit(const int64_t v[3], uint64_t vv, int bits) {
+    struct sph_unit r = {{0, 0, 0}, 0, 0};
+    if (!vv) return r;
+    r.h = (2 * bits - 64 + __builtin_clzll(vv)) / 2;
+    uint32_t x = (uint32_t)(vv << (2 * r.h) >> (2 * bits - 18)), i = (x >> 10) - 64;
+    r.y = sph_rsqrt_table[i].start - (sph_rsqrt_table[i].slope * (x & 1023) >> 10);
+    for (int k = 0; k < 3; k++)
+        r.u[k] = (int32_t)sph_fast_round((int64_t)((uint64_t)v[k] << r.h) * r.y, bits);
+    return r;
+}
+
+/* dir.dir */
+static inline uint64_t sph_fast_square(const int64_t v[3]) {
+    return (uint64_t)(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+/* What sph_ray_setup() makes, of a ray that has `a` and `unit`. */
+static inline void sph_fast_setup(const struct sph_profile *p, struct sph_ray *ray) {
+    int k = p->w - p->fw;
+    int64_t most = ((int64_t)1 << (p->fw - 1)) - 1;
+    for (int i = 0; i < 3; i++) {
+        int64_t o = k ? sph_fast_round(ray->org[i], k) : ray->org[i];
+        o = o > most ? most : o;
+        ray->forg[i] = (int32_t)(o < -most - 1 ? -most - 1 : o);
+    }
+    const int32_t *u = ray->unit.u;
+    int32_t x = u[0] < 0 ? -u[0] : u[0], y = u[1] < 0 ? -u[1] : u[1], z = u[2] < 0 ? -u[2] : u[2];
+    int axis = y > x;
+    int32_t mag = axis ? y : x;
+    axis = z > mag ? 2 : axis;
+    mag = z > mag ? z : mag;
+    ray->axis = axis;
+    ray->negative = u[axis] < 0;
+    uint64_t scale = (ray->unit.y >> 1) + SPH_RSQRT_ERROR + 2;
+    ray->depth_scale = (uint32_t)(((uint64_t)mag + 1) * scale >> 16) + 1;
+    ray->depth_shift = 30 - p->fw - ray->unit.h;
+    int64_t span = ray->dir[axis] < 0 ? -ray->dir[axis] : ray->dir[axis];
+    int64_t light = (span >> k) + 1;
+    int32_t limit = sph_depth_limit(p);
+    ray->depth_max = sph_ray_ends(ray) && light < limit ? (int32_t)light : limit;
+}
+
+/* All of sph_ray_setup(). */
+static inline void sph_fast_prepare(const struct sph_profile *p, struct sph_ray *ray) {
+    ray->a = sph_fast_square(ray->dir);
+    ray->unit = sph_fast_unit(ray->dir, ray->a, p->wd);
+    sph_fast_setup(p, ray);
+}
+
+#endif

@@ -1,0 +1,138 @@
+#!/usr/bin/env python3
+# speed.py - the golden model beside Embree and POV-Ray, and how it grows: `make bench`
+# SPDX-License-Identifier: Apache-2.0
+"""usage: python3 -m lab.speed TOOL FOLDER PAGE [EMBREE]
+EMBREE: sim/embree.c, compiled; without it, or without POV-Ray, their columns are left out and that
+is said. All that is compared runs in turn in one call, with one thread. SIZES of the environment:
+spheres of the growth, such as "100 1000"."""
+import json
+import os
+import re
+import shutil
+import statistics
+import subprocess
+import sys
+
+from .pages.place import place
+from .synth.report import table
+
+FRAME = "640x360"
+ROUNDS = 5
+SCENES = ["random:256", "random:4096", "random:100000", "sphereflake:3"]
+SIZES = "100 1000 10000 100000 1000000"
+
+
+def run(*command):
+    """Its standard output, and the most memory that it had, MB."""
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as process:
+        said = process.stdout.read()
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+    if process.returncode:
+        sys.exit(f"speed: {' '.join(command)} failed")
+    return said, usage.ru_maxrss / 1024
+
+
+class Bench:
+    def __init__(self, tool, folder, embree):
+        self.tool, self.folder, self.embree = tool, folder, embree
+        os.makedirs(folder, exist_ok=True)
+
+    def machine(self, kind):
+        """Scene file, machine file, report and memory of build."""
+        stem = os.path.join(self.folder, kind.replace(":", ""))
+        run(self.tool, "gen", kind, "--resolution", FRAME, "-o", stem + ".nff")
+        said, memory = run(self.tool, "build", stem + ".nff", "--profile", "standard", "--depth",
+                           "0", "-o", stem + ".sph", "--json", "-")
+        return stem + ".nff", stem + ".sph", json.loads(said), memory
+
+    def rays(self, machine):
+        return json.loads(run(self.embree, machine, str(ROUNDS))[0])
+
+    def frame(self, machine, *words):
+        """Seconds of processor of a frame, one thread."""
+        said, _ = run(self.tool, "render", machine, "-t", "1", *words, "--json", "-")
+        return json.loads(said)["cpu_seconds"]
+
+    def povray(self, scene):
+        """Seconds that POV-Ray says it traced, one thread."""
+        to = scene[:-4] + ".pov"
+        run(self.tool, "export", scene, "--depth", "0", "-o", to)
+        width, height = FRAME.split("x")
+        done = subprocess.run(["povray", f"+I{to}", f"+O{to[:-4]}.png", f"+W{width}", f"+H{height}",
+                               "-A", "-D", "+WT1"], stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, text=True, check=False)
+        found = re.search(r"Trace Time:.*\(([\d.]+) seconds\)", done.stdout)
+        if done.returncode or not found:
+            sys.exit(f"speed: POV-Ray failed on {to}:\n{done.stdout[-1000:]}")
+        return float(found[1])
+
+
+def ratio(ours, other):
+    """Median of how many times as fast, and its spread, of runs that were made in turn."""
+    each = sorted(b / a for a, b in zip(ours, other))
+    return f"{statistics.median(each):.2f} ({each[0]:.2f}..{each[-1]:.2f})"
+
+
+def beside_embree(bench):
+    rows = []
+    for kind in SCENES:
+        _, machine, _, _ = bench.machine(kind)
+        found = bench.rays(machine)
+        for of in "primary", "shadow":
+            r = found[of]
+            rows.append([kind, of, r["rays"], f"{min(r['embree']) / r['rays'] * 1e9:.0f}",
+                         ratio(r["literal"], r["embree"]), ratio(r["fast"], r["embree"]),
+                         f"{100 * r['same'] / r['rays']:.4f}"])
+    return table(["scene", "rays", "number", "Embree, ns", "literal", "fast", "same, %"], rows, 2)
+
+
+def frames(bench):
+    """Whole frames, shading too; POV-Ray reads its file only once."""
+    rows, povray = [], shutil.which("povray")
+    for kind in SCENES:
+        scene, machine, _, _ = bench.machine(kind)
+        literal, fast, other = [], [], []
+        for _ in range(ROUNDS):
+            literal.append(bench.frame(machine, "--literal"))
+            fast.append(bench.frame(machine))
+            if povray and len(other) < 2:
+                other.append(bench.povray(scene))
+        rows.append([kind, f"{min(fast) * 1e3:.0f}", ratio(fast, literal),
+                     f"{min(other) / min(fast):.2f}" if other else "-"])
+    return table(["scene", "fast, ms", "literal / fast", "POV-Ray / fast"], rows)
+
+
+def growth(bench):
+    rows = []
+    for size in os.environ.get("SIZES", SIZES).split():
+        _, machine, report, memory = bench.machine(f"random:{size}")
+        took = [bench.frame(machine) for _ in range(3)]
+        row = [size, f"{report['build']['seconds']:.2f}", f"{memory:.0f}", f"{min(took) * 1e3:.0f}"]
+        if bench.embree:
+            found = bench.rays(machine)
+            row += [f"{found['embree_build']:.2f}",
+                    *(ratio(found[of]["fast"], found[of]["embree"]) for of in
+                      ("primary", "shadow"))]
+        rows.append(row)
+    head = ["spheres", "build, s", "MB", "frame, ms"]
+    return table(head + (["Embree builds, s", "primary", "shadow"] if bench.embree else []), rows)
+
+
+def main(tool, folder, page, embree=None):
+    bench, texts = Bench(tool, folder, embree), {}
+    if embree:
+        texts["rays"] = beside_embree(bench)
+    else:
+        print("bench: no Embree here: make bench-setup installs it", flush=True)
+    if not shutil.which("povray"):
+        print("bench: no POV-Ray here: make truth-setup installs it", flush=True)
+    texts["frames"] = frames(bench)
+    texts["growth"] = growth(bench)
+    for name, text in texts.items():
+        print(f"{name}:\n{text}\n", flush=True)
+    place(page, texts)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
