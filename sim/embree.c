@@ -19,7 +19,7 @@
 #include "fast/fast.h"
 #include "prim/sphere.h"
 
-enum { EMBREE, LITERAL, FAST, WAYS, ROUNDS = 5 };
+enum { EMBREE, LITERAL, FAST, WAYS, ROUNDS = 5, MOST_ROUNDS = 100 };
 
 static const char *const names[WAYS] = {"embree", "literal", "fast"};
 
@@ -139,13 +139,14 @@ int main(int argc, char **argv) {
     struct sph_frame frame;
     struct sph_counters counters = {{0}};
     int rounds = argc > 2 ? atoi(argv[2]) : ROUNDS;
-    if (argc < 2 || rounds < 1) return fail("usage: embree MACHINE.sph [ROUNDS]");
+    if (argc < 2 || rounds < 1 || rounds > MOST_ROUNDS)
+        return fail("usage: embree MACHINE.sph [ROUNDS]");
     if (sph_machine_read(argv[1], &m, &err)) return fail(err.text);
     if (sph_machine_effect(&m, SPH_EFFECT_FACETS) || !(r.fast = sph_fast_new(&m, SPH_FAST_BEST)))
         return fail("for spheres in a tree of spheres alone");
     if (sph_render(&m, &how, &frame, &counters, &err) < 0) return fail(err.text);
-    r.hit = malloc((size_t)r.log.n * sizeof *r.hit);
-    if (r.log.full || !r.hit) return fail("memory is out");
+    r.hit = r.log.full ? NULL : malloc((size_t)r.log.n * sizeof *r.hit);
+    if (!r.hit) return fail("memory is out");
     RTCDevice device = rtcNewDevice("threads=1,set_affinity=0");
     double start = now();
     r.scene = scene_of(device, &m);
@@ -154,8 +155,7 @@ int main(int argc, char **argv) {
     for (int kind = SPH_PRIMARY; kind <= SPH_SHADOW; kind++) {
         const char *of = kind == SPH_PRIMARY ? "primary" : "shadow";
         int all = 0, same = 0;
-        double *seconds = calloc((size_t)rounds * WAYS, sizeof *seconds);
-        if (!seconds) return fail("memory is out");
+        double seconds[MOST_ROUNDS * WAYS];
         for (int i = 0; i < rounds * WAYS; i++) {
             seconds[i] = trace(&r, i % WAYS, kind);
             if (i % WAYS == EMBREE) agree(&r, kind, &all, &same);
@@ -168,7 +168,6 @@ int main(int argc, char **argv) {
             printf("]");
         }
         printf("}");
-        free(seconds);
     }
     printf("}\n");
     rtcReleaseScene(r.scene);
