@@ -155,7 +155,7 @@ int main(int argc, char **argv) {
     for (int kind = SPH_PRIMARY; kind <= SPH_SHADOW; kind++) {
         const char *of = kind == SPH_PRIMARY ? "primary" : "shadow";
         int all = 0, same = 0;
-        double seconds[MOST_ROUNDS * WAYS];
+        double seconds[MOST_ROUNDS * WAYS] = {0};
         for (int i = 0; i < rounds * WAYS; i++) {
             seconds[i] = trace(&r, i % WAYS, kind);
             if (i % WAYS == EMBREE) agree(&r, kind, &all, &same);

@@ -14,8 +14,9 @@ static inline struct sph_quotient sph_fast_quotient(uint64_t key, int key_bits, 
     int zk = key_bits - sph_bit_length(key), za = a_bits - sph_bit_length(a);
     int bits = key_bits > a_bits ? key_bits : a_bits;
     uint64_t rem = key << (zk + bits - key_bits), div = a << (za + bits - a_bits);
-    uint64_t mant =
-        bits + pq <= 65 ? (rem << (pq - 1)) / div : (uint64_t)(((sph_u128)rem << (pq - 1)) / div);
+    uint64_t mant = !div              ? ((uint64_t)1 << pq) - 1 /* it goes into anything */
+                    : bits + pq <= 65 ? (rem << (pq - 1)) / div
+                                      : (uint64_t)(((sph_u128)rem << (pq - 1)) / div);
     return (struct sph_quotient){(uint32_t)mant, pq - 1 - key_bits + zk + a_bits - za};
 }
 
