@@ -29,10 +29,11 @@ int exact_is_quotient(const struct sph_profile *p, uint64_t key, uint64_t a,
 
 void exact_normalise(const sph_i128 v[3], int bits, int64_t out[3]) {
     int longest = 0, limited;
+    sph_i128 reach = 0; /* of n bits: -2^n <= v < 2^n for all three */
     for (int i = 0; i < 3; i++)
-        while (longest < 127 &&
-               (v[i] >= (sph_i128)1 << longest || v[i] < -((sph_i128)1 << longest)))
-            longest++;
+        reach |= v[i] < 0 ? ~v[i] : v[i];
+    for (int step = 64; step; step /= 2)
+        if (reach >> (longest + step - 1)) longest += step;
     for (int i = 0; i < 3; i++)
         out[i] =
             longest ? limit(half_up(v[i], longest - (bits - 1)), bits, &limited) : (int64_t)v[i];
