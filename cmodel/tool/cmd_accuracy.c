@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <time.h>
 
+#include "core/frame_file.h"
 #include "image/image.h"
 #include "reference/accuracy.h"
 #include "tool/levels.h"
@@ -15,11 +16,11 @@
 
 struct arguments {
     struct tool_source source;
-    const char *input, *json, *picture;
+    const char *input, *frame, *json, *picture;
     int threads, truth, levels;
 };
 
-enum { KEY_JSON = 512, KEY_TRUTH, KEY_LEVELS };
+enum { KEY_JSON = 512, KEY_TRUTH, KEY_LEVELS, KEY_FRAME };
 
 static const struct argp_option options[] = {
     {"difference", 'd', "FILE.png", 0, "reference, model and their difference side by side", 0},
@@ -27,6 +28,8 @@ static const struct argp_option options[] = {
     {"levels", KEY_LEVELS, "NAME", 0,
      "how the reference chooses levels of textures: mended (default, as the machine), paper, bmrt, "
      "or by ray differentials (rays)",
+     0},
+    {"frame", KEY_FRAME, "FILE", 0, "frame file of the model, ids as the scene numbers its objects",
      0},
     {"threads", 't', "N", 0, "0: one for every processor (default)", 0},
     {"json", KEY_JSON, "FILE", 0, "report as JSON (- : on standard output instead of text)", 0},
@@ -41,6 +44,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         return 0;
     case 'd':
         a->picture = tool_picture(state, &a->source.outputs, "--difference", arg, TOOL_EXACT);
+        return 0;
+    case KEY_FRAME:
+        a->frame = tool_output(&a->source.outputs, arg);
         return 0;
     case KEY_LEVELS:
         a->levels = tool_choice(state, "--levels", arg, tool_level_names);
@@ -194,7 +200,8 @@ static int measure(const struct arguments *a, const struct sph_scene *scene, str
         m->built.report.eye.ahead, m->built.report.eye.wider};
     m->accuracy = sph_accuracy_measure(&f, &m->reference);
     m->levels = sph_levels_measure(&m->shot.frame, &m->reference);
-    if (a->picture && draw(a->picture, m, err)) {
+    if ((a->frame && sph_shot_write(&m->shot, a->frame, err)) ||
+        (a->picture && draw(a->picture, m, err))) {
         json_decref(report);
         return -1;
     }

@@ -88,7 +88,7 @@ class Runner:
                   "reference": pictures.compare(truth, unlimited, away),
                   "limited": pictures.compare(truth, limited, away), "model": {}}
         for profile in scenes.PROFILES:
-            model, why = self.frame(name, "render", scene, "--depth", depth, "--profile", profile)
+            model, why = self.frame(name, "accuracy", scene, "--depth", depth, "--profile", profile)
             result["model"][profile] = {"refused": why} if model is None else dict(
                 pictures.compare(truth, model, away),
                 why=pictures.explain(truth, model, limited, unlimited))

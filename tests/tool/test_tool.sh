@@ -124,6 +124,17 @@ check "accuracy prints what it reports" sh -c "grep -q '$wrong' \
 check "draft is worse" sh -c "python3 -c 'import json
 a, b = (json.load(open(n))[\"accuracy\"][\"psnr\"][2] for n in (\"draft.json\", \"acc.json\"))
 assert a + 6 < b, (a, b)'"
+"$s" gen tree:3 -o tree.nff >/dev/null 2>&1
+set -- tree.nff --size 64x36
+"$s" accuracy "$@" --profile draft --frame named.frame >accuracy.txt 2>&1
+"$s" render "$@" --profile draft --frame machine.frame >render.txt 2>&1
+"$s" reference "$@" --frame truth.frame >reference.txt 2>&1
+check "its frame has the scene's ids, where triangles without area are left out" \
+    env PYTHONPATH="$root" python3 -c '
+from lab.truth.pictures import frame
+truth, named, machine = (frame(n + ".frame")[3] for n in ("truth", "named", "machine"))
+other = lambda ids: sum(a != b for a, b in zip(ids, truth))
+assert other(named) < 40 and other(machine) > 400, (other(named), other(machine))'
 "$s" accuracy a.nff --depth 0 --truth 2 --json flat.json >flat.txt 2>&1
 check "mirrors left out show against a truth that has them" json flat.json \
     'r["accuracy"]["psnr"][2] < 40 and r["accuracy"]["psnr"][0] > 40 and
