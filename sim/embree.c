@@ -87,33 +87,33 @@ static void embree(struct rays *r, int i) {
     }
 }
 
-static void model(struct rays *r, int i, int way) {
+static void model(struct rays *r, int i, int way, struct sph_counters *c) {
     const struct sph_ray *from = &r->log.rays[i].ray;
     struct sph_ray ray = {.kind = from->kind, .skip = from->skip, .inside = from->inside};
-    struct sph_counters c = {{0}};
     uint32_t visits = 0, errors = 0;
     memcpy(ray.org, from->org, sizeof ray.org);
     memcpy(ray.dir, from->dir, sizeof ray.dir);
     struct sph_hit hit;
     if (way == FAST) {
         sph_fast_prepare(&r->m->profile, &ray);
-        hit = sph_fast_trace(r->fast, &ray, &c, &visits, &errors);
+        hit = sph_fast_trace(r->fast, &ray, c, &visits, &errors);
     } else {
         sph_ray_setup(&r->m->profile, &ray);
-        hit = sph_traverse(r->m, &ray, SPH_TRAVERSE_TREE, &c, &visits, &errors);
+        hit = sph_traverse(r->m, &ray, SPH_TRAVERSE_TREE, c, &visits, &errors);
     }
     r->hit[i] = ray.kind == SPH_SHADOW ? hit.key != 0 : hit.key ? hit.id : SPH_ID_NONE;
 }
 
 /* Seconds of all rays of a kind. */
 static double trace(struct rays *r, int way, int kind) {
+    struct sph_counters c = {{0}};
     double start = now();
     for (int i = 0; i < r->log.n; i++) {
         if (r->log.rays[i].ray.kind != kind) continue;
         if (way == EMBREE)
             embree(r, i);
         else
-            model(r, i, way);
+            model(r, i, way, &c);
     }
     return now() - start;
 }

@@ -57,6 +57,16 @@ static inline void sph_fast_setup(const struct sph_profile *p, struct sph_ray *r
     ray->depth_max = sph_ray_ends(ray) && light < limit ? (int32_t)light : limit;
 }
 
+/* sph_ray_depth() */
+static inline int32_t sph_fast_depth(const struct sph_profile *p, const struct sph_ray *ray,
+                                     uint64_t key) {
+    int32_t limit = sph_depth_limit(p);
+    if (ray->depth_shift < 0) return limit;
+    uint64_t depth =
+        (((key >> (p->w + p->wd - 15)) + 1) * ray->depth_scale >> ray->depth_shift) + 1;
+    return depth < (uint64_t)limit ? (int32_t)depth : limit;
+}
+
 /* All of sph_ray_setup(). */
 static inline void sph_fast_prepare(const struct sph_profile *p, struct sph_ray *ray) {
     ray->a = sph_fast_square(ray->dir);

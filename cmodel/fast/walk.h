@@ -1,14 +1,17 @@
 /* walk.h - the walk of walk_plain.c and walk_avx2.c, which define the lanes before
  * SPDX-License-Identifier: Apache-2.0
  *
- * Asked for: `struct lanes`, what of a ray the tests need, made by lanes_of(); `keys`, four numbers
- * that order the inner children to visit, `near` * 4 + child, KEY_NONE behind the last; children(),
- * which tests them; first() and next() of keys. The rest is sph_traverse() line by line.
+ * Asked for: `struct lanes`, what of a ray the tests need, made by lanes_of(); children(), which
+ * tests those of a node and leaves `keys` of the inner ones that are met; first(), the least key,
+ * and of equal ones that of the first child, KEY_NONE if none is left; key_child(), whose it is;
+ * key_near(), to be compared with near_of() of a depth; without(), the others. The rest is
+ * sph_traverse() line by line.
  */
 #include <stddef.h>
 
 #include "fast/decoded.h"
 #include "fast/leaf.h"
+#include "fast/setup.h"
 
 /* Siblings to visit: sph_siblings, the number of child 0 as their base. */
 struct group {
@@ -24,7 +27,7 @@ static struct sph_hit walk(const struct sph_fast *f, const struct sph_ray *ray,
     const struct sph_fast_node *nodes = f->nodes;
     struct group now, stack[SPH_STACK_DEPTH];
     int sp = 0, ends = sph_ray_any(ray);
-    int32_t depth_max = ray->depth_max, deepest = depth_max * 4 + 3;
+    int32_t depth_max = ray->depth_max, deepest = near_of(depth_max);
     uint32_t node = f->root, visited = 0, tests = 0, leaf_tests = 0;
     now.order = no_keys();
 
@@ -53,11 +56,12 @@ static struct sph_hit walk(const struct sph_fast *f, const struct sph_ray *ray,
             } while (leaves);
             if (best->key != key_before) {
                 if (ends) break;
-                depth_max = sph_ray_depth(probe.p, ray, best->key);
-                deepest = depth_max * 4 + 3;
+                depth_max = sph_fast_depth(probe.p, ray, best->key);
+                deepest = near_of(depth_max);
             }
         }
-        if (first(order) <= deepest) {
+        int32_t key = first(order);
+        if (key_near(key) <= deepest) {
             if (first(now.order) != KEY_NONE) {
                 if (sp == SPH_STACK_DEPTH) {
                     *errors |= 1u << SPH_ERROR_STACK_OVERFLOW;
@@ -67,13 +71,16 @@ static struct sph_hit walk(const struct sph_fast *f, const struct sph_ray *ray,
             }
             now.order = order;
             now.base = n->inner;
+        } else {
+            key = first(now.order);
+            while (key_near(key) > deepest && sp) {
+                now = stack[--sp];
+                key = first(now.order);
+            }
+            if (key_near(key) > deepest) break;
         }
-        while (first(now.order) > deepest && sp)
-            now = stack[--sp];
-        int32_t key = first(now.order);
-        if (key > deepest) break;
-        node = now.base + ((uint32_t)key & 3);
-        now.order = next(now.order);
+        node = now.base + key_child(key);
+        now.order = without(now.order, key);
     }
     *visits += visited;
     c->count[SPH_COUNT_NODE_VISITS] += visited;

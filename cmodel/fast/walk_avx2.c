@@ -6,7 +6,7 @@
 #ifdef __AVX2__
 #include <immintrin.h>
 
-enum { KEY_NONE = INT32_MAX };
+enum { KEY_NONE = 0x0000ffff, BIAS = 1 << 15 };
 
 /* oc x u = ctr x u - org x u, so the origin is a constant of the ray, and so is what rounds: a
  * half, and 2^46, which makes the sum positive, so that it may be shifted as an unsigned number:
@@ -14,11 +14,16 @@ enum { KEY_NONE = INT32_MAX };
 struct lanes {
     __m256i u[3], minus[3]; /* four words of 64 bits */
     __m128i sign, plus;     /* depth = (ctr ^ sign) + plus, four words of 32 */
-    __m128i ordered, lane;  /* key = (near * 4 & ordered) | lane */
+    __m128i ordered;        /* 0 if all are equally near */
     int axis;
 };
 
+/* Twice four words of 16 bits: near + BIAS of each child, all ones if it is not to be visited. A
+ * child that is met has near <= 2^14 and, since it ends before the origin otherwise, near >= -2 rad
+ * > -2^15. A key is one of these words below the number of the child. */
 typedef __m128i keys;
+
+static const uint64_t lane_word[4] = {0xffff, 0xffffull << 16, 0xffffull << 32, 0xffffull << 48};
 
 static struct lanes lanes_of(const struct sph_ray *ray) {
     struct lanes l;
@@ -34,20 +39,32 @@ static struct lanes lanes_of(const struct sph_ray *ray) {
     l.sign = _mm_set1_epi32(sign);
     l.plus = _mm_set1_epi32(-sign - (sign ? -at : at));
     l.ordered = _mm_set1_epi32(any ? 0 : -1);
-    l.lane = _mm_add_epi32(_mm_setr_epi32(0, 1, 2, 3), _mm_set1_epi32(any ? INT16_MIN * 4 : 0));
     return l;
 }
 
 static inline keys no_keys(void) {
-    return _mm_set1_epi32(KEY_NONE);
+    return _mm_set1_epi32(-1);
 }
 
 static inline int32_t first(keys k) {
-    return _mm_cvtsi128_si32(k);
+    return _mm_cvtsi128_si32(_mm_minpos_epu16(k));
 }
 
-static inline keys next(keys k) {
-    return _mm_alignr_epi8(no_keys(), k, 4);
+static inline uint32_t key_child(int32_t key) {
+    return (uint32_t)key >> 16;
+}
+
+static inline int32_t key_near(int32_t key) {
+    return key & 0xffff;
+}
+
+/* No child is as deep as the limit, so that what has none may be deeper. */
+static inline int32_t near_of(int32_t depth) {
+    return depth + BIAS < KEY_NONE ? depth + BIAS : KEY_NONE - 1;
+}
+
+static inline keys without(keys k, int32_t key) {
+    return _mm_or_si128(k, _mm_set1_epi64x((int64_t)lane_word[key_child(key)]));
 }
 
 /* Four words of 16 bits, each in a word of 64, of 32. */
@@ -64,15 +81,9 @@ static inline __m256i cross(__m256i a, __m256i ub, __m256i b, __m256i ua, __m256
     return _mm256_srli_epi64(_mm256_add_epi64(sum, minus), 14);
 }
 
-/* The four least first: a network of five comparisons, in three steps. */
-static inline keys sorted(keys k) {
-    keys other = _mm_shuffle_epi32(k, _MM_SHUFFLE(2, 3, 0, 1));
-    k = _mm_blend_epi32(_mm_min_epi32(k, other), _mm_max_epi32(k, other), 10);
-    other = _mm_shuffle_epi32(k, _MM_SHUFFLE(1, 0, 3, 2));
-    k = _mm_blend_epi32(_mm_min_epi32(k, other), _mm_max_epi32(k, other), 12);
-    other = _mm_shuffle_epi32(k, _MM_SHUFFLE(3, 1, 2, 0));
-    return _mm_blend_epi32(_mm_min_epi32(k, other), _mm_max_epi32(k, other), 4);
-}
+/* Ones where a node has no inner child: it has so many. */
+static const int32_t outer[5][4] = {
+    {-1, -1, -1, -1}, {0, -1, -1, -1}, {0, 0, -1, -1}, {0, 0, 0, -1}, {0, 0, 0, 0}};
 
 static inline unsigned children(const struct lanes *l, const struct sph_fast_node *n,
                                 int32_t depth_max, keys *order) {
@@ -89,16 +100,16 @@ static inline unsigned children(const struct lanes *l, const struct sph_fast_nod
     __m128i near = _mm_sub_epi32(depth, rad);
     __m128i out = _mm_or_si128(_mm_add_epi32(depth, rad), /* negative: it ends behind the origin */
                                _mm_cmpgt_epi32(near, _mm_set1_epi32(depth_max)));
-    unsigned missed = (unsigned)_mm256_movemask_pd(_mm256_castsi256_pd(aside)) |
-                      (unsigned)_mm_movemask_ps(_mm_castsi128_ps(out));
-    unsigned met = ~missed & n->valid, inner = met & ((1u << n->n_inner) - 1);
-    *order = no_keys();
-    if (inner) {
-        const __m128i bit = _mm_setr_epi32(1, 2, 4, 8);
-        __m128i is = _mm_cmpeq_epi32(_mm_and_si128(_mm_set1_epi32((int)inner), bit), bit);
-        __m128i key = _mm_or_si128(_mm_and_si128(_mm_slli_epi32(near, 2), l->ordered), l->lane);
-        *order = sorted(_mm_blendv_epi8(no_keys(), key, is));
-    }
+    __m128i side = _mm_castps_si128(_mm_shuffle_ps(
+        _mm_castsi128_ps(_mm256_castsi256_si128(aside)),
+        _mm_castsi128_ps(_mm256_extracti128_si256(aside, 1)), _MM_SHUFFLE(2, 0, 2, 0)));
+    __m128i missed = _mm_or_si128(side, _mm_srai_epi32(out, 31));
+    unsigned met = ~(unsigned)_mm_movemask_ps(_mm_castsi128_ps(missed)) & n->valid;
+    __m128i key = _mm_and_si128(_mm_add_epi32(near, _mm_set1_epi32(BIAS)), l->ordered);
+    missed =
+        _mm_or_si128(missed, _mm_loadu_si128((const __m128i *)(const void *)outer[n->n_inner]));
+    *order = _mm_shuffle_epi8(_mm_or_si128(key, missed),
+                              _mm_setr_epi8(0, 1, 4, 5, 8, 9, 12, 13, 0, 1, 4, 5, 8, 9, 12, 13));
     return met;
 }
 

@@ -14,6 +14,7 @@ struct lanes {
     int axis, sign, any;
 };
 
+/* near * 4 + child */
 typedef struct {
     int32_t at[4];
 } keys;
@@ -35,7 +36,21 @@ static int32_t first(keys k) {
     return k.at[0];
 }
 
-static keys next(keys k) {
+static uint32_t key_child(int32_t key) {
+    return (uint32_t)key & 3;
+}
+
+static int32_t key_near(int32_t key) {
+    return key;
+}
+
+static int32_t near_of(int32_t depth) {
+    return depth * 4 + 3;
+}
+
+/* They are sorted, and the key is the first one. */
+static keys without(keys k, int32_t key) {
+    (void)key;
     return (keys){{k.at[1], k.at[2], k.at[3], KEY_NONE}};
 }
 
