@@ -85,7 +85,7 @@ module f_isqrt #(
 
     wire [2*RW-1:0]  wide = x_q;         // the radicand in whole rounds
     always @* if (old_q) begin
-        assert (in_ready == (!full_q || (out_valid && out_ready)));
+        assert (in_ready == !full_q);
         assert (out_valid == (full_q && age_q == ROUNDS + 1));      // whatever out_ready did
         if (wait_q) assert (out_valid && out_root == root_q && out_inexact == inexact_q);
         if (out_valid) begin

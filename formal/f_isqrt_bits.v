@@ -74,7 +74,7 @@ module f_isqrt_bits #(
     end
 
     always @* if (old_q) begin
-        assert (in_ready == (!full_q || (out_valid && out_ready)));
+        assert (in_ready == !full_q);
         if (wait_q) assert (out_valid && out_root == root_q && out_shift == shift_q &&
                             out_inexact == inexact_q);
         if (out_valid) begin

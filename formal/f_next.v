@@ -40,14 +40,19 @@ module f_next #(
         .overflow_o(overflow)
     );
     (* hierconn *) wire              \u_dut.again_q , \u_dut.s1_valid_q , \u_dut.s1_again_q ;
-    (* hierconn *) wire [SLOTW-1:0]  \u_dut.again_slot_q , \u_dut.s1_slot_q ;
-    (* hierconn *) wire              \u_dut.push , \u_dut.keep , \u_dut.ended , \u_dut.use_t ;
-    (* hierconn *) wire              \u_dut.use_f , \u_dut.again , \u_dut.go , \u_dut.s1_fresh ;
-    (* hierconn *) wire [DW:0]       \u_dut.sp , \u_dut.sp_next , \u_dut.s1_sp_q ;
+    (* hierconn *) wire              \u_dut.s2_valid_q , \u_dut.s2_again_q , \u_dut.s3_valid_q ;
+    (* hierconn *) wire [SLOTW-1:0]  \u_dut.again_slot_q , \u_dut.s1_slot_q , \u_dut.s2_slot_q ;
+    (* hierconn *) wire [SLOTW-1:0]  \u_dut.s3_slot_q ;
+    (* hierconn *) wire              \u_dut.push , \u_dut.keep , \u_dut.use_t , \u_dut.again ;
+    (* hierconn *) wire [DW:0]       \u_dut.sp_next , \u_dut.s2_sp_q , \u_dut.s3_sp_q ;
     (* hierconn *) wire [DW-1:0]     \u_dut.push_at ;
-    (* hierconn *) wire [97:0]       \u_dut.push_data , \u_dut.s1_top ;
-    (* hierconn *) wire [100:0]      \u_dut.cur_next , \u_dut.s1_cur ;
-    (* hierconn *) wire [102:0]      \u_dut.s1_found ;
+    (* hierconn *) wire [97:0]       \u_dut.push_data , \u_dut.s2_top ;
+    (* hierconn *) wire [100:0]      \u_dut.cur_next , \u_dut.s2_cur ;
+    (* hierconn *) wire [100:0]      \u_dut.s3_f_q , \u_dut.s3_c_q , \u_dut.s3_t_q ;
+    (* hierconn *) wire [15:0]       \u_dut.s3_below_q ;
+    (* hierconn *) wire              \u_dut.s3_c_any_q , \u_dut.s3_f_ok_q , \u_dut.s3_c_ok_q ;
+    (* hierconn *) wire              \u_dut.s3_t_any_q ;
+    (* hierconn *) wire [102:0]      \u_dut.s2_found ;
     (* hierconn *) wire [SLOTW-1:0]  \u_dut.u_found.mark , \u_dut.u_current.mark ;
     (* hierconn *) wire [SLOTW-1:0]  \u_dut.u_pointer.mark ;
     (* hierconn *) wire [SLOTW+DW-1:0] \u_dut.u_stack.mark ;
@@ -69,12 +74,20 @@ module f_next #(
     reg [97:0]  group_q;                 // the group pushed at the marked level
     wire take  = in_valid && in_ready;
     wire leave = issue_valid || done_valid;
-    wire mine  = \u_dut.s1_valid_q && \u_dut.s1_slot_q == slot;
+    wire mine_1 = \u_dut.s1_valid_q && \u_dut.s1_slot_q == slot;
+    wire mine_2 = \u_dut.s2_valid_q && \u_dut.s2_slot_q == slot;
+    wire mine  = \u_dut.s3_valid_q && \u_dut.s3_slot_q == slot;
+    wire mine_a = \u_dut.again_q && \u_dut.again_slot_q == slot;
     wire out   = (issue_valid && issue_slot == slot) || (done_valid && done_slot == slot);
-    wire now   = fresh_q && !\u_dut.s1_again_q ;      // a fresh ray has neither group nor stack
+    reg  s3_again_q;                     // the token of stage 3 goes round once more
+    wire now_2 = fresh_q && !\u_dut.s2_again_q ;     // a fresh ray has neither group nor stack
+    wire now   = fresh_q && !s3_again_q;
+    wire [97:0] top = {\u_dut.s3_below_q , \u_dut.s3_t_q [100:75], \u_dut.s3_t_q [73:72],
+                       \u_dut.s3_t_q [53:0]};
     wire [DW:0] sp = now ? {(DW+1){1'b0}} : sp_q;
     always @(posedge clk) begin
         old_q   <= 1'b1;
+        s3_again_q <= \u_dut.s2_again_q ;
         count_q <= count_q + {2'd0, take} - {2'd0, leave};
         if (take && in_slot == slot)             inside_q <= 1'b1;
         if (out)                                 inside_q <= 1'b0;
@@ -102,15 +115,17 @@ module f_next #(
         if (found_valid && found_slot == slot) assume (!found_q && (found_fresh || alive_q));
         if (found_valid) assume (found_count <= 4);
         // a group has children left: asserted of the marked level, so it holds of the others too
-        if (mine && \u_dut.use_t && sp != level + 1'b1) assume (\u_dut.s1_top [55:54] != 0);
+        if (mine && \u_dut.use_t && sp != level + 1'b1) assume (top[55:54] != 0);
     end
 
     always @* if (old_q) begin
         // each token leaves once; none is made or lost
         assert (!(issue_valid && done_valid));
-        assert (count_q == {2'd0, \u_dut.s1_valid_q } + {2'd0, \u_dut.again_q } + {2'd0, leave});
-        assert (inside_q == (mine || out || (\u_dut.again_q && \u_dut.again_slot_q == slot)));
-        assert (mine + out + (\u_dut.again_q && \u_dut.again_slot_q == slot) <= 1);
+        assert (count_q == {2'd0, \u_dut.s1_valid_q } + {2'd0, \u_dut.s2_valid_q } +
+                {2'd0, \u_dut.s3_valid_q } + {2'd0, \u_dut.again_q } + {2'd0, leave});
+        assert (inside_q == (mine_1 || mine_2 || mine || mine_a || out));
+        assert ({2'd0, mine_1} + {2'd0, mine_2} + {2'd0, mine} + {2'd0, mine_a} +
+                {2'd0, out} <= 3'd1);
         assert (in_ready == !\u_dut.again_q );
         if (mine) begin
             // never over, never under; every pass more takes a group off the stack
@@ -121,7 +136,7 @@ module f_next #(
             if (\u_dut.push ) assert (!now && \u_dut.push_data [81:0] ==
                                       {cur_q[100:75], cur_q[73:72], cur_q[53:0]});
             if (\u_dut.push ) assert (cur_q[74:72] >= 1 && cur_q[74:72] <= 3);
-            if (\u_dut.use_t && sp == level + 1'b1) assert (\u_dut.s1_top == group_q);
+            if (\u_dut.use_t && sp == level + 1'b1) assert (top == group_q);
         end
         // invariant
         if (inside_q) assert (found_q);
@@ -135,13 +150,29 @@ module f_next #(
             assert (sp_q <= DEPTH && cur_q[74:72] <= 3);
             if (sp_q > level) assert (\u_dut.u_stack.word_q == group_q && group_q[55:54] != 0);
         end
-        if (mine) begin
-            assert (\u_dut.s1_found == \u_dut.u_found.word_q && (now || alive_q));
-            if (!now) assert (\u_dut.s1_cur == cur_q && \u_dut.s1_sp_q == sp_q);
-            if (!now && sp_q == level + 1'b1) assert (\u_dut.s1_top == group_q);
-            if (\u_dut.s1_again_q ) assert (alive_q);
+        if (mine_1 && \u_dut.s1_again_q ) assert (alive_q);
+        if (mine_2) begin
+            assert (\u_dut.s2_found == \u_dut.u_found.word_q && (now_2 || alive_q));
+            if (!now_2) assert (\u_dut.s2_cur == cur_q && \u_dut.s2_sp_q == sp_q);
+            if (!now_2 && sp_q == level + 1'b1) assert (\u_dut.s2_top == group_q);
+            if (\u_dut.s2_again_q ) assert (alive_q);
         end
-        if (\u_dut.again_q && \u_dut.again_slot_q == slot) assert (alive_q);
+        if (mine) begin
+            assert (\u_dut.s3_f_q [100:75] == \u_dut.u_found.word_q [100:75]);
+            assert (\u_dut.s3_f_q [74:72] == (s3_again_q ? 3'd0 : \u_dut.u_found.word_q [74:72]));
+            assert (\u_dut.s3_f_q [71:0] == \u_dut.u_found.word_q [71:0] && (now || alive_q));
+            if (!now) assert (\u_dut.s3_c_q [100:75] == cur_q[100:75]);
+            if (!now) assert (\u_dut.s3_c_q [71:0] == cur_q[71:0]);
+            assert (\u_dut.s3_c_q [74:72] == (now || s3_again_q ? 3'd0 : cur_q[74:72]));
+            assert (\u_dut.s3_c_any_q == (\u_dut.s3_c_q [74:72] != 0));
+            assert (!\u_dut.s3_f_ok_q || \u_dut.s3_f_q [74:72] != 0);
+            assert (!\u_dut.s3_c_ok_q || \u_dut.s3_c_any_q );
+            assert (!\u_dut.s3_t_any_q || \u_dut.s3_sp_q != 0);
+            assert (\u_dut.s3_sp_q == sp && \u_dut.s3_t_q [74] == 1'b0);
+            if (!now && sp_q == level + 1'b1) assert (top == group_q);
+            if (s3_again_q) assert (alive_q);
+        end
+        if (mine_a) assert (alive_q);
         if (issue_valid && issue_slot == slot) assert (alive_q);
     end
 endmodule

@@ -61,10 +61,11 @@ module f_ring #(
     );
     (* hierconn *) wire [SLOTW:0] \u_new.wr_q , \u_new.rd_q , \u_next.wr_q , \u_next.rd_q ;
     (* hierconn *) wire [SLOTW:0] \u_rest.wr_q , \u_rest.rd_q ;
-    (* hierconn *) wire \u_dut.again_q , \u_dut.s1_valid_q ;
+    (* hierconn *) wire \u_dut.again_q , \u_dut.s1_valid_q , \u_dut.s2_valid_q , \u_dut.s3_valid_q ;
     (* hierconn *) wire [SLOTW-1:0] \u_dut.u_found.mark , \u_dut.u_current.mark ;
     (* hierconn *) wire [SLOTW+$clog2(DEPTH)-1:0] \u_dut.u_stack.mark ;
-    (* hierconn *) wire [SLOTW-1:0] \u_dut.again_slot_q , \u_dut.s1_slot_q ;
+    (* hierconn *) wire [SLOTW-1:0] \u_dut.again_slot_q , \u_dut.s1_slot_q , \u_dut.s2_slot_q ;
+    (* hierconn *) wire [SLOTW-1:0] \u_dut.s3_slot_q ;
 
     // ---- model: idle slots; where the token of the chosen slot is ----
     reg  old_q = 1'b0, idle_mine_q, new_mine_q, next_mine_q, rest_mine_q;
@@ -75,6 +76,8 @@ module f_ring #(
     wire done_mine  = done_valid && done_slot == slot;
     wire again_mine = \u_dut.again_q && \u_dut.again_slot_q == slot;
     wire s1_mine    = \u_dut.s1_valid_q && \u_dut.s1_slot_q == slot;
+    wire s2_mine    = \u_dut.s2_valid_q && \u_dut.s2_slot_q == slot;
+    wire s3_mine    = \u_dut.s3_valid_q && \u_dut.s3_slot_q == slot;
     always @(posedge clk) begin
         old_q  <= 1'b1;
         idle_q <= idle_q + done_valid - start;
@@ -103,7 +106,8 @@ module f_ring #(
     wire [SLOTW:0] n_new  = \u_new.wr_q - \u_new.rd_q , n_next = \u_next.wr_q - \u_next.rd_q ;
     wire [SLOTW:0] n_rest = \u_rest.wr_q - \u_rest.rd_q ;
     wire [SLOTW+2:0] all = {2'd0, idle_q} + {2'd0, n_new} + {2'd0, n_next} + {2'd0, n_rest} +
-                           \u_dut.again_q + \u_dut.s1_valid_q + issue_valid + done_valid;
+                           \u_dut.again_q + \u_dut.s1_valid_q + \u_dut.s2_valid_q +
+                           \u_dut.s3_valid_q + issue_valid + done_valid;
     always @* if (old_q) begin
         // no push into a full queue
         if (start)       assert (new_room);
@@ -111,12 +115,12 @@ module f_ring #(
         if (take)        assert (rest_room);
         // what f_next.v assumes: no second token of a slot
         if (to_next && rest_slot == slot)
-            assert (!again_mine && !s1_mine && !issue_mine && !done_mine);
+            assert (!again_mine && !s1_mine && !s2_mine && !s3_mine && !issue_mine && !done_mine);
         // tokens: as many as slots, each slot's in one place
         assert (all == SLOTS);
         assert (n_new <= SLOTS && n_next <= SLOTS && n_rest <= SLOTS && idle_q <= SLOTS);
         assert (idle_mine_q + new_mine_q + next_mine_q + rest_mine_q + again_mine + s1_mine +
-                issue_mine + done_mine == 4'd1);
+                s2_mine + s3_mine + issue_mine + done_mine == 4'd1);
         // something moves: an idle slot can start, a waiting token be taken or given on
         if (idle_q != 0 && launch)                    assert (start && new_room);
         if ((n_new != 0 || n_next != 0) && issue_now) assert (take && rest_room);

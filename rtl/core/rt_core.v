@@ -126,11 +126,16 @@ module rt_core #(
     wire             light_valid;
     wire [2:0]       light_number, light_part;
     wire             bih, boxes;
+    // A write and a start are registered: a write takes a clock more, a start two, so that the
+    // look at what the machine asks for takes a clock of its own.
+    reg              cfg_valid_q, start_q, start_two_q, keep_q, keep_two_q, missing_q, foreign_q;
+    reg  [6:0]       cfg_addr_q;
+    reg  [31:0]      cfg_data_q;
     wire [IB-1:0]    n_prims, n_loose;
     wire [`RT_LINE_BITS-1:0] leaf_base;
     wire [6*(W+2)-1:0] box;
     rt_registers #(.W(W), .WD(WD), .TEXTURE(TEXTURE), .ACCEL(ACCEL)) u_registers (
-        .clk(clk), .valid_i(cfg_valid_i && !busy_o), .addr_i(cfg_addr_i), .data_i(cfg_data_i),
+        .clk(clk), .valid_i(cfg_valid_q), .addr_i(cfg_addr_q), .data_i(cfg_data_q),
         .effects_o(effects), .max_depth_o(max_depth), .n_lights_o(n_lights),
         .window_o(window), .bg_mode_o(bg_mode), .rect_o(rect), .bg_base_o(bg_base),
         .bg_count_o(bg_count), .background_o(background),
@@ -162,7 +167,7 @@ module rt_core #(
     assign light[`RT_LIGHT_VALID]     = light_valid;
     assign light[`RT_LIGHT_NUMBER]    = light_number;
     assign light[`RT_LIGHT_PART]      = light_part;
-    assign light[`RT_LIGHT_DATA]      = cfg_data_i;
+    assign light[`RT_LIGHT_DATA]      = cfg_data_q;
     wire [31:0] built = `RT_EFFECTS_BUILT;
     localparam DEEPEST = REFRACT != 0 ? 5 : REFLECT;  // refracted rays alone go to 5
     wire [3:0]  ways  = {CONES != 0, SPANS != 0, RECT != 0, 1'b1};
@@ -175,8 +180,20 @@ module rt_core #(
                                 PQ << `RT_WIDTH_PQ_LSB | NG << `RT_WIDTH_NG_LSB |
                                 FW << `RT_WIDTH_FW_LSB | PR << `RT_WIDTH_PR_LSB;
     wire foreign = profile != PROFILE;               // built for other widths
-    wire start   = start_i && !busy_o;
-    wire go      = start && !missing && !foreign;
+    wire start   = start_two_q;
+    wire go      = start && !missing_q && !foreign_q;
+    always @(posedge clk) begin
+        cfg_valid_q <= cfg_valid_i && !busy_o;
+        cfg_addr_q  <= cfg_addr_i;
+        cfg_data_q  <= cfg_data_i;
+        start_q     <= start_i && !busy_o;
+        start_two_q <= start_q;
+        keep_q      <= keep_cache_i;
+        keep_two_q  <= keep_q;
+        missing_q   <= missing;
+        foreign_q   <= foreign;
+        if (rst) begin cfg_valid_q <= 1'b0; start_q <= 1'b0; start_two_q <= 1'b0; end
+    end
 
     // ---- memory: READS readers an engine, and the walk above them if it has tables ----
     localparam READS   = TEXTURE != 0 ? 3 : 2;
@@ -237,10 +254,10 @@ module rt_core #(
     reg              mux_valid_q;                    // a pixel is at the port
     wire             mux_ready = !mux_valid_q || pix_ready_i;
     wire             working = walk_busy || ray_valid || e_busy != 0 || mux_valid_q;
-    localparam SB = $clog2(PLACES + 3);
-    localparam [31:0] WAIT = PLACES + 2;
+    localparam SB = $clog2(PLACES + 5);
+    localparam [31:0] WAIT = PLACES + 4;
     reg [SB-1:0]     settle_q;                       // cycles until the counters are complete
-    assign busy_o = working || settle_q != {SB{1'b0}};
+    assign busy_o = working || settle_q != {SB{1'b0}} || start_q || start_two_q;
     always @(posedge clk) begin
         if (working || go) settle_q <= WAIT[SB-1:0];
         else if (settle_q != {SB{1'b0}}) settle_q <= settle_q - 1'b1;
@@ -278,7 +295,7 @@ module rt_core #(
                         .UNITS(UNITS), .UNIT_INTERVAL(UNIT_INTERVAL),
                         .HIT_INTERVAL(HIT_INTERVAL), .BOUNCE_INTERVAL(BOUNCE_INTERVAL),
                         .DIVISION_STEP(DIVISION_STEP)) u_engine (
-                .clk(clk), .rst(rst), .flush_i(go && !keep_cache_i), .busy_o(e_busy[e]),
+                .clk(clk), .rst(rst), .flush_i(go && !keep_two_q), .busy_o(e_busy[e]),
                 .regs_i(regs), .light_i(light),
                 .in_valid_i(ray_valid && e_take[e]), .in_ready_o(e_ready[e]), .start_i(pixel),
                 .pix_valid_o(p_valid[e]), .pix_ready_i(p_take[e] && mux_ready), .pix_o(pix),
@@ -357,7 +374,7 @@ module rt_core #(
     assign shell_events[8*`RT_COUNT_RAYS_PRIMARY   +: 64] = 64'd0;  // up to QUOTIENTS
     assign shell_events[8*`RT_COUNT_BACKGROUND     +: 8] = {7'd0, bg_valid && bg_ready};
     assign shell_events[8*`RT_COUNT_SATURATIONS    +: 8] = 8'd0;
-    assign shell_events[8*`RT_COUNT_CYCLES         +: 8] = {7'd0, working};
+    assign shell_events[8*`RT_COUNT_CYCLES         +: 8] = {6'd0, go, working};  // 2: from start_i
     assign shell_events[8*`RT_COUNT_ISSUE_WAIT     +: 8] = {7'd0, issue_idle};
     assign shell_events[8*`RT_COUNT_NODE_MISSES    +: 8] = 8'd0;
     assign shell_events[8*`RT_COUNT_LEAF_MISSES    +: 8] = 8'd0;
@@ -376,10 +393,12 @@ module rt_core #(
             for (k = 0; k < PLACES; k = k + 1)
                 add[8*k +: 8] = add[8*k +: 8] + events[EW*n + 8*k +: 8];
     end
+    reg [EW-1:0] add_q;
+    always @(posedge clk) add_q <= add;
     localparam COUNTERS = OPTICS ? `RT_COUNTERS : TEXTURE != 0 ? `RT_COUNT_RAYS_REFRACTED :
                           PLACES > 16 ? `RT_COUNT_TEXELS : 16;
     rt_counters #(.PLACES(PLACES), .USED(COUNTERS)) u_counters (
-        .clk(clk), .rst(rst), .clear_i(go), .add_i(add),
+        .clk(clk), .rst(rst), .clear_i(go), .add_i(add_q),
         .addr_i(count_addr_i), .data_o(count_data_o)
     );
 
@@ -396,8 +415,8 @@ module rt_core #(
         if (fault[1]) errors_o[`RT_ERROR_STACK_OVERFLOW] <= 1'b1;
         if (fault[2]) errors_o[`RT_ERROR_VISIT_LIMIT]    <= 1'b1;
         if (fault[3]) errors_o[`RT_ERROR_BUS_ERROR]      <= 1'b1;
-        if (start && missing) errors_o[`RT_ERROR_MISSING_EFFECT] <= 1'b1;
-        if (start && foreign) errors_o[`RT_ERROR_WRONG_PROFILE]  <= 1'b1;
+        if (start && missing_q) errors_o[`RT_ERROR_MISSING_EFFECT] <= 1'b1;
+        if (start && foreign_q) errors_o[`RT_ERROR_WRONG_PROFILE]  <= 1'b1;
         if (rst) errors_o <= 0;
     end
 endmodule

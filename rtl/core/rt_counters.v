@@ -1,7 +1,8 @@
 // rt_counters.v - the work counters of the core
 // SPDX-License-Identifier: Apache-2.0
 // Events gather in a small sum per counter; one sum a cycle, in turn, goes into its 48-bit total
-// through one adder. A total is complete PLACES cycles after the last event; clear_i takes as long.
+// through one adder. A total is complete PLACES + 1 cycles after the last event; clear_i takes
+// as long.
 // Numbers: machine.def. data_o is the total addressed one cycle before.
 `timescale 1ns / 1ps
 `default_nettype none
@@ -38,7 +39,7 @@ module rt_counters #(
             assign sums[SW*c +: SW] = now ? sum_q : {SW{1'b0}};
         end
     endgenerate
-    reg [SW-1:0] sum;
+    reg [SW-1:0] sum, sum_q;
     integer i;
     always @* begin
         sum = {SW{1'b0}};
@@ -47,17 +48,20 @@ module rt_counters #(
 
     // ---- totals ----
     wire [47:0] total, shown;
-    wire [47:0] total_next = (clearing ? 48'd0 : total) + {{(48-SW){1'b0}}, sum};
+    reg  [AB-1:0] total_q;          // the counter whose sum was taken a clock before
+    wire [47:0] total_next = (clearing ? 48'd0 : total) + {{(48-SW){1'b0}}, sum_q};
     rt_slot_file #(.WIDTH(48), .SLOTS(PLACES)) u_total (
-        .clk(clk), .wr_en_i(1'b1), .wr_addr_i(turn_q), .wr_data_i(total_next),
-        .rd_addr_i(turn_q), .rd_data_o(total)
+        .clk(clk), .wr_en_i(1'b1), .wr_addr_i(total_q), .wr_data_i(total_next),
+        .rd_addr_i(total_q), .rd_data_o(total)
     );
     rt_slot_file #(.WIDTH(48), .SLOTS(PLACES)) u_shown (
-        .clk(clk), .wr_en_i(1'b1), .wr_addr_i(turn_q), .wr_data_i(total_next),
+        .clk(clk), .wr_en_i(1'b1), .wr_addr_i(total_q), .wr_data_i(total_next),
         .rd_addr_i(addr_i[AB-1:0]), .rd_data_o(shown)
     );
     always @(posedge clk) begin
-        turn_q <= turn_q + 1'b1;
+        turn_q  <= turn_q + 1'b1;
+        total_q <= turn_q;
+        sum_q   <= clear_i || rst ? {SW{1'b0}} : sum;
         if (clearing) clear_q <= clear_q - 1'b1;
         if (clear_i || rst) clear_q <= ALL;
         if (rst) turn_q <= {AB{1'b0}};

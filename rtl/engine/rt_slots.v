@@ -84,20 +84,24 @@ module rt_slots #(
     end
 
     // ---- rays that are done ----
-    reg              d_valid_q;                      // rt_trace tells how
-    reg [SLOTW-1:0]  d_slot_q;
+    reg              t_valid_q, d_valid_q;           // rt_trace tells how; d_q is what it told
+    reg [SLOTW-1:0]  t_slot_q, d_slot_q;
+    reg [`RT_DONE_BITS-1:0] d_q;
     always @(posedge clk) begin
-        d_valid_q <= done_valid_i;
-        d_slot_q  <= done_slot_i;
-        if (rst) d_valid_q <= 1'b0;
+        t_valid_q <= done_valid_i;
+        t_slot_q  <= done_slot_i;
+        d_valid_q <= t_valid_q;
+        d_slot_q  <= t_slot_q;
+        d_q       <= done_i;
+        if (rst) begin t_valid_q <= 1'b0; d_valid_q <= 1'b0; end
     end
-    wire [`RT_ID_BITS-1:0] d_id      = done_i[`RT_DONE_ID];
+    wire [`RT_ID_BITS-1:0] d_id      = d_q[`RT_DONE_ID];
     wire [`RT_LINE_BITS:0] d_line = {1'b0, regs_i[`RT_REGS_PRIM_BASE]} +
                                     {{(`RT_LINE_BITS+1-`RT_ID_BITS){1'b0}}, d_id};
     wire        d_outside = d_line >= {1'b0, regs_i[`RT_REGS_MEM_LINES]};
-    wire        d_found   = done_i[`RT_DONE_FOUND] && !d_outside;
-    wire        d_first   = done_i[`RT_DONE_PRIMARY];
-    wire        d_shadow  = SHADOW != 0 && done_i[`RT_DONE_SHADOW];
+    wire        d_found   = d_q[`RT_DONE_FOUND] && !d_outside;
+    wire        d_first   = d_q[`RT_DONE_PRIMARY];
+    wire        d_shadow  = SHADOW != 0 && d_q[`RT_DONE_SHADOW];
     wire        d_valid   = d_valid_q && !d_shadow;
     wire        d_void, d_end;                       // a probe: the pixel starts again; is complete
     wire        d_on      = d_valid && !d_void && !d_end;
@@ -110,17 +114,17 @@ module rt_slots #(
     always @(posedge clk) begin
         shadow_q  <= d_valid_q && d_shadow;
         slot_q    <= d_slot_q;
-        lit_q     <= !done_i[`RT_DONE_FOUND];
+        lit_q     <= !d_q[`RT_DONE_FOUND];
         hit_q     <= d_on && d_found;
         miss_q    <= d_on && !d_found && !d_first;
         first_q   <= d_first;
-        probe_q   <= done_i[`RT_DONE_FIRST] && effects[`RT_EFFECT_INTERPENETRATE];
-        far_q     <= FARS != 0 && done_i[`RT_DONE_FAR];
+        probe_q   <= d_q[`RT_DONE_FIRST] && effects[`RT_EFFECT_INTERPENETRATE];
+        far_q     <= FARS != 0 && d_q[`RT_DONE_FAR];
         id_q      <= d_id;
-        key_q     <= done_i[`RT_DONE_KEY];
+        key_q     <= d_q[`RT_DONE_KEY];
         sky_q     <= (d_on && !d_found && d_first) || (d_valid && d_end);
         end_q     <= d_end;
-        outside_q <= d_valid && done_i[`RT_DONE_FOUND] && d_outside;
+        outside_q <= d_valid && d_q[`RT_DONE_FOUND] && d_outside;
         if (rst) begin
             shadow_q <= 1'b0; hit_q <= 1'b0; sky_q <= 1'b0; miss_q <= 1'b0; outside_q <= 1'b0;
         end
@@ -149,9 +153,9 @@ module rt_slots #(
                 .pixel_dir_i(start_i[`RT_START_DIR]),
                 .blend_valid_i(blend_i[`RT_BLEND_VALID]), .blend_slot_i(blend_i[`RT_BLEND_SLOT]),
                 .blend_probe_i(blend_i[`RT_BLEND_PROBE]), .blend_last_i(blend_i[`RT_BLEND_LAST]),
-                .ask_valid_i(done_valid_i), .ask_slot_i(done_slot_i),
+                .ask_valid_i(t_valid_q), .ask_slot_i(t_slot_q),
                 .done_valid_i(d_valid), .done_slot_i(d_slot_q), .done_primary_i(d_first),
-                .done_found_i(d_found), .done_far_i(done_i[`RT_DONE_FAR]), .done_id_i(d_id),
+                .done_found_i(d_found), .done_far_i(d_q[`RT_DONE_FAR]), .done_id_i(d_id),
                 .done_void_o(d_void), .done_end_o(d_end),
                 .again_valid_o(again_valid), .again_ready_i(primary_ready_i),
                 .again_slot_o(again_slot), .again_dir_o(again_dir),
@@ -197,7 +201,7 @@ module rt_slots #(
     );
     rt_slot_ram #(.WIDTH(KW+`RT_ID_BITS), .SLOTS(SLOTS), .OLD(0)) u_first (
         .clk(clk), .wr_en_i(d_valid && d_first && d_found),
-        .wr_addr_i(d_slot_q), .wr_data_i({d_id, done_i[`RT_DONE_KEY]}),
+        .wr_addr_i(d_slot_q), .wr_data_i({d_id, d_q[`RT_DONE_KEY]}),
         .rd_en_i(o_read), .rd_addr_i(o_slot), .rd_data_o({p_id, p_key})
     );
     always @(posedge clk) begin

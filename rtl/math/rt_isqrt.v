@@ -95,7 +95,7 @@ module rt_isqrt #(
         end
     end
     assign out_valid_o = full_q && done;
-    assign in_ready_o  = !full_q || (out_valid_o && out_ready_i);
+    assign in_ready_o  = !full_q;           // not in the clock in which a root is taken
     generate
         if (CUT) begin : g_cut
             localparam       STEP_BITS = STEP;     // as 32 bits

@@ -45,8 +45,9 @@ module rt_sphere #(
     wire [3*W-1:0]   org    = test_i[`RT_TEST_ORG];
     wire [3*WD-1:0]  dir    = test_i[`RT_TEST_DIR];
     wire             shadow = SHADOW != 0 && test_i[`RT_TEST_SHADOW];
-    wire             leaf_ready, credit;
-    assign in_ready_o = leaf_ready && credit;
+    wire             leaf_ready;
+    reg              credit_q;                       // there is room for one more
+    assign in_ready_o = leaf_ready && credit_q;
 
     // ---- exact test ----
     wire             x_valid, x_hit, x_far, x_exit, x_shadow, x_miss;
@@ -61,7 +62,7 @@ module rt_sphere #(
     rt_leaf #(.W(W), .WD(WD), .TAG(SLOTW+1+SB), .SHADOW(SHADOW), .INSIDE(INSIDE),
               .INTERVAL(INTERVAL)) u_leaf (
         .clk(clk), .rst(rst), .inside_on_i(inside_on_i),
-        .in_valid_i(in_valid_i && credit), .in_ready_o(leaf_ready),
+        .in_valid_i(in_valid_i && credit_q), .in_ready_o(leaf_ready),
         .in_tag_i(tag[SLOTW+SB:0]),
         .in_ctr_x_i($signed(record[`RT_LEAF_CTR_X_LSB +: W])),
         .in_ctr_y_i($signed(record[`RT_LEAF_CTR_Y_LSB +: W])),
@@ -116,10 +117,10 @@ module rt_sphere #(
     wire      d_leaves = d_valid && d_taken;
     wire      left = root_o || d_leaves;
     wire      both = root_o && d_leaves;
-    assign credit = held_q < HOLD - 1;
     always @(posedge clk) begin
+        credit_q <= held_q < HOLD - 2;               // and one may be taken meanwhile
         held_q <= held_q + {4'd0, in_valid_i && in_ready_o} - {4'd0, left} - {4'd0, both};
-        if (rst) held_q <= 5'd0;
+        if (rst) begin held_q <= 5'd0; credit_q <= 1'b0; end
     end
 
     // ---- results: root units first ----

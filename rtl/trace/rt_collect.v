@@ -80,8 +80,8 @@ module rt_collect #(
     wire [SLOTW-1:0] clear_slot = clear_q[SLOTW-1:0];
     wire            new_mark, in_mark, win;
     rt_slot_file #(.WIDTH(1), .SLOTS(SLOTS)) u_mark (
-        .clk(clk), .wr_en_i(clearing || win), .wr_addr_i(clearing ? clear_slot : in_slot_i),
-        .wr_data_i(!clearing && !in_mark),
+        .clk(clk), .wr_en_i(clearing || win), .wr_addr_i(clearing ? clear_slot : s1_slot_q),
+        .wr_data_i(!clearing && s1_mark_q),
         .rd_addr_i(new_slot_i), .rd_data_o(new_mark)
     );
     localparam XB0 = 6 + 17;                 // {mark, shift, scale} of a ray
@@ -110,20 +110,41 @@ module rt_collect #(
         .rd_addr_i(in_slot_i), .rd_data_o(seen_before)
     );
 
-    // ---- stage 0: compare with the best so far ----
+    // ---- stage 0: read the best so far; is the result before of the same slot? ----
     wire [BW+IB:0] best, done_best;          // {far, hit mark, id, key}
-    wire [BW+1:0] cand = {in_far_i, !in_mark, in_id_i, in_key_i};
+    reg             s1_valid_q, s1_same_q;   // s1_same_q: of the slot of the result a clock before
+    reg             s1_mark_q, s1_far_q, s2_win_q;
+    reg [SLOTW-1:0] s1_slot_q;
+    reg [BW-1:0]    s1_new_q, s1_best_q, s2_new_q;      // {id, key}
+    reg             s1_found_q;              // s1_best_q is a hit of this ray
+    always @(posedge clk) begin
+        s1_valid_q <= in_valid_i && in_hit_i;
+        s1_same_q  <= in_slot_i == s1_slot_q;
+        s1_slot_q  <= in_slot_i;
+        s1_mark_q  <= !in_mark;
+        s1_far_q   <= in_far_i;
+        s1_new_q   <= {in_id_i, in_key_i};
+        s1_best_q  <= best[BW-1:0];
+        s1_found_q <= best[BW] != in_mark;
+        s2_new_q   <= s1_new_q;
+        if (rst) s1_valid_q <= 1'b0;
+    end
+
+    // ---- stage 1: compare with it, or with the result before, which was not written yet ----
+    function closer(input [BW-1:0] one, input [BW-1:0] other);
+        closer = one[KW-1:0] < other[KW-1:0] ||
+                 (one[KW-1:0] == other[KW-1:0] && one[BW-1:KW] < other[BW-1:KW]);
+    endfunction
+    assign win = s1_valid_q && (s1_same_q && s2_win_q ? closer(s1_new_q, s2_new_q)
+                                : !s1_found_q || closer(s1_new_q, s1_best_q));
+    wire [BW+1:0] cand = {s1_far_q, s1_mark_q, s1_new_q};
     wire [BW+IB:0] put = clearing ? {(BW+IB+1){1'b0}} : cand[BW+IB:0];
-    wire          found  = best[BW] != in_mark;
-    wire          closer = in_key_i < best[KW-1:0] ||
-                           (in_key_i == best[KW-1:0] && in_id_i < best[KW +: `RT_ID_BITS]);
-    assign        win = in_valid_i && in_hit_i && (!found || closer);
     rt_slot_file #(.WIDTH(BW+IB+1), .SLOTS(SLOTS)) u_best (
-        .clk(clk), .wr_en_i(clearing || win), .wr_addr_i(clearing ? clear_slot : in_slot_i),
+        .clk(clk), .wr_en_i(clearing || win), .wr_addr_i(clearing ? clear_slot : s1_slot_q),
         .wr_data_i(put), .rd_addr_i(in_slot_i), .rd_data_o(best)
     );
     rt_slot_ram #(.WIDTH(BW+IB+1), .SLOTS(SLOTS), .OLD(0)) u_done (
-        .clk(clk), .wr_en_i(clearing || win), .wr_addr_i(clearing ? clear_slot : in_slot_i),
+        .clk(clk), .wr_en_i(clearing || win), .wr_addr_i(clearing ? clear_slot : s1_slot_q),
         .wr_data_i(put), .rd_en_i(done_valid_i), .rd_addr_i(done_slot_i), .rd_data_o(done_best)
     );
     always @(posedge clk) begin
@@ -132,18 +153,15 @@ module rt_collect #(
     end
 
     // ---- stages 1 to 3: depth of the new best ----
-    reg             s1_win_q, s2_win_q, s3_win_q, s1_last_q, s2_last_q, s3_last_q, s4_last_q;
-    reg             s1_mark_q, s2_mark_q, s3_mark_q;
-    reg [SLOTW-1:0] s1_slot_q, s2_slot_q, s3_slot_q, s4_slot_q;
+    reg             s3_win_q, s1_last_q, s2_last_q, s3_last_q, s4_last_q;
+    reg             s2_mark_q, s3_mark_q;
+    reg [SLOTW-1:0] s2_slot_q, s3_slot_q, s4_slot_q;
     wire [FW:0]     s3_depth;
     always @(posedge clk) begin
-        s1_win_q   <= win;
-        s1_mark_q  <= !in_mark;
         s2_mark_q  <= s1_mark_q;
         s3_mark_q  <= s2_mark_q;
         s1_last_q  <= in_valid_i && last;
-        s1_slot_q  <= in_slot_i;
-        s2_win_q   <= s1_win_q;
+        s2_win_q   <= win;
         s2_last_q  <= s1_last_q;
         s2_slot_q  <= s1_slot_q;
         s3_win_q   <= s2_win_q;
@@ -153,7 +171,7 @@ module rt_collect #(
         s4_slot_q  <= s3_slot_q;
         if (rst) begin
             s1_last_q <= 1'b0; s2_last_q <= 1'b0; s3_last_q <= 1'b0; s4_last_q <= 1'b0;
-            s1_win_q <= 1'b0; s2_win_q <= 1'b0; s3_win_q <= 1'b0;
+            s2_win_q <= 1'b0; s3_win_q <= 1'b0;
         end
     end
     assign out_valid_o = s4_last_q;
@@ -243,6 +261,6 @@ module rt_collect #(
     assign done_first_o   = FIRST != 0 && done_first[SB+FB+1];
     assign done_far_o     = INSIDE != 0 && done_best[BW+IB];
     assign {done_id_o, done_key_o} = done_best[BW-1:0];
-    wire unused = &{1'b0, cand, best, new_next, new_done, new_depth_i, new_shadow_i, new_first_i};
+    wire unused = &{1'b0, cand, new_next, new_done, new_depth_i, new_shadow_i, new_first_i};
 endmodule
 `default_nettype wire

@@ -113,9 +113,23 @@ module rt_leaf_unit #(
         .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
         .miss_o(event_o[`RT_EXACT_EVENT_MISS])
     );
-    assign record_o[`RT_RECORD_VALID] = c_valid && c_prim;
-    assign record_o[`RT_RECORD_SLOT]  = c_slot;
-    assign record_o[`RT_RECORD_DATA]  = c_data;
+    // A record for rt_shade waits in a register of its own: its ready is not the cache's.
+    reg              record_valid_q;
+    reg [SLOTW-1:0]  record_slot_q;
+    reg [255:0]      record_data_q;
+    assign record_o[`RT_RECORD_VALID] = record_valid_q;
+    assign record_o[`RT_RECORD_SLOT]  = record_slot_q;
+    assign record_o[`RT_RECORD_DATA]  = record_data_q;
+    always @(posedge clk) begin
+        if (!record_valid_q) begin
+            record_valid_q <= c_valid && c_prim;
+            record_slot_q  <= c_slot;
+            record_data_q  <= c_data;
+        end else if (record_ready_i) begin
+            record_valid_q <= 1'b0;
+        end
+        if (rst) record_valid_q <= 1'b0;
+    end
     assign fault_o[`RT_ERROR_BUS_ERROR] = c_valid && c_ready && c_error;
     assign fault_o[`RT_ERROR_STACK_OVERFLOW] = 1'b0;
     assign fault_o[`RT_ERROR_VISIT_LIMIT]    = 1'b0;
@@ -128,7 +142,7 @@ module rt_leaf_unit #(
     wire             l_ready, l_bad;
     wire             l_taken = l_valid_q && l_ready;
     wire             l_load  = c_valid && !c_prim && (!l_valid_q || l_taken);
-    assign c_ready = c_prim ? record_ready_i : !l_valid_q || l_taken;
+    assign c_ready = c_prim ? !record_valid_q : !l_valid_q || l_taken;
     localparam YW = 3*W + 5*WD + 24;                 // a ray; above it shadow, inside
     wire                shadow = ray_i[`RT_RAY_SHADOW];
     wire [YW+1:0]       y = {INSIDE != 0 ? {shadow, ray_i[`RT_RAY_INSIDE]} : {2{shadow}},
@@ -167,13 +181,20 @@ module rt_leaf_unit #(
         l_ray[YW-1:0];
     assign test[`RT_TEST_RECORD] = {l_high, l_low_q};
 
-    // ---- exact tests ----
+    // ---- exact tests; their results are registered, the choice among them takes its time ----
+    wire [`RT_RESULT_BITS-1:0] result;
+    reg [`RT_RESULT_BITS-1:0]  result_q;
+    assign result_o = result_q;
+    always @(posedge clk) begin
+        result_q <= result;
+        if (rst) result_q[`RT_RESULT_VALID] <= 1'b0;
+    end
     rt_prim #(.W(W), .WD(WD), .SLOTS(SLOTS), .ROOTS(ROOTS), .ROOT_STEP(ROOT_STEP), .PR(PR),
               .LEAF_INTERVAL(LEAF_INTERVAL), .SHADOW(SHADOW), .INSIDE(INSIDE), .FACETS(FACETS),
               .DIVISIONS(DIVISIONS), .DIVISION_STEP(DIVISION_STEP)) u_prim (
         .clk(clk), .rst(rst), .effects_i(effects),
         .in_valid_i(l_valid_q), .in_ready_o(l_ready), .test_i(test),
-        .result_o(result_o), .event_o(event_o[`RT_EXACT_EVENT_PRIM]), .bad_o(l_bad)
+        .result_o(result), .event_o(event_o[`RT_EXACT_EVENT_PRIM]), .bad_o(l_bad)
     );
     assign fault_o[`RT_ERROR_BAD_NODE] = l_bad;
     wire unused = &{1'b0, q_in_ready, y, ray_i, regs_i};

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A token brings a slot and the line of a node. What the visit finds leaves as found_o and, if leaf
 // children pass, as visit_o; where the token goes next is for rt_trace.
-//   issue | node cache | 1 node beside its ray | rt_filter, `RT_FILTER_LATENCY | rt_sort, 2
+//   4 issue | node cache | 1 node beside its ray | rt_filter, `RT_FILTER_LATENCY | rt_sort, 2
 // Behind the cache nothing waits: a node a clock.
 // Borodavka et al. IV. Model: sph_visit() in cmodel/trace/visit.c
 `timescale 1ns / 1ps
@@ -70,17 +70,18 @@ module rt_traverse #(
     wire [`RT_LINE_BITS-1:0] q_next_line;
     wire [SLOTW-1:0] q_new_slot, q_shadow;
     wire             q_new_pixel;
-    wire             req_ready;
+    reg  [3:0]       held_q;                         // tokens chosen that the cache has not taken
+    wire             room = !held_q[3];
     wire             next_in_ready, new_in_ready, shadow_in_ready;
     rt_fifo #(.WIDTH(SLOTW+`RT_LINE_BITS), .DEPTH(SLOTS)) u_next_queue (
         .clk(clk), .rst(rst), .in_valid_i(next_valid_i), .in_ready_o(next_in_ready),
         .in_data_i({next_slot_i, next_line_i}),
-        .out_valid_o(q_next_valid), .out_ready_i(req_ready), .out_data_o({q_next_slot, q_next_line})
+        .out_valid_o(q_next_valid), .out_ready_i(room), .out_data_o({q_next_slot, q_next_line})
     );
     rt_fifo #(.WIDTH(SLOTW+1), .DEPTH(SLOTS)) u_new_queue (
         .clk(clk), .rst(rst), .in_valid_i(ray_i[`RT_RAY_VALID] && !ray_i[`RT_RAY_SHADOW]),
         .in_ready_o(new_in_ready), .in_data_i({ray_i[`RT_RAY_SLOT], pixel_i}),
-        .out_valid_o(q_new_valid), .out_ready_i(req_ready && !q_next_valid && !q_shadow_valid),
+        .out_valid_o(q_new_valid), .out_ready_i(room && !q_next_valid && !q_shadow_valid),
         .out_data_o({q_new_slot, q_new_pixel})
     );
     generate
@@ -88,7 +89,7 @@ module rt_traverse #(
             rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_shadow_queue (
                 .clk(clk), .rst(rst), .in_valid_i(shadow_go_i), .in_ready_o(shadow_in_ready),
                 .in_data_i(shadow_slot_i),
-                .out_valid_o(q_shadow_valid), .out_ready_i(req_ready && !q_next_valid),
+                .out_valid_o(q_shadow_valid), .out_ready_i(room && !q_next_valid),
                 .out_data_o(q_shadow)
             );
         end else begin : g_no_shadow
@@ -117,32 +118,67 @@ module rt_traverse #(
     );
     assign {t1_negative, t1_axis, t1_unit, t1_org} = t1_ray[YW-1:0];
 
-    // ---- issue: count the visit, refuse bad addresses ----
-    wire             req_valid = q_next_valid || q_shadow_valid || q_new_valid;
-    wire             req_fresh = !q_next_valid;
-    wire [SLOTW-1:0] req_slot  = q_next_valid ? q_next_slot
-                                 : q_shadow_valid ? q_shadow : q_new_slot;
-    wire [`RT_LINE_BITS-1:0] req_line  = q_next_valid ? q_next_line : regs_i[`RT_REGS_ROOT];
-    wire             issue     = req_valid && req_ready;
+    // ---- issue: choose | read the visits | count the visit, refuse bad addresses | queue ----
     localparam VB = `RT_VISITS_BITS;
+    wire             any_valid = q_next_valid || q_shadow_valid || q_new_valid;
+    reg              i1_valid_q, i1_fresh_q, i1_pixel_q, i2_valid_q, i2_fresh_q, i2_bad_line_q;
+    reg              i3_valid_q, i3_fresh_q, i3_bad_line_q, i3_bad_limit_q;
+    reg [SLOTW-1:0]  i1_slot_q, i2_slot_q, i3_slot_q;
+    reg [`RT_LINE_BITS-1:0] i1_line_q, i2_line_q, i3_line_q;
+    reg [VB-1:0]     i2_ray_q, i2_pixel_q, i3_ray_q, i3_pixel_q;   // visits before this one
     wire [VB-1:0]    ray_visits, pixel_visits;
-    wire [VB-1:0]    ray_before   = req_fresh ? {VB{1'b0}} : ray_visits;
-    wire             req_pixel    = req_fresh && !q_shadow_valid && q_new_pixel;
-    wire [VB-1:0]    pixel_before = req_pixel ? {VB{1'b0}} : pixel_visits;
-    wire             bad_line = req_line >= mem_lines;
-    wire             bad_limit = ray_before == regs_i[`RT_REGS_VISIT_LIMIT];
-    wire             req_kill = bad_line || bad_limit;
-    wire [VB-1:0]    one = {{(VB-1){1'b0}}, !req_kill};
+    wire             taken;                          // the cache takes a request
+    wire             i3_kill = i3_bad_line_q || i3_bad_limit_q;
+    wire [VB-1:0]    one     = {{(VB-1){1'b0}}, !i3_kill};
+    wire [VB-1:0]    i3_visits = i3_pixel_q + one;
+    always @(posedge clk) begin
+        i1_valid_q <= any_valid && room;
+        i1_fresh_q <= !q_next_valid;
+        i1_pixel_q <= !q_next_valid && !q_shadow_valid && q_new_pixel;
+        i1_slot_q  <= q_next_valid ? q_next_slot : q_shadow_valid ? q_shadow : q_new_slot;
+        i1_line_q  <= q_next_valid ? q_next_line : regs_i[`RT_REGS_ROOT];
+        i2_valid_q <= i1_valid_q;
+        i2_fresh_q <= i1_fresh_q;
+        i2_slot_q  <= i1_slot_q;
+        i2_line_q  <= i1_line_q;
+        i2_ray_q   <= i1_fresh_q ? {VB{1'b0}} : ray_visits;
+        i2_pixel_q <= i1_pixel_q ? {VB{1'b0}} : pixel_visits;
+        i2_bad_line_q <= i1_line_q >= mem_lines;
+        i3_valid_q <= i2_valid_q;
+        i3_fresh_q <= i2_fresh_q;
+        i3_slot_q  <= i2_slot_q;
+        i3_line_q  <= i2_line_q;
+        i3_ray_q   <= i2_ray_q;
+        i3_pixel_q <= i2_pixel_q;
+        i3_bad_line_q  <= i2_bad_line_q;
+        i3_bad_limit_q <= i2_ray_q == regs_i[`RT_REGS_VISIT_LIMIT];
+        held_q     <= held_q + {3'd0, any_valid && room} - {3'd0, taken};
+        if (rst) begin
+            i1_valid_q <= 1'b0; i2_valid_q <= 1'b0; i3_valid_q <= 1'b0; held_q <= 4'd0;
+        end
+    end
     rt_slot_file #(.WIDTH(2*VB), .SLOTS(SLOTS)) u_visits (
-        .clk(clk), .wr_en_i(issue), .wr_addr_i(req_slot),
-        .wr_data_i({ray_before + one, pixel_before + one}),
-        .rd_addr_i(req_slot), .rd_data_o({ray_visits, pixel_visits})
+        .clk(clk), .wr_en_i(i3_valid_q), .wr_addr_i(i3_slot_q),
+        .wr_data_i({i3_ray_q + one, i3_visits}),
+        .rd_addr_i(i1_slot_q), .rd_data_o({ray_visits, pixel_visits})
     );
     rt_slot_ram #(.WIDTH(VB), .SLOTS(SLOTS), .OLD(0)) u_visits_out (
-        .clk(clk), .wr_en_i(issue), .wr_addr_i(req_slot), .wr_data_i(pixel_before + one),
+        .clk(clk), .wr_en_i(i3_valid_q), .wr_addr_i(i3_slot_q), .wr_data_i(i3_visits),
         .rd_en_i(visits_read_i), .rd_addr_i(visits_slot_i), .rd_data_o(visits_o)
     );
-    assign event_o[`RT_TRACE_EVENT_ISSUED] = issue;
+    assign event_o[`RT_TRACE_EVENT_ISSUED] = i3_valid_q;
+    // As many words as tokens may be held: it never fills.
+    wire             req_valid, req_ready, req_fresh, req_kill, issue_in_ready;
+    wire [SLOTW-1:0] req_slot;
+    wire [`RT_LINE_BITS-1:0] req_line;
+    assign           taken = req_valid && req_ready;
+    rt_fifo #(.WIDTH(SLOTW+2+`RT_LINE_BITS), .DEPTH(8)) u_issue (
+        .clk(clk), .rst(rst), .in_valid_i(i3_valid_q), .in_ready_o(issue_in_ready),
+        .in_data_i({i3_slot_q, i3_fresh_q, i3_kill,
+                    i3_kill ? {`RT_LINE_BITS{1'b0}} : i3_line_q}),
+        .out_valid_o(req_valid), .out_ready_i(req_ready),
+        .out_data_o({req_slot, req_fresh, req_kill, req_line})
+    );
 
     // ---- node cache; a killed token fetches line 0 and is thrown away behind it ----
     localparam TAG = SLOTW + 2;
@@ -150,7 +186,7 @@ module rt_traverse #(
     rt_cache #(.TAG(TAG), .LINES(LINES), .PENDING(SLOTS)) u_cache (
         .clk(clk), .rst(rst), .flush_i(flush_i),
         .req_valid_i(req_valid), .req_ready_o(req_ready),
-        .req_line_i(req_kill ? {`RT_LINE_BITS{1'b0}} : req_line),
+        .req_line_i(req_line),
         .req_tag_i({req_slot, req_fresh, req_kill}),
         .rsp_valid_o(rsp_valid), .rsp_ready_i(1'b1), .rsp_data_o(rsp_data),
         .rsp_tag_o({rsp_slot, rsp_fresh, rsp_kill}), .rsp_error_o(rsp_error),
@@ -186,10 +222,10 @@ module rt_traverse #(
         t1_fresh_q <= rsp_fresh;
         t1_kill_q  <= rsp_kill || rsp_error;
         t1_node_q  <= rsp_data;
-        visit_q       <= issue && !req_kill;
+        visit_q       <= i3_valid_q && !i3_kill;
         tests_q       <= t1_live && !t1_bad ? t1_count[2:0] : 3'd0;
-        bad_node_q    <= (issue && bad_line) || (t1_live && t1_bad);
-        visit_limit_q <= issue && bad_limit && !bad_line;
+        bad_node_q    <= (i3_valid_q && i3_bad_line_q) || (t1_live && t1_bad);
+        visit_limit_q <= i3_valid_q && i3_bad_limit_q && !i3_bad_line_q;
         bus_error_q   <= rsp_valid && rsp_error;
         if (rst) begin
             t1_valid_q <= 1'b0; visit_q <= 1'b0; tests_q <= 3'd0;
@@ -294,6 +330,6 @@ module rt_traverse #(
     assign visit_o[`RT_VISIT_LEAF]  = leaf_q;
     assign visit_o[`RT_VISIT_LINE]  = line_q;
     wire unused = &{1'b0, regs_i, effects, ray_i, filter_i, next_in_ready, new_in_ready,
-                    shadow_in_ready, f_slot, f_fresh, f_base, g_n_leaf};
+                    shadow_in_ready, issue_in_ready, f_slot, f_fresh, f_base, g_n_leaf};
 endmodule
 `default_nettype wire

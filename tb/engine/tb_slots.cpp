@@ -55,7 +55,7 @@ struct Slot {
     u128 colour = 0;
 };
 
-struct Hit { /* what hit_o must be in the next clock */
+struct Hit { /* what hit_o must be two clocks after done_i */
     bool hit = false, miss = false, shadow = false, lit = false, first = false, probe = false;
     int slot = 0, far = 0;
     uint32_t id = 0;
@@ -98,7 +98,9 @@ class Slots : public bench::Bench<Vrt_slots> {
         if (r.state == Slot::PRIMARY && r.again != (dut.ray_again_o != 0))
             fail("ray_again_o is wrong");
         check_hit();
-        wanted = next;
+        wanted = later;
+        later = next;
+        told_before = told;
         bool busy = false, taken = dut.in_valid_i && dut.in_ready_o;
         for (const Slot &s : slots)
             busy |= s.state != Slot::FREE;
@@ -132,7 +134,8 @@ class Slots : public bench::Bench<Vrt_slots> {
     unsigned pace[4] = {100, 100, 100, 100};
     int next_x = 0, next_y = 0, asked = -1, at_port = 0;
     u128 next_dir = 0;
-    Hit wanted;
+    int told_before = -1; /* whose end done_i told in the clock before */
+    Hit wanted, later;    /* in the next clock, and in the one after it */
 
     void give_pixel(bool start) {
         if (!dut.in_valid_i && start && random.percent(pace[0])) {
@@ -240,8 +243,9 @@ class Slots : public bench::Bench<Vrt_slots> {
     void give_blend(int not_this) {
         int at = (int)random.below(SLOTS);
         Slot &s = slots[at];
-        bool go = at != not_this && s.state == Slot::SHADE && random.percent(30) &&
-                  !(wanted.slot == at && (wanted.hit || wanted.miss));
+        bool go = at != not_this && at != told_before && s.state == Slot::SHADE &&
+                  random.percent(30) && !(wanted.slot == at && (wanted.hit || wanted.miss)) &&
+                  !(later.slot == at && (later.hit || later.miss));
         bench::put(dut.blend_i, RT_BLEND_VALID, go);
         dut.end_valid_i = 0;
         if (go) {

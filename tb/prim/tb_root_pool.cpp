@@ -154,8 +154,7 @@ int main(int argc, char **argv) {
         bool taken = b.dut.in_valid_i && b.dut.in_ready_o;
         bool held = b.dut.out_valid_o && !b.dut.out_ready_i;
         bool given = b.dut.out_valid_o && b.dut.out_ready_i;
-        if (b.dut.in_ready_o != (inside < UNITS || given))
-            b.fail("in_ready_o: not as units are idle");
+        if (b.dut.in_ready_o != (inside < UNITS)) b.fail("in_ready_o: not as units are idle");
         if (given) {
             int at = (int)b.get(b.dut.out_tag_o);
             if (!waits[at]) {

@@ -10,6 +10,7 @@
 
 namespace {
 
+constexpr uint64_t LATENCY = 4; /* clocks of a pass */
 constexpr int STACK = 16;
 constexpr int32_t LIMIT = (2 << FW) - 1, NEAR_MIN = -32768, NEAR_MAX = 32767;
 
@@ -58,7 +59,7 @@ struct Slot {
 void step(Slot &s, uint64_t cycle) {
     int bubbles = 0;
     s.issue = s.overflow = false;
-    s.due = cycle + 2;
+    s.due = cycle + LATENCY;
     if (s.fresh) s.now.count = s.sp = 0;
     s.fresh = false;
     if (s.kill || (ENDS && s.ends && s.hit)) return;
@@ -81,7 +82,7 @@ void step(Slot &s, uint64_t cycle) {
     }
     s.issue = true;
     s.line = s.now.base + (uint32_t)s.now.child[0];
-    s.due += 2 * (uint64_t)bubbles;
+    s.due += LATENCY * (uint64_t)bubbles;
     s.now.count--;
     for (int i = 0; i < s.now.count; i++) {
         s.now.near[i] = s.now.near[i + 1];

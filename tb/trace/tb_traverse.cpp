@@ -13,6 +13,7 @@
 namespace {
 
 constexpr uint64_t LATENCY = 10; /* clocks from a node that leaves the cache to found_o */
+constexpr uint64_t ISSUE = 4;
 
 struct Due { /* a visit whose node has left the cache */
     int slot;
@@ -34,11 +35,13 @@ class Traverse : public VisitRays {
         reading = read;
         check_events();
         take_node();
+        for (; !arrivals.empty() && arrivals.front().at <= cycle; arrivals.pop_front())
+            arrivals.front().tokens->push_back(arrivals.front().slot);
         if (bench::get(dut.event_o, RT_TRACE_EVENT_ISSUED)) issue();
         check_found();
-        if (next >= 0) next_queue.push_back(next);
-        if (held >= 0) shadow_queue.push_back(held);
-        if (told >= 0 && slots[told].ray.kind != SPH_SHADOW) new_queue.push_back(told);
+        if (next >= 0) arrive(next_queue, next);
+        if (held >= 0) arrive(shadow_queue, held);
+        if (told >= 0 && slots[told].ray.kind != SPH_SHADOW) arrive(new_queue, told);
         tick();
     }
 
@@ -50,7 +53,17 @@ class Traverse : public VisitRays {
     }
 
   private:
+    /* The choice among the queues is told ISSUE clocks after its token could be chosen first. */
+    struct Arrival {
+        std::deque<int> *tokens;
+        int slot;
+        uint64_t at;
+    };
     std::deque<int> next_queue, shadow_queue, new_queue;
+    std::deque<Arrival> arrivals;
+    void arrive(std::deque<int> &tokens, int slot) {
+        arrivals.push_back({&tokens, slot, cycle + ISSUE});
+    }
     std::deque<Due> due;
     int depth_slot = -1;
     struct {
