@@ -11,7 +11,7 @@ V_FILES  := $(sort $(shell find rtl -name '*.v'))
 V_HEADS  := $(sort $(shell find rtl -name '*.vh'))
 V_BENCHES := $(sort $(wildcard formal/*.v tb/*/*.v examples/*/*.v))
 # Models of a vendor's parts, which rtl/board and nothing else instantiates.
-V_PARTS  := $(wildcard tb/board/*.v)
+V_PARTS  := $(filter-out %/ulx3s_pins.v,$(wildcard tb/board/*.v))
 V_DIRS   := $(patsubst %/,%,$(sort $(dir $(V_FILES) $(V_HEADS) $(V_PARTS))))
 C_HEADS  := $(sort $(shell find cmodel tb tests -name '*.h'))
 # Tests are left to gcc's warnings and sanitizers. Clang's analyzer looks less deep into calls of

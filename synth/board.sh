@@ -4,7 +4,8 @@
 #
 # usage: synth/board.sh TOP VENV FOLDER [PARAMETER=VALUE...]
 #   TOP     module of rtl/board
-#   VENV    folder of `make board-setup`; tools of that name in the PATH are preferred
+#   VENV    folder of `make board-setup`; tools of that name in the PATH are preferred; -: Yosys
+#           alone, for the cells
 #   FOLDER  gets TOP.json, TOP.config, TOP.bit, report.json, logs, sources.d
 # Exit code 3: a tool is absent.
 set -eu
@@ -20,8 +21,7 @@ tool() { # nextpnr-ecp5, ecppack
         exit 3
     }
 }
-pnr=$(tool nextpnr-ecp5)
-pack=$(tool ecppack)
+if [ "$venv" = - ]; then pnr=/- pack=/-; else pnr=$(tool nextpnr-ecp5) pack=$(tool ecppack); fi
 case $pnr in /*) ;; *) pnr=$(pwd)/$pnr pack=$(pwd)/$pack ;; esac
 YOWASP_CACHE_DIR=${YOWASP_CACHE_DIR:-$(cd "$out/.." && pwd)/cache}
 export YOWASP_CACHE_DIR
@@ -33,12 +33,13 @@ for d in $folders; do include="$include -I$d" library="$library -libdir $d"; don
 python3 -m lab.pages.board --digest >"$out/digest"
 rm -f "$out/report.json"
 nice yosys -q -l "$out/yosys.log" -p "verilog_defaults -add $include -DSYNTHESIS;
-    read_verilog -lib +/ecp5/cells_bb.v; read_verilog rtl/board/$top.v;
+    read_verilog -lib +/ecp5/cells_bb.v +/ecp5/cells_sim.v; read_verilog rtl/board/$top.v;
     ${set_all:+chparam $set_all $top;} hierarchy -check -top $top $library;
     synth_ecp5 -top $top -json $out/$top.json; check -assert" >"$out/yosys.out" 2>&1 || {
     cat "$out/yosys.out" >&2
     exit 1
 }
+[ "$venv" != - ] || exit 0
 cp synth/ulx3s.lpf "$out/"
 # In the folder: the packaged tools see no other.
 cd "$out"

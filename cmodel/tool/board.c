@@ -16,15 +16,11 @@
 int board_machine_read(const char *path, struct board_machine *m, struct sph_error *err) {
     struct sph_machine machine;
     if (sph_machine_read(path, &machine, err)) return -1;
-    *m = (struct board_machine){NULL, 0, machine.regs[SPH_REG_FRAME_W],
-                                machine.regs[SPH_REG_FRAME_H]};
+    *m = (struct board_machine){.width = machine.regs[SPH_REG_FRAME_W],
+                                .height = machine.regs[SPH_REG_FRAME_H]};
     size_t size = SPHAERA_HEADER_LEAST + 4 * (size_t)SPH_N_REGS +
                   (size_t)machine.lines * SPHAERA_LINE_BYTES + SPHAERA_CHECKSUM_BYTES;
     sph_machine_free(&machine);
-    if (!(m->width == 640 && m->height == 480) && !(m->width == 320 && m->height == 240))
-        return sph_fail(err,
-                        "%.200s: the frame is %d x %d; a board shows 640x480, or 320x240 doubled",
-                        path, m->width, m->height);
     FILE *file = fopen(path, "rb");
     m->bytes = malloc(size);
     m->count = (uint32_t)size;
@@ -40,7 +36,7 @@ void board_machine_free(struct board_machine *m) {
     m->bytes = NULL;
 }
 
-int board_show(struct sphaera *s, const struct board_machine *m, const uint32_t frames[3]) {
+int board_machine_mode(const char *path, struct board_machine *m, struct sph_error *err) {
     static const struct {
         const char *name;
         struct sphaera_mode mode;
@@ -49,11 +45,25 @@ int board_show(struct sphaera *s, const struct board_machine *m, const uint32_t 
         SPHAERA_MODES(MODE)
 #undef MODE
     };
-    struct sphaera_mode mode = modes[0].mode; /* 640x480 */
-    mode.doubled = m->width != mode.h_active;
+    m->mode = modes[0].mode; /* 640x480 */
+    m->mode.doubled = m->width != m->mode.h_active;
+    if ((m->width == 640 && m->height == 480) || (m->width == 320 && m->height == 240)) return 0;
+    return sph_fail(err, "%.200s: the frame is %d x %d; a board shows 640x480, or 320x240 doubled",
+                    path, m->width, m->height);
+}
+
+/* The driver's steps on `s`, which is open: frames at these addresses, RGB565, and the display. */
+static int show(struct sphaera *s, const struct board_machine *m, const uint32_t frames[3]) {
     int rc = sphaera_store(s, frames, 2 * (uint32_t)m->width, 1);
-    if (!rc) sphaera_video(s, &mode);
-    return rc;
+    if (rc) return rc;
+    sphaera_video(s, &m->mode);
+    sphaera_interrupts(s, SPHAERA_INTERRUPTS_ERROR | SPHAERA_INTERRUPTS_UNDERRUN);
+    return SPHAERA_OK;
+}
+
+static void put_word(uint8_t *to, uint32_t value) {
+    for (int i = 0; i < 4; i++)
+        to[i] = (uint8_t)(value >> 8 * i);
 }
 
 /* ---- a block that is not there: it has what is asked for, and does nothing ---- */
@@ -89,27 +99,108 @@ static void leave(void *user, uint32_t address, const uint8_t *bytes, uint32_t c
     (void)user, (void)address, (void)bytes, (void)count;
 }
 
-int board_record(const struct board_machine *m, struct board_script *script,
-                 struct sph_error *err) {
-    static const uint32_t frames[3] = {0, 0, 0};
+/* A driver whose writes go to the script, open on a block that has what the machine asks for. */
+static int record_open(const struct board_machine *m, struct board_script *script,
+                       struct recorder *recorder, struct sphaera *s, struct sph_error *err) {
     struct sphaera_file file;
-    struct recorder recorder = {script, 0};
-    struct sphaera_bus bus = {answer, record, leave, &recorder};
-    struct sphaera s;
+    *recorder = (struct recorder){script, 0};
+    const struct sphaera_bus bus = {answer, record, leave, recorder};
     script->n = 0;
     if (!sphaera_file_read(&file, m->bytes, m->count))
         return sph_fail(err, "%s", sphaera_text(SPHAERA_BAD_FILE));
-    recorder.profile = sphaera_file_register(&file, SPHAERA_REG_PROFILE);
-    int rc = sphaera_open(&s, &bus);
-    if (!rc) rc = sphaera_load(&s, m->bytes, m->count, 0);
-    if (!rc) rc = board_show(&s, m, frames);
-    if (!rc) sphaera_interrupts(&s, SPHAERA_INTERRUPTS_ERROR | SPHAERA_INTERRUPTS_UNDERRUN);
-    if (!rc) rc = sphaera_start(&s, 0);
+    recorder->profile = sphaera_file_register(&file, SPHAERA_REG_PROFILE);
+    int rc = sphaera_open(s, &bus);
+    return rc ? sph_fail(err, "%s", sphaera_text(rc)) : 0;
+}
+
+static int recorded(int rc, const struct board_script *script, struct sph_error *err) {
     if (rc) return sph_fail(err, "%s", sphaera_text(rc));
     if (script->n >= BOARD_ITEMS)
         return sph_fail(err, "%d writes, and room for %d", script->n, BOARD_ITEMS - 1);
     return 0;
 }
+
+int board_record(const struct board_machine *m, struct board_script *script,
+                 struct sph_error *err) {
+    static const uint32_t frames[3] = {0, 0, 0};
+    struct recorder recorder;
+    struct sphaera s;
+    if (record_open(m, script, &recorder, &s, err)) return -1;
+    int rc = sphaera_load(&s, m->bytes, m->count, 0);
+    if (!rc) rc = show(&s, m, frames);
+    if (!rc) rc = sphaera_start(&s, 0);
+    return recorded(rc, script, err);
+}
+
+/* ---- machines and their lists into the memory of a board ---- */
+
+/* The list of a machine at `base`: its registers and the start, into memory as number k. */
+static int put_list(const struct sphaera_bus *bus, const struct board_machine *m, uint32_t base,
+                    int k, struct sph_error *err) {
+    struct board_script script;
+    struct recorder recorder;
+    struct sphaera s;
+    uint8_t bytes[8 * BOARD_ITEMS];
+    if (record_open(m, &script, &recorder, &s, err)) return -1;
+    script.n = 0; /* what opens the block is not of the list */
+    int rc = sphaera_load(&s, m->bytes, m->count, base);
+    if (!rc) rc = sphaera_start(&s, 0);
+    if (recorded(rc, &script, err)) return -1;
+    script.items[script.n++] = (struct board_item){0xfff, 0};
+    for (int i = 0; i < script.n; i++) {
+        put_word(bytes + 8 * i, script.items[i].value);
+        put_word(bytes + 8 * i + 4, script.items[i].offset);
+    }
+    bus->put(bus->user, BOARD_LISTS + 8 * BOARD_ITEMS * (uint32_t)(k + 1), bytes,
+             8 * (uint32_t)script.n);
+    return 0;
+}
+
+static void put_header(const struct sphaera_bus *bus, int n) {
+    uint8_t bytes[8];
+    put_word(bytes, (uint32_t)n);
+    put_word(bytes + 4, BOARD_MAGIC);
+    bus->put(bus->user, BOARD_LISTS, bytes, sizeof bytes);
+}
+
+/* Where each machine's memory begins: one behind another, on pages. */
+static int places(const struct board_machine *m, int n, uint32_t *bases, struct sph_error *err) {
+    struct sphaera_file file;
+    uint64_t at = 0;
+    for (int k = 0; k < n; k++) {
+        if (m[k].width != m->width || m[k].height != m->height)
+            return sph_fail(err, "a frame of %d x %d beside one of %d x %d", m[k].width,
+                            m[k].height, m->width, m->height);
+        if (!sphaera_file_read(&file, m[k].bytes, m[k].count))
+            return sph_fail(err, "%s", sphaera_text(SPHAERA_BAD_FILE));
+        bases[k] = (uint32_t)at;
+        at += (file.memory_bytes + 4095) & ~(uint64_t)4095;
+        if (at > BOARD_FRAMES)
+            return sph_fail(err, "%d machines want more than %d bytes", n, BOARD_FRAMES);
+    }
+    return 0;
+}
+
+int board_take(struct sphaera *s, const struct sphaera_bus *bus, const struct board_machine *m,
+               int n, uint32_t polls, int *rc, struct sph_error *err) {
+    uint32_t bases[BOARD_MACHINES], frames[3];
+    for (uint32_t i = 0; i < 3; i++)
+        frames[i] = BOARD_FRAMES + i * BOARD_FRAME_BYTES;
+    if (places(m, n, bases, err)) return -1;
+    *rc = sphaera_open(s, bus);
+    if (!*rc) put_header(bus, 0);              /* buttons do nothing meanwhile */
+    for (int k = n - 1; k >= 0 && !*rc; k--) { /* registers stay those of the first */
+        *rc = sphaera_load(s, m[k].bytes, m[k].count, bases[k]);
+        if (!*rc && put_list(bus, &m[k], bases[k], k, err)) return -1;
+    }
+    if (!*rc) *rc = show(s, m, frames);
+    if (!*rc) *rc = sphaera_start(s, 0);
+    if (!*rc) *rc = sphaera_wait(s, polls);
+    if (!*rc) put_header(bus, n);
+    return 0;
+}
+
+/* ---- files for a board without SDRAM ---- */
 
 static int put_file(const char *stem, const char *name, const struct board_script *script,
                     const struct sphaera_file *file, struct sph_error *err) {

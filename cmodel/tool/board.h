@@ -7,18 +7,23 @@
 #include "../../driver/sphaera.h"
 #include "common/error.h"
 
-/* Places in the memory of a board: the machine's lines from 0 on, behind them three frames. */
+/* Places in the memory of a board: machines one after another from 0 on, three frames, lists of
+ * registers for the buttons (rtl/board/rt_pick.v says what is in them). */
 enum {
     BOARD_FRAMES = 0x1000000,
     BOARD_FRAME_BYTES = 0x100000, /* from a frame to the next */
-    BOARD_ITEMS = 256             /* the most writes of a list, its end included */
+    BOARD_LISTS = 0x1400000,      /* RT_BOARD_LISTS */
+    BOARD_MAGIC = 0x53704c73,     /* RT_BOARD_MAGIC */
+    BOARD_ITEMS = 256,            /* the most writes of a list, its end included */
+    BOARD_MACHINES = 64           /* the most of a load */
 };
 
-/* A machine file as bytes, which were checked. */
+/* A machine file as bytes, which were checked, and the display it is for. */
 struct board_machine {
     uint8_t *bytes;
     uint32_t count;
     int width, height;
+    struct sphaera_mode mode;
 };
 
 /* Writes to registers, in order. */
@@ -29,14 +34,14 @@ struct board_script {
     int n; /* above BOARD_ITEMS: there was no room */
 };
 
-/* The machine file at path; its frame must be 640x480, or 320x240, which is shown doubled. 0, or
- * -1 with a message and nothing to free. */
+/* The machine file at path, of any frame and without a mode. 0, or -1 with a message and nothing to
+ * free. */
 int board_machine_read(const char *path, struct board_machine *m, struct sph_error *err);
 void board_machine_free(struct board_machine *m);
 
-/* The driver's steps on `s`, which is open: frames at these addresses, RGB565, and a display of
- * 640x480. A result of the driver. */
-int board_show(struct sphaera *s, const struct board_machine *m, const uint32_t frames[3]);
+/* Its display is 640x480: the frame must be so, or 320x240, which is shown doubled. 0, or -1 with a
+ * message. */
+int board_machine_mode(const char *path, struct board_machine *m, struct sph_error *err);
 
 /* All writes of the driver from its first to the frame's start, on a block that has what the
  * machine asks for; the machine's memory is at address 0 and so are the frames, each in a RAM of
@@ -47,9 +52,15 @@ int board_record(const struct board_machine *m, struct board_script *script, str
  */
 int board_write_rom(const struct board_machine *m, const char *stem, struct sph_error *err);
 
-/* The machine over the serial port of a board, drawn and shown: rtl/board/rt_uart_bus.v is at the
- * other end. baud: bits a second. 0, or -1 with a message. */
-int board_load(const struct board_machine *m, const char *device, unsigned baud,
+/* 1 .. BOARD_MACHINES machines of one size over the bus of a board with SDRAM: into its memory with
+ * a list for each, the first one drawn, waited for and shown. *rc is what the driver said last. 0,
+ * or -1 with a message if machines do not fit together; the caller looks at its bus and at *rc. */
+int board_take(struct sphaera *s, const struct sphaera_bus *bus, const struct board_machine *m,
+               int n, uint32_t polls, int *rc, struct sph_error *err);
+
+/* board_take over the serial port of a board: rtl/board/rt_uart_bus.v is at the other end. baud:
+ * bits a second. 0, or -1 with a message. */
+int board_load(const struct board_machine *m, int n, const char *device, unsigned baud,
                struct sph_error *err);
 
 #endif

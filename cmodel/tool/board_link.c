@@ -130,25 +130,17 @@ static int open_line(struct link *l, unsigned baud) {
     return 0;
 }
 
-int board_load(const struct board_machine *m, const char *device, unsigned baud,
+int board_load(const struct board_machine *m, int n, const char *device, unsigned baud,
                struct sph_error *err) {
     struct link link = {-1, device, err, 0};
     const struct sphaera_bus bus = {get, set, put, &link};
     struct sphaera s;
-    uint32_t frames[3];
-    for (uint32_t i = 0; i < 3; i++)
-        frames[i] = BOARD_FRAMES + i * BOARD_FRAME_BYTES;
-    if (m->count > BOARD_FRAMES)
-        return sph_fail(err, "%u bytes of machine, and room for %d", m->count, BOARD_FRAMES);
+    int rc = SPHAERA_OK;
     if (open_line(&link, baud)) return -1;
-    int rc = sphaera_open(&s, &bus);
-    if (!rc) rc = sphaera_load(&s, m->bytes, m->count, 0);
-    if (!rc) rc = board_show(&s, m, frames);
-    if (!rc) rc = sphaera_start(&s, 0);
-    if (!rc) rc = sphaera_wait(&s, POLLS);
-    uint32_t errors = rc == SPHAERA_FAILED ? sphaera_errors(&s) : 0;
+    int unfit = board_take(&s, &bus, m, n, POLLS, &rc, err);
+    uint32_t errors = !unfit && rc == SPHAERA_FAILED ? sphaera_errors(&s) : 0;
     const char *text = sphaera_error_text(&errors);
     close(link.fd);
-    if (link.failed) return -1;
+    if (unfit || link.failed) return -1;
     return rc ? sph_fail(err, "%.200s: %s", device, text ? text : sphaera_text(rc)) : 0;
 }

@@ -5,7 +5,8 @@
 #include "tool/tool.h"
 
 struct arguments {
-    const char *input, *device, *rom;
+    const char *names[BOARD_MACHINES + 1], *rom; /* a device before the machine files */
+    int n;
     unsigned baud;
 };
 
@@ -30,14 +31,15 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         a->baud = (unsigned)tool_number(state, "baud", arg, 9600, 4000000);
         return 0;
     case ARGP_KEY_ARG:
-        if (a->input && a->device)
-            argp_error(state, "one device and one file: '%s' is one too many", arg);
-        a->device = a->input;
-        a->input = arg;
+        if (a->n == BOARD_MACHINES + 1)
+            argp_error(state, "a device and %d files: '%s' is one too many", BOARD_MACHINES, arg);
+        a->names[a->n++] = arg;
         return 0;
     case ARGP_KEY_END:
-        if (!a->input) argp_error(state, "no machine file given");
-        if (!a->rom == !a->device)
+        if (!a->n) argp_error(state, "no machine file given");
+        if (a->rom && a->n > 1)
+            argp_error(state, "--rom STEM is for one machine: '%s' is one too many", a->names[1]);
+        if (!a->rom && a->n < 2)
             argp_error(state, "a serial device before the machine file, or --rom STEM, says "
                               "where to");
         return 0;
@@ -46,16 +48,34 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     }
 }
 
+static int read_all(const struct arguments *a, int device, struct board_machine *machines, int *n,
+                    struct sph_error *err) {
+    for (int i = device; i < a->n; i++) {
+        if (board_machine_read(a->names[i], &machines[*n], err)) return -1;
+        if (board_machine_mode(a->names[i], &machines[(*n)++], err)) return -1;
+    }
+    return 0;
+}
+
 int tool_load_board(int argc, char **argv) {
-    static const struct argp argp = {
-        options, parse, "[DEVICE] MACHINE.sph", "Takes a machine to a board.", NULL, NULL, NULL};
+    static const struct argp argp = {options,
+                                     parse,
+                                     "[DEVICE] MACHINE.sph...",
+                                     "Takes machines to a board: the first one is shown, buttons "
+                                     "choose the others.",
+                                     NULL,
+                                     NULL,
+                                     NULL};
     struct arguments a = {.baud = 1000000};
-    struct board_machine machine;
+    struct board_machine machines[BOARD_MACHINES];
     struct sph_error err = {""};
+    int n = 0;
     argp_parse(&argp, argc, argv, 0, NULL, &a);
-    if (board_machine_read(a.input, &machine, &err)) return tool_failed(&err);
-    int rc = a.rom ? board_write_rom(&machine, a.rom, &err)
-                   : board_load(&machine, a.device, a.baud, &err);
-    board_machine_free(&machine);
+    int rc = read_all(&a, !a.rom, machines, &n, &err);
+    if (!rc)
+        rc = a.rom ? board_write_rom(machines, a.rom, &err)
+                   : board_load(machines, n, a.names[0], a.baud, &err);
+    while (n > 0)
+        board_machine_free(&machines[--n]);
     return rc ? tool_failed(&err) : TOOL_GOOD;
 }

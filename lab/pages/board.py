@@ -1,17 +1,18 @@
 # board.py - cells and clocks of a board's bitstream, as its page shows them
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab.pages.board --digest          of the sources as they are
-          python3 -m lab.pages.board FOLDER            what synth/board.sh left there, into DATA"""
+          python3 -m lab.pages.board BOARD FOLDER      what synth/board.sh left there, into DATA"""
 import json
 import os
 import re
 import sys
+from datetime import datetime, timezone
 from pathlib import Path
 
 from . import digest
 
-DATA = Path("docs/results/data/board.tsv")
-HEAD = ("# board.tsv - cells of rt_ulx3s_ram and what it reaches, by make board\n"
+DATA = "docs/results/data/board_{}.tsv"
+HEAD = ("# board_{0}.tsv - cells of rt_{0} and what it reaches, by make board BOARD={0}\n"
         "# SPDX-License-Identifier: Apache-2.0\n")
 # of an LFE5U-85F
 PARTS = {"LUT4": 83640, "TRELLIS_FF": 83640, "DP16KD": 208, "MULT18X18D": 156, "CCU2C": None,
@@ -31,18 +32,27 @@ def read(folder):
     found = {name: cells.get(name, "0") for name in PARTS}
     report = folder / "report.json"
     if report.exists():
-        for clock, speed in json.loads(report.read_text(encoding="utf-8"))["fmax"].items():
-            found[f"{clock.rpartition('.')[2]}, MHz"] = \
+        routed = json.loads(report.read_text(encoding="utf-8"))
+        for name, part in routed["utilization"].items():
+            if name == "TRELLIS_COMB":
+                found["TRELLIS_COMB, placed"] = f"{part['used']} of {part['available']}"
+        for clock, speed in routed["fmax"].items():
+            found[f"{clock.rpartition('$')[2].rpartition('.')[2]}, MHz"] = \
                 f"{speed['achieved']:.1f} of {speed['constraint']:.1f}"
+    when = datetime.fromtimestamp((folder / "yosys.log").stat().st_mtime, timezone.utc)
+    found["day"] = when.strftime("%Y-%m-%d")
+    seconds = folder / "seconds"
+    if seconds.exists() and report.exists():
+        found["minutes of nextpnr-ecp5"] = f"{int(seconds.read_text(encoding='utf-8')) / 60:.0f}"
     found["sources"] = (folder / "digest").read_text(encoding="utf-8").strip()
     return found
 
 
-def board():
-    """The table of the page, and how old it is."""
-    lines = DATA.read_text(encoding="utf-8").splitlines()
+def board(name):
+    """The table of a board, and how old it is."""
+    lines = Path(DATA.format(name)).read_text(encoding="utf-8").splitlines()
     rows = dict(line.split("\t") for line in lines if not line.startswith("#"))
-    made = rows.pop("sources")
+    made, day = rows.pop("sources"), rows.pop("day")
     clocks = any(name.endswith("MHz") for name in rows)
     text = "| | |\n|---|---|\n"
     for name, value in rows.items():
@@ -50,7 +60,7 @@ def board():
         text += f"| {name} | {value}{f' of {most}' if most else ''} |\n"
     text += "\nNot routed yet: these are Yosys' cells.\n" if not clocks else ""
     if made != sources():
-        text += f"\nOf sources {made}, before their last change.\n"
+        text += f"\nOf {day} and sources {made}, before their last change.\n"
     return text
 
 
@@ -59,11 +69,13 @@ def main():
     if sys.argv[1] == "--digest":
         print(sources())
         return
-    found = read(Path(sys.argv[1]))
-    new = DATA.with_suffix(".tmp")
-    new.write_text(HEAD + "".join(f"{name}\t{value}\n" for name, value in found.items()),
-                   encoding="utf-8")
-    os.replace(new, DATA)
+    name, folder = sys.argv[1:]
+    found = read(Path(folder))
+    data = Path(DATA.format(name))
+    new = data.with_suffix(".tmp")
+    rows = "".join(f"{row}\t{value}\n" for row, value in found.items())
+    new.write_text(HEAD.format(name) + rows, encoding="utf-8")
+    os.replace(new, data)
 
 
 if __name__ == "__main__":

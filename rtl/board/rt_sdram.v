@@ -15,7 +15,8 @@ module rt_sdram #(
     parameter RFC     = 5,                // REFRESH to anything, 2..15
     parameter WR      = 2,                // last word written to PRECHARGE, 1..7
     parameter REFRESH = 480,              // clocks between two of them, less what one may wait
-    parameter POWER   = 12500             // clocks before the first command
+    parameter POWER   = 12500,            // clocks before the first command
+    parameter INPUT   = 0                 // registers between the pins and dq_i, 0..2
 ) (
     input  wire        clk,
     input  wire        rst,
@@ -152,15 +153,16 @@ module rt_sdram #(
     end
 
     // ---- words in: the first three clocks after the READ's pins, then one a clock ----
-    reg [5:0]  pipe_q;
-    reg [47:0] in_q;
+    localparam LAST = 5 + INPUT;
+    reg [LAST:0] pipe_q;
+    reg [47:0]   in_q;
     always @(posedge clk) begin
-        pipe_q      <= {pipe_q[4:0], next == READ};
+        pipe_q      <= {pipe_q[LAST-1:0], next == READ};
         in_q        <= {dq_i, in_q[47:16]};
-        rsp_valid_o <= pipe_q[5];
-        if (pipe_q[5]) rsp_data_o <= {dq_i, in_q};
+        rsp_valid_o <= pipe_q[LAST];
+        if (pipe_q[LAST]) rsp_data_o <= {dq_i, in_q};
         if (rst) begin
-            pipe_q      <= 6'd0;
+            pipe_q      <= {(LAST+1){1'b0}};
             rsp_valid_o <= 1'b0;
         end
     end

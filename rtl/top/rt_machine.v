@@ -1,8 +1,8 @@
 // rt_machine.v - the registers of a machine: read back at any time, given to the core at a START
 // SPDX-License-Identifier: Apache-2.0
 // They may be written while a frame is drawn: that frame has the values of its own START. After
-// rst all are set to 0, which takes 2^7 cycles; giving them to the core takes N_REGS cycles. In
-// both, busy_o is high and reads and writes must wait.
+// rst all are set to 0, which takes 2^7 cycles; giving them to the core takes N_REGS cycles, after
+// that if it is asked for before. In both, busy_o is high and reads and writes must wait.
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
@@ -29,13 +29,13 @@ module rt_machine (
     reg  [6:0] at_q;
     assign busy_o      = clear_q || load_q;
     assign loading_o   = load_q;
-    assign cfg_valid_o = load_q;
+    assign cfg_valid_o = load_q && !clear_q;
     assign cfg_addr_o  = at_q;
     assign cfg_data_o  = read_data_o;
     always @(posedge clk) begin
         at_q <= busy_o ? at_q + 1'b1 : 7'd0;
         if (&at_q) clear_q <= 1'b0;
-        if (at_q == LAST) load_q <= 1'b0;
+        if (at_q == LAST && !clear_q) load_q <= 1'b0;
         if (load_i) load_q <= 1'b1;
         if (rst) begin
             clear_q <= 1'b1;

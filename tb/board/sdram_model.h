@@ -29,6 +29,7 @@ class Sdram : SdramTimes {
     const std::string &error() const { return what_; }
     uint16_t out() const { return out_; }
     uint64_t commands(unsigned which) const { return count_[which & 7]; }
+    uint64_t clocks() const { return (uint64_t)clock_; }
 
     void edge(const SdramPins &p) {
         clock_++;

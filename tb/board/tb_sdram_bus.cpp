@@ -1,0 +1,223 @@
+/* tb_sdram_bus.cpp - readers and writers at one SDRAM: each read has what was written before it
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Bursts of any length at few rows, with stalls of each channel; clocks of any ratio from 1:4 to
+ * 2:1, in any phase. Nobody writes what is read or written at that time; what a write was answered
+ * for counts. While the display waits, no more than QUEUE words of others and the few behind its
+ * own go before it. A vector is a burst.
+ */
+#include <deque>
+#include "Vrt_sdram_bus.h"
+#include "bench.h"
+#include "board/sdram_model.h"
+
+namespace {
+
+typedef std::unordered_map<uint32_t, unsigned> Counts;
+
+struct Reader {
+    bool asked = false; /* AR is offered */
+    uint32_t at = 0, words = 0;
+    std::deque<uint32_t> owed; /* words, a bit more for the last of a burst */
+    uint64_t before = 0;       /* words of all when its only burst was taken; 0: not looked at */
+    uint32_t own = 0;
+    unsigned deaf = 0; /* clocks for which it takes no answer */
+};
+
+struct Writer {
+    bool address = false; /* AW is offered */
+    uint32_t at = 0, words = 0, sent = 0;
+    uint64_t data = 0;
+    unsigned strobe = 0;
+    bool beat = false, answer = false;
+};
+
+constexpr uint32_t LAST = 1u << 31;
+constexpr uint64_t POWERED = 300000000; /* ps until the part takes commands */
+
+class Rig {
+  public:
+    explicit Rig(bench::Bench<Vrt_sdram_bus> &bench) : b(bench), dut(bench.dut) {}
+    uint64_t longest = 0; /* ps from the display's AR to its last word */
+
+    bool run() {
+        dut.rst = dut.mem_rst = 1;
+        for (unsigned edges = 0; b.more();) {
+            if (clk_at_ <= mem_at_) {
+                clk_at_ += clk_half_;
+                dut.clk = !dut.clk;
+                if (dut.clk)
+                    core();
+                else
+                    dut.eval();
+                if (++edges == 40) dut.rst = dut.mem_rst = 0;
+                if (edges % 4000 == 0) clk_half_ = 4000 + b.random.below(28000);
+            } else {
+                mem_at_ += 8000;
+                dut.mem_clk = !dut.mem_clk;
+                if (dut.mem_clk)
+                    memory();
+                else
+                    dut.eval();
+            }
+            if (!part_.error().empty()) return b.fail(part_.error().c_str()), false;
+            if (clk_at_ > 4000000000000) return b.fail("stuck"), false;
+        }
+        return true;
+    }
+
+  private:
+    bench::Bench<Vrt_sdram_bus> &b;
+    Vrt_sdram_bus &dut;
+    Sdram part_{16.0};
+    uint64_t clk_at_ = 0, mem_at_ = 500, clk_half_ = 20000, asked_at_ = 0;
+    uint16_t out_ = 0;
+    Reader readers_[READS];
+    Writer writers_[WRITES];
+    std::unordered_map<uint32_t, uint64_t> words_;
+    Counts reading_, writing_;
+
+    void memory() {
+        const SdramPins pins = {dut.cke_o != 0, dut.command_o,    dut.ba_o, dut.a_o,
+                                dut.dqm_o,      dut.dq_oe_o != 0, dut.dq_o};
+        dut.eval();
+        part_.edge(pins);
+        dut.dq_i = out_;
+        out_ = part_.out();
+        dut.eval();
+    }
+    uint64_t moved() const { return part_.commands(4) + part_.commands(5); }
+    uint32_t place() {
+        static const uint32_t rows[3] = {0, 0x1ffe, 0x0a51};
+        return (rows[b.random.below(3)] << 9 | (uint32_t)b.random.below(512)) & 0x3fffff;
+    }
+    bool none(const Counts &counts, uint32_t at, uint32_t n) const {
+        for (uint32_t i = 0; i < n; i++) {
+            const auto found = counts.find(at + i & 0x3fffff);
+            if (found != counts.end() && found->second) return false;
+        }
+        return true;
+    }
+    /* What is offered in the clock that comes. */
+    void offer() {
+        dut.s_arvalid = dut.s_rready = dut.s_awvalid = dut.s_wvalid = dut.s_bready = 0;
+        for (int i = 0; i < READS; i++) {
+            Reader &r = readers_[i];
+            const bool lone = i == 0 && r.owed.empty() && b.random.percent(50);
+            const bool more =
+                i ? b.random.percent(20) : b.random.percent(5) && r.owed.size() < 40 && !r.before;
+            if (!r.asked && (lone || more)) {
+                r.words = 1 + (uint32_t)b.random.below(i && b.random.percent(10) ? 40 : DEPTH);
+                r.at = place();
+                r.asked = none(writing_, r.at, r.words);
+                for (uint32_t k = 0; r.asked && k < r.words; k++)
+                    reading_[r.at + k & 0x3fffff]++;
+            }
+            if (r.asked) dut.s_arvalid |= 1 << i;
+            bench::put(dut.s_araddr, 32 * i, 32, (bench::i128)r.at << 3);
+            bench::put(dut.s_arlen, 8 * i, 8, r.words - 1);
+            r.deaf = r.deaf ? r.deaf - 1 : b.random.below(2000) == 0 ? 200 : 0;
+            if (i == 0 || (!r.deaf && b.random.percent(70))) dut.s_rready |= 1 << i;
+        }
+        for (int i = 0; i < WRITES; i++) {
+            Writer &w = writers_[i];
+            if (!w.address && !w.words && !w.answer && b.random.percent(30)) {
+                w.words = 1 + (uint32_t)b.random.below(5);
+                w.at = place();
+                w.sent = 0;
+                w.address = none(writing_, w.at, w.words) && none(reading_, w.at, w.words);
+                for (uint32_t k = 0; w.address && k < w.words; k++)
+                    writing_[w.at + k & 0x3fffff]++;
+                if (!w.address) w.words = 0;
+            }
+            if (w.sent < w.words && !w.beat && b.random.percent(70)) {
+                w.beat = true;
+                w.data = b.random.next();
+                w.strobe = b.random.percent(50) ? 255 : (unsigned)b.random.below(256);
+            }
+            if (w.address) dut.s_awvalid |= 1 << i;
+            if (w.beat) dut.s_wvalid |= 1 << i;
+            dut.s_wlast = (dut.s_wlast & ~(1 << i)) | (w.sent + 1 == w.words) << i;
+            bench::put(dut.s_awaddr, 32 * i, 32, (bench::i128)w.at << 3);
+            bench::put(dut.s_wdata, 64 * i, 64, (bench::i128)w.data);
+            bench::put(dut.s_wstrb, 8 * i, 8, w.strobe);
+            if (b.random.percent(70)) dut.s_bready |= 1 << i;
+        }
+    }
+    void core() {
+        dut.clk = 0;
+        offer();
+        dut.eval();
+        const unsigned ar = dut.s_arvalid & dut.s_arready, aw = dut.s_awvalid & dut.s_awready;
+        const unsigned w = dut.s_wvalid & dut.s_wready, bs = dut.s_bvalid & dut.s_bready;
+        const unsigned r = dut.s_rvalid & dut.s_rready, last = dut.s_rlast;
+        uint64_t data[READS];
+        for (int i = 0; i < READS; i++)
+            data[i] = (uint64_t)bench::get(dut.s_rdata, 64 * i, 64);
+        dut.clk = 1;
+        dut.eval();
+        if (dut.rst) return;
+        for (int i = 0; i < READS; i++)
+            read(i, ar >> i & 1, r >> i & 1, data[i], last >> i & 1);
+        for (int i = 0; i < WRITES; i++)
+            written(writers_[i], aw >> i & 1, w >> i & 1, bs >> i & 1);
+    }
+    void read(int i, bool ar, bool r, uint64_t data, bool last) {
+        Reader &me = readers_[i];
+        if (r && me.owed.empty()) return b.fail("an answer to nothing");
+        if (r) {
+            const uint32_t at = me.owed.front() & ~LAST;
+            b.expect("s_rdata", data, words_[at]);
+            if (b.bad()) b.show("word", at, 22), b.show("reader", i, 3);
+            b.expect("s_rlast", last, me.owed.front() >> 31);
+            reading_[at]--;
+            me.owed.pop_front();
+            if (last) b.done();
+            if (last && me.owed.empty() && me.before) {
+                if (asked_at_ > POWERED && clk_at_ - asked_at_ > longest)
+                    longest = clk_at_ - asked_at_;
+                me.before = 0;
+            }
+        }
+        /* others in the queue, in its output, and those behind its last word */
+        if (me.before && moved() > me.before + me.own + QUEUE + 8) b.fail("the display waits");
+        if (!ar) return;
+        me.before = me.owed.empty() ? moved() + 1 : 0;
+        me.own = me.words;
+        if (i == 0) asked_at_ = clk_at_;
+        me.asked = false;
+        for (uint32_t k = 0; k < me.words; k++)
+            me.owed.push_back((me.at + k & 0x3fffff) | (k + 1 == me.words ? LAST : 0));
+        if (i) me.before = 0;
+    }
+    void written(Writer &me, bool aw, bool w, bool answered) {
+        if (aw) me.address = false, me.answer = true;
+        if (w) {
+            uint64_t &was = words_[me.at + me.sent & 0x3fffff];
+            for (int i = 0; i < 8; i++) {
+                const uint64_t byte = me.strobe >> i & 1 ? 0xffull << 8 * i : 0;
+                was = (was & ~byte) | (me.data & byte);
+            }
+            me.beat = false;
+            me.sent++;
+        }
+        if (!answered) return;
+        if (!me.answer || me.sent != me.words) return b.fail("an answer to a write that lasts");
+        for (uint32_t k = 0; k < me.words; k++)
+            writing_[me.at + k & 0x3fffff]--;
+        me.words = 0;
+        me.answer = false;
+        b.done();
+    }
+};
+
+} // namespace
+
+int main(int argc, char **argv) {
+    bench::Bench<Vrt_sdram_bus> b("tb_sdram_bus", argc, argv, 20000);
+    Rig rig(b);
+    rig.run();
+    printf("# the display's longest wait for a burst of up to %d words: %.1f us\n", DEPTH,
+           (double)rig.longest / 1e6);
+    return b.finish();
+}
