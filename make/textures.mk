@@ -8,6 +8,8 @@
 #   NAME-WAY.core.json         report of the RTL's run; robot-WAY-slow: memory latency TEX_SLOW
 #   NAME-TREE-WAY-STALL.core.json  of a small frame, memory not ready in STALL percent of clocks;
 #                              TREE: bvh4, or bih with leaves of one primitive
+#   NAME-fine-WAY-MEMORY.core.json  of a part of a frame of the paper's size, memory MEMORY
+#   NAME-fine-WAY.info.json    what that machine is; NAME-fine-WAY.json: its texels, whole frame
 #   NAME-walk.json             P_b of the first frames
 #   NAME-lodN.png, .rms        with N bits of fraction in the level
 #   NAME.levels.json           `sphaera accuracy`: arithmetic of the ways to choose a level
@@ -36,6 +38,11 @@ TEX_STALLED := robot hall kitchen
 TEX_TREES  := bvh4 bih
 TEX_bvh4   := --accel bvh4
 TEX_bih    := --accel bih --max-prims 1
+# the paper's pixels, and what may have been its memory: a part of its frame, over a BIH
+TEX_FINE_SIZE := 800x480
+TEX_FINE_WINDOW := 360,216,440,264
+# a part, and the core's clock beside it, MHz; eight times the paper's: what one of eight cores gets
+TEX_MEMORIES  := ideal_84 ddr3x16_84 sdram16_84 sdram16_672
 TEX_LODS   := 0 1 2 3 4 5 6 7 8
 TEX_PAGE   := docs/results/texture_results.md
 TEX_SHOWN  := docs/pictures/textures
@@ -49,11 +56,14 @@ TEX_SLANTS := 89 75 60 45 30 16 5
 TEX_BOTH := $(foreach n,$(TEX_NAMES),$(TEX_WAYS:%=$n-%))
 TEX_MACHINES := $(foreach n,$(TEX_STALLED),$(foreach t,$(TEX_TREES),$(TEX_DRAWN:%=$n-$t-%)))
 TEX_STALL_RUNS := $(foreach m,$(TEX_MACHINES),$(TEX_STALLS:%=$m-%))
+TEX_FINE := $(foreach n,$(TEX_STALLED),$(TEX_DRAWN:%=$n-fine-%))
+TEX_FINE_RUNS := $(foreach m,$(TEX_FINE),$(TEX_MEMORIES:%=$m-%))
 TEX_LOD_BOTH := $(foreach n,$(TEX_NAMES),$(TEX_LODS:%=$n-lod%))
 TEX_DATA := $(TEX_BOTH:%=$(TEX)/%.rms) $(TEX_BOTH:%=$(TEX)/%.json) \
             $(TEX_BOTH:%=$(TEX)/%-rtl.json) $(TEX_BOTH:%=$(TEX)/%.core.json) \
             $(TEX_DRAWN:%=$(TEX)/robot-%-slow.core.json) $(TEX)/robot-walk.json \
-            $(TEX_STALL_RUNS:%=$(TEX)/%.core.json) \
+            $(TEX_STALL_RUNS:%=$(TEX)/%.core.json) $(TEX_FINE_RUNS:%=$(TEX)/%.core.json) \
+            $(TEX_FINE:%=$(TEX)/%.json) $(TEX_FINE:%=$(TEX)/%.info.json) \
             $(TEX_LOD_BOTH:%=$(TEX)/%.rms) $(TEX_NAMES:%=$(TEX)/%.levels.json) \
             $(TEX_SLANTS:%=$(TEX)/slant-%.json) $(TEX)/slant-ball.json
 
@@ -171,6 +181,27 @@ $(TEX)/$(1).core.json: $(TEX)/$(1:%-$(call tex_word,$(1),4)=%).sph $(V_FILES) $(
 	@mv $$@.tmp $$@
 endef
 $(foreach r,$(TEX_STALL_RUNS),$(eval $(call tex_stalled,$r)))
+
+define tex_fine
+.PRECIOUS: $(TEX)/$(1).sph
+$(TEX)/$(1).sph: scenes/texture/$(call tex_word,$(1),1).nff $(TEX_IMAGES) $(TOOL)
+	@mkdir -p $$(@D)
+	$$(Q)$(TOOL) build $$< --profile standard --size $(TEX_FINE_SIZE) $(TEX_bih) \
+	    --filter $(call tex_way,$(1)) -o $$@ >$$@.log
+$(TEX)/$(1).info.json: $(TEX)/$(1).sph
+	$$(Q)$(TOOL) info $$< --json $$@
+$(TEX)/$(1).json: $(TEX)/$(1).sph
+	$$(call say,TEXL,$(1))
+	$$(Q)$(TOOL) texels $$< --json $$@ >/dev/null
+$(foreach m,$(TEX_MEMORIES),$(TEX)/$(1)-$m.core.json): $(TEX)/$(1)-%.core.json: $(TEX)/$(1).sph \
+        $(V_FILES) $(V_HEADS)
+	$$(call say,SIM,"$(1) $$*")
+	$$(Q)m=$$* && EFFECTS=$(TEX_CORE)+bih BUILD=$B JOBS=1 sh sim/core.sh --machine $$< \
+	    --memory $$$${m%_*} --core-mhz $$$${m#*_} --window $(TEX_FINE_WINDOW) --json $$@.tmp >$$@.log || { \
+	    cat $$@.log; exit 1; }
+	@mv $$@.tmp $$@
+endef
+$(foreach m,$(TEX_FINE),$(eval $(call tex_fine,$m)))
 
 define tex_rms
 $(TEX)/$(1).rms: $(TEX)/$(1).png $(TEX)/$(firstword $(subst -, ,$(1)))-truth.tif

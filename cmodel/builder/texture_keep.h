@@ -2,9 +2,9 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Park et al. 2011, section 4: log(P_b) is made once in a static scene, and for each frame where
- * coordinates change. A base is kept if its primitive does not move and the grid's step and the
- * screen are those of the frame before: corners are rounded before the grid is shifted, so P_b does
- * not depend on where the grid lies.
+ * coordinates change. A base is kept if its primitive does not move, is where and what it was in
+ * the frame before, and the grid's step and the screen are the same. P_b is made of corners as the
+ * scene has them, so it depends neither on where the grid lies nor on where the camera looks.
  */
 #ifndef SPH_TEXTURE_KEEP_H
 #define SPH_TEXTURE_KEEP_H
@@ -14,9 +14,15 @@
 #include "common/error.h"
 #include "scene/scene.h"
 
+struct sph_kept_base {
+    struct sph_texture_shape shape; /* and the image's texels, of which the base was made */
+    double texels;
+    int base; /* s7.8, or SPH_NO_BASE */
+};
+
 struct sph_texture_bases {
-    uint32_t n;                   /* primitives of the scene, spheres, then facets; 0: no keeping */
-    int32_t *base;                /* of each: s7.8, or SPH_NO_BASE */
+    uint32_t n;                   /* primitives that there is room for, spheres, then facets */
+    struct sph_kept_base *last;   /* of each, of the newest build */
     struct sph_texture_view view; /* that they hold for */
     /* of the newest build: */
     uint64_t computed, kept;
@@ -31,7 +37,8 @@ int sph_bases_start(struct sph_texture_bases *bases, const struct sph_scene *sce
 
 void sph_bases_end(struct sph_texture_bases *bases);
 
-/* Before a build: forgets the primitives that move, and all of them if the view is another. */
+/* Before a build: forgets the primitives that move, and all of them if the view is another. A scene
+ * may have other primitives than the one before; those beyond the room are made anew. */
 void sph_bases_frame(struct sph_texture_bases *bases, const struct sph_scene *scene,
                      const struct sph_texture_view *view);
 

@@ -80,8 +80,6 @@ int sph_map_triangle(const struct sph_texture_job *job, const struct sph_facet *
     double(*st)[2] = shape.st, e1[3], e2[3], n[3], along[2][3];
     struct linear f = {0};
     for (int i = 0; i < 3; i++) {
-        for (int k = 0; k < 3; k++)
-            shape.corner[i][k] = corner[i][k];
         e1[i] = (double)corner[1][i] - corner[0][i];
         e2[i] = (double)corner[2][i] - corner[0][i];
         f.sum[i] = (int64_t)corner[0][i] + corner[1][i] + corner[2][i];
@@ -91,6 +89,12 @@ int sph_map_triangle(const struct sph_texture_job *job, const struct sph_facet *
             if (!(fabs(st[i][k]) <= REPEATS))
                 return sph_fail(err, "%s:%u: a texture coordinate of %g, at most %d",
                                 job->scene->path, facet->line, facet->st[i][k], REPEATS);
+    }
+    for (int k = 0; k < 3; k++) { /* as the scene has them: in every view the same */
+        const struct sph_vec *v = &facet->v[k];
+        const double at[3] = {v->x, v->y, v->z};
+        for (int i = 0; i < 3; i++)
+            shape.corner[k][i] = at[i] / job->grid->step;
     }
     cross(e1, e2, n);
     cross(e2, n, along[0]);

@@ -127,8 +127,7 @@ int tool_each_frame(const char *path, const struct tool_source *source,
     if (!rc) rc = sph_bases_start(&run.bases, &run.rest, err);
     run.options.mips = run.mips;
     run.options.kept = &run.kept;
-    /* AFF: what is seen may change; where the camera turns, corners are rounded otherwise */
-    if (!run.rest.aff && !run.rest.n_flights) run.options.bases = &run.bases;
+    run.options.bases = &run.bases;
     for (uint32_t frame = frames->first; !rc && frame <= frames->last; frame++) {
         struct tool_built built;
         rc = build_frame(&run, frame, &built, err);

@@ -11,6 +11,7 @@ import re
 import sys
 
 from ..pages.place import place
+from ..report.units import LINE, parameters, units
 from ..synth import report
 from .angles import angles, plot, slants
 
@@ -208,6 +209,75 @@ def stalls(data):
                         + [f"gain, {s}" for s in STALLS], rows, left=3)
 
 
+# first what the others are compared with
+MEMORIES = {"ideal_84": "8 bytes a clock", "ddr3x16_84": "DDR3 x16", "sdram16_84": "SDRAM x16",
+            "sdram16_672": "an eighth of it"}
+GROUPS = 1, 2, 4  # lines of 32 bytes that are fetched together
+
+
+def limit(machine, run):
+    """Clocks a pixel of memory's pins, and what needs the most clocks, with its share of all."""
+    count = run["cold"]["counters"]
+    busy = [(u.clocks, u.name) for u in units(count, machine, parameters({}))
+            if u.name != "memory port"]
+    pins = run["cold"]["memory"]["lines"] * LINE / run["memory"]["peak_bytes_per_clock"]
+    clocks, name = max(busy + [(pins, "memory")])
+    return [f"{pins / run['pixels']:.1f}", f"{name}, {100 * clocks / count['cycles']:.0f} %"]
+
+
+def less(runs, way):
+    """Percent by which the frame is shorter with another filter or memory."""
+    if not runs.get(way[0]) or not runs.get(way[1]):
+        return None
+    clocks = [runs[w]["cold"]["cycles_per_pixel"] for w in way]
+    return round(100 * (clocks[0] / clocks[1] - 1))
+
+
+def memory(data):
+    """Bytes, open rows, clocks and what MIP-mapping gains, under named parts."""
+    rows, best = [], list(MEMORIES)[0]
+    for name in STALLED:
+        runs = {(part, way): data.read(f"{name}-fine-{way}-{part}.core.json")
+                for part in MEMORIES for way in ("off", "level", "between")}
+        for part, title in MEMORIES.items():
+            for way in ("off", "level", "between"):
+                run = runs[part, way]
+                info = data.read(f"{name}-fine-{way}.info.json")
+                if not run or not info:
+                    rows.append([name, title, WAYS[way]] + ["-"] * 7)
+                    continue
+                cold = run["cold"]
+                lost = less(runs, ((part, way), (best, way)))
+                gain = less(runs, ((part, "off"), (part, way)))
+                rows.append([name, title, WAYS[way], f"{cold['memory']['bytes_per_pixel']:.1f}",
+                             show(cold["memory"].get("row_hit_share"), "{:.0%}"),
+                             f"{cold['cycles_per_pixel']:.1f}",
+                             "" if part == best else show(lost, "{:d} %"),
+                             "" if way == "off" else show(gain, "{:+d} %")]
+                            + limit(info["machine"], run))
+    return report.table(["scene", "memory", "filter", "bytes a pixel", "rows open",
+                         "clocks a pixel", "lost", "gain", "pins", "busiest, its clocks"], rows, left=3)
+
+
+def longer(data):
+    """Hits of a cache of the core's size with longer lines, at the paper's pixels."""
+    rows = []
+    for name in STALLED:
+        for way in ("off", "level", "between"):
+            run = data.read(f"{name}-fine-{way}.json")
+            row = [name, WAYS[way]]
+            for group in GROUPS:
+                found = [s for s in run["shapes"] if s["together"] == group and s["ways"] == 4] \
+                    if run else []
+                missed = found[0]["missed"][LINES] if found else None
+                row.append(show(missed is not None and 100 - 100 * missed / run["texels"] or None,
+                                "{:.1f}"))
+            theirs = PAPER.get(name)
+            rows.append(row + [theirs[1][way != "off"] if theirs else ""])
+    return report.table(["scene", "filter"] + [f"lines of {LINE * g} bytes" for g in GROUPS]
+                        + ["the paper's"], rows, left=2)
+
+
 def errors(data):
     rows = []
     for name in data.names:
@@ -249,6 +319,7 @@ def main(page, accuracy, folder, pictures, size, rtl, dashes, *names):
     place(page, {"levels": levels(data), "decisions": decisions(data),
                         "totals": totals(data), "bases": bases(data), "caches": caches(data),
                         "speed": speed(data), "slow": slow(data), "stall": stalls(data),
+                        "memory": memory(data), "longer": longer(data),
                         "errors": errors(data),
                         "angles": angles(found)})
     place(accuracy, {"textures": prices(data)})
