@@ -197,8 +197,8 @@ $(foreach m,$(TEX_MEMORIES),$(TEX)/$(1)-$m.core.json): $(TEX)/$(1)-%.core.json: 
         $(V_FILES) $(V_HEADS)
 	$$(call say,SIM,"$(1) $$*")
 	$$(Q)m=$$* && EFFECTS=$(TEX_CORE)+bih BUILD=$B JOBS=1 sh sim/core.sh --machine $$< \
-	    --memory $$$${m%_*} --core-mhz $$$${m#*_} --window $(TEX_FINE_WINDOW) --json $$@.tmp >$$@.log || { \
-	    cat $$@.log; exit 1; }
+	    --memory $$$${m%_*} --core-mhz $$$${m#*_} --window $(TEX_FINE_WINDOW) \
+	    --json $$@.tmp >$$@.log || { cat $$@.log; exit 1; }
 	@mv $$@.tmp $$@
 endef
 $(foreach m,$(TEX_FINE),$(eval $(call tex_fine,$m)))

@@ -256,7 +256,8 @@ def memory(data):
                              "" if way == "off" else show(gain, "{:+d} %")]
                             + limit(info["machine"], run))
     return report.table(["scene", "memory", "filter", "bytes a pixel", "rows open",
-                         "clocks a pixel", "lost", "gain", "pins", "busiest, its clocks"], rows, left=3)
+                         "clocks a pixel", "lost", "gain", "pins", "busiest, its clocks"], rows,
+                        left=3)
 
 
 def longer(data):

@@ -47,17 +47,17 @@ cat >"$data/robot-level.rms" <<END
 END
 echo '{"cold": {"counters": {"cycles": 100000, "texels": 1000, "texel_misses": 250}}}' \
     >"$data/robot-level.core.json"
-for way in off level; do # memory is the limit, its clocks half as many with levels
-    cat >"$data/robot-fine-$way-sdram16_84.core.json" <<END
+for way in off:400 level:200; do # clocks a pixel; memory is the limit, its clocks half as many with levels
+    cat >"$data/robot-fine-${way%:*}-sdram16_84.core.json" <<END
 {"pixels": 10, "memory": {"peak_bytes_per_clock": 3.2},
- "cold": {"counters": {"cycles": $([ $way = off ] && echo 4000 || echo 2000), "node_visits": 10,
+ "cold": {"counters": {"cycles": ${way#*:}0, "node_visits": 10,
   "pop_bubbles": 0, "leaf_tests": 0, "quotients": 0, "facet_tests": 0, "roots": 0,
   "rays_primary": 0, "rays_reflected": 0, "rays_refracted": 0, "powers": 0, "node_misses": 1,
-  "leaf_misses": 0, "texel_misses": 0}, "cycles_per_pixel": $([ $way = off ] && echo 400 || echo 200),
+  "leaf_misses": 0, "texel_misses": 0}, "cycles_per_pixel": ${way#*:},
   "memory": {"lines": 150, "bytes_per_pixel": 480.0, "row_hit_share": 0.5}}}
 END
     echo '{"machine": {"widths": {"W": 16, "WD": 17, "PR": 0, "PQ": 17}, "lights": 1}}' \
-        >"$data/robot-fine-$way.info.json"
+        >"$data/robot-fine-${way%:*}.info.json"
 done
 check "with some results" fill
 check "memory's share, and the gain of levels" file page.memory \

@@ -57,7 +57,8 @@ check "scenes of a sequence" sh -c "'$s' import '$scene' --frames 1..2 -o '$TMP/
 
 # ---- P_b from frame to frame: what stands still keeps it, though the camera goes and turns ----
 moving=$TMP/aff/moving.aff
-mesh='m vertices 3 -1 0 0 1 0 0 0 1 0 texturecoords 3 four.ppm 0 0 1 0 0.5 1 triangles 1 0 1 2 0 1 2'
+mesh='m vertices 3 -1 0 0 1 0 0 0 1 0 texturecoords 3 four.ppm 0 0 1 0 0.5 1'
+mesh="$mesh triangles 1 0 1 2 0 1 2"
 sed "s/^x fly.*/fm 0 0 0 1 1 1 0 0 0 0 0 0 x fly { $mesh }/" "$scene" >"$moving"
 echo 'k camera { transl 4 0 0 0 0 0 0 0 1 0.1 0.2 0 0 0 0 2 0.3 0.1 0.1 0 0 0 3 0.5 0.3 0.2 0 0 0' \
     'rot 4 0 0 1 0 0 0 0 0 1 0 1 0.1 3 0 0 0 2 0.1 1 0 5 0 0 0 3 0 1 0 9 0 0 0 }' >>"$moving"
