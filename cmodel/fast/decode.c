@@ -108,7 +108,47 @@ static int decode(struct job *j, struct sph_fast *f) {
 
 static int known(const struct sph_machine *m) {
     int tree = m->regs[SPH_REG_TREE];
-    return tree == SPH_TREE_PAPER || tree == SPH_TREE_BALANCED || tree == SPH_TREE_REINSERTED;
+    return sph_machine_bih(m) || tree == SPH_TREE_PAPER || tree == SPH_TREE_BALANCED ||
+           tree == SPH_TREE_REINSERTED;
+}
+
+/* Whether the registers of a BIH let a ray start, as in sph_bih_walk(). */
+static int sound(const struct job *j) {
+    const int32_t *r = j->m->regs;
+    return (uint32_t)r[SPH_REG_ROOT] < j->lines &&
+           (uint64_t)(uint32_t)r[SPH_REG_LEAF_BASE] + (uint32_t)r[SPH_REG_N_PRIMS] <= j->lines &&
+           (uint32_t)r[SPH_REG_N_LOOSE] <= (uint32_t)r[SPH_REG_N_PRIMS];
+}
+
+/* The leaf records of a BIH; 0 if memory is out. */
+static int decode_bih(const struct job *j, struct sph_fast *f) {
+    uint32_t n = (uint32_t)j->m->regs[SPH_REG_N_PRIMS];
+    f->root = (uint32_t)j->m->regs[SPH_REG_ROOT];
+    f->walk = sph_fast_walk_bih;
+    f->lanes = "bih";
+    f->no_root = !sound(j);
+    if (f->no_root) return 1;
+    f->leaves = malloc((n + 1ull) * sizeof *f->leaves);
+    for (uint32_t i = 0; f->leaves && i < n; i++)
+        read_leaf(j, sph_record(j->m, j->whole, (uint32_t)j->m->regs[SPH_REG_LEAF_BASE], i),
+                  &f->leaves[i]);
+    return f->leaves != NULL;
+}
+
+/* The nodes of a tree of spheres; 0 if memory is out. */
+static int decode_tree(struct job *j, struct sph_fast *f, int lanes) {
+    f->no_root = (uint32_t)j->m->regs[SPH_REG_ROOT] >= j->lines;
+    f->walk = sph_fast_walk_plain;
+    f->lanes = "plain";
+#if defined __x86_64__
+    if (lanes == SPH_FAST_BEST && sph_fast_walk_avx2 && __builtin_cpu_supports("avx2")) {
+        f->walk = sph_fast_walk_avx2;
+        f->lanes = "avx2";
+    }
+#else
+    (void)lanes;
+#endif
+    return f->no_root || decode(j, f);
 }
 
 struct sph_fast *sph_fast_new(const struct sph_machine *m, int lanes) {
@@ -117,16 +157,7 @@ struct sph_fast *sph_fast_new(const struct sph_machine *m, int lanes) {
     if (!f) return NULL;
     f->m = m;
     f->visit_limit = (uint32_t)m->regs[SPH_REG_VISIT_LIMIT];
-    f->no_root = (uint32_t)m->regs[SPH_REG_ROOT] >= j.lines;
-    f->walk = sph_fast_walk_plain;
-    f->lanes = "plain";
-#if defined __x86_64__
-    if (lanes == SPH_FAST_BEST && sph_fast_walk_avx2 && __builtin_cpu_supports("avx2")) {
-        f->walk = sph_fast_walk_avx2;
-        f->lanes = "avx2";
-    }
-#endif
-    int good = f->no_root || decode(&j, f);
+    int good = sph_machine_bih(m) ? decode_bih(&j, f) : decode_tree(&j, f, lanes);
     free(j.number);
     free(j.waiting);
     if (good) return f;

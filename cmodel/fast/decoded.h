@@ -27,14 +27,19 @@ struct sph_fast_leaf {
 
 struct sph_fast {
     const struct sph_machine *m;
-    struct sph_fast_node *nodes; /* the root is number `root` */
+    struct sph_fast_node
+        *nodes; /* the root is number `root`; none of a BIH, whose root is a line */
     struct sph_fast_leaf *leaves;
     uint32_t root, visit_limit;
-    int no_root; /* it does not lie in memory */
+    int no_root; /* it, or what registers of a BIH name, does not lie in memory */
     struct sph_hit (*walk)(const struct sph_fast *, const struct sph_ray *, struct sph_counters *,
                            uint32_t *, uint32_t *);
     const char *lanes;
 };
+
+/* The walk of a BIH. */
+struct sph_hit sph_fast_walk_bih(const struct sph_fast *f, const struct sph_ray *ray,
+                                 struct sph_counters *c, uint32_t *visits, uint32_t *errors);
 
 /* The walks of walk.h: four children one after another, or at once. NULL where the compiler knows
  * no AVX2. */
