@@ -1,0 +1,149 @@
+/* main.c - specks: pixels of triangles that are falsely dark or lit, by rules of where rays start
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * usage: specks SCENE.nff PROFILE [--show]
+ * Prints rows "dark lit" for each rule of rules[]. A pixel counts if no point of its triangle
+ * within 4 units of what the eye meets has the light that it has. Points, lights and triangles are
+ * those of the grid, their light is taken in long double by testing every primitive: 64 bits of
+ * mantissa hold products of three coordinates of 20 bits. --show prints each falsely dark pixel of
+ * the machine's rule: what the eye meets, where the ray starts, what it meets there.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "specks.h"
+
+#include "pixel/walk.h"
+#include "prim/prim.h"
+
+static const char *const rules[RULES] = {"nearest", "outwards", "guarded"};
+
+/* What the eye meets. */
+struct seen {
+    struct sph_ray ray;
+    struct sph_hit hit;
+    const struct specks_facet *facet;
+    int64_t normal[3]; /* of its record */
+    long double at[3];
+};
+
+static int look(const struct specks *w, int x, int y, struct seen *s) {
+    struct sph_counters c = {0};
+    uint32_t visits = 0, errors = 0;
+    *s = (struct seen){.ray = {.kind = SPH_PRIMARY, .skip = {SPH_ID_NONE, 0}, .inside = 1}};
+    for (int i = 0; i < 3; i++)
+        s->ray.org[i] = w->m.regs[SPH_REG_EYE_X + i];
+    sph_primary_dir(&w->m, x, y, s->ray.dir);
+    sph_ray_setup(w->p, &s->ray);
+    s->hit = sph_traverse(&w->m, &s->ray, SPH_TRAVERSE_TREE, &c, &visits, &errors);
+    if (!s->hit.key || s->hit.id < w->n_spheres) return 0;
+    s->facet = &w->facet[s->hit.id - w->n_spheres];
+    if (s->facet->leaf.kind != SPH_TRIANGLE) return 0;
+    sph_stored_normal(w->p, sph_line(&w->m, (uint32_t)w->m.regs[SPH_REG_PRIM_BASE] + s->hit.id),
+                      NULL, s->normal);
+    long double num = 0, det = 0;
+    for (int i = 0; i < 3; i++) {
+        num += s->facet->n[i] * (long double)(s->facet->leaf.v[0][i] - s->ray.org[i]);
+        det += s->facet->n[i] * (long double)s->ray.dir[i];
+    }
+    for (int i = 0; i < 3; i++)
+        s->at[i] = (long double)s->ray.org[i] + num / det * (long double)s->ray.dir[i];
+    return 1;
+}
+
+/* A ray from the guarded point does not meet what may lie on one side of a facet with its light:
+ * N.(v0 - G) 2^NG, turned to where the ray goes, has to be above the sum of |N_i|. */
+static int between(const struct specks *w, const struct sph_surface *s, const struct sph_ray *to,
+                   const struct specks_facet *f) {
+    sph_i128 num = 0, sum = 0, det = 0;
+    for (int i = 0; i < 3; i++) {
+        int64_t n = f->whole[i];
+        num += (sph_i128)n * (f->leaf.v[0][i] * (1 << w->p->ng) - s->guarded[i]);
+        det += (sph_i128)n * to->dir[i];
+        sum += n < 0 ? -n : n;
+    }
+    return (det < 0 ? -num : num) > sum;
+}
+
+/* Id + 1 of what keeps light l from the surface by a rule, 0: lit. */
+static uint32_t blocked(const struct specks *w, const struct seen *eye, int rule, int l,
+                        int64_t from[3]) {
+    const int32_t *lamp = w->m.regs + SPH_REG_LIGHT0_X + l * SPH_LIGHT_STRIDE;
+    struct sph_ray to = {.kind = SPH_SHADOW, .skip = {eye->hit.id, eye->hit.far}, .inside = 1};
+    struct sph_counters c = {0};
+    uint32_t visits = 0, errors = 0;
+    struct sph_surface s;
+    sph_surface_point(w->p, &eye->ray, eye->hit.key, &s);
+    if (rule == NEAREST)
+        sph_surface_nearest(w->p, &s);
+    else
+        sph_surface_outwards(w->p, eye->hit.far, eye->normal, &s);
+    for (int i = 0; i < 3; i++) {
+        from[i] = to.org[i] = s.point[i];
+        to.dir[i] = lamp[i] - sph_round(s.point[i], lamp[3] >> SPH_LIGHT_SHIFT_LSB);
+    }
+    sph_ray_setup(w->p, &to);
+    struct sph_hit by = sph_traverse(&w->m, &to, SPH_TRAVERSE_TREE, &c, &visits, &errors);
+    if (!by.key || rule != GUARDED) return by.key ? by.id + 1 : 0;
+    for (uint32_t k = 0; k < w->n_facets; k++)
+        if (sph_facet_test(w->p, &to, &w->facet[k].leaf).hit && between(w, &s, &to, &w->facet[k]))
+            return w->facet[k].leaf.id + 1;
+    return by.id < w->n_spheres ? by.id + 1 : 0;
+}
+
+static void show(const struct specks *w, const struct seen *s, const int64_t from[3],
+                 const long double light[3], uint32_t by, int x, int y) {
+    if (by < w->n_spheres) return;
+    const struct specks_facet *f = &w->facet[by - w->n_spheres];
+    printf("pixel %d,%d: facet %u at %.3Lf %.3Lf %.3Lf, from %ld %ld %ld, meets facet %u;", x, y,
+           s->hit.id, s->at[0], s->at[1], s->at[2], (long)from[0], (long)from[1], (long)from[2],
+           by);
+    long double start[3] = {(long double)from[0], (long double)from[1], (long double)from[2]};
+    printf(" before it %.4Lf, its start %.4Lf, the light %.1Lf units; %d corners in common\n",
+           specks_height(f, s->at), specks_height(f, start), specks_height(f, light),
+           specks_common(s->facet, f));
+}
+
+int main(int argc, char **argv) {
+    if (argc < 3 || argc > 4 || (argc == 4 && strcmp(argv[3], "--show"))) {
+        fprintf(stderr, "usage: specks SCENE.nff PROFILE [--show]\n");
+        return 2;
+    }
+    struct specks w;
+    struct sph_error err = {{0}};
+    if (specks_open(&w, argv[1], argv[2], &err)) {
+        fprintf(stderr, "specks: %s\n", err.text);
+        return 2;
+    }
+    int wide = w.m.regs[SPH_REG_FRAME_W], high = w.m.regs[SPH_REG_FRAME_H];
+    long counts[RULES][2] = {{0}}; /* lit, dark */
+#pragma omp parallel for schedule(dynamic, 64) reduction(+ : counts[:RULES][:2])
+    for (int i = 0; i < wide * high; i++) {
+        struct seen s;
+        if (!look(&w, i % wide, i / wide, &s)) continue;
+        for (int l = 0; l < w.m.regs[SPH_REG_N_LIGHTS]; l++) {
+            long double light[3];
+            if (!specks_light(&w, l, light)) continue;
+            long double faces = specks_height(s.facet, light);
+            if (s.hit.far ? faces >= 0 : faces <= 0) continue;
+            int right = specks_dark(&w, s.facet, s.at, light), other = -1;
+            for (int rule = 0; rule < RULES; rule++) {
+                int64_t from[3];
+                uint32_t by = blocked(&w, &s, rule, l, from);
+                if ((by != 0) == right) continue;
+                if (other < 0) other = specks_explained(&w, s.facet, s.at, light, !right);
+                if (other) continue;
+                counts[rule][by != 0]++;
+                if (by && rule == OUTWARDS && argc == 4)
+#pragma omp critical
+                    show(&w, &s, from, light, by - 1, i % wide, i / wide);
+            }
+        }
+    }
+    for (int rule = 0; rule < RULES; rule++)
+        printf("%-8s dark %ld lit %ld\n", rules[rule], counts[rule][1], counts[rule][0]);
+    specks_close(&w);
+    return 0;
+}

@@ -1,0 +1,53 @@
+/* specks.h - a machine's facets as real numbers: which of their points have light
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef SPECKS_H
+#define SPECKS_H
+
+#include "builder/build.h"
+#include "prim/facet.h"
+#include "prim/kinds.h"
+#include "prim/triangle.h"
+#include "trace/traverse.h"
+
+/* Where a ray to a light starts: at the nearest point of the grid; at the next one outwards, as the
+ * machine's do; there too, but no facet is met that the guarded point may have behind it. */
+enum { NEAREST, OUTWARDS, GUARDED, RULES };
+
+struct specks_facet {
+    struct sph_facet_leaf leaf;
+    int64_t whole[3]; /* N: of a triangle s(2W+1) */
+    long double n[3];
+};
+
+struct specks {
+    struct sph_machine m;
+    const struct sph_profile *p;
+    struct specks_facet *facet;
+    long double (*sphere)[4]; /* centre, radius */
+    uint32_t n_facets, n_spheres;
+};
+
+/* Reads and builds a scene. 0, or -1 with a message: as sph_scene_read() and sph_build() say, no
+ * such profile, no memory. */
+int specks_open(struct specks *w, const char *path, const char *profile, struct sph_error *err);
+void specks_close(struct specks *w);
+
+/* Where light l is, grid units; 0 if it is too far away for 64-bit numbers. */
+int specks_light(const struct specks *w, int l, long double at[3]);
+
+/* Distance of a point from a facet's plane, to the side of N. */
+long double specks_height(const struct specks_facet *f, const long double at[3]);
+
+/* Corners that two triangles have in common. */
+int specks_common(const struct specks_facet *a, const struct specks_facet *b);
+
+/* Whether anything lies between a point of a facet and a light. */
+int specks_dark(const struct specks *w, const struct specks_facet *own, const long double at[3],
+                const long double light[3]);
+
+/* Whether some point of the facet within 4 units of `at` is dark or not, as `dark` says. */
+int specks_explained(const struct specks *w, const struct specks_facet *own,
+                     const long double at[3], const long double light[3], int dark);
+
+#endif
