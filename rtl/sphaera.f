@@ -79,6 +79,7 @@ rtl/shade/rt_shade.v
 rtl/shade/rt_share.v
 rtl/shade/rt_shares.v
 rtl/shade/rt_shine.v
+rtl/shade/rt_smooth.v
 rtl/shade/rt_surface.v
 rtl/texture/rt_around.v
 rtl/texture/rt_coords.v

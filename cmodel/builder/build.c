@@ -11,6 +11,7 @@
 #include "builder/choose_tree.h"
 #include "builder/effects.h"
 #include "builder/emit.h"
+#include "builder/smooth.h"
 #include "builder/spans.h"
 #include "builder/texture.h"
 #include "builder/warn.h"
@@ -200,6 +201,7 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
     struct sph_world world = {balls, n, profile, grid.eye, facets, mended};
     struct sph_survey survey = {scene, &grid, o, world, 0};
     if (sph_emit_effects(&survey, m, report, err) ||
+        sph_emit_smooth(scene, &grid, &plants, m, report, err) ||
         sph_emit_textures(scene, &grid, &plants, o, m, report, err))
         return -1;
     snprintf(m->name, sizeof m->name, "%s", scene->name);

@@ -153,6 +153,7 @@ int sph_emit_effects(const struct sph_survey *survey, struct sph_machine *machin
     if (effects[SPH_REPORT_SPECULAR].on) effects[SPH_REPORT_SUM].on = 1; /* it is part of it */
     if (find_inside(s, report, err)) return -1;
     sph_find_facets(s, &effects[SPH_REPORT_FACETS]);
+    sph_find_smooth(s, &effects[SPH_REPORT_SMOOTH]);
     for (int i = 0; i < SPH_REPORTS; i++)
         if (sph_parts[i].option == SPH_OPTION_WHEN && !effects[i].why[0]) find_none(s, i, report);
     warn_missing(s->scene, &lights, report);

@@ -42,6 +42,9 @@ void sph_find_specular(const struct sph_survey *survey, const struct sph_lights 
                        struct sph_effect_report *entry);
 void sph_find_sum(const struct sph_survey *survey, struct sph_effect_report *entry);
 
+/* SMOOTH: triangles with normals that are not their own. */
+void sph_find_smooth(const struct sph_survey *survey, struct sph_effect_report *entry);
+
 /* What `asked` makes of an effect that the scene calls for or not; entry->why tells that. */
 void sph_settle(struct sph_effect_report *entry, int asked);
 

@@ -3,6 +3,7 @@
  */
 #include "builder/effects.h"
 #include "builder/emit.h"
+#include "builder/smooth.h"
 #include "prim/prim.h"
 
 #define WHY(entry, ...) sph_note((entry)->why, sizeof(entry)->why, __VA_ARGS__)
@@ -29,6 +30,24 @@ void sph_find_facets(const struct sph_survey *s, struct sph_effect_report *entry
                 n == 1 ? "" : "s");
     }
     if (f->n) WHY(entry, "; the first is the %s %s", name_of(f->list), sph_facet_place(s, 0).text);
+}
+
+void sph_find_smooth(const struct sph_survey *s, struct sph_effect_report *entry) {
+    const struct sph_facets *f = s->world.facets;
+    uint32_t n = 0, first = 0;
+    for (uint32_t i = f->n; i-- > 0;)
+        if (sph_smooth_bends(&s->scene->facets[f->list[i].scene])) n++, first = i;
+    entry->called = n > 0;
+    sph_settle(entry, s->options->smooth);
+    if (entry->on && !f->n) {
+        entry->on = 0;
+        WHY(entry, "there is no triangle");
+    } else if (!n) {
+        WHY(entry, "no triangle has normals but its own");
+    } else {
+        WHY(entry, "%u triangles have normals, the first is that %s", n,
+            sph_facet_place(s, first).text);
+    }
 }
 
 void sph_find_facet_shadow(const struct sph_survey *s, struct sph_effect_report *entry) {

@@ -9,6 +9,7 @@
 #include "pixel/walk.h"
 #include "prim/prim.h"
 #include "shade/material.h"
+#include "shade/smooth.h"
 #include "shade/surface.h"
 
 const uint32_t sph_depth_colours[SPH_MAX_DEPTH + 2] = {0,        0x0000ff, 0x00ff00, 0xff0000,
@@ -45,6 +46,9 @@ struct sph_layer sph_layer_of(const struct sph_machine *m, const struct sph_pixe
     sph_ray_setup(&m->profile, &ray);
     sph_surface_point(&m->profile, &ray, pixel->key, &s);
     sph_prim_of(sph_prim_kind(m, prim))->normal(&m->profile, prim, s.guarded, normal);
+    int outside;
+    const uint32_t *smooth = sph_smooth_record(m, prim, &outside);
+    if (smooth) sph_smooth_normal(&m->profile, smooth, s.guarded, normal);
     put_normal(m, normal, ray.dir, layer.normal);
     double t = (double)pixel->key / (double)ray.a;
     layer.depth = (float)ldexp(t * -(double)ray.dir[2], m->grid_log2);

@@ -10,6 +10,7 @@
 #include "engine/render_light.h"
 #include "shade/colour.h"
 #include "shade/refract.h"
+#include "shade/smooth.h"
 #include "texture/lod.h"
 #include "texture/lookup.h"
 #include "prim/prim.h"
@@ -41,6 +42,13 @@ static void surface(const struct sph_job *j, const struct sph_ray *ray, const st
     saturated |=
         kind->flat ? sph_surface_outwards(j->p, hit->far, normal, s) : sph_surface_nearest(j->p, s);
     sph_surface_turn(j->p, ray, hit->far, normal, s);
+    int outside;
+    const uint32_t *smooth = sph_smooth_record(j->m, prim, &outside);
+    if (outside) *j->errors |= 1u << SPH_ERROR_BAD_NODE;
+    if (smooth) {
+        sph_smooth_normal(j->p, smooth, s->guarded, normal);
+        sph_surface_bend(j->p, hit->far, normal, s);
+    }
     j->c->count[SPH_COUNT_QUOTIENTS]++;
     j->c->count[SPH_COUNT_SATURATIONS] += (uint64_t)saturated;
 }
@@ -64,7 +72,7 @@ static struct sph_ray reflected(const struct sph_job *j, const struct sph_ray *r
     struct sph_ray next = {.kind = SPH_REFLECTED, .skip = {hit->id, hit->far}, .inside = j->inside};
     for (int i = 0; i < 3; i++)
         next.org[i] = s->point[i];
-    sph_bounce(j->p, ray->dir, s, next.dir);
+    sph_mirror(j->p, ray->dir, s, next.dir);
     sph_ray_setup(j->p, &next);
     return next;
 }

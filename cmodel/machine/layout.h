@@ -102,6 +102,24 @@
 #define SPH_PRIM_POWER_BITS 12
 #define SPH_PRIM_INDEX_LSB 238
 #define SPH_PRIM_INDEX_BITS 12
+#define SPH_PRIM_SMOOTH_LSB 72
+#define SPH_PRIM_SMOOTH_BITS 24
+#define SPH_SMOOTH_B_X_LSB 0
+#define SPH_SMOOTH_B_X_BITS 24
+#define SPH_SMOOTH_B_Y_LSB 24
+#define SPH_SMOOTH_B_Y_BITS 24
+#define SPH_SMOOTH_B_Z_LSB 48
+#define SPH_SMOOTH_B_Z_BITS 24
+#define SPH_SMOOTH_M_XX_LSB 72
+#define SPH_SMOOTH_M_XX_BITS 14
+#define SPH_SMOOTH_E_LSB 198
+#define SPH_SMOOTH_E_BITS 6
+#define SPH_SMOOTH_N_X_LSB 204
+#define SPH_SMOOTH_N_X_BITS 17
+#define SPH_SMOOTH_N_Y_LSB 221
+#define SPH_SMOOTH_N_Y_BITS 17
+#define SPH_SMOOTH_N_Z_LSB 238
+#define SPH_SMOOTH_N_Z_BITS 17
 #define SPH_FACET_ID_LSB 216
 #define SPH_FACET_ID_BITS 24
 #define SPH_FACET_BEFORE_LSB 240
@@ -300,6 +318,7 @@
 #define SPH_REG_N_SPHERES 100
 #define SPH_REG_TEX_FILTER 101
 #define SPH_REG_COARSE 102
+#define SPH_REG_SMOOTH_BASE 103
 #define SPH_REG_LEAF_BASE 104
 #define SPH_REG_N_LOOSE 105
 #define SPH_REG_BOX_X0 106
@@ -350,126 +369,94 @@
 #define SPH_EFFECT_REFRACT 7
 #define SPH_EFFECT_SPECULAR 8
 #define SPH_EFFECT_SUM 9
-#define SPH_EFFECT_BITS 10
+#define SPH_EFFECT_SMOOTH 10
+#define SPH_EFFECT_BITS 11
 #define SPH_KINDS 3
 #define SPH_COUNTERS 22
 #define SPH_COUNTERS_BOTH 3605503
 #define SPH_ERRORS 6
-#define SPH_PROFILE_TABLE                                                                          \
-    {"draft", 12, 13, 13, 2, 12, 0}, {"standard", 16, 17, 17, 2, 14, 0},                           \
-        {"fine", 20, 22, 24, 2, 14, 0}, {                                                          \
-        "reference", 24, 25, 28, 2, 14, 0                                                          \
-    }
-#define SPH_WIDTH_TABLE                                                                            \
-    {"w", offsetof(struct sph_profile, w), 0, 5, 8, 24, "a leaf record has 24 bits"},              \
-        {"wd", offsetof(struct sph_profile, wd), 5, 5, 9, 31, "a register has 32 bits"},           \
-        {"pq", offsetof(struct sph_profile, pq),     10, 6, 4,                                     \
-         32,   "a quotient is one word of the model"},                                             \
-        {"ng", offsetof(struct sph_profile, ng),        16, 3, 0,                                  \
-         4,    "the bounds of build are 64-bit numbers"},                                          \
-        {"fw", offsetof(struct sph_profile, fw), 19, 4, 6, 14, "a node record has 14 bits"}, {     \
-        "pr", offsetof(struct sph_profile, pr), 23, 6, 0, 51, "the longest root has 52 bits"       \
-    }
-#define SPH_COUNTER_NAMES                                                                          \
-    "rays_primary", "rays_shadow", "rays_reflected", "node_visits", "child_tests", "leaf_tests",   \
-        "roots", "quotients", "background", "saturations", "cycles", "issue_wait", "node_misses",  \
-        "leaf_misses", "rays_waiting", "pop_bubbles", "facet_tests", "divisions", "texels",        \
-        "texel_misses", "rays_refracted", "powers"
-#define SPH_ERROR_NAMES                                                                            \
-    "bad_node", "stack_overflow", "visit_limit", "bus_error", "missing_effect", "wrong_profile"
-#define SPH_EFFECT_MASK 1023
-#define SPH_EACH_EFFECT(X)                                                                         \
-    X(SHADOW, shadow, "SHADOW", 0, 1, 1, SPH_OPTION_WHEN, 0, 0, -1, 0, 0, -1,                      \
-      "rays towards the lights")                                                                   \
-    X(REFLECT, reflect, "REFLECT", 1, 5, 5, SPH_OPTION_WHEN, 0, 0, -1, 0, 0, SPH_REG_MAX_DEPTH,    \
-      "mirror rays, up to MAX_DEPTH")                                                              \
-    X(LIGHTS, lights, "LIGHTS", -1, 8, 8, SPH_OPTION_COUNT, 0, 0, -1, 0, 0, SPH_REG_N_LIGHTS,      \
-      "point lights")                                                                              \
-    X(INSIDE, inside, "INSIDE", 2, 1, 1, SPH_OPTION_WHEN, 0, 0, -1, 0, 0, -1,                      \
-      "rays may start inside a sphere, far roots count")                                           \
-    X(FIRST, first, "FIRST", 3, 1, 1, SPH_OPTION_NONE, 0, 0, -1, 0, 0, -1,                         \
-      "primary rays end at the first visit that hits a leaf")                                      \
-    X(INTERPENETRATE, interpenetrate, "INTERPENETRATE", 4, 1, 1, SPH_OPTION_WHEN, 24, 0, -1, 0, 0, \
-      -1, "mends first hits that lie in another sphere")                                           \
-    X(FACETS, facets, "FACETS", 5, 1, 1, SPH_OPTION_NONE, 0, 48, -1, 0, 0, -1,                     \
-      "triangles and planes")                                                                      \
-    X(TEXTURE, texture, "TEXTURE", 6, 1, 0, SPH_OPTION_OFF, 0, 0, -1, 0, 0, -1,                    \
-      "images on surfaces")                                                                        \
-    X(REFRACT, refract, "REFRACT", 7, 1, 0, SPH_OPTION_WHEN, 8, 48, -1, 0, 0, -1,                  \
-      "refracted rays, mirror rays where all is reflected")                                        \
-    X(SPECULAR, specular, "SPECULAR", 8, 1, 0, SPH_OPTION_WHEN, 1024, 0, -1, 0, 0, -1,             \
-      "highlights of materials with sum")                                                          \
-    X(SUM, sum, "SUM", 9, 1, 0, SPH_OPTION_NONE, 0, 0, -1, 0, 0, -1,                               \
-      "materials whose shares add up, colour on top of rays")
-#define SPH_EACH_PART(X)                                                                           \
-    SPH_EACH_EFFECT(X)                                                                             \
-    X(COARSE, coarse, "COARSE", -1, 8, 0, SPH_OPTION_NONE, 128, 0, -1, 0, 0, SPH_REG_COARSE,       \
-      "bits of the fraction of levels rounded away")                                               \
-    X(RECT, rect, "RECT", -1, 1, 1, SPH_OPTION_NONE, 0, 0, SPH_REG_BG_MODE, 1, 1, -1,              \
-      "background separation by rectangle")                                                        \
-    X(SPANS, spans, "SPANS", -1, 1, 1, SPH_OPTION_NONE, 0, 0, SPH_REG_BG_MODE, 2, 2, -1,           \
-      "background separation by spans in memory")                                                  \
-    X(CONES, cones, "CONES", -1, 16, 1, SPH_OPTION_NONE, 0, 0, SPH_REG_BG_MODE, 3, 3,              \
-      SPH_REG_BG_COUNT, "exact background separation, by so many spheres")                         \
-    X(BIH, bih, "ACCEL", -1, 1, 0, SPH_OPTION_NONE, 0, 16, SPH_REG_TREE, 3, 4, -1,                 \
-      "a BIH instead of nodes of four children")
-#define SPH_EACH_REG(X)                                                                            \
-    X(EFFECTS)                                                                                     \
-    X(MAX_DEPTH)                                                                                   \
-    X(N_LIGHTS)                                                                                    \
-    X(FRAME_W)                                                                                     \
-    X(FRAME_H)                                                                                     \
-    X(WIN_X0)                                                                                      \
-    X(WIN_Y0)                                                                                      \
-    X(WIN_X1)                                                                                      \
-    X(WIN_Y1)                                                                                      \
-    X(BG_MODE)                                                                                     \
-    X(RECT_X0)                                                                                     \
-    X(RECT_Y0)                                                                                     \
-    X(RECT_X1)                                                                                     \
-    X(RECT_Y1)                                                                                     \
-    X(BG_COLOUR)                                                                                   \
-    X(AMBIENT_R)                                                                                   \
-    X(AMBIENT_G)                                                                                   \
-    X(AMBIENT_B)                                                                                   \
-    X(EYE_X)                                                                                       \
-    X(EYE_Y)                                                                                       \
-    X(EYE_Z)                                                                                       \
-    X(DIR_X0)                                                                                      \
-    X(DIR_Y0)                                                                                      \
-    X(DIR_Z)                                                                                       \
-    X(PITCH)                                                                                       \
-    X(ROOT)                                                                                        \
-    X(PRIM_BASE)                                                                                   \
-    X(MEM_LINES)                                                                                   \
-    X(N_PRIMS)                                                                                     \
-    X(VISIT_LIMIT)                                                                                 \
-    X(PROFILE)                                                                                     \
-    X(TREE)                                                                                        \
-    X(LIGHT0_X)                                                                                    \
-    X(LIGHT0_Y)                                                                                    \
-    X(LIGHT0_Z)                                                                                    \
-    X(LIGHT0_R)                                                                                    \
-    X(LIGHT0_G)                                                                                    \
-    X(LIGHT0_B)                                                                                    \
-    X(FRAME)                                                                                       \
-    X(BG_BASE)                                                                                     \
-    X(BG_COUNT)                                                                                    \
-    X(FACET_BASE)                                                                                  \
-    X(N_SPHERES)                                                                                   \
-    X(TEX_FILTER)                                                                                  \
-    X(COARSE)                                                                                      \
-    X(LEAF_BASE)                                                                                   \
-    X(N_LOOSE)                                                                                     \
-    X(BOX_X0)                                                                                      \
-    X(BOX_Y0)                                                                                      \
-    X(BOX_Z0)                                                                                      \
-    X(BOX_X1)                                                                                      \
-    X(BOX_Y1)                                                                                      \
+#define SPH_PROFILE_TABLE {"draft", 12, 13, 13, 2, 12, 0}, {"standard", 16, 17, 17, 2, 14, 0}, {"fine", 20, 22, 24, 2, 14, 0}, {"reference", 24, 25, 28, 2, 14, 0}
+#define SPH_WIDTH_TABLE {"w", offsetof(struct sph_profile, w), 0, 5, 8, 24, "a leaf record has 24 bits"}, {"wd", offsetof(struct sph_profile, wd), 5, 5, 9, 31, "a register has 32 bits"}, {"pq", offsetof(struct sph_profile, pq), 10, 6, 4, 32, "a quotient is one word of the model"}, {"ng", offsetof(struct sph_profile, ng), 16, 3, 0, 4, "the bounds of build are 64-bit numbers"}, {"fw", offsetof(struct sph_profile, fw), 19, 4, 6, 14, "a node record has 14 bits"}, {"pr", offsetof(struct sph_profile, pr), 23, 6, 0, 51, "the longest root has 52 bits"}
+#define SPH_COUNTER_NAMES "rays_primary", "rays_shadow", "rays_reflected", "node_visits", "child_tests", "leaf_tests", "roots", "quotients", "background", "saturations", "cycles", "issue_wait", "node_misses", "leaf_misses", "rays_waiting", "pop_bubbles", "facet_tests", "divisions", "texels", "texel_misses", "rays_refracted", "powers"
+#define SPH_ERROR_NAMES "bad_node", "stack_overflow", "visit_limit", "bus_error", "missing_effect", "wrong_profile"
+#define SPH_EFFECT_MASK 2047
+#define SPH_EACH_EFFECT(X)  \
+    X(SHADOW, shadow, "SHADOW", 0, 1, 1, SPH_OPTION_WHEN, 0, 0, -1, 0, 0, -1, "rays towards the lights") \
+    X(REFLECT, reflect, "REFLECT", 1, 5, 5, SPH_OPTION_WHEN, 0, 0, -1, 0, 0, SPH_REG_MAX_DEPTH, "mirror rays, up to MAX_DEPTH") \
+    X(LIGHTS, lights, "LIGHTS", -1, 8, 8, SPH_OPTION_COUNT, 0, 0, -1, 0, 0, SPH_REG_N_LIGHTS, "point lights") \
+    X(INSIDE, inside, "INSIDE", 2, 1, 1, SPH_OPTION_WHEN, 0, 0, -1, 0, 0, -1, "rays may start inside a sphere, far roots count") \
+    X(FIRST, first, "FIRST", 3, 1, 1, SPH_OPTION_NONE, 0, 0, -1, 0, 0, -1, "primary rays end at the first visit that hits a leaf") \
+    X(INTERPENETRATE, interpenetrate, "INTERPENETRATE", 4, 1, 1, SPH_OPTION_WHEN, 24, 0, -1, 0, 0, -1, "mends first hits that lie in another sphere") \
+    X(FACETS, facets, "FACETS", 5, 1, 1, SPH_OPTION_NONE, 0, 48, -1, 0, 0, -1, "triangles and planes") \
+    X(TEXTURE, texture, "TEXTURE", 6, 1, 0, SPH_OPTION_OFF, 0, 0, -1, 0, 0, -1, "images on surfaces") \
+    X(REFRACT, refract, "REFRACT", 7, 1, 0, SPH_OPTION_WHEN, 8, 48, -1, 0, 0, -1, "refracted rays, mirror rays where all is reflected") \
+    X(SPECULAR, specular, "SPECULAR", 8, 1, 0, SPH_OPTION_WHEN, 1024, 0, -1, 0, 0, -1, "highlights of materials with sum") \
+    X(SUM, sum, "SUM", 9, 1, 0, SPH_OPTION_NONE, 0, 0, -1, 0, 0, -1, "materials whose shares add up, colour on top of rays") \
+    X(SMOOTH, smooth, "SMOOTH", 10, 1, 0, SPH_OPTION_WHEN, 64, 0, -1, 0, 0, -1, "interpolated normals of triangles")
+#define SPH_EACH_PART(X) SPH_EACH_EFFECT(X) \
+    X(COARSE, coarse, "COARSE", -1, 8, 0, SPH_OPTION_NONE, 128, 0, -1, 0, 0, SPH_REG_COARSE, "bits of the fraction of levels rounded away") \
+    X(RECT, rect, "RECT", -1, 1, 1, SPH_OPTION_NONE, 0, 0, SPH_REG_BG_MODE, 1, 1, -1, "background separation by rectangle") \
+    X(SPANS, spans, "SPANS", -1, 1, 1, SPH_OPTION_NONE, 0, 0, SPH_REG_BG_MODE, 2, 2, -1, "background separation by spans in memory") \
+    X(CONES, cones, "CONES", -1, 16, 1, SPH_OPTION_NONE, 0, 0, SPH_REG_BG_MODE, 3, 3, SPH_REG_BG_COUNT, "exact background separation, by so many spheres") \
+    X(BIH, bih, "ACCEL", -1, 1, 0, SPH_OPTION_NONE, 0, 16, SPH_REG_TREE, 3, 4, -1, "a BIH instead of nodes of four children")
+#define SPH_EACH_REG(X)  \
+    X(EFFECTS) \
+    X(MAX_DEPTH) \
+    X(N_LIGHTS) \
+    X(FRAME_W) \
+    X(FRAME_H) \
+    X(WIN_X0) \
+    X(WIN_Y0) \
+    X(WIN_X1) \
+    X(WIN_Y1) \
+    X(BG_MODE) \
+    X(RECT_X0) \
+    X(RECT_Y0) \
+    X(RECT_X1) \
+    X(RECT_Y1) \
+    X(BG_COLOUR) \
+    X(AMBIENT_R) \
+    X(AMBIENT_G) \
+    X(AMBIENT_B) \
+    X(EYE_X) \
+    X(EYE_Y) \
+    X(EYE_Z) \
+    X(DIR_X0) \
+    X(DIR_Y0) \
+    X(DIR_Z) \
+    X(PITCH) \
+    X(ROOT) \
+    X(PRIM_BASE) \
+    X(MEM_LINES) \
+    X(N_PRIMS) \
+    X(VISIT_LIMIT) \
+    X(PROFILE) \
+    X(TREE) \
+    X(LIGHT0_X) \
+    X(LIGHT0_Y) \
+    X(LIGHT0_Z) \
+    X(LIGHT0_R) \
+    X(LIGHT0_G) \
+    X(LIGHT0_B) \
+    X(FRAME) \
+    X(BG_BASE) \
+    X(BG_COUNT) \
+    X(FACET_BASE) \
+    X(N_SPHERES) \
+    X(TEX_FILTER) \
+    X(COARSE) \
+    X(SMOOTH_BASE) \
+    X(LEAF_BASE) \
+    X(N_LOOSE) \
+    X(BOX_X0) \
+    X(BOX_Y0) \
+    X(BOX_Z0) \
+    X(BOX_X1) \
+    X(BOX_Y1) \
     X(BOX_Z1)
-#define SPH_EACH_KIND(X)                                                                           \
-    X(sphere)                                                                                      \
-    X(triangle)                                                                                    \
+#define SPH_EACH_KIND(X)  \
+    X(sphere) \
+    X(triangle) \
     X(plane)
 
 #endif

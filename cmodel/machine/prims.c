@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "prim/kinds.h"
+#include "shade/smooth.h"
 
 /* The record of primitive id. */
 static const uint32_t *prim_line(const struct sph_machine *m, uint32_t id) {
@@ -50,6 +51,25 @@ static int check_facet(const struct sph_machine *m, uint32_t i, struct sph_error
     return sph_prim_of(kind)->validate(m, line, words, id, prim, err);
 }
 
+/* Checks the record of a facet's normals, if it has one. */
+static int check_smooth(const struct sph_machine *m, uint32_t id, struct sph_error *err) {
+    const uint32_t *prim = prim_line(m, id), *record;
+    uint32_t number = sph_field(prim, SPH_PRIM_SMOOTH_LSB, SPH_PRIM_SMOOTH_BITS);
+    int outside, on = sph_machine_effect(m, SPH_EFFECT_SMOOTH);
+    if (!number) return 0;
+    if (!on || sph_prim_kind(m, prim) != SPH_TRIANGLE)
+        return sph_fail(err, "primitive %u: a facet with a radius", id);
+    record = sph_smooth_record(m, prim, &outside);
+    if (outside)
+        return sph_fail(err, "primitive %u: its normals are record %u, behind the end of memory",
+                        id, number - 1);
+    if (!sph_on_grid(m, record, SPH_SMOOTH_B_X_LSB))
+        return sph_fail(err, "primitive %u: its normals start at no point of the grid", id);
+    return sph_any_bit(record, SPH_SMOOTH_N_Z_LSB + SPH_SMOOTH_N_Z_BITS, 255)
+               ? sph_fail(err, "primitive %u: bits of its normals that must be 0 are not", id)
+               : 0;
+}
+
 int sph_validate_facets(const struct sph_machine *m, struct sph_error *err) {
     uint32_t spheres = (uint32_t)m->regs[SPH_REG_N_SPHERES], n = (uint32_t)m->regs[SPH_REG_N_PRIMS];
     for (uint32_t id = 0; id < n; id++) {
@@ -59,7 +79,7 @@ int sph_validate_facets(const struct sph_machine *m, struct sph_error *err) {
                             id < spheres ? "sphere" : "facet");
     }
     for (uint32_t i = 0; i < n - spheres; i++)
-        if (check_facet(m, i, err)) return -1;
+        if (check_facet(m, i, err) || check_smooth(m, spheres + i, err)) return -1;
     return 0;
 }
 

@@ -96,6 +96,7 @@ static int check_memory(const struct sph_machine *m, struct sph_error *err) {
     RANGE(N_SPHERES, 0, SPH_MAX_SPHERES);
     RANGE(FACET_BASE, facets ? (int64_t)r[SPH_REG_PRIM_BASE] + r[SPH_REG_N_PRIMS] : 0,
           facets ? m->lines - sph_machine_facets(m) : 0);
+    RANGE(SMOOTH_BASE, 0, sph_machine_effect(m, SPH_EFFECT_SMOOTH) ? m->lines : 0);
     RANGE(TEX_FILTER, 0, sph_machine_effect(m, SPH_EFFECT_TEXTURE) ? 3 : 0);
     RANGE(COARSE, 0, sph_machine_effect(m, SPH_EFFECT_TEXTURE) ? SPH_LOD_BITS : 0);
     RANGE(ROOT, 0, r[SPH_REG_PRIM_BASE] - 1);

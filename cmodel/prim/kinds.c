@@ -52,8 +52,6 @@ int sph_validate_normal(uint32_t id, const uint32_t *prim, const int32_t normal[
         if (sph_field_signed(prim, SPH_LEAF_CTR_X_LSB + SPH_LEAF_CTR_X_BITS * i,
                              SPH_LEAF_CTR_X_BITS) != normal[i])
             return sph_fail(err, "primitive %u: the normal is not that of its facet", id);
-    if (sph_field(prim, SPH_LEAF_RAD_LSB, SPH_LEAF_RAD_BITS))
-        return sph_fail(err, "primitive %u: a facet with a radius", id);
     if (sph_field(prim, SPH_LEAF_ID_LSB, SPH_LEAF_ID_BITS) != id)
         return sph_fail(err, "primitive %u: another id", id);
     return 0;

@@ -28,7 +28,7 @@ void sph_stored_normal(const struct sph_profile *p, const uint32_t *prim, const 
                        int64_t normal[3]);
 
 /* For sph_prim.validate: whether a vector of a line lies on the grid; whether bits first .. last
- * are 0; whether a primitive record has this normal, no radius and its id. */
+ * are 0; whether a primitive record has this normal and its id. */
 int sph_on_grid(const struct sph_machine *m, const uint32_t *line, int at);
 int sph_any_bit(const uint32_t *line, int first, int last);
 int sph_validate_normal(uint32_t id, const uint32_t *prim, const int32_t normal[3],

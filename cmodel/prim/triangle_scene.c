@@ -1,4 +1,4 @@
-/* triangle_scene.c - triangles in a scene file: `p`, `pp`, `tt`, `c`; see scene.h
+/* triangle_scene.c - triangles in a scene file: `p`, `pp`, `tt`, `ttp`, `c`; see scene.h
  * SPDX-License-Identifier: Apache-2.0
  */
 #include <math.h>
@@ -7,6 +7,7 @@
 #include "prim/scene.h"
 #include "scene/frustum.h"
 #include "scene/polygon.h"
+#include "scene/vector.h"
 
 /* The number of corners of `p` or `pp`. */
 static int take_count(struct sph_reader *r, const char *record, int *n, struct sph_error *err) {
@@ -24,29 +25,34 @@ static void note_bent(struct sph_scene *scene, uint32_t line, double bent) {
     if (!scene->n_bent++ || bent > scene->bent) scene->bent = bent, scene->bent_line = line;
 }
 
-/* p n (x y z)..., pp n (x y z nx ny nz)...: facets are flat, so normals are read and not used. The
- * triangles of a polygon that is not flat are polygons of their own: one may see another. */
+/* p n (x y z)..., pp n (x y z nx ny nz)...: normals count if none is zero. The triangles of a
+ * polygon that is not flat are polygons of their own: one may see another. */
 static int take_polygon(struct sph_reader *r, int with_normals, struct sph_error *err) {
     const char *record = with_normals ? "pp" : "p";
-    struct sph_vec corner[SPH_MAX_CORNERS], normal;
+    struct sph_vec corner[SPH_MAX_CORNERS], normal[SPH_MAX_CORNERS];
     int index[SPH_MAX_CORNERS - 2][3], n = 0;
     struct sph_facet facet = {.kind = SPH_TRIANGLE};
     struct sph_error why = {{0}};
     double bent = 0;
+    facet.smooth = with_normals;
     facet.line = r->lex.token_line;
     if (sph_nff_material(r, record, "polygon", &facet.material, err) ||
         take_count(r, record, &n, err))
         return -1;
     for (int i = 0; i < n; i++)
         if (sph_nff_vec(r, record, &corner[i], err) ||
-            (with_normals && sph_nff_vec(r, record, &normal, err)))
+            (with_normals && sph_nff_vec(r, record, &normal[i], err)))
             return -1;
+    for (int i = 0; i < n && with_normals; i++)
+        facet.smooth &= sph_vec_length(normal[i]) > 0;
     int count = sph_polygon_cut(corner, n, index, &bent, &why);
     if (count < 0)
         return sph_fail(err, "%s:%u: `%s`: %.300s", r->lex.path, facet.line, record, why.text);
     for (int i = 0; i < count; i++) {
         for (int k = 0; k < 3; k++)
             facet.v[k] = corner[index[i][k]];
+        for (int k = 0; k < 3 && facet.smooth; k++)
+            facet.n[k] = normal[index[i][k]];
         facet.group = r->n_groups;
         if (sph_scene_add_facet(r->scene, &facet, err)) return -1;
         if (bent > 0 || i == count - 1) r->n_groups++;
@@ -55,22 +61,34 @@ static int take_polygon(struct sph_reader *r, int with_normals, struct sph_error
     return 0;
 }
 
-/* tt FILE and three times x y z u v */
-static int take_tt(struct sph_reader *r, struct sph_error *err) {
+/* tt FILE and three times x y z u v; ttp: x y z nx ny nz u v */
+static int take_image(struct sph_reader *r, const char *word, int with_normals,
+                      struct sph_error *err) {
     static const char *const names[] = {"u", "v"};
     struct sph_texture texture = {.repeat = {1, 1}, .line = r->lex.token_line};
     struct sph_facet facet = {.kind = SPH_TRIANGLE, .group = r->n_groups, .line = texture.line};
-    if (sph_nff_material(r, "tt", "triangle", &facet.material, err)) return -1;
-    int got = sph_nff_image(r, "tt", texture.path, err);
+    if (sph_nff_material(r, word, "triangle", &facet.material, err)) return -1;
+    int got = sph_nff_image(r, word, texture.path, err);
     if (got < 0 || (got && sph_nff_find_texture(r, &texture, &facet.texture, err))) return -1;
     for (int i = 0; i < 3; i++)
-        if (sph_nff_vec(r, "tt", &facet.v[i], err) ||
-            sph_nff_numbers(r, "tt", names, 2, facet.st[i], err))
+        if (sph_nff_vec(r, word, &facet.v[i], err) ||
+            (with_normals && sph_nff_vec(r, word, &facet.n[i], err)) ||
+            sph_nff_numbers(r, word, names, 2, facet.st[i], err))
             return -1;
+    facet.smooth = with_normals && sph_smooth_given(facet.n);
     if (sph_triangle_empty(facet.v[0], facet.v[1], facet.v[2]))
-        return sph_fail(err, "%s:%u: `tt`: the triangle has no area", r->lex.path, facet.line);
+        return sph_fail(err, "%s:%u: `%s`: the triangle has no area", r->lex.path, facet.line,
+                        word);
     r->n_groups++;
     return sph_scene_add_facet(r->scene, &facet, err);
+}
+
+static int take_tt(struct sph_reader *r, struct sph_error *err) {
+    return take_image(r, "tt", 0, err);
+}
+
+static int take_ttp(struct sph_reader *r, struct sph_error *err) {
+    return take_image(r, "ttp", 1, err);
 }
 
 static int take_p(struct sph_reader *r, struct sph_error *err) {
@@ -82,11 +100,26 @@ static int take_pp(struct sph_reader *r, struct sph_error *err) {
 }
 
 static void put_tt(struct sph_nff_writer *w, const struct sph_facet *f) {
-    sph_nff_put_image(w, "tt", w->scene->textures[f->texture - 1].path);
+    sph_nff_put_image(w, f->smooth ? "ttp" : "tt", w->scene->textures[f->texture - 1].path);
     putc('\n', w->file);
+    for (int i = 0; i < 3; i++) {
+        double p[] = {f->v[i].x, f->v[i].y, f->v[i].z, f->st[i][0], f->st[i][1]};
+        if (f->smooth) {
+            sph_nff_put(w, "", p, 3);
+            sph_nff_put_point(w, "", f->n[i]);
+            sph_nff_put(w, "", p + 3, 2);
+        } else {
+            sph_nff_put(w, "", p, 5);
+        }
+    }
+}
+
+/* A triangle with normals stands by itself, whatever polygon it was of. */
+static void put_smooth(struct sph_nff_writer *w, const struct sph_facet *f) {
+    fputs("pp 3\n", w->file);
     for (int i = 0; i < 3; i++)
-        sph_nff_put(w, "", (double[]){f->v[i].x, f->v[i].y, f->v[i].z, f->st[i][0], f->st[i][1]},
-                    5);
+        sph_nff_put(
+            w, "", (double[]){f->v[i].x, f->v[i].y, f->v[i].z, f->n[i].x, f->n[i].y, f->n[i].z}, 6);
 }
 
 /* c base(3) radius apex(3) radius: a cone or cylinder, as triangles. */
@@ -175,6 +208,10 @@ static uint32_t write(struct sph_nff_writer *w, uint32_t i) {
         put_tt(w, f);
         return 1;
     }
+    if (f->smooth) {
+        put_smooth(w, f);
+        return 1;
+    }
     while (i + n < w->scene->n_facets &&
            (f->frustum ? f[n].frustum == f->frustum : f[n].group == f->group))
         n++;
@@ -187,7 +224,7 @@ static uint32_t write(struct sph_nff_writer *w, uint32_t i) {
     return n;
 }
 
-static const struct sph_nff_word words[] = {
-    {"p", take_p}, {"pp", take_pp}, {"tt", take_tt}, {"c", take_c}, {NULL, NULL}};
+static const struct sph_nff_word words[] = {{"p", take_p},     {"pp", take_pp}, {"tt", take_tt},
+                                            {"ttp", take_ttp}, {"c", take_c},   {NULL, NULL}};
 const struct sph_prim_scene sph_prim_scene_triangle = {
     .words = words, .write = write, .points = 3, .wants = "finite corners"};

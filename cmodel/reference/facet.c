@@ -4,6 +4,7 @@
 #include "reference/facet.h"
 
 #include <math.h>
+#include <string.h>
 
 static void between(struct sph_vec to, struct sph_vec from, double out[3]) {
     out[0] = to.x - from.x, out[1] = to.y - from.y, out[2] = to.z - from.z;
@@ -110,6 +111,34 @@ void sph_ref_facet_normal(const struct sph_facet *f, double normal[3]) {
     double length = sqrt(dot(normal, normal));
     for (int i = 0; i < 3; i++)
         normal[i] /= length;
+}
+
+int sph_ref_facet_smooth(const struct sph_facet *f, const double at[3], double normal[3]) {
+    double e1[3], e2[3], from[3], n[3], side[3], sum = 0, out[3];
+    if (!f->smooth) return 0;
+    between(f->v[1], f->v[0], e1);
+    between(f->v[2], f->v[0], e2);
+    for (int i = 0; i < 3; i++)
+        from[i] = at[i] - (i == 0 ? f->v[0].x : i == 1 ? f->v[0].y : f->v[0].z);
+    cross(e1, e2, n);
+    cross(from, e2, side);
+    double x = dot(side, n) / dot(n, n); /* part of corner 1 */
+    cross(e1, from, side);
+    double y = dot(side, n) / dot(n, n), part[3] = {1 - x - y, x, y};
+    memset(out, 0, sizeof out);
+    for (int k = 0; k < 3; k++) {
+        double v[3];
+        between(f->n[k], (struct sph_vec){0, 0, 0}, v);
+        double length = sqrt(dot(v, v));
+        sum += dot(v, n) / length;
+        for (int i = 0; i < 3; i++)
+            out[i] += part[k] * v[i] / length;
+    }
+    double length = sqrt(dot(out, out));
+    if (!(length > 0)) return 0;
+    for (int i = 0; i < 3; i++)
+        normal[i] = (sum < 0 ? -1 : 1) * out[i] / length;
+    return 1;
 }
 
 double sph_ref_facet(const struct sph_facet *f, const double org[3], const double dir[3],

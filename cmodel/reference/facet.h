@@ -13,6 +13,10 @@ int sph_ref_facet_endless(const struct sph_facet *facet);
 /* The normal of a facet, of length 1 (a triangle of no area: not a number). */
 void sph_ref_facet_normal(const struct sph_facet *facet, double normal[3]);
 
+/* The normal at a point of a triangle that has normals, between those of the corners, of length 1
+ * and on the side of the facet's own. 0 if there is none. */
+int sph_ref_facet_smooth(const struct sph_facet *facet, const double at[3], double normal[3]);
+
 /* Where the ray meets the facet, from either side, edges included: t > 0, else INFINITY. *far: the
  * normal looks along dir. */
 double sph_ref_facet(const struct sph_facet *facet, const double org[3], const double dir[3],

@@ -61,11 +61,12 @@ static struct lit light(const struct sph_ref_job *j, const double at[3], const d
     return lit;
 }
 
-/* The hit point, and the normal on the ray's side; returns the material. */
+/* The hit point, the normal on the ray's side, and that of the primitive, which is another one
+ * where normals are interpolated; returns the material. */
 static const struct sph_material *surface(const struct sph_scene *scene,
                                           const struct sph_ref_ray *ray,
                                           const struct sph_ref_hit *hit, double at[3],
-                                          double normal[3]) {
+                                          double normal[3], double side[3]) {
     uint32_t material;
     for (int i = 0; i < 3; i++)
         at[i] = ray->org[i] + hit->t * ray->dir[i];
@@ -80,8 +81,11 @@ static const struct sph_material *surface(const struct sph_scene *scene,
         sph_ref_facet_normal(f, normal);
         material = f->material;
     }
+    memcpy(side, normal, 3 * sizeof *side);
+    if (hit->id >= scene->n_spheres)
+        sph_ref_facet_smooth(&scene->facets[hit->id - scene->n_spheres], at, normal);
     for (int i = 0; i < 3 && hit->far; i++)
-        normal[i] = -normal[i];
+        normal[i] = -normal[i], side[i] = -side[i];
     return &scene->materials[material];
 }
 
@@ -127,7 +131,7 @@ static void shade(const struct sph_ref_job *j, struct sph_ref_branch *b,
         memcpy(seen->pixel.lod, lod, sizeof lod);
         seen->pixel.facing = fabs(dot(dir, normal)) / sqrt(dot(normal, normal));
     }
-    if (hit->id < j->scene->n_spheres)
+    if (hit->id < j->scene->n_spheres || j->scene->facets[hit->id - j->scene->n_spheres].smooth)
         b->via = SPH_VIA_CURVED;
     else if (b->via == SPH_VIA_NOTHING)
         b->via = SPH_VIA_FLAT;
@@ -147,8 +151,8 @@ static void shade(const struct sph_ref_job *j, struct sph_ref_branch *b,
 /* The rays that leave a surface. */
 static void leave(const struct sph_ref_job *j, const struct sph_ref_branch *b,
                   const struct sph_ref_hit *hit, const double at[3], const double normal[3],
-                  const struct sph_ref_shares *k, double ratio, const double bent[3],
-                  struct sph_ref_seen *seen) {
+                  const double side[3], const struct sph_ref_shares *k, double ratio,
+                  const double bent[3], struct sph_ref_seen *seen) {
     double curved = curvature(j->scene, hit);
     struct sph_ref_branch next = *b;
     for (int i = 0; i < 3; i++)
@@ -164,6 +168,9 @@ static void leave(const struct sph_ref_job *j, const struct sph_ref_branch *b,
         mirror.weight *= k->kr;
         for (int i = 0; i < 3; i++)
             mirror.ray.dir[i] -= 2 * dn * normal[i];
+        double behind = dot(mirror.ray.dir, side);
+        for (int i = 0; i < 3 && behind < 0; i++)
+            mirror.ray.dir[i] -= 2 * behind * side[i];
         sph_ref_follow(j, mirror, seen);
     }
     if (k->kt > 0) {
@@ -202,8 +209,8 @@ void sph_ref_follow(const struct sph_ref_job *j, struct sph_ref_branch b,
         add(seen, b.depth, b.weight, b.weight, j->scene->background);
         return;
     }
-    double at[3], normal[3], colour[3], bent[3] = {0}, dir[3];
-    const struct sph_material *f = surface(j->scene, &b.ray, &hit, at, normal);
+    double at[3], normal[3], side[3], colour[3], bent[3] = {0}, dir[3];
+    const struct sph_material *f = surface(j->scene, &b.ray, &hit, at, normal, side);
     if (step) memcpy(step->at, at, sizeof at), memcpy(step->normal, normal, sizeof normal);
     if (j->o->world && is_plane(j->scene, hit.id)) {
         struct sph_ends ends = sph_ends_of(j->o->world);
@@ -219,5 +226,5 @@ void sph_ref_follow(const struct sph_ref_job *j, struct sph_ref_branch b,
     shade(j, &b, &hit, f, &k, at, normal, dir, step, seen, colour);
     if (k.kt > 0 && !sph_ref_refract(dir, normal, ratio, bent)) sph_ref_reflect_all(&k, f);
     add(seen, b.depth, b.weight, b.weight * k.own, colour);
-    leave(j, &b, &hit, at, normal, &k, ratio, bent, seen);
+    leave(j, &b, &hit, at, normal, side, &k, ratio, bent, seen);
 }

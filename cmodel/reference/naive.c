@@ -86,7 +86,12 @@ static struct sph_ray mirror_ray(const struct sph_machine *m, const struct sph_r
                            .inside = on(m, SPH_EFFECT_INSIDE)};
     for (int i = 0; i < 3; i++)
         next.org[i] = s->at[i];
+    int64_t once[3], behind = 0;
     sph_naive_mirror(ray->dir, s->normal, sph_machine_profile(m)->wd, next.dir);
+    for (int i = 0; i < 3; i++)
+        once[i] = next.dir[i], behind += once[i] * s->side[i];
+    if (s->bent && behind < 0)
+        sph_naive_mirror(once, s->side, sph_machine_profile(m)->wd, next.dir);
     return next;
 }
 
@@ -94,7 +99,7 @@ static struct sph_ray mirror_ray(const struct sph_machine *m, const struct sph_r
 static int buried(const struct sph_machine *m, const struct sph_ray *ray) {
     struct sph_naive_found f = sph_naive_first(m, ray, (uint32_t)m->regs[SPH_REG_ROOT]);
     if (!f.how.hit) return 0;
-    struct sph_naive_point s = sph_naive_point_of(sph_machine_profile(m), ray, &f);
+    struct sph_naive_point s = sph_naive_point_of(m, ray, &f);
     struct sph_ray next = mirror_ray(m, ray, &f, &s);
     struct sph_naive_found around = sph_naive_trace(m, &next);
     return around.how.hit && around.how.far && around.prim.sphere.id != f.prim.sphere.id;
@@ -111,11 +116,11 @@ static void follow(const struct sph_machine *m, const struct sph_ray *ray,
                    struct frames *frames) {
     const struct sph_profile *p = sph_machine_profile(m);
     const struct sph_naive_prim *prim = &f->prim;
-    struct sph_naive_point s = {{0}, {0}, {0}, {0}};
+    struct sph_naive_point s = {{0}, {0}, {0}, {0}, 0, {0}};
     struct sph_ray bent = {.kind = SPH_REFRACTED, .inside = 1};
     int64_t colour[3], kr = 0, kt = 0;
     if (f->how.hit) {
-        s = sph_naive_point_of(p, ray, f);
+        s = sph_naive_point_of(m, ray, f);
         shade(m, ray, f, &s, colour);
         if (depth < m->regs[SPH_REG_MAX_DEPTH]) {
             kr = on(m, SPH_EFFECT_REFLECT) ? prim->kr : 0;

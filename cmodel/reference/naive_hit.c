@@ -29,6 +29,7 @@ static struct sph_naive_prim prim_read(const struct sph_machine *m, int32_t inde
     p.power = sph_field(line, SPH_PRIM_POWER_LSB, SPH_PRIM_POWER_BITS);
     p.index = sph_field(line, SPH_PRIM_INDEX_LSB, SPH_PRIM_INDEX_BITS);
     p.facet = on(m, SPH_EFFECT_FACETS) && index >= m->regs[SPH_REG_N_SPHERES];
+    p.smooth = p.facet && on(m, SPH_EFFECT_SMOOTH) ? (uint32_t)p.sphere.rad : 0;
     return p;
 }
 
@@ -107,8 +108,43 @@ static void beyond(mpz_t x, int64_t n, int ng) {
     }
 }
 
-struct sph_naive_point sph_naive_point_of(const struct sph_profile *p, const struct sph_ray *ray,
+/* A field of a record of normals, as it is drawn in machine.def. */
+static int64_t word(const uint32_t *record, int lsb, int bits) {
+    return sph_field_signed(record, lsb, bits);
+}
+
+/* v = n + m (g - b) / 2^e, rounded half up, both limited; 0 if nothing is left. */
+static int interpolate(const struct sph_machine *m, uint32_t number, const int64_t g[3], int far,
+                       mpz_t v[3]) {
+    const struct sph_profile *p = sph_machine_profile(m);
+    const uint32_t *r =
+        m->mem + (int64_t)SPH_LINE_WORDS * (m->regs[SPH_REG_SMOOTH_BASE] + (int64_t)number - 1);
+    mpz_t d;
+    mpz_init(d);
+    int any = 0;
+    for (int i = 0; i < 3; i++) {
+        mpz_set_ui(v[i], 0);
+        for (int k = 0; k < 3; k++) {
+            mpz_set_si(d, g[k] - (word(r, 24 * k, 24) << p->ng));
+            mpz_set_si(d, sph_naive_limit(d, p->w + p->ng));
+            mpz_mul_si(d, d, word(r, 72 + 14 * (3 * i + k), 14));
+            mpz_add(v[i], v[i], d);
+        }
+        sph_naive_round(v[i], (int)sph_field(r, 198, 6));
+        mpz_set_si(d, word(r, 204 + 17 * i, 17));
+        mpz_add(v[i], v[i], d);
+        mpz_set_si(v[i], sph_naive_limit(v[i], 20));
+        if (far) mpz_neg(v[i], v[i]);
+        any |= mpz_sgn(v[i]) != 0;
+    }
+    mpz_clear(d);
+    return any;
+}
+
+struct sph_naive_point sph_naive_point_of(const struct sph_machine *m, const struct sph_ray *ray,
                                           const struct sph_naive_found *f) {
+    const struct sph_profile *p = sph_machine_profile(m);
+    int64_t guarded[3];
     struct sph_naive_point s;
     uint64_t mant, a = 0;
     mpz_t n[3], x;
@@ -125,6 +161,7 @@ struct sph_naive_point sph_naive_point_of(const struct sph_profile *p, const str
         mpz_add(n[i], n[i], x);
         mpz_set_si(n[i], sph_naive_limit(n[i], p->w + p->ng));
         mpz_set(x, n[i]);
+        guarded[i] = mpz_get_si(x);
         if (f->prim.facet)
             beyond(x, f->prim.sphere.ctr[i] * (f->how.far ? -1 : 1), p->ng);
         else
@@ -144,7 +181,10 @@ struct sph_naive_point sph_naive_point_of(const struct sph_profile *p, const str
         int side = f->prim.facet ? (s.normal[i] > 0) - (s.normal[i] < 0) : 0;
         mpz_set_si(x, s.at[i] - side * (2 + (4ll << p->w >> p->pq)));
         s.behind[i] = sph_naive_limit(x, p->w);
+        s.side[i] = s.normal[i];
     }
+    s.bent = f->prim.smooth && interpolate(m, f->prim.smooth, guarded, f->how.far, n);
+    if (s.bent) sph_naive_normalise(n, p->wd, s.normal);
     sph_naive_unit(s.normal, p->wd, s.unit);
     mpz_clears(n[0], n[1], n[2], x, NULL);
     return s;

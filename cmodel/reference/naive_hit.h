@@ -9,6 +9,7 @@
 struct sph_naive_prim {
     struct sph_leaf sphere; /* of a facet: ctr is the normal */
     int facet;
+    uint32_t smooth; /* 1 + number of the record of its normals */
     uint32_t rgb[3], kr;
     uint32_t kt, ka, kd, ks, power, index; /* as they stand in the record */
     int sum;
@@ -22,6 +23,8 @@ struct sph_naive_found {
 struct sph_naive_point {      /* where a ray ends */
     int64_t at[3], behind[3]; /* start of mirror rays; of refracted ones */
     int64_t normal[3], unit[3];
+    int bent; /* the normal is interpolated, and side that of the facet */
+    int64_t side[3];
 };
 
 /* The first hit in the order of keys, then ids; any hit of a shadow ray. */
@@ -32,7 +35,7 @@ struct sph_naive_found sph_naive_first(const struct sph_machine *m, const struct
                                        uint32_t line);
 
 /* org + t*dir with guard bits; the normal points to the side that the ray came from. */
-struct sph_naive_point sph_naive_point_of(const struct sph_profile *p, const struct sph_ray *ray,
+struct sph_naive_point sph_naive_point_of(const struct sph_machine *m, const struct sph_ray *ray,
                                           const struct sph_naive_found *f);
 
 /* Sets out to direction - 2 * (direction . normal) / (normal . normal) * normal, free of division.

@@ -1,4 +1,4 @@
-/* aff_mesh.c - triangles of AFF: `m`, `tpa`, `ttp`; see aff_reader.h
+/* aff_mesh.c - triangles of AFF: `m`, `tpa`; see aff_reader.h
  * SPDX-License-Identifier: Apache-2.0
  */
 #include "scene/aff_reader.h"
@@ -67,10 +67,12 @@ static int take_triangle(struct sph_aff *a, const struct mesh *m, struct sph_err
         if (take_three(a, m, which, at, err)) return -1;
         for (int k = 0; k < 3; k++) {
             if (which == VERTICES) f.v[k] = sph_vec_of(at[k][0], at[k][1], at[k][2]);
+            if (which == NORMALS) f.n[k] = sph_vec_of(at[k][0], at[k][1], at[k][2]);
             if (which == COORDS) memcpy(f.st[k], at[k], sizeof f.st[k]);
         }
     }
     f.group = a->r.n_groups++;
+    f.smooth = m->given[NORMALS] && sph_smooth_given(f.n);
     return sph_scene_add_facet(a->r.scene, &f, err);
 }
 
@@ -94,7 +96,7 @@ static int take_lists(struct sph_aff *a, struct mesh *m, struct sph_error *err) 
 }
 
 /* m vertices N .. [normals N ..] [texturecoords N FILE ..] triangles N ..: a triangle has three
- * numbers of each list, which count from 0. Normals are read and not used. */
+ * numbers of each list, which count from 0. */
 int sph_aff_take_m(struct sph_aff *a, struct sph_error *err) {
     struct mesh m = {.facet = {.kind = SPH_TRIANGLE, .line = a->top_line}};
     uint32_t n = 0;
@@ -110,10 +112,9 @@ int sph_aff_take_m(struct sph_aff *a, struct sph_error *err) {
     return bad ? -1 : 0;
 }
 
-/* tpa N and N times: a time, and three points with normals, which are not used */
+/* tpa N and N times: a time, and three points with normals */
 int sph_aff_take_tpa(struct sph_aff *a, struct sph_error *err) {
     struct sph_facet f = {.kind = SPH_TRIANGLE, .line = a->top_line, .group = a->r.n_groups++};
-    struct sph_vec normal;
     uint32_t n;
     if (sph_nff_material(&a->r, "tpa", "triangle", &f.material, err) ||
         sph_aff_count(a, "tpa", "number of times", 1, SPH_AFF_COUNT, &n, err) ||
@@ -130,23 +131,8 @@ int sph_aff_take_tpa(struct sph_aff *a, struct sph_error *err) {
                             a->r.lex.path, a->r.lex.token_line, now->time, now[-1].time);
         for (int k = 0; k < 3; k++)
             if (sph_nff_vec(&a->r, "tpa", &now->v[k], err) ||
-                sph_nff_vec(&a->r, "tpa", &normal, err))
+                sph_nff_vec(&a->r, "tpa", &now->n[k], err))
                 return -1;
     }
-    return sph_scene_add_facet(a->r.scene, &f, err);
-}
-
-/* ttp FILE and three times x y z nx ny nz u v; normals are not used */
-int sph_aff_take_ttp(struct sph_aff *a, struct sph_error *err) {
-    struct sph_texture texture = {.repeat = {1, 1}, .line = a->top_line};
-    struct sph_facet f = {.kind = SPH_TRIANGLE, .line = a->top_line, .group = a->r.n_groups++};
-    struct sph_vec normal;
-    if (sph_nff_material(&a->r, "ttp", "triangle", &f.material, err)) return -1;
-    int got = sph_nff_image(&a->r, "ttp", texture.path, err);
-    if (got < 0 || (got && sph_nff_find_texture(&a->r, &texture, &f.texture, err))) return -1;
-    for (int k = 0; k < 3; k++)
-        if (sph_nff_vec(&a->r, "ttp", &f.v[k], err) || sph_nff_vec(&a->r, "ttp", &normal, err) ||
-            sph_nff_numbers(&a->r, "ttp", coords, 2, f.st[k], err))
-            return -1;
     return sph_scene_add_facet(a->r.scene, &f, err);
 }

@@ -59,7 +59,12 @@ static int pose_nodes(struct sph_aff *a, double time, struct sph_error *err) {
     return 0;
 }
 
-/* The corners of animated triangles: straight on between two times. */
+static struct sph_vec between(struct sph_vec from, struct sph_vec to, double u) {
+    struct sph_vec by = sph_vec_sub(to, from);
+    return sph_vec_of(from.x + u * by.x, from.y + u * by.y, from.z + u * by.z);
+}
+
+/* Corners and normals of animated triangles: straight on between two times. */
 static void pose_patches(struct sph_aff *a, double time) {
     for (uint32_t i = 0; i < a->n_patches; i++) {
         const struct sph_aff_patch *p = &a->patches[i];
@@ -70,9 +75,10 @@ static void pose_patches(struct sph_aff *a, double time) {
         double u =
             to == from || time <= from->time ? 0 : (time - from->time) / (to->time - from->time);
         for (int k = 0; k < 3; k++) {
-            struct sph_vec f = from->v[k], by = sph_vec_sub(to->v[k], f);
-            a->r.scene->facets[p->facet].v[k] =
-                sph_vec_of(f.x + u * by.x, f.y + u * by.y, f.z + u * by.z);
+            struct sph_facet *f = &a->r.scene->facets[p->facet];
+            f->v[k] = between(from->v[k], to->v[k], u);
+            f->n[k] = between(from->n[k], to->n[k], u);
+            f->smooth = sph_smooth_given(f->n);
         }
     }
 }
@@ -87,6 +93,9 @@ static void pose_facets(struct sph_aff *a) {
         if (node && !node->visible) continue;
         for (int k = 0; node && k < 3; k++)
             f.v[k] = sph_affine_point(&node->world, f.v[k]);
+        for (int k = 0; node && f.smooth && k < 3; k++)
+            f.n[k] = sph_affine_normal(&node->world, f.n[k]);
+        f.smooth = f.smooth && sph_smooth_given(f.n);
         scene->facets[kept++] = f;
     }
     scene->n_facets = kept;

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * aff_take.c takes names and counts; aff_read.c files; aff_words.c words and transforms; aff_mesh.c
- * `m`, `tpa`, `ttp`; aff_keys.c `k`; aff_pose.c puts all in its place at a time. Keys may stand
+ * `m`, `tpa`; aff_keys.c `k`; aff_pose.c puts all in its place at a time. Keys may stand
  * behind what they move, so that primitives are kept as written up to the end of the file: their
  * `motion` holds the number of their transform.
  */
@@ -43,7 +43,7 @@ struct sph_aff_patch {
     uint32_t facet, n;
     struct sph_aff_corners {
         double time;
-        struct sph_vec v[3];
+        struct sph_vec v[3], n[3];
     } * at;
 };
 
@@ -87,7 +87,6 @@ int sph_aff_take_word(struct sph_aff *a, struct sph_error *err);
 /* One record each, its first word taken. */
 int sph_aff_take_m(struct sph_aff *a, struct sph_error *err);
 int sph_aff_take_tpa(struct sph_aff *a, struct sph_error *err);
-int sph_aff_take_ttp(struct sph_aff *a, struct sph_error *err);
 int sph_aff_take_k(struct sph_aff *a, struct sph_error *err);
 
 /* Moves camera, lights and primitives to where they are at a time. -1 with a message if a sphere

@@ -78,26 +78,13 @@ static int take_x(struct sph_aff *a, struct sph_error *err) {
 static const struct {
     const char *word;
     int (*take)(struct sph_aff *a, struct sph_error *err); /* NULL: as in NFF */
-} words[] = {{"d", take_d},
-             {"xs", take_xs},
-             {"x", take_x},
-             {"k", sph_aff_take_k},
-             {"m", sph_aff_take_m},
-             {"tpa", sph_aff_take_tpa},
-             {"ttp", sph_aff_take_ttp},
-             {"a", take_a},
-             {"am", take_am},
-             {"la", take_la},
-             {"v", NULL},
-             {"b", NULL},
-             {"l", NULL},
-             {"f", NULL},
-             {"fm", NULL},
-             {"s", NULL},
-             {"c", NULL},
-             {"p", NULL},
-             {"pp", NULL},
-             {"tt", NULL}};
+} words[] = {{"d", take_d},         {"xs", take_xs},       {"x", take_x},
+             {"k", sph_aff_take_k}, {"m", sph_aff_take_m}, {"tpa", sph_aff_take_tpa},
+             {"a", take_a},         {"am", take_am},       {"la", take_la},
+             {"v", NULL},           {"b", NULL},           {"l", NULL},
+             {"f", NULL},           {"fm", NULL},          {"s", NULL},
+             {"c", NULL},           {"p", NULL},           {"pp", NULL},
+             {"tt", NULL},          {"ttp", NULL}};
 enum { N_WORDS = sizeof words / sizeof words[0] };
 
 int sph_aff_take_word(struct sph_aff *a, struct sph_error *err) {

@@ -57,6 +57,18 @@ static inline struct sph_affine sph_affine_after(const struct sph_affine *a,
     return out;
 }
 
+/* The normal of a surface that is mapped, of any length: by the cofactors, which turn over with a
+ * mirroring map as the surface does. */
+static inline struct sph_vec sph_affine_normal(const struct sph_affine *a, struct sph_vec n) {
+    double out[3];
+    for (int i = 0; i < 3; i++) {
+        const double *p = a->m[(i + 1) % 3], *q = a->m[(i + 2) % 3];
+        out[i] = (p[1] * q[2] - p[2] * q[1]) * n.x + (p[2] * q[0] - p[0] * q[2]) * n.y +
+                 (p[0] * q[1] - p[1] * q[0]) * n.z;
+    }
+    return (struct sph_vec){out[0], out[1], out[2]};
+}
+
 /* What it multiplies all lengths by; 0 if it does not do so by one number. */
 double sph_affine_scale(const struct sph_affine *a);
 

@@ -113,10 +113,14 @@ static void put_sphere(const struct writer *w, uint32_t i) {
 }
 
 static void put_triangle(const struct writer *w, const struct sph_facet *f) {
-    fputs("triangle { ", w->file);
+    fputs(f->smooth ? "smooth_triangle { " : "triangle { ", w->file);
     for (int k = 0; k < 3; k++) {
         if (k) putc(',', w->file);
         put_point(w, f->v[k]);
+        if (!f->smooth) continue;
+        struct sph_vec n = unit(f->n[k]);
+        putc(',', w->file);
+        sph_pov_vector(w->file, (double[]){n.x, n.y, n.z});
     }
 }
 

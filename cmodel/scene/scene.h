@@ -65,6 +65,8 @@ struct sph_sphere {
 struct sph_facet {
     int kind;            /* SPH_TRIANGLE, SPH_PLANE: not SPH_SPHERE */
     struct sph_vec v[3]; /* corners; plane: a point, the normal, the direction of s (any length) */
+    int smooth;          /* n counts: of a triangle */
+    struct sph_vec n[3]; /* normals at the corners, of any length but none */
     double st[3][2];     /* s, t at the corners; plane: [0] units of one repeat, [1] offset */
     uint32_t material;   /* index into materials */
     uint32_t texture;    /* index into textures + 1, 0: none */

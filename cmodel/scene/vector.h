@@ -31,4 +31,9 @@ static inline double sph_vec_length(struct sph_vec v) {
     return hypot(hypot(v.x, v.y), v.z);
 }
 
+/* Whether a triangle has normals at its corners: none of them is zero. */
+static inline int sph_smooth_given(const struct sph_vec n[3]) {
+    return sph_vec_length(n[0]) > 0 && sph_vec_length(n[1]) > 0 && sph_vec_length(n[2]) > 0;
+}
+
 #endif

@@ -43,9 +43,17 @@ void sph_surface_behind(const struct sph_profile *p, const struct sph_surface *s
     int saturated, lost = p->w + 2 - p->pq;
     int64_t back = 2 + (lost < 0 ? 0 : 1ll << lost);
     for (int i = 0; i < 3; i++) {
-        int side = s->flat ? (s->normal[i] > 0) - (s->normal[i] < 0) : 0;
+        int side = s->flat ? (s->side[i] > 0) - (s->side[i] < 0) : 0;
         out[i] = sph_saturate(s->point[i] - side * back, p->w, &saturated);
     }
+}
+
+/* The normal along a vector. */
+static void take(const struct sph_profile *p, const sph_i128 vector[3], struct sph_surface *s) {
+    sph_normalise(vector, p->wd, s->normal);
+    const int64_t *n = s->normal;
+    s->nn = (uint64_t)(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    s->unit = sph_unit(n, s->nn, p->wd);
 }
 
 void sph_surface_turn(const struct sph_profile *p, const struct sph_ray *ray, int far,
@@ -54,10 +62,20 @@ void sph_surface_turn(const struct sph_profile *p, const struct sph_ray *ray, in
     int any = vector[0] || vector[1] || vector[2];
     for (int i = 0; i < 3; i++)
         normal[i] = !any ? -ray->dir[i] : far ? -vector[i] : vector[i];
-    sph_normalise(normal, p->wd, s->normal);
-    const int64_t *n = s->normal;
-    s->nn = (uint64_t)(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-    s->unit = sph_unit(n, s->nn, p->wd);
+    take(p, normal, s);
+    for (int i = 0; i < 3; i++)
+        s->side[i] = s->normal[i];
+    s->bent = 0;
+}
+
+void sph_surface_bend(const struct sph_profile *p, int far, const int64_t vector[3],
+                      struct sph_surface *s) {
+    sph_i128 normal[3];
+    if (!vector[0] && !vector[1] && !vector[2]) return;
+    for (int i = 0; i < 3; i++)
+        normal[i] = far ? -vector[i] : vector[i];
+    take(p, normal, s);
+    s->bent = 1;
 }
 
 void sph_bounce(const struct sph_profile *p, const int64_t dir[3], const struct sph_surface *s,
@@ -68,4 +86,16 @@ void sph_bounce(const struct sph_profile *p, const int64_t dir[3], const struct 
     for (int i = 0; i < 3; i++)
         mirrored[i] = (sph_i128)dir[i] * s->nn - (sph_i128)n[i] * dn * 2;
     sph_normalise(mirrored, p->wd, out);
+}
+
+void sph_mirror(const struct sph_profile *p, const int64_t dir[3], const struct sph_surface *s,
+                int64_t out[3]) {
+    const int64_t *n = s->side;
+    int64_t once[3];
+    sph_bounce(p, dir, s, out);
+    if (!s->bent || out[0] * n[0] + out[1] * n[1] + out[2] * n[2] >= 0) return;
+    struct sph_surface facet = {.nn = (uint64_t)(n[0] * n[0] + n[1] * n[1] + n[2] * n[2])};
+    for (int i = 0; i < 3; i++)
+        facet.normal[i] = n[i], once[i] = out[i];
+    sph_bounce(p, once, &facet, out);
 }

@@ -10,10 +10,12 @@
 #include "trace/ray.h"
 
 struct sph_surface {
-    int64_t point[3];     /* sW, origin of secondary rays */
-    int flat;             /* the point lies in front of a facet */
-    int64_t guarded[3];   /* s(W+NG), the point with its guard bits */
-    int64_t normal[3];    /* sWD, normalised by one shift, towards the ray's side */
+    int64_t point[3];   /* sW, origin of secondary rays */
+    int flat;           /* the point lies in front of a facet */
+    int64_t guarded[3]; /* s(W+NG), the point with its guard bits */
+    int64_t normal[3];  /* sWD, normalised by one shift, towards the ray's side */
+    int64_t side[3];    /* that of the primitive, where another one is interpolated: bent */
+    int bent;
     struct sph_unit unit; /* of normal */
     uint64_t nn;          /* normal.normal, u(2WD) */
 };
@@ -37,14 +39,24 @@ int sph_surface_outwards(const struct sph_profile *p, int far, const int64_t vec
  * its normal looks along. Limited to the grid. */
 void sph_surface_behind(const struct sph_profile *p, const struct sph_surface *s, int64_t out[3]);
 
-/* normal, unit and nn from a vector of any length along the normal: turned if the hit is far; -dir
- * if it has none, as at a sphere's centre. */
+/* normal, side, unit and nn from a vector of any length along the normal: turned if the hit is far;
+ * -dir if it has none, as at a sphere's centre. */
 void sph_surface_turn(const struct sph_profile *p, const struct sph_ray *ray, int far,
                       const int64_t vector[3], struct sph_surface *s);
+
+/* The normal becomes an interpolated one, of any length, turned if the hit is far; nothing changes
+ * if it has none. */
+void sph_surface_bend(const struct sph_profile *p, int far, const int64_t vector[3],
+                      struct sph_surface *s);
 
 /* Mirror direction dir*(n.n) - 2*(dir.n)*n in exact integers, then one normalising shift to sWD
  * (Borodavka et al. VI.B without its divisions). */
 void sph_bounce(const struct sph_profile *p, const int64_t dir[3], const struct sph_surface *s,
+                int64_t out[3]);
+
+/* sph_bounce(); if the normal is interpolated, what goes behind the facet is mirrored once more, at
+ * the facet (docs/model/smooth.md). */
+void sph_mirror(const struct sph_profile *p, const int64_t dir[3], const struct sph_surface *s,
                 int64_t out[3]);
 
 #endif

@@ -28,6 +28,7 @@ module rt_core #(
     parameter REFRACT    = 0,    // 0 or 1: refracted rays, mirror rays where all is reflected
     parameter SPECULAR   = 0,    // 0 or 1: highlights of materials with sum
     parameter SUM        = 0,    // 0 or 1: materials whose shares add up, colour on top of rays
+    parameter SMOOTH     = 0,    // 0 or 1: interpolated normals of triangles
     parameter COARSE     = 0,    // 0..8: bits of the fraction of levels rounded away
     parameter RECT       = 1,    // 0 or 1: background separation by rectangle
     parameter SPANS      = 1,    // 0 or 1: background separation by spans in memory
@@ -132,9 +133,9 @@ module rt_core #(
     reg  [6:0]       cfg_addr_q;
     reg  [31:0]      cfg_data_q;
     wire [IB-1:0]    n_prims, n_loose;
-    wire [`RT_LINE_BITS-1:0] leaf_base;
+    wire [`RT_LINE_BITS-1:0] leaf_base, smooth_base;
     wire [6*(W+2)-1:0] box;
-    rt_registers #(.W(W), .WD(WD), .TEXTURE(TEXTURE), .ACCEL(ACCEL)) u_registers (
+    rt_registers #(.W(W), .WD(WD), .TEXTURE(TEXTURE), .SMOOTH(SMOOTH), .ACCEL(ACCEL)) u_registers (
         .clk(clk), .valid_i(cfg_valid_q), .addr_i(cfg_addr_q), .data_i(cfg_data_q),
         .effects_o(effects), .max_depth_o(max_depth), .n_lights_o(n_lights),
         .window_o(window), .bg_mode_o(bg_mode), .rect_o(rect), .bg_base_o(bg_base),
@@ -143,7 +144,7 @@ module rt_core #(
         .prim_base_o(prim_base), .mem_lines_o(mem_lines), .visit_limit_o(visit_limit),
         .profile_o(profile), .frame_o(frame), .tex_filter_o(tex_filter), .coarse_o(coarse),
         .bih_o(bih), .boxes_o(boxes), .n_prims_o(n_prims), .leaf_base_o(leaf_base),
-        .n_loose_o(n_loose), .box_o(box),
+        .n_loose_o(n_loose), .box_o(box), .smooth_base_o(smooth_base),
         .light_valid_o(light_valid), .light_number_o(light_number),
         .light_part_o(light_part)
     );
@@ -158,6 +159,7 @@ module rt_core #(
     assign regs[`RT_REGS_EYE]         = eye;
     assign regs[`RT_REGS_ROOT]        = root;
     assign regs[`RT_REGS_PRIM_BASE]   = prim_base;
+    assign regs[`RT_REGS_SMOOTH_BASE] = smooth_base;
     assign regs[`RT_REGS_MEM_LINES]   = mem_lines;
     assign regs[`RT_REGS_VISIT_LIMIT] = visit_limit;
     assign regs[`RT_REGS_N_PRIMS]     = n_prims;
@@ -285,7 +287,7 @@ module rt_core #(
                         .LIGHTS(LIGHTS), .INSIDE(INSIDE), .FIRST(FIRST),
                         .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),
                         .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM), .ACCEL(ACCEL),
-                        .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES),
+                        .SMOOTH(SMOOTH), .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES),
                         .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS),
                         .TEXTURE_GROUP(TEXTURE_GROUP), .TEXTURE_COORDS(TEXTURE_COORDS),
                         .COARSE(COARSE),

@@ -130,6 +130,24 @@
 `define RT_PRIM_POWER_BITS 12
 `define RT_PRIM_INDEX_LSB 238
 `define RT_PRIM_INDEX_BITS 12
+`define RT_PRIM_SMOOTH_LSB 72
+`define RT_PRIM_SMOOTH_BITS 24
+`define RT_SMOOTH_B_X_LSB 0
+`define RT_SMOOTH_B_X_BITS 24
+`define RT_SMOOTH_B_Y_LSB 24
+`define RT_SMOOTH_B_Y_BITS 24
+`define RT_SMOOTH_B_Z_LSB 48
+`define RT_SMOOTH_B_Z_BITS 24
+`define RT_SMOOTH_M_XX_LSB 72
+`define RT_SMOOTH_M_XX_BITS 14
+`define RT_SMOOTH_E_LSB 198
+`define RT_SMOOTH_E_BITS 6
+`define RT_SMOOTH_N_X_LSB 204
+`define RT_SMOOTH_N_X_BITS 17
+`define RT_SMOOTH_N_Y_LSB 221
+`define RT_SMOOTH_N_Y_BITS 17
+`define RT_SMOOTH_N_Z_LSB 238
+`define RT_SMOOTH_N_Z_BITS 17
 `define RT_FACET_ID_LSB 216
 `define RT_FACET_ID_BITS 24
 `define RT_FACET_BEFORE_LSB 240
@@ -328,6 +346,7 @@
 `define RT_REG_N_SPHERES 100
 `define RT_REG_TEX_FILTER 101
 `define RT_REG_COARSE 102
+`define RT_REG_SMOOTH_BASE 103
 `define RT_REG_LEAF_BASE 104
 `define RT_REG_N_LOOSE 105
 `define RT_REG_BOX_X0 106
@@ -378,12 +397,13 @@
 `define RT_EFFECT_REFRACT 7
 `define RT_EFFECT_SPECULAR 8
 `define RT_EFFECT_SUM 9
-`define RT_EFFECT_BITS 10
+`define RT_EFFECT_SMOOTH 10
+`define RT_EFFECT_BITS 11
 `define RT_KINDS 3
 `define RT_COUNTERS 22
 `define RT_COUNTERS_BOTH 3605503
 `define RT_ERRORS 6
-`define RT_EFFECTS_BUILT (32'd0 | (SHADOW != 0 ? 32'd1 << 0 : 32'd0) | (REFLECT != 0 ? 32'd1 << 1 : 32'd0) | (INSIDE != 0 ? 32'd1 << 2 : 32'd0) | (FIRST != 0 ? 32'd1 << 3 : 32'd0) | (INTERPENETRATE != 0 ? 32'd1 << 4 : 32'd0) | (FACETS != 0 ? 32'd1 << 5 : 32'd0) | (TEXTURE != 0 ? 32'd1 << 6 : 32'd0) | (REFRACT != 0 ? 32'd1 << 7 : 32'd0) | (SPECULAR != 0 ? 32'd1 << 8 : 32'd0) | (SUM != 0 ? 32'd1 << 9 : 32'd0))
+`define RT_EFFECTS_BUILT (32'd0 | (SHADOW != 0 ? 32'd1 << 0 : 32'd0) | (REFLECT != 0 ? 32'd1 << 1 : 32'd0) | (INSIDE != 0 ? 32'd1 << 2 : 32'd0) | (FIRST != 0 ? 32'd1 << 3 : 32'd0) | (INTERPENETRATE != 0 ? 32'd1 << 4 : 32'd0) | (FACETS != 0 ? 32'd1 << 5 : 32'd0) | (TEXTURE != 0 ? 32'd1 << 6 : 32'd0) | (REFRACT != 0 ? 32'd1 << 7 : 32'd0) | (SPECULAR != 0 ? 32'd1 << 8 : 32'd0) | (SUM != 0 ? 32'd1 << 9 : 32'd0) | (SMOOTH != 0 ? 32'd1 << 10 : 32'd0))
 `define RT_CHECK_CORE  \
     `RT_CHECK(W >= 8 && W <= 24, rt_core_W_must_be_8_to_24) \
     `RT_CHECK(WD >= 9 && WD <= 31, rt_core_WD_must_be_9_to_31) \
@@ -406,6 +426,8 @@
     `RT_CHECK(SPECULAR >= 0 && SPECULAR <= 1, rt_core_SPECULAR_must_be_0_to_1) \
     `RT_CHECK(SPECULAR == 0 || SUM != 0, rt_core_SPECULAR_needs_SUM) \
     `RT_CHECK(SUM >= 0 && SUM <= 1, rt_core_SUM_must_be_0_to_1) \
+    `RT_CHECK(SMOOTH >= 0 && SMOOTH <= 1, rt_core_SMOOTH_must_be_0_to_1) \
+    `RT_CHECK(SMOOTH == 0 || FACETS != 0, rt_core_SMOOTH_needs_FACETS) \
     `RT_CHECK(COARSE >= 0 && COARSE <= 8, rt_core_COARSE_must_be_0_to_8) \
     `RT_CHECK(COARSE == 0 || TEXTURE != 0, rt_core_COARSE_needs_TEXTURE) \
     `RT_CHECK(RECT >= 0 && RECT <= 1, rt_core_RECT_must_be_0_to_1) \

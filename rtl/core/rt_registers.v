@@ -9,6 +9,7 @@ module rt_registers #(
     parameter W  = 16,  // coordinate, bits
     parameter WD = 17,  // direction component, bits
     parameter TEXTURE = 0, // 1: the register of textures
+    parameter SMOOTH = 0,  // 1: that of interpolated normals
     parameter ACCEL = 0    // 1: those of a BIH
 ) (
     input  wire              clk,
@@ -42,6 +43,7 @@ module rt_registers #(
     output wire [`RT_LINE_BITS-1:0] leaf_base_o,
     output wire [`RT_ID_BITS-1:0] n_loose_o,
     output wire [6*(W+2)-1:0] box_o,          // {z1, y1, x1, z0, y0, x0}
+    output wire [`RT_LINE_BITS-1:0] smooth_base_o,
     // lights live in the engines: one write goes by
     output wire              light_valid_o,
     output wire [2:0]        light_number_o,
@@ -104,6 +106,14 @@ module rt_registers #(
         end else begin : g_no_texture
             assign tex_filter_o = 2'd0;
             assign coarse_o     = 4'd0;
+        end
+        if (SMOOTH != 0) begin : g_smooth
+            reg [`RT_LINE_BITS-1:0] base_q;
+            always @(posedge clk)
+                if (valid_i && addr_i == `RT_REG_SMOOTH_BASE) base_q <= data_i[`RT_LINE_BITS-1:0];
+            assign smooth_base_o = base_q;
+        end else begin : g_no_smooth
+            assign smooth_base_o = {`RT_LINE_BITS{1'b0}};
         end
         if (ACCEL != 0) begin : g_bih
             reg [`RT_ID_BITS-1:0] n_prims_q, n_loose_q;

@@ -28,6 +28,7 @@ module rt_engine #(
     parameter REFRACT    = 0,
     parameter SPECULAR   = 0,
     parameter SUM        = 0,
+    parameter SMOOTH     = 0,
     parameter ACCEL      = 0,    // 0: nodes of four children, 1: BIH
     parameter NODE_LINES = 256,  // node cache
     parameter LEAF_LINES = 128,  // leaf and primitive cache
@@ -83,6 +84,7 @@ module rt_engine #(
               rt_engine_INTERPENETRATE_needs_FIRST_and_INSIDE)
     `RT_CHECK(REFRACT == 0 || INSIDE != 0, rt_engine_REFRACT_needs_INSIDE)
     `RT_CHECK(SPECULAR == 0 || SUM != 0, rt_engine_SPECULAR_needs_SUM)
+    `RT_CHECK(SMOOTH == 0 || FACETS != 0, rt_engine_SMOOTH_needs_FACETS)
     `RT_CHECK(ACCEL == 0 || FIRST == 0, rt_engine_ACCEL_excludes_FIRST)
     `RT_CHECK(REFLECT >= 0 && REFLECT <= 5, rt_engine_REFLECT_must_be_0_to_5)
 
@@ -147,7 +149,7 @@ module rt_engine #(
     rt_shade #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .PR(PR), .SLOTS(SLOTS), .SHADOW(SHADOWS),
                .REFLECT(REFLECT), .LIGHTS(LIGHTS), .INSIDE(INSIDE),
                .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),
-               .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM),
+               .SMOOTH(SMOOTH), .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM),
                .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS),
                .TEXTURE_GROUP(TEXTURE_GROUP), .TEXTURE_COORDS(TEXTURE_COORDS),
                .COARSE(COARSE), .QUOTIENTS(QUOTIENTS),

@@ -27,6 +27,7 @@ module rt_bounce #(
     input  wire [2*WD-1:0]      in_nn_i,        // normal.normal
     output wire                 out_valid_o,    // one cycle
     output reg  [TAG-1:0]       out_tag_o,
+    output reg                  out_behind_o,   // dir.n < 0
     output wire signed [WD-1:0] out_dir_x_o,
     output wire signed [WD-1:0] out_dir_y_o,
     output wire signed [WD-1:0] out_dir_z_o
@@ -44,6 +45,7 @@ module rt_bounce #(
         if (rst) ph_q <= 13'd0;
     end
 
+    reg  signed [PW-1:0] s2_dn_q;               // dir.n
     // ---- input: components rotate, x is the one in turn ----
     reg  [TAG-1:0]       in_tag_q;
     reg  signed [WD-1:0] dir_x_q, dir_y_q, dir_z_q;
@@ -59,12 +61,12 @@ module rt_bounce #(
             {nrm_x_q, nrm_y_q, nrm_z_q} <= {nrm_y_q, nrm_z_q, nrm_x_q};
         end
         if (take)     in_tag_q  <= in_tag_i;
-        if (ph_q[10]) out_tag_o <= in_tag_q;    // stays until the result is out
+        if (ph_q[10])                           // stays until the result is out
+            {out_behind_o, out_tag_o} <= {s2_dn_q[PW-1], in_tag_q};
     end
 
     // ---- stage 1: products; the half above bit WD first, signed, then the lower, unsigned ----
     reg  signed [PW-1:0] s1_a_q, s1_b_q;
-    reg  signed [PW-1:0] s2_dn_q;
     wire                 lo = ph_q[6] || ph_q[8] || ph_q[10];
     wire signed [WD:0]   nn = $signed({1'b0, lo ? nn_q[WD-1:0] : nn_q[2*WD-1:WD]});
     wire signed [WD:0]   dn = $signed(lo ? {1'b0, s2_dn_q[WD-1:0]} : s2_dn_q[PW-1:WD]);

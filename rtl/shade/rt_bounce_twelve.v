@@ -31,6 +31,7 @@ module rt_bounce_twelve #(
     input  wire [2*WD-1:0]      in_nn_i,        // normal.normal
     output wire                 out_valid_o,    // one cycle
     output reg  [TAG-1:0]       out_tag_o,
+    output reg                  out_behind_o,   // dir.n < 0
     output wire signed [WD-1:0] out_dir_x_o,
     output wire signed [WD-1:0] out_dir_y_o,
     output wire signed [WD-1:0] out_dir_z_o
@@ -60,11 +61,13 @@ module rt_bounce_twelve #(
     reg  [3*WD-1:0] dir_q, nrm_q;               // x, the one in turn, at the bottom
     reg  [53:0]     nn_q, dn_q;                 // pieces {2, 1, 0}, 18 bits signed each
     wire [51:0]     dn;
+    reg             behind_q;
     wire [50:0]     nn = {{(51-2*WD){1'b0}}, in_nn_i};
     wire            turn = slot_q[6] || slot_q[9];
     always @(posedge clk) begin
         if (take) begin
             tag_q <= in_tag_i;
+            behind_q <= dn[51];
             dir_q <= {in_dir_z_i, in_dir_y_i, in_dir_x_i};
             nrm_q <= {in_normal_z_i, in_normal_y_i, in_normal_x_i};
             nn_q  <= {1'b0, nn[50:34], 1'b0, nn[33:17], 1'b0, nn[16:0]};
@@ -79,7 +82,7 @@ module rt_bounce_twelve #(
                 dn_q <= {dn_q[17:0], dn_q[53:18]};
             end
         end
-        if (slot_q[12]) out_tag_o <= tag_q;     // stays until the result is out
+        if (slot_q[12]) {out_behind_o, out_tag_o} <= {behind_q, tag_q};  // stay until it is out
     end
 
     // ---- stage 1: operands; stage 2: products ----

@@ -21,7 +21,7 @@ module rt_hit #(
     parameter NG  = 2,   // guard bits of the normal
     parameter INSIDE = 1, // 0: no hit comes from inside or behind
     parameter FACETS = 0, // 1: triangles and planes too
-    parameter TEXTURE = 0, // 1: the guarded point leaves too
+    parameter GUARDED = 0, // 1: the guarded point leaves too
     parameter INTERVAL = 8, // cycles a hit, 8 or 12
     parameter TAG = 8    // tag, bits
 ) (
@@ -46,7 +46,7 @@ module rt_hit #(
     output reg  signed [W-1:0]  out_point_x_o,
     output reg  signed [W-1:0]  out_point_y_o,
     output reg  signed [W-1:0]  out_point_z_o,
-    output wire [3*(W+NG)-1:0]  out_guarded_o,  // {z, y, x} s(W+NG), g; 0 without TEXTURE
+    output wire [3*(W+NG)-1:0]  out_guarded_o,  // {z, y, x} s(W+NG), g; 0 without GUARDED
     output wire signed [WD-1:0] out_normal_x_o, // towards the ray's side
     output wire signed [WD-1:0] out_normal_y_o,
     output wire signed [WD-1:0] out_normal_z_o,
@@ -247,7 +247,7 @@ module rt_hit #(
             {out_point_x_o, out_point_y_o, out_point_z_o} <= {s6_px_q, s6_py_q, s6_pz_q};
         end
     generate
-        if (TEXTURE != 0) begin : g_guarded
+        if (GUARDED != 0) begin : g_guarded
             reg [3*GW-1:0] s6_g_q, guarded_q;
             always @(posedge clk) begin
                 if (guarded) s6_g_q <= {s5_g_q, s6_g_q[3*GW-1:GW]};

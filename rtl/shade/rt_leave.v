@@ -15,6 +15,7 @@ module rt_leave #(
     parameter MIRRORS = 1,   // 0: no mirror rays
     parameter REFRACT = 0,   // 1: refracted rays
     parameter PATHS   = 0,   // 1: waiting rays keep the length of their path (TEXTURE)
+    parameter SMOOTH  = 0,   // 1: interpolated normals
     parameter BOUNCE_INTERVAL = 10, // clocks a mirrored direction, 10 or 12
     parameter SLOTS   = 32   // power of two
 ) (
@@ -25,6 +26,7 @@ module rt_leave #(
     input  wire [`RT_HIT_BITS-1:0]      hit_i,
     input  wire [`RT_MATERIAL_BITS-1:0] material_i,
     input  wire [`RT_SURFACE_BITS-1:0]  surface_i,
+    input  wire [`RT_SIDE_BITS-1:0]     side_i,         // from rt_smooth
     input  wire                         path_valid_i,
     input  wire [$clog2(SLOTS)-1:0]     path_slot_i,
     input  wire [W+7:0]                 path_i,         // u(W+4).4 from the eye
@@ -90,16 +92,17 @@ module rt_leave #(
                             blend_i, back_ready_i};
         end
         if (MIRRORS != 0) begin : g_mirrors
-            rt_mirrors #(.W(W), .WD(WD), .INTERVAL(BOUNCE_INTERVAL),
+            rt_mirrors #(.W(W), .WD(WD), .INTERVAL(BOUNCE_INTERVAL), .SMOOTH(SMOOTH),
                          .SLOTS(SLOTS)) u_mirrors (
-                .clk(clk), .rst(rst), .ray_i(ray_i), .in_valid_i(m_valid), .in_slot_i(m_slot),
+                .clk(clk), .rst(rst), .ray_i(ray_i), .side_i(side_i),
+                .in_valid_i(m_valid), .in_slot_i(m_slot),
                 .out_valid_o(m_out), .out_slot_o(m_out_slot), .out_vec_o(m_vec)
             );
             assign reflected_o = m_valid;
         end else begin : g_no_mirror
             assign {m_out, m_out_slot, m_vec} = {(SLOTW+3*WD+1){1'b0}};
             assign reflected_o = 1'b0;
-            wire unused = &{1'b0, clk, rst, ray_i, m_valid};
+            wire unused = &{1'b0, clk, rst, ray_i, side_i, m_valid};
         end
     endgenerate
     assign next_slot_o = m_slot;

@@ -23,6 +23,7 @@ module rt_shade #(
     parameter INTERPENETRATE = 1,
     parameter FACETS     = 0,
     parameter TEXTURE    = 0,
+    parameter SMOOTH     = 0,
     parameter REFRACT    = 0,
     parameter SPECULAR   = 0,
     parameter SUM        = 0,
@@ -85,6 +86,7 @@ module rt_shade #(
     localparam SHARES  = REFRACT != 0 || SUM != 0 ? 1 : 0;             // blends by shares
     localparam BOUNCES = REFLECT != 0 || INTERPENETRATE != 0 || REFRACT != 0 ? 1 : 0; // mirrored
     localparam POINTS  = LIGHTS != 0 || BOUNCES != 0 || TEXTURE != 0 ? 1 : 0; // points, normals
+    localparam BENT    = SMOOTH != 0 && POINTS != 0 ? 1 : 0;           // interpolated normals
     wire [`RT_EFFECT_BITS-1:0] effects  = regs_i[`RT_REGS_EFFECTS];
     wire [3:0]       n_lights = regs_i[`RT_REGS_N_LIGHTS];
     wire             ray_go   = ray_i[`RT_RAY_VALID] && !ray_i[`RT_RAY_SHADOW];
@@ -96,24 +98,53 @@ module rt_shade #(
                      (TEXTURE != 0 && effects[`RT_EFFECT_TEXTURE]);
     wire [`RT_MATERIAL_BITS-1:0] material;
     wire [`RT_SURFACE_BITS-1:0]  surface;
+    wire [`RT_FETCH_BITS-1:0]    prim_fetch;
+    wire [`RT_RECORD_BITS-1:0]   prim_record;
+    wire             prim_fetch_ready, prim_record_ready;
     wire             bare_valid;              // a surface that needs no point
     wire [SLOTW-1:0] bare_slot;
     rt_surface #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .POINTS(POINTS), .BOUNCES(BOUNCES),
-                 .INSIDE(INSIDE), .FACETS(FACETS), .TEXTURE(TEXTURE), .LOOKS(SHARES),
+                 .INSIDE(INSIDE), .FACETS(FACETS), .TEXTURE(TEXTURE), .SMOOTH(BENT),
+                 .LOOKS(SHARES),
                  .SLOTS(SLOTS), .QUOTIENTS(QUOTIENTS),
                  .QUOTIENT_STEP(QUOTIENT_STEP), .HIT_INTERVAL(HIT_INTERVAL)) u_surface (
         .clk(clk), .rst(rst), .regs_i(regs_i), .points_on_i(points_on),
         .ray_i(ray_i), .hit_i(hit_i),
-        .fetch_o(fetch_o), .fetch_ready_i(fetch_ready_i),
-        .record_i(record_i), .record_ready_o(record_ready_o),
+        .fetch_o(prim_fetch), .fetch_ready_i(prim_fetch_ready),
+        .record_i(prim_record), .record_ready_o(prim_record_ready),
         .material_o(material), .bare_valid_o(bare_valid), .bare_slot_o(bare_slot),
         .surface_o(surface),
         .quotient_o(event_o[`RT_SHADE_EVENT_QUOTIENT]),
         .saturated_o(event_o[`RT_SHADE_EVENT_SATURATED])
     );
-    assign normal_o[`RT_VECTOR_VALID] = surface[`RT_SURFACE_VALID];
-    assign normal_o[`RT_VECTOR_SLOT]  = surface[`RT_SURFACE_SLOT];
-    assign normal_o[`RT_VECTOR_VEC]   = surface[`RT_SURFACE_NORMAL];
+
+    // ---- its normal, interpolated if the triangle has normals ----
+    wire [`RT_SIDE_BITS-1:0] side;
+    wire             smooth_bad, texture_bad;
+    generate
+        if (BENT != 0) begin : g_smooth
+            rt_smooth #(.W(W), .WD(WD), .NG(NG), .SLOTS(SLOTS)) u_smooth (
+                .clk(clk), .rst(rst), .regs_i(regs_i),
+                .material_i(material), .hit_i(hit_i), .surface_i(surface),
+                .fetch_i(prim_fetch), .fetch_ready_o(prim_fetch_ready),
+                .record_o(prim_record), .record_ready_i(prim_record_ready),
+                .fetch_o(fetch_o), .fetch_ready_i(fetch_ready_i),
+                .record_i(record_i), .record_ready_o(record_ready_o),
+                .normal_o(normal_o), .side_o(side), .bad_node_o(smooth_bad)
+            );
+        end else begin : g_own
+            assign fetch_o           = prim_fetch;
+            assign prim_fetch_ready  = fetch_ready_i;
+            assign prim_record       = record_i;
+            assign record_ready_o    = prim_record_ready;
+            assign normal_o[`RT_VECTOR_VALID] = surface[`RT_SURFACE_VALID];
+            assign normal_o[`RT_VECTOR_SLOT]  = surface[`RT_SURFACE_SLOT];
+            assign normal_o[`RT_VECTOR_VEC]   = surface[`RT_SURFACE_NORMAL];
+            assign side       = {`RT_SIDE_BITS{1'b0}};
+            assign smooth_bad = 1'b0;
+        end
+    endgenerate
+    assign fault_o[`RT_ERROR_BAD_NODE] = texture_bad || smooth_bad;
 
     // ---- where the next ray starts: at the surface, or where a refracted ray has waited ----
     wire [`RT_BACK_BITS-1:0] back;
@@ -153,7 +184,7 @@ module rt_shade #(
                 .mem_rsp_valid_i(mem_rsp_valid_i), .mem_rsp_ready_o(mem_rsp_ready_o),
                 .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
                 .texel_o(event_o[`RT_SHADE_EVENT_TEXEL]), .miss_o(event_o[`RT_SHADE_EVENT_MISS]),
-                .bad_node_o(fault_o[`RT_ERROR_BAD_NODE]),
+                .bad_node_o(texture_bad),
                 .bus_error_o(fault_o[`RT_ERROR_BUS_ERROR])
             );
         end else begin : g_plain
@@ -168,7 +199,7 @@ module rt_shade #(
             assign mem_req_line_o = {`RT_LINE_BITS{1'b0}};
             assign event_o[`RT_SHADE_EVENT_TEXEL] = 1'b0;
             assign event_o[`RT_SHADE_EVENT_MISS]  = 1'b0;
-            assign fault_o[`RT_ERROR_BAD_NODE]    = 1'b0;
+            assign texture_bad = 1'b0;
             assign fault_o[`RT_ERROR_BUS_ERROR]   = 1'b0;
             wire unused = &{1'b0, flush_i, mem_req_ready_i, mem_rsp_valid_i, mem_rsp_data_i,
                             mem_rsp_error_i};
@@ -209,11 +240,11 @@ module rt_shade #(
     );
     wire             reflected;
     rt_leave #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .PR(PR), .MIRRORS(BOUNCES),
-               .REFRACT(REFRACT), .PATHS(TEXTURE), .BOUNCE_INTERVAL(BOUNCE_INTERVAL),
-               .SLOTS(SLOTS)) u_leave (
+               .REFRACT(REFRACT), .PATHS(TEXTURE), .SMOOTH(BENT),
+               .BOUNCE_INTERVAL(BOUNCE_INTERVAL), .SLOTS(SLOTS)) u_leave (
         .clk(clk), .rst(rst), .ray_i(ray_i), .hit_i(hit_i), .material_i(material),
-        .surface_i(surface), .path_valid_i(path_valid), .path_slot_i(path_slot), .path_i(path),
-        .blend_i(blend_o), .next_valid_o(next_valid), .next_slot_o(next_slot),
+        .surface_i(surface), .side_i(side), .path_valid_i(path_valid), .path_slot_i(path_slot),
+        .path_i(path), .blend_i(blend_o), .next_valid_o(next_valid), .next_slot_o(next_slot),
         .next_weight_o(next_weight), .next_depth_o(next_depth),
         .end_valid_o(end_valid_o), .end_slot_o(end_slot_o), .bounce_o(bounce_o),
         .back_o(back), .back_ready_i(back_ready), .reflected_o(reflected),

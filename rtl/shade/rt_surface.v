@@ -19,6 +19,7 @@ module rt_surface #(
     parameter INSIDE  = 1,     // 0: no ray starts inside a sphere
     parameter FACETS  = 0,     // 1: triangles and planes too
     parameter TEXTURE = 0,     // 1: textures
+    parameter SMOOTH  = 0,     // 1: interpolated normals
     parameter LOOKS   = 0,     // 1: the rest of the material, for refraction and sum
     parameter SLOTS = 32,      // power of two
     parameter QUOTIENTS = 3,   // dividers
@@ -126,6 +127,9 @@ module rt_surface #(
     assign material_o[`RT_MATERIAL_KR]    = prim[`RT_PRIM_KR_LSB +: `RT_PRIM_KR_BITS];
     assign material_o[`RT_MATERIAL_TEX] =
         TEXTURE != 0 ? prim[`RT_PRIM_TEX_LSB +: `RT_PRIM_TEX_BITS] : {`RT_PRIM_TEX_BITS{1'b0}};
+    assign material_o[`RT_MATERIAL_SMOOTH] =
+        SMOOTH != 0 && effects[`RT_EFFECT_SMOOTH]
+        ? prim[`RT_PRIM_SMOOTH_LSB +: `RT_PRIM_SMOOTH_BITS] : {`RT_PRIM_SMOOTH_BITS{1'b0}};
     generate
         if (LOOKS != 0) begin : g_look
             assign material_o[`RT_MATERIAL_KT]    = prim[`RT_PRIM_KT_LSB +: `RT_PRIM_KT_BITS];
@@ -226,7 +230,8 @@ module rt_surface #(
                 if (rst) r_valid_q <= 1'b0;
             end
             rt_hit #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .INSIDE(FARS), .FACETS(FACETS),
-                     .TEXTURE(TEXTURE), .INTERVAL(HIT_INTERVAL), .TAG(SLOTW)) u_hit (
+                     .GUARDED(TEXTURE != 0 || SMOOTH != 0 ? 1 : 0),
+                     .INTERVAL(HIT_INTERVAL), .TAG(SLOTW)) u_hit (
                 .clk(clk), .rst(rst), .effects_i(effects),
                 .in_valid_i(r_valid_q), .in_ready_o(ready), .in_tag_i(r_slot_q),
                 .in_mant_i(r_t[TW-1:8]), .in_exp_i($signed(r_t[7:0])),

@@ -31,6 +31,7 @@ module rt_top #(
     parameter REFRACT    = 0,    // 0 or 1: refracted rays, mirror rays where all is reflected
     parameter SPECULAR   = 0,    // 0 or 1: highlights of materials with sum
     parameter SUM        = 0,    // 0 or 1: materials whose shares add up, colour on top of rays
+    parameter SMOOTH     = 0,    // 0 or 1: interpolated normals of triangles
     parameter COARSE     = 0,    // 0..8: bits of the fraction of levels rounded away
     parameter RECT       = 1,    // 0 or 1: background separation by rectangle
     parameter SPANS      = 1,    // 0 or 1: background separation by spans in memory
@@ -260,15 +261,15 @@ module rt_top #(
         // connections of machine.def
         .SHADOW(SHADOW), .REFLECT(REFLECT), .LIGHTS(LIGHTS), .INSIDE(INSIDE),
         .FIRST(FIRST), .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),
-        .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM), .COARSE(COARSE), .RECT(RECT),
-        .SPANS(SPANS), .CONES(CONES), .ACCEL(ACCEL), .ENGINES(ENGINES), .SLOTS(SLOTS),
-        .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES), .TEXTURE_LINES(TEXTURE_LINES),
-        .TEXTURE_WAYS(TEXTURE_WAYS), .TEXTURE_GROUP(TEXTURE_GROUP),
-        .TEXTURE_COORDS(TEXTURE_COORDS), .ROOTS(ROOTS), .QUOTIENTS(QUOTIENTS),
-        .DIVISIONS(DIVISIONS), .ROOT_STEP(ROOT_STEP), .QUOTIENT_STEP(QUOTIENT_STEP),
-        .DIVISION_STEP(DIVISION_STEP), .LEAF_INTERVAL(LEAF_INTERVAL), .UNITS(UNITS),
-        .UNIT_INTERVAL(UNIT_INTERVAL), .HIT_INTERVAL(HIT_INTERVAL),
-        .BOUNCE_INTERVAL(BOUNCE_INTERVAL)
+        .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM), .SMOOTH(SMOOTH),
+        .COARSE(COARSE), .RECT(RECT), .SPANS(SPANS), .CONES(CONES), .ACCEL(ACCEL),
+        .ENGINES(ENGINES), .SLOTS(SLOTS), .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES),
+        .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS),
+        .TEXTURE_GROUP(TEXTURE_GROUP), .TEXTURE_COORDS(TEXTURE_COORDS), .ROOTS(ROOTS),
+        .QUOTIENTS(QUOTIENTS), .DIVISIONS(DIVISIONS), .ROOT_STEP(ROOT_STEP),
+        .QUOTIENT_STEP(QUOTIENT_STEP), .DIVISION_STEP(DIVISION_STEP),
+        .LEAF_INTERVAL(LEAF_INTERVAL), .UNITS(UNITS), .UNIT_INTERVAL(UNIT_INTERVAL),
+        .HIT_INTERVAL(HIT_INTERVAL), .BOUNCE_INTERVAL(BOUNCE_INTERVAL)
         // end of connections
     ) u_core (
         .clk(clk), .rst(core_rst), .cfg_valid_i(cfg_valid), .cfg_addr_i(cfg_addr),

@@ -108,6 +108,10 @@ int main(int argc, char **argv) {
         s.nn = dot(e.normal);
         int64_t out[3];
         sph_bounce(&profile, e.dir, &s, out);
+        int64_t dn = 0;
+        for (int i = 0; i < 3; i++)
+            dn += e.dir[i] * s.normal[i];
+        b.expect("out_behind_o", b.dut.out_behind_o, dn < 0, 1);
         b.expect("out_dir_x_o", b.sget(b.dut.out_dir_x_o, WD), out[0], WD);
         b.expect("out_dir_y_o", b.sget(b.dut.out_dir_y_o, WD), out[1], WD);
         b.expect("out_dir_z_o", b.sget(b.dut.out_dir_z_o, WD), out[2], WD);

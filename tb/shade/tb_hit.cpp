@@ -23,8 +23,8 @@ extern "C" {
 #ifndef INTERVAL
 #define INTERVAL 8
 #endif
-#ifndef TEXTURE
-#define TEXTURE 0
+#ifndef GUARDED
+#define GUARDED 0
 #endif
 
 namespace {
@@ -177,7 +177,7 @@ void check(Bench &b, const Vector &e) {
     b.expect("out_normal_z_o", b.sget(b.dut.out_normal_z_o, WD), s.normal[2], WD);
     for (int i = 0; i < 3; i++)
         b.expect("out_guarded_o", bench::sign(b.get(b.dut.out_guarded_o) >> (W + NG) * i, W + NG),
-                 TEXTURE ? s.guarded[i] : 0, W + NG);
+                 GUARDED ? s.guarded[i] : 0, W + NG);
     b.expect("out_flat_o", b.dut.out_flat_o, s.flat, 1);
     b.expect("out_saturated_o", b.dut.out_saturated_o, saturated, 1);
     if (b.bad()) {

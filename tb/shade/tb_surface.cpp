@@ -31,6 +31,9 @@ extern "C" {
 #ifndef TEXTURE
 #define TEXTURE 0
 #endif
+#ifndef SMOOTH
+#define SMOOTH 0
+#endif
 #ifndef LOOKS
 #define LOOKS 0
 #endif
@@ -167,8 +170,8 @@ class Run {
     unsigned ready = 100, pace = 100; /* percent of clocks with fetch_ready_i, with a record */
     const uint32_t base;
     int64_t eye[3] = {};
-    bool points = true, facets = false, /* points_on_i, effect FACETS */
-        drain = true;                   /* they and the eye change while nothing is inside */
+    bool points = true, facets = false, smooths = false, /* points_on_i, effects */
+        drain = true; /* they and the eye change while nothing is inside */
 
     void registers() {
         bool idle = true;
@@ -180,8 +183,9 @@ class Run {
         points = POINTS && b.random.percent(70);
         t.points_on_i = POINTS ? points : b.random.percent(50);
         facets = FACETS && b.random.percent(80);
-        uint32_t on = (uint32_t)b.random.bits(10) & ~(1u << SPH_EFFECT_FACETS);
+        uint32_t on = (uint32_t)b.random.bits(SPH_EFFECT_BITS) & ~(1u << SPH_EFFECT_FACETS);
         on |= (uint32_t)(FACETS ? facets : b.random.percent(50)) << SPH_EFFECT_FACETS;
+        smooths = on >> SPH_EFFECT_SMOOTH & 1;
         bench::put(t.regs_i, RT_REGS_EFFECTS, on);
         for (int64_t &x : eye)
             x = b.random.smixed(W);
@@ -266,6 +270,7 @@ class Run {
         field("RGB", RT_MATERIAL_RGB, SPH_PRIM_RED_LSB, true);
         field("KR", RT_MATERIAL_KR, SPH_PRIM_KR_LSB, true);
         field("TEX", RT_MATERIAL_TEX, SPH_PRIM_TEX_LSB, TEXTURE);
+        field("SMOOTH", RT_MATERIAL_SMOOTH, SPH_PRIM_SMOOTH_LSB, SMOOTH && smooths);
         field("KT", RT_MATERIAL_KT, SPH_PRIM_KT_LSB, LOOKS);
         field("SUM", RT_MATERIAL_SUM, SPH_PRIM_SUM_LSB, LOOKS);
         field("KA", RT_MATERIAL_KA, SPH_PRIM_KA_LSB, LOOKS);
@@ -315,7 +320,8 @@ class Run {
                  (bench::i128)pack(surface.normal, WD), 3 * WD);
         const int64_t none[3] = {0, 0, 0};
         b.expect("GUARDED", bench::get(t.surface_o, RT_SURFACE_GUARDED),
-                 (bench::i128)pack(TEXTURE ? surface.guarded : none, W + NG), 3 * (W + NG));
+                 (bench::i128)pack(TEXTURE || SMOOTH ? surface.guarded : none, W + NG),
+                 3 * (W + NG));
         b.expect("FLAT", bench::get(t.surface_o, RT_SURFACE_FLAT), surface.flat, 1);
         b.expect("saturated_o", t.saturated_o, saturated, 1);
         if (b.bad()) {

@@ -9,9 +9,10 @@
 #   - the two cores' frames are equal in every field, and in counters and error bits.
 # Those that are listed as small or whole take smaller frames, and own cores in Icarus or none: a
 # core of its own is the dearest part. The whole core is `all`, or with textures, refraction,
-# highlights and sums where the list has one; over a BIH there is no such core.
-# Every way of background separation on one of scenes/views/ (test_background.sh has more). Then
-# machines that ask for more than a core was built with: each is refused, by name, without a pixel.
+# highlights, sums and interpolated normals where the list has one; over a BIH there is no such
+# core. Every way of background separation on one of scenes/views/ (test_background.sh has more).
+# Then machines that ask for more than a core was built with: each is refused, by name, without a
+# pixel.
 #   SEED=n          other latencies and stalls (1)
 #   ALL=1           every pair of effects has a core of its own in Verilator too
 #   EFFECT=pattern  only what has the pattern in its name
@@ -32,7 +33,7 @@ view_asks=shadow+reflect2+lights1+inside
 whole_of() { # list: the core with everything that draws it, or nothing
     case $1 in
     *texture*bih | *sum*bih) ;;
-    *texture* | *sum*) echo all+texture+refract+specular+sum ;;
+    *texture* | *sum* | *smooth*) echo all+texture+refract+specular+sum+smooth ;;
     *) echo all ;;
     esac
 }
@@ -151,6 +152,7 @@ all-spans|spans|31 5 8 2 0
 all-cones|cones1|31 5 8 3 1
 all|texture|95 5 8 3 1
 all|refract, specular and sum|927 5 8 3 1
+all|smooth|1055 5 8 3 1
 END
 # each bit by itself, and the first that means nothing
 awk -f cmodel/machine/effects.awk -f - cmodel/machine/machine.def >>"$TMP/refused" <<'END'
