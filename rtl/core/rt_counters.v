@@ -64,7 +64,8 @@ module rt_counters #(
         sum_q   <= clear_i || rst ? {SW{1'b0}} : sum;
         if (clearing) clear_q <= clear_q - 1'b1;
         if (clear_i || rst) clear_q <= ALL;
-        if (rst) turn_q <= {AB{1'b0}};
+        if (rst) turn_q  <= {AB{1'b0}};
+        if (rst) total_q <= {AB{1'b1}};   // or the last total would not start anew
         data_o <= shown;
         if (PLACES < 32 && addr_i[4]) data_o <= 48'd0;
     end

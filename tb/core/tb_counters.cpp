@@ -70,11 +70,13 @@ int main(int argc, char **argv) {
         Run r = {(int)b.random.below(HOWS), (int)b.random.between(1, 60), b.random.percent(40)};
         if (number < sizeof corners / sizeof *corners) r = corners[number];
         int only = (int)b.random.below(COUNTERS);
-        if (r.clear) { /* at any turn; also while a sum is not in its total yet */
+        if (r.clear) { /* at any turn; also while a sum is not in its total yet; or by rst */
             std::generate(words, words + PLACES / 4, [&] { return (uint32_t)b.random.next(); });
-            b.dut.clear_i = 1;
-            b.tick();
-            b.dut.clear_i = 0;
+            const bool reset = b.random.percent(50);
+            (reset ? b.dut.rst : b.dut.clear_i) = 1;
+            for (uint64_t clocks = reset ? 1 + b.random.below(3) : 1; clocks; clocks--)
+                b.tick();
+            b.dut.rst = b.dut.clear_i = 0;
             for (uint64_t &sum : sums)
                 sum = 0;
         }
