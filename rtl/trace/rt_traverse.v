@@ -214,8 +214,11 @@ module rt_traverse #(
     localparam LB = `RT_LINE_BITS;
     wire [LB:0] t1_end     = {1'b0, t1_base} + {{(LB-2){1'b0}}, t1_n_inner} +
                              {{(LB-2){1'b0}}, t1_lines} + {{LB{1'b0}}, !whole && t1_n_leaf[0]};
-    wire        t1_bad     = t1_count > 4'd4 || t1_end > {1'b0, mem_lines};
-    wire        t1_live    = t1_valid_q && !t1_kill_q;
+    // A node's end is compared a clock after it was summed up, beside the filters.
+    reg  [LB:0]      t2_end_q;
+    reg  [3:0]       t2_count_q;
+    reg              t2_live_q;
+    wire        t2_bad     = t2_count_q > 4'd4 || t2_end_q > {1'b0, mem_lines};
     always @(posedge clk) begin
         t1_valid_q <= rsp_valid;
         t1_slot_q  <= rsp_slot;
@@ -223,12 +226,15 @@ module rt_traverse #(
         t1_kill_q  <= rsp_kill || rsp_error;
         t1_node_q  <= rsp_data;
         visit_q       <= i3_valid_q && !i3_kill;
-        tests_q       <= t1_live && !t1_bad ? t1_count[2:0] : 3'd0;
-        bad_node_q    <= (i3_valid_q && i3_bad_line_q) || (t1_live && t1_bad);
+        t2_end_q      <= t1_end;
+        t2_count_q    <= t1_count;
+        t2_live_q     <= t1_valid_q && !t1_kill_q;
+        tests_q       <= t2_live_q && !t2_bad ? t2_count_q[2:0] : 3'd0;
+        bad_node_q    <= (i3_valid_q && i3_bad_line_q) || (t2_live_q && t2_bad);
         visit_limit_q <= i3_valid_q && i3_bad_limit_q && !i3_bad_line_q;
         bus_error_q   <= rsp_valid && rsp_error;
         if (rst) begin
-            t1_valid_q <= 1'b0; visit_q <= 1'b0; tests_q <= 3'd0;
+            t1_valid_q <= 1'b0; t2_live_q <= 1'b0; visit_q <= 1'b0; tests_q <= 3'd0;
             bad_node_q <= 1'b0; visit_limit_q <= 1'b0; bus_error_q <= 1'b0;
         end
     end
@@ -273,10 +279,13 @@ module rt_traverse #(
     wire [2:0]       f_n_inner, f_n_leaf, g_n_inner, g_n_leaf;
     rt_delay #(.WIDTH(DW), .CYCLES(LAT)) u_side (
         .clk(clk),
-        .in_i({t1_slot_q, t1_fresh_q, t1_kill_q || t1_bad, t1_base, t1_n_inner, t1_n_leaf}),
+        .in_i({t1_slot_q, t1_fresh_q, t1_kill_q, t1_base, t1_n_inner, t1_n_leaf}),
         .out_o(f_side)
     );
-    assign {f_slot, f_fresh, f_kill, f_base, f_n_inner, f_n_leaf} = f_side;
+    wire             f_killed, f_bad;
+    rt_delay #(.WIDTH(1), .CYCLES(LAT-1)) u_bad (.clk(clk), .in_i(t2_bad), .out_o(f_bad));
+    assign f_kill = f_killed || f_bad;
+    assign {f_slot, f_fresh, f_killed, f_base, f_n_inner, f_n_leaf} = f_side;
     rt_delay_valid #(.CYCLES(LAT)) u_valid (
         .clk(clk), .rst(rst), .in_i(t1_valid_q), .out_o(f_valid)
     );
@@ -300,7 +309,8 @@ module rt_traverse #(
         .count_o(found_o[`RT_FOUND_COUNT]), .list_o(found_o[`RT_FOUND_LIST])
     );
     rt_delay #(.WIDTH(DW), .CYCLES(1)) u_side_1 (
-        .clk(clk), .in_i(f_side), .out_o({g_slot, g_fresh, g_kill, g_base, g_n_inner, g_n_leaf})
+        .clk(clk), .in_i({f_slot, f_fresh, f_kill, f_base, f_n_inner, f_n_leaf}),
+        .out_o({g_slot, g_fresh, g_kill, g_base, g_n_inner, g_n_leaf})
     );
     rt_delay_valid #(.CYCLES(1)) u_valid_1 (
         .clk(clk), .rst(rst), .in_i(f_valid), .out_o(g_valid)

@@ -69,7 +69,7 @@ class Traverse : public VisitRays {
     struct {
         bool visit, limit, line, error;
     } now = {}, then = {};                  /* what this clock must show, and the next */
-    uint32_t tests[2] = {}, broken[2] = {}; /* in a clock, in two */
+    uint32_t tests[3] = {}, broken[3] = {}; /* in this clock, in the next two */
     uint64_t misses = 0;
     Outcomes outcomes;
 
@@ -84,8 +84,9 @@ class Traverse : public VisitRays {
         expect("TESTS", (bench::i128)bench::get(dut.event_o, RT_TRACE_EVENT_TESTS), tests[0], 3);
         expect("fault_o", dut.fault_o, faults, 4);
         misses += bench::get(dut.event_o, RT_TRACE_EVENT_MISS) != 0;
-        tests[0] = tests[1], broken[0] = broken[1];
-        tests[1] = broken[1] = 0;
+        for (int i = 0; i < 2; i++)
+            tests[i] = tests[i + 1], broken[i] = broken[i + 1];
+        tests[2] = broken[2] = 0;
         if (bad()) done();
     }
 
@@ -128,8 +129,8 @@ class Traverse : public VisitRays {
         if (s.kill) return;
         bool sound = sph_visit(&world.m, &s.ray, nullptr, s.line, s.depth, &found);
         outcomes.node(found, sound, nodes.end(s.line, found.line), nodes.lines());
-        tests[1] = sound ? found.tests : 0;
-        broken[1] = s.kill = !sound;
+        tests[2] = sound ? found.tests : 0;
+        broken[2] = s.kill = !sound;
     }
 
     void check_found() {
