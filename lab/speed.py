@@ -3,8 +3,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab.speed TOOL FOLDER PAGE [EMBREE]
 EMBREE: sim/embree.c, compiled; without it, or without POV-Ray, their columns are left out and that
-is said. All that is compared runs in turn in one call, with one thread. SIZES of the environment:
-spheres of the growth, such as "100 1000"."""
+is said. All that is compared runs in turn in one call, with one thread; times are those of the
+processor, so that other programs disturb them little. SIZES of the environment: spheres of the
+growth, such as "100 1000"; TABLES: those to make, of "rays frames growth"."""
 import json
 import os
 import re
@@ -55,14 +56,14 @@ class Bench:
         return json.loads(said)["cpu_seconds"]
 
     def povray(self, scene):
-        """Seconds that POV-Ray says it traced, one thread."""
+        """Seconds of processor that POV-Ray says it traced, one thread."""
         to = scene[:-4] + ".pov"
         run(self.tool, "export", scene, "--depth", "0", "-o", to)
         width, height = FRAME.split("x")
         done = subprocess.run(["povray", f"+I{to}", f"+O{to[:-4]}.png", f"+W{width}", f"+H{height}",
                                "-A", "-D", "+WT1"], stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, text=True, check=False)
-        found = re.search(r"Trace Time:.*\(([\d.]+) seconds\)", done.stdout)
+        found = re.search(r"Trace Time:[^:]*?with ([\d.]+) CPU-seconds", done.stdout)
         if done.returncode or not found:
             sys.exit(f"speed: POV-Ray failed on {to}:\n{done.stdout[-1000:]}")
         return float(found[1])
@@ -108,27 +109,31 @@ def growth(bench):
     for size in os.environ.get("SIZES", SIZES).split():
         _, machine, report, memory = bench.machine(f"random:{size}")
         took = [bench.frame(machine) for _ in range(3)]
-        row = [size, f"{report['build']['seconds']:.2f}", f"{memory:.0f}", f"{min(took) * 1e3:.0f}"]
+        row = [size, f"{report['build']['tree_seconds']:.2f}", f"{memory:.0f}",
+               f"{min(took) * 1e3:.0f}"]
         if bench.embree:
             found = bench.rays(machine)
             row += [f"{found['embree_build']:.2f}",
                     *(ratio(found[of]["fast"], found[of]["embree"]) for of in
                       ("primary", "shadow"))]
         rows.append(row)
-    head = ["spheres", "build, s", "MB", "frame, ms"]
+    head = ["spheres", "tree, s", "MB", "frame, ms"]
     return table(head + (["Embree builds, s", "primary", "shadow"] if bench.embree else []), rows)
 
 
 def main(tool, folder, page, embree=None):
     bench, texts = Bench(tool, folder, embree), {}
-    if embree:
-        texts["rays"] = beside_embree(bench)
-    else:
+    wanted = os.environ.get("TABLES", "rays frames growth").split()
+    if not embree:
         print("bench: no Embree here: make bench-setup installs it", flush=True)
     if not shutil.which("povray"):
         print("bench: no POV-Ray here: make truth-setup installs it", flush=True)
-    texts["frames"] = frames(bench)
-    texts["growth"] = growth(bench)
+    if embree and "rays" in wanted:
+        texts["rays"] = beside_embree(bench)
+    if "frames" in wanted:
+        texts["frames"] = frames(bench)
+    if "growth" in wanted:
+        texts["growth"] = growth(bench)
     for name, text in texts.items():
         print(f"{name}:\n{text}\n", flush=True)
     place(page, texts)

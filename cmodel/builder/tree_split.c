@@ -16,16 +16,18 @@
 
 #include "machine/layout.h"
 
+enum { PARALLEL = 8192 }; /* spheres from which on threads share the work */
+
 struct work {
     const struct sph_ball *balls;
     const struct sph_aabb *boxes; /* or NULL */
     struct sph_pair *pairs;
-    uint32_t n_pairs;
     uint32_t *order[3], *spare;
     uint8_t *right; /* per sphere: side of the split at hand */
-    float *price;   /* of the right part from place i on */
-    float *weight;  /* [n]: n^0.8, or n */
-    int limit;      /* binary levels */
+    float
+        *price; /* of the right part from place i on; as spare, of the spheres of a pair its own */
+    float *weight; /* [n]: n^0.8, or n */
+    int limit;     /* binary levels */
 };
 
 struct box {
@@ -52,20 +54,20 @@ static float box_area(const struct work *w, const struct box *box) {
 }
 
 /* Finds the cheapest split of a pair: axis and size of the left part. */
-static void choose(struct work *w, const struct sph_pair *p, int *axis, uint32_t *left) {
-    float best = INFINITY;
+static void choose(const struct work *w, const struct sph_pair *p, int *axis, uint32_t *left) {
+    float best = INFINITY, *price_of = w->price + p->first;
     *axis = 0, *left = p->count / 2;
     for (int a = 0; a < 3; a++) {
         const uint32_t *order = w->order[a] + p->first;
         struct box box = EMPTY;
         for (uint32_t i = p->count - 1; i > 0; i--) {
             box_add(w, &box, order[i]);
-            w->price[i] = box_area(w, &box) * w->weight[p->count - i];
+            price_of[i] = box_area(w, &box) * w->weight[p->count - i];
         }
         box = EMPTY;
         for (uint32_t i = 1; i < p->count; i++) {
             box_add(w, &box, order[i - 1]);
-            float price = box_area(w, &box) * w->weight[i] + w->price[i];
+            float price = box_area(w, &box) * w->weight[i] + price_of[i];
             if (price < best) best = price, *axis = a, *left = i;
         }
     }
@@ -84,19 +86,20 @@ static int longest(const struct work *w, const struct sph_pair *p) {
 }
 
 /* Moves the first `left` spheres along `axis` to the front of the other two orders. */
-static void partition(struct work *w, const struct sph_pair *p, int axis, uint32_t left) {
+static void partition(const struct work *w, const struct sph_pair *p, int axis, uint32_t left) {
     for (uint32_t i = 0; i < p->count; i++)
         w->right[w->order[axis][p->first + i]] = i >= left;
     for (int a = 0; a < 3; a++) {
-        uint32_t *order = w->order[a] + p->first, lower = 0, upper = 0;
+        uint32_t *order = w->order[a] + p->first, *spare = w->spare + p->first;
+        uint32_t lower = 0, upper = 0;
         if (a == axis) continue;
         for (uint32_t i = 0; i < p->count; i++) {
             if (w->right[order[i]])
-                w->spare[upper++] = order[i];
+                spare[upper++] = order[i];
             else
                 order[lower++] = order[i];
         }
-        memcpy(order + lower, w->spare, upper * sizeof *order);
+        memcpy(order + lower, spare, upper * sizeof *order);
     }
 }
 
@@ -121,10 +124,12 @@ void sph_pair_fill(const struct sph_pair *pairs, struct sph_pair *p, float area)
     p->cost[3] = fminf(p->cost[2], shared[3]);
 }
 
-/* Splits the spheres first..first+count-1; returns the binary child. */
-static uint32_t split(struct work *w, uint32_t first, uint32_t count, int depth) {
+/* Splits the spheres first..first+count-1 into the pairs me..me+count-2; returns the binary child.
+ * Halves that are large are made by threads of their own. */
+static uint32_t split(const struct work *w, uint32_t me, uint32_t first, uint32_t count,
+                      int depth) {
     if (count == 1) return SPH_PAIR_LEAF | w->order[0][first];
-    uint32_t me = w->n_pairs++, left;
+    uint32_t left;
     struct sph_pair *p = &w->pairs[me];
     int axis, need = 0;
     p->first = first, p->count = count;
@@ -135,8 +140,10 @@ static uint32_t split(struct work *w, uint32_t first, uint32_t count, int depth)
     else
         choose(w, p, &axis, &left);
     partition(w, p, axis, left);
-    p->child[0] = split(w, first, left, depth + 1);
-    p->child[1] = split(w, first + left, count - left, depth + 1);
+#pragma omp task shared(p) if (count > PARALLEL)
+    p->child[0] = split(w, me + 1, first, left, depth + 1);
+    p->child[1] = split(w, me + left, first + left, count - left, depth + 1);
+#pragma omp taskwait
     return me;
 }
 
@@ -159,14 +166,16 @@ int sph_split(const struct sph_ball *balls, const struct sph_aabb *boxes, uint32
                w.order[2];
     for (uint32_t i = 0; good && i < n; i++)
         w.weight[i] = boxes ? (float)i : powf((float)i, 0.8f);
-    if (good) split(&w, 0, n, 0);
+#pragma omp parallel if (n > PARALLEL)
+#pragma omp single
+    if (good) split(&w, 0, 0, n, 0);
     free(w.spare);
     free(w.right);
     free(w.price);
     free(w.weight);
     free(w.order[1]);
     free(w.order[2]);
-    out->n_pairs = w.n_pairs;
+    out->n_pairs = n - 1;
     out->order = w.order[0];
     if (good) return 0;
     sph_split_free(out);
