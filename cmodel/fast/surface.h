@@ -63,7 +63,9 @@ static inline int sph_fast_surface(const struct sph_profile *p, const struct sph
     for (int i = 0; i < 3; i++)
         normal[i] = !any ? -ray->dir[i] : hit->far ? -normal[i] : normal[i];
     sph_fast_normalise(normal, p->wd, s->normal);
-    s->flat = 0;
+    for (int i = 0; i < 3; i++)
+        s->side[i] = s->normal[i];
+    s->flat = s->bent = 0;
     s->nn = sph_fast_square(s->normal);
     s->unit = sph_fast_unit(s->normal, s->nn, p->wd);
     return saturated;
