@@ -114,6 +114,8 @@ static inline void assert_same_facets(const struct sph_scene *p, const struct sp
         assert_int_equal(s->group, t->group);
         assert_same_bytes(s->v, t->v, sizeof s->v);
         assert_same_bytes(s->st, t->st, sizeof s->st);
+        assert_int_equal(s->smooth, t->smooth);
+        if (s->smooth) assert_same_bytes(s->n, t->n, sizeof s->n);
         assert_same_texture(p, s->texture, q, t->texture);
         const struct sph_material *m = &p->materials[s->material], *n = &q->materials[t->material];
         assert_same_bytes(m, n, offsetof(struct sph_material, line));

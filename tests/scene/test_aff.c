@@ -263,7 +263,19 @@ static void test_mesh(void **unused) {
     assert_true(s.facets[0].st[0][1] == 0 && s.facets[2].st[0][1] == 2);
     assert_int_equal(s.facets[2].texture, 1);
     assert_true(s.ambient[0] == 1 && s.ambient[2] == 0.25);
+    assert_true(s.facets[0].smooth && s.facets[0].n[1].z == 1 && s.facets[2].smooth);
     assert_non_null(strstr(s.textures[0].path, "/../TextureFiles/a.ppm")); /* none beside it */
+    sph_scene_free(&s);
+}
+
+/* A normal turns with the surface, not with its points. */
+static void test_scaled_normal(void **unused) {
+    (void)unused;
+    struct sph_scene s =
+        read_at(CAM MAT "xs 2 1 1 0 0 1 0 5 0 0 { pp 3 0 0 0 1 1 0 0 1 0 1 1 0 0 0 1 1 1 0 }\n", 0);
+    assert_true(s.facets[0].smooth);
+    near_to(s.facets[0].v[0], 5, 0, 0);
+    near_to(s.facets[0].n[0], 1, 2, 0);
     sph_scene_free(&s);
 }
 
@@ -382,8 +394,9 @@ int main(int argc, char **argv) {
         cmocka_unit_test(test_keys),       cmocka_unit_test(test_frames),
         cmocka_unit_test(test_spline),     cmocka_unit_test(test_turn),
         cmocka_unit_test(test_camera),     cmocka_unit_test(test_patch),
-        cmocka_unit_test(test_mesh),       cmocka_unit_test(test_include),
-        cmocka_unit_test(test_skip),       cmocka_unit_test(test_mutants)};
+        cmocka_unit_test(test_mesh),       cmocka_unit_test(test_scaled_normal),
+        cmocka_unit_test(test_include),    cmocka_unit_test(test_skip),
+        cmocka_unit_test(test_mutants)};
     for (int i = 0; i < N_BADS; i++)
         tests[N_TESTS + i] = (struct CMUnitTest){
             .name = bads[i].name, .test_func = test_bad, .initial_state = (void *)&bads[i]};

@@ -331,6 +331,22 @@ static void test_too_many(void **state) {
     assert_string_equal(err2.text, "x.nff:8: more than 1024 textures");
 }
 
+/* Normals at corners: kept, written and read again; one that is zero leaves the polygon flat. */
+static void test_normals(void **state) {
+    (void)state;
+    struct sph_scene s;
+    read_text(CAM MAT "pp 3 0 0 0 9 9 9 1 0 0 0 0 2 0 1 0 8 8 8\n"
+                      "ttp x 0 0 0 1 0 1 0 0 1 0 0 0 0 2 1 0 0 1 0 0 1 1 0 1\n"
+                      "pp 3 0 0 0 9 9 9 1 0 0 0 0 0 0 1 0 8 8 8\n",
+              &s);
+    assert_int_equal(s.n_facets, 3);
+    assert_true(s.facets[0].smooth && s.facets[1].smooth && !s.facets[2].smooth);
+    assert_true(s.facets[0].n[0].x == 9 && s.facets[0].n[1].z == 2 && s.facets[0].n[2].y == 8);
+    assert_true(s.facets[1].n[0].x == 1 && s.facets[1].n[1].z == 2 && s.facets[1].st[2][1] == 1);
+    round_trip(&s);
+    sph_scene_free(&s);
+}
+
 /* Every beginning of a good file, and good files with random damage: success or a message. */
 static void test_damaged(void **state) {
     (void)state;
@@ -366,6 +382,7 @@ int main(void) {
                                         cmocka_unit_test(test_planes_and_textures),
                                         cmocka_unit_test(test_extended_material),
                                         cmocka_unit_test(test_too_many),
+                                        cmocka_unit_test(test_normals),
                                         cmocka_unit_test(test_damaged)};
     return run_cases("scene_facets", test_bad, bads, sizeof bads / sizeof bads[0], others,
                      sizeof others / sizeof others[0]);
