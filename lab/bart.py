@@ -6,10 +6,10 @@ FOLDER has what make/bart.mk says; what is not there is a dash."""
 import sys
 
 from .pages.place import place
+from .report.units import parameters
 from .synth import report
 from .textures.page import DECISIONS, OPERATIONS, PAPER, WAYS, Data, area, hits, levels, show
 
-FACET = 10    # clocks of the facet unit for a test: docs/blocks/facet_unit.md
 PAPER_MHZ = 84
 KINDS = "primary", "shadow", "reflected"
 
@@ -70,11 +70,11 @@ def caches(data):
 
 def clocks(data):
     """The least that one engine takes: a visit a clock, and the facet unit's clocks."""
-    rows = []
+    rows, facet = [], parameters({})["FACET_INTERVAL"]
     for name in data.names:
         run = data.read(f"{name}.json")
         count = run and run["counters"]
-        walk, facets = (count["node_visits"], FACET * count["facet_tests"]) if run else (None,) * 2
+        walk, facets = (count["node_visits"], facet * count["facet_tests"]) if run else (None,) * 2
         least = run and max(walk, facets)
         rows.append([name] + [show(v and v / area(data.size), "{:.0f}")
                               for v in (walk, facets, least)]

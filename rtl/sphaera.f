@@ -20,6 +20,7 @@ rtl/math/rt_delay_valid.v
 rtl/math/rt_divide.v
 rtl/math/rt_divide_pool.v
 rtl/math/rt_isqrt.v
+rtl/math/rt_long_product.v
 rtl/math/rt_multiply.v
 rtl/math/rt_normalise.v
 rtl/math/rt_pool.v
@@ -45,9 +46,8 @@ rtl/pixel/rt_spans.v
 rtl/pixel/rt_table.v
 rtl/pixel/rt_walk.v
 rtl/prim/rt_facet.v
-rtl/prim/rt_facet_feed.v
 rtl/prim/rt_facet_key.v
-rtl/prim/rt_facet_lanes.v
+rtl/prim/rt_facet_sums.v
 rtl/prim/rt_leaf.v
 rtl/prim/rt_leaf_disc.v
 rtl/prim/rt_leaf_four.v

@@ -11,7 +11,6 @@ from ..pages import verilog
 
 Unit = namedtuple("Unit", "name clocks what")  # of an engine, or of the one memory port
 
-FACET = 10      # docs/blocks/facet_unit.md: clocks a triangle, at least
 GLOSS = 24      # docs/blocks/shading_unit.md: clocks a highlight
 BEATS = 4       # of a line
 LINE = 32       # its bytes
@@ -39,6 +38,7 @@ def units(count, machine, core):
     engines, width = core["ENGINES"], machine["widths"]
     root = ceil((width["PR"] or width["W"] + width["WD"]) / core["ROOT_STEP"]) + 1
     quotient = ceil(width["PQ"] / core["QUOTIENT_STEP"]) + 2
+    division = ceil((width["W"] + width["WD"] + 1) / core["DIVISION_STEP"]) + 1
     hits = count["quotients"]
     vectors = count["rays_primary"] + count["rays_reflected"] + count["rays_refracted"] \
         + hits * (1 + machine["lights"])
@@ -47,7 +47,10 @@ def units(count, machine, core):
         ("nodes", count["node_visits"] + count["pop_bubbles"], "a visit a clock"),
         ("spheres, exact", count["leaf_tests"] * core["LEAF_INTERVAL"] + hits * RECORD,
          f"a test every {core['LEAF_INTERVAL']} clocks, and records of what is seen"),
-        ("facets, exact", count["facet_tests"] * FACET, f"a test every {FACET} clocks or more"),
+        ("facets, exact", count["facet_tests"] * core["FACET_INTERVAL"],
+         f"a test every {core['FACET_INTERVAL']} clocks"),
+        ("keys of facets", count["divisions"] * division / core["DIVISIONS"],
+         f"{core['DIVISIONS']} dividers of {division} clocks"),
         ("roots", count["roots"] * root / core["ROOTS"],
          f"{core['ROOTS']} units of {root} clocks"),
         ("set-up of rays", vectors * core["UNIT_INTERVAL"] / core["UNITS"],

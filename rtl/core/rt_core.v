@@ -49,6 +49,7 @@ module rt_core #(
     parameter QUOTIENT_STEP = 2, // 1..PQ: quotient bits a clock
     parameter DIVISION_STEP = 2, // 1..W+WD: bits of a facet's key a clock
     parameter LEAF_INTERVAL = 2, // 2..4, power of two: clocks an exact test of a sphere
+    parameter FACET_INTERVAL = 2, // 1..4, power of two: clocks an exact test of a facet
     parameter UNITS      = 2,    // 1..2: units for unit vectors an engine
     parameter UNIT_INTERVAL = 2, // 2..4, power of two: clocks a vector of each
     parameter HIT_INTERVAL = 8,  // 8..12: clocks a hit point and its normal, 8 or 12
@@ -296,7 +297,7 @@ module rt_core #(
                         .QUOTIENT_STEP(QUOTIENT_STEP), .LEAF_INTERVAL(LEAF_INTERVAL),
                         .UNITS(UNITS), .UNIT_INTERVAL(UNIT_INTERVAL),
                         .HIT_INTERVAL(HIT_INTERVAL), .BOUNCE_INTERVAL(BOUNCE_INTERVAL),
-                        .DIVISION_STEP(DIVISION_STEP)) u_engine (
+                        .DIVISION_STEP(DIVISION_STEP), .FACET_INTERVAL(FACET_INTERVAL)) u_engine (
                 .clk(clk), .rst(rst), .flush_i(go && !keep_two_q), .busy_o(e_busy[e]),
                 .regs_i(regs), .light_i(light),
                 .in_valid_i(ray_valid && e_take[e]), .in_ready_o(e_ready[e]), .start_i(pixel),

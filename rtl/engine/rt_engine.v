@@ -44,6 +44,7 @@ module rt_engine #(
     parameter QUOTIENT_STEP = 2, // quotient bits a clock
     parameter DIVISION_STEP = 2, // bits of a facet's key a clock
     parameter LEAF_INTERVAL = 2, // clocks an exact test of a sphere
+    parameter FACET_INTERVAL = 2, // clocks an exact test of a facet
     parameter UNITS      = 2,    // units for unit vectors
     parameter UNIT_INTERVAL = 2, // clocks a vector of each
     parameter HIT_INTERVAL = 8,  // clocks a hit point and its normal
@@ -135,7 +136,8 @@ module rt_engine #(
     rt_leaf_unit #(.W(W), .WD(WD), .SLOTS(SLOTS), .LINES(LEAF_LINES), .ROOTS(ROOTS),
                .ROOT_STEP(ROOT_STEP), .PR(PR), .LEAF_INTERVAL(LEAF_INTERVAL), .SHADOW(SHADOWS),
                .INSIDE(INSIDE),
-               .FACETS(FACETS), .DIVISIONS(DIVISIONS), .DIVISION_STEP(DIVISION_STEP)) u_exact (
+               .FACETS(FACETS), .DIVISIONS(DIVISIONS), .DIVISION_STEP(DIVISION_STEP),
+               .FACET_INTERVAL(FACET_INTERVAL)) u_exact (
         .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i),
         .ray_i(ray), .visit_i(visit), .result_o(result),
         .fetch_i(fetch), .fetch_ready_o(fetch_ready),

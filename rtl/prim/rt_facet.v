@@ -1,24 +1,24 @@
 // rt_facet.v - triangles and planes, kinds of primitives: the exact test and the key of a hit
 // SPDX-License-Identifier: Apache-2.0
-//   A0 = v0-org, e1 = v1-v0, e2 = v2-v0, N = e1 x e2 (plane: given), det = N.dir, num = N.A0,
-//   m = dir x A0: signs of det, num, U2 = m.e1, -U1 = m.e2, U0 = det-U1-U2; key = ceil(a*num/det)
-// One facet after the other through three multipliers, an operation a clock; a*num' comes in
-// clock 4 of the facet that follows. P = L + 4, L = `RT_PRODUCT_LATENCY(AW):
-//   triangle  0,1 N | 2,3 m | P det, num, U2, U1                               every L + 8 clocks
-//   plane     0 det, num | P det'*room, num'*size; beyond the grid t is room/size   every L + 10
+//   test --> rt_facet_sums --> signs --+-- hit, to no light -> queue -> rt_facet_key --+--> result
+//        +-> queue: tag, a, room, size +-- others -----------> queue ------------------+
+// A facet every INTERVAL clocks. The sums cannot be held back: at most HOLD facets are under way,
+// so that the queues cannot overflow. Results leave in any order, keys first.
+//   triangle  hit if s*det > 0, s*num > 0 and all s*Ui >= 0, s the sign of det, U0 = det-U1-U2
+//   plane     hit if s*det > 0, s*num > 0          to a light: a miss if s*num >= s*det
 // Ports, timing: docs/blocks/facet_unit.md. Model: sph_facet_test() in cmodel/prim/facet.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 `include "rt_bundles.vh"
-`include "rt_check.vh"
-`include "rt_facet.vh"
 `include "rt_fx.vh"
+`include "rt_facet.vh"
 module rt_facet #(
     parameter W   = 16,                          // coordinate, bits
     parameter WD  = 17,                          // direction component, bits
     parameter SLOTS = 32,                        // power of two
     parameter SHADOW = 1,                        // 1: some rays end at a light
+    parameter INTERVAL = 2,                      // clocks a facet, 1, 2 or 4
     parameter STEP  = 2,                         // bits of a key a clock
     parameter UNITS = 1                          // dividers
 ) (
@@ -33,194 +33,174 @@ module rt_facet #(
     // event
     output wire                       divide_o   // a division begins
 );
-    localparam SLOTW = $clog2(SLOTS);
-    localparam TAG  = SLOTW + `RT_ID_BITS;               // {slot, id}
-    localparam NW   = W + 1 > WD ? W + 1 : WD;           // narrow operands
-    localparam CUT  = 17*`RT_MUL_CHUNKS(NW);             // piece of a long operand
-    localparam BW   = CUT + 1;
-    localparam CW0  = W + WD > 2*W ? W + WD + 1 : 2*W + 1;
-    localparam CW   = CW0 > 24 ? CW0 : 24;               // m, N
-    localparam AW   = 2*WD + 1 > CW ? 2*WD + 1 : CW;     // wide operand: m, N, a
+    localparam TAG  = $clog2(SLOTS) + `RT_ID_BITS;       // {slot, id}
     localparam DW   = (2*W > 24 ? 2*W : 24) + WD + 1;    // det' (docs/model/facet.md)
     localparam MW   = 3*W + 1 > W + 25 ? 3*W + 1 : W + 25;  // num'
-    localparam RW0  = 2*WD + MW + 1;                     // a*num', signed
-    localparam RW   = RW0 > AW + BW ? RW0 : AW + BW;     // the longest sum
-    localparam YW   = (DW + W > MW + WD ? DW + W : MW + WD) + 1;
     localparam VW   = (DW > MW ? DW : MW) + 1;           // det, num, Ui, signed
-    localparam L    = `RT_PRODUCT_LATENCY(AW);
-    localparam OB   = 6;                                 // {last, shadow, operation}
-    localparam [31:0] FOUR = 4 + L, LAST_T = 7 + L, LAST_P = 9 + L;
-    localparam [3:0] P = FOUR[3:0], END_T = LAST_T[3:0], END_P = LAST_P[3:0], COMMIT = 4;
-    `RT_CHECK(3*CUT >= DW && 3*CUT >= MW, rt_facet_W_and_WD_must_fit_three_pieces)
+    localparam LATENCY = `RT_FACET_SUMS_LATENCY(W, WD, INTERVAL);
+    localparam HOLD = 16;
     wire [255:0] record = test_i[`RT_TEST_RECORD];
     wire         plane  = record[`RT_FACET_KIND_LSB +: `RT_FACET_KIND_BITS] == `RT_PLANE;
     wire [`RT_ID_BITS-1:0] id = record[`RT_FACET_ID_LSB +: `RT_FACET_ID_BITS];
+    wire [3*W-1:0]  org = test_i[`RT_TEST_ORG];
+    wire [3*WD-1:0] dir = test_i[`RT_TEST_DIR];
+    wire            shadow = SHADOW != 0 && test_i[`RT_TEST_SHADOW];
 
-    // ---- rounds: the facet at hand, and the key of the one before ----
-    reg        run_q, front_q, back_q;           // a round; with a facet; after another
-    reg  [3:0] slot_q;
-    reg        plane_q, shadow_q;
-    wire       full;                             // a result waits, and goes on waiting
-    wire       stay  = slot_q == 4'd0 && full;
-    wire       step  = run_q && !stay;
-    wire       ends  = run_q && slot_q == (!front_q ? COMMIT : plane_q ? END_P : END_T);
-    wire       done  = ends && front_q;
-    wire       take  = in_valid_i && in_ready_o;
-    assign in_ready_o = !run_q || ends;
+    // ---- those under way: taken, and not yet in a divider or given ----
+    reg  [4:0] held_q;
+    reg  [1:0] pause_q;                          // clocks until the next facet may come
+    wire       divides, direct, take;
+    assign in_ready_o = held_q < HOLD && pause_q == 2'd0;
+    assign take = in_valid_i && in_ready_o;
+    localparam [31:0] PAUSE = INTERVAL - 1;
     always @(posedge clk) begin
-        if (step) slot_q <= slot_q + 4'd1;
-        if (step && slot_q == COMMIT) back_q <= 1'b0;
-        if (done) back_q <= 1'b1;
-        if (in_ready_o) begin
-            slot_q  <= 4'd0;
-            run_q   <= in_valid_i || (run_q && front_q);
-            front_q <= in_valid_i;
-        end
-        if (rst) {run_q, front_q, back_q} <= 3'd0;
+        held_q <= held_q + {4'd0, take} - {4'd0, divides} - {4'd0, direct};
+        pause_q <= take ? PAUSE[1:0] : pause_q == 2'd0 ? 2'd0 : pause_q - 2'd1;
+        if (rst) {held_q, pause_q} <= 7'd0;
     end
 
-    // ---- what travels along ----
-    reg  [TAG-1:0]  tag_q, back_tag_q;
-    reg             back_shadow_q, back_own_q;
-    reg  [24:0]     apart_q;                     // skip - id
-    reg  [6:0]      before_q, after_q;
-    wire [7:0]      reach = {1'b0, apart_q[6:0]} + {1'b0, before_q};
-    wire            own   = apart_q[24:7] == 18'd0 ? apart_q[6:0] <= after_q
-                            : &apart_q[24:7] && reach[7];
-    always @(posedge clk) begin
-        if (take) begin
-            tag_q    <= {test_i[`RT_TEST_SLOT], id};
-            plane_q  <= plane;
-            shadow_q <= SHADOW != 0 && test_i[`RT_TEST_SHADOW];
-            apart_q  <= {1'b0, test_i[`RT_TEST_SKIP]} - {1'b0, id};
-            before_q <= record[`RT_FACET_BEFORE_LSB +: `RT_FACET_BEFORE_BITS];
-            after_q  <= record[`RT_FACET_AFTER_LSB +: `RT_FACET_AFTER_BITS];
-        end
-        if (done) begin
-            back_tag_q    <= tag_q;
-            back_shadow_q <= shadow_q;
-            back_own_q    <= own;
-        end
-    end
-
-    // ---- this clock's operation ----
-    wire [3:0] since = slot_q - P;
-    reg  [3:0] op;
-    always @* begin
-        op = `RT_FACET_IDLE;
-        if (step && slot_q == COMMIT) begin
-            if (back_q) op = `RT_FACET_KEY;
-        end else if (step && front_q && plane_q) begin
-            if (slot_q == P)              op = `RT_FACET_BDET;
-            else if (slot_q == P + 4'd1)  op = `RT_FACET_BNUM;
-            else if (slot_q == 4'd0)      op = `RT_FACET_DET;
-            else if (slot_q == 4'd1)      op = `RT_FACET_NUM;
-        end else if (step && front_q) begin
-            if (slot_q < COMMIT)      op = slot_q[0] ? `RT_FACET_X1 : `RT_FACET_X0;
-            else if (slot_q >= P)     op = `RT_FACET_DET + {2'd0, since[1:0]};
-        end
-    end
-    reg  [OB*(L+5)-1:0] op_q;                    // stage s: s clocks after the operands' registers
-    integer             s;
-    always @(posedge clk) begin
-        op_q <= {op_q[OB*(L+4)-1:0], done, shadow_q, op};
-        if (rst)
-            for (s = 0; s < L + 5; s = s + 1) op_q[OB*s +: OB] <= {OB{1'b0}};
-    end
-    wire [3:0] op_p = op_q[OB*L +: 4];           // with the products
-    wire [3:0] op_r = op_q[OB*(L+2) +: 4];       // with their sum
-    wire [3:0] op_f = op_q[OB*(L+3) +: 4];       // with the flags of the sum
-    wire [OB-1:0] op_y = op_q[OB*(L+4) +: OB];   // with the flags of the sum of sums
-    wire y_shadow = SHADOW != 0 && op_y[4];
-
-    // ---- operands and lanes ----
-    wire [3*AW-1:0]      a;
-    wire [3*BW-1:0]      b;
-    wire [3*CW-1:0]      c;
-    wire signed [RW-1:0] r;
-    wire [AW-1:0]        partner;                // of a long operand: room, then size
-    reg  [DW-1:0]        det_q;                  // det'
-    reg  [MW-1:0]        num_q;                  // num'
-    rt_facet_feed #(.W(W), .WD(WD), .NW(NW), .CUT(CUT), .CW(CW), .AW(AW), .DW(DW), .MW(MW),
-                    .P(P)) u_feed (
+    // ---- sums ----
+    wire signed [VW-1:0] det, num, u2, v;        // v: -U1
+    wire                 s0_valid;
+    rt_facet_sums #(.W(W), .WD(WD), .INTERVAL(INTERVAL), .VW(VW)) u_sums (
         .clk(clk), .take_i(take), .plane_i(plane), .v0_i(record[`RT_TRIANGLE_V0_X_LSB +: 72]),
         .v1_i(record[`RT_TRIANGLE_V1_X_LSB +: 72]), .v2_i(record[`RT_TRIANGLE_V2_X_LSB +: 72]),
-        .org_i(test_i[`RT_TEST_ORG]), .dir_i(test_i[`RT_TEST_DIR]), .a_i(test_i[`RT_TEST_A]),
-        .step_i(step), .slot_i(slot_q), .op_i(op),
-        .vector_i(front_q && !plane_q && (slot_q == P - 4'd1 || slot_q == P + 4'd1)),
-        .back_i(done), .key_i(slot_q == COMMIT - 4'd1),
-        .c_i(c), .det_i(det_q), .num_i(num_q), .w_o(partner), .a_o(a), .b_o(b)
+        .org_i(org), .dir_i(dir), .det_o(det), .num_o(num), .u2_o(u2), .v_o(v)
     );
-    rt_facet_lanes #(.AW(AW), .BW(BW), .CW(CW), .RW(RW), .CUT(CUT)) u_lanes (
-        .clk(clk), .a_i(a), .b_i(b),
-        .cross_i(op_p == `RT_FACET_X0 || op_p == `RT_FACET_X1),
-        .first_i(op_p == `RT_FACET_X0), .wide_i(op_p >= `RT_FACET_BDET),
-        .c_o(c), .r_o(r)
+    rt_delay_valid #(.CYCLES(LATENCY)) u_valid (
+        .clk(clk), .rst(rst), .in_i(take), .out_o(s0_valid)
     );
 
-    // ---- det', num'; det - num, U0 = det - U2 - U1, det'*room - num'*size ----
-    wire           neg = r[RW-1];
-    wire [VW-1:0]  abs = (r[VW-1:0] ^ {VW{neg}}) + {{(VW-1){1'b0}}, neg};
-    wire           y_load = op_r == `RT_FACET_DET || op_r == `RT_FACET_BDET;
-    wire           y_sub  = op_r == `RT_FACET_NUM || op_r == `RT_FACET_U2 ||
-                            op_r == `RT_FACET_BNUM;
-    reg  [YW-1:0]  acc_q, y_q;
-    wire [YW:0]    y = {y_load ? {YW{1'b0}} : acc_q, 1'b1} +
-                       {r[YW-1:0] ^ {YW{y_sub}}, y_sub};
-    reg            rn_q, rz_q, yn_q, yz_q;       // negative, zero
-    reg  [W:0]     room_q;                       // of the facet whose flags come next
-    reg  [WD-1:0]  size_q;
-    wire           beyond = op_y[3:0] == `RT_FACET_BNUM && !y_shadow && yn_q;
-    reg  [MW+WD-1:0] face_q;                     // of a plane beyond the grid: det'*room, and
-    reg  [MW-1:0]  way_q;                        // its own num'
+    // ---- meanwhile: is it of the ray's own group? the longest axis of dir, size and room ----
+    reg  [24:0]     t1_apart_q;                  // skip - id
+    reg  [6:0]      t1_before_q, t1_after_q;
+    reg  [3*W-1:0]  t1_org_q;
+    reg  [3*WD-1:0] t1_dir_q;
+    reg             t1_q, t2_q, t2_own_q, t2_z_q, t2_y_q;
+    reg  [3*W-1:0]  t2_org_q;
+    reg  [3*WD-1:0] t2_size_q;
+    reg  [2:0]      t2_neg_q;
+    wire [7:0]      reach = {1'b0, t1_apart_q[6:0]} + {1'b0, t1_before_q};
+    wire            own   = t1_apart_q[24:7] == 18'd0 ? t1_apart_q[6:0] <= t1_after_q
+                            : &t1_apart_q[24:7] && reach[7];
+    function [WD-1:0] size_of(input [WD-1:0] d);
+        size_of = (d ^ {WD{d[WD-1]}}) + {{(WD-1){1'b0}}, d[WD-1]};
+    endfunction
+    wire [WD-1:0] size_x = size_of(t1_dir_q[0 +: WD]);
+    wire [WD-1:0] size_y = size_of(t1_dir_q[WD +: WD]);
+    wire [WD-1:0] size_z = size_of(t1_dir_q[2*WD +: WD]);
+    wire          y_wins = size_y > size_x;
+    wire [W-1:0]  w_org  = t2_z_q ? t2_org_q[2*W +: W] : t2_y_q ? t2_org_q[W +: W]
+                           : t2_org_q[0 +: W];
+    wire          w_neg  = t2_z_q ? t2_neg_q[2] : t2_y_q ? t2_neg_q[1] : t2_neg_q[0];
+    wire [WD-1:0] w_size = t2_z_q ? t2_size_q[2*WD +: WD] : t2_y_q ? t2_size_q[WD +: WD]
+                           : t2_size_q[0 +: WD];
+    wire [W:0]    w_room = {1'b0, {!w_org[W-1], w_org[W-2:0]} ^ {W{!w_neg}}} + {{W{1'b0}}, 1'b1};
     always @(posedge clk) begin
-        if (op_r == `RT_FACET_DET) det_q <= abs[DW-1:0];
-        if (op_r == `RT_FACET_NUM) num_q <= abs[MW-1:0];
-        if (op == `RT_FACET_BDET) room_q <= partner[W:0];
-        if (op == `RT_FACET_BNUM) size_q <= partner[WD-1:0];
-        if (beyond) begin                        // before the key reads them
-            det_q <= {{(DW-WD){1'b0}}, size_q};
-            num_q <= {{(MW-W-1){1'b0}}, room_q};
-            face_q <= acc_q[MW+WD-1:0];
-            way_q  <= num_q;
-        end
-        if (y_load || op_r == `RT_FACET_U2) acc_q <= y[YW:1];
-        y_q  <= y[YW:1];
-        rn_q <= neg;
-        rz_q <= r[VW-1:0] == {VW{1'b0}};
-        yn_q <= y_q[YW-1];
-        yz_q <= y_q == {YW{1'b0}};
+        t1_q        <= take;
+        t1_apart_q  <= {1'b0, test_i[`RT_TEST_SKIP]} - {1'b0, id};
+        t1_before_q <= record[`RT_FACET_BEFORE_LSB +: `RT_FACET_BEFORE_BITS];
+        t1_after_q  <= record[`RT_FACET_AFTER_LSB +: `RT_FACET_AFTER_BITS];
+        t1_org_q    <= org;
+        t1_dir_q    <= dir;
+        t2_q        <= t1_q;
+        t2_own_q    <= own;
+        t2_org_q    <= t1_org_q;
+        t2_size_q   <= {size_z, size_y, size_x};
+        t2_neg_q    <= {t1_dir_q[3*WD-1], t1_dir_q[2*WD-1], t1_dir_q[WD-1]};
+        t2_y_q      <= y_wins;
+        t2_z_q      <= size_z > (y_wins ? size_y : size_x);
+        if (rst) {t1_q, t2_q} <= 2'd0;
     end
 
-    // ---- decide ----
-    reg  neg_q, miss_q, end_miss_q, end_far_q;   // of det; of the facet at hand; of the one before
-    reg  past_q, end_past_q;                     // beyond the grid
-    wire y_miss   = op_y[3:0] == `RT_FACET_NUM ? y_shadow && (yz_q || yn_q != neg_q)
-                    : op_y[3:0] == `RT_FACET_U1 && !yz_q && yn_q != neg_q;
-    wire r_miss   = op_f == `RT_FACET_NUM ? rz_q || rn_q != neg_q
-                    : op_f == `RT_FACET_U2 ? !rz_q && rn_q != neg_q
-                    : op_f == `RT_FACET_U1 && !rz_q && rn_q == neg_q;
-    always @(posedge clk) begin
-        miss_q <= op_f == `RT_FACET_DET ? rz_q : miss_q || r_miss || y_miss;
-        if (op_f == `RT_FACET_DET) neg_q <= rn_q;
-        past_q <= op_f != `RT_FACET_DET && (past_q || beyond);
-        if (op_y[5]) begin
-            end_miss_q <= miss_q || y_miss;
-            end_far_q  <= !neg_q;
-            end_past_q <= past_q || beyond;
-        end
-    end
+    // ---- what waits for the sums ----
+    localparam AB = TAG + 2 + 2*WD, BB = 1 + W + 1 + WD;
+    wire [AB-1:0] a_all;
+    wire [BB-1:0] b_all;
+    wire          a_in, a_valid, b_in, b_valid, s2_q_valid;
+    rt_fifo #(.WIDTH(AB), .DEPTH(HOLD)) u_tags (
+        .clk(clk), .rst(rst), .in_valid_i(take), .in_ready_o(a_in),
+        .in_data_i({test_i[`RT_TEST_SLOT], id, shadow, plane, test_i[`RT_TEST_A]}),
+        .out_valid_o(a_valid), .out_ready_i(s2_q_valid), .out_data_o(a_all)
+    );
+    rt_fifo #(.WIDTH(BB), .DEPTH(HOLD)) u_ways (
+        .clk(clk), .rst(rst), .in_valid_i(t2_q), .in_ready_o(b_in),
+        .in_data_i({t2_own_q, w_room, w_size}),
+        .out_valid_o(b_valid), .out_ready_i(s2_q_valid), .out_data_o(b_all)
+    );
+    wire            is_shadow = SHADOW != 0 && a_all[2*WD+1];
+    wire            is_plane  = a_all[2*WD];
+    wire            is_own    = b_all[BB-1];
 
-    // ---- the key of the one before ----
-    rt_facet_key #(.W(W), .WD(WD), .SLOTS(SLOTS), .DW(DW), .MW(MW), .STEP(STEP),
+    // ---- signs: stage 1 of the sums, det - num and U1 + U2; stage 2 of what they give ----
+    reg                 s1_valid_q, s2_valid_q;
+    reg  signed [VW-1:0] s1_det_q, s1_num_q, s1_u2_q, s1_v_q, s1_rest_q;   // rest: det - num
+    reg  [VW-1:0]       s1_less_q;                                         // U1 + U2
+    wire signed [VW-1:0] s1_u0 = s1_det_q - $signed(s1_less_q);
+    reg  [DW-1:0]       s2_det_q;                // det'
+    reg  [MW-1:0]       s2_num_q;                // num'
+    reg                 s2_neg_q, s2_miss_q, s2_out_q, s2_late_q;
+    wire                neg    = s1_det_q[VW-1];
+    wire [VW-1:0]       size_d = (s1_det_q ^ {VW{neg}}) + {{(VW-1){1'b0}}, neg};
+    wire [VW-1:0]       size_n = (s1_num_q ^ {VW{neg}}) + {{(VW-1){1'b0}}, neg};
+    function outside(input [VW-1:0] u, input s);  // u has the other sign
+        outside = u != {VW{1'b0}} && u[VW-1] != s;
+    endfunction
+    always @(posedge clk) begin
+        s1_valid_q <= s0_valid;
+        s1_det_q   <= det;
+        s1_num_q   <= num;
+        s1_u2_q    <= u2;
+        s1_v_q     <= v;
+        s1_rest_q  <= det - num;
+        s1_less_q  <= u2 - v;
+        s2_valid_q <= s1_valid_q;
+        s2_det_q   <= size_d[DW-1:0];
+        s2_num_q   <= size_n[MW-1:0];
+        s2_neg_q   <= neg;
+        s2_miss_q  <= s1_det_q == {VW{1'b0}} || s1_num_q == {VW{1'b0}} || s1_num_q[VW-1] != neg;
+        s2_late_q  <= s1_rest_q == {VW{1'b0}} || s1_rest_q[VW-1] != neg;
+        s2_out_q   <= outside(s1_u2_q, neg) || outside(s1_v_q, !neg) || outside(s1_u0, neg);
+        if (rst) {s1_valid_q, s2_valid_q} <= 2'd0;
+    end
+    assign s2_q_valid = s2_valid_q;
+
+    // ---- results with and without a division ----
+    wire hit   = !is_own && !s2_miss_q && !(is_shadow && s2_late_q) && (is_plane || !s2_out_q);
+    wire key   = hit && !is_shadow;
+    localparam KB = TAG + 2 + DW + MW + 2*WD + W + 1 + WD;
+    wire            k_in, d_in, k_valid, d_valid, p_valid;
+    wire [KB-1:0]   k;
+    wire [TAG+1:0]  d;
+    wire [TAG:0]    p_tag;
+    wire [W+WD+1:0] p_key;
+    rt_fifo #(.WIDTH(KB), .DEPTH(HOLD)) u_hits (
+        .clk(clk), .rst(rst), .in_valid_i(s2_valid_q && key), .in_ready_o(k_in),
+        .in_data_i({!s2_neg_q, a_all[AB-1 -: TAG], is_plane, s2_det_q, s2_num_q, a_all[2*WD-1:0],
+                    b_all[BB-2:0]}),
+        .out_valid_o(k_valid), .out_ready_i(divides), .out_data_o(k)
+    );
+    rt_fifo #(.WIDTH(TAG+2), .DEPTH(HOLD)) u_others (
+        .clk(clk), .rst(rst), .in_valid_i(s2_valid_q && !key), .in_ready_o(d_in),
+        .in_data_i({!s2_neg_q, a_all[AB-1 -: TAG], hit}),
+        .out_valid_o(d_valid), .out_ready_i(result_ready_i && !p_valid), .out_data_o(d)
+    );
+    rt_facet_key #(.W(W), .WD(WD), .TAG(TAG+1), .DW(DW), .MW(MW), .STEP(STEP),
                    .UNITS(UNITS)) u_key (
-        .clk(clk), .rst(rst), .det_load_i(op == `RT_FACET_KEY), .det_i(det_q),
-        .in_valid_i(op_r == `RT_FACET_KEY), .in_x_i(r[2*WD+MW-1:0]), .in_tag_i(back_tag_q),
-        .in_hit_i(!end_miss_q && !back_own_q), .in_shadow_i(back_shadow_q),
-        .in_far_i(end_far_q), .in_past_i(end_past_q), .in_face_i(face_q), .in_way_i(way_q),
-        .full_o(full),
-        .result_o(result_o), .result_ready_i(result_ready_i), .divide_o(divide_o)
+        .clk(clk), .rst(rst), .in_valid_i(k_valid), .in_ready_o(divides),
+        .in_tag_i(k[KB-1 -: TAG+1]), .in_plane_i(k[DW+MW+2*WD+W+1+WD]),
+        .in_det_i(k[MW+2*WD+W+1+WD +: DW]), .in_num_i(k[2*WD+W+1+WD +: MW]),
+        .in_a_i(k[W+1+WD +: 2*WD]), .in_room_i(k[WD +: W+1]), .in_size_i(k[WD-1:0]),
+        .out_valid_o(p_valid), .out_ready_i(result_ready_i), .out_tag_o(p_tag),
+        .out_key_o(p_key), .divide_o(divide_o)
     );
-    wire unused = &{1'b0, y[0], r, abs, since[3:2], reach[6:0], op_y, test_i, record, partner};
+    assign direct = d_valid && result_ready_i && !p_valid;
+    assign result_o[`RT_RESULT_VALID] = p_valid || d_valid;
+    assign {result_o[`RT_RESULT_FAR], result_o[`RT_RESULT_SLOT], result_o[`RT_RESULT_ID]} =
+        p_valid ? p_tag : d[TAG+1:1];
+    assign result_o[`RT_RESULT_HIT] = p_valid || d[0];
+    assign result_o[`RT_RESULT_KEY] = p_valid ? p_key : {{(W+WD+1){1'b0}}, 1'b1};
+    wire unused = &{1'b0, a_in, a_valid, b_in, b_valid, k_in, d_in, size_d, size_n, reach[6:0],
+                    test_i, record};
 endmodule
 `default_nettype wire

@@ -1,15 +1,13 @@
-// rt_facet.vh - operations of rt_facet, one a clock
+// rt_facet.vh - widths and latency that rt_facet and rt_facet_sums share
 // SPDX-License-Identifier: Apache-2.0
-`ifndef RT_FACET_VH
-`define RT_FACET_VH
-`define RT_FACET_IDLE 4'd0
-`define RT_FACET_X0   4'd1   // products of a cross product that are subtracted
-`define RT_FACET_X1   4'd2   // the others
-`define RT_FACET_DET  4'd3   // N.dir
-`define RT_FACET_NUM  4'd4   // N.A0
-`define RT_FACET_U2   4'd5   // m.e1
-`define RT_FACET_U1   4'd6   // m.e2
-`define RT_FACET_BDET 4'd7   // det' * room: distance to what lies a unit beyond the grid
-`define RT_FACET_BNUM 4'd8   // num' * size: the longest |component of dir|
-`define RT_FACET_KEY  4'd9   // a * num'
-`endif
+// No include guard: Icarus 11 crashes if it keeps macros with arguments from file to file.
+
+// Bits of a difference or a component of dir; of a component of N or m (docs/model/facet.md).
+`define RT_FACET_NARROW(w, wd) ((w) + 1 > (wd) ? (w) + 1 : (wd))
+`define RT_FACET_LONGER(w, wd) ((w) + (wd) > 2*(w) ? (w) + (wd) + 1 : 2*(w) + 1)
+`define RT_FACET_WIDE(w, wd) (`RT_FACET_LONGER(w, wd) > 24 ? `RT_FACET_LONGER(w, wd) : 24)
+
+// rt_facet_sums: clocks from taking a facet to its sums.
+`define RT_FACET_SUMS_LATENCY(w, wd, interval) \
+    (`RT_MUL_LATENCY(`RT_FACET_NARROW(w, wd)) + ((interval) == 4 ? 1 : 0) + 4 + (interval) + \
+     `RT_PRODUCT_LATENCY(`RT_FACET_WIDE(w, wd)))

@@ -1,93 +1,131 @@
-// rt_facet_key.v - the result of a facet: it waits for a divider, or for its taker
+// rt_facet_key.v - keys of hits on facets
 // SPDX-License-Identifier: Apache-2.0
-//   key = ceil(a*num' / det') of a hit; a miss, or a hit of a ray to a light, needs none: key 1
-//   of a plane beyond the grid: num', det' are room, size, and size - ceil(face / way) is added
-// One result waits here, others in the dividers. Those of dividers go first; so a result may be
-// overtaken, and the one that is offered may change while nobody takes it.
-// Model: sph_facet_key() in cmodel/prim/facet.c
+//   key = ceil(a*num' / det'); a plane farther than the grid, num'*size > det'*room:
+//   key = ceil(a*room / size) + size - ceil(det'*room / num')
+// One hit after the other makes its products here, while dividers are at work for those before it;
+// a divider of its own ranks planes beyond the grid, one at a time. Keys leave in any order.
+// Model: end() and sph_facet_key() in cmodel/prim/facet.c
 `timescale 1ns / 1ps
 `default_nettype none
-`include "rt_bundles.vh"
 module rt_facet_key #(
     parameter W     = 16,                        // coordinate, bits
     parameter WD    = 17,                        // direction component, bits
-    parameter SLOTS = 32,                        // power of two
+    parameter TAG   = 30,                        // tag, bits
     parameter DW    = 50,                        // det', bits
     parameter MW    = 49,                        // num', bits
     parameter STEP  = 2,                         // bits of a key a clock
     parameter UNITS = 1                          // dividers
 ) (
-    input  wire                       clk,
-    input  wire                       rst,
-    // from rt_facet: det' first, the rest once full_o is low
-    input  wire                       det_load_i,
-    input  wire [DW-1:0]              det_i,     // det'
-    input  wire                       in_valid_i,
-    input  wire [2*WD+MW-1:0]         in_x_i,    // a*num'
-    input  wire [$clog2(SLOTS)+`RT_ID_BITS-1:0] in_tag_i, // {slot, id}
-    input  wire                       in_hit_i,
-    input  wire                       in_shadow_i, // the ray ends at a light
-    input  wire                       in_far_i,  // the normal looks along the ray
-    input  wire                       in_past_i, // a plane beyond the grid: its det'*room, num'
-    input  wire [MW+WD-1:0]           in_face_i,
-    input  wire [MW-1:0]              in_way_i,
-    output wire                       full_o,    // a result waits, and goes on waiting
-    // to rt_prim
-    output wire [`RT_RESULT_BITS-1:0] result_o,
-    input  wire                       result_ready_i,
+    input  wire             clk,
+    input  wire             rst,                 // synchronous, active high
+    // from rt_facet: a hit that stands still until it is taken
+    input  wire             in_valid_i,
+    output wire             in_ready_o,
+    input  wire [TAG-1:0]   in_tag_i,
+    input  wire             in_plane_i,
+    input  wire [DW-1:0]    in_det_i,            // det', > 0
+    input  wire [MW-1:0]    in_num_i,            // num', > 0
+    input  wire [2*WD-1:0]  in_a_i,              // dir.dir
+    input  wire [W:0]       in_room_i,           // to one unit beyond the grid, along the longest
+    input  wire [WD-1:0]    in_size_i,           // axis of dir; |dir| along it
+    // to rt_facet
+    output wire             out_valid_o,
+    input  wire             out_ready_i,
+    output wire [TAG-1:0]   out_tag_o,
+    output wire [W+WD+1:0]  out_key_o,           // > 0
     // event
-    output wire                       divide_o   // a division begins
+    output wire             divide_o             // a division begins
 );
-    localparam TAG = $clog2(SLOTS) + `RT_ID_BITS;
-    localparam QW  = W + WD + 1;                 // key
-    reg  [2*WD+MW-1:0] x_q;
-    reg  [DW-1:0]      det_q;
-    reg  [TAG-1:0]     tag_q;
-    reg                valid_q, hit_q, divide_q, far_q, past_q;
-    wire               divider, leaves, k_valid, k_far, ranked, idle;
-    wire [TAG-1:0]     k_tag;
-    wire [QW:0]        k_key;
-    wire [WD:0]        rank;
-    wire [WD-1:0]      k_add;
-    wire               can = !past_q || ranked;  // its rank is there, if it has one
-    assign leaves = divide_q ? divider && can : result_ready_i && !k_valid;
-    assign full_o = valid_q && !leaves;
+    localparam QW = W + WD + 1;                  // quotient
+    localparam LW = DW > MW ? DW : MW;           // long factor
+    localparam NW = W + 1 > WD ? W + 1 : WD;     // narrow one
+    localparam FW = MW + WD < LW + NW ? MW + WD : LW + NW; // det'*room, if it counts: < num'*size
+    localparam [2:0] IDLE = 3'd0, WAY = 3'd1, SCALE = 3'd2, WAIT = 3'd3, DIVIDE = 3'd4;
+    localparam [1:0] FACE = 2'd0, NEXT = 2'd1, KEY = 2'd2, ROOM = 2'd3; // products, as they come
+    localparam [1:0] OF_DET = 2'd0, OF_NUM = 2'd1, OF_KEY = 2'd2;
+
+    // ---- products: det'*room and num'*size of a plane, a*num', and a*room if need be ----
+    reg  [2:0]       state_q;
+    reg  [1:0]       op_q;                       // factors that the product reads
+    reg  [1:0]       came_q;                     // product that comes next
+    reg              past_q, again_q;            // beyond the grid; a*room is under way
+    reg  [LW+NW-1:0] face_q;                     // det'*room
+    wire             p_ready, p_done, rank_ready, divider, ranked;
+    wire [LW+2*WD-1:0] product;
+    wire [LW+NW-1:0] narrow;
+    wire             begins  = state_q == IDLE && in_valid_i;
+    wire             ways    = state_q == WAY && p_ready;
+    wire             scales  = state_q == SCALE && p_ready;
+    wire             again   = state_q == WAIT && past_q && !again_q && p_ready && rank_ready;
+    wire             divides = state_q == DIVIDE;
     always @(posedge clk) begin
-        if (det_load_i) det_q <= det_i;
-        if (leaves) valid_q <= 1'b0;
-        if (in_valid_i) begin
-            valid_q  <= 1'b1;
-            x_q      <= in_x_i;
-            tag_q    <= in_tag_i;
-            hit_q    <= in_hit_i;
-            divide_q <= in_hit_i && !in_shadow_i;
-            far_q    <= in_far_i;
-            past_q   <= in_hit_i && in_past_i;
+        if (begins) begin
+            op_q    <= in_plane_i ? OF_DET : OF_KEY;
+            state_q <= in_plane_i ? WAY : WAIT;
+            came_q  <= in_plane_i ? FACE : KEY;
+            past_q  <= 1'b0;
+            again_q <= 1'b0;
         end
-        if (rst) valid_q <= 1'b0;
+        if (ways) begin
+            op_q    <= OF_NUM;
+            state_q <= SCALE;
+        end
+        if (scales) begin
+            op_q    <= OF_KEY;
+            state_q <= WAIT;
+        end
+        if (again) again_q <= 1'b1;
+        if (p_done) begin
+            came_q <= came_q + 2'd1;
+            if (came_q == FACE) face_q <= narrow;
+            if (came_q == NEXT) past_q <= face_q < narrow;
+            if (came_q == KEY ? !past_q : came_q == ROOM) state_q <= DIVIDE;
+        end
+        if (divides && divider) state_q <= IDLE;
+        if (rst) state_q <= IDLE;
     end
-    assign divide_o = valid_q && divide_q && divider && can;
+    wire [W:0] room = in_room_i;
+    wire [LW-1:0] long = op_q == OF_DET ? {{(LW-DW){1'b0}}, in_det_i}
+                         : op_q == OF_KEY && past_q ? {{(LW-W-1){1'b0}}, room}
+                         : {{(LW-MW){1'b0}}, in_num_i};
+    wire [2*WD-1:0] short = op_q == OF_DET ? {{(2*WD-W-1){1'b0}}, room}
+                            : op_q == OF_NUM ? {{WD{1'b0}}, in_size_i} : in_a_i;
+    rt_long_product #(.AW(LW), .BW(2*WD), .BN(NW)) u_product (
+        .clk(clk), .rst(rst), .start_i(begins || ways || scales || again), .ready_o(p_ready),
+        .narrow_i(op_q != OF_KEY), .a_i(long), .b_i(short), .done_o(p_done), .p_o(product),
+        .narrow_o(narrow)
+    );
 
     // ---- order of planes beyond the grid ----
-    rt_divide #(.DW(MW), .QW(WD), .STEP(STEP < WD ? STEP : WD)) u_rank (
-        .clk(clk), .rst(rst), .in_valid_i(in_valid_i && in_hit_i && in_past_i),
-        .in_ready_o(idle), .in_x_i(in_face_i), .in_d_i(in_way_i),
-        .out_valid_o(ranked), .out_ready_i(valid_q && past_q && leaves), .out_key_o(rank)
+    wire          k_valid, k_past, k_ready;
+    wire [WD:0]   rank;
+    reg  [WD-1:0] size_q;
+    always @(posedge clk) if (again) size_q <= in_size_i;
+    wire [MW+WD-1:0] face = {{(MW+WD-FW){1'b0}}, face_q[FW-1:0]};
+    rt_divide #(.DW(MW), .QW(WD), .STEP(1)) u_rank (
+        .clk(clk), .rst(rst), .in_valid_i(again), .in_ready_o(rank_ready),
+        .in_x_i(face), .in_d_i(in_num_i),
+        .out_valid_o(ranked), .out_ready_i(k_valid && k_past && out_ready_i), .out_key_o(rank)
     );
-    wire [WD:0] add = past_q ? {1'b0, det_q[WD-1:0]} - rank : {(WD+1){1'b0}};
+    wire [WD:0] add = {1'b0, size_q} - rank;
 
-    rt_divide_pool #(.DW(DW), .QW(QW), .STEP(STEP), .UNITS(UNITS), .TAG(WD+TAG+1)) u_pool (
-        .clk(clk), .rst(rst), .in_valid_i(valid_q && divide_q && can), .in_ready_o(divider),
-        .in_tag_i({add[WD-1:0], far_q, tag_q}), .in_x_i({1'b0, x_q}), .in_d_i(det_q),
-        .out_valid_o(k_valid), .out_ready_i(result_ready_i), .out_tag_o({k_add, k_far, k_tag}),
-        .out_key_o(k_key)
+    // ---- keys ----
+    wire [DW+QW-1:0]    x;
+    wire [LW+2*WD+DW+QW-1:0] wide = {{(DW+QW){1'b0}}, product};
+    wire [QW:0]         key;
+    assign x = wide[DW+QW-1:0];
+    rt_divide_pool #(.DW(DW), .QW(QW), .STEP(STEP), .UNITS(UNITS), .TAG(TAG+1)) u_pool (
+        .clk(clk), .rst(rst), .in_valid_i(divides), .in_ready_o(divider),
+        .in_tag_i({past_q, in_tag_i}), .in_x_i(x),
+        .in_d_i(past_q ? {{(DW-WD){1'b0}}, in_size_i} : in_det_i),
+        .out_valid_o(k_valid), .out_ready_i(k_ready), .out_tag_o({k_past, out_tag_o}),
+        .out_key_o(key)
     );
-    assign result_o[`RT_RESULT_VALID] = k_valid || (valid_q && !divide_q);
-    assign {result_o[`RT_RESULT_SLOT], result_o[`RT_RESULT_ID]} = k_valid ? k_tag : tag_q;
-    assign result_o[`RT_RESULT_HIT] = k_valid || hit_q;
-    assign result_o[`RT_RESULT_FAR] = k_valid ? k_far : far_q;
-    assign result_o[`RT_RESULT_KEY] = k_valid ? k_key + {{(QW+1-WD){1'b0}}, k_add}
-                                               : {{QW{1'b0}}, 1'b1};
-    wire unused = &{1'b0, idle, add[WD]};
+    assign k_ready     = out_ready_i && (!k_past || ranked);
+    assign out_valid_o = k_valid && (!k_past || ranked);
+    assign out_key_o   = key + (k_past ? {{(QW+1-WD){1'b0}}, add[WD-1:0]} : {(QW+1){1'b0}});
+    assign in_ready_o  = divides && divider;
+    assign divide_o    = in_ready_o;
+    wire unused = &{1'b0, face_q, wide, add[WD]};
 endmodule
 `default_nettype wire

@@ -24,7 +24,8 @@ module rt_prim #(
     parameter INSIDE = 1,   // 1: rays that start inside a sphere
     parameter FACETS = 0,   // 1: triangles and planes too, a line a leaf
     parameter DIVISIONS = 1, // dividers for their keys
-    parameter DIVISION_STEP = 2 // bits of a key a clock
+    parameter DIVISION_STEP = 2, // bits of a key a clock
+    parameter FACET_INTERVAL = 2 // clocks an exact test of a facet: 1, 2 or 4
 ) (
     input  wire                       clk,
     input  wire                       rst,
@@ -95,7 +96,8 @@ module rt_prim #(
             wire [RB-1:0] facet_result;
             assign mine[FACET] = whole && (kind_is(head, `RT_TRIANGLE) || kind_is(head, `RT_PLANE));
             assign event_o[`RT_PRIM_EVENT_FACET] = taken && mine[FACET];
-            rt_facet #(.W(W), .WD(WD), .SLOTS(SLOTS), .SHADOW(SHADOW), .STEP(DIVISION_STEP),
+            rt_facet #(.W(W), .WD(WD), .SLOTS(SLOTS), .SHADOW(SHADOW),
+                       .INTERVAL(FACET_INTERVAL), .STEP(DIVISION_STEP),
                        .UNITS(DIVISIONS)) u_facet (
                 .clk(clk), .rst(rst),
                 .in_valid_i(in_valid_i && to[FACET]), .in_ready_o(ready[FACET]), .test_i(test_i),

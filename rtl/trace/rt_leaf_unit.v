@@ -23,7 +23,8 @@ module rt_leaf_unit #(
     parameter INSIDE = 1,   // 1: rays that start inside a sphere
     parameter FACETS = 0,   // 1: triangles and planes too, a line a leaf
     parameter DIVISIONS = 1, // dividers for their keys
-    parameter DIVISION_STEP = 2 // bits of a key a clock
+    parameter DIVISION_STEP = 2, // bits of a key a clock
+    parameter FACET_INTERVAL = 2 // clocks an exact test of a facet: 1, 2 or 4
 ) (
     input  wire                       clk,
     input  wire                       rst,
@@ -191,7 +192,8 @@ module rt_leaf_unit #(
     end
     rt_prim #(.W(W), .WD(WD), .SLOTS(SLOTS), .ROOTS(ROOTS), .ROOT_STEP(ROOT_STEP), .PR(PR),
               .LEAF_INTERVAL(LEAF_INTERVAL), .SHADOW(SHADOW), .INSIDE(INSIDE), .FACETS(FACETS),
-              .DIVISIONS(DIVISIONS), .DIVISION_STEP(DIVISION_STEP)) u_prim (
+              .DIVISIONS(DIVISIONS), .DIVISION_STEP(DIVISION_STEP),
+              .FACET_INTERVAL(FACET_INTERVAL)) u_prim (
         .clk(clk), .rst(rst), .effects_i(effects),
         .in_valid_i(l_valid_q), .in_ready_o(l_ready), .test_i(test),
         .result_o(result), .event_o(event_o[`RT_EXACT_EVENT_PRIM]), .bad_o(l_bad)

@@ -53,6 +53,7 @@ module tb_core_icarus #(
     parameter QUOTIENT_STEP = 2, // 1..PQ: quotient bits a clock
     parameter DIVISION_STEP = 2, // 1..W+WD: bits of a facet's key a clock
     parameter LEAF_INTERVAL = 2, // 2..4, power of two: clocks an exact test of a sphere
+    parameter FACET_INTERVAL = 2, // 1..4, power of two: clocks an exact test of a facet
     parameter UNITS      = 2,    // 1..2: units for unit vectors an engine
     parameter UNIT_INTERVAL = 2, // 2..4, power of two: clocks a vector of each
     parameter HIT_INTERVAL = 8,  // 8..12: clocks a hit point and its normal, 8 or 12
@@ -102,8 +103,9 @@ module tb_core_icarus #(
         .TEXTURE_GROUP(TEXTURE_GROUP), .TEXTURE_COORDS(TEXTURE_COORDS), .ROOTS(ROOTS),
         .QUOTIENTS(QUOTIENTS), .DIVISIONS(DIVISIONS), .ROOT_STEP(ROOT_STEP),
         .QUOTIENT_STEP(QUOTIENT_STEP), .DIVISION_STEP(DIVISION_STEP),
-        .LEAF_INTERVAL(LEAF_INTERVAL), .UNITS(UNITS), .UNIT_INTERVAL(UNIT_INTERVAL),
-        .HIT_INTERVAL(HIT_INTERVAL), .BOUNCE_INTERVAL(BOUNCE_INTERVAL)
+        .LEAF_INTERVAL(LEAF_INTERVAL), .FACET_INTERVAL(FACET_INTERVAL), .UNITS(UNITS),
+        .UNIT_INTERVAL(UNIT_INTERVAL), .HIT_INTERVAL(HIT_INTERVAL),
+        .BOUNCE_INTERVAL(BOUNCE_INTERVAL)
         // end of connections
     ) u_core (
         .clk(clk), .rst(rst),
