@@ -31,6 +31,8 @@
 #define SPHAERA_CORE_PARTS_ACCEL 0x00080000u /* a BIH instead of nodes of four children */
 #define SPHAERA_CORE_PARTS_COARSE_LSB 20u
 #define SPHAERA_CORE_PARTS_COARSE 0x00f00000u /* bits of a level's fraction that are rounded away */
+#define SPHAERA_CORE_PARTS_BOXES_LSB 24u
+#define SPHAERA_CORE_PARTS_BOXES 0x01000000u /* boxes around the children of a node, not spheres */
 #define SPHAERA_CORE_BUS 0x014u /* ro: what the block was built with */
 #define SPHAERA_CORE_BUS_DATA_LSB 0u
 #define SPHAERA_CORE_BUS_DATA 0x000000ffu /* data bits of the AXI4 masters, 64 or 128 */

@@ -8,7 +8,7 @@
 #   make synth SCENE=x                  only the effects that the machine of scene x asks for
 #   make synth EFFECTS=shadow+lights1   a core with just these: names of sim/parameters.sh
 #   make synth EFFECTS=all-reflect      everything but this one
-#   make synth ACCEL=bih                all+bih: the core that walks a BIH
+#   make synth ACCEL=bih                all+bih: the core that walks a BIH; box4: all+boxes
 #   make area                           the tables of docs/results/area.md
 # What was synthesised before is taken from build/synth/KEY/ as long as its sources are the same;
 # build/synth/report.md and report.json hold the tables of the last call.
@@ -19,7 +19,7 @@ SYNTH_SCENE := $(if $(filter file,$(origin SCENE)),,$(filter auto,$(EFFECTS)))
 .PHONY: area
 synth: $(if $(SYNTH_SCENE),$(TOOL)) ## area with Yosys: PROFILE and TARGET, or all; effects of SCENE
 	+$(Q)asked='$(if $(SYNTH_SCENE),,$(or $(filter-out auto,$(PROFILE)),standard) $(or \
-	    $(filter-out auto,$(EFFECTS)),$(if $(filter bih brute,$(ACCEL)),all+bih,all)))' && \
+	    $(filter-out auto,$(EFFECTS)),$(if $(filter bih brute,$(ACCEL)),all+bih,$(if $(filter box4,$(ACCEL)),all+boxes,all))))' && \
 	    $(if $(SYNTH_SCENE),asked=$$($(call run,core,$(MACHINE_KEY))) &&) set -- $$asked && \
 	    $(MAKE) --no-print-directory -f make/area.mk report B=$B V=$(V) \
 	    PROFILES=$(if $(SYNTH_SCENE),$(or $(filter all,$(PROFILE)),"$$1"),"$$1") \

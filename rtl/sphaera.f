@@ -108,6 +108,9 @@ rtl/trace/rt_bih.v
 rtl/trace/rt_bih_next.v
 rtl/trace/rt_bih_ray.v
 rtl/trace/rt_bih_step.v
+rtl/trace/rt_box.v
+rtl/trace/rt_box_depth.v
+rtl/trace/rt_boxes.v
 rtl/trace/rt_collect.v
 rtl/trace/rt_filter.v
 rtl/trace/rt_leaf_unit.v

@@ -66,6 +66,7 @@ build_cores() {
         case $settings+$asked in # `all` walks the machine's own tree
         *EFFECTS=auto*) ;;
         *EFFECTS=all*+bih | *EFFECTS=all*" bih") asked="${asked% *} bih" ;;
+        *EFFECTS=all*+boxes | *EFFECTS=all*" boxes") asked="${asked% *} boxes" ;;
         *) asked=${asked% *} ;;
         esac
         case $settings in *SIM=icarus*) order=2 ;; *) order=1 ;; esac

@@ -398,7 +398,8 @@
     X(RECT, rect, "RECT", -1, 1, 1, SPH_OPTION_NONE, 0, 0, SPH_REG_BG_MODE, 1, 1, -1, "background separation by rectangle") \
     X(SPANS, spans, "SPANS", -1, 1, 1, SPH_OPTION_NONE, 0, 0, SPH_REG_BG_MODE, 2, 2, -1, "background separation by spans in memory") \
     X(CONES, cones, "CONES", -1, 16, 1, SPH_OPTION_NONE, 0, 0, SPH_REG_BG_MODE, 3, 3, SPH_REG_BG_COUNT, "exact background separation, by so many spheres") \
-    X(BIH, bih, "ACCEL", -1, 1, 0, SPH_OPTION_NONE, 0, 16, SPH_REG_TREE, 3, 4, -1, "a BIH instead of nodes of four children")
+    X(BIH, bih, "ACCEL", -1, 1, 0, SPH_OPTION_NONE, 0, 16, SPH_REG_TREE, 3, 4, -1, "a BIH instead of nodes of four children") \
+    X(BOXES, boxes, "BOXES", -1, 1, 0, SPH_OPTION_NONE, 0, 65552, SPH_REG_TREE, 6, 6, -1, "boxes around the children of a node, not spheres")
 #define SPH_EACH_REG(X)  \
     X(EFFECTS) \
     X(MAX_DEPTH) \

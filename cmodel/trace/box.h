@@ -1,4 +1,4 @@
-/* box.h - does a ray meet the box of a child, and from where on?
+/* box.h - does a ray meet the box of a child, and from where on?           RTL: rtl/trace/rt_box.v
  * SPDX-License-Identifier: Apache-2.0
  *
  * A box is what lies between its six planes, each of which cuts the ray as one of a BIH does

@@ -34,6 +34,7 @@ module rt_core #(
     parameter SPANS      = 1,    // 0 or 1: background separation by spans in memory
     parameter CONES      = 1,    // 0..16: exact background separation, by so many spheres
     parameter ACCEL      = 0,    // 0 or 1: a BIH instead of nodes of four children
+    parameter BOXES      = 0,    // 0 or 1: boxes around the children of a node, not spheres
     parameter ENGINES    = 1,    // 1..8: engines
     parameter SLOTS      = 64,   // 4..1024, power of two: rays in flight an engine
     parameter NODE_LINES = 256,  // 8..4096, power of two: lines of an engine's node cache
@@ -175,7 +176,7 @@ module rt_core #(
     localparam DEEPEST = REFRACT != 0 ? 5 : REFLECT;  // refracted rays alone go to 5
     wire [3:0]  ways  = {CONES != 0, SPANS != 0, RECT != 0, 1'b1};
     wire missing = (effects & ~built) != 32'd0 ||    // the machine asks for what is not here
-                   bih != (ACCEL != 0) || boxes ||
+                   bih != (ACCEL != 0) || boxes != (BOXES != 0) ||
                    coarse != (TEXTURE != 0 ? COARSE[3:0] : 4'd0) ||
                    {29'd0, max_depth} > DEEPEST || {28'd0, n_lights} > LIGHTS ||
                    !ways[bg_mode] || (bg_mode == 2'd3 && {27'd0, bg_count} > CONES);
@@ -287,8 +288,9 @@ module rt_core #(
                         .STACK(`RT_STACK_DEPTH), .SHADOW(SHADOW), .REFLECT(REFLECT),
                         .LIGHTS(LIGHTS), .INSIDE(INSIDE), .FIRST(FIRST),
                         .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),
-                        .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM), .ACCEL(ACCEL),
-                        .SMOOTH(SMOOTH), .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES),
+                        .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM),
+                        .ACCEL(BOXES != 0 ? 2 : ACCEL), .SMOOTH(SMOOTH),
+                        .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES),
                         .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS),
                         .TEXTURE_GROUP(TEXTURE_GROUP), .TEXTURE_COORDS(TEXTURE_COORDS),
                         .COARSE(COARSE),

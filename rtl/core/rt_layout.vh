@@ -435,6 +435,9 @@
     `RT_CHECK(CONES >= 0 && CONES <= 16, rt_core_CONES_must_be_0_to_16) \
     `RT_CHECK(ACCEL >= 0 && ACCEL <= 1, rt_core_ACCEL_must_be_0_to_1) \
     `RT_CHECK(ACCEL == 0 || FIRST == 0, rt_core_ACCEL_excludes_FIRST) \
+    `RT_CHECK(BOXES >= 0 && BOXES <= 1, rt_core_BOXES_must_be_0_to_1) \
+    `RT_CHECK(BOXES == 0 || FIRST == 0, rt_core_BOXES_excludes_FIRST) \
+    `RT_CHECK(BOXES == 0 || ACCEL == 0, rt_core_BOXES_excludes_ACCEL) \
     `RT_CHECK(ENGINES >= 1 && ENGINES <= 8, rt_core_ENGINES_must_be_1_to_8) \
     `RT_CHECK(SLOTS >= 4 && SLOTS <= 1024 && (SLOTS & (SLOTS - 1)) == 0, rt_core_SLOTS_must_be_a_power_of_two_from_4_to_1024) \
     `RT_CHECK(NODE_LINES >= 8 && NODE_LINES <= 4096 && (NODE_LINES & (NODE_LINES - 1)) == 0, rt_core_NODE_LINES_must_be_a_power_of_two_from_8_to_4096) \

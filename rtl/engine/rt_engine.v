@@ -29,7 +29,7 @@ module rt_engine #(
     parameter SPECULAR   = 0,
     parameter SUM        = 0,
     parameter SMOOTH     = 0,
-    parameter ACCEL      = 0,    // 0: nodes of four children, 1: BIH
+    parameter ACCEL      = 0,    // 0: nodes of four spheres, 1: BIH, 2: nodes of four boxes
     parameter NODE_LINES = 256,  // node cache
     parameter LEAF_LINES = 128,  // leaf and primitive cache
     parameter TEXTURE_LINES = 128, // texture cache

@@ -37,6 +37,7 @@ module rt_top #(
     parameter SPANS      = 1,    // 0 or 1: background separation by spans in memory
     parameter CONES      = 1,    // 0..16: exact background separation, by so many spheres
     parameter ACCEL      = 0,    // 0 or 1: a BIH instead of nodes of four children
+    parameter BOXES      = 0,    // 0 or 1: boxes around the children of a node, not spheres
     parameter ENGINES    = 1,    // 1..8: engines
     parameter SLOTS      = 64,   // 4..1024, power of two: rays in flight an engine
     parameter NODE_LINES = 256,  // 8..4096, power of two: lines of an engine's node cache
@@ -154,7 +155,8 @@ module rt_top #(
     localparam [31:0] A_ENGINES = ENGINES, A_LIGHTS = LIGHTS, A_CONES = CONES, A_COARSE = COARSE,
                       A_DATA = DATA;
     wire [31:0] parts, bus, status;
-    assign parts[31:24] = 8'd0;
+    assign parts[31:25] = 7'd0;
+    assign parts[`RT_TOP_CORE_PARTS_BOXES]   = BOXES != 0;
     assign parts[`RT_TOP_CORE_PARTS_COARSE]  = A_COARSE[3:0];
     assign parts[`RT_TOP_CORE_PARTS_ACCEL]   = ACCEL != 0;
     assign parts[`RT_TOP_CORE_PARTS_SPANS]   = SPANS != 0;
@@ -264,14 +266,14 @@ module rt_top #(
         .FIRST(FIRST), .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),
         .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM), .SMOOTH(SMOOTH),
         .COARSE(COARSE), .RECT(RECT), .SPANS(SPANS), .CONES(CONES), .ACCEL(ACCEL),
-        .ENGINES(ENGINES), .SLOTS(SLOTS), .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES),
-        .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS),
-        .TEXTURE_GROUP(TEXTURE_GROUP), .TEXTURE_COORDS(TEXTURE_COORDS), .ROOTS(ROOTS),
-        .QUOTIENTS(QUOTIENTS), .DIVISIONS(DIVISIONS), .ROOT_STEP(ROOT_STEP),
-        .QUOTIENT_STEP(QUOTIENT_STEP), .DIVISION_STEP(DIVISION_STEP),
-        .LEAF_INTERVAL(LEAF_INTERVAL), .FACET_INTERVAL(FACET_INTERVAL), .UNITS(UNITS),
-        .UNIT_INTERVAL(UNIT_INTERVAL), .HIT_INTERVAL(HIT_INTERVAL),
-        .BOUNCE_INTERVAL(BOUNCE_INTERVAL)
+        .BOXES(BOXES), .ENGINES(ENGINES), .SLOTS(SLOTS), .NODE_LINES(NODE_LINES),
+        .LEAF_LINES(LEAF_LINES), .TEXTURE_LINES(TEXTURE_LINES),
+        .TEXTURE_WAYS(TEXTURE_WAYS), .TEXTURE_GROUP(TEXTURE_GROUP),
+        .TEXTURE_COORDS(TEXTURE_COORDS), .ROOTS(ROOTS), .QUOTIENTS(QUOTIENTS),
+        .DIVISIONS(DIVISIONS), .ROOT_STEP(ROOT_STEP), .QUOTIENT_STEP(QUOTIENT_STEP),
+        .DIVISION_STEP(DIVISION_STEP), .LEAF_INTERVAL(LEAF_INTERVAL),
+        .FACET_INTERVAL(FACET_INTERVAL), .UNITS(UNITS), .UNIT_INTERVAL(UNIT_INTERVAL),
+        .HIT_INTERVAL(HIT_INTERVAL), .BOUNCE_INTERVAL(BOUNCE_INTERVAL)
         // end of connections
     ) u_core (
         .clk(clk), .rst(core_rst), .cfg_valid_i(cfg_valid), .cfg_addr_i(cfg_addr),

@@ -16,7 +16,7 @@ module rt_collect #(
     parameter SHADOW = 1,  // 1: shadow rays
     parameter INSIDE = 1,  // 1: far roots, or facets: far is kept
     parameter FIRST = 1,   // 1: rays that end with the first visit that hits
-    parameter KEYS  = 0    // 1: depths are in units of keys, scale and shift are not used
+    parameter KEYS  = 0    // 1: depths are T-words, 2: of boxes; scale and shift are not used
 ) (
     input  wire              clk,
     input  wire              rst,
@@ -178,10 +178,21 @@ module rt_collect #(
     assign out_slot_o  = s4_slot_q;
     generate
         if (KEYS != 0) begin : g_key
-            localparam T = KW > FW + 1 ? KW - FW - 1 : 0;          // bits of a key that are dropped
-            wire [KW+FW:0] key = {{(FW+1){1'b0}}, in_key_i} >> T;  // fits: FW + 1 bits, or KW
-            rt_delay #(.WIDTH(FW+1), .CYCLES(3)) u_key (
-                .clk(clk), .in_i(key[FW:0]), .out_o(s3_depth)
+            localparam TW = `RT_BIH_T;
+            localparam T = KW > TW ? KW - TW : 0;                  // bits of a key that are dropped
+            wire [KW+TW-1:0] key = {{TW{1'b0}}, in_key_i} >> T;    // fits: TW bits, or KW
+            wire [TW-1:0] s1_time;
+            rt_delay #(.WIDTH(TW), .CYCLES(1)) u_key (
+                .clk(clk), .in_i(key[TW-1:0]), .out_o(s1_time)
+            );
+            wire [FW:0] s1_depth;
+            if (KEYS == 2) begin : g_boxes
+                rt_box_depth u_depth (.time_i(s1_time), .depth_o(s1_depth));
+            end else begin : g_times
+                assign s1_depth = s1_time;
+            end
+            rt_delay #(.WIDTH(FW+1), .CYCLES(2)) u_depth (
+                .clk(clk), .in_i(s1_depth), .out_o(s3_depth)
             );
             wire unused = &{1'b0, key, new_scale};
         end else begin : g_scaled

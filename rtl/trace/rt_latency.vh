@@ -4,4 +4,5 @@
 `define RT_LATENCY_VH
 `define RT_FILTER_LATENCY 7
 `define RT_BIH_STEP_LATENCY 5
+`define RT_BOXES_LATENCY 10
 `endif

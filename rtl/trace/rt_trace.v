@@ -21,7 +21,7 @@ module rt_trace #(
     parameter FIRST = 1,    // 1: primary rays may end with their first hit
     parameter FARS  = 1,    // 1: hits that are far
     parameter FACETS = 0,   // 1: a leaf child may have a whole line
-    parameter ACCEL = 0     // 0: nodes of four children, 1: BIH
+    parameter ACCEL = 0     // 0: nodes of four spheres, 1: BIH, 2: nodes of four boxes
 ) (
     input  wire                       clk,
     input  wire                       rst,
@@ -58,7 +58,7 @@ module rt_trace #(
     output wire [3:0]                 fault_o         // by number of the error, machine.def
 );
     localparam SLOTW = $clog2(SLOTS);
-    localparam LW = ACCEL != 0 ? `RT_BIH_T - 1 : FW;         // depth limit, bits - 1
+    localparam LW = ACCEL == 1 ? `RT_BIH_T - 1 : ACCEL == 2 ? 14 : FW;  // depth limit, bits - 1
 
     // ---- how a ray goes ----
     wire [`RT_EFFECT_BITS-1:0] effects = regs_i[`RT_REGS_EFFECTS];
@@ -71,7 +71,7 @@ module rt_trace #(
     wire [2:0]       count;                                  // leaf children of a visit
     wire [LW:0]      limit, read_depth, next_depth;          // what lies deeper does not matter
     generate
-        if (ACCEL == 0) begin : g_four
+        if (ACCEL != 1) begin : g_four
             wire [`RT_FOUND_BITS-1:0] found;
             wire             issue_valid;
             wire             found_valid = found[`RT_FOUND_VALID];
@@ -81,10 +81,21 @@ module rt_trace #(
             wire [`RT_TRACE_EVENT_BITS-1:0] events;
             wire [3:0]       faults;
             wire             bubble, overflow;
-            assign limit = filter_i[`RT_FILTER_DEPTH];
+            if (ACCEL == 2) begin : g_boxes
+                // a shadow ray goes to the key of its light
+                localparam TW = `RT_BIH_T;
+                localparam T  = W + WD + 2 > TW ? W + WD + 2 - TW : 0;
+                wire [2*WD+TW-1:0] light = {{TW{1'b0}}, ray_i[`RT_RAY_A]} >> T;
+                wire             far = !ray_i[`RT_RAY_SHADOW] || |light[2*WD+TW-1:TW];
+                rt_box_depth u_limit (
+                    .time_i(far ? {TW{1'b1}} : light[TW-1:0]), .depth_o(limit)
+                );
+            end else begin : g_spheres
+                assign limit = filter_i[`RT_FILTER_DEPTH];
+            end
             assign count = {2'b0, leaf[0]} + {2'b0, leaf[1]} + {2'b0, leaf[2]} + {2'b0, leaf[3]};
             rt_traverse #(.W(W), .WD(WD), .FW(FW), .SLOTS(SLOTS), .LINES(LINES), .SHADOW(SHADOW),
-                          .FIRST(FIRST), .FACETS(FACETS)) u_traverse (
+                          .FIRST(FIRST), .FACETS(FACETS), .BOXES(ACCEL == 2 ? 1 : 0)) u_traverse (
                 .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i),
                 .ray_i(ray_i), .filter_i(filter_i), .first_i(first), .pixel_i(pixel),
                 .shadow_go_i(shadow_go_i), .shadow_slot_i(shadow_slot_i),
@@ -116,7 +127,7 @@ module rt_trace #(
             );
 
             // ---- the next node ----
-            rt_next #(.FW(FW), .SLOTS(SLOTS), .DEPTH(STACK),
+            rt_next #(.FW(LW), .SLOTS(SLOTS), .DEPTH(STACK),
                       .ENDS(SHADOW != 0 || FIRST != 0 ? 1 : 0)) u_next (
                 .clk(clk), .rst(rst),
                 .found_valid_i(found_valid), .found_slot_i(found[`RT_FOUND_SLOT]),

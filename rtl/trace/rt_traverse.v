@@ -3,6 +3,7 @@
 // A token brings a slot and the line of a node. What the visit finds leaves as found_o and, if leaf
 // children pass, as visit_o; where the token goes next is for rt_trace.
 //   4 issue | node cache | 1 node beside its ray | rt_filter, `RT_FILTER_LATENCY | rt_sort, 2
+// With BOXES children are in boxes: rt_boxes, `RT_BOXES_LATENCY.
 // Behind the cache nothing waits: a node a clock.
 // Borodavka et al. IV. Model: sph_visit() in cmodel/trace/visit.c
 `timescale 1ns / 1ps
@@ -18,7 +19,9 @@ module rt_traverse #(
     parameter LINES = 256,  // node cache, lines
     parameter SHADOW = 1,   // 1: shadow rays
     parameter FIRST = 1,    // 1: rays that end with their first hit
-    parameter FACETS = 0    // 1: a leaf child may have a whole line
+    parameter FACETS = 0,   // 1: a leaf child may have a whole line
+    parameter BOXES = 0,    // 1: children are in boxes, not in spheres
+    parameter LW    = BOXES != 0 ? 14 : FW   // not to be set: depth, bits - 1
 ) (
     input  wire                       clk,
     input  wire                       rst,
@@ -39,7 +42,7 @@ module rt_traverse #(
     // from rt_collect
     output wire                       depth_read_o,
     output wire [$clog2(SLOTS)-1:0]   depth_slot_o,
-    input  wire [FW:0]                depth_i,        // a clock later: what lies deeper is pruned
+    input  wire [LW:0]                depth_i,        // a clock later: what lies deeper is pruned
     // result of a visit: to rt_next; leaf children that pass, to rt_leaf_unit
     output wire [`RT_FOUND_BITS-1:0]  found_o,
     output wire [`RT_VISIT_BITS-1:0]  visit_o,
@@ -62,65 +65,117 @@ module rt_traverse #(
     localparam SLOTW = $clog2(SLOTS);
     wire [`RT_EFFECT_BITS-1:0] effects   = regs_i[`RT_REGS_EFFECTS];
     wire [`RT_LINE_BITS-1:0] mem_lines = regs_i[`RT_REGS_MEM_LINES];
-    localparam LAT = `RT_FILTER_LATENCY;
+    localparam LAT = BOXES != 0 ? `RT_BOXES_LATENCY : `RT_FILTER_LATENCY;
 
     // ---- queues of tokens: rays under way first, then new ones ----
-    wire             q_next_valid, q_new_valid, q_shadow_valid;
-    wire [SLOTW-1:0] q_next_slot;
+    wire             q_next_valid, start_valid, start_pixel, next_in_ready;
+    wire [SLOTW-1:0] q_next_slot, start_slot;
     wire [`RT_LINE_BITS-1:0] q_next_line;
-    wire [SLOTW-1:0] q_new_slot, q_shadow;
-    wire             q_new_pixel;
     reg  [3:0]       held_q;                         // tokens chosen that the cache has not taken
     wire             room = !held_q[3];
-    wire             next_in_ready, new_in_ready, shadow_in_ready;
     rt_fifo #(.WIDTH(SLOTW+`RT_LINE_BITS), .DEPTH(SLOTS)) u_next_queue (
         .clk(clk), .rst(rst), .in_valid_i(next_valid_i), .in_ready_o(next_in_ready),
         .in_data_i({next_slot_i, next_line_i}),
         .out_valid_o(q_next_valid), .out_ready_i(room), .out_data_o({q_next_slot, q_next_line})
     );
-    rt_fifo #(.WIDTH(SLOTW+1), .DEPTH(SLOTS)) u_new_queue (
-        .clk(clk), .rst(rst), .in_valid_i(ray_i[`RT_RAY_VALID] && !ray_i[`RT_RAY_SHADOW]),
-        .in_ready_o(new_in_ready), .in_data_i({ray_i[`RT_RAY_SLOT], pixel_i}),
-        .out_valid_o(q_new_valid), .out_ready_i(room && !q_next_valid && !q_shadow_valid),
-        .out_data_o({q_new_slot, q_new_pixel})
-    );
-    generate
-        if (SHADOW != 0) begin : g_shadow
-            rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_shadow_queue (
-                .clk(clk), .rst(rst), .in_valid_i(shadow_go_i), .in_ready_o(shadow_in_ready),
-                .in_data_i(shadow_slot_i),
-                .out_valid_o(q_shadow_valid), .out_ready_i(room && !q_next_valid),
-                .out_data_o(q_shadow)
-            );
-        end else begin : g_no_shadow
-            assign {shadow_in_ready, q_shadow_valid, q_shadow} = {(SLOTW+2){1'b0}};
-            wire unused = &{1'b0, shadow_go_i, shadow_slot_i};
-        end
-    endgenerate
-    localparam YW = 3*FW + 57;
-    localparam OB = FIRST != 0 || SHADOW != 0 ? 1 : 0;
-    wire             in_order = (FIRST != 0 && first_i) ||    // any hit ends the ray
-                                (SHADOW != 0 && ray_i[`RT_RAY_SHADOW]);
-    wire [YW:0]      y = {in_order, filter_i[`RT_FILTER_NEGATIVE], filter_i[`RT_FILTER_AXIS],
-                          ray_i[`RT_RAY_UNIT], filter_i[`RT_FILTER_ORG]};
-    wire [YW+OB-1:0] t1_ray;
-    wire             t1_order = OB != 0 && t1_ray[YW+OB-1];
-    wire             t1_negative;
-    wire [1:0]       t1_axis;
-    wire [53:0]      t1_unit;
-    wire [3*FW-1:0]  t1_org;
+
+    // ---- what bounds children: rays set up for it, and the test ----
     wire             rsp_valid, rsp_fresh, rsp_kill, rsp_error;
     wire [SLOTW-1:0] rsp_slot;
-    rt_slot_ram #(.WIDTH(YW+OB), .SLOTS(SLOTS), .OLD(0)) u_ray (
-        .clk(clk), .wr_en_i(ray_i[`RT_RAY_VALID]), .wr_addr_i(ray_i[`RT_RAY_SLOT]),
-        .wr_data_i(y[YW+OB-1:0]),
-        .rd_en_i(rsp_valid), .rd_addr_i(rsp_slot), .rd_data_o(t1_ray)
-    );
-    assign {t1_negative, t1_axis, t1_unit, t1_org} = t1_ray[YW-1:0];
+    reg [255:0]      t1_node_q;
+    wire [3:0]       f_pass;
+    wire [63:0]      f_near;
+    wire             f_order;                                // children as the node has them
+    genvar c;
+    generate
+        if (BOXES != 0) begin : g_boxes
+            rt_boxes #(.W(W), .WD(WD), .SLOTS(SLOTS), .SHADOW(SHADOW)) u_boxes (
+                .clk(clk), .rst(rst), .ray_i(ray_i), .pixel_i(pixel_i),
+                .shadow_go_i(shadow_go_i), .shadow_slot_i(shadow_slot_i),
+                .start_valid_o(start_valid), .start_ready_i(room && !q_next_valid),
+                .start_slot_o(start_slot), .start_pixel_o(start_pixel),
+                .read_i(rsp_valid), .slot_i(rsp_slot), .node_i(t1_node_q), .limit_i(depth_i),
+                .pass_o(f_pass), .near_o(f_near), .order_o(f_order)
+            );
+            wire unused = &{1'b0, first_i};
+        end else begin : g_spheres
+            wire             q_new_valid, q_new_pixel, q_shadow_valid, new_in_ready;
+            wire             shadow_in_ready;
+            wire [SLOTW-1:0] q_new_slot, q_shadow;
+            rt_fifo #(.WIDTH(SLOTW+1), .DEPTH(SLOTS)) u_new_queue (
+                .clk(clk), .rst(rst), .in_valid_i(ray_i[`RT_RAY_VALID] && !ray_i[`RT_RAY_SHADOW]),
+                .in_ready_o(new_in_ready), .in_data_i({ray_i[`RT_RAY_SLOT], pixel_i}),
+                .out_valid_o(q_new_valid),
+                .out_ready_i(room && !q_next_valid && !q_shadow_valid),
+                .out_data_o({q_new_slot, q_new_pixel})
+            );
+            if (SHADOW != 0) begin : g_shadow
+                rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_shadow_queue (
+                    .clk(clk), .rst(rst), .in_valid_i(shadow_go_i), .in_ready_o(shadow_in_ready),
+                    .in_data_i(shadow_slot_i),
+                    .out_valid_o(q_shadow_valid), .out_ready_i(room && !q_next_valid),
+                    .out_data_o(q_shadow)
+                );
+            end else begin : g_no_shadow
+                assign {shadow_in_ready, q_shadow_valid, q_shadow} = {(SLOTW+2){1'b0}};
+                wire unused = &{1'b0, shadow_go_i, shadow_slot_i};
+            end
+            assign start_valid = q_shadow_valid || q_new_valid;
+            assign start_slot  = q_shadow_valid ? q_shadow : q_new_slot;
+            assign start_pixel = !q_shadow_valid && q_new_pixel;
+
+            localparam YW = 3*FW + 57;
+            localparam OB = FIRST != 0 || SHADOW != 0 ? 1 : 0;
+            wire             in_order = (FIRST != 0 && first_i) ||    // any hit ends the ray
+                                        (SHADOW != 0 && ray_i[`RT_RAY_SHADOW]);
+            wire [YW:0]      y = {in_order, filter_i[`RT_FILTER_NEGATIVE],
+                                  filter_i[`RT_FILTER_AXIS], ray_i[`RT_RAY_UNIT],
+                                  filter_i[`RT_FILTER_ORG]};
+            wire [YW+OB-1:0] t1_ray;
+            wire             t1_order = OB != 0 && t1_ray[YW+OB-1];
+            wire             t1_negative;
+            wire [1:0]       t1_axis;
+            wire [53:0]      t1_unit;
+            wire [3*FW-1:0]  t1_org;
+            rt_slot_ram #(.WIDTH(YW+OB), .SLOTS(SLOTS), .OLD(0)) u_ray (
+                .clk(clk), .wr_en_i(ray_i[`RT_RAY_VALID]), .wr_addr_i(ray_i[`RT_RAY_SLOT]),
+                .wr_data_i(y[YW+OB-1:0]),
+                .rd_en_i(rsp_valid), .rd_addr_i(rsp_slot), .rd_data_o(t1_ray)
+            );
+            assign {t1_negative, t1_axis, t1_unit, t1_org} = t1_ray[YW-1:0];
+            for (c = 0; c < 4; c = c + 1) begin : g_lane
+                wire [`RT_CHILD_STRIDE-1:0] child =
+                    t1_node_q[`RT_CHILD_STRIDE*c +: `RT_CHILD_STRIDE];
+                rt_filter #(.FW(FW)) u_filter (
+                    .clk(clk),
+                    .in_org_x_i($signed(t1_org[0 +: FW])), .in_org_y_i($signed(t1_org[FW +: FW])),
+                    .in_org_z_i($signed(t1_org[2*FW +: FW])),
+                    .in_u_x_i($signed(t1_unit[`RT_UNIT_X])),
+                    .in_u_y_i($signed(t1_unit[`RT_UNIT_Y])),
+                    .in_u_z_i($signed(t1_unit[`RT_UNIT_Z])),
+                    .in_axis_i(t1_axis), .in_negative_i(t1_negative), .in_depth_max_i(depth_i),
+                    .in_ctr_x_i($signed(child[`RT_CHILD_CTR_X_LSB +: `RT_CHILD_CTR_X_BITS])),
+                    .in_ctr_y_i($signed(child[`RT_CHILD_CTR_Y_LSB +: `RT_CHILD_CTR_Y_BITS])),
+                    .in_ctr_z_i($signed(child[`RT_CHILD_CTR_Z_LSB +: `RT_CHILD_CTR_Z_BITS])),
+                    .in_rad_i(child[`RT_CHILD_RAD_LSB +: `RT_CHILD_RAD_BITS]),
+                    .out_pass_o(f_pass[c]), .out_near_o(f_near[16*c +: 16])
+                );
+            end
+            if (OB != 0) begin : g_order
+                rt_delay #(.WIDTH(1), .CYCLES(LAT)) u_order (
+                    .clk(clk), .in_i(t1_order), .out_o(f_order)
+                );
+            end else begin : g_nearest
+                assign f_order = 1'b0;
+                wire unused = &{1'b0, t1_order, y[YW]};
+            end
+            wire unused = &{1'b0, new_in_ready, shadow_in_ready};
+        end
+    endgenerate
 
     // ---- issue: choose | read the visits | count the visit, refuse bad addresses | queue ----
     localparam VB = `RT_VISITS_BITS;
-    wire             any_valid = q_next_valid || q_shadow_valid || q_new_valid;
+    wire             any_valid = q_next_valid || start_valid;
     reg              i1_valid_q, i1_fresh_q, i1_pixel_q, i2_valid_q, i2_fresh_q, i2_bad_line_q;
     reg              i3_valid_q, i3_fresh_q, i3_bad_line_q, i3_bad_limit_q;
     reg [SLOTW-1:0]  i1_slot_q, i2_slot_q, i3_slot_q;
@@ -134,8 +189,8 @@ module rt_traverse #(
     always @(posedge clk) begin
         i1_valid_q <= any_valid && room;
         i1_fresh_q <= !q_next_valid;
-        i1_pixel_q <= !q_next_valid && !q_shadow_valid && q_new_pixel;
-        i1_slot_q  <= q_next_valid ? q_next_slot : q_shadow_valid ? q_shadow : q_new_slot;
+        i1_pixel_q <= !q_next_valid && start_pixel;
+        i1_slot_q  <= q_next_valid ? q_next_slot : start_slot;
         i1_line_q  <= q_next_valid ? q_next_line : regs_i[`RT_REGS_ROOT];
         i2_valid_q <= i1_valid_q;
         i2_fresh_q <= i1_fresh_q;
@@ -200,7 +255,6 @@ module rt_traverse #(
     // ---- t1: node and ray side by side ----
     reg              t1_valid_q, t1_fresh_q, t1_kill_q;
     reg [SLOTW-1:0]  t1_slot_q;
-    reg [255:0]      t1_node_q;
     reg              visit_q, bad_node_q, visit_limit_q, bus_error_q;
     reg [2:0]        tests_q;
     assign depth_read_o = rsp_valid;
@@ -247,29 +301,6 @@ module rt_traverse #(
     assign fault_o[`RT_ERROR_VISIT_LIMIT]  = visit_limit_q;
     assign fault_o[`RT_ERROR_BUS_ERROR]    = bus_error_q;
 
-    // ---- four filters ----
-    wire [3:0]  f_pass;
-    wire [63:0] f_near;
-    genvar c;
-    generate
-        for (c = 0; c < 4; c = c + 1) begin : g_lane
-            wire [`RT_CHILD_STRIDE-1:0] child = t1_node_q[`RT_CHILD_STRIDE*c +: `RT_CHILD_STRIDE];
-            rt_filter #(.FW(FW)) u_filter (
-                .clk(clk),
-                .in_org_x_i($signed(t1_org[0 +: FW])), .in_org_y_i($signed(t1_org[FW +: FW])),
-                .in_org_z_i($signed(t1_org[2*FW +: FW])),
-                .in_u_x_i($signed(t1_unit[`RT_UNIT_X])), .in_u_y_i($signed(t1_unit[`RT_UNIT_Y])),
-                .in_u_z_i($signed(t1_unit[`RT_UNIT_Z])),
-                .in_axis_i(t1_axis), .in_negative_i(t1_negative), .in_depth_max_i(depth_i),
-                .in_ctr_x_i($signed(child[`RT_CHILD_CTR_X_LSB +: `RT_CHILD_CTR_X_BITS])),
-                .in_ctr_y_i($signed(child[`RT_CHILD_CTR_Y_LSB +: `RT_CHILD_CTR_Y_BITS])),
-                .in_ctr_z_i($signed(child[`RT_CHILD_CTR_Z_LSB +: `RT_CHILD_CTR_Z_BITS])),
-                .in_rad_i(child[`RT_CHILD_RAD_LSB +: `RT_CHILD_RAD_BITS]),
-                .out_pass_o(f_pass[c]), .out_near_o(f_near[16*c +: 16])
-            );
-        end
-    endgenerate
-
     // ---- what travels beside the filters and the sort ----
     localparam DW = SLOTW + 2 + LB + 6;
     wire [DW-1:0]    f_side;
@@ -292,17 +323,6 @@ module rt_traverse #(
     wire [3:0] f_inner   = ~(4'hf << f_n_inner);                   // children that are nodes
     wire [3:0] f_present = ~(4'hf << (f_n_inner + f_n_leaf));
     wire [3:0] f_hit     = f_kill ? 4'd0 : f_pass & f_present;
-    wire       f_order;
-    generate
-        if (OB != 0) begin : g_order
-            rt_delay #(.WIDTH(1), .CYCLES(LAT)) u_order (
-                .clk(clk), .in_i(t1_order), .out_o(f_order)
-            );
-        end else begin : g_nearest
-            assign f_order = 1'b0;
-            wire unused = &{1'b0, t1_order, y[YW]};
-        end
-    endgenerate
     // Equal depths are put in the order of the node; the smallest is below every limit.
     rt_sort u_sort (
         .clk(clk), .hit_i(f_hit & f_inner), .near_i(f_order ? {4{16'h8000}} : f_near),
@@ -339,7 +359,7 @@ module rt_traverse #(
     assign visit_o[`RT_VISIT_SLOT]  = slot_q;
     assign visit_o[`RT_VISIT_LEAF]  = leaf_q;
     assign visit_o[`RT_VISIT_LINE]  = line_q;
-    wire unused = &{1'b0, regs_i, effects, ray_i, filter_i, next_in_ready, new_in_ready,
-                    shadow_in_ready, issue_in_ready, f_slot, f_fresh, f_base, g_n_leaf};
+    wire unused = &{1'b0, regs_i, effects, ray_i, filter_i, next_in_ready,
+                    issue_in_ready, f_slot, f_fresh, f_base, g_n_leaf};
 endmodule
 `default_nettype wire

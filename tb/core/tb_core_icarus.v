@@ -38,6 +38,7 @@ module tb_core_icarus #(
     parameter SPANS      = 1,    // 0 or 1: background separation by spans in memory
     parameter CONES      = 1,    // 0..16: exact background separation, by so many spheres
     parameter ACCEL      = 0,    // 0 or 1: a BIH instead of nodes of four children
+    parameter BOXES      = 0,    // 0 or 1: boxes around the children of a node, not spheres
     parameter ENGINES    = 1,    // 1..8: engines
     parameter SLOTS      = 64,   // 4..1024, power of two: rays in flight an engine
     parameter NODE_LINES = 256,  // 8..4096, power of two: lines of an engine's node cache
@@ -98,14 +99,14 @@ module tb_core_icarus #(
         .FIRST(FIRST), .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),
         .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM), .SMOOTH(SMOOTH),
         .COARSE(COARSE), .RECT(RECT), .SPANS(SPANS), .CONES(CONES), .ACCEL(ACCEL),
-        .ENGINES(ENGINES), .SLOTS(SLOTS), .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES),
-        .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS),
-        .TEXTURE_GROUP(TEXTURE_GROUP), .TEXTURE_COORDS(TEXTURE_COORDS), .ROOTS(ROOTS),
-        .QUOTIENTS(QUOTIENTS), .DIVISIONS(DIVISIONS), .ROOT_STEP(ROOT_STEP),
-        .QUOTIENT_STEP(QUOTIENT_STEP), .DIVISION_STEP(DIVISION_STEP),
-        .LEAF_INTERVAL(LEAF_INTERVAL), .FACET_INTERVAL(FACET_INTERVAL), .UNITS(UNITS),
-        .UNIT_INTERVAL(UNIT_INTERVAL), .HIT_INTERVAL(HIT_INTERVAL),
-        .BOUNCE_INTERVAL(BOUNCE_INTERVAL)
+        .BOXES(BOXES), .ENGINES(ENGINES), .SLOTS(SLOTS), .NODE_LINES(NODE_LINES),
+        .LEAF_LINES(LEAF_LINES), .TEXTURE_LINES(TEXTURE_LINES),
+        .TEXTURE_WAYS(TEXTURE_WAYS), .TEXTURE_GROUP(TEXTURE_GROUP),
+        .TEXTURE_COORDS(TEXTURE_COORDS), .ROOTS(ROOTS), .QUOTIENTS(QUOTIENTS),
+        .DIVISIONS(DIVISIONS), .ROOT_STEP(ROOT_STEP), .QUOTIENT_STEP(QUOTIENT_STEP),
+        .DIVISION_STEP(DIVISION_STEP), .LEAF_INTERVAL(LEAF_INTERVAL),
+        .FACET_INTERVAL(FACET_INTERVAL), .UNITS(UNITS), .UNIT_INTERVAL(UNIT_INTERVAL),
+        .HIT_INTERVAL(HIT_INTERVAL), .BOUNCE_INTERVAL(BOUNCE_INTERVAL)
         // end of connections
     ) u_core (
         .clk(clk), .rst(rst),

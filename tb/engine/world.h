@@ -86,7 +86,7 @@ class World {
         for (int &asked : o.asked)
             asked = SPH_AUTO;
         o.widths = &p;
-        o.tree = ACCEL ? SPH_TREE_BIH : SPH_TREE_BALANCED;
+        o.tree = ACCEL == 2 ? SPH_TREE_BOX4 : ACCEL ? SPH_TREE_BIH : SPH_TREE_BALANCED;
         o.traverse = first ? SPH_BUILD_FIRST : SPH_BUILD_NEAREST;
         o.width = WIDTH;
         o.height = HEIGHT;
