@@ -10,8 +10,8 @@
 # --folder it runs nothing and prints the folder of the core.
 # EFFECTS=auto elaborates only what the machine asks for, all (default) everything, else what is
 # named: a list as sim/parameters.sh takes it; for a machine with a BIH all is all+bih, with boxes
-# all+boxes. A core with
-# less than the machine asks for refuses it; the harness says what is missing and ends with 3.
+# all+boxes. A core with less than the machine asks for refuses it; the harness says what is missing
+# and ends with 3.
 # BUILD is the build folder, RTL another source folder, OPT the compiler's effort. BUILT=1 says that
 # all was just built: nothing is looked at, which takes longer than a small frame.
 set -eu
