@@ -19,7 +19,8 @@ SYNTH_SCENE := $(if $(filter file,$(origin SCENE)),,$(filter auto,$(EFFECTS)))
 .PHONY: area
 synth: $(if $(SYNTH_SCENE),$(TOOL)) ## area with Yosys: PROFILE and TARGET, or all; effects of SCENE
 	+$(Q)asked='$(if $(SYNTH_SCENE),,$(or $(filter-out auto,$(PROFILE)),standard) $(or \
-	    $(filter-out auto,$(EFFECTS)),$(if $(filter bih brute,$(ACCEL)),all+bih,$(if $(filter box4,$(ACCEL)),all+boxes,all))))' && \
+	    $(filter-out auto,$(EFFECTS)),$(if $(filter bih brute,$(ACCEL)),all+bih,$(if \
+	    $(filter box4,$(ACCEL)),all+boxes,all))))' && \
 	    $(if $(SYNTH_SCENE),asked=$$($(call run,core,$(MACHINE_KEY))) &&) set -- $$asked && \
 	    $(MAKE) --no-print-directory -f make/area.mk report B=$B V=$(V) \
 	    PROFILES=$(if $(SYNTH_SCENE),$(or $(filter all,$(PROFILE)),"$$1"),"$$1") \

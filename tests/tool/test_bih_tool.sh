@@ -25,7 +25,8 @@ says() { # name, text, command: exits with 1 or 2 and says that
 check "gen of a scenario" has "a.nff: 100 spheres, 1 facets, 1 lights, 2 materials" gen.txt
 want=$(picture a.nff --brute)
 for way in bih brute "bih --bih listing" "bih --max-prims 1" "bih --max-prims infinity" \
-    "bih --max-prims 1 --max-tree-depth 3" "bih --background exact" box4 "box4 --background exact"; do
+    "bih --max-prims 1 --max-tree-depth 3" "bih --background exact" box4 \
+    "box4 --background exact"; do
     # shellcheck disable=SC2086  # options on purpose
     check "same picture: $way" equal "$want" "$(picture a.nff --accel $way)"
 done
