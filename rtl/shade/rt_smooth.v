@@ -1,6 +1,6 @@
 // rt_smooth.v - interpolated normals of triangles
 // SPDX-License-Identifier: Apache-2.0
-//   v_i = sat(n_i + round((m_ix m_iy m_iz) . sat(guarded - b*2^NG) * 2^-e))   turned, normalised
+//   v = sat(n + round(m sat(guarded - b*2^NG) * 2^-e))   a row of m each; turned, normalised
 // Between rt_surface and rt_setup: the normal of a triangle with a record of normals waits for it,
 // any other goes by in the same clock. The facet's own normal and its square leave beside.
 //   surface --> queue --> fetch, with that of rt_surface --> queue --> one multiplier --> normalise
