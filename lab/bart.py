@@ -1,32 +1,81 @@
 #!/usr/bin/env python3
 # bart.py - puts the tables of docs/results/bart.md in their places
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.bart PAGE FOLDER SIZE -- NAME...
-FOLDER has what make/bart.mk says; what is not there is a dash."""
+"""usage: python3 -m lab.bart PAGE FOLDER SIZE MHZ -- NAME:MIDDLE:FRAME,FRAME... ...
+FOLDER has what make/bart.mk says; what is not there is a dash, and a mean is that of the frames
+that are there. MHZ: the paper's clock."""
 import sys
 
+from .pages import data as tables
 from .pages.place import place
-from .report.units import parameters
+from .report.units import LINE, parameters
 from .synth import report
-from .textures.page import DECISIONS, OPERATIONS, PAPER, WAYS, Data, area, hits, levels, show
+from .textures.page import DECISIONS, LINES, OPERATIONS, PAPER, WAYS, Data, area, levels, show
 
-PAPER_MHZ = 84
 KINDS = "primary", "shadow", "reflected"
+MIP = "off", "level", "between"
+FACET = parameters({})["FACET_INTERVAL"]  # clocks of the facet unit for a test
+BEAT = 8              # bytes of an upload in a clock: `make sim TOP=1`
+THEIRS = 0.88 * 207360  # LUTs of the paper's Virtex-5 LX330 that it fills
+
+
+class Frames(Data):
+    """Results of scenes at several times of their animations."""
+
+    def __init__(self, folder, size, mhz, scenes):
+        super().__init__(folder, size, None, [s.split(":")[0] for s in scenes])
+        self.mhz = float(mhz)
+        self.middle = {s.split(":")[0]: s.split(":")[1] for s in scenes}
+        self.at = {s.split(":")[0]: s.split(":")[2].split(",") for s in scenes}
+        self.pixels = area(size)
+
+    def all(self, name, end):
+        """{frame: result} of those that are there."""
+        found = {at: self.read(f"{name}-{at}{end}") for at in self.at[name]}
+        return {at: run for at, run in found.items() if run}
+
+    def read(self, name):
+        if name.endswith("-level.json") and name.split("-")[0] + "-level.json" == name:
+            return self.texels(name.split("-")[0], "level")
+        return super().read(name)
+
+    def texels(self, name, way):
+        """The sums of all times as one result."""
+        runs = list(self.all(name, f"-{way}.json").values())
+        if not runs:
+            return None
+        return {"texels": sum(r["texels"] for r in runs), "frames": len(runs),
+                "levels": [sum(c) for c in zip(*(r["levels"] for r in runs))],
+                "missed": sum(r["orders"][1]["missed"][LINES] for r in runs)}
+
+
+def mean(values):
+    values = list(values)
+    return sum(values) / len(values) if values else None
+
+
+def least(count):
+    """Clocks that one engine takes at least: a visit a clock, the facet unit's for each test."""
+    return max(count["node_visits"], FACET * count["facet_tests"])
 
 
 def frames(data):
-    """What the frame is, and what its rays ask of tree and triangles."""
+    """What the frames are, and what their rays ask of tree and triangles: means."""
     rows = []
     for name in data.names:
-        run = data.read(f"{name}.json")
-        if not run:
-            rows.append([name] + ["-"] * 8)
+        runs = list(data.all(name, ".json").values())
+        if not runs:
+            rows.append([name] + ["-"] * 9)
             continue
-        pixels, count, machine = area(data.size), run["counters"], run["machine"]
-        rows.append([name, machine["triangles"], machine["lights"], machine["profile"]]
-                    + [f"{count['rays_' + kind] / pixels:.2f}" for kind in KINDS]
-                    + [f"{count[what] / pixels:.1f}" for what in ("node_visits", "facet_tests")])
-    return report.table(["scene", "triangles", "lights", "profile"]
+        machine = runs[0]["machine"]
+
+        def each(what, runs=runs):
+            return mean(r["counters"][what] / data.pixels for r in runs)
+        rows.append([name, len(runs), round(mean(r["machine"]["triangles"] for r in runs)),
+                     machine["lights"], machine["profile"]]
+                    + [f"{each('rays_' + kind):.2f}" for kind in KINDS]
+                    + [f"{each(what):.1f}" for what in ("node_visits", "facet_tests")])
+    return report.table(["scene", "times", "triangles", "lights", "profile"]
                         + [f"{kind} rays a pixel" for kind in KINDS]
                         + ["node visits a pixel", "facet tests a pixel"], rows)
 
@@ -41,17 +90,17 @@ def decision(data, own):
 
 
 def operations(data):
-    """Of all decisions of a frame: those of a triangle's hit times the textured hits."""
+    """Of all decisions of a mean frame: those of a triangle's hit times the textured hits."""
     rows = []
     for name in data.names:
-        run, work = data.read(f"{name}-level.json"), decision(data, name)
+        run, work = data.texels(name, "level"), decision(data, name)
         for way in ("bmrt", "kept", "anew"):
             first = way == "bmrt"
             row = [name if first else "", DECISIONS[way]]
             if not run or not work:
                 rows.append(row + ["-"] * 7)
                 continue
-            n = run["texels"] // 4
+            n = round(run["texels"] / 4 / run["frames"])
             each = [work[way][op] / work["hits"] for op in OPERATIONS]
             rows.append(row + [n if first else ""] + [f"{n * e:.0f}" for e in each]
                         + [f"{sum(each):.3g}"])
@@ -61,33 +110,107 @@ def operations(data):
 def caches(data):
     rows = []
     for name in data.names:
-        for way in ("off", "level", "between"):
-            run = data.read(f"{name}-{way}.json")
-            rows.append([name if way == "off" else "", WAYS[way], show(run and run["texels"]),
-                         show(hits(run), "{:.1f}"), f"{PAPER[name][1][way != 'off']}"])
+        for way in MIP:
+            run = data.texels(name, way)
+            rows.append([name if way == "off" else "", WAYS[way],
+                         show(run and run["texels"] / run["frames"], "{:.0f}"),
+                         show(run and 100 - 100 * run["missed"] / run["texels"], "{:.1f}"),
+                         f"{PAPER[name][1][way != 'off']}"])
     return report.table(["scene", "filter", "texels", "hits, %", "the paper's"], rows, left=2)
 
 
+def slower(run):
+    """How often the least clocks the RTL took, of the pixels that it drew."""
+    return run["cold"]["counters"]["cycles"] / least(run["cold"]["counters"])
+
+
+def routed():
+    """MHz of the placed and routed core of profile standard."""
+    return float(tables.read("accuracy.placed")[1][0][1])
+
+
+def engines(data):
+    """Engines as large as the paper's machine."""
+    run = data.read("area.json")
+    if not run:
+        return None
+    core = run["runs"][0]
+    return THEIRS // core["core"]["lut"]
+
+
 def clocks(data):
-    """The least that one engine takes: a visit a clock, and the facet unit's clocks."""
-    rows, facet = [], parameters({})["FACET_INTERVAL"]
+    """Clocks a pixel: the least by the model's counters, and what the RTL's tiles make of it."""
+    rows, clock, many = [], routed(), engines(data)
     for name in data.names:
-        run = data.read(f"{name}.json")
-        count = run and run["counters"]
-        walk, facets = (count["node_visits"], facet * count["facet_tests"]) if run else (None,) * 2
-        least = run and max(walk, facets)
-        rows.append([name] + [show(v and v / area(data.size), "{:.0f}")
-                              for v in (walk, facets, least)]
-                    + [show(least and PAPER_MHZ * 1e6 / least, "{:.2f}"), f"{PAPER[name][2][1]}"])
+        drawn = data.all(name, ".json")
+        bound = {at: least(run["counters"]) / data.pixels for at, run in drawn.items()}
+        tiles = data.all(name, "-between.core.json")
+        ratio = mean(slower(run) for run in tiles.values())
+        took = mean(bound.values()) * (ratio or 1) if bound else None
+
+        def rate(mhz, took=took):
+            return show(took and mhz * 1e6 / took / data.pixels, "{:.2f}")
+        at84 = took and data.mhz * 1e6 / took / data.pixels
+        rows.append([name] + [show(mean(run["counters"][what] / data.pixels * by
+                                        for run in drawn.values()), "{:.0f}")
+                              for what, by in (("node_visits", 1), ("facet_tests", FACET))]
+                    + [show(max(bound.values(), default=None), "{:.0f}"), show(ratio, "{:.2f}"),
+                       show(took, "{:.0f}"), rate(data.mhz), rate(clock),
+                       show(at84 and many and at84 * many, "{:.2f}"), f"{PAPER[name][2][1]}"])
     return report.table(["scene", "walk, clocks a pixel", "facet unit, clocks a pixel",
-                         "the greater", f"frames/s at {PAPER_MHZ} MHz", "the paper's"], rows)
+                         "worst time", "RTL over least", "clocks a pixel",
+                         f"frames/s at {data.mhz:.0f} MHz", f"at {clock:g} MHz",
+                         f"{show(many and int(many))} engines, {data.mhz:.0f} MHz",
+                         "the paper's"], rows)
+
+
+def memory(data):
+    """MIP off and on in the RTL's tile of the middle frame."""
+    rows = []
+    for name in data.names:
+        runs = {way: data.read(f"{name}-{data.middle[name]}-{way}.core.json") for way in MIP}
+        off, on = PAPER[name][2]
+        for way, run in runs.items():
+            cold = run and run["cold"]
+            gain = way != "off" and run and runs["off"] and \
+                100 * (runs["off"]["cold"]["cycles_per_pixel"] / cold["cycles_per_pixel"] - 1)
+            pins = run and cold["memory"]["lines"] * LINE / run["memory"]["peak_bytes_per_clock"]
+            rows.append([name if way == "off" else "", WAYS[way],
+                         show(run and cold["memory"]["bytes_per_pixel"], "{:.0f}"),
+                         show(run and cold["memory"]["row_hit_share"], "{:.0%}"),
+                         show(run and pins / run["pixels"], "{:.0f}"),
+                         show(run and cold["cycles_per_pixel"], "{:.0f}"),
+                         "" if way == "off" else show(gain or None, "{:+.1f} %"),
+                         "" if way == "off" else f"{100 * (on / off - 1):+.0f} %"])
+    return report.table(["scene", "filter", "bytes a pixel", "rows open", "pins, clocks a pixel",
+                         "clocks a pixel", "gain", "the paper's"], rows, left=2)
+
+
+def sequence(data):
+    """P_b, and the time of each frame in a row."""
+    rows = []
+    for name in data.names:
+        run = data.read(f"{name}.sequence.json")
+        ratio = mean(slower(r) for r in data.all(name, "-between.core.json").values())
+        for frame in run["frames"] if run else []:
+            def ms(clock):
+                return f"{clock / data.mhz / 1000:.0f}"
+            rows.append([name, frame["at"], frame["bases"]["computed"], frame["bases"]["kept"],
+                         f"{1000 * frame['cpu_seconds']:.0f}", ms(frame["memory_bytes"] / BEAT),
+                         show(ratio and least(frame["counters"]) * ratio / data.mhz / 1000,
+                              "{:.0f}")])
+    return report.table(["scene", "frame", "P_b made", "kept", "build, ms", "upload, ms",
+                         "draw, ms"], rows)
 
 
 def main():
-    page, folder, size = sys.argv[1:4]
-    data = Data(folder, size, None, sys.argv[5:])
+    page, folder, size, mhz, dashes, *scenes = sys.argv[1:]
+    if dashes != "--" or not scenes:
+        sys.exit(__doc__)
+    data = Frames(folder, size, mhz, scenes)
     place(page, {"frames": frames(data), "levels": levels(data), "operations": operations(data),
-                 "caches": caches(data), "clocks": clocks(data)})
+                 "caches": caches(data), "clocks": clocks(data), "memory": memory(data),
+                 "sequence": sequence(data)})
 
 
 if __name__ == "__main__":

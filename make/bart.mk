@@ -3,30 +3,47 @@
 #
 #   make bart BART=FOLDER      FOLDER has scene_kitchen, scene_museum and scene_robot as BART's
 #                              authors pack them: aff/ and TextureFiles/ in each
-# Nothing of the folder is kept but figures. $B/bart/ holds, for each scene NAME and filter WAY
-# (off, level, between):
-#   NAME-WAY.sph, .json        machine of one frame; `sphaera texels`: levels, hits of caches
-#   NAME.json, NAME.png        `sphaera render` with trilinear textures: counters
+# Nothing of the folder is kept but figures. $B/bart/ holds, for each scene NAME, frame AT of its
+# animation and filter WAY (off, level, between):
+#   NAME-AT.sph, .json, .png   machine with every light, and `sphaera render`: counters
+#   NAME-AT-WAY.json           `sphaera texels`: levels, hits of caches; light rays fetch no texel
+#   NAME-AT-WAY.core.json      the RTL on BT_WINDOW of that frame, memory BT_MEMORY (WAY: between,
+#                              in the middle of the animation off and level too)
 #   NAME.levels.json           `sphaera accuracy` of a small frame: operations of a decision
+#   NAME.sequence.json         frames one behind the other: P_b kept, times
+#   area.json                  the kitchen's core in LUTs of the paper's FPGA
 
 BT        := $B/bart
 BT_NAMES  := kitchen robot museum
 BT_WAYS   := off level between
 BT_SIZE   := 800x480
 BT_SMALL  := 80x48
-# the scene, and the frame in the middle of its animation
+BT_WINDOW := 380,228,420,252
+# one core for all of them
+BT_CORE   := shadow+reflect2+lights6+facets+smooth+texture+bih
+BT_MEMORY := ddr3x16
+BT_MHZ    := 84
+# the scene, eight frames of its animation, the one in the middle, and some in a row
 BT_TOP_kitchen := scene_kitchen/aff/kitchen.aff
 BT_TOP_robot   := scene_robot/aff/Robot.aff
 BT_TOP_museum  := scene_museum/aff/museum5.aff
-BT_AT_kitchen  := 400
-BT_AT_robot    := 400
-BT_AT_museum   := 150
+BT_AT_kitchen  := 50 150 250 350 400 550 650 750
+BT_AT_robot    := $(BT_AT_kitchen)
+BT_AT_museum   := 18 56 93 150 168 206 243 281
+BT_MID_kitchen := 400
+BT_MID_robot   := 400
+BT_MID_museum  := 150
+BT_ROW_robot   := 398..401
+BT_ROW_museum  := 148..151
 BT_PAGE   := docs/results/bart.md
-BT_DATA   := $(foreach n,$(BT_NAMES),$(BT_WAYS:%=$(BT)/$n-%.json) $(BT)/$n.json \
-                 $(BT)/$n.levels.json)
+BT_OF     = $(foreach n,$(BT_NAMES),$(BT_AT_$n:%=$n-%))
+BT_DATA   = $(BT_OF:%=$(BT)/%.json) $(foreach w,$(BT_WAYS),$(BT_OF:%=$(BT)/%-$w.json)) \
+            $(BT_OF:%=$(BT)/%-between.core.json) \
+            $(foreach n,$(BT_NAMES),$(BT)/$n.levels.json $(if $(BT_ROW_$n),$(BT)/$n.sequence.json) \
+                $(foreach w,off level,$(BT)/$n-$(BT_MID_$n)-$w.core.json)) $(BT)/area.json
 
 .PHONY: bart bart-page bart-folder
-bart: bart-folder $(TOOL) ## the texture paper's own scenes, docs/results/bart.md
+bart: bart-folder $(TOOL) ## the texture paper's own scenes, docs/results/bart.md; an hour
 	+$(Q)$(MAKE) --no-print-directory $(BT_DATA)
 	+$(Q)$(MAKE) --no-print-directory bart-page
 
@@ -36,34 +53,57 @@ bart-folder:
 	    test -f '$(BART)'/$$top || { echo "bart: BART=$(BART) has no $$top" >&2; exit 1; }; done
 
 bart-page: # from the results that are there
-	$(Q)python3 -m lab.bart $(BT_PAGE) $(BT) $(BT_SIZE) -- $(BT_NAMES)
+	$(Q)python3 -m lab.bart $(BT_PAGE) $(BT) $(BT_SIZE) $(BT_MHZ) -- \
+	    $(foreach n,kitchen robot museum,$n:$(BT_MID_$n):$(subst $(subst ,, ),$(comma),$(BT_AT_$n)))
 	$(Q)python3 -m lab.pages.measured $(BT_PAGE) "make bart"
 	@echo "tables in $(BT_PAGE)"
 
-# the profile that the frame asks for, found once
+# All frames of a scene have the profile that the middle one asks for, so one core draws them.
+bt_profile = --profile $$$$(sed -n 's/^profile *\([a-z]*\).*/\1/p' $(BT)/$(1).profile)
 define bt_scene
-.PRECIOUS: $(BT)/$(1)-between.sph
-$(BT)/$(1)-between.sph: $(TOOL)
-	$$(call say,BART,$(1))
+$(BT)/$(1).profile: $(TOOL)
 	@mkdir -p $$(@D)
-	$$(Q)$(TOOL) build $(BART)/$(BT_TOP_$(1)) --at $(BT_AT_$(1)) --size $(BT_SIZE) -o $$@ \
-	    >$$(@:.sph=.log)
+	$$(Q)$(TOOL) build $(BART)/$(BT_TOP_$(1)) --at $(BT_MID_$(1)) --size $(BT_SIZE) -o $$@.sph >$$@
+	@rm $$@.sph
 
-$(foreach w,off level,$(BT)/$(1)-$w.sph): $(BT)/$(1)-%.sph: $(BT)/$(1)-between.sph
-	$$(Q)$(TOOL) build $(BART)/$(BT_TOP_$(1)) --at $(BT_AT_$(1)) --size $(BT_SIZE) -o $$@ \
-	    --filter $$(TEX_$$*) \
-	    --profile $$$$(sed -n 's/^profile *\([a-z]*\).*/\1/p' $$(<:.sph=.log)) \
-	    >$$(@:.sph=.log)
+$(BT)/$(1).levels.json: $(BT)/$(1).profile
+	$$(call say,LEVL,$(1))
+	$$(Q)$(TOOL) accuracy $(BART)/$(BT_TOP_$(1)) --at $(BT_MID_$(1)) --size $(BT_SMALL) --json $$@ \
+	    $(call bt_profile,$(1)) >$$(@:.json=.log)
 
-$(BT)/$(1).json: $(BT)/$(1)-between.sph
-	$$(Q)$(TOOL) render $$< -o $(BT)/$(1).png --json $$@
-
-$(BT)/$(1).levels.json: $(BT)/$(1)-between.sph
-	$$(Q)$(TOOL) accuracy $(BART)/$(BT_TOP_$(1)) --at $(BT_AT_$(1)) --size $(BT_SMALL) --json $$@ \
-	    --profile $$$$(sed -n 's/^profile *\([a-z]*\).*/\1/p' $$(<:.sph=.log)) \
-	    >$$(@:.json=.log)
-
-$(foreach w,$(BT_WAYS),$(BT)/$(1)-$w.json): %.json: %.sph
-	$$(Q)$(TOOL) texels $$< --json $$@ >$$(@:.json=.texels)
+$(BT)/$(1).sequence.json: $(BT)/$(1).profile
+	$$(call say,ROW,$(1))
+	$$(Q)$(TOOL) render $(BART)/$(BT_TOP_$(1)) --frames $(BT_ROW_$(1)) --size $(BT_SIZE) \
+	    $(call bt_profile,$(1)) -o $(BT)/$(1)-row.png --json $$@ >$$(@:.json=.log)
 endef
 $(foreach n,$(BT_NAMES),$(eval $(call bt_scene,$n)))
+
+define bt_frame
+.PRECIOUS: $(foreach w,$(BT_WAYS),$(BT)/$(1)-$(2)-$w.sph)
+$(foreach w,$(BT_WAYS),$(BT)/$(1)-$(2)-$w.sph): $(BT)/$(1)-$(2)-%.sph: $(BT)/$(1).profile
+	$$(call say,BART,"$(1) $(2) $$*")
+	$$(Q)$(TOOL) build $(BART)/$(BT_TOP_$(1)) --at $(2) --size $(BT_SIZE) -o $$@ \
+	    --filter $$(TEX_$$*) $(call bt_profile,$(1)) >$$(@:.sph=.log)
+
+$(BT)/$(1)-$(2).json: $(BT)/$(1)-$(2)-between.sph
+	$$(call say,DRAW,"$(1) $(2)")
+	$$(Q)$(TOOL) render $$< -o $(BT)/$(1)-$(2).png --json $$@ >$$(@:.json=.log)
+
+$(foreach w,$(BT_WAYS),$(BT)/$(1)-$(2)-$w.json): $(BT)/$(1)-$(2)-%.json: $(BT)/$(1).profile
+	$$(call say,TEXL,"$(1) $(2) $$*")
+	$$(Q)$(TOOL) texels $(BART)/$(BT_TOP_$(1)) --at $(2) --size $(BT_SIZE) --shadow off \
+	    --filter $$(TEX_$$*) $(call bt_profile,$(1)) --json $$@ >$$(@:.json=.texels)
+
+$(foreach w,$(BT_WAYS),$(BT)/$(1)-$(2)-$w.core.json): %.core.json: %.sph $(V_FILES) $(V_HEADS)
+	$$(call say,SIM,$$(*F))
+	$$(Q)EFFECTS=$(BT_CORE) BUILD=$B JOBS=1 sh sim/core.sh --machine $$< --memory $(BT_MEMORY) \
+	    --core-mhz $(BT_MHZ) --window $(BT_WINDOW) --watchdog 10000000 --json $$@.tmp >$$@.log || { \
+	    cat $$@.log; exit 1; }
+	@mv $$@.tmp $$@
+endef
+$(foreach n,$(BT_NAMES),$(foreach t,$(BT_AT_$n),$(eval $(call bt_frame,$n,$t))))
+
+$(BT)/area.json: $(BT)/kitchen-$(BT_MID_kitchen)-between.sph $(V_FILES) $(V_HEADS)
+	+$(Q)$(MAKE) --no-print-directory -f make/area.mk report B=$B TARGETS=xc7 EFFECTS=$(BT_CORE) \
+	    PROFILES=$$($(TOOL) info $< | sed -n 's/^profile *\([^ ]*\): .*/\1/p') >$@.log && \
+	    cp $B/synth/report.json $@

@@ -47,7 +47,8 @@ cat >"$data/robot-level.rms" <<END
 END
 echo '{"cold": {"counters": {"cycles": 100000, "texels": 1000, "texel_misses": 250}}}' \
     >"$data/robot-level.core.json"
-for way in off:400 level:200; do # clocks a pixel; memory is the limit, its clocks half as many with levels
+# clocks a pixel; memory is the limit, and its lines take half as many with levels
+for way in off:400 level:200; do
     cat >"$data/robot-fine-${way%:*}-sdram16_84.core.json" <<END
 {"pixels": 10, "memory": {"peak_bytes_per_clock": 3.2},
  "cold": {"counters": {"cycles": ${way#*:}0, "node_visits": 10,
