@@ -6,7 +6,10 @@
 PAPERS       := $B/papers
 PAPERS_SHOWN := docs/pictures/papers
 
-.PHONY: papers
+.PHONY: papers papers-setup
+papers-setup: ## installs Valgrind (apt), with which `make papers` counts the model's instructions
+	@sh sim/setup.sh sim/packages_papers.txt
+
 papers: ## the three papers claim by claim: docs/results/claims.md; five minutes
 papers: $(TOOL)
 	$(Q)python3 -m lab.papers.measure $(TOOL) $(PAPERS)

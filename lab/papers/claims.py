@@ -128,7 +128,9 @@ PARK = [
 
 AROXA = [
     ("II.A", "95 % of the time goes into intersections",
-     "{busy} % of the core's clocks issue a node in paper100; the rest is hidden behind them",
+     "in the model {profile_paper100} % of the instructions in paper100, {profile_random4096} % "
+     "with 4096 spheres, {profile_lattice64} % in Scenario 1 with a BIH; in the core {busy} % of "
+     "the clocks issue a node in paper100, and the rest is hidden behind them",
      "make papers", "same in kind"),
     ("II.B, III.B", "BIH beside BVH of boxes and kd-tree, in words",
      "beside the tree of spheres and brute force "

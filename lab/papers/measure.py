@@ -7,6 +7,8 @@ that is younger than the tool is kept."""
 import json
 import math
 import os
+import re
+import shutil
 import subprocess
 import sys
 
@@ -19,6 +21,8 @@ COLUMN = [16, 64, 256, 1024, 4096]
 # what is tried instead of spheres: boxes, icospheres that were cut so many times
 SHAPES = ["box", "1", "2", "3"]
 REPLACED = ["paper5", "paper100", "sphereflake2"]
+SHAPES_CORE = {"sphere": "shadow+reflect4+lights3+inside",
+               "facet": "shadow+reflect4+lights3+inside+facets+bih"}
 SEARCH = ["--tree", "paper", "--traverse", "first", "--depth", "0", "--shadow", "off"]
 FIRST = ["--tree", "paper", "--traverse", "first", "--interpenetrate"]
 CORRECTED = {"nearest": [], "first": [*FIRST, "off"], "mended": [*FIRST, "on"]}
@@ -28,6 +32,8 @@ DEPTHS = [0, 1, 2]
 # a hierarchy of 64 spheres: MAX_PRIMS, MAX_TREE_DEPTH; brute force beside them
 LEAVES = [1, 2, 4, 8, 16, 32, 64]
 LEVELS = [1, 2, 3, 4, 5, 6, 7]
+# where the model's instructions go: scenes and their trees
+PROFILED = {"paper100": [], "random4096": [], "lattice64": ["--accel", "bih", "--max-prims", "8"]}
 
 
 class Runner:
@@ -144,6 +150,8 @@ def shapes(run):
             made = path if shape == "sphere" else run.made(name, scenes.replaced(path, shape))
             run.keep(name, "render", made, "--profile", "reference", *view, picture)
             write(run.path(name + ".psnr"), f"{psnr(truth, picture):.2f}\n")
+            run.core(name, SHAPES_CORE["sphere" if shape == "sphere" else "facet"], made, "--size",
+                     "48x27")
 
 
 def parts(run):
@@ -168,9 +176,33 @@ def leaves(run):
                  "--depth", "0", "--shadow", "off")
 
 
+def profile(run):
+    """The share of a frame's instructions that the search for intersections takes, in the literal
+    model, as Valgrind counts them: NAME.profile. Without Valgrind the last figures stay."""
+    if not shutil.which("valgrind"):
+        print("measure: no valgrind here (`make papers-setup` installs it): no profile", flush=True)
+        return
+    for name, how in PROFILED.items():
+        if run.fresh(name + ".profile"):
+            continue
+        print("  PROF", name, flush=True)
+        machine, counted = run.path(name + "-profile.sph"), run.path(name + ".callgrind")
+        scene = "scenes/paper100.nff" if name == "paper100" else run.path(name + ".nff")
+        run.run("build", scene, "--profile", "standard", "--size", "64x36", *how, "-o", machine)
+        subprocess.run(["valgrind", "-q", "--tool=callgrind", "--callgrind-out-file=" + counted,
+                        run.tool, "render", machine, "--literal", "--threads", "1", "--frame",
+                        machine + ".frame"], stdout=subprocess.DEVNULL, check=True)
+        lines = subprocess.run(["callgrind_annotate", "--inclusive=yes", counted], check=True,
+                               stdout=subprocess.PIPE, text=True).stdout
+        spent = {function: int(count.replace(",", "")) for count, function in
+                 re.findall(r"^ *([0-9,]+) .*:(sph_\w+) \[", lines, re.M)}
+        write(run.path(name + ".profile"),
+              f"{100 * spent['sph_traverse'] / spent['sph_render']:.0f}\n")
+
+
 def main(tool, folder):
     run = Runner(tool, folder)
-    for part in operations, search, corrected, shapes, parts, leaves:
+    for part in operations, search, corrected, shapes, parts, leaves, profile:
         part(run)
 
 

@@ -9,6 +9,7 @@ import os
 import sys
 
 from . import measure
+from ..pages import data
 from ..pages.place import place
 from ..synth import report
 
@@ -83,9 +84,10 @@ def shapes(folder):
             c = run["counters"]
             rows.append([f"`{scene}`", name, run["machine"]["memory_bytes"], f"{decibels:.1f}",
                          f"{c['node_visits'] / PIXELS:.1f}",
-                         f"{(c['leaf_tests'] + c['facet_tests']) / PIXELS:.1f}"])
-    return report.table(["scene", "drawn as", "bytes", "dB", "visits a pixel", "exact tests"],
-                        rows, 2)
+                         f"{(c['leaf_tests'] + c['facet_tests']) / PIXELS:.1f}",
+                         f"{cycles(folder, f'shape-{scene}-{shape}'):.1f}"])
+    return report.table(["scene", "drawn as", "bytes", "dB", "visits a pixel", "exact tests",
+                         "cycles a pixel"], rows, 2)
 
 
 def leaves(folder):
@@ -118,6 +120,14 @@ def values(folder):
         v["hd_" + scene] = f"{MHZ * 1e6 / (1280 * 720 * cycles(folder, f'parts-{scene}-2')):.1f}"
     counters = load(folder, "parts-paper100-2.core")["warm"]["counters"]
     v["busy"] = f"{100 * counters['node_visits'] / counters['cycles']:.0f}"
+    _, before = data.read("claims.values")
+    for name in measure.PROFILED:
+        path = os.path.join(folder, name + ".profile")
+        if os.path.exists(path):
+            with open(path, encoding="utf-8") as f:
+                v["profile_" + name] = f.read().strip()
+        else:  # no Valgrind here
+            v["profile_" + name] = dict(before)["profile_" + name]
     v["leaf_64"] = f"{cycles(folder, 'leaves-prims64'):.1f}"
     v["leaf_brute"] = f"{cycles(folder, 'leaves-brute'):.1f}"
     return v

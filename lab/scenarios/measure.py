@@ -19,6 +19,9 @@ ACCELS = ["paper", "balanced", "reinserted", "bih1", "bih4", "bih8", "brute"]
 # only primary rays; no shadows
 PRIMARY = ["--depth", "0", "--shadow", "off"]
 BUILDS, RENDERS = 5, 3
+# the thesis's frame; what of Figure 4.4 the RTL draws of it, by processes of some rows each
+FULL = ["--size", "640x1088"]
+FULL_RTL = [(1, 64, "brute"), (1, 64, "bih1"), (1, 64, "bih8")]
 
 
 def accel(name):
@@ -74,7 +77,7 @@ class Runner:
             json.dump(result, f, indent=1)
         os.rename(target + ".tmp", target)
 
-    def core(self, name):
+    def core(self, name, processes=1):
         """The machine through the RTL, twice: the second time with warm caches."""
         target = self.path(name + ".core.json")
         if not self.rtl or self.fresh(target):
@@ -82,7 +85,7 @@ class Runner:
         print("  SIM ", name, flush=True)
         build = os.path.dirname(os.path.abspath(self.tool))
         words = ["sh", "sim/core.sh", "--machine", self.path(name + ".sph"), "--warm",
-                 "--latency", "100", "--json", target + ".tmp"]
+                 "--latency", "100", "--processes", str(processes), "--json", target + ".tmp"]
         env = dict(os.environ, EFFECTS="auto", BUILD=build, JOBS="1")
         done = subprocess.run(words, env=env, stdout=subprocess.DEVNULL, check=False)
         if done.returncode:
@@ -115,7 +118,9 @@ def main(tool, folder, *more):
             for way in ["brute"] + [f"bih{p}" for p in PRIMS]:
                 scene = runner.generated(kind, n)
                 name = f"speed-{number}-{n}-{way}"
-                runner.machine(name, scene, accel(way) + PRIMARY + ["--size", "160x272"], RENDERS)
+                runner.machine(name, scene, accel(way) + PRIMARY + FULL, RENDERS)
+                if (number, n, way) in FULL_RTL:
+                    runner.core(name, os.cpu_count())
                 small = f"rtl-{number}-{n}-{way}"
                 if runner.rtl:
                     runner.machine(small, scene, accel(way) + PRIMARY + ["--size", "40x68"])

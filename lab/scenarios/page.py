@@ -31,6 +31,7 @@ THESIS = {
     "optimized nodes": [0, 0, 755, 5, 537, 12],
     "build, ms": [15.18, 6.06, 20.31, 9.57, 24.05, 8.07],
 }
+MHZ = 67.7  # of the routed core: docs/results/accuracy.md
 CASES = [(s, p) for s in (1, 2, 3) for p in (1, 8)]
 
 
@@ -135,6 +136,18 @@ def cycle_ratio(folder, s, n, way):
     return "-" if brute is None or tree is None else f"{tree:.2f}: {brute / tree:.1f}"
 
 
+def full(folder):
+    """The thesis's frame in the RTL, each process with the rows that it drew."""
+    rows = []
+    for s, n, way in measure.FULL_RTL:
+        name = f"speed-{s}-{n}-{way}"
+        value = cycles(folder, name)
+        rows.append([f"S{s}, {n}", way, shown(value),
+                     "-" if value is None else f"{MHZ * 1e6 / value / (640 * 1088):.2f}"])
+    return report.table(["scenario, spheres", "tree", "cycles a pixel",
+                         f"frames a second at {MHZ} MHz"], rows, 2)
+
+
 def trees(folder):
     rows = []
     for scene in measure.SCENES:
@@ -155,7 +168,7 @@ def main(page, folder):
     place(page, {
         "statistics": statistics(folder), "listing": listing(folder), "memory": memory(folder),
         "time": speed(folder, time_ratio), "work": speed(folder, work),
-        "cycles": speed(folder, cycle_ratio), "trees": trees(folder)})
+        "cycles": speed(folder, cycle_ratio), "full": full(folder), "trees": trees(folder)})
 
 
 if __name__ == "__main__":
