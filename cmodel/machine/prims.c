@@ -57,7 +57,8 @@ static int check_smooth(const struct sph_machine *m, uint32_t id, struct sph_err
     uint32_t number = sph_field(prim, SPH_PRIM_SMOOTH_LSB, SPH_PRIM_SMOOTH_BITS);
     int outside, on = sph_machine_effect(m, SPH_EFFECT_SMOOTH);
     if (!number) return 0;
-    if (!on || sph_prim_kind(m, prim) != SPH_TRIANGLE)
+    const struct sph_prim *is = sph_prim_of(sph_prim_kind(m, prim));
+    if (!on || !is->flat || is->loose) /* a sphere has a radius there, a plane has no corners */
         return sph_fail(err, "primitive %u: a facet with a radius", id);
     record = sph_smooth_record(m, prim, &outside);
     if (outside)

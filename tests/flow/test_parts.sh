@@ -95,7 +95,8 @@ sed -e '/^\/\* v \/ 2^shift/,/^static int validate/{/^static int validate/!d}' \
 sed 's/sph_prim_build_triangle/sph_prim_build_wedge/' cmodel/prim/triangle_build.c \
     >cmodel/prim/wedge_build.c
 sed -e 's/SPH_TRIANGLE/SPH_WEDGE/; s/sph_prim_scene_triangle/sph_prim_scene_wedge/' \
-    -e 's/{"p", take_p}.*/{"wedge", take_p}, {NULL, NULL}};/; s/"p %u/"wedge %u/' \
+    -e '/{"p", take_p}/{N;s/{"p", take_p}.*/{"wedge", take_p}, {NULL, NULL}};/}' \
+    -e 's/"p %u/"wedge %u/' \
     cmodel/prim/triangle_scene.c >cmodel/prim/wedge_scene.c
 sed -i 's/\[SPH_TRIANGLE\] = \({[^}]*}\),/[SPH_TRIANGLE] = \1, [SPH_WEDGE] = \1,/' \
     cmodel/reference/facet.c cmodel/reference/naive_facet.c
