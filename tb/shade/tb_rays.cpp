@@ -107,6 +107,7 @@ class Rays : public bench::Bench<Vrt_rays> {
             s.surface.normal[(axis + 1) % 3] = s.surface.normal[(axis + 2) % 3] = 0;
             s.surface.nn = (uint64_t)(n * n);
         }
+        std::copy_n(s.surface.normal, 3, s.surface.side);
         sph_ray_setup(&p, &s.ray);
         s.surface.unit = sph_unit(s.surface.normal, s.surface.nn, WD);
         s.far = random.percent(40);
