@@ -5,7 +5,7 @@
 #   make bench          ratios of ways, and docs/results/speed.md; without Embree or POV-Ray it says
 #                       so and leaves out what they would tell
 
-.PHONY: bench bench-setup hashes trees
+.PHONY: bench bench-setup hashes trees kinds
 # Embree's C interface, if it is installed; looked for when it is used.
 EMBREE = $(if $(wildcard /usr/include/embree3/rtcore.h),$B/sim/embree)
 
@@ -29,3 +29,7 @@ hashes: $(TOOL) ## write scenes/hashes.txt: what the golden model draws now
 
 trees: $(TOOL) ## table of visits in each tree, against a bound; a minute
 	$(Q)python3 -m lab.trees $(TOOL) $B/trees
+
+kinds: $(TOOL) ## kinds of trees beside each other, a kd-tree too: docs/results/trees.md
+	$(Q)python3 -m lab.kinds $(TOOL) docs/results/trees.md
+	$(Q)python3 -m lab.pages.measured docs/results/trees.md "make kinds"

@@ -10,6 +10,12 @@
 
 #include "reference/follow.h"
 
+/* How many threads share the rows; who counts gets one. */
+static int threads_of(const struct sph_reference_options *o) {
+    if (o->work) return 1;
+    return o->threads > 0 ? o->threads : omp_get_num_procs();
+}
+
 static uint32_t byte(double c) {
     return (uint32_t)(fmin(fmax(c, 0), 1) * 255 + 0.5);
 }
@@ -50,7 +56,7 @@ int sph_reference_render(const struct sph_scene *scene, const struct sph_referen
         return sph_fail(err, "%s: the camera has no direction", scene->path);
     j.textures = (struct sph_ref_textures){scene,        options->mips, options->filter,
                                            options->lod, j.view.screen, (double)width * height};
-    struct sph_ref_tree *tree = sph_ref_tree_new(scene);
+    struct sph_ref_tree *tree = sph_ref_tree_counted(scene, options->kd, options->work);
     memset(&out->work, 0, sizeof out->work);
     out->width = width, out->height = height;
     out->pixels = calloc((size_t)width * (size_t)height, sizeof *out->pixels);
@@ -60,8 +66,7 @@ int sph_reference_render(const struct sph_scene *scene, const struct sph_referen
         return sph_fail(err, "%s: no memory for the reference", scene->path);
     }
     j.tree = tree;
-#pragma omp parallel for schedule(dynamic, 4)                                                      \
-    num_threads(options->threads > 0 ? options->threads : omp_get_num_procs())
+#pragma omp parallel for schedule(dynamic, 4) num_threads(threads_of(options))
     for (int y = 0; y < height; y++) {
         struct sph_level_work work = {.hits = {0}};
         for (int x = 0; x < width; x++)

@@ -13,6 +13,7 @@
 #include "core/frame.h"
 #include "machine/machine.h"
 #include "reference/texture.h"
+#include "reference/tree.h"
 #include "scene/scene.h"
 
 struct sph_reference_options {
@@ -27,6 +28,8 @@ struct sph_reference_options {
         *world;                 /* NULL, or pixels are marked that see planes in a wrong light */
     const struct sph_mip *mips; /* images of the scene; NULL: none are shown */
     int filter, lod;            /* SPH_FILTER_*; SPH_LOD_*: the level that colours see */
+    int kd;                     /* 1: rays go through a kd-tree */
+    struct sph_ref_work *work;  /* NULL, or what the tree does, with one thread */
 };
 
 struct sph_reference_pixel {

@@ -5,15 +5,12 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <time.h>
 
 #include "reference/facet.h"
+#include "reference/kd.h"
 
 enum { LEAF = 4 };
-
-struct item {
-    double low[3], high[3];
-    uint32_t id;
-};
 
 struct box {
     double low[3], high[3];
@@ -22,19 +19,21 @@ struct box {
 };
 
 struct sph_ref_tree {
-    struct item *items;
+    struct sph_ref_item *items;
     struct box *boxes;
     uint32_t n_items, n_boxes;
     uint32_t *endless, n_endless; /* planes, which no box holds */
     const struct sph_scene *scene;
+    struct sph_kd *kd; /* NULL: the boxes are walked */
+    struct sph_ref_work *work;
 };
 
-static double middle(const struct item *v, int axis) {
+static double middle(const struct sph_ref_item *v, int axis) {
     return v->low[axis] + v->high[axis];
 }
 
 /* Puts the count/2 items that are least along axis first (Hoare's selection). */
-static void halve(struct item *v, uint32_t count, int axis) {
+static void halve(struct sph_ref_item *v, uint32_t count, int axis) {
     int64_t low = 0, high = (int64_t)count - 1, k = count / 2;
     while (low < high) {
         double pivot = middle(&v[(low + high) / 2], axis);
@@ -45,7 +44,7 @@ static void halve(struct item *v, uint32_t count, int axis) {
             while (middle(&v[j], axis) > pivot)
                 j--;
             if (i <= j) {
-                struct item swap = v[i];
+                struct sph_ref_item swap = v[i];
                 v[i++] = v[j];
                 v[j--] = swap;
             }
@@ -65,7 +64,7 @@ static uint32_t build(struct sph_ref_tree *t, uint32_t first, uint32_t count) {
         {INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}, first, count, 0};
     for (uint32_t i = first; i < first + count; i++)
         for (int j = 0; j < 3; j++) {
-            const struct item *s = &t->items[i];
+            const struct sph_ref_item *s = &t->items[i];
             double slack = 1e-9 * fmax(fabs(s->low[j]), fabs(s->high[j])); /* no hit is lost */
             b.low[j] = fmin(b.low[j], s->low[j] - slack);
             b.high[j] = fmax(b.high[j], s->high[j] + slack);
@@ -83,8 +82,9 @@ static uint32_t build(struct sph_ref_tree *t, uint32_t first, uint32_t count) {
 }
 
 static void add(struct sph_ref_tree *t, uint32_t id, const struct sph_vec *v, int n, double rad) {
-    struct item *at = &t->items[t->n_items++];
-    *at = (struct item){{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}, id};
+    struct sph_ref_item *at = &t->items[t->n_items++];
+    *at = (struct sph_ref_item){
+        {INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}, id};
     for (int i = 0; i < n; i++)
         for (int j = 0; j < 3; j++) {
             double c = j == 0 ? v[i].x : j == 1 ? v[i].y : v[i].z;
@@ -93,7 +93,22 @@ static void add(struct sph_ref_tree *t, uint32_t id, const struct sph_vec *v, in
         }
 }
 
+/* The tree of all items; 0 if memory is out. */
+static int grow(struct sph_ref_tree *t, int kd) {
+    if (!kd)
+        build(t, 0, t->n_items);
+    else if (!(t->kd = sph_kd_new(t->items, t->n_items)))
+        return 0;
+    return 1;
+}
+
 struct sph_ref_tree *sph_ref_tree_new(const struct sph_scene *scene) {
+    return sph_ref_tree_counted(scene, 0, NULL);
+}
+
+struct sph_ref_tree *sph_ref_tree_counted(const struct sph_scene *scene, int kd,
+                                          struct sph_ref_work *work) {
+    clock_t start = clock();
     struct sph_ref_tree *t = calloc(1, sizeof *t);
     size_t n = (size_t)scene->n_spheres + scene->n_facets;
     if (!t) return NULL;
@@ -112,7 +127,17 @@ struct sph_ref_tree *sph_ref_tree_new(const struct sph_scene *scene) {
             t->endless[t->n_endless++] = i;
         else
             add(t, scene->n_spheres + i, scene->facets[i].v, 3, 0);
-    build(t, 0, t->n_items);
+    if (!grow(t, kd)) {
+        sph_ref_tree_free(t);
+        return NULL;
+    }
+    if (!(t->work = work)) return t;
+    *work = (struct sph_ref_work){.nodes = kd ? sph_kd_nodes(t->kd) : t->n_boxes,
+                                  .node_bytes = kd ? sph_kd_node_bytes() : sizeof *t->boxes,
+                                  .bytes = kd ? sph_kd_bytes(t->kd)
+                                              : t->n_boxes * sizeof *t->boxes +
+                                                    t->n_items * sizeof t->items->id,
+                                  .build_seconds = (double)(clock() - start) / CLOCKS_PER_SEC};
     return t;
 }
 
@@ -121,6 +146,7 @@ void sph_ref_tree_free(struct sph_ref_tree *tree) {
     free(tree->items);
     free(tree->boxes);
     free(tree->endless);
+    sph_kd_free(tree->kd);
     free(tree);
 }
 
@@ -203,27 +229,58 @@ static int meets(const struct box *b, const struct sph_ref_ray *ray, double t_ma
     return near <= far * (1 + 1e-12);
 }
 
-struct sph_ref_hit sph_ref_trace(const struct sph_ref_tree *tree, const struct sph_ref_ray *ray,
-                                 double t_max, int any_hit) {
-    struct sph_ref_hit best = {INFINITY, SPH_ID_NONE, 0};
+/* A ray on its way through the tree. */
+struct walk {
+    const struct sph_ref_tree *tree;
+    const struct sph_ref_ray *ray;
+    double t_max;
+    int any_hit;
+    struct sph_ref_hit best;
+    uint64_t steps, tests;
+};
+
+/* Tests a primitive; what is farther than the t that it returns does not count. */
+static double test(void *user, uint32_t id) {
+    struct walk *w = user;
+    item(w->tree, id, w->ray, w->t_max, &w->best);
+    w->tests++;
+    return w->any_hit && w->best.t < w->t_max ? -1 : fmin(w->t_max, w->best.t);
+}
+
+static void walk_boxes(struct walk *w, double limit) {
+    const struct sph_ref_tree *tree = w->tree;
     uint32_t stack[64];
     int sp = 0;
-    for (uint32_t i = 0; i < tree->n_endless; i++)
-        facet(tree, tree->endless[i], ray, t_max, &best);
-    if (any_hit && best.t < t_max) return best;
     stack[sp++] = 0;
-    while (sp) {
+    while (sp && limit >= 0) {
         uint32_t at = stack[--sp];
         const struct box *b = &tree->boxes[at];
-        if (!meets(b, ray, fmin(t_max, best.t))) continue;
+        w->steps++;
+        if (!meets(b, w->ray, limit)) continue;
         if (b->count <= LEAF) {
             for (uint32_t i = 0; i < b->count; i++)
-                item(tree, tree->items[b->first + i].id, ray, t_max, &best);
-            if (any_hit && best.t < t_max) break;
+                limit = test(w, tree->items[b->first + i].id);
         } else {
             stack[sp++] = b->right;
             stack[sp++] = at + 1;
         }
     }
-    return best;
+}
+
+struct sph_ref_hit sph_ref_trace(const struct sph_ref_tree *tree, const struct sph_ref_ray *ray,
+                                 double t_max, int any_hit) {
+    struct walk w = {tree, ray, t_max, any_hit, {INFINITY, SPH_ID_NONE, 0}, 0, 0};
+    double limit = t_max;
+    for (uint32_t i = 0; i < tree->n_endless; i++)
+        limit = test(&w, tree->scene->n_spheres + tree->endless[i]);
+    if (tree->kd && limit >= 0)
+        w.steps = sph_kd_walk(tree->kd, ray->org, ray->dir, limit, test, &w);
+    else
+        walk_boxes(&w, limit);
+    if (tree->work) {
+        tree->work->rays++;
+        tree->work->steps += w.steps;
+        tree->work->tests += w.tests;
+    }
+    return w.best;
 }

@@ -21,11 +21,23 @@ struct sph_ref_hit {
     int far;     /* the origin is inside; facet: its normal looks along the ray */
 };
 
-struct sph_ref_tree; /* boxes of two children, split at the median */
+struct sph_ref_tree; /* boxes of two children, split at the median; or a kd-tree */
+
+/* What a tree is, and what rays did in it. */
+struct sph_ref_work {
+    uint64_t nodes, node_bytes, bytes; /* bytes: nodes and numbers of primitives */
+    double build_seconds;              /* of processor */
+    uint64_t rays, steps, tests;       /* nodes visited; primitives tested */
+};
 
 /* Builds a tree over the scene's spheres and triangles, beside its planes, which end nowhere; NULL
  * if memory is out. The scene must outlive it. */
 struct sph_ref_tree *sph_ref_tree_new(const struct sph_scene *scene);
+
+/* The same, or a kd-tree (kd.h) in its place. All rays are counted in *work, which is set here,
+ * unless it is NULL: from one thread. */
+struct sph_ref_tree *sph_ref_tree_counted(const struct sph_scene *scene, int kd,
+                                          struct sph_ref_work *work);
 void sph_ref_tree_free(struct sph_ref_tree *tree);
 
 /* The first hit with 0 < t < t_max; any_hit: whichever is found first will do. */

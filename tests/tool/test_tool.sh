@@ -169,6 +169,27 @@ check "... answer as the exact test does" json o.json \
          "miss", "hit", "behind")) and not any(p["wrong"] for p in r["predicates"].values())'
 check "operations of a machine" sh -c '"$0" operations a.sph | grep -q "^quadratic  each ray"' "$s"
 
+# ---- trees ----
+"$s" trees "$root/scenes/facets/room.nff" --size 32x18 --json t.json >trees.txt
+check "five trees, of which few steps and tests" json t.json \
+    '[t["tree"] for t in r["trees"]] == ["bvh4", "bih", "box4", "boxes", "kd"] and all(
+         t["rays"] > 576 and t["steps"] > t["rays"] and 0 < t["tests"] < 40 * t["rays"] and
+         t["bytes"] >= t["nodes"] * t["node_bytes"] for t in r["trees"])'
+check "... the machine's with the counters of render" sh -c '"$0" render "$1" --size 32x18 \
+    --accel box4 --json box4.json >box4.txt && python3 -c "import json
+c, t = json.load(open(\"box4.json\"))[\"counters\"], json.load(open(\"t.json\"))[\"trees\"][2]
+assert t[\"steps\"] == c[\"node_visits\"]
+assert t[\"tests\"] == c[\"leaf_tests\"] + c[\"facet_tests\"]"' \
+    "$s" "$root/scenes/facets/room.nff"
+check "trees as text" sh -c '"$0" trees a.nff --accel bih --max-prims 1 | grep -q "^kd  "' "$s"
+fails 2 "trees without a scene" "$s" trees
+fails 2 "trees of one kind" "$s" trees a.nff --accel box4
+fails 1 "trees of a machine" "$s" trees a.sph
+fails 1 "trees of no file" "$s" trees nowhere.nff
+printf 'v\nfrom 0 0\n' >broken.nff
+fails 1 "trees of a broken scene" "$s" trees broken.nff
+check "... file and line" grep -q '^sphaera: broken.nff:2: ' "$TMP/err"
+
 # ---- compare ----
 check "a frame equals itself" "$s" compare a.frame a.frame
 check "a picture equals itself" "$s" compare a.png a.png

@@ -1,0 +1,53 @@
+# kinds.py - kinds of trees beside each other: `make kinds`
+# SPDX-License-Identifier: Apache-2.0
+"""usage: python3 -m lab.kinds TOOL PAGE
+Runs `sphaera trees` and puts its figures into the table `kinds` of PAGE. A scene behind the word
+gen is made for it."""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+from .pages.place import place
+from .synth import report
+
+SIZE = "320x180"
+SCENES = [("`paper100`", "scenes/paper100.nff"), ("random:4096", "gen random:4096"),
+          ("sphereflake:3", "gen sphereflake:3"), ("`facets/room`", "scenes/facets/room.nff"),
+          ("`texture/kitchen`", "scenes/texture/kitchen.nff")]
+
+
+def run(tool, *words):
+    done = subprocess.run([tool, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                          check=False)
+    if done.returncode:
+        sys.exit(f"kinds: {' '.join(words)}: {done.stderr}")
+    return done.stdout
+
+
+def measured(tool, folder, name, source):
+    """The rows of a scene, a tree each."""
+    scene = source
+    if source.startswith("gen "):
+        scene = os.path.join(folder, "scene.nff")
+        run(tool, *source.split(), "-o", scene)
+    found = json.loads(run(tool, "trees", scene, "--profile", "standard", "--size", SIZE,
+                           "--json", "-"))
+    for tree in found["trees"]:
+        rays, build, draw = tree["rays"], 1e3 * tree["build_seconds"], 1e3 * tree["draw_seconds"]
+        yield [name, tree["tree"], tree["nodes"], tree["node_bytes"], tree["bytes"],
+               f"{tree['steps'] / rays:.2f}", f"{tree['tests'] / rays:.2f}", f"{build:.2f}",
+               f"{draw:.0f}", f"{build + draw:.0f}"]
+
+
+def main(tool, page):
+    with tempfile.TemporaryDirectory() as folder:
+        rows = [row for scene in SCENES for row in measured(tool, folder, *scene)]
+    place(page, {"kinds": report.table(
+        ["scene", "tree", "nodes", "bytes a node", "bytes", "steps", "tests", "build, ms",
+         "draw, ms", "image, ms"], rows, 2)})
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
