@@ -39,10 +39,16 @@ void sph_bases_frame(struct sph_texture_bases *bases, const struct sph_scene *sc
     memset(&bases->flops, 0, sizeof bases->flops);
 }
 
-/* 1 if both have the same coordinates, bit for bit. */
+/* 1 if both have the same coordinates. */
 static int alike(const struct sph_texture_shape *a, const struct sph_texture_shape *b) {
-    return a->kind == b->kind && !memcmp(a->corner, b->corner, sizeof a->corner) &&
-           !memcmp(a->st, b->st, sizeof a->st) && !memcmp(&a->rad, &b->rad, sizeof a->rad);
+    if (a->kind != b->kind || a->rad != b->rad) return 0;
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 3; k++)
+            if (a->corner[i][k] != b->corner[i][k]) return 0;
+        for (int k = 0; k < 2; k++)
+            if (a->st[i][k] != b->st[i][k]) return 0;
+    }
+    return 1;
 }
 
 int sph_bases_of(struct sph_texture_bases *bases, uint32_t id,

@@ -125,7 +125,7 @@ static int interpolate(const struct sph_machine *m, uint32_t number, const int64
     for (int i = 0; i < 3; i++) {
         mpz_set_ui(v[i], 0);
         for (int k = 0; k < 3; k++) {
-            mpz_set_si(d, g[k] - (word(r, 24 * k, 24) << p->ng));
+            mpz_set_si(d, g[k] - word(r, 24 * k, 24) * (1 << p->ng));
             mpz_set_si(d, sph_naive_limit(d, p->w + p->ng));
             mpz_mul_si(d, d, word(r, 72 + 14 * (3 * i + k), 14));
             mpz_add(v[i], v[i], d);

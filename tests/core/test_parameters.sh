@@ -86,7 +86,7 @@ each_alone() {
         least:FIRST=* | least:INSIDE=*) with="INTERPENETRATE=0" ;;
         most:SPECULAR=*) with="SUM=1" ;;
         most:COARSE=*) with="TEXTURE=1" ;;
-        most:ACCEL=*) with="FIRST=0 INTERPENETRATE=0" ;;
+        most:ACCEL=* | most:BOXES=*) with="FIRST=0 INTERPENETRATE=0" ;;
         least:* | most:*) with= ;;
         *) continue ;;
         esac
@@ -103,7 +103,7 @@ widths='W|WD|PQ|NG|FW|PR'
 # shellcheck disable=SC2046  # words
 for tool in icarus verilator yosys; do
     check "legal: all least, $tool" silent $tool whole $(all_of least "$widths")
-    few="$widths|ACCEL"
+    few="$widths|ACCEL|BOXES"
     [ $tool = icarus ] || few="$few|ENGINES|SLOTS|ROOTS|QUOTIENTS|DIVISIONS|CONES"
     check "legal: all largest, $tool" silent $tool whole $(all_of most "$few")
 done

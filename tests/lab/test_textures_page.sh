@@ -52,7 +52,8 @@ for way in off:400 level:200; do
     cat >"$data/robot-fine-${way%:*}-sdram16_84.core.json" <<END
 {"pixels": 10, "memory": {"peak_bytes_per_clock": 3.2},
  "cold": {"counters": {"cycles": ${way#*:}0, "node_visits": 10,
-  "pop_bubbles": 0, "leaf_tests": 0, "quotients": 0, "facet_tests": 0, "roots": 0,
+  "pop_bubbles": 0, "leaf_tests": 0, "quotients": 0, "facet_tests": 0, "divisions": 0,
+  "roots": 0,
   "rays_primary": 0, "rays_reflected": 0, "rays_refracted": 0, "powers": 0, "node_misses": 1,
   "leaf_misses": 0, "texel_misses": 0}, "cycles_per_pixel": ${way#*:},
   "memory": {"lines": 150, "bytes_per_pixel": 480.0, "row_hit_share": 0.5}}}
