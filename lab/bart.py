@@ -35,8 +35,8 @@ class Frames(Data):
         return {at: run for at, run in found.items() if run}
 
     def read(self, name):
-        if name.endswith("-level.json") and name.split("-")[0] + "-level.json" == name:
-            return self.texels(name.split("-")[0], "level")
+        if name in (f"{scene}-level.json" for scene in self.names):
+            return self.texels(name.removesuffix("-level.json"), "level")
         return super().read(name)
 
     def texels(self, name, way):
@@ -124,11 +124,6 @@ def slower(run):
     return run["cold"]["counters"]["cycles"] / least(run["cold"]["counters"])
 
 
-def routed():
-    """MHz of the placed and routed core of profile standard."""
-    return float(tables.read("accuracy.placed")[1][0][1])
-
-
 def engines(data):
     """Engines as large as the paper's machine."""
     run = data.read("area.json")
@@ -140,7 +135,7 @@ def engines(data):
 
 def clocks(data):
     """Clocks a pixel: the least by the model's counters, and what the RTL's tiles make of it."""
-    rows, clock, many = [], routed(), engines(data)
+    rows, clock, many = [], tables.routed(), engines(data)
     for name in data.names:
         drawn = data.all(name, ".json")
         bound = {at: least(run["counters"]) / data.pixels for at, run in drawn.items()}

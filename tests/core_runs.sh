@@ -9,6 +9,7 @@
 # build_cores     builds what the runs need, each core once
 # run_all         runs them; leaves NUMBER.log and NUMBER.rc in $TMP, NUMBER counted from 1
 # judge           one TAP line a run: ok if not one bit differs
+# refused LIST MACHINE   whether such a core gives no pixel of the machine, and says so
 runs=$TMP/runs
 : >"$runs"
 every="--accel bvh4"
@@ -89,4 +90,9 @@ judge() {
         said=$(sed -n 's/^core .*: \([0-9]* pixels, .*cycles\), .*/\1/p' "$TMP/$number.log")
         tap $rc "$name: $said" "$TMP/$number.log"
     done <"$runs"
+}
+refused() {
+    env -u BUILT SIM=icarus EFFECTS="$1" sh sim/core.sh --machine "$machines/$2.sph" \
+        >"$TMP/said" 2>&1
+    [ $? -eq 3 ] && cat "$TMP/said" && grep -q '^refused: ' "$TMP/said"
 }

@@ -23,30 +23,8 @@ struct tally {
     uint64_t wrong[SPH_PREDICATES]; /* answers that are not the exact test's */
 };
 
-struct arguments {
-    struct tool_source source;
-    const char *input, *json;
-};
-
-enum { KEY_JSON = 512 };
-
-static const struct argp_option options[] = {
-    {"json", KEY_JSON, "FILE", 0, "report as JSON (- : on standard output instead of text)", 0},
-    {0},
-};
-
 static error_t parse(int key, char *arg, struct argp_state *state) {
-    struct arguments *a = state->input;
-    switch (key) {
-    case ARGP_KEY_INIT:
-        state->child_inputs[0] = &a->source;
-        return 0;
-    case KEY_JSON:
-        a->json = tool_output(&a->source.outputs, arg);
-        return 0;
-    default:
-        return tool_one_scene(state, key, arg, &a->input, "no scene and no machine given");
-    }
+    return tool_report_key(key, arg, state, "no scene and no machine given");
 }
 
 /* The exact test of a primary ray, all roots ahead of the eye counted. */
@@ -148,7 +126,7 @@ static void report_tally(json_t *report, const struct tally *t) {
 int tool_operations(int argc, char **argv) {
     static const struct argp_child children[] = {{&tool_source_argp, 0, NULL, 1}, {0}};
     static const struct argp argp = {
-        options,
+        tool_report_options,
         parse,
         "SCENE.nff|MACHINE.sph",
         "Counts the arithmetic of the test of ray and sphere, as four texts have it.\v"
@@ -159,7 +137,7 @@ int tool_operations(int argc, char **argv) {
         children,
         NULL,
         NULL};
-    struct arguments a = {.source = tool_source_default};
+    struct tool_report_arguments a = {.source = tool_source_default};
     struct tool_built built;
     struct sph_error err = {""};
     argp_parse(&argp, argc, argv, 0, NULL, &a);

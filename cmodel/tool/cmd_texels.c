@@ -16,30 +16,8 @@
 enum { SIZES = SHAPES_SIZES, SMALLEST = SHAPES_SMALLEST, WAYS = 4, COLUMN = 8 };
 static const char *const orders[] = {"rows", "tiles", "morton"}; /* SPH_ORDER_* */
 
-struct arguments {
-    struct tool_source source;
-    const char *input, *json;
-};
-
-enum { KEY_JSON = 512 };
-
-static const struct argp_option options[] = {
-    {"json", KEY_JSON, "FILE", 0, "report as JSON (- : on standard output instead of text)", 0},
-    {0},
-};
-
 static error_t parse(int key, char *arg, struct argp_state *state) {
-    struct arguments *a = state->input;
-    switch (key) {
-    case ARGP_KEY_INIT:
-        state->child_inputs[0] = &a->source;
-        return 0;
-    case KEY_JSON:
-        a->json = tool_output(&a->source.outputs, arg);
-        return 0;
-    default:
-        return tool_one_scene(state, key, arg, &a->input, "no scene given");
-    }
+    return tool_report_key(key, arg, state, "no scene given");
 }
 
 /* Caches of every size for every order, which see the same texels. */
@@ -131,7 +109,7 @@ static int start(struct caches *c, struct sph_error *err) {
 int tool_texels(int argc, char **argv) {
     static const struct argp_child children[] = {{&tool_source_argp, 0, NULL, 1}, {0}};
     static const struct argp argp = {
-        options,
+        tool_report_options,
         parse,
         "MACHINE.sph|SCENE",
         "Renders with the golden model and asks caches of several sizes for the texels, as they "
@@ -140,7 +118,7 @@ int tool_texels(int argc, char **argv) {
         children,
         NULL,
         NULL};
-    struct arguments a = {.source = tool_source_default};
+    struct tool_report_arguments a = {.source = tool_source_default};
     struct tool_built built;
     struct caches c = {0};
     struct sph_error err = {""};

@@ -21,43 +21,21 @@ struct tree {
     double draw_seconds; /* of processor */
 };
 
-struct arguments {
-    struct tool_source source;
-    const char *input, *json;
-};
-
 /* A scene, and what is the same for all trees. */
 struct job {
-    const struct arguments *a;
+    const struct tool_report_arguments *a;
     const struct sph_scene *scene;
     struct sph_mip *mips;
     uint64_t picture;           /* of the machine */
     struct sph_reference truth; /* the picture in double precision */
 };
 
-enum { KEY_JSON = 512 };
-
-static const struct argp_option options[] = {
-    {"json", KEY_JSON, "FILE", 0, "report as JSON (- : on standard output instead of text)", 0},
-    {0},
-};
-
 static error_t parse(int key, char *arg, struct argp_state *state) {
-    struct arguments *a = state->input;
-    switch (key) {
-    case ARGP_KEY_INIT:
-        state->child_inputs[0] = &a->source;
-        return 0;
-    case KEY_JSON:
-        a->json = tool_output(&a->source.outputs, arg);
-        return 0;
-    case ARGP_KEY_SUCCESS:
-        if (a->source.accel != TOOL_AUTO && a->source.accel != TOOL_BIH)
-            argp_error(state, "all kinds of trees are built; --accel may be bih, for its options");
-        return 0;
-    default:
-        return tool_one_scene(state, key, arg, &a->input, "no scene given");
-    }
+    const struct tool_report_arguments *a = state->input;
+    if (key != ARGP_KEY_SUCCESS) return tool_report_key(key, arg, state, "no scene given");
+    if (a->source.accel != TOOL_AUTO && a->source.accel != TOOL_BIH)
+        argp_error(state, "all kinds of trees are built; --accel may be bih, for its options");
+    return 0;
 }
 
 static double seconds(clock_t since) {
@@ -195,7 +173,7 @@ static int compare(struct job *j, struct sph_error *err) {
 int tool_trees(int argc, char **argv) {
     static const struct argp_child children[] = {{&tool_source_argp, 0, NULL, 1}, {0}};
     static const struct argp argp = {
-        options,
+        tool_report_options,
         parse,
         "SCENE",
         "Draws a scene by each kind of tree and counts what its rays do there.\v"
@@ -207,7 +185,7 @@ int tool_trees(int argc, char **argv) {
         children,
         NULL,
         NULL};
-    struct arguments a = {.source = tool_source_default};
+    struct tool_report_arguments a = {.source = tool_source_default};
     struct sph_scene scene;
     struct sph_error err = {""};
     argp_parse(&argp, argc, argv, 0, NULL, &a);

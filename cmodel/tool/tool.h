@@ -88,6 +88,15 @@ extern const struct argp tool_scene_argp;     /* the part of commands that build
 extern const char *const tool_filter_names[]; /* SPH_FILTER_*, then NULL */
 extern const struct tool_source tool_source_default;
 
+/* What a command takes that reports of one scene, and nothing else: it, --json, tool_source_argp as
+ * its only child. tool_report_key() is its parser; `missing` as for tool_one_scene(). */
+struct tool_report_arguments {
+    struct tool_source source;
+    const char *input, *json;
+};
+extern const struct argp_option tool_report_options[];
+error_t tool_report_key(int key, char *arg, struct argp_state *state, const char *missing);
+
 /* Writes a scene as NFF to output (NULL or -: standard output), says so, and frees it. */
 int tool_write_scene(const char *output, struct sph_scene *scene, struct sph_error *err);
 

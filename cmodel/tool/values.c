@@ -66,3 +66,24 @@ error_t tool_one_scene(const struct argp_state *state, int key, char *arg, const
     if (!*input) argp_error(state, "%s", missing);
     return 0;
 }
+
+enum { KEY_JSON = 512 };
+
+const struct argp_option tool_report_options[] = {
+    {"json", KEY_JSON, "FILE", 0, "report as JSON (- : on standard output instead of text)", 0},
+    {0},
+};
+
+error_t tool_report_key(int key, char *arg, struct argp_state *state, const char *missing) {
+    struct tool_report_arguments *a = state->input;
+    switch (key) {
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &a->source;
+        return 0;
+    case KEY_JSON:
+        a->json = tool_output(&a->source.outputs, arg);
+        return 0;
+    default:
+        return tool_one_scene(state, key, arg, &a->input, missing);
+    }
+}

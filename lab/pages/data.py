@@ -45,6 +45,12 @@ def read(name):
     return head, rows
 
 
+def routed():
+    """MHz of the placed and routed core of profile standard, of spheres."""
+    head, rows = read("accuracy.placed")
+    return float(next(row for row in rows if row[0] == "`standard`")[head.index("MHz")])
+
+
 def write(path, text):
     new = path.with_suffix(".tmp")
     new.write_text(text, encoding="utf-8")

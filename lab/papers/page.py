@@ -13,7 +13,6 @@ from ..pages import data
 from ..pages.place import place
 from ..synth import report
 
-MHZ = 67.7  # of the routed core: docs/results/accuracy.md
 PIXELS = 160 * 90
 
 
@@ -117,7 +116,8 @@ def values(folder):
     for depth in measure.DEPTHS:
         v[f"parts_{depth}"] = f"{cycles(folder, f'parts-paper100-{depth}'):.1f}"
     for scene in measure.PARTS:
-        v["hd_" + scene] = f"{MHZ * 1e6 / (1280 * 720 * cycles(folder, f'parts-{scene}-2')):.1f}"
+        clocks = 1280 * 720 * cycles(folder, f"parts-{scene}-2")
+        v["hd_" + scene] = f"{data.routed() * 1e6 / clocks:.1f}"
     counters = load(folder, "parts-paper100-2.core")["warm"]["counters"]
     v["busy"] = f"{100 * counters['node_visits'] / counters['cycles']:.0f}"
     _, before = data.read("claims.values")

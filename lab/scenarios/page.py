@@ -9,6 +9,7 @@ import os
 import sys
 
 from . import measure
+from ..pages import data
 from ..pages.place import place
 from ..synth import report
 
@@ -31,7 +32,6 @@ THESIS = {
     "optimized nodes": [0, 0, 755, 5, 537, 12],
     "build, ms": [15.18, 6.06, 20.31, 9.57, 24.05, 8.07],
 }
-MHZ = 67.7  # of the routed core: docs/results/accuracy.md
 CASES = [(s, p) for s in (1, 2, 3) for p in (1, 8)]
 
 
@@ -138,14 +138,14 @@ def cycle_ratio(folder, s, n, way):
 
 def full(folder):
     """The thesis's frame in the RTL, each process with the rows that it drew."""
-    rows = []
+    rows, mhz = [], data.routed()
     for s, n, way in measure.FULL_RTL:
         name = f"speed-{s}-{n}-{way}"
         value = cycles(folder, name)
         rows.append([f"S{s}, {n}", way, shown(value),
-                     "-" if value is None else f"{MHZ * 1e6 / value / (640 * 1088):.2f}"])
+                     "-" if value is None else f"{mhz * 1e6 / value / (640 * 1088):.2f}"])
     return report.table(["scenario, spheres", "tree", "cycles a pixel",
-                         f"frames a second at {MHZ} MHz"], rows, 2)
+                         f"frames a second at {mhz} MHz"], rows, 2)
 
 
 def trees(folder):

@@ -10,12 +10,12 @@ import os
 import re
 import sys
 
+from ..pages import data as tables
 from ..pages.place import place
 from ..report.units import LINE, parameters, units
 from ..synth import report
 from .angles import angles, plot, slants
 
-CLOCK = 67.7      # MHz, routed, of a core of spheres alone: docs/results/accuracy.md
 THEIRS = "800x480"
 SLOW = "robot"    # simulated with slow memory as well
 STALLED = "robot", "hall", "kitchen"  # and with memory that is not ready in STALLS percent
@@ -176,8 +176,9 @@ def speed(data):
             cycles = cycles_of(data, f"{name}-{way}")
             pixel = cycles and cycles / area(data.rtl)
             rows.append([name if way == "off" else "", WAYS[way], show(cycles),
-                         show(pixel, "{:.1f}"), show(cycles and CLOCK * 1e6 / cycles, "{:.1f}"),
-                         show(pixel and CLOCK * 1e6 / pixel / area(THEIRS), "{:.2f}"),
+                         show(pixel, "{:.1f}"),
+                         show(cycles and tables.routed() * 1e6 / cycles, "{:.1f}"),
+                         show(pixel and tables.routed() * 1e6 / pixel / area(THEIRS), "{:.2f}"),
                          f"{PAPER[name][2][way != 'off']}"])
     return report.table(["scene", "filter", "cycles", "a pixel", f"frames/s, {data.rtl}",
                          f"{THEIRS} at the same rate", "the paper's"], rows, left=2)

@@ -83,11 +83,6 @@ build_cores
 run_all
 judge
 
-refused() { # list, machine: the core gives no pixel
-    env -u BUILT SIM=icarus EFFECTS="$1" sh sim/core.sh --machine "$machines/$2.sph" \
-        >"$TMP/said" 2>&1
-    [ $? -eq 3 ] && cat "$TMP/said" && grep -q '^refused: ' "$TMP/said"
-}
 [ -n "$CORE" ] || {
     check "a core for nodes of four refuses a BIH" refused shadow+reflect5+lights8+inside paper5
     check "a core with a BIH refuses nodes of four" refused shadow+reflect5+lights8+inside+bih four
