@@ -44,7 +44,7 @@ TRACED    := $(if $(filter 1,$(WAVES)),$S/obj/verilated_fst_c.o)
 
 VERILATE := verilator --cc --language 1364-2005 -Wall -O3 --x-assign fast --top-module rt_core \
                 --prefix Vrt_core $(PARAMETERS:%=-G%) $(if $(TRACED),--trace-fst)
-ELABORATE := iverilog -g2005 -Wall $(PARAMETERS:%=-Ptb_core_icarus.%) -s tb_core_icarus
+ELABORATE := iverilog -g2005 -Wall -Itb/core $(PARAMETERS:%=-Ptb_core_icarus.%) -s tb_core_icarus
 COMPILE_CORE := $(if $(TRACED),$(subst $(PRECOMPILED:%=-include-pch %),,$(COMPILE)),$(COMPILE)) \
                     -isystem $K -DVM_TRACE=$(WAVES) -DVM_TRACE_FST=$(WAVES)
 
@@ -75,8 +75,9 @@ $K/rtl.v: $(RTL_FILES) $K/icarus.flags
 	    /^ *wire unused.*= &/ { sink = 1 } { print sink ? "" : $$0 } /;/ { sink = 0 }' \
 	    $(filter %.v,$(SOURCES)) >$@
 
-$K/tb_core.vvp: tb/core/tb_core_icarus.v $K/rtl.v
-	$(ELABORATE) $(filter -I%,$(SOURCES)) -o $@ $^ 2>$@.log || { cat $@.log >&2; exit 1; }
+$K/tb_core.vvp: tb/core/tb_core_icarus.v $K/rtl.v tb/core/icarus_pins.vh
+	$(ELABORATE) $(filter -I%,$(SOURCES)) -o $@ $(filter %.v,$^) 2>$@.log || \
+	    { cat $@.log >&2; exit 1; }
 	@cat $@.log >&2
 
 # Verilator's warnings are errors; none is waived.

@@ -107,6 +107,8 @@ ALL ?=
 N ?= 1000000
 ## FAMILY <word>| of `make hard`: one family of cases, or those of a kind (empty: all)
 FAMILY ?=
+## TRIALS 1.. trials that `make host` makes on each core
+TRIALS ?= 1000
 ## STATE <word>| file that `make hard` goes on from
 STATE ?=
 ## JOBS 1..1024 commands run at once

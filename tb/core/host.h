@@ -25,7 +25,10 @@ class Host {
         bool busy;
         uint32_t errors;
         uint64_t count; /* counter that was addressed in the clock */
+        bool known;     /* it has no unknown bits */
     };
+    /* Percent of clocks in which no pixel is taken, up to 100. */
+    int pix_stall = 0;
     virtual ~Host() = default;
     virtual Seen clock() = 0;
     virtual Memory &memory() = 0;

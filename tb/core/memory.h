@@ -49,31 +49,50 @@ class Memory {
     const sph_machine &machine() const { return *machine_; }
     /* From now on the lines marked by their number answer with an error; empty: none. */
     void spoil(std::vector<bool> lines) { spoilt_ = std::move(lines); }
+    /* Of the request-th line from now, from 0, the beats of a mask (1: the first) come with an
+     * error and with other data; a mask of 0: none. */
+    void spoil_beats(uint64_t request, unsigned beats) {
+        beats_of_ = requests_ + request;
+        beats_ = beats;
+    }
+    /* From now on latency and stall are these. */
+    void pace(int latency, int stall) {
+        latency_ = latency;
+        stall_ = stall;
+    }
+    /* While silent, no beat comes that was not offered before. */
+    void silence(bool silent) { silent_ = silent; }
 
     uint64_t requests() const { return requests_; }
     /* Of the named part; zeros without one. */
     Dram::Counts part() const { return dram_ ? dram_->counts() : Dram::Counts{0, 0, 0, 0}; }
     size_t waiting() const { return queue_.size(); }
-    uint64_t out_of_range() const { return out_of_range_; } /* requests beyond the memory */
+    /* Requests beyond the memory, as register MEM_LINES has it. */
+    uint64_t out_of_range() const { return out_of_range_; }
+    /* Clocks in which the core did not take a beat that was there. */
+    uint64_t refused() const { return refused_; }
 
   private:
     struct Request {
         uint32_t line;
         Dram::Beats due; /* of each beat */
-        bool error;
+        unsigned errors; /* a bit a beat */
     };
     static const size_t PART_LINES = 8;
     bool spoilt(uint32_t line) const { return line < spoilt_.size() && spoilt_[line]; }
 
     const sph_machine *machine_;
     std::vector<bool> spoilt_;
+    uint64_t beats_of_ = 0;
+    unsigned beats_ = 0;
+    bool silent_ = false;
     int latency_, stall_;
     int64_t error_at_;
     Random random_;
     std::unique_ptr<Dram> dram_; /* null: any number of lines, a beat a clock */
     std::deque<Request> queue_;
     Offer now_ = {false, false, false, 0};
-    uint64_t clock_ = 0, requests_ = 0, out_of_range_ = 0;
+    uint64_t clock_ = 0, requests_ = 0, out_of_range_ = 0, refused_ = 0;
     unsigned beat_ = 0; /* of the line at the queue's front */
 };
 

@@ -31,6 +31,7 @@ enum Key {
     LIFE,
     THEN,
     CUTS,
+    TRIALS,
     POKE,
     REG,
     PROGRESS,
@@ -70,9 +71,11 @@ const argp_option table[] = {
      0},
     {"reset-at", RESET_AT, "N[:CLOCKS]", 0,
      "begin the frame, reset in its N-th clock, from 0, for CLOCKS clocks (1), and begin again", 0},
-    {"life", LIFE, nullptr, 0, "frames, resets and errors one after another (not in Icarus)", 0},
-    {"then", THEN, "FILE", 0, "with --life: a second machine, drawn without a reset between", 0},
+    {"life", LIFE, nullptr, 0, "frames, resets and errors one after another", 0},
+    {"then", THEN, "FILE", 0, "with --life: another machine, drawn without a reset between", 0},
     {"cuts", CUTS, "N", 0, "with --life: reset in N random clocks (in each clock of a frame)", 0},
+    {"trials", TRIALS, "N", 0,
+     "with --life: N times something random that a host may do, and a clean frame", 0},
     {"expect-errors", EXPECT, "BITS", 0, "these sticky error bits must be set at the end", 0},
     {"poke", POKE, "LINE:LSB:WIDTH=VALUE", 0, "overwrite bits of memory, for both sides", 0},
     {"reg", REG, "N=VALUE", 0, "overwrite a register, for both sides", 0},
@@ -168,10 +171,13 @@ error_t parse(int key, char *arg, argp_state *state) {
         o.life = true;
         break;
     case THEN:
-        o.then = arg;
+        o.then.push_back(arg);
         break;
     case CUTS:
         o.cuts = number(arg, 1, INT64_MAX, state);
+        break;
+    case TRIALS:
+        o.trials = number(arg, 1, INT64_MAX, state);
         break;
     case SPOIL:
         o.spoil = number(arg, 0, INT64_MAX, state);
@@ -272,7 +278,10 @@ std::string repeat_command(const Options &o, const Window &w) {
     }
     if (o.spoil >= 0) command += " --spoil " + std::to_string(o.spoil);
     if (o.bus_error_at >= 0) command += " --bus-error-at " + std::to_string(o.bus_error_at);
-    if (o.life) command += " --life" + (o.then.empty() ? "" : " --then " + o.then);
+    if (o.life) command += " --life";
+    for (const std::string &file : o.then)
+        command += " --then " + file;
+    if (o.trials) command += " --trials " + std::to_string(o.trials);
     if (o.cuts) command += " --cuts " + std::to_string(o.cuts);
     if (o.reset_at >= 0)
         command += " --reset-at " + std::to_string(o.reset_at) + ":" + std::to_string(o.reset_for);

@@ -27,22 +27,23 @@ struct Register {
 struct Options {
     std::string machine;
     Window window = {0, 0, 0, 0};
-    std::string memory = "ideal"; /* or a named part of dram.h */
-    int core_mhz = 84;            /* clock of the core, of which the part's clocks are told */
-    int latency = 20;             /* clocks from a request to its first beat; of a part on top */
-    int stall = 0;                /* percent of clocks a handshake is held back */
-    uint64_t seed = 1;            /* of the stalls */
-    int processes = 1;            /* window is shared out by rows */
-    bool warm = false;            /* renders twice, the second time with caches kept */
-    uint64_t watchdog = 200000;   /* clocks without a pixel: hang */
-    uint64_t max_cycles = 0;      /* 0: no limit */
-    bool stop = false;            /* at the first pixel that differs; the rest counts as equal */
-    int64_t bus_error_at = -1;    /* this line request, from 0, answers with an error */
-    int64_t reset_at = -1;        /* the frame is first begun, and cut off in this clock, from 0 */
-    int reset_for = 1;            /* by a reset of so many clocks */
-    bool life = false;            /* all that a host may do, instead of one frame: see life.h */
-    std::string then;             /* --life: the second machine */
-    int64_t cuts = 0;             /* --life: frames cut off, in random clocks; 0: in each clock */
+    std::string memory = "ideal";  /* or a named part of dram.h */
+    int core_mhz = 84;             /* clock of the core, of which the part's clocks are told */
+    int latency = 20;              /* clocks from a request to its first beat; of a part on top */
+    int stall = 0;                 /* percent of clocks a handshake is held back */
+    uint64_t seed = 1;             /* of the stalls */
+    int processes = 1;             /* window is shared out by rows */
+    bool warm = false;             /* renders twice, the second time with caches kept */
+    uint64_t watchdog = 200000;    /* clocks without a pixel: hang */
+    uint64_t max_cycles = 0;       /* 0: no limit */
+    bool stop = false;             /* at the first pixel that differs; the rest counts as equal */
+    int64_t bus_error_at = -1;     /* this line request, from 0, answers with an error */
+    int64_t reset_at = -1;         /* the frame is first begun, and cut off in this clock, from 0 */
+    int reset_for = 1;             /* by a reset of so many clocks */
+    bool life = false;             /* all that a host may do, instead of one frame: see life.h */
+    std::vector<std::string> then; /* --life: other machines */
+    int64_t cuts = 0;              /* --life: frames cut off, in random clocks; 0: in each clock */
+    int64_t trials = 0;            /* --life: trials instead, see trials.h */
     int64_t spoil = -1;         /* lines from here on answer with an error; --warm: from then on */
     int64_t expect_errors = -1; /* sticky bits that must be set */
     std::vector<Poke> pokes;    /* in the memory, for model and core alike */

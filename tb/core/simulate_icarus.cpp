@@ -4,7 +4,7 @@
  * Writes registers and memory in hex, runs vvp with tb_core_icarus.v, reads its text, and ends it
  * by reading no more. The files lie beside the compiled bench and are removed at the end.
  */
-#include "host.h"
+#include "driven_icarus.h"
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -169,6 +169,6 @@ void simulate(const Options &o, const sph_machine &machine, Sample *samples[PASS
     run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-std::unique_ptr<Host> make_host(const Options &, const sph_machine &, Run &) {
-    return nullptr;
+std::unique_ptr<Host> make_host(const Options &o, const sph_machine &machine, Run &run) {
+    return std::make_unique<DrivenIcarus>(o, machine, run);
 }

@@ -4,6 +4,7 @@
 // vvp BENCH +regs=FILE +mem=FILE +out=FILE +latency=N +stall=PERCENT +seed=N +watchdog=N
 //           +error_at=N (-1: never) +warm=0|1 +reset_at=N (-1: never) +reset_for=CLOCKS
 //           +spoil=LINE (-1: none)                     files in hex, with absolute paths
+// or, with +pins=FILE, driven by text: icarus_pins.vh
 //
 // Lines of the output: `p x y colour id key visits texture` (all hex), `c number value` (hex),
 // `k clocks` (from start to the last pixel), `e errors`, `w` (the warm pass begins), `h why`
@@ -89,6 +90,7 @@ module tb_core_icarus #(
     wire [W+WD+1:0] pix_key;
     wire [23:0] pix_visits;
     wire [31:0] pix_texture;
+    wire [23:0] pix_frame;
     wire [47:0] count_data;
     wire [5:0] errors;
 
@@ -117,17 +119,18 @@ module tb_core_icarus #(
         .mem_rsp_error_i(rsp_error),
         .pix_valid_o(pix_valid), .pix_ready_i(pix_ready), .pix_x_o(pix_x), .pix_y_o(pix_y),
         .pix_colour_o(pix_colour), .pix_id_o(pix_id), .pix_key_o(pix_key),
-        .pix_visits_o(pix_visits), .pix_texture_o(pix_texture),
+        .pix_visits_o(pix_visits), .pix_texture_o(pix_texture), .pix_frame_o(pix_frame),
         .count_addr_i(count_addr), .count_data_o(count_data), .errors_o(errors)
     );
 
-    always #5 clk = !clk;
+    reg driven = 1'b0;         // by text, clock by clock: icarus_pins.vh
+    always #5 if (!driven) clk = !clk;
 
     // ---- plusargs ----
     reg [8*1024-1:0] name;
     reg [31:0] regs [0:N_REGS-1];
     reg [255:0] mem [0:LINES-1];
-    integer out, latency, stall, seed, watchdog, error_at, warm, reset_at, reset_for, spoil;
+    integer pins, out, latency, stall, seed, watchdog, error_at, warm, reset_at, reset_for, spoil;
     initial begin
         if (!$value$plusargs("latency=%d", latency)) latency = 20;
         if (!$value$plusargs("stall=%d", stall)) stall = 0;
@@ -146,7 +149,12 @@ module tb_core_icarus #(
         end
         if (!$value$plusargs("out=%s", name)) name = "pixels.txt";
         out = $fopen(name, "w");
+        if ($value$plusargs("pins=%s", name)) begin
+            driven = 1'b1;
+            pins = $fopen(name, "r");
+        end
     end
+`include "icarus_pins.vh"
 
     // ---- memory: in order, `latency` clocks late, random waits; data even with an error ----
     reg [25:0] q_line [0:QUEUE-1];
@@ -162,7 +170,7 @@ module tb_core_icarus #(
         head = 0; tail = 0; beat = 0; cycle = 0; requests = 0; quiet = 0; offered = 1'b0;
     end
 
-    always @(posedge clk) begin
+    always @(posedge clk) if (!driven) begin
         // what happened in this clock
         if (rsp_valid && rsp_ready) begin
             offered = 1'b0;
@@ -252,7 +260,8 @@ module tb_core_icarus #(
 
     initial begin
         noise = seed + 1;
-        repeat (4) @(posedge clk);
+        @(posedge clk) wait (!driven);
+        repeat (3) @(posedge clk);
         rst <= 1'b0;
         for (i = 0; i < N_REGS; i = i + 1) begin
             cfg_valid <= 1'b1;

@@ -1,0 +1,138 @@
+/* driven_icarus.h - the core in Icarus, a clock at a time; see port_host.h, icarus_pins.vh
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * vvp reads a line of inputs and writes a line of outputs each clock, through two pipes. Unknown
+ * bits (x) where an output has a meaning are failures: what is valid, its payload, busy_o,
+ * errors_o.
+ */
+#ifndef TB_DRIVEN_ICARUS_H
+#define TB_DRIVEN_ICARUS_H
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cinttypes>
+#include <cstdio>
+#include <cstring>
+
+#include "port_host.h"
+
+class DrivenIcarus : public PortHost {
+  public:
+    DrivenIcarus(const Options &o, const sph_machine &machine, Run &run);
+    ~DrivenIcarus() override;
+    DrivenIcarus(const DrivenIcarus &) = delete;
+    DrivenIcarus &operator=(const DrivenIcarus &) = delete;
+
+  private:
+    static const int RESET = 4; /* clocks */
+    void step(const Inputs &in, Outputs &out) override;
+    void read(const char *text, Outputs &out);
+    void complain(const char *what, const char *text);
+    bool start(const char *engine);
+
+    FILE *to_ = nullptr, *from_ = nullptr;
+    pid_t child_ = -1;
+};
+
+inline bool DrivenIcarus::start(const char *engine) {
+    int to[2], from[2];
+    if (pipe(to)) return false;
+    if (pipe(from)) return close(to[0]), close(to[1]), false;
+    child_ = fork();
+    if (child_ == 0) {
+        char in[40], out[40];
+        close(to[1]);
+        close(from[0]);
+        int nowhere = open("/dev/null", O_WRONLY);
+        dup2(nowhere, 1);
+        dup2(nowhere, 2);
+        std::snprintf(in, sizeof in, "+pins=/dev/fd/%d", to[0]);
+        std::snprintf(out, sizeof out, "+out=/dev/fd/%d", from[1]);
+        execlp("vvp", "vvp", "-n", engine, in, out, static_cast<char *>(nullptr));
+        _exit(127);
+    }
+    close(to[0]);
+    close(from[1]);
+    to_ = fdopen(to[1], "w");
+    from_ = fdopen(from[0], "r");
+    return child_ > 0 && to_ && from_;
+}
+
+inline DrivenIcarus::DrivenIcarus(const Options &o, const sph_machine &machine, Run &run)
+    : PortHost(o, machine, run) {
+    signal(SIGPIPE, SIG_IGN); /* a dead vvp is told by the line that is missing */
+    if (!start(o.engine.c_str())) fail(run, "no vvp of '%s'", o.engine.c_str());
+    pins.rst = true;
+    for (int i = 0; i < RESET; i++)
+        clock();
+    pins.rst = false;
+}
+
+inline DrivenIcarus::~DrivenIcarus() {
+    if (to_) fclose(to_);
+    if (from_) fclose(from_);
+    if (child_ > 0) waitpid(child_, nullptr, 0);
+}
+
+inline void DrivenIcarus::complain(const char *what, const char *text) {
+    if (!run_.failure[0])
+        fail(run_, "clock %" PRIu64 ": %s: %.*s", cycle(), what,
+             static_cast<int>(std::strcspn(text, "\n")), text);
+}
+
+/* "req rsp pix line [pixel] / busy errors count" */
+inline void DrivenIcarus::read(const char *text, Outputs &out) {
+    const char *behind = std::strstr(text, " / ");
+    char hex[24] = "", counter[24] = "";
+    if (!behind || std::sscanf(behind + 3, "%*c %x %23s", &out.seen.errors, counter) < 1)
+        return complain("unknown busy_o or errors_o, or no line", text);
+    out.seen.busy = behind[3] == '1';
+    out.seen.known = !std::strpbrk(counter, "xzXZ");
+    if (out.seen.known) out.seen.count = std::strtoull(counter, nullptr, 16);
+    out.req_valid = text[0] == '1';
+    out.rsp_ready = text[1] == '1';
+    out.pix_valid = text[2] == '1';
+    const auto known = static_cast<int64_t>(std::strcspn(text, "xzXZ"));
+    if (known < (out.req_valid || out.pix_valid ? behind - text : 3) ||
+        std::strpbrk("xzXZ", std::string(behind + 3, 1).c_str()))
+        return complain("unknown bits", text);
+    if (out.req_valid) std::sscanf(text + 4, "%x", &out.req_line);
+    if (!out.pix_valid) return;
+    if (std::sscanf(text + 4, "%*s %x %x %18s %x %" SCNx64 " %x %x %x", &out.x, &out.y, hex,
+                    &out.pixel.id, &out.pixel.key, &out.pixel.visits, &out.pixel.texture,
+                    &out.pix_frame) != 8)
+        return complain("not a pixel", text);
+    uint32_t words[3];
+    std::sscanf(hex, "%2x%8x%8x", &words[2], &words[1], &words[0]);
+    colours(words, out.pixel);
+}
+
+inline void DrivenIcarus::step(const Inputs &in, Outputs &out) {
+    const bool bits[] = {in.pins.rst,
+                         in.pins.start,
+                         in.pins.keep_cache,
+                         in.pins.cfg_valid,
+                         in.memory.request_ready,
+                         in.memory.response_valid,
+                         in.memory.error,
+                         in.pix_ready};
+    unsigned control = 0;
+    for (bool bit : bits)
+        control = control << 1 | bit;
+    char text[512] = "";
+    if (!to_ || !from_) return;
+    std::fprintf(to_, "%x %x %x %x %" PRIx64 "\n", control, static_cast<unsigned>(in.pins.cfg_addr),
+                 in.pins.cfg_data, static_cast<unsigned>(in.pins.count_addr), in.memory.data);
+    std::fflush(to_);
+    if (!std::fgets(text, sizeof text, from_)) return complain("vvp is gone", "");
+    if (cycle() == 0) { /* before the first edge of a reset nothing is known */
+        out.seen = {false, 0, 0, false};
+        return;
+    }
+    read(text, out);
+}
+
+#endif
