@@ -86,7 +86,7 @@ TARGET ?= ecp5
 FLAT ?= 0
 ## RESULTS <word> of make study: folder of its results
 RESULTS ?= $B/study/results
-## ENGINE make|slurm what runs make study, hard, textures: this machine, or a cluster (sbatch)
+## ENGINE make|slurm what runs make study, hard, textures, campaign: here, or a cluster (sbatch)
 ENGINE ?= make
 ## BART <word>| of make bart: folder of scene_kitchen, scene_museum, scene_robot
 BART ?=
@@ -103,6 +103,8 @@ ALL ?=
 ## CORE <text> of such a suite the runs, by part of the name; EFFECT and MUTANT likewise
 ## EFFECT <text>
 ## MUTANT <text>
+## FAULTS 1.. that `make campaign` puts into the RTL, of all modules together
+FAULTS ?= 2400
 ## N 1.. cases that `make hard` makes for each profile
 N ?= 1000000
 ## FAMILY <word>| of `make hard`: one family of cases, or those of a kind (empty: all)

@@ -214,11 +214,11 @@ template <class Top> class Bench {
         dut.rst = 0;
         dut.eval();
     }
-    /* Whether vectors are still to be checked; a bench that hangs ends after 1000 clocks a vector.
-     */
+    /* Whether vectors are still to be checked; a bench that hangs ends after 1000 clocks a vector,
+     * with BENCH_FIRST in the environment also after the first mismatch. */
     bool more() {
         if (cycle > 1000 * (uint64_t)(target + 100)) fail("no result: the module hangs");
-        return vectors < target && !hangs;
+        return vectors < target && !hangs && !(mismatches && first);
     }
     template <class Port> static u128 get(const Port &port) { return bench::get(port); }
     template <class Port> static i128 sget(const Port &port, int bits) {
@@ -324,6 +324,7 @@ template <class Top> class Bench {
     template <class T> static bool ready(const T &, long) { return true; }
 
     const char *title;
+    const bool first = getenv("BENCH_FIRST") != nullptr;
     bool vector_bad = false, hangs = false;
 
     void repeat() const {

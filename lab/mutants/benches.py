@@ -1,0 +1,161 @@
+# benches.py - what is built around a netlist with faults, and run for each of them
+# SPDX-License-Identifier: Apache-2.0
+"""A bench has a name, a folder, a netlist, make(), which builds a program around the netlist's
+Verilog, and runs, the cheapest first: words of the command, and what it prints if all is well."""
+import glob
+import os
+import shutil
+import subprocess
+
+from . import netlist
+
+NUMBER = '''#include <cstdlib>
+extern "C" int mutant_number() {
+    const char *number = std::getenv("MUTANT");
+    return number ? std::atoi(number) : 0;
+}
+'''
+QUICK = 3000        # vectors of the first run of a block's bench
+STEPS = ("ENGINES=1", "ROOT_STEP=2", "QUOTIENT_STEP=2")
+
+
+class Broken(Exception):
+    """What cannot be built, or fails without a fault."""
+
+
+def shell(command, log):
+    with open(log, "a", encoding="utf-8") as f:
+        f.write(" ".join(command) + "\n")
+        f.flush()
+        if subprocess.run(command, check=False, stdout=f, stderr=f).returncode:
+            raise Broken(f"{command[0]} failed: {log}")
+
+
+def words_of(*command):
+    return subprocess.run(command, check=True, text=True, stdout=subprocess.PIPE).stdout.split()
+
+
+class Built:
+    """What all benches have in common: Verilator, one file for the compiler, the linker."""
+
+    def __init__(self, name, top, parameters, build):
+        self.name, self.top, self.parameters, self.build = name, top, parameters, build
+        self.folder = f"{build}/mutants/{name.replace('/', '-')}"
+
+    def netlist(self):
+        return netlist.Netlist(self.folder, self.top, self.parameters)
+
+    def compile(self, verilog, harness, macros, objects, libraries):
+        made, log = f"{self.folder}/made", f"{self.folder}/log"
+        shutil.rmtree(made, ignore_errors=True)
+        os.makedirs(made)
+        shell(["verilator", "--cc", "--top-module", self.top, "--prefix", "V" + self.top,
+               "-Wno-fatal", "-Wno-lint", "-Wno-style", "-O3", "--x-assign", "fast",
+               "--x-initial", "unique", "-Mdir", made, verilog], log)
+        with open(f"{made}/all.cpp", "w", encoding="utf-8") as f:
+            f.write(NUMBER)
+            f.flush()
+            subprocess.run(["sh", "sim/at_once.sh", made, harness], check=True, stdout=f)
+        with open(f"{self.build}/sim/obj/compile-O1", encoding="utf-8") as f:
+            compiler = f.read().split()
+        shell(compiler + [*macros, "-w", "-isystem", made, "-c", f"{made}/all.cpp", "-o",
+                          f"{made}/all.o"], log)
+        shell(["g++", "-fopenmp", f"{made}/all.o", *objects, f"{self.build}/libsphaera.a",
+               "-Wl,--as-needed", *libraries, "-lm", "-lpthread", "-o", f"{made}/bench"], log)
+        return f"{made}/bench"
+
+
+class Line(Built):
+    """A line of tb/benches*.txt: `configuration module bench parameters / the bench's own`."""
+
+    def __init__(self, line, build):
+        self.configuration, top, self.bench, *words = line.split()
+        cut = words.index("/") if "/" in words else len(words)
+        super().__init__(f"{self.bench}/{self.configuration}", top,
+                         [word.split("=") for word in words[:cut]], build)
+        self.macros = [f"-D{word}" for word in words if word != "/"]
+        self.runs = [["1", str(QUICK)], ["1"]]
+
+    def source(self):
+        return glob.glob(f"tb/*/{self.bench}.cpp")[0]
+
+    def sources(self):
+        return [self.source(), "tb/bench.h"]
+
+    def make(self, verilog):
+        return self.compile(verilog, self.source(),
+                            [f'-DPROFILE="{self.configuration}"', *self.macros],
+                            [*sorted(glob.glob(f"{self.build}/sim/obj/bench_*.o")),
+                             f"{self.build}/test/libhard.a"],
+                            words_of("pkg-config", "--libs", "gmp", "mpfr", "expat"))
+
+    @staticmethod
+    def passed(text):
+        return any(line.startswith("ok") for line in text.splitlines())
+
+
+class Core(Built):
+    """The core in widths of draft, small frames compared with the golden model."""
+
+    SCENES = (  # scene, options of `sphaera build`, options of the harness
+        ("tests/mutants/hard.nff", (), ()),
+        ("scenes/sphereflake2.nff", ("--background", "exact"), ()),
+        ("scenes/interpenetrating.nff", ("--tree", "paper"), ("--reg", "0=31")),
+        ("scenes/inside.nff", ("--depth", "5"), ()),
+        ("scenes/eight_lights.nff", ("--background", "rect"), ()),
+        ("scenes/facets/mixed.nff", (), ()),
+        ("scenes/texture/balls.nff", (), ()),
+        ("scenes/refraction/mixed.nff", (), ()),
+        ("scenes/paper100.nff", ("--background", "spans"), ("--warm",)),
+        ("scenes/inside.nff", (), ("--reg", "0=3", "--life", "--cuts", "20")),
+    )
+
+    def __init__(self, effects, build):
+        widths = words_of("sh", "sim/profile.sh", "draft")
+        effects_on = words_of("sh", "sim/parameters.sh", effects)
+        super().__init__(f"core/{effects}", "rt_core",
+                         [word.split("=") for word in [*widths, *effects_on, *STEPS]], build)
+        common = ["--core", effects, "--built", " ".join(effects_on), "--repeat", "-", "--stop",
+                  "--watchdog", "5000", "--latency", "5", "--stall", "20", "--seed", "7"]
+        self.runs = [["--machine", f"{self.folder}/{number}.sph", *common, *options]
+                     for number, (_, _, options) in enumerate(self.SCENES)]
+
+    def sources(self):
+        return ["tb/core/*.cpp", "tb/core/*.h", *{scene for scene, _, _ in self.SCENES}]
+
+    def make(self, verilog):
+        for number, (scene, options, _) in enumerate(self.SCENES):
+            shell([f"{self.build}/sphaera", "build", scene, "--profile", "draft", "--size",
+                   "20x12", *options, "-o", f"{self.folder}/{number}.sph"], f"{self.folder}/log")
+        objects = [f"{self.build}/sim/obj/{os.path.basename(n)[:-4]}.o"
+                   for n in sorted(glob.glob("tb/core/*.cpp"))
+                   if "simulate_" not in n and "tb_counters" not in n]
+        return self.compile(verilog, "tb/core/simulate_verilator.cpp",
+                            ["-DVM_TRACE=0", "-DVM_TRACE_FST=0"],
+                            objects + [f"{self.build}/sim/obj/{n}.o"
+                                       for n in ("verilated", "verilated_threads")],
+                            ["-ljansson"])
+
+    @staticmethod
+    def passed(text):
+        del text
+        return True  # its exit code says all
+
+
+CORES = ("all+texture+refract+specular+sum",)
+
+
+def every(build):
+    """The lines of tb/benches*.txt, as run_bench.sh has them."""
+    found = subprocess.run(["awk", "-v", "pattern=/", "-v", "all=1", "-f", "tb/benches.awk",
+                            "cmodel/machine/machine.def", *sorted(glob.glob("tb/benches*.txt"))],
+                           check=True, text=True, stdout=subprocess.PIPE).stdout.splitlines()
+    return [Line(line, build) for line in found]
+
+
+def cores(build):
+    return [Core(effects, build) for effects in CORES]
+
+
+def named(name, build):
+    return next(bench for bench in every(build) + cores(build) if bench.name == name)

@@ -1,0 +1,122 @@
+# page.py - tables of docs/results/mutants.md: the kill rate of modules, what is left and why
+# SPDX-License-Identifier: Apache-2.0
+"""tests/mutants/equivalent.txt has the faults that no check can notice: a pattern of their names,
+a bar, and the reason."""
+import collections
+import fnmatch
+import subprocess
+import sys
+
+from ..jobs import store
+from ..pages import data, place
+
+PAGE = "docs/results/mutants.md"
+EQUIVALENT = "tests/mutants/equivalent.txt"
+
+
+def text(fault):
+    other = f":{fault.other}" if fault.other >= 0 else ""
+    return (f"{fault.module} {fault.where} {fault.cell}#{fault.nth} {fault.port}.{fault.bit} "
+            f"{fault.mode}{other}")
+
+
+def reasons():
+    """[(pattern, reason)]"""
+    found = []
+    with open(EQUIVALENT, encoding="utf-8") as f:
+        for number, line in enumerate(f, 1):
+            if line.strip() and not line.startswith("#"):
+                if " | " not in line:
+                    sys.exit(f"{EQUIVALENT}:{number}: no bar between pattern and reason")
+                found.append(tuple(word.strip() for word in line.split(" | ", 1)))
+    return found
+
+
+def verdicts(tried):
+    """{fault: (killed, timeout, equivalent or survived, bench or reason)}"""
+    known, unused, found = reasons(), set(), {}
+    unused.update(pattern for pattern, _ in known)
+    for fault, rounds in tried.items():
+        bench, verdict, _ = rounds[-1]
+        why = bench
+        if verdict == "survived":
+            for pattern, reason in known:
+                if fnmatch.fnmatchcase(text(fault), pattern):
+                    verdict, why = "equivalent", reason
+                    unused.discard(pattern)
+                    break
+        found[fault] = verdict, why
+    for pattern in sorted(unused):
+        print(f"mutants: {EQUIVALENT}: nothing that is left has the name {pattern}")
+    return found
+
+
+def rate(count):
+    alive = count["survived"]
+    killed = count["killed"] + count["timeout"]
+    return f"{100 * killed / (killed + alive):.1f}" if killed + alive else "-"
+
+
+def row(name, count):
+    return [name, str(sum(count.values())), str(count["killed"]), str(count["timeout"]),
+            str(count["equivalent"]), str(count["survived"]), rate(count)]
+
+
+HEAD = ["faults", "killed", "too long", "equivalent", "left", "killed, %"]
+
+
+def markdown(head, rows):
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    return "\n".join(lines + ["| " + " | ".join(r) + " |" for r in rows]) + "\n"
+
+
+def folder(module, found={}):  # pylint: disable=dangerous-default-value
+    if not found:
+        import glob
+        import os
+        found.update({os.path.basename(n)[:-2]: n.split("/")[1] for n in glob.glob("rtl/*/*.v")})
+    return found[module]
+
+
+def tsv(name, head, rows):
+    data.write(data.path_of(PAGE, name),
+               data.HEAD + "".join("\t".join(r) + "\n" for r in [head, *rows]))
+
+
+def write(tried, listed, seed):
+    found = verdicts(tried)
+    modules, folders = (collections.defaultdict(collections.Counter) for _ in range(2))
+    for fault, (verdict, _) in found.items():
+        modules[fault.module][verdict] += 1
+        folders[folder(fault.module)][verdict] += 1
+    total = sum(folders.values(), collections.Counter())
+    tsv("modules", ["module", *HEAD], [row(m, modules[m]) for m in sorted(modules)])
+    tsv("faults", ["fault", "verdict", "by", "seconds"],
+        [[text(f), found[f][0], found[f][1] if found[f][0] != "equivalent" else tried[f][-1][0],
+          f"{sum(s for _, _, s in tried[f]):.2f}"] for f in sorted(found)])
+    why = collections.Counter(w for v, w in found.values() if v == "equivalent")
+    left = [[f"`{text(f)}`", found[f][1]] for f in sorted(found) if found[f][0] == "survived"]
+    tables = {
+        "folders": markdown(["rtl/", *HEAD], [row(n, folders[n]) for n in sorted(folders)]
+                            + [row("**all**", total)]),
+        "reasons": markdown(["faults", "why nothing can notice them"],
+                            [[str(n), w] for w, n in why.most_common()]),
+        "rounds": markdown(["killed by", "faults"], [
+            [name, str(n)] for name, n in collections.Counter(
+                ("home", "another line of its bench", "a bench above", "the core")[
+                    len(tried[f]) - 1]
+                for f, (v, _) in found.items() if v in ("killed", "timeout")).most_common()]),
+        "run": markdown(["seed", "faults listed", "run", "processor's minutes", "digest of rtl/",
+                         "day"],
+                        [[str(seed), str(listed), str(len(found)),
+                          f"{sum(s for r in tried.values() for _, _, s in r) / 60:.0f}",
+                          store.digest(["rtl/*/*.v", "rtl/*/*.vh"])[:8],
+                          subprocess.run(["date", "-u", "+%F"], check=True, text=True,
+                                         stdout=subprocess.PIPE).stdout.strip()]]),
+    }
+    for name, table in tables.items():
+        place.place(PAGE, {name: table.rstrip("\n")})
+    print(f"mutants: {len(found)} of {listed}, {rate(total)} % of those that are not equivalent "
+          f"are killed, {len(left)} are left")
+    for fault, bench in left:
+        print(f"  {fault} {bench}")

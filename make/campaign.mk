@@ -1,0 +1,21 @@
+# campaign.mk - `make campaign`: thousands of faults that Yosys puts into the RTL
+# SPDX-License-Identifier: Apache-2.0
+#
+#   make campaign                  what is not run yet, and the tables of docs/results/mutants.md
+#   make campaign FAULTS=10000     more of them, SEED=2 others
+#   make campaign ENGINE=slurm     on a cluster: docs/use/cluster.md
+# A fault meets its module's bench, then what is left another line of that bench's list, then a
+# bench above, then the core: each is one list of jobs, and a job is one program with all faults
+# that are tried in it (lab/mutants).
+campaign_lists := 0 1 2 3
+campaign_one = python3 -m lab.mutants plan $B $(FAULTS) $(SEED) $(1) $B/mutants/list$(1) && \
+    $(call jobs_run,$B/mutants/list$(1))
+
+campaign: $(LIB) $(TOOL) $B/test/libhard.a ## faults by Yosys in every module, what notices them: hours
+	@mkdir -p $B/mutants
+	@sh tb/run_bench.sh --tools && sh sim/core.sh --help >$B/mutants/harness.log
+	$(Q)$(foreach n,$(campaign_lists),$(call campaign_one,$n) &&) true
+	@python3 -m lab.mutants tell $B $(FAULTS) $(SEED)
+	@python3 -m lab.pages.measured docs/results/mutants.md "make campaign"
+
+.PHONY: campaign
