@@ -26,7 +26,7 @@ SAMPLES ?= 1
 TREE ?= reinserted
 ## ACCEL auto|bvh4|box4|bih|brute spheres or boxes around four children, a bounding interval
 ##             hierarchy, no tree;
-##             auto: bih with MAX_PRIMS=1 if there are more triangles than spheres, else bvh4
+##             auto: box4 if there are triangles, and as many as spheres or more, else bvh4
 ACCEL ?= auto
 ## MAX_PRIMS 1..ID_NONE|infinity| of bih: a leaf of no more primitives is not cut (empty: 4)
 MAX_PRIMS ?=

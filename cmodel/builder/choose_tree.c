@@ -13,11 +13,10 @@ void sph_choose_tree(const struct sph_scene *scene, struct sph_build_options *o,
     if (o->tree != SPH_TREE_AUTO) return;
     for (uint32_t i = 0; i < scene->n_facets; i++)
         triangles += !sph_prim_of((uint32_t)scene->facets[i].kind)->loose;
-    int bih = triangles > scene->n_spheres && o->traverse == SPH_BUILD_NEAREST;
-    o->tree = bih                                ? SPH_TREE_BIH
-              : o->traverse == SPH_BUILD_NEAREST ? SPH_TREE_REINSERTED
-                                                 : SPH_TREE_BALANCED;
-    if (bih) o->max_prims = 1;
+    int boxes = triangles && triangles >= scene->n_spheres;
+    o->tree = o->traverse != SPH_BUILD_NEAREST ? SPH_TREE_BALANCED
+              : boxes                          ? SPH_TREE_BOX4
+                                               : SPH_TREE_REINSERTED;
     snprintf(report->tree_why, sizeof report->tree_why, "chosen for %u triangles and %u spheres",
              triangles, scene->n_spheres);
 }

@@ -6,6 +6,7 @@
 
 #include "builder/tree.h" /* SPH_TREE_* */
 #include "fast/decoded.h"
+#include "machine/box.h"
 #include "machine/records.h"
 #include "prim/prim.h"
 #include "prim/sphere.h"
@@ -62,9 +63,10 @@ static void read_leaf(const struct job *j, const uint32_t *record, struct sph_fa
     leaf->record = 0;
 }
 
-/* Reads a node, its leaf records to number `leaf` and on; returns how many they are. */
+/* Reads a node, with boxes unless that is NULL, its leaf records to number `leaf` and on; returns
+ * how many they are. */
 static uint32_t read_node(const struct job *j, uint32_t line, uint32_t leaf, struct sph_fast *f,
-                          struct sph_fast_node *node) {
+                          struct sph_fast_node *node, struct sph_fast_boxes *boxes) {
     uint32_t base, n_inner, n_leaf;
     memset(node, 0, sizeof *node);
     node->bad = !head(j, line, &base, &n_inner, &n_leaf);
@@ -74,7 +76,15 @@ static uint32_t read_node(const struct job *j, uint32_t line, uint32_t leaf, str
     node->tests = (uint8_t)(n_inner + n_leaf);
     node->valid = (uint8_t)((1 << node->tests) - 1);
     if (n_inner) node->inner = j->number[base];
-    for (int i = 0; i < node->tests; i++) {
+    for (int i = 0; i < node->tests && boxes; i++) {
+        struct sph_box box;
+        sph_box_read(sph_line(j->m, line), i, sph_machine_profile(j->m), &box);
+        for (int k = 0; k < 3; k++) {
+            boxes->lo[k][i] = box.lo[k];
+            boxes->hi[k][i] = box.hi[k];
+        }
+    }
+    for (int i = 0; i < node->tests && !boxes; i++) {
         struct sph_child child = sph_child_read(sph_line(j->m, line), i);
         for (int k = 0; k < 3; k++)
             node->ctr[k][i] = (int16_t)child.ctr[k];
@@ -94,6 +104,10 @@ static int decode(struct job *j, struct sph_fast *f) {
     find(j, root);
     f->nodes = aligned_alloc(sizeof *f->nodes, j->nodes * sizeof *f->nodes);
     f->leaves = malloc((j->leaves + 1) * sizeof *f->leaves);
+    if (j->m->regs[SPH_REG_TREE] == SPH_TREE_BOX4) {
+        f->boxes = calloc(j->nodes, sizeof *f->boxes);
+        if (!f->boxes) return 0;
+    }
     if (!f->nodes || !f->leaves) return 0;
     for (uint32_t line = 0; line < j->lines; line++)
         if (j->number[line]) {
@@ -102,14 +116,14 @@ static int decode(struct job *j, struct sph_fast *f) {
         }
     f->root = j->number[root];
     for (uint32_t i = 0; i < j->nodes; i++)
-        leaf += read_node(j, j->waiting[i], leaf, f, &f->nodes[i]);
+        leaf += read_node(j, j->waiting[i], leaf, f, &f->nodes[i], f->boxes ? &f->boxes[i] : NULL);
     return 1;
 }
 
 static int known(const struct sph_machine *m) {
     int tree = m->regs[SPH_REG_TREE];
     return sph_machine_bih(m) || tree == SPH_TREE_PAPER || tree == SPH_TREE_BALANCED ||
-           tree == SPH_TREE_REINSERTED;
+           tree == SPH_TREE_REINSERTED || tree == SPH_TREE_BOX4;
 }
 
 /* Whether the registers of a BIH let a ray start, as in sph_bih_walk(). */
@@ -135,7 +149,7 @@ static int decode_bih(const struct job *j, struct sph_fast *f) {
     return f->leaves != NULL;
 }
 
-/* The nodes of a tree of spheres; 0 if memory is out. */
+/* The nodes of a tree of spheres or boxes; 0 if memory is out. */
 static int decode_tree(struct job *j, struct sph_fast *f, int lanes) {
     f->no_root = (uint32_t)j->m->regs[SPH_REG_ROOT] >= j->lines;
     f->walk = sph_fast_walk_plain;
@@ -148,6 +162,10 @@ static int decode_tree(struct job *j, struct sph_fast *f, int lanes) {
 #else
     (void)lanes;
 #endif
+    if (j->m->regs[SPH_REG_TREE] == SPH_TREE_BOX4) {
+        f->walk = sph_fast_walk_boxes;
+        f->lanes = "boxes";
+    }
     return f->no_root || decode(j, f);
 }
 
@@ -168,6 +186,7 @@ struct sph_fast *sph_fast_new(const struct sph_machine *m, int lanes) {
 void sph_fast_free(struct sph_fast *fast) {
     if (!fast) return;
     free(fast->nodes);
+    free(fast->boxes);
     free(fast->leaves);
     free(fast);
 }

@@ -18,6 +18,11 @@ struct sph_fast_node {
     uint32_t unused[5];
 };
 
+/* Planes of a node's boxes, grid units. */
+struct sph_fast_boxes {
+    int32_t lo[3][4], hi[3][4]; /* of child 0..3; where there is none, 0 */
+};
+
 /* A leaf record. */
 struct sph_fast_leaf {
     int32_t ctr[3], rad;
@@ -29,6 +34,7 @@ struct sph_fast {
     const struct sph_machine *m;
     struct sph_fast_node
         *nodes; /* the root is number `root`; none of a BIH, whose root is a line */
+    struct sph_fast_boxes *boxes; /* of nodes by number, whose spheres are 0 then; else NULL */
     struct sph_fast_leaf *leaves;
     uint32_t root, visit_limit;
     int no_root; /* it, or what registers of a BIH name, does not lie in memory */
@@ -37,11 +43,14 @@ struct sph_fast {
     const char *lanes;
 };
 
-/* The walk of a BIH. */
+/* The walks of a BIH, and of nodes of boxes. */
 struct sph_hit sph_fast_walk_bih(const struct sph_fast *f, const struct sph_ray *ray,
                                  struct sph_counters *c, uint32_t *visits, uint32_t *errors);
 
-/* The walks of walk.h: four children one after another, or at once. NULL where the compiler knows
+struct sph_hit sph_fast_walk_boxes(const struct sph_fast *f, const struct sph_ray *ray,
+                                   struct sph_counters *c, uint32_t *visits, uint32_t *errors);
+
+/* The walks of spheres: four children one after another, or at once. NULL where the compiler knows
  * no AVX2. */
 struct sph_hit sph_fast_walk_plain(const struct sph_fast *f, const struct sph_ray *ray,
                                    struct sph_counters *c, uint32_t *visits, uint32_t *errors);

@@ -1,8 +1,9 @@
-/* walk.h - the walk of walk_plain.c and walk_avx2.c, which define the lanes before
+/* walk.h - the walk of walk_plain.c, walk_avx2.c and walk_boxes.c, which define the lanes before
  * SPDX-License-Identifier: Apache-2.0
  *
- * Asked for: `struct lanes`, what of a ray the tests need, made by lanes_of(); children(), which
- * tests those of a node and leaves `keys` of the inner ones that are met; first(), the least key,
+ * Asked for: `struct lanes`, what of a ray the tests need, made by lanes_of(); limit_of() and
+ * depth_of(), how deep a ray goes at first and to a key; children(), which tests those of a node
+ * and leaves `keys` of the inner ones that are met; first(), the least key,
  * and of equal ones that of the first child, KEY_NONE if none is left; key_child(), whose it is;
  * key_near(), to be compared with near_of() of a depth; without(), the others. The rest is
  * sph_traverse() line by line.
@@ -11,7 +12,6 @@
 
 #include "fast/decoded.h"
 #include "fast/leaf.h"
-#include "fast/setup.h"
 
 /* Siblings to visit: sph_siblings, the number of child 0 as their base. */
 struct group {
@@ -23,11 +23,11 @@ static struct sph_hit walk(const struct sph_fast *f, const struct sph_ray *ray,
                            struct sph_counters *c, uint32_t *visits, uint32_t *errors) {
     struct sph_probe probe = sph_probe_of(f->m, ray, c, errors);
     const struct sph_hit *best = &probe.best;
-    const struct lanes lanes = lanes_of(ray);
+    const struct lanes lanes = lanes_of(probe.p, ray);
     const struct sph_fast_node *nodes = f->nodes;
     struct group now, stack[SPH_STACK_DEPTH];
     int sp = 0, ends = sph_ray_any(ray);
-    int32_t depth_max = ray->depth_max, deepest = near_of(depth_max);
+    int32_t depth_max = limit_of(&lanes, ray), deepest = near_of(depth_max);
     uint32_t node = f->root, visited = 0, tests = 0, leaf_tests = 0;
     now.order = no_keys();
 
@@ -43,7 +43,7 @@ static struct sph_hit walk(const struct sph_fast *f, const struct sph_ray *ray,
             break;
         }
         keys order;
-        unsigned met = children(&lanes, n, depth_max, &order), leaves = met >> n->n_inner;
+        unsigned met = children(&lanes, f, node, depth_max, &order), leaves = met >> n->n_inner;
         tests += n->tests;
         if (leaves) {
             uint64_t key_before = best->key;
@@ -56,7 +56,7 @@ static struct sph_hit walk(const struct sph_fast *f, const struct sph_ray *ray,
             } while (leaves);
             if (best->key != key_before) {
                 if (ends) break;
-                depth_max = sph_fast_depth(probe.p, ray, best->key);
+                depth_max = depth_of(&lanes, probe.p, ray, best->key);
                 deepest = near_of(depth_max);
             }
         }

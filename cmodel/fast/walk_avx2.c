@@ -25,7 +25,8 @@ typedef __m128i keys;
 
 static const uint64_t lane_word[4] = {0xffff, 0xffffull << 16, 0xffffull << 32, 0xffffull << 48};
 
-static struct lanes lanes_of(const struct sph_ray *ray) {
+static struct lanes lanes_of(const struct sph_profile *p, const struct sph_ray *ray) {
+    (void)p;
     struct lanes l;
     const int32_t *u = ray->unit.u, *o = ray->forg;
     for (int i = 0; i < 3; i++) {
@@ -85,8 +86,9 @@ static inline __m256i cross(__m256i a, __m256i ub, __m256i b, __m256i ua, __m256
 static const int32_t outer[5][4] = {
     {-1, -1, -1, -1}, {0, -1, -1, -1}, {0, 0, -1, -1}, {0, 0, 0, -1}, {0, 0, 0, 0}};
 
-static inline unsigned children(const struct lanes *l, const struct sph_fast_node *n,
+static inline unsigned children(const struct lanes *l, const struct sph_fast *f, uint32_t node,
                                 int32_t depth_max, keys *order) {
+    const struct sph_fast_node *n = &f->nodes[node];
     __m256i x = wide(n->ctr[0]), y = wide(n->ctr[1]), z = wide(n->ctr[2]), r = wide(n->rad);
     __m256i cx = cross(y, l->u[2], z, l->u[1], l->minus[0]);
     __m256i cy = cross(z, l->u[0], x, l->u[2], l->minus[1]);
@@ -113,6 +115,7 @@ static inline unsigned children(const struct lanes *l, const struct sph_fast_nod
     return met;
 }
 
+#include "fast/spheres.h"
 #include "fast/walk.h"
 
 struct sph_hit (*const sph_fast_walk_avx2)(const struct sph_fast *, const struct sph_ray *,

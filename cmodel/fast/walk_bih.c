@@ -4,9 +4,8 @@
  * A node is read by whole words; what a ray needs of the planes is divided by the processor.
  */
 #include "fast/leaf.h"
-#include "fast/surface.h"
+#include "fast/planes.h"
 #include "machine/records.h"
-#include "trace/bih.h"
 
 /* A node to visit, and where along the ray what lies below it may be. */
 struct place {
@@ -20,25 +19,6 @@ struct walk {
     struct sph_bih_ray bih;
     uint32_t limit, leaf_tests;
 };
-
-/* sph_bih_setup() */
-static void set_up(const struct sph_profile *p, const struct sph_ray *ray, struct sph_bih_ray *b) {
-    int bits = p->wd > SPH_BIH_DIVIDE ? p->wd : SPH_BIH_DIVIDE, lost = p->w + 2 - SPH_BIH_V;
-    int cut = sph_bit_length(ray->a) - bits, shift = p->w + p->wd + 2 - SPH_BIH_T;
-    if (cut < 0) cut = 0;
-    b->v_shift = lost > 0 ? lost : 0;
-    b->t_shift = shift > 0 ? shift : 0;
-    for (int i = 0; i < 3; i++) {
-        int64_t d = ray->dir[i];
-        b->axis[i] = (struct sph_bih_axis){d == 0, d < 0, 0, 0};
-        if (!d) continue;
-        struct sph_quotient q =
-            sph_fast_quotient(ray->a >> cut, bits, (uint64_t)(d < 0 ? -d : d), p->wd, SPH_BIH_G);
-        b->axis[i].mant = q.mant;
-        b->axis[i].shift = q.exp - cut + b->t_shift - b->v_shift;
-    }
-    b->limit = sph_ray_ends(ray) ? sph_bih_time(b, ray->a) : SPH_BIH_NO_BOUND;
-}
 
 /* sph_bih_cut() */
 static inline int cut(const struct walk *w, int axis, int64_t clip, int below,
@@ -150,7 +130,7 @@ struct sph_hit sph_fast_walk_bih(const struct sph_fast *f, const struct sph_ray 
     struct walk w = {.f = f, .probe = sph_probe_of(f->m, ray, c, errors)};
     struct place at = {f->root, 0, {0, SPH_BIH_NO_BOUND}};
     uint32_t visited = 0;
-    set_up(w.probe.p, ray, &w.bih);
+    sph_fast_planes(w.probe.p, ray, &w.bih);
     w.limit = w.bih.limit;
     if (leaf(&w, 0, (uint32_t)f->m->regs[SPH_REG_N_LOOSE]) && box(&w, &at.span))
         *errors |= visit(&w, at, &visited, &c->count[SPH_COUNT_CHILD_TESTS]);

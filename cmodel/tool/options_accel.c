@@ -10,10 +10,8 @@ enum { KEY_ACCEL = 384, KEY_MAX_PRIMS, KEY_MAX_TREE_DEPTH, KEY_BIH };
 static const struct argp_option options[] = {
     {"accel", KEY_ACCEL, "NAME", 0,
      "bvh4 (spheres around four children), box4 (boxes around them), bih (bounding interval "
-     "hierarchy), brute (every "
-     "primitive), or auto (default: bih with --max-prims 1 if there are more triangles than "
-     "spheres, "
-     "else bvh4)",
+     "hierarchy), brute (every primitive), or auto (default: box4 if there are triangles, and at "
+     "least as many as spheres, else bvh4)",
      1},
     {"max-prims", KEY_MAX_PRIMS, "N", 0,
      "bih: a leaf of no more primitives is not cut (4); or infinity", 1},

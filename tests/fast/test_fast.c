@@ -6,6 +6,7 @@
  */
 #include <glob.h>
 
+#include "builder/box.h"
 #include "fast/fast.h"
 #include "fast/leaf.h"
 #include "fast/root.h"
@@ -43,7 +44,8 @@ static void compare(const struct sph_machine *m, const char *what) {
         struct sph_error err = {{0}};
         struct sph_frame other;
         assert_non_null(fast);
-        if (lanes && sph_machine_bih(m)) { /* it has one walk */
+        if (lanes &&
+            (sph_machine_bih(m) || m->regs[SPH_REG_TREE] == SPH_TREE_BOX4)) { /* one walk */
             sph_fast_free(fast);
             break;
         }
@@ -100,7 +102,7 @@ static void every_scene(void **state) {
     static const char *const patterns[] = {"scenes/*.nff", "scenes/facets/*.nff",
                                            "scenes/refraction/*.nff", "tests/scenes/facets/*.nff"};
     static const int trees[] = {SPH_TREE_PAPER, SPH_TREE_BALANCED, SPH_TREE_REINSERTED,
-                                SPH_TREE_BIH, SPH_TREE_BRUTE};
+                                SPH_TREE_BIH,   SPH_TREE_BRUTE,    SPH_TREE_BOX4};
     int drawn = 0;
     glob_t found = {0};
     (void)state;
@@ -109,7 +111,7 @@ static void every_scene(void **state) {
     for (size_t i = 0; i < found.gl_pathc; i++) {
         struct sph_scene scene = read_scene(found.gl_pathv[i]);
         for (int p = 0; p < SPH_PROFILES; p++)
-            for (int t = 0; t < 5; t++)
+            for (int t = 0; t < (int)(sizeof trees / sizeof *trees); t++)
                 if (getenv("ALL") || (i + (size_t)p + (size_t)t) % 3 == 0)
                     drawn += scene_in(&scene, found.gl_pathv[i], p, trees[t]);
         sph_scene_free(&scene);
@@ -118,18 +120,23 @@ static void every_scene(void **state) {
     globfree(&found);
 }
 
-/* The root its own children: a stack that is full. */
-static void circles(void **state) {
+/* The root its own children, each as large as can be: a stack that is full. */
+static void circle(int tree) {
     struct sph_scene scene = model_scene("paper100");
     struct sph_machine m;
-    (void)state;
-    assert_true(model_build(&scene, SPH_STANDARD, SPH_TREE_BALANCED, SPH_BG_NONE, 6, 4, &m));
+    assert_true(model_build(&scene, SPH_STANDARD, tree, SPH_BG_NONE, 6, 4, &m));
     uint32_t root = (uint32_t)m.regs[SPH_REG_ROOT], *line = sph_line(&m, root);
     for (uint32_t children = 1; children <= 4; children++) {
         memset(line, 0, SPH_LINE_WORDS * sizeof *line);
         sph_field_set(line, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS, root);
         sph_field_set(line, SPH_NODE_N_INNER_LSB, SPH_NODE_N_INNER_BITS, children);
-        for (int i = 0; i < (int)children; i++)
+        if (tree == SPH_TREE_BOX4) {
+            int32_t end = 1 << (m.profile.w - 1);
+            struct sph_aabb whole = {{-end, -end, -end}, {end, end, end}};
+            struct sph_aabb boxes[4] = {whole, whole, whole, whole};
+            sph_box_put(line, boxes, (int)children, &m.profile);
+        }
+        for (int i = 0; i < (int)children && tree != SPH_TREE_BOX4; i++)
             sph_field_set(line, i * SPH_CHILD_STRIDE + SPH_CHILD_RAD_LSB, SPH_CHILD_RAD_BITS,
                           (1u << SPH_CHILD_RAD_BITS) - 1);
         for (m.regs[SPH_REG_VISIT_LIMIT] = 10; m.regs[SPH_REG_VISIT_LIMIT] < 20;
@@ -138,6 +145,12 @@ static void circles(void **state) {
     }
     sph_machine_free(&m);
     sph_scene_free(&scene);
+}
+
+static void circles(void **state) {
+    (void)state;
+    circle(SPH_TREE_BALANCED);
+    circle(SPH_TREE_BOX4);
 }
 
 /* A number -n .. n. */
@@ -260,14 +273,17 @@ static void damaged(void **state) {
     static const char *const names[] = {"scenes/interpenetrating.nff", "scenes/paper100.nff",
                                         "tests/scenes/facets/mixed.nff"};
     (void)state;
-    for (size_t i = 0; i < 2 * sizeof names / sizeof *names; i++) {
-        struct sph_scene scene = read_scene(names[i / 2]);
+    static const int trees[] = {SPH_TREE_BALANCED, SPH_TREE_BIH, SPH_TREE_BOX4};
+    enum { TREES = sizeof trees / sizeof *trees };
+    for (size_t i = 0; i < TREES * sizeof names / sizeof *names; i++) {
+        const char *name = names[i / TREES];
+        struct sph_scene scene = read_scene(name);
         struct sph_machine m;
-        int tree = i % 2 ? SPH_TREE_BIH : SPH_TREE_BALANCED;
+        int tree = trees[i % TREES];
         assert_true(model_build(&scene, SPH_STANDARD, tree, SPH_BG_NONE, 12, 7, &m));
-        damage(&m, names[i / 2], SANITIZED ? 30 : 200);
+        damage(&m, name, SANITIZED ? 30 : 200);
         m.regs[SPH_REG_N_LOOSE] = m.regs[SPH_REG_N_PRIMS] + 1;
-        compare(&m, names[i / 2]);
+        compare(&m, name);
         sph_machine_free(&m);
         sph_scene_free(&scene);
     }

@@ -59,10 +59,10 @@ check "... of one visit a ray" sh -c "awk '/^rays_/ { r += \$2 } /^node_v/ { v =
 "$s" gen icosphere --size 1 --resolution 40x30 -o i.nff >/dev/null
 "$s" build i.nff -o auto.sph --json auto.json >/dev/null
 "$s" build i.nff -o auto.sph >auto.txt
-"$s" build i.nff --accel bih --max-prims 1 -o asked.sph >asked.txt
-check "triangles get a BIH" cmp auto.sph asked.sph
+"$s" build i.nff --accel box4 -o asked.sph >asked.txt
+check "triangles get boxes" cmp auto.sph asked.sph
 check "... and build says why" \
-    has "^tree     bih: .*, chosen for 80 triangles and 0 spheres\$" auto.txt
+    has "^tree     box4: .*, chosen for 80 triangles and 0 spheres\$" auto.txt
 check "... in the report too" json auto.json \
     'r["build"]["tree_why"] == "chosen for 80 triangles and 0 spheres"'
 check "nothing is said of one that was asked for" sh -c "! grep chosen asked.txt"
