@@ -28,6 +28,7 @@ module f_isqrt #(
     );
     (* hierconn *) wire            \u_dut.full_q ;
     (* hierconn *) wire [CW-1:0]   \u_dut.count_q ;
+    (* hierconn *) wire            \u_dut.none_q ;
     (* hierconn *) wire [2*RW-1:0] \u_dut.x_q ;
     (* hierconn *) wire [RW-1:0]   \u_dut.root_q ;
     (* hierconn *) wire [RW:0]     \u_dut.rem_q ;
@@ -98,6 +99,7 @@ module f_isqrt #(
         // invariant: rem = used bits of x - root^2 <= 2 root
         assert (full_q == \u_dut.full_q );
         assert (\u_dut.count_q <= ROUNDS);
+        assert (\u_dut.none_q == (\u_dut.count_q == 0));
         if (full_q) begin
             assert (age_q >= 1 && age_q <= ROUNDS + 1);
             assert (age_q + \u_dut.count_q == ROUNDS + 1);

@@ -29,6 +29,7 @@ module f_isqrt_bits #(
     );
     (* hierconn *) wire            \u_dut.full_q ;
     (* hierconn *) wire [CW-1:0]   \u_dut.count_q ;
+    (* hierconn *) wire            \u_dut.none_q ;
     (* hierconn *) wire [2*RW-1:0] \u_dut.x_q ;
     (* hierconn *) wire [BITS-1:0] \u_dut.root_q ;
     (* hierconn *) wire [BITS:0]   \u_dut.rem_q ;
@@ -89,6 +90,7 @@ module f_isqrt_bits #(
         // invariant
         assert (full_q == \u_dut.full_q );
         assert (\u_dut.count_q <= ROUNDS);
+        assert (\u_dut.none_q == (\u_dut.count_q == 0));
         if (full_q) begin
             assert (age_q >= 1 && age_q + \u_dut.count_q == ROUNDS + 1);
             assert (out_valid == (\u_dut.count_q == 0 || top));

@@ -2,14 +2,15 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Sees the handshakes of the RTL's cache clock by clock and tells the model's cache of each lookup
- * and of each line that came, in the order in which the RTL has them. A request is looked up in the
- * last clock that it stands in stage 1: when the next one could be taken.
+ * and of each line that came, in the order in which the RTL has them. A request is looked up when
+ * the RTL's wire `looked` says so, in the order of requests. A line that came counts a clock later.
  */
 #ifndef CACHE_PREDICTION_H
 #define CACHE_PREDICTION_H
 
 #include <cstdint>
 #include <cstdio>
+#include <deque>
 
 extern "C" {
 #include "machine/layout.h"
@@ -30,51 +31,56 @@ class CachePrediction {
     CachePrediction(const CachePrediction &) = delete;
     CachePrediction &operator=(const CachePrediction &) = delete;
 
-    /* One clock, with what the ports of rt_cache show before its edge; came: a line is taken from
-     * memory. `apart` marks a request whose miss is counted apart, too. True if a lookup missed:
-     * miss_o must be high in the next clock. */
-    bool clock(bool valid, bool ready, uint32_t line, bool apart, bool came, bool error,
-               bool flush) {
+    /* One clock, with what the ports of rt_cache show before its edge, and its wire `looked`; came:
+     * a line is taken from memory. `apart` marks a request whose miss is counted apart, too. True
+     * if a lookup missed: miss_o must be high in the next clock. */
+    bool clock(bool valid, bool ready, uint32_t line, bool apart, bool looked, bool came,
+               bool error, bool flush) {
         int missed = 0;
         if (void_) return false;
-        if (valid_ && ready) {
-            missed = sph_cache_ask(&cache_, line_ * SPH_LINE_WORDS);
-            missed_apart_ += missed == 1 && apart_;
+        if (looked && requests_.empty()) void_ = true;
+        if (looked && !void_) {
+            missed = sph_cache_ask(&cache_, requests_.front().line * SPH_LINE_WORDS);
+            missed_apart_ += missed == 1 && requests_.front().apart;
             if (missed < 0) void_ = true;
+            requests_.pop_front();
+        }
+        if (full_) {
+            sph_cache_came(&cache_, error_);
+            full_ = error_ = false;
         }
         if (came) {
             error_ |= error;
-            if (++part_ == group_) {
-                sph_cache_came(&cache_, error_);
-                part_ = 0;
-                error_ = false;
-            }
+            full_ = ++part_ == group_;
+            if (full_) part_ = 0;
         }
         if (flush) sph_cache_forget(&cache_);
-        if (ready) {
-            valid_ = valid;
-            line_ = line;
-            apart_ = apart;
-        }
+        if (valid && ready) requests_.push_back({line, apart});
         return missed == 1;
     }
     /* The same for the cache of an rt_texture, by its wire cache_seen; texels are counted apart. */
-    bool texture(uint32_t seen) {
-        return clock(seen >> 28 & 1, seen >> 27 & 1, seen & 0x3ffffff, seen >> 26 & 1,
+    bool texture(uint32_t seen, bool looked) {
+        return clock(seen >> 28 & 1, seen >> 27 & 1, seen & 0x3ffffff, seen >> 26 & 1, looked,
                      seen >> 30 & 1, seen >> 29 & 1, seen >> 31);
     }
     /* All misses, and those that are counted apart. */
     uint64_t missed() const { return cache_.missed; }
     uint64_t missed_apart() const { return missed_apart_; }
     uint64_t asked() const { return cache_.asked; }
-    /* The RTL looked something up that the model could not: every line of the set on its way. */
+    /* The RTL looked something up that the model could not: every line of the set on its way, or no
+     * request. */
     bool impossible() const { return void_; }
 
   private:
+    struct Request {
+        uint32_t line;
+        bool apart;
+    };
     struct sph_cache cache_ {};
-    uint32_t group_, line_ = 0, part_ = 0;
+    std::deque<Request> requests_; /* taken, not looked up yet */
+    uint32_t group_, part_ = 0;
     uint64_t missed_apart_ = 0;
-    bool void_, valid_ = false, apart_ = false, error_ = false;
+    bool void_, full_ = false, error_ = false;
 };
 
 #endif

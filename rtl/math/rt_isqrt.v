@@ -72,17 +72,20 @@ module rt_isqrt #(
     // ---- control: rounds left; the result stays in the registers until it is taken ----
     reg          full_q;                   // a radicand or its root is inside
     reg [CW-1:0] count_q;                  // rounds left
-    wire         done = count_q == 0 || (CUT && root_q[BW-1]);
+    reg          none_q;                   // there are none
+    wire         done = none_q || (CUT && root_q[BW-1]);
     wire         take = in_valid_i && in_ready_o;
     always @(posedge clk) begin
         if (take) begin
             full_q  <= 1'b1;
             count_q <= FIRST;
+            none_q  <= 1'b0;
             x_q     <= {{(2*RW-XW){1'b0}}, in_x_i};
             root_q  <= {BW{1'b0}};
             rem_q   <= {(BW+1){1'b0}};
         end else if (!done) begin
             count_q <= count_q - 1'b1;
+            none_q  <= count_q == 1;
             x_q     <= x_d;
             root_q  <= root_d;
             rem_q   <= rem_d[BW:0];
@@ -92,6 +95,7 @@ module rt_isqrt #(
         if (rst) begin
             full_q  <= 1'b0;
             count_q <= {CW{1'b0}};
+            none_q  <= 1'b1;
         end
     end
     assign out_valid_o = full_q && done;

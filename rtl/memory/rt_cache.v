@@ -1,9 +1,9 @@
 // rt_cache.v - read-only, set-associative, non-blocking cache of 256-bit lines
 // SPDX-License-Identifier: Apache-2.0
-//   req --> [s1: tags, hit?] --hit--> [data RAM] --> rsp        hits overtake misses
-//              | miss, or line on its way   ^  ^
-//              +----> queue, in order ------+  +-- memory, in the order of mem_req
-// Hit: latency 2 cycles, one a cycle. Miss: waits in the queue for its line, 2 cycles more.
+//   req --> [s1: tags, hit?] --> [s2: where to] --hit--> [data RAM] --> rsp  hits overtake misses
+//                                  | miss, or line on its way   ^  ^
+//                                  +----> queue, in order ------+  +-- memory, in order of mem_req
+// Hit: latency 3 cycles, one a cycle. Miss: waits in the queue for its line, 2 cycles more.
 // Responses carry the tag of their request; only requests that queue keep their order.
 // A line of the cache is an aligned group of GROUP lines of memory; a miss fetches all of them.
 // Why it is right: docs/blocks/cache.md.
@@ -66,8 +66,8 @@ module rt_cache #(
     // ---- walk: after reset and flush, clears the state of one set a cycle; lookups wait ----
     reg            walk_q;
     reg  [SB-1:0]  walk_set_q;
-    wire           head_valid;              // the queue is not empty
-    wire           walk_step = walk_q && !head_valid;
+    wire           none_held;               // the queue is empty
+    wire           walk_step = walk_q && none_held;
     always @(posedge clk) begin
         if (walk_step) begin
             walk_set_q <= walk_set_q + 1'b1;
@@ -76,30 +76,52 @@ module rt_cache #(
         if (rst || flush_i) begin walk_q <= 1'b1; walk_set_q <= {SB{1'b0}}; end
     end
 
-    // ---- stage 1: lookup ----
-    reg            s1_valid_q;
-    reg  [`RT_LINE_BITS-1:0] s1_line_q;
-    reg  [TAG-1:0] s1_tag_q;
-    wire           s1_go;                   // the lookup is done with
-    wire [PB-1:0]  s1_place = s1_line_q[PB-1:0];
-    wire [SB-1:0]  s1_set = s1_place[PB-1:GB];
-    assign req_ready_o = s1_go || !s1_valid_q;
+    // ---- stage 1: reads the state of a set; a request that it cannot take waits before it ----
+    reg            skid_q, s1_valid_q;
+    reg  [`RT_LINE_BITS-1:0] skid_line_q, s1_line_q;
+    reg  [TAG-1:0] skid_tag_q, s1_tag_q;
+    reg            s2_valid_q;
+    reg  [`RT_LINE_BITS-1:0] s2_line_q;
+    reg  [TAG-1:0] s2_tag_q;
+    reg  [WAYS-1:0] s2_hit_q;               // way holds the line, without error
+    reg  [WAYS-1:0] s2_follow_q;            // way awaits the line
+    reg  [WAYS-1:0] s2_coming_q;            // line of the way is on its way, whichever it is
+    reg  [WAYS-1:0] s2_filled_q;
+    wire           s2_hit    = |s2_hit_q;
+    wire           s2_follow = |s2_follow_q;
+    wire           s2_miss   = !s2_hit && !s2_follow;
+    wire           s2_go;                   // the lookup is done with
+    wire [PB-1:0]  s2_place = s2_line_q[PB-1:0];
+    wire [SB-1:0]  s1_set = s1_line_q[PB-1:GB];
+    wire [SB-1:0]  s2_set = s2_place[PB-1:GB];
+    wire           s2_free = s2_go || !s2_valid_q;
+    // An allocation of this clock is not read in it: a lookup in the same set waits.
+    wire           s1_wait = walk_q || (s2_valid_q && s2_miss && s1_set == s2_set);
+    wire           s1_free = !s1_valid_q || (s2_free && !s1_wait);
+    assign req_ready_o = !skid_q;
     always @(posedge clk) begin
-        if (req_ready_o) begin
-            s1_valid_q <= req_valid_i;
-            s1_line_q  <= req_line_i;
-            s1_tag_q   <= req_tag_i;
+        skid_q <= !s1_free && (skid_q || req_valid_i);
+        if (!skid_q) begin
+            skid_line_q <= req_line_i;
+            skid_tag_q  <= req_tag_i;
         end
-        if (rst) s1_valid_q <= 1'b0;
+        if (s1_free) begin
+            s1_valid_q <= skid_q || req_valid_i;
+            s1_line_q  <= skid_q ? skid_line_q : req_line_i;
+            s1_tag_q   <= skid_q ? skid_tag_q : req_tag_i;
+        end
+        if (s2_free) begin
+            s2_valid_q <= s1_valid_q && !s1_wait;
+            s2_line_q  <= s1_line_q;
+            s2_tag_q   <= s1_tag_q;
+        end
+        if (rst) begin skid_q <= 1'b0; s1_valid_q <= 1'b0; s2_valid_q <= 1'b0; end
     end
 
     // State of a line, in two memories because two places write it:
     //   by allocation: {used, asked, key}     by fill: {error, filled}
     // asked and filled differ while the line is on its way; an allocation makes them differ, the
-    // fill (the last one of a group) makes them equal again.
-    wire [WAYS-1:0] match;                  // way holds or awaits the line
-    wire [WAYS-1:0] coming;                 // line of the way is on its way
-    wire [WAYS-1:0] good;                   // line of the way is there, without error
+    // fill (the last one of a group) makes them equal again, a clock after the line.
     wire            alloc;                  // this cycle allocates a way
     wire [WAYS-1:0] victim;                 // which, one-hot
     wire            fill;                   // this cycle writes a line from memory
@@ -109,6 +131,19 @@ module rt_cache #(
     wire [PB-1:0]   head_place;
     wire [SB-1:0]   head_set = head_place[PB-1:GB];
     wire [WB-1:0]   head_way;
+    reg             done_q, done_error_q, done_asked_q; // a group was filled in the last clock
+    reg  [SB-1:0]   done_set_q;
+    reg  [WAYS-1:0] done_way_q;
+    integer         w;
+    always @(posedge clk) begin
+        done_q       <= fill && fill_last && !rst;
+        done_error_q <= fill_error;
+        done_asked_q <= head_asked;
+        done_set_q   <= head_set;
+        for (w = 0; w < WAYS; w = w + 1) done_way_q[w] <= head_way == w[WB-1:0];
+    end
+    wire [WAYS-1:0] done_1 = done_way_q & {WAYS{done_q && done_set_q == s1_set}};
+    wire [WAYS-1:0] done_2 = done_way_q & {WAYS{done_q && done_set_q == s2_set}};
     genvar g;
     generate
         for (g = 0; g < WAYS; g = g + 1) begin : g_way
@@ -117,69 +152,80 @@ module rt_cache #(
             rt_slot_file #(.WIDTH(KB+2), .SLOTS(SETS)) u_alloc (
                 .clk(clk),
                 .wr_en_i(walk_step || (alloc && victim[g])),
-                .wr_addr_i(walk_q ? walk_set_q : s1_set),
-                .wr_data_i({!walk_q, !walk_q && !filled, s1_line_q[`RT_LINE_BITS-1:PB]}),
+                .wr_addr_i(walk_q ? walk_set_q : s2_set),
+                .wr_data_i({!walk_q, !walk_q && !s2_filled_q[g], s2_line_q[`RT_LINE_BITS-1:PB]}),
                 .rd_addr_i(s1_set), .rd_data_o({used, asked, key})
             );
             rt_slot_file #(.WIDTH(2), .SLOTS(SETS)) u_fill (
                 .clk(clk),
-                .wr_en_i(walk_step || (fill && fill_last && head_way == g[WB-1:0])),
-                .wr_addr_i(walk_step ? walk_set_q : head_set),
-                .wr_data_i({fill_error, !walk_step && head_asked}),
+                .wr_en_i(walk_step || (done_q && done_way_q[g])),
+                .wr_addr_i(walk_step ? walk_set_q : done_set_q),
+                .wr_data_i({done_error_q, !walk_step && done_asked_q}),
                 .rd_addr_i(s1_set), .rd_data_o({error, filled})
             );
-            assign match[g]  = used && key == s1_line_q[`RT_LINE_BITS-1:PB];
-            assign coming[g] = used && asked != filled;
-            assign good[g]   = used && asked == filled && !error;
+            wire match  = used && key == s1_line_q[`RT_LINE_BITS-1:PB];
+            wire coming = asked != filled && !done_1[g];
+            wire good   = done_1[g] ? !done_error_q : asked == filled && !error;
+            always @(posedge clk) begin
+                if (s2_free) begin
+                    s2_hit_q[g]    <= match && good;
+                    s2_follow_q[g] <= match && coming;
+                    s2_coming_q[g] <= used && coming;
+                    s2_filled_q[g] <= filled ^ done_1[g];
+                end else if (done_2[g]) begin
+                    s2_hit_q[g]    <= s2_hit_q[g] || (s2_follow_q[g] && !done_error_q);
+                    s2_follow_q[g] <= 1'b0;
+                    s2_coming_q[g] <= 1'b0;
+                    s2_filled_q[g] <= done_asked_q;
+                end
+                if (walk_q) begin           // every line is forgotten
+                    s2_hit_q[g]    <= 1'b0;
+                    s2_follow_q[g] <= 1'b0;
+                    s2_coming_q[g] <= 1'b0;
+                    s2_filled_q[g] <= 1'b0;
+                end
+            end
         end
     endgenerate
-    wire s1_hit    = |(match & good);
-    wire s1_follow = |(match & coming);
 
-    // ---- stage 1: victim, the first way not used lately; never one whose line is coming ----
+    // ---- stage 2: victim, the first way not used lately; never one whose line is coming ----
     wire [WAYS-1:0] lately;                 // ways used since all were
-    wire [WAYS-1:0] may   = ~coming;
+    wire [WAYS-1:0] may   = ~s2_coming_q;
     wire [WAYS-1:0] pick  = |(may & ~lately) ? may & ~lately : may;
     assign victim         = pick & (~pick + 1'b1);
-    wire [WAYS-1:0] touch = s1_hit ? match & good : s1_follow ? match & coming : victim;
+    wire [WAYS-1:0] touch = s2_miss ? victim : s2_hit_q | s2_follow_q;
     wire [WAYS-1:0] after = lately | touch;
-    wire [WAYS-1:0] asked_new;              // asked bit the victim gets
     rt_slot_file #(.WIDTH(WAYS), .SLOTS(SETS)) u_lately (
         .clk(clk),
-        .wr_en_i(walk_step || s1_go),
-        .wr_addr_i(walk_q ? walk_set_q : s1_set),
+        .wr_en_i(walk_step || s2_go),
+        .wr_addr_i(walk_q ? walk_set_q : s2_set),
         .wr_data_i(walk_q ? {WAYS{1'b0}} : &after ? touch : after),
-        .rd_addr_i(s1_set), .rd_data_o(lately)
+        .rd_addr_i(s2_set), .rd_data_o(lately)
     );
-    generate
-        for (g = 0; g < WAYS; g = g + 1) begin : g_next
-            assign asked_new[g] = !g_way[g].filled;
-        end
-    endgenerate
 
-    // ---- stage 1: where to. A hit needs the data RAM, the rest a place in the queue ----
+    // ---- stage 2: where to. A hit needs the data RAM, the rest a place in the queue ----
     wire rsp_free;                          // the response register can take a line
     wire head_ready;                        // the head of the queue wants the data RAM
-    wire queue_room;
+    reg  room_q;                            // the queue takes one more
     wire mem_go    = mem_req_ready_i || !mem_req_valid_o;
     wire mem_more;                          // lines of the group at hand are still to be asked for
-    wire mem_free  = mem_go && !mem_more;
-    wire s1_run    = s1_valid_q && !walk_q;
-    wire hit_go    = s1_run && s1_hit && rsp_free && !head_ready;
-    wire follow_go = s1_run && !s1_hit && s1_follow && queue_room;
-    assign alloc   = s1_run && !s1_hit && !s1_follow && queue_room && mem_free && |may;
-    assign s1_go   = hit_go || follow_go || alloc;
+    wire s2_run    = s2_valid_q && !walk_q;
+    wire hit_go    = s2_run && s2_hit && rsp_free && !head_ready;
+    wire follow_go = s2_run && s2_follow && room_q;
+    assign alloc   = s2_run && s2_miss && room_q && !mem_req_valid_o && |may;
+    assign s2_go   = hit_go || follow_go || alloc;
     always @(posedge clk) begin
         if (mem_go) mem_req_valid_o <= alloc || mem_more;
         miss_o <= alloc;
         if (rst) begin mem_req_valid_o <= 1'b0; miss_o <= 1'b0; end
     end
+    wire looked /* verilator public_flat_rd */ = s2_go; // for benches: the line looked up last
 
     // ---- the lines of a group: asked for and filled in order ----
     wire [PB-1:0] fill_place;
     generate
         if (GROUP == 1) begin : g_line
-            always @(posedge clk) if (mem_free) mem_req_line_o <= s1_line_q;
+            always @(posedge clk) if (!mem_req_valid_o) mem_req_line_o <= s2_line_q;
             assign mem_more   = 1'b0;
             assign fill_place = head_place;
             assign fill_last  = 1'b1;
@@ -189,7 +235,7 @@ module rt_cache #(
             reg          error_q;           // a bus error came with one before it
             always @(posedge clk) begin
                 if (mem_go) mem_req_line_o <= mem_more ? mem_req_line_o + 1'b1
-                                              : {s1_line_q[`RT_LINE_BITS-1:GB], {GB{1'b0}}};
+                                              : {s2_line_q[`RT_LINE_BITS-1:GB], {GB{1'b0}}};
                 if (fill) begin
                     fill_q  <= fill_q + 1'b1;
                     error_q <= fill_error && !fill_last;
@@ -203,37 +249,57 @@ module rt_cache #(
         end
     endgenerate
 
-    // ---- queue: leaders, whose line is asked of memory, and followers, in order ----
+    // ---- queue: leaders, whose line is asked of memory, and followers, in order; its head ----
+    localparam QB = 2 + PB + WB + TAG;
+    localparam CB = $clog2(PENDING) + 1;
+    wire           queue_go = follow_go || alloc;
+    wire           queue_in, queue_valid;
+    wire [QB-1:0]  queue_data;
+    reg            head_valid_q;
+    reg  [QB-1:0]  head_q;
     wire           head_leader;
     wire           head_go;                 // the head reads the data RAM and leaves
+    wire           head_free = head_go || !head_valid_q;
     wire [TAG-1:0] head_tag;
     reg            head_filled_q;           // the group of the leader is written
-    rt_fifo #(.WIDTH(2+PB+WB+TAG), .DEPTH(PENDING)) u_queue (
+    reg  [CB-1:0]  held_q;                  // requests in the queue and in its head
+    rt_fifo #(.WIDTH(QB), .DEPTH(PENDING)) u_queue (
         .clk(clk), .rst(rst),
-        .in_valid_i(follow_go || alloc), .in_ready_o(queue_room),
-        .in_data_i({alloc, |(asked_new & victim), s1_place, number(touch), s1_tag_q}),
-        .out_valid_o(head_valid), .out_ready_i(head_go),
-        .out_data_o({head_leader, head_asked, head_place, head_way, head_tag})
+        .in_valid_i(queue_go), .in_ready_o(queue_in),
+        .in_data_i({alloc, |(~s2_filled_q & victim), s2_place, number(touch), s2_tag_q}),
+        .out_valid_o(queue_valid), .out_ready_i(head_free), .out_data_o(queue_data)
     );
-    assign mem_rsp_ready_o = head_valid && head_leader && !head_filled_q;
+    assign {head_leader, head_asked, head_place, head_way, head_tag} = head_q;
+    assign none_held       = held_q == {CB{1'b0}};
+    assign mem_rsp_ready_o = head_valid_q && head_leader && !head_filled_q;
     assign fill            = mem_rsp_valid_i && mem_rsp_ready_o;
-    assign head_ready      = head_valid && (!head_leader || head_filled_q);
+    assign head_ready      = head_valid_q && (!head_leader || head_filled_q);
     assign head_go         = head_ready && rsp_free;
     always @(posedge clk) begin
+        if (head_free) begin
+            head_valid_q <= queue_valid;
+            head_q       <= queue_data;
+        end
+        held_q <= held_q + {{(CB-1){1'b0}}, queue_go} - {{(CB-1){1'b0}}, head_go};
+        room_q <= held_q < PENDING[CB-1:0] - 1'b1;
         if (fill && fill_last) head_filled_q <= 1'b1;
         if (head_go) head_filled_q <= 1'b0;
-        if (rst)     head_filled_q <= 1'b0;
+        if (rst) begin
+            head_valid_q <= 1'b0; head_filled_q <= 1'b0;
+            held_q <= {CB{1'b0}}; room_q <= 1'b1;
+        end
     end
+    wire unused = &{1'b0, queue_in};
 
-    // ---- stage 2: data RAM; its output is the response ----
+    // ---- stage 3: data RAM; its output is the response ----
     wire [AB-1:0] fill_at, head_at, hit_at;
     generate
         if (WAYS == 1) begin : g_direct
-            assign {fill_at, head_at, hit_at} = {fill_place, head_place, s1_place};
+            assign {fill_at, head_at, hit_at} = {fill_place, head_place, s2_place};
         end else begin : g_ways
             assign fill_at = {head_way, fill_place};
             assign head_at = {head_way, head_place};
-            assign hit_at  = {number(match & good), s1_place};
+            assign hit_at  = {number(s2_hit_q), s2_place};
         end
     endgenerate
     assign rsp_free = rsp_ready_i || !rsp_valid_o;
@@ -248,7 +314,7 @@ module rt_cache #(
     always @(posedge clk) begin
         if (rsp_free) begin
             rsp_valid_o <= head_go || hit_go;
-            rsp_tag_o   <= head_ready ? head_tag : s1_tag_q;
+            rsp_tag_o   <= head_ready ? head_tag : s2_tag_q;
         end
         if (rst) rsp_valid_o <= 1'b0;
     end

@@ -5,3 +5,6 @@
 // A component of a vector along a normal: of a sphere s(w+ng+1), of a facet s24 that may be turned.
 `define RT_PRIM_VECTOR_BITS(w, ng, facets) \
     ((facets) != 0 && (w) + (ng) < 24 ? 25 : (w) + (ng) + 1)
+
+// 1: vectors of rt_prim_point may come later than the point.
+`define RT_PRIM_POINT_LATER 1'b0

@@ -5,8 +5,9 @@
 //                  up = 2^NG, -1, 2^NG / 2 as the component of the turned vector is > 0, < 0, = 0
 // The vector has any length and looks outwards or to the front; if the hit is far it is turned. A
 // hit is taken with the part of its primitive record that is no material; then x, y, z of the
-// guarded point g come, one a clock, and x, y, z of point and vector leave, one a clock. They may
-// come later than g: rt_hit takes no other hit before they have left. Today they come at once.
+// guarded point g come, one a clock, and x, y, z of point and vector leave, one a clock. With
+// `RT_PRIM_POINT_LATER they may come later than g: rt_hit takes no other hit before they have left.
+// Today they come at once.
 // Model: sph_surface_nearest(), sph_surface_outwards() in cmodel/shade/surface.c,
 //        normal() in cmodel/prim/sphere.c, sph_stored_normal() in cmodel/prim/kinds.c
 `timescale 1ns / 1ps

@@ -74,7 +74,8 @@ module rt_hit #(
     wire                 p_valid;
     wire                 first = p_valid && part_q == 2'd0;
     wire                 last  = p_valid && part_q == 2'd2;
-    wire                 late  = SLOW ? late_q : (ph_q[LAST+5] || late_q) && !last;
+    wire                 late  = SLOW ? late_q
+                                 : `RT_PRIM_POINT_LATER && (ph_q[LAST+5] || late_q) && !last;
     wire                 start = in_valid_i && ~|ph_q[INTERVAL-1:1] && !late;
     wire [LAST+5:0]      ph = {ph_q, start};
     wire                 in_1  = ph[X] || ph[X+D] || ph[LAST];  // one of the three is in stage 1

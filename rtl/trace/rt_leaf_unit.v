@@ -142,8 +142,9 @@ module rt_leaf_unit #(
     wire [127:0]     l_high;                         // with FACETS
     wire             l_ready, l_bad;
     wire             l_taken = l_valid_q && l_ready;
-    wire             l_load  = c_valid && !c_prim && (!l_valid_q || l_taken);
-    assign c_ready = c_prim ? !record_valid_q : !l_valid_q || l_taken;
+    // A test takes two clocks at least: a record is loaded behind the one that left, not with it.
+    wire             l_load  = c_valid && !c_prim && !l_valid_q;
+    assign c_ready = c_prim ? !record_valid_q : !l_valid_q;
     localparam YW = 3*W + 5*WD + 24;                 // a ray; above it shadow, inside
     wire                shadow = ray_i[`RT_RAY_SHADOW];
     wire [YW+1:0]       y = {INSIDE != 0 ? {shadow, ray_i[`RT_RAY_INSIDE]} : {2{shadow}},

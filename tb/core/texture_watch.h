@@ -1,13 +1,15 @@
 /* texture_watch.h - the model's cache beside every texture cache of a verilated core
  * SPDX-License-Identifier: Apache-2.0
  *
- * Each rt_texture shows what its cache is asked and given (cache_seen) and the cache's shape; they
- * are found by name, wherever they stand. The core's counter of misses must be what they add up to.
+ * Each rt_texture shows what its cache is asked and given (cache_seen) and the cache's shape, its
+ * cache when it looks a line up (looked); they are found by name, wherever they stand. The core's
+ * counter of misses must be what they add up to.
  */
 #ifndef TB_TEXTURE_WATCH_H
 #define TB_TEXTURE_WATCH_H
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "../cache_prediction.h"
@@ -22,7 +24,10 @@ class TextureWatch {
             const VerilatedVar *seen = scope.second->varFind("cache_seen");
             const VerilatedVar *shape = scope.second->varFind("cache_shape");
             if (!seen || !shape) continue;
+            const VerilatedScope *cache =
+                context.scopeFind((std::string(scope.first) + ".u_cache").c_str());
             units_.push_back({static_cast<const uint32_t *>(seen->datap()),
+                              static_cast<const uint8_t *>(cache->varFind("looked")->datap()),
                               *static_cast<const uint32_t *>(shape->datap()), nullptr});
         }
         reset();
@@ -36,7 +41,7 @@ class TextureWatch {
     /* Before every clock edge, when all has settled; not in reset. */
     void clock() {
         for (const Unit &unit : units_)
-            unit.cache->texture(*unit.seen);
+            unit.cache->texture(*unit.seen, *unit.looked);
     }
     /* So far. */
     uint64_t missed() const {
@@ -55,6 +60,7 @@ class TextureWatch {
   private:
     struct Unit {
         const uint32_t *seen;
+        const uint8_t *looked;
         uint32_t shape;
         std::unique_ptr<CachePrediction> cache;
     };

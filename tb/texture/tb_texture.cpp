@@ -64,6 +64,7 @@ class Run {
     Run(int argc, char **argv)
         : b("tb_texture", argc, argv, 6000), shape(t.rootp->rt_texture__DOT__cache_shape),
           seen(t.rootp->rt_texture__DOT__cache_seen),
+          looked(t.rootp->rt_texture__DOT__u_cache__DOT__looked),
           prediction(shape >> 16, shape >> 8 & 255, shape & 255) {
         memory.fill(b.random);
         t.in_valid_i = 0;
@@ -127,6 +128,7 @@ class Run {
     bool bad_node = false, drain = true, on = true, more = true, must_miss = false;
     unsigned pace = 100, latency = 3, reading = 100;
     const uint32_t shape, &seen;
+    const uint8_t &looked;
     CachePrediction prediction;
     int word_slot = -1, material_slot = -1;
 
@@ -259,7 +261,7 @@ class Run {
         if (t.mem_rsp_valid_i && t.mem_rsp_ready_o) asked.pop_front();
         texels_asked += t.texel_o;
         if (t.miss_o != must_miss) b.fail("another miss than the model's");
-        must_miss = prediction.texture(seen);
+        must_miss = prediction.texture(seen, looked);
         if (prediction.impossible()) b.fail("a lookup that the model refuses");
         bad_node |= t.bad_node_o;
         if (t.bus_error_o) b.fail("a bus error that nobody made");
