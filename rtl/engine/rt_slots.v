@@ -106,6 +106,7 @@ module rt_slots #(
     wire        d_void, d_end;                       // a probe: the pixel starts again; is complete
     wire        d_on      = d_valid && !d_void && !d_end;
     reg              shadow_q, lit_q, hit_q, far_q, first_q, probe_q;
+    reg              seen_q;                         // the first hit of a pixel
     reg              miss_q, sky_q, end_q;           // behind a mirror; to be delivered, blended
     reg              outside_q;
     reg [SLOTW-1:0]  slot_q;
@@ -118,6 +119,7 @@ module rt_slots #(
         hit_q     <= d_on && d_found;
         miss_q    <= d_on && !d_found && !d_first;
         first_q   <= d_first;
+        seen_q    <= d_valid && d_first && d_found;
         probe_q   <= d_q[`RT_DONE_FIRST] && effects[`RT_EFFECT_INTERPENETRATE];
         far_q     <= FARS != 0 && d_q[`RT_DONE_FAR];
         id_q      <= d_id;
@@ -200,8 +202,7 @@ module rt_slots #(
         .rd_data_o({pix_o[`RT_PIXEL_Y], pix_o[`RT_PIXEL_X]})
     );
     rt_slot_ram #(.WIDTH(KW+`RT_ID_BITS), .SLOTS(SLOTS), .OLD(0)) u_first (
-        .clk(clk), .wr_en_i(d_valid && d_first && d_found),
-        .wr_addr_i(d_slot_q), .wr_data_i({d_id, d_q[`RT_DONE_KEY]}),
+        .clk(clk), .wr_en_i(seen_q), .wr_addr_i(slot_q), .wr_data_i({id_q, key_q}),
         .rd_en_i(o_read), .rd_addr_i(o_slot), .rd_data_o({p_id, p_key})
     );
     always @(posedge clk) begin

@@ -80,8 +80,8 @@ module rt_collect #(
     wire [SLOTW-1:0] clear_slot = clear_q[SLOTW-1:0];
     wire            new_mark, in_mark, win;
     rt_slot_file #(.WIDTH(1), .SLOTS(SLOTS)) u_mark (
-        .clk(clk), .wr_en_i(clearing || win), .wr_addr_i(clearing ? clear_slot : s1_slot_q),
-        .wr_data_i(!clearing && s1_mark_q),
+        .clk(clk), .wr_en_i(clearing || s2_win_q), .wr_addr_i(put_slot),
+        .wr_data_i(!clearing && s2_mark_q),
         .rd_addr_i(new_slot_i), .rd_data_o(new_mark)
     );
     localparam XB0 = 6 + 17;                 // {mark, shift, scale} of a ray
@@ -113,10 +113,11 @@ module rt_collect #(
     // ---- stage 0: read the best so far; is the result before of the same slot? ----
     wire [BW+IB:0] best, done_best;          // {far, hit mark, id, key}
     reg             s1_valid_q, s1_same_q;   // s1_same_q: of the slot of the result a clock before
-    reg             s1_mark_q, s1_far_q, s2_win_q;
-    reg [SLOTW-1:0] s1_slot_q;
+    reg             s1_mark_q, s1_far_q, s2_win_q, s2_mark_q, s2_far_q;
+    reg [SLOTW-1:0] s1_slot_q, s2_slot_q;
     reg [BW-1:0]    s1_new_q, s1_best_q, s2_new_q;      // {id, key}
     reg             s1_found_q;              // s1_best_q is a hit of this ray
+    wire            s2_read = s2_win_q && s2_slot_q == in_slot_i;  // it is being written
     always @(posedge clk) begin
         s1_valid_q <= in_valid_i && in_hit_i;
         s1_same_q  <= in_slot_i == s1_slot_q;
@@ -124,9 +125,12 @@ module rt_collect #(
         s1_mark_q  <= !in_mark;
         s1_far_q   <= in_far_i;
         s1_new_q   <= {in_id_i, in_key_i};
-        s1_best_q  <= best[BW-1:0];
-        s1_found_q <= best[BW] != in_mark;
+        s1_best_q  <= s2_read ? s2_new_q : best[BW-1:0];
+        s1_found_q <= (s2_read ? s2_mark_q : best[BW]) != in_mark;
         s2_new_q   <= s1_new_q;
+        s2_mark_q  <= s1_mark_q;
+        s2_far_q   <= s1_far_q;
+        s2_slot_q  <= s1_slot_q;
         if (rst) s1_valid_q <= 1'b0;
     end
 
@@ -137,14 +141,16 @@ module rt_collect #(
     endfunction
     assign win = s1_valid_q && (s1_same_q && s2_win_q ? closer(s1_new_q, s2_new_q)
                                 : !s1_found_q || closer(s1_new_q, s1_best_q));
-    wire [BW+1:0] cand = {s1_far_q, s1_mark_q, s1_new_q};
+    // ---- stage 2: write ----
+    wire [SLOTW-1:0] put_slot = clearing ? clear_slot : s2_slot_q;
+    wire [BW+1:0] cand = {s2_far_q, s2_mark_q, s2_new_q};
     wire [BW+IB:0] put = clearing ? {(BW+IB+1){1'b0}} : cand[BW+IB:0];
     rt_slot_file #(.WIDTH(BW+IB+1), .SLOTS(SLOTS)) u_best (
-        .clk(clk), .wr_en_i(clearing || win), .wr_addr_i(clearing ? clear_slot : s1_slot_q),
+        .clk(clk), .wr_en_i(clearing || s2_win_q), .wr_addr_i(put_slot),
         .wr_data_i(put), .rd_addr_i(in_slot_i), .rd_data_o(best)
     );
     rt_slot_ram #(.WIDTH(BW+IB+1), .SLOTS(SLOTS), .OLD(0)) u_done (
-        .clk(clk), .wr_en_i(clearing || win), .wr_addr_i(clearing ? clear_slot : s1_slot_q),
+        .clk(clk), .wr_en_i(clearing || s2_win_q), .wr_addr_i(put_slot),
         .wr_data_i(put), .rd_en_i(done_valid_i), .rd_addr_i(done_slot_i), .rd_data_o(done_best)
     );
     always @(posedge clk) begin
@@ -154,16 +160,14 @@ module rt_collect #(
 
     // ---- stages 1 to 3: depth of the new best ----
     reg             s3_win_q, s1_last_q, s2_last_q, s3_last_q, s4_last_q;
-    reg             s2_mark_q, s3_mark_q;
-    reg [SLOTW-1:0] s2_slot_q, s3_slot_q, s4_slot_q;
+    reg             s3_mark_q;
+    reg [SLOTW-1:0] s3_slot_q, s4_slot_q;
     wire [FW:0]     s3_depth;
     always @(posedge clk) begin
-        s2_mark_q  <= s1_mark_q;
         s3_mark_q  <= s2_mark_q;
         s1_last_q  <= in_valid_i && last;
         s2_win_q   <= win;
         s2_last_q  <= s1_last_q;
-        s2_slot_q  <= s1_slot_q;
         s3_win_q   <= s2_win_q;
         s3_last_q  <= s2_last_q;
         s3_slot_q  <= s2_slot_q;
