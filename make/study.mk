@@ -19,7 +19,7 @@ study_plan = $(Q)python3 -m lab.study.plan $(1) $(if $(KINDS),--kinds $(KINDS)) 
 # + before it: the commands share the JOBS of this make
 jobs_run   = python3 -m lab.jobs.run $(ENGINE) $(1)
 
-.PHONY: study study-short study-page study-pnr
+.PHONY: study study-short study-page study-pnr study-seeds
 study: $(TOOL) ## docs/results/accuracy.md: what a bit costs in time and cells; two hours
 	$(call study_plan)
 	+$(Q)$(call jobs_run,$(STUDY)/jobs); rc=$$?; \
@@ -32,6 +32,17 @@ study-short: $(TOOL)
 study-page: $(TOOL)
 	$(Q)python3 -m lab.study.page --whole docs/results/accuracy.md $(RESULTS) $(STUDY) $(TOOL)
 	$(Q)python3 -m lab.pages.measured docs/results/accuracy.md "make study" $$(cat $(STUDY)/tables)
+
+# SEEDS: SPEED-SEED each; ROUTE=1 routes, too: half an hour each
+SEEDS_CORE := standard-ecp5-shadow+reflect2-engines1
+SEEDS      ?= 8-1 8-2 8-3 6-1
+study-seeds: $(STUDY)/venv/done ## MHz of one core placed with several seeds; minutes each
+	$(Q)sh synth/core.sh $(SEEDS_CORE) $(STUDY)/seeds/core
+	$(Q)for s in $(SEEDS); do mkdir -p $(STUDY)/seeds/$$s && BUILD=$B ROUTE=$(or $(ROUTE),0) \
+	    SEED=$${s#*-} SPEED=$${s%-*} sh synth/place.sh $(STUDY)/seeds/core $(STUDY)/seeds/$$s || \
+	    exit 1; done
+	$(Q)python3 -m lab.study.seeds $(SEEDS_CORE) $(addprefix $(STUDY)/seeds/,$(SEEDS))
+	$(Q)python3 -m lab.pages.measured docs/results/accuracy.md "make study-seeds" seeds
 
 study-pnr: $(STUDY)/venv/done
 $(STUDY)/venv/done:

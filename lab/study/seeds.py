@@ -1,0 +1,39 @@
+#!/usr/bin/env python3
+# seeds.py - the clock of one core that was placed with several seeds
+# SPDX-License-Identifier: Apache-2.0
+"""usage: python3 -m lab.study.seeds CORE FOLDER...
+Each folder, SPEED-SEED by name, has the placed.json of synth/place.sh. Writes the table
+docs/results/data/accuracy.seeds.tsv: per speed grade the seeds, and the least, the median and the
+greatest clock of them."""
+import json
+import statistics
+import sys
+from pathlib import Path
+
+from ..pages import data
+
+COLUMNS = ["core", "speed grade", "after", "seeds", "least, MHz", "median", "greatest"]
+
+
+def rows(core, folders):
+    clocks = {}
+    for folder in folders:
+        speed, seed = Path(folder).name.split("-")
+        with open(f"{folder}/placed.json", encoding="utf-8") as f:
+            placed = json.load(f)
+        after = "routing" if placed["routed"] else "placement"
+        clocks.setdefault((-int(speed), after), {})[int(seed)] = placed["fmax"]
+    return [[f"`{core}`", str(-speed), after, str(len(seeds)), f"{min(seeds.values()):.1f}",
+             f"{statistics.median(seeds.values()):.1f}", f"{max(seeds.values()):.1f}"]
+            for (speed, after), seeds in sorted(clocks.items())]
+
+
+def main(core, folders):
+    lines = ["\t".join(row) + "\n" for row in [COLUMNS] + rows(core, folders)]
+    data.write(data.FOLDER / "accuracy.seeds.tsv", data.HEAD + "".join(lines))
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
+    main(sys.argv[1], sys.argv[2:])
