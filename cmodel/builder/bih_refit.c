@@ -38,7 +38,7 @@ void sph_bih_refit(const struct sph_aabb *boxes, struct sph_bih *bih) {
     bih->box = refit(boxes, bih, 0);
 }
 
-static double area(const struct sph_aabb *b) {
+double sph_aabb_area(const struct sph_aabb *b) {
     double x = (double)b->hi[0] - b->lo[0], y = (double)b->hi[1] - b->lo[1],
            z = (double)b->hi[2] - b->lo[2];
     return x < 0 || y < 0 || z < 0 ? 0 : x * y + y * z + z * x;
@@ -47,7 +47,7 @@ static double area(const struct sph_aabb *b) {
 /* Areas of the spaces of a node and of all below it. */
 static double cost(const struct sph_bih *bih, uint32_t number, struct sph_aabb space) {
     const struct sph_bih_node *node = &bih->nodes[number];
-    double sum = area(&space);
+    double sum = sph_aabb_area(&space);
     if (node->axis == SPH_BIH_LEAF) return sum;
     struct sph_aabb left = space, right = space;
     if (node->fit && node->clip_l > left.lo[node->axis]) left.lo[node->axis] = node->clip_l;
@@ -59,6 +59,6 @@ static double cost(const struct sph_bih *bih, uint32_t number, struct sph_aabb s
 }
 
 double sph_bih_cost(const struct sph_bih *bih) {
-    double whole = area(&bih->box);
+    double whole = sph_aabb_area(&bih->box);
     return whole > 0 ? cost(bih, 0, bih->box) / whole : 0;
 }

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "builder/box.h"
+
 void sph_kept_free(struct sph_kept_tree *kept) {
     free(kept->kinds);
     free(kept->tree.nodes);
@@ -56,15 +58,18 @@ static int taken(struct sph_kept_tree *kept, double cost) {
 int sph_tree_next(const struct sph_plants *p, struct sph_kept_tree *kept, struct sph_tree *tree,
                   struct sph_error *err) {
     if (!kept || kept->how == SPH_REFIT_OFF) return sph_tree_build(p, tree, err);
+    double cost;
     if (same(kept, p)) {
         *tree = kept->tree;
         tree->nodes = copy(kept->tree.nodes, tree->n_nodes * sizeof *tree->nodes, err);
-        if (!tree->nodes || sph_tree_refit(p, tree, err)) return -1;
-        if (taken(kept, sph_tree_cost(tree, p->profile))) return 0;
+        if (!tree->nodes || sph_tree_refit(p, tree, err) || sph_tree_cost(p, tree, &cost, err))
+            return -1;
+        if (taken(kept, cost)) return 0;
         free(tree->nodes);
         *tree = (struct sph_tree){0};
     }
-    if (sph_tree_build(p, tree, err) || note(kept, p, sph_tree_cost(tree, p->profile), err))
+    if (sph_tree_build(p, tree, err) || sph_tree_cost(p, tree, &cost, err) ||
+        note(kept, p, cost, err))
         return -1;
     kept->tree = *tree;
     kept->tree.nodes = copy(tree->nodes, tree->n_nodes * sizeof *tree->nodes, err);
@@ -98,9 +103,29 @@ int sph_bih_next(const struct sph_plants *p, const struct sph_aabb *boxes, uint3
     return -1;
 }
 
-double sph_tree_cost(const struct sph_tree *tree, const struct sph_profile *profile) {
-    int32_t whole = sph_filter_whole(profile).r;
+/* Areas of the boxes of nodes; what holds a plane, or is above one, is the whole grid, which every
+ * ray meets. */
+static int box_cost(const struct sph_plants *p, const struct sph_tree *tree, double *cost,
+                    struct sph_error *err) {
+    struct sph_aabb *boxes = sph_box_nodes(p, tree, err);
+    double sum = 0, most = 0, end = 2.0 * (1 << (p->profile->w - 1)), whole = 3 * end * end;
+    if (!boxes) return -1;
+    for (uint32_t i = 0; i < tree->n_nodes; i++) {
+        double area = sph_aabb_area(&boxes[i]);
+        if (area >= whole) continue;
+        sum += area;
+        if (area > most) most = area;
+    }
+    free(boxes);
+    *cost = most > 0 ? sum / most : 0;
+    return 0;
+}
+
+int sph_tree_cost(const struct sph_plants *p, const struct sph_tree *tree, double *cost,
+                  struct sph_error *err) {
+    int32_t whole = sph_filter_whole(p->profile).r;
     double sum = 0, most = 0;
+    if (p->kind == SPH_TREE_BOX4) return box_cost(p, tree, cost, err);
     for (uint32_t i = 0; i < tree->n_nodes; i++) {
         const struct sph_ball *ball = &tree->nodes[i].ball;
         if (ball->r >= whole) continue; /* above planes: met by every ray */
@@ -108,5 +133,6 @@ double sph_tree_cost(const struct sph_tree *tree, const struct sph_profile *prof
         sum += r * r;
         if (r * r > most) most = r * r;
     }
-    return most > 0 ? sum / most : 0;
+    *cost = most > 0 ? sum / most : 0;
+    return 0;
 }

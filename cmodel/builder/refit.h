@@ -54,8 +54,10 @@ int sph_tree_refit(const struct sph_plants *plants, struct sph_tree *tree, struc
 /* New planes for every node, and the box around all. */
 void sph_bih_refit(const struct sph_aabb *boxes, struct sph_bih *bih);
 
-/* Expected visits of a ray that meets the root. */
-double sph_tree_cost(const struct sph_tree *tree, const struct sph_profile *profile);
+/* Expected visits of a ray that meets the root: of a tree of boxes by their areas, of others by the
+ * spheres of nodes. -1 if memory is out. */
+int sph_tree_cost(const struct sph_plants *plants, const struct sph_tree *tree, double *cost,
+                  struct sph_error *err);
 double sph_bih_cost(const struct sph_bih *bih);
 
 #endif

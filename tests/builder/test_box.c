@@ -1,14 +1,13 @@
 /* test_box.c - boxes in a node's frame hold what they are written for: every plane of a small grid,
- * and every child of whole trees
+ * and every child of whole trees; none is deeper than a ray's stack
  * SPDX-License-Identifier: Apache-2.0
  *
  * build/test/test_box [seed]
  */
-#include "containment.h"
+#include "boxes_below.h"
 
-#include "builder/box.h"
-#include "machine/box.h"
-#include "machine/records.h"
+#include "core/frame.h"
+#include "core/render.h"
 
 enum { TRIANGLES = 60, BALLS = 12 };
 
@@ -40,46 +39,12 @@ static void planes(void **unused) {
             }
 }
 
-/* Everything below a node lies in the node's box; how many primitives there are. */
-static uint32_t below(const struct sph_machine *m, const struct sph_plants *plants, uint32_t line,
-                      const struct sph_box *outer) {
-    const uint32_t *node = sph_line(m, line);
-    uint32_t base = sph_field(node, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS), n = 0;
-    uint32_t inner = sph_field(node, SPH_NODE_N_INNER_LSB, SPH_NODE_N_INNER_BITS);
-    uint32_t leaves = sph_field(node, SPH_NODE_N_LEAF_LSB, SPH_NODE_N_LEAF_BITS);
-    for (uint32_t i = 0; i < inner + leaves; i++) {
-        struct sph_box box, both;
-        sph_box_read(node, (int)i, &m->profile, &box);
-        for (int k = 0; k < 3; k++) { /* a box in its parent's step may be the larger one */
-            both.lo[k] = box.lo[k] > outer->lo[k] ? box.lo[k] : outer->lo[k];
-            both.hi[k] = box.hi[k] < outer->hi[k] ? box.hi[k] : outer->hi[k];
-        }
-        if (i < inner) {
-            n += below(m, plants, base + i, &both);
-            continue;
-        }
-        const uint32_t *record = sph_record(m, 1, base + inner, i - inner);
-        int facet = sph_field(record, SPH_FACET_KIND_LSB, SPH_FACET_KIND_BITS) != SPH_SPHERE;
-        uint32_t id = facet ? sph_field(record, SPH_FACET_ID_LSB, SPH_FACET_ID_BITS)
-                            : sph_field(record, SPH_LEAF_ID_LSB, SPH_LEAF_ID_BITS);
-        struct sph_aabb prim;
-        sph_box_of(plants, id, &prim);
-        for (int k = 0; k < 3; k++)
-            assert_true(both.lo[k] <= prim.lo[k] && prim.hi[k] <= both.hi[k]);
-        n++;
-    }
-    return n;
-}
-
 static void trees(void **unused) {
     (void)unused;
     for (int run = 0; run < 8; run++) {
         struct sph_build_options o = standard;
         struct sph_build_report report;
         struct sph_scene s = bare();
-        struct sph_grid grid;
-        struct sph_facets facets;
-        struct sph_ball balls[BALLS + TRIANGLES + 5];
         soup(&s, TRIANGLES, run & 1 ? 0.02 : 0.4);
         for (int i = 0; i < run / 2; i++)
             add_plane(&s, at(uniform(), -uniform(), uniform()), near_to(at(0, 1, 0), 0.5));
@@ -87,20 +52,64 @@ static void trees(void **unused) {
             add_ball(&s, at(uniform(), uniform(), uniform()), 0.1);
         o.tree = SPH_TREE_BOX4, o.profile = run % SPH_PROFILES;
         struct sph_machine m = built(&s, o, &report);
-        double smallest;
-        assert_int_equal(sph_grid_fit(&s, m.profile.w, &grid, NULL), 0);
-        assert_int_equal(sph_grid_spheres(&grid, &s, &m.profile, balls, &smallest, NULL), 0);
-        assert_int_equal(sph_grid_facets(&grid, &s, &m.profile, &facets, NULL), 0);
-        struct sph_plants plants = {balls, s.n_spheres, &facets, &m.profile, grid.eye, o.tree};
-        struct sph_box all = {{INT32_MIN, INT32_MIN, INT32_MIN}, {INT32_MAX, INT32_MAX, INT32_MAX}};
-        assert_int_equal(below(&m, &plants, 0, &all), s.n_spheres + facets.n);
-        sph_facets_free(&facets);
+        assert_int_equal(check_boxes(&s, &m), s.n_spheres + report.facets);
         sph_machine_free(&m);
     }
 }
 
+/* Levels of nodes below a line, its own with them. */
+static uint32_t levels(const struct sph_machine *m, uint32_t line) {
+    const uint32_t *node = sph_line(m, line);
+    uint32_t base = sph_field(node, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS), most = 0;
+    uint32_t inner = sph_field(node, SPH_NODE_N_INNER_LSB, SPH_NODE_N_INNER_BITS);
+    for (uint32_t i = 0; i < inner; i++) {
+        uint32_t n = levels(m, base + i);
+        if (n > most) most = n;
+    }
+    return most + 1;
+}
+
+/* Triangles within each other, each a seventh larger: the cheapest tree peels off the largest ones,
+ * three a level, and has 29 levels of nodes, where a ray has room for 16. */
+static void deep(void **unused) {
+    static const int trees[] = {SPH_TREE_BOX4, SPH_TREE_REINSERTED};
+    (void)unused;
+    for (int i = 0; i < 2; i++)
+        for (int planes = 0; planes < 7; planes += 3) {
+            struct sph_build_options o = standard;
+            struct sph_build_report report;
+            struct sph_scene s = bare();
+            for (double size = planes ? 3e-4 : 1e-5; size < 1; size *= 8. / 7)
+                add_triangle(&s, at(1.1 * size, 0.1 * size, -0.9 * size),
+                             at(-0.9 * size, 1.1 * size, 0.1 * size),
+                             at(0.1 * size, -0.9 * size, 1.1 * size), s.n_facets);
+            for (int k = 0; k < planes; k++)
+                add_plane(&s, at(uniform(), -uniform(), uniform()), near_to(at(0, 1, 0), 0.5));
+            o.tree = trees[i], o.profile = SPH_REFERENCE, o.width = 24, o.height = 16;
+            struct sph_machine m = built(&s, o, &report);
+            uint32_t n = levels(&m, (uint32_t)m.regs[SPH_REG_ROOT]);
+            printf("# tree %d, %u facets, %d of them planes: %u levels\n", trees[i], s.n_facets,
+                   planes, n);
+            assert_true(n <= SPH_STACK_DEPTH);
+            assert_int_equal(n + 1, report.depth);
+            uint64_t hash[2];
+            for (int how = 0; how < 2; how++) {
+                struct sph_frame frame;
+                struct sph_counters counters = {{0}};
+                struct sph_render_options r = {
+                    .traverse = how ? SPH_TRAVERSE_BRUTE : SPH_TRAVERSE_TREE, .threads = 1};
+                assert_int_equal(sph_render(&m, &r, &frame, &counters, NULL), 0);
+                hash[how] = sph_frame_picture_hash(&frame);
+                sph_frame_free(&frame);
+            }
+            assert_true(hash[0] == hash[1]);
+            sph_machine_free(&m);
+        }
+}
+
 int main(int argc, char **argv) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(planes), cmocka_unit_test(trees)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(planes), cmocka_unit_test(trees),
+                                       cmocka_unit_test(deep)};
     seed(argc, argv);
     return cmocka_run_group_tests_name("box", tests, NULL, NULL);
 }

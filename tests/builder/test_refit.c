@@ -3,7 +3,7 @@
  *
  * build/test/test_refit [seed]
  */
-#include "containment.h"
+#include "boxes_below.h"
 
 #include "core/frame.h"
 #include "core/render.h"
@@ -67,6 +67,8 @@ static int sequence(int tree, uint32_t planes, int how, double far, uint64_t vis
         assert_false(alone.refitted);
         if (tree != SPH_TREE_BIH && tree != SPH_TREE_BOX4)
             assert_int_equal(check_below(&m, 0, &a), report.facets + s.n_spheres);
+        if (tree == SPH_TREE_BOX4)
+            assert_int_equal(check_boxes(&s, &m), report.facets + s.n_spheres);
         assert_true(picture(&m, &visits[0]) == picture(&one, &visits[1]));
         if (!frame || how == SPH_REFIT_OFF) assert_false(report.refitted);
         if (how == SPH_REFIT_AUTO && report.refitted)
@@ -110,6 +112,46 @@ static void test_rule(void **unused) {
         assert_int_equal(sequence(trees[i], 0, SPH_REFIT_AUTO, 0.5, visits), 0);
         assert_true(visits[0] == visits[1]);
     }
+}
+
+/* Thin triangles that lie along x, or from corner to corner of their boxes. */
+static void sticks(struct sph_scene *s, int aslant) {
+    for (uint32_t i = 0; i < s->n_facets; i++) {
+        struct sph_vec *v = s->facets[i].v, c = v[0];
+        double l = 0.5, m = l / sqrt(3);
+        v[1] = aslant ? at(c.x + m, c.y + m, c.z + m) : at(c.x + l, c.y, c.z);
+        v[2] = at(v[1].x, v[1].y, v[1].z + 0.01);
+    }
+}
+
+/* Sticks that turn where they are: their balls stay as they are, and their boxes do not. */
+static void test_cost(void **unused) {
+    static const int kinds[] = {SPH_TREE_REINSERTED, SPH_TREE_BOX4};
+    (void)unused;
+    for (int i = 0; i < 2; i++)
+        for (int from = 0; from < 2; from++) {
+            struct sph_kept_tree kept = {.how = SPH_REFIT_ON};
+            struct sph_build_options o = standard;
+            struct sph_build_report report;
+            struct sph_scene s = bare();
+            soup(&s, 200, 0.3);
+            s.camera.from = at(0, 0, 5), s.camera.at = at(0, 0, 0), s.camera.up = at(0, 1, 0);
+            for (uint32_t j = 0; j < s.n_facets; j++) /* bundles of ten */
+                s.facets[j].v[0] = near_to(s.facets[j - j % 10].v[0], 0.02);
+            o.tree = kinds[i], o.kept = &kept;
+            for (int frame = 0; frame < 2; frame++) {
+                sticks(&s, from ^ frame);
+                struct sph_machine m = built(&s, o, &report);
+                assert_int_equal(report.refitted, frame);
+                sph_machine_free(&m);
+            }
+            printf("# tree %d, sticks turned %s: cost %.3f\n", kinds[i], from ? "back" : "aslant",
+                   report.tree_cost);
+            if (kinds[i] != SPH_TREE_BOX4) assert_true(fabs(report.tree_cost - 1) < 0.3);
+            if (kinds[i] == SPH_TREE_BOX4)
+                assert_true(from ? report.tree_cost < 0.7 : report.tree_cost > 1.6);
+            sph_kept_free(&kept);
+        }
 }
 
 /* Other primitives are another tree; the first hit depends on the tree; the paper's is its
@@ -195,7 +237,8 @@ static void test_bih(void **unused) {
 
 int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_pictures), cmocka_unit_test(test_rule),
-                                       cmocka_unit_test(test_others), cmocka_unit_test(test_bih)};
+                                       cmocka_unit_test(test_cost), cmocka_unit_test(test_others),
+                                       cmocka_unit_test(test_bih)};
     seed(argc, argv);
     return cmocka_run_group_tests_name("refit", tests, NULL, NULL);
 }
