@@ -18,7 +18,7 @@
 #define SPHAERA_CORE_PARTS_ENGINES_LSB 0u
 #define SPHAERA_CORE_PARTS_ENGINES 0x0000000fu /* engines */
 #define SPHAERA_CORE_PARTS_DEPTH_LSB 4u
-#define SPHAERA_CORE_PARTS_DEPTH 0x00000070u /* deepest reflection or refraction */
+#define SPHAERA_CORE_PARTS_DEPTH 0x000000f0u /* deepest reflection or refraction */
 #define SPHAERA_CORE_PARTS_LIGHTS_LSB 8u
 #define SPHAERA_CORE_PARTS_LIGHTS 0x00000f00u /* lights */
 #define SPHAERA_CORE_PARTS_CONES_LSB 12u

@@ -32,7 +32,7 @@ struct sph_build_options {
     int bih;                          /* SPH_BIH_FULL, SPH_BIH_LISTING */
     int background;                   /* SPH_BG_* */
     int width, height;                /* 0: the scene file's */
-    int max_depth;                    /* reflections 0..5 */
+    int max_depth;                    /* reflections 0..10 */
     union {
         int asked[SPH_REPORTS]; /* of each effect with an option: SPH_AUTO, SPH_OFF, SPH_ON; of
                                    lights SPH_AUTO, or how many of the scene's, from the first on */

@@ -154,6 +154,8 @@ END {
         print "\n#endif"
     } else {
         def("EFFECTS_BUILT", "(32'd0" built ")")
+        def("DEEPEST", "(REFRACT != 0 && REFLECT < `RT_REFRACT_DEPTH ? " \
+                       "`RT_REFRACT_DEPTH : REFLECT)")
         all_checks()
         def("CHECK_CORE", checks)
         print "`endif"

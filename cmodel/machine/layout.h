@@ -11,7 +11,8 @@
 #define SPH_RGB_BITS 24
 #define SPH_VISITS_BITS 24
 #define SPH_MAX_LIGHTS 8
-#define SPH_MAX_DEPTH 5
+#define SPH_MAX_DEPTH 10
+#define SPH_REFRACT_DEPTH 5
 #define SPH_MIN_SCREEN 16
 #define SPH_STACK_DEPTH 16
 #define SPH_ID_NONE 16777215
@@ -382,7 +383,7 @@
 #define SPH_EFFECT_MASK 2047
 #define SPH_EACH_EFFECT(X)  \
     X(SHADOW, shadow, "SHADOW", 0, 1, 1, SPH_OPTION_WHEN, 0, 0, -1, 0, 0, -1, "rays towards the lights") \
-    X(REFLECT, reflect, "REFLECT", 1, 5, 5, SPH_OPTION_WHEN, 0, 0, -1, 0, 0, SPH_REG_MAX_DEPTH, "mirror rays, up to MAX_DEPTH") \
+    X(REFLECT, reflect, "REFLECT", 1, 10, 5, SPH_OPTION_WHEN, 0, 0, -1, 0, 0, SPH_REG_MAX_DEPTH, "mirror rays, up to MAX_DEPTH") \
     X(LIGHTS, lights, "LIGHTS", -1, 8, 8, SPH_OPTION_COUNT, 0, 0, -1, 0, 0, SPH_REG_N_LIGHTS, "point lights") \
     X(INSIDE, inside, "INSIDE", 2, 1, 1, SPH_OPTION_WHEN, 0, 0, -1, 0, 0, -1, "rays may start inside a sphere, far roots count") \
     X(FIRST, first, "FIRST", 3, 1, 1, SPH_OPTION_NONE, 0, 0, -1, 0, 0, -1, "primary rays end at the first visit that hits a leaf") \

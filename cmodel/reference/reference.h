@@ -18,7 +18,7 @@
 
 struct sph_reference_options {
     int width, height;     /* pixels; 0: as the scene says */
-    int max_depth;         /* reflections followed, 0..5 */
+    int max_depth;         /* reflections followed, 0..10 */
     int shadow;            /* 1: lights are blocked */
     int reflect;           /* 1: mirrors are followed */
     int refract, specular; /* 1: refracted rays are followed; highlights */

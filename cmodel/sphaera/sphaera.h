@@ -62,7 +62,7 @@ typedef struct sphaera_build_options {
     const char *profile; /* "auto", "draft", "standard", ...: widths of the arithmetic */
     const char *accel;   /* "auto", "bvh4", "bih", "brute", "box4" */
     int width, height;   /* pixels; 0: as the scene says */
-    int depth;           /* reflections and refractions one after another, 0..5 */
+    int depth;           /* reflections and refractions one after another, 0..10 */
     int shadow, reflect, refract, specular, texture; /* SPHAERA_AUTO, _OFF, _ON */
 } sphaera_build_options;
 enum { SPHAERA_AUTO = -1, SPHAERA_OFF = 0, SPHAERA_ON = 1 };

@@ -24,7 +24,7 @@ enum { KEY_JSON = 512, KEY_TRUTH, KEY_LEVELS, KEY_FRAME };
 
 static const struct argp_option options[] = {
     {"difference", 'd', "FILE.png", 0, "reference, model and their difference side by side", 0},
-    {"truth", KEY_TRUTH, "N", 0, "reflections of the reference, 0 to 5 (as --depth)", 0},
+    {"truth", KEY_TRUTH, "N", 0, "reflections of the reference, 0 to 10 (as --depth)", 0},
     {"levels", KEY_LEVELS, "NAME", 0,
      "how the reference chooses levels of textures: mended (default, as the machine), paper, bmrt, "
      "or by ray differentials (rays)",

@@ -9,7 +9,7 @@ enum { KEY_SIZE = 640, KEY_DEPTH, KEY_AT, KEY_SKIP, KEY_ROUND, KEY_TIME };
 
 static const struct argp_option options[] = {
     {"size", KEY_SIZE, "WxH", 0, "frame in pixels; as the scene says if not given", 1},
-    {"depth", KEY_DEPTH, "N", 0, "reflections and refractions one after another, 0 to 5 (2)", 1},
+    {"depth", KEY_DEPTH, "N", 0, "reflections and refractions one after another, 0 to 10 (2)", 1},
     {"at", KEY_AT, "N", 0, "frame that moving primitives are moved to, 0 (default) to 65535", 1},
     {"time", KEY_TIME, "T", 0, "of AFF: the scene at this time of its own, not at a frame", 1},
     {"skip-unsupported", KEY_SKIP, NULL, 0,

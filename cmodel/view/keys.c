@@ -41,7 +41,7 @@ const struct view_key view_keys[] = {
      "difference to the double reference, 16 times; blue: another primitive; once it is drawn"},
     {"t", VIEW_DO_TREE, NULL, "next tree: paper, balanced, bih, brute, reinserted, box4"},
     {"b", VIEW_DO_BACKGROUND, NULL, "next way of background separation: none, rect, spans, exact"},
-    {"n", VIEW_DO_DEPTH, NULL, "next depth, 0 to 5"},
+    {"n", VIEW_DO_DEPTH, NULL, "next depth, 0 to 10"},
     {"p", VIEW_DO_PROFILE, NULL, "next profile: draft, standard, fine, reference"},
     {"0", VIEW_DO_HOME, NULL, "back to the camera of the scene"},
     {"v", VIEW_DO_CAMERA, NULL, "prints the camera as lines of NFF"},

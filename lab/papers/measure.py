@@ -29,6 +29,9 @@ CORRECTED = {"nearest": [], "first": [*FIRST, "off"], "mended": [*FIRST, "on"]}
 # one core for the three parts of the paper's machine; its frame has 160x90 pixels
 PARTS, PARTS_CORE = ["paper5", "paper100"], "shadow+reflect2+lights1+inside"
 DEPTHS = [0, 1, 2]
+# as many reflections as most scenes here are drawn with, and ten, by one core
+BOUNCES, BOUNCES_CORE = [2, 10], "shadow+reflect10+lights2+inside+facets+texture+bih"
+BOUNCED = {"kitchen": "scenes/texture/kitchen.nff", "mirrors": "tests/scenes/mirrors.nff"}
 # a hierarchy of 64 spheres: MAX_PRIMS, MAX_TREE_DEPTH; brute force beside them
 LEAVES = [1, 2, 4, 8, 16, 32, 64]
 LEVELS = [1, 2, 3, 4, 5, 6, 7]
@@ -161,6 +164,14 @@ def parts(run):
                      "160x90", "--depth", str(depth))
 
 
+def bounces(run):
+    """Ten reflections one after another, as the texture paper has them, beside two."""
+    for scene, path in BOUNCED.items():
+        for depth in BOUNCES:
+            run.core(f"bounces-{scene}-{depth}", BOUNCES_CORE, path, "--size", "48x27", "--accel",
+                     "bih", "--depth", str(depth))
+
+
 def leaves(run):
     """The thesis's two parameters of a hierarchy, and brute force by the same core."""
     scene = run.path("lattice64.nff")
@@ -201,7 +212,7 @@ def profile(run):
 
 def main(tool, folder):
     run = Runner(tool, folder)
-    for part in operations, search, corrected, shapes, parts, leaves, profile:
+    for part in operations, search, corrected, shapes, parts, bounces, leaves, profile:
         part(run)
 
 

@@ -14,6 +14,7 @@ from ..pages.place import place
 from ..synth import report
 
 PIXELS = 160 * 90
+RAYS = ["primary", "reflected", "shadow"]
 
 
 def load(folder, name):
@@ -118,6 +119,13 @@ def values(folder):
     for scene in measure.PARTS:
         clocks = 1280 * 720 * cycles(folder, f"parts-{scene}-2")
         v["hd_" + scene] = f"{data.routed() * 1e6 / clocks:.1f}"
+    for scene in measure.BOUNCED:
+        for depth in measure.BOUNCES:
+            name = f"bounces-{scene}-{depth}"
+            v[f"{scene}_{depth}"] = f"{cycles(folder, name):.0f}"
+            counters = load(folder, name + ".core")["cold"]["counters"]
+            v[f"{scene}_{depth}_rays"] = "{:.2f}".format(
+                sum(counters["rays_" + kind] for kind in RAYS) / counters["rays_primary"])
     counters = load(folder, "parts-paper100-2.core")["warm"]["counters"]
     v["busy"] = f"{100 * counters['node_visits'] / counters['cycles']:.0f}"
     _, before = data.read("claims.values")

@@ -32,7 +32,7 @@ class Scene:
         profile        auto, draft, standard, fine, reference, or with widths: "draft:w=14"
         accel          auto, bvh4, bih, brute, box4
         width, height  pixels, 1 to 16383; 0: as the scene says
-        depth          reflections and refractions one after another, 0 to 5
+        depth          reflections and refractions one after another, 0 to 10
         shadow ...     True, False, or None: on if the scene asks for it
 
         Error: a word or number that is none of these, an image that cannot be read, a scene that

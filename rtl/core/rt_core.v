@@ -18,7 +18,7 @@ module rt_core #(
     // effects that are elaborated, a machine that asks for more is refused (MISSING_EFFECT); sizes
     // parameters of machine.def
     parameter SHADOW     = 1,    // 0 or 1: rays towards the lights
-    parameter REFLECT    = 5,    // 0..5: mirror rays, up to MAX_DEPTH
+    parameter REFLECT    = 5,    // 0..10: mirror rays, up to MAX_DEPTH
     parameter LIGHTS     = 8,    // 0..8: point lights
     parameter INSIDE     = 1,    // 0 or 1: rays may start inside a sphere, far roots count
     parameter FIRST      = 1,    // 0 or 1: primary rays end at the first visit that hits a leaf
@@ -111,7 +111,7 @@ module rt_core #(
 
     // ---- registers, start ----
     wire [31:0]      effects, profile;
-    wire [2:0]       max_depth;
+    wire [3:0]       max_depth;
     wire [1:0]       frame, tex_filter;
     wire [3:0]       coarse;
     wire [3:0]       n_lights;
@@ -173,12 +173,11 @@ module rt_core #(
     assign light[`RT_LIGHT_PART]      = light_part;
     assign light[`RT_LIGHT_DATA]      = cfg_data_q;
     wire [31:0] built = `RT_EFFECTS_BUILT;
-    localparam DEEPEST = REFRACT != 0 ? 5 : REFLECT;  // refracted rays alone go to 5
     wire [3:0]  ways  = {CONES != 0, SPANS != 0, RECT != 0, 1'b1};
     wire missing = (effects & ~built) != 32'd0 ||    // the machine asks for what is not here
                    bih != (ACCEL != 0) || boxes != (BOXES != 0) ||
                    coarse != (TEXTURE != 0 ? COARSE[3:0] : 4'd0) ||
-                   {29'd0, max_depth} > DEEPEST || {28'd0, n_lights} > LIGHTS ||
+                   {28'd0, max_depth} > `RT_DEEPEST || {28'd0, n_lights} > LIGHTS ||
                    !ways[bg_mode] || (bg_mode == 2'd3 && {27'd0, bg_count} > CONES);
     localparam [31:0] PROFILE = W << `RT_WIDTH_W_LSB | WD << `RT_WIDTH_WD_LSB |
                                 PQ << `RT_WIDTH_PQ_LSB | NG << `RT_WIDTH_NG_LSB |

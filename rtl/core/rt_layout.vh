@@ -39,7 +39,8 @@
 `define RT_RGB_BITS 24
 `define RT_VISITS_BITS 24
 `define RT_MAX_LIGHTS 8
-`define RT_MAX_DEPTH 5
+`define RT_MAX_DEPTH 10
+`define RT_REFRACT_DEPTH 5
 `define RT_MIN_SCREEN 16
 `define RT_STACK_DEPTH 16
 `define RT_ID_NONE 16777215
@@ -404,6 +405,7 @@
 `define RT_COUNTERS_BOTH 3605503
 `define RT_ERRORS 6
 `define RT_EFFECTS_BUILT (32'd0 | (SHADOW != 0 ? 32'd1 << 0 : 32'd0) | (REFLECT != 0 ? 32'd1 << 1 : 32'd0) | (INSIDE != 0 ? 32'd1 << 2 : 32'd0) | (FIRST != 0 ? 32'd1 << 3 : 32'd0) | (INTERPENETRATE != 0 ? 32'd1 << 4 : 32'd0) | (FACETS != 0 ? 32'd1 << 5 : 32'd0) | (TEXTURE != 0 ? 32'd1 << 6 : 32'd0) | (REFRACT != 0 ? 32'd1 << 7 : 32'd0) | (SPECULAR != 0 ? 32'd1 << 8 : 32'd0) | (SUM != 0 ? 32'd1 << 9 : 32'd0) | (SMOOTH != 0 ? 32'd1 << 10 : 32'd0))
+`define RT_DEEPEST (REFRACT != 0 && REFLECT < `RT_REFRACT_DEPTH ? `RT_REFRACT_DEPTH : REFLECT)
 `define RT_CHECK_CORE  \
     `RT_CHECK(W >= 8 && W <= 24, rt_core_W_must_be_8_to_24) \
     `RT_CHECK(WD >= 9 && WD <= 31, rt_core_WD_must_be_9_to_31) \
@@ -412,7 +414,7 @@
     `RT_CHECK(FW >= 6 && FW <= 14, rt_core_FW_must_be_6_to_14) \
     `RT_CHECK(PR >= 0 && PR <= 51, rt_core_PR_must_be_0_to_51) \
     `RT_CHECK(SHADOW >= 0 && SHADOW <= 1, rt_core_SHADOW_must_be_0_to_1) \
-    `RT_CHECK(REFLECT >= 0 && REFLECT <= 5, rt_core_REFLECT_must_be_0_to_5) \
+    `RT_CHECK(REFLECT >= 0 && REFLECT <= 10, rt_core_REFLECT_must_be_0_to_10) \
     `RT_CHECK(LIGHTS >= 0 && LIGHTS <= 8, rt_core_LIGHTS_must_be_0_to_8) \
     `RT_CHECK(INSIDE >= 0 && INSIDE <= 1, rt_core_INSIDE_must_be_0_to_1) \
     `RT_CHECK(FIRST >= 0 && FIRST <= 1, rt_core_FIRST_must_be_0_to_1) \

@@ -87,7 +87,7 @@ module rt_engine #(
     `RT_CHECK(SPECULAR == 0 || SUM != 0, rt_engine_SPECULAR_needs_SUM)
     `RT_CHECK(SMOOTH == 0 || FACETS != 0, rt_engine_SMOOTH_needs_FACETS)
     `RT_CHECK(ACCEL == 0 || FIRST == 0, rt_engine_ACCEL_excludes_FIRST)
-    `RT_CHECK(REFLECT >= 0 && REFLECT <= 5, rt_engine_REFLECT_must_be_0_to_5)
+    `RT_CHECK(REFLECT >= 0 && REFLECT <= `RT_MAX_DEPTH, rt_engine_REFLECT_must_be_0_to_10)
 
     wire [`RT_VECTOR_BITS-1:0] normal, vec_light, bounce, primary;
     wire [`RT_ORG_BITS-1:0]    org;

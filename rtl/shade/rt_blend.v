@@ -11,7 +11,7 @@
 `timescale 1ns / 1ps
 `default_nettype none
 module rt_blend #(
-    parameter REFLECT = 5,                  // reflections, 1..5
+    parameter REFLECT = 5,                  // reflections, 1..10
     parameter TAG     = 8,                  // tag, bits
     parameter DW = $clog2(REFLECT + 1),     // depth, bits, derived: leave alone
     parameter KEPT = REFLECT > 1 ? 48 : 24  // frames 0 and 1, or 0 alone, derived: leave alone

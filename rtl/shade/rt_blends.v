@@ -9,7 +9,7 @@
 `default_nettype none
 `include "rt_layout.vh"
 module rt_blends #(
-    parameter REFLECT = 5,   // reflections, 0..5
+    parameter REFLECT = 5,   // reflections, 0..10
     parameter PROBE   = 1,   // 1: some surfaces are probed (INTERPENETRATE)
     parameter SLOTS   = 32  // power of two
 ) (
@@ -19,7 +19,7 @@ module rt_blends #(
     input  wire             read_i,
     input  wire [$clog2(SLOTS)-1:0] read_slot_i,
     input  wire             in_first_i,       // what the pixel sees itself; one cycle after read_i
-    output wire [2:0]       depth_o,          // reflections before it
+    output wire [3:0]       depth_o,          // reflections before it
     input  wire             in_valid_i,
     output wire             in_ready_o,
     input  wire [$clog2(SLOTS)-1:0] in_slot_i,
@@ -63,7 +63,7 @@ module rt_blends #(
         end
 
         if (REFLECT == 0) begin : g_colour
-            assign depth_o = 3'd0;
+            assign depth_o = 4'd0;
             rt_colour #(.TAG(TAG)) u_colour (
                 .clk(clk), .rst(rst), .in_valid_i(in_valid_i), .in_ready_o(in_ready_o),
                 .in_tag_i(in_tag[TAG-1:0]), .in_light_i(in_light_i),
@@ -91,7 +91,7 @@ module rt_blends #(
             assign {s_frames, s_weight, s_sum} = state[CW-1:0];
             assign {o_depth, out_colour, o_weight, o_sum} = valid[0] ? results[BW-1:0]
                                                                      : results[2*BW-1:BW];
-            assign depth_o     = {{(3-DW){1'b0}}, depth};
+            assign depth_o     = {{(4-DW){1'b0}}, depth};
             assign in_ready_o  = |ready;
             assign out_valid_o = |valid;             // never both: one enters a cycle
             assign out_tag     = valid[0] ? tags[TAG-1:0] : tags[2*TAG-1:TAG];

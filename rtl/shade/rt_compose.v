@@ -35,7 +35,7 @@ module rt_compose #(
     input  wire                         next_valid_i,
     input  wire [$clog2(SLOTS)-1:0]     next_slot_i,
     input  wire [16:0]                  next_weight_i,  // u1.16
-    input  wire [2:0]                   next_depth_i,
+    input  wire [3:0]                   next_depth_i,
     // a surface or background is blended
     output wire [`RT_BLEND_BITS-1:0]    blend_o,
     // frames of a slot, a clock after it
@@ -145,10 +145,12 @@ module rt_compose #(
                 .frames_read_i(read_i), .frames_slot_i(read_slot_i), .frames_o(colour_o)
             );
         end else begin : g_blends
-            wire [2:0] e_depth;
+            localparam DB = REFLECT > 1 ? $clog2(REFLECT + 1) : 1;  // bits of a depth
+            wire [3:0] e_depth;
+            wire [3:0] deepest = regs_i[`RT_REGS_MAX_DEPTH];        // at most REFLECT
             wire       e_last = e_kr == 9'd0 ||      // background has no share either
                                 REFLECT == 0 || !effects[`RT_EFFECT_REFLECT] ||
-                                e_depth == regs_i[`RT_REGS_MAX_DEPTH];
+                                e_depth[DB-1:0] == deepest[DB-1:0];
             wire       last;
             rt_blends #(.REFLECT(REFLECT), .PROBE(PB), .SLOTS(SLOTS)) u_blends (
                 .clk(clk), .rst(rst),
@@ -163,12 +165,12 @@ module rt_compose #(
             assign blend_o[`RT_BLEND_LAST]      = last;
             assign blend_o[`RT_BLEND_MIRROR]    = !last;
             assign blend_o[`RT_BLEND_REFRACT]   = 1'b0;
-            assign blend_o[`RT_BLEND_DEPTH]     = 3'd0;
+            assign blend_o[`RT_BLEND_DEPTH]     = 4'd0;
             assign blend_o[`RT_BLEND_W_MIRROR]  = 17'd0;
             assign blend_o[`RT_BLEND_W_REFRACT] = 17'd0;
             assign blend_o[`RT_BLEND_W_TOTAL]   = 17'd0;
             wire unused = &{1'b0, material_i, gloss_i, next_valid_i, next_slot_i, next_weight_i,
-                            next_depth_i};
+                            next_depth_i, e_depth, deepest};
         end
     endgenerate
     wire unused = &{1'b0, regs_i, effects, hit_i, albedo, albedo_i, q_hit_in, q_miss_in};

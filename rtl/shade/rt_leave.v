@@ -14,6 +14,7 @@ module rt_leave #(
     parameter PR      = 0,   // significant bits of the root, 0: all
     parameter MIRRORS = 1,   // 0: no mirror rays
     parameter REFRACT = 0,   // 1: refracted rays
+    parameter DEEPEST = 5,   // rays one after another, at most
     parameter PATHS   = 0,   // 1: waiting rays keep the length of their path (TEXTURE)
     parameter SMOOTH  = 0,   // 1: interpolated normals
     parameter BOUNCE_INTERVAL = 10, // clocks a mirrored direction, 10 or 12
@@ -35,7 +36,7 @@ module rt_leave #(
     output wire                         next_valid_o,
     output wire [$clog2(SLOTS)-1:0]     next_slot_o,
     output wire [16:0]                  next_weight_o,  // u1.16
-    output wire [2:0]                   next_depth_o,
+    output wire [3:0]                   next_depth_o,
     // to rt_slots: a pixel is complete
     output wire                         end_valid_o,
     output wire [$clog2(SLOTS)-1:0]     end_slot_o,
@@ -54,8 +55,8 @@ module rt_leave #(
         if (REFRACT != 0) begin : g_rays
             wire             go, go_ready, back;
             wire [3*WD-1:0]  vec;
-            rt_rays #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .PR(PR), .PATHS(PATHS),
-                      .SLOTS(SLOTS)) u_rays (
+            rt_rays #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .PR(PR), .DEEPEST(DEEPEST),
+                      .PATHS(PATHS), .SLOTS(SLOTS)) u_rays (
                 .clk(clk), .rst(rst), .ray_i(ray_i), .hit_i(hit_i), .material_i(material_i),
                 .surface_i(surface_i), .path_valid_i(path_valid_i), .path_slot_i(path_slot_i),
                 .path_i(path_i), .blend_i(blend_i),
@@ -82,7 +83,7 @@ module rt_leave #(
             assign end_valid_o   = blend_i[`RT_BLEND_VALID] && !mirror;
             assign next_valid_o  = m_valid;
             assign next_weight_o = blend_i[`RT_BLEND_W_MIRROR];
-            assign next_depth_o  = blend_i[`RT_BLEND_DEPTH] + 3'd1;
+            assign next_depth_o  = blend_i[`RT_BLEND_DEPTH] + 4'd1;
             assign back_o        = {`RT_BACK_BITS{1'b0}};
             assign bounce_o[`RT_VECTOR_VALID] = m_out;
             assign bounce_o[`RT_VECTOR_SLOT]  = m_out_slot;

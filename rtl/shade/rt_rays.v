@@ -1,9 +1,9 @@
 // rt_rays.v - which ray follows a surface: mirrored, refracted, one that waits, or none
 // SPDX-License-Identifier: Apache-2.0
 // A surface with a transmitted share goes through rt_refract. If a mirror ray leaves it too, that
-// goes first and the refracted ray waits with all that it needs, in one of five places of its slot,
-// a place a depth. After a surface that no ray leaves, the deepest ray that waits goes on; if none
-// waits, the pixel is complete. Surfaces that refract go before others.
+// goes first and the refracted ray waits with all that it needs, in one of DEEPEST places of its
+// slot, a place a depth. After a surface that no ray leaves, the deepest ray that waits goes on; if
+// none waits, the pixel is complete. Surfaces that refract go before others.
 // Model: path(), leave() in cmodel/engine/render_pixel.c
 `timescale 1ns / 1ps
 `default_nettype none
@@ -15,6 +15,7 @@ module rt_rays #(
     parameter PQ    = 17,  // quotient, significant bits
     parameter NG    = 2,   // guard bits of the hit point
     parameter PR    = 0,   // significant bits of the root, 0: all
+    parameter DEEPEST = 5, // rays one after another, at most
     parameter PATHS = 0,   // 1: the length of a ray's path is kept, for textures
     parameter SLOTS = 32  // power of two
 ) (
@@ -36,7 +37,7 @@ module rt_rays #(
     output wire              end_valid_o,     // the pixel is complete
     output wire              next_valid_o,    // weight and depth of what the next ray will hit
     output wire [16:0]       next_weight_o,
-    output wire [2:0]        next_depth_o,
+    output wire [3:0]        next_depth_o,
     // a refracted ray, to rt_setup and to where its origin is kept
     output wire              out_valid_o,     // with out_ready_i
     input  wire              out_ready_i,
@@ -51,20 +52,22 @@ module rt_rays #(
     localparam WB   = 17;                            // u1.16, weight
     localparam RW   = 3*WD + 3*W + IB + 1;           // {skip, point, dir}
     localparam GW   = RW + WB;                       // {weight, ray}
-    localparam EW   = SLOTW + 4 + 3*WB;              // {weights, mirror, depth, slot}
-    localparam BW   = SLOTW + 4 + WB;
+    localparam DB   = $clog2(DEEPEST + 1);           // depth
+    localparam EW   = SLOTW + DB + 1 + 3*WB;         // {weights, mirror, depth, slot}
+    localparam BW   = SLOTW + DB + 1 + WB;
 
     // ---- queues: surfaces to refract at, all others ----
     wire             a_valid, a_take, a_in, b_valid, b_take, b_in;
     wire [EW-1:0]    a;
     wire [SLOTW-1:0] b_slot, r_slot;
-    wire [2:0]       b_depth, r_depth;
+    wire [DB-1:0]    b_depth, r_depth;
     wire             b_mirror, r_mirror;
     wire [WB-1:0]    b_weight;
     wire             in_valid   = blend_i[`RT_BLEND_VALID];
     wire             in_refract = blend_i[`RT_BLEND_REFRACT];
     wire             in_mirror  = blend_i[`RT_BLEND_MIRROR] || blend_i[`RT_BLEND_PROBE];
-    wire [SLOTW+3:0] in_what = {in_mirror, blend_i[`RT_BLEND_DEPTH], blend_i[`RT_BLEND_SLOT]};
+    wire [3:0]       in_depth   = blend_i[`RT_BLEND_DEPTH];
+    wire [SLOTW+DB:0] in_what = {in_mirror, in_depth[DB-1:0], blend_i[`RT_BLEND_SLOT]};
     rt_fifo #(.WIDTH(EW), .DEPTH(SLOTS)) u_bends (
         .clk(clk), .rst(rst), .in_valid_i(in_valid && in_refract), .in_ready_o(a_in),
         .in_data_i({blend_i[`RT_BLEND_W_TOTAL], blend_i[`RT_BLEND_W_REFRACT],
@@ -157,7 +160,7 @@ module rt_rays #(
     reg  [1:0]       state_q;
     reg              v_bend_q, v_mirror_q;           // rays that leave it
     reg  [SLOTW-1:0] v_slot_q;
-    reg  [2:0]       v_depth_q;
+    reg  [DB-1:0]    v_depth_q;
     reg  [WB-1:0]    v_weight_q, v_bent_q;           // of a mirrored, of a refracted ray
     reg  [3*WD-1:0]  v_dir_q;
     wire             pick = state_q == IDLE && (r_valid_q || b_valid);
@@ -189,37 +192,39 @@ module rt_rays #(
     );
 
     // ---- places: bit d of a slot's word tells that a ray of depth d waits ----
-    wire [5:1]       kept, places;
-    reg  [5:1]       places_d;
-    rt_slot_file #(.WIDTH(5), .SLOTS(SLOTS)) u_places (
+    wire [DEEPEST:1] kept, places;
+    reg  [DEEPEST:1] places_d;
+    rt_slot_file #(.WIDTH(DEEPEST), .SLOTS(SLOTS)) u_places (
         .clk(clk), .wr_en_i(state_q == ACT), .wr_addr_i(v_slot_q), .wr_data_i(places_d),
         .rd_addr_i(v_slot_q), .rd_data_o(kept)
     );
-    assign places = v_depth_q == 3'd0 ? 5'd0 : kept; // a new pixel
-    wire [2:0]       deepest = places[5] ? 3'd5 : places[4] ? 3'd4 : places[3] ? 3'd3
-                               : places[2] ? 3'd2 : 3'd1;
-    wire [2:0]       below   = v_depth_q + 3'd1;     // depth of what leaves this surface
+    assign places = v_depth_q == {DB{1'b0}} ? {DEEPEST{1'b0}} : kept; // a new pixel
+    reg  [DB-1:0]    deepest;                        // that waits; 1 if none does
+    wire [DB-1:0]    below   = v_depth_q + 1'b1;     // depth of what leaves this surface
     wire             act     = state_q == ACT;
     wire             push    = act && v_bend_q && v_mirror_q;
-    wire             back    = act && !v_bend_q && !v_mirror_q && places != 5'd0;
+    wire             back    = act && !v_bend_q && !v_mirror_q && places != {DEEPEST{1'b0}};
     integer d;
     always @* begin
+        deepest = 1;
+        for (d = 2; d <= DEEPEST; d = d + 1)
+            if (places[d]) deepest = d[DB-1:0];
         places_d = places;
-        for (d = 1; d <= 5; d = d + 1) begin
-            if (push && below == d[2:0])   places_d[d] = 1'b1;
-            if (back && deepest == d[2:0]) places_d[d] = 1'b0;
+        for (d = 1; d <= DEEPEST; d = d + 1) begin
+            if (push && below == d[DB-1:0])   places_d[d] = 1'b1;
+            if (back && deepest == d[DB-1:0]) places_d[d] = 1'b0;
         end
     end
     wire [GW-1:0]    v_ray = {v_bent_q, !v_far, v_id, v_point, v_dir_q};
     wire [GW-1:0]    w_ray;
-    rt_slot_ram #(.WIDTH(GW), .SLOTS(8*SLOTS), .OLD(0)) u_waiting (
+    rt_slot_ram #(.WIDTH(GW), .SLOTS(SLOTS << DB), .OLD(0)) u_waiting (
         .clk(clk), .wr_en_i(push), .wr_addr_i({v_slot_q, below}), .wr_data_i(v_ray),
         .rd_en_i(back), .rd_addr_i({v_slot_q, deepest}), .rd_data_o(w_ray)
     );
 
     // ---- the ray that goes: at once, or out of its place ----
     reg  [GW-1:0]    g_q;
-    reg  [2:0]       g_depth_q;
+    reg  [DB-1:0]    g_depth_q;
     always @(posedge clk) begin
         case (state_q)
             IDLE: if (pick) state_q <= ACT;
@@ -243,7 +248,7 @@ module rt_rays #(
                 .clk(clk), .wr_en_i(path_valid_i), .wr_addr_i(path_slot_i), .wr_data_i(path_i),
                 .rd_en_i(pick), .rd_addr_i(slot), .rd_data_o(v_path)
             );
-            rt_slot_ram #(.WIDTH(BACK), .SLOTS(8*SLOTS), .OLD(0)) u_waiting_path (
+            rt_slot_ram #(.WIDTH(BACK), .SLOTS(SLOTS << DB), .OLD(0)) u_waiting_path (
                 .clk(clk), .wr_en_i(push), .wr_addr_i({v_slot_q, below}), .wr_data_i(v_path),
                 .rd_en_i(back), .rd_addr_i({v_slot_q, deepest}), .rd_data_o(w_path)
             );
@@ -258,12 +263,13 @@ module rt_rays #(
     endgenerate
     assign slot_o         = v_slot_q;
     assign mirror_valid_o = act && v_mirror_q;
-    assign end_valid_o    = act && !v_mirror_q && !v_bend_q && places == 5'd0;
+    assign end_valid_o    = act && !v_mirror_q && !v_bend_q && places == {DEEPEST{1'b0}};
     assign out_valid_o    = state_q == GO;
     assign {out_skip_o, out_point_o, out_vec_o} = g_q[RW-1:0];
     assign next_valid_o   = mirror_valid_o || (out_valid_o && out_ready_i);
     assign next_weight_o  = act ? v_weight_q : g_q[RW +: WB];
-    assign next_depth_o   = act ? below : g_depth_q;
-    wire unused = &{1'b0, ray_i, hit_i, material_i, surface_i, blend_i, a_in, b_in};
+    assign next_depth_o   = {{(4-DB){1'b0}}, act ? below : g_depth_q};
+    wire unused = &{1'b0, ray_i, hit_i, material_i, surface_i, blend_i, in_depth, a_in,
+                    b_in};
 endmodule
 `default_nettype wire

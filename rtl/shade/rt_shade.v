@@ -227,7 +227,7 @@ module rt_shade #(
     wire             next_valid;
     wire [SLOTW-1:0] next_slot;
     wire [16:0]      next_weight;
-    wire [2:0]       next_depth;
+    wire [3:0]       next_depth;
     rt_compose #(.W(W), .WD(WD), .REFLECT(REFLECT), .LIGHTS(LIGHTS),
                  .INTERPENETRATE(INTERPENETRATE), .REFRACT(REFRACT), .SPECULAR(SPECULAR),
                  .SUM(SUM), .SLOTS(SLOTS)) u_compose (
@@ -240,7 +240,7 @@ module rt_shade #(
     );
     wire             reflected;
     rt_leave #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .PR(PR), .MIRRORS(BOUNCES),
-               .REFRACT(REFRACT), .PATHS(TEXTURE), .SMOOTH(BENT),
+               .REFRACT(REFRACT), .DEEPEST(`RT_DEEPEST), .PATHS(TEXTURE), .SMOOTH(BENT),
                .BOUNCE_INTERVAL(BOUNCE_INTERVAL), .SLOTS(SLOTS)) u_leave (
         .clk(clk), .rst(rst), .ray_i(ray_i), .hit_i(hit_i), .material_i(material),
         .surface_i(surface), .side_i(side), .path_valid_i(path_valid), .path_slot_i(path_slot),

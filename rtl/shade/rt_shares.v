@@ -21,7 +21,7 @@ module rt_shares #(
     input  wire                         rst,
     // registers
     input  wire [`RT_EFFECT_BITS-1:0]   effects_i,
-    input  wire [2:0]                   max_depth_i,
+    input  wire [3:0]                   max_depth_i,     // at most what the core was built for
     input  wire [47:0]                  ambient_i,       // 3 x u1.15, red low
     // the material; light, as highlights; what the next ray of a slot is worth
     input  wire [`RT_MATERIAL_BITS-1:0] material_i,
@@ -31,7 +31,7 @@ module rt_shares #(
     input  wire                         next_valid_i,
     input  wire [$clog2(SLOTS)-1:0]     next_slot_i,
     input  wire [16:0]                  next_weight_i,   // u1.16
-    input  wire [2:0]                   next_depth_i,
+    input  wire [3:0]                   next_depth_i,
     // a surface, or the background behind a ray
     input  wire                         read_i,
     input  wire [$clog2(SLOTS)-1:0]     read_slot_i,
@@ -52,13 +52,14 @@ module rt_shares #(
     output wire [3*`RT_RGB_BITS-1:0]    frames_o         // L2, L1, Rendering
 );
     localparam SLOTW = $clog2(SLOTS);
-    localparam TAG = SLOTW + 6;               // {refract, mirror, probe, depth, slot}
+    localparam DB  = `RT_DEEPEST > 3 ? $clog2(`RT_DEEPEST + 1) : 2;  // bits of a depth
+    localparam TAG = SLOTW + DB + 3;          // {refract, mirror, probe, depth, slot}
 
     // ---- the ray that found it, the pixel so far, the material ----
     wire             out_valid;
     wire [SLOTW-1:0] out_slot;
     wire [143:0]     frames, sums;
-    wire [2:0]       e_depth;                 // of the ray
+    wire [DB-1:0]    e_depth;                 // of the ray
     wire [16:0]      e_weight;
     wire [8:0]       e_kt, e_ka, e_kd;
     wire [7:0]       e_ks;
@@ -68,9 +69,9 @@ module rt_shares #(
         .clk(clk), .wr_en_i(out_valid), .wr_addr_i(out_slot), .wr_data_i(sums),
         .rd_en_i(read_i), .rd_addr_i(read_slot_i), .rd_data_o(frames)
     );
-    rt_slot_ram #(.WIDTH(20), .SLOTS(SLOTS), .OLD(0)) u_state (
+    rt_slot_ram #(.WIDTH(17 + DB), .SLOTS(SLOTS), .OLD(0)) u_state (
         .clk(clk), .wr_en_i(next_valid_i), .wr_addr_i(next_slot_i),
-        .wr_data_i({next_depth_i, next_weight_i}),
+        .wr_data_i({next_depth_i[DB-1:0], next_weight_i}),
         .rd_en_i(read_i), .rd_addr_i(read_slot_i), .rd_data_o({e_depth, e_weight})
     );
     rt_slot_ram #(.WIDTH(36), .SLOTS(SLOTS), .OLD(0)) u_look (
@@ -94,9 +95,10 @@ module rt_shares #(
     endgenerate
 
     // ---- shares ----
-    wire [2:0]       depth  = in_first_i ? 3'd0 : e_depth;
+    wire [DB-1:0]    depth  = in_first_i ? {DB{1'b0}} : e_depth;
+    wire [3:0]       deep   = {{(4-DB){1'b0}}, depth};
     wire [16:0]      weight = in_first_i ? 17'h10000 : e_weight;
-    wire             rays   = !in_background_i && depth != max_depth_i;
+    wire             rays   = !in_background_i && depth != max_depth_i[DB-1:0];
     wire [8:0]       kr     = REFLECT != 0 && effects_i[`RT_EFFECT_REFLECT] && rays ? in_kr_i
                                                                                   : 9'd0;
     wire [8:0]       kt     = REFRACT != 0 && effects_i[`RT_EFFECT_REFRACT] && rays ? e_kt
@@ -110,7 +112,7 @@ module rt_shares #(
         .in_sum_i(effects_i[`RT_EFFECT_SUM] && e_sum), .in_ka_i(e_ka), .in_kd_i(e_kd),
         .in_ks_i(effects_i[`RT_EFFECT_SPECULAR] ? e_ks : 8'd0),
         .in_kr_i(kr), .in_kt_i(kt), .in_weight_i(weight),
-        .in_depth_i(depth[2:1] != 2'd0 ? 2'd2 : depth[1:0]),
+        .in_depth_i(deep[3:1] != 3'd0 ? 2'd2 : deep[1:0]),
         .in_frames_i(in_first_i ? 144'd0 : frames),
         .out_valid_o(out_valid), .out_tag_o(tag), .out_frames_o(sums),
         .out_mirror_o(blend_o[`RT_BLEND_W_MIRROR]), .out_refract_o(blend_o[`RT_BLEND_W_REFRACT]),
@@ -125,7 +127,7 @@ module rt_shares #(
     assign blend_o[`RT_BLEND_PROBE]   = PROBE != 0 && tag[TAG-3];
     assign blend_o[`RT_BLEND_MIRROR]  = mirror;
     assign blend_o[`RT_BLEND_REFRACT] = refract;
-    assign blend_o[`RT_BLEND_DEPTH]   = tag[SLOTW +: 3];
+    assign blend_o[`RT_BLEND_DEPTH]   = {{(4-DB){1'b0}}, tag[SLOTW +: DB]};
 
     // ---- bytes of the frames: half up, limited ----
     wire [71:0]      bytes;
@@ -140,6 +142,6 @@ module rt_shares #(
         .clk(clk), .wr_en_i(out_valid), .wr_addr_i(out_slot), .wr_data_i(bytes),
         .rd_en_i(frames_read_i), .rd_addr_i(frames_slot_i), .rd_data_o(frames_o)
     );
-    wire unused = &{1'b0, effects_i, material_i, in_kr_i, tag};
+    wire unused = &{1'b0, effects_i, material_i, in_kr_i, tag, max_depth_i, next_depth_i};
 endmodule
 `default_nettype wire

@@ -21,7 +21,7 @@ module rt_top #(
     parameter PR         = `RT_PROFILE_STANDARD_PR,  // significant bits of the root, 0: all
     // parameters of machine.def
     parameter SHADOW     = 1,    // 0 or 1: rays towards the lights
-    parameter REFLECT    = 5,    // 0..5: mirror rays, up to MAX_DEPTH
+    parameter REFLECT    = 5,    // 0..10: mirror rays, up to MAX_DEPTH
     parameter LIGHTS     = 8,    // 0..8: point lights
     parameter INSIDE     = 1,    // 0 or 1: rays may start inside a sphere, far roots count
     parameter FIRST      = 1,    // 0 or 1: primary rays end at the first visit that hits a leaf
@@ -151,7 +151,7 @@ module rt_top #(
     localparam [31:0] PROFILE = W << `RT_WIDTH_W_LSB | WD << `RT_WIDTH_WD_LSB |
                                 PQ << `RT_WIDTH_PQ_LSB | NG << `RT_WIDTH_NG_LSB |
                                 FW << `RT_WIDTH_FW_LSB | PR << `RT_WIDTH_PR_LSB;
-    localparam [31:0] DEPTH = REFRACT != 0 ? 5 : REFLECT;
+    localparam [31:0] DEPTH = `RT_DEEPEST;
     localparam [31:0] A_ENGINES = ENGINES, A_LIGHTS = LIGHTS, A_CONES = CONES, A_COARSE = COARSE,
                       A_DATA = DATA;
     wire [31:0] parts, bus, status;
@@ -163,8 +163,7 @@ module rt_top #(
     assign parts[`RT_TOP_CORE_PARTS_RECT]    = RECT != 0;
     assign parts[`RT_TOP_CORE_PARTS_CONES]   = A_CONES[4:0];
     assign parts[`RT_TOP_CORE_PARTS_LIGHTS]  = A_LIGHTS[3:0];
-    assign parts[7]                          = 1'b0;
-    assign parts[`RT_TOP_CORE_PARTS_DEPTH]   = DEPTH[2:0];
+    assign parts[`RT_TOP_CORE_PARTS_DEPTH]   = DEPTH[3:0];
     assign parts[`RT_TOP_CORE_PARTS_ENGINES] = A_ENGINES[3:0];
     assign bus[31:9] = 23'd0;
     assign bus[`RT_TOP_CORE_BUS_VIDEO] = VIDEO != 0;

@@ -23,7 +23,7 @@ module tb_core_icarus #(
     parameter LINES = 131072,  // of memory
     // parameters of machine.def
     parameter SHADOW     = 1,    // 0 or 1: rays towards the lights
-    parameter REFLECT    = 5,    // 0..5: mirror rays, up to MAX_DEPTH
+    parameter REFLECT    = 5,    // 0..10: mirror rays, up to MAX_DEPTH
     parameter LIGHTS     = 8,    // 0..8: point lights
     parameter INSIDE     = 1,    // 0 or 1: rays may start inside a sphere, far roots count
     parameter FIRST      = 1,    // 0 or 1: primary rays end at the first visit that hits a leaf

@@ -15,7 +15,7 @@ using bench::u128;
 namespace {
 
 constexpr uint64_t LATENCY = 9, INTERVAL = 8;
-constexpr int DW = REFLECT > 3 ? 3 : REFLECT > 1 ? 2 : 1; /* bits of the depth */
+constexpr int DW = REFLECT > 7 ? 4 : REFLECT > 3 ? 3 : REFLECT > 1 ? 2 : 1; /* bits of the depth */
 constexpr int FRAMES = REFLECT > 1 ? 3 : 2;
 
 struct Vector {

@@ -15,6 +15,9 @@ extern "C" {
 #ifndef PATHS
 #define PATHS 1
 #endif
+#ifndef DEEPEST
+#define DEEPEST 5
+#endif
 
 namespace {
 
@@ -146,7 +149,7 @@ class Rays : public bench::Bench<Vrt_rays> {
         bool now = s.state == Slot::TOLD && at != held && random.percent(60);
         bench::put(dut.blend_i, RT_BLEND_VALID, now);
         if (!now) return;
-        bool deep = s.depth == SPH_MAX_DEPTH;
+        bool deep = s.depth == DEEPEST;
         bool mirror = !deep && random.percent(40), refract = !deep && random.percent(50);
         bool probe = !deep && !s.depth && random.percent(10);
         uint32_t weight[3]; /* mirrored, refracted, mirrored if all is reflected */
@@ -195,16 +198,16 @@ class Rays : public bench::Bench<Vrt_rays> {
         expect("what leaves: mirrored, refracted, none", what, s.next, 2);
         if (what == Slot::MIRROR) {
             expect("next_weight_o", dut.next_weight_o, s.weight, 17);
-            expect("next_depth_o", dut.next_depth_o, s.depth + 1, 3);
+            expect("next_depth_o", dut.next_depth_o, s.depth + 1, 4);
         } else if (what == Slot::REFRACT) {
             expect("out_vec_o", (i128)get(dut.out_vec_o), (i128)s.goes.dir, 3 * WD);
             expect("out_point_o", (i128)get(dut.out_point_o), (i128)s.goes.point, 3 * W);
             expect("out_skip_o", dut.out_skip_o, s.goes.skip, 25);
             expect("out_path_o", (i128)get(dut.out_path_o), PATHS ? (i128)s.goes.path : 0, W + 8);
             expect("next_weight_o", dut.next_weight_o, s.goes.weight, 17);
-            expect("next_depth_o", dut.next_depth_o, s.goes.depth, 3);
+            expect("next_depth_o", dut.next_depth_o, s.goes.depth, 4);
         }
-        if (bad()) show("slot", at, SLOTW), show("depth", s.depth, 3), show("far", s.far, 1);
+        if (bad()) show("slot", at, SLOTW), show("depth", s.depth, 4), show("far", s.far, 1);
         s.depth = what == Slot::END ? 0 : what == Slot::MIRROR ? s.depth + 1 : s.goes.depth;
         s.state = Slot::IDLE;
         done();

@@ -27,11 +27,16 @@ extern "C" {
 #ifndef REFRACT
 #define REFRACT 1
 #endif
+#ifndef REFLECT
+#define REFLECT 5
+#endif
 
 namespace {
 
 using bench::i128;
 using bench::u128;
+
+constexpr int DEEPEST = REFRACT && REFLECT < SPH_REFRACT_DEPTH ? SPH_REFRACT_DEPTH : REFLECT;
 
 struct Slot {
     enum { IDLE, TOLD, INSIDE, READ } state = IDLE; /* TOLD: all but the surface itself */
@@ -53,7 +58,7 @@ class Shares : public bench::Bench<Vrt_shares> {
     void phase() {
         effects = (uint32_t)random.bits(SPH_EFFECT_BITS);
         dut.effects_i = (decltype(dut.effects_i))effects;
-        max_depth = (int)random.below(SPH_MAX_DEPTH + 1);
+        max_depth = (int)random.below(DEEPEST + 1);
         dut.max_depth_i = (uint8_t)max_depth;
         for (uint32_t &a : ambient)
             a = (uint32_t)random.mixed(16);
@@ -104,7 +109,7 @@ class Shares : public bench::Bench<Vrt_shares> {
         s.fresh = random.percent(40);
         if (s.fresh) s.shares = {};
         s.weight = s.fresh ? 65536 : (uint32_t)random.below(65537);
-        s.depth = s.fresh ? 0 : (int)random.between(1, SPH_MAX_DEPTH);
+        s.depth = s.fresh ? 0 : (int)random.between(1, DEEPEST);
         s.background = !s.fresh && random.percent(20);
         auto part = [&] { return random.percent(20) ? 256u : (uint32_t)random.below(257); };
         uint32_t kt = random.percent(50) ? 0 : part(), ka = part(), kd = part();
@@ -128,7 +133,7 @@ class Shares : public bench::Bench<Vrt_shares> {
         set(dut.gloss_i, 51, (i128)gloss);
         /* of no matter to the first surface of a pixel */
         dut.next_weight_i = s.fresh ? (uint32_t)random.bits(16) : s.weight;
-        dut.next_depth_i = (uint8_t)(s.fresh ? (int)random.below(6) : s.depth);
+        dut.next_depth_i = (uint8_t)(s.fresh ? (int)random.below(DEEPEST + 1) : s.depth);
         /* what the model makes of it */
         bool rays = !s.background && s.depth != max_depth;
         s.look = {};
@@ -209,7 +214,7 @@ class Shares : public bench::Bench<Vrt_shares> {
 
     void explain(int at) {
         const Slot &s = slots[at];
-        show("slot", at, SLOTW), show("weight", s.weight, 17), show("depth", s.depth, 3);
+        show("slot", at, SLOTW), show("weight", s.weight, 17), show("depth", s.depth, 4);
         show("effects_i", effects, SPH_EFFECT_BITS), show("background", s.background, 1);
         show("sum", s.look.sum, 1), show("kr", s.out_kr, 9), show("kt", s.out_kt, 9);
     }

@@ -14,7 +14,9 @@ set -u
 cd "$(dirname "$0")/../.." || exit 1
 start core_optics
 glass=tests/scenes/refraction/glass.nff mixed=tests/scenes/refraction/mixed.nff
-machine glass $glass --profile draft --size 12x8 --depth 5
+machine glass $glass --profile draft --size 12x8 --depth 10
+machine mirrors tests/scenes/mirrors.nff --profile draft --size 12x9 --depth 10
+machine mirrors-small tests/scenes/mirrors.nff --profile draft --size 4x3 --depth 10
 machine mixed $mixed --profile draft --size 10x8 --depth 5
 machine water scenes/refraction/water.nff --profile draft --size 16x10 --depth 3
 machine plain scenes/paper5.nff --profile draft --size 16x10 --depth 4
@@ -27,8 +29,8 @@ machine sums $mixed --profile draft --size 6x5 --refract off --reflect off --spe
 machine shines $mixed --profile draft --size 6x5 --refract off --shadow off
 for profile in fine reference; do machine glass-$profile $glass --profile $profile --size 3x2; done
 
-whole=all+texture+refract+specular+sum
-for depth in 0 1 2 3 4 5; do
+whole=all+reflect10+texture+refract+specular+sum
+for depth in 0 1 2 3 5 8 10; do
     wanted "verilator glass, depth $depth" $whole SIM=verilator glass --reg 1=$depth
 done
 wanted "verilator mixed" $whole SIM=verilator mixed
@@ -42,6 +44,9 @@ wanted "verilator glass, blends alone" $whole SIM=verilator glass --reg 0=231
 wanted "verilator glass, no highlights, no lights" $whole SIM=verilator glass --reg 0=743 --reg 2=0
 wanted "verilator glass, sum alone" $whole SIM=verilator glass --reg 0=548 --reg 2=0
 
+wanted "verilator mirrors, ten deep" auto SIM=verilator mirrors
+wanted "verilator mirrors, ten deep by shares" $whole SIM=verilator mirrors
+wanted "icarus mirrors, ten deep" auto SIM=icarus mirrors-small
 wanted "icarus mixed, two engines" auto "SIM=icarus ENGINES=2" two
 wanted "icarus mixed, in a BIH" auto SIM=icarus bih
 wanted "icarus mixed, roots cut" auto SIM=icarus cut

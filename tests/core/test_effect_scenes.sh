@@ -137,9 +137,11 @@ none|spans|0 0 0 2 0
 none|cones1|0 0 0 3 1
 none|shadow, lights8 and rect|1 0 8 1 0
 shadow+reflect2+lights1|reflect3|3 3 1 0 0
+shadow+reflect2+lights1|reflect10|3 10 1 0 0
 shadow+reflect2+lights1|lights2|3 2 2 0 0
 shadow+reflect2+lights1|inside and spans|7 2 1 2 0
 all|cones2|31 5 8 3 2
+all|reflect6|31 6 8 3 1
 all-shadow|shadow|31 5 8 1 0
 all-reflect|reflect5|31 5 8 1 0
 all-lights|lights8|31 5 8 1 0

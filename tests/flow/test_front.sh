@@ -34,13 +34,13 @@ for word in "no variable SCNE; is SCENE meant" "no variable scene; is SCENE mean
     "There are SCENE PROFILE"; do
     check "... $word" says "$word"
 done
-refuse sim SIM=questa ENGINES=9 STALL=100 LATENCY=-1 SIZE=axb DEPTH=9 JOBS=x PROFILE=draft N=0 \
+refuse sim SIM=questa ENGINES=9 STALL=100 LATENCY=-1 SIZE=axb DEPTH=11 JOBS=x PROFILE=draft N=0 \
     EFFECTS=shadw TREE=papre ACCEL=bhv4 BACKGROUND=rekt TRAVERSE=frist SEED=x WARM=yes TARGET=ecp \
     MAX_PRIMS=0 AT=70000 LEVELS=3 ROOT_STEP=26 QUOTIENT_STEP=14 SCENE=pape5 WINDOW=4,4,4,8 V=2 \
     SAMPLES=17 ERROR=0.1,x
 for word in "SIM=questa: is none of verilator, icarus$" "ENGINES=9: is not 1 to 8$" \
     "STALL=100: is not 0 to 99$" "LATENCY=-1: is not 1 to 100000$" "JOBS=x: is not 1 to 1024$" \
-    "SIZE=axb: is no size such as 640x360" "DEPTH=9: is not 0 to 5$" \
+    "SIZE=axb: is no size such as 640x360" "DEPTH=11: is not 0 to 10$" \
     "EFFECTS=shadw: .*; is shadow meant" \
     "TREE=papre: is none of reinserted, balanced, paper; is paper meant" \
     "ACCEL=bhv4: .*; is bvh4 meant" "BACKGROUND=rekt: .*; is rect meant" \
@@ -80,7 +80,7 @@ for word in verilator icarus; do
 done
 accepted() { plain_make B="$TMP/none" sim-folder "$@"; }
 check "the bounds are allowed" accepted PROFILE=standard:pq=12 SIZE=16383x1 WINDOW=0,0,16383,1 \
-    DEPTH=5 JOBS=1024 ENGINES=8 STALL=99 LATENCY=100000 MAX_PRIMS=infinity SCENE=icosphere:5 \
+    DEPTH=10 JOBS=1024 ENGINES=8 STALL=99 LATENCY=100000 MAX_PRIMS=infinity SCENE=icosphere:5 \
     ROOT_STEP=33 QUOTIENT_STEP=12 EFFECTS=all+texture LEVELS= AT=65535 "BUILD_MORE=--inside off"
 check "auto is a profile of a run" accepted PROFILE=auto ERROR=.5,40
 check "so is every profile, of synthesis" accepted PROFILE=all synth -n

@@ -206,7 +206,7 @@ static void test_wrong_registers(void **unused) {
         {SPH_REG_EFFECTS, 16, "EFFECTS is 16: INTERPENETRATE needs INSIDE and FIRST"},
         {SPH_REG_EFFECTS, 20, "EFFECTS is 20: INTERPENETRATE needs"},
         {SPH_REG_EFFECTS, 24, "EFFECTS is 24: INTERPENETRATE needs"},
-        {SPH_REG_MAX_DEPTH, 6, "MAX_DEPTH"},
+        {SPH_REG_MAX_DEPTH, 11, "MAX_DEPTH"},
         {SPH_REG_N_LIGHTS, 9, "N_LIGHTS"},
         {SPH_REG_FRAME_W, 0, "FRAME_W"},
         {SPH_REG_WIN_X1, 65, "WIN_X1"},
