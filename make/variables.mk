@@ -113,6 +113,10 @@ FAMILY ?=
 TRIALS ?= 1000
 ## STATE <word>| file that `make hard` goes on from
 STATE ?=
+## MINUTES 1.. of `make fuzz`, for each harness
+MINUTES ?= 10
+## HARNESS nff|aff|pdb|machine|frame|options|image| of `make fuzz`: one of them (empty: all)
+HARNESS ?=
 ## JOBS 1..1024 commands run at once
 JOBS ?= $(shell nproc)
 ## OPT -O0|-O1|-O2|-O3| how hard the compiler works on a core (empty: -O1)

@@ -10,7 +10,8 @@ struct sph_error {
 };
 
 /* Stores a printf-style message in *err unless it already holds one; always returns -1,
- * so that callers write `return sph_fail(err, "%s:%d: ...", ...)`. err may be NULL. */
+ * so that callers write `return sph_fail(err, "%s:%d: ...", ...)`. err may be NULL. Of what a file
+ * said, ends of lines become blanks and other control characters `?`: a message is one line. */
 int sph_fail(struct sph_error *err, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 #endif

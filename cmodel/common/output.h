@@ -27,6 +27,20 @@ int sph_output_open(struct sph_output *out, const char *path, struct sph_error *
  * 0, or -1 (with a message unless failed). */
 int sph_output_close(struct sph_output *out, int failed, struct sph_error *err);
 
+/* ---- what is left when a signal ends the program ---- */
+
+/* Notes a temporary file, or a folder of such files, and forgets it. A path that finds no memory is
+ * not noted. */
+void sph_output_note(const char *path);
+void sph_output_forget(const char *path);
+
+/* Removes all that is noted, of other objects too, and lets nobody note anything more: the program
+ * ends. To be called by a thread of its own that waits for signals, not by a handler. */
+__attribute__((visibility("default"))) void sph_output_clean(void);
+
+/* An object that was loaded has this function of its own: it is called too. */
+void sph_output_also(void (*clean)(void));
+
 #ifdef __cplusplus
 }
 #endif

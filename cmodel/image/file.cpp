@@ -15,6 +15,14 @@
 
 const char *const sph_picture::no_time = "1970:01:01 00:00:00";
 
+std::string sph_picture::reason(std::string text, const char *otherwise) {
+    while (!text.empty() && text.back() == '\n')
+        text.pop_back();
+    for (char &c : text)
+        if (c == '\n') c = ' ';
+    return text.empty() ? otherwise : text;
+}
+
 int sph_picture::write_file(const char *path, const char *format, const OIIO::ImageSpec &spec,
                             const void *pixels, struct sph_error *err) {
     std::unique_ptr<OIIO::ImageOutput> image = OIIO::ImageOutput::create(format);

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <string>
 #include <vector>
 
 #include <OpenImageIO/imageio.h>
@@ -16,6 +17,9 @@
 namespace sph_picture {
 
 extern const char *const no_time; /* the same frame, the same bytes */
+
+/* A library's message as the end of a line of ours; `otherwise` if it says nothing. */
+std::string reason(std::string text, const char *otherwise);
 
 /* Writes pixels, native in the spec's formats, to path as a file of kind format. The file is made
  * in memory first: OpenImageIO's writers do not report a full disk. */

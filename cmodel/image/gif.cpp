@@ -1,11 +1,15 @@
 /* gif.cpp - an animated picture of several; see image.h
  * SPDX-License-Identifier: Apache-2.0
  */
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <memory>
 #include <string>
+#include <unistd.h>
 
+#include "common/output.h"
 #include "image/file.h"
 #include "image/image.h"
 
@@ -35,21 +39,33 @@ int add(OIIO::ImageOutput &out, const std::string &name, const char *from, bool 
     return 0;
 }
 
+/* Whether the file has its last byte: OpenImageIO does not report a full disk. */
+bool ends(const char *name) {
+    std::FILE *file = std::fopen(name, "rb");
+    bool good = file && !std::fseek(file, -1, SEEK_END) && std::fgetc(file) == ';';
+    if (file) std::fclose(file);
+    return good;
+}
+
 } // namespace
 
 int sph_image_write_gif(const char *path, const char *const *pictures, int n, double rate,
                         struct sph_error *err) {
     return sph_picture::guarded(path, err, [&] {
-        std::string name = std::string(path) + ".tmp.gif";
+        std::string name = std::string(path) + "." + std::to_string(getpid()) + ".tmp.gif";
         std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create("gif");
         if (!out) return sph_fail(err, "%s: %s", path, OIIO::geterror().c_str());
         struct sph_image size = {};
         int rc = 0;
+        sph_output_note(name.c_str());
         for (int i = 0; i < n && !rc; i++)
             rc = add(*out, name, pictures[i], i == 0, rate, &size, err);
         if (!out->close() && !rc) rc = sph_fail(err, "%s: %s", path, out->geterror().c_str());
-        if (!rc && std::rename(name.c_str(), path)) rc = sph_fail(err, "%s: cannot write", path);
+        if (!rc && !ends(name.c_str())) rc = sph_fail(err, "%s: %s", path, std::strerror(ENOSPC));
+        if (!rc && std::rename(name.c_str(), path))
+            rc = sph_fail(err, "%s: %s", path, std::strerror(errno));
         if (rc) std::remove(name.c_str());
+        sph_output_forget(name.c_str());
         return rc;
     });
 }

@@ -71,7 +71,8 @@ int sph_image_read(const char *path, struct sph_image *image, struct sph_error *
     std::fclose(probe);
     return guarded(path, err, [&] {
         std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(path);
-        if (!in) return sph_fail(err, "%s: %s", path, OIIO::geterror().c_str());
+        if (!in)
+            return sph_fail(err, "%s: %s", path, reason(OIIO::geterror(), "not an image").c_str());
         const OIIO::ImageSpec &spec = in->spec();
         if (spec.format != OIIO::TypeUInt8)
             return sph_fail(err, "%s: channels are %s, not 8-bit", path, spec.format.c_str());
@@ -79,7 +80,7 @@ int sph_image_read(const char *path, struct sph_image *image, struct sph_error *
             return sph_fail(err, "%s: empty picture", path);
         std::vector<std::uint8_t> bytes(static_cast<std::size_t>(spec.image_bytes()));
         if (!in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeUInt8, bytes.data()))
-            return sph_fail(err, "%s: %s", path, in->geterror().c_str());
+            return sph_fail(err, "%s: %s", path, reason(in->geterror(), "ends early").c_str());
         image->bytes = static_cast<std::uint8_t *>(std::malloc(bytes.size()));
         if (!image->bytes) return sph_fail(err, "%s: no memory for the picture", path);
         std::memcpy(image->bytes, bytes.data(), bytes.size());

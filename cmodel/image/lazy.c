@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "common/module.h"
+#include "common/output.h"
 #include "image/image.h"
 #include "image/texture.h"
 
@@ -21,7 +22,13 @@ static void *find(const char *name, struct sph_error *err) {
     static void *object;
     char why[LONGEST] = "";
     pthread_mutex_lock(&lock);
-    if (!object) object = sph_module_load("image", why, sizeof why);
+    if (!object) {
+        object = sph_module_load("image", why, sizeof why);
+        void (*clean)(void);
+        void *at = object ? dlsym(object, "sph_output_clean") : NULL;
+        memcpy(&clean, &at, sizeof clean);
+        if (at) sph_output_also(clean);
+    }
     pthread_mutex_unlock(&lock);
     void *function = object ? dlsym(object, name) : NULL;
     if (!function) sph_fail(err, "pictures cannot be read or written: %s", why);

@@ -19,6 +19,7 @@
 #include <OpenImageIO/imageio.h>
 
 #include "common/input.h"
+#include "image/file.h"
 
 namespace {
 
@@ -61,15 +62,6 @@ bool jpeg_ends(const char *path) {
     return false;
 }
 
-/* A library's message as the end of a line of ours. */
-std::string reason(std::string text, const char *otherwise) {
-    while (!text.empty() && text.back() == '\n')
-        text.pop_back();
-    for (char &c : text)
-        if (c == '\n') c = ' ';
-    return text.empty() ? otherwise : text;
-}
-
 /* Why an image cannot be a texture; NULL if it can. */
 const char *unfit(const OIIO::ImageSpec &spec) {
     if (spec.deep) return "pixels of many depths are no texture";
@@ -83,7 +75,9 @@ int read_level(const char *path, OIIO::ImageBuf *to, struct sph_error *err) {
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);
     std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(path, &config);
-    if (!in) return sph_fail(err, "%s: %s", path, reason(OIIO::geterror(), "not an image").c_str());
+    if (!in)
+        return sph_fail(err, "%s: %s", path,
+                        sph_picture::reason(OIIO::geterror(), "not an image").c_str());
     const OIIO::ImageSpec spec = in->spec();
     if (const char *why = unfit(spec)) return sph_fail(err, "%s: %s", path, why);
     if (spec.width > SPH_TEXTURE_SIDE || spec.height > SPH_TEXTURE_SIDE)
@@ -92,7 +86,8 @@ int read_level(const char *path, OIIO::ImageBuf *to, struct sph_error *err) {
     std::size_t n = static_cast<std::size_t>(spec.nchannels);
     std::vector<float> from(static_cast<std::size_t>(spec.image_pixels()) * n);
     if (!in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, from.data()))
-        return sph_fail(err, "%s: %s", path, reason(in->geterror(), "ends early").c_str());
+        return sph_fail(err, "%s: %s", path,
+                        sph_picture::reason(in->geterror(), "ends early").c_str());
     if (!std::strcmp(in->format_name(), "jpeg") && !jpeg_ends(path))
         return sph_fail(err, "%s: ends early", path);
 

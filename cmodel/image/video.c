@@ -14,6 +14,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "common/output.h"
 #include "image/image.h"
 
 extern char **environ;
@@ -52,10 +53,21 @@ static int spawn(struct sph_video *v) {
                                  fit,          v->temporary, NULL};
     char *const *argv = (char *const *)(const void *)words; /* posix_spawn writes to none */
     posix_spawn_file_actions_t actions;
+    posix_spawnattr_t plain; /* signals as a program expects them, whatever this one blocks */
+    sigset_t none, usual;
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends)) return errno;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, ends[1], 0);
-    error = posix_spawnp(&v->child, "ffmpeg", &actions, NULL, argv, environ);
+    sigemptyset(&none);
+    sigemptyset(&usual);
+    sigaddset(&usual, SIGPIPE);
+    sigaddset(&usual, SIGXFSZ);
+    posix_spawnattr_init(&plain);
+    posix_spawnattr_setsigmask(&plain, &none);
+    posix_spawnattr_setsigdefault(&plain, &usual);
+    posix_spawnattr_setflags(&plain, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+    error = posix_spawnp(&v->child, "ffmpeg", &actions, &plain, argv, environ);
+    posix_spawnattr_destroy(&plain);
     posix_spawn_file_actions_destroy(&actions);
     close(ends[1]);
     v->to = ends[0];
@@ -102,8 +114,10 @@ struct sph_video *sph_video_open(const char *path, int width, int height, double
              path + stem);
     snprintf(v->how, sizeof v->how, "%s, by ffmpeg", path);
     if (!sph_image_format(path, NULL)) {
+        sph_output_note(v->temporary);
         int error = spawn(v);
         if (!error) return v;
+        sph_output_forget(v->temporary);
         why = error == ENOENT ? ": ffmpeg is not installed" : ": ffmpeg does not start";
     }
     v->path[stem] = 0;
@@ -147,6 +161,7 @@ int sph_video_close(struct sph_video *v, int failed, struct sph_error *err) {
         if (!rc && rename(v->temporary, v->path))
             rc = sph_fail(err, "%.400s: %s", v->path, strerror(errno));
         if (rc) unlink(v->temporary);
+        sph_output_forget(v->temporary);
     }
     free(v->rgb);
     sph_frame_free(&v->frame);

@@ -23,7 +23,8 @@ enum {
     SPH_AT_GRID_LOG2 = 28,
     SPH_AT_PROFILE = 32, /* w, wd, pq, ng, fw, pr */
     SPH_N_WIDTHS = 6,
-    SPH_AT_NAME = 56,      /* 128 bytes, zero at the end */
+    SPH_AT_NAME = 56, /* 128 bytes, zero at the end */
+    SPH_NAME_BYTES = 128,
     SPH_AT_ORIGIN = 184,   /* 3 doubles */
     SPH_AT_ROTATION = 208, /* 9 doubles */
     SPH_AT_REGS = 280,

@@ -1,6 +1,7 @@
 /* read.c - file to machine, nothing believed unchecked; see machine.h, docs/use/machine_file.md
  * SPDX-License-Identifier: Apache-2.0
  */
+#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -28,6 +29,16 @@ static int expect(const unsigned char *h, int at, uint32_t want, const char *fie
     return is == want ? 0 : sph_fail(err, "%s is %u, not %u", field, is, want);
 }
 
+/* A name is text, and zeros from its end on. */
+static int check_name(const unsigned char *name, struct sph_error *err) {
+    size_t n = strnlen((const char *)name, SPH_NAME_BYTES);
+    if (n == SPH_NAME_BYTES) return sph_fail(err, "name: no zero at the end");
+    for (size_t i = 0; i < SPH_NAME_BYTES; i++)
+        if (i < n ? iscntrl(name[i]) : name[i] != 0)
+            return sph_fail(err, "name: byte %zu is 0x%02x", i, name[i]);
+    return 0;
+}
+
 /* Checks the header against the size of the file. */
 static int check_header(const unsigned char *h, long long bytes, struct sph_error *err) {
     if (memcmp(h, SPH_MAGIC, 8) != 0) return sph_fail(err, "magic: not a machine file of Sphaera");
@@ -41,8 +52,7 @@ static int check_header(const unsigned char *h, long long bytes, struct sph_erro
     if (bytes != need)
         return sph_fail(err, "file is %s: %lld bytes, %lld by its header",
                         bytes < need ? "truncated" : "too long", bytes, need);
-    if (h[SPH_AT_NAME + 127]) return sph_fail(err, "name: no zero at the end");
-    return 0;
+    return check_name(h + SPH_AT_NAME, err);
 }
 
 /* The widths in the header must be those of register PROFILE. */

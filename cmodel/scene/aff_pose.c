@@ -3,7 +3,10 @@
  */
 #include "scene/aff_reader.h"
 
+#include <math.h>
 #include <string.h>
+
+#include "scene/polygon.h"
 
 static const struct sph_affine none = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 
@@ -96,6 +99,7 @@ static void pose_facets(struct sph_aff *a) {
         for (int k = 0; node && f.smooth && k < 3; k++)
             f.n[k] = sph_affine_normal(&node->world, f.n[k]);
         f.smooth = f.smooth && sph_smooth_given(f.n);
+        if (f.kind == SPH_TRIANGLE && sph_triangle_empty(f.v[0], f.v[1], f.v[2])) continue;
         scene->facets[kept++] = f;
     }
     scene->n_facets = kept;
@@ -156,9 +160,45 @@ static int pose_camera(struct sph_aff *a, double time, struct sph_error *err) {
     return 0;
 }
 
+static int small(struct sph_vec v) {
+    return fabs(v.x) <= SPH_NUMBER_MAX && fabs(v.y) <= SPH_NUMBER_MAX &&
+           fabs(v.z) <= SPH_NUMBER_MAX; /* not if it is no number */
+}
+
+/* What transforms have made of numbers is still as small as a number of a file. */
+static int check_pose(const struct sph_aff *a, struct sph_error *err) {
+    const struct sph_scene *scene = a->r.scene;
+    uint32_t line = 0;
+    const char *what = NULL;
+    for (uint32_t i = 0; i < scene->n_facets && !what; i++) {
+        const struct sph_facet *f = &scene->facets[i];
+        for (int k = 0; k < 3; k++)
+            if (!small(f->v[k]) || (f->smooth && !small(f->n[k]))) what = "triangle";
+        line = f->line;
+    }
+    for (uint32_t i = 0; i < scene->n_spheres && !what; i++) {
+        const struct sph_sphere *s = &scene->spheres[i];
+        if (!small(s->ctr) || !(s->rad <= SPH_NUMBER_MAX)) what = "sphere";
+        line = s->line;
+    }
+    if (what)
+        return sph_fail(err, "%s:%u: a %s is moved beyond %g", scene->path, line, what,
+                        SPH_NUMBER_MAX);
+    for (int i = 0; i < scene->n_lights; i++)
+        if (!small(scene->lights[i].pos))
+            return sph_fail(err, "%s: light %d is moved beyond %g", scene->path, i, SPH_NUMBER_MAX);
+    const struct sph_camera *c = &scene->camera;
+    if (!small(c->from) || !small(c->at) || !small(c->up))
+        return sph_fail(err, "%s: camera: it is moved beyond %g", scene->path, SPH_NUMBER_MAX);
+    return a->r.view_line ? sph_camera_check(c, scene->path, err) : 0;
+}
+
 int sph_aff_pose(struct sph_aff *a, double time, struct sph_error *err) {
     if (pose_nodes(a, time, err)) return -1;
     pose_patches(a, time);
     pose_facets(a);
-    return pose_spheres(a, err) || pose_lights(a, time, err) || pose_camera(a, time, err) ? -1 : 0;
+    return pose_spheres(a, err) || pose_lights(a, time, err) || pose_camera(a, time, err) ||
+                   check_pose(a, err)
+               ? -1
+               : 0;
 }

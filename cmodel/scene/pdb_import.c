@@ -113,7 +113,7 @@ static int take_atom(struct import *im, const char *line, struct sph_error *err)
     }
     for (int i = 0; i < 3; i++) {
         column(line, 31 + 8 * i, 38 + 8 * i, text);
-        if (sph_parse_number(text, &at[i]))
+        if (sph_parse_number(text, &at[i]) || strpbrk(text, "eE")) /* 8.3 digits */
             return sph_fail(err, "%s:%u: %s: `%s` is not a number", path, im->line, names[i], text);
     }
     int element = element_of_columns(im, line);

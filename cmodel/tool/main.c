@@ -3,9 +3,11 @@
  */
 #include <errno.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "sphaera/sphaera.h"
+#include "tool/guard.h"
 #include "tool/tool.h"
 
 static const struct {
@@ -68,6 +70,15 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     }
 }
 
+/* glibc's argp takes an option of byte 0xff, which no text has, for --help. */
+static void check_bytes(int argc, char **argv) {
+    for (int i = 1; i < argc; i++)
+        if (argv[i][0] == '-' && strchr(argv[i], 0xff)) {
+            fprintf(stderr, "sphaera: word %d begins with - and has byte 0xff\n", i);
+            exit(TOOL_USAGE);
+        }
+}
+
 int main(int argc, char **argv) {
     static const struct argp argp = {NULL, parse, "COMMAND [OPTION...]", doc, NULL, NULL, NULL};
     static char self[] = "sphaera", name[64];
@@ -76,6 +87,8 @@ int main(int argc, char **argv) {
     snprintf(version, sizeof version, "sphaera %s", sphaera_version());
     argp_program_version = version;
     argp_err_exit_status = TOOL_USAGE;
+    check_bytes(argc, argv);
+    if (guard_start()) return TOOL_USAGE;
     if (argc > 0) argv[0] = self;
     argp_parse(&argp, argc, argv, ARGP_IN_ORDER, NULL, &choice);
 

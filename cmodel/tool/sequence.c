@@ -9,6 +9,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "common/output.h"
 #include "scene/motion.h"
 #include "tool/json.h"
 #include "tool/levels.h"
@@ -168,6 +169,7 @@ int tool_movie_of(const char *movie, const char **picture, const char *path,
     if (!shots) return sph_fail(err, "%s: no memory for %u names", movie, n);
     int rc = movie_check(movie, err), made = !rc && mkdtemp(folder);
     if (!rc && !made) rc = sph_fail(err, "%s: %s", movie, strerror(errno));
+    if (made) sph_output_note(folder);
     snprintf(name, sizeof name, "%s/frame.png", folder);
     *picture = name;
     for (uint32_t i = 0; i < n && !rc; i++)
@@ -179,7 +181,10 @@ int tool_movie_of(const char *movie, const char **picture, const char *path,
         if (shots[i]) unlink(shots[i]);
         free(shots[i]);
     }
-    if (made) rmdir(folder);
+    if (made) {
+        rmdir(folder);
+        sph_output_forget(folder);
+    }
     free(shots);
     *picture = NULL;
     return rc;

@@ -1,0 +1,37 @@
+#!/bin/sh
+# corpus.sh - the inputs that fuzzers begin with, and the words of their formats
+# SPDX-License-Identifier: Apache-2.0
+#
+# usage: tests/fuzz/corpus.sh TOOL FOLDER
+# Texts are those of tests/fuzz/corpus and small scenes of scenes/; machine files, frame files and
+# images are made of scenes by the tool. FOLDER/NAME has the inputs of a harness.
+set -eu
+tool=$1 to=$2
+cd "$(dirname "$0")/../.."
+for name in nff aff pdb machine frame options image; do
+    mkdir -p "$to/$name"
+    [ ! -d "tests/fuzz/corpus/$name" ] || cp tests/fuzz/corpus/"$name"/* "$to/$name/"
+done
+cp scenes/effects/*.nff scenes/one_sphere.nff scenes/refraction/*.nff "$to/nff/"
+for scene in effects/reflect_smooth effects/interpenetrate effects/lights refraction/four \
+    facets/plane inside empty; do
+    name=${scene##*/}
+    for accel in bvh4 box4 bih brute; do
+        "$tool" build "scenes/$scene.nff" --size 8x5 --accel $accel \
+            -o "$to/machine/$name-$accel" >/dev/null
+    done
+    "$tool" render "$to/machine/$name-bih" --frame "$to/frame/$name" >/dev/null
+done
+for way in rect spans exact; do
+    "$tool" build scenes/inside.nff --size 8x5 --background $way --depth 5 \
+        -o "$to/machine/inside-$way" >/dev/null
+done
+for profile in draft fine reference; do
+    "$tool" build scenes/effects/sum.nff --size 8x5 --profile $profile \
+        -o "$to/machine/sum-$profile" >/dev/null
+done
+for ending in png tif ppm bmp tga jpg exr; do
+    "$tool" render "$to/machine/inside-bih" -o "$to/image/x.$ending" >/dev/null
+done
+printf 'P2\n3 2\n255\n0 1 2 3 4 255\n' >"$to/image/grey.pgm"
+printf 'GIF89a\1\0\1\0\200\0\0\0\0\0\377\377\377,\0\0\0\0\1\0\1\0\0\2\2D\1\0;' >"$to/image/x.gif"

@@ -1,0 +1,71 @@
+#!/bin/sh
+# fuzz.sh - harnesses for some minutes each; what they find is kept, and the runs are counted
+# SPDX-License-Identifier: Apache-2.0
+#
+# usage: BUILD=... SEED=n MINUTES=n tests/fuzz/fuzz.sh afl|plain NAME...
+# afl: AFL++, guided by coverage; plain: the driver of the tree, which is not. Then the inputs that
+# AFL++ kept, or the driver's first changes, run under the sanitizers of gcc and clang. A row of
+# BUILD/fuzz/runs.tsv says what was done: day, harness, how, seed, minutes, runs, inputs that were
+# kept, failures, digest of sources. Failing inputs are in BUILD/fuzz/found. Exit code 1 if there
+# are any.
+set -u
+how=$1
+shift
+cd "$(dirname "$0")/../.." || exit 2
+fuzz=$BUILD/fuzz found=$BUILD/fuzz/found
+shm=/dev/shm
+[ -w $shm ] || shm=$fuzz
+work=$(mktemp -d "$shm/sphaera-fuzz.XXXXXX") || exit 2
+trap 'rm -rf "$work"' EXIT
+trap 'exit 130' INT TERM
+mkdir -p "$found" "$work/tmp" "$work/out"
+sh tests/fuzz/corpus.sh "$BUILD/sphaera" "$work/corpus" || exit 2
+digest=$(python3 -c 'from lab.pages import digest; print(digest.of("model"))')
+[ "$how" = afl ] || echo "AFL++ is not installed (make fuzz-setup): changes are not guided" >&2
+failed=0
+
+# What afl-fuzz says of itself: a field of its statistics.
+field() { sed -n "s/^$1 *: *//p" "$work/out/$2/default/fuzzer_stats"; }
+
+sanitized() { # harness, inputs: those that end the program are named in $work/log
+    for by in gcc clang; do
+        FUZZ_TMP=$work/tmp "$fuzz/$by/fuzz_$1" --root tests/fuzz --dict "tests/fuzz/words/$1.dict" \
+            --keep "$found" --seed "$SEED" --runs 1000 "$2" >>"$work/log" 2>&1 &&
+            ! grep -q '^not ok' "$work/log" || bad=$((bad + 1))
+    done
+}
+
+for name; do
+    bad=0 kept=0
+    : >"$work/log"
+    dict=tests/fuzz/words/$name.dict
+    if [ "$how" = afl ]; then
+        AFL_SKIP_CPUFREQ=1 AFL_I_DONT_CARE_ABOUT_MISSING_CRASHES=1 AFL_NO_UI=1 AFL_NO_AFFINITY=1 \
+            AFL_FAST_CAL=1 FUZZ_TMP=$work/tmp \
+            afl-fuzz -i "$work/corpus/$name" -o "$work/out/$name" -x "$dict" -s "$SEED" \
+            -V "$(awk -v m="$MINUTES" 'BEGIN { printf "%d", 60 * m }')" -m 1024 -t 2000 \
+            -- "$fuzz/afl/fuzz_$name" tests/fuzz >"$work/afl.log" 2>&1 ||
+            { tail -n 20 "$work/afl.log" >&2; exit 2; }
+        runs=$(field execs_done "$name")
+        for input in "$work/out/$name/default/crashes/id"* "$work/out/$name/default/hangs/id"*; do
+            [ -f "$input" ] || continue
+            cp "$input" "$found/fuzz_$name-$(sha256sum <"$input" | cut -c 1-16)"
+            bad=$((bad + 1))
+        done
+        kept=$(find "$work/out/$name/default/queue" -maxdepth 1 -type f | wc -l)
+        sanitized "$name" "$work/out/$name/default/queue"
+    else
+        FUZZ_TMP=$work/tmp "$fuzz/plain/fuzz_$name" --root tests/fuzz --dict "$dict" \
+            --keep "$found" --seed "$SEED" --seconds "$((MINUTES * 60))" "$work/corpus/$name" \
+            >"$work/log" 2>&1 || bad=1
+        runs=$(sed -n 's/.* as they are, \([0-9]*\) changed.*/\1/p' "$work/log")
+        sanitized "$name" "$work/corpus/$name"
+    fi
+    [ "$bad" -eq 0 ] || failed=1
+    grep -a '^fuzz: \|ERROR\|runtime error' "$work/log" | head -n 9
+    printf '%s\t%s\t%s\t%s\t%s\t' "$(date -u +%F)" "$name" "$how" "$SEED" "$MINUTES" \
+        >>"$fuzz/runs.tsv"
+    printf '%s\t%s\t%s\t%s\n' "${runs:-0}" "$kept" "$bad" "$digest" >>"$fuzz/runs.tsv"
+    echo "$name: ${runs:-0} runs in $MINUTES min, $kept inputs kept, $bad failures"
+done
+exit $failed

@@ -1,0 +1,30 @@
+/* harness_pdb.c - molecules of the Protein Data Bank
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include <stdio.h>
+
+#include "fuzz.h"
+#include "scene/pdb_import.h"
+
+static char elements[4096];
+
+void fuzz_begin(const char *root) {
+    snprintf(elements, sizeof elements, "%s/elements.xml", root);
+}
+
+void fuzz_one(const uint8_t *data, size_t size) {
+    struct sph_scene scene;
+    struct sph_error err = {""};
+    uint64_t choice = fuzz_hash(data, size);
+    struct sph_import_counts counts;
+    struct sph_import_options o = {.elements_path = elements,
+                                   .keep_water = choice >> 60 & 1,
+                                   .counts = choice >> 61 & 1 ? &counts : NULL};
+    fuzz_write("atoms.pdb", data, size);
+    if (sph_import_pdb("atoms.pdb", &o, &scene, &err)) {
+        fuzz_message(&err, "atoms.pdb", 1);
+        return;
+    }
+    fuzz_scene(&scene, choice);
+    sph_scene_free(&scene);
+}
