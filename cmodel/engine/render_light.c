@@ -50,10 +50,9 @@ void sph_job_light(const struct sph_job *j, const struct sph_ray *ray, const str
     for (int l = 0; l < r[SPH_REG_N_LIGHTS]; l++) {
         const int32_t *lamp = r + SPH_REG_LIGHT0_X + l * SPH_LIGHT_STRIDE;
         struct sph_ray to = {.kind = SPH_SHADOW, .skip = {hit->id, hit->far}, .inside = j->inside};
-        for (int i = 0; i < 3; i++) {
-            to.org[i] = s->point[i];
+        sph_surface_leave(j->p, s, &to);
+        for (int i = 0; i < 3; i++)
             to.dir[i] = lamp[i] - sph_round(s->point[i], lamp[3] >> SPH_LIGHT_SHIFT_LSB);
-        }
         sph_ray_setup(j->p, &to);
         uint32_t cosine = sph_lambert(&s->unit, &to.unit);
         if (!cosine) continue;

@@ -20,6 +20,17 @@ static int own(const struct sph_ray *ray, const struct sph_facet_leaf *f) {
     return skip + f->before >= f->id && skip <= f->id + f->after;
 }
 
+/* Whether the point that the ray's origin was rounded from lies before the plane with the cube of
+ * one guard bit around it: s N.(v0 2^NG - point) > |N_x| + |N_y| + |N_z|, s the sign of N.dir.
+ * num: s N.(v0 - org). */
+static int ahead(const struct sph_profile *p, const struct sph_ray *ray, const int64_t n[3],
+                 int negative, sph_i128 num) {
+    sph_i128 lift = dot(n, ray->lift), all = 0; /* s(2W+NG+3), u(2W+2) */
+    for (int i = 0; i < 3; i++)
+        all += n[i] < 0 ? -n[i] : n[i];
+    return num * (1 << p->ng) + (negative ? -lift : lift) > all;
+}
+
 /* Whether the line meets the triangle, its edges included: the volumes that the line spans with the
  * three edges, U0 + U1 + U2 = N.dir, have one sign. */
 static int within(const int64_t dir[3], const int64_t a0[3], const int64_t e1[3],
@@ -68,6 +79,7 @@ struct sph_facet_result sph_facet_test(const struct sph_profile *p, const struct
     if (own(ray, f) || det == 0 || r.num <= 0) return r;
     int shadow = sph_ray_ends(ray);
     if (shadow && r.num >= (sph_i128)r.det) return r;
+    if (shadow && !ahead(p, ray, n, det < 0, r.num)) return r;
     r.hit = plane || within(ray->dir, a0, e1, e2, det);
     if (plane && !shadow) end(p, ray, &r);
     return r;

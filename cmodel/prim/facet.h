@@ -45,7 +45,7 @@ struct sph_facet_leaf {
 
 /* det and num are given with a miss too. */
 struct sph_facet_result {
-    int hit;      /* t > 0, on the triangle or the plane; shadow ray: 0 < t < 1 */
+    int hit;      /* t > 0, on the triangle or the plane; shadow ray: ahead and t < 1 */
     int far;      /* det > 0: the normal looks along the ray */
     sph_u128 det; /* |N.dir|, u(2W+WD+1) */
     sph_i128 num; /* N.A0, negated if N.dir < 0: t = num/det; s(3W+2) */
@@ -53,7 +53,8 @@ struct sph_facet_result {
 }; /* of a plane beyond the grid: |dir_k|, the room along k, its rank (docs/model/facet.md) */
 
 /* Valid for every operand in range; dir = 0, a ray in the plane and an origin on it miss. A facet
- * of the group that the ray starts on misses. */
+ * of the group that the ray starts on misses; to a light also one that does not lie ahead of the
+ * point which its origin was rounded from. */
 struct sph_facet_result sph_facet_test(const struct sph_profile *p, const struct sph_ray *ray,
                                        const struct sph_facet_leaf *facet);
 

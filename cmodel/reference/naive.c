@@ -38,6 +38,7 @@ static void light(const struct sph_machine *m, const struct sph_ray *from,
         int64_t to[3], cosine = 0;
         for (int i = 0; i < 3; i++) {
             ray.org[i] = s->at[i];
+            ray.lift[i] = s->at[i] * (1 << p->ng) - s->guarded[i];
             ray.dir[i] = lamp[i] - sph_naive_round64(s->at[i], lamp[3] / 65536);
         }
         sph_naive_unit(ray.dir, p->wd, to);
@@ -116,7 +117,7 @@ static void follow(const struct sph_machine *m, const struct sph_ray *ray,
                    struct frames *frames) {
     const struct sph_profile *p = sph_machine_profile(m);
     const struct sph_naive_prim *prim = &f->prim;
-    struct sph_naive_point s = {{0}, {0}, {0}, {0}, 0, {0}};
+    struct sph_naive_point s = {{0}, {0}, {0}, {0}, {0}, 0, {0}};
     struct sph_ray bent = {.kind = SPH_REFRACTED, .inside = 1};
     int64_t colour[3], kr = 0, kt = 0;
     if (f->how.hit) {

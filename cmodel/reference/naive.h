@@ -32,10 +32,10 @@ static inline struct sph_naive_leaf sph_naive_leaf(const struct sph_ray *ray,
     return sph_naive_leaf_bits(ray, leaf, 0);
 }
 
-/* Tests one facet, in a world of w-bit coordinates: org + t*dir = v0 + x*e1 + y*e2 is solved in
- * rational numbers. exit is 0, and far that the normal looks along the ray. */
-struct sph_naive_leaf sph_naive_facet(const struct sph_ray *ray, const struct sph_facet_leaf *facet,
-                                      int w);
+/* Tests one facet: org + t*dir = v0 + x*e1 + y*e2 is solved in rational numbers. exit is 0, and far
+ * that the normal looks along the ray. */
+struct sph_naive_leaf sph_naive_facet(const struct sph_profile *p, const struct sph_ray *ray,
+                                      const struct sph_facet_leaf *facet);
 
 /* The facet of a leaf line. */
 struct sph_facet_leaf sph_naive_facet_read(const uint32_t *line);

@@ -131,8 +131,44 @@ static const struct {
 } kinds[SPH_KINDS] = {[SPH_TRIANGLE] = {triangle_directions, triangle_holds},
                       [SPH_PLANE] = {plane_directions, plane_holds}};
 
-struct sph_naive_leaf sph_naive_facet(const struct sph_ray *ray, const struct sph_facet_leaf *f,
-                                      int w) {
+/* e1 x e2 . v */
+static void volume(const int64_t e1[3], const int64_t e2[3], const int64_t v[3], mpz_t sum) {
+    mpz_t x;
+    mpz_init(x);
+    mpz_set_ui(sum, 0);
+    for (int i = 0; i < 6; i++) {
+        int a = i % 3, b = (a + (i < 3 ? 1 : 2)) % 3;
+        mpz_set_si(x, e1[a]);
+        mpz_mul_si(x, x, e2[b]);
+        mpz_mul_si(x, x, i < 3 ? v[3 - a - b] : -v[3 - a - b]);
+        mpz_add(sum, sum, x);
+    }
+    mpz_clear(x);
+}
+
+/* A ray to a light comes from somewhere in a cube: its centre is the point before it was rounded to
+ * the grid, half its side the last guard bit. Whether all its corners lie on that side of the
+ * facet's plane from which the ray goes to the other. */
+static int cube_before(const struct sph_profile *p, const struct sph_ray *ray,
+                       const struct sph_facet_leaf *f, const int64_t e1[3], const int64_t e2[3]) {
+    int same = 1;
+    mpz_t goes, way;
+    mpz_inits(goes, way, NULL);
+    volume(e1, e2, ray->dir, goes);
+    for (int corner = 0; corner < 8; corner++) {
+        int64_t to[3];
+        for (int i = 0; i < 3; i++)
+            to[i] = (f->v[0][i] - ray->org[i]) * (1 << p->ng) + ray->lift[i] +
+                    (corner >> i & 1 ? 1 : -1);
+        volume(e1, e2, to, way);
+        same &= mpz_sgn(way) == mpz_sgn(goes);
+    }
+    mpz_clears(goes, way, NULL);
+    return same;
+}
+
+struct sph_naive_leaf sph_naive_facet(const struct sph_profile *p, const struct sph_ray *ray,
+                                      const struct sph_facet_leaf *f) {
     struct sph_naive_leaf r = {0};
     struct equations e;
     int64_t e1[3], e2[3], skip = ray->skip.id, id = f->id;
@@ -142,7 +178,8 @@ struct sph_naive_leaf sph_naive_facet(const struct sph_ray *ray, const struct sp
     if (equations_solve(&e) && mpq_sgn(e.m[2][3]) > 0) {
         int shadow = ray->kind == SPH_SHADOW;
         r.hit = !shadow || mpq_cmp_si(e.m[2][3], 1, 1) < 0;
-        r.hit = r.hit && kinds[f->kind].holds(&e, ray, w);
+        r.hit = r.hit && (!shadow || cube_before(p, ray, f, e1, e2));
+        r.hit = r.hit && kinds[f->kind].holds(&e, ray, p->w);
         r.far = r.hit && e.sign < 0; /* the column of dir is negated */
         if (r.hit && !shadow) r.key = key_of(&e, ray);
     }

@@ -38,7 +38,7 @@ static struct sph_naive_leaf facet(const struct sph_machine *m, const struct sph
                                    int32_t index) {
     int32_t line = m->regs[SPH_REG_FACET_BASE] + index - m->regs[SPH_REG_N_SPHERES];
     struct sph_facet_leaf f = sph_naive_facet_read(m->mem + (int64_t)SPH_LINE_WORDS * line);
-    return sph_naive_facet(ray, &f, sph_machine_profile(m)->w);
+    return sph_naive_facet(sph_machine_profile(m), ray, &f);
 }
 
 /* Tests primitive `index`; a hit with a smaller key, or the same and a smaller id, replaces *best.
@@ -161,7 +161,7 @@ struct sph_naive_point sph_naive_point_of(const struct sph_machine *m, const str
         mpz_add(n[i], n[i], x);
         mpz_set_si(n[i], sph_naive_limit(n[i], p->w + p->ng));
         mpz_set(x, n[i]);
-        guarded[i] = mpz_get_si(x);
+        guarded[i] = s.guarded[i] = mpz_get_si(x);
         if (f->prim.facet)
             beyond(x, f->prim.sphere.ctr[i] * (f->how.far ? -1 : 1), p->ng);
         else

@@ -22,6 +22,7 @@ struct sph_naive_found {
 
 struct sph_naive_point {      /* where a ray ends */
     int64_t at[3], behind[3]; /* start of mirror rays; of refracted ones */
+    int64_t guarded[3];       /* the first before it was rounded to the grid */
     int64_t normal[3], unit[3];
     int bent; /* the normal is interpolated, and side that of the facet */
     int64_t side[3];

@@ -34,6 +34,15 @@ int sph_surface_nearest(const struct sph_profile *p, struct sph_surface *s);
 int sph_surface_outwards(const struct sph_profile *p, int far, const int64_t vector[3],
                          struct sph_surface *s);
 
+/* Where a ray to a light starts: org, and by how much that was rounded, lift. */
+static inline void sph_surface_leave(const struct sph_profile *p, const struct sph_surface *s,
+                                     struct sph_ray *ray) {
+    for (int i = 0; i < 3; i++) {
+        ray->org[i] = s->point[i];
+        ray->lift[i] = s->point[i] * (1 << p->ng) - s->guarded[i];
+    }
+}
+
 /* Where a refracted ray starts: the point of a sphere; strictly behind the plane of a facet, back
  * by 2 and what the quotient may have lost, 2^(W+2-PQ) if that is 1 or more, along each axis that
  * its normal looks along. Limited to the grid. */

@@ -22,8 +22,9 @@ struct sph_ray {
     int64_t dir[3]; /* sWD, not normalised: only its direction counts, but see sph_ray_ends() */
     int kind;
     struct sph_skip skip;
-    int inside; /* effect INSIDE: rays may start inside a sphere, far roots count */
-    int first;  /* children in the node's order, ends at the first visit that hits (FIRST) */
+    int64_t lift[3]; /* to a light: org * 2^NG - the point before it was rounded, s(NG+2) */
+    int inside;      /* effect INSIDE: rays may start inside a sphere, far roots count */
+    int first;       /* children in the node's order, ends at the first visit that hits (FIRST) */
     /* made by set-up */
     uint64_t a;           /* dir.dir, u(2WD) */
     struct sph_unit unit; /* of dir */

@@ -23,7 +23,8 @@
 `define RT_ORG_VALID 0 +: 1
 `define RT_ORG_SLOT 1 +: $clog2(SLOTS)
 `define RT_ORG_POINT $clog2(SLOTS)+1 +: 3*W
-`define RT_ORG_BITS ($clog2(SLOTS)+3*W+1)
+`define RT_ORG_LIFT $clog2(SLOTS)+3*W+1 +: 3*(NG+2)
+`define RT_ORG_BITS ($clog2(SLOTS)+3*W+3*(NG+2)+1)
 `define RT_SKIP_VALID 0 +: 1
 `define RT_SKIP_SLOT 1 +: $clog2(SLOTS)
 `define RT_SKIP_ID $clog2(SLOTS)+1 +: `RT_ID_BITS
@@ -64,8 +65,9 @@
 `define RT_TEST_DIR $clog2(SLOTS)+3*W+3 +: 3*WD
 `define RT_TEST_A $clog2(SLOTS)+3*W+3*WD+3 +: 2*WD
 `define RT_TEST_SKIP $clog2(SLOTS)+3*W+3*WD+2*WD+3 +: `RT_ID_BITS
-`define RT_TEST_RECORD $clog2(SLOTS)+3*W+3*WD+2*WD+`RT_ID_BITS+3 +: 256
-`define RT_TEST_BITS ($clog2(SLOTS)+3*W+3*WD+2*WD+`RT_ID_BITS+259)
+`define RT_TEST_LIFT $clog2(SLOTS)+3*W+3*WD+2*WD+`RT_ID_BITS+3 +: 3*(NG+2)
+`define RT_TEST_RECORD $clog2(SLOTS)+3*W+3*WD+2*WD+`RT_ID_BITS+3*(NG+2)+3 +: 256
+`define RT_TEST_BITS ($clog2(SLOTS)+3*W+3*WD+2*WD+`RT_ID_BITS+3*(NG+2)+259)
 `define RT_FOUND_VALID 0 +: 1
 `define RT_FOUND_SLOT 1 +: $clog2(SLOTS)
 `define RT_FOUND_FRESH $clog2(SLOTS)+1 +: 1
@@ -112,9 +114,10 @@
 `define RT_SURFACE_SLOT 1 +: $clog2(SLOTS)
 `define RT_SURFACE_POINT $clog2(SLOTS)+1 +: 3*W
 `define RT_SURFACE_GUARDED $clog2(SLOTS)+3*W+1 +: 3*(W+NG)
-`define RT_SURFACE_NORMAL $clog2(SLOTS)+3*W+3*(W+NG)+1 +: 3*WD
-`define RT_SURFACE_FLAT $clog2(SLOTS)+3*W+3*(W+NG)+3*WD+1 +: 1
-`define RT_SURFACE_BITS ($clog2(SLOTS)+3*W+3*(W+NG)+3*WD+2)
+`define RT_SURFACE_LIFT $clog2(SLOTS)+3*W+3*(W+NG)+1 +: 3*(NG+2)
+`define RT_SURFACE_NORMAL $clog2(SLOTS)+3*W+3*(W+NG)+3*(NG+2)+1 +: 3*WD
+`define RT_SURFACE_FLAT $clog2(SLOTS)+3*W+3*(W+NG)+3*(NG+2)+3*WD+1 +: 1
+`define RT_SURFACE_BITS ($clog2(SLOTS)+3*W+3*(W+NG)+3*(NG+2)+3*WD+2)
 `define RT_SIDE_VALID 0 +: 1
 `define RT_SIDE_SLOT 1 +: $clog2(SLOTS)
 `define RT_SIDE_BENT $clog2(SLOTS)+1 +: 1

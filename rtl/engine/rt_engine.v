@@ -94,6 +94,7 @@ module rt_engine #(
     wire [`RT_SKIP_BITS-1:0]   skip;
     wire [`RT_RAY_BITS-1:0]    ray;
     wire [`RT_FILTER_BITS-1:0] filter;
+    wire [3*(NG+2)-1:0]        lift;
     wire [`RT_VISIT_BITS-1:0]  visit;
     wire [`RT_RESULT_BITS-1:0] result;
     wire [`RT_DONE_BITS-1:0]   done;
@@ -110,13 +111,14 @@ module rt_engine #(
     wire             tex_req_valid, tex_rsp_ready;
     wire [`RT_LINE_BITS-1:0] tex_req_line;
 
-    rt_setup #(.W(W), .WD(WD), .FW(FW), .SHADOW(SHADOW), .LIGHTS(LIGHTS), .BOUNCES(BOUNCES),
-               .TEXTURE(TEXTURE), .UNITS(UNITS), .UNIT_INTERVAL(UNIT_INTERVAL),
-               .SLOTS(SLOTS)) u_setup (
+    rt_setup #(.W(W), .WD(WD), .FW(FW), .NG(NG), .SHADOW(SHADOW), .LIGHTS(LIGHTS),
+               .BOUNCES(BOUNCES), .FACETS(FACETS), .TEXTURE(TEXTURE), .UNITS(UNITS),
+               .UNIT_INTERVAL(UNIT_INTERVAL), .SLOTS(SLOTS)) u_setup (
         .clk(clk), .rst(rst), .eye_i(regs_i[`RT_REGS_EYE]),
         .normal_i(normal), .light_i(vec_light), .bounce_i(bounce), .primary_i(primary),
         .primary_ready_o(primary_ready), .org_i(org), .skip_i(skip),
-        .ray_o(ray), .filter_o(filter), .next_light_o(next_light), .next_slot_o(next_slot)
+        .ray_o(ray), .filter_o(filter), .lift_o(lift),
+        .next_light_o(next_light), .next_slot_o(next_slot)
     );
     rt_trace #(.W(W), .WD(WD), .FW(FW), .SLOTS(SLOTS), .STACK(STACK), .LINES(NODE_LINES),
                .SHADOW(SHADOWS), .FIRST(FIRST), .FARS(FARS), .FACETS(FACETS),
@@ -133,13 +135,13 @@ module rt_engine #(
         .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
         .event_o(event_o[`RT_EVENT_TRACE]), .fault_o(fault_o[3:0])
     );
-    rt_leaf_unit #(.W(W), .WD(WD), .SLOTS(SLOTS), .LINES(LEAF_LINES), .ROOTS(ROOTS),
+    rt_leaf_unit #(.W(W), .WD(WD), .NG(NG), .SLOTS(SLOTS), .LINES(LEAF_LINES), .ROOTS(ROOTS),
                .ROOT_STEP(ROOT_STEP), .PR(PR), .LEAF_INTERVAL(LEAF_INTERVAL), .SHADOW(SHADOWS),
                .INSIDE(INSIDE),
                .FACETS(FACETS), .DIVISIONS(DIVISIONS), .DIVISION_STEP(DIVISION_STEP),
                .FACET_INTERVAL(FACET_INTERVAL)) u_exact (
         .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i),
-        .ray_i(ray), .visit_i(visit), .result_o(result),
+        .ray_i(ray), .lift_i(lift), .visit_i(visit), .result_o(result),
         .fetch_i(fetch), .fetch_ready_o(fetch_ready),
         .record_o(record), .record_ready_i(record_ready),
         .mem_req_valid_o(mem_req_valid_o[1]), .mem_req_ready_i(mem_req_ready_i[1]),

@@ -6,6 +6,7 @@
 // so that the queues cannot overflow. Results leave in any order, keys first.
 //   triangle  hit if s*det > 0, s*num > 0 and all s*Ui >= 0, s the sign of det, U0 = det-U1-U2
 //   plane     hit if s*det > 0, s*num > 0          to a light: a miss if s*num >= s*det
+//                                  and unless s*(num*2^NG + N.lift) > |N_x| + |N_y| + |N_z|
 // Ports, timing: docs/blocks/facet_unit.md. Model: sph_facet_test() in cmodel/prim/facet.c
 `timescale 1ns / 1ps
 `default_nettype none
@@ -17,6 +18,7 @@ module rt_facet #(
     parameter W   = 16,                          // coordinate, bits
     parameter WD  = 17,                          // direction component, bits
     parameter SLOTS = 32,                        // power of two
+    parameter NG  = 2,                           // guard bits of a hit point
     parameter SHADOW = 1,                        // 1: some rays end at a light
     parameter INTERVAL = 2,                      // clocks a facet, 1, 2 or 4
     parameter STEP  = 2,                         // bits of a key a clock
@@ -38,6 +40,8 @@ module rt_facet #(
     localparam MW   = 3*W + 1 > W + 25 ? 3*W + 1 : W + 25;  // num'
     localparam VW   = (DW > MW ? DW : MW) + 1;           // det, num, Ui, signed
     localparam LATENCY = `RT_FACET_SUMS_LATENCY(W, WD, INTERVAL);
+    localparam CW   = `RT_FACET_WIDE(W, WD);             // a component of N
+    localparam NORMAL = `RT_FACET_NORMAL(W, WD, INTERVAL);
     localparam HOLD = 16;
     wire [255:0] record = test_i[`RT_TEST_RECORD];
     wire         plane  = record[`RT_FACET_KIND_LSB +: `RT_FACET_KIND_BITS] == `RT_PLANE;
@@ -62,10 +66,11 @@ module rt_facet #(
     // ---- sums ----
     wire signed [VW-1:0] det, num, u2, v;        // v: -U1
     wire                 s0_valid;
+    wire [3*CW-1:0]      n;                      // N, NORMAL clocks after its facet was taken
     rt_facet_sums #(.W(W), .WD(WD), .INTERVAL(INTERVAL), .VW(VW)) u_sums (
         .clk(clk), .take_i(take), .plane_i(plane), .v0_i(record[`RT_TRIANGLE_V0_X_LSB +: 72]),
         .v1_i(record[`RT_TRIANGLE_V1_X_LSB +: 72]), .v2_i(record[`RT_TRIANGLE_V2_X_LSB +: 72]),
-        .org_i(org), .dir_i(dir), .det_o(det), .num_o(num), .u2_o(u2), .v_o(v)
+        .org_i(org), .dir_i(dir), .n_o(n), .det_o(det), .num_o(num), .u2_o(u2), .v_o(v)
     );
     rt_delay_valid #(.CYCLES(LATENCY)) u_valid (
         .clk(clk), .rst(rst), .in_i(take), .out_o(s0_valid)
@@ -165,8 +170,43 @@ module rt_facet #(
     end
     assign s2_q_valid = s2_valid_q;
 
+    // ---- behind where the ray's origin was rounded from, or as good as: num'*2^NG <= K ----
+    localparam KW = CW + NG + 3;                 // K = |N_x| + |N_y| + |N_z| - s*N.lift
+    localparam CMP = MW > CW + 2 ? MW : CW + 2;
+    wire s2_behind;
+    generate
+        if (SHADOW != 0) begin : g_ahead
+            reg  [3*(NG+2)-1:0] t1_lift_q;
+            wire [3*(NG+2)-1:0] lift;
+            wire [CW+NG+1:0]    s1_along;
+            wire                s1_carry;
+            wire [CW:0]         s1_size;
+            reg  [KW-1:0]       s2_k_q;
+            rt_delay #(.WIDTH(3*(NG+2)), .CYCLES(NORMAL-1)) u_lift (
+                .clk(clk), .in_i(t1_lift_q), .out_o(lift)
+            );
+            rt_facet_ahead #(.CW(CW), .NG(NG), .WAIT(LATENCY - NORMAL - 2)) u_ahead (
+                .clk(clk), .n_i(n), .lift_i(lift), .along_o(s1_along), .carry_o(s1_carry),
+                .size_o(s1_size)
+            );
+            wire [KW-1:0] turned = {s1_along[CW+NG+1], s1_along} ^ {KW{!neg}};
+            wire [KW:0]   k = {{(NG+2){1'b0}}, s1_size, 1'b1} + {turned, s1_carry == neg};
+            wire [CMP-1:0] least = {{(CMP-CW-2){1'b0}}, s2_k_q[KW-2:NG]};
+            always @(posedge clk) begin
+                if (take) t1_lift_q <= test_i[`RT_TEST_LIFT];
+                s2_k_q <= k[KW:1];
+            end
+            assign s2_behind = !s2_k_q[KW-1] && {{(CMP-MW){1'b0}}, s2_num_q} <= least;
+            wire unused = &{1'b0, k[0], s2_k_q};
+        end else begin : g_any
+            assign s2_behind = 1'b0;
+            wire unused = &{1'b0, n};
+        end
+    endgenerate
+
     // ---- results with and without a division ----
-    wire hit   = !is_own && !s2_miss_q && !(is_shadow && s2_late_q) && (is_plane || !s2_out_q);
+    wire hit   = !is_own && !s2_miss_q && (is_plane || !s2_out_q) &&
+                 !(is_shadow && (s2_late_q || s2_behind));
     wire key   = hit && !is_shadow;
     localparam KB = TAG + 2 + DW + MW + 2*WD + W + 1 + WD;
     wire            k_in, d_in, k_valid, d_valid, p_valid;

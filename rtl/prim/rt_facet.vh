@@ -7,7 +7,9 @@
 `define RT_FACET_LONGER(w, wd) ((w) + (wd) > 2*(w) ? (w) + (wd) + 1 : 2*(w) + 1)
 `define RT_FACET_WIDE(w, wd) (`RT_FACET_LONGER(w, wd) > 24 ? `RT_FACET_LONGER(w, wd) : 24)
 
-// rt_facet_sums: clocks from taking a facet to its sums.
+// rt_facet_sums: clocks from taking a facet to its normal; to its sums.
+`define RT_FACET_NORMAL(w, wd, interval) \
+    (`RT_MUL_LATENCY(`RT_FACET_NARROW(w, wd)) + ((interval) == 4 ? 1 : 0) + 3)
 `define RT_FACET_SUMS_LATENCY(w, wd, interval) \
     (`RT_MUL_LATENCY(`RT_FACET_NARROW(w, wd)) + ((interval) == 4 ? 1 : 0) + 4 + (interval) + \
      `RT_PRODUCT_LATENCY(`RT_FACET_WIDE(w, wd)))

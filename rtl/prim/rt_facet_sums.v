@@ -25,6 +25,8 @@ module rt_facet_sums #(
     input  wire [71:0]          v2_i,
     input  wire [3*W-1:0]       org_i,     // 3 x sW
     input  wire [3*WD-1:0]      dir_i,     // 3 x sWD
+    // N, `RT_FACET_NORMAL clocks later, for a clock
+    output wire [3*`RT_FACET_WIDE(W, WD)-1:0] n_o, // 3 x s
     // its sums
     output wire [VW-1:0]        det_o,     // sVW
     output wire [VW-1:0]        num_o,
@@ -131,6 +133,8 @@ module rt_facet_sums #(
             end
         end
 
+        assign n_o = vector[3*CW-1:0];
+
         // ---- dot products: det, num, U2, V; operands wait for their vector ----
         for (k = 0; k < DOTS; k = k + 1) begin : g_dot
             localparam OF = DOTS == 4 && k >= 2 ? 1 : 0;
@@ -178,6 +182,7 @@ module rt_facet_sums #(
             assign {det_o, num_o, u2_o, v_o} = {line_q, sum};
         end
     endgenerate
+    `RT_CHECK(DOT == `RT_FACET_NORMAL(W, WD, INTERVAL), rt_facet_sums_normal)
     `RT_CHECK(DOT + LD + 1 + INTERVAL == `RT_FACET_SUMS_LATENCY(W, WD, INTERVAL),
               rt_facet_sums_latency)
     wire unused = &{1'b0, v0_i, v1_i, v2_i, at_q, phase_q};

@@ -15,6 +15,7 @@
 module rt_prim #(
     parameter W     = 16,   // coordinate, bits
     parameter WD    = 17,   // direction component, bits
+    parameter NG    = 2,    // guard bits of a hit point
     parameter SLOTS = 32,   // power of two
     parameter ROOTS = 3,    // square root units
     parameter ROOT_STEP = 2, // root bits a clock
@@ -81,8 +82,9 @@ module rt_prim #(
 
     // ---- the units ----
     wire [RB-1:0] sphere_result;
-    rt_sphere #(.W(W), .WD(WD), .SLOTS(SLOTS), .ROOTS(ROOTS), .ROOT_STEP(ROOT_STEP), .PR(PR),
-                .INTERVAL(LEAF_INTERVAL), .SHADOW(SHADOW), .INSIDE(INSIDE)) u_sphere (
+    rt_sphere #(.W(W), .WD(WD), .NG(NG), .SLOTS(SLOTS), .ROOTS(ROOTS),
+                .ROOT_STEP(ROOT_STEP), .PR(PR), .INTERVAL(LEAF_INTERVAL), .SHADOW(SHADOW),
+                .INSIDE(INSIDE)) u_sphere (
         .clk(clk), .rst(rst), .inside_on_i(effects_i[`RT_EFFECT_INSIDE]),
         .in_valid_i(in_valid_i && to[SPHERE]), .in_ready_o(ready[SPHERE]), .test_i(test_i),
         .in_miss_i(error || none),
@@ -96,7 +98,7 @@ module rt_prim #(
             wire [RB-1:0] facet_result;
             assign mine[FACET] = whole && (kind_is(head, `RT_TRIANGLE) || kind_is(head, `RT_PLANE));
             assign event_o[`RT_PRIM_EVENT_FACET] = taken && mine[FACET];
-            rt_facet #(.W(W), .WD(WD), .SLOTS(SLOTS), .SHADOW(SHADOW),
+            rt_facet #(.W(W), .WD(WD), .NG(NG), .SLOTS(SLOTS), .SHADOW(SHADOW),
                        .INTERVAL(FACET_INTERVAL), .STEP(DIVISION_STEP),
                        .UNITS(DIVISIONS)) u_facet (
                 .clk(clk), .rst(rst),

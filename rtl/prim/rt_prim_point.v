@@ -32,6 +32,7 @@ module rt_prim_point #(
     // to rt_hit: x, y, z
     output wire                       out_valid_o,
     output wire signed [W-1:0]        out_point_o,
+    output wire        [NG+1:0]       out_lift_o,     // point*2^NG - g, s(NG+2)
     output wire                       out_limited_o,  // the point was limited to the grid
     output wire                       out_flat_o,     // it lies in front of a flat primitive
     output wire signed [`RT_PRIM_VECTOR_BITS(W, NG, FACETS)-1:0] out_vector_o
@@ -65,6 +66,8 @@ module rt_prim_point #(
     assign out_limited_o = sum[GW] != sum[GW-1];
     assign out_point_o = out_limited_o ? $signed({sum[GW], {(W-1){!sum[GW]}}})
                                        : $signed(sum[GW-1:NG]);
+    wire [GW:0] whole = {{(NG+1){out_point_o[W-1]}}, out_point_o} << NG;
+    assign out_lift_o = whole[NG+1:0] - in_guarded_i[NG+1:0];   // at most 2^NG, either way
 
     // ---- vector: front - back, or what turns it, back - front ----
     wire signed [VW-1:0] guarded = {{(VW-GW+1){in_guarded_i[GW-1]}}, in_guarded_i[GW-2:0]};
@@ -84,6 +87,6 @@ module rt_prim_point #(
     assign out_vector_o = (far_q ? back : front) - (far_q ? front : back);
     assign out_valid_o  = in_valid_i;
     assign out_flat_o   = stored_q;
-    wire unused = &{1'b0, effects_i, shape_i, sum};
+    wire unused = &{1'b0, effects_i, shape_i, sum, whole};
 endmodule
 `default_nettype wire

@@ -13,6 +13,7 @@
 module rt_sphere #(
     parameter W     = 16,   // coordinate, bits
     parameter WD    = 17,   // direction component, bits
+    parameter NG    = 2,    // guard bits of a hit point
     parameter SLOTS = 32,   // power of two
     parameter ROOTS = 3,    // square root units
     parameter ROOT_STEP = 2, // root bits a clock

@@ -47,6 +47,7 @@ module rt_hit #(
     output reg  signed [W-1:0]  out_point_y_o,
     output reg  signed [W-1:0]  out_point_z_o,
     output wire [3*(W+NG)-1:0]  out_guarded_o,  // {z, y, x} s(W+NG), g; 0 without GUARDED
+    output wire [3*(NG+2)-1:0]  out_lift_o,     // {z, y, x} point * 2^NG - g; 0 without FACETS
     output wire signed [WD-1:0] out_normal_x_o, // towards the ray's side
     output wire signed [WD-1:0] out_normal_y_o,
     output wire signed [WD-1:0] out_normal_z_o,
@@ -205,14 +206,14 @@ module rt_hit #(
     reg  signed [PV-1:0] s6_nx_q, s6_ny_q, s6_nz_q;
     wire signed [W-1:0]  p_point;
     wire signed [PV-1:0] p_vector;
+    wire [NG+1:0]        p_lift;
     wire                 p_limited, p_flat;
     rt_prim_point #(.W(W), .NG(NG), .FARS(INSIDE), .FACETS(FACETS)) u_prim (
         .clk(clk), .effects_i(effects_i),
         .take_i(take), .shape_i(in_shape_i), .far_i(in_far_i),
         .in_valid_i(guarded), .in_guarded_i(s5_g_q),
-        .out_valid_o(p_valid), .out_point_o(p_point), .out_limited_o(p_limited),
-        .out_flat_o(p_flat),
-        .out_vector_o(p_vector)
+        .out_valid_o(p_valid), .out_point_o(p_point), .out_lift_o(p_lift),
+        .out_limited_o(p_limited), .out_flat_o(p_flat), .out_vector_o(p_vector)
     );
     always @(posedge clk) begin
         if (guarded || p_valid)
@@ -257,6 +258,19 @@ module rt_hit #(
             assign out_guarded_o = guarded_q;
         end else begin : g_no_guarded
             assign out_guarded_o = {3*GW{1'b0}};
+        end
+    endgenerate
+    generate
+        if (FACETS != 0) begin : g_lift
+            reg [3*(NG+2)-1:0] s6_lift_q, lift_q;
+            always @(posedge clk) begin
+                if (p_valid) s6_lift_q <= {p_lift, s6_lift_q[3*(NG+2)-1:NG+2]};
+                if (feed_q[3]) lift_q <= s6_lift_q;
+            end
+            assign out_lift_o = lift_q;
+        end else begin : g_no_lift
+            assign out_lift_o = {3*(NG+2){1'b0}};
+            wire unused = &{1'b0, p_lift};
         end
     endgenerate
     wire unused = &{1'b0, s4_sum_q[0], s4_org[0], back[VW+WD:VW]};

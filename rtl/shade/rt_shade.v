@@ -155,6 +155,7 @@ module rt_shade #(
     assign org_o[`RT_ORG_VALID]   = surface[`RT_SURFACE_VALID] || back_valid;
     assign org_o[`RT_ORG_SLOT]    = back_valid ? back[`RT_BACK_SLOT] : surface[`RT_SURFACE_SLOT];
     assign org_o[`RT_ORG_POINT]   = back_valid ? back[`RT_BACK_POINT] : surface[`RT_SURFACE_POINT];
+    assign org_o[`RT_ORG_LIFT]    = surface[`RT_SURFACE_LIFT];
     assign skip_o[`RT_SKIP_VALID] = hit_i[`RT_HIT_HIT] || back_valid;
     assign skip_o[`RT_SKIP_SLOT]  = back_valid ? back[`RT_BACK_SLOT] : hit_i[`RT_HIT_SLOT];
     assign skip_o[`RT_SKIP_ID]    = back_valid ? back[`RT_BACK_ID] : hit_i[`RT_HIT_ID];

@@ -245,6 +245,7 @@ module rt_surface #(
                 .out_point_x_o(point[`RT_POINT_X]), .out_point_y_o(point[`RT_POINT_Y]),
                 .out_point_z_o(point[`RT_POINT_Z]),
                 .out_guarded_o(surface_o[`RT_SURFACE_GUARDED]),
+                .out_lift_o(surface_o[`RT_SURFACE_LIFT]),
                 .out_normal_x_o(normal[`RT_VEC_X]), .out_normal_y_o(normal[`RT_VEC_Y]),
                 .out_normal_z_o(normal[`RT_VEC_Z]),
                 .out_flat_o(surface_o[`RT_SURFACE_FLAT]), .out_saturated_o(saturated)

@@ -13,6 +13,7 @@
 module rt_leaf_unit #(
     parameter W     = 16,   // coordinate, bits
     parameter WD    = 17,   // direction component, bits
+    parameter NG    = 2,    // guard bits of a hit point
     parameter SLOTS = 32,   // power of two
     parameter LINES = 64,   // leaf cache, lines
     parameter ROOTS = 3,    // square root units
@@ -31,6 +32,7 @@ module rt_leaf_unit #(
     input  wire                       flush_i,    // forget the leaf cache
     input  wire [`RT_REGS_BITS-1:0]   regs_i,
     input  wire [`RT_RAY_BITS-1:0]    ray_i,      // from rt_setup
+    input  wire [3*(NG+2)-1:0]        lift_i,     // of a ray to a light, with FACETS
     input  wire [`RT_VISIT_BITS-1:0]  visit_i,    // from rt_trace: leaf children to test
     output wire [`RT_RESULT_BITS-1:0] result_o,   // to rt_trace
     // from and to rt_shade: primitive records
@@ -150,12 +152,17 @@ module rt_leaf_unit #(
     wire [YW+1:0]       y = {INSIDE != 0 ? {shadow, ray_i[`RT_RAY_INSIDE]} : {2{shadow}},
                              ray_i[`RT_RAY_SKIP], ray_i[`RT_RAY_A], ray_i[`RT_RAY_DIR],
                              ray_i[`RT_RAY_ORG]};
-    wire [YW+SB+IB-1:0] l_ray;
+    localparam RW = YW + SB + IB;
+    localparam LIFT = 3*(NG+2);
+    localparam LB = FACETS != 0 && SHADOW != 0 ? LIFT : 0;
+    wire [RW+LIFT-1:0]  x = {lift_i, y[RW-1:0]};
+    wire [RW+LB-1:0]    l_all;
+    wire [RW-1:0]       l_ray = l_all[RW-1:0];
     wire [`RT_TEST_BITS-1:0] test;
-    rt_slot_ram #(.WIDTH(YW+SB+IB), .SLOTS(SLOTS), .OLD(0)) u_ray (
+    rt_slot_ram #(.WIDTH(RW+LB), .SLOTS(SLOTS), .OLD(0)) u_ray (
         .clk(clk), .wr_en_i(ray_i[`RT_RAY_VALID]), .wr_addr_i(ray_i[`RT_RAY_SLOT]),
-        .wr_data_i(y[YW+SB+IB-1:0]),
-        .rd_en_i(l_load), .rd_addr_i(c_slot), .rd_data_o(l_ray)
+        .wr_data_i(x[RW+LB-1:0]),
+        .rd_en_i(l_load), .rd_addr_i(c_slot), .rd_data_o(l_all)
     );
     always @(posedge clk) begin
         if (l_load) begin
@@ -176,12 +183,19 @@ module rt_leaf_unit #(
         end
     endgenerate
     assign test[`RT_TEST_SLOT]   = l_slot_q;
-    assign test[`RT_TEST_SHADOW] = SHADOW != 0 && l_ray[YW+SB+IB-1];
+    assign test[`RT_TEST_SHADOW] = SHADOW != 0 && l_ray[RW-1];
     assign test[`RT_TEST_INSIDE] = INSIDE != 0 && l_ray[YW+IB-1];
     assign test[`RT_TEST_ERROR]  = l_error_q;
     assign {test[`RT_TEST_SKIP], test[`RT_TEST_A], test[`RT_TEST_DIR], test[`RT_TEST_ORG]} =
         l_ray[YW-1:0];
     assign test[`RT_TEST_RECORD] = {l_high, l_low_q};
+    generate
+        if (LB != 0) begin : g_lift
+            assign test[`RT_TEST_LIFT] = l_all[RW +: LIFT];
+        end else begin : g_no_lift
+            assign test[`RT_TEST_LIFT] = {LIFT{1'b0}};
+        end
+    endgenerate
 
     // ---- exact tests; their results are registered, the choice among them takes its time ----
     wire [`RT_RESULT_BITS-1:0] result;
@@ -191,7 +205,8 @@ module rt_leaf_unit #(
         result_q <= result;
         if (rst) result_q[`RT_RESULT_VALID] <= 1'b0;
     end
-    rt_prim #(.W(W), .WD(WD), .SLOTS(SLOTS), .ROOTS(ROOTS), .ROOT_STEP(ROOT_STEP), .PR(PR),
+    rt_prim #(.W(W), .WD(WD), .NG(NG), .SLOTS(SLOTS), .ROOTS(ROOTS), .ROOT_STEP(ROOT_STEP),
+              .PR(PR),
               .LEAF_INTERVAL(LEAF_INTERVAL), .SHADOW(SHADOW), .INSIDE(INSIDE), .FACETS(FACETS),
               .DIVISIONS(DIVISIONS), .DIVISION_STEP(DIVISION_STEP),
               .FACET_INTERVAL(FACET_INTERVAL)) u_prim (
@@ -200,6 +215,6 @@ module rt_leaf_unit #(
         .result_o(result), .event_o(event_o[`RT_EXACT_EVENT_PRIM]), .bad_o(l_bad)
     );
     assign fault_o[`RT_ERROR_BAD_NODE] = l_bad;
-    wire unused = &{1'b0, q_in_ready, y, ray_i, regs_i};
+    wire unused = &{1'b0, q_in_ready, x, y, ray_i, regs_i};
 endmodule
 `default_nettype wire

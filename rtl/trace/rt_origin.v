@@ -1,7 +1,8 @@
 // rt_origin.v - where a ray starts, on which sphere, and the same in filter units
 // SPDX-License-Identifier: Apache-2.0
 // Primary rays start at the eye, on no sphere. Others start at the point that rt_surface left in
-// their slot; where no others are built, nothing is kept.
+// their slot; where no others are built, nothing is kept. With LIFTS
+// also by how much the point of a ray to a light was rounded.
 //   filter origin = org / 2^(W-FW), half up, limited to FW bits
 // A ray a clock, latency 2 clocks. Model: sph_ray_setup() in cmodel/trace/setup.c
 `timescale 1ns / 1ps
@@ -10,6 +11,8 @@
 module rt_origin #(
     parameter W         = 16,  // coordinate, bits
     parameter FW        = 14,  // filter coordinate, bits
+    parameter NG        = 2,   // guard bits of a hit point
+    parameter LIFTS     = 0,   // 1: facets may stand between a point and a light
     parameter SECONDARY = 1,   // 1: there are shadow or reflected rays
     parameter SLOTS     = 32   // power of two
 ) (
@@ -24,22 +27,27 @@ module rt_origin #(
     input  wire                     primary_i,
     output wire [3*W-1:0]           org_o,
     output wire [`RT_ID_BITS:0]     skip_o, // {inside, id}
+    output wire [3*(NG+2)-1:0]      lift_o, // of a ray to a light, as LIFT of org; with LIFTS
     output reg  [3*FW-1:0]          forg_o  // 3 x sFW
 );
     localparam K = W - FW;
+    localparam LIFT = 3*(NG+2);
     localparam [`RT_ID_BITS:0] NONE = {1'b0, {`RT_ID_BITS{1'b1}}};
     wire [3*W-1:0] org;
     generate
         if (SECONDARY != 0) begin : g_secondary
-            wire [3*W-1:0] point;
+            localparam LB = LIFTS != 0 ? LIFT : 0;
+            wire [3*W+LIFT-1:0] from = {org_i[`RT_ORG_LIFT], org_i[`RT_ORG_POINT]};
+            wire [3*W+LB-1:0] kept;
+            wire [3*W-1:0] point = kept[3*W-1:0];
             wire [`RT_ID_BITS:0] skip;
             reg            primary_q;
             reg [3*W-1:0]  org_q;
             reg [`RT_ID_BITS:0] skip_q;
-            rt_slot_ram #(.WIDTH(3*W), .SLOTS(SLOTS), .OLD(0)) u_point (
+            rt_slot_ram #(.WIDTH(3*W+LB), .SLOTS(SLOTS), .OLD(0)) u_point (
                 .clk(clk), .wr_en_i(org_i[`RT_ORG_VALID]), .wr_addr_i(org_i[`RT_ORG_SLOT]),
-                .wr_data_i(org_i[`RT_ORG_POINT]),
-                .rd_en_i(read_i), .rd_addr_i(slot_i), .rd_data_o(point)
+                .wr_data_i(from[3*W+LB-1:0]),
+                .rd_en_i(read_i), .rd_addr_i(slot_i), .rd_data_o(kept)
             );
             rt_slot_ram #(.WIDTH(25), .SLOTS(SLOTS), .OLD(0)) u_skip (
                 .clk(clk), .wr_en_i(skip_i[`RT_SKIP_VALID]), .wr_addr_i(skip_i[`RT_SKIP_SLOT]),
@@ -54,10 +62,19 @@ module rt_origin #(
             end
             assign org_o  = org_q;
             assign skip_o = skip_q;
+            if (LIFTS != 0) begin : g_lift
+                reg [LIFT-1:0] lift_q;
+                always @(posedge clk) lift_q <= kept[3*W +: LIFT];
+                assign lift_o = lift_q;
+            end else begin : g_no_lift
+                assign lift_o = {LIFT{1'b0}};
+                wire unused = &{1'b0, from};
+            end
         end else begin : g_primary
             assign org    = eye_i;
             assign org_o  = eye_i;
             assign skip_o = NONE;
+            assign lift_o = {LIFT{1'b0}};
             wire unused = &{1'b0, org_i, skip_i, read_i, slot_i, primary_i};
         end
     endgenerate

@@ -12,9 +12,11 @@ module rt_setup #(
     parameter W       = 16, // coordinate, bits
     parameter WD      = 17, // direction component, bits
     parameter FW      = 14, // filter coordinate, bits
+    parameter NG      = 2,  // guard bits of a hit point
     parameter SHADOW  = 1,  // 1: shadow rays are traced, 0: every light that is faced shines
     parameter LIGHTS  = 8,  // 0: no vectors to lights
     parameter BOUNCES = 1,  // 0: no mirrored or refracted directions
+    parameter FACETS  = 0,  // 1: triangles and planes too
     parameter TEXTURE = 0,  // 1: textures need unit normals and the length of rays
     parameter UNITS   = 2,  // units for unit vectors, 1 or 2
     parameter UNIT_INTERVAL = 2, // clocks a vector of each, 2 or 4
@@ -36,6 +38,7 @@ module rt_setup #(
     // a ray, normal or light, to everyone who keeps a part of it
     output wire [`RT_RAY_BITS-1:0]    ray_o,
     output wire [`RT_FILTER_BITS-1:0] filter_o,
+    output wire [3*(NG+2)-1:0]        lift_o, // of one to a light, LIFT of org; with FACETS
     output wire                       next_light_o,   // ray_o has LIGHT in the next clock
     output wire [$clog2(SLOTS)-1:0]   next_slot_o     // of this slot
 );
@@ -193,12 +196,13 @@ module rt_setup #(
     assign filter_o[`RT_FILTER_SHIFT] = ray_shift_q;
 
     // ---- origin: read so that it is there with the ray ----
-    rt_origin #(.W(W), .FW(FW), .SECONDARY(SECONDARY), .SLOTS(SLOTS)) u_origin (
+    rt_origin #(.W(W), .FW(FW), .NG(NG), .LIFTS(FACETS != 0 && SHADOWS != 0 ? 1 : 0),
+                .SECONDARY(SECONDARY), .SLOTS(SLOTS)) u_origin (
         .clk(clk), .eye_i(eye_i), .org_i(org_i), .skip_i(skip_i),
         .read_i(s2_valid_q && s2_kind_q != NORMAL), .slot_i(s2_slot_q),
         .primary_i(s2_kind_q == PRIMARY),
         .org_o(ray_o[`RT_RAY_ORG]), .skip_o({ray_o[`RT_RAY_INSIDE], ray_o[`RT_RAY_SKIP]}),
-        .forg_o(filter_o[`RT_FILTER_ORG])
+        .lift_o(lift_o), .forg_o(filter_o[`RT_FILTER_ORG])
     );
 
     // ---- depth at the start: that of the light to which a ray goes (RT_RAY_SHADOW) ----

@@ -151,6 +151,8 @@ class World {
         else if (random.percent(50))
             r.skip = {(uint32_t)random.below((uint64_t)m.regs[SPH_REG_N_PRIMS]),
                       random.percent(30)};
+        for (int64_t &x : r.lift)
+            x = random.between(-(1 << NG), 1 << NG);
         sph_ray_setup(&p, &r);
         return r;
     }

@@ -4,8 +4,8 @@
  * The first vectors are the least and greatest operands in every pattern, as triangle and as plane;
  * then the named and generated cases of tests/hard, if these are the words of a profile. Then
  * families in turn (`family`), by reason: what lies on an edge, a corner, the light, a face of the
- * world, in the plane. Results may overtake each other: a slot is one facet's until its result is
- * there. The default run has to meet every outcome.
+ * world, in the plane, beside the ray's start. Results may overtake each other: a slot is one
+ * facet's until its result is there. The default run has to meet every outcome.
  */
 #include <algorithm>
 #include <map>
@@ -18,13 +18,17 @@ extern "C" {
 #include "prim/facet.h"
 }
 
+#ifndef NG
+#define NG 2
+#endif
+
 namespace {
 
 constexpr int64_t C_MIN = -((int64_t)1 << (W - 1)), C_MAX = -C_MIN - 1;
 constexpr int64_t D_MIN = -((int64_t)1 << (WD - 1)), D_MAX = -D_MIN - 1;
 constexpr int64_t N_MIN = -(1 << 23), N_MAX = -N_MIN - 1;
 constexpr int PATTERNS = 1 << 10; /* 5 bits of corners and origin, 3 of dir, plane, shadow */
-const struct sph_profile profile = {PROFILE, W, WD, 0, 0, 0, 0};
+const struct sph_profile profile = {PROFILE, W, WD, 0, NG, 0, 0};
 
 struct Vector {
     sph_ray ray{};
@@ -93,6 +97,7 @@ class Source {
         else
             v.family = 1 + (int)random.below(8), triangle(v);
         count++;
+        lift(v);
         if (v.family && random.percent(3)) v.ray.dir[random.below(3)] = 0;
         for (int i = 0; i < 3; i++)
             v.ray.dir[i] = clamp(v.ray.dir[i], D_MIN, D_MAX);
@@ -114,6 +119,22 @@ class Source {
         v.shadow = v.ray.kind == SPH_SHADOW;
         if (!SHADOW) v.ray.kind = SPH_PRIMARY;
         return v;
+    }
+
+    /* By how much the origin was rounded; often beside the facet's plane, or along it. */
+    void lift(Vector &v) {
+        for (int64_t &x : v.ray.lift)
+            x = random.percent(30) ? (random.percent(50) ? 1 << NG : -(1 << NG))
+                                   : (int64_t)random.between(-(1 << NG), 1 << NG);
+        if (!v.family || !random.percent(v.shadow ? 75 : 10)) return;
+        int64_t far[3], plane = v.facet.kind == SPH_PLANE;
+        for (int i = 0; i < 3; i++) {
+            int64_t at = v.facet.v[plane ? 0 : random.below(3)][i];
+            far[i] = plane ? coordinate(0) : v.facet.v[random.below(3)][i];
+            if (!random.percent(30)) at = v.facet.v[0][i];
+            v.ray.org[i] = clamp(at + random.between(-2, 2), C_MIN, C_MAX);
+        }
+        aim(v, far);
     }
 
     int64_t coordinate(int small) { return small ? random.between(-3, 3) : random.smixed(W); }
@@ -253,6 +274,7 @@ void drive(Bench &b, const Vector &v, unsigned slot) {
     bench::put(port, RT_TEST_DIR, (bench::i128)pack(b, v.ray.dir, WD, WD));
     bench::put(port, RT_TEST_A, (bench::i128)v.ray.a);
     bench::put(port, RT_TEST_SKIP, v.ray.skip.id);
+    bench::put(port, RT_TEST_LIFT, (bench::i128)pack(b, v.ray.lift, NG + 2, NG + 2));
 }
 
 void compare(Bench &b, const Expected &e) {
@@ -281,6 +303,8 @@ void compare(Bench &b, const Expected &e) {
             b.show("org", x.ray.org[i], W);
         for (int i = 0; i < 3; i++)
             b.show("dir", x.ray.dir[i], WD);
+        for (int i = 0; i < 3; i++)
+            b.show("lift", x.ray.lift[i], NG + 2);
         b.show("before", x.facet.before, 7);
         b.show("after", x.facet.after, 7);
         b.show("skip", x.ray.skip.id, 24);
@@ -289,13 +313,21 @@ void compare(Bench &b, const Expected &e) {
     }
 }
 
+/* To a light: it would be hit if all were ahead of where the ray starts. */
+bool beside(Vector v) {
+    for (int i = 0; i < 3; i++)
+        v.ray.lift[i] = v.ray.dir[i] * ((int64_t)1 << 30);
+    return v.shadow && sph_facet_test(&profile, &v.ray, &v.facet).hit;
+}
+
 /* Every hard case, kind of facet, ray and outcome, and the clocks from a facet to the next. */
-void came(Bench &b, const Source &source, const long met[2][2][2], uint64_t least) {
+void came(Bench &b, const Source &source, const long met[2][2][2], long passed, uint64_t least) {
     bool all = b.all_vectors && !hard::alone();
     if (all && !source.all()) b.fail("not all hard cases were driven");
     for (int i = 0; i < 8; i++)
         if (all && !met[i >> 2][i >> 1 & 1][i & 1] && (SHADOW || !(i & 2)))
             b.fail("a kind of facet, ray and outcome that never came");
+    if (all && SHADOW && passed < 20) b.fail("facets beside a start that hardly came");
     if (all && least != INTERVAL) b.fail("another number of clocks from a facet to the next");
 }
 
@@ -310,8 +342,8 @@ int main(int argc, char **argv) {
     Vector v = source.next();
     unsigned slot = 0, gaps = 0, stalls = 0;
     bool offered = false;
-    uint64_t taken = 0, least = 1000;                   /* clocks until the next one is taken */
-    long met[2][2][2] = {}, divided = 0, divisions = 0; /* plane, shadow, hit */
+    uint64_t taken = 0, least = 1000; /* clocks until the next one is taken */
+    long met[2][2][2] = {}, passed = 0, divided = 0, divisions = 0; /* plane, shadow, hit */
     Vrt_facet &t = b.dut;
     t.in_valid_i = t.result_ready_i = 0;
     b.reset();
@@ -345,6 +377,7 @@ int main(int argc, char **argv) {
             divided += (long)n;
             if (taken) least = std::min(least, b.cycle - taken);
             taken = b.cycle;
+            passed += !e.r.hit && beside(v);
             met[v.facet.kind == SPH_PLANE][shadow][e.r.hit != 0]++;
             sent.emplace(slot, e);
             slot = (slot + 1) % SLOTS;
@@ -353,7 +386,7 @@ int main(int argc, char **argv) {
         }
         b.tick();
     }
-    came(b, source, met, least);
+    came(b, source, met, passed, least);
     if (divisions > divided || divisions + (long)sent.size() < divided)
         b.fail("divide_o counts other than the keys of hits");
     printf("# vectors of hard cases: %zu named\n", source.named());

@@ -149,6 +149,7 @@ class Prim : public bench::Bench<Vrt_prim> {
         bench::put(port, RT_TEST_DIR, (bench::i128)world::pack(ray.dir, WD));
         bench::put(port, RT_TEST_A, (bench::i128)ray.a);
         bench::put(port, RT_TEST_SKIP, ray.skip.id);
+        bench::put(port, RT_TEST_LIFT, (bench::i128)world::pack(ray.lift, NG + 2));
         for (int i = 0; i < SPH_LINE_WORDS; i++)
             bench::put(port, world::first_bit(RT_TEST_RECORD) + 32 * i, 32, record[i]);
     }

@@ -322,6 +322,9 @@ class Run {
         b.expect("GUARDED", bench::get(t.surface_o, RT_SURFACE_GUARDED),
                  (bench::i128)pack(TEXTURE || SMOOTH ? surface.guarded : none, W + NG),
                  3 * (W + NG));
+        sph_surface_leave(&profile, &surface, &ray);
+        b.expect("LIFT", bench::get(t.surface_o, RT_SURFACE_LIFT),
+                 (bench::i128)pack(FACETS ? ray.lift : none, NG + 2), 3 * (NG + 2));
         b.expect("FLAT", bench::get(t.surface_o, RT_SURFACE_FLAT), surface.flat, 1);
         b.expect("saturated_o", t.saturated_o, saturated, 1);
         if (b.bad()) {

@@ -108,6 +108,7 @@ class LeafUnit : public bench::Bench<Vrt_leaf_unit> {
         if (!INSIDE) s.ray.skip.inside = 0;
         s.begun = true;
         world::put_ray(dut.ray_i, at, s.ray);
+        set(dut.lift_i, 3 * (NG + 2), (bench::i128)world::pack(s.ray.lift, NG + 2));
         return at;
     }
 

@@ -18,6 +18,12 @@ extern "C" {
 #ifndef TEXTURE
 #define TEXTURE 0
 #endif
+#ifndef FACETS
+#define FACETS 0
+#endif
+#ifndef NG
+#define NG 2
+#endif
 
 namespace {
 
@@ -38,6 +44,7 @@ struct Slot {
     bool has_normal = false; /* lights have a surface */
     Vec dir{}, point{}, normal{};
     uint32_t skip = 0; /* {inside, id} */
+    Vec lift{};
 };
 
 constexpr int64_t MAX = ((int64_t)1 << (WD - 1)) - 1, MIN = -MAX - 1;
@@ -238,6 +245,11 @@ class Setup : public bench::Bench<Vrt_setup> {
         bench::put(dut.org_i, RT_ORG_SLOT, valid ? number : (int)random.below(SLOTS));
         bench::put(dut.org_i, RT_ORG_POINT, pack(any.v, W));
         if (valid) slots[number].point = any;
+        Vec lift{};
+        for (int64_t &x : lift.v)
+            x = random.sbits(NG + 2);
+        bench::put(dut.org_i, RT_ORG_LIFT, pack(lift.v, NG + 2));
+        if (valid) slots[number].lift = lift;
     }
 
     void write_skip() {
@@ -296,6 +308,9 @@ class Setup : public bench::Bench<Vrt_setup> {
             uint32_t skip = primary ? SPH_ID_NONE : s.skip;
             expect("SHADOW", field(RT_RAY_SHADOW), light, 1);
             expect("ORG", field(RT_RAY_ORG), pack(r.org, W), 3 * W);
+            if (FACETS && light)
+                expect("lift_o", (bench::i128)get(dut.lift_o), pack(s.lift.v, NG + 2),
+                       3 * (NG + 2));
             expect("SKIP", field(RT_RAY_SKIP), skip & SPH_ID_NONE, 24);
             expect("INSIDE", field(RT_RAY_INSIDE), skip >> 24, 1);
             expect("Y", field(RT_RAY_Y), TEXTURE ? r.unit.y : 0, 17);

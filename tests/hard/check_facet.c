@@ -53,7 +53,7 @@ static void check_one(struct job *j, const struct sph_facet_leaf *f, struct answ
     }
     check_floats(j, f, a);
     if (!j->naive) return;
-    struct sph_naive_leaf n = sph_naive_facet(&j->ray, f, j->p->w);
+    struct sph_naive_leaf n = sph_naive_facet(j->p, &j->ray, f);
     j->t->naive++;
     if (n.hit != r.hit || (n.hit && n.far != r.far) || n.key != a->key)
         job_wrong(j, HARD_NAIVE, "hit, far or key of a facet");

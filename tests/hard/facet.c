@@ -89,7 +89,7 @@ static void judge(struct named *n, const struct hard_facet *c, int outcome, uint
     sph_ray_setup(n->p, &ray);
     struct sph_facet_result r = sph_facet_test(n->p, &ray, &c->facet);
     if (r.hit && ray.kind != SPH_SHADOW) got = sph_facet_key(&ray, &r, &divisions);
-    struct sph_naive_leaf naive = sph_naive_facet(&c->ray, &c->facet, n->p->w);
+    struct sph_naive_leaf naive = sph_naive_facet(n->p, &c->ray, &c->facet);
     int is = !r.hit ? MISS : r.far ? FAR : NEAR;
     int right = (outcome == ORACLE || is == outcome) && (!key || got == key);
     if (right && r.hit == naive.hit && (!r.hit || r.far == naive.far) && got == naive.key) return;
@@ -116,6 +116,7 @@ void expect_facet(struct named *n, struct hard_facet c, int outcome, uint64_t ke
         }
         turn(c.ray.org);
         turn(c.ray.dir);
+        turn(c.ray.lift);
         for (int i = 0; i < 3; i++)
             turn(c.facet.v[i]);
     }
@@ -187,7 +188,7 @@ static void trace_two(struct named *n, struct sph_ray ray, const struct sph_face
 }
 
 static uint64_t key_of(const struct named *n, struct sph_ray ray, const struct sph_facet_leaf *f) {
-    return sph_naive_facet(&ray, f, n->p->w).key;
+    return sph_naive_facet(n->p, &ray, f).key;
 }
 
 static void require_keys(struct named *n, uint64_t a, uint64_t b, int winner) {

@@ -2,7 +2,8 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * With A_j = v_j - org the line lies on one side of each edge as the volume of dir, A_k, A_l has
- * its sign; the plane is met at the volume of A_0, A_1, A_2 over the sum of the three.
+ * its sign; the plane is met at the volume of A_0, A_1, A_2 over the sum of the three. A ray to a
+ * light comes from before the plane if that volume has its sign from all corners of a cube.
  */
 #include "facet_exact.h"
 
@@ -40,6 +41,25 @@ static uint64_t end_of_world(const struct sph_profile *p, const struct sph_ray *
     return (uint64_t)((e->own_num * most - e->own_det * way) / e->own_num);
 }
 
+/* Whether the whole cube around the point that the origin was rounded from lies before the facet's
+ * plane; a: corners from the origin. goes: sign of N.dir. */
+static int cube_before(const struct sph_profile *p, const struct sph_ray *ray,
+                       const struct sph_facet_leaf *f, const int64_t a[3][3], int goes) {
+    for (int corner = 0; corner < 8; corner++) {
+        int64_t b[3][3];
+        sph_i128 way = 0;
+        for (int i = 0; i < 9; i++) {
+            int off = corner >> i % 3 & 1 ? 1 : -1;
+            b[i / 3][i % 3] = a[i / 3][i % 3] * (1 << p->ng) + ray->lift[i % 3] + off;
+        }
+        for (int j = 0; j < 3; j++)
+            way += (sph_i128)f->v[1][j] * b[0][j];
+        if (f->kind == SPH_TRIANGLE) way = volume(b[0], b[1], b[2]);
+        if (goes < 0 ? way >= 0 : way <= 0) return 0;
+    }
+    return 1;
+}
+
 struct facet_exact exact_facet(const struct sph_profile *p, const struct sph_ray *ray,
                                const struct sph_facet_leaf *f) {
     struct facet_exact e = {0};
@@ -63,8 +83,10 @@ struct facet_exact exact_facet(const struct sph_profile *p, const struct sph_ray
         e.num = volume(a[0], a[1], a[2]);
     }
     e.far = e.det > 0;
+    int before =
+        ray->kind != SPH_SHADOW || cube_before(p, ray, f, (const int64_t(*)[3])a, e.far ? 1 : -1);
     if (e.det < 0) e.det = -e.det, e.num = -e.num;
-    e.met = e.det && e.num > 0 && (ray->kind != SPH_SHADOW || e.num < e.det) &&
+    e.met = e.det && e.num > 0 && before && (ray->kind != SPH_SHADOW || e.num < e.det) &&
             (skip < (int64_t)f->id - f->before || skip > (int64_t)f->id + f->after);
     e.hit = e.met && (above || below);
     e.own_num = e.num;

@@ -147,6 +147,13 @@ void gen_flat(struct sph_rng *rng, const struct sph_profile *p, struct hard_case
     c->through = 0;
 }
 
+/* To a light, from a point of a surface that was rounded. */
+static void leave(struct sph_rng *rng, const struct sph_profile *p, struct sph_ray *ray) {
+    ray->kind = SPH_SHADOW;
+    for (int i = 0; i < 3; i++)
+        ray->lift[i] = vec_pick(rng, -(1 << p->ng), 1 << p->ng);
+}
+
 /* Nearly along the plane of a triangle, from a unit beside it. */
 void gen_skim(struct sph_rng *rng, const struct sph_profile *p, struct hard_case *c) {
     int64_t a[3], b[3], tip[3], end = (1ll << (p->wd - 1)) - 1, n = edge(rng, p, a, b);
@@ -160,6 +167,7 @@ void gen_skim(struct sph_rng *rng, const struct sph_profile *p, struct hard_case
         int64_t d = tip[i] - c->ray.org[i] + vec_pick(rng, -1, 1);
         c->ray.dir[i] = d > end ? end : d < -end ? -end : d;
     }
+    if (gen_one_in(rng, 2)) leave(rng, p, &c->ray);
 }
 
 /* A normal of 24 bits that is nearly at right angles to the ray. */

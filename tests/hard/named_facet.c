@@ -1,4 +1,4 @@
-/* named_facet.c - named cases 48 to 54: triangles and planes
+/* named_facet.c - named cases 48 to 54, 81: triangles and planes
  * SPDX-License-Identifier: Apache-2.0
  */
 #include "facet.h"
@@ -125,4 +125,35 @@ void named_facet_back(struct named *n) {
                      key_at(dir, k, m));
         expect_facet(n, plane(V3(0, 0, 0), dir, V3(k, 7, 9), V3(1, 0, 0)), FAR, key_at(dir, k, m));
     }
+}
+
+/* A ray to a light, the origin rounded by lift; and one to no light. */
+static void leaves(struct named *n, struct hard_facet c, const int64_t lift[3], int outcome) {
+    for (int i = 0; i < 3; i++)
+        c.ray.lift[i] = lift[i];
+    expect_facet(n, c, c.ray.dir[0] < 0 ? FAR : NEAR, 0);
+    c.ray.kind = SPH_SHADOW;
+    expect_facet(n, c, outcome, 0);
+}
+
+void named_facet_beside(struct named *n) {
+    int64_t k = n->half / 4, m = n->most, unit = 1 << n->p->ng;
+    for (int64_t x = 1; x < 3; x++)
+        for (int64_t lift = -unit; lift <= unit; lift++) {
+            int hits = unit * x + lift > 1;
+            /* straight on, or nearly along the facet to its far edge; lift beside it counts not */
+            struct hard_facet c = wall(V3(k - x, 1, 0), V3(m, 0, 0), k, k, k);
+            leaves(n, c, V3(lift, unit, -unit), hits ? NEAR : MISS);
+            c.ray.dir[0] = 2 * x;
+            c.ray.dir[1] = k;
+            leaves(n, c, V3(lift, -unit, 0), hits ? NEAR : MISS);
+            c = wall(V3(k + x, 1, 0), V3(-m, 0, 0), k, k, k);
+            leaves(n, c, V3(-lift, unit, unit), hits ? FAR : MISS);
+            leaves(n, plane(c.ray.org, c.ray.dir, V3(k, 7, 9), V3(-5, 0, 0)), V3(-lift, 1, 0),
+                   hits ? FAR : MISS);
+            /* x + y + z = k: three components of 1, so that four guard bits are ahead */
+            c = triangle(V3(k - x, 0, 0), V3(m, m, m), V3(k, 0, 0), V3(0, 0, k), V3(0, k, 0));
+            for (int64_t y = -unit; y <= unit; y += unit)
+                leaves(n, c, V3(lift, y, -y), hits && unit * x + lift > 3 ? NEAR : MISS);
+        }
 }

@@ -213,5 +213,9 @@ const struct hard_named hard_named[] = {
      "Zero, axes of every length, diagonals, the longest: every line and "
      "shift of the table.",
      named_unit_ends},
+    {"facet beside a start",
+     "To a light: hit if the point that the origin was rounded from lies before the plane by more "
+     "than the last guard bit along each axis; else miss.",
+     named_facet_beside},
 };
 const int hard_n_named = sizeof hard_named / sizeof *hard_named;

@@ -14,6 +14,7 @@ static void ray(FILE *out, const struct sph_ray *r) {
     vector(out, "dir", r->dir);
     if (r->skip.id != SPH_ID_NONE)
         fprintf(out, " from %u, %s", r->skip.id, r->skip.inside ? "inside" : "outside");
+    if (r->kind == SPH_SHADOW) vector(out, "lift", r->lift);
     if (!r->inside) fprintf(out, ", effect inside off");
 }
 

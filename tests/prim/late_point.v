@@ -18,27 +18,32 @@ module rt_prim_point_late #(
     input  wire signed [W+NG-1:0]            in_guarded_i,
     output wire                              out_valid_o,
     output wire signed [W-1:0]               out_point_o,
+    output wire        [NG+1:0]              out_lift_o,
     output wire                              out_limited_o,
     output wire                              out_flat_o,
     output wire signed [`RT_PRIM_VECTOR_BITS(W, NG, FACETS)-1:0] out_vector_o
 );
-    localparam VW = `RT_PRIM_VECTOR_BITS(W, NG, FACETS), B = VW + W + 3, CLOCKS = 9;
+    localparam VW = `RT_PRIM_VECTOR_BITS(W, NG, FACETS), B = VW + W + NG + 5, CLOCKS = 9;
     wire valid, limited, flat;
     wire signed [W-1:0]  point;
+    wire [NG+1:0]        lift;
     wire signed [VW-1:0] vector;
     rt_prim_point #(.W(W), .NG(NG), .FARS(FARS), .FACETS(FACETS)) u_prim (
         .clk(clk), .effects_i(effects_i), .take_i(take_i), .shape_i(shape_i), .far_i(far_i),
         .in_valid_i(in_valid_i), .in_guarded_i(in_guarded_i), .out_valid_o(valid),
-        .out_point_o(point), .out_limited_o(limited), .out_flat_o(flat), .out_vector_o(vector)
+        .out_point_o(point), .out_lift_o(lift), .out_limited_o(limited), .out_flat_o(flat),
+        .out_vector_o(vector)
     );
     reg [CLOCKS*B-1:0] q = {CLOCKS*B{1'b0}};
-    always @(posedge clk) q <= {q[(CLOCKS-1)*B-1:0], valid, limited, flat, point, vector};
-    assign {out_valid_o, out_limited_o, out_flat_o, out_point_o, out_vector_o} = q[CLOCKS*B-1 -: B];
+    always @(posedge clk) q <= {q[(CLOCKS-1)*B-1:0], valid, limited, flat, lift, point, vector};
+    assign {out_valid_o, out_limited_o, out_flat_o, out_lift_o, out_point_o, out_vector_o} =
+        q[CLOCKS*B-1 -: B];
 endmodule
 
 module late_point;
     parameter INTERVAL = 8;                      // of rt_hit, 8 or 12
-    localparam W = 16, WD = 17, PQ = 17, NG = 2, HITS = 300, OB = 8 + 3*W + 3*(W+NG) + 3*WD + 2;
+    localparam W = 16, WD = 17, PQ = 17, NG = 2, HITS = 300;
+    localparam OB = 8 + 3*W + 3*(W+NG) + 3*WD + 3*(NG+2) + 2;
     reg clk = 1'b0, rst = 1'b1;
     always #2 clk = !clk;
     reg [3*W-1:0]  org   [0:HITS-1];
@@ -70,7 +75,7 @@ module late_point;
                 .out_point_z_o(o[2*W +: W]), .out_guarded_o(o[3*W +: 3*(W+NG)]), \
                 .out_normal_x_o(o[6*W+3*NG +: WD]), .out_normal_y_o(o[6*W+3*NG+WD +: WD]), \
                 .out_normal_z_o(o[6*W+3*NG+2*WD +: WD]), .out_saturated_o(o[OB-9]), \
-                .out_flat_o(o[OB-10])
+                .out_flat_o(o[OB-10]), .out_lift_o(o[6*W+3*NG+3*WD +: 3*(NG+2)])
             if (g == 0) begin : g_now
                 rt_hit #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .FACETS(1), .TEXTURE(1),
                          .INTERVAL(INTERVAL)) u_hit (`PORTS);

@@ -54,15 +54,22 @@ static int seen_within(const int64_t v[3][3], const int64_t dir[3], int64_t at, 
 /* The second model says the same of a ray that hits or not, with a key or to a light. */
 static void check_naive(const struct sph_ray *ray, const struct sph_facet_leaf *f, int hit, int far,
                         uint64_t key) {
-    struct sph_naive_leaf n = sph_naive_facet(ray, f, two_bits.w);
+    struct sph_naive_leaf n = sph_naive_facet(&two_bits, ray, f);
     assert_true(n.hit == hit && n.key == (ray->kind == SPH_SHADOW ? 0 : key));
     assert_true(!hit || n.far == far);
 }
 
+/* One of the 27 ways in which an origin may have been rounded without guard bits. */
+static void lift_of(uint64_t n, int64_t lift[3]) {
+    for (int i = 0; i < 3; i++, n /= 3)
+        lift[i] = (int64_t)(n % 3) - 1;
+}
+
 /* Triangle v (relative to the origin) against the ray dir; returns hits. */
-static int check_small(const int64_t v[3][3], const int64_t dir[3], int naive) {
+static int check_small(const int64_t v[3][3], const int64_t dir[3], uint64_t number) {
     struct sph_ray ray = {.skip = {SPH_ID_NONE, 0}};
     struct sph_facet_leaf f = {.kind = SPH_TRIANGLE, .id = OWN};
+    int naive = number % NAIVE == 0;
     int64_t a = 0, key = 0, before = side(v, dir, 0, 1), past = side(v, dir, 1, 1) - before;
     for (int i = 0; i < 3; i++) {
         ray.dir[i] = dir[i];
@@ -75,6 +82,12 @@ static int check_small(const int64_t v[3][3], const int64_t dir[3], int naive) {
     while (hit && sign(side(v, dir, key, a)) == sign(before))
         if (key++ > 64) hit = 0; /* it lies behind the origin */
     int shadow = hit && sign(side(v, dir, 1, 1)) == -sign(before);
+    lift_of(number, ray.lift);
+    for (int c = 0; c < 8 && shadow; c++) { /* the cube that the ray comes from */
+        const int64_t at[3] = {(c & 1 ? 1 : -1) - ray.lift[0], (c & 2 ? 1 : -1) - ray.lift[1],
+                               (c & 4 ? 1 : -1) - ray.lift[2]};
+        shadow = sign(side(v, at, 1, 1)) == sign(before);
+    }
 
     uint64_t divisions = 0, got = 0;
     struct sph_facet_result r = sph_facet_test(&two_bits, &ray, &f);
@@ -109,7 +122,7 @@ static void exhaustive(void **state) {
             v[i / 3][i % 3] = digit(corners, i, 4, -2);
         for (uint64_t d = 0; d < 64; d++, n++) {
             int64_t dir[3] = {digit(d, 0, 4, -2), digit(d, 1, 4, -2), digit(d, 2, 4, -2)};
-            hits += (uint64_t)check_small((const int64_t(*)[3])v, dir, n % NAIVE == 0);
+            hits += (uint64_t)check_small((const int64_t(*)[3])v, dir, n);
         }
     }
     printf("# %lu triangles and rays, %lu hits\n", n, hits);
@@ -119,9 +132,10 @@ static void exhaustive(void **state) {
 /* Plane through p with normal n: hit if the side changes, or ends with the world along the longest
  * axis: at -3 or 2. */
 static int check_plane(const int64_t org[3], const int64_t dir[3], const int64_t p[3],
-                       const int64_t n[3], int naive) {
+                       const int64_t n[3], uint64_t number) {
     struct sph_ray ray = {.skip = {SPH_ID_NONE, 0}};
     struct sph_facet_leaf f = {.kind = SPH_PLANE, .id = OWN};
+    int naive = number % NAIVE == 0;
     int64_t start = 0, step = 0, a = 0, key = 0; /* at t the side is that of start + t * step */
     for (int i = 0; i < 3; i++) {
         ray.org[i] = org[i], ray.dir[i] = dir[i];
@@ -142,6 +156,13 @@ static int check_plane(const int64_t org[3], const int64_t dir[3], const int64_t
         labs(start) * labs(dir[longest]) - labs(step) * room; /* the way beyond the face */
     if (hit && past > 0) key += past / labs(start);
     int shadow = hit && sign(start + step) == sign(step);
+    lift_of(number, ray.lift);
+    for (int c = 0; c < 8 && shadow; c++) {
+        int64_t at = start;
+        for (int i = 0; i < 3; i++)
+            at += n[i] * ((c >> i & 1 ? 1 : -1) - ray.lift[i]);
+        shadow = sign(at) == sign(start);
+    }
 
     uint64_t divisions = 0, got = 0;
     struct sph_facet_result r = sph_facet_test(&two_bits, &ray, &f);
@@ -168,7 +189,7 @@ static void exhaustive_planes(void **state) {
             v[i / 3][i % 3] = (int64_t)(c >> 2 * i & 3) - 2;
         for (int i = 0; i < 3; i++)
             normal[i] = digit(c >> 18, i, 3, -1);
-        hits += (uint64_t)check_plane(v[0], v[1], v[2], normal, n % NAIVE == 0);
+        hits += (uint64_t)check_plane(v[0], v[1], v[2], normal, n);
     }
     printf("# %lu planes and rays, %lu hits\n", n, hits);
     assert_true(hits > n / 20);

@@ -87,6 +87,66 @@ static void tetrahedra(void **state) {
     assert_true(solids > 100 / VEC_SHARE && shared > rays / 10);
 }
 
+/* N.v of a triangle */
+static int64_t height(const point a, const point b, const point c, const point v) {
+    point e1, e2;
+    for (int i = 0; i < 3; i++)
+        e1[i] = b[i] - a[i], e2[i] = c[i] - a[i];
+    return volume(e1, e2, v);
+}
+
+/* From within closed tetrahedra to lights outside: only that side lets light through whose plane
+ * comes into the cube around the origin before it was rounded. ng is 0, a lattice's step 16. */
+static void lights(void **state) {
+    (void)state;
+    uint64_t rays = 0, passed = 0, reached = 0;
+    for (uint64_t n = 0; n < 27ull * 27 * 27 * 27; n += VEC_SHARE) {
+        point v[4];
+        for (uint64_t i = 0, at = n; i < 4; i++, at /= 27) {
+            lattice(at % 27, 3, v[i]);
+            for (int j = 0; j < 3; j++)
+                v[i][j] *= 16;
+        }
+        if (volume(v[0], v[1], v[2]) <= 0 || volume(v[0], v[3], v[1]) <= 0 ||
+            volume(v[1], v[3], v[2]) <= 0 || volume(v[2], v[3], v[0]) <= 0)
+            continue;
+        for (uint64_t d = 0; d < 125; d++, rays++) {
+            point dir;
+            int any = 0, lit = 1;
+            lattice(d, 5, dir);
+            if (!dir[0] && !dir[1] && !dir[2]) continue;
+            for (int i = 0; i < 4; i++) {
+                struct sph_ray ray = {.kind = SPH_SHADOW, .skip = {SPH_ID_NONE, 0}};
+                struct sph_facet_leaf f = {.kind = SPH_TRIANGLE, .id = 7};
+                const int64_t *a = v[i], *b = v[(i + 1) % 4], *c = v[(i + 2) % 4];
+                int cube = 0; /* its corners before the plane */
+                for (int j = 0; j < 3; j++) {
+                    ray.dir[j] = 64 * dir[j];
+                    ray.lift[j] = (int64_t)((n + d) / (j == 0 ? 1 : j == 1 ? 3 : 9) % 3) - 1;
+                    f.v[0][j] = a[j], f.v[1][j] = b[j], f.v[2][j] = c[j];
+                }
+                for (int k = 0; k < 8; k++) {
+                    point way;
+                    for (int j = 0; j < 3; j++)
+                        way[j] = a[j] + ray.lift[j] + (k >> j & 1 ? 1 : -1);
+                    int64_t up = height(a, b, c, dir), to = height(a, b, c, way);
+                    cube += up > 0 ? to > 0 : to < 0;
+                }
+                int hit = sph_facet_test(&small, &ray, &f).hit;
+                int met = key(dir, a, b, c, 0) != 0;
+                assert_int_equal(hit, met && cube == 8);
+                reached += met && !hit;
+                any |= met;
+                lit &= !hit;
+            }
+            assert_true(any);
+            passed += (uint64_t)lit;
+        }
+    }
+    printf("# %lu rays to lights, %lu sides too near, %lu rays through\n", rays, reached, passed);
+    assert_true(rays > 1000 / VEC_SHARE && reached && passed < rays / 2);
+}
+
 /* Tents: a fan of four triangles over the square of +-2, corners and apex at any height: every ray
  * along z through a point of the square hits it. Points are quarters, so the apex is one. */
 static void tents(void **state) {
@@ -160,6 +220,7 @@ static void quadrangles(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(tetrahedra),
+        cmocka_unit_test(lights),
         cmocka_unit_test(tents),
         cmocka_unit_test(quadrangles),
     };

@@ -40,7 +40,7 @@ static int check(const struct sph_profile *p, struct sph_ray *ray, const struct 
                         ray->dir[2] * ray->dir[2]);
     struct sph_facet_result r = sph_facet_test(p, ray, f);
     if (r.hit && ray->kind != SPH_SHADOW) key = sph_facet_key(ray, &r, &divisions);
-    struct sph_naive_leaf n = sph_naive_facet(ray, f, p->w);
+    struct sph_naive_leaf n = sph_naive_facet(p, ray, f);
     if (r.hit != n.hit || (r.hit && r.far != n.far) || key != n.key)
         fail_msg("%s: ray kind %d org (%ld, %ld, %ld) dir (%ld, %ld, %ld) skip %u, facet kind %d "
                  "(%ld, %ld, %ld) (%ld, %ld, %ld) (%ld, %ld, %ld): hit %d far %d key %lu, "
@@ -128,8 +128,10 @@ static void random_rays(void **state) {
             if (i % 7 == 0) ray.dir[i % 3] += ray.dir[i % 3] > 0 ? -1 : 1;
             check(p, &ray, &f, &t);
             ray.kind = SPH_SHADOW; /* ends on the facet, before it or behind it */
-            for (int j = 0; j < 3; j++)
+            for (int j = 0; j < 3; j++) {
                 ray.dir[j] = at[j] - ray.org[j];
+                ray.lift[j] = vec_pick(&rng, -(1 << p->ng), 1 << p->ng);
+            }
             check(p, &ray, &f, &t);
             ray.dir[i % 3] += vec_pick(&rng, -1, 1);
             if (labs(ray.dir[i % 3]) >= most) ray.dir[i % 3] = 0;

@@ -8,7 +8,7 @@
 `include "rt_bundles.vh"
 module two_kinds;
     parameter KIND = 3;
-    localparam W = 12, WD = 13, SLOTS = 4, TESTS = 400;
+    localparam W = 12, WD = 13, NG = 2, SLOTS = 4, TESTS = 400;
     reg clk = 1'b0, rst = 1'b1, valid = 1'b0;
     always #2 clk = !clk;
     wire [1:0] ready, bad;

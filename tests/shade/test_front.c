@@ -7,7 +7,10 @@
  */
 #include "facets_scene.h"
 
+#include <gmp.h>
+
 #include "core/render.h"
+#include "math/quotient.h"
 #include "pixel/walk.h"
 #include "prim/facet.h"
 #include "prim/kinds.h"
@@ -106,6 +109,107 @@ static void test_sides(void **unused) {
     assert_true(hits > 20000 / (SANITIZED ? 10 : 1) && behind > hits / 4);
 }
 
+/* Sign of N.(v0 2^e - org 2^e - mant dir) of a triangle, what is seen being org + mant dir / 2^e.
+ */
+static int side_of(const int64_t v[3][3], const struct sph_ray *eye, const mpz_t mant,
+                   const mpz_t unit) {
+    mpz_t sum, x;
+    mpz_inits(sum, x, NULL);
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        int64_t n =
+            (v[1][j] - v[0][j]) * (v[2][k] - v[0][k]) - (v[1][k] - v[0][k]) * (v[2][j] - v[0][j]);
+        mpz_mul_si(x, unit, v[0][i] - eye->org[i]);
+        mpz_mul_si(x, x, n);
+        mpz_add(sum, sum, x);
+        mpz_mul_si(x, mant, eye->dir[i]);
+        mpz_mul_si(x, x, n);
+        mpz_sub(sum, sum, x);
+    }
+    int sign = mpz_sgn(sum);
+    mpz_clears(sum, x, NULL);
+    return sign;
+}
+
+/* t of what the eye sees, mant / unit: the quotient, or that of the exact hit if it is less. */
+static void seen_at(const struct sph_profile *p, const struct sph_ray *ray,
+                    const struct sph_facet_result *r, uint64_t key, mpz_t mant, mpz_t unit) {
+    struct sph_quotient t = sph_quotient(key, p->w + p->wd + 2, ray->a, 2 * p->wd, p->pq);
+    mpz_t num, det, x;
+    mpz_inits(num, det, x, NULL);
+    mpz_import(num, 1, -1, sizeof r->num, 0, 0, &r->num);
+    mpz_import(det, 1, -1, sizeof r->det, 0, 0, &r->det);
+    mpz_set_ui(mant, t.mant);
+    mpz_set_ui(unit, 1);
+    mpz_mul_2exp(unit, unit, (mp_bitcnt_t)t.exp);
+    mpz_mul(x, mant, det);
+    mpz_submul(x, num, unit);
+    if (mpz_sgn(x) > 0) mpz_set(mant, num), mpz_set(unit, det);
+    mpz_clears(num, det, x, NULL);
+}
+
+/* Neighbours that share an edge or a corner with a facet that is seen, folded either way: none of
+ * them keeps a light from it that is on the same side of its plane, or in it, as what is seen. */
+static void test_neighbours(void **unused) {
+    (void)unused;
+    long hits = 0, same = 0, saved = 0, shades = 0;
+    mpz_t mant, unit;
+    mpz_inits(mant, unit, NULL);
+    for (int run = 0; run < 400000 / (SANITIZED ? 10 : 1); run++) {
+        struct sph_profile p = sph_profiles[run % SPH_PROFILES];
+        if (run % 12 >= 8) p.ng = run % 12 == 8 ? 0 : run % 12 == 9 ? 1 : 4;
+        if (p.ng == 4 && p.pq < p.w + 2) p.pq = p.w + 4;
+        struct sph_facet_leaf f, g;
+        struct sph_ray ray = aim(&p, &f), to = {.kind = SPH_SHADOW, .inside = 1}, free;
+        if (ray.a < (uint64_t)(sph_min_screen(&p) * sph_min_screen(&p))) continue;
+        struct sph_facet_result r = sph_facet_test(&p, &ray, &f);
+        uint64_t divisions = 0;
+        int64_t n[3], size = 2 << whole(0, p.w - 4), half = (1ll << (p.w - 1)) - 1;
+        for (int i = 0; i < 3; i++) {
+            int j = (i + 1) % 3, k = (i + 2) % 3;
+            int64_t(*v)[3] = f.v;
+            n[i] = (v[1][j] - v[0][j]) * (v[2][k] - v[0][k]) -
+                   (v[1][k] - v[0][k]) * (v[2][j] - v[0][j]);
+        }
+        if (!r.hit) continue;
+        struct sph_hit hit = {sph_facet_key(&ray, &r, &divisions), 0, r.far};
+        struct sph_surface s;
+        if (sph_surface_point(&p, &ray, hit.key, &s) | sph_surface_outwards(&p, r.far, n, &s))
+            continue;
+        hits++;
+        seen_at(&p, &ray, &r, hit.key, mant, unit);
+        sph_surface_leave(&p, &s, &to);
+        to.skip = (struct sph_skip){SPH_ID_NONE, 0};
+        for (int other = 0; other < 8; other++) {
+            g = f;
+            for (int k = 0; k < 1 + other % 2; k++) /* an edge or a corner in common */
+                for (int i = 0; i < 3; i++) {
+                    int64_t at = (other & 2 ? s.point[i] : f.v[k][i]) + whole(-size, size);
+                    g.v[(other / 4 + k) % 3][i] = at > half ? half : at < -half ? -half : at;
+                }
+            for (int i = 0; i < 3; i++)
+                to.dir[i] = (other & 2 ? whole(-half, half) : g.v[other % 3][i]) - s.point[i];
+            free = to;
+            for (int i = 0; i < 3; i++)
+                free.lift[i] = to.dir[i] * (1ll << (p.w + 12)); /* all is ahead of it */
+            struct sph_facet_result by = sph_facet_test(&p, &to, &g);
+            int met = sph_facet_test(&p, &free, &g).hit;
+            int ahead = side_of((const int64_t(*)[3])g.v, &ray, mant, unit) * (by.far ? 1 : -1);
+            shades += by.hit;
+            if (ahead > 0 || !by.det) continue;
+            same++;
+            saved += met;
+            assert_false(by.hit);
+        }
+    }
+    printf(
+        "# %ld hits, %ld neighbours with light and point on one side, %ld would have shaded; %ld "
+        "shade\n",
+        hits, same, saved, shades);
+    assert_true(same > hits && saved > hits / 200 && shades > hits / 20);
+    mpz_clears(mant, unit, NULL);
+}
+
 /* The point of a hit of the eye's ray; 0: none, or on the plane below the mesh. */
 static int seen(const struct sph_machine *m, int x, int y, struct sph_hit *hit,
                 struct sph_surface *s, int64_t v[3][3]) {
@@ -177,7 +281,9 @@ static void test_convex(void **unused) {
 }
 
 int main(int argc, char **argv) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_sides), cmocka_unit_test(test_convex)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_sides),
+                                       cmocka_unit_test(test_neighbours),
+                                       cmocka_unit_test(test_convex)};
     seed(argc, argv);
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

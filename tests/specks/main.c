@@ -5,8 +5,9 @@
  * Prints rows "dark lit" for each rule of rules[]. A pixel counts if no point of its triangle
  * within 4 units of what the eye meets has the light that it has. Points, lights and triangles are
  * those of the grid, their light is taken in long double by testing every primitive: 64 bits of
- * mantissa hold products of three coordinates of 20 bits. --show prints each falsely dark pixel of
- * the machine's rule: what the eye meets, where the ray starts, what it meets there.
+ * mantissa hold products of three coordinates of 20 bits. --show prints each pixel that would be
+ * falsely dark if every facet ahead of a ray's start counted: what the eye meets, where the ray
+ * starts, what it would meet there.
  */
 #include <math.h>
 #include <stdio.h>
@@ -53,20 +54,6 @@ static int look(const struct specks *w, int x, int y, struct seen *s) {
     return 1;
 }
 
-/* A ray from the guarded point does not meet what may lie on one side of a facet with its light:
- * N.(v0 - G) 2^NG, turned to where the ray goes, has to be above the sum of |N_i|. */
-static int between(const struct specks *w, const struct sph_surface *s, const struct sph_ray *to,
-                   const struct specks_facet *f) {
-    sph_i128 num = 0, sum = 0, det = 0;
-    for (int i = 0; i < 3; i++) {
-        int64_t n = f->whole[i];
-        num += (sph_i128)n * (f->leaf.v[0][i] * (1 << w->p->ng) - s->guarded[i]);
-        det += (sph_i128)n * to->dir[i];
-        sum += n < 0 ? -n : n;
-    }
-    return (det < 0 ? -num : num) > sum;
-}
-
 /* Id + 1 of what keeps light l from the surface by a rule, 0: lit. */
 static uint32_t blocked(const struct specks *w, const struct seen *eye, int rule, int l,
                         int64_t from[3]) {
@@ -80,17 +67,15 @@ static uint32_t blocked(const struct specks *w, const struct seen *eye, int rule
         sph_surface_nearest(w->p, &s);
     else
         sph_surface_outwards(w->p, eye->hit.far, eye->normal, &s);
+    sph_surface_leave(w->p, &s, &to);
     for (int i = 0; i < 3; i++) {
-        from[i] = to.org[i] = s.point[i];
+        from[i] = s.point[i];
         to.dir[i] = lamp[i] - sph_round(s.point[i], lamp[3] >> SPH_LIGHT_SHIFT_LSB);
+        if (rule != GUARDED) to.lift[i] = to.dir[i] * (1ll << 40); /* all is ahead of it */
     }
     sph_ray_setup(w->p, &to);
     struct sph_hit by = sph_traverse(&w->m, &to, SPH_TRAVERSE_TREE, &c, &visits, &errors);
-    if (!by.key || rule != GUARDED) return by.key ? by.id + 1 : 0;
-    for (uint32_t k = 0; k < w->n_facets; k++)
-        if (sph_facet_test(w->p, &to, &w->facet[k].leaf).hit && between(w, &s, &to, &w->facet[k]))
-            return w->facet[k].leaf.id + 1;
-    return by.id < w->n_spheres ? by.id + 1 : 0;
+    return by.key ? by.id + 1 : 0;
 }
 
 static void show(const struct specks *w, const struct seen *s, const int64_t from[3],

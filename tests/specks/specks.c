@@ -35,10 +35,10 @@ static void from_line(const uint32_t *line, struct specks_facet *f) {
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
         int64_t(*v)[3] = f->leaf.v;
-        f->whole[i] = f->leaf.kind != SPH_TRIANGLE ? v[1][i]
-                                                   : (v[1][j] - v[0][j]) * (v[2][k] - v[0][k]) -
-                                                         (v[1][k] - v[0][k]) * (v[2][j] - v[0][j]);
-        f->n[i] = (long double)f->whole[i];
+        f->n[i] = (long double)(f->leaf.kind != SPH_TRIANGLE
+                                    ? v[1][i]
+                                    : (v[1][j] - v[0][j]) * (v[2][k] - v[0][k]) -
+                                          (v[1][k] - v[0][k]) * (v[2][j] - v[0][j]));
     }
 }
 

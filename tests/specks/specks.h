@@ -10,14 +10,13 @@
 #include "prim/triangle.h"
 #include "trace/traverse.h"
 
-/* Where a ray to a light starts: at the nearest point of the grid; at the next one outwards, as the
- * machine's do; there too, but no facet is met that the guarded point may have behind it. */
+/* Where a ray to a light starts: at the nearest point of the grid; at the next one outwards; there
+ * too, but as the machine's do it meets no facet that the guarded point may have behind it. */
 enum { NEAREST, OUTWARDS, GUARDED, RULES };
 
 struct specks_facet {
     struct sph_facet_leaf leaf;
-    int64_t whole[3]; /* N: of a triangle s(2W+1) */
-    long double n[3];
+    long double n[3]; /* N */
 };
 
 struct specks {
