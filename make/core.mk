@@ -5,6 +5,7 @@
 #   tools    build/sim/tb_core_icarus (every machine), objects that all harnesses share
 #   core     build/sim/KEY/tb_core    (Verilator)
 #   icarus   build/sim/KEY/tb_core.vvp
+#   cxxrtl   build/sim/KEY/tb_core_cxxrtl
 # KEY, which sim/core.sh gives, names every parameter that shapes the core; what they are elaborated
 # and compiled with stands in build/sim/KEY/flags and in build/sim/obj/flags, and a change of these
 # builds anew.
@@ -48,10 +49,11 @@ ELABORATE := iverilog -g2005 -Wall -Itb/core $(PARAMETERS:%=-Ptb_core_icarus.%) 
 COMPILE_CORE := $(if $(TRACED),$(subst $(PRECOMPILED:%=-include-pch %),,$(COMPILE)),$(COMPILE)) \
                     -isystem $K -DVM_TRACE=$(WAVES) -DVM_TRACE_FST=$(WAVES)
 
-.PHONY: tools core icarus
+.PHONY: tools core icarus cxxrtl
 tools: $S/tb_core_icarus $(SHARED) $(VERILATED) $(TRACED) $(PRECOMPILED)
 core: $K/tb_core
 icarus: $K/tb_core.vvp
+cxxrtl: $K/tb_core_cxxrtl
 
 $S/obj/flags: FORCE
 	$(call stamp,$(CXX) $(CXXFLAGS) $(ROOT))
@@ -90,6 +92,19 @@ $K/core.cpp: $(RTL_FILES) $K/verilator.flags
 $K/core.o: $K/core.cpp $(PRECOMPILED)
 	$(COMPILE_CORE) -MMD -MP -c $< -o $@
 
+# Yosys's C++. A compiler that optimises takes many minutes for it.
+$K/core_cxxrtl/core.cpp: $(RTL_FILES) synth/cxxrtl.sh $K/icarus.flags
+	@mkdir -p $(@D)
+	RTL=$(RTL) sh synth/cxxrtl.sh $@ $(PARAMETERS)
+
+$K/core_cxxrtl.o: tb/core/simulate_cxxrtl.cpp $K/core_cxxrtl/core.cpp
+	$(CCACHE) $(or $(CLANG),$(CXX)) -std=c++17 -O0 -w -Icmodel -Itb/core -I$(<D) \
+	    -I$(dir $(word 2,$^)) -isystem $$(yosys-config --datdir)/include \
+	    -DYOSYS_VERSION='"$(shell yosys -V)"' -MMD -MP -c $< -o $@
+
+$K/tb_core_cxxrtl: $(SHARED) $K/core_cxxrtl.o $(LIB)
+	$(CXX) $^ $(LIBS) -o $@
+
 $(VERILATED) $(TRACED): $S/obj/%.o: $(ROOT)/%.cpp $S/obj/flags
 	@mkdir -p $(@D)
 	$(CCACHE) $(CXX) -std=c++17 -O2 -w $(HEADERS) -DVL_USER_FINISH \
@@ -98,4 +113,4 @@ $(VERILATED) $(TRACED): $S/obj/%.o: $(ROOT)/%.cpp $S/obj/flags
 $K/tb_core: $(SHARED) $K/core.o $(VERILATED) $(TRACED) $(LIB)
 	$(CXX) $^ $(LIBS) $(if $(TRACED),-lz) -o $@
 
--include $(wildcard $S/obj/*.d $K/core.d)
+-include $(wildcard $S/obj/*.d $K/core.d $K/core_cxxrtl.d)

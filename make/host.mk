@@ -1,6 +1,26 @@
-# host.mk - random lives of cores under a host, each frame compared
+# host.mk - random lives of cores under a host, a third simulator: docs/results/host.md
 # SPDX-License-Identifier: Apache-2.0
 
-.PHONY: host
+.PHONY: host host-page cxxrtl cxxrtl-setup
 host: $(TOOL) ## TRIALS of what a host may do to a core, SEED; ten minutes of a processor
 	$(Q)BUILD=$B SPHAERA=$(TOOL) SEED=$(SEED) TRIALS=$(TRIALS) sh sim/host.sh $(ONLY)
+
+host-page: host ## the same, and what was met into docs/results/host.md
+	$(Q)python3 -m lab.pages.place docs/results/host.md events $B/host/events.md
+	$(Q)python3 -m lab.pages.measured docs/results/host.md \
+	    "make host-page SEED=$(SEED) TRIALS=$(TRIALS)" events
+
+cxxrtl-setup: ## installs Yosys's headers (apt), for SIM=cxxrtl
+	@sh sim/setup.sh sim/packages_cxxrtl.txt
+
+# A small frame, and a life of the same core.
+cxxrtl: $B/cxxrtl/scene.sph ## a core as Yosys's C++: a frame, and 20 trials of its life
+	$(Q)BUILD=$B SIM=cxxrtl EFFECTS=auto OPT=-O0 sh sim/core.sh --machine $< --latency 5 \
+	    --stall 20 --seed $(SEED)
+	$(Q)BUILD=$B SIM=cxxrtl EFFECTS=auto OPT=-O0 sh sim/core.sh --machine $< --latency 5 \
+	    --window 0,0,3,2 --seed $(SEED) --life --trials 20 | grep -v '^met'
+
+$B/cxxrtl/scene.sph: scenes/paper5.nff $(TOOL)
+	@mkdir -p $(@D)
+	$(Q)$(TOOL) build $< --profile draft --size 12x9 --depth 1 -o $@ >$(@:.sph=.log) 2>&1 || \
+	    { cat $(@:.sph=.log); exit 1; }

@@ -28,7 +28,7 @@ awk -v names="$*" -v given="$given" -v goals="$goals" -v widths="$widths" \
 case " $goals " in
 *" setup "*) ;;
 *" sim "*)
-    command -v "$(echo "$SIM" | sed 's/icarus/iverilog/')" >/dev/null || {
+    command -v "$(echo "$SIM" | sed 's/icarus/iverilog/; s/cxxrtl/yosys/')" >/dev/null || {
         echo "SIM=$SIM: this simulator is not installed: make setup" >&2
         exit 2
     }

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # usage: [EFFECTS=auto|LIST] [ENGINES=n] [ROOT_STEP=n] [QUOTIENT_STEP=n] \
-#            [SIM=verilator|icarus] sim/core.sh --machine FILE [OPTION...]
+#            [SIM=verilator|icarus|cxxrtl] sim/core.sh --machine FILE [OPTION...]
 #
 # Builds the core that the machine asks for unless it is there (cached by parameters), with
 # waveforms if --trace is among the options, then runs the harness; its options: --help. With
@@ -67,9 +67,13 @@ built=$(sh sim/parameters.sh "$core")
 key=$(ENGINES=$ENGINES ROOT_STEP=$ROOT_STEP QUOTIENT_STEP=$QUOTIENT_STEP \
     sh sim/key.sh "$profile" "$core")$OPT
 [ "$WAVES" = 0 ] || key=$key-waves
-[ "$SIM" = verilator ] && goal=core || goal=icarus
-[ -e "$BUILD/sim/$key/tb_core" ] || [ $goal = icarus ] ||
+[ "$SIM" = verilator ] && goal=core || goal=$SIM
+[ -e "$BUILD/sim/$key/tb_core" ] || [ $goal != core ] ||
     echo "building the core $key in Verilator: half a minute or so, once" >&2
+[ $goal != cxxrtl ] || command -v yosys-config >/dev/null || {
+    echo "core.sh: CXXRTL needs Yosys's headers: make cxxrtl-setup" >&2
+    exit 2
+}
 command -v clang++ >/dev/null || [ "$SIM" = icarus ] ||
     echo "no clang++ here (make setup installs it): g++ compiles the core, in twice the time" >&2
 target "$key-$goal" "$goal" KEY="$key" PROFILE="$profile" CORE="$core" \
@@ -82,8 +86,10 @@ target "$key-$goal" "$goal" KEY="$key" PROFILE="$profile" CORE="$core" \
 }
 repeat="EFFECTS=$EFFECTS ENGINES=$ENGINES ROOT_STEP=$ROOT_STEP QUOTIENT_STEP=$QUOTIENT_STEP"
 repeat="$repeat SIM=$SIM sim/core.sh"
-if [ "$SIM" = verilator ]; then
-    exec "$BUILD/sim/$key/tb_core" --core "$core" --built "$built" --repeat "$repeat" "$@"
+if [ "$SIM" != icarus ]; then
+    name=tb_core
+    [ "$SIM" = verilator ] || name=tb_core_$SIM
+    exec "$BUILD/sim/$key/$name" --core "$core" --built "$built" --repeat "$repeat" "$@"
 else
     exec "$tool" --engine "$BUILD/sim/$key/tb_core.vvp" --core "$core" --built "$built" \
         --repeat "$repeat" "$@"

@@ -15,10 +15,10 @@ mkdir -p "$out"
 export BUILD OPT=-O1
 
 build() { # name, scene, options
-    name=$1 scene=$2
+    file=$out/$1 from=$2
     shift 2
-    "$SPHAERA" build "$scene" --size 3x2 -o "$out/$name.sph" "$@" >"$out/$name.log" 2>&1 ||
-        { cat "$out/$name.log" && exit 1; }
+    "$SPHAERA" build "$from" --size 3x2 -o "$file.sph" "$@" >"$file.build" 2>&1 ||
+        { cat "$file.build" && exit 1; }
 }
 draft="--profile draft"
 # shellcheck disable=SC2086  # a list of words on purpose

@@ -100,7 +100,7 @@ bool tame_records(sph_machine &m) {
     return legal;
 }
 
-void turn_registers(sph_machine &m, Random &random) {
+void turn_registers(sph_machine &m, Random &random, bool rect) {
     const sph_profile &p = m.profile;
     const int64_t w = 1ll << (p.w - 1), wd = (1ll << (p.wd - 1)) - 1;
     const int32_t width = m.regs[SPH_REG_FRAME_W], height = m.regs[SPH_REG_FRAME_H];
@@ -138,7 +138,7 @@ void turn_registers(sph_machine &m, Random &random) {
             set(SPH_REG_RECT_X1, 0, width);
             set(SPH_REG_RECT_Y0, 0, height);
             set(SPH_REG_RECT_Y1, 0, height);
-            set(SPH_REG_BG_MODE, 0, 1);
+            set(SPH_REG_BG_MODE, 0, rect);
             break;
         case 8:
             set(SPH_REG_WIN_X0, 0, width);

@@ -32,8 +32,9 @@ std::vector<Event> spoil_words(sph_machine &m, Random &random);
 /* Shares, powers and indices of refraction of all records brought into their ranges. */
 bool tame_records(sph_machine &m);
 
-/* Registers with other values, of which each is legal by itself. */
-void turn_registers(sph_machine &m, Random &random);
+/* Registers with other values, of which each is legal by itself; background by rectangle if `rect`.
+ */
+void turn_registers(sph_machine &m, Random &random, bool rect);
 
 /* Registers with words of any kind, but window and limits. */
 void spoil_registers(sph_machine &m, Random &random);

@@ -14,7 +14,7 @@
     E(RESET_END, "reset around the end of a frame")                                                \
     E(RESET_AGAIN, "reset again within 3 clocks")                                                  \
     E(RESET_DRAIN, "reset until memory had answered")                                              \
-    E(RESET_LATE, "... which owed 2 lines or more")                                                \
+    E(RESET_LATE, "... which owed a line")                                                         \
     E(RESET_PINS, "start and writes during a reset")                                               \
     E(RESET_START, "start in the clock behind a reset")                                            \
     E(RESET_KEEP, "caches kept behind a reset")                                                    \

@@ -15,8 +15,8 @@ namespace {
 using ull = unsigned long long;
 
 const char *const event_texts[] = {EVENTS(EVENT_TEXT)};
-const int BEATS = 4, LONG = 3000; /* clocks */
-const uint32_t SETTLES = 40;      /* more than counters take behind the last pixel */
+const int BEATS = 4, LONG = 3000, LATE = 120; /* clocks */
+const uint32_t SETTLES = 40;                  /* more than counters take behind the last pixel */
 const uint32_t BUS = 1u << SPH_ERROR_BUS_ERROR;
 
 } // namespace
@@ -83,6 +83,7 @@ void Trials::reset() {
     char what[80];
     std::snprintf(what, sizeof what, "a reset of %d in clock %llu%s", length, static_cast<ull>(at),
                   drain ? ", until memory had answered" : "");
+    if (drain && random_.percent(50)) host.memory().pace(LATE, 0);
     if (!idle) {
         host.pins.keep_cache = false;
         host.pins.start = true;
@@ -93,7 +94,7 @@ void Trials::reset() {
             host.clock();
     }
     for (int round = again ? 2 : 1; round; round--) {
-        met(RESET_LATE, drain && host.memory().waiting() >= 2);
+        met(RESET_LATE, drain && host.memory().waiting() >= 1);
         host.pins.rst = true;
         if (!drain) host.memory().reset();
         for (int i = 0; i < length || host.memory().waiting(); i++) {
@@ -106,6 +107,7 @@ void Trials::reset() {
         if (round == 2) player_.rest(static_cast<int>(random_.below(3)));
     }
     player_.clocks += at;
+    if (drain) host.memory().pace(o_.latency, o_.stall);
     const bool at_once = random_.percent(70);
     if (!at_once) player_.rest(1 + pick(60));
     met(static_cast<Event>(reset_ids[length - 1]));

@@ -24,7 +24,7 @@ void Trials::refused() {
                 static_cast<int32_t>(1u << (SPH_PARTS + random_.below(32 - SPH_PARTS)));
             break;
         case 1:
-            r[SPH_REG_MAX_DEPTH] = 6 + pick(2);
+            r[SPH_REG_MAX_DEPTH] = SPH_MAX_DEPTH + 1 + pick(15 - SPH_MAX_DEPTH); /* 4 bits */
             break;
         case 2:
             r[SPH_REG_N_LIGHTS] = 9 + pick(7);
@@ -72,7 +72,7 @@ void Trials::words() {
 
 void Trials::registers() {
     Copy other(*now_->scene->machine);
-    turn_registers(other.machine, random_);
+    turn_registers(other.machine, random_, o_.built.find("RECT=1") != std::string::npos);
     as_model(other.machine, "random legal registers");
     met(REGISTERS);
     memory(*now_->scene->machine);

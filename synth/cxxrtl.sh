@@ -1,0 +1,20 @@
+#!/bin/sh
+# cxxrtl.sh - rt_core as C++ that simulates it, by Yosys
+# SPDX-License-Identifier: Apache-2.0
+#
+# usage: synth/cxxrtl.sh FILE.cpp PARAMETER=VALUE...     RTL is another source folder
+set -eu
+cd "$(dirname "$0")/.."
+out=$1 rtl=${RTL:-rtl}
+shift
+set_all=
+for p; do set_all="$set_all -set ${p%%=*} ${p#*=}"; done
+include='' library=''
+for d in $(find "$rtl" -name '*.v*' -exec dirname {} + | sort -u); do
+    include="$include -I$d" library="$library -libdir $d"
+done
+source=$(find "$rtl" -name rt_core.v)
+yosys -q -p "verilog_defaults -add $include -DSYNTHESIS; read_verilog $source;
+    chparam $set_all rt_core; hierarchy -check -top rt_core $library; proc; check -assert;
+    write_cxxrtl -g0 $out.tmp"
+mv "$out.tmp" "$out"
