@@ -4,7 +4,9 @@
 """usage: python3 -m lab.bart PAGE FOLDER SIZE MHZ -- NAME:MIDDLE:FRAME,FRAME... ...
 FOLDER has what make/bart.mk says; what is not there is a dash, and a mean is that of the frames
 that are there. MHZ: the paper's clock."""
+import subprocess
 import sys
+from functools import lru_cache
 
 from .pages import data as tables
 from .pages.place import place
@@ -14,7 +16,6 @@ from .textures.page import DECISIONS, LINES, OPERATIONS, PAPER, WAYS, Data, area
 
 KINDS = "primary", "shadow", "reflected"
 MIP = "off", "level", "between"
-FACET = parameters({})["FACET_INTERVAL"]  # clocks of the facet unit for a test
 BEAT = 8              # bytes of an upload in a clock: `make sim TOP=1`
 THEIRS = 0.88 * 207360  # LUTs of the paper's Virtex-5 LX330 that it fills
 
@@ -33,6 +34,12 @@ class Frames(Data):
         """{frame: result} of those that are there."""
         found = {at: self.read(f"{name}-{at}{end}") for at in self.at[name]}
         return {at: run for at, run in found.items() if run}
+
+    def profile(self, name):
+        """That of all frames of a scene: of the first that is there, or standard."""
+        for run in self.all(name, ".json").values():
+            return run["machine"]["profile"].split(":")[0]
+        return "standard"
 
     def read(self, name):
         if name in (f"{scene}-level.json" for scene in self.names):
@@ -54,9 +61,18 @@ def mean(values):
     return sum(values) / len(values) if values else None
 
 
-def least(count):
+@lru_cache
+def facet(profile):
+    """Clocks of the facet unit for a test, in a core of the profile."""
+    pace = subprocess.run(["sh", "sim/profile.sh", profile], check=True,
+                          stdout=subprocess.PIPE, text=True).stdout.split()
+    given = dict(size.split("=") for size in pace)
+    return int(given.get("FACET_INTERVAL", parameters({})["FACET_INTERVAL"]))
+
+
+def least(count, profile):
     """Clocks that one engine takes at least: a visit a clock, the facet unit's for each test."""
-    return max(count["node_visits"], FACET * count["facet_tests"])
+    return max(count["node_visits"], facet(profile) * count["facet_tests"])
 
 
 def frames(data):
@@ -119,9 +135,9 @@ def caches(data):
     return report.table(["scene", "filter", "texels", "hits, %", "the paper's"], rows, left=2)
 
 
-def slower(run):
+def slower(run, profile):
     """How often the least clocks the RTL took, of the pixels that it drew."""
-    return run["cold"]["counters"]["cycles"] / least(run["cold"]["counters"])
+    return run["cold"]["counters"]["cycles"] / least(run["cold"]["counters"], profile)
 
 
 def engines(data):
@@ -138,9 +154,10 @@ def clocks(data):
     rows, clock, many = [], tables.routed(), engines(data)
     for name in data.names:
         drawn = data.all(name, ".json")
-        bound = {at: least(run["counters"]) / data.pixels for at, run in drawn.items()}
+        profile = data.profile(name)
+        bound = {at: least(run["counters"], profile) / data.pixels for at, run in drawn.items()}
         tiles = data.all(name, "-between.core.json")
-        ratio = mean(slower(run) for run in tiles.values())
+        ratio = mean(slower(run, profile) for run in tiles.values())
         took = mean(bound.values()) * (ratio or 1) if bound else None
 
         def rate(mhz, took=took):
@@ -148,7 +165,7 @@ def clocks(data):
         at84 = took and data.mhz * 1e6 / took / data.pixels
         rows.append([name] + [show(mean(run["counters"][what] / data.pixels * by
                                         for run in drawn.values()), "{:.0f}")
-                              for what, by in (("node_visits", 1), ("facet_tests", FACET))]
+                              for what, by in (("node_visits", 1), ("facet_tests", facet(profile)))]
                     + [show(max(bound.values(), default=None), "{:.0f}"), show(ratio, "{:.2f}"),
                        show(took, "{:.0f}"), rate(data.mhz), rate(clock),
                        show(at84 and many and at84 * many, "{:.2f}"), f"{PAPER[name][2][1]}"])
@@ -186,13 +203,14 @@ def sequence(data):
     rows = []
     for name in data.names:
         run = data.read(f"{name}.sequence.json")
-        ratio = mean(slower(r) for r in data.all(name, "-between.core.json").values())
+        profile = data.profile(name)
+        ratio = mean(slower(r, profile) for r in data.all(name, "-between.core.json").values())
         for frame in run["frames"] if run else []:
             def ms(clock):
                 return f"{clock / data.mhz / 1000:.0f}"
             rows.append([name, frame["at"], frame["bases"]["computed"], frame["bases"]["kept"],
                          f"{1000 * frame['cpu_seconds']:.0f}", ms(frame["memory_bytes"] / BEAT),
-                         show(ratio and least(frame["counters"]) * ratio / data.mhz / 1000,
+                         show(ratio and least(frame["counters"], profile) * ratio / data.mhz / 1000,
                               "{:.0f}")])
     return report.table(["scene", "frame", "P_b made", "kept", "build, ms", "upload, ms",
                          "draw, ms"], rows)

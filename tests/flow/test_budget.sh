@@ -5,7 +5,8 @@
 # Synthesises the standard core without any effect if a source changed, and shows that the check
 # can fail: a budget that is one multiplier or one LUT short, or names what is not there, is
 # noticed. Then: what a core is not built for is not in it, by the modules of the elaborated core.
-#   ALL=1  the core with everything, one of profile reference, and blocks of rt_top (`make budget`)
+#   ALL=1  the core with everything, one of profile reference, rt_boxes and blocks of rt_top (`make
+#          budget`)
 set -u
 . "$(dirname "$0")/../tap.sh"
 cd "$(dirname "$0")/../.." || exit 1
@@ -33,15 +34,16 @@ held standard none synth/budget_none.txt
 if [ -n "${ALL:-}" ]; then
     held standard all synth/budget.txt
     held reference shadow+reflect2+lights3+inside synth/budget_reference.txt
-    while read -r module most_mult most_lut; do
+    # shellcheck disable=SC2086  # options: none or some
+    cat synth/budget_top.txt synth/budget_boxes.txt | while read -r module most_mult most_lut more; do
         case $module in rt_*) ;; *) continue ;; esac
-        sh synth/module.sh "$module" | tr -d '|' | {
+        sh synth/module.sh "$module" $more | tr -d '|' | {
             read -r mult lut rest
             fits="$module: $mult of $most_mult MULT18X18D, $lut of $most_lut LUT4eq"
             [ "${rest:+$((mult <= most_mult && lut <= most_lut))}" = 1 ] &&
                 echo "ok ecp5 - $fits" || echo "not ok ecp5 - $fits"
         } >>"$TMP/lines"
-    done <synth/budget_top.txt
+    done
 fi
 while read -r line; do
     case $line in ok*) rc=0 ;; *) rc=1 ;; esac

@@ -46,6 +46,14 @@ assert cells[4:9] == [first[1], "0", "0", "0", first[1]], cells
 END
 check "without the RTL the least" \
     has '^\| robot +\|( +[0-9]+ \|){3} +- \|( +[0-9.]+ \|){3} +- \| +6.3 \|' "$page"
+clocks_of() { # profile: clocks a pixel of the facet unit in a core of it
+    sed -i "s/\"profile\": \"[a-z]*\"/\"profile\": \"$1\"/" "$data"/robot-[34].json
+    fill && sed -n 's/^| robot *|  *[0-9]* |  *\([0-9]*\) |  *[0-9]* |.*/\1/p' "$page" | tail -n 1
+}
+standard=$(clocks_of standard) reference=$(clocks_of reference)
+check "a test of a triangle takes twice the clocks in profile reference" \
+    test "$((2 * standard - reference))" -ge -1 -a "$((2 * standard - reference))" -le 1 \
+    -a "$reference" -gt 1
 # Tiles in which the RTL took twice the least, a core of a tenth of the paper's area
 for way in off:8000 level:4000 between:4000; do
     cat >"$data/robot-3-${way%:*}.core.json" <<END
