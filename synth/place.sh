@@ -6,8 +6,9 @@
 #   CORE    folder of synth/core.sh, target ecp5
 #   FOLDER  gets placed.json (a summary), the netlist, report.json and log of nextpnr
 # nextpnr-ecp5 is that of the PATH, or the one that `make study-pnr` puts into build/study/venv.
-# Device LFE5UM5G-85F. ROUTE=0 stops after placement; wires are estimated. 125 MHz are asked for,
-# and the placer weighs paths by the fourth power of how critical they are.
+# Device LFE5UM5G-85F, or LFE5U-85F for speed grades 6 and 7, which the former has not. ROUTE=0
+# stops after placement; wires are estimated. 125 MHz are asked for, and the placer weighs paths by
+# the fourth power of how critical they are.
 # Exit code 3: there is no nextpnr-ecp5.
 set -eu
 cd "$(dirname "$0")/.."
@@ -35,12 +36,13 @@ yosys -q -l "$out/yosys.log" -p "read_rtlil $core/netlist.il; read_verilog $out/
     cat "$out/yosys.out" >&2
     exit 1
 }
-route=
+device=um5g-85k route=
+[ "$SPEED" = 8 ] || device=85k
 [ "$ROUTE" = 1 ] || route=--no-route
 start=$(date +%s)
 # In the folder: the packaged nextpnr sees no other.
 # shellcheck disable=SC2086  # an option or none
-(cd "$out" && "$pnr" --um5g-85k --speed "$SPEED" --package CABGA381 --json netlist.json \
+(cd "$out" && "$pnr" "--$device" --speed "$SPEED" --package CABGA381 --json netlist.json \
     --freq 125 --placer-heap-critexp 4 --placer-heap-timingweight 20 --seed "$SEED" \
     --timing-allow-fail --lpf-allow-unconstrained --report report.json $route \
     -q -l log >pnr.out 2>&1) || {

@@ -219,7 +219,7 @@ module rt_cache #(
         miss_o <= alloc;
         if (rst) begin mem_req_valid_o <= 1'b0; miss_o <= 1'b0; end
     end
-    wire looked /* verilator public_flat_rd */ = s2_go; // for benches: the line looked up last
+    wire looked /* verilator public_flat_rd */ = s2_go; // for benches: a lookup is done
 
     // ---- the lines of a group: asked for and filled in order ----
     wire [PB-1:0] fill_place;
