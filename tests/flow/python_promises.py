@@ -131,7 +131,7 @@ def errors():
     refused(sphaera.Error, "^mine:1: ", sphaera.parse, b"s 1 2 x 4", name="mine")
     refused(sphaera.Error, "'standart' is none of", scene.build, profile="standart")
     refused(sphaera.Error, "'tree', none of auto", scene.build, accel="tree")
-    refused(sphaera.Error, "depth is 9", scene.build, depth=9)
+    refused(sphaera.Error, "depth is 11", scene.build, depth=11)
     refused(sphaera.Error, "byte 0", scene.build, profile="draft\0x")
     refused(TypeError, "shadows", scene.build, shadows=True)
     refused(OverflowError, "", scene.build, width=1 << 40)

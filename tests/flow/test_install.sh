@@ -101,8 +101,8 @@ int main(int argc, char **argv) {
     assert(sphaera_build(s, &o, &m, &e) == -1 && strstr(e.text, "'tree'"));
     o.accel = "bih", o.profile = "standart";
     assert(sphaera_build(s, &o, &m, &e) == -1 && strstr(e.text, "standart"));
-    o.profile = "fine", o.depth = 9;
-    assert(sphaera_build(s, &o, &m, &e) == -1 && strstr(e.text, "depth is 9"));
+    o.profile = "fine", o.depth = 11;
+    assert(sphaera_build(s, &o, &m, &e) == -1 && strstr(e.text, "depth is 11"));
     o.depth = 2, o.shadow = 2;
     assert(sphaera_build(s, &o, &m, &e) == -1 && strstr(e.text, "shadow"));
     o.shadow = SPHAERA_AUTO;

@@ -36,7 +36,7 @@ check "... on a sphere, a plane and two triangles" [ "$(grep -c '^#if (Ids) Look
 fails 1 "export of a machine" "$s" export "$TMP/m.sph"
 fails 1 "export of nothing" "$s" export "$TMP/missing.nff"
 fails 2 "export without a scene" "$s" export
-fails 2 "export with 6 reflections" "$s" export $glass --depth 6
+fails 2 "export with 11 reflections" "$s" export $glass --depth 11
 fails 2 "export knows no profile" "$s" export $glass --profile fine
 cp scenes/paper5.nff "$TMP/p.nff"
 fails 1 "export over its scene" "$s" export "$TMP/p.nff" -o "$TMP/p.nff"

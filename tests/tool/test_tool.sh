@@ -254,7 +254,7 @@ fails 2 "build without output" "$s" build a.nff
 fails 2 "build without scene" "$s" build -o x.sph
 fails 2 "two scenes" "$s" build a.nff a.nff -o x.sph
 for bad in --profile=huge --profile=standard: --profile=standard:pq=99 --tree=oak \
-    --background=blue --depth=6 --depth=-1 --depth=1x --size=0x4 --size=64 --size=64x \
+    --background=blue --depth=11 --depth=-1 --depth=1x --size=0x4 --size=64 --size=64x \
     --size=64x48x --size=16384x1 --size=1x16384 --bg-points=3 --bg-points=4097 \
     --bg-border=65 --bg-levels=3 --shadow=maybe --reflect= --lights=9 --lights=all \
     --inside=maybe --traverse=brute --interpenetrate=yes --refract=maybe --specular=1; do
