@@ -23,9 +23,11 @@ bench: $(TOOL) $(EMBREE) ## one way of the golden model against another, and Emb
 	$(Q)python3 -m lab.speed $(TOOL) $B/bench docs/results/speed.md $(EMBREE)
 	$(Q)python3 -m lab.pages.measured docs/results/speed.md "make bench"
 
-hashes: $(TOOL) ## write scenes/hashes.txt: what the golden model draws now
+hashes: $(TOOL) $B/test/naive-frame ## write scenes/hashes*.txt: what golden and naive model draw now
 	$(Q)SPHAERA=$(TOOL) sh sim/hashes.sh >$B/hashes.txt
 	$(Q)mv $B/hashes.txt scenes/hashes.txt
+	$(Q)SPHAERA=$(TOOL) sh sim/hashes.sh --naive $B/test/naive-frame >$B/hashes.txt
+	$(Q)mv $B/hashes.txt scenes/hashes_naive.txt
 
 trees: $(TOOL) ## table of visits in each tree, against a bound; a minute
 	$(Q)python3 -m lab.trees $(TOOL) $B/trees

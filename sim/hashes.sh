@@ -1,10 +1,17 @@
 #!/bin/sh
 # hashes.sh - picture hashes of the golden model, the text of scenes/hashes.txt; `make hashes`
 # SPDX-License-Identifier: Apache-2.0
-# usage: [SPHAERA=build/sphaera] sim/hashes.sh
+# usage: [SPHAERA=build/sphaera] [SIZE=64x36] sim/hashes.sh
+#        [SPHAERA=build/sphaera] sim/hashes.sh --naive NAIVE [K]
+# With --naive the text of scenes/hashes_naive.txt: smaller pictures, drawn by the naive model, the
+# program NAIVE, which knows no textures; with K the K-th, the 2K-th, ... of them.
+naive= nth=1
+[ "${1:-}" != --naive ] || { naive=$(realpath "$2") nth=${3:-1}; }
 cd "$(dirname "$0")/.." || exit 1
 SPHAERA=${SPHAERA:-build/sphaera}
-size=64x36 depth=2
+size=${SIZE:-64x36} depth=2
+[ -z "$naive" ] || size=16x9
+at=${TMPDIR:-/tmp}/hashes.$$
 
 # Options of a scene of scenes/effects, from the table there.
 options() {
@@ -20,18 +27,47 @@ profiles() {
         scenes/effects/effects.txt ;;
     esac
 }
-cat <<'END'
+naive_hash() { # scene, options of build
+    if ! "$SPHAERA" build "$@" -o "$at" >"$at.log" 2>&1; then
+        grep -q 'would do$' "$at.log" && echo refused || echo error
+        return
+    fi
+    "$naive" "$at" 2>&1 | awk '{ hash = $2 } / mismatches$/ { bad = 1 }
+        END { print bad || !hash ? "error" : hash }'
+}
+if [ -n "$naive" ]; then
+    trap 'rm -f "$at" "$at.log"' EXIT
+    cat <<'END'
+# hashes_naive.txt - hash of the naive model's picture of every scene that it can draw
+# SPDX-License-Identifier: Apache-2.0
+# Written by `make hashes`; `make test` compares the golden model's pictures with it.
+# scene profile tree size depth hash
+END
+else
+    cat <<'END'
 # hashes.txt - hash of the golden model's picture of every scene in every profile
 # SPDX-License-Identifier: Apache-2.0
 # Written by `make hashes`, compared by `make test`: a change here is a change of the pictures.
 # scene profile tree size depth hash
 END
+fi
+n=0
 for scene in scenes/*.nff scenes/effects/*.nff scenes/facets/*.nff scenes/refraction/*.nff; do
     name=${scene#scenes/} name=${name%.nff} tree=balanced
     more=$(options "$name")
     case $more in *--tree=paper*) tree=paper ;; esac
     some=$(profiles "$name")
+    case $naive$name in /*texture*) continue ;; esac
     for profile in ${some:-draft standard fine reference}; do
+        n=$((n + 1))
+        [ $((n % nth)) -eq 0 ] || continue
+        if [ -n "$naive" ]; then
+            # shellcheck disable=SC2086  # a list of words on purpose
+            hash=$(naive_hash "$scene" --profile $profile --tree $tree --size $size \
+                --depth $depth $more)
+            echo "$name $profile $tree $size $depth $hash"
+            continue
+        fi
         # shellcheck disable=SC2086  # a list of words on purpose
         hash=$("$SPHAERA" render "$scene" --profile $profile --tree $tree --size $size \
             --depth $depth $more 2>&1 | awk '

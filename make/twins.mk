@@ -1,0 +1,15 @@
+# twins.mk - the naive model's pictures; faults planted in model and RTL alike
+# SPDX-License-Identifier: Apache-2.0
+NAIVE := $B/test/naive-frame
+$(NAIVE): $B/test/obj/tests/reference/naive_frame.o $(LIB)
+	$(call say,LD,$(@F))
+	$(call make_whole,$(CC) -fopenmp $^ $(MODEL_LIBS))
+
+tests/reference/test_hashes_naive.sh tests/mutants/test_twins.sh: | $(NAIVE)
+tests/mutants/test_twins.sh: | $B/test/hard
+
+twins: suites ## faults planted in model and RTL alike, and what notices them: all of the list
+	@ALL=1 SPHAERA=$(abspath $(TOOL)) BUILD=$(abspath $B) JOBS=$(JOBS) \
+	    sh tests/run.sh tests/mutants/test_twins.sh
+
+.PHONY: twins
