@@ -72,10 +72,18 @@ class Netlist:
         for name, module in found.items():
             self.variants[base(name)].append(name)
             self._cells(name, module["cells"])
-            self.dead[name] = dead(module)
             self.fixed[name] = {(cell, port, i): bit for cell, what in module["cells"].items()
                                 for port, bits in what["connections"].items()
                                 for i, bit in enumerate(bits) if bit in ("0", "1")}
+        read = {}                           # variant: bits of its inputs that it reads
+        def look(name):
+            if name not in read:
+                for cell in found[name]["cells"].values():
+                    if cell["type"] in found:
+                        look(cell["type"])
+                self.dead[name], read[name] = dead(found[name], read)
+        for name in found:
+            look(name)
         for names in self.variants.values():
             names.sort(key=lambda n: (-self.size[n], n))
 
@@ -162,9 +170,10 @@ BITWISE = {"$mux", "$pmux", "$dff", "$and", "$or", "$xor", "$xnor", "$not", "$po
 CARRIES = {"$add", "$sub", "$mul", "$neg", "$shl", "$sshl"}
 
 
-def dead(module):
+def dead(module, read):
     """Bits of cells' ports that no output of the module and no instance in it depends on: a fault
-    there is none. Bits of a word are told apart where an operator treats them apart."""
+    there is none. Bits of a word are told apart where an operator treats them apart. Then the bits
+    of inputs that something depends on; `read` has those of the modules below."""
     readers = defaultdict(list)     # bit: (cell, port, index) that drive it
     cells = module["cells"]
     for name, cell in cells.items():
@@ -182,6 +191,8 @@ def dead(module):
             if way == "output":
                 continue
             for j, bit in enumerate(nets[other]):
+                if kind in read and (other, j) not in read[kind]:
+                    continue
                 if kind in BITWISE and other in "ABD" and j % len(nets[port]) != i and (
                         len(nets[other]) % len(nets[port]) == 0):
                     continue
@@ -192,9 +203,10 @@ def dead(module):
 
     for name, cell in cells.items():  # what an instance or a memory does is not looked at
         if cell["type"][0] != "$" or cell["type"].startswith(("$paramod", "$mem")):
+            below = read.get(cell["type"])
             for port, way in cell["port_directions"].items():
                 for i, bit in enumerate(cell["connections"][port]):
-                    if way != "output":
+                    if way != "output" and (below is None or (port, i) in below):
                         live.add((name, port, i))
                         todo.append(bit)
     seen = set()
@@ -209,7 +221,9 @@ def dead(module):
                 live.add(spot)
                 todo.append(more)
     return {(name, port, i) for name, cell in cells.items() for port in cell["connections"]
-            for i in range(len(cell["connections"][port])) if (name, port, i) not in live}
+            for i in range(len(cell["connections"][port])) if (name, port, i) not in live}, {
+        (name, i) for name, port in module["ports"].items() if port["direction"] == "input"
+        for i, bit in enumerate(port["bits"]) if bit in seen}
 
 
 def selected(text, top):

@@ -106,9 +106,10 @@ def write(tried, listed, seed):
                 ("home", "another line of its bench", "a bench above", "the core")[
                     len(tried[f]) - 1]
                 for f, (v, _) in found.items() if v in ("killed", "timeout")).most_common()]),
-        "run": markdown(["seed", "faults listed", "run", "processor's minutes", "digest of rtl/",
-                         "day"],
+        "run": markdown(["seed", "faults listed", "run", "rounds of 4", "processor's minutes",
+                         "digest of rtl/", "day"],
                         [[str(seed), str(listed), str(len(found)),
+                          str(max(map(len, tried.values()), default=0)),
                           f"{sum(s for r in tried.values() for _, _, s in r) / 60:.0f}",
                           store.digest(["rtl/*/*.v", "rtl/*/*.vh"])[:8],
                           subprocess.run(["date", "-u", "+%F"], check=True, text=True,

@@ -88,6 +88,8 @@ class Source {
                 (v.facet.id + (random.percent(50) ? v.facet.after + (uint32_t)random.below(2)
                                                   : -v.facet.before - (uint32_t)random.below(2))) &
                 0xffffff;
+        if (random.percent(10)) /* of the group, but for one bit */
+            v.ray.skip.id = v.facet.id ^ 1u << random.below(24);
         v.facet.kind = random.percent(30) ? SPH_PLANE : SPH_TRIANGLE;
         v.shadow = random.percent(33);
         if (count < PATTERNS)
