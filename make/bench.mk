@@ -23,7 +23,7 @@ bench: $(TOOL) $(EMBREE) ## one way of the golden model against another, and Emb
 	$(Q)python3 -m lab.speed $(TOOL) $B/bench docs/results/speed.md $(EMBREE)
 	$(Q)python3 -m lab.pages.measured docs/results/speed.md "make bench"
 
-hashes: $(TOOL) $B/test/naive-frame ## write scenes/hashes*.txt: what golden and naive model draw now
+hashes: $(TOOL) $B/test/naive-frame ## write scenes/hashes*.txt: what both models draw now
 	$(Q)SPHAERA=$(TOOL) sh sim/hashes.sh >$B/hashes.txt
 	$(Q)mv $B/hashes.txt scenes/hashes.txt
 	$(Q)SPHAERA=$(TOOL) sh sim/hashes.sh --naive $B/test/naive-frame >$B/hashes.txt

@@ -11,7 +11,7 @@ campaign_lists := 0 1 2 3
 campaign_one = python3 -m lab.mutants plan $B $(FAULTS) $(SEED) $(1) $B/mutants/list$(1) && \
     $(call jobs_run,$B/mutants/list$(1))
 
-campaign: $(LIB) $(TOOL) $B/test/libhard.a ## faults by Yosys in every module, what notices them: hours
+campaign: $(LIB) $(TOOL) $B/test/libhard.a ## faults by Yosys in every module, and what notices them
 	@mkdir -p $B/mutants
 	@sh tb/run_bench.sh --tools && sh sim/core.sh --help >$B/mutants/harness.log
 	$(Q)$(foreach n,$(campaign_lists),$(call campaign_one,$n) &&) true

@@ -14,7 +14,7 @@ def attempt(bench, program, number, words, limit):
     began = os.times()
     verdict = "timeout"
     try:
-        # the machine may be shared: limits are of the processor's time, and wide ones of the clock's
+        # The machine may be shared: the limit is of the processor's time, a wide one of time.
         ran = subprocess.run(["prlimit", f"--cpu={int(limit) + 1}", program, *words], check=False,
                              text=True, timeout=20 * limit, stdout=subprocess.PIPE,
                              stderr=subprocess.DEVNULL, errors="replace", env=environment)

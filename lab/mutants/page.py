@@ -21,14 +21,21 @@ def text(fault):
 
 
 def reasons():
-    """[(pattern, reason)]"""
-    found = []
+    """[(pattern, reason)]: a reason stands above its patterns, which are indented."""
+    found, reason, patterns = [], [], []
     with open(EQUIVALENT, encoding="utf-8") as f:
         for number, line in enumerate(f, 1):
-            if line.strip() and not line.startswith("#"):
-                if " | " not in line:
-                    sys.exit(f"{EQUIVALENT}:{number}: no bar between pattern and reason")
-                found.append(tuple(word.strip() for word in line.split(" | ", 1)))
+            if not line.strip() or line.startswith("#"):
+                continue
+            if line[0] != " ":
+                if patterns:
+                    reason, patterns = [], []
+                reason.append(line.strip())
+            elif reason:
+                patterns.append(line.strip())
+                found.append((line.strip(), " ".join(reason)))
+            else:
+                sys.exit(f"{EQUIVALENT}:{number}: no reason above this pattern")
     return found
 
 

@@ -35,7 +35,8 @@ if [ -n "${ALL:-}" ]; then
     held standard all synth/budget.txt
     held reference shadow+reflect2+lights3+inside synth/budget_reference.txt
     # shellcheck disable=SC2086  # options: none or some
-    cat synth/budget_top.txt synth/budget_boxes.txt | while read -r module most_mult most_lut more; do
+    cat synth/budget_top.txt synth/budget_boxes.txt >"$TMP/modules"
+    while read -r module most_mult most_lut more; do
         case $module in rt_*) ;; *) continue ;; esac
         sh synth/module.sh "$module" $more | tr -d '|' | {
             read -r mult lut rest
@@ -43,7 +44,7 @@ if [ -n "${ALL:-}" ]; then
             [ "${rest:+$((mult <= most_mult && lut <= most_lut))}" = 1 ] &&
                 echo "ok ecp5 - $fits" || echo "not ok ecp5 - $fits"
         } >>"$TMP/lines"
-    done
+    done <"$TMP/modules"
 fi
 while read -r line; do
     case $line in ok*) rc=0 ;; *) rc=1 ;; esac

@@ -2,9 +2,9 @@
 # test_twins.sh - faults planted in model and RTL alike are noticed by what shares no code with them
 # SPDX-License-Identifier: Apache-2.0
 #
-# Each twin of tests/mutants/twins.txt is an edit in a copy of the RTL and one in a copy of a file of
-# the model. Both draw a frame in Icarus, and agree in every pixel and counter; then the naive model
-# or the oracle of a named case must notice it. The sound model passes both.
+# Each twin of tests/mutants/twins.txt is an edit in a copy of the RTL and one in a copy of a file
+# of the model. Both draw a frame in Icarus, and agree in every pixel and counter; then the naive
+# model or the oracle of a named case must notice it. The sound model passes both.
 #   MUTANT=pattern  those whose name has the pattern in it
 #   ALL=1           all (`make twins`), else two
 set -u
