@@ -2,9 +2,9 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * A node opens its halves along the cheapest shares that tree_split.c found until it has four
- * children. Should the tree get deeper than the hardware's stack, it is split again without
- * reinsertion, then with a lower limit of binary levels; at last in half all the way, two binary
- * levels to a node, which needs ceil(log2(n)/2) levels.
+ * children; of those shares that keep within the hardware's stack, where the tree would get deeper.
+ * Should none do, it is split again without reinsertion, then with a lower limit of binary levels;
+ * at last in half all the way, two binary levels to a node, which needs ceil(log2(n)/2) levels.
  */
 #include <string.h>
 #include <stdlib.h>
@@ -18,24 +18,27 @@ struct work {
     const int32_t *eye;
     struct sph_split split;
     struct sph_tree *tree;
+    int most; /* levels of nodes */
     int even; /* two binary levels to a node, whatever the cost */
 };
 
-/* Appends the children that a binary child becomes when it may be j of them; `must` for a node's
- * own pair, which may not stay whole. */
-static void open_pair(const struct work *w, uint32_t child, int j, int must, uint32_t out[4],
-                      int *n) {
-    const struct sph_pair *pairs = w->split.pairs;
-    int whole = child & SPH_PAIR_LEAF || j == 1;
-    if (!whole && !must && !w->even) whole = pairs[child].cost[j] >= pairs[child].cost[1];
+/* Appends the children that a binary child becomes when it may be j of them, with `most` levels of
+ * nodes, which is enough for it; `must` for a node's own pair, which may not stay whole. */
+static void open_pair(const struct work *w, uint32_t child, int j, int must, int most,
+                      uint32_t out[4], int *n) {
+    const struct sph_pair *pairs = w->split.pairs, *p = &pairs[child];
+    int whole = child & SPH_PAIR_LEAF || j == 1, share = j / 2;
+    float cost = 0;
+    if (!whole && !w->even) {
+        share = sph_pair_share(pairs, p, j, most, &cost);
+        whole = !must && p->levels[1] <= most && cost >= p->cost[1];
+    }
     if (whole) {
         out[(*n)++] = child;
         return;
     }
-    float cost;
-    int share = w->even ? j / 2 : sph_pair_share(pairs, &pairs[child], j, &cost);
-    open_pair(w, pairs[child].child[0], share, 0, out, n);
-    open_pair(w, pairs[child].child[1], j - share, 0, out, n);
+    open_pair(w, p->child[0], share, 0, most, out, n);
+    open_pair(w, p->child[1], j - share, 0, most, out, n);
 }
 
 /* Squared distance of a child from the eye; spheres of filter units by their centres. */
@@ -71,15 +74,15 @@ static void sort_children(const struct work *w, uint32_t children[4], int n) {
 }
 
 /* Makes the node of a pair and all below it; returns its index. Levels go to tree->depth. */
-static uint32_t collapse(struct work *w, uint32_t pair, uint32_t level) {
+static uint32_t collapse(struct work *w, uint32_t pair, int level) {
     struct sph_tree *tree = w->tree;
     const struct sph_pair *p = &w->split.pairs[pair];
     uint32_t me = tree->n_nodes++, children[4];
     struct sph_tree_node *node = &tree->nodes[me];
     int n = 0;
-    if (level + 2 > tree->depth) tree->depth = level + 2;
+    if ((uint32_t)level + 2 > tree->depth) tree->depth = (uint32_t)level + 2;
     node->ball = sph_filter_enclose(w->balls, w->split.order + p->first, p->count, w->profile);
-    open_pair(w, pair, 4, 1, children, &n);
+    open_pair(w, pair, 4, 1, w->most - level - 1, children, &n);
     sort_children(w, children, n);
     node->n_inner = node->n_leaf = 0;
     for (int i = 0; i < n; i++) {
@@ -105,6 +108,7 @@ int sph_tree_balanced(const struct sph_ball *balls, const struct sph_aabb *boxes
                       struct sph_tree *tree, struct sph_error *err) {
     static const int limits[] = {64, 30, 25, 21, 18, 0};
     struct work w = {.balls = balls, .profile = profile, .eye = eye, .tree = tree};
+    w.most = SPH_STACK_DEPTH - (int)tree->above;
     /* a node has two children or more, so there are fewer nodes than spheres */
     tree->nodes = malloc((n + 1ull) * sizeof *tree->nodes);
     if (!tree->nodes) return sph_fail(err, "out of memory for a tree of %u spheres", n);
@@ -121,12 +125,13 @@ int sph_tree_balanced(const struct sph_ball *balls, const struct sph_aabb *boxes
             tree->nodes = NULL;
             return -1;
         }
-        if (!better) sph_split_fill(balls, profile, &w.split);
+        if (!better) sph_split_fill(balls, boxes, profile, &w.split);
         w.even = limits[i] == 0;
         tree->n_nodes = tree->depth = 0;
-        collapse(&w, 0, 0);
+        int fits = w.even || w.split.pairs[0].levels[1] <= w.most;
+        if (fits) collapse(&w, 0, 0);
         sph_split_free(&w.split);
-        if (tree->depth - 1 + tree->above <= SPH_STACK_DEPTH) break;
+        if (fits) break;
     }
     size_t used = tree->n_nodes ? tree->n_nodes : 1;
     struct sph_tree_node *less = realloc(tree->nodes, used * sizeof *tree->nodes);

@@ -45,7 +45,7 @@ int sph_split_better(const struct sph_ball *balls, const struct sph_aabb *boxes,
         spare.pairs = malloc((n - 1) * sizeof *spare.pairs);
         spare.order = malloc(n * sizeof *spare.order);
         failed |= !spare.pairs || !spare.order;
-        sph_split_fill(balls, profile, split);
+        sph_split_fill(balls, NULL, profile, split);
     }
     for (int way = 0; way < WAYS && !failed && !many; way++)
         failed = make_cheaper(&links, way, split, &spare);

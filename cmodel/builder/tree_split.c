@@ -10,6 +10,7 @@
  */
 #include "builder/tree_split.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -103,11 +104,18 @@ static void partition(const struct work *w, const struct sph_pair *p, int axis, 
     }
 }
 
-int sph_pair_share(const struct sph_pair *pairs, const struct sph_pair *p, int j, float *cost) {
+/* The levels that two halves need as i and j children. */
+static int share_levels(const struct sph_pair *pairs, const struct sph_pair *p, int i, int j) {
+    int a = sph_pair_levels(pairs, p->child[0], i), b = sph_pair_levels(pairs, p->child[1], j);
+    return a > b ? a : b;
+}
+
+int sph_pair_share(const struct sph_pair *pairs, const struct sph_pair *p, int j, int most,
+                   float *cost) {
     int best = j / 2;
     *cost = INFINITY;
     for (int i = 1; i < j; i++) {
-        if (i > 3 || j - i > 3) continue;
+        if (i > 3 || j - i > 3 || share_levels(pairs, p, i, j - i) > most) continue;
         float c = sph_pair_cost(pairs, p->child[0], i) + sph_pair_cost(pairs, p->child[1], j - i);
         if (c < *cost) *cost = c, best = i;
     }
@@ -116,8 +124,18 @@ int sph_pair_share(const struct sph_pair *pairs, const struct sph_pair *p, int j
 
 void sph_pair_fill(const struct sph_pair *pairs, struct sph_pair *p, float area) {
     float shared[5];
-    for (int j = 2; j <= 4; j++)
-        sph_pair_share(pairs, p, j, &shared[j]);
+    int levels[5] = {0, 0, INT_MAX, INT_MAX, INT_MAX};
+    for (int j = 2; j <= 4; j++) {
+        sph_pair_share(pairs, p, j, INT_MAX, &shared[j]);
+        for (int i = j < 4 ? j - 1 : 3; i > 0 && j - i <= 3; i--) {
+            int need = share_levels(pairs, p, i, j - i);
+            if (need < levels[j]) levels[j] = need;
+        }
+    }
+    p->levels[0] = levels[4];
+    p->levels[1] = levels[4] + 1;
+    for (int j = 2; j <= 3; j++)
+        p->levels[j] = levels[j] < p->levels[j - 1] ? levels[j] : p->levels[j - 1];
     p->cost[0] = shared[4];
     p->cost[1] = area + shared[4];
     p->cost[2] = fminf(p->cost[1], shared[2]);
@@ -182,14 +200,25 @@ int sph_split(const struct sph_ball *balls, const struct sph_aabb *boxes, uint32
     return sph_fail(err, "out of memory for a tree of %u spheres", n);
 }
 
-void sph_split_fill(const struct sph_ball *balls, const struct sph_profile *profile,
-                    struct sph_split *split) {
+/* What the ball or box around a pair's own is met like. */
+static float pair_area(const struct work *w, const struct sph_profile *profile,
+                       const uint32_t *order, uint32_t n) {
+    double ball[4];
+    struct box box = EMPTY;
+    for (uint32_t i = 0; w->boxes && i < n; i++)
+        box_add(w, &box, order[i]);
+    if (w->boxes) return box_area(w, &box);
+    sph_enclose(w->balls, order, n, ball);
+    double r = ball[3] + sph_pair_margin(profile);
+    return (float)(r * r);
+}
+
+void sph_split_fill(const struct sph_ball *balls, const struct sph_aabb *boxes,
+                    const struct sph_profile *profile, struct sph_split *split) {
+    const struct work w = {.balls = balls, .boxes = boxes};
     for (uint32_t i = split->n_pairs; i-- > 0;) { /* children stand behind their parent */
         struct sph_pair *p = &split->pairs[i];
-        double ball[4];
-        sph_enclose(balls, split->order + p->first, p->count, ball);
-        double r = ball[3] + sph_pair_margin(profile);
-        sph_pair_fill(split->pairs, p, (float)(r * r));
+        sph_pair_fill(split->pairs, p, pair_area(&w, profile, split->order + p->first, p->count));
     }
 }
 

@@ -12,6 +12,7 @@ struct sph_pair {          /* node of the binary tree */
     uint32_t first, count; /* its spheres: order[first..first+count-1] */
     uint32_t child[2];     /* pair index, or SPH_PAIR_LEAF | sphere index */
     float cost[4];         /* least expected visits as at most [j] children; [0]: inside a node */
+    int levels[4];         /* least levels of nodes, in the same way; they may cost more */
 };
 
 struct sph_split {
@@ -26,9 +27,9 @@ struct sph_split {
 int sph_split(const struct sph_ball *balls, const struct sph_aabb *boxes, uint32_t n, int limit,
               struct sph_split *split, struct sph_error *err);
 
-/* Fills the costs of all pairs of a split of balls. */
-void sph_split_fill(const struct sph_ball *balls, const struct sph_profile *profile,
-                    struct sph_split *split);
+/* Fills costs and levels of all pairs of a split of balls, or of boxes unless NULL. */
+void sph_split_fill(const struct sph_ball *balls, const struct sph_aabb *boxes,
+                    const struct sph_profile *profile, struct sph_split *split);
 
 void sph_split_free(struct sph_split *split);
 
@@ -37,11 +38,17 @@ static inline float sph_pair_cost(const struct sph_pair *pairs, uint32_t child, 
     return child & SPH_PAIR_LEAF ? 0 : pairs[child].cost[j];
 }
 
-/* Divides j = 2..4 children among the two halves of a pair: the first half's share of the
- * cheapest way, and its cost. */
-int sph_pair_share(const struct sph_pair *pairs, const struct sph_pair *p, int j, float *cost);
+static inline int sph_pair_levels(const struct sph_pair *pairs, uint32_t child, int j) {
+    return child & SPH_PAIR_LEAF ? 0 : pairs[child].levels[j];
+}
 
-/* Fills cost[] of a pair whose children are done; area: what its ball or box is met like. */
+/* Divides j = 2..4 children among the two halves of a pair: the first half's share of the
+ * cheapest way that needs at most `most` levels of nodes, and its cost; infinite if none does. */
+int sph_pair_share(const struct sph_pair *pairs, const struct sph_pair *p, int j, int most,
+                   float *cost);
+
+/* Fills cost[] and levels[] of a pair whose children are done; area: what its ball or box is met
+ * like. */
 void sph_pair_fill(const struct sph_pair *pairs, struct sph_pair *p, float area);
 
 /* What the radius of a node in memory may be more than that of its ball, grid units. */

@@ -5,6 +5,7 @@
  */
 #include "build_scene.h"
 
+#include <math.h>
 #include <omp.h>
 #include <stdlib.h>
 #include <string.h>
@@ -74,7 +75,7 @@ static void clouds(void **unused) {
         struct sph_split plain, one = better(balls, n, 1), three = better(balls, n, 3);
         struct sph_error err;
         assert_int_equal(sph_split(balls, NULL, n, 64, &plain, &err), 0);
-        sph_split_fill(balls, profile, &plain);
+        sph_split_fill(balls, NULL, profile, &plain);
         printf("# %u spheres: %.4f of the splits' cost\n", n,
                (double)(one.pairs[0].cost[1] / plain.pairs[0].cost[1]));
         check(&one, n);
@@ -108,8 +109,64 @@ static void slow(void **unused) {
     }
 }
 
+/* Three spheres apart and a like scene of half the size between them, and so on: it is cheapest to
+ * open the three in their node, one level of nodes for each size, which is too deep. */
+static void deep(void **unused) {
+    enum { SIZES = 22, N = 3 * SIZES };
+    static const int32_t eye[3];
+    static struct sph_ball balls[N];
+    (void)unused;
+    for (int i = 0; i < N; i++) {
+        balls[i].c[i % 3] = 1 << (22 - i / 3);
+        balls[i].r = balls[i].c[i % 3] / 64 + 1;
+    }
+    for (uint32_t above = 0; above <= 4; above += 2) {
+        struct sph_tree tree = {.above = above};
+        struct sph_error err;
+        struct sph_split split = better(balls, N, 1);
+        double sum = 0, unit = ldexp(1, profile->w - profile->fw);
+        assert_int_equal(
+            sph_tree_balanced(balls, NULL, N, profile, eye, SPH_TREE_REINSERTED, &tree, &err), 0);
+        for (uint32_t i = 0; i < tree.n_nodes; i++)
+            sum += pow(tree.nodes[i].ball.r * unit, 2) / (double)split.pairs[0].cost[1];
+        printf("# %u levels below %u: %.4f of the cost without a limit\n", tree.depth - 1, above,
+               sum);
+        assert_int_equal(tree.depth - 1, SPH_STACK_DEPTH - above);
+        assert_true(sum < 1.01);
+        sph_split_free(&split);
+        free(tree.nodes);
+    }
+}
+
+/* Costs of boxes: those of splits are above those of what is reinserted in them. */
+static void boxes(void **unused) {
+    enum { N = 500 };
+    static struct sph_ball balls[N];
+    static struct sph_aabb own[N];
+    struct sph_split split;
+    struct sph_error err;
+    (void)unused;
+    for (int i = 0; i < N; i++) {
+        for (int k = 0; k < 3; k++) {
+            balls[i].c[k] = (int32_t)between(-8e6, 8e6);
+            own[i].lo[k] = balls[i].c[k] - (int32_t)between(0, 3e5);
+            own[i].hi[k] = balls[i].c[k] + (int32_t)between(0, 3e5);
+        }
+        balls[i].r = 600000;
+    }
+    assert_int_equal(sph_split(balls, own, N, 64, &split, &err), 0);
+    sph_split_fill(balls, own, profile, &split);
+    float before = split.pairs[0].cost[1];
+    assert_int_equal(sph_split_better(balls, own, N, profile, &split, &err), 0);
+    check(&split, N);
+    printf("# %d boxes: %.4f of the splits' cost\n", N, (double)(split.pairs[0].cost[1] / before));
+    assert_true(split.pairs[0].cost[1] < before && split.pairs[0].cost[1] > before / 2);
+    sph_split_free(&split);
+}
+
 int main(int argc, char **argv) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(clouds), cmocka_unit_test(slow)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(clouds), cmocka_unit_test(slow),
+                                       cmocka_unit_test(deep), cmocka_unit_test(boxes)};
     seed(argc, argv);
     return cmocka_run_group_tests_name("better trees", tests, NULL, NULL);
 }
