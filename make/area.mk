@@ -13,6 +13,9 @@ PROFILES ?= standard
 TARGETS  ?= ecp5
 EFFECTS  ?= all
 ENGINES  ?= 1
+PIPES    ?= 1
+EXACTS   ?= 0
+SHADES   ?= 0
 # bits that a root and a quotient gain a clock
 ROOT_STEP     ?= 2
 QUOTIENT_STEP ?= 2
@@ -32,7 +35,8 @@ $(foreach t,$(targets),$(if $(filter $t,$(KNOWN_TARGETS)),,$(error synth: \
 
 $(foreach e,$(EFFECTS),$(if $(shell sh sim/parameters.sh '$e'),,$(error synth: \
     no core is built with '$e')))
-key = $(shell ENGINES=$(ENGINES) ROOT_STEP=$(ROOT_STEP) QUOTIENT_STEP=$(QUOTIENT_STEP) \
+key = $(shell ENGINES=$(ENGINES) PIPES=$(PIPES) EXACTS=$(EXACTS) SHADES=$(SHADES) \
+          ROOT_STEP=$(ROOT_STEP) QUOTIENT_STEP=$(QUOTIENT_STEP) \
           sh sim/key.sh '$(1)' '$(2)' $(3))$(if $(filter 1,$(FLAT)),-flat)
 KEYS := $(foreach p,$(profiles),$(foreach t,$(targets),$(foreach e,$(EFFECTS), \
             $(call key,$p,$e,$t))))

@@ -16,6 +16,9 @@ RTL     ?= rtl
 PROFILE ?= standard
 CORE    ?= all
 ENGINES ?= 1
+PIPES   ?= 1
+EXACTS  ?= 0
+SHADES  ?= 0
 # bits that a root and a quotient gain a clock
 ROOT_STEP     ?= 2
 QUOTIENT_STEP ?= 2
@@ -33,7 +36,8 @@ RTL_FILES := $(shell find $(RTL) -name '*.v' -o -name '*.vh')
 RTL_DIRS  := $(sort $(dir $(RTL_FILES)))
 SOURCES   := $(RTL_DIRS:%=-I%) $(sort $(filter %.v,$(RTL_FILES)))
 PARAMETERS := $(shell sh sim/profile.sh '$(PROFILE)') $(shell sh sim/parameters.sh '$(CORE)') \
-              ENGINES=$(ENGINES) ROOT_STEP=$(ROOT_STEP) QUOTIENT_STEP=$(QUOTIENT_STEP)
+              ENGINES=$(ENGINES) PIPES=$(PIPES) EXACTS=$(EXACTS) SHADES=$(SHADES) \
+              ROOT_STEP=$(ROOT_STEP) QUOTIENT_STEP=$(QUOTIENT_STEP)
 
 # What both simulators' harnesses share; tb_counters.cpp is the bench of a block.
 SHARED := $(patsubst tb/core/%.cpp,$S/obj/%.o,$(filter-out tb/core/simulate_%.cpp \

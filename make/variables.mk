@@ -49,6 +49,12 @@ BUILD_MORE ?=
 EFFECTS ?= auto
 ## ENGINES 1..8 tracing engines in the core
 ENGINES ?= 1
+## PIPES 1..4 traversal pipes of an engine
+PIPES ?= 1
+## EXACTS 0|1|2|4 leaf units of an engine; 0: 2 for 3 and 4 pipes, else 1
+EXACTS ?= 0
+## SHADES 0|1|2|4 shading units of an engine; 0: 2 from 2 pipes on, else 1
+SHADES ?= 0
 ## ROOT_STEP 1..W+WD bits that a root of the core gains a clock
 ROOT_STEP ?= 2
 ## QUOTIENT_STEP 1..PQ bits that a quotient of the core gains a clock

@@ -77,6 +77,7 @@ rtl/shade/rt_power_rom.v
 rtl/shade/rt_rays.v
 rtl/shade/rt_refract.v
 rtl/shade/rt_shade.v
+rtl/shade/rt_shades.v
 rtl/shade/rt_share.v
 rtl/shade/rt_shares.v
 rtl/shade/rt_shine.v
@@ -112,11 +113,14 @@ rtl/trace/rt_bih_step.v
 rtl/trace/rt_box.v
 rtl/trace/rt_box_depth.v
 rtl/trace/rt_boxes.v
+rtl/trace/rt_candidates.v
 rtl/trace/rt_collect.v
+rtl/trace/rt_exacts.v
 rtl/trace/rt_filter.v
 rtl/trace/rt_leaf_unit.v
 rtl/trace/rt_next.v
 rtl/trace/rt_origin.v
+rtl/trace/rt_pipes.v
 rtl/trace/rt_setup.v
 rtl/trace/rt_sort.v
 rtl/trace/rt_trace.v

@@ -2,8 +2,8 @@
 # core.sh - one machine through the RTL core and the golden model, compared bit for bit
 # SPDX-License-Identifier: Apache-2.0
 #
-# usage: [EFFECTS=auto|LIST] [ENGINES=n] [ROOT_STEP=n] [QUOTIENT_STEP=n] \
-#            [SIM=verilator|icarus|cxxrtl] sim/core.sh --machine FILE [OPTION...]
+# usage: [EFFECTS=auto|LIST] [ENGINES=n] [PIPES=n] [EXACTS=n] [SHADES=n] [ROOT_STEP=n] \
+#            [QUOTIENT_STEP=n] [SIM=verilator|icarus|cxxrtl] sim/core.sh --machine FILE [OPTION...]
 #
 # Builds the core that the machine asks for unless it is there (cached by parameters), with
 # waveforms if --trace is among the options, then runs the harness; its options: --help. With
@@ -16,13 +16,15 @@
 # all was just built: nothing is looked at, which takes longer than a small frame.
 set -eu
 cd "$(dirname "$0")/.."
-EFFECTS=${EFFECTS:-all} ENGINES=${ENGINES:-1}
+EFFECTS=${EFFECTS:-all} ENGINES=${ENGINES:-1} PIPES=${PIPES:-1}
+EXACTS=${EXACTS:-0} SHADES=${SHADES:-0}
 ROOT_STEP=${ROOT_STEP:-2} QUOTIENT_STEP=${QUOTIENT_STEP:-2}
 SIM=${SIM:-verilator} OPT=${OPT:--O1} WAVES=0
 BUILD=${BUILD:-build}
 
 check() { [ -n "${BUILT:-}" ] || sh sim/check.sh "$@"; }
-EFFECTS=$EFFECTS ENGINES=$ENGINES SIM=$SIM OPT=$OPT check EFFECTS ENGINES SIM OPT
+EFFECTS=$EFFECTS ENGINES=$ENGINES PIPES=$PIPES EXACTS=$EXACTS SHADES=$SHADES SIM=$SIM OPT=$OPT \
+    check EFFECTS ENGINES PIPES EXACTS SHADES SIM OPT
 
 machine= previous= folder= help=
 for word; do
@@ -64,7 +66,8 @@ esac
 [ "$EFFECTS" = auto ] || core=$EFFECTS
 built=$(sh sim/parameters.sh "$core")
 [ "$SIM" = verilator ] || WAVES=0
-key=$(ENGINES=$ENGINES ROOT_STEP=$ROOT_STEP QUOTIENT_STEP=$QUOTIENT_STEP \
+key=$(ENGINES=$ENGINES PIPES=$PIPES EXACTS=$EXACTS SHADES=$SHADES \
+    ROOT_STEP=$ROOT_STEP QUOTIENT_STEP=$QUOTIENT_STEP \
     sh sim/key.sh "$profile" "$core")$OPT
 [ "$WAVES" = 0 ] || key=$key-waves
 [ "$SIM" = verilator ] && goal=core || goal=$SIM
@@ -77,14 +80,18 @@ key=$(ENGINES=$ENGINES ROOT_STEP=$ROOT_STEP QUOTIENT_STEP=$QUOTIENT_STEP \
 command -v clang++ >/dev/null || [ "$SIM" = icarus ] ||
     echo "no clang++ here (make setup installs it): g++ compiles the core, in twice the time" >&2
 target "$key-$goal" "$goal" KEY="$key" PROFILE="$profile" CORE="$core" \
-    ENGINES="$ENGINES" ROOT_STEP="$ROOT_STEP" QUOTIENT_STEP="$QUOTIENT_STEP" \
+    ENGINES="$ENGINES" PIPES="$PIPES" EXACTS="$EXACTS" SHADES="$SHADES" \
+    ROOT_STEP="$ROOT_STEP" QUOTIENT_STEP="$QUOTIENT_STEP" \
     WAVES="$WAVES" OPT="$OPT" ${RTL:+RTL="$RTL"}
 
 [ -z "$folder" ] || {
     echo "$BUILD/sim/$key"
     exit
 }
-repeat="EFFECTS=$EFFECTS ENGINES=$ENGINES ROOT_STEP=$ROOT_STEP QUOTIENT_STEP=$QUOTIENT_STEP"
+repeat="EFFECTS=$EFFECTS ENGINES=$ENGINES"
+[ "$PIPES $EXACTS $SHADES" = "1 0 0" ] ||
+    repeat="$repeat PIPES=$PIPES EXACTS=$EXACTS SHADES=$SHADES"
+repeat="$repeat ROOT_STEP=$ROOT_STEP QUOTIENT_STEP=$QUOTIENT_STEP"
 repeat="$repeat SIM=$SIM sim/core.sh"
 if [ "$SIM" != icarus ]; then
     name=tb_core

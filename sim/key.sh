@@ -2,14 +2,19 @@
 # key.sh - the name of a core: every parameter that shapes it, so that builds never mix
 # SPDX-License-Identifier: Apache-2.0
 #
-# usage: [ENGINES=n] [ROOT_STEP=n] [QUOTIENT_STEP=n] sim/key.sh PROFILE LIST [TARGET]
+# usage: [ENGINES=n] [PIPES=n] [EXACTS=n] [SHADES=n] [ROOT_STEP=n] [QUOTIENT_STEP=n] \
+#            sim/key.sh PROFILE LIST [TARGET]
 # PROFILE as sim/profile.sh takes it, LIST as sim/parameters.sh; TARGET is a target of synthesis.
-# Steps are in the name if they are not the core's own, which is 2.
+# Units of an engine and steps are in the name if they are not the core's own: 1 pipe, units by its
+# rule (0), steps of 2.
 set -eu
 here=$(dirname "$0")
 name=$(sh "$here/profile.sh" "$1" name)
 sh "$here/parameters.sh" "$2" >/dev/null
 key=$name${3:+-$3}-$2-engines${ENGINES:-1}
+[ "${PIPES:-1}" = 1 ] || key=$key-pipes$PIPES
+[ "${EXACTS:-0}" = 0 ] || key=$key-exacts$EXACTS
+[ "${SHADES:-0}" = 0 ] || key=$key-shades$SHADES
 [ "${ROOT_STEP:-2}" = 2 ] || key=$key-root$ROOT_STEP
 [ "${QUOTIENT_STEP:-2}" = 2 ] || key=$key-quotient$QUOTIENT_STEP
 echo "$key"

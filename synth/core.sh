@@ -2,7 +2,8 @@
 # core.sh - synthesises the core once with Yosys and keeps what it says
 # SPDX-License-Identifier: Apache-2.0
 #
-# usage: synth/core.sh PROFILE-TARGET-LIST-engines1[-rootN][-quotientN][-flat] FOLDER
+# usage: synth/core.sh PROFILE-TARGET-LIST-engines1[-pipesN][-exactsN][-shadesN][-rootN][-quotientN]
+#            [-flat] FOLDER
 #   PROFILE: sim/profile.sh, as a part of a file name; LIST: sim/parameters.sh
 # Leaves in FOLDER:
 #   parameters  what the core was elaborated with, and the seconds that it took
@@ -27,6 +28,14 @@ parameters="$(sh sim/profile.sh "$profile") $(sh sim/parameters.sh "${variant%-e
 root=2 quotient=2
 case $variant in *-quotient*) quotient=${variant##*-quotient} variant=${variant%-quotient*} ;; esac
 case $variant in *-root*) root=${variant##*-root} variant=${variant%-root*} ;; esac
+for name in shades exacts pipes; do
+    case $variant in
+    *-$name[0-9]*)
+        parameters="$parameters $(echo $name | tr a-z A-Z)=${variant##*-$name}"
+        variant=${variant%-$name*}
+        ;;
+    esac
+done
 parameters="$parameters ENGINES=${variant##*-engines}"
 parameters="$parameters ROOT_STEP=$root QUOTIENT_STEP=$quotient"
 set_all=$(echo "$parameters" | sed 's/\([A-Z_]*\)=\([0-9]*\)/-set \1 \2/g')

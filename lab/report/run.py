@@ -21,7 +21,7 @@ class Run:
         self.model = frames.Frame(self.folder / "model.frame")
         self.core = frames.Frame(self.folder / "rtl.frame")
         self.window = self.report["window"]
-        self.parameters = units.parameters(self.key)
+        self.parameters = units.parameters(self.key, self.report.get("core", "all"))
         self.last = self.report.get("warm", self.report["cold"])
         self.left = frames.clocks(self.folder / "rtl.clocks", self.core)
 
@@ -29,7 +29,7 @@ class Run:
         return json.loads((self.folder / name).read_text("utf-8"))
 
     def slots(self):
-        return self.parameters["SLOTS"] * self.parameters["ENGINES"]
+        return self.parameters["SLOTS"] * self.parameters["PIPES"] * self.parameters["ENGINES"]
 
     def in_flight(self):
         """Clocks of each pixel in a slot; None if nobody noted when pixels left."""

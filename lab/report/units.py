@@ -3,6 +3,7 @@
 """The clocks that a unit needs for its work follow from its interval, which is a parameter of
 rt_core or stands on its page in docs/blocks; what else it waits for is not counted, so each share
 is a lower bound. The frame cannot take fewer clocks than its busiest unit."""
+import subprocess
 from collections import namedtuple
 from math import ceil
 from pathlib import Path
@@ -17,12 +18,20 @@ LINE = 32       # its bytes
 RECORD = 1      # docs/blocks/leaf_unit.md: clocks a request of a record
 
 
-def parameters(key):
-    """Parameters of the core: defaults of rt_core.v, and what the run was given."""
+def parameters(key, built):
+    """Parameters of the core: defaults of rt_core.v, and what the run was given. built: the list
+    of sim/parameters.sh that it has."""
     found, _ = verilog.header(Path("rtl/core/rt_core.v"), {})
     values = {p.name: int(p.default) for p in found if p.default.isdigit()}
-    values.update((name, int(key[name])) for name in ("ENGINES", "ROOT_STEP", "QUOTIENT_STEP")
+    values.update((name, int(key[name])) for name in
+                  ("ENGINES", "PIPES", "EXACTS", "SHADES", "ROOT_STEP", "QUOTIENT_STEP")
                   if key.get(name))
+    said = subprocess.run(["sh", "sim/parameters.sh", built], check=True, capture_output=True,
+                          text=True).stdout
+    interpenetrate = "INTERPENETRATE=1" in said.split()          # as the rules of rt_core.v
+    values["SHADES"] = values["SHADES"] or (
+        2 if values["PIPES"] > 1 and not interpenetrate else 1)
+    values["EXACTS"] = values["EXACTS"] or (values["SHADES"] if values["PIPES"] > 2 else 1)
     return values
 
 
@@ -43,26 +52,29 @@ def units(count, machine, core):
     vectors = count["rays_primary"] + count["rays_reflected"] + count["rays_refracted"] \
         + hits * (1 + machine["lights"])
     lines = lines_of(count, core)
-    each = [
-        ("nodes", count["node_visits"] + count["pop_bubbles"], "a visit a clock"),
-        ("spheres, exact", count["leaf_tests"] * core["LEAF_INTERVAL"] + hits * RECORD,
+    pipes, exacts, shades = core["PIPES"], core["EXACTS"], core["SHADES"]
+    each = [  # name, of how many an engine has, clocks of all together
+        ("nodes", pipes, count["node_visits"] + count["pop_bubbles"], "a visit a clock"),
+        ("spheres, exact", exacts, count["leaf_tests"] * core["LEAF_INTERVAL"] + hits * RECORD,
          f"a test every {core['LEAF_INTERVAL']} clocks, and records of what is seen"),
-        ("facets, exact", count["facet_tests"] * core["FACET_INTERVAL"],
+        ("facets, exact", exacts, count["facet_tests"] * core["FACET_INTERVAL"],
          f"a test every {core['FACET_INTERVAL']} clocks"),
-        ("keys of facets", count["divisions"] * division / core["DIVISIONS"],
+        ("keys of facets", exacts, count["divisions"] * division / core["DIVISIONS"],
          f"{core['DIVISIONS']} dividers of {division} clocks"),
-        ("roots", count["roots"] * root / core["ROOTS"],
+        ("roots", exacts, count["roots"] * root / core["ROOTS"],
          f"{core['ROOTS']} units of {root} clocks"),
-        ("set-up of rays", vectors * core["UNIT_INTERVAL"] / core["UNITS"],
+        ("set-up of rays", 1, vectors * core["UNIT_INTERVAL"] / core["UNITS"],
          f"{core['UNITS']} units of {core['UNIT_INTERVAL']} clocks: rays, normals, lights"),
-        ("quotients", hits * quotient / core["QUOTIENTS"],
+        ("quotients", shades, hits * quotient / core["QUOTIENTS"],
          f"{core['QUOTIENTS']} units of {quotient} clocks or more"),
-        ("points, normals", hits * core["HIT_INTERVAL"], f"one every {core['HIT_INTERVAL']}"),
-        ("mirror rays", count["rays_reflected"] * core["BOUNCE_INTERVAL"],
+        ("points, normals", shades, hits * core["HIT_INTERVAL"],
+         f"one every {core['HIT_INTERVAL']}"),
+        ("mirror rays", shades, count["rays_reflected"] * core["BOUNCE_INTERVAL"],
          f"one every {core['BOUNCE_INTERVAL']}"),
-        ("highlights", count["powers"] * GLOSS, f"one every {GLOSS}"),
+        ("highlights", shades, count["powers"] * GLOSS, f"one every {GLOSS}"),
     ]
-    found = [Unit(name, clocks / engines, what) for name, clocks, what in each if clocks]
+    found = [Unit(name, clocks / engines / many, what + (f", {many} an engine" if many > 1 else ""))
+             for name, many, clocks, what in each if clocks]
     if lines:
         found.append(Unit("memory port", lines * BEATS, f"{lines} lines of {BEATS} beats"))
     return sorted(found, key=lambda unit: -unit.clocks)

@@ -36,6 +36,9 @@ def effects(run):
     text = run["list"]
     if run["parameters"].get("ENGINES", 1) > 1:
         text += f", {run['parameters']['ENGINES']} engines"
+    for name in "PIPES", "EXACTS", "SHADES":
+        if name in run["parameters"]:
+            text += f", {name.lower()} {run['parameters'][name]}"
     for name in "root", "quotient":
         step = run["parameters"].get(f"{name.upper()}_STEP", 2)
         if step != 2:
@@ -93,6 +96,9 @@ def main(folder, keys):
         command += " EFFECTS=" + runs[0]["list"]
     if runs[0]["parameters"]["ENGINES"] > 1:
         command += f" ENGINES={runs[0]['parameters']['ENGINES']}"
+    for name in "PIPES", "EXACTS", "SHADES":
+        if name in runs[0]["parameters"]:
+            command += f" {name}={runs[0]['parameters'][name]}"
     for step in "ROOT_STEP", "QUOTIENT_STEP":
         if runs[0]["parameters"].get(step, 2) != 2:
             command += f" {step}={runs[0]['parameters'][step]}"

@@ -219,7 +219,7 @@ GROUPS = 1, 2, 4  # lines of 32 bytes that are fetched together
 def limit(machine, run):
     """Clocks a pixel of memory's pins, and what needs the most clocks, with its share of all."""
     count = run["cold"]["counters"]
-    busy = [(u.clocks, u.name) for u in units(count, machine, parameters({}))
+    busy = [(u.clocks, u.name) for u in units(count, machine, parameters({}, "all"))
             if u.name != "memory port"]
     pins = run["cold"]["memory"]["lines"] * LINE / run["memory"]["peak_bytes_per_clock"]
     clocks, name = max(busy + [(pins, "memory")])

@@ -8,6 +8,8 @@
 `include "rt_check.vh"
 `include "rt_layout.vh"
 `include "rt_bundles.vh"
+// An event of a unit is added to what the units before it count.
+`define RT_ADD(COUNTER, EVENT) add_e[8*COUNTER +: 8] = add_e[8*COUNTER +: 8] + {7'd0, EVENT};
 module rt_core #(
     parameter W          = `RT_PROFILE_STANDARD_W,   // coordinate, bits
     parameter WD         = `RT_PROFILE_STANDARD_WD,  // direction component, bits
@@ -36,10 +38,13 @@ module rt_core #(
     parameter ACCEL      = 0,    // 0 or 1: a BIH instead of nodes of four children
     parameter BOXES      = 0,    // 0 or 1: boxes around the children of a node, not spheres
     parameter ENGINES    = 1,    // 1..8: engines
-    parameter SLOTS      = 64,   // 4..1024, power of two: rays in flight an engine
-    parameter NODE_LINES = 256,  // 8..4096, power of two: lines of an engine's node cache
-    parameter LEAF_LINES = 128,  // 8..4096, power of two: lines of its leaf cache
-    parameter TEXTURE_LINES = 128, // 8..4096, power of two: lines of its texture cache
+    parameter PIPES      = 1,    // 1..4: traversal pipes an engine
+    parameter EXACTS     = 0,    // 0..4: leaf units an engine, 0: 2 for 3 and 4 pipes, else 1
+    parameter SHADES     = 0,    // 0..4: shading units an engine, 0: 2 from 2 pipes on, else 1
+    parameter SLOTS      = 64,   // 4..1024, power of two: rays in flight a pipe
+    parameter NODE_LINES = 256,  // 8..4096, power of two: lines of a pipe's node cache
+    parameter LEAF_LINES = 128,  // 8..4096, power of two: lines of a leaf unit's cache
+    parameter TEXTURE_LINES = 128, // 8..4096, power of two: lines of a shading unit's texture cache
     parameter TEXTURE_WAYS = 4,  // 1..32, power of two: groups of a set of the texture cache
     parameter TEXTURE_GROUP = 1, // 1..4, power of two: lines of a group, fetched together
     parameter TEXTURE_COORDS = 2, // 1..8: units for texture coordinates an engine
@@ -102,6 +107,7 @@ module rt_core #(
 
     // ---- legal values: machine.def and, of widths together, cmodel/machine/profile.c ----
     `RT_CHECK_CORE
+    `RT_CHECK(ENGINES*PIPES <= 8, rt_core_ENGINES_times_PIPES_must_be_at_most_8)
     `RT_CHECK(WD > W, rt_core_WD_must_be_above_W)
     `RT_CHECK(FW <= W, rt_core_FW_must_be_at_most_W)
     `RT_CHECK(3*W + 2*WD <= 126, rt_core_3W_plus_2WD_must_be_at_most_126)
@@ -198,8 +204,13 @@ module rt_core #(
         if (rst) begin cfg_valid_q <= 1'b0; start_q <= 1'b0; start_two_q <= 1'b0; end
     end
 
+    // ---- units of an engine; numbers of its slots, {pipe, slot of its own} ----
+    localparam SHADE_UNITS = SHADES != 0 ? SHADES : PIPES > 1 && INTERPENETRATE == 0 ? 2 : 1;
+    localparam LEAF_UNITS = EXACTS != 0 ? EXACTS : PIPES > 2 ? SHADE_UNITS : 1;
+    localparam ALL_SLOTS = SLOTS << $clog2(PIPES);
+
     // ---- memory: READS readers an engine, and the walk above them if it has tables ----
-    localparam READS   = TEXTURE != 0 ? 3 : 2;
+    localparam READS   = PIPES + LEAF_UNITS + (TEXTURE != 0 ? SHADE_UNITS : 0);
     localparam WALK    = READS*ENGINES;
     localparam READERS = WALK + (SPANS != 0 || CONES != 0 ? 1 : 0);
     wire [WALK:0]            m_req_valid, m_rsp_ready;
@@ -276,14 +287,15 @@ module rt_core #(
     genvar e;
     generate
         for (e = 0; e < ENGINES; e = e + 1) begin : g_engine
-            wire [`RT_EVENT_BITS-1:0]       event_e;
-            wire [`RT_TRACE_EVENT_BITS-1:0] trace = event_e[`RT_EVENT_TRACE];
-            wire [`RT_EXACT_EVENT_BITS-1:0] exact = event_e[`RT_EVENT_EXACT];
-            wire [`RT_PRIM_EVENT_BITS-1:0]  prim  = exact[`RT_EXACT_EVENT_PRIM];
-            wire [`RT_SHADE_EVENT_BITS-1:0] shade = event_e[`RT_EVENT_SHADE];
-            wire [`RT_PIXEL_BITS-1:0]       pix;
-            reg  [EW-1:0]                   add_e;
-            rt_engine #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .FW(FW), .PR(PR), .SLOTS(SLOTS),
+            localparam TB = PIPES*`RT_TRACE_EVENT_BITS, XB = LEAF_UNITS*`RT_EXACT_EVENT_BITS;
+            localparam HB = SHADE_UNITS*`RT_SHADE_EVENT_BITS;
+            localparam TE = `RT_TRACE_EVENT_BITS, XE = `RT_EXACT_EVENT_BITS;
+            localparam HE = `RT_SHADE_EVENT_BITS;
+            wire [TB+XB+HB-1:0]       event_e;
+            wire [`RT_PIXEL_BITS-1:0] pix;
+            rt_engine #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .FW(FW), .PR(PR),
+                        .PIPES(PIPES), .EXACTS(LEAF_UNITS), .SHADES(SHADE_UNITS),
+                        .SLOTS(ALL_SLOTS),
                         .STACK(`RT_STACK_DEPTH), .SHADOW(SHADOW), .REFLECT(REFLECT),
                         .LIGHTS(LIGHTS), .INSIDE(INSIDE), .FIRST(FIRST),
                         .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),
@@ -309,39 +321,64 @@ module rt_core #(
                 .mem_rsp_valid_i(m_rsp_valid[READS*e +: READS]),
                 .mem_rsp_ready_o(m_rsp_ready[READS*e +: READS]),
                 .mem_rsp_data_i(m_rsp_data), .mem_rsp_error_i(m_rsp_error),
-                .event_o(event_e), .fault_o(faults[16*e +: 16])
+                .trace_event_o(event_e[0 +: TB]), .exact_event_o(event_e[TB +: XB]),
+                .shade_event_o(event_e[TB+XB +: HB]), .fault_o(faults[16*e +: 16])
             );
             assign p_data[PW*e +: PW] = pix[PW-1:0];
-            assign issued[e] = trace[`RT_TRACE_EVENT_ISSUED];
+            // ---- events of its units, summed up ----
+            reg                           issued_e;
+            reg [255:0]                   add_e;     // as if PLACES were 32
+            reg [`RT_TRACE_EVENT_BITS-1:0] trace;
+            reg [`RT_EXACT_EVENT_BITS-1:0] exact;
+            reg [`RT_PRIM_EVENT_BITS-1:0] prim;
+            reg [`RT_SHADE_EVENT_BITS-1:0] shade;
+            integer                         u;
             always @* begin
-                add_e = {EW{1'b0}};
-                add_e[8*`RT_COUNT_RAYS_PRIMARY]    = shade[`RT_SHADE_EVENT_PRIMARY];
-                add_e[8*`RT_COUNT_RAYS_SHADOW]     = shade[`RT_SHADE_EVENT_SHADOW];
-                add_e[8*`RT_COUNT_RAYS_REFLECTED]  = shade[`RT_SHADE_EVENT_REFLECTED];
-                add_e[8*`RT_COUNT_NODE_VISITS]     = trace[`RT_TRACE_EVENT_VISIT];
-                add_e[8*`RT_COUNT_CHILD_TESTS +: 3] = trace[`RT_TRACE_EVENT_TESTS];
-                add_e[8*`RT_COUNT_LEAF_TESTS]      = prim[`RT_PRIM_EVENT_LEAF];
-                add_e[8*`RT_COUNT_ROOTS]           = prim[`RT_PRIM_EVENT_ROOT];
-                add_e[8*`RT_COUNT_QUOTIENTS]       = shade[`RT_SHADE_EVENT_QUOTIENT];
-                add_e[8*`RT_COUNT_SATURATIONS]     = shade[`RT_SHADE_EVENT_SATURATED];
-                add_e[8*`RT_COUNT_NODE_MISSES]     = trace[`RT_TRACE_EVENT_MISS];
-                add_e[8*`RT_COUNT_LEAF_MISSES]     = exact[`RT_EXACT_EVENT_MISS];
-                add_e[8*`RT_COUNT_POP_BUBBLES]     = trace[`RT_TRACE_EVENT_BUBBLE];
-                if (FACETS != 0) begin
-                    add_e[8*`RT_COUNT_FACET_TESTS] = prim[`RT_PRIM_EVENT_FACET];
-                    add_e[8*`RT_COUNT_DIVISIONS]   = prim[`RT_PRIM_EVENT_DIVIDE];
+                add_e    = 256'd0;
+                issued_e = 1'b0;
+                trace    = event_e[0 +: TE];
+                exact    = event_e[TB +: XE];
+                prim     = exact[`RT_EXACT_EVENT_PRIM];
+                shade    = event_e[TB + XB +: HE];
+                for (u = 0; u < PIPES; u = u + 1) begin
+                    trace = event_e[TE*u +: TE];
+                    issued_e = issued_e || trace[`RT_TRACE_EVENT_ISSUED];
+                    `RT_ADD(`RT_COUNT_NODE_VISITS, trace[`RT_TRACE_EVENT_VISIT])
+                    add_e[8*`RT_COUNT_CHILD_TESTS +: 8] = add_e[8*`RT_COUNT_CHILD_TESTS +: 8] +
+                                                          {5'd0, trace[`RT_TRACE_EVENT_TESTS]};
+                    `RT_ADD(`RT_COUNT_NODE_MISSES, trace[`RT_TRACE_EVENT_MISS])
+                    `RT_ADD(`RT_COUNT_POP_BUBBLES, trace[`RT_TRACE_EVENT_BUBBLE])
                 end
-                if (TEXTURE != 0) begin
-                    add_e[8*`RT_COUNT_TEXELS]      = shade[`RT_SHADE_EVENT_TEXEL];
-                    add_e[8*`RT_COUNT_TEXEL_MISSES] = shade[`RT_SHADE_EVENT_MISS];
+                for (u = 0; u < LEAF_UNITS; u = u + 1) begin
+                    exact = event_e[TB + XE*u +: XE];
+                    prim  = exact[`RT_EXACT_EVENT_PRIM];
+                    `RT_ADD(`RT_COUNT_LEAF_TESTS, prim[`RT_PRIM_EVENT_LEAF])
+                    `RT_ADD(`RT_COUNT_ROOTS, prim[`RT_PRIM_EVENT_ROOT])
+                    `RT_ADD(`RT_COUNT_LEAF_MISSES, exact[`RT_EXACT_EVENT_MISS])
+                    if (FACETS != 0) begin
+                        `RT_ADD(`RT_COUNT_FACET_TESTS, prim[`RT_PRIM_EVENT_FACET])
+                        `RT_ADD(`RT_COUNT_DIVISIONS, prim[`RT_PRIM_EVENT_DIVIDE])
+                    end
                 end
-                if (REFRACT != 0)
-                    add_e[8*`RT_COUNT_RAYS_REFRACTED] = shade[`RT_SHADE_EVENT_REFRACTED];
-                if (SPECULAR != 0)
-                    add_e[8*`RT_COUNT_POWERS]      = shade[`RT_SHADE_EVENT_POWER];
+                for (u = 0; u < SHADE_UNITS; u = u + 1) begin
+                    shade = event_e[TB + XB + HE*u +: HE];
+                    `RT_ADD(`RT_COUNT_RAYS_PRIMARY, shade[`RT_SHADE_EVENT_PRIMARY])
+                    `RT_ADD(`RT_COUNT_RAYS_SHADOW, shade[`RT_SHADE_EVENT_SHADOW])
+                    `RT_ADD(`RT_COUNT_RAYS_REFLECTED, shade[`RT_SHADE_EVENT_REFLECTED])
+                    `RT_ADD(`RT_COUNT_QUOTIENTS, shade[`RT_SHADE_EVENT_QUOTIENT])
+                    `RT_ADD(`RT_COUNT_SATURATIONS, shade[`RT_SHADE_EVENT_SATURATED])
+                    if (TEXTURE != 0) begin
+                        `RT_ADD(`RT_COUNT_TEXELS, shade[`RT_SHADE_EVENT_TEXEL])
+                        `RT_ADD(`RT_COUNT_TEXEL_MISSES, shade[`RT_SHADE_EVENT_MISS])
+                    end
+                    if (REFRACT != 0)
+                        `RT_ADD(`RT_COUNT_RAYS_REFRACTED, shade[`RT_SHADE_EVENT_REFRACTED])
+                    if (SPECULAR != 0) `RT_ADD(`RT_COUNT_POWERS, shade[`RT_SHADE_EVENT_POWER])
+                end
             end
-            wire unused_e = &{1'b0, exact, prim, shade, pix};
-            assign events[EW*e +: EW] = add_e;
+            assign events[EW*e +: EW] = add_e[EW-1:0];
+            assign issued[e] = issued_e;
+            wire unused_e = &{1'b0, pix, add_e, trace, exact, prim, shade};
         end
     endgenerate
     // ---- pixel port: engines first, then background ----
@@ -424,4 +461,5 @@ module rt_core #(
         if (rst) errors_o <= 0;
     end
 endmodule
+`undef RT_ADD
 `default_nettype wire

@@ -17,34 +17,34 @@
 `define RT_UNIT_Z 36 +: 18
 `define RT_UNIT_BITS (54)
 `define RT_VECTOR_VALID 0 +: 1
-`define RT_VECTOR_SLOT 1 +: $clog2(SLOTS)
-`define RT_VECTOR_VEC $clog2(SLOTS)+1 +: 3*WD
-`define RT_VECTOR_BITS ($clog2(SLOTS)+3*WD+1)
+`define RT_VECTOR_VEC 1 +: 3*WD
+`define RT_VECTOR_SLOT 3*WD+1 +: $clog2(SLOTS)
+`define RT_VECTOR_BITS (3*WD+$clog2(SLOTS)+1)
 `define RT_ORG_VALID 0 +: 1
-`define RT_ORG_SLOT 1 +: $clog2(SLOTS)
-`define RT_ORG_POINT $clog2(SLOTS)+1 +: 3*W
-`define RT_ORG_LIFT $clog2(SLOTS)+3*W+1 +: 3*(NG+2)
-`define RT_ORG_BITS ($clog2(SLOTS)+3*W+3*(NG+2)+1)
+`define RT_ORG_POINT 1 +: 3*W
+`define RT_ORG_LIFT 3*W+1 +: 3*(NG+2)
+`define RT_ORG_SLOT 3*W+3*(NG+2)+1 +: $clog2(SLOTS)
+`define RT_ORG_BITS (3*W+3*(NG+2)+$clog2(SLOTS)+1)
 `define RT_SKIP_VALID 0 +: 1
-`define RT_SKIP_SLOT 1 +: $clog2(SLOTS)
-`define RT_SKIP_ID $clog2(SLOTS)+1 +: `RT_ID_BITS
-`define RT_SKIP_INSIDE $clog2(SLOTS)+`RT_ID_BITS+1 +: 1
-`define RT_SKIP_BITS ($clog2(SLOTS)+`RT_ID_BITS+2)
+`define RT_SKIP_ID 1 +: `RT_ID_BITS
+`define RT_SKIP_INSIDE `RT_ID_BITS+1 +: 1
+`define RT_SKIP_SLOT `RT_ID_BITS+2 +: $clog2(SLOTS)
+`define RT_SKIP_BITS (`RT_ID_BITS+$clog2(SLOTS)+2)
 `define RT_RAY_VALID 0 +: 1
 `define RT_RAY_NORMAL 1 +: 1
 `define RT_RAY_LIGHT 2 +: 1
-`define RT_RAY_SLOT 3 +: $clog2(SLOTS)
-`define RT_RAY_PRIMARY $clog2(SLOTS)+3 +: 1
-`define RT_RAY_SHADOW $clog2(SLOTS)+4 +: 1
-`define RT_RAY_ORG $clog2(SLOTS)+5 +: 3*W
-`define RT_RAY_DIR $clog2(SLOTS)+3*W+5 +: 3*WD
-`define RT_RAY_A $clog2(SLOTS)+3*W+3*WD+5 +: 2*WD
-`define RT_RAY_SKIP $clog2(SLOTS)+3*W+3*WD+2*WD+5 +: `RT_ID_BITS
-`define RT_RAY_INSIDE $clog2(SLOTS)+3*W+3*WD+2*WD+`RT_ID_BITS+5 +: 1
-`define RT_RAY_UNIT $clog2(SLOTS)+3*W+3*WD+2*WD+`RT_ID_BITS+6 +: 54
-`define RT_RAY_Y $clog2(SLOTS)+3*W+3*WD+2*WD+`RT_ID_BITS+60 +: 17
-`define RT_RAY_H $clog2(SLOTS)+3*W+3*WD+2*WD+`RT_ID_BITS+77 +: 6
-`define RT_RAY_BITS ($clog2(SLOTS)+3*W+3*WD+2*WD+`RT_ID_BITS+83)
+`define RT_RAY_PRIMARY 3 +: 1
+`define RT_RAY_SHADOW 4 +: 1
+`define RT_RAY_ORG 5 +: 3*W
+`define RT_RAY_DIR 3*W+5 +: 3*WD
+`define RT_RAY_A 3*W+3*WD+5 +: 2*WD
+`define RT_RAY_SKIP 3*W+3*WD+2*WD+5 +: `RT_ID_BITS
+`define RT_RAY_INSIDE 3*W+3*WD+2*WD+`RT_ID_BITS+5 +: 1
+`define RT_RAY_UNIT 3*W+3*WD+2*WD+`RT_ID_BITS+6 +: 54
+`define RT_RAY_Y 3*W+3*WD+2*WD+`RT_ID_BITS+60 +: 17
+`define RT_RAY_H 3*W+3*WD+2*WD+`RT_ID_BITS+77 +: 6
+`define RT_RAY_SLOT 3*W+3*WD+2*WD+`RT_ID_BITS+83 +: $clog2(SLOTS)
+`define RT_RAY_BITS (3*W+3*WD+2*WD+`RT_ID_BITS+$clog2(SLOTS)+83)
 `define RT_FILTER_ORG 0 +: 3*FW
 `define RT_FILTER_AXIS 3*FW +: 2
 `define RT_FILTER_NEGATIVE 3*FW+2 +: 1
@@ -53,36 +53,36 @@
 `define RT_FILTER_DEPTH 3*FW+26 +: FW+1
 `define RT_FILTER_BITS (3*FW+FW+1+26)
 `define RT_VISIT_VALID 0 +: 1
-`define RT_VISIT_SLOT 1 +: $clog2(SLOTS)
-`define RT_VISIT_LEAF $clog2(SLOTS)+1 +: 4
-`define RT_VISIT_LINE $clog2(SLOTS)+5 +: `RT_LINE_BITS
-`define RT_VISIT_BITS ($clog2(SLOTS)+`RT_LINE_BITS+5)
-`define RT_TEST_SLOT 0 +: $clog2(SLOTS)
-`define RT_TEST_SHADOW $clog2(SLOTS) +: 1
-`define RT_TEST_INSIDE $clog2(SLOTS)+1 +: 1
-`define RT_TEST_ERROR $clog2(SLOTS)+2 +: 1
-`define RT_TEST_ORG $clog2(SLOTS)+3 +: 3*W
-`define RT_TEST_DIR $clog2(SLOTS)+3*W+3 +: 3*WD
-`define RT_TEST_A $clog2(SLOTS)+3*W+3*WD+3 +: 2*WD
-`define RT_TEST_SKIP $clog2(SLOTS)+3*W+3*WD+2*WD+3 +: `RT_ID_BITS
-`define RT_TEST_LIFT $clog2(SLOTS)+3*W+3*WD+2*WD+`RT_ID_BITS+3 +: 3*(NG+2)
-`define RT_TEST_RECORD $clog2(SLOTS)+3*W+3*WD+2*WD+`RT_ID_BITS+3*(NG+2)+3 +: 256
-`define RT_TEST_BITS ($clog2(SLOTS)+3*W+3*WD+2*WD+`RT_ID_BITS+3*(NG+2)+259)
+`define RT_VISIT_LEAF 1 +: 4
+`define RT_VISIT_LINE 5 +: `RT_LINE_BITS
+`define RT_VISIT_SLOT `RT_LINE_BITS+5 +: $clog2(SLOTS)
+`define RT_VISIT_BITS (`RT_LINE_BITS+$clog2(SLOTS)+5)
+`define RT_TEST_SHADOW 0 +: 1
+`define RT_TEST_INSIDE 1 +: 1
+`define RT_TEST_ERROR 2 +: 1
+`define RT_TEST_ORG 3 +: 3*W
+`define RT_TEST_DIR 3*W+3 +: 3*WD
+`define RT_TEST_A 3*W+3*WD+3 +: 2*WD
+`define RT_TEST_SKIP 3*W+3*WD+2*WD+3 +: `RT_ID_BITS
+`define RT_TEST_LIFT 3*W+3*WD+2*WD+`RT_ID_BITS+3 +: 3*(NG+2)
+`define RT_TEST_RECORD 3*W+3*WD+2*WD+`RT_ID_BITS+3*(NG+2)+3 +: 256
+`define RT_TEST_SLOT 3*W+3*WD+2*WD+`RT_ID_BITS+3*(NG+2)+259 +: $clog2(SLOTS)
+`define RT_TEST_BITS (3*W+3*WD+2*WD+`RT_ID_BITS+3*(NG+2)+$clog2(SLOTS)+259)
 `define RT_FOUND_VALID 0 +: 1
-`define RT_FOUND_SLOT 1 +: $clog2(SLOTS)
-`define RT_FOUND_FRESH $clog2(SLOTS)+1 +: 1
-`define RT_FOUND_KILL $clog2(SLOTS)+2 +: 1
-`define RT_FOUND_BASE $clog2(SLOTS)+3 +: `RT_LINE_BITS
-`define RT_FOUND_COUNT $clog2(SLOTS)+`RT_LINE_BITS+3 +: 3
-`define RT_FOUND_LIST $clog2(SLOTS)+`RT_LINE_BITS+6 +: 72
-`define RT_FOUND_BITS ($clog2(SLOTS)+`RT_LINE_BITS+78)
+`define RT_FOUND_FRESH 1 +: 1
+`define RT_FOUND_KILL 2 +: 1
+`define RT_FOUND_BASE 3 +: `RT_LINE_BITS
+`define RT_FOUND_COUNT `RT_LINE_BITS+3 +: 3
+`define RT_FOUND_LIST `RT_LINE_BITS+6 +: 72
+`define RT_FOUND_SLOT `RT_LINE_BITS+78 +: $clog2(SLOTS)
+`define RT_FOUND_BITS (`RT_LINE_BITS+$clog2(SLOTS)+78)
 `define RT_RESULT_VALID 0 +: 1
-`define RT_RESULT_SLOT 1 +: $clog2(SLOTS)
-`define RT_RESULT_HIT $clog2(SLOTS)+1 +: 1
-`define RT_RESULT_FAR $clog2(SLOTS)+2 +: 1
-`define RT_RESULT_ID $clog2(SLOTS)+3 +: `RT_ID_BITS
-`define RT_RESULT_KEY $clog2(SLOTS)+`RT_ID_BITS+3 +: W+WD+2
-`define RT_RESULT_BITS ($clog2(SLOTS)+`RT_ID_BITS+W+WD+2+3)
+`define RT_RESULT_HIT 1 +: 1
+`define RT_RESULT_FAR 2 +: 1
+`define RT_RESULT_ID 3 +: `RT_ID_BITS
+`define RT_RESULT_KEY `RT_ID_BITS+3 +: W+WD+2
+`define RT_RESULT_SLOT `RT_ID_BITS+W+WD+2+3 +: $clog2(SLOTS)
+`define RT_RESULT_BITS (`RT_ID_BITS+W+WD+2+$clog2(SLOTS)+3)
 `define RT_DONE_FOUND 0 +: 1
 `define RT_DONE_SHADOW 1 +: 1
 `define RT_DONE_PRIMARY 2 +: 1
@@ -94,73 +94,73 @@
 `define RT_HIT_HIT 0 +: 1
 `define RT_HIT_MISS 1 +: 1
 `define RT_HIT_SHADOW 2 +: 1
-`define RT_HIT_SLOT 3 +: $clog2(SLOTS)
-`define RT_HIT_LIT $clog2(SLOTS)+3 +: 1
-`define RT_HIT_FIRST $clog2(SLOTS)+4 +: 1
-`define RT_HIT_PROBE $clog2(SLOTS)+5 +: 1
-`define RT_HIT_FAR $clog2(SLOTS)+6 +: 1
-`define RT_HIT_ID $clog2(SLOTS)+7 +: `RT_ID_BITS
-`define RT_HIT_KEY $clog2(SLOTS)+`RT_ID_BITS+7 +: W+WD+2
-`define RT_HIT_BITS ($clog2(SLOTS)+`RT_ID_BITS+W+WD+2+7)
+`define RT_HIT_LIT 3 +: 1
+`define RT_HIT_FIRST 4 +: 1
+`define RT_HIT_PROBE 5 +: 1
+`define RT_HIT_FAR 6 +: 1
+`define RT_HIT_ID 7 +: `RT_ID_BITS
+`define RT_HIT_KEY `RT_ID_BITS+7 +: W+WD+2
+`define RT_HIT_SLOT `RT_ID_BITS+W+WD+2+7 +: $clog2(SLOTS)
+`define RT_HIT_BITS (`RT_ID_BITS+W+WD+2+$clog2(SLOTS)+7)
 `define RT_FETCH_VALID 0 +: 1
-`define RT_FETCH_SLOT 1 +: $clog2(SLOTS)
-`define RT_FETCH_LINE $clog2(SLOTS)+1 +: `RT_LINE_BITS
-`define RT_FETCH_BITS ($clog2(SLOTS)+`RT_LINE_BITS+1)
+`define RT_FETCH_LINE 1 +: `RT_LINE_BITS
+`define RT_FETCH_SLOT `RT_LINE_BITS+1 +: $clog2(SLOTS)
+`define RT_FETCH_BITS (`RT_LINE_BITS+$clog2(SLOTS)+1)
 `define RT_RECORD_VALID 0 +: 1
-`define RT_RECORD_SLOT 1 +: $clog2(SLOTS)
-`define RT_RECORD_DATA $clog2(SLOTS)+1 +: 256
+`define RT_RECORD_DATA 1 +: 256
+`define RT_RECORD_SLOT 257 +: $clog2(SLOTS)
 `define RT_RECORD_BITS ($clog2(SLOTS)+257)
 `define RT_SURFACE_VALID 0 +: 1
-`define RT_SURFACE_SLOT 1 +: $clog2(SLOTS)
-`define RT_SURFACE_POINT $clog2(SLOTS)+1 +: 3*W
-`define RT_SURFACE_GUARDED $clog2(SLOTS)+3*W+1 +: 3*(W+NG)
-`define RT_SURFACE_LIFT $clog2(SLOTS)+3*W+3*(W+NG)+1 +: 3*(NG+2)
-`define RT_SURFACE_NORMAL $clog2(SLOTS)+3*W+3*(W+NG)+3*(NG+2)+1 +: 3*WD
-`define RT_SURFACE_FLAT $clog2(SLOTS)+3*W+3*(W+NG)+3*(NG+2)+3*WD+1 +: 1
-`define RT_SURFACE_BITS ($clog2(SLOTS)+3*W+3*(W+NG)+3*(NG+2)+3*WD+2)
+`define RT_SURFACE_POINT 1 +: 3*W
+`define RT_SURFACE_GUARDED 3*W+1 +: 3*(W+NG)
+`define RT_SURFACE_LIFT 3*W+3*(W+NG)+1 +: 3*(NG+2)
+`define RT_SURFACE_NORMAL 3*W+3*(W+NG)+3*(NG+2)+1 +: 3*WD
+`define RT_SURFACE_FLAT 3*W+3*(W+NG)+3*(NG+2)+3*WD+1 +: 1
+`define RT_SURFACE_SLOT 3*W+3*(W+NG)+3*(NG+2)+3*WD+2 +: $clog2(SLOTS)
+`define RT_SURFACE_BITS (3*W+3*(W+NG)+3*(NG+2)+3*WD+$clog2(SLOTS)+2)
 `define RT_SIDE_VALID 0 +: 1
-`define RT_SIDE_SLOT 1 +: $clog2(SLOTS)
-`define RT_SIDE_BENT $clog2(SLOTS)+1 +: 1
-`define RT_SIDE_VEC $clog2(SLOTS)+2 +: 3*WD
-`define RT_SIDE_NN $clog2(SLOTS)+3*WD+2 +: 2*WD
-`define RT_SIDE_BITS ($clog2(SLOTS)+3*WD+2*WD+2)
+`define RT_SIDE_BENT 1 +: 1
+`define RT_SIDE_VEC 2 +: 3*WD
+`define RT_SIDE_NN 3*WD+2 +: 2*WD
+`define RT_SIDE_SLOT 3*WD+2*WD+2 +: $clog2(SLOTS)
+`define RT_SIDE_BITS (3*WD+2*WD+$clog2(SLOTS)+2)
 `define RT_MATERIAL_VALID 0 +: 1
-`define RT_MATERIAL_SLOT 1 +: $clog2(SLOTS)
-`define RT_MATERIAL_RGB $clog2(SLOTS)+1 +: `RT_RGB_BITS
-`define RT_MATERIAL_KR $clog2(SLOTS)+`RT_RGB_BITS+1 +: 9
-`define RT_MATERIAL_KT $clog2(SLOTS)+`RT_RGB_BITS+10 +: 9
-`define RT_MATERIAL_SUM $clog2(SLOTS)+`RT_RGB_BITS+19 +: 1
-`define RT_MATERIAL_KA $clog2(SLOTS)+`RT_RGB_BITS+20 +: 9
-`define RT_MATERIAL_KD $clog2(SLOTS)+`RT_RGB_BITS+29 +: 9
-`define RT_MATERIAL_KS $clog2(SLOTS)+`RT_RGB_BITS+38 +: 8
-`define RT_MATERIAL_POWER $clog2(SLOTS)+`RT_RGB_BITS+46 +: 12
-`define RT_MATERIAL_INDEX $clog2(SLOTS)+`RT_RGB_BITS+58 +: 12
-`define RT_MATERIAL_TEX $clog2(SLOTS)+`RT_RGB_BITS+70 +: `RT_LINE_BITS
-`define RT_MATERIAL_SMOOTH $clog2(SLOTS)+`RT_RGB_BITS+`RT_LINE_BITS+70 +: 24
-`define RT_MATERIAL_BITS ($clog2(SLOTS)+`RT_RGB_BITS+`RT_LINE_BITS+94)
+`define RT_MATERIAL_RGB 1 +: `RT_RGB_BITS
+`define RT_MATERIAL_KR `RT_RGB_BITS+1 +: 9
+`define RT_MATERIAL_KT `RT_RGB_BITS+10 +: 9
+`define RT_MATERIAL_SUM `RT_RGB_BITS+19 +: 1
+`define RT_MATERIAL_KA `RT_RGB_BITS+20 +: 9
+`define RT_MATERIAL_KD `RT_RGB_BITS+29 +: 9
+`define RT_MATERIAL_KS `RT_RGB_BITS+38 +: 8
+`define RT_MATERIAL_POWER `RT_RGB_BITS+46 +: 12
+`define RT_MATERIAL_INDEX `RT_RGB_BITS+58 +: 12
+`define RT_MATERIAL_TEX `RT_RGB_BITS+70 +: `RT_LINE_BITS
+`define RT_MATERIAL_SMOOTH `RT_RGB_BITS+`RT_LINE_BITS+70 +: 24
+`define RT_MATERIAL_SLOT `RT_RGB_BITS+`RT_LINE_BITS+94 +: $clog2(SLOTS)
+`define RT_MATERIAL_BITS (`RT_RGB_BITS+`RT_LINE_BITS+$clog2(SLOTS)+94)
 `define RT_ALBEDO_VALID 0 +: 1
-`define RT_ALBEDO_SLOT 1 +: $clog2(SLOTS)
-`define RT_ALBEDO_RGB $clog2(SLOTS)+1 +: `RT_RGB_BITS
-`define RT_ALBEDO_KR $clog2(SLOTS)+`RT_RGB_BITS+1 +: 9
-`define RT_ALBEDO_BITS ($clog2(SLOTS)+`RT_RGB_BITS+10)
+`define RT_ALBEDO_RGB 1 +: `RT_RGB_BITS
+`define RT_ALBEDO_KR `RT_RGB_BITS+1 +: 9
+`define RT_ALBEDO_SLOT `RT_RGB_BITS+10 +: $clog2(SLOTS)
+`define RT_ALBEDO_BITS (`RT_RGB_BITS+$clog2(SLOTS)+10)
 `define RT_BLEND_VALID 0 +: 1
-`define RT_BLEND_SLOT 1 +: $clog2(SLOTS)
-`define RT_BLEND_LAST $clog2(SLOTS)+1 +: 1
-`define RT_BLEND_PROBE $clog2(SLOTS)+2 +: 1
-`define RT_BLEND_MIRROR $clog2(SLOTS)+3 +: 1
-`define RT_BLEND_REFRACT $clog2(SLOTS)+4 +: 1
-`define RT_BLEND_DEPTH $clog2(SLOTS)+5 +: 4
-`define RT_BLEND_W_MIRROR $clog2(SLOTS)+9 +: 17
-`define RT_BLEND_W_REFRACT $clog2(SLOTS)+26 +: 17
-`define RT_BLEND_W_TOTAL $clog2(SLOTS)+43 +: 17
+`define RT_BLEND_LAST 1 +: 1
+`define RT_BLEND_PROBE 2 +: 1
+`define RT_BLEND_MIRROR 3 +: 1
+`define RT_BLEND_REFRACT 4 +: 1
+`define RT_BLEND_DEPTH 5 +: 4
+`define RT_BLEND_W_MIRROR 9 +: 17
+`define RT_BLEND_W_REFRACT 26 +: 17
+`define RT_BLEND_W_TOTAL 43 +: 17
+`define RT_BLEND_SLOT 60 +: $clog2(SLOTS)
 `define RT_BLEND_BITS ($clog2(SLOTS)+60)
 `define RT_BACK_VALID 0 +: 1
-`define RT_BACK_SLOT 1 +: $clog2(SLOTS)
-`define RT_BACK_POINT $clog2(SLOTS)+1 +: 3*W
-`define RT_BACK_ID $clog2(SLOTS)+3*W+1 +: `RT_ID_BITS
-`define RT_BACK_INSIDE $clog2(SLOTS)+3*W+`RT_ID_BITS+1 +: 1
-`define RT_BACK_PATH $clog2(SLOTS)+3*W+`RT_ID_BITS+2 +: W+8
-`define RT_BACK_BITS ($clog2(SLOTS)+3*W+`RT_ID_BITS+W+8+2)
+`define RT_BACK_POINT 1 +: 3*W
+`define RT_BACK_ID 3*W+1 +: `RT_ID_BITS
+`define RT_BACK_INSIDE 3*W+`RT_ID_BITS+1 +: 1
+`define RT_BACK_PATH 3*W+`RT_ID_BITS+2 +: W+8
+`define RT_BACK_SLOT 3*W+`RT_ID_BITS+W+8+2 +: $clog2(SLOTS)
+`define RT_BACK_BITS (3*W+`RT_ID_BITS+W+8+$clog2(SLOTS)+2)
 `define RT_START_X 0 +: 14
 `define RT_START_Y 14 +: 14
 `define RT_START_DIR 28 +: 3*WD
@@ -219,8 +219,4 @@
 `define RT_SHADE_EVENT_TEXEL 7 +: 1
 `define RT_SHADE_EVENT_MISS 8 +: 1
 `define RT_SHADE_EVENT_BITS (9)
-`define RT_EVENT_TRACE 0 +: `RT_TRACE_EVENT_BITS
-`define RT_EVENT_EXACT `RT_TRACE_EVENT_BITS +: `RT_EXACT_EVENT_BITS
-`define RT_EVENT_SHADE `RT_TRACE_EVENT_BITS+`RT_EXACT_EVENT_BITS +: `RT_SHADE_EVENT_BITS
-`define RT_EVENT_BITS (`RT_TRACE_EVENT_BITS+`RT_EXACT_EVENT_BITS+`RT_SHADE_EVENT_BITS)
 `endif

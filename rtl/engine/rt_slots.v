@@ -14,7 +14,8 @@ module rt_slots #(
     parameter FARS    = 1,   // 1: hits that are far
     parameter TEXTURE = 0,   // 1: pixels have a word of texture
     parameter INTERPENETRATE = 1, // 1: first hits may lie in another sphere
-    parameter SLOTS   = 32   // power of two
+    parameter PIPES   = 1,   // of which each has its share of the slots, 1..4
+    parameter SLOTS   = 32   // numbers of slots, power of two: {pipe, slot of its own}
 ) (
     input  wire                       clk,
     input  wire                       rst,
@@ -63,13 +64,19 @@ module rt_slots #(
     // ---- free slots: all of them after reset, then those that were delivered ----
     reg [SLOTW:0]    fill_q;                         // slots put into the queue after reset
     wire             filling = !fill_q[SLOTW];
+    // A slot of each pipe in turn; of numbers for four pipes three may have slots.
+    localparam NB = $clog2(PIPES);
+    localparam [31:0] PIPE_MASK = (1 << NB) - 1;
+    wire [SLOTW-1:0] fill_slot = fill_q[SLOTW-1:0] << (SLOTW - NB) | fill_q[SLOTW-1:0] >> NB;
+    wire             fill_there = PIPES == 1 << NB ||
+                                  ({{(31-SLOTW){1'b0}}, fill_q} & PIPE_MASK) < PIPES;
     wire             free_valid, free_in, out_done;
     wire [SLOTW-1:0] free_slot, out_slot;
     reg [SLOTW:0]    used_q;
     wire             taken = in_valid_i && in_ready_o;
     rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_free (
-        .clk(clk), .rst(rst), .in_valid_i(filling || out_done), .in_ready_o(free_in),
-        .in_data_i(filling ? fill_q[SLOTW-1:0] : out_slot),
+        .clk(clk), .rst(rst), .in_valid_i(filling ? fill_there : out_done), .in_ready_o(free_in),
+        .in_data_i(filling ? fill_slot : out_slot),
         .out_valid_o(free_valid), .out_ready_i(taken), .out_data_o(free_slot)
     );
     assign in_ready_o      = free_valid && !filling && primary_ready_i && !again_valid;

@@ -10,6 +10,7 @@ module rt_units #(
     parameter BITS  = 17,                     // component of v, bits: 9 to 32
     parameter TAG   = 8,                      // what travels along, bits
     parameter UNITS = 2,                      // 1 or 2
+    parameter SPREADS = 1,                    // 2: the second unit has its own kind of them
     parameter INTERVAL = 2                    // clocks a vector of each: 2 or 4
 ) (
     input  wire                   clk,
@@ -17,8 +18,10 @@ module rt_units #(
     // a vector {z, y, x}
     input  wire                   in_valid_i,
     input  wire                   in_spread_i, // not a clock behind another such: of two fast units
-                                               // the first only
+                                               // the first only, or
+    input  wire                   in_second_i, // with SPREADS, the second only
     output wire                   in_ready_o,
+    output wire                   first_o,    // the first unit may take in this clock
     input  wire [TAG-1:0]         in_tag_i,
     input  wire [3*BITS-1:0]      in_vec_i,
     // its unit vector
@@ -33,7 +36,9 @@ module rt_units #(
     wire [UNITS-1:0] ready, valid;
     wire [UNITS*RW-1:0] results;
     localparam FOUR = INTERVAL == 4 && BITS >= 18;    // narrower ones need no pieces
-    wire [UNITS-1:0] may = {UNITS{FOUR || !in_spread_i}} | {{(UNITS-1){1'b0}}, 1'b1};
+    localparam SECOND = SPREADS > 1 && UNITS > 1;
+    wire [1:0] only = SECOND && in_second_i ? 2'b10 : 2'b01;
+    wire [UNITS-1:0] may = {UNITS{FOUR || !in_spread_i}} | only[UNITS-1:0];
     `RT_CHECK(UNITS >= 1 && UNITS <= 2, rt_units_UNITS_must_be_1_or_2)
     `RT_CHECK(INTERVAL == 2 || INTERVAL == 4, rt_units_INTERVAL_must_be_2_or_4)
     genvar g;
@@ -67,8 +72,10 @@ module rt_units #(
         end
     endgenerate
     assign in_ready_o  = |(ready & may);
+    assign first_o     = ready[0];
     assign out_valid_o = |valid;
     assign {out_tag_o, out_vv_o, out_u_o, out_y_o, out_h_o} =
         valid[0] ? results[RW-1:0] : results[UNITS*RW-1 -: RW];
+    wire unused = &{1'b0, in_second_i, only};
 endmodule
 `default_nettype wire

@@ -39,10 +39,13 @@ module rt_top #(
     parameter ACCEL      = 0,    // 0 or 1: a BIH instead of nodes of four children
     parameter BOXES      = 0,    // 0 or 1: boxes around the children of a node, not spheres
     parameter ENGINES    = 1,    // 1..8: engines
-    parameter SLOTS      = 64,   // 4..1024, power of two: rays in flight an engine
-    parameter NODE_LINES = 256,  // 8..4096, power of two: lines of an engine's node cache
-    parameter LEAF_LINES = 128,  // 8..4096, power of two: lines of its leaf cache
-    parameter TEXTURE_LINES = 128, // 8..4096, power of two: lines of its texture cache
+    parameter PIPES      = 1,    // 1..4: traversal pipes an engine
+    parameter EXACTS     = 0,    // 0..4: leaf units an engine, 0: 2 for 3 and 4 pipes, else 1
+    parameter SHADES     = 0,    // 0..4: shading units an engine, 0: 2 from 2 pipes on, else 1
+    parameter SLOTS      = 64,   // 4..1024, power of two: rays in flight a pipe
+    parameter NODE_LINES = 256,  // 8..4096, power of two: lines of a pipe's node cache
+    parameter LEAF_LINES = 128,  // 8..4096, power of two: lines of a leaf unit's cache
+    parameter TEXTURE_LINES = 128, // 8..4096, power of two: lines of a shading unit's texture cache
     parameter TEXTURE_WAYS = 4,  // 1..32, power of two: groups of a set of the texture cache
     parameter TEXTURE_GROUP = 1, // 1..4, power of two: lines of a group, fetched together
     parameter TEXTURE_COORDS = 2, // 1..8: units for texture coordinates an engine
@@ -265,14 +268,15 @@ module rt_top #(
         .FIRST(FIRST), .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),
         .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM), .SMOOTH(SMOOTH),
         .COARSE(COARSE), .RECT(RECT), .SPANS(SPANS), .CONES(CONES), .ACCEL(ACCEL),
-        .BOXES(BOXES), .ENGINES(ENGINES), .SLOTS(SLOTS), .NODE_LINES(NODE_LINES),
-        .LEAF_LINES(LEAF_LINES), .TEXTURE_LINES(TEXTURE_LINES),
-        .TEXTURE_WAYS(TEXTURE_WAYS), .TEXTURE_GROUP(TEXTURE_GROUP),
-        .TEXTURE_COORDS(TEXTURE_COORDS), .ROOTS(ROOTS), .QUOTIENTS(QUOTIENTS),
-        .DIVISIONS(DIVISIONS), .ROOT_STEP(ROOT_STEP), .QUOTIENT_STEP(QUOTIENT_STEP),
-        .DIVISION_STEP(DIVISION_STEP), .LEAF_INTERVAL(LEAF_INTERVAL),
-        .FACET_INTERVAL(FACET_INTERVAL), .UNITS(UNITS), .UNIT_INTERVAL(UNIT_INTERVAL),
-        .HIT_INTERVAL(HIT_INTERVAL), .BOUNCE_INTERVAL(BOUNCE_INTERVAL)
+        .BOXES(BOXES), .ENGINES(ENGINES), .PIPES(PIPES), .EXACTS(EXACTS), .SHADES(SHADES),
+        .SLOTS(SLOTS), .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES),
+        .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS),
+        .TEXTURE_GROUP(TEXTURE_GROUP), .TEXTURE_COORDS(TEXTURE_COORDS), .ROOTS(ROOTS),
+        .QUOTIENTS(QUOTIENTS), .DIVISIONS(DIVISIONS), .ROOT_STEP(ROOT_STEP),
+        .QUOTIENT_STEP(QUOTIENT_STEP), .DIVISION_STEP(DIVISION_STEP),
+        .LEAF_INTERVAL(LEAF_INTERVAL), .FACET_INTERVAL(FACET_INTERVAL), .UNITS(UNITS),
+        .UNIT_INTERVAL(UNIT_INTERVAL), .HIT_INTERVAL(HIT_INTERVAL),
+        .BOUNCE_INTERVAL(BOUNCE_INTERVAL)
         // end of connections
     ) u_core (
         .clk(clk), .rst(core_rst), .cfg_valid_i(cfg_valid), .cfg_addr_i(cfg_addr),

@@ -1,7 +1,7 @@
 // rt_leaf_unit.v - leaf children of a visit: fetched, and handed to the primitives with their ray
 // SPDX-License-Identifier: Apache-2.0
-//   visits --> queue --> one leaf child --+--> leaf cache --+--> record beside ray --> rt_prim --+
-//                 records of rt_surface --+                 +--> rt_surface          results <---+
+//   visits --> rt_candidates of a pipe --+--> leaf cache --+--> record beside ray --> rt_prim --+
+//                records of rt_surface --+                 +--> rt_surface          results <---+
 // Reads the records of the leaf children that a visit left through the leaf cache, one after the
 // other, has each tested against its slot's ray, and hands every result to rt_trace. The same cache
 // serves the primitive records of rt_shade. What is behind the cache may wait for a primitive.
@@ -14,7 +14,8 @@ module rt_leaf_unit #(
     parameter W     = 16,   // coordinate, bits
     parameter WD    = 17,   // direction component, bits
     parameter NG    = 2,    // guard bits of a hit point
-    parameter SLOTS = 32,   // power of two
+    parameter SLOTS = 32,   // power of two: {pipe, slot of its own}
+    parameter PIPES = 1,    // from which visits come, power of two
     parameter LINES = 64,   // leaf cache, lines
     parameter ROOTS = 3,    // square root units
     parameter ROOT_STEP = 2, // root bits a clock
@@ -33,7 +34,8 @@ module rt_leaf_unit #(
     input  wire [`RT_REGS_BITS-1:0]   regs_i,
     input  wire [`RT_RAY_BITS-1:0]    ray_i,      // from rt_setup
     input  wire [3*(NG+2)-1:0]        lift_i,     // of a ray to a light, with FACETS
-    input  wire [`RT_VISIT_BITS-1:0]  visit_i,    // from rt_trace: leaf children to test
+    // from each rt_trace: leaf children to test
+    input  wire [PIPES*(`RT_VISIT_BITS-$clog2(PIPES))-1:0] visit_i,
     output wire [`RT_RESULT_BITS-1:0] result_o,   // to rt_trace
     // from and to rt_shade: primitive records
     input  wire [`RT_FETCH_BITS-1:0]  fetch_i,
@@ -59,41 +61,52 @@ module rt_leaf_unit #(
     wire       whole = FACETS != 0 && effects[`RT_EFFECT_FACETS];  // a line a leaf
     wire       prim  = fetch_i[`RT_FETCH_VALID];     // a primitive record goes first
 
-    // ---- one candidate after the other: queue of slots, what to test in block RAM ----
-    wire             q_valid, q_in_ready;
-    wire [SLOTW-1:0] q_slot;
-    reg              v_valid_q, open_q;              // a visit is at hand; todo_q is in use
-    reg [SLOTW-1:0]  v_slot_q;
-    reg [3:0]        todo_q;                         // left of the visit
-    wire [3:0]       v_leaf;
-    wire [`RT_LINE_BITS-1:0] v_line;
-    wire [3:0]       todo = open_q ? todo_q : v_leaf;
-    wire [1:0]       pick = todo[0] ? 2'd0 : todo[1] ? 2'd1 : todo[2] ? 2'd2 : 2'd3;
-    wire [3:0]       rest = todo & (todo - 4'd1);
+    // ---- one candidate after the other; pipes take turns ----
+    localparam PB = $clog2(PIPES);
+    localparam VB = `RT_VISIT_BITS - PB;             // a visit of a pipe
+    localparam CB = SLOTW - PB + 2 + `RT_LINE_BITS;  // a candidate: {slot, child, line of child 0}
+    wire [PIPES-1:0] o_valid, o_take;
+    wire [PIPES*CB-1:0] o_all;
     wire             req_ready;
-    wire             take = v_valid_q && req_ready && !prim;
-    wire             v_load = !v_valid_q || (take && rest == 4'd0);
-    rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_queue (
-        .clk(clk), .rst(rst), .in_valid_i(visit_i[`RT_VISIT_VALID]), .in_ready_o(q_in_ready),
-        .in_data_i(visit_i[`RT_VISIT_SLOT]),
-        .out_valid_o(q_valid), .out_ready_i(v_load), .out_data_o(q_slot)
-    );
-    rt_slot_ram #(.WIDTH(30), .SLOTS(SLOTS), .OLD(0)) u_visit (
-        .clk(clk), .wr_en_i(visit_i[`RT_VISIT_VALID]), .wr_addr_i(visit_i[`RT_VISIT_SLOT]),
-        .wr_data_i({visit_i[`RT_VISIT_LEAF], visit_i[`RT_VISIT_LINE]}),
-        .rd_en_i(v_load && q_valid), .rd_addr_i(q_slot), .rd_data_o({v_leaf, v_line})
-    );
-    always @(posedge clk) begin
-        if (v_load) begin
-            v_valid_q <= q_valid;
-            v_slot_q  <= q_slot;
+    wire             v_valid;                        // a candidate is at hand
+    wire [SLOTW-1:0] v_slot;
+    wire [1:0]       pick;
+    wire [`RT_LINE_BITS-1:0] v_line;
+    genvar p;
+    generate
+        for (p = 0; p < PIPES; p = p + 1) begin : g_pipe
+            rt_candidates #(.SLOTS(SLOTS >> PB)) u_candidates (
+                .clk(clk), .rst(rst), .visit_i(visit_i[VB*p +: VB]),
+                .out_valid_o(o_valid[p]), .out_ready_i(o_take[p] && req_ready && !prim),
+                .out_slot_o(o_all[CB*p + `RT_LINE_BITS + 2 +: SLOTW-PB]),
+                .out_child_o(o_all[CB*p + `RT_LINE_BITS +: 2]),
+                .out_line_o(o_all[CB*p +: `RT_LINE_BITS])
+            );
         end
-        if (take) begin
-            todo_q <= rest;
-            open_q <= rest != 4'd0;
+        if (PIPES > 1) begin : g_turns
+            reg  [PIPES-1:0] above_q;                // pipes above the one served last
+            wire [PIPES-1:0] high = o_valid & above_q;
+            wire [PIPES-1:0] from = |high ? high : o_valid;
+            reg  [PB-1:0]    one;                    // the pipe in turn
+            integer          i;
+            assign o_take = from & (~from + 1'b1);
+            always @* begin
+                one = {PB{1'b0}};
+                for (i = 0; i < PIPES; i = i + 1) if (o_take[i]) one = one | i[PB-1:0];
+            end
+            always @(posedge clk) begin
+                if (v_valid && req_ready && !prim) above_q <= ~(o_take | (o_take - 1'b1));
+                if (rst) above_q <= {PIPES{1'b0}};
+            end
+            assign v_valid = |o_valid;
+            assign v_slot[SLOTW-1 -: PB] = one;
+            assign {v_slot[SLOTW-PB-1:0], pick, v_line} = o_all[CB*one +: CB];
+        end else begin : g_one
+            assign o_take  = 1'b1;
+            assign v_valid = o_valid;
+            assign {v_slot, pick, v_line} = o_all;
         end
-        if (rst) begin v_valid_q <= 1'b0; open_q <= 1'b0; end
-    end
+    endgenerate
 
     // ---- leaf cache, shared with primitive records ----
     localparam TAG = SLOTW + 2;                      // {slot, half, is prim}
@@ -103,11 +116,11 @@ module rt_leaf_unit #(
     assign fetch_ready_o = req_ready;
     rt_cache #(.TAG(TAG), .LINES(LINES), .PENDING(SLOTS)) u_cache (
         .clk(clk), .rst(rst), .flush_i(flush_i),
-        .req_valid_i(prim || v_valid_q), .req_ready_o(req_ready),
+        .req_valid_i(prim || v_valid), .req_ready_o(req_ready),
         .req_line_i(prim ? fetch_i[`RT_FETCH_LINE]
                     : v_line + {24'd0, whole && pick[1], whole ? pick[0] : pick[1]}),
         .req_tag_i(prim ? {fetch_i[`RT_FETCH_SLOT], 1'b0, 1'b1}
-                        : {v_slot_q, pick[0] && !whole, 1'b0}),
+                        : {v_slot, pick[0] && !whole, 1'b0}),
         .rsp_valid_o(c_valid), .rsp_ready_i(c_ready), .rsp_data_o(c_data),
         .rsp_tag_o({c_slot, c_half, c_prim}), .rsp_error_o(c_error),
         .mem_req_valid_o(mem_req_valid_o), .mem_req_ready_i(mem_req_ready_i),
@@ -215,6 +228,6 @@ module rt_leaf_unit #(
         .result_o(result), .event_o(event_o[`RT_EXACT_EVENT_PRIM]), .bad_o(l_bad)
     );
     assign fault_o[`RT_ERROR_BAD_NODE] = l_bad;
-    wire unused = &{1'b0, q_in_ready, x, y, ray_i, regs_i};
+    wire unused = &{1'b0, x, y, ray_i, regs_i};
 endmodule
 `default_nettype wire

@@ -14,13 +14,14 @@ module rt_origin #(
     parameter NG        = 2,   // guard bits of a hit point
     parameter LIFTS     = 0,   // 1: facets may stand between a point and a light
     parameter SECONDARY = 1,   // 1: there are shadow or reflected rays
+    parameter SHADES    = 1,   // shading units, power of two
     parameter SLOTS     = 32   // power of two
 ) (
     input  wire                     clk,
     input  wire [3*W-1:0]           eye_i,  // register
-    // where secondary rays start, and on what
-    input  wire [`RT_ORG_BITS-1:0]  org_i,
-    input  wire [`RT_SKIP_BITS-1:0] skip_i,
+    // from each shading unit: where secondary rays of its slots start, and on what
+    input  wire [SHADES*(`RT_ORG_BITS-$clog2(SHADES))-1:0]  org_i,
+    input  wire [SHADES*(`RT_SKIP_BITS-$clog2(SHADES))-1:0] skip_i,
     // a ray
     input  wire                     read_i,
     input  wire [$clog2(SLOTS)-1:0] slot_i,
@@ -34,26 +35,51 @@ module rt_origin #(
     localparam LIFT = 3*(NG+2);
     localparam [`RT_ID_BITS:0] NONE = {1'b0, {`RT_ID_BITS{1'b1}}};
     wire [3*W-1:0] org;
+    genvar s;
     generate
         if (SECONDARY != 0) begin : g_secondary
-            localparam LB = LIFTS != 0 ? LIFT : 0;
-            wire [3*W+LIFT-1:0] from = {org_i[`RT_ORG_LIFT], org_i[`RT_ORG_POINT]};
-            wire [3*W+LB-1:0] kept;
+            localparam SB = $clog2(SHADES);
+            localparam OB = `RT_ORG_BITS - SB, KB = `RT_SKIP_BITS - SB;
+            localparam SLOTW = $clog2(SLOTS) - SB;                // of a shading unit's slot
+            localparam PB = 3*W + (LIFTS != 0 ? LIFT : 0);        // a point and its lift
+            wire [PB-1:0]  kept;
             wire [3*W-1:0] point = kept[3*W-1:0];
             wire [`RT_ID_BITS:0] skip;
+            wire [SHADES*PB-1:0] points;
+            wire [SHADES*(`RT_ID_BITS+1)-1:0] skips;
             reg            primary_q;
             reg [3*W-1:0]  org_q;
             reg [`RT_ID_BITS:0] skip_q;
-            rt_slot_ram #(.WIDTH(3*W+LB), .SLOTS(SLOTS), .OLD(0)) u_point (
-                .clk(clk), .wr_en_i(org_i[`RT_ORG_VALID]), .wr_addr_i(org_i[`RT_ORG_SLOT]),
-                .wr_data_i(from[3*W+LB-1:0]),
-                .rd_en_i(read_i), .rd_addr_i(slot_i), .rd_data_o(kept)
-            );
-            rt_slot_ram #(.WIDTH(25), .SLOTS(SLOTS), .OLD(0)) u_skip (
-                .clk(clk), .wr_en_i(skip_i[`RT_SKIP_VALID]), .wr_addr_i(skip_i[`RT_SKIP_SLOT]),
-                .wr_data_i({skip_i[`RT_SKIP_INSIDE], skip_i[`RT_SKIP_ID]}),
-                .rd_en_i(read_i), .rd_addr_i(slot_i), .rd_data_o(skip)
-            );
+            for (s = 0; s < SHADES; s = s + 1) begin : g_shade
+                wire read_s = read_i && slot_i >> SLOTW == s;
+                wire [OB-1:0] org_s  = org_i[OB*s +: OB];
+                wire [KB-1:0] skip_s = skip_i[KB*s +: KB];
+                wire [3*W+LIFT-1:0] from = {org_s[`RT_ORG_LIFT], org_s[`RT_ORG_POINT]};
+                rt_slot_ram #(.WIDTH(PB), .SLOTS(SLOTS >> SB), .OLD(0)) u_point (
+                    .clk(clk), .wr_en_i(org_s[`RT_ORG_VALID]), .wr_addr_i(org_s[OB-1 -: SLOTW]),
+                    .wr_data_i(from[PB-1:0]),
+                    .rd_en_i(read_s), .rd_addr_i(slot_i[SLOTW-1:0]),
+                    .rd_data_o(points[PB*s +: PB])
+                );
+                rt_slot_ram #(.WIDTH(25), .SLOTS(SLOTS >> SB), .OLD(0)) u_skip (
+                    .clk(clk), .wr_en_i(skip_s[`RT_SKIP_VALID]),
+                    .wr_addr_i(skip_s[KB-1 -: SLOTW]),
+                    .wr_data_i({skip_s[`RT_SKIP_INSIDE], skip_s[`RT_SKIP_ID]}),
+                    .rd_en_i(read_s), .rd_addr_i(slot_i[SLOTW-1:0]),
+                    .rd_data_o(skips[(`RT_ID_BITS+1)*s +: `RT_ID_BITS+1])
+                );
+                if (LIFTS == 0) begin : g_no_lift
+                    wire unused = &{1'b0, from[3*W +: LIFT]};
+                end
+            end
+            if (SHADES > 1) begin : g_choose
+                reg [SB-1:0] shade_q;
+                always @(posedge clk) shade_q <= slot_i[SLOTW +: SB];
+                assign kept = points[PB*shade_q +: PB];
+                assign skip = skips[(`RT_ID_BITS+1)*shade_q +: `RT_ID_BITS+1];
+            end else begin : g_one
+                assign {kept, skip} = {points, skips};
+            end
             assign org = primary_q ? eye_i : point;
             always @(posedge clk) begin
                 primary_q <= primary_i;
@@ -68,7 +94,6 @@ module rt_origin #(
                 assign lift_o = lift_q;
             end else begin : g_no_lift
                 assign lift_o = {LIFT{1'b0}};
-                wire unused = &{1'b0, from};
             end
         end else begin : g_primary
             assign org    = eye_i;

@@ -20,21 +20,22 @@ module rt_setup #(
     parameter TEXTURE = 0,  // 1: textures need unit normals and the length of rays
     parameter UNITS   = 2,  // units for unit vectors, 1 or 2
     parameter UNIT_INTERVAL = 2, // clocks a vector of each, 2 or 4
+    parameter SHADES  = 1,  // shading units, power of two
     parameter SLOTS   = 32  // power of two
 ) (
     input  wire                       clk,
     input  wire                       rst,
     input  wire [3*W-1:0]             eye_i,          // register
-    // from rt_shade: normals, vectors to lights, directions of rays that leave a surface
-    input  wire [`RT_VECTOR_BITS-1:0] normal_i,
-    input  wire [`RT_VECTOR_BITS-1:0] light_i,
-    input  wire [`RT_VECTOR_BITS-1:0] bounce_i,
+    // from each rt_shade: normals, vectors to lights, directions of rays that leave a surface
+    input  wire [SHADES*(`RT_VECTOR_BITS-$clog2(SHADES))-1:0] normal_i,
+    input  wire [SHADES*(`RT_VECTOR_BITS-$clog2(SHADES))-1:0] light_i,
+    input  wire [SHADES*(`RT_VECTOR_BITS-$clog2(SHADES))-1:0] bounce_i,
     // from rt_slots: primary rays, which wait
     input  wire [`RT_VECTOR_BITS-1:0] primary_i,
     output wire                       primary_ready_o,
-    // from rt_shade: where secondary rays start, and on what
-    input  wire [`RT_ORG_BITS-1:0]    org_i,
-    input  wire [`RT_SKIP_BITS-1:0]   skip_i,
+    // from each rt_shade: where secondary rays start, and on what
+    input  wire [SHADES*(`RT_ORG_BITS-$clog2(SHADES))-1:0]  org_i,
+    input  wire [SHADES*(`RT_SKIP_BITS-$clog2(SHADES))-1:0] skip_i,
     // a ray, normal or light, to everyone who keeps a part of it
     output wire [`RT_RAY_BITS-1:0]    ray_o,
     output wire [`RT_FILTER_BITS-1:0] filter_o,
@@ -49,22 +50,26 @@ module rt_setup #(
     localparam SECONDARY = SHADOWS != 0 || BOUNCES != 0 ? 1 : 0;  // not from the eye
 
     // ---- choose a vector ----
+    localparam PHASES = SHADES > 1 && UNITS == 2 && (UNIT_INTERVAL == 2 || WD < 18) ? 1 : 0;
+    wire             v_first;                         // the first unit for unit vectors may take
     wire             v_valid, v_ready, v_normal, v_light, v_bounce;
     wire [SLOTW-1:0] v_slot;
     wire [3*WD-1:0]  v_vec;
     wire [1:0]       v_kind  = v_normal ? NORMAL : v_light ? LIGHT : v_bounce ? BOUNCE : PRIMARY;
     rt_vectors #(.WD(WD), .NORMALS(NORMALS), .LIGHTS(LIGHTS), .BOUNCES(BOUNCES),
-                 .SLOTS(SLOTS)) u_vectors (
+                 .SHADES(SHADES), .PHASES(PHASES), .SLOTS(SLOTS)) u_vectors (
         .clk(clk), .rst(rst),
         .normal_i(normal_i), .light_i(light_i), .bounce_i(bounce_i), .primary_i(primary_i),
-        .primary_ready_o(primary_ready_o),
+        .primary_ready_o(primary_ready_o), .first_i(v_first),
         .out_valid_o(v_valid), .out_ready_i(v_ready),
         .out_normal_o(v_normal), .out_light_o(v_light), .out_bounce_o(v_bounce),
         .out_slot_o(v_slot), .out_vec_o(v_vec)
     );
 
     // ---- unit vector ----
-    // Lights leave at the pace of rt_cosine, every second clock at most.
+    // Lights leave at the pace of rt_cosine, every second clock at most; those of every other
+    // shading unit, which has its own, in the clocks between.
+    wire [SLOTW+1:0]  v_shade = {2'd0, v_slot} >> (SLOTW - $clog2(SHADES));
     localparam KB     = NORMALS != 0 ? 2 : 0;         // bits of a kind
     wire [SLOTW+1:0]  v_tag = {v_slot, v_kind};
     wire              u_valid;
@@ -76,9 +81,11 @@ module rt_setup #(
     wire [17:0]       u_x = u_unit[`RT_UNIT_X], u_y = u_unit[`RT_UNIT_Y], u_z = u_unit[`RT_UNIT_Z];
     wire [16:0]       u_rsqrt;
     wire [5:0]        u_shift;
-    rt_units #(.BITS(WD), .TAG(SLOTW+KB), .UNITS(UNITS), .INTERVAL(UNIT_INTERVAL)) u_units (
+    rt_units #(.BITS(WD), .TAG(SLOTW+KB), .UNITS(UNITS), .SPREADS(SHADES),
+               .INTERVAL(UNIT_INTERVAL)) u_units (
         .clk(clk), .rst(rst),
-        .in_valid_i(v_valid), .in_spread_i(v_light), .in_ready_o(v_ready),
+        .in_valid_i(v_valid), .in_spread_i(v_light), .in_second_i(v_shade[0]),
+        .in_ready_o(v_ready), .first_o(v_first),
         .in_tag_i(v_tag[SLOTW+1 -: SLOTW+KB]), .in_vec_i(v_vec),
         .out_valid_o(u_valid), .out_tag_o(u_tag[SLOTW+1 -: SLOTW+KB]), .out_vv_o(u_vv),
         .out_u_o(u_unit), .out_y_o(u_rsqrt), .out_h_o(u_shift)
@@ -197,7 +204,7 @@ module rt_setup #(
 
     // ---- origin: read so that it is there with the ray ----
     rt_origin #(.W(W), .FW(FW), .NG(NG), .LIFTS(FACETS != 0 && SHADOWS != 0 ? 1 : 0),
-                .SECONDARY(SECONDARY), .SLOTS(SLOTS)) u_origin (
+                .SECONDARY(SECONDARY), .SHADES(SHADES), .SLOTS(SLOTS)) u_origin (
         .clk(clk), .eye_i(eye_i), .org_i(org_i), .skip_i(skip_i),
         .read_i(s2_valid_q && s2_kind_q != NORMAL), .slot_i(s2_slot_q),
         .primary_i(s2_kind_q == PRIMARY),
@@ -238,6 +245,6 @@ module rt_setup #(
         end
     endgenerate
 
-    wire unused = &{1'b0, v_tag, s1_vec, s3_prod_q[33], s3_prod_q[15:0], s1_rsqrt_q[0]};
+    wire unused = &{1'b0, v_tag, v_shade, s1_vec, s3_prod_q[33], s3_prod_q[15:0], s1_rsqrt_q[0]};
 endmodule
 `default_nettype wire

@@ -21,7 +21,8 @@ module rt_trace #(
     parameter FIRST = 1,    // 1: primary rays may end with their first hit
     parameter FARS  = 1,    // 1: hits that are far
     parameter FACETS = 0,   // 1: a leaf child may have a whole line
-    parameter ACCEL = 0     // 0: nodes of four spheres, 1: BIH, 2: nodes of four boxes
+    parameter ACCEL = 0,    // 0: nodes of four spheres, 1: BIH, 2: nodes of four boxes
+    parameter WAITS = 0     // 1: rays that are done wait for done_ready_i
 ) (
     input  wire                       clk,
     input  wire                       rst,
@@ -39,6 +40,7 @@ module rt_trace #(
     input  wire [`RT_RESULT_BITS-1:0] result_i,
     // to rt_slots: a ray is done, a clock later how
     output wire                       done_valid_o,
+    input  wire                       done_ready_i,   // with WAITS
     output wire [$clog2(SLOTS)-1:0]   done_slot_o,
     output wire [`RT_DONE_BITS-1:0]   done_o,
     // to rt_slots: visits of a pixel, a clock after its slot
@@ -66,8 +68,8 @@ module rt_trace #(
     wire             first   = FIRST != 0 && effects[`RT_EFFECT_FIRST] && pixel;
 
     // ---- pipe ----
-    wire             read_valid, next_read, next_hit, next_ends, tested_valid;
-    wire [SLOTW-1:0] read_slot, next_slot, tested_slot;
+    wire             read_valid, next_read, next_hit, next_ends, tested_valid, ended_valid;
+    wire [SLOTW-1:0] read_slot, next_slot, tested_slot, ended_slot;
     wire [2:0]       count;                                  // leaf children of a visit
     wire [LW:0]      limit, read_depth, next_depth;          // what lies deeper does not matter
     generate
@@ -139,7 +141,7 @@ module rt_trace #(
                 .read_o(next_read), .slot_o(next_slot), .depth_i(next_depth), .hit_i(next_hit),
                 .ends_i(next_ends),
                 .issue_valid_o(issue_valid), .issue_slot_o(issue_slot), .issue_line_o(issue_line),
-                .done_valid_o(done_valid_o), .done_slot_o(done_slot_o),
+                .done_valid_o(ended_valid), .done_slot_o(ended_slot),
                 .bubble_o(bubble), .overflow_o(overflow)
             );
             assign event_o[`RT_TRACE_EVENT_ISSUED] = events[`RT_TRACE_EVENT_ISSUED];
@@ -163,7 +165,7 @@ module rt_trace #(
                 .tested_valid_i(tested_valid), .tested_slot_i(tested_slot),
                 .limit_read_o(next_read), .limit_slot_o(next_slot), .limit_i(next_depth),
                 .hit_i(next_hit), .ends_i(next_ends),
-                .done_valid_o(done_valid_o), .done_slot_o(done_slot_o),
+                .done_valid_o(ended_valid), .done_slot_o(ended_slot),
                 .visits_read_i(visits_read_i), .visits_slot_i(visits_slot_i),
                 .visits_o(visits_o),
                 .mem_req_valid_o(mem_req_valid_o), .mem_req_ready_i(mem_req_ready_i),
@@ -173,6 +175,23 @@ module rt_trace #(
                 .event_o(event_o), .fault_o(fault_o)
             );
             wire unused = &{1'b0, read_depth};
+        end
+    endgenerate
+
+    // ---- rays that are done ----
+    wire             done_taken = done_valid_o && (WAITS == 0 || done_ready_i);
+    generate
+        if (WAITS != 0) begin : g_waits
+            wire             ended_in;
+            rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_done (
+                .clk(clk), .rst(rst), .in_valid_i(ended_valid), .in_ready_o(ended_in),
+                .in_data_i(ended_slot),
+                .out_valid_o(done_valid_o), .out_ready_i(done_ready_i), .out_data_o(done_slot_o)
+            );
+            wire unused = ended_in;
+        end else begin : g_leaves
+            assign {done_valid_o, done_slot_o} = {ended_valid, ended_slot};
+            wire unused = done_ready_i;
         end
     endgenerate
 
@@ -193,7 +212,7 @@ module rt_trace #(
         .filter_valid_i(read_valid), .filter_slot_i(read_slot), .filter_depth_o(read_depth),
         .next_valid_i(next_read), .next_slot_i(next_slot), .next_depth_o(next_depth),
         .next_found_o(next_hit), .next_ends_o(next_ends),
-        .done_valid_i(done_valid_o), .done_slot_i(done_slot_o),
+        .done_valid_i(done_taken), .done_slot_i(done_slot_o),
         .done_found_o(done_o[`RT_DONE_FOUND]), .done_shadow_o(done_o[`RT_DONE_SHADOW]),
         .done_primary_o(done_o[`RT_DONE_PRIMARY]), .done_first_o(done_o[`RT_DONE_FIRST]),
         .done_far_o(done_o[`RT_DONE_FAR]), .done_id_o(done_o[`RT_DONE_ID]),

@@ -117,6 +117,12 @@ done
 wanted "verilator effects 31 overlap two engines" all ENGINES=2 "$overlap-32x24.sph" --reg 0=31
 wanted "verilator sphereflake2 draft two engines" all ENGINES=2 \
     "$machines/sphereflake2-draft-32x24.sph"
+# Pipes of an engine with their units, in both simulators: the same pixels and counters.
+wanted "verilator sphereflake2 draft four pipes" auto PIPES=4 \
+    "$machines/sphereflake2-draft-32x24.sph"
+wanted "icarus overlap two pipes, one shading unit" all "SIM=icarus PIPES=2" "$overlap-8x6.sph" \
+    --reg 0=31
+wanted "icarus inside three pipes" auto "SIM=icarus PIPES=3" "$overlap-8x6.sph"
 wanted "verilator sphereflake2 standard warm caches" all SIM=verilator \
     "$machines/sphereflake2-standard-32x24.sph" --warm
 # Triangles and planes: every profile; two engines; a core without rays inside spheres; lines that

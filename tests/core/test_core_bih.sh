@@ -43,6 +43,7 @@ for name in ones threes flat brute mixed mixed-ones mixed-brute triangles; do
 done
 wanted "verilator paper100, caches kept" all SIM=verilator paper100 --warm
 wanted "icarus sphereflake2, two engines" auto "SIM=icarus ENGINES=2" small
+wanted "icarus sphereflake2, three pipes" auto "SIM=icarus PIPES=3" small
 wanted "icarus primary rays alone" auto SIM=icarus simple
 wanted "icarus textures" auto SIM=icarus balls
 wanted "icarus standard:w=14,wd=21,pr=12" auto SIM=icarus wide

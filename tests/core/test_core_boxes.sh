@@ -28,6 +28,11 @@ machine paper5 scenes/paper5.nff --size 16x12
 wanted "verilator mixed" auto SIM=verilator mixed
 wanted "icarus mixed" auto SIM=icarus mixed
 wanted "icarus sphereflake2, two engines" auto "SIM=icarus ENGINES=2" small
+wanted "icarus sphereflake2, four pipes, units of their own" auto \
+    "SIM=icarus PIPES=4 EXACTS=4 SHADES=4" small
+wanted "icarus mixed, two engines of two pipes" auto "SIM=icarus ENGINES=2 PIPES=2" mixed
+wanted "icarus textures, three pipes" auto "SIM=icarus PIPES=3" balls
+wanted "icarus refraction, four pipes" auto "SIM=icarus PIPES=4 EXACTS=1 SHADES=2" optics
 wanted "icarus textures" auto SIM=icarus balls
 wanted "icarus refraction" auto SIM=icarus optics
 wanted "icarus standard:w=14,wd=21,pr=12" auto SIM=icarus wide

@@ -103,7 +103,7 @@ widths='W|WD|PQ|NG|FW|PR'
 # shellcheck disable=SC2046  # words
 for tool in icarus verilator yosys; do
     check "legal: all least, $tool" silent $tool whole $(all_of least "$widths")
-    few="$widths|ACCEL|BOXES"
+    few="$widths|ACCEL|BOXES|PIPES|EXACTS|SHADES"
     [ $tool = icarus ] || few="$few|ENGINES|SLOTS|ROOTS|QUOTIENTS|DIVISIONS|CONES"
     check "legal: all largest, $tool" silent $tool whole $(all_of most "$few")
 done
@@ -147,11 +147,13 @@ REFRACT_needs_INSIDE REFRACT=1 INTERPENETRATE=0 INSIDE=0
 SPECULAR_needs_SUM SPECULAR=1
 COARSE_needs_TEXTURE COARSE=1
 ACCEL_excludes_FIRST ACCEL=1
+ENGINES_times_PIPES_must_be_at_most_8 ENGINES=3 PIPES=3
 END
+check "legal: four pipes" silent icarus whole PIPES=4 EXACTS=4 SHADES=4 INTERPENETRATE=0
 
 # ---- the whole core is refused, by every tool ----
 for tool in icarus verilator yosys; do
-    for case in ENGINES=0 ENGINES=9 SLOTS=48 NODE_LINES=100 LIGHTS=12; do
+    for case in ENGINES=0 ENGINES=9 PIPES=5 SLOTS=48 NODE_LINES=100 LIGHTS=12; do
         message=$(awk -v name="${case%=*}" '$1 == name { print $4; exit }' "$TMP/values")
         check "refused by $tool: $case" says "$message" $tool whole $case
     done

@@ -42,6 +42,12 @@ textured() {
     export EFFECTS
     core "$@"
 }
+# The same on a core of three pipes, two shading units and one leaf unit.
+piped() {
+    PIPES=3 EXACTS=1
+    export PIPES EXACTS
+    textured "$@"
+}
 # A block bench, in a folder that looks like this one but for its rtl.
 bench() {
     cp -al Makefile VERSION make cmodel driver formal scenes sim synth tb tests "$here/" &&

@@ -1,0 +1,196 @@
+// rt_shades.v - shading units: each shades the hits of some pipes
+// SPDX-License-Identifier: Apache-2.0
+//   ray, hit --> rt_shade of the slot --+--> vectors, records wanted, shadow rays: of each unit
+//                                       +--> queue --> end, one a clock
+// The top bits of a slot name its unit. Of pixels that are complete in one clock the lowest unit's
+// goes first. With one unit there is nothing here but rt_shade.
+// Model: that of rt_shade
+`timescale 1ns / 1ps
+`default_nettype none
+`include "rt_layout.vh"
+`include "rt_bundles.vh"
+module rt_shades #(
+    parameter W          = 16,   // coordinate, bits
+    parameter WD         = 17,   // direction component, bits
+    parameter PQ         = 17,   // significant bits of the quotient
+    parameter NG         = 2,    // guard bits of the normal
+    parameter PR         = 0,    // significant bits of the root, 0: all
+    parameter SHADES     = 1,    // shading units, power of two
+    parameter SLOTS      = 64,   // numbers of slots, power of two
+    parameter SHADOW     = 1,    // 1: shadow rays
+    parameter REFLECT    = 5,    // effects elaborated, see rt_core
+    parameter LIGHTS     = 8,
+    parameter INSIDE     = 1,
+    parameter INTERPENETRATE = 1,
+    parameter FACETS     = 0,
+    parameter TEXTURE    = 0,
+    parameter SMOOTH     = 0,
+    parameter REFRACT    = 0,
+    parameter SPECULAR   = 0,
+    parameter SUM        = 0,
+    parameter TEXTURE_LINES = 128, // texture cache of each
+    parameter TEXTURE_WAYS = 4,  // its groups of a set
+    parameter TEXTURE_GROUP = 1, // lines of a group
+    parameter TEXTURE_COORDS = 2, // units for texture coordinates
+    parameter COARSE     = 0,    // bits of a level's fraction that are rounded away
+    parameter QUOTIENTS  = 3,    // dividers of each
+    parameter QUOTIENT_STEP = 2, // quotient bits a clock
+    parameter HIT_INTERVAL = 8,  // clocks a hit point and its normal, 8 or 12
+    parameter BOUNCE_INTERVAL = 10 // clocks a mirrored direction, 10 or 12
+) (
+    input  wire                       clk,
+    input  wire                       rst,
+    input  wire                       flush_i,         // forget the texture caches
+    input  wire [`RT_REGS_BITS-1:0]   regs_i,
+    input  wire [`RT_LIGHT_BITS-1:0]  light_i,         // a light is written
+    // from rt_setup
+    input  wire [`RT_RAY_BITS-1:0]    ray_i,
+    input  wire                       next_light_i,    // ray_i has LIGHT in the next clock
+    input  wire [$clog2(SLOTS)-1:0]   next_slot_i,     // of this slot
+    // from rt_slots: what rays hit; to it: a surface is blended (of the first unit), a pixel is
+    // complete
+    input  wire [`RT_HIT_BITS-1:0]    hit_i,
+    output wire [`RT_BLEND_BITS-$clog2(SHADES)-1:0] blend_o,
+    output wire                       end_valid_o,
+    output wire [$clog2(SLOTS)-1:0]   end_slot_o,
+    // to and from rt_leaf_unit: primitive records
+    output wire [SHADES*(`RT_FETCH_BITS-$clog2(SHADES))-1:0]  fetch_o,
+    input  wire [SHADES-1:0]          fetch_ready_i,
+    input  wire [SHADES*(`RT_RECORD_BITS-$clog2(SHADES))-1:0] record_i,
+    output wire [SHADES-1:0]          record_ready_o,
+    // to rt_setup: vectors, and where and on what the next ray starts
+    output wire [SHADES*(`RT_VECTOR_BITS-$clog2(SHADES))-1:0] normal_o,
+    output wire [SHADES*(`RT_VECTOR_BITS-$clog2(SHADES))-1:0] vec_light_o,
+    output wire [SHADES*(`RT_VECTOR_BITS-$clog2(SHADES))-1:0] bounce_o,
+    output wire [SHADES*(`RT_ORG_BITS-$clog2(SHADES))-1:0]    org_o,
+    output wire [SHADES*(`RT_SKIP_BITS-$clog2(SHADES))-1:0]   skip_o,
+    // to rt_pipes: token, a shadow ray starts
+    output wire [SHADES-1:0]          shadow_go_o,
+    output wire [SHADES*($clog2(SLOTS)-$clog2(SHADES))-1:0]   shadow_slot_o,
+    // to rt_slots: of a pixel that leaves, a clock after its slot
+    input  wire                       read_i,
+    input  wire [$clog2(SLOTS)-1:0]   read_slot_i,
+    output wire [3*`RT_RGB_BITS-1:0]  colour_o,
+    output wire [31:0]                texture_o,
+    // memory of each unit, with TEXTURE
+    output wire [SHADES-1:0]          mem_req_valid_o,
+    input  wire [SHADES-1:0]          mem_req_ready_i,
+    output wire [`RT_LINE_BITS*SHADES-1:0] mem_req_line_o,
+    input  wire [SHADES-1:0]          mem_rsp_valid_i,
+    output wire [SHADES-1:0]          mem_rsp_ready_o,
+    input  wire [255:0]               mem_rsp_data_i,
+    input  wire                       mem_rsp_error_i,
+    // events of each unit and faults of this clock
+    output wire [SHADES*`RT_SHADE_EVENT_BITS-1:0] event_o,
+    output reg  [3:0]                 fault_o          // by number of the error, machine.def
+);
+    localparam SLOTW = $clog2(SLOTS);
+    localparam SB   = $clog2(SHADES);
+    localparam OWNW = SLOTW - SB;                      // slot of a unit's own
+    localparam YB = `RT_RAY_BITS - SB, HB = `RT_HIT_BITS - SB, BB = `RT_BLEND_BITS - SB;
+    localparam FB = `RT_FETCH_BITS - SB, CB = `RT_RECORD_BITS - SB, VB = `RT_VECTOR_BITS - SB;
+    localparam OB = `RT_ORG_BITS - SB, KB = `RT_SKIP_BITS - SB, EB = `RT_SHADE_EVENT_BITS;
+    localparam RB = 3*`RT_RGB_BITS + 32;               // what a pixel leaves with
+    function [SLOTW+1:0] unit_of(input [SLOTW-1:0] slot);
+        unit_of = {2'd0, slot} >> OWNW;
+    endfunction
+    wire [SLOTW+1:0]       ray_unit = unit_of(ray_i[`RT_RAY_SLOT]);
+    wire [SLOTW+1:0]       hit_unit = unit_of(hit_i[`RT_HIT_SLOT]);
+    wire [SLOTW+1:0]       next_unit = unit_of(next_slot_i);
+    wire [SLOTW+1:0]       read_unit = unit_of(read_slot_i);
+    wire [SHADES-1:0]      end_valid;
+    wire [SHADES*OWNW-1:0] end_slot;
+    wire [SHADES*BB-1:0]   blend;
+    wire [SHADES*RB-1:0]   pixel;
+    wire [SHADES*4-1:0]    fault;
+    genvar s;
+    generate
+        for (s = 0; s < SHADES; s = s + 1) begin : g_shade
+            localparam [SLOTW+1:0] OWN = s;
+            reg [YB-1:0] ray;
+            reg [HB-1:0] hit;
+            always @* begin
+                ray = ray_i[YB-1:0];
+                hit = hit_i[HB-1:0];
+                if (ray_unit != OWN) begin
+                    ray[`RT_RAY_VALID]  = 1'b0;
+                    ray[`RT_RAY_NORMAL] = 1'b0;
+                    ray[`RT_RAY_LIGHT]  = 1'b0;
+                end
+                if (hit_unit != OWN) begin
+                    hit[`RT_HIT_HIT]    = 1'b0;
+                    hit[`RT_HIT_MISS]   = 1'b0;
+                    hit[`RT_HIT_SHADOW] = 1'b0;
+                end
+            end
+            rt_shade #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .PR(PR), .SLOTS(SLOTS >> SB),
+                       .SHADOW(SHADOW), .REFLECT(REFLECT), .LIGHTS(LIGHTS), .INSIDE(INSIDE),
+                       .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),
+                       .SMOOTH(SMOOTH), .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM),
+                       .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS),
+                       .TEXTURE_GROUP(TEXTURE_GROUP), .TEXTURE_COORDS(TEXTURE_COORDS),
+                       .COARSE(COARSE), .QUOTIENTS(QUOTIENTS),
+                       .QUOTIENT_STEP(QUOTIENT_STEP), .HIT_INTERVAL(HIT_INTERVAL),
+                       .BOUNCE_INTERVAL(BOUNCE_INTERVAL)) u_shade (
+                .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i), .light_i(light_i),
+                .ray_i(ray), .next_light_i(next_light_i && next_unit == OWN),
+                .next_slot_i(next_slot_i[OWNW-1:0]),
+                .hit_i(hit), .blend_o(blend[BB*s +: BB]),
+                .end_valid_o(end_valid[s]), .end_slot_o(end_slot[OWNW*s +: OWNW]),
+                .fetch_o(fetch_o[FB*s +: FB]), .fetch_ready_i(fetch_ready_i[s]),
+                .record_i(record_i[CB*s +: CB]), .record_ready_o(record_ready_o[s]),
+                .normal_o(normal_o[VB*s +: VB]), .vec_light_o(vec_light_o[VB*s +: VB]),
+                .bounce_o(bounce_o[VB*s +: VB]), .org_o(org_o[OB*s +: OB]),
+                .skip_o(skip_o[KB*s +: KB]), .shadow_go_o(shadow_go_o[s]),
+                .shadow_slot_o(shadow_slot_o[OWNW*s +: OWNW]),
+                .read_i(read_i && read_unit == OWN), .read_slot_i(read_slot_i[OWNW-1:0]),
+                .colour_o(pixel[RB*s +: 3*`RT_RGB_BITS]),
+                .texture_o(pixel[RB*s + 3*`RT_RGB_BITS +: 32]),
+                .mem_req_valid_o(mem_req_valid_o[s]), .mem_req_ready_i(mem_req_ready_i[s]),
+                .mem_req_line_o(mem_req_line_o[`RT_LINE_BITS*s +: `RT_LINE_BITS]),
+                .mem_rsp_valid_i(mem_rsp_valid_i[s]), .mem_rsp_ready_o(mem_rsp_ready_o[s]),
+                .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
+                .event_o(event_o[EB*s +: EB]), .fault_o(fault[4*s +: 4])
+            );
+        end
+    endgenerate
+    assign blend_o = blend[BB-1:0];
+
+    // ---- one answer: complete pixels wait in queues; the unit whose pixel was asked for ----
+    generate
+        if (SHADES > 1) begin : g_join
+            wire [SHADES-1:0]      valid, room;
+            wire [SHADES-1:0]      take = valid & (~valid + 1'b1);
+            wire [SHADES*OWNW-1:0] slot;
+            reg  [SB-1:0]          one, read_q;
+            integer                i;
+            for (s = 0; s < SHADES; s = s + 1) begin : g_end
+                rt_fifo #(.WIDTH(OWNW), .DEPTH(SLOTS >> SB)) u_end (
+                    .clk(clk), .rst(rst), .in_valid_i(end_valid[s]), .in_ready_o(room[s]),
+                    .in_data_i(end_slot[OWNW*s +: OWNW]),
+                    .out_valid_o(valid[s]), .out_ready_i(take[s]),
+                    .out_data_o(slot[OWNW*s +: OWNW])
+                );
+            end
+            always @* begin
+                one = {SB{1'b0}};
+                for (i = 0; i < SHADES; i = i + 1) if (take[i]) one = one | i[SB-1:0];
+            end
+            always @(posedge clk) if (read_i) read_q <= read_slot_i[SLOTW-1 -: SB];
+            assign end_valid_o = |valid;
+            assign end_slot_o  = {one, slot[OWNW*one +: OWNW]};
+            assign {texture_o, colour_o} = pixel[RB*read_q +: RB];
+            wire unused = &{1'b0, room, blend};
+        end else begin : g_one
+            assign end_valid_o = end_valid;
+            assign end_slot_o  = end_slot;
+            assign {texture_o, colour_o} = pixel;
+        end
+    endgenerate
+    integer f;
+    always @* begin
+        fault_o = 4'd0;
+        for (f = 0; f < SHADES; f = f + 1) fault_o = fault_o | fault[4*f +: 4];
+    end
+endmodule
+`default_nettype wire

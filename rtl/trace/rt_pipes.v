@@ -1,0 +1,156 @@
+// rt_pipes.v - traversal pipes: each has its own slots, queues, stack and node cache
+// SPDX-License-Identifier: Apache-2.0
+//   ray, shadow_go, result --> rt_trace of the slot --+--> visits, of each pipe
+//                                                     +--> queue --> done, one a clock
+// The number of a slot is {pipe, slot of its own}, so no ray ever changes its pipe, and what it
+// visits depends on the ray alone. Of rays that are done in one clock the lowest pipe's goes first.
+// With one pipe there is nothing here but rt_trace.
+// Model: that of rt_trace
+`timescale 1ns / 1ps
+`default_nettype none
+`include "rt_layout.vh"
+`include "rt_bundles.vh"
+module rt_pipes #(
+    parameter W     = 16,   // coordinate, bits
+    parameter WD    = 17,   // direction component, bits
+    parameter FW    = 14,   // filter coordinate, bits
+    parameter PIPES = 1,    // 1..4
+    parameter EXACTS = 1,   // leaf units that serve them, power of two
+    parameter SHADES = 1,   // shading units, power of two
+    parameter SLOTS = 32,   // numbers of slots, power of two: {pipe, slot of its own}
+    parameter STACK = 16,   // sibling groups waiting per ray, power of two
+    parameter LINES = 256,  // node cache of each pipe, lines
+    parameter SHADOW = 1,   // 1: shadow rays
+    parameter FIRST = 1,    // 1: primary rays may end with their first hit
+    parameter FARS  = 1,    // 1: hits that are far
+    parameter FACETS = 0,   // 1: a leaf child may have a whole line
+    parameter ACCEL = 0     // 0: nodes of four spheres, 1: BIH, 2: nodes of four boxes
+) (
+    input  wire                       clk,
+    input  wire                       rst,
+    input  wire                       flush_i,        // forget the node caches
+    input  wire [`RT_REGS_BITS-1:0]   regs_i,
+    // from rt_setup: a new ray, with its token unless it is a shadow ray
+    input  wire [`RT_RAY_BITS-1:0]    ray_i,
+    input  wire [`RT_FILTER_BITS-1:0] filter_i,
+    input  wire                       ray_again_i,    // the repeated primary ray of its pixel
+    // from each rt_shade: a shadow ray of its slots starts
+    input  wire [SHADES-1:0]          shadow_go_i,
+    input  wire [SHADES*($clog2(SLOTS)-$clog2(SHADES))-1:0] shadow_slot_i,
+    // to and from rt_leaf_unit: visits of each pipe, results of each unit, for slots of its own
+    output wire [PIPES*(`RT_VISIT_BITS-$clog2(PIPES))-1:0]    visit_o,
+    input  wire [EXACTS*(`RT_RESULT_BITS-$clog2(EXACTS))-1:0] result_i,
+    // to rt_slots: a ray is done, a clock later how
+    output wire                       done_valid_o,
+    output wire [$clog2(SLOTS)-1:0]   done_slot_o,
+    output wire [`RT_DONE_BITS-1:0]   done_o,
+    // to rt_slots: visits of a pixel, a clock after its slot
+    input  wire                       visits_read_i,
+    input  wire [$clog2(SLOTS)-1:0]   visits_slot_i,
+    output wire [`RT_VISITS_BITS-1:0] visits_o,
+    // memory, of each pipe
+    output wire [PIPES-1:0]           mem_req_valid_o,
+    input  wire [PIPES-1:0]           mem_req_ready_i,
+    output wire [`RT_LINE_BITS*PIPES-1:0] mem_req_line_o,
+    input  wire [PIPES-1:0]           mem_rsp_valid_i,
+    output wire [PIPES-1:0]           mem_rsp_ready_o,
+    input  wire [255:0]               mem_rsp_data_i,
+    input  wire                       mem_rsp_error_i,
+    // events of each pipe and faults of this clock
+    output wire [PIPES*`RT_TRACE_EVENT_BITS-1:0] event_o,
+    output reg  [3:0]                 fault_o         // by number of the error, machine.def
+);
+    localparam SLOTW = $clog2(SLOTS);
+    localparam PB = $clog2(PIPES), XB = $clog2(EXACTS), SB = $clog2(SHADES);
+    localparam OWNW = SLOTW - PB;                     // slot of a pipe's own
+    localparam YB = `RT_RAY_BITS - PB;                // a ray, a visit of a pipe
+    localparam VB = `RT_VISIT_BITS - PB;
+    localparam RB = `RT_RESULT_BITS - XB;             // a result of a leaf unit
+    localparam GB = SLOTW - SB;                       // slot of a shading unit's own
+    localparam DB = `RT_DONE_BITS, NB = `RT_VISITS_BITS, EB = `RT_TRACE_EVENT_BITS;
+    localparam [SLOTW+1:0] OF_EXACT = (1 << (PB - XB)) - 1;  // pipes of a unit, less one
+    localparam [SLOTW+1:0] OF_SHADE = (1 << (PB - SB)) - 1;
+    // The pipe of a slot, whose top bits may be gone: those of the unit that serves the pipe.
+    function [SLOTW+1:0] pipe_of(input [SLOTW-1:0] slot);
+        pipe_of = {2'd0, slot} >> OWNW;
+    endfunction
+    wire [SLOTW+1:0]      ray_pipe = pipe_of(ray_i[`RT_RAY_SLOT]);
+    wire [SLOTW+1:0]      visits_pipe = pipe_of(visits_slot_i);
+    wire [PIPES-1:0]      done_valid, done_take;
+    wire [PIPES*OWNW-1:0] done_slot;
+    wire [PIPES*DB-1:0]   done;
+    wire [PIPES*NB-1:0]   visits;
+    wire [PIPES*4-1:0]    fault;
+    genvar p;
+    generate
+        for (p = 0; p < PIPES; p = p + 1) begin : g_pipe
+            localparam [SLOTW+1:0] OWN = p;
+            localparam X = p >> (PB - XB), S = p >> (PB - SB);    // its leaf and shading unit
+            reg  [YB-1:0] ray;
+            wire [RB-1:0] exact = result_i[RB*X +: RB];
+            reg  [`RT_RESULT_BITS-PB-1:0] result;
+            wire [GB-1:0] shadow_slot = shadow_slot_i[GB*S +: GB];
+            wire [SLOTW+1:0] result_pipe = pipe_of({{XB{1'b0}}, exact[RB-1 -: SLOTW-XB]});
+            wire [SLOTW+1:0] shadow_pipe = pipe_of({{SB{1'b0}}, shadow_slot});
+            always @* begin
+                ray    = ray_i[YB-1:0];
+                result = exact[`RT_RESULT_BITS-PB-1:0];
+                if (ray_pipe != OWN)                 ray[`RT_RAY_VALID]       = 1'b0;
+                if (result_pipe != (OWN & OF_EXACT)) result[`RT_RESULT_VALID] = 1'b0;
+            end
+            rt_trace #(.W(W), .WD(WD), .FW(FW), .SLOTS(SLOTS >> PB), .STACK(STACK), .LINES(LINES),
+                       .SHADOW(SHADOW), .FIRST(FIRST), .FARS(FARS), .FACETS(FACETS),
+                       .ACCEL(ACCEL), .WAITS(PIPES > 1 ? 1 : 0)) u_trace (
+                .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i),
+                .ray_i(ray), .filter_i(filter_i), .ray_again_i(ray_again_i),
+                .shadow_go_i(shadow_go_i[S] && shadow_pipe == (OWN & OF_SHADE)),
+                .shadow_slot_i(shadow_slot[OWNW-1:0]),
+                .visit_o(visit_o[VB*p +: VB]), .result_i(result),
+                .done_valid_o(done_valid[p]), .done_ready_i(done_take[p]),
+                .done_slot_o(done_slot[OWNW*p +: OWNW]), .done_o(done[DB*p +: DB]),
+                .visits_read_i(visits_read_i && visits_pipe == OWN),
+                .visits_slot_i(visits_slot_i[OWNW-1:0]),
+                .visits_o(visits[NB*p +: NB]),
+                .mem_req_valid_o(mem_req_valid_o[p]), .mem_req_ready_i(mem_req_ready_i[p]),
+                .mem_req_line_o(mem_req_line_o[`RT_LINE_BITS*p +: `RT_LINE_BITS]),
+                .mem_rsp_valid_i(mem_rsp_valid_i[p]), .mem_rsp_ready_o(mem_rsp_ready_o[p]),
+                .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
+                .event_o(event_o[EB*p +: EB]), .fault_o(fault[4*p +: 4])
+            );
+            wire unused = &{1'b0, exact};
+        end
+    endgenerate
+
+    // ---- one answer: the lowest pipe whose ray is done, the pipe whose visits were asked for ----
+    generate
+        if (PIPES > 1) begin : g_join
+            reg [PB-1:0] one, done_q, visits_q;
+            integer      i;
+            assign done_take = done_valid & (~done_valid + 1'b1);
+            always @* begin
+                one = {PB{1'b0}};
+                for (i = 0; i < PIPES; i = i + 1) if (done_take[i]) one = one | i[PB-1:0];
+            end
+            always @(posedge clk) begin
+                done_q <= one;
+                if (visits_read_i) visits_q <= visits_slot_i[SLOTW-1 -: PB];
+            end
+            assign done_valid_o = |done_valid;
+            assign done_slot_o  = {one, done_slot[OWNW*one +: OWNW]};
+            assign done_o       = done[DB*done_q +: DB];
+            assign visits_o     = visits[NB*visits_q +: NB];
+        end else begin : g_one
+            assign done_take    = 1'b1;
+            assign done_valid_o = done_valid;
+            assign done_slot_o  = done_slot;
+            assign done_o       = done;
+            assign visits_o     = visits;
+        end
+    endgenerate
+    integer f;
+    always @* begin
+        fault_o = 4'd0;
+        for (f = 0; f < PIPES; f = f + 1) fault_o = fault_o | fault[4*f +: 4];
+    end
+endmodule
+`default_nettype wire
