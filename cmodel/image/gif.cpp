@@ -52,7 +52,9 @@ bool ends(const char *name) {
 int sph_image_write_gif(const char *path, const char *const *pictures, int n, double rate,
                         struct sph_error *err) {
     return sph_picture::guarded(path, err, [&] {
-        std::string name = std::string(path) + "." + std::to_string(getpid()) + ".tmp.gif";
+        char own[32]; // std::to_string would be a symbol that libsphaera.a exports
+        std::snprintf(own, sizeof own, ".%ld.tmp.gif", static_cast<long>(getpid()));
+        std::string name = std::string(path) + own;
         std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create("gif");
         if (!out) return sph_fail(err, "%s: %s", path, OIIO::geterror().c_str());
         struct sph_image size = {};
