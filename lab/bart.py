@@ -67,7 +67,7 @@ def facet(profile):
     pace = subprocess.run(["sh", "sim/profile.sh", profile], check=True,
                           stdout=subprocess.PIPE, text=True).stdout.split()
     given = dict(size.split("=") for size in pace)
-    return int(given.get("FACET_INTERVAL", parameters({})["FACET_INTERVAL"]))
+    return int(given.get("FACET_INTERVAL", parameters({}, "all")["FACET_INTERVAL"]))
 
 
 def least(count, profile):

@@ -99,7 +99,7 @@ static void pose_facets(struct sph_aff *a) {
         for (int k = 0; node && f.smooth && k < 3; k++)
             f.n[k] = sph_affine_normal(&node->world, f.n[k]);
         f.smooth = f.smooth && sph_smooth_given(f.n);
-        if (f.kind == SPH_TRIANGLE && sph_triangle_empty(f.v[0], f.v[1], f.v[2])) continue;
+        if (sph_triangle_empty(f.v[0], f.v[1], f.v[2])) continue;
         scene->facets[kept++] = f;
     }
     scene->n_facets = kept;

@@ -18,8 +18,9 @@ def row(run):
     columns = {name: report[name] for name in ("scene", "profile")}
     columns.update(width=run.model.width, height=run.model.height,
                    window=" ".join(map(str, run.window)), core=report.get("core", ""),
-                   engines=run.parameters["ENGINES"], pipes=run.parameters["PIPES"], tree=run.machine["tree"],
-                   separation=run.machine["background"], depth=run.machine["max_depth"])
+                   engines=run.parameters["ENGINES"], pipes=run.parameters["PIPES"],
+                   tree=run.machine["tree"], separation=run.machine["background"],
+                   depth=run.machine["max_depth"])
     columns.update((name, report[name]) for name in
                    ("simulator", "latency", "stall", "seed", "pixels", "mismatches", "seconds"))
     memory = last.get("memory", {})

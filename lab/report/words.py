@@ -52,8 +52,8 @@ def lines(run):
                      "are held back")
     core = run.parameters
     yield "Core", (f"{report.get('core', 'all')}; {several(core['ENGINES'], 'engine')} of "
-                   f"{several(core['PIPES'], 'pipe')} with {core['SLOTS']} rays in flight, caches of {core['NODE_LINES']} nodes and "
-                   f"{core['LEAF_LINES']} leaf lines")
+                   f"{several(core['PIPES'], 'pipe')} with {core['SLOTS']} rays in flight, "
+                   f"caches of {core['NODE_LINES']} nodes and {core['LEAF_LINES']} leaf lines")
     yield "Rays", (f"up to {several(machine['max_depth'], 'reflection')} one after another; "
                    f"background separation: {machine['background']}")
     for line in build["background"]:

@@ -63,7 +63,7 @@ elaborate() { # list
     # shellcheck disable=SC2046,SC2086  # words
     set -- $(printf ' -Ptb_core_icarus.%s' $parameters) \
         $(find rtl -name '*.vh' -exec dirname {} + | sort -u | sed 's/^/-I/') \
-        $(find rtl -name '*.v') tb/core/tb_core_icarus.v
+        $(find rtl -name '*.v') -Itb/core tb/core/tb_core_icarus.v
     iverilog -g2005 -Wall -t null -s tb_core_icarus "$@" >"$TMP/log" 2>&1 && [ ! -s "$TMP/log" ] ||
         { cat "$TMP/log" && false; }
 }
