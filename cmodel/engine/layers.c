@@ -13,9 +13,8 @@
 #include "shade/surface.h"
 
 const uint32_t sph_depth_colours[SPH_MAX_DEPTH + 2] = {0,        0x0000ff, 0x00ff00, 0xff0000,
-                                                       0x00ffff, 0xff00ff, 0xffffff,
-                                                       0xffff00, 0x0080ff, 0xff0080,
-                                                       0x808080, 0x80c0ff};
+                                                       0x00ffff, 0xff00ff, 0xffffff, 0xffff00,
+                                                       0x0080ff, 0xff0080, 0x808080, 0x80c0ff};
 
 /* The vector of the camera's frame, towards the eye, as a unit vector of the scene's. */
 static void put_normal(const struct sph_machine *m, const int64_t v[3], const int64_t dir[3],
