@@ -282,7 +282,7 @@ fails 2 "background without scene" "$s" background
 fails 2 "accuracy without scene" "$s" accuracy
 fails 1 "accuracy of a machine" "$s" accuracy a.sph
 fails 1 "accuracy of nothing" "$s" accuracy missing.nff
-fails 2 "a truth of 6 reflections" "$s" accuracy a.nff --truth 6
+fails 2 "a truth of 11 reflections" "$s" accuracy a.nff --truth 11
 fails 1 "background of a machine" "$s" background a.sph
 fails 1 "pictures into no folder" "$s" background a.nff --size 8x8 --pictures nothing/there
 fails 1 "no such molecule" "$s" import nothing.pdb -o x.nff
