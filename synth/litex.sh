@@ -1,5 +1,5 @@
 #!/bin/sh
-# litex.sh - generates the LiteX system of a ULX3S, lints it, compiles its firmware
+# litex.sh - generates the LiteX system of a ULX3S, lints it, links its firmware
 # SPDX-License-Identifier: Apache-2.0
 #
 # usage: LITEX=PYTHON synth/litex.sh FOLDER
@@ -32,8 +32,12 @@ if [ -z "$at" ] || grep "^%Warning-PINMISSING: $top:$at:" "$out/lint.log" >&2; t
     echo "litex: rt_top is not wholly connected" >&2
     exit 1
 fi
-clang --target=riscv32 -march=rv32im -mabi=ilp32 -std=c99 -ffreestanding -Os -Wall -Wextra \
-    -Werror -I"$out/software/include" -c lab/litex/firmware.c -o "$out/firmware.o"
-clang --target=riscv32 -march=rv32im -mabi=ilp32 -std=c99 -ffreestanding -Os -Wall -Wextra \
-    -Werror -c driver/sphaera.c -o "$out/driver.o"
-echo "ok - litex: $(wc -l <"$top") lines of Verilog, rt_top connected, firmware compiled for rv32im"
+package=$("$LITEX" -c 'import litex; print(litex.__path__[0])')
+rc=0
+sh synth/firmware.sh "$package" "$out" ram || rc=$?
+case $rc in
+0) linked='firmware linked for rv32im' ;;
+3) linked='firmware compiled for rv32im, not linked: no linker, make litex-setup' ;;
+*) exit 1 ;;
+esac
+echo "ok - litex: $(wc -l <"$top") lines of Verilog, rt_top connected, $linked"

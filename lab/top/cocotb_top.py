@@ -1,11 +1,10 @@
 # cocotb_top.py - rt_top between the masters and slaves of cocotbext-axi, which others wrote
 # SPDX-License-Identifier: Apache-2.0
 """Tests that cocotb_run.py runs. MACHINE and FRAME in the environment name a machine file and the
-golden model's frame of it; docs/use/machine_file.md and cmodel/core/frame_file.h draw them."""
+golden model's frame of it."""
 import os
 import random
 import struct
-from pathlib import Path
 
 import cocotb
 from cocotb.clock import Clock
@@ -13,6 +12,8 @@ from cocotb.triggers import ClockCycles
 from cocotbext.axi import (AxiLiteBus, AxiLiteMaster, AxiReadBus, AxiResp, AxiSlaveRead,
                            AxiSlaveWrite, AxiWriteBus)
 from systemrdl import RDLCompiler
+
+from lab.top.golden import golden, machine
 
 SCENE, STORE, APART, STRIDE = 0x4000, 0x100000, 0x10000, 256
 
@@ -25,28 +26,6 @@ def registers():
 
 
 REGISTERS = registers()
-
-
-def machine():
-    """(registers, memory) of the machine file."""
-    data = Path(os.environ["MACHINE"]).read_bytes()
-    header, count, _, lines = struct.unpack_from("<4I", data, 12)
-    first = header - 4 * count
-    return struct.unpack_from(f"<{count}I", data, first), data[header:header + 32 * lines]
-
-
-def golden():
-    """Rows of 0x00RRGGBB at the depth that register FRAME of the machine selects."""
-    data = Path(os.environ["FRAME"]).read_bytes()
-    _, width, height, frames, counters, _ = struct.unpack_from("<6I", data, 8)
-    depth = min(machine()[0][96], frames - 1)
-    size, at = 4 * (frames + 3) + 8, 32 + 8 * counters
-    for y in range(height):
-        row = []
-        for x in range(width):
-            bgr, = struct.unpack_from("<I", data, at + size * (y * width + x) + 4 * depth)
-            row.append((bgr & 255) << 16 | bgr & 0xff00 | bgr >> 16)
-        yield row
 
 
 class Reads(AxiSlaveRead):
@@ -119,7 +98,7 @@ class Bench:
         return await self.get("ERRORS")
 
     async def load(self):
-        values, memory = machine()
+        values, memory = machine(os.environ["MACHINE"])
         self.memory[SCENE:SCENE + len(memory)] = memory
         base = REGISTERS["M_EFFECTS"].absolute_address
         for number, value in enumerate(values):
@@ -131,7 +110,7 @@ class Bench:
 
     async def compare(self):
         newest = await self.get("STATUS") >> 6 & 3
-        for y, row in enumerate(golden()):
+        for y, row in enumerate(golden(os.environ["MACHINE"], os.environ["FRAME"])):
             at = STORE + APART * newest + STRIDE * y
             drawn = struct.unpack_from(f"<{len(row)}I", self.memory, at)
             assert list(drawn) == row, f"row {y}: {drawn} is not {row}"
