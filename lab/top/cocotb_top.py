@@ -8,7 +8,7 @@ import struct
 
 import cocotb
 from cocotb.clock import Clock
-from cocotb.triggers import ClockCycles
+from cocotb.triggers import ClockCycles, RisingEdge
 from cocotbext.axi import (AxiLiteBus, AxiLiteMaster, AxiReadBus, AxiResp, AxiSlaveRead,
                            AxiSlaveWrite, AxiWriteBus)
 from systemrdl import RDLCompiler
@@ -61,6 +61,17 @@ class Bench:
                            target=self.memory)
         self.writes = Writes(AxiWriteBus.from_prefix(dut, "m_frame"), dut.clk, dut.rst,
                              target=self.memory)
+        self.lengths = {"scene_ar": set(), "frame_aw": set()}  # beats of bursts that were taken
+        for name in self.lengths:
+            cocotb.start_soon(self.watch(name))
+
+    async def watch(self, name):
+        valid, ready, length = (getattr(self.dut, f"m_{name}{what}")
+                                for what in ("valid", "ready", "len"))
+        while True:
+            await RisingEdge(self.dut.clk)
+            if self.dut.rst.value == 0 and valid.value == 1 and ready.value == 1:
+                self.lengths[name].add(int(length.value) + 1)
 
     async def start(self):
         self.dut.rst.value = 1
@@ -108,11 +119,13 @@ class Bench:
         for frame in range(3):
             await self.put(f"FRAME{frame}", STORE + APART * frame)
 
-    async def compare(self):
+    async def compare(self, half=0):
         newest = await self.get("STATUS") >> 6 & 3
         for y, row in enumerate(golden(os.environ["MACHINE"], os.environ["FRAME"])):
             at = STORE + APART * newest + STRIDE * y
-            drawn = struct.unpack_from(f"<{len(row)}I", self.memory, at)
+            drawn = struct.unpack_from(f"<{len(row)}{'IH'[half]}", self.memory, at)
+            if half:  # RGB565
+                row = [c >> 8 & 0xf800 | c >> 5 & 0x7e0 | c >> 3 & 31 for c in row]
             assert list(drawn) == row, f"row {y}: {drawn} is not {row}"
 
 
@@ -145,13 +158,18 @@ async def every_register(dut):
 
 @cocotb.test()
 async def frame(dut):
-    """A frame with channels that pause, all of it as the golden model draws it."""
+    """A frame of each format with channels that pause, all of it as the golden model draws it, by
+    bursts of every length that the block has: a line, eight pixels of 32 bits, eight of 16."""
     bench = Bench(dut)
     await bench.start()
     bench.pauses(int(os.environ.get("PAUSES", "40")))
     await bench.load()
-    assert await bench.draw() == 0
-    await bench.compare()
+    for half in (0, 1):
+        await bench.put("FORMAT", half)
+        assert await bench.draw() == 0
+        await bench.compare(half)
+    beat = len(dut.m_frame_wdata) // 8
+    assert bench.lengths == {"scene_ar": {32 // beat}, "frame_aw": {32 // beat, 16 // beat}}
 
 
 @cocotb.test()
