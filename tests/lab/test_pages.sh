@@ -7,6 +7,7 @@ cd "$(dirname "$0")/../.." || exit 1
 
 check "pages are as the sources have them: make pages" python3 -m lab.pages --check
 check "files, modules, functions, targets that are named are there" python3 -m lab.pages.names
+check "pages have no more words of prose than they may" python3 -m lab.pages.words
 
 # faults in a copy of the tree
 cp -r cmodel docs formal lab make rtl scenes sim synth tb Makefile VERSION README.md \
@@ -69,6 +70,17 @@ cores.write(known)' && python3 -m lab.pages.cores --check || return 1
 }
 check "cells are old when a module of the core changed, and then alone" cells
 check "a measured table that was changed by hand" by_hand
+wordy() { # what a table, code or a region says does not count, a sentence does
+    cp "$page" kept
+    before=$(python3 -m lab.pages.words | tail -n 1) && words=$(seq -s ' ' 45000) &&
+        printf '%s\n' "| $words |" '```' "$words" '```' "<!-- begin: x -->$words<!-- end -->" \
+            >>"$page" && [ "$(python3 -m lab.pages.words | tail -n 1)" = "$before" ] &&
+        echo "$words" >>"$page" && ! python3 -m lab.pages.words >said && tail -n 1 said
+    rc=$?
+    cp kept "$page"
+    return $rc
+}
+check "words beyond those that pages may have" wordy
 unknown() {
     cp "$page" kept
     printf '%s\n' '<!-- speed -->' '| 1 |' '<!-- end -->' >>"$page"
