@@ -46,8 +46,10 @@ CFLAGS   := -std=c11 -D_GNU_SOURCE -O3 $(WARN) -Icmodel -fopenmp
 CXXFLAGS := -std=c++17 -O2 $(WARN) -Icmodel
 # The same objects serve the tool and the shared library, which exports what sphaera.h has.
 SHARED   := -fPIC -fvisibility=hidden
-SANITIZE := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all
+SANITIZE := -O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all
 CLANG_CC := $(CCACHE) clang
+# of programs that tests run
+LINKER   := $(shell sh sim/linker.sh)
 # gcc's omp.h, whose malloc attribute clang does not know; __SANITIZE_ADDRESS__ as gcc defines it
 CLANG_OMP      = -idirafter $(dir $(shell $(CC) -print-file-name=include/omp.h)) '-D__malloc__(x)='
 CLANG_SANITIZE := -O0 -gline-tables-only -fsanitize=address,undefined -fno-sanitize-recover=all \

@@ -31,7 +31,7 @@ $K/all.cpp: $(RTL_FILES) $K/flags
 	@sh sim/at_once.sh $K tb/board/tb_$(TOP).cpp >$@
 
 $K/top.o: $K/all.cpp $(PRECOMPILED)
-	$(COMPILE) $(SETS:%=-D%) -isystem $K -Itb/board -MMD -MP -c $< -o $@
+	$(COMPILE) $(SETS:%=-D%) -isystem $K -Itb/board -MD -MP -c $< -o $@
 
 $S/obj/board_driver.o: $(wildcard driver/*)
 	@mkdir -p $(@D)

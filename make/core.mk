@@ -71,7 +71,7 @@ $S/obj/%.o: tb/core/%.cpp $S/obj/flags
 	$(CCACHE) $(CXX) $(CXXFLAGS) -MMD -MP -c $< -o $@
 
 $S/tb_core_icarus: $(SHARED) $S/obj/simulate_icarus.o $(LIB)
-	$(CXX) $^ $(LIBS) -o $@
+	$(CXX) $(LINKER) $^ $(LIBS) -o $@
 
 # Nobody reads the sinks of unused signals (`wire unused = ...`), but Icarus would spend a fifth of
 # its time on them: they become empty lines. `make lint` takes the files as they are.
@@ -94,7 +94,7 @@ $K/core.cpp: $(RTL_FILES) $K/verilator.flags
 	@sh sim/at_once.sh $K tb/core/simulate_verilator.cpp >$@
 
 $K/core.o: $K/core.cpp $(PRECOMPILED)
-	$(COMPILE_CORE) -MMD -MP -c $< -o $@
+	$(COMPILE_CORE) -MD -MP -c $< -o $@
 
 # Yosys's C++. A compiler that optimises takes many minutes for it.
 $K/core_cxxrtl/core.cpp: $(RTL_FILES) synth/cxxrtl.sh $K/icarus.flags
@@ -107,7 +107,7 @@ $K/core_cxxrtl.o: tb/core/simulate_cxxrtl.cpp $K/core_cxxrtl/core.cpp
 	    -DYOSYS_VERSION='"$(shell yosys -V)"' -MMD -MP -c $< -o $@
 
 $K/tb_core_cxxrtl: $(SHARED) $K/core_cxxrtl.o $(LIB)
-	$(CXX) $^ $(LIBS) -o $@
+	$(CXX) $(LINKER) $^ $(LIBS) -o $@
 
 $(VERILATED) $(TRACED): $S/obj/%.o: $(ROOT)/%.cpp $S/obj/flags
 	@mkdir -p $(@D)
@@ -115,6 +115,6 @@ $(VERILATED) $(TRACED): $S/obj/%.o: $(ROOT)/%.cpp $S/obj/flags
 	    $(if $(filter %fst_c.cpp,$<),-DVM_TRACE=1 -DVM_TRACE_FST=1) -c $< -o $@
 
 $K/tb_core: $(SHARED) $K/core.o $(VERILATED) $(TRACED) $(LIB)
-	$(CXX) $^ $(LIBS) $(if $(TRACED),-lz) -o $@
+	$(CXX) $(LINKER) $^ $(LIBS) $(if $(TRACED),-lz) -o $@
 
 -include $(wildcard $S/obj/*.d $K/core.d $K/core_cxxrtl.d)

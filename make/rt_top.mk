@@ -46,7 +46,7 @@ $K/all.cpp: $(RTL_FILES) $K/flags $(if $(filter tb_shell,$(BENCH)),$K/rt_core.sv
 	@sh sim/at_once.sh $K tb/top/$(BENCH).cpp >$@
 
 $K/top.o: $K/all.cpp $(PRECOMPILED)
-	$(COMPILE) -DDATA=$(DATA) -isystem $K -MMD -MP -c $< -o $@
+	$(COMPILE) -DDATA=$(DATA) -isystem $K -MD -MP -c $< -o $@
 
 # As for a board: no library, no warnings.
 $(DRIVER): $(wildcard driver/*)

@@ -14,9 +14,10 @@ TEST_SH := $(sort $(wildcard tests/test_*.sh tests/*/test_*.sh))
 TEST_RUN := $(patsubst %.c,$B/test/%,$(notdir $(TEST_C)))
 # The longest first: what runs beside them fills their gaps.
 LONG    := tests/flow/test_benches.sh tests/core/test_core.sh tests/mutants/test_mutants.sh \
-           tests/core/test_effect_scenes.sh tests/flow/test_budget.sh tests/tool/test_profile.sh \
-           tests/pixel/test_background.sh tests/core/test_core_optics.sh \
-           tests/core/test_core_bih.sh tests/hard/test_hard_rtl.sh tests/flow/test_formal.sh
+           tests/core/test_effect_scenes.sh tests/core/test_core_boxes.sh \
+           tests/flow/test_lint.sh tests/core/test_core_optics.sh tests/flow/test_formal.sh \
+           tests/flow/test_budget.sh tests/tool/test_profile.sh tests/pixel/test_background.sh \
+           tests/core/test_core_bih.sh tests/hard/test_hard_rtl.sh
 # What is quick and goes through each part of the model: `make test ONLY=.clang`.
 CLANG_C := bih bih_walk build cones facets_grid leaf_cases limits machine_bih machine_facets \
            model_optics motion reference_optics render_texture scene_make scene_optics scene_pdb
@@ -47,7 +48,7 @@ vpath test_%.c $(sort $(dir $(TEST_C)))
 $B/test/test_%.o: test_%.c $B/flags
 	$(call say,TEST,test_$*)
 	@mkdir -p $(@D)
-	$(call compile_whole,$(CC) $(CFLAGS) -Itests)
+	$(call compile_whole,$(CC) $(CFLAGS) -O1 -Itests)
 
 $B/test/test_%.sanitized.o: test_%.c $B/flags
 	$(call say,TEST,"test_$* sanitized")
@@ -60,10 +61,11 @@ $B/test/test_%.clang.o: test_%.c $B/flags
 	$(call compile_whole,$(CLANG_CC) $(CLANG_FLAGS) -Itests)
 
 $(TEST_RUN): %: %.o $(LIB)
-	$(call make_whole,$(CC) -fopenmp $(filter %.o,$^) $(filter %.a,$^) $(TEST_LIBS))
+	$(call make_whole,$(CC) $(LINKER) -fopenmp $(filter %.o,$^) $(filter %.a,$^) $(TEST_LIBS))
 
 $(TEST_RUN:%=%.sanitized): %: %.o $B/asan/libsphaera.a
-	$(call make_whole,$(CC) -fopenmp $(SANITIZE) $(filter %.o,$^) $(filter %.a,$^) $(TEST_LIBS))
+	$(call make_whole,$(CC) $(LINKER) -fopenmp $(SANITIZE) $(filter %.o,$^) $(filter %.a,$^) \
+	    $(TEST_LIBS))
 
 $(CLANG_RUN): %: %.o $B/clang/libsphaera.a
 	$(call make_whole,$(CLANG_CC) $(CLANG_FLAGS) $^ $(TEST_LIBS))

@@ -13,17 +13,19 @@ S   := $B/sim
 
 # clang takes half of gcc's time, and the code runs faster; g++ links, for libgomp.
 CCACHE := $(shell sh sim/ccache.sh)
+LINKER := $(shell sh sim/linker.sh)
 CLANG  := $(if $(shell command -v clang++),clang++)
 ROOT   := $(shell verilator --getenv VERILATOR_ROOT)/include
 HEADERS := -isystem $(ROOT) -isystem $(ROOT)/vltstd
 
 # What all harnesses include is read once. clang asks that both sides optimise, or neither; ccache
-# takes the text of NAME.pch.sum for it.
+# takes the text of NAME.pch.sum for it. With CCACHE_DEPEND the compiler tells what a file includes,
+# and no preprocessor is run before it: by -MD, for what Verilator wrote counts as system headers.
 EFFORT      := $(if $(filter -O0,$(OPT)),-O0,-O1)
 PRECOMPILED := $(if $(CLANG),$S/obj/precompiled$(EFFORT).pch)
 PRECOMPILE  := $(CLANG) -std=c++17 $(EFFORT) -x c++-header -Xclang -fno-pch-timestamp $(HEADERS)
 REMEMBER    := env CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_PCH_EXTSUM=1 \
-                   CCACHE_BASEDIR=$(CURDIR) ccache
+                   CCACHE_BASEDIR=$(CURDIR) CCACHE_DEPEND=1 ccache
 COMPILE     := $(if $(CLANG),$(CCACHE:ccache=$(REMEMBER)) $(CLANG) -include-pch $(PRECOMPILED), \
                    $(CCACHE) $(CXX)) \
                    -std=c++17 $(OPT) -Wall -Wextra -I. -Icmodel -Itb $(HEADERS)
@@ -34,11 +36,13 @@ stamp = @mkdir -p $(@D); echo '$(1)' >$@.$$$$; cmp -s $@.$$$$ $@ && rm $@.$$$$ |
 .DELETE_ON_ERROR:
 .SUFFIXES:
 .PHONY: bench-tools FORCE
-bench-tools: $S/obj/compile$(OPT) $(PRECOMPILED) $S/obj/bench_verilated.o \
+bench-tools: $S/obj/compile$(OPT) $S/obj/link $(PRECOMPILED) $S/obj/bench_verilated.o \
              $S/obj/bench_verilated_threads.o
 
 $S/obj/compile$(OPT): FORCE
 	$(call stamp,$(COMPILE))
+$S/obj/link: FORCE
+	$(call stamp,$(CXX) $(LINKER))
 $(PRECOMPILED).sum: FORCE
 	$(call stamp,$(PRECOMPILE) $(shell $(CLANG) --version | head -n 1) \
 	    $(shell cat tb/precompiled.h $(ROOT)/verilated*.h | cksum))

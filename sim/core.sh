@@ -13,7 +13,8 @@
 # all+boxes. A core with less than the machine asks for refuses it; the harness says what is missing
 # and ends with 3.
 # BUILD is the build folder, RTL another source folder, OPT the compiler's effort. BUILT=1 says that
-# all was just built: nothing is looked at, which takes longer than a small frame.
+# all was just built: nothing is looked at, which takes longer than a small frame; BUILT=tools says
+# so of all but the core.
 set -eu
 cd "$(dirname "$0")/.."
 EFFECTS=${EFFECTS:-all} ENGINES=${ENGINES:-1} PIPES=${PIPES:-1}
@@ -41,7 +42,7 @@ done
 mkdir -p "$BUILD/sim"
 # Makes a target of core.mk; two processes never make the same at once.
 target() { # lock, target, variables
-    [ -z "${BUILT:-}" ] || return 0
+    case ${BUILT:-}+$1 in 1+* | tools+tools) return 0 ;; esac
     lock=$BUILD/sim/.$1.lock goal=$2
     shift 2
     flock "$lock" env -u MAKEFLAGS -u MFLAGS make -s -j"${JOBS:-2}" --no-print-directory \

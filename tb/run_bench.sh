@@ -9,10 +9,10 @@
 # says how it takes the widths of a profile from machine.def.
 #   BENCH_BUILD  build folder (build); all that is made here lies in its folder tb
 #   BENCH_JOBS   benches at once (1)
-#   BENCH_OPT    compiler's effort (-O1)
+#   BENCH_OPT    compiler's effort (-O1, or what the head of a bench says it is compiled with)
 #   HARD_CASE    number of a named case: these vectors and no others (tb/hard.h)
 cd "$(dirname "$0")/.." || exit 1
-BENCH_BUILD=${BENCH_BUILD:-build} BENCH_OPT=${BENCH_OPT:--O1}
+BENCH_BUILD=${BENCH_BUILD:-build} BENCH_OPT=${BENCH_OPT:-}
 export BENCH_BUILD BENCH_OPT
 out=$BENCH_BUILD/tb shared=$BENCH_BUILD/sim/obj
 models="$BENCH_BUILD/test/libhard.a $BENCH_BUILD/libsphaera.a"
@@ -40,22 +40,25 @@ build() { # profile, module, bench, parameters
         [ -z "$inner" ] || generics="$generics -G$p"
     done
     mkdir -p "$dir"
-    echo "$top $generics $macros $BENCH_OPT" | cmp -s - "$dir/line" || rm -f "$dir/bench.o"
-    echo "$top $generics $macros $BENCH_OPT" >"$dir/line"
+    source=$(find tb -name "$bench.cpp")
+    effort=${BENCH_OPT:-$(sed -n 's/^ \* Compiled with \(-O.\),.*/\1/p; /\*\//q' "$source")}
+    line="$top $generics $macros ${effort:=-O1}"
+    echo "$line" | cmp -s - "$dir/line" || rm -f "$dir/bench.o"
+    echo "$line" >"$dir/line"
     if outdated "$dir/bench.o" "$dir/bench.d" "$dir/V${top}__ver.d"; then
         rm -f "$dir/bench" "$dir"/*.cpp "$dir"/*.o
         # shellcheck disable=SC2046,SC2086  # lists of words on purpose
         verilator --cc --top-module "$top" --language 1364-2005 -Wall -O3 --x-assign unique \
             --x-initial unique $(find rtl tb/board -type d | sed 's/.*/-y & -I&/') $generics \
             -Mdir "$dir" $(find rtl -name "$top.v") || return 1
-        sh sim/at_once.sh "$dir" "$(find tb -name "$bench.cpp")" >"$dir/all.cpp"
+        sh sim/at_once.sh "$dir" "$source" >"$dir/all.cpp"
         # shellcheck disable=SC2046,SC2086  # lists of words on purpose
-        $(cat "$shared/compile$BENCH_OPT") -DPROFILE="\"$profile\"" $macros -isystem "$dir" -MMD \
+        $(cat "$shared/compile$effort") -DPROFILE="\"$profile\"" $macros -isystem "$dir" -MD \
             -MF "$dir/bench.d" -c "$dir/all.cpp" -o "$dir/bench.o" || return 1
     fi
     # shellcheck disable=SC2086,SC2046  # lists of words on purpose
     [ -z "$(find "$dir/bench.o" $models -newer "$dir/bench" 2>&1)" ] ||
-        g++ -fopenmp "$dir/bench.o" "$shared"/bench_*.o $models -Wl,--as-needed \
+        $(cat "$shared/link") -fopenmp "$dir/bench.o" "$shared"/bench_*.o $models -Wl,--as-needed \
             $(pkg-config --libs gmp mpfr expat) -lm -lpthread -o "$dir/bench"
 }
 
@@ -84,8 +87,10 @@ mkdir -p "$out" "$BENCH_BUILD/sim"
 # shellcheck disable=SC2086  # a list of words on purpose
 env -u MAKEFLAGS -u MFLAGS make --no-print-directory B="$BENCH_BUILD" \
     $models >"$out/model.log" || { cat "$out/model.log"; exit 1; }
-flock "$BENCH_BUILD/sim/.tools.lock" env -u MAKEFLAGS -u MFLAGS make -s --no-print-directory \
-    -f make/verilated.mk B="$BENCH_BUILD" OPT="$BENCH_OPT" bench-tools || exit 1
+for effort in ${BENCH_OPT:--O0 -O1}; do
+    flock "$BENCH_BUILD/sim/.tools.lock" env -u MAKEFLAGS -u MFLAGS make -s --no-print-directory \
+        -f make/verilated.mk B="$BENCH_BUILD" OPT="$effort" bench-tools || exit 1
+done
 [ "$pattern" != --tools ] || exit 0
 
 [ "$pattern" = / ] && all=${ALL:-} || all=1

@@ -71,7 +71,7 @@ build_cores() {
         *) asked=${asked% *} ;;
         esac
         case $settings in *SIM=icarus*) order=2 ;; *) order=1 ;; esac
-        echo "$order $settings $asked|$command --info"
+        echo "$order $settings $asked|BUILT=tools $command --info"
     done <"$runs" | sort -t'|' -k1,1 -u | cut -d'|' -f2 | two_at_a_time
     rm -f "$TMP"/*.rc
 }

@@ -5,6 +5,7 @@
  * vectors that come, rt_trace finds what they hit, rt_leaf_unit gives records, rt_slots reads the
  * colours of pixels that are complete. All of it takes its time, so that slots overtake each other.
  * A vector is a pixel.
+ * Compiled with -O0, for it has few vectors.
  */
 #include "Vrt_shade.h"
 #include "engine/world.h"

@@ -5,6 +5,7 @@
  * sound and broken records, headers and texels; it answers late and in bursts. A vector is a
  * surface; in between the word of a pixel is read. The model's cache, given what the unit asks of
  * its cache and what memory answers, says in which clocks miss_o must be high.
+ * Compiled with -O0, for it has few vectors.
  */
 #include <deque>
 #include <vector>

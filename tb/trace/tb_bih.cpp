@@ -5,6 +5,7 @@
  * rt_collect with the model's functions: records are tested late and in any order. A vector is a
  * ray that is done; events and faults of a phase are counted. All outcomes must have been tried at
  * the end.
+ * Compiled with -O0, for it has few vectors.
  */
 #include "Vrt_bih.h"
 #include "trace/bih_memory.h"

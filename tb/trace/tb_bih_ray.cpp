@@ -4,6 +4,7 @@
  * Slots live at random: a ray is written, its token comes some clocks later (or, of a light that
  * needs no shadow ray, never: the next ray overwrites it), six words and a start must follow. A
  * vector is a start. First come the ends of directions.
+ * Compiled with -O0, for it has few vectors.
  */
 #include <vector>
 #include "Vrt_bih_ray.h"

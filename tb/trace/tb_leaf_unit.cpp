@@ -5,6 +5,7 @@
  * comes when all results of the last are there, as rt_trace wants it. Records are fetched in
  * between. A vector is a result; they come in any order, so one is looked for among those that its
  * slot still waits for.
+ * Compiled with -O0, for it has few vectors.
  */
 #include "Vrt_leaf_unit.h"
 #include "engine/results.h"

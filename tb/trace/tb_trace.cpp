@@ -5,6 +5,7 @@
  * reflected rays from anywhere. The bench stands in for rt_leaf_unit: results of leaf children come
  * late and in any order. A vector is a ray that is done. Between phases the limit of visits changes
  * and events are compared with the model's counters.
+ * Compiled with -O0, for it has few vectors.
  */
 #include "Vrt_trace.h"
 #include "engine/world.h"

@@ -179,7 +179,7 @@ while IFS='|' read -r core words registers; do
 done <"$TMP/refused" | grep -e "$EFFECT" >"$TMP/refusals"
 
 build_cores
-cut -d'|' -f4 "$TMP/refusals" | sed 's/$/ --info/' | sort -u | two_at_a_time
+cut -d'|' -f4 "$TMP/refusals" | sed 's/^/BUILT=tools /; s/$/ --info/' | sort -u | two_at_a_time
 run_all
 judge
 
