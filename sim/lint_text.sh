@@ -35,6 +35,13 @@ report() { # title, findings
         FNR == 1 { from = 0 }
         /^int main\(/ { from = FNR }
         from && /^}/ { if (FNR - from >= 60) print FILENAME ":" from; from = 0 }' {} +)"
+    report "more than 40 ports (rt_top has those of three AXI buses)" "$(find rtl -name '*.v' \
+        ! -name rt_top.v -exec awk '
+        FNR == 1 { ports = 0 }
+        /^    (input|output) / && ++ports == 41 { print FILENAME }' {} +)"
+    report "rt_engine only wires, in fewer than 200 lines" "$(awk '
+        FNR == 200 || /^ *(always|initial|reg|function)/ { print FILENAME ":" FNR }' \
+        rtl/engine/rt_engine.v)"
     kinds=$(awk '$1 == "kind" { printf "%s|", $3 }' cmodel/machine/machine.def)facet
     report "a kind of primitive outside of rtl/prim" "$(find rtl -name '*.v' ! -path 'rtl/prim/*' \
         -exec awk -v kinds="$kinds" '

@@ -207,6 +207,11 @@ module rt_core #(
     // ---- units of an engine; numbers of its slots, {pipe, slot of its own} ----
     localparam SHADE_UNITS = SHADES != 0 ? SHADES : PIPES > 1 && INTERPENETRATE == 0 ? 2 : 1;
     localparam LEAF_UNITS = EXACTS != 0 ? EXACTS : PIPES > 2 ? SHADE_UNITS : 1;
+    `RT_CHECK(1 << $clog2(LEAF_UNITS) == LEAF_UNITS && 1 << $clog2(SHADE_UNITS) == SHADE_UNITS,
+              rt_core_EXACTS_and_SHADES_must_be_powers_of_two)
+    `RT_CHECK(LEAF_UNITS <= SHADE_UNITS, rt_core_EXACTS_must_be_at_most_SHADES)
+    `RT_CHECK(SHADE_UNITS <= 1 << $clog2(PIPES), rt_core_SHADES_must_be_at_most_PIPES)
+    `RT_CHECK(SHADE_UNITS == 1 || INTERPENETRATE == 0, rt_core_INTERPENETRATE_needs_SHADES_to_be_1)
     localparam ALL_SLOTS = SLOTS << $clog2(PIPES);
 
     // ---- memory: READS readers an engine, and the walk above them if it has tables ----

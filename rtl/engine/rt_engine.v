@@ -6,7 +6,6 @@
 // Model: sph_render_pixel() in cmodel/engine/render_pixel.c, SLOTS pixels at once
 `timescale 1ns / 1ps
 `default_nettype none
-`include "rt_check.vh"
 `include "rt_layout.vh"
 `include "rt_bundles.vh"
 module rt_engine #(
@@ -78,33 +77,17 @@ module rt_engine #(
     output wire [READS-1:0]           mem_rsp_ready_o,
     input  wire [255:0]               mem_rsp_data_i,
     input  wire                       mem_rsp_error_i,
-    // events of this clock, for the counters, of each unit; faults of each group by number of the
-    // error
+    // events of this clock, for the counters, of each unit; faults by number of the error
     output wire [PIPES*`RT_TRACE_EVENT_BITS-1:0]  trace_event_o,
     output wire [EXACTS*`RT_EXACT_EVENT_BITS-1:0] exact_event_o,
     output wire [SHADES*`RT_SHADE_EVENT_BITS-1:0] shade_event_o,
     output wire [15:0]                fault_o          // {slots, shade, exact, trace}
 );
-    localparam SLOTW   = $clog2(SLOTS);
+    localparam SLOTW   = $clog2(SLOTS), LB = `RT_LINE_BITS;
     localparam PB = $clog2(PIPES), XB = $clog2(EXACTS), SB = $clog2(SHADES);
-    localparam LB = `RT_LINE_BITS;
     localparam SHADOWS = LIGHTS != 0 && SHADOW != 0 ? 1 : 0;           // shadow rays
     localparam BOUNCES = REFLECT != 0 || INTERPENETRATE != 0 || REFRACT != 0 ? 1 : 0; // mirrored
     localparam FARS    = INSIDE != 0 || FACETS != 0 ? 1 : 0;           // hits that are far
-    `RT_CHECK(INTERPENETRATE == 0 || (FIRST != 0 && INSIDE != 0),
-              rt_engine_INTERPENETRATE_needs_FIRST_and_INSIDE)
-    `RT_CHECK(REFRACT == 0 || INSIDE != 0, rt_engine_REFRACT_needs_INSIDE)
-    `RT_CHECK(SPECULAR == 0 || SUM != 0, rt_engine_SPECULAR_needs_SUM)
-    `RT_CHECK(SMOOTH == 0 || FACETS != 0, rt_engine_SMOOTH_needs_FACETS)
-    `RT_CHECK(ACCEL == 0 || FIRST == 0, rt_engine_ACCEL_excludes_FIRST)
-    `RT_CHECK(PIPES >= 1 && PIPES <= 4, rt_engine_PIPES_must_be_1_to_4)
-    `RT_CHECK(EXACTS == 1 << XB && SHADES == 1 << SB,
-              rt_engine_EXACTS_and_SHADES_must_be_powers_of_two)
-    `RT_CHECK(EXACTS <= SHADES, rt_engine_EXACTS_must_be_at_most_SHADES)
-    `RT_CHECK(SHADES <= 1 << PB, rt_engine_SHADES_must_be_at_most_PIPES)
-    `RT_CHECK(SHADES == 1 || INTERPENETRATE == 0,
-              rt_engine_INTERPENETRATE_needs_SHADES_to_be_1)
-    `RT_CHECK(REFLECT >= 0 && REFLECT <= `RT_MAX_DEPTH, rt_engine_REFLECT_must_be_0_to_10)
 
     wire [`RT_VECTOR_BITS-1:0] primary;
     wire [SHADES*(`RT_VECTOR_BITS-SB)-1:0] normal, vec_light, bounce;
@@ -121,84 +104,71 @@ module rt_engine #(
     wire [SHADES*(`RT_RECORD_BITS-SB)-1:0] record;
     wire [`RT_BLEND_BITS-SB-1:0] blend;
     wire             primary_ready, next_light, ray_again, done_valid, end_valid, read;
-    wire [SHADES-1:0] shadow_go, fetch_ready, record_ready;
     wire [SHADES*(SLOTW-SB)-1:0] shadow_slot;
     wire [SLOTW-1:0] next_slot, done_slot, end_slot, read_slot;
     wire [`RT_VISITS_BITS-1:0] visits;
     wire [3*`RT_RGB_BITS-1:0] colour;
     wire [31:0]      texture;
+    wire [SHADES-1:0] shadow_go, fetch_ready, record_ready;
     wire [SHADES-1:0] tex_req_valid, tex_req_ready, tex_rsp_valid, tex_rsp_ready;
     wire [LB*SHADES-1:0] tex_req_line;
 
     rt_setup #(.W(W), .WD(WD), .FW(FW), .NG(NG), .SHADOW(SHADOW), .LIGHTS(LIGHTS),
                .BOUNCES(BOUNCES), .FACETS(FACETS), .TEXTURE(TEXTURE), .UNITS(UNITS),
                .UNIT_INTERVAL(UNIT_INTERVAL), .SHADES(SHADES), .SLOTS(SLOTS)) u_setup (
-        .clk(clk), .rst(rst), .eye_i(regs_i[`RT_REGS_EYE]),
-        .normal_i(normal), .light_i(vec_light), .bounce_i(bounce), .primary_i(primary),
-        .primary_ready_o(primary_ready), .org_i(org), .skip_i(skip),
-        .ray_o(ray), .filter_o(filter), .lift_o(lift),
-        .next_light_o(next_light), .next_slot_o(next_slot)
+        .clk(clk), .rst(rst), .eye_i(regs_i[`RT_REGS_EYE]), .normal_i(normal), .light_i(vec_light),
+        .bounce_i(bounce), .primary_i(primary), .primary_ready_o(primary_ready), .org_i(org),
+        .skip_i(skip), .ray_o(ray), .filter_o(filter), .lift_o(lift), .next_light_o(next_light),
+        .next_slot_o(next_slot)
     );
     rt_pipes #(.W(W), .WD(WD), .FW(FW), .PIPES(PIPES), .EXACTS(EXACTS), .SHADES(SHADES),
-               .SLOTS(SLOTS), .STACK(STACK), .LINES(NODE_LINES),
-               .SHADOW(SHADOWS), .FIRST(FIRST), .FARS(FARS), .FACETS(FACETS),
-               .ACCEL(ACCEL)) u_pipes (
-        .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i),
-        .ray_i(ray), .filter_i(filter), .ray_again_i(ray_again),
-        .shadow_go_i(shadow_go), .shadow_slot_i(shadow_slot),
-        .visit_o(visit), .result_i(result),
-        .done_valid_o(done_valid), .done_slot_o(done_slot), .done_o(done),
-        .visits_read_i(read), .visits_slot_i(read_slot), .visits_o(visits),
+               .SLOTS(SLOTS), .STACK(STACK), .LINES(NODE_LINES), .SHADOW(SHADOWS), .FIRST(FIRST),
+               .FARS(FARS), .FACETS(FACETS), .ACCEL(ACCEL)) u_pipes (
+        .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i), .ray_i(ray), .filter_i(filter),
+        .ray_again_i(ray_again), .shadow_go_i(shadow_go), .shadow_slot_i(shadow_slot),
+        .visit_o(visit), .result_i(result), .done_valid_o(done_valid), .done_slot_o(done_slot),
+        .done_o(done), .visits_read_i(read), .visits_slot_i(read_slot), .visits_o(visits),
         .mem_req_valid_o(mem_req_valid_o[0 +: PIPES]),
         .mem_req_ready_i(mem_req_ready_i[0 +: PIPES]),
         .mem_req_line_o(mem_req_line_o[0 +: LB*PIPES]),
         .mem_rsp_valid_i(mem_rsp_valid_i[0 +: PIPES]),
-        .mem_rsp_ready_o(mem_rsp_ready_o[0 +: PIPES]),
-        .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
-        .event_o(trace_event_o), .fault_o(fault_o[3:0])
+        .mem_rsp_ready_o(mem_rsp_ready_o[0 +: PIPES]), .mem_rsp_data_i(mem_rsp_data_i),
+        .mem_rsp_error_i(mem_rsp_error_i), .event_o(trace_event_o), .fault_o(fault_o[3:0])
     );
     rt_exacts #(.W(W), .WD(WD), .NG(NG), .EXACTS(EXACTS), .PIPES(PIPES), .SHADES(SHADES),
-               .SLOTS(SLOTS), .LINES(LEAF_LINES), .ROOTS(ROOTS),
-               .ROOT_STEP(ROOT_STEP), .PR(PR), .LEAF_INTERVAL(LEAF_INTERVAL), .SHADOW(SHADOWS),
-               .INSIDE(INSIDE),
-               .FACETS(FACETS), .DIVISIONS(DIVISIONS), .DIVISION_STEP(DIVISION_STEP),
-               .FACET_INTERVAL(FACET_INTERVAL)) u_exacts (
-        .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i),
-        .ray_i(ray), .lift_i(lift), .visit_i(visit), .result_o(result),
-        .fetch_i(fetch), .fetch_ready_o(fetch_ready),
+                .SLOTS(SLOTS), .LINES(LEAF_LINES), .ROOTS(ROOTS), .ROOT_STEP(ROOT_STEP), .PR(PR),
+                .LEAF_INTERVAL(LEAF_INTERVAL), .SHADOW(SHADOWS), .INSIDE(INSIDE), .FACETS(FACETS),
+                .DIVISIONS(DIVISIONS), .DIVISION_STEP(DIVISION_STEP),
+                .FACET_INTERVAL(FACET_INTERVAL)) u_exacts (
+        .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i), .ray_i(ray), .lift_i(lift),
+        .visit_i(visit), .result_o(result), .fetch_i(fetch), .fetch_ready_o(fetch_ready),
         .record_o(record), .record_ready_i(record_ready),
         .mem_req_valid_o(mem_req_valid_o[PIPES +: EXACTS]),
         .mem_req_ready_i(mem_req_ready_i[PIPES +: EXACTS]),
         .mem_req_line_o(mem_req_line_o[LB*PIPES +: LB*EXACTS]),
         .mem_rsp_valid_i(mem_rsp_valid_i[PIPES +: EXACTS]),
-        .mem_rsp_ready_o(mem_rsp_ready_o[PIPES +: EXACTS]),
-        .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
-        .event_o(exact_event_o),
-        .fault_o(fault_o[7:4])
+        .mem_rsp_ready_o(mem_rsp_ready_o[PIPES +: EXACTS]), .mem_rsp_data_i(mem_rsp_data_i),
+        .mem_rsp_error_i(mem_rsp_error_i), .event_o(exact_event_o), .fault_o(fault_o[7:4])
     );
     rt_shades #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .PR(PR), .SHADES(SHADES), .SLOTS(SLOTS),
-               .SHADOW(SHADOWS),
-               .REFLECT(REFLECT), .LIGHTS(LIGHTS), .INSIDE(INSIDE),
-               .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),
-               .SMOOTH(SMOOTH), .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM),
-               .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS),
-               .TEXTURE_GROUP(TEXTURE_GROUP), .TEXTURE_COORDS(TEXTURE_COORDS),
-               .COARSE(COARSE), .QUOTIENTS(QUOTIENTS),
-               .QUOTIENT_STEP(QUOTIENT_STEP), .HIT_INTERVAL(HIT_INTERVAL),
-               .BOUNCE_INTERVAL(BOUNCE_INTERVAL)) u_shades (
-        .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i), .light_i(light_i),
-        .ray_i(ray), .next_light_i(next_light), .next_slot_i(next_slot),
-        .hit_i(hit), .blend_o(blend), .end_valid_o(end_valid), .end_slot_o(end_slot),
-        .fetch_o(fetch), .fetch_ready_i(fetch_ready),
-        .record_i(record), .record_ready_o(record_ready),
-        .normal_o(normal), .vec_light_o(vec_light), .bounce_o(bounce),
-        .org_o(org), .skip_o(skip), .shadow_go_o(shadow_go), .shadow_slot_o(shadow_slot),
-        .read_i(read), .read_slot_i(read_slot), .colour_o(colour), .texture_o(texture),
+                .SHADOW(SHADOWS), .REFLECT(REFLECT), .LIGHTS(LIGHTS), .INSIDE(INSIDE),
+                .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),
+                .SMOOTH(SMOOTH), .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM),
+                .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS),
+                .TEXTURE_GROUP(TEXTURE_GROUP), .TEXTURE_COORDS(TEXTURE_COORDS), .COARSE(COARSE),
+                .QUOTIENTS(QUOTIENTS), .QUOTIENT_STEP(QUOTIENT_STEP), .HIT_INTERVAL(HIT_INTERVAL),
+                .BOUNCE_INTERVAL(BOUNCE_INTERVAL)) u_shades (
+        .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i), .light_i(light_i), .ray_i(ray),
+        .next_light_i(next_light), .next_slot_i(next_slot), .hit_i(hit), .blend_o(blend),
+        .end_valid_o(end_valid), .end_slot_o(end_slot), .fetch_o(fetch),
+        .fetch_ready_i(fetch_ready), .record_i(record), .record_ready_o(record_ready),
+        .normal_o(normal), .vec_light_o(vec_light), .bounce_o(bounce), .org_o(org), .skip_o(skip),
+        .shadow_go_o(shadow_go), .shadow_slot_o(shadow_slot), .read_i(read),
+        .read_slot_i(read_slot), .colour_o(colour), .texture_o(texture),
         .mem_req_valid_o(tex_req_valid), .mem_req_ready_i(tex_req_ready),
-        .mem_req_line_o(tex_req_line),
-        .mem_rsp_valid_i(tex_rsp_valid), .mem_rsp_ready_o(tex_rsp_ready),
-        .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
-        .event_o(shade_event_o), .fault_o(fault_o[11:8])
+        .mem_req_line_o(tex_req_line), .mem_rsp_valid_i(tex_rsp_valid),
+        .mem_rsp_ready_o(tex_rsp_ready), .mem_rsp_data_i(mem_rsp_data_i),
+        .mem_rsp_error_i(mem_rsp_error_i), .event_o(shade_event_o), .fault_o(fault_o[11:8])
     );
     generate
         if (TEXTURE != 0) begin : g_texture
@@ -215,14 +185,12 @@ module rt_engine #(
     wire [`RT_BLEND_BITS-1:0] first_blend = {{SB{1'b0}}, blend};  // of slots of the first unit
     rt_slots #(.W(W), .WD(WD), .SHADOW(SHADOWS), .FARS(FARS), .TEXTURE(TEXTURE),
                .INTERPENETRATE(INTERPENETRATE), .PIPES(PIPES), .SLOTS(SLOTS)) u_slots (
-        .clk(clk), .rst(rst), .busy_o(busy_o), .regs_i(regs_i),
-        .in_valid_i(in_valid_i), .in_ready_o(in_ready_o), .start_i(start_i),
-        .primary_o(primary), .primary_ready_i(primary_ready),
-        .ray_slot_i(ray[`RT_RAY_SLOT]), .ray_again_o(ray_again),
-        .done_valid_i(done_valid), .done_slot_i(done_slot), .done_i(done),
-        .hit_o(hit), .blend_i(first_blend), .end_valid_i(end_valid), .end_slot_i(end_slot),
-        .read_o(read), .read_slot_o(read_slot), .visits_i(visits), .colour_i(colour),
-        .texture_i(texture),
+        .clk(clk), .rst(rst), .busy_o(busy_o), .regs_i(regs_i), .in_valid_i(in_valid_i),
+        .in_ready_o(in_ready_o), .start_i(start_i), .primary_o(primary),
+        .primary_ready_i(primary_ready), .ray_slot_i(ray[`RT_RAY_SLOT]), .ray_again_o(ray_again),
+        .done_valid_i(done_valid), .done_slot_i(done_slot), .done_i(done), .hit_o(hit),
+        .blend_i(first_blend), .end_valid_i(end_valid), .end_slot_i(end_slot), .read_o(read),
+        .read_slot_o(read_slot), .visits_i(visits), .colour_i(colour), .texture_i(texture),
         .pix_valid_o(pix_valid_o), .pix_ready_i(pix_ready_i), .pix_o(pix_o),
         .fault_o(fault_o[15:12])
     );
