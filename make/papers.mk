@@ -1,7 +1,8 @@
 # papers.mk - the papers, claim by claim: docs/results/claims.md
 # SPDX-License-Identifier: Apache-2.0
 #
-# $B/papers holds what lab/papers/measure.py reports of each run, of model and RTL.
+# $B/papers holds what lab/papers/measure.py reports of each run, of model and RTL; the cells of the
+# texture paper's core are those that the row's `make synth` left in $B/synth.
 
 PAPERS       := $B/papers
 PAPERS_SHOWN := docs/pictures/papers
@@ -20,6 +21,6 @@ papers: $(TOOL)
 	    -o $(PAPERS_SHOWN)/hidden.png
 	$(Q)oiiotool $(PAPERS)/paper5.png $(PAPERS)/paper100-mended.png --mosaic 2x1 \
 	    -o $(PAPERS_SHOWN)/scenes.png
-	$(Q)python3 -m lab.papers.page docs/results/claims.md $(PAPERS)
+	$(Q)python3 -m lab.papers.page docs/results/claims.md $(PAPERS) $B/synth
 	$(Q)python3 -m lab.pages.measured docs/results/claims.md "make papers"
 	@echo "tables and pictures in docs/results/claims.md"

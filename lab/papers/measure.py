@@ -32,6 +32,8 @@ DEPTHS = [0, 1, 2]
 # as many reflections as most scenes here are drawn with, and ten, by one core
 BOUNCES, BOUNCES_CORE = [2, 10], "shadow+reflect10+lights2+inside+facets+texture+bih"
 BOUNCED = {"kitchen": "scenes/texture/kitchen.nff", "mirrors": "tests/scenes/mirrors.nff"}
+# what the scenes of the texture paper ask for, and its ten bounces: synthesised, not run
+PARK_CORE = "shadow+reflect10+lights6+facets+texture+smooth+boxes"
 # a hierarchy of 64 spheres: MAX_PRIMS, MAX_TREE_DEPTH; brute force beside them
 LEAVES = [1, 2, 4, 8, 16, 32, 64]
 LEVELS = [1, 2, 3, 4, 5, 6, 7]

@@ -1,20 +1,23 @@
 #!/usr/bin/env python3
 # page.py - puts the tables of docs/results/claims.md in their places
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.papers.page PAGE FOLDER
-FOLDER is what measure.py left."""
+"""usage: python3 -m lab.papers.page PAGE FOLDER SYNTH
+FOLDER is what measure.py left, SYNTH the folder of synthesised cores."""
 import json
 import math
 import os
 import sys
+from pathlib import Path
 
 from . import measure
 from ..pages import data
 from ..pages.place import place
-from ..synth import report
+from ..synth import report, results
 
 PIXELS = 160 * 90
 RAYS = ["primary", "reflected", "shadow"]
+# what a Virtex-5 LX330 has, by its data sheet; LUTs have six inputs, blocks of RAM 36 kbit
+LX330 = {"lut": 207360, "ff": 207360, "bram": 288, "dsp": 192}
 
 
 def load(folder, name):
@@ -98,7 +101,24 @@ def leaves(folder):
                                ["MAX_TREE_DEPTH 1 to 7", *limit, ""]])
 
 
-def values(folder):
+def park(synth):
+    """Cells of the core for the texture paper's scenes, and percent of its FPGA. Those that were
+    there stay if it was not synthesised since the RTL changed."""
+    found = Path(synth) / results.key("standard", measure.PARK_CORE, "xc7")
+    stat = found / "stat.json"
+    if not stat.exists() or any(f.stat().st_mtime > stat.stat().st_mtime
+                                for f in Path("rtl").rglob("*.v*")):
+        print(f"page: no {found} of this RTL: its cells stay as they are", flush=True)
+        return {k: x for k, x in data.read("claims.values")[1] if k.startswith("park_")}
+    core = results.read(found)["core"]
+    cells = {"lut": core["lut"] + core["lutram"], "ff": core["ff"], "dsp": core["mult"],
+             "bram": core["ramb36"] + core["ramb18"] / 2}
+    v = {"park_" + name: f"{n:,g}".replace(",", " ") for name, n in cells.items()}
+    v.update({f"park_{name}_of": f"{100 * n / LX330[name]:.0f}" for name, n in cells.items()})
+    return v
+
+
+def values(folder, synth):
     """What the rows of claims.py name, and more of the same."""
     found, v = searched(folder), {}
     v["search_scenes"] = len(found)
@@ -138,12 +158,14 @@ def values(folder):
             v["profile_" + name] = dict(before)["profile_" + name]
     v["leaf_64"] = f"{cycles(folder, 'leaves-prims64'):.1f}"
     v["leaf_brute"] = f"{cycles(folder, 'leaves-brute'):.1f}"
+    v.update(park(synth))
     return v
 
 
-def main(page, folder):
+def main(page, folder, synth):
     place(page, {
-        "values": report.table(["name", "value"], [[k, v] for k, v in values(folder).items()]),
+        "values": report.table(["name", "value"], [[k, v] for k, v in
+                                                   values(folder, synth).items()]),
         "search": search(folder), "operations": operations(folder), "shapes": shapes(folder),
         "leaves": leaves(folder)})
 

@@ -10,6 +10,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <deque>
 #include <vector>
 
@@ -146,6 +147,7 @@ class World {
             if (kind == SPH_SHADOW && light >= 0)
                 r.dir[i] = m.regs[SPH_REG_LIGHT0_X + light * SPH_LIGHT_STRIDE + i] - at;
         }
+        if (kind == SPH_SHADOW && light >= 0 && random.percent(50)) at_corner(random, r, light);
         if (kind == SPH_PRIMARY)
             sph_primary_dir(&m, (int)random.below(WIDTH), (int)random.below(HEIGHT), r.dir);
         else if (random.percent(50))
@@ -166,6 +168,23 @@ class World {
     }
 
   private:
+    /* With triangles a ray to a light starts at a corner of one, where by how much its origin was
+     * rounded decides what it meets. */
+    void at_corner(bench::Random &random, struct sph_ray &r, int light) const {
+        uint32_t from = (uint32_t)random.below(m.lines);
+        const uint32_t *record = line(from);
+        if (!on(SPH_EFFECT_FACETS) ||
+            sph_field(record, SPH_FACET_KIND_LSB, SPH_FACET_KIND_BITS) != SPH_TRIANGLE)
+            return;
+        const int64_t edge = (int64_t)1 << (W - 1);
+        for (int i = 0; i < 3; i++) {
+            int64_t corner = sph_field_signed(
+                record, SPH_TRIANGLE_V0_X_LSB + SPH_TRIANGLE_V0_X_BITS * i, SPH_TRIANGLE_V0_X_BITS);
+            r.org[i] = std::clamp(corner + random.between(-1, 1), -edge, edge - 1);
+            r.dir[i] = m.regs[SPH_REG_LIGHT0_X + light * SPH_LIGHT_STRIDE + i] - r.org[i];
+        }
+    }
+
     [[noreturn]] static void stop(const struct sph_error &err) {
         printf("# %s\n", err.text);
         exit(1);
