@@ -73,7 +73,7 @@ jobs=0
 while read -r key rest; do
     case $key in
     mutant) name=$rest run=1 ;;
-    more) name=$rest run=${ALL:-} ;;
+    more) name=$rest run=${ALL:-}${MUTANT:-} ;;
     file) file=$rest ;;
     from) from=$rest ;;
     to) to=$rest ;;
