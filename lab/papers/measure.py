@@ -22,7 +22,7 @@ COLUMN = [16, 64, 256, 1024, 4096]
 SHAPES = ["box", "1", "2", "3"]
 REPLACED = ["paper5", "paper100", "sphereflake2"]
 SHAPES_CORE = {"sphere": "shadow+reflect4+lights3+inside",
-               "facet": "shadow+reflect4+lights3+inside+facets+bih"}
+               "facet": "shadow+reflect4+lights3+inside+facets+boxes"}
 SEARCH = ["--tree", "paper", "--traverse", "first", "--depth", "0", "--shadow", "off"]
 FIRST = ["--tree", "paper", "--traverse", "first", "--interpenetrate"]
 CORRECTED = {"nearest": [], "first": [*FIRST, "off"], "mended": [*FIRST, "on"]}
