@@ -21,6 +21,11 @@ papers: $(TOOL)
 	    -o $(PAPERS_SHOWN)/hidden.png
 	$(Q)oiiotool $(PAPERS)/paper5.png $(PAPERS)/paper100-mended.png --mosaic 2x1 \
 	    -o $(PAPERS_SHOWN)/scenes.png
+	$(Q)oiiotool $(PAPERS)/scenario1.png $(PAPERS)/scenario2.png $(PAPERS)/scenario3.png \
+	    --mosaic:pad=4 3x1 -o $(PAPERS_SHOWN)/scenarios.png
+	$(Q)oiiotool $(PAPERS)/levels-mended.exr $(PAPERS)/levels-rays.exr \
+	    $(PAPERS)/levels-samples.exr --resize:filter=box 240x135 --mosaic:pad=4 3x1 --ch R,G,B \
+	    --colorconvert linear sRGB -d uint8 -o $(PAPERS_SHOWN)/levels.png
 	$(Q)python3 -m lab.papers.page docs/results/claims.md $(PAPERS) $B/synth
 	$(Q)python3 -m lab.pages.measured docs/results/claims.md "make papers"
 	@echo "tables and pictures in docs/results/claims.md"

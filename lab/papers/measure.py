@@ -37,6 +37,10 @@ PARK_CORE = "shadow+reflect10+lights6+facets+texture+smooth+boxes"
 # a hierarchy of 64 spheres: MAX_PRIMS, MAX_TREE_DEPTH; brute force beside them
 LEAVES = [1, 2, 4, 8, 16, 32, 64]
 LEVELS = [1, 2, 3, 4, 5, 6, 7]
+# ways to choose a level: path length, BMRT's estimate, ray differentials
+WAYS = ["mended", "bmrt", "rays"]
+# the thesis's three scenarios, with as many spheres as its Figure 4.4 has
+SCENARIOS = {"scenario1": 64, "scenario2": 128, "scenario3": 256}
 # where the model's instructions go: scenes and their trees
 PROFILED = {"paper100": [], "random4096": [], "lattice64": ["--accel", "bih", "--max-prims", "8"]}
 
@@ -188,6 +192,35 @@ def leaves(run):
                  "--depth", "0", "--shadow", "off")
 
 
+def ways(run):
+    """A floor to the horizon, in a flat mirror and in a ball: by each way to choose a level, and as
+    the mean of 8 x 8 samples of the whole image, levels-*.exr; the last eight times as wide."""
+    how = {way: ["--levels", way, "--size", "240x135"] for way in WAYS}
+    how["samples"] = ["--filter", "nearest", "--size", "1920x1080"]
+    for way, words in how.items():
+        picture = run.path(f"levels-{way}.exr")
+        if not run.fresh(f"levels-{way}.exr"):
+            print("  RUN  levels-" + way, flush=True)
+            run.run("reference", "scenes/texture/slant.nff", *words, "-o", picture)
+    for way in WAYS:
+        said = subprocess.run(["oiiotool", run.path(f"levels-{way}.exr"), "--ch", "R,G,B",
+                               run.path("levels-samples.exr"), "--ch", "R,G,B",
+                               "--resize:filter=box", "240x135", "--diff"], check=False,
+                              stdout=subprocess.PIPE, text=True).stdout
+        write(run.path(f"levels-{way}.rms"), re.search(r"RMS error = ([0-9.]+)", said)[1] + "\n")
+
+
+def scenarios(run):
+    """Pictures of the thesis's scenarios."""
+    for name, n in SCENARIOS.items():
+        scene = run.path(name + ".nff")
+        if not run.fresh(name + ".png"):
+            print("  RUN ", name, flush=True)
+            run.run("gen", name, "-n", str(n), "-o", scene)
+            run.run("render", scene, "--size", "160x272", "--depth", "4", "-o",
+                    run.path(name + ".png"))
+
+
 def profile(run):
     """The share of a frame's instructions that the search for intersections takes, in the literal
     model, as Valgrind counts them: NAME.profile. Without Valgrind the last figures stay."""
@@ -214,7 +247,8 @@ def profile(run):
 
 def main(tool, folder):
     run = Runner(tool, folder)
-    for part in operations, search, corrected, shapes, parts, bounces, leaves, profile:
+    for part in operations, search, corrected, shapes, parts, bounces, leaves, ways, scenarios, \
+            profile:
         part(run)
 
 

@@ -158,6 +158,9 @@ def values(folder, synth):
             v["profile_" + name] = dict(before)["profile_" + name]
     v["leaf_64"] = f"{cycles(folder, 'leaves-prims64'):.1f}"
     v["leaf_brute"] = f"{cycles(folder, 'leaves-brute'):.1f}"
+    for way in measure.WAYS:
+        with open(os.path.join(folder, f"levels-{way}.rms"), encoding="utf-8") as f:
+            v["levels_" + way] = f"{float(f.read()):.3f}"
     v.update(park(synth))
     return v
 

@@ -105,6 +105,10 @@ claim() { # file, sed expression, what is said
 }
 check "a claim's verdict that is no word of ours" claim $claims 's/"refuted"),/"perhaps"),/' \
     'perhaps'
+check "a claim that is built, without a command" claim $claims \
+    's/"make background", "other"),/"-", "other"),/' 'has a command'
+check "a claim that puts its answer off" claim $claims \
+    's/seen, and its error measured/not measured/' 'it is not measured'
 check "a claim's value that was not measured" claim $values '/^paper_mul/d' 'paper_mul'
 check "a value of a claim, changed by hand" claim $values 's/^\(paper_mul.\)11/\112/' \
     '^+.*| 12 and 11'
