@@ -27,7 +27,7 @@ static inline double between(double lo, double hi) {
     return lo + (hi - lo) * uniform();
 }
 
-static struct sph_material mirror = {{0.8, 0.6, 0.4}, 0.5, 0.5, 10, 0, 1, 7, {0}};
+static struct sph_material mirror = {{0.8, 0.6, 0.4}, 0.5, 0.5, 10, 0, 1, 7, {0}, 0};
 
 /* A scene of n spheres of the same radius range in the unit cube, seen from outside. */
 static inline struct sph_scene cloud(uint32_t n, double rad) {

@@ -87,6 +87,7 @@ static inline void assert_same_scene(const struct sph_scene *p, const struct sph
         assert_same_bytes(m, n, offsetof(struct sph_material, line));
         assert_int_equal(m->sum.hollow, n->sum.hollow);
         assert_true(m->sum.around == n->sum.around);
+        assert_int_equal(m->passes, n->passes);
     }
 }
 
@@ -121,6 +122,7 @@ static inline void assert_same_facets(const struct sph_scene *p, const struct sp
         assert_same_bytes(m, n, offsetof(struct sph_material, line));
         assert_int_equal(m->sum.hollow, n->sum.hollow);
         assert_true(m->sum.around == n->sum.around);
+        assert_int_equal(m->passes, n->passes);
     }
 }
 

@@ -31,7 +31,7 @@ static inline struct sph_mip textured_mip(int width, int height, struct sph_rng 
 
 /* A scene without primitives, lit evenly: a pixel is albedo times texel. */
 static inline struct sph_scene textured_scene(struct sph_material *white) {
-    *white = (struct sph_material){{1, 1, 1}, 1, 0, 1, 0, 1, 1, {0}};
+    *white = (struct sph_material){{1, 1, 1}, 1, 0, 1, 0, 1, 1, {0}, 0};
     struct sph_scene s = {.name = "textured", .path = "textured.nff", .ambient = {1, 1, 1}};
     s.camera = (struct sph_camera){{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 40, 0, 32, 24};
     s.n_materials = 1;

@@ -199,7 +199,7 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
     int mended =
         o->traverse == SPH_BUILD_NEAREST || (o->interpenetrate != SPH_OFF && o->inside != SPH_OFF);
     struct sph_world world = {balls, n, profile, grid.eye, facets, mended};
-    struct sph_survey survey = {scene, &grid, o, world, 0};
+    struct sph_survey survey = {scene, &grid, o, world, 0, 0};
     if (sph_emit_effects(&survey, m, report, err) ||
         sph_emit_smooth(scene, &grid, &plants, m, report, err) ||
         sph_emit_textures(scene, &grid, &plants, o, m, report, err))

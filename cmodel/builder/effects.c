@@ -28,6 +28,11 @@ static void find_shadow(const struct sph_survey *s, const struct sph_lights *lig
         WHY(entry, "what refracts is seen from inside too, and shades itself");
         return;
     }
+    if (s->passes) {
+        entry->called = 1;
+        WHY(entry, "what shadow rays pass hides nothing behind it");
+        return;
+    }
     if (s->world.facets->n) {
         sph_find_facet_shadow(s, entry);
         return;
@@ -143,10 +148,12 @@ int sph_emit_effects(const struct sph_survey *survey, struct sph_machine *machin
         effects[i] = (struct sph_effect_report){.name = sph_parts[i].word};
     if (sph_find_refract(s, &effects[SPH_REPORT_REFRACT], err)) return -1;
     s->refracts = effects[SPH_REPORT_REFRACT].on;
+    s->passes = sph_may_pass(s);
     sph_choose_lights(s, &lights, &effects[SPH_REPORT_LIGHTS]);
     sph_emit_lights(s, &lights, machine, report);
     find_shadow(s, &lights, &effects[SPH_REPORT_SHADOW]);
     sph_settle(&effects[SPH_REPORT_SHADOW], s->options->shadow);
+    sph_find_clear(s, effects[SPH_REPORT_SHADOW].on, &effects[SPH_REPORT_CLEAR]);
     sph_find_reflect(s, &effects[SPH_REPORT_REFLECT]);
     sph_find_specular(s, &lights, &effects[SPH_REPORT_SPECULAR]);
     sph_find_sum(s, &effects[SPH_REPORT_SUM]);

@@ -15,6 +15,7 @@ struct sph_survey {
     const struct sph_build_options *options;
     struct sph_world world;
     int refracts; /* the machine has REFRACT: rays see the inside of what is transparent */
+    int passes;   /* it may have CLEAR: shadow rays pass something */
 };
 
 /* The lights that the machine gets, as indices of the scene. */
@@ -41,6 +42,10 @@ void sph_find_reflect(const struct sph_survey *survey, struct sph_effect_report 
 void sph_find_specular(const struct sph_survey *survey, const struct sph_lights *lights,
                        struct sph_effect_report *entry);
 void sph_find_sum(const struct sph_survey *survey, struct sph_effect_report *entry);
+
+/* CLEAR, if there is SHADOW; and whether there is something that shadow rays may pass. */
+void sph_find_clear(const struct sph_survey *survey, int shadow, struct sph_effect_report *entry);
+int sph_may_pass(const struct sph_survey *survey);
 
 /* SMOOTH: triangles with normals that are not their own. */
 void sph_find_smooth(const struct sph_survey *survey, struct sph_effect_report *entry);

@@ -23,7 +23,7 @@ static int explain_dark(const struct sph_survey *s, int light, int shadow, char 
         sph_note(why, size, "%s is black", sph_light_place(s->scene, light).text);
         return 1;
     }
-    if (!shadow || s->refracts) return 0; /* shut in, but what shuts it in may be seen through */
+    if (!shadow || s->refracts || s->passes) return 0;   /* what shuts it in may be seen through */
     if (sph_grid_lamp(s->grid, lamp->pos, at)) return 0; /* far away from all spheres */
     uint32_t ball = sph_dark_ball(&s->world, at);
     if (ball == s->world.n) return 0;

@@ -11,6 +11,10 @@ static int is_sum(const struct sph_material *material) {
     return material->sum.on;
 }
 
+static int passes(const struct sph_material *material) {
+    return material->passes;
+}
+
 /* The used material for which `weight` is the largest, the first of equals; NULL if all are 0. */
 static const struct sph_material *best(const struct sph_survey *s,
                                        int (*weight)(const struct sph_material *)) {
@@ -88,4 +92,23 @@ void sph_find_sum(const struct sph_survey *s, struct sph_effect_report *entry) {
         WHY(entry, "%s is shaded by Whitted's sum", place(s, sum).text);
     else
         WHY(entry, "every used material blends");
+}
+
+int sph_may_pass(const struct sph_survey *s) {
+    return s->options->clear != SPH_OFF && best(s, passes);
+}
+
+void sph_find_clear(const struct sph_survey *s, int shadow, struct sph_effect_report *entry) {
+    const struct sph_material *clear = best(s, passes);
+    entry->called = clear && shadow;
+    if (!clear)
+        WHY(entry, "no used material lets shadow rays pass");
+    else
+        WHY(entry, "%s lets shadow rays pass%s", place(s, clear).text,
+            shadow ? "" : ", but there are none");
+    sph_settle(entry, s->options->clear);
+    if (entry->on && !shadow) {
+        entry->on = 0;
+        WHY(entry, "; but it needs shadow, which is off");
+    }
 }

@@ -62,6 +62,7 @@ static uint64_t tree_lines(const struct sph_tree *tree, int whole) {
 
 /* What the memory is made of. */
 struct content {
+    const struct sph_scene *scene;
     const struct sph_tree *tree;
     const struct sph_plants *plants;
     const struct sph_aabb *boxes; /* of nodes, or NULL: they are spheres */
@@ -102,7 +103,7 @@ static void put_node(struct sph_machine *m, const struct content *c, uint32_t no
         uint32_t id = from->child[n_inner + j];
         uint32_t *record = sph_record(m, p->facets->n > 0, base + (uint32_t)n_inner, (uint32_t)j);
         struct sph_grid_prim prim = sph_grid_prim_of(p->balls, p->n_spheres, p->facets, id);
-        sph_prim_build_of(prim.kind)->record(&prim, record);
+        sph_put_record(c->scene, &prim, record);
     }
 }
 
@@ -113,11 +114,10 @@ static void put_prims(struct sph_machine *m, const struct sph_scene *scene,
     uint32_t spheres = scene->n_spheres, n = spheres + facets->n;
     for (uint32_t id = 0; id < n; id++) {
         struct sph_grid_prim prim = sph_grid_prim_of(balls, spheres, facets, id);
-        const struct sph_prim_build *kind = sph_prim_build_of(prim.kind);
         uint32_t *line = sph_line(m, base + id);
-        kind->prim(&prim, line);
+        sph_put_prim(scene, &prim, line);
         put_material(line, &scene->materials[sph_grid_look(scene, &prim).material]);
-        if (id >= spheres) kind->record(&prim, sph_line(m, base + n + id - spheres));
+        if (id >= spheres) sph_put_record(scene, &prim, sph_line(m, base + n + id - spheres));
     }
 }
 
@@ -153,7 +153,7 @@ int sph_emit_memory(const struct sph_scene *scene, const struct sph_plants *plan
     if (plants->kind == SPH_TREE_BOX4 ? !(boxes = sph_box_nodes(plants, tree, err))
                                       : check_radii(tree, err))
         return -1;
-    struct content c = {tree, plants, boxes};
+    struct content c = {scene, tree, plants, boxes};
     uint32_t n = scene->n_spheres + facets->n;
     uint64_t prim_base = tree_lines(tree, facets->n > 0), lines = prim_base + n + facets->n;
     struct place {

@@ -76,7 +76,7 @@ static void put_records(struct sph_machine *m, const struct content *c, uint32_t
     for (uint32_t i = 0; i < c->n_loose + c->n_boxes; i++) {
         uint32_t id = c->ids[i < c->n_loose ? i : c->n_loose + c->bih->order[i - c->n_loose]];
         struct sph_grid_prim prim = prim_of(c, id);
-        sph_prim_build_of(prim.kind)->record(&prim, sph_record(m, whole, base, i));
+        sph_put_record(c->scene, &prim, sph_record(m, whole, base, i));
     }
 }
 

@@ -54,7 +54,8 @@ static void find(struct job *j, uint32_t root) {
 
 static void read_leaf(const struct job *j, const uint32_t *record, struct sph_fast_leaf *leaf) {
     *leaf = (struct sph_fast_leaf){{0, 0, 0}, 0, 0, (uint32_t)(record - j->m->mem) + 1};
-    if (sph_record_kind(j->whole, record) != SPH_SPHERE) return;
+    uint32_t kind = sph_record_kind(j->whole, record);
+    if (kind != SPH_SPHERE || sph_record_clear(kind, record)) return;
     struct sph_leaf sphere = sph_sphere_read(record, sph_machine_profile(j->m)->w);
     for (int i = 0; i < 3; i++)
         leaf->ctr[i] = (int32_t)sphere.ctr[i];

@@ -27,7 +27,7 @@ struct sph_fast_boxes {
 struct sph_fast_leaf {
     int32_t ctr[3], rad;
     uint32_t id;
-    uint32_t record; /* no sphere: the word of memory where it begins, plus 1; 0: a sphere */
+    uint32_t record; /* no sphere, or a clear one: the word of memory where it begins, plus 1 */
 };
 
 struct sph_fast {

@@ -8,8 +8,9 @@
 #include "fast/root.h"
 #include "trace/leaf_unit.h"
 
-/* As sph_leaf_visit(), but for the counter of tests of spheres. What is no sphere is tested by its
- * literal function; of spheres this is sph_leaf_test() with the root of root.h. */
+/* As sph_leaf_visit(), but for the counter of tests of spheres. What is no sphere, or a
+ * clear one, is tested by its literal function; of spheres this is sph_leaf_test() with the root of
+ * root.h. */
 static inline void sph_fast_leaf_visit(struct sph_probe *probe, const struct sph_fast_leaf *leaf,
                                        const uint32_t *mem) {
     const struct sph_ray *ray = probe->ray;

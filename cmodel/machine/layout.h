@@ -23,7 +23,7 @@
 #define SPH_CONE_LINES 4
 #define SPH_MAX_FACETS 1048576
 #define SPH_MAX_PLANES 6
-#define SPH_MAX_GROUP 128
+#define SPH_MAX_GROUP 64
 #define SPH_TEXTURE_SIDE 2048
 #define SPH_TEXTURE_LEVELS 12
 #define SPH_INDEX_ONE 1000
@@ -76,6 +76,8 @@
 #define SPH_LEAF_RAD_BITS 24
 #define SPH_LEAF_ID_LSB 96
 #define SPH_LEAF_ID_BITS 24
+#define SPH_LEAF_CLEAR_LSB 127
+#define SPH_LEAF_CLEAR_BITS 1
 #define SPH_LEAF_STRIDE 128
 #define SPH_PRIM_RED_LSB 128
 #define SPH_PRIM_RED_BITS 8
@@ -86,7 +88,7 @@
 #define SPH_PRIM_KR_LSB 152
 #define SPH_PRIM_KR_BITS 9
 #define SPH_PRIM_KIND_LSB 120
-#define SPH_PRIM_KIND_BITS 8
+#define SPH_PRIM_KIND_BITS 7
 #define SPH_PRIM_TEX_LSB 192
 #define SPH_PRIM_TEX_BITS 26
 #define SPH_PRIM_KT_LSB 161
@@ -124,9 +126,11 @@
 #define SPH_FACET_ID_LSB 216
 #define SPH_FACET_ID_BITS 24
 #define SPH_FACET_BEFORE_LSB 240
-#define SPH_FACET_BEFORE_BITS 7
+#define SPH_FACET_BEFORE_BITS 6
+#define SPH_FACET_CLEAR_LSB 246
+#define SPH_FACET_CLEAR_BITS 1
 #define SPH_FACET_AFTER_LSB 247
-#define SPH_FACET_AFTER_BITS 7
+#define SPH_FACET_AFTER_BITS 6
 #define SPH_FACET_KIND_LSB 254
 #define SPH_FACET_KIND_BITS 2
 #define SPH_FACET_MORE_LSB 248
@@ -371,7 +375,8 @@
 #define SPH_EFFECT_SPECULAR 8
 #define SPH_EFFECT_SUM 9
 #define SPH_EFFECT_SMOOTH 10
-#define SPH_EFFECT_BITS 11
+#define SPH_EFFECT_CLEAR 11
+#define SPH_EFFECT_BITS 12
 #define SPH_KINDS 3
 #define SPH_COUNTERS 22
 #define SPH_COUNTERS_BOTH 3605503
@@ -380,7 +385,7 @@
 #define SPH_WIDTH_TABLE {"w", offsetof(struct sph_profile, w), 0, 5, 8, 24, "a leaf record has 24 bits"}, {"wd", offsetof(struct sph_profile, wd), 5, 5, 9, 31, "a register has 32 bits"}, {"pq", offsetof(struct sph_profile, pq), 10, 6, 4, 32, "a quotient is one word of the model"}, {"ng", offsetof(struct sph_profile, ng), 16, 3, 0, 4, "the bounds of build are 64-bit numbers"}, {"fw", offsetof(struct sph_profile, fw), 19, 4, 6, 14, "a node record has 14 bits"}, {"pr", offsetof(struct sph_profile, pr), 23, 6, 0, 51, "the longest root has 52 bits"}
 #define SPH_COUNTER_NAMES "rays_primary", "rays_shadow", "rays_reflected", "node_visits", "child_tests", "leaf_tests", "roots", "quotients", "background", "saturations", "cycles", "issue_wait", "node_misses", "leaf_misses", "rays_waiting", "pop_bubbles", "facet_tests", "divisions", "texels", "texel_misses", "rays_refracted", "powers"
 #define SPH_ERROR_NAMES "bad_node", "stack_overflow", "visit_limit", "bus_error", "missing_effect", "wrong_profile"
-#define SPH_EFFECT_MASK 2047
+#define SPH_EFFECT_MASK 4095
 #define SPH_EACH_EFFECT(X)  \
     X(SHADOW, shadow, "SHADOW", 0, 1, 1, SPH_OPTION_WHEN, 0, 0, -1, 0, 0, -1, "rays towards the lights") \
     X(REFLECT, reflect, "REFLECT", 1, 10, 5, SPH_OPTION_WHEN, 0, 0, -1, 0, 0, SPH_REG_MAX_DEPTH, "mirror rays, up to MAX_DEPTH") \
@@ -393,14 +398,15 @@
     X(REFRACT, refract, "REFRACT", 7, 1, 0, SPH_OPTION_WHEN, 8, 48, -1, 0, 0, -1, "refracted rays, mirror rays where all is reflected") \
     X(SPECULAR, specular, "SPECULAR", 8, 1, 0, SPH_OPTION_WHEN, 1024, 0, -1, 0, 0, -1, "highlights of materials with sum") \
     X(SUM, sum, "SUM", 9, 1, 0, SPH_OPTION_NONE, 0, 0, -1, 0, 0, -1, "materials whose shares add up, colour on top of rays") \
-    X(SMOOTH, smooth, "SMOOTH", 10, 1, 0, SPH_OPTION_WHEN, 64, 0, -1, 0, 0, -1, "interpolated normals of triangles")
+    X(SMOOTH, smooth, "SMOOTH", 10, 1, 0, SPH_OPTION_WHEN, 64, 0, -1, 0, 0, -1, "interpolated normals of triangles") \
+    X(CLEAR, clear, "CLEAR", 11, 1, 0, SPH_OPTION_WHEN, 1, 0, -1, 0, 0, -1, "shadow rays pass what is marked as clear")
 #define SPH_EACH_PART(X) SPH_EACH_EFFECT(X) \
     X(COARSE, coarse, "COARSE", -1, 8, 0, SPH_OPTION_NONE, 128, 0, -1, 0, 0, SPH_REG_COARSE, "bits of the fraction of levels rounded away") \
     X(RECT, rect, "RECT", -1, 1, 1, SPH_OPTION_NONE, 0, 0, SPH_REG_BG_MODE, 1, 1, -1, "background separation by rectangle") \
     X(SPANS, spans, "SPANS", -1, 1, 1, SPH_OPTION_NONE, 0, 0, SPH_REG_BG_MODE, 2, 2, -1, "background separation by spans in memory") \
     X(CONES, cones, "CONES", -1, 16, 1, SPH_OPTION_NONE, 0, 0, SPH_REG_BG_MODE, 3, 3, SPH_REG_BG_COUNT, "exact background separation, by so many spheres") \
     X(BIH, bih, "ACCEL", -1, 1, 0, SPH_OPTION_NONE, 0, 16, SPH_REG_TREE, 3, 4, -1, "a BIH instead of nodes of four children") \
-    X(BOXES, boxes, "BOXES", -1, 1, 0, SPH_OPTION_NONE, 0, 65552, SPH_REG_TREE, 6, 6, -1, "boxes around the children of a node, not spheres")
+    X(BOXES, boxes, "BOXES", -1, 1, 0, SPH_OPTION_NONE, 0, 131088, SPH_REG_TREE, 6, 6, -1, "boxes around the children of a node, not spheres")
 #define SPH_EACH_REG(X)  \
     X(EFFECTS) \
     X(MAX_DEPTH) \

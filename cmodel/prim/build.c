@@ -28,3 +28,21 @@ struct sph_grid_look sph_grid_look(const struct sph_scene *scene,
     const struct sph_sphere *s = &scene->spheres[prim->index];
     return (struct sph_grid_look){s->material, s->texture, s->line};
 }
+
+static uint32_t passes(const struct sph_scene *scene, const struct sph_grid_prim *prim) {
+    return (uint32_t)scene->materials[sph_grid_look(scene, prim).material].passes;
+}
+
+void sph_put_record(const struct sph_scene *scene, const struct sph_grid_prim *prim,
+                    uint32_t *words) {
+    int at = prim->kind == SPH_SPHERE ? SPH_LEAF_CLEAR_LSB : SPH_FACET_CLEAR_LSB;
+    sph_prim_build_of(prim->kind)->record(prim, words);
+    sph_field_set(words, at, SPH_LEAF_CLEAR_BITS, passes(scene, prim));
+}
+
+/* That of a sphere begins with its leaf record. */
+void sph_put_prim(const struct sph_scene *scene, const struct sph_grid_prim *prim, uint32_t *line) {
+    sph_prim_build_of(prim->kind)->prim(prim, line);
+    if (prim->kind == SPH_SPHERE)
+        sph_field_set(line, SPH_LEAF_CLEAR_LSB, SPH_LEAF_CLEAR_BITS, passes(scene, prim));
+}

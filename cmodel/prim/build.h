@@ -30,7 +30,8 @@ struct sph_prim_build {
     /* Whether two are the same points; equal ones have the same hash. */
     int (*same)(const struct sph_grid_facet *a, const struct sph_grid_facet *b);
     uint64_t (*hash)(const struct sph_grid_facet *f);
-    /* Writes its leaf record, and the part of its primitive record that is no material. */
+    /* Writes its leaf record but for `clear`, and the part of its primitive record that is no
+     * material. */
     void (*record)(const struct sph_grid_prim *prim, uint32_t *words);
     void (*prim)(const struct sph_grid_prim *prim, uint32_t *line);
     /* The box around it, and at most three balls whose hull holds it: how many. */
@@ -57,5 +58,10 @@ struct sph_grid_look {
     uint32_t material, texture, line; /* texture: index + 1, or 0 */
 };
 struct sph_grid_look sph_grid_look(const struct sph_scene *scene, const struct sph_grid_prim *prim);
+
+/* Writes the leaf record of a primitive; and its primitive record but for what it looks like. */
+void sph_put_record(const struct sph_scene *scene, const struct sph_grid_prim *prim,
+                    uint32_t *words);
+void sph_put_prim(const struct sph_scene *scene, const struct sph_grid_prim *prim, uint32_t *line);
 
 #endif

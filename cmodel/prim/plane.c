@@ -25,7 +25,8 @@ static int validate(const struct sph_machine *m, uint32_t line, const uint32_t *
         if (normal[i] == -(1 << (SPH_PLANE_N_X_BITS - 1)))
             return sph_fail(err, "line %u: the normal of the plane cannot be turned", line);
     if (sph_any_bit(record, end, SPH_FACET_ID_LSB - 1) ||
-        sph_any_bit(record, SPH_FACET_BEFORE_LSB, SPH_FACET_KIND_LSB - 1))
+        sph_any_bit(record, SPH_FACET_BEFORE_LSB, SPH_FACET_CLEAR_LSB - 1) ||
+        sph_any_bit(record, SPH_FACET_AFTER_LSB, SPH_FACET_KIND_LSB - 1))
         return sph_fail(err, "line %u: bits of the plane that must be 0 are not", line);
     return sph_validate_normal(id, prim, normal, err);
 }

@@ -15,7 +15,8 @@
 struct sph_probe {
     const struct sph_profile *p;
     const struct sph_ray *ray;
-    int whole; /* each leaf record has a line: the machine has FACETS */
+    int whole;  /* each leaf record has a line: the machine has FACETS */
+    int passes; /* what is clear is no hit: a shadow ray of a machine with CLEAR */
     struct sph_hit best;
     struct sph_counters *c;
     uint32_t *errors; /* sticky */
@@ -52,6 +53,12 @@ static inline uint32_t sph_record_kind(int whole, const uint32_t *line) {
     if (kind < (1u << SPH_FACET_KIND_BITS) - 1) return kind;
     return kind + sph_field(line, SPH_FACET_MORE_LSB, SPH_FACET_MORE_BITS);
 }
+/* Whether a leaf record of that kind is marked as clear. */
+static inline int sph_record_clear(uint32_t kind, const uint32_t *line) {
+    int at = kind == SPH_SPHERE ? SPH_LEAF_CLEAR_LSB : SPH_FACET_CLEAR_LSB;
+    return (int)sph_field(line, at, SPH_LEAF_CLEAR_BITS);
+}
+
 static inline uint32_t sph_prim_kind(const struct sph_machine *m, const uint32_t *prim) {
     if (!sph_machine_effect(m, SPH_EFFECT_FACETS)) return SPH_SPHERE;
     return sph_field(prim, SPH_PRIM_KIND_LSB, SPH_PRIM_KIND_BITS);

@@ -28,7 +28,8 @@ static void normal(const struct sph_profile *p, const uint32_t *prim, const int6
 static int validate(const struct sph_machine *m, uint32_t line, const uint32_t *record, uint32_t id,
                     const uint32_t *prim, struct sph_error *err) {
     if (sph_machine_effect(m, SPH_EFFECT_FACETS) &&
-        sph_any_bit(record, SPH_LEAF_ID_LSB + SPH_LEAF_ID_BITS, SPH_LINE_WORDS * 32 - 1))
+        (sph_any_bit(record, SPH_LEAF_ID_LSB + SPH_LEAF_ID_BITS, SPH_LEAF_CLEAR_LSB - 1) ||
+         sph_any_bit(record, SPH_LEAF_CLEAR_LSB + 1, SPH_LINE_WORDS * 32 - 1)))
         return sph_fail(err, "line %u: more than a sphere in its leaf line", line);
     if (memcmp(record, prim, SPH_LEAF_STRIDE / 8) != 0)
         return sph_fail(err, "line %u: leaf %u differs from its primitive record", line, id);

@@ -58,6 +58,8 @@ static int validate(const struct sph_machine *m, uint32_t line, const uint32_t *
     }
     if (!sph_triangle_normal((const int32_t(*)[3])v, normal))
         return sph_fail(err, "line %u: the triangle has no area", line);
+    if (sph_any_bit(record, SPH_FACET_AFTER_LSB + SPH_FACET_AFTER_BITS, SPH_FACET_KIND_LSB - 1))
+        return sph_fail(err, "line %u: a bit of the triangle that must be 0 is not", line);
     return sph_validate_normal(id, prim, normal, err);
 }
 

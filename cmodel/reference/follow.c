@@ -40,7 +40,8 @@ static struct lit light(const struct sph_ref_job *j, const double at[3], const d
             .org = {at[0], at[1], at[2]},
             .dir = {lamp->pos.x - at[0], lamp->pos.y - at[1], lamp->pos.z - at[2]},
             .skip = hit->id,
-            .inside = hit->far};
+            .inside = hit->far,
+            .light = 1};
         double to[3] = {ray.dir[0], ray.dir[1], ray.dir[2]};
         double cosine = unit(to) ? dot(to, normal) : 0;
         if (!(cosine > 0)) continue;

@@ -201,8 +201,8 @@ static void three(const uint32_t *line, int lsb, int64_t v[3]) {
 struct sph_facet_leaf sph_naive_facet_read(const uint32_t *line) {
     struct sph_facet_leaf f = {.kind = (int)(line[7] >> 30),
                                .id = line[6] >> 24 | (line[7] & 0xffff) << 8,
-                               .before = line[7] >> 16 & 127,
-                               .after = line[7] >> 23 & 127};
+                               .before = line[7] >> 16 & 63,
+                               .after = line[7] >> 23 & 63};
     for (int i = 0; i < 3; i++)
         three(line, 72 * i, f.v[i]);
     return f;

@@ -41,10 +41,20 @@ static struct sph_naive_leaf facet(const struct sph_machine *m, const struct sph
     return sph_naive_facet(sph_machine_profile(m), ray, &f);
 }
 
+/* Whether rays to lights go through primitive `index` as if it were not there. */
+static int is_clear(const struct sph_machine *m, int32_t index) {
+    int facet = on(m, SPH_EFFECT_FACETS) && index >= m->regs[SPH_REG_N_SPHERES];
+    int64_t line = facet ? (int64_t)m->regs[SPH_REG_FACET_BASE] + index - m->regs[SPH_REG_N_SPHERES]
+                         : (int64_t)m->regs[SPH_REG_PRIM_BASE] + index;
+    const uint32_t *words = m->mem + SPH_LINE_WORDS * line;
+    return on(m, SPH_EFFECT_CLEAR) && (facet ? words[7] >> 22 & 1 : words[3] >> 31);
+}
+
 /* Tests primitive `index`; a hit with a smaller key, or the same and a smaller id, replaces *best.
  */
 static void consider(const struct sph_machine *m, const struct sph_ray *ray, int32_t index,
                      struct sph_naive_found *best) {
+    if (ray->kind == SPH_SHADOW && is_clear(m, index)) return;
     struct sph_naive_prim prim = prim_read(m, index);
     struct sph_naive_leaf how =
         prim.facet ? facet(m, ray, index)

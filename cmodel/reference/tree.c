@@ -199,8 +199,15 @@ static void facet(const struct sph_ref_tree *t, uint32_t number, const struct sp
     keep(hit, t_max, best);
 }
 
+static int passes(const struct sph_scene *s, uint32_t id) {
+    uint32_t material =
+        id < s->n_spheres ? s->spheres[id].material : s->facets[id - s->n_spheres].material;
+    return s->materials[material].passes;
+}
+
 static void item(const struct sph_ref_tree *t, uint32_t id, const struct sph_ref_ray *ray,
                  double t_max, struct sph_ref_hit *best) {
+    if (ray->light && passes(t->scene, id)) return;
     if (id < t->scene->n_spheres)
         sphere(&t->scene->spheres[id], id, ray, t_max, best);
     else

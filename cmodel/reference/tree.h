@@ -13,6 +13,7 @@ struct sph_ref_ray {
     double org[3], dir[3];
     uint32_t skip; /* sphere or facet that the ray starts on, SPH_ID_NONE: none */
     int inside;    /* it starts inside that sphere */
+    int light;     /* it goes to a light: what lets shadow rays pass is not met */
 };
 
 struct sph_ref_hit {

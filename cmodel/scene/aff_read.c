@@ -163,6 +163,7 @@ int sph_aff_read(const char *path, const struct sph_read_options *options, struc
     scene->aff = 1;
     if (options) scene->read = *options;
     sph_nff_start(&a->r, scene, options);
+    a->r.clear = 1;
     int bad = sph_lex_open(&a->r.lex, path, err) || take_file(a, path, err);
     a->r.lex.path = scene->path;
     bad = bad || time_of(a, options, &time, err) || sph_aff_pose(a, time, err) ||

@@ -39,8 +39,8 @@ int sph_make_mount(const struct sph_generate_options *options, struct sph_scene 
                                       {0.2, 0.9, 1.1, 0.2},
                                       {-0.3, -0.4, 1.25, 0.25},
                                       {0.7, 0.5, 0.9, 0.15}};
-    const struct sph_material look[2] = {{{0.6, 0.5, 0.35}, 1, 0, 1, 0, 1, 0, {0}},
-                                         {{0.8, 0.85, 0.9}, 0.4, 0.6, 30, 0, 1, 0, {0}}};
+    const struct sph_material look[2] = {{{0.6, 0.5, 0.35}, 1, 0, 1, 0, 1, 0, {0}, 0},
+                                         {{0.8, 0.85, 0.9}, 0.4, 0.6, 30, 0, 1, 0, {0}, 0}};
     static double height[MOST][MOST]; /* all is written before it is read */
     if (options->size < 1 || options->size > 5)
         return sph_fail(err, "mount: size %d is not within 1 to 5", options->size);
@@ -96,7 +96,7 @@ static int add_tetrahedra(struct sph_scene *scene, struct sph_vec ctr, double ha
 /* 4^size tetrahedra, Sierpinski's. */
 int sph_make_tetra(const struct sph_generate_options *options, struct sph_scene *scene,
                    struct sph_error *err) {
-    const struct sph_material look = {{1, 0.2, 0.2}, 1, 0, 1, 0, 1, 0, {0}};
+    const struct sph_material look = {{1, 0.2, 0.2}, 1, 0, 1, 0, 1, 0, {0}, 0};
     if (options->size < 1 || options->size > 5)
         return sph_fail(err, "tetra: size %d is not within 1 to 5", options->size);
     snprintf(scene->name, sizeof scene->name, "tetra%d", options->size);

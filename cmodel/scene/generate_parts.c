@@ -20,7 +20,7 @@ int sph_make_palette(struct sph_scene *scene, double ks, double shine, struct sp
     };
     for (int i = 0; i < SPH_PALETTE_SIZE; i++) {
         struct sph_material m = {
-            {rgb[i][0], rgb[i][1], rgb[i][2]}, 1 - ks, ks, shine, 0, 1, 0, {0}};
+            {rgb[i][0], rgb[i][1], rgb[i][2]}, 1 - ks, ks, shine, 0, 1, 0, {0}, 0};
         if (sph_scene_add_material(scene, &m, err)) return -1;
     }
     return 0;

@@ -55,9 +55,9 @@ int sph_make_shells(const struct sph_generate_options *options, struct sph_scene
 int sph_make_cover(const struct sph_generate_options *options, struct sph_scene *scene,
                    struct sph_error *err) {
     const double ground = 1000, small = 0.2;
-    const struct sph_material mirror = {{0.7, 0.6, 0.5}, 0.2, 0.8, 50, 0, 1, 0, {0}};
-    const struct sph_material earth = {{0.5, 0.5, 0.5}, 1, 0, 1, 0, 1, 0, {0}};
-    const struct sph_material glass = {{1, 1, 1}, 0, 0, 50, 0.9, 1.5, 0, {.on = 1, .kr = 0.1}};
+    const struct sph_material mirror = {{0.7, 0.6, 0.5}, 0.2, 0.8, 50, 0, 1, 0, {0}, 0};
+    const struct sph_material earth = {{0.5, 0.5, 0.5}, 1, 0, 1, 0, 1, 0, {0}, 0};
+    const struct sph_material glass = {{1, 1, 1}, 0, 0, 50, 0.9, 1.5, 0, {.on = 1, .kr = 0.1}, 0};
     struct sph_rng rng = {options->seed};
     sph_make_camera(scene, sph_vec_of(13, 2, 3), sph_vec_of(0, 0, 0), sph_vec_of(0, 1, 0), 20);
     for (int i = 0; i < 3; i++)
@@ -123,7 +123,7 @@ int sph_make_cornell(const struct sph_generate_options *options, struct sph_scen
     grey(scene->ambient, 0.15);
     if (sph_scene_add_light(scene, sph_vec_of(0, 0.9, 0), 1, 0.95, 0.85, err)) return -1;
     for (int i = 0; i < 3; i++) {
-        struct sph_material m = {{rgb[i][0], rgb[i][1], rgb[i][2]}, 1, 0, 1, 0, 1, 0, {0}};
+        struct sph_material m = {{rgb[i][0], rgb[i][1], rgb[i][2]}, 1, 0, 1, 0, 1, 0, {0}, 0};
         if (sph_scene_add_material(scene, &m, err)) return -1;
     }
     for (uint32_t i = 0; i < 5; i++)

@@ -60,7 +60,7 @@ int sph_make_sphereflake(const struct sph_generate_options *options, struct sph_
                          struct sph_error *err) {
     static const struct sph_vec lights[] = {{4, 3, 2}, {1, -4, 4}, {-3, 1, 5}};
     const double bright = 1 / sqrt(3);
-    const struct sph_material mirror = {{1, 0.9, 0.7}, 0.5, 0.5, 37, 0, 1, 0, {0}};
+    const struct sph_material mirror = {{1, 0.9, 0.7}, 0.5, 0.5, 37, 0, 1, 0, {0}, 0};
     struct sph_vec children[N_CHILDREN];
     if (options->size < 1 || options->size > MAX_SIZE)
         return sph_fail(err, "sphereflake: size %d is not within 1 to %d", options->size, MAX_SIZE);
@@ -79,7 +79,7 @@ int sph_make_sphereflake(const struct sph_generate_options *options, struct sph_
 /* The same over a square floor that the first sphere stands on. */
 int sph_make_balls(const struct sph_generate_options *options, struct sph_scene *scene,
                    struct sph_error *err) {
-    const struct sph_material matt = {{1, 0.75, 0.33}, 0.8, 0, 1, 0, 1, 0, {0}};
+    const struct sph_material matt = {{1, 0.75, 0.33}, 0.8, 0, 1, 0, 1, 0, {0}, 0};
     const double half = 12, top = -0.5;
     if (sph_make_sphereflake(options, scene, err) || sph_scene_add_material(scene, &matt, err))
         return -1;

@@ -33,6 +33,10 @@ void sph_nff_put_material(struct sph_nff_writer *w, uint32_t material) {
     w->material = material;
     if (w->sum != m->sum.on) fputs(m->sum.on ? "shading sum\n" : "shading blend\n", w->file);
     w->sum = m->sum.on;
+    if (m->trans > 0 && w->clear != m->passes) {
+        fputs(m->passes ? "shadows clear\n" : "shadows full\n", w->file);
+        w->clear = m->passes;
+    }
     sph_nff_put(w, "f",
                 (double[]){m->rgb[0], m->rgb[1], m->rgb[2], m->kd, m->ks, m->shine, m->trans,
                            m->ior, m->sum.ka, m->sum.kr},

@@ -153,6 +153,7 @@ int sph_nff_take_record(struct sph_reader *r, struct sph_error *err) {
     if (!strcmp(word, "fm")) return sph_nff_take_fm(r, err);
     if (!strcmp(word, "texture")) return sph_nff_take_texture(r, err);
     if (!strcmp(word, "shading")) return sph_nff_take_shading(r, err);
+    if (!strcmp(word, "shadows")) return sph_nff_take_shadows(r, err);
     if (!strcmp(word, "move")) return take_move(r, err);
     if (!strcmp(word, "still")) return take_still(r);
     if (!strcmp(word, "fly")) return take_fly(r, err);

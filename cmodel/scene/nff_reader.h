@@ -18,6 +18,7 @@ struct sph_reader {
     uint32_t material;  /* the newest one of the file */
     int material_used;  /* a primitive uses it */
     int sum;            /* `shading sum`: materials have words of their own */
+    int clear;          /* `shadows clear`: shadow rays pass those that transmit */
     uint32_t texture;   /* of the spheres and planes that follow: index + 1, 0: none */
     uint32_t motion;    /* of the primitives that follow: index + 1, 0: still */
     uint32_t n_groups;  /* of facets so far */
@@ -69,6 +70,7 @@ int sph_nff_take_light(struct sph_reader *r, struct sph_error *err);
 int sph_nff_take_f(struct sph_reader *r, struct sph_error *err);
 int sph_nff_take_fm(struct sph_reader *r, struct sph_error *err);
 int sph_nff_take_shading(struct sph_reader *r, struct sph_error *err);
+int sph_nff_take_shadows(struct sph_reader *r, struct sph_error *err);
 int sph_nff_take_texture(struct sph_reader *r, struct sph_error *err);
 
 /* Takes the name of an image: path is the scene file's folder and the name; of AFF the folder of

@@ -1,5 +1,5 @@
-/* nff_surface.c - what surfaces look like: `f`, `fm`, `shading`, `texture`; see nff_reader.h
- * SPDX-License-Identifier: Apache-2.0
+/* nff_surface.c - what surfaces look like: `f`, `fm`, `shading`, `shadows`, `texture`; see
+ * nff_reader.h SPDX-License-Identifier: Apache-2.0
  */
 #include <math.h>
 #include <string.h>
@@ -18,7 +18,8 @@ int sph_nff_material(struct sph_reader *r, const char *record, const char *what,
 }
 
 /* Adds a material; it replaces the newest one if that is unused. */
-static int add_material(struct sph_reader *r, const struct sph_material *m, struct sph_error *err) {
+static int add_material(struct sph_reader *r, struct sph_material *m, struct sph_error *err) {
+    m->passes = r->clear && m->trans > 0;
     if (r->scene->n_materials > 0 && !r->material_used) {
         r->scene->materials[r->material] = *m;
         return 0;
@@ -76,7 +77,7 @@ int sph_nff_take_f(struct sph_reader *r, struct sph_error *err) {
     if (sph_nff_numbers(r, "f", names, N, f, err) ||
         sph_nff_check_unit(r, "f", names, N_UNIT, f, err) || check_tail(r, "f", f + N_UNIT, err))
         return -1;
-    struct sph_material m = {{f[0], f[1], f[2]}, f[3], f[4], f[5], f[6], f[7], line, {0}};
+    struct sph_material m = {{f[0], f[1], f[2]}, f[3], f[4], f[5], f[6], f[7], line, {0}, 0};
     return take_sum(r, "f", &m, err) ? -1 : add_material(r, &m, err);
 }
 
@@ -110,20 +111,34 @@ int sph_nff_take_fm(struct sph_reader *r, struct sph_error *err) {
                              f[10],
                              f[11],
                              line,
-                             {0}};
+                             {0},
+                             0};
     return take_sum(r, "fm", &m, err) ? -1 : add_material(r, &m, err);
 }
 
-/* shading blend, or shading sum: of the materials that follow */
-int sph_nff_take_shading(struct sph_reader *r, struct sph_error *err) {
+/* One of two words, which says what holds for the materials that follow: *on if it is `yes`. */
+static int take_either(struct sph_reader *r, const char *record, const char *no, const char *yes,
+                       int *on, struct sph_error *err) {
     int got = sph_lex_peek(&r->lex, err);
     if (got < 0) return -1;
-    if (!got) return sph_nff_fail(r, err, "shading", "the file ends before blend or sum");
+    if (!got)
+        return sph_fail(err, "%s:%u: `%s`: the file ends before %s or %s", r->lex.path,
+                        r->lex.token_line, record, no, yes);
     sph_lex_take(&r->lex);
-    r->sum = !strcmp(r->lex.token, "sum");
-    if (r->sum || !strcmp(r->lex.token, "blend")) return 0;
-    return sph_fail(err, "%s:%u: `shading`: `%s` is neither blend nor sum", r->lex.path,
-                    r->lex.token_line, sph_lex_printable(&r->lex));
+    *on = !strcmp(r->lex.token, yes);
+    if (*on || !strcmp(r->lex.token, no)) return 0;
+    return sph_fail(err, "%s:%u: `%s`: `%s` is neither %s nor %s", r->lex.path, r->lex.token_line,
+                    record, sph_lex_printable(&r->lex), no, yes);
+}
+
+/* shading blend, or shading sum */
+int sph_nff_take_shading(struct sph_reader *r, struct sph_error *err) {
+    return take_either(r, "shading", "blend", "sum", &r->sum, err);
+}
+
+/* shadows full, or shadows clear */
+int sph_nff_take_shadows(struct sph_reader *r, struct sph_error *err) {
+    return take_either(r, "shadows", "full", "clear", &r->clear, err);
 }
 
 int sph_nff_image(struct sph_reader *r, const char *record, char path[512], struct sph_error *err) {

@@ -13,15 +13,16 @@ struct sph_nff_writer {
     const struct sph_scene *scene;
     FILE *file;
     uint32_t material, texture, motion;
-    int sum; /* `shading sum` is in force */
+    int sum;   /* `shading sum` is in force */
+    int clear; /* `shadows clear` is */
 };
 
 /* A record: its word, then numbers; and with one vector. */
 void sph_nff_put(struct sph_nff_writer *w, const char *word, const double *values, int n);
 void sph_nff_put_point(struct sph_nff_writer *w, const char *word, struct sph_vec v);
 
-/* Each writes a record if what comes next looks otherwise than what was before: `f` and `shading`,
- * `move` or `still`, `texture` of spheres and planes. */
+/* Each writes a record if what comes next looks otherwise than what was before: `f`, `shading`
+ * and `shadows`, `move` or `still`, `texture` of spheres and planes. */
 void sph_nff_put_material(struct sph_nff_writer *w, uint32_t material);
 void sph_nff_put_motion(struct sph_nff_writer *w, uint32_t motion);
 void sph_nff_put_texture(struct sph_nff_writer *w, uint32_t texture);

@@ -88,7 +88,7 @@ static int element_of_name(const struct import *im, const char *line) {
 static int material_of(struct import *im, int element, struct sph_error *err) {
     const struct sph_element *e = &im->elements.list[element];
     if (im->material[element] >= 0) return im->material[element];
-    struct sph_material m = {{e->rgb[0], e->rgb[1], e->rgb[2]}, 0.85, 0.15, 30, 0, 1, 0, {0}};
+    struct sph_material m = {{e->rgb[0], e->rgb[1], e->rgb[2]}, 0.85, 0.15, 30, 0, 1, 0, {0}, 0};
     if (sph_scene_add_material(im->scene, &m, err)) return -1;
     return im->material[element] = (int)im->scene->n_materials - 1;
 }

@@ -167,15 +167,25 @@ static void put_look(const struct writer *w, uint32_t id, uint32_t material) {
     fputs(" } #end", w->file);
 }
 
+/* Whether shadow rays pass a material. */
+static int passes(const struct writer *w, uint32_t material) {
+    return w->scene->materials[material].passes;
+}
+
 /* What is transparent hides a light whole: the surface itself throws no shadow, and an opaque one
- * that is nowhere seen does. */
+ * that is nowhere seen does, unless shadow rays pass. */
 static void put_primitive(const struct writer *w, uint32_t id) {
     uint32_t material = put_shape(w, id);
     put_look(w, id, material);
     if (clear(w->scene, material)) {
-        fprintf(w->file, " Inside(%u) no_shadow }\n", material);
-        put_shape(w, id);
-        fputs(" Shade()", w->file);
+        fprintf(w->file, " Inside(%u) no_shadow", material);
+        if (!passes(w, material)) {
+            fputs(" }\n", w->file);
+            put_shape(w, id);
+            fputs(" Shade()", w->file);
+        }
+    } else if (passes(w, material)) {
+        fputs(" no_shadow", w->file);
     }
     fputs(" }\n", w->file);
 }
@@ -184,7 +194,7 @@ static void put_primitive(const struct writer *w, uint32_t id) {
 static void put_solid(const struct writer *w, uint32_t material) {
     const struct sph_scene *s = w->scene;
     uint32_t n = 0;
-    for (int shade = 0; shade < 2; shade++) {
+    for (int shade = 0; shade < 2 - passes(w, material); shade++) {
         for (uint32_t i = 0; i < s->n_facets; i++) {
             if (endless(s, i) || s->facets[i].material != material) continue;
             if (!n++) fputs("union {\n", w->file);

@@ -50,6 +50,7 @@ struct sph_material {
     double kd, ks, shine, trans, ior; /* NFF `f`; ks is highlight and mirror weight */
     int line;                         /* of the file, for messages; 0 if generated */
     struct sph_sum sum;
+    int passes; /* shadow rays pass what has it: `shadows clear`, and trans is not 0 */
 };
 
 struct sph_sphere {

@@ -12,5 +12,7 @@ static void keep(struct sph_hit *best, struct sph_hit hit) {
 void sph_leaf_visit(struct sph_probe *probe, const uint32_t *record) {
     uint32_t kind = sph_record_kind(probe->whole, record);
     struct sph_hit hit;
-    if (sph_prim_of(kind)->test(probe, record, &hit)) keep(&probe->best, hit);
+    if (!sph_prim_of(kind)->test(probe, record, &hit)) return;
+    if (probe->passes && sph_record_clear(kind, record)) return;
+    keep(&probe->best, hit);
 }

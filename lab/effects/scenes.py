@@ -36,7 +36,7 @@ def whole(cores):
     """The core with everything that draws what a core draws."""
     words = cores.split("+")
     more = WHOLE if set(words) & set(MORE) else "all"
-    more += "+smooth" if "smooth" in words else ""
+    more += "".join("+" + word for word in ("smooth", "clear") if word in words)
     return more + "+bih" if "bih" in words else more
 
 

@@ -31,6 +31,7 @@ module rt_core #(
     parameter SPECULAR   = 0,    // 0 or 1: highlights of materials with sum
     parameter SUM        = 0,    // 0 or 1: materials whose shares add up, colour on top of rays
     parameter SMOOTH     = 0,    // 0 or 1: interpolated normals of triangles
+    parameter CLEAR      = 0,    // 0 or 1: shadow rays pass what is marked as clear
     parameter COARSE     = 0,    // 0..8: bits of the fraction of levels rounded away
     parameter RECT       = 1,    // 0 or 1: background separation by rectangle
     parameter SPANS      = 1,    // 0 or 1: background separation by spans in memory
@@ -305,7 +306,7 @@ module rt_core #(
                         .LIGHTS(LIGHTS), .INSIDE(INSIDE), .FIRST(FIRST),
                         .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),
                         .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM),
-                        .ACCEL(BOXES != 0 ? 2 : ACCEL), .SMOOTH(SMOOTH),
+                        .ACCEL(BOXES != 0 ? 2 : ACCEL), .SMOOTH(SMOOTH), .CLEAR(CLEAR),
                         .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES),
                         .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS),
                         .TEXTURE_GROUP(TEXTURE_GROUP), .TEXTURE_COORDS(TEXTURE_COORDS),

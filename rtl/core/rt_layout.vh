@@ -51,7 +51,7 @@
 `define RT_CONE_LINES 4
 `define RT_MAX_FACETS 1048576
 `define RT_MAX_PLANES 6
-`define RT_MAX_GROUP 128
+`define RT_MAX_GROUP 64
 `define RT_TEXTURE_SIDE 2048
 `define RT_TEXTURE_LEVELS 12
 `define RT_INDEX_ONE 1000
@@ -104,6 +104,8 @@
 `define RT_LEAF_RAD_BITS 24
 `define RT_LEAF_ID_LSB 96
 `define RT_LEAF_ID_BITS 24
+`define RT_LEAF_CLEAR_LSB 127
+`define RT_LEAF_CLEAR_BITS 1
 `define RT_LEAF_STRIDE 128
 `define RT_PRIM_RED_LSB 128
 `define RT_PRIM_RED_BITS 8
@@ -114,7 +116,7 @@
 `define RT_PRIM_KR_LSB 152
 `define RT_PRIM_KR_BITS 9
 `define RT_PRIM_KIND_LSB 120
-`define RT_PRIM_KIND_BITS 8
+`define RT_PRIM_KIND_BITS 7
 `define RT_PRIM_TEX_LSB 192
 `define RT_PRIM_TEX_BITS 26
 `define RT_PRIM_KT_LSB 161
@@ -152,9 +154,11 @@
 `define RT_FACET_ID_LSB 216
 `define RT_FACET_ID_BITS 24
 `define RT_FACET_BEFORE_LSB 240
-`define RT_FACET_BEFORE_BITS 7
+`define RT_FACET_BEFORE_BITS 6
+`define RT_FACET_CLEAR_LSB 246
+`define RT_FACET_CLEAR_BITS 1
 `define RT_FACET_AFTER_LSB 247
-`define RT_FACET_AFTER_BITS 7
+`define RT_FACET_AFTER_BITS 6
 `define RT_FACET_KIND_LSB 254
 `define RT_FACET_KIND_BITS 2
 `define RT_FACET_MORE_LSB 248
@@ -399,12 +403,13 @@
 `define RT_EFFECT_SPECULAR 8
 `define RT_EFFECT_SUM 9
 `define RT_EFFECT_SMOOTH 10
-`define RT_EFFECT_BITS 11
+`define RT_EFFECT_CLEAR 11
+`define RT_EFFECT_BITS 12
 `define RT_KINDS 3
 `define RT_COUNTERS 22
 `define RT_COUNTERS_BOTH 3605503
 `define RT_ERRORS 6
-`define RT_EFFECTS_BUILT (32'd0 | (SHADOW != 0 ? 32'd1 << 0 : 32'd0) | (REFLECT != 0 ? 32'd1 << 1 : 32'd0) | (INSIDE != 0 ? 32'd1 << 2 : 32'd0) | (FIRST != 0 ? 32'd1 << 3 : 32'd0) | (INTERPENETRATE != 0 ? 32'd1 << 4 : 32'd0) | (FACETS != 0 ? 32'd1 << 5 : 32'd0) | (TEXTURE != 0 ? 32'd1 << 6 : 32'd0) | (REFRACT != 0 ? 32'd1 << 7 : 32'd0) | (SPECULAR != 0 ? 32'd1 << 8 : 32'd0) | (SUM != 0 ? 32'd1 << 9 : 32'd0) | (SMOOTH != 0 ? 32'd1 << 10 : 32'd0))
+`define RT_EFFECTS_BUILT (32'd0 | (SHADOW != 0 ? 32'd1 << 0 : 32'd0) | (REFLECT != 0 ? 32'd1 << 1 : 32'd0) | (INSIDE != 0 ? 32'd1 << 2 : 32'd0) | (FIRST != 0 ? 32'd1 << 3 : 32'd0) | (INTERPENETRATE != 0 ? 32'd1 << 4 : 32'd0) | (FACETS != 0 ? 32'd1 << 5 : 32'd0) | (TEXTURE != 0 ? 32'd1 << 6 : 32'd0) | (REFRACT != 0 ? 32'd1 << 7 : 32'd0) | (SPECULAR != 0 ? 32'd1 << 8 : 32'd0) | (SUM != 0 ? 32'd1 << 9 : 32'd0) | (SMOOTH != 0 ? 32'd1 << 10 : 32'd0) | (CLEAR != 0 ? 32'd1 << 11 : 32'd0))
 `define RT_DEEPEST (REFRACT != 0 && REFLECT < `RT_REFRACT_DEPTH ? `RT_REFRACT_DEPTH : REFLECT)
 `define RT_CHECK_CORE  \
     `RT_CHECK(W >= 8 && W <= 24, rt_core_W_must_be_8_to_24) \
@@ -430,6 +435,8 @@
     `RT_CHECK(SUM >= 0 && SUM <= 1, rt_core_SUM_must_be_0_to_1) \
     `RT_CHECK(SMOOTH >= 0 && SMOOTH <= 1, rt_core_SMOOTH_must_be_0_to_1) \
     `RT_CHECK(SMOOTH == 0 || FACETS != 0, rt_core_SMOOTH_needs_FACETS) \
+    `RT_CHECK(CLEAR >= 0 && CLEAR <= 1, rt_core_CLEAR_must_be_0_to_1) \
+    `RT_CHECK(CLEAR == 0 || SHADOW != 0, rt_core_CLEAR_needs_SHADOW) \
     `RT_CHECK(COARSE >= 0 && COARSE <= 8, rt_core_COARSE_must_be_0_to_8) \
     `RT_CHECK(COARSE == 0 || TEXTURE != 0, rt_core_COARSE_needs_TEXTURE) \
     `RT_CHECK(RECT >= 0 && RECT <= 1, rt_core_RECT_must_be_0_to_1) \

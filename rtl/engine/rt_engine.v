@@ -32,6 +32,7 @@ module rt_engine #(
     parameter SPECULAR   = 0,
     parameter SUM        = 0,
     parameter SMOOTH     = 0,
+    parameter CLEAR      = 0,
     parameter ACCEL      = 0,    // 0: nodes of four spheres, 1: BIH, 2: nodes of four boxes
     parameter NODE_LINES = 256,  // node cache of a pipe
     parameter LEAF_LINES = 128,  // leaf and primitive cache of a leaf unit
@@ -138,7 +139,7 @@ module rt_engine #(
     rt_exacts #(.W(W), .WD(WD), .NG(NG), .EXACTS(EXACTS), .PIPES(PIPES), .SHADES(SHADES),
                 .SLOTS(SLOTS), .LINES(LEAF_LINES), .ROOTS(ROOTS), .ROOT_STEP(ROOT_STEP), .PR(PR),
                 .LEAF_INTERVAL(LEAF_INTERVAL), .SHADOW(SHADOWS), .INSIDE(INSIDE), .FACETS(FACETS),
-                .DIVISIONS(DIVISIONS), .DIVISION_STEP(DIVISION_STEP),
+                .CLEAR(CLEAR), .DIVISIONS(DIVISIONS), .DIVISION_STEP(DIVISION_STEP),
                 .FACET_INTERVAL(FACET_INTERVAL)) u_exacts (
         .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i), .ray_i(ray), .lift_i(lift),
         .visit_i(visit), .result_o(result), .fetch_i(fetch), .fetch_ready_o(fetch_ready),

@@ -78,16 +78,16 @@ module rt_facet #(
 
     // ---- meanwhile: is it of the ray's own group? the longest axis of dir, size and room ----
     reg  [24:0]     t1_apart_q;                  // skip - id
-    reg  [6:0]      t1_before_q, t1_after_q;
+    reg  [5:0]      t1_before_q, t1_after_q;
     reg  [3*W-1:0]  t1_org_q;
     reg  [3*WD-1:0] t1_dir_q;
     reg             t1_q, t2_q, t2_own_q, t2_z_q, t2_y_q;
     reg  [3*W-1:0]  t2_org_q;
     reg  [3*WD-1:0] t2_size_q;
     reg  [2:0]      t2_neg_q;
-    wire [7:0]      reach = {1'b0, t1_apart_q[6:0]} + {1'b0, t1_before_q};
-    wire            own   = t1_apart_q[24:7] == 18'd0 ? t1_apart_q[6:0] <= t1_after_q
-                            : &t1_apart_q[24:7] && reach[7];
+    wire [6:0]      reach = {1'b0, t1_apart_q[5:0]} + {1'b0, t1_before_q};
+    wire            own   = t1_apart_q[24:6] == 19'd0 ? t1_apart_q[5:0] <= t1_after_q
+                            : &t1_apart_q[24:6] && reach[6];
     function [WD-1:0] size_of(input [WD-1:0] d);
         size_of = (d ^ {WD{d[WD-1]}}) + {{(WD-1){1'b0}}, d[WD-1]};
     endfunction
@@ -240,7 +240,7 @@ module rt_facet #(
         p_valid ? p_tag : d[TAG+1:1];
     assign result_o[`RT_RESULT_HIT] = p_valid || d[0];
     assign result_o[`RT_RESULT_KEY] = p_valid ? p_key : {{(W+WD+1){1'b0}}, 1'b1};
-    wire unused = &{1'b0, a_in, a_valid, b_in, b_valid, k_in, d_in, size_d, size_n, reach[6:0],
+    wire unused = &{1'b0, a_in, a_valid, b_in, b_valid, k_in, d_in, size_d, size_n, reach[5:0],
                     test_i, record};
 endmodule
 `default_nettype wire

@@ -5,7 +5,8 @@
 // No module outside this folder asks which kind a primitive is. Each kind has the same ports: a
 // test, a result with the slot and the id of the test, valid and ready of both. It may take any
 // number of clocks and answer in any order, and may put a result before one that waits. A record
-// of no kind goes to the spheres, which count it as a miss. An urgent result of a sphere goes
+// of no kind goes to the spheres, which count it as a miss, and so does what is clear to a ray
+// towards a light. An urgent result of a sphere goes
 // first, then facets, then other spheres; rt_trace takes one a clock.
 // Model: sph_prim_of() in cmodel/prim/prim.c
 `timescale 1ns / 1ps
@@ -24,6 +25,7 @@ module rt_prim #(
     parameter SHADOW = 1,   // 1: shadow rays
     parameter INSIDE = 1,   // 1: rays that start inside a sphere
     parameter FACETS = 0,   // 1: triangles and planes too, a line a leaf
+    parameter CLEAR  = 0,   // 1: shadow rays pass what is marked as clear
     parameter DIVISIONS = 1, // dividers for their keys
     parameter DIVISION_STEP = 2, // bits of a key a clock
     parameter FACET_INTERVAL = 2 // clocks an exact test of a facet: 1, 2 or 4
@@ -55,7 +57,9 @@ module rt_prim #(
     wire [UNITS-1:0] mine, to, ready;
     assign mine[SPHERE] = !whole || kind_is(head, `RT_SPHERE);
     wire   none = mine == {UNITS{1'b0}};
-    assign to   = none ? SPHERES : mine;
+    wire   clear = CLEAR != 0 && effects_i[`RT_EFFECT_CLEAR] && test_i[`RT_TEST_SHADOW] &&
+                   record[mine[SPHERE] ? `RT_LEAF_CLEAR_LSB : `RT_FACET_CLEAR_LSB];
+    assign to   = none || clear ? SPHERES : mine;
     assign in_ready_o = |(to & ready);
     wire   taken = in_valid_i && in_ready_o;
     assign bad_o = taken && none;
@@ -87,7 +91,7 @@ module rt_prim #(
                 .INSIDE(INSIDE)) u_sphere (
         .clk(clk), .rst(rst), .inside_on_i(effects_i[`RT_EFFECT_INSIDE]),
         .in_valid_i(in_valid_i && to[SPHERE]), .in_ready_o(ready[SPHERE]), .test_i(test_i),
-        .in_miss_i(error || none),
+        .in_miss_i(error || none || clear),
         .result_o(sphere_result), .result_ready_i(give[SPHERE]), .urgent_o(urgent[SPHERE]),
         .root_o(event_o[`RT_PRIM_EVENT_ROOT])
     );

@@ -24,6 +24,7 @@ module rt_exacts #(
     parameter SHADOW = 1,   // 1: shadow rays
     parameter INSIDE = 1,   // 1: rays that start inside a sphere
     parameter FACETS = 0,   // 1: triangles and planes too, a line a leaf
+    parameter CLEAR  = 0,   // 1: shadow rays pass what is marked as clear
     parameter DIVISIONS = 1, // dividers for their keys
     parameter DIVISION_STEP = 2, // bits of a key a clock
     parameter FACET_INTERVAL = 2 // clocks an exact test of a facet: 1, 2 or 4
@@ -81,8 +82,8 @@ module rt_exacts #(
             rt_leaf_unit #(.W(W), .WD(WD), .NG(NG), .SLOTS(SLOTS >> XB), .PIPES(N), .LINES(LINES),
                        .ROOTS(ROOTS), .ROOT_STEP(ROOT_STEP), .PR(PR),
                        .LEAF_INTERVAL(LEAF_INTERVAL), .SHADOW(SHADOW), .INSIDE(INSIDE),
-                       .FACETS(FACETS), .DIVISIONS(DIVISIONS), .DIVISION_STEP(DIVISION_STEP),
-                       .FACET_INTERVAL(FACET_INTERVAL)) u_exact (
+                       .FACETS(FACETS), .CLEAR(CLEAR), .DIVISIONS(DIVISIONS),
+                       .DIVISION_STEP(DIVISION_STEP), .FACET_INTERVAL(FACET_INTERVAL)) u_exact (
                 .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i),
                 .ray_i(ray), .lift_i(lift_i), .visit_i(all[N*VB*x +: N*VB]),
                 .result_o(result_o[RB*x +: RB]),

@@ -34,6 +34,7 @@ module tb_core_icarus #(
     parameter SPECULAR   = 0,    // 0 or 1: highlights of materials with sum
     parameter SUM        = 0,    // 0 or 1: materials whose shares add up, colour on top of rays
     parameter SMOOTH     = 0,    // 0 or 1: interpolated normals of triangles
+    parameter CLEAR      = 0,    // 0 or 1: shadow rays pass what is marked as clear
     parameter COARSE     = 0,    // 0..8: bits of the fraction of levels rounded away
     parameter RECT       = 1,    // 0 or 1: background separation by rectangle
     parameter SPANS      = 1,    // 0 or 1: background separation by spans in memory
@@ -102,7 +103,7 @@ module tb_core_icarus #(
         // connections of machine.def
         .SHADOW(SHADOW), .REFLECT(REFLECT), .LIGHTS(LIGHTS), .INSIDE(INSIDE),
         .FIRST(FIRST), .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),
-        .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM), .SMOOTH(SMOOTH),
+        .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM), .SMOOTH(SMOOTH), .CLEAR(CLEAR),
         .COARSE(COARSE), .RECT(RECT), .SPANS(SPANS), .CONES(CONES), .ACCEL(ACCEL),
         .BOXES(BOXES), .ENGINES(ENGINES), .PIPES(PIPES), .EXACTS(EXACTS), .SHADES(SHADES),
         .SLOTS(SLOTS), .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES),

@@ -307,8 +307,8 @@ void compare(Bench &b, const Expected &e) {
             b.show("dir", x.ray.dir[i], WD);
         for (int i = 0; i < 3; i++)
             b.show("lift", x.ray.lift[i], NG + 2);
-        b.show("before", x.facet.before, 7);
-        b.show("after", x.facet.after, 7);
+        b.show("before", x.facet.before, SPH_FACET_BEFORE_BITS);
+        b.show("after", x.facet.after, SPH_FACET_AFTER_BITS);
         b.show("skip", x.ray.skip.id, 24);
         b.show("model det'", (bench::i128)e.r.det, 2 * W + WD + 2);
         b.show("model num'", e.r.num, 3 * W + 2);

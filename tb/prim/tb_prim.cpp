@@ -2,10 +2,10 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Every slot gets a ray, then records: lines or halves of lines of a machine's memory, leaf records
- * or not, some of them of no kind, some with an error. A vector is a result; a slot has up to four
- * tests under way, whose results come in any order. Now and then all of them are of one sphere and
- * a ray that hits it, so that the queue of roots is full. The default run has to meet every kind
- * with every outcome.
+ * or not, some of them of no kind, some with an error, some clear to rays towards a light. A vector
+ * is a result; a slot has up to four tests under way, whose results come in any order. Now and then
+ * all of them are of one sphere and a ray that hits it, so that the queue of roots is full. The
+ * default run has to meet every kind with every outcome.
  * Compiled with -O0, for it has few vectors.
  */
 #include "Vrt_prim.h"
@@ -19,6 +19,9 @@
 #endif
 #ifndef FACETS
 #define FACETS 0
+#endif
+#ifndef CLEAR
+#define CLEAR 0
 #endif
 
 namespace {
@@ -43,12 +46,13 @@ class Prim : public bench::Bench<Vrt_prim> {
         dut.in_valid_i = 0;
     }
 
-    /* Nothing is under way: INSIDE and FACETS on or off. */
+    /* Nothing is under way: INSIDE, FACETS and CLEAR on or off. */
     void phase() {
         int32_t &effects = world.m.regs[SPH_REG_EFFECTS];
-        effects &= ~(1 << SPH_EFFECT_INSIDE | 1 << SPH_EFFECT_FACETS);
+        effects &= ~(1 << SPH_EFFECT_INSIDE | 1 << SPH_EFFECT_FACETS | 1 << SPH_EFFECT_CLEAR);
         if (INSIDE && random.percent(70)) effects |= 1 << SPH_EFFECT_INSIDE;
         if (FACETS && random.percent(80)) effects |= 1 << SPH_EFFECT_FACETS;
+        if (CLEAR && random.percent(80)) effects |= 1 << SPH_EFFECT_CLEAR;
         dut.effects_i = (uint32_t)effects;
         for (Slot &s : slots)
             s.begun = false; /* rays carry what the model knows of INSIDE */
@@ -95,6 +99,7 @@ class Prim : public bench::Bench<Vrt_prim> {
 
     /* Every kind, and each outcome that it can have. */
     void came() {
+        if (CLEAR && all_vectors && !passed) fail("no ray passed a clear primitive");
         for (int c = 0; c < CLASSES && all_vectors; c++)
             for (int hit = 0; hit < 2; hit++) {
                 bool can =
@@ -107,8 +112,8 @@ class Prim : public bench::Bench<Vrt_prim> {
     world::World world;
     Slot slots[SLOTS];
     struct sph_counters counters = {};
-    long seen[4] = {}, met[CLASSES][2] = {};
-    unsigned pace = 100; /* percent of clocks with a new test */
+    long seen[4] = {}, met[CLASSES][2] = {}, passed = 0; /* passed: what is clear, by light */
+    unsigned pace = 100;                                 /* percent of clocks with a new test */
     uint32_t record[SPH_LINE_WORDS] = {};
     int at = 0, offered = 0;           /* slot and class of the test that is offered */
     bool burst = false, lucky = false; /* a hit is repeated; there is one */
@@ -134,6 +139,9 @@ class Prim : public bench::Bench<Vrt_prim> {
             record[i] = whole || i < SPH_LEAF_STRIDE / 32 ? words[i] : (uint32_t)random.next();
         if (burst && lucky) std::copy(std::begin(hit_record), std::end(hit_record), record);
         uint32_t kind = sph_record_kind(whole, record);
+        bool clear = random.percent(30); /* what a core without CLEAR passes over */
+        sph_field_set(record, SPH_LEAF_CLEAR_LSB, !kind, clear);
+        if (whole && kind) sph_field_set(record, SPH_FACET_CLEAR_LSB, 1, clear);
         bool error = random.percent(5);
         offered = error ? BAD : kind < SPH_KINDS ? (int)kind : NO_KIND;
         put(s.ray, error);
@@ -163,6 +171,11 @@ class Prim : public bench::Bench<Vrt_prim> {
             counters.count[SPH_COUNT_LEAF_TESTS]++;
         else
             sph_leaf_visit(&probe, record);
+        struct sph_counters aside = {};
+        struct sph_probe full = sph_probe_of(&world.m, &s.ray, &aside, &errors);
+        full.passes = 0;
+        if (probe.passes && offered < NO_KIND) sph_leaf_visit(&full, record);
+        passed += full.best.key && !probe.best.key;
         s.wanted.push_back(probe.best);
         met[offered][probe.best.key != 0]++;
         if (lucky || offered != SPH_SPHERE || probe.best.key <= 1) return;

@@ -93,9 +93,9 @@ static void test_near(void **unused) {
     assert_true(yes > 400 / SLOW && no > 400 / SLOW);
 }
 
-static struct sph_material materials[] = {{{0.9, 0.5, 0.3}, 0.7, 0.3, 1, 0, 1, 0, {0}},
-                                          {{0.3, 0.9, 0.5}, 0.2, 0.8, 1, 0, 1, 0, {0}},
-                                          {{0.5, 0.3, 0.9}, 1, 0, 1, 0, 1, 0, {0}}};
+static struct sph_material materials[] = {{{0.9, 0.5, 0.3}, 0.7, 0.3, 1, 0, 1, 0, {0}, 0},
+                                          {{0.3, 0.9, 0.5}, 0.2, 0.8, 1, 0, 1, 0, {0}, 0},
+                                          {{0.5, 0.3, 0.9}, 1, 0, 1, 0, 1, 0, {0}, 0}};
 
 /* A grid unit is one unit of the scene: a black light makes it so large. */
 static struct sph_scene units(struct sph_build_options *o) {

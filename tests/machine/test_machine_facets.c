@@ -66,6 +66,7 @@ static void test_table(void **unused) {
     field(&m, first, FACET(BEFORE), 1, "the polygon of facet 1 is 0..1, facets are 1..5");
     field(&m, first, FACET(AFTER), 5, "the polygon of facet 1 is 1..6, facets are 1..5");
     field(&m, first + 3 * SPH_LINE_WORDS, FACET(BEFORE), 4, "the polygon of facet 4 is 0..4");
+    field(&m, first, SPH_FACET_KIND_LSB - 1, 1, 1, "a bit of the triangle that must be 0 is not");
     for (int i = 0; i < 9; i++) {
         field(&m, first, 24 * i, 24, 1 << 15, "of the triangle is not on the grid");
         field(&m, first, 24 * i, 24, -(1 << 15) - 1, "of the triangle is not on the grid");
@@ -134,7 +135,8 @@ static void test_records(void **unused) {
     struct sph_machine m = example();
     uint32_t *sphere = line_of(&m, SPH_REG_PRIM_BASE, 0), *facet = sphere + SPH_LINE_WORDS;
     field(&m, sphere, SPH_PRIM_KIND_LSB, 8, SPH_TRIANGLE, "primitive 0: not marked as a sphere");
-    field(&m, sphere, SPH_PRIM_KIND_LSB, 8, 128, "primitive 0: not marked");
+    field(&m, sphere, SPH_PRIM_KIND_LSB, 7, 64, "primitive 0: not marked");
+    field(&m, sphere, SPH_LEAF_CLEAR_LSB, 1, 1, "leaf 0 differs from its primitive record");
     field(&m, facet, SPH_PRIM_KIND_LSB, 8, SPH_SPHERE, "primitive 1: not marked as a facet");
     field(&m, facet, SPH_PRIM_KIND_LSB, 8, SPH_KINDS, "primitive 1: not marked as a facet");
     field(&m, facet, SPH_PRIM_KIND_LSB, 8, SPH_PLANE,

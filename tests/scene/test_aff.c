@@ -264,7 +264,20 @@ static void test_mesh(void **unused) {
     assert_int_equal(s.facets[2].texture, 1);
     assert_true(s.ambient[0] == 1 && s.ambient[2] == 0.25);
     assert_true(s.facets[0].smooth && s.facets[0].n[1].z == 1 && s.facets[2].smooth);
+    assert_false(s.materials[0].passes); /* it transmits nothing */
     assert_non_null(strstr(s.textures[0].path, "/../TextureFiles/a.ppm")); /* none beside it */
+    sph_scene_free(&s);
+}
+
+/* Shadow rays pass whatever transmits. */
+static void test_clear(void **unused) {
+    (void)unused;
+    struct sph_scene s = read_at(CAM "f 1 1 1 1 0 0 0.2 1\ns 0 0 0 1\nfm 0 0 0 1 1 1 0 0 0 1 0 1\n"
+                                     "s 0 0 0 2\n",
+                                 0);
+    assert_true(s.materials[s.spheres[0].material].passes);
+    assert_false(s.materials[s.spheres[1].material].passes);
+    round_trip(&s);
     sph_scene_free(&s);
 }
 
@@ -390,13 +403,13 @@ static int end(void **state) {
 int main(int argc, char **argv) {
     enum { N_BADS = sizeof bads / sizeof *bads, N_TESTS = 12 };
     struct CMUnitTest tests[N_TESTS + N_BADS] = {
-        cmocka_unit_test(test_transforms), cmocka_unit_test(test_still),
-        cmocka_unit_test(test_keys),       cmocka_unit_test(test_frames),
-        cmocka_unit_test(test_spline),     cmocka_unit_test(test_turn),
-        cmocka_unit_test(test_camera),     cmocka_unit_test(test_patch),
-        cmocka_unit_test(test_mesh),       cmocka_unit_test(test_scaled_normal),
-        cmocka_unit_test(test_include),    cmocka_unit_test(test_skip),
-        cmocka_unit_test(test_mutants)};
+        cmocka_unit_test(test_transforms),    cmocka_unit_test(test_still),
+        cmocka_unit_test(test_keys),          cmocka_unit_test(test_frames),
+        cmocka_unit_test(test_spline),        cmocka_unit_test(test_turn),
+        cmocka_unit_test(test_camera),        cmocka_unit_test(test_patch),
+        cmocka_unit_test(test_mesh),          cmocka_unit_test(test_clear),
+        cmocka_unit_test(test_scaled_normal), cmocka_unit_test(test_include),
+        cmocka_unit_test(test_skip),          cmocka_unit_test(test_mutants)};
     for (int i = 0; i < N_BADS; i++)
         tests[N_TESTS + i] = (struct CMUnitTest){
             .name = bads[i].name, .test_func = test_bad, .initial_state = (void *)&bads[i]};

@@ -38,6 +38,8 @@ static const struct bad bads[] = {
      CAM SUM "f 1 1 1 .1 .1 50 .7 .25\ns 0 0 0 3\nf 1 1 1 .1 .1 50 .7 1.5\ns 0 0 0 1\n", 12,
      "`s`: index of refraction 1.5 in 0.25: the ratio is not within 0.25 to 4", 0, 0},
     {"shading_other", CAM "shading phong\n", 8, "`phong` is neither blend nor sum", 0, 0},
+    {"shadows_other", CAM "shadows half\n", 8, "`shadows`: `half` is neither full nor clear", 0, 0},
+    {"shadows_nothing", CAM "shadows", 8, "`shadows`: the file ends before full or clear", 0, 0},
     {"shading_number", CAM "shading 1\n", 8, "`1` is neither blend nor sum", 0, 0},
     {"shading_nothing", CAM "shading", 8, "the file ends before blend or sum", 0, 0},
 };
@@ -114,6 +116,21 @@ static void test_read(void **state) {
         assert_true(sum->on == m[i].sum.on && sum->ka == m[i].sum.ka && sum->kr == m[i].sum.kr);
     }
     sph_scene_free(&again);
+    sph_scene_free(&s);
+}
+
+/* Shadow rays pass materials that transmit, from `shadows clear` to `shadows full`. */
+static void test_shadows(void **state) {
+    (void)state;
+    struct sph_scene s =
+        read_text(CAM "f 1 1 1 1 0 0 .5 1\ns 0 0 0 1\nshadows clear\ns 1 0 0 1\n"
+                      "f 1 1 1 1 0 0 0 1\ns 2 0 0 1\nf 1 1 1 1 0 0 .01 1\ns 3 0 0 1\n" SUM
+                      "fm 0 0 0 1 1 1 0 0 0 1 .5 1.5\ns 4 0 0 1\ns 5 0 0 -.5\n"
+                      "shadows full\nf 1 1 1 1 0 0 .5 1.5\ns 6 0 0 1\n");
+    static const int want[] = {0, 0, 0, 1, 1, 1, 0};
+    for (uint32_t i = 0; i < 7; i++)
+        assert_int_equal(s.materials[s.spheres[i].material].passes, want[i]);
+    round_trip(&s);
     sph_scene_free(&s);
 }
 
@@ -319,10 +336,10 @@ static void test_nested_machine(void **state) {
 
 int main(void) {
     const struct CMUnitTest others[] = {
-        cmocka_unit_test(test_read),           cmocka_unit_test(test_nesting),
-        cmocka_unit_test(test_nested_machine), cmocka_unit_test(test_words),
-        cmocka_unit_test(test_effects),        cmocka_unit_test(test_build_refuses),
-        cmocka_unit_test(test_machine_refused)};
+        cmocka_unit_test(test_read),          cmocka_unit_test(test_shadows),
+        cmocka_unit_test(test_nesting),       cmocka_unit_test(test_nested_machine),
+        cmocka_unit_test(test_words),         cmocka_unit_test(test_effects),
+        cmocka_unit_test(test_build_refuses), cmocka_unit_test(test_machine_refused)};
     return run_cases("scene_optics", test_bad, bads, sizeof bads / sizeof bads[0], others,
                      sizeof others / sizeof others[0]);
 }

@@ -49,7 +49,7 @@ static void mirrored(struct wall *w) {
     w->facet[1].line = 1;
     w->facet[0].texture = 0;
     w->facet[0].material = 1;
-    w->material[1] = (struct sph_material){{1, 1, 1}, 0, 1, 1, 0, 1, 1, {0}};
+    w->material[1] = (struct sph_material){{1, 1, 1}, 0, 1, 1, 0, 1, 1, {0}, 0};
     w->scene.materials = w->material;
     w->scene.n_materials = w->scene.n_facets = 2;
 }
@@ -199,7 +199,7 @@ static void white_image(void **state) {
     mirrored(&w);
     w.facet[0].texture = 1;
     w.material[0].rgb[1] = 0.3;
-    w.material[1] = (struct sph_material){{0.9, 0.5, 0.1}, 0.6, 0.4, 1, 0, 1, 1, {0}};
+    w.material[1] = (struct sph_material){{0.9, 0.5, 0.1}, 0.6, 0.4, 1, 0, 1, 1, {0}, 0};
     struct sph_sphere ball = {.ctr = {1, 1, -6}, .rad = 2, .material = 1, .texture = 1};
     w.texture.repeat[0] = w.texture.repeat[1] = 1;
     w.scene.spheres = &ball;
