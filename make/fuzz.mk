@@ -46,7 +46,7 @@ $(FUZZ)/afl/obj/%.o: %.c $B/flags
 	@mkdir -p $(@D)
 	$(call compile_whole,$(AFL_CC) $(AFL_FLAGS))
 $(FUZZ)/afl/libsphaera.a: $(patsubst %.c,$(FUZZ)/afl/obj/%.o,$(LIB_C)) $B/sources
-$(FUZZ)/afl/obj/cmodel/fast/walk_avx2.o: override AFL_FLAGS += $(AVX2)
+$(FUZZ)/afl/obj/cmodel/fast/%_avx2.o: override AFL_FLAGS += $(AVX2)
 $(patsubst %.cpp,$(FUZZ)/afl/obj/%.o,$(IMAGE_CXX)): $(FUZZ)/afl/obj/%.o: $B/obj/%.o
 	@mkdir -p $(@D)
 	@cp $< $@

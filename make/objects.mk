@@ -66,8 +66,8 @@ $(VERSION_O): override CFLAGS += -DSPHAERA_RELEASE='"$(VERSION)"'
 # Files that ask for more than every processor of its kind has; who calls them looks whether this
 # one has it (cmodel/fast/decode.c).
 AVX2 := $(if $(findstring x86_64,$(shell $(CC) -dumpmachine)),-mavx2)
-$B/obj/cmodel/fast/walk_avx2.o $B/asan/obj/cmodel/fast/walk_avx2.o: override CFLAGS += $(AVX2)
-$B/clang/obj/cmodel/fast/walk_avx2.o: override CLANG_FLAGS += $(AVX2)
+$B/obj/cmodel/fast/%_avx2.o $B/asan/obj/cmodel/fast/%_avx2.o: override CFLAGS += $(AVX2)
+$B/clang/obj/cmodel/fast/%_avx2.o: override CLANG_FLAGS += $(AVX2)
 
 # What the tool loads when a picture is asked for: cmodel/image/lazy.c.
 $(PICTURE): $(call objects,obj/,$(IMAGE_CXX) cmodel/image/plain.c) $(LIB) $B/sources

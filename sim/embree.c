@@ -1,10 +1,11 @@
-/* embree.c - the rays of a machine's frame through Embree, the literal and the fast walk: times
+/* embree.c - the rays of a machine's frame through Embree and the walks of the model: times
  * SPDX-License-Identifier: Apache-2.0
  *
  * usage: embree MACHINE.sph [ROUNDS]       for make bench; JSON on standard output
  *
- * Rays are those that the golden model traces for the frame, in its order, one thread, one ray
- * after another. A time has all from origin and direction to the hit: the set-up of a ray too.
+ * Rays are those that the golden model traces for the frame, by tiles of pixels, shadow rays of a
+ * tile by their lights: packets of the model, and one after another for the other ways, one thread.
+ * A time has all from origin and direction to the hit: the set-up of a ray too.
  * Embree has the spheres of the machine's grid, which floats of profile standard hold exactly; its
  * nearest hits by rtcIntersect1, hidden lights by rtcOccluded1 from just before the surface.
  */
@@ -17,18 +18,21 @@
 #include "core/render.h"
 #include "fast/setup.h"
 #include "fast/fast.h"
+#include "fast/tile.h"
 #include "prim/sphere.h"
 
-enum { EMBREE, LITERAL, FAST, WAYS, ROUNDS = 5, MOST_ROUNDS = 100 };
+enum { EMBREE, LITERAL, FAST, PACKET, WAYS, ROUNDS = 5, MOST_ROUNDS = 100 };
 
-static const char *const names[WAYS] = {"embree", "literal", "fast"};
+static const char *const names[WAYS] = {"embree", "literal", "fast", "packet"};
 
 struct rays {
     const struct sph_machine *m;
     struct sph_ray_log log;
     RTCScene scene;
     struct sph_fast *fast;
-    uint32_t *hit; /* of each ray the id, or SPH_ID_NONE; of a shadow ray 1 or 0 */
+    struct sph_bundle *bundles;                             /* of a kind */
+    uint32_t (*expected)[SPH_PACKET], (*found)[SPH_PACKET]; /* ids, or SPH_ID_NONE; hidden: 1 */
+    int n;
 };
 
 /* Seconds of processor that this thread had. */
@@ -63,72 +67,138 @@ static RTCScene scene_of(RTCDevice device, const struct sph_machine *m) {
     return scene;
 }
 
-static void embree(struct rays *r, int i) {
-    const struct sph_ray *ray = &r->log.rays[i].ray;
+static uint32_t embree(RTCScene scene, const struct sph_bundle *rays, int i) {
     struct RTCIntersectContext context;
     struct RTCRayHit hit = {
-        .ray = {.org_x = (float)ray->org[0],
-                .org_y = (float)ray->org[1],
-                .org_z = (float)ray->org[2],
-                .dir_x = (float)ray->dir[0],
-                .dir_y = (float)ray->dir[1],
-                .dir_z = (float)ray->dir[2],
-                .tfar = ray->kind == SPH_SHADOW ? 1 : 1e30f,
+        .ray = {.org_x = (float)rays->org[0][i],
+                .org_y = (float)rays->org[1][i],
+                .org_z = (float)rays->org[2][i],
+                .dir_x = (float)rays->dir[0][i],
+                .dir_y = (float)rays->dir[1][i],
+                .dir_z = (float)rays->dir[2][i],
+                .tfar = rays->kind == SPH_SHADOW ? 1 : 1e30f,
                 .mask = ~0u},
         .hit = {.geomID = RTC_INVALID_GEOMETRY_ID, .primID = RTC_INVALID_GEOMETRY_ID}};
     rtcInitIntersectContext(&context);
-    if (ray->kind == SPH_SHADOW) {
+    if (rays->kind == SPH_SHADOW) {
         hit.ray.tnear = 1e-4f;
-        rtcOccluded1(r->scene, &context, &hit.ray);
-        r->hit[i] = hit.ray.tfar < 0;
-    } else {
-        rtcIntersect1(r->scene, &context, &hit);
-        r->hit[i] = hit.hit.primID == RTC_INVALID_GEOMETRY_ID ? SPH_ID_NONE : hit.hit.primID;
+        rtcOccluded1(scene, &context, &hit.ray);
+        return hit.ray.tfar < 0;
     }
+    rtcIntersect1(scene, &context, &hit);
+    return hit.hit.primID == RTC_INVALID_GEOMETRY_ID ? SPH_ID_NONE : hit.hit.primID;
 }
 
-static void model(struct rays *r, int i, int way, struct sph_counters *c) {
-    const struct sph_ray *from = &r->log.rays[i].ray;
-    struct sph_ray ray = {.kind = from->kind, .skip = from->skip, .inside = from->inside};
+static uint32_t answer(int kind, const struct sph_hit *hit) {
+    return kind == SPH_SHADOW ? hit->key != 0 : hit->key ? hit->id : SPH_ID_NONE;
+}
+
+static uint32_t model(const struct rays *r, const struct sph_bundle *rays, int i, int way) {
+    struct sph_ray ray = {.kind = rays->kind, .skip = rays->skip[i], .inside = rays->inside};
+    static struct sph_counters c;
     uint32_t visits = 0, errors = 0;
-    memcpy(ray.org, from->org, sizeof ray.org);
-    memcpy(ray.dir, from->dir, sizeof ray.dir);
+    for (int k = 0; k < 3; k++) {
+        ray.org[k] = rays->org[k][i];
+        ray.dir[k] = rays->dir[k][i];
+    }
     struct sph_hit hit;
     if (way == FAST) {
         sph_fast_prepare(&r->m->profile, &ray);
-        hit = sph_fast_trace(r->fast, &ray, c, &visits, &errors);
+        hit = sph_fast_trace(r->fast, &ray, &c, &visits, &errors);
     } else {
         sph_ray_setup(&r->m->profile, &ray);
-        hit = sph_traverse(r->m, &ray, SPH_TRAVERSE_TREE, c, &visits, &errors);
+        hit = sph_traverse(r->m, &ray, SPH_TRAVERSE_TREE, &c, &visits, &errors);
     }
-    r->hit[i] = ray.kind == SPH_SHADOW ? hit.key != 0 : hit.key ? hit.id : SPH_ID_NONE;
+    return answer(rays->kind, &hit);
 }
 
-/* Seconds of all rays of a kind. */
-static double trace(struct rays *r, int way, int kind) {
-    struct sph_counters c = {{0}};
+/* Adds a ray to the packet that is the last one. */
+static void add(struct rays *r, const struct sph_logged *logged) {
+    struct sph_bundle *to = &r->bundles[r->n];
+    const struct sph_ray *ray = &logged->ray;
+    int i = to->n++;
+    for (int k = 0; k < 3; k++) {
+        to->org[k][i] = (int32_t)ray->org[k];
+        to->dir[k][i] = (int32_t)ray->dir[k];
+    }
+    to->kind = ray->kind;
+    to->inside = ray->inside;
+    to->skip[i] = ray->skip;
+    r->expected[r->n][i] = answer(ray->kind, &logged->hit);
+}
+
+/* Whether a shadow ray goes to light l: it has its direction. */
+static int goes_to(const struct sph_machine *m, const struct sph_ray *ray, int l) {
+    const int32_t *lamp = m->regs + SPH_REG_LIGHT0_X + l * SPH_LIGHT_STRIDE;
+    int same = 1;
+    for (int k = 0; k < 3; k++)
+        same &= ray->dir[k] == lamp[k] - sph_round(ray->org[k], lamp[3] >> SPH_LIGHT_SHIFT_LSB);
+    return same;
+}
+
+/* The packets of rays of a kind; 0 if memory is out. The frame has no pixel that is not traced. */
+static int group(struct rays *r, int kind) {
+    int width = r->m->regs[SPH_REG_FRAME_W], height = r->m->regs[SPH_REG_FRAME_H], n = 0;
+    int lights = kind == SPH_SHADOW ? r->m->regs[SPH_REG_N_LIGHTS] : 1;
+    size_t most = (size_t)((width / SPH_TILE + 1) * (height / SPH_TILE + 1) * lights);
+    int *at = malloc(((size_t)width * (size_t)height + 1) * sizeof *at); /* of a pixel, its rays */
+    r->bundles = calloc(most, sizeof *r->bundles);
+    r->expected = calloc(most, sizeof *r->expected);
+    r->found = calloc(most, sizeof *r->found);
+    if (!at || !r->bundles || !r->expected || !r->found) return 0;
+    for (int i = 0; i < r->log.n; i++)
+        if (r->log.rays[i].ray.kind == SPH_PRIMARY) at[n++] = i;
+    at[n] = r->log.n;
+    r->n = 0;
+    for (int tile = 0; tile < (int)most; tile++) {
+        int across = width / SPH_TILE + 1, light = tile % lights;
+        int tx = tile / lights % across * SPH_TILE, ty = tile / lights / across * SPH_TILE;
+        for (int k = 0; k < SPH_PACKET; k++) {
+            int x = tx + sph_tile_x(k), y = ty + sph_tile_y(k);
+            if (x >= width || y >= height) continue;
+            for (int i = at[y * width + x]; i < at[y * width + x + 1]; i++)
+                if (r->log.rays[i].ray.kind == kind &&
+                    (kind == SPH_PRIMARY || goes_to(r->m, &r->log.rays[i].ray, light)))
+                    add(r, &r->log.rays[i]);
+        }
+        r->n += r->bundles[r->n].n > 0;
+    }
+    free(at);
+    return 1;
+}
+
+static void packet(struct rays *r, int at) {
+    const struct sph_bundle *rays = &r->bundles[at];
+    struct sph_hit hits[SPH_PACKET];
+    if (rays->kind == SPH_SHADOW) {
+        uint64_t hidden = sph_packet_hidden(r->fast, rays);
+        for (int i = 0; i < rays->n; i++)
+            r->found[at][i] = hidden >> i & 1;
+        return;
+    }
+    sph_packet_nearest(r->fast, rays, hits);
+    for (int i = 0; i < rays->n; i++)
+        r->found[at][i] = answer(rays->kind, &hits[i]);
+}
+
+/* Seconds of all rays. */
+static double trace(struct rays *r, int way) {
     double start = now();
-    for (int i = 0; i < r->log.n; i++) {
-        if (r->log.rays[i].ray.kind != kind) continue;
-        if (way == EMBREE)
-            embree(r, i);
-        else
-            model(r, i, way, &c);
+    for (int at = 0; at < r->n; at++) {
+        const struct sph_bundle *rays = &r->bundles[at];
+        if (way == PACKET) packet(r, at);
+        for (int i = 0; i < rays->n && way != PACKET; i++)
+            r->found[at][i] = way == EMBREE ? embree(r->scene, rays, i) : model(r, rays, i, way);
     }
     return now() - start;
 }
 
-/* Rays of a kind, and those of them that end as in the model. */
-static void agree(const struct rays *r, int kind, int *all, int *same) {
+/* Rays, and those of them that ended as in the model. */
+static void agree(const struct rays *r, int *all, int *same) {
     *all = *same = 0;
-    for (int i = 0; i < r->log.n; i++) {
-        const struct sph_logged *l = &r->log.rays[i];
-        if (l->ray.kind != kind) continue;
-        ++*all;
-        *same += r->hit[i] == (kind == SPH_SHADOW ? l->hit.key != 0
-                               : l->hit.key       ? l->hit.id
-                                                  : SPH_ID_NONE);
-    }
+    for (int at = 0; at < r->n; at++)
+        for (int i = 0; i < r->bundles[at].n; i++)
+            ++*all, *same += r->found[at][i] == r->expected[at][i];
 }
 
 int main(int argc, char **argv) {
@@ -145,8 +215,8 @@ int main(int argc, char **argv) {
     if (sph_machine_effect(&m, SPH_EFFECT_FACETS) || !(r.fast = sph_fast_new(&m, SPH_FAST_BEST)))
         return fail("for spheres in a tree of spheres alone");
     if (sph_render(&m, &how, &frame, &counters, &err) < 0) return fail(err.text);
-    r.hit = r.log.full ? NULL : malloc((size_t)r.log.n * sizeof *r.hit);
-    if (!r.hit) return fail("memory is out");
+    if (!sph_packets_fit(r.fast)) return fail("no packets for this machine");
+    if (r.log.full) return fail("memory is out");
     RTCDevice device = rtcNewDevice("threads=1,set_affinity=0");
     double start = now();
     r.scene = scene_of(device, &m);
@@ -156,9 +226,12 @@ int main(int argc, char **argv) {
         const char *of = kind == SPH_PRIMARY ? "primary" : "shadow";
         int all = 0, same = 0;
         double seconds[MOST_ROUNDS * WAYS] = {0};
+        if (!group(&r, kind)) return fail("memory is out");
         for (int i = 0; i < rounds * WAYS; i++) {
-            seconds[i] = trace(&r, i % WAYS, kind);
-            if (i % WAYS == EMBREE) agree(&r, kind, &all, &same);
+            int whole = i % WAYS, equal;
+            seconds[i] = trace(&r, whole);
+            agree(&r, &all, whole == EMBREE ? &same : &equal);
+            if (whole != EMBREE && equal != all) return fail("a walk finds something else");
         }
         printf(",\n \"%s\": {\"rays\": %d, \"same\": %d", of, all, same);
         for (int way = 0; way < WAYS; way++) {
@@ -168,6 +241,7 @@ int main(int argc, char **argv) {
             printf("]");
         }
         printf("}");
+        free(r.bundles), free(r.expected), free(r.found);
     }
     printf("}\n");
     rtcReleaseScene(r.scene);
@@ -176,6 +250,5 @@ int main(int argc, char **argv) {
     sph_ray_log_free(&r.log);
     sph_frame_free(&frame);
     sph_machine_free(&m);
-    free(r.hit);
     return 0;
 }

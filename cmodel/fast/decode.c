@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "builder/tree.h" /* SPH_TREE_* */
-#include "fast/decoded.h"
+#include "fast/packets.h"
 #include "machine/box.h"
 #include "machine/records.h"
 #include "prim/prim.h"
@@ -103,6 +103,7 @@ static int decode(struct job *j, struct sph_fast *f) {
     j->waiting = malloc(j->lines * sizeof *j->waiting);
     if (!j->number || !j->waiting) return 0;
     find(j, root);
+    f->n_nodes = j->nodes;
     f->nodes = aligned_alloc(sizeof *f->nodes, j->nodes * sizeof *f->nodes);
     f->leaves = malloc((j->leaves + 1) * sizeof *f->leaves);
     if (j->m->regs[SPH_REG_TREE] == SPH_TREE_BOX4) {
@@ -154,10 +155,12 @@ static int decode_bih(const struct job *j, struct sph_fast *f) {
 static int decode_tree(struct job *j, struct sph_fast *f, int lanes) {
     f->no_root = (uint32_t)j->m->regs[SPH_REG_ROOT] >= j->lines;
     f->walk = sph_fast_walk_plain;
+    f->packet = &sph_packet_plain;
     f->lanes = "plain";
 #if defined __x86_64__
     if (lanes == SPH_FAST_BEST && sph_fast_walk_avx2 && __builtin_cpu_supports("avx2")) {
         f->walk = sph_fast_walk_avx2;
+        f->packet = sph_packet_avx2;
         f->lanes = "avx2";
     }
 #else
@@ -165,6 +168,7 @@ static int decode_tree(struct job *j, struct sph_fast *f, int lanes) {
 #endif
     if (j->m->regs[SPH_REG_TREE] == SPH_TREE_BOX4) {
         f->walk = sph_fast_walk_boxes;
+        f->packet = NULL;
         f->lanes = "boxes";
     }
     return f->no_root || decode(j, f);

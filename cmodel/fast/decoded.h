@@ -36,10 +36,11 @@ struct sph_fast {
         *nodes; /* the root is number `root`; none of a BIH, whose root is a line */
     struct sph_fast_boxes *boxes; /* of nodes by number, whose spheres are 0 then; else NULL */
     struct sph_fast_leaf *leaves;
-    uint32_t root, visit_limit;
+    uint32_t root, n_nodes, visit_limit;
     int no_root; /* it, or what registers of a BIH name, does not lie in memory */
     struct sph_hit (*walk)(const struct sph_fast *, const struct sph_ray *, struct sph_counters *,
                            uint32_t *, uint32_t *);
+    const struct sph_packet_way *packet; /* NULL: not for this tree */
     const char *lanes;
 };
 

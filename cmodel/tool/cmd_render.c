@@ -28,6 +28,7 @@ enum {
     KEY_FRAME = 512,
     KEY_BRUTE,
     KEY_LITERAL,
+    KEY_PACKETS,
     KEY_COUNTERS,
     KEY_JSON,
     KEY_FRAMES,
@@ -58,6 +59,10 @@ static const struct argp_option options[] = {
     {"brute", KEY_BRUTE, NULL, 0, "without tree: test every sphere, find the nearest", 0},
     {"literal", KEY_LITERAL, NULL, 0,
      "by the functions that the RTL is read beside: slower, the same results", 0},
+    {"packets", KEY_PACKETS, NULL, 0,
+     "rays of neighbours together: faster, the same picture, but visits and counters of the tree's "
+     "work are 0; with --counters, --frame or --exr, which tell them, one after another",
+     0},
     {"threads", 't', "N", 0, "0: one for every processor (default)", 0},
     {"counters", KEY_COUNTERS, NULL, 0, "print the counters", 0},
     {"frames", KEY_FRAMES, "A..B", 0,
@@ -67,7 +72,7 @@ static const struct argp_option options[] = {
     {0},
 };
 
-static const char *const traversals[] = {"tree", "brute", "tree"}; /* SPH_TRAVERSE_* */
+static const char *const traversals[] = {"tree", "brute", "tree", "packets"}; /* SPH_TRAVERSE_* */
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
     struct arguments *a = state->input;
@@ -93,7 +98,10 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         a->traverse = SPH_TRAVERSE_BRUTE;
         return 0;
     case KEY_LITERAL:
-        if (a->traverse == SPH_TRAVERSE_FAST) a->traverse = SPH_TRAVERSE_TREE;
+        if (a->traverse != SPH_TRAVERSE_BRUTE) a->traverse = SPH_TRAVERSE_TREE;
+        return 0;
+    case KEY_PACKETS:
+        if (a->traverse == SPH_TRAVERSE_FAST) a->traverse = SPH_TRAVERSE_PACKETS;
         return 0;
     case 't':
         a->threads = (int)tool_number(state, "--threads", arg, 0, 1024);
@@ -111,6 +119,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         a->progress = 1;
         return 0;
     default:
+        if (key == ARGP_KEY_END && a->traverse == SPH_TRAVERSE_PACKETS &&
+            (a->counters || a->frame || a->light.exr))
+            a->traverse = SPH_TRAVERSE_FAST;
         if (key == ARGP_KEY_END && a->frames.on && a->source.read.at)
             argp_error(state, "--frames and --at exclude each other");
         if (key == ARGP_KEY_END && a->movie && !a->frames.on)

@@ -15,9 +15,10 @@
 #include "trace/ray.h"
 
 /* How primitives are found: through the tree, bit by bit as the RTL does; by testing every one for
- * the nearest hit, whatever effect FIRST says; or, of sph_render(), through the tree with the same
- * results by fast/fast.h, which is for callers and no way of sph_traverse(). */
-enum { SPH_TRAVERSE_TREE, SPH_TRAVERSE_BRUTE, SPH_TRAVERSE_FAST };
+ * the nearest hit, whatever effect FIRST says; or, of sph_render() and no way of sph_traverse(),
+ * through the tree with the same results by fast/fast.h, or by packets of rays where they fit
+ * (fast/tile.h), whose work nobody counts: visits of pixels are 0, counters are what they are. */
+enum { SPH_TRAVERSE_TREE, SPH_TRAVERSE_BRUTE, SPH_TRAVERSE_FAST, SPH_TRAVERSE_PACKETS };
 
 /* Traces a ray that was set up, through nodes of four children or a BIH (bih_walk.h), as TREE says;
  * adds to counters, to *visits and to the sticky *errors. A shadow ray reports any occluder (key

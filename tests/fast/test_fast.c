@@ -11,6 +11,8 @@
 #include "fast/leaf.h"
 #include "fast/root.h"
 #include "fast/surface.h"
+#include "fast/decoded.h"
+#include "fast/tile.h"
 #include "math/isqrt.h"
 #include "model_scene.h"
 #include "prim/sphere.h"
@@ -18,61 +20,84 @@
 
 enum { LANES = SPH_FAST_PLAIN + 1 };
 
-static long frames, pixels; /* compared */
+static long frames, pixels, tiled; /* compared; frames in packets */
 
 static uint64_t seed(void) {
     const char *text = getenv("SEED");
     return text ? strtoull(text, NULL, 0) : 1;
 }
 
-/* Renders both ways; fails with the first difference. */
-static void compare(const struct sph_machine *m, const char *what) {
-    struct sph_counters expected;
-    int errors;
-    size_t n = (size_t)m->regs[SPH_REG_FRAME_W] * (size_t)m->regs[SPH_REG_FRAME_H];
-    struct sph_trail *trails = calloc(2 * n, sizeof *trails);
-    struct sph_render_options literal = {
-        .traverse = SPH_TRAVERSE_TREE, .threads = 1, .trails = trails};
+/* What a frame has of the tree's work is not told by packets. */
+static void forget(struct sph_frame *frame, struct sph_counters *c) {
+    static const int work[] = {SPH_COUNT_NODE_VISITS, SPH_COUNT_CHILD_TESTS, SPH_COUNT_LEAF_TESTS,
+                               SPH_COUNT_ROOTS,       SPH_COUNT_FACET_TESTS, SPH_COUNT_DIVISIONS};
+    for (int i = 0; i < frame->width * frame->height; i++)
+        frame->pixels[i].visits = 0;
+    for (size_t i = 0; i < sizeof work / sizeof *work; i++)
+        c->count[work[i]] = 0;
+}
+
+/* What a literal frame is compared with. */
+struct expected {
+    const char *what;
+    const struct sph_machine *m;
     struct sph_frame frame;
-    memset(&expected, 0, sizeof expected);
-    errors = sph_render(m, &literal, &frame, &expected, NULL);
-    for (int lanes = 0; lanes < LANES; lanes++) {
-        struct sph_fast *fast = sph_fast_new(m, lanes);
-        struct sph_render_options o = {
-            .traverse = SPH_TRAVERSE_FAST, .threads = 1, .fast = fast, .trails = trails + n};
-        struct sph_counters c = {{0}};
-        struct sph_error err = {{0}};
-        struct sph_frame other;
-        assert_non_null(fast);
-        if (lanes &&
-            (sph_machine_bih(m) || m->regs[SPH_REG_TREE] == SPH_TREE_BOX4)) { /* one walk */
-            sph_fast_free(fast);
-            break;
+    struct sph_counters c;
+    struct sph_trail *trails; /* and as many for the other frame */
+    int errors;
+};
+
+/* Renders in another way; fails with the first difference. */
+static void same(const struct expected *e, const struct sph_fast *fast, int traverse) {
+    size_t n = (size_t)e->frame.width * (size_t)e->frame.height;
+    struct sph_render_options o = {
+        .traverse = traverse, .threads = 1, .fast = fast, .trails = e->trails + n};
+    struct sph_counters c = {{0}};
+    struct sph_frame other;
+    char what[256];
+    int bits = sph_render(e->m, &o, &other, &c, NULL);
+    snprintf(what, sizeof what, "%s, %s: %s%s", e->what, sph_machine_profile(e->m)->name,
+             sph_fast_lanes(fast), traverse == SPH_TRAVERSE_PACKETS ? ", packets" : "");
+    for (int i = 0; i < other.width * other.height; i++)
+        if (memcmp(&e->frame.pixels[i], &other.pixels[i], sizeof *other.pixels)) {
+            model_differ(what, e->m, &other, &e->frame);
+            fail_msg("%s, pixel %d,%d: %u visits, expected %u", what, i % other.width,
+                     i / other.width, other.pixels[i].visits, e->frame.pixels[i].visits);
         }
-        int bits = sph_render(m, &o, &other, &c, &err);
-        for (int i = 0; i < frame.width * frame.height; i++)
-            if (memcmp(&frame.pixels[i], &other.pixels[i], sizeof *other.pixels)) {
-                model_differ(what, m, &other, &frame);
-                fail_msg("%s, %s: %s, pixel %d,%d: %u visits, expected %u", what,
-                         sph_machine_profile(m)->name, sph_fast_lanes(fast), i % frame.width,
-                         i / frame.width, other.pixels[i].visits, frame.pixels[i].visits);
-            }
-        for (int i = 0; i < SPH_COUNTERS; i++)
-            if (c.count[i] != expected.count[i])
-                fail_msg("%s, %s: %s, counter %d is %lu, expected %lu", what,
-                         sph_machine_profile(m)->name, sph_fast_lanes(fast), i, c.count[i],
-                         expected.count[i]);
-        for (size_t i = 0; i < n; i++)
-            if (memcmp(&trails[i], &trails[n + i], sizeof *trails))
-                fail_msg("%s: the trail of pixel %zu", what, i);
-        if (bits != errors) fail_msg("%s: errors %x, expected %x", what, bits, errors);
-        frames++;
-        pixels += frame.width * frame.height;
-        sph_frame_free(&other);
-        sph_fast_free(fast);
+    for (int i = 0; i < SPH_COUNTERS; i++)
+        if (c.count[i] != e->c.count[i])
+            fail_msg("%s, counter %d is %lu, expected %lu", what, i, c.count[i], e->c.count[i]);
+    for (size_t i = 0; i < n; i++)
+        if (memcmp(&e->trails[i], &e->trails[n + i], sizeof *e->trails))
+            fail_msg("%s: the trail of pixel %zu", what, i);
+    if (bits != e->errors) fail_msg("%s: errors %x, expected %x", what, bits, e->errors);
+    frames++;
+    pixels += other.width * other.height;
+    sph_frame_free(&other);
+}
+
+/* Renders literally and in the other ways. */
+static void compare(const struct sph_machine *m, const char *what) {
+    size_t n = (size_t)m->regs[SPH_REG_FRAME_W] * (size_t)m->regs[SPH_REG_FRAME_H];
+    struct expected e = {.what = what, .m = m, .trails = calloc(2 * n, sizeof *e.trails)};
+    struct sph_render_options literal = {
+        .traverse = SPH_TRAVERSE_TREE, .threads = 1, .trails = e.trails};
+    struct sph_fast *fast[LANES];
+    int ways = sph_machine_bih(m) || m->regs[SPH_REG_TREE] == SPH_TREE_BOX4 ? 1 : LANES;
+    e.errors = sph_render(m, &literal, &e.frame, &e.c, NULL);
+    for (int lanes = 0; lanes < ways; lanes++) {
+        fast[lanes] = sph_fast_new(m, lanes);
+        assert_non_null(fast[lanes]);
+        same(&e, fast[lanes], SPH_TRAVERSE_FAST);
     }
-    free(trails);
-    sph_frame_free(&frame);
+    forget(&e.frame, &e.c);
+    for (int lanes = 0; lanes < ways; lanes++) {
+        same(&e, fast[lanes], SPH_TRAVERSE_PACKETS);
+        tiled += sph_fast_tiles(m, fast[lanes]);
+        sph_fast_free(fast[lanes]);
+    }
+    free(e.trails);
+    sph_frame_free(&e.frame);
 }
 
 /* A scene in a profile and tree, as it asks and with other effects of rays; 0: too fine for it. */
@@ -287,7 +312,123 @@ static void damaged(void **state) {
         sph_machine_free(&m);
         sph_scene_free(&scene);
     }
-    printf("# SEED=%lu: %ld frames, %ld pixels\n", seed(), frames, pixels);
+    printf("# SEED=%lu: %ld frames, %ld pixels, %ld in packets\n", seed(), frames, pixels, tiled);
+    assert_true(tiled > 100);
+}
+
+/* Each ray of a bundle by itself and in the packet. */
+static void check_bundle(const struct sph_machine *m, const struct sph_fast *fast,
+                         const struct sph_bundle *b) {
+    struct sph_hit hits[SPH_PACKET];
+    uint64_t hidden = 0;
+    if (b->kind == SPH_PRIMARY)
+        sph_packet_nearest(fast, b, hits);
+    else
+        hidden = sph_packet_hidden(fast, b);
+    assert_int_equal(b->n < SPH_PACKET ? hidden >> b->n : 0, 0);
+    for (int i = 0; i < b->n; i++) {
+        struct sph_ray ray = {.kind = b->kind, .inside = b->inside, .skip = {SPH_ID_NONE, 0}};
+        struct sph_counters c = {{0}};
+        uint32_t visits = 0, errors = 0;
+        if (b->kind == SPH_SHADOW) ray.skip = b->skip[i];
+        for (int k = 0; k < 3; k++) {
+            ray.org[k] = b->org[k][i];
+            ray.dir[k] = b->dir[k][i];
+        }
+        sph_ray_setup(sph_machine_profile(m), &ray);
+        struct sph_hit hit = sph_traverse(m, &ray, SPH_TRAVERSE_TREE, &c, &visits, &errors);
+        if (b->kind == SPH_SHADOW) {
+            assert_int_equal(hidden >> i & 1, hit.key != 0);
+            continue;
+        }
+        assert_int_equal(hits[i].key, hit.key);
+        assert_int_equal(hits[i].id, hit.id);
+        assert_int_equal(hits[i].far, hit.far);
+    }
+}
+
+/* Rays past a sphere that touch it, its centre 5 s away along an axis, its radius 3 s: 4 along the
+ * axis and 3 across; rays through its centre; rays beside them, from other points and in other
+ * directions. */
+static void touch(struct sph_rng *rng, const struct sph_machine *m, const struct sph_fast *fast) {
+    int wd = sph_machine_profile(m)->wd, w = sph_machine_profile(m)->w;
+    uint32_t n = (uint32_t)m->regs[SPH_REG_N_PRIMS];
+    struct sph_bundle b = {.kind = (int)(sph_rng_next(rng) >> 9 & 1),
+                           .inside = (int)(sph_rng_next(rng) >> 9 & 1),
+                           .n = 1 + (int)(sph_rng_next(rng) >> 9 & 63)};
+    uint32_t id = (uint32_t)(sph_rng_next(rng) >> 9) % n;
+    struct sph_leaf s = sph_sphere_read(sph_line(m, (uint32_t)m->regs[SPH_REG_PRIM_BASE] + id), w);
+    int axis = (int)((sph_rng_next(rng) >> 9) % 3), mixed = small(rng, 4) == 0;
+    int64_t sign = sph_rng_next(rng) >> 9 & 1 ? 1 : -1, most = (1ll << (wd - 1)) / 4 - 2;
+    int64_t org[3];
+    for (int k = 0; k < 3; k++)
+        org[k] = s.ctr[k] - (k == axis ? sign * 5 * (s.rad / 3) : 0);
+    for (int i = 0; i < b.n; i++) {
+        int across = (axis + 1 + (int)(sph_rng_next(rng) >> 9 & 1)) % 3;
+        int64_t of = 1 + (int64_t)(sph_rng_next(rng) >> 9) % most, shift = small(rng, 2);
+        int64_t aside = small(rng, 1) ? sph_rng_next(rng) >> 9 & 1 ? 3 : -3 : 0;
+        b.skip[i] = (struct sph_skip){(uint32_t)((sph_rng_next(rng) >> 9) % n), small(rng, 5) == 0};
+        for (int k = 0; k < 3; k++) {
+            int64_t from = org[k] + (b.kind == SPH_SHADOW ? small(rng, 2) : 0);
+            int64_t limit = 1ll << (w - 1);
+            b.org[k][i] = (int32_t)(from >= limit ? limit - 1 : from < -limit ? -limit : from);
+            b.dir[k][i] = (int32_t)(k == axis ? 4 * sign * of : k == across ? aside * of : 0);
+            if (shift == 1) b.dir[k][i] += (int32_t)small(rng, 1);
+            if (mixed) b.dir[k][i] = (int32_t)any(rng, wd - 2);
+        }
+        if (mixed && b.kind == SPH_PRIMARY && !b.dir[0][i]) b.dir[0][i] = 1;
+    }
+    check_bundle(m, fast, &b);
+}
+
+static void bundles(void **state) {
+    static const char *const names[] = {"scenes/interpenetrating.nff", "scenes/paper100.nff",
+                                        "tests/scenes/touching.nff"};
+    enum { NAMES = sizeof names / sizeof *names };
+    struct sph_rng rng = {seed()};
+    (void)state;
+    for (int i = 0; i < SPH_PROFILES * NAMES; i++) {
+        struct sph_scene scene = read_scene(names[i % NAMES]);
+        struct sph_machine m;
+        if (!model_build(&scene, i / NAMES, SPH_TREE_BALANCED, SPH_BG_NONE, 12, 7, &m)) continue;
+        for (int lanes = 0; lanes < LANES; lanes++) {
+            struct sph_fast *fast = sph_fast_new(&m, lanes);
+            assert_true(sph_packets_fit(fast));
+            for (int k = 0; k < (SANITIZED ? 100 : 2000); k++)
+                touch(&rng, &m, fast);
+            sph_fast_free(fast);
+        }
+        sph_machine_free(&m);
+        sph_scene_free(&scene);
+    }
+}
+
+/* Nodes that do not hold what is below them, children that are met twice, and a limit that a ray
+ * could reach: no packets. */
+static void unsound(void **state) {
+    struct sph_scene scene = model_scene("paper100");
+    struct sph_machine m;
+    (void)state;
+    assert_true(model_build(&scene, SPH_STANDARD, SPH_TREE_BALANCED, SPH_BG_NONE, 12, 7, &m));
+    uint32_t *root = sph_line(&m, (uint32_t)m.regs[SPH_REG_ROOT]);
+    uint32_t kept[SPH_LINE_WORDS];
+    int32_t limit = m.regs[SPH_REG_VISIT_LIMIT];
+    memcpy(kept, root, sizeof kept);
+    for (int i = 0; i < 4; i++) {
+        uint32_t rad = sph_field(root, SPH_CHILD_RAD_LSB, SPH_CHILD_RAD_BITS);
+        if (i == 1) sph_field_set(root, SPH_CHILD_RAD_LSB, SPH_CHILD_RAD_BITS, rad / 2);
+        if (i == 2)
+            sph_field_set(root, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS,
+                          (uint32_t)m.regs[SPH_REG_ROOT]);
+        if (i == 3) m.regs[SPH_REG_VISIT_LIMIT] = 3;
+        struct sph_fast *fast = sph_fast_new(&m, SPH_FAST_BEST);
+        assert_int_equal(sph_packets_fit(fast), i == 0);
+        sph_fast_free(fast);
+        memcpy(root, kept, sizeof kept);
+        m.regs[SPH_REG_VISIT_LIMIT] = limit;
+    }
+    sph_machine_free(&m);
+    sph_scene_free(&scene);
 }
 
 static void check_root(sph_u128 x, int bits) {
@@ -342,8 +483,8 @@ static void unknown_trees(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(roots),        cmocka_unit_test(spheres), cmocka_unit_test(surfaces),
-        cmocka_unit_test(every_scene),  cmocka_unit_test(circles), cmocka_unit_test(damaged),
-        cmocka_unit_test(unknown_trees)};
+        cmocka_unit_test(roots),         cmocka_unit_test(spheres), cmocka_unit_test(surfaces),
+        cmocka_unit_test(every_scene),   cmocka_unit_test(circles), cmocka_unit_test(damaged),
+        cmocka_unit_test(unknown_trees), cmocka_unit_test(bundles), cmocka_unit_test(unsound)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

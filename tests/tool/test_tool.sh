@@ -57,6 +57,10 @@ picture() { "$s" render "$@" | awk '$1 == "picture" { print $2 }'; }
 check "scene and machine agree" equal "$(hash a.nff)" "$(hash a.sph)"
 check "one thread and three agree" equal "$(hash a.sph -t 1)" "$(hash a.sph -t 3)"
 check "brute force shows the same" equal "$(picture a.sph)" "$(picture a.sph --brute)"
+check "so do packets" equal "$(picture a.sph)" "$(picture a.sph --packets)"
+check "packets tell no work" sh -c "! \"$s\" render a.sph --packets | grep -q $(hash a.sph)"
+check "unless it is asked for" equal "$("$s" render a.sph --counters | grep -v rendered)" \
+    "$("$s" render a.sph --packets --counters | grep -v rendered)"
 check "the paper's tree shows the same" equal "$(picture a.sph)" "$(picture a.nff --tree paper)"
 for way in rect spans "spans --bg-points 4 --bg-border 0" exact "exact --bg-levels 2"; do
     # shellcheck disable=SC2086  # options on purpose

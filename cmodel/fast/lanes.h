@@ -1,0 +1,91 @@
+/* lanes.h - vectors of doubles and of integers: four doubles where the file is compiled for AVX2,
+ * else two, as SSE2 and NEON have them
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * The operators are those of the compiler (GCC, Clang); here is what it has none for.
+ */
+#ifndef SPH_FAST_LANES_H
+#define SPH_FAST_LANES_H
+
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+#if defined __AVX2__ || defined __SSE2__
+#include <immintrin.h>
+#endif
+
+#ifdef __AVX2__
+enum { LANES = 4 };
+#else
+enum { LANES = 2 };
+#endif
+
+typedef double real __attribute__((vector_size(8 * LANES), may_alias));
+typedef int64_t real_mask __attribute__((vector_size(8 * LANES)));
+typedef int32_t four __attribute__((vector_size(16)));
+typedef int16_t four_short __attribute__((vector_size(8)));
+
+/* Of a mask one bit for each lane. */
+static inline unsigned bits(real_mask m) {
+#if defined __AVX2__
+    return (unsigned)_mm256_movemask_pd((__m256d)m);
+#elif defined __SSE2__
+    return (unsigned)_mm_movemask_pd((__m128d)m);
+#else
+    return (unsigned)((m[0] & 1) | (m[1] & 2));
+#endif
+}
+
+static inline unsigned signs(four m) {
+#ifdef __SSE2__
+    return (unsigned)_mm_movemask_ps((__m128)m);
+#else
+    return (unsigned)((m[0] & 1) | (m[1] & 2) | (m[2] & 4) | (m[3] & 8));
+#endif
+}
+
+static inline real pick(real_mask m, real yes, real no) {
+#ifdef __AVX2__
+    return (real)_mm256_blendv_pd((__m256d)no, (__m256d)yes, (__m256d)m);
+#else
+    return (real)((m & (real_mask)yes) | (~m & (real_mask)no));
+#endif
+}
+
+static inline real greater(real x, real y) {
+#if defined __AVX2__
+    return (real)_mm256_max_pd((__m256d)x, (__m256d)y);
+#elif defined __SSE2__
+    return (real)_mm_max_pd((__m128d)x, (__m128d)y);
+#else
+    return pick(x > y, x, y);
+#endif
+}
+
+/* The greatest of the lanes. */
+static inline double greatest(real x) {
+    double most = x[0];
+    for (int i = 1; i < LANES; i++)
+        most = x[i] > most ? x[i] : most;
+    return most;
+}
+
+static inline real roots(real x) {
+#if defined __AVX2__
+    return (real)_mm256_sqrt_pd((__m256d)x);
+#elif defined __SSE2__
+    return (real)_mm_sqrt_pd((__m128d)x);
+#else
+    return (real){sqrt(x[0]), sqrt(x[1])};
+#endif
+}
+
+/* Four words of 16 bits as such of 32. */
+static inline four quarter(const int16_t *at) {
+    four_short x;
+    memcpy(&x, at, sizeof x);
+    return __builtin_convertvector(x, four);
+}
+
+#endif
