@@ -9,14 +9,15 @@ set -u
 root=$(pwd)
 cd "$TMP" || exit 1
 
-# scenes/paper5.nff times `by` plus `plus`; the eye at `eye` on the z axis unless 0; degrees `angle`
-scene() { # by, plus, eye, angle
-    awk -v by="$1" -v plus="$2" -v eye="$3" -v angle="$4" '
+# scenes/paper5.nff times `by` plus `plus`; the eye at `eye` on the z axis unless 0; degrees `angle`;
+# the light so many times as far away
+scene() { # by, plus, eye, angle, light
+    awk -v by="$1" -v plus="$2" -v eye="$3" -v angle="$4" -v light="${5:-1}" '
         function at(x) { return sprintf(" %.17g", x * by + plus) }
         $1 == "from" && eye { $4 = eye }
         $1 == "angle" { print "angle", angle; next }
         $1 == "from" || $1 == "at" { print $1 at($2) at($3) at($4); next }
-        $1 == "l" { print "l" at($2) at($3) at($4), $5, $6, $7; next }
+        $1 == "l" { print "l" at(light * $2) at(light * $3) at(light * $4), $5, $6, $7; next }
         $1 == "s" { print "s" at($2) at($3) at($4), $5 * by; next }
         { print }' "$root/scenes/paper5.nff" >x.nff
 }
@@ -38,8 +39,8 @@ fewer() { # pixels, words of the command
     echo "$said"
     [ "${said#* }" -le "$most" ]
 }
-while read -r name by plus eye angle; do
-    scene "$by" "$plus" "$eye" "$angle"
+while read -r name by plus eye angle light; do
+    scene "$by" "$plus" "$eye" "$angle" "$light"
     check "$name" enough "$name"
 done <<END
 as_it_is 1 0 0 40
@@ -60,7 +61,16 @@ eye_1e6 1 0 1e6 0.0034
 eye_1e7 1 0 1e7 0.00034
 eye_1e12 1 0 1e12 3.4e-9
 eye_on_a_sphere 1 0 -5.546875 40
+light_10 1 0 0 40 10
+light_1e3 1 0 0 40 1e3
+light_1e9 1 0 0 40 1e9
 END
+cp "$root/tests/scenes/facets/six.nff" x.nff
+check "a room of six planes" enough room_of_six_planes
+{ sed '/^f /,$d' "$root/scenes/paper5.nff" &&
+    printf '%s\n' 'f 0.8 0.7 0.5 1 0 0 0 1' 'plane 0 -30 0 0 1 0' 'f 0.9 0.3 0.2 1 0 0 0 1' \
+        's 0 -10 -30 20'; } >x.nff
+check "a ball over a plane without end" enough ball_over_a_plane
 check "of two planes beyond the grid the nearer one is seen" \
     fewer 0 --size 320x180 --depth 4 "$root/scenes/refraction/nested.nff"
 "$SPHAERA" gen tree:4 -o tree.nff >/dev/null
