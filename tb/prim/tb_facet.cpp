@@ -80,8 +80,8 @@ class Source {
             return finish(v);
         }
         v.facet.id = (uint32_t)random.bits(random.percent(50) ? 3 : 24);
-        v.facet.before = (uint32_t)random.mixed(7);
-        v.facet.after = (uint32_t)random.mixed(7);
+        v.facet.before = (uint32_t)random.mixed(SPH_FACET_BEFORE_BITS);
+        v.facet.after = (uint32_t)random.mixed(SPH_FACET_AFTER_BITS);
         v.ray.skip.id = random.percent(50) ? SPH_ID_NONE : (uint32_t)random.bits(24);
         if (random.percent(20)) /* of the group, or next to it */
             v.ray.skip.id =

@@ -96,17 +96,18 @@ void named_facet_origin_on(struct named *n) {
 }
 
 void named_facet_group(struct named *n) {
+    const uint32_t last = SPH_MAX_GROUP - 1;
     int64_t k = n->half / 2;
     struct hard_facet c = wall(V3(0, 1, 0), V3(1, 0, 0), k, k, k);
-    for (uint32_t size = 0; size < 128; size = size * 2 + 1)
+    for (uint32_t size = 0; size <= last; size = size * 2 + 1)
         for (int away = -2; away <= 2; away++)
             for (int inside = 0; inside < 2; inside++) {
                 c.ray.inside = c.ray.skip.inside = inside;
                 c.facet.id = 1000;
-                c.facet.before = size, c.facet.after = 127 - size;
+                c.facet.before = size, c.facet.after = last - size;
                 c.ray.skip.id = (uint32_t)(1000 - (int)size + away);
                 expect_facet(n, c, away < 0 ? NEAR : MISS, 0);
-                c.ray.skip.id = (uint32_t)(1127 - (int)size + away);
+                c.ray.skip.id = (uint32_t)(1000 + (int)(last - size) + away);
                 expect_facet(n, c, away > 0 ? NEAR : MISS, 0);
             }
     struct hard_facet p = plane(c.ray.org, c.ray.dir, V3(k, 0, 0), V3(-5, 0, 0));

@@ -151,8 +151,8 @@ static void groups(void **state) {
     (void)state;
     const struct sph_profile *p = &sph_profiles[0];
     struct tally t = {0};
-    for (uint32_t before = 0; before < 128; before += 127)
-        for (uint32_t after = 0; after < 128; after += 127)
+    for (uint32_t before = 0; before < SPH_MAX_GROUP; before += SPH_MAX_GROUP - 1)
+        for (uint32_t after = 0; after < SPH_MAX_GROUP; after += SPH_MAX_GROUP - 1)
             for (uint32_t skip = OWN - 130; skip < OWN + 130; skip++) {
                 struct sph_facet_leaf f = {
                     SPH_TRIANGLE, {{5, 0, 0}, {5, 9, 0}, {5, 0, 9}}, OWN, before, after};
