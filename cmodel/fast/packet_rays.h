@@ -7,20 +7,20 @@
 enum { VECTORS = SPH_PACKET / LANES };
 
 struct packet {
+    _Alignas(64) double org[3][SPH_PACKET];
+    double dir[3][SPH_PACKET];
+    double a[SPH_PACKET];
+    /* nearest hits: the key is b - floor(root); the number of the leaf record */
+    double b[SPH_PACKET];
+    double root[SPH_PACKET];
+    double leaf[SPH_PACKET];
+    double own[SPH_PACKET]; /* of shadow rays: the id of where they start, -1: none */
+    uint64_t live;          /* rays that look for something */
+    uint64_t found;         /* rays that have hit */
+    uint64_t exact;         /* b is the key, made by integers */
     const struct sph_fast *f;
     const struct sph_bundle *rays;
     int n, vectors;
-    _Alignas(64) double org[3][SPH_PACKET];
-    _Alignas(64) double dir[3][SPH_PACKET];
-    _Alignas(64) double a[SPH_PACKET];
-    /* nearest hits: the key is b - floor(root); the number of the leaf record */
-    _Alignas(64) double b[SPH_PACKET];
-    _Alignas(64) double root[SPH_PACKET];
-    _Alignas(64) double leaf[SPH_PACKET];
-    _Alignas(64) double own[SPH_PACKET]; /* of shadow rays: the id of where they start, -1: none */
-    uint64_t live;                       /* rays that look for something */
-    uint64_t found;                      /* rays that have hit */
-    uint64_t exact;                      /* b is the key, made by integers */
     struct sph_shaft shaft;
 };
 

@@ -5,6 +5,7 @@
 
 #include "engine/layers.h"
 #include "engine/render_pixel.h"
+#include "fast/pixel.h"
 #include "pixel/walk.h"
 #include "view/workers.h"
 
@@ -23,7 +24,9 @@ void view_cell_draw(struct sph_machine *m, const struct view_aim *aim,
     struct sph_trail trail;
     uint32_t errors = 0;
     view_aim_pixel(aim, x, y, m);
-    struct sph_pixel pixel = sph_render_pixel(m, how, x, y, &counters, &errors, &trail);
+    int fast = how->fast && sph_fast_shades(m);
+    struct sph_pixel pixel =
+        (fast ? sph_fast_pixel : sph_render_pixel)(m, how, x, y, &counters, &errors, &trail);
     struct sph_layer layer = sph_layer_of(m, &pixel, x, y);
     *cell = (struct view_cell){.id = pixel.id,
                                .visits = pixel.visits,

@@ -29,6 +29,7 @@ void view_make_machine(const struct sph_scene *scene, struct view_made *made) {
     made->failed = report ? sph_build(&seen, &made->build, &made->machine, report, &made->err)
                           : sph_fail(&made->err, "no memory for a machine");
     free(report);
+    if (!made->failed) made->fast = sph_fast_new(&made->machine, SPH_FAST_BEST);
 }
 
 void view_make_truth(const struct sph_scene *scene, struct view_made *made) {
@@ -140,6 +141,7 @@ struct view_made *view_maker_take(struct view_maker *m) {
 
 void view_made_free(struct view_made *made) {
     if (!made) return;
+    sph_fast_free(made->fast);
     sph_machine_free(&made->machine);
     free(made->truth);
     free(made);

@@ -8,6 +8,7 @@
 #define SPH_VIEW_MAKER_H
 
 #include "builder/build.h"
+#include "fast/fast.h"
 #include "view/paint.h"
 
 struct view_made {
@@ -17,6 +18,7 @@ struct view_made {
     int failed; /* with err; else one of the two below is there */
     struct sph_error err;
     struct sph_machine machine;
+    struct sph_fast *fast; /* the machine's; NULL: it is drawn literally */
     struct view_truth *truth;
     double seconds;
     struct view_made *before; /* of the owner: a list */

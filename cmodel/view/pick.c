@@ -40,7 +40,8 @@ static struct view_ray drawn(const struct sph_machine *m, const struct sph_logge
 int view_pick(const struct view_job *job, int x, int y, double far, struct sph_pixel *pixel,
               struct sph_ray_log *log, struct view_rays *rays) {
     struct sph_machine m;
-    const struct sph_render_options how = {.log = log};
+    const struct sph_render_options how = {
+        .traverse = SPH_TRAVERSE_FAST, .fast = job->fast, .log = log};
     struct sph_counters counters = {{0}};
     uint32_t errors = 0;
     *rays = (struct view_rays){0};

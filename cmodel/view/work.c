@@ -31,7 +31,7 @@ static void refuse(struct view *v, const struct view_made *made) {
 /* Draws the newest machine's picture of the camera, as the hardware does or by turned rays. */
 static void start(struct view *v, double now) {
     const struct view_state *s = &v->state;
-    struct view_job job = {.machine = &v->made->machine};
+    struct view_job job = {.machine = &v->made->machine, .fast = v->made->fast};
     int same = v->job_camera == s->camera_changes;
     int exact = v->made->camera_changes == s->camera_changes;
     if (exact)

@@ -48,7 +48,7 @@ static int rows_of(const struct view_workers *w, int pass) {
 /* Draws what a row of a pass adds; 0 if it was told to stop. */
 static int draw_row(const struct view_workers *w, struct canvas *c, struct sph_machine *m, int pass,
                     int y) {
-    static const struct sph_render_options how = {0};
+    const struct sph_render_options how = {.traverse = SPH_TRAVERSE_FAST, .fast = c->job.fast};
     int step = step_of(pass), old = pass && y % (2 * step) == 0;
     for (int x = old ? step : 0; x < w->width; x += old ? 2 * step : step) {
         if (__atomic_load_n(&c->stop, __ATOMIC_RELAXED)) return 0;

@@ -17,6 +17,7 @@ enum { VIEW_COARSEST = 256 }; /* pixels of the first step */
 struct view_job {
     const struct sph_machine *machine;
     struct view_aim aim;
+    const struct sph_fast *fast; /* of the machine, as long; NULL: literally */
 };
 
 struct view_workers;
@@ -45,7 +46,7 @@ int view_workers_passes(struct view_workers *w);
 void view_workers_paint(struct view_workers *w, const struct view_paint *how, const uint32_t *under,
                         uint32_t *pixels);
 
-/* Draws one cell, by the same way; machine: of view_aim_start(). */
+/* Draws one cell, by how->fast if that is not NULL; machine: of view_aim_start(). */
 struct sph_render_options;
 void view_cell_draw(struct sph_machine *machine, const struct view_aim *aim,
                     const struct sph_render_options *how, int x, int y, struct view_cell *cell);

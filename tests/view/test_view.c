@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "engine/layers.h"
+#include "fast/fast.h"
 #include "scene/vector.h"
 #include "view/camera.h"
 #include "view/meter.h"
@@ -298,11 +299,22 @@ static struct sph_machine build(const struct sph_scene *scene, int profile) {
 }
 
 static struct view_cell cell_of(const struct sph_machine *m, const struct view_aim *aim, int i) {
-    static const struct sph_render_options how = {0};
+    static const struct sph_render_options literal = {0};
+    struct sph_fast *fast = sph_fast_new(m, SPH_FAST_BEST);
+    const struct sph_render_options how = {.traverse = SPH_TRAVERSE_FAST, .fast = fast};
     struct sph_machine copy;
-    struct view_cell cell;
+    struct view_cell cell, same;
     view_aim_start(m, aim, &copy);
-    view_cell_draw(&copy, aim, &how, i % MODEL_W, i / MODEL_W, &cell);
+    view_cell_draw(&copy, aim, &literal, i % MODEL_W, i / MODEL_W, &cell);
+    view_cell_draw(&copy, aim, &how, i % MODEL_W, i / MODEL_W, &same);
+    assert_int_equal(same.id, cell.id);
+    assert_int_equal(same.visits, cell.visits);
+    assert_int_equal(same.depth, cell.depth);
+    assert_memory_equal(same.colour, cell.colour, sizeof cell.colour);
+    assert_memory_equal(same.light, cell.light, sizeof cell.light);
+    assert_memory_equal(same.normal, cell.normal, sizeof cell.normal);
+    assert_memory_equal(&same.distance, &cell.distance, sizeof cell.distance);
+    sph_fast_free(fast);
     return cell;
 }
 
@@ -369,7 +381,8 @@ static void test_pick(void **state) {
     (void)state;
     struct sph_scene scene = model_scene("sphereflake2");
     struct sph_machine m = build(&scene, SPH_FINE);
-    struct view_job job = {&m, view_aim_own(&m)};
+    struct sph_fast *fast = sph_fast_new(&m, SPH_FAST_BEST);
+    struct view_job job = {&m, view_aim_own(&m), fast};
     struct sph_ray_log log;
     struct sph_pixel pixel;
     struct view_rays rays;
@@ -403,6 +416,7 @@ static void test_pick(void **state) {
     assert_int_equal(canvas[(y - 3) * MODEL_W + x], 0xffffff);
     sph_ray_log_free(&log);
     view_rays_free(&rays);
+    sph_fast_free(fast);
     sph_machine_free(&m);
     sph_scene_free(&scene);
 }
