@@ -15,9 +15,10 @@ start core_boxes
 every="--profile draft --accel box4" # what a run asks for itself counts more
 mixed=tests/scenes/facets/mixed.nff
 machine mixed $mixed --size 12x9 --depth 1
+machine little $mixed --size 5x4 --depth 1 # Icarus simulates a thousand clocks a second
 machine small scenes/sphereflake2.nff --size 10x7 --depth 1
 machine balls tests/scenes/texture/balls.nff --size 5x4
-machine optics tests/scenes/refraction/mixed.nff --size 4x3 --depth 3
+machine optics tests/scenes/refraction/mixed.nff --size 3x2 --depth 3
 for profile in standard fine reference; do
     machine mixed-$profile $mixed --profile $profile --size 3x2 --depth 1
 done
@@ -26,11 +27,11 @@ machine four scenes/paper5.nff --accel bvh4 --size 16x12
 machine paper5 scenes/paper5.nff --size 16x12
 
 wanted "verilator mixed" auto SIM=verilator mixed
-wanted "icarus mixed" auto SIM=icarus mixed
+wanted "icarus mixed" auto SIM=icarus little
 wanted "icarus sphereflake2, two engines" auto "SIM=icarus ENGINES=2" small
 wanted "icarus sphereflake2, four pipes, units of their own" auto \
     "SIM=icarus PIPES=4 EXACTS=4 SHADES=4" small
-wanted "icarus mixed, two engines of two pipes" auto "SIM=icarus ENGINES=2 PIPES=2" mixed
+wanted "icarus mixed, two engines of two pipes" auto "SIM=icarus ENGINES=2 PIPES=2" little
 wanted "icarus textures, three pipes" auto "SIM=icarus PIPES=3" balls
 wanted "icarus refraction, four pipes" auto "SIM=icarus PIPES=4 EXACTS=1 SHADES=2" optics
 wanted "icarus textures" auto SIM=icarus balls
@@ -43,7 +44,7 @@ done
 broken() { # what, expected bits, options
     what=$1 bits=$2
     shift 2
-    wanted "icarus broken: $what" auto SIM=icarus mixed --expect-errors "$bits" \
+    wanted "icarus broken: $what" auto SIM=icarus little --expect-errors "$bits" \
         --watchdog 20000 "$@"
 }
 broken "child beyond memory" 1 --poke 0:224:26=0x3ffffff

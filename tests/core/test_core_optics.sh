@@ -21,9 +21,10 @@ machine mixed $mixed --profile draft --size 10x8 --depth 5
 machine water scenes/refraction/water.nff --profile draft --size 16x10 --depth 3
 machine plain scenes/paper5.nff --profile draft --size 16x10 --depth 4
 machine probes scenes/interpenetrating.nff --profile draft --size 16x10 --traverse first
-machine bih $mixed --profile draft --size 4x3 --depth 3 --accel bih
+machine bih $mixed --profile draft --size 3x2 --depth 3 --accel bih
 machine two $mixed --profile draft --size 4x3 --depth 4
-machine cut $mixed --profile draft:pr=9 --size 4x3 --depth 3
+machine pair $mixed --profile draft --size 3x2 --depth 3 # two engines in Icarus take long
+machine cut $mixed --profile draft:pr=9 --size 3x2 --depth 3
 machine bends $mixed --profile draft --size 5x4 --lights 0 --reflect off --specular off
 machine sums $mixed --profile draft --size 6x5 --refract off --reflect off --specular off
 machine shines $mixed --profile draft --size 6x5 --refract off --shadow off
@@ -47,7 +48,7 @@ wanted "verilator glass, sum alone" $whole SIM=verilator glass --reg 0=548 --reg
 wanted "verilator mirrors, ten deep" auto SIM=verilator mirrors
 wanted "verilator mirrors, ten deep by shares" $whole SIM=verilator mirrors
 wanted "icarus mirrors, ten deep" auto SIM=icarus mirrors-small
-wanted "icarus mixed, two engines" auto "SIM=icarus ENGINES=2" two
+wanted "icarus mixed, two engines" auto "SIM=icarus ENGINES=2" pair
 wanted "icarus mixed, in a BIH" auto SIM=icarus bih
 wanted "icarus mixed, roots cut" auto SIM=icarus cut
 wanted "icarus mixed, only refracted" auto SIM=icarus bends
