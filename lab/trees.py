@@ -15,7 +15,8 @@ import struct
 import subprocess
 import sys
 
-TREES = ["paper", "balanced", "reinserted"]
+from .tree_options import OF_FOUR, options
+
 NO_ID, HEAD = 0xFFFFFF, 32  # of a frame file: cmodel/core/frame_file.h
 PDB = "/usr/share/pymol/data/demo/1tii.pdb"
 SIZE = "160x90"
@@ -54,7 +55,7 @@ def bound(hits, primitives):
 def measure(tool, folder, scene, tree):
     """Visits of a ray, and what the primary rays hit; hash of the picture."""
     frame = os.path.join(folder, "frame")
-    words = [tool, "render", scene, "--profile", "standard", "--size", SIZE, "--tree", tree]
+    words = [tool, "render", scene, "--profile", "standard", "--size", SIZE, *options(tree)]
     found = []
     for more in ([], ["--depth", "0", "--shadow", "off"]):
         done = subprocess.run([*words, *more, "--frame", frame, "--json", "-"], check=False,
@@ -73,7 +74,7 @@ def row(tool, folder, name, source):
     if scene != source:
         subprocess.run([tool, *source, "-o", scene], check=True, stdout=subprocess.DEVNULL)
     whole, primary = [], []
-    for tree in TREES:
+    for tree in OF_FOUR:
         found, hits = measure(tool, folder, scene, tree)
         whole.append(found[0])
         primary.append(found[1])
@@ -88,7 +89,7 @@ def row(tool, folder, name, source):
 def main():
     tool, folder = sys.argv[1:]
     os.makedirs(folder, exist_ok=True)
-    heads = ["scene", "spheres", *TREES, *(f"primary: {tree}" for tree in TREES), "bound"]
+    heads = ["scene", "spheres", *OF_FOUR, *(f"primary: {tree}" for tree in OF_FOUR), "bound"]
     lines = ["| " + " | ".join(heads) + " |", "|" + "---|" * len(heads)]
     lines += [row(tool, folder, name, source) for name, source in SCENES]
     print("\n".join(lines))

@@ -26,6 +26,11 @@ outdated() { # result, dependency files
         head -n 1)" ]
 }
 
+# How hard the compiler works on a bench: BENCH_OPT, else what its head says, else -O1.
+effort_of() { # source
+    said=${BENCH_OPT:-$(sed -n 's/^ \* Compiled with \(-O.\),.*/\1/p; /\*\//q' "$1")}
+    echo "${said:--O1}"
+}
 # Builds a line's bench unless it is there; 0 if it can be run.
 build() { # profile, module, bench, parameters
     profile=$1 top=$2 bench=$3
@@ -41,8 +46,8 @@ build() { # profile, module, bench, parameters
     done
     mkdir -p "$dir"
     source=$(find tb -name "$bench.cpp")
-    effort=${BENCH_OPT:-$(sed -n 's/^ \* Compiled with \(-O.\),.*/\1/p; /\*\//q' "$source")}
-    line="$top $generics $macros ${effort:=-O1}"
+    effort=$(effort_of "$source")
+    line="$top $generics $macros $effort"
     echo "$line" | cmp -s - "$dir/line" || rm -f "$dir/bench.o"
     echo "$line" >"$dir/line"
     if outdated "$dir/bench.o" "$dir/bench.d" "$dir/V${top}__ver.d"; then
@@ -87,11 +92,18 @@ mkdir -p "$out" "$BENCH_BUILD/sim"
 # shellcheck disable=SC2086  # a list of words on purpose
 env -u MAKEFLAGS -u MFLAGS make --no-print-directory B="$BENCH_BUILD" \
     $models >"$out/model.log" || { cat "$out/model.log"; exit 1; }
-for effort in ${BENCH_OPT:--O0 -O1}; do
-    flock "$BENCH_BUILD/sim/.tools.lock" env -u MAKEFLAGS -u MFLAGS make -s --no-print-directory \
-        -f make/verilated.mk B="$BENCH_BUILD" OPT="$effort" bench-tools || exit 1
-done
-[ "$pattern" != --tools ] || exit 0
+tools() { # efforts
+    for effort; do
+        flock "$BENCH_BUILD/sim/.tools.lock" env -u MAKEFLAGS -u MFLAGS make -s \
+            --no-print-directory -f make/verilated.mk B="$BENCH_BUILD" OPT="$effort" bench-tools ||
+            exit 1
+    done
+}
+[ "$pattern" != --tools ] || {
+    # shellcheck disable=SC2086  # a list of words on purpose
+    tools ${BENCH_OPT:--O0 -O1}
+    exit 0
+}
 
 [ "$pattern" = / ] && all=${ALL:-} || all=1
 awk -v pattern="$pattern" -v all="$all" -f tb/benches.awk cmodel/machine/machine.def \
@@ -100,12 +112,17 @@ awk -v pattern="$pattern" -v all="$all" -f tb/benches.awk cmodel/machine/machine
     exit 1
 }
 tr '\n' '\0' <"$out/list.$$" >"$out/lines.$$"
+efforts=$(cut -d' ' -f3 "$out/list.$$" | sort -u | while read -r bench; do
+    effort_of "$(find tb -name "$bench.cpp")"
+done | sort -u)
 rm -f "$out/list.$$"
 if [ ! -s "$out/lines.$$" ]; then
     echo "not ok run_bench.sh: nothing matches $pattern"
     rm -f "$out/lines.$$"
     exit 1
 fi
+# shellcheck disable=SC2086  # a list of words on purpose
+tools $efforts
 xargs -0 -P "${BENCH_JOBS:-1}" -I LINE sh "$0" --one LINE "$@" <"$out/lines.$$" && rc=0 || rc=1
 rm -f "$out/lines.$$"
 exit $rc

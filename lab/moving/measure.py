@@ -7,10 +7,11 @@ import os
 import subprocess
 import sys
 
+from ..tree_options import options
+
 SCENARIOS = [1, 2, 3]
 SPHERES = [100, 1000, 10000, 100000]
-TREES = {"reinserted": ["--tree", "reinserted"], "balanced": ["--tree", "balanced"],
-         "BIH": ["--accel", "bih"]}
+TREES = {"reinserted": "reinserted", "balanced": "balanced", "BIH": "bih"}  # title: tree
 REFITS = ["off", "on", "auto"]
 PROFILES = {100000: "fine"}  # the grid of standard, of all others, merges some of so many
 FRAMES = 6
@@ -45,7 +46,7 @@ def run(tool, folder, number, n, tree, refit):
     print("  RUN ", os.path.basename(target), flush=True)
     done = subprocess.run(
         [tool, "render", scene(tool, folder, number, n), "--profile",
-         PROFILES.get(n, "standard"), *TREES[tree],
+         PROFILES.get(n, "standard"), *options(TREES[tree]),
          "--refit", refit, "--depth", "0", "--shadow", "off", "--size", f"{SIZE[0]}x{SIZE[1]}",
          "--frames", f"0..{FRAMES - 1}", "-t", "1", "--json", target + ".tmp"],
         env=dict(os.environ, OMP_NUM_THREADS="1"), check=False, stdout=subprocess.DEVNULL,

@@ -12,6 +12,7 @@ import shutil
 import subprocess
 import sys
 
+from .. import tree_options
 from ..pages.place import write
 from . import scenes
 
@@ -42,7 +43,7 @@ WAYS = ["mended", "bmrt", "rays"]
 # the thesis's three scenarios, with as many spheres as its Figure 4.4 has
 SCENARIOS = {"scenario1": 64, "scenario2": 128, "scenario3": 256}
 # where the model's instructions go: scenes and their trees
-PROFILED = {"paper100": [], "random4096": [], "lattice64": ["--accel", "bih", "--max-prims", "8"]}
+PROFILED = {"paper100": [], "random4096": [], "lattice64": tree_options.options("bih8")}
 
 
 class Runner:
@@ -183,10 +184,10 @@ def leaves(run):
     scene = run.path("lattice64.nff")
     if not run.fresh("lattice64.nff"):
         run.run("gen", "scenario1", "-n", "64", "--plain", "-o", scene)
-    ways = {f"prims{n}": ["--accel", "bih", "--max-prims", str(n)] for n in LEAVES}
-    ways.update({f"levels{n}": ["--accel", "bih", "--max-prims", "1", "--max-tree-depth", str(n)]
+    ways = {f"prims{n}": tree_options.options(f"bih{n}") for n in LEAVES}
+    ways.update({f"levels{n}": tree_options.options("bih1") + ["--max-tree-depth", str(n)]
                  for n in LEVELS})
-    ways["brute"] = ["--accel", "brute"]
+    ways["brute"] = tree_options.options("brute")
     for name, how in ways.items():
         run.core(f"leaves-{name}", "lights1+facets+bih", scene, *how, "--size", "40x68",
                  "--depth", "0", "--shadow", "off")

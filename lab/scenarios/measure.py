@@ -10,6 +10,8 @@ import os
 import subprocess
 import sys
 
+from ..tree_options import options
+
 SPHERES = 4096
 PRIMS = [1, 2, 4, 8, 16]
 FEW = [64, 128, 256]
@@ -22,14 +24,6 @@ BUILDS, RENDERS = 5, 3
 # the thesis's frame; what of Figure 4.4 the RTL draws of it, by processes of some rows each
 FULL = ["--size", "640x1088"]
 FULL_RTL = [(1, 64, "brute"), (1, 64, "bih1"), (1, 64, "bih8")]
-
-
-def accel(name):
-    """Options of build: bihN, listingN, a tree of four children, or brute."""
-    for head, more in (("bih", []), ("listing", ["--bih", "listing"])):
-        if name.startswith(head):
-            return ["--accel", "bih", "--max-prims", name[len(head):]] + more
-    return ["--accel", "brute"] if name == "brute" else ["--tree", name]
 
 
 class Runner:
@@ -108,28 +102,28 @@ def main(tool, folder, *more):
     for number in 1, 2, 3:
         kind = f"scenario{number}"
         for how in "bih1", "bih8", "listing1", "listing8":
-            runner.machine(f"table-{number}-{how}", runner.generated(kind, SPHERES), accel(how),
+            runner.machine(f"table-{number}-{how}", runner.generated(kind, SPHERES), options(how),
                            0, BUILDS)
         for n in MANY:
             for prims in PRIMS:
                 runner.machine(f"memory-{number}-{n}-{prims}", runner.generated(kind, n, 0.001),
-                               accel(f"bih{prims}") + ["--profile", "fine"], 0)
+                               options(f"bih{prims}") + ["--profile", "fine"], 0)
         for n in FEW:
             for way in ["brute"] + [f"bih{p}" for p in PRIMS]:
                 scene = runner.generated(kind, n)
                 name = f"speed-{number}-{n}-{way}"
-                runner.machine(name, scene, accel(way) + PRIMARY + FULL, RENDERS)
+                runner.machine(name, scene, options(way) + PRIMARY + FULL, RENDERS)
                 if (number, n, way) in FULL_RTL:
                     runner.core(name, os.cpu_count())
                 small = f"rtl-{number}-{n}-{way}"
                 if runner.rtl:
-                    runner.machine(small, scene, accel(way) + PRIMARY + ["--size", "40x68"])
+                    runner.machine(small, scene, options(way) + PRIMARY + ["--size", "40x68"])
                     runner.core(small)
     for scene in SCENES:
         size = "90x153" if scene.startswith("scenario") else "160x90"
         for way in ACCELS:
             runner.machine(f"trees-{scene}-{way}", scene_file(runner, scene),
-                           accel(way) + ["--size", size], builds=BUILDS)
+                           options(way) + ["--size", size], builds=BUILDS)
             if way != "brute":
                 runner.core(f"trees-{scene}-{way}")
 

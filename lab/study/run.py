@@ -11,6 +11,7 @@ import sys
 import tempfile
 import time
 
+from .. import tree_options
 from ..jobs import store
 from ..synth import results
 from . import keys
@@ -49,10 +50,9 @@ def scene_file(tool, build, scene):
 def options(w):
     """Words of a key as options of `sphaera build`."""
     background, _, level = w["background"].partition("-")
-    trees = {"default": [], "bih": ["--accel", "bih"]}
     return ["--profile", w["profile"], "--size", w["size"], "--traverse", w["traverse"],
             "--background", background, "--depth", w["depth"]] \
-        + trees.get(w["tree"], ["--tree", w["tree"]]) + (["--bg-levels", level] if level else [])
+        + tree_options.options(w["tree"]) + (["--bg-levels", level] if level else [])
 
 
 def refused(ran):

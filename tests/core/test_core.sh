@@ -61,7 +61,8 @@ for scene in scenes/*.nff; do
     scene_name=$(basename "$scene" .nff)
     for profile in draft standard fine reference; do
         case $profile in
-        draft | reference) sizes='32x24 8x6' ;;
+        draft) sizes='32x24 8x6 6x4' ;;
+        reference) sizes='32x24 6x4' ;;
         *) sizes=32x24 ;;
         esac
         for size in $sizes; do
@@ -73,7 +74,7 @@ for scene in scenes/*.nff; do
 done
 
 frames verilator 32x24 draft standard fine reference
-frames icarus 8x6 draft reference
+frames icarus 6x4 draft reference
 
 # Hard cases that are scenes; the one of two equal spheres is refused.
 hard=$machines/hard
