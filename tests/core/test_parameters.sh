@@ -87,6 +87,8 @@ each_alone() {
         most:SPECULAR=*) with="SUM=1" ;;
         most:COARSE=*) with="TEXTURE=1" ;;
         most:ACCEL=* | most:BOXES=*) with="FIRST=0 INTERPENETRATE=0" ;;
+        most:EXACTS=*) with="PIPES=4 SHADES=4 INTERPENETRATE=0" ;;
+        most:SHADES=*) with="PIPES=4 INTERPENETRATE=0" ;;
         least:* | most:*) with= ;;
         *) continue ;;
         esac
@@ -148,6 +150,10 @@ SPECULAR_needs_SUM SPECULAR=1
 COARSE_needs_TEXTURE COARSE=1
 ACCEL_excludes_FIRST ACCEL=1
 ENGINES_times_PIPES_must_be_at_most_8 ENGINES=3 PIPES=3
+EXACTS_and_SHADES_must_be_powers_of_two PIPES=4 EXACTS=3 SHADES=4 INTERPENETRATE=0
+EXACTS_must_be_at_most_SHADES PIPES=4 EXACTS=4 SHADES=2 INTERPENETRATE=0
+SHADES_must_be_at_most_PIPES PIPES=1 SHADES=2 INTERPENETRATE=0
+INTERPENETRATE_needs_SHADES_to_be_1 PIPES=2 SHADES=2
 END
 check "legal: four pipes" silent icarus whole PIPES=4 EXACTS=4 SHADES=4 INTERPENETRATE=0
 

@@ -9,8 +9,8 @@ set -u
 root=$(pwd)
 cd "$TMP" || exit 1
 
-# scenes/paper5.nff times `by` plus `plus`; the eye at `eye` on the z axis unless 0; degrees `angle`;
-# the light so many times as far away
+# scenes/paper5.nff times `by` plus `plus`; the eye at `eye` on the z axis unless 0; degrees
+# `angle`; the light so many times as far away
 scene() { # by, plus, eye, angle, light
     awk -v by="$1" -v plus="$2" -v eye="$3" -v angle="$4" -v light="${5:-1}" '
         function at(x) { return sprintf(" %.17g", x * by + plus) }
