@@ -91,6 +91,25 @@ module f_mem_arbiter #(
     // memory sends no beat of a line that was not asked for
     always @* if (mem_rsp_valid) assume (asked_q > (\u_dut.full_q ? 1 : 0));
 
+    // ---- fairness: any client, and how many others were served while it asked ----
+    localparam CB = $clog2(CLIENTS) + 1;
+    (* anyconst *) wire [CB-1:0] mine;
+    (* hierconn *) wire [CLIENTS-1:0] \u_dut.above_q ;
+    reg [CB-1:0] passed_q, low;          // low: clients that are not above the one served last
+    integer k;
+    always @* begin
+        low = 0;
+        for (k = 0; k < CLIENTS; k = k + 1) if (!\u_dut.above_q [k]) low = low + 1'b1;
+    end
+    wire [CB-1:0] last = low == CLIENTS ? 0 : low;       // the turn comes to this one first
+    wire [CB-1:0] rank = mine >= last ? mine - last : mine + CLIENTS - last;
+    always @(posedge clk) begin
+        if (!req_valid[mine] || taken[mine]) passed_q <= 0;
+        else if (take) passed_q <= passed_q + 1'b1;
+        if (rst) passed_q <= 0;
+    end
+    always @* assume (mine < CLIENTS);
+
     // ---- last clock ----
     reg asking_q;
     reg [25:0] ask_line_q;
@@ -109,6 +128,9 @@ module f_mem_arbiter #(
             assert (rsp_valid == (beats_q == 4 ? client_q : 0));
             if (|rsp_valid) assert (rsp_data == data_q && rsp_error == |error_q);
         end
+        assert (passed_q < CLIENTS);                             // each other one goes once before
+        assert ({1'b0, passed_q} + rank < CLIENTS || passed_q == 0);
+        assert (\u_dut.above_q == ({CLIENTS{1'b1}} << low) || low == CLIENTS);
         // never stuck: a line, beats or a request move if clients and memory are ready
         if (&rsp_ready && mem_req_ready && marked_q && ahead_q == 0)
             assert (ask || give || mem_rsp_ready);

@@ -1,6 +1,10 @@
 # formal.mk - proofs of the RTL
 # SPDX-License-Identifier: Apache-2.0
+#
+#   make formal                proofs of formal/proofs.txt, and the reset of each module
+#   make formal PROVE=fifo     those with that in their name; PROVE=reset: the reset alone
 
 .PHONY: formal
-formal: ## proofs of the RTL with yosys-smtbmc and z3, table at the end
-	$(Q)BUILD=$B sh formal/prove.sh $(PROVE)
+formal: ## proofs of the RTL with yosys-smtbmc and z3, and of its reset, table at the end
+	$(if $(filter-out reset,$(PROVE))$(if $(PROVE),,all),$(Q)BUILD=$B sh formal/prove.sh $(PROVE))
+	$(if $(filter-out reset,$(PROVE)),,$(Q)python3 -m lab.reset $B)
