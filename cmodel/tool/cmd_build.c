@@ -21,7 +21,7 @@ enum { KEY_JSON = 512, KEY_STATS, KEY_FRAMES };
 
 static const struct argp_option options[] = {
     {"output", 'o', "FILE", 0, "machine file to write", 0},
-    {"stats", KEY_STATS, NULL, 0, "bih, box4: nodes, leaves, depth and bytes as text", 0},
+    {"stats", KEY_STATS, NULL, 0, "bih, box4: nodes, leaves, levels and bytes as text", 0},
     {"frames", KEY_FRAMES, "A..B", 0,
      "machines of these frames of a moving scene, FILE-0007.sph and so on", 0},
     {"json", KEY_JSON, "FILE", 0, "report as JSON (- : on standard output instead of text)", 0},

@@ -49,8 +49,8 @@ void print_build(FILE *to, const struct tool_built *built) {
     if (built->skipped) fprintf(to, "skipped  %u unsupported primitives\n", built->skipped);
     fprintf(to, "grid     step %g, smallest radius %.4g steps, field of view off by %.2g\n",
             b->grid_step, b->smallest_radius, b->fov_error);
-    fprintf(to, "tree     %s: %u nodes, depth %u, %.3f s%s%s\n", sph_machine_tree_name(m), b->nodes,
-            b->depth, b->build_seconds, b->tree_why[0] ? ", " : "", b->tree_why);
+    fprintf(to, "tree     %s: %u nodes on %u levels, %.3f s%s%s\n", sph_machine_tree_name(m),
+            b->nodes, b->depth, b->build_seconds, b->tree_why[0] ? ", " : "", b->tree_why);
     print_effects(to, b);
     if (b->bases_computed)
         fprintf(to, "bases    %" PRIu64 " made: levels of textured primitives\n",

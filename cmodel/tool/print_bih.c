@@ -15,7 +15,7 @@ void print_bih(FILE *to, const struct sph_machine *m, const struct sph_bih_stats
     fprintf(to, "nodes    %u inner, %u leaves, %u optimized\n", s->inner, s->leaves, s->optimized);
     fprintf(to, "prims    of a leaf: %u least, %.2f mean, %u most\n", s->prims_min,
             mean(s->prims_sum, s->leaves), s->prims_max);
-    fprintf(to, "depth    of leaves: %u least, %.2f mean, %u most\n", s->depth_min,
+    fprintf(to, "levels   of leaves: %u least, %.2f mean, %u most\n", s->depth_min,
             mean(s->depth_sum, s->leaves), s->depth_max);
     fprintf(to, "leaves   with N primitives:");
     for (int i = 0; i < SPH_BIH_BARS; i++)

@@ -45,7 +45,8 @@ def lines(run):
     eye = ", ".join(map(str, machine["camera"]["eye"]))
     yield "Camera", (f"at ({eye}) on the grid, sees {machine['camera']['degrees_across']:.1f} "
                      f"degrees across {machine['width']} pixels, looks along -z")
-    tree = f"{machine['tree']}: {several(build['nodes'], 'node')}, depth {build['depth']}"
+    tree = (f"{machine['tree']}: {several(build['nodes'], 'node')} on "
+            f"{several(build['depth'], 'level')}")
     yield "Tree", tree + (f"; {build['tree_why']}" if "tree_why" in build else "")
     yield "Memory", (f"{number(machine['memory_bytes'])} bytes, {number(machine['tree_bytes'])} of "
                      f"them tree and leaves; {came(report)}, {report['stall']} % of handshakes "

@@ -35,10 +35,10 @@ done
 "$s" build a.nff --accel bih --max-prims 1 -o a.sph --stats --json b.json >build.txt
 "$s" build a.nff --accel bih --max-prims 1 -o a.sph --stats >build.txt
 "$s" info a.sph --json i.json >info.txt
-check "build names the tree" has "^tree     bih: [0-9]* nodes, depth" build.txt
+check "build names the tree" has "^tree     bih: [0-9]* nodes on [0-9]* levels" build.txt
 check "info too" has "^tree      bih, [0-9]* nodes on .* 100 spheres, 1 planes below them" info.txt
-grep -E '^(nodes|prims|depth|leaves|bytes) ' build.txt >b.txt
-grep -E '^(nodes|prims|depth|leaves|bytes) ' info.txt >i.txt
+grep -E '^(nodes|prims|levels|leaves|bytes) ' build.txt >b.txt
+grep -E '^(nodes|prims|levels|leaves|bytes) ' info.txt >i.txt
 check "both tell the same" cmp b.txt i.txt
 check "five lines of it" equal 5 "$(grep -c . b.txt)"
 check "build tells the tree's own time" has "^build    tree [0-9.]* ms" build.txt
