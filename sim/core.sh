@@ -10,8 +10,8 @@
 # --folder it runs nothing and prints the folder of the core.
 # EFFECTS=auto elaborates only what the machine asks for, all (default) everything, else what is
 # named: a list as sim/parameters.sh takes it; for a machine with a BIH all is all+bih, with boxes
-# all+boxes. A core with less than the machine asks for refuses it; the harness says what is missing
-# and ends with 3.
+# all+boxes, of a turned grid +turned. A core with less than the machine asks for refuses it; the
+# harness says what is missing and ends with 3.
 # BUILD is the build folder, RTL another source folder, OPT the compiler's effort. BUILT=1 says that
 # all was just built: nothing is looked at, which takes longer than a small frame; BUILT=tools says
 # so of all but the core.
@@ -61,8 +61,11 @@ PROFILE=$profile SIM=$SIM ROOT_STEP=$ROOT_STEP QUOTIENT_STEP=$QUOTIENT_STEP \
 core=${info#* }
 core=${core%% *}
 case $EFFECTS+$core in # what walks the machine's tree
-all+bih | all+*+bih) EFFECTS=all+bih ;;
-all+boxes | all+*+boxes) EFFECTS=all+boxes ;;
+all+bih* | all+*+bih*) EFFECTS=all+bih ;;
+all+boxes* | all+*+boxes*) EFFECTS=all+boxes ;;
+esac
+case $EFFECTS+$core in
+all+*turned*) EFFECTS=$EFFECTS+turned ;;
 esac
 [ "$EFFECTS" = auto ] || core=$EFFECTS
 built=$(sh sim/parameters.sh "$core")

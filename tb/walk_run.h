@@ -23,7 +23,8 @@ constexpr int64_t MAX = ((int64_t)1 << (WD - 1)) - 1, MIN = -MAX - 1;
 
 struct Run {
     int win[4], mode, rect[4]; /* x0, y0, x1, y1; the last two are one past the end */
-    int64_t dir[2], pitch;
+    int64_t dir[3], pitch;
+    int32_t turned[9]; /* TURNED: first, across, down; x, y, z each */
     uint32_t base, lines;        /* first line of the table; lines of memory */
     std::vector<uint32_t> words; /* of the table */
     std::vector<Ball> balls;     /* of cones; without: the record alone says what is hit */
@@ -79,6 +80,9 @@ struct Run {
                cones.size(), balls.size(), base, lines, bad() ? ": bad" : "");
         print_value("dir_x0_i", dir[0], WD);
         print_value("dir_y0_i", dir[1], WD);
+        print_value("dir_z_i", dir[2], WD);
+        for (int i = 0; TURNED && i < 9; i++)
+            printf("#   %s[%d] %d\n", i < 3 ? "first" : i < 6 ? "across" : "down", i % 3, turned[i]);
         print_value("pitch_i", pitch, WD);
     }
     /* Registers and memory for the model, when all the rest is set. */
@@ -90,7 +94,11 @@ struct Run {
                 sph_machine_set_profile(&m, &sph_profiles[i]);
         for (int i = 0; i < 4; i++)
             g[SPH_REG_WIN_X0 + i] = win[i], g[SPH_REG_RECT_X0 + i] = rect[i];
-        g[SPH_REG_DIR_X0] = (int32_t)dir[0], g[SPH_REG_DIR_Y0] = (int32_t)dir[1];
+        for (int i = 0; i < 3; i++)
+            g[SPH_REG_DIR_X0 + i] = TURNED ? turned[i] : (int32_t)dir[i];
+        for (int i = 3; TURNED && i < 9; i++)
+            g[SPH_REG_ACROSS_X + i - 3] = turned[i];
+        g[SPH_REG_EFFECTS] = TURNED << SPH_EFFECT_TURNED;
         g[SPH_REG_PITCH] = (int32_t)pitch;
         g[SPH_REG_BG_MODE] = mode, g[SPH_REG_BG_COUNT] = (int32_t)cones.size();
         g[SPH_REG_BG_BASE] = 1, g[SPH_REG_MEM_LINES] = (int32_t)table_lines() + !bad();
@@ -174,6 +182,9 @@ inline Run make_run(Random &random) {
         if (random.percent(5)) r.rect[i + 2] = (int)random.bits(14);
         r.dir[i] = random.smixed(WD);
     }
+    r.dir[2] = random.smixed(WD);
+    for (int32_t &word : r.turned)
+        word = (int32_t)random.smixed(32);
     r.pitch = (int64_t)random.mixed(random.percent(50) ? WD : WD / 2);
     r.mode = make_mode(random);
     make_table(random, r);

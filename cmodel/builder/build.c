@@ -7,6 +7,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "builder/axes.h"
 #include "builder/background.h"
 #include "builder/choose_tree.h"
 #include "builder/effects.h"
@@ -73,6 +74,12 @@ static int check(const struct sph_scene *scene, const struct sph_build_options *
         return sph_fail(err, "a level has no %d bits of fraction", SPH_LOD_BITS - o->coarse);
     if (o->tex_filter < 0 || o->tex_filter >= SPH_FILTERS)
         return sph_fail(err, "there is no texture filter %d", o->tex_filter);
+    if (o->axes != SPH_AXES_CAMERA && o->axes != SPH_AXES_SCENE)
+        return sph_fail(err, "there are no axes %d", o->axes);
+    if (o->axes == SPH_AXES_SCENE && o->background != SPH_BG_NONE)
+        return sph_fail(err, "axes scene: background is separated along the camera's axes alone");
+    if (o->axes == SPH_AXES_SCENE && o->traverse == SPH_BUILD_FIRST)
+        return sph_fail(err, "axes scene: it is not for traverse first");
     if (o->background < SPH_BG_NONE || o->background > SPH_BG_EXACT)
         return sph_fail(err, "there is no background mode %d", o->background);
     if (o->bg_points && (o->bg_points < SPH_POINTS_MIN || o->bg_points > SPH_POINTS_MAX))
@@ -138,6 +145,16 @@ static int place_camera(const struct sph_scene *scene, const struct sph_build_op
     regs[SPH_REG_DIR_Y0] = rays->y0;
     regs[SPH_REG_DIR_Z] = rays->z;
     regs[SPH_REG_PITCH] = rays->pitch;
+    if (grid->axes == SPH_AXES_CAMERA) return 0;
+    struct sph_steps steps;
+    if (sph_rays_turn(rays, width, height, grid, p, &steps, &why))
+        return sph_fail(err, "%s: profile %s: %.450s", scene->path, p->name, why.text);
+    for (int i = 0; i < 3; i++) {
+        regs[SPH_REG_DIR_X0 + i] = steps.first[i];
+        regs[SPH_REG_ACROSS_X + i] = steps.across[i];
+        regs[SPH_REG_DOWN_X + i] = steps.down[i];
+    }
+    regs[SPH_REG_PITCH] = 0;
     return 0;
 }
 
@@ -163,7 +180,7 @@ static int quantise(const struct sph_scene *scene, const struct sph_grid *grid,
                          : scene->n_spheres + parts->facets.list[i - scene->n_spheres].scene;
     report->loose = parts->facets.n_loose;
     report->facets = parts->facets.n;
-    sph_warn_coarse(scene, profile, report);
+    sph_warn_coarse(scene, profile, grid->axes, report);
     sph_warn_left_out(scene, profile, &parts->facets, report);
     sph_warn_bent(scene, report);
     return 0;
@@ -182,7 +199,7 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
     sph_machine_set_profile(m, profile);
     m->regs[SPH_REG_TREE] = o->tree;
     m->regs[SPH_REG_FRAME] = SPH_FRAMES - 1;
-    if (sph_grid_fit(scene, profile->w, &grid, err)) return -1;
+    if (sph_grid_fit(scene, profile->w, o->axes, &grid, err)) return -1;
     if (place_camera(scene, o, &grid, &rays, m, err)) return -1;
     report->grid_step = grid.step;
     report->fov_error = rays.fov_error + grid.seen_from.off;
@@ -220,6 +237,7 @@ int sph_build(const struct sph_scene *scene, const struct sph_build_options *opt
     memset(report, 0, sizeof *report);
     struct sph_build_options o = *options;
     sph_choose_tree(scene, &o, report);
+    if (o.axes == SPH_AXES_AUTO) o.axes = sph_axes_of(scene, &o);
     if (check(scene, &o, err)) return -1;
     uint64_t n = (uint64_t)scene->n_spheres + scene->n_facets;
     parts.balls = malloc((n + 1) * sizeof *parts.balls);

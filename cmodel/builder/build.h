@@ -7,6 +7,7 @@
 #ifndef SPH_BUILD_H
 #define SPH_BUILD_H
 
+#include "builder/axes.h"
 #include "builder/eye.h"
 #include "builder/refit.h"
 #include "builder/texture_keep.h"
@@ -30,6 +31,7 @@ struct sph_build_options {
     uint32_t max_prims;               /* BIH: primitives of a leaf that is not cut; 0: 4 */
     uint32_t max_tree_depth;          /* BIH: levels, 1 .. SPH_BIH_STACK + 1; 0: these */
     int bih;                          /* SPH_BIH_FULL, SPH_BIH_LISTING */
+    int axes;                         /* SPH_AXES_*: of the grid; auto: axes.h */
     int background;                   /* SPH_BG_* */
     int width, height;                /* 0: the scene file's */
     int max_depth;                    /* reflections 0..10 */
@@ -65,8 +67,8 @@ enum { SPH_TREE_AUTO = 0 };
 #define SPH_BUILD_DEFAULT                                                                          \
     {                                                                                              \
         .profile = SPH_STANDARD, .tree = SPH_TREE_REINSERTED, .background = SPH_BG_NONE,           \
-        .bg_border = 1, .max_depth = 2, .asked = {SPH_EACH_EFFECT(SPH_BUILD_ASKED)},               \
-        .tex_filter = SPH_FILTER_BETWEEN                                                           \
+        .axes = SPH_AXES_AUTO, .bg_border = 1, .max_depth = 2,                                     \
+        .asked = {SPH_EACH_EFFECT(SPH_BUILD_ASKED)}, .tex_filter = SPH_FILTER_BETWEEN              \
     }
 
 /* A leaf of no more is not cut if nothing else is asked for: docs/results/scenarios.md has what it

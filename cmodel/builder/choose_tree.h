@@ -6,10 +6,13 @@
 
 #include "builder/build.h"
 
-/* Where options->tree is SPH_TREE_AUTO: nodes of four boxes if the scene has triangles, and at
- * least as many as spheres, else of four spheres; report->tree_why says so. Around triangles boxes
- * save visits and tests (docs/results/scenarios.md has the counts); around spheres they save fewer
- * visits, ask for more tests, and are the larger core. What takes the first hit walks spheres. */
+/* The tree, where options->tree is SPH_TREE_AUTO: nodes of four boxes if the scene has triangles,
+ * and at least as many as spheres, else of four spheres. Around triangles boxes save visits and
+ * tests (docs/results/scenarios.md has the counts); around spheres they save fewer visits, ask for
+ * more tests, and are the larger core. What takes the first hit walks spheres. */
+int sph_tree_of(const struct sph_scene *scene, const struct sph_build_options *options);
+
+/* Puts it there; report->tree_why says why. */
 void sph_choose_tree(const struct sph_scene *scene, struct sph_build_options *options,
                      struct sph_build_report *report);
 

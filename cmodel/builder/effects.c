@@ -161,6 +161,10 @@ int sph_emit_effects(const struct sph_survey *survey, struct sph_machine *machin
     if (find_inside(s, report, err)) return -1;
     sph_find_facets(s, &effects[SPH_REPORT_FACETS]);
     sph_find_smooth(s, &effects[SPH_REPORT_SMOOTH]);
+    effects[SPH_REPORT_TURNED].on = effects[SPH_REPORT_TURNED].called =
+        s->grid->axes == SPH_AXES_SCENE;
+    WHY(&effects[SPH_REPORT_TURNED], "the grid has the axes of the %s",
+        s->grid->axes == SPH_AXES_SCENE ? "scene" : "camera");
     for (int i = 0; i < SPH_REPORTS; i++)
         if (sph_parts[i].option == SPH_OPTION_WHEN && !effects[i].why[0]) find_none(s, i, report);
     warn_missing(s->scene, &lights, report);

@@ -92,8 +92,9 @@ static void add_pixel(const struct sph_waver *w, const struct look *a, const str
         sums->square += off * off;
     }
     if (s->hit.id == SPH_ID_NONE) return;
-    double by = sph_waver_worst(w, s->hit.id) /
-                sph_waver_width(&s->ray, &b->log.step[0].ray, sph_waver_distance(s));
+    double far = sph_waver_distance(s);
+    double by = (sph_waver_worst(w, s->hit.id) + sph_waver_dir(w) * far) /
+                sph_waver_width(&s->ray, &b->log.step[0].ray, far);
     sums->pixels = fmax(sums->pixels, by + shift);
 }
 
@@ -137,11 +138,11 @@ static int add(const struct sph_ref_job *j, const struct sph_waver *w, int n, in
 
 /* Grid and rays of a profile; 0 if the camera does not fit. */
 static int prepare(const struct sph_scene *scene, const struct sph_ref_view *view,
-                   const struct sph_profile *profile, struct sph_waver *w) {
+                   const struct sph_profile *profile, int axes, struct sph_waver *w) {
     struct sph_rays rays;
     w->scene = scene;
     w->profile = profile;
-    if (sph_grid_fit(scene, profile->w, &w->grid, NULL) ||
+    if (sph_grid_fit(scene, profile->w, axes, &w->grid, NULL) ||
         sph_rays_of(view->width, view->height, w->grid.seen_from.angle, profile, &rays, NULL))
         return 0;
     w->fov_error = rays.fov_error + w->grid.seen_from.off;
@@ -163,14 +164,14 @@ int sph_estimate(const struct sph_scene *scene, const struct sph_build_options *
     struct sph_ref_job j = {.scene = scene, .o = &how};
     struct sph_waver w[SPH_ESTIMATES];
     struct sums sums[SPH_ESTIMATES] = {{0, 0, 0}};
-    int which[SPH_ESTIMATES], some = 0, samples = 0;
+    int which[SPH_ESTIMATES], some = 0, samples = 0, axes = sph_axes_of(scene, o);
     double pixels = (double)how.width * how.height;
     if (how.width < 1 || how.height < 1 ||
         !sph_ref_view_of(&scene->camera, how.width, how.height, &j.view))
         some = -1; /* sph_build() says why */
     for (int p = 0; p < n; p++) {
         estimates[p] = (struct sph_estimate){0, 0, 0, 0};
-        if (some >= 0 && prepare(scene, &j.view, &profiles[p], &w[some])) which[some++] = p;
+        if (some >= 0 && prepare(scene, &j.view, &profiles[p], axes, &w[some])) which[some++] = p;
     }
     if (some < 1) return 0;
     struct sph_ref_tree *tree = sph_ref_tree_new(scene);

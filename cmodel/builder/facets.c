@@ -26,27 +26,35 @@ static int same(const struct sph_grid_facet *a, const struct sph_grid_facet *b) 
     return a->kind == b->kind && kind_of(a)->same(a, b);
 }
 
-static int fail_duplicate(const struct sph_scene *scene, const struct sph_profile *profile,
-                          const struct sph_grid_facet *a, const struct sph_grid_facet *b,
-                          struct sph_error *err) {
-    const char *what = sph_prim_of((uint32_t)b->kind)->name;
-    uint32_t first = scene->facets[a->scene].line, second = scene->facets[b->scene].line;
+/* The next finer profile that tells two facets apart, or -1. */
+static int finer_apart(const struct sph_scene *scene, const struct sph_profile *profile, int axes,
+                       const struct sph_grid_facet *a, const struct sph_grid_facet *b) {
     for (int p = 0; p < SPH_PROFILES; p++) {
         struct sph_grid grid;
         struct sph_grid_facet c, d;
-        if (sph_profiles[p].w <= profile->w || sph_grid_fit(scene, sph_profiles[p].w, &grid, NULL))
+        if (sph_profiles[p].w <= profile->w ||
+            sph_grid_fit(scene, sph_profiles[p].w, axes, &grid, NULL))
             continue;
         quantise(&grid, scene, a->scene, &sph_profiles[p], &c);
         quantise(&grid, scene, b->scene, &sph_profiles[p], &d);
-        if (!same(&c, &d))
-            return sph_fail(err,
-                            "%s:%u: the grid of profile %s merges this %s with that of line %u: "
-                            "profile %s separates them",
-                            scene->path, second, profile->name, what, first, sph_profiles[p].name);
+        if (!same(&c, &d)) return p;
     }
+    return -1;
+}
+
+static int fail_duplicate(const struct sph_scene *scene, const struct sph_profile *profile,
+                          int finer, const struct sph_grid_facet *a, const struct sph_grid_facet *b,
+                          struct sph_error *err) {
+    const char *what = sph_prim_of((uint32_t)b->kind)->name;
+    uint32_t first = scene->facets[a->scene].line, second = scene->facets[b->scene].line;
+    if (finer < 0)
+        return sph_fail(err,
+                        "%s:%u: the same %s as in line %u, on the grid of every profile from %s on",
+                        scene->path, second, what, first, profile->name);
     return sph_fail(err,
-                    "%s:%u: the same %s as in line %u, on the grid of every profile from %s on",
-                    scene->path, second, what, first, profile->name);
+                    "%s:%u: the grid of profile %s merges this %s with that of line %u: "
+                    "profile %s separates them",
+                    scene->path, second, profile->name, what, first, sph_profiles[finer].name);
 }
 
 /* Whether two facets that have corners have the same ones in the scene. */
@@ -60,9 +68,24 @@ static int twice(const struct sph_facet *a, const struct sph_facet *b) {
     return found == (1 << n) - 1;
 }
 
-/* Looks for equal facets with an open hash table. A triangle that stands in the scene a second time
- * is left out: no ray could tell which of them it met. */
-static int duplicates(const struct sph_scene *scene, const struct sph_profile *profile,
+/* Facet b is the same on the grid as facet a: it is left out, and counted, if it stands in the
+ * scene twice, or is a triangle that no finer profile tells from the other: no ray could tell which
+ * of them it met. */
+static int leave_out(const struct sph_scene *scene, const struct sph_profile *profile, int axes,
+                     const struct sph_grid_facet *a, const struct sph_grid_facet *b,
+                     struct sph_facets *facets, struct sph_error *err) {
+    if (twice(&scene->facets[a->scene], &scene->facets[b->scene])) {
+        if (!facets->n_twice++) facets->first_twice = b->scene;
+        return 0;
+    }
+    int finer = finer_apart(scene, profile, axes, a, b);
+    if (finer >= 0 || kind_of(b)->loose) return fail_duplicate(scene, profile, finer, a, b, err);
+    if (!facets->n_merged++) facets->first_merged = b->scene;
+    return 0;
+}
+
+/* Looks for equal facets with an open hash table. */
+static int duplicates(const struct sph_scene *scene, const struct sph_profile *profile, int axes,
                       struct sph_facets *facets, struct sph_error *err) {
     uint64_t size = 4;
     while (size < 2ull * facets->n)
@@ -79,10 +102,8 @@ static int duplicates(const struct sph_scene *scene, const struct sph_profile *p
         if (!old) {
             facets->list[kept] = *f;
             table[at] = ++kept;
-        } else if (!twice(&scene->facets[old->scene], &scene->facets[f->scene])) {
-            result = fail_duplicate(scene, profile, old, f, err);
-        } else if (!facets->n_twice++) {
-            facets->first_twice = f->scene;
+        } else {
+            result = leave_out(scene, profile, axes, old, f, facets, err);
         }
     }
     facets->n = kept;
@@ -109,7 +130,7 @@ int sph_grid_facets(const struct sph_grid *grid, const struct sph_scene *scene,
             facets->first_empty = i;
         }
     }
-    if (duplicates(scene, profile, facets, err)) return -1;
+    if (duplicates(scene, profile, grid->axes, facets, err)) return -1;
     sph_group_facets(scene, facets);
     return 0;
 }

@@ -18,15 +18,16 @@ struct sph_grid_facet {
 struct sph_facets {
     struct sph_grid_facet *list; /* as in the file; malloc */
     uint32_t n, n_loose;         /* loose: without bounds */
-    /* Triangles that are not in list: without area on the grid, and second of two in the scene. */
-    uint32_t n_empty, first_empty, n_twice, first_twice;
+    /* Triangles that are not in list: without area on the grid, second of two in the scene, and
+     * second of two on the grid of each profile that is no coarser. */
+    uint32_t n_empty, first_empty, n_twice, first_twice, n_merged, first_merged;
 };
 
 /* Puts the facets on the grid: corners and points to nearest, normals of planes to 24 bits.
  * Triangles without area there are left out (no ray meets them, and what they joined stays closed),
- * and triangles that stand in the scene a second time. -1 if two other facets are the same on the
- * grid, with line and the finer profile that helps, or memory is out. *facets is to be freed in any
- * case. */
+ * and triangles that stand in the scene, or on the grid of this and every finer profile, a second
+ * time. -1 if two other facets are the same on the grid, with line and the finer profile that
+ * helps, or memory is out. *facets is to be freed in any case. */
 int sph_grid_facets(const struct sph_grid *grid, const struct sph_scene *scene,
                     const struct sph_profile *profile, struct sph_facets *facets,
                     struct sph_error *err);

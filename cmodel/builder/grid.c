@@ -1,4 +1,4 @@
-/* grid.c - camera frame and grid; see grid.h
+/* grid.c - the grid; see grid.h
  * SPDX-License-Identifier: Apache-2.0
  */
 #include "builder/grid.h"
@@ -17,31 +17,6 @@ enum {
     FAR = 4,   /* times finer: then the grid is made without the lights */
     LEAST = 12 /* bits that planes leave to what has an end, and half of those beyond */
 };
-
-/* Divides by the length; 0 if there is none. */
-static int normalise(struct sph_vec *v) {
-    double most = fmax(fabs(v->x), fmax(fabs(v->y), fabs(v->z)));
-    if (!(most > 0) || !isfinite(most)) return 0;
-    v->x /= most, v->y /= most, v->z /= most;
-    double len = sqrt(v->x * v->x + v->y * v->y + v->z * v->z);
-    v->x /= len, v->y /= len, v->z /= len;
-    return 1;
-}
-
-/* The camera looks along -z, x to the right, y up. */
-static int rotation(const struct sph_scene *scene, double m[9], struct sph_error *err) {
-    const struct sph_camera *cam = &scene->camera;
-    struct sph_vec z = sph_vec_sub(cam->from, cam->at), up = cam->up;
-    if (!normalise(&z)) return sph_fail(err, "%s: from and at are the same point", scene->path);
-    if (!normalise(&up)) return sph_fail(err, "%s: up has no direction", scene->path);
-    struct sph_vec x = sph_vec_cross(up, z);
-    if (x.x * x.x + x.y * x.y + x.z * x.z < 1e-20 || !normalise(&x))
-        return sph_fail(err, "%s: up is parallel to the view", scene->path);
-    struct sph_vec y = sph_vec_cross(z, x);
-    const double rows[9] = {x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z};
-    memcpy(m, rows, sizeof rows);
-    return 0;
-}
 
 /* Adds the points of facets. */
 static int add_facets(const struct sph_scene *scene, const double m[9], struct sph_box *box,
@@ -74,7 +49,7 @@ static int add_lights(const struct sph_scene *scene, struct sph_vec from, const 
     return 0;
 }
 
-/* The box, in the camera's axes around its eye, of facets and all spheres but one. */
+/* The box, in axes around the eye, of facets and all spheres but one. */
 static int bounds(const struct sph_scene *scene, const double m[9], uint32_t but,
                   struct sph_box *box, struct sph_error *err) {
     double at[3];
@@ -178,22 +153,32 @@ static int all_fit(const struct sph_grid *grid, const struct sph_scene *scene,
     return 1;
 }
 
-int sph_grid_fit(const struct sph_scene *scene, int w, struct sph_grid *grid,
+int sph_grid_fit(const struct sph_scene *scene, int w, int axes, struct sph_grid *grid,
                  struct sph_error *err) {
+    static const double same[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     struct sph_box box, lit;
+    double back[3] = {0, 0, 1}; /* the camera's z */
     memset(grid, 0, sizeof *grid);
     grid->step = 1;
     grid->w = w;
-    if (rotation(scene, grid->rotation, err) ||
-        bounds(scene, grid->rotation, scene->n_spheres, &box, err))
+    grid->axes = axes;
+    if (sph_camera_axes(scene, grid->camera, err) ||
+        bounds(scene, grid->camera, scene->n_spheres, &box, err))
         return -1;
     int planes = 0;
     for (uint32_t i = 0; i < scene->n_facets; i++)
         planes |= sph_prim_of((uint32_t)scene->facets[i].kind)->loose;
     grid->seen_from = (struct sph_eye){scene->camera.from, 0, scene->camera.angle, 1, 0};
-    if (!planes) grid->seen_from = sph_eye_place(scene, grid->rotation + 6, box.lo, box.hi, w);
-    box.lo[2] += grid->seen_from.ahead;
-    box.hi[2] += grid->seen_from.ahead;
+    if (!planes) grid->seen_from = sph_eye_place(scene, grid->camera + 6, box.lo, box.hi, w);
+    memcpy(grid->rotation, axes == SPH_AXES_SCENE ? same : grid->camera, sizeof grid->rotation);
+    if (axes == SPH_AXES_SCENE) {
+        memcpy(back, grid->camera + 6, sizeof back);
+        if (bounds(scene, grid->rotation, scene->n_spheres, &box, err)) return -1;
+    }
+    for (int i = 0; i < 3; i++) {
+        box.lo[i] += back[i] * grid->seen_from.ahead;
+        box.hi[i] += back[i] * grid->seen_from.ahead;
+    }
     sph_box_add(&box, (const double[3]){0, 0, 0}, 0); /* the eye */
     grid->ground = scene->n_spheres;
     if (!planes && !(grid->seen_from.ahead > 0))

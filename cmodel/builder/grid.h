@@ -1,9 +1,10 @@
-/* grid.h - camera frame, grid and primary rays: real numbers to integers
+/* grid.h - axes, grid and primary rays: real numbers to integers
  * SPDX-License-Identifier: Apache-2.0
  */
 #ifndef SPH_GRID_H
 #define SPH_GRID_H
 
+#include "builder/axes.h"
 #include "builder/bound.h"
 #include "builder/eye.h"
 #include "machine/profile.h"
@@ -12,8 +13,10 @@
 enum { SPH_GRID_MARGIN = 4 }; /* grid units kept free at each side */
 
 struct sph_grid {
-    double rotation[9]; /* rows: camera x, y, z axes in the scene's frame */
-    double origin[3];   /* camera-frame coordinates of grid point 0 */
+    int axes;           /* SPH_AXES_CAMERA or SPH_AXES_SCENE */
+    double camera[9];   /* rows: camera x, y, z axes in the scene's frame */
+    double rotation[9]; /* rows: those of the grid */
+    double origin[3];   /* coordinates of grid point 0 along them */
     struct sph_eye seen_from;
     uint32_t ground; /* sphere that is not all on it (ground.h); n_spheres: none */
     int32_t eye[3];  /* grid units, exact */
@@ -22,9 +25,10 @@ struct sph_grid {
     int w;           /* bits of a coordinate */
 };
 
-/* Finds the finest power-of-two grid of w bits that holds the scene (docs/model/build.md). -1 if
- * the camera has no direction or a number of the scene is not usable. */
-int sph_grid_fit(const struct sph_scene *scene, int w, struct sph_grid *grid,
+/* Finds the finest power-of-two grid of w bits, in axes that are chosen (axes.h), that holds the
+ * scene (docs/model/build.md). -1 if the camera has no direction or a number of the scene is not
+ * usable. */
+int sph_grid_fit(const struct sph_scene *scene, int w, int axes, struct sph_grid *grid,
                  struct sph_error *err);
 
 /* A point, and a sphere, of the scene in grid units, to nearest (halves away from zero). */
@@ -47,8 +51,8 @@ int sph_grid_spheres(const struct sph_grid *grid, const struct sph_scene *scene,
                      struct sph_error *err);
 
 /* The next finer profile under which a radius is at least `units` grid units, or -1. */
-int sph_grid_finer(const struct sph_scene *scene, const struct sph_profile *profile, double rad,
-                   double units);
+int sph_grid_finer(const struct sph_scene *scene, const struct sph_profile *profile, int axes,
+                   double rad, double units);
 
 /* dir(x, y) = (x0 + x*pitch, y0 - y*pitch, z), integers of wd bits. */
 struct sph_rays {
@@ -65,5 +69,16 @@ int sph_rays_fit(int width, int height, double angle, int wd, struct sph_rays *r
  * finer profile that would do, if one does. */
 int sph_rays_of(int width, int height, double angle, const struct sph_profile *profile,
                 struct sph_rays *rays, struct sph_error *err);
+
+/* The same rays along the axes of a grid that are not the camera's: first + x*across + y*down, of
+ * 32 bits, of which the top WD are a direction. They are as long as WD bits hold. */
+struct sph_steps {
+    int32_t first[3], across[3], down[3];
+};
+
+/* -1 if the screen comes too near for the profile. */
+int sph_rays_turn(const struct sph_rays *rays, int width, int height, const struct sph_grid *grid,
+                  const struct sph_profile *profile, struct sph_steps *steps,
+                  struct sph_error *err);
 
 #endif

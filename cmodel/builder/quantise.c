@@ -7,12 +7,12 @@
 
 #include "builder/grid.h"
 
-int sph_grid_finer(const struct sph_scene *scene, const struct sph_profile *profile, double rad,
-                   double units) {
+int sph_grid_finer(const struct sph_scene *scene, const struct sph_profile *profile, int axes,
+                   double rad, double units) {
     for (int p = 0; p < SPH_PROFILES; p++) {
         struct sph_grid grid;
         if (sph_profiles[p].w <= profile->w) continue;
-        if (!sph_grid_fit(scene, sph_profiles[p].w, &grid, NULL) && rad / grid.step >= units)
+        if (!sph_grid_fit(scene, sph_profiles[p].w, axes, &grid, NULL) && rad / grid.step >= units)
             return p;
     }
     return -1;
@@ -23,11 +23,12 @@ static int same(const struct sph_ball *a, const struct sph_ball *b) {
 }
 
 /* The next finer profile that tells two spheres apart, or -1. */
-static int finer_apart(const struct sph_scene *scene, const struct sph_profile *profile, uint32_t i,
-                       uint32_t j) {
+static int finer_apart(const struct sph_scene *scene, const struct sph_profile *profile, int axes,
+                       uint32_t i, uint32_t j) {
     for (int p = 0; p < SPH_PROFILES; p++) {
         struct sph_grid grid;
-        if (sph_profiles[p].w <= profile->w || sph_grid_fit(scene, sph_profiles[p].w, &grid, NULL))
+        if (sph_profiles[p].w <= profile->w ||
+            sph_grid_fit(scene, sph_profiles[p].w, axes, &grid, NULL))
             continue;
         struct sph_ball a = sph_grid_ball(&grid, &scene->spheres[i]);
         struct sph_ball b = sph_grid_ball(&grid, &scene->spheres[j]);
@@ -37,12 +38,12 @@ static int finer_apart(const struct sph_scene *scene, const struct sph_profile *
 }
 
 static int fail_duplicate(const struct sph_scene *scene, const struct sph_profile *profile,
-                          uint32_t i, uint32_t j, struct sph_error *err) {
+                          int axes, uint32_t i, uint32_t j, struct sph_error *err) {
     const struct sph_sphere *a = &scene->spheres[i], *b = &scene->spheres[j];
     if (a->ctr.x == b->ctr.x && a->ctr.y == b->ctr.y && a->ctr.z == b->ctr.z && a->rad == b->rad)
         return sph_fail(err, "%s:%u: the same sphere as in line %u: remove one", scene->path,
                         b->line, a->line);
-    int finer = finer_apart(scene, profile, i, j);
+    int finer = finer_apart(scene, profile, axes, i, j);
     if (finer < 0)
         return sph_fail(err,
                         "%s:%u: the grid of profile %s merges this sphere with that of line %u, "
@@ -57,7 +58,7 @@ static int fail_duplicate(const struct sph_scene *scene, const struct sph_profil
 static int fail_zero(const struct sph_scene *scene, const struct sph_profile *profile, uint32_t i,
                      const struct sph_grid *grid, struct sph_error *err) {
     const struct sph_sphere *s = &scene->spheres[i];
-    int finer = sph_grid_finer(scene, profile, s->rad, 0.5);
+    int finer = sph_grid_finer(scene, profile, grid->axes, s->rad, 0.5);
     if (finer < 0)
         return sph_fail(err,
                         "%s:%u: radius %g is nothing on the grid of profile %s (step %g), and no "
@@ -81,7 +82,7 @@ static uint64_t hash(const struct sph_ball *b) {
 }
 
 /* Looks for equal balls with an open hash table. */
-static int duplicates(const struct sph_scene *scene, const struct sph_profile *profile,
+static int duplicates(const struct sph_scene *scene, const struct sph_profile *profile, int axes,
                       const struct sph_ball *balls, struct sph_error *err) {
     uint64_t size = 4;
     while (size < 2ull * scene->n_spheres)
@@ -93,7 +94,7 @@ static int duplicates(const struct sph_scene *scene, const struct sph_profile *p
         uint64_t at = hash(&balls[i]) & (size - 1);
         for (; table[at] && !result; at = (at + 1) & (size - 1))
             if (same(&balls[table[at] - 1], &balls[i]))
-                result = fail_duplicate(scene, profile, table[at] - 1, i, err);
+                result = fail_duplicate(scene, profile, axes, table[at] - 1, i, err);
         table[at] = i + 1;
     }
     free(table);
@@ -109,5 +110,5 @@ int sph_grid_spheres(const struct sph_grid *grid, const struct sph_scene *scene,
         if (balls[i].r < 1) return fail_zero(scene, profile, i, grid, err);
         *smallest = fmin(*smallest, scene->spheres[i].rad / grid->step);
     }
-    return duplicates(scene, profile, balls, err);
+    return duplicates(scene, profile, grid->axes, balls, err);
 }

@@ -73,3 +73,51 @@ int sph_rays_of(int width, int height, double angle, const struct sph_profile *p
             return sph_fail(err, "%.400s; profile %s would do", why.text, sph_profiles[p].name);
     return sph_fail(err, "%.400s; no finer profile would do", why.text);
 }
+
+/* Components along axis i of the grid of the camera's axes. */
+static void along(const struct sph_grid *grid, int i, double to[3]) {
+    const double *row = grid->rotation + 3 * (size_t)i;
+    for (int k = 0; k < 3; k++) {
+        const double *axis = grid->camera + 3 * (size_t)k;
+        to[k] = row[0] * axis[0] + row[1] * axis[1] + row[2] * axis[2];
+    }
+}
+
+/* The longest component at a corner of the raster, and so anywhere. */
+static double longest(const struct sph_rays *rays, int width, int height,
+                      const struct sph_grid *grid) {
+    double most = 0, to[3];
+    for (int corner = 0; corner < 4; corner++)
+        for (int i = 0; i < 3; i++) {
+            double x = rays->x0 + (corner & 1 ? (width - 1.0) * rays->pitch : 0);
+            double y = rays->y0 - (corner & 2 ? (height - 1.0) * rays->pitch : 0);
+            along(grid, i, to);
+            most = fmax(most, fabs(to[0] * x + to[1] * y + to[2] * rays->z));
+        }
+    return most;
+}
+
+int sph_rays_turn(const struct sph_rays *rays, int width, int height, const struct sph_grid *grid,
+                  const struct sph_profile *profile, struct sph_steps *steps,
+                  struct sph_error *err) {
+    int fraction = 32 - profile->wd;
+    double room = ldexp(1, profile->wd - 1) - 3 - ldexp(width + height, -fraction); /* roundings */
+    double scale = room / longest(rays, width, height, grid), to[3];
+    double far = floor(-rays->z * scale) - 1;
+    if (!(far >= (double)sph_min_screen(profile)))
+        return sph_fail(err,
+                        "along the scene's axes the screen is %.0f away, %d bits of the "
+                        "quotient need %lld",
+                        far, profile->pq, (long long)sph_min_screen(profile));
+    scale = ldexp(scale, fraction);
+    for (int i = 0; i < 3; i++) {
+        along(grid, i, to);
+        steps->across[i] = (int32_t)lround(to[0] * rays->pitch * scale);
+        steps->down[i] = (int32_t)lround(-to[1] * rays->pitch * scale);
+        double middle = to[2] * rays->z * scale; /* where no step's rounding counts */
+        steps->first[i] = (int32_t)lround(middle - (double)steps->across[i] * (width - 1) / 2 -
+                                          (double)steps->down[i] * (height - 1) / 2) +
+                          (1 << (fraction - 1)); /* half a unit: to nearest */
+    }
+    return 0;
+}

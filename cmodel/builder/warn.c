@@ -8,11 +8,12 @@
 #include "builder/emit.h"
 #include "builder/grid.h"
 
-void sph_warn_coarse(const struct sph_scene *scene, const struct sph_profile *profile,
+void sph_warn_coarse(const struct sph_scene *scene, const struct sph_profile *profile, int axes,
                      struct sph_build_report *report) {
     enum { COARSE = 4 }; /* grid units */
     if (!scene->n_spheres || report->smallest_radius >= COARSE) return;
-    int finer = sph_grid_finer(scene, profile, report->smallest_radius * report->grid_step, COARSE);
+    int finer =
+        sph_grid_finer(scene, profile, axes, report->smallest_radius * report->grid_step, COARSE);
     sph_note(report->warning, sizeof report->warning,
              "%s: the smallest radius is %.2f grid units of profile %s: %s%s\n", scene->path,
              report->smallest_radius, profile->name,
@@ -40,6 +41,12 @@ void sph_warn_left_out(const struct sph_scene *scene, const struct sph_profile *
             "%s:%u: the first of %u triangles that stand in the scene twice: the second is left "
             "out\n",
             scene->path, scene->facets[facets->first_twice].line, facets->n_twice);
+    if (facets->n_merged)
+        sph_note(report->warning, sizeof report->warning,
+                 "%s:%u: the first of %u triangles that the grid of profile %s merges with others, "
+                 "as does that of every finer one: they are left out\n",
+                 scene->path, scene->facets[facets->first_merged].line, facets->n_merged,
+                 profile->name);
     if (!facets->n_empty) return;
     sph_note(report->warning, sizeof report->warning,
              "%s:%u: the first of %u triangles that have no area on the grid of profile %s and are "

@@ -10,14 +10,14 @@
 #include "builder/facets.h"
 
 /* Spheres of few grid units, and the profile under which they are rounder. */
-void sph_warn_coarse(const struct sph_scene *scene, const struct sph_profile *profile,
+void sph_warn_coarse(const struct sph_scene *scene, const struct sph_profile *profile, int axes,
                      struct sph_build_report *report);
 
 /* An eye that is put nearer. */
 void sph_warn_eye(const struct sph_scene *scene, const struct sph_machine *machine,
                   struct sph_build_report *report);
 
-/* Triangles that are left out: without area on the grid, or twice in the scene. */
+/* Triangles that are left out: without area on the grid, or twice in the scene or on the grid. */
 void sph_warn_left_out(const struct sph_scene *scene, const struct sph_profile *profile,
                        const struct sph_facets *facets, struct sph_build_report *report);
 

@@ -70,6 +70,11 @@ static double tilt(const struct sph_facet *f, double off) {
     return sph_ref_facet_endless(f) ? ldexp(1, -22) : 2 * off / height(f);
 }
 
+double sph_waver_dir(const struct sph_waver *w) {
+    if (w->grid.axes == SPH_AXES_CAMERA) return 0;
+    return sqrt(3) * ldexp(1, -w->profile->wd);
+}
+
 void sph_waver_log(const struct sph_waver *w, const struct sph_ref_log *log,
                    struct sph_wavers out[SPH_REF_STEPS]) {
     const struct sph_profile *p = w->profile;
@@ -80,7 +85,10 @@ void sph_waver_log(const struct sph_waver *w, const struct sph_ref_log *log,
     for (int k = 0; k < log->n; k++) {
         const struct sph_ref_step *s = &log->step[k];
         struct sph_wavers *o = &out[k], from = {0, 0, 0, 0};
-        if (s->depth) from = out[parent[s->depth - 1]];
+        if (s->depth)
+            from = out[parent[s->depth - 1]];
+        else
+            from.turn = sph_waver_dir(w);
         *o = (struct sph_wavers){0, 0, 0, 0};
         parent[s->depth] = k;
         if (s->hit.id == SPH_ID_NONE) continue;

@@ -24,6 +24,9 @@ struct sph_wavers {
     double normal; /* of the normal, or the light, against that of the moved surface */
 };
 
+/* How far primary rays are turned by the roundings of their directions, at most: radians. */
+double sph_waver_dir(const struct sph_waver *w);
+
 /* Of every ray of a log. */
 void sph_waver_log(const struct sph_waver *w, const struct sph_ref_log *log,
                    struct sph_wavers out[SPH_REF_STEPS]);

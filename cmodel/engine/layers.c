@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "machine/camera.h"
 #include "pixel/walk.h"
 #include "prim/prim.h"
 #include "shade/material.h"
@@ -16,7 +17,7 @@ const uint32_t sph_depth_colours[SPH_MAX_DEPTH + 2] = {0,        0x0000ff, 0x00f
                                                        0x00ffff, 0xff00ff, 0xffffff, 0xffff00,
                                                        0x0080ff, 0xff0080, 0x808080, 0x80c0ff};
 
-/* The vector of the camera's frame, towards the eye, as a unit vector of the scene's. */
+/* The vector of the grid's axes, towards the eye, as a unit vector of the scene's. */
 static void put_normal(const struct sph_machine *m, const int64_t v[3], const int64_t dir[3],
                        float out[3]) {
     double along = 0, square = 0;
@@ -52,7 +53,8 @@ struct sph_layer sph_layer_of(const struct sph_machine *m, const struct sph_pixe
     if (smooth) sph_smooth_normal(&m->profile, smooth, s.guarded, normal);
     put_normal(m, normal, ray.dir, layer.normal);
     double t = (double)pixel->key / (double)ray.a;
-    layer.depth = (float)ldexp(t * -(double)ray.dir[2], m->grid_log2);
+    struct sph_machine_camera camera = sph_machine_camera(m);
+    layer.depth = (float)ldexp(t * sph_camera_ahead(&camera, ray.dir), m->grid_log2);
     struct sph_look look = sph_look_read(m, prim);
     for (int i = 0; i < 3; i++)
         layer.albedo[i] = (float)look.rgb[i] / 255;

@@ -332,10 +332,16 @@
 #define SPH_REG_BOX_X1 109
 #define SPH_REG_BOX_Y1 110
 #define SPH_REG_BOX_Z1 111
+#define SPH_REG_ACROSS_X 112
+#define SPH_REG_ACROSS_Y 113
+#define SPH_REG_ACROSS_Z 114
+#define SPH_REG_DOWN_X 115
+#define SPH_REG_DOWN_Y 116
+#define SPH_REG_DOWN_Z 117
 #define SPH_LIGHT_STRIDE 8
 #define SPH_LIGHT_SHIFT_LSB 16
 #define SPH_LIGHT_SHIFT_BITS 5
-#define SPH_N_REGS 112
+#define SPH_N_REGS 118
 #define SPH_COUNT_RAYS_PRIMARY 0
 #define SPH_COUNT_RAYS_SHADOW 1
 #define SPH_COUNT_RAYS_REFLECTED 2
@@ -376,7 +382,8 @@
 #define SPH_EFFECT_SUM 9
 #define SPH_EFFECT_SMOOTH 10
 #define SPH_EFFECT_CLEAR 11
-#define SPH_EFFECT_BITS 12
+#define SPH_EFFECT_TURNED 12
+#define SPH_EFFECT_BITS 13
 #define SPH_KINDS 3
 #define SPH_COUNTERS 22
 #define SPH_COUNTERS_BOTH 3605503
@@ -385,7 +392,7 @@
 #define SPH_WIDTH_TABLE {"w", offsetof(struct sph_profile, w), 0, 5, 8, 24, "a leaf record has 24 bits"}, {"wd", offsetof(struct sph_profile, wd), 5, 5, 9, 31, "a register has 32 bits"}, {"pq", offsetof(struct sph_profile, pq), 10, 6, 4, 32, "a quotient is one word of the model"}, {"ng", offsetof(struct sph_profile, ng), 16, 3, 0, 4, "the bounds of build are 64-bit numbers"}, {"fw", offsetof(struct sph_profile, fw), 19, 4, 6, 14, "a node record has 14 bits"}, {"pr", offsetof(struct sph_profile, pr), 23, 6, 0, 51, "the longest root has 52 bits"}
 #define SPH_COUNTER_NAMES "rays_primary", "rays_shadow", "rays_reflected", "node_visits", "child_tests", "leaf_tests", "roots", "quotients", "background", "saturations", "cycles", "issue_wait", "node_misses", "leaf_misses", "rays_waiting", "pop_bubbles", "facet_tests", "divisions", "texels", "texel_misses", "rays_refracted", "powers"
 #define SPH_ERROR_NAMES "bad_node", "stack_overflow", "visit_limit", "bus_error", "missing_effect", "wrong_profile"
-#define SPH_EFFECT_MASK 4095
+#define SPH_EFFECT_MASK 8191
 #define SPH_EACH_EFFECT(X)  \
     X(SHADOW, shadow, "SHADOW", 0, 1, 1, SPH_OPTION_WHEN, 0, 0, -1, 0, 0, -1, "rays towards the lights") \
     X(REFLECT, reflect, "REFLECT", 1, 10, 5, SPH_OPTION_WHEN, 0, 0, -1, 0, 0, SPH_REG_MAX_DEPTH, "mirror rays, up to MAX_DEPTH") \
@@ -399,14 +406,15 @@
     X(SPECULAR, specular, "SPECULAR", 8, 1, 0, SPH_OPTION_WHEN, 1024, 0, -1, 0, 0, -1, "highlights of materials with sum") \
     X(SUM, sum, "SUM", 9, 1, 0, SPH_OPTION_NONE, 0, 0, -1, 0, 0, -1, "materials whose shares add up, colour on top of rays") \
     X(SMOOTH, smooth, "SMOOTH", 10, 1, 0, SPH_OPTION_WHEN, 64, 0, -1, 0, 0, -1, "interpolated normals of triangles") \
-    X(CLEAR, clear, "CLEAR", 11, 1, 0, SPH_OPTION_WHEN, 1, 0, -1, 0, 0, -1, "shadow rays pass what is marked as clear")
+    X(CLEAR, clear, "CLEAR", 11, 1, 0, SPH_OPTION_WHEN, 1, 0, -1, 0, 0, -1, "shadow rays pass what is marked as clear") \
+    X(TURNED, turned, "TURNED", 12, 1, 0, SPH_OPTION_NONE, 0, 32, -1, 0, 0, -1, "a grid in other axes than the camera's")
 #define SPH_EACH_PART(X) SPH_EACH_EFFECT(X) \
     X(COARSE, coarse, "COARSE", -1, 8, 0, SPH_OPTION_NONE, 128, 0, -1, 0, 0, SPH_REG_COARSE, "bits of the fraction of levels rounded away") \
     X(RECT, rect, "RECT", -1, 1, 1, SPH_OPTION_NONE, 0, 0, SPH_REG_BG_MODE, 1, 1, -1, "background separation by rectangle") \
     X(SPANS, spans, "SPANS", -1, 1, 1, SPH_OPTION_NONE, 0, 0, SPH_REG_BG_MODE, 2, 2, -1, "background separation by spans in memory") \
     X(CONES, cones, "CONES", -1, 16, 1, SPH_OPTION_NONE, 0, 0, SPH_REG_BG_MODE, 3, 3, SPH_REG_BG_COUNT, "exact background separation, by so many spheres") \
     X(BIH, bih, "ACCEL", -1, 1, 0, SPH_OPTION_NONE, 0, 16, SPH_REG_TREE, 3, 4, -1, "a BIH instead of nodes of four children") \
-    X(BOXES, boxes, "BOXES", -1, 1, 0, SPH_OPTION_NONE, 0, 131088, SPH_REG_TREE, 6, 6, -1, "boxes around the children of a node, not spheres")
+    X(BOXES, boxes, "BOXES", -1, 1, 0, SPH_OPTION_NONE, 0, 262160, SPH_REG_TREE, 6, 6, -1, "boxes around the children of a node, not spheres")
 #define SPH_EACH_REG(X)  \
     X(EFFECTS) \
     X(MAX_DEPTH) \
@@ -461,7 +469,13 @@
     X(BOX_Z0) \
     X(BOX_X1) \
     X(BOX_Y1) \
-    X(BOX_Z1)
+    X(BOX_Z1) \
+    X(ACROSS_X) \
+    X(ACROSS_Y) \
+    X(ACROSS_Z) \
+    X(DOWN_X) \
+    X(DOWN_Y) \
+    X(DOWN_Z)
 #define SPH_EACH_KIND(X)  \
     X(sphere) \
     X(triangle) \

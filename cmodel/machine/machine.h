@@ -21,8 +21,8 @@ struct sph_machine {
     /* Information that the hardware does not see: */
     char name[128];     /* scene */
     int32_t grid_log2;  /* a grid unit is 2^grid_log2 units of the scene file */
-    double origin[3];   /* camera-frame coordinates of grid point 0 */
-    double rotation[9]; /* rows: camera x, y, z axes in the scene's frame */
+    double origin[3];   /* coordinates of grid point 0 along these axes */
+    double rotation[9]; /* rows: the grid's x, y, z axes in the scene's frame */
 };
 
 static inline const struct sph_profile *sph_machine_profile(const struct sph_machine *m) {

@@ -1,6 +1,7 @@
 /* validate.c - is a machine in memory one that the hardware may run? See machine.h
  * SPDX-License-Identifier: Apache-2.0
  */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -48,14 +49,43 @@ static int check_profile(const struct sph_machine *m, struct sph_error *err) {
     return sph_fail(err, "register PROFILE is %d: %.300s", packed, why.text);
 }
 
-/* Eye, directions and lights, in the widths of the profile. */
-static int check_geometry(const struct sph_machine *m, struct sph_error *err) {
+/* Directions of a grid that is turned: of 32 bits, the top ones in the width of the profile. The
+ * screen is a plane; its distance in doubles, which is rounded far below the unit that it is more
+ * than what is asked. */
+static int check_turned(const struct sph_machine *m, struct sph_error *err) {
+    const struct sph_profile *p = sph_machine_profile(m);
+    const int32_t *r = m->regs, *across = r + SPH_REG_ACROSS_X, *down = r + SPH_REG_DOWN_X;
+    int64_t unit = 1ll << (32 - p->wd), most = (1ll << 31) - 1, least = unit - (1ll << 31);
+    double square = 0, along = 0;
+    RANGE(BG_MODE, 0, 0);
+    RANGE(PITCH, 0, 0);
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        for (int corner = 0; corner < 4; corner++) {
+            int64_t at = r[SPH_REG_DIR_X0 + i] +
+                         (corner & 1 ? (r[SPH_REG_FRAME_W] - 1ll) * across[i] : 0) +
+                         (corner & 2 ? (r[SPH_REG_FRAME_H] - 1ll) * down[i] : 0);
+            if (at < least || at > most)
+                return sph_fail(err, "register DIR_%c: a corner of the frame leaves %d bits",
+                                "XYZ"[i], p -> wd);
+        }
+        double normal = (double)across[j] * down[k] - (double)across[k] * down[j];
+        square += normal * normal;
+        along += normal * r[SPH_REG_DIR_X0 + i];
+    }
+    double screen = fabs(along) / sqrt(square) / (double)unit;
+    if (!(screen >= (double)sph_min_screen(p) + 1))
+        return sph_fail(err, "registers ACROSS, DOWN: the screen is too near");
+    return 0;
+}
+
+/* Directions of rows and columns. */
+static int check_raster(const struct sph_machine *m, struct sph_error *err) {
     const struct sph_profile *p = sph_machine_profile(m);
     const int32_t *r = m->regs;
-    int64_t w = 1ll << (p->w - 1), wd = (1ll << (p->wd - 1)) - 1;
-    RANGE(EYE_X, -w, w - 1);
-    RANGE(EYE_Y, -w, w - 1);
-    RANGE(EYE_Z, -w, w - 1);
+    int64_t wd = (1ll << (p->wd - 1)) - 1;
+    for (int i = SPH_REG_ACROSS_X; i <= SPH_REG_DOWN_Z; i++)
+        if (r[i]) return sph_fail(err, "register %d is %d: the grid is not turned", i, r[i]);
     RANGE(DIR_X0, -wd, wd);
     RANGE(DIR_Y0, -wd, wd);
     RANGE(DIR_Z, -wd, -sph_min_screen(p));
@@ -66,6 +96,19 @@ static int check_geometry(const struct sph_machine *m, struct sph_error *err) {
     if (r[SPH_REG_DIR_Y0] - (r[SPH_REG_FRAME_H] - 1ll) * r[SPH_REG_PITCH] < -wd)
         return sph_fail(err, "register PITCH is %d: the last row leaves %d bits", r[SPH_REG_PITCH],
                         p->wd);
+    return 0;
+}
+
+/* Eye, directions and lights, in the widths of the profile. */
+static int check_geometry(const struct sph_machine *m, struct sph_error *err) {
+    const struct sph_profile *p = sph_machine_profile(m);
+    const int32_t *r = m->regs;
+    int64_t w = 1ll << (p->w - 1);
+    RANGE(EYE_X, -w, w - 1);
+    RANGE(EYE_Y, -w, w - 1);
+    RANGE(EYE_Z, -w, w - 1);
+    if (sph_machine_effect(m, SPH_EFFECT_TURNED) ? check_turned(m, err) : check_raster(m, err))
+        return -1;
     for (int l = 0; l < r[SPH_REG_N_LIGHTS]; l++) {
         static const char *const names[6] = {"X", "Y", "Z", "R", "G", "B"};
         const int32_t *lamp = r + SPH_REG_LIGHT0_X + SPH_LIGHT_STRIDE * l;

@@ -5,6 +5,7 @@
 
 #include <math.h>
 
+#include "machine/camera.h"
 #include "math/quotient.h"
 #include "pixel/walk.h"
 
@@ -24,7 +25,11 @@ static double expected(const struct sph_accuracy_frame *f, int x, int y, double 
     int64_t dir[3];
     if (!(f->ahead > 0)) return ldexp(from_eye, -f->machine->grid_log2);
     sph_primary_dir(f->machine, x, y, dir);
-    double aside = hypot((double)dir[0], (double)dir[1]) / (double)dir[2];
+    struct sph_machine_camera camera = sph_machine_camera(f->machine);
+    double ahead = sph_camera_ahead(&camera, dir), square = 0;
+    for (int i = 0; i < 3; i++)
+        square += (double)dir[i] * (double)dir[i];
+    double aside = sqrt(fmax(square / (ahead * ahead) - 1, 0));
     double depth = from_eye / hypot(1, aside / f->wider) - f->ahead;
     return ldexp(depth * hypot(1, aside), -f->machine->grid_log2);
 }

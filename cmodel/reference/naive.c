@@ -161,18 +161,30 @@ static void follow(const struct sph_machine *m, const struct sph_ray *ray,
     }
 }
 
+/* Of the primary ray. Turned: in units of 2^-(32-WD), halves are in the first one; rounded down. */
+static void direction(const struct sph_machine *m, int x, int y, int64_t dir[3]) {
+    static const int right[3] = {1, 0, 0}, down[3] = {0, -1, 0};
+    const int32_t *r = m->regs;
+    int turned = on(m, SPH_EFFECT_TURNED);
+    int64_t unit = turned ? (int64_t)1 << (32 - m->profile.wd) : 1;
+    for (int i = 0; i < 3; i++) {
+        int64_t across = turned ? r[SPH_REG_ACROSS_X + i] : right[i] * (int64_t)r[SPH_REG_PITCH];
+        int64_t below = turned ? r[SPH_REG_DOWN_X + i] : down[i] * (int64_t)r[SPH_REG_PITCH];
+        int64_t at = r[SPH_REG_DIR_X0 + i] + x * across + y * below;
+        dir[i] = at / unit - (at % unit < 0);
+    }
+}
+
 struct sph_pixel sph_naive_pixel(const struct sph_machine *m, int x, int y) {
     const int32_t *r = m->regs;
     struct sph_pixel pixel = {.id = SPH_ID_NONE, .texture = SPH_NO_TEXTURE};
     struct frames frames = {{{0}}};
     struct sph_naive_found f = {0};
     struct sph_ray ray = {.org = {r[SPH_REG_EYE_X], r[SPH_REG_EYE_Y], r[SPH_REG_EYE_Z]},
-                          .dir = {(int64_t)r[SPH_REG_DIR_X0] + (int64_t)x * r[SPH_REG_PITCH],
-                                  (int64_t)r[SPH_REG_DIR_Y0] - (int64_t)y * r[SPH_REG_PITCH],
-                                  r[SPH_REG_DIR_Z]},
                           .kind = SPH_PRIMARY,
                           .skip = {SPH_ID_NONE, 0},
                           .inside = on(m, SPH_EFFECT_INSIDE)};
+    direction(m, x, y, ray.dir);
     int first = on(m, SPH_EFFECT_FIRST) && !(on(m, SPH_EFFECT_INTERPENETRATE) && buried(m, &ray));
     if (!sph_naive_background(m, x, y))
         f = first ? sph_naive_first(m, &ray, (uint32_t)r[SPH_REG_ROOT]) : sph_naive_trace(m, &ray);

@@ -5,13 +5,18 @@
 
 #include "tool/tool.h"
 
-enum { KEY_ACCEL = 384, KEY_MAX_PRIMS, KEY_MAX_TREE_DEPTH, KEY_BIH };
+enum { KEY_ACCEL = 384, KEY_MAX_PRIMS, KEY_MAX_TREE_DEPTH, KEY_BIH, KEY_AXES };
 
 static const struct argp_option options[] = {
     {"accel", KEY_ACCEL, "NAME", 0,
      "bvh4 (spheres around four children), box4 (boxes around them), bih (bounding interval "
      "hierarchy), brute (every primitive), or auto (default: box4 if there are triangles, and at "
      "least as many as spheres, else bvh4)",
+     1},
+    {"axes", KEY_AXES, "NAME", 0,
+     "of the grid: camera, scene, or auto (default: scene if boxes are much smaller along its "
+     "axes, "
+     "with box4 and bih and without --background)",
      1},
     {"max-prims", KEY_MAX_PRIMS, "N", 0,
      "bih: a leaf of no more primitives is not cut (4); or infinity", 1},
@@ -33,10 +38,14 @@ static uint32_t number(const struct argp_state *state, const char *option, const
 static error_t parse(int key, char *arg, struct argp_state *state) {
     static const char *const accels[] = {"auto", "bvh4", "bih", "brute", "box4", NULL};
     static const char *const ways[] = {"full", "listing", NULL};
+    static const char *const axes[] = {"auto", "camera", "scene", NULL};
     struct tool_source *s = state->input;
     switch (key) {
     case KEY_ACCEL:
         s->accel = tool_choice(state, "--accel", arg, accels);
+        break;
+    case KEY_AXES:
+        s->build.axes = SPH_AXES_AUTO + tool_choice(state, "--axes", arg, axes);
         break;
     case KEY_MAX_PRIMS:
         s->build.max_prims = number(state, "--max-prims", arg, SPH_ID_NONE);

@@ -7,6 +7,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "machine/camera.h"
 #include "machine/describe.h"
 #include "machine/prims.h"
 #include "prim/prim.h"
@@ -20,9 +21,9 @@ static json_t *widths(const struct sph_profile *p) {
 }
 
 /* Where the eye is, and how wide it sees. */
-static json_t *camera(const int32_t *r) {
-    double screen = -(double)r[SPH_REG_DIR_Z], pitch = (double)r[SPH_REG_PITCH];
-    double half = atan(pitch * r[SPH_REG_FRAME_W] / 2 / screen);
+static json_t *camera(const struct sph_machine *m) {
+    const int32_t *r = m->regs;
+    double half = atan(r[SPH_REG_FRAME_W] / 2.0 / sph_machine_camera(m).screen);
     return json_pack("{s:[i, i, i], s:f}", "eye", r[SPH_REG_EYE_X], r[SPH_REG_EYE_Y],
                      r[SPH_REG_EYE_Z], "degrees_across", half * 360 / acos(-1));
 }
@@ -36,7 +37,7 @@ void report_machine(json_t *report, const struct sph_machine *m) {
     report_text(machine, "name", m->name);
     report_text(machine, "profile", sph_machine_profile(m)->name);
     report_add(machine, "widths", widths(sph_machine_profile(m)));
-    report_add(machine, "camera", camera(r));
+    report_add(machine, "camera", camera(m));
     report_text(machine, "tree", sph_machine_tree_name(m));
     report_text(machine, "background", ways[r[SPH_REG_BG_MODE]]);
     report_count(machine, "width", (uint64_t)r[SPH_REG_FRAME_W]);

@@ -110,6 +110,7 @@ static int measure_built(const struct sph_scene *scene, struct sph_build_options
     struct sph_machine m;
     struct sph_build_report report;
     if (index >= WAY_EXACT0) o.bg_levels = index - WAY_EXACT0;
+    o.axes = SPH_AXES_CAMERA;
     o.background = index >= WAY_EXACT0  ? SPH_BG_EXACT
                    : index == WAY_SPANS ? SPH_BG_SPANS
                    : index == WAY_RECT  ? SPH_BG_RECT

@@ -45,6 +45,7 @@ void view_aim_start(const struct sph_machine *m, const struct view_aim *aim,
     copy->regs[SPH_REG_PITCH] = 0;
     copy->regs[SPH_REG_BG_MODE] = SPH_BG_NONE;
     copy->regs[SPH_REG_EFFECTS] |= 1 << SPH_EFFECT_INSIDE;
+    copy->regs[SPH_REG_EFFECTS] &= ~(1 << SPH_EFFECT_TURNED);
 }
 
 void view_aim_pixel(const struct view_aim *aim, int x, int y, struct sph_machine *copy) {

@@ -32,6 +32,7 @@ module rt_core #(
     parameter SUM        = 0,    // 0 or 1: materials whose shares add up, colour on top of rays
     parameter SMOOTH     = 0,    // 0 or 1: interpolated normals of triangles
     parameter CLEAR      = 0,    // 0 or 1: shadow rays pass what is marked as clear
+    parameter TURNED     = 0,    // 0 or 1: a grid in other axes than the camera's
     parameter COARSE     = 0,    // 0..8: bits of the fraction of levels rounded away
     parameter RECT       = 1,    // 0 or 1: background separation by rectangle
     parameter SPANS      = 1,    // 0 or 1: background separation by spans in memory
@@ -132,6 +133,7 @@ module rt_core #(
     wire [3*W-1:0]   eye;
     wire [3*WD-1:0]  dir;
     wire [WD-1:0]    pitch;
+    wire [95:0]      dir_first, dir_across, dir_down;    // with TURNED
     wire [`RT_LINE_BITS-1:0] root, prim_base, mem_lines;
     wire             light_valid;
     wire [2:0]       light_number, light_part;
@@ -144,12 +146,14 @@ module rt_core #(
     wire [IB-1:0]    n_prims, n_loose;
     wire [`RT_LINE_BITS-1:0] leaf_base, smooth_base;
     wire [6*(W+2)-1:0] box;
-    rt_registers #(.W(W), .WD(WD), .TEXTURE(TEXTURE), .SMOOTH(SMOOTH), .ACCEL(ACCEL)) u_registers (
+    rt_registers #(.W(W), .WD(WD), .TEXTURE(TEXTURE), .SMOOTH(SMOOTH), .ACCEL(ACCEL),
+                   .TURNED(TURNED)) u_registers (
         .clk(clk), .valid_i(cfg_valid_q), .addr_i(cfg_addr_q), .data_i(cfg_data_q),
         .effects_o(effects), .max_depth_o(max_depth), .n_lights_o(n_lights),
         .window_o(window), .bg_mode_o(bg_mode), .rect_o(rect), .bg_base_o(bg_base),
         .bg_count_o(bg_count), .background_o(background),
         .ambient_o(ambient), .eye_o(eye), .dir_o(dir), .pitch_o(pitch), .root_o(root),
+        .first_o(dir_first), .across_o(dir_across), .down_o(dir_down),
         .prim_base_o(prim_base), .mem_lines_o(mem_lines), .visit_limit_o(visit_limit),
         .profile_o(profile), .frame_o(frame), .tex_filter_o(tex_filter), .coarse_o(coarse),
         .bih_o(bih), .boxes_o(boxes), .n_prims_o(n_prims), .leaf_base_o(leaf_base),
@@ -243,17 +247,20 @@ module rt_core #(
     // A short queue of traced pixels keeps the engines fed while the walk crosses background.
     wire             walk_busy, walk_valid, walk_ready, ray_valid, bg_valid, bg_ready;
     wire [13:0]      x, y;
-    wire signed [WD-1:0] walk_dir_x, walk_dir_y;
+    wire [3*WD-1:0]  walk_dir;
     wire [`RT_START_BITS-1:0] pixel;                 // the next one to trace
     wire [3*WD-1:0]  pixel_dir;
     wire [ENGINES-1:0] e_ready, e_take, e_busy;
-    rt_walk #(.W(W), .WD(WD), .RECT(RECT), .SPANS(SPANS), .CONES(CONES)) u_walk (
+    rt_walk #(.W(W), .WD(WD), .RECT(RECT), .SPANS(SPANS), .CONES(CONES),
+              .TURNED(TURNED)) u_walk (
         .clk(clk), .rst(rst), .start_i(go), .busy_o(walk_busy),
         .window_i(window), .dir_x0_i($signed(dir[`RT_VEC_X])), .dir_y0_i($signed(dir[`RT_VEC_Y])),
-        .pitch_i(pitch), .bg_mode_i(bg_mode), .rect_i(rect), .bg_base_i(bg_base),
+        .dir_z_i($signed(dir[`RT_VEC_Z])), .pitch_i(pitch),
+        .first_i(dir_first), .across_i(dir_across), .down_i(dir_down), .bg_mode_i(bg_mode), .rect_i(rect), .bg_base_i(bg_base),
         .bg_count_i(bg_count), .mem_lines_i(mem_lines),
         .ray_valid_o(walk_valid), .ray_ready_i(walk_ready),
-        .ray_dir_x_o(walk_dir_x), .ray_dir_y_o(walk_dir_y),
+        .ray_dir_x_o(walk_dir[`RT_VEC_X]), .ray_dir_y_o(walk_dir[`RT_VEC_Y]),
+        .ray_dir_z_o(walk_dir[`RT_VEC_Z]),
         .bg_valid_o(bg_valid), .bg_ready_i(bg_ready), .x_o(x), .y_o(y),
         .mem_req_valid_o(m_req_valid[WALK]), .mem_req_ready_i(t_req_ready),
         .mem_req_line_o(m_req_line[LB*WALK +: LB]),
@@ -261,14 +268,18 @@ module rt_core #(
         .mem_rsp_data_i(m_rsp_data), .mem_rsp_error_i(m_rsp_error),
         .bad_table_o(bad_table), .bus_error_o(table_error)
     );
-    rt_fifo #(.WIDTH(28 + 2*WD), .DEPTH(16)) u_traced (
+    localparam KEPT = TURNED != 0 ? 3*WD : 2*WD;     // else z is the same for all pixels
+    rt_fifo #(.WIDTH(28 + KEPT), .DEPTH(16)) u_traced (
         .clk(clk), .rst(rst), .in_valid_i(walk_valid && walk_ready), .in_ready_o(walk_ready),
-        .in_data_i({walk_dir_y, walk_dir_x, y, x}),
+        .in_data_i({walk_dir[KEPT-1:0], y, x}),
         .out_valid_o(ray_valid), .out_ready_i(|e_ready),
-        .out_data_o({pixel_dir[`RT_VEC_Y], pixel_dir[`RT_VEC_X], pixel[`RT_START_Y],
-                     pixel[`RT_START_X]})
+        .out_data_o({pixel_dir[KEPT-1:0], pixel[`RT_START_Y], pixel[`RT_START_X]})
     );
-    assign pixel_dir[`RT_VEC_Z]  = dir[`RT_VEC_Z];   // the same for all pixels
+    generate
+        if (TURNED == 0) begin : g_same_z
+            assign pixel_dir[`RT_VEC_Z] = walk_dir[`RT_VEC_Z];
+        end
+    endgenerate
     assign pixel[`RT_START_DIR]  = pixel_dir;
     assign e_take = e_ready & (~e_ready + 1'b1);     // the lowest engine with a free slot
     reg              mux_valid_q;                    // a pixel is at the port

@@ -360,10 +360,16 @@
 `define RT_REG_BOX_X1 109
 `define RT_REG_BOX_Y1 110
 `define RT_REG_BOX_Z1 111
+`define RT_REG_ACROSS_X 112
+`define RT_REG_ACROSS_Y 113
+`define RT_REG_ACROSS_Z 114
+`define RT_REG_DOWN_X 115
+`define RT_REG_DOWN_Y 116
+`define RT_REG_DOWN_Z 117
 `define RT_LIGHT_STRIDE 8
 `define RT_LIGHT_SHIFT_LSB 16
 `define RT_LIGHT_SHIFT_BITS 5
-`define RT_N_REGS 112
+`define RT_N_REGS 118
 `define RT_COUNT_RAYS_PRIMARY 0
 `define RT_COUNT_RAYS_SHADOW 1
 `define RT_COUNT_RAYS_REFLECTED 2
@@ -404,12 +410,13 @@
 `define RT_EFFECT_SUM 9
 `define RT_EFFECT_SMOOTH 10
 `define RT_EFFECT_CLEAR 11
-`define RT_EFFECT_BITS 12
+`define RT_EFFECT_TURNED 12
+`define RT_EFFECT_BITS 13
 `define RT_KINDS 3
 `define RT_COUNTERS 22
 `define RT_COUNTERS_BOTH 3605503
 `define RT_ERRORS 6
-`define RT_EFFECTS_BUILT (32'd0 | (SHADOW != 0 ? 32'd1 << 0 : 32'd0) | (REFLECT != 0 ? 32'd1 << 1 : 32'd0) | (INSIDE != 0 ? 32'd1 << 2 : 32'd0) | (FIRST != 0 ? 32'd1 << 3 : 32'd0) | (INTERPENETRATE != 0 ? 32'd1 << 4 : 32'd0) | (FACETS != 0 ? 32'd1 << 5 : 32'd0) | (TEXTURE != 0 ? 32'd1 << 6 : 32'd0) | (REFRACT != 0 ? 32'd1 << 7 : 32'd0) | (SPECULAR != 0 ? 32'd1 << 8 : 32'd0) | (SUM != 0 ? 32'd1 << 9 : 32'd0) | (SMOOTH != 0 ? 32'd1 << 10 : 32'd0) | (CLEAR != 0 ? 32'd1 << 11 : 32'd0))
+`define RT_EFFECTS_BUILT (32'd0 | (SHADOW != 0 ? 32'd1 << 0 : 32'd0) | (REFLECT != 0 ? 32'd1 << 1 : 32'd0) | (INSIDE != 0 ? 32'd1 << 2 : 32'd0) | (FIRST != 0 ? 32'd1 << 3 : 32'd0) | (INTERPENETRATE != 0 ? 32'd1 << 4 : 32'd0) | (FACETS != 0 ? 32'd1 << 5 : 32'd0) | (TEXTURE != 0 ? 32'd1 << 6 : 32'd0) | (REFRACT != 0 ? 32'd1 << 7 : 32'd0) | (SPECULAR != 0 ? 32'd1 << 8 : 32'd0) | (SUM != 0 ? 32'd1 << 9 : 32'd0) | (SMOOTH != 0 ? 32'd1 << 10 : 32'd0) | (CLEAR != 0 ? 32'd1 << 11 : 32'd0) | (TURNED != 0 ? 32'd1 << 12 : 32'd0))
 `define RT_DEEPEST (REFRACT != 0 && REFLECT < `RT_REFRACT_DEPTH ? `RT_REFRACT_DEPTH : REFLECT)
 `define RT_CHECK_CORE  \
     `RT_CHECK(W >= 8 && W <= 24, rt_core_W_must_be_8_to_24) \
@@ -437,6 +444,7 @@
     `RT_CHECK(SMOOTH == 0 || FACETS != 0, rt_core_SMOOTH_needs_FACETS) \
     `RT_CHECK(CLEAR >= 0 && CLEAR <= 1, rt_core_CLEAR_must_be_0_to_1) \
     `RT_CHECK(CLEAR == 0 || SHADOW != 0, rt_core_CLEAR_needs_SHADOW) \
+    `RT_CHECK(TURNED >= 0 && TURNED <= 1, rt_core_TURNED_must_be_0_to_1) \
     `RT_CHECK(COARSE >= 0 && COARSE <= 8, rt_core_COARSE_must_be_0_to_8) \
     `RT_CHECK(COARSE == 0 || TEXTURE != 0, rt_core_COARSE_needs_TEXTURE) \
     `RT_CHECK(RECT >= 0 && RECT <= 1, rt_core_RECT_must_be_0_to_1) \

@@ -10,7 +10,8 @@ module rt_registers #(
     parameter WD = 17,  // direction component, bits
     parameter TEXTURE = 0, // 1: the register of textures
     parameter SMOOTH = 0,  // 1: that of interpolated normals
-    parameter ACCEL = 0    // 1: those of a BIH
+    parameter ACCEL = 0,   // 1: those of a BIH
+    parameter TURNED = 0   // 1: those of a grid in any axes
 ) (
     input  wire              clk,
     input  wire              valid_i,
@@ -29,6 +30,9 @@ module rt_registers #(
     output reg  [3*W-1:0]    eye_o,           // {z, y, x}
     output reg  [3*WD-1:0]   dir_o,           // {z, y of row 0, x of column 0}
     output reg  [WD-1:0]     pitch_o,
+    output wire [95:0]       first_o,         // with TURNED: {z, y, x}, each sWD.(32-WD)
+    output wire [95:0]       across_o,        // of a pixel to the right
+    output wire [95:0]       down_o,          // of a row down
     output reg  [`RT_LINE_BITS-1:0] root_o,
     output reg  [`RT_LINE_BITS-1:0] prim_base_o,
     output reg  [`RT_LINE_BITS-1:0] mem_lines_o,
@@ -114,6 +118,32 @@ module rt_registers #(
             assign smooth_base_o = base_q;
         end else begin : g_no_smooth
             assign smooth_base_o = {`RT_LINE_BITS{1'b0}};
+        end
+        if (TURNED != 0) begin : g_turned
+            localparam F = 32 - WD;                // bits of fraction; the camera's axes have none
+            reg [95:0]  first_q;
+            reg [191:0] step_q;                    // {down, across}
+            wire [6:0]  axis   = addr_i - `RT_REG_DIR_X0;
+            wire [6:0]  step   = addr_i - `RT_REG_ACROSS_X;
+            wire        turned = effects_o[`RT_EFFECT_TURNED];
+            wire [31:0] pitch  = {pitch_o, {F{1'b0}}};
+            integer     k;
+            genvar      g;
+            always @(posedge clk)
+                if (valid_i) begin
+                    for (k = 0; k < 3; k = k + 1)
+                        if (axis == k[6:0]) first_q[32*k +: 32] <= data_i;
+                    for (k = 0; k < 6; k = k + 1)
+                        if (step == k[6:0]) step_q[32*k +: 32] <= data_i;
+                end
+            for (g = 0; g < 3; g = g + 1) begin : g_axis
+                assign first_o[32*g +: 32] =
+                    turned ? first_q[32*g +: 32] : {first_q[32*g +: WD], {F{1'b0}}};
+            end
+            assign across_o = turned ? step_q[95:0]   : {64'd0, pitch};
+            assign down_o   = turned ? step_q[191:96] : {32'd0, -pitch, 32'd0};
+        end else begin : g_camera
+            assign {first_o, across_o, down_o} = 288'd0;
         end
         if (ACCEL != 0) begin : g_bih
             reg [`RT_ID_BITS-1:0] n_prims_q, n_loose_q;

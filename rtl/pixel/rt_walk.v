@@ -1,7 +1,8 @@
 // rt_walk.v - walks the window in columns of 8 pixels and separates background pixels
 // SPDX-License-Identifier: Apache-2.0
 //   0,0 --down, right--> corner of the window --> column by column, each row by row, top to bottom
-// dir = (DIR_X0 + x*PITCH, DIR_Y0 - y*PITCH, DIR_Z), exact, by forward differences.
+// dir = (DIR_X0 + x*PITCH, DIR_Y0 - y*PITCH, DIR_Z), exact, by forward differences; with TURNED the
+// top WD of the 32 bits of each component of DIR + x*ACROSS + y*DOWN.
 // Background separation: Borodavka et al. V.C; a background pixel leaves by its own port.
 // One pixel a cycle, with CONES less 3 cycles a column; WIN_X0 + WIN_Y0 + 3 cycles from start_i to
 // the first, and more with CONES or SPANS.
@@ -15,7 +16,8 @@ module rt_walk #(
     parameter WD    = 17,  // direction component, bits
     parameter RECT  = 1,   // background separation by rectangle, 0 or 1
     parameter SPANS = 1,   // by spans in memory, 0 or 1
-    parameter CONES = 1    // exactly, by up to so many spheres, 0..16
+    parameter CONES = 1,   // exactly, by up to so many spheres, 0..16
+    parameter TURNED = 0   // 0 or 1: a grid in any axes
 ) (
     input  wire                 clk,
     input  wire                 rst,
@@ -25,7 +27,11 @@ module rt_walk #(
     input  wire [55:0]          window_i,      // {y1, x1, y0, x0}; ends are one past the last
     input  wire signed [WD-1:0] dir_x0_i,      // of column 0
     input  wire signed [WD-1:0] dir_y0_i,      // of row 0
+    input  wire signed [WD-1:0] dir_z_i,
     input  wire [WD-1:0]        pitch_i,       // direction units a pixel
+    input  wire [95:0]          first_i,       // TURNED: of pixel 0, 0; three of sWD.(32-WD)
+    input  wire [95:0]          across_i,      // TURNED: to the next column
+    input  wire [95:0]          down_i,        // TURNED: to the next row
     input  wire [1:0]           bg_mode_i,     // 0 all is traced, 1 rectangle, 2 spans, 3 cones
     input  wire [55:0]          rect_i,        // as the window
     input  wire [`RT_LINE_BITS-1:0] bg_base_i,     // first line of the spans or cones
@@ -36,6 +42,7 @@ module rt_walk #(
     input  wire                 ray_ready_i,
     output wire signed [WD-1:0] ray_dir_x_o,
     output wire signed [WD-1:0] ray_dir_y_o,
+    output wire signed [WD-1:0] ray_dir_z_o,
     // to the pixel port: pixels that see the background
     output wire                 bg_valid_o,
     input  wire                 bg_ready_i,
@@ -66,7 +73,8 @@ module rt_walk #(
     reg [13:0] left_x_q;                           // first pixel of the column
     reg [2:0]  column_q;                           // pixels from it
     reg        top_q;                              // in the window's first row
-    reg signed [WD-1:0] dx_q, dy_q, left_dx_q, top_dy_q;
+    localparam DW = TURNED != 0 ? 96 : WD;
+    reg [DW-1:0] dx_q, dy_q, left_dx_q, top_dy_q;  // TURNED: a direction is the sum of the first two
 
     // ---- order ----
     wire        step;                              // the pixel leaves
@@ -83,9 +91,8 @@ module rt_walk #(
     wire        step_row   = (step && row_end && !turn) || state_q == TURN;
     wire        step_down  = step_row && !end_y;
     wire        new_column = step_row && end_y;
-    wire signed [WD-1:0] pitch   = $signed(pitch_i);
-    wire signed [WD-1:0] dx_next = dx_q + pitch;
-    wire signed [WD-1:0] dy_next = dy_q - pitch;
+    wire [DW-1:0] dx_first, dy_first, dx_next, dy_next;
+    wire [3*WD-1:0] dir;                           // {z, y, x}
     wire        loaded;
     always @(posedge clk) begin
         if (seek_right || step_right || new_column) begin
@@ -124,12 +131,36 @@ module rt_walk #(
                 state_q <= CONES != 0 ? LOAD : DOWN;
                 x_q     <= 14'd0;
                 y_q     <= 14'd0;
-                dx_q    <= dir_x0_i;
-                dy_q    <= dir_y0_i;
+                dx_q    <= dx_first;
+                dy_q    <= dy_first;
             end
         endcase
         if (rst) state_q <= IDLE;
     end
+
+    // ---- directions ----
+    genvar i;
+    generate
+        if (TURNED != 0) begin : g_turned
+            assign dx_first = first_i;
+            assign dy_first = 96'd0;
+            for (i = 0; i < 3; i = i + 1) begin : g_axis
+                wire [31:0] sum = dx_q[32*i +: 32] + dy_q[32*i +: 32];
+                assign dx_next[32*i +: 32] = dx_q[32*i +: 32] + across_i[32*i +: 32];
+                assign dy_next[32*i +: 32] = dy_q[32*i +: 32] + down_i[32*i +: 32];
+                assign dir[WD*i +: WD]     = sum[31 -: WD];
+                wire unused = &{1'b0, sum[31-WD:0]};
+            end
+            wire unused = &{1'b0, dir_x0_i, dir_y0_i, dir_z_i, pitch_i};
+        end else begin : g_camera
+            assign dx_first = dir_x0_i;
+            assign dy_first = dir_y0_i;
+            assign dx_next  = dx_q + pitch_i;
+            assign dy_next  = dy_q - pitch_i;
+            assign dir      = {dir_z_i, dy_q, dx_q};
+            wire unused = &{1'b0, first_i, across_i, down_i};
+        end
+    endgenerate
 
     // ---- which way: by rectangle, or by a table ----
     wire outside  = x_q < rect_i[13:0] || x_q >= rect_i[41:28] ||
@@ -171,7 +202,8 @@ module rt_walk #(
         if (TABLES) begin : g_register
             reg        valid_q, traced_q;
             reg [13:0] out_x_q, out_y_q;
-            reg signed [WD-1:0] out_dx_q, out_dy_q;
+            localparam KEPT = TURNED != 0 ? 3*WD : 2*WD;   // dir_z_i stays
+            reg [KEPT-1:0] out_dir_q;
             wire free   = !valid_q || (traced_q ? ray_ready_i : bg_ready_i);
             assign step = offered && free;
             always @(posedge clk) begin
@@ -180,21 +212,23 @@ module rt_walk #(
                     traced_q <= traced;
                     out_x_q  <= x_q;
                     out_y_q  <= y_q;
-                    out_dx_q <= dx_q;
-                    out_dy_q <= dy_q;
+                    out_dir_q <= dir[KEPT-1:0];
                 end
                 if (rst) valid_q <= 1'b0;
             end
             assign busy_o      = state_q != IDLE || valid_q;
             assign ray_valid_o = valid_q && traced_q;
             assign bg_valid_o  = valid_q && !traced_q;
-            assign {x_o, y_o, ray_dir_x_o, ray_dir_y_o} = {out_x_q, out_y_q, out_dx_q, out_dy_q};
+            assign {x_o, y_o} = {out_x_q, out_y_q};
+            assign {ray_dir_y_o, ray_dir_x_o} = out_dir_q[2*WD-1:0];
+            assign ray_dir_z_o = TURNED != 0 ? out_dir_q[KEPT-1 -: WD] : dir[3*WD-1 -: WD];
         end else begin : g_direct
             assign step        = (ray_valid_o && ray_ready_i) || (bg_valid_o && bg_ready_i);
             assign busy_o      = state_q != IDLE;
             assign ray_valid_o = offered && traced;
             assign bg_valid_o  = offered && !traced;
-            assign {x_o, y_o, ray_dir_x_o, ray_dir_y_o} = {x_q, y_q, dx_q, dy_q};
+            assign {x_o, y_o} = {x_q, y_q};
+            assign {ray_dir_z_o, ray_dir_y_o, ray_dir_x_o} = dir;
         end
     endgenerate
     wire unused = &{1'b0, rect_i, bg_mode_i};

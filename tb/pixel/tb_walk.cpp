@@ -65,7 +65,13 @@ void load(Vrt_walk &dut, const Run &r) {
     bench::set(dut.mem_lines_i, 26, r.lines);
     bench::set(dut.dir_x0_i, WD, r.dir[0]);
     bench::set(dut.dir_y0_i, WD, r.dir[1]);
+    bench::set(dut.dir_z_i, WD, r.dir[2]);
     bench::set(dut.pitch_i, WD, r.pitch);
+    for (int i = 0; i < 3; i++) {
+        dut.first_i[i] = (uint32_t)r.turned[i];
+        dut.across_i[i] = (uint32_t)r.turned[3 + i];
+        dut.down_i[i] = (uint32_t)r.turned[6 + i];
+    }
 }
 
 /* The unit, its memory, and the run of the registers that it makes. */
@@ -192,6 +198,8 @@ class Walk {
                      bench::sign((bench::u128)dir[0], WD), WD);
             b.expect("ray_dir_y_o", b.sget(b.dut.ray_dir_y_o, WD),
                      bench::sign((bench::u128)dir[1], WD), WD);
+            b.expect("ray_dir_z_o", b.sget(b.dut.ray_dir_z_o, WD),
+                     bench::sign((bench::u128)dir[2], WD), WD);
             if (i == 0) first = b.cycle;
             taken = (background ? b.dut.bg_ready_i : b.dut.ray_ready_i) || !offered;
             tick();

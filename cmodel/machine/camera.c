@@ -1,0 +1,36 @@
+/* camera.c - see camera.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "machine/camera.h"
+
+#include <math.h>
+
+/* A step of the raster as an axis; its length. */
+static double axis(const int32_t step[3], double sign, double out[3]) {
+    double length =
+        sqrt((double)step[0] * step[0] + (double)step[1] * step[1] + (double)step[2] * step[2]);
+    for (int i = 0; i < 3; i++)
+        out[i] = sign * step[i] / length;
+    return length;
+}
+
+struct sph_machine_camera sph_machine_camera(const struct sph_machine *m) {
+    const int32_t *r = m->regs;
+    struct sph_machine_camera c = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                   -(double)r[SPH_REG_DIR_Z] / r[SPH_REG_PITCH]};
+    if (!sph_machine_effect(m, SPH_EFFECT_TURNED)) return c;
+    double pitch = axis(r + SPH_REG_ACROSS_X, 1, c.axes[0]), along = 0;
+    axis(r + SPH_REG_DOWN_X, -1, c.axes[1]);
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        c.axes[2][i] = c.axes[0][j] * c.axes[1][k] - c.axes[0][k] * c.axes[1][j];
+        along += c.axes[2][i] * r[SPH_REG_DIR_X0 + i];
+    }
+    c.screen = -along / pitch;
+    return c;
+}
+
+double sph_camera_ahead(const struct sph_machine_camera *camera, const int64_t dir[3]) {
+    const double *back = camera->axes[2];
+    return -(back[0] * (double)dir[0] + back[1] * (double)dir[1] + back[2] * (double)dir[2]);
+}
