@@ -24,7 +24,7 @@ constexpr int64_t MAX = ((int64_t)1 << (WD - 1)) - 1, MIN = -MAX - 1;
 struct Run {
     int win[4], mode, rect[4]; /* x0, y0, x1, y1; the last two are one past the end */
     int64_t dir[3], pitch;
-    int32_t turned[9]; /* TURNED: first, across, down; x, y, z each */
+    int32_t turned[9];           /* TURNED: first, across, down; x, y, z each */
     uint32_t base, lines;        /* first line of the table; lines of memory */
     std::vector<uint32_t> words; /* of the table */
     std::vector<Ball> balls;     /* of cones; without: the record alone says what is hit */
@@ -82,7 +82,11 @@ struct Run {
         print_value("dir_y0_i", dir[1], WD);
         print_value("dir_z_i", dir[2], WD);
         for (int i = 0; TURNED && i < 9; i++)
-            printf("#   %s[%d] %d\n", i < 3 ? "first" : i < 6 ? "across" : "down", i % 3, turned[i]);
+            printf("#   %s[%d] %d\n",
+                   i < 3   ? "first"
+                   : i < 6 ? "across"
+                           : "down",
+                   i % 3, turned[i]);
         print_value("pitch_i", pitch, WD);
     }
     /* Registers and memory for the model, when all the rest is set. */

@@ -126,7 +126,7 @@ static int check(const struct sph_scene *scene, const struct sph_build_options *
 /* Frame, window, eye and primary rays. */
 static int place_camera(const struct sph_scene *scene, const struct sph_build_options *o,
                         const struct sph_grid *grid, struct sph_rays *rays, struct sph_machine *m,
-                        struct sph_error *err) {
+                        struct sph_build_report *report, struct sph_error *err) {
     int width = o->width ? o->width : scene->camera.width;
     int height = o->height ? o->height : scene->camera.height;
     if (width < 1 || height < 1 || width > SPH_MAX_SIDE || height > SPH_MAX_SIDE)
@@ -145,6 +145,7 @@ static int place_camera(const struct sph_scene *scene, const struct sph_build_op
     regs[SPH_REG_DIR_Y0] = rays->y0;
     regs[SPH_REG_DIR_Z] = rays->z;
     regs[SPH_REG_PITCH] = rays->pitch;
+    report->fov_error = rays->fov_error + grid->seen_from.off;
     if (grid->axes == SPH_AXES_CAMERA) return 0;
     struct sph_steps steps;
     if (sph_rays_turn(rays, width, height, grid, p, &steps, &why))
@@ -155,6 +156,7 @@ static int place_camera(const struct sph_scene *scene, const struct sph_build_op
         regs[SPH_REG_DOWN_X + i] = steps.down[i];
     }
     regs[SPH_REG_PITCH] = 0;
+    report->fov_error += steps.off;
     return 0;
 }
 
@@ -200,9 +202,8 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
     m->regs[SPH_REG_TREE] = o->tree;
     m->regs[SPH_REG_FRAME] = SPH_FRAMES - 1;
     if (sph_grid_fit(scene, profile->w, o->axes, &grid, err)) return -1;
-    if (place_camera(scene, o, &grid, &rays, m, err)) return -1;
+    if (place_camera(scene, o, &grid, &rays, m, report, err)) return -1;
     report->grid_step = grid.step;
-    report->fov_error = rays.fov_error + grid.seen_from.off;
     report->eye = grid.seen_from;
     sph_warn_eye(scene, m, report);
     if (quantise(scene, &grid, profile, parts, o->numbers, report, err)) return -1;

@@ -146,6 +146,10 @@ static int prepare(const struct sph_scene *scene, const struct sph_ref_view *vie
         sph_rays_of(view->width, view->height, w->grid.seen_from.angle, profile, &rays, NULL))
         return 0;
     w->fov_error = rays.fov_error + w->grid.seen_from.off;
+    struct sph_steps steps;
+    if (axes == SPH_AXES_CAMERA) return 1;
+    if (sph_rays_turn(&rays, view->width, view->height, &w->grid, profile, &steps, NULL)) return 0;
+    w->fov_error += steps.off;
     return 1;
 }
 

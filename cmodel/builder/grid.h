@@ -74,6 +74,7 @@ int sph_rays_of(int width, int height, double angle, const struct sph_profile *p
  * 32 bits, of which the top WD are a direction. They are as long as WD bits hold. */
 struct sph_steps {
     int32_t first[3], across[3], down[3];
+    double off; /* relative to the middle of the picture, by roundings of the last two: at most */
 };
 
 /* -1 if the screen comes too near for the profile. */

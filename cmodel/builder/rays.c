@@ -110,6 +110,7 @@ int sph_rays_turn(const struct sph_rays *rays, int width, int height, const stru
                         "quotient need %lld",
                         far, profile->pq, (long long)sph_min_screen(profile));
     scale = ldexp(scale, fraction);
+    steps->off = sqrt(3) / (rays->pitch * scale); /* sqrt(3)/2 of either */
     for (int i = 0; i < 3; i++) {
         along(grid, i, to);
         steps->across[i] = (int32_t)lround(to[0] * rays->pitch * scale);

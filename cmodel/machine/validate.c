@@ -75,7 +75,7 @@ static int check_turned(const struct sph_machine *m, struct sph_error *err) {
     }
     double screen = fabs(along) / sqrt(square) / (double)unit;
     if (!(screen >= (double)sph_min_screen(p) + 1))
-        return sph_fail(err, "registers ACROSS, DOWN: the screen is too near");
+        return sph_fail(err, "registers ACROSS_X to DOWN_Z: the screen is too near");
     return 0;
 }
 
@@ -84,8 +84,12 @@ static int check_raster(const struct sph_machine *m, struct sph_error *err) {
     const struct sph_profile *p = sph_machine_profile(m);
     const int32_t *r = m->regs;
     int64_t wd = (1ll << (p->wd - 1)) - 1;
-    for (int i = SPH_REG_ACROSS_X; i <= SPH_REG_DOWN_Z; i++)
-        if (r[i]) return sph_fail(err, "register %d is %d: the grid is not turned", i, r[i]);
+    RANGE(ACROSS_X, 0, 0);
+    RANGE(ACROSS_Y, 0, 0);
+    RANGE(ACROSS_Z, 0, 0);
+    RANGE(DOWN_X, 0, 0);
+    RANGE(DOWN_Y, 0, 0);
+    RANGE(DOWN_Z, 0, 0);
     RANGE(DIR_X0, -wd, wd);
     RANGE(DIR_Y0, -wd, wd);
     RANGE(DIR_Z, -wd, -sph_min_screen(p));

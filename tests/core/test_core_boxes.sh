@@ -25,6 +25,8 @@ done
 machine wide scenes/paper100.nff --profile standard:w=14,wd=21,pr=12 --size 10x7
 machine four scenes/paper5.nff --accel bvh4 --size 16x12
 machine paper5 scenes/paper5.nff --size 16x12
+machine turned $mixed --size 7x5 --depth 1 --axes scene
+machine fine $mixed --size 3x2 --depth 1 --axes scene --profile fine
 
 wanted "verilator mixed" auto SIM=verilator mixed
 wanted "icarus mixed" auto SIM=icarus little
@@ -35,6 +37,10 @@ wanted "icarus mixed, two engines of two pipes" auto "SIM=icarus ENGINES=2 PIPES
 wanted "icarus textures, three pipes" auto "SIM=icarus PIPES=3" balls
 wanted "icarus refraction, four pipes" auto "SIM=icarus PIPES=4 EXACTS=1 SHADES=2" optics
 wanted "icarus textures" auto SIM=icarus balls
+wanted "icarus a turned grid" auto SIM=icarus turned
+wanted "icarus a turned grid, fine" auto SIM=icarus fine
+wanted "icarus the camera's axes in a core for any" \
+    shadow+reflect1+lights2+inside+facets+turned+boxes SIM=icarus mixed
 wanted "icarus refraction" auto SIM=icarus optics
 wanted "icarus standard:w=14,wd=21,pr=12" auto SIM=icarus wide
 for profile in standard fine reference; do
@@ -58,6 +64,8 @@ judge
 
 [ -n "$CORE" ] || {
     check "a core for spheres refuses boxes" refused shadow+reflect5+lights8+inside paper5
+    check "a core for the camera's axes refuses others" refused \
+        shadow+reflect5+lights8+inside+facets+boxes turned
     check "a core for boxes refuses spheres" refused shadow+reflect5+lights8+inside+boxes four
     check "first does not go with boxes" sh -c '! sh sim/parameters.sh first+boxes'
     check "nor does bih" sh -c '! sh sim/parameters.sh bih+boxes'

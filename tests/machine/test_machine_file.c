@@ -89,8 +89,8 @@ static void test_damaged_bytes(void **unused) {
     bytes[n - 9] ^= 1, put_file(bytes, n), refused("checksum"), bytes[n - 9] ^= 1;
     bytes[n - 1] ^= 1, put_file(bytes, n), refused("checksum"), bytes[n - 1] ^= 1;
     bytes[0] ^= 1, put_file(bytes, n), refused("magic"), bytes[0] ^= 1;
-    bytes[SPH_AT_VERSION] ^= 1, put_file(bytes, n), refused("version is 4, not 5"); /* old */
-    bytes[SPH_AT_VERSION] ^= 2, put_file(bytes, n), refused("version is 6, not 5"),
+    bytes[SPH_AT_VERSION] ^= 1, put_file(bytes, n), refused("version is 7, not 6");
+    bytes[SPH_AT_VERSION] ^= 2, put_file(bytes, n), refused("version is 5, not 6"), /* old */
         bytes[SPH_AT_VERSION] ^= 3;
     sph_put32(bytes + SPH_AT_LINES, 0xffffffff); /* must not be allocated */
     put_file(bytes, n), refused("by its header");
@@ -225,6 +225,8 @@ static void test_wrong_registers(void **unused) {
         {SPH_REG_DIR_X0, 70000, "DIR_X0"},
         {SPH_REG_DIR_Z, 1 - SPH_MIN_SCREEN, "DIR_Z"},
         {SPH_REG_PITCH, 100000, "PITCH"},
+        {SPH_REG_ACROSS_Y, 1, "ACROSS_Y is 1"},
+        {SPH_REG_DOWN_Z, -1, "DOWN_Z is -1"},
         {SPH_REG_ROOT, 100000, "ROOT"},
         {SPH_REG_PRIM_BASE, 100000, "PRIM_BASE"},
         {SPH_REG_MEM_LINES, 3, "MEM_LINES"},
