@@ -1,8 +1,8 @@
 /* aim.h - a picture from another place than the one that a machine was built for
  * SPDX-License-Identifier: Apache-2.0
  *
- * A machine's registers step the rays of its camera, and its tree is built for it, so that a camera
- * that turns asks for another machine, and hardware has no other way. To build one takes up to seconds. Until it is there, the
+ * A machine is built for the place and axes of its camera, so that one that turns asks for another
+ * machine, and hardware has no other way. To build one takes up to seconds. Until it is there, the
  * view sends rays through the machine that it has: with the same arithmetic, but directions that
  * are turned in doubles and rounded, which the hardware cannot make.
  */

@@ -74,7 +74,7 @@ module rt_walk #(
     reg [2:0]  column_q;                           // pixels from it
     reg        top_q;                              // in the window's first row
     localparam DW = TURNED != 0 ? 96 : WD;
-    reg [DW-1:0] dx_q, dy_q, left_dx_q, top_dy_q;  // TURNED: a direction is the sum of the first two
+    reg [DW-1:0] dx_q, dy_q, left_dx_q, top_dy_q;  // TURNED: a direction is dx_q + dy_q
 
     // ---- order ----
     wire        step;                              // the pixel leaves
