@@ -63,13 +63,14 @@ build_cores() {
     sh sim/core.sh --help >"$TMP/tools.log" 2>&1 # the tools, if sources changed
     while IFS='|' read -r name command options; do
         settings=${command%% sh sim/core.sh*}
-        asked=$(asked_for "${command##* }")
+        asked=$(asked_for "${command##* }") axes=$asked
         case $settings+$asked in # `all` walks the machine's own tree
         *EFFECTS=auto*) ;;
         *EFFECTS=all*+bih | *EFFECTS=all*" bih") asked="${asked% *} bih" ;;
         *EFFECTS=all*+boxes | *EFFECTS=all*" boxes") asked="${asked% *} boxes" ;;
         *) asked=${asked% *} ;;
         esac
+        case $settings+$axes in *EFFECTS=all*turned*) asked="$asked turned" ;; esac
         case $settings in *SIM=icarus*) order=2 ;; *) order=1 ;; esac
         echo "$order $settings $asked|BUILT=tools $command --info"
     done <"$runs" | sort -t'|' -k1,1 -u | cut -d'|' -f2 | two_at_a_time
