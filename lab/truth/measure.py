@@ -101,7 +101,7 @@ class Runner:
 
 def listed(runner):
     """{name: (path, words that make it, if it is none of the tree)} of every scene."""
-    found = {name: (path, ()) for name, path in scenes.files()}
+    found = {name: (path, ()) for name, path in scenes.named()}
     for kind in scenes.GENERATED:
         name = kind.replace(":", "")
         found[name] = runner.path(name + ".nff"), ("gen", kind)
@@ -118,7 +118,7 @@ def main(tool, folder, *names):
     unknown = set(names) - set(every)
     if unknown:
         stop(f"no scene {min(unknown)}; there are: {' '.join(every)}")
-    for name in names or every:
+    for name in names or [name for name in every if every[name][0] not in scenes.BY_NAME]:
         path, words = every[name]
         if words:
             runner.must(*words, "-o", path)

@@ -11,6 +11,7 @@ GENERATED = ["balls:3", "mount:4", "tetra:4", "shells:4", "rings:3", "lattice:3"
 DEPTH = {"refraction": 4}  # of a folder; 2 elsewhere
 FILTER = ["--filter", "nearest"]  # as images are exported
 LEFT = {"empty": "nothing is in it"}
+BY_NAME = [Path("scenes/effects/clear_facets.nff")]  # drawn if they are named, for points.py
 
 
 def files():
@@ -19,6 +20,11 @@ def files():
     for folder in "facets", "refraction", "texture":
         found += sorted(Path("scenes", folder).glob("*.nff"))
     return [(path.stem, path) for path in found if path.stem not in LEFT]
+
+
+def named():
+    """The same, and those that are drawn if they are named."""
+    return files() + [(path.stem, path) for path in BY_NAME]
 
 
 def depth(path):
