@@ -83,9 +83,10 @@ def beside_embree(bench):
         for of in "primary", "shadow":
             r = found[of]
             rows.append([kind, of, r["rays"], f"{min(r['embree']) / r['rays'] * 1e9:.0f}",
-                         ratio(r["literal"], r["embree"]), ratio(r["fast"], r["embree"]),
+                         *(ratio(r[way], r["embree"]) for way in ("literal", "fast", "packet")),
                          f"{100 * r['same'] / r['rays']:.4f}"])
-    return table(["scene", "rays", "number", "Embree, ns", "literal", "fast", "same, %"], rows, 2)
+    return table(["scene", "rays", "number", "Embree, ns", "literal", "fast",
+                  "packets", "same, %"], rows, 2)
 
 
 def frames(bench):
@@ -93,15 +94,16 @@ def frames(bench):
     rows, povray = [], shutil.which("povray")
     for kind in SCENES:
         scene, machine, _, _ = bench.machine(kind)
-        literal, fast, other = [], [], []
+        literal, fast, packets, other = [], [], [], []
         for _ in range(ROUNDS):
             literal.append(bench.frame(machine, "--literal"))
             fast.append(bench.frame(machine))
+            packets.append(bench.frame(machine, "--packets"))
             if povray and len(other) < 2:
                 other.append(bench.povray(scene))
-        rows.append([kind, f"{min(fast) * 1e3:.0f}", ratio(fast, literal),
+        rows.append([kind, f"{min(fast) * 1e3:.0f}", ratio(fast, literal), ratio(packets, fast),
                      f"{min(other) / min(fast):.2f}" if other else "-"])
-    return table(["scene", "fast, ms", "literal / fast", "POV-Ray / fast"], rows)
+    return table(["scene", "fast, ms", "literal / fast", "fast / packets", "POV-Ray / fast"], rows)
 
 
 def growth(bench):

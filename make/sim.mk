@@ -17,7 +17,7 @@ BUILD_OPTIONS := --profile $(BUILD_PROFILE) --depth $(DEPTH) --background $(BACK
                  $(if $(filter-out 1,$(SAMPLES)),--samples $(SAMPLES)) \
                  $(if $(LEVELS),--bg-levels $(LEVELS)) $(if $(AT),--at $(AT)) $(BUILD_MORE)
 # What shapes a machine, and its run on a core.
-MACHINE_KEY := SCENE SEED BUILD_OPTIONS
+MACHINE_KEY := SCENE SEED BUILD_OPTIONS LITERAL
 SIM_KEY     := $(MACHINE_KEY) EFFECTS ENGINES PIPES EXACTS SHADES ROOT_STEP QUOTIENT_STEP SIM \
                LATENCY STALL MEMORY CORE_MHZ WINDOW WARM WAVES JOBS
 # (call run,GOAL,KEY): the names of its folder and how it speaks are passed besides.

@@ -83,6 +83,8 @@ SIM ?= verilator
 WINDOW ?=
 ## WARM 0|1 if 1, render twice and count the second pass, with warm caches
 WARM ?= 0
+## LITERAL 0|1 if 1, the model's frame by the functions that the RTL is read beside; slower
+LITERAL ?= 0
 ## WAVES 0|1 if 1, write a waveform
 WAVES ?= 0
 ## CSV <text>| file to which make sim appends a row of what it counted

@@ -70,7 +70,9 @@ core)
     exit
     ;;
 render)
-    "$tool" render "$run/scene.sph" --samples "$SAMPLES" --frame "$run/model.frame" \
+    set --
+    [ "$LITERAL" = 0 ] || set -- --literal
+    "$tool" render "$run/scene.sph" "$@" --samples "$SAMPLES" --frame "$run/model.frame" \
         --json "$run/model.json" -o "$run/model.png" >"$run/model.log"
     cat "$run/build.log" "$run/model.log"
     echo "picture $run/model.png"
@@ -85,6 +87,7 @@ set -- --machine "$run/scene.sph" --latency "$LATENCY" --stall "$STALL" --seed "
     --model-frame "$run/model.frame" --clocks "$run/rtl.clocks"
 [ -z "$WINDOW" ] || set -- "$@" --window "$(echo "$WINDOW" | awk -F , -v n="$SAMPLES" \
     '{ print $1 * n "," $2 * n "," $3 * n "," $4 * n }')" # in pixels of the frame
+[ "$LITERAL" = 0 ] || set -- "$@" --literal
 [ "$WARM" = 0 ] || set -- "$@" --warm
 [ "$WAVES" = 0 ] || set -- "$@" --trace "$run/core.fst"
 rc=0

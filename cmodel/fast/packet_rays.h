@@ -32,8 +32,8 @@ static inline void put(double *at, int v, real x) {
     *(real *)(void *)(at + v * LANES) = x;
 }
 
-/* Doubles of n rays, those of numbers `lanes` or, if that is NULL, from number `from` on; what
- * fills the last vector is as the first of them. */
+/* Doubles of n rays, those of numbers `lanes` or, if that is NULL, the first; what fills the last
+ * vector is as the first of them. */
 static void load(struct packet *p, const int *lanes, int n) {
     const struct sph_bundle *r = p->rays;
     p->n = n;

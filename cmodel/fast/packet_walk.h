@@ -131,18 +131,21 @@ static void nearest(struct packet *p) {
 
 /* Keys of what was found; what a double cannot tell, integers do. */
 static void keys_of(struct packet *p, struct sph_hit *hits) {
+    for (int i = 0; i < p->n; i++)
+        hits[i] = (struct sph_hit){0, SPH_ID_NONE, 0};
     for (int v = 0; v < p->vectors; v++) {
+        unsigned some = (unsigned)(p->found >> v * LANES) & ((1u << LANES) - 1);
+        if (!some) continue;
         real b = get(p->b, v), root = get(p->root, v);
         real whole = (root + 0x1p52) - 0x1p52, off = root - whole;
         real error = b * b * 0x1p-50 / pick(root > 0, root, b) + root * 0x1p-51;
         unsigned doubt = bits((off <= error) & (off >= -error));
         real key = b - (whole + pick(whole > root, (real){0} - 1, (real){0}));
-        for (int k = 0; k < LANES && v * LANES + k < p->n; k++) {
-            int i = v * LANES + k;
-            hits[i] = (struct sph_hit){0, SPH_ID_NONE, 0};
-            if (!(p->found >> i & 1)) continue;
+        doubt |= (unsigned)(p->exact >> v * LANES);
+        for (; some; some &= some - 1) {
+            int k = __builtin_ctz(some), i = v * LANES + k;
             uint32_t leaf = (uint32_t)p->leaf[i];
-            if (doubt >> k & 1 || p->exact >> i & 1)
+            if (doubt >> k & 1)
                 hits[i] = sph_packet_exact(p->f, p->rays, i, -1, &leaf);
             else
                 hits[i] = (struct sph_hit){(uint64_t)key[k], p->f->leaves[leaf].id, 0};

@@ -21,6 +21,7 @@ enum Key {
     SEED,
     PROCESSES,
     WARM,
+    LITERAL,
     WATCHDOG,
     MAX_CYCLES,
     STOP,
@@ -61,6 +62,7 @@ const argp_option table[] = {
     {"seed", SEED, "N", 0, "of the stalls (1)", 0},
     {"processes", PROCESSES, "N", 0, "share the window out by rows (1)", 0},
     {"warm", WARM, nullptr, 0, "render twice and report the second pass, caches kept", 0},
+    {"literal", LITERAL, nullptr, 0, "the model's frame by the functions read beside the RTL", 0},
     {"watchdog", WATCHDOG, "N", 0, "clocks without a pixel that count as a hang (200000)", 0},
     {"max-cycles", MAX_CYCLES, "N", 0, "end with a failure after N clocks", 0},
     {"stop", STOP, nullptr, 0, "end with the first pixel that differs", 0},
@@ -149,6 +151,9 @@ error_t parse(int key, char *arg, argp_state *state) {
         break;
     case WARM:
         o.warm = true;
+        break;
+    case LITERAL:
+        o.literal = true;
         break;
     case WATCHDOG:
         o.watchdog = static_cast<uint64_t>(number(arg, 1, INT64_MAX, state));

@@ -34,6 +34,7 @@ struct Options {
     uint64_t seed = 1;             /* of the stalls */
     int processes = 1;             /* window is shared out by rows */
     bool warm = false;             /* renders twice, the second time with caches kept */
+    bool literal = false;          /* the model's frame by sph_traverse() */
     uint64_t watchdog = 200000;    /* clocks without a pixel: hang */
     uint64_t max_cycles = 0;       /* 0: no limit */
     bool stop = false;             /* at the first pixel that differs; the rest counts as equal */

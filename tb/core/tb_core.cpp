@@ -94,7 +94,7 @@ int main(int argc, char **argv) {
     if (o.life) return one_life(o, machine, c.window);
 
     sph_render_options how{};
-    how.traverse = SPH_TRAVERSE_FAST;
+    how.traverse = o.literal ? SPH_TRAVERSE_TREE : SPH_TRAVERSE_FAST;
     int model_errors = sph_render(&machine, &how, &c.model_frame, &c.model_counters, &err);
     if (model_errors < 0) return complain(err.text);
     c.model_errors = static_cast<uint32_t>(model_errors);

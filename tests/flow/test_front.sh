@@ -107,14 +107,14 @@ check "N is the size of an icosphere" same_scene icosphere:3 icosphere --size 3
 other='SCENE=paper5 PROFILE=draft SIZE=8x8 TREE=paper ACCEL=bih MAX_PRIMS=2 MAX_TREE_DEPTH=3 DEPTH=1
     BACKGROUND=rect TRAVERSE=first LEVELS=1 AT=1 BUILD_MORE=--inside=off EFFECTS=all ENGINES=2
     PIPES=2 EXACTS=1 SHADES=2 ROOT_STEP=1 QUOTIENT_STEP=1 SEED=2 LATENCY=3 STALL=4 SIM=icarus
-    WINDOW=0,0,1,1 WARM=1 WAVES=1 JOBS=3 SAMPLES=2 ERROR=0.5 MEMORY=sdram16 CORE_MHZ=50'
+    WINDOW=0,0,1,1 WARM=1 LITERAL=1 WAVES=1 JOBS=3 SAMPLES=2 ERROR=0.5 MEMORY=sdram16 CORE_MHZ=50'
 same='TARGET FLAT RESULTS KINDS PROVE ONLY ALL CORE EFFECT MUTANT N STATE OPT V B CC
     CFLAGS CXX CXXFLAGS PREFIX DESTDIR TOP FRAMES BART BOARD CSV ENGINE FAMILY MOVIE
     FAULTS TRIALS MINUTES HARNESS'
 for word in '' $other; do
     plain_make sim-folder JOBS=2 $word
 done >"$TMP/folders" 2>&1
-check "each of them has another folder" [ "$(sort -u "$TMP/folders" | grep -c '^build/out/')" = 33 ]
+check "each of them has another folder" [ "$(sort -u "$TMP/folders" | grep -c '^build/out/')" = 34 ]
 for word in $other $same; do echo "${word%%=*}"; done | sort >"$TMP/mine"
 sed -n 's/^## \([A-Z_][A-Z_]*\) .*/\1/p' make/variables.mk | sort >"$TMP/rules"
 check "every variable is one of them, or shapes no run" diff "$TMP/mine" "$TMP/rules"
