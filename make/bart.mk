@@ -20,7 +20,7 @@ BT_SIZE   := 800x480
 BT_SMALL  := 80x48
 BT_WINDOW := 380,228,420,252
 # one core for all of them
-BT_CORE   := shadow+reflect2+lights6+facets+smooth+turned+texture+boxes
+BT_CORE   := shadow+reflect2+lights6+facets+smooth+clear+turned+texture+boxes
 BT_MEMORY := ddr3x16
 BT_MHZ    := 84
 # the scene, eight frames of its animation, the one in the middle, and some in a row
