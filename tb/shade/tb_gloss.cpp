@@ -65,6 +65,12 @@ Vector make(bench::Random &random) {
     v.light = unit(l[0], l[1], l[2]);
     v.dir = unit(d[0], d[1], d[2]);
     v.power = random.percent(30) ? (uint32_t)random.mixed(12) : (uint32_t)random.below(800);
+    if (how == 0) { /* any cosine, not cut: every line of both tables */
+        v.normal = {{0, 0, ONE}, 0, 0};
+        v.light = {{0, ONE, 0}, 0, 0};
+        v.dir = {{0, static_cast<int32_t>(random.between(1, ONE)), 0}, 0, 0};
+        v.power = 1 + (uint32_t)random.below(64);
+    }
     return v;
 }
 
