@@ -69,6 +69,7 @@ static int by_machine(struct job *j, int kind, struct tree *tree, struct sph_err
     struct sph_counters counters = {{0}};
     struct sph_render_options how = {.traverse = SPH_TRAVERSE_TREE, .threads = 1};
     source.build.tree = machine_trees[kind];
+    if (source.build.axes == SPH_AXES_AUTO) source.build.axes = SPH_AXES_CAMERA; /* one for all */
     int rc = tool_build_scene(&source, j->scene, j->mips, &built, err);
     clock_t start = clock();
     if (!rc && sph_render(&built.machine, &how, &frame, &counters, err) < 0) rc = -1;
