@@ -4,6 +4,7 @@
 #   make campaign                  what is not run yet, and the tables of docs/results/mutants.md
 #   make campaign FAULTS=10000     more of them, SEED=2 others
 #   make campaign ENGINE=slurm     on a cluster: docs/use/cluster.md
+#   make campaign-c MINUTES=60     the same in the C model
 # A fault meets its module's bench, then what is left another line of that bench's list, then a
 # bench above, then the core: each is one list of jobs, and a job is one program with all faults
 # that are tried in it (lab/mutants).
@@ -18,4 +19,11 @@ campaign: $(LIB) $(TOOL) $B/test/libhard.a ## faults by Yosys in every module, a
 	@python3 -m lab.mutants tell $B $(FAULTS) $(SEED)
 	@python3 -m lab.pages.measured docs/results/mutants.md "make campaign"
 
-.PHONY: campaign
+# Faults in the arithmetic of the golden model, as many as are begun within MINUTES.
+campaign_model = builder core machine math pixel prim reference shade texture trace
+campaign_suite = $(patsubst %.c,$B/test/%.o, \
+    $(notdir $(wildcard $(campaign_model:%=tests/%/test_*.c))))
+campaign-c: $(LIB) $(campaign_suite) ## faults in the model's arithmetic, and what notices them
+	@JOBS=$(JOBS) python3 -m lab.mutants.model $B $(FAULTS) $(SEED) $(MINUTES) $(CC) $(CFLAGS)
+
+.PHONY: campaign campaign-c
