@@ -14,7 +14,7 @@
 
 enum {
     KNOWN = 1 << SPH_EFFECT_SHADOW | 1 << SPH_EFFECT_REFLECT | 1 << SPH_EFFECT_INSIDE |
-            1 << SPH_EFFECT_FIRST
+            1 << SPH_EFFECT_FIRST | 1 << SPH_EFFECT_TURNED
 };
 
 int sph_fast_shades(const struct sph_machine *m) {

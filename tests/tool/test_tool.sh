@@ -59,6 +59,10 @@ check "scene and machine agree" equal "$(hash a.nff)" "$(hash a.sph)"
 check "one thread and three agree" equal "$(hash a.sph -t 1)" "$(hash a.sph -t 3)"
 check "brute force shows the same" equal "$(picture a.sph)" "$(picture a.sph --brute)"
 check "so do packets" equal "$(picture a.sph)" "$(picture a.sph --packets)"
+"$s" build a.nff --axes scene -o turned.sph >/dev/null 2>&1
+check "a turned grid is drawn literally and fast alike" equal \
+    "$(hash turned.sph)" "$(hash turned.sph --literal)"
+check "... and in packets" equal "$(picture turned.sph)" "$(picture turned.sph --packets)"
 check "packets tell no work" sh -c "! \"$s\" render a.sph --packets | grep -q $(hash a.sph)"
 check "unless it is asked for" equal "$("$s" render a.sph --counters | grep -v rendered)" \
     "$("$s" render a.sph --packets --counters | grep -v rendered)"
