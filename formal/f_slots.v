@@ -46,7 +46,7 @@ module f_slots #(
         .pix_valid_o(pix_valid), .pix_ready_i(pix_ready), .pix_o(pix), .fault_o(fault)
     );
     (* hierconn *) wire [SLOTW:0] \u_dut.fill_q , \u_dut.used_q ;
-    (* hierconn *) wire [SLOTW:0] \u_dut.u_free.wr_q , \u_dut.u_free.rd_q ;
+    (* hierconn *) wire [SLOTW:0] \u_dut.g_setup[0].u_free.wr_q , \u_dut.g_setup[0].u_free.rd_q ;
     (* hierconn *) wire [SLOTW:0] \u_dut.u_blended.wr_q , \u_dut.u_blended.rd_q ;
     (* hierconn *) wire [SLOTW:0] \u_dut.u_skies.wr_q , \u_dut.u_skies.rd_q ;
     (* hierconn *) wire [SLOTW:0] \u_dut.g_probe.u_probe.u_queue.wr_q ;
@@ -122,7 +122,7 @@ module f_slots #(
             assume (again_mine_q);
     end
 
-    wire [SLOTW:0] n_free  = \u_dut.u_free.wr_q - \u_dut.u_free.rd_q ;
+    wire [SLOTW:0] n_free  = \u_dut.g_setup[0].u_free.wr_q - \u_dut.g_setup[0].u_free.rd_q ;
     wire [SLOTW:0] n_blend = \u_dut.u_blended.wr_q - \u_dut.u_blended.rd_q ;
     wire [SLOTW:0] n_sky   = \u_dut.u_skies.wr_q - \u_dut.u_skies.rd_q ;
     wire [SLOTW:0] n_again = \u_dut.g_probe.u_probe.u_queue.wr_q -

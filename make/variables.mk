@@ -53,7 +53,7 @@ ENGINES ?= 1
 PIPES ?= 1
 ## EXACTS 0|1|2|4 leaf units of an engine; 0: 2 for 3 and 4 pipes, else 1
 EXACTS ?= 0
-## SHADES 0|1|2|4 shading units of an engine; 0: 2 from 2 pipes on, else 1
+## SHADES 0|1|2|4 shading units of an engine; 0: 1, 2, 2, 4 for 1, 2, 3, 4 pipes
 SHADES ?= 0
 ## ROOT_STEP 1..W+WD bits that a root of the core gains a clock
 ROOT_STEP ?= 2

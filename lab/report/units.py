@@ -29,9 +29,11 @@ def parameters(key, built):
     said = subprocess.run(["sh", "sim/parameters.sh", built], check=True, capture_output=True,
                           text=True).stdout
     interpenetrate = "INTERPENETRATE=1" in said.split()          # as the rules of rt_core.v
-    values["SHADES"] = values["SHADES"] or (
-        2 if values["PIPES"] > 1 and not interpenetrate else 1)
-    values["EXACTS"] = values["EXACTS"] or (values["SHADES"] if values["PIPES"] > 2 else 1)
+    pipes = values["PIPES"]
+    values["SHADES"] = values["SHADES"] or (1 if interpenetrate else [1, 2, 2, 4][pipes - 1])
+    values["EXACTS"] = values["EXACTS"] or (2 if pipes > 2 and values["SHADES"] > 1 else 1)
+    values["SETUPS"] = values["SETUPS"] or (2 if pipes == 4 and values["EXACTS"] > 1 else 1)
+    values["ROOTS"] = values["ROOTS"] or (3 if pipes == 1 else 6)
     return values
 
 
@@ -63,7 +65,7 @@ def units(count, machine, core):
          f"{core['DIVISIONS']} dividers of {division} clocks"),
         ("roots", exacts, count["roots"] * root / core["ROOTS"],
          f"{core['ROOTS']} units of {root} clocks"),
-        ("set-up of rays", 1, vectors * core["UNIT_INTERVAL"] / core["UNITS"],
+        ("set-up of rays", core["SETUPS"], vectors * core["UNIT_INTERVAL"] / core["UNITS"],
          f"{core['UNITS']} units of {core['UNIT_INTERVAL']} clocks: rays, normals, lights"),
         ("quotients", shades, hits * quotient / core["QUOTIENTS"],
          f"{core['QUOTIENTS']} units of {quotient} clocks or more"),

@@ -42,15 +42,16 @@ module rt_core #(
     parameter ENGINES    = 1,    // 1..8: engines
     parameter PIPES      = 1,    // 1..4: traversal pipes an engine
     parameter EXACTS     = 0,    // 0..4: leaf units an engine, 0: 2 for 3 and 4 pipes, else 1
-    parameter SHADES     = 0,    // 0..4: shading units an engine, 0: 2 from 2 pipes on, else 1
+    parameter SHADES     = 0,    // 0..4: shading units an engine, 0: 1, 2, 2, 4 by PIPES
+    parameter SETUPS     = 0,    // 0..2: set-up units an engine, 0: 2 for 4 pipes, else 1
     parameter SLOTS      = 64,   // 4..1024, power of two: rays in flight a pipe
-    parameter NODE_LINES = 256,  // 8..4096, power of two: lines of a pipe's node cache
-    parameter LEAF_LINES = 128,  // 8..4096, power of two: lines of a leaf unit's cache
+    parameter NODE_LINES = 256,  // 8..4096, power of two: node cache, lines; twice if PIPES > 1
+    parameter LEAF_LINES = 128,  // 8..4096, power of two: leaf cache, lines; 4 times if PIPES > 1
     parameter TEXTURE_LINES = 128, // 8..4096, power of two: lines of a shading unit's texture cache
     parameter TEXTURE_WAYS = 4,  // 1..32, power of two: groups of a set of the texture cache
     parameter TEXTURE_GROUP = 1, // 1..4, power of two: lines of a group, fetched together
     parameter TEXTURE_COORDS = 2, // 1..8: units for texture coordinates an engine
-    parameter ROOTS      = 3,    // 1..8: square root units an engine
+    parameter ROOTS      = 0,    // 0..8: square root units a leaf unit, 0: 6, for 1 pipe 3
     parameter QUOTIENTS  = 3,    // 1..8: dividers an engine
     parameter DIVISIONS  = 1,    // 1..8: dividers an engine for the keys of facets
     parameter ROOT_STEP  = 2,    // 1..W+WD: root bits a clock
@@ -210,11 +211,18 @@ module rt_core #(
     end
 
     // ---- units of an engine; numbers of its slots, {pipe, slot of its own} ----
-    localparam SHADE_UNITS = SHADES != 0 ? SHADES : PIPES > 1 && INTERPENETRATE == 0 ? 2 : 1;
-    localparam LEAF_UNITS = EXACTS != 0 ? EXACTS : PIPES > 2 ? SHADE_UNITS : 1;
+    localparam SHADE_UNITS = SHADES != 0 ? SHADES : PIPES == 1 || INTERPENETRATE != 0 ? 1
+                             : PIPES == 4 ? 4 : 2;
+    localparam LEAF_UNITS = EXACTS != 0 ? EXACTS : PIPES > 2 && SHADE_UNITS > 1 ? 2 : 1;
+    localparam SETUP_UNITS = SETUPS != 0 ? SETUPS : PIPES == 4 && LEAF_UNITS > 1 ? 2 : 1;
+    localparam ROOT_UNITS = ROOTS != 0 ? ROOTS : PIPES > 1 ? 6 : 3;
+    // Beside others a pipe sees fewer neighbours; block RAM has the room in any case.
+    localparam NODE_UNIT = PIPES > 1 ? 2*NODE_LINES : NODE_LINES;
+    localparam LEAF_UNIT = PIPES > 1 ? 4*LEAF_LINES : LEAF_LINES;
     `RT_CHECK(1 << $clog2(LEAF_UNITS) == LEAF_UNITS && 1 << $clog2(SHADE_UNITS) == SHADE_UNITS,
               rt_core_EXACTS_and_SHADES_must_be_powers_of_two)
     `RT_CHECK(LEAF_UNITS <= SHADE_UNITS, rt_core_EXACTS_must_be_at_most_SHADES)
+    `RT_CHECK(SETUP_UNITS <= LEAF_UNITS, rt_core_SETUPS_must_be_at_most_EXACTS)
     `RT_CHECK(SHADE_UNITS <= 1 << $clog2(PIPES), rt_core_SHADES_must_be_at_most_PIPES)
     `RT_CHECK(SHADE_UNITS == 1 || INTERPENETRATE == 0, rt_core_INTERPENETRATE_needs_SHADES_to_be_1)
     localparam ALL_SLOTS = SLOTS << $clog2(PIPES);
@@ -313,17 +321,18 @@ module rt_core #(
             wire [`RT_PIXEL_BITS-1:0] pix;
             rt_engine #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .FW(FW), .PR(PR),
                         .PIPES(PIPES), .EXACTS(LEAF_UNITS), .SHADES(SHADE_UNITS),
+                        .SETUPS(SETUP_UNITS),
                         .SLOTS(ALL_SLOTS),
                         .STACK(`RT_STACK_DEPTH), .SHADOW(SHADOW), .REFLECT(REFLECT),
                         .LIGHTS(LIGHTS), .INSIDE(INSIDE), .FIRST(FIRST),
                         .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),
                         .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM),
                         .ACCEL(BOXES != 0 ? 2 : ACCEL), .SMOOTH(SMOOTH), .CLEAR(CLEAR),
-                        .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES),
+                        .NODE_LINES(NODE_UNIT), .LEAF_LINES(LEAF_UNIT),
                         .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS),
                         .TEXTURE_GROUP(TEXTURE_GROUP), .TEXTURE_COORDS(TEXTURE_COORDS),
                         .COARSE(COARSE),
-                        .ROOTS(ROOTS), .QUOTIENTS(QUOTIENTS),
+                        .ROOTS(ROOT_UNITS), .QUOTIENTS(QUOTIENTS),
                         .DIVISIONS(DIVISIONS), .ROOT_STEP(ROOT_STEP),
                         .QUOTIENT_STEP(QUOTIENT_STEP), .LEAF_INTERVAL(LEAF_INTERVAL),
                         .UNITS(UNITS), .UNIT_INTERVAL(UNIT_INTERVAL),

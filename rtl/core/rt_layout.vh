@@ -459,6 +459,7 @@
     `RT_CHECK(PIPES >= 1 && PIPES <= 4, rt_core_PIPES_must_be_1_to_4) \
     `RT_CHECK(EXACTS >= 0 && EXACTS <= 4, rt_core_EXACTS_must_be_0_to_4) \
     `RT_CHECK(SHADES >= 0 && SHADES <= 4, rt_core_SHADES_must_be_0_to_4) \
+    `RT_CHECK(SETUPS >= 0 && SETUPS <= 2, rt_core_SETUPS_must_be_0_to_2) \
     `RT_CHECK(SLOTS >= 4 && SLOTS <= 1024 && (SLOTS & (SLOTS - 1)) == 0, rt_core_SLOTS_must_be_a_power_of_two_from_4_to_1024) \
     `RT_CHECK(NODE_LINES >= 8 && NODE_LINES <= 4096 && (NODE_LINES & (NODE_LINES - 1)) == 0, rt_core_NODE_LINES_must_be_a_power_of_two_from_8_to_4096) \
     `RT_CHECK(LEAF_LINES >= 8 && LEAF_LINES <= 4096 && (LEAF_LINES & (LEAF_LINES - 1)) == 0, rt_core_LEAF_LINES_must_be_a_power_of_two_from_8_to_4096) \
@@ -466,7 +467,7 @@
     `RT_CHECK(TEXTURE_WAYS >= 1 && TEXTURE_WAYS <= 32 && (TEXTURE_WAYS & (TEXTURE_WAYS - 1)) == 0, rt_core_TEXTURE_WAYS_must_be_a_power_of_two_from_1_to_32) \
     `RT_CHECK(TEXTURE_GROUP >= 1 && TEXTURE_GROUP <= 4 && (TEXTURE_GROUP & (TEXTURE_GROUP - 1)) == 0, rt_core_TEXTURE_GROUP_must_be_a_power_of_two_from_1_to_4) \
     `RT_CHECK(TEXTURE_COORDS >= 1 && TEXTURE_COORDS <= 8, rt_core_TEXTURE_COORDS_must_be_1_to_8) \
-    `RT_CHECK(ROOTS >= 1 && ROOTS <= 8, rt_core_ROOTS_must_be_1_to_8) \
+    `RT_CHECK(ROOTS >= 0 && ROOTS <= 8, rt_core_ROOTS_must_be_0_to_8) \
     `RT_CHECK(QUOTIENTS >= 1 && QUOTIENTS <= 8, rt_core_QUOTIENTS_must_be_1_to_8) \
     `RT_CHECK(DIVISIONS >= 1 && DIVISIONS <= 8, rt_core_DIVISIONS_must_be_1_to_8) \
     `RT_CHECK(ROOT_STEP >= 1 && ROOT_STEP <= W+WD, rt_core_ROOT_STEP_must_be_1_to_W_plus_WD) \

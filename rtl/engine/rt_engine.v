@@ -18,6 +18,7 @@ module rt_engine #(
     parameter PIPES      = 1,    // traversal pipes, 1..4
     parameter EXACTS     = 1,    // leaf units, power of two, at most SHADES
     parameter SHADES     = 1,    // shading units, power of two
+    parameter SETUPS     = 1,    // set-up units, power of two, at most EXACTS
     parameter SLOTS      = 64,   // numbers of slots, power of two: {pipe, slot of its own}
     parameter STACK      = 16,   // sibling groups waiting per ray, power of two
     parameter SHADOW     = 1,    // effects elaborated, see rt_core
@@ -69,8 +70,7 @@ module rt_engine #(
     output wire                       pix_valid_o,
     input  wire                       pix_ready_i,
     output wire [`RT_PIXEL_BITS-1:0]  pix_o,
-    // memory: from bit 0 up nodes of each pipe, leaves and primitives of each leaf unit, textures,
-    // if any, of each shading unit
+    // memory: of each pipe from bit 0 up, of each leaf unit, with TEXTURE of each shading unit
     output wire [READS-1:0]           mem_req_valid_o,
     input  wire [READS-1:0]           mem_req_ready_i,
     output wire [`RT_LINE_BITS*READS-1:0] mem_req_line_o,
@@ -85,18 +85,17 @@ module rt_engine #(
     output wire [15:0]                fault_o          // {slots, shade, exact, trace}
 );
     localparam SLOTW   = $clog2(SLOTS), LB = `RT_LINE_BITS;
-    localparam PB = $clog2(PIPES), XB = $clog2(EXACTS), SB = $clog2(SHADES);
+    localparam PB = $clog2(PIPES), XB = $clog2(EXACTS), SB = $clog2(SHADES), UB = $clog2(SETUPS);
     localparam SHADOWS = LIGHTS != 0 && SHADOW != 0 ? 1 : 0;           // shadow rays
     localparam BOUNCES = REFLECT != 0 || INTERPENETRATE != 0 || REFRACT != 0 ? 1 : 0; // mirrored
     localparam FARS    = INSIDE != 0 || FACETS != 0 ? 1 : 0;           // hits that are far
-
-    wire [`RT_VECTOR_BITS-1:0] primary;
+    wire [SETUPS*(`RT_VECTOR_BITS-UB)-1:0] primary;
     wire [SHADES*(`RT_VECTOR_BITS-SB)-1:0] normal, vec_light, bounce;
     wire [SHADES*(`RT_ORG_BITS-SB)-1:0]    org;
     wire [SHADES*(`RT_SKIP_BITS-SB)-1:0]   skip;
-    wire [`RT_RAY_BITS-1:0]    ray;
-    wire [`RT_FILTER_BITS-1:0] filter;
-    wire [3*(NG+2)-1:0]        lift;
+    wire [SETUPS*(`RT_RAY_BITS-UB)-1:0] ray;
+    wire [SETUPS*`RT_FILTER_BITS-1:0] filter;
+    wire [SETUPS*3*(NG+2)-1:0] lift;
     wire [PIPES*(`RT_VISIT_BITS-PB)-1:0]   visit;
     wire [EXACTS*(`RT_RESULT_BITS-XB)-1:0] result;
     wire [`RT_DONE_BITS-1:0]   done;
@@ -104,43 +103,43 @@ module rt_engine #(
     wire [SHADES*(`RT_FETCH_BITS-SB)-1:0]  fetch;
     wire [SHADES*(`RT_RECORD_BITS-SB)-1:0] record;
     wire [`RT_BLEND_BITS-SB-1:0] blend;
-    wire             primary_ready, next_light, ray_again, done_valid, end_valid, read;
+    wire             ray_again, done_valid, end_valid, read;
+    wire [SETUPS-1:0] primary_ready, next_light;
+    wire [SETUPS*(SLOTW-UB)-1:0] next_slot;
     wire [SHADES*(SLOTW-SB)-1:0] shadow_slot;
-    wire [SLOTW-1:0] next_slot, done_slot, end_slot, read_slot;
+    wire [SLOTW-1:0] done_slot, end_slot, read_slot;
     wire [`RT_VISITS_BITS-1:0] visits;
     wire [3*`RT_RGB_BITS-1:0] colour;
     wire [31:0]      texture;
     wire [SHADES-1:0] shadow_go, fetch_ready, record_ready;
     wire [SHADES-1:0] tex_req_valid, tex_req_ready, tex_rsp_valid, tex_rsp_ready;
     wire [LB*SHADES-1:0] tex_req_line;
-
     rt_setup #(.W(W), .WD(WD), .FW(FW), .NG(NG), .SHADOW(SHADOW), .LIGHTS(LIGHTS),
                .BOUNCES(BOUNCES), .FACETS(FACETS), .TEXTURE(TEXTURE), .UNITS(UNITS),
-               .UNIT_INTERVAL(UNIT_INTERVAL), .SHADES(SHADES), .SLOTS(SLOTS)) u_setup (
+               .UNIT_INTERVAL(UNIT_INTERVAL), .SHADES(SHADES/SETUPS),
+               .SLOTS(SLOTS/SETUPS)) u_setup [SETUPS-1:0] (
         .clk(clk), .rst(rst), .eye_i(regs_i[`RT_REGS_EYE]), .normal_i(normal), .light_i(vec_light),
         .bounce_i(bounce), .primary_i(primary), .primary_ready_o(primary_ready), .org_i(org),
         .skip_i(skip), .ray_o(ray), .filter_o(filter), .lift_o(lift), .next_light_o(next_light),
         .next_slot_o(next_slot)
     );
     rt_pipes #(.W(W), .WD(WD), .FW(FW), .PIPES(PIPES), .EXACTS(EXACTS), .SHADES(SHADES),
-               .SLOTS(SLOTS), .STACK(STACK), .LINES(NODE_LINES), .SHADOW(SHADOWS), .FIRST(FIRST),
-               .FARS(FARS), .FACETS(FACETS), .ACCEL(ACCEL)) u_pipes (
+              .SETUPS(SETUPS), .SLOTS(SLOTS), .STACK(STACK), .LINES(NODE_LINES), .SHADOW(SHADOWS),
+              .FIRST(FIRST), .FARS(FARS), .FACETS(FACETS), .ACCEL(ACCEL)) u_pipes (
         .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i), .ray_i(ray), .filter_i(filter),
         .ray_again_i(ray_again), .shadow_go_i(shadow_go), .shadow_slot_i(shadow_slot),
         .visit_o(visit), .result_i(result), .done_valid_o(done_valid), .done_slot_o(done_slot),
         .done_o(done), .visits_read_i(read), .visits_slot_i(read_slot), .visits_o(visits),
-        .mem_req_valid_o(mem_req_valid_o[0 +: PIPES]),
-        .mem_req_ready_i(mem_req_ready_i[0 +: PIPES]),
-        .mem_req_line_o(mem_req_line_o[0 +: LB*PIPES]),
-        .mem_rsp_valid_i(mem_rsp_valid_i[0 +: PIPES]),
-        .mem_rsp_ready_o(mem_rsp_ready_o[0 +: PIPES]), .mem_rsp_data_i(mem_rsp_data_i),
+        .mem_req_valid_o(mem_req_valid_o[PIPES-1:0]), .mem_req_ready_i(mem_req_ready_i[PIPES-1:0]),
+        .mem_req_line_o(mem_req_line_o[LB*PIPES-1:0]), .mem_rsp_valid_i(mem_rsp_valid_i[PIPES-1:0]),
+        .mem_rsp_ready_o(mem_rsp_ready_o[PIPES-1:0]), .mem_rsp_data_i(mem_rsp_data_i),
         .mem_rsp_error_i(mem_rsp_error_i), .event_o(trace_event_o), .fault_o(fault_o[3:0])
     );
     rt_exacts #(.W(W), .WD(WD), .NG(NG), .EXACTS(EXACTS), .PIPES(PIPES), .SHADES(SHADES),
-                .SLOTS(SLOTS), .LINES(LEAF_LINES), .ROOTS(ROOTS), .ROOT_STEP(ROOT_STEP), .PR(PR),
-                .LEAF_INTERVAL(LEAF_INTERVAL), .SHADOW(SHADOWS), .INSIDE(INSIDE), .FACETS(FACETS),
-                .CLEAR(CLEAR), .DIVISIONS(DIVISIONS), .DIVISION_STEP(DIVISION_STEP),
-                .FACET_INTERVAL(FACET_INTERVAL)) u_exacts (
+               .SETUPS(SETUPS), .SLOTS(SLOTS), .LINES(LEAF_LINES), .ROOTS(ROOTS),
+               .ROOT_STEP(ROOT_STEP), .PR(PR), .LEAF_INTERVAL(LEAF_INTERVAL), .SHADOW(SHADOWS),
+               .INSIDE(INSIDE), .FACETS(FACETS), .CLEAR(CLEAR), .DIVISIONS(DIVISIONS),
+               .DIVISION_STEP(DIVISION_STEP), .FACET_INTERVAL(FACET_INTERVAL)) u_exacts (
         .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i), .ray_i(ray), .lift_i(lift),
         .visit_i(visit), .result_o(result), .fetch_i(fetch), .fetch_ready_o(fetch_ready),
         .record_o(record), .record_ready_i(record_ready),
@@ -151,14 +150,14 @@ module rt_engine #(
         .mem_rsp_ready_o(mem_rsp_ready_o[PIPES +: EXACTS]), .mem_rsp_data_i(mem_rsp_data_i),
         .mem_rsp_error_i(mem_rsp_error_i), .event_o(exact_event_o), .fault_o(fault_o[7:4])
     );
-    rt_shades #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .PR(PR), .SHADES(SHADES), .SLOTS(SLOTS),
-                .SHADOW(SHADOWS), .REFLECT(REFLECT), .LIGHTS(LIGHTS), .INSIDE(INSIDE),
-                .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),
-                .SMOOTH(SMOOTH), .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM),
-                .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS),
-                .TEXTURE_GROUP(TEXTURE_GROUP), .TEXTURE_COORDS(TEXTURE_COORDS), .COARSE(COARSE),
-                .QUOTIENTS(QUOTIENTS), .QUOTIENT_STEP(QUOTIENT_STEP), .HIT_INTERVAL(HIT_INTERVAL),
-                .BOUNCE_INTERVAL(BOUNCE_INTERVAL)) u_shades (
+    rt_shades #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .PR(PR), .SHADES(SHADES), .SETUPS(SETUPS),
+               .SLOTS(SLOTS), .SHADOW(SHADOWS), .REFLECT(REFLECT), .LIGHTS(LIGHTS), .INSIDE(INSIDE),
+               .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE), .SMOOTH(SMOOTH),
+               .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM), .TEXTURE_LINES(TEXTURE_LINES),
+               .TEXTURE_WAYS(TEXTURE_WAYS), .TEXTURE_GROUP(TEXTURE_GROUP),
+               .TEXTURE_COORDS(TEXTURE_COORDS), .COARSE(COARSE), .QUOTIENTS(QUOTIENTS),
+               .QUOTIENT_STEP(QUOTIENT_STEP), .HIT_INTERVAL(HIT_INTERVAL),
+               .BOUNCE_INTERVAL(BOUNCE_INTERVAL)) u_shades (
         .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i), .light_i(light_i), .ray_i(ray),
         .next_light_i(next_light), .next_slot_i(next_slot), .hit_i(hit), .blend_o(blend),
         .end_valid_o(end_valid), .end_slot_o(end_slot), .fetch_o(fetch),
@@ -185,15 +184,16 @@ module rt_engine #(
     endgenerate
     wire [`RT_BLEND_BITS-1:0] first_blend = {{SB{1'b0}}, blend};  // of slots of the first unit
     rt_slots #(.W(W), .WD(WD), .SHADOW(SHADOWS), .FARS(FARS), .TEXTURE(TEXTURE),
-               .INTERPENETRATE(INTERPENETRATE), .PIPES(PIPES), .SLOTS(SLOTS)) u_slots (
+               .INTERPENETRATE(INTERPENETRATE), .PIPES(PIPES), .SETUPS(SETUPS),
+               .SLOTS(SLOTS)) u_slots (
         .clk(clk), .rst(rst), .busy_o(busy_o), .regs_i(regs_i), .in_valid_i(in_valid_i),
         .in_ready_o(in_ready_o), .start_i(start_i), .primary_o(primary),
-        .primary_ready_i(primary_ready), .ray_slot_i(ray[`RT_RAY_SLOT]), .ray_again_o(ray_again),
-        .done_valid_i(done_valid), .done_slot_i(done_slot), .done_i(done), .hit_o(hit),
-        .blend_i(first_blend), .end_valid_i(end_valid), .end_slot_i(end_slot), .read_o(read),
-        .read_slot_o(read_slot), .visits_i(visits), .colour_i(colour), .texture_i(texture),
-        .pix_valid_o(pix_valid_o), .pix_ready_i(pix_ready_i), .pix_o(pix_o),
-        .fault_o(fault_o[15:12])
+        .primary_ready_i(primary_ready), .ray_again_o(ray_again), .done_valid_i(done_valid),
+        .ray_slot_i({{UB{1'b0}}, ray[`RT_RAY_BITS-UB-1 -: SLOTW-UB]}), .done_slot_i(done_slot),
+        .done_i(done), .hit_o(hit), .blend_i(first_blend), .end_valid_i(end_valid),
+        .end_slot_i(end_slot), .read_o(read), .read_slot_o(read_slot), .visits_i(visits),
+        .colour_i(colour), .texture_i(texture), .pix_valid_o(pix_valid_o),
+        .pix_ready_i(pix_ready_i), .pix_o(pix_o), .fault_o(fault_o[15:12])
     );
 endmodule
 `default_nettype wire

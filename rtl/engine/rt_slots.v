@@ -15,6 +15,7 @@ module rt_slots #(
     parameter TEXTURE = 0,   // 1: pixels have a word of texture
     parameter INTERPENETRATE = 1, // 1: first hits may lie in another sphere
     parameter PIPES   = 1,   // of which each has its share of the slots, 1..4
+    parameter SETUPS  = 1,   // set-up units, power of two; 1 with INTERPENETRATE
     parameter SLOTS   = 32   // numbers of slots, power of two: {pipe, slot of its own}
 ) (
     input  wire                       clk,
@@ -25,9 +26,9 @@ module rt_slots #(
     input  wire                       in_valid_i,
     output wire                       in_ready_o,
     input  wire [`RT_START_BITS-1:0]  start_i,
-    // to rt_setup: primary rays
-    output wire [`RT_VECTOR_BITS-1:0] primary_o,
-    input  wire                       primary_ready_i,
+    // to each rt_setup: primary rays of its slots
+    output wire [SETUPS*(`RT_VECTOR_BITS-$clog2(SETUPS))-1:0] primary_o,
+    input  wire [SETUPS-1:0]          primary_ready_i,
     // from rt_setup, to rt_trace: the ray of this slot is the repeated primary ray of its pixel
     input  wire [$clog2(SLOTS)-1:0]   ray_slot_i,
     output wire                       ray_again_o,
@@ -61,7 +62,10 @@ module rt_slots #(
     wire [SLOTW-1:0] again_slot;
     wire [3*WD-1:0]  again_dir;
 
-    // ---- free slots: all of them after reset, then those that were delivered ----
+    // ---- free slots: all of them after reset, then those that were delivered; a queue for each
+    // set-up unit; those that take a ray take turns ----
+    localparam UB = $clog2(SETUPS), OWNW = SLOTW - UB;    // slot of a set-up unit
+    localparam VB = `RT_VECTOR_BITS - UB;
     reg [SLOTW:0]    fill_q;                         // slots put into the queue after reset
     wire             filling = !fill_q[SLOTW];
     // A slot of each pipe in turn; of numbers for four pipes three may have slots.
@@ -70,19 +74,59 @@ module rt_slots #(
     wire [SLOTW-1:0] fill_slot = fill_q[SLOTW-1:0] << (SLOTW - NB) | fill_q[SLOTW-1:0] >> NB;
     wire             fill_there = PIPES == 1 << NB ||
                                   ({{(31-SLOTW){1'b0}}, fill_q} & PIPE_MASK) < PIPES;
-    wire             free_valid, free_in, out_done;
+    wire             out_done;
     wire [SLOTW-1:0] free_slot, out_slot;
+    wire [SLOTW-1:0] back = filling ? fill_slot : out_slot;       // a slot that becomes free
+    wire             back_valid = filling ? fill_there : out_done;
+    wire [SETUPS-1:0] free_valid, free_in;
+    wire [SETUPS-1:0] free_may = filling || again_valid ? {SETUPS{1'b0}}
+                                 : free_valid & primary_ready_i;
+    wire [SETUPS-1:0] free_from;                     // of these the lowest goes first
+    wire [SETUPS-1:0] free_take = free_from & (~free_from + 1'b1);
+    wire [SETUPS*OWNW-1:0] free_own;
     reg [SLOTW:0]    used_q;
     wire             taken = in_valid_i && in_ready_o;
-    rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_free (
-        .clk(clk), .rst(rst), .in_valid_i(filling ? fill_there : out_done), .in_ready_o(free_in),
-        .in_data_i(filling ? fill_slot : out_slot),
-        .out_valid_o(free_valid), .out_ready_i(taken), .out_data_o(free_slot)
-    );
-    assign in_ready_o      = free_valid && !filling && primary_ready_i && !again_valid;
-    assign primary_o[`RT_VECTOR_VALID] = (in_valid_i && free_valid && !filling) || again_valid;
-    assign primary_o[`RT_VECTOR_SLOT]  = again_valid ? again_slot : free_slot;
-    assign primary_o[`RT_VECTOR_VEC]   = again_valid ? again_dir : start_i[`RT_START_DIR];
+    genvar u;
+    generate
+        for (u = 0; u < SETUPS; u = u + 1) begin : g_setup
+            localparam [SLOTW:0] OWN = u;
+            wire [VB-1:0] vector;
+            rt_fifo #(.WIDTH(OWNW), .DEPTH(SLOTS >> UB)) u_free (
+                .clk(clk), .rst(rst),
+                .in_valid_i(back_valid && {1'b0, back} >> OWNW == OWN),
+                .in_ready_o(free_in[u]), .in_data_i(back[OWNW-1:0]),
+                .out_valid_o(free_valid[u]), .out_ready_i(in_valid_i && free_take[u]),
+                .out_data_o(free_own[OWNW*u +: OWNW])
+            );
+            // with one set-up unit its ready is not looked at, which comes late
+            assign vector[`RT_VECTOR_VALID] = again_valid || (in_valid_i &&
+                (SETUPS > 1 ? free_take[u] : free_valid[u] && !filling));
+            assign vector[`RT_VECTOR_VEC] = again_valid ? again_dir : start_i[`RT_START_DIR];
+            assign vector[VB-1 -: OWNW] = again_valid ? again_slot[OWNW-1:0]
+                                                      : free_own[OWNW*u +: OWNW];
+            assign primary_o[VB*u +: VB] = vector;
+        end
+        if (SETUPS > 1) begin : g_choose
+            reg [UB-1:0]      one;
+            reg [SETUPS-1:0]  above_q;               // set-up units above the one served last
+            wire [SETUPS-1:0] high = free_may & above_q;
+            integer           i;
+            assign free_from = |high ? high : free_may;
+            always @(posedge clk) begin
+                if (taken) above_q <= ~(free_take | (free_take - 1'b1));
+                if (rst) above_q <= {SETUPS{1'b0}};
+            end
+            always @* begin
+                one = {UB{1'b0}};
+                for (i = 0; i < SETUPS; i = i + 1) if (free_take[i]) one = one | i[UB-1:0];
+            end
+            assign free_slot = {one, free_own[OWNW*one +: OWNW]};
+        end else begin : g_only
+            assign free_slot = free_own;
+            assign free_from = free_may;
+        end
+    endgenerate
+    assign in_ready_o      = |free_may;
     assign busy_o          = used_q != 0;
     always @(posedge clk) begin
         if (filling) fill_q <= fill_q + 1'b1;
@@ -166,7 +210,7 @@ module rt_slots #(
                 .done_valid_i(d_valid), .done_slot_i(d_slot_q), .done_primary_i(d_first),
                 .done_found_i(d_found), .done_far_i(d_q[`RT_DONE_FAR]), .done_id_i(d_id),
                 .done_void_o(d_void), .done_end_o(d_end),
-                .again_valid_o(again_valid), .again_ready_i(primary_ready_i),
+                .again_valid_o(again_valid), .again_ready_i(primary_ready_i[0]),
                 .again_slot_o(again_slot), .again_dir_o(again_dir),
                 .ray_slot_i(ray_slot_i), .ray_again_o(ray_again_o)
             );
@@ -231,7 +275,7 @@ module rt_slots #(
                                                               : texture_i;
     assign out_done    = pix_valid_o && pix_ready_i;
     assign out_slot    = p_slot_q;
-    wire unused = &{1'b0, regs_i, effects, blend_i, free_in, o_blend_in, o_sky_in, o_end,
-                    texture_i};
+    wire unused = &{1'b0, regs_i, effects, blend_i, free_in, again_slot, o_blend_in, o_sky_in,
+                    o_end, texture_i};
 endmodule
 `default_nettype wire

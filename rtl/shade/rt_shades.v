@@ -16,6 +16,7 @@ module rt_shades #(
     parameter NG         = 2,    // guard bits of the normal
     parameter PR         = 0,    // significant bits of the root, 0: all
     parameter SHADES     = 1,    // shading units, power of two
+    parameter SETUPS     = 1,    // set-up units, power of two, at most SHADES
     parameter SLOTS      = 64,   // numbers of slots, power of two
     parameter SHADOW     = 1,    // 1: shadow rays
     parameter REFLECT    = 5,    // effects elaborated, see rt_core
@@ -43,10 +44,10 @@ module rt_shades #(
     input  wire                       flush_i,         // forget the texture caches
     input  wire [`RT_REGS_BITS-1:0]   regs_i,
     input  wire [`RT_LIGHT_BITS-1:0]  light_i,         // a light is written
-    // from rt_setup
-    input  wire [`RT_RAY_BITS-1:0]    ray_i,
-    input  wire                       next_light_i,    // ray_i has LIGHT in the next clock
-    input  wire [$clog2(SLOTS)-1:0]   next_slot_i,     // of this slot
+    // from each rt_setup
+    input  wire [SETUPS*(`RT_RAY_BITS-$clog2(SETUPS))-1:0] ray_i,
+    input  wire [SETUPS-1:0]          next_light_i,    // ray_i has LIGHT in the next clock
+    input  wire [SETUPS*($clog2(SLOTS)-$clog2(SETUPS))-1:0] next_slot_i, // of this slot
     // from rt_slots: what rays hit; to it: a surface is blended (of the first unit), a pixel is
     // complete
     input  wire [`RT_HIT_BITS-1:0]    hit_i,
@@ -85,8 +86,10 @@ module rt_shades #(
     output reg  [3:0]                 fault_o          // by number of the error, machine.def
 );
     localparam SLOTW = $clog2(SLOTS);
-    localparam SB   = $clog2(SHADES);
+    localparam SB   = $clog2(SHADES), UB = $clog2(SETUPS);
     localparam OWNW = SLOTW - SB;                      // slot of a unit's own
+    localparam AB = `RT_RAY_BITS - UB, NB = SLOTW - UB;  // a ray, a slot of a set-up unit
+    localparam [SLOTW+1:0] OF_SETUP = (1 << (SB - UB)) - 1;  // shading units of one, less one
     localparam YB = `RT_RAY_BITS - SB, HB = `RT_HIT_BITS - SB, BB = `RT_BLEND_BITS - SB;
     localparam FB = `RT_FETCH_BITS - SB, CB = `RT_RECORD_BITS - SB, VB = `RT_VECTOR_BITS - SB;
     localparam OB = `RT_ORG_BITS - SB, KB = `RT_SKIP_BITS - SB, EB = `RT_SHADE_EVENT_BITS;
@@ -94,9 +97,7 @@ module rt_shades #(
     function [SLOTW+1:0] unit_of(input [SLOTW-1:0] slot);
         unit_of = {2'd0, slot} >> OWNW;
     endfunction
-    wire [SLOTW+1:0]       ray_unit = unit_of(ray_i[`RT_RAY_SLOT]);
     wire [SLOTW+1:0]       hit_unit = unit_of(hit_i[`RT_HIT_SLOT]);
-    wire [SLOTW+1:0]       next_unit = unit_of(next_slot_i);
     wire [SLOTW+1:0]       read_unit = unit_of(read_slot_i);
     wire [SHADES-1:0]      end_valid;
     wire [SHADES*OWNW-1:0] end_slot;
@@ -107,12 +108,17 @@ module rt_shades #(
     generate
         for (s = 0; s < SHADES; s = s + 1) begin : g_shade
             localparam [SLOTW+1:0] OWN = s;
+            localparam U = s >> (SB - UB);           // its set-up unit
+            wire [AB-1:0] setup = ray_i[AB*U +: AB];
+            wire [NB-1:0] next_slot = next_slot_i[NB*U +: NB];
+            wire [SLOTW+1:0] ray_unit = unit_of({{UB{1'b0}}, setup[AB-1 -: NB]});
+            wire [SLOTW+1:0] next_unit = unit_of({{UB{1'b0}}, next_slot});
             reg [YB-1:0] ray;
             reg [HB-1:0] hit;
             always @* begin
-                ray = ray_i[YB-1:0];
+                ray = setup[YB-1:0];
                 hit = hit_i[HB-1:0];
-                if (ray_unit != OWN) begin
+                if (ray_unit != (OWN & OF_SETUP)) begin
                     ray[`RT_RAY_VALID]  = 1'b0;
                     ray[`RT_RAY_NORMAL] = 1'b0;
                     ray[`RT_RAY_LIGHT]  = 1'b0;
@@ -133,8 +139,8 @@ module rt_shades #(
                        .QUOTIENT_STEP(QUOTIENT_STEP), .HIT_INTERVAL(HIT_INTERVAL),
                        .BOUNCE_INTERVAL(BOUNCE_INTERVAL)) u_shade (
                 .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i), .light_i(light_i),
-                .ray_i(ray), .next_light_i(next_light_i && next_unit == OWN),
-                .next_slot_i(next_slot_i[OWNW-1:0]),
+                .ray_i(ray), .next_light_i(next_light_i[U] && next_unit == (OWN & OF_SETUP)),
+                .next_slot_i(next_slot[OWNW-1:0]),
                 .hit_i(hit), .blend_o(blend[BB*s +: BB]),
                 .end_valid_o(end_valid[s]), .end_slot_o(end_slot[OWNW*s +: OWNW]),
                 .fetch_o(fetch_o[FB*s +: FB]), .fetch_ready_i(fetch_ready_i[s]),

@@ -15,6 +15,7 @@ module rt_exacts #(
     parameter EXACTS = 1,   // leaf units, power of two
     parameter PIPES = 1,    // 1..4
     parameter SHADES = 1,   // shading units, power of two, at least EXACTS
+    parameter SETUPS = 1,   // set-up units, power of two, at most EXACTS
     parameter SLOTS = 32,   // numbers of slots, power of two
     parameter LINES = 64,   // leaf cache of each, lines
     parameter ROOTS = 3,    // square root units of each
@@ -33,8 +34,9 @@ module rt_exacts #(
     input  wire                       rst,
     input  wire                       flush_i,    // forget the leaf caches
     input  wire [`RT_REGS_BITS-1:0]   regs_i,
-    input  wire [`RT_RAY_BITS-1:0]    ray_i,      // from rt_setup
-    input  wire [3*(NG+2)-1:0]        lift_i,     // of a ray to a light, with FACETS
+    // from each rt_setup
+    input  wire [SETUPS*(`RT_RAY_BITS-$clog2(SETUPS))-1:0] ray_i,
+    input  wire [SETUPS*3*(NG+2)-1:0] lift_i,     // of a ray to a light, with FACETS
     // from rt_pipes: visits of each pipe; to it: results of each unit
     input  wire [PIPES*(`RT_VISIT_BITS-$clog2(PIPES))-1:0]    visit_i,
     output wire [EXACTS*(`RT_RESULT_BITS-$clog2(EXACTS))-1:0] result_o,
@@ -56,28 +58,33 @@ module rt_exacts #(
     output reg  [3:0]                 fault_o     // by number of the error, machine.def
 );
     localparam SLOTW = $clog2(SLOTS);
-    localparam PB = $clog2(PIPES), XB = $clog2(EXACTS), SB = $clog2(SHADES);
+    localparam PB = $clog2(PIPES), XB = $clog2(EXACTS), SB = $clog2(SHADES), UB = $clog2(SETUPS);
     localparam VB = `RT_VISIT_BITS - PB;              // a visit of a pipe
     localparam FB = `RT_FETCH_BITS - SB, CB = `RT_RECORD_BITS - SB;  // of a shading unit
     localparam FX = `RT_FETCH_BITS - XB, CX = `RT_RECORD_BITS - XB;  // of a leaf unit
+    localparam LIFT = 3*(NG+2);
+    localparam AB = `RT_RAY_BITS - UB;                // a ray of a set-up unit
+    localparam [SLOTW+1:0] OF_SETUP = (1 << (XB - UB)) - 1;  // leaf units of one, less one
     localparam YB = `RT_RAY_BITS - XB, RB = `RT_RESULT_BITS - XB, EB = `RT_EXACT_EVENT_BITS;
     localparam N  = 1 << (PB - XB), M = SHADES / EXACTS;  // pipes, shading units of a leaf unit
     localparam MB = SB - XB;
     localparam [(N*EXACTS-PIPES+1)*VB-1:0] NOBODY = 0;    // of numbers for four pipes three are
     wire [N*EXACTS*VB+VB-1:0] all = {NOBODY, visit_i};
-    wire [SLOTW+1:0]      ray_exact = {2'd0, ray_i[`RT_RAY_SLOT]} >> (SLOTW - XB);
     wire [EXACTS*4-1:0]   fault;
     genvar x, m;
     generate
         for (x = 0; x < EXACTS; x = x + 1) begin : g_exact
             localparam [SLOTW+1:0] OWN = x;
+            localparam U = x >> (XB - UB);           // its set-up unit
+            wire [AB-1:0] setup = ray_i[AB*U +: AB];
+            wire [SLOTW+1:0] ray_exact = {{(UB+2){1'b0}}, setup[AB-1 -: SLOTW-UB]} >> (SLOTW - XB);
             reg  [YB-1:0] ray;
             wire [FX-1:0] fetch;
             wire [CX-1:0] record;
             wire          fetch_ready, record_ready;
             always @* begin
-                ray = ray_i[YB-1:0];
-                if (ray_exact != OWN) ray[`RT_RAY_VALID] = 1'b0;
+                ray = setup[YB-1:0];
+                if (ray_exact != (OWN & OF_SETUP)) ray[`RT_RAY_VALID] = 1'b0;
             end
             rt_leaf_unit #(.W(W), .WD(WD), .NG(NG), .SLOTS(SLOTS >> XB), .PIPES(N), .LINES(LINES),
                        .ROOTS(ROOTS), .ROOT_STEP(ROOT_STEP), .PR(PR),
@@ -85,7 +92,7 @@ module rt_exacts #(
                        .FACETS(FACETS), .CLEAR(CLEAR), .DIVISIONS(DIVISIONS),
                        .DIVISION_STEP(DIVISION_STEP), .FACET_INTERVAL(FACET_INTERVAL)) u_exact (
                 .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i),
-                .ray_i(ray), .lift_i(lift_i), .visit_i(all[N*VB*x +: N*VB]),
+                .ray_i(ray), .lift_i(lift_i[LIFT*U +: LIFT]), .visit_i(all[N*VB*x +: N*VB]),
                 .result_o(result_o[RB*x +: RB]),
                 .fetch_i(fetch), .fetch_ready_o(fetch_ready),
                 .record_o(record), .record_ready_i(record_ready),

@@ -3,7 +3,7 @@
 //   ray, shadow_go, result --> rt_trace of the slot --+--> visits, of each pipe
 //                                                     +--> queue --> done, one a clock
 // The number of a slot is {pipe, slot of its own}, so no ray ever changes its pipe, and what it
-// visits depends on the ray alone. Of rays that are done in one clock the lowest pipe's goes first.
+// visits depends on the ray alone. Pipes whose rays are done take turns.
 // With one pipe there is nothing here but rt_trace.
 // Model: that of rt_trace
 `timescale 1ns / 1ps
@@ -17,6 +17,7 @@ module rt_pipes #(
     parameter PIPES = 1,    // 1..4
     parameter EXACTS = 1,   // leaf units that serve them, power of two
     parameter SHADES = 1,   // shading units, power of two
+    parameter SETUPS = 1,   // set-up units, power of two, at most EXACTS
     parameter SLOTS = 32,   // numbers of slots, power of two: {pipe, slot of its own}
     parameter STACK = 16,   // sibling groups waiting per ray, power of two
     parameter LINES = 256,  // node cache of each pipe, lines
@@ -30,9 +31,9 @@ module rt_pipes #(
     input  wire                       rst,
     input  wire                       flush_i,        // forget the node caches
     input  wire [`RT_REGS_BITS-1:0]   regs_i,
-    // from rt_setup: a new ray, with its token unless it is a shadow ray
-    input  wire [`RT_RAY_BITS-1:0]    ray_i,
-    input  wire [`RT_FILTER_BITS-1:0] filter_i,
+    // from each rt_setup: a new ray of its slots, with its token unless it is a shadow ray
+    input  wire [SETUPS*(`RT_RAY_BITS-$clog2(SETUPS))-1:0] ray_i,
+    input  wire [SETUPS*`RT_FILTER_BITS-1:0] filter_i,
     input  wire                       ray_again_i,    // the repeated primary ray of its pixel
     // from each rt_shade: a shadow ray of its slots starts
     input  wire [SHADES-1:0]          shadow_go_i,
@@ -61,20 +62,21 @@ module rt_pipes #(
     output reg  [3:0]                 fault_o         // by number of the error, machine.def
 );
     localparam SLOTW = $clog2(SLOTS);
-    localparam PB = $clog2(PIPES), XB = $clog2(EXACTS), SB = $clog2(SHADES);
+    localparam PB = $clog2(PIPES), XB = $clog2(EXACTS), SB = $clog2(SHADES), UB = $clog2(SETUPS);
     localparam OWNW = SLOTW - PB;                     // slot of a pipe's own
     localparam YB = `RT_RAY_BITS - PB;                // a ray, a visit of a pipe
     localparam VB = `RT_VISIT_BITS - PB;
+    localparam AB = `RT_RAY_BITS - UB, FB = `RT_FILTER_BITS;  // a ray of a set-up unit
     localparam RB = `RT_RESULT_BITS - XB;             // a result of a leaf unit
     localparam GB = SLOTW - SB;                       // slot of a shading unit's own
     localparam DB = `RT_DONE_BITS, NB = `RT_VISITS_BITS, EB = `RT_TRACE_EVENT_BITS;
     localparam [SLOTW+1:0] OF_EXACT = (1 << (PB - XB)) - 1;  // pipes of a unit, less one
     localparam [SLOTW+1:0] OF_SHADE = (1 << (PB - SB)) - 1;
+    localparam [SLOTW+1:0] OF_SETUP = (1 << (PB - UB)) - 1;
     // The pipe of a slot, whose top bits may be gone: those of the unit that serves the pipe.
     function [SLOTW+1:0] pipe_of(input [SLOTW-1:0] slot);
         pipe_of = {2'd0, slot} >> OWNW;
     endfunction
-    wire [SLOTW+1:0]      ray_pipe = pipe_of(ray_i[`RT_RAY_SLOT]);
     wire [SLOTW+1:0]      visits_pipe = pipe_of(visits_slot_i);
     wire [PIPES-1:0]      done_valid, done_take;
     wire [PIPES*OWNW-1:0] done_slot;
@@ -86,6 +88,9 @@ module rt_pipes #(
         for (p = 0; p < PIPES; p = p + 1) begin : g_pipe
             localparam [SLOTW+1:0] OWN = p;
             localparam X = p >> (PB - XB), S = p >> (PB - SB);    // its leaf and shading unit
+            localparam U = p >> (PB - UB);                        // its set-up unit
+            wire [AB-1:0] setup = ray_i[AB*U +: AB];
+            wire [SLOTW+1:0] ray_pipe = pipe_of({{UB{1'b0}}, setup[AB-1 -: SLOTW-UB]});
             reg  [YB-1:0] ray;
             wire [RB-1:0] exact = result_i[RB*X +: RB];
             reg  [`RT_RESULT_BITS-PB-1:0] result;
@@ -93,16 +98,16 @@ module rt_pipes #(
             wire [SLOTW+1:0] result_pipe = pipe_of({{XB{1'b0}}, exact[RB-1 -: SLOTW-XB]});
             wire [SLOTW+1:0] shadow_pipe = pipe_of({{SB{1'b0}}, shadow_slot});
             always @* begin
-                ray    = ray_i[YB-1:0];
+                ray    = setup[YB-1:0];
                 result = exact[`RT_RESULT_BITS-PB-1:0];
-                if (ray_pipe != OWN)                 ray[`RT_RAY_VALID]       = 1'b0;
+                if (ray_pipe != (OWN & OF_SETUP))    ray[`RT_RAY_VALID]       = 1'b0;
                 if (result_pipe != (OWN & OF_EXACT)) result[`RT_RESULT_VALID] = 1'b0;
             end
             rt_trace #(.W(W), .WD(WD), .FW(FW), .SLOTS(SLOTS >> PB), .STACK(STACK), .LINES(LINES),
                        .SHADOW(SHADOW), .FIRST(FIRST), .FARS(FARS), .FACETS(FACETS),
                        .ACCEL(ACCEL), .WAITS(PIPES > 1 ? 1 : 0)) u_trace (
                 .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i),
-                .ray_i(ray), .filter_i(filter_i), .ray_again_i(ray_again_i),
+                .ray_i(ray), .filter_i(filter_i[FB*U +: FB]), .ray_again_i(ray_again_i),
                 .shadow_go_i(shadow_go_i[S] && shadow_pipe == (OWN & OF_SHADE)),
                 .shadow_slot_i(shadow_slot[OWNW-1:0]),
                 .visit_o(visit_o[VB*p +: VB]), .result_i(result),
@@ -117,22 +122,27 @@ module rt_pipes #(
                 .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
                 .event_o(event_o[EB*p +: EB]), .fault_o(fault[4*p +: 4])
             );
-            wire unused = &{1'b0, exact};
+            wire unused = &{1'b0, exact, setup};
         end
     endgenerate
 
-    // ---- one answer: the lowest pipe whose ray is done, the pipe whose visits were asked for ----
+    // ---- one answer: of pipes whose ray is done in turn, of the one whose visits are asked ----
     generate
         if (PIPES > 1) begin : g_join
             reg [PB-1:0] one, done_q, visits_q;
             integer      i;
-            assign done_take = done_valid & (~done_valid + 1'b1);
+            reg  [PIPES-1:0] above_q;              // pipes above the one served last
+            wire [PIPES-1:0] high = done_valid & above_q;
+            wire [PIPES-1:0] from = |high ? high : done_valid;
+            assign done_take = from & (~from + 1'b1);
             always @* begin
                 one = {PB{1'b0}};
                 for (i = 0; i < PIPES; i = i + 1) if (done_take[i]) one = one | i[PB-1:0];
             end
             always @(posedge clk) begin
                 done_q <= one;
+                if (|done_valid) above_q <= ~(done_take | (done_take - 1'b1));
+                if (rst) above_q <= {PIPES{1'b0}};
                 if (visits_read_i) visits_q <= visits_slot_i[SLOTW-1 -: PB];
             end
             assign done_valid_o = |done_valid;

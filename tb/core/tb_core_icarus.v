@@ -45,15 +45,16 @@ module tb_core_icarus #(
     parameter ENGINES    = 1,    // 1..8: engines
     parameter PIPES      = 1,    // 1..4: traversal pipes an engine
     parameter EXACTS     = 0,    // 0..4: leaf units an engine, 0: 2 for 3 and 4 pipes, else 1
-    parameter SHADES     = 0,    // 0..4: shading units an engine, 0: 2 from 2 pipes on, else 1
+    parameter SHADES     = 0,    // 0..4: shading units an engine, 0: 1, 2, 2, 4 by PIPES
+    parameter SETUPS     = 0,    // 0..2: set-up units an engine, 0: 2 for 4 pipes, else 1
     parameter SLOTS      = 64,   // 4..1024, power of two: rays in flight a pipe
-    parameter NODE_LINES = 256,  // 8..4096, power of two: lines of a pipe's node cache
-    parameter LEAF_LINES = 128,  // 8..4096, power of two: lines of a leaf unit's cache
+    parameter NODE_LINES = 256,  // 8..4096, power of two: node cache, lines; twice if PIPES > 1
+    parameter LEAF_LINES = 128,  // 8..4096, power of two: leaf cache, lines; 4 times if PIPES > 1
     parameter TEXTURE_LINES = 128, // 8..4096, power of two: lines of a shading unit's texture cache
     parameter TEXTURE_WAYS = 4,  // 1..32, power of two: groups of a set of the texture cache
     parameter TEXTURE_GROUP = 1, // 1..4, power of two: lines of a group, fetched together
     parameter TEXTURE_COORDS = 2, // 1..8: units for texture coordinates an engine
-    parameter ROOTS      = 3,    // 1..8: square root units an engine
+    parameter ROOTS      = 0,    // 0..8: square root units a leaf unit, 0: 6, for 1 pipe 3
     parameter QUOTIENTS  = 3,    // 1..8: dividers an engine
     parameter DIVISIONS  = 1,    // 1..8: dividers an engine for the keys of facets
     parameter ROOT_STEP  = 2,    // 1..W+WD: root bits a clock
@@ -107,7 +108,8 @@ module tb_core_icarus #(
         .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM), .SMOOTH(SMOOTH), .CLEAR(CLEAR),
         .TURNED(TURNED), .COARSE(COARSE), .RECT(RECT), .SPANS(SPANS), .CONES(CONES),
         .ACCEL(ACCEL), .BOXES(BOXES), .ENGINES(ENGINES), .PIPES(PIPES), .EXACTS(EXACTS),
-        .SHADES(SHADES), .SLOTS(SLOTS), .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES),
+        .SHADES(SHADES), .SETUPS(SETUPS), .SLOTS(SLOTS), .NODE_LINES(NODE_LINES),
+        .LEAF_LINES(LEAF_LINES),
         .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS),
         .TEXTURE_GROUP(TEXTURE_GROUP), .TEXTURE_COORDS(TEXTURE_COORDS), .ROOTS(ROOTS),
         .QUOTIENTS(QUOTIENTS), .DIVISIONS(DIVISIONS), .ROOT_STEP(ROOT_STEP),

@@ -7,8 +7,7 @@
 #include <cstring>
 
 #include "Vrt_slots.h"
-#include "bench.h"
-#include "bundles.h"
+#include "engine/parts.h"
 
 extern "C" {
 #include "machine/layout.h"
@@ -88,7 +87,8 @@ class Slots : public bench::Bench<Vrt_slots> {
     void clock(bool start) {
         Hit next;
         give_pixel(start);
-        dut.primary_ready_i = random.percent(pace[1]);
+        for (int unit = 0; unit < SETUPS; unit++)
+            bench::put(dut.primary_ready_i, unit, 1, random.percent(pace[1]));
         int told = give_done(next); /* next: what this clock's done_i makes of it */
         give_blend(told);
         dut.pix_ready_i = random.percent(pace[2]);
@@ -149,12 +149,22 @@ class Slots : public bench::Bench<Vrt_slots> {
         }
     }
 
+    bench::u128 of_primary(int unit, int lsb, int bits) {
+        return parts::setups.get(dut.primary_o, unit, RT_VECTOR_BITS, lsb, bits);
+    }
+
     void take_primary(bool taken) {
-        if (!bench::get(dut.primary_o, RT_VECTOR_VALID) || !dut.primary_ready_i) {
+        int unit = -1; /* that takes a ray */
+        for (int i = 0; i < SETUPS; i++) {
+            if (!of_primary(i, RT_VECTOR_VALID) || !(dut.primary_ready_i >> i & 1)) continue;
+            if (unit >= 0) return fail("two set-up units take a ray");
+            unit = i;
+        }
+        if (unit < 0) {
             if (taken) fail("a pixel that was taken without its ray");
             return;
         }
-        int at = (int)bench::get(dut.primary_o, RT_VECTOR_SLOT);
+        int at = parts::setups.slot(dut.primary_o, unit, RT_VECTOR_BITS, RT_VECTOR_SLOT);
         Slot &s = slots[at];
         if (taken) {
             if (s.state != Slot::FREE) return fail("a slot that is not free");
@@ -166,7 +176,7 @@ class Slots : public bench::Bench<Vrt_slots> {
             return fail("a primary ray that nobody wants");
         }
         s.state = Slot::PRIMARY;
-        expect("VEC", (i128)bench::get(dut.primary_o, RT_VECTOR_VEC), (i128)s.dir, 3 * WD);
+        expect("VEC", (i128)of_primary(unit, RT_VECTOR_VEC), (i128)s.dir, 3 * WD);
         if (bad()) done();
     }
 

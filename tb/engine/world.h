@@ -215,9 +215,10 @@ template <class Port> void put_filter(Port &port, const struct sph_ray &r) {
     bench::put(port, RT_FILTER_DEPTH, r.depth_max);
 }
 
-/* Answers one reader of memory, late and in bursts; lines that are `spoilt` with an error, and with
- * data that are not theirs. Once a clock: before() the clock, with all inputs set, settles them. */
-template <class Top> class Memory {
+/* Answers readers of memory, late and in bursts; lines that are `spoilt` with an error, and with
+ * data that are not theirs. Each reader gets its lines in the order in which it asked, a line a
+ * clock comes. Once a clock: before() the clock, with all inputs set, settles them. */
+template <class Top, int READERS = 1> class Memory {
   public:
     std::vector<bool> spoilt; /* by line; empty: none */
     uint64_t requests = 0;
@@ -230,24 +231,24 @@ template <class Top> class Memory {
             pace = b.random.percent(40) ? 100 : (unsigned)b.random.between(10, 60);
             latency = (unsigned)b.random.below(3) * 15;
         }
-        b.dut.mem_req_ready_i = b.random.percent(pace);
-        b.dut.mem_rsp_valid_i =
-            !asked.empty() && asked.front().when <= b.cycle && b.random.percent(pace);
-        if (!asked.empty()) {
-            uint32_t line = asked.front().line;
+        unsigned ready = 0;
+        for (int r = 0; r < READERS; r++)
+            ready |= (unsigned)b.random.percent(pace) << r;
+        b.dut.mem_req_ready_i = (uint8_t)ready;
+        int to = READERS > 1 ? (int)b.random.below(READERS) : 0;
+        std::deque<Line> &lines = asked[to];
+        bool comes = !lines.empty() && lines.front().when <= b.cycle && b.random.percent(pace);
+        b.dut.mem_rsp_valid_i = (uint8_t)(comes << to);
+        if (!lines.empty()) {
+            uint32_t line = lines.front().line;
             b.dut.mem_rsp_error_i = !spoilt.empty() && spoilt[line];
             for (int i = 0; i < 8; i++)
                 b.dut.mem_rsp_data_i[i] = world.line(line)[i] ^ (b.dut.mem_rsp_error_i ? ~0u : 0u);
         }
         b.settle();
-        if (b.dut.mem_rsp_valid_i && b.dut.mem_rsp_ready_o) asked.pop_front();
-        if (b.dut.mem_req_valid_o && b.dut.mem_req_ready_i) {
-            requests++;
-            if (b.dut.mem_req_line_o >= world.m.lines)
-                b.fail("a line behind the end of memory is asked for");
-            else
-                asked.push_back({b.dut.mem_req_line_o, b.cycle + latency});
-        }
+        if (comes && b.dut.mem_rsp_ready_o >> to & 1) lines.pop_front();
+        for (int r = 0; r < READERS; r++)
+            if (b.dut.mem_req_valid_o >> r & ready >> r & 1) take(r);
     }
 
   private:
@@ -257,8 +258,18 @@ template <class Top> class Memory {
     };
     bench::Bench<Top> &b;
     const World &world;
-    std::deque<Line> asked;
+    std::deque<Line> asked[READERS];
     unsigned pace = 100, latency = 0;
+
+    void take(int reader) {
+        uint32_t line =
+            (uint32_t)bench::get(b.dut.mem_req_line_o, SPH_LINE_BITS * reader, SPH_LINE_BITS);
+        requests++;
+        if (line >= world.m.lines)
+            b.fail("a line behind the end of memory is asked for");
+        else
+            asked[reader].push_back({line, b.cycle + latency});
+    }
 };
 
 } // namespace world

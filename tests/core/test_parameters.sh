@@ -105,7 +105,7 @@ widths='W|WD|PQ|NG|FW|PR'
 # shellcheck disable=SC2046  # words
 for tool in icarus verilator yosys; do
     check "legal: all least, $tool" silent $tool whole $(all_of least "$widths")
-    few="$widths|ACCEL|BOXES|PIPES|EXACTS|SHADES"
+    few="$widths|ACCEL|BOXES|PIPES|EXACTS|SHADES|SETUPS"
     [ $tool = icarus ] || few="$few|ENGINES|SLOTS|ROOTS|QUOTIENTS|DIVISIONS|CONES"
     check "legal: all largest, $tool" silent $tool whole $(all_of most "$few")
 done

@@ -1,0 +1,83 @@
+# cores.py - cycles of scenes on cores with some number of units
+# SPDX-License-Identifier: Apache-2.0
+"""What was measured lies in rate/DIGEST/ of the build folder, where DIGEST is that of RTL, model
+and scenes, and is not measured again."""
+import json
+import os
+import subprocess
+import sys
+from collections import namedtuple
+from pathlib import Path
+
+from ..pages import digest
+
+PROTEIN = "/usr/share/pymol/data/demo/1tii.pdb"
+SPHERES = "shadow+reflect2+lights3+inside"
+GLASS = "shadow+reflect2+lights1+inside+facets+refract+specular+sum"
+
+
+class Core(namedtuple("Core", "pipes exacts shades")):
+    """Units of an engine; 0: by the rule of rt_core."""
+
+    def variables(self):
+        return {"PIPES": str(self.pipes), "EXACTS": str(self.exacts), "SHADES": str(self.shades)}
+
+    def name(self):
+        given = [f"{n} {what}" for n, what in ((self.exacts, "leaf"), (self.shades, "shading"))
+                 if n]
+        return str(self.pipes) + (f", {' and '.join(given)}" if given else "")
+
+
+def run(*words, **variables):
+    """What a command prints."""
+    done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                          env=dict(os.environ, **variables), check=False)
+    if done.returncode:
+        sys.exit(f"rate: {' '.join(words)}:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
+    return done.stdout
+
+
+class Bench:
+    """Where runs lie."""
+
+    def __init__(self, build, size):
+        self.build, self.size = build, size
+        self.folder = Path(build) / "rate" / digest.of("+".join(digest.KINDS))
+        self.folder.mkdir(parents=True, exist_ok=True)
+
+    def machine(self, scene):
+        """The machine of a scene in scenes/, KIND:N of `sphaera gen`, or protein."""
+        tool, stem = f"{self.build}/sphaera", scene.replace("/", "_").replace(":", "_")
+        built = self.folder / f"{stem}-{self.size}.sph"
+        if built.exists():
+            return built
+        source = Path("scenes") / f"{scene}.nff"
+        if scene == "protein":
+            source = self.folder / f"{stem}.nff"
+            run(tool, "import", PROTEIN, "-o", str(source))
+        elif ":" in scene:
+            source = self.folder / f"{stem}.nff"
+            run(tool, "gen", scene, "--seed", "1", "-o", str(source))
+        run(tool, "build", str(source), "--profile", "standard", "--size", self.size, "--depth",
+            "2", "-o", f"{built}.tmp")
+        os.replace(f"{built}.tmp", built)
+        return built
+
+    def counted(self, scene, effects, core, *options):
+        """Report of a frame that the core drew as the model does."""
+        machine = self.machine(scene)
+        name = "-".join([machine.stem, *map(str, core), *(o.lstrip("-") for o in options)])
+        path = self.folder / f"{name.replace('=', '')}.json"
+        if not path.exists():
+            print("  RUN ", path.stem, flush=True)
+            run("sh", "sim/core.sh", "--machine", str(machine), "--json", f"{path}.tmp", *options,
+                EFFECTS=effects, BUILD=self.build, **core.variables())
+            os.replace(f"{path}.tmp", path)
+        report = json.loads(path.read_text("utf-8"))
+        if report["mismatches"]:
+            sys.exit(f"rate: {path}: {report['mismatches']} pixels differ")
+        return report
+
+
+def cycles(report):
+    return report["cold"]["counters"]["cycles"]

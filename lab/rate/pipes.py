@@ -1,0 +1,42 @@
+# pipes.py - cycles a pixel for 1 to 4 traversal pipes: `make pipes`
+# SPDX-License-Identifier: Apache-2.0
+"""usage: python3 -m lab.rate.pipes BUILD PAGE
+Puts the table `cycles` into PAGE. A core is built for each number of units, and serves
+all scenes that ask no more of it."""
+import sys
+
+from . import cores
+from .cores import Core
+from ..pages.place import place
+from ..synth import report
+
+SIZE = "320x180"
+RULE = [Core(n, 0, 0) for n in (1, 2, 3, 4)]
+FEW = Core(4, 0, 2)  # two shading units for four pipes
+SCENES = {
+    cores.SPHERES: (RULE + [FEW], ["paper100", "random:256", "sphereflake:3", "protein", "paper5",
+                                   "inside"]),
+    cores.GLASS: ([RULE[0], RULE[3]], ["refraction/nested"]),
+}
+
+
+def rows(bench):
+    for effects, (built, scenes) in SCENES.items():
+        for scene in scenes:
+            found = {}
+            for core in built:
+                counted = bench.counted(scene, effects, core)
+                found[core] = cores.cycles(counted) / counted["pixels"]
+            one, four = found[RULE[0]], found[RULE[3]]
+            yield [f"`{scene}`", *(f"{found[c]:.2f}" if c in found else "-"
+                                   for c in RULE + [FEW]), f"{one / four:.2f}"]
+
+
+def main(build, page):
+    bench = cores.Bench(build, SIZE)
+    head = ["scene", *(core.name() for core in RULE + [FEW]), "4 against 1"]
+    place(page, {"cycles": report.table(head, list(rows(bench)))})
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

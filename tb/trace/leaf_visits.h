@@ -1,0 +1,224 @@
+/* leaf_visits.h - rt_leaf_unit or rt_exacts, caches, tests and roots, against sph_leaf_visit()
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Every slot gets a ray, then visits of some leaf children in any line of memory; the next visit
+ * comes when all results of the last are there, as rt_trace wants it. Records are fetched in
+ * between. A vector is a result; they come in any order, so one is looked for among those that its
+ * slot still waits for. Who includes this has named the module `Top`; with one of all units it may
+ * be rt_leaf_unit.
+ */
+#ifndef TB_LEAF_VISITS_H
+#define TB_LEAF_VISITS_H
+
+#include "engine/parts.h"
+#include "engine/results.h"
+
+#ifndef SHADOW
+#define SHADOW 1
+#endif
+#ifndef INSIDE
+#define INSIDE 1
+#endif
+
+namespace {
+
+struct Slot {
+    struct sph_ray ray = {};
+    bool begun = false;
+    std::vector<struct sph_hit> wanted; /* results that have not come */
+    int64_t fetch = -1;                 /* line of the record that is under way */
+};
+
+class LeafVisits : public bench::Bench<Top> {
+  public:
+    LeafVisits(const char *name, int argc, char **argv, long results)
+        : Bench(name, argc, argv, results), world(0), memory(*this, world) {
+        for (uint32_t at = 0; at < world.m.lines; at += 7) /* of no kind, with FACETS */
+            sph_field_set(world.m.mem + (size_t)at * SPH_LINE_WORDS, SPH_FACET_KIND_LSB,
+                          SPH_FACET_KIND_BITS, 3);
+    }
+
+    /* Nothing is under way: INSIDE on or off. */
+    void phase() {
+        bool inside = random.percent(70);
+        world.m.regs[SPH_REG_EFFECTS] &= ~(1 << SPH_EFFECT_INSIDE);
+        if (inside) world.m.regs[SPH_REG_EFFECTS] |= 1 << SPH_EFFECT_INSIDE;
+        world.put_regs(dut.regs_i);
+        for (Slot &s : slots)
+            s.begun = false; /* rays carry what the model knows of INSIDE */
+        pace = random.percent(50) ? 100 : (unsigned)random.between(2, 60);
+        reading = random.percent(50) ? 100 : (unsigned)random.between(5, 60);
+        dut.flush_i = 1;
+        clock(false);
+        dut.flush_i = 0;
+        seen[0] = seen[1] = seen[2] = 0;
+        counters = {};
+        errors = faults = 0;
+    }
+
+    void clock(bool start) {
+        int told[SETUPS];
+        parts::no_ray(dut.ray_i);
+        for (int unit = 0; unit < SETUPS; unit++)
+            told[unit] = give_ray(unit, start);
+        for (int pipe = 0; pipe < PIPES; pipe++)
+            give_visit(pipe, start, told[pipe >> (parts::pipes.top() - parts::setups.top())]);
+        for (int unit = 0; unit < SHADES; unit++) {
+            give_fetch(unit, start);
+            bench::put(dut.record_ready_i, unit, 1, random.percent(reading));
+        }
+        memory.before();
+        for (int unit = 0; unit < EXACTS; unit++) {
+            seen[0] += of_event(unit, RT_PRIM_EVENT_LEAF);
+            seen[1] += of_event(unit, RT_PRIM_EVENT_FACET);
+            seen[2] += of_event(unit, RT_PRIM_EVENT_ROOT);
+            if (of_result(unit, RT_RESULT_VALID)) take_result(unit);
+        }
+        faults |= dut.fault_o;
+        bool fetched[SHADES];
+        for (int unit = 0; unit < SHADES; unit++) {
+            bool record = parts::shades.get(dut.record_o, unit, RT_RECORD_BITS, RT_RECORD_VALID);
+            if (record && dut.record_ready_i >> unit & 1) take_record(unit);
+            fetched[unit] = fetches(unit) && dut.fetch_ready_o >> unit & 1;
+        }
+        tick();
+        for (int unit = 0; unit < SHADES; unit++)
+            if (fetched[unit]) put_fetch(unit, RT_FETCH_VALID, 0);
+    }
+
+    bool all_idle() const {
+        for (const Slot &s : slots)
+            if (!s.wanted.empty() || s.fetch >= 0) return false;
+        for (int unit = 0; unit < SHADES; unit++)
+            if (fetches(unit)) return false;
+        return true;
+    }
+
+    void compare() {
+        for (int i = 0; i < 40; i++)
+            clock(false);
+        expect("LEAF", (bench::i128)seen[0], (bench::i128)counters.count[SPH_COUNT_LEAF_TESTS]);
+        expect("FACET", (bench::i128)seen[1], (bench::i128)counters.count[SPH_COUNT_FACET_TESTS]);
+        expect("ROOT", (bench::i128)seen[2], (bench::i128)counters.count[SPH_COUNT_ROOTS]);
+        expect("fault_o", faults, errors, 4);
+        done();
+    }
+
+  private:
+    world::World world;
+    world::Memory<Top, EXACTS> memory;
+    Slot slots[SLOTS];
+    struct sph_counters counters = {};
+    uint32_t errors = 0, faults = 0;
+    uint64_t seen[3] = {};
+    unsigned pace = 100, reading = 100; /* percent of clocks with new work, with record_ready_i */
+
+    uint64_t of_event(int unit, int lsb, int bits) {
+        return (uint64_t)bench::get(dut.event_o, RT_EXACT_EVENT_BITS * unit + lsb, bits);
+    }
+    uint64_t of_result(int unit, int lsb, int bits) {
+        return (uint64_t)parts::exacts.get(dut.result_o, unit, RT_RESULT_BITS, lsb, bits);
+    }
+    bool fetches(int unit) const {
+        return parts::shades.get(dut.fetch_i, unit, RT_FETCH_BITS, RT_FETCH_VALID) != 0;
+    }
+    void put_fetch(int unit, int lsb, int bits, int64_t value) {
+        parts::shades.put(dut.fetch_i, unit, RT_FETCH_BITS, lsb, bits, value);
+    }
+
+    int give_ray(int unit, bool start) {
+        int at = parts::any_slot(random, parts::setups, unit);
+        Slot &s = slots[at];
+        bool go = start && s.wanted.empty() && (!s.begun || random.percent(30));
+        if (!go) return -1;
+        int kind = SHADOW && random.percent(40) ? SPH_SHADOW
+                   : random.percent(50)         ? SPH_PRIMARY
+                                                : SPH_REFLECTED;
+        s.ray = world.ray(random, kind);
+        if (!INSIDE) s.ray.skip.inside = 0;
+        s.begun = true;
+        parts::put_ray(dut.ray_i, at, s.ray);
+        parts::put_in_ray(dut.ray_i, at, RT_RAY_VALID, true);
+        bench::put(dut.lift_i, 3 * (NG + 2) * unit, 3 * (NG + 2),
+                   (bench::i128)world::pack(s.ray.lift, NG + 2));
+        return at;
+    }
+
+    void give_visit(int pipe, bool start, int told) {
+        const parts::Units &u = parts::pipes;
+        int at = (pipe << u.own()) + (int)random.below(1u << u.own());
+        auto put = [&](int lsb, int bits, int64_t value) {
+            u.put(dut.visit_i, pipe, RT_VISIT_BITS, lsb, bits, value);
+        };
+        Slot &s = slots[at];
+        bool go = start && at != told && s.begun && s.wanted.empty() && random.percent(pace);
+        put(RT_VISIT_VALID, go);
+        if (!go) return;
+        unsigned leaf = 1 + (unsigned)random.below(15);
+        uint32_t line = (uint32_t)random.below(world.m.lines - 3);
+        for (uint32_t j = 0; j < 4; j++)
+            if (leaf >> j & 1) s.wanted.push_back(world.leaf(s.ray, line, j, &counters, &errors));
+        u.put_slot(dut.visit_i, pipe, RT_VISIT_BITS, RT_VISIT_SLOT, at);
+        put(RT_VISIT_LEAF, leaf);
+        put(RT_VISIT_LINE, line);
+    }
+
+    void give_fetch(int unit, bool start) {
+        const parts::Units &u = parts::shades;
+        int at = (unit << u.own()) + (int)random.below(1u << u.own());
+        if (fetches(unit) || !start || slots[at].fetch >= 0 || !random.percent(10)) return;
+        slots[at].fetch = (int64_t)random.below(world.m.lines);
+        put_fetch(unit, RT_FETCH_VALID, 1);
+        u.put_slot(dut.fetch_i, unit, RT_FETCH_BITS, RT_FETCH_SLOT, at);
+        put_fetch(unit, RT_FETCH_LINE, slots[at].fetch);
+    }
+
+    /* A result, with its whole slot, as results.h wants it. */
+    void take_result(int unit) {
+        uint32_t whole[(RT_RESULT_BITS + 31) / 32] = {};
+        for (int i = 0; i < RT_RESULT_BITS - parts::exacts.top(); i++)
+            bench::put(whole, i, 1, (bench::i128)of_result(unit, i, 1));
+        bench::put(whole, RT_RESULT_SLOT,
+                   parts::exacts.slot(dut.result_o, unit, RT_RESULT_BITS, RT_RESULT_SLOT));
+        world::take_result(*this, slots, whole);
+    }
+
+    void take_record(int unit) {
+        const parts::Units &u = parts::shades;
+        int at = u.slot(dut.record_o, unit, RT_RECORD_BITS, RT_RECORD_SLOT);
+        Slot &s = slots[at];
+        if (s.fetch < 0) return fail("a record that nobody asked for");
+        for (int i = 0; i < 8; i++)
+            expect("DATA",
+                   (bench::i128)u.get(dut.record_o, unit, RT_RECORD_BITS,
+                                      world::first_bit(RT_RECORD_DATA) + 32 * i, 32),
+                   world.line((uint32_t)s.fetch)[i], 32);
+        s.fetch = -1;
+        if (bad()) done();
+    }
+};
+
+/* The bench: its exit status. */
+int run(LeafVisits &b) {
+    b.reset();
+    for (int i = 0; i < 2 * SLOTS; i++)
+        b.clock(false);
+    while (b.more()) {
+        b.phase();
+        for (uint64_t i = b.random.between(100, 3000); i && b.more(); i--)
+            b.clock(true);
+        uint64_t since = b.cycle;
+        while (!b.all_idle() && b.cycle - since < 20000)
+            b.clock(false);
+        if (!b.all_idle()) {
+            b.fail("a result or a record got lost");
+            break;
+        }
+        b.compare();
+    }
+    return b.finish();
+}
+
+} // namespace
+
+#endif
