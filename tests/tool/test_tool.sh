@@ -185,7 +185,7 @@ check "five trees, of which few steps and tests" json t.json \
          t["rays"] > 576 and t["steps"] > t["rays"] and 0 < t["tests"] < 40 * t["rays"] and
          t["bytes"] >= t["nodes"] * t["node_bytes"] for t in r["trees"])'
 check "... the machine's with the counters of render" sh -c '"$0" render "$1" --size 32x18 \
-    --accel box4 --json box4.json >box4.txt && python3 -c "import json
+    --accel box4 --axes camera --json box4.json >box4.txt && python3 -c "import json
 c, t = json.load(open(\"box4.json\"))[\"counters\"], json.load(open(\"t.json\"))[\"trees\"][2]
 assert t[\"steps\"] == c[\"node_visits\"]
 assert t[\"tests\"] == c[\"leaf_tests\"] + c[\"facet_tests\"]"' \
