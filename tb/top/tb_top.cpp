@@ -36,7 +36,8 @@ static void registers(Checks &c) {
     t.write(SPHAERA_FRAME1, 0xffffffff);
     c.equals("low bits of an address", t.read(SPHAERA_FRAME1), SPHAERA_FRAME1_PLACE);
     c.store(c.stride, c.rgb565);
-    for (uint32_t offset : {0x18u, 0x1cu, 0x3cu, 0x74u, 0x3c0u, 0x3fcu, 0x548u, 0xffcu}) {
+    const uint32_t behind = SPHAERA_MACHINE + 4 * SPHAERA_MACHINE_REGISTERS;
+    for (uint32_t offset : {0x18u, 0x1cu, 0x3cu, 0x74u, behind, 0x3fcu, 0x548u, 0xffcu}) {
         c.equals("no register reads 0", t.read(offset), 0);
         c.equals("and answers SLVERR", (uint64_t)t.response, SLVERR);
         t.write(offset, 0xffffffff);
