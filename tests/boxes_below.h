@@ -41,6 +41,13 @@ static inline uint32_t boxes_below(const struct sph_machine *m, const struct sph
     return n;
 }
 
+/* The axes that build has put the grid into. */
+static inline int axes_of(const struct sph_machine *m) {
+    int scene = 1;
+    for (int i = 0; i < 9; i++) scene &= m->rotation[i] == (i % 4 == 0);
+    return scene ? SPH_AXES_SCENE : SPH_AXES_CAMERA;
+}
+
 /* The same of the whole machine of a scene, whose primitives are put on the grid again. */
 static inline uint32_t check_boxes(const struct sph_scene *s, const struct sph_machine *m) {
     struct sph_box all = {{INT32_MIN, INT32_MIN, INT32_MIN}, {INT32_MAX, INT32_MAX, INT32_MAX}};
@@ -49,7 +56,7 @@ static inline uint32_t check_boxes(const struct sph_scene *s, const struct sph_m
     double smallest;
     struct sph_ball *balls = malloc((s->n_spheres + 1) * sizeof *balls);
     assert_non_null(balls);
-    assert_int_equal(sph_grid_fit(s, m->profile.w, &grid, NULL), 0);
+    assert_int_equal(sph_grid_fit(s, m->profile.w, axes_of(m), &grid, NULL), 0);
     assert_int_equal(sph_grid_spheres(&grid, s, &m->profile, balls, &smallest, NULL), 0);
     assert_int_equal(sph_grid_facets(&grid, s, &m->profile, &facets, NULL), 0);
     struct sph_plants plants = {balls,       s->n_spheres, &facets,

@@ -89,40 +89,41 @@ module rt_engine #(
     localparam SHADOWS = LIGHTS != 0 && SHADOW != 0 ? 1 : 0;           // shadow rays
     localparam BOUNCES = REFLECT != 0 || INTERPENETRATE != 0 || REFRACT != 0 ? 1 : 0; // mirrored
     localparam FARS    = INSIDE != 0 || FACETS != 0 ? 1 : 0;           // hits that are far
-    wire [SETUPS*(`RT_VECTOR_BITS-UB)-1:0] primary;
-    wire [SHADES*(`RT_VECTOR_BITS-SB)-1:0] normal, vec_light, bounce;
-    wire [SHADES*(`RT_ORG_BITS-SB)-1:0]    org;
-    wire [SHADES*(`RT_SKIP_BITS-SB)-1:0]   skip;
-    wire [SETUPS*(`RT_RAY_BITS-UB)-1:0] ray;
-    wire [SETUPS*`RT_FILTER_BITS-1:0] filter;
-    wire [SETUPS*3*(NG+2)-1:0] lift;
+    // bits of what one set-up unit gives, and of what it takes from its SU shading units
+    localparam VB = `RT_VECTOR_BITS-UB, RB = `RT_RAY_BITS-UB, LU = 3*(NG+2), SW = SLOTW-UB;
+    localparam SU = SHADES/SETUPS,
+        VS = SU*(`RT_VECTOR_BITS-SB), OS = SU*(`RT_ORG_BITS-SB), KS = SU*(`RT_SKIP_BITS-SB);
+    wire [SETUPS*VB-1:0] primary; wire [SETUPS*VS-1:0] normal, vec_light, bounce;
+    wire [SETUPS*OS-1:0] org;   wire [SETUPS*KS-1:0] skip;
+    wire [SETUPS*RB-1:0] ray;   wire [SETUPS*LU-1:0] lift;
+    wire [SETUPS*SW-1:0] next_slot; wire [SETUPS*`RT_FILTER_BITS-1:0] filter;
     wire [PIPES*(`RT_VISIT_BITS-PB)-1:0]   visit;
     wire [EXACTS*(`RT_RESULT_BITS-XB)-1:0] result;
-    wire [`RT_DONE_BITS-1:0]   done;
-    wire [`RT_HIT_BITS-1:0]    hit;
+    wire [`RT_DONE_BITS-1:0] done; wire [`RT_HIT_BITS-1:0] hit;
     wire [SHADES*(`RT_FETCH_BITS-SB)-1:0]  fetch;
-    wire [SHADES*(`RT_RECORD_BITS-SB)-1:0] record;
-    wire [`RT_BLEND_BITS-SB-1:0] blend;
+    wire [SHADES*(`RT_RECORD_BITS-SB)-1:0] record; wire [`RT_BLEND_BITS-SB-1:0] blend;
     wire             ray_again, done_valid, end_valid, read;
     wire [SETUPS-1:0] primary_ready, next_light;
-    wire [SETUPS*(SLOTW-UB)-1:0] next_slot;
     wire [SHADES*(SLOTW-SB)-1:0] shadow_slot;
     wire [SLOTW-1:0] done_slot, end_slot, read_slot;
     wire [`RT_VISITS_BITS-1:0] visits;
-    wire [3*`RT_RGB_BITS-1:0] colour;
-    wire [31:0]      texture;
+    wire [3*`RT_RGB_BITS-1:0] colour; wire [31:0] texture;
     wire [SHADES-1:0] shadow_go, fetch_ready, record_ready;
     wire [SHADES-1:0] tex_req_valid, tex_req_ready, tex_rsp_valid, tex_rsp_ready;
     wire [LB*SHADES-1:0] tex_req_line;
-    rt_setup #(.W(W), .WD(WD), .FW(FW), .NG(NG), .SHADOW(SHADOW), .LIGHTS(LIGHTS),
-               .BOUNCES(BOUNCES), .FACETS(FACETS), .TEXTURE(TEXTURE), .UNITS(UNITS),
-               .UNIT_INTERVAL(UNIT_INTERVAL), .SHADES(SHADES/SETUPS),
-               .SLOTS(SLOTS/SETUPS)) u_setup [SETUPS-1:0] (
-        .clk(clk), .rst(rst), .eye_i(regs_i[`RT_REGS_EYE]), .normal_i(normal), .light_i(vec_light),
-        .bounce_i(bounce), .primary_i(primary), .primary_ready_o(primary_ready), .org_i(org),
-        .skip_i(skip), .ray_o(ray), .filter_o(filter), .lift_o(lift), .next_light_o(next_light),
-        .next_slot_o(next_slot)
-    );
+    genvar n;
+    generate for (n = 0; n < SETUPS; n = n + 1) begin : g_setup
+        rt_setup #(.W(W), .WD(WD), .FW(FW), .NG(NG), .SHADOW(SHADOW), .LIGHTS(LIGHTS),
+                   .BOUNCES(BOUNCES), .FACETS(FACETS), .TEXTURE(TEXTURE), .UNITS(UNITS),
+                   .UNIT_INTERVAL(UNIT_INTERVAL), .SHADES(SU), .SLOTS(SLOTS/SETUPS)) u_setup (
+            .clk(clk), .rst(rst), .eye_i(regs_i[`RT_REGS_EYE]), .normal_i(normal[n*VS +: VS]),
+            .light_i(vec_light[n*VS +: VS]), .bounce_i(bounce[n*VS +: VS]),
+            .primary_i(primary[n*VB +: VB]), .primary_ready_o(primary_ready[n]),
+            .org_i(org[n*OS +: OS]), .skip_i(skip[n*KS +: KS]), .ray_o(ray[n*RB +: RB]),
+            .filter_o(filter[n*`RT_FILTER_BITS +: `RT_FILTER_BITS]), .lift_o(lift[n*LU +: LU]),
+            .next_light_o(next_light[n]), .next_slot_o(next_slot[n*SW +: SW])
+        );
+    end endgenerate
     rt_pipes #(.W(W), .WD(WD), .FW(FW), .PIPES(PIPES), .EXACTS(EXACTS), .SHADES(SHADES),
               .SETUPS(SETUPS), .SLOTS(SLOTS), .STACK(STACK), .LINES(NODE_LINES), .SHADOW(SHADOWS),
               .FIRST(FIRST), .FARS(FARS), .FACETS(FACETS), .ACCEL(ACCEL)) u_pipes (
@@ -182,7 +183,6 @@ module rt_engine #(
             wire unused = &{1'b0, tex_req_valid, tex_req_line, tex_rsp_ready};
         end
     endgenerate
-    wire [`RT_BLEND_BITS-1:0] first_blend = {{SB{1'b0}}, blend};  // of slots of the first unit
     rt_slots #(.W(W), .WD(WD), .SHADOW(SHADOWS), .FARS(FARS), .TEXTURE(TEXTURE),
                .INTERPENETRATE(INTERPENETRATE), .PIPES(PIPES), .SETUPS(SETUPS),
                .SLOTS(SLOTS)) u_slots (
@@ -190,7 +190,7 @@ module rt_engine #(
         .in_ready_o(in_ready_o), .start_i(start_i), .primary_o(primary),
         .primary_ready_i(primary_ready), .ray_again_o(ray_again), .done_valid_i(done_valid),
         .ray_slot_i({{UB{1'b0}}, ray[`RT_RAY_BITS-UB-1 -: SLOTW-UB]}), .done_slot_i(done_slot),
-        .done_i(done), .hit_o(hit), .blend_i(first_blend), .end_valid_i(end_valid),
+        .done_i(done), .hit_o(hit), .blend_i({{SB{1'b0}}, blend}), .end_valid_i(end_valid),
         .end_slot_i(end_slot), .read_o(read), .read_slot_o(read_slot), .visits_i(visits),
         .colour_i(colour), .texture_i(texture), .pix_valid_o(pix_valid_o),
         .pix_ready_i(pix_ready_i), .pix_o(pix_o), .fault_o(fault_o[15:12])

@@ -10,8 +10,8 @@ enum { MOST = 6, WIDTH = 16, HEIGHT = 12 };
 static int scenes = 2000 / SLOW;
 
 static struct sph_material materials[3] = {{{0.9, 0.5, 0.3}, 1, 0, 1, 0, 1, 1, {0}, 0},
-                                           {{0.3, 0.9, 0.5}, 0.5, 0.5, 1, 0, 1, 2, {0}},
-                                           {{0.5, 0.3, 0.9}, 0.1, 0.9, 1, 0, 1, 3, {0}}};
+                                           {{0.3, 0.9, 0.5}, 0.5, 0.5, 1, 0, 1, 2, {0}, 0},
+                                           {{0.5, 0.3, 0.9}, 0.1, 0.9, 1, 0, 1, 3, {0}, 0}};
 static struct sph_sphere spheres[MOST];
 
 static int whole(int lo, int hi) {

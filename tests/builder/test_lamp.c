@@ -26,7 +26,7 @@ static void check_light(const struct sph_scene *s, const struct sph_machine *m, 
     struct sph_grid grid;
     double at[3];
     int shift = shift_of(m, l);
-    assert_int_equal(sph_grid_fit(s, p->w, &grid, NULL), 0);
+    assert_int_equal(sph_grid_fit(s, p->w, SPH_AXES_CAMERA, &grid, NULL), 0);
     sph_grid_real(&grid, s->lights[l].pos, at);
     for (uint32_t i = 0; i < s->n_spheres; i++) {
         struct sph_ball from = sph_grid_ball(&grid, &s->spheres[i]);

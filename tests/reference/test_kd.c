@@ -55,7 +55,7 @@ static struct sph_ref_ray aim(struct sph_rng *rng, int number) {
         snap(&org);
         dir = (struct sph_vec){number % 3 == 0, number % 3 == 1, -(number % 3 == 2)};
     }
-    return (struct sph_ref_ray){{org.x, org.y, org.z}, {dir.x, dir.y, dir.z}, SPH_ID_NONE, 0};
+    return (struct sph_ref_ray){{org.x, org.y, org.z}, {dir.x, dir.y, dir.z}, SPH_ID_NONE, 0, 0};
 }
 
 static struct sph_ref_hit brute(const struct sph_ref_tree *tree, const struct sph_scene *s,
