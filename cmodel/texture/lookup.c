@@ -15,7 +15,8 @@ static const uint32_t white = 0xffffffff;
 /* What the fetches of one lookup share. */
 struct job {
     const struct sph_machine *m;
-    uint32_t line; /* of the image header */
+    uint32_t map, line; /* of the mapping record, of the image header */
+    uint64_t begin;     /* texels fetched before */
     const uint32_t *image;
     int clamp[2];
     struct sph_st st;
@@ -43,10 +44,11 @@ static uint32_t fetch(const struct job *j, uint32_t level, uint32_t width, uint3
     uint32_t word = sph_texel_word(width, x, y);
     uint64_t line = level_line(j, level) + word / SPH_LINE_WORDS;
     uint32_t address = (uint32_t)(line * SPH_LINE_WORDS + word % SPH_LINE_WORDS);
-    j->work->texels++;
+    int first = j->work->texels++ == j->begin;
     j->work->words = (j->work->words + address) & WORDS_MASK;
     if (j->work->fetch)
-        j->work->fetch(j->work->user, &(struct sph_texel){j->line, width, level, x, y, address});
+        j->work->fetch(j->work->user,
+                       &(struct sph_texel){j->line, width, level, x, y, address, j->map, first});
     const uint32_t *at = line_in(j->m, line, j->work);
     return at ? at[word % SPH_LINE_WORDS] : white;
 }
@@ -94,6 +96,8 @@ uint32_t sph_lookup(const struct sph_machine *m, uint32_t map, const struct sph_
     const uint32_t *record = line_in(m, map, work);
     if (!record) return white;
     struct job j = {.m = m,
+                    .map = map,
+                    .begin = work->texels,
                     .line = sph_field(record, SPH_MAP_IMAGE_LSB, SPH_MAP_IMAGE_BITS),
                     .clamp = {(int)sph_field(record, SPH_MAP_CLAMP_S_LSB, 1),
                               (int)sph_field(record, SPH_MAP_CLAMP_T_LSB, 1)},

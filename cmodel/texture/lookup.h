@@ -23,6 +23,8 @@ struct sph_texel {
     uint32_t width;       /* texels of the level */
     uint32_t level, x, y; /* which */
     uint32_t word;        /* address: 8 * line + word in the line */
+    uint32_t map;         /* line of the mapping record */
+    int first;            /* of its lookup */
 };
 
 /* What lookups leave behind besides the colour; who listens may be NULL. */

@@ -23,7 +23,7 @@ COLUMN = [16, 64, 256, 1024, 4096]
 SHAPES = ["box", "1", "2", "3"]
 REPLACED = ["paper5", "paper100", "sphereflake2"]
 SHAPES_CORE = {"sphere": "shadow+reflect4+lights3+inside",
-               "facet": "shadow+reflect4+lights3+inside+facets+boxes"}
+               "facet": "shadow+reflect4+lights3+inside+facets+turned+boxes"}
 SEARCH = ["--tree", "paper", "--traverse", "first", "--depth", "0", "--shadow", "off"]
 FIRST = ["--tree", "paper", "--traverse", "first", "--interpenetrate"]
 CORRECTED = {"nearest": [], "first": [*FIRST, "off"], "mended": [*FIRST, "on"]}
@@ -33,8 +33,11 @@ DEPTHS = [0, 1, 2]
 # as many reflections as most scenes here are drawn with, and ten, by one core
 BOUNCES, BOUNCES_CORE = [2, 10], "shadow+reflect10+lights2+inside+facets+texture+bih"
 BOUNCED = {"kitchen": "scenes/texture/kitchen.nff", "mirrors": "tests/scenes/mirrors.nff"}
+# where a record of P_b alone is asked for, as many pixels as the texture paper's tables here have
+MAPPED = ["kitchen", "hall", "museum", "robot"]
+FIELD = 200  # a side of the ground, twice its square triangles
 # what the scenes of the texture paper ask for, and its ten bounces: synthesised, not run
-PARK_CORE = "shadow+reflect10+lights6+facets+texture+smooth+boxes"
+PARK_CORE = "shadow+reflect10+lights6+facets+texture+smooth+clear+turned+boxes"
 # a hierarchy of 64 spheres: MAX_PRIMS, MAX_TREE_DEPTH; brute force beside them
 LEAVES = [1, 2, 4, 8, 16, 32, 64]
 LEVELS = [1, 2, 3, 4, 5, 6, 7]
@@ -176,7 +179,16 @@ def bounces(run):
     for scene, path in BOUNCED.items():
         for depth in BOUNCES:
             run.core(f"bounces-{scene}-{depth}", BOUNCES_CORE, path, "--size", "48x27", "--accel",
-                     "bih", "--depth", str(depth))
+                     "bih", "--axes", "camera", "--depth", str(depth))
+
+
+def bases(run):
+    """P_b apart from the mapping record: what caches of such lines would miss, 16 P_b in a line."""
+    found = {name: f"scenes/texture/{name}.nff" for name in MAPPED}
+    found["field"] = run.made("field", scenes.field(FIELD))
+    for name, scene in found.items():
+        run.keep("bases-" + name, "texels", scene, "--profile", "standard", "--size", "480x270",
+                 "--filter", "level")
 
 
 def leaves(run):
@@ -248,8 +260,8 @@ def profile(run):
 
 def main(tool, folder):
     run = Runner(tool, folder)
-    for part in operations, search, corrected, shapes, parts, bounces, leaves, ways, scenarios, \
-            profile:
+    for part in operations, search, corrected, shapes, parts, bounces, bases, leaves, ways, \
+            scenarios, profile:
         part(run)
 
 

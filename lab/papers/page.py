@@ -16,6 +16,8 @@ from ..synth import report, results
 
 PIXELS = 160 * 90
 RAYS = ["primary", "reflected", "shadow"]
+# of the sizes that `sphaera texels` has, 8 lines and twice as many each time
+CACHES = [1, 3, 5]
 # what a Virtex-5 LX330 has, by its data sheet; LUTs have six inputs, blocks of RAM 36 kbit
 LX330 = {"lut": 207360, "ff": 207360, "bram": 288, "dsp": 192}
 
@@ -101,6 +103,19 @@ def leaves(folder):
                                ["MAX_TREE_DEPTH 1 to 7", *limit, ""]])
 
 
+def bases(folder):
+    """Hits that need P_b, and how many of them fetch a line, of P_b alone and of mapping records,
+    by lines of the cache."""
+    rows = []
+    for name in [*measure.MAPPED, "field"]:
+        run = load(folder, "bases-" + name)["records"]
+        rows.append([f"`{name}`", run["lookups"], *(run[kind][size] for kind in
+                                                    ("base_missed", "map_missed")
+                                                    for size in CACHES)])
+    return report.table(["scene", "hits", *(f"{kind}, {8 << size}" for kind in
+                                            ("P_b alone", "records") for size in CACHES)], rows)
+
+
 def park(synth):
     """Cells of the core for the texture paper's scenes, and percent of its FPGA. Those that were
     there stay if it was not synthesised since the RTL changed."""
@@ -161,6 +176,13 @@ def values(folder, synth):
     for way in measure.WAYS:
         with open(os.path.join(folder, f"levels-{way}.rms"), encoding="utf-8") as f:
             v["levels_" + way] = f"{float(f.read()):.3f}"
+    for name in [*measure.MAPPED, "field"]:
+        run = load(folder, "bases-" + name)["records"]
+        v["hits_" + name], v["alone_" + name] = run["lookups"], run["base_missed"][CACHES[0]]
+        v["alone_of_" + name] = f"{100 * v['alone_' + name] / v['hits_' + name]:.0f}"
+    counters = load(folder, "parts-paper100-2.core")["cold"]["counters"]
+    for name in "node_visits", "node_misses", "leaf_tests", "leaf_misses":
+        v["cold_" + name] = counters[name]
     v.update(park(synth))
     return v
 
@@ -170,7 +192,7 @@ def main(page, folder, synth):
         "values": report.table(["name", "value"], [[k, v] for k, v in
                                                    values(folder, synth).items()]),
         "search": search(folder), "operations": operations(folder), "shapes": shapes(folder),
-        "leaves": leaves(folder)})
+        "bases": bases(folder), "leaves": leaves(folder)})
 
 
 if __name__ == "__main__":

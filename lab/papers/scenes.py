@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Each function returns the lines of an NFF file."""
 import math
+import os
 
 HEAD = """v
 from 0 0 {eye}
@@ -34,6 +35,25 @@ def hidden():
     return head(12, 40, "-10 14 16") + [
         "f 0.95 0.52 0.15 0.8 0.2 40 0 1", "s 0 0 -2 3", "f 0.2 0.45 0.9 0.8 0.2 40 0 1",
         "s 1.1 0.5 -0.4 1.3"] + [f"s {x} {y} 0 0.3" for x, y in ((-5, 2), (-5, -2), (5, -2))]
+
+
+def field(side):
+    """Hilly ground under an image, 2 * side * side triangles, each with a mapping of its own."""
+    lines = head(60, 40, "-40 60 80")
+    lines[1], lines[2] = "from 0 14 44", "at 0 0 0"
+    lines.append("f 1 1 1 1 0 1 0 1")
+    height = lambda x, y: 1.1 * math.sin(0.61 * x) * math.cos(0.43 * y) + 0.3 * math.sin(1.7 * y + x)
+
+    def corner(i, j):
+        x, y = 60 * i / side - 30, 60 * j / side - 30
+        return f"{x:.6g} {height(x, y):.6g} {-y:.6g} {x / 4:.6g} {y / 4:.6g}"
+    at = [[corner(i, j) for i in range(side + 1)] for j in range(side + 1)]
+    image = os.path.abspath("scenes/texture/parquet.png")
+    for j in range(side):
+        for i in range(side):
+            a, b, c, d = at[j][i], at[j][i + 1], at[j + 1][i + 1], at[j + 1][i]
+            lines += [f"tt {image} {a} {b} {c}", f"tt {image} {a} {c} {d}"]
+    return lines
 
 
 def _icosphere(level):

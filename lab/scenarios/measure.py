@@ -123,7 +123,7 @@ def main(tool, folder, *more):
         size = "90x153" if scene.startswith("scenario") else "160x90"
         for way in ACCELS:
             runner.machine(f"trees-{scene}-{way}", scene_file(runner, scene),
-                           options(way) + ["--size", size], builds=BUILDS)
+                           options(way) + ["--size", size, "--axes", "camera"], builds=BUILDS)
             if way != "brute":
                 runner.core(f"trees-{scene}-{way}")
 

@@ -79,6 +79,19 @@ for shape in "1    1" "1    2" "2    4" "4    2"; do
     check "texels tells hits and traffic of $shape" sh -c \
         "[ \$(grep -cE '^ +$shape( +[0-9.]+){6}\$' '$TMP/text') = 2 ]"
 done
+# The hall has 4 mapping records, so as many lines, and the P_b of all of them in one or two lines.
+check "texels tells what P_b alone would miss" has '^P_b alone( +[0-9.]+){6}$' "$TMP/text"
+check "mapping records and their P_b" sh -c "'$s' texels '$hall' $size --filter nearest --json - |
+    python3 -c 'import json, sys
+r = json.load(sys.stdin)
+n = r[\"records\"]
+assert n[\"lookups\"] == r[\"texels\"] > 4  # one each
+assert n[\"map_missed\"] == 6 * [4], n
+assert n[\"base_missed\"] in (6 * [1], 6 * [2]), n'"
+check "as many lookups with four texels each" sh -c "'$s' texels '$hall' $size --filter level \
+    --json - | python3 -c 'import json, sys
+r = json.load(sys.stdin)
+assert 4 * r[\"records\"][\"lookups\"] == r[\"texels\"] > 0'"
 check "texels report" sh -c "'$s' texels '$hall' $size --json - | python3 -c 'import json, sys
 r = json.load(sys.stdin)
 assert [o[\"order\"] for o in r[\"orders\"]] == [\"rows\", \"tiles\", \"morton\"]
