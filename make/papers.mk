@@ -1,8 +1,8 @@
 # papers.mk - the papers, claim by claim: docs/results/claims.md
 # SPDX-License-Identifier: Apache-2.0
 #
-# $B/papers holds what lab/papers/measure.py reports of each run, of model and RTL; the cells of the
-# texture paper's core are those that the row's `make synth` left in $B/synth.
+# $B/papers holds what lab/papers/measure.py reports of each run, of model and RTL; the cells of
+# cores are those that `make synth` left in $B/synth: SHAPES_CORE for ecp5, PARK_CORE for xc7.
 
 PAPERS       := $B/papers
 PAPERS_SHOWN := docs/pictures/papers

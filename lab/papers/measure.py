@@ -22,6 +22,7 @@ COLUMN = [16, 64, 256, 1024, 4096]
 # what is tried instead of spheres: boxes, icospheres that were cut so many times
 SHAPES = ["box", "1", "2", "3"]
 REPLACED = ["paper5", "paper100", "sphereflake2"]
+# cores that draw them; their cells are those that `make synth EFFECTS=` left
 SHAPES_CORE = {"sphere": "shadow+reflect4+lights3+inside",
                "facet": "shadow+reflect4+lights3+inside+facets+turned+boxes"}
 SEARCH = ["--tree", "paper", "--traverse", "first", "--depth", "0", "--shadow", "off"]
@@ -37,7 +38,7 @@ BOUNCED = {"kitchen": "scenes/texture/kitchen.nff", "mirrors": "tests/scenes/mir
 MAPPED = ["kitchen", "hall", "museum", "robot"]
 FIELD = 200  # a side of the ground, twice its square triangles
 # what the scenes of the texture paper ask for, and its ten bounces: synthesised, not run
-PARK_CORE = "shadow+reflect10+lights6+facets+texture+smooth+clear+turned+boxes"
+PARK_CORE = "shadow+reflect10+lights6+facets+texture+smooth+boxes"
 # a hierarchy of 64 spheres: MAX_PRIMS, MAX_TREE_DEPTH; brute force beside them
 LEAVES = [1, 2, 4, 8, 16, 32, 64]
 LEVELS = [1, 2, 3, 4, 5, 6, 7]

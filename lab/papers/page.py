@@ -116,16 +116,37 @@ def bases(folder):
                                             ("P_b alone", "records") for size in CACHES)], rows)
 
 
-def park(synth):
-    """Cells of the core for the texture paper's scenes, and percent of its FPGA. Those that were
-    there stay if it was not synthesised since the RTL changed."""
-    found = Path(synth) / results.key("standard", measure.PARK_CORE, "xc7")
+def synthesised(synth, effects, target):
+    """The cells of a core; None if it was not synthesised since the RTL changed."""
+    found = Path(synth) / results.key("standard", effects, target)
     stat = found / "stat.json"
     if not stat.exists() or any(f.stat().st_mtime > stat.stat().st_mtime
                                 for f in Path("rtl").rglob("*.v*")):
         print(f"page: no {found} of this RTL: its cells stay as they are", flush=True)
-        return {k: x for k, x in data.read("claims.values")[1] if k.startswith("park_")}
-    core = results.read(found)["core"]
+        return None
+    return results.read(found)["core"]
+
+
+def kept(prefix):
+    """Values of before, which stay where there is nothing new."""
+    return {k: x for k, x in data.read("claims.values")[1] if k.startswith(prefix)}
+
+
+def shaped(synth):
+    """Cells of the cores that draw spheres, and what others draw instead."""
+    v = {}
+    for shape, effects in measure.SHAPES_CORE.items():
+        core = synthesised(synth, effects, "ecp5")
+        v.update({"cells_" + shape: f"{core['lut4eq']:,}".replace(",", " ")} if core else
+                 kept("cells_" + shape))
+    return v
+
+
+def park(synth):
+    """Cells of the core for the texture paper's scenes, and percent of its FPGA."""
+    core = synthesised(synth, measure.PARK_CORE, "xc7")
+    if not core:
+        return kept("park_")
     cells = {"lut": core["lut"] + core["lutram"], "ff": core["ff"], "dsp": core["mult"],
              "bram": core["ramb36"] + core["ramb18"] / 2}
     v = {"park_" + name: f"{n:,g}".replace(",", " ") for name, n in cells.items()}
@@ -183,6 +204,7 @@ def values(folder, synth):
     counters = load(folder, "parts-paper100-2.core")["cold"]["counters"]
     for name in "node_visits", "node_misses", "leaf_tests", "leaf_misses":
         v["cold_" + name] = counters[name]
+    v.update(shaped(synth))
     v.update(park(synth))
     return v
 

@@ -42,7 +42,8 @@ def field(side):
     lines = head(60, 40, "-40 60 80")
     lines[1], lines[2] = "from 0 14 44", "at 0 0 0"
     lines.append("f 1 1 1 1 0 1 0 1")
-    height = lambda x, y: 1.1 * math.sin(0.61 * x) * math.cos(0.43 * y) + 0.3 * math.sin(1.7 * y + x)
+    height = lambda x, y: (1.1 * math.sin(0.61 * x) * math.cos(0.43 * y)
+                           + 0.3 * math.sin(1.7 * y + x))
 
     def corner(i, j):
         x, y = 60 * i / side - 30, 60 * j / side - 30

@@ -17,7 +17,7 @@ PRIMS = [1, 2, 4, 8, 16]
 FEW = [64, 128, 256]
 MANY = [1024, 2048, 4096]
 SCENES = ["sphereflake2", "paper100", "random4096", "room", "scenario1", "scenario2", "scenario3"]
-ACCELS = ["paper", "balanced", "reinserted", "bih1", "bih4", "bih8", "brute"]
+ACCELS = ["paper", "balanced", "reinserted", "box4", "bih1", "bih4", "bih8", "brute"]
 # only primary rays; no shadows
 PRIMARY = ["--depth", "0", "--shadow", "off"]
 BUILDS, RENDERS = 5, 3
