@@ -139,7 +139,8 @@ void shape(Bench &b, const Vector &v) {
     b.dut.effects_i = (uint16_t)effects;
     if (FACETS && effects >> SPH_EFFECT_FACETS & 1) /* the kind counts */
         bench::put(port, SPH_PRIM_KIND_LSB, SPH_PRIM_KIND_BITS,
-                   v.facet ? 1 + (int64_t)b.random.below(255) : SPH_SPHERE);
+                   v.facet ? 1 + (int64_t)b.random.below((1 << SPH_PRIM_KIND_BITS) - 1)
+                           : SPH_SPHERE);
 }
 
 void send(Bench &b, const Vector &v) {

@@ -32,7 +32,7 @@ struct Chunk { /* records under test */
 class Bih : public bench::Bench<Vrt_bih> {
   public:
     Bih(int argc, char **argv)
-        : Bench("tb_bih", argc, argv, 20000), world(0), trees(world), memory(*this, world) {
+        : Bench("tb_bih", argc, argv, 40000), world(0), trees(world), memory(*this, world) {
         memory.spoilt.resize(world.m.lines);
         dut.flush_i = dut.shadow_go_i = dut.tested_valid_i = dut.visits_read_i = 0;
         bench::put(dut.ray_i, RT_RAY_VALID, 0);
