@@ -36,9 +36,9 @@ TEX_SMALL  := 80x45
 TEX_STALLS := 0 50 90
 TEX_STALLED := robot hall kitchen
 TEX_TREES  := bvh4 bih
-tree_options = $(shell python3 -m lab.tree_options $(1))
-TEX_bvh4    = $(call tree_options,bvh4)
-TEX_bih     = $(call tree_options,bih1) --axes camera
+# for the shell of a recipe, so that make starts nothing when it only reads this
+TEX_bvh4   := `python3 -m lab.tree_options bvh4`
+TEX_bih    := `python3 -m lab.tree_options bih1` --axes camera
 # the paper's pixels, and what may have been its memory: a part of its frame, over a BIH
 TEX_FINE_SIZE := 800x480
 TEX_FINE_WINDOW := 360,216,440,264
