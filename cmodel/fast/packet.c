@@ -80,7 +80,7 @@ struct sph_hit sph_packet_alone(const struct sph_fast *fast, const struct sph_bu
     uint32_t visits = 0, errors = 0;
     struct sph_ray ray = ray_of(rays, i);
     sph_fast_prepare(sph_machine_profile(fast->m), &ray);
-    return sph_fast_trace(fast, &ray, &none, &visits, &errors);
+    return fast->walk(fast, &ray, &none, &visits, &errors); /* it has a root: sph_packets_fit() */
 }
 
 void sph_packet_nearest(const struct sph_fast *fast, const struct sph_bundle *rays,
