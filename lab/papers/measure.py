@@ -38,7 +38,7 @@ BOUNCED = {"kitchen": "scenes/texture/kitchen.nff", "mirrors": "tests/scenes/mir
 MAPPED = ["kitchen", "hall", "museum", "robot"]
 FIELD = 200  # a side of the ground, twice its square triangles
 # what the scenes of the texture paper ask for, and its ten bounces: synthesised, not run
-PARK_CORE = "shadow+reflect10+lights6+facets+texture+smooth+boxes"
+PARK_CORE = "shadow+reflect10+lights6+facets+texture+smooth+clear+turned+boxes"
 # a hierarchy of 64 spheres: MAX_PRIMS, MAX_TREE_DEPTH; brute force beside them
 LEAVES = [1, 2, 4, 8, 16, 32, 64]
 LEVELS = [1, 2, 3, 4, 5, 6, 7]
