@@ -65,8 +65,9 @@ int sph_render(const struct sph_machine *m, const struct sph_render_options *o,
     struct sph_fast *fast = (packets || o->traverse == SPH_TRAVERSE_FAST) && !o->fast
                                 ? sph_fast_new(m, SPH_FAST_BEST)
                                 : NULL;
-    struct job job = {m,   *o, frame, sph_render_pixel, 0, r[SPH_REG_WIN_X1] - r[SPH_REG_WIN_X0],
-                      ROWS};
+    int columns = r[SPH_REG_WIN_X1] - r[SPH_REG_WIN_X0];
+    int rows = r[SPH_REG_WIN_Y1] - r[SPH_REG_WIN_Y0];
+    struct job job = {m, *o, frame, sph_render_pixel, 0, columns, ROWS};
     if (fast) job.how.fast = fast;
     if (job.how.fast && !o->log && sph_fast_shades(m)) {
         job.draw = sph_fast_pixel;
@@ -74,10 +75,8 @@ int sph_render(const struct sph_machine *m, const struct sph_render_options *o,
         if (job.tiles) job.width = TILES * SPH_TILE, job.height = SPH_TILE;
     }
     uint32_t errors = sph_background_missing(m) ? 1u << SPH_ERROR_BAD_NODE : 0;
-    int columns = r[SPH_REG_WIN_X1] - r[SPH_REG_WIN_X0];
-    int rows = r[SPH_REG_WIN_Y1] - r[SPH_REG_WIN_Y0];
-    int across = (columns + job.width - 1) / job.width;
-    int down = (rows + job.height - 1) / job.height, done = 0;
+    int across = columns > 0 ? (columns + job.width - 1) / job.width : 0; /* or no window */
+    int down = rows > 0 ? (rows + job.height - 1) / job.height : 0, done = 0;
 #pragma omp parallel num_threads(o->threads > 0 ? o->threads : omp_get_num_procs())
     {
         struct sph_counters mine = {{0}};

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 `timescale 1ns / 1ps
 module minimal;
-    reg  [31:0]  regs [0:111];        // scene.regs.hex
+    reg  [31:0]  regs [0:117];        // scene.regs.hex
     reg  [255:0] mem [0:9];           // scene.mem.hex, lines
     reg  [23:0]  frame [0:24*16-1];
     reg          clk = 0;
-    reg  [7:0]   step = 8'hf0;        // 16 clocks of reset, 112 registers, start, frame
+    reg  [7:0]   step = 8'hf0;        // 16 clocks of reset, 118 registers, start, frame
     reg  [3:0]   line = 0;            // of memory, read in four beats; 4: none is asked for
     reg  [2:0]   beat = 4;
     wire         busy, ask, take, drawn;
@@ -18,8 +18,8 @@ module minimal;
         .W(12), .WD(13), .PQ(13), .NG(2), .FW(12), .PR(0), .SHADOW(1), .REFLECT(2), .LIGHTS(1),
         .INSIDE(0), .FIRST(0), .INTERPENETRATE(0), .FACETS(0), .RECT(0), .SPANS(0), .CONES(0)
     ) u_core (
-        .clk(clk), .rst(step[7]), .start_i(step == 112), .keep_cache_i(1'b0), .busy_o(busy),
-        .cfg_valid_i(step < 112), .cfg_addr_i(step[6:0]), .cfg_data_i(regs[step[6:0]]),
+        .clk(clk), .rst(step[7]), .start_i(step == 118), .keep_cache_i(1'b0), .busy_o(busy),
+        .cfg_valid_i(step < 118), .cfg_addr_i(step[6:0]), .cfg_data_i(regs[step[6:0]]),
         .mem_req_valid_o(ask), .mem_req_ready_i(beat == 4), .mem_req_line_o(wanted),
         .mem_rsp_valid_i(beat < 4), .mem_rsp_ready_o(take), .mem_rsp_error_i(1'b0),
         .mem_rsp_data_i(mem[line][64*beat[1:0] +: 64]), .count_addr_i(5'd0), .count_data_o(),

@@ -89,6 +89,7 @@ each_alone() {
         most:ACCEL=* | most:BOXES=*) with="FIRST=0 INTERPENETRATE=0" ;;
         most:EXACTS=*) with="PIPES=4 SHADES=4 INTERPENETRATE=0" ;;
         most:SHADES=*) with="PIPES=4 INTERPENETRATE=0" ;;
+        most:SETUPS=*) with="PIPES=4 EXACTS=4 SHADES=4 INTERPENETRATE=0" ;;
         least:* | most:*) with= ;;
         *) continue ;;
         esac
