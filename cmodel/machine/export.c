@@ -78,11 +78,9 @@ int sph_machine_write_c(const struct sph_machine *m, const char *path, struct sp
             "#include <stdint.h>\n\nenum { %s_REGISTERS = %d, %s_LINES = %" PRIu32 " };\n", name,
             SPH_N_REGS, name, m->lines);
     fprintf(out.file, "static const uint32_t %s_regs[%d] = {\n", name, SPH_N_REGS);
-    for (int i = 0; i < SPH_N_REGS; i += 8) {
-        uint32_t words[8];
-        memcpy(words, &m->regs[i], sizeof words);
-        put_words(out.file, words, 8);
-    }
+    uint32_t words[SPH_N_REGS];
+    memcpy(words, m->regs, sizeof words);
+    put_words(out.file, words, SPH_N_REGS);
     fprintf(out.file, "};\nstatic const uint32_t %s_mem[%" PRIu32 "] = {\n", name,
             m->lines * SPH_LINE_WORDS);
     put_words(out.file, m->mem, (size_t)m->lines * SPH_LINE_WORDS);

@@ -27,11 +27,11 @@ module minimal;
         .pix_colour_o(), .pix_id_o(), .pix_key_o(), .pix_visits_o(), .pix_texture_o(), .errors_o());
     always #5 clk = !clk;
     always @(posedge clk) begin
-        if (step != 115) step <= step + 1;
+        if (step != 121) step <= step + 1;
         if (ask && beat == 4) {line, beat} <= {wanted[3:0], 3'd0};
         else if (take && beat < 4) beat <= beat + 1;
         if (drawn) frame[y*24 + x] <= pixel;
-        if (step == 115 && !busy) begin
+        if (step == 121 && !busy) begin
             file = $fopen("scene.ppm", "wb");
             $fwrite(file, "P6\n24 16\n255\n");
             for (i = 0; i < 24*16; i = i + 1)
