@@ -55,7 +55,8 @@ check "a sequence" sh -c "'$s' build '$scene' $size --frames 1..2 -o '$TMP/all.s
 check "scenes of a sequence" sh -c "'$s' import '$scene' --frames 1..2 -o '$TMP/x.nff' >/dev/null
     cmp '$TMP/x-0002.nff' '$TMP/scene.nff' || diff '$TMP/x-0002.nff' '$TMP/scene.nff'"
 
-# ---- P_b from frame to frame: what stands still keeps it, though the camera goes and turns ----
+# ---- P_b from frame to frame: what stands still keeps it, though the camera goes and turns, where
+# the grid's step stays, as it does along the camera's axes here ----
 moving=$TMP/aff/moving.aff
 mesh='m vertices 3 -1 0 0 1 0 0 0 1 0 texturecoords 3 four.ppm 0 0 1 0 0.5 1'
 mesh="$mesh triangles 1 0 1 2 0 1 2"
@@ -63,15 +64,15 @@ sed "s/^x fly.*/fm 0 0 0 1 1 1 0 0 0 0 0 0 x fly { $mesh }/" "$scene" >"$moving"
 echo 'k camera { transl 4 0 0 0 0 0 0 0 1 0.1 0.2 0 0 0 0 2 0.3 0.1 0.1 0 0 0 3 0.5 0.3 0.2 0 0 0' \
     'rot 4 0 0 1 0 0 0 0 0 1 0 1 0.1 3 0 0 0 2 0.1 1 0 5 0 0 0 3 0 1 0 9 0 0 0 }' >>"$moving"
 # shellcheck disable=SC2086
-"$s" build "$moving" $size --profile fine --frames 1..2 -o "$TMP/keep.sph" --json "$TMP/keep.json" \
-    >"$TMP/text" 2>&1
+"$s" build "$moving" $size --profile fine --axes camera --frames 1..2 -o "$TMP/keep.sph" \
+    --json "$TMP/keep.json" >"$TMP/text" 2>&1
 check "of two triangles the one that stands still keeps P_b" python3 -c 'import json, sys
 one, two = (f["bases"] for f in json.load(open(sys.argv[1]))["frames"])
 assert (one["computed"], one["kept"], two["computed"], two["kept"]) == (2, 0, 1, 1), (one, two)' \
     "$TMP/keep.json"
 # shellcheck disable=SC2086
-check "it is that of the frame alone" sh -c "'$s' build '$moving' $size --profile fine --at 2 \
-    -o '$TMP/alone.sph' >/dev/null 2>&1; cmp '$TMP/alone.sph' '$TMP/keep-0002.sph' &&
+check "it is that of the frame alone" sh -c "'$s' build '$moving' $size --profile fine \
+    --axes camera --at 2 -o '$TMP/alone.sph' >/dev/null 2>&1; cmp '$TMP/alone.sph' '$TMP/keep-0002.sph' &&
     ! cmp -s '$TMP/keep-0001.sph' '$TMP/keep-0002.sph'"
 
 fails 1 "no such frame" "$s" build "$scene" --at 4 -o "$TMP/no.sph"
