@@ -72,7 +72,8 @@ assert (one["computed"], one["kept"], two["computed"], two["kept"]) == (2, 0, 1,
     "$TMP/keep.json"
 # shellcheck disable=SC2086
 check "it is that of the frame alone" sh -c "'$s' build '$moving' $size --profile fine \
-    --axes camera --at 2 -o '$TMP/alone.sph' >/dev/null 2>&1; cmp '$TMP/alone.sph' '$TMP/keep-0002.sph' &&
+    --axes camera --at 2 -o '$TMP/alone.sph' >/dev/null 2>&1
+    cmp '$TMP/alone.sph' '$TMP/keep-0002.sph' &&
     ! cmp -s '$TMP/keep-0001.sph' '$TMP/keep-0002.sph'"
 
 fails 1 "no such frame" "$s" build "$scene" --at 4 -o "$TMP/no.sph"
