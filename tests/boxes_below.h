@@ -43,10 +43,9 @@ static inline uint32_t boxes_below(const struct sph_machine *m, const struct sph
 
 /* The axes that build has put the grid into. */
 static inline int axes_of(const struct sph_machine *m) {
-    int scene = 1;
     for (int i = 0; i < 9; i++)
-        scene &= m->rotation[i] == (i % 4 == 0);
-    return scene ? SPH_AXES_SCENE : SPH_AXES_CAMERA;
+        if (m->rotation[i] != sph_scene_axes[i]) return SPH_AXES_CAMERA;
+    return SPH_AXES_SCENE;
 }
 
 /* The same of the whole machine of a scene, whose primitives are put on the grid again. */

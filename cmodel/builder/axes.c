@@ -12,6 +12,8 @@
 #include "prim/prim.h"
 #include "scene/vector.h"
 
+const double sph_scene_axes[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+
 /* Divides by the length; 0 if there is none. */
 static int normalise(struct sph_vec *v) {
     double most = fmax(fabs(v->x), fmax(fabs(v->y), fabs(v->z)));
@@ -58,12 +60,12 @@ static double surface(const struct sph_scene *scene, const double rows[9]) {
 }
 
 int sph_axes_of(const struct sph_scene *scene, const struct sph_build_options *o) {
-    static const double same[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     double camera[9];
     int tree = sph_tree_of(scene, o);
     if (o->axes != SPH_AXES_AUTO) return o->axes;
     if ((tree != SPH_TREE_BOX4 && tree != SPH_TREE_BIH) || o->background != SPH_BG_NONE ||
         sph_camera_axes(scene, camera, NULL))
         return SPH_AXES_CAMERA;
-    return 8 * surface(scene, same) < 7 * surface(scene, camera) ? SPH_AXES_SCENE : SPH_AXES_CAMERA;
+    return 8 * surface(scene, sph_scene_axes) < 7 * surface(scene, camera) ? SPH_AXES_SCENE
+                                                                           : SPH_AXES_CAMERA;
 }

@@ -14,6 +14,9 @@ struct sph_build_options;
 
 enum { SPH_AXES_AUTO = -1, SPH_AXES_CAMERA = 0, SPH_AXES_SCENE = 1 };
 
+/* Rows of the scene's own axes. */
+extern const double sph_scene_axes[9];
+
 /* The camera's axes in the scene's frame, as rows x (to the right), y (up) and z: it looks along
  * -z. -1 if it has none. */
 int sph_camera_axes(const struct sph_scene *scene, double rows[9], struct sph_error *err);

@@ -27,17 +27,14 @@ static int same(const struct sph_grid_facet *a, const struct sph_grid_facet *b) 
 }
 
 /* The next finer profile that tells two facets apart, or -1. */
-static int finer_apart(const struct sph_scene *scene, const struct sph_profile *profile, int axes,
+static int finer_apart(const struct sph_scene *scene, const struct sph_finer *finer,
                        const struct sph_grid_facet *a, const struct sph_grid_facet *b) {
-    for (int p = 0; p < SPH_PROFILES; p++) {
-        struct sph_grid grid;
+    for (int i = 0; i < finer->n; i++) {
+        const struct sph_profile *profile = &sph_profiles[finer->profile[i]];
         struct sph_grid_facet c, d;
-        if (sph_profiles[p].w <= profile->w ||
-            sph_grid_fit(scene, sph_profiles[p].w, axes, &grid, NULL))
-            continue;
-        quantise(&grid, scene, a->scene, &sph_profiles[p], &c);
-        quantise(&grid, scene, b->scene, &sph_profiles[p], &d);
-        if (!same(&c, &d)) return p;
+        quantise(&finer->grid[i], scene, a->scene, profile, &c);
+        quantise(&finer->grid[i], scene, b->scene, profile, &d);
+        if (!same(&c, &d)) return finer->profile[i];
     }
     return -1;
 }
@@ -68,23 +65,20 @@ static int twice(const struct sph_facet *a, const struct sph_facet *b) {
     return found == (1 << n) - 1;
 }
 
-/* Facet b is the same on the grid as facet a: it is left out, and counted, if it stands in the
- * scene twice, or is a triangle that no finer profile tells from the other: no ray could tell which
- * of them it met. */
-static int leave_out(const struct sph_scene *scene, const struct sph_profile *profile, int axes,
-                     const struct sph_grid_facet *a, const struct sph_grid_facet *b,
-                     struct sph_facets *facets, struct sph_error *err) {
-    if (twice(&scene->facets[a->scene], &scene->facets[b->scene])) {
-        if (!facets->n_twice++) facets->first_twice = b->scene;
-        return 0;
-    }
-    int finer = finer_apart(scene, profile, axes, a, b);
-    if (finer >= 0 || kind_of(b)->loose) return fail_duplicate(scene, profile, finer, a, b, err);
+/* Facet b is the same on the grid as facet a, but not in the scene: it is left out, and counted, if
+ * it is a triangle that no finer profile tells from the other: no ray could tell which of them it
+ * met. */
+static int merge(const struct sph_scene *scene, const struct sph_profile *profile,
+                 const struct sph_finer *finer, const struct sph_grid_facet *a,
+                 const struct sph_grid_facet *b, struct sph_facets *facets, struct sph_error *err) {
+    int apart = finer_apart(scene, finer, a, b);
+    if (apart >= 0 || kind_of(b)->loose) return fail_duplicate(scene, profile, apart, a, b, err);
     if (!facets->n_merged++) facets->first_merged = b->scene;
     return 0;
 }
 
-/* Looks for equal facets with an open hash table. */
+/* Looks for equal facets with an open hash table. A triangle that stands in the scene a second time
+ * is left out. */
 static int duplicates(const struct sph_scene *scene, const struct sph_profile *profile, int axes,
                       struct sph_facets *facets, struct sph_error *err) {
     uint64_t size = 4;
@@ -92,6 +86,7 @@ static int duplicates(const struct sph_scene *scene, const struct sph_profile *p
         size *= 2;
     uint32_t *table = calloc(size, sizeof *table); /* index + 1 */
     if (!table) return sph_fail(err, "out of memory for %u triangles", facets->n);
+    struct sph_finer finer = {.n = -1}; /* made when it is asked for */
     int result = 0;
     uint32_t kept = 0;
     for (uint32_t i = 0; i < facets->n && !result; i++) {
@@ -102,8 +97,11 @@ static int duplicates(const struct sph_scene *scene, const struct sph_profile *p
         if (!old) {
             facets->list[kept] = *f;
             table[at] = ++kept;
+        } else if (twice(&scene->facets[old->scene], &scene->facets[f->scene])) {
+            if (!facets->n_twice++) facets->first_twice = f->scene;
         } else {
-            result = leave_out(scene, profile, axes, old, f, facets, err);
+            if (finer.n < 0) sph_finer_of(scene, profile, axes, &finer);
+            result = merge(scene, profile, &finer, old, f, facets, err);
         }
     }
     facets->n = kept;

@@ -155,7 +155,6 @@ static int all_fit(const struct sph_grid *grid, const struct sph_scene *scene,
 
 int sph_grid_fit(const struct sph_scene *scene, int w, int axes, struct sph_grid *grid,
                  struct sph_error *err) {
-    static const double same[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     struct sph_box box, lit;
     double back[3] = {0, 0, 1}; /* the camera's z */
     memset(grid, 0, sizeof *grid);
@@ -170,7 +169,8 @@ int sph_grid_fit(const struct sph_scene *scene, int w, int axes, struct sph_grid
         planes |= sph_prim_of((uint32_t)scene->facets[i].kind)->loose;
     grid->seen_from = (struct sph_eye){scene->camera.from, 0, scene->camera.angle, 1, 0};
     if (!planes) grid->seen_from = sph_eye_place(scene, grid->camera + 6, box.lo, box.hi, w);
-    memcpy(grid->rotation, axes == SPH_AXES_SCENE ? same : grid->camera, sizeof grid->rotation);
+    memcpy(grid->rotation, axes == SPH_AXES_SCENE ? sph_scene_axes : grid->camera,
+           sizeof grid->rotation);
     if (axes == SPH_AXES_SCENE) {
         memcpy(back, grid->camera + 6, sizeof back);
         if (bounds(scene, grid->rotation, scene->n_spheres, &box, err)) return -1;

@@ -50,6 +50,15 @@ int sph_grid_spheres(const struct sph_grid *grid, const struct sph_scene *scene,
                      const struct sph_profile *profile, struct sph_ball *balls, double *smallest,
                      struct sph_error *err);
 
+/* The profiles that are finer than one and whose grids hold the scene, the coarsest first. */
+struct sph_finer {
+    int n, profile[SPH_PROFILES];
+    struct sph_grid grid[SPH_PROFILES];
+};
+
+void sph_finer_of(const struct sph_scene *scene, const struct sph_profile *profile, int axes,
+                  struct sph_finer *finer);
+
 /* The next finer profile under which a radius is at least `units` grid units, or -1. */
 int sph_grid_finer(const struct sph_scene *scene, const struct sph_profile *profile, int axes,
                    double rad, double units);

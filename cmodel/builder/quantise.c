@@ -7,14 +7,21 @@
 
 #include "builder/grid.h"
 
+void sph_finer_of(const struct sph_scene *scene, const struct sph_profile *profile, int axes,
+                  struct sph_finer *finer) {
+    finer->n = 0;
+    for (int p = 0; p < SPH_PROFILES; p++)
+        if (sph_profiles[p].w > profile->w &&
+            !sph_grid_fit(scene, sph_profiles[p].w, axes, &finer->grid[finer->n], NULL))
+            finer->profile[finer->n++] = p;
+}
+
 int sph_grid_finer(const struct sph_scene *scene, const struct sph_profile *profile, int axes,
                    double rad, double units) {
-    for (int p = 0; p < SPH_PROFILES; p++) {
-        struct sph_grid grid;
-        if (sph_profiles[p].w <= profile->w) continue;
-        if (!sph_grid_fit(scene, sph_profiles[p].w, axes, &grid, NULL) && rad / grid.step >= units)
-            return p;
-    }
+    struct sph_finer finer;
+    sph_finer_of(scene, profile, axes, &finer);
+    for (int i = 0; i < finer.n; i++)
+        if (rad / finer.grid[i].step >= units) return finer.profile[i];
     return -1;
 }
 
@@ -25,14 +32,12 @@ static int same(const struct sph_ball *a, const struct sph_ball *b) {
 /* The next finer profile that tells two spheres apart, or -1. */
 static int finer_apart(const struct sph_scene *scene, const struct sph_profile *profile, int axes,
                        uint32_t i, uint32_t j) {
-    for (int p = 0; p < SPH_PROFILES; p++) {
-        struct sph_grid grid;
-        if (sph_profiles[p].w <= profile->w ||
-            sph_grid_fit(scene, sph_profiles[p].w, axes, &grid, NULL))
-            continue;
-        struct sph_ball a = sph_grid_ball(&grid, &scene->spheres[i]);
-        struct sph_ball b = sph_grid_ball(&grid, &scene->spheres[j]);
-        if (!same(&a, &b)) return p;
+    struct sph_finer finer;
+    sph_finer_of(scene, profile, axes, &finer);
+    for (int k = 0; k < finer.n; k++) {
+        struct sph_ball a = sph_grid_ball(&finer.grid[k], &scene->spheres[i]);
+        struct sph_ball b = sph_grid_ball(&finer.grid[k], &scene->spheres[j]);
+        if (!same(&a, &b)) return finer.profile[k];
     }
     return -1;
 }

@@ -49,7 +49,7 @@ int sph_packets_fit(const struct sph_fast *fast) {
            p->w + p->wd + 3 <= 53 && 2 * p->wd + 2 <= 53 && sound(&w, fast->root, 0);
 }
 
-static struct sph_ray ray_of(const struct sph_bundle *rays, int i) {
+struct sph_ray sph_bundle_ray(const struct sph_bundle *rays, int i) {
     struct sph_ray ray = {
         .kind = rays->kind, .skip = {SPH_ID_NONE, 0}, .inside = rays->inside, .first = 0};
     for (int k = 0; k < 3; k++) {
@@ -65,7 +65,7 @@ struct sph_hit sph_packet_exact(const struct sph_fast *fast, const struct sph_bu
                                 int64_t best, uint32_t *leaf) {
     struct sph_counters none = {{0}};
     uint32_t errors = 0;
-    struct sph_ray ray = ray_of(rays, i);
+    struct sph_ray ray = sph_bundle_ray(rays, i);
     struct sph_probe probe = sph_probe_of(fast->m, &ray, &none, &errors);
     if (best >= 0) sph_fast_leaf_visit(&probe, &fast->leaves[best], fast->m->mem);
     struct sph_hit before = probe.best;
@@ -78,7 +78,7 @@ struct sph_hit sph_packet_exact(const struct sph_fast *fast, const struct sph_bu
 struct sph_hit sph_packet_alone(const struct sph_fast *fast, const struct sph_bundle *rays, int i) {
     struct sph_counters none = {{0}};
     uint32_t visits = 0, errors = 0;
-    struct sph_ray ray = ray_of(rays, i);
+    struct sph_ray ray = sph_bundle_ray(rays, i);
     sph_fast_prepare(sph_machine_profile(fast->m), &ray);
     return fast->walk(fast, &ray, &none, &visits, &errors); /* it has a root: sph_packets_fit() */
 }

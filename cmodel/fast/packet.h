@@ -21,6 +21,9 @@ struct sph_bundle {
     struct sph_skip skip[SPH_PACKET]; /* of shadow rays */
 };
 
+/* Ray i, without unit and what else is made of it but its square. */
+struct sph_ray sph_bundle_ray(const struct sph_bundle *rays, int i);
+
 /* 1 if packets give what sph_fast_trace() does of each ray without `first`: a sound tree of
  * spheres, in which no ray ends with an error, and widths whose products doubles hold exactly. */
 int sph_packets_fit(const struct sph_fast *fast);

@@ -21,18 +21,6 @@ int sph_fast_tiles(const struct sph_machine *m, const struct sph_fast *fast) {
     return sph_fast_shades(m) && !sph_machine_effect(m, SPH_EFFECT_FIRST) && sph_packets_fit(fast);
 }
 
-/* The ray of pixel i as the surfaces need it. */
-static struct sph_ray ray_of(const struct tile *t, int i) {
-    struct sph_ray ray = {
-        .kind = SPH_PRIMARY, .skip = {SPH_ID_NONE, 0}, .inside = t->j.inside, .first = 0};
-    for (int k = 0; k < 3; k++) {
-        ray.org[k] = t->primary.org[k][i];
-        ray.dir[k] = t->primary.dir[k][i];
-    }
-    ray.a = sph_fast_square(ray.dir);
-    return ray;
-}
-
 static void add(struct tile *t, int x, int y) {
     int64_t dir[3];
     int i = t->n++;
@@ -59,7 +47,7 @@ static void meet(struct tile *t) {
         f->prim = sph_fast_record(&t->j, &hits[i]);
         f->hidden = 0;
         if (!f->prim || (!t->j.m->regs[SPH_REG_N_LIGHTS] && !t->j.reflect)) continue;
-        struct sph_ray ray = ray_of(t, i);
+        struct sph_ray ray = sph_bundle_ray(&t->primary, i);
         sph_fast_meet(&t->j, &ray, &f->hit, f->prim, &f->s);
     }
 }
@@ -113,7 +101,7 @@ void sph_fast_tile(const struct sph_machine *m, const struct sph_render_options 
     for (int i = 0; i < t.n; i++) {
         size_t at = (size_t)t.y[i] * (size_t)frame->width + (size_t)t.x[i];
         struct sph_pixel *pixel = &frame->pixels[at];
-        struct sph_ray ray = ray_of(&t, i);
+        struct sph_ray ray = sph_bundle_ray(&t.primary, i);
         *pixel = (struct sph_pixel){.id = SPH_ID_NONE, .texture = SPH_NO_TEXTURE};
         t.j.pixel = pixel;
         t.j.trail = o->trails ? o->trails + at : NULL;

@@ -3,6 +3,8 @@
  */
 #include "prim/build.h"
 
+#include "prim/prim.h"
+
 #define EXTERN(name) extern const struct sph_prim_build sph_prim_build_##name;
 SPH_EACH_KIND(EXTERN)
 #define KIND(name) &sph_prim_build_##name,
@@ -35,9 +37,9 @@ static uint32_t passes(const struct sph_scene *scene, const struct sph_grid_prim
 
 void sph_put_record(const struct sph_scene *scene, const struct sph_grid_prim *prim,
                     uint32_t *words) {
-    int at = prim->kind == SPH_SPHERE ? SPH_LEAF_CLEAR_LSB : SPH_FACET_CLEAR_LSB;
     sph_prim_build_of(prim->kind)->record(prim, words);
-    sph_field_set(words, at, SPH_LEAF_CLEAR_BITS, passes(scene, prim));
+    sph_field_set(words, sph_record_clear_lsb(prim->kind), SPH_LEAF_CLEAR_BITS,
+                  passes(scene, prim));
 }
 
 /* That of a sphere begins with its leaf record. */

@@ -53,10 +53,12 @@ static inline uint32_t sph_record_kind(int whole, const uint32_t *line) {
     if (kind < (1u << SPH_FACET_KIND_BITS) - 1) return kind;
     return kind + sph_field(line, SPH_FACET_MORE_LSB, SPH_FACET_MORE_BITS);
 }
-/* Whether a leaf record of that kind is marked as clear. */
+/* The bit of a leaf record of that kind which marks it as clear; whether it is. */
+static inline int sph_record_clear_lsb(uint32_t kind) {
+    return kind == SPH_SPHERE ? SPH_LEAF_CLEAR_LSB : SPH_FACET_CLEAR_LSB;
+}
 static inline int sph_record_clear(uint32_t kind, const uint32_t *line) {
-    int at = kind == SPH_SPHERE ? SPH_LEAF_CLEAR_LSB : SPH_FACET_CLEAR_LSB;
-    return (int)sph_field(line, at, SPH_LEAF_CLEAR_BITS);
+    return (int)sph_field(line, sph_record_clear_lsb(kind), SPH_LEAF_CLEAR_BITS);
 }
 
 static inline uint32_t sph_prim_kind(const struct sph_machine *m, const uint32_t *prim) {
