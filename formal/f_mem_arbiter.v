@@ -94,12 +94,12 @@ module f_mem_arbiter #(
     // ---- fairness: any client, and how many others were served while it asked ----
     localparam CB = $clog2(CLIENTS) + 1;
     (* anyconst *) wire [CB-1:0] mine;
-    (* hierconn *) wire [CLIENTS-1:0] \u_dut.above_q ;
+    (* hierconn *) wire [CLIENTS-1:0] \u_dut.u_turns.above_q ;
     reg [CB-1:0] passed_q, low;          // low: clients that are not above the one served last
     integer k;
     always @* begin
         low = 0;
-        for (k = 0; k < CLIENTS; k = k + 1) if (!\u_dut.above_q [k]) low = low + 1'b1;
+        for (k = 0; k < CLIENTS; k = k + 1) if (!\u_dut.u_turns.above_q [k]) low = low + 1'b1;
     end
     wire [CB-1:0] last = low == CLIENTS ? 0 : low;       // the turn comes to this one first
     wire [CB-1:0] rank = mine >= last ? mine - last : mine + CLIENTS - last;
@@ -130,7 +130,7 @@ module f_mem_arbiter #(
         end
         assert (passed_q < CLIENTS);                             // each other one goes once before
         assert ({1'b0, passed_q} + rank < CLIENTS || passed_q == 0);
-        assert (\u_dut.above_q == ({CLIENTS{1'b1}} << low) || low == CLIENTS);
+        assert (\u_dut.u_turns.above_q == ({CLIENTS{1'b1}} << low) || low == CLIENTS);
         // never stuck: a line, beats or a request move if clients and memory are ready
         if (&rsp_ready && mem_req_ready && marked_q && ahead_q == 0)
             assert (ask || give || mem_rsp_ready);

@@ -103,7 +103,8 @@ simulation() { # all inputs of a module without state; says "proved" or what fai
     ! grep -q '^fails' "$dir/$1.log" || verdict="an input fails"
 }
 
-while IFS='|' read -r name top params rtl memories depth speed; do
+# shellcheck disable=SC2162  # a line may go on behind a backslash
+while IFS='|' read name top params rtl memories depth speed; do
     case $name in
     '#'* | '') continue ;;
     '= '*) property=${name#= } && continue ;;

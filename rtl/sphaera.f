@@ -40,6 +40,7 @@ rtl/memory/rt_mem_arbiter.v
 rtl/memory/rt_slot_file.v
 rtl/memory/rt_slot_ram.v
 rtl/memory/rt_sync.v
+rtl/memory/rt_turns.v
 rtl/pixel/rt_background.v
 rtl/pixel/rt_cone.v
 rtl/pixel/rt_spans.v

@@ -81,8 +81,7 @@ module rt_slots #(
     wire [SETUPS-1:0] free_valid, free_in;
     wire [SETUPS-1:0] free_may = filling || again_valid ? {SETUPS{1'b0}}
                                  : free_valid & primary_ready_i;
-    wire [SETUPS-1:0] free_from;                     // of these the lowest goes first
-    wire [SETUPS-1:0] free_take = free_from & (~free_from + 1'b1);
+    wire [SETUPS-1:0] free_take;
     wire [SETUPS*OWNW-1:0] free_own;
     reg [SLOTW:0]    used_q;
     wire             taken = in_valid_i && in_ready_o;
@@ -107,23 +106,15 @@ module rt_slots #(
             assign primary_o[VB*u +: VB] = vector;
         end
         if (SETUPS > 1) begin : g_choose
-            reg [UB-1:0]      one;
-            reg [SETUPS-1:0]  above_q;               // set-up units above the one served last
-            wire [SETUPS-1:0] high = free_may & above_q;
-            integer           i;
-            assign free_from = |high ? high : free_may;
-            always @(posedge clk) begin
-                if (taken) above_q <= ~(free_take | (free_take - 1'b1));
-                if (rst) above_q <= {SETUPS{1'b0}};
-            end
-            always @* begin
-                one = {UB{1'b0}};
-                for (i = 0; i < SETUPS; i = i + 1) if (free_take[i]) one = one | i[UB-1:0];
-            end
+            wire [UB-1:0] one;                       // the set-up unit in turn
+            rt_turns #(.N(SETUPS)) u_turns (
+                .clk(clk), .rst(rst), .asks_i(free_may), .served_i(taken),
+                .turn_o(free_take), .index_o(one)
+            );
             assign free_slot = {one, free_own[OWNW*one +: OWNW]};
         end else begin : g_only
             assign free_slot = free_own;
-            assign free_from = free_may;
+            assign free_take = free_may;
         end
     endgenerate
     assign in_ready_o      = |free_may;

@@ -33,19 +33,17 @@ module rt_mem_arbiter #(
     input  wire [63:0]           mem_rsp_data_i,
     input  wire                  mem_rsp_error_i
 );
-    // ---- choice: the first client above the one served last, else the first of all ----
-    reg  [CLIENTS-1:0] above_q;                    // clients above the one served last
-    wire [CLIENTS-1:0] high  = req_valid_i & above_q;
-    wire [CLIENTS-1:0] from  = |high ? high : req_valid_i;
-    wire [CLIENTS-1:0] grant = from & (~from + 1'b1);
+    // ---- choice ----
+    wire [CLIENTS-1:0] grant;
+    wire [(CLIENTS > 1 ? $clog2(CLIENTS) : 1)-1:0] number;
     wire order_room;
     wire take                = order_room && (mem_req_ready_i || !mem_req_valid_o);
     wire give                = take && |req_valid_i;
     assign req_ready_o       = grant & {CLIENTS{take}};
-    always @(posedge clk) begin
-        if (give) above_q <= ~(grant | (grant - 1'b1));
-        if (rst)  above_q <= {CLIENTS{1'b0}};
-    end
+    rt_turns #(.N(CLIENTS)) u_turns (
+        .clk(clk), .rst(rst), .asks_i(req_valid_i), .served_i(give), .turn_o(grant),
+        .index_o(number)
+    );
 
     // ---- request register ----
     reg  [`RT_LINE_BITS-1:0] line;                              // of the client chosen
@@ -94,6 +92,6 @@ module rt_mem_arbiter #(
         end
         if (rst) begin beat_q <= 2'd0; full_q <= 1'b0; end
     end
-    wire unused = &{1'b0, order_valid};
+    wire unused = &{1'b0, number, order_valid};
 endmodule
 `default_nettype wire

@@ -85,20 +85,11 @@ module rt_leaf_unit #(
             );
         end
         if (PIPES > 1) begin : g_turns
-            reg  [PIPES-1:0] above_q;                // pipes above the one served last
-            wire [PIPES-1:0] high = o_valid & above_q;
-            wire [PIPES-1:0] from = |high ? high : o_valid;
-            reg  [PB-1:0]    one;                    // the pipe in turn
-            integer          i;
-            assign o_take = from & (~from + 1'b1);
-            always @* begin
-                one = {PB{1'b0}};
-                for (i = 0; i < PIPES; i = i + 1) if (o_take[i]) one = one | i[PB-1:0];
-            end
-            always @(posedge clk) begin
-                if (v_valid && req_ready && !prim) above_q <= ~(o_take | (o_take - 1'b1));
-                if (rst) above_q <= {PIPES{1'b0}};
-            end
+            wire [PB-1:0] one;                       // the pipe in turn
+            rt_turns #(.N(PIPES)) u_turns (
+                .clk(clk), .rst(rst), .asks_i(o_valid),
+                .served_i(v_valid && req_ready && !prim), .turn_o(o_take), .index_o(one)
+            );
             assign v_valid = |o_valid;
             assign v_slot[SLOTW-1 -: PB] = one;
             assign {v_slot[SLOTW-PB-1:0], pick, v_line} = o_all[CB*one +: CB];

@@ -129,20 +129,14 @@ module rt_pipes #(
     // ---- one answer: of pipes whose ray is done in turn, of the one whose visits are asked ----
     generate
         if (PIPES > 1) begin : g_join
-            reg [PB-1:0] one, done_q, visits_q;
-            integer      i;
-            reg  [PIPES-1:0] above_q;              // pipes above the one served last
-            wire [PIPES-1:0] high = done_valid & above_q;
-            wire [PIPES-1:0] from = |high ? high : done_valid;
-            assign done_take = from & (~from + 1'b1);
-            always @* begin
-                one = {PB{1'b0}};
-                for (i = 0; i < PIPES; i = i + 1) if (done_take[i]) one = one | i[PB-1:0];
-            end
+            wire [PB-1:0] one;
+            reg  [PB-1:0] done_q, visits_q;
+            rt_turns #(.N(PIPES)) u_turns (
+                .clk(clk), .rst(rst), .asks_i(done_valid), .served_i(|done_valid),
+                .turn_o(done_take), .index_o(one)
+            );
             always @(posedge clk) begin
                 done_q <= one;
-                if (|done_valid) above_q <= ~(done_take | (done_take - 1'b1));
-                if (rst) above_q <= {PIPES{1'b0}};
                 if (visits_read_i) visits_q <= visits_slot_i[SLOTW-1 -: PB];
             end
             assign done_valid_o = |done_valid;
