@@ -11,6 +11,7 @@
 #include "pixel/walk.h"
 #include "prim/sphere.h"
 #include "shade/colour.h"
+#include "shade/material.h"
 
 enum {
     KNOWN = 1 << SPH_EFFECT_SHADOW | 1 << SPH_EFFECT_REFLECT | 1 << SPH_EFFECT_INSIDE |
@@ -100,7 +101,7 @@ static uint32_t shade(const struct sph_fast_job *j, const struct sph_fast_first 
         all = all < 131071 ? all : 131071;
         colour[i] = sph_surface_colour(sph_field(prim, SPH_PRIM_RED_LSB + 8 * i, 8), all);
     }
-    return j->reflect ? sph_field(prim, SPH_PRIM_KR_LSB, SPH_PRIM_KR_BITS) : 0;
+    return j->reflect ? sph_look_mirror(prim) : 0;
 }
 
 static void mirror(const struct sph_fast_job *j, const struct sph_hit *hit,
@@ -136,7 +137,7 @@ void sph_fast_path(const struct sph_fast_job *j, struct sph_ray *ray,
             for (int i = 0; i < 3; i++)
                 colour[i] = ((uint32_t)j->m->regs[SPH_REG_BG_COLOUR] >> (8 * i) & 255) << 8;
         }
-        uint32_t own = sph_share(weight, kr < 256 ? 256 - kr : 0);
+        uint32_t own = sph_share(weight, 256 - kr);
         sph_shares_add(&shares, depth, weight, own, colour);
         if (!kr) break;
         weight = sph_share(weight, kr);

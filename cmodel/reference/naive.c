@@ -142,7 +142,7 @@ static void follow(const struct sph_machine *m, const struct sph_ray *ray,
             kt = 0;
         }
     }
-    int64_t left = f->how.hit && sums(m, prim) ? 256 : 256 - kr - kt;
+    int64_t left = f->how.hit && sums(m, prim) ? 256 : 256 - min(256, kr + kt);
     int64_t own = sph_naive_round64(weight * left, 8);
     for (int i = 0; i < 3; i++) {
         int64_t whole = sph_naive_round64(weight * colour[i], 16);

@@ -11,6 +11,11 @@ static int on(const struct sph_machine *m, int effect) {
     return m->regs[SPH_REG_EFFECTS] & 1 << effect ? 1 : 0;
 }
 
+static uint32_t share(const uint32_t *line, int lsb, int bits) {
+    uint32_t s = sph_field(line, lsb, bits);
+    return s > 256 ? 256 : s;
+}
+
 static struct sph_naive_prim prim_read(const struct sph_machine *m, int32_t index) {
     const uint32_t *line = m->mem + (int64_t)SPH_LINE_WORDS * (m->regs[SPH_REG_PRIM_BASE] + index);
     struct sph_naive_prim p;
@@ -20,11 +25,11 @@ static struct sph_naive_prim prim_read(const struct sph_machine *m, int32_t inde
     }
     p.sphere.rad = sph_field(line, SPH_LEAF_RAD_LSB, SPH_LEAF_RAD_BITS);
     p.sphere.id = sph_field(line, SPH_LEAF_ID_LSB, SPH_LEAF_ID_BITS);
-    p.kr = sph_field(line, SPH_PRIM_KR_LSB, SPH_PRIM_KR_BITS);
-    p.kt = sph_field(line, SPH_PRIM_KT_LSB, SPH_PRIM_KT_BITS);
+    p.kr = share(line, SPH_PRIM_KR_LSB, SPH_PRIM_KR_BITS);
+    p.kt = share(line, SPH_PRIM_KT_LSB, SPH_PRIM_KT_BITS);
     p.sum = (int)sph_field(line, SPH_PRIM_SUM_LSB, SPH_PRIM_SUM_BITS);
-    p.ka = sph_field(line, SPH_PRIM_KA_LSB, SPH_PRIM_KA_BITS);
-    p.kd = sph_field(line, SPH_PRIM_KD_LSB, SPH_PRIM_KD_BITS);
+    p.ka = share(line, SPH_PRIM_KA_LSB, SPH_PRIM_KA_BITS);
+    p.kd = share(line, SPH_PRIM_KD_LSB, SPH_PRIM_KD_BITS);
     p.ks = sph_field(line, SPH_PRIM_KS_LSB, SPH_PRIM_KS_BITS);
     p.power = sph_field(line, SPH_PRIM_POWER_LSB, SPH_PRIM_POWER_BITS);
     p.index = sph_field(line, SPH_PRIM_INDEX_LSB, SPH_PRIM_INDEX_BITS);

@@ -7,21 +7,30 @@
 
 enum { ONE = 256 };
 
+/* A share of the record, u1.8: more than 1 counts as 1. */
+static uint32_t share(const uint32_t *prim, int lsb, int bits) {
+    uint32_t s = sph_field(prim, lsb, bits);
+    return s < ONE ? s : ONE;
+}
+
+uint32_t sph_look_mirror(const uint32_t *prim) {
+    return share(prim, SPH_PRIM_KR_LSB, SPH_PRIM_KR_BITS);
+}
+
 struct sph_look sph_look_read(const struct sph_machine *m, const uint32_t *prim) {
     struct sph_look l = {.ka = ONE, .kd = ONE};
     for (int i = 0; i < 3; i++)
         l.rgb[i] = sph_field(prim, SPH_PRIM_RED_LSB + 8 * i, 8);
-    if (sph_machine_effect(m, SPH_EFFECT_REFLECT))
-        l.kr = sph_field(prim, SPH_PRIM_KR_LSB, SPH_PRIM_KR_BITS);
+    if (sph_machine_effect(m, SPH_EFFECT_REFLECT)) l.kr = sph_look_mirror(prim);
     if (sph_machine_effect(m, SPH_EFFECT_REFRACT)) {
-        l.kt = sph_field(prim, SPH_PRIM_KT_LSB, SPH_PRIM_KT_BITS);
+        l.kt = share(prim, SPH_PRIM_KT_LSB, SPH_PRIM_KT_BITS);
         l.index = sph_field(prim, SPH_PRIM_INDEX_LSB, SPH_PRIM_INDEX_BITS);
     }
     if (!sph_machine_effect(m, SPH_EFFECT_SUM)) return l;
     l.sum = (int)sph_field(prim, SPH_PRIM_SUM_LSB, SPH_PRIM_SUM_BITS);
     if (!l.sum) return l;
-    l.ka = sph_field(prim, SPH_PRIM_KA_LSB, SPH_PRIM_KA_BITS);
-    l.kd = sph_field(prim, SPH_PRIM_KD_LSB, SPH_PRIM_KD_BITS);
+    l.ka = share(prim, SPH_PRIM_KA_LSB, SPH_PRIM_KA_BITS);
+    l.kd = share(prim, SPH_PRIM_KD_LSB, SPH_PRIM_KD_BITS);
     if (sph_machine_effect(m, SPH_EFFECT_SPECULAR)) {
         l.ks = sph_field(prim, SPH_PRIM_KS_LSB, SPH_PRIM_KS_BITS);
         l.power = sph_field(prim, SPH_PRIM_POWER_LSB, SPH_PRIM_POWER_BITS);

@@ -17,6 +17,9 @@ struct sph_look {
     uint32_t index;     /* of refraction, thousandths */
 };
 
+/* The mirror share of a record, u1.8. A share that is more than 1 counts as 1. */
+uint32_t sph_look_mirror(const uint32_t *prim);
+
 /* The record as the effects of the machine let it count. */
 struct sph_look sph_look_read(const struct sph_machine *m, const uint32_t *prim);
 

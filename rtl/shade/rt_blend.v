@@ -24,7 +24,7 @@ module rt_blend #(
     input  wire [50:0]    in_light_i,       // 3 x u2.15, red low
     input  wire [23:0]    in_albedo_i,      // 0xBBGGRR
     input  wire           in_background_i,  // nothing hit: albedo is the colour
-    input  wire [8:0]     in_kr_i,          // u1.8, 0..256, share of the reflection
+    input  wire [8:0]     in_kr_i,          // u1.8, share of the reflection, above 256 as 256
     // state of the pixel so far
     input  wire [47:0]    in_sum_i,         // 3 x u8.8, red low
     input  wire [16:0]    in_weight_i,      // u1.16, of what lies behind
@@ -84,6 +84,7 @@ module rt_blend #(
         s1_x_q <= s1_blend ? weight_q    : light_q[16:0];
         s1_b_q <= s1_blend ? s3_colour_q : {7'd0, kr_q};
         s1_y_q <= s1_blend ? s3_front_q  : weight_q;
+        if (!s1_blend && kr_q[8]) s1_b_q[7:0] <= 8'd0;
     end
 
     // ---- stage 2: products ----

@@ -27,10 +27,10 @@ module rt_share #(
     input  wire [50:0]    in_gloss_i,      // 3 x u2.15
     input  wire [23:0]    in_albedo_i,     // 0xBBGGRR
     input  wire           in_sum_i,        // the colour counts whole
-    input  wire [8:0]     in_ka_i,         // u1.8, 0..256; with in_sum_i
+    input  wire [8:0]     in_ka_i,         // u1.8, above 256 as 256; with in_sum_i
     input  wire [8:0]     in_kd_i,
     input  wire [7:0]     in_ks_i,
-    input  wire [8:0]     in_kr_i,         // u1.8, 0..256; 0: no such ray
+    input  wire [8:0]     in_kr_i,         // u1.8, as ka; 0: no such ray
     input  wire [8:0]     in_kt_i,
     // the ray that found it, and its pixel so far
     input  wire [16:0]    in_weight_i,     // u1.16
@@ -99,6 +99,7 @@ module rt_share #(
             reg  [15:0] colour_q;          // u8.8
             // ---- operands, product ----
             wire [8:0]  part = c == 0 ? own : c == 1 ? kr_q : kt_q;
+            wire        over = ph_q[1] && ka_q[8] || ph_q[2] && kd_q[8] || ph_q[4] && part[8];
             reg  [16:0] a_q, b_q;
             reg  [33:0] p_q;
             always @(posedge clk) begin
@@ -108,6 +109,7 @@ module rt_share #(
                 b_q <= ph_q[1] ? {8'd0, ka_q} : ph_q[2] ? {8'd0, kd_q} : ph_q[3] ? {9'd0, ks_q}
                        : ph_q[4] ? {8'd0, part} : ph_q[6] ? {8'd0, total}
                        : ph_q[5] ? {9'd0, albedo_q[8*c +: 8]} : ph_q[8] ? weight_q : front_q;
+                if (over) b_q[7:0] <= 8'd0;
                 p_q <= a_q * b_q;
             end
             wire [17:0] p_8  = p_q[24:7] + 18'd1;      // twice round(p / 2^8)

@@ -5,7 +5,6 @@
 
 namespace {
 
-const uint32_t ONE = 256;  /* a share, u1.8 */
 const int FEW_VISITS = 60; /* of a ray in a tree of random words, which may have circles */
 
 uint32_t *line_of(sph_machine &m, uint32_t line) {
@@ -75,29 +74,6 @@ std::vector<Event> spoil_words(sph_machine &m, Random &random) {
     }
     m.regs[SPH_REG_VISIT_LIMIT] = any(random, 0, FEW_VISITS);
     return held;
-}
-
-bool tame_records(sph_machine &m) {
-    bool legal = true;
-    auto hold = [&](uint32_t *line, int lsb, int width, uint32_t least, uint32_t most) {
-        const uint32_t value = sph_field(line, lsb, width);
-        if (value >= least && value <= most) return;
-        legal = false;
-        sph_field_set(line, lsb, width, least + value % (most - least + 1));
-    };
-    for (uint32_t id = 0; id < static_cast<uint32_t>(m.regs[SPH_REG_N_PRIMS]); id++) {
-        uint32_t *line = line_of(m, static_cast<uint32_t>(m.regs[SPH_REG_PRIM_BASE]) + id);
-        hold(line, SPH_PRIM_KR_LSB, SPH_PRIM_KR_BITS, 0, ONE);
-        hold(line, SPH_PRIM_KA_LSB, SPH_PRIM_KA_BITS, 0, ONE);
-        hold(line, SPH_PRIM_KD_LSB, SPH_PRIM_KD_BITS, 0, ONE);
-        const bool sum = sph_field(line, SPH_PRIM_SUM_LSB, SPH_PRIM_SUM_BITS);
-        hold(line, SPH_PRIM_KT_LSB, SPH_PRIM_KT_BITS, 0,
-             sum ? ONE : ONE - sph_field(line, SPH_PRIM_KR_LSB, SPH_PRIM_KR_BITS));
-        hold(line, SPH_PRIM_POWER_LSB, SPH_PRIM_POWER_BITS, SPH_POWER_ONE * SPH_SHINE_MIN,
-             SPH_POWER_ONE * SPH_SHINE_MAX);
-        hold(line, SPH_PRIM_INDEX_LSB, SPH_PRIM_INDEX_BITS, SPH_INDEX_MIN, SPH_INDEX_MAX);
-    }
-    return legal;
 }
 
 void turn_registers(sph_machine &m, Random &random, bool rect) {
@@ -173,6 +149,7 @@ void spoil_registers(sph_machine &m, Random &random) {
         case SPH_REG_COARSE:
         case SPH_REG_PROFILE:
         case SPH_REG_BG_MODE:
+        case SPH_REG_BG_COUNT:
         case SPH_REG_FRAME_W:
         case SPH_REG_FRAME_H:
         case SPH_REG_WIN_X0:

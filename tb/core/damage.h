@@ -29,9 +29,6 @@ Event kind_of(const sph_machine &m, uint32_t line);
  * held. */
 std::vector<Event> spoil_words(sph_machine &m, Random &random);
 
-/* Shares, powers and indices of refraction of all records brought into their ranges. */
-bool tame_records(sph_machine &m);
-
 /* Registers with other values, of which each is legal by itself; background by rectangle if `rect`.
  */
 void turn_registers(sph_machine &m, Random &random, bool rect);

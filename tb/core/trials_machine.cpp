@@ -64,7 +64,6 @@ void Trials::words() {
     Copy other(*now_->scene->machine);
     for (Event e : spoil_words(other.machine, random_))
         met(e);
-    tame_records(other.machine);
     as_model(other.machine, "random words in memory");
     memory(*now_->scene->machine);
     clean("random words in memory", false);

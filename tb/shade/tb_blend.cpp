@@ -42,6 +42,9 @@ const Vector corners[] = {
     {{L1, L1, L1}, 0x804020, 0, 0, 0, {{0, 0, 0}, W1, 0, {1, 2, 3}}, 0, 0},
     /* kr 256: a perfect mirror adds nothing, weight stays 1 */
     {{LMAX, LMAX, LMAX}, 0xffffff, 0, 256, 0, {{0, 0, 0}, W1, 0, {1, 2, 3}}, 0, 0},
+    /* kr above 256 counts as 256 */
+    {{L1, L1, L1}, 0x123456, 0, 257, 0, {{4, 5, 6}, W1 - 1, 0, {1, 2, 3}}, 0, 0},
+    {{L1, L1, L1}, 0xffffff, 0, 511, 1, {{4, 5, 6}, W1, 1, {1, 2, 3}}, 0, 0},
     /* kr 1 and 255: rounding of the weights to either side */
     {{L1, L1, L1}, 0xfe017f, 0, 1, 0, {{0, 0, 0}, 32767, 1, {1, 2, 3}}, 0, 0},
     {{L1, L1, L1}, 0xfe017f, 0, 255, 0, {{0, 0, 0}, 384, 1, {1, 2, 3}}, 0, 0},
@@ -74,7 +77,7 @@ void model(const Vector &v, struct sph_blend *state) {
         uint32_t albedo = v.albedo >> (8 * i) & 255;
         colour[i] = v.background ? albedo << 8 : sph_surface_colour(albedo, v.light[i]);
     }
-    sph_blend_add(state, colour, v.kr, (int)v.last);
+    sph_blend_add(state, colour, v.kr < 256 ? v.kr : 256, (int)v.last);
 }
 
 Vector make(bench::Random &random) {
@@ -85,7 +88,8 @@ Vector make(bench::Random &random) {
     for (int i = 0; i < 3; i++)
         v.light[i] = (uint32_t)random.mixed(17);
     v.background = random.percent(20);
-    v.kr = (uint32_t)(random.percent(20) ? random.below(2) * 256 : random.below(257));
+    v.kr = (uint32_t)(random.percent(20) ? random.below(2) * 256 : random.below(258));
+    if (random.percent(5)) v.kr = (uint32_t)random.below(512);
     v.last = random.percent(30);
     if (random.percent(30)) { /* any state; what a pixel cannot reach too */
         for (int i = 0; i < 3; i++) {

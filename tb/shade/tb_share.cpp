@@ -71,6 +71,18 @@ const Vector corners[] = {
      {{{0}}},
      0,
      0},
+    /* each share above 256: as 256 */
+    {0,
+     {32768, 32768, 32768},
+     {LIGHT, 32768, 1},
+     {0, 0, 0},
+     {200, 100, 50},
+     {{0, 0, 0}, 257, 511, SUM, SUM ? 257 : 256, SUM ? 511 : 256, 0, 0, 0},
+     ONE,
+     0,
+     {{{0}}},
+     0,
+     0},
     /* kr + kt of 256 and one less */
     {0,
      {0, 0, 0},
@@ -108,8 +120,16 @@ const Vector corners[] = {
      0},
 };
 
+/* What counts of a share of a record. */
+uint32_t counts(uint32_t share) {
+    return std::min(256u, share);
+}
+
 uint32_t share(bench::Random &random) {
-    return random.percent(30) ? 0 : random.percent(20) ? 256 : (uint32_t)random.below(257);
+    return random.percent(30)   ? 0
+           : random.percent(5)  ? (uint32_t)random.below(512)
+           : random.percent(20) ? 256
+                                : (uint32_t)random.below(257);
 }
 
 Vector make(bench::Random &random) {
@@ -166,14 +186,17 @@ void send(Bench &b, const Vector &v) {
 
 void check(Bench &b, const Vector &e) {
     uint32_t colour[3];
+    struct sph_look look = e.look;
+    for (uint32_t *s : {&look.kr, &look.kt, &look.ka, &look.kd})
+        *s = counts(*s);
     for (int i = 0; i < 3; i++) {
-        uint32_t light = sph_look_light(&e.look, e.ambient[i], e.lights[i]);
+        uint32_t light = sph_look_light(&look, e.ambient[i], e.lights[i]);
         colour[i] = e.background ? e.albedo[i] << 8
                                  : std::min(65280u, sph_surface_colour(e.albedo[i], light) +
                                                         sph_surface_colour(e.look.ks, e.gloss[i]));
     }
     struct sph_shares shares = e.shares;
-    uint32_t own = sph_share(e.weight, sph_look_own(&e.look, e.look.kr, e.look.kt));
+    uint32_t own = sph_share(e.weight, sph_look_own(&look, look.kr, look.kt));
     sph_shares_add(&shares, e.depth, e.weight, own, colour);
     for (int f = 0; f < 3; f++)
         for (int i = 0; i < 3; i++) {
@@ -181,9 +204,9 @@ void check(Bench &b, const Vector &e) {
             uint32_t sum = b.dut.out_frames_o[at / 32] >> (at % 32) & 0xffff;
             b.expect("out_frames_o", sum, shares.sum[f][i], 16);
         }
-    uint32_t total = std::min(256u, e.look.kr + e.look.kt);
-    b.expect("out_mirror_o", b.get(b.dut.out_mirror_o), sph_share(e.weight, e.look.kr), 17);
-    b.expect("out_refract_o", b.get(b.dut.out_refract_o), sph_share(e.weight, e.look.kt), 17);
+    uint32_t total = std::min(256u, look.kr + look.kt);
+    b.expect("out_mirror_o", b.get(b.dut.out_mirror_o), sph_share(e.weight, look.kr), 17);
+    b.expect("out_refract_o", b.get(b.dut.out_refract_o), sph_share(e.weight, look.kt), 17);
     b.expect("out_total_o", b.get(b.dut.out_total_o), sph_share(e.weight, total), 17);
     if (b.bad()) {
         b.show("depth", e.depth, 3);

@@ -160,6 +160,30 @@ static void naive_random(void **state) {
     assert_int_equal(wrong, 0);
 }
 
+/* Shares of any bits in the records, which no scene has: more than 1 counts as 1. */
+static void shares_end_at_one(void **state) {
+    (void)state;
+    static const int lsb[] = {SPH_PRIM_KR_LSB, SPH_PRIM_KT_LSB, SPH_PRIM_KA_LSB, SPH_PRIM_KD_LSB};
+    struct sph_rng rng = {2570};
+    int wrong = 0;
+    for (int profile = 0; profile < SPH_PROFILES; profile++) {
+        struct sph_scene scene = scene_of(0);
+        struct sph_build_options o = options(profile, 2);
+        struct sph_machine m = built(&scene, &o);
+        for (int id = 0; id < m.regs[SPH_REG_N_PRIMS]; id++) {
+            uint32_t *line =
+                m.mem + (size_t)SPH_LINE_WORDS * (size_t)(m.regs[SPH_REG_PRIM_BASE] + id);
+            for (int i = 0; i < 4; i++)
+                sph_field_set(line, lsb[i], 9, (uint32_t)(512 * uniform(&rng)));
+        }
+        struct sph_counters c;
+        wrong += against_naive(&m, &c);
+        sph_machine_free(&m);
+        sph_scene_free(&scene);
+    }
+    assert_int_equal(wrong, 0);
+}
+
 /* Trees, and no tree: the same frame, the same rays. */
 static void tree_is_brute_force(void **state) {
     (void)state;
@@ -219,7 +243,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(naive_is_golden),   cmocka_unit_test(naive_without),
         cmocka_unit_test(naive_random),      cmocka_unit_test(tree_is_brute_force),
-        cmocka_unit_test(frames_are_depths),
+        cmocka_unit_test(frames_are_depths), cmocka_unit_test(shares_end_at_one),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
