@@ -27,18 +27,18 @@ int32_t sph_filter_coord(int64_t v, const struct sph_profile *profile) {
     return (int32_t)(f > top ? top : f < -top - 1 ? -top - 1 : f);
 }
 
-/* The smallest radius in grid units with which a sphere at filter point cf holds the ball. */
-static int64_t reach(const int32_t cf[3], const struct sph_ball *ball, int k) {
+/* The square of how far a ball's centre is from filter point cf, in grid units. */
+static int64_t apart(const int32_t cf[3], const struct sph_ball *ball, int k) {
     int64_t sum = 0;
     for (int i = 0; i < 3; i++) {
         int64_t d = (int64_t)cf[i] * (1ll << k) - ball->c[i];
         sum += d * d;
     }
-    return sph_ceil_sqrt(sum) + ball->r;
+    return sum;
 }
 
 int32_t sph_filter_radius(const int32_t cf[3], const struct sph_ball *ball, int k) {
-    return (int32_t)ceil_shift(reach(cf, ball, k), k);
+    return (int32_t)ceil_shift(sph_ceil_sqrt(apart(cf, ball, k)) + ball->r, k);
 }
 
 struct sph_ball sph_filter_leaf(const struct sph_ball *leaf, const struct sph_profile *profile) {
@@ -54,11 +54,11 @@ static int64_t radius_all(const int32_t cf[3], const struct sph_ball *balls, con
                           uint32_t n, int k, int64_t enough) {
     int64_t most = 0;
     for (uint32_t i = 0; i < n; i++) {
-        int64_t r = reach(cf, &balls[index[i]], k);
-        if (r > most) {
-            most = r;
-            if (ceil_shift(most, k) >= enough) return enough;
-        }
+        const struct sph_ball *ball = &balls[index ? index[i] : i];
+        int64_t sum = apart(cf, ball, k), room = most - ball->r;
+        if (room >= 0 && sum <= room * room) continue; /* no farther */
+        most = sph_ceil_sqrt(sum) + ball->r;
+        if (ceil_shift(most, k) >= enough) return enough;
     }
     return ceil_shift(most, k);
 }
@@ -70,11 +70,16 @@ struct sph_ball sph_filter_whole(const struct sph_profile *profile) {
 
 struct sph_ball sph_filter_enclose(const struct sph_ball *balls, const uint32_t *index, uint32_t n,
                                    const struct sph_profile *profile) {
+    double sphere[4];
+    sph_enclose(balls, index, n, sphere);
+    return sph_filter_around(balls, index, n, sphere, profile);
+}
+
+struct sph_ball sph_filter_around(const struct sph_ball *balls, const uint32_t *index, uint32_t n,
+                                  const double sphere[4], const struct sph_profile *profile) {
     enum { FEW = 64 };
     int k = profile->w - profile->fw;
-    double sphere[4], unit = ldexp(1.0, k);
-    sph_enclose(balls, index, n, sphere);
-
+    double unit = ldexp(1.0, k);
     struct sph_ball best;
     for (int i = 0; i < 3; i++)
         best.c[i] = sph_filter_coord((int64_t)llround(sphere[i]), profile);

@@ -36,8 +36,9 @@ struct sph_ball sph_grid_whole(const struct sph_profile *profile);
 /* The sphere in filter units, without margin, around the whole grid. */
 struct sph_ball sph_filter_whole(const struct sph_profile *profile);
 
-/* The smallest sphere (centre, radius) around balls[index[0..n-1]], n >= 1, up to rounding of
- * double: farthest-first pivoting over supports of at most four spheres. */
+/* The smallest sphere (centre, radius) around balls[index[0..n-1]], or balls[0..n-1] if index is
+ * NULL, n >= 1, up to rounding of double: farthest-first pivoting over supports of at most four
+ * spheres. */
 void sph_enclose(const struct sph_ball *balls, const uint32_t *index, uint32_t n, double out[4]);
 
 /* The same as a sphere in filter units that holds every ball exactly, without margin; for few
@@ -45,5 +46,9 @@ void sph_enclose(const struct sph_ball *balls, const uint32_t *index, uint32_t n
  * grid: what no sphere around the grid holds gets that sphere, which holds all that is in them. */
 struct sph_ball sph_filter_enclose(const struct sph_ball *balls, const uint32_t *index, uint32_t n,
                                    const struct sph_profile *profile);
+
+/* The same of balls whose smallest sphere is known. */
+struct sph_ball sph_filter_around(const struct sph_ball *balls, const uint32_t *index, uint32_t n,
+                                  const double sphere[4], const struct sph_profile *profile);
 
 #endif

@@ -13,6 +13,8 @@
 #include "machine/records.h"
 #include "prim/build.h"
 
+enum { PARALLEL = 8192 }; /* nodes or primitives from which on threads share the work */
+
 /* Writes child slot i of a node line: the sphere with the filter's margin. */
 static void put_child(uint32_t *node, int i, const struct sph_ball *ball) {
     int at = i * SPH_CHILD_STRIDE;
@@ -88,7 +90,7 @@ static void put_bounds(const struct content *c, const struct sph_tree_node *from
     if (c->boxes) sph_box_put(to, boxes, from->n_inner + from->n_leaf, p);
 }
 
-/* Writes node `node` to `line`, its leaf children from `base` on; queues its inner children. */
+/* Writes node `node` to `line`, its leaf children from `base` on, after the inner ones. */
 static void put_node(struct sph_machine *m, const struct content *c, uint32_t node, uint32_t line,
                      uint32_t base) {
     const struct sph_tree_node *from = &c->tree->nodes[node];
@@ -112,6 +114,7 @@ static void put_prims(struct sph_machine *m, const struct sph_scene *scene,
                       const struct sph_ball *balls, const struct sph_facets *facets,
                       uint32_t base) {
     uint32_t spheres = scene->n_spheres, n = spheres + facets->n;
+#pragma omp parallel for if (n > PARALLEL)
     for (uint32_t id = 0; id < n; id++) {
         struct sph_grid_prim prim = sph_grid_prim_of(balls, spheres, facets, id);
         uint32_t *line = sph_line(m, base + id);
@@ -157,7 +160,7 @@ int sph_emit_memory(const struct sph_scene *scene, const struct sph_plants *plan
     uint32_t n = scene->n_spheres + facets->n;
     uint64_t prim_base = tree_lines(tree, facets->n > 0), lines = prim_base + n + facets->n;
     struct place {
-        uint32_t node, line;
+        uint32_t node, line, base;
     } *queue = malloc(tree->n_nodes * sizeof *queue);
     if (!queue || sph_emit_alloc(machine, lines, err)) {
         free(queue);
@@ -166,14 +169,17 @@ int sph_emit_memory(const struct sph_scene *scene, const struct sph_plants *plan
     }
 
     uint32_t base = 1, tail = 1;
-    queue[0] = (struct place){0, 0};
+    queue[0].node = queue[0].line = 0;
     for (uint32_t head = 0; head < tail; head++) {
         const struct sph_tree_node *node = &tree->nodes[queue[head].node];
-        put_node(machine, &c, queue[head].node, queue[head].line, base);
+        queue[head].base = base;
         for (uint32_t i = 0; i < node->n_inner; i++)
-            queue[tail++] = (struct place){node->child[i], base + i};
+            queue[tail].node = node->child[i], queue[tail++].line = base + i;
         base += group_lines(node, facets->n > 0);
     }
+#pragma omp parallel for if (tail > PARALLEL)
+    for (uint32_t i = 0; i < tail; i++)
+        put_node(machine, &c, queue[i].node, queue[i].line, queue[i].base);
     free(queue);
     free(boxes);
     sph_emit_prims(scene, plants->balls, facets, base, tree->n_nodes, machine);

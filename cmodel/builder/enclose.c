@@ -26,7 +26,7 @@ static double distance(const double a[3], const double b[3]) {
 }
 
 /* Solves the m x m system g x = rhs for two right sides, m <= 3. 0 if it is singular. */
-static int solve(int m, double g[3][5]) {
+static inline int solve(int m, double g[3][5]) {
     for (int col = 0; col < m; col++) {
         int pivot = col;
         for (int row = col + 1; row < m; row++)
@@ -53,8 +53,8 @@ static int holds(const struct real_ball *sphere, const struct real_ball *ball) {
 
 /* The smaller sphere, centred in the hull of the m balls, that touches all from inside and holds
  * the n balls `all`. With v = c - c0: v.d_i = e_i + f_i R, |v| = R - r0. 0 if there is none. */
-static int tangent(int m, const struct real_ball *const b[4], int n,
-                   const struct real_ball *const all[5], struct real_ball *out) {
+static inline int tangent(int m, const struct real_ball *const b[4], int n,
+                          const struct real_ball *const all[5], struct real_ball *out) {
     double d[3][3] = {{0}}, g[3][5], va[3] = {0}, vb[3] = {0};
     const struct real_ball *o = b[0];
     memset(g, 0, sizeof g);
@@ -93,6 +93,24 @@ static int tangent(int m, const struct real_ball *const b[4], int n,
     return 0;
 }
 
+/* The same, made by a compiler that knows m. */
+static int tangent_to(int m, const struct real_ball *const b[4], int n,
+                      const struct real_ball *const all[5], struct real_ball *out) {
+    switch (m) {
+    case 1:
+        *out = *b[0];
+        for (int i = 1; i < n; i++)
+            if (!holds(out, all[i])) return 0;
+        return 1;
+    case 2:
+        return tangent(2, b, n, all, out);
+    case 3:
+        return tangent(3, b, n, all, out);
+    default:
+        return tangent(4, b, n, all, out);
+    }
+}
+
 /* The smallest sphere that touches `fresh` and holds it and the support, which it replaces.
  * 0 if rounding leaves none. */
 static int pivot(struct real_ball support[4], int *n_support, const struct real_ball *fresh,
@@ -108,7 +126,7 @@ static int pivot(struct real_ball support[4], int *n_support, const struct real_
         int m = 1;
         for (int i = 0; i < n; i++)
             if (set >> i & 1) use[m++] = &support[i];
-        if (m > 4 || !tangent(m, use, n + 1, all, &s)) continue;
+        if (m > 4 || !tangent_to(m, use, n + 1, all, &s)) continue;
         if (s.r < best.r) best = s, best_set = set;
     }
     if (best_set < 0) return 0;
@@ -125,22 +143,34 @@ static struct real_ball real_ball(const struct sph_ball *b) {
     return (struct real_ball){.c = {b->c[0], b->c[1], b->c[2]}, .r = b->r};
 }
 
+/* The ball that reaches farthest from a point, the first of equal ones; *most: how far. A ball that
+ * is nearer than the farthest one by more than roundings takes no root. */
+static uint32_t farthest(const double c[3], const struct sph_ball *balls, const uint32_t *index,
+                         uint32_t n, double *most) {
+    uint32_t far = 0;
+    double best = -1, near = -1; /* a little less than best */
+    for (uint32_t i = 0; i < n; i++) {
+        const struct sph_ball *b = &balls[index ? index[i] : i];
+        double x = c[0] - b->c[0], y = c[1] - b->c[1], z = c[2] - b->c[2], room = near - b->r;
+        double sum = x * x + y * y + z * z;
+        if (room > 0 && sum < room * room) continue;
+        double reach = sqrt(sum) + b->r;
+        if (reach > best) best = reach, near = best * (1 - 1e-12), far = i;
+    }
+    *most = best;
+    return far;
+}
+
 void sph_enclose(const struct sph_ball *balls, const uint32_t *index, uint32_t n, double out[4]) {
     enum { PASSES = 40 };
-    struct real_ball support[4], sphere = real_ball(&balls[index[0]]);
+    struct real_ball support[4], sphere = real_ball(&balls[index ? index[0] : 0]);
     int n_support = 1;
     support[0] = sphere;
     for (int pass = 0; pass < PASSES; pass++) {
-        uint32_t far = 0;
-        double most = -1;
-        for (uint32_t i = 0; i < n; i++) {
-            struct real_ball b = real_ball(&balls[index[i]]);
-            double reach = distance(sphere.c, b.c) + b.r;
-            if (reach > most) most = reach, far = i;
-        }
+        double most, before = sphere.r;
+        uint32_t far = farthest(sphere.c, balls, index, n, &most);
         if (most <= sphere.r * (1 + 1e-6) + 1e-6) break;
-        struct real_ball fresh = real_ball(&balls[index[far]]);
-        double before = sphere.r;
+        struct real_ball fresh = real_ball(&balls[index ? index[far] : far]);
         if (!pivot(support, &n_support, &fresh, &sphere) || sphere.r <= before) {
             sphere.r = most;
             break;

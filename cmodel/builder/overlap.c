@@ -9,6 +9,7 @@
 #include <stdlib.h>
 
 #include "builder/near.h"
+#include "builder/radix.h"
 
 enum { LEAF = 4, CODE_BITS = 21 };
 
@@ -16,15 +17,10 @@ struct box {
     int32_t lo[3], hi[3]; /* lo > hi: empty */
 };
 
-struct place {
-    uint64_t code;
-    uint32_t index;
-};
-
 struct search {
     const struct sph_ball *balls;
     const struct sph_profile *profile;
-    const struct place *order;
+    const uint32_t *order;
     struct box *boxes; /* 1: root; children of i: 2i and 2i+1; the last `leaves` are the leaves */
     uint32_t n, leaves;
     int64_t reach; /* grid units, up */
@@ -33,29 +29,39 @@ struct search {
 
 /* The low CODE_BITS of v, two zero bits between any two. */
 static uint64_t spread(uint64_t v) {
-    uint64_t out = 0;
-    for (int i = 0; i < CODE_BITS; i++)
-        out |= (v >> i & 1) << 3 * i;
-    return out;
+    v &= (1ull << CODE_BITS) - 1;
+    v = (v | v << 32) & 0x1f00000000ffffu;
+    v = (v | v << 16) & 0x1f0000ff0000ffu;
+    v = (v | v << 8) & 0x100f00f00f00f00fu;
+    v = (v | v << 4) & 0x10c30c30c30c30c3u;
+    return (v | v << 2) & 0x1249249249249249u;
 }
 
-static int by_code(const void *a, const void *b) {
-    const struct place *p = a, *q = b;
-    if (p->code != q->code) return p->code < q->code ? -1 : 1;
-    return p->index < q->index ? -1 : p->index > q->index;
-}
-
-/* Indices in the order of the curve; malloc, NULL if memory is out. */
-static struct place *curve(const struct sph_ball *balls, uint32_t n, int w) {
-    struct place *order = malloc(n * sizeof *order);
-    for (uint32_t i = 0; order && i < n; i++) {
-        order[i] = (struct place){0, i};
+/* Indices in the order of the curve, of equal places by number; malloc, NULL if memory is out. */
+static uint32_t *curve(const struct sph_ball *balls, uint32_t n, int w) {
+    uint64_t *codes = malloc(n * sizeof *codes), *keys = malloc(2ull * n * sizeof *keys);
+    uint32_t *order = malloc(n * sizeof *order);
+    for (uint32_t i = 0; codes && keys && i < n; i++) {
+        codes[i] = 0;
         for (int axis = 0; axis < 3; axis++) {
             uint64_t v = (uint64_t)(balls[i].c[axis] + (1ll << (w - 1)));
-            order[i].code |= spread(w > CODE_BITS ? v >> (w - CODE_BITS) : v) << axis;
+            codes[i] |= spread(w > CODE_BITS ? v >> (w - CODE_BITS) : v) << axis;
         }
+        keys[i] = codes[i] << 32 | i;
     }
-    if (order) qsort(order, n, sizeof *order, by_code);
+    if (codes && keys && order) {
+        uint64_t *low = sph_radix(keys, keys + n, n), *spare = low == keys ? keys + n : keys;
+        for (uint32_t i = 0; i < n; i++)
+            low[i] = codes[(uint32_t)low[i]] >> 32 << 32 | (uint32_t)low[i];
+        const uint64_t *sorted = sph_radix(low, spare, n);
+        for (uint32_t i = 0; i < n; i++)
+            order[i] = (uint32_t)sorted[i];
+    } else {
+        free(order);
+        order = NULL;
+    }
+    free(codes);
+    free(keys);
     return order;
 }
 
@@ -71,7 +77,7 @@ static void fill(struct search *s) {
     for (uint32_t i = 1; i < 2 * s->leaves; i++)
         s->boxes[i] = empty;
     for (uint32_t i = 0; i < s->n; i++) {
-        const struct sph_ball *b = &s->balls[s->order[i].index];
+        const struct sph_ball *b = &s->balls[s->order[i]];
         struct box box;
         for (int axis = 0; axis < 3; axis++)
             box.lo[axis] = b->c[axis] - b->r, box.hi[axis] = b->c[axis] + b->r;
@@ -97,7 +103,7 @@ static int leaves(const struct search *s, uint32_t a, uint32_t b) {
     uint32_t first = (a - s->leaves) * LEAF, second = (b - s->leaves) * LEAF;
     for (uint32_t i = first; i < first + LEAF && i < s->n; i++)
         for (uint32_t j = a == b ? i + 1 : second; j < second + LEAF && j < s->n; j++) {
-            uint32_t p = s->order[i].index, q = s->order[j].index;
+            uint32_t p = s->order[i], q = s->order[j];
             if (sph_nearness(&s->balls[p], &s->balls[q], s->profile) == SPH_APART) continue;
             s->pair[0] = p < q ? p : q;
             s->pair[1] = p < q ? q : p;
@@ -128,7 +134,7 @@ int sph_near_pair(const struct sph_ball *balls, uint32_t n, const struct sph_pro
     s.reach = (sph_point_error(p) + (1ll << bits) - 1) >> bits;
     while ((uint64_t)s.leaves * LEAF < n)
         s.leaves *= 2;
-    struct place *order = curve(balls, n, p->w);
+    uint32_t *order = curve(balls, n, p->w);
     s.order = order;
     s.boxes = malloc(2 * (size_t)s.leaves * sizeof *s.boxes);
     int result;

@@ -12,11 +12,24 @@
 #include "builder/tree_better.h"
 #include "machine/layout.h"
 
+enum { PARALLEL = 8192 }; /* spheres from which on threads share the work */
+
+/* A node before it has its place. */
+struct plan {
+    uint32_t pair, child[4]; /* children: plans, or SPH_PAIR_LEAF | sphere */
+    struct sph_ball ball;
+    double far; /* of its middle from the eye, squared */
+    uint8_t n_inner, n_leaf;
+};
+
 struct work {
     const struct sph_ball *balls;
     const struct sph_profile *profile;
     const int32_t *eye;
     struct sph_split split;
+    struct sph_ball *sorted; /* the balls in its order */
+    struct plan *plans;
+    uint32_t n; /* of plans */
     struct sph_tree *tree;
     int most; /* levels of nodes */
     int even; /* two binary levels to a node, whatever the cost */
@@ -41,19 +54,46 @@ static void open_pair(const struct work *w, uint32_t child, int j, int must, int
     open_pair(w, p->child[1], j - share, 0, most, out, n);
 }
 
-/* Squared distance of a child from the eye; spheres of filter units by their centres. */
-static double eye_distance(const struct work *w, uint32_t child) {
-    const struct sph_pair *pairs = w->split.pairs;
-    double sum = 0, c[4];
-    uint32_t sphere = child & ~SPH_PAIR_LEAF;
-    if (child & SPH_PAIR_LEAF)
-        for (int i = 0; i < 3; i++)
-            c[i] = w->balls[sphere].c[i];
-    else
-        sph_enclose(w->balls, w->split.order + pairs[child].first, pairs[child].count, c);
+/* Squared distance from the eye. */
+static double eye_distance(const struct work *w, const double c[3]) {
+    double sum = 0;
     for (int i = 0; i < 3; i++)
         sum += (c[i] - w->eye[i]) * (c[i] - w->eye[i]);
     return sum;
+}
+
+/* Makes the node of a pair and all below it, without balls, children as they come; returns its
+ * index. */
+static uint32_t collapse(struct work *w, uint32_t pair, int level) {
+    uint32_t me = w->n++, children[4];
+    struct plan *plan = &w->plans[me];
+    int n = 0;
+    if ((uint32_t)level + 2 > w->tree->depth) w->tree->depth = (uint32_t)level + 2;
+    plan->pair = pair;
+    plan->n_inner = plan->n_leaf = 0;
+    open_pair(w, pair, 4, 1, w->most - level - 1, children, &n);
+    for (int i = 0; i < n; i++) {
+        int leaf = (children[i] & SPH_PAIR_LEAF) != 0;
+        plan->child[i] = leaf ? children[i] : collapse(w, children[i], level + 1);
+        *(leaf ? &plan->n_leaf : &plan->n_inner) += 1;
+    }
+    return me;
+}
+
+/* The ball of a planned node, and how far its middle is from the eye. */
+static void enclose(const struct work *w, struct plan *plan) {
+    const struct sph_pair *p = &w->split.pairs[plan->pair];
+    double sphere[4];
+    sph_enclose(w->sorted + p->first, NULL, p->count, sphere);
+    plan->ball = sph_filter_around(w->sorted + p->first, NULL, p->count, sphere, w->profile);
+    plan->far = eye_distance(w, sphere);
+}
+
+/* How far a child is; spheres by their centres. */
+static double child_distance(const struct work *w, uint32_t child) {
+    if (!(child & SPH_PAIR_LEAF)) return w->plans[child].far;
+    const struct sph_ball *ball = &w->balls[child & ~SPH_PAIR_LEAF];
+    return eye_distance(w, (const double[3]){ball->c[0], ball->c[1], ball->c[2]});
 }
 
 /* Sorts children: inner ones first, each kind near first. */
@@ -61,7 +101,7 @@ static void sort_children(const struct work *w, uint32_t children[4], int n) {
     double far[4];
     for (int i = 0; i < n; i++) {
         uint32_t child = children[i];
-        double d = eye_distance(w, child);
+        double d = child_distance(w, child);
         int at = i;
         for (; at > 0; at--) {
             uint32_t before = children[at - 1];
@@ -73,34 +113,72 @@ static void sort_children(const struct work *w, uint32_t children[4], int n) {
     }
 }
 
-/* Makes the node of a pair and all below it; returns its index. Levels go to tree->depth. */
-static uint32_t collapse(struct work *w, uint32_t pair, int level) {
+/* Puts a planned node and all below it into the tree; returns its index. */
+static uint32_t put_node(struct work *w, struct plan *plan) {
     struct sph_tree *tree = w->tree;
-    const struct sph_pair *p = &w->split.pairs[pair];
-    uint32_t me = tree->n_nodes++, children[4];
+    uint32_t me = tree->n_nodes++;
     struct sph_tree_node *node = &tree->nodes[me];
-    int n = 0;
-    if ((uint32_t)level + 2 > tree->depth) tree->depth = (uint32_t)level + 2;
-    node->ball = sph_filter_enclose(w->balls, w->split.order + p->first, p->count, w->profile);
-    open_pair(w, pair, 4, 1, w->most - level - 1, children, &n);
-    sort_children(w, children, n);
-    node->n_inner = node->n_leaf = 0;
+    int n = plan->n_inner + plan->n_leaf;
+    sort_children(w, plan->child, n);
+    node->ball = plan->ball;
+    node->n_inner = plan->n_inner, node->n_leaf = plan->n_leaf;
     for (int i = 0; i < n; i++) {
-        int leaf = (children[i] & SPH_PAIR_LEAF) != 0;
-        node->child[i] = leaf ? children[i] & ~SPH_PAIR_LEAF : collapse(w, children[i], level + 1);
-        *(leaf ? &node->n_leaf : &node->n_inner) += 1;
+        uint32_t child = plan->child[i];
+        node->child[i] =
+            child & SPH_PAIR_LEAF ? child & ~SPH_PAIR_LEAF : put_node(w, &w->plans[child]);
     }
     return me;
 }
 
-/* The tree of no sphere or of one. */
-static void trivial(const struct work *w, uint32_t n) {
-    struct sph_tree_node *node = &w->tree->nodes[0];
-    memset(node, 0, sizeof *node);
+/* The nodes of a split. -1 if memory is out. */
+static int put_nodes(struct work *w, uint32_t n) {
+    struct sph_tree_node *nodes = NULL;
+    w->sorted = malloc(n * sizeof *w->sorted);
+    w->plans = malloc((n - 1) * sizeof *w->plans);
+    w->n = 0;
+    if (w->sorted && w->plans) {
+        for (uint32_t i = 0; i < n; i++)
+            w->sorted[i] = w->balls[w->split.order[i]];
+        collapse(w, 0, 0);
+        nodes = w->tree->nodes = malloc(w->n * sizeof *nodes);
+    }
+    if (nodes) {
+#pragma omp parallel for schedule(dynamic, 64) if (n > PARALLEL)
+        for (uint32_t i = 0; i < w->n; i++)
+            enclose(w, &w->plans[i]);
+        put_node(w, w->plans);
+    }
+    free(w->sorted);
+    free(w->plans);
+    return nodes ? 0 : -1;
+}
+
+/* The tree of no sphere or of one; -1 if memory is out. */
+static int trivial(const struct work *w, uint32_t n) {
+    struct sph_tree_node *node = w->tree->nodes = calloc(1, sizeof *node);
+    if (!node) return -1;
     node->n_leaf = (uint8_t)n;
     if (n) node->ball = sph_filter_leaf(&w->balls[0], w->profile);
     w->tree->n_nodes = 1;
     w->tree->depth = 2;
+    return 0;
+}
+
+/* One way to make the tree: 1 if it fits the stack, -1 if memory is out. */
+static int attempt(struct work *w, const struct sph_aabb *boxes, uint32_t n, int limit, int better,
+                   struct sph_error *err) {
+    const struct sph_ball *balls = w->balls;
+    int done = -1;
+    if (sph_split(balls, boxes, n, limit, &w->split, err)) return -1;
+    if (!better || !sph_split_better(balls, boxes, n, w->profile, &w->split, err)) {
+        if (!better) sph_split_fill(balls, boxes, w->profile, &w->split);
+        w->even = limit == 0;
+        w->tree->n_nodes = w->tree->depth = 0;
+        done = w->even || w->split.pairs[0].levels[1] <= w->most;
+        if (done && put_nodes(w, n)) done = sph_fail(err, "out of memory for a tree");
+    }
+    sph_split_free(&w->split);
+    return done;
 }
 
 int sph_tree_balanced(const struct sph_ball *balls, const struct sph_aabb *boxes, uint32_t n,
@@ -108,33 +186,12 @@ int sph_tree_balanced(const struct sph_ball *balls, const struct sph_aabb *boxes
                       struct sph_tree *tree, struct sph_error *err) {
     static const int limits[] = {64, 30, 25, 21, 18, 0};
     struct work w = {.balls = balls, .profile = profile, .eye = eye, .tree = tree};
+    int done = 0;
     w.most = SPH_STACK_DEPTH - (int)tree->above;
-    /* a node has two children or more, so there are fewer nodes than spheres */
-    tree->nodes = malloc((n + 1ull) * sizeof *tree->nodes);
-    if (!tree->nodes) return sph_fail(err, "out of memory for a tree of %u spheres", n);
-    if (n < 2) {
-        trivial(&w, n);
-        return 0;
-    }
-    for (int better = kind == SPH_TREE_REINSERTED || boxes, i = 0; i < 6;
-         i += !better, better = 0) {
-        if (sph_split(balls, boxes, n, limits[i], &w.split, err) ||
-            (better && sph_split_better(balls, boxes, n, profile, &w.split, err))) {
-            sph_split_free(&w.split);
-            free(tree->nodes);
-            tree->nodes = NULL;
-            return -1;
-        }
-        if (!better) sph_split_fill(balls, boxes, profile, &w.split);
-        w.even = limits[i] == 0;
-        tree->n_nodes = tree->depth = 0;
-        int fits = w.even || w.split.pairs[0].levels[1] <= w.most;
-        if (fits) collapse(&w, 0, 0);
-        sph_split_free(&w.split);
-        if (fits) break;
-    }
-    size_t used = tree->n_nodes ? tree->n_nodes : 1;
-    struct sph_tree_node *less = realloc(tree->nodes, used * sizeof *tree->nodes);
-    if (less) tree->nodes = less;
-    return 0;
+    if (n < 2)
+        return trivial(&w, n) ? sph_fail(err, "out of memory for a tree of %u spheres", n) : 0;
+    for (int better = kind == SPH_TREE_REINSERTED || boxes, i = 0; i < 6 && !done;
+         i += !better, better = 0)
+        done = attempt(&w, boxes, n, limits[i], better, err);
+    return done < 0 ? -1 : 0;
 }

@@ -33,10 +33,21 @@ struct sph_links {
     struct sph_link_ball *ball; /* 2n-1: node i < n is sphere i, those from n on are inner ones */
     uint32_t *parent;           /* 2n-1 */
     uint32_t (*child)[2];       /* n-1: of node n+i */
-    uint32_t *order, *count;    /* n, n-1: spheres from left to right; of node n+i their number, */
-    uint32_t *first;            /* and the place of its first one. By sph_links_fit() */
-    uint8_t *stale;             /* n-1: other spheres are below it than when its ball was made */
-    uint32_t exact;             /* the balls of no more spheres are the smallest ones */
+    uint32_t *order, *count;    /* n, n-1: spheres from left to right; of node n+i their number */
+    struct sph_ball *sorted;    /* n: spheres in that order. By sph_links_fit() */
+    uint8_t *stale; /* n-1: other spheres are below it than when its ball was made; all above too */
+    uint32_t exact; /* the balls of no more spheres are the smallest ones */
+    struct sph_link_pair *pairs; /* n-1: what sph_links_fit() fills, unless NULL */
+};
+
+/* An inner node as a search reads it, which finds in one place what it asks of both children. The
+ * root is the first one; a node stands before those below it, and the left ones before the right
+ * ones. A side of a pair is called by place * 2 + side. */
+struct sph_link_pair {
+    struct sph_link_ball ball[2]; /* of the children */
+    uint32_t child[2];            /* their places, or SPH_PAIR_LEAF | sphere */
+    uint32_t above;               /* the side that it is below; NONE for the root */
+    uint32_t node;
 };
 
 /* Memory for n >= 2 spheres, whose balls are set, or boxes; no inner node is. -1 if it is out; what
@@ -52,9 +63,9 @@ void sph_links_take(struct sph_links *links, const struct sph_split *split);
 /* Puts the tree in place of the pairs of a split of the same spheres, and fills the costs. */
 void sph_links_give(struct sph_links *links, struct sph_split *split);
 
-/* Fills order, first and count and makes the balls of inner nodes: the smallest one around the
- * spheres of each where they are no more than `most`, unless it is there, and around the balls of
- * the children elsewhere; boxes are around those of the children. Returns the sum of areas. Does
+/* Fills order, sorted, count and pairs and makes the balls of inner nodes: the smallest one around
+ * the spheres of each where they are no more than `most`, unless it is there, and around the balls
+ * of the children elsewhere; boxes are around those of the children. Returns the sum of areas. Does
  * not depend on the number of threads. */
 double sph_links_fit(struct sph_links *links, uint32_t most);
 
@@ -70,6 +81,17 @@ struct sph_link_ball sph_link_around(const struct sph_links *links, const uint32
  * first one, and the one after `node`, which is NONE after the root. */
 uint32_t sph_link_leftmost(const struct sph_links *links, uint32_t top);
 uint32_t sph_link_next(const struct sph_links *links, uint32_t node);
+
+/* The box around two. */
+static inline struct sph_link_ball sph_link_box(const struct sph_link_ball *a,
+                                                const struct sph_link_ball *b) {
+    struct sph_link_ball out;
+    for (int i = 0; i < 3; i++) {
+        out.lo[i] = a->lo[i] < b->lo[i] ? a->lo[i] : b->lo[i];
+        out.hi[i] = a->hi[i] > b->hi[i] ? a->hi[i] : b->hi[i];
+    }
+    return out;
+}
 
 /* How far apart the centres are. */
 static inline float sph_link_apart(const struct sph_link_ball *a, const struct sph_link_ball *b) {

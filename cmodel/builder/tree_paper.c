@@ -7,6 +7,7 @@
  */
 #include <stdlib.h>
 
+#include "builder/radix.h"
 #include "builder/tree.h"
 
 struct box {
@@ -49,22 +50,17 @@ static struct sph_ball box_ball(const struct box *box, const struct sph_profile 
     return out;
 }
 
-static int compare(const void *a, const void *b) {
-    uint64_t x = *(const uint64_t *)a, y = *(const uint64_t *)b;
-    return (x > y) - (x < y);
-}
-
 uint32_t *sph_tree_sort(const struct sph_ball *balls, uint32_t n, int axis, int falling) {
-    uint64_t *keys = malloc((n + 1ull) * sizeof *keys);
+    uint64_t *keys = malloc((2ull * n + 1) * sizeof *keys);
     uint32_t *order = malloc((n + 1ull) * sizeof *order);
     if (keys && order) {
         for (uint32_t i = 0; i < n; i++) {
             int64_t v = falling ? -(int64_t)balls[i].c[axis] : balls[i].c[axis];
             keys[i] = (uint64_t)(v + (1ll << 30)) << 32 | i;
         }
-        qsort(keys, n, sizeof *keys, compare);
+        const uint64_t *sorted = sph_radix(keys, keys + n, n);
         for (uint32_t i = 0; i < n; i++)
-            order[i] = (uint32_t)keys[i];
+            order[i] = (uint32_t)sorted[i];
     } else {
         free(order);
         order = NULL;

@@ -9,6 +9,8 @@
  */
 #include "builder/tree_reinsert.h"
 
+#include "builder/radix.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -17,99 +19,116 @@
 enum { ROUNDS = 10, LOOKS = 256, EXACT = 4096, ENOUGH = 1024, PARALLEL = 8192 };
 
 struct move {
-    float gain;
     uint32_t node, to; /* becomes the sibling of `to` */
+};
+
+/* A search for the best place of a node. */
+struct seek {
+    const struct sph_link_pair *pairs;
+    struct sph_link_ball ball; /* of the node */
+    float area;                /* its own, which no place is better than */
+    float gain;                /* of the best place, */
+    uint32_t to;               /* a side; NONE is beside the root */
+    int boxes;
+    int looks; /* places that may still be looked at */
 };
 
 static float square(float x) {
     return x * x;
 }
 
-/* The area of what is around two. */
-static inline float merged(const struct sph_links *l, const struct sph_link_ball *a,
-                           const struct sph_link_ball *b) {
-    if (l->boxes) {
-        struct sph_link_ball both = sph_link_merge(l, a, b);
-        return sph_link_surface(both.lo, both.hi);
-    }
-    float apart = sph_link_apart(a, b);
-    if (apart + b->r <= a->r) return square(a->r);
-    if (apart + a->r <= b->r) return square(b->r);
-    return square((apart + a->r + b->r) / 2);
+static inline const struct sph_link_ball *ball_of(const struct seek *s, uint32_t side) {
+    return &s->pairs[side >> 1].ball[side & 1];
 }
 
-/* How far a node is from another: between centres, of boxes four times the square of that. */
-static inline float distance(const struct sph_links *l, uint32_t node,
+static inline float area_of(const struct seek *s, const struct sph_link_ball *a) {
+    return s->boxes ? sph_link_surface(a->lo, a->hi) : a->r * a->r;
+}
+
+/* How far a node's ball or box is from another: between centres, of boxes four times the square of
+ * that. */
+static inline float distance(const struct seek *s, const struct sph_link_ball *at,
                              const struct sph_link_ball *to) {
-    const struct sph_link_ball *at = &l->ball[node];
     float sum = 0;
-    if (!l->boxes) return sph_link_apart(at, to);
+    if (!s->boxes) return sph_link_apart(at, to);
     for (int i = 0; i < 3; i++)
         sum += square(at->lo[i] + at->hi[i] - to->lo[i] - to->hi[i]);
     return sum;
 }
 
-/* Looks for the best place of a node in the subtree `top`, which it is not in. saved: what taking
- * it out saves; *looks: places that may still be looked at. */
-static void look_below(const struct sph_links *l, uint32_t top, float saved, int *looks,
-                       struct move *best) {
+/* The area of what is around two that are so far apart. */
+static inline float merged(const struct seek *s, const struct sph_link_ball *a,
+                           const struct sph_link_ball *b, float apart) {
+    if (s->boxes) {
+        struct sph_link_ball both = sph_link_box(a, b);
+        return sph_link_surface(both.lo, both.hi);
+    }
+    if (apart + b->r <= a->r) return square(a->r);
+    if (apart + a->r <= b->r) return square(b->r);
+    return square((apart + a->r + b->r) / 2);
+}
+
+/* Looks for the best place in the subtree `top`, a side, which the node is not in. saved: what
+ * taking it out saves. */
+static inline void look_below(struct seek *s, uint32_t top, float saved) {
     enum { DEEP = 64 };
     struct {
-        uint32_t node;
+        uint32_t side;
         float left; /* saved, less what the nodes above it grow */
+        float apart;
     } stack[DEEP];
-    const struct sph_link_ball *ball = &l->ball[best->node];
-    float least = sph_link_area(l, ball);
+    const struct sph_link_ball ball = s->ball;
     int n = 0;
-    stack[n].node = top, stack[n++].left = saved;
-    while (n && *looks > 0) {
-        uint32_t at = stack[--n].node;
-        float left = stack[n].left;
-        if (left - least <= best->gain) continue;
-        --*looks;
-        float area = merged(l, &l->ball[at], ball), grown = area - sph_link_area(l, &l->ball[at]);
-        if (left - area > best->gain) best->gain = left - area, best->to = at;
+    stack[n].side = top, stack[n].left = saved;
+    stack[n++].apart = distance(s, ball_of(s, top), &ball);
+    while (n && s->looks > 0) {
+        uint32_t side = stack[--n].side;
+        float left = stack[n].left, apart[2];
+        if (left - s->area <= s->gain) continue;
+        s->looks--;
+        const struct sph_link_ball *at = ball_of(s, side);
+        float area = merged(s, at, &ball, stack[n].apart), grown = area - area_of(s, at);
+        if (left - area > s->gain) s->gain = left - area, s->to = side;
         if (grown > 0) left -= grown;
-        if (at < l->n || left - least <= best->gain || n + 2 > DEEP) continue;
-        const uint32_t *child = l->child[at - l->n];
-        int near = distance(l, child[1], ball) < distance(l, child[0], ball); /* goes first */
-        stack[n].node = child[!near], stack[n++].left = left;
-        stack[n].node = child[near], stack[n++].left = left;
+        uint32_t below = s->pairs[side >> 1].child[side & 1];
+        if (below & SPH_PAIR_LEAF || left - s->area <= s->gain || n + 2 > DEEP) continue;
+        const struct sph_link_pair *pair = &s->pairs[below];
+        for (int i = 0; i < 2; i++)
+            apart[i] = distance(s, &pair->ball[i], &ball);
+        uint32_t near = apart[1] < apart[0]; /* goes first */
+        stack[n].side = 2 * below + !near, stack[n].apart = apart[!near], stack[n++].left = left;
+        stack[n].side = 2 * below + near, stack[n].apart = apart[near], stack[n++].left = left;
     }
 }
 
-/* The best move of a node: up from ancestor to ancestor, each time into its other side. */
-static struct move look(const struct sph_links *l, uint32_t node) {
-    struct move best = {0, node, SPH_LINK_NONE};
-    uint32_t parent = l->parent[node];
-    if (parent == SPH_LINK_NONE) return best;
-    int looks = LOOKS;
-    uint32_t sibling = sph_link_other(l, parent, node), below = parent;
-    float saved = sph_link_area(l, &l->ball[parent]);
-    struct sph_link_ball rest = l->ball[sibling]; /* of `below` without the node */
-    if (sibling >= l->n)
-        for (int i = 0; i < 2; i++) /* the place beside the sibling is where it is */
-            look_below(l, l->child[sibling - l->n][i],
-                       saved + sph_link_area(l, &rest) - merged(l, &rest, &l->ball[node]), &looks,
-                       &best);
-    for (uint32_t pivot = l->parent[parent]; pivot != SPH_LINK_NONE && looks > 0;
-         below = pivot, pivot = l->parent[pivot]) {
-        uint32_t other = sph_link_other(l, pivot, below);
-        look_below(l, other, saved, &looks, &best);
-        rest = sph_link_merge(l, &rest, &l->ball[other]);
-        float area = sph_link_area(l, &l->ball[pivot]), less = sph_link_area(l, &rest);
-        if (less > area) rest = l->ball[pivot], less = area;
-        if (saved - less > best.gain) best.gain = saved - less, best.to = pivot;
+/* The best move of a node, a side: up from ancestor to ancestor, each time into its other side. */
+static inline struct seek look(const struct sph_links *l, uint32_t side, int boxes) {
+    struct seek s = {.pairs = l->pairs, .to = SPH_LINK_NONE, .boxes = boxes, .looks = LOOKS};
+    const struct sph_link_ball *root = &l->ball[l->root];
+    uint32_t below = l->pairs[side >> 1].above, sibling = l->pairs[side >> 1].child[~side & 1];
+    s.ball = *ball_of(&s, side);
+    s.area = area_of(&s, &s.ball);
+    float saved = area_of(&s, below == SPH_LINK_NONE ? root : ball_of(&s, below));
+    struct sph_link_ball rest = *ball_of(&s, side ^ 1); /* of `below` without the node */
+    if (!(sibling & SPH_PAIR_LEAF)) {
+        float more = saved + area_of(&s, &rest) -
+                     merged(&s, &rest, &s.ball, boxes ? 0 : distance(&s, &rest, &s.ball));
+        for (uint32_t i = 0; i < 2; i++) /* the place beside the sibling is where it is */
+            look_below(&s, 2 * sibling + i, more);
+    }
+    while (below != SPH_LINK_NONE && s.looks > 0) {
+        uint32_t other = below ^ 1, pivot = l->pairs[below >> 1].above;
+        look_below(&s, other, saved);
+        rest = boxes ? sph_link_box(&rest, ball_of(&s, other))
+                     : sph_link_merge(l, &rest, ball_of(&s, other));
+        const struct sph_link_ball *old = pivot == SPH_LINK_NONE ? root : ball_of(&s, pivot);
+        float area = area_of(&s, old), less = area_of(&s, &rest);
+        if (less > area) rest = *old, less = area;
+        if (saved - less > s.gain) s.gain = saved - less, s.to = pivot;
         saved += area - less;
+        below = pivot;
     }
-    return best;
-}
-
-/* The most gain first; of equal ones the lower node. */
-static int compare(const void *a, const void *b) {
-    const struct move *x = a, *y = b;
-    if (x->gain != y->gain) return x->gain > y->gain ? -1 : 1;
-    return (x->node > y->node) - (x->node < y->node);
+    return s;
 }
 
 static int is_below(const struct sph_links *l, uint32_t node, uint32_t above) {
@@ -128,7 +147,7 @@ static void replace(struct sph_links *l, uint32_t parent, uint32_t old, uint32_t
 
 /* What is below an inner node changes, and below all above it. */
 static void outdate(struct sph_links *l, uint32_t node) {
-    for (; node != SPH_LINK_NONE; node = l->parent[node])
+    for (; node != SPH_LINK_NONE && !l->stale[node - l->n]; node = l->parent[node])
         l->stale[node - l->n] = 1;
 }
 
@@ -149,41 +168,94 @@ static int apply(struct sph_links *l, const struct move *m, uint8_t *marked) {
     replace(l, l->parent[to], to, parent);
     l->child[parent - l->n][0] = to, l->child[parent - l->n][1] = node;
     l->parent[to] = l->parent[node] = parent;
-    outdate(l, parent);
+    outdate(l, l->parent[parent]); /* the parent itself is */
     return 1;
 }
 
+/* What a round works on. */
+struct work {
+    float *gain;   /* 2n-1: of each node, and the node that it should be the sibling of */
+    uint32_t *to;  /* 2n-1 */
+    uint8_t *look; /* 2n-1: it looks in the next round; nodes that moves have touched */
+    uint64_t *key; /* of those that gain; two lists */
+    uint32_t most; /* keys that there is room for */
+    int failed;    /* memory is out */
+};
+
+/* The node of a side. */
+static uint32_t node_of(const struct sph_links *l, uint32_t side) {
+    if (side == SPH_LINK_NONE) return l->root;
+    uint32_t child = l->pairs[side >> 1].child[side & 1];
+    return child & SPH_PAIR_LEAF ? child & ~SPH_PAIR_LEAF : l->pairs[child].node;
+}
+
+/* The nodes that gain, the most first, of equal ones the lower node; how many. */
+static uint32_t most_first(const struct sph_links *l, struct work *w, const uint64_t **sorted) {
+    uint32_t all = 2 * l->n - 1, n = 0, bits;
+    for (uint32_t i = 0; i < all; i++)
+        n += w->gain[i] > 0;
+    if (n > w->most) {
+        free(w->key);
+        w->most = n;
+        w->key = malloc(2ull * n * sizeof *w->key);
+        if (!w->key) return w->failed = 1, w->most = 0;
+    }
+    n = 0;
+    for (uint32_t i = 0; i < all; i++) {
+        if (!(w->gain[i] > 0)) continue;
+        memcpy(&bits, &w->gain[i], sizeof bits);
+        w->key[n++] = (uint64_t)~bits << 32 | i;
+    }
+    *sorted = n ? sph_radix(w->key, w->key + n, n) : NULL;
+    return n;
+}
+
 /* One round; the number of moves. */
-static uint32_t go_round(struct sph_links *l, struct move *moves, uint8_t *marked) {
-    uint32_t all = 2 * l->n - 1, n = 0, done = 0;
-#pragma omp parallel for schedule(dynamic, 256) if (l->n > PARALLEL)
-    for (uint32_t i = 0; i < all; i++)
-        moves[i] = marked[i] ? look(l, i) : (struct move){0};
-    memset(marked, 0, all);
-    for (uint32_t i = 0; i < all; i++)
-        if (moves[i].gain > 0) moves[n++] = moves[i];
-    qsort(moves, n, sizeof *moves, compare);
+static uint32_t go_round(struct sph_links *l, struct work *w) {
+    uint32_t all = 2 * l->n - 1, done = 0;
+    const uint64_t *key;
+    w->gain[l->root] = 0;
+#pragma omp parallel for schedule(dynamic, 512) if (l->n > PARALLEL)
+    for (uint32_t side = 0; side < all - 1; side++) {
+        uint32_t node = node_of(l, side);
+        w->gain[node] = 0;
+        if (!w->look[node]) continue;
+        struct seek s = l->boxes ? look(l, side, 1) : look(l, side, 0);
+        w->gain[node] = s.gain;
+        if (s.gain > 0) w->to[node] = node_of(l, s.to);
+    }
+    memset(w->look, 0, all);
+    uint32_t n = most_first(l, w, &key);
+    for (uint32_t i = 0; i < n; i++) {
+        uint32_t node = (uint32_t)key[i];
+        done += (uint32_t)apply(l, &(struct move){node, w->to[node]}, w->look);
+    }
     for (uint32_t i = 0; i < n; i++)
-        done += (uint32_t)apply(l, &moves[i], marked);
-    for (uint32_t i = 0; i < n; i++)
-        marked[moves[i].node] = 1;
+        w->look[(uint32_t)key[i]] = 1;
     return done;
 }
 
 int sph_reinsert(struct sph_links *l) {
     uint32_t all = 2 * l->n - 1;
-    struct move *moves = malloc(all * sizeof *moves);
-    uint8_t *marked = malloc(all);
-    int good = moves && marked;
+    struct work w = {.gain = malloc(all * sizeof *w.gain),
+                     .to = malloc(all * sizeof *w.to),
+                     .look = malloc(all)};
+    l->pairs = aligned_alloc(sizeof *l->pairs, (l->n - 1) * sizeof *l->pairs);
+    int good = w.gain && w.to && w.look && l->pairs;
     if (good) {
         double sum = sph_links_fit(l, EXACT), before = 0;
-        memset(marked, 1, all);
-        for (int round = 0; round < ROUNDS && go_round(l, moves, marked); round++) {
+        memset(w.look, 1, all);
+        for (int round = 0; round < ROUNDS && go_round(l, &w); round++) {
             before = sum, sum = sph_links_fit(l, EXACT);
             if (before - sum < sum / ENOUGH) break;
         }
+        good = !w.failed;
     }
-    free(moves);
-    free(marked);
+    free(w.gain);
+    free(w.to);
+    free(w.look);
+    free(w.key);
+    free(l->pairs);
+    l->pairs = NULL;
     return good ? 0 : -1;
 }

@@ -10,7 +10,7 @@
 #include "reference/facet.h"
 #include "reference/kd.h"
 
-enum { LEAF = 4 };
+enum { LEAF = 4, PARALLEL = 8192 }; /* items of a box; those that threads share */
 
 struct box {
     double low[3], high[3];
@@ -58,27 +58,54 @@ static void halve(struct sph_ref_item *v, uint32_t count, int axis) {
     }
 }
 
-static uint32_t build(struct sph_ref_tree *t, uint32_t first, uint32_t count) {
-    uint32_t self = t->n_boxes++;
+static double least(double a, double b) {
+    return a < b ? a : b;
+}
+
+static double greatest(double a, double b) {
+    return a > b ? a : b;
+}
+
+/* The boxes of so many items, and of one more. */
+static void boxes_of(uint32_t count, uint32_t *boxes, uint32_t *more) {
+    uint32_t half, half_more;
+    *boxes = *more = 1;
+    if (count < LEAF) return;
+    boxes_of(count / 2, &half, &half_more);
+    if (count > LEAF) *boxes += count % 2 ? half + half_more : 2 * half;
+    *more += count % 2 ? 2 * half_more : half + half_more;
+}
+
+/* Makes box `self` of some items and those below it, behind it. */
+static void build(struct sph_ref_tree *t, uint32_t self, uint32_t first, uint32_t count) {
     struct box b = {
         {INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}, first, count, 0};
     for (uint32_t i = first; i < first + count; i++)
         for (int j = 0; j < 3; j++) {
             const struct sph_ref_item *s = &t->items[i];
-            double slack = 1e-9 * fmax(fabs(s->low[j]), fabs(s->high[j])); /* no hit is lost */
-            b.low[j] = fmin(b.low[j], s->low[j] - slack);
-            b.high[j] = fmax(b.high[j], s->high[j] + slack);
+            double slack = 1e-9 * greatest(fabs(s->low[j]), fabs(s->high[j])); /* no hit is lost */
+            b.low[j] = least(b.low[j], s->low[j] - slack);
+            b.high[j] = greatest(b.high[j], s->high[j] + slack);
         }
     if (count > LEAF) {
+        uint32_t left = count / 2, boxes, more;
         int axis = 0;
         for (int j = 1; j < 3; j++)
             if (b.high[j] - b.low[j] > b.high[axis] - b.low[axis]) axis = j;
         halve(t->items + first, count, axis);
-        build(t, first, count / 2);
-        b.right = build(t, first + count / 2, count - count / 2);
+        boxes_of(left, &boxes, &more);
+        b.right = self + 1 + boxes;
+        if (count > PARALLEL) {
+#pragma omp task
+            build(t, self + 1, first, left);
+            build(t, b.right, first + left, count - left);
+#pragma omp taskwait
+        } else {
+            build(t, self + 1, first, left);
+            build(t, b.right, first + left, count - left);
+        }
     }
     t->boxes[self] = b;
-    return self;
 }
 
 static void add(struct sph_ref_tree *t, uint32_t id, const struct sph_vec *v, int n, double rad) {
@@ -95,10 +122,12 @@ static void add(struct sph_ref_tree *t, uint32_t id, const struct sph_vec *v, in
 
 /* The tree of all items; 0 if memory is out. */
 static int grow(struct sph_ref_tree *t, int kd) {
-    if (!kd)
-        build(t, 0, t->n_items);
-    else if (!(t->kd = sph_kd_new(t->items, t->n_items)))
-        return 0;
+    uint32_t more;
+    if (kd) return (t->kd = sph_kd_new(t->items, t->n_items)) != NULL;
+    boxes_of(t->n_items, &t->n_boxes, &more);
+#pragma omp parallel if (t->n_items > PARALLEL)
+#pragma omp single
+    build(t, 0, 0, t->n_items);
     return 1;
 }
 

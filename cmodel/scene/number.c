@@ -2,11 +2,13 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Up to 15 digits and a power of ten up to 10^22 are both exact doubles, so that one product or
- * quotient of them is correctly rounded. That covers nearly all scene files. Longer numbers go
- * through strtod.
+ * quotient of them is correctly rounded. That covers nearly all scene files. Of up to 19 digits and
+ * 10^27 a long double has the quotient within half of its own last bit, which is enough unless a
+ * double lies that near to the middle of two. The rest goes through strtod.
  */
 #include "scene/nff_lex.h"
 
+#include <float.h>
 #include <locale.h>
 #include <math.h>
 #include <stdlib.h>
@@ -18,6 +20,25 @@
 static const double power_of_ten[EXACT_POWER + 1] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                                      1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                                      1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
+/* The same of long doubles that have 64 bits: 5^27 < 2^64. */
+#define MOST_DIGITS 19
+#define MOST_POWER 27
+static const long double power_beyond[MOST_POWER - EXACT_POWER + 1] = {1e22L, 1e23L, 1e24L,
+                                                                       1e25L, 1e26L, 1e27L};
+
+/* whole * 10^exponent by long doubles; 0 if two doubles are about as near. */
+static int long_way(uint64_t whole, int exponent, double *size) {
+#if LDBL_MANT_DIG >= 64
+    int n = exponent < 0 ? -exponent : exponent;
+    long double power = n <= EXACT_POWER ? power_of_ten[n] : power_beyond[n - EXACT_POWER];
+    long double x = exponent < 0 ? whole / power : whole * power, off = x * LDBL_EPSILON;
+    *size = (double)(x + off);
+    return *size == (double)(x - off);
+#else
+    return (void)whole, (void)exponent, (void)size, 0;
+#endif
+}
 
 static int is_digit(char c) {
     return c >= '0' && c <= '9';
@@ -33,7 +54,7 @@ static double slow(const char *text) {
 
 int sph_parse_number(const char *text, double *value) {
     const char *c = text;
-    int64_t whole = 0;
+    uint64_t whole = 0;
     int any = 0, digits = 0, exponent = 0, shift = 0, negative = *c == '-';
     if (*c == '-' || *c == '+') c++;
     for (int point = 0; is_digit(*c) || (*c == '.' && !point); c++) {
@@ -43,7 +64,7 @@ int sph_parse_number(const char *text, double *value) {
         }
         any = 1;
         if (digits > 0 || *c != '0') digits++;
-        if (digits <= EXACT_DIGITS) whole = 10 * whole + (*c - '0');
+        if (digits <= MOST_DIGITS) whole = 10 * whole + (uint64_t)(*c - '0');
         shift -= point;
     }
     if (!any) return -1;
@@ -57,12 +78,12 @@ int sph_parse_number(const char *text, double *value) {
     }
     if (*c) return -1;
     exponent += shift;
-    if (digits <= EXACT_DIGITS && exponent >= -EXACT_POWER && exponent <= EXACT_POWER) {
-        double size = (double)whole;
-        size = exponent < 0 ? size / power_of_ten[-exponent] : size * power_of_ten[exponent];
-        *value = negative ? -size : size;
-    } else {
-        *value = slow(text);
-    }
+    double size = (double)whole;
+    int n = exponent < 0 ? -exponent : exponent;
+    if (digits <= EXACT_DIGITS && n <= EXACT_POWER)
+        size = exponent < 0 ? size / power_of_ten[n] : size * power_of_ten[n];
+    else if (digits > MOST_DIGITS || n > MOST_POWER || !long_way(whole, exponent, &size))
+        size = fabs(slow(text));
+    *value = negative ? -size : size;
     return fabs(*value) <= SPH_NUMBER_MAX ? 0 : -2;
 }

@@ -6,6 +6,7 @@
 #include <locale.h>
 
 #include "scene/generate.h"
+#include "scene/nff_lex.h"
 
 static void read_text(const char *text, int skip, struct sph_scene *scene) {
     struct sph_error err = {""};
@@ -77,6 +78,32 @@ static void test_write_error(void **state) {
     sph_scene_free(&s);
 }
 
+/* Numbers of more digits than a double are those of strtod. */
+static void test_digits(void **state) {
+    uint64_t random = 1;
+    (void)state;
+    for (int i = 0; i < 20000; i++) {
+        char text[64];
+        double value, wanted;
+        random = random * 6364136223846793005u + 1442695040888963407u;
+        int digits = 14 + (int)(random >> 40) % 8, power = (int)(random >> 50) % 60 - 30;
+        unsigned long long more = random ^ random >> 29, ends = i % 4 ? 0 : random >> 60;
+        /* in the middle of two doubles, or by a last digit beside it */
+        double whole = (double)(1ull << 53) + (double)(more >> 12);
+        if (i % 4)
+            snprintf(text, sizeof text, "-%.*s.%sE%d", digits, "1234567890123456789012", "5",
+                     power);
+        else
+            snprintf(text, sizeof text, "%.0f.%llu", whole, ends);
+        for (char *c = text; *c && i % 4 && *c != 'E'; c++)
+            if (*c >= '0' && *c <= '9') *c = (char)('0' + (more = more * 13 + 7, more >> 7) % 10);
+        assert_int_not_equal(sph_parse_number(text, &value), -1);
+        wanted = strtod(text, NULL);
+        if (memcmp(&value, &wanted, sizeof value))
+            fail_msg("%s is %a, not %a", text, value, wanted);
+    }
+}
+
 /* A locale with a decimal comma changes nothing. It is made here; skipped without the Debian
  * package locales. */
 static void test_locale(void **state) {
@@ -104,7 +131,8 @@ static void test_locale(void **state) {
 
 int main(void) {
     const struct CMUnitTest others[] = {
-        cmocka_unit_test(test_good), cmocka_unit_test(test_skip), cmocka_unit_test(test_round_trip),
-        cmocka_unit_test(test_write_error), cmocka_unit_test(test_locale)};
+        cmocka_unit_test(test_good),       cmocka_unit_test(test_skip),
+        cmocka_unit_test(test_round_trip), cmocka_unit_test(test_write_error),
+        cmocka_unit_test(test_locale),     cmocka_unit_test(test_digits)};
     return run_cases("scene", NULL, NULL, 0, others, sizeof others / sizeof others[0]);
 }
