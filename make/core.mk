@@ -32,7 +32,9 @@ LIB := $B/libsphaera.a
 CXXFLAGS := -std=c++17 -O2 -Wall -Wextra -Icmodel -Itb/core
 LIBS     := -fopenmp -pthread -ljansson -lm
 
-RTL_FILES := $(shell find $(RTL) -name '*.v' -o -name '*.vh')
+# what stands around a core is no part of it
+RTL_FILES := $(shell find $(RTL) \( -path $(RTL)/board -o -path $(RTL)/bus -o -path $(RTL)/top \
+                 -o -path $(RTL)/video \) -prune -o \( -name '*.v' -o -name '*.vh' \) -print)
 RTL_DIRS  := $(sort $(dir $(RTL_FILES)))
 SOURCES   := $(RTL_DIRS:%=-I%) $(sort $(filter %.v,$(RTL_FILES)))
 PARAMETERS := $(shell sh sim/profile.sh '$(PROFILE)') $(shell sh sim/parameters.sh '$(CORE)') \

@@ -14,6 +14,7 @@
 #include <stdlib.h>
 
 #include "builder/build.h"
+#include "sanitized.h"
 
 static uint64_t state = 1; /* of the generator: argument 1 of a test program */
 

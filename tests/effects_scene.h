@@ -106,11 +106,6 @@ static inline void print_tally(const struct tally *t) {
     assert_int_equal(t->wrong, 0);
 }
 
-/* The sanitizers slow frames down about tenfold. */
-#ifdef __SANITIZE_ADDRESS__
-enum { SLOW = 10 };
-#else
-enum { SLOW = 1 };
-#endif
+enum { SLOW = SANITIZED ? 10 : 1 };
 
 #endif

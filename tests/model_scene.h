@@ -16,6 +16,7 @@
 
 #include "builder/build.h"
 #include "core/render.h"
+#include "sanitized.h"
 
 /* One scene for each thing that can go wrong in a picture; from the root of the repository. */
 static const char *const model_scenes[] = {
@@ -49,11 +50,12 @@ static inline struct sph_scene facet_scene(int n) {
 }
 
 /* Frames of the comparisons; the sanitizers slow the naive model's memory down most. */
-#ifdef __SANITIZE_ADDRESS__
-enum { MODEL_W = 16, MODEL_H = 9, NAIVE_W = 6, NAIVE_H = 4, SANITIZED = 1 };
-#else
-enum { MODEL_W = 64, MODEL_H = 36, NAIVE_W = 32, NAIVE_H = 24, SANITIZED = 0 };
-#endif
+enum {
+    MODEL_W = SANITIZED ? 16 : 64,
+    MODEL_H = SANITIZED ? 9 : 36,
+    NAIVE_W = SANITIZED ? 6 : 32,
+    NAIVE_H = SANITIZED ? 4 : 24
+};
 
 /* A small frame with every effect; a scene may be too fine for a coarse profile: 0. */
 static inline int model_build(const struct sph_scene *scene, int profile, int tree, int background,

@@ -18,16 +18,12 @@
 
 #include "machine/layout.h"
 #include "machine/profile.h"
+#include "sanitized.h"
 #include "scene/rng.h"
 #include "prim/sphere.h"
 #include "trace/ray.h"
 
-/* The sanitizers look for other mistakes than wrong numbers: a share of the cases does for them. */
-#ifdef __SANITIZE_ADDRESS__
-enum { VEC_SHARE = 20 };
-#else
-enum { VEC_SHARE = 1 };
-#endif
+enum { VEC_SHARE = SANITIZED ? 20 : 1 };
 
 /* A generator with the seed of the environment, 1 by default, printed as a TAP comment. */
 static inline struct sph_rng vec_seed(const char *test) {

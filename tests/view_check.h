@@ -11,11 +11,7 @@
 #include "builder/grid.h"
 
 /* Random views of a test; the sanitizers slow them down. */
-#ifdef __SANITIZE_ADDRESS__
-enum { VIEWS = 200 };
-#else
-enum { VIEWS = 4000 };
-#endif
+enum { VIEWS = SANITIZED ? 200 : 4000 };
 
 /* Exact, from the definition: does the ray from eye along dir meet the inside of the ball ahead? */
 static inline int hits(const int32_t eye[3], const int64_t dir[3], const struct sph_ball *ball) {

@@ -95,7 +95,7 @@ static void test_containment(void **unused) {
 
 /* Spheres ever smaller and closer drive split trees deep; the stack must hold them all. */
 static void test_depth(void **unused) {
-    enum { N = 4000 };
+    enum { N = SANITIZED ? 500 : 4000 };
     static struct sph_ball balls[N];
     const int32_t eye[3] = {0};
     (void)unused;

@@ -61,8 +61,8 @@ for scene in scenes/*.nff; do
     scene_name=$(basename "$scene" .nff)
     for profile in draft standard fine reference; do
         case $profile in
-        draft) sizes='32x24 8x6 6x4' ;;
-        reference) sizes='32x24 6x4' ;;
+        draft) sizes='32x24 8x6 4x3' ;;
+        reference) sizes='32x24 4x3' ;;
         *) sizes=32x24 ;;
         esac
         for size in $sizes; do
@@ -74,7 +74,7 @@ for scene in scenes/*.nff; do
 done
 
 frames verilator 32x24 draft standard fine reference
-frames icarus 6x4 draft reference
+frames icarus 4x3 draft reference
 
 # Hard cases that are scenes; the one of two equal spheres is refused.
 hard=$machines/hard
@@ -91,8 +91,8 @@ for scene in tests/hard/scenes/*.nff; do
         wanted "verilator hard case $scene_name $profile" all SIM=verilator "$file"
         [ $profile = draft ] || continue
         little=$hard/$scene_name-little.sph
-        "$SPHAERA" build "$scene" --profile draft --size 5x4 -o "$little" >"$TMP/build" 2>&1 ||
-            check "hard case $scene_name 5x4" cat "$TMP/build"
+        "$SPHAERA" build "$scene" --profile draft --size 4x3 -o "$little" >"$TMP/build" 2>&1 ||
+            check "hard case $scene_name 4x3" cat "$TMP/build"
         wanted "icarus hard case $scene_name" all SIM=icarus "$little"
     done
 done
@@ -100,7 +100,7 @@ done
 # Bits of EFFECTS: 1 shadow, 2 reflect, 4 inside, 8 first, 16 interpenetrate. The paper's tree puts
 # spheres into any order, so its first hit is often not the nearest, and pixels start again.
 overlap=$machines/overlap-draft
-for size in 32x24 8x6; do
+for size in 32x24 5x4; do
     "$SPHAERA" build scenes/interpenetrating.nff --profile draft --tree paper --size $size \
         -o "$overlap-$size.sph" >"$TMP/build" 2>&1 || check "overlap $size" cat "$TMP/build"
 done
@@ -111,8 +111,8 @@ for bits in 0 3 9 13 15 16 23 28 30 31; do
     done
 done
 for bits in 3 28 31; do
-    wanted "icarus effects $bits overlap" all SIM=icarus "$overlap-8x6.sph" --reg 0=$bits
-    wanted "icarus effects $bits inside" all SIM=icarus "$machines/inside-draft-8x6.sph" \
+    wanted "icarus effects $bits overlap" all SIM=icarus "$overlap-5x4.sph" --reg 0=$bits
+    wanted "icarus effects $bits inside" all SIM=icarus "$machines/inside-draft-4x3.sph" \
         --reg 0=$bits
 done
 wanted "verilator effects 31 overlap two engines" all ENGINES=2 "$overlap-32x24.sph" --reg 0=31
@@ -121,9 +121,9 @@ wanted "verilator sphereflake2 draft two engines" all ENGINES=2 \
 # Pipes of an engine with their units, in both simulators: the same pixels and counters.
 wanted "verilator sphereflake2 draft four pipes" auto PIPES=4 \
     "$machines/sphereflake2-draft-32x24.sph"
-wanted "icarus overlap two pipes, one shading unit" all "SIM=icarus PIPES=2" "$overlap-8x6.sph" \
+wanted "icarus overlap two pipes, one shading unit" all "SIM=icarus PIPES=2" "$overlap-5x4.sph" \
     --reg 0=31
-wanted "icarus inside three pipes" auto "SIM=icarus PIPES=3" "$overlap-8x6.sph"
+wanted "icarus inside three pipes" auto "SIM=icarus PIPES=3" "$overlap-5x4.sph"
 wanted "verilator sphereflake2 standard warm caches" all SIM=verilator \
     "$machines/sphereflake2-standard-32x24.sph" --warm
 # Triangles and planes: every profile; two engines; a core without rays inside spheres; lines that
@@ -138,7 +138,7 @@ done
 [ -z "${ALL:-}" ] || wanted "icarus facets draft" all SIM=icarus "$facets-draft.sph"
 wanted "verilator facets two engines" all ENGINES=2 "$facets-draft.sph"
 wanted "verilator facets standard warm caches" all SIM=verilator "$facets-standard.sph" --warm
-"$SPHAERA" build scenes/facets/triangles.nff --profile draft --size 5x4 --depth 1 \
+"$SPHAERA" build scenes/facets/triangles.nff --profile draft --size 4x3 --depth 1 \
     --accel bvh4 -o "$facets-only.sph" >"$TMP/build" 2>&1 ||
     check "facets without spheres" cat "$TMP/build"
 wanted "icarus facets without spheres" auto SIM=icarus "$facets-only.sph"
@@ -200,8 +200,8 @@ for clock in 75 98 131:2 187 264:3; do
         --reset-at $clock --latency 2
 done
 
-# One width of its own, each knob once; the core is built with what the scene asks for.
-for knob in w=14 wd=19 pq=11 ng=0 fw=9 pr=12; do
+# Widths of its own, each knob once; the core is built with what the scene asks for.
+for knob in w=14,fw=9 wd=19,pr=12 pq=11,ng=0; do
     file=$machines/turned-$knob.sph
     "$SPHAERA" build scenes/inside.nff --profile standard:$knob --size 32x24 -o "$file" \
         >"$TMP/build" 2>&1 || check "standard:$knob" cat "$TMP/build"
@@ -238,8 +238,8 @@ fewer() { echo "$1 $2" && [ "$1" -gt 0 ] && [ "$1" -lt "$2" ]; }
 }
 
 # Two profiles without a name, the machine of one on the core of the other.
-[ -n "$CORE" ] || for built in "$BUILD"/sim/standard_pq11-*-O0/tb_core; do
+[ -n "$CORE" ] || for built in "$BUILD"/sim/standard_pq11_ng0-*-O0/tb_core; do
     fails_with 3 "refused: the core sets wrong_profile and gives no pixel; the machine was built \
-for profile standard:pr=12" "$built" --machine "$machines/turned-pr=12.sph"
+for profile standard:wd=19,pr=12" "$built" --machine "$machines/turned-wd=19,pr=12.sph"
 done
 done_testing

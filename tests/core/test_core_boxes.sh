@@ -15,17 +15,19 @@ start core_boxes
 every="--profile draft --accel box4" # what a run asks for itself counts more
 mixed=tests/scenes/facets/mixed.nff
 machine mixed $mixed --size 12x9 --depth 1
-machine little $mixed --size 5x4 --depth 1 # Icarus simulates a thousand clocks a second
-machine small scenes/sphereflake2.nff --size 10x7 --depth 1
-machine balls tests/scenes/texture/balls.nff --size 5x4
-machine optics tests/scenes/refraction/mixed.nff --size 3x2 --depth 3
+# Icarus simulates a thousand clocks a second, of four pipes a third of that
+machine little $mixed --size 5x4 --depth 1
+machine tiny $mixed --size 3x2 --depth 1
+machine small scenes/sphereflake2.nff --size 5x4 --depth 1
+machine balls tests/scenes/texture/balls.nff --size 3x2
+machine optics tests/scenes/refraction/mixed.nff --size 2x2 --depth 2
 for profile in standard fine reference; do
     machine mixed-$profile $mixed --profile $profile --size 3x2 --depth 1
 done
-machine wide scenes/paper100.nff --profile standard:w=14,wd=21,pr=12 --size 10x7
+machine wide scenes/paper100.nff --profile standard:w=14,wd=21,pr=12 --size 5x4
 machine four scenes/paper5.nff --accel bvh4 --size 16x12
 machine paper5 scenes/paper5.nff --size 16x12
-machine turned $mixed --size 7x5 --depth 1 --axes scene
+machine turned $mixed --size 5x4 --depth 1 --axes scene
 machine fine $mixed --size 3x2 --depth 1 --axes scene --profile fine
 
 wanted "verilator mixed" auto SIM=verilator mixed
@@ -33,14 +35,14 @@ wanted "icarus mixed" auto SIM=icarus little
 wanted "icarus sphereflake2, two engines" auto "SIM=icarus ENGINES=2" small
 wanted "icarus sphereflake2, four pipes, units of their own" auto \
     "SIM=icarus PIPES=4 EXACTS=4 SHADES=4" small
-wanted "icarus mixed, two engines of two pipes" auto "SIM=icarus ENGINES=2 PIPES=2" little
+wanted "icarus mixed, two engines of two pipes" auto "SIM=icarus ENGINES=2 PIPES=2" tiny
 wanted "icarus textures, three pipes" auto "SIM=icarus PIPES=3" balls
 wanted "icarus refraction, four pipes" auto "SIM=icarus PIPES=4 EXACTS=1 SHADES=2" optics
 wanted "icarus textures" auto SIM=icarus balls
 wanted "icarus a turned grid" auto SIM=icarus turned
 wanted "icarus a turned grid, fine" auto SIM=icarus fine
 wanted "icarus the camera's axes in a core for any" \
-    shadow+reflect1+lights2+inside+facets+turned+boxes SIM=icarus mixed
+    shadow+reflect1+lights2+inside+facets+turned+boxes SIM=icarus little
 wanted "icarus refraction" auto SIM=icarus optics
 wanted "icarus standard:w=14,wd=21,pr=12" auto SIM=icarus wide
 for profile in standard fine reference; do

@@ -4,7 +4,7 @@
 #
 # Every scene of scenes/effects/, listed with its options and what it asks for in effects.txt:
 #   - build finds that list, and with everything forced on the model draws the same picture;
-#   - cores elaborated for exactly that list, in Verilator (32x24) and in Icarus (6x4), and with
+#   - cores elaborated for exactly that list, in Verilator (32x24) and in Icarus (4x3), and with
 #     everything, in Verilator, equal the model bit for bit, with random latency and 30 % stalls;
 #   - the two cores' frames are equal in every field, and in counters and error bits.
 # Those that are listed as small or whole take smaller frames, and own cores in Icarus or none: a
@@ -65,7 +65,7 @@ build() {
 rm -rf "$here"
 mkdir -p "$here"
 while IFS='|' read -r title scene options list kind whole; do
-    large=32x24 little=6x4
+    large=32x24 little=4x3
     [ "$kind" = full ] || large=16x12
     more="$options --shadow=on --reflect=on --inside=on"
     case $options in *--traverse=first*) more="$more --interpenetrate=on" ;; esac

@@ -14,7 +14,7 @@ set -u
 . "$(dirname "$0")/../core_runs.sh"
 cd "$(dirname "$0")/../.." || exit 1
 start own_core
-size=48x36
+size=32x24
 
 whole() { # own list: `all`, with what it lacks
     # shellcheck disable=SC2046  # a list of words on purpose

@@ -18,12 +18,6 @@
 #include "scene/generate.h"
 #include "trace/traverse.h"
 
-#ifdef __SANITIZE_ADDRESS__
-enum { SANITIZED = 1 };
-#else
-enum { SANITIZED = 0 };
-#endif
-
 static int64_t whole(int64_t lo, int64_t hi) {
     return lo + (int64_t)(uniform() * (double)(hi - lo + 1));
 }
