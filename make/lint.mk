@@ -66,7 +66,8 @@ $B/lint/systemverilog: $(V_FILES) $(V_HEADS) $(V_BENCHES)
 	@mkdir -p $(@D)
 	$(Q)verilator --lint-only -Wall $(V_DIRS:%=-I%) --top-module rt_core $(V_FILES)
 	$(Q)(for f in "$(V_FILES)" $(V_BENCHES); do \
-	    iverilog -g2012 -Wall -t null -Y .v -Itb/core $(V_DIRS:%=-I%) $(V_DIRS:%=-y %) $$f || exit 1; \
+	    iverilog -g2012 -Wall -t null -Y .v -Itb/core -Itb/video $(V_DIRS:%=-I%) \
+	        $(V_DIRS:%=-y %) $$f || exit 1; \
 	    done) >$@.log 2>&1; rc=$$?; cat $@.log; [ $$rc = 0 ] && [ ! -s $@.log ]
 	@touch $@
 
@@ -77,7 +78,7 @@ $B/lint/slang: $(V_FILES) $(V_HEADS) $(V_BENCHES) lab/lint_slang.py
 	$(call lint_say,slang)
 	@mkdir -p $(@D)
 	$(Q)$(call where_installed,slang,python,$(LINT_VENV)/bin/python -m lab.lint_slang $(V_DIRS) \
-	    -- $(V_FILES) $(V_BENCHES))
+	    tb/video -- $(V_FILES) $(V_BENCHES))
 
 $B/lint/verible: $(V_FILES) .rules.verible_lint
 	$(call lint_say,Verible)

@@ -304,6 +304,9 @@ template <class Top> class Bench {
         }
         if (all_vectors && corner < std::size(corners)) fail("not all corners were driven");
     }
+    /* What a bench need not have for phases(). */
+    void phase() {}
+    void compare() {}
     /* Prints the TAP line; the exit status of main. */
     int finish() {
         dut.final();
@@ -339,6 +342,24 @@ template <class Top> class Bench {
         repeat();
     }
 };
+
+/* Traffic in phases, until all vectors are checked: phase() begins one; clock(true) may give new
+ * work, for `least` to `most` clocks; clock(false) gives none, until all_idle(), which must be so
+ * after `longest` clocks; compare() looks at what the phase added up. `lost` says what is missing
+ * if it is not so. */
+template <class Block>
+void phases(Block &b, int64_t least, int64_t most, uint64_t longest, const char *lost) {
+    while (b.more()) {
+        b.phase();
+        for (int64_t i = b.random.between(least, most); i && b.more(); i--)
+            b.clock(true);
+        uint64_t since = b.cycle;
+        while (!b.all_idle() && b.cycle - since < longest)
+            b.clock(false);
+        if (!b.all_idle()) return b.fail(lost);
+        b.compare();
+    }
+}
 
 } // namespace bench
 

@@ -189,19 +189,7 @@ class Prim : public bench::Bench<Vrt_prim> {
 int main(int argc, char **argv) {
     Prim b(argc, argv);
     b.reset();
-    while (b.more()) {
-        b.phase();
-        for (uint64_t i = b.random.between(100, 3000); i && b.more(); i--)
-            b.clock(true);
-        uint64_t since = b.cycle;
-        while (!b.all_idle() && b.cycle - since < 20000)
-            b.clock(false);
-        if (!b.all_idle()) {
-            b.fail("a result got lost");
-            break;
-        }
-        b.compare();
-    }
+    bench::phases(b, 100, 3000, 20000, "a result got lost");
     b.came();
     return b.finish();
 }

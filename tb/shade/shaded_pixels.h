@@ -126,7 +126,7 @@ class Shade : public bench::Bench<Top> {
             if (taken[unit]) put_record(unit, RT_RECORD_VALID, 0);
     }
 
-    bool all_free() const {
+    bool all_idle() const {
         for (const Slot &s : slots)
             if (s.used) return false;
         return true;
@@ -380,19 +380,7 @@ class Shade : public bench::Bench<Top> {
 int run(Shade &b) {
     b.reset();
     b.write_lights();
-    while (b.more()) {
-        b.phase();
-        for (uint64_t i = b.random.between(500, 5000); i && b.more(); i--)
-            b.clock(true);
-        uint64_t since = b.cycle;
-        while (!b.all_free() && b.cycle - since < 200000)
-            b.clock(false);
-        if (!b.all_free()) {
-            b.fail("a pixel got lost");
-            break;
-        }
-        b.compare();
-    }
+    bench::phases(b, 500, 5000, 200000, "a pixel got lost");
     return b.finish();
 }
 

@@ -219,13 +219,6 @@ class Rays : public bench::Bench<Vrt_rays> {
 int main(int argc, char **argv) {
     Rays b(argc, argv);
     b.reset();
-    while (b.more()) {
-        for (uint64_t i = b.random.between(1000, 5000); i && b.more(); i--)
-            b.clock(true);
-        uint64_t since = b.cycle;
-        while (!b.all_idle() && b.cycle - since < 100000)
-            b.clock(false);
-        if (!b.all_idle()) b.fail("a pixel got lost");
-    }
+    bench::phases(b, 1000, 5000, 100000, "a pixel got lost");
     return b.finish();
 }

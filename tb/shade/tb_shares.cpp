@@ -228,17 +228,6 @@ int main(int argc, char **argv) {
     b.dut.in_valid_i = 0;
     b.phase();
     b.reset();
-    while (b.more()) {
-        b.phase();
-        for (uint64_t i = b.random.between(1000, 5000); i && b.more(); i--)
-            b.clock(true);
-        uint64_t since = b.cycle;
-        while (!b.all_idle() && b.cycle - since < 20000)
-            b.clock(false);
-        if (!b.all_idle()) {
-            b.fail("a surface got lost");
-            break;
-        }
-    }
+    bench::phases(b, 1000, 5000, 20000, "a surface got lost");
     return b.finish();
 }

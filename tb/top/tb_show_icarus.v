@@ -95,18 +95,8 @@ module tb_show_icarus;
         end
     endtask
 
-    // ---- display: DVI 1.0 figure 3-6, and the four symbols of blanking ----
-    function [8:0] decode(input [9:0] symbol);   // the top bit: it is data
-        integer n;
-        reg [7:0] bits;
-        begin
-            bits = symbol[9] ? ~symbol[7:0] : symbol[7:0];
-            decode[0] = bits[0];
-            for (n = 1; n < 8; n = n + 1) decode[n] = bits[n] ^ bits[n-1] ^ !symbol[8];
-            decode[8] = symbol != 10'h354 && symbol != 10'h0ab && symbol != 10'h154
-                     && symbol != 10'h2ab;
-        end
-    endfunction
+    // ---- display ----
+    `include "tmds_decode.vh"
     wire [8:0]  b = decode(blue), g = decode(green), r = decode(red);
     wire [23:0] pixel = {r[7:0], g[7:0], b[7:0]};
     reg  [23:0] golden [0:`WIDTH*`HEIGHT-1];

@@ -203,19 +203,7 @@ int run(LeafVisits &b) {
     b.reset();
     for (int i = 0; i < 2 * SLOTS; i++)
         b.clock(false);
-    while (b.more()) {
-        b.phase();
-        for (uint64_t i = b.random.between(100, 3000); i && b.more(); i--)
-            b.clock(true);
-        uint64_t since = b.cycle;
-        while (!b.all_idle() && b.cycle - since < 20000)
-            b.clock(false);
-        if (!b.all_idle()) {
-            b.fail("a result or a record got lost");
-            break;
-        }
-        b.compare();
-    }
+    bench::phases(b, 100, 3000, 20000, "a result or a record got lost");
     return b.finish();
 }
 

@@ -230,18 +230,6 @@ class Bih : public bench::Bench<Vrt_bih> {
 int main(int argc, char **argv) {
     Bih b(argc, argv);
     b.reset();
-    while (b.more()) {
-        b.phase();
-        for (uint64_t i = b.random.between(50, 2000); i && b.more(); i--)
-            b.clock(true);
-        uint64_t since = b.cycle;
-        while (!b.all_idle() && b.cycle - since < 200000)
-            b.clock(false);
-        if (!b.all_idle()) {
-            b.fail("a ray got lost");
-            break;
-        }
-        b.compare();
-    }
+    bench::phases(b, 50, 2000, 200000, "a ray got lost");
     return b.finish();
 }

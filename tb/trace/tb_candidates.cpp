@@ -77,13 +77,6 @@ class Candidates : public bench::Bench<Vrt_candidates> {
 int main(int argc, char **argv) {
     Candidates b(argc, argv);
     b.reset();
-    while (b.more()) {
-        for (uint64_t i = b.random.between(100, 3000); i && b.more(); i--)
-            b.clock(true);
-        uint64_t since = b.cycle;
-        while (!b.all_idle() && b.cycle - since < 20000)
-            b.clock(false);
-        if (!b.all_idle()) b.fail("a candidate got lost");
-    }
+    bench::phases(b, 100, 3000, 20000, "a candidate got lost");
     return b.finish();
 }

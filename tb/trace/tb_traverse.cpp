@@ -24,6 +24,12 @@ class Traverse : public VisitRays {
   public:
     Traverse(int argc, char **argv) : VisitRays(argc, argv) {}
 
+    void phase() {
+        VisitRays::phase();
+        clock(false);
+        dut.flush_i = 0;
+    }
+
     /* go_on: rays start, and most of them visit another node. */
     void clock(bool go_on) {
         int asked = depth_slot;
@@ -182,20 +188,6 @@ class Traverse : public VisitRays {
 int main(int argc, char **argv) {
     Traverse b(argc, argv);
     b.reset();
-    while (b.more()) {
-        b.phase();
-        b.clock(false);
-        b.dut.flush_i = 0;
-        for (uint64_t i = b.random.between(50, 2000); i && b.more(); i--)
-            b.clock(true);
-        uint64_t since = b.cycle;
-        while (!b.all_idle() && b.cycle - since < 20000)
-            b.clock(false);
-        if (!b.all_idle()) {
-            b.fail("a visit got lost");
-            break;
-        }
-        b.compare();
-    }
+    bench::phases(b, 50, 2000, 20000, "a visit got lost");
     return b.finish();
 }

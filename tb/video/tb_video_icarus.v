@@ -72,18 +72,8 @@ module tb_video_icarus;
         .vsync_o(vsync), .tmds0_o(blue), .tmds1_o(green), .tmds2_o(red)
     );
 
-    // ---- display: DVI 1.0 figure 3-6, and the four symbols of blanking ----
-    function [8:0] decode(input [9:0] symbol);   // the top bit: it is data
-        integer i;
-        reg [7:0] bits;
-        begin
-            bits = symbol[9] ? ~symbol[7:0] : symbol[7:0];
-            decode[0] = bits[0];
-            for (i = 1; i < 8; i = i + 1) decode[i] = bits[i] ^ bits[i-1] ^ !symbol[8];
-            decode[8] = symbol != 10'h354 && symbol != 10'h0ab && symbol != 10'h154
-                     && symbol != 10'h2ab;
-        end
-    endfunction
+    // ---- display ----
+    `include "tmds_decode.vh"
     wire [8:0]  b = decode(blue), g = decode(green), r = decode(red);
     integer x = 0, y = 0, frames = 0, wrong = 0, blanks = 0;
     wire [31:0] expected = word(base + y * STRIDE + x * 4);

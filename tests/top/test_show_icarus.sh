@@ -17,7 +17,7 @@ made() {
     # shellcheck disable=SC2046  # lists of words
     iverilog -g2005 -DCORE_PARAMETERS="$core" -DWIDTH=8 -DHEIGHT=6 -Y .v -s tb_show_icarus \
         -o "$TMP/tb" $(find rtl -name '*.v*' -exec dirname {} + | sort -u | sed 's/.*/-I& -y&/') \
-        tb/top/tb_show_icarus.v
+        -Itb/video tb/top/tb_show_icarus.v
 }
 show() { # folder of the three files
     vvp -n "$TMP/tb" "+machine=$1/machine.hex" "+memory=$1/memory.hex" "+frame=$1/frame.hex" \

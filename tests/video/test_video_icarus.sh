@@ -7,7 +7,7 @@ set -u
 cd "$(dirname "$0")/../.." || exit 1
 show() { # a file of tb/video
     # shellcheck disable=SC2046  # lists of words
-    iverilog -g2005 -Wall -Y .v -s tb_video_icarus -o "$TMP/tb" \
+    iverilog -g2005 -Wall -Y .v -Itb/video -s tb_video_icarus -o "$TMP/tb" \
         $(find rtl -name '*.v*' -exec dirname {} + | sort -u | sed 's/.*/-I& -y&/') "$1" &&
         vvp -n "$TMP/tb" >"$TMP/said" && cat "$TMP/said" && grep -q '^ok' "$TMP/said"
 }
