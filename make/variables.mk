@@ -128,7 +128,7 @@ MINUTES ?= 10
 HARNESS ?=
 ## JOBS 1..1024 commands run at once
 JOBS ?= $(shell nproc)
-## OPT -O0|-O1|-O2|-O3| how hard the compiler works on a core (empty: -O1)
+## OPT -O0|-O1|-O2|-O3| of a core (empty: -O1, of frames from 640x360 on -O2)
 ## V 0|1 if 1, print whole commands
 V ?= 0
 ## B <word> folder of all that is built

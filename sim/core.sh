@@ -12,15 +12,16 @@
 # named: a list as sim/parameters.sh takes it; for a machine with a BIH all is all+bih, with boxes
 # all+boxes, of a turned grid +turned. A core with less than the machine asks for refuses it; the
 # harness says what is missing and ends with 3.
-# BUILD is the build folder, RTL another source folder, OPT the compiler's effort. BUILT=1 says that
-# all was just built: nothing is looked at, which takes longer than a small frame; BUILT=tools says
-# so of all but the core.
+# BUILD is the build folder, RTL another source folder, OPT the compiler's effort: -O1, or -O2 for
+# frames of 640x360 and more, which takes a second longer and simulates 1.2 times as fast. BUILT=1
+# says that all was just built: nothing is looked at, which takes longer than a small frame;
+# BUILT=tools says so of all but the core.
 set -eu
 cd "$(dirname "$0")/.."
 EFFECTS=${EFFECTS:-all} ENGINES=${ENGINES:-1} PIPES=${PIPES:-1}
 EXACTS=${EXACTS:-0} SHADES=${SHADES:-0}
 ROOT_STEP=${ROOT_STEP:-2} QUOTIENT_STEP=${QUOTIENT_STEP:-2}
-SIM=${SIM:-verilator} OPT=${OPT:--O1} WAVES=0
+SIM=${SIM:-verilator} OPT=${OPT:-} WAVES=0
 BUILD=${BUILD:-build}
 
 check() { [ -n "${BUILT:-}" ] || sh sim/check.sh "$@"; }
@@ -49,7 +50,8 @@ target() { # lock, target, variables
         -f make/core.mk B="$BUILD" "$@" "$goal" >&2
 }
 [ -f "$BUILD/libsphaera.a" ] || make -s B="$BUILD" "$BUILD/libsphaera.a" >&2
-target tools tools PROFILE=standard CORE=all WAVES=$WAVES OPT="$OPT" # whatever the environment has
+# whatever the environment has
+target tools tools PROFILE=standard CORE=all WAVES=$WAVES OPT="${OPT:--O1}"
 tool=$BUILD/sim/tb_core_icarus
 [ -n "$machine" ] && [ -z "$help" ] || exec "$tool" "$@"
 
@@ -59,7 +61,9 @@ profile=${info%% *}
 PROFILE=$profile SIM=$SIM ROOT_STEP=$ROOT_STEP QUOTIENT_STEP=$QUOTIENT_STEP \
     check ROOT_STEP QUOTIENT_STEP
 core=${info#* }
-core=${core%% *}
+size=${core#* } core=${core%% *}
+size=${size%% *}
+[ -n "$OPT" ] || { [ $((${size%x*} * ${size#*x})) -ge 230400 ] && OPT=-O2; } || OPT=-O1
 case $EFFECTS+$core in # what walks the machine's tree
 all+bih* | all+*+bih*) EFFECTS=all+bih ;;
 all+boxes* | all+*+boxes*) EFFECTS=all+boxes ;;
