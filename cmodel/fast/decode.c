@@ -107,8 +107,9 @@ static int decode(struct job *j, struct sph_fast *f) {
     f->nodes = aligned_alloc(sizeof *f->nodes, j->nodes * sizeof *f->nodes);
     f->leaves = malloc((j->leaves + 1) * sizeof *f->leaves);
     if (j->m->regs[SPH_REG_TREE] == SPH_TREE_BOX4) {
-        f->boxes = calloc(j->nodes, sizeof *f->boxes);
+        f->boxes = aligned_alloc(sizeof(int32_t[4]), j->nodes * sizeof *f->boxes);
         if (!f->boxes) return 0;
+        memset(f->boxes, 0, j->nodes * sizeof *f->boxes);
     }
     if (!f->nodes || !f->leaves) return 0;
     for (uint32_t line = 0; line < j->lines; line++)
@@ -157,20 +158,20 @@ static int decode_tree(struct job *j, struct sph_fast *f, int lanes) {
     f->walk = sph_fast_walk_plain;
     f->packet = &sph_packet_plain;
     f->lanes = "plain";
+    int boxes = j->m->regs[SPH_REG_TREE] == SPH_TREE_BOX4;
+    if (boxes) {
+        f->walk = sph_fast_walk_boxes;
+        f->packet = NULL;
+    }
 #if defined __x86_64__
     if (lanes == SPH_FAST_BEST && sph_fast_walk_avx2 && __builtin_cpu_supports("avx2")) {
-        f->walk = sph_fast_walk_avx2;
-        f->packet = sph_packet_avx2;
+        f->walk = boxes ? sph_fast_walk_boxes_avx2 : sph_fast_walk_avx2;
+        f->packet = boxes ? NULL : sph_packet_avx2;
         f->lanes = "avx2";
     }
 #else
     (void)lanes;
 #endif
-    if (j->m->regs[SPH_REG_TREE] == SPH_TREE_BOX4) {
-        f->walk = sph_fast_walk_boxes;
-        f->packet = NULL;
-        f->lanes = "boxes";
-    }
     return f->no_root || decode(j, f);
 }
 

@@ -44,12 +44,17 @@ struct sph_fast {
     const char *lanes;
 };
 
-/* The walks of a BIH, and of nodes of boxes. */
+/* The walks of a BIH, and of nodes of boxes, whose children are tested one after another or at
+ * once. NULL where the compiler knows no AVX2. */
 struct sph_hit sph_fast_walk_bih(const struct sph_fast *f, const struct sph_ray *ray,
                                  struct sph_counters *c, uint32_t *visits, uint32_t *errors);
 
 struct sph_hit sph_fast_walk_boxes(const struct sph_fast *f, const struct sph_ray *ray,
                                    struct sph_counters *c, uint32_t *visits, uint32_t *errors);
+extern struct sph_hit (*const sph_fast_walk_boxes_avx2)(const struct sph_fast *,
+                                                        const struct sph_ray *,
+                                                        struct sph_counters *, uint32_t *,
+                                                        uint32_t *);
 
 /* The walks of spheres: four children one after another, or at once. NULL where the compiler knows
  * no AVX2. */

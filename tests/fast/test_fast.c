@@ -83,7 +83,7 @@ static void compare(const struct sph_machine *m, const char *what) {
     struct sph_render_options literal = {
         .traverse = SPH_TRAVERSE_TREE, .threads = 1, .trails = e.trails};
     struct sph_fast *fast[LANES];
-    int ways = sph_machine_bih(m) || m->regs[SPH_REG_TREE] == SPH_TREE_BOX4 ? 1 : LANES;
+    int ways = sph_machine_bih(m) ? 1 : LANES;
     e.errors = sph_render(m, &literal, &e.frame, &e.c, NULL);
     for (int lanes = 0; lanes < ways; lanes++) {
         fast[lanes] = sph_fast_new(m, lanes);
