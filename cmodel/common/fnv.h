@@ -7,10 +7,11 @@
 #include <stdint.h>
 
 #define SPH_FNV_START 0xcbf29ce484222325u
+#define SPH_FNV_PRIME 0x100000001b3u
 
 static inline uint64_t sph_fnv(uint64_t hash, uint64_t value, int bytes) {
     for (int i = 0; i < bytes; i++)
-        hash = (hash ^ (value >> 8 * i & 255)) * 0x100000001b3u;
+        hash = (hash ^ (value >> 8 * i & 255)) * SPH_FNV_PRIME;
     return hash;
 }
 

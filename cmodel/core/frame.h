@@ -43,6 +43,12 @@ uint64_t sph_frame_hash(const struct sph_frame *frame);
  */
 uint64_t sph_frame_picture_hash(const struct sph_frame *frame);
 
+/* Both, in the time of one. */
+struct sph_hashes {
+    uint64_t frame, picture;
+};
+struct sph_hashes sph_frame_hashes(const struct sph_frame *frame);
+
 void sph_frame_free(struct sph_frame *frame);
 
 #endif

@@ -12,6 +12,8 @@
 #include "prim/sphere.h"
 #include "trace/node.h"
 
+enum { PARALLEL = 8192 }; /* nodes from which on threads share the work */
+
 /* What is found on the way: nodes that the root leads to, in the order of their lines, so that the
  * children of a node stay together. */
 struct job {
@@ -64,14 +66,14 @@ static void read_leaf(const struct job *j, const uint32_t *record, struct sph_fa
     leaf->record = 0;
 }
 
-/* Reads a node, with boxes unless that is NULL, its leaf records to number `leaf` and on; returns
- * how many they are. */
-static uint32_t read_node(const struct job *j, uint32_t line, uint32_t leaf, struct sph_fast *f,
-                          struct sph_fast_node *node, struct sph_fast_boxes *boxes) {
-    uint32_t base, n_inner, n_leaf;
+/* Reads a node whose first leaf record has its number, with boxes unless that is NULL, and its leaf
+ * records. */
+static void read_node(const struct job *j, uint32_t line, struct sph_fast *f,
+                      struct sph_fast_node *node, struct sph_fast_boxes *boxes) {
+    uint32_t base, n_inner, n_leaf, leaf = node->leaf;
     memset(node, 0, sizeof *node);
     node->bad = !head(j, line, &base, &n_inner, &n_leaf);
-    if (node->bad) return 0;
+    if (node->bad) return;
     node->leaf = leaf;
     node->n_inner = (uint8_t)n_inner;
     node->tests = (uint8_t)(n_inner + n_leaf);
@@ -93,7 +95,6 @@ static uint32_t read_node(const struct job *j, uint32_t line, uint32_t leaf, str
     }
     for (uint32_t i = 0; i < n_leaf; i++)
         read_leaf(j, sph_record(j->m, j->whole, base + n_inner, i), &f->leaves[leaf + i]);
-    return n_leaf;
 }
 
 /* 0 if memory is out. */
@@ -118,8 +119,13 @@ static int decode(struct job *j, struct sph_fast *f) {
             j->number[line] = at++;
         }
     f->root = j->number[root];
+    for (uint32_t i = 0, base, n_inner, n_leaf; i < j->nodes; i++) {
+        f->nodes[i].leaf = leaf;
+        if (head(j, j->waiting[i], &base, &n_inner, &n_leaf)) leaf += n_leaf;
+    }
+#pragma omp parallel for if (j->nodes > PARALLEL)
     for (uint32_t i = 0; i < j->nodes; i++)
-        leaf += read_node(j, j->waiting[i], leaf, f, &f->nodes[i], f->boxes ? &f->boxes[i] : NULL);
+        read_node(j, j->waiting[i], f, &f->nodes[i], f->boxes ? &f->boxes[i] : NULL);
     return 1;
 }
 

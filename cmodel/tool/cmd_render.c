@@ -190,7 +190,7 @@ static int render_built(const struct arguments *a, const struct tool_built *buil
     report_text(report, "traverse", traversals[a->traverse]);
     report_machine(report, &built->machine);
     report_build(report, built);
-    report_shot(report, &shot);
+    report_shot(a->json ? report : NULL, &shot);
     report_number(report, "seconds", seconds);
     report_number(report, "cpu_seconds", cpu);
     if (report_write(report, rc ? NULL : a->json, err)) rc = -1;

@@ -67,9 +67,10 @@ void print_shot(FILE *to, const struct sph_shot *shot, int counters) {
         for (int i = 0; i < SPH_COUNTERS; i++)
             if (sph_counter_both(i))
                 fprintf(to, "%-16s %12" PRIu64 "\n", names[i], shot->counters.count[i]);
+    struct sph_hashes hashes = sph_frame_hashes(&shot->frame);
     fprintf(to, "errors ");
     for (int i = 0; i < SPH_ERRORS; i++)
         if (shot->errors >> i & 1) fprintf(to, " %s", errors[i]);
     fprintf(to, "%s\npicture %016" PRIx64 "\nframe   %016" PRIx64 "\n", shot->errors ? "" : " none",
-            sph_frame_picture_hash(&shot->frame), sph_frame_hash(&shot->frame));
+            hashes.picture, hashes.frame);
 }

@@ -135,11 +135,12 @@ void report_shot(json_t *report, const struct sph_shot *shot) {
     char hash[17];
     if (!report) return;
     json_t *frame = json_object(), *counts = json_object();
-    snprintf(hash, sizeof hash, "%016" PRIx64, sph_frame_hash(&shot->frame));
+    struct sph_hashes hashes = sph_frame_hashes(&shot->frame);
+    snprintf(hash, sizeof hash, "%016" PRIx64, hashes.frame);
     report_count(frame, "width", (uint64_t)shot->frame.width);
     report_count(frame, "height", (uint64_t)shot->frame.height);
     report_text(frame, "hash", hash);
-    snprintf(hash, sizeof hash, "%016" PRIx64, sph_frame_picture_hash(&shot->frame));
+    snprintf(hash, sizeof hash, "%016" PRIx64, hashes.picture);
     report_text(frame, "picture_hash", hash);
     for (int i = 0; i < SPH_COUNTERS; i++)
         if (sph_counter_both(i)) report_count(counts, counters[i], shot->counters.count[i]);
