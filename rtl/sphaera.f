@@ -18,7 +18,6 @@ rtl/engine/rt_slots.v
 rtl/math/rt_delay.v
 rtl/math/rt_delay_valid.v
 rtl/math/rt_divide.v
-rtl/math/rt_divide_pool.v
 rtl/math/rt_isqrt.v
 rtl/math/rt_long_product.v
 rtl/math/rt_multiply.v

@@ -31,10 +31,18 @@ def parameters(key, built):
     interpenetrate = "INTERPENETRATE=1" in said.split()          # as the rules of rt_core.v
     pipes = values["PIPES"]
     values["SHADES"] = values["SHADES"] or (1 if interpenetrate else [1, 2, 2, 4][pipes - 1])
-    values["EXACTS"] = values["EXACTS"] or (2 if pipes > 2 and values["SHADES"] > 1 else 1)
+    values["BOXES"] = int("BOXES=1" in said.split())
+    values["EXACTS"] = values["EXACTS"] or (
+        values["SHADES"] if values["BOXES"] else 2 if pipes > 2 and values["SHADES"] > 1 else 1)
     values["SETUPS"] = values["SETUPS"] or (2 if pipes == 4 and values["EXACTS"] > 1 else 1)
     values["ROOTS"] = values["ROOTS"] or (3 if pipes == 1 else 6)
+    values["DIVISIONS"] = values["DIVISIONS"] or (3 if values["BOXES"] else 1)
     return values
+
+
+def facet(core, width):
+    """Clocks a test of a facet, as the rule of rt_core.v. width: W."""
+    return core["FACET_INTERVAL"] or (2 if core["BOXES"] or width < 18 else 4)
 
 
 def lines_of(count, core):
@@ -59,10 +67,10 @@ def units(count, machine, core):
         ("nodes", pipes, count["node_visits"] + count["pop_bubbles"], "a visit a clock"),
         ("spheres, exact", exacts, count["leaf_tests"] * core["LEAF_INTERVAL"] + hits * RECORD,
          f"a test every {core['LEAF_INTERVAL']} clocks, and records of what is seen"),
-        ("facets, exact", exacts, count["facet_tests"] * core["FACET_INTERVAL"],
-         f"a test every {core['FACET_INTERVAL']} clocks"),
+        ("facets, exact", exacts, count["facet_tests"] * facet(core, width["W"]),
+         f"a test every {facet(core, width['W'])} clocks"),
         ("keys of facets", exacts, count["divisions"] * division / core["DIVISIONS"],
-         f"{core['DIVISIONS']} dividers of {division} clocks"),
+         f"{core['DIVISIONS']} units of {division} clocks"),
         ("roots", exacts, count["roots"] * root / core["ROOTS"],
          f"{core['ROOTS']} units of {root} clocks"),
         ("set-up of rays", core["SETUPS"], vectors * core["UNIT_INTERVAL"] / core["UNITS"],

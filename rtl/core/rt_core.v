@@ -41,7 +41,7 @@ module rt_core #(
     parameter BOXES      = 0,    // 0 or 1: boxes around the children of a node, not spheres
     parameter ENGINES    = 1,    // 1..8: engines
     parameter PIPES      = 1,    // 1..4: traversal pipes an engine
-    parameter EXACTS     = 0,    // 0..4: leaf units an engine, 0: 2 for 3 and 4 pipes, else 1
+    parameter EXACTS     = 0,    // 0..4: leaf units, 0: 1, for 3 and 4 pipes 2, with BOXES SHADES
     parameter SHADES     = 0,    // 0..4: shading units an engine, 0: 1, 2, 2, 4 by PIPES
     parameter SETUPS     = 0,    // 0..2: set-up units an engine, 0: 2 for 4 pipes, else 1
     parameter SLOTS      = 64,   // 4..1024, power of two: rays in flight a pipe
@@ -53,12 +53,12 @@ module rt_core #(
     parameter TEXTURE_COORDS = 2, // 1..8: units for texture coordinates an engine
     parameter ROOTS      = 0,    // 0..8: square root units a leaf unit, 0: 6, for 1 pipe 3
     parameter QUOTIENTS  = 3,    // 1..8: dividers an engine
-    parameter DIVISIONS  = 1,    // 1..8: dividers an engine for the keys of facets
+    parameter DIVISIONS  = 0,    // 0..8: units for keys of facets a leaf unit, 0: 1, with BOXES 3
     parameter ROOT_STEP  = 2,    // 1..W+WD: root bits a clock
     parameter QUOTIENT_STEP = 2, // 1..PQ: quotient bits a clock
     parameter DIVISION_STEP = 2, // 1..W+WD: bits of a facet's key a clock
     parameter LEAF_INTERVAL = 2, // 2..4, power of two: clocks an exact test of a sphere
-    parameter FACET_INTERVAL = 2, // 1..4, power of two: clocks an exact test of a facet
+    parameter FACET_INTERVAL = 0, // 0..4, power of two: clocks a facet, 0: 2, wide without BOXES 4
     parameter UNITS      = 2,    // 1..2: units for unit vectors an engine
     parameter UNIT_INTERVAL = 2, // 2..4, power of two: clocks a vector of each
     parameter HIT_INTERVAL = 8,  // 8..12: clocks a hit point and its normal, 8 or 12
@@ -213,8 +213,14 @@ module rt_core #(
     // ---- units of an engine; numbers of its slots, {pipe, slot of its own} ----
     localparam SHADE_UNITS = SHADES != 0 ? SHADES : PIPES == 1 || INTERPENETRATE != 0 ? 1
                              : PIPES == 4 ? 4 : 2;
-    localparam LEAF_UNITS = EXACTS != 0 ? EXACTS : PIPES > 2 && SHADE_UNITS > 1 ? 2 : 1;
+    localparam LEAF_UNITS = EXACTS != 0 ? EXACTS : BOXES != 0 ? SHADE_UNITS
+                            : PIPES > 2 && SHADE_UNITS > 1 ? 2 : 1;
     localparam SETUP_UNITS = SETUPS != 0 ? SETUPS : PIPES == 4 && LEAF_UNITS > 1 ? 2 : 1;
+    // Behind boxes are triangles: tests and keys keep up with a visit a clock. Elsewhere a wide
+    // facet, whose operands exceed a multiplier of 18 bits, takes its time.
+    localparam KEY_UNITS = DIVISIONS != 0 ? DIVISIONS : BOXES != 0 ? 3 : 1;
+    localparam FACET_CLOCKS = FACET_INTERVAL != 0 ? FACET_INTERVAL
+                              : BOXES != 0 || W < 18 ? 2 : 4;
     localparam ROOT_UNITS = ROOTS != 0 ? ROOTS : PIPES > 1 ? 6 : 3;
     // Beside others a pipe sees fewer neighbours; block RAM has the room in any case.
     localparam NODE_UNIT = PIPES > 1 ? 2*NODE_LINES : NODE_LINES;
@@ -333,11 +339,11 @@ module rt_core #(
                         .TEXTURE_GROUP(TEXTURE_GROUP), .TEXTURE_COORDS(TEXTURE_COORDS),
                         .COARSE(COARSE),
                         .ROOTS(ROOT_UNITS), .QUOTIENTS(QUOTIENTS),
-                        .DIVISIONS(DIVISIONS), .ROOT_STEP(ROOT_STEP),
+                        .DIVISIONS(KEY_UNITS), .ROOT_STEP(ROOT_STEP),
                         .QUOTIENT_STEP(QUOTIENT_STEP), .LEAF_INTERVAL(LEAF_INTERVAL),
                         .UNITS(UNITS), .UNIT_INTERVAL(UNIT_INTERVAL),
                         .HIT_INTERVAL(HIT_INTERVAL), .BOUNCE_INTERVAL(BOUNCE_INTERVAL),
-                        .DIVISION_STEP(DIVISION_STEP), .FACET_INTERVAL(FACET_INTERVAL)) u_engine (
+                        .DIVISION_STEP(DIVISION_STEP), .FACET_INTERVAL(FACET_CLOCKS)) u_engine (
                 .clk(clk), .rst(rst), .flush_i(go && !keep_two_q), .busy_o(e_busy[e]),
                 .regs_i(regs), .light_i(light),
                 .in_valid_i(ray_valid && e_take[e]), .in_ready_o(e_ready[e]), .start_i(pixel),

@@ -469,12 +469,12 @@
     `RT_CHECK(TEXTURE_COORDS >= 1 && TEXTURE_COORDS <= 8, rt_core_TEXTURE_COORDS_must_be_1_to_8) \
     `RT_CHECK(ROOTS >= 0 && ROOTS <= 8, rt_core_ROOTS_must_be_0_to_8) \
     `RT_CHECK(QUOTIENTS >= 1 && QUOTIENTS <= 8, rt_core_QUOTIENTS_must_be_1_to_8) \
-    `RT_CHECK(DIVISIONS >= 1 && DIVISIONS <= 8, rt_core_DIVISIONS_must_be_1_to_8) \
+    `RT_CHECK(DIVISIONS >= 0 && DIVISIONS <= 8, rt_core_DIVISIONS_must_be_0_to_8) \
     `RT_CHECK(ROOT_STEP >= 1 && ROOT_STEP <= W+WD, rt_core_ROOT_STEP_must_be_1_to_W_plus_WD) \
     `RT_CHECK(QUOTIENT_STEP >= 1 && QUOTIENT_STEP <= PQ, rt_core_QUOTIENT_STEP_must_be_1_to_PQ) \
     `RT_CHECK(DIVISION_STEP >= 1 && DIVISION_STEP <= W+WD, rt_core_DIVISION_STEP_must_be_1_to_W_plus_WD) \
     `RT_CHECK(LEAF_INTERVAL >= 2 && LEAF_INTERVAL <= 4 && (LEAF_INTERVAL & (LEAF_INTERVAL - 1)) == 0, rt_core_LEAF_INTERVAL_must_be_a_power_of_two_from_2_to_4) \
-    `RT_CHECK(FACET_INTERVAL >= 1 && FACET_INTERVAL <= 4 && (FACET_INTERVAL & (FACET_INTERVAL - 1)) == 0, rt_core_FACET_INTERVAL_must_be_a_power_of_two_from_1_to_4) \
+    `RT_CHECK(FACET_INTERVAL >= 0 && FACET_INTERVAL <= 4 && (FACET_INTERVAL & (FACET_INTERVAL - 1)) == 0, rt_core_FACET_INTERVAL_must_be_a_power_of_two_from_0_to_4) \
     `RT_CHECK(UNITS >= 1 && UNITS <= 2, rt_core_UNITS_must_be_1_to_2) \
     `RT_CHECK(UNIT_INTERVAL >= 2 && UNIT_INTERVAL <= 4 && (UNIT_INTERVAL & (UNIT_INTERVAL - 1)) == 0, rt_core_UNIT_INTERVAL_must_be_a_power_of_two_from_2_to_4) \
     `RT_CHECK(HIT_INTERVAL >= 8 && HIT_INTERVAL <= 12, rt_core_HIT_INTERVAL_must_be_8_to_12) \

@@ -44,7 +44,7 @@ module rt_engine #(
     parameter COARSE     = 0,    // bits of a level's fraction that are rounded away
     parameter ROOTS      = 3,    // square root units
     parameter QUOTIENTS  = 3,    // dividers
-    parameter DIVISIONS  = 1,    // dividers for keys of facets
+    parameter DIVISIONS  = 1,    // units of a leaf unit for keys of facets
     parameter ROOT_STEP  = 2,    // root bits a clock
     parameter QUOTIENT_STEP = 2, // quotient bits a clock
     parameter DIVISION_STEP = 2, // bits of a facet's key a clock

@@ -13,12 +13,12 @@ module rt_divide #(
 ) (
     input  wire             clk,
     input  wire             rst,             // synchronous, active high
-    // from rt_facet
+    // from rt_facet_key
     input  wire             in_valid_i,
     output wire             in_ready_o,
     input  wire [DW+QW-1:0] in_x_i,          // u(DW+QW)
     input  wire [DW-1:0]    in_d_i,          // uDW, > 0
-    // to rt_facet
+    // to rt_facet_key
     output wire             out_valid_o,
     input  wire             out_ready_i,
     output wire [QW:0]      out_key_o        // u(QW+1)

@@ -22,7 +22,7 @@ module rt_facet #(
     parameter SHADOW = 1,                        // 1: some rays end at a light
     parameter INTERVAL = 2,                      // clocks a facet, 1, 2 or 4
     parameter STEP  = 2,                         // bits of a key a clock
-    parameter UNITS = 1                          // dividers
+    parameter UNITS = 1                          // of rt_facet_key, the first for planes too
 ) (
     input  wire                       clk,
     input  wire                       rst,       // synchronous, active high
@@ -208,7 +208,7 @@ module rt_facet #(
     wire hit   = !is_own && !s2_miss_q && (is_plane || !s2_out_q) &&
                  !(is_shadow && (s2_late_q || s2_behind));
     wire key   = hit && !is_shadow;
-    localparam KB = TAG + 2 + DW + MW + 2*WD + W + 1 + WD;
+    localparam KB = TAG + 2 + DW + MW + 2*WD + W + 1 + WD, KEYS = TAG + 1 + W + WD + 2;
     wire            k_in, d_in, k_valid, d_valid, p_valid;
     wire [KB-1:0]   k;
     wire [TAG+1:0]  d;
@@ -225,15 +225,41 @@ module rt_facet #(
         .in_data_i({!s2_neg_q, a_all[AB-1 -: TAG], hit}),
         .out_valid_o(d_valid), .out_ready_i(result_ready_i && !p_valid), .out_data_o(d)
     );
-    rt_facet_key #(.W(W), .WD(WD), .TAG(TAG+1), .DW(DW), .MW(MW), .STEP(STEP),
-                   .UNITS(UNITS)) u_key (
-        .clk(clk), .rst(rst), .in_valid_i(k_valid), .in_ready_o(divides),
-        .in_tag_i(k[KB-1 -: TAG+1]), .in_plane_i(k[DW+MW+2*WD+W+1+WD]),
-        .in_det_i(k[MW+2*WD+W+1+WD +: DW]), .in_num_i(k[2*WD+W+1+WD +: MW]),
-        .in_a_i(k[W+1+WD +: 2*WD]), .in_room_i(k[WD +: W+1]), .in_size_i(k[WD-1:0]),
-        .out_valid_o(p_valid), .out_ready_i(result_ready_i), .out_tag_o(p_tag),
-        .out_key_o(p_key), .divide_o(divide_o)
-    );
+    // ---- keys: the lowest unit that may takes a hit, the lowest that is done gives its key ----
+    localparam [UNITS-1:0] FIRST = 1;
+    wire [UNITS-1:0] ready, done;
+    wire             k_plane = k[DW+MW+2*WD+W+1+WD];
+    wire [UNITS-1:0] may  = ready & ({UNITS{!k_plane}} | FIRST);
+    wire [UNITS-1:0] take_k = may & (~may + 1'b1) & {UNITS{k_valid}};
+    wire [UNITS-1:0] give_k = done & (~done + 1'b1);
+    wire [UNITS*KEYS-1:0] all;                   // {tag, key} of the one that gives, 0 of others
+    reg  [KEYS-1:0]  one;
+    integer          i;
+    genvar           u;
+    generate
+        for (u = 0; u < UNITS; u = u + 1) begin : g_key
+            wire [TAG:0]     tag;
+            wire [W+WD+1:0]  value;
+            rt_facet_key #(.W(W), .WD(WD), .TAG(TAG+1), .DW(DW), .MW(MW), .STEP(STEP),
+                           .PLANES(u == 0 ? 1 : 0)) u_key (
+                .clk(clk), .rst(rst), .in_valid_i(take_k[u]), .in_ready_o(ready[u]),
+                .in_tag_i(k[KB-1 -: TAG+1]), .in_plane_i(k_plane),
+                .in_det_i(k[MW+2*WD+W+1+WD +: DW]), .in_num_i(k[2*WD+W+1+WD +: MW]),
+                .in_a_i(k[W+1+WD +: 2*WD]), .in_room_i(k[WD +: W+1]), .in_size_i(k[WD-1:0]),
+                .out_valid_o(done[u]), .out_ready_i(give_k[u] && result_ready_i),
+                .out_tag_o(tag), .out_key_o(value)
+            );
+            assign all[KEYS*u +: KEYS] = give_k[u] ? {tag, value} : {KEYS{1'b0}};
+        end
+    endgenerate
+    always @* begin
+        one = {KEYS{1'b0}};
+        for (i = 0; i < UNITS; i = i + 1) one = one | all[KEYS*i +: KEYS];
+    end
+    assign divides = |take_k;
+    assign divide_o = divides;
+    assign p_valid = |done;
+    assign {p_tag, p_key} = one;
     assign direct = d_valid && result_ready_i && !p_valid;
     assign result_o[`RT_RESULT_VALID] = p_valid || d_valid;
     assign {result_o[`RT_RESULT_FAR], result_o[`RT_RESULT_SLOT], result_o[`RT_RESULT_ID]} =

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //   key = ceil(a*num' / det'); a plane farther than the grid, num'*size > det'*room:
 //   key = ceil(a*room / size) + size - ceil(det'*room / num')
-// One hit after the other makes its products here, while dividers are at work for those before it;
-// a divider of its own ranks planes beyond the grid, one at a time. Keys leave in any order.
+// A hit makes its products here while the divider is at work for the one before it; another divider
+// ranks planes beyond the grid. Keys leave in the order of the hits. rt_facet has several of these.
 // Model: end() and sph_facet_key() in cmodel/prim/facet.c
 `timescale 1ns / 1ps
 `default_nettype none
@@ -14,11 +14,11 @@ module rt_facet_key #(
     parameter DW    = 50,                        // det', bits
     parameter MW    = 49,                        // num', bits
     parameter STEP  = 2,                         // bits of a key a clock
-    parameter UNITS = 1                          // dividers
+    parameter PLANES = 1                         // 1: planes too, 0: triangles alone
 ) (
     input  wire             clk,
     input  wire             rst,                 // synchronous, active high
-    // from rt_facet: a hit that stands still until it is taken
+    // from rt_facet: a hit
     input  wire             in_valid_i,
     output wire             in_ready_o,
     input  wire [TAG-1:0]   in_tag_i,
@@ -32,9 +32,7 @@ module rt_facet_key #(
     output wire             out_valid_o,
     input  wire             out_ready_i,
     output wire [TAG-1:0]   out_tag_o,
-    output wire [W+WD+1:0]  out_key_o,           // > 0
-    // event
-    output wire             divide_o             // a division begins
+    output wire [W+WD+1:0]  out_key_o            // > 0
 );
     localparam QW = W + WD + 1;                  // quotient
     localparam LW = DW > MW ? DW : MW;           // long factor
@@ -44,25 +42,43 @@ module rt_facet_key #(
     localparam [1:0] FACE = 2'd0, NEXT = 2'd1, KEY = 2'd2, ROOM = 2'd3; // products, as they come
     localparam [1:0] OF_DET = 2'd0, OF_NUM = 2'd1, OF_KEY = 2'd2;
 
-    // ---- products: det'*room and num'*size of a plane, a*num', and a*room if need be ----
+    // ---- the hit at hand ----
     reg  [2:0]       state_q;
+    reg  [TAG-1:0]   tag_q;
+    reg  [DW-1:0]    det_q;
+    reg  [MW-1:0]    num_q;
+    reg  [2*WD-1:0]  a_q;
+    reg  [W:0]       room_q;
+    reg  [WD-1:0]    size_q;
+    wire             begins  = in_valid_i && in_ready_o;
+    wire             plane   = PLANES != 0 && in_plane_i;
+    assign in_ready_o = state_q == IDLE;
+    always @(posedge clk) if (begins) begin
+        tag_q  <= in_tag_i;
+        det_q  <= in_det_i;
+        num_q  <= in_num_i;
+        a_q    <= in_a_i;
+        room_q <= in_room_i;
+        size_q <= in_size_i;
+    end
+
+    // ---- products: det'*room and num'*size of a plane, a*num', and a*room if need be ----
     reg  [1:0]       op_q;                       // factors that the product reads
     reg  [1:0]       came_q;                     // product that comes next
     reg              past_q, again_q;            // beyond the grid; a*room is under way
     reg  [LW+NW-1:0] face_q;                     // det'*room
-    wire             p_ready, p_done, rank_ready, divider, ranked;
+    wire             p_ready, p_done, rank_ready, divider;
     wire [LW+2*WD-1:0] product;
     wire [LW+NW-1:0] narrow;
-    wire             begins  = state_q == IDLE && in_valid_i;
     wire             ways    = state_q == WAY && p_ready;
     wire             scales  = state_q == SCALE && p_ready;
     wire             again   = state_q == WAIT && past_q && !again_q && p_ready && rank_ready;
     wire             divides = state_q == DIVIDE;
     always @(posedge clk) begin
         if (begins) begin
-            op_q    <= in_plane_i ? OF_DET : OF_KEY;
-            state_q <= in_plane_i ? WAY : WAIT;
-            came_q  <= in_plane_i ? FACE : KEY;
+            op_q    <= plane ? OF_DET : OF_KEY;
+            state_q <= plane ? WAY : WAIT;
+            came_q  <= plane ? FACE : KEY;
             past_q  <= 1'b0;
             again_q <= 1'b0;
         end
@@ -78,54 +94,69 @@ module rt_facet_key #(
         if (p_done) begin
             came_q <= came_q + 2'd1;
             if (came_q == FACE) face_q <= narrow;
-            if (came_q == NEXT) past_q <= face_q < narrow;
+            if (came_q == NEXT) past_q <= PLANES != 0 && face_q < narrow;
             if (came_q == KEY ? !past_q : came_q == ROOM) state_q <= DIVIDE;
         end
         if (divides && divider) state_q <= IDLE;
         if (rst) state_q <= IDLE;
     end
-    wire [W:0] room = in_room_i;
-    wire [LW-1:0] long = op_q == OF_DET ? {{(LW-DW){1'b0}}, in_det_i}
-                         : op_q == OF_KEY && past_q ? {{(LW-W-1){1'b0}}, room}
-                         : {{(LW-MW){1'b0}}, in_num_i};
-    wire [2*WD-1:0] short = op_q == OF_DET ? {{(2*WD-W-1){1'b0}}, room}
-                            : op_q == OF_NUM ? {{WD{1'b0}}, in_size_i} : in_a_i;
+    wire [1:0]    of = PLANES != 0 ? op_q : OF_KEY;
+    wire [LW-1:0] long = of == OF_DET ? {{(LW-DW){1'b0}}, det_q}
+                         : of == OF_KEY && past_q ? {{(LW-W-1){1'b0}}, room_q}
+                         : {{(LW-MW){1'b0}}, num_q};
+    wire [2*WD-1:0] short = of == OF_DET ? {{(2*WD-W-1){1'b0}}, room_q}
+                            : of == OF_NUM ? {{WD{1'b0}}, size_q} : a_q;
     rt_long_product #(.AW(LW), .BW(2*WD), .BN(NW)) u_product (
         .clk(clk), .rst(rst), .start_i(begins || ways || scales || again), .ready_o(p_ready),
-        .narrow_i(op_q != OF_KEY), .a_i(long), .b_i(short), .done_o(p_done), .p_o(product),
+        .narrow_i(of != OF_KEY), .a_i(long), .b_i(short), .done_o(p_done), .p_o(product),
         .narrow_o(narrow)
     );
 
-    // ---- order of planes beyond the grid ----
-    wire          k_valid, k_past, k_ready;
-    wire [WD:0]   rank;
-    reg  [WD-1:0] size_q;
-    always @(posedge clk) if (again) size_q <= in_size_i;
-    wire [MW+WD-1:0] face = {{(MW+WD-FW){1'b0}}, face_q[FW-1:0]};
-    rt_divide #(.DW(MW), .QW(WD), .STEP(1)) u_rank (
-        .clk(clk), .rst(rst), .in_valid_i(again), .in_ready_o(rank_ready),
-        .in_x_i(face), .in_d_i(in_num_i),
-        .out_valid_o(ranked), .out_ready_i(k_valid && k_past && out_ready_i), .out_key_o(rank)
-    );
-    wire [WD:0] add = {1'b0, size_q} - rank;
-
-    // ---- keys ----
-    wire [DW+QW-1:0]    x;
+    // ---- key ----
     wire [LW+2*WD+DW+QW-1:0] wide = {{(DW+QW){1'b0}}, product};
+    wire                k_valid, k_ready;
     wire [QW:0]         key;
-    assign x = wide[DW+QW-1:0];
-    rt_divide_pool #(.DW(DW), .QW(QW), .STEP(STEP), .UNITS(UNITS), .TAG(TAG+1)) u_pool (
+    reg                 k_past_q;
+    reg  [TAG-1:0]      k_tag_q;
+    rt_divide #(.DW(DW), .QW(QW), .STEP(STEP)) u_divide (
         .clk(clk), .rst(rst), .in_valid_i(divides), .in_ready_o(divider),
-        .in_tag_i({past_q, in_tag_i}), .in_x_i(x),
-        .in_d_i(past_q ? {{(DW-WD){1'b0}}, in_size_i} : in_det_i),
-        .out_valid_o(k_valid), .out_ready_i(k_ready), .out_tag_o({k_past, out_tag_o}),
-        .out_key_o(key)
+        .in_x_i(wide[DW+QW-1:0]), .in_d_i(past_q ? {{(DW-WD){1'b0}}, size_q} : det_q),
+        .out_valid_o(k_valid), .out_ready_i(k_ready), .out_key_o(key)
     );
-    assign k_ready     = out_ready_i && (!k_past || ranked);
-    assign out_valid_o = k_valid && (!k_past || ranked);
-    assign out_key_o   = key + (k_past ? {{(QW+1-WD){1'b0}}, add[WD-1:0]} : {(QW+1){1'b0}});
-    assign in_ready_o  = divides && divider;
-    assign divide_o    = in_ready_o;
-    wire unused = &{1'b0, face_q, wide, add[WD]};
+    always @(posedge clk) if (divides && divider) begin
+        k_past_q <= past_q;
+        k_tag_q  <= tag_q;
+    end
+    assign out_tag_o = k_tag_q;
+
+    // ---- order of planes beyond the grid ----
+    generate
+        if (PLANES != 0) begin : g_rank
+            wire             ranked;
+            wire [WD:0]      rank;
+            reg  [WD-1:0]    from_q;
+            wire [MW+WD-1:0] face = {{(MW+WD-FW){1'b0}}, face_q[FW-1:0]};
+            wire [WD:0]      add = {1'b0, from_q} - rank;
+            always @(posedge clk) if (again) from_q <= size_q;
+            rt_divide #(.DW(MW), .QW(WD), .STEP(1)) u_rank (
+                .clk(clk), .rst(rst), .in_valid_i(again), .in_ready_o(rank_ready),
+                .in_x_i(face), .in_d_i(num_q),
+                .out_valid_o(ranked), .out_ready_i(k_valid && k_past_q && out_ready_i),
+                .out_key_o(rank)
+            );
+            assign k_ready     = out_ready_i && (!k_past_q || ranked);
+            assign out_valid_o = k_valid && (!k_past_q || ranked);
+            assign out_key_o   = key + (k_past_q ? {{(QW+1-WD){1'b0}}, add[WD-1:0]}
+                                        : {(QW+1){1'b0}});
+            wire unused = add[WD];
+        end else begin : g_near
+            assign rank_ready  = 1'b0;
+            assign k_ready     = out_ready_i;
+            assign out_valid_o = k_valid;
+            assign out_key_o   = key;
+            wire unused = &{1'b0, k_past_q};
+        end
+    endgenerate
+    wire unused = &{1'b0, face_q, narrow, wide, in_plane_i, in_room_i, in_size_i};
 endmodule
 `default_nettype wire

@@ -42,7 +42,7 @@ module rt_top #(
     parameter BOXES      = 0,    // 0 or 1: boxes around the children of a node, not spheres
     parameter ENGINES    = 1,    // 1..8: engines
     parameter PIPES      = 1,    // 1..4: traversal pipes an engine
-    parameter EXACTS     = 0,    // 0..4: leaf units an engine, 0: 2 for 3 and 4 pipes, else 1
+    parameter EXACTS     = 0,    // 0..4: leaf units, 0: 1, for 3 and 4 pipes 2, with BOXES SHADES
     parameter SHADES     = 0,    // 0..4: shading units an engine, 0: 1, 2, 2, 4 by PIPES
     parameter SETUPS     = 0,    // 0..2: set-up units an engine, 0: 2 for 4 pipes, else 1
     parameter SLOTS      = 64,   // 4..1024, power of two: rays in flight a pipe
@@ -54,12 +54,12 @@ module rt_top #(
     parameter TEXTURE_COORDS = 2, // 1..8: units for texture coordinates an engine
     parameter ROOTS      = 0,    // 0..8: square root units a leaf unit, 0: 6, for 1 pipe 3
     parameter QUOTIENTS  = 3,    // 1..8: dividers an engine
-    parameter DIVISIONS  = 1,    // 1..8: dividers an engine for the keys of facets
+    parameter DIVISIONS  = 0,    // 0..8: units for keys of facets a leaf unit, 0: 1, with BOXES 3
     parameter ROOT_STEP  = 2,    // 1..W+WD: root bits a clock
     parameter QUOTIENT_STEP = 2, // 1..PQ: quotient bits a clock
     parameter DIVISION_STEP = 2, // 1..W+WD: bits of a facet's key a clock
     parameter LEAF_INTERVAL = 2, // 2..4, power of two: clocks an exact test of a sphere
-    parameter FACET_INTERVAL = 2, // 1..4, power of two: clocks an exact test of a facet
+    parameter FACET_INTERVAL = 0, // 0..4, power of two: clocks a facet, 0: 2, wide without BOXES 4
     parameter UNITS      = 2,    // 1..2: units for unit vectors an engine
     parameter UNIT_INTERVAL = 2, // 2..4, power of two: clocks a vector of each
     parameter HIT_INTERVAL = 8,  // 8..12: clocks a hit point and its normal, 8 or 12

@@ -26,7 +26,7 @@ module rt_exacts #(
     parameter INSIDE = 1,   // 1: rays that start inside a sphere
     parameter FACETS = 0,   // 1: triangles and planes too, a line a leaf
     parameter CLEAR  = 0,   // 1: shadow rays pass what is marked as clear
-    parameter DIVISIONS = 1, // dividers for their keys
+    parameter DIVISIONS = 1, // units for their keys
     parameter DIVISION_STEP = 2, // bits of a key a clock
     parameter FACET_INTERVAL = 2 // clocks an exact test of a facet: 1, 2 or 4
 ) (

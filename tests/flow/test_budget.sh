@@ -108,7 +108,7 @@ all-lights|$lights
 all-inside|rt_probe
 all-first|rt_probe
 all-interpenetrate|rt_probe
-all-facets|rt_facet rt_divide_pool
+all-facets|rt_facet rt_divide
 all-spans|rt_spans
 all-cones|rt_cone
 lights1|$mirrors rt_probe $ways
