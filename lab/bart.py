@@ -4,18 +4,19 @@
 """usage: python3 -m lab.bart PAGE FOLDER SIZE MHZ -- NAME:MIDDLE:FRAME,FRAME... ...
 FOLDER has what make/bart.mk says; what is not there is a dash, and a mean is that of the frames
 that are there. MHZ: the paper's clock."""
-import subprocess
 import sys
 from functools import lru_cache
 
 from .pages import data as tables
 from .pages.place import place
-from .report.units import LINE, parameters
+from .report.units import LINE, facet, parameters
 from .synth import report
 from .textures.page import DECISIONS, LINES, OPERATIONS, PAPER, WAYS, Data, area, levels, show
 
 KINDS = "primary", "shadow", "reflected"
 MIP = "off", "level", "between"
+PIPES = 1, 2, 4       # of cores that are compared
+WIDE = 24             # W of profile reference
 BEAT = 8              # bytes of an upload in a clock: `make sim TOP=1`
 THEIRS = 0.88 * 207360  # LUTs of the paper's Virtex-5 LX330 that it fills
 
@@ -34,12 +35,6 @@ class Frames(Data):
         """{frame: result} of those that are there."""
         found = {at: self.read(f"{name}-{at}{end}") for at in self.at[name]}
         return {at: run for at, run in found.items() if run}
-
-    def profile(self, name):
-        """That of all frames of a scene: of the first that is there, or standard."""
-        for run in self.all(name, ".json").values():
-            return run["machine"]["profile"].split(":")[0]
-        return "standard"
 
     def read(self, name):
         if name in (f"{scene}-level.json" for scene in self.names):
@@ -62,17 +57,23 @@ def mean(values):
 
 
 @lru_cache
-def facet(profile):
-    """Clocks of the facet unit for a test, in a core of the profile."""
-    pace = subprocess.run(["sh", "sim/profile.sh", profile], check=True,
-                          stdout=subprocess.PIPE, text=True).stdout.split()
-    given = dict(size.split("=") for size in pace)
-    return int(given.get("FACET_INTERVAL", parameters({}, "all")["FACET_INTERVAL"]))
+def core(pipes):
+    """Sizes of an engine of so many pipes that walks boxes."""
+    return parameters({"PIPES": pipes}, "shadow+facets+boxes")
 
 
-def least(count, profile):
-    """Clocks that one engine takes at least: a visit a clock, the facet unit's for each test."""
-    return max(count["node_visits"], facet(profile) * count["facet_tests"])
+def walk(count, pipes=1):
+    """Clocks that one engine takes at least: a visit a pipe a clock."""
+    return count["node_visits"] / pipes
+
+
+def tests(count, pipes=1):
+    """The same for tests of triangles in its leaf units."""
+    return count["facet_tests"] * facet(core(pipes), WIDE) / core(pipes)["EXACTS"]
+
+
+def least(count, pipes=1):
+    return max(walk(count, pipes), tests(count, pipes))
 
 
 def frames(data):
@@ -135,44 +136,46 @@ def caches(data):
     return report.table(["scene", "filter", "texels", "hits, %", "the paper's"], rows, left=2)
 
 
-def slower(run, profile):
+def slower(run, pipes=1):
     """How often the least clocks the RTL took, of the pixels that it drew."""
-    return run["cold"]["counters"]["cycles"] / least(run["cold"]["counters"], profile)
+    return run["cold"]["counters"]["cycles"] / least(run["cold"]["counters"], pipes)
 
 
-def engines(data):
+def slower_of(data, name, pipes=1):
+    """The mean of a scene's tiles."""
+    tiles = data.all(name, "-between.core.json" if pipes == 1 else f"-pipes{pipes}.core.json")
+    return mean(slower(run, pipes) for run in tiles.values())
+
+
+def engines(data, pipes):
     """Engines as large as the paper's machine."""
-    run = data.read("area.json")
-    if not run:
-        return None
-    core = run["runs"][0]
-    return THEIRS // core["core"]["lut"]
+    run = data.read("area.json") if pipes == 1 else None
+    return run and THEIRS // run["runs"][0]["core"]["lut"]
 
 
 def clocks(data):
     """Clocks a pixel: the least by the model's counters, and what the RTL's tiles make of it."""
-    rows, clock, many = [], tables.routed(), engines(data)
+    rows, clock = [], tables.routed()
+    many = {pipes: engines(data, pipes) for pipes in PIPES}
     for name in data.names:
-        drawn = data.all(name, ".json")
-        profile = data.profile(name)
-        bound = {at: least(run["counters"], profile) / data.pixels for at, run in drawn.items()}
-        tiles = data.all(name, "-between.core.json")
-        ratio = mean(slower(run, profile) for run in tiles.values())
-        took = mean(bound.values()) * (ratio or 1) if bound else None
+        drawn = [run["counters"] for run in data.all(name, ".json").values()]
+        for pipes in PIPES:
+            def each(what, pipes=pipes, drawn=drawn):
+                return [what(count, pipes) / data.pixels for count in drawn]
+            ratio = slower_of(data, name, pipes)
+            took = mean(each(least)) * (ratio or 1) if drawn else None
 
-        def rate(mhz, took=took):
-            return show(took and mhz * 1e6 / took / data.pixels, "{:.2f}")
-        at84 = took and data.mhz * 1e6 / took / data.pixels
-        rows.append([name] + [show(mean(run["counters"][what] / data.pixels * by
-                                        for run in drawn.values()), "{:.0f}")
-                              for what, by in (("node_visits", 1), ("facet_tests", facet(profile)))]
-                    + [show(max(bound.values(), default=None), "{:.0f}"), show(ratio, "{:.2f}"),
-                       show(took, "{:.0f}"), rate(data.mhz), rate(clock),
-                       show(at84 and many and at84 * many, "{:.2f}"), f"{PAPER[name][2][1]}"])
-    return report.table(["scene", "walk, clocks a pixel", "facet unit, clocks a pixel",
+            def rate(mhz, many=1, took=took):
+                return show(took and many and mhz * 1e6 / took / data.pixels * many, "{:.2f}")
+            rows.append([name if pipes == 1 else "", pipes]
+                        + [show(mean(each(what)), "{:.0f}") for what in (walk, tests)]
+                        + [show(max(each(least), default=None), "{:.0f}"),
+                           show(ratio, "{:.2f}"), show(took, "{:.0f}"), rate(data.mhz),
+                           rate(clock), rate(data.mhz, many[pipes]), f"{PAPER[name][2][1]}"])
+    return report.table(["scene", "pipes", "walk, clocks a pixel", "facet unit, clocks a pixel",
                          "worst time", "RTL over least", "clocks a pixel",
                          f"frames/s at {data.mhz:.0f} MHz", f"at {clock:g} MHz",
-                         f"{show(many and int(many))} engines, {data.mhz:.0f} MHz",
+                         f"{show(many[1] and int(many[1]))} engines, {data.mhz:.0f} MHz",
                          "the paper's"], rows)
 
 
@@ -203,14 +206,13 @@ def sequence(data):
     rows = []
     for name in data.names:
         run = data.read(f"{name}.sequence.json")
-        profile = data.profile(name)
-        ratio = mean(slower(r, profile) for r in data.all(name, "-between.core.json").values())
+        ratio = slower_of(data, name)
         for frame in run["frames"] if run else []:
             def ms(clock):
                 return f"{clock / data.mhz / 1000:.0f}"
             rows.append([name, frame["at"], frame["bases"]["computed"], frame["bases"]["kept"],
                          f"{1000 * frame['cpu_seconds']:.0f}", ms(frame["memory_bytes"] / BEAT),
-                         show(ratio and least(frame["counters"], profile) * ratio / data.mhz / 1000,
+                         show(ratio and least(frame["counters"]) * ratio / data.mhz / 1000,
                               "{:.0f}")])
     return report.table(["scene", "frame", "P_b made", "kept", "build, ms", "upload, ms",
                          "draw, ms"], rows)

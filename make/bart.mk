@@ -9,6 +9,7 @@
 #   NAME-AT-WAY.json           `sphaera texels`: levels, hits of caches; light rays fetch no texel
 #   NAME-AT-WAY.core.json      the RTL on BT_WINDOW of that frame, memory BT_MEMORY (WAY: between,
 #                              in the middle of the animation off and level too)
+#   NAME-AT-pipesN.core.json   the same in the middle by a core of N pipes
 #   NAME.levels.json           `sphaera accuracy` of a small frame: operations of a decision
 #   NAME.sequence.json         frames one behind the other: P_b kept, times
 #   area.json                  the kitchen's core in LUTs of the paper's FPGA
@@ -18,9 +19,10 @@ BT_NAMES  := kitchen robot museum
 BT_WAYS   := off level between
 BT_SIZE   := 800x480
 BT_SMALL  := 80x48
-BT_WINDOW := 380,228,420,252
+BT_WINDOW := 320,192,480,288
 # one core for all of them
 BT_CORE   := shadow+reflect2+lights6+facets+smooth+clear+turned+texture+boxes
+BT_PIPES  := 2 4
 BT_MEMORY := ddr3x16
 BT_MHZ    := 84
 # the scene, eight frames of its animation, the one in the middle, and some in a row
@@ -40,7 +42,9 @@ BT_OF     = $(foreach n,$(BT_NAMES),$(BT_AT_$n:%=$n-%))
 BT_DATA   = $(BT_OF:%=$(BT)/%.json) $(foreach w,$(BT_WAYS),$(BT_OF:%=$(BT)/%-$w.json)) \
             $(BT_OF:%=$(BT)/%-between.core.json) \
             $(foreach n,$(BT_NAMES),$(BT)/$n.levels.json $(if $(BT_ROW_$n),$(BT)/$n.sequence.json) \
-                $(foreach w,off level,$(BT)/$n-$(BT_MID_$n)-$w.core.json)) $(BT)/area.json
+                $(foreach w,off level,$(BT)/$n-$(BT_MID_$n)-$w.core.json) \
+                $(foreach p,$(BT_PIPES),$(BT)/$n-$(BT_MID_$n)-pipes$p.core.json)) \
+            $(BT)/area.json
 
 .PHONY: bart bart-page bart-folder
 bart: bart-folder $(TOOL) ## the texture paper's own scenes, docs/results/bart.md; an hour
@@ -78,6 +82,14 @@ $(BT)/$(1).sequence.json: $(BT)/$(1).profile
 endef
 $(foreach n,$(BT_NAMES),$(eval $(call bt_scene,$n)))
 
+# pipes
+define bt_sim
+$$(call say,SIM,$$(@F))
+	$$(Q)EFFECTS=$(BT_CORE) PIPES=$(1) BUILD=$B JOBS=1 sh sim/core.sh --machine $$< \
+	    --memory $(BT_MEMORY) --core-mhz $(BT_MHZ) --window $(BT_WINDOW) --watchdog 10000000 \
+	    --json $$@.tmp >$$@.log || { cat $$@.log; exit 1; }
+	@mv $$@.tmp $$@
+endef
 define bt_frame
 .PRECIOUS: $(foreach w,$(BT_WAYS),$(BT)/$(1)-$(2)-$w.sph)
 $(foreach w,$(BT_WAYS),$(BT)/$(1)-$(2)-$w.sph): $(BT)/$(1)-$(2)-%.sph: $(BT)/$(1).profile
@@ -95,11 +107,11 @@ $(foreach w,$(BT_WAYS),$(BT)/$(1)-$(2)-$w.json): $(BT)/$(1)-$(2)-%.json: $(BT)/$
 	    --filter $$(TEX_$$*) $(call bt_profile,$(1)) --json $$@ >$$(@:.json=.texels)
 
 $(foreach w,$(BT_WAYS),$(BT)/$(1)-$(2)-$w.core.json): %.core.json: %.sph $(V_FILES) $(V_HEADS)
-	$$(call say,SIM,$$(*F))
-	$$(Q)EFFECTS=$(BT_CORE) BUILD=$B JOBS=1 sh sim/core.sh --machine $$< --memory $(BT_MEMORY) \
-	    --core-mhz $(BT_MHZ) --window $(BT_WINDOW) --watchdog 10000000 --json $$@.tmp >$$@.log || { \
-	    cat $$@.log; exit 1; }
-	@mv $$@.tmp $$@
+	$(call bt_sim,1)
+
+$(foreach p,$(BT_PIPES),$(BT)/$(1)-$(2)-pipes$p.core.json): $(BT)/$(1)-$(2)-pipes%.core.json: \
+    $(BT)/$(1)-$(2)-between.sph $(V_FILES) $(V_HEADS)
+	$(call bt_sim,$$*)
 endef
 $(foreach n,$(BT_NAMES),$(foreach t,$(BT_AT_$n),$(eval $(call bt_frame,$n,$t))))
 
