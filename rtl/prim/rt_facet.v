@@ -33,7 +33,7 @@ module rt_facet #(
     output wire [`RT_RESULT_BITS-1:0] result_o,
     input  wire                       result_ready_i,
     // event
-    output wire                       divide_o   // a division begins
+    output wire                       divide_o   // a key begins
 );
     localparam TAG  = $clog2(SLOTS) + `RT_ID_BITS;       // {slot, id}
     localparam DW   = (2*W > 24 ? 2*W : 24) + WD + 1;    // det' (docs/model/facet.md)
