@@ -17,6 +17,7 @@ KINDS = "primary", "shadow", "reflected"
 MIP = "off", "level", "between"
 PIPES = 1, 2, 4       # of cores that are compared
 WIDE = 24             # W of profile reference
+TEXEL = 19 / 8        # clocks of rt_texel for one of the eight between two levels
 BEAT = 8              # bytes of an upload in a clock: `make sim TOP=1`
 THEIRS = 0.88 * 207360  # LUTs of the paper's Virtex-5 LX330 that it fills
 
@@ -72,8 +73,13 @@ def tests(count, pipes=1):
     return count["facet_tests"] * facet(core(pipes), WIDE) / core(pipes)["EXACTS"]
 
 
+def texels(count, pipes=1):
+    """The same for texels in its shading units."""
+    return count.get("texels", 0) * TEXEL / core(pipes)["SHADES"]
+
+
 def least(count, pipes=1):
-    return max(walk(count, pipes), tests(count, pipes))
+    return max(walk(count, pipes), tests(count, pipes), texels(count, pipes))
 
 
 def frames(data):
@@ -168,12 +174,12 @@ def clocks(data):
             def rate(mhz, many=1, took=took):
                 return show(took and many and mhz * 1e6 / took / data.pixels * many, "{:.2f}")
             rows.append([name if pipes == 1 else "", pipes]
-                        + [show(mean(each(what)), "{:.0f}") for what in (walk, tests)]
+                        + [show(mean(each(what)), "{:.0f}") for what in (walk, tests, texels)]
                         + [show(max(each(least), default=None), "{:.0f}"),
                            show(ratio, "{:.2f}"), show(took, "{:.0f}"), rate(data.mhz),
                            rate(clock), rate(data.mhz, many[pipes]), f"{PAPER[name][2][1]}"])
     return report.table(["scene", "pipes", "walk, clocks a pixel", "facet unit, clocks a pixel",
-                         "worst time", "RTL over least", "clocks a pixel",
+                         "texture unit, clocks a pixel", "worst time", "RTL over least", "clocks a pixel",
                          f"frames/s at {data.mhz:.0f} MHz", f"at {clock:g} MHz",
                          f"{show(many[1] and int(many[1]))} engines, {data.mhz:.0f} MHz",
                          "the paper's"], rows)
