@@ -108,6 +108,7 @@ class Core(Built):
         ("tests/scenes/refraction/mixed.nff", (), ()),
         ("scenes/paper100.nff", ("--background", "spans"), ("--warm",)),
         ("scenes/inside.nff", (), ("--reg", "0=3", "--life", "--cuts", "20")),
+        ("tests/scenes/texture/balls.nff", (), ("--life", "--window", "0,0,4,3", "--trials", "50")),
     )
 
     def __init__(self, effects, build):

@@ -4,11 +4,13 @@
 a bar, and the reason."""
 import collections
 import fnmatch
+import re
 import subprocess
 import sys
 
 from ..jobs import store
 from ..pages import data, place
+from .netlist import Fault
 
 PAGE = "docs/results/mutants.md"
 EQUIVALENT = "tests/mutants/equivalent.txt"
@@ -90,41 +92,57 @@ def tsv(name, head, rows):
                data.HEAD + "".join("\t".join(r) + "\n" for r in [head, *rows]))
 
 
-def write(tried, listed, seed):
-    found = verdicts(tried)
+def parse(name):
+    """The fault of a name."""
+    head, cell, nth, port, bit, mode, other = re.fullmatch(
+        r"(\S+ \S+) (.+)#(\d+) (\S+)\.(\d+) (\w+?)(?::(\d+))?", name).groups()
+    module, where = head.split()
+    return Fault(module, where, cell, int(nth), port, int(bit), mode, int(other or -1))
+
+
+def known():
+    """{fault: [verdict, bench, seconds]} as the page's list has them."""
+    return {parse(row[0]): row[1:] for row in data.read("mutants.faults")[1]}
+
+
+def tables(found):
+    """The tables of {fault: (verdict, bench, reason, seconds)}."""
     modules, folders = (collections.defaultdict(collections.Counter) for _ in range(2))
-    for fault, (verdict, _) in found.items():
+    for fault, (verdict, *_) in found.items():
         modules[fault.module][verdict] += 1
         folders[folder(fault.module)][verdict] += 1
     total = sum(folders.values(), collections.Counter())
     tsv("modules", ["module", *HEAD], [row(m, modules[m]) for m in sorted(modules)])
     tsv("faults", ["fault", "verdict", "by", "seconds"],
-        [[text(f), found[f][0], found[f][1] if found[f][0] != "equivalent" else tried[f][-1][0],
-          f"{sum(s for _, _, s in tried[f]):.2f}"] for f in sorted(found)])
-    why = collections.Counter(w for v, w in found.values() if v == "equivalent")
-    left = [[f"`{text(f)}`", found[f][1]] for f in sorted(found) if found[f][0] == "survived"]
-    tables = {
+        [[text(f), verdict, bench, seconds]
+         for f, (verdict, bench, _, seconds) in sorted(found.items())])
+    why = collections.Counter(w for v, _, w, _ in found.values() if v == "equivalent")
+    by = collections.Counter("the core" if bench.startswith("core/") else "a bench"
+                             for v, bench, *_ in found.values() if v in ("killed", "timeout"))
+    place.place(PAGE, {
         "folders": markdown(["rtl/", *HEAD], [row(n, folders[n]) for n in sorted(folders)]
-                            + [row("**all**", total)]),
+                            + [row("**all**", total)]).rstrip("\n"),
         "reasons": markdown(["faults", "why nothing can notice them"],
-                            [[str(n), w] for w, n in why.most_common()]),
-        "rounds": markdown(["killed by", "faults"], [
-            [name, str(n)] for name, n in collections.Counter(
-                ("home", "another line of its bench", "a bench above", "the core")[
-                    len(tried[f]) - 1]
-                for f, (v, _) in found.items() if v in ("killed", "timeout")).most_common()]),
-        "run": markdown(["seed", "faults listed", "run", "rounds of 4", "processor's minutes",
-                         "digest of rtl/", "day"],
-                        [[str(seed), str(listed), str(len(found)),
-                          str(max(map(len, tried.values()), default=0)),
-                          f"{sum(s for r in tried.values() for _, _, s in r) / 60:.0f}",
-                          store.digest(["rtl/*/*.v", "rtl/*/*.vh"])[:8],
-                          subprocess.run(["date", "-u", "+%F"], check=True, text=True,
-                                         stdout=subprocess.PIPE).stdout.strip()]]),
-    }
-    for name, table in tables.items():
-        place.place(PAGE, {name: table.rstrip("\n")})
-    print(f"mutants: {len(found)} of {listed}, {rate(total)} % of those that are not equivalent "
-          f"are killed, {len(left)} are left")
-    for fault, bench in left:
-        print(f"  {fault} {bench}")
+                            [[str(n), w] for w, n in why.most_common()]).rstrip("\n"),
+        "rounds": markdown(["killed by", "faults"],
+                           [[name, str(n)] for name, n in by.most_common()]).rstrip("\n")})
+    left = [text(f) for f in sorted(found) if found[f][0] == "survived"]
+    print(f"mutants: {rate(total)} % of those that are not equivalent are killed, "
+          f"{len(left)} are left", *left, sep="\n  ")
+
+
+def write(tried, listed, seed):
+    found = {}
+    for fault, (verdict, why) in verdicts(tried).items():
+        found[fault] = (verdict, tried[fault][-1][0], why,
+                        f"{sum(s for _, _, s in tried[fault]):.2f}")
+    tables(found)
+    place.place(PAGE, {"run": markdown(
+        ["seed", "faults listed", "run", "rounds of 4", "processor's minutes", "digest of rtl/",
+         "day"],
+        [[str(seed), str(listed), str(len(found)),
+          str(max(map(len, tried.values()), default=0)),
+          f"{sum(s for r in tried.values() for _, _, s in r) / 60:.0f}",
+          store.digest(["rtl/*/*.v", "rtl/*/*.vh"])[:8],
+          subprocess.run(["date", "-u", "+%F"], check=True, text=True,
+                         stdout=subprocess.PIPE).stdout.strip()]]).rstrip("\n")})

@@ -3,6 +3,8 @@
  */
 #include "damage.h"
 
+#include <algorithm>
+
 namespace {
 
 const int FEW_VISITS = 60; /* of a ray in a tree of random words, which may have circles */
@@ -25,6 +27,33 @@ int32_t any(Random &random, int64_t least, int64_t most) {
     }
 }
 
+void add(uint32_t *line, int lsb, int bits, uint32_t by) {
+    sph_field_set(line, lsb, bits, sph_field(line, lsb, bits) + by);
+}
+
+/* Lines that are named in nodes below one, whose own line stands where it is to be. */
+void move_nodes(sph_machine &m, uint32_t node, uint32_t by) {
+    uint32_t *line = line_of(m, node);
+    add(line, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS, by);
+    const uint32_t base = sph_field(line, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS);
+    for (uint32_t i = 0; i < sph_field(line, SPH_NODE_N_INNER_LSB, SPH_NODE_N_INNER_BITS); i++)
+        move_nodes(m, base + i, by);
+}
+
+/* ... in records and the mappings that they name, each once. */
+void move_textures(sph_machine &m, uint32_t by) {
+    std::vector<uint32_t> done;
+    for (int id = 0; id < m.regs[SPH_REG_N_PRIMS]; id++) {
+        uint32_t *line = line_of(m, static_cast<uint32_t>(m.regs[SPH_REG_PRIM_BASE] + id));
+        if (!sph_field(line, SPH_PRIM_TEX_LSB, SPH_PRIM_TEX_BITS)) continue;
+        add(line, SPH_PRIM_TEX_LSB, SPH_PRIM_TEX_BITS, by);
+        const uint32_t map = sph_field(line, SPH_PRIM_TEX_LSB, SPH_PRIM_TEX_BITS);
+        if (std::find(done.begin(), done.end(), map) != done.end()) continue;
+        done.push_back(map);
+        add(line_of(m, map), SPH_MAP_IMAGE_LSB, SPH_MAP_IMAGE_BITS, by);
+    }
+}
+
 bool legal(const sph_machine &m) {
     sph_error err = {{0}};
     return !sph_machine_validate(&m, &err);
@@ -38,6 +67,20 @@ Copy::Copy(const sph_machine &m, uint32_t more)
     machine.mem = words_.data();
     machine.lines += more;
     machine.regs[SPH_REG_MEM_LINES] += static_cast<int32_t>(more);
+}
+
+Moved::Moved(const sph_machine &m, uint32_t by) : machine(m) {
+    const size_t line = SPH_LINE_WORDS;
+    machine.lines += by;
+    machine.mem = static_cast<uint32_t *>(calloc(machine.lines * line, sizeof *m.mem));
+    if (!machine.mem) return;
+    std::copy(m.mem, m.mem + m.lines * line, machine.mem + by * line);
+    for (int number : {SPH_REG_ROOT, SPH_REG_PRIM_BASE, SPH_REG_MEM_LINES, SPH_REG_BG_BASE,
+                       SPH_REG_FACET_BASE, SPH_REG_SMOOTH_BASE, SPH_REG_LEAF_BASE})
+        machine.regs[number] += static_cast<int32_t>(by);
+    if (!sph_tree_bih(m.regs[SPH_REG_TREE]))
+        move_nodes(machine, static_cast<uint32_t>(machine.regs[SPH_REG_ROOT]), by);
+    if (sph_machine_effect(&m, SPH_EFFECT_TEXTURE)) move_textures(machine, by);
 }
 
 Event kind_of(const sph_machine &m, uint32_t line) {

@@ -4,6 +4,7 @@
 #ifndef TB_DAMAGE_H
 #define TB_DAMAGE_H
 
+#include <cstdlib>
 #include <vector>
 
 #include "events.h"
@@ -20,6 +21,17 @@ class Copy {
 
   private:
     std::vector<uint32_t> words_;
+};
+
+/* The machine that it was made of with all its lines so many lines further on: a large memory, of
+ * which what is not used takes no room. */
+class Moved {
+  public:
+    Moved(const sph_machine &m, uint32_t by);
+    ~Moved() { free(machine.mem); }
+    Moved(const Moved &) = delete;
+    Moved &operator=(const Moved &) = delete;
+    sph_machine machine; /* mem is null if there is no such memory */
 };
 
 /* What a line of memory holds: TREE_WORDS, RECORD_WORDS or OTHER_WORDS. */

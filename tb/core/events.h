@@ -45,6 +45,7 @@
     E(OTHER_WORDS, "... in facets, mappings, images, texels, tables")                              \
     E(REGISTERS, "registers with random legal values")                                             \
     E(REGISTER_WORDS, "registers with random words")                                               \
+    E(MOVED, "a machine far behind in a large memory")                                             \
     E(MEMORY_FULL, "MEM_LINES at the last line used")                                              \
     E(MEMORY_SHORT, "MEM_LINES one less")                                                          \
     E(VISITS_FULL, "VISIT_LIMIT just enough")                                                      \

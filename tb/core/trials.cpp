@@ -223,17 +223,21 @@ void Trials::blocked() {
 }
 
 void Trials::run() {
-    static const Trial trials[] = {
-        &Trials::reset,          &Trials::reset,        &Trials::reset,
-        &Trials::reset,          &Trials::reset,        &Trials::bus_error,
-        &Trials::bus_error,      &Trials::bus_error,    &Trials::bus_error,
-        &Trials::words,          &Trials::words,        &Trials::words,
-        &Trials::words,          &Trials::registers,    &Trials::registers,
-        &Trials::register_words, &Trials::keep_changed, &Trials::busy,
-        &Trials::at_once,        &Trials::silent,       &Trials::blocked,
-        &Trials::refused,        &Trials::windows,      &Trials::memory_ends,
-        &Trials::visits_end,     &Trials::stack_ends,   &Trials::another_machine,
-        &Trials::another_machine};
+    static const Trial trials[] = {&Trials::reset,           &Trials::reset,
+                                   &Trials::reset,           &Trials::reset,
+                                   &Trials::reset,           &Trials::bus_error,
+                                   &Trials::bus_error,       &Trials::bus_error,
+                                   &Trials::bus_error,       &Trials::words,
+                                   &Trials::words,           &Trials::words,
+                                   &Trials::words,           &Trials::registers,
+                                   &Trials::registers,       &Trials::register_words,
+                                   &Trials::moved,           &Trials::moved,
+                                   &Trials::keep_changed,    &Trials::busy,
+                                   &Trials::at_once,         &Trials::silent,
+                                   &Trials::blocked,         &Trials::refused,
+                                   &Trials::windows,         &Trials::memory_ends,
+                                   &Trials::visits_end,      &Trials::stack_ends,
+                                   &Trials::another_machine, &Trials::another_machine};
     const int kinds = static_cast<int>(sizeof trials / sizeof *trials);
     now_ = &subjects_.front();
     for (int64_t i = 0; i < o_.trials && player_.fine(); i++) {

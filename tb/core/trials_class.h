@@ -49,6 +49,7 @@ class Trials {
     void words();
     void registers();
     void register_words();
+    void moved();
     void memory_ends();
     void visits_end();
     void stack_ends();

@@ -89,6 +89,16 @@ void Trials::register_words() {
     clean("random words in registers", false);
 }
 
+void Trials::moved() {
+    const uint32_t bits = 1 + random_.below(25);
+    const Moved other(*now_->scene->machine, random_.below(1u << bits));
+    if (!other.machine.mem) return;
+    as_model(other.machine, "a machine further on in memory");
+    met(MOVED);
+    memory(*now_->scene->machine);
+    clean("a machine further on in memory", false);
+}
+
 void Trials::memory_ends() {
     Copy other(*now_->scene->machine);
     int32_t &lines = other.machine.regs[SPH_REG_MEM_LINES];

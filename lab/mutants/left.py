@@ -1,0 +1,38 @@
+# left.py - the faults that the page lists as left, tried again where checks are new
+# SPDX-License-Identifier: Apache-2.0
+"""usage: python3 -m lab.mutants.left BUILD [BENCH...]
+Each BENCH (tb_leaf/tiny, core/EFFECTS) tries all faults that are left in docs/results/data and fit
+into its netlist; without one, patterns of tests/mutants/equivalent.txt are looked at alone. The
+tables of docs/results/mutants.md are made anew. A fault whose line the source has no more keeps
+what is known of it."""
+import fnmatch
+import sys
+
+from . import benches, binary, page
+
+
+def main(build, *names):
+    found = page.known()
+    reasons = page.reasons()
+    for name in names:
+        bench = benches.named(name, build)
+        netlist = bench.netlist()
+        left = [f for f, (verdict, *_) in found.items()
+                if verdict == "survived" and any(netlist.places(f))]
+        for fault, (verdict, seconds) in binary.run(bench, left, netlist).items():
+            found[fault] = [verdict, name, f"{float(found[fault][2]) + seconds:.2f}"]
+            print(verdict, page.text(fault), flush=True)
+    told = {}
+    for fault, (verdict, bench, seconds) in found.items():
+        why = next((reason for pattern, reason in reasons
+                    if fnmatch.fnmatchcase(page.text(fault), pattern)), "")
+        if verdict in ("survived", "equivalent"):
+            verdict = "equivalent" if why else "survived"
+        told[fault] = verdict, bench, why, seconds
+    page.tables(told)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 2:
+        sys.exit(__doc__)
+    main(*sys.argv[1:])
