@@ -179,7 +179,8 @@ def clocks(data):
                            show(ratio, "{:.2f}"), show(took, "{:.0f}"), rate(data.mhz),
                            rate(clock), rate(data.mhz, many[pipes]), f"{PAPER[name][2][1]}"])
     return report.table(["scene", "pipes", "walk, clocks a pixel", "facet unit, clocks a pixel",
-                         "texture unit, clocks a pixel", "worst time", "RTL over least", "clocks a pixel",
+                         "texture unit, clocks a pixel", "worst time", "RTL over least",
+                         "clocks a pixel",
                          f"frames/s at {data.mhz:.0f} MHz", f"at {clock:g} MHz",
                          f"{show(many[1] and int(many[1]))} engines, {data.mhz:.0f} MHz",
                          "the paper's"], rows)

@@ -46,8 +46,8 @@ assert cells[4:9] == [first[1], "0", "0", "0", first[1]], cells
 END
 check "without the RTL the least" \
     has '^\| robot +\| +1 \|( +[0-9]+ \|){4} +- \|( +[0-9.]+ \|){3} +- \| +6.3 \|' "$page"
-sed -i 's/"node_visits": *[0-9]*/"node_visits": 51840/; s/"facet_tests": *[0-9]*/"facet_tests": 31104/' \
-    "$data"/robot-[34].json
+sed -i 's/"node_visits": *[0-9]*/"node_visits": 51840/' "$data"/robot-[34].json
+sed -i 's/"facet_tests": *[0-9]*/"facet_tests": 31104/' "$data"/robot-[34].json
 fill >"$TMP/text" 2>&1
 check "a visit a clock, a test every two; with two pipes half of it, with four a quarter" \
     python3 - "$page" <<'END'
@@ -75,7 +75,8 @@ check "frames a second, ten times as many at equal area" python3 - "$page" <<'EN
 import re, sys
 text = open(sys.argv[1], encoding="utf-8").read()
 row = re.findall(r"^\| robot +\| +1 \|(?: +[0-9]+ \|){4}.*6\.3 \|$", text, re.M)[0]
-walk, facets, texels, worst, ratio, took, rate, routed, many, paper = map(float, row.split("|")[3:-1])
+numbers = map(float, row.split("|")[3:-1])
+walk, facets, texels, worst, ratio, took, rate, routed, many, paper = numbers
 assert ratio == 2 and abs(took - 2 * worst) <= 2 and worst == max(walk, facets, texels), row
 assert 9.9 < many / rate < 10.2 and 84e6 / (took + 1) < rate * 48 * 27 < 84e6 / (took - 1), row
 END
