@@ -30,7 +30,7 @@ TEX_TRUTH  := 8
 TEX_SIZE   := $(TEX_WIDTH)x$(TEX_HEIGHT)
 TEX_RTL    := 160x90
 TEX_SLOW   := 200
-TEX_CORE   := shadow+reflect2+lights2+inside+facets+texture
+TEX_CORE   := shadow+reflect2+lights2+inside+facets+texture+spread
 # memory that is slow in bytes
 TEX_SMALL  := 80x45
 TEX_STALLS := 0 50 90

@@ -14,6 +14,7 @@
 #include "builder/emit.h"
 #include "builder/smooth.h"
 #include "builder/spans.h"
+#include "builder/spread.h"
 #include "builder/texture.h"
 #include "builder/warn.h"
 #include "texture/lookup.h"
@@ -222,6 +223,7 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
         sph_emit_smooth(scene, &grid, &plants, m, report, err) ||
         sph_emit_textures(scene, &grid, &plants, o, m, report, err))
         return -1;
+    sph_emit_spread(scene, &plants, o, m, report);
     snprintf(m->name, sizeof m->name, "%s", scene->name);
     m->grid_log2 = grid.log2;
     memcpy(m->origin, grid.origin, sizeof m->origin);

@@ -166,7 +166,8 @@ int sph_emit_effects(const struct sph_survey *survey, struct sph_machine *machin
     WHY(&effects[SPH_REPORT_TURNED], "the grid has the axes of the %s",
         s->grid->axes == SPH_AXES_SCENE ? "scene" : "camera");
     for (int i = 0; i < SPH_REPORTS; i++)
-        if (sph_parts[i].option == SPH_OPTION_WHEN && !effects[i].why[0]) find_none(s, i, report);
+        if (sph_parts[i].option == SPH_OPTION_WHEN && !effects[i].why[0] && i != SPH_REPORT_SPREAD)
+            find_none(s, i, report); /* spread is settled behind textures */
     warn_missing(s->scene, &lights, report);
     regs[SPH_REG_MAX_DEPTH] = s->refracts ? s->options->max_depth : effects[SPH_REPORT_REFLECT].on;
     regs[SPH_REG_EFFECTS] = 0;

@@ -164,6 +164,7 @@ int sph_estimate(const struct sph_scene *scene, const struct sph_build_options *
                                         .refract = o->refract != SPH_OFF,
                                         .specular = o->specular != SPH_OFF,
                                         .filter = o->tex_filter,
+                                        .spread = o->spread != SPH_OFF,
                                         .mips = o->texture != SPH_OFF ? o->mips : NULL};
     struct sph_ref_job j = {.scene = scene, .o = &how};
     struct sph_waver w[SPH_ESTIMATES];
@@ -182,8 +183,8 @@ int sph_estimate(const struct sph_scene *scene, const struct sph_build_options *
     for (int p = 0; p < some; p++)
         w[p].tree = tree;
     j.tree = tree;
-    j.textures =
-        (struct sph_ref_textures){scene, how.mips, how.filter, how.lod, j.view.screen, pixels};
+    j.textures = (struct sph_ref_textures){scene,         how.mips, how.filter, how.lod,
+                                           j.view.screen, pixels,   how.spread};
     int by = (int)ceil(sqrt(pixels / SAMPLE));
     samples = ((how.width - 1 - by / 2) / by + 1) * ((how.height - 1 - by / 2) / by + 1);
     int rc = tree ? add(&j, w, some, by, sums) : -1;

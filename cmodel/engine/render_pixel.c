@@ -53,6 +53,13 @@ static void surface(const struct sph_job *j, const struct sph_ray *ray, const st
     j->c->count[SPH_COUNT_SATURATIONS] += (uint64_t)saturated;
 }
 
+/* How a surface spreads the rays that leave it; 0 without SPREAD. */
+static uint32_t bend_of(const struct sph_job *j, const uint32_t *prim) {
+    return sph_machine_effect(j->m, SPH_EFFECT_SPREAD)
+               ? sph_field(prim, SPH_PRIM_BEND_LSB, SPH_PRIM_BEND_BITS)
+               : 0;
+}
+
 /* What the surface's colour is multiplied by, 0xAABBGGRR: white without texture. path: from the eye
  * to the hit. */
 static uint32_t texel(const struct sph_job *j, const struct sph_hit *hit, const uint32_t *prim,
@@ -105,6 +112,8 @@ struct branch {
     uint32_t weight; /* u1.16 */
     int depth;
     uint64_t length; /* of the path to its origin */
+    int spread;      /* at the surface that it left, and how that bends it; with SPREAD */
+    uint32_t bend;
 };
 
 /* What leaves a surface: a mirror ray, a refracted ray, or both. */
@@ -139,7 +148,8 @@ static struct leaving shade(const struct sph_job *j, struct branch *at, const st
     if (prim) {
         look = sph_look_read(j->m, prim);
         surface(j, &at->ray, hit, prim, s);
-        at->length = sph_path_add(j->p, &at->ray, hit->key, at->length);
+        at->spread = sph_spread(at->length, at->spread, at->bend);
+        at->length = sph_path_add(j->p, &at->ray, hit->key, at->length, at->spread);
         uint32_t tint = texel(j, hit, prim, s, at->length);
         sph_job_light(j, &at->ray, hit, s, &look, tint, colour, trail);
         l = leave(j, at, hit, s, &look);
@@ -159,7 +169,7 @@ static struct leaving shade(const struct sph_job *j, struct branch *at, const st
 static int path(const struct sph_job *j, struct sph_ray ray) {
     struct sph_surface s = {0};
     struct sph_shares shares = {{{0}}};
-    struct branch at = {ray, 1u << 16, 0, 0}, waiting[SPH_MAX_DEPTH];
+    struct branch at = {ray, 1u << 16, 0, 0, 0, 0}, waiting[SPH_MAX_DEPTH];
     int n_waiting = 0; /* the deepest last */
     if (j->trail) *j->trail = no_trail;
     if (j->log) j->log->depth = 0;
@@ -174,15 +184,21 @@ static int path(const struct sph_job *j, struct sph_ray ray) {
         int last = !l.kr && !l.kt;
         int probe = prim && at.ray.first && sph_machine_effect(j->m, SPH_EFFECT_INTERPENETRATE);
         if (last && !probe && !n_waiting) break;
-        struct branch refracted_ray = {l.refracted, sph_share(at.weight, l.kt), at.depth + 1,
-                                       at.length};
+        uint32_t bend = prim ? bend_of(j, prim) : 0;
+        struct branch refracted_ray = {l.refracted,  sph_share(at.weight, l.kt),
+                                       at.depth + 1, at.length,
+                                       at.spread,    bend && hit.far ? bend + SPH_BEND_THROUGH : 0};
         uint32_t id = hit.id;
         if (last && !probe) {
             at = waiting[--n_waiting];
         } else if (l.kr || probe) {
             if (l.kt) waiting[n_waiting++] = refracted_ray;
-            at = (struct branch){reflected(j, &at.ray, &hit, &s), sph_share(at.weight, l.kr),
-                                 at.depth + 1, at.length};
+            at = (struct branch){reflected(j, &at.ray, &hit, &s),
+                                 sph_share(at.weight, l.kr),
+                                 at.depth + 1,
+                                 at.length,
+                                 at.spread,
+                                 bend};
         } else {
             at = refracted_ray;
         }

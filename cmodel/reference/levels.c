@@ -25,6 +25,25 @@ static void add_slant(struct sph_levels *e, const struct sph_reference_pixel *q)
     s->bmrt += q->lod[SPH_LOD_BMRT] - rays;
 }
 
+/* `lod` of the machine; sums of the error and of its square, until they are finished. */
+static void add_error(struct sph_levels *e, const struct sph_reference_pixel *q, double lod) {
+    struct sph_level_error *to = &e->error[q->via];
+    double off = lod - q->lod[SPH_LOD_RAYS];
+    if (limited(q->lod[SPH_LOD_RAYS])) return;
+    to->pixels++;
+    to->mean += off;
+    to->deviation += off * off;
+}
+
+static void finish_errors(struct sph_levels *e) {
+    for (int via = 0; via < SPH_VIAS; via++) {
+        struct sph_level_error *to = &e->error[via];
+        double n = to->pixels ? (double)to->pixels : 1;
+        to->mean /= n;
+        to->deviation = sqrt(fmax(0, to->deviation / n - to->mean * to->mean));
+    }
+}
+
 static void finish_slants(struct sph_levels *e) {
     for (int i = 0; i < SPH_VIAS * SPH_SLANTS; i++) {
         struct sph_slant *s = &e->slant[i / SPH_SLANTS][i % SPH_SLANTS];
@@ -44,6 +63,7 @@ struct sph_levels sph_levels_measure(const struct sph_frame *frame,
         if (lod == SPH_LOD_NONE || !q->textured || p->id != q->id) continue;
         double off = fabs(lod / 256.0 - q->lod[SPH_LOD_MENDED]);
         add_slant(&e, q);
+        add_error(&e, q, lod / 256.0);
         e.pixels++;
         e.model_mean += off;
         e.model_worst = fmax(e.model_worst, off);
@@ -59,5 +79,6 @@ struct sph_levels sph_levels_measure(const struct sph_frame *frame,
     for (int k = 0; k < SPH_LODS; k++)
         e.mean[k] /= n, e.off[k] /= n, e.within_half[k] /= n;
     finish_slants(&e);
+    finish_errors(&e);
     return e;
 }

@@ -18,6 +18,12 @@ struct sph_slant {
     double path_low, path_top; /* path: least and most */
 };
 
+/* The machine's own level less that of ray differentials, which no image limits. */
+struct sph_level_error {
+    uint64_t pixels;
+    double mean, deviation;
+};
+
 struct sph_levels {
     uint64_t pixels;              /* that see the same primitive, and a texture, in both */
     double model_mean;            /* machine's lod against SPH_LOD_MENDED: mean of what it is off */
@@ -26,6 +32,7 @@ struct sph_levels {
     double off[SPH_LODS];         /* mean of the amount */
     double within_half[SPH_LODS]; /* share of pixels off by at most half a level */
     struct sph_slant slant[SPH_VIAS][SPH_SLANTS];
+    struct sph_level_error error[SPH_VIAS];
 };
 
 /* Frame and reference of one scene, size and image; all zero without such pixels. */

@@ -13,7 +13,7 @@ void sph_ref_path_start(struct sph_ref_path *path, const double dir[3], const do
                         const double up[3]) {
     const double *const step[2] = {right, up};
     double square = dot(dir, dir), cube = square * sqrt(square);
-    *path = (struct sph_ref_path){0};
+    *path = (struct sph_ref_path){.spread = 1};
     for (int k = 0; k < 2; k++)
         for (int i = 0; i < 3; i++)
             path->dir[k][i] = (square * step[k][i] - dot(dir, step[k]) * dir[i]) / cube;
@@ -31,6 +31,7 @@ void sph_ref_path_hit(struct sph_ref_path *path, const double dir[3], double t,
             path->org[k][i] = moved[i] + more * dir[i];
     }
     path->length += away;
+    path->wide += away * path->spread;
 }
 
 void sph_ref_path_mirror(struct sph_ref_path *path, const double dir[3], const double normal[3],
@@ -40,6 +41,7 @@ void sph_ref_path_mirror(struct sph_ref_path *path, const double dir[3], const d
         d[i] = dir[i] / length;
         n[i] = normal[i] / size;
     }
+    path->spread += 4 * fabs(curvature) * path->wide;
     for (int k = 0; k < 2; k++) {
         double dn[3];
         for (int i = 0; i < 3; i++)
@@ -57,6 +59,7 @@ void sph_ref_path_refract(struct sph_ref_path *path, const double dir[3], const 
         d[i] = dir[i] / length;
         n[i] = normal[i] / size;
     }
+    if (curvature < 0) path->spread -= curvature * path->wide;
     double dn = dot(d, n), out = -sqrt(1 - ratio * ratio * (1 - dn * dn)); /* cosine behind */
     double mu = ratio * dn - out, steep = ratio - ratio * ratio * dn / out;
     for (int k = 0; k < 2; k++) {

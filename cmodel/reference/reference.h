@@ -28,6 +28,7 @@ struct sph_reference_options {
         *world;                 /* NULL, or pixels are marked that see planes in a wrong light */
     const struct sph_mip *mips; /* images of the scene; NULL: none are shown */
     int filter, lod;            /* SPH_FILTER_*; SPH_LOD_*: the level that colours see */
+    int spread;                 /* 1: spheres spread what SPH_LOD_MENDED goes by, as with SPREAD */
     int kd;                     /* 1: rays go through a kd-tree */
     struct sph_ref_work *work;  /* NULL, or what the tree does, with one thread */
 };

@@ -49,6 +49,7 @@ static void levels(const struct sph_ref_textures *r, const struct sph_mip *mip, 
     c->side[0] = mip->width, c->side[1] = mip->height;
     sph_choose_all(c, &view, work, way);
     lod[SPH_LOD_MENDED] = way[SPH_WAY_KEPT];
+    if (r->spread) lod[SPH_LOD_MENDED] += log2(path->wide / path->length);
     lod[SPH_LOD_BMRT] = way[SPH_WAY_BMRT];
     struct sph_texture_area area = sph_texture_area_of(&c->shape, c->side[0] * c->side[1], &free);
     view.literal = 1;

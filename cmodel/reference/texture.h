@@ -14,7 +14,7 @@
 #include "texture/mip.h"
 
 enum {
-    SPH_LOD_MENDED,  /* length of the path, P_b as the machine has it */
+    SPH_LOD_MENDED, /* length of the path, P_b as the machine has it; spread, if the machine does */
     SPH_LOD_PRINTED, /* the same, P_b as the paper prints it */
     SPH_LOD_BMRT,    /* the longer side of a pixel at the path's length, over each axis */
     SPH_LOD_RAYS,    /* ray differentials: the longer edge of the pixel's footprint */
@@ -29,6 +29,7 @@ struct sph_ref_textures {
     int lod;                    /* SPH_LOD_*: the one that colours see */
     double screen;              /* distance of the screen, pixels */
     double pixels;              /* of the frame */
+    int spread;                 /* 1: SPH_LOD_MENDED goes by what spheres spread */
 };
 
 /* What travels with a ray from the eye on: its length, and how its origin and unit direction change
@@ -36,6 +37,7 @@ struct sph_ref_textures {
 struct sph_ref_path {
     double length;
     double org[2][3], dir[2][3];
+    double wide, spread; /* length as spheres spread it, and how fast it grows */
 };
 
 /* A primary ray; right and up: what dir changes by from a pixel to the next. */

@@ -3,6 +3,7 @@
  */
 #include "texture/lod.h"
 
+#include "machine/layout.h"
 #include "math/fx.h"
 #include "texture/log2_table.h"
 
@@ -16,12 +17,20 @@ uint32_t sph_log2(uint32_t x) {
 }
 
 uint64_t sph_path_add(const struct sph_profile *p, const struct sph_ray *ray, uint64_t key,
-                      uint64_t path) {
+                      uint64_t path, int spread) {
     sph_u128 product = (sph_u128)key * ray->unit.y; /* u(W+WD+19), key * 2^(WD+16-h) / |dir| */
-    int shift = p->wd + 16 - PATH_FRACTION - ray->unit.h;
+    int shift = p->wd + 16 - PATH_FRACTION - ray->unit.h - spread;
     sph_u128 sum = path + (sph_u128)sph_round128((sph_i128)product, shift);
     uint64_t most = (1ull << sph_path_bits(p)) - 1;
     return sum < most ? (uint64_t)sum : most;
+}
+
+int sph_spread(uint64_t path, int spread, uint32_t bend) {
+    if (!path || !bend) return spread;
+    int32_t halves = (int32_t)bend << (FRACTION - 1);
+    int32_t curved = ((int32_t)sph_log2((uint32_t)path) - halves) >> FRACTION;
+    int32_t sum = curved < spread ? spread : curved == spread ? spread + 1 : curved;
+    return sum < SPH_SPREAD_MOST ? sum : SPH_SPREAD_MOST;
 }
 
 uint32_t sph_lod(uint64_t path, int32_t base, int levels) {

@@ -2,7 +2,8 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Park et al. 2011, equation 2: lod = log2(path) - log2(P_b). path is the length of all rays from
- * the eye to the hit; P_b stands in the mapping record. Formats and bounds: docs/model/lod.md.
+ * the eye to the hit; P_b stands in the mapping record. With SPREAD a path that a sphere spreads
+ * grows by so much more as the footprint of its pixel. Formats and bounds: docs/model/lod.md.
  */
 #ifndef SPH_LOD_H
 #define SPH_LOD_H
@@ -20,12 +21,18 @@ static inline int sph_path_bits(const struct sph_profile *p) {
     return p->w + 8;
 }
 
-/* path + |t*dir| of a hit of the ray that was set up, u(W+4).4, limited to all ones: six segments
- * on the diagonal of the grid are less than 2^(W+4). t = key/a, so the length is key / |dir|, and
- * the unit vector has 1/|dir| = y * 2^(h-WD-16), from below within 6 units of y >= 2^16: no root,
- * no quotient, at most 9.2e-5 of itself too short. */
+/* path + |t*dir| * 2^spread of a hit of the ray that was set up, u(W+4).4, limited to all ones: six
+ * segments on the diagonal of the grid are less than 2^(W+4). spread: 0..SPH_SPREAD_MOST. t =
+ * key/a, so the length is key / |dir|, and the unit vector has 1/|dir| = y * 2^(h-WD-16), from
+ * below within 6 units of y >= 2^16: no root, no quotient, at most 9.2e-5 of itself too short. */
 uint64_t sph_path_add(const struct sph_profile *p, const struct sph_ray *ray, uint64_t key,
-                      uint64_t path);
+                      uint64_t path, int spread);
+
+/* k of the ray that leaves a surface after `path`: a pixel's footprint grows along it 2^k times as
+ * fast as along a primary ray. 2^k is 2^spread, of the ray before, and 4 path / radius, each to
+ * the nearest power of two, and so is their sum; at most SPH_SPREAD_MOST. bend: half steps of
+ * log2 of the radius, grid units, and SPH_BEND_ONE; 0: the surface is flat. */
+int sph_spread(uint64_t path, int spread, uint32_t bend);
 
 /* log2(path) - base, limited to 0 .. levels-1, u4.8. base: s7.8, log2 of P_b in grid units; path 0
  * is level 0. levels: 1..12. */

@@ -101,18 +101,20 @@ static int run_model(const struct arguments *a, struct measured *m, struct sph_e
 static int run_reference(const struct arguments *a, const struct sph_scene *scene,
                          struct measured *m, struct sph_error *err) {
     const struct sph_build_options *b = &a->source.build;
-    struct sph_reference_options how = {.width = m->shot.frame.width,
-                                        .height = m->shot.frame.height,
-                                        .max_depth = a->truth < 0 ? b->max_depth : a->truth,
-                                        .shadow = 1,
-                                        .reflect = 1,
-                                        .refract = 1,
-                                        .specular = 1,
-                                        .threads = a->threads,
-                                        .world = &m->built.machine,
-                                        .mips = m->mips,
-                                        .filter = b->tex_filter,
-                                        .lod = a->levels};
+    struct sph_reference_options how = {
+        .width = m->shot.frame.width,
+        .height = m->shot.frame.height,
+        .max_depth = a->truth < 0 ? b->max_depth : a->truth,
+        .shadow = 1,
+        .reflect = 1,
+        .refract = 1,
+        .specular = 1,
+        .threads = a->threads,
+        .world = &m->built.machine,
+        .mips = m->mips,
+        .filter = b->tex_filter,
+        .lod = a->levels,
+        .spread = sph_machine_effect(&m->built.machine, SPH_EFFECT_SPREAD)};
     double start = cpu_now();
     int rc = sph_reference_render(scene, &how, &m->reference, err);
     m->reference_seconds = cpu_now() - start;

@@ -108,7 +108,8 @@ static int draw(const struct arguments *a, const struct sph_scene *scene, struct
                                         .threads = a->threads,
                                         .mips = mips,
                                         .filter = a->source.build.tex_filter,
-                                        .lod = a->levels};
+                                        .lod = a->levels,
+                                        .spread = a->source.build.spread != SPH_OFF};
     int rc = sph_reference_render(scene, &how, &r, err) || write(a, &r, err) ? -1 : 0;
     sph_reference_free(&r);
     sph_mips_free(mips, scene->n_textures);

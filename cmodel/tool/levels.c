@@ -8,6 +8,7 @@
 #include "tool/json.h"
 
 const char *const tool_level_names[] = {"mended", "paper", "bmrt", "rays", NULL};
+static const char *const vias[SPH_VIAS] = {"direct", "flat", "curved"};
 
 void print_levels(FILE *to, const struct sph_levels *e) {
     if (!to || !e->pixels) return;
@@ -16,6 +17,10 @@ void print_levels(FILE *to, const struct sph_levels *e) {
     for (int k = 0; k < SPH_LODS; k++)
         fprintf(to, "  %-8s level %.2f on the mean, %.2f off rays, %.1f %% within half a level\n",
                 tool_level_names[k], e->mean[k], e->off[k], 100 * e->within_half[k]);
+    for (int v = 0; v < SPH_VIAS; v++)
+        if (e->error[v].pixels)
+            fprintf(to, "  %-8s model %+.2f levels off rays, deviation %.2f, %" PRIu64 " pixels\n",
+                    vias[v], e->error[v].mean, e->error[v].deviation, e->error[v].pixels);
 }
 
 static json_t *slants_json(const struct sph_slant *s) {
@@ -38,11 +43,15 @@ json_t *levels_json(const struct sph_levels *e) {
         json_object_set_new(json, tool_level_names[k],
                             json_pack("{sfsfsf}", "mean", e->mean[k], "off", e->off[k],
                                       "within_half", e->within_half[k]));
-    static const char *const via[SPH_VIAS] = {"direct", "flat", "curved"};
-    json_t *slant = json_object();
-    for (int v = 0; v < SPH_VIAS; v++)
-        json_object_set_new(slant, via[v], slants_json(e->slant[v]));
+    json_t *slant = json_object(), *error = json_object();
+    for (int v = 0; v < SPH_VIAS; v++) {
+        json_object_set_new(slant, vias[v], slants_json(e->slant[v]));
+        json_object_set_new(error, vias[v],
+                            json_pack("{sIsfsf}", "pixels", (json_int_t)e->error[v].pixels, "mean",
+                                      e->error[v].mean, "deviation", e->error[v].deviation));
+    }
     json_object_set_new(json, "slant", slant);
+    json_object_set_new(json, "error", error);
     return json;
 }
 

@@ -36,7 +36,7 @@ def whole(cores):
     """The core with everything that draws what a core draws."""
     words = cores.split("+")
     more = WHOLE if set(words) & set(MORE) else "all"
-    more += "".join("+" + word for word in ("smooth", "clear") if word in words)
+    more += "".join("+" + word for word in ("smooth", "clear", "spread") if word in words)
     return more + "+bih" if "bih" in words else more
 
 

@@ -32,7 +32,7 @@ CORRECTED = {"nearest": [], "first": [*FIRST, "off"], "mended": [*FIRST, "on"]}
 PARTS, PARTS_CORE = ["paper5", "paper100"], "shadow+reflect2+lights1+inside"
 DEPTHS = [0, 1, 2]
 # as many reflections as most scenes here are drawn with, and ten, by one core
-BOUNCES, BOUNCES_CORE = [2, 10], "shadow+reflect10+lights2+inside+facets+texture+bih"
+BOUNCES, BOUNCES_CORE = [2, 10], "shadow+reflect10+lights2+inside+facets+texture+spread+bih"
 BOUNCED = {"kitchen": "scenes/texture/kitchen.nff", "mirrors": "tests/scenes/mirrors.nff"}
 # where a record of P_b alone is asked for, as many pixels as the texture paper's tables here have
 MAPPED = ["kitchen", "hall", "museum", "robot"]

@@ -33,6 +33,7 @@ module rt_core #(
     parameter SMOOTH     = 0,    // 0 or 1: interpolated normals of triangles
     parameter CLEAR      = 0,    // 0 or 1: shadow rays pass what is marked as clear
     parameter TURNED     = 0,    // 0 or 1: a grid in other axes than the camera's
+    parameter SPREAD     = 0,    // 0 or 1: levels in mirrors and glass by how spheres spread rays
     parameter COARSE     = 0,    // 0..8: bits of the fraction of levels rounded away
     parameter RECT       = 1,    // 0 or 1: background separation by rectangle
     parameter SPANS      = 1,    // 0 or 1: background separation by spans in memory
@@ -334,6 +335,7 @@ module rt_core #(
                         .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),
                         .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM),
                         .ACCEL(BOXES != 0 ? 2 : ACCEL), .SMOOTH(SMOOTH), .CLEAR(CLEAR),
+                        .SPREAD(SPREAD),
                         .NODE_LINES(NODE_UNIT), .LEAF_LINES(LEAF_UNIT),
                         .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS),
                         .TEXTURE_GROUP(TEXTURE_GROUP), .TEXTURE_COORDS(TEXTURE_COORDS),

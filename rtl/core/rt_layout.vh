@@ -62,6 +62,9 @@
 `define RT_INDEX_MAX 4000
 `define RT_REFRACT_WD 25
 `define RT_LOD_BITS 8
+`define RT_SPREAD_MOST 12
+`define RT_BEND_ONE 3
+`define RT_BEND_THROUGH 4
 `define RT_LOD_NONE 4095
 `define RT_TREE_BIH 3
 `define RT_TREE_BRUTE 4
@@ -133,6 +136,8 @@
 `define RT_PRIM_POWER_BITS 12
 `define RT_PRIM_INDEX_LSB 238
 `define RT_PRIM_INDEX_BITS 12
+`define RT_PRIM_BEND_LSB 250
+`define RT_PRIM_BEND_BITS 6
 `define RT_PRIM_SMOOTH_LSB 72
 `define RT_PRIM_SMOOTH_BITS 24
 `define RT_SMOOTH_B_X_LSB 0
@@ -411,12 +416,13 @@
 `define RT_EFFECT_SMOOTH 10
 `define RT_EFFECT_CLEAR 11
 `define RT_EFFECT_TURNED 12
-`define RT_EFFECT_BITS 13
+`define RT_EFFECT_SPREAD 13
+`define RT_EFFECT_BITS 14
 `define RT_KINDS 3
 `define RT_COUNTERS 22
 `define RT_COUNTERS_BOTH 3605503
 `define RT_ERRORS 6
-`define RT_EFFECTS_BUILT (32'd0 | (SHADOW != 0 ? 32'd1 << 0 : 32'd0) | (REFLECT != 0 ? 32'd1 << 1 : 32'd0) | (INSIDE != 0 ? 32'd1 << 2 : 32'd0) | (FIRST != 0 ? 32'd1 << 3 : 32'd0) | (INTERPENETRATE != 0 ? 32'd1 << 4 : 32'd0) | (FACETS != 0 ? 32'd1 << 5 : 32'd0) | (TEXTURE != 0 ? 32'd1 << 6 : 32'd0) | (REFRACT != 0 ? 32'd1 << 7 : 32'd0) | (SPECULAR != 0 ? 32'd1 << 8 : 32'd0) | (SUM != 0 ? 32'd1 << 9 : 32'd0) | (SMOOTH != 0 ? 32'd1 << 10 : 32'd0) | (CLEAR != 0 ? 32'd1 << 11 : 32'd0) | (TURNED != 0 ? 32'd1 << 12 : 32'd0))
+`define RT_EFFECTS_BUILT (32'd0 | (SHADOW != 0 ? 32'd1 << 0 : 32'd0) | (REFLECT != 0 ? 32'd1 << 1 : 32'd0) | (INSIDE != 0 ? 32'd1 << 2 : 32'd0) | (FIRST != 0 ? 32'd1 << 3 : 32'd0) | (INTERPENETRATE != 0 ? 32'd1 << 4 : 32'd0) | (FACETS != 0 ? 32'd1 << 5 : 32'd0) | (TEXTURE != 0 ? 32'd1 << 6 : 32'd0) | (REFRACT != 0 ? 32'd1 << 7 : 32'd0) | (SPECULAR != 0 ? 32'd1 << 8 : 32'd0) | (SUM != 0 ? 32'd1 << 9 : 32'd0) | (SMOOTH != 0 ? 32'd1 << 10 : 32'd0) | (CLEAR != 0 ? 32'd1 << 11 : 32'd0) | (TURNED != 0 ? 32'd1 << 12 : 32'd0) | (SPREAD != 0 ? 32'd1 << 13 : 32'd0))
 `define RT_DEEPEST (REFRACT != 0 && REFLECT < `RT_REFRACT_DEPTH ? `RT_REFRACT_DEPTH : REFLECT)
 `define RT_CHECK_CORE  \
     `RT_CHECK(W >= 8 && W <= 24, rt_core_W_must_be_8_to_24) \
@@ -445,6 +451,8 @@
     `RT_CHECK(CLEAR >= 0 && CLEAR <= 1, rt_core_CLEAR_must_be_0_to_1) \
     `RT_CHECK(CLEAR == 0 || SHADOW != 0, rt_core_CLEAR_needs_SHADOW) \
     `RT_CHECK(TURNED >= 0 && TURNED <= 1, rt_core_TURNED_must_be_0_to_1) \
+    `RT_CHECK(SPREAD >= 0 && SPREAD <= 1, rt_core_SPREAD_must_be_0_to_1) \
+    `RT_CHECK(SPREAD == 0 || TEXTURE != 0, rt_core_SPREAD_needs_TEXTURE) \
     `RT_CHECK(COARSE >= 0 && COARSE <= 8, rt_core_COARSE_must_be_0_to_8) \
     `RT_CHECK(COARSE == 0 || TEXTURE != 0, rt_core_COARSE_needs_TEXTURE) \
     `RT_CHECK(RECT >= 0 && RECT <= 1, rt_core_RECT_must_be_0_to_1) \

@@ -33,6 +33,7 @@ module rt_engine #(
     parameter SPECULAR   = 0,
     parameter SUM        = 0,
     parameter SMOOTH     = 0,
+    parameter SPREAD     = 0,
     parameter CLEAR      = 0,
     parameter ACCEL      = 0,    // 0: nodes of four spheres, 1: BIH, 2: nodes of four boxes
     parameter NODE_LINES = 256,  // node cache of a pipe
@@ -111,8 +112,7 @@ module rt_engine #(
     wire [SHADES-1:0] shadow_go, fetch_ready, record_ready;
     wire [SHADES-1:0] tex_req_valid, tex_req_ready, tex_rsp_valid, tex_rsp_ready;
     wire [LB*SHADES-1:0] tex_req_line;
-    genvar n;
-    generate for (n = 0; n < SETUPS; n = n + 1) begin : g_setup
+    genvar n; generate for (n = 0; n < SETUPS; n = n + 1) begin : g_setup
         rt_setup #(.W(W), .WD(WD), .FW(FW), .NG(NG), .SHADOW(SHADOW), .LIGHTS(LIGHTS),
                    .BOUNCES(BOUNCES), .FACETS(FACETS), .TEXTURE(TEXTURE), .UNITS(UNITS),
                    .UNIT_INTERVAL(UNIT_INTERVAL), .SHADES(SU), .SLOTS(SLOTS/SETUPS)) u_setup (
@@ -157,7 +157,7 @@ module rt_engine #(
                .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM), .TEXTURE_LINES(TEXTURE_LINES),
                .TEXTURE_WAYS(TEXTURE_WAYS), .TEXTURE_GROUP(TEXTURE_GROUP),
                .TEXTURE_COORDS(TEXTURE_COORDS), .COARSE(COARSE), .QUOTIENTS(QUOTIENTS),
-               .QUOTIENT_STEP(QUOTIENT_STEP), .HIT_INTERVAL(HIT_INTERVAL),
+               .SPREAD(SPREAD), .QUOTIENT_STEP(QUOTIENT_STEP), .HIT_INTERVAL(HIT_INTERVAL),
                .BOUNCE_INTERVAL(BOUNCE_INTERVAL)) u_shades (
         .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i), .light_i(light_i), .ray_i(ray),
         .next_light_i(next_light), .next_slot_i(next_slot), .hit_i(hit), .blend_o(blend),

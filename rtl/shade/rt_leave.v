@@ -15,7 +15,7 @@ module rt_leave #(
     parameter MIRRORS = 1,   // 0: no mirror rays
     parameter REFRACT = 0,   // 1: refracted rays
     parameter DEEPEST = 5,   // rays one after another, at most
-    parameter PATHS   = 0,   // 1: waiting rays keep the length of their path (TEXTURE)
+    parameter PATHS   = 0,   // bits that waiting rays keep of their path, 0, W+8 or W+18
     parameter SMOOTH  = 0,   // 1: interpolated normals
     parameter BOUNCE_INTERVAL = 10, // clocks a mirrored direction, 10 or 12
     parameter SLOTS   = 32   // power of two
@@ -30,7 +30,7 @@ module rt_leave #(
     input  wire [`RT_SIDE_BITS-1:0]     side_i,         // from rt_smooth
     input  wire                         path_valid_i,
     input  wire [$clog2(SLOTS)-1:0]     path_slot_i,
-    input  wire [W+7:0]                 path_i,         // u(W+4).4 from the eye
+    input  wire [W+17:0]                path_i,         // {bend, spread, path}: rt_texture_path
     // from rt_compose: a surface is blended; to it: what the next ray is worth
     input  wire [`RT_BLEND_BITS-1:0]    blend_i,
     output wire                         next_valid_o,

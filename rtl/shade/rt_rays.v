@@ -16,7 +16,7 @@ module rt_rays #(
     parameter NG    = 2,   // guard bits of the hit point
     parameter PR    = 0,   // significant bits of the root, 0: all
     parameter DEEPEST = 5, // rays one after another, at most
-    parameter PATHS = 0,   // 1: the length of a ray's path is kept, for textures
+    parameter PATHS = 0,   // bits kept of a ray's path: W+8 for textures, W+18 with its spread
     parameter SLOTS = 32  // power of two
 ) (
     input  wire              clk,
@@ -28,7 +28,7 @@ module rt_rays #(
     input  wire [`RT_SURFACE_BITS-1:0]  surface_i,
     input  wire                         path_valid_i,
     input  wire [$clog2(SLOTS)-1:0]     path_slot_i,
-    input  wire [W+7:0]                 path_i,     // u(W+4).4 from the eye
+    input  wire [W+17:0]                path_i,     // {bend, spread, path}: rt_texture_path
     // from rt_compose: a surface is blended
     input  wire [`RT_BLEND_BITS-1:0]    blend_i,
     // the next ray of its pixel, or none
@@ -44,10 +44,9 @@ module rt_rays #(
     output wire [3*WD-1:0]   out_vec_o,
     output wire [3*W-1:0]    out_point_o,
     output wire [`RT_ID_BITS:0] out_skip_o,   // {inside, id}
-    output wire [W+7:0]      out_path_o
+    output wire [W+17:0]     out_path_o
 );
     localparam SLOTW = $clog2(SLOTS);
-    localparam BACK = PATHS != 0 ? W + 8 : 0;
     localparam IB   = `RT_ID_BITS;
     localparam WB   = 17;                            // u1.16, weight
     localparam RW   = 3*WD + 3*W + IB + 1;           // {skip, point, dir}
@@ -242,22 +241,35 @@ module rt_rays #(
     end
     generate
         if (PATHS != 0) begin : g_path
-            wire [BACK-1:0] v_path, w_path;
-            reg  [BACK-1:0] g_path_q;
-            rt_slot_ram #(.WIDTH(BACK), .SLOTS(SLOTS), .OLD(0)) u_path (
-                .clk(clk), .wr_en_i(path_valid_i), .wr_addr_i(path_slot_i), .wr_data_i(path_i),
+            wire [PATHS-1:0] v_path, v_bent, w_path;
+            reg  [PATHS-1:0] g_path_q;
+            rt_slot_ram #(.WIDTH(PATHS), .SLOTS(SLOTS), .OLD(0)) u_path (
+                .clk(clk), .wr_en_i(path_valid_i), .wr_addr_i(path_slot_i),
+                .wr_data_i(path_i[PATHS-1:0]),
                 .rd_en_i(pick), .rd_addr_i(slot), .rd_data_o(v_path)
             );
-            rt_slot_ram #(.WIDTH(BACK), .SLOTS(SLOTS << DB), .OLD(0)) u_waiting_path (
-                .clk(clk), .wr_en_i(push), .wr_addr_i({v_slot_q, below}), .wr_data_i(v_path),
+            if (PATHS > W + 8) begin : g_bent    // out of a sphere: spread by less; into it: not
+                localparam BB = `RT_PRIM_BEND_BITS;
+                localparam [BB-1:0] THROUGH = `RT_BEND_THROUGH;
+                wire [BB-1:0] bend = v_path[PATHS-1 -: BB];
+                assign v_bent = {v_far && bend != {BB{1'b0}} ? bend + THROUGH : {BB{1'b0}},
+                                 v_path[PATHS-BB-1:0]};
+            end else begin : g_straight
+                assign v_bent = v_path;
+            end
+            rt_slot_ram #(.WIDTH(PATHS), .SLOTS(SLOTS << DB), .OLD(0)) u_waiting_path (
+                .clk(clk), .wr_en_i(push), .wr_addr_i({v_slot_q, below}), .wr_data_i(v_bent),
                 .rd_en_i(back), .rd_addr_i({v_slot_q, deepest}), .rd_data_o(w_path)
             );
             always @(posedge clk)
-                if (state_q == ACT)      g_path_q <= v_path;
+                if (state_q == ACT)      g_path_q <= v_bent;
                 else if (state_q == POP) g_path_q <= w_path;
-            assign out_path_o = g_path_q;
+            assign out_path_o = {{(W+18-PATHS){1'b0}}, g_path_q};
+            if (PATHS < W + 18) begin : g_short
+                wire unused = &{1'b0, path_i};
+            end
         end else begin : g_no_path
-            assign out_path_o = {(W+8){1'b0}};
+            assign out_path_o = {(W+18){1'b0}};
             wire unused = &{1'b0, path_valid_i, path_slot_i, path_i};
         end
     endgenerate

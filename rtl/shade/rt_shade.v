@@ -24,6 +24,7 @@ module rt_shade #(
     parameter FACETS     = 0,
     parameter TEXTURE    = 0,
     parameter SMOOTH     = 0,
+    parameter SPREAD     = 0,
     parameter REFRACT    = 0,
     parameter SPECULAR   = 0,
     parameter SUM        = 0,
@@ -87,6 +88,7 @@ module rt_shade #(
     localparam BOUNCES = REFLECT != 0 || INTERPENETRATE != 0 || REFRACT != 0 ? 1 : 0; // mirrored
     localparam POINTS  = LIGHTS != 0 || BOUNCES != 0 || TEXTURE != 0 ? 1 : 0; // points, normals
     localparam BENT    = SMOOTH != 0 && POINTS != 0 ? 1 : 0;           // interpolated normals
+    localparam PATHS   = TEXTURE == 0 ? 0 : SPREAD != 0 ? W + 18 : W + 8; // kept of a ray's path
     wire [`RT_EFFECT_BITS-1:0] effects  = regs_i[`RT_REGS_EFFECTS];
     wire [3:0]       n_lights = regs_i[`RT_REGS_N_LIGHTS];
     wire             ray_go   = ray_i[`RT_RAY_VALID] && !ray_i[`RT_RAY_SHADOW];
@@ -167,10 +169,10 @@ module rt_shade #(
     wire             start_valid;
     wire [SLOTW-1:0] start_slot, path_slot;
     wire [`RT_ALBEDO_BITS-1:0] albedo;
-    wire [W+7:0]     path;
+    wire [W+17:0]    path;
     generate
         if (TEXTURE != 0) begin : g_texture
-            rt_texture #(.W(W), .WD(WD), .NG(NG), .BACK(REFRACT), .SLOTS(SLOTS),
+            rt_texture #(.W(W), .WD(WD), .NG(NG), .BACK(REFRACT), .SPREAD(SPREAD), .SLOTS(SLOTS),
                          .LINES(TEXTURE_LINES), .WAYS(TEXTURE_WAYS), .GROUP(TEXTURE_GROUP),
                          .COORDS(TEXTURE_COORDS), .COARSE(COARSE)) u_texture (
                 .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i),
@@ -195,7 +197,7 @@ module rt_shade #(
             assign albedo[`RT_ALBEDO_RGB]   = material[`RT_MATERIAL_RGB];
             assign albedo[`RT_ALBEDO_KR]    = material[`RT_MATERIAL_KR];
             assign texture_o = {12'd`RT_LOD_NONE, 20'd0};
-            assign {path_valid, path_slot, path} = {(SLOTW+W+9){1'b0}};
+            assign {path_valid, path_slot, path} = {(SLOTW+W+19){1'b0}};
             assign {mem_req_valid_o, mem_rsp_ready_o} = 2'd0;
             assign mem_req_line_o = {`RT_LINE_BITS{1'b0}};
             assign event_o[`RT_SHADE_EVENT_TEXEL] = 1'b0;
@@ -241,7 +243,7 @@ module rt_shade #(
     );
     wire             reflected;
     rt_leave #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .PR(PR), .MIRRORS(BOUNCES),
-               .REFRACT(REFRACT), .DEEPEST(`RT_DEEPEST), .PATHS(TEXTURE), .SMOOTH(BENT),
+               .REFRACT(REFRACT), .DEEPEST(`RT_DEEPEST), .PATHS(PATHS), .SMOOTH(BENT),
                .BOUNCE_INTERVAL(BOUNCE_INTERVAL), .SLOTS(SLOTS)) u_leave (
         .clk(clk), .rst(rst), .ray_i(ray_i), .hit_i(hit_i), .material_i(material),
         .surface_i(surface), .side_i(side), .path_valid_i(path_valid), .path_slot_i(path_slot),

@@ -127,6 +127,9 @@ module rt_surface #(
     assign material_o[`RT_MATERIAL_KR]    = prim[`RT_PRIM_KR_LSB +: `RT_PRIM_KR_BITS];
     assign material_o[`RT_MATERIAL_TEX] =
         TEXTURE != 0 ? prim[`RT_PRIM_TEX_LSB +: `RT_PRIM_TEX_BITS] : {`RT_PRIM_TEX_BITS{1'b0}};
+    assign material_o[`RT_MATERIAL_BEND] =
+        TEXTURE != 0 && effects[`RT_EFFECT_SPREAD]
+        ? prim[`RT_PRIM_BEND_LSB +: `RT_PRIM_BEND_BITS] : {`RT_PRIM_BEND_BITS{1'b0}};
     assign material_o[`RT_MATERIAL_SMOOTH] =
         SMOOTH != 0 && effects[`RT_EFFECT_SMOOTH]
         ? prim[`RT_PRIM_SMOOTH_LSB +: `RT_PRIM_SMOOTH_BITS] : {`RT_PRIM_SMOOTH_BITS{1'b0}};

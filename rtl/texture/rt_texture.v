@@ -14,6 +14,7 @@ module rt_texture #(
     parameter WD    = 17,      // direction component, bits
     parameter NG    = 2,       // guard bits of the hit point
     parameter BACK  = 0,       // 1: rays that waited come back (REFRACT)
+    parameter SPREAD = 0,      // 1: spheres spread rays
     parameter SLOTS = 32,      // power of two
     parameter LINES = 128,     // texture cache, lines of memory
     parameter WAYS  = 4,       // groups of a set
@@ -37,7 +38,7 @@ module rt_texture #(
     // to and from rt_leave: paths of surfaces; of rays that waited, not with path_valid_o
     output wire                         path_valid_o,
     output wire [$clog2(SLOTS)-1:0]     path_slot_o,
-    output wire [W+7:0]                 path_o,
+    output wire [W+17:0]                path_o,
     input  wire [`RT_BACK_BITS-1:0]     back_i,
     // to rt_compose: the albedo as textured; to rt_lighting, a cycle later: the surface
     output wire [`RT_ALBEDO_BITS-1:0] albedo_o,
@@ -77,9 +78,9 @@ module rt_texture #(
     wire             p_valid, p_primary, maps_in;
     wire [SLOTW-1:0] p_slot;
     wire [`RT_LINE_BITS-1:0] p_tex;
-    wire [PW-1:0]    p_path;
+    wire [W+17:0]    p_path;                   // {bend, spread, path}
     wire             p_textured = effects[`RT_EFFECT_TEXTURE] && p_tex != {`RT_LINE_BITS{1'b0}};
-    rt_texture_path #(.W(W), .WD(WD), .BACK(BACK), .SLOTS(SLOTS)) u_path (
+    rt_texture_path #(.W(W), .WD(WD), .BACK(BACK), .SPREAD(SPREAD), .SLOTS(SLOTS)) u_path (
         .clk(clk), .rst(rst),
         .ray_valid_i(ray_i[`RT_RAY_VALID] && !ray_i[`RT_RAY_SHADOW]),
         .ray_slot_i(ray_i[`RT_RAY_SLOT]), .ray_primary_i(ray_i[`RT_RAY_PRIMARY]),
@@ -87,7 +88,7 @@ module rt_texture #(
         .hit_valid_i(hit_i[`RT_HIT_HIT]), .hit_slot_i(hit_i[`RT_HIT_SLOT]),
         .hit_key_i(hit_i[`RT_HIT_KEY]),
         .tex_valid_i(record_valid), .tex_slot_i(record_slot),
-        .tex_i(material_i[`RT_MATERIAL_TEX]),
+        .tex_i(material_i[`RT_MATERIAL_TEX]), .bend_i(material_i[`RT_MATERIAL_BEND]),
         .back_valid_i(back_i[`RT_BACK_VALID]), .back_slot_i(back_i[`RT_BACK_SLOT]),
         .back_path_i(back_i[`RT_BACK_PATH]),
         .in_valid_i(in_valid_i), .in_slot_i(in_slot_i),
@@ -187,7 +188,7 @@ module rt_texture #(
         .point_valid_i(surface_i[`RT_SURFACE_VALID]), .point_slot_i(surface_i[`RT_SURFACE_SLOT]),
         .point_i(surface_i[`RT_SURFACE_GUARDED]),
         .unit_valid_i(in_valid_i), .unit_slot_i(in_slot_i), .unit_i(ray_i[`RT_RAY_UNIT]),
-        .path_valid_i(p_valid), .path_slot_i(p_slot), .path_i(p_path),
+        .path_valid_i(p_valid), .path_slot_i(p_slot), .path_i(p_path[PW-1:0]),
         .map_valid_i(come_map), .map_slot_i(slot), .map_i(data), .void_i(r_lost_q),
         .image_valid_o(image_valid), .image_ready_i(image_ready), .image_slot_o(image_slot),
         .image_line_o(image_line),

@@ -1,7 +1,8 @@
 // rt_texture_path.v - adds up the way of every surface's ray and sorts out what has a texture
 // SPDX-License-Identifier: Apache-2.0
 // Park et al. 2011, Figure 1: path length on the ray stack; here a word a slot, begun anew by each
-// primary ray. Tokens leave in order. Model: cmodel/engine/render_pixel.c
+// primary ray, with SPREAD beside how spheres spread it. Tokens leave in order.
+// Model: cmodel/engine/render_pixel.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
@@ -9,6 +10,7 @@ module rt_texture_path #(
     parameter W     = 16,      // coordinate, bits
     parameter WD    = 17,      // direction component, bits
     parameter BACK  = 0,       // 1: rays that waited come back
+    parameter SPREAD = 0,      // 1: spheres spread rays
     parameter SLOTS = 32  // power of two
 ) (
     input  wire              clk,
@@ -23,14 +25,15 @@ module rt_texture_path #(
     input  wire              hit_valid_i,
     input  wire [$clog2(SLOTS)-1:0] hit_slot_i,
     input  wire [W+WD+1:0]   hit_key_i,
-    // line of its mapping record, 0: none
+    // line of its mapping record, 0: none; how it bends rays
     input  wire              tex_valid_i,
     input  wire [$clog2(SLOTS)-1:0] tex_slot_i,
     input  wire [`RT_LINE_BITS-1:0] tex_i,
+    input  wire [`RT_PRIM_BEND_BITS-1:0] bend_i,
     // the path of a ray that takes up where another has left; not with out_valid_o
     input  wire              back_valid_i,
     input  wire [$clog2(SLOTS)-1:0] back_slot_i,
-    input  wire [W+7:0]      back_path_i,
+    input  wire [W+17:0]     back_path_i,
     // token: a surface
     input  wire              in_valid_i,
     input  wire [$clog2(SLOTS)-1:0] in_slot_i,
@@ -39,11 +42,13 @@ module rt_texture_path #(
     output wire [$clog2(SLOTS)-1:0] out_slot_o,
     output wire [`RT_LINE_BITS-1:0] out_tex_o,
     output wire              out_primary_o,
-    output wire [W+7:0]      out_path_o      // u(W+4).4 from the eye
+    output wire [W+17:0]     out_path_o      // {bend u6, log2 of the spread u4, u(W+4).4}
 );
     localparam SLOTW = $clog2(SLOTS);
     localparam KW = W + WD + 2;
     localparam PW = W + 8;
+    localparam EW = `RT_PRIM_BEND_BITS;
+    localparam OW = SPREAD != 0 ? PW + 4 + EW : PW;   // word of the stack
     wire             back = BACK != 0 && back_valid_i;
     wire             n_valid, n_in, n_take, ready;
     wire [SLOTW-1:0] n_slot;
@@ -52,7 +57,8 @@ module rt_texture_path #(
     wire [5:0]       n_h;
     wire [16:0]      n_y;
     wire [`RT_LINE_BITS-1:0] n_tex;
-    wire [PW-1:0]    n_path;
+    wire [OW-1:0]    n_word;
+    wire [EW-1:0]    n_bend, out_bend;                // of the surface
     reg              n_read_q;               // what belongs to the head is read
     rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_in (
         .clk(clk), .rst(rst), .in_valid_i(in_valid_i), .in_ready_o(n_in), .in_data_i(in_slot_i),
@@ -71,23 +77,38 @@ module rt_texture_path #(
         .clk(clk), .wr_en_i(tex_valid_i), .wr_addr_i(tex_slot_i), .wr_data_i(tex_i),
         .rd_en_i(n_valid), .rd_addr_i(n_slot), .rd_data_o(n_tex)
     );
-    rt_slot_ram #(.WIDTH(PW), .SLOTS(SLOTS), .OLD(0)) u_stack (
+    rt_slot_ram #(.WIDTH(OW), .SLOTS(SLOTS), .OLD(0)) u_stack (
         .clk(clk), .wr_en_i(out_valid_o || back), .wr_addr_i(back ? back_slot_i : out_slot_o),
-        .wr_data_i(back ? back_path_i : out_path_o),
-        .rd_en_i(n_valid), .rd_addr_i(n_slot), .rd_data_o(n_path)
+        .wr_data_i(back ? back_path_i[OW-1:0] : out_path_o[OW-1:0]),
+        .rd_en_i(n_valid), .rd_addr_i(n_slot), .rd_data_o(n_word)
     );
+    // where the ray of this surface started
+    wire [W+17:0]    n_start = n_primary ? {(W+18){1'b0}} : {{(W+18-OW){1'b0}}, n_word};
+    generate
+        if (SPREAD != 0) begin : g_bend
+            rt_slot_ram #(.WIDTH(EW), .SLOTS(SLOTS), .OLD(0)) u_bend (
+                .clk(clk), .wr_en_i(tex_valid_i), .wr_addr_i(tex_slot_i), .wr_data_i(bend_i),
+                .rd_en_i(n_valid), .rd_addr_i(n_slot), .rd_data_o(n_bend)
+            );
+        end else begin : g_even
+            assign n_bend = {EW{1'b0}};
+            wire unused = &{1'b0, bend_i, back_path_i};
+        end
+    endgenerate
     assign n_take = n_read_q && ready;
     always @(posedge clk) begin
         n_read_q <= n_valid && !n_take;
         if (rst) n_read_q <= 1'b0;
     end
-    rt_path #(.W(W), .WD(WD), .TAG(SLOTW + `RT_LINE_BITS + 1)) u_path (
+    rt_path #(.W(W), .WD(WD), .SPREAD(SPREAD), .TAG(SLOTW + `RT_LINE_BITS + 1 + EW)) u_path (
         .clk(clk), .rst(rst), .in_valid_i(n_read_q), .in_ready_o(ready),
-        .in_tag_i({n_slot, n_tex, n_primary}), .in_key_i(n_key), .in_y_i(n_y),
-        .in_h_i(n_h), .in_path_i(n_primary ? {PW{1'b0}} : n_path),
-        .out_valid_o(out_valid_o), .out_tag_o({out_slot_o, out_tex_o, out_primary_o}),
-        .out_path_o(out_path_o)
+        .in_tag_i({n_slot, n_tex, n_primary, n_bend}), .in_key_i(n_key), .in_y_i(n_y),
+        .in_h_i(n_h), .in_path_i(n_start[PW-1:0]), .in_spread_i(n_start[PW +: 4]),
+        .in_bend_i(n_start[PW+4 +: EW]),
+        .out_valid_o(out_valid_o), .out_tag_o({out_slot_o, out_tex_o, out_primary_o, out_bend}),
+        .out_path_o(out_path_o[PW-1:0]), .out_spread_o(out_path_o[PW +: 4])
     );
+    assign out_path_o[PW+4 +: EW] = out_bend;
     wire unused = &{1'b0, n_in, back_valid_i};
 endmodule
 `default_nettype wire

@@ -36,6 +36,7 @@ module tb_core_icarus #(
     parameter SMOOTH     = 0,    // 0 or 1: interpolated normals of triangles
     parameter CLEAR      = 0,    // 0 or 1: shadow rays pass what is marked as clear
     parameter TURNED     = 0,    // 0 or 1: a grid in other axes than the camera's
+    parameter SPREAD     = 0,    // 0 or 1: levels in mirrors and glass by how spheres spread rays
     parameter COARSE     = 0,    // 0..8: bits of the fraction of levels rounded away
     parameter RECT       = 1,    // 0 or 1: background separation by rectangle
     parameter SPANS      = 1,    // 0 or 1: background separation by spans in memory
@@ -106,10 +107,10 @@ module tb_core_icarus #(
         .SHADOW(SHADOW), .REFLECT(REFLECT), .LIGHTS(LIGHTS), .INSIDE(INSIDE),
         .FIRST(FIRST), .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),
         .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM), .SMOOTH(SMOOTH), .CLEAR(CLEAR),
-        .TURNED(TURNED), .COARSE(COARSE), .RECT(RECT), .SPANS(SPANS), .CONES(CONES),
-        .ACCEL(ACCEL), .BOXES(BOXES), .ENGINES(ENGINES), .PIPES(PIPES), .EXACTS(EXACTS),
-        .SHADES(SHADES), .SETUPS(SETUPS), .SLOTS(SLOTS), .NODE_LINES(NODE_LINES),
-        .LEAF_LINES(LEAF_LINES), .TEXTURE_LINES(TEXTURE_LINES),
+        .TURNED(TURNED), .SPREAD(SPREAD), .COARSE(COARSE), .RECT(RECT), .SPANS(SPANS),
+        .CONES(CONES), .ACCEL(ACCEL), .BOXES(BOXES), .ENGINES(ENGINES), .PIPES(PIPES),
+        .EXACTS(EXACTS), .SHADES(SHADES), .SETUPS(SETUPS), .SLOTS(SLOTS),
+        .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES), .TEXTURE_LINES(TEXTURE_LINES),
         .TEXTURE_WAYS(TEXTURE_WAYS), .TEXTURE_GROUP(TEXTURE_GROUP),
         .TEXTURE_COORDS(TEXTURE_COORDS), .ROOTS(ROOTS), .QUOTIENTS(QUOTIENTS),
         .DIVISIONS(DIVISIONS), .ROOT_STEP(ROOT_STEP), .QUOTIENT_STEP(QUOTIENT_STEP),

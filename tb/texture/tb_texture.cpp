@@ -41,6 +41,8 @@ struct Slot {
     enum { IDLE, TOLD, SENT, DONE } state; /* TOLD: all but the token is there */
     bool primary, again;                   /* another ray of the pixel follows */
     uint64_t path;
+    int spread;
+    uint32_t bend; /* of the surface before; of this one it is told */
     struct sph_textured where;
     struct sph_texture_work work;
     uint32_t map, kr, albedo, expected;
@@ -168,10 +170,14 @@ class Run {
         s.again = b.random.percent(40);
         if (s.primary) {
             s.path = 0;
+            s.spread = 0, s.bend = 0;
             s.work = {};
             s.work.lod = SPH_LOD_NONE;
         }
-        s.path = sph_path_add(&p, &ray, key, s.path);
+        s.spread = sph_spread(s.path, s.spread, s.bend);
+        s.path = sph_path_add(&p, &ray, key, s.path, s.spread);
+        uint32_t bend = (uint32_t)b.random.below(64);
+        s.bend = SPREAD && b.random.percent(80) ? bend : 0;
         choose(s);
         expect(s);
         bench::put(t.ray_i, RT_RAY_SLOT, at);
@@ -185,6 +191,7 @@ class Run {
         bench::put(t.material_i, RT_MATERIAL_RGB, s.albedo);
         bench::put(t.material_i, RT_MATERIAL_KR, s.kr);
         bench::put(t.material_i, RT_MATERIAL_TEX, s.map);
+        bench::put(t.material_i, RT_MATERIAL_BEND, SPREAD ? s.bend : bend);
         bench::put(t.surface_i, RT_SURFACE_SLOT, at);
         bench::put(t.surface_i, RT_SURFACE_GUARDED, (i128)pack(s.where.guarded, W + NG));
         return at;

@@ -19,7 +19,7 @@ static struct sph_mip images[IMAGES]; /* noise: what a file shows does not matte
 static struct sph_build_options small(int width, int height) {
     struct sph_build_options o = standard;
     o.background = SPH_BG_NONE, o.width = width / (SLOW > 1 ? 2 : 1), o.height = height;
-    o.texture = o.refract = o.specular = o.smooth = o.clear = SPH_AUTO;
+    o.texture = o.refract = o.specular = o.smooth = o.clear = o.spread = SPH_AUTO;
     o.mips = images, o.tex_filter = SPH_FILTER_BETWEEN;
     return o;
 }
@@ -170,6 +170,8 @@ static void check_list(const char *name, const char *list, int lights) {
     assert_int_equal(has(list, "smooth"), has(name, "smooth"));
     assert_int_equal(has(list, "clear"), clear);
     assert_int_equal(has(list, "texture"), has(name, "texture"));
+    assert_int_equal(has(list, "spread"),
+                     has(name, "texture") && (has(name, "reflect") || glass) && !facets);
     assert_int_equal(has(list, "refract"), glass);
     assert_int_equal(has(list, "specular"), shiny);
     assert_int_equal(has(list, "sum"), has(name, "sum") || glass || shiny);
@@ -200,7 +202,8 @@ static void check_line(const char *name, const char *options, const char *list) 
         {"inside", SPH_REPORT_INSIDE},     {"interpenetrate", SPH_REPORT_INTERPENETRATE},
         {"texture", SPH_REPORT_TEXTURE},   {"refract", SPH_REPORT_REFRACT},
         {"specular", SPH_REPORT_SPECULAR}, {"lights", SPH_REPORT_LIGHTS},
-        {"smooth", SPH_REPORT_SMOOTH},     {"clear", SPH_REPORT_CLEAR}};
+        {"smooth", SPH_REPORT_SMOOTH},     {"clear", SPH_REPORT_CLEAR},
+        {"spread", SPH_REPORT_SPREAD}};
     for (size_t i = 0; i < sizeof switches / sizeof *switches; i++) {
         int along = (has(name, "refract") || has(name, "facets") || has(name, "smooth")) &&
                     !has(name, switches[i].word); /* comes along, needed or not */
@@ -242,7 +245,7 @@ static void test_asks(void **unused) {
         snprintf(path, sizeof path, "scenes/%s.nff", name);
         struct sph_build_options o = standard;
         o.width = 64, o.height = 36, o.background = SPH_BG_NONE;
-        o.texture = o.refract = o.specular = o.smooth = o.clear = SPH_AUTO;
+        o.texture = o.refract = o.specular = o.smooth = o.clear = o.spread = SPH_AUTO;
         o.mips = images, o.tex_filter = SPH_FILTER_BETWEEN;
         struct sph_scene scene = scene_at(path);
         struct sph_machine m = built(&scene, o, &report);

@@ -30,7 +30,7 @@ machine sums $mixed --profile draft --size 6x5 --refract off --reflect off --spe
 machine shines $mixed --profile draft --size 6x5 --refract off --shadow off
 for profile in fine reference; do machine glass-$profile $glass --profile $profile --size 2x2; done
 
-whole=all+reflect10+texture+refract+specular+sum
+whole=all+reflect10+texture+refract+specular+sum+spread
 for depth in 0 1 2 3 5 8 10; do
     wanted "verilator glass, depth $depth" $whole SIM=verilator glass --reg 1=$depth
 done

@@ -30,7 +30,7 @@ for profile in fine reference; do machine balls-$profile $balls --profile $profi
 machine robot-3 scenes/texture/robot.nff --profile draft --size 12x7 --at 3
 machine plain scenes/paper100.nff --profile draft --size 32x24
 
-whole=all+texture
+whole=all+texture+spread
 for filter in 0 1 2 3; do
     wanted "verilator hall, filter $filter" $whole SIM=verilator hall --reg 101=$filter
     wanted "verilator balls, filter $filter" $whole SIM=verilator balls --reg 101=$filter

@@ -9,7 +9,7 @@
 #   - the two cores' frames are equal in every field, and in counters and error bits.
 # Those that are listed as small or whole take smaller frames, and own cores in Icarus or none: a
 # core of its own is the dearest part. The whole core is `all`, or with textures, refraction,
-# highlights, sums, interpolated normals and clear materials where the list has one; over a BIH
+# highlights, sums, interpolated normals, clear materials and spread where the list has one; over a BIH
 # there is no such core. Every way of background separation on one of scenes/views/
 # (test_background.sh has more).
 # Then machines that ask for more than a core was built with: each is refused, by name, without a
@@ -34,7 +34,9 @@ view_asks=shadow+reflect2+lights1+inside
 whole_of() { # list: the core with everything that draws it, or nothing
     case $1 in
     *texture*bih | *sum*bih | *clear*bih) ;;
-    *texture* | *sum* | *smooth* | *clear*) echo all+texture+refract+specular+sum+smooth+clear ;;
+    *texture* | *sum* | *smooth* | *clear*)
+        echo all+texture+refract+specular+sum+smooth+clear+spread
+        ;;
     *) echo all ;;
     esac
 }
@@ -157,6 +159,7 @@ all|texture|95 5 8 3 1
 all|refract, specular and sum|927 5 8 3 1
 all|smooth|1055 5 8 3 1
 all|clear|2079 5 8 3 1
+all+texture|spread|8287 5 8 3 1
 END
 # each bit by itself, and the first that means nothing
 awk -f cmodel/machine/effects.awk -f - cmodel/machine/machine.def >>"$TMP/refused" <<'END'

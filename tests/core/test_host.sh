@@ -20,7 +20,7 @@ small="--profile draft --size 3x2 --depth 1"
     machine optics tests/scenes/refraction/mixed.nff $small --depth 2
 }
 others() { for other; do printf ' --then %s' "$machines/$other.sph"; done; }
-wanted "verilator everything" all+texture+refract+specular+sum SIM=verilator balls --life \
+wanted "verilator everything" all+texture+refract+specular+sum+spread SIM=verilator balls --life \
     --trials 100 "$(others paper5 mixed optics)"
 wanted "icarus paper5" auto SIM=icarus paper5 --life --trials 8
 

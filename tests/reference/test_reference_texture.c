@@ -116,7 +116,7 @@ static void sphere_footprints(void **state) {
     scene.n_spheres = scene.n_textures = 1;
     scene.spheres = &ball;
     scene.textures = &texture;
-    struct sph_ref_textures r = {&scene, &mip, SPH_FILTER_BETWEEN, SPH_LOD_RAYS, 100, 100};
+    struct sph_ref_textures r = {&scene, &mip, SPH_FILTER_BETWEEN, SPH_LOD_RAYS, 100, 100, 0};
     double pi = acos(-1.0);
     for (int i = 0; i < 2000; i++) {
         double b = sph_rng_range(&rng, 0.3, pi - 0.3), a = sph_rng_range(&rng, -3, 3), rgb[3];

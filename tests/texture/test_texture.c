@@ -53,7 +53,7 @@ static void path_length(void **state) {
             sph_ray_setup(p, &ray);
             if (!ray.a) continue;
             uint64_t key = vec_unsigned(&rng, p->w + p->wd + 2), before = vec_unsigned(&rng, 12);
-            uint64_t path = sph_path_add(p, &ray, key, before);
+            uint64_t path = sph_path_add(p, &ray, key, before, 0);
             double length = 16 * (double)key / sqrt((double)ray.a) + (double)before;
             double low = floor(length - (length - (double)before) * 6 / 65536.0 - 0.5);
             double got = (double)path;
@@ -61,7 +61,7 @@ static void path_length(void **state) {
                                           : got < (double)most * 0.9998)
                 fail_msg("%s: key %llu path %llu, expected %f", p->name, (unsigned long long)key,
                          (unsigned long long)path, length);
-            assert_int_equal(sph_path_add(p, &ray, key, most), most);
+            assert_int_equal(sph_path_add(p, &ray, key, most, 0), most);
         }
     }
 }
