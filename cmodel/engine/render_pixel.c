@@ -187,7 +187,7 @@ static int path(const struct sph_job *j, struct sph_ray ray) {
         uint32_t bend = prim ? bend_of(j, prim) : 0;
         struct branch refracted_ray = {l.refracted,  sph_share(at.weight, l.kt),
                                        at.depth + 1, at.length,
-                                       at.spread,    bend && hit.far ? bend + SPH_BEND_THROUGH : 0};
+                                       at.spread,    sph_bend_through(bend, hit.far)};
         uint32_t id = hit.id;
         if (last && !probe) {
             at = waiting[--n_waiting];

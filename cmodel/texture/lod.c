@@ -3,7 +3,6 @@
  */
 #include "texture/lod.h"
 
-#include "machine/layout.h"
 #include "math/fx.h"
 #include "texture/log2_table.h"
 

@@ -10,6 +10,7 @@
 
 #include <stdint.h>
 
+#include "machine/layout.h"
 #include "trace/ray.h"
 
 /* log2(x), u6.8, of x >= 1: x is rounded half up to nine significant bits, of which a table gives
@@ -33,6 +34,12 @@ uint64_t sph_path_add(const struct sph_profile *p, const struct sph_ray *ray, ui
  * the nearest power of two, and so is their sum; at most SPH_SPREAD_MOST. bend: half steps of
  * log2 of the radius, grid units, and SPH_BEND_ONE; 0: the surface is flat. */
 int sph_spread(uint64_t path, int spread, uint32_t bend);
+
+/* The bend of rays refracted at a surface: out of a sphere a quarter of what is mirrored, into it
+ * none. Modulo 64, which build keeps away from. */
+static inline uint32_t sph_bend_through(uint32_t bend, int out) {
+    return bend && out ? (bend + SPH_BEND_THROUGH) & ((1u << SPH_PRIM_BEND_BITS) - 1) : 0;
+}
 
 /* log2(path) - base, limited to 0 .. levels-1, u4.8. base: s7.8, log2 of P_b in grid units; path 0
  * is level 0. levels: 1..12. */

@@ -10,10 +10,11 @@
 
 extern "C" {
 #include "shade/refract.h"
+#include "texture/lod.h"
 }
 
 #ifndef PATHS
-#define PATHS 1
+#define PATHS (W + 8)
 #endif
 #ifndef DEEPEST
 #define DEEPEST 5
@@ -116,7 +117,8 @@ class Rays : public bench::Bench<Vrt_rays> {
         s.far = random.percent(40);
         s.id = (uint32_t)random.bits(24);
         s.index = (uint32_t)random.between(SPH_INDEX_MIN, SPH_INDEX_MAX);
-        s.path = (uint64_t)random.bits(W + 8);
+        s.path = (uint64_t)random.bits(W + 18); /* {bend, spread, path} */
+        if (random.percent(20)) s.path &= ((uint64_t)1 << (W + 12)) - 1;
         world::put_ray(dut.ray_i, at, s.ray);
         bench::put(dut.ray_i, RT_RAY_SHADOW, 0);
         bench::put(dut.hit_i, RT_HIT_SLOT, at);
@@ -129,7 +131,7 @@ class Rays : public bench::Bench<Vrt_rays> {
         bench::put(dut.surface_i, RT_SURFACE_NORMAL, (i128)world::pack(s.surface.normal, WD));
         bench::put(dut.surface_i, RT_SURFACE_FLAT, s.surface.flat);
         dut.path_slot_i = (uint8_t)at;
-        bench::set(dut.path_i, W + 8, (i128)s.path);
+        bench::set(dut.path_i, W + 18, (i128)s.path);
         held = at;
     }
     int held = -1; /* its normal comes in this clock */
@@ -169,7 +171,7 @@ class Rays : public bench::Bench<Vrt_rays> {
         int64_t start[3];
         sph_surface_behind(&p, &s.surface, start);
         Branch bent = {0,         world::pack(start, W), (uint32_t)!s.far << 24 | s.id,
-                       weight[1], s.depth + 1,           s.path};
+                       weight[1], s.depth + 1,           path_of(s)};
         int64_t dir[3] = {};
         uint32_t from = s.far ? s.index : SPH_INDEX_ONE, to = s.far ? SPH_INDEX_ONE : s.index;
         bool total = refract && !sph_refract(&p, &s.ray, &s.surface, from, to, dir);
@@ -192,6 +194,13 @@ class Rays : public bench::Bench<Vrt_rays> {
         }
     }
 
+    /* What a refracted ray keeps of it. */
+    static uint64_t path_of(const Slot &s) {
+        if (PATHS <= W + 8) return s.path & (((uint64_t)1 << PATHS) - 1);
+        uint64_t bend = sph_bend_through((uint32_t)(s.path >> (W + 12)), s.far);
+        return bend << (W + 12) | (s.path & (((uint64_t)1 << (W + 12)) - 1));
+    }
+
     void leave(int at, int what) {
         Slot &s = slots[at];
         if (s.state != Slot::BLENDED) return fail("a surface that was not blended");
@@ -203,7 +212,7 @@ class Rays : public bench::Bench<Vrt_rays> {
             expect("out_vec_o", (i128)get(dut.out_vec_o), (i128)s.goes.dir, 3 * WD);
             expect("out_point_o", (i128)get(dut.out_point_o), (i128)s.goes.point, 3 * W);
             expect("out_skip_o", dut.out_skip_o, s.goes.skip, 25);
-            expect("out_path_o", (i128)get(dut.out_path_o), PATHS ? (i128)s.goes.path : 0, W + 8);
+            expect("out_path_o", (i128)get(dut.out_path_o), (i128)s.goes.path, W + 18);
             expect("next_weight_o", dut.next_weight_o, s.goes.weight, 17);
             expect("next_depth_o", dut.next_depth_o, s.goes.depth, 4);
         }

@@ -170,7 +170,7 @@ class Run {
     unsigned ready = 100, pace = 100; /* percent of clocks with fetch_ready_i, with a record */
     const uint32_t base;
     int64_t eye[3] = {};
-    bool points = true, facets = false, smooths = false, /* points_on_i, effects */
+    bool points = true, facets = false, smooths = false, spreads = false, /* points_on_i, effects */
         drain = true; /* they and the eye change while nothing is inside */
 
     void registers() {
@@ -186,6 +186,7 @@ class Run {
         uint32_t on = (uint32_t)b.random.bits(SPH_EFFECT_BITS) & ~(1u << SPH_EFFECT_FACETS);
         on |= (uint32_t)(FACETS ? facets : b.random.percent(50)) << SPH_EFFECT_FACETS;
         smooths = on >> SPH_EFFECT_SMOOTH & 1;
+        spreads = on >> SPH_EFFECT_SPREAD & 1;
         bench::put(t.regs_i, RT_REGS_EFFECTS, on);
         for (int64_t &x : eye)
             x = b.random.smixed(W);
@@ -271,6 +272,7 @@ class Run {
         field("KR", RT_MATERIAL_KR, SPH_PRIM_KR_LSB, true);
         field("TEX", RT_MATERIAL_TEX, SPH_PRIM_TEX_LSB, TEXTURE);
         field("SMOOTH", RT_MATERIAL_SMOOTH, SPH_PRIM_SMOOTH_LSB, SMOOTH && smooths);
+        field("BEND", RT_MATERIAL_BEND, SPH_PRIM_BEND_LSB, TEXTURE && spreads);
         field("KT", RT_MATERIAL_KT, SPH_PRIM_KT_LSB, LOOKS);
         field("SUM", RT_MATERIAL_SUM, SPH_PRIM_SUM_LSB, LOOKS);
         field("KA", RT_MATERIAL_KA, SPH_PRIM_KA_LSB, LOOKS);

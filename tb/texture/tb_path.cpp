@@ -46,7 +46,8 @@ Vector make(bench::Random &r) {
     v.bend = SPREAD && r.percent(85) ? r.below(64) : 0;
     if (SPREAD && v.path && r.percent(50)) { /* near what was before */
         uint64_t bits = 0;
-        while (bits < 40 && v.path >> bits) bits++;
+        while (bits < 40 && v.path >> bits)
+            bits++;
         int64_t bend = 2 * ((int64_t)bits - (int64_t)v.spread) + r.between(-3, 1);
         if (bend > 0 && bend < 64) v.bend = (uint64_t)bend;
     }

@@ -3,6 +3,7 @@
  */
 #include "textured.h"
 
+#include "builder/spread.h"
 #include "builder/texture_base.h"
 
 static void free_all(struct sph_machine *m, struct sph_mip *mip) {
@@ -212,12 +213,53 @@ static void invalid(void **state) {
     free_all(&m, &mip);
 }
 
+/* How spheres spread rays: those alone that rays leave, if there is an image; by their radius. */
+static void bends(void **state) {
+    (void)state;
+    for (int64_t r = 1; r < 1 << 24; r += 1 + r / 7) {
+        double off = sph_bend_of(r) - SPH_BEND_ONE - 2 * log2((double)r);
+        assert_true(fabs(off) <= 0.5 &&
+                    sph_bend_of(r) + SPH_BEND_THROUGH < 1 << SPH_PRIM_BEND_BITS);
+    }
+    struct sph_material look[2];
+    struct sph_scene scene = textured_scene(look);
+    struct sph_texture texture = {.path = "a", .repeat = {1, 1}, .line = 5};
+    struct sph_mip mip = textured_mip(37, 21, NULL);
+    struct sph_sphere ball[2] = {{.ctr = {-3, 0, -20}, .rad = 3, .texture = 1},
+                                 {.ctr = {3, 0, -20}, .rad = 1.5, .material = 1}};
+    look[1] = look[0];
+    scene.n_textures = 1, scene.n_spheres = scene.n_materials = 2;
+    scene.spheres = ball;
+    scene.textures = &texture;
+    for (int i = 0; i < 8; i++) { /* bits: mirrors, texture, spread */
+        struct sph_build_options o = textured_options;
+        struct sph_build_report report;
+        o.mips = &mip;
+        o.texture = i & 2 ? SPH_AUTO : SPH_OFF;
+        o.spread = i & 4 ? SPH_AUTO : SPH_OFF;
+        look[1].ks = i & 1;
+        struct sph_machine m = textured_build(&scene, &o, &report);
+        const uint32_t *prim = m.mem + 8 * (size_t)m.regs[SPH_REG_PRIM_BASE];
+        assert_int_equal(sph_machine_effect(&m, SPH_EFFECT_SPREAD), i == 7);
+        assert_int_equal(report.effects[SPH_REPORT_SPREAD].called, (i & 3) == 3);
+        assert_int_equal(strstr(report.warning, "spread off: as asked") != NULL, i == 3);
+        assert_int_equal(sph_field(prim, SPH_PRIM_BEND_LSB, SPH_PRIM_BEND_BITS), 0);
+        uint32_t rad = sph_field(prim + 8, SPH_LEAF_RAD_LSB, SPH_LEAF_RAD_BITS);
+        assert_int_equal(sph_field(prim + 8, SPH_PRIM_BEND_LSB, SPH_PRIM_BEND_BITS),
+                         i == 7 ? sph_bend_of(rad) : 0);
+        sph_machine_free(&m);
+        o.spread = SPH_ON; /* as asked, but not without an image */
+        m = textured_build(&scene, &o, &report);
+        assert_int_equal(sph_machine_effect(&m, SPH_EFFECT_SPREAD), i >> 1 & 1);
+        sph_machine_free(&m);
+    }
+    free(mip.texels);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(base),
-        cmocka_unit_test(images),
-        cmocka_unit_test(refused),
-        cmocka_unit_test(invalid),
+        cmocka_unit_test(base),    cmocka_unit_test(images), cmocka_unit_test(refused),
+        cmocka_unit_test(invalid), cmocka_unit_test(bends),
     };
     return cmocka_run_group_tests_name("build texture", tests, NULL, NULL);
 }

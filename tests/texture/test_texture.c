@@ -53,17 +53,46 @@ static void path_length(void **state) {
             sph_ray_setup(p, &ray);
             if (!ray.a) continue;
             uint64_t key = vec_unsigned(&rng, p->w + p->wd + 2), before = vec_unsigned(&rng, 12);
-            uint64_t path = sph_path_add(p, &ray, key, before, 0);
-            double length = 16 * (double)key / sqrt((double)ray.a) + (double)before;
+            int spread = i & 1 ? 0 : (int)(vec_unsigned(&rng, 16) % (SPH_SPREAD_MOST + 1));
+            uint64_t path = sph_path_add(p, &ray, key, before, spread);
+            double length = ldexp(16 * (double)key / sqrt((double)ray.a), spread) + (double)before;
             double low = floor(length - (length - (double)before) * 6 / 65536.0 - 0.5);
             double got = (double)path;
             if (length < (double)most - 1 ? got > length + 0.5 || got < low
                                           : got < (double)most * 0.9998)
                 fail_msg("%s: key %llu path %llu, expected %f", p->name, (unsigned long long)key,
                          (unsigned long long)path, length);
-            assert_int_equal(sph_path_add(p, &ray, key, most, 0), most);
+            assert_int_equal(sph_path_add(p, &ray, key, most, spread), most);
         }
     }
+}
+
+/* By counting up: the last power of two that is not more than path / 2^(bend / 2) by the machine's
+ * logarithm; and its distance from the sum in real numbers. */
+static void spreads(void **state) {
+    (void)state;
+    struct sph_rng rng = vec_seed("spreads");
+    double low = 0, high = 0;
+    for (int i = 0; i < 400000 / VEC_SHARE; i++) {
+        int before = i % (SPH_SPREAD_MOST + 1), c = -40;
+        uint32_t bend = (uint32_t)vec_unsigned(&rng, 6);
+        uint64_t path = vec_unsigned(&rng, 1 + i % 32);
+        int after = sph_spread(path, before, bend);
+        if (!path || !bend) {
+            assert_int_equal(after, before);
+            continue;
+        }
+        while (256 * (c + 1) + 128 * (int)bend <= (int)sph_log2((uint32_t)path))
+            c++;
+        int sum = c < before ? before : c > before ? c : before + 1;
+        assert_int_equal(after, sum < SPH_SPREAD_MOST ? sum : SPH_SPREAD_MOST);
+        double radius = exp2(((int)bend - SPH_BEND_ONE) / 2.0);
+        double off = after - log2(exp2(before) + 4 * ((double)path / 16) / radius);
+        if (after < SPH_SPREAD_MOST) low = fmin(low, off), high = fmax(high, off);
+    }
+    printf("# spread: %.3f to %.3f levels off\n", low, high);
+    assert_true(low > -0.95 && high < 0.51);
+    assert_true(low < -0.9 && high > 0.45);
 }
 
 static void levels(void **state) {
@@ -206,8 +235,9 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(log2_every_input), cmocka_unit_test(log2_small),
         cmocka_unit_test(path_length),      cmocka_unit_test(levels),
-        cmocka_unit_test(facet_coords),     cmocka_unit_test(longitude),
-        cmocka_unit_test(directions),       cmocka_unit_test(sphere_coords),
+        cmocka_unit_test(spreads),          cmocka_unit_test(facet_coords),
+        cmocka_unit_test(longitude),        cmocka_unit_test(directions),
+        cmocka_unit_test(sphere_coords),
     };
     return cmocka_run_group_tests_name("texture", tests, NULL, NULL);
 }
