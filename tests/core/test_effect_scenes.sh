@@ -9,8 +9,8 @@
 #   - the two cores' frames are equal in every field, and in counters and error bits.
 # Those that are listed as small or whole take smaller frames, and own cores in Icarus or none: a
 # core of its own is the dearest part. The whole core is `all`, or with textures, refraction,
-# highlights, sums, interpolated normals, clear materials and spread where the list has one; over a BIH
-# there is no such core. Every way of background separation on one of scenes/views/
+# highlights, sums, interpolated normals, clear materials and spread where the list has one; over a
+# BIH there is no such core. Every way of background separation on one of scenes/views/
 # (test_background.sh has more).
 # Then machines that ask for more than a core was built with: each is refused, by name, without a
 # pixel.
