@@ -20,6 +20,7 @@ module rt_surface #(
     parameter FACETS  = 0,     // 1: triangles and planes too
     parameter TEXTURE = 0,     // 1: textures
     parameter SMOOTH  = 0,     // 1: interpolated normals
+    parameter SPREAD  = 0,     // 1: spheres spread rays
     parameter LOOKS   = 0,     // 1: the rest of the material, for refraction and sum
     parameter SLOTS = 32,      // power of two
     parameter QUOTIENTS = 3,   // dividers
@@ -128,7 +129,7 @@ module rt_surface #(
     assign material_o[`RT_MATERIAL_TEX] =
         TEXTURE != 0 ? prim[`RT_PRIM_TEX_LSB +: `RT_PRIM_TEX_BITS] : {`RT_PRIM_TEX_BITS{1'b0}};
     assign material_o[`RT_MATERIAL_BEND] =
-        TEXTURE != 0 && effects[`RT_EFFECT_SPREAD]
+        SPREAD != 0 && effects[`RT_EFFECT_SPREAD]
         ? prim[`RT_PRIM_BEND_LSB +: `RT_PRIM_BEND_BITS] : {`RT_PRIM_BEND_BITS{1'b0}};
     assign material_o[`RT_MATERIAL_SMOOTH] =
         SMOOTH != 0 && effects[`RT_EFFECT_SMOOTH]

@@ -49,6 +49,8 @@ module rt_texture_path #(
     localparam PW = W + 8;
     localparam EW = `RT_PRIM_BEND_BITS;
     localparam OW = SPREAD != 0 ? PW + 4 + EW : PW;   // word of the stack
+    localparam OWN = SLOTW + `RT_LINE_BITS + 1;
+    localparam TAG = SPREAD != 0 ? OWN + EW : OWN;    // {bend, slot, tex, primary}
     wire             back = BACK != 0 && back_valid_i;
     wire             n_valid, n_in, n_take, ready;
     wire [SLOTW-1:0] n_slot;
@@ -82,6 +84,8 @@ module rt_texture_path #(
         .wr_data_i(back ? back_path_i[OW-1:0] : out_path_o[OW-1:0]),
         .rd_en_i(n_valid), .rd_addr_i(n_slot), .rd_data_o(n_word)
     );
+    wire [OWN+EW-1:0] n_tag = {n_bend, n_slot, n_tex, n_primary};
+    wire [TAG-1:0]   out_tag;
     // where the ray of this surface started
     wire [W+17:0]    n_start = n_primary ? {(W+18){1'b0}} : {{(W+18-OW){1'b0}}, n_word};
     generate
@@ -90,8 +94,10 @@ module rt_texture_path #(
                 .clk(clk), .wr_en_i(tex_valid_i), .wr_addr_i(tex_slot_i), .wr_data_i(bend_i),
                 .rd_en_i(n_valid), .rd_addr_i(n_slot), .rd_data_o(n_bend)
             );
+            assign out_bend = out_tag[OWN +: EW];
         end else begin : g_even
-            assign n_bend = {EW{1'b0}};
+            assign n_bend   = {EW{1'b0}};
+            assign out_bend = {EW{1'b0}};
             wire unused = &{1'b0, bend_i, back_path_i};
         end
     endgenerate
@@ -100,15 +106,16 @@ module rt_texture_path #(
         n_read_q <= n_valid && !n_take;
         if (rst) n_read_q <= 1'b0;
     end
-    rt_path #(.W(W), .WD(WD), .SPREAD(SPREAD), .TAG(SLOTW + `RT_LINE_BITS + 1 + EW)) u_path (
+    rt_path #(.W(W), .WD(WD), .SPREAD(SPREAD), .TAG(TAG)) u_path (
         .clk(clk), .rst(rst), .in_valid_i(n_read_q), .in_ready_o(ready),
-        .in_tag_i({n_slot, n_tex, n_primary, n_bend}), .in_key_i(n_key), .in_y_i(n_y),
+        .in_tag_i(n_tag[TAG-1:0]), .in_key_i(n_key), .in_y_i(n_y),
         .in_h_i(n_h), .in_path_i(n_start[PW-1:0]), .in_spread_i(n_start[PW +: 4]),
         .in_bend_i(n_start[PW+4 +: EW]),
-        .out_valid_o(out_valid_o), .out_tag_o({out_slot_o, out_tex_o, out_primary_o, out_bend}),
+        .out_valid_o(out_valid_o), .out_tag_o(out_tag),
         .out_path_o(out_path_o[PW-1:0]), .out_spread_o(out_path_o[PW +: 4])
     );
     assign out_path_o[PW+4 +: EW] = out_bend;
-    wire unused = &{1'b0, n_in, back_valid_i};
+    assign {out_slot_o, out_tex_o, out_primary_o} = out_tag[OWN-1:0];
+    wire unused = &{1'b0, n_in, back_valid_i, n_tag};
 endmodule
 `default_nettype wire

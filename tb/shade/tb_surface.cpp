@@ -28,6 +28,9 @@ extern "C" {
 #ifndef FACETS
 #define FACETS 0
 #endif
+#ifndef SPREAD
+#define SPREAD 0
+#endif
 #ifndef TEXTURE
 #define TEXTURE 0
 #endif
@@ -272,7 +275,7 @@ class Run {
         field("KR", RT_MATERIAL_KR, SPH_PRIM_KR_LSB, true);
         field("TEX", RT_MATERIAL_TEX, SPH_PRIM_TEX_LSB, TEXTURE);
         field("SMOOTH", RT_MATERIAL_SMOOTH, SPH_PRIM_SMOOTH_LSB, SMOOTH && smooths);
-        field("BEND", RT_MATERIAL_BEND, SPH_PRIM_BEND_LSB, TEXTURE && spreads);
+        field("BEND", RT_MATERIAL_BEND, SPH_PRIM_BEND_LSB, SPREAD && spreads);
         field("KT", RT_MATERIAL_KT, SPH_PRIM_KT_LSB, LOOKS);
         field("SUM", RT_MATERIAL_SUM, SPH_PRIM_SUM_LSB, LOOKS);
         field("KA", RT_MATERIAL_KA, SPH_PRIM_KA_LSB, LOOKS);
