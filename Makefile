@@ -37,8 +37,11 @@ comma := ,
 Q := $(if $(filter 1,$(V)),,@)
 say = $(if $(filter 1,$(V)),,@printf '  %-4s %s\n' $(1) $(2))
 
-# A compiler cache, if there is one: `make setup` installs it.
+# A compiler cache, if there is one: `make setup` installs it. The compiler tells it what a file
+# includes, which saves a preprocessor before each; the list of packages stands for their headers.
 CCACHE   := $(shell sh sim/ccache.sh)
+export CCACHE_DEPEND     := 1
+export CCACHE_EXTRAFILES := $(wildcard /var/lib/dpkg/status)
 CC       := $(CCACHE) gcc
 CXX      := $(CCACHE) g++
 WARN     := -Wall -Wextra -Wconversion -Wshadow -Werror

@@ -13,11 +13,12 @@ TEST_C  := $(sort $(wildcard tests/test_*.c tests/*/test_*.c))
 TEST_SH := $(sort $(wildcard tests/test_*.sh tests/*/test_*.sh))
 TEST_RUN := $(patsubst %.c,$B/test/%,$(notdir $(TEST_C)))
 # The longest first: what runs beside them fills their gaps.
-LONG    := tests/flow/test_benches.sh tests/core/test_core.sh tests/mutants/test_mutants.sh \
-           tests/core/test_effect_scenes.sh tests/core/test_core_boxes.sh \
-           tests/flow/test_lint.sh tests/core/test_core_optics.sh tests/flow/test_formal.sh \
-           tests/flow/test_budget.sh tests/tool/test_profile.sh tests/pixel/test_background.sh \
-           tests/core/test_core_bih.sh tests/hard/test_hard_rtl.sh
+LONG    := tests/flow/test_benches.sh tests/core/test_effect_scenes.sh tests/core/test_core.sh \
+           tests/flow/test_lint.sh tests/core/test_core_boxes.sh tests/flow/test_formal.sh \
+           tests/flow/test_budget.sh tests/core/test_core_optics.sh tests/core/test_core_bih.sh \
+           tests/core/test_core_texture.sh tests/core/test_parameters.sh \
+           tests/core/test_own_core.sh tests/hard/test_hard_rtl.sh tests/tool/test_profile.sh \
+           tests/pixel/test_background.sh tests/mutants/test_mutants.sh
 # What is quick and goes through each part of the model: `make test ONLY=.clang`.
 CLANG_C := bih bih_walk build cones facets_grid leaf_cases limits machine_bih machine_facets \
            model_optics motion reference_optics render_texture scene_make scene_optics scene_pdb
