@@ -21,6 +21,20 @@ FRAME = "640x360"
 ROUNDS = 5
 SCENES = ["random:256", "random:4096", "random:100000", "sphereflake:3"]
 SIZES = "100 1000 10000 100000 1000000"
+CHART = """set terminal svg noenhanced size 900,480 font "sans,13" background "white"
+set output "{out}"
+set title "Random spheres, processor time"
+set logscale xy
+set xlabel "spheres"
+set ylabel "seconds"
+set grid lc rgb "#cccccc"
+set key left top
+set datafile missing "-"
+plot {lines}
+"""
+LINES = {"tree, s": ("tree and memory image", 1), "frame, ms": ("frame of 640x360", 1e-3),
+         "Embree builds, s": ("Embree's tree", 1)}
+PICTURE = "docs/pictures/growth.svg"
 
 
 def run(*command):
@@ -123,6 +137,22 @@ def growth(bench):
     return table(head + (["Embree builds, s", "primary", "shadow"] if bench.embree else []), rows)
 
 
+def chart(text, picture):
+    """The columns of a growth table that are seconds; 0.00 has no place on the axis."""
+    head, _, *rows = [[c.strip() for c in line.strip()[1:-1].split("|")]
+                      for line in text.strip().splitlines()]
+    data, lines = "", []
+    for n, (name, (title, unit)) in enumerate((k, v) for k, v in LINES.items() if k in head):
+        data += f"$d{n} << end\n"
+        for row in rows:
+            value = float(row[head.index(name)]) * unit
+            data += f"{row[0]} {value:.6f}\n" if value > 0 else ""
+        data += "end\n"
+        lines.append(f'$d{n} using 1:2 with linespoints pt 7 lw 2 title "{title}"')
+    subprocess.run(["gnuplot"], input=data + CHART.format(out=picture, lines=", ".join(lines)),
+                   text=True, check=True)
+
+
 def main(tool, folder, page, embree=None):
     bench, texts = Bench(tool, folder, embree), {}
     wanted = os.environ.get("TABLES", "rays frames growth").split()
@@ -136,6 +166,7 @@ def main(tool, folder, page, embree=None):
         texts["frames"] = frames(bench)
     if "growth" in wanted:
         texts["growth"] = growth(bench)
+        chart(texts["growth"], PICTURE)
     for name, text in texts.items():
         print(f"{name}:\n{text}\n", flush=True)
     place(page, texts)
