@@ -53,6 +53,37 @@ induction() { # a base case of as many clocks as the step spans, then the step
     # no verdict of the solver: it was stopped, or the assumptions contradict each other
     [ "$verdict" = proved ] || grep -q 'Status: FAILED' "$out.log" || verdict=error
 }
+alike() { # from any state; a product is any function of its factors, the same one everywhere
+    out=$dir/$1 clock=${6#alike}
+    sources= sets=
+    for f in $4; do sources="$sources rtl/$f"; done
+    for p in $3; do sets="$sets -set ${p%%=*} ${p#*=}"; done
+    # no wreduce: all products have one width
+    $NICE yosys -q -p "read_verilog $include $sources; read_verilog -formal $include formal/$2.v;
+        ${sets:+chparam $sets $2;} hierarchy -check -top $2; proc; flatten; opt_expr; opt_clean;
+        async2sync; opt_clean; dffunmap; opt_clean; check -assert;
+        write_smt2 -wires $out.smt2" >"$out.log" 2>&1 || { verdict=error; return; }
+    # what smtbmc would ask a solver, with the answers of a proof; z3 gives its own, at once: first
+    # whether there is such a run at all, then whether one breaks the property
+    printf 'sat\nunsat\n' >"$out.dummy"
+    yosys-smtbmc -s dummy --dummy "$out.dummy" --noprogress --unroll --logic QF_BV --presat \
+        -t "$clock:$((clock + 1))" --dump-smt2 "$out.asked" "$out.smt2" >>"$out.log" 2>&1
+    grep -q bvmul "$out.asked" || { verdict=error; return; }
+    sed -e "s/(bvmul /(times /g; s/(set-logic QF_BV)/(set-logic QF_UFBV)/" \
+        -e "/^(set-logic/a (declare-fun times ((_ BitVec 34) (_ BitVec 34)) (_ BitVec 34))" \
+        -e '/^(push/s/.*/(echo "asked")/' \
+        -e '/^(exit/d; /^(pop/d; /^(set-info :status/d; /^(check-sat)/d' \
+        "$out.asked" >"$out.alike"
+    { sed '/^(echo/,$d' "$out.alike" && echo '(check-sat)'; } >"$out.run"
+    { grep -v '^(echo' "$out.alike" && echo '(check-sat)'; } >"$out.breaks"
+    verdict=error
+    answers=$($NICE z3 "$out.run" 2>&1)/$($NICE z3 "$out.breaks" 2>&1)
+    echo "$answers" >>"$out.log"
+    case $answers in
+    sat/unsat) verdict=proved ;;
+    sat/sat) verdict="fails in clock $clock" ;;
+    esac
+}
 reach() { # abc's pdr looks for the invariant itself; memories become flip-flops
     out=$dir/$1
     sources= sets=
@@ -126,7 +157,10 @@ while IFS='|' read name top params rtl memories depth speed; do
     p_*) how=reach method=pdr module=${rtl%%.v*} module=${module##*/} ;;
     s_*) how=simulation method=all module=${rtl%%.v*} module=${module##*/} ;;
     *) how=induction method=k=${depth#any}
-        case $depth in from*) method=t=${depth#from} ;; esac
+        case $depth in
+        from*) method=t=${depth#from} ;;
+        alike*) how=alike method=p=${depth#alike} ;;
+        esac
         module=${rtl%%.v*} module=${module##*/} ;;
     esac
     start=$(date +%s%N)
@@ -150,6 +184,7 @@ awk -F'|' 'BEGIN {
         printf form, "proof", "module", "parameters", "method", "seconds", "", "property" }
     { printf form, $1, $2, $3, $4, $5, $6, $7; sum += $5; proved += $6 == "proved" }
     END { printf "%d of %d proved in %.1f s (k: depth of the induction, t: clocks from " \
-          "any state, pdr: of abc, z3: integers, all: every input)\n", proved, NR, sum }' \
+          "any state, p: so, products being a function, pdr: of abc, z3: integers, " \
+          "all: every input)\n", proved, NR, sum }' \
     "$dir/table"
 exit $worst

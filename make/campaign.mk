@@ -20,10 +20,18 @@ campaign: $(LIB) $(TOOL) $B/test/libhard.a ## faults by Yosys in every module, a
 	@python3 -m lab.pages.measured docs/results/mutants.md "make campaign"
 
 # Faults in the arithmetic of the golden model, as many as are begun within MINUTES.
-campaign_model = builder core machine math pixel prim reference shade texture trace
+campaign_model = builder core fast machine math pixel prim reference shade texture trace
 campaign_suite = $(patsubst %.c,$B/test/%.o, \
     $(notdir $(wildcard $(campaign_model:%=tests/%/test_*.c))))
 campaign-c: $(LIB) $(campaign_suite) ## faults in the model's arithmetic, and what notices them
 	@JOBS=$(JOBS) python3 -m lab.mutants.model $B $(FAULTS) $(SEED) $(MINUTES) $(CC) $(CFLAGS)
+	@python3 -m lab.pages.measured docs/results/mutants.md "make campaign-c" \
+	    model model_reasons model_run model_faults
 
-.PHONY: campaign campaign-c
+# Branches and bits that the benches of small modules meet.
+coverage: $(LIB) $B/test/libhard.a ## branches and bits of small modules that their benches meet
+	@sh tb/run_bench.sh --tools
+	$(Q)python3 -m lab.coverage $B
+	@python3 -m lab.pages.measured docs/results/mutants.md "make coverage" coverage
+
+.PHONY: campaign campaign-c coverage

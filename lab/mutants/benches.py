@@ -103,12 +103,13 @@ class Core(Built):
         ("scenes/interpenetrating.nff", ("--tree", "paper"), ("--reg", "0=31")),
         ("scenes/inside.nff", ("--depth", "5"), ()),
         ("scenes/eight_lights.nff", ("--background", "rect"), ()),
-        ("tests/scenes/facets/mixed.nff", (), ()),
-        ("tests/scenes/texture/balls.nff", (), ()),
-        ("tests/scenes/refraction/mixed.nff", (), ()),
+        ("tests/scenes/facets/mixed.nff", ("--accel", "bvh4"), ()),
+        ("tests/scenes/texture/balls.nff", ("--accel", "bvh4"), ()),
+        ("tests/scenes/refraction/mixed.nff", ("--accel", "bvh4"), ()),
         ("scenes/paper100.nff", ("--background", "spans"), ("--warm",)),
         ("scenes/inside.nff", (), ("--reg", "0=3", "--life", "--cuts", "20")),
-        ("tests/scenes/texture/balls.nff", (), ("--life", "--window", "0,0,4,3", "--trials", "50")),
+        ("tests/scenes/texture/balls.nff", ("--accel", "bvh4"),
+         ("--life", "--window", "0,0,4,3", "--trials", "50")),
     )
 
     def __init__(self, effects, build):
@@ -127,7 +128,8 @@ class Core(Built):
     def make(self, verilog):
         for number, (scene, options, _) in enumerate(self.SCENES):
             shell([f"{self.build}/sphaera", "build", scene, "--profile", "draft", "--size",
-                   "20x12", *options, "-o", f"{self.folder}/{number}.sph"], f"{self.folder}/log")
+                   "20x12", "--axes", "camera", *options, "-o", f"{self.folder}/{number}.sph"],
+                  f"{self.folder}/log")
         objects = [f"{self.build}/sim/obj/{os.path.basename(n)[:-4]}.o"
                    for n in sorted(glob.glob("tb/core/*.cpp"))
                    if "simulate_" not in n and "tb_counters" not in n]

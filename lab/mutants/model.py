@@ -4,9 +4,11 @@
 
 An operator or number of a file of cmodel/ becomes another one (EDITS): COUNT of all these places,
 drawn by SEED, as many as are begun within MINUTES. The file is compiled and linked in front of the
-library's own, into one suite of tests/ after the other, those of its folder first, until one fails,
-hangs or crashes. What compiles to the same instructions is no fault. JOBS are tried at once."""
+library's own, into one suite of tests/ after the other until one fails, hangs or crashes: those of
+its name first, then the quickest, of those that gcov says run its line. What compiles to the same
+instructions is no fault. JOBS are tried at once; what was tried is kept and not tried again."""
 import glob
+import json
 import os
 import random
 import re
@@ -19,17 +21,21 @@ from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 
 from ..jobs import store
+from ..pages import place
+from . import page
 
-FOLDERS = ("math", "pixel", "prim", "shade", "texture", "trace")    # of cmodel/
-BELOW = {"math": "shade prim trace core", "pixel": "core", "prim": "trace core",
-         "shade": "core reference", "texture": "core reference",
-         "trace": "builder machine core prim"}
+FOLDERS = ("engine", "math", "pixel", "prim", "shade", "texture", "trace")    # of cmodel/
+EQUIVALENT = "tests/mutants/equivalent_c.txt"   # reasons, and below each the faults it holds for
+PAGE = "docs/results/mutants.md"
 EDITS = ((r" \+ ", " - "), (r" - ", " + "), (r" \* ", " + "), (r" << ", " >> "), (r" >> ", " << "),
          (r" < ", " <= "), (r" <= ", " < "), (r" > ", " >= "), (r" >= ", " > "), (r" == ", " != "),
          (r" != ", " == "), (r" && ", " || "), (r" \|\| ", " && "), (r" & ", " | "),
          (r" \| ", " & "), (r"(?<=[ (,])-(?=[a-z(])", ""), (r"(?<=[ (])!(?=[a-z(])", ""),
          (r"(?<=[ (\[])(\d+)(?=[;,) \]])", None), (r" \+= ", " -= "), (r" -= ", " += "))
-SECONDS = 100   # of a processor, for a suite: longer is a hang
+TESTS = "builder core fast machine math pixel prim reference shade texture trace".split()
+LONGEST = float(os.environ.get("LONGEST", "1000"))  # seconds of a suite that is tried at all
+PATIENCE, SLACK = 2, 2      # a suite may take PATIENCE times what it takes without one, and SLACK
+SOURCES = ["cmodel/*/*.[ch]", "tests/*.h", *(f"tests/{t}/*.c" for t in TESTS)]
 
 
 def places():
@@ -49,23 +55,20 @@ def places():
     return sorted(found)
 
 
-def suites(build, name):
-    """Programs that are tried for a file, the nearest first."""
-    folder, stem = name.split("/")[1], os.path.basename(name)[:-2]
-    folders = [folder, *BELOW[folder].split()]
-    found = [os.path.basename(t)[:-2] for f in folders for t in sorted(glob.glob(f"tests/{f}/*.c"))
-             if os.path.basename(t).startswith("test_")]
-    found.sort(key=lambda t: stem not in t)
-    return [t for t in dict.fromkeys(found) if os.path.exists(f"{build}/test/{t}.o")]
+def suites(build):
+    """Programs of tests."""
+    found = [os.path.basename(n)[:-2] for t in TESTS for n in sorted(glob.glob(f"tests/{t}/*.c"))]
+    return [t for t in found if t.startswith("test_") and os.path.exists(f"{build}/test/{t}.o")]
 
 
 class Trial:
     def __init__(self, build, compiler):
-        self.build, self.compiler, self.sound = build, compiler, {}
+        self.build, self.compiler = build, compiler
         self.linker = [w for w in compiler if not w.startswith("-")][-1]  # behind a ccache
         self.libraries = subprocess.run(
             ["pkg-config", "--libs", "cmocka", "expat", "gmp", "mpfr"], check=True, text=True,
             stdout=subprocess.PIPE).stdout.split()
+        self.suites = self.survey()
 
     def compiled(self, folder, name, text):
         """The object file of a text in place of a file, and its instructions; None: none."""
@@ -80,25 +83,82 @@ class Trial:
         return made, subprocess.run(["objdump", "-d", "-s", made], check=True,
                                     stdout=subprocess.PIPE).stdout
 
-    def run(self, folder, suite, objects):
-        """Whether a suite passes with these objects in front of the library."""
+    def link(self, folder, suite, objects, library):
+        """A suite's program with these objects in front of the library."""
         program = f"{folder}/{suite}"
         subprocess.run([self.linker, "-fopenmp", f"{self.build}/test/{suite}.o", *objects,
-                        f"{self.build}/libsphaera.a", *self.libraries, "-lm", "-o",
-                        program], check=True)
+                        library, *self.libraries, "-lm", "-lgcov", "-o", program], check=True)
+        return program
+
+    def run(self, program, seconds, **more):
+        """Whether a suite passes within so many seconds of a processor."""
         return subprocess.run(
             [program], check=False, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS)),
-            env={**os.environ, "BUILD": self.build}).returncode == 0
+            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds)),
+            env={**os.environ, "BUILD": self.build, "OMP_NUM_THREADS": "1", **more}).returncode == 0
 
-    def passes(self, suite):
-        """Whether it passes as it is; what does not is not asked."""
-        if suite not in self.sound:
-            with tempfile.TemporaryDirectory(prefix="sphaera-fault-") as folder:
-                self.sound[suite] = self.run(folder, suite, [])
-            if not self.sound[suite]:
-                print(f"{suite} fails without a fault")
-        return self.sound[suite]
+    def survey(self):
+        """{suite: [seconds, {file: [first line, whether it runs, next line, ...]}]} of the suites
+        that pass. Kept until a source changes."""
+        cache, digest = f"{self.build}/mutants/suites.json", store.digest(SOURCES)
+        if os.path.exists(cache):
+            with open(cache, encoding="utf-8") as f:
+                kept = json.load(f)
+            if kept["digest"] == digest:
+                return kept["suites"]
+        print("running each suite once, with gcov", flush=True)
+        with tempfile.TemporaryDirectory(prefix="sphaera-fault-") as folder:
+            objects = []
+            for name in sorted({n for n, *_ in places()}):
+                objects.append(f"{folder}/{name[7:-2].replace('/', '-')}.o")
+                subprocess.run([*self.compiler, "-w", "-Icmodel", "-O1", "--coverage", "-c", name,
+                                "-o", objects[-1]], check=True)
+            found = {}
+            for suite in suites(self.build):
+                program = self.link(folder, suite, objects, f"{self.build}/libsphaera.a")
+                began = os.times()
+                passed = self.run(program, 600)
+                now = os.times()
+                seconds = now.children_user + now.children_system - (
+                    began.children_user + began.children_system)
+                counts = glob.glob(f"{folder}/*.gcda")
+                if passed:
+                    found[suite] = [round(seconds, 2), self.lines(counts)]
+                else:
+                    print(f"{suite} fails without a fault")
+                for name in counts + [program]:
+                    os.remove(name)
+        os.makedirs(os.path.dirname(cache), exist_ok=True)
+        with open(cache, "w", encoding="utf-8") as f:
+            json.dump({"digest": digest, "suites": found}, f)
+        return found
+
+    @staticmethod
+    def lines(counts):
+        """{file: [[line, 1 if it ran]]}"""
+        told = subprocess.run(["gcov", "--json-format", "--stdout", *counts], check=True, text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.DEVNULL).stdout
+        found = {}
+        for text in told.splitlines():
+            for file in json.loads(text)["files"]:
+                if file["file"].endswith(".c"):
+                    ran = {}
+                    for line in file["lines"]:
+                        ran[line["line_number"]] = ran.get(line["line_number"], 0) | (
+                            line["count"] > 0)
+                    found[file["file"]] = sorted([n, int(r)] for n, r in ran.items())
+        return found
+
+    def near(self, name, line):
+        """Suites that run a line of a file, in the order in which they are tried."""
+        (folder, stem), found = os.path.split(name[7:-2]), []
+        for suite, (seconds, files) in self.suites.items():
+            lines = files.get(name, [])
+            before = [ran for number, ran in lines if number <= line] or (
+                [any(ran for _, ran in lines)])     # a constant above all functions
+            if before[-1] and seconds <= LONGEST:
+                found.append((stem not in suite and folder not in suite, seconds, suite))
+        return [suite for *_, suite in sorted(found)]
 
     def verdict(self, name, at, length, to):
         """(verdict, suite)"""
@@ -111,44 +171,105 @@ class Trial:
             made, code = self.compiled(folder, name, text[:at] + to + text[at + length:])
             if made is None or code == sound:
                 return "none", "-"
-            for suite in suites(self.build, name):
-                if self.passes(suite) and not self.run(folder, suite, [made]):
+            tried = self.near(name, text.count("\n", 0, at) + 1)
+            for suite in tried:
+                program = self.link(folder, suite, [made], f"{self.build}/libsphaera.a")
+                if not self.run(program, int(PATIENCE * self.suites[suite][0] + SLACK)):
                     return "killed", suite
-        return "left", "-"
+                os.remove(program)
+        return "left", f"{len(tried)} suites", LONGEST
+
+
+def name_of(name, at, length, to):
+    """A fault's name: file, the line as it stands, what becomes of the place, which one of them."""
+    with open(name, encoding="utf-8") as f:
+        text = f.read()
+    start = text.rfind("\n", 0, at) + 1
+    line = text[start:text.index("\n", at)]
+    old = text[at:at + length]
+    nth = line[:at - start].count(old) + 1
+    return f"{name[7:]}: {' '.join(line.split())}: {old.strip()} to {to.strip() or 'nothing'} {nth}"
 
 
 def main(build, count, seed, minutes, *compiler):
-    found, rows, done = places(), [], 0
+    found, kept = places(), f"{build}/mutants/model.json"
     chosen = random.Random(int(seed)).sample(found, min(int(count), len(found)))
     trial = Trial(build, list(compiler) or ["gcc", "-std=c11"])
-    end = time.time() + 60 * int(minutes)
+    end, done = time.time() + 60 * int(minutes), {"digest": store.digest(SOURCES), "tried": {}}
+    if os.path.exists(kept):
+        with open(kept, encoding="utf-8") as f:
+            before = json.load(f)
+        if before["digest"] == done["digest"]:
+            done = before
 
     def one(place_of):
+        before = done["tried"].get(name_of(*place_of))
+        if before and (before[0] != "left" or before[2] >= LONGEST):
+            return None     # what is left is tried again if longer suites may be
         return trial.verdict(*place_of) if time.time() < end else None
 
     with ThreadPoolExecutor(int(os.environ.get("JOBS", "1"))) as pool:
-        for (name, at, length, to), result in zip(chosen, pool.map(one, chosen)):
-            done += result is not None
-            if result is None or result[0] == "none":
+        for place_of, result in zip(chosen, pool.map(one, chosen)):
+            if result is None:
                 continue
-            with open(name, encoding="utf-8") as f:
-                text = f.read()
-            line, start = text.count("\n", 0, at) + 1, text.rfind("\n", 0, at)
-            rows.append([f"{name[7:]}:{line}.{at - start}",
-                         f"{text[at:at + length].strip()} to {to.strip() or 'nothing'}", *result])
-            print(*rows[-1], flush=True)
-    told(sorted(rows), seed, len(found), done)
+            done["tried"][name_of(*place_of)] = result
+            with open(kept + ".tmp", "w", encoding="utf-8") as f:
+                json.dump(done, f, indent=0)
+            os.replace(kept + ".tmp", kept)
+            if result[0] != "none":
+                print(*result[:2], name_of(*place_of), flush=True)
+    tried = {name: done["tried"][name] for name in map(lambda c: name_of(*c), chosen)
+             if name in done["tried"]}
+    told(tried, seed, len(found))
 
 
-def told(rows, seed, found, done):
-    """How many were noticed in each folder."""
-    counts = Counter((row[0].split("/")[0], row[2]) for row in rows)
-    for folder in (*FOLDERS, "all"):
-        killed, left = (sum(n for (f, v), n in counts.items() if v == verdict
-                            and folder in (f, "all")) for verdict in ("killed", "left"))
-        if killed + left:
-            print(f"{folder}: {killed} of {killed + left} killed")
-    print(f"seed {seed}, {done} of {found} places, cmodel {store.digest(['cmodel/*/*.[ch]'])[:8]}")
+def reasons():
+    """{fault: why nothing can notice it}"""
+    found, reason, faults = {}, [], False
+    with open(EQUIVALENT, encoding="utf-8") as f:
+        for line in f:
+            if not line.strip() or line.startswith("#"):
+                continue
+            if line[0] != " ":
+                reason = [] if faults else reason
+                reason.append(line.strip())
+            else:
+                found[line.strip()] = " ".join(reason)
+            faults = line[0] == " "
+    return found
+
+
+def told(tried, seed, found):
+    """The tables of the page."""
+    known, counts, why, rows = reasons(), Counter(), Counter(), []
+    for name, (verdict, suite, *_) in sorted(tried.items()):
+        if verdict == "left" and name in known:
+            verdict, suite = "equivalent", known[name]
+            why[suite] += 1
+        counts[name.split("/")[0], verdict] += 1
+        counts["**all**", verdict] += 1
+        if verdict != "none":
+            rows.append([name, verdict, suite])
+    for name, verdict, suite in rows:
+        if verdict == "left":
+            print("left:", name, suite)
+    page.tsv("model_faults", ["fault", "verdict", "by"], rows)
+    table = []
+    for folder in (*FOLDERS, "**all**"):
+        killed, same, left = (counts[folder, v] for v in ("killed", "equivalent", "left"))
+        if killed + same + left:
+            table.append([folder, *map(str, (killed + same + left, killed, same, left)),
+                          f"{100 * killed / max(1, killed + left):.1f}"])
+            print(*table[-1])
+    run = [[seed, str(found), str(len(tried)), str(counts["**all**", "none"]),
+            store.digest(["cmodel/*/*.[ch]"])[:8]]]
+    place.place(PAGE, {
+        "model": page.markdown(["cmodel/", "faults", "killed", "equivalent", "left", "killed, %"],
+                               table).rstrip("\n"),
+        "model_reasons": page.markdown(["faults", "why nothing can notice them"],
+                                       [[str(n), w] for w, n in why.most_common()]).rstrip("\n"),
+        "model_run": page.markdown(["seed", "places", "tried", "same instructions",
+                                    "digest of cmodel/"], run).rstrip("\n")})
 
 
 if __name__ == "__main__":
