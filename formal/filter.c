@@ -59,12 +59,31 @@ static void unit_of(const struct sph_ray *ray, int64_t u[3]) {
                          BITS + 16 - UNIT);
 }
 
-/* sph_filter() with UNIT bits of fraction: 16 |oc x u|^2, rounded as there. */
-static int64_t distance(const int64_t oc[3], const int64_t u[3]) {
-    int64_t x = sph_round(oc[1] * u[2] - oc[2] * u[1], UNIT - 2);
-    int64_t y = sph_round(oc[2] * u[0] - oc[0] * u[2], UNIT - 2);
-    int64_t z = sph_round(oc[0] * u[1] - oc[1] * u[0], UNIT - 2);
-    return x * x + y * y + z * z;
+/* sph_across() of UNIT bits: p and q of UNIT + 1, shorter than 1 by as much of their last bits. */
+static struct sph_across across_of(const int64_t u[3]) {
+    int64_t mag[3] = {llabs(u[0]), llabs(u[1]), llabs(u[2])};
+    int m = mag[0] <= mag[1] && mag[0] <= mag[2] ? 0 : mag[1] <= mag[2] ? 1 : 2;
+    struct sph_across r = {.axis_a = m == 0 ? 1 : 0, .axis_b = m == 2 ? 1 : 2};
+    int64_t a = u[r.axis_a], b = u[r.axis_b];
+    uint64_t square = (uint64_t)(mag[m] * mag[m]) << (32 - 2 * UNIT);
+    int64_t scale = sph_rsqrt((uint32_t)~square >> 14) - (SPH_ACROSS_SHORT << (16 - UNIT));
+    r.p_a = (int32_t)sph_round(scale * b, 15);
+    r.p_b = (int32_t)sph_round(scale * a, 15);
+    r.q[r.axis_a] = (int32_t)sph_round(u[m] * r.p_b, UNIT);
+    r.q[r.axis_b] = (int32_t)sph_round(u[m] * r.p_a, UNIT);
+    r.q[m] = (int32_t)sph_round(~(a * r.p_b + b * r.p_a), UNIT);
+    return r;
+}
+
+/* sph_filter() with these axes: the squared distance of units 2^-FILTER_FRACTION, cut as there. */
+static int64_t cut(int64_t x) {
+    x >>= UNIT + 1 - SPH_FILTER_FRACTION;
+    return x < 0 ? ~x : x;
+}
+static int64_t distance(const int64_t oc[3], const struct sph_across *a) {
+    int64_t p = cut(oc[a->axis_a] * a->p_a - oc[a->axis_b] * a->p_b);
+    int64_t q = cut(oc[0] * a->q[0] + oc[1] * a->q[1] + oc[2] * a->q[2]);
+    return p * p + q * q;
 }
 
 static uint64_t tests, hits_1; /* hits_1: would be lost with a margin of 1 */
@@ -86,6 +105,7 @@ static int hits(const struct sph_ray *ray, const int64_t exact[3], int64_t rad) 
 static int check_dir(struct sph_ray *ray, const uint8_t *root) {
     int64_t u[3];
     unit_of(ray, u);
+    const struct sph_across across = across_of(u);
     if (UNIT == 16 && (u[0] != ray->unit.u[0] || u[1] != ray->unit.u[1] || u[2] != ray->unit.u[2]))
         return fail("another unit vector", ray, u, 0);
     for (int i = 0; i < n_pairs; i++)
@@ -94,7 +114,7 @@ static int check_dir(struct sph_ray *ray, const uint8_t *root) {
                 int64_t exact[3] = {pairs[i].exact, pairs[j].exact, pairs[k].exact};
                 int64_t oc[3] = {pairs[i].seen, pairs[j].seen, pairs[k].seen};
                 int64_t depth = ray->negative ? -oc[ray->axis] : oc[ray->axis];
-                int64_t rejected = root[distance(oc, u)] - 1; /* the greatest */
+                int64_t rejected = root[distance(oc, &across)] - 1; /* the greatest */
                 if (rejected < -depth - 1) rejected = -depth - 1;
                 if (UNIT == 16) {
                     struct sph_child child = {{(int32_t)oc[0], (int32_t)oc[1], (int32_t)oc[2]},
@@ -113,12 +133,13 @@ static int check_dir(struct sph_ray *ray, const uint8_t *root) {
 }
 
 int main(void) {
-    /* least radius whose square is not below 1/16 of a squared distance */
-    size_t most = (size_t)256 << (2 * FW); /* 16 * 12 * 2^(2FW) and the roundings */
+    /* least radius that is not below a squared distance */
+    const size_t one = (size_t)1 << (2 * SPH_FILTER_FRACTION);
+    size_t most = one << (2 * FW + 4); /* 12 * 2^(2FW) and the roundings */
     uint8_t *root = malloc(most);
     if (!root) return 2;
     for (size_t d = 0, r = 0; d < most; root[d++] = (uint8_t)r)
-        while (16 * r * r < d)
+        while (one * r * r < d)
             r++;
     make_pairs();
     for (int64_t x = -(1 << (DIR - 1)); x < 1 << (DIR - 1); x++)

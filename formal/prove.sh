@@ -111,7 +111,7 @@ lemma() { # every check-sat says what `:status` before it says
 }
 program() { # with the model's own functions; exit 0: all inputs hold, 1: one does not
     sources= sets=
-    for f in trace/filter trace/setup prim/leaf math/rsqrt math/isqrt; do
+    for f in trace/filter trace/across trace/setup prim/leaf math/rsqrt math/isqrt; do
         sources="$sources cmodel/$f.c"
     done
     for p in $3; do sets="$sets -D$p"; done
@@ -126,7 +126,7 @@ simulation() { # all inputs of a module without state; says "proved" or what fai
     for f in $4; do sources="$sources rtl/$f"; done
     for p in $3; do sets="$sets -P$2.$p"; done
     # shellcheck disable=SC2086  # lists of words
-    iverilog -g2005 -Wall $sets -s "$2" -o "$dir/$1.vvp" "formal/$2.v" $sources \
+    iverilog -g2005 -Wall $include $sets -s "$2" -o "$dir/$1.vvp" "formal/$2.v" $sources \
         >"$dir/$1.log" 2>&1 || { verdict=error; return; }
     $NICE vvp -n "$dir/$1.vvp" >>"$dir/$1.log" 2>&1
     verdict=error

@@ -106,6 +106,8 @@ rtl/top/rt_machine.v
 rtl/top/rt_run.v
 rtl/top/rt_top.v
 rtl/top/rt_totals.v
+rtl/trace/rt_across.v
+rtl/trace/rt_across_one.v
 rtl/trace/rt_bih.v
 rtl/trace/rt_bih_next.v
 rtl/trace/rt_bih_ray.v

@@ -28,7 +28,7 @@ parameters="$(sh sim/profile.sh "$profile") $(sh sim/parameters.sh "${variant%-e
 root=2 quotient=2
 case $variant in *-quotient*) quotient=${variant##*-quotient} variant=${variant%-quotient*} ;; esac
 case $variant in *-root*) root=${variant##*-root} variant=${variant%-root*} ;; esac
-for name in shades exacts pipes; do
+for name in squares shades exacts pipes; do
     case $variant in
     *-$name[0-9]*)
         parameters="$parameters $(echo $name | tr a-z A-Z)=${variant##*-$name}"

@@ -26,6 +26,26 @@ static inline struct sph_unit sph_fast_unit(const int64_t v[3], uint64_t vv, int
     return r;
 }
 
+/* sph_across() */
+static inline struct sph_across sph_fast_across(const int32_t u[3]) {
+    int32_t x = u[0] < 0 ? -u[0] : u[0], y = u[1] < 0 ? -u[1] : u[1], z = u[2] < 0 ? -u[2] : u[2];
+    int m = y < x;
+    uint64_t mag = (uint64_t)(m ? y : x);
+    m = z < (int32_t)mag ? 2 : m;
+    mag = z < (int32_t)mag ? (uint64_t)z : mag;
+    struct sph_across r = {.axis_a = m == 0, .axis_b = m == 2 ? 1 : 2};
+    uint32_t arg = (uint32_t) ~(mag * mag) >> 14, at = (arg >> 10) - 64;
+    int64_t u_i = u[r.axis_a], u_j = u[r.axis_b], u_m = u[m];
+    int64_t scale = (int64_t)sph_rsqrt_table[at].start - SPH_ACROSS_SHORT -
+                    (sph_rsqrt_table[at].slope * (arg & 1023) >> 10);
+    r.p_a = (int32_t)sph_fast_round(scale * u_j, 15);
+    r.p_b = (int32_t)sph_fast_round(scale * u_i, 15);
+    r.q[r.axis_a] = (int32_t)sph_fast_round(u_m * r.p_b, 16);
+    r.q[r.axis_b] = (int32_t)sph_fast_round(u_m * r.p_a, 16);
+    r.q[m] = (int32_t)sph_fast_round(~(u_i * r.p_b + u_j * r.p_a), 16);
+    return r;
+}
+
 /* dir.dir */
 static inline uint64_t sph_fast_square(const int64_t v[3]) {
     return (uint64_t)(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
@@ -41,6 +61,7 @@ static inline void sph_fast_setup(const struct sph_profile *p, struct sph_ray *r
         ray->forg[i] = (int32_t)(o < -most - 1 ? -most - 1 : o);
     }
     const int32_t *u = ray->unit.u;
+    ray->across = sph_fast_across(u);
     int32_t x = u[0] < 0 ? -u[0] : u[0], y = u[1] < 0 ? -u[1] : u[1], z = u[2] < 0 ? -u[2] : u[2];
     int axis = y > x;
     int32_t mag = axis ? y : x;

@@ -2,19 +2,23 @@
  * SPDX-License-Identifier: Apache-2.0
  */
 #include "fast/decoded.h"
+#include "machine/layout.h"
 
 #ifdef __AVX2__
 #include <immintrin.h>
 
+#define PLUS (1ll << (49 - SPH_FILTER_FRACTION))
+
 enum { KEY_NONE = 0x0000ffff, BIAS = 1 << 15 };
 
-/* oc x u = ctr x u - org x u, so the origin is a constant of the ray, and so is what rounds: a
- * half, and 2^46, which makes the sum positive, so that it may be shifted as an unsigned number:
- * what that adds to the quotient, 2^32, is beyond the 32 bits that a product takes. */
+/* oc.p = ctr.p - org.p, so the origin is a constant of the ray, and so is PLUS, which makes the sum
+ * positive, so that it may be shifted as an unsigned number: what that adds to the quotient, 2^32,
+ * is beyond the 32 bits that a product takes. */
 struct lanes {
-    __m256i u[3], minus[3]; /* four words of 64 bits */
-    __m128i sign, plus;     /* depth = (ctr ^ sign) + plus, four words of 32 */
-    __m128i ordered;        /* 0 if all are equally near */
+    __m256i p_a, p_b, q[3], minus_p, minus_q; /* four words of 64 bits */
+    int i, j;
+    __m128i sign, plus; /* depth = (ctr ^ sign) + plus, four words of 32 */
+    __m128i ordered;    /* 0 if all are equally near */
     int axis;
 };
 
@@ -28,13 +32,19 @@ static const uint64_t lane_word[4] = {0xffff, 0xffffull << 16, 0xffffull << 32, 
 static struct lanes lanes_of(const struct sph_profile *p, const struct sph_ray *ray) {
     (void)p;
     struct lanes l;
-    const int32_t *u = ray->unit.u, *o = ray->forg;
-    for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        int64_t cross = (int64_t)o[j] * u[k] - (int64_t)o[k] * u[j];
-        l.u[i] = _mm256_set1_epi64x(u[i]);
-        l.minus[i] = _mm256_set1_epi64x((1ll << 46) + (1 << 13) - cross);
+    const struct sph_across *a = &ray->across;
+    const int32_t *o = ray->forg;
+    int64_t org_p = (int64_t)o[a->axis_a] * a->p_a - (int64_t)o[a->axis_b] * a->p_b, org_q = 0;
+    for (int k = 0; k < 3; k++) {
+        org_q += (int64_t)o[k] * a->q[k];
+        l.q[k] = _mm256_set1_epi64x(a->q[k]);
     }
+    l.p_a = _mm256_set1_epi64x(a->p_a);
+    l.p_b = _mm256_set1_epi64x(-a->p_b);
+    l.minus_p = _mm256_set1_epi64x(PLUS - org_p);
+    l.minus_q = _mm256_set1_epi64x(PLUS - org_q);
+    l.i = a->axis_a;
+    l.j = a->axis_b;
     int any = sph_ray_any(ray), sign = ray->negative ? -1 : 0, at = o[ray->axis];
     l.axis = ray->axis;
     l.sign = _mm_set1_epi32(sign);
@@ -76,10 +86,11 @@ static inline __m128i half(const int16_t *at) {
     return _mm_cvtepi16_epi32(_mm_loadl_epi64((const __m128i *)(const void *)at));
 }
 
-/* A component of the cross product, rounded: its low 32 bits. */
-static inline __m256i cross(__m256i a, __m256i ub, __m256i b, __m256i ua, __m256i minus) {
-    __m256i sum = _mm256_sub_epi64(_mm256_mul_epi32(a, ub), _mm256_mul_epi32(b, ua));
-    return _mm256_srli_epi64(_mm256_add_epi64(sum, minus), 14);
+/* The square of a distance along an axis, cut. */
+static inline __m256i square(__m256i sum) {
+    __m256i x = _mm256_srli_epi64(sum, 17 - SPH_FILTER_FRACTION);
+    x = _mm256_xor_si256(x, _mm256_srai_epi32(x, 31));
+    return _mm256_mul_epi32(x, x);
 }
 
 /* Ones where a node has no inner child: it has so many. */
@@ -90,13 +101,15 @@ static inline unsigned children(const struct lanes *l, const struct sph_fast *f,
                                 int32_t depth_max, keys *order) {
     const struct sph_fast_node *n = &f->nodes[node];
     __m256i x = wide(n->ctr[0]), y = wide(n->ctr[1]), z = wide(n->ctr[2]), r = wide(n->rad);
-    __m256i cx = cross(y, l->u[2], z, l->u[1], l->minus[0]);
-    __m256i cy = cross(z, l->u[0], x, l->u[2], l->minus[1]);
-    __m256i cz = cross(x, l->u[1], y, l->u[0], l->minus[2]);
-    __m256i dist2 =
-        _mm256_add_epi64(_mm256_mul_epi32(cx, cx),
-                         _mm256_add_epi64(_mm256_mul_epi32(cy, cy), _mm256_mul_epi32(cz, cz)));
-    __m256i aside = _mm256_cmpgt_epi64(dist2, _mm256_slli_epi64(_mm256_mul_epi32(r, r), 4));
+    __m256i p = _mm256_add_epi64(_mm256_mul_epi32(wide(n->ctr[l->i]), l->p_a),
+                                 _mm256_mul_epi32(wide(n->ctr[l->j]), l->p_b));
+    __m256i q = _mm256_add_epi64(
+        _mm256_mul_epi32(x, l->q[0]),
+        _mm256_add_epi64(_mm256_mul_epi32(y, l->q[1]), _mm256_mul_epi32(z, l->q[2])));
+    __m256i dist2 = _mm256_add_epi64(square(_mm256_add_epi64(p, l->minus_p)),
+                                     square(_mm256_add_epi64(q, l->minus_q)));
+    __m256i rad2 = _mm256_slli_epi64(_mm256_mul_epi32(r, r), 2 * SPH_FILTER_FRACTION);
+    __m256i aside = _mm256_cmpgt_epi64(dist2, rad2);
     __m128i rad = half(n->rad);
     __m128i depth = _mm_add_epi32(_mm_xor_si128(half(n->ctr[l->axis]), l->sign), l->plus);
     __m128i near = _mm_sub_epi32(depth, rad);

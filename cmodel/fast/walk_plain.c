@@ -2,47 +2,53 @@
  * SPDX-License-Identifier: Apache-2.0
  */
 #include "machine/layout.h"
-#include "math/fx.h"
 #include "trace/ray.h"
 
 #include "fast/decoded.h"
 #include "fast/sorted.h"
 
 struct lanes {
-    int32_t org[3], u[3];
+    int32_t org[3];
+    struct sph_across across;
     int axis, sign, any;
 };
 
 static struct lanes lanes_of(const struct sph_profile *p, const struct sph_ray *ray) {
     (void)p;
-    struct lanes l = {.axis = ray->axis, .sign = ray->negative ? -1 : 1, .any = sph_ray_any(ray)};
-    for (int i = 0; i < 3; i++) {
+    struct lanes l = {.across = ray->across,
+                      .axis = ray->axis,
+                      .sign = ray->negative ? -1 : 1,
+                      .any = sph_ray_any(ray)};
+    for (int i = 0; i < 3; i++)
         l.org[i] = ray->forg[i];
-        l.u[i] = ray->unit.u[i];
-    }
     return l;
+}
+
+static int64_t cut(int64_t x) {
+    x >>= 17 - SPH_FILTER_FRACTION;
+    return x ^ (x >> 63);
 }
 
 /* sph_filter() of four children; the order of the inner ones. */
 static unsigned children(const struct lanes *l, const struct sph_fast *f, uint32_t node,
                          int32_t depth_max, keys *order) {
     const struct sph_fast_node *n = &f->nodes[node];
-    const int32_t *u = l->u;
+    const struct sph_across *a = &l->across;
     int32_t near[4];
     unsigned met = 0;
     for (int i = 0; i < 4; i++) {
         int32_t oc[3];
         for (int k = 0; k < 3; k++)
             oc[k] = n->ctr[k][i] - l->org[k];
-        int64_t x = sph_round((int64_t)oc[1] * u[2] - (int64_t)oc[2] * u[1], 14);
-        int64_t y = sph_round((int64_t)oc[2] * u[0] - (int64_t)oc[0] * u[2], 14);
-        int64_t z = sph_round((int64_t)oc[0] * u[1] - (int64_t)oc[1] * u[0], 14);
-        int64_t rad = n->rad[i];
+        int64_t p = cut((int64_t)oc[a->axis_a] * a->p_a - (int64_t)oc[a->axis_b] * a->p_b);
+        int64_t q =
+            cut((int64_t)oc[0] * a->q[0] + (int64_t)oc[1] * a->q[1] + (int64_t)oc[2] * a->q[2]);
+        int64_t rad = (int64_t)n->rad[i] << SPH_FILTER_FRACTION;
         int32_t depth = l->sign * oc[l->axis];
         near[i] = depth - n->rad[i];
-        met |= (unsigned)(x * x + y * y + z * z <= rad * rad * 16 && depth + n->rad[i] >= 0 &&
-                          near[i] <= depth_max)
-               << i;
+        met |=
+            (unsigned)(p * p + q * q <= rad * rad && depth + n->rad[i] >= 0 && near[i] <= depth_max)
+            << i;
     }
     met &= n->valid;
     *order = sorted(n, met, near, l->any);

@@ -3,21 +3,25 @@
  */
 #include "trace/filter.h"
 
-#include "math/fx.h"
+#include "machine/layout.h"
+
+/* |x| of a number with 17 bits of fraction, cut to FILTER_FRACTION: never more than |x|. */
+static int64_t cut(int64_t x) {
+    x >>= 17 - SPH_FILTER_FRACTION;
+    return x < 0 ? ~x : x;
+}
 
 int sph_filter(const struct sph_ray *ray, const struct sph_child *child, int32_t depth_max,
                int32_t *near) {
-    const int32_t *u = ray->unit.u; /* s1.16 */
-    int64_t oc[3], cross[3];        /* s(FW+1).0, then s15.2 */
-    for (int i = 0; i < 3; i++)
-        oc[i] = child->ctr[i] - ray->forg[i];
-    cross[0] = sph_round(oc[1] * u[2] - oc[2] * u[1], 14);
-    cross[1] = sph_round(oc[2] * u[0] - oc[0] * u[2], 14);
-    cross[2] = sph_round(oc[0] * u[1] - oc[1] * u[0], 14);
-    int64_t dist2 = cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]; /* u.4 */
-    int64_t rad2 = (int64_t)child->rad * child->rad * 16;                            /* u28.4 */
+    const struct sph_across *a = &ray->across;
+    int64_t oc[3]; /* s(FW+1).0 */
+    for (int k = 0; k < 3; k++)
+        oc[k] = child->ctr[k] - ray->forg[k];
+    int64_t p = cut(oc[a->axis_a] * a->p_a - oc[a->axis_b] * a->p_b); /* u15.1 */
+    int64_t q = cut(oc[0] * a->q[0] + oc[1] * a->q[1] + oc[2] * a->q[2]);
+    int64_t rad = (int64_t)child->rad << SPH_FILTER_FRACTION;
 
     int32_t depth = (int32_t)(ray->negative ? -oc[ray->axis] : oc[ray->axis]);
     *near = depth - child->rad;
-    return dist2 <= rad2 && depth + child->rad >= 0 && *near <= depth_max;
+    return p * p + q * q <= rad * rad && depth + child->rad >= 0 && *near <= depth_max;
 }

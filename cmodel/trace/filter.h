@@ -1,9 +1,9 @@
 /* filter.h - the narrow node test that never rejects what the exact test accepts
  * SPDX-License-Identifier: Apache-2.0                                  RTL: rtl/trace/rt_filter.v
  *
- * |oc x u|^2 <= rad^2 with u = dir/|dir|: the squared distance of the child's centre from the ray,
- * without the cancellation of rad^2 - |oc|^2 + (oc.u)^2. Depth is measured along the largest axis
- * of u: a child behind the origin or deeper than the best hit is left out.
+ * (oc.p)^2 + (oc.q)^2 <= rad^2 with p and q across the ray: the squared distance of the child's
+ * centre from it, without the cancellation of rad^2 - |oc|^2 + (oc.u)^2. Depth is measured along
+ * the largest axis of u: a child behind the origin or deeper than the best hit is left out.
  *
  * Why it never rejects wrongly: docs/blocks/filter.md adds up the roundings, SPH_FILTER_MARGIN
  * covers them.

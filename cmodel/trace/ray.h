@@ -8,6 +8,7 @@
 
 #include "math/rsqrt.h"
 #include "machine/profile.h"
+#include "trace/across.h"
 
 enum { SPH_PRIMARY, SPH_SHADOW, SPH_REFLECTED, SPH_REFRACTED };
 
@@ -28,6 +29,7 @@ struct sph_ray {
     /* made by set-up */
     uint64_t a;           /* dir.dir, u(2WD) */
     struct sph_unit unit; /* of dir */
+    struct sph_across across;
     int32_t forg[3];      /* origin in filter units, sFW, rounded half up */
     int axis, negative;   /* of the largest |unit.u|, ties to the lower axis; its sign */
     uint32_t depth_scale; /* u1.15 >= |u_axis| / |dir| * 2^(WD-h): key to filter depth */

@@ -10,6 +10,7 @@ void sph_ray_setup(const struct sph_profile *p, struct sph_ray *ray) {
     int k = p->w - p->fw, saturated;
     ray->a = (uint64_t)(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
     ray->unit = sph_unit(d, ray->a, p->wd);
+    ray->across = sph_across(ray->unit.u);
     for (int i = 0; i < 3; i++)
         ray->forg[i] = (int32_t)sph_saturate(sph_round(ray->org[i], k), p->fw, &saturated);
 

@@ -33,6 +33,7 @@
 `define RT_WIDTH_FW_LSB 19
 `define RT_WIDTH_PR_LSB 23
 `define RT_FILTER_MARGIN 2
+`define RT_FILTER_FRACTION 1
 `define RT_LINE_WORDS 8
 `define RT_LINE_BITS 26
 `define RT_ID_BITS 24
@@ -46,6 +47,7 @@
 `define RT_ID_NONE 16777215
 `define RT_COLOUR_ONE 32768
 `define RT_RSQRT_ERROR 6
+`define RT_ACROSS_SHORT 4
 `define RT_MAX_SIDE 16383
 `define RT_MAX_CONES 16
 `define RT_CONE_LINES 4
@@ -485,6 +487,7 @@
     `RT_CHECK(FACET_INTERVAL >= 0 && FACET_INTERVAL <= 4 && (FACET_INTERVAL & (FACET_INTERVAL - 1)) == 0, rt_core_FACET_INTERVAL_must_be_a_power_of_two_from_0_to_4) \
     `RT_CHECK(UNITS >= 1 && UNITS <= 2, rt_core_UNITS_must_be_1_to_2) \
     `RT_CHECK(UNIT_INTERVAL >= 2 && UNIT_INTERVAL <= 4 && (UNIT_INTERVAL & (UNIT_INTERVAL - 1)) == 0, rt_core_UNIT_INTERVAL_must_be_a_power_of_two_from_2_to_4) \
+    `RT_CHECK(SQUARES >= 0 && SQUARES <= 2, rt_core_SQUARES_must_be_0_to_2) \
     `RT_CHECK(HIT_INTERVAL >= 8 && HIT_INTERVAL <= 12, rt_core_HIT_INTERVAL_must_be_8_to_12) \
     `RT_CHECK(BOUNCE_INTERVAL >= 10 && BOUNCE_INTERVAL <= 12, rt_core_BOUNCE_INTERVAL_must_be_10_to_12)
 `endif

@@ -52,6 +52,13 @@
 `define RT_FILTER_SHIFT 3*FW+20 +: 6
 `define RT_FILTER_DEPTH 3*FW+26 +: FW+1
 `define RT_FILTER_BITS (3*FW+FW+1+26)
+`define RT_ACROSS_VALID 0 +: 1
+`define RT_ACROSS_LEAST 1 +: 2
+`define RT_ACROSS_P_A 3 +: 18
+`define RT_ACROSS_P_B 21 +: 18
+`define RT_ACROSS_Q 39 +: 54
+`define RT_ACROSS_SLOT 93 +: $clog2(SLOTS)
+`define RT_ACROSS_BITS ($clog2(SLOTS)+93)
 `define RT_VISIT_VALID 0 +: 1
 `define RT_VISIT_LEAF 1 +: 4
 `define RT_VISIT_LINE 5 +: `RT_LINE_BITS

@@ -20,6 +20,7 @@ module rt_engine #(
     parameter SHADES     = 1,    // shading units, power of two
     parameter SETUPS     = 1,    // set-up units, power of two, at most EXACTS
     parameter SLOTS      = 64,   // numbers of slots, power of two: {pipe, slot of its own}
+    parameter LUTS       = 0,    // 1: squares of node filters in LUTs, not in multipliers
     parameter STACK      = 16,   // sibling groups waiting per ray, power of two
     parameter SHADOW     = 1,    // effects elaborated, see rt_core
     parameter REFLECT    = 5,
@@ -87,51 +88,50 @@ module rt_engine #(
 );
     localparam SLOTW   = $clog2(SLOTS), LB = `RT_LINE_BITS;
     localparam PB = $clog2(PIPES), XB = $clog2(EXACTS), SB = $clog2(SHADES), UB = $clog2(SETUPS);
+    localparam ACROSS = ACCEL != 0 ? 0 : SETUPS > 1 || 2*UNITS <= UNIT_INTERVAL ? 2 : 1;
     localparam SHADOWS = LIGHTS != 0 && SHADOW != 0 ? 1 : 0;           // shadow rays
     localparam BOUNCES = REFLECT != 0 || INTERPENETRATE != 0 || REFRACT != 0 ? 1 : 0; // mirrored
     localparam FARS    = INSIDE != 0 || FACETS != 0 ? 1 : 0;           // hits that are far
     // bits of what one set-up unit gives, and of what it takes from its SU shading units
-    localparam VB = `RT_VECTOR_BITS-UB, RB = `RT_RAY_BITS-UB, LU = 3*(NG+2), SW = SLOTW-UB;
-    localparam SU = SHADES/SETUPS,
+    localparam VB = `RT_VECTOR_BITS-UB, RB = `RT_RAY_BITS-UB, LU = 3*(NG+2), SW = SLOTW-UB,
+        FB = `RT_FILTER_BITS, CB = `RT_ACROSS_BITS-UB, SU = SHADES/SETUPS,
         VS = SU*(`RT_VECTOR_BITS-SB), OS = SU*(`RT_ORG_BITS-SB), KS = SU*(`RT_SKIP_BITS-SB);
     wire [SETUPS*VB-1:0] primary; wire [SETUPS*VS-1:0] normal, vec_light, bounce;
-    wire [SETUPS*OS-1:0] org;   wire [SETUPS*KS-1:0] skip;
-    wire [SETUPS*RB-1:0] ray;   wire [SETUPS*LU-1:0] lift;
-    wire [SETUPS*SW-1:0] next_slot; wire [SETUPS*`RT_FILTER_BITS-1:0] filter;
-    wire [PIPES*(`RT_VISIT_BITS-PB)-1:0]   visit;
+    wire [SETUPS*OS-1:0] org; wire [SETUPS*KS-1:0] skip; wire [SETUPS*RB-1:0] ray;
+    wire [SETUPS*SW-1:0] next_slot; wire [SETUPS*FB-1:0] filter; wire [SETUPS*CB-1:0] across;
+    wire [PIPES*(`RT_VISIT_BITS-PB)-1:0]   visit; wire [SETUPS*LU-1:0] lift;
     wire [EXACTS*(`RT_RESULT_BITS-XB)-1:0] result;
-    wire [`RT_DONE_BITS-1:0] done; wire [`RT_HIT_BITS-1:0] hit;
+    wire [`RT_DONE_BITS-1:0] done; wire [`RT_HIT_BITS-1:0] hit; wire [3*`RT_RGB_BITS-1:0] colour;
     wire [SHADES*(`RT_FETCH_BITS-SB)-1:0]  fetch;
     wire [SHADES*(`RT_RECORD_BITS-SB)-1:0] record; wire [`RT_BLEND_BITS-SB-1:0] blend;
-    wire             ray_again, done_valid, end_valid, read;
-    wire [SETUPS-1:0] primary_ready, next_light;
-    wire [SHADES*(SLOTW-SB)-1:0] shadow_slot;
-    wire [SLOTW-1:0] done_slot, end_slot, read_slot;
-    wire [`RT_VISITS_BITS-1:0] visits;
-    wire [3*`RT_RGB_BITS-1:0] colour; wire [31:0] texture;
-    wire [SHADES-1:0] shadow_go, fetch_ready, record_ready;
+    wire ray_again, done_valid, end_valid, read; wire [LB*SHADES-1:0] tex_req_line;
+    wire [SETUPS-1:0] primary_ready, next_light; wire [`RT_VISITS_BITS-1:0] visits;
+    wire [SHADES*(SLOTW-SB)-1:0] shadow_slot; wire [SLOTW-1:0] done_slot, end_slot, read_slot;
+    wire [SHADES-1:0] shadow_go, fetch_ready, record_ready; wire [31:0] texture;
     wire [SHADES-1:0] tex_req_valid, tex_req_ready, tex_rsp_valid, tex_rsp_ready;
-    wire [LB*SHADES-1:0] tex_req_line;
     genvar n; generate for (n = 0; n < SETUPS; n = n + 1) begin : g_setup
         rt_setup #(.W(W), .WD(WD), .FW(FW), .NG(NG), .SHADOW(SHADOW), .LIGHTS(LIGHTS),
                    .BOUNCES(BOUNCES), .FACETS(FACETS), .TEXTURE(TEXTURE), .UNITS(UNITS),
-                   .UNIT_INTERVAL(UNIT_INTERVAL), .SHADES(SU), .SLOTS(SLOTS/SETUPS)) u_setup (
+                   .UNIT_INTERVAL(UNIT_INTERVAL), .ACROSS(ACROSS), .SHADES(SU),
+                   .SLOTS(SLOTS/SETUPS)) u_setup (
             .clk(clk), .rst(rst), .eye_i(regs_i[`RT_REGS_EYE]), .normal_i(normal[n*VS +: VS]),
             .light_i(vec_light[n*VS +: VS]), .bounce_i(bounce[n*VS +: VS]),
             .primary_i(primary[n*VB +: VB]), .primary_ready_o(primary_ready[n]),
             .org_i(org[n*OS +: OS]), .skip_i(skip[n*KS +: KS]), .ray_o(ray[n*RB +: RB]),
-            .filter_o(filter[n*`RT_FILTER_BITS +: `RT_FILTER_BITS]), .lift_o(lift[n*LU +: LU]),
+            .filter_o(filter[n*FB +: FB]), .across_o(across[n*CB +: CB]), .lift_o(lift[n*LU +: LU]),
             .next_light_o(next_light[n]), .next_slot_o(next_slot[n*SW +: SW])
         );
     end endgenerate
     rt_pipes #(.W(W), .WD(WD), .FW(FW), .PIPES(PIPES), .EXACTS(EXACTS), .SHADES(SHADES),
-              .SETUPS(SETUPS), .SLOTS(SLOTS), .STACK(STACK), .LINES(NODE_LINES), .SHADOW(SHADOWS),
-              .FIRST(FIRST), .FARS(FARS), .FACETS(FACETS), .ACCEL(ACCEL)) u_pipes (
+              .SETUPS(SETUPS), .SLOTS(SLOTS), .STACK(STACK), .LINES(NODE_LINES), .LUTS(LUTS),
+              .SHADOW(SHADOWS), .FIRST(FIRST), .FARS(FARS), .FACETS(FACETS),
+              .ACCEL(ACCEL)) u_pipes (
         .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i), .ray_i(ray), .filter_i(filter),
-        .ray_again_i(ray_again), .shadow_go_i(shadow_go), .shadow_slot_i(shadow_slot),
-        .visit_o(visit), .result_i(result), .done_valid_o(done_valid), .done_slot_o(done_slot),
-        .done_o(done), .visits_read_i(read), .visits_slot_i(read_slot), .visits_o(visits),
-        .mem_req_valid_o(mem_req_valid_o[PIPES-1:0]), .mem_req_ready_i(mem_req_ready_i[PIPES-1:0]),
+        .across_i(across), .ray_again_i(ray_again), .shadow_go_i(shadow_go),
+        .shadow_slot_i(shadow_slot), .visit_o(visit), .result_i(result), .done_slot_o(done_slot),
+        .done_valid_o(done_valid), .done_o(done), .visits_read_i(read), .visits_slot_i(read_slot),
+        .visits_o(visits), .mem_req_valid_o(mem_req_valid_o[PIPES-1:0]),
+        .mem_req_ready_i(mem_req_ready_i[PIPES-1:0]),
         .mem_req_line_o(mem_req_line_o[LB*PIPES-1:0]), .mem_rsp_valid_i(mem_rsp_valid_i[PIPES-1:0]),
         .mem_rsp_ready_o(mem_rsp_ready_o[PIPES-1:0]), .mem_rsp_data_i(mem_rsp_data_i),
         .mem_rsp_error_i(mem_rsp_error_i), .event_o(trace_event_o), .fault_o(fault_o[3:0])

@@ -1,43 +1,48 @@
 // rt_square.v - square of a small unsigned number without a multiplier
 // SPDX-License-Identifier: Apache-2.0
 //   r^2 = sum over i of r[i] * 4^i * (1 + 4 * (r >> (i+1))): each pair of bits is met once, so the
-//   rows are half as long as those of a product. Added in pairs: 14 rows, 7, 4, 2, 1.
-// Latency 4 cycles, one a cycle. Model: child->rad * child->rad in cmodel/trace/filter.c
+//   rows are half as long as those of a product. Added in pairs: 16 rows, 8, 4, 2, 1.
+// Latency 4 cycles, one a cycle. Model: products of equal factors in cmodel/trace/filter.c
 `timescale 1ns / 1ps
 `default_nettype none
-module rt_square (
-    input  wire        clk,
-    input  wire [13:0] in_i,
-    output reg  [27:0] out_q   // in_i^2
+`include "rt_check.vh"
+module rt_square #(
+    parameter BITS = 14               // of the number: 2 to 16
+) (
+    input  wire              clk,
+    input  wire [BITS-1:0]   in_i,
+    output reg  [2*BITS-1:0] out_q    // in_i^2
 );
-    // ---- rows: {r[13:i+1], 0, 1} * 4^i where r[i] is set ----
-    wire [27:0] row [0:13];
+    `RT_CHECK(BITS >= 2 && BITS <= 16, rt_square_BITS_must_be_2_to_16)
+    localparam W = 2*BITS;
+
+    // ---- rows: {r[BITS-1:i+1], 0, 1} * 4^i where r[i] is set; then pairs in stages 1 to 3 ----
+    wire [16*W-1:0] row;
+    reg  [8*W-1:0]  s1_q;
+    reg  [4*W-1:0]  s2_q;
+    reg  [2*W-1:0]  s3_q;
     genvar i;
     generate
-        for (i = 0; i < 14; i = i + 1) begin : g_row
-            wire [14:0] above = {1'b0, in_i} >> (i + 1);
-            assign row[i] = in_i[i] ? {11'd0, above, 2'b01} << (2*i) : 28'd0;
+        for (i = 0; i < 16; i = i + 1) begin : g_row
+            if (i < BITS) begin : g_bit
+                wire [W+1:0] above = {{(W-BITS+2){1'b0}}, in_i} >> (i + 1);
+                wire [W-1:0] line  = {above[W-3:0], 2'b01};
+                assign row[W*i +: W] = in_i[i] ? line << (2*i) : {W{1'b0}};
+                wire unused = &{1'b0, above};
+            end else begin : g_none
+                assign row[W*i +: W] = {W{1'b0}};
+            end
+        end
+        for (i = 0; i < 8; i = i + 1) begin : g_1
+            always @(posedge clk) s1_q[W*i +: W] <= row[2*W*i +: W] + row[2*W*i + W +: W];
+        end
+        for (i = 0; i < 4; i = i + 1) begin : g_2
+            always @(posedge clk) s2_q[W*i +: W] <= s1_q[2*W*i +: W] + s1_q[2*W*i + W +: W];
+        end
+        for (i = 0; i < 2; i = i + 1) begin : g_3
+            always @(posedge clk) s3_q[W*i +: W] <= s2_q[2*W*i +: W] + s2_q[2*W*i + W +: W];
         end
     endgenerate
-
-    // ---- stages 1 to 4: pairs ----
-    reg [27:0] s1_0_q, s1_1_q, s1_2_q, s1_3_q, s1_4_q, s1_5_q, s1_6_q;
-    reg [27:0] s2_0_q, s2_1_q, s2_2_q, s2_3_q, s3_0_q, s3_1_q;
-    always @(posedge clk) begin
-        s1_0_q <= row[0] + row[1];
-        s1_1_q <= row[2] + row[3];
-        s1_2_q <= row[4] + row[5];
-        s1_3_q <= row[6] + row[7];
-        s1_4_q <= row[8] + row[9];
-        s1_5_q <= row[10] + row[11];
-        s1_6_q <= row[12] + row[13];
-        s2_0_q <= s1_0_q + s1_1_q;
-        s2_1_q <= s1_2_q + s1_3_q;
-        s2_2_q <= s1_4_q + s1_5_q;
-        s2_3_q <= s1_6_q;
-        s3_0_q <= s2_0_q + s2_1_q;
-        s3_1_q <= s2_2_q + s2_3_q;
-        out_q  <= s3_0_q + s3_1_q;
-    end
+    always @(posedge clk) out_q <= s3_q[W-1:0] + s3_q[2*W-1:W];
 endmodule
 `default_nettype wire

@@ -63,6 +63,7 @@ module rt_top #(
     parameter FACET_INTERVAL = 0, // 0..4, power of two: clocks a facet, 0: 2, wide without BOXES 4
     parameter UNITS      = 2,    // 1..2: units for unit vectors an engine
     parameter UNIT_INTERVAL = 2, // 2..4, power of two: clocks a vector of each
+    parameter SQUARES    = 0,    // 0..2: squares of filters, 1 multiplied, 2 LUTs, 0: by PIPES
     parameter HIT_INTERVAL = 8,  // 8..12: clocks a hit point and its normal, 8 or 12
     parameter BOUNCE_INTERVAL = 10 // 10..12: clocks a mirrored direction, 10 or 12
     // end of parameters
@@ -280,7 +281,7 @@ module rt_top #(
         .DIVISIONS(DIVISIONS), .ROOT_STEP(ROOT_STEP), .QUOTIENT_STEP(QUOTIENT_STEP),
         .DIVISION_STEP(DIVISION_STEP), .LEAF_INTERVAL(LEAF_INTERVAL),
         .FACET_INTERVAL(FACET_INTERVAL), .UNITS(UNITS), .UNIT_INTERVAL(UNIT_INTERVAL),
-        .HIT_INTERVAL(HIT_INTERVAL), .BOUNCE_INTERVAL(BOUNCE_INTERVAL)
+        .SQUARES(SQUARES), .HIT_INTERVAL(HIT_INTERVAL), .BOUNCE_INTERVAL(BOUNCE_INTERVAL)
         // end of connections
     ) u_core (
         .clk(clk), .rst(core_rst), .cfg_valid_i(cfg_valid), .cfg_addr_i(cfg_addr),

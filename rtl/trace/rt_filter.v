@@ -1,26 +1,31 @@
 // rt_filter.v - one lane of the node filter: may the child hold a hit?
 // SPDX-License-Identifier: Apache-2.0
-// pass = |oc x u|^2 <= rad^2 && depth + rad >= 0 && depth - rad <= depth_max, oc = ctr - org,
-// depth = oc along the largest axis of u. Never rejects what the exact test hits
-// (docs/blocks/filter.md).
-//   1 oc | 2 products | 3 differences | 4 round to 2 fraction bits | 5 squares | 6 sums | 7 compare
-// Latency 7 = `RT_FILTER_LATENCY, one child a clock. Model: sph_filter() in cmodel/trace/filter.c
+// pass = (oc.p)^2 + (oc.q)^2 <= rad^2 && depth + rad >= 0 && depth - rad <= depth_max,
+// oc = ctr - org, p and q across the ray (rt_across), depth = oc along the largest axis of its unit
+// vector. Never rejects what the exact test hits (docs/blocks/filter.md).
+//   1 oc | 2 its parts along p | 3 products | 4 pairs | 5 sums | 6 cut to 1 fraction bit | squares,
+//   1 or 4 | rad^2 - qq | compare
+// Latency 9 = `RT_FILTER_LATENCY, with LUTS 12 = `RT_FILTER_LUTS_LATENCY, one child a clock.
+// Model: sph_filter() in cmodel/trace/filter.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_check.vh"
-`include "rt_fx.vh"
-`include "rt_latency.vh"
+`include "rt_layout.vh"
 module rt_filter #(
-    parameter FW = 14                        // filter coordinate, bits: 2 to 14
+    parameter FW   = 14,                     // filter coordinate, bits: 2 to 14
+    parameter LUTS = 0                       // 1: squares in LUTs, not in multipliers
 ) (
     input  wire                 clk,
     // from the ray
     input  wire signed [FW-1:0] in_org_x_i,  // sFW filter units
     input  wire signed [FW-1:0] in_org_y_i,
     input  wire signed [FW-1:0] in_org_z_i,
-    input  wire signed [17:0]   in_u_x_i,    // s1.16, |u| <= 1 + 2^-15
-    input  wire signed [17:0]   in_u_y_i,
-    input  wire signed [17:0]   in_u_z_i,
+    input  wire [1:0]           in_least_i,  // 0 x, 1 y, 2 z: the axis that p lies across
+    input  wire signed [17:0]   in_p_a_i,    // s0.17, along the lower of the other two
+    input  wire signed [17:0]   in_p_b_i,    // s0.17, along the higher one, negated
+    input  wire signed [17:0]   in_q_x_i,    // s0.17
+    input  wire signed [17:0]   in_q_y_i,
+    input  wire signed [17:0]   in_q_z_i,
     input  wire [1:0]           in_axis_i,   // 0 x, 1 y, 2 z: the largest of |u|
     input  wire                 in_negative_i,   // sign of that component
     input  wire [FW:0]          in_depth_max_i,  // u(FW+1), nothing deeper matters
@@ -34,13 +39,15 @@ module rt_filter #(
     output wire signed [15:0]   out_near_o   // s16, least depth the child reaches
 );
     `RT_CHECK(FW >= 2 && FW <= 14, rt_filter_FW_must_be_2_to_14)
+    localparam F  = `RT_FILTER_FRACTION;     // fraction bits of oc.p
+    localparam MW = 15 + F;                  // |oc.p| <= |oc| <= sqrt(3) * (2^14-1) < 2^15
 
     // ---- stage 1: centre from origin ----
     reg signed [14:0] s1_oc_x_q, s1_oc_y_q, s1_oc_z_q;    // s15
-    reg signed [17:0] s1_u_x_q, s1_u_y_q, s1_u_z_q;       // s1.16
-    reg signed [14:0] s1_rad_q;                           // u14
-    reg [1:0]         s1_axis_q;
+    reg signed [17:0] s1_p_a_q, s1_p_b_q, s1_q_x_q, s1_q_y_q, s1_q_z_q;   // s0.17
+    reg [1:0]         s1_least_q, s1_axis_q;
     reg               s1_negative_q;
+    reg [13:0]        s1_rad_q;
     reg [FW:0]        s1_depth_max_q;
     always @(posedge clk) begin
         s1_oc_x_q <= $signed({in_ctr_x_i[13], in_ctr_x_i})
@@ -49,108 +56,142 @@ module rt_filter #(
                    - $signed({{(15-FW){in_org_y_i[FW-1]}}, in_org_y_i});
         s1_oc_z_q <= $signed({in_ctr_z_i[13], in_ctr_z_i})
                    - $signed({{(15-FW){in_org_z_i[FW-1]}}, in_org_z_i});
-        s1_u_x_q       <= in_u_x_i;
-        s1_u_y_q       <= in_u_y_i;
-        s1_u_z_q       <= in_u_z_i;
-        s1_rad_q       <= {1'b0, in_rad_i};
+        s1_p_a_q       <= in_p_a_i;
+        s1_p_b_q       <= in_p_b_i;
+        s1_q_x_q       <= in_q_x_i;
+        s1_q_y_q       <= in_q_y_i;
+        s1_q_z_q       <= in_q_z_i;
+        s1_least_q     <= in_least_i;
         s1_axis_q      <= in_axis_i;
         s1_negative_q  <= in_negative_i;
+        s1_rad_q       <= in_rad_i;
         s1_depth_max_q <= in_depth_max_i;
     end
 
-    // ---- stage 2: six products of the cross product, oc along the axis ----
-    reg signed [32:0] s2_yz_q, s2_zy_q, s2_zx_q, s2_xz_q, s2_xy_q, s2_yx_q;  // s16.16, named oc, u
-    reg signed [14:0] s2_depth_q;                         // s15
-    reg signed [14:0] s2_rad_q;                           // u14
+    // ---- stage 2: oc along p's two axes, along the largest ----
+    reg signed [14:0] s2_oc_a_q, s2_oc_b_q, s2_oc_x_q, s2_oc_y_q, s2_oc_z_q, s2_depth_q;   // s15
+    reg signed [17:0] s2_p_a_q, s2_p_b_q, s2_q_x_q, s2_q_y_q, s2_q_z_q;   // s0.17
     reg               s2_negative_q;
+    reg [13:0]        s2_rad_q;
     reg [FW:0]        s2_depth_max_q;
     always @(posedge clk) begin
-        s2_yz_q <= s1_oc_y_q * s1_u_z_q;
-        s2_zy_q <= s1_oc_z_q * s1_u_y_q;
-        s2_zx_q <= s1_oc_z_q * s1_u_x_q;
-        s2_xz_q <= s1_oc_x_q * s1_u_z_q;
-        s2_xy_q <= s1_oc_x_q * s1_u_y_q;
-        s2_yx_q <= s1_oc_y_q * s1_u_x_q;
-        s2_depth_q     <= s1_axis_q == 2'd0 ? s1_oc_x_q : s1_axis_q == 2'd1 ? s1_oc_y_q : s1_oc_z_q;
-        s2_rad_q       <= s1_rad_q;
+        s2_oc_a_q <= s1_least_q == 2'd0 ? s1_oc_y_q : s1_oc_x_q;
+        s2_oc_b_q <= s1_least_q == 2'd2 ? s1_oc_y_q : s1_oc_z_q;
+        s2_oc_x_q <= s1_oc_x_q;
+        s2_oc_y_q <= s1_oc_y_q;
+        s2_oc_z_q <= s1_oc_z_q;
+        s2_p_a_q  <= s1_p_a_q;
+        s2_p_b_q  <= s1_p_b_q;
+        s2_q_x_q  <= s1_q_x_q;
+        s2_q_y_q  <= s1_q_y_q;
+        s2_q_z_q  <= s1_q_z_q;
+        s2_depth_q <= s1_axis_q == 2'd0 ? s1_oc_x_q : s1_axis_q == 2'd1 ? s1_oc_y_q : s1_oc_z_q;
         s2_negative_q  <= s1_negative_q;
+        s2_rad_q       <= s1_rad_q;
         s2_depth_max_q <= s1_depth_max_q;
     end
 
-    // ---- stage 3: cross product, signed depth ----
-    reg signed [33:0] s3_x_q, s3_y_q, s3_z_q;             // s17.16
+    // ---- stage 3: products, signed depth ----
+    reg signed [32:0] s3_pa_q, s3_pb_q, s3_qx_q, s3_qy_q, s3_qz_q;        // s15.17
     reg signed [15:0] s3_depth_q;                         // s16
-    reg signed [14:0] s3_rad_q;                           // u14
+    reg [13:0]        s3_rad_q;
     reg [FW:0]        s3_depth_max_q;
     wire signed [15:0] s3_depth = {s2_depth_q[14], s2_depth_q};
     always @(posedge clk) begin
-        s3_x_q <= $signed({s2_yz_q[32], s2_yz_q}) - $signed({s2_zy_q[32], s2_zy_q});
-        s3_y_q <= $signed({s2_zx_q[32], s2_zx_q}) - $signed({s2_xz_q[32], s2_xz_q});
-        s3_z_q <= $signed({s2_xy_q[32], s2_xy_q}) - $signed({s2_yx_q[32], s2_yx_q});
+        s3_pa_q <= s2_oc_a_q * s2_p_a_q;
+        s3_pb_q <= s2_oc_b_q * s2_p_b_q;
+        s3_qx_q <= s2_oc_x_q * s2_q_x_q;
+        s3_qy_q <= s2_oc_y_q * s2_q_y_q;
+        s3_qz_q <= s2_oc_z_q * s2_q_z_q;
         s3_depth_q     <= s2_negative_q ? -s3_depth : s3_depth;
         s3_rad_q       <= s2_rad_q;
         s3_depth_max_q <= s2_depth_max_q;
     end
 
-    // ---- stage 4: cross product rounded, depths of the child's ends ----
-    // |oc x u| * 4 <= sqrt(3) * (2^14-1) * (1 + 2^-15) * 4 < 2^17
-    reg signed [17:0] s4_x_q, s4_y_q, s4_z_q;             // s15.2
+    // ---- stage 4: pairs, depths of the child's ends ----
+    reg signed [33:0] s4_p_q, s4_q_q;                     // s16.17
+    reg signed [32:0] s4_qz_q;
     reg signed [15:0] s4_near_q;                          // s16
     reg               s4_behind_q;
     reg [FW:0]        s4_depth_max_q;
-    wire signed [19:0] s4_x = `RT_ROUND(s3_x_q, 33, 14);
-    wire signed [19:0] s4_y = `RT_ROUND(s3_y_q, 33, 14);
-    wire signed [19:0] s4_z = `RT_ROUND(s3_z_q, 33, 14);
-    wire signed [15:0] s4_rad = {1'b0, s3_rad_q};
+    wire signed [15:0] s4_rad = {2'b0, s3_rad_q};
     wire signed [15:0] s4_end = s3_depth_q + s4_rad;      // at most 2^14 + 2^14-1
     always @(posedge clk) begin
-        s4_x_q         <= s4_x[17:0];
-        s4_y_q         <= s4_y[17:0];
-        s4_z_q         <= s4_z[17:0];
+        s4_p_q         <= $signed({s3_pa_q[32], s3_pa_q}) - $signed({s3_pb_q[32], s3_pb_q});
+        s4_q_q         <= $signed({s3_qx_q[32], s3_qx_q}) + $signed({s3_qy_q[32], s3_qy_q});
+        s4_qz_q        <= s3_qz_q;
         s4_near_q      <= s3_depth_q - s4_rad;
         s4_behind_q    <= s4_end[15];
         s4_depth_max_q <= s3_depth_max_q;
     end
 
-    // ---- stage 5: squares, depth decided ----
-    reg signed [35:0] s5_xx_q, s5_yy_q, s5_zz_q;          // u30.4
+    // ---- stage 5: oc.p and oc.q, depth decided ----
+    reg signed [33:0] s5_p_q, s5_q_q;                     // s16.17, within s15.17
     reg               s5_ok_q;
     reg signed [15:0] s5_near_q;
-    wire [27:0]       s5_rad2_q;                          // u28
-    rt_square u_square (.clk(clk), .in_i(s1_rad_q[13:0]), .out_q(s5_rad2_q));
     wire signed [16:0] s5_near = {s4_near_q[15], s4_near_q};
     wire signed [16:0] s5_max  = {{(16-FW){1'b0}}, s4_depth_max_q};
     always @(posedge clk) begin
-        s5_xx_q   <= s4_x_q * s4_x_q;
-        s5_yy_q   <= s4_y_q * s4_y_q;
-        s5_zz_q   <= s4_z_q * s4_z_q;
+        s5_p_q    <= s4_p_q;
+        s5_q_q    <= s4_q_q + $signed({s4_qz_q[32], s4_qz_q});
         s5_ok_q   <= !s4_behind_q && s5_near <= s5_max;
         s5_near_q <= s4_near_q;
     end
 
-    // ---- stage 6: xx + yy, rad^2 - zz ----
-    reg [34:0]        s6_sum_q;                           // u31.4, |oc x u|^2 < 2^34
-    reg signed [35:0] s6_left_q;                          // s31.4
-    reg               s6_ok_q;
-    reg signed [15:0] s6_near_q;
+    // ---- stage 6: magnitudes, cut: one's complement is never more than two's ----
+    reg [MW-1:0]      s6_p_q, s6_q_q;                     // u15.F
     always @(posedge clk) begin
-        s6_sum_q  <= s5_xx_q[34:0] + s5_yy_q[34:0];
-        s6_left_q <= $signed({4'd0, s5_rad2_q, 4'd0}) - s5_zz_q;
-        s6_ok_q   <= s5_ok_q;
-        s6_near_q <= s5_near_q;
+        s6_p_q <= s5_p_q[17-F +: MW] ^ {MW{s5_p_q[33]}};
+        s6_q_q <= s5_q_q[17-F +: MW] ^ {MW{s5_q_q[33]}};
     end
 
-    // ---- stage 7: compare ----
-    reg               s7_pass_q;
-    reg signed [15:0] s7_near_q;
-    always @(posedge clk) begin
-        s7_pass_q <= s6_ok_q && $signed({1'b0, s6_sum_q}) <= s6_left_q;
-        s7_near_q <= s6_near_q;
-    end
-    assign out_pass_o = s7_pass_q;
-    assign out_near_o = s7_near_q;
+    // ---- squares: of the radius a stage before those of the magnitudes ----
+    wire [2*MW-1:0]   pp, qq;                             // u30.2F
+    wire [27:0]       rad2;                               // u28
+    wire              ok;
+    wire signed [15:0] near;
+    generate
+        if (LUTS != 0) begin : g_luts
+            wire [13:0] rad;
+            rt_square #(.BITS(MW)) u_p (.clk(clk), .in_i(s6_p_q), .out_q(pp));
+            rt_square #(.BITS(MW)) u_q (.clk(clk), .in_i(s6_q_q), .out_q(qq));
+            rt_delay #(.WIDTH(14), .CYCLES(3)) u_rad (.clk(clk), .in_i(s3_rad_q), .out_o(rad));
+            rt_square u_square (.clk(clk), .in_i(rad), .out_q(rad2));
+            rt_delay #(.WIDTH(17), .CYCLES(5)) u_depth (
+                .clk(clk), .in_i({s5_ok_q, s5_near_q}), .out_o({ok, near})
+            );
+        end else begin : g_multipliers
+            reg [2*MW-1:0] s7_pp_q, s7_qq_q;
+            always @(posedge clk) begin
+                s7_pp_q <= s6_p_q * s6_p_q;
+                s7_qq_q <= s6_q_q * s6_q_q;
+            end
+            assign pp = s7_pp_q;
+            assign qq = s7_qq_q;
+            rt_square u_square (.clk(clk), .in_i(s3_rad_q), .out_q(rad2));
+            rt_delay #(.WIDTH(17), .CYCLES(2)) u_depth (
+                .clk(clk), .in_i({s5_ok_q, s5_near_q}), .out_o({ok, near})
+            );
+        end
+    endgenerate
 
-    wire unused = &{1'b0, s3_x_q[12:0], s3_y_q[12:0], s3_z_q[12:0],
-                    s4_x[19:18], s4_y[19:18], s4_z[19:18], s4_end[14:0], s5_xx_q[35], s5_yy_q[35]};
+    // ---- rad^2 - qq, then compare ----
+    reg [2*MW-1:0]        left_pp_q;                      // u30.2F
+    reg signed [2*MW:0]   left_q;                         // s31.2F
+    reg                   left_ok_q, pass_q;
+    reg signed [15:0]     left_near_q, near_q;
+    wire signed [2*MW:0]  left_rad2 = {{(2*MW-27-2*F){1'b0}}, rad2, {(2*F){1'b0}}};
+    always @(posedge clk) begin
+        left_pp_q   <= pp;
+        left_q      <= left_rad2 - $signed({1'b0, qq});
+        left_ok_q   <= ok;
+        left_near_q <= near;
+        pass_q      <= left_ok_q && $signed({1'b0, left_pp_q}) <= left_q;
+        near_q      <= left_near_q;
+    end
+    assign out_pass_o = pass_q;
+    assign out_near_o = near_q;
+
+    wire unused = &{1'b0, s4_end[14:0], s5_p_q, s5_q_q};
 endmodule
 `default_nettype wire

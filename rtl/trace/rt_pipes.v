@@ -25,6 +25,7 @@ module rt_pipes #(
     parameter FIRST = 1,    // 1: primary rays may end with their first hit
     parameter FARS  = 1,    // 1: hits that are far
     parameter FACETS = 0,   // 1: a leaf child may have a whole line
+    parameter LUTS  = 0,    // 1: squares of node filters in LUTs, not in multipliers
     parameter ACCEL = 0     // 0: nodes of four spheres, 1: BIH, 2: nodes of four boxes
 ) (
     input  wire                       clk,
@@ -34,6 +35,7 @@ module rt_pipes #(
     // from each rt_setup: a new ray of its slots, with its token unless it is a shadow ray
     input  wire [SETUPS*(`RT_RAY_BITS-$clog2(SETUPS))-1:0] ray_i,
     input  wire [SETUPS*`RT_FILTER_BITS-1:0] filter_i,
+    input  wire [SETUPS*(`RT_ACROSS_BITS-$clog2(SETUPS))-1:0] across_i,  // behind its ray
     input  wire                       ray_again_i,    // the repeated primary ray of its pixel
     // from each rt_shade: a shadow ray of its slots starts
     input  wire [SHADES-1:0]          shadow_go_i,
@@ -67,6 +69,7 @@ module rt_pipes #(
     localparam YB = `RT_RAY_BITS - PB;                // a ray, a visit of a pipe
     localparam VB = `RT_VISIT_BITS - PB;
     localparam AB = `RT_RAY_BITS - UB, FB = `RT_FILTER_BITS;  // a ray of a set-up unit
+    localparam CB = `RT_ACROSS_BITS - UB;             // its axes
     localparam RB = `RT_RESULT_BITS - XB;             // a result of a leaf unit
     localparam GB = SLOTW - SB;                       // slot of a shading unit's own
     localparam DB = `RT_DONE_BITS, NB = `RT_VISITS_BITS, EB = `RT_TRACE_EVENT_BITS;
@@ -91,7 +94,10 @@ module rt_pipes #(
             localparam U = p >> (PB - UB);                        // its set-up unit
             wire [AB-1:0] setup = ray_i[AB*U +: AB];
             wire [SLOTW+1:0] ray_pipe = pipe_of({{UB{1'b0}}, setup[AB-1 -: SLOTW-UB]});
+            wire [CB-1:0] axes  = across_i[CB*U +: CB];
+            wire [SLOTW+1:0] axes_pipe = pipe_of({{UB{1'b0}}, axes[CB-1 -: SLOTW-UB]});
             reg  [YB-1:0] ray;
+            reg  [`RT_ACROSS_BITS-PB-1:0] across;
             wire [RB-1:0] exact = result_i[RB*X +: RB];
             reg  [`RT_RESULT_BITS-PB-1:0] result;
             wire [GB-1:0] shadow_slot = shadow_slot_i[GB*S +: GB];
@@ -100,14 +106,17 @@ module rt_pipes #(
             always @* begin
                 ray    = setup[YB-1:0];
                 result = exact[`RT_RESULT_BITS-PB-1:0];
+                across = axes[`RT_ACROSS_BITS-PB-1:0];
                 if (ray_pipe != (OWN & OF_SETUP))    ray[`RT_RAY_VALID]       = 1'b0;
+                if (axes_pipe != (OWN & OF_SETUP))   across[`RT_ACROSS_VALID] = 1'b0;
                 if (result_pipe != (OWN & OF_EXACT)) result[`RT_RESULT_VALID] = 1'b0;
             end
             rt_trace #(.W(W), .WD(WD), .FW(FW), .SLOTS(SLOTS >> PB), .STACK(STACK), .LINES(LINES),
                        .SHADOW(SHADOW), .FIRST(FIRST), .FARS(FARS), .FACETS(FACETS),
-                       .ACCEL(ACCEL), .WAITS(PIPES > 1 ? 1 : 0)) u_trace (
+                       .LUTS(LUTS), .ACCEL(ACCEL), .WAITS(PIPES > 1 ? 1 : 0)) u_trace (
                 .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i),
-                .ray_i(ray), .filter_i(filter_i[FB*U +: FB]), .ray_again_i(ray_again_i),
+                .ray_i(ray), .filter_i(filter_i[FB*U +: FB]), .across_i(across),
+                .ray_again_i(ray_again_i),
                 .shadow_go_i(shadow_go_i[S] && shadow_pipe == (OWN & OF_SHADE)),
                 .shadow_slot_i(shadow_slot[OWNW-1:0]),
                 .visit_o(visit_o[VB*p +: VB]), .result_i(result),
@@ -122,7 +131,7 @@ module rt_pipes #(
                 .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
                 .event_o(event_o[EB*p +: EB]), .fault_o(fault[4*p +: 4])
             );
-            wire unused = &{1'b0, exact, setup};
+            wire unused = &{1'b0, exact, setup, axes};
         end
     endgenerate
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A vector from one of four sources (surface normals go first, primary rays last) becomes a unit
 // vector, and from that comes all that a ray carries. UNITS vectors go in within UNIT_INTERVAL
-// clocks, but no light in the clock behind another.
+// clocks, but no light in the clock behind another; with ACROSS 2 no two rays either.
 // Model: sph_ray_setup() in cmodel/trace/setup.c
 `timescale 1ns / 1ps
 `default_nettype none
@@ -18,6 +18,7 @@ module rt_setup #(
     parameter BOUNCES = 1,  // 0: no mirrored or refracted directions
     parameter FACETS  = 0,  // 1: triangles and planes too
     parameter TEXTURE = 0,  // 1: textures need unit normals and the length of rays
+    parameter ACROSS  = 1,  // clocks a ray's axes across it, 1 or 2; 0: none are asked for
     parameter UNITS   = 2,  // units for unit vectors, 1 or 2
     parameter UNIT_INTERVAL = 2, // clocks a vector of each, 2 or 4
     parameter SHADES  = 1,  // shading units, power of two
@@ -39,6 +40,7 @@ module rt_setup #(
     // a ray, normal or light, to everyone who keeps a part of it
     output wire [`RT_RAY_BITS-1:0]    ray_o,
     output wire [`RT_FILTER_BITS-1:0] filter_o,
+    output wire [`RT_ACROSS_BITS-1:0] across_o,       // `RT_ACROSS_BEHIND clocks behind, at most
     output wire [3*(NG+2)-1:0]        lift_o, // of one to a light, LIFT of org; with FACETS
     output wire                       next_light_o,   // ray_o has LIGHT in the next clock
     output wire [$clog2(SLOTS)-1:0]   next_slot_o     // of this slot
@@ -66,6 +68,19 @@ module rt_setup #(
         .out_slot_o(v_slot), .out_vec_o(v_vec)
     );
 
+    // ---- pace of rays, as their axes are made ----
+    wire             v_go, v_taken;
+    generate
+        if (ACROSS == 2) begin : g_pace
+            reg ray_taken_q;
+            assign v_go = !ray_taken_q || v_normal;
+            always @(posedge clk) ray_taken_q <= v_valid && v_ready && !v_normal;
+        end else begin : g_any
+            assign v_go = 1'b1;
+        end
+    endgenerate
+    assign v_ready = v_taken && v_go;
+
     // ---- unit vector ----
     // Lights leave at the pace of rt_cosine, every second clock at most; those of every other
     // shading unit, which has its own, in the clocks between.
@@ -84,8 +99,8 @@ module rt_setup #(
     rt_units #(.BITS(WD), .TAG(SLOTW+KB), .UNITS(UNITS), .SPREADS(SHADES),
                .INTERVAL(UNIT_INTERVAL)) u_units (
         .clk(clk), .rst(rst),
-        .in_valid_i(v_valid), .in_spread_i(v_light), .in_second_i(v_shade[0]),
-        .in_ready_o(v_ready), .first_o(v_first),
+        .in_valid_i(v_valid && v_go), .in_spread_i(v_light), .in_second_i(v_shade[0]),
+        .in_ready_o(v_taken), .first_o(v_first),
         .in_tag_i(v_tag[SLOTW+1 -: SLOTW+KB]), .in_vec_i(v_vec),
         .out_valid_o(u_valid), .out_tag_o(u_tag[SLOTW+1 -: SLOTW+KB]), .out_vv_o(u_vv),
         .out_u_o(u_unit), .out_y_o(u_rsqrt), .out_h_o(u_shift)
@@ -201,6 +216,32 @@ module rt_setup #(
     assign filter_o[`RT_FILTER_NEGATIVE] = ray_negative_q;
     assign filter_o[`RT_FILTER_SCALE] = ray_scale_q;
     assign filter_o[`RT_FILTER_SHIFT] = ray_shift_q;
+
+    // ---- axes across the ray ----
+    wire             s1_ray = s1_valid_q && s1_kind_q != NORMAL;
+    wire [50:0]      s1_mag = {s1_mag_z_q, s1_mag_y_q, s1_mag_x_q};
+    generate
+        if (ACROSS == 1) begin : g_across_one
+            rt_across_one #(.TAG(SLOTW)) u_across (
+                .clk(clk), .rst(rst), .in_valid_i(s1_ray), .in_tag_i(s1_slot_q),
+                .in_u_i(s1_unit_q), .in_mag_i(s1_mag),
+                .out_valid_o(across_o[`RT_ACROSS_VALID]), .out_tag_o(across_o[`RT_ACROSS_SLOT]),
+                .out_least_o(across_o[`RT_ACROSS_LEAST]), .out_p_a_o(across_o[`RT_ACROSS_P_A]),
+                .out_p_b_o(across_o[`RT_ACROSS_P_B]), .out_q_o(across_o[`RT_ACROSS_Q])
+            );
+        end else if (ACROSS == 2) begin : g_across
+            rt_across #(.TAG(SLOTW)) u_across (
+                .clk(clk), .rst(rst), .in_valid_i(s1_ray), .in_tag_i(s1_slot_q),
+                .in_u_i(s1_unit_q), .in_mag_i(s1_mag),
+                .out_valid_o(across_o[`RT_ACROSS_VALID]), .out_tag_o(across_o[`RT_ACROSS_SLOT]),
+                .out_least_o(across_o[`RT_ACROSS_LEAST]), .out_p_a_o(across_o[`RT_ACROSS_P_A]),
+                .out_p_b_o(across_o[`RT_ACROSS_P_B]), .out_q_o(across_o[`RT_ACROSS_Q])
+            );
+        end else begin : g_no_across
+            assign across_o = {`RT_ACROSS_BITS{1'b0}};
+            wire unused = &{1'b0, s1_ray, s1_mag};
+        end
+    endgenerate
 
     // ---- origin: read so that it is there with the ray ----
     rt_origin #(.W(W), .FW(FW), .NG(NG), .LIFTS(FACETS != 0 && SHADOWS != 0 ? 1 : 0),

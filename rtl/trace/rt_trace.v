@@ -21,6 +21,7 @@ module rt_trace #(
     parameter FIRST = 1,    // 1: primary rays may end with their first hit
     parameter FARS  = 1,    // 1: hits that are far
     parameter FACETS = 0,   // 1: a leaf child may have a whole line
+    parameter LUTS  = 0,    // 1: squares of node filters in LUTs, not in multipliers
     parameter ACCEL = 0,    // 0: nodes of four spheres, 1: BIH, 2: nodes of four boxes
     parameter WAITS = 0     // 1: rays that are done wait for done_ready_i
 ) (
@@ -31,6 +32,7 @@ module rt_trace #(
     // from rt_setup: a new ray, with its token unless it is a shadow ray
     input  wire [`RT_RAY_BITS-1:0]    ray_i,
     input  wire [`RT_FILTER_BITS-1:0] filter_i,
+    input  wire [`RT_ACROSS_BITS-1:0] across_i,       // behind its ray; without ACCEL
     input  wire                       ray_again_i,    // the repeated primary ray of its pixel
     // from rt_shade: a shadow ray starts
     input  wire                       shadow_go_i,
@@ -97,9 +99,11 @@ module rt_trace #(
             end
             assign count = {2'b0, leaf[0]} + {2'b0, leaf[1]} + {2'b0, leaf[2]} + {2'b0, leaf[3]};
             rt_traverse #(.W(W), .WD(WD), .FW(FW), .SLOTS(SLOTS), .LINES(LINES), .SHADOW(SHADOW),
-                          .FIRST(FIRST), .FACETS(FACETS), .BOXES(ACCEL == 2 ? 1 : 0)) u_traverse (
+                          .FIRST(FIRST), .FACETS(FACETS), .LUTS(LUTS),
+                          .BOXES(ACCEL == 2 ? 1 : 0)) u_traverse (
                 .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i),
-                .ray_i(ray_i), .filter_i(filter_i), .first_i(first), .pixel_i(pixel),
+                .ray_i(ray_i), .filter_i(filter_i), .across_i(across_i),
+                .first_i(first), .pixel_i(pixel),
                 .shadow_go_i(shadow_go_i), .shadow_slot_i(shadow_slot_i),
                 .next_valid_i(issue_valid), .next_slot_i(issue_slot), .next_line_i(issue_line),
                 .depth_read_o(read_valid), .depth_slot_o(read_slot), .depth_i(read_depth),
@@ -218,6 +222,6 @@ module rt_trace #(
         .done_far_o(done_o[`RT_DONE_FAR]), .done_id_o(done_o[`RT_DONE_ID]),
         .done_key_o(done_o[`RT_DONE_KEY])
     );
-    wire unused = &{1'b0, effects, filter_i};
+    wire unused = &{1'b0, effects, filter_i, across_i};
 endmodule
 `default_nettype wire

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A token brings a slot and the line of a node. What the visit finds leaves as found_o and, if leaf
 // children pass, as visit_o; where the token goes next is for rt_trace.
-//   4 issue | node cache | 1 node beside its ray | rt_filter, `RT_FILTER_LATENCY | rt_sort, 2
+//   4 issue | node cache | 1 node beside its ray | rt_filter | rt_sort, 2
+// A ray's first token waits START clocks, so that its axes across are there before a node is.
 // With BOXES children are in boxes: rt_boxes, `RT_BOXES_LATENCY.
 // Behind the cache nothing waits: a node a clock.
 // Borodavka et al. IV. Model: sph_visit() in cmodel/trace/visit.c
@@ -20,6 +21,7 @@ module rt_traverse #(
     parameter SHADOW = 1,   // 1: shadow rays
     parameter FIRST = 1,    // 1: rays that end with their first hit
     parameter FACETS = 0,   // 1: a leaf child may have a whole line
+    parameter LUTS  = 0,    // 1: squares of rt_filter in LUTs, not in multipliers
     parameter BOXES = 0,    // 1: children are in boxes, not in spheres
     parameter LW    = BOXES != 0 ? 14 : FW   // not to be set: depth, bits - 1
 ) (
@@ -30,6 +32,7 @@ module rt_traverse #(
     // from rt_setup: a new ray, with its token unless it is a shadow ray
     input  wire [`RT_RAY_BITS-1:0]    ray_i,
     input  wire [`RT_FILTER_BITS-1:0] filter_i,
+    input  wire [`RT_ACROSS_BITS-1:0] across_i,       // its axes, behind it; not with BOXES
     input  wire                       first_i,        // children as the node has them, none pruned
     input  wire                       pixel_i,        // the pixel's visits start at 0
     // from rt_shade: a shadow ray starts
@@ -65,7 +68,8 @@ module rt_traverse #(
     localparam SLOTW = $clog2(SLOTS);
     wire [`RT_EFFECT_BITS-1:0] effects   = regs_i[`RT_REGS_EFFECTS];
     wire [`RT_LINE_BITS-1:0] mem_lines = regs_i[`RT_REGS_MEM_LINES];
-    localparam LAT = BOXES != 0 ? `RT_BOXES_LATENCY : `RT_FILTER_LATENCY;
+    localparam LAT = BOXES != 0 ? `RT_BOXES_LATENCY
+                     : LUTS != 0 ? `RT_FILTER_LUTS_LATENCY : `RT_FILTER_LATENCY;
 
     // ---- queues of tokens: rays under way first, then new ones ----
     wire             q_next_valid, start_valid, start_pixel, next_in_ready;
@@ -97,22 +101,41 @@ module rt_traverse #(
                 .read_i(rsp_valid), .slot_i(rsp_slot), .node_i(t1_node_q), .limit_i(depth_i),
                 .pass_o(f_pass), .near_o(f_near), .order_o(f_order)
             );
-            wire unused = &{1'b0, first_i};
+            wire unused = &{1'b0, first_i, across_i};
         end else begin : g_spheres
             wire             q_new_valid, q_new_pixel, q_shadow_valid, new_in_ready;
             wire             shadow_in_ready;
             wire [SLOTW-1:0] q_new_slot, q_shadow;
+            // from a push to the read of the ray: queue, 4 of issue, queue, 3 of the cache
+            localparam START = `RT_ACROSS_BEHIND - 7;
+            wire             new_valid;
+            wire [SLOTW:0]   fresh;
+            rt_delay_valid #(.CYCLES(START)) u_new_valid (
+                .clk(clk), .rst(rst), .in_i(ray_i[`RT_RAY_VALID] && !ray_i[`RT_RAY_SHADOW]),
+                .out_o(new_valid)
+            );
+            rt_delay #(.WIDTH(SLOTW+1), .CYCLES(START)) u_new (
+                .clk(clk), .in_i({ray_i[`RT_RAY_SLOT], pixel_i}), .out_o(fresh)
+            );
             rt_fifo #(.WIDTH(SLOTW+1), .DEPTH(SLOTS)) u_new_queue (
-                .clk(clk), .rst(rst), .in_valid_i(ray_i[`RT_RAY_VALID] && !ray_i[`RT_RAY_SHADOW]),
-                .in_ready_o(new_in_ready), .in_data_i({ray_i[`RT_RAY_SLOT], pixel_i}),
+                .clk(clk), .rst(rst), .in_valid_i(new_valid),
+                .in_ready_o(new_in_ready), .in_data_i(fresh),
                 .out_valid_o(q_new_valid),
                 .out_ready_i(room && !q_next_valid && !q_shadow_valid),
                 .out_data_o({q_new_slot, q_new_pixel})
             );
             if (SHADOW != 0) begin : g_shadow
+                wire             go;
+                wire [SLOTW-1:0] go_slot;
+                rt_delay_valid #(.CYCLES(START)) u_go (
+                    .clk(clk), .rst(rst), .in_i(shadow_go_i), .out_o(go)
+                );
+                rt_delay #(.WIDTH(SLOTW), .CYCLES(START)) u_go_slot (
+                    .clk(clk), .in_i(shadow_slot_i), .out_o(go_slot)
+                );
                 rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_shadow_queue (
-                    .clk(clk), .rst(rst), .in_valid_i(shadow_go_i), .in_ready_o(shadow_in_ready),
-                    .in_data_i(shadow_slot_i),
+                    .clk(clk), .rst(rst), .in_valid_i(go), .in_ready_o(shadow_in_ready),
+                    .in_data_i(go_slot),
                     .out_valid_o(q_shadow_valid), .out_ready_i(room && !q_next_valid),
                     .out_data_o(q_shadow)
                 );
@@ -124,35 +147,43 @@ module rt_traverse #(
             assign start_slot  = q_shadow_valid ? q_shadow : q_new_slot;
             assign start_pixel = !q_shadow_valid && q_new_pixel;
 
-            localparam YW = 3*FW + 57;
+            localparam YW = 3*FW + 3;
             localparam OB = FIRST != 0 || SHADOW != 0 ? 1 : 0;
             wire             in_order = (FIRST != 0 && first_i) ||    // any hit ends the ray
                                         (SHADOW != 0 && ray_i[`RT_RAY_SHADOW]);
             wire [YW:0]      y = {in_order, filter_i[`RT_FILTER_NEGATIVE],
-                                  filter_i[`RT_FILTER_AXIS], ray_i[`RT_RAY_UNIT],
-                                  filter_i[`RT_FILTER_ORG]};
+                                  filter_i[`RT_FILTER_AXIS], filter_i[`RT_FILTER_ORG]};
             wire [YW+OB-1:0] t1_ray;
             wire             t1_order = OB != 0 && t1_ray[YW+OB-1];
             wire             t1_negative;
             wire [1:0]       t1_axis;
-            wire [53:0]      t1_unit;
             wire [3*FW-1:0]  t1_org;
+            localparam AW = `RT_ACROSS_BITS - SLOTW;
+            wire [AW-1:0]    t1_across;
             rt_slot_ram #(.WIDTH(YW+OB), .SLOTS(SLOTS), .OLD(0)) u_ray (
                 .clk(clk), .wr_en_i(ray_i[`RT_RAY_VALID]), .wr_addr_i(ray_i[`RT_RAY_SLOT]),
                 .wr_data_i(y[YW+OB-1:0]),
                 .rd_en_i(rsp_valid), .rd_addr_i(rsp_slot), .rd_data_o(t1_ray)
             );
-            assign {t1_negative, t1_axis, t1_unit, t1_org} = t1_ray[YW-1:0];
+            assign {t1_negative, t1_axis, t1_org} = t1_ray[YW-1:0];
+            rt_slot_ram #(.WIDTH(AW), .SLOTS(SLOTS), .OLD(0)) u_across (
+                .clk(clk), .wr_en_i(across_i[`RT_ACROSS_VALID]),
+                .wr_addr_i(across_i[`RT_ACROSS_SLOT]), .wr_data_i(across_i[AW-1:0]),
+                .rd_en_i(rsp_valid), .rd_addr_i(rsp_slot), .rd_data_o(t1_across)
+            );
+            wire [53:0]      t1_q = t1_across[`RT_ACROSS_Q];
             for (c = 0; c < 4; c = c + 1) begin : g_lane
                 wire [`RT_CHILD_STRIDE-1:0] child =
                     t1_node_q[`RT_CHILD_STRIDE*c +: `RT_CHILD_STRIDE];
-                rt_filter #(.FW(FW)) u_filter (
+                rt_filter #(.FW(FW), .LUTS(LUTS)) u_filter (
                     .clk(clk),
                     .in_org_x_i($signed(t1_org[0 +: FW])), .in_org_y_i($signed(t1_org[FW +: FW])),
                     .in_org_z_i($signed(t1_org[2*FW +: FW])),
-                    .in_u_x_i($signed(t1_unit[`RT_UNIT_X])),
-                    .in_u_y_i($signed(t1_unit[`RT_UNIT_Y])),
-                    .in_u_z_i($signed(t1_unit[`RT_UNIT_Z])),
+                    .in_least_i(t1_across[`RT_ACROSS_LEAST]),
+                    .in_p_a_i($signed(t1_across[`RT_ACROSS_P_A])),
+                    .in_p_b_i($signed(t1_across[`RT_ACROSS_P_B])),
+                    .in_q_x_i($signed(t1_q[`RT_UNIT_X])), .in_q_y_i($signed(t1_q[`RT_UNIT_Y])),
+                    .in_q_z_i($signed(t1_q[`RT_UNIT_Z])),
                     .in_axis_i(t1_axis), .in_negative_i(t1_negative), .in_depth_max_i(depth_i),
                     .in_ctr_x_i($signed(child[`RT_CHILD_CTR_X_LSB +: `RT_CHILD_CTR_X_BITS])),
                     .in_ctr_y_i($signed(child[`RT_CHILD_CTR_Y_LSB +: `RT_CHILD_CTR_Y_BITS])),
@@ -169,7 +200,7 @@ module rt_traverse #(
                 assign f_order = 1'b0;
                 wire unused = &{1'b0, t1_order, y[YW]};
             end
-            wire unused = &{1'b0, new_in_ready, shadow_in_ready};
+            wire unused = &{1'b0, new_in_ready, shadow_in_ready, t1_across};
         end
     endgenerate
 

@@ -7,6 +7,8 @@
 #ifndef TB_ENGINE_PARTS_H
 #define TB_ENGINE_PARTS_H
 
+#include <deque>
+
 #include "engine/world.h"
 
 #ifndef PIPES
@@ -76,6 +78,34 @@ template <class Port> void put_filter(Port &port, int slot, const struct sph_ray
         bench::put(port, setups.of(slot) * RT_FILTER_BITS + i, 1,
                    (bench::i128)bench::get(whole, i, 1));
 }
+/* Axes across rays, so many clocks behind them: at each set-up unit those that are due. */
+class Axes {
+  public:
+    void send(int slot, const struct sph_ray &ray, uint64_t at) {
+        waits.push_back({slot, ray.across, at});
+    }
+    template <class Port> void put(Port &port, uint64_t now) {
+        const int bits = RT_ACROSS_BITS - setups.top();
+        for (int unit = 0; unit < SETUPS; unit++)
+            setups.put(port, unit, RT_ACROSS_BITS, RT_ACROSS_VALID, 0);
+        for (; !waits.empty() && waits.front().at <= now; waits.pop_front()) {
+            const Wait &w = waits.front();
+            uint32_t whole[(RT_ACROSS_BITS + 31) / 32] = {};
+            world::put_across(whole, w.slot, w.across);
+            for (int i = 0; i < bits; i++)
+                bench::put(port, setups.of(w.slot) * bits + i, 1,
+                           (bench::i128)bench::get(whole, i, 1));
+        }
+    }
+
+  private:
+    struct Wait {
+        int slot;
+        struct sph_across across;
+        uint64_t at;
+    };
+    std::deque<Wait> waits;
+};
 template <class Port> void no_ray(Port &port) {
     for (int unit = 0; unit < SETUPS; unit++) {
         setups.put(port, unit, RT_RAY_BITS, RT_RAY_VALID, 0);

@@ -215,6 +215,15 @@ template <class Port> void put_filter(Port &port, const struct sph_ray &r) {
     bench::put(port, RT_FILTER_DEPTH, r.depth_max);
 }
 
+template <class Port> void put_across(Port &port, int slot, const struct sph_across &a) {
+    bench::put(port, RT_ACROSS_VALID, 1);
+    bench::put(port, RT_ACROSS_LEAST, 3 - a.axis_a - a.axis_b);
+    bench::put(port, RT_ACROSS_P_A, a.p_a);
+    bench::put(port, RT_ACROSS_P_B, a.p_b);
+    bench::put(port, RT_ACROSS_Q, (i128)pack(a.q, 18));
+    bench::put(port, RT_ACROSS_SLOT, slot);
+}
+
 /* Answers readers of memory, late and in bursts; lines that are `spoilt` with an error, and with
  * data that are not theirs. Each reader gets its lines in the order in which it asked, a line a
  * clock comes. Once a clock: before() the clock, with all inputs set, settles them. */

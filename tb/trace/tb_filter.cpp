@@ -20,9 +20,13 @@ extern "C" {
 #include "trace/ray.h"
 }
 
+#ifndef LUTS
+#define LUTS 0
+#endif
+
 namespace {
 
-constexpr int LATENCY = 7, K = W - FW;
+constexpr int LATENCY = LUTS ? 12 : 9, K = W - FW;
 constexpr int64_t C_MIN = -((int64_t)1 << (W - 1)), C_MAX = -C_MIN - 1,
                   R_MAX = ((int64_t)1 << W) - 1;
 constexpr int64_t D_MIN = -((int64_t)1 << (WD - 1)), D_MAX = -D_MIN - 1;
@@ -44,14 +48,16 @@ int64_t clamp(int64_t x, int64_t low, int64_t high) {
 
 /* Distance of the filter's line from the child's centre as the filter sees it, filter units. */
 double filter_distance(const Vector &v) {
-    const int32_t *u = v.ray.unit.u;
-    int64_t oc[3];
-    double sum = 0;
-    for (int i = 0; i < 3; i++)
-        oc[i] = v.child.ctr[i] - v.ray.forg[i];
+    const struct sph_across &a = v.ray.across;
+    int64_t oc[3], q = 0;
     for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        double c = (double)((oc[j] * u[k] - oc[k] * u[j] + 8192) >> 14) / 4;
+        oc[i] = v.child.ctr[i] - v.ray.forg[i];
+        q += oc[i] * a.q[i];
+    }
+    double sum = 0;
+    for (int64_t x : {oc[a.axis_a] * a.p_a - oc[a.axis_b] * a.p_b, q}) {
+        x >>= 17 - SPH_FILTER_FRACTION;
+        double c = (double)(x < 0 ? ~x : x) / (1 << SPH_FILTER_FRACTION);
         sum += c * c;
     }
     return std::sqrt(sum);
@@ -103,6 +109,7 @@ class Source {
         v.ray.axis = (int)(n / 64) % 3;
         v.ray.negative = n / 64 >= 3;
         v.ray.unit.u[v.ray.axis] = v.ray.negative ? -65536 : 65536;
+        v.ray.across = sph_across(v.ray.unit.u);
         v.child.rad = n & 1 ? 16383 : 0;
         v.depth_max = sph_depth_limit(&profile);
     }
@@ -118,6 +125,7 @@ class Source {
             vv += (uint64_t)(d[i] * d[i]);
         }
         v.ray.unit = sph_unit(d, vv, 17);
+        v.ray.across = sph_across(v.ray.unit.u);
         v.ray.axis = (int)random.below(3);
         v.ray.negative = random.percent(50);
         v.child.rad = (int32_t)random.mixed(14);
@@ -236,9 +244,12 @@ void drive(Bench &b, const Vector &v) {
     b.set(t.in_org_x_i, FW, v.ray.forg[0]);
     b.set(t.in_org_y_i, FW, v.ray.forg[1]);
     b.set(t.in_org_z_i, FW, v.ray.forg[2]);
-    b.set(t.in_u_x_i, 18, v.ray.unit.u[0]);
-    b.set(t.in_u_y_i, 18, v.ray.unit.u[1]);
-    b.set(t.in_u_z_i, 18, v.ray.unit.u[2]);
+    t.in_least_i = (unsigned char)(3 - v.ray.across.axis_a - v.ray.across.axis_b);
+    b.set(t.in_p_a_i, 18, v.ray.across.p_a);
+    b.set(t.in_p_b_i, 18, v.ray.across.p_b);
+    b.set(t.in_q_x_i, 18, v.ray.across.q[0]);
+    b.set(t.in_q_y_i, 18, v.ray.across.q[1]);
+    b.set(t.in_q_z_i, 18, v.ray.across.q[2]);
     t.in_axis_i = (unsigned char)v.ray.axis;
     t.in_negative_i = v.ray.negative != 0;
     b.set(t.in_depth_max_i, FW + 1, v.depth_max);
@@ -251,7 +262,7 @@ void drive(Bench &b, const Vector &v) {
 void show(Bench &b, const Vector &s) {
     s.hard.show();
     static const char *names[4][3] = {{"in_org_x_i", "in_org_y_i", "in_org_z_i"},
-                                      {"in_u_x_i", "in_u_y_i", "in_u_z_i"},
+                                      {"in_q_x_i", "in_q_y_i", "in_q_z_i"},
                                       {"in_ctr_x_i", "in_ctr_y_i", "in_ctr_z_i"},
                                       {"exact ctr x", "exact ctr y", "exact ctr z"}};
     static const char *rays[2][3] = {{"exact org x", "exact org y", "exact org z"},
@@ -259,7 +270,10 @@ void show(Bench &b, const Vector &s) {
     for (int i = 0; i < 3; i++)
         b.show(names[0][i], s.ray.forg[i], FW);
     for (int i = 0; i < 3; i++)
-        b.show(names[1][i], s.ray.unit.u[i], 18);
+        b.show(names[1][i], s.ray.across.q[i], 18);
+    b.show("in_p_a_i", s.ray.across.p_a, 18);
+    b.show("in_p_b_i", s.ray.across.p_b, 18);
+    b.show("in_least_i", 3 - s.ray.across.axis_a - s.ray.across.axis_b, 2);
     b.show("in_axis_i", s.ray.axis, 2);
     b.show("in_negative_i", s.ray.negative, 1);
     b.show("in_depth_max_i", s.depth_max, FW + 1);

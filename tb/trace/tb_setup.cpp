@@ -4,6 +4,7 @@
  * All four sources run at once. A slot has one job at a time, as the token rule wants it: a vector
  * from a source until its ray, normal or light has come out.
  */
+#include <deque>
 #include <vector>
 
 #include "Vrt_setup.h"
@@ -23,6 +24,9 @@ extern "C" {
 #endif
 #ifndef NG
 #define NG 2
+#endif
+#ifndef ACROSS
+#define ACROSS 1
 #endif
 
 namespace {
@@ -170,6 +174,7 @@ class Setup : public bench::Bench<Vrt_setup> {
             fail("next_light_o and next_slot_o do not tell of the next light");
         if (now && cycle == light_before + 1) fail("a light in the clock behind another");
         if (now) light_before = cycle;
+        if (bench::get(dut.across_o, RT_ACROSS_VALID)) check_across();
         if (normal) check_normal(slot);
         if (bench::get(dut.ray_o, RT_RAY_VALID) || now) {
             if (normal) fail("a normal that is a ray too");
@@ -192,6 +197,7 @@ class Setup : public bench::Bench<Vrt_setup> {
         bench::put(dut.org_i, RT_ORG_VALID, 0);
         bench::put(dut.skip_i, RT_SKIP_VALID, 0);
         reset();
+        axes.clear();
         for (Slot &s : slots) {
             if (s.job == NORMAL) s.has_normal = false;
             s.job = IDLE;
@@ -211,6 +217,13 @@ class Setup : public bench::Bench<Vrt_setup> {
     }
 
   private:
+    static constexpr uint64_t BEHIND = 12; /* clocks from a ray to its axes, at most */
+    struct Axes {
+        int slot;
+        struct sph_across across;
+        uint64_t since;
+    };
+    std::deque<Axes> axes; /* that are to come */
     Slot slots[SLOTS];
     std::vector<Vec> corners;
     size_t done_corners[SOURCES] = {};
@@ -317,7 +330,28 @@ class Setup : public bench::Bench<Vrt_setup> {
             expect("H", field(RT_RAY_H), TEXTURE ? r.unit.h : 0, 6);
             check_filter(r);
         }
+        if (ACROSS) axes.push_back({number, r.across, cycle});
         end(s);
+    }
+
+    /* In the order of rays, and soon enough. */
+    void check_across() {
+        auto field = [&](int lsb, int bits) {
+            return (bench::i128)bench::get(dut.across_o, lsb, bits);
+        };
+        if (axes.empty()) return fail("axes that nothing asked for");
+        const Axes a = axes.front();
+        axes.pop_front();
+        uint64_t behind = cycle - a.since;
+        if (ACROSS == 1 ? behind != 7 : behind != BEHIND && behind != BEHIND - 1)
+            fail("axes too early or too late");
+        expect("LEAST", field(RT_ACROSS_LEAST), 3 - a.across.axis_a - a.across.axis_b, 2);
+        expect("P_A", bench::sign(field(RT_ACROSS_P_A), 18), a.across.p_a, 18);
+        expect("P_B", bench::sign(field(RT_ACROSS_P_B), 18), a.across.p_b, 18);
+        for (int i = 0; i < 3; i++)
+            expect("Q", bench::sign(field(RT_ACROSS_Q) >> (18 * i), 18), a.across.q[i], 18);
+        expect("SLOT of axes", field(RT_ACROSS_SLOT), a.slot, 8);
+        if (bad()) done();
     }
 
     void check_filter(const struct sph_ray &r) {

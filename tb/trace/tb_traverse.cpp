@@ -12,7 +12,7 @@
 
 namespace {
 
-constexpr uint64_t LATENCY = 10; /* clocks from a node that leaves the cache to found_o */
+constexpr uint64_t LATENCY = 12; /* clocks from a node that leaves the cache to found_o */
 constexpr uint64_t ISSUE = 4;
 
 struct Due { /* a visit whose node has left the cache */
@@ -35,6 +35,7 @@ class Traverse : public VisitRays {
         int asked = depth_slot;
         bench::set(dut.depth_i, FW + 1,
                    asked < 0 ? (int32_t)random.bits(FW + 1) : slots[asked].depth);
+        put_axes();
         int told = launch(go_on), held = release(told), next = send(go_on), read = ask(told);
         memory.before();
         if (reading >= 0) expect("visits_o", dut.visits_o, slots[reading].pixel, 24);
@@ -46,8 +47,8 @@ class Traverse : public VisitRays {
         if (bench::get(dut.event_o, RT_TRACE_EVENT_ISSUED)) issue();
         check_found();
         if (next >= 0) arrive(next_queue, next);
-        if (held >= 0) arrive(shadow_queue, held);
-        if (told >= 0 && slots[told].ray.kind != SPH_SHADOW) arrive(new_queue, told);
+        if (held >= 0) arrive(shadow_queue, held, START);
+        if (told >= 0 && slots[told].ray.kind != SPH_SHADOW) arrive(new_queue, told, START);
         tick();
     }
 
@@ -67,8 +68,11 @@ class Traverse : public VisitRays {
     };
     std::deque<int> next_queue, shadow_queue, new_queue;
     std::deque<Arrival> arrivals;
-    void arrive(std::deque<int> &tokens, int slot) {
-        arrivals.push_back({&tokens, slot, cycle + ISSUE});
+    void arrive(std::deque<int> &tokens, int slot, uint64_t waits = 0) {
+        auto at = arrivals.end();
+        while (at != arrivals.begin() && (at - 1)->at > cycle + ISSUE + waits)
+            --at;
+        arrivals.insert(at, {&tokens, slot, cycle + ISSUE + waits});
     }
     std::deque<Due> due;
     int depth_slot = -1;

@@ -60,6 +60,7 @@ class Trace : public bench::Bench<Top> {
 
     void clock(bool start) {
         launch(start);
+        axes.put(dut.across_i, cycle);
         answer();
         int ask = done_slot; /* whose visits are read */
         dut.visits_read_i = ask >= 0;
@@ -102,6 +103,8 @@ class Trace : public bench::Bench<Top> {
     world::World world;
     world::Memory<Top, PIPES> memory;
     const int32_t limit;
+    static constexpr uint64_t BEHIND = 12; /* clocks from a ray to its axes, at most */
+    parts::Axes axes;
     Slot slots[SLOTS];
     std::vector<Result> results[EXACTS];
     struct sph_counters counters = {};
@@ -146,6 +149,7 @@ class Trace : public bench::Bench<Top> {
             parts::put_ray(dut.ray_i, at, s.ray);
             parts::put_in_ray(dut.ray_i, at, RT_RAY_VALID, true);
             parts::put_filter(dut.filter_i, at, s.ray);
+            axes.send(at, s.ray, cycle + BEHIND);
             dut.ray_again_i = again; /* with one set-up unit */
         }
     }

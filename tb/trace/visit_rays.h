@@ -4,6 +4,9 @@
 #ifndef TB_TRACE_VISIT_RAYS_H
 #define TB_TRACE_VISIT_RAYS_H
 
+#include <deque>
+#include <utility>
+
 #include "Vrt_traverse.h"
 #include "trace/random_nodes.h"
 #include "trace/visit_outcomes.h"
@@ -56,7 +59,18 @@ class VisitRays : public bench::Bench<Vrt_traverse> {
         return true;
     }
 
+    /* Axes across rays, when they are due. */
+    void put_axes() {
+        bench::put(dut.across_i, RT_ACROSS_VALID, 0);
+        if (axes.empty() || axes.front().second > cycle) return;
+        int at = axes.front().first;
+        axes.pop_front();
+        world::put_across(dut.across_i, at, slots[at].ray.across);
+    }
+
   protected:
+    static constexpr uint64_t BEHIND = 12; /* clocks from a ray to its axes, at most */
+    static constexpr uint64_t START = 5;   /* clocks that its first token waits for them */
     world::World world;
     RandomNodes nodes;
     world::Memory<Vrt_traverse> memory;
@@ -84,6 +98,7 @@ class VisitRays : public bench::Bench<Vrt_traverse> {
         s.state = kind == SPH_SHADOW ? Slot::HELD : Slot::QUEUED;
         world::put_ray(dut.ray_i, at, s.ray);
         world::put_filter(dut.filter_i, s.ray);
+        axes.push_back({at, cycle + BEHIND});
         return at;
     }
 
@@ -136,6 +151,7 @@ class VisitRays : public bench::Bench<Vrt_traverse> {
   private:
     const int32_t limit;
     unsigned pace = 100;
+    std::deque<std::pair<int, uint64_t>> axes; /* slot, clock */
 };
 
 } // namespace

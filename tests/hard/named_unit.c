@@ -166,7 +166,25 @@ static void touch_node(struct named *n, int64_t rad) {
     }
 }
 
+/* Across such a ray an axis is 8191/8192 long, so a distance of 7000 is cut to 6999. */
+static void touch_cut(struct named *n) {
+    int64_t unit = 1ll << (n->p->w - n->p->fw), off = 7000, rad = off - 1 - SPH_FILTER_MARGIN;
+    if (off >= 1 << (n->p->fw - 1)) return;
+    for (int side = -1; side <= 1; side += 2) {
+        struct hard_case c = vector(V3(-n->half / 2, 0, 0), V3(1ll << (n->p->wd - 2), 0, 0),
+                                    V3(0, side * off * unit, 0), rad * unit);
+        struct sph_child child = {{0, (int32_t)(side * off), 0}, (int32_t)off - 1};
+        int32_t near;
+        expect(n, c, MISS, 0);
+        sph_ray_setup(n->p, &c.ray);
+        require(n, sph_filter(&c.ray, &child, c.ray.depth_max, &near), "a distance of rad is left");
+        child.rad--;
+        require(n, !sph_filter(&c.ray, &child, c.ray.depth_max, &near), "one above rad is taken");
+    }
+}
+
 void named_node_radius(struct named *n) {
+    touch_cut(n);
     int64_t unit = 1ll << (n->p->w - n->p->fw);
     for (int64_t rad = 1; rad < 1ll << (n->p->fw - 2); rad = 3 * rad + 1)
         touch_node(n, rad);

@@ -7,10 +7,14 @@
 #include "vectors.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "trace/filter.h"
 
 enum { MARGINS = 3 };
+
+/* The most that axes see of a step along the ray, 2^-17 of it: the bound of the page. */
+#define AXES_SEE 2.851
 
 struct tally {
     uint64_t hits, lost[MARGINS]; /* lost with a margin of 0, 1, 2 filter units */
@@ -229,12 +233,79 @@ static void depth_bounds(void **state) {
     }
 }
 
+/* What the filter's proof asks of axes across a ray (docs/blocks/filter.md), exactly, in squares of
+ * 2^-17 or 2^-34: p, q and no mixture of them is longer than 1. *along: how much of a step along
+ * the ray they see, squared, 1 at most. */
+static int axes_hold(const int64_t dir[3], int bits, double *longest, double *along) {
+    uint64_t a = 0;
+    double d = 0, seen = 0;
+    for (int k = 0; k < 3; k++) {
+        a += (uint64_t)(dir[k] * dir[k]);
+        d += (double)dir[k] * (double)dir[k];
+    }
+    struct sph_unit unit = sph_unit(dir, a, bits);
+    struct sph_across x = sph_across(unit.u);
+    int64_t p[3] = {0}, pp = 0, qq = 0, pq = 0, one = 1ll << 34;
+    p[x.axis_a] = x.p_a;
+    p[x.axis_b] = -x.p_b;
+    sph_i128 p_along = 0, q_along = 0;
+    for (int k = 0; k < 3; k++) {
+        pp += p[k] * p[k];
+        qq += (int64_t)x.q[k] * x.q[k];
+        pq += p[k] * x.q[k];
+        p_along += (sph_i128)p[k] * dir[k];
+        q_along += (sph_i128)x.q[k] * dir[k];
+    }
+    /* 1 less the matrix of squares has no negative eigenvalue */
+    int holds = pp < one && qq < one && (sph_i128)(one - pp) * (one - qq) >= (sph_i128)pq * pq;
+    double mean = (double)(pp + qq) / 2, half = (double)(pp - qq) / 2;
+    *longest = mean + sqrt(half * half + (double)pq * (double)pq) - (double)one;
+    seen = (double)p_along * (double)p_along + (double)q_along * (double)q_along;
+    *along = sqrt(seen / d);
+    return holds && *along <= AXES_SEE;
+}
+
+/* Directions of all kinds, then from the worst of them on by steps that make it worse. */
+static void axes(void **state) {
+    (void)state;
+    struct sph_rng rng = vec_seed("axes");
+    const int bits = 26;
+    const int64_t half = 1ll << (bits - 1);
+    double worst[2] = {-1e18, 0};
+    uint64_t broken = 0;
+    for (int i = 0; i < 400 / VEC_SHARE; i++) {
+        int goal = i % 2; /* longer, or along the ray */
+        int64_t best[3] = {half - 1, 0, 0}, dir[3];
+        double value[2], most = -1e18;
+        for (int step = 0; step < 3000; step++) {
+            for (int k = 0; k < 3; k++) {
+                int reach = (int)vec_pick(&rng, 1, step < 300 ? bits - 1 : 14);
+                int64_t far = 1ll << reach;
+                dir[k] = step < 300
+                             ? vec_pick(&rng, -half, half - 1)
+                             : best[k] + (vec_pick(&rng, 0, 2) ? vec_pick(&rng, -far, far) : 0);
+                dir[k] = dir[k] < -half ? -half : dir[k] >= half ? half - 1 : dir[k];
+            }
+            if (!dir[0] && !dir[1] && !dir[2]) continue;
+            broken += (uint64_t)!axes_hold(dir, bits, &value[0], &value[1]);
+            for (int k = 0; k < 2; k++)
+                worst[k] = fmax(worst[k], value[k]);
+            if (value[goal] <= most) continue;
+            most = value[goal];
+            memcpy(best, dir, sizeof best);
+        }
+    }
+    printf("# axes: longest %.2f units of 2^-17 from 1, of a step along the ray %.3f of 2^-17\n",
+           worst[0] / 0x1p18, worst[1]);
+    assert_int_equal(broken, 0);
+    assert_true(worst[0] > -0x1p18 * 8 && worst[1] > 1.5);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(random_spheres),
-        cmocka_unit_test(adversarial),
-        cmocka_unit_test(own_sphere),
-        cmocka_unit_test(depth_bounds),
+        cmocka_unit_test(random_spheres), cmocka_unit_test(adversarial),
+        cmocka_unit_test(own_sphere),     cmocka_unit_test(depth_bounds),
+        cmocka_unit_test(axes),
     };
     return cmocka_run_group_tests_name("filter", tests, NULL, NULL);
 }
