@@ -32,8 +32,8 @@ leaf=$(find rtl -name rt_leaf.v)
 check "a model" stale $leaf 's/Model: sph_leaf_test()/Model: sph_leaf_key_bits()/' \
     '^+- Model: `sph_leaf_key_bits()`'
 check "a register" stale $def 's/^reg    98 /reg    103 /' '^+- 103 `BG_COUNT`'
-check "an effect" stale $def 's/^effect sum .*/&\neffect haze bit=13 : fog/' \
-    '^+- `haze`, `HAZE` = 1 (0..1, bit 13): fog'
+check "an effect" stale $def 's/^effect sum .*/&\neffect haze bit=14 : fog/' \
+    '^+- `haze`, `HAZE` = 1 (0..1, bit 14): fog'
 check "a counter" stale $def 's/^counter 21 POWERS  *both/counter 21 POWERS rtl/' \
     '^+- 21.. `POWERS`'
 page=$(find docs -name core.md)
