@@ -225,7 +225,9 @@ void sph_ref_follow(const struct sph_ref_job *j, struct sph_ref_branch b,
     memcpy(dir, b.ray.dir, sizeof dir);
     unit(dir);
     shade(j, &b, &hit, f, &k, at, normal, dir, step, seen, colour);
-    if (k.kt > 0 && !sph_ref_refract(dir, normal, ratio, bent)) sph_ref_reflect_all(&k, f);
+    if (k.kt > 0 && !sph_ref_refract(dir, normal, ratio, bent)) {
+        sph_ref_reflect_all(&k, f, j->o->total);
+    }
     add(seen, b.depth, b.weight, b.weight * k.own, colour);
     leave(j, &b, &hit, at, normal, side, &k, ratio, bent, seen);
 }

@@ -23,6 +23,7 @@ struct sph_reference_options {
     int reflect;           /* 1: mirrors are followed */
     int refract, specular; /* 1: refracted rays are followed; highlights */
     int unlimited;         /* 1: a surface may be brighter than 1 until pixels are written */
+    int total;             /* 1: what is totally reflected is not lessened */
     int threads;           /* 0: all */
     const struct sph_machine
         *world;                 /* NULL, or pixels are marked that see planes in a wrong light */

@@ -31,8 +31,8 @@ struct sph_ref_shares sph_ref_shares_of(const struct sph_material *m, int follow
     return s;
 }
 
-void sph_ref_reflect_all(struct sph_ref_shares *s, const struct sph_material *m) {
-    s->kr = fmin(1, s->kr + s->kt);
+void sph_ref_reflect_all(struct sph_ref_shares *s, const struct sph_material *m, int whole) {
+    s->kr = whole ? 1 : fmin(1, s->kr + s->kt);
     s->kt = 0;
     s->own = left(m, s->kr, s->kt);
 }

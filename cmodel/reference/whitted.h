@@ -18,8 +18,9 @@ struct sph_ref_shares {
 struct sph_ref_shares sph_ref_shares_of(const struct sph_material *material, int follow,
                                         int reflect, int refract);
 
-/* All of kt goes the way of the mirror ray. */
-void sph_ref_reflect_all(struct sph_ref_shares *shares, const struct sph_material *material);
+/* All of kt goes the way of the mirror ray; whole: that gets all the light there is. */
+void sph_ref_reflect_all(struct sph_ref_shares *shares, const struct sph_material *material,
+                         int whole);
 
 /* Snell's law by vectors: dir meets a surface with the normal on its side; ratio: index of that
  * side over that of the other. 0 if all is reflected. */

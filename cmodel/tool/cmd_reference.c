@@ -15,10 +15,10 @@ struct arguments {
     struct tool_source source;
     const char *input, *frame;
     struct light_pictures light;
-    int levels, threads, unlimited;
+    int levels, threads, unlimited, total;
 };
 
-enum { KEY_FRAME = 512, KEY_FILTER, KEY_LEVELS, KEY_UNLIMITED };
+enum { KEY_FRAME = 512, KEY_FILTER, KEY_LEVELS, KEY_UNLIMITED, KEY_TOTAL };
 
 static const struct argp_option options[] = {
     {"output", 'o', "FILE", 0, TOOL_OUTPUT_TEXT, 0},
@@ -38,6 +38,8 @@ static const struct argp_option options[] = {
      0},
     {"unlimited", KEY_UNLIMITED, NULL, 0,
      "a surface may be brighter than 1 in a mirror or through glass, as in POV-Ray", 0},
+    {"total", KEY_TOTAL, NULL, 0,
+     "what is totally reflected keeps all its light, not Kr + T of it, as in POV-Ray", 0},
     {"threads", 't', "N", 0, "0: one for every processor (default)", 0},
     {0},
 };
@@ -60,6 +62,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         return 0;
     case KEY_UNLIMITED:
         a->unlimited = 1;
+        return 0;
+    case KEY_TOTAL:
+        a->total = 1;
         return 0;
     case 't':
         a->threads = (int)tool_number(state, "--threads", arg, 0, 1024);
@@ -105,6 +110,7 @@ static int draw(const struct arguments *a, const struct sph_scene *scene, struct
                                         .refract = 1,
                                         .specular = 1,
                                         .unlimited = a->unlimited,
+                                        .total = a->total,
                                         .threads = a->threads,
                                         .mips = mips,
                                         .filter = a->source.build.tex_filter,

@@ -10,9 +10,10 @@ import shutil
 import subprocess
 import sys
 
-from . import pictures, scenes
+from . import doubt, pictures, scenes
 
 POVRAY = "povray"
+RULES = (), ("--unlimited",), ("--unlimited", "--total")  # the machine's rules to POV-Ray's
 
 
 def stop(text):
@@ -74,6 +75,24 @@ class Runner:
                                   "--frame", to)
         return (None, said) if code else (pictures.frame(to), "")
 
+    def reference(self, name, scene, depth, *rules):
+        """What the double reference draws."""
+        return self.frame(name, "reference", scene, "--depth", depth, *rules)[0]
+
+    def doubtful(self, name, scene, depth, still):
+        """For each pixel whether it is another if the eye moves by next to nothing."""
+        found = [False] * len(still[3])
+        for sign in (1, -1):
+            to = os.path.join(os.path.dirname(scene), f".{name}.nudged.nff")  # beside its images
+            try:
+                doubt.nudged(scene, to, sign)
+                moved = self.reference(name, to, depth, *RULES[-1])
+            finally:
+                os.remove(to)
+            most = pictures.off(still, moved)
+            found = [was or m > pictures.FAR_OFF for was, m in zip(found, most)]
+        return found
+
     def scene(self, name, scene, depth):
         """Measures one scene, unless that is done."""
         target = self.path(name + ".json")
@@ -82,21 +101,37 @@ class Runner:
         print(f"  POV  {name}", flush=True)
         truth = self.truth(name, scene, depth)
         away = pictures.inner(truth)
-        limited, _ = self.frame(name, "reference", scene, "--depth", depth)
-        unlimited, _ = self.frame(name, "reference", scene, "--depth", depth, "--unlimited")
+        ours, unlimited, theirs = (self.reference(name, scene, depth, *rules) for rules in RULES)
+        doubtful = self.doubtful(name, scene, depth, theirs)
         result = {"depth": depth, "pixels": len(away), "away": sum(away),
-                  "reference": pictures.compare(truth, unlimited, away),
-                  "limited": pictures.compare(truth, limited, away), "model": {}}
+                  "doubtful": sum(doubtful),
+                  "reference": pictures.compare(truth, theirs, away),
+                  "limited": pictures.compare(truth, ours, away), "model": {}}
         for profile in scenes.PROFILES:
-            model, why = self.frame(name, "accuracy", scene, "--depth", depth, "--profile", profile)
-            result["model"][profile] = {"refused": why} if model is None else dict(
-                pictures.compare(truth, model, away),
-                why=pictures.explain(truth, model, limited, unlimited))
+            report = self.path(name + ".report")
+            model, why = self.frame(name, "accuracy", scene, "--depth", depth, "--profile", profile,
+                                    "--json", report)
+            if model is None:
+                result["model"][profile] = {"refused": why}
+                continue
+            far = doubt.beyond(scene, scenes.SIZE, nearest(report))
+            causes = pictures.causes(truth, model, {"doubtful": doubtful, "beyond": far},
+                                     {"arithmetic": ours, "limit": unlimited, "total": theirs})
+            result["model"][profile] = dict(
+                pictures.compare(truth, model, away), own=pictures.decibel(ours, model),
+                why=pictures.counts(causes), rest=pictures.rest(truth, model, causes))
             if profile == "standard" and model:
                 pictures.strip(self.path(name + ".png"), truth, model)
         with open(target + ".tmp", "w", encoding="utf-8") as f:
             json.dump(result, f, indent=1)
         os.rename(target + ".tmp", target)
+
+
+def nearest(report):
+    """How near the eye sees planes beyond the grid of a report's machine; None: nowhere."""
+    with open(report, encoding="utf-8") as f:
+        cut = json.load(f)["build"].get("planes_cut") or {}
+    return cut.get("nearest")
 
 
 def listed(runner):

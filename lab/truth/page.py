@@ -14,8 +14,10 @@ from ..pages.place import place
 from ..synth.report import table
 from . import scenes
 
-WHY = {"edge": "edge", "object": "other object", "arithmetic": "arithmetic",
-       "limit": "light above 1", "rule": "rule"}
+WHY = {"edge": "edge", "object": "other object", "doubtful": "doubtful",
+       "beyond": "beyond the grid", "arithmetic": "arithmetic", "limit": "light above 1",
+       "total": "total reflection", "rule": "rule"}
+KEPT = 45.0  # dB that `auto` is to keep
 EQUAL = 99.0  # dB, for means, where pictures are equal
 
 
@@ -81,6 +83,18 @@ def why(found):
     return table(["scene", "far off"] + list(WHY.values()), rows)
 
 
+def below(found):
+    """Causes of what is far off at auto, of scenes below KEPT; dB under the machine's own rules;
+    dB against POV-Ray of all pixels but those far off by doubt, planes' ends and rules."""
+    rows = []
+    for name, r in found.items():
+        m = r["model"]["auto"]
+        if "refused" not in m and m["psnr"] is not None and m["psnr"] < KEPT:
+            rows.append([name, decibel(m["psnr"]), decibel(m["own"]), decibel(m["rest"])] +
+                        [m["why"][key] for key in WHY])
+    return table(["scene", "dB", "own rules, dB", "rest, dB"] + list(WHY.values()), rows)
+
+
 def scale(folder):
     """Lines of tests/tool/test_scale.sh, names as words."""
     rows = [line.split() for line in Path(folder, "scale.txt").read_text("utf-8").splitlines()]
@@ -91,7 +105,7 @@ def scale(folder):
 def main(page, folder, shown):
     found = results(folder)
     place(page, {"reference": reference(found), "model": model(found), "wrong": wrong(found),
-                 "why": why(found), "scale": scale(folder)})
+                 "why": why(found), "below": below(found), "scale": scale(folder)})
     Path(shown).mkdir(parents=True, exist_ok=True)
     text = Path(page).read_text(encoding="utf-8")
     for name in re.findall(rf"{Path(shown).name}/(\w+)\.png", text):

@@ -94,23 +94,38 @@ def compare(truth, other, away):
             "far_off": sum(most > FAR_OFF for most in off(truth, other))}
 
 
-def explain(truth, model, limited, unlimited):
-    """Why pixels of the model are far off, each counted once, the first cause that holds: the
-    object beside (edge), another object, arithmetic (the double reference is right), light above 1
-    (it is when nothing is limited), or what the two renderers do differently (rule)."""
-    count = dict.fromkeys(("edge", "object", "arithmetic", "limit", "rule"), 0)
-    mine, right, free = (off(truth, other) for other in (model, limited, unlimited))
+def causes(truth, model, marked, rules):
+    """Why pixels of the model are far off, None where they are not; of each the first that holds:
+    the object beside (edge), another object, a mark ({name: for each pixel whether}), arithmetic
+    (the double reference with the machine's rules is right), another of `rules` (the reference is
+    right with those: {name: picture}), or what the two renderers do differently (rule)."""
+    mine = off(truth, model)
+    right = {name: off(truth, picture) for name, picture in rules.items()}
+    found = []
     for i, most in enumerate(mine):
         if most <= FAR_OFF:
-            continue
-        if truth[3][i] != model[3][i]:
+            found.append(None)
+        elif truth[3][i] != model[3][i]:
             beside = model[3][i] in around(truth, i % truth[0], i // truth[0])
-            count["edge" if beside else "object"] += 1
-        elif right[i] <= FAR_OFF:
-            count["arithmetic"] += 1
+            found.append("edge" if beside else "object")
         else:
-            count["limit" if free[i] <= FAR_OFF else "rule"] += 1
-    return count
+            said = [name for name, marks in marked.items() if marks[i]]
+            said += [name for name, each in right.items() if each[i] <= FAR_OFF]
+            found.append(said[0] if said else "rule")
+    return found
+
+
+CAUSES = ["edge", "object", "doubtful", "beyond", "arithmetic", "limit", "total", "rule"]
+
+
+def counts(found):
+    """{cause: pixels}."""
+    return {name: found.count(name) for name in CAUSES}
+
+
+def rest(truth, model, found):
+    """dB of the pixels that are not far off because of marks or rules."""
+    return decibel(truth, model, [name in (None, "edge", "object", "arithmetic") for name in found])
 
 
 def srgb(byte):

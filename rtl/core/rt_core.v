@@ -474,7 +474,8 @@ module rt_core #(
     always @(posedge clk) add_q <= add;
     localparam COUNTERS = OPTICS ? `RT_COUNTERS : TEXTURE != 0 ? `RT_COUNT_RAYS_REFRACTED :
                           PLACES > 16 ? `RT_COUNT_TEXELS : 16;
-    rt_counters #(.PLACES(PLACES), .USED(COUNTERS)) u_counters (
+    localparam MOST = PLACES == 16 && ENGINES*PIPES == 1 ? 7 : 63;  // four children a visit
+    rt_counters #(.PLACES(PLACES), .MOST(MOST), .USED(COUNTERS)) u_counters (
         .clk(clk), .rst(rst), .clear_i(go), .add_i(add_q),
         .addr_i(count_addr_i), .data_o(count_data_o)
     );

@@ -1,25 +1,28 @@
 // rt_counters.v - the work counters of the core
 // SPDX-License-Identifier: Apache-2.0
-// Events gather in a small sum per counter; one sum a cycle, in turn, goes into its 48-bit total
-// through one adder. A total is complete PLACES + 1 cycles after the last event; clear_i takes
-// as long.
+// Events gather in a small sum per counter that starts again from 0 when it is full; one sum a
+// cycle, in turn, becomes the low bits of its 48-bit total, whose high bits grow by one if the sum
+// is less than it was. A total is complete PLACES + 1 cycles after the last event; clear_i takes as
+// long.
 // Numbers: machine.def. data_o is the total addressed one cycle before.
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 module rt_counters #(
     parameter PLACES = 16,        // counters from here on read as 0: 16 or 32
+    parameter MOST   = 63,        // events of a counter in a cycle, 7 or 63
     parameter USED   = PLACES < `RT_COUNTERS ? PLACES : `RT_COUNTERS  // those that count
 ) (
     input  wire                clk,
     input  wire                rst,
     input  wire                clear_i,
-    input  wire [8*PLACES-1:0] add_i,  // counter i: u8 at 8*i, at most 63 events of this cycle
+    input  wire [8*PLACES-1:0] add_i,  // counter i: u8 at 8*i, at most MOST events of this cycle
     input  wire [4:0]          addr_i,
     output reg  [47:0]         data_o
 );
     localparam AB = $clog2(PLACES);
-    localparam SW = AB + 6;       // PLACES cycles of 63 events
+    localparam MB = $clog2(MOST + 1);
+    localparam SW = AB + MB;      // less than PLACES cycles of MOST + 1 events
     localparam [AB:0] ALL = {1'b1, {AB{1'b0}}};  // PLACES
     reg [AB-1:0] turn_q;
     reg [AB:0]   clear_q;         // totals that still start anew
@@ -33,7 +36,7 @@ module rt_counters #(
             reg [SW-1:0] sum_q;
             wire         now = turn_q == c;
             always @(posedge clk) begin
-                sum_q <= (now ? {SW{1'b0}} : sum_q) + {{(SW-8){1'b0}}, add_i[8*c +: 8]};
+                sum_q <= sum_q + {{AB{1'b0}}, add_i[8*c +: MB]};
                 if (clear_i || rst) sum_q <= {SW{1'b0}};
             end
             assign sums[SW*c +: SW] = now ? sum_q : {SW{1'b0}};
@@ -49,7 +52,9 @@ module rt_counters #(
     // ---- totals ----
     wire [47:0] total, shown;
     reg  [AB-1:0] total_q;          // the counter whose sum was taken a clock before
-    wire [47:0] total_next = (clearing ? 48'd0 : total) + {{(48-SW){1'b0}}, sum_q};
+    wire        carry = sum_q < total[SW-1:0];
+    wire [47:0] total_next = {clearing ? {(48-SW){1'b0}}
+                                       : total[47:SW] + {{(47-SW){1'b0}}, carry}, sum_q};
     rt_slot_file #(.WIDTH(48), .SLOTS(PLACES)) u_total (
         .clk(clk), .wr_en_i(1'b1), .wr_addr_i(total_q), .wr_data_i(total_next),
         .rd_addr_i(total_q), .rd_data_o(total)
@@ -69,6 +74,16 @@ module rt_counters #(
         data_o <= shown;
         if (PLACES < 32 && addr_i[4]) data_o <= 48'd0;
     end
+
+`ifndef SYNTHESIS
+    integer e;
+    always @(posedge clk)
+        for (e = 0; e < USED; e = e + 1)
+            if (!rst && !clear_i && {24'd0, add_i[8*e +: 8]} > MOST) begin
+                $display("%m: %0d events of counter %0d", add_i[8*e +: 8], e);
+                $finish;
+            end
+`endif
     wire unused = &{1'b0, add_i};
 endmodule
 `default_nettype wire

@@ -64,8 +64,8 @@ module rt_unit_four #(
     reg  signed [BITS:0] shift_q;             // x, y, z in phases 3, 0, 1; |v << h| < 2^BITS
     wire [BITS-1:0]      turn = phase_q == 2'd2 ? v2_q[0 +: BITS]
                                 : last ? v2_q[BITS +: BITS] : z_q;
-    reg  [16:0]          low_x_q, low_y_q, low_z_q;          // l of v << h, in stage 4
     reg  signed [BITS:0] s_x_q, s_y_q, s_z_q;                // v << h, in phases 2 and 3
+    reg  [16:0]          low_q;               // l of v << h: x, y, z in phases 0, 1, 2 of stage 4
     wire signed [BITS:0] turn_s = {turn[BITS-1], turn};
     always @(posedge clk) begin
         if (last) begin
@@ -74,8 +74,7 @@ module rt_unit_four #(
         end
         shift_q <= turn_s <<< h_q;
         if (phase_q != 2'd2) {s_x_q, s_y_q, s_z_q} <= {s_y_q, s_z_q, shift_q};
-        if (last) {low_x_q, low_y_q, low_z_q} <= {s_x_q[16:0], s_y_q[16:0], s_z_q[16:0]};
-        else {low_x_q, low_y_q} <= {low_y_q, low_z_q};
+        low_q <= s_x_q[16:0];                 // y and z move to x while the next vector comes
     end
 
     // ---- operands and products of x, y, z; those of squares are added ----
@@ -113,7 +112,7 @@ module rt_unit_four #(
         xy_q  <= p[0] + p[1];
         zz_q  <= p[2];
         sum_q <= xy_q + $signed({zz_q[35], zz_q});
-        if (!last) acc_q <= (phase_q == 2'd0 ? 40'sd0 : acc_old) + $signed({{2{sum_q[37]}}, sum_q});
+        acc_q <= last ? 40'sd0 : acc_old + $signed({{2{sum_q[37]}}, sum_q});
         if (^phase_q) acc_low_q <= {acc_q[16:0], acc_low_q[33:17]};
         if (last) {vv5_q, vv4_q, vv3_q, vv2_q} <= {vv4_q, vv3_q, vv2_q, acc[VW-1:0]};
     end
@@ -150,7 +149,7 @@ module rt_unit_four #(
     reg  signed [35:0] p_q;                   // slope * frac in phase 1; l*y of x, y, z in 2, 3, 0
     rt_rsqrt_rom u_rom (.clk(clk), .index_i(x_q[17:10]), .line_q(line));
     always @(posedge clk) begin
-        a_q <= last ? $signed({7'd0, line[27:17]}) : $signed({1'b0, low_x_q});
+        a_q <= last ? $signed({7'd0, line[27:17]}) : $signed({1'b0, low_q});
         b_q <= last ? $signed({8'd0, x_q[9:0]}) : $signed({1'b0, y4_q});
         p_q <= a_q * b_q;
         if (phase_q == 2'd1) y_q <= line[16:0] - {6'd0, p_q[20:10]};

@@ -58,6 +58,7 @@ module rt_hit #(
     localparam SW = PW + 1;                     // and one bit to round
     localparam GW = W + NG;                     // guarded coordinate
     localparam PV = `RT_PRIM_VECTOR_BITS(W, NG, FACETS);
+    localparam KB = GW + 9 < SW ? GW + 9 : SW;  // of t*dir, behind the coarse shift
     localparam VW = PV > WD + 1 ? PV : WD + 1;  // vector, or -dir
     localparam        [31:0] BITS  = NG;
     localparam signed [8:0]  GUARD = BITS[8:0];
@@ -175,25 +176,42 @@ module rt_hit #(
         end
     endgenerate
 
-    // ---- stages 2 and 3: shift right, one bit kept to round ----
-    reg  signed [SW-1:0] s2_prod_q, s3_prod_q;
+    // ---- stages 2 and 3: shift right, one bit kept to round. A product that KB bits do not hold
+    //      when only 7 more may leave is limited, whatever org is ----
+    reg  signed [KB-1:0] s2_prod_q, s3_prod_q;
+    reg                  s2_far_q, s3_far_q, s4_far_q;  // it is limited, to the side of its sign
+    reg                  s2_neg_q, s3_neg_q, s4_neg_q;
     wire signed [SW-1:0] s1_half = $signed({s1_prod, 1'b0});
+    wire signed [SW-1:0] s1_part = s1_half >>> {shift_q[5:3], 3'd0};
+    wire [7:0]           s1_far;
+    genvar n;
+    generate
+        for (n = 0; n < 8; n = n + 1) begin : g_far
+            if (KB - 1 + 8*n < SW - 1) begin : g_some
+                assign s1_far[n] = s1_half[SW-1:KB-1+8*n] != {(SW-KB+1-8*n){s1_half[SW-1]}};
+            end else begin : g_none
+                assign s1_far[n] = 1'b0;
+            end
+        end
+    endgenerate
     always @(posedge clk) begin
-        s2_prod_q <= s1_half >>> {shift_q[5:3], 3'd0};
+        s2_prod_q <= s1_part[KB-1:0];
         s3_prod_q <= s2_prod_q >>> shift_q[2:0];
+        {s4_far_q, s3_far_q, s2_far_q} <= {s3_far_q, s2_far_q, s1_far[shift_q[5:3]]};
+        {s4_neg_q, s3_neg_q, s2_neg_q} <= {s3_neg_q, s2_neg_q, s1_half[SW-1]};
     end
 
     // ---- stage 4: (2*org*2^NG + 1 + offset) / 2 rounds half up ----
-    reg  signed [SW:0]   s4_sum_q;
-    wire signed [SW:0]   s4_org = $signed({{(SW-W){org_x_q[W-1]}}, org_x_q, 1'b0}) <<< NG;
+    reg  signed [KB:0]   s4_sum_q;
+    wire signed [KB:0]   s4_org = $signed({{(KB-W){org_x_q[W-1]}}, org_x_q, 1'b0}) <<< NG;
     always @(posedge clk)
-        s4_sum_q <= $signed({s4_org[SW:1], 1'b1}) + $signed({s3_prod_q[SW-1], s3_prod_q});
+        s4_sum_q <= $signed({s4_org[KB:1], 1'b1}) + $signed({s3_prod_q[KB-1], s3_prod_q});
 
     // ---- stage 5: limit to the guarded grid ----
     reg  signed [GW-1:0] s5_g_q;
     reg                  s5_over_q;
-    wire                 s5_sign = s4_sum_q[SW];
-    wire                 s5_over = s4_sum_q[SW-1:GW] != {(SW-GW){s5_sign}};
+    wire                 s5_sign = s4_far_q ? s4_neg_q : s4_sum_q[KB];
+    wire                 s5_over = s4_far_q || s4_sum_q[KB-1:GW] != {(KB-GW){s5_sign}};
     always @(posedge clk) begin
         s5_over_q <= s5_over;
         s5_g_q    <= s5_over ? $signed({s5_sign, {(GW-1){!s5_sign}}}) : $signed(s4_sum_q[GW:1]);
@@ -273,6 +291,6 @@ module rt_hit #(
             wire unused = &{1'b0, p_lift};
         end
     endgenerate
-    wire unused = &{1'b0, s4_sum_q[0], s4_org[0], back[VW+WD:VW]};
+    wire unused = &{1'b0, s1_part, s4_sum_q[0], s4_org[0], back[VW+WD:VW]};
 endmodule
 `default_nettype wire

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every event adds one light's share to the slot's sum (nothing at the start, or in shadow), then
 // sends the vector to the next light to rt_setup, or the token on to rt_compose. An event goes in
-// every 3 clocks. Without shadow rays there is no queue for them; a light that is the only one
-// stands in registers and has no number. A vector is light - round(point / 2^shift).
+// every 3 clocks, and a vector is made in 3, a component each. Without shadow rays there is no
+// queue for them; a light that is the only one has no number. A vector is light -
+// round(point / 2^shift).
 // Model: sph_job_light() in cmodel/engine/render_light.c
 `timescale 1ns / 1ps
 `default_nettype none
@@ -59,6 +60,7 @@ module rt_lights #(
     localparam HB = GLOSS != 0 ? 16 : 0;              // bits of a highlight
     localparam NW = $clog2(LIGHTS + 1);               // number of lights
     localparam LW = LIGHTS > 1 ? $clog2(LIGHTS) : 1;  // number of a light
+    localparam PB = $clog2(4*LIGHTS);                 // number of a component of a light
     localparam EW = `RT_LIGHT_SHIFT_BITS;
     `RT_CHECK(LIGHTS >= 1 && LIGHTS <= 8, rt_lights_LIGHTS_must_be_1_to_8)
     wire             a_valid;                         // an event left the adder
@@ -71,28 +73,37 @@ module rt_lights #(
     wire [SLOTW-1:0] slot;
 
     // ---- the lights; the number of the light that a slot is at ----
-    wire [3*WD-1:0] v_light;                          // position, one cycle after a_next
-    wire [EW-1:0]  v_shift;                           // its unit is 2^shift grid units
+    reg  [1:0]     turn_q;                            // x, y, z in the clocks 0, 1, 2 from a_valid
+    wire [1:0]     turn = a_valid ? 2'd0 : turn_q;
+    wire [WD-1:0]  pos;                               // of the light of a_next
+    wire [EW-1:0]  shift;                             // its unit is 2^shift grid units
     wire [47:0]    colour;                            // of the light whose event enters the adder
     wire [NW-1:0]  e_next;                            // the one after it
     wire           keep = light_valid_i && {29'd0, light_number_i} < LIGHTS;
+    wire [LW-1:0]  a_light;                           // the number, 0 of the only one
+    wire [LW-1:0]  k_light;                           // that of the light that is kept
+    wire [LW+1:0]  a_part = {a_light, turn};
+    wire [LW+1:0]  k_part = {k_light, light_part_i[1:0]};
+    rt_slot_file #(.WIDTH(WD), .SLOTS(4*LIGHTS)) u_pos (
+        .clk(clk), .wr_en_i(keep && light_part_i < 3'd3),
+        .wr_addr_i(k_part[PB-1:0]), .wr_data_i(light_data_i[WD-1:0]),
+        .rd_addr_i(a_part[PB-1:0]), .rd_data_o(pos)
+    );
     genvar c;
     generate
         if (LIGHTS == 1) begin : g_one
-            reg [3*WD-1:0] pos_q;
             reg [EW-1:0]  shift_q;
             reg [47:0]    colour_q;
             for (c = 0; c < 3; c = c + 1) begin : g_part
-                always @(posedge clk) begin
-                    if (keep && light_part_i == c)     pos_q[WD*c +: WD]    <= light_data_i[WD-1:0];
+                always @(posedge clk)
                     if (keep && light_part_i == c + 3) colour_q[16*c +: 16] <= light_data_i[15:0];
-                end
             end
             always @(posedge clk)
                 if (keep && light_part_i == 3'd3)
                     shift_q <= light_data_i[`RT_LIGHT_SHIFT_LSB +: EW];
-            assign v_light = pos_q;
-            assign v_shift = shift_q;
+            assign a_light = 1'b0;
+            assign k_light = 1'b0;
+            assign shift   = shift_q;
             assign colour  = colour_q;
             assign e_next  = !e_start_q;
             wire unused = read;
@@ -100,33 +111,24 @@ module rt_lights #(
             wire [LW-1:0] e_light;                    // the light that the event is about
             wire [LW-1:0] e_lamp = e_start_q ? {LW{1'b0}} : e_light;
             wire [NW:0]   after  = {{(NW+1-LW){1'b0}}, e_lamp} + 1'b1;
-            wire [3*WD-1:0] pos;
-            wire [EW-1:0]  shift;
-            reg [3*WD-1:0] v_light_q;
-            reg [EW-1:0]   v_shift_q;
-            always @(posedge clk) {v_shift_q, v_light_q} <= {shift, pos};
-            assign v_light = v_light_q;
-            assign v_shift = v_shift_q;
+            reg  [LW-1:0] a_light_q;                  // until z has left
+            assign a_light = a_valid ? a_next[LW-1:0] : a_light_q;
+            always @(posedge clk) a_light_q <= a_light;
+            assign k_light = light_number_i[LW-1:0];
             assign e_next  = e_start_q ? {NW{1'b0}} : after[NW-1:0];
             rt_slot_ram #(.WIDTH(LW), .SLOTS(SLOTS), .OLD(0)) u_light (
-                .clk(clk), .wr_en_i(a_valid), .wr_addr_i(a_slot), .wr_data_i(a_next[LW-1:0]),
+                .clk(clk), .wr_en_i(a_valid), .wr_addr_i(a_slot), .wr_data_i(a_light),
                 .rd_en_i(read), .rd_addr_i(slot), .rd_data_o(e_light)
             );
             rt_slot_file #(.WIDTH(EW), .SLOTS(LIGHTS)) u_shift (
-                .clk(clk), .wr_en_i(keep && light_part_i == 3'd3),
-                .wr_addr_i(light_number_i[LW-1:0]),
+                .clk(clk), .wr_en_i(keep && light_part_i == 3'd3), .wr_addr_i(k_light),
                 .wr_data_i(light_data_i[`RT_LIGHT_SHIFT_LSB +: EW]),
-                .rd_addr_i(a_next[LW-1:0]), .rd_data_o(shift)
+                .rd_addr_i(a_light), .rd_data_o(shift)
             );
             for (c = 0; c < 3; c = c + 1) begin : g_part
-                rt_slot_file #(.WIDTH(WD), .SLOTS(LIGHTS)) u_pos (
-                    .clk(clk), .wr_en_i(keep && light_part_i == c),
-                    .wr_addr_i(light_number_i[LW-1:0]), .wr_data_i(light_data_i[WD-1:0]),
-                    .rd_addr_i(a_next[LW-1:0]), .rd_data_o(pos[WD*c +: WD])
-                );
                 rt_slot_file #(.WIDTH(16), .SLOTS(LIGHTS)) u_colour (
                     .clk(clk), .wr_en_i(keep && light_part_i == c + 3),
-                    .wr_addr_i(light_number_i[LW-1:0]), .wr_data_i(light_data_i[15:0]),
+                    .wr_addr_i(k_light), .wr_data_i(light_data_i[15:0]),
                     .rd_addr_i(e_lamp), .rd_data_o(colour[16*c +: 16])
                 );
             end
@@ -237,24 +239,35 @@ module rt_lights #(
         .rd_en_i(a_valid), .rd_addr_i(a_slot), .rd_data_o(v_point)
     );
     wire a_last = a_next == n_lights_i[NW-1:0];
+    reg  [2:1] go_q;                                  // a vector has its second, third component
     always @(posedge clk) begin
-        vec_valid_o <= a_valid && !a_last;
-        vec_slot_o  <= a_slot;
+        {vec_valid_o, go_q} <= {go_q, a_valid && !a_last};
+        if (a_valid) vec_slot_o <= a_slot;
+        turn_q      <= turn + 2'd1;
         sum_valid_o <= a_valid && a_last;
         sum_slot_o  <= a_slot;
         sum_o       <= a_sum;
-        if (rst) begin vec_valid_o <= 1'b0; sum_valid_o <= 1'b0; end
+        if (rst) {vec_valid_o, go_q, sum_valid_o} <= 4'd0;
     end
-    genvar i;
-    generate
-        for (i = 0; i < 3; i = i + 1) begin : g_vec
-            // point / 2^shift with a bit behind it, and light minus that, half up: exact, WD > W
-            wire signed [W:0] at    = $signed({v_point[W*i +: W], 1'b0});
-            wire signed [W:0] part  = at >>> v_shift;
-            wire [WD-1:0]     whole = {{(WD-W){part[W]}}, part[W:1]};
-            assign vec_o[WD*i +: WD] = v_light[WD*i +: WD] + ~whole + {{(WD-1){1'b0}}, !part[0]};
-        end
-    endgenerate
-    wire unused = &{1'b0, s_in, l_in, t_in, light_data_i, n_lights_i, l_new, ambient_i};
+
+    // ---- a component a clock: point / 2^shift with a bit behind it, and light minus that, half
+    //      up: exact, WD > W ----
+    reg  [WD-1:0]        pos_q;
+    reg  [EW-1:0]        shift_q;
+    reg  [2*WD-1:0]      vec_q;                       // {y, x}
+    wire signed [W-1:0]  own   = $signed(turn_q == 2'd1 ? v_point[0 +: W]
+                                         : turn_q == 2'd2 ? v_point[W +: W] : v_point[2*W +: W]);
+    wire signed [W:0]    at    = $signed({own, 1'b0});
+    wire signed [W:0]    part  = at >>> shift_q;
+    wire [WD-1:0]        whole = {{(WD-W){part[W]}}, part[W:1]};
+    wire [WD-1:0]        way   = pos_q + ~whole + {{(WD-1){1'b0}}, !part[0]};
+    always @(posedge clk) begin
+        pos_q   <= pos;
+        shift_q <= shift;
+        vec_q   <= {way, vec_q[2*WD-1:WD]};
+    end
+    assign vec_o = {way, vec_q};
+    wire unused = &{1'b0, s_in, l_in, t_in, a_part, k_part, light_data_i,
+                    n_lights_i, l_new, ambient_i};
 endmodule
 `default_nettype wire

@@ -10,7 +10,7 @@
 namespace {
 
 constexpr int COUNTERS = PLACES < SPH_COUNTERS ? PLACES : SPH_COUNTERS, READ = 32;
-constexpr int MOST = 63, COMPLETE = PLACES + 2; /* events a clock; clocks to wait */
+constexpr int COMPLETE = PLACES + 2; /* clocks to wait */
 
 /* What a run of clocks adds. */
 enum { NONE, ALL_MOST, ONE_EACH, ONE_COUNTER, LAST_CLOCK, AT_RANDOM, HOWS };
@@ -28,7 +28,7 @@ const Run corners[] = {
     {ONE_COUNTER, 50, true}, /* one alone */
     {LAST_CLOCK, 33, true},  /* the very last clock counts */
     {LAST_CLOCK, 1, false},  /* one clock only */
-    {ALL_MOST, 5000, true},  /* carries past 16 bits */
+    {ALL_MOST, 10000, true}, /* carries past 16 bits */
     {NONE, 1, true},         /* and clears all of it */
 };
 
@@ -37,13 +37,13 @@ unsigned events(bench::Random &random, int how, int counter, int left, int only)
     case ALL_MOST:
         return MOST;
     case ONE_EACH:
-        return left % COUNTERS == counter ? (unsigned)counter + 1 : 0;
+        return left % COUNTERS == counter ? (unsigned)(counter % MOST + 1) : 0;
     case ONE_COUNTER:
         return counter == only ? (unsigned)random.below(MOST + 1) : 0;
     case LAST_CLOCK:
-        return left == 1 ? (unsigned)counter + 40 : 0;
+        return left == 1 ? (unsigned)(MOST - counter % MOST) : 0;
     case AT_RANDOM:
-        return random.percent(30) ? (unsigned)random.mixed(6) : 0;
+        return random.percent(30) ? (unsigned)random.mixed(6) & MOST : 0;
     default:
         return 0;
     }

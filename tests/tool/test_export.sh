@@ -56,6 +56,11 @@ picture() { "$s" reference "$@" | awk '{ print $2 }'; }
 check "one thread and three agree" [ "$(picture $glass -t 1)" = "$(picture $glass -t 3)" ]
 check "light above 1 in a mirror" [ "$(picture scenes/paper5.nff)" != \
     "$(picture scenes/paper5.nff --unlimited)" ]
+water=scenes/refraction/water.nff
+check "all light where all is reflected" [ "$(picture $water --size 64x36)" != \
+    "$(picture $water --size 64x36 --total)" ]
+check "... and not elsewhere" [ "$(picture scenes/paper5.nff)" = \
+    "$(picture scenes/paper5.nff --total)" ]
 fails 1 "reference of a machine" "$s" reference "$TMP/m.sph"
 fails 2 "reference without a scene" "$s" reference
 fails 2 "reference with a layer of 3" "$s" reference $glass --layer 3
