@@ -85,7 +85,7 @@ each_alone() {
         most:PR=*) with="W=21 WD=31 PQ=31" ;;
         least:FIRST=* | least:INSIDE=*) with="INTERPENETRATE=0" ;;
         most:SPECULAR=*) with="SUM=1" ;;
-        most:COARSE=*) with="TEXTURE=1" ;;
+        most:COARSE=* | most:SPREAD=*) with="TEXTURE=1" ;;
         most:ACCEL=* | most:BOXES=*) with="FIRST=0 INTERPENETRATE=0" ;;
         most:EXACTS=*) with="PIPES=4 SHADES=4 INTERPENETRATE=0" ;;
         most:SHADES=*) with="PIPES=4 INTERPENETRATE=0" ;;

@@ -153,7 +153,8 @@ static void adversarial(void **state) {
         lost[1] += t.lost[1];
     }
     printf("# %lu hits would be lost without margin, %lu with one unit\n", lost[0], lost[1]);
-    assert_true(lost[0] > 0 && lost[1] > 0);
+    assert_true(lost[0] > 0);
+    assert_true(lost[1] > 0 || SANITIZED); /* a share of the cases need not meet any */
 }
 
 /* Rays that bounce inside a sphere start on rounded points, a little outside of it as well: the
