@@ -15,7 +15,7 @@ DEVICE = ["LFE5U-85F has", 156, 83640, 83640, 208]  # its data sheet
 
 def cells(build, core):
     """The counts of a core by the keys of results.py."""
-    print(f"  SYN  {core.name()} pipes", file=sys.stderr, flush=True)
+    print(f"  SYN  pipes: {core.name()}", file=sys.stderr, flush=True)
     of = {"PROFILE": "standard", "EFFECTS": cores.SPHERES, **core.variables()}
     cores.run("make", "--no-print-directory", f"B={build}", "synth",
               *(f"{name}={value}" for name, value in of.items()))
