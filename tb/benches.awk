@@ -29,6 +29,8 @@ function value(text, profile, sum, term, factor, n, m, i, j, product) {
     return sum
 }
 function line(name, profile, i, text, at) {
+    if (($3, name) in named) fail($3 "/" name " stands twice")  # both would share a folder
+    named[$3, name] = 1
     text = name " " $2 " " $3
     for (i = 4; i <= NF; i++) {
         at = index($i, "=")
