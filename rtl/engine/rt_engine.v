@@ -88,7 +88,7 @@ module rt_engine #(
 );
     localparam SLOTW   = $clog2(SLOTS), LB = `RT_LINE_BITS;
     localparam PB = $clog2(PIPES), XB = $clog2(EXACTS), SB = $clog2(SHADES), UB = $clog2(SETUPS);
-    localparam ACROSS = ACCEL != 0 ? 0 : SETUPS > 1 || 2*UNITS <= UNIT_INTERVAL ? 2 : 1;
+    localparam ACROSS = ACCEL != 0 ? 0 : 2*UNITS <= UNIT_INTERVAL ? 2 : 1;
     localparam SHADOWS = LIGHTS != 0 && SHADOW != 0 ? 1 : 0;           // shadow rays
     localparam BOUNCES = REFLECT != 0 || INTERPENETRATE != 0 || REFRACT != 0 ? 1 : 0; // mirrored
     localparam FARS    = INSIDE != 0 || FACETS != 0 ? 1 : 0;           // hits that are far
