@@ -8,7 +8,7 @@ pipes: $(TOOL) ## cycles of 1 to 4 traversal pipes: docs/results/pipes.md; half 
 	$(Q)python3 -m lab.rate.pipes $B docs/results/pipes.md
 	$(Q)python3 -m lab.pages.measured docs/results/pipes.md "make pipes" cycles
 
-pipes-cells: ## cells of these cores: docs/results/pipes.md; Yosys, twenty minutes
+pipes-cells: ## cells of these cores: docs/results/pipes.md; Yosys, six minutes
 	$(Q)python3 -m lab.rate.cells $B docs/results/pipes.md
 	$(Q)python3 -m lab.pages.measured docs/results/pipes.md "make pipes-cells" cells
 

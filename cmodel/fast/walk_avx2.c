@@ -7,9 +7,13 @@
 #ifdef __AVX2__
 #include <immintrin.h>
 
+#include "fast/keys_avx2.h"
+
 #define PLUS (1ll << (49 - SPH_FILTER_FRACTION))
 
-enum { KEY_NONE = 0x0000ffff, BIAS = 1 << 15 };
+/* Added to near in a key: a child that is met has near <= 2^14 and, since it ends before the origin
+ * otherwise, near >= -2 rad > -2^15. */
+enum { BIAS = 1 << 15 };
 
 /* oc.p = ctr.p - org.p, so the origin is a constant of the ray, and so is PLUS, which makes the sum
  * positive, so that it may be shifted as an unsigned number: what that adds to the quotient, 2^32,
@@ -21,13 +25,6 @@ struct lanes {
     __m128i ordered;    /* 0 if all are equally near */
     int axis;
 };
-
-/* Twice four words of 16 bits: near + BIAS of each child, all ones if it is not to be visited. A
- * child that is met has near <= 2^14 and, since it ends before the origin otherwise, near >= -2 rad
- * > -2^15. A key is one of these words below the number of the child. */
-typedef __m128i keys;
-
-static const uint64_t lane_word[4] = {0xffff, 0xffffull << 16, 0xffffull << 32, 0xffffull << 48};
 
 static struct lanes lanes_of(const struct sph_profile *p, const struct sph_ray *ray) {
     (void)p;
@@ -53,29 +50,9 @@ static struct lanes lanes_of(const struct sph_profile *p, const struct sph_ray *
     return l;
 }
 
-static inline keys no_keys(void) {
-    return _mm_set1_epi32(-1);
-}
-
-static inline int32_t first(keys k) {
-    return _mm_cvtsi128_si32(_mm_minpos_epu16(k));
-}
-
-static inline uint32_t key_child(int32_t key) {
-    return (uint32_t)key >> 16;
-}
-
-static inline int32_t key_near(int32_t key) {
-    return key & 0xffff;
-}
-
 /* No child is as deep as the limit, so that what has none may be deeper. */
 static inline int32_t near_of(int32_t depth) {
     return depth + BIAS < KEY_NONE ? depth + BIAS : KEY_NONE - 1;
-}
-
-static inline keys without(keys k, int32_t key) {
-    return _mm_or_si128(k, _mm_set1_epi64x((int64_t)lane_word[key_child(key)]));
 }
 
 /* Four words of 16 bits, each in a word of 64, of 32. */
@@ -92,10 +69,6 @@ static inline __m256i square(__m256i sum) {
     x = _mm256_xor_si256(x, _mm256_srai_epi32(x, 31));
     return _mm256_mul_epi32(x, x);
 }
-
-/* Ones where a node has no inner child: it has so many. */
-static const int32_t outer[5][4] = {
-    {-1, -1, -1, -1}, {0, -1, -1, -1}, {0, 0, -1, -1}, {0, 0, 0, -1}, {0, 0, 0, 0}};
 
 static inline unsigned children(const struct lanes *l, const struct sph_fast *f, uint32_t node,
                                 int32_t depth_max, keys *order) {
@@ -121,10 +94,7 @@ static inline unsigned children(const struct lanes *l, const struct sph_fast *f,
     __m128i missed = _mm_or_si128(side, _mm_srai_epi32(out, 31));
     unsigned met = ~(unsigned)_mm_movemask_ps(_mm_castsi128_ps(missed)) & n->valid;
     __m128i key = _mm_and_si128(_mm_add_epi32(near, _mm_set1_epi32(BIAS)), l->ordered);
-    missed =
-        _mm_or_si128(missed, _mm_loadu_si128((const __m128i *)(const void *)outer[n->n_inner]));
-    *order = _mm_shuffle_epi8(_mm_or_si128(key, missed),
-                              _mm_setr_epi8(0, 1, 4, 5, 8, 9, 12, 13, 0, 1, 4, 5, 8, 9, 12, 13));
+    *order = keys_of(key, missed, n->n_inner);
     return met;
 }
 

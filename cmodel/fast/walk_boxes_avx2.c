@@ -10,10 +10,9 @@
 #ifdef __AVX2__
 #include <immintrin.h>
 
+#include "fast/keys_avx2.h"
 #include "fast/planes.h"
 #include "trace/box.h"
-
-enum { KEY_NONE = 0xffff };
 
 /* An axis: distances from the origin, along the ray, become T-words. */
 struct course {
@@ -30,12 +29,6 @@ struct lanes {
     __m128i ordered; /* 0 if all are equally near */
     struct sph_bih_ray bih;
 };
-
-/* Twice four words of 16 bits, as in walk_avx2.c: near of each child, which has 15 bits; all ones
- * if it is not to be visited. */
-typedef __m128i keys;
-
-static const uint64_t lane_word[4] = {0xffff, 0xffffull << 16, 0xffffull << 32, 0xffffull << 48};
 
 /* 2^-n of n up to 1022. */
 static inline double part_of(int n) {
@@ -80,28 +73,9 @@ static inline int32_t depth_of(const struct lanes *l, const struct sph_profile *
     return sph_box_depth(sph_bih_time(&l->bih, key));
 }
 
-static inline keys no_keys(void) {
-    return _mm_set1_epi32(-1);
-}
-
-static inline int32_t first(keys k) {
-    return _mm_cvtsi128_si32(_mm_minpos_epu16(k));
-}
-
-static inline uint32_t key_child(int32_t key) {
-    return (uint32_t)key >> 16;
-}
-
-static inline int32_t key_near(int32_t key) {
-    return key & 0xffff;
-}
-
+/* A depth of boxes has 15 bits. */
 static inline int32_t near_of(int32_t depth) {
     return depth;
-}
-
-static inline keys without(keys k, int32_t key) {
-    return _mm_or_si128(k, _mm_set1_epi64x((int64_t)lane_word[key_child(key)]));
 }
 
 static inline __m128i planes(const int32_t at[4]) {
@@ -121,10 +95,6 @@ static inline __m128i depths(__m128i time) {
     __m128i small = _mm_cmplt_epi32(time, _mm_set1_epi32(1 << SPH_BOX_NEAR));
     return _mm_blendv_epi8(code, time, small);
 }
-
-/* Ones where a node has no inner child: it has so many. */
-static const int32_t outer[5][4] = {
-    {-1, -1, -1, -1}, {0, -1, -1, -1}, {0, 0, -1, -1}, {0, 0, 0, -1}, {0, 0, 0, 0}};
 
 /* sph_box_meets() of four children. */
 static inline unsigned children(const struct lanes *l, const struct sph_fast *f, uint32_t node,
@@ -153,10 +123,7 @@ static inline unsigned children(const struct lanes *l, const struct sph_fast *f,
     missed = _mm_or_si128(missed, _mm_cmpgt_epi32(near, _mm_set1_epi32(depth_max)));
     unsigned met = ~(unsigned)_mm_movemask_ps(_mm_castsi128_ps(missed)) & n->valid;
     __m128i key = _mm_and_si128(near, l->ordered);
-    missed =
-        _mm_or_si128(missed, _mm_loadu_si128((const __m128i *)(const void *)outer[n->n_inner]));
-    *order = _mm_shuffle_epi8(_mm_or_si128(key, missed),
-                              _mm_setr_epi8(0, 1, 4, 5, 8, 9, 12, 13, 0, 1, 4, 5, 8, 9, 12, 13));
+    *order = keys_of(key, missed, n->n_inner);
     return met;
 }
 
