@@ -9,6 +9,7 @@
 
 #include "builder/axes.h"
 #include "builder/background.h"
+#include "builder/box_order.h"
 #include "builder/choose_tree.h"
 #include "builder/effects.h"
 #include "builder/emit.h"
@@ -224,6 +225,7 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
         sph_emit_textures(scene, &grid, &plants, o, m, report, err))
         return -1;
     sph_emit_spread(scene, &plants, o, m, report);
+    if (sph_box_order(m, err)) return -1;
     snprintf(m->name, sizeof m->name, "%s", scene->name);
     m->grid_log2 = grid.log2;
     memcpy(m->origin, grid.origin, sizeof m->origin);
