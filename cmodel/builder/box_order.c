@@ -121,8 +121,8 @@ static void order(const struct work *w, struct sph_machine *m, uint32_t node) {
     int n = (int)sph_field(line, SPH_NODE_N_INNER_LSB, SPH_NODE_N_INNER_BITS), from[4];
     for (int i = 0; i < n; i++) {
         int at = i;
-        for (; at > 0 && before(&w->found[base + (uint32_t)i],
-                                &w->found[base + (uint32_t)from[at - 1]]);
+        for (; at > 0 &&
+               before(&w->found[base + (uint32_t)i], &w->found[base + (uint32_t)from[at - 1]]);
              at--)
             from[at] = from[at - 1];
         from[at] = i;
