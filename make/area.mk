@@ -19,6 +19,8 @@ SHADES   ?= 0
 # bits that a root and a quotient gain a clock
 ROOT_STEP     ?= 2
 QUOTIENT_STEP ?= 2
+# others, as sim/sizes.sh takes them
+SIZES    ?=
 FLAT     ?= 0
 V        ?= 0
 Q        := $(if $(filter 1,$(V)),,@)
@@ -36,7 +38,7 @@ $(foreach t,$(targets),$(if $(filter $t,$(KNOWN_TARGETS)),,$(error synth: \
 $(foreach e,$(EFFECTS),$(if $(shell sh sim/parameters.sh '$e'),,$(error synth: \
     no core is built with '$e')))
 key = $(shell ENGINES=$(ENGINES) PIPES=$(PIPES) EXACTS=$(EXACTS) SHADES=$(SHADES) \
-          ROOT_STEP=$(ROOT_STEP) QUOTIENT_STEP=$(QUOTIENT_STEP) \
+          ROOT_STEP=$(ROOT_STEP) QUOTIENT_STEP=$(QUOTIENT_STEP) SIZES='$(SIZES)' \
           sh sim/key.sh '$(1)' '$(2)' $(3))$(if $(filter 1,$(FLAT)),-flat)
 KEYS := $(foreach p,$(profiles),$(foreach t,$(targets),$(foreach e,$(EFFECTS), \
             $(call key,$p,$e,$t))))
@@ -52,7 +54,7 @@ PAGE := $(foreach p,$(KNOWN_PROFILES),$(foreach t,$(KNOWN_TARGETS),$p-$t$(FULL))
 .PHONY: report results page
 results: $(KEYS:%=$B/synth/%/stat.json)
 
-$B/synth/%/stat.json: synth/core.sh sim/parameters.sh sim/profile.sh $(DEF)
+$B/synth/%/stat.json: synth/core.sh sim/parameters.sh sim/profile.sh sim/sizes.sh $(DEF)
 	$(Q)sh synth/core.sh $* $(@D)
 
 report: results

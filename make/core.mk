@@ -22,6 +22,8 @@ SHADES  ?= 0
 # bits that a root and a quotient gain a clock
 ROOT_STEP     ?= 2
 QUOTIENT_STEP ?= 2
+# others, as sim/sizes.sh takes them
+SIZES   ?=
 WAVES   ?= 0
 
 include make/verilated.mk
@@ -37,7 +39,10 @@ RTL_FILES := $(shell find $(RTL) \( -path $(RTL)/board -o -path $(RTL)/bus -o -p
                  -o -path $(RTL)/video \) -prune -o \( -name '*.v' -o -name '*.vh' \) -print)
 RTL_DIRS  := $(sort $(dir $(RTL_FILES)))
 SOURCES   := $(RTL_DIRS:%=-I%) $(sort $(filter %.v,$(RTL_FILES)))
-PARAMETERS := $(shell sh sim/profile.sh '$(PROFILE)') $(shell sh sim/parameters.sh '$(CORE)') \
+OTHERS    := $(shell sh sim/sizes.sh '$(SIZES)')
+replaced  := $(foreach size,$(OTHERS),$(firstword $(subst =, ,$(size)))=%)
+PARAMETERS := $(filter-out $(replaced),$(shell sh sim/profile.sh '$(PROFILE)')) $(OTHERS) \
+              $(shell sh sim/parameters.sh '$(CORE)') \
               ENGINES=$(ENGINES) PIPES=$(PIPES) EXACTS=$(EXACTS) SHADES=$(SHADES) \
               ROOT_STEP=$(ROOT_STEP) QUOTIENT_STEP=$(QUOTIENT_STEP)
 

@@ -4,6 +4,7 @@
 #   make synth                          the standard core for ecp5, everything on
 #   make synth PROFILE=all TARGET=all   every profile for every target
 #   make synth PROFILE=standard:pq=12   widths of its own; ROOT_STEP, QUOTIENT_STEP, ENGINES, PIPES
+#   make synth SIZES=units=1,leaf_interval=4   other sizes of the core
 #   make synth SCENE=x PROFILE=auto     the profile that scene x asks for, and
 #   make synth SCENE=x                  only the effects that the machine of scene x asks for
 #   make synth EFFECTS=shadow+lights1   a core with just these: names of sim/parameters.sh
@@ -26,7 +27,8 @@ synth: $(if $(SYNTH_SCENE),$(TOOL)) ## area with Yosys: PROFILE and TARGET, or a
 	    PROFILES=$(if $(SYNTH_SCENE),$(or $(filter all,$(PROFILE)),"$$1"),"$$1") \
 	    TARGETS=$(TARGET) EFFECTS="$$2" ENGINES=$(ENGINES) FLAT=$(FLAT) \
 	    PIPES=$(PIPES) EXACTS=$(EXACTS) SHADES=$(SHADES) \
-	    ROOT_STEP=$(ROOT_STEP) QUOTIENT_STEP=$(QUOTIENT_STEP)
+	    ROOT_STEP=$(ROOT_STEP) QUOTIENT_STEP=$(QUOTIENT_STEP) \
+	    SIZES='$(SIZES)'
 
 area: ## the tables of docs/results/area.md, made anew: 16 minutes of a processor
 	+$(Q)$(MAKE) --no-print-directory -f make/area.mk page B=$B V=$(V)

@@ -59,6 +59,8 @@ SHADES ?= 0
 ROOT_STEP ?= 2
 ## QUOTIENT_STEP 1..PQ bits that a quotient of the core gains a clock
 QUOTIENT_STEP ?= 2
+## SIZES <sizes>| of the core besides, such as units=1,leaf_interval=4 (empty: as the profile has)
+SIZES ?=
 ## SEED 0.. of generated scenes, of random stalls, of tests
 SEED ?= 1
 ## LATENCY 1..100000 of the simulated memory, clocks

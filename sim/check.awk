@@ -74,6 +74,7 @@ function fits(rule, value, ends) {
     if (rule == "<window>") return window_fits(value)
     if (rule == "<profile>") return !says("profile.sh", value)
     if (rule == "<effects>") return !says("parameters.sh", value)
+    if (rule == "<sizes>") return !says("sizes.sh", value)
     if (rule == "<scene>") return !says("scene.sh", value)
     return 0
 }

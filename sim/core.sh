@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # usage: [EFFECTS=auto|LIST] [ENGINES=n] [PIPES=n] [EXACTS=n] [SHADES=n] [ROOT_STEP=n] \
-#            [QUOTIENT_STEP=n] [SIM=verilator|icarus|cxxrtl] sim/core.sh --machine FILE [OPTION...]
+#            [QUOTIENT_STEP=n] [SIZES=list] [SIM=verilator|icarus|cxxrtl] \
+#            sim/core.sh --machine FILE [OPTION...]
 #
 # Builds the core that the machine asks for unless it is there (cached by parameters), with
 # waveforms if --trace is among the options, then runs the harness; its options: --help. With
@@ -20,13 +21,13 @@ set -eu
 cd "$(dirname "$0")/.."
 EFFECTS=${EFFECTS:-all} ENGINES=${ENGINES:-1} PIPES=${PIPES:-1}
 EXACTS=${EXACTS:-0} SHADES=${SHADES:-0}
-ROOT_STEP=${ROOT_STEP:-2} QUOTIENT_STEP=${QUOTIENT_STEP:-2}
+ROOT_STEP=${ROOT_STEP:-2} QUOTIENT_STEP=${QUOTIENT_STEP:-2} SIZES=${SIZES:-}
 SIM=${SIM:-verilator} OPT=${OPT:-} WAVES=0
 BUILD=${BUILD:-build}
 
 check() { [ -n "${BUILT:-}" ] || sh sim/check.sh "$@"; }
-EFFECTS=$EFFECTS ENGINES=$ENGINES PIPES=$PIPES EXACTS=$EXACTS SHADES=$SHADES SIM=$SIM OPT=$OPT \
-    check EFFECTS ENGINES PIPES EXACTS SHADES SIM OPT
+EFFECTS=$EFFECTS ENGINES=$ENGINES PIPES=$PIPES EXACTS=$EXACTS SHADES=$SHADES SIZES=$SIZES SIM=$SIM \
+    OPT=$OPT check EFFECTS ENGINES PIPES EXACTS SHADES SIZES SIM OPT
 
 machine= previous= folder= help=
 for word; do
@@ -75,7 +76,7 @@ esac
 built=$(sh sim/parameters.sh "$core")
 [ "$SIM" = verilator ] || WAVES=0
 key=$(ENGINES=$ENGINES PIPES=$PIPES EXACTS=$EXACTS SHADES=$SHADES \
-    ROOT_STEP=$ROOT_STEP QUOTIENT_STEP=$QUOTIENT_STEP \
+    ROOT_STEP=$ROOT_STEP QUOTIENT_STEP=$QUOTIENT_STEP SIZES=$SIZES \
     sh sim/key.sh "$profile" "$core")$OPT
 [ "$WAVES" = 0 ] || key=$key-waves
 [ "$SIM" = verilator ] && goal=core || goal=$SIM
@@ -89,7 +90,7 @@ command -v clang++ >/dev/null || [ "$SIM" = icarus ] ||
     echo "no clang++ here (make setup installs it): g++ compiles the core, in twice the time" >&2
 target "$key-$goal" "$goal" KEY="$key" PROFILE="$profile" CORE="$core" \
     ENGINES="$ENGINES" PIPES="$PIPES" EXACTS="$EXACTS" SHADES="$SHADES" \
-    ROOT_STEP="$ROOT_STEP" QUOTIENT_STEP="$QUOTIENT_STEP" \
+    ROOT_STEP="$ROOT_STEP" QUOTIENT_STEP="$QUOTIENT_STEP" SIZES="$SIZES" \
     WAVES="$WAVES" OPT="$OPT" ${RTL:+RTL="$RTL"}
 
 [ -z "$folder" ] || {
@@ -99,7 +100,7 @@ target "$key-$goal" "$goal" KEY="$key" PROFILE="$profile" CORE="$core" \
 repeat="EFFECTS=$EFFECTS ENGINES=$ENGINES"
 [ "$PIPES $EXACTS $SHADES" = "1 0 0" ] ||
     repeat="$repeat PIPES=$PIPES EXACTS=$EXACTS SHADES=$SHADES"
-repeat="$repeat ROOT_STEP=$ROOT_STEP QUOTIENT_STEP=$QUOTIENT_STEP"
+repeat="$repeat ROOT_STEP=$ROOT_STEP QUOTIENT_STEP=$QUOTIENT_STEP${SIZES:+ SIZES=$SIZES}"
 repeat="$repeat SIM=$SIM sim/core.sh"
 if [ "$SIM" != icarus ]; then
     name=tb_core

@@ -3,10 +3,11 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # usage: [ENGINES=n] [PIPES=n] [EXACTS=n] [SHADES=n] [ROOT_STEP=n] [QUOTIENT_STEP=n] \
-#            sim/key.sh PROFILE LIST [TARGET]
-# PROFILE as sim/profile.sh takes it, LIST as sim/parameters.sh; TARGET is a target of synthesis.
-# Units of an engine and steps are in the name if they are not the core's own: 1 pipe, units by its
-# rule (0), steps of 2.
+#            [SIZES=list] sim/key.sh PROFILE LIST [TARGET]
+# PROFILE as sim/profile.sh takes it, LIST as sim/parameters.sh, SIZES as sim/sizes.sh; TARGET is a
+# target of synthesis.
+# Sizes, units of an engine and steps are in the name if they are not the core's own: 1 pipe, units
+# by its rule (0), steps of 2.
 set -eu
 here=$(dirname "$0")
 name=$(sh "$here/profile.sh" "$1" name)
@@ -17,4 +18,5 @@ key=$name${3:+-$3}-$2-engines${ENGINES:-1}
 [ "${SHADES:-0}" = 0 ] || key=$key-shades$SHADES
 [ "${ROOT_STEP:-2}" = 2 ] || key=$key-root$ROOT_STEP
 [ "${QUOTIENT_STEP:-2}" = 2 ] || key=$key-quotient$QUOTIENT_STEP
-echo "$key"
+sizes=$(sh "$here/sizes.sh" "${SIZES:-}" name)
+echo "$key${sizes:+-$sizes}"

@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # usage: synth/core.sh PROFILE-TARGET-LIST-engines1[-pipesN][-exactsN][-shadesN][-rootN][-quotientN]
-#            [-flat] FOLDER
-#   PROFILE: sim/profile.sh, as a part of a file name; LIST: sim/parameters.sh
+#            [-SIZEn...] [-flat] FOLDER
+#   PROFILE, SIZE: sim/profile.sh and sim/sizes.sh, as parts of a file name; LIST: sim/parameters.sh
 # Leaves in FOLDER:
 #   parameters  what the core was elaborated with, and the seconds that it took
 #   rtl.json    stat before mapping: bits of memory as they are declared
@@ -23,21 +23,23 @@ flat=
 case $variant in *-flat) flat=1 variant=${variant%-flat} ;; esac
 top=rt_core
 
-# Widths from the one definition; the others are in the key.
-parameters="$(sh sim/profile.sh "$profile") $(sh sim/parameters.sh "${variant%-engines*}")"
-root=2 quotient=2
-case $variant in *-quotient*) quotient=${variant##*-quotient} variant=${variant%-quotient*} ;; esac
-case $variant in *-root*) root=${variant##*-root} variant=${variant%-root*} ;; esac
-for name in squares shades exacts pipes; do
-    case $variant in
-    *-$name[0-9]*)
-        parameters="$parameters $(echo $name | tr a-z A-Z)=${variant##*-$name}"
-        variant=${variant%-$name*}
-        ;;
-    esac
+# Widths and pace from the one definition; the others are in the key, behind the list.
+sizes=$(awk '$1 == "size" { print tolower($2) }' cmodel/machine/machine.def)
+own=
+while :; do
+    last=${variant##*-}
+    name=${last%%[0-9]*}
+    number=${last#"$name"}
+    case $name in root | quotient) name=${name}_step ;; esac
+    echo "$sizes" | grep -qx "$name" || break
+    own="$(echo "$name" | tr a-z A-Z)=$number $own"
+    variant=${variant%-*}
 done
-parameters="$parameters ENGINES=${variant##*-engines}"
-parameters="$parameters ROOT_STEP=$root QUOTIENT_STEP=$quotient"
+parameters=
+for size in $(sh sim/profile.sh "$profile"); do
+    case " $own" in *" ${size%=*}="*) ;; *) parameters="$parameters$size " ;; esac
+done
+parameters="$parameters$(sh sim/parameters.sh "$variant") ${own% }"
 set_all=$(echo "$parameters" | sed 's/\([A-Z_]*\)=\([0-9]*\)/-set \1 \2/g')
 
 folders=$(find rtl -name '*.v*' -exec dirname {} + | sort -u)

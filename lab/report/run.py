@@ -21,7 +21,8 @@ class Run:
         self.model = frames.Frame(self.folder / "model.frame")
         self.core = frames.Frame(self.folder / "rtl.frame")
         self.window = self.report["window"]
-        self.parameters = units.parameters(self.key, self.report.get("core", "all"))
+        self.parameters = units.parameters(self.key, self.report.get("core", "all"),
+                                           self.machine["profile"])
         self.last = self.report.get("warm", self.report["cold"])
         self.left = frames.clocks(self.folder / "rtl.clocks", self.core)
 

@@ -18,20 +18,27 @@ LINE = 32       # its bytes
 RECORD = 1      # docs/blocks/leaf_unit.md: clocks a request of a record
 
 
-def parameters(key, built):
-    """Parameters of the core: defaults of rt_core.v, and what the run was given. built: the list
-    of sim/parameters.sh that it has."""
+def said(*script):
+    """What a script of sim/ prints."""
+    return subprocess.run(["sh", *script], check=True, capture_output=True, text=True).stdout
+
+
+def parameters(key, built, profile="standard"):
+    """Parameters of the core: defaults of rt_core.v, the pace of its profile, and what the run was
+    given. built: the list of sim/parameters.sh that it has."""
     found, _ = verilog.header(Path("rtl/core/rt_core.v"), {})
     values = {p.name: int(p.default) for p in found if p.default.isdigit()}
+    sizes = said("sim/profile.sh", profile) + said("sim/sizes.sh", key.get("SIZES", ""))
+    values.update((name, int(value)) for name, value in
+                  (size.split("=") for size in sizes.split()))
     values.update((name, int(key[name])) for name in
                   ("ENGINES", "PIPES", "EXACTS", "SHADES", "ROOT_STEP", "QUOTIENT_STEP")
                   if key.get(name))
-    said = subprocess.run(["sh", "sim/parameters.sh", built], check=True, capture_output=True,
-                          text=True).stdout
-    interpenetrate = "INTERPENETRATE=1" in said.split()          # as the rules of rt_core.v
+    has = said("sim/parameters.sh", built).split()
+    interpenetrate = "INTERPENETRATE=1" in has                   # as the rules of rt_core.v
     pipes = values["PIPES"]
     values["SHADES"] = values["SHADES"] or (1 if interpenetrate else [1, 2, 2, 4][pipes - 1])
-    values["BOXES"] = int("BOXES=1" in said.split())
+    values["BOXES"] = int("BOXES=1" in has)
     values["EXACTS"] = values["EXACTS"] or (
         values["SHADES"] if values["BOXES"] else 2 if pipes > 2 and values["SHADES"] > 1 else 1)
     values["SETUPS"] = values["SETUPS"] or (2 if pipes == 4 and values["EXACTS"] > 1 else 1)

@@ -9,6 +9,8 @@ import sys
 from ..pages.place import write
 from . import results
 
+# sizes that have a variable of their own
+VARIABLES = "PIPES", "EXACTS", "SHADES", "ROOT_STEP", "QUOTIENT_STEP"
 NOTE = {
     "ecp5": "LUT4eq = LUT4 + 2 CCU2C; `LUT4eq + RAM` adds 4 for each TRELLIS_DPR16X4.",
     "xc7": "LUT counts functions of up to 6 inputs; `LUT as RAM` are LUTs that hold memory or shift"
@@ -36,13 +38,8 @@ def effects(run):
     text = run["list"]
     if run["parameters"].get("ENGINES", 1) > 1:
         text += f", {run['parameters']['ENGINES']} engines"
-    for name in "PIPES", "EXACTS", "SHADES":
-        if name in run["parameters"]:
-            text += f", {name.lower()} {run['parameters'][name]}"
-    for name in "root", "quotient":
-        step = run["parameters"].get(f"{name.upper()}_STEP", 2)
-        if step != 2:
-            text += f", {name} {step} a clock"
+    for name, value in run["sizes"].items():
+        text += f", {name.lower()} {value}"
     return text + (", flat" if run["flat"] else "")
 
 
@@ -96,12 +93,10 @@ def main(folder, keys):
         command += " EFFECTS=" + runs[0]["list"]
     if runs[0]["parameters"]["ENGINES"] > 1:
         command += f" ENGINES={runs[0]['parameters']['ENGINES']}"
-    for name in "PIPES", "EXACTS", "SHADES":
-        if name in runs[0]["parameters"]:
-            command += f" {name}={runs[0]['parameters'][name]}"
-    for step in "ROOT_STEP", "QUOTIENT_STEP":
-        if runs[0]["parameters"].get(step, 2) != 2:
-            command += f" {step}={runs[0]['parameters'][step]}"
+    sizes = dict(runs[0]["sizes"])
+    command += "".join(f" {name}={sizes.pop(name)}" for name in VARIABLES if name in sizes)
+    if sizes:
+        command += " SIZES=" + ",".join(f"{name.lower()}={n}" for name, n in sizes.items())
     if runs[0]["flat"]:
         command += " FLAT=1"
     write(os.path.join(folder, "report.md"), markdown(runs, command))

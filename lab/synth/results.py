@@ -91,7 +91,7 @@ def _depth(path):
 
 
 def read(folder):
-    """The run whose folder it is."""
+    """The run whose folder it is; `sizes` are those that it has besides its engines."""
     folder = Path(folder)
     key = folder.name
     profile, target, variant = key.split("-", 2)
@@ -105,6 +105,9 @@ def read(folder):
     _, declared = _stat(folder / "rtl.json")
     products = _products(folder / "multiply")
     flat = variant.endswith("-flat")
+    cores, own_sizes = variant.removesuffix("-flat").rsplit("-engines", 1)
+    named = [re.sub(r"\d+$", "", size).upper() for size in own_sizes.split("-")[1:]]
+    named = [name + "_STEP" if name in ("ROOT", "QUOTIENT") else name for name in named]
 
     def own(name):
         cells = mapped.get(name, {"num_cells_by_type": {}})["num_cells_by_type"]
@@ -154,7 +157,7 @@ def read(folder):
             counts["bits"] = memory(next(name for name in declared if _short(name) == "rt_core"))
     depth, carry = _depth(folder / "depth")
     return {"key": key, "profile": profile, "target": target, "flat": flat,
-            "list": variant.rsplit("-engines", 1)[0],
+            "list": cores, "sizes": {name: parameters[name] for name in named},
             "yosys": creator, "seconds": seconds, "parameters": parameters,
             "depth": depth, "depth_carry": carry,
             "core": rows["rt_core"]["total"], "modules": rows}

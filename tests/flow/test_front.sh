@@ -52,6 +52,13 @@ for word in "SIM=questa: is none of verilator, icarus, cxxrtl$" "ENGINES=9: is n
     "SAMPLES=17: is not 1 to 16$" "ERROR=0.1,x: is no error such as 0.125 or 0.125,45"; do
     check "... $word" says "$word"
 done
+refuse sim SIZES=unit=1
+check "... SIZES=unit=1" says 'there is no "unit"; is units meant. There are setups '
+for word in "units=3: .*: units is 3, not in 1..2" "slots=96: .*: slots is 96, no power of two" \
+    "engines=2: .*: engines has the variable ENGINES" "slots: .*: .slots. is no size=value"; do
+    refuse sim SIZES="${word%%:*}"
+    check "... SIZES=${word%%:*}" says "^SIZES=$word"
+done
 refuse sim ENGINES=two SIZE=16x9 WINDOW=0,0,17,9 PROFILE=standart SCENE=foo STALL= ROOT_STEP=0
 for word in "ENGINES=two: is not 1 to 8$" "WINDOW=0,0,17,9: is not inside SIZE=16x9" \
     "PROFILE=standart: .*is standard meant" "SCENE=foo: is no file, and no scene" \
@@ -106,15 +113,16 @@ check "N is the size of an icosphere" same_scene icosphere:3 icosphere --size 3
 # ---- a run's folder is its whole key ----
 other='SCENE=paper5 PROFILE=draft SIZE=8x8 TREE=paper ACCEL=bih MAX_PRIMS=2 MAX_TREE_DEPTH=3 DEPTH=1
     BACKGROUND=rect TRAVERSE=first LEVELS=1 AT=1 BUILD_MORE=--inside=off EFFECTS=all ENGINES=2
-    PIPES=2 EXACTS=1 SHADES=2 ROOT_STEP=1 QUOTIENT_STEP=1 SEED=2 LATENCY=3 STALL=4 SIM=icarus
-    WINDOW=0,0,1,1 WARM=1 LITERAL=1 WAVES=1 JOBS=3 SAMPLES=2 ERROR=0.5 MEMORY=sdram16 CORE_MHZ=50'
+    PIPES=2 EXACTS=1 SHADES=2 ROOT_STEP=1 QUOTIENT_STEP=1 SIZES=units=1 SEED=2 LATENCY=3 STALL=4
+    SIM=icarus WINDOW=0,0,1,1 WARM=1 LITERAL=1 WAVES=1 JOBS=3 SAMPLES=2 ERROR=0.5
+    MEMORY=sdram16 CORE_MHZ=50'
 same='TARGET FLAT RESULTS KINDS PROVE ONLY ALL CORE EFFECT MUTANT N STATE OPT V B CC
     CFLAGS CXX CXXFLAGS PREFIX DESTDIR TOP FRAMES BART BOARD CSV ENGINE FAMILY MOVIE
     FAULTS TRIALS MINUTES HARNESS'
 for word in '' $other; do
     plain_make sim-folder JOBS=2 $word
 done >"$TMP/folders" 2>&1
-check "each of them has another folder" [ "$(sort -u "$TMP/folders" | grep -c '^build/out/')" = 34 ]
+check "each of them has another folder" [ "$(sort -u "$TMP/folders" | grep -c '^build/out/')" = 35 ]
 for word in $other $same; do echo "${word%%=*}"; done | sort >"$TMP/mine"
 sed -n 's/^## \([A-Z_][A-Z_]*\) .*/\1/p' make/variables.mk | sort >"$TMP/rules"
 check "every variable is one of them, or shapes no run" diff "$TMP/mine" "$TMP/rules"
