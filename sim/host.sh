@@ -38,7 +38,7 @@ draft="--profile draft"
 }
 # name, effects, settings, trials, machines
 lives() {
-    echo "everything all+texture+refract+specular+sum SIM=verilator $TRIALS" \
+    echo "everything all+texture+refract+specular+sum+spread SIM=verilator $TRIALS" \
         "balls inside facets optics paper5"
     echo "all all SIM=verilator $TRIALS interpenetrating paper5 spans cones facets"
     echo "engines all ENGINES=2 $TRIALS inside paper5 interpenetrating spans"

@@ -118,7 +118,7 @@ class Core(Built):
         super().__init__(f"core/{effects}", "rt_core",
                          [word.split("=") for word in [*widths, *effects_on, *STEPS]], build)
         common = ["--core", effects, "--built", " ".join(effects_on), "--repeat", "-", "--stop",
-                  "--watchdog", "5000", "--latency", "5", "--stall", "20", "--seed", "7"]
+                  "--watchdog", "50000", "--latency", "5", "--stall", "20", "--seed", "7"]
         self.runs = [["--machine", f"{self.folder}/{number}.sph", *common, *options]
                      for number, (_, _, options) in enumerate(self.SCENES)]
 
@@ -134,7 +134,7 @@ class Core(Built):
                    for n in sorted(glob.glob("tb/core/*.cpp"))
                    if "simulate_" not in n and "tb_counters" not in n]
         return self.compile(verilog, "tb/core/simulate_verilator.cpp",
-                            ["-DVM_TRACE=0", "-DVM_TRACE_FST=0"],
+                            ["-DVM_TRACE=0", "-DVM_TRACE_FST=0", "-DNETLIST"],
                             objects + [f"{self.build}/sim/obj/{n}.o"
                                        for n in ("verilated", "verilated_threads")],
                             ["-ljansson"])
@@ -145,7 +145,7 @@ class Core(Built):
         return True  # its exit code says all
 
 
-CORES = ("all+texture+refract+specular+sum",)
+CORES = ("all+texture+refract+specular+sum+spread",)
 
 
 OF_A_VENDOR = ("rt_serialise",)    # has cells that Yosys knows nothing of

@@ -27,6 +27,12 @@ void vl_finish(const char *, int, const char *) {
 
 namespace {
 
+#ifdef NETLIST /* of lab/mutants: signals of inner modules have no names in it */
+constexpr bool SHOWN = false;
+#else
+constexpr bool SHOWN = true;
+#endif
+
 using ull = unsigned long long;
 
 class Bench {
@@ -109,7 +115,7 @@ void Bench::pass(Sample *samples, bool keep, Pass &out) {
         out.count[i] = counter(i);
     uint64_t misses = out.count[SPH_COUNT_TEXEL_MISSES],
              predicted = core_.textures().missed() - missed;
-    if ((misses != predicted || core_.textures().impossible()) && !run_.failure[0])
+    if (SHOWN && (misses != predicted || core_.textures().impossible()) && !run_.failure[0])
         fail(run_, "counter texel_misses %llu, by the model's cache %llu%s",
              static_cast<ull>(misses), static_cast<ull>(predicted),
              core_.textures().impossible() ? " up to a lookup that it refuses" : "");

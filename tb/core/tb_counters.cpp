@@ -29,7 +29,12 @@ const Run corners[] = {
     {LAST_CLOCK, 33, true},  /* the very last clock counts */
     {LAST_CLOCK, 1, false},  /* one clock only */
     {ALL_MOST, 10000, true}, /* carries past 16 bits */
-    {NONE, 1, true},         /* and clears all of it */
+    {ALL_MOST, 9001, false}, /* other bits of them */
+    {AT_RANDOM, 9001, false},
+    {NONE, 1, true},            /* and clears all of it */
+    {ALL_MOST, 4300000, true},  /* carries past 28 bits: only in a run of all vectors */
+    {AT_RANDOM, 70000, false}, /* and other bits of those */
+    {NONE, 1, true},
 };
 
 unsigned events(bench::Random &random, int how, int counter, int left, int only) {
@@ -69,6 +74,7 @@ int main(int argc, char **argv) {
     for (size_t number = 0; b.more(); number++) {
         Run r = {(int)b.random.below(HOWS), (int)b.random.between(1, 60), b.random.percent(40)};
         if (number < sizeof corners / sizeof *corners) r = corners[number];
+        if (r.clocks > 10000 && !b.all_vectors) r.clocks = 100;
         int only = (int)b.random.below(COUNTERS);
         if (r.clear) { /* at any turn; also while a sum is not in its total yet; or by rst */
             std::generate(words, words + PLACES / 4, [&] { return (uint32_t)b.random.next(); });
@@ -81,6 +87,12 @@ int main(int argc, char **argv) {
                 sum = 0;
         }
         for (int left = r.clocks; left > 0; left--) {
+            if (r.how == ALL_MOST && left < r.clocks) { /* the same words again */
+                for (uint64_t c = 0; c < COUNTERS; c++)
+                    sums[c] += MOST;
+                b.tick();
+                continue;
+            }
             none();
             for (int c = 0; c < COUNTERS; c++) {
                 unsigned n = events(b.random, r.how, c, left, only);

@@ -95,6 +95,7 @@ int main(int argc, char **argv) {
             if (t.out_ready_i) b.done();
         }
         if (offered && t.in_ready_o) {
+            if (b.vectors != taken) b.fail("a result is lost");
             inside = o;
             hard_inside = hard;
             offered = false;

@@ -4,7 +4,8 @@
  * Every slot walks an imagined tree: after each node that is issued the bench makes up what stands
  * there, where the planes cut the ray, what its leaf records find. Tokens of all slots arrive
  * interleaved. A vector is a decision: one of node, axis of the box, leaf records, once more, done.
- * LOOSE records of no node come first; WHOLE: a leaf record has a line.
+ * LOOSE records of no node come first; WHOLE: a leaf record has a line. A token that stays away is
+ * lost. Leaves of rays that end with a hit are of any size, and slot 0 has one long leaf to its end.
  */
 #include <vector>
 #include "Vrt_bih_next.h"
@@ -18,6 +19,8 @@ namespace {
 
 enum Kind { INNER, FIT, LEAVE, KILL, START, BOX_X, BOX_Y, BOX_Z, AGAIN, TESTED, IDLE };
 constexpr uint32_t NONE = SPH_BIH_NO_BOUND, ROOT = 0x12345, BASE = 0x2fedcb;
+constexpr uint32_t LONG = (1 << 14) + 300; /* records of a leaf; four a pass */
+constexpr uint64_t PATIENCE = 4000;        /* clocks until a token is back */
 
 struct Entry {
     uint32_t place;
@@ -26,10 +29,12 @@ struct Entry {
 
 struct Slot {
     Kind kind = IDLE; /* of the token that is due */
+    uint64_t since = 0; /* clock in which it was sent */
     bool sent = false, loose = false, ends = false, hit = false;
     uint32_t limit = NONE, child = 0, first = 0, count = 0; /* of the node */
     sph_interval span = {0, NONE};
     std::vector<Entry> stack;
+    bool endless = false; /* its first node is a long leaf */
     bool back = false, near = false, far = false; /* of the pass */
     uint32_t upper = 0, lower = 0;
 };
@@ -134,13 +139,21 @@ uint32_t bound(bench::Random &random) {
 
 using Bench = bench::Bench<Vrt_bih_next>;
 
+bool lengthy = false; /* there was the long leaf */
+
 void give_node(Bench &b, const Outcome &now, Slot &seen) {
     if (now.valid && now.go) {
         unsigned what = (unsigned)b.random.below(100);
         seen.kind = what < 60 ? INNER : what < 75 ? FIT : what < 98 ? LEAVE : KILL;
         seen.child = (uint32_t)b.random.bits(26);
         seen.first = (uint32_t)b.random.bits(20);
-        seen.count = (uint32_t)b.random.below(12);
+        seen.count = (uint32_t)(seen.ends ? b.random.log_bits(24) : b.random.below(12));
+        if (seen.endless) {
+            seen.kind = LEAVE;
+            seen.count = LONG;
+            seen.endless = false;
+            lengthy = true;
+        }
         b.dut.node_valid_i = 1;
         b.dut.node_slot_i = (uint8_t)now.slot;
         bench::i128 node = seen.kind == LEAVE ? (bench::i128)seen.count << 24 | seen.first
@@ -156,6 +169,7 @@ void give_node(Bench &b, const Outcome &now, Slot &seen) {
 
 void send(Bench &b, Slot &s, int at) {
     s.sent = true;
+    s.since = b.cycle;
     if (s.kind == TESTED) {
         b.dut.tested_valid_i = 1;
         b.dut.tested_slot_i = (uint8_t)at;
@@ -224,7 +238,10 @@ int main(int argc, char **argv) {
         /* the node of the slot whose outcome is at the outputs */
         Slot &seen = slots[(size_t)now.slot];
         give_node(b, now, seen);
-        if (now.valid) seen.sent = seen.kind == AGAIN; /* that goes round by itself */
+        if (now.valid) {
+            seen.sent = seen.kind == AGAIN; /* that goes round by itself */
+            seen.since = b.cycle;
+        }
         now.valid = false;
         /* one token in */
         int at = (int)b.random.below(SLOTS);
@@ -234,12 +251,14 @@ int main(int argc, char **argv) {
             s = Slot{};
             s.loose = LOOSE != 0;
             s.kind = s.loose ? START : BOX_X;
-            s.ends = b.random.percent(30);
+            s.endless = at == 0 && !lengthy;
+            s.ends = !s.endless && b.random.percent(30);
             s.limit = b.random.percent(50) ? NONE : bound(b.random);
         }
         if (!s.sent && !written && b.random.percent(80)) {
             send(b, s, at);
         }
+        if (s.sent && b.cycle - s.since > PATIENCE) b.fail("a token is lost");
         b.settle();
         bool read = b.dut.read_o;
         int slot = b.dut.slot_o;

@@ -120,7 +120,7 @@ void visit(Slot &s, bench::Random &random) {
         if (v > STACK) s.depth = 9;
         break;
     case AT_THE_LIMIT:
-        s.depth = LIMIT - 2 * v;
+        s.depth = v ? s.depth - (int32_t)random.below(2) : LIMIT;
         g.count = v < 20 ? 1 + v % 4 : 0;
         first = s.depth - 1, range = 3;
         break;
