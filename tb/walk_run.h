@@ -119,7 +119,8 @@ inline void make_spans(Random &random, Run &r) {
     for (uint32_t &word : r.words) {
         int x0 = r.win[0] + (int)random.between(-3, width + 3), x1 = x0 + (int)random.below(30);
         if (random.percent(10)) x1 = x0 - (int)random.below(3);
-        if (random.percent(10)) x0 = 0, x1 = random.percent(50) ? 0xffff : 1 << random.between(8, 15);
+        if (random.percent(10))
+            x0 = 0, x1 = random.percent(50) ? 0xffff : 1 << random.between(8, 15);
         if (random.percent(3)) x0 = (int)random.bits(16), x1 = (int)random.bits(16);
         word = (uint32_t)std::clamp(x1, 0, 0xffff) << 16 | (uint32_t)std::clamp(x0, 0, 0xffff);
     }

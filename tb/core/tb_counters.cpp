@@ -21,18 +21,17 @@ struct Run {
 };
 
 const Run corners[] = {
-    {NONE, 20, true},        /* nothing: all totals are 0 */
-    {ALL_MOST, 100, true},   /* largest sums in every counter */
-    {ALL_MOST, 100, false},  /* totals go on */
-    {ONE_EACH, 16, true},    /* no counter takes another's events */
-    {ONE_COUNTER, 50, true}, /* one alone */
-    {LAST_CLOCK, 33, true},  /* the very last clock counts */
-    {LAST_CLOCK, 1, false},  /* one clock only */
-    {ALL_MOST, 10000, true}, /* carries past 16 bits */
-    {ALL_MOST, 9001, false}, /* other bits of them */
-    {AT_RANDOM, 9001, false},
-    {NONE, 1, true},            /* and clears all of it */
-    {ALL_MOST, 4300000, true},  /* carries past 28 bits: only in a run of all vectors */
+    {NONE, 20, true},                           /* nothing: all totals are 0 */
+    {ALL_MOST, 100, true},                      /* largest sums in every counter */
+    {ALL_MOST, 100, false},                     /* totals go on */
+    {ONE_EACH, 16, true},                       /* no counter takes another's events */
+    {ONE_COUNTER, 50, true},                    /* one alone */
+    {LAST_CLOCK, 33, true},                     /* the very last clock counts */
+    {LAST_CLOCK, 1, false},                     /* one clock only */
+    {ALL_MOST, 10000, true},                    /* carries past 16 bits */
+    {ALL_MOST, 9001, false},                    /* other bits of them */
+    {AT_RANDOM, 9001, false},  {NONE, 1, true}, /* and clears all of it */
+    {ALL_MOST, 4300000, true}, /* carries past 28 bits: only in a run of all vectors */
     {AT_RANDOM, 70000, false}, /* and other bits of those */
     {NONE, 1, true},
 };
@@ -51,6 +50,20 @@ unsigned events(bench::Random &random, int how, int counter, int left, int only)
         return random.percent(30) ? (unsigned)random.mixed(6) & MOST : 0;
     default:
         return 0;
+    }
+}
+
+/* The clocks of a run. */
+void count(bench::Bench<Vrt_counters> &b, const Run &r, int only, uint64_t *sums) {
+    auto *words = reinterpret_cast<uint32_t *>(&b.dut.add_i);
+    for (int left = r.clocks; left > 0; left--) {
+        if (r.how != ALL_MOST || left == r.clocks) std::fill(words, words + PLACES / 4, 0);
+        for (int c = 0; c < COUNTERS; c++) {
+            unsigned n = r.how == ALL_MOST ? MOST : events(b.random, r.how, c, left, only);
+            sums[c] += n;
+            if (r.how != ALL_MOST || left == r.clocks) words[c / 4] |= n << c % 4 * 8;
+        }
+        b.tick();
     }
 }
 
@@ -86,21 +99,7 @@ int main(int argc, char **argv) {
             for (uint64_t &sum : sums)
                 sum = 0;
         }
-        for (int left = r.clocks; left > 0; left--) {
-            if (r.how == ALL_MOST && left < r.clocks) { /* the same words again */
-                for (uint64_t c = 0; c < COUNTERS; c++)
-                    sums[c] += MOST;
-                b.tick();
-                continue;
-            }
-            none();
-            for (int c = 0; c < COUNTERS; c++) {
-                unsigned n = events(b.random, r.how, c, left, only);
-                words[c / 4] |= n << c % 4 * 8;
-                sums[c] += n;
-            }
-            b.tick();
-        }
+        count(b, r, only, sums);
         /* sometimes the next run begins before the totals are complete */
         if (number >= sizeof corners / sizeof *corners && b.random.percent(20)) {
             b.done();

@@ -5,7 +5,8 @@
  * there, where the planes cut the ray, what its leaf records find. Tokens of all slots arrive
  * interleaved. A vector is a decision: one of node, axis of the box, leaf records, once more, done.
  * LOOSE records of no node come first; WHOLE: a leaf record has a line. A token that stays away is
- * lost. Leaves of rays that end with a hit are of any size, and slot 0 has one long leaf to its end.
+ * lost. Leaves of rays that end with a hit are of any size, and slot 0 has one long leaf to its
+ * end.
  */
 #include <vector>
 #include "Vrt_bih_next.h"
@@ -28,13 +29,13 @@ struct Entry {
 };
 
 struct Slot {
-    Kind kind = IDLE; /* of the token that is due */
+    Kind kind = IDLE;   /* of the token that is due */
     uint64_t since = 0; /* clock in which it was sent */
     bool sent = false, loose = false, ends = false, hit = false;
     uint32_t limit = NONE, child = 0, first = 0, count = 0; /* of the node */
     sph_interval span = {0, NONE};
     std::vector<Entry> stack;
-    bool endless = false; /* its first node is a long leaf */
+    bool endless = false;                         /* its first node is a long leaf */
     bool back = false, near = false, far = false; /* of the pass */
     uint32_t upper = 0, lower = 0;
 };

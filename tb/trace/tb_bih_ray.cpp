@@ -26,7 +26,7 @@ struct Slot {
     sph_ray ray{};
     bool pixel = false, shadow = false;
     uint64_t since = 0; /* clock in which it started */
-    int words = 0; /* of this ray, bit i: place on axis i, bit 3 + i: pace */
+    int words = 0;      /* of this ray, bit i: place on axis i, bit 3 + i: pace */
     bench::u128 place[3] = {0, 0, 0}, pace[3] = {0, 0, 0};
 };
 
