@@ -47,7 +47,8 @@ module f_next #(
     (* hierconn *) wire [DW:0]       \u_dut.sp_next , \u_dut.s2_sp_q , \u_dut.s3_sp_q ;
     (* hierconn *) wire [DW-1:0]     \u_dut.push_at ;
     (* hierconn *) wire [97:0]       \u_dut.push_data , \u_dut.s2_top ;
-    (* hierconn *) wire [100:0]      \u_dut.cur_next , \u_dut.s2_cur ;
+    (* hierconn *) wire [81:0]       \u_dut.cur_next , \u_dut.s2_cur ;
+    (* hierconn *) wire [2:0]        \u_dut.count ;
     (* hierconn *) wire [100:0]      \u_dut.s3_f_q , \u_dut.s3_c_q , \u_dut.s3_t_q ;
     (* hierconn *) wire [15:0]       \u_dut.s3_below_q ;
     (* hierconn *) wire              \u_dut.s3_c_any_q , \u_dut.s3_f_ok_q , \u_dut.s3_c_ok_q ;
@@ -57,7 +58,7 @@ module f_next #(
     (* hierconn *) wire [SLOTW-1:0]  \u_dut.u_pointer.mark ;
     (* hierconn *) wire [SLOTW+DW-1:0] \u_dut.u_stack.mark ;
     (* hierconn *) wire [102:0]      \u_dut.u_found.word_q ;
-    (* hierconn *) wire [100:0]      \u_dut.u_current.word_q ;
+    (* hierconn *) wire [81:0]       \u_dut.u_current.word_q ;
     (* hierconn *) wire [DW+16:0]    \u_dut.u_pointer.word_q ;
     (* hierconn *) wire [97:0]       \u_dut.u_stack.word_q ;
     always @* assume (\u_dut.u_found.mark == slot && \u_dut.u_current.mark == slot);
@@ -70,7 +71,7 @@ module f_next #(
     reg         found_q, fresh_q;        // its visit has been written; it is the ray's first
     reg         alive_q;                 // its ray goes on: there is a group and a stack
     reg [DW:0]  sp_q;                    // groups in its stack
-    reg [100:0] cur_q;                   // its current group
+    reg [81:0]  cur_q;                   // its current group: {base, count, list}
     reg [97:0]  group_q;                 // the group pushed at the marked level
     wire take  = in_valid && in_ready;
     wire leave = issue_valid || done_valid;
@@ -132,10 +133,12 @@ module f_next #(
             if (\u_dut.push )  assert (sp < DEPTH && \u_dut.push_at == sp && !\u_dut.use_t );
             if (\u_dut.again ) assert (sp > 0 && \u_dut.sp_next == sp - 1'b1 && \u_dut.use_t );
             if (\u_dut.keep && \u_dut.use_t ) assert (sp > 0);
+            // a group that is kept has 1 to 4 children before its first one goes
+            if (\u_dut.keep && !(\u_dut.use_t && sp != level + 1'b1))
+                assert (\u_dut.count >= 1 && \u_dut.count <= 4);
             // what is put aside is the whole current group; what comes back is what was put there
-            if (\u_dut.push ) assert (!now && \u_dut.push_data [81:0] ==
-                                      {cur_q[100:75], cur_q[73:72], cur_q[53:0]});
-            if (\u_dut.push ) assert (cur_q[74:72] >= 1 && cur_q[74:72] <= 3);
+            if (\u_dut.push ) assert (!now && \u_dut.push_data [81:0] == cur_q);
+            if (\u_dut.push ) assert (cur_q[55:54] != 0);
             if (\u_dut.use_t && sp == level + 1'b1) assert (top == group_q);
         end
         // invariant
@@ -147,7 +150,7 @@ module f_next #(
         end
         if (alive_q) begin
             assert (\u_dut.u_current.word_q == cur_q && \u_dut.u_pointer.word_q [DW:0] == sp_q);
-            assert (sp_q <= DEPTH && cur_q[74:72] <= 3);
+            assert (sp_q <= DEPTH);
             if (sp_q > level) assert (\u_dut.u_stack.word_q == group_q && group_q[55:54] != 0);
         end
         if (mine_1 && \u_dut.s1_again_q ) assert (alive_q);
@@ -161,9 +164,9 @@ module f_next #(
             assert (\u_dut.s3_f_q [100:75] == \u_dut.u_found.word_q [100:75]);
             assert (\u_dut.s3_f_q [74:72] == (s3_again_q ? 3'd0 : \u_dut.u_found.word_q [74:72]));
             assert (\u_dut.s3_f_q [71:0] == \u_dut.u_found.word_q [71:0] && (now || alive_q));
-            if (!now) assert (\u_dut.s3_c_q [100:75] == cur_q[100:75]);
-            if (!now) assert (\u_dut.s3_c_q [71:0] == cur_q[71:0]);
-            assert (\u_dut.s3_c_q [74:72] == (now || s3_again_q ? 3'd0 : cur_q[74:72]));
+            if (!now) assert (\u_dut.s3_c_q [100:75] == cur_q[81:56]);
+            if (!now) assert (\u_dut.s3_c_q [71:0] == {18'd0, cur_q[53:0]});
+            assert (\u_dut.s3_c_q [74:72] == (now || s3_again_q ? 3'd0 : {1'b0, cur_q[55:54]}));
             assert (\u_dut.s3_c_any_q == (\u_dut.s3_c_q [74:72] != 0));
             assert (!\u_dut.s3_f_ok_q || \u_dut.s3_f_q [74:72] != 0);
             assert (!\u_dut.s3_c_ok_q || \u_dut.s3_c_any_q );

@@ -7,6 +7,7 @@ module rt_slot_ram #(
     parameter WIDTH = 32,
     parameter SLOTS = 16,
     parameter OLD   = 1,
+    parameter LUTS  = 0,
     parameter AB    = $clog2(SLOTS)
 ) (
     input  wire             clk,

@@ -20,7 +20,7 @@ module rt_engine #(
     parameter SHADES     = 1,    // shading units, power of two
     parameter SETUPS     = 1,    // set-up units, power of two, at most EXACTS
     parameter SLOTS      = 64,   // numbers of slots, power of two: {pipe, slot of its own}
-    parameter LUTS       = 0,    // 1: squares of node filters in LUTs, not in multipliers
+    parameter LUTS       = 0,    // 1: squares of filters, odd bits of memories in LUTs
     parameter STACK      = 16,   // sibling groups waiting per ray, power of two
     parameter SHADOW     = 1,    // effects elaborated, see rt_core
     parameter REFLECT    = 5,
@@ -113,7 +113,7 @@ module rt_engine #(
         rt_setup #(.W(W), .WD(WD), .FW(FW), .NG(NG), .SHADOW(SHADOW), .LIGHTS(LIGHTS),
                    .BOUNCES(BOUNCES), .FACETS(FACETS), .TEXTURE(TEXTURE), .UNITS(UNITS),
                    .UNIT_INTERVAL(UNIT_INTERVAL), .ACROSS(ACROSS), .SHADES(SU),
-                   .SLOTS(SLOTS/SETUPS)) u_setup (
+                   .LUTS(LUTS), .SLOTS(SLOTS/SETUPS)) u_setup (
             .clk(clk), .rst(rst), .eye_i(regs_i[`RT_REGS_EYE]), .normal_i(normal[n*VS +: VS]),
             .light_i(vec_light[n*VS +: VS]), .bounce_i(bounce[n*VS +: VS]),
             .primary_i(primary[n*VB +: VB]), .primary_ready_o(primary_ready[n]),
@@ -152,13 +152,13 @@ module rt_engine #(
         .mem_rsp_error_i(mem_rsp_error_i), .event_o(exact_event_o), .fault_o(fault_o[7:4])
     );
     rt_shades #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .PR(PR), .SHADES(SHADES), .SETUPS(SETUPS),
-               .SLOTS(SLOTS), .SHADOW(SHADOWS), .REFLECT(REFLECT), .LIGHTS(LIGHTS), .INSIDE(INSIDE),
-               .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE), .SMOOTH(SMOOTH),
-               .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM), .TEXTURE_LINES(TEXTURE_LINES),
-               .TEXTURE_WAYS(TEXTURE_WAYS), .TEXTURE_GROUP(TEXTURE_GROUP),
-               .TEXTURE_COORDS(TEXTURE_COORDS), .COARSE(COARSE), .QUOTIENTS(QUOTIENTS),
-               .SPREAD(SPREAD), .QUOTIENT_STEP(QUOTIENT_STEP), .HIT_INTERVAL(HIT_INTERVAL),
-               .BOUNCE_INTERVAL(BOUNCE_INTERVAL)) u_shades (
+               .SLOTS(SLOTS), .LUTS(LUTS), .SHADOW(SHADOWS), .REFLECT(REFLECT), .LIGHTS(LIGHTS),
+               .INSIDE(INSIDE), .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),
+               .SMOOTH(SMOOTH), .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM),
+               .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS),
+               .TEXTURE_GROUP(TEXTURE_GROUP), .TEXTURE_COORDS(TEXTURE_COORDS), .COARSE(COARSE),
+               .QUOTIENTS(QUOTIENTS), .SPREAD(SPREAD), .QUOTIENT_STEP(QUOTIENT_STEP),
+               .HIT_INTERVAL(HIT_INTERVAL), .BOUNCE_INTERVAL(BOUNCE_INTERVAL)) u_shades (
         .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i), .light_i(light_i), .ray_i(ray),
         .next_light_i(next_light), .next_slot_i(next_slot), .hit_i(hit), .blend_o(blend),
         .end_valid_o(end_valid), .end_slot_o(end_slot), .fetch_o(fetch),

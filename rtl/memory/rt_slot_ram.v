@@ -4,6 +4,7 @@
 // is low. Reading the address that is written in the same cycle gives the old word if OLD is 1
 // (block RAM of some families needs a bypass for it: WIDTH flip-flops and LUTs); with OLD 0 the
 // owner promises that it never happens, and a simulation stops if it does.
+// With LUTS the bits that words of 36 leave over lie in a rt_slot_file if they are few.
 // Contents are not reset: write a word before its value matters.
 `timescale 1ns / 1ps
 `default_nettype none
@@ -11,6 +12,7 @@ module rt_slot_ram #(
     parameter WIDTH = 32,                 // bits of a word
     parameter SLOTS = 16,                 // words, at least 2
     parameter OLD   = 1,                  // 1: collision reads the old word, 0: never collides
+    parameter LUTS  = 0,                  // 1: what is left over in LUTs, not in a block
     parameter AB    = $clog2(SLOTS)       // address bits, derived: leave alone
 ) (
     input  wire             clk,
@@ -19,18 +21,38 @@ module rt_slot_ram #(
     input  wire [WIDTH-1:0] wr_data_i,
     input  wire             rd_en_i,      // read this cycle
     input  wire [AB-1:0]    rd_addr_i,
-    output reg  [WIDTH-1:0] rd_data_o     // word read last
+    output wire [WIDTH-1:0] rd_data_o     // word read last
 );
-    (* ram_style = "block" *) reg [WIDTH-1:0] mem [0:SLOTS-1];
+    // 24 cells of 16 x 4 bits, some 150 LUTs, are the most that one block is worth.
+    localparam LEFT  = WIDTH % 36;
+    localparam CELLS = ((SLOTS + 15) / 16) * ((LEFT + 3) / 4);
+    localparam LOW   = LUTS != 0 && CELLS <= 24 ? LEFT : 0;  // bits in LUTs, the low ones
     wire collision = wr_en_i && rd_en_i && wr_addr_i == rd_addr_i;
-    always @(posedge clk) begin
-        if (wr_en_i) mem[wr_addr_i] <= wr_data_i;
-        if (rd_en_i) begin
-            rd_data_o <= mem[rd_addr_i];
-            // never happens; lets synthesis drop the bypass
-            if (OLD == 0 && collision) rd_data_o <= {WIDTH{1'bx}};
+    generate
+        if (LOW < WIDTH) begin : g_block
+            (* ram_style = "block" *) reg [WIDTH-1:LOW] mem [0:SLOTS-1];
+            reg [WIDTH-1:LOW] word_q;
+            always @(posedge clk) begin
+                if (wr_en_i) mem[wr_addr_i] <= wr_data_i[WIDTH-1:LOW];
+                if (rd_en_i) begin
+                    word_q <= mem[rd_addr_i];
+                    // never happens; lets synthesis drop the bypass
+                    if (OLD == 0 && collision) word_q <= {(WIDTH-LOW){1'bx}};
+                end
+            end
+            assign rd_data_o[WIDTH-1:LOW] = word_q;
         end
-    end
+        if (LOW != 0) begin : g_luts
+            wire [LOW-1:0] word;
+            reg  [LOW-1:0] word_q;
+            rt_slot_file #(.WIDTH(LOW), .SLOTS(SLOTS)) u_low (
+                .clk(clk), .wr_en_i(wr_en_i), .wr_addr_i(wr_addr_i),
+                .wr_data_i(wr_data_i[LOW-1:0]), .rd_addr_i(rd_addr_i), .rd_data_o(word)
+            );
+            always @(posedge clk) if (rd_en_i) word_q <= word;
+            assign rd_data_o[LOW-1:0] = word_q;
+        end
+    endgenerate
 
 `ifdef FORMAL
     always @(posedge clk) if (OLD == 0) assert (!collision);

@@ -11,6 +11,7 @@
 module rt_blends #(
     parameter REFLECT = 5,   // reflections, 0..10
     parameter PROBE   = 1,   // 1: some surfaces are probed (INTERPENETRATE)
+    parameter LUTS    = 0,   // 1: odd bits of memories in LUTs, not in block RAM
     parameter SLOTS   = 32  // power of two
 ) (
     input  wire             clk,
@@ -104,7 +105,7 @@ module rt_blends #(
                 assign next  = {out_colour[KEPT-1:0], o_weight, o_sum};
                 wire unused = &{1'b0, o_depth};
             end
-            rt_slot_ram #(.WIDTH(SW), .SLOTS(SLOTS), .OLD(0)) u_state (
+            rt_slot_ram #(.WIDTH(SW), .SLOTS(SLOTS), .OLD(0), .LUTS(LUTS)) u_state (
                 .clk(clk), .wr_en_i(out_valid_o), .wr_addr_i(out_slot_o),
                 .wr_data_i(next),
                 .rd_en_i(read_i), .rd_addr_i(read_slot_i), .rd_data_o(state)

@@ -17,6 +17,7 @@ module rt_compose #(
     parameter REFRACT = 0,
     parameter SPECULAR = 0,
     parameter SUM     = 0,
+    parameter LUTS    = 0,   // 1: odd bits of memories in LUTs, not in block RAM
     parameter SLOTS   = 32   // power of two
 ) (
     input  wire                         clk,
@@ -103,7 +104,7 @@ module rt_compose #(
         if (FB + PB != 0) begin : g_surface
             wire [1:0]       flags = {hit_i[`RT_HIT_PROBE], hit_i[`RT_HIT_FIRST]};
             wire [FB+PB-1:0] e_flags;
-            rt_slot_ram #(.WIDTH(FB+PB), .SLOTS(SLOTS), .OLD(0)) u_surface (
+            rt_slot_ram #(.WIDTH(FB+PB), .SLOTS(SLOTS), .OLD(0), .LUTS(LUTS)) u_surface (
                 .clk(clk), .wr_en_i(hit_i[`RT_HIT_HIT] || hit_i[`RT_HIT_MISS]),
                 .wr_addr_i(hit_i[`RT_HIT_SLOT]), .wr_data_i(flags[PB -: FB+PB]),
                 .rd_en_i(e_read), .rd_addr_i(e_slot), .rd_data_o(e_flags)
@@ -152,7 +153,8 @@ module rt_compose #(
                                 REFLECT == 0 || !effects[`RT_EFFECT_REFLECT] ||
                                 e_depth[DB-1:0] == deepest[DB-1:0];
             wire       last;
-            rt_blends #(.REFLECT(REFLECT), .PROBE(PB), .SLOTS(SLOTS)) u_blends (
+            rt_blends #(.REFLECT(REFLECT), .PROBE(PB), .LUTS(LUTS),
+                        .SLOTS(SLOTS)) u_blends (
                 .clk(clk), .rst(rst),
                 .read_i(e_read), .read_slot_i(e_slot), .in_first_i(e_first), .depth_o(e_depth),
                 .in_valid_i(e_valid_q), .in_ready_o(blend_ready), .in_slot_i(e_slot_q),

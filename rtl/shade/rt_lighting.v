@@ -15,6 +15,7 @@ module rt_lighting #(
     parameter WD     = 17,   // direction component, bits
     parameter NG     = 2,    // guard bits of the hit point
     parameter SLOTS  = 64,   // rays in flight, power of two
+    parameter LUTS   = 0,    // 1: odd bits of memories in LUTs, not in block RAM
     parameter SHADOW = 1,    // 1: shadow rays
     parameter LIGHTS = 8,    // 0: ambient light alone
     parameter SPECULAR = 0,  // 1: highlights
@@ -78,7 +79,8 @@ module rt_lighting #(
                 assign power_o   = 1'b0;
             end
             rt_lights #(.W(W), .WD(WD), .LIGHTS(LIGHTS), .SHADOW(GLOSS != 0 ? 0 : SHADOW),
-                        .AMBIENT(SUM != 0 ? 0 : 1), .GLOSS(GLOSS), .SLOTS(SLOTS)) u_lights (
+                        .AMBIENT(SUM != 0 ? 0 : 1), .GLOSS(GLOSS), .LUTS(LUTS),
+                        .SLOTS(SLOTS)) u_lights (
                 .clk(clk), .rst(rst), .n_lights_i(regs_i[`RT_REGS_N_LIGHTS]),
                 .ambient_i(ambient),
                 .light_valid_i(light_i[`RT_LIGHT_VALID]),

@@ -17,6 +17,7 @@ module rt_lights #(
     parameter SHADOW = 1,  // 1: shadow rays end here, 0: there are none, or rt_shine has them
     parameter AMBIENT = 1, // 0: the sum starts from nothing
     parameter GLOSS = 0,   // 1: highlights are summed too
+    parameter LUTS  = 0,   // 1: odd bits of memories in LUTs, not in block RAM
     parameter SLOTS = 32  // power of two
 ) (
     input  wire              clk,
@@ -116,7 +117,7 @@ module rt_lights #(
             always @(posedge clk) a_light_q <= a_light;
             assign k_light = light_number_i[LW-1:0];
             assign e_next  = e_start_q ? {NW{1'b0}} : after[NW-1:0];
-            rt_slot_ram #(.WIDTH(LW), .SLOTS(SLOTS), .OLD(0)) u_light (
+            rt_slot_ram #(.WIDTH(LW), .SLOTS(SLOTS), .OLD(0), .LUTS(LUTS)) u_light (
                 .clk(clk), .wr_en_i(a_valid), .wr_addr_i(a_slot), .wr_data_i(a_light),
                 .rd_en_i(read), .rd_addr_i(slot), .rd_data_o(e_light)
             );
@@ -234,7 +235,7 @@ module rt_lights #(
 
     // ---- next light, or done ----
     wire [3*W-1:0]  v_point;
-    rt_slot_ram #(.WIDTH(3*W), .SLOTS(SLOTS), .OLD(0)) u_point (
+    rt_slot_ram #(.WIDTH(3*W), .SLOTS(SLOTS), .OLD(0), .LUTS(LUTS)) u_point (
         .clk(clk), .wr_en_i(point_valid_i), .wr_addr_i(point_slot_i), .wr_data_i(point_i),
         .rd_en_i(a_valid), .rd_addr_i(a_slot), .rd_data_o(v_point)
     );

@@ -16,6 +16,7 @@ module rt_shade #(
     parameter NG         = 2,    // guard bits of the normal
     parameter PR         = 0,    // significant bits of the root, 0: all
     parameter SLOTS      = 64,   // rays in flight, power of two
+    parameter LUTS       = 0,    // 1: odd bits of memories in LUTs, not in block RAM
     parameter SHADOW     = 1,    // 1: shadow rays
     parameter REFLECT    = 5,    // effects elaborated, see rt_core
     parameter LIGHTS     = 8,
@@ -108,7 +109,7 @@ module rt_shade #(
     rt_surface #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .POINTS(POINTS), .BOUNCES(BOUNCES),
                  .INSIDE(INSIDE), .FACETS(FACETS), .TEXTURE(TEXTURE), .SMOOTH(BENT),
                  .SPREAD(SPREAD), .LOOKS(SHARES),
-                 .SLOTS(SLOTS), .QUOTIENTS(QUOTIENTS),
+                 .SLOTS(SLOTS), .LUTS(LUTS), .QUOTIENTS(QUOTIENTS),
                  .QUOTIENT_STEP(QUOTIENT_STEP), .HIT_INTERVAL(HIT_INTERVAL)) u_surface (
         .clk(clk), .rst(rst), .regs_i(regs_i), .points_on_i(points_on),
         .ray_i(ray_i), .hit_i(hit_i),
@@ -215,7 +216,7 @@ module rt_shade #(
     wire             sum_valid;
     wire [SLOTW-1:0] sum_slot;
     wire [50:0]      sum, gloss;
-    rt_lighting #(.W(W), .WD(WD), .NG(NG), .SLOTS(SLOTS), .SHADOW(SHADOW),
+    rt_lighting #(.W(W), .WD(WD), .NG(NG), .SLOTS(SLOTS), .LUTS(LUTS), .SHADOW(SHADOW),
                   .LIGHTS(LIGHTS), .SPECULAR(SPECULAR), .SUM(SUM)) u_lighting (
         .clk(clk), .rst(rst), .regs_i(regs_i), .light_i(light_i),
         .ray_i(ray_i), .next_light_i(next_light_i), .next_slot_i(next_slot_i),
@@ -233,7 +234,7 @@ module rt_shade #(
     wire [3:0]       next_depth;
     rt_compose #(.W(W), .WD(WD), .REFLECT(REFLECT), .LIGHTS(LIGHTS),
                  .INTERPENETRATE(INTERPENETRATE), .REFRACT(REFRACT), .SPECULAR(SPECULAR),
-                 .SUM(SUM), .SLOTS(SLOTS)) u_compose (
+                 .SUM(SUM), .LUTS(LUTS), .SLOTS(SLOTS)) u_compose (
         .clk(clk), .rst(rst), .regs_i(regs_i), .hit_i(hit_i), .material_i(material),
         .albedo_i(albedo),
         .sum_valid_i(sum_valid), .sum_slot_i(sum_slot), .sum_i(sum), .gloss_i(gloss),

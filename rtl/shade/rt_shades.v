@@ -18,6 +18,7 @@ module rt_shades #(
     parameter SHADES     = 1,    // shading units, power of two
     parameter SETUPS     = 1,    // set-up units, power of two, at most SHADES
     parameter SLOTS      = 64,   // numbers of slots, power of two
+    parameter LUTS       = 0,    // 1: odd bits of memories in LUTs, not in block RAM
     parameter SHADOW     = 1,    // 1: shadow rays
     parameter REFLECT    = 5,    // effects elaborated, see rt_core
     parameter LIGHTS     = 8,
@@ -134,7 +135,7 @@ module rt_shades #(
                        .SHADOW(SHADOW), .REFLECT(REFLECT), .LIGHTS(LIGHTS), .INSIDE(INSIDE),
                        .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),
                        .SMOOTH(SMOOTH), .SPREAD(SPREAD), .REFRACT(REFRACT),
-                       .SPECULAR(SPECULAR), .SUM(SUM),
+                       .SPECULAR(SPECULAR), .SUM(SUM), .LUTS(LUTS),
                        .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS),
                        .TEXTURE_GROUP(TEXTURE_GROUP), .TEXTURE_COORDS(TEXTURE_COORDS),
                        .COARSE(COARSE), .QUOTIENTS(QUOTIENTS),

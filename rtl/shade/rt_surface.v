@@ -23,6 +23,7 @@ module rt_surface #(
     parameter SPREAD  = 0,     // 1: spheres spread rays
     parameter LOOKS   = 0,     // 1: the rest of the material, for refraction and sum
     parameter SLOTS = 32,      // power of two
+    parameter LUTS  = 0,       // 1: odd bits of memories in LUTs, not in block RAM
     parameter QUOTIENTS = 3,   // dividers
     parameter QUOTIENT_STEP = 2, // quotient bits a clock
     parameter HIT_INTERVAL = 8 // clocks a hit point and its normal, 8 or 12
@@ -220,7 +221,7 @@ module rt_surface #(
                 assign r_org = regs_i[`RT_REGS_EYE];
             end
             if (FARS != 0) begin : g_far
-                rt_slot_ram #(.WIDTH(1), .SLOTS(SLOTS), .OLD(0)) u_far (
+                rt_slot_ram #(.WIDTH(1), .SLOTS(SLOTS), .OLD(0), .LUTS(LUTS)) u_far (
                     .clk(clk), .wr_en_i(in_valid), .wr_addr_i(in_slot),
                     .wr_data_i(hit_i[`RT_HIT_FAR]),
                     .rd_en_i(e_load), .rd_addr_i(e_slot), .rd_data_o(r_far)

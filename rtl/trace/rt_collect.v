@@ -16,6 +16,7 @@ module rt_collect #(
     parameter SHADOW = 1,  // 1: shadow rays
     parameter INSIDE = 1,  // 1: far roots, or facets: far is kept
     parameter FIRST = 1,   // 1: rays that end with the first visit that hits
+    parameter LUTS  = 0,   // 1: odd bits of memories in LUTs, not in block RAM
     parameter KEYS  = 0    // 1: depths are T-words, 2: of boxes; scale and shift are not used
 ) (
     input  wire              clk,
@@ -149,7 +150,7 @@ module rt_collect #(
         .clk(clk), .wr_en_i(clearing || s2_win_q), .wr_addr_i(put_slot),
         .wr_data_i(put), .rd_addr_i(in_slot_i), .rd_data_o(best)
     );
-    rt_slot_ram #(.WIDTH(BW+IB+1), .SLOTS(SLOTS), .OLD(0)) u_done (
+    rt_slot_ram #(.WIDTH(BW+IB+1), .SLOTS(SLOTS), .OLD(0), .LUTS(LUTS)) u_done (
         .clk(clk), .wr_en_i(clearing || s2_win_q), .wr_addr_i(put_slot),
         .wr_data_i(put), .rd_en_i(done_valid_i), .rd_addr_i(done_slot_i), .rd_data_o(done_best)
     );
@@ -244,23 +245,23 @@ module rt_collect #(
     wire          best_wr   = clearing || s3_win_q;
     wire [SLOTW-1:0] best_slot = clearing ? clear_slot : s3_slot_q;
     wire [FW+1:0] best_data = clearing ? {(FW+2){1'b0}} : {s3_mark_q, s3_depth};
-    rt_slot_ram #(.WIDTH(DB+1), .SLOTS(SLOTS), .OLD(0)) u_first_f (
+    rt_slot_ram #(.WIDTH(DB+1), .SLOTS(SLOTS), .OLD(0), .LUTS(LUTS)) u_first_f (
         .clk(clk), .wr_en_i(new_valid_i), .wr_addr_i(new_slot_i), .wr_data_i(new_next[DB:0]),
         .rd_en_i(filter_valid_i), .rd_addr_i(filter_slot_i), .rd_data_o(filter_first)
     );
-    rt_slot_ram #(.WIDTH(FW+2), .SLOTS(SLOTS), .OLD(0)) u_best_f (
+    rt_slot_ram #(.WIDTH(FW+2), .SLOTS(SLOTS), .OLD(0), .LUTS(LUTS)) u_best_f (
         .clk(clk), .wr_en_i(best_wr), .wr_addr_i(best_slot), .wr_data_i(best_data),
         .rd_en_i(filter_valid_i), .rd_addr_i(filter_slot_i), .rd_data_o(filter_best)
     );
-    rt_slot_ram #(.WIDTH(DB+EB+1), .SLOTS(SLOTS), .OLD(0)) u_first_n (
+    rt_slot_ram #(.WIDTH(DB+EB+1), .SLOTS(SLOTS), .OLD(0), .LUTS(LUTS)) u_first_n (
         .clk(clk), .wr_en_i(new_valid_i), .wr_addr_i(new_slot_i), .wr_data_i(new_next[DB+EB:0]),
         .rd_en_i(next_valid_i), .rd_addr_i(next_slot_i), .rd_data_o(next_first)
     );
-    rt_slot_ram #(.WIDTH(FW+2), .SLOTS(SLOTS), .OLD(0)) u_best_n (
+    rt_slot_ram #(.WIDTH(FW+2), .SLOTS(SLOTS), .OLD(0), .LUTS(LUTS)) u_best_n (
         .clk(clk), .wr_en_i(best_wr), .wr_addr_i(best_slot), .wr_data_i(best_data),
         .rd_en_i(next_valid_i), .rd_addr_i(next_slot_i), .rd_data_o(next_best)
     );
-    rt_slot_ram #(.WIDTH(SB+FB+2), .SLOTS(SLOTS), .OLD(0)) u_first_d (
+    rt_slot_ram #(.WIDTH(SB+FB+2), .SLOTS(SLOTS), .OLD(0), .LUTS(LUTS)) u_first_d (
         .clk(clk), .wr_en_i(new_valid_i), .wr_addr_i(new_slot_i),
         .wr_data_i(new_done[SB+FB+1:0]),
         .rd_en_i(done_valid_i), .rd_addr_i(done_slot_i), .rd_data_o(done_first)

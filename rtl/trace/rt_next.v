@@ -14,6 +14,7 @@ module rt_next #(
     parameter FW    = 14,   // filter coordinate, bits
     parameter SLOTS = 32,   // power of two
     parameter DEPTH = 16,   // stack entries a slot, power of two
+    parameter LUTS  = 0,    // 1: odd bits of memories in LUTs, not in block RAM
     parameter ENDS  = 1     // 1: some rays end with a hit
 ) (
     input  wire             clk,
@@ -49,7 +50,8 @@ module rt_next #(
     localparam SLOTW = $clog2(SLOTS);
     localparam DEPTHW = $clog2(DEPTH);
     localparam signed [15:0] FAR = 16'sh7fff;
-    localparam CW = `RT_LINE_BITS + 3 + 72;            // current group: {base, count, list}
+    localparam CW = `RT_LINE_BITS + 3 + 72;            // a group: {base, count, list}
+    localparam KW = `RT_LINE_BITS + 2 + 54;            // current one, its first child is gone
     localparam EW = 16 + `RT_LINE_BITS + 2 + 54;       // stack entry: {below, base, count, list}
 
     // ---- stage 0: one that goes round once more, else a new one ----
@@ -69,14 +71,14 @@ module rt_next #(
     assign read_o = s1_valid_q;
     assign slot_o = s1_slot_q;
     wire [CW+1:0]    s2_found;
-    rt_slot_ram #(.WIDTH(CW+2), .SLOTS(SLOTS), .OLD(0)) u_found (
+    rt_slot_ram #(.WIDTH(CW+2), .SLOTS(SLOTS), .OLD(0), .LUTS(LUTS)) u_found (
         .clk(clk), .wr_en_i(found_valid_i), .wr_addr_i(found_slot_i),
         .wr_data_i({found_kill_i, found_fresh_i, found_base_i, found_count_i, found_list_i}),
         .rd_en_i(s1_valid_q), .rd_addr_i(s1_slot_q), .rd_data_o(s2_found)
     );
     wire             keep;                  // write the slot's new state
-    wire [CW-1:0]    s2_cur, cur_next;
-    rt_slot_ram #(.WIDTH(CW), .SLOTS(SLOTS), .OLD(0)) u_current (
+    wire [KW-1:0]    s2_cur, cur_next;
+    rt_slot_ram #(.WIDTH(KW), .SLOTS(SLOTS), .OLD(0), .LUTS(LUTS)) u_current (
         .clk(clk), .wr_en_i(keep), .wr_addr_i(s3_slot_q), .wr_data_i(cur_next),
         .rd_en_i(s1_valid_q), .rd_addr_i(s1_slot_q), .rd_data_o(s2_cur)
     );
@@ -102,17 +104,17 @@ module rt_next #(
     reg signed [15:0] s2_least_q;           // smallest near of the stack
     wire             s2_kill, found_fresh;
     wire [`RT_LINE_BITS-1:0] f_base, c_base, t_base;
-    wire [2:0]       f_found, c_left;                      // children
-    wire [1:0]       t_count;
-    wire [71:0]      f_list, c_list;
-    wire [53:0]      t_list;
+    wire [2:0]       f_found;                              // children
+    wire [1:0]       c_left, t_count;
+    wire [71:0]      f_list;
+    wire [53:0]      c_list, t_list;
     wire signed [15:0] t_below;                            // smallest near of what lies below it
     assign {s2_kill, found_fresh, f_base, f_found, f_list} = s2_found;
     assign {c_base, c_left, c_list}                        = s2_cur;
     assign {t_below, t_base, t_count, t_list}              = s2_top;
     wire             fresh = found_fresh && !s2_again_q;
     wire [2:0]  f_count = s2_again_q ? 3'd0 : f_found;
-    wire [2:0]  c_count = fresh || s2_again_q ? 3'd0 : c_left;
+    wire [1:0]  c_count = fresh || s2_again_q ? 2'd0 : c_left;
     wire [DEPTHW:0] sp  = fresh ? {(DEPTHW+1){1'b0}} : s2_sp_q;
     wire signed [15:0] depth = $signed({{(15-FW){1'b0}}, depth_i});
     wire signed [15:0] f_near = $signed(f_list[17:2]);     // of the first child of the list
@@ -135,12 +137,12 @@ module rt_next #(
         s3_least_q <= fresh ? FAR : s2_least_q;
         s3_below_q <= t_below;
         s3_f_q     <= {f_base, f_count, f_list};
-        s3_c_q     <= {c_base, c_count, c_list};
+        s3_c_q     <= {c_base, 1'b0, c_count, 18'd0, c_list};
         s3_t_q     <= {t_base, 1'b0, t_count, 18'd0, t_list};
         s3_ended_q <= s2_kill || (ENDS != 0 && ends_i && hit_i);
         s3_f_ok_q  <= f_count != 3'd0 && f_near <= depth;
-        s3_c_ok_q  <= c_count != 3'd0 && c_near <= depth;
-        s3_c_any_q <= c_count != 3'd0;
+        s3_c_ok_q  <= c_count != 2'd0 && c_near <= depth;
+        s3_c_any_q <= c_count != 2'd0;
         s3_t_any_q <= sp != 0 && s2_least_q <= depth;      // the stack holds something to visit
         s3_t_ok_q  <= t_near <= depth;
         s3_c_least_q <= fresh || c_near < s2_least_q;      // the current one is nearer than it
@@ -162,7 +164,8 @@ module rt_next #(
     wire [2:0]    count;
     wire [71:0]   list;
     assign {base, count, list} = group;
-    assign cur_next   = {base, count - 3'd1, 18'd0, list[71:18]};
+    wire [1:0]    left = count[1:0] - 2'd1;              // of 1 to 4
+    assign cur_next   = {base, left, list[71:18]};
     wire [DEPTHW:0] sp_next = want_push ? s3_sp_q + 1'b1 : use_t ? s3_sp_q - 1'b1 : s3_sp_q;
     wire signed [15:0] least_next = want_push ? (s3_c_least_q ? c_first : s3_least_q)
                                     : use_t ? s3_below_q : s3_least_q;
@@ -172,7 +175,7 @@ module rt_next #(
     wire again = s3_valid_q && !s3_ended_q && use_t && !s3_t_ok_q;
     assign keep = go || again;
 
-    wire unused = &{1'b0, list[17:2]};
+    wire unused = &{1'b0, list[17:2], count[2]};
 
     always @(posedge clk) begin
         again_q      <= again;

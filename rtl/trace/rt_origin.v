@@ -14,6 +14,7 @@ module rt_origin #(
     parameter NG        = 2,   // guard bits of a hit point
     parameter LIFTS     = 0,   // 1: facets may stand between a point and a light
     parameter SECONDARY = 1,   // 1: there are shadow or reflected rays
+    parameter LUTS      = 0,   // 1: odd bits of memories in LUTs, not in block RAM
     parameter SHADES    = 1,   // shading units, power of two
     parameter SLOTS     = 32   // power of two
 ) (
@@ -55,7 +56,7 @@ module rt_origin #(
                 wire [OB-1:0] org_s  = org_i[OB*s +: OB];
                 wire [KB-1:0] skip_s = skip_i[KB*s +: KB];
                 wire [3*W+LIFT-1:0] from = {org_s[`RT_ORG_LIFT], org_s[`RT_ORG_POINT]};
-                rt_slot_ram #(.WIDTH(PB), .SLOTS(SLOTS >> SB), .OLD(0)) u_point (
+                rt_slot_ram #(.WIDTH(PB), .SLOTS(SLOTS >> SB), .OLD(0), .LUTS(LUTS)) u_point (
                     .clk(clk), .wr_en_i(org_s[`RT_ORG_VALID]), .wr_addr_i(org_s[OB-1 -: SLOTW]),
                     .wr_data_i(from[PB-1:0]),
                     .rd_en_i(read_s), .rd_addr_i(slot_i[SLOTW-1:0]),

@@ -21,6 +21,7 @@ module rt_setup #(
     parameter ACROSS  = 1,  // clocks a ray's axes across it, 1 or 2; 0: none are asked for
     parameter UNITS   = 2,  // units for unit vectors, 1 or 2
     parameter UNIT_INTERVAL = 2, // clocks a vector of each, 2 or 4
+    parameter LUTS    = 0,  // 1: odd bits of memories in LUTs, not in block RAM
     parameter SHADES  = 1,  // shading units, power of two
     parameter SLOTS   = 32  // power of two
 ) (
@@ -245,7 +246,7 @@ module rt_setup #(
 
     // ---- origin: read so that it is there with the ray ----
     rt_origin #(.W(W), .FW(FW), .NG(NG), .LIFTS(FACETS != 0 && SHADOWS != 0 ? 1 : 0),
-                .SECONDARY(SECONDARY), .SHADES(SHADES), .SLOTS(SLOTS)) u_origin (
+                .SECONDARY(SECONDARY), .LUTS(LUTS), .SHADES(SHADES), .SLOTS(SLOTS)) u_origin (
         .clk(clk), .eye_i(eye_i), .org_i(org_i), .skip_i(skip_i),
         .read_i(s2_valid_q && s2_kind_q != NORMAL), .slot_i(s2_slot_q),
         .primary_i(s2_kind_q == PRIMARY),

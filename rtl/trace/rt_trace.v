@@ -21,7 +21,7 @@ module rt_trace #(
     parameter FIRST = 1,    // 1: primary rays may end with their first hit
     parameter FARS  = 1,    // 1: hits that are far
     parameter FACETS = 0,   // 1: a leaf child may have a whole line
-    parameter LUTS  = 0,    // 1: squares of node filters in LUTs, not in multipliers
+    parameter LUTS  = 0,    // 1: squares of filters, odd bits of memories in LUTs
     parameter ACCEL = 0,    // 0: nodes of four spheres, 1: BIH, 2: nodes of four boxes
     parameter WAITS = 0     // 1: rays that are done wait for done_ready_i
 ) (
@@ -133,7 +133,7 @@ module rt_trace #(
             );
 
             // ---- the next node ----
-            rt_next #(.FW(LW), .SLOTS(SLOTS), .DEPTH(STACK),
+            rt_next #(.FW(LW), .SLOTS(SLOTS), .DEPTH(STACK), .LUTS(LUTS),
                       .ENDS(SHADOW != 0 || FIRST != 0 ? 1 : 0)) u_next (
                 .clk(clk), .rst(rst),
                 .found_valid_i(found_valid), .found_slot_i(found[`RT_FOUND_SLOT]),
@@ -201,7 +201,7 @@ module rt_trace #(
 
     // ---- results of leaf children; first hits ----
     rt_collect #(.W(W), .WD(WD), .FW(LW), .KEYS(ACCEL), .SLOTS(SLOTS), .SHADOW(SHADOW),
-                 .INSIDE(FARS), .FIRST(FIRST)) u_collect (
+                 .INSIDE(FARS), .FIRST(FIRST), .LUTS(LUTS)) u_collect (
         .clk(clk), .rst(rst),
         .want_valid_i(visit_o[`RT_VISIT_VALID]), .want_slot_i(visit_o[`RT_VISIT_SLOT]),
         .want_count_i(count),

@@ -21,7 +21,7 @@ module rt_traverse #(
     parameter SHADOW = 1,   // 1: shadow rays
     parameter FIRST = 1,    // 1: rays that end with their first hit
     parameter FACETS = 0,   // 1: a leaf child may have a whole line
-    parameter LUTS  = 0,    // 1: squares of rt_filter in LUTs, not in multipliers
+    parameter LUTS  = 0,    // 1: squares of rt_filter, odd bits of memories in LUTs
     parameter BOXES = 0,    // 1: children are in boxes, not in spheres
     parameter LW    = BOXES != 0 ? 14 : FW   // not to be set: depth, bits - 1
 ) (
@@ -160,13 +160,13 @@ module rt_traverse #(
             wire [3*FW-1:0]  t1_org;
             localparam AW = `RT_ACROSS_BITS - SLOTW;
             wire [AW-1:0]    t1_across;
-            rt_slot_ram #(.WIDTH(YW+OB), .SLOTS(SLOTS), .OLD(0)) u_ray (
+            rt_slot_ram #(.WIDTH(YW+OB), .SLOTS(SLOTS), .OLD(0), .LUTS(LUTS)) u_ray (
                 .clk(clk), .wr_en_i(ray_i[`RT_RAY_VALID]), .wr_addr_i(ray_i[`RT_RAY_SLOT]),
                 .wr_data_i(y[YW+OB-1:0]),
                 .rd_en_i(rsp_valid), .rd_addr_i(rsp_slot), .rd_data_o(t1_ray)
             );
             assign {t1_negative, t1_axis, t1_org} = t1_ray[YW-1:0];
-            rt_slot_ram #(.WIDTH(AW), .SLOTS(SLOTS), .OLD(0)) u_across (
+            rt_slot_ram #(.WIDTH(AW), .SLOTS(SLOTS), .OLD(0), .LUTS(LUTS)) u_across (
                 .clk(clk), .wr_en_i(across_i[`RT_ACROSS_VALID]),
                 .wr_addr_i(across_i[`RT_ACROSS_SLOT]), .wr_data_i(across_i[AW-1:0]),
                 .rd_en_i(rsp_valid), .rd_addr_i(rsp_slot), .rd_data_o(t1_across)
@@ -248,7 +248,7 @@ module rt_traverse #(
         .wr_data_i({i3_ray_q + one, i3_visits}),
         .rd_addr_i(i1_slot_q), .rd_data_o({ray_visits, pixel_visits})
     );
-    rt_slot_ram #(.WIDTH(VB), .SLOTS(SLOTS), .OLD(0)) u_visits_out (
+    rt_slot_ram #(.WIDTH(VB), .SLOTS(SLOTS), .OLD(0), .LUTS(LUTS)) u_visits_out (
         .clk(clk), .wr_en_i(i3_valid_q), .wr_addr_i(i3_slot_q), .wr_data_i(i3_visits),
         .rd_en_i(visits_read_i), .rd_addr_i(visits_slot_i), .rd_data_o(visits_o)
     );
