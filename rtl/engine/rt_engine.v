@@ -20,7 +20,7 @@ module rt_engine #(
     parameter SHADES     = 1,    // shading units, power of two
     parameter SETUPS     = 1,    // set-up units, power of two, at most EXACTS
     parameter SLOTS      = 64,   // numbers of slots, power of two: {pipe, slot of its own}
-    parameter LUTS       = 0,    // 1: squares of filters, odd bits of memories in LUTs
+    parameter LUTS       = 0,    // not 0: squares in LUTs; cells that a block RAM is worth
     parameter STACK      = 16,   // sibling groups waiting per ray, power of two
     parameter SHADOW     = 1,    // effects elaborated, see rt_core
     parameter REFLECT    = 5,

@@ -4,7 +4,7 @@
 // is low. Reading the address that is written in the same cycle gives the old word if OLD is 1
 // (block RAM of some families needs a bypass for it: WIDTH flip-flops and LUTs); with OLD 0 the
 // owner promises that it never happens, and a simulation stops if it does.
-// With LUTS the bits that words of 36 leave over lie in a rt_slot_file if they are few.
+// The bits that blocks of 36 leave over lie in a rt_slot_file if LUTS cells hold them.
 // Contents are not reset: write a word before its value matters.
 `timescale 1ns / 1ps
 `default_nettype none
@@ -12,7 +12,7 @@ module rt_slot_ram #(
     parameter WIDTH = 32,                 // bits of a word
     parameter SLOTS = 16,                 // words, at least 2
     parameter OLD   = 1,                  // 1: collision reads the old word, 0: never collides
-    parameter LUTS  = 0,                  // 1: what is left over in LUTs, not in a block
+    parameter LUTS  = 0,                  // cells of 16 x 4 bits that a block is worth
     parameter AB    = $clog2(SLOTS)       // address bits, derived: leave alone
 ) (
     input  wire             clk,
@@ -23,10 +23,9 @@ module rt_slot_ram #(
     input  wire [AB-1:0]    rd_addr_i,
     output wire [WIDTH-1:0] rd_data_o     // word read last
 );
-    // 24 cells of 16 x 4 bits, some 150 LUTs, are the most that one block is worth.
     localparam LEFT  = WIDTH % 36;
     localparam CELLS = ((SLOTS + 15) / 16) * ((LEFT + 3) / 4);
-    localparam LOW   = LUTS != 0 && CELLS <= 24 ? LEFT : 0;  // bits in LUTs, the low ones
+    localparam LOW   = CELLS <= LUTS ? LEFT : 0;  // bits in LUTs, the low ones
     wire collision = wr_en_i && rd_en_i && wr_addr_i == rd_addr_i;
     generate
         if (LOW < WIDTH) begin : g_block

@@ -11,7 +11,7 @@
 module rt_blends #(
     parameter REFLECT = 5,   // reflections, 0..10
     parameter PROBE   = 1,   // 1: some surfaces are probed (INTERPENETRATE)
-    parameter LUTS    = 0,   // 1: odd bits of memories in LUTs, not in block RAM
+    parameter LUTS    = 0,   // LUT cells that a block RAM is worth, rt_slot_ram
     parameter SLOTS   = 32  // power of two
 ) (
     input  wire             clk,

@@ -17,7 +17,7 @@ module rt_compose #(
     parameter REFRACT = 0,
     parameter SPECULAR = 0,
     parameter SUM     = 0,
-    parameter LUTS    = 0,   // 1: odd bits of memories in LUTs, not in block RAM
+    parameter LUTS    = 0,   // LUT cells that a block RAM is worth, rt_slot_ram
     parameter SLOTS   = 32   // power of two
 ) (
     input  wire                         clk,

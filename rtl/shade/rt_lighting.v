@@ -15,7 +15,7 @@ module rt_lighting #(
     parameter WD     = 17,   // direction component, bits
     parameter NG     = 2,    // guard bits of the hit point
     parameter SLOTS  = 64,   // rays in flight, power of two
-    parameter LUTS   = 0,    // 1: odd bits of memories in LUTs, not in block RAM
+    parameter LUTS   = 0,    // LUT cells that a block RAM is worth, rt_slot_ram
     parameter SHADOW = 1,    // 1: shadow rays
     parameter LIGHTS = 8,    // 0: ambient light alone
     parameter SPECULAR = 0,  // 1: highlights

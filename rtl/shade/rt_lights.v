@@ -17,7 +17,7 @@ module rt_lights #(
     parameter SHADOW = 1,  // 1: shadow rays end here, 0: there are none, or rt_shine has them
     parameter AMBIENT = 1, // 0: the sum starts from nothing
     parameter GLOSS = 0,   // 1: highlights are summed too
-    parameter LUTS  = 0,   // 1: odd bits of memories in LUTs, not in block RAM
+    parameter LUTS  = 0,   // LUT cells that a block RAM is worth, rt_slot_ram
     parameter SLOTS = 32  // power of two
 ) (
     input  wire              clk,

@@ -16,7 +16,7 @@ module rt_shade #(
     parameter NG         = 2,    // guard bits of the normal
     parameter PR         = 0,    // significant bits of the root, 0: all
     parameter SLOTS      = 64,   // rays in flight, power of two
-    parameter LUTS       = 0,    // 1: odd bits of memories in LUTs, not in block RAM
+    parameter LUTS       = 0,    // LUT cells that a block RAM is worth, rt_slot_ram
     parameter SHADOW     = 1,    // 1: shadow rays
     parameter REFLECT    = 5,    // effects elaborated, see rt_core
     parameter LIGHTS     = 8,

@@ -18,7 +18,7 @@ module rt_shades #(
     parameter SHADES     = 1,    // shading units, power of two
     parameter SETUPS     = 1,    // set-up units, power of two, at most SHADES
     parameter SLOTS      = 64,   // numbers of slots, power of two
-    parameter LUTS       = 0,    // 1: odd bits of memories in LUTs, not in block RAM
+    parameter LUTS       = 0,    // LUT cells that a block RAM is worth, rt_slot_ram
     parameter SHADOW     = 1,    // 1: shadow rays
     parameter REFLECT    = 5,    // effects elaborated, see rt_core
     parameter LIGHTS     = 8,

@@ -16,7 +16,7 @@ module rt_collect #(
     parameter SHADOW = 1,  // 1: shadow rays
     parameter INSIDE = 1,  // 1: far roots, or facets: far is kept
     parameter FIRST = 1,   // 1: rays that end with the first visit that hits
-    parameter LUTS  = 0,   // 1: odd bits of memories in LUTs, not in block RAM
+    parameter LUTS  = 0,   // LUT cells that a block RAM is worth, rt_slot_ram
     parameter KEYS  = 0    // 1: depths are T-words, 2: of boxes; scale and shift are not used
 ) (
     input  wire              clk,

@@ -14,7 +14,7 @@ module rt_next #(
     parameter FW    = 14,   // filter coordinate, bits
     parameter SLOTS = 32,   // power of two
     parameter DEPTH = 16,   // stack entries a slot, power of two
-    parameter LUTS  = 0,    // 1: odd bits of memories in LUTs, not in block RAM
+    parameter LUTS  = 0,    // LUT cells that a block RAM is worth, rt_slot_ram
     parameter ENDS  = 1     // 1: some rays end with a hit
 ) (
     input  wire             clk,

@@ -14,7 +14,7 @@ module rt_origin #(
     parameter NG        = 2,   // guard bits of a hit point
     parameter LIFTS     = 0,   // 1: facets may stand between a point and a light
     parameter SECONDARY = 1,   // 1: there are shadow or reflected rays
-    parameter LUTS      = 0,   // 1: odd bits of memories in LUTs, not in block RAM
+    parameter LUTS      = 0,   // LUT cells that a block RAM is worth, rt_slot_ram
     parameter SHADES    = 1,   // shading units, power of two
     parameter SLOTS     = 32   // power of two
 ) (

@@ -25,7 +25,7 @@ module rt_pipes #(
     parameter FIRST = 1,    // 1: primary rays may end with their first hit
     parameter FARS  = 1,    // 1: hits that are far
     parameter FACETS = 0,   // 1: a leaf child may have a whole line
-    parameter LUTS  = 0,    // 1: squares of filters, odd bits of memories in LUTs
+    parameter LUTS  = 0,    // not 0: squares in LUTs; cells that a block RAM is worth
     parameter ACCEL = 0     // 0: nodes of four spheres, 1: BIH, 2: nodes of four boxes
 ) (
     input  wire                       clk,

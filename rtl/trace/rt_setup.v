@@ -21,7 +21,7 @@ module rt_setup #(
     parameter ACROSS  = 1,  // clocks a ray's axes across it, 1 or 2; 0: none are asked for
     parameter UNITS   = 2,  // units for unit vectors, 1 or 2
     parameter UNIT_INTERVAL = 2, // clocks a vector of each, 2 or 4
-    parameter LUTS    = 0,  // 1: odd bits of memories in LUTs, not in block RAM
+    parameter LUTS    = 0,  // LUT cells that a block RAM is worth, rt_slot_ram
     parameter SHADES  = 1,  // shading units, power of two
     parameter SLOTS   = 32  // power of two
 ) (

@@ -21,7 +21,7 @@ module rt_traverse #(
     parameter SHADOW = 1,   // 1: shadow rays
     parameter FIRST = 1,    // 1: rays that end with their first hit
     parameter FACETS = 0,   // 1: a leaf child may have a whole line
-    parameter LUTS  = 0,    // 1: squares of rt_filter, odd bits of memories in LUTs
+    parameter LUTS  = 0,    // not 0: squares in LUTs; cells that a block RAM is worth
     parameter BOXES = 0,    // 1: children are in boxes, not in spheres
     parameter LW    = BOXES != 0 ? 14 : FW   // not to be set: depth, bits - 1
 ) (

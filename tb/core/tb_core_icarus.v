@@ -65,7 +65,7 @@ module tb_core_icarus #(
     parameter FACET_INTERVAL = 0, // 0..4, power of two: clocks a facet, 0: 2, wide without BOXES 4
     parameter UNITS      = 2,    // 1..2: units for unit vectors an engine
     parameter UNIT_INTERVAL = 2, // 2..4, power of two: clocks a vector of each
-    parameter SQUARES    = 0,    // 0..2: squares, odd bits of memories: 2 in LUTs, 0: by PIPES
+    parameter SQUARES    = 0,    // 0..2: squares, odd memory bits: 1 no, 2 in LUTs, 0: by PIPES
     parameter HIT_INTERVAL = 8,  // 8..12: clocks a hit point and its normal, 8 or 12
     parameter BOUNCE_INTERVAL = 10 // 10..12: clocks a mirrored direction, 10 or 12
     // end of parameters
