@@ -34,14 +34,15 @@ study-page: $(TOOL)
 	$(Q)python3 -m lab.pages.measured docs/results/accuracy.md "make study" $$(cat $(STUDY)/tables)
 
 # SEEDS: SPEED-SEED each; ROUTE=1 routes, too: half an hour each
-SEEDS_CORE := standard-ecp5-shadow+reflect2-engines1
+SEEDS_CORE ?= standard-ecp5-shadow+reflect2+lights3+inside-engines1
 SEEDS      ?= 8-1 8-2 8-3 6-1
+SEEDS_AT    = $(STUDY)/seeds/$(SEEDS_CORE)
 study-seeds: $(STUDY)/venv/done ## MHz of one core placed with several seeds; minutes each
-	$(Q)sh synth/core.sh $(SEEDS_CORE) $(STUDY)/seeds/core
-	$(Q)for s in $(SEEDS); do mkdir -p $(STUDY)/seeds/$$s && BUILD=$B ROUTE=$(or $(ROUTE),0) \
-	    SEED=$${s#*-} SPEED=$${s%-*} sh synth/place.sh $(STUDY)/seeds/core $(STUDY)/seeds/$$s || \
+	$(Q)sh synth/core.sh $(SEEDS_CORE) $(SEEDS_AT)/core
+	$(Q)for s in $(SEEDS); do mkdir -p $(SEEDS_AT)/$$s && BUILD=$B ROUTE=$(or $(ROUTE),0) \
+	    SEED=$${s#*-} SPEED=$${s%-*} sh synth/place.sh $(SEEDS_AT)/core $(SEEDS_AT)/$$s || \
 	    exit 1; done
-	$(Q)python3 -m lab.study.seeds $(SEEDS_CORE) $(addprefix $(STUDY)/seeds/,$(SEEDS))
+	$(Q)python3 -m lab.study.seeds $(SEEDS_CORE) $(addprefix $(SEEDS_AT)/,$(SEEDS))
 	$(Q)python3 -m lab.pages.measured docs/results/accuracy.md "make study-seeds" seeds
 
 study-pnr: $(STUDY)/venv/done

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-# seeds.py - the clock of one core that was placed with several seeds
+# seeds.py - the clocks of cores that were placed with several seeds
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab.study.seeds CORE FOLDER...
-Each folder, SPEED-SEED by name, has the placed.json of synth/place.sh. Writes the table
-docs/results/data/accuracy.seeds.tsv: per speed grade the seeds, and the least, the median and the
-greatest clock of them."""
+Each folder, SPEED-SEED by name, has the placed.json of synth/place.sh. Writes rows of the core into
+the table docs/results/data/accuracy.seeds.tsv: per speed grade the seeds, and the least, the median
+and the greatest clock of them. Rows of other cores stay."""
 import json
 import statistics
 import sys
@@ -29,7 +29,9 @@ def rows(core, folders):
 
 
 def main(core, folders):
-    lines = ["\t".join(row) + "\n" for row in [COLUMNS] + rows(core, folders)]
+    others = [row for row in data.read("accuracy.seeds")[1] if row[0] != f"`{core}`"]
+    table = [COLUMNS] + sorted(others + rows(core, folders), key=lambda row: row[0])
+    lines = ["\t".join(row) + "\n" for row in table]
     data.write(data.FOLDER / "accuracy.seeds.tsv", data.HEAD + "".join(lines))
 
 
