@@ -213,14 +213,12 @@ def sequence(data):
     rows = []
     for name in data.names:
         run = data.read(f"{name}.sequence.json")
-        ratio = slower_of(data, name)
         for frame in run["frames"] if run else []:
             def ms(clock):
                 return f"{clock / data.mhz / 1000:.0f}"
             rows.append([name, frame["at"], frame["bases"]["computed"], frame["bases"]["kept"],
                          f"{1000 * frame['cpu_seconds']:.0f}", ms(frame["memory_bytes"] / BEAT),
-                         show(ratio and least(frame["counters"]) * ratio / data.mhz / 1000,
-                              "{:.0f}")])
+                         ms(least(frame["counters"]))])
     return report.table(["scene", "frame", "P_b made", "kept", "build, ms", "upload, ms",
                          "draw, ms"], rows)
 
