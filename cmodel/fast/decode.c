@@ -89,9 +89,12 @@ static void read_node(const struct job *j, uint32_t line, struct sph_fast *f,
     }
     for (int i = 0; i < node->tests && !boxes; i++) {
         struct sph_child child = sph_child_read(sph_line(j->m, line), i);
-        for (int k = 0; k < 3; k++)
-            node->ctr[k][i] = (int16_t)child.ctr[k];
-        node->rad[i] = (int16_t)child.rad;
+        int32_t rad = child.rad << SPH_FILTER_FRACTION;
+        node->xy[i][0] = (int16_t)child.ctr[0];
+        node->xy[i][1] = (int16_t)child.ctr[1];
+        node->zr[i][0] = (int16_t)child.ctr[2];
+        node->zr[i][1] = (int16_t)child.rad;
+        node->square[i] = rad * rad;
     }
     for (uint32_t i = 0; i < n_leaf; i++)
         read_leaf(j, sph_record(j->m, j->whole, base + n_inner, i), &f->leaves[leaf + i]);

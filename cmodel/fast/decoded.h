@@ -8,15 +8,20 @@
 
 /* A node: one line of the processor's cache. The children of a number, leaves behind inner ones. */
 struct sph_fast_node {
-    int16_t ctr[3][4]; /* filter units, of child 0..3 */
-    int16_t rad[4];
-    uint32_t inner; /* number of the node that is inner child 0 */
-    uint32_t leaf;  /* and of the record that is leaf child 0 */
+    int16_t xy[4][2], zr[4][2]; /* centre and radius of child 0..3, filter units */
+    int32_t square[4];          /* of the radius, in units of filter's distances */
+    uint32_t inner;             /* number of the node that is inner child 0 */
+    uint32_t leaf;              /* and of the record that is leaf child 0 */
     uint8_t n_inner, tests;
     uint8_t valid; /* bit i: there is a child i */
     uint8_t bad;   /* the error BAD_NODE when it is visited */
-    uint32_t unused[5];
+    uint32_t unused;
 };
+
+/* Coordinate k of child i's centre. */
+static inline int16_t sph_fast_ctr(const struct sph_fast_node *n, int k, int i) {
+    return k < 2 ? n->xy[i][k] : n->zr[i][0];
+}
 
 /* Planes of a node's boxes, grid units. */
 struct sph_fast_boxes {

@@ -9,25 +9,32 @@
 
 enum { KEY_NONE = 0xffff };
 
-/* Twice four words of 16 bits: how near each child is, all ones if it is not to be visited. A key
- * is one of these words below the number of the child. */
+/* Four words of 16 bits, and four that are all ones: how near each child is, all ones if it is not
+ * to be visited. A key is one of these words below the number of the child. */
 typedef __m128i keys;
 
 static const uint64_t lane_word[4] = {0xffff, 0xffffull << 16, 0xffffull << 32, 0xffffull << 48};
 
 /* Ones where a node has no inner child: it has so many. */
-static const int32_t outer[5][4] = {
-    {-1, -1, -1, -1}, {0, -1, -1, -1}, {0, 0, -1, -1}, {0, 0, 0, -1}, {0, 0, 0, 0}};
+static const int16_t outer[5][8] = {{-1, -1, -1, -1, -1, -1, -1, -1},
+                                    {0, -1, -1, -1, -1, -1, -1, -1},
+                                    {0, 0, -1, -1, -1, -1, -1, -1},
+                                    {0, 0, 0, -1, -1, -1, -1, -1},
+                                    {0, 0, 0, 0, -1, -1, -1, -1}};
 
 static inline keys no_keys(void) {
     return _mm_set1_epi32(-1);
 }
 
-/* The keys of inner children, of words of 32 bits: near, below KEY_NONE; missed, all ones or 0. */
+/* The keys of inner children: near, below KEY_NONE; missed, all ones or 0. */
 static inline keys keys_of(__m128i near, __m128i missed, uint32_t n_inner) {
     missed = _mm_or_si128(missed, _mm_loadu_si128((const __m128i *)(const void *)outer[n_inner]));
-    return _mm_shuffle_epi8(_mm_or_si128(near, missed),
-                            _mm_setr_epi8(0, 1, 4, 5, 8, 9, 12, 13, 0, 1, 4, 5, 8, 9, 12, 13));
+    return _mm_or_si128(near, missed);
+}
+
+/* Bit i: child i is met, as far as there is one. */
+static inline unsigned met_of(__m128i missed) {
+    return ~(unsigned)_mm_movemask_epi8(_mm_packs_epi16(missed, missed));
 }
 
 static inline int32_t first(keys k) {
@@ -43,7 +50,8 @@ static inline int32_t key_near(int32_t key) {
 }
 
 static inline keys without(keys k, int32_t key) {
-    return _mm_or_si128(k, _mm_set1_epi64x((int64_t)lane_word[key_child(key)]));
+    return _mm_or_si128(k,
+                        _mm_loadl_epi64((const __m128i *)(const void *)&lane_word[key_child(key)]));
 }
 
 #endif

@@ -24,7 +24,6 @@ enum { LANES = 2 };
 typedef double real __attribute__((vector_size(8 * LANES), may_alias));
 typedef int64_t real_mask __attribute__((vector_size(8 * LANES)));
 typedef int32_t four __attribute__((vector_size(16)));
-typedef int16_t four_short __attribute__((vector_size(8)));
 
 /* Of a mask one bit for each lane. */
 static inline unsigned bits(real_mask m) {
@@ -81,11 +80,14 @@ static inline real roots(real x) {
 #endif
 }
 
-/* Four words of 16 bits as such of 32. */
-static inline four quarter(const int16_t *at) {
-    four_short x;
+/* Four pairs, the second of a pair above the first. */
+static inline four pairs(const int16_t at[4][2]) {
+    four x;
     memcpy(&x, at, sizeof x);
-    return __builtin_convertvector(x, four);
+#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+    x = x << 16 | (x >> 16 & 0xffff);
+#endif
+    return x;
 }
 
 #endif

@@ -15,7 +15,7 @@ static inline void sph_fast_leaf_visit(struct sph_probe *probe, const struct sph
                                        const uint32_t *mem) {
     const struct sph_ray *ray = probe->ray;
     const int64_t *d = ray->dir;
-    if (leaf->record) {
+    if (__builtin_expect(leaf->record != 0, 0)) {
         sph_leaf_visit(probe, mem + (leaf->record - 1));
         return;
     }

@@ -33,8 +33,8 @@ static int sound(struct way *w, uint32_t number, int level) {
     if (n->bad || level == SPH_STACK_DEPTH || ++w->met > w->f->n_nodes) return 0;
     for (uint32_t i = 0; i < n->tests; i++) {
         for (int k = 0; k < 3; k++)
-            w->ctr[level][k] = n->ctr[k][i] * unit;
-        w->rad[level] = (n->rad[i] - SPH_FILTER_MARGIN) * unit;
+            w->ctr[level][k] = sph_fast_ctr(n, k, (int)i) * unit;
+        w->rad[level] = (n->zr[i][1] - SPH_FILTER_MARGIN) * unit;
         if (i < n->n_inner ? !sound(w, n->inner + i, level + 1)
                            : !held(w, &w->f->leaves[n->leaf + i - n->n_inner], level + 1))
             return 0;

@@ -31,9 +31,8 @@ static inline four beyond(const struct sph_shaft_side *side, four c, four s, fou
  * that it meets. */
 static unsigned meets(const struct sph_shaft *h, const struct sph_fast_node *n,
                       struct waiting *stack, int *sp) {
-    four c[3], r = quarter(n->rad) - SPH_FILTER_MARGIN;
-    for (int k = 0; k < 3; k++)
-        c[k] = quarter(n->ctr[k]);
+    four xy = pairs(n->xy), zr = pairs(n->zr), r = (zr >> 16) - SPH_FILTER_MARGIN;
+    four c[3] = {xy << 16 >> 16, xy >> 16, zr << 16 >> 16};
     four along = c[h->axis], u = c[(h->axis + 1) % 3], w = c[(h->axis + 2) % 3];
     four s = (along ^ h->sign) - h->sign - h->start, near = s - r;
     four missed = beyond(&h->most[0], u, s, r) | beyond(&h->most[1], w, s, r) |

@@ -8,15 +8,20 @@
 
 #include "math/fx.h"
 
+/* Near x; without the call that a compiler makes of it. */
+static inline double sph_fast_near(sph_i128 x) {
+    return (double)(int64_t)(x >> 62) * 0x1p62 + (double)(int64_t)(x & (((int64_t)1 << 62) - 1));
+}
+
 /* floor(sqrt(x)) for x < 2^124. The doubles are a guess and no more: the loops at the end do not
  * stop before root^2 <= x < (root + 1)^2, wherever they begin. They take a step or two, for the
  * guess is off by less than 2^62 * 2^-52 + 1, and one step of Heron's leaves less than 1 of it. */
 static inline uint64_t sph_fast_isqrt(sph_u128 x) {
-    double guess = sqrt((double)x);
-    uint64_t root = (uint64_t)guess;
+    double guess = sqrt(sph_fast_near((sph_i128)x));
+    uint64_t root = (uint64_t)(int64_t)guess;
     if (x >> 96 && root) {
         sph_i128 rest = (sph_i128)x - (sph_i128)((sph_u128)root * root);
-        root += (uint64_t)(int64_t)((double)rest / (2 * guess));
+        root += (uint64_t)(int64_t)(sph_fast_near(rest) / (2 * guess));
     }
     while ((sph_u128)root * root > x)
         root--;

@@ -19,6 +19,24 @@ struct group {
     uint32_t base;
 };
 
+/* base + i, i = 0..3. A branch for each: the processor guesses which child is next and goes on with
+ * it, and does not wait for the tests that say so; sums would make it wait. To the compiler the
+ * numbers are unknown, else it made sums of the branches. */
+static inline uint32_t guessed(uint32_t base, uint32_t i) {
+    if (i == 0) return base;
+    if (i == 1) {
+        base += 1;
+        __asm__("" : "+r"(base));
+    } else if (i == 2) {
+        base += 2;
+        __asm__("" : "+r"(base));
+    } else {
+        base += 3;
+        __asm__("" : "+r"(base));
+    }
+    return base;
+}
+
 static struct sph_hit walk(const struct sph_fast *f, const struct sph_ray *ray,
                            struct sph_counters *c, uint32_t *visits, uint32_t *errors) {
     struct sph_probe probe = sph_probe_of(f->m, ray, c, errors);
@@ -71,6 +89,7 @@ static struct sph_hit walk(const struct sph_fast *f, const struct sph_ray *ray,
             }
             now.order = order;
             now.base = n->inner;
+            node = guessed(now.base, key_child(key));
         } else {
             key = first(now.order);
             while (key_near(key) > deepest && sp) {
@@ -78,8 +97,8 @@ static struct sph_hit walk(const struct sph_fast *f, const struct sph_ray *ray,
                 key = first(now.order);
             }
             if (key_near(key) > deepest) break;
+            node = guessed(now.base, key_child(key));
         }
-        node = now.base + key_child(key);
         now.order = without(now.order, key);
     }
     *visits += visited;

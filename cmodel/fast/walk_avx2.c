@@ -6,96 +6,103 @@
 
 #ifdef __AVX2__
 #include <immintrin.h>
+#include <stddef.h>
 
 #include "fast/keys_avx2.h"
 
-#define PLUS (1ll << (49 - SPH_FILTER_FRACTION))
+/* Numbers of 18 bits as products of 16 bits take them: high * 2^LOW + low. */
+enum { LOW = 9 };
 
-/* Added to near in a key: a child that is met has near <= 2^14 and, since it ends before the origin
- * otherwise, near >= -2 rad > -2^15. */
-enum { BIAS = 1 << 15 };
-
-/* oc.p = ctr.p - org.p, so the origin is a constant of the ray, and so is PLUS, which makes the sum
- * positive, so that it may be shifted as an unsigned number: what that adds to the quotient, 2^32,
- * is beyond the 32 bits that a product takes. */
-struct lanes {
-    __m256i p_a, p_b, q[3], minus_p, minus_q; /* four words of 64 bits */
-    int i, j;
-    __m128i sign, plus; /* depth = (ctr ^ sign) + plus, four words of 32 */
-    __m128i ordered;    /* 0 if all are equally near */
-    int axis;
+/* One of the axes across the ray, for pairs of x and y and of z and radius, which counts 0 times.
+ */
+struct across {
+    __m128i xy_high, xy_low, z_high, z_low;
 };
 
-static struct lanes lanes_of(const struct sph_profile *p, const struct sph_ray *ray) {
+struct lanes {
+    __m128i org_xy, org_z; /* four times x and y, z and 0 */
+    struct across p, q;
+    __m128i pick, org, sign; /* depth = ((coordinate of a pair) - org ^ sign) - sign */
+    __m128i ordered;         /* what a key has of near: all, or nothing if all are equally near */
+    size_t along;            /* where in a node the pairs with the coordinate are */
+};
+
+/* A word of 16 bits of each pair: the first, the second. */
+static const _Alignas(16) uint8_t of_pair[2][16] = {
+    {0, 1, 4, 5, 8, 9, 12, 13, 128, 128, 128, 128, 128, 128, 128, 128},
+    {2, 3, 6, 7, 10, 11, 14, 15, 128, 128, 128, 128, 128, 128, 128, 128}};
+
+static inline __m128i load(const void *at) {
+    return _mm_load_si128(at);
+}
+
+static inline struct lanes lanes_of(const struct sph_profile *p, const struct sph_ray *ray) {
     (void)p;
     struct lanes l;
     const struct sph_across *a = &ray->across;
     const int32_t *o = ray->forg;
-    int64_t org_p = (int64_t)o[a->axis_a] * a->p_a - (int64_t)o[a->axis_b] * a->p_b, org_q = 0;
-    for (int k = 0; k < 3; k++) {
-        org_q += (int64_t)o[k] * a->q[k];
-        l.q[k] = _mm256_set1_epi64x(a->q[k]);
-    }
-    l.p_a = _mm256_set1_epi64x(a->p_a);
-    l.p_b = _mm256_set1_epi64x(-a->p_b);
-    l.minus_p = _mm256_set1_epi64x(PLUS - org_p);
-    l.minus_q = _mm256_set1_epi64x(PLUS - org_q);
-    l.i = a->axis_a;
-    l.j = a->axis_b;
-    int any = sph_ray_any(ray), sign = ray->negative ? -1 : 0, at = o[ray->axis];
-    l.axis = ray->axis;
-    l.sign = _mm_set1_epi32(sign);
-    l.plus = _mm_set1_epi32(-sign - (sign ? -at : at));
-    l.ordered = _mm_set1_epi32(any ? 0 : -1);
+    int sign = ray->negative ? -1 : 0;
+    __m128i q = _mm_setr_epi32(a->q[0], a->q[1], a->q[2], 0);
+    __m128i x = _mm_setr_epi32(a->axis_a ? 0 : a->p_a,
+                               a->axis_a        ? a->p_a
+                               : a->axis_b == 1 ? -a->p_b
+                                                : 0,
+                               a->axis_b == 2 ? -a->p_b : 0, 0);
+    __m128i ones = _mm_set1_epi32((1 << LOW) - 1);
+    __m128i high = _mm_packs_epi32(_mm_srai_epi32(q, LOW), _mm_srai_epi32(x, LOW));
+    __m128i low = _mm_packs_epi32(_mm_and_si128(q, ones), _mm_and_si128(x, ones));
+    l.q = (struct across){_mm_shuffle_epi32(high, 0x00), _mm_shuffle_epi32(low, 0x00),
+                          _mm_shuffle_epi32(high, 0x55), _mm_shuffle_epi32(low, 0x55)};
+    l.p = (struct across){_mm_shuffle_epi32(high, 0xaa), _mm_shuffle_epi32(low, 0xaa),
+                          _mm_shuffle_epi32(high, 0xff), _mm_shuffle_epi32(low, 0xff)};
+    l.org_xy = _mm_set1_epi32((int32_t)((uint32_t)o[1] << 16 | (uint16_t)o[0]));
+    l.org_z = _mm_set1_epi32((uint16_t)o[2]);
+    l.pick = load(of_pair[ray->axis == 1]);
+    l.org = _mm_set1_epi16((int16_t)o[ray->axis]);
+    l.sign = _mm_set1_epi16((int16_t)sign);
+    l.ordered = _mm_set1_epi16((int16_t)(sph_ray_any(ray) ? 0 : -1));
+    l.along =
+        ray->axis < 2 ? offsetof(struct sph_fast_node, xy) : offsetof(struct sph_fast_node, zr);
     return l;
 }
 
-/* No child is as deep as the limit, so that what has none may be deeper. */
+/* A key has near without its sign: a child that is met has near <= 2^14 and, since it ends before
+ * the origin otherwise, near >= -2 rad > -2^15. No child is as deep as the limit, so that what has
+ * none may be deeper. */
 static inline int32_t near_of(int32_t depth) {
-    return depth + BIAS < KEY_NONE ? depth + BIAS : KEY_NONE - 1;
+    return depth - INT16_MIN < KEY_NONE ? depth - INT16_MIN : KEY_NONE - 1;
 }
 
-/* Four words of 16 bits, each in a word of 64, of 32. */
-static inline __m256i wide(const int16_t *at) {
-    return _mm256_cvtepi16_epi64(_mm_loadl_epi64((const __m128i *)(const void *)at));
-}
-static inline __m128i half(const int16_t *at) {
-    return _mm_cvtepi16_epi32(_mm_loadl_epi64((const __m128i *)(const void *)at));
-}
-
-/* The square of a distance along an axis, cut. */
-static inline __m256i square(__m256i sum) {
-    __m256i x = _mm256_srli_epi64(sum, 17 - SPH_FILTER_FRACTION);
-    x = _mm256_xor_si256(x, _mm256_srai_epi32(x, 31));
-    return _mm256_mul_epi32(x, x);
+/* The distances along an axis: whole units of 2^-FRACTION, rounded down. */
+static inline __m128i distance(const struct across *a, __m128i xy, __m128i zr) {
+    __m128i high = _mm_add_epi32(_mm_madd_epi16(xy, a->xy_high), _mm_madd_epi16(zr, a->z_high));
+    __m128i low = _mm_add_epi32(_mm_madd_epi16(xy, a->xy_low), _mm_madd_epi16(zr, a->z_low));
+    return _mm_srai_epi32(_mm_add_epi32(high, _mm_srai_epi32(low, LOW)),
+                          17 - SPH_FILTER_FRACTION - LOW);
 }
 
+/* Distances are as filter.c says; those of 16 bits and more become the greatest of 15, and miss
+ * each child: a radius has 14 + FRACTION bits, and is even. */
 static inline unsigned children(const struct lanes *l, const struct sph_fast *f, uint32_t node,
                                 int32_t depth_max, keys *order) {
     const struct sph_fast_node *n = &f->nodes[node];
-    __m256i x = wide(n->ctr[0]), y = wide(n->ctr[1]), z = wide(n->ctr[2]), r = wide(n->rad);
-    __m256i p = _mm256_add_epi64(_mm256_mul_epi32(wide(n->ctr[l->i]), l->p_a),
-                                 _mm256_mul_epi32(wide(n->ctr[l->j]), l->p_b));
-    __m256i q = _mm256_add_epi64(
-        _mm256_mul_epi32(x, l->q[0]),
-        _mm256_add_epi64(_mm256_mul_epi32(y, l->q[1]), _mm256_mul_epi32(z, l->q[2])));
-    __m256i dist2 = _mm256_add_epi64(square(_mm256_add_epi64(p, l->minus_p)),
-                                     square(_mm256_add_epi64(q, l->minus_q)));
-    __m256i rad2 = _mm256_slli_epi64(_mm256_mul_epi32(r, r), 2 * SPH_FILTER_FRACTION);
-    __m256i aside = _mm256_cmpgt_epi64(dist2, rad2);
-    __m128i rad = half(n->rad);
-    __m128i depth = _mm_add_epi32(_mm_xor_si128(half(n->ctr[l->axis]), l->sign), l->plus);
-    __m128i near = _mm_sub_epi32(depth, rad);
-    __m128i out = _mm_or_si128(_mm_add_epi32(depth, rad), /* negative: it ends behind the origin */
-                               _mm_cmpgt_epi32(near, _mm_set1_epi32(depth_max)));
-    __m128i side = _mm_castps_si128(_mm_shuffle_ps(
-        _mm_castsi128_ps(_mm256_castsi256_si128(aside)),
-        _mm_castsi128_ps(_mm256_extracti128_si256(aside, 1)), _MM_SHUFFLE(2, 0, 2, 0)));
-    __m128i missed = _mm_or_si128(side, _mm_srai_epi32(out, 31));
-    unsigned met = ~(unsigned)_mm_movemask_ps(_mm_castsi128_ps(missed)) & n->valid;
-    __m128i key = _mm_and_si128(_mm_add_epi32(near, _mm_set1_epi32(BIAS)), l->ordered);
-    *order = keys_of(key, missed, n->n_inner);
-    return met;
+    __m128i zr = load(n->zr);
+    __m128i oc_xy = _mm_sub_epi16(load(n->xy), l->org_xy), oc_zr = _mm_sub_epi16(zr, l->org_z);
+    __m128i p = distance(&l->p, oc_xy, oc_zr), q = distance(&l->q, oc_xy, oc_zr);
+    __m128i pq = _mm_packs_epi32(_mm_unpacklo_epi32(p, q), _mm_unpackhi_epi32(p, q));
+    pq = _mm_xor_si128(pq, _mm_srai_epi16(pq, 15));
+    __m128i aside = _mm_cmpgt_epi32(_mm_madd_epi16(pq, pq), load(n->square));
+
+    __m128i rad = _mm_shuffle_epi8(zr, load(of_pair[1]));
+    __m128i at = _mm_shuffle_epi8(load((const char *)n + l->along), l->pick);
+    __m128i depth = _mm_sub_epi16(_mm_xor_si128(_mm_sub_epi16(at, l->org), l->sign), l->sign);
+    __m128i near = _mm_sub_epi16(depth, rad), end = _mm_add_epi16(depth, rad);
+    __m128i out = _mm_or_si128(_mm_srai_epi16(end, 15), /* it ends behind the origin */
+                               _mm_cmpgt_epi16(near, _mm_set1_epi16((int16_t)depth_max)));
+    __m128i missed = _mm_or_si128(_mm_packs_epi32(aside, aside), out);
+    near = _mm_and_si128(_mm_xor_si128(near, _mm_set1_epi16(INT16_MIN)), l->ordered);
+    *order = keys_of(near, missed, n->n_inner);
+    return met_of(missed) & n->valid;
 }
 
 #include "fast/spheres.h"

@@ -121,10 +121,10 @@ static inline unsigned children(const struct lanes *l, const struct sph_fast *f,
     __m128i near = depths(lo);
     missed = _mm_or_si128(_mm_srai_epi32(missed, 31), _mm_cmpgt_epi32(lo, _mm_min_epi32(hi, none)));
     missed = _mm_or_si128(missed, _mm_cmpgt_epi32(near, _mm_set1_epi32(depth_max)));
-    unsigned met = ~(unsigned)_mm_movemask_ps(_mm_castsi128_ps(missed)) & n->valid;
-    __m128i key = _mm_and_si128(near, l->ordered);
-    *order = keys_of(key, missed, n->n_inner);
-    return met;
+    missed = _mm_packs_epi32(missed, missed);
+    near = _mm_and_si128(near, l->ordered);
+    *order = keys_of(_mm_packs_epi32(near, near), missed, n->n_inner);
+    return met_of(missed) & n->valid;
 }
 
 #include "fast/walk.h"

@@ -39,16 +39,16 @@ static unsigned children(const struct lanes *l, const struct sph_fast *f, uint32
     for (int i = 0; i < 4; i++) {
         int32_t oc[3];
         for (int k = 0; k < 3; k++)
-            oc[k] = n->ctr[k][i] - l->org[k];
+            oc[k] = sph_fast_ctr(n, k, i) - l->org[k];
         int64_t p = cut((int64_t)oc[a->axis_a] * a->p_a - (int64_t)oc[a->axis_b] * a->p_b);
         int64_t q =
             cut((int64_t)oc[0] * a->q[0] + (int64_t)oc[1] * a->q[1] + (int64_t)oc[2] * a->q[2]);
-        int64_t rad = (int64_t)n->rad[i] << SPH_FILTER_FRACTION;
+        int64_t rad = (int64_t)n->zr[i][1] << SPH_FILTER_FRACTION;
         int32_t depth = l->sign * oc[l->axis];
-        near[i] = depth - n->rad[i];
-        met |=
-            (unsigned)(p * p + q * q <= rad * rad && depth + n->rad[i] >= 0 && near[i] <= depth_max)
-            << i;
+        near[i] = depth - n->zr[i][1];
+        met |= (unsigned)(p * p + q * q <= rad * rad && depth + n->zr[i][1] >= 0 &&
+                          near[i] <= depth_max)
+               << i;
     }
     met &= n->valid;
     *order = sorted(n, met, near, l->any);
