@@ -178,6 +178,11 @@ static int decode_tree(struct job *j, struct sph_fast *f, int lanes) {
         f->packet = boxes ? NULL : sph_packet_avx2;
         f->lanes = "avx2";
     }
+#elif defined __aarch64__
+    if (lanes == SPH_FAST_BEST && !boxes) {
+        f->walk = sph_fast_walk_neon;
+        f->lanes = "neon";
+    }
 #else
     (void)lanes;
 #endif

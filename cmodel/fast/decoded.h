@@ -62,10 +62,12 @@ extern struct sph_hit (*const sph_fast_walk_boxes_avx2)(const struct sph_fast *,
                                                         uint32_t *);
 
 /* The walks of spheres: four children one after another, or at once. NULL where the compiler knows
- * no AVX2. */
+ * no AVX2 or no NEON. */
 struct sph_hit sph_fast_walk_plain(const struct sph_fast *f, const struct sph_ray *ray,
                                    struct sph_counters *c, uint32_t *visits, uint32_t *errors);
 extern struct sph_hit (*const sph_fast_walk_avx2)(const struct sph_fast *, const struct sph_ray *,
+                                                  struct sph_counters *, uint32_t *, uint32_t *);
+extern struct sph_hit (*const sph_fast_walk_neon)(const struct sph_fast *, const struct sph_ray *,
                                                   struct sph_counters *, uint32_t *, uint32_t *);
 
 #endif

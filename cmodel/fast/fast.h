@@ -23,7 +23,7 @@ struct sph_fast *sph_fast_new(const struct sph_machine *m, int lanes);
 
 void sph_fast_free(struct sph_fast *fast);
 
-/* "avx2" or "plain": what tests the children; "bih", "boxes". */
+/* "avx2", "neon" or "plain": what tests the children; "bih", "boxes". */
 const char *sph_fast_lanes(const struct sph_fast *fast);
 
 /* As sph_traverse() of the machine through its tree: the same hit, counters, visits and errors. */
