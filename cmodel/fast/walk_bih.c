@@ -111,10 +111,17 @@ static uint32_t visit(struct walk *w, struct place at, uint32_t *visited, uint64
             int near = w->bih.axis[axis].negative;
             if (met[0] && met[1]) {
                 if (sp == SPH_BIH_STACK) return 1u << SPH_ERROR_STACK_OVERFLOW;
-                stack[sp++] = child[!near];
-                at = child[near];
-            } else if (met[0] || met[1]) {
-                at = child[met[1]];
+                if (near) {
+                    stack[sp++] = child[0];
+                    at = child[1];
+                } else {
+                    stack[sp++] = child[1];
+                    at = child[0];
+                }
+            } else if (met[1]) {
+                at = child[1];
+            } else if (met[0]) {
+                at = child[0];
             }
         }
         if (met[0] || met[1]) continue;
