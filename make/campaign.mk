@@ -20,10 +20,10 @@ campaign: $(LIB) $(TOOL) $B/test/libhard.a ## faults by Yosys in every module, a
 	@python3 -m lab.pages.measured docs/results/mutants.md "make campaign"
 
 # Faults in the arithmetic of the golden model, as many as are begun within MINUTES.
-campaign_model = builder core fast machine math pixel prim reference shade texture trace
+campaign_model = builder core fast machine math pixel prim reference shade texture trace view
 campaign_suite = $(patsubst %.c,$B/test/%.o, \
     $(notdir $(wildcard $(campaign_model:%=tests/%/test_*.c))))
-campaign-c: $(LIB) $(campaign_suite) ## faults in the model's arithmetic, and what notices them
+campaign-c: $(LIB) $(campaign_suite) $B/test/hard ## faults in the model, and what notices them
 	@JOBS=$(JOBS) python3 -m lab.mutants.model $B $(FAULTS) $(SEED) $(MINUTES) $(CC) $(CFLAGS)
 	@python3 -m lab.pages.measured docs/results/mutants.md "make campaign-c" \
 	    model model_reasons model_run model_faults

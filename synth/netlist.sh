@@ -1,14 +1,26 @@
 #!/bin/sh
-# netlist.sh - a module as its netlist for ECP5, to be simulated in the place of its RTL
+# netlist.sh - a module as its netlist for an FPGA, to be simulated in the place of its RTL
 # SPDX-License-Identifier: Apache-2.0
 #
-# usage: synth/netlist.sh MODULE FOLDER PARAMETER=VALUE...
+# usage: [FAMILY=ecp5|xc7] synth/netlist.sh MODULE FOLDER PARAMETER=VALUE...
 # Leaves in FOLDER:
 #   stat, log  what Yosys said
 #   rtl/       MODULE.v: the module's head as it is in rtl/, and in it the flat netlist; beside it
-#              the cells of ECP5, models of Yosys and, where it has none, of tb/netlist; headers
+#              the family's cells, models of Yosys and, where it has none, of tb/netlist; headers
+# xc7 has no block RAM, of which Yosys has no model: memories are LUTs.
 set -eu
 cd "$(dirname "$0")/.."
+case ${FAMILY:=ecp5} in
+ecp5) map='synth_ecp5 -nowidelut' cells=ecp5 free= ;;
+xc7)
+    map='synth_xilinx -family xc7 -flatten -nobram -noiopad -noclkbuf' cells=xilinx
+    free='setattr -unset ram_style -unset ram_block */*;'
+    ;;
+*)
+    echo "netlist.sh: FAMILY: $FAMILY is neither ecp5 nor xc7" >&2
+    exit 2
+    ;;
+esac
 top=$1 out=$2
 shift 2
 source=$(find rtl -name "$top.v")
@@ -20,7 +32,7 @@ for d in $folders; do include="$include -I$d" library="$library -libdir $d"; don
 mkdir -p "$out/rtl"
 ${NICE:-nice} yosys -q -l "$out/log" -p "verilog_defaults -add $include -DSYNTHESIS;
     read_verilog $source; ${set_all:+chparam $set_all $top;}
-    hierarchy -check -top $top $library; synth_ecp5 -nowidelut -top $top; check -assert;
+    hierarchy -check -top $top $library; $free $map -top $top; check -assert;
     tee -q -o $out/stat stat; rename -top netlist; splitnets;
     write_verilog -noattr $out/netlist.v" >"$out/errors" 2>&1 || {
     cat "$out/errors" >&2
@@ -28,10 +40,10 @@ ${NICE:-nice} yosys -q -l "$out/log" -p "verilog_defaults -add $include -DSYNTHE
 }
 
 # ---- cells: the heads of all are Yosys's ----
-cells=$(sed -n "s/^Parsing Verilog input from .\(.*ecp5\)\/cells_sim.v' .*/\1/p" "$out/log" |
+cells=$(sed -n "s/^Parsing Verilog input from .\(.*$cells\)\/cells_sim.v' .*/\1/p" "$out/log" |
     head -n 1)
 names=$({ # those of the carry cell, too
-    printf '%s\n' LUT2 LUT4
+    [ $FAMILY = xc7 ] || printf '%s\n' LUT2 LUT4
     awk '/Number of cells/ { on = 1; next } on && NF == 2 { print $1 }' "$out/stat"
 } | sort -u)
 quiet() { # what Verilator would say of code that is not ours
@@ -46,7 +58,7 @@ one() { # module, its own body if that is given
         on && $1 == "endmodule" && body { exit }
         on && !off
         $1 == "endspecify" { off = 0 }
-        on && $1 == "endmodule" { exit }' "$cells/cells_sim.v" "$cells/cells_bb.v"
+        on && $1 == "endmodule" { exit }' "$cells/cells_sim.v" $(ls "$cells/cells_bb.v" 2>/dev/null)
     [ -z "${2:-}" ] || cat "$2"
 }
 {

@@ -207,9 +207,9 @@ template <class Top> class Bench {
     /* Lets combinational outputs follow the inputs. */
     void settle() { dut.eval(); }
     /* Holds rst, for modules that have one. */
-    void reset() {
+    void reset(uint64_t clocks = 4) {
         dut.rst = 1;
-        for (int i = 0; i < 4; i++)
+        for (; clocks; clocks--)
             tick();
         dut.rst = 0;
         dut.eval();
@@ -257,8 +257,9 @@ template <class Top> class Bench {
     }
     /* Runs a pipeline of fixed latency with in_valid_i, in_ready_o (or without), in_tag_i and
      * out_...: first the corners (an array or a vector), then what make(random) returns, with
-     * random gaps. send(v) sets the other inputs of a Vector, which has members tag and taken;
-     * check(v) compares the outputs. A vector must not wait for more than `interval` clocks. */
+     * random gaps, and now and then a reset, behind which nothing comes out. send(v) sets the other
+     * inputs of a Vector, which has members tag and taken; check(v) compares the outputs. A vector
+     * must not wait for more than `interval` clocks. */
     template <class Corners, class Make, class Send, class Check>
     void stream(const Corners &corners, Make make, int tag_bits, uint64_t latency,
                 uint64_t interval, Send send, Check check) {
@@ -272,6 +273,13 @@ template <class Top> class Bench {
         reset();
         while (more()) {
             if (random.percent(1)) gaps = (unsigned)random.below(3) * 30;
+            if (random.below(5000) == 0) {
+                dut.in_valid_i = 0;
+                reset(1 + random.below(3));
+                if (dut.out_valid_o) fail("out_valid_o behind a reset");
+                sent = {};
+                last = cycle;
+            }
             if (!dut.in_valid_i) { /* without valid: inputs that must not matter */
                 v = corner < std::size(corners) ? corners[corner] : make(random);
                 v.tag = (uint64_t)random.bits(tag_bits);

@@ -97,6 +97,7 @@ class Line(Built):
 class Core(Built):
     """The core in widths of draft, small frames compared with the golden model."""
 
+    LARGE = ("--reg", "3=16383", "--reg", "4=16383", "--reg", "24=0")   # frame, pitch
     SCENES = (  # scene, options of `sphaera build`, options of the harness
         ("tests/mutants/hard.nff", (), ()),
         ("scenes/sphereflake2.nff", ("--background", "exact"), ()),
@@ -110,6 +111,17 @@ class Core(Built):
         ("scenes/inside.nff", (), ("--reg", "0=3", "--life", "--cuts", "20")),
         ("tests/scenes/texture/balls.nff", ("--accel", "bvh4"),
          ("--life", "--window", "0,0,4,3", "--trials", "50")),
+        # large coordinates; all pixels have one direction
+        ("scenes/inside.nff", ("--depth", "1"),
+         (*LARGE, "--window", "10922,10922,10926,10925", "--reg", "14=11184810")),
+        ("scenes/paper5.nff", ("--depth", "1", "--background", "rect"),
+         (*LARGE, "--window", "5461,5460,5466,5463", "--reg", "14=5592405", "--reg", "10=5464",
+          "--reg", "11=5461", "--reg", "12=16383", "--reg", "13=16383")),
+        ("scenes/paper5.nff", ("--depth", "1", "--background", "rect"),
+         (*LARGE, "--window", "8190,8190,8195,8194", "--reg", "14=0", "--reg", "10=8192",
+          "--reg", "11=8191", "--reg", "12=8194", "--reg", "13=8193")),
+        ("tests/scenes/facets/mixed.nff", ("--accel", "bvh4", "--size", "72x40", "--depth", "1"),
+         ()),
     )
 
     def __init__(self, effects, build):

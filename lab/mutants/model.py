@@ -6,7 +6,8 @@ An operator or number of a file of cmodel/ becomes another one (EDITS): COUNT of
 drawn by SEED, as many as are begun within MINUTES. The file is compiled and linked in front of the
 library's own, into one suite of tests/ after the other until one fails, hangs or crashes: those of
 its name first, then the quickest, of those that gcov says run its line. What compiles to the same
-instructions is no fault. JOBS are tried at once; what was tried is kept and not tried again."""
+instructions is no fault. JOBS are tried at once; what was tried is kept and not tried again.
+lab/mutants/left_c.py tries in one suite those that the page lists as left."""
 import glob
 import json
 import os
@@ -32,10 +33,12 @@ EDITS = ((r" \+ ", " - "), (r" - ", " + "), (r" \* ", " + "), (r" << ", " >> "),
          (r" != ", " == "), (r" && ", " || "), (r" \|\| ", " && "), (r" & ", " | "),
          (r" \| ", " & "), (r"(?<=[ (,])-(?=[a-z(])", ""), (r"(?<=[ (])!(?=[a-z(])", ""),
          (r"(?<=[ (\[])(\d+)(?=[;,) \]])", None), (r" \+= ", " -= "), (r" -= ", " += "))
-TESTS = "builder core fast machine math pixel prim reference shade texture trace".split()
+TESTS = "builder core fast machine math pixel prim reference shade texture trace view".split()
+# The program `hard` as suites: its named cases, some generated ones.
+HARD = {"hard_named": ["--named"], "hard_cases": ["--cases", "20000", "--exhaustive", "100"]}
 LONGEST = float(os.environ.get("LONGEST", "1000"))  # seconds of a suite that is tried at all
 PATIENCE, SLACK = 2, 2      # a suite may take PATIENCE times what it takes without one, and SLACK
-SOURCES = ["cmodel/*/*.[ch]", "tests/*.h", *(f"tests/{t}/*.c" for t in TESTS)]
+SOURCES = ["cmodel/*/*.[ch]", "tests/*.h", *(f"tests/{t}/*.c" for t in [*TESTS, "hard"])]
 
 
 def places():
@@ -58,17 +61,18 @@ def places():
 def suites(build):
     """Programs of tests."""
     found = [os.path.basename(n)[:-2] for t in TESTS for n in sorted(glob.glob(f"tests/{t}/*.c"))]
-    return [t for t in found if t.startswith("test_") and os.path.exists(f"{build}/test/{t}.o")]
+    return [t for t in found if t.startswith("test_") and os.path.exists(f"{build}/test/{t}.o")] + (
+        list(HARD) if os.path.exists(f"{build}/test/hard") else [])
 
 
 class Trial:
-    def __init__(self, build, compiler):
+    def __init__(self, build, compiler, survey=True):
         self.build, self.compiler = build, compiler
         self.linker = [w for w in compiler if not w.startswith("-")][-1]  # behind a ccache
         self.libraries = subprocess.run(
-            ["pkg-config", "--libs", "cmocka", "expat", "gmp", "mpfr"], check=True, text=True,
-            stdout=subprocess.PIPE).stdout.split()
-        self.suites = self.survey()
+            ["pkg-config", "--libs", "cmocka", "expat", "gmp", "jansson", "mpfr"], check=True,
+            text=True, stdout=subprocess.PIPE).stdout.split()
+        self.suites = self.survey() if survey else {}
 
     def compiled(self, folder, name, text):
         """The object file of a text in place of a file, and its instructions; None: none."""
@@ -86,14 +90,18 @@ class Trial:
     def link(self, folder, suite, objects, library):
         """A suite's program with these objects in front of the library."""
         program = f"{folder}/{suite}"
-        subprocess.run([self.linker, "-fopenmp", f"{self.build}/test/{suite}.o", *objects,
+        own = [f"{self.build}/test/{suite}.o"] if suite not in HARD else [
+            *glob.glob(f"{self.build}/test/obj/tests/hard/*.o"),
+            f"{self.build}/obj/cmodel/tool/progress.o"]
+        subprocess.run([self.linker, "-fopenmp", *own, *objects,
                         library, *self.libraries, "-lm", "-lgcov", "-o", program], check=True)
         return program
 
     def run(self, program, seconds, **more):
         """Whether a suite passes within so many seconds of a processor."""
         return subprocess.run(
-            [program], check=False, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+            [program, *HARD.get(os.path.basename(program), [])], check=False,
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds)),
             env={**os.environ, "BUILD": self.build, "OMP_NUM_THREADS": "1", **more}).returncode == 0
 
@@ -239,8 +247,8 @@ def reasons():
     return found
 
 
-def told(tried, seed, found):
-    """The tables of the page."""
+def told(tried, seed, found, same=0):
+    """The tables of the page; `same`: faults that are none, and not among those tried."""
     known, counts, why, rows = reasons(), Counter(), Counter(), []
     for name, (verdict, suite, *_) in sorted(tried.items()):
         if verdict == "left" and name in known:
@@ -261,7 +269,8 @@ def told(tried, seed, found):
             table.append([folder, *map(str, (killed + same + left, killed, same, left)),
                           f"{100 * killed / max(1, killed + left):.1f}"])
             print(*table[-1])
-    run = [[seed, str(found), str(len(tried)), str(counts["**all**", "none"]),
+    same += counts["**all**", "none"]
+    run = [[seed, str(found), str(len(tried) - counts["**all**", "none"] + same), str(same),
             store.digest(["cmodel/*/*.[ch]"])[:8]]]
     place.place(PAGE, {
         "model": page.markdown(["cmodel/", "faults", "killed", "equivalent", "left", "killed, %"],

@@ -232,8 +232,9 @@ def selected(text, top):
     at = re.search(rf"^module {top}\s*\(", text, re.M).start()
     head, rest = text[:at], text[at:]
     port = f"  input [{WIDTH - 1}:0] mutsel;\n  wire [{WIDTH - 1}:0] mutsel;\n"
-    if ", mutsel);" not in rest.split(";", 1)[0] + ";" or port not in rest:
+    rest, found = re.subn(r"\A([^;]*), mutsel\s*\);", r"\1);", rest)  # Yosys breaks some lines
+    if not found or port not in rest:
         raise RuntimeError(f"{top} has no selector of faults")
-    return head + rest.replace(", mutsel);", ");", 1).replace(
+    return head + rest.replace(
         port, '  import "DPI-C" function int mutant_number();\n'
         f"  reg [{WIDTH - 1}:0] mutsel;\n  initial mutsel = mutant_number();\n", 1)

@@ -75,7 +75,7 @@ class Slots : public bench::Bench<Vrt_slots> {
         bench::put(dut.regs_i, RT_REGS_EFFECTS, effect ? 1 << SPH_EFFECT_INTERPENETRATE : 0);
         background = (uint32_t)random.bits(24);
         prims = (uint32_t)random.below(1 << 20);
-        lines = prims + 1 + (uint32_t)random.below(1000);
+        lines = prims + 1 + (uint32_t)random.below(random.percent(50) ? 1000 : 1 << 23);
         bench::put(dut.regs_i, RT_REGS_BACKGROUND, background);
         bench::put(dut.regs_i, RT_REGS_PRIM_BASE, prims);
         bench::put(dut.regs_i, RT_REGS_MEM_LINES, lines);

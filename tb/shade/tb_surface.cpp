@@ -122,9 +122,7 @@ u128 pack(const int64_t v[3], int bits) {
 /* The unit, its slots, and the leaf cache that answers it. */
 class Run {
   public:
-    Run(int argc, char **argv)
-        : b("tb_surface", argc, argv, 100000), base((uint32_t)b.random.below(LINES)) {
-        bench::put(t.regs_i, RT_REGS_PRIM_BASE, base);
+    Run(int argc, char **argv) : b("tb_surface", argc, argv, 100000) {
         bench::put(t.ray_i, RT_RAY_VALID, 0);
         bench::put(t.hit_i, RT_HIT_HIT, 0);
         bench::put(t.record_i, RT_RECORD_VALID, 0);
@@ -171,7 +169,7 @@ class Run {
     size_t corner = 0;
     int answer = 0, quotients = 0, hits = 0;
     unsigned ready = 100, pace = 100; /* percent of clocks with fetch_ready_i, with a record */
-    const uint32_t base;
+    uint32_t base = 0;
     int64_t eye[3] = {};
     bool points = true, facets = false, smooths = false, spreads = false, /* points_on_i, effects */
         drain = true; /* they and the eye change while nothing is inside */
@@ -191,6 +189,8 @@ class Run {
         smooths = on >> SPH_EFFECT_SMOOTH & 1;
         spreads = on >> SPH_EFFECT_SPREAD & 1;
         bench::put(t.regs_i, RT_REGS_EFFECTS, on);
+        base = (uint32_t)b.random.below(LINES);
+        bench::put(t.regs_i, RT_REGS_PRIM_BASE, base);
         for (int64_t &x : eye)
             x = b.random.smixed(W);
         bench::put(t.regs_i, RT_REGS_EYE, (bench::i128)pack(eye, W));

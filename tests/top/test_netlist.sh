@@ -1,5 +1,5 @@
 #!/bin/sh
-# test_netlist.sh - the model of ECP5's block RAM, by netlists of two memories
+# test_netlist.sh - the models of memories in netlists, by netlists of three memories
 # SPDX-License-Identifier: Apache-2.0
 # A fault in a model shows that the comparison can fail.
 set -u
@@ -10,15 +10,21 @@ run() { # bench, module, parameters of the bench: its netlist, which is in $TMP/
         "$TMP/net/rtl/cells.v" "$TMP/net/rtl/$2.v" >"$TMP/build" 2>&1 || cat "$TMP/build"
     vvp -n "$TMP/tb" >"$TMP/said" && cat "$TMP/said" && grep -q '^ok' "$TMP/said"
 }
-while read -r parameters; do
+net() { # family, parameters
+    FAMILY=$1
+    export FAMILY
+    shift
+    sh synth/netlist.sh rt_slot_ram "$TMP/net" "$@"
+}
+while read -r family parameters; do
     # shellcheck disable=SC2086  # a list of words
-    check "netlist of rt_slot_ram $parameters" \
-        sh synth/netlist.sh rt_slot_ram "$TMP/net" $parameters
+    check "netlist of rt_slot_ram for $family, $parameters" net $family $parameters
     set_all=$(echo " $parameters" | sed 's/ / -Ptb_slot_ram./g')
     check "it is the memory, $parameters" run tb_slot_ram rt_slot_ram "$set_all"
 done <<END
-WIDTH=66 SLOTS=512 OLD=1
-WIDTH=5 SLOTS=4096 OLD=1
+xc7 WIDTH=5 SLOTS=64 OLD=1
+ecp5 WIDTH=66 SLOTS=512 OLD=1
+ecp5 WIDTH=5 SLOTS=4096 OLD=1
 END
 sed -i 's/if (a_writes) begin/if (a_writes \&\& !a_at[5]) begin/' "$TMP/net/rtl/cells.v"
 beside() { ! run tb_slot_ram rt_slot_ram "$set_all" && grep -q '^not ok' "$TMP/said"; }
