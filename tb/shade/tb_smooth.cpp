@@ -39,10 +39,7 @@ u128 pack(const int64_t v[3], int bits) {
 class Run {
   public:
     Run(int argc, char **argv) : b("tb_smooth", argc, argv, 20000) {
-        base = (uint32_t)b.random.below(LINES / 2);
-        lines = base + (uint32_t)b.random.below(1u << 24);
-        bench::put(t.regs_i, RT_REGS_SMOOTH_BASE, base);
-        bench::put(t.regs_i, RT_REGS_MEM_LINES, lines);
+        registers();
         bench::put(t.material_i, RT_MATERIAL_VALID, 0);
         bench::put(t.hit_i, RT_HIT_HIT, 0);
         bench::put(t.surface_i, RT_SURFACE_VALID, 0);
@@ -55,6 +52,14 @@ class Run {
     bool clock() {
         if (!b.more()) return false;
         if (b.random.percent(1)) pace = b.random.percent(50) ? 100 : (unsigned)b.random.below(60);
+        drain |= b.random.below(5000) == 0;
+        bool idle = true;
+        for (const Slot &s : slots)
+            idle &= s.state == Slot::IDLE;
+        if (drain && idle) {
+            registers();
+            drain = false;
+        }
         give_fetch();
         give_surface();
         give_material();
@@ -79,15 +84,23 @@ class Run {
     bench::Bench<Vrt_smooth> b;
     Vrt_smooth &t = b.dut;
     Slot slots[SLOTS] = {};
-    uint32_t base, lines;
+    uint32_t base = 0, lines = 0;
+    bool drain = false; /* the registers change while nothing is inside */
     unsigned pace = 100;
     int direct = -1, since = 8; /* slot of a surface of this clock; clocks since the last one */
+
+    void registers() {
+        base = (uint32_t)b.random.below(LINES / 2);
+        lines = base + (uint32_t)b.random.below(1u << 24);
+        bench::put(t.regs_i, RT_REGS_SMOOTH_BASE, base);
+        bench::put(t.regs_i, RT_REGS_MEM_LINES, lines);
+    }
 
     /* A hit: its primitive's record is asked for, beside the side that it was hit on. */
     void give_fetch() {
         int at = (int)b.random.below(SLOTS);
         Slot &s = slots[at];
-        bool now = s.state == Slot::IDLE && !bench::get(t.fetch_i, RT_FETCH_VALID);
+        bool now = !drain && s.state == Slot::IDLE && !bench::get(t.fetch_i, RT_FETCH_VALID);
         bench::put(t.hit_i, RT_HIT_HIT, now);
         if (!now) return;
         s.far = b.random.percent(40);

@@ -108,7 +108,9 @@ int main(int argc, char **argv) {
             b.dut.advance_i = 0;
             b.dut.de_i = !de;
             b.dut.data_i = (uint8_t)~d;
+            const unsigned was = b.dut.symbol_o;
             b.tick();
+            b.expect("symbol_o without advance_i", b.dut.symbol_o, was, 10);
         }
         b.dut.advance_i = 1;
         b.dut.de_i = de;
