@@ -13,7 +13,7 @@ K    := $S/tb_$(TOP)
 LIB  := $B/libsphaera.a
 RTL_FILES := $(shell find rtl tb/board -name '*.v' -o -name '*.vh')
 RTL_DIRS  := $(sort $(dir $(RTL_FILES)))
-VERILATE := verilator --cc --language 1364-2005 -Wall -O3 --x-assign unique --x-initial unique \
+VERILATE := $(VERILATOR) --cc --language 1364-2005 -Wall -O3 --x-assign unique --x-initial unique \
                 --top-module $(MODULE) --prefix V$(MODULE) $(SETS:%=-G%) $(BOARD_ROMS) \
                 $(RTL_DIRS:%=-y %) $(RTL_DIRS:%=-I%) $(filter %/$(MODULE).v,$(RTL_FILES))
 DRIVER := $S/obj/board_driver.o $S/obj/board_tool.o

@@ -54,7 +54,7 @@ SHARED := $(patsubst tb/core/%.cpp,$S/obj/%.o,$(filter-out tb/core/simulate_%.cp
 VERILATED := $(patsubst %,$S/obj/%.o,verilated verilated_threads)
 TRACED    := $(if $(filter 1,$(WAVES)),$S/obj/verilated_fst_c.o)
 
-VERILATE := verilator --cc --language 1364-2005 -Wall -O3 --x-assign fast --top-module rt_core \
+VERILATE := $(VERILATOR) --cc --language 1364-2005 -Wall -O3 --x-assign fast --top-module rt_core \
                 --prefix Vrt_core $(PARAMETERS:%=-G%) $(if $(TRACED),--trace-fst)
 ELABORATE := iverilog -g2005 -Wall -Itb/core $(PARAMETERS:%=-Ptb_core_icarus.%) -s tb_core_icarus
 COMPILE_CORE := $(if $(TRACED),$(subst $(PRECOMPILED:%=-include-pch %),,$(COMPILE)),$(COMPILE)) \

@@ -19,7 +19,7 @@ RTL_FILES := $(shell find $(RTL) -name '*.v' -o -name '*.vh')
 RTL_DIRS  := $(sort $(dir $(RTL_FILES)))
 PARAMETERS := $(shell sh sim/profile.sh '$(PROFILE)') $(shell sh sim/parameters.sh '$(CORE)') \
               DATA=$(DATA) VIDEO=1
-VERILATE := verilator --cc --language 1364-2005 -O3 --x-assign unique --x-initial unique \
+VERILATE := $(VERILATOR) --cc --language 1364-2005 -O3 --x-assign unique --x-initial unique \
                 --top-module rt_top --prefix Vrt_top $(PARAMETERS:%=-G%) \
                 $(RTL_DIRS:%=-y %) $(RTL_DIRS:%=-I%)
 VERILATE += $(if $(filter tb_shell,$(BENCH)),+1800-2017ext+sv $K/rt_core.sv,-Wall) \

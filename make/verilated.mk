@@ -14,6 +14,7 @@ S   := $B/sim
 # clang takes half of gcc's time, and the code runs faster; g++ links, for libgomp.
 CCACHE := $(shell sh sim/ccache.sh)
 LINKER := $(shell sh sim/linker.sh)
+VERILATOR := $(strip $(shell sh sim/allocator.sh) verilator)
 CLANG  := $(if $(shell command -v clang++),clang++)
 ROOT   := $(shell verilator --getenv VERILATOR_ROOT)/include
 HEADERS := -isystem $(ROOT) -isystem $(ROOT)/vltstd

@@ -12,6 +12,7 @@ folders=$(find rtl -name '*.v*' -exec dirname {} + | sort -u)
 include=$(echo "$folders" | sed 's/^/-I/')
 library="$include $(echo "$folders" | sed 's/^/-y /')"
 core=$(find rtl -name rt_core.v)
+verilator="$(sh sim/allocator.sh) verilator"
 # Standard widths; one line a value: NAME low|high|odd|least|most VALUE MESSAGE
 awk -f cmodel/machine/effects.awk -f - cmodel/machine/machine.def >"$TMP/values" <<'END'
 function number_of(text, part, n, i, sum) {
@@ -49,7 +50,7 @@ elaborate() { # icarus|verilator|yosys, alone|whole, NAME=VALUE...
     case $tool in
     icarus) iverilog -g2005 -Wall -t null $from $(printf ' -Prt_core.%s' "$@") -s rt_core $core ;;
     verilator)
-        verilator --lint-only -Wall --error-limit 200 --language 1364-2005 $from \
+        $verilator --lint-only -Wall --error-limit 200 --language 1364-2005 $from \
             $(printf ' -G%s' "$@") --top-module rt_core $core
         ;;
     yosys)
