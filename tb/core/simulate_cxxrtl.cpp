@@ -70,6 +70,7 @@ class CxxrtlCore : public PortHost {
         out.pixel.texture = static_cast<uint32_t>(word(core_.p_pix__texture__o));
         core_.p_clk.set(true);
         core_.step();
+        core_.step(); /* what follows from registers: a step ends with their new values */
         out.seen = {word(core_.p_busy__o) != 0, static_cast<uint32_t>(word(core_.p_errors__o)),
                     word(core_.p_count__data__o), true};
     }
