@@ -247,8 +247,8 @@ def reasons():
     return found
 
 
-def told(tried, seed, found, same=0):
-    """The tables of the page; `same`: faults that are none, and not among those tried."""
+def told(tried, seed, found, none=0):
+    """The tables of the page; `none`: faults that are none, and not among those tried."""
     known, counts, why, rows = reasons(), Counter(), Counter(), []
     for name, (verdict, suite, *_) in sorted(tried.items()):
         if verdict == "left" and name in known:
@@ -269,8 +269,8 @@ def told(tried, seed, found, same=0):
             table.append([folder, *map(str, (killed + same + left, killed, same, left)),
                           f"{100 * killed / max(1, killed + left):.1f}"])
             print(*table[-1])
-    same += counts["**all**", "none"]
-    run = [[seed, str(found), str(len(tried) - counts["**all**", "none"] + same), str(same),
+    none += counts["**all**", "none"]
+    run = [[seed, str(found), str(len(tried) - counts["**all**", "none"] + none), str(none),
             store.digest(["cmodel/*/*.[ch]"])[:8]]]
     place.place(PAGE, {
         "model": page.markdown(["cmodel/", "faults", "killed", "equivalent", "left", "killed, %"],
