@@ -17,11 +17,14 @@ SECONDS = 60    # of a processor
 
 def main(build, *suites):
     trial = model.Trial(build, COMPILER, survey=False)
-    found = {row[0]: row[1:] for row in data.read("mutants.model_faults")[1]}
+    known = model.reasons()
+    found = {row[0]: ["left", "-"] if row[0] in known else row[1:]
+             for row in data.read("mutants.model_faults")[1]}
     where = {model.name_of(*p): p for p in model.places()}
     for suite, _, file in (s.partition("=") for s in suites):
         for fault, (verdict, _) in found.items():
-            if verdict != "left" or fault not in where or not fault.startswith(file):
+            if (verdict != "left" or fault in known or fault not in where
+                    or not fault.startswith(file)):
                 continue
             name, at, length, to = where[fault]
             with open(name, encoding="utf-8") as f:
