@@ -20,7 +20,7 @@ campaign: $(LIB) $(TOOL) $B/test/libhard.a ## faults by Yosys in every module, a
 	@python3 -m lab.pages.measured docs/results/mutants.md "make campaign"
 
 # Faults in the arithmetic of the golden model, as many as are begun within MINUTES.
-campaign_model = builder core fast machine math pixel prim reference shade texture trace view
+campaign_model = builder core fast machine math pixel prim reference shade texture trace
 campaign_suite = $(patsubst %.c,$B/test/%.o, \
     $(notdir $(wildcard $(campaign_model:%=tests/%/test_*.c))))
 campaign-c: $(LIB) $(campaign_suite) $B/test/hard ## faults in the model, and what notices them

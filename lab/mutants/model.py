@@ -33,7 +33,7 @@ EDITS = ((r" \+ ", " - "), (r" - ", " + "), (r" \* ", " + "), (r" << ", " >> "),
          (r" != ", " == "), (r" && ", " || "), (r" \|\| ", " && "), (r" & ", " | "),
          (r" \| ", " & "), (r"(?<=[ (,])-(?=[a-z(])", ""), (r"(?<=[ (])!(?=[a-z(])", ""),
          (r"(?<=[ (\[])(\d+)(?=[;,) \]])", None), (r" \+= ", " -= "), (r" -= ", " += "))
-TESTS = "builder core fast machine math pixel prim reference shade texture trace view".split()
+TESTS = "builder core fast machine math pixel prim reference shade texture trace".split()
 # The program `hard` as suites: its named cases, some generated ones.
 HARD = {"hard_named": ["--named"], "hard_cases": ["--cases", "20000", "--exhaustive", "100"]}
 LONGEST = float(os.environ.get("LONGEST", "1000"))  # seconds of a suite that is tried at all
