@@ -211,7 +211,7 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
     if (quantise(scene, &grid, profile, parts, o->numbers, report, err)) return -1;
 
     uint32_t n = scene->n_spheres;
-    struct sph_plants plants = {balls, n, facets, profile, grid.eye, o->tree};
+    struct sph_plants plants = {balls, n, facets, profile, grid.eye, o->tree, &rays};
     if (sph_emit_tree(scene, o, &plants, tree, m, report, err)) return -1;
 
     if (sph_emit_background(tree, balls, &rays, o, m, report, err)) return -1;

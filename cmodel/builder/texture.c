@@ -11,7 +11,6 @@
 #include "builder/emit.h"
 #include "builder/texture_map.h"
 #include "common/fnv.h"
-#include "machine/camera.h"
 #include "prim/build.h"
 
 /* What grows while primitives are looked at. */
@@ -204,7 +203,8 @@ int sph_emit_textures(const struct sph_scene *scene, const struct sph_grid *grid
     struct emit e = {
         .plants = plants, .mips = options->mips, .m = machine, .first = machine->lines};
     struct sph_texture_bases own = {0}, *bases = options->bases ? options->bases : &own;
-    struct sph_texture_view view = {sph_machine_camera(machine).screen,
+    /* The camera's own rays: those of a turned grid are rounded another way for each place. */
+    struct sph_texture_view view = {-(double)plants->rays->z / plants->rays->pitch,
                                     (double)r[SPH_REG_FRAME_W] * r[SPH_REG_FRAME_H], grid->step,
                                     options->lod_literal};
     sph_bases_frame(bases, scene, &view);

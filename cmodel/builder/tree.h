@@ -32,6 +32,7 @@ struct sph_plants {
     const struct sph_profile *profile;
     const int32_t *eye;
     int kind; /* SPH_TREE_* */
+    const struct sph_rays *rays; /* primary ones, in the camera's axes: for images */
 };
 
 /* A tree of all primitives by one of the builders below, planes as leaf children of the nodes

@@ -201,10 +201,44 @@ static void kept(void **state) {
     free(mips[0].texels);
 }
 
+/* Still primitives of a grid with the scene's axes keep P_b, wherever the eye flies. */
+static const char passing[] =
+    "v from 0 0 5 at 0 0 0 up 0 1 0 angle 40 resolution 16 12\n" MAT "texture x.png 2 1\n"
+    "fly 8 3 1 4 0 0 -1\n"
+    "s 2 0 -5 1.37\ntt x.png 0 0 0 0 0 1 .3 0 1 0 0 1 .2 0 1\n";
+
+static void kept_from_afar(void **state) {
+    (void)state;
+    struct sph_scene rest, s;
+    struct sph_error err = {""};
+    struct sph_texture_bases bases;
+    struct sph_mip mips[2] = {textured_mip(64, 32, NULL), {0}};
+    struct sph_build_options o = textured_options;
+    mips[1] = mips[0];
+    o.mips = mips;
+    o.bases = &bases;
+    o.axes = SPH_AXES_SCENE;
+    read_at(passing, 0, &rest);
+    assert_int_equal(sph_bases_start(&bases, &rest, &err), 0);
+    for (uint32_t frame = 0; frame < 9; frame++) {
+        struct sph_build_report report;
+        if (sph_scene_at(&rest, frame, &s, &err)) fail_msg("%s", err.text);
+        struct sph_machine m = textured_build(&s, &o, &report);
+        assert_true(sph_machine_effect(&m, SPH_EFFECT_TURNED));
+        assert_int_equal(report.bases_kept, frame ? 2 : 0);
+        sph_machine_free(&m);
+        sph_scene_at_free(&s);
+    }
+    sph_bases_end(&bases);
+    sph_scene_free(&rest);
+    free(mips[0].texels);
+}
+
 int main(void) {
     const struct CMUnitTest others[] = {cmocka_unit_test(test_bad_at_3), cmocka_unit_test(places),
                                         cmocka_unit_test(flies), cmocka_unit_test(generated),
-                                        cmocka_unit_test(kept)};
+                                        cmocka_unit_test(kept),
+                                        cmocka_unit_test(kept_from_afar)};
     return run_cases("motion", test_bad, bads, sizeof bads / sizeof bads[0], others,
                      sizeof others / sizeof others[0]);
 }
