@@ -83,7 +83,7 @@ END
 check "half the clocks are a gain of 100 %" \
     has 'nearest level +\| +320 \| +25% \| +40 \| +4000 \| +\+100.0 % \| +\+24 % \|' "$page"
 check "build, upload, drawing" \
-    has '^\| robot +\| +5 \| +3 \| +4 \| +250 \| +10 \| +100 \|' "$page"
+    has '^\| robot +\| +5 \| +3 \| +4 \| +250 \| +10 \| +50 \|' "$page"
 
 fails_make() { # text, what is given
     said=$1
