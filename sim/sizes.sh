@@ -30,6 +30,7 @@ END {
         name = value = part[i]
         sub(/=?[0-9]+$/, "", name)
         sub(/^[a-z_]+=?/, "", value)
+        value += 0
         if (name in own) fail(name " has the variable " own[name])
         if (!(name in least)) {
             meant = nearest(name, known, sizes)
@@ -39,13 +40,13 @@ END {
         }
         if (name in seen) fail(name " is given twice")
         seen[name] = 1
-        if (value + 0 < least[name] || (most[name] ~ /^[0-9]+$/ && value + 0 > most[name]))
+        if (value < least[name] || (most[name] ~ /^[0-9]+$/ && value > most[name] + 0))
             fail(name " is " value ", not in " least[name] ".." most[name])
         for (two = 1; two < value; two *= 2);
-        if (power[name] && value + 0 && two != value + 0)
+        if (power[name] && value && two != value)
             fail(name " is " value ", no power of two")
         line = line (i > 1 ? (want == "name" ? "-" : " ") : "") \
-               (want == "name" ? name (value + 0) : toupper(name) "=" value + 0)
+               (want == "name" ? name value : toupper(name) "=" value)
     }
     print line
 }' "$here/../make/variables.mk" "$here/../cmodel/machine/machine.def"

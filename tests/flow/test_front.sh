@@ -88,7 +88,8 @@ done
 accepted() { plain_make B="$TMP/none" sim-folder "$@"; }
 check "the bounds are allowed" accepted PROFILE=standard:pq=12 SIZE=16383x1 WINDOW=0,0,16383,1 \
     DEPTH=10 JOBS=1024 ENGINES=8 STALL=99 LATENCY=100000 MAX_PRIMS=infinity SCENE=icosphere:5 \
-    ROOT_STEP=33 QUOTIENT_STEP=12 EFFECTS=all+texture LEVELS= AT=65535 "BUILD_MORE=--inside off"
+    ROOT_STEP=33 QUOTIENT_STEP=12 SIZES=slots=1024,roots=0 EFFECTS=all+texture LEVELS= AT=65535 \
+    "BUILD_MORE=--inside off"
 check "auto is a profile of a run" accepted PROFILE=auto ERROR=.5,40
 check "so is every profile, of synthesis" accepted PROFILE=all synth -n
 
