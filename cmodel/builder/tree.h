@@ -31,7 +31,7 @@ struct sph_plants {
     const struct sph_facets *facets;
     const struct sph_profile *profile;
     const int32_t *eye;
-    int kind; /* SPH_TREE_* */
+    int kind;                    /* SPH_TREE_* */
     const struct sph_rays *rays; /* primary ones, in the camera's axes: for images */
 };
 

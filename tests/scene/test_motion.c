@@ -235,10 +235,10 @@ static void kept_from_afar(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest others[] = {cmocka_unit_test(test_bad_at_3), cmocka_unit_test(places),
-                                        cmocka_unit_test(flies), cmocka_unit_test(generated),
-                                        cmocka_unit_test(kept),
-                                        cmocka_unit_test(kept_from_afar)};
+    const struct CMUnitTest others[] = {
+        cmocka_unit_test(test_bad_at_3), cmocka_unit_test(places),
+        cmocka_unit_test(flies),         cmocka_unit_test(generated),
+        cmocka_unit_test(kept),          cmocka_unit_test(kept_from_afar)};
     return run_cases("motion", test_bad, bads, sizeof bads / sizeof bads[0], others,
                      sizeof others / sizeof others[0]);
 }
