@@ -59,8 +59,8 @@ static inline uint32_t check_boxes(const struct sph_scene *s, const struct sph_m
     assert_int_equal(sph_grid_fit(s, m->profile.w, axes_of(m), &grid, NULL), 0);
     assert_int_equal(sph_grid_spheres(&grid, s, &m->profile, balls, &smallest, NULL), 0);
     assert_int_equal(sph_grid_facets(&grid, s, &m->profile, &facets, NULL), 0);
-    struct sph_plants plants = {
-        balls, s->n_spheres, &facets, &m->profile, grid.eye, m->regs[SPH_REG_TREE], NULL};
+    struct sph_plants plants = {balls,    s->n_spheres,          &facets, &m->profile,
+                                grid.eye, m->regs[SPH_REG_TREE], NULL};
     uint32_t n = boxes_below(m, &plants, (uint32_t)m->regs[SPH_REG_ROOT], &all);
     sph_facets_free(&facets);
     free(balls);
