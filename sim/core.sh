@@ -65,13 +65,11 @@ core=${info#* }
 size=${core#* } core=${core%% *}
 size=${size%% *}
 [ -n "$OPT" ] || { [ $((${size%x*} * ${size#*x})) -ge 230400 ] && OPT=-O2; } || OPT=-O1
-case $EFFECTS+$core in # what walks the machine's tree
-all+bih* | all+*+bih*) EFFECTS=all+bih ;;
-all+boxes* | all+*+boxes*) EFFECTS=all+boxes ;;
-esac
-case $EFFECTS+$core in
-all+*turned*) EFFECTS=$EFFECTS+turned ;;
-esac
+for word in bih boxes turned; do # what walks the machine's tree, in its axes
+    case $EFFECTS: in all: | all+*) ;; *) continue ;; esac
+    case $EFFECTS+ in *+$word+*) continue ;; esac
+    case +$core+ in *+$word+*) EFFECTS=$EFFECTS+$word ;; esac
+done
 [ "$EFFECTS" = auto ] || core=$EFFECTS
 built=$(sh sim/parameters.sh "$core")
 [ "$SIM" = verilator ] || WAVES=0

@@ -37,7 +37,7 @@ def whole(cores):
     words = cores.split("+")
     more = WHOLE if set(words) & set(MORE) else "all"
     more += "".join("+" + word for word in ("smooth", "clear", "spread") if word in words)
-    return more + "+bih" if "bih" in words else more
+    return more + "".join("+" + word for word in ("bih", "boxes", "turned") if word in words)
 
 
 def scenes():
