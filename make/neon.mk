@@ -27,7 +27,7 @@ neon: ## the fast walks of aarch64, NEON and plain C, against the literal one
 $(NEON)/obj/%.o: %.c $B/flags
 	$(call say,CC,"$(<F) for aarch64")
 	@mkdir -p $(@D)
-	$(call compile_whole,$(NEON_CC) $(filter-out -m%,$(CFLAGS)))
+	$(call compile_whole,$(NEON_CC) $(filter-out -m%,$(CFLAGS)) -Itests)
 
 $(NEON)/libsphaera.a: $(call objects,neon/obj/,$(NEON_C)) $B/sources
 	$(call say,AR,"$(@F) for aarch64")

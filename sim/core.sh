@@ -66,7 +66,7 @@ size=${core#* } core=${core%% *}
 size=${size%% *}
 [ -n "$OPT" ] || { [ $((${size%x*} * ${size#*x})) -ge 230400 ] && OPT=-O2; } || OPT=-O1
 for word in bih boxes turned; do # what walks the machine's tree, in its axes
-    case $EFFECTS: in all: | all+*) ;; *) continue ;; esac
+    case $EFFECTS in all | all+*) ;; *) continue ;; esac
     case $EFFECTS+ in *+$word+*) continue ;; esac
     case +$core+ in *+$word+*) EFFECTS=$EFFECTS+$word ;; esac
 done

@@ -11,16 +11,7 @@
 #include "core/render.h"
 #include "fast/fast.h"
 #include "machine/machine.h"
-
-/* What packets do not tell. */
-static void forget(struct sph_frame *frame, struct sph_counters *c) {
-    static const int work[] = {SPH_COUNT_NODE_VISITS, SPH_COUNT_CHILD_TESTS, SPH_COUNT_LEAF_TESTS,
-                               SPH_COUNT_ROOTS,       SPH_COUNT_FACET_TESTS, SPH_COUNT_DIVISIONS};
-    for (int i = 0; i < frame->width * frame->height; i++)
-        frame->pixels[i].visits = 0;
-    for (size_t i = 0; i < sizeof work / sizeof *work; i++)
-        c->count[work[i]] = 0;
-}
+#include "untold.h"
 
 /* Pixels that differ; -1 if counters or errors do. */
 static int differ(const struct sph_machine *m, int lanes, int traverse, char *name, size_t room) {
@@ -34,7 +25,7 @@ static int differ(const struct sph_machine *m, int lanes, int traverse, char *na
     if (!fast || sph_render(m, &how, &frame, &c, &err) != errors) return -1;
     snprintf(name, room, "%s%s", sph_fast_lanes(fast),
              traverse == SPH_TRAVERSE_PACKETS ? " in packets" : "");
-    if (traverse == SPH_TRAVERSE_PACKETS) forget(&expected, &c_expected);
+    if (traverse == SPH_TRAVERSE_PACKETS) untell(&expected, &c_expected);
     for (int i = 0; i < frame.width * frame.height; i++)
         wrong += memcmp(&frame.pixels[i], &expected.pixels[i], sizeof *frame.pixels) != 0;
     if (memcmp(&c, &c_expected, sizeof c) != 0) wrong = -1;

@@ -36,8 +36,8 @@ def whole(cores):
     """The core with everything that draws what a core draws."""
     words = cores.split("+")
     more = WHOLE if set(words) & set(MORE) else "all"
-    more += "".join("+" + word for word in ("smooth", "clear", "spread") if word in words)
-    return more + "".join("+" + word for word in ("bih", "boxes", "turned") if word in words)
+    return more + "".join("+" + word for word in ("smooth", "clear", "spread", "bih", "boxes",
+                                                  "turned") if word in words)
 
 
 def scenes():

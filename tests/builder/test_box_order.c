@@ -1,5 +1,5 @@
-/* test_box_order.c - the order of the children of a node of boxes changes visits of shadow rays
- * alone SPDX-License-Identifier: Apache-2.0
+/* test_box_order.c - the order of children in a node of boxes: only visits of shadow rays change
+ * SPDX-License-Identifier: Apache-2.0
  *
  * Run from the root of the repository: reads scenes/.
  */

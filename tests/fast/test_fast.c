@@ -17,6 +17,7 @@
 #include "model_scene.h"
 #include "prim/sphere.h"
 #include "scene/rng.h"
+#include "untold.h"
 
 enum { LANES = SPH_FAST_PLAIN + 1 };
 
@@ -25,16 +26,6 @@ static long frames, pixels, tiled; /* compared; frames in packets */
 static uint64_t seed(void) {
     const char *text = getenv("SEED");
     return text ? strtoull(text, NULL, 0) : 1;
-}
-
-/* What a frame has of the tree's work is not told by packets. */
-static void forget(struct sph_frame *frame, struct sph_counters *c) {
-    static const int work[] = {SPH_COUNT_NODE_VISITS, SPH_COUNT_CHILD_TESTS, SPH_COUNT_LEAF_TESTS,
-                               SPH_COUNT_ROOTS,       SPH_COUNT_FACET_TESTS, SPH_COUNT_DIVISIONS};
-    for (int i = 0; i < frame->width * frame->height; i++)
-        frame->pixels[i].visits = 0;
-    for (size_t i = 0; i < sizeof work / sizeof *work; i++)
-        c->count[work[i]] = 0;
 }
 
 /* What a literal frame is compared with. */
@@ -90,7 +81,7 @@ static void compare(const struct sph_machine *m, const char *what) {
         assert_non_null(fast[lanes]);
         same(&e, fast[lanes], SPH_TRAVERSE_FAST);
     }
-    forget(&e.frame, &e.c);
+    untell(&e.frame, &e.c);
     for (int lanes = 0; lanes < ways; lanes++) {
         same(&e, fast[lanes], SPH_TRAVERSE_PACKETS);
         tiled += sph_fast_tiles(m, fast[lanes]);

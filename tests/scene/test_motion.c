@@ -157,27 +157,50 @@ static const char show[] =
     "move .11 0 -.3 .07 0 0 0\ns -1 0 0 1\ntt x.png 0 0 0 0 0 1 .3 0 1 0 0 1 .2 0 1\n"
     "move 0 0 -40\ntexture none\ns 0 3 -30 1\n";
 
+/* Such a sequence: its scene at rest, what is kept of it, options of a build with two images. */
+struct sequence {
+    struct sph_scene rest;
+    struct sph_texture_bases bases;
+    struct sph_mip mips[2];
+    struct sph_build_options o;
+};
+
+static void sequence_start(struct sequence *q, const char *text) {
+    struct sph_error err = {""};
+    read_at(text, 0, &q->rest);
+    assert_int_equal(sph_bases_start(&q->bases, &q->rest, &err), 0);
+    q->mips[0] = q->mips[1] = textured_mip(64, 32, NULL);
+    q->o = textured_options;
+    q->o.mips = q->mips;
+    q->o.bases = &q->bases;
+}
+
+static void sequence_end(struct sequence *q) {
+    sph_bases_end(&q->bases);
+    sph_scene_free(&q->rest);
+    free(q->mips[0].texels);
+}
+
+static void scene_at(const struct sequence *q, uint32_t frame, struct sph_scene *scene) {
+    struct sph_error err = {""};
+    if (sph_scene_at(&q->rest, frame, scene, &err)) fail_msg("%s", err.text);
+}
+
 static void kept(void **state) {
     (void)state;
-    struct sph_scene rest, s;
-    struct sph_error err = {""};
-    struct sph_texture_bases bases;
-    struct sph_mip mips[2] = {textured_mip(64, 32, NULL), {0}};
-    struct sph_build_options o = textured_options;
+    struct sequence q;
+    struct sph_scene s;
     int other_steps = 0, all_kept = 0;
     double step = 0;
-    mips[1] = mips[0];
-    o.mips = mips;
-    read_at(show, 0, &rest);
-    assert_int_equal(rest.n_textures, 2);
-    assert_int_equal(sph_bases_start(&bases, &rest, &err), 0);
+    sequence_start(&q, show);
+    assert_int_equal(q.rest.n_textures, 2);
     for (uint32_t frame = 0; frame < 9; frame++) {
         struct sph_build_report alone, kept_report;
-        if (sph_scene_at(&rest, frame, &s, &err)) fail_msg("%s", err.text);
+        scene_at(&q, frame, &s);
+        struct sph_build_options o = q.o;
         o.bases = NULL;
         struct sph_machine one = textured_build(&s, &o, &alone);
-        o.bases = &bases;
-        struct sph_machine m = textured_build(&s, &o, &kept_report);
+        struct sph_machine m = textured_build(&s, &q.o, &kept_report);
         assert_int_equal(one.lines, m.lines);
         assert_memory_equal(one.mem, m.mem, (size_t)m.lines * SPH_LINE_WORDS * sizeof *m.mem);
         assert_memory_equal(one.regs, m.regs, sizeof m.regs);
@@ -196,9 +219,7 @@ static void kept(void **state) {
         sph_scene_at_free(&s);
     }
     assert_true(other_steps >= 2 && all_kept >= 4);
-    sph_bases_end(&bases);
-    sph_scene_free(&rest);
-    free(mips[0].texels);
+    sequence_end(&q);
 }
 
 /* Still primitives of a grid with the scene's axes keep P_b, wherever the eye flies. */
@@ -209,29 +230,20 @@ static const char passing[] =
 
 static void kept_from_afar(void **state) {
     (void)state;
-    struct sph_scene rest, s;
-    struct sph_error err = {""};
-    struct sph_texture_bases bases;
-    struct sph_mip mips[2] = {textured_mip(64, 32, NULL), {0}};
-    struct sph_build_options o = textured_options;
-    mips[1] = mips[0];
-    o.mips = mips;
-    o.bases = &bases;
-    o.axes = SPH_AXES_SCENE;
-    read_at(passing, 0, &rest);
-    assert_int_equal(sph_bases_start(&bases, &rest, &err), 0);
+    struct sequence q;
+    struct sph_scene s;
+    sequence_start(&q, passing);
+    q.o.axes = SPH_AXES_SCENE;
     for (uint32_t frame = 0; frame < 9; frame++) {
         struct sph_build_report report;
-        if (sph_scene_at(&rest, frame, &s, &err)) fail_msg("%s", err.text);
-        struct sph_machine m = textured_build(&s, &o, &report);
+        scene_at(&q, frame, &s);
+        struct sph_machine m = textured_build(&s, &q.o, &report);
         assert_true(sph_machine_effect(&m, SPH_EFFECT_TURNED));
         assert_int_equal(report.bases_kept, frame ? 2 : 0);
         sph_machine_free(&m);
         sph_scene_at_free(&s);
     }
-    sph_bases_end(&bases);
-    sph_scene_free(&rest);
-    free(mips[0].texels);
+    sequence_end(&q);
 }
 
 int main(void) {
