@@ -162,6 +162,10 @@ static int place_camera(const struct sph_scene *scene, const struct sph_build_op
     return 0;
 }
 
+/* Shares of the time of a large scene until it is on the grid, and until its tree is written. */
+#define GRID 0.05
+#define TREE 0.9
+
 /* What build works on. */
 struct parts {
     struct sph_ball *balls; /* of every id: spheres, then facets */
@@ -212,7 +216,10 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
 
     uint32_t n = scene->n_spheres;
     struct sph_plants plants = {balls, n, facets, profile, grid.eye, o->tree, &rays};
+    sph_progress_at(o->progress, GRID);
+    tree->progress = sph_progress_part(o->progress, GRID, TREE);
     if (sph_emit_tree(scene, o, &plants, tree, m, report, err)) return -1;
+    sph_progress_at(o->progress, TREE);
 
     if (sph_emit_background(tree, balls, &rays, o, m, report, err)) return -1;
     sph_emit_colours(scene, m, report);

@@ -56,6 +56,7 @@ struct sph_build_options {
     struct sph_kept_tree *kept;      /* the same of its tree */
     int later;                       /* of a sequence, not the first: nothing is measured to be told
                                         alone, so that planes_cut and its warning are left out */
+    const struct sph_progress *progress; /* NULL, or who is told how far it is */
     uint32_t *numbers; /* NULL, or where the number in the scene of each of the machine's primitives
                           goes: spheres, then facets; as many words as the scene has */
 };

@@ -7,6 +7,7 @@
 #include "builder/bih.h"
 #include "builder/facets.h"
 #include "common/error.h"
+#include "common/progress.h"
 
 enum { SPH_TREE_PAPER = 1, SPH_TREE_BALANCED = 2, SPH_TREE_REINSERTED = 5 };
 enum { SPH_CHILDREN = 4 }; /* of a node */
@@ -22,6 +23,7 @@ struct sph_tree {
     uint32_t n_nodes;
     uint32_t depth; /* levels of nodes, plus one for the leaves */
     uint32_t above; /* levels that will be put above: the balanced tree leaves the stack to them */
+    struct sph_progress progress; /* who is told how far it is, if anybody asked */
 };
 
 /* What a tree is made of. */

@@ -12,7 +12,12 @@
 #include "builder/tree_better.h"
 #include "machine/layout.h"
 
-enum { PARALLEL = 8192 }; /* spheres from which on threads share the work */
+/* PARALLEL: spheres from which on threads share the work. STEP: nodes between two tellings. */
+enum { PARALLEL = 8192, STEP = 4096 };
+
+/* Shares of the time until it is split, and until that is made better. */
+#define SPLIT 0.25
+#define BETTER 0.8
 
 /* A node before it has its place. */
 struct plan {
@@ -132,7 +137,9 @@ static uint32_t put_node(struct work *w, struct plan *plan) {
 
 /* The nodes of a split. -1 if memory is out. */
 static int put_nodes(struct work *w, uint32_t n) {
+    struct sph_progress last = sph_progress_part(&w->tree->progress, BETTER, 1);
     struct sph_tree_node *nodes = NULL;
+    uint32_t seen = 0;
     w->sorted = malloc(n * sizeof *w->sorted);
     w->plans = malloc((n - 1) * sizeof *w->plans);
     w->n = 0;
@@ -144,8 +151,14 @@ static int put_nodes(struct work *w, uint32_t n) {
     }
     if (nodes) {
 #pragma omp parallel for schedule(dynamic, 64) if (n > PARALLEL)
-        for (uint32_t i = 0; i < w->n; i++)
+        for (uint32_t i = 0; i < w->n; i++) {
             enclose(w, &w->plans[i]);
+            if (i % STEP) continue;
+            uint32_t steps;
+#pragma omp atomic capture
+            steps = seen++;
+            sph_progress_at(&last, (double)steps * STEP / w->n);
+        }
         put_node(w, w->plans);
     }
     free(w->sorted);
@@ -169,8 +182,11 @@ static int attempt(struct work *w, const struct sph_aabb *boxes, uint32_t n, int
                    struct sph_error *err) {
     const struct sph_ball *balls = w->balls;
     int done = -1;
-    if (sph_split(balls, boxes, n, limit, &w->split, err)) return -1;
-    if (!better || !sph_split_better(balls, boxes, n, w->profile, &w->split, err)) {
+    const struct sph_progress *p = &w->tree->progress;
+    struct sph_progress first = sph_progress_part(p, 0, SPLIT);
+    struct sph_progress second = sph_progress_part(p, SPLIT, BETTER);
+    if (sph_split(balls, boxes, n, limit, &first, &w->split, err)) return -1;
+    if (!better || !sph_split_better(balls, boxes, n, w->profile, &second, &w->split, err)) {
         if (!better) sph_split_fill(balls, boxes, w->profile, &w->split);
         w->even = limit == 0;
         w->tree->n_nodes = w->tree->depth = 0;

@@ -35,11 +35,12 @@ static int make_cheaper(struct sph_links *l, int way, struct sph_split *split,
 }
 
 int sph_split_better(const struct sph_ball *balls, const struct sph_aabb *boxes, uint32_t n,
-                     const struct sph_profile *profile, struct sph_split *split,
-                     struct sph_error *err) {
+                     const struct sph_profile *profile, const struct sph_progress *progress,
+                     struct sph_split *split, struct sph_error *err) {
     struct sph_links links;
     struct sph_split spare = {NULL, 0, NULL};
     int failed = sph_links_new(balls, boxes, n, sph_pair_margin(profile), &links);
+    links.progress = progress;
     int many = n > FEW || boxes; /* one way must do */
     if (!many) {
         spare.pairs = malloc((n - 1) * sizeof *spare.pairs);

@@ -9,9 +9,9 @@
 /* Improves a split of n >= 2 spheres by reinsertion. Up to 8192 spheres it is the cheapest of the
  * splits, of the splits with reinsertion, and of two trees made from the leaves upwards, with
  * reinsertion too; with boxes it is the splits with reinsertion. The tree does not depend on the
- * number of threads. -1 if memory is out. */
+ * number of threads. progress: of this, or NULL. -1 if memory is out. */
 int sph_split_better(const struct sph_ball *balls, const struct sph_aabb *boxes, uint32_t n,
-                     const struct sph_profile *profile, struct sph_split *split,
-                     struct sph_error *err);
+                     const struct sph_profile *profile, const struct sph_progress *progress,
+                     struct sph_split *split, struct sph_error *err);
 
 #endif

@@ -37,7 +37,8 @@ struct sph_links {
     struct sph_ball *sorted;    /* n: spheres in that order. By sph_links_fit() */
     uint8_t *stale; /* n-1: other spheres are below it than when its ball was made; all above too */
     uint32_t exact; /* the balls of no more spheres are the smallest ones */
-    struct sph_link_pair *pairs; /* n-1: what sph_links_fit() fills, unless NULL */
+    struct sph_link_pair *pairs;         /* n-1: what sph_links_fit() fills, unless NULL */
+    const struct sph_progress *progress; /* of sph_reinsert(), or NULL */
 };
 
 /* An inner node as a search reads it, which finds in one place what it asks of both children. The

@@ -11,12 +11,14 @@
 
 #include "builder/radix.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 /* EXACT: more spheres than that have a ball around those of the children, while nodes move.
- * ENOUGH: a round that saves less than this part is the last one. */
-enum { ROUNDS = 10, LOOKS = 256, EXACT = 4096, ENOUGH = 1024, PARALLEL = 8192 };
+ * ENOUGH: a round that saves less than this part is the last one. STEP:
+ * nodes between two tellings. */
+enum { ROUNDS = 10, LOOKS = 256, EXACT = 4096, ENOUGH = 1024, PARALLEL = 8192, STEP = 65536 };
 
 struct move {
     uint32_t node, to; /* becomes the sibling of `to` */
@@ -211,12 +213,18 @@ static uint32_t most_first(const struct sph_links *l, struct work *w, const uint
 }
 
 /* One round; the number of moves. */
-static uint32_t go_round(struct sph_links *l, struct work *w) {
-    uint32_t all = 2 * l->n - 1, done = 0;
+static uint32_t go_round(struct sph_links *l, struct work *w, const struct sph_progress *p) {
+    uint32_t all = 2 * l->n - 1, done = 0, seen = 0;
     const uint64_t *key;
     w->gain[l->root] = 0;
 #pragma omp parallel for schedule(dynamic, 512) if (l->n > PARALLEL)
     for (uint32_t side = 0; side < all - 1; side++) {
+        if (side % STEP == STEP - 1) {
+            uint32_t steps;
+#pragma omp atomic capture
+            steps = ++seen;
+            sph_progress_at(p, (double)steps * STEP / all);
+        }
         uint32_t node = node_of(l, side);
         w->gain[node] = 0;
         if (!w->look[node]) continue;
@@ -245,7 +253,10 @@ int sph_reinsert(struct sph_links *l) {
     if (good) {
         double sum = sph_links_fit(l, EXACT), before = 0;
         memset(w.look, 1, all);
-        for (int round = 0; round < ROUNDS && go_round(l, &w); round++) {
+        for (int round = 0; round < ROUNDS; round++) { /* each takes some half of the one before */
+            double from = 1 - exp2(-round), to = 1 - exp2(-round - 1);
+            struct sph_progress part = sph_progress_part(l->progress, from, to);
+            if (!go_round(l, &w, &part)) break;
             before = sum, sum = sph_links_fit(l, EXACT);
             if (before - sum < sum / ENOUGH) break;
         }

@@ -37,6 +37,8 @@ struct work {
         *price; /* of the right part from place i on; as spare, of the spheres of a pair its own */
     float *weight; /* [n]: n^0.8, or n */
     int limit;     /* binary levels */
+    const struct sph_progress *progress;
+    uint32_t all, *split; /* spheres, and those of them whose blocks are done */
 };
 
 static const struct box EMPTY = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
@@ -157,8 +159,11 @@ static uint32_t split_block(const struct work *all, uint32_t me, uint32_t first,
         for (uint32_t i = 0; i < count; i++)
             w.order[a][i] = w.numbers[all->order[a][first + i]];
     }
-    uint32_t child = split(&w, me, first, count, depth);
+    uint32_t child = split(&w, me, first, count, depth), done;
     free(w.own);
+#pragma omp atomic capture
+    done = *w.split += count;
+    sph_progress_at(w.progress, (double)done / w.all);
     return child;
 }
 
@@ -196,8 +201,10 @@ static uint32_t split(const struct work *w, uint32_t me, uint32_t first, uint32_
 }
 
 int sph_split(const struct sph_ball *balls, const struct sph_aabb *boxes, uint32_t n, int limit,
-              struct sph_split *out, struct sph_error *err) {
-    struct work w = {.balls = balls, .boxes = boxes, .limit = limit};
+              const struct sph_progress *progress, struct sph_split *out, struct sph_error *err) {
+    uint32_t done = 0;
+    struct work w = {.balls = balls, .boxes = boxes, .limit = limit, .progress = progress};
+    w.all = n, w.split = &done;
     *out = (struct sph_split){.pairs = malloc(n * sizeof *w.pairs)};
     w.pairs = out->pairs;
     w.spare = malloc(n * sizeof *w.spare);

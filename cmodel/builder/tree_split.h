@@ -23,9 +23,9 @@ struct sph_split {
 
 /* Splits n >= 2 spheres by the surface-area heuristic; where a branch would grow deeper than
  * `limit` binary levels it is split in half. boxes: those that a tree of boxes is made of, or NULL.
- * -1 if memory is out. */
+ * progress: of this, or NULL. -1 if memory is out. */
 int sph_split(const struct sph_ball *balls, const struct sph_aabb *boxes, uint32_t n, int limit,
-              struct sph_split *split, struct sph_error *err);
+              const struct sph_progress *progress, struct sph_split *split, struct sph_error *err);
 
 /* Fills costs and levels of all pairs of a split of balls, or of boxes unless NULL. */
 void sph_split_fill(const struct sph_ball *balls, const struct sph_aabb *boxes,

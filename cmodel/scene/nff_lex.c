@@ -8,10 +8,15 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "common/input.h"
 
 void sph_lex_begin(struct sph_lex *lex, FILE *file, const char *path) {
+    struct stat st;
+    lex->progress = NULL;
+    lex->size = fstat(fileno(file), &st) ? 0 : (double)st.st_size;
+    lex->taken = 0;
     lex->file = file;
     lex->path = path;
     lex->pos = 0;
@@ -40,6 +45,8 @@ static inline int next_byte(struct sph_lex *lex) {
         lex->pos = 0;
         lex->len = fread(lex->buf, 1, sizeof lex->buf, lex->file);
         if (lex->len == 0) return -1;
+        lex->taken += (double)lex->len;
+        if (lex->taken <= lex->size) sph_progress_at(lex->progress, lex->taken / lex->size);
     }
     return lex->buf[lex->pos];
 }

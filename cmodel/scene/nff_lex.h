@@ -12,6 +12,7 @@
 #include <stdio.h>
 
 #include "common/error.h"
+#include "common/progress.h"
 
 #define SPH_LEX_TOKEN 63    /* characters of the longest token */
 #define SPH_NUMBER_MAX 1e30 /* greatest size of a number: squares and products stay finite */
@@ -26,6 +27,8 @@ struct sph_lex {
     uint32_t token_line;
     char token[SPH_LEX_TOKEN + 1];
     unsigned char buf[65536];
+    const struct sph_progress *progress; /* NULL, or set after sph_lex_open() */
+    double size, taken;                  /* bytes of the file; of it, in pieces so far */
 };
 
 /* Opens path (kept, not copied). 0, or -1 with a message: as of sph_input_open(). */

@@ -207,6 +207,7 @@ int sph_nff_read(FILE *file, const char *path, const struct sph_read_options *op
     sph_nff_start(&r, scene, options);
     sph_scene_set_path(scene, path);
     sph_lex_begin(&r.lex, file, path);
+    r.lex.progress = options ? options->progress : NULL;
     while (!bad && (got = sph_lex_peek(&r.lex, err)) != 0) {
         bad = got < 0 ? -1 : take_moving(&r, err);
         records = 1;

@@ -10,6 +10,7 @@
 #include <stdio.h>
 
 #include "common/error.h"
+#include "common/progress.h"
 #include "machine/layout.h" /* SPH_MAX_LIGHTS */
 
 #define SPH_MAX_SPHERES 16000000u /* ids are 24 bits wide; the all-ones id means "no hit" */
@@ -113,6 +114,7 @@ struct sph_read_options {
     uint32_t at;          /* frame that primitives and camera are moved to (motion.h, aff.h) */
     int timed;            /* of AFF: at this time, whatever the frame */
     double time;
+    const struct sph_progress *progress; /* NULL, or who is told how much of the file is read */
 };
 
 struct sph_scene {

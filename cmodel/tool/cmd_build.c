@@ -7,17 +7,18 @@
 
 #include "machine/describe.h"
 #include "tool/print.h"
+#include "tool/progress.h"
 #include "tool/report.h"
 #include "tool/sequence.h"
 
 struct arguments {
     struct tool_source source;
     const char *input, *output, *json;
-    int stats;
+    int stats, progress;
     struct tool_frames frames;
 };
 
-enum { KEY_JSON = 512, KEY_STATS, KEY_FRAMES };
+enum { KEY_JSON = 512, KEY_STATS, KEY_FRAMES, KEY_PROGRESS };
 
 static const struct argp_option options[] = {
     {"output", 'o', "FILE", 0, "machine file to write", 0},
@@ -25,6 +26,7 @@ static const struct argp_option options[] = {
     {"frames", KEY_FRAMES, "A..B", 0,
      "machines of these frames of a moving scene, FILE-0007.sph and so on", 0},
     {"json", KEY_JSON, "FILE", 0, "report as JSON (- : on standard output instead of text)", 0},
+    {"progress", KEY_PROGRESS, NULL, 0, "show progress though stderr is no terminal", 0},
     {0},
 };
 
@@ -42,6 +44,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         return 0;
     case KEY_STATS:
         a->stats = 1;
+        return 0;
+    case KEY_PROGRESS:
+        a->progress = 1;
         return 0;
     case KEY_FRAMES:
         tool_frames_parse(state, arg, &a->frames);
@@ -95,6 +100,20 @@ static void print_boxes(const struct sph_machine *m, uint32_t nodes) {
            (int64_t)m->regs[SPH_REG_PRIM_BASE] * SPH_LINE_WORDS * 4 - bytes);
 }
 
+/* tool_load(), and how far it is. */
+static int load(const struct arguments *a, struct tool_built *built, struct sph_error *err) {
+    struct progress lines[2];
+    struct sph_progress reading = progress_of(&lines[0], "reading", a->progress);
+    struct sph_progress building = progress_of(&lines[1], "building", a->progress);
+    struct tool_source source = a->source;
+    source.read.progress = &reading;
+    source.build.progress = &building;
+    int rc = tool_load(a->input, &source, built, err);
+    progress_end(&lines[0]);
+    progress_end(&lines[1]);
+    return rc;
+}
+
 int tool_build(int argc, char **argv) {
     static const struct argp_child children[] = {{&tool_source_argp, 0, NULL, 1}, {0}};
     static const struct argp argp = {
@@ -117,8 +136,7 @@ int tool_build(int argc, char **argv) {
         return tool_failed(&err);
     }
     if (a.frames.on) return build_frames(&a);
-    if (check_target(a.output, &err) || tool_load(a.input, &a.source, &built, &err))
-        return tool_failed(&err);
+    if (check_target(a.output, &err) || load(&a, &built, &err)) return tool_failed(&err);
     print_build(print_stream(a.json), &built);
     int boxes = built.machine.regs[SPH_REG_TREE] == SPH_TREE_BOX4;
     if (a.stats && (boxes || sph_machine_bih(&built.machine))) {

@@ -19,6 +19,11 @@ int progress_start(struct progress *p, const char *what, int forced) {
     return forced || isatty(STDERR_FILENO);
 }
 
+struct sph_progress progress_of(struct progress *p, const char *what, int forced) {
+    int shown = progress_start(p, what, forced);
+    return (struct sph_progress){shown ? progress_show : NULL, p, 0, 1};
+}
+
 void progress_show(void *user, int done, int all) {
     struct progress *p = user;
     double now = progress_now();

@@ -4,6 +4,8 @@
 #ifndef SPH_TOOL_PROGRESS_H
 #define SPH_TOOL_PROGRESS_H
 
+#include "common/progress.h"
+
 struct progress {
     const char *what;
     int shown;          /* something stands on the line */
@@ -12,6 +14,9 @@ struct progress {
 
 /* Starts; 1 if progress is to be shown: stderr is a terminal, or forced. */
 int progress_start(struct progress *p, const char *what, int forced);
+
+/* The same for work that tells it; show is NULL if progress is not to be shown. */
+struct sph_progress progress_of(struct progress *p, const char *what, int forced);
 
 /* Shows done of all in percent, at most ten times a second, not in the first half second. Fits
  * sph_render_options.progress. */

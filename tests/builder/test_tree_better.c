@@ -25,8 +25,8 @@ static struct sph_split better(const struct sph_ball *balls, uint32_t n, int thr
     struct sph_error err;
     int before = omp_get_max_threads();
     omp_set_num_threads(threads);
-    assert_int_equal(sph_split(balls, NULL, n, 64, &split, &err), 0);
-    assert_int_equal(sph_split_better(balls, NULL, n, profile, &split, &err), 0);
+    assert_int_equal(sph_split(balls, NULL, n, 64, NULL, &split, &err), 0);
+    assert_int_equal(sph_split_better(balls, NULL, n, profile, NULL, &split, &err), 0);
     omp_set_num_threads(before);
     return split;
 }
@@ -74,7 +74,7 @@ static void clouds(void **unused) {
         }
         struct sph_split plain, one = better(balls, n, 1), three = better(balls, n, 3);
         struct sph_error err;
-        assert_int_equal(sph_split(balls, NULL, n, 64, &plain, &err), 0);
+        assert_int_equal(sph_split(balls, NULL, n, 64, NULL, &plain, &err), 0);
         sph_split_fill(balls, NULL, profile, &plain);
         printf("# %u spheres: %.4f of the splits' cost\n", n,
                (double)(one.pairs[0].cost[1] / plain.pairs[0].cost[1]));
@@ -154,10 +154,10 @@ static void boxes(void **unused) {
         }
         balls[i].r = 600000;
     }
-    assert_int_equal(sph_split(balls, own, N, 64, &split, &err), 0);
+    assert_int_equal(sph_split(balls, own, N, 64, NULL, &split, &err), 0);
     sph_split_fill(balls, own, profile, &split);
     float before = split.pairs[0].cost[1];
-    assert_int_equal(sph_split_better(balls, own, N, profile, &split, &err), 0);
+    assert_int_equal(sph_split_better(balls, own, N, profile, NULL, &split, &err), 0);
     check(&split, N);
     printf("# %d boxes: %.4f of the splits' cost\n", N, (double)(split.pairs[0].cost[1] / before));
     assert_true(split.pairs[0].cost[1] < before && split.pairs[0].cost[1] > before / 2);
