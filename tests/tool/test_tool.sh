@@ -49,6 +49,12 @@ check "report to standard output is all there is" sh -c "'$s' render a.sph --jso
 check "picture is 64x48 with 3 channels" sh -c "oiiotool --info a.png | grep -q '64 x  *48, 3 chan'"
 check "exr has ids and keys" sh -c "oiiotool --info -v a.exr | grep -q 'id (uint)' &&
     oiiotool --info -v a.exr | grep -q 'key.hi (uint), key.lo (uint)'"
+"$s" gen random:2000 --resolution 64x48 -o many.nff >/dev/null
+check "build --progress tells what is read and built" sh -c "'$s' build many.nff --progress \
+    -o p.sph 2>&1 >/dev/null | grep -q 'reading .* building  *[0-9]* %'"
+check "... and builds the same" sh -c "'$s' build many.nff -o q.sph && cmp p.sph q.sph"
+check "... nothing if stderr is no terminal" sh -c "'$s' build a.nff -o p.sph 2>&1 >/dev/null |
+    cmp - /dev/null"
 check "--progress reaches 100 % of the rows" sh -c "'$s' render a.sph --progress 2>&1 |
     grep -q 'rendering'"
 
