@@ -19,7 +19,7 @@ enum { SPH_PROGRESS_ALL = 1000 };
 static inline void sph_progress_at(const struct sph_progress *p, double share) {
     if (!p || !p->show) return;
     double done = p->from + (p->to - p->from) * share;
-#pragma omp critical(sph_progress)
+#pragma omp critical
     p->show(p->user, (int)(SPH_PROGRESS_ALL * done), SPH_PROGRESS_ALL);
 }
 
