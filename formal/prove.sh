@@ -55,11 +55,12 @@ induction() { # a base case of as many clocks as the step spans, then the step
 }
 alike() { # from any state; a product is any function of its factors, the same one everywhere
     out=$dir/$1 clock=${6#alike}
-    sources= sets=
+    sources= sets= models=formal/$2.v
     for f in $4; do sources="$sources rtl/$f"; done
+    for f in $5; do models="$models formal/f_$f.v"; done
     for p in $3; do sets="$sets -set ${p%%=*} ${p#*=}"; done
-    # no wreduce: all products have one width
-    $NICE yosys -q -p "read_verilog $include $sources; read_verilog -formal $include formal/$2.v;
+    # no wreduce: products of the same factors have the same width
+    $NICE yosys -q -p "read_verilog $include $sources; read_verilog -formal $include $models;
         ${sets:+chparam $sets $2;} hierarchy -check -top $2; proc; flatten; opt_expr; opt_clean;
         async2sync; opt_clean; dffunmap; opt_clean; check -assert;
         write_smt2 -wires $out.smt2" >"$out.log" 2>&1 || { verdict=error; return; }
@@ -68,12 +69,15 @@ alike() { # from any state; a product is any function of its factors, the same o
     printf 'sat\nunsat\n' >"$out.dummy"
     yosys-smtbmc -s dummy --dummy "$out.dummy" --noprogress --unroll --logic QF_BV --presat \
         -t "$clock:$((clock + 1))" --dump-smt2 "$out.asked" "$out.smt2" >>"$out.log" 2>&1
-    grep -q bvmul "$out.asked" || { verdict=error; return; }
-    sed -e "s/(bvmul /(times /g; s/(set-logic QF_BV)/(set-logic QF_UFBV)/" \
-        -e "/^(set-logic/a (declare-fun times ((_ BitVec 34) (_ BitVec 34)) (_ BitVec 34))" \
+    # a function for each width of factors and product
+    sed -n 's/.*(_ BitVec \([0-9]*\)) .*(bvmul .*/\1/p' "$out.asked" | sort -u |
+        sed 's/.*/(declare-fun times_& ((_ BitVec &) (_ BitVec &)) (_ BitVec &))/' >"$out.times"
+    sed -e 's/\((_ BitVec \([0-9]*\)) .*\)(bvmul /\1(times_\2 /' \
+        -e "s/(set-logic QF_BV)/(set-logic QF_UFBV)/; /^(set-logic/r $out.times" \
         -e '/^(push/s/.*/(echo "asked")/' \
         -e '/^(exit/d; /^(pop/d; /^(set-info :status/d; /^(check-sat)/d' \
         "$out.asked" >"$out.alike"
+    ! grep -q bvmul "$out.alike" || { verdict=error; return; }
     { sed '/^(echo/,$d' "$out.alike" && echo '(check-sat)'; } >"$out.run"
     { grep -v '^(echo' "$out.alike" && echo '(check-sat)'; } >"$out.breaks"
     verdict=error

@@ -1,0 +1,13 @@
+; products.smt2 - what proofs that take products as a function use of them, for integers
+; SPDX-License-Identifier: Apache-2.0
+; Each lemma is denied, and must then have no solution; first its premises alone must have one.
+
+; ---- a plane that a ray leaves by: (v + u) (g + 2) = v g + 2 (v + u) + u g, where u is 0 or 1 ----
+(declare-const v Int) (declare-const u Int) (declare-const g Int)
+(push)
+(assert (<= 0 u 1))
+(set-info :status sat) (check-sat)
+(push)
+(assert (not (= (* (+ v u) (+ g 2)) (+ (* v g) (* 2 (+ v u)) (ite (= u 1) g 0)))))
+(set-info :status unsat) (check-sat)
+(pop) (pop)
