@@ -16,26 +16,33 @@ cd "$TMP" || exit 1
 edited() { # file, sed expression: it must change something
     cp "$1" before && sed -i "$2" "$1" && ! cmp -s before "$1"
 }
-stale() { # file, sed expression, what the check prints
-    edited "$1" "$2" || return 1
-    ! python3 -m lab.pages --check >said 2>&1 && grep -q -- "$3" said && python3 -m lab.pages &&
-        python3 -m lab.pages --check
+stale() { # name, file, sed expression, what the check prints: tried with the others, all at once
+    check "$1: the fault changes its file" edited "$2" "$3"
+    printf '%s|%s\n' "$1" "$4" >>stale
 }
 core=$(find rtl -name rt_core.v) def=$(find cmodel -name machine.def)
 profile=$(find cmodel -name profile.c)
-check "a default" stale $core 's/SLOTS      = 64/SLOTS      = 32/' '^+- `SLOTS` = 32: '
-check "a port" stale $core 's/\[47:0\]       count_data_o/[39:0] count_data_o/' 'count_data_o`: 40'
+stale "a default" $core 's/SLOTS      = 64/SLOTS      = 32/' '^+- `SLOTS` = 32: '
+stale "a port" $core 's/\[47:0\]       count_data_o/[39:0] count_data_o/' 'count_data_o`: 40'
 heading=$(find rtl -name rt_texture.v)
-check "a heading of two lines" stale $heading 's|^ *// then hit point|    // and hit point|' \
+stale "a heading of two lines" $heading 's|^ *// then hit point|    // and hit point|' \
     'from rt_surface: material, and hit point'
 leaf=$(find rtl -name rt_leaf.v)
-check "a model" stale $leaf 's/Model: sph_leaf_test()/Model: sph_leaf_key_bits()/' \
+stale "a model" $leaf 's/Model: sph_leaf_test()/Model: sph_leaf_key_bits()/' \
     '^+- Model: `sph_leaf_key_bits()`'
-check "a register" stale $def 's/^reg    98 /reg    103 /' '^+- 103 `BG_COUNT`'
-check "an effect" stale $def 's/^effect sum .*/&\neffect haze bit=14 : fog/' \
+stale "a register" $def 's/^reg    98 /reg    103 /' '^+- 103 `BG_COUNT`'
+stale "an effect" $def 's/^effect sum .*/&\neffect haze bit=14 : fog/' \
     '^+- `haze`, `HAZE` = 1 (0..1, bit 14): fog'
-check "a counter" stale $def 's/^counter 21 POWERS  *both/counter 21 POWERS rtl/' \
+stale "a counter" $def 's/^counter 21 POWERS  *both/counter 21 POWERS rtl/' \
     '^+- 21.. `POWERS`'
+python3 -m lab.pages --check >all 2>&1
+check "pages that are stale make the check fail" [ $? -ne 0 ]
+noticed() { cat all && grep -q -- "$1" all; }
+while IFS='|' read -r name said; do
+    check "$name: is noticed" noticed "$said"
+done <stale
+mended() { python3 -m lab.pages && python3 -m lab.pages --check; }
+check "make pages mends them all" mended
 page=$(find docs -name core.md)
 broken() { # sed expression, what is said
     cp "$page" kept
