@@ -11,3 +11,20 @@
 (assert (not (= (* (+ v u) (+ g 2)) (+ (* v g) (* 2 (+ v u)) (ite (= u 1) g 0)))))
 (set-info :status unsat) (check-sat)
 (pop) (pop)
+
+; ---- no product is longer than that of the longest factors ----
+(declare-const x Int) (declare-const y Int) (declare-const m Int) (declare-const n Int)
+(push)
+(assert (and (<= (- m) x m) (<= (- n) y n)))
+(set-info :status sat) (check-sat)
+(push)
+(assert (not (and (<= (* x y) (* m n)) (>= (* x y) (- (* m n))))))
+(set-info :status unsat) (check-sat)
+(pop) (pop)
+
+; ---- a product is the sum of those of its factors' chunks: of high ones and the rest ----
+(declare-const s Int)
+(push)
+(assert (not (= (* (+ (* x s) m) (+ (* y s) n)) (+ (* s s x y) (* s (+ (* x n) (* m y))) (* m n)))))
+(set-info :status unsat) (check-sat)
+(pop)
