@@ -13,15 +13,15 @@
 /* Numbers of 18 bits as products of 16 bits take them: high * 2^LOW + low. */
 enum { LOW = 9 };
 
-/* One of the axes across the ray, for pairs of x and y and of z and radius, which counts 0 times.
- */
+/* The two axes across the ray, four words of 32 bits each, for pairs of x and y and of z and
+ * radius, which counts 0 times. */
 struct across {
-    __m128i xy_high, xy_low, z_high, z_low;
+    __m256i xy_high, xy_low, z_high, z_low;
 };
 
 struct lanes {
-    __m128i org_xy, org_z; /* four times x and y, z and 0 */
-    struct across p, q;
+    __m256i org_xy, org_z; /* eight times x and y, z and 0 */
+    struct across pq;
     __m128i pick, org, sign; /* depth = ((coordinate of a pair) - org ^ sign) - sign */
     __m128i ordered;         /* what a key has of near: all, or nothing if all are equally near */
     size_t along;            /* where in a node the pairs with the coordinate are */
@@ -34,6 +34,10 @@ static const _Alignas(16) uint8_t of_pair[2][16] = {
 
 static inline __m128i load(const void *at) {
     return _mm_load_si128(at);
+}
+
+static inline __m256i both(__m128i p, __m128i q) {
+    return _mm256_inserti128_si256(_mm256_castsi128_si256(p), q, 1);
 }
 
 static inline struct lanes lanes_of(const struct sph_profile *p, const struct sph_ray *ray) {
@@ -51,12 +55,12 @@ static inline struct lanes lanes_of(const struct sph_profile *p, const struct sp
     __m128i ones = _mm_set1_epi32((1 << LOW) - 1);
     __m128i high = _mm_packs_epi32(_mm_srai_epi32(q, LOW), _mm_srai_epi32(x, LOW));
     __m128i low = _mm_packs_epi32(_mm_and_si128(q, ones), _mm_and_si128(x, ones));
-    l.q = (struct across){_mm_shuffle_epi32(high, 0x00), _mm_shuffle_epi32(low, 0x00),
-                          _mm_shuffle_epi32(high, 0x55), _mm_shuffle_epi32(low, 0x55)};
-    l.p = (struct across){_mm_shuffle_epi32(high, 0xaa), _mm_shuffle_epi32(low, 0xaa),
-                          _mm_shuffle_epi32(high, 0xff), _mm_shuffle_epi32(low, 0xff)};
-    l.org_xy = _mm_set1_epi32((int32_t)((uint32_t)o[1] << 16 | (uint16_t)o[0]));
-    l.org_z = _mm_set1_epi32((uint16_t)o[2]);
+    l.pq.xy_high = both(_mm_shuffle_epi32(high, 0xaa), _mm_shuffle_epi32(high, 0x00));
+    l.pq.xy_low = both(_mm_shuffle_epi32(low, 0xaa), _mm_shuffle_epi32(low, 0x00));
+    l.pq.z_high = both(_mm_shuffle_epi32(high, 0xff), _mm_shuffle_epi32(high, 0x55));
+    l.pq.z_low = both(_mm_shuffle_epi32(low, 0xff), _mm_shuffle_epi32(low, 0x55));
+    l.org_xy = _mm256_set1_epi32((int32_t)((uint32_t)o[1] << 16 | (uint16_t)o[0]));
+    l.org_z = _mm256_set1_epi32((uint16_t)o[2]);
     l.pick = load(of_pair[ray->axis == 1]);
     l.org = _mm_set1_epi16((int16_t)o[ray->axis]);
     l.sign = _mm_set1_epi16((int16_t)sign);
@@ -73,12 +77,14 @@ static inline int32_t near_of(int32_t depth) {
     return depth - INT16_MIN < KEY_NONE ? depth - INT16_MIN : KEY_NONE - 1;
 }
 
-/* The distances along an axis: whole units of 2^-FRACTION, rounded down. */
-static inline __m128i distance(const struct across *a, __m128i xy, __m128i zr) {
-    __m128i high = _mm_add_epi32(_mm_madd_epi16(xy, a->xy_high), _mm_madd_epi16(zr, a->z_high));
-    __m128i low = _mm_add_epi32(_mm_madd_epi16(xy, a->xy_low), _mm_madd_epi16(zr, a->z_low));
-    return _mm_srai_epi32(_mm_add_epi32(high, _mm_srai_epi32(low, LOW)),
-                          17 - SPH_FILTER_FRACTION - LOW);
+/* The distances along the axes: whole units of 2^-FRACTION, rounded down. */
+static inline __m256i distances(const struct across *a, __m256i xy, __m256i zr) {
+    __m256i high =
+        _mm256_add_epi32(_mm256_madd_epi16(xy, a->xy_high), _mm256_madd_epi16(zr, a->z_high));
+    __m256i low =
+        _mm256_add_epi32(_mm256_madd_epi16(xy, a->xy_low), _mm256_madd_epi16(zr, a->z_low));
+    return _mm256_srai_epi32(_mm256_add_epi32(high, _mm256_srai_epi32(low, LOW)),
+                             17 - SPH_FILTER_FRACTION - LOW);
 }
 
 /* Distances are as filter.c says; those of 16 bits and more become the greatest of 15, and miss
@@ -87,8 +93,10 @@ static inline unsigned children(const struct lanes *l, const struct sph_fast *f,
                                 int32_t depth_max, keys *order) {
     const struct sph_fast_node *n = &f->nodes[node];
     __m128i zr = load(n->zr);
-    __m128i oc_xy = _mm_sub_epi16(load(n->xy), l->org_xy), oc_zr = _mm_sub_epi16(zr, l->org_z);
-    __m128i p = distance(&l->p, oc_xy, oc_zr), q = distance(&l->q, oc_xy, oc_zr);
+    __m256i oc_xy = _mm256_sub_epi16(_mm256_broadcastsi128_si256(load(n->xy)), l->org_xy);
+    __m256i oc_zr = _mm256_sub_epi16(_mm256_broadcastsi128_si256(zr), l->org_z);
+    __m256i across = distances(&l->pq, oc_xy, oc_zr);
+    __m128i p = _mm256_castsi256_si128(across), q = _mm256_extracti128_si256(across, 1);
     __m128i pq = _mm_packs_epi32(_mm_unpacklo_epi32(p, q), _mm_unpackhi_epi32(p, q));
     pq = _mm_xor_si128(pq, _mm_srai_epi16(pq, 15));
     __m128i aside = _mm_cmpgt_epi32(_mm_madd_epi16(pq, pq), load(n->square));
