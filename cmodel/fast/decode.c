@@ -66,6 +66,22 @@ static void read_leaf(const struct job *j, const uint32_t *record, struct sph_fa
     leaf->record = 0;
 }
 
+/* Leaf record `number`. */
+static void read_record(const struct job *j, const uint32_t *record, struct sph_fast *f,
+                        uint32_t number) {
+    read_leaf(j, record, &f->leaves[number]);
+    if (f->triangles)
+        sph_fast_triangle_read(sph_machine_profile(j->m), record, &f->triangles[number]);
+}
+
+/* Room for n leaf records; 0 if memory is out. */
+static int room(const struct job *j, struct sph_fast *f, uint32_t n) {
+    int triangles = j->whole && sph_fast_triangles_fit(sph_machine_profile(j->m));
+    f->leaves = malloc((n + 1ull) * sizeof *f->leaves);
+    f->triangles = triangles ? malloc((n + 1ull) * sizeof *f->triangles) : NULL;
+    return f->leaves && (f->triangles || !triangles);
+}
+
 /* Reads a node whose first leaf record has its number, with boxes unless that is NULL, and its leaf
  * records. */
 static void read_node(const struct job *j, uint32_t line, struct sph_fast *f,
@@ -97,7 +113,7 @@ static void read_node(const struct job *j, uint32_t line, struct sph_fast *f,
         node->square[i] = rad * rad;
     }
     for (uint32_t i = 0; i < n_leaf; i++)
-        read_leaf(j, sph_record(j->m, j->whole, base + n_inner, i), &f->leaves[leaf + i]);
+        read_record(j, sph_record(j->m, j->whole, base + n_inner, i), f, leaf + i);
 }
 
 /* 0 if memory is out. */
@@ -109,13 +125,13 @@ static int decode(struct job *j, struct sph_fast *f) {
     find(j, root);
     f->n_nodes = j->nodes;
     f->nodes = aligned_alloc(sizeof *f->nodes, j->nodes * sizeof *f->nodes);
-    f->leaves = malloc((j->leaves + 1) * sizeof *f->leaves);
+    int good = room(j, f, j->leaves);
     if (j->m->regs[SPH_REG_TREE] == SPH_TREE_BOX4) {
         f->boxes = aligned_alloc(sizeof(int32_t[4]), j->nodes * sizeof *f->boxes);
         if (!f->boxes) return 0;
         memset(f->boxes, 0, j->nodes * sizeof *f->boxes);
     }
-    if (!f->nodes || !f->leaves) return 0;
+    if (!f->nodes || !good) return 0;
     for (uint32_t line = 0; line < j->lines; line++)
         if (j->number[line]) {
             j->waiting[at] = line;
@@ -154,11 +170,11 @@ static int decode_bih(const struct job *j, struct sph_fast *f) {
     f->lanes = "bih";
     f->no_root = !sound(j);
     if (f->no_root) return 1;
-    f->leaves = malloc((n + 1ull) * sizeof *f->leaves);
-    for (uint32_t i = 0; f->leaves && i < n; i++)
-        read_leaf(j, sph_record(j->m, j->whole, (uint32_t)j->m->regs[SPH_REG_LEAF_BASE], i),
-                  &f->leaves[i]);
-    return f->leaves != NULL;
+    if (!room(j, f, n)) return 0;
+    for (uint32_t i = 0; i < n; i++)
+        read_record(j, sph_record(j->m, j->whole, (uint32_t)j->m->regs[SPH_REG_LEAF_BASE], i), f,
+                    i);
+    return 1;
 }
 
 /* The nodes of a tree of spheres or boxes; 0 if memory is out. */
@@ -208,6 +224,7 @@ void sph_fast_free(struct sph_fast *fast) {
     free(fast->nodes);
     free(fast->boxes);
     free(fast->leaves);
+    free(fast->triangles);
     free(fast);
 }
 

@@ -5,6 +5,7 @@
 #define SPH_FAST_DECODED_H
 
 #include "fast/fast.h"
+#include "fast/triangle.h"
 
 /* A node: one line of the processor's cache. The children of a number, leaves behind inner ones. */
 struct sph_fast_node {
@@ -41,6 +42,7 @@ struct sph_fast {
         *nodes; /* the root is number `root`; none of a BIH, whose root is a line */
     struct sph_fast_boxes *boxes; /* of nodes by number, whose spheres are 0 then; else NULL */
     struct sph_fast_leaf *leaves;
+    struct sph_fast_triangle *triangles; /* of leaf records by number; NULL: all are unknown */
     uint32_t root, n_nodes, visit_limit;
     int no_root; /* it, or what registers of a BIH name, does not lie in memory */
     struct sph_hit (*walk)(const struct sph_fast *, const struct sph_ray *, struct sph_counters *,

@@ -9,8 +9,8 @@
 #include "trace/leaf_unit.h"
 
 /* As sph_leaf_visit(), but for the counter of tests of spheres. What is no sphere, or a
- * clear one, is tested by its literal function; of spheres this is sph_leaf_test() with the root of
- * root.h. */
+ * clear one, is tested by its literal function here; of spheres this is sph_leaf_test() with the
+ * root of root.h. */
 static inline void sph_fast_leaf_visit(struct sph_probe *probe, const struct sph_fast_leaf *leaf,
                                        const uint32_t *mem) {
     const struct sph_ray *ray = probe->ray;
@@ -47,6 +47,16 @@ static inline void sph_fast_leaf_visit(struct sph_probe *probe, const struct sph
     struct sph_hit *best = &probe->best;
     if (!best->key || hit.key < best->key || (hit.key == best->key && hit.id < best->id))
         *best = hit;
+}
+
+/* The same of leaf record `number`. */
+static inline void sph_fast_visit(struct sph_probe *probe, const struct sph_fast *f,
+                                  uint32_t number) {
+    const struct sph_fast_leaf *leaf = &f->leaves[number];
+    if (leaf->record && f->triangles && f->triangles[number].known)
+        sph_fast_triangle_visit(probe, &f->triangles[number]);
+    else
+        sph_fast_leaf_visit(probe, leaf, f->m->mem);
 }
 
 #endif

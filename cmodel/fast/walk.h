@@ -66,10 +66,9 @@ static struct sph_hit walk(const struct sph_fast *f, const struct sph_ray *ray,
         if (leaves) {
             uint64_t key_before = best->key;
             do {
-                const struct sph_fast_leaf *leaf =
-                    &f->leaves[n->leaf + (unsigned)__builtin_ctz(leaves)];
-                leaf_tests += !leaf->record;
-                sph_fast_leaf_visit(&probe, leaf, f->m->mem);
+                uint32_t leaf = n->leaf + (unsigned)__builtin_ctz(leaves);
+                leaf_tests += !f->leaves[leaf].record;
+                sph_fast_visit(&probe, f, leaf);
                 leaves &= leaves - 1;
             } while (leaves);
             if (best->key != key_before) {

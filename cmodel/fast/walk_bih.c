@@ -53,9 +53,8 @@ static int leaf(struct walk *w, uint32_t first, uint32_t end) {
     while (first < end) {
         uint32_t stop = (w->probe.whole ? first : first & ~1u) + SPH_BIH_CHUNK;
         for (; first < end && first < stop; first++) {
-            const struct sph_fast_leaf *record = &w->f->leaves[first];
-            w->leaf_tests += !record->record;
-            sph_fast_leaf_visit(&w->probe, record, w->f->m->mem);
+            w->leaf_tests += !w->f->leaves[first].record;
+            sph_fast_visit(&w->probe, w->f, first);
         }
         if (!w->probe.best.key) continue;
         if (w->probe.ray->kind == SPH_SHADOW) return 0;

@@ -220,6 +220,70 @@ static int64_t any(struct sph_rng *rng, int bits) {
     return sph_rng_next(rng) >> 9 & 1 ? -size : size;
 }
 
+/* A corner or an origin: of few bits, so that each comparison meets both sides equal, of any
+ * length, or at an end of the grid. */
+static int64_t coordinate(struct sph_rng *rng, int w, int way) {
+    int64_t half = 1ll << (w - 1);
+    if (way == 0) return small(rng, 2);
+    if (way == 1) return any(rng, w - 1);
+    return sph_rng_next(rng) >> 9 & 1 ? half - 1 : -half;
+}
+
+/* Triangles of the profiles whose products have room in 64 bits; half of the rays go to a corner
+ * or the middle of an edge. */
+static void triangles(void **state) {
+    struct sph_rng rng = {seed()};
+    struct sph_machine m = {.regs[SPH_REG_EFFECTS] = 1 << SPH_EFFECT_FACETS};
+    static const int at[3] = {SPH_TRIANGLE_V0_X_LSB, SPH_TRIANGLE_V1_X_LSB, SPH_TRIANGLE_V2_X_LSB};
+    int hits = 0;
+    (void)state;
+    assert_false(sph_fast_triangles_fit(&sph_profiles[SPH_REFERENCE]));
+    for (int i = 0; i < (SANITIZED ? 30000 : 600000); i++) {
+        const struct sph_profile *p = &sph_profiles[i % 3];
+        int way = i / 3 % 3, far = way && i & 1;
+        struct sph_ray ray = {.kind = (int)(sph_rng_next(&rng) >> 8 & 1),
+                              .skip = {(uint32_t)small(&rng, 2) + 2, 0}};
+        uint32_t record[SPH_LINE_WORDS] = {0}, errors = 0;
+        assert_true(sph_fast_triangles_fit(p));
+        m.profile = *p;
+        int to = (int)((sph_rng_next(&rng) >> 9) % 3), aimed = i / 9 & 1;
+        for (int k = 0; k < 3; k++) {
+            int64_t most = (1ll << (p->wd - 1)) - 1, up = sph_rng_next(&rng) >> 9 & 1 ? 1 : -1;
+            ray.org[k] = coordinate(&rng, p->w, way);
+            ray.dir[k] = far ? up * most : way ? any(&rng, p->wd - 1) : small(&rng, 3);
+            int64_t v[3];
+            for (int c = 0; c < 3; c++) {
+                v[c] = coordinate(&rng, p->w, way);
+                sph_field_set(record, at[c] + k * SPH_LEAF_CTR_Y_LSB, SPH_LEAF_CTR_X_BITS,
+                              (uint32_t)v[c]);
+            }
+            if (aimed) ray.dir[k] = (v[0] + v[to]) / 2 - ray.org[k];
+            ray.lift[k] = small(&rng, 2);
+            ray.a += (uint64_t)(ray.dir[k] * ray.dir[k]);
+        }
+        sph_field_set(record, SPH_FACET_KIND_LSB, SPH_FACET_KIND_BITS, SPH_TRIANGLE);
+        sph_field_set(record, SPH_FACET_ID_LSB, SPH_FACET_ID_BITS, (uint32_t)small(&rng, 1) + 2);
+        sph_field_set(record, SPH_FACET_BEFORE_LSB, SPH_FACET_BEFORE_BITS, (uint32_t)i & 1);
+        sph_field_set(record, SPH_FACET_AFTER_LSB, SPH_FACET_AFTER_BITS, (uint32_t)i >> 1 & 1);
+        struct sph_counters c[2] = {{{0}}, {{0}}};
+        struct sph_probe literal = sph_probe_of(&m, &ray, &c[0], &errors);
+        struct sph_probe fast = sph_probe_of(&m, &ray, &c[1], &errors);
+        struct sph_fast_triangle triangle;
+        if (i & 2) literal.best = fast.best = (struct sph_hit){5, 2, 0};
+        sph_fast_triangle_read(p, record, &triangle);
+        assert_true(triangle.known);
+        sph_leaf_visit(&literal, record);
+        sph_fast_triangle_visit(&fast, &triangle);
+        assert_int_equal(fast.best.key, literal.best.key);
+        assert_int_equal(fast.best.id, literal.best.id);
+        assert_int_equal(fast.best.far, literal.best.far);
+        assert_memory_equal(&c[0], &c[1], sizeof *c);
+        hits += literal.best.key && literal.best.key != 5;
+    }
+    printf("# %d hits of triangles\n", hits);
+    assert_true(hits > 1000);
+}
+
 /* Set-up, point and normal of rays in widths of any kind: the same words. */
 static void surfaces(void **state) {
     struct sph_rng rng = {seed()};
@@ -474,8 +538,9 @@ static void unknown_trees(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(roots),         cmocka_unit_test(spheres), cmocka_unit_test(surfaces),
-        cmocka_unit_test(every_scene),   cmocka_unit_test(circles), cmocka_unit_test(damaged),
-        cmocka_unit_test(unknown_trees), cmocka_unit_test(bundles), cmocka_unit_test(unsound)};
+        cmocka_unit_test(roots),    cmocka_unit_test(spheres),       cmocka_unit_test(triangles),
+        cmocka_unit_test(surfaces), cmocka_unit_test(every_scene),   cmocka_unit_test(circles),
+        cmocka_unit_test(damaged),  cmocka_unit_test(unknown_trees), cmocka_unit_test(bundles),
+        cmocka_unit_test(unsound)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

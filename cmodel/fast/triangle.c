@@ -1,0 +1,30 @@
+/* triangle.c - see triangle.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "fast/triangle.h"
+
+#include <string.h>
+
+#include "prim/kinds.h"
+
+void sph_fast_triangle_read(const struct sph_profile *p, const uint32_t *record,
+                            struct sph_fast_triangle *t) {
+    static const int corner[3] = {SPH_TRIANGLE_V0_X_LSB, SPH_TRIANGLE_V1_X_LSB,
+                                  SPH_TRIANGLE_V2_X_LSB};
+    int64_t v[3][3], e[2][3];
+    memset(t, 0, sizeof *t);
+    if (sph_record_kind(1, record) != SPH_TRIANGLE || sph_record_clear(SPH_TRIANGLE, record))
+        return;
+    struct sph_facet_leaf head = sph_facet_head(record, SPH_TRIANGLE);
+    t->known = 1, t->id = head.id, t->before = head.before, t->after = head.after;
+    for (int i = 0; i < 3; i++)
+        sph_vector_read(record, corner[i], p->w, v[i]);
+    for (int i = 0; i < 3; i++) {
+        e[0][i] = v[1][i] - v[0][i];
+        e[1][i] = v[2][i] - v[0][i];
+        t->v[i] = (int32_t)v[0][i];
+        t->e1[i] = (int32_t)e[0][i];
+        t->e2[i] = (int32_t)e[1][i];
+    }
+    sph_fast_cross(e[0], e[1], t->n);
+}
