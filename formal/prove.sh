@@ -11,7 +11,7 @@ set -u
 cd "$(dirname "$0")/.." || exit 2
 pattern=${1:-} BUILD=${BUILD:-build} NICE=${NICE:-nice} CC=${CC:-gcc}
 dir=$BUILD/formal
-include='-Irtl/math -Irtl/trace -Irtl/core -Irtl/top -Irtl/engine'
+include='-Irtl/math -Irtl/prim -Irtl/trace -Irtl/core -Irtl/top -Irtl/engine'
 mkdir -p "$dir" || exit 2
 : >"$dir/table"
 worst=0
