@@ -13,9 +13,9 @@ void sph_fast_triangle_read(const struct sph_profile *p, const uint32_t *record,
                                   SPH_TRIANGLE_V2_X_LSB};
     int64_t v[3][3], e[2][3];
     memset(t, 0, sizeof *t);
-    if (sph_record_kind(1, record) != SPH_TRIANGLE || sph_record_clear(SPH_TRIANGLE, record))
-        return;
-    struct sph_facet_leaf head = sph_facet_head(record, SPH_TRIANGLE);
+    uint32_t kind = sph_record_kind(1, record);
+    if (sph_prim_of(kind) != &sph_prim_triangle || sph_record_clear(kind, record)) return;
+    struct sph_facet_leaf head = sph_facet_head(record, (int)kind);
     t->known = 1, t->id = head.id, t->before = head.before, t->after = head.after;
     for (int i = 0; i < 3; i++)
         sph_vector_read(record, corner[i], p->w, v[i]);
