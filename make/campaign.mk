@@ -23,6 +23,7 @@ campaign: $(LIB) $(TOOL) $B/test/libhard.a ## faults by Yosys in every module, a
 campaign_model = builder core fast machine math pixel prim reference shade texture trace
 campaign_suite = $(patsubst %.c,$B/test/%.o, \
     $(notdir $(wildcard $(campaign_model:%=tests/%/test_*.c))))
+campaign-c: $(campaign_suite:.o=.sanitized.o) $B/asan/libsphaera.a
 campaign-c: $(LIB) $(campaign_suite) $B/test/hard ## faults in the model, and what notices them
 	@JOBS=$(JOBS) python3 -m lab.mutants.model $B $(FAULTS) $(SEED) $(MINUTES) $(CC) $(CFLAGS)
 	@python3 -m lab.pages.measured docs/results/mutants.md "make campaign-c" \

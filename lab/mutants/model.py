@@ -3,12 +3,17 @@
 """usage: python3 -m lab.mutants.model BUILD COUNT SEED MINUTES [COMPILER OPTION...]
 
 An operator or number of a file of cmodel/ becomes another one (EDITS): COUNT of all these places,
-drawn by SEED, as many as are begun within MINUTES. The file is compiled and linked in front of the
-library's own, into one suite of tests/ after the other until one fails, hangs or crashes: those of
-its name first, then the quickest, of those that gcov says run its line. What compiles to the same
-instructions is no fault. JOBS are tried at once; what was tried is kept and not tried again.
-lab/mutants/left_c.py tries in one suite those that the page lists as left."""
+drawn by SEED, as many as are begun within MINUTES; an edit elsewhere leaves the draw as it is. The
+file is compiled and linked in front of the library's own, into one suite of tests/ after the other
+until one fails, hangs or crashes: those of its name first, then the quickest, of those that gcov
+says run its line and that take at most LONGEST seconds. What all of them let pass they try once
+more under the sanitizers, as `make test` does. What compiles to the same instructions is no fault.
+JOBS are tried at once. A kill is kept as long as the model and the suite that it fell to stay, what
+is left as long as all suites do. lab/mutants/left_c.py tries in one suite those that the page lists
+as left."""
+import functools
 import glob
+import hashlib
 import json
 import os
 import random
@@ -22,7 +27,7 @@ from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 
 from ..jobs import store
-from ..pages import place
+from ..pages import data, place
 from . import page
 
 FOLDERS = ("engine", "math", "pixel", "prim", "shade", "texture", "trace")    # of cmodel/
@@ -36,17 +41,23 @@ EDITS = ((r" \+ ", " - "), (r" - ", " + "), (r" \* ", " + "), (r" << ", " >> "),
 TESTS = "builder core fast machine math pixel prim reference shade texture trace".split()
 # The program `hard` as suites: its named cases, some generated ones.
 HARD = {"hard_named": ["--named"], "hard_cases": ["--cases", "20000", "--exhaustive", "100"]}
-LONGEST = float(os.environ.get("LONGEST", "1000"))  # seconds of a suite that is tried at all
+LONGEST = float(os.environ.get("LONGEST", "3"))     # seconds of a suite that is tried at all
 PATIENCE, SLACK = 2, 2      # a suite may take PATIENCE times what it takes without one, and SLACK
-SOURCES = ["cmodel/*/*.[ch]", "tests/*.h", *(f"tests/{t}/*.c" for t in [*TESTS, "hard"])]
+MODEL = ["cmodel/*/*.[ch]", "tests/*.h"]
+SANITIZE = "-O1 -fsanitize=address,undefined -fno-sanitize-recover=all".split()
+
+
+@functools.cache
+def source(name):
+    with open(name, encoding="utf-8") as f:
+        return f.read()
 
 
 def places():
     """[(file, offset, length, text that comes there)], but for comments and what is not code."""
     found = []
     for name in sorted(n for f in FOLDERS for n in glob.glob(f"cmodel/{f}/*.c")):
-        with open(name, encoding="utf-8") as f:
-            text = f.read()
+        text = source(name)
         if re.search(r"gen_|_build|_scene|build\.c|scene\.c", name):
             continue        # programs that make tables, and the builder's part of a kind
         code = re.sub(r'/\*.*?\*/|//[^\n]*|^#[^\n]*|"[^"\n]*"', lambda m: " " * len(m[0]), text,
@@ -56,6 +67,12 @@ def places():
                 found.append((name, m.start(), len(m[0]),
                               str(int(m[0]) + 1) if to is None else to))
     return sorted(found)
+
+
+@functools.cache
+def sources(suite):
+    """Digest of a suite's own sources."""
+    return store.digest(["tests/hard/*.c"] if suite in HARD else [f"tests/*/{suite}.c"])
 
 
 def suites(build):
@@ -74,71 +91,77 @@ class Trial:
             text=True, stdout=subprocess.PIPE).stdout.split()
         self.suites = self.survey() if survey else {}
 
-    def compiled(self, folder, name, text):
+    def compiled(self, folder, name, text, how=("-O1",)):
         """The object file of a text in place of a file, and its instructions; None: none."""
-        source, made = f"{folder}/{os.path.basename(name)}", f"{folder}/fault.o"
-        with open(source, "w", encoding="utf-8") as f:
+        written, made = f"{folder}/{os.path.basename(name)}", f"{folder}/fault.o"
+        with open(written, "w", encoding="utf-8") as f:
             f.write(text)
-        ran = subprocess.run([*self.compiler, "-w", "-Icmodel", f"-I{os.path.dirname(name)}", "-O1",
-                              "-g0", "-c", source, "-o", made], check=False,
+        ran = subprocess.run([*self.compiler, "-w", "-Icmodel", f"-I{os.path.dirname(name)}", *how,
+                              "-g0", "-c", written, "-o", made], check=False,
                              stderr=subprocess.DEVNULL)
         if ran.returncode:
             return None, b""
         return made, subprocess.run(["objdump", "-d", "-s", made], check=True,
                                     stdout=subprocess.PIPE).stdout
 
-    def link(self, folder, suite, objects, library):
+    def link(self, folder, suite, objects, sanitized=False):
         """A suite's program with these objects in front of the library."""
         program = f"{folder}/{suite}"
-        own = [f"{self.build}/test/{suite}.o"] if suite not in HARD else [
-            *glob.glob(f"{self.build}/test/obj/tests/hard/*.o"),
-            f"{self.build}/obj/cmodel/tool/progress.o"]
-        subprocess.run([self.linker, "-fopenmp", *own, *objects,
+        own = [f"{self.build}/test/{suite}{'.sanitized' if sanitized else ''}.o"]
+        if suite in HARD:
+            own = [*glob.glob(f"{self.build}/test/obj/tests/hard/*.o"),
+                   f"{self.build}/obj/cmodel/tool/progress.o"]
+        library = f"{self.build}/{'asan/' if sanitized else ''}libsphaera.a"
+        subprocess.run([self.linker, "-fopenmp", *(SANITIZE if sanitized else ()), *own, *objects,
                         library, *self.libraries, "-lm", "-lgcov", "-o", program], check=True)
         return program
 
-    def run(self, program, seconds, **more):
-        """Whether a suite passes within so many seconds of a processor."""
+    def run(self, program, seconds):
+        """What a suite returns; 0 if it passes within so many seconds of a processor."""
         return subprocess.run(
             [program, *HARD.get(os.path.basename(program), [])], check=False,
             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds)),
-            env={**os.environ, "BUILD": self.build, "OMP_NUM_THREADS": "1", **more}).returncode == 0
+            env={**os.environ, "BUILD": self.build, "OMP_NUM_THREADS": "1"}).returncode
 
     def survey(self):
-        """{suite: [seconds, {file: [first line, whether it runs, next line, ...]}]} of the suites
-        that pass. Kept until a source changes."""
-        cache, digest = f"{self.build}/mutants/suites.json", store.digest(SOURCES)
+        """{suite: [seconds, {file: [[line, whether it runs]]}]} of the suites that pass and are no
+        longer than LONGEST. Kept until the model or the suite changes."""
+        cache, digest, found = f"{self.build}/mutants/suites.json", store.digest(MODEL), {}
         if os.path.exists(cache):
             with open(cache, encoding="utf-8") as f:
                 kept = json.load(f)
-            if kept["digest"] == digest:
-                return kept["suites"]
-        print("running each suite once, with gcov", flush=True)
+            if kept["digest"] == [digest, LONGEST]:
+                found = kept["suites"]
+        wanted = {s: sources(s) for s in suites(self.build)}
+        found = {s: seen for s, seen in found.items() if seen[2] == wanted.get(s)}
+        if len(found) < len(wanted):
+            print("running suites once, with gcov", flush=True)
         with tempfile.TemporaryDirectory(prefix="sphaera-fault-") as folder:
             objects = []
-            for name in sorted({n for n, *_ in places()}):
+            for name in sorted({n for n, *_ in places()} if len(found) < len(wanted) else ()):
                 objects.append(f"{folder}/{name[7:-2].replace('/', '-')}.o")
                 subprocess.run([*self.compiler, "-w", "-Icmodel", "-O1", "--coverage", "-c", name,
                                 "-o", objects[-1]], check=True)
-            found = {}
-            for suite in suites(self.build):
-                program = self.link(folder, suite, objects, f"{self.build}/libsphaera.a")
+            for suite in wanted:
+                if suite in found:
+                    continue
+                program = self.link(folder, suite, objects)
                 began = os.times()
-                passed = self.run(program, 600)
+                failed = self.run(program, int(LONGEST) + 1)
                 now = os.times()
                 seconds = now.children_user + now.children_system - (
                     began.children_user + began.children_system)
                 counts = glob.glob(f"{folder}/*.gcda")
-                if passed:
-                    found[suite] = [round(seconds, 2), self.lines(counts)]
-                else:
+                found[suite] = [round(seconds, 2), {} if failed else self.lines(counts),
+                                wanted[suite]]
+                if failed and seconds < LONGEST:
                     print(f"{suite} fails without a fault")
                 for name in counts + [program]:
                     os.remove(name)
         os.makedirs(os.path.dirname(cache), exist_ok=True)
         with open(cache, "w", encoding="utf-8") as f:
-            json.dump({"digest": digest, "suites": found}, f)
+            json.dump({"digest": [digest, LONGEST], "suites": found}, f)
         return found
 
     @staticmethod
@@ -160,61 +183,92 @@ class Trial:
     def near(self, name, line):
         """Suites that run a line of a file, in the order in which they are tried."""
         (folder, stem), found = os.path.split(name[7:-2]), []
-        for suite, (seconds, files) in self.suites.items():
-            lines = files.get(name, [])
+        for suite, (seconds, files, _) in self.suites.items():
+            lines = files.get(name)
+            if not lines:
+                continue
             before = [ran for number, ran in lines if number <= line] or (
                 [any(ran for _, ran in lines)])     # a constant above all functions
             if before[-1] and seconds <= LONGEST:
                 found.append((stem not in suite and folder not in suite, seconds, suite))
         return [suite for *_, suite in sorted(found)]
 
-    def verdict(self, name, at, length, to):
-        """(verdict, suite)"""
-        with open(name, encoding="utf-8") as f:
-            text = f.read()
+    def verdict(self, name, at, length, to, first=None):
+        """(verdict, suite, digest of its sources or of all); `first`: the suite to begin with"""
+        text = source(name)
+        fault = text[:at] + to + text[at + length:]
         with tempfile.TemporaryDirectory(prefix="sphaera-fault-") as folder:
             whole, sound = self.compiled(folder, name, text)
             if whole is None:
                 sys.exit(f"mutants: {name} does not compile")
-            made, code = self.compiled(folder, name, text[:at] + to + text[at + length:])
+            made, code = self.compiled(folder, name, fault)
             if made is None or code == sound:
-                return "none", "-"
+                return "none", "-", ""
             tried = self.near(name, text.count("\n", 0, at) + 1)
+            tried.sort(key=lambda suite: suite != first)
             for suite in tried:
-                program = self.link(folder, suite, [made], f"{self.build}/libsphaera.a")
-                if not self.run(program, int(PATIENCE * self.suites[suite][0] + SLACK)):
-                    return "killed", suite
+                program = self.link(folder, suite, [made])
+                if self.run(program, int(PATIENCE * self.suites[suite][0] + SLACK)):
+                    return "killed", suite, sources(suite)
                 os.remove(program)
-        return "left", f"{len(tried)} suites", LONGEST
+            made, _ = self.compiled(folder, name, fault, SANITIZE)
+            for suite in tried:
+                if suite in HARD:
+                    continue
+                program = self.link(folder, suite, [made], True)
+                # too long is no answer here: without sanitizers it was in time
+                if self.run(program, int(10 * LONGEST)) not in (0, -9, -24):
+                    return "killed", suite + " sanitized", sources(suite)
+                os.remove(program)
+        return "left", f"{len(tried)} suites", "".join(sorted(map(sources, tried)))
 
 
 def name_of(name, at, length, to):
-    """A fault's name: file, the line as it stands, what becomes of the place, which one of them."""
-    with open(name, encoding="utf-8") as f:
-        text = f.read()
+    """A fault's name: file, the line as it stands, what becomes of the place, which one of them;
+    which of equal lines, but for the first."""
+    text = source(name)
     start = text.rfind("\n", 0, at) + 1
     line = text[start:text.index("\n", at)]
     old = text[at:at + length]
     nth = line[:at - start].count(old) + 1
-    return f"{name[7:]}: {' '.join(line.split())}: {old.strip()} to {to.strip() or 'nothing'} {nth}"
+    same = [" ".join(other.split()) for other in text[:start].splitlines()].count(
+        " ".join(line.split()))
+    return (f"{name[7:]}: {' '.join(line.split())}: {old.strip()} to "
+            f"{to.strip() or 'nothing'} {nth}" + (f" of line {same + 1}" if same else ""))
+
+
+def drawn(found, count, seed):
+    """COUNT places: those with the smallest digests of their names and the seed."""
+    def rank(place_of):
+        return hashlib.sha256(f"{seed} {name_of(*place_of)}".encode()).hexdigest()
+    return sorted(found, key=rank)[:count]
 
 
 def main(build, count, seed, minutes, *compiler):
     found, kept = places(), f"{build}/mutants/model.json"
-    chosen = random.Random(int(seed)).sample(found, min(int(count), len(found)))
+    chosen = drawn(found, int(count), seed)
     trial = Trial(build, list(compiler) or ["gcc", "-std=c11"])
-    end, done = time.time() + 60 * int(minutes), {"digest": store.digest(SOURCES), "tried": {}}
+    end, done = time.time() + 60 * int(minutes), {"digest": store.digest(MODEL), "tried": {}}
+    hints = {row[0]: row[2].split()[0] for row in data.read("mutants.model_faults")[1]}
     if os.path.exists(kept):
         with open(kept, encoding="utf-8") as f:
             before = json.load(f)
+        hints.update({name: was[1].split()[0] for name, was in before["tried"].items()})
         if before["digest"] == done["digest"]:
             done = before
 
+    def valid(place_of):
+        verdict, suite, digest = done["tried"].get(name_of(*place_of), ("", "", ""))
+        name, at, *_ = place_of
+        if verdict == "left":
+            return digest == "".join(sorted(
+                map(sources, trial.near(name, source(name).count("\n", 0, at) + 1))))
+        return verdict == "none" or verdict and digest == sources(suite.split()[0])
+
     def one(place_of):
-        before = done["tried"].get(name_of(*place_of))
-        if before and (before[0] != "left" or before[2] >= LONGEST):
-            return None     # what is left is tried again if longer suites may be
-        return trial.verdict(*place_of) if time.time() < end else None
+        if valid(place_of) or time.time() > end:
+            return None
+        return trial.verdict(*place_of, hints.get(name_of(*place_of)))
 
     with ThreadPoolExecutor(int(os.environ.get("JOBS", "1"))) as pool:
         for place_of, result in zip(chosen, pool.map(one, chosen)):
@@ -226,24 +280,26 @@ def main(build, count, seed, minutes, *compiler):
             os.replace(kept + ".tmp", kept)
             if result[0] != "none":
                 print(*result[:2], name_of(*place_of), flush=True)
-    tried = {name: done["tried"][name] for name in map(lambda c: name_of(*c), chosen)
-             if name in done["tried"]}
+    tried = {name_of(*c): done["tried"][name_of(*c)] for c in chosen if valid(c)}
     told(tried, seed, len(found))
 
 
 def reasons():
     """{fault: why nothing can notice it}"""
-    found, reason, faults = {}, [], False
+    found, reason, faults = {}, [], []
     with open(EQUIVALENT, encoding="utf-8") as f:
-        for line in f:
+        for line in [*f, "end"]:
             if not line.strip() or line.startswith("#"):
                 continue
-            if line[0] != " ":
-                reason = [] if faults else reason
-                reason.append(line.strip())
+            if line.startswith("    "):
+                faults[-1] += " " + line.strip()
+            elif line.startswith("  "):
+                faults.append(line.strip())
             else:
-                found[line.strip()] = " ".join(reason)
-            faults = line[0] == " "
+                if faults:
+                    found.update((fault, " ".join(reason)) for fault in faults)
+                    reason, faults = [], []
+                reason.append(line.strip())
     return found
 
 

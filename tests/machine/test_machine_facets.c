@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "machine/prims.h"
+#include "prim/triangle.h"
 #include "trace/leaf_unit.h"
 
 static char path[64];
@@ -72,10 +73,10 @@ static void test_table(void **unused) {
         field(&m, first, 24 * i, 24, -(1 << 15) - 1, "of the triangle is not on the grid");
     }
     for (int i = 0; i < 3; i++)
-        field(&m, plane, 24 * i, 24, 1 << 15, "the point of the plane is not on the grid");
+        field(&m, plane, 24 * i, 24, 1 << 15, "the point of the plane is not on the grid"),
+            field(&m, plane, 24 * i, 24, -(1 << 15) - 1, "the point of the plane is not on");
     for (int bit = SPH_PLANE_N_Z_LSB + SPH_PLANE_N_Z_BITS; bit < SPH_FACET_ID_LSB; bit++)
         field(&m, plane, bit, 1, 1, "bits of the plane that must be 0 are not");
-    field(&m, plane, FACET(BEFORE), 4, "bits of the plane that must be 0 are not");
     field(&m, plane, SPH_PLANE_N_X_LSB, 24, -(1 << 23), "cannot be turned");
     uint32_t save[SPH_LINE_WORDS];
     memcpy(save, plane, sizeof save);
@@ -89,6 +90,80 @@ static void test_table(void **unused) {
     wrong(&m, "the triangle has no area");
     memcpy(first, save, sizeof save);
     sph_machine_free(&m);
+}
+
+/* A plane's own part: every bit that must be 0, and points at the ends of the grid. */
+static void test_plane(void **unused) {
+    (void)unused;
+    struct sph_machine m = example();
+    const struct sph_prim *kind = sph_prim_of(SPH_PLANE);
+    const uint32_t *prim = line_of(&m, SPH_REG_PRIM_BASE, 5);
+    uint32_t *plane = line_of(&m, SPH_REG_FACET_BASE, 4), save[SPH_LINE_WORDS];
+    memcpy(save, plane, sizeof save);
+    for (int bit = 0; bit < SPH_FACET_KIND_LSB; bit++) {
+        struct sph_error err = {{0}};
+        int zero = bit >= SPH_PLANE_N_Z_LSB + SPH_PLANE_N_Z_BITS && bit != SPH_FACET_CLEAR_LSB &&
+                   (bit < SPH_FACET_ID_LSB || bit >= SPH_FACET_BEFORE_LSB);
+        plane[bit / 32] |= 1u << bit % 32;
+        int bad = kind->validate(&m, 0, plane, 5, prim, &err);
+        assert_int_equal(zero, bad && strstr(err.text, "bits of the plane that must be 0") != NULL);
+        memcpy(plane, save, sizeof save);
+    }
+    for (int i = 0; i < 3; i++)
+        for (int end = -1; end <= 1; end += 2)
+            for (int out = 0; out < 2; out++) {
+                int32_t at = (end < 0 ? -(1 << 15) : (1 << 15) - 1) + out * end;
+                struct sph_error err = {{0}};
+                sph_field_set(plane, SPH_PLANE_P_X_LSB + 24 * i, 24, (uint32_t)at);
+                assert_int_equal(kind->validate(&m, 0, plane, 5, prim, &err), -out);
+                memcpy(plane, save, sizeof save);
+            }
+    sph_machine_free(&m);
+}
+
+/* A triangle has the three corners of its record: with any of them elsewhere a ray misses it. */
+static void test_corners(void **unused) {
+    static const int32_t away[3][2] = {{5000, -100}, {-5000, -100}, {0, -5000}};
+    (void)unused;
+    struct sph_machine m = example();
+    struct sph_ray ray = {.skip = {SPH_ID_NONE, 0}, .dir = {1000, 0, 0}, .inside = 1};
+    sph_ray_setup(sph_machine_profile(&m), &ray);
+    for (int moved = -1; moved < 3; moved++) {
+        int32_t v[3][3] = {{100, -100, -100}, {100, 100, -100}, {100, 0, 100}};
+        uint32_t line[SPH_LINE_WORDS] = {0}, errors = 0;
+        struct sph_counters c = {{0}};
+        struct sph_probe probe = sph_probe_of(&m, &ray, &c, &errors);
+        for (int i = 0; i < 2 && moved >= 0; i++)
+            v[moved][i + 1] = away[moved][i];
+        for (int i = 0; i < 9; i++)
+            sph_field_set(line, 24 * i, 24, (uint32_t)v[i / 3][i % 3]);
+        sph_field_set(line, FACET(KIND), SPH_TRIANGLE);
+        sph_leaf_visit(&probe, line);
+        assert_int_equal(probe.best.key, moved < 0 ? 100 * 1000 : 0);
+    }
+    sph_machine_free(&m);
+}
+
+/* The normal of a triangle is the cross product as it is, if that just fills its bits; one bit more
+ * is rounded, halves away from 0, and what that makes too long is halved again. */
+static void test_normal(void **unused) {
+    static const struct {
+        int32_t a, b, normal;
+    } cases[] = {{1 << 11, (1 << 12) - 1, ((1 << 12) - 1) << 11},
+                 {2895, 2897, 2895 * 2897},
+                 {2047, 4097, 2047 * 4097},
+                 {4095, 4097, 1 << 22},
+                 {3001, 3001, (3001 * 3001 + 1) / 2},
+                 {-3001, 3001, -4503001},
+                 {1, 3, 3 << 21}};
+    (void)unused;
+    for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
+        const int32_t v[3][3] = {{0}, {cases[n].a, 0, 0}, {0, cases[n].b, 0}};
+        int32_t normal[3];
+        assert_int_equal(sph_triangle_normal(v, normal), 1);
+        assert_int_equal(normal[2], cases[n].normal);
+        assert_true(!normal[0] && !normal[1]);
+    }
 }
 
 /* Kinds beyond the two bits: each number has one pattern, and is told. */
@@ -269,6 +344,8 @@ int main(int argc, char **argv) {
         cmocka_unit_test(test_no_kind), cmocka_unit_test(test_records),
         cmocka_unit_test(test_leaves),  cmocka_unit_test(test_registers),
         cmocka_unit_test(test_tree),    cmocka_unit_test(test_damaged),
+        cmocka_unit_test(test_plane),   cmocka_unit_test(test_normal),
+        cmocka_unit_test(test_corners),
     };
     seed(argc, argv);
     snprintf(path, sizeof path, "/tmp/test_facets_%ld.sph", (long)getpid());

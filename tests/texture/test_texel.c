@@ -48,6 +48,11 @@ static void axis_texels(void **state) {
                                vec_pick(&rng, -2, 2),
                            size, clamp);
         }
+    for (int clamp = 0; clamp < 2; clamp++) /* the widest image: a step is a part of a texel */
+        for (int64_t at = -2; at <= 2; at++) {
+            check_axis(at, 4096, clamp);
+            check_axis(at + (1 << SPH_ST_FRACTION), 4096, clamp);
+        }
 }
 
 static void level_sizes(void **state) {
@@ -108,6 +113,9 @@ static void orders(void **state) {
             assert_in_range(lines, (texels + 7) / 8, 4 * first);
             free(used);
         }
+    /* rows begin anew in a line: seven texels and eight have one */
+    for (uint32_t w = 1; w <= 17; w++)
+        assert_int_equal(sph_order_lines(SPH_ORDER_ROWS, w, 3, 1), 3 * ((w + 7) / 8));
     /* along a Z curve four tiles of a square stand together, then four such squares */
     assert_int_equal(sph_order_word(SPH_ORDER_MORTON, 64, 64, 0, 4, 0), 8);
     assert_int_equal(sph_order_word(SPH_ORDER_MORTON, 64, 64, 0, 0, 2), 16);
@@ -236,6 +244,25 @@ static void lookups(void **state) {
     }
 }
 
+/* Each axis repeats or stays at the edge by its own bit: at 1.25, a quarter or the last texel. */
+static void clamps(void **state) {
+    (void)state;
+    struct sph_machine m;
+    uint32_t mem[LINES * SPH_LINE_WORDS], *map = mem + MAP * SPH_LINE_WORDS;
+    struct sph_texture_work work;
+    for (uint32_t s = 0; s < 2; s++)
+        for (uint32_t t = 0; t < 2; t++) {
+            small_machine(&m, mem);
+            sph_field_set(map, SPH_MAP_CLAMP_S_LSB, SPH_MAP_CLAMP_S_BITS, s);
+            sph_field_set(map, SPH_MAP_CLAMP_T_LSB, SPH_MAP_CLAMP_T_BITS, t);
+            sph_field_set(map, SPH_MAP_S_0_LSB, 32, 5 << (SPH_ST_FRACTION - 2));
+            sph_field_set(map, SPH_MAP_T_0_LSB, 32, 5 << (SPH_ST_FRACTION - 2));
+            look(&m, SPH_FILTER_NEAREST, 0, &work);
+            assert_int_equal(work.words, (IMAGE + 1) * SPH_LINE_WORDS +
+                                             sph_texel_word(8, s ? 7 : 2, t ? 3 : 1));
+        }
+}
+
 /* Records that point nowhere: a sticky error, a white or a good texel, never a word outside. */
 static void damaged(void **state) {
     (void)state;
@@ -341,12 +368,19 @@ static void cache_lately(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(axis_texels),       cmocka_unit_test(level_sizes),
-        cmocka_unit_test(addresses),         cmocka_unit_test(orders),
-        cmocka_unit_test(constant_stays),    cmocka_unit_test(filters),
-        cmocka_unit_test(albedo_every_pair), cmocka_unit_test(lookups),
-        cmocka_unit_test(damaged),           cmocka_unit_test(cache),
-        cmocka_unit_test(cache_late),        cmocka_unit_test(cache_lately),
+        cmocka_unit_test(axis_texels),
+        cmocka_unit_test(level_sizes),
+        cmocka_unit_test(addresses),
+        cmocka_unit_test(orders),
+        cmocka_unit_test(constant_stays),
+        cmocka_unit_test(filters),
+        cmocka_unit_test(albedo_every_pair),
+        cmocka_unit_test(lookups),
+        cmocka_unit_test(clamps),
+        cmocka_unit_test(damaged),
+        cmocka_unit_test(cache),
+        cmocka_unit_test(cache_late),
+        cmocka_unit_test(cache_lately),
     };
     return cmocka_run_group_tests_name("texel", tests, NULL, NULL);
 }
