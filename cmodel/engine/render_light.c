@@ -3,11 +3,19 @@
  */
 #include "engine/render_light.h"
 
+#include "fast/setup.h"
 #include "math/fx.h"
 #include "shade/colour.h"
 #include "shade/gloss.h"
 #include "texture/filter.h"
 #include "trace/traverse.h"
+
+void sph_job_setup(const struct sph_job *j, struct sph_ray *ray) {
+    if (j->fast)
+        sph_fast_prepare(j->p, ray);
+    else
+        sph_ray_setup(j->p, ray);
+}
 
 struct sph_hit sph_job_trace(const struct sph_job *j, const struct sph_ray *ray) {
     static const int kinds[] = {SPH_COUNT_RAYS_PRIMARY, SPH_COUNT_RAYS_SHADOW,
@@ -53,7 +61,7 @@ void sph_job_light(const struct sph_job *j, const struct sph_ray *ray, const str
         sph_surface_leave(j->p, s, &to);
         for (int i = 0; i < 3; i++)
             to.dir[i] = lamp[i] - sph_round(s->point[i], lamp[3] >> SPH_LIGHT_SHIFT_LSB);
-        sph_ray_setup(j->p, &to);
+        sph_job_setup(j, &to);
         uint32_t cosine = sph_lambert(&s->unit, &to.unit);
         if (!cosine) continue;
         int blocked = sph_machine_effect(j->m, SPH_EFFECT_SHADOW) && sph_job_trace(j, &to).key;

@@ -22,6 +22,9 @@ struct sph_job {
     const struct sph_fast *fast; /* NULL: literally */
 };
 
+/* sph_ray_setup() */
+void sph_job_setup(const struct sph_job *j, struct sph_ray *ray);
+
 /* A ray through the tree, counted by its kind. */
 struct sph_hit sph_job_trace(const struct sph_job *j, const struct sph_ray *ray);
 

@@ -80,7 +80,7 @@ static struct sph_ray reflected(const struct sph_job *j, const struct sph_ray *r
     for (int i = 0; i < 3; i++)
         next.org[i] = s->point[i];
     sph_mirror(j->p, ray->dir, s, next.dir);
-    sph_ray_setup(j->p, &next);
+    sph_job_setup(j, &next);
     return next;
 }
 
@@ -92,7 +92,7 @@ static int refracted(const struct sph_job *j, const struct sph_ray *ray, const s
         (struct sph_ray){.kind = SPH_REFRACTED, .skip = {hit->id, !hit->far}, .inside = j->inside};
     sph_surface_behind(j->p, s, next->org);
     if (!sph_refract(j->p, ray, s, from, to, next->dir)) return 0;
-    sph_ray_setup(j->p, next);
+    sph_job_setup(j, next);
     return 1;
 }
 
@@ -102,7 +102,7 @@ static struct sph_ray primary(const struct sph_job *j, int x, int y, int first) 
     for (int i = 0; i < 3; i++)
         ray.org[i] = j->m->regs[SPH_REG_EYE_X + i];
     sph_primary_dir(j->m, x, y, ray.dir);
-    sph_ray_setup(j->p, &ray);
+    sph_job_setup(j, &ray);
     return ray;
 }
 
