@@ -20,7 +20,10 @@ from .synth.report import table
 FRAME = "640x360"
 ROUNDS = 5
 SCENES = ["random:256", "random:4096", "random:100000", "sphereflake:3"]
-SIZES = "100 1000 10000 100000 1000000"
+FACETS = [("kitchen", ()), ("kitchen, bih", ("--accel", "bih"))]  # scenes of triangles
+SIZES = "100 1000 10000 100000 1000000 10000000"
+STANDARD = 1000000  # more spheres have profile fine: the grid of standard merges some of them
+MEMORY = "16G"
 CHART = """set terminal svg noenhanced size 900,480 font "sans,13" background "white"
 set output "{out}"
 set title "Random spheres, processor time"
@@ -39,7 +42,8 @@ PICTURE = "docs/pictures/growth.svg"
 
 def run(*command):
     """Its standard output, and the most memory that it had, MB."""
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as process:
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+                          env=dict(os.environ, SPHAERA_MEMORY=MEMORY)) as process:
         said = process.stdout.read()
         _, status, usage = os.wait4(process.pid, 0)
         process.returncode = os.waitstatus_to_exitcode(status)
@@ -53,12 +57,19 @@ class Bench:
         self.tool, self.folder, self.embree = tool, folder, embree
         os.makedirs(folder, exist_ok=True)
 
-    def machine(self, kind):
+    def facets(self, name, words):
+        """Machine file of a scene of triangles."""
+        machine = os.path.join(self.folder, name.replace(", ", ".") + ".sph")
+        run(self.tool, "build", f"scenes/texture/{name.split(',')[0]}.nff", "--profile", "standard",
+            "--depth", "0", "--size", FRAME, *words, "-o", machine)
+        return machine
+
+    def machine(self, kind, profile="standard"):
         """Scene file, machine file, report and memory of build."""
         stem = os.path.join(self.folder, kind.replace(":", ""))
         run(self.tool, "gen", kind, "--resolution", FRAME, "-o", stem + ".nff")
-        said, memory = run(self.tool, "build", stem + ".nff", "--profile", "standard", "--depth",
-                           "0", "-o", stem + ".sph", "--json", "-")
+        said, memory = run(self.tool, "build", stem + ".nff", "--profile", profile, "--depth", "0",
+                           "-o", stem + ".sph", "--json", "-")
         return stem + ".nff", stem + ".sph", json.loads(said), memory
 
     def rays(self, machine):
@@ -117,13 +128,21 @@ def frames(bench):
                 other.append(bench.povray(scene))
         rows.append([kind, f"{min(fast) * 1e3:.0f}", ratio(fast, literal), ratio(packets, fast),
                      f"{min(other) / min(fast):.2f}" if other else "-"])
+    for name, words in FACETS:
+        machine = bench.facets(name, words)
+        literal, fast = [], []
+        for _ in range(ROUNDS):
+            literal.append(bench.frame(machine, "--literal"))
+            fast.append(bench.frame(machine))
+        rows.append([name, f"{min(fast) * 1e3:.0f}", ratio(fast, literal), "-", "-"])
     return table(["scene", "fast, ms", "literal / fast", "fast / packets", "POV-Ray / fast"], rows)
 
 
 def growth(bench):
     rows = []
     for size in os.environ.get("SIZES", SIZES).split():
-        _, machine, report, memory = bench.machine(f"random:{size}")
+        profile = "standard" if int(size) <= STANDARD else "fine"
+        _, machine, report, memory = bench.machine(f"random:{size}", profile)
         took = [bench.frame(machine) for _ in range(3)]
         row = [size, f"{report['build']['tree_seconds']:.2f}", f"{memory:.0f}",
                f"{min(took) * 1e3:.0f}"]
