@@ -172,6 +172,16 @@ static void turned_normals_are_not_bent(void **state) {
     assert_memory_equal(s.side, s.normal, sizeof s.side);
     sph_surface_turn(p, &ray, 1, flat, &s);
     assert_true(!s.normal[0] && !s.normal[1] && s.normal[2] < 0);
+    for (int i = 0; i < 3; i++) { /* along one axis alone it is a normal, along none -dir */
+        int64_t along[3] = {0};
+        along[i] = 100;
+        sph_surface_turn(p, &ray, 0, along, &s);
+        for (int k = 0; k < 3; k++)
+            assert_int_equal(s.normal[k] > 0, i == k);
+        along[i] = 0;
+        sph_surface_turn(p, &ray, 0, along, &s);
+        assert_true(!s.normal[0] && !s.normal[1] && s.normal[2] > 0);
+    }
 }
 
 /* A machine of one sphere that has no more than so many effects. */

@@ -97,7 +97,7 @@ static void test_plane(void **unused) {
     (void)unused;
     struct sph_machine m = example();
     const struct sph_prim *kind = sph_prim_of(SPH_PLANE);
-    const uint32_t *prim = line_of(&m, SPH_REG_PRIM_BASE, 5);
+    uint32_t *prim = line_of(&m, SPH_REG_PRIM_BASE, 5);
     uint32_t *plane = line_of(&m, SPH_REG_FACET_BASE, 4), save[SPH_LINE_WORDS];
     memcpy(save, plane, sizeof save);
     for (int bit = 0; bit < SPH_FACET_KIND_LSB; bit++) {
@@ -109,6 +109,18 @@ static void test_plane(void **unused) {
         assert_int_equal(zero, bad && strstr(err.text, "bits of the plane that must be 0") != NULL);
         memcpy(plane, save, sizeof save);
     }
+    for (int i = 0; i < 3; i++) { /* normals along the axes are good ones */
+        struct sph_error err = {{0}};
+        for (int k = 0; k < 3; k++) {
+            sph_field_set(plane, SPH_PLANE_N_X_LSB + 24 * k, 24, k == i ? 7 : 0);
+            sph_field_set(prim, SPH_LEAF_CTR_X_LSB + 24 * k, 24, k == i ? 7 : 0);
+        }
+        assert_int_equal(kind->validate(&m, 0, plane, 5, prim, &err), 0);
+    }
+    memcpy(plane, save, sizeof save);
+    for (int k = 0; k < 3; k++) /* the record's copy of the normal, as it was */
+        sph_field_set(prim, SPH_LEAF_CTR_X_LSB + 24 * k, 24,
+                      sph_field(plane, SPH_PLANE_N_X_LSB + 24 * k, 24));
     for (int i = 0; i < 3; i++)
         for (int end = -1; end <= 1; end += 2)
             for (int out = 0; out < 2; out++) {
