@@ -15,7 +15,7 @@ module f_share #(
     input wire [47:0]  ambient,
     input wire [50:0]  lights, gloss,
     input wire [23:0]  albedo,
-    input wire [8:0]   ka, kd, kr, kt,
+    input wire [8:0]   ka, kd, kr, kt, least,
     input wire [7:0]   ks, tag,
     input wire [16:0]  weight,
     input wire [1:0]   depth,
@@ -29,16 +29,18 @@ module f_share #(
     wire [7:0]   out_tag;
     wire [143:0] out;
     wire [16:0]  mirror, refract, total;
+    wire         light_mirror, light_refract;
     rt_share #(.SUM(SUM), .SPECULAR(SPECULAR), .TAG(8)) u_dut (
         .clk(clk), .rst(age_q == 0), .in_valid_i(age_q == 1), .in_ready_o(ready), .in_tag_i(tag),
         .in_background_i(background), .in_ambient_i(ambient), .in_lights_i(lights),
         .in_gloss_i(gloss), .in_albedo_i(albedo), .in_sum_i(sum), .in_ka_i(ka), .in_kd_i(kd),
-        .in_ks_i(ks), .in_kr_i(kr), .in_kt_i(kt), .in_weight_i(w), .in_depth_i(at),
-        .in_frames_i(frames), .out_valid_o(valid), .out_tag_o(out_tag), .out_frames_o(out),
-        .out_mirror_o(mirror), .out_refract_o(refract), .out_total_o(total)
+        .in_ks_i(ks), .in_kr_i(kr), .in_kt_i(kt), .in_weight_i(w), .in_least_i(least),
+        .in_depth_i(at), .in_frames_i(frames), .out_valid_o(valid), .out_tag_o(out_tag),
+        .out_frames_o(out), .out_mirror_o(mirror), .out_refract_o(refract), .out_total_o(total),
+        .out_light_mirror_o(light_mirror), .out_light_refract_o(light_refract)
     );
 
-    // ---- the model: sph_look_read(), sph_look_light(), sph_look_own(), sph_shares_add() ----
+    // ---- the model: sph_look_read(), _worth(), _light(), _own(), sph_shares_add() ----
     function [8:0] share(input [8:0] s); share = s[8] ? 9'd256 : s; endfunction
     // a product of a share, a byte or an albedo is below 2^25 - 2^8: 2^17 - 1 times 2^8 at most
     function [16:0] by_256(input [33:0] p); by_256 = ({1'b0, p[24:0]} + 26'd128) >> 8; endfunction
@@ -53,7 +55,7 @@ module f_share #(
     reg [15:0]  m_ambient;
     reg [16:0]  m_lights, m_gloss, m_weight;
     reg [7:0]   m_albedo, m_ks, m_tag;
-    reg [8:0]   m_ka, m_kd, m_kr, m_kt;
+    reg [8:0]   m_ka, m_kd, m_kr, m_kt, m_least;
     reg [1:0]   m_depth;
     reg [47:0]  m_frames;
     always @(posedge clk) if (age_q == 1) begin
@@ -64,6 +66,7 @@ module f_share #(
         m_gloss   <= gloss[17*CHANNEL +: 17];
         m_albedo  <= albedo[8*CHANNEL +: 8];
         {m_ka, m_kd, m_kr, m_kt} <= {share(ka), share(kd), share(kr), share(kt)};
+        m_least   <= least;
         {m_ks, m_tag, m_weight, m_depth} <= {ks, tag, w, at};
         m_frames  <= {frames[96 + 16*CHANNEL +: 16], frames[48 + 16*CHANNEL +: 16],
                       frames[16*CHANNEL +: 16]};
@@ -80,7 +83,10 @@ module f_share #(
     wire [15:0] shine = SPECULAR != 0 ? bright : 16'd0;
     wire [15:0] seen  = limit(by_128(times(light, {9'd0, m_albedo})));
     wire [15:0] colour = limit({2'd0, seen} + {2'd0, shine});
-    wire [9:0]  rays  = {1'b0, m_kr} + {1'b0, m_kt};
+    wire [16:0] w_kr  = by_256(times(m_weight, {8'd0, m_kr}));
+    wire [16:0] w_kt  = by_256(times(m_weight, {8'd0, m_kt}));
+    wire        no_kr = w_kr < {m_least, 8'd0}, no_kt = w_kt < {m_least, 8'd0};
+    wire [9:0]  rays  = (no_kr ? 10'd0 : {1'b0, m_kr}) + (no_kt ? 10'd0 : {1'b0, m_kt});
     wire [8:0]  all   = rays > 10'd256 ? 9'd256 : rays[8:0];
     wire [8:0]  own   = m_sum ? 9'd256 : 9'd256 - all;
     wire [16:0] front = by_256(times(m_weight, {8'd0, own}));
@@ -93,8 +99,8 @@ module f_share #(
         if (age_q == 1) assert (ready);
         if (age_q == 13) begin
             assert (valid && ready && out_tag == m_tag);
-            assert (mirror == by_256(times(m_weight, {8'd0, m_kr})));
-            assert (refract == by_256(times(m_weight, {8'd0, m_kt})));
+            assert (mirror == w_kr && refract == w_kt);
+            assert (light_mirror == no_kr && light_refract == no_kt);
             assert (total == by_256(times(m_weight, {8'd0, all})));
             assert (out[16*CHANNEL +: 16] == (m_depth == 0 ? most(f_0) : m_frames[15:0]));
             assert (out[48 + 16*CHANNEL +: 16] == (m_depth <= 1 ? most(f_1) : m_frames[31:16]));

@@ -35,6 +35,7 @@ struct sph_build_options {
     int background;                   /* SPH_BG_* */
     int width, height;                /* 0: the scene file's */
     int max_depth;                    /* reflections 0..10 */
+    int least_weight;                 /* u1.8 of a pixel, 0..256: no lighter ray is followed */
     union {
         int asked[SPH_REPORTS]; /* of each effect with an option: SPH_AUTO, SPH_OFF, SPH_ON; of
                                    lights SPH_AUTO, or how many of the scene's, from the first on */

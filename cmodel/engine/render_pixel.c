@@ -128,8 +128,9 @@ static struct leaving leave(const struct sph_job *j, const struct branch *at,
                             const struct sph_look *look) {
     struct leaving l = {0};
     if (at->depth >= j->m->regs[SPH_REG_MAX_DEPTH]) return l;
-    l.kr = look->kr;
-    l.kt = look->kt;
+    uint32_t least = (uint32_t)j->m->regs[SPH_REG_LEAST_WEIGHT];
+    l.kr = sph_look_worth(at->weight, look->kr, least);
+    l.kt = sph_look_worth(at->weight, look->kt, least);
     if (l.kt && !refracted(j, &at->ray, hit, s, look->index, &l.refracted)) {
         l.kr = l.kr + l.kt < 256 ? l.kr + l.kt : 256;
         l.kt = 0;

@@ -132,6 +132,7 @@ void sph_fast_path(const struct sph_fast_job *j, struct sph_ray *ray,
             kr = shade(j, depth ? NULL : known, ray, &hit, prim, &s, colour,
                        depth ? NULL : j->trail);
             if (depth >= j->m->regs[SPH_REG_MAX_DEPTH]) kr = 0;
+            kr = sph_look_worth(weight, kr, (uint32_t)j->m->regs[SPH_REG_LEAST_WEIGHT]);
             if (j->trail) j->trail->depth = depth + 1;
         } else {
             for (int i = 0; i < 3; i++)

@@ -345,10 +345,12 @@
 #define SPH_REG_DOWN_X 115
 #define SPH_REG_DOWN_Y 116
 #define SPH_REG_DOWN_Z 117
+#define SPH_REG_LEAST_WEIGHT 118
+#define SPH_LEAST_WEIGHT_MAX 256
 #define SPH_LIGHT_STRIDE 8
 #define SPH_LIGHT_SHIFT_LSB 16
 #define SPH_LIGHT_SHIFT_BITS 5
-#define SPH_N_REGS 118
+#define SPH_N_REGS 119
 #define SPH_COUNT_RAYS_PRIMARY 0
 #define SPH_COUNT_RAYS_SHADOW 1
 #define SPH_COUNT_RAYS_REFLECTED 2
@@ -484,7 +486,8 @@
     X(ACROSS_Z) \
     X(DOWN_X) \
     X(DOWN_Y) \
-    X(DOWN_Z)
+    X(DOWN_Z) \
+    X(LEAST_WEIGHT)
 #define SPH_EACH_KIND(X)  \
     X(sphere) \
     X(triangle) \

@@ -21,6 +21,10 @@ static int check_frame(const struct sph_machine *m, struct sph_error *err) {
     const int32_t *r = m->regs;
     if (sph_validate_effects(m, err) || sph_validate_optics(m, err)) return -1;
     RANGE(MAX_DEPTH, 0, SPH_MAX_DEPTH);
+    RANGE(LEAST_WEIGHT, 0,
+          sph_machine_effect(m, SPH_EFFECT_REFLECT) || sph_machine_effect(m, SPH_EFFECT_REFRACT)
+              ? SPH_LEAST_WEIGHT_MAX
+              : 0);
     RANGE(N_LIGHTS, 0, SPH_MAX_LIGHTS);
     RANGE(FRAME_W, 1, SPH_MAX_SIDE);
     RANGE(FRAME_H, 1, SPH_MAX_SIDE);

@@ -126,6 +126,9 @@ static void follow(const struct sph_machine *m, const struct sph_ray *ray,
         if (depth < m->regs[SPH_REG_MAX_DEPTH]) {
             kr = on(m, SPH_EFFECT_REFLECT) ? prim->kr : 0;
             kt = on(m, SPH_EFFECT_REFRACT) ? prim->kt : 0;
+            int64_t least = 256 * (int64_t)m->regs[SPH_REG_LEAST_WEIGHT]; /* u1.16 */
+            if (sph_naive_round64(weight * kr, 8) < least) kr = 0;
+            if (sph_naive_round64(weight * kt, 8) < least) kt = 0;
         }
     } else {
         for (int i = 0; i < 3; i++)

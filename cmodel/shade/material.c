@@ -4,6 +4,7 @@
 #include "shade/material.h"
 
 #include "math/fx.h"
+#include "shade/colour.h"
 
 enum { ONE = 256 };
 
@@ -36,6 +37,10 @@ struct sph_look sph_look_read(const struct sph_machine *m, const uint32_t *prim)
         l.power = sph_field(prim, SPH_PRIM_POWER_LSB, SPH_PRIM_POWER_BITS);
     }
     return l;
+}
+
+uint32_t sph_look_worth(uint32_t weight, uint32_t part, uint32_t least) {
+    return sph_share(weight, part) >> 8 < least ? 0 : part;
 }
 
 uint32_t sph_look_light(const struct sph_look *look, uint32_t ambient, uint32_t lights) {

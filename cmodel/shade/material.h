@@ -23,6 +23,10 @@ uint32_t sph_look_mirror(const uint32_t *prim);
 /* The record as the effects of the machine let it count. */
 struct sph_look sph_look_read(const struct sph_machine *m, const uint32_t *prim);
 
+/* The share that counts of one whose ray would have this weight (u1.16) times it: none if that is
+ * less than `least`, u1.8. */
+uint32_t sph_look_worth(uint32_t weight, uint32_t part, uint32_t least);
+
 /* Light of a surface, u2.15: the ambient light and that of the lights, each by its share. */
 uint32_t sph_look_light(const struct sph_look *look, uint32_t ambient, uint32_t lights);
 

@@ -5,11 +5,15 @@
 #include "scene/motion.h"
 #include "tool/tool.h"
 
-enum { KEY_SIZE = 640, KEY_DEPTH, KEY_AT, KEY_SKIP, KEY_ROUND, KEY_TIME };
+enum { KEY_SIZE = 640, KEY_DEPTH, KEY_LEAST, KEY_AT, KEY_SKIP, KEY_ROUND, KEY_TIME };
 
 static const struct argp_option options[] = {
     {"size", KEY_SIZE, "WxH", 0, "frame in pixels; as the scene says if not given", 1},
     {"depth", KEY_DEPTH, "N", 0, "reflections and refractions one after another, 0 to 10 (2)", 1},
+    {"least-weight", KEY_LEAST, "S", 0,
+     "a mirrored or refracted ray of less than this share of its pixel, 0 (default) to 1 in steps "
+     "of 1/256, is not followed: each changes a channel by less than that share of 255",
+     1},
     {"at", KEY_AT, "N", 0, "frame that moving primitives are moved to, 0 (default) to 65535", 1},
     {"time", KEY_TIME, "T", 0, "of AFF: the scene at this time of its own, not at a frame", 1},
     {"skip-unsupported", KEY_SKIP, NULL, 0,
@@ -31,6 +35,10 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         break;
     case KEY_DEPTH:
         s->build.max_depth = (int)tool_number(state, "--depth", arg, 0, SPH_MAX_DEPTH);
+        break;
+    case KEY_LEAST:
+        s->build.least_weight =
+            (int)(SPH_LEAST_WEIGHT_MAX * tool_real(state, "--least-weight", arg, 0, 1));
         break;
     case KEY_AT:
         s->read.at = (uint32_t)tool_number(state, "--at", arg, 0, SPH_MAX_FRAME);

@@ -123,6 +123,7 @@ module rt_core #(
     // ---- registers, start ----
     wire [31:0]      effects, profile;
     wire [3:0]       max_depth;
+    wire [8:0]       least;
     wire [1:0]       frame, tex_filter;
     wire [3:0]       coarse;
     wire [3:0]       n_lights;
@@ -152,7 +153,8 @@ module rt_core #(
     rt_registers #(.W(W), .WD(WD), .TEXTURE(TEXTURE), .SMOOTH(SMOOTH), .ACCEL(ACCEL),
                    .TURNED(TURNED)) u_registers (
         .clk(clk), .valid_i(cfg_valid_q), .addr_i(cfg_addr_q), .data_i(cfg_data_q),
-        .effects_o(effects), .max_depth_o(max_depth), .n_lights_o(n_lights),
+        .effects_o(effects), .max_depth_o(max_depth), .least_o(least),
+        .n_lights_o(n_lights),
         .window_o(window), .bg_mode_o(bg_mode), .rect_o(rect), .bg_base_o(bg_base),
         .bg_count_o(bg_count), .background_o(background),
         .ambient_o(ambient), .eye_o(eye), .dir_o(dir), .pitch_o(pitch), .root_o(root),
@@ -169,6 +171,7 @@ module rt_core #(
     assign regs[`RT_REGS_EFFECTS]     = effects[`RT_EFFECT_BITS-1:0];
     assign regs[`RT_REGS_TEX_FILTER]  = tex_filter;
     assign regs[`RT_REGS_MAX_DEPTH]   = max_depth;
+    assign regs[`RT_REGS_LEAST]       = least;
     assign regs[`RT_REGS_N_LIGHTS]    = n_lights;
     assign regs[`RT_REGS_BACKGROUND]  = background;
     assign regs[`RT_REGS_AMBIENT]     = ambient;

@@ -19,6 +19,7 @@ module rt_registers #(
     input  wire [31:0]       data_i,
     output reg  [31:0]       effects_o,
     output reg  [3:0]        max_depth_o,
+    output reg  [8:0]        least_o,
     output reg  [3:0]        n_lights_o,
     output reg  [55:0]       window_o,        // {y1, x1, y0, x0}
     output reg  [1:0]        bg_mode_o,
@@ -62,6 +63,7 @@ module rt_registers #(
             case (addr_i)
                 `RT_REG_EFFECTS:     effects_o       <= data_i;
                 `RT_REG_MAX_DEPTH:   max_depth_o     <= data_i[3:0];
+                `RT_REG_LEAST_WEIGHT: least_o        <= data_i[8:0];
                 `RT_REG_N_LIGHTS:    n_lights_o      <= data_i[3:0];
                 `RT_REG_WIN_X0:      window_o[13:0]  <= data_i[13:0];
                 `RT_REG_WIN_Y0:      window_o[27:14] <= data_i[13:0];

@@ -16,6 +16,7 @@ module rt_blends #(
 ) (
     input  wire             clk,
     input  wire             rst,
+    input  wire [8:0]       least_i,          // u1.8, weight below which no ray is followed
     // a surface, or the background behind a mirror
     input  wire             read_i,
     input  wire [$clog2(SLOTS)-1:0] read_slot_i,
@@ -47,7 +48,6 @@ module rt_blends #(
     wire [SLOTW+1:0]     in_tag = {in_probe_i, in_last_i, in_slot_i};
     wire [TAG-1:0]       out_tag;
     assign out_slot_o  = out_tag[SLOTW-1:0];
-    assign out_last_o  = out_tag[SLOTW];
     assign out_probe_o = PROBE != 0 && out_tag[TAG-1];
     wire [CB*FRAMES-1:0] out_colour, frames;
     rt_slot_ram #(.WIDTH(CB*FRAMES), .SLOTS(SLOTS), .OLD(0)) u_frames (
@@ -65,13 +65,15 @@ module rt_blends #(
 
         if (REFLECT == 0) begin : g_colour
             assign depth_o = 4'd0;
+            assign out_last_o = out_tag[SLOTW];
             rt_colour #(.TAG(TAG)) u_colour (
                 .clk(clk), .rst(rst), .in_valid_i(in_valid_i), .in_ready_o(in_ready_o),
                 .in_tag_i(in_tag[TAG-1:0]), .in_light_i(in_light_i),
                 .in_albedo_i(in_albedo_i), .out_valid_o(out_valid_o),
                 .out_tag_o(out_tag), .out_colour_o(out_colour)
             );
-            wire unused = &{1'b0, read_i, read_slot_i, in_first_i, in_background_i, in_kr_i};
+            wire unused = &{1'b0, read_i, read_slot_i, in_first_i, in_background_i, in_kr_i,
+                            least_i};
         end else begin : g_blend
             localparam DW   = $clog2(REFLECT + 1);   // depth
             localparam LB   = 48;                    // sum of lights
@@ -93,6 +95,7 @@ module rt_blends #(
             assign {o_depth, out_colour, o_weight, o_sum} = valid[0] ? results[BW-1:0]
                                                                      : results[2*BW-1:BW];
             assign depth_o     = {{(4-DW){1'b0}}, depth};
+            assign out_last_o  = out_tag[SLOTW] || o_weight[16:8] < least_i;
             assign in_ready_o  = |ready;
             assign out_valid_o = |valid;             // never both: one enters a cycle
             assign out_tag     = valid[0] ? tags[TAG-1:0] : tags[2*TAG-1:TAG];

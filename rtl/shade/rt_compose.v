@@ -134,7 +134,8 @@ module rt_compose #(
             rt_shares #(.REFLECT(REFLECT), .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM),
                         .MIRRORS(FB + PB != 0 ? 1 : 0), .PROBE(PB), .SLOTS(SLOTS)) u_shares (
                 .clk(clk), .rst(rst), .effects_i(effects),
-                .max_depth_i(regs_i[`RT_REGS_MAX_DEPTH]), .ambient_i(regs_i[`RT_REGS_AMBIENT]),
+                .max_depth_i(regs_i[`RT_REGS_MAX_DEPTH]), .least_i(regs_i[`RT_REGS_LEAST]),
+                .ambient_i(regs_i[`RT_REGS_AMBIENT]),
                 .material_i(material_i),
                 .gloss_valid_i(sum_valid_i), .gloss_slot_i(sum_slot_i), .gloss_i(gloss_i),
                 .next_valid_i(next_valid_i), .next_slot_i(next_slot_i),
@@ -155,7 +156,7 @@ module rt_compose #(
             wire       last;
             rt_blends #(.REFLECT(REFLECT), .PROBE(PB), .LUTS(LUTS),
                         .SLOTS(SLOTS)) u_blends (
-                .clk(clk), .rst(rst),
+                .clk(clk), .rst(rst), .least_i(regs_i[`RT_REGS_LEAST]),
                 .read_i(e_read), .read_slot_i(e_slot), .in_first_i(e_first), .depth_o(e_depth),
                 .in_valid_i(e_valid_q), .in_ready_o(blend_ready), .in_slot_i(e_slot_q),
                 .in_light_i(e_light), .in_albedo_i(e_albedo), .in_background_i(e_miss_q),

@@ -5,7 +5,8 @@
 //   own    = sum ? 256 : max(0, 256 - kr - kt)
 //   frame += share * colour: whole weight at the frame's own depth, own share below, deepest frame
 // A multiplier a channel; operands in cycle
-//   1 ka  2 kd  3 ks  4 weight * own, kr, kt  5 rgb  6 weight * (kr + kt)  8, 9 colour
+//   1 ka  2 kd  3 ks  4 weight * kr, kt  5 rgb  7 weight * own, kr + kt  8, 9 colour
+// A share whose ray would weigh less than in_least_i counts as 0.
 // products follow by 1 cycle, what is made of them by 2. Latency 12 cycles, one every 12 cycles.
 // Model: sph_look_light(), sph_look_own() in cmodel/shade/material.c, sph_shares_add() in colour.c
 `timescale 1ns / 1ps
@@ -34,6 +35,7 @@ module rt_share #(
     input  wire [8:0]     in_kt_i,
     // the ray that found it, and its pixel so far
     input  wire [16:0]    in_weight_i,     // u1.16
+    input  wire [8:0]     in_least_i,      // u1.8
     input  wire [1:0]     in_depth_i,      // 0, 1, 2: 2 or more
     input  wire [143:0]   in_frames_i,     // 3 x 3 x u8.8, Rendering low, red low
     output wire           out_valid_o,     // one cycle
@@ -41,7 +43,9 @@ module rt_share #(
     output wire [143:0]   out_frames_o,
     output reg  [16:0]    out_mirror_o,    // weight of a mirror ray, u1.16
     output reg  [16:0]    out_refract_o,   // of a refracted ray
-    output reg  [16:0]    out_total_o      // of a mirror ray if all is reflected
+    output reg  [16:0]    out_total_o,     // of a mirror ray if all is reflected
+    output wire           out_light_mirror_o, // it weighs less than in_least_i
+    output wire           out_light_refract_o
 );
     // ---- control: ph_q[n] n cycles after the surface was taken ----
     reg  [12:1]    ph_q;
@@ -60,6 +64,7 @@ module rt_share #(
     reg  [7:0]     ks_q;
     reg            sum_q;
     reg  [16:0]    weight_q;
+    reg  [8:0]     least_q;
     reg  [1:0]     depth_q;
     wire           shades = SUM != 0 && in_sum_i && !in_background_i;
     always @(posedge clk)
@@ -73,20 +78,23 @@ module rt_share #(
             kr_q     <= in_kr_i;
             kt_q     <= in_kt_i;
             weight_q <= in_weight_i;
+            least_q  <= in_least_i;
             depth_q  <= in_depth_i;
         end
     assign out_tag_o = tag_q;
 
     // ---- shares of the weight ----
-    wire [9:0]     both  = {1'b0, kr_q} + {1'b0, kt_q};
+    assign out_light_mirror_o  = out_mirror_o[16:8] < least_q;
+    assign out_light_refract_o = out_refract_o[16:8] < least_q;
+    wire [9:0]     both  = {1'b0, out_light_mirror_o ? 9'd0 : kr_q}
+                         + {1'b0, out_light_refract_o ? 9'd0 : kt_q};
     wire           all   = both >= 10'd256;
     wire [8:0]     total = all ? 9'd256 : both[8:0];
     wire [8:0]     own   = sum_q ? 9'd256 : 9'd256 - total;
-    reg  [16:0]    front_q;                // u1.16
     wire [50:0]    product;                // round(product / 2^8) of each channel
     always @(posedge clk) begin
-        if (ph_q[6]) {out_refract_o, out_mirror_o, front_q} <= product;
-        if (ph_q[8]) out_total_o <= product[16:0];
+        if (ph_q[6]) {out_refract_o, out_mirror_o} <= product[50:17];
+        if (ph_q[9]) out_total_o <= product[33:17];
     end
 
     genvar c;
@@ -98,17 +106,18 @@ module rt_share #(
             wire [15:0] shine;             // u8.8
             reg  [15:0] colour_q;          // u8.8
             // ---- operands, product ----
-            wire [8:0]  part = c == 0 ? own : c == 1 ? kr_q : kt_q;
+            wire [8:0]  part = c == 2 ? kt_q : kr_q;
+            wire [8:0]  rest = c == 0 ? own : total;  // own share of the weight, in cycle 9
             wire        over = ph_q[1] && ka_q[8] || ph_q[2] && kd_q[8] || ph_q[4] && part[8];
             reg  [16:0] a_q, b_q;
             reg  [33:0] p_q;
             always @(posedge clk) begin
                 a_q <= ph_q[1] ? ambient : ph_q[2] ? light_q : ph_q[3] ? gloss
-                       : ph_q[4] || ph_q[6] ? weight_q
+                       : ph_q[4] || ph_q[7] ? weight_q
                        : ph_q[5] ? light_q : {1'b0, colour_q};
                 b_q <= ph_q[1] ? {8'd0, ka_q} : ph_q[2] ? {8'd0, kd_q} : ph_q[3] ? {9'd0, ks_q}
-                       : ph_q[4] ? {8'd0, part} : ph_q[6] ? {8'd0, total}
-                       : ph_q[5] ? {9'd0, albedo_q[8*c +: 8]} : ph_q[8] ? weight_q : front_q;
+                       : ph_q[4] ? {8'd0, part} : ph_q[7] ? {8'd0, rest}
+                       : ph_q[5] ? {9'd0, albedo_q[8*c +: 8]} : ph_q[8] ? weight_q : product[16:0];
                 if (over) b_q[7:0] <= 8'd0;
                 p_q <= a_q * b_q;
             end

@@ -22,6 +22,7 @@ module rt_shares #(
     // registers
     input  wire [`RT_EFFECT_BITS-1:0]   effects_i,
     input  wire [3:0]                   max_depth_i,     // at most what the core was built for
+    input  wire [8:0]                   least_i,         // u1.8, LEAST_WEIGHT
     input  wire [47:0]                  ambient_i,       // 3 x u1.15, red low
     // the material; light, as highlights; what the next ray of a slot is worth
     input  wire [`RT_MATERIAL_BITS-1:0] material_i,
@@ -104,6 +105,7 @@ module rt_shares #(
     wire [8:0]       kt     = REFRACT != 0 && effects_i[`RT_EFFECT_REFRACT] && rays ? e_kt
                                                                                   : 9'd0;
     wire [TAG-1:0]   tag;
+    wire             light_mirror, light_refract;        // too light to be followed
     rt_share #(.SUM(SUM), .SPECULAR(SPECULAR), .TAG(TAG)) u_share (
         .clk(clk), .rst(rst), .in_valid_i(in_valid_i), .in_ready_o(in_ready_o),
         .in_tag_i({kt != 9'd0, kr != 9'd0, in_probe_i, depth, in_slot_i}),
@@ -111,15 +113,16 @@ module rt_shares #(
         .in_gloss_i(gloss), .in_albedo_i(in_albedo_i),
         .in_sum_i(effects_i[`RT_EFFECT_SUM] && e_sum), .in_ka_i(e_ka), .in_kd_i(e_kd),
         .in_ks_i(effects_i[`RT_EFFECT_SPECULAR] ? e_ks : 8'd0),
-        .in_kr_i(kr), .in_kt_i(kt), .in_weight_i(weight),
+        .in_kr_i(kr), .in_kt_i(kt), .in_weight_i(weight), .in_least_i(least_i),
         .in_depth_i(deep[3:1] != 3'd0 ? 2'd2 : deep[1:0]),
         .in_frames_i(in_first_i ? 144'd0 : frames),
         .out_valid_o(out_valid), .out_tag_o(tag), .out_frames_o(sums),
         .out_mirror_o(blend_o[`RT_BLEND_W_MIRROR]), .out_refract_o(blend_o[`RT_BLEND_W_REFRACT]),
-        .out_total_o(blend_o[`RT_BLEND_W_TOTAL])
+        .out_total_o(blend_o[`RT_BLEND_W_TOTAL]),
+        .out_light_mirror_o(light_mirror), .out_light_refract_o(light_refract)
     );
-    wire             refract = REFRACT != 0 && tag[TAG-1];
-    wire             mirror  = MIRRORS != 0 && tag[TAG-2];
+    wire             refract = REFRACT != 0 && tag[TAG-1] && !light_refract;
+    wire             mirror  = MIRRORS != 0 && tag[TAG-2] && !light_mirror;
     assign out_slot = tag[SLOTW-1:0];
     assign blend_o[`RT_BLEND_VALID]   = out_valid;
     assign blend_o[`RT_BLEND_SLOT]    = out_slot;

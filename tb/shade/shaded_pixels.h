@@ -140,6 +140,7 @@ class Shade : public bench::Bench<Top> {
         for (int effect : switched)
             if (random.percent(20)) world.m.regs[SPH_REG_EFFECTS] &= ~(1 << effect);
         world.m.regs[SPH_REG_MAX_DEPTH] = random.percent(60) ? depth : (int32_t)random.below(4);
+        world.m.regs[SPH_REG_LEAST_WEIGHT] = random.percent(60) ? 0 : (int32_t)random.below(257);
         if (TEXTURE) world.m.regs[SPH_REG_TEX_FILTER] = (int32_t)random.below(SPH_FILTERS);
         world.put_regs(dut.regs_i);
         pace = random.percent(50) ? 100 : (unsigned)random.between(3, 60);

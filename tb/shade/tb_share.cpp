@@ -19,7 +19,7 @@ struct Vector {
     int background;
     uint32_t ambient[3], lights[3], gloss[3], albedo[3];
     struct sph_look look;
-    uint32_t weight;
+    uint32_t weight, least;
     int depth;
     struct sph_shares shares;
     uint64_t tag, taken;
@@ -42,11 +42,12 @@ const Vector corners[] = {
      look(1, 256, 256, 255),
      ONE,
      0,
+     0,
      {{{FULL, FULL, FULL}, {FULL, FULL, FULL}, {0, 0, 0}}},
      0,
      0},
     /* nothing at all */
-    {0, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, look(0, 0, 0, 0), 0, 0, {{{0}}}, 0, 0},
+    {0, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, look(0, 0, 0, 0), 0, 0, 0, {{{0}}}, 0, 0},
     /* background, whose own shares are all of it: words that must not count */
     {1,
      {1, 2, 3},
@@ -55,6 +56,7 @@ const Vector corners[] = {
      {255, 128, 1},
      look(1, 0, 0, 255),
      40000,
+     0,
      1,
      {{{5, 5, 5}, {6, 6, 6}, {7, 7, 7}}},
      0,
@@ -68,6 +70,7 @@ const Vector corners[] = {
      look(0, 200, 100, 0),
      ONE,
      0,
+     0,
      {{{0}}},
      0,
      0},
@@ -80,6 +83,7 @@ const Vector corners[] = {
      {{0, 0, 0}, 257, 511, SUM, SUM ? 257 : 256, SUM ? 511 : 256, 0, 0, 0},
      ONE,
      0,
+     0,
      {{{0}}},
      0,
      0},
@@ -91,6 +95,7 @@ const Vector corners[] = {
      {200, 100, 50},
      look(0, 128, 128, 0),
      ONE,
+     0,
      1,
      {{{0}}},
      0,
@@ -102,7 +107,34 @@ const Vector corners[] = {
      {200, 100, 50},
      look(0, 128, 127, 0),
      32767,
+     0,
      2,
+     {{{0}}},
+     0,
+     0},
+    /* both rays a bit too light: all is left to the surface */
+    {0,
+     {0, 0, 0},
+     {32768, 32768, 32768},
+     {0, 0, 0},
+     {200, 100, 50},
+     look(0, 63, 63, 0),
+     ONE,
+     64,
+     1,
+     {{{0}}},
+     0,
+     0},
+    /* the mirror ray just worth it, the refracted ray not */
+    {0,
+     {0, 0, 0},
+     {32768, 32768, 32768},
+     {0, 0, 0},
+     {200, 100, 50},
+     look(1, 64, 63, 0),
+     ONE,
+     64,
+     1,
      {{{0}}},
      0,
      0},
@@ -114,6 +146,7 @@ const Vector corners[] = {
      {255, 255, 255},
      look(0, 64, 64, 0),
      1,
+     0,
      5,
      {{{FULL, 0, 0}, {0, FULL, 0}, {0, 0, FULL}}},
      0,
@@ -148,6 +181,7 @@ Vector make(bench::Random &random) {
             v.shares.sum[f][i] = (uint32_t)random.mixed(random.percent(30) ? 16 : 14);
     }
     v.weight = random.percent(30) ? ONE : (uint32_t)std::min<uint64_t>(ONE, random.below(70000));
+    v.least = random.percent(50) ? 0 : (uint32_t)random.below(257);
     v.depth = (int)random.below(6);
     return v;
 }
@@ -174,6 +208,7 @@ void send(Bench &b, const Vector &v) {
     b.set(b.dut.in_kr_i, 9, v.look.kr);
     b.set(b.dut.in_kt_i, 9, v.look.kt);
     b.set(b.dut.in_weight_i, 17, v.weight);
+    b.set(b.dut.in_least_i, 9, v.least);
     b.set(b.dut.in_depth_i, 2, std::min(v.depth, 2));
     for (int f = 0; f < 3; f++)
         for (int i = 0; i < 3; i++) { /* 16 bits at a time: the port has 144 */
@@ -189,6 +224,9 @@ void check(Bench &b, const Vector &e) {
     struct sph_look look = e.look;
     for (uint32_t *s : {&look.kr, &look.kt, &look.ka, &look.kd})
         *s = counts(*s);
+    uint32_t mirror = sph_share(e.weight, look.kr), refract = sph_share(e.weight, look.kt);
+    look.kr = sph_look_worth(e.weight, look.kr, e.least);
+    look.kt = sph_look_worth(e.weight, look.kt, e.least);
     for (int i = 0; i < 3; i++) {
         uint32_t light = sph_look_light(&look, e.ambient[i], e.lights[i]);
         colour[i] = e.background ? e.albedo[i] << 8
@@ -205,12 +243,15 @@ void check(Bench &b, const Vector &e) {
             b.expect("out_frames_o", sum, shares.sum[f][i], 16);
         }
     uint32_t total = std::min(256u, look.kr + look.kt);
-    b.expect("out_mirror_o", b.get(b.dut.out_mirror_o), sph_share(e.weight, look.kr), 17);
-    b.expect("out_refract_o", b.get(b.dut.out_refract_o), sph_share(e.weight, look.kt), 17);
+    b.expect("out_mirror_o", b.get(b.dut.out_mirror_o), mirror, 17);
+    b.expect("out_refract_o", b.get(b.dut.out_refract_o), refract, 17);
+    b.expect("out_light_mirror_o", b.dut.out_light_mirror_o, mirror < 256 * e.least, 1);
+    b.expect("out_light_refract_o", b.dut.out_light_refract_o, refract < 256 * e.least, 1);
     b.expect("out_total_o", b.get(b.dut.out_total_o), sph_share(e.weight, total), 17);
     if (b.bad()) {
         b.show("depth", e.depth, 3);
         b.show("in_weight_i", e.weight, 17);
+        b.show("in_least_i", e.least, 9);
         b.show("in_sum_i", e.look.sum, 1);
         b.show("in_kr_i", e.look.kr, 9);
         b.show("in_kt_i", e.look.kt, 9);

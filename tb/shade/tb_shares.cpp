@@ -61,6 +61,8 @@ class Shares : public bench::Bench<Vrt_shares> {
         dut.effects_i = (decltype(dut.effects_i))effects;
         max_depth = (int)random.below(DEEPEST + 1);
         dut.max_depth_i = (uint8_t)max_depth;
+        least = random.percent(50) ? 0 : (uint32_t)random.below(257);
+        dut.least_i = (uint16_t)least;
         for (uint32_t &a : ambient)
             a = (uint32_t)random.mixed(16);
         set(dut.ambient_i, 48,
@@ -93,7 +95,7 @@ class Shares : public bench::Bench<Vrt_shares> {
 
   private:
     Slot slots[SLOTS];
-    uint32_t effects = 0, ambient[3] = {};
+    uint32_t effects = 0, least = 0, ambient[3] = {};
     int max_depth = 0, entering = -1;
 
     int on(int effect) const { return effects >> effect & 1; }
@@ -144,6 +146,8 @@ class Shares : public bench::Bench<Vrt_shares> {
         s.look.ks = s.look.sum && SPECULAR && on(SPH_EFFECT_SPECULAR) ? ks : 0;
         s.out_kr = rays && on(SPH_EFFECT_REFLECT) ? s.kr : 0;
         s.out_kt = rays && REFRACT && on(SPH_EFFECT_REFRACT) ? kt : 0;
+        s.out_kr = sph_look_worth(s.weight, s.out_kr, least);
+        s.out_kt = sph_look_worth(s.weight, s.out_kt, least);
         s.total = s.out_kr + s.out_kt < 256 ? s.out_kr + s.out_kt : 256;
         uint32_t colour[3];
         for (int i = 0; i < 3; i++) {

@@ -24,6 +24,13 @@ machine probes scenes/interpenetrating.nff --profile draft --size 16x10 --traver
 machine bih $mixed --profile draft --size 2x2 --depth 2 --accel bih
 machine two $mixed --profile draft --size 4x3 --depth 4
 machine pair $mixed --profile draft --size 2x2 --depth 2 # two engines in Icarus take long
+machine few-glass $glass --profile draft --size 6x4 --depth 5 --least-weight 0.15
+machine light-mirrors tests/scenes/mirrors.nff --profile draft --size 12x9 --depth 10 \
+    --least-weight 0.6
+machine light-small tests/scenes/mirrors.nff --profile draft --size 4x3 --depth 10 \
+    --least-weight 0.6
+machine light-probes scenes/interpenetrating.nff --profile draft --size 16x10 --traverse first \
+    --least-weight 0.5
 machine cut $mixed --profile draft:pr=9 --size 2x2 --depth 3
 machine bends $mixed --profile draft --size 5x4 --lights 0 --reflect off --specular off
 machine sums $mixed --profile draft --size 6x5 --refract off --reflect off --specular off
@@ -48,6 +55,15 @@ wanted "verilator glass, sum alone" $whole SIM=verilator glass --reg 0=548 --reg
 wanted "verilator mirrors, ten deep" auto SIM=verilator mirrors
 wanted "verilator mirrors, ten deep by shares" $whole SIM=verilator mirrors
 wanted "icarus mirrors, ten deep" auto SIM=icarus mirrors-small
+# LEAST_WEIGHT is register 118
+for least in 26 128 200 256; do
+    wanted "verilator glass, least weight $least" $whole SIM=verilator glass --reg 118=$least
+    wanted "verilator mirrors, least weight $least" auto SIM=verilator mirrors --reg 118=$least
+done
+wanted "verilator mirrors of a least weight, by shares" $whole SIM=verilator light-mirrors
+wanted "verilator interpenetrating, probes of a least weight" $whole SIM=verilator light-probes
+wanted "icarus glass of a least weight" auto SIM=icarus few-glass
+wanted "icarus mirrors of a least weight" auto SIM=icarus light-small
 wanted "icarus mixed, two engines" auto "SIM=icarus ENGINES=2" pair
 wanted "icarus mixed, in a BIH" auto SIM=icarus bih
 wanted "icarus mixed, roots cut" auto SIM=icarus cut

@@ -153,11 +153,46 @@ static void layers_are_depths(void **state) {
     }
 }
 
+/* No channel is off by more than a least weight's part of 255, and there are fewer rays. */
+static void least_weight_is_a_bound(void **state) {
+    (void)state;
+    static const int least[] = {1, 8, 40, SPH_LEAST_WEIGHT_MAX};
+    uint64_t left_out[4] = {0};
+    for (int n = 0; n < MODEL_SCENES; n++) {
+        struct sph_scene scene = model_scene(model_scenes[n]);
+        struct sph_machine m;
+        struct sph_counters all, c;
+        int errors;
+        assert_true(model_build(&scene, SPH_FINE, SPH_TREE_BALANCED, SPH_BG_NONE, W, H, &m));
+        struct sph_frame whole = model_render(&m, SPH_TRAVERSE_TREE, 0, &all, &errors);
+        for (int k = 0; k < 4; k++) {
+            m.regs[SPH_REG_LEAST_WEIGHT] = least[k];
+            struct sph_frame f = model_render(&m, SPH_TRAVERSE_TREE, 0, &c, &errors);
+            int bound = (255 * least[k] + SPH_LEAST_WEIGHT_MAX - 1) / SPH_LEAST_WEIGHT_MAX;
+            for (int i = 0; i < W * H * SPH_FRAMES * 3; i++) {
+                int layer = i / 3 % SPH_FRAMES, bit = 8 * (i % 3);
+                int a = whole.pixels[i / 3 / SPH_FRAMES].colour[layer] >> bit & 255;
+                int b = f.pixels[i / 3 / SPH_FRAMES].colour[layer] >> bit & 255;
+                assert_in_range(abs(a - b), 0, bound + 1); /* 1: each is rounded */
+            }
+            assert_true(c.count[SPH_COUNT_RAYS_REFLECTED] <= all.count[SPH_COUNT_RAYS_REFLECTED]);
+            left_out[k] += all.count[SPH_COUNT_RAYS_REFLECTED] - c.count[SPH_COUNT_RAYS_REFLECTED];
+            sph_frame_free(&f);
+        }
+        sph_frame_free(&whole);
+        sph_machine_free(&m);
+        sph_scene_free(&scene);
+    }
+    printf("# left out: %lu, %lu, %lu, %lu mirror rays\n", left_out[0], left_out[1], left_out[2],
+           left_out[3]);
+    assert_true(left_out[1] < left_out[2] && left_out[2] < left_out[3]);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(tree_is_brute_force),        cmocka_unit_test(naive_is_golden),
         cmocka_unit_test(background_changes_nothing), cmocka_unit_test(threads_change_nothing),
-        cmocka_unit_test(layers_are_depths),
+        cmocka_unit_test(layers_are_depths),          cmocka_unit_test(least_weight_is_a_bound),
     };
     return cmocka_run_group_tests_name("model", tests, NULL, NULL);
 }

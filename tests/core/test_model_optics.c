@@ -152,6 +152,7 @@ static void naive_random(void **state) {
                                   .materials = materials,
                                   .spheres = spheres};
         struct sph_build_options o = options(run % SPH_PROFILES, 1 + run % 5);
+        o.least_weight = run % 2 ? (int)(SPH_LEAST_WEIGHT_MAX * uniform(&rng) / 4) : 0;
         struct sph_machine m = built(&scene, &o);
         struct sph_counters c;
         wrong += against_naive(&m, &c);

@@ -106,6 +106,9 @@ static int scene_in(const struct sph_scene *scene, const char *path, int profile
         compare(&m, path);
     }
     m.regs[SPH_REG_EFFECTS] = effects;
+    m.regs[SPH_REG_LEAST_WEIGHT] = effects >> SPH_EFFECT_REFLECT & 1 ? 40 : 0;
+    compare(&m, path);
+    m.regs[SPH_REG_LEAST_WEIGHT] = 0;
     struct sph_profile cut = m.profile;
     cut.pr = cut.w;
     sph_machine_set_profile(&m, &cut);
