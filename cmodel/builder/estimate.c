@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "builder/waver.h"
 
@@ -25,7 +26,7 @@ struct sums {
 /* A pixel's rays and its colour, 255 is white. */
 struct look {
     struct sph_ref_log log;
-    double rgb[3];
+    double rgb[3], ended[3]; /* ended: how far it is off where the grid ends a plane */
 };
 
 static void look(const struct sph_ref_job *j, int x, int y, struct look *out) {
@@ -79,6 +80,20 @@ static void add_pair(const struct sph_waver *w, const struct look *a, const stru
     }
 }
 
+/* The pixel as it is if planes end where the grid does: what rays see that go on from there is
+ * nothing that the pixel's neighbours could tell. */
+static void look_ended(const struct sph_ref_job *j, const struct sph_waver *w, int x, int y,
+                       struct look *at) {
+    if (!sph_waver_ended(w, &at->log)) return;
+    struct sph_ends ends = sph_waver_ends(w);
+    struct sph_ref_job ended = *j;
+    struct look as;
+    ended.ends = &ends;
+    look(&ended, x, y, &as);
+    for (int i = 0; i < 3; i++)
+        at->ended[i] = fabs(as.rgb[i] - at->rgb[i]);
+}
+
 /* Normals that are off by themselves, and what the eye's own ray meets. */
 static void add_pixel(const struct sph_waver *w, const struct look *a, const struct look *b,
                       double shift, struct sums *sums) {
@@ -89,6 +104,7 @@ static void add_pixel(const struct sph_waver *w, const struct look *a, const str
         double off = 0;
         for (int k = 0; k < a->log.n; k++)
             off += 255 * a->log.step[k].swing[i] * of[k].normal;
+        off = fmax(off, a->ended[i]); /* of its own light a plane's end is a turn, too */
         sums->square += off * off;
     }
     if (s->hit.id == SPH_ID_NONE) return;
@@ -112,6 +128,8 @@ static void add_row(const struct sph_ref_job *j, const struct sph_waver *w, int 
             double shift = w[p].fov_error * sqrt(dx * dx + dy * dy);
             add_pair(&w[p], &at, &right, shift, &sums[p]);
             add_pair(&w[p], &at, &below, shift, &sums[p]);
+            memset(at.ended, 0, sizeof at.ended);
+            look_ended(j, &w[p], x, y, &at);
             add_pixel(&w[p], &at, &right, shift, &sums[p]);
         }
     }

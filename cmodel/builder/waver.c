@@ -75,12 +75,28 @@ double sph_waver_dir(const struct sph_waver *w) {
     return sqrt(3) * ldexp(1, -w->profile->wd);
 }
 
+struct sph_ends sph_waver_ends(const struct sph_waver *w) {
+    return (struct sph_ends){w->grid.rotation, w->grid.origin, w->grid.step,
+                             ldexp(1, w->profile->w - 1)};
+}
+
+int sph_waver_ended(const struct sph_waver *w, const struct sph_ref_log *log) {
+    struct sph_ends ends = sph_waver_ends(w);
+    for (int k = 0; k < log->n; k++) {
+        const struct sph_ref_step *s = &log->step[k];
+        const struct sph_facet *f = s->hit.id == SPH_ID_NONE ? NULL : facet_of(w, s->hit.id);
+        if (f && sph_ref_facet_endless(f) && s->hit.t > sph_ends_at(&ends, s->ray.org, s->ray.dir))
+            return 1;
+    }
+    return 0;
+}
+
 void sph_waver_log(const struct sph_waver *w, const struct sph_ref_log *log,
                    struct sph_wavers out[SPH_REF_STEPS]) {
     const struct sph_profile *p = w->profile;
     double step = w->grid.step, guard = sqrt(3) * step * ldexp(1, -p->ng - 1);
     double dir = sqrt(3) * ldexp(1, 1 - p->wd);
-    struct sph_ends ends = {w->grid.rotation, w->grid.origin, step, ldexp(1, p->w - 1)};
+    struct sph_ends ends = sph_waver_ends(w);
     int parent[SPH_MAX_DEPTH + 1] = {0};
     for (int k = 0; k < log->n; k++) {
         const struct sph_ref_step *s = &log->step[k];

@@ -31,6 +31,10 @@ double sph_waver_dir(const struct sph_waver *w);
 void sph_waver_log(const struct sph_waver *w, const struct sph_ref_log *log,
                    struct sph_wavers out[SPH_REF_STEPS]);
 
+/* Where the grid ends rays; and whether it ends one of a log before the plane that it meets. */
+struct sph_ends sph_waver_ends(const struct sph_waver *w);
+int sph_waver_ended(const struct sph_waver *w, const struct sph_ref_log *log);
+
 /* How far a surface is moved, at most: by what the grid does to just this one; by what it may do to
  * any of its kind. */
 double sph_waver_surface(const struct sph_waver *w, uint32_t id);

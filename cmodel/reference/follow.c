@@ -8,7 +8,6 @@
 
 #include "reference/facet.h"
 #include "reference/whitted.h"
-#include "reference/world.h"
 #include "scene/nesting.h"
 
 static double dot(const double a[3], const double b[3]) {
@@ -202,6 +201,8 @@ static struct sph_ref_step *note(struct sph_ref_seen *seen, const struct sph_ref
 void sph_ref_follow(const struct sph_ref_job *j, struct sph_ref_branch b,
                     struct sph_ref_seen *seen) {
     struct sph_ref_hit hit = sph_ref_trace(j->tree, &b.ray, INFINITY, 0);
+    if (j->ends && hit.id != SPH_ID_NONE && is_plane(j->scene, hit.id))
+        hit.t = fmin(hit.t, sph_ends_at(j->ends, b.ray.org, b.ray.dir));
     struct sph_ref_step *step = note(seen, &b, &hit);
     if (b.depth == 0) seen->pixel.id = hit.id;
     if (b.depth == 1)

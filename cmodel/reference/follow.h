@@ -7,6 +7,7 @@
 #include "reference/reference.h"
 #include "reference/tree.h"
 #include "reference/view.h"
+#include "reference/world.h"
 
 struct sph_ref_job {
     const struct sph_scene *scene;
@@ -14,6 +15,7 @@ struct sph_ref_job {
     const struct sph_ref_tree *tree;
     struct sph_ref_view view;
     struct sph_ref_textures textures;
+    const struct sph_ends *ends; /* planes beyond are met there, as a machine does; NULL: nowhere */
 };
 
 /* A ray on its way. */

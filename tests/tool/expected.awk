@@ -4,16 +4,16 @@
 # Reads what `sphaera accuracy` prints, of many runs one after another, each behind a line
 # "run SCENE PROFILE". Prints a row each; ends with 1 if one was worse than expected: its dB are
 # less, or more pixels see another thing. Edges that move hit pixels by chance: these may be more by
-# three times the root of their number and three. Scenes whose planes are in a wrong light far away
-# say so, and are left out.
+# three times the root of their number and three. Where a plane goes on
+# beyond the grid few pixels are far off, and a sample of them is known: half a dB.
 function row(most, bad) {
     if (scene == "") return
-    if (cut || psnr == "") {
-        printf "| %s | %s | %s |\n", scene, profile, cut ? "a plane is far off" : "does not fit"
+    if (psnr == "") {
+        printf "| %s | %s | does not fit |\n", scene, profile
         return
     }
     most = wrong + 3 * sqrt(wrong) + 3
-    bad = seen > most || (psnr != "inf" && psnr + 0 < expected + 0)
+    bad = seen > most || (psnr != "inf" && psnr + cut / 2 < expected + 0)
     printf "| %s | %s | %s | %s | %d | %.1f | %s |%s\n", scene, profile, psnr, expected, seen,
            wrong, off, bad ? " worse than expected" : ""
     failed += bad

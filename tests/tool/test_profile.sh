@@ -12,11 +12,14 @@ awk -f tests/tool/cover.awk >"$TMP/cover.nff"
 "$s" gen sphereflake:4 -o "$TMP/flake.nff" >"$TMP/text"
 "$s" gen scenario1 -n 64 -o "$TMP/many.nff" >"$TMP/text"
 measure() {
-    for scene in "$TMP"/*.nff scenes/*.nff scenes/facets/*.nff scenes/refraction/*.nff \
-        scenes/texture/*.nff scenes/views/*.nff; do
+    for scene in "$TMP"/*.nff tests/tool/*.nff scenes/*.nff scenes/facets/*.nff \
+        scenes/refraction/*.nff scenes/texture/*.nff scenes/views/*.nff; do
+        depth=
+        case $scene in *planes_in_glass*) depth="--depth 5" ;; esac
         for profile in draft standard fine reference; do
             echo "run $(basename "$scene" .nff) $profile"
-            "$s" accuracy "$scene" --profile "$profile" --size 240x135 2>&1
+            # shellcheck disable=SC2086  # an option or none
+            "$s" accuracy "$scene" --profile "$profile" --size 240x135 $depth 2>&1
         done
     done
 }
