@@ -120,7 +120,7 @@ module f_leaf_wide #(
     reg  [VW-1:0]   xy_1, z_1, val_1;
     reg             good_q = 1'b1;                       // until now
     always @(posedge clk) begin
-        if (age_q == 0) begin
+        if (age_q == 0 && SUMS != 0) begin
             {b_x, b_y, b_z} <= {times(oc_x, d_x), times(oc_y, d_y), times(oc_z, d_z)};
             {k_x, k_y, k_z} <= {times(oc_x, oc_x), times(oc_y, oc_y), times(oc_z, oc_z)};
             k_r <= times(r, r);
