@@ -111,6 +111,12 @@ include make/objects.mk make/sim.mk make/pages.mk make/bench.mk make/lint.mk mak
         make/rate.mk make/specks.mk make/host.mk make/campaign.mk make/fuzz.mk make/twins.mk \
         make/neon.mk
 
+# Checked here, since make/objects.mk may make a target of any goal.
+ifneq ($(MAKECMDGOALS),)
+$(if $(shell awk -v goals='$(MAKECMDGOALS)' -f sim/nearest.awk -f sim/goals.awk $(MAKEFILE_LIST) || \
+    echo wrong),$(error nothing is made))
+endif
+
 layout: ## what follows from machine.def, top.def, bundles.def, modes.def, VERSION, files of rtl
 	$(call say,GEN,"layout.h rt_layout.vh rt_top.vh sphaera_regs.h rt_bundles.vh bundles.h")
 	$(call say,GEN,"rt_modes.vh sphaera_modes.h")

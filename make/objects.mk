@@ -22,7 +22,7 @@ $(eval $(call stamp,flags,$(CC) $(CFLAGS) $(SHARED) / $(CXX) $(CXXFLAGS) / $(SAN
 # In `make setup sim` and the like all else waits for what installs compilers, removes the folder
 # or makes headers.
 FIRST := $(filter setup clean layout,$(MAKECMDGOALS))
-$B/flags $B/sources $(filter-out $(FIRST),$(MAKECMDGOALS)): | $(FIRST)
+$B/flags $B/sources $(if $(FIRST),$(filter-out $(FIRST),$(MAKECMDGOALS))): | $(FIRST)
 $(eval $(call stamp,sources,$(LIB_C) / $(TOOL_C) / $(IMAGE_C) $(LAZY_C) / $(API_C)))
 
 $B/obj/%.o: %.c $B/flags

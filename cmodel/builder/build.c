@@ -57,6 +57,10 @@ static int check_effects(const struct sph_scene *scene, const struct sph_build_o
         return sph_fail(err, "interpenetrate on: it corrects the first hit, traverse is nearest");
     if (o->interpenetrate == SPH_ON && o->inside == SPH_OFF)
         return sph_fail(err, "interpenetrate on: it needs inside, which is off");
+    if (o->clear == SPH_ON && o->shadow == SPH_OFF)
+        return sph_fail(err, "clear on: it needs shadow, which is off");
+    if (o->spread == SPH_ON && o->texture == SPH_OFF)
+        return sph_fail(err, "spread on: it needs texture, which is off");
     return 0;
 }
 

@@ -53,6 +53,9 @@ void sph_find_smooth(const struct sph_survey *survey, struct sph_effect_report *
 /* What `asked` makes of an effect that the scene calls for or not; entry->why tells that. */
 void sph_settle(struct sph_effect_report *entry, int asked);
 
+/* Takes back an effect that is on as asked and cannot be; `why` is the whole reason. */
+void sph_drop(struct sph_effect_report *entry, const char *why);
+
 /* The part of the effects that hangs on triangles and planes; nothing without them. */
 void sph_find_facets(const struct sph_survey *survey, struct sph_effect_report *report);
 

@@ -40,8 +40,7 @@ void sph_find_smooth(const struct sph_survey *s, struct sph_effect_report *entry
     entry->called = n > 0;
     sph_settle(entry, s->options->smooth);
     if (entry->on && !f->n) {
-        entry->on = 0;
-        WHY(entry, "there is no triangle");
+        sph_drop(entry, "there is no triangle");
     } else if (!n) {
         WHY(entry, "no triangle has normals but its own");
     } else {

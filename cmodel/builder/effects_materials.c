@@ -107,8 +107,5 @@ void sph_find_clear(const struct sph_survey *s, int shadow, struct sph_effect_re
         WHY(entry, "%s lets shadow rays pass%s", place(s, clear).text,
             shadow ? "" : ", but there are none");
     sph_settle(entry, s->options->clear);
-    if (entry->on && !shadow) {
-        entry->on = 0;
-        WHY(entry, "; but it needs shadow, which is off");
-    }
+    if (entry->on && !shadow) sph_drop(entry, "it needs shadow, which is off");
 }

@@ -33,3 +33,8 @@ void sph_settle(struct sph_effect_report *entry, int asked) {
     sph_note(entry->why, sizeof entry->why, "as asked; %scalled for: %s",
              entry->called ? "" : "not ", found);
 }
+
+void sph_drop(struct sph_effect_report *entry, const char *why) {
+    entry->on = 0;
+    snprintf(entry->why, sizeof entry->why, "not on as asked: %s", why);
+}

@@ -50,10 +50,7 @@ void sph_emit_spread(const struct sph_scene *scene, const struct sph_plants *pla
         sph_note(entry->why, sizeof entry->why, "rays leave %u spheres, the first is %s", n,
                  sph_sphere_place(scene, first).text);
     sph_settle(entry, options->spread);
-    if (entry->on && !textured) {
-        entry->on = 0;
-        sph_note(entry->why, sizeof entry->why, "; but it needs texture, which is off");
-    }
+    if (entry->on && !textured) sph_drop(entry, "it needs texture, and no image is shown");
     if (entry->on < entry->called)
         sph_note(report->warning, sizeof report->warning, "%s: spread off: %s\n", scene->path,
                  entry->why);

@@ -248,9 +248,15 @@ static void bends(void **state) {
         assert_int_equal(sph_field(prim + 8, SPH_PRIM_BEND_LSB, SPH_PRIM_BEND_BITS),
                          i == 7 ? sph_bend_of(rad) : 0);
         sph_machine_free(&m);
-        o.spread = SPH_ON; /* as asked, but not without an image */
+        o.spread = SPH_ON; /* as asked: refused without images */
+        if (!(i & 2)) {
+            struct sph_error err = {{0}};
+            assert_int_equal(sph_build(&scene, &o, &m, &report, &err), -1);
+            assert_non_null(strstr(err.text, "spread on: it needs texture"));
+            continue;
+        }
         m = textured_build(&scene, &o, &report);
-        assert_int_equal(sph_machine_effect(&m, SPH_EFFECT_SPREAD), i >> 1 & 1);
+        assert_int_equal(sph_machine_effect(&m, SPH_EFFECT_SPREAD), 1);
         sph_machine_free(&m);
     }
     free(mip.texels);

@@ -295,6 +295,11 @@ static void test_forced(void **unused) {
     force(&none, WITH(shadow, SPH_ON), SPH_REPORT_SHADOW, 1, "as asked; not called for: no li", "");
     force(&none, WITH(reflect, SPH_ON), SPH_REPORT_REFLECT, 2, "as asked; not called", "");
     force(&none, WITH(inside, SPH_ON), SPH_REPORT_INSIDE, 1, "as asked; not called", "");
+    force(&none, WITH(smooth, SPH_ON), SPH_REPORT_SMOOTH, 0,
+          "not on as asked: there is no triangle", "");
+    force(&none, WITH(clear, SPH_ON), SPH_REPORT_CLEAR, 0, "not on as asked: it needs shadow", "");
+    p = WITH(spread, SPH_ON), p.texture = SPH_AUTO;
+    force(&none, p, SPH_REPORT_SPREAD, 0, "not on as asked: it needs texture", "");
     o.traverse = SPH_BUILD_FIRST;
     force(&all, o, SPH_REPORT_INTERPENETRATE, 1, " overlap", "");
     force(&all, WITH(interpenetrate, SPH_OFF), SPH_REPORT_INTERPENETRATE, 0, "as asked; called",
@@ -304,6 +309,10 @@ static void test_forced(void **unused) {
     force(&none, WITH(interpenetrate, SPH_ON), SPH_REPORT_INSIDE, 1, "interpenetrate needs it", "");
     refuse(&all, WITH(lights, 2), "2 lights are asked for, the scene has 1");
     refuse(&all, WITH(shadow, 2), "neither auto, off nor on");
+    p = WITH(clear, SPH_ON), p.shadow = SPH_OFF;
+    refuse(&none, p, "clear on: it needs shadow");
+    p = WITH(spread, SPH_ON), p.texture = SPH_OFF;
+    refuse(&none, p, "spread on: it needs texture");
     p = WITH(interpenetrate, SPH_ON), p.inside = SPH_OFF;
     refuse(&all, p, "it needs inside");
     p = WITH(interpenetrate, SPH_ON), p.traverse = SPH_BUILD_NEAREST;

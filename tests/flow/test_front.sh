@@ -85,6 +85,15 @@ for word in verilator icarus; do
     PATH=$TMP/bin refuse sim SIM=$word
     check "without $word" says "^SIM=$word: this simulator is not installed: make setup"
 done
+for word in "snyth" "clean snyth" "sim synths"; do
+    # shellcheck disable=SC2086  # words
+    refuse $word
+    check "make $word" says "^there is no target s[a-z]*; is synth meant"
+done
+refuse tests
+check "make tests, which is a folder" says "^there is no target tests; is test meant"
+refuse build/nosuch
+check "make build/nosuch" says "No rule to make target 'build/nosuch'"
 accepted() { plain_make B="$TMP/none" sim-folder "$@"; }
 check "the bounds are allowed" accepted PROFILE=standard:pq=12 SIZE=16383x1 WINDOW=0,0,16383,1 \
     DEPTH=10 JOBS=1024 ENGINES=8 STALL=99 LATENCY=100000 MAX_PRIMS=infinity SCENE=icosphere:5 \

@@ -40,8 +40,8 @@ compile() { # compiler, source, program, more
 check "C" compile "${CC:-gcc}" c/render.c render -std=c99
 check "C++" compile "${CXX:-g++}" cpp/query.cpp query "-std=c++11 -Wno-sign-conversion -pthread"
 # shellcheck disable=SC2046,SC2086  # words
-check "C, with the static library" "${CC:-gcc}" examples/c/render.c -I"$usr/include" \
-    -o "$TMP/static" "$usr/lib/libsphaera.a" $(flags --static --libs | sed 's/-lsphaera//')
+check "C, with the static library" "${CC:-gcc}" examples/c/render.c -o "$TMP/static" \
+    $(flags --static --cflags --libs | sed 's/-lsphaera/-l:libsphaera.a/')
 cd "$TMP" || exit 1
 check "a picture of a scene in memory" sh -c \
     './render two.png >two && grep "^2 spheres, 64x48" two &&
@@ -77,6 +77,22 @@ check "... beside it the other sphere" has '^7 id 1 distance 5.7[45]' hits
 check "... and past both" has '^0 nothing' hits
 check "the shared library loads OpenImageIO when asked for pictures" sh -c \
     "! readelf -d '$usr/lib/libsphaera.so' | grep OpenImageIO"
+
+# ---- the page's own lines, of a home of one's own ----
+{
+    echo "make() (cd '$root' && env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL make -s B='$BUILD' \"\$@\")"
+    echo 'set -e; unset PKG_CONFIG_PATH LD_LIBRARY_PATH'
+    sed -n 's/^    //p' "$root/docs/use/library.md"
+} >page.sh
+mkdir home
+cp "$root/examples/c/render.c" .
+check "the page's lines run as they are" env HOME="$TMP/home" sh page.sh
+for program in render render-static; do
+    check "... $program runs" env -u LD_LIBRARY_PATH "./$program" page.png
+    readelf -d "$program" >"$program.needs"
+done
+check "... the one with the shared library" has 'NEEDED.*libsphaera' render.needs
+check "... the other without" sh -c "! grep 'NEEDED.*libsphaera' render-static.needs"
 
 # ---- what the header promises ----
 cat >promises.c <<'END'
