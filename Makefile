@@ -113,8 +113,8 @@ include make/objects.mk make/sim.mk make/pages.mk make/bench.mk make/lint.mk mak
 
 # Checked here, since make/objects.mk may make a target of any goal.
 ifneq ($(MAKECMDGOALS),)
-$(if $(shell awk -v goals='$(MAKECMDGOALS)' -f sim/nearest.awk -f sim/goals.awk $(MAKEFILE_LIST) || \
-    echo wrong),$(error nothing is made))
+$(if $(shell awk -v goals='$(MAKECMDGOALS)' -f sim/nearest.awk -f sim/goals.awk \
+    $(MAKEFILE_LIST) || echo wrong),$(error nothing is made))
 endif
 
 layout: ## what follows from machine.def, top.def, bundles.def, modes.def, VERSION, files of rtl

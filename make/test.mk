@@ -29,6 +29,8 @@ chosen   = $(if $(findstring $(ONLY),$(notdir $(1))),$(1))
 RUN      = $(if $(ONLY),$(foreach s,$(SUITES),$(call chosen,$s)),$(SUITES))
 
 test: ## every check; ends with `N passed, M failed`
+	$(if $(strip $(RUN)),,@awk -v only='$(ONLY)' -v suites='$(notdir $(SUITES))' -f sim/nearest.awk \
+	    -f tests/only.awk)
 	+@unbuilt=; $(MAKE) --no-print-directory -k suites || unbuilt=1; \
 	    UNBUILT=$$unbuilt SPHAERA=$(abspath $(TOOL)) BUILD=$(abspath $B) JOBS=$(JOBS) \
 	    sh tests/run.sh $(RUN)

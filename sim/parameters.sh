@@ -10,6 +10,10 @@
 # Prints the parameters of rtl/core/rt_core.v, NAME=VALUE, all on one line. all-NAME leaves out
 # what needs NAME too, and all+bih what does not go with a BIH.
 set -eu
+[ $# -gt 0 ] || {
+    sed -n 's/^# usage: /usage: /p' "$0" >&2
+    exit 1
+}
 machine=$(dirname "$0")/../cmodel/machine
 awk -v list="$1" -v which="${2:-}" -f "$machine/effects.awk" -f "$(dirname "$0")/nearest.awk" -f - \
     "$machine/machine.def" <<'END'

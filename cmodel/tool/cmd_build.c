@@ -95,9 +95,10 @@ static int build_frames(struct arguments *a) {
 /* What a tree of boxes is like. */
 static void print_boxes(const struct sph_machine *m, uint32_t nodes) {
     uint32_t bytes = SPH_LINE_WORDS * 4 * nodes;
-    sph_machine_describe_tree(m, stdout);
-    printf("bytes     %u of nodes and %" PRId64 " of leaf records\n", bytes,
-           (int64_t)m->regs[SPH_REG_PRIM_BASE] * SPH_LINE_WORDS * 4 - bytes);
+    FILE *to = tool_text();
+    sph_machine_describe_tree(m, to);
+    fprintf(to, "bytes     %u of nodes and %" PRId64 " of leaf records\n", bytes,
+            (int64_t)m->regs[SPH_REG_PRIM_BASE] * SPH_LINE_WORDS * 4 - bytes);
 }
 
 /* tool_load(), and how far it is. */
@@ -142,7 +143,8 @@ int tool_build(int argc, char **argv) {
     if (a.stats && (boxes || sph_machine_bih(&built.machine))) {
         if (!boxes) print_bih(print_stream(a.json), &built.machine, &built.report.bih);
         if (boxes && !a.json) print_boxes(&built.machine, built.report.nodes);
-        if (!a.json) printf("build    tree %.3f ms\n", 1e3 * built.report.tree_seconds);
+        if (!a.json)
+            fprintf(tool_text(), "build    tree %.3f ms\n", 1e3 * built.report.tree_seconds);
     }
     json_t *report = report_new("build");
     report_text(report, "input", a.input);

@@ -93,7 +93,9 @@ static int write(const struct arguments *a, const struct sph_reference *r, struc
     if (frame_of(r, &shot.frame)) return sph_fail(err, "%s: no memory for the frame", a->input);
     int rc = light_picture(&a->light, 1, NULL, &shot.frame, NULL, err) ||
              (a->frame && sph_shot_write(&shot, a->frame, err));
-    if (!rc) printf("picture %016lx\n", (unsigned long)sph_frame_picture_hash(&shot.frame));
+    if (!rc)
+        fprintf(tool_text(), "picture %016lx\n",
+                (unsigned long)sph_frame_picture_hash(&shot.frame));
     sph_frame_free(&shot.frame);
     return rc ? -1 : 0;
 }

@@ -9,8 +9,15 @@
 
 #include "image/image.h"
 
+static int to_stdout; /* files that go to standard output */
+
+FILE *tool_text(void) {
+    return to_stdout ? stderr : stdout;
+}
+
 const char *tool_output(struct tool_outputs *outputs, const char *path) {
     assert(outputs->n < TOOL_OUTPUTS);
+    to_stdout += !strcmp(path, "-");
     outputs->path[outputs->n++] = path;
     return path;
 }
@@ -32,6 +39,7 @@ const char *tool_picture(const struct argp_state *state, struct tool_outputs *ou
 
 int tool_spares(const struct tool_outputs *outputs, const char *input, struct sph_error *err) {
     struct stat in, out;
+    if (to_stdout > 1) return sph_fail(err, "-: only one file can go to standard output");
     for (int i = 0; i < outputs->n; i++) {
         const char *path = outputs->path[i];
         if (strcmp(path, "-") && !stat(path, &out) && !stat(input, &in) && S_ISREG(in.st_mode) &&

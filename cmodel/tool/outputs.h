@@ -5,6 +5,7 @@
 #define SPH_TOOL_OUTPUTS_H
 
 #include <argp.h>
+#include <stdio.h>
 
 #include "error.h"
 #include "scene/scene.h"
@@ -17,8 +18,11 @@ struct tool_outputs {
     int n;
 };
 
-/* Notes a file that will be written, and returns its name. */
+/* Notes a file that will be written ("-": standard output), and returns its name. */
 const char *tool_output(struct tool_outputs *outputs, const char *path);
+
+/* Where text for people goes: standard output, or standard error if a file goes there. */
+FILE *tool_text(void);
 
 /* Formats of a picture: those without loss, OpenEXR, and all of light, JPEG too. */
 enum { TOOL_EXACT, TOOL_EXR, TOOL_LIGHT };

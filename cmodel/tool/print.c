@@ -8,9 +8,10 @@
 
 #include "machine/describe.h"
 #include "machine/prims.h"
+#include "tool/outputs.h"
 
 FILE *print_stream(const char *json_path) {
-    return json_path && !strcmp(json_path, "-") ? NULL : stdout;
+    return json_path && !strcmp(json_path, "-") ? NULL : tool_text();
 }
 
 /* Each line of text after a head. */

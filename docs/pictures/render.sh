@@ -14,7 +14,7 @@ trap 'rm -rf "$scenes"' EXIT
 sed 's/^angle.*/angle 27/' "$scenes/far.nff" >"$scenes/sphereflake.nff"
 "$tool" import /usr/share/pymol/data/demo/1tii.pdb -o "$scenes/molecule.nff"
 
-"$tool" render "$scenes/sphereflake.nff" --profile fine --size 640x360 --depth 4 \
+"$tool" render "$scenes/sphereflake.nff" --profile reference --size 640x360 --depth 4 \
     -o "$to/sphereflake.png"
 "$tool" render "$scenes/molecule.nff" --size 640x360 -o "$to/molecule.png"
 "$tool" render scenes/paper100.nff --size 480x270 -o "$to/paper100.png"

@@ -33,6 +33,17 @@ effects() { # words of the list of effects, as parameters
 }
 check "every effect is a parameter there" effects
 
+# ---- a room with images and mirrors ----
+"$SPHAERA" build scenes/texture/hall.nff --profile standard -o "$TMP/hall.sph" >"$TMP/text" 2>&1
+asks=$("$SPHAERA" info "$TMP/hall.sph" | sed -n 's/^core *//p')
+draws() { # file: its core can do what the scene asks for
+    sh sim/parameters.sh "$asks" | tr ' ' '\n' | grep -vE '^(RECT|SPANS|CONES)=' >"$TMP/asked"
+    tr ',' '\n' <"$1" | sed -n 's/^ *\.\([A-Z_]*\)(\([0-9]*\)).*/\1=\2/p' >"$TMP/given"
+    awk -F= 'NR == FNR { has[$1] = $2; next } $2 > has[$1] { print; few = 1 }
+        END { exit few || FNR < 10 }' "$TMP/given" "$TMP/asked"
+}
+check "it draws such a scene" draws "$TMP/tracer.v"
+
 # ---- what these checks notice ----
 noticed() { # sed expression, check
     sed "$1" "$TMP/tracer.v" >"$TMP/broken.v"
@@ -45,4 +56,6 @@ check "a parameter that is not there is noticed" noticed 's/\.ENGINES(1)/.ENGINE
     elaborates "$TMP/broken.v"
 check "an input without a value is noticed" noticed 's/\.start_i(start), //' \
     elaborates "$TMP/broken.v"
+check "an effect that the scene needs is noticed" noticed 's/\.SPREAD(1)/.SPREAD(0)/' \
+    draws "$TMP/broken.v"
 done_testing

@@ -92,6 +92,11 @@ for word in "snyth" "clean snyth" "sim synths"; do
 done
 refuse tests
 check "make tests, which is a folder" says "^there is no target tests; is test meant"
+refuse test ONLY=test_raedme
+check "ONLY of no suite" says "^ONLY=test_raedme: no suite .*; is test_readme.sh meant"
+check "sim/parameters.sh alone tells its use" sh -c \
+    '! sh sim/parameters.sh 2>&1 | grep -v "^usage: sim/parameters.sh LIST" &&
+    ! sh sim/parameters.sh 2>/dev/null'
 refuse build/nosuch
 check "make build/nosuch" says "No rule to make target 'build/nosuch'"
 accepted() { plain_make B="$TMP/none" sim-folder "$@"; }

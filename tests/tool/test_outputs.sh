@@ -44,6 +44,19 @@ kept atom.pdb import atom.pdb -o atom.pdb
 kept drawn/way_rect.png background drawn/way_rect.png --size 8x8 --pictures drawn
 check "no frame of a refused sequence is there" sh -c '! ls tiles-000[02].png'
 
+# ---- the tool: - is standard output, and text then goes to standard error ----
+for command in "render --transfer srgb" reference; do
+    "$s" $command paper5.nff --size 21x13 -o - >dash 2>text2
+    "$s" $command paper5.nff --size 21x13 -o dash.png >text
+    check "$command -o -: nothing but the picture" cmp dash.png dash
+    check "... the text elsewhere" has '^picture ' text2
+done
+"$s" build paper5.nff --size 8x8 -o - >dash 2>text2
+"$s" build paper5.nff --size 8x8 -o dash.sph >text
+check "build -o -: nothing but the machine" cmp dash.sph dash
+check "... the text elsewhere" has '^effect ' text2
+fails 1 "two files for standard output" "$s" render paper5.nff --size 8x8 -o - --json -
+
 # ---- the tool: pictures by the ending of their name ----
 "$s" render paper5.nff --size 21x13 -o same.png >text
 for ending in png PNG tif tiff ppm bmp tga; do
