@@ -9,40 +9,42 @@ tool=${SPHAERA:-build/sphaera}
 to=${1:-docs/pictures}
 scenes=$(mktemp -d)
 trap 'rm -rf "$scenes"' EXIT
+# The scenes' colours were chosen as bytes of the frame.
+draw() { "$tool" render --transfer linear "$@"; }
 
 "$tool" gen sphereflake --size 4 -o "$scenes/far.nff"
 sed 's/^angle.*/angle 27/' "$scenes/far.nff" >"$scenes/sphereflake.nff"
 "$tool" import /usr/share/pymol/data/demo/1tii.pdb -o "$scenes/molecule.nff"
 
-"$tool" render "$scenes/sphereflake.nff" --profile reference --size 640x360 --depth 4 \
+draw "$scenes/sphereflake.nff" --profile reference --size 640x360 --depth 4 \
     -o "$to/sphereflake.png"
-"$tool" render "$scenes/molecule.nff" --size 640x360 -o "$to/molecule.png"
-"$tool" render scenes/paper100.nff --size 480x270 -o "$to/paper100.png"
-"$tool" render scenes/materials.nff --size 480x270 --depth 5 -o "$to/materials.png"
+draw "$scenes/molecule.nff" --size 640x360 -o "$to/molecule.png"
+draw scenes/paper100.nff --size 480x270 -o "$to/paper100.png"
+draw scenes/materials.nff --size 480x270 --depth 5 -o "$to/materials.png"
 
 # as the paper prints it, and mended: the lower half of the hall
 for lod in paper mended; do
-    "$tool" render scenes/texture/hall.nff --size 480x270 --lod $lod -o "$scenes/$lod.png"
+    draw scenes/texture/hall.nff --size 480x270 --lod $lod -o "$scenes/$lod.png"
     oiiotool "$scenes/$lod.png" --cut 300x140+90+100 -o "$scenes/$lod.png"
 done
 oiiotool "$scenes/paper.png" "$scenes/mended.png" --mosaic:pad=4 2x1 -o "$to/texture_lod.png"
-"$tool" render scenes/texture/hall.nff --size 640x360 --profile fine -o "$to/hall.png"
+draw scenes/texture/hall.nff --size 640x360 --profile reference -o "$to/hall.png"
 
 # four spheres of Aroxa 2014: depth 0 to 5, and how many surfaces made a pixel at depth 4 and 5
 list=
 for depth in 0 1 2 3 4 5; do
-    "$tool" render scenes/refraction/four.nff --size 240x180 --depth $depth -o "$scenes/$depth.png"
+    draw scenes/refraction/four.nff --size 240x180 --depth $depth -o "$scenes/$depth.png"
     list="$list $scenes/$depth.png"
 done
 for depth in 4 5; do
-    "$tool" render scenes/refraction/four.nff --size 240x180 --depth $depth --depths \
+    draw scenes/refraction/four.nff --size 240x180 --depth $depth --depths \
         -o "$scenes/depths$depth.png"
     list="$list $scenes/depths$depth.png"
 done
 # shellcheck disable=SC2086  # a list of words on purpose
 oiiotool $list --mosaic:pad=4 4x2 -o "$to/refraction_depths.png"
-"$tool" render scenes/refraction/index.nff --size 640x320 --depth 5 -o "$to/refraction_index.png"
-"$tool" render scenes/refraction/water.nff --size 400x300 --depth 5 -o "$to/refraction_water.png"
+draw scenes/refraction/index.nff --size 640x320 --depth 5 -o "$to/refraction_index.png"
+draw scenes/refraction/water.nff --size 400x300 --depth 5 -o "$to/refraction_water.png"
 
 # the live view, if there is SDL2: in a window that nobody sees
 tool=$(realpath "$tool")
