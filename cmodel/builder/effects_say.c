@@ -36,5 +36,5 @@ void sph_settle(struct sph_effect_report *entry, int asked) {
 
 void sph_drop(struct sph_effect_report *entry, const char *why) {
     entry->on = 0;
-    snprintf(entry->why, sizeof entry->why, "not on as asked: %s", why);
+    snprintf(entry->why, sizeof entry->why, "though on was asked: %s", why);
 }

@@ -296,10 +296,11 @@ static void test_forced(void **unused) {
     force(&none, WITH(reflect, SPH_ON), SPH_REPORT_REFLECT, 2, "as asked; not called", "");
     force(&none, WITH(inside, SPH_ON), SPH_REPORT_INSIDE, 1, "as asked; not called", "");
     force(&none, WITH(smooth, SPH_ON), SPH_REPORT_SMOOTH, 0,
-          "not on as asked: there is no triangle", "");
-    force(&none, WITH(clear, SPH_ON), SPH_REPORT_CLEAR, 0, "not on as asked: it needs shadow", "");
+          "though on was asked: there is no triangle", "");
+    force(&none, WITH(clear, SPH_ON), SPH_REPORT_CLEAR, 0, "though on was asked: it needs shadow",
+          "");
     p = WITH(spread, SPH_ON), p.texture = SPH_AUTO;
-    force(&none, p, SPH_REPORT_SPREAD, 0, "not on as asked: it needs texture", "");
+    force(&none, p, SPH_REPORT_SPREAD, 0, "though on was asked: it needs texture", "");
     o.traverse = SPH_BUILD_FIRST;
     force(&all, o, SPH_REPORT_INTERPENETRATE, 1, " overlap", "");
     force(&all, WITH(interpenetrate, SPH_OFF), SPH_REPORT_INTERPENETRATE, 0, "as asked; called",
