@@ -2,6 +2,8 @@
  * SPDX-License-Identifier: Apache-2.0
  */
 #include <ctype.h>
+#include <float.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -82,6 +84,27 @@ static void take_header(const unsigned char *h, struct sph_machine *m) {
     m->profile = sph_profile_unpack((uint32_t)m->regs[SPH_REG_PROFILE]);
 }
 
+/* Where the grid stands in the scene. Its step is a power of two that a double holds, as build has
+ * it. The rows of the rotation are x, z cross x, and z, of length 1; build takes x of a cross
+ * product of length 1e-10 at least, so that roundings of 2^-53 turn it by less than 2^-16. */
+static int check_place(const struct sph_machine *m, struct sph_error *err) {
+    const double *x = m->rotation, *y = x + 3, *z = x + 6, most = 0x1p-16;
+    if (m->grid_log2 < DBL_MIN_EXP - DBL_MANT_DIG || m->grid_log2 >= DBL_MAX_EXP)
+        return sph_fail(err, "grid step is 2^%d, not 2^%d to 2^%d", m->grid_log2,
+                        DBL_MIN_EXP - DBL_MANT_DIG, DBL_MAX_EXP - 1);
+    for (int i = 0; i < 3; i++)
+        if (!isfinite(m->origin[i]))
+            return sph_fail(err, "origin: %c is %g", "xyz"[i], m -> origin[i]);
+    double xx = 0, xz = 0, zz = 0, off = 0;
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        xx += x[i] * x[i], xz += x[i] * z[i], zz += z[i] * z[i];
+        off += fabs(z[j] * x[k] - z[k] * x[j] - y[i]);
+    }
+    if (fabs(xx - 1) <= most && fabs(xz) <= most && fabs(zz - 1) <= most && off <= most) return 0;
+    return sph_fail(err, "rotation: its rows are not three axes at right angles, of length 1");
+}
+
 /* Reads memory and checksum behind a checked header. */
 static int take_memory(FILE *file, const unsigned char *header, struct sph_machine *m,
                        struct sph_error *err) {
@@ -117,7 +140,8 @@ static int take_file(FILE *file, struct sph_machine *m, struct sph_error *err) {
                         SPH_HEADER_BYTES);
     if (check_header(header, bytes, err)) return -1;
     take_header(header, m);
-    if (take_memory(file, header, m, err) || check_profile(header, m, err)) return -1;
+    if (take_memory(file, header, m, err) || check_profile(header, m, err) || check_place(m, err))
+        return -1;
     return sph_machine_validate(m, err);
 }
 

@@ -8,7 +8,7 @@
 
 #include "scene/scene.h"
 
-#define SPH_MAX_RESOLUTION 16384 /* pixels in either direction */
+#define SPH_MAX_RESOLUTION 16383 /* pixels in either direction, as a machine: SPH_MAX_SIDE */
 
 /* Adds a sphere (scene units) of materials[material]. line: of the file, for messages, 0 if
  * generated. -1 with a message if there are SPH_MAX_SPHERES already or memory is short. */

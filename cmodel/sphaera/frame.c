@@ -23,6 +23,7 @@ static int render(const struct sph_machine *m, int threads, sphaera_frame *made,
 
 int sphaera_render(const sphaera_machine *machine, int threads, sphaera_frame **frame,
                    sphaera_error *error) {
+    if (sph_api_null(machine, "machine", error) || sph_api_null(frame, "frame", error)) return -1;
     struct sph_error err = {""};
     *frame = NULL;
     if (threads < 0 || threads > MOST_THREADS) {
@@ -60,7 +61,7 @@ static size_t pixels(const sphaera_frame *frame) {
 }
 
 int sphaera_frame_rgb(const sphaera_frame *frame, int layer, uint8_t *rgb) {
-    if (layer < 0 || layer >= SPH_FRAMES) return -1;
+    if (!frame || !rgb || layer < 0 || layer >= SPH_FRAMES) return -1;
     for (size_t i = 0; i < pixels(frame); i++)
         for (int k = 0; k < 3; k++)
             rgb[3 * i + (size_t)k] = (uint8_t)(frame->frame.pixels[i].colour[layer] >> 8 * k);
@@ -92,6 +93,7 @@ uint32_t sphaera_frame_errors(const sphaera_frame *frame) {
 }
 
 int sphaera_frame_write(const sphaera_frame *frame, const char *path, sphaera_error *error) {
+    if (sph_api_null(frame, "frame", error) || sph_api_null(path, "path", error)) return -1;
     struct sph_error err = {""};
     struct sph_linear light = {0};
     const char *format = sph_image_format(path, &err);
@@ -116,7 +118,7 @@ uint64_t sphaera_frame_counter(const sphaera_frame *frame, int number) {
 }
 
 int sphaera_counter_find(const char *name) {
-    for (int i = 0; i < SPH_COUNTERS; i++)
+    for (int i = 0; name && i < SPH_COUNTERS; i++)
         if (!strcmp(names[i], name)) return i;
     return -1;
 }

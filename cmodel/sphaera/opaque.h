@@ -26,6 +26,9 @@ struct sphaera_frame {
     uint32_t errors;
 };
 
+/* Is an argument NULL that must not be? Then *to says so by its name. */
+int sph_api_null(const void *argument, const char *name, sphaera_error *to);
+
 /* The library's message as the user's; returns -1. */
 int sph_api_failed(const struct sph_error *from, sphaera_error *to);
 

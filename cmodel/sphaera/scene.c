@@ -27,11 +27,15 @@ static int make(const char *text, size_t length, const char *name, uint32_t at,
 }
 
 int sphaera_scene_read(const char *path, uint32_t at, sphaera_scene **scene, sphaera_error *error) {
+    if (sph_api_null(path, "path", error) || sph_api_null(scene, "scene", error)) return -1;
     return make(NULL, 0, path, at, scene, error);
 }
 
 int sphaera_scene_parse(const char *text, size_t length, const char *name, uint32_t at,
                         sphaera_scene **scene, sphaera_error *error) {
+    if (sph_api_null(text, "text", error) || sph_api_null(name, "name", error) ||
+        sph_api_null(scene, "scene", error))
+        return -1;
     return make(text, length, name, at, scene, error);
 }
 

@@ -6,8 +6,9 @@
  * hardware gives: colours, ids, keys, visits, counters.
  *
  * Errors. A function that can fail returns 0, or -1 with a message in *error, which names file,
- * line and field and may be NULL. After -1 nothing was made and there is nothing to free. Nothing
- * here ends the program, prints, or changes the locale.
+ * line and field and may be NULL. It refuses any other argument that is NULL, if its comment does
+ * not say what NULL means; functions that cannot fail must not be given NULL. After -1 nothing was
+ * made and there is nothing to free. Nothing here ends the program, prints, or changes the locale.
  *
  * Threads. There is no global state. A scene, a machine and a frame never change once they are
  * made: any number of threads may use the same one at once, until one of them frees it.

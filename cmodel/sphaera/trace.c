@@ -42,6 +42,9 @@ static int quantise(const sphaera_machine *machine, const double origin[3],
 
 int sphaera_trace(const sphaera_machine *machine, const double origin[3], const double direction[3],
                   sphaera_hit *hit, sphaera_error *error) {
+    if (sph_api_null(machine, "machine", error) || sph_api_null(origin, "origin", error) ||
+        sph_api_null(direction, "direction", error) || sph_api_null(hit, "hit", error))
+        return -1;
     const struct sph_machine *m = &machine->machine;
     struct sph_error err = {""};
     struct sph_counters counters = {{0}};

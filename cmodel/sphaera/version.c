@@ -16,3 +16,11 @@ int sph_api_failed(const struct sph_error *from, sphaera_error *to) {
     if (to) memcpy(to->text, from->text, sizeof from->text);
     return -1;
 }
+
+int sph_api_null(const void *argument, const char *name, sphaera_error *to) {
+    struct sph_error err = {""};
+    if (argument) return 0;
+    sph_fail(&err, "%s is NULL", name);
+    sph_api_failed(&err, to);
+    return 1;
+}

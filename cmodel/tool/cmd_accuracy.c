@@ -43,10 +43,10 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         state->child_inputs[0] = &a->source;
         return 0;
     case 'd':
-        a->picture = tool_picture(state, &a->source.outputs, "--difference", arg, TOOL_EXACT);
+        a->picture = tool_picture(state, &a->source.outputs, key, "--difference", arg, TOOL_EXACT);
         return 0;
     case KEY_FRAME:
-        a->frame = tool_output(&a->source.outputs, arg);
+        a->frame = tool_output(&a->source.outputs, key, arg);
         return 0;
     case KEY_LEVELS:
         a->levels = tool_choice(state, "--levels", arg, tool_level_names);
@@ -58,7 +58,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         a->threads = (int)tool_number(state, "--threads", arg, 0, 1024);
         return 0;
     case KEY_JSON:
-        a->json = tool_output(&a->source.outputs, arg);
+        a->json = tool_output(&a->source.outputs, key, arg);
         return 0;
     default:
         return tool_one_scene(state, key, arg, &a->input, "no scene given");

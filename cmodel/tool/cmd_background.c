@@ -35,7 +35,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         a->pictures = arg;
         return 0;
     case KEY_JSON:
-        a->json = tool_output(&a->source.outputs, arg);
+        a->json = tool_output(&a->source.outputs, key, arg);
         return 0;
     default:
         return tool_one_scene(state, key, arg, &a->input, "no scene given");
@@ -143,7 +143,7 @@ static int name_pictures(struct arguments *a, char **drawn, struct sph_error *er
     for (int i = 0; i < PICTURES; i++) {
         drawn[i] = ways_picture(a->pictures, i);
         if (!drawn[i]) return sph_fail(err, "out of memory");
-        tool_output(&a->source.outputs, drawn[i]);
+        tool_output(&a->source.outputs, 0, drawn[i]);
     }
     return 0;
 }

@@ -37,10 +37,10 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         state->child_inputs[0] = &a->source;
         return 0;
     case 'o':
-        a->output = tool_output(&a->source.outputs, arg);
+        a->output = tool_output(&a->source.outputs, key, arg);
         return 0;
     case KEY_JSON:
-        a->json = tool_output(&a->source.outputs, arg);
+        a->json = tool_output(&a->source.outputs, key, arg);
         return 0;
     case KEY_STATS:
         a->stats = 1;

@@ -33,10 +33,10 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     struct arguments *a = state->input;
     switch (key) {
     case 'd':
-        a->picture = tool_picture(state, &a->outputs, "--difference", arg, TOOL_EXACT);
+        a->picture = tool_picture(state, &a->outputs, key, "--difference", arg, TOOL_EXACT);
         return 0;
     case KEY_JSON:
-        a->json = tool_output(&a->outputs, arg);
+        a->json = tool_output(&a->outputs, key, arg);
         return 0;
     case KEY_LAYER:
         a->layer = (int)tool_number(state, "--layer", arg, 0, SPH_FRAMES - 1);

@@ -33,13 +33,13 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         state->child_inputs[0] = &a->source;
         return 0;
     case 'o':
-        a->output = tool_output(&a->source.outputs, arg);
+        a->output = tool_output(&a->source.outputs, key, arg);
         return 0;
     case KEY_HEX:
         a->hex = arg;
         return 0;
     case KEY_C_ARRAY:
-        a->c_array = tool_output(&a->source.outputs, arg);
+        a->c_array = tool_output(&a->source.outputs, key, arg);
         return 0;
     case ARGP_KEY_END:
         if (a->output && (a->hex || a->c_array))

@@ -85,7 +85,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     struct arguments *a = state->input;
     switch (key) {
     case 'o':
-        a->output = tool_output(&a->outputs, arg);
+        a->output = tool_output(&a->outputs, key, arg);
         return 0;
     case 'n':
         a->generate.n = (uint32_t)tool_number(state, "-n", arg, 1, SPH_MAX_SPHERES);

@@ -25,7 +25,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     char rest;
     switch (key) {
     case KEY_JSON:
-        a->json = tool_output(&a->outputs, arg);
+        a->json = tool_output(&a->outputs, key, arg);
         return 0;
     case KEY_PIXEL:
         if (sscanf(arg, "%d,%d%c", &a->pixel[0], &a->pixel[1], &rest) != 2 || a->pixel[0] < 0 ||

@@ -25,7 +25,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     switch (key) {
     case 'o':
         if (!movie_is(arg)) argp_error(state, "--output: '%s' is neither .mp4 nor .gif", arg);
-        a->output = tool_output(&a->outputs, arg);
+        a->output = tool_output(&a->outputs, key, arg);
         return 0;
     case 'r':
         a->rate = tool_real(state, "--rate", arg, 0.1, 240);

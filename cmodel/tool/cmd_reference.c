@@ -52,7 +52,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         state->child_inputs[0] = &a->source;
         return 0;
     case KEY_FRAME:
-        a->frame = tool_output(&a->source.outputs, arg);
+        a->frame = tool_output(&a->source.outputs, key, arg);
         return 0;
     case KEY_FILTER:
         a->source.build.tex_filter = tool_choice(state, "--filter", arg, tool_filter_names);

@@ -77,7 +77,7 @@ static const char *const traversals[] = {"tree", "brute", "tree", "packets"}; /*
 static error_t parse(int key, char *arg, struct argp_state *state) {
     struct arguments *a = state->input;
     if (key == 'o' && movie_is(arg)) {
-        a->movie = tool_output(&a->source.outputs, arg);
+        a->movie = tool_output(&a->source.outputs, key, arg);
         return 0;
     }
     if (!light_option(&a->light, &a->source.outputs, key, arg, state)) return 0;
@@ -86,10 +86,10 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         state->child_inputs[0] = &a->source;
         return 0;
     case KEY_FRAME:
-        a->frame = tool_output(&a->source.outputs, arg);
+        a->frame = tool_output(&a->source.outputs, key, arg);
         return 0;
     case KEY_WALK:
-        a->walk = tool_picture(state, &a->source.outputs, "--walk", arg, TOOL_EXACT);
+        a->walk = tool_picture(state, &a->source.outputs, key, "--walk", arg, TOOL_EXACT);
         return 0;
     case KEY_DEPTHS:
         a->light.depths = 1;
@@ -113,7 +113,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         tool_frames_parse(state, arg, &a->frames);
         return 0;
     case KEY_JSON:
-        a->json = tool_output(&a->source.outputs, arg);
+        a->json = tool_output(&a->source.outputs, key, arg);
         return 0;
     case KEY_PROGRESS:
         a->progress = 1;

@@ -35,7 +35,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         a->script = arg;
         return 0;
     case KEY_RECORD:
-        a->record = tool_output(&a->source.outputs, arg);
+        a->record = tool_output(&a->source.outputs, key, arg);
         return 0;
     case KEY_KEYS:
         a->keys = 1;

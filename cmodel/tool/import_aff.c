@@ -46,7 +46,7 @@ int tool_import_aff(const char *path, const struct tool_import_aff *how, struct 
         return sph_fail(err, "%s: --frames needs --output", path);
     for (uint32_t frame = how->frames.first; frame <= how->frames.last; frame++) {
         char *name = tool_numbered(how->output, frame);
-        struct tool_outputs one = {{name}, 1};
+        struct tool_outputs one = {{name}, 1, {0}};
         if (!name) return sph_fail(err, "no memory for the name of a file");
         int bad = import_one(path, how, &one, frame, name, err);
         free(name);

@@ -16,14 +16,15 @@ error_t light_option(struct light_pictures *how, struct tool_outputs *outputs, i
     const char *format;
     switch (key) {
     case 'o':
-        format = sph_image_format(tool_picture(state, outputs, "--output", arg, TOOL_LIGHT), NULL);
+        format =
+            sph_image_format(tool_picture(state, outputs, key, "--output", arg, TOOL_LIGHT), NULL);
         if (format && !strcmp(format, "openexr"))
             how->exr = arg;
         else
             how->picture = arg;
         return 0;
     case TOOL_KEY_EXR:
-        how->exr = tool_picture(state, outputs, "--exr", arg, TOOL_EXR);
+        how->exr = tool_picture(state, outputs, key, "--exr", arg, TOOL_EXR);
         return 0;
     case TOOL_KEY_LAYER:
         how->layer = (int)tool_number(state, "--layer", arg, 0, SPH_FRAMES - 1);

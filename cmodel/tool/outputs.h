@@ -16,10 +16,11 @@ enum { TOOL_OUTPUTS = 16 };
 struct tool_outputs {
     const char *path[TOOL_OUTPUTS];
     int n;
+    int key[TOOL_OUTPUTS]; /* of the option: one that is given twice is no clash with itself */
 };
 
-/* Notes a file that will be written ("-": standard output), and returns its name. */
-const char *tool_output(struct tool_outputs *outputs, const char *path);
+/* Notes a file that an option will write ("-": standard output), and returns its name. */
+const char *tool_output(struct tool_outputs *outputs, int key, const char *path);
 
 /* Where text for people goes: standard output, or standard error if a file goes there. */
 FILE *tool_text(void);
@@ -29,11 +30,12 @@ enum { TOOL_EXACT, TOOL_EXR, TOOL_LIGHT };
 
 /* The same for a picture. The name's ending says the format, one of kinds, TOOL_*; another is a
  * usage error. */
-const char *tool_picture(const struct argp_state *state, struct tool_outputs *outputs,
+const char *tool_picture(const struct argp_state *state, struct tool_outputs *outputs, int key,
                          const char *option, const char *path, int kinds);
 
-/* 0 if no output is the file at `input`, else -1 with a message that names both. Two names of one
- * file count as the same; what is no regular file is never overwritten. */
+/* 0 if no output is the file at `input` or that of another option, else -1 with a message that
+ * names both. Two names of one file count as the same; what is no regular file is never
+ * overwritten. */
 int tool_spares(const struct tool_outputs *outputs, const char *input, struct sph_error *err);
 
 /* The same for the images of a scene and the files that it includes. */

@@ -105,7 +105,7 @@ static int spares(const char *path, const struct sph_scene *scene, const struct 
     for (int i = 0; i < source->outputs.n; i++)
         for (uint32_t frame = frames->first; !rc && frame <= frames->last; frame++) {
             char *name = tool_numbered(source->outputs.path[i], frame);
-            struct tool_outputs one = {{name}, 1};
+            struct tool_outputs one = {{name}, 1, {0}};
             if (!name) return sph_fail(err, "no memory for the name of a file");
             rc = tool_spares(&one, path, err) ? -1 : tool_spares_images(&one, scene, err);
             free(name);

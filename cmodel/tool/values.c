@@ -83,7 +83,7 @@ error_t tool_report_key(int key, char *arg, struct argp_state *state, const char
         state->child_inputs[0] = &a->source;
         return 0;
     case KEY_JSON:
-        a->json = tool_output(&a->source.outputs, arg);
+        a->json = tool_output(&a->source.outputs, key, arg);
         return 0;
     default:
         return tool_one_scene(state, key, arg, &a->input, missing);

@@ -258,6 +258,26 @@ static void test_wrong_registers(void **unused) {
     sph_machine_free(&m);
 }
 
+/* What the hardware does not see of the header, wrong with a right checksum. */
+static void test_wrong_place(void **unused) {
+    struct sph_machine m = example(), good = m;
+    (void)unused;
+    static const int32_t steps[] = {100000, INT32_MIN, -1075, 1024};
+    for (int i = 0; i < 4; i++)
+        m.grid_log2 = steps[i], wrong(&m, "grid step is 2^");
+    m = good, m.origin[1] = NAN, wrong(&m, "origin: y");
+    m = good, m.origin[2] = -INFINITY, wrong(&m, "origin: z");
+    for (int i = 0; i < 9; i++)
+        m = good, m.rotation[i] += 0.01, wrong(&m, "rotation");
+    m.rotation[4] = NAN, wrong(&m, "rotation");
+    memset(m.rotation, 0, sizeof m.rotation), wrong(&m, "rotation");
+    m = good; /* a mirror */
+    for (int i = 3; i < 6; i++)
+        m.rotation[i] = -m.rotation[i];
+    wrong(&m, "rotation");
+    sph_machine_free(&good);
+}
+
 /* Widths of its own come back; such as cannot be, in header and register alike, are refused. */
 static void test_widths(void **unused) {
     static const struct {
@@ -302,6 +322,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test(test_round_trip),   cmocka_unit_test(test_damaged_bytes),
         cmocka_unit_test(test_wrong_tree),   cmocka_unit_test(test_wrong_registers),
         cmocka_unit_test(test_wrong_tables), cmocka_unit_test(test_widths),
+        cmocka_unit_test(test_wrong_place),
     };
     seed(argc, argv);
     snprintf(path, sizeof path, "/tmp/test_machine_%ld.sph", (long)getpid());

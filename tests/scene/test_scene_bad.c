@@ -38,7 +38,7 @@ static const struct bad bads[] = {
     {"angle_180", VIEW("0 0 5", "0 0 0", "0 1 0", "180", "9 9"), 1, "between 0 and 180", 0, 0},
     {"angle_negative", VIEW("0 0 5", "0 0 0", "0 1 0", "-5", "9 9"), 1, "between 0 and", 0, 0},
     {"size_zero", VIEW("0 0 5", "0 0 0", "0 1 0", "30", "9 0"), 6, "height 0", 0, 0},
-    {"size_large", VIEW("0 0 5", "0 0 0", "0 1 0", "30", "16385 9"), 6, "width 16385", 0, 0},
+    {"size_large", VIEW("0 0 5", "0 0 0", "0 1 0", "30", "16384 9"), 6, "width 16384", 0, 0},
     {"size_fraction", VIEW("0 0 5", "0 0 0", "0 1 0", "30", "9.5 9"), 6, "whole number", 0, 0},
     {"sphere_before_material", CAM "s 0 0 0 1\n", 8, "no material", 0, 0},
     {"second_view", CAM CAM, 8, "second `v`; the first is in line 1", 0, 0},

@@ -42,6 +42,16 @@ kept five.sph render link.sph --frame five.sph
 kept five.frame compare five.frame five.frame -d five.png --json five.frame
 kept atom.pdb import atom.pdb -o atom.pdb
 kept drawn/way_rect.png background drawn/way_rect.png --size 8x8 --pictures drawn
+twice() { # command of the tool, two of whose outputs are one file
+    fails 1 "refused: $*" "$s" "$@"
+    check "... as written twice" has "would overwrite .*, which is written too" "$TMP/err"
+    check "... and nothing is written" sh -c '! ls two* 2>"$0"' "$TMP/text"
+}
+twice build paper5.nff -o two.sph --json ./two.sph
+twice render paper5.nff --size 8x8 -o two.png --frame two.png
+twice render paper5.nff --size 8x8 -o two.png --exr two.exr --json "$TMP/two.exr"
+twice accuracy paper5.nff --size 8x8 -d two.png --frame two.png
+check "an option given twice is its last" "$s" render paper5.nff --size 8x8 -o q.png -o q.png
 check "no frame of a refused sequence is there" sh -c '! ls tiles-000[02].png'
 
 # ---- the tool: - is standard output, and text then goes to standard error ----
