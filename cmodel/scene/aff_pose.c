@@ -50,6 +50,16 @@ static int moved(const struct sph_aff *a, const char *name, double time, struct 
     return 0;
 }
 
+/* Whether a map leaves next to nothing of one axis beside another one. */
+static int flat(const struct sph_affine *map) {
+    double least = INFINITY, most = 0;
+    for (int k = 0; k < 3; k++) {
+        double length = sph_vec_length(sph_vec_of(map->m[0][k], map->m[1][k], map->m[2][k]));
+        least = fmin(least, length), most = fmax(most, length);
+    }
+    return !(least > SPH_AFF_FLAT * most);
+}
+
 /* Every node stands behind the one that it is in. */
 static int pose_nodes(struct sph_aff *a, double time, struct sph_error *err) {
     for (uint32_t i = 0; i < a->n_nodes; i++) {
@@ -58,6 +68,7 @@ static int pose_nodes(struct sph_aff *a, double time, struct sph_error *err) {
         node->visible = node->parent ? in->visible : 1;
         if (*node->name && moved(a, node->name, time, &own, &node->visible, err)) return -1;
         node->world = node->parent ? sph_affine_after(&in->world, &own) : own;
+        node->flat = (node->parent && in->flat) || flat(&node->world);
     }
     return 0;
 }
@@ -86,7 +97,7 @@ static void pose_patches(struct sph_aff *a, double time) {
     }
 }
 
-static void pose_facets(struct sph_aff *a) {
+static int pose_facets(struct sph_aff *a, struct sph_error *err) {
     struct sph_scene *scene = a->r.scene;
     uint32_t kept = 0;
     for (uint32_t i = 0; i < scene->n_facets; i++) {
@@ -94,6 +105,14 @@ static void pose_facets(struct sph_aff *a) {
         const struct sph_aff_node *node = f.motion ? &a->nodes[f.motion - 1] : NULL;
         f.motion = 0;
         if (node && !node->visible) continue;
+        if (node && node->flat && a->r.skip) {
+            scene->n_skipped++;
+            continue;
+        }
+        if (node && node->flat)
+            return sph_fail(err,
+                            "%s:%u: a triangle is scaled by 0; --skip-unsupported leaves it out",
+                            scene->path, f.line);
         for (int k = 0; node && k < 3; k++)
             f.v[k] = sph_affine_point(&node->world, f.v[k]);
         for (int k = 0; node && f.smooth && k < 3; k++)
@@ -103,6 +122,7 @@ static void pose_facets(struct sph_aff *a) {
         scene->facets[kept++] = f;
     }
     scene->n_facets = kept;
+    return 0;
 }
 
 static int pose_spheres(struct sph_aff *a, struct sph_error *err) {
@@ -196,9 +216,8 @@ static int check_pose(const struct sph_aff *a, struct sph_error *err) {
 int sph_aff_pose(struct sph_aff *a, double time, struct sph_error *err) {
     if (pose_nodes(a, time, err)) return -1;
     pose_patches(a, time);
-    pose_facets(a);
-    return pose_spheres(a, err) || pose_lights(a, time, err) || pose_camera(a, time, err) ||
-                   check_pose(a, err)
+    return pose_facets(a, err) || pose_spheres(a, err) || pose_lights(a, time, err) ||
+                   pose_camera(a, time, err) || check_pose(a, err)
                ? -1
                : 0;
 }

@@ -15,13 +15,14 @@
 #define SPH_AFF_DEPTH 32       /* files that include one another */
 #define SPH_AFF_INCLUDES 65536 /* in all */
 #define SPH_AFF_COUNT 16777216 /* numbers of a list: vertices, keys, ... */
+#define SPH_AFF_FLAT 1e-12     /* of the longest axis: a shorter one is scaled by 0 */
 
 /* A transform within another one: still (`xs`), or of the keys of a name (`x`). */
 struct sph_aff_node {
     uint32_t parent; /* index + 1, 0: the world */
     uint32_t line;
     struct sph_affine still, world; /* world: aff_pose.c */
-    int visible;                    /* aff_pose.c */
+    int visible, flat;              /* aff_pose.c */
     char name[SPH_LEX_TOKEN + 1];   /* empty: still */
 };
 
@@ -90,7 +91,7 @@ int sph_aff_take_tpa(struct sph_aff *a, struct sph_error *err);
 int sph_aff_take_k(struct sph_aff *a, struct sph_error *err);
 
 /* Moves camera, lights and primitives to where they are at a time. -1 with a message if a sphere
- * would not stay one. */
+ * would not stay one, or a triangle not. */
 int sph_aff_pose(struct sph_aff *a, double time, struct sph_error *err);
 
 #endif
