@@ -26,6 +26,26 @@ static double seconds(void) {
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
+const char *sph_build_contradiction(const struct sph_build_options *o) {
+    if (o->reflect == SPH_ON && !o->max_depth)
+        return "reflect on: there must be a reflection to follow, depth is 0";
+    if (o->refract == SPH_ON && !o->max_depth)
+        return "refract on: there must be a ray to follow, depth is 0";
+    if (o->interpenetrate == SPH_ON && o->traverse != SPH_BUILD_FIRST)
+        return "interpenetrate on: it corrects the first hit, traverse is nearest";
+    if (o->interpenetrate == SPH_ON && o->inside == SPH_OFF)
+        return "interpenetrate on: it needs inside, which is off";
+    if (o->clear == SPH_ON && o->shadow == SPH_OFF)
+        return "clear on: it needs shadow, which is off";
+    if (o->spread == SPH_ON && o->texture == SPH_OFF)
+        return "spread on: it needs texture, which is off";
+    if (o->axes == SPH_AXES_SCENE && o->background != SPH_BG_NONE)
+        return "axes scene: background is separated along the camera's axes alone";
+    if (o->axes == SPH_AXES_SCENE && o->traverse == SPH_BUILD_FIRST)
+        return "axes scene: it is not for traverse first";
+    return NULL;
+}
+
 /* Whether what is asked of the effects can be. */
 static int check_effects(const struct sph_scene *scene, const struct sph_build_options *o,
                          struct sph_error *err) {
@@ -49,19 +69,8 @@ static int check_effects(const struct sph_scene *scene, const struct sph_build_o
     if (o->lights < SPH_AUTO || o->lights > scene->n_lights)
         return sph_fail(err, "%s: %d lights are asked for, the scene has %d", scene->path,
                         o->lights, scene->n_lights);
-    if (o->reflect == SPH_ON && !o->max_depth)
-        return sph_fail(err, "reflect on: there must be a reflection to follow, depth is 0");
-    if (o->refract == SPH_ON && !o->max_depth)
-        return sph_fail(err, "refract on: there must be a ray to follow, depth is 0");
-    if (o->interpenetrate == SPH_ON && o->traverse != SPH_BUILD_FIRST)
-        return sph_fail(err, "interpenetrate on: it corrects the first hit, traverse is nearest");
-    if (o->interpenetrate == SPH_ON && o->inside == SPH_OFF)
-        return sph_fail(err, "interpenetrate on: it needs inside, which is off");
-    if (o->clear == SPH_ON && o->shadow == SPH_OFF)
-        return sph_fail(err, "clear on: it needs shadow, which is off");
-    if (o->spread == SPH_ON && o->texture == SPH_OFF)
-        return sph_fail(err, "spread on: it needs texture, which is off");
-    return 0;
+    const char *why = sph_build_contradiction(o);
+    return why ? sph_fail(err, "%s: %s", scene->path, why) : 0;
 }
 
 static int check(const struct sph_scene *scene, const struct sph_build_options *o,
@@ -82,10 +91,6 @@ static int check(const struct sph_scene *scene, const struct sph_build_options *
         return sph_fail(err, "there is no texture filter %d", o->tex_filter);
     if (o->axes != SPH_AXES_CAMERA && o->axes != SPH_AXES_SCENE)
         return sph_fail(err, "there are no axes %d", o->axes);
-    if (o->axes == SPH_AXES_SCENE && o->background != SPH_BG_NONE)
-        return sph_fail(err, "axes scene: background is separated along the camera's axes alone");
-    if (o->axes == SPH_AXES_SCENE && o->traverse == SPH_BUILD_FIRST)
-        return sph_fail(err, "axes scene: it is not for traverse first");
     if (o->background < SPH_BG_NONE || o->background > SPH_BG_EXACT)
         return sph_fail(err, "there is no background mode %d", o->background);
     if (o->bg_points && (o->bg_points < SPH_POINTS_MIN || o->bg_points > SPH_POINTS_MAX))

@@ -117,6 +117,9 @@ struct sph_build_report {
     int lights[SPH_MAX_LIGHTS]; /* number in the scene of each light of the machine */
 };
 
+/* Why no scene can be built with these options: two of them exclude each other. NULL if none do. */
+const char *sph_build_contradiction(const struct sph_build_options *o);
+
 /* Builds the machine. 0, or -1 with "file:line: ..." (a sphere that does not fit the grid, zero
  * radius on the grid, exact duplicates, more than SPH_MAX_PLANES planes, raster too wide for the
  * profile, effects that exclude each other). */

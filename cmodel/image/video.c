@@ -10,6 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -42,7 +43,7 @@ static size_t ending(const char *path) {
 static int spawn(struct sph_video *v) {
     int ends[2], error;
     char size[32], rate[32];
-    const char *fit = strcmp(v->path + ending(v->path), ".gif") != 0
+    const char *fit = strcasecmp(v->path + ending(v->path), ".gif") != 0
                           ? "pad=ceil(iw/2)*2:ceil(ih/2)*2,format=yuv420p"
                           : "null";
     snprintf(size, sizeof size, "%dx%d", v->width, v->height);

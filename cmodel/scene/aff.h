@@ -9,7 +9,7 @@
 
 #include "scene/scene.h"
 
-/* Does the name end in `.aff`? */
+/* Does the name end in `.aff`, in letters of either size? */
 int sph_aff_is(const char *path);
 
 /* Reads an AFF file and what it includes, as it stands at options->at or options->time. 0, or -1

@@ -5,6 +5,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <unistd.h>
 
 #include "scene/aff_reader.h"
@@ -12,7 +13,7 @@
 
 int sph_aff_is(const char *path) {
     size_t length = strlen(path);
-    return length > 4 && !strcmp(path + length - 4, ".aff");
+    return length > 4 && !strcasecmp(path + length - 4, ".aff");
 }
 
 static int take_file(struct sph_aff *a, const char *path, struct sph_error *err);

@@ -69,12 +69,8 @@ static int finish(const struct arguments *a, const struct sph_scene *scene, stru
 /* A machine file as text. */
 static int export_machine(const struct arguments *a, struct sph_error *err) {
     struct tool_built built;
-    if (!tool_is_machine(a->input))
-        return sph_fail(err,
-                        "%.200s: is a scene; `sphaera build` makes the machine file of it, "
-                        "which --hex and --c-array take",
-                        a->input);
-    if (tool_load(a->input, &a->source, &built, err)) return -1;
+    if (tool_wants_machine(a->input, err) || tool_load(a->input, &a->source, &built, err))
+        return -1;
     int rc = a->hex ? sph_machine_write_hex(&built.machine, a->hex, err) : 0;
     if (!rc && a->c_array) rc = sph_machine_write_c(&built.machine, a->c_array, err);
     sph_machine_free(&built.machine);

@@ -5,6 +5,7 @@
 #include "tool/pixel_rays.h"
 #include "tool/print.h"
 #include "tool/report.h"
+#include "tool/tool.h"
 
 struct arguments {
     const char *input, *json;
@@ -53,7 +54,8 @@ int tool_info(int argc, char **argv) {
     argp_parse(&argp, argc, argv, 0, NULL, &a);
 
     if (tool_spares(&a.outputs, a.input, &err)) return tool_failed(&err);
-    if (sph_machine_read(a.input, &machine, &err)) return tool_failed(&err);
+    if (tool_wants_machine(a.input, &err) || sph_machine_read(a.input, &machine, &err))
+        return tool_failed(&err);
     struct sph_ray_log log = {0};
     const int32_t *size = machine.regs + SPH_REG_FRAME_W; /* and height behind it */
     if (a.pixel[0] >= size[0] || a.pixel[1] >= size[1])

@@ -51,7 +51,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
 static int read_all(const struct arguments *a, int device, struct board_machine *machines, int *n,
                     struct sph_error *err) {
     for (int i = device; i < a->n; i++) {
-        if (board_machine_read(a->names[i], &machines[*n], err)) return -1;
+        if (tool_wants_machine(a->names[i], err) ||
+            board_machine_read(a->names[i], &machines[*n], err))
+            return -1;
         if (board_machine_mode(a->names[i], &machines[(*n)++], err)) return -1;
     }
     return 0;

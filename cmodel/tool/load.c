@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  */
 #include <string.h>
+#include <strings.h>
 
 #include "builder/build_auto.h"
 #include "common/input.h"
@@ -10,13 +11,21 @@
 
 int tool_is_machine(const char *path) {
     size_t length = strlen(path);
-    if (length > 4 && !strcmp(path + length - 4, ".sph")) return 1;
+    if (length > 4 && !strcasecmp(path + length - 4, ".sph")) return 1;
     return sph_input_starts(path, "SPHAERA", 7);
 }
 
 int tool_wants_scene(const char *path, struct sph_error *err) {
     if (!tool_is_machine(path)) return 0;
     return sph_fail(err, "%s: is a machine file, a scene is needed", path);
+}
+
+int tool_wants_machine(const char *path, struct sph_error *err) {
+    FILE *file = sph_input_open(path, SPH_INPUT_ANY, err);
+    if (!file) return -1;
+    fclose(file);
+    if (tool_is_machine(path)) return 0;
+    return sph_fail(err, "%s: is no machine file; `sphaera build` makes one of a scene", path);
 }
 
 int tool_scene_read(const char *path, const struct tool_source *source, struct sph_scene *scene,

@@ -151,6 +151,10 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         s->build.coarse =
             SPH_LOD_BITS - (int)tool_number(state, "--lod-bits", arg, 0, SPH_LOD_BITS);
         break;
+    case ARGP_KEY_END:
+        if (sph_build_contradiction(&s->build))
+            argp_error(state, "%s", sph_build_contradiction(&s->build));
+        return 0;
     default:
         return ARGP_ERR_UNKNOWN;
     }

@@ -106,6 +106,9 @@ int tool_is_machine(const char *path);
 /* -1 with a message if it is, where only a scene will do. */
 int tool_wants_scene(const char *path, struct sph_error *err);
 
+/* -1 with a message if it is not, where only a machine file will do. */
+int tool_wants_machine(const char *path, struct sph_error *err);
+
 /* The size of the frame, in *build: the one asked for, or the scene's, times the samples. -1 with a
  * message if that is too large. */
 int tool_frame_size(const struct tool_source *source, const struct sph_scene *scene,

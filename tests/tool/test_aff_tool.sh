@@ -76,6 +76,9 @@ check "it is that of the frame alone" sh -c "'$s' build '$moving' $size --profil
     cmp '$TMP/alone.sph' '$TMP/keep-0002.sph' &&
     ! cmp -s '$TMP/keep-0001.sph' '$TMP/keep-0002.sph'"
 
+cp "$scene" "${scene%aff}AFF"
+check "an ending in capitals" sh -c "'$s' import '${scene%aff}AFF' --at 2 -o - 2>'$TMP/text' |
+    grep '^s 1 0.68518518'"
 fails 1 "no such frame" "$s" build "$scene" --at 4 -o "$TMP/no.sph"
 check "says which there are" has 'frame 4: the animation has frames 0 to 3' "$TMP/err"
 fails 1 "frames into standard output" "$s" import "$scene" --frames 1..2

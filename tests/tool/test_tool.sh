@@ -288,8 +288,15 @@ check "... names the first of them" has 'i.nff:[0-9]*: traverse first is for sph
 fails 1 "the paper's walk of glass" "$s" build g.nff --traverse first -o x.sph
 check "... names the material" has 'g.nff:13: traverse first is for scenes' "$TMP/err"
 fails 1 "refraction without inside" "$s" build g.nff --inside off -o x.sph
-fails 1 "refraction of depth 0" "$s" build g.nff --refract on --depth 0 -o x.sph
+fails 2 "the scene's axes with background" "$s" build a.nff --axes scene --background rect -o x.sph
+fails 2 "refraction of depth 0" "$s" build g.nff --refract on --depth 0 -o x.sph
 fails 1 "a folder as scene" "$s" build . -o x.sph
+fails 1 "a scene as machine" "$s" info a.nff
+check "... says what makes one" has 'a.nff: is no machine file; .sphaera build. makes' "$TMP/err"
+fails 1 "a scene to load" "$s" load --rom rom a.nff
+check "... says so, too" has 'a.nff: is no machine file; .sphaera build. makes' "$TMP/err"
+fails 1 "no machine" "$s" info nothing.nff
+check "... says that" has 'nothing.nff: cannot open' "$TMP/err"
 fails 1 "a machine as scene" "$s" build a.sph -o x.sph
 fails 1 "build options for a machine" "$s" render a.sph --depth 1 -o x.png
 fails 1 "unknown kind of scene" "$s" gen nothing -o x.nff
