@@ -71,7 +71,7 @@ static int check_distinct(const struct sph_scene *scene, struct sph_error *err) 
 int sph_generate_takes(const char *kind) {
     for (int i = 0; i < N_MAKERS; i++)
         if (!strcmp(kind, makers[i].kind)) return makers[i].takes;
-    return SPH_TAKES_NOTHING;
+    return SPH_TAKES_UNKNOWN;
 }
 
 int sph_generate(const char *kind, const struct sph_generate_options *options,

@@ -21,7 +21,7 @@ struct sph_generate_options {
 extern const char sph_generate_help[];
 
 /* The option that a number behind a kind stands for, as in sphereflake:3. */
-enum { SPH_TAKES_NOTHING, SPH_TAKES_SIZE, SPH_TAKES_N, SPH_TAKES_SEED };
+enum { SPH_TAKES_NOTHING, SPH_TAKES_SIZE, SPH_TAKES_N, SPH_TAKES_SEED, SPH_TAKES_UNKNOWN };
 int sph_generate_takes(const char *kind);
 
 /* Makes the scene of the given kind:

@@ -162,6 +162,7 @@ int tool_background(int argc, char **argv) {
         NULL,
         NULL};
     struct arguments a = {.source = tool_source_default};
+    a.source.every_background = 1;
     struct sph_scene scene;
     struct sph_error err = {""};
     argp_parse(&argp, argc, argv, 0, NULL, &a);

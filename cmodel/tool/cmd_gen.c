@@ -21,6 +21,7 @@ struct arguments {
     struct sph_import_options import;
     struct tool_import_aff aff;
     const char *pdb_option, *aff_option; /* the last one that is for such a file alone */
+    const char *scenario_option;         /* the last one that is for scenarios alone */
     struct tool_outputs outputs;
 };
 
@@ -98,6 +99,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         return 0;
     case KEY_RADIUS:
         a->generate.radius = real(state, "--radius", arg);
+        a->scenario_option = "radius";
         return 0;
     case KEY_DRIFT:
         a->generate.drift = real(state, "--drift", arg);
@@ -107,6 +109,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         return 0;
     case KEY_PLAIN:
         a->generate.plain = 1;
+        a->scenario_option = "plain";
         return 0;
     case KEY_WATER:
         a->import.keep_water = 1;
@@ -162,10 +165,25 @@ static error_t parse_import(int key, char *arg, struct argp_state *state) {
     return 0;
 }
 
+/* What the kind does not take. Every one takes a seed: those that move do so by it. */
+static void check_kind(const struct argp_state *state, const struct arguments *a) {
+    int takes = sph_generate_takes(a->what);
+    const char *wrong = NULL;
+    if (takes == SPH_TAKES_UNKNOWN) return;
+    if (a->scenario_option && strncmp(a->what, "scenario", 8) != 0) wrong = a->scenario_option;
+    if (a->generate.size && takes != SPH_TAKES_SIZE) wrong = "size";
+    if (a->generate.n && takes != SPH_TAKES_N) wrong = "spheres";
+    if (wrong) argp_error(state, "--%s is not for %s", wrong, a->what);
+}
+
 /* The same with KIND:N, the number that a kind is mostly asked for with. */
 static error_t parse_gen(int key, char *arg, struct argp_state *state) {
     char *colon = key == ARGP_KEY_ARG ? strchr(arg, ':') : NULL;
-    if (!colon) return parse(key, arg, state);
+    if (!colon) {
+        error_t rc = parse(key, arg, state);
+        if (key == ARGP_KEY_END) check_kind(state, state->input);
+        return rc;
+    }
     *colon = 0;
     parse(key, arg, state);
     switch (sph_generate_takes(arg)) {

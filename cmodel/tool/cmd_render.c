@@ -19,7 +19,7 @@ struct arguments {
     struct tool_source source;
     const char *input, *frame, *json, *walk;
     struct light_pictures light;
-    int traverse, threads, counters, progress;
+    int traverse, walks, threads, counters, progress;
     struct tool_frames frames;
     const char *movie;
 };
@@ -95,13 +95,13 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         a->light.depths = 1;
         return 0;
     case KEY_BRUTE:
-        a->traverse = SPH_TRAVERSE_BRUTE;
+        a->traverse = SPH_TRAVERSE_BRUTE, a->walks |= 1;
         return 0;
     case KEY_LITERAL:
-        if (a->traverse != SPH_TRAVERSE_BRUTE) a->traverse = SPH_TRAVERSE_TREE;
+        a->traverse = SPH_TRAVERSE_TREE, a->walks |= 2;
         return 0;
     case KEY_PACKETS:
-        if (a->traverse == SPH_TRAVERSE_FAST) a->traverse = SPH_TRAVERSE_PACKETS;
+        a->traverse = SPH_TRAVERSE_PACKETS, a->walks |= 4;
         return 0;
     case 't':
         a->threads = (int)tool_number(state, "--threads", arg, 0, 1024);
@@ -122,6 +122,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         if (key == ARGP_KEY_END && a->traverse == SPH_TRAVERSE_PACKETS &&
             (a->counters || a->frame || a->light.exr))
             a->traverse = SPH_TRAVERSE_FAST;
+        if (key == ARGP_KEY_END && (a->walks & (a->walks - 1)))
+            argp_error(state, "--brute, --literal and --packets exclude one another");
         if (key == ARGP_KEY_END && a->frames.on && a->source.read.at)
             argp_error(state, "--frames and --at exclude each other");
         if (key == ARGP_KEY_END && a->movie && !a->frames.on)

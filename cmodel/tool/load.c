@@ -7,6 +7,7 @@
 #include "builder/build_auto.h"
 #include "common/input.h"
 #include "image/mips.h"
+#include "scene/aff.h"
 #include "tool/tool.h"
 
 int tool_is_machine(const char *path) {
@@ -30,6 +31,8 @@ int tool_wants_machine(const char *path, struct sph_error *err) {
 
 int tool_scene_read(const char *path, const struct tool_source *source, struct sph_scene *scene,
                     struct sph_error *err) {
+    if (source->read.timed && !sph_aff_is(path))
+        return sph_fail(err, "%s: --time is for AFF scenes; frames of others are --at", path);
     if (tool_spares(&source->outputs, path, err) || sph_scene_read(path, &source->read, scene, err))
         return -1;
     if (!tool_spares_images(&source->outputs, scene, err)) return 0;

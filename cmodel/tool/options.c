@@ -92,10 +92,24 @@ static void refit(const struct argp_state *state, const char *arg, struct tool_s
     if (bounded) s->loss = tool_real(state, "--refit", arg + 5, 0, 1e6) / 100;
 }
 
+static const char *const backgrounds[] = {"none", "rect", "spans", "exact", NULL};
+
+/* What is of no use beside the other options that are given. */
+static void check(const struct argp_state *state, const struct tool_source *s) {
+    const char *why = sph_build_contradiction(&s->build);
+    const char *background = backgrounds[s->build.background - SPH_BG_NONE];
+    if (why) argp_error(state, "%s", why);
+    if (s->every_background) return;
+    if (s->spans_option && s->build.background != SPH_BG_SPANS)
+        argp_error(state, "--%s is for --background spans, this is %s", s->spans_option,
+                   background);
+    if (s->levels_given && s->build.background != SPH_BG_EXACT)
+        argp_error(state, "--bg-levels is for --background exact, this is %s", background);
+}
+
 static error_t parse(int key, char *arg, struct argp_state *state) {
     static const char *const trees[] = {"paper", "balanced", "reinserted", NULL};
     static const int numbers[] = {SPH_TREE_PAPER, SPH_TREE_BALANCED, SPH_TREE_REINSERTED};
-    static const char *const backgrounds[] = {"none", "rect", "spans", "exact", NULL};
     static const char *const hows[] = {"nearest", "first", NULL};
     struct tool_source *s = state->input;
     struct sph_error err = {{0}};
@@ -126,13 +140,16 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         s->build.background = SPH_BG_NONE + tool_choice(state, "--background", arg, backgrounds);
         break;
     case KEY_BG_POINTS:
+        s->spans_option = "bg-points";
         s->build.bg_points =
             (int)tool_number(state, "--bg-points", arg, SPH_POINTS_MIN, SPH_POINTS_MAX);
         break;
     case KEY_BG_BORDER:
+        s->spans_option = "bg-border";
         s->build.bg_border = (int)tool_number(state, "--bg-border", arg, 0, SPH_BORDER_MAX);
         break;
     case KEY_BG_LEVELS:
+        s->levels_given = 1;
         s->build.bg_levels = (int)tool_number(state, "--bg-levels", arg, 0, SPH_BG_LEVELS);
         break;
     case KEY_SAMPLES:
@@ -152,8 +169,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
             SPH_LOD_BITS - (int)tool_number(state, "--lod-bits", arg, 0, SPH_LOD_BITS);
         break;
     case ARGP_KEY_END:
-        if (sph_build_contradiction(&s->build))
-            argp_error(state, "%s", sph_build_contradiction(&s->build));
+        check(state, s);
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;

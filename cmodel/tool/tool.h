@@ -77,6 +77,9 @@ struct tool_source {
     double loss;                 /* of SPH_REFIT_AUTO */
     int samples;                 /* across and down a pixel: the frame is as many times larger */
     const char *bih_option;      /* the last option given that is for a BIH alone */
+    const char *spans_option;    /* that is for --background spans alone */
+    int levels_given;            /* --bg-levels, for --background exact */
+    int every_background;        /* the command compares them all */
     const char *option;          /* the last build option given, NULL if none */
     struct tool_outputs outputs; /* of the command: none may be a file that is read */
 };

@@ -288,6 +288,24 @@ check "... names the first of them" has 'i.nff:[0-9]*: traverse first is for sph
 fails 1 "the paper's walk of glass" "$s" build g.nff --traverse first -o x.sph
 check "... names the material" has 'g.nff:13: traverse first is for scenes' "$TMP/err"
 fails 1 "refraction without inside" "$s" build g.nff --inside off -o x.sph
+for bad in --bg-points=8 --bg-border=2 "--bg-border=2 --background=exact" --bg-levels=1 \
+    "--bg-levels=1 --background=rect"; do
+    # shellcheck disable=SC2086
+    fails 2 "build $bad" "$s" build a.nff -o x.sph $bad
+done
+fails 1 "a time of a scene that has none" "$s" build a.nff --time 3 -o x.sph
+check "... says so" has 'a.nff: --time is for AFF scenes' "$TMP/err"
+for bad in "--packets --literal" "--brute --packets" "--literal --brute"; do
+    # shellcheck disable=SC2086
+    fails 2 "render $bad" "$s" render a.sph $bad
+done
+fails 2 "a cornell of size 5" "$s" gen cornell --size 5 -o x.nff
+check "... says so" has '[-][-]size is not for cornell' "$TMP/err"
+for bad in "sphereflake --spheres 9" "random --radius 2" "random --plain" "paper5 -n 3" \
+    "scenario1 --size 2"; do
+    # shellcheck disable=SC2086
+    fails 2 "gen $bad" "$s" gen $bad -o x.nff
+done
 fails 2 "the scene's axes with background" "$s" build a.nff --axes scene --background rect -o x.sph
 fails 2 "refraction of depth 0" "$s" build g.nff --refract on --depth 0 -o x.sph
 fails 1 "a folder as scene" "$s" build . -o x.sph
