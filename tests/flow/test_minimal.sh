@@ -63,7 +63,7 @@ check "... which are the same words" sh -c "'$TMP/host' >'$TMP/words'; cat '$TMP
 cd "$TMP" || exit 1
 s=$SPHAERA
 fails 1 "export --hex of a scene" "$s" export "$root/scenes/paper5.nff" --hex x
-check "... says what to do" grep -q "is no machine file; 'sphaera build' makes one of a scene" err
+check "... says what to do" grep -q 'is no machine file; .sphaera build. makes one of a scene' err
 fails 1 "export --hex to nowhere" "$s" export scene.sph --hex nowhere/x
 fails 1 "export --c-array to 5.h" "$s" export scene.sph --c-array 5.h
 fails 2 "export of a machine with -o" "$s" export scene.sph --hex x -o x.pov
