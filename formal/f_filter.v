@@ -3,7 +3,8 @@
 // The formula of cmodel/trace/filter.c in words that hold every value, one clock of it from what
 // the lane had a clock before: no register loses a bit or has the wrong sign. Of the axes only that
 // is needed that (oc.p)^2 + (oc.q)^2 < 2^30, which is so for those of rt_across
-// (docs/blocks/filter.md). The square of the radius is that of s_square.v.
+// (docs/blocks/filter.md). That the product of 2 rad - q and 2 rad + q is 4 rad^2 - q^2, and how
+// large, are lemmas of products.smt2.
 `timescale 1ns / 1ps
 `default_nettype none
 module f_filter #(
@@ -45,20 +46,26 @@ module f_filter #(
     (* hierconn *) wire signed [33:0] \u_dut.s5_q_q ;
     (* hierconn *) wire               \u_dut.s4_behind_q , \u_dut.s5_ok_q , \u_dut.ok ;
     (* hierconn *) wire [15:0]        \u_dut.s6_p_q , \u_dut.s6_q_q ;
-    (* hierconn *) wire [31:0]        \u_dut.pp , \u_dut.qq , \u_dut.left_pp_q ;
-    (* hierconn *) wire [27:0]        \u_dut.rad2 ;
+    (* hierconn *) wire [13:0]        \u_dut.rad ;
+    (* hierconn *) wire [15:0]        \u_dut.g_multipliers.s7_p_q ;
+    (* hierconn *) wire signed [16:0] \u_dut.g_multipliers.s7_less_q ;
+    (* hierconn *) wire [16:0]        \u_dut.g_multipliers.s7_more_q ;
+    (* hierconn *) wire [31:0]        \u_dut.left_pp_q ;
     (* hierconn *) wire signed [15:0] \u_dut.near , \u_dut.left_near_q ;
     (* hierconn *) wire signed [32:0] \u_dut.left_q ;
     (* hierconn *) wire               \u_dut.left_ok_q ;
 
     // ---- what each stage must hold, from the stage before ----
-    reg signed [39:0] oc_x, oc_y, oc_z, p, q, sum, depth, near_4, end_4, cut_p, cut_q, left;
+    reg signed [39:0] oc_x, oc_y, oc_z, p, q, sum, depth, near_4, end_4, cut_p, cut_q;
+    reg signed [39:0] less, more, p_7;
     reg signed [14:0] oc_a, oc_b, depth_2;
     reg signed [32:0] pa, pb, qx, qy, qz;
-    reg        [31:0] pp, qq, pp_8;
+    reg signed [32:0] left;
+    reg        [31:0] pp_8;
     reg               ok_5, ok_8, pass_9;
     reg signed [15:0] near_5, near_8, near_9;
-    wire signed [39:0] w_pp = {8'd0, \u_dut.pp }, w_qq = {8'd0, \u_dut.qq };
+    wire signed [17:0] more_7 = {1'b0, \u_dut.g_multipliers.s7_more_q };
+    wire [39:0]        w_rad  = {25'd0, \u_dut.rad , 1'b0}, w_q = {24'd0, \u_dut.s6_q_q };
     wire signed [39:0] floor_p = \u_dut.s5_p_q >>> 16, floor_q = \u_dut.s5_q_q >>> 16;
     always @(posedge clk) begin
         // 1: oc
@@ -86,14 +93,15 @@ module f_filter #(
         sum     <= \u_dut.s4_q_q + \u_dut.s4_qz_q ;
         ok_5    <= end_4 >= 0 && near_4 <= $signed({1'b0, \u_dut.s4_depth_max_q });
         near_5  <= near_4;
-        // 6, 7: cut, squares
+        // 6, 7: cut; 2 rad less and more
         cut_p   <= floor_p < 0 ? -floor_p - 1 : floor_p;
         cut_q   <= floor_q < 0 ? -floor_q - 1 : floor_q;
-        pp      <= \u_dut.s6_p_q * \u_dut.s6_p_q ;
-        qq      <= \u_dut.s6_q_q * \u_dut.s6_q_q ;
-        // 8, 9: pp + qq <= 4 rad^2
-        left    <= $signed({10'd0, \u_dut.rad2 , 2'd0}) - w_qq;
-        pp_8    <= \u_dut.pp ;
+        p_7     <= {24'd0, \u_dut.s6_p_q };
+        less    <= w_rad - w_q;
+        more    <= w_rad + w_q;
+        // 8, 9: pp <= 4 rad^2 - qq
+        left    <= \u_dut.g_multipliers.s7_less_q * more_7;
+        pp_8    <= \u_dut.g_multipliers.s7_p_q * \u_dut.g_multipliers.s7_p_q ;
         ok_8    <= \u_dut.ok ;
         near_8  <= \u_dut.near ;
         pass_9  <= ok_8 && $signed({8'd0, pp_8}) <= left;
@@ -140,7 +148,12 @@ module f_filter #(
             assert ($signed({24'd0, \u_dut.s6_p_q }) == cut_p);
             assert ($signed({24'd0, \u_dut.s6_q_q }) == cut_q);
         end
-        if (age_q >= 7) assert (\u_dut.pp == pp && \u_dut.qq == qq);
+        if (age_q >= 7) begin
+            assert ($signed({24'd0, \u_dut.g_multipliers.s7_p_q }) == p_7);
+            assert ({{23{\u_dut.g_multipliers.s7_less_q [16]}}, \u_dut.g_multipliers.s7_less_q }
+                    == less);
+            assert ($signed({23'd0, \u_dut.g_multipliers.s7_more_q }) == more);
+        end
         if (age_q >= 8) begin
             assert (\u_dut.left_q == left && \u_dut.left_pp_q == pp_8);
             assert (\u_dut.left_ok_q == ok_8 && \u_dut.left_near_q == near_8);
@@ -148,6 +161,5 @@ module f_filter #(
         if (age_q == 9) assert (pass == pass_9 && near == near_9);
     end
 
-    wire unused = &{1'b0, w_pp};
 endmodule
 `default_nettype wire

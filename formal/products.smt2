@@ -28,3 +28,16 @@
 (assert (not (= (* (+ (* x s) m) (+ (* y s) n)) (+ (* s s x y) (* s (+ (* x n) (* m y))) (* m n)))))
 (set-info :status unsat) (check-sat)
 (pop)
+
+; ---- the node filter: (2 r - q) (2 r + q) = 4 r^2 - q^2, of 33 bits for r of 14 bits, q of 16 ----
+(declare-const r Int) (declare-const q Int)
+(push)
+(assert (and (<= 0 r 16383) (<= 0 q 65535)))
+(set-info :status sat) (check-sat)
+(push)
+(assert (not (= (* (- (* 2 r) q) (+ (* 2 r) q)) (- (* 4 r r) (* q q)))))
+(set-info :status unsat) (check-sat)
+(pop) (push)
+(assert (not (< (- 4294967296) (- (* 4 r r) (* q q)) 4294967296)))
+(set-info :status unsat) (check-sat)
+(pop) (pop)

@@ -3,8 +3,8 @@
 // pass = (oc.p)^2 + (oc.q)^2 <= rad^2 && depth + rad >= 0 && depth - rad <= depth_max,
 // oc = ctr - org, p and q across the ray (rt_across), depth = oc along the largest axis of its unit
 // vector. Never rejects what the exact test hits (docs/blocks/filter.md).
-//   1 oc | 2 its parts along p | 3 products | 4 pairs | 5 sums | 6 cut to 1 fraction bit | squares,
-//   1 or 4 | rad^2 - qq | compare
+//   1 oc | 2 its parts along p | 3 products | 4 pairs | 5 sums | 6 cut to 1 fraction bit | rad - q,
+//   rad + q | (oc.p)^2 and their product | compare; with LUTS 7 to 10 squares | 11 rad^2 - qq
 // Latency 9 = `RT_FILTER_LATENCY, with LUTS 12 = `RT_FILTER_LUTS_LATENCY, one child a clock.
 // Model: sph_filter() in cmodel/trace/filter.c
 `timescale 1ns / 1ps
@@ -145,45 +145,48 @@ module rt_filter #(
         s6_q_q <= s5_q_q[17-F +: MW] ^ {MW{s5_q_q[33]}};
     end
 
-    // ---- squares: of the radius a stage before those of the magnitudes ----
-    wire [2*MW-1:0]   pp, qq;                             // u30.2F
-    wire [27:0]       rad2;                               // u28
-    wire              ok;
-    wire signed [15:0] near;
+    // ---- squares; rad^2 - qq in multipliers as (rad - q)*(rad + q), a stage earlier ----
+    reg [2*MW-1:0]        left_pp_q;                      // u30.2F
+    reg signed [2*MW:0]   left_q;                         // s31.2F, rad^2 - qq
+    wire                  ok;
+    wire signed [15:0]    near;
+    wire [13:0]           rad;                            // with s6_q_q
+    rt_delay #(.WIDTH(14), .CYCLES(3)) u_rad (.clk(clk), .in_i(s3_rad_q), .out_o(rad));
+    rt_delay #(.WIDTH(17), .CYCLES(LUTS != 0 ? 5 : 2)) u_depth (
+        .clk(clk), .in_i({s5_ok_q, s5_near_q}), .out_o({ok, near})
+    );
     generate
         if (LUTS != 0) begin : g_luts
-            wire [13:0] rad;
+            wire [2*MW-1:0]     pp, qq;                   // u30.2F
+            wire [27:0]         rad2;                     // u28
+            wire signed [2*MW:0] left_rad2 = {{(2*MW-27-2*F){1'b0}}, rad2, {(2*F){1'b0}}};
             rt_square #(.BITS(MW)) u_p (.clk(clk), .in_i(s6_p_q), .out_q(pp));
             rt_square #(.BITS(MW)) u_q (.clk(clk), .in_i(s6_q_q), .out_q(qq));
-            rt_delay #(.WIDTH(14), .CYCLES(3)) u_rad (.clk(clk), .in_i(s3_rad_q), .out_o(rad));
             rt_square u_square (.clk(clk), .in_i(rad), .out_q(rad2));
-            rt_delay #(.WIDTH(17), .CYCLES(5)) u_depth (
-                .clk(clk), .in_i({s5_ok_q, s5_near_q}), .out_o({ok, near})
-            );
-        end else begin : g_multipliers
-            reg [2*MW-1:0] s7_pp_q, s7_qq_q;
             always @(posedge clk) begin
-                s7_pp_q <= s6_p_q * s6_p_q;
-                s7_qq_q <= s6_q_q * s6_q_q;
+                left_pp_q <= pp;
+                left_q    <= left_rad2 - $signed({1'b0, qq});
             end
-            assign pp = s7_pp_q;
-            assign qq = s7_qq_q;
-            rt_square u_square (.clk(clk), .in_i(s3_rad_q), .out_q(rad2));
-            rt_delay #(.WIDTH(17), .CYCLES(2)) u_depth (
-                .clk(clk), .in_i({s5_ok_q, s5_near_q}), .out_o({ok, near})
-            );
+        end else begin : g_multipliers
+            reg [MW-1:0]        s7_p_q;                   // u15.F
+            reg signed [MW:0]   s7_less_q;                // s16.F, rad - q
+            reg [MW:0]          s7_more_q;                // u16.F, rad + q
+            wire [MW:0]         s6_rad = {{(MW-13-F){1'b0}}, rad, {F{1'b0}}};
+            wire signed [MW+1:0] s7_more = {1'b0, s7_more_q};
+            always @(posedge clk) begin
+                s7_p_q    <= s6_p_q;
+                s7_less_q <= $signed(s6_rad) - $signed({1'b0, s6_q_q});
+                s7_more_q <= s6_rad + {1'b0, s6_q_q};
+                left_pp_q <= s7_p_q * s7_p_q;
+                left_q    <= s7_less_q * s7_more;         // -qq .. rad^2
+            end
         end
     endgenerate
 
-    // ---- rad^2 - qq, then compare ----
-    reg [2*MW-1:0]        left_pp_q;                      // u30.2F
-    reg signed [2*MW:0]   left_q;                         // s31.2F
+    // ---- compare ----
     reg                   left_ok_q, pass_q;
     reg signed [15:0]     left_near_q, near_q;
-    wire signed [2*MW:0]  left_rad2 = {{(2*MW-27-2*F){1'b0}}, rad2, {(2*F){1'b0}}};
     always @(posedge clk) begin
-        left_pp_q   <= pp;
-        left_q      <= left_rad2 - $signed({1'b0, qq});
         left_ok_q   <= ok;
         left_near_q <= near;
         pass_q      <= left_ok_q && $signed({1'b0, left_pp_q}) <= left_q;
