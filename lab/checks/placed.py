@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab.checks.placed FOLDER"""
 import json
+import os
 import subprocess
 import sys
 
@@ -31,11 +32,15 @@ log = sys.argv[1] + "/log"
 with open(log, "w", encoding="utf-8") as out:
     for mhz in "10.00", "63.24":
         out.write(f"Info: Max frequency for clock '$glbnet$clk': {mhz} MHz (PASS at 60.00 MHz)\n")
+    out.write("Info: \t          TRELLIS_FF:       9/  83640     0%\nInfo: 9/ 10 5%\n")
 
 
 def summary(routed="1"):
-    with open(path, "w", encoding="utf-8") as f:
-        json.dump(report, f)
+    if report:
+        with open(path, "w", encoding="utf-8") as f:
+            json.dump(report, f)
+    else:
+        os.remove(path)
     ran = subprocess.run([sys.executable, "-m", "lab.synth.placed", path, log, routed, "77", "0.1"],
                          check=False, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     return json.loads(ran.stdout) if ran.returncode == 0 else ran.stderr.decode()
@@ -50,6 +55,9 @@ early = dict(report, fmax={}, critical_paths=[])
 report, late = early, report
 got = summary("0")
 assert got["fmax"] == 63.24 and got["routed"] == 0 and got["path"] is None, got
+report = None  # routing was broken off
+got = summary("0")
+assert got["fmax"] == 63.24 and got["used"] == {"TRELLIS_FF": [9, 83640]}, got
 report = late
 report["fmax"]["other"] = {"achieved": 1.0}
 assert "clocks" in summary()

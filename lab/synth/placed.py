@@ -4,8 +4,9 @@
 """usage: python3 -m lab.synth.placed REPORT LOG ROUTED SECONDS VERSION
 Prints JSON: Fmax in MHz, the critical path of the clock with the instances that it passes and its
 delays in ns, and what of the device is used. Before routing the report has no clocks: then what the
-log estimates, and no path."""
+log estimates, and no path; a routing that was broken off has no report, and the log has it all."""
 import json
+import os
 import re
 import sys
 
@@ -46,12 +47,21 @@ def estimated(log):
                 re.finditer(r"Max frequency for clock '(.*)': *([0-9.]+) MHz", f.read())}
 
 
+def used_of(log):
+    """What is used of the device, as a log has it, in the shape of a report."""
+    with open(log, encoding="utf-8") as f:
+        return {m[1]: {"used": int(m[2]), "available": int(m[3])} for m in
+                re.finditer(r"^Info: \s+([A-Z0-9_]+): +([0-9]+)/ *([0-9]+) +[0-9]+%$", f.read(),
+                            re.M)}
+
+
 def main(path, log, routed, seconds, version):
-    with open(path, encoding="utf-8") as f:
-        report = json.load(f)
-    clocks = {name: c["achieved"] for name, c in report["fmax"].items()}
-    if routed == "0":
-        clocks = estimated(log)
+    report = {"utilization": used_of(log)}
+    if os.path.exists(path):
+        with open(path, encoding="utf-8") as f:
+            report = json.load(f)
+    clocks = estimated(log) if routed == "0" else \
+        {name: c["achieved"] for name, c in report["fmax"].items()}
     if len(clocks) != 1:
         sys.exit(f"placed: {path}: clocks {clocks}, not one")
     used = {k: [v["used"], v["available"]] for k, v in report["utilization"].items() if v["used"]}
