@@ -73,15 +73,20 @@ static void fan(const struct sph_vec *corner, int n, int (*index)[3]) {
 
 int sph_polygon_cut(const struct sph_vec *corner, int n, int (*index)[3], double *bent,
                     struct sph_error *err) {
-    struct sph_vec normal = {0, 0, 0};
+    struct sph_vec normal = {0, 0, 0}, most = {0, 0, 0};
     double size = 0;
     for (int i = 1; i < n; i++) {
         size = fmax(size, sph_vec_length(sph_vec_sub(corner[i], corner[0])));
         if (i == n - 1) break;
         struct sph_vec more = area(corner[0], corner[i], corner[i + 1]);
         normal = (struct sph_vec){normal.x + more.x, normal.y + more.y, normal.z + more.z};
+        if (sph_vec_length(more) > sph_vec_length(most)) most = more;
     }
     double twice = sph_vec_length(normal);
+    /* Without area, but not a line: its edges cross, and what is left and right of it cancels. */
+    if (!(twice > EMPTY * size * size) && sph_vec_length(most) > EMPTY * size * size &&
+        sph_polygon_ears(corner, n, most, index, err))
+        return -1;
     if (!(twice > EMPTY * size * size))
         return sph_fail(err, "the %s has no area", n == 3 ? "triangle" : "polygon");
     struct sph_vec unit = {normal.x / twice, normal.y / twice, normal.z / twice};

@@ -25,6 +25,8 @@ static const struct bad bads[] = {
      "the polygon has no area", 0, 0},
     {"bow_tie", CAM MAT "p 4 0 0 0 2 2 0 2 0 0 0 1 0\n", 9,
      "`p`: the edges from corner 1 and from corner 3 of the polygon meet", 0, 0},
+    {"bow_tie_even", CAM MAT "p 4 0 0 0 2 2 0 2 0 0 0 2 0\n", 9,
+     "`p`: the edges from corner 1 and from corner 3 of the polygon meet", 0, 0},
     {"pentagram",
      CAM MAT "p 5 1 0 0 -.809017 .587785 0 .309017 -.951057 0 .309017 .951057 0 "
              "-.809017 -.587785 0\n",
