@@ -5,11 +5,14 @@
 
 #include <stdlib.h>
 
+enum { STEP = 1024 }; /* primitives between two tidings */
+
 struct maker {
     const struct sph_aabb *boxes;
     struct sph_bih_options options;
     struct sph_bih *bih;
-    uint32_t room; /* nodes there is memory for */
+    uint32_t room;            /* nodes there is memory for */
+    uint32_t n, placed, told; /* primitives: all, in leaves, of these when it was told last */
     struct sph_error *err;
     int failed;
 };
@@ -69,6 +72,10 @@ static void make_leaf(struct maker *k, uint32_t node, uint32_t first, uint32_t c
     k->bih->nodes[node] =
         (struct sph_bih_node){.axis = SPH_BIH_LEAF, .first = first, .count = count};
     sph_bih_count_leaf(&k->bih->stats, count, depth);
+    k->placed += count;
+    if (k->placed - k->told < STEP) return;
+    k->told = k->placed;
+    sph_progress_at(k->options.progress, (double)k->placed / k->n);
 }
 
 /* Sorts the part as a step of quicksort does: what has its centre below split2 / 2 to the front,
@@ -209,7 +216,8 @@ static void subdivide(struct maker *k, struct part p) {
 
 int sph_bih_build(const struct sph_aabb *boxes, uint32_t n, const struct sph_bih_options *options,
                   struct sph_bih *bih, struct sph_error *err) {
-    struct maker k = {boxes, *options, bih, 64, err, 0};
+    struct maker k = {
+        .boxes = boxes, .options = *options, .bih = bih, .room = 64, .n = n, .err = err};
     *bih = (struct sph_bih){
         .box = {{INT32_MAX, INT32_MAX, INT32_MAX}, {INT32_MIN, INT32_MIN, INT32_MIN}}};
     bih->nodes = malloc(k.room * sizeof *bih->nodes);

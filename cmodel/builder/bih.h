@@ -8,6 +8,7 @@
 #define SPH_BUILD_BIH_H
 
 #include "builder/facets.h"
+#include "common/progress.h"
 #include "machine/bih_stats.h"
 
 /* How a node is cut: `listing` does what Listings 3.3 and 3.4 say and no more. `full` has what the
@@ -47,6 +48,7 @@ struct sph_bih_options {
     uint32_t max_prims; /* a leaf of no more is not cut, at least 1; UINT32_MAX: one leaf */
     uint32_t max_depth; /* levels, 1 .. SPH_BIH_STACK + 1 */
     int how;            /* SPH_BIH_FULL, SPH_BIH_LISTING */
+    const struct sph_progress *progress; /* NULL, or who is told how far it is */
 };
 
 /* Builds over n boxes. -1 if memory is out; what is in *bih then is to be freed too. */

@@ -43,6 +43,12 @@ const char *sph_build_contradiction(const struct sph_build_options *o) {
         return "axes scene: background is separated along the camera's axes alone";
     if (o->axes == SPH_AXES_SCENE && o->traverse == SPH_BUILD_FIRST)
         return "axes scene: it is not for traverse first";
+    if (o->traverse == SPH_BUILD_FIRST && o->tree == SPH_TREE_BOX4)
+        return "traverse first: it walks through nodes of four spheres, this is box4";
+    if (o->traverse == SPH_BUILD_FIRST && sph_tree_bih(o->tree))
+        return o->tree == SPH_TREE_BIH
+                   ? "traverse first: it walks through nodes of four spheres, this is bih"
+                   : "traverse first: it walks through nodes of four spheres, this is brute";
     return NULL;
 }
 
@@ -59,13 +65,6 @@ static int check_effects(const struct sph_scene *scene, const struct sph_build_o
     if (o->traverse == SPH_BUILD_FIRST && scene->n_facets)
         return sph_fail(err, "%s:%u: traverse first is for spheres: there are triangles or planes",
                         scene->path, scene->facets[0].line);
-    if (o->traverse == SPH_BUILD_FIRST && (sph_tree_bih(o->tree) || o->tree == SPH_TREE_BOX4))
-        return sph_fail(err,
-                        "traverse first is the paper's walk through nodes of four spheres: "
-                        "it is not for %s",
-                        o->tree == SPH_TREE_BIH    ? "bih"
-                        : o->tree == SPH_TREE_BOX4 ? "box4"
-                                                   : "brute");
     if (o->lights < SPH_AUTO || o->lights > scene->n_lights)
         return sph_fail(err, "%s: %d lights are asked for, the scene has %d", scene->path,
                         o->lights, scene->n_lights);

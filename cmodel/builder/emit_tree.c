@@ -37,9 +37,12 @@ static int root_alone(const struct sph_plants *plants, struct sph_tree *tree,
 static int emit_bih(const struct sph_scene *scene, const struct sph_build_options *o,
                     const struct sph_plants *plants, struct sph_tree *tree, struct sph_machine *m,
                     struct sph_build_report *report, struct sph_error *err) {
+    const struct sph_progress all = tree->progress;
+    double half = o->background == SPH_BG_NONE ? 1 : 0.5;
+    struct sph_progress first = sph_progress_part(&all, 0, half);
     struct sph_bih_options how = {o->max_prims ? o->max_prims : SPH_BIH_PRIMS,
-                                  o->max_tree_depth ? o->max_tree_depth : SPH_BIH_STACK + 1,
-                                  o->bih};
+                                  o->max_tree_depth ? o->max_tree_depth : SPH_BIH_STACK + 1, o->bih,
+                                  &first};
     struct sph_plants four = *plants;
     if (o->tree == SPH_TREE_BRUTE) how.max_prims = UINT32_MAX;
     four.kind = SPH_TREE_BALANCED;
@@ -48,6 +51,7 @@ static int emit_bih(const struct sph_scene *scene, const struct sph_build_option
     report->tree_seconds = seconds() - start;
     report->nodes = report->bih.inner + report->bih.leaves;
     report->depth = report->bih.depth_max;
+    tree->progress = sph_progress_part(&all, half, 1);
     return o->background == SPH_BG_NONE ? root_alone(plants, tree, err)
                                         : sph_tree_build(&four, tree, err);
 }

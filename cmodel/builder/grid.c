@@ -3,6 +3,7 @@
  */
 #include "builder/grid.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -192,6 +193,8 @@ int sph_grid_fit(const struct sph_scene *scene, int w, int axes, struct sph_grid
     /* one unit too fine at most: all_fit() decides */
     if (span > 0) grid->log2 = (int)floor(log2(span / ldexp(1, w)));
     for (;; grid->log2++) {
+        if (grid->log2 > DBL_MAX_EXP - w) /* its ends are no numbers */
+            return sph_fail(err, "%s: the scene is too large", scene->path);
         grid->step = ldexp(1, grid->log2);
         if (span / grid->step > ldexp(1, w)) continue;
         for (int i = 0; i < 3; i++)

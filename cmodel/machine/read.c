@@ -84,14 +84,15 @@ static void take_header(const unsigned char *h, struct sph_machine *m) {
     m->profile = sph_profile_unpack((uint32_t)m->regs[SPH_REG_PROFILE]);
 }
 
-/* Where the grid stands in the scene. Its step is a power of two that a double holds, as build has
- * it. The rows of the rotation are x, z cross x, and z, of length 1; build takes x of a cross
- * product of length 1e-10 at least, so that roundings of 2^-53 turn it by less than 2^-16. */
+/* Where the grid stands in the scene. Its step is a power of two that a double holds, and half its
+ * side is, as build has it. The rows of the rotation are x, z cross x, and z, of length 1; build
+ * takes x of a cross product of length 1e-10 at least, so that roundings of 2^-53 turn it by less
+ * than 2^-16. */
 static int check_place(const struct sph_machine *m, struct sph_error *err) {
     const double *x = m->rotation, *y = x + 3, *z = x + 6, most = 0x1p-16;
-    if (m->grid_log2 < DBL_MIN_EXP - DBL_MANT_DIG || m->grid_log2 >= DBL_MAX_EXP)
-        return sph_fail(err, "grid step is 2^%d, not 2^%d to 2^%d", m->grid_log2,
-                        DBL_MIN_EXP - DBL_MANT_DIG, DBL_MAX_EXP - 1);
+    int least = DBL_MIN_EXP - DBL_MANT_DIG, end = DBL_MAX_EXP - m->profile.w;
+    if (m->grid_log2 < least || m->grid_log2 > end)
+        return sph_fail(err, "grid step is 2^%d, not 2^%d to 2^%d", m->grid_log2, least, end);
     for (int i = 0; i < 3; i++)
         if (!isfinite(m->origin[i]))
             return sph_fail(err, "origin: %c is %g", "xyz"[i], m -> origin[i]);

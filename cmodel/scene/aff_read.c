@@ -45,12 +45,15 @@ static int include(struct sph_aff *a, const char *path, struct sph_error *err) {
     struct sph_lex *outer = malloc(sizeof *outer);
     if (!outer) return sph_fail(err, "%s:%u: `i`: no memory", a->r.lex.path, line);
     *outer = a->r.lex;
+    a->done += outer->taken;
     int bad = sph_lex_open(&a->r.lex, path, &why);
     if (bad)
         sph_fail(err, "%s:%u: `i`: %.300s", outer->path, line, why.text);
     else
         bad = take_file(a, path, err);
     a->r.lex = *outer;
+    a->done -= outer->taken;
+    sph_aff_tell_file(a);
     free(outer);
     return bad;
 }
@@ -59,12 +62,10 @@ static int include(struct sph_aff *a, const char *path, struct sph_error *err) {
 static int take_include(struct sph_aff *a, struct sph_error *err) {
     double level;
     char name[SPH_LEX_TOKEN + 1] = "", path[sizeof a->r.scene->path + SPH_LEX_TOKEN + 1];
-    const char *slash = strrchr(a->r.lex.path, '/');
     if (sph_lex_number(&a->r.lex, "i", "level of detail", &level, err) ||
         sph_aff_name(a, "i", "file", name, err))
         return -1;
-    int folder = slash && *name != '/' ? (int)(slash - a->r.lex.path) + 1 : 0;
-    if (snprintf(path, sizeof path, "%.*s%s", folder, a->r.lex.path, name) >= (int)sizeof path)
+    if (sph_aff_path(a->r.lex.path, name, path, sizeof path))
         return sph_nff_fail(&a->r, err, "i", "the path of the file is too long");
     return level > a->detail ? 0 : include(a, path, err);
 }
@@ -106,6 +107,7 @@ static int take_file(struct sph_aff *a, const char *path, struct sph_error *err)
     a->r.lex.aff = 1;
     if (!name) bad = sph_fail(err, "%s: no memory", path);
     if (name) a->open[a->depth++] = name;
+    sph_aff_tell_file(a);
     while (!bad && (got = sph_lex_peek(&a->r.lex, err)) > 0) {
         if (strcmp(a->r.lex.token, "}") != 0) {
             bad = take_record(a, err);
@@ -121,6 +123,7 @@ static int take_file(struct sph_aff *a, const char *path, struct sph_error *err)
     if (!bad && a->node != outer)
         bad = sph_fail(err, "%s:%u: { without }", path, a->nodes[a->node - 1].line);
     sph_lex_close(&a->r.lex);
+    a->done += a->r.lex.size;
     if (name) a->depth--;
     free(name);
     return bad;
@@ -162,9 +165,10 @@ int sph_aff_read(const char *path, const struct sph_read_options *options, struc
     if (!a) return sph_fail(err, "%s: no memory", path);
     sph_scene_set_path(scene, path);
     scene->aff = 1;
-    if (options) scene->read = *options;
+    if (options) scene->read = *options, scene->read.progress = NULL;
     sph_nff_start(&a->r, scene, options);
     a->r.clear = 1;
+    sph_aff_tell(a, options ? options->progress : NULL, path);
     int bad = sph_lex_open(&a->r.lex, path, err) || take_file(a, path, err);
     a->r.lex.path = scene->path;
     bad = bad || time_of(a, options, &time, err) || sph_aff_pose(a, time, err) ||

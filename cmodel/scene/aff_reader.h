@@ -1,10 +1,10 @@
 /* aff_reader.h - what the files that read AFF records share
  * SPDX-License-Identifier: Apache-2.0
  *
- * aff_take.c takes names and counts; aff_read.c files; aff_words.c words and transforms; aff_mesh.c
- * `m`, `tpa`; aff_keys.c `k`; aff_pose.c puts all in its place at a time. Keys may stand
- * behind what they move, so that primitives are kept as written up to the end of the file: their
- * `motion` holds the number of their transform.
+ * aff_take.c takes names and counts; aff_read.c files, aff_progress.c tells of them; aff_words.c
+ * words and transforms; aff_mesh.c `m`, `tpa`; aff_keys.c `k`; aff_pose.c puts all in its place at
+ * a time. Keys may stand behind what they move, so that primitives are kept as written up to the
+ * end of the file: their `motion` holds the number of their transform.
  */
 #ifndef SPH_AFF_READER_H
 #define SPH_AFF_READER_H
@@ -66,7 +66,18 @@ struct sph_aff {
     struct sph_aff_lamp lamp[SPH_MAX_LIGHTS];
     uint32_t a_line, am_line; /* of `a`, `am`; 0: none */
     double start, end, frames;
+    const struct sph_progress *to; /* who is told how far it is; then all is not 0 */
+    double all, done;              /* bytes of all files, of those that were read */
+    struct sph_progress part[SPH_AFF_DEPTH + 1];
 };
+
+/* The path of a file that the one at `from` names; -1 if it is too long. */
+int sph_aff_path(const char *from, const char *name, char *path, size_t size);
+
+/* Looks how many bytes there are to read, if somebody is told (to may be NULL); tells from where on
+ * the file that is open in the lexer is read. */
+void sph_aff_tell(struct sph_aff *a, const struct sph_progress *to, const char *path);
+void sph_aff_tell_file(struct sph_aff *a);
 
 /* Room for element n of a list that grows by doubling; -1 with a message. */
 int sph_aff_room(struct sph_aff *a, void *list, uint32_t n, size_t element, struct sph_error *err);

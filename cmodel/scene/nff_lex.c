@@ -16,7 +16,6 @@ void sph_lex_begin(struct sph_lex *lex, FILE *file, const char *path) {
     struct stat st;
     lex->progress = NULL;
     lex->size = fstat(fileno(file), &st) ? 0 : (double)st.st_size;
-    lex->taken = 0;
     lex->file = file;
     lex->path = path;
     lex->pos = 0;
@@ -24,6 +23,7 @@ void sph_lex_begin(struct sph_lex *lex, FILE *file, const char *path) {
     lex->ready = lex->aff = 0;
     lex->token[0] = 0;
     lex->len = fread(lex->buf, 1, sizeof lex->buf, lex->file);
+    lex->taken = (double)lex->len;
     if (lex->len >= 3 && !memcmp(lex->buf, "\xef\xbb\xbf", 3)) lex->pos = 3; /* UTF-8 mark */
 }
 

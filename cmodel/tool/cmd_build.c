@@ -46,7 +46,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         a->stats = 1;
         return 0;
     case KEY_PROGRESS:
-        a->progress = 1;
+        a->progress = a->frames.progress = 1;
         return 0;
     case KEY_FRAMES:
         tool_frames_parse(state, arg, &a->frames);
@@ -54,6 +54,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     case ARGP_KEY_END:
         if (a->frames.on && a->source.read.at)
             argp_error(state, "--frames and --at exclude each other");
+        if (a->frames.on && a->source.read.timed)
+            argp_error(state, "--frames and --time exclude each other");
         if (a->input && !a->output) argp_error(state, "no output given (-o)");
         break;
     default:

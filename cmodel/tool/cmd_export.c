@@ -11,6 +11,7 @@
 struct arguments {
     struct tool_source source;
     const char *input, *output, *hex, *c_array;
+    char regs[4096], mem[4096]; /* files of --hex */
 };
 
 enum { KEY_HEX = 512, KEY_C_ARRAY };
@@ -37,6 +38,10 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         return 0;
     case KEY_HEX:
         a->hex = arg;
+        snprintf(a->regs, sizeof a->regs, "%.4080s.regs.hex", arg);
+        snprintf(a->mem, sizeof a->mem, "%.4080s.mem.hex", arg);
+        tool_output(&a->source.outputs, key, a->regs);
+        tool_output(&a->source.outputs, key, a->mem);
         return 0;
     case KEY_C_ARRAY:
         a->c_array = tool_output(&a->source.outputs, key, arg);

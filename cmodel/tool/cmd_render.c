@@ -116,7 +116,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         a->json = tool_output(&a->source.outputs, key, arg);
         return 0;
     case KEY_PROGRESS:
-        a->progress = 1;
+        a->progress = a->frames.progress = 1;
         return 0;
     default:
         if (key == ARGP_KEY_END && a->traverse == SPH_TRAVERSE_PACKETS &&
@@ -126,6 +126,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
             argp_error(state, "--brute, --literal and --packets exclude one another");
         if (key == ARGP_KEY_END && a->frames.on && a->source.read.at)
             argp_error(state, "--frames and --at exclude each other");
+        if (key == ARGP_KEY_END && a->frames.on && a->source.read.timed)
+            argp_error(state, "--frames and --time exclude each other");
         if (key == ARGP_KEY_END && a->movie && !a->frames.on)
             argp_error(state, "-o %s: of what frames? --frames A..B", a->movie);
         if (key == ARGP_KEY_END && a->source.samples > 1 && (a->light.depths || a->walk))

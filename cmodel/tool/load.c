@@ -35,9 +35,11 @@ int tool_scene_read(const char *path, const struct tool_source *source, struct s
         return sph_fail(err, "%s: --time is for AFF scenes; frames of others are --at", path);
     if (tool_spares(&source->outputs, path, err) || sph_scene_read(path, &source->read, scene, err))
         return -1;
-    if (!tool_spares_images(&source->outputs, scene, err)) return 0;
+    int still = !scene->aff && !scene->n_motions && !scene->n_flights && source->read.at;
+    if (!still && !tool_spares_images(&source->outputs, scene, err)) return 0;
     sph_scene_free(scene);
-    return -1;
+    return still ? sph_fail(err, "%s: --at %u: nothing in the scene moves", path, source->read.at)
+                 : -1;
 }
 
 int tool_frame_size(const struct tool_source *source, const struct sph_scene *scene,

@@ -15,6 +15,7 @@
 #include "tool/levels.h"
 #include "tool/movie.h"
 #include "tool/print.h"
+#include "tool/progress.h"
 #include "image/mips.h"
 
 void tool_frames_parse(const struct argp_state *state, const char *arg,
@@ -118,9 +119,17 @@ int tool_each_frame(const char *path, const struct tool_source *source,
                     void *user, struct sph_error *err) {
     struct run run = {.options = source->build,
                       .kept = {.how = source->refit, .loss = source->loss}};
+    struct progress line;
+    struct sph_progress reading = progress_of(&line, "reading", frames->progress), all, part;
+    struct tool_source from = *source;
     if (tool_is_machine(path))
         return sph_fail(err, "%s: --frames is for scenes, this is a machine file", path);
-    if (tool_scene_read(path, source, &run.rest, err)) return -1;
+    from.read.progress = &reading;
+    int bad = tool_scene_read(path, &from, &run.rest, err);
+    progress_end(&line);
+    if (bad) return -1;
+    all = progress_of(&line, "building", frames->progress);
+    run.options.progress = &part;
     if (spares(path, &run.rest, source, frames, err)) return sph_scene_free(&run.rest), -1;
     int rc = run.options.texture == SPH_OFF ? 0 : sph_mips_load(&run.rest, &run.mips, err);
     if (!rc) rc = tool_frame_size(source, &run.rest, &run.options, err);
@@ -131,7 +140,10 @@ int tool_each_frame(const char *path, const struct tool_source *source,
     run.options.bases = &run.bases;
     for (uint32_t frame = frames->first; !rc && frame <= frames->last; frame++) {
         struct tool_built built;
+        double n = frames->last - frames->first + 1, done = frame - frames->first;
+        part = sph_progress_part(&all, done / n, (done + 1) / n);
         rc = build_frame(&run, frame, &built, err);
+        progress_end(&line);
         if (rc) break;
         json_t *entry = json_object();
         report_count(entry, "at", frame);

@@ -14,6 +14,7 @@
 struct tool_frames {
     int on;
     uint32_t first, last;
+    int progress; /* shown though stderr is no terminal */
 };
 
 /* "A..B" of option --frames, A <= B. */

@@ -147,7 +147,7 @@ static void visit(struct visit *v, uint32_t index, struct sph_aabb space, uint32
 /* Builds and checks; the stats. */
 static struct sph_bih_stats tree(const struct sph_aabb *boxes, uint32_t n, uint32_t max_prims,
                                  uint32_t max_depth, int how) {
-    struct sph_bih_options o = {max_prims, max_depth, how};
+    struct sph_bih_options o = {max_prims, max_depth, how, NULL};
     struct sph_bih bih;
     struct sph_error err = {{0}};
     if (sph_bih_build(boxes, n, &o, &bih, &err)) fail_msg("%s", err.text);
@@ -258,6 +258,30 @@ static void refit(void **state) {
         }
 }
 
+static int told, told_last;
+
+static void tell(void *user, int done, int all) {
+    (void)user;
+    assert_true(done > told_last && done <= all);
+    told++;
+    told_last = done;
+}
+
+/* 4096 primitives, one a leaf: told after each 1024. */
+static void progress(void **state) {
+    struct sph_progress to = {tell, NULL, 0, 1};
+    struct sph_bih_options o = {1, SPH_BIH_STACK + 1, SPH_BIH_FULL, &to};
+    struct sph_error err = {{0}};
+    struct sph_bih bih;
+    (void)state;
+    for (int i = 0; i < MOST; i++)
+        cube((uint32_t)i, 4 * (i & 15), 4 * (i >> 4 & 15), 4 * (i >> 8), 1);
+    assert_int_equal(sph_bih_build(list, MOST, &o, &bih, &err), 0);
+    sph_bih_free(&bih);
+    assert_int_equal(told, 4);
+    assert_int_equal(told_last, SPH_PROGRESS_ALL);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_small_bound),
@@ -267,6 +291,7 @@ int main(void) {
         cmocka_unit_test(ends),
         cmocka_unit_test(lattice),
         cmocka_unit_test(refit),
+        cmocka_unit_test(progress),
     };
     return cmocka_run_group_tests_name("bih", tests, NULL, NULL);
 }

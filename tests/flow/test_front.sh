@@ -99,6 +99,8 @@ check "sim/parameters.sh alone tells its use" sh -c \
     ! sh sim/parameters.sh 2>/dev/null'
 refuse build/nosuch
 check "make build/nosuch" says "No rule to make target 'build/nosuch'"
+refuse clean build/nosuch
+check "make clean build/nosuch" says "No rule to make target 'build/nosuch'"
 accepted() { plain_make B="$TMP/none" sim-folder "$@"; }
 check "the bounds are allowed" accepted PROFILE=standard:pq=12 SIZE=16383x1 WINDOW=0,0,16383,1 \
     DEPTH=10 JOBS=1024 ENGINES=8 STALL=99 LATENCY=100000 MAX_PRIMS=infinity SCENE=icosphere:5 \

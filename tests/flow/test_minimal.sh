@@ -66,6 +66,13 @@ fails 1 "export --hex of a scene" "$s" export "$root/scenes/paper5.nff" --hex x
 check "... says what to do" grep -q 'is no machine file; .sphaera build. makes one of a scene' err
 fails 1 "export --hex to nowhere" "$s" export scene.sph --hex nowhere/x
 fails 1 "export --c-array to 5.h" "$s" export scene.sph --c-array 5.h
+for file in regs mem; do
+    fails 1 "export of $file twice" "$s" export scene.sph --hex x --c-array x.$file.hex
+    check "... names it" grep -q "x.$file.hex: would overwrite" err
+done
+cp scene.sph y.mem.hex
+fails 1 "export onto the machine" "$s" export y.mem.hex --hex y
+check "... which stays" cmp scene.sph y.mem.hex
 fails 2 "export of a machine with -o" "$s" export scene.sph --hex x -o x.pov
 fails 1 "export of a machine with --size" "$s" export scene.sph --hex x --size 8x8
 check "nothing is left of what failed" sh -c "! ls | grep -E '^(x|5|nowhere)'"

@@ -265,6 +265,7 @@ static void test_wrong_place(void **unused) {
     static const int32_t steps[] = {100000, INT32_MIN, -1075, 1024};
     for (int i = 0; i < 4; i++)
         m.grid_log2 = steps[i], wrong(&m, "grid step is 2^");
+    m = good, m.grid_log2 = 1025 - m.profile.w, wrong(&m, "grid step is 2^");
     m = good, m.origin[1] = NAN, wrong(&m, "origin: y");
     m = good, m.origin[2] = -INFINITY, wrong(&m, "origin: z");
     for (int i = 0; i < 9; i++)

@@ -339,6 +339,38 @@ static void test_include(void **unused) {
     }
 }
 
+static int told, told_last;
+
+static void tell(void *user, int done, int all) {
+    (void)user;
+    assert_true(done >= told_last && done <= all);
+    told += done > told_last;
+    told_last = done;
+}
+
+/* Three times a part of 40 kB, spheres and comments, within a file of 90 kB. */
+static void test_progress(void **unused) {
+    struct sph_progress progress = {tell, NULL, 0, 1};
+    struct sph_read_options options = {.progress = &progress};
+    struct sph_error err = {{0}};
+    struct sph_scene s;
+    char *text = malloc(100000);
+    (void)unused;
+    assert_non_null(text);
+    snprintf(text, 100000,
+             "%45000s\n" CAM MAT "i 0 part.aff\n%45000s\ns 7 7 7 1\n"
+             "i 0 part.aff\ni 0 part.aff\n",
+             "", "");
+    put_file(text, strlen(text));
+    memset(text, '#', 40000);
+    text[40000] = 0;
+    put_part(text);
+    free(text);
+    if (sph_scene_read(file_name, &options, &s, &err)) fail_msg("%s", err.text);
+    sph_scene_free(&s);
+    if (told < 5 || told_last < SPH_PROGRESS_ALL * 8 / 10) fail_msg("%d, %d", told, told_last);
+}
+
 static void test_skip(void **unused) {
     (void)unused;
     const struct sph_read_options skip = {.skip_unsupported = 1};
@@ -414,7 +446,7 @@ static int end(void **state) {
 }
 
 int main(int argc, char **argv) {
-    enum { N_BADS = sizeof bads / sizeof *bads, N_TESTS = 12 };
+    enum { N_BADS = sizeof bads / sizeof *bads, N_TESTS = 15 };
     struct CMUnitTest tests[N_TESTS + N_BADS] = {
         cmocka_unit_test(test_transforms),    cmocka_unit_test(test_still),
         cmocka_unit_test(test_keys),          cmocka_unit_test(test_frames),
@@ -422,7 +454,8 @@ int main(int argc, char **argv) {
         cmocka_unit_test(test_camera),        cmocka_unit_test(test_patch),
         cmocka_unit_test(test_mesh),          cmocka_unit_test(test_clear),
         cmocka_unit_test(test_scaled_normal), cmocka_unit_test(test_include),
-        cmocka_unit_test(test_skip),          cmocka_unit_test(test_mutants)};
+        cmocka_unit_test(test_skip),          cmocka_unit_test(test_mutants),
+        cmocka_unit_test(test_progress)};
     for (int i = 0; i < N_BADS; i++)
         tests[N_TESTS + i] = (struct CMUnitTest){
             .name = bads[i].name, .test_func = test_bad, .initial_state = (void *)&bads[i]};

@@ -96,8 +96,10 @@ says "other hierarchy" "'kd' is none of auto, bvh4, bih, brute" "$s" build a.nff
 says "other builder" "'sah' is none of full, listing" \
     "$s" build a.nff --accel bih --bih sah -o x.sph
 "$s" gen sphereflake --size 1 -o flake.nff >/dev/null
-says "the paper's walk" "traverse first is the paper's walk .* not for bih" \
-    "$s" build flake.nff --accel bih --traverse first -o x.sph
+for way in bih brute box4; do
+    says "the paper's walk of $way" "traverse first: .* four spheres, this is $way" \
+        "$s" build flake.nff --accel $way --traverse first -o x.sph
+done
 says "options for a machine" "--accel is for scenes" "$s" render a.sph --accel brute
 says "walk of bvh4" "--walk is for --accel bih and brute, this is reinserted" \
     "$s" render a.nff --size 16x16 --walk x.png

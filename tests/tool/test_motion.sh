@@ -128,11 +128,24 @@ check "... and wants a file" fails_film FRAMES=0..1
 check "... and a range" fails_film FRAMES=2..1 MOVIE="$TMP/none.gif"
 check "... of which there is none then" test ! -e "$TMP/none.gif"
 
+for command in build render; do
+    # shellcheck disable=SC2086  # options
+    check "$command --frames --progress tells how far it is" sh -c "'$s' $command $robot \
+        $size --frames 0..1 --progress -o '$TMP/told.png' 2>&1 >/dev/null |
+        grep -q 'building  *[0-9]* %'"
+done
 for way in 3 1..x ..2 2..1 0..65536; do
     fails 2 "--frames $way" "$s" render $robot --frames $way
 done
 fails 2 "--at 65536" "$s" render $robot --at 65536
 fails 2 "--at with --frames" "$s" build $robot --at 1 --frames 0..1 -o "$TMP/x.sph"
+for command in build render; do
+    fails 2 "$command: --time with --frames" "$s" $command $robot --time 1 --frames 0..1 \
+        -o "$TMP/x.png"
+    check "... says so" has '--frames and --time exclude' "$TMP/err"
+done
+fails 1 "--at of a still scene" "$s" build scenes/paper5.nff --at 3 -o "$TMP/x.sph"
+check "... names it" has 'paper5.nff: --at 3: nothing in the scene moves' "$TMP/err"
 fails 1 "--at of a machine" "$s" render "$TMP/one.sph" --at 1
 fails 1 "--frames of a machine" "$s" render "$TMP/one.sph" --frames 0..1
 sed 's/^move.*/move 0 0 0 -.25 0 0 0/' $robot >"$TMP/gone.nff"

@@ -172,7 +172,7 @@ END
 {
     set -- scenes/paper5.nff $standard --traverse first
     live "$@" --script "$TMP/refuse.txt" 2>"$TMP/err"
-    said "it is not for bih"
+    said "four spheres, this is bih"
     same "the tree before is back" "$TMP/refused.png" "$@" --tree balanced
 }
 printf 'wait refined\nscreenshot %s/no/where.png\n' "$TMP" >"$TMP/nowhere.txt"
