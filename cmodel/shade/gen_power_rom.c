@@ -9,9 +9,9 @@
 
 static void line(unsigned index, uint32_t start, uint32_t slope) {
     if (index < 511)
-        printf("            9'd%u: line_q <= {17'd%u, 9'd%u};\n", index, start, slope);
+        printf("            9'd%u: line = {17'd%u, 9'd%u};\n", index, start, slope);
     else
-        printf("            default: line_q <= {17'd%u, 9'd%u};\n", start, slope);
+        printf("            default: line = {17'd%u, 9'd%u};\n", start, slope);
 }
 
 int main(void) {
@@ -25,7 +25,9 @@ int main(void) {
            "    input  wire [8:0]  index_i,  // {0: log2(1 + x), 1: 2^-x; x u0.8}\n"
            "    output reg  [25:0] line_q    // {start u1.16, slope u9}\n"
            ");\n"
-           "    always @(posedge clk)\n        case (index_i)\n");
+           "    reg [25:0] line;\n    always @(posedge clk) line_q <= line;\n"
+           "    always @* // evaluated when the index changes, not in every clock\n"
+           "        case (index_i)\n");
     for (unsigned i = 0; i < 256; i++)
         line(i, (uint32_t)(256 * sph_log2_table[i] + sph_log2_line[i].low), sph_log2_line[i].slope);
     for (unsigned i = 0; i < 256; i++)

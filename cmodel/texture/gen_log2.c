@@ -24,10 +24,12 @@ int main(int argc, char **argv) {
                "    input  wire [7:0] index_i,  // u0.8, x = 1 + index\n"
                "    output reg  [7:0] log2_q    // u0.8\n"
                ");\n"
-               "    always @(posedge clk)\n        case (index_i)\n");
+               "    reg [7:0] log2;\n    always @(posedge clk) log2_q <= log2;\n"
+               "    always @* // evaluated when the index changes, not in every clock\n"
+               "        case (index_i)\n");
         for (uint32_t i = 0; i < 255; i++)
-            printf("            8'd%u: log2_q <= 8'd%u;\n", i, table[i]);
-        printf("            default: log2_q <= 8'd%u;\n        endcase\n"
+            printf("            8'd%u: log2 = 8'd%u;\n", i, table[i]);
+        printf("            default: log2 = 8'd%u;\n        endcase\n"
                "endmodule\n`default_nettype wire\n",
                table[255]);
     } else {

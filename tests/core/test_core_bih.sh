@@ -35,7 +35,7 @@ for profile in standard fine reference; do
     machine small-$profile scenes/sphereflake2.nff --profile $profile --size 8x6 --depth 1
     machine mixed-$profile $mixed --profile $profile --size 3x2 --depth 1
 done
-machine wide scenes/paper100.nff --profile standard:w=14,wd=21,pr=12 --size 10x7
+machine wide scenes/paper100.nff --profile standard:w=14,wd=21,pr=12 --size 5x4
 machine four scenes/paper5.nff --accel bvh4 --size 16x12
 
 for name in ones threes flat brute mixed mixed-ones mixed-brute triangles; do

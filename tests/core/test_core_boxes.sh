@@ -20,7 +20,7 @@ machine little $mixed --size 5x4 --depth 1
 machine tiny $mixed --size 3x2 --depth 1
 machine small scenes/sphereflake2.nff --size 5x4 --depth 1
 machine balls tests/scenes/texture/balls.nff --size 3x2
-machine optics tests/scenes/refraction/mixed.nff --size 2x2 --depth 2
+machine optics tests/scenes/refraction/mixed.nff --size 2x1 --depth 2
 for profile in standard fine reference; do
     machine mixed-$profile $mixed --profile $profile --size 3x2 --depth 1
 done

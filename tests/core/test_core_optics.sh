@@ -21,9 +21,9 @@ machine mixed $mixed --profile draft --size 10x8 --depth 5
 machine water scenes/refraction/water.nff --profile draft --size 16x10 --depth 3
 machine plain scenes/paper5.nff --profile draft --size 16x10 --depth 4
 machine probes scenes/interpenetrating.nff --profile draft --size 16x10 --traverse first
-machine bih $mixed --profile draft --size 2x2 --depth 2 --accel bih
+machine bih $mixed --profile draft --size 2x1 --depth 2 --accel bih
 machine two $mixed --profile draft --size 4x3 --depth 4
-machine pair $mixed --profile draft --size 2x2 --depth 2 # two engines in Icarus take long
+machine pair $mixed --profile draft --size 2x1 --depth 2 # two engines in Icarus take long
 machine few-glass $glass --profile draft --size 6x4 --depth 5 --least-weight 0.15
 machine light-mirrors tests/scenes/mirrors.nff --profile draft --size 12x9 --depth 10 \
     --least-weight 0.6
@@ -31,11 +31,11 @@ machine light-small tests/scenes/mirrors.nff --profile draft --size 4x3 --depth 
     --least-weight 0.6
 machine light-probes scenes/interpenetrating.nff --profile draft --size 16x10 --traverse first \
     --least-weight 0.5
-machine cut $mixed --profile draft:pr=9 --size 2x2 --depth 3
+machine cut $mixed --profile draft:pr=9 --size 2x1 --depth 3
 machine bends $mixed --profile draft --size 5x4 --lights 0 --reflect off --specular off
 machine sums $mixed --profile draft --size 6x5 --refract off --reflect off --specular off
 machine shines $mixed --profile draft --size 6x5 --refract off --shadow off
-for profile in fine reference; do machine glass-$profile $glass --profile $profile --size 2x2; done
+for profile in fine reference; do machine glass-$profile $glass --profile $profile --size 2x1; done
 
 whole=all+reflect10+texture+refract+specular+sum+spread
 for depth in 0 1 2 3 5 8 10; do
