@@ -33,6 +33,7 @@ rtl/math/rt_unit_four.v
 rtl/math/rt_units.v
 rtl/memory/rt_async_fifo.v
 rtl/memory/rt_cache.v
+rtl/memory/rt_credit_fifo.v
 rtl/memory/rt_dual_ram.v
 rtl/memory/rt_fifo.v
 rtl/memory/rt_mem_arbiter.v

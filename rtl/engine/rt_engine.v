@@ -107,7 +107,7 @@ module rt_engine #(
     wire ray_again, done_valid, end_valid, read; wire [LB*SHADES-1:0] tex_req_line;
     wire [SETUPS-1:0] primary_ready, next_light; wire [`RT_VISITS_BITS-1:0] visits;
     wire [SHADES*(SLOTW-SB)-1:0] shadow_slot; wire [SLOTW-1:0] done_slot, end_slot, read_slot;
-    wire [SHADES-1:0] shadow_go, fetch_ready, record_ready; wire [31:0] texture;
+    wire [SHADES-1:0] shadow_go, fetch_ready; wire [31:0] texture;
     wire [SHADES-1:0] tex_req_valid, tex_req_ready, tex_rsp_valid, tex_rsp_ready;
     genvar n; generate for (n = 0; n < SETUPS; n = n + 1) begin : g_setup
         rt_setup #(.W(W), .WD(WD), .FW(FW), .NG(NG), .SHADOW(SHADOW), .LIGHTS(LIGHTS),
@@ -143,7 +143,7 @@ module rt_engine #(
                .DIVISION_STEP(DIVISION_STEP), .FACET_INTERVAL(FACET_INTERVAL)) u_exacts (
         .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i), .ray_i(ray), .lift_i(lift),
         .visit_i(visit), .result_o(result), .fetch_i(fetch), .fetch_ready_o(fetch_ready),
-        .record_o(record), .record_ready_i(record_ready),
+        .record_o(record),
         .mem_req_valid_o(mem_req_valid_o[PIPES +: EXACTS]),
         .mem_req_ready_i(mem_req_ready_i[PIPES +: EXACTS]),
         .mem_req_line_o(mem_req_line_o[LB*PIPES +: LB*EXACTS]),
@@ -162,7 +162,7 @@ module rt_engine #(
         .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i), .light_i(light_i), .ray_i(ray),
         .next_light_i(next_light), .next_slot_i(next_slot), .hit_i(hit), .blend_o(blend),
         .end_valid_o(end_valid), .end_slot_o(end_slot), .fetch_o(fetch),
-        .fetch_ready_i(fetch_ready), .record_i(record), .record_ready_o(record_ready),
+        .fetch_ready_i(fetch_ready), .record_i(record),
         .normal_o(normal), .vec_light_o(vec_light), .bounce_o(bounce), .org_o(org), .skip_o(skip),
         .shadow_go_o(shadow_go), .shadow_slot_o(shadow_slot), .read_i(read),
         .read_slot_i(read_slot), .colour_o(colour), .texture_o(texture),

@@ -57,7 +57,6 @@ module rt_shade #(
     output wire [`RT_FETCH_BITS-1:0]  fetch_o,
     input  wire                       fetch_ready_i,
     input  wire [`RT_RECORD_BITS-1:0] record_i,
-    output wire                       record_ready_o,
     // to rt_setup: vectors, and where and on what the next ray starts
     output wire [`RT_VECTOR_BITS-1:0] normal_o,
     output wire [`RT_VECTOR_BITS-1:0] vec_light_o,
@@ -103,7 +102,7 @@ module rt_shade #(
     wire [`RT_SURFACE_BITS-1:0]  surface;
     wire [`RT_FETCH_BITS-1:0]    prim_fetch;
     wire [`RT_RECORD_BITS-1:0]   prim_record;
-    wire             prim_fetch_ready, prim_record_ready;
+    wire             prim_fetch_ready;
     wire             bare_valid;              // a surface that needs no point
     wire [SLOTW-1:0] bare_slot;
     rt_surface #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .POINTS(POINTS), .BOUNCES(BOUNCES),
@@ -114,7 +113,7 @@ module rt_shade #(
         .clk(clk), .rst(rst), .regs_i(regs_i), .points_on_i(points_on),
         .ray_i(ray_i), .hit_i(hit_i),
         .fetch_o(prim_fetch), .fetch_ready_i(prim_fetch_ready),
-        .record_i(prim_record), .record_ready_o(prim_record_ready),
+        .record_i(prim_record),
         .material_o(material), .bare_valid_o(bare_valid), .bare_slot_o(bare_slot),
         .surface_o(surface),
         .quotient_o(event_o[`RT_SHADE_EVENT_QUOTIENT]),
@@ -130,16 +129,15 @@ module rt_shade #(
                 .clk(clk), .rst(rst), .regs_i(regs_i),
                 .material_i(material), .hit_i(hit_i), .surface_i(surface),
                 .fetch_i(prim_fetch), .fetch_ready_o(prim_fetch_ready),
-                .record_o(prim_record), .record_ready_i(prim_record_ready),
+                .record_o(prim_record),
                 .fetch_o(fetch_o), .fetch_ready_i(fetch_ready_i),
-                .record_i(record_i), .record_ready_o(record_ready_o),
+                .record_i(record_i),
                 .normal_o(normal_o), .side_o(side), .bad_node_o(smooth_bad)
             );
         end else begin : g_own
             assign fetch_o           = prim_fetch;
             assign prim_fetch_ready  = fetch_ready_i;
             assign prim_record       = record_i;
-            assign record_ready_o    = prim_record_ready;
             assign normal_o[`RT_VECTOR_VALID] = surface[`RT_SURFACE_VALID];
             assign normal_o[`RT_VECTOR_SLOT]  = surface[`RT_SURFACE_SLOT];
             assign normal_o[`RT_VECTOR_VEC]   = surface[`RT_SURFACE_NORMAL];

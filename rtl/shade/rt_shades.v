@@ -60,7 +60,6 @@ module rt_shades #(
     output wire [SHADES*(`RT_FETCH_BITS-$clog2(SHADES))-1:0]  fetch_o,
     input  wire [SHADES-1:0]          fetch_ready_i,
     input  wire [SHADES*(`RT_RECORD_BITS-$clog2(SHADES))-1:0] record_i,
-    output wire [SHADES-1:0]          record_ready_o,
     // to rt_setup: vectors, and where and on what the next ray starts
     output wire [SHADES*(`RT_VECTOR_BITS-$clog2(SHADES))-1:0] normal_o,
     output wire [SHADES*(`RT_VECTOR_BITS-$clog2(SHADES))-1:0] vec_light_o,
@@ -147,7 +146,7 @@ module rt_shades #(
                 .hit_i(hit), .blend_o(blend[BB*s +: BB]),
                 .end_valid_o(end_valid[s]), .end_slot_o(end_slot[OWNW*s +: OWNW]),
                 .fetch_o(fetch_o[FB*s +: FB]), .fetch_ready_i(fetch_ready_i[s]),
-                .record_i(record_i[CB*s +: CB]), .record_ready_o(record_ready_o[s]),
+                .record_i(record_i[CB*s +: CB]),
                 .normal_o(normal_o[VB*s +: VB]), .vec_light_o(vec_light_o[VB*s +: VB]),
                 .bounce_o(bounce_o[VB*s +: VB]), .org_o(org_o[OB*s +: OB]),
                 .skip_o(skip_o[KB*s +: KB]), .shadow_go_o(shadow_go_o[s]),

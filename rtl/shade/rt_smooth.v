@@ -28,11 +28,9 @@ module rt_smooth #(
     input  wire [`RT_FETCH_BITS-1:0]     fetch_i,
     output wire                          fetch_ready_o,
     output wire [`RT_RECORD_BITS-1:0]    record_o,
-    input  wire                          record_ready_i,
     output wire [`RT_FETCH_BITS-1:0]     fetch_o,
     input  wire                          fetch_ready_i,
     input  wire [`RT_RECORD_BITS-1:0]    record_i,
-    output wire                          record_ready_o,
     // to rt_setup, and the facet beside it
     output wire [`RT_VECTOR_BITS-1:0]    normal_o,
     output wire [`RT_SIDE_BITS-1:0]      side_o,
@@ -70,7 +68,9 @@ module rt_smooth #(
     wire             f_in, f_valid;
     wire [SLOTW-1:0] f_slot;
     reg              f_read_q;                // the line belongs to the head
-    wire             f_taken = f_read_q && fetch_ready_i;
+    wire             credit;                  // there is a place for its record
+    wire             f_go    = f_read_q && credit;
+    wire             f_taken = f_go && fetch_ready_i;
     wire [LB-1:0]    f_line;
     rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_fetches (
         .clk(clk), .rst(rst), .in_valid_i(in_valid && in_bent), .in_ready_o(f_in),
@@ -81,31 +81,30 @@ module rt_smooth #(
         .wr_addr_i(material_i[`RT_MATERIAL_SLOT]), .wr_data_i(m_line[LB-1:0]),
         .rd_en_i(f_valid), .rd_addr_i(f_slot), .rd_data_o(f_line)
     );
-    assign fetch_o[`RT_FETCH_VALID] = f_read_q || fetch_i[`RT_FETCH_VALID];
-    assign fetch_o[`RT_FETCH_SLOT]  = f_read_q ? f_slot : fetch_i[`RT_FETCH_SLOT];
-    assign fetch_o[`RT_FETCH_LINE]  = f_read_q ? f_line : fetch_i[`RT_FETCH_LINE];
-    assign fetch_ready_o = fetch_ready_i && !f_read_q;
+    assign fetch_o[`RT_FETCH_VALID] = f_go || fetch_i[`RT_FETCH_VALID];
+    assign fetch_o[`RT_FETCH_SLOT]  = f_go ? f_slot : fetch_i[`RT_FETCH_SLOT];
+    assign fetch_o[`RT_FETCH_LINE]  = f_go ? f_line : fetch_i[`RT_FETCH_LINE];
+    assign fetch_ready_o = fetch_ready_i && !f_go;
 
     // ---- a slot has one record under way: mine_q tells whose ----
     reg  [SLOTS-1:0] mine_q;
     wire [SLOTW-1:0] rec_slot = record_i[`RT_RECORD_SLOT];
     wire             mine = mine_q[rec_slot];
-    wire             r_room, r_valid, r_take;
-    wire             r_load = record_i[`RT_RECORD_VALID] && mine && r_room;
+    wire             r_valid, r_take;
+    wire             r_load = record_i[`RT_RECORD_VALID] && mine;
     wire [255:0]     r;
     wire [SLOTW-1:0] r_slot;
     assign record_o[`RT_RECORD_VALID] = record_i[`RT_RECORD_VALID] && !mine;
     assign record_o[`RT_RECORD_SLOT]  = rec_slot;
     assign record_o[`RT_RECORD_DATA]  = record_i[`RT_RECORD_DATA];
-    assign record_ready_o = mine ? r_room : record_ready_i;
     always @(posedge clk) begin
         f_read_q <= f_valid && !f_taken;
         if (f_taken) mine_q[f_slot]   <= 1'b1;
         if (r_load)  mine_q[rec_slot] <= 1'b0;
         if (rst) begin f_read_q <= 1'b0; mine_q <= {SLOTS{1'b0}}; end
     end
-    rt_fifo #(.WIDTH(256+SLOTW), .DEPTH(16)) u_records (
-        .clk(clk), .rst(rst), .in_valid_i(r_load), .in_ready_o(r_room),
+    rt_credit_fifo #(.WIDTH(256+SLOTW), .DEPTH(16)) u_records (
+        .clk(clk), .rst(rst), .credit_o(credit), .ask_i(f_taken), .in_valid_i(r_load),
         .in_data_i({rec_slot, record_i[`RT_RECORD_DATA]}),
         .out_valid_o(r_valid), .out_ready_i(r_take), .out_data_o({r_slot, r})
     );

@@ -1,7 +1,8 @@
 // rt_surface.v - from a ray's first hit to the point and normal of its surface
 // SPDX-License-Identifier: Apache-2.0
 // t = key / a in one of QUOTIENTS iterative dividers, then the primitive record through the leaf
-// cache, then org + t*dir and the normal. Tokens wait in queues between the three.
+// cache, then org + t*dir and the normal. Tokens wait in queues between the three. A record is
+// asked for when there is a place for it: it never keeps leaves from leaving the cache.
 // Where no light, no mirror and no texture asks for the point (points_on_i low; POINTS 0: never
 // built), a hit goes to its record at once and leaves as a bare surface when that is there.
 // Model: sph_quotient() in cmodel/math/quotient.c, sph_surface_point() in cmodel/shade/surface.c
@@ -38,7 +39,6 @@ module rt_surface #(
     output wire [`RT_FETCH_BITS-1:0]  fetch_o,
     input  wire                       fetch_ready_i,
     input  wire [`RT_RECORD_BITS-1:0] record_i,
-    output wire                       record_ready_o,
     // the material, as the record arrives
     output wire [`RT_MATERIAL_BITS-1:0] material_o,
     // the surface, without a point
@@ -110,20 +110,19 @@ module rt_surface #(
         end
     endgenerate
 
-    // ---- fetch the primitive record ----
-    wire p_in;
+    // ---- fetch the primitive record, if there is a place for it ----
+    wire p_in, p_valid, room;
     rt_fifo #(.WIDTH(FB), .DEPTH(SLOTS)) u_fetches (
         .clk(clk), .rst(rst), .in_valid_i(on ? t_valid : in_valid), .in_ready_o(p_in),
         .in_data_i(on ? t_fetch : {in_slot, in_line}),
-        .out_valid_o(fetch_o[`RT_FETCH_VALID]), .out_ready_i(fetch_ready_i),
+        .out_valid_o(p_valid), .out_ready_i(fetch_ready_i && room),
         .out_data_o({fetch_o[`RT_FETCH_SLOT], fetch_o[`RT_FETCH_LINE]})
     );
-    wire             hit_ready;               // whatever waits for the record's centre can have it
+    assign fetch_o[`RT_FETCH_VALID] = p_valid && room;
     wire [255:0]     prim = record_i[`RT_RECORD_DATA];
     wire [SLOTW-1:0] prim_slot = record_i[`RT_RECORD_SLOT];
-    wire             r_load = record_i[`RT_RECORD_VALID] && record_ready_o;
-    assign record_ready_o = !on || hit_ready;
-    assign material_o[`RT_MATERIAL_VALID] = r_load;
+    wire             r_valid = record_i[`RT_RECORD_VALID];
+    assign material_o[`RT_MATERIAL_VALID] = r_valid;
     assign material_o[`RT_MATERIAL_SLOT]  = prim_slot;
     assign material_o[`RT_MATERIAL_RGB]   = prim[`RT_PRIM_RED_LSB +: `RT_RGB_BITS];
     assign material_o[`RT_MATERIAL_KR]    = prim[`RT_PRIM_KR_LSB +: `RT_PRIM_KR_BITS];
@@ -161,7 +160,7 @@ module rt_surface #(
     reg              bare_valid_q;
     reg [SLOTW-1:0]  bare_slot_q;
     always @(posedge clk) begin
-        bare_valid_q <= r_load && !on;
+        bare_valid_q <= r_valid && !on;
         bare_slot_q  <= prim_slot;
         if (rst) bare_valid_q <= 1'b0;
     end
@@ -181,26 +180,20 @@ module rt_surface #(
             reg [SLOTW-1:0]  r_slot_q;
             reg [`RT_LEAF_STRIDE-1:0] r_shape_q;  // what is no material
 
-            // ---- a slow rt_hit has a queue, so that records do not keep leaves in the cache ----
             localparam EW = SLOTW + `RT_LEAF_STRIDE;
+            wire             credit;
             wire             e_valid;         // the next record; it goes to r with its ray and t
             wire [EW-1:0]    e;
             wire [SLOTW-1:0] e_slot = e[EW-1 -: SLOTW];
             wire             r_ready = !r_valid_q || ready;
             wire             e_load = e_valid && r_ready;
-            wire             offer = record_i[`RT_RECORD_VALID] && on;
-            wire [EW-1:0]    offered = {prim_slot, prim[`RT_LEAF_STRIDE-1:0]};
-            if (HIT_INTERVAL > 8) begin : g_queue
-                rt_fifo #(.WIDTH(EW), .DEPTH(16)) u_records (
-                    .clk(clk), .rst(rst),
-                    .in_valid_i(offer && hit_ready), .in_ready_o(hit_ready), .in_data_i(offered),
-                    .out_valid_o(e_valid), .out_ready_i(r_ready), .out_data_o(e)
-                );
-            end else begin : g_at_once
-                assign hit_ready = r_ready;
-                assign e_valid   = offer;
-                assign e         = offered;
-            end
+            assign room = !on || credit;
+            rt_credit_fifo #(.WIDTH(EW), .DEPTH(16)) u_records (
+                .clk(clk), .rst(rst),
+                .credit_o(credit), .ask_i(on && fetch_o[`RT_FETCH_VALID] && fetch_ready_i),
+                .in_valid_i(on && r_valid), .in_data_i({prim_slot, prim[`RT_LEAF_STRIDE-1:0]}),
+                .out_valid_o(e_valid), .out_ready_i(r_ready), .out_data_o(e)
+            );
             rt_slot_ram #(.WIDTH(TW), .SLOTS(SLOTS), .OLD(0)) u_t (
                 .clk(clk), .wr_en_i(t_valid), .wr_addr_i(t_fetch[`RT_LINE_BITS +: SLOTW]),
                 .wr_data_i(t),
@@ -259,12 +252,12 @@ module rt_surface #(
             assign surface_o[`RT_SURFACE_NORMAL] = normal;
             assign saturated_o = surface_o[`RT_SURFACE_VALID] && saturated;
         end else begin : g_bare
-            assign hit_ready = 1'b1;
+            assign room = 1'b1;
             assign saturated_o = 1'b0;
             assign surface_o   = {`RT_SURFACE_BITS{1'b0}};
         end
     endgenerate
     wire unused = &{1'b0, regs_i, effects, ray_i, ray_valid, ray_slot, hit_i, prim, p_in, t,
-                    t_fetch, hit_ready};
+                    t_fetch};
 endmodule
 `default_nettype wire

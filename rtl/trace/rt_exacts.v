@@ -44,7 +44,6 @@ module rt_exacts #(
     input  wire [SHADES*(`RT_FETCH_BITS-$clog2(SHADES))-1:0]  fetch_i,
     output wire [SHADES-1:0]          fetch_ready_o,
     output wire [SHADES*(`RT_RECORD_BITS-$clog2(SHADES))-1:0] record_o,
-    input  wire [SHADES-1:0]          record_ready_i,
     // memory, of each unit
     output wire [EXACTS-1:0]          mem_req_valid_o,
     input  wire [EXACTS-1:0]          mem_req_ready_i,
@@ -81,7 +80,7 @@ module rt_exacts #(
             reg  [YB-1:0] ray;
             wire [FX-1:0] fetch;
             wire [CX-1:0] record;
-            wire          fetch_ready, record_ready;
+            wire          fetch_ready;
             always @* begin
                 ray = setup[YB-1:0];
                 if (ray_exact != (OWN & OF_SETUP)) ray[`RT_RAY_VALID] = 1'b0;
@@ -95,7 +94,7 @@ module rt_exacts #(
                 .ray_i(ray), .lift_i(lift_i[LIFT*U +: LIFT]), .visit_i(all[N*VB*x +: N*VB]),
                 .result_o(result_o[RB*x +: RB]),
                 .fetch_i(fetch), .fetch_ready_o(fetch_ready),
-                .record_o(record), .record_ready_i(record_ready),
+                .record_o(record),
                 .mem_req_valid_o(mem_req_valid_o[x]), .mem_req_ready_i(mem_req_ready_i[x]),
                 .mem_req_line_o(mem_req_line_o[`RT_LINE_BITS*x +: `RT_LINE_BITS]),
                 .mem_rsp_valid_i(mem_rsp_valid_i[x]), .mem_rsp_ready_o(mem_rsp_ready_o[x]),
@@ -105,7 +104,6 @@ module rt_exacts #(
             if (M > 1) begin : g_join
                 wire [M-1:0]  asks;
                 wire [M-1:0]  take = asks & (~asks + 1'b1);
-                wire [M-1:0]  ready = record_ready_i[M*x +: M];
                 wire [MB-1:0] to = record[CX-1 -: MB];
                 reg  [MB-1:0] one;
                 integer       i;
@@ -116,7 +114,6 @@ module rt_exacts #(
                 wire [M*FB-1:0] fetches = fetch_i[FB*M*x +: M*FB];
                 assign fetch = {one, fetches[FB*one +: FB]};
                 assign fetch_ready_o[M*x +: M] = take & {M{fetch_ready}};
-                assign record_ready = ready[to];
                 for (m = 0; m < M; m = m + 1) begin : g_shade
                     localparam [MB-1:0] SHADE = m;
                     wire [FB-1:0] fetch_m = fetch_i[FB*(M*x + m) +: FB];
@@ -133,7 +130,6 @@ module rt_exacts #(
                 assign fetch                 = fetch_i[FB*x +: FB];
                 assign fetch_ready_o[x]      = fetch_ready;
                 assign record_o[CB*x +: CB]  = record;
-                assign record_ready          = record_ready_i[x];
             end
         end
     endgenerate

@@ -4,7 +4,7 @@
 //                records of rt_surface --+                 +--> rt_surface          results <---+
 // Reads the records of the leaf children that a visit left through the leaf cache, one after the
 // other, has each tested against its slot's ray, and hands every result to rt_trace. The same cache
-// serves the primitive records of rt_shade. What is behind the cache may wait for a primitive.
+// serves the primitive records of rt_shade, which has a place for each that it asks for.
 // Model: sph_leaf_visit() in cmodel/trace/leaf_unit.c
 `timescale 1ns / 1ps
 `default_nettype none
@@ -42,7 +42,6 @@ module rt_leaf_unit #(
     input  wire [`RT_FETCH_BITS-1:0]  fetch_i,
     output wire                       fetch_ready_o,
     output wire [`RT_RECORD_BITS-1:0] record_o,
-    input  wire                       record_ready_i,
     // memory
     output wire                       mem_req_valid_o,
     input  wire                       mem_req_ready_i,
@@ -121,7 +120,7 @@ module rt_leaf_unit #(
         .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
         .miss_o(event_o[`RT_EXACT_EVENT_MISS])
     );
-    // A record for rt_shade waits in a register of its own: its ready is not the cache's.
+    // A record for rt_shade never waits.
     reg              record_valid_q;
     reg [SLOTW-1:0]  record_slot_q;
     reg [255:0]      record_data_q;
@@ -129,13 +128,9 @@ module rt_leaf_unit #(
     assign record_o[`RT_RECORD_SLOT]  = record_slot_q;
     assign record_o[`RT_RECORD_DATA]  = record_data_q;
     always @(posedge clk) begin
-        if (!record_valid_q) begin
-            record_valid_q <= c_valid && c_prim;
-            record_slot_q  <= c_slot;
-            record_data_q  <= c_data;
-        end else if (record_ready_i) begin
-            record_valid_q <= 1'b0;
-        end
+        record_valid_q <= c_valid && c_prim;
+        record_slot_q  <= c_slot;
+        record_data_q  <= c_data;
         if (rst) record_valid_q <= 1'b0;
     end
     assign fault_o[`RT_ERROR_BUS_ERROR] = c_valid && c_ready && c_error;
@@ -151,7 +146,7 @@ module rt_leaf_unit #(
     wire             l_taken = l_valid_q && l_ready;
     // A test takes two clocks at least: a record is loaded behind the one that left, not with it.
     wire             l_load  = c_valid && !c_prim && !l_valid_q;
-    assign c_ready = c_prim ? !record_valid_q : !l_valid_q;
+    assign c_ready = c_prim || !l_valid_q;
     localparam YW = 3*W + 5*WD + 24;                 // a ray; above it shadow, inside
     wire                shadow = ray_i[`RT_RAY_SHADOW];
     wire [YW+1:0]       y = {INSIDE != 0 ? {shadow, ray_i[`RT_RAY_INSIDE]} : {2{shadow}},

@@ -109,11 +109,9 @@ class Shade : public bench::Bench<Top> {
         memory.before();
         if (reading >= 0) check_pixel();
         reading = read;
-        bool taken[SHADES];
         for (int unit = 0; unit < SHADES; unit++) {
             take(unit);
             count(unit);
-            taken[unit] = record(unit) && dut.record_ready_o >> unit & 1;
         }
         if (dut.end_valid_o) {
             Slot &s = slots[dut.end_slot_o];
@@ -123,7 +121,7 @@ class Shade : public bench::Bench<Top> {
         faults |= dut.fault_o;
         tick();
         for (int unit = 0; unit < SHADES; unit++)
-            if (taken[unit]) put_record(unit, RT_RECORD_VALID, 0);
+            put_record(unit, RT_RECORD_VALID, 0);
     }
 
     bool all_idle() const {

@@ -45,7 +45,7 @@ class Run {
         bench::put(t.surface_i, RT_SURFACE_VALID, 0);
         bench::put(t.fetch_i, RT_FETCH_VALID, 0);
         bench::put(t.record_i, RT_RECORD_VALID, 0);
-        t.fetch_ready_i = t.record_ready_i = 0;
+        t.fetch_ready_i = 0;
         b.reset();
     }
 
@@ -65,10 +65,9 @@ class Run {
         give_material();
         give_record();
         t.fetch_ready_i = b.random.percent(pace + 5);
-        t.record_ready_i = b.random.percent(pace + 5);
         b.settle();
         bool asked = bench::get(t.fetch_i, RT_FETCH_VALID) && t.fetch_ready_o;
-        bool given = bench::get(t.record_i, RT_RECORD_VALID) && t.record_ready_o;
+        bool given = bench::get(t.record_i, RT_RECORD_VALID);
         if (t.fetch_ready_i) take_fetch();
         check_record(given);
         check_normal();
@@ -96,6 +95,14 @@ class Run {
         bench::put(t.regs_i, RT_REGS_MEM_LINES, lines);
     }
 
+    /* A slot in this state if there is one, looked for from a random one on. */
+    int any(int state) {
+        int from = (int)b.random.below(SLOTS), at = from;
+        while (slots[at].state != state && (at + 1) % SLOTS != from)
+            at = (at + 1) % SLOTS;
+        return at;
+    }
+
     /* A hit: its primitive's record is asked for, beside the side that it was hit on. */
     void give_fetch() {
         int at = (int)b.random.below(SLOTS);
@@ -115,7 +122,7 @@ class Run {
 
     /* The number of a record: none, one in memory, or the first numbers behind its end. */
     void give_material() {
-        int at = (int)b.random.below(SLOTS);
+        int at = any(Slot::GIVEN);
         Slot &s = slots[at];
         bool now = s.state == Slot::GIVEN;
         bench::put(t.material_i, RT_MATERIAL_VALID, now);
@@ -132,9 +139,9 @@ class Run {
     }
 
     void give_surface() {
-        int at = (int)b.random.below(SLOTS);
+        int at = any(Slot::ARMED);
         Slot &s = slots[at];
-        bool now = s.state == Slot::ARMED && ++since >= 8 && b.random.percent(60);
+        bool now = ++since >= 8 && s.state == Slot::ARMED && b.random.percent(60);
         direct = -1;
         bench::put(t.surface_i, RT_SURFACE_VALID, now);
         if (!now) return;
@@ -183,7 +190,7 @@ class Run {
 
     void give_record() {
         if (bench::get(t.record_i, RT_RECORD_VALID)) return;
-        int at = (int)b.random.below(SLOTS);
+        int at = any(b.random.percent(50) ? Slot::ASKED : Slot::FETCHED);
         Slot &s = slots[at];
         if ((s.state != Slot::ASKED && s.state != Slot::FETCHED) || !b.random.percent(pace + 5))
             return;
@@ -210,10 +217,8 @@ class Run {
         int at = (int)bench::get(t.record_i, RT_RECORD_SLOT);
         bool valid = bench::get(t.record_i, RT_RECORD_VALID), own = slots[at].state == Slot::ASKED;
         b.expect("VALID of record_o", bench::get(t.record_o, RT_RECORD_VALID), valid && own, 1);
-        if (valid && own) {
+        if (valid && own)
             b.expect("SLOT of record_o", bench::get(t.record_o, RT_RECORD_SLOT), at, SLOTW);
-            b.expect("record_ready_o", t.record_ready_o, t.record_ready_i, 1);
-        }
         if (given) slots[at].state = own ? Slot::GIVEN : Slot::DONE;
     }
 

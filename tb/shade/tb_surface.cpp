@@ -140,16 +140,15 @@ class Run {
         int fresh = give_ray();
         give_hit();
         if (fresh >= 0) slots[fresh].state = Slot::RAY;
-        if (!bench::get(t.record_i, RT_RECORD_VALID)) give_record();
+        give_record();
         t.fetch_ready_i = b.random.percent(ready);
         b.settle();
         quotients += t.quotient_o;
         take_fetch();
-        bool taken = bench::get(t.record_i, RT_RECORD_VALID) && t.record_ready_o;
+        bool taken = bench::get(t.record_i, RT_RECORD_VALID);
         b.expect("VALID of material_o", bench::get(t.material_o, RT_MATERIAL_VALID), taken, 1);
         if (taken) check_material();
         b.tick();
-        if (taken) bench::put(t.record_i, RT_RECORD_VALID, 0);
         b.expect("bare_valid_o", t.bare_valid_o, taken && !points, 1);
         check_surface();
         return true;

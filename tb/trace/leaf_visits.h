@@ -47,7 +47,6 @@ class LeafVisits : public bench::Bench<Top> {
         for (Slot &s : slots)
             s.begun = false; /* rays carry what the model knows of INSIDE */
         pace = random.percent(50) ? 100 : (unsigned)random.between(2, 60);
-        reading = random.percent(50) ? 100 : (unsigned)random.between(5, 60);
         dut.flush_i = 1;
         clock(false);
         dut.flush_i = 0;
@@ -63,10 +62,8 @@ class LeafVisits : public bench::Bench<Top> {
             told[unit] = give_ray(unit, start);
         for (int pipe = 0; pipe < PIPES; pipe++)
             give_visit(pipe, start, told[pipe >> (parts::pipes.top() - parts::setups.top())]);
-        for (int unit = 0; unit < SHADES; unit++) {
+        for (int unit = 0; unit < SHADES; unit++)
             give_fetch(unit, start);
-            bench::put(dut.record_ready_i, unit, 1, random.percent(reading));
-        }
         memory.before();
         for (int unit = 0; unit < EXACTS; unit++) {
             seen[0] += of_event(unit, RT_PRIM_EVENT_LEAF);
@@ -78,7 +75,7 @@ class LeafVisits : public bench::Bench<Top> {
         bool fetched[SHADES];
         for (int unit = 0; unit < SHADES; unit++) {
             bool record = parts::shades.get(dut.record_o, unit, RT_RECORD_BITS, RT_RECORD_VALID);
-            if (record && dut.record_ready_i >> unit & 1) take_record(unit);
+            if (record) take_record(unit);
             fetched[unit] = fetches(unit) && dut.fetch_ready_o >> unit & 1;
         }
         tick();
@@ -111,7 +108,7 @@ class LeafVisits : public bench::Bench<Top> {
     struct sph_counters counters = {};
     uint32_t errors = 0, faults = 0;
     uint64_t seen[3] = {};
-    unsigned pace = 100, reading = 100; /* percent of clocks with new work, with record_ready_i */
+    unsigned pace = 100; /* percent of clocks with new work */
 
     uint64_t of_event(int unit, int lsb, int bits) {
         return (uint64_t)bench::get(dut.event_o, RT_EXACT_EVENT_BITS * unit + lsb, bits);

@@ -6,7 +6,7 @@
 # in Verilator too: the core with just what the scene asks for beside `all`, and what `all` lacks
 # if the scene asks for that. The memory answers both alike. Pixels come back sooner where effects
 # are left out, so slots fall into step in another way: that alone moves a frame by up to one
-# percent, that of effects/shadow by 2.0 and that of effects/shadow_inside by 5.3.
+# percent.
 #   ALL=1         every scene of scenes/effects/: fifty cores more
 #   CORE=pattern  only scenes whose name has the pattern in it
 set -u
@@ -54,12 +54,7 @@ while read -r name; do
     number=$((number + 1))
     [ $((number % 2)) = 0 ] || continue
     own=$(cycles $((number - 1))) all=$(cycles $number)
-    more=10 # thousandths
-    case $name in
-    effects/shadow) more=20 ;;
-    effects/shadow_inside) more=55 ;;
-    esac
-    [ -n "$own" ] && [ -n "$all" ] && [ $((own * 1000)) -le $((all * (1000 + more))) ] &&
+    [ -n "$own" ] && [ -n "$all" ] && [ $((own * 1000)) -le $((all * 1010)) ] &&
         rc=0 || rc=1
     tap $rc "$name: $own cycles on its own core, $all on the whole one" "$TMP/$((number - 1)).log"
 done <"$TMP/names"
