@@ -16,7 +16,7 @@
 #include <time.h>
 
 #include "core/render.h"
-#include "fast/setup.h"
+#include "fast/prepare.h"
 #include "fast/fast.h"
 #include "fast/tile.h"
 #include "prim/sphere.h"
@@ -93,23 +93,42 @@ static uint32_t answer(int kind, const struct sph_hit *hit) {
     return kind == SPH_SHADOW ? hit->key != 0 : hit->key ? hit->id : SPH_ID_NONE;
 }
 
-static uint32_t model(const struct rays *r, const struct sph_bundle *rays, int i, int way) {
-    struct sph_ray ray = {.kind = rays->kind, .skip = rays->skip[i], .inside = rays->inside};
+static inline void start(struct sph_ray *ray, const struct sph_bundle *rays, int i) {
+    ray->kind = rays->kind;
+    ray->skip = rays->skip[i];
+    ray->inside = rays->inside;
+    ray->first = 0;
+    for (int k = 0; k < 3; k++) {
+        ray->org[k] = rays->org[k][i];
+        ray->dir[k] = rays->dir[k][i];
+        ray->lift[k] = 0;
+    }
+}
+
+static uint32_t literal(const struct rays *r, const struct sph_bundle *rays, int i) {
     static struct sph_counters c;
     uint32_t visits = 0, errors = 0;
-    for (int k = 0; k < 3; k++) {
-        ray.org[k] = rays->org[k][i];
-        ray.dir[k] = rays->dir[k][i];
-    }
-    struct sph_hit hit;
-    if (way == FAST) {
-        sph_fast_prepare(&r->m->profile, &ray);
-        hit = sph_fast_trace(r->fast, &ray, &c, &visits, &errors);
-    } else {
-        sph_ray_setup(&r->m->profile, &ray);
-        hit = sph_traverse(r->m, &ray, SPH_TRAVERSE_TREE, &c, &visits, &errors);
-    }
+    struct sph_ray ray;
+    start(&ray, rays, i);
+    sph_ray_setup(&r->m->profile, &ray);
+    struct sph_hit hit = sph_traverse(r->m, &ray, SPH_TRAVERSE_TREE, &c, &visits, &errors);
     return answer(rays->kind, &hit);
+}
+
+/* Rays from number `from` on, set up together as the tiles of a frame do, one after another. */
+static void fast(const struct rays *r, int at, int from) {
+    static struct sph_counters c;
+    const struct sph_bundle *rays = &r->bundles[at];
+    struct sph_ray some[SPH_TOGETHER];
+    uint32_t visits = 0, errors = 0;
+    int n = rays->n - from < SPH_TOGETHER ? rays->n - from : SPH_TOGETHER;
+    for (int i = 0; i < n; i++)
+        start(&some[i], rays, from + i);
+    sph_fast_prepare_all(r->fast, some, n);
+    for (int i = 0; i < n; i++) {
+        struct sph_hit hit = sph_fast_trace(r->fast, &some[i], &c, &visits, &errors);
+        r->found[at][from + i] = answer(rays->kind, &hit);
+    }
 }
 
 /* Adds a ray to the packet that is the last one. */
@@ -187,8 +206,10 @@ static double trace(struct rays *r, int way) {
     for (int at = 0; at < r->n; at++) {
         const struct sph_bundle *rays = &r->bundles[at];
         if (way == PACKET) packet(r, at);
-        for (int i = 0; i < rays->n && way != PACKET; i++)
-            r->found[at][i] = way == EMBREE ? embree(r->scene, rays, i) : model(r, rays, i, way);
+        for (int i = 0; i < rays->n && way == FAST; i += SPH_TOGETHER)
+            fast(r, at, i);
+        for (int i = 0; i < rays->n && (way == EMBREE || way == LITERAL); i++)
+            r->found[at][i] = way == EMBREE ? embree(r->scene, rays, i) : literal(r, rays, i);
     }
     return now() - start;
 }

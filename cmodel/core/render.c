@@ -8,7 +8,7 @@
 
 #include "pixel/background.h"
 #include "engine/render_pixel.h"
-#include "fast/pixel.h"
+#include "fast/pixel.h" /* sph_fast_shades */
 #include "fast/tile.h"
 
 enum { TILES = 8, ROWS = 4 }; /* what a thread draws at a time: a row of tiles, or rows */
@@ -20,6 +20,7 @@ struct job {
     struct sph_pixel (*draw)(const struct sph_machine *, const struct sph_render_options *, int,
                              int, struct sph_counters *, uint32_t *, struct sph_trail *);
     int tiles;         /* sph_fast_tile() instead of draw */
+    int packets;       /* and in packets */
     int width, height; /* of what a thread draws at a time */
 };
 
@@ -32,7 +33,8 @@ static void part(const struct job *j, int x0, int y0, struct sph_counters *c, ui
     int x1 = less(x0 + j->width, j->m->regs[SPH_REG_WIN_X1]);
     int y1 = less(y0 + j->height, j->m->regs[SPH_REG_WIN_Y1]);
     for (int x = x0; x < x1 && j->tiles; x += SPH_TILE)
-        sph_fast_tile(j->m, &j->how, x, y0, less(x + SPH_TILE, x1), y1, j->frame, c, errors);
+        sph_fast_tile(j->m, &j->how, j->packets, x, y0, less(x + SPH_TILE, x1), y1, j->frame, c,
+                      errors);
     for (int y = y0; y < y1 && !j->tiles; y++)
         for (int x = x0; x < x1; x++) {
             size_t at = (size_t)y * (size_t)j->frame->width + (size_t)x;
@@ -67,12 +69,13 @@ int sph_render(const struct sph_machine *m, const struct sph_render_options *o,
                                 : NULL;
     int columns = r[SPH_REG_WIN_X1] - r[SPH_REG_WIN_X0];
     int rows = r[SPH_REG_WIN_Y1] - r[SPH_REG_WIN_Y0];
-    struct job job = {m, *o, frame, sph_render_pixel, 0, columns, ROWS};
+    struct job job = {m, *o, frame, sph_render_pixel, 0, 0, columns, ROWS};
     if (fast) job.how.fast = fast;
     if (job.how.fast && !o->log && sph_fast_shades(m)) {
-        job.draw = sph_fast_pixel;
-        job.tiles = packets && sph_fast_tiles(m, job.how.fast);
-        if (job.tiles) job.width = TILES * SPH_TILE, job.height = SPH_TILE;
+        job.tiles = 1;
+        job.packets = packets && sph_fast_tiles(m, job.how.fast);
+        job.width = TILES * SPH_TILE;
+        job.height = SPH_TILE;
     }
     uint32_t errors = sph_background_missing(m) ? 1u << SPH_ERROR_BAD_NODE : 0;
     int across = columns > 0 ? (columns + job.width - 1) / job.width : 0; /* or no window */

@@ -6,6 +6,7 @@
 
 #include "builder/tree.h" /* SPH_TREE_* */
 #include "fast/packets.h"
+#include "fast/prepare.h"
 #include "machine/box.h"
 #include "machine/records.h"
 #include "prim/prim.h"
@@ -211,6 +212,10 @@ struct sph_fast *sph_fast_new(const struct sph_machine *m, int lanes) {
     if (!f) return NULL;
     f->m = m;
     f->visit_limit = (uint32_t)m->regs[SPH_REG_VISIT_LIMIT];
+#if defined __x86_64__
+    if (lanes == SPH_FAST_BEST && __builtin_cpu_supports("avx2"))
+        f->prepare = sph_fast_prepare_avx2;
+#endif
     int good = sph_machine_bih(m) ? decode_bih(&j, f) : decode_tree(&j, f, lanes);
     free(j.number);
     free(j.waiting);
@@ -230,6 +235,16 @@ void sph_fast_free(struct sph_fast *fast) {
 
 const char *sph_fast_lanes(const struct sph_fast *fast) {
     return fast->lanes;
+}
+
+void sph_fast_prepare_all(const struct sph_fast *fast, struct sph_ray *rays, int n) {
+    const struct sph_profile *p = sph_machine_profile(fast->m);
+    if (fast->prepare) {
+        fast->prepare(p, rays, n);
+        return;
+    }
+    for (int i = 0; i < n; i++)
+        sph_fast_prepare(p, &rays[i]);
 }
 
 struct sph_hit sph_fast_trace(const struct sph_fast *fast, const struct sph_ray *ray,

@@ -48,6 +48,8 @@ struct sph_fast {
     struct sph_hit (*walk)(const struct sph_fast *, const struct sph_ray *, struct sph_counters *,
                            uint32_t *, uint32_t *);
     const struct sph_packet_way *packet; /* NULL: not for this tree */
+    /* sph_fast_prepare() of n rays; NULL: one after another */
+    void (*prepare)(const struct sph_profile *, struct sph_ray *, int);
     const char *lanes;
 };
 

@@ -18,13 +18,14 @@ struct sph_fast_job {
     int inside, shadow, reflect;
 };
 
-/* What a packet has found of a pixel. */
+/* What a tile has found of a pixel. */
 struct sph_fast_first {
     struct sph_hit hit;
     const uint32_t *prim; /* its record; NULL: the background, and there is no more */
     struct sph_surface s;
     uint32_t cosine[SPH_MAX_LIGHTS]; /* to each light */
     uint32_t hidden;                 /* bit l: light l is */
+    uint32_t visits;                 /* of its rays so far */
 };
 
 static const struct sph_trail sph_no_trail = {.reflected_id = SPH_ID_NONE,
@@ -40,6 +41,15 @@ const uint32_t *sph_fast_record(const struct sph_fast_job *j, const struct sph_h
 /* The surface of a sphere that the ray hits. */
 void sph_fast_meet(const struct sph_fast_job *j, const struct sph_ray *ray,
                    const struct sph_hit *hit, const uint32_t *prim, struct sph_surface *s);
+
+/* The direction to a light. */
+static inline void sph_fast_towards(const struct sph_fast_job *j, const struct sph_surface *s,
+                                    int light, int64_t dir[3]) {
+    const int32_t *lamp = j->m->regs + SPH_REG_LIGHT0_X + light * SPH_LIGHT_STRIDE;
+    int away = lamp[3] >> SPH_LIGHT_SHIFT_LSB;
+    for (int i = 0; i < 3; i++)
+        dir[i] = lamp[i] - sph_round(s->point[i], away);
+}
 
 /* Direction, unit and square of the ray to a light; the cosine, 0: it is behind the surface. */
 uint32_t sph_fast_lamp(const struct sph_fast_job *j, const struct sph_surface *s, int light,

@@ -37,10 +37,7 @@ const uint32_t *sph_fast_record(const struct sph_fast_job *j, const struct sph_h
 
 uint32_t sph_fast_lamp(const struct sph_fast_job *j, const struct sph_surface *s, int light,
                        struct sph_ray *to) {
-    const int32_t *lamp = j->m->regs + SPH_REG_LIGHT0_X + light * SPH_LIGHT_STRIDE;
-    int away = lamp[3] >> SPH_LIGHT_SHIFT_LSB;
-    for (int i = 0; i < 3; i++)
-        to->dir[i] = lamp[i] - sph_round(s->point[i], away);
+    sph_fast_towards(j, s, light, to->dir);
     to->a = sph_fast_square(to->dir);
     to->unit = sph_fast_unit(to->dir, to->a, j->p->wd);
     return sph_lambert(&s->unit, &to->unit);

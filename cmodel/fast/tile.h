@@ -1,4 +1,4 @@
-/* tile.h - the pixels of a tile, their primary and shadow rays in packets
+/* tile.h - the pixels of a tile, their primary and shadow rays set up together or in packets
  * SPDX-License-Identifier: Apache-2.0
  */
 #ifndef SPH_FAST_TILE_H
@@ -18,13 +18,15 @@ static inline int sph_tile_y(int i) {
     return (i >> 2 & 3) | (i >> 3 & 4);
 }
 
-/* 1 if sph_fast_tile() draws the machine: sph_fast_shades(), without FIRST, and packets fit. */
+/* 1 if sph_fast_tile() draws the machine in packets: sph_fast_shades(), without FIRST, and packets
+ * fit. */
 int sph_fast_tiles(const struct sph_machine *m, const struct sph_fast *fast);
 
-/* Draws the pixels x0 .. x1-1, y0 .. y1-1, at most a tile, into the frame as sph_fast_pixel() does;
- * visits and what counters tell of the tree's work mean nothing. */
-void sph_fast_tile(const struct sph_machine *m, const struct sph_render_options *o, int x0, int y0,
-                   int x1, int y1, struct sph_frame *frame, struct sph_counters *c,
+/* Draws the pixels x0 .. x1-1, y0 .. y1-1, at most a tile, into the frame as sph_fast_pixel() does
+ * of a machine that sph_fast_shades() knows; in packets visits and what counters tell of the
+ * tree's work mean nothing. */
+void sph_fast_tile(const struct sph_machine *m, const struct sph_render_options *o, int packets,
+                   int x0, int y0, int x1, int y1, struct sph_frame *frame, struct sph_counters *c,
                    uint32_t *errors);
 
 #endif

@@ -32,8 +32,21 @@ static const _Alignas(16) uint8_t of_pair[2][16] = {
     {0, 1, 4, 5, 8, 9, 12, 13, 128, 128, 128, 128, 128, 128, 128, 128},
     {2, 3, 6, 7, 10, 11, 14, 15, 128, 128, 128, 128, 128, 128, 128, 128}};
 
+/* p from words 1 and 2, without the axis of this number. */
+enum { NO = 0x80808080, A = 0x07060504, B = 0x0b0a0908 };
+static const _Alignas(16) uint32_t of_p[3][4] = {{NO, A, B, NO}, {A, NO, B, NO}, {A, B, NO, NO}};
+
+_Static_assert(offsetof(struct sph_across, p_a) == offsetof(struct sph_across, axis_b) + 4 &&
+                   offsetof(struct sph_across, p_b) == offsetof(struct sph_across, axis_b) + 8 &&
+                   offsetof(struct sph_across, q) == offsetof(struct sph_across, p_b) + 4,
+               "words are loaded together");
+
 static inline __m128i load(const void *at) {
     return _mm_load_si128(at);
+}
+
+static inline __m256i twice(__m128i x) {
+    return _mm256_broadcastsi128_si256(x);
 }
 
 static inline __m256i both(__m128i p, __m128i q) {
@@ -46,19 +59,19 @@ static inline struct lanes lanes_of(const struct sph_profile *p, const struct sp
     const struct sph_across *a = &ray->across;
     const int32_t *o = ray->forg;
     int sign = ray->negative ? -1 : 0;
-    __m128i q = _mm_setr_epi32(a->q[0], a->q[1], a->q[2], 0);
-    __m128i x = _mm_setr_epi32(a->axis_a ? 0 : a->p_a,
-                               a->axis_a        ? a->p_a
-                               : a->axis_b == 1 ? -a->p_b
-                                                : 0,
-                               a->axis_b == 2 ? -a->p_b : 0, 0);
+    const __m128i *from_p = (const void *)&a->axis_b, *from_q = (const void *)&a->p_b;
+    __m128i q = _mm_srli_si128(_mm_loadu_si128(from_q), 4);
+    __m128i x = _mm_sign_epi32(_mm_loadu_si128(from_p), _mm_setr_epi32(0, 1, -1, 0));
+    x = _mm_shuffle_epi8(x, load(of_p[3 - a->axis_a - a->axis_b]));
     __m128i ones = _mm_set1_epi32((1 << LOW) - 1);
-    __m128i high = _mm_packs_epi32(_mm_srai_epi32(q, LOW), _mm_srai_epi32(x, LOW));
-    __m128i low = _mm_packs_epi32(_mm_and_si128(q, ones), _mm_and_si128(x, ones));
-    l.pq.xy_high = both(_mm_shuffle_epi32(high, 0xaa), _mm_shuffle_epi32(high, 0x00));
-    l.pq.xy_low = both(_mm_shuffle_epi32(low, 0xaa), _mm_shuffle_epi32(low, 0x00));
-    l.pq.z_high = both(_mm_shuffle_epi32(high, 0xff), _mm_shuffle_epi32(high, 0x55));
-    l.pq.z_low = both(_mm_shuffle_epi32(low, 0xff), _mm_shuffle_epi32(low, 0x55));
+    __m256i high = twice(_mm_packs_epi32(_mm_srai_epi32(q, LOW), _mm_srai_epi32(x, LOW)));
+    __m256i low = twice(_mm_packs_epi32(_mm_and_si128(q, ones), _mm_and_si128(x, ones)));
+    const __m256i xy = both(_mm_set1_epi32(0x0b0a0908), _mm_set1_epi32(0x03020100));
+    const __m256i z = both(_mm_set1_epi32(0x0f0e0d0c), _mm_set1_epi32(0x07060504));
+    l.pq.xy_high = _mm256_shuffle_epi8(high, xy);
+    l.pq.xy_low = _mm256_shuffle_epi8(low, xy);
+    l.pq.z_high = _mm256_shuffle_epi8(high, z);
+    l.pq.z_low = _mm256_shuffle_epi8(low, z);
     l.org_xy = _mm256_set1_epi32((int32_t)((uint32_t)o[1] << 16 | (uint16_t)o[0]));
     l.org_z = _mm256_set1_epi32((uint16_t)o[2]);
     l.pick = load(of_pair[ray->axis == 1]);

@@ -9,6 +9,7 @@
 #include "builder/box.h"
 #include "fast/fast.h"
 #include "fast/leaf.h"
+#include "fast/prepare.h"
 #include "fast/root.h"
 #include "fast/surface.h"
 #include "fast/decoded.h"
@@ -326,6 +327,62 @@ static void surfaces(void **state) {
     assert_true(done > 10000);
 }
 
+/* Rays that are set up together, in widths of any kind, at the ends of their widths and, of a
+ * damaged machine, beyond: the same words as one by one. */
+static void together(void **state) {
+    enum { MOST = 2 * SPH_TOGETHER + 3 };
+    struct sph_rng rng = {seed()};
+    struct sph_scene scene = model_scene("paper5");
+    struct sph_machine m;
+    struct sph_fast *fast[LANES];
+    (void)state;
+    assert_true(model_build(&scene, SPH_STANDARD, SPH_TREE_BALANCED, SPH_BG_NONE, 4, 4, &m));
+    for (int lanes = 0; lanes < LANES; lanes++)
+        assert_non_null(fast[lanes] = sph_fast_new(&m, lanes));
+    for (int i = 0; i < (SANITIZED ? 4000 : 60000); i++) {
+        struct sph_ray rays[1 + LANES][MOST];
+        struct sph_profile p = sph_profiles[i % SPH_PROFILES];
+        int n = 1 + (int)((sph_rng_next(&rng) >> 9) % MOST), wild = i % 7 == 0;
+        if (i % 3 == 0) p.wd += (int)(sph_rng_next(&rng) >> 9 & 3);
+        m.profile = p;
+        for (int j = 0; j < n; j++) {
+            struct sph_ray *a = memset(&rays[0][j], 0, sizeof *a);
+            int64_t most = 1ll << (p.wd - 1);
+            a->kind = (int)(sph_rng_next(&rng) >> 9 & 3);
+            a->inside = (int)(sph_rng_next(&rng) >> 9 & 1);
+            a->first = (int)(sph_rng_next(&rng) >> 9 & 1);
+            for (int k = 0; k < 3; k++) {
+                int way = (int)(sph_rng_next(&rng) >> 9 & 7);
+                a->org[k] = coordinate(&rng, p.w, way % 3);
+                a->dir[k] = way == 0   ? -most
+                            : way == 1 ? most - 1
+                            : way == 2 ? a->dir[0]
+                            : way == 3 ? small(&rng, 1)
+                                       : any(&rng, p.wd - 1);
+                a->lift[k] = small(&rng, 100);
+            }
+            if (wild && small(&rng, 8) == 0) a->dir[(i >> 3) % 3] = most + small(&rng, 9) / 3;
+            if (wild && small(&rng, 8) == 0) a->org[(i >> 3) % 3] = any(&rng, 31);
+        }
+        for (int lanes = 0; lanes < LANES; lanes++) {
+            memcpy(rays[1 + lanes], rays[0], sizeof rays[0]);
+            sph_fast_prepare_all(fast[lanes], rays[1 + lanes], n);
+        }
+        for (int j = 0; j < n; j++) {
+            if (wild)
+                sph_fast_prepare(&p, &rays[0][j]);
+            else
+                sph_ray_setup(&p, &rays[0][j]);
+            for (int lanes = 0; lanes < LANES; lanes++)
+                assert_memory_equal(&rays[1 + lanes][j], &rays[0][j], sizeof rays[0][j]);
+        }
+    }
+    for (int lanes = 0; lanes < LANES; lanes++)
+        sph_fast_free(fast[lanes]);
+    sph_machine_free(&m);
+    sph_scene_free(&scene);
+}
+
 /* Bits of memory turned over, limits of visits, registers beyond memory: the same errors. */
 static void damage(struct sph_machine *m, const char *name, int times) {
     struct sph_rng rng = {seed()};
@@ -541,9 +598,9 @@ static void unknown_trees(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(roots),    cmocka_unit_test(spheres),       cmocka_unit_test(triangles),
-        cmocka_unit_test(surfaces), cmocka_unit_test(every_scene),   cmocka_unit_test(circles),
-        cmocka_unit_test(damaged),  cmocka_unit_test(unknown_trees), cmocka_unit_test(bundles),
-        cmocka_unit_test(unsound)};
+        cmocka_unit_test(roots),    cmocka_unit_test(spheres),  cmocka_unit_test(triangles),
+        cmocka_unit_test(surfaces), cmocka_unit_test(together), cmocka_unit_test(every_scene),
+        cmocka_unit_test(circles),  cmocka_unit_test(damaged),  cmocka_unit_test(unknown_trees),
+        cmocka_unit_test(bundles),  cmocka_unit_test(unsound)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
