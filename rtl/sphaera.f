@@ -46,6 +46,7 @@ rtl/pixel/rt_cone.v
 rtl/pixel/rt_spans.v
 rtl/pixel/rt_table.v
 rtl/pixel/rt_walk.v
+rtl/pixel/rt_walks.v
 rtl/prim/rt_facet.v
 rtl/prim/rt_facet_ahead.v
 rtl/prim/rt_facet_key.v

@@ -12,7 +12,7 @@ from pathlib import Path
 from ..pages import digest
 
 PROTEIN = "/usr/share/pymol/data/demo/1tii.pdb"
-SPHERES = "shadow+reflect2+lights3+inside"
+SPHERES = "shadow+reflect2+lights3+inside+spans"
 GLASS = "shadow+reflect2+lights1+inside+facets+refract+specular+sum"
 
 
@@ -45,8 +45,9 @@ class Bench:
         self.folder = Path(build) / "rate" / digest.of("+".join(digest.KINDS))
         self.folder.mkdir(parents=True, exist_ok=True)
 
-    def machine(self, scene):
-        """The machine of a scene in scenes/, KIND:N of `sphaera gen`, or protein."""
+    def machine(self, scene, effects):
+        """The machine of a scene in scenes/, KIND:N of `sphaera gen`, or protein; spans tell its
+        background, if the core has them."""
         tool, stem = f"{self.build}/sphaera", scene.replace("/", "_").replace(":", "_")
         built = self.folder / f"{stem}-{self.size}.sph"
         if built.exists():
@@ -59,13 +60,13 @@ class Bench:
             source = self.folder / f"{stem}.nff"
             run(tool, "gen", scene, "--seed", "1", "-o", str(source))
         run(tool, "build", str(source), "--profile", "standard", "--size", self.size, "--depth",
-            "2", "-o", f"{built}.tmp")
+            "2", "--background", "spans" if "spans" in effects else "none", "-o", f"{built}.tmp")
         os.replace(f"{built}.tmp", built)
         return built
 
     def counted(self, scene, effects, core, *options):
         """Report of a frame that the core drew as the model does."""
-        machine = self.machine(scene)
+        machine = self.machine(scene, effects)
         name = "-".join([machine.stem, *map(str, core), *(o.lstrip("-") for o in options)])
         path = self.folder / f"{name.replace('=', '')}.json"
         if not path.exists():

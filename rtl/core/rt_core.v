@@ -45,6 +45,7 @@ module rt_core #(
     parameter EXACTS     = 0,    // 0..4: leaf units, 0: 1, for 3 and 4 pipes 2, with BOXES SHADES
     parameter SHADES     = 0,    // 0..4: shading units an engine, 0: 1, 2, 2, 4 by PIPES
     parameter SETUPS     = 0,    // 0..2: set-up units an engine, 0: 2 for 4 pipes, else 1
+    parameter WALKS      = 0,    // 0..2: walks of the window, 0: 1, for several pipes 2
     parameter SLOTS      = 64,   // 4..1024, power of two: rays in flight a pipe
     parameter NODE_LINES = 256,  // 8..4096, power of two: node cache, lines; twice if PIPES > 1
     parameter LEAF_LINES = 128,  // 8..4096, power of two: leaf cache, lines; 4 times if PIPES > 1
@@ -241,23 +242,28 @@ module rt_core #(
     `RT_CHECK(SHADE_UNITS == 1 || INTERPENETRATE == 0, rt_core_INTERPENETRATE_needs_SHADES_to_be_1)
     localparam ALL_SLOTS = SLOTS << $clog2(PIPES);
 
-    // ---- memory: READS readers an engine, and the walk above them if it has tables ----
+    // ---- memory: READS readers an engine, and the walks above them if they have tables ----
+    localparam ALL_WALKS = WALKS != 0 ? WALKS : PIPES > 1 ? 2 : 1;
     localparam READS   = PIPES + LEAF_UNITS + (TEXTURE != 0 ? SHADE_UNITS : 0);
     localparam WALK    = READS*ENGINES;
-    localparam READERS = WALK + (SPANS != 0 || CONES != 0 ? 1 : 0);
-    wire [WALK:0]            m_req_valid, m_rsp_ready;
-    wire [LB*(WALK+1)-1:0]   m_req_line;
-    wire [READERS-1:0]       m_req_ready, m_rsp_valid;
+    localparam ALL     = WALK + ALL_WALKS;
+    localparam READERS = SPANS != 0 || CONES != 0 ? ALL : WALK;
+    wire [ALL-1:0]           m_req_valid, m_req_ready, m_rsp_valid, m_rsp_ready;
+    wire [LB*ALL-1:0]        m_req_line;
     wire [255:0]             m_rsp_data;
     wire                     m_rsp_error, bad_table, table_error;
-    wire t_req_ready = READERS > WALK && m_req_ready[READERS-1];
-    wire t_rsp_valid = READERS > WALK && m_rsp_valid[READERS-1];
-    wire unused = &{1'b0, m_req_valid, m_rsp_ready, m_req_line};  // of the walk without tables
+    generate
+        if (READERS < ALL) begin : g_no_tables
+            assign m_req_ready[ALL-1:WALK] = {ALL_WALKS{1'b0}};
+            assign m_rsp_valid[ALL-1:WALK] = {ALL_WALKS{1'b0}};
+            wire unused = &{1'b0, m_req_valid, m_rsp_ready, m_req_line};
+        end
+    endgenerate
     rt_mem_arbiter #(.CLIENTS(READERS)) u_arbiter (
         .clk(clk), .rst(rst),
-        .req_valid_i(m_req_valid[READERS-1:0]), .req_ready_o(m_req_ready),
+        .req_valid_i(m_req_valid[READERS-1:0]), .req_ready_o(m_req_ready[READERS-1:0]),
         .req_line_i(m_req_line[LB*READERS-1:0]),
-        .rsp_valid_o(m_rsp_valid), .rsp_ready_i(m_rsp_ready[READERS-1:0]),
+        .rsp_valid_o(m_rsp_valid[READERS-1:0]), .rsp_ready_i(m_rsp_ready[READERS-1:0]),
         .rsp_data_o(m_rsp_data), .rsp_error_o(m_rsp_error),
         .mem_req_valid_o(mem_req_valid_o), .mem_req_ready_i(mem_req_ready_i),
         .mem_req_line_o(mem_req_line_o),
@@ -265,49 +271,30 @@ module rt_core #(
         .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i)
     );
 
-    // ---- pixel walk ----
-    // A short queue of traced pixels keeps the engines fed while the walk crosses background.
-    wire             walk_busy, walk_valid, walk_ready, ray_valid, bg_valid, bg_ready;
-    wire [13:0]      x, y;
-    wire [3*WD-1:0]  walk_dir;
+    // ---- pixels of the window ----
+    wire             walk_busy, ray_valid, bg_valid, bg_ready;
+    wire [27:0]      bg_place;
     wire [`RT_START_BITS-1:0] pixel;                 // the next one to trace
-    wire [3*WD-1:0]  pixel_dir;
     wire [ENGINES-1:0] e_ready, e_take, e_busy;
-    rt_walk #(.W(W), .WD(WD), .RECT(RECT), .SPANS(SPANS), .CONES(CONES),
-              .TURNED(TURNED)) u_walk (
+    rt_walks #(.W(W), .WD(WD), .RECT(RECT), .SPANS(SPANS), .CONES(CONES),
+               .TURNED(TURNED), .WALKS(ALL_WALKS)) u_walks (
         .clk(clk), .rst(rst), .start_i(go), .busy_o(walk_busy),
-        .window_i(window), .dir_x0_i($signed(dir[`RT_VEC_X])), .dir_y0_i($signed(dir[`RT_VEC_Y])),
-        .dir_z_i($signed(dir[`RT_VEC_Z])), .pitch_i(pitch),
+        .window_i(window), .dir_i(dir), .pitch_i(pitch),
         .first_i(dir_first), .across_i(dir_across), .down_i(dir_down),
         .bg_mode_i(bg_mode), .rect_i(rect), .bg_base_i(bg_base),
         .bg_count_i(bg_count), .mem_lines_i(mem_lines),
-        .ray_valid_o(walk_valid), .ray_ready_i(walk_ready),
-        .ray_dir_x_o(walk_dir[`RT_VEC_X]), .ray_dir_y_o(walk_dir[`RT_VEC_Y]),
-        .ray_dir_z_o(walk_dir[`RT_VEC_Z]),
-        .bg_valid_o(bg_valid), .bg_ready_i(bg_ready), .x_o(x), .y_o(y),
-        .mem_req_valid_o(m_req_valid[WALK]), .mem_req_ready_i(t_req_ready),
-        .mem_req_line_o(m_req_line[LB*WALK +: LB]),
-        .mem_rsp_valid_i(t_rsp_valid), .mem_rsp_ready_o(m_rsp_ready[WALK]),
+        .ray_valid_o(ray_valid), .ray_ready_i(|e_ready), .ray_o(pixel),
+        .bg_valid_o(bg_valid), .bg_ready_i(bg_ready), .bg_place_o(bg_place),
+        .mem_req_valid_o(m_req_valid[ALL-1:WALK]), .mem_req_ready_i(m_req_ready[ALL-1:WALK]),
+        .mem_req_line_o(m_req_line[LB*WALK +: LB*ALL_WALKS]),
+        .mem_rsp_valid_i(m_rsp_valid[ALL-1:WALK]), .mem_rsp_ready_o(m_rsp_ready[ALL-1:WALK]),
         .mem_rsp_data_i(m_rsp_data), .mem_rsp_error_i(m_rsp_error),
         .bad_table_o(bad_table), .bus_error_o(table_error)
     );
-    localparam KEPT = TURNED != 0 ? 3*WD : 2*WD;     // else z is the same for all pixels
-    rt_fifo #(.WIDTH(28 + KEPT), .DEPTH(16)) u_traced (
-        .clk(clk), .rst(rst), .in_valid_i(walk_valid && walk_ready), .in_ready_o(walk_ready),
-        .in_data_i({walk_dir[KEPT-1:0], y, x}),
-        .out_valid_o(ray_valid), .out_ready_i(|e_ready),
-        .out_data_o({pixel_dir[KEPT-1:0], pixel[`RT_START_Y], pixel[`RT_START_X]})
-    );
-    generate
-        if (TURNED == 0) begin : g_same_z
-            assign pixel_dir[`RT_VEC_Z] = walk_dir[`RT_VEC_Z];
-        end
-    endgenerate
-    assign pixel[`RT_START_DIR]  = pixel_dir;
     assign e_take = e_ready & (~e_ready + 1'b1);     // the lowest engine with a free slot
     reg              mux_valid_q;                    // a pixel is at the port
     wire             mux_ready = !mux_valid_q || pix_ready_i;
-    wire             working = walk_busy || ray_valid || e_busy != 0 || mux_valid_q;
+    wire             working = walk_busy || e_busy != 0 || mux_valid_q;
     localparam SB = $clog2(PLACES + 5);
     localparam [31:0] WAIT = PLACES + 4;
     reg [SB-1:0]     settle_q;                       // cycles until the counters are complete
@@ -428,7 +415,7 @@ module rt_core #(
     assign bg_ready = SEPARATED && mux_ready && p_valid == 0;
     wire [31:0]   untextured = {12'd`RT_LOD_NONE, 20'd0};
     wire [PV+31:0] sky = {untextured, {KW{1'b0}}, {VB{1'b0}}, `RT_ID_BITS'd`RT_ID_NONE,
-                           {3{background}}, y, x};
+                           {3{background}}, bg_place};
     wire unused_sky = &{1'b0, sky};
     integer i;
     always @* begin

@@ -48,6 +48,7 @@ module tb_core_icarus #(
     parameter EXACTS     = 0,    // 0..4: leaf units, 0: 1, for 3 and 4 pipes 2, with BOXES SHADES
     parameter SHADES     = 0,    // 0..4: shading units an engine, 0: 1, 2, 2, 4 by PIPES
     parameter SETUPS     = 0,    // 0..2: set-up units an engine, 0: 2 for 4 pipes, else 1
+    parameter WALKS      = 0,    // 0..2: walks of the window, 0: 1, for several pipes 2
     parameter SLOTS      = 64,   // 4..1024, power of two: rays in flight a pipe
     parameter NODE_LINES = 256,  // 8..4096, power of two: node cache, lines; twice if PIPES > 1
     parameter LEAF_LINES = 128,  // 8..4096, power of two: leaf cache, lines; 4 times if PIPES > 1
@@ -110,7 +111,7 @@ module tb_core_icarus #(
         .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM), .SMOOTH(SMOOTH), .CLEAR(CLEAR),
         .TURNED(TURNED), .SPREAD(SPREAD), .COARSE(COARSE), .RECT(RECT), .SPANS(SPANS),
         .CONES(CONES), .ACCEL(ACCEL), .BOXES(BOXES), .ENGINES(ENGINES), .PIPES(PIPES),
-        .EXACTS(EXACTS), .SHADES(SHADES), .SETUPS(SETUPS), .SLOTS(SLOTS),
+        .EXACTS(EXACTS), .SHADES(SHADES), .SETUPS(SETUPS), .WALKS(WALKS), .SLOTS(SLOTS),
         .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES), .TEXTURE_LINES(TEXTURE_LINES),
         .TEXTURE_WAYS(TEXTURE_WAYS), .TEXTURE_GROUP(TEXTURE_GROUP),
         .TEXTURE_COORDS(TEXTURE_COORDS), .ROOTS(ROOTS), .QUOTIENTS(QUOTIENTS),

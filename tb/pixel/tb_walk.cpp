@@ -5,15 +5,14 @@
  * spheres their discriminant and projection, evaluated at each pixel; and sph_is_background().
  * Tables come from a memory that answers in order, some time later, with and without a stall.
  */
-#include "walk_run.h"
-
-#include <deque>
+#include "walk_memory.h"
 
 #include "Vrt_walk.h"
 
 namespace {
 
 using bench::Run;
+using bench::WalkMemory;
 
 struct Pixel {
     int x, y;
@@ -27,51 +26,6 @@ std::vector<Pixel> walk(const int win[4]) {
             for (int x = left; x < left + bench::COLUMN && x < win[2]; x++)
                 pixels.push_back({x, y});
     return pixels;
-}
-
-/* Lines of memory, in order, some clocks after they were asked for; once asked for and once
- * offered they stay. */
-struct Memory {
-    struct Line {
-        uint32_t line;
-        uint64_t due;
-    };
-    std::deque<Line> way;
-    unsigned latency, ready; /* clocks, percent of clocks */
-    long error_at, lines;    /* this line is an error; lines asked for */
-    uint32_t asked;          /* offered and not taken, or NONE */
-    static constexpr uint32_t NONE = UINT32_MAX;
-
-    void begin(bench::Random &random, bool errors) {
-        way.clear();
-        latency = (unsigned)(random.percent(50) ? random.below(8) : random.below(300));
-        ready = random.percent(50) ? 100 : (unsigned)random.between(10, 90);
-        error_at = errors ? (long)random.below(12) : -1;
-        lines = 0;
-        asked = NONE;
-    }
-};
-
-uint64_t set56(const int v[4]) {
-    return (uint64_t)v[3] << 42 | (uint64_t)v[2] << 28 | (uint64_t)v[1] << 14 | (uint64_t)v[0];
-}
-
-void load(Vrt_walk &dut, const Run &r) {
-    dut.window_i = set56(r.win);
-    dut.rect_i = set56(r.rect);
-    dut.bg_mode_i = (uint8_t)r.mode;
-    bench::set(dut.bg_base_i, 26, r.base);
-    dut.bg_count_i = (uint8_t)r.cones.size();
-    bench::set(dut.mem_lines_i, 26, r.lines);
-    bench::set(dut.dir_x0_i, WD, r.dir[0]);
-    bench::set(dut.dir_y0_i, WD, r.dir[1]);
-    bench::set(dut.dir_z_i, WD, r.dir[2]);
-    bench::set(dut.pitch_i, WD, r.pitch);
-    for (int i = 0; i < 3; i++) {
-        dut.first_i[i] = (uint32_t)r.turned[i];
-        dut.across_i[i] = (uint32_t)r.turned[3 + i];
-        dut.down_i[i] = (uint32_t)r.turned[6 + i];
-    }
 }
 
 /* The unit, its memory, and the run of the registers that it makes. */
@@ -99,7 +53,7 @@ class Walk {
   private:
     bench::Bench<Vrt_walk> b;
     bench::Corners corners;
-    Memory mem{};
+    WalkMemory mem{};
     Run r{};
     std::vector<Pixel> pixels;
     uint64_t first = 0;                       /* clock of the first pixel */
@@ -111,9 +65,9 @@ class Walk {
         b.dut.ray_ready_i = b.random.percent(ray_ready);
         b.dut.bg_ready_i = b.random.percent(bg_ready);
         b.dut.mem_req_ready_i = b.random.percent(mem.ready);
-        bool there = !mem.way.empty() && mem.way.front().due <= b.cycle;
+        bool there = mem.there(b.cycle);
         b.dut.mem_rsp_valid_i = there;
-        b.dut.mem_rsp_error_i = there && mem.lines - (long)mem.way.size() == mem.error_at;
+        b.dut.mem_rsp_error_i = there && mem.error();
         for (uint32_t i = 0; i < 8; i++)
             b.dut.mem_rsp_data_i[i] = there && !b.dut.mem_rsp_error_i
                                           ? r.word(mem.way.front().line, i)
@@ -123,19 +77,9 @@ class Walk {
 
     /* What memory takes and gives in the clock. */
     void tick() {
-        if (mem.asked != Memory::NONE &&
-            mem.asked != (b.dut.mem_req_valid_o ? (uint32_t)b.dut.mem_req_line_o : Memory::NONE))
-            b.fail("a request for a line was taken back");
-        mem.asked = b.dut.mem_req_valid_o ? (uint32_t)b.dut.mem_req_line_o : Memory::NONE;
-        if (mem.asked != Memory::NONE) {
-            if (!r.in_table(mem.asked)) b.fail("a line that is not of the table");
-            if (b.dut.mem_req_ready_i) {
-                uint64_t due = b.cycle + 1 + mem.latency;
-                mem.way.push_back({mem.asked, due + b.random.below(mem.latency + 1)});
-                mem.lines++;
-                mem.asked = Memory::NONE;
-            }
-        }
+        uint32_t line = b.dut.mem_req_valid_o ? (uint32_t)b.dut.mem_req_line_o : WalkMemory::NONE;
+        const char *wrong = mem.ask(b.random, r, line, b.dut.mem_req_ready_i, b.cycle);
+        if (wrong) b.fail(wrong);
         if (b.dut.mem_rsp_valid_i && b.dut.mem_rsp_ready_o) mem.way.pop_front();
         bad_tables += b.dut.bad_table_o;
         bus_errors += b.dut.bus_error_o;
@@ -162,6 +106,9 @@ class Walk {
         mem.begin(b.random, r.table() && b.random.percent(5));
         bad_tables = bus_errors = 0;
         load(b.dut, r);
+        bench::set(b.dut.dir_x0_i, WD, r.dir[0]);
+        bench::set(b.dut.dir_y0_i, WD, r.dir[1]);
+        bench::set(b.dut.dir_z_i, WD, r.dir[2]);
         b.dut.start_i = 1;
         ready();
         tick();
