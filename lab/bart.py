@@ -17,7 +17,7 @@ KINDS = "primary", "shadow", "reflected"
 MIP = "off", "level", "between"
 PIPES = 1, 2, 4       # of cores that are compared
 WIDE = 24             # W of profile reference
-TEXEL = 19 / 8        # clocks of rt_texel for one of the eight between two levels
+TEXEL = 13 / 8        # clocks of rt_texel for one of the eight between two levels
 BEAT = 8              # bytes of an upload in a clock: `make sim TOP=1`
 THEIRS = 0.88 * 207360  # LUTs of the paper's Virtex-5 LX330 that it fills
 

@@ -3,7 +3,8 @@
 // One level after the other, four texels each (or the nearest one alone); tiles of 4 x 2 texels, a
 // line each, row by row. One multiplier:
 //   at * size, s and t | texels, weights | row of tiles, y0 and y1 | four requests
-// One hit at a time: 8 clocks a level and one for each request that waits, and one.
+// A level is made ready in 6 clocks while the requests of the one before are sent, so that a hit
+// takes 6 clocks a level, and one.
 // Model: sph_axis_at() in cmodel/texture/texel.c, sph_texel_word() in
 // cmodel/texture/texel.h
 `timescale 1ns / 1ps
@@ -27,6 +28,9 @@ module rt_texel #(
     input  wire [3:0]     in_level_i,
     input  wire [`RT_LINE_BITS:0] in_line_i,      // first line of the level
     input  wire [`RT_LINE_BITS:0] in_next_i,      // of the next one
+    // a level is ready: a clock before its first request
+    output wire           ready_o,
+    output wire [TAG-1:0] ready_tag_o,
     // requests
     output wire           req_valid_o,
     input  wire           req_ready_i,
@@ -38,17 +42,18 @@ module rt_texel #(
     output wire           last_o,
     output wire [31:0]    weights_o       // {t, s of the next level, t, s of the level} u0.8
 );
-    // ---- the hit at hand ----
+    localparam [2:0] READY = 3'd5;
+    // ---- the hit that is made ready ----
     reg              busy_q, nearest_q, both_q, second_q;
     reg [TAG-1:0]    tag_q;
     reg [39:0]       s_q, t_q;
     reg [1:0]        clamp_q;
-    reg [3:0]        step_q;
+    reg [2:0]        step_q;              // stays at the last one until requests are free
     reg [11:0]       w_q, h_q;            // size of the level, less one
     reg [`RT_LINE_BITS:0] line_q, next_q;
     wire             take = in_valid_i && in_ready_o;
-    wire             send = req_valid_o && req_ready_i;
-    wire             level_end = send && (nearest_q || step_q == 4'd8);
+    wire             free;                // no request is left after this clock
+    wire             ready = busy_q && step_q == READY && free;
     wire             more = both_q && !second_q;
     assign in_ready_o = !busy_q;
     // (size >> level, at least 1) - 1
@@ -66,22 +71,22 @@ module rt_texel #(
             {nearest_q, both_q} <= {in_nearest_i, in_both_i};
             next_q <= in_next_i;
         end
-        if (take || (level_end && more)) begin
+        if (take || (ready && more)) begin
             w_q      <= last_w[11:0];
             h_q      <= last_h[11:0];
             line_q   <= take ? in_line_i : next_q;
             second_q <= !take;
-            step_q   <= 4'd0;
-        end else if (busy_q && (!req_valid_o || req_ready_i)) begin
-            step_q   <= step_q + 4'd1;
+            step_q   <= 3'd0;
+        end else if (step_q != READY) begin
+            step_q   <= step_q + 3'd1;
         end
         if (take) busy_q <= 1'b1;
-        else if (level_end && !more) busy_q <= 1'b0;
+        else if (ready && !more) busy_q <= 1'b0;
         if (rst) busy_q <= 1'b0;
     end
 
     // ---- a coordinate: limited if it is clamped, its fraction times the size ----
-    wire             t_turn  = step_q == 4'd1;           // the operands of t enter
+    wire             t_turn  = step_q == 3'd1;           // the operands of t enter
     wire [39:0]      at      = t_turn ? t_q : s_q;
     wire             clamp   = clamp_q[t_turn];
     wire [19:0]      bounded = !clamp ? at[19:0] : at[39] ? 20'd0 : |at[38:20] ? 20'hfffff
@@ -89,15 +94,15 @@ module rt_texel #(
     // ---- and the row of tiles of a texel: y / 2 * tiles ----
     wire [10:0]      tiles   = {1'b0, w_q[11:2]} + 11'd1;         // (w + 3) / 4
     reg  [11:0]      y0_q, y1_q, x0_q, x1_q;
-    wire             row_turn = step_q >= 4'd3;          // y1 as long as the first request waits
-    wire [10:0]      pair    = step_q == 4'd3 ? y0_q[11:1] : y1_q[11:1];
+    wire             row_turn = step_q >= 3'd3;          // y1 until the level leaves
+    wire [10:0]      pair    = step_q == 3'd3 ? y0_q[11:1] : y1_q[11:1];
     wire [19:0]      a       = row_turn ? {9'd0, pair} : bounded;
     wire [12:0]      b       = row_turn ? {2'd0, tiles} : {1'b0, t_turn ? h_q : w_q} + 13'd1;
     reg  [32:0]      prod_q;                             // one clock after its operands
     always @(posedge clk) prod_q <= a * b;
 
     // ---- texels and weight of an axis ----
-    wire             t_done  = step_q == 4'd2;           // the product of t is there
+    wire             t_done  = step_q == 3'd2;           // the product of t is there
     wire [20:0]      place   = prod_q[32:12];            // u13.8
     wire [20:0]      middle  = place + 21'd128;
     wire [12:0]      high    = middle[20:8];             // the second texel, not yet wrapped
@@ -108,39 +113,63 @@ module rt_texel #(
     wire [11:0]      second  = high <= {1'b0, last} ? high[11:0] : stay ? last : 12'd0;
     reg  [31:0]      weights_q;
     wire [7:0]       weight  = nearest_q ? 8'd0 : middle[7:0];
-    reg  [21:0]      row0_q, row1_q;                     // y / 2 * tiles
+    reg  [21:0]      row0_q;                             // y / 2 * tiles; that of y1 is prod_q
     always @(posedge clk) begin
         case (step_q)
-            4'd1: begin
+            3'd1: begin
                 x0_q <= nearest_q ? place[19:8] : first;
                 x1_q <= second;
                 if (second_q) weights_q[23:16] <= weight; else weights_q[7:0] <= weight;
             end
-            4'd2: begin
+            3'd2: begin
                 y0_q <= nearest_q ? place[19:8] : first;
                 y1_q <= second;
                 if (second_q) weights_q[31:24] <= weight; else weights_q[15:8] <= weight;
             end
-            4'd4: row0_q <= prod_q[21:0];
-            4'd5: row1_q <= prod_q[21:0];                // the first request is sent or waits
+            3'd4: row0_q <= prod_q[21:0];
             default: ;
         endcase
         if (take) weights_q <= 32'd0;
     end
 
     // ---- requests: (x0, y0), (x1, y0), (x0, y1), (x1, y1) ----
-    wire [1:0]       corner = step_q[1:0] - 2'd1;        // steps 5 to 8
-    wire [11:0]      x      = corner[0] ? x1_q : x0_q;
-    wire             odd    = corner[1] ? y1_q[0] : y0_q[0];
-    wire [21:0]      row    = corner[1] ? row1_q : row0_q;
-    assign req_valid_o = busy_q && step_q >= 4'd5;
-    assign req_tag_o   = tag_q;
-    assign req_index_o = {second_q, corner};
-    assign req_line_o  = line_q + {{(`RT_LINE_BITS-21){1'b0}}, row} +
+    reg              r_valid_q, r_nearest_q, r_second_q, r_more_q;
+    reg  [1:0]       corner_q;
+    reg  [TAG-1:0]   r_tag_q;
+    reg  [11:0]      r_x0_q, r_x1_q;
+    reg              r_odd0_q, r_odd1_q;
+    reg  [21:0]      r_row0_q, r_row1_q;
+    reg  [`RT_LINE_BITS:0] r_line_q;
+    reg  [31:0]      r_weights_q;
+    wire             level_end = r_valid_q && req_ready_i && (r_nearest_q || &corner_q);
+    wire [11:0]      x   = corner_q[0] ? r_x1_q : r_x0_q;
+    wire             odd = corner_q[1] ? r_odd1_q : r_odd0_q;
+    wire [21:0]      row = corner_q[1] ? r_row1_q : r_row0_q;
+    assign free = !r_valid_q || level_end;
+    always @(posedge clk) begin
+        if (ready) begin
+            {r_tag_q, r_nearest_q, r_second_q, r_more_q} <= {tag_q, nearest_q, second_q, more};
+            {r_x0_q, r_x1_q, r_odd0_q, r_odd1_q} <= {x0_q, x1_q, y0_q[0], y1_q[0]};
+            {r_row0_q, r_row1_q, r_line_q} <= {row0_q, prod_q[21:0], line_q};
+            r_weights_q <= weights_q;
+            corner_q <= 2'd0;
+        end else if (r_valid_q && req_ready_i) begin
+            corner_q <= corner_q + 2'd1;
+        end
+        if (ready) r_valid_q <= 1'b1;
+        else if (level_end) r_valid_q <= 1'b0;
+        if (rst) r_valid_q <= 1'b0;
+    end
+    assign ready_o     = ready;
+    assign ready_tag_o = tag_q;
+    assign req_valid_o = r_valid_q;
+    assign req_tag_o   = r_tag_q;
+    assign req_index_o = {r_second_q, corner_q};
+    assign req_line_o  = r_line_q + {{(`RT_LINE_BITS-21){1'b0}}, row} +
                          {{(`RT_LINE_BITS-9){1'b0}}, x[11:2]};
     assign req_word_o  = {odd, x[1:0]};
-    assign last_o      = level_end && !more;
-    assign weights_o   = weights_q;
+    assign last_o      = level_end && !r_more_q;
+    assign weights_o   = r_weights_q;
     wire unused = &{1'b0, last_w[12], last_h[12], place[20], low[12], prod_q};
 endmodule
 `default_nettype wire

@@ -126,7 +126,8 @@ module rt_texture_image #(
     // ---- texels ----
     wire [7:0]       t_far;
     wire [11:0]      t_lod;
-    wire             t_last;
+    wire             t_last, t_begins;
+    wire [SLOTW+19:0] t_tag;
     wire [31:0]      t_weights;
     rt_texel #(.TAG(SLOTW + 20)) u_texel (
         .clk(clk), .rst(rst), .in_valid_i(j_read_q), .in_ready_o(t_ready),
@@ -134,6 +135,7 @@ module rt_texture_image #(
         .in_clamp_i(st_i[81:80]), .in_nearest_i(filter_i == NEAREST),
         .in_both_i(j_far != 8'd0), .in_w_i(j_w), .in_h_i(j_h), .in_level_i(j_level),
         .in_line_i(j_line), .in_next_i(j_next),
+        .ready_o(t_begins), .ready_tag_o(t_tag),
         .req_valid_o(texel_valid_o), .req_ready_i(texel_ready_i),
         .req_tag_o({texel_slot_o, t_far, t_lod}), .req_index_o(texel_index_o),
         .req_line_o(texel_line_o), .req_word_o(texel_word_o),
@@ -145,7 +147,7 @@ module rt_texture_image #(
     assign mix_slot_o   = texel_slot_o;
     assign mix_o        = {t_far, t_weights};
 
-    // ---- the word: read while a job waits for its texels, written with the last request ----
+    // ---- the word: read before the first request of a level, written with the last one ----
     reg [SLOTS-1:0]  known_q;                // the pixel has one
     reg [19:0]       sum_q;                  // of the job so far
     reg              word_known_q;
@@ -158,7 +160,7 @@ module rt_texture_image #(
     rt_slot_ram #(.WIDTH(32), .SLOTS(SLOTS), .OLD(0)) u_old (
         .clk(clk), .wr_en_i(t_last), .wr_addr_i(texel_slot_o),
         .wr_data_i(next),
-        .rd_en_i(j_take), .rd_addr_i(j_slot), .rd_data_o(old)
+        .rd_en_i(t_begins), .rd_addr_i(t_tag[SLOTW+19:20]), .rd_data_o(old)
     );
     rt_slot_ram #(.WIDTH(32), .SLOTS(SLOTS), .OLD(0)) u_word (
         .clk(clk), .wr_en_i(t_last), .wr_addr_i(texel_slot_o),
@@ -172,6 +174,7 @@ module rt_texture_image #(
         if (word_read_i) word_known_q <= known_q[word_slot_i];
     end
     assign word_o = word_known_q ? word : {12'd`RT_LOD_NONE, 20'd0};
-    wire unused = &{1'b0, j_in, image_i[255:248], near[12], near[7:0], l_image_q, r_image_q};
+    wire unused = &{1'b0, j_in, image_i[255:248], near[12], near[7:0], l_image_q, r_image_q,
+                    t_tag[19:0]};
 endmodule
 `default_nettype wire
