@@ -26,7 +26,7 @@ module rt_quotient #(
     reg [KW-1:0] key_q;
     reg [AW-1:0] a_q;
     assign out_valid_o = full_q && done_q;
-    assign in_ready_o  = !full_q || (out_valid_o && out_ready_i);
+    assign in_ready_o  = !full_q;
     always @(posedge clk) begin
         if (full_q && ends)             done_q <= 1'b1;
         if (out_valid_o && out_ready_i) full_q <= 1'b0;

@@ -36,6 +36,7 @@ module f_quotient #(
     (* hierconn *) wire              \u_dut.full_q ;
     (* hierconn *) wire              \u_dut.ready_q ;
     (* hierconn *) wire [CW-1:0]     \u_dut.count_q ;
+    (* hierconn *) wire              \u_dut.none_q ;
     (* hierconn *) wire [W:0]        \u_dut.rem_q ;
     (* hierconn *) wire [W-1:0]      \u_dut.div_q ;
     (* hierconn *) wire [MW-1:0]     \u_dut.mant_q ;
@@ -134,7 +135,7 @@ module f_quotient #(
     end
 
     always @* if (old_q) begin
-        assert (in_ready == (!full_q || (out_valid && out_ready)));
+        assert (in_ready == !full_q);
         if (full_q) assert (out_valid == (age_q >= latency));       // whatever out_ready did
         else        assert (!out_valid);
         if (wait_q) assert (out_valid && out_mant == mant_q && out_exp == exp_q);
@@ -145,7 +146,7 @@ module f_quotient #(
         if (stepped_q) assert (full_q && mant == mant_d && \u_dut.rem_q == rem_d);
         // invariant
         assert (full_q == \u_dut.full_q );
-        assert (\u_dut.count_q <= ROUNDS);
+        assert (\u_dut.count_q <= ROUNDS && \u_dut.none_q == (\u_dut.count_q == 0));
         if (!full_q) assert (\u_dut.count_q == 0);
         if (full_q) begin
             assert (age_q >= 1 && kn_q[W-1] && an_q[W-1]);

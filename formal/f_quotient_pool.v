@@ -76,7 +76,7 @@ module f_quotient_pool #(
 
     always @* if (old_q) begin
         assert (count_q <= UNITS);
-        assert (in_ready == (count_q != UNITS || give));   // a unit is free, or becomes so
+        assert (in_ready == (count_q != UNITS));           // a unit is free
         assert (out_valid == |\u_dut.done );
         if (out_valid) assert (count_q != 0);
         if (mine) assert (out_valid && out_tag == tag_q && out_mant == key_q[PQ-1:0] &&

@@ -54,6 +54,8 @@ module f_slots #(
     (* hierconn *) wire \u_dut.free_valid , \u_dut.filling , \u_dut.again_valid ;
     (* hierconn *) wire \u_dut.o_blend , \u_dut.o_sky , \u_dut.o_load , \u_dut.o_blend_in ;
     (* hierconn *) wire \u_dut.o_sky_in , \u_dut.free_in , \u_dut.p_valid_q , \u_dut.sky_q ;
+    (* hierconn *) wire \u_dut.r_valid_q ;
+    (* hierconn *) wire [SLOTW-1:0] \u_dut.r_slot_q ;
     (* hierconn *) wire \u_dut.t_valid_q , \u_dut.d_valid_q , \u_dut.d_valid , \u_dut.d_void ;
     (* hierconn *) wire \u_dut.g_probe.u_probe.q_valid , \u_dut.g_probe.u_probe.q_in ;
     (* hierconn *) wire \u_dut.g_probe.u_probe.load ;
@@ -132,12 +134,13 @@ module f_slots #(
     wire d_mine     = \u_dut.d_valid_q && \u_dut.d_slot_q == slot;
     wire s_any      = token || \u_dut.sky_q ;
     wire s_mine     = s_any && \u_dut.slot_q == slot;
+    wire r_mine     = \u_dut.r_valid_q && \u_dut.r_slot_q == slot;
     wire p_mine     = \u_dut.p_valid_q && \u_dut.p_slot_q == slot;
     wire again_mine = \u_dut.again_valid && \u_dut.again_slot == slot;
     wire [SLOTW+2:0] all = {2'd0, SLOTS[SLOTW:0] - \u_dut.fill_q } + {2'd0, n_free} +
                            {2'd0, n_blend} + {2'd0, n_sky} + {2'd0, n_again} + {2'd0, rest_q} +
-                           \u_dut.t_valid_q + \u_dut.d_valid_q + s_any + \u_dut.p_valid_q +
-                           \u_dut.again_valid ;
+                           \u_dut.t_valid_q + \u_dut.d_valid_q + s_any + \u_dut.r_valid_q +
+                           \u_dut.p_valid_q + \u_dut.again_valid ;
     always @* if (old_q) begin
         // no push into a full queue
         if (fill || out)     assert (\u_dut.free_in );
@@ -147,7 +150,7 @@ module f_slots #(
         // tokens: as many as slots, each slot's in one place; a ray is hit, miss, shadow or sky
         assert (all == SLOTS);
         assert (unborn + free_mine_q + rest_mine_q + again_mine_q + blended_mine_q + skies_mine_q +
-                t_mine + d_mine + s_mine + p_mine + again_mine == 5'd1);
+                t_mine + d_mine + s_mine + r_mine + p_mine + again_mine == 5'd1);
         assert (hit[`RT_HIT_HIT] + hit[`RT_HIT_MISS] + hit[`RT_HIT_SHADOW] + \u_dut.sky_q <= 3'd1);
         assert (\u_dut.fill_q <= SLOTS && n_free <= SLOTS && n_blend <= SLOTS && n_sky <= SLOTS &&
                 n_again <= SLOTS && rest_q <= SLOTS);

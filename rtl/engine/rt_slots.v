@@ -213,15 +213,16 @@ module rt_slots #(
         end
     endgenerate
 
-    // ---- delivery ----
+    // ---- delivery: choose a slot | read what it leaves with | the pixel ----
     wire             o_blend, o_sky, o_blend_in, o_sky_in;
     wire [SLOTW:0]   o_end = {end_q, slot_q};
     wire [SLOTW+PB-1:0] o_next;
     wire [SLOTW-1:0] o_blend_slot, o_sky_slot, o_slot;
-    reg              p_valid_q, p_sky_q;
-    reg [SLOTW-1:0]  p_slot_q;
-    wire             o_load = !p_valid_q || pix_ready_i;
-    wire             o_read = o_load && (o_blend || o_sky);
+    reg              r_valid_q, r_sky_q, p_valid_q, p_sky_q;
+    reg [SLOTW-1:0]  r_slot_q, p_slot_q;
+    wire             p_load = !p_valid_q || pix_ready_i;
+    wire             o_load = !r_valid_q || p_load;
+    wire             r_read = r_valid_q && p_load;
     assign           o_slot = o_blend ? o_blend_slot : o_sky_slot;
     rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_blended (
         .clk(clk), .rst(rst), .in_valid_i(end_valid_i), .in_ready_o(o_blend_in),
@@ -240,23 +241,28 @@ module rt_slots #(
     rt_slot_ram #(.WIDTH(28), .SLOTS(SLOTS), .OLD(0)) u_pixel (
         .clk(clk), .wr_en_i(taken), .wr_addr_i(free_slot),
         .wr_data_i({start_i[`RT_START_Y], start_i[`RT_START_X]}),
-        .rd_en_i(o_read), .rd_addr_i(o_slot),
+        .rd_en_i(r_read), .rd_addr_i(r_slot_q),
         .rd_data_o({pix_o[`RT_PIXEL_Y], pix_o[`RT_PIXEL_X]})
     );
     rt_slot_ram #(.WIDTH(KW+`RT_ID_BITS), .SLOTS(SLOTS), .OLD(0)) u_first (
         .clk(clk), .wr_en_i(seen_q), .wr_addr_i(slot_q), .wr_data_i({id_q, key_q}),
-        .rd_en_i(o_read), .rd_addr_i(o_slot), .rd_data_o({p_id, p_key})
+        .rd_en_i(r_read), .rd_addr_i(r_slot_q), .rd_data_o({p_id, p_key})
     );
     always @(posedge clk) begin
         if (o_load) begin
-            p_valid_q  <= o_blend || o_sky;
-            p_sky_q    <= !o_blend && !o_sky_end;
-            p_slot_q   <= o_slot;
+            r_valid_q  <= o_blend || o_sky;
+            r_sky_q    <= !o_blend && !o_sky_end;
+            r_slot_q   <= o_slot;
         end
-        if (rst) p_valid_q <= 1'b0;
+        if (p_load) begin
+            p_valid_q  <= r_valid_q;
+            p_sky_q    <= r_sky_q;
+            p_slot_q   <= r_slot_q;
+        end
+        if (rst) begin r_valid_q <= 1'b0; p_valid_q <= 1'b0; end
     end
-    assign read_o      = o_read;
-    assign read_slot_o = o_slot;
+    assign read_o      = r_read;
+    assign read_slot_o = r_slot_q;
     assign pix_valid_o = p_valid_q;
     assign pix_o[`RT_PIXEL_COLOUR]  = p_sky_q ? {3{background}} : colour_i;
     assign pix_o[`RT_PIXEL_ID]      = p_sky_q ? `RT_ID_BITS'd`RT_ID_NONE : p_id;

@@ -3,8 +3,8 @@
 // Both operands are shifted left until their top bit is set, by STEP or 1 a clock; then restoring
 // division gives mant = floor(key' / a' * 2^(PQ-1)): key / a = mant * 2^-exp, truncated.
 // One quotient at a time. It takes n(z) + ceil(PQ/STEP) + 2 clocks with n = floor(z/STEP) + z%STEP,
-// that of the two operands' leading zeros z whose n is greater. Model: sph_quotient() in
-// math/quotient.c
+// that of the two operands' leading zeros z whose n is greater, and a clock more until the next
+// operands. Model: sph_quotient() in math/quotient.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_check.vh"
@@ -69,6 +69,7 @@ module rt_quotient #(
     // ---- control; the result stays in the registers until it is taken ----
     reg              full_q;                 // operands or their quotient are inside
     reg [CW-1:0]     count_q;                // rounds left
+    reg              none_q;                 // there are none
     reg signed [7:0] exp_q;
     wire             take = in_valid_i && in_ready_o;
     always @(posedge clk) begin
@@ -76,12 +77,14 @@ module rt_quotient #(
             full_q  <= 1'b1;
             ready_q <= 1'b0;
             count_q <= FIRST;
+            none_q  <= 1'b0;
             exp_q   <= EXP;
         end else if (full_q && !ready_q) begin
             ready_q <= !key_one && !a_one;
             exp_q   <= exp_q + up - down;
-        end else if (count_q != 0) begin
+        end else if (!none_q) begin
             count_q <= count_q - 1'b1;
+            none_q  <= count_q == 1;
             mant_q  <= mant_d;
         end else if (out_ready_i) begin
             full_q <= 1'b0;
@@ -95,10 +98,11 @@ module rt_quotient #(
         if (rst) begin
             full_q  <= 1'b0;
             count_q <= {CW{1'b0}};
+            none_q  <= 1'b1;
         end
     end
-    assign out_valid_o = full_q && ready_q && count_q == 0;
-    assign in_ready_o  = !full_q || (out_valid_o && out_ready_i);
+    assign out_valid_o = full_q && ready_q && none_q;
+    assign in_ready_o  = !full_q;            // not in the clock in which a quotient is taken
     assign out_mant_o  = mant_q[MW-1 -: PQ];
     assign out_exp_o   = exp_q;
 

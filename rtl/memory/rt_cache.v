@@ -189,19 +189,28 @@ module rt_cache #(
     endgenerate
 
     // ---- stage 2: victim, the first way not used lately; never one whose line is coming ----
-    wire [WAYS-1:0] lately;                 // ways used since all were
+    reg  [WAYS-1:0] lately_q;               // ways used since all were
     wire [WAYS-1:0] may   = ~s2_coming_q;
-    wire [WAYS-1:0] pick  = |(may & ~lately) ? may & ~lately : may;
+    wire [WAYS-1:0] pick  = |(may & ~lately_q) ? may & ~lately_q : may;
     assign victim         = pick & (~pick + 1'b1);
-    wire [WAYS-1:0] touch = s2_miss ? victim : s2_hit_q | s2_follow_q;
-    wire [WAYS-1:0] after = lately | touch;
+    wire [WAYS-1:0] found = s2_hit_q | s2_follow_q;
+    wire [WAYS-1:0] touch = s2_miss ? victim : found;
+    wire [WAYS-1:0] after = lately_q | touch;
+    wire [WAYS-1:0] s1_lately;
     rt_slot_file #(.WIDTH(WAYS), .SLOTS(SETS)) u_lately (
         .clk(clk),
         .wr_en_i(walk_step || s2_go),
         .wr_addr_i(walk_q ? walk_set_q : s2_set),
         .wr_data_i(walk_q ? {WAYS{1'b0}} : &after ? touch : after),
-        .rd_addr_i(s2_set), .rd_data_o(lately)
+        .rd_addr_i(s1_set), .rd_data_o(s1_lately)
     );
+    // Read in stage 1. A lookup of the same set in stage 2 has found its line, or stage 1 waits.
+    wire [WAYS-1:0] both  = lately_q | found;
+    always @(posedge clk) begin
+        if (s2_free) lately_q <= !s2_valid_q || s1_set != s2_set ? s1_lately
+                               : &both ? found : both;
+        if (walk_q)  lately_q <= {WAYS{1'b0}};
+    end
 
     // ---- stage 2: where to. A hit needs the data RAM, the rest a place in the queue ----
     wire rsp_free;                          // the response register can take a line
@@ -307,7 +316,7 @@ module rt_cache #(
         .clk(clk),
         .wr_en_i(fill), .wr_addr_i(fill_at),
         .wr_data_i({mem_rsp_error_i, mem_rsp_data_i}),
-        .rd_en_i(head_go || hit_go),
+        .rd_en_i(rsp_free && (head_ready || (s2_run && s2_hit))),   // head_go || hit_go
         .rd_addr_i(head_ready ? head_at : hit_at),
         .rd_data_o({rsp_error_o, rsp_data_o})
     );

@@ -4,7 +4,8 @@
 // dir = (DIR_X0 + x*PITCH, DIR_Y0 - y*PITCH, DIR_Z), exact, by forward differences; with TURNED the
 // top WD of the 32 bits of each component of DIR + x*ACROSS + y*DOWN.
 // Background separation: Borodavka et al. V.C; a background pixel leaves by its own port.
-// One pixel a cycle, with CONES less 3 cycles a column; WIN_X0 + WIN_Y0 + 3 cycles from start_i to
+// Ends of rows and of the column are told a pixel ahead; what leaves does so from a register.
+// One pixel a cycle, with CONES less 3 cycles a column; WIN_X0 + WIN_Y0 + 4 cycles from start_i to
 // the first, and more with CONES or SPANS.
 // Model: sph_primary_dir() in cmodel/pixel/walk.h, sph_is_background() in
 // cmodel/pixel/background.c
@@ -80,17 +81,19 @@ module rt_walk #(
     wire        step;                              // the pixel leaves
     wire [13:0] x_next     = x_q + 14'd1;
     wire [13:0] y_next     = y_q + 14'd1;
-    wire        end_x      = x_next == x1;
-    wire        end_y      = y_next == y1;
-    wire        row_end    = end_x || &column_q;
+    reg         end_x_q, end_y_q;                  // the last pixel to the right, downwards
+    reg         left_end_q, top_end_q;             // the same of the column's left, top pixel
+    reg         row_end_q;                         // of the column or of the window
+    wire        next_end_x = x_q == x1 - 14'd2;    // the pixel to the right is the last one
+    wire        next_end_y = y_q == y1 - 14'd2;
     wire        turn       = CONES != 0 && top_q;  // the row's end takes a cycle more
     wire        seek_down  = state_q == DOWN && y_q != y0;
     wire        seek_right = state_q == RIGHT && x_q != x0;
     wire        seek_end   = state_q == RIGHT && x_q == x0;
-    wire        step_right = step && !row_end;
-    wire        step_row   = (step && row_end && !turn) || state_q == TURN;
-    wire        step_down  = step_row && !end_y;
-    wire        new_column = step_row && end_y;
+    wire        step_right = step && !row_end_q;
+    wire        step_row   = (step && row_end_q && !turn) || state_q == TURN;
+    wire        step_down  = step_row && !end_y_q;
+    wire        new_column = step_row && end_y_q;
     wire [DW-1:0] dx_first, dy_first, dx_next, dy_next;
     wire [3*WD-1:0] dir;                           // {z, y, x}
     wire        loaded;
@@ -98,41 +101,57 @@ module rt_walk #(
         if (seek_right || step_right || new_column) begin
             x_q  <= x_next;
             dx_q <= dx_next;
+            end_x_q <= next_end_x;
         end else if (step_down) begin
             x_q  <= left_x_q;
             dx_q <= left_dx_q;
+            end_x_q <= left_end_q;
         end
         if (seek_down || step_down) begin
             y_q  <= y_next;
             dy_q <= dy_next;
+            end_y_q <= next_end_y;
         end else if (new_column) begin
             y_q  <= y0;
             dy_q <= top_dy_q;
+            end_y_q <= top_end_q;
         end
-        if (step_right) column_q <= column_q + 3'd1;
-        if (step_row || seek_end) column_q <= 3'd0;
+        if (step_right) begin
+            column_q  <= column_q + 3'd1;
+            row_end_q <= next_end_x || column_q == 3'd6;
+        end
+        if (step_row || seek_end) begin
+            column_q  <= 3'd0;
+            row_end_q <= seek_end ? end_x_q : end_y_q ? next_end_x : left_end_q;
+        end
         if (step_down) top_q <= 1'b0;
         if (seek_end || new_column) begin
             top_q     <= 1'b1;
             left_x_q  <= seek_end ? x_q : x_next;
             left_dx_q <= seek_end ? dx_q : dx_next;
+            left_end_q <= seek_end ? end_x_q : next_end_x;
         end
-        if (seek_end) top_dy_q <= dy_q;
+        if (seek_end) begin
+            top_dy_q  <= dy_q;
+            top_end_q <= end_y_q;
+        end
         case (state_q)
             LOAD:    if (loaded) state_q <= DOWN;
             DOWN:    if (!seek_down) state_q <= x0 < x1 && y0 < y1 ? RIGHT : IDLE;
             RIGHT:   if (seek_end) state_q <= CONES != 0 ? COLUMN : WALK;
             COLUMN:  state_q <= HEAD;
             HEAD:    state_q <= WALK;
-            WALK:    if (step && row_end && turn) state_q <= TURN;
-                     else if (new_column) state_q <= end_x ? IDLE : CONES != 0 ? COLUMN : WALK;
-            TURN:    state_q <= !end_y ? WALK : end_x ? IDLE : COLUMN;
+            WALK:    if (step && row_end_q && turn) state_q <= TURN;
+                     else if (new_column) state_q <= end_x_q ? IDLE : CONES != 0 ? COLUMN : WALK;
+            TURN:    state_q <= !end_y_q ? WALK : end_x_q ? IDLE : COLUMN;
             default: if (start_i) begin
                 state_q <= CONES != 0 ? LOAD : DOWN;
                 x_q     <= 14'd0;
                 y_q     <= 14'd0;
                 dx_q    <= dx_first;
                 dy_q    <= dy_first;
+                end_x_q <= x1 == 14'd1;
+                end_y_q <= y1 == 14'd1;
             end
         endcase
         if (rst) state_q <= IDLE;
@@ -174,7 +193,7 @@ module rt_walk #(
                 .clk(clk), .rst(rst), .start_i(start_i && state_q == IDLE),
                 .window_i(window_i), .mode_i(bg_mode_i), .base_i(bg_base_i),
                 .count_i(bg_count_i), .mem_lines_i(mem_lines_i),
-                .x_i(x_q), .row_next_i(step && row_end),
+                .x_i(x_q), .row_next_i(step && row_end_q),
                 .fetch_i((state_q == LOAD && loaded) || state_q == COLUMN),
                 .enter_i(state_q == DOWN || state_q == HEAD || step_down),
                 .right_i(seek_right || step_right || (step && turn)),
@@ -197,40 +216,29 @@ module rt_walk #(
     wire offered = state_q == WALK && decided;
     wire traced  = in_rect && in_table;
 
-    // ---- output; a register parts the tests of tables from what follows ----
-    generate
-        if (TABLES) begin : g_register
-            reg        valid_q, traced_q;
-            reg [13:0] out_x_q, out_y_q;
-            localparam KEPT = TURNED != 0 ? 3*WD : 2*WD;   // dir_z_i stays
-            reg [KEPT-1:0] out_dir_q;
-            wire free   = !valid_q || (traced_q ? ray_ready_i : bg_ready_i);
-            assign step = offered && free;
-            always @(posedge clk) begin
-                if (free) begin
-                    valid_q  <= offered;
-                    traced_q <= traced;
-                    out_x_q  <= x_q;
-                    out_y_q  <= y_q;
-                    out_dir_q <= dir[KEPT-1:0];
-                end
-                if (rst) valid_q <= 1'b0;
-            end
-            assign busy_o      = state_q != IDLE || valid_q;
-            assign ray_valid_o = valid_q && traced_q;
-            assign bg_valid_o  = valid_q && !traced_q;
-            assign {x_o, y_o} = {out_x_q, out_y_q};
-            assign {ray_dir_y_o, ray_dir_x_o} = out_dir_q[2*WD-1:0];
-            assign ray_dir_z_o = TURNED != 0 ? out_dir_q[KEPT-1 -: WD] : dir[3*WD-1 -: WD];
-        end else begin : g_direct
-            assign step        = (ray_valid_o && ray_ready_i) || (bg_valid_o && bg_ready_i);
-            assign busy_o      = state_q != IDLE;
-            assign ray_valid_o = offered && traced;
-            assign bg_valid_o  = offered && !traced;
-            assign {x_o, y_o} = {x_q, y_q};
-            assign {ray_dir_z_o, ray_dir_y_o, ray_dir_x_o} = dir;
+    // ---- output; a register parts the choice of way from what follows ----
+    localparam KEPT = TURNED != 0 ? 3*WD : 2*WD;   // dir_z_i stays
+    reg        valid_q, traced_q;
+    reg [13:0] out_x_q, out_y_q;
+    reg [KEPT-1:0] out_dir_q;
+    wire free   = !valid_q || (traced_q ? ray_ready_i : bg_ready_i);
+    assign step = offered && free;
+    always @(posedge clk) begin
+        if (free) begin
+            valid_q  <= offered;
+            traced_q <= traced;
+            out_x_q  <= x_q;
+            out_y_q  <= y_q;
+            out_dir_q <= dir[KEPT-1:0];
         end
-    endgenerate
+        if (rst) valid_q <= 1'b0;
+    end
+    assign busy_o      = state_q != IDLE || valid_q;
+    assign ray_valid_o = valid_q && traced_q;
+    assign bg_valid_o  = valid_q && !traced_q;
+    assign {x_o, y_o} = {out_x_q, out_y_q};
+    assign {ray_dir_y_o, ray_dir_x_o} = out_dir_q[2*WD-1:0];
+    assign ray_dir_z_o = TURNED != 0 ? out_dir_q[KEPT-1 -: WD] : dir[3*WD-1 -: WD];
     wire unused = &{1'b0, rect_i, bg_mode_i};
 endmodule
 `default_nettype wire

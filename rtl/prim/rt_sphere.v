@@ -114,14 +114,14 @@ module rt_sphere #(
     assign root_o = r_valid && r_ready;
 
     // ---- those under way: taken, and not yet in a root unit or given ----
-    reg [4:0] held_q;
+    reg [4:0] held_q;                                // a clock late where some left
+    reg [1:0] left_q;                                // so many left in the last clock
     wire      d_leaves = d_valid && d_taken;
-    wire      left = root_o || d_leaves;
-    wire      both = root_o && d_leaves;
     always @(posedge clk) begin
-        credit_q <= held_q < HOLD - 2;               // and one may be taken meanwhile
-        held_q <= held_q + {4'd0, in_valid_i && in_ready_o} - {4'd0, left} - {4'd0, both};
-        if (rst) begin held_q <= 5'd0; credit_q <= 1'b0; end
+        left_q   <= {root_o && d_leaves, root_o != d_leaves};
+        credit_q <= held_q < HOLD - 1;               // in clocks that follow none are taken
+        held_q   <= held_q + {4'd0, in_valid_i && in_ready_o} - {3'd0, left_q};
+        if (rst) begin held_q <= 5'd0; credit_q <= 1'b0; left_q <= 2'd0; end
     end
 
     // ---- results: root units first ----

@@ -3,7 +3,8 @@
 // Two rt_blend take turns, a surface every 4 cycles. The state of a pixel between two surfaces is
 // {depth, frames, weight, sum}: 116 bits for three frames, 89 for two (one reflection, no depth).
 // Without reflections there is one surface and no state: rt_colour makes the one frame.
-// read_i reads the state of a slot for the surface that enters one cycle later.
+// read_i reads the state of a slot for the surface that enters one cycle later. What is blended
+// leaves a cycle after rt_blend has it: whether a ray goes on is compared before.
 // Model: sph_surface_colour(), sph_blend_add() in cmodel/shade/colour.c
 `timescale 1ns / 1ps
 `default_nettype none
@@ -32,10 +33,10 @@ module rt_blends #(
     input  wire             in_last_i,        // nothing lies behind: the frames are complete
     input  wire             in_probe_i,       // to be probed
     // it is blended
-    output wire             out_valid_o,      // one cycle
-    output wire [$clog2(SLOTS)-1:0] out_slot_o,
-    output wire             out_last_o,
-    output wire             out_probe_o,
+    output reg              out_valid_o,      // one cycle
+    output reg [$clog2(SLOTS)-1:0] out_slot_o,
+    output reg              out_last_o,
+    output reg              out_probe_o,
     // complete frames of a slot, one cycle after
     input  wire             frames_read_i,
     input  wire [$clog2(SLOTS)-1:0] frames_slot_i,
@@ -47,11 +48,18 @@ module rt_blends #(
     localparam CB     = `RT_RGB_BITS;                // of a frame
     wire [SLOTW+1:0]     in_tag = {in_probe_i, in_last_i, in_slot_i};
     wire [TAG-1:0]       out_tag;
-    assign out_slot_o  = out_tag[SLOTW-1:0];
-    assign out_probe_o = PROBE != 0 && out_tag[TAG-1];
+    wire                 b_valid, b_last;            // it leaves in the next cycle
+    wire [SLOTW-1:0]     b_slot = out_tag[SLOTW-1:0];
     wire [CB*FRAMES-1:0] out_colour, frames;
+    always @(posedge clk) begin
+        out_valid_o <= b_valid;
+        out_slot_o  <= b_slot;
+        out_last_o  <= b_last;
+        out_probe_o <= PROBE != 0 && out_tag[TAG-1];
+        if (rst) out_valid_o <= 1'b0;
+    end
     rt_slot_ram #(.WIDTH(CB*FRAMES), .SLOTS(SLOTS), .OLD(0)) u_frames (
-        .clk(clk), .wr_en_i(out_valid_o && out_last_o), .wr_addr_i(out_slot_o),
+        .clk(clk), .wr_en_i(b_valid && b_last), .wr_addr_i(b_slot),
         .wr_data_i(out_colour),
         .rd_en_i(frames_read_i), .rd_addr_i(frames_slot_i), .rd_data_o(frames)
     );
@@ -65,11 +73,11 @@ module rt_blends #(
 
         if (REFLECT == 0) begin : g_colour
             assign depth_o = 4'd0;
-            assign out_last_o = out_tag[SLOTW];
+            assign b_last = out_tag[SLOTW];
             rt_colour #(.TAG(TAG)) u_colour (
                 .clk(clk), .rst(rst), .in_valid_i(in_valid_i), .in_ready_o(in_ready_o),
                 .in_tag_i(in_tag[TAG-1:0]), .in_light_i(in_light_i),
-                .in_albedo_i(in_albedo_i), .out_valid_o(out_valid_o),
+                .in_albedo_i(in_albedo_i), .out_valid_o(b_valid),
                 .out_tag_o(out_tag), .out_colour_o(out_colour)
             );
             wire unused = &{1'b0, read_i, read_slot_i, in_first_i, in_background_i, in_kr_i,
@@ -95,9 +103,9 @@ module rt_blends #(
             assign {o_depth, out_colour, o_weight, o_sum} = valid[0] ? results[BW-1:0]
                                                                      : results[2*BW-1:BW];
             assign depth_o     = {{(4-DW){1'b0}}, depth};
-            assign out_last_o  = out_tag[SLOTW] || o_weight[16:8] < least_i;
+            assign b_last      = out_tag[SLOTW] || o_weight[16:8] < least_i;
             assign in_ready_o  = |ready;
-            assign out_valid_o = |valid;             // never both: one enters a cycle
+            assign b_valid     = |valid;             // never both: one enters a cycle
             assign out_tag     = valid[0] ? tags[TAG-1:0] : tags[2*TAG-1:TAG];
             wire [SW-1:0]         next;
             if (REFLECT > 1) begin : g_depth
@@ -109,7 +117,7 @@ module rt_blends #(
                 wire unused = &{1'b0, o_depth};
             end
             rt_slot_ram #(.WIDTH(SW), .SLOTS(SLOTS), .OLD(0), .LUTS(LUTS)) u_state (
-                .clk(clk), .wr_en_i(out_valid_o), .wr_addr_i(out_slot_o),
+                .clk(clk), .wr_en_i(b_valid), .wr_addr_i(b_slot),
                 .wr_data_i(next),
                 .rd_en_i(read_i), .rd_addr_i(read_slot_i), .rd_data_o(state)
             );

@@ -65,14 +65,19 @@ module rt_bounce #(
             {out_behind_o, out_tag_o} <= {s2_dn_q[PW-1], in_tag_q};
     end
 
-    // ---- stage 1: products; the half above bit WD first, signed, then the lower, unsigned ----
+    // ---- stage 1: products; the half above bit WD first, signed, then the lower, unsigned;
+    //      the factor of A is chosen a cycle before ----
     reg  signed [PW-1:0] s1_a_q, s1_b_q;
-    wire                 lo = ph_q[6] || ph_q[8] || ph_q[10];
-    wire signed [WD:0]   nn = $signed({1'b0, lo ? nn_q[WD-1:0] : nn_q[2*WD-1:WD]});
-    wire signed [WD:0]   dn = $signed(lo ? {1'b0, s2_dn_q[WD-1:0]} : s2_dn_q[PW-1:WD]);
-    wire signed [WD:0]   s1_by = |ph_q[3:1] ? $signed({nrm_x_q[WD-1], nrm_x_q}) : nn;
+    reg  signed [WD:0]   by_q;                  // normal, then nn by halves
+    reg                  lo_q;                  // cycles 6, 8, 10
+    wire                 lo_next = ph_q[5] || ph_q[7] || ph_q[9];
+    wire signed [WD-1:0] nrm_next = take ? in_normal_x_i : nrm_y_q;
+    wire signed [WD:0]   nn = $signed({1'b0, lo_next ? nn_q[WD-1:0] : nn_q[2*WD-1:WD]});
+    wire signed [WD:0]   dn = $signed(lo_q ? {1'b0, s2_dn_q[WD-1:0]} : s2_dn_q[PW-1:WD]);
     always @(posedge clk) begin
-        s1_a_q <= dir_x_q * s1_by;
+        lo_q   <= lo_next;
+        by_q   <= take || |ph_q[2:1] ? $signed({nrm_next[WD-1], nrm_next}) : nn;
+        s1_a_q <= dir_x_q * by_q;
         s1_b_q <= nrm_x_q * dn;
     end
 

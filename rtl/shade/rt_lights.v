@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every event adds one light's share to the slot's sum (nothing at the start, or in shadow), then
 // sends the vector to the next light to rt_setup, or the token on to rt_compose. An event goes in
-// every 3 clocks, and a vector is made in 3, a component each. Without shadow rays there is no
-// queue for them; a light that is the only one has no number. A vector is light -
-// round(point / 2^shift).
+// every 3 clocks, and a vector is made in 3, a component each:
+//   a_valid | read the point | 1 its component | 1 the vector's | ... the third leaves 5 clocks on
+// Without shadow rays there is no queue for them; a light that is the only one has no number. A
+// vector is light - round(point / 2^shift).
 // Model: sph_job_light() in cmodel/engine/render_light.c
 `timescale 1ns / 1ps
 `default_nettype none
@@ -240,34 +241,39 @@ module rt_lights #(
         .rd_en_i(a_valid), .rd_addr_i(a_slot), .rd_data_o(v_point)
     );
     wire a_last = a_next == n_lights_i[NW-1:0];
-    reg  [2:1] go_q;                                  // a vector has its second, third component
+    reg  [4:1] go_q;                                  // clocks since a vector was begun
+    reg [SLOTW-1:0] vec_slot_q;
     always @(posedge clk) begin
         {vec_valid_o, go_q} <= {go_q, a_valid && !a_last};
-        if (a_valid) vec_slot_o <= a_slot;
+        if (a_valid) vec_slot_q <= a_slot;
+        if (go_q[3]) vec_slot_o <= vec_slot_q;
         turn_q      <= turn + 2'd1;
         sum_valid_o <= a_valid && a_last;
         sum_slot_o  <= a_slot;
         sum_o       <= a_sum;
-        if (rst) {vec_valid_o, go_q, sum_valid_o} <= 4'd0;
+        if (rst) {vec_valid_o, go_q, sum_valid_o} <= 6'd0;
     end
 
     // ---- a component a clock: point / 2^shift with a bit behind it, and light minus that, half
     //      up: exact, WD > W ----
-    reg  [WD-1:0]        pos_q;
-    reg  [EW-1:0]        shift_q;
-    reg  [2*WD-1:0]      vec_q;                       // {y, x}
-    wire signed [W-1:0]  own   = $signed(turn_q == 2'd1 ? v_point[0 +: W]
-                                         : turn_q == 2'd2 ? v_point[W +: W] : v_point[2*W +: W]);
-    wire signed [W:0]    at    = $signed({own, 1'b0});
-    wire signed [W:0]    part  = at >>> shift_q;
+    reg  [WD-1:0]        pos_q, own_pos_q;
+    reg  [EW-1:0]        shift_q, own_shift_q;
+    reg  [3*WD-1:0]      vec_q;                       // {z, y, x}
+    reg  signed [W-1:0]  own_q;                       // the point's component
+    wire signed [W:0]    at    = $signed({own_q, 1'b0});
+    wire signed [W:0]    part  = at >>> own_shift_q;
     wire [WD-1:0]        whole = {{(WD-W){part[W]}}, part[W:1]};
-    wire [WD-1:0]        way   = pos_q + ~whole + {{(WD-1){1'b0}}, !part[0]};
+    wire [WD-1:0]        way   = own_pos_q + ~whole + {{(WD-1){1'b0}}, !part[0]};
     always @(posedge clk) begin
-        pos_q   <= pos;
-        shift_q <= shift;
-        vec_q   <= {way, vec_q[2*WD-1:WD]};
+        pos_q       <= pos;
+        shift_q     <= shift;
+        own_q       <= turn_q == 2'd1 ? v_point[0 +: W]
+                       : turn_q == 2'd2 ? v_point[W +: W] : v_point[2*W +: W];
+        own_pos_q   <= pos_q;
+        own_shift_q <= shift_q;
+        vec_q       <= {way, vec_q[3*WD-1:WD]};
     end
-    assign vec_o = {way, vec_q};
+    assign vec_o = vec_q;
     wire unused = &{1'b0, s_in, l_in, t_in, a_part, k_part, light_data_i,
                     n_lights_i, l_new, ambient_i};
 endmodule

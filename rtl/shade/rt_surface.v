@@ -110,15 +110,27 @@ module rt_surface #(
         end
     endgenerate
 
-    // ---- fetch the primitive record, if there is a place for it ----
-    wire p_in, p_valid, room;
+    // ---- fetch the primitive record, if there is a place for it; by way of a register ----
+    wire             p_in, p_valid, room;
+    wire [FB-1:0]    p_fetch;
+    reg              f_valid_q;
+    reg  [FB-1:0]    f_q;
+    wire             f_load = !f_valid_q || fetch_ready_i;
+    wire             f_take = f_load && p_valid && room;
     rt_fifo #(.WIDTH(FB), .DEPTH(SLOTS)) u_fetches (
         .clk(clk), .rst(rst), .in_valid_i(on ? t_valid : in_valid), .in_ready_o(p_in),
         .in_data_i(on ? t_fetch : {in_slot, in_line}),
-        .out_valid_o(p_valid), .out_ready_i(fetch_ready_i && room),
-        .out_data_o({fetch_o[`RT_FETCH_SLOT], fetch_o[`RT_FETCH_LINE]})
+        .out_valid_o(p_valid), .out_ready_i(f_take), .out_data_o(p_fetch)
     );
-    assign fetch_o[`RT_FETCH_VALID] = p_valid && room;
+    always @(posedge clk) begin
+        if (f_load) begin
+            f_valid_q <= f_take;
+            f_q       <= p_fetch;
+        end
+        if (rst) f_valid_q <= 1'b0;
+    end
+    assign fetch_o[`RT_FETCH_VALID] = f_valid_q;
+    assign {fetch_o[`RT_FETCH_SLOT], fetch_o[`RT_FETCH_LINE]} = f_q;
     wire [255:0]     prim = record_i[`RT_RECORD_DATA];
     wire [SLOTW-1:0] prim_slot = record_i[`RT_RECORD_SLOT];
     wire             r_valid = record_i[`RT_RECORD_VALID];
@@ -176,40 +188,40 @@ module rt_surface #(
             wire             r_far, ready, saturated;
             wire [3*W-1:0]   point;
             wire [3*WD-1:0]  normal;
+            reg              r_read_q;        // r_slot_q is loaded; its ray and t are read
             reg              r_valid_q;
             reg [SLOTW-1:0]  r_slot_q;
             reg [`RT_LEAF_STRIDE-1:0] r_shape_q;  // what is no material
 
             localparam EW = SLOTW + `RT_LEAF_STRIDE;
             wire             credit;
-            wire             e_valid;         // the next record; it goes to r with its ray and t
+            wire             e_valid;         // the next record goes to r, then ray and t are read
             wire [EW-1:0]    e;
-            wire [SLOTW-1:0] e_slot = e[EW-1 -: SLOTW];
-            wire             r_ready = !r_valid_q || ready;
+            wire             r_ready = !r_read_q && (!r_valid_q || ready);
             wire             e_load = e_valid && r_ready;
             assign room = !on || credit;
             rt_credit_fifo #(.WIDTH(EW), .DEPTH(16)) u_records (
                 .clk(clk), .rst(rst),
-                .credit_o(credit), .ask_i(on && fetch_o[`RT_FETCH_VALID] && fetch_ready_i),
+                .credit_o(credit), .ask_i(on && f_take),
                 .in_valid_i(on && r_valid), .in_data_i({prim_slot, prim[`RT_LEAF_STRIDE-1:0]}),
                 .out_valid_o(e_valid), .out_ready_i(r_ready), .out_data_o(e)
             );
             rt_slot_ram #(.WIDTH(TW), .SLOTS(SLOTS), .OLD(0)) u_t (
                 .clk(clk), .wr_en_i(t_valid), .wr_addr_i(t_fetch[`RT_LINE_BITS +: SLOTW]),
                 .wr_data_i(t),
-                .rd_en_i(e_load), .rd_addr_i(e_slot), .rd_data_o(r_t)
+                .rd_en_i(r_read_q), .rd_addr_i(r_slot_q), .rd_data_o(r_t)
             );
             if (BOUNCES != 0) begin : g_org
                 rt_slot_ram #(.WIDTH(3*W+3*WD), .SLOTS(SLOTS), .OLD(0)) u_ray (
                     .clk(clk), .wr_en_i(ray_valid), .wr_addr_i(ray_slot),
                     .wr_data_i({ray_i[`RT_RAY_DIR], ray_i[`RT_RAY_ORG]}),
-                    .rd_en_i(e_load), .rd_addr_i(e_slot), .rd_data_o({r_dir, r_org})
+                    .rd_en_i(r_read_q), .rd_addr_i(r_slot_q), .rd_data_o({r_dir, r_org})
                 );
             end else begin : g_eye
                 rt_slot_ram #(.WIDTH(3*WD), .SLOTS(SLOTS), .OLD(0)) u_ray (
                     .clk(clk), .wr_en_i(ray_valid), .wr_addr_i(ray_slot),
                     .wr_data_i(ray_i[`RT_RAY_DIR]),
-                    .rd_en_i(e_load), .rd_addr_i(e_slot), .rd_data_o(r_dir)
+                    .rd_en_i(r_read_q), .rd_addr_i(r_slot_q), .rd_data_o(r_dir)
                 );
                 assign r_org = regs_i[`RT_REGS_EYE];
             end
@@ -217,15 +229,16 @@ module rt_surface #(
                 rt_slot_ram #(.WIDTH(1), .SLOTS(SLOTS), .OLD(0), .LUTS(LUTS)) u_far (
                     .clk(clk), .wr_en_i(in_valid), .wr_addr_i(in_slot),
                     .wr_data_i(hit_i[`RT_HIT_FAR]),
-                    .rd_en_i(e_load), .rd_addr_i(e_slot), .rd_data_o(r_far)
+                    .rd_en_i(r_read_q), .rd_addr_i(r_slot_q), .rd_data_o(r_far)
                 );
             end else begin : g_near
                 assign r_far = 1'b0;
             end
             always @(posedge clk) begin
                 if (e_load)  {r_slot_q, r_shape_q} <= e;
-                if (r_ready) r_valid_q <= e_valid;
-                if (rst) r_valid_q <= 1'b0;
+                r_read_q  <= e_load;
+                r_valid_q <= r_read_q || (r_valid_q && !ready);
+                if (rst) begin r_read_q <= 1'b0; r_valid_q <= 1'b0; end
             end
             rt_hit #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .INSIDE(FARS), .FACETS(FACETS),
                      .GUARDED(TEXTURE != 0 || SMOOTH != 0 ? 1 : 0),

@@ -206,18 +206,24 @@ module rt_collect #(
             reg [16:0]  s1_top_q, s1_scale_q;    // u17 top of the key, rounded up; u1.15
             reg [5:0]   s1_shift_q, s2_shift_q;
             reg [33:0]  s2_prod_q;
-            reg [FW:0]  s3_depth_q;
+            reg [FW:0]  s3_low_q;                // of the depth, rounded down
+            reg [4:0]   s3_high_q;               // a bit above is 1, by groups
+            reg         s3_none_q;               // it is not bounded
+            integer     g;
             wire [33:0] s2_depth = s2_prod_q >> s2_shift_q;
+            wire [39:0] s2_high  = {6'd0, s2_depth} >> (FW + 1);
             always @(posedge clk) begin
                 s1_top_q   <= in_key_i[KW-1 -: 17] + 17'd1;
                 s1_scale_q <= in_scale[16:0];
                 s1_shift_q <= in_scale[22:17];
                 s2_shift_q <= s1_shift_q;
                 s2_prod_q  <= s1_top_q * s1_scale_q;
-                s3_depth_q <= s2_shift_q == 6'd63 || s2_depth >= {{(33-FW){1'b0}}, LIM} ? LIM
-                              : s2_depth[FW:0] + 1'b1;
+                s3_none_q  <= s2_shift_q == 6'd63;
+                s3_low_q   <= s2_depth[FW:0];
+                for (g = 0; g < 5; g = g + 1) s3_high_q[g] <= |s2_high[8*g +: 8];
             end
-            assign s3_depth = s3_depth_q;
+            wire        s3_over = s3_none_q || |s3_high_q || s3_low_q == LIM;
+            assign s3_depth = (s3_low_q + 1'b1) | {(FW+1){s3_over}};
         end
     endgenerate
 

@@ -4,7 +4,7 @@
 // visit, near first. The current group stands in a slot file, the others in the stack: one push or
 // one pop a visit, so one write and one read port serve. A group whose nearest child lies deeper
 // than the ray's limit is dropped whole, and so is the stack when its smallest near depth does.
-//   0 choose a token | 1 read its slot | 2 compare | 3 choose its group, write the slot
+//   0 choose a token, ask for its limit | 1 read its slot | 2 compare | 3 choose its group, write
 // One token a cycle; a pruned top of stack costs one more pass (bubble_o).
 // Model: the end of the loop of sph_traverse() in cmodel/trace/traverse.c
 `timescale 1ns / 1ps
@@ -31,7 +31,7 @@ module rt_next #(
     input  wire             in_valid_i,
     output wire             in_ready_o,
     input  wire [$clog2(SLOTS)-1:0] in_slot_i,
-    // from rt_collect: asked in stage 1, answered in stage 2
+    // from rt_collect: asked in stage 0, answered in stage 1
     output wire             read_o,
     output wire [$clog2(SLOTS)-1:0] slot_o,
     input  wire [FW:0]      depth_i,        // what lies deeper does not matter
@@ -59,17 +59,17 @@ module rt_next #(
     reg              s1_valid_q, s1_again_q;
     reg [SLOTW-1:0]  again_slot_q, s1_slot_q;
     assign in_ready_o = !again_q;
+    assign read_o = again_q || in_valid_i;
+    assign slot_o = again_q ? again_slot_q : in_slot_i;
     always @(posedge clk) begin
-        s1_valid_q <= again_q || in_valid_i;
+        s1_valid_q <= read_o;
         s1_again_q <= again_q;
-        s1_slot_q  <= again_q ? again_slot_q : in_slot_i;
+        s1_slot_q  <= slot_o;
         if (rst) s1_valid_q <= 1'b0;
     end
 
     // ---- stage 1: read everything about the slot ----
     reg [SLOTW-1:0]  s3_slot_q;
-    assign read_o = s1_valid_q;
-    assign slot_o = s1_slot_q;
     wire [CW+1:0]    s2_found;
     rt_slot_ram #(.WIDTH(CW+2), .SLOTS(SLOTS), .OLD(0), .LUTS(LUTS)) u_found (
         .clk(clk), .wr_en_i(found_valid_i), .wr_addr_i(found_slot_i),
@@ -102,6 +102,8 @@ module rt_next #(
     reg [SLOTW-1:0]  s2_slot_q;
     reg [DEPTHW:0]   s2_sp_q;
     reg signed [15:0] s2_least_q;           // smallest near of the stack
+    reg [FW:0]       s2_depth_q;
+    reg              s2_ends_q;             // with the hit that it has
     wire             s2_kill, found_fresh;
     wire [`RT_LINE_BITS-1:0] f_base, c_base, t_base;
     wire [2:0]       f_found;                              // children
@@ -116,7 +118,7 @@ module rt_next #(
     wire [2:0]  f_count = s2_again_q ? 3'd0 : f_found;
     wire [1:0]  c_count = fresh || s2_again_q ? 2'd0 : c_left;
     wire [DEPTHW:0] sp  = fresh ? {(DEPTHW+1){1'b0}} : s2_sp_q;
-    wire signed [15:0] depth = $signed({{(15-FW){1'b0}}, depth_i});
+    wire signed [15:0] depth = $signed({{(15-FW){1'b0}}, s2_depth_q});
     wire signed [15:0] f_near = $signed(f_list[17:2]);     // of the first child of the list
     wire signed [15:0] c_near = $signed(c_list[17:2]);
     wire signed [15:0] t_near = $signed(t_list[17:2]);
@@ -130,6 +132,8 @@ module rt_next #(
         s2_again_q <= s1_again_q;
         s2_slot_q  <= s1_slot_q;
         {s2_least_q, s2_sp_q} <= s1_stack;
+        s2_depth_q <= depth_i;
+        s2_ends_q  <= ENDS != 0 && ends_i && hit_i;
 
         s3_valid_q <= s2_valid_q;
         s3_slot_q  <= s2_slot_q;
@@ -139,7 +143,7 @@ module rt_next #(
         s3_f_q     <= {f_base, f_count, f_list};
         s3_c_q     <= {c_base, 1'b0, c_count, 18'd0, c_list};
         s3_t_q     <= {t_base, 1'b0, t_count, 18'd0, t_list};
-        s3_ended_q <= s2_kill || (ENDS != 0 && ends_i && hit_i);
+        s3_ended_q <= s2_kill || s2_ends_q;
         s3_f_ok_q  <= f_count != 3'd0 && f_near <= depth;
         s3_c_ok_q  <= c_count != 2'd0 && c_near <= depth;
         s3_c_any_q <= c_count != 2'd0;

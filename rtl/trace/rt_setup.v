@@ -108,8 +108,16 @@ module rt_setup #(
     );
     generate if (KB == 0) begin : g_kind assign u_tag[1:0] = PRIMARY; end endgenerate
     wire [3*WD-1:0] s1_vec;
+    reg              w_valid_q;                       // a vector that was taken is kept
+    reg [SLOTW-1:0]  w_slot_q;
+    reg [3*WD-1:0]   w_vec_q;
+    always @(posedge clk) begin
+        w_valid_q <= v_valid && v_ready;
+        w_slot_q  <= v_slot;
+        w_vec_q   <= v_vec;
+    end
     rt_slot_ram #(.WIDTH(3*WD), .SLOTS(SLOTS), .OLD(0)) u_vec (
-        .clk(clk), .wr_en_i(v_valid && v_ready), .wr_addr_i(v_slot), .wr_data_i(v_vec),
+        .clk(clk), .wr_en_i(w_valid_q), .wr_addr_i(w_slot_q), .wr_data_i(w_vec_q),
         .rd_en_i(u_valid), .rd_addr_i(u_slot), .rd_data_o(s1_vec)
     );
 

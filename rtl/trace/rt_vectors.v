@@ -3,7 +3,8 @@
 // Surface normals go first, then lights, then mirrored directions, and new primary rays last: what
 // is nearest to its end goes first; with PHASES a light waits for the clock in which its unit
 // takes. The first three always find room (token rule): queues hold their slots, block RAM the
-// vectors. For a source that is not built there is neither.
+// vectors. For a source that is not built there is neither. A primary ray that is not taken at once
+// waits in a register, and the ready of its source looks at nothing else.
 // There is no model of it: the order of vectors changes no result.
 `timescale 1ns / 1ps
 `default_nettype none
@@ -51,7 +52,19 @@ module rt_vectors #(
     wire [N-1:0]       take = now & (~now + 1'b1) & {N{load}};
     wire [N*SLOTW-1:0] slot;
     wire [3*N*WD-1:0]  vec;
-    assign primary_ready_o = load && now == {N{1'b0}};
+    reg                p_valid_q;           // a primary ray waits
+    reg [SLOTW-1:0]    p_slot_q;
+    reg [3*WD-1:0]     p_vec_q;
+    wire               primary = p_valid_q || primary_i[`RT_VECTOR_VALID];
+    assign primary_ready_o = !p_valid_q;
+    always @(posedge clk) begin
+        p_valid_q <= primary && !(load && now == {N{1'b0}});
+        if (!p_valid_q) begin
+            p_slot_q <= primary_i[`RT_VECTOR_SLOT];
+            p_vec_q  <= primary_i[`RT_VECTOR_VEC];
+        end
+        if (rst) p_valid_q <= 1'b0;
+    end
     genvar s;
     generate
         for (s = 0; s < N; s = s + 1) begin : g_source
@@ -93,7 +106,7 @@ module rt_vectors #(
     reg [3*WD-1:0]     vec_next;
     integer            i;
     always @* begin
-        slot_next = primary_i[`RT_VECTOR_SLOT];
+        slot_next = p_valid_q ? p_slot_q : primary_i[`RT_VECTOR_SLOT];
         vec_next  = primary_q;
         for (i = N - 1; i >= 0; i = i - 1) begin
             if (take[i])   slot_next = slot[SLOTW*i +: SLOTW];
@@ -102,10 +115,10 @@ module rt_vectors #(
     end
     always @(posedge clk) begin
         if (load) begin
-            out_valid_o <= now != {N{1'b0}} || primary_i[`RT_VECTOR_VALID];
+            out_valid_o <= now != {N{1'b0}} || primary;
             from_q      <= take;
             out_slot_o  <= slot_next;
-            primary_q   <= primary_i[`RT_VECTOR_VEC];
+            primary_q   <= p_valid_q ? p_vec_q : primary_i[`RT_VECTOR_VEC];
         end
         if (rst) out_valid_o <= 1'b0;
     end

@@ -114,7 +114,7 @@ class Walk {
         tick();
         b.dut.start_i = 0;
         pixels = walk(r.win);
-        int seek = r.win[1] + (pixels.empty() ? 0 : r.win[0] + 1); /* clocks without a pixel */
+        int seek = r.win[1] + (pixels.empty() ? 0 : r.win[0] + 2); /* clocks without a pixel */
         for (int i = 0; i <= seek; i++) {
             ready();
             quiet(1);
