@@ -104,6 +104,8 @@ static void read_node(const struct job *j, uint32_t line, struct sph_fast *f,
             boxes->hi[k][i] = box.hi[k];
         }
     }
+    for (int i = node->tests; i < 4; i++)
+        node->square[i] = -1;
     for (int i = 0; i < node->tests && !boxes; i++) {
         struct sph_child child = sph_child_read(sph_line(j->m, line), i);
         int32_t rad = child.rad << SPH_FILTER_FRACTION;

@@ -10,7 +10,7 @@
 /* A node: one line of the processor's cache. The children of a number, leaves behind inner ones. */
 struct sph_fast_node {
     int16_t xy[4][2], zr[4][2]; /* centre and radius of child 0..3, filter units */
-    int32_t square[4];          /* of the radius, in units of filter's distances */
+    int32_t square[4];          /* of the radius, in units of filter's distances; no child: -1 */
     uint32_t inner;             /* number of the node that is inner child 0 */
     uint32_t leaf;              /* and of the record that is leaf child 0 */
     uint8_t n_inner, tests;
@@ -71,6 +71,8 @@ struct sph_hit sph_fast_walk_plain(const struct sph_fast *f, const struct sph_ra
                                    struct sph_counters *c, uint32_t *visits, uint32_t *errors);
 extern struct sph_hit (*const sph_fast_walk_avx2)(const struct sph_fast *, const struct sph_ray *,
                                                   struct sph_counters *, uint32_t *, uint32_t *);
+struct sph_hit sph_fast_walk_any_avx2(const struct sph_fast *f, const struct sph_ray *ray,
+                                      struct sph_counters *c, uint32_t *visits, uint32_t *errors);
 extern struct sph_hit (*const sph_fast_walk_neon)(const struct sph_fast *, const struct sph_ray *,
                                                   struct sph_counters *, uint32_t *, uint32_t *);
 

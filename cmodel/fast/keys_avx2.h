@@ -32,9 +32,9 @@ static inline keys keys_of(__m128i near, __m128i missed, uint32_t n_inner) {
     return _mm_or_si128(near, missed);
 }
 
-/* Bit i: child i is met, as far as there is one. */
+/* Bit i: child i is met. */
 static inline unsigned met_of(__m128i missed) {
-    return ~(unsigned)_mm_movemask_epi8(_mm_packs_epi16(missed, missed));
+    return ~(unsigned)_mm_movemask_epi8(_mm_packs_epi16(missed, missed)) & 15;
 }
 
 static inline int32_t first(keys k) {

@@ -2,11 +2,11 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Asked for: `struct lanes`, what of a ray the tests need, made by lanes_of(); limit_of() and
- * depth_of(), how deep a ray goes at first and to a key; children(), which tests those of a node
- * and leaves `keys` of the inner ones that are met; first(), the least key,
- * and of equal ones that of the first child, KEY_NONE if none is left; key_child(), whose it is;
- * key_near(), to be compared with near_of() of a depth; without(), the others. The rest is
- * sph_traverse() line by line.
+ * depth_of(), how deep a ray goes at first and to a key; limit_to(), which tells the lanes so;
+ * children(), which tests those of a node and leaves `keys` of the inner ones that are met;
+ * first(), the least key, and of equal ones that of the first child, KEY_NONE if none is left;
+ * key_child(), whose it is; key_near(), to be compared with near_of() of a depth; without(), the
+ * others. The rest is sph_traverse() line by line.
  */
 #include <stddef.h>
 
@@ -41,13 +41,14 @@ static struct sph_hit walk(const struct sph_fast *f, const struct sph_ray *ray,
                            struct sph_counters *c, uint32_t *visits, uint32_t *errors) {
     struct sph_probe probe = sph_probe_of(f->m, ray, c, errors);
     const struct sph_hit *best = &probe.best;
-    const struct lanes lanes = lanes_of(probe.p, ray);
+    struct lanes lanes = lanes_of(probe.p, ray);
     const struct sph_fast_node *nodes = f->nodes;
     struct group now, stack[SPH_STACK_DEPTH];
     int sp = 0, ends = sph_ray_any(ray);
     int32_t depth_max = limit_of(&lanes, ray), deepest = near_of(depth_max);
     uint32_t node = f->root, visited = 0, tests = 0, leaf_tests = 0;
     now.order = no_keys();
+    limit_to(&lanes, depth_max);
 
     for (;;) {
         if (visited == f->visit_limit) {
@@ -61,7 +62,7 @@ static struct sph_hit walk(const struct sph_fast *f, const struct sph_ray *ray,
             break;
         }
         keys order;
-        unsigned met = children(&lanes, f, node, depth_max, &order), leaves = met >> n->n_inner;
+        unsigned met = children(&lanes, f, n, &order), leaves = met >> n->n_inner;
         tests += n->tests;
         if (leaves) {
             uint64_t key_before = best->key;
@@ -75,6 +76,7 @@ static struct sph_hit walk(const struct sph_fast *f, const struct sph_ray *ray,
                 if (ends) break;
                 depth_max = depth_of(&lanes, probe.p, ray, best->key);
                 deepest = near_of(depth_max);
+                limit_to(&lanes, depth_max);
             }
         }
         int32_t key = first(order);

@@ -23,6 +23,7 @@ struct lanes {
     struct course axis[3];
     struct sph_bih_ray bih;
     int any;
+    int32_t depth_max; /* of limit_to() */
 };
 
 static struct lanes lanes_of(const struct sph_profile *p, const struct sph_ray *ray) {
@@ -53,11 +54,14 @@ static int32_t depth_of(const struct lanes *l, const struct sph_profile *p,
     return sph_box_depth(sph_bih_time(&l->bih, key));
 }
 
+static inline void limit_to(struct lanes *l, int32_t depth_max) {
+    l->depth_max = depth_max;
+}
+
 /* sph_box_meets() of four children; the order of the inner ones. */
-static unsigned children(const struct lanes *l, const struct sph_fast *f, uint32_t node,
-                         int32_t depth_max, keys *order) {
-    const struct sph_fast_node *n = &f->nodes[node];
-    const struct sph_fast_boxes *b = &f->boxes[node];
+static unsigned children(const struct lanes *l, const struct sph_fast *f,
+                         const struct sph_fast_node *n, keys *order) {
+    const struct sph_fast_boxes *b = &f->boxes[n - f->nodes];
     int64_t lo[4] = {0}, hi[4], lost = l->bih.v_shift, up = (1ll << lost) - 1;
     int64_t missed[4] = {0};
     int32_t near[4];
@@ -83,7 +87,7 @@ static unsigned children(const struct lanes *l, const struct sph_fast *f, uint32
     for (int i = 0; i < 4; i++) {
         if (lo[i] > (int64_t)SPH_BIH_NO_BOUND) lo[i] = SPH_BIH_NO_BOUND;
         near[i] = sph_box_depth((uint32_t)lo[i]);
-        met |= (unsigned)(!missed[i] && lo[i] <= hi[i] && near[i] <= depth_max) << i;
+        met |= (unsigned)(!missed[i] && lo[i] <= hi[i] && near[i] <= l->depth_max) << i;
     }
     met &= n->valid;
     *order = sorted(n, met, near, l->any);

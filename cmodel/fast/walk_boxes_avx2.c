@@ -28,6 +28,7 @@ struct lanes {
     __m128i lost, up;
     __m128i ordered; /* 0 if all are equally near */
     struct sph_bih_ray bih;
+    int32_t depth_max; /* of limit_to() */
 };
 
 /* 2^-n of n up to 1022. */
@@ -96,11 +97,14 @@ static inline __m128i depths(__m128i time) {
     return _mm_blendv_epi8(code, time, small);
 }
 
+static inline void limit_to(struct lanes *l, int32_t depth_max) {
+    l->depth_max = depth_max;
+}
+
 /* sph_box_meets() of four children. */
-static inline unsigned children(const struct lanes *l, const struct sph_fast *f, uint32_t node,
-                                int32_t depth_max, keys *order) {
-    const struct sph_fast_node *n = &f->nodes[node];
-    const struct sph_fast_boxes *b = &f->boxes[node];
+static inline unsigned children(const struct lanes *l, const struct sph_fast *f,
+                                const struct sph_fast_node *n, keys *order) {
+    const struct sph_fast_boxes *b = &f->boxes[n - f->nodes];
     const __m128i none = _mm_set1_epi32(SPH_BIH_NO_BOUND);
     __m128i missed = _mm_setzero_si128();
     __m256d low = _mm256_setzero_pd(), high = _mm256_set1_pd(SPH_BIH_NO_BOUND);
@@ -120,7 +124,7 @@ static inline unsigned children(const struct lanes *l, const struct sph_fast *f,
     __m128i hi = _mm_add_epi32(_mm256_cvttpd_epi32(high), _mm_set1_epi32(1));
     __m128i near = depths(lo);
     missed = _mm_or_si128(_mm_srai_epi32(missed, 31), _mm_cmpgt_epi32(lo, _mm_min_epi32(hi, none)));
-    missed = _mm_or_si128(missed, _mm_cmpgt_epi32(near, _mm_set1_epi32(depth_max)));
+    missed = _mm_or_si128(missed, _mm_cmpgt_epi32(near, _mm_set1_epi32(l->depth_max)));
     missed = _mm_packs_epi32(missed, missed);
     near = _mm_and_si128(near, l->ordered);
     *order = keys_of(_mm_packs_epi32(near, near), missed, n->n_inner);

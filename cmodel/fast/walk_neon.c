@@ -25,7 +25,8 @@ struct lanes {
     struct across p, q;
     int axis;
     int16x4_t sign;
-    int32x4_t most; /* near in a key: the least, so that all are equally near, or any */
+    int32x4_t most;    /* near in a key: the least, so that all are equally near, or any */
+    int32_t depth_max; /* of limit_to() */
 };
 
 static inline struct across across_of(const int32_t v[3]) {
@@ -86,11 +87,15 @@ static inline int16x4_t distance(const struct across *a, const int16x4_t oc[3]) 
     return veor_s16(cut, vshr_n_s16(cut, 15));
 }
 
-static inline unsigned children(const struct lanes *l, const struct sph_fast *f, uint32_t node,
-                                int32_t depth_max, keys *order) {
+static inline void limit_to(struct lanes *l, int32_t depth_max) {
+    l->depth_max = depth_max;
+}
+
+static inline unsigned children(const struct lanes *l, const struct sph_fast *f,
+                                const struct sph_fast_node *n, keys *order) {
+    (void)f;
     static const int32_t number[4] = {0, 1, 2, 3};
     static const uint16_t bit[4] = {1, 2, 4, 8};
-    const struct sph_fast_node *n = &f->nodes[node];
     int16x4x2_t xy = vld2_s16(n->xy[0]), zr = vld2_s16(n->zr[0]);
     int16x4_t rad = zr.val[1], oc[3] = {vsub_s16(xy.val[0], vdup_n_s16(l->org[0])),
                                         vsub_s16(xy.val[1], vdup_n_s16(l->org[1])),
@@ -100,7 +105,7 @@ static inline unsigned children(const struct lanes *l, const struct sph_fast *f,
     int16x4_t depth = vsub_s16(veor_s16(oc[l->axis], l->sign), l->sign);
     int16x4_t near = vsub_s16(depth, rad), end = vadd_s16(depth, rad);
     uint16x4_t out =
-        vorr_u16(vclt_s16(end, vdup_n_s16(0)), vcgt_s16(near, vdup_n_s16((int16_t)depth_max)));
+        vorr_u16(vclt_s16(end, vdup_n_s16(0)), vcgt_s16(near, vdup_n_s16((int16_t)l->depth_max)));
     uint16x4_t missed = vorr_u16(vmovn_u32(aside), out);
     int32x4_t child = vld1q_s32(number);
     int32x4_t key = vminq_s32(vmovl_s16(near), l->most);

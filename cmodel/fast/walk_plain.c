@@ -11,6 +11,7 @@ struct lanes {
     int32_t org[3];
     struct sph_across across;
     int axis, sign, any;
+    int32_t depth_max; /* of limit_to() */
 };
 
 static struct lanes lanes_of(const struct sph_profile *p, const struct sph_ray *ray) {
@@ -29,10 +30,14 @@ static int64_t cut(int64_t x) {
     return x ^ (x >> 63);
 }
 
+static inline void limit_to(struct lanes *l, int32_t depth_max) {
+    l->depth_max = depth_max;
+}
+
 /* sph_filter() of four children; the order of the inner ones. */
-static unsigned children(const struct lanes *l, const struct sph_fast *f, uint32_t node,
-                         int32_t depth_max, keys *order) {
-    const struct sph_fast_node *n = &f->nodes[node];
+static unsigned children(const struct lanes *l, const struct sph_fast *f,
+                         const struct sph_fast_node *n, keys *order) {
+    (void)f;
     const struct sph_across *a = &l->across;
     int32_t near[4];
     unsigned met = 0;
@@ -47,7 +52,7 @@ static unsigned children(const struct lanes *l, const struct sph_fast *f, uint32
         int32_t depth = l->sign * oc[l->axis];
         near[i] = depth - n->zr[i][1];
         met |= (unsigned)(p * p + q * q <= rad * rad && depth + n->zr[i][1] >= 0 &&
-                          near[i] <= depth_max)
+                          near[i] <= l->depth_max)
                << i;
     }
     met &= n->valid;

@@ -1,0 +1,55 @@
+/* walk_any_avx2.c - the same walk of rays that take children in the node's order
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifdef __AVX2__
+#include "fast/spheres_avx2.h"
+
+enum { KEY_NONE = 4 };
+
+/* Bit i: child i is to be visited. A key is the number of one. */
+typedef unsigned keys;
+
+static inline keys no_keys(void) {
+    return 0;
+}
+
+static inline int32_t first(keys k) {
+    return __builtin_ctz(k | 1u << KEY_NONE);
+}
+
+static inline uint32_t key_child(int32_t key) {
+    return (uint32_t)key;
+}
+
+static inline int32_t key_near(int32_t key) {
+    return key;
+}
+
+/* All are equally near. */
+static inline int32_t near_of(int32_t depth) {
+    (void)depth;
+    return KEY_NONE - 1;
+}
+
+static inline keys without(keys k, int32_t key) {
+    (void)key;
+    return k & (k - 1);
+}
+
+static inline unsigned children(const struct lanes *l, const struct sph_fast *f,
+                                const struct sph_fast_node *n, keys *order) {
+    (void)f;
+    __m128i near, missed = missed_of(l, n, &near);
+    unsigned met = ~(unsigned)_mm_movemask_epi8(_mm_packs_epi16(missed, missed)) & 15;
+    *order = met & ((1u << n->n_inner) - 1);
+    return met;
+}
+
+#include "fast/spheres.h"
+#include "fast/walk.h"
+
+struct sph_hit sph_fast_walk_any_avx2(const struct sph_fast *f, const struct sph_ray *ray,
+                                      struct sph_counters *c, uint32_t *visits, uint32_t *errors) {
+    return walk(f, ray, c, visits, errors);
+}
+#endif
