@@ -33,13 +33,10 @@ study-page: $(TOOL)
 	$(Q)python3 -m lab.study.page --whole docs/results/accuracy.md $(RESULTS) $(STUDY) $(TOOL)
 	$(Q)python3 -m lab.pages.measured docs/results/accuracy.md "make study" $$(cat $(STUDY)/tables)
 
-# SEEDS: SPEED-SEED each; ROUTE=1 routes, too: half an hour each
-SEEDS_CORE ?= standard-ecp5-shadow+reflect2+lights3+inside-engines1
-SEEDS      ?= 8-1 8-2 8-3 6-1
-SEEDS_AT    = $(STUDY)/seeds/$(SEEDS_CORE)
+SEEDS_AT = $(STUDY)/seeds/$(SEEDS_CORE)
 study-seeds: $(STUDY)/venv/done ## MHz of one core placed with several seeds; minutes each
 	$(Q)sh synth/core.sh $(SEEDS_CORE) $(SEEDS_AT)/core
-	$(Q)for s in $(SEEDS); do mkdir -p $(SEEDS_AT)/$$s && BUILD=$B ROUTE=$(or $(ROUTE),0) \
+	$(Q)for s in $(SEEDS); do mkdir -p $(SEEDS_AT)/$$s && BUILD=$B ROUTE=$(ROUTE) \
 	    SEED=$${s#*-} SPEED=$${s%-*} sh synth/place.sh $(SEEDS_AT)/core $(SEEDS_AT)/$$s || \
 	    exit 1; done
 	$(Q)python3 -m lab.study.seeds $(SEEDS_CORE) $(addprefix $(SEEDS_AT)/,$(SEEDS))
