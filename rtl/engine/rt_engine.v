@@ -45,7 +45,7 @@ module rt_engine #(
     parameter TEXTURE_COORDS = 2, // units for texture coordinates
     parameter COARSE     = 0,    // bits of a level's fraction that are rounded away
     parameter ROOTS      = 3,    // square root units
-    parameter QUOTIENTS  = 3,    // dividers
+    parameter QUOTIENTS  = 2,    // dividers
     parameter DIVISIONS  = 1,    // units of a leaf unit for keys of facets
     parameter ROOT_STEP  = 2,    // root bits a clock
     parameter QUOTIENT_STEP = 2, // quotient bits a clock

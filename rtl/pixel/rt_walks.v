@@ -1,11 +1,11 @@
 // rt_walks.v - pixels to trace and background pixels, from one walk of the window or two
 // SPDX-License-Identifier: Apache-2.0
-//   window --+-- left columns  --> rt_walk --> 16 rays --+--> in turn --> pixel to trace
-//            +-- right columns --> rt_walk --> 16 rays --+
+//   window --+-- left half  --> rt_walk --> 16 rays --+--> in turn --> pixel to trace
+//            +-- right half --> rt_walk --> 16 rays --+
 //   background pixels of both -----------------------------> in turn --> background pixel
 // A walk that meets a surface waits for free slots, and then the other one may still cross the
-// background. So several pipes have pixels of both kinds at a time. Of a window of one column of 8
-// pixels the first walk has all. With one walk there is a queue here, and no choice.
+// background. So several pipes have pixels of both kinds at a time. With one walk there is a queue
+// here, and no choice.
 // Model: that of rt_walk
 `timescale 1ns / 1ps
 `default_nettype none
@@ -62,11 +62,10 @@ module rt_walks #(
     localparam QW = 28 + KEPT;                     // a traced pixel
     `RT_CHECK(WALKS == 1 || WALKS == 2, rt_walks_WALKS_must_be_1_or_2)
 
-    // ---- where the right half begins: behind half of the columns, rounded up ----
+    // ---- where the right half begins; of an empty window both are empty ----
     wire [13:0] x0 = window_i[13:0], x1 = window_i[41:28];
-    wire [14:0] half   = {1'b0, x1} - {1'b0, x0} + 15'd15;
-    wire [14:0] x_half = {1'b0, x0} + {1'b0, half[14:4], 3'd0};
-    wire [13:0] middle = x0 < x1 && x_half < {1'b0, x1} ? x_half[13:0] : x1;
+    wire [14:0] twice  = {1'b0, x0} + {1'b0, x1} + 15'd1;
+    wire [13:0] middle = twice[14:1];
 
     wire [WALKS-1:0]    busy, q_valid, q_take, bg_valid, bg_take, bad, bus;
     wire [QW*WALKS-1:0] q_all;
@@ -133,6 +132,6 @@ module rt_walks #(
     assign bg_valid_o  = |bg_valid;
     assign bad_table_o = |bad;
     assign bus_error_o = |bus;
-    wire unused = &{1'b0, half[3:0]};
+    wire unused = &{1'b0, twice[0]};
 endmodule
 `default_nettype wire

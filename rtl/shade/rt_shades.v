@@ -36,7 +36,7 @@ module rt_shades #(
     parameter TEXTURE_GROUP = 1, // lines of a group
     parameter TEXTURE_COORDS = 2, // units for texture coordinates
     parameter COARSE     = 0,    // bits of a level's fraction that are rounded away
-    parameter QUOTIENTS  = 3,    // dividers of each
+    parameter QUOTIENTS  = 2,    // dividers of each
     parameter QUOTIENT_STEP = 2, // quotient bits a clock
     parameter HIT_INTERVAL = 8,  // clocks a hit point and its normal, 8 or 12
     parameter BOUNCE_INTERVAL = 10 // clocks a mirrored direction, 10 or 12

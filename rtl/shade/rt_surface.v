@@ -25,7 +25,7 @@ module rt_surface #(
     parameter LOOKS   = 0,     // 1: the rest of the material, for refraction and sum
     parameter SLOTS = 32,      // power of two
     parameter LUTS  = 0,       // LUT cells that a block RAM is worth, rt_slot_ram
-    parameter QUOTIENTS = 3,   // dividers
+    parameter QUOTIENTS = 2,   // dividers
     parameter QUOTIENT_STEP = 2, // quotient bits a clock
     parameter HIT_INTERVAL = 8 // clocks a hit point and its normal, 8 or 12
 ) (

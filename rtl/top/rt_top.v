@@ -55,7 +55,7 @@ module rt_top #(
     parameter TEXTURE_GROUP = 1, // 1..4, power of two: lines of a group, fetched together
     parameter TEXTURE_COORDS = 2, // 1..8: units for texture coordinates an engine
     parameter ROOTS      = 0,    // 0..8: square root units a leaf unit, 0: 6, for 1 pipe 3
-    parameter QUOTIENTS  = 3,    // 1..8: dividers an engine
+    parameter QUOTIENTS  = 2,    // 1..8: dividers an engine
     parameter DIVISIONS  = 0,    // 0..8: units for keys of facets a leaf unit, 0: 1, with BOXES 3
     parameter ROOT_STEP  = 2,    // 1..W+WD: root bits a clock
     parameter QUOTIENT_STEP = 2, // 1..PQ: quotient bits a clock

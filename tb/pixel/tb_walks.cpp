@@ -76,19 +76,18 @@ class Walks {
         load(t, r);
         for (int i = 0; i < 3; i++)
             bench::put(t.dir_i, i * WD, WD, (bench::i128)r.dir[i]);
-        int columns = (r.win[2] - r.win[0] + bench::COLUMN - 1) / bench::COLUMN;
         for (int i = 0; i < WALKS; i++) {
             mem[i].begin(b.random, false);
             traced[i].clear();
             background[i].clear();
         }
-        for (int c = 0; c < columns; c++)
-            for (int y = r.win[1]; y < r.win[3]; y++)
-                for (int x = r.win[0] + bench::COLUMN * c;
-                     x < r.win[2] && x < r.win[0] + bench::COLUMN * (c + 1); x++) {
-                    int walk = WALKS > 1 && c >= (columns + 1) / 2;
-                    (r.background(x, y) ? background : traced)[walk].push_back({x, y});
-                }
+        const int middle = (r.win[0] + r.win[2] + 1) / 2, ends[3] = {r.win[0], middle, r.win[2]};
+        for (int i = 0; i < WALKS; i++)
+            for (int left = ends[i], end = WALKS == 1 ? r.win[2] : ends[i + 1]; left < end;
+                 left += bench::COLUMN)
+                for (int y = r.win[1]; y < r.win[3]; y++)
+                    for (int x = left; x < end && x < left + bench::COLUMN; x++)
+                        (r.background(x, y) ? background : traced)[i].push_back({x, y});
         tables = 0;
         t.start_i = 1;
         clock();
