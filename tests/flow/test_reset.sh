@@ -26,7 +26,7 @@ notices() { # module, file, FROM, TO
     [ $rc -eq 1 ] && grep -q '^not ok.* is [x1] in clock' "$TMP/out"
 }
 check "a pixel that waits is not forgotten: rt_slots" notices rt_slots rtl/engine/rt_slots.v \
-    "if (rst) p_valid_q <= 1'b0;" ""
+    "r_valid_q <= 1'b0; p_valid_q <= 1'b0; end" "r_valid_q <= 1'b0; end"
 check "a queue that keeps its pointer: rt_fifo" notices rt_fifo rtl/memory/rt_fifo.v \
     "wr_q <= {(AB+1){1'b0}};" ""
 check "a delay that keeps what is in it: rt_facet" notices rt_facet rtl/math/rt_delay_valid.v \
