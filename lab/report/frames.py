@@ -4,6 +4,7 @@
 import struct
 from array import array
 from collections import namedtuple
+from itertools import zip_longest
 from pathlib import Path
 
 Pixel = namedtuple("Pixel", "rendering l1 l2 id visits texture key")
@@ -58,14 +59,27 @@ def walk(window):
                 yield x, y
 
 
-def in_flight(frame, left, windows, slots):
+def halves(window, walks):
+    """The part of the window that each of one or two walks has, as rt_walks parts it."""
+    x0, y0, x1, y1 = window
+    middle = (x0 + x1 + 1) // 2
+    return [window] if walks == 1 else [(x0, y0, middle, y1), (middle, y0, x1, y1)]
+
+
+def in_turn(lists):
+    """One of each list after the other, as long as they have some."""
+    return [x for group in zip_longest(*lists) for x in group if x is not None]
+
+
+def in_flight(frame, left, windows, slots, walks):
     """Clocks from the one in which a slot was free for each pixel to the one in which it left, of
-    cores with so many slots that each drew one of the windows; 0 of those that were not traced. The
-    n-th pixel of the walk starts when n - slots others have left, or a little later."""
+    cores with so many slots and walks that each drew one of the windows; 0 of those that were not
+    traced. The n-th pixel starts when n - slots others have left, or a little later."""
     took = array("I", bytes(4 * len(left)))
     for window in windows:
-        traced = [y * frame.width + x for x, y in walk(window)]
-        traced = [i for i in traced if left[i] and frame.pixels[i].visits]
+        of_walks = [[y * frame.width + x for x, y in walk(half)] for half in halves(window, walks)]
+        traced = in_turn([i for i in pixels if left[i] and frame.pixels[i].visits]
+                         for pixels in of_walks)
         ends = sorted(left[i] for i in traced)
         for number, i in enumerate(traced):
             start = ends[number - slots] if number >= slots else 0

@@ -19,7 +19,7 @@ MAPS = {  # name: title, unit, whether it is drawn by logarithm, what it says
                "one in which a slot was free for it to the one in which it left, divided by the "
                "{slots} slots that work at once. All parts add up to {sum} of {cycles} clocks."),
     "left": ("Order", "clocks", False, "The clock in which each pixel left: pixels start in "
-             "columns of eight, and hard ones leave late{tiles}."),
+             "columns of eight{walks}, and hard ones leave late{tiles}."),
 }
 
 
@@ -72,7 +72,8 @@ def pictures(run, at):
 def maps(run, drawn):
     told = {"slots": run.slots(), "cycles": number(run.last["counters"]["cycles"]), "sum": "",
             "tiles": f"; {len(run.last['tiles'])} cores drew a band each, all from clock 0"
-            if len(run.last["tiles"]) > 1 else ""}
+            if len(run.last["tiles"]) > 1 else "",
+            "walks": " of either half" if run.parameters["WALKS"] > 1 else ""}
     if run.left:
         told["sum"] = number(sum(run.in_flight()) / run.slots())
     figures = ""

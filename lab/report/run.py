@@ -37,7 +37,8 @@ class Run:
         if not self.left:
             return None
         windows = [tile["window"] for tile in self.last["tiles"]]
-        return frames.in_flight(self.core, self.left, windows, self.slots())
+        return frames.in_flight(self.core, self.left, windows, self.slots(),
+                                self.parameters["WALKS"])
 
     def first_wrong(self):
         return frames.first_wrong(self.model, self.core, self.window)

@@ -42,6 +42,7 @@ def parameters(key, built, profile="standard"):
     values["EXACTS"] = values["EXACTS"] or (
         values["SHADES"] if values["BOXES"] else 2 if pipes > 2 and values["SHADES"] > 1 else 1)
     values["SETUPS"] = values["SETUPS"] or (2 if pipes == 4 and values["EXACTS"] > 1 else 1)
+    values["WALKS"] = values["WALKS"] or (1 if pipes == 1 else 2)
     values["ROOTS"] = values["ROOTS"] or (3 if pipes == 1 else 6)
     values["DIVISIONS"] = values["DIVISIONS"] or (3 if values["BOXES"] else 1)
     return values

@@ -30,6 +30,17 @@ check "the last pixel left in the last cycle" python "$run" \
 check "every traced pixel was in flight, none longer than the frame" python "$run" \
     "took = run.in_flight(); assert min(took) > 0 and max(took) <= max(run.left), took"
 
+check "two walks start in the two halves and take turns" python "$run" \
+    "from lab.report import frames
+halves = frames.halves((0, 0, 31, 2), 2)
+assert halves == [(0, 0, 16, 2), (16, 0, 31, 2)], halves
+order = frames.in_turn(list(frames.walk(half)) for half in halves)
+assert order[:3] == [(0, 0), (16, 0), (1, 0)] and len(order) == 62, order"
+cp -r "$run" "$TMP/two"
+sed 's/^PIPES=.*/PIPES=2/' "$run/key" >"$TMP/two/key"
+check "... of a core with two pipes" python "$TMP/two" \
+    "assert run.parameters['WALKS'] == 2 and len(run.in_flight()) == 96, run.parameters"
+
 check "... the roofline is on the page" grep -q 'limit is <b>[a-z]' "$run/report.html"
 parted=$TMP/parted # the same with what Verilator says of a part
 cp -r "$run" "$parted"
