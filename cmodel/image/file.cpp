@@ -7,7 +7,6 @@
 #include <cstring>
 #include <memory>
 #include <string>
-#include <strings.h>
 
 #include <OpenImageIO/filesystem.h>
 
@@ -40,14 +39,12 @@ int sph_picture::write_file(const char *path, const char *format, const OIIO::Im
     return sph_output_close(&out, 0, err);
 }
 
-int sph_picture::write_bytes(const char *path, int width, int height,
-                             const std::vector<std::uint8_t> &bytes, const char *space,
-                             struct sph_error *err) {
-    const char *format = sph_image_format(path, err);
-    if (!format) return -1;
-    OIIO::ImageSpec spec(width, height, 3, OIIO::TypeUInt8);
-    if (space && !std::strcmp(format, "png")) spec.attribute("oiio:ColorSpace", space);
-    if (!std::strcmp(format, "jpeg")) spec.attribute("Compression", "jpeg:95");
-    if (!std::strcmp(format, "tiff")) spec.attribute("DateTime", no_time);
-    return write_file(path, format, spec, bytes.data(), err);
+int sph_bytes_write_other(const char *path, const char *format, int width, int height,
+                          const uint8_t *rgb, struct sph_error *err) {
+    return sph_picture::guarded(path, err, [&] {
+        OIIO::ImageSpec spec(width, height, 3, OIIO::TypeUInt8);
+        if (!std::strcmp(format, "jpeg")) spec.attribute("Compression", "jpeg:95");
+        if (!std::strcmp(format, "tiff")) spec.attribute("DateTime", sph_picture::no_time);
+        return sph_picture::write_file(path, format, spec, rgb, err);
+    });
 }

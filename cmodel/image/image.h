@@ -1,7 +1,7 @@
-/* image.h - pictures of frames, through OpenImageIO
+/* image.h - pictures of frames: PNG by libpng, PPM, all else by OpenImageIO
  * SPDX-License-Identifier: Apache-2.0
  *
- * The C face of image.cpp. layer selects sph_pixel.colour[layer], 0 .. SPH_FRAMES-1. Every writer
+ * layer selects sph_pixel.colour[layer], 0 .. SPH_FRAMES-1. Every writer
  * writes its file whole or not at all and returns 0, or -1 with a message.
  */
 #ifndef SPH_IMAGE_H
@@ -64,11 +64,10 @@ int sph_linear_of(const struct sph_frame *frame, const struct sph_trail *trails,
 
 void sph_linear_free(struct sph_linear *picture);
 
-/* 3 * width * height bytes, RGB, in a transfer, SPH_TRANSFER_*. 0, or -1 with a message. */
-int sph_linear_bytes(const struct sph_linear *picture, int transfer, uint8_t *bytes,
-                     struct sph_error *err);
+/* Linear light, 255 is white, as a byte in a transfer, SPH_TRANSFER_*; halves are rounded up. */
+uint8_t sph_linear_byte(float light, int transfer);
 
-/* The same as a file, in a transfer that PNG names. */
+/* The light as bytes in a file, in a transfer that PNG names. */
 int sph_linear_write(const char *path, const struct sph_linear *picture, int transfer,
                      struct sph_error *err);
 

@@ -17,22 +17,11 @@ enum {
 static const uint32_t no_level = 0x404040;
 
 uint8_t *view_paint_table(struct sph_error *err) {
-    uint8_t *bytes = malloc(3 * VIEW_LIGHTS);
-    struct sph_linear all = {VIEW_LIGHTS, 1, malloc(3 * VIEW_LIGHTS * sizeof *all.rgb)};
-    int rc = -1;
-    if (!bytes || !all.rgb) {
-        sph_fail(err, "no memory for the light of a picture");
-    } else {
-        for (int i = 0; i < VIEW_LIGHTS; i++)
-            for (int c = 0; c < 3; c++)
-                all.rgb[3 * i + c] = (float)fmin(i / 256.0, 255);
-        rc = sph_linear_bytes(&all, SPH_TRANSFER_SRGB, bytes, err);
-    }
-    for (int i = 0; !rc && i < VIEW_LIGHTS; i++)
-        bytes[i] = bytes[3 * i];
-    sph_linear_free(&all);
-    if (rc) free(bytes);
-    return rc ? NULL : bytes;
+    uint8_t *bytes = malloc(VIEW_LIGHTS);
+    if (!bytes) sph_fail(err, "no memory for the light of a picture");
+    for (int i = 0; bytes && i < VIEW_LIGHTS; i++)
+        bytes[i] = sph_linear_byte((float)fmin(i / 256.0, 255), SPH_TRANSFER_SRGB);
+    return bytes;
 }
 
 static uint32_t rgb(int r, int g, int b) {

@@ -75,7 +75,7 @@ check "rays from nine threads" ./query rays.nff
 check "... in the middle" has '^4 id 0 distance (2.999|3.000|3.001) z (0.999|1.000|1.001)' hits
 check "... beside it the other sphere" has '^7 id 1 distance 5.7[45]' hits
 check "... and past both" has '^0 nothing' hits
-check "the shared library loads OpenImageIO when asked for pictures" sh -c \
+check "the shared library loads OpenImageIO when asked for what needs it" sh -c \
     "! readelf -d '$usr/lib/libsphaera.so' | grep OpenImageIO"
 
 # ---- the page's own lines, of a home of one's own ----

@@ -1,7 +1,9 @@
-/* test_image.cpp - images of every kind as textures, MIP chains, and files that are refused
+/* test_image.cpp - images of every kind as textures, MIP chains, files that are refused; pictures
+ * that are written
  * SPDX-License-Identifier: Apache-2.0
  *
- * Files are written with OpenImageIO into $TMP; prints TAP.
+ * Files are written into $TMP; prints TAP. What the model writes or encodes without OpenImageIO is
+ * held against OpenImageIO.
  */
 #include <cmath>
 #include <cstdio>
@@ -11,8 +13,10 @@
 #include <string>
 #include <vector>
 
+#include <OpenImageIO/color.h>
 #include <OpenImageIO/imageio.h>
 
+#include "image/image.h"
 #include "image/texture.h"
 
 namespace {
@@ -217,6 +221,49 @@ void bad() {
     refused("", ""); /* a folder */
 }
 
+/* The bytes of a file of RGB. */
+std::vector<std::uint8_t> bytes_of(const std::string &name, int w, int h) {
+    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(3 * w * h));
+    auto in = OIIO::ImageInput::open(at(name));
+    bool good = in && in->spec().width == w && in->spec().height == h &&
+                in->spec().nchannels == 3 && in->spec().format == OIIO::TypeUInt8 &&
+                in->read_image(0, 0, 0, 3, OIIO::TypeUInt8, bytes.data());
+    return good ? bytes : std::vector<std::uint8_t>();
+}
+
+/* A transfer curve is OpenImageIO's, of each light of a pixel and of means of samples; files that
+ * no OpenImageIO has written have the pixels of one that it has. */
+void written() {
+    int off = 0, lights = 0;
+    for (int samples : {1, 2, 3, 5})
+        for (int i = 0; i <= 255 * 256 * samples; i++, lights++) {
+            float light = static_cast<float>(i) / 256 / static_cast<float>(samples);
+            float curve = 255 * OIIO::linear_to_sRGB(light / 255) + 0.5f;
+            off += sph_linear_byte(light, SPH_TRANSFER_SRGB) != static_cast<int>(curve);
+            off += sph_linear_byte(light, SPH_TRANSFER_LINEAR) != static_cast<int>(light + 0.5f);
+        }
+    std::printf("# %d lights, %d bytes off\n", lights, off);
+    check(!off, "a byte is OpenImageIO's");
+    const int sizes[][2] = {{1, 1}, {7, 3}, {300, 200}, {16383, 1}};
+    for (const auto &s : sizes) {
+        std::vector<float> rgb;
+        for (int i = 0; i < 3 * s[0] * s[1]; i++)
+            rgb.push_back(static_cast<float>(i * 7919 % 65281) / 256);
+        struct sph_linear light = {s[0], s[1], rgb.data()};
+        for (int transfer : {SPH_TRANSFER_LINEAR, SPH_TRANSFER_SRGB}) {
+            std::string stem = std::to_string(s[0]) + (transfer ? "srgb" : "linear");
+            struct sph_error err = {{0}};
+            int rc = 0;
+            for (const char *ending : {".png", ".ppm", ".tif"})
+                rc |= sph_linear_write(at(stem + ending).c_str(), &light, transfer, &err);
+            auto expected = bytes_of(stem + ".tif", s[0], s[1]);
+            check(!rc && !expected.empty() && bytes_of(stem + ".png", s[0], s[1]) == expected &&
+                      bytes_of(stem + ".ppm", s[0], s[1]) == expected,
+                  stem + ": PNG and PPM have the pixels of OpenImageIO's TIFF");
+        }
+    }
+}
+
 } // namespace
 
 int main() {
@@ -225,6 +272,7 @@ int main() {
     kinds();
     chains();
     bad();
+    written();
     std::printf("1..%d\n", checks);
     return failures != 0;
 }

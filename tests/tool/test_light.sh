@@ -29,7 +29,7 @@ oiiotool light.exr --ch R,G,B --colorconvert linear sRGB -d uint8 -o expected.ti
 check "it is OpenImageIO's sRGB of the light" off srgb.tif expected.tif 1 0
 check "and no other picture than linear by chance" off srgb.tif linear.tif 255 60
 check "OpenEXR has more than 8 bits of it" off light.exr linear.tif 0.5 0.25
-for named in srgb:sRGB linear:Linear; do
+for named in srgb:sRGB linear:linear; do
     draw -o "${named%:*}.png" --transfer "${named%:*}"
     check "PNG says ${named#*:}" sh -c \
         "oiiotool --info -v ${named%:*}.png | grep -q 'oiio:ColorSpace: \"${named#*:}\"'"

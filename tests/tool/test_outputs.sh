@@ -96,8 +96,12 @@ check "... and filled" test -s new/way_exact2.png
 # ---- what reads and writes pictures is loaded when it is needed ----
 check "the tool starts without OpenImageIO" sh -c '! ldd "$0" | grep -q OpenImageIO' "$s"
 mkdir alone && cp "$s" alone/sphaera
-check "without it the tool does all else" alone/sphaera render paper5.nff --size 8x8 --frame a.frame
-fails 1 "... and says what is missing" alone/sphaera render paper5.nff --size 8x8 -o alone.png
-check "... by its path" has "sphaera: pictures cannot be .*alone/sphaera_image.so: cannot open" err
-check "... and leaves no picture" test ! -e alone.png
+for name in a.png a.ppm; do
+    check "without it the tool writes $name" alone/sphaera render paper5.nff --size 8x8 -o "$name"
+done
+fails 1 "... and says what is missing" alone/sphaera render paper5.nff --size 8x8 -o alone.tif
+check "... by its path" has "sphaera: alone.tif: .*alone/sphaera_image.so: cannot open" err
+check "... and leaves no picture" test ! -e alone.tif
+fails 1 "the same of reading" alone/sphaera compare a.png a.ppm
+check "... by its path" has "sphaera: a.png: .*alone/sphaera_image.so: cannot open" err
 done_testing
