@@ -87,8 +87,8 @@ class Trial:
         self.build, self.compiler = build, compiler
         self.linker = [w for w in compiler if not w.startswith("-")][-1]  # behind a ccache
         self.libraries = subprocess.run(
-            ["pkg-config", "--libs", "cmocka", "expat", "gmp", "jansson", "libpng", "mpfr"], check=True,
-            text=True, stdout=subprocess.PIPE).stdout.split()
+            ["pkg-config", "--libs", "cmocka", "expat", "gmp", "jansson", "libpng", "mpfr"],
+            check=True, text=True, stdout=subprocess.PIPE).stdout.split()
         self.suites = self.survey() if survey else {}
 
     def compiled(self, folder, name, text, how=("-O1",)):
