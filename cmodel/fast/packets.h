@@ -6,7 +6,6 @@
 
 #include "fast/decoded.h"
 #include "fast/packet.h"
-#include "fast/shaft.h"
 
 struct sph_packet_way {
     void (*nearest)(const struct sph_fast *, const struct sph_bundle *, struct sph_hit *);
