@@ -38,7 +38,8 @@ static inline void sph_fast_leaf_visit(struct sph_probe *probe, const struct sph
         if (!ahead && !own) return;
         if (ahead) { /* else it leaves its own sphere at t = 0 */
             int inexact, pr = probe->p->pr;
-            int64_t root = (int64_t)sph_fast_isqrt_bits((sph_u128)disc, pr, &inexact);
+            int64_t root = (int64_t)(pr ? sph_fast_isqrt_bits((sph_u128)disc, pr, &inexact)
+                                        : sph_fast_root(disc, k, ray->a, b, &inexact));
             int64_t key = hit.far ? b + root + inexact : b - root;
             hit.key = pr && hit.far && key < 1 ? 1 : (uint64_t)key;
             probe->c->count[SPH_COUNT_ROOTS]++;

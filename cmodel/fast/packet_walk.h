@@ -227,6 +227,8 @@ static void packet_nearest(const struct sph_fast *f, const struct sph_bundle *ra
                            struct sph_hit *hits) {
     struct packet p;
     int axis = 0;
+    for (size_t at = 0; at < sizeof rays->dir; at += 64)
+        __builtin_prefetch((const char *)rays->dir + at);
     p.f = f;
     for (int k = 1; k < 3; k++)
         if (abs(rays->dir[k][0]) > abs(rays->dir[axis][0])) axis = k;
