@@ -97,10 +97,10 @@ TARGET ?= ecp5
 FLAT ?= 0
 ## RESULTS <word> of make study: folder of its results
 RESULTS ?= $B/study/results
-## ROUTE 0|1 of make study-seeds: 1 routes, too, half an hour each
+## ROUTE 0|1 of make study-seeds: 1 routes, too, some minutes each
 ROUTE ?= 0
 ## SEEDS <text> of it: SPEED-SEED each
-SEEDS ?= 8-1 8-2 8-3 6-1
+SEEDS ?= 8-1 8-2 8-3 8-4 8-5 6-1
 ## SEEDS_CORE <word> of it: the core, as synth/core.sh has it
 SEEDS_CORE ?= standard-ecp5-shadow+reflect2+lights3+inside-engines1
 ## ENGINE make|slurm what runs make study, hard, textures, campaign: here, or a cluster (sbatch)

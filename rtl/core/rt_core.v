@@ -63,7 +63,8 @@ module rt_core #(
     parameter FACET_INTERVAL = 0, // 0..4, power of two: clocks a facet, 0: 2, wide without BOXES 4
     parameter UNITS      = 2,    // 1..2: units for unit vectors an engine
     parameter UNIT_INTERVAL = 2, // 2..4, power of two: clocks a vector of each
-    parameter SQUARES    = 0,    // 0..2: squares, odd memory bits: 1 no, 2 in LUTs, 0: by PIPES
+    parameter SQUARES    = 0,    // 0..2: squares of filters in LUTs: 1 no, 2 yes, 0: of 4 pipes
+    parameter SPILLS     = 0,    // 0..2: bits that blocks of RAM leave over in LUTs, 0: from 3 pipes
     parameter HIT_INTERVAL = 8,  // 8..12: clocks a hit point and its normal, 8 or 12
     parameter BOUNCE_INTERVAL = 10 // 10..12: clocks a mirrored direction, 10 or 12
     // end of parameters
@@ -221,9 +222,10 @@ module rt_core #(
                              : PIPES == 4 ? 4 : 2;
     localparam LEAF_UNITS = EXACTS != 0 ? EXACTS : BOXES != 0 ? SHADE_UNITS
                             : PIPES > 2 && SHADE_UNITS > 1 ? 2 : 1;
-    // Squares in LUTs, and what a block RAM is worth: four pipes ask for more than there are.
-    localparam SPARE_LUTS = SQUARES == 2 || (SQUARES == 0 && PIPES > 2) ? (PIPES == 4 ? 24 : 12)
-                            : 0;
+    // What a block RAM is worth in LUTs: four pipes ask for more than there are, as they do of
+    // multipliers; three leave enough of these for the squares of their filters.
+    localparam SPARE_LUTS = SPILLS == 2 || (SPILLS == 0 && PIPES > 2) ? (PIPES == 4 ? 24 : 12) : 0;
+    localparam LUT_SQUARES = SQUARES == 2 || (SQUARES == 0 && PIPES == 4) ? 1 : 0;
     localparam SETUP_UNITS = SETUPS != 0 ? SETUPS : PIPES == 4 && LEAF_UNITS > 1 ? 2 : 1;
     // Behind boxes are triangles: tests and keys keep up with a visit a clock. Elsewhere a wide
     // facet, whose operands exceed a multiplier of 18 bits, takes its time.
@@ -322,7 +324,8 @@ module rt_core #(
             wire [`RT_PIXEL_BITS-1:0] pix;
             rt_engine #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .FW(FW), .PR(PR),
                         .PIPES(PIPES), .EXACTS(LEAF_UNITS), .SHADES(SHADE_UNITS),
-                        .SETUPS(SETUP_UNITS), .LUTS(SPARE_LUTS), .SLOTS(ALL_SLOTS),
+                        .SETUPS(SETUP_UNITS), .SQUARES(LUT_SQUARES), .LUTS(SPARE_LUTS),
+                        .SLOTS(ALL_SLOTS),
                         .STACK(`RT_STACK_DEPTH), .SHADOW(SHADOW), .REFLECT(REFLECT),
                         .LIGHTS(LIGHTS), .INSIDE(INSIDE), .FIRST(FIRST),
                         .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),

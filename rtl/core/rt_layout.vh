@@ -491,6 +491,7 @@
     `RT_CHECK(UNITS >= 1 && UNITS <= 2, rt_core_UNITS_must_be_1_to_2) \
     `RT_CHECK(UNIT_INTERVAL >= 2 && UNIT_INTERVAL <= 4 && (UNIT_INTERVAL & (UNIT_INTERVAL - 1)) == 0, rt_core_UNIT_INTERVAL_must_be_a_power_of_two_from_2_to_4) \
     `RT_CHECK(SQUARES >= 0 && SQUARES <= 2, rt_core_SQUARES_must_be_0_to_2) \
+    `RT_CHECK(SPILLS >= 0 && SPILLS <= 2, rt_core_SPILLS_must_be_0_to_2) \
     `RT_CHECK(HIT_INTERVAL >= 8 && HIT_INTERVAL <= 12, rt_core_HIT_INTERVAL_must_be_8_to_12) \
     `RT_CHECK(BOUNCE_INTERVAL >= 10 && BOUNCE_INTERVAL <= 12, rt_core_BOUNCE_INTERVAL_must_be_10_to_12)
 `endif

@@ -20,7 +20,8 @@ module rt_engine #(
     parameter SHADES     = 1,    // shading units, power of two
     parameter SETUPS     = 1,    // set-up units, power of two, at most EXACTS
     parameter SLOTS      = 64,   // numbers of slots, power of two: {pipe, slot of its own}
-    parameter LUTS       = 0,    // not 0: squares in LUTs; cells that a block RAM is worth
+    parameter SQUARES    = 0,    // 1: squares of the node filter in LUTs
+    parameter LUTS       = 0,    // LUT cells that a block RAM is worth, rt_slot_ram
     parameter STACK      = 16,   // sibling groups waiting per ray, power of two
     parameter SHADOW     = 1,    // effects elaborated, see rt_core
     parameter REFLECT    = 5,
@@ -124,7 +125,7 @@ module rt_engine #(
     end endgenerate
     rt_pipes #(.W(W), .WD(WD), .FW(FW), .PIPES(PIPES), .EXACTS(EXACTS), .SHADES(SHADES),
               .SETUPS(SETUPS), .SLOTS(SLOTS), .STACK(STACK), .LINES(NODE_LINES), .LUTS(LUTS),
-              .SHADOW(SHADOWS), .FIRST(FIRST), .FARS(FARS), .FACETS(FACETS),
+              .SQUARES(SQUARES), .SHADOW(SHADOWS), .FIRST(FIRST), .FARS(FARS), .FACETS(FACETS),
               .ACCEL(ACCEL)) u_pipes (
         .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i), .ray_i(ray), .filter_i(filter),
         .across_i(across), .ray_again_i(ray_again), .shadow_go_i(shadow_go),
@@ -162,11 +163,10 @@ module rt_engine #(
         .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i), .light_i(light_i), .ray_i(ray),
         .next_light_i(next_light), .next_slot_i(next_slot), .hit_i(hit), .blend_o(blend),
         .end_valid_o(end_valid), .end_slot_o(end_slot), .fetch_o(fetch),
-        .fetch_ready_i(fetch_ready), .record_i(record),
-        .normal_o(normal), .vec_light_o(vec_light), .bounce_o(bounce), .org_o(org), .skip_o(skip),
-        .shadow_go_o(shadow_go), .shadow_slot_o(shadow_slot), .read_i(read),
-        .read_slot_i(read_slot), .colour_o(colour), .texture_o(texture),
-        .mem_req_valid_o(tex_req_valid), .mem_req_ready_i(tex_req_ready),
+        .fetch_ready_i(fetch_ready), .record_i(record), .normal_o(normal), .vec_light_o(vec_light),
+        .bounce_o(bounce), .org_o(org), .skip_o(skip), .shadow_go_o(shadow_go),
+        .shadow_slot_o(shadow_slot), .read_i(read), .read_slot_i(read_slot), .colour_o(colour),
+        .texture_o(texture), .mem_req_valid_o(tex_req_valid), .mem_req_ready_i(tex_req_ready),
         .mem_req_line_o(tex_req_line), .mem_rsp_valid_i(tex_rsp_valid),
         .mem_rsp_ready_o(tex_rsp_ready), .mem_rsp_data_i(mem_rsp_data_i),
         .mem_rsp_error_i(mem_rsp_error_i), .event_o(shade_event_o), .fault_o(fault_o[11:8])

@@ -3,8 +3,8 @@
 // vv = v.v, h = left shift that brings |v| into [2^(BITS-1), 2^BITS), y = rsqrt(vv << 2h),
 // u = round((v << h) * y / 2^BITS); v = 0 gives 0. Three multipliers serve v.v in even clocks and
 // (v << h) * y in odd ones: in_ready_o is high in every second clock. L = `RT_MUL_LATENCY(BITS+1):
-//   1 operands | L products | 2 sum | 2 shift | 1 table | 1 slope | 1 y | 1 operands | L | 1 round
-// Free-running, latency 2*L + 10: 12 for BITS <= 17, else 16. Model: sph_unit() in math/rsqrt.c
+//   1 operands | L products | 2 sum | 2 shift | 2 table | 2 slope | 1 y | 1 operands | L | 1 round
+// Free-running, latency 2*L + 12: 14 for BITS <= 17, else 18. Model: sph_unit() in math/rsqrt.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_check.vh"
@@ -40,11 +40,11 @@ module rt_unit #(
     // The clock in which a value stands in its register; the input is taken at the end of clock 0.
     localparam T_VV  = L + 3;                       // v.v, even
     localparam T_H   = T_VV + 2;                    // shift h and the shifted v.v, even
-    localparam T_Y   = T_H + 3;                     // y, odd
+    localparam T_Y   = T_H + 5;                     // y, odd
     localparam T_OUT = T_Y + L + 2;                 // u, even
     // What must wait does so in registers that shift every second clock.
     localparam N_TAG = T_OUT/2;                     // stage j stands in clocks 2j+1 and 2j+2
-    localparam N_V   = T_H/2;                       // the same
+    localparam N_V   = T_H/2 + 1;                   // the same
     localparam N_VV  = (T_OUT - T_VV)/2;            // from T_VV+1 on
     localparam N_H   = (T_OUT - T_H)/2;             // from T_H+1 on
     localparam N_Y   = (T_OUT - T_Y + 1)/2;         // from T_Y+1 on
@@ -122,7 +122,7 @@ module rt_unit #(
         if (!phase_q) h_wait_q <= {h_wait_q[(N_H-1)*5-1:0], h_q};
     end
 
-    // ---- v waits for h and is shifted: stands from T_H+1 to T_H+2, then to T_Y+1 ----
+    // ---- v waits for h and is shifted: stands from T_H+3 to T_H+4, then to T_Y+1 ----
     reg  [N_V*3*BITS-1:0] v_wait_q;
     reg  signed [BITS:0]  s_x_q, s_y_q, s_z_q;
     wire signed [BITS:0]  v_x = $signed({v_wait_q[N_V*3*BITS-1],
@@ -134,26 +134,32 @@ module rt_unit #(
     always @(posedge clk)
         if (!phase_q) begin
             v_wait_q <= {v_wait_q[(N_V-1)*3*BITS-1:0], in_x_i, in_y_i, in_z_i};
-            s_x_q    <= v_x <<< h_q;                         // |v << h| < 2^BITS
-            s_y_q    <= v_y <<< h_q;
-            s_z_q    <= v_z <<< h_q;
+            s_x_q    <= v_x <<< h_wait_q[4:0];               // |v << h| < 2^BITS
+            s_y_q    <= v_y <<< h_wait_q[4:0];
+            s_z_q    <= v_z <<< h_wait_q[4:0];
             back_x_q <= s_x_q;
             back_y_q <= s_y_q;
             back_z_q <= s_z_q;
         end
 
     // ---- table, slope, y = start - floor(slope * frac / 1024) in clock T_Y ----
+    // Block RAM and multiplier are slow, and lie where they lie: a clock for each, and for the way.
     wire [27:0] line;
-    reg  [9:0]  frac_q;
-    reg  [20:0] slope_q;                                     // u11.10
-    reg  [16:0] start_q;                                     // u1.16
+    reg  [27:0] line_q;
+    reg  [9:0]  frac_q, frac_two_q;
+    reg  [20:0] slope_q, slope_two_q;                        // u11.10
+    reg  [16:0] start_q, start_two_q;                        // u1.16
     reg  [N_Y*17-1:0] y_wait_q;
     rt_rsqrt_rom u_rom (.clk(clk), .index_i(x_q[17:10]), .line_q(line));
     always @(posedge clk) begin
-        frac_q  <= x_q[9:0];
-        slope_q <= {10'd0, line[27:17]} * {11'd0, frac_q};
-        start_q <= line[16:0];
-        y_q     <= start_q - {6'd0, slope_q[20:10]};
+        frac_q      <= x_q[9:0];
+        line_q      <= line;
+        frac_two_q  <= frac_q;
+        slope_q     <= {10'd0, line_q[27:17]} * {11'd0, frac_two_q};
+        start_q     <= line_q[16:0];
+        slope_two_q <= slope_q;
+        start_two_q <= start_q;
+        y_q         <= start_two_q - {6'd0, slope_two_q[20:10]};
         if (phase_q) y_wait_q <= {y_wait_q[(N_Y-1)*17-1:0], y_q};
     end
 
@@ -176,6 +182,6 @@ module rt_unit #(
     assign out_u_y_o   = u_y_q;
     assign out_u_z_o   = u_z_q;
 
-    wire unused = &{1'b0, p_x, p_y, p_z, r_x, r_y, r_z, n_16, n_2[11:0], slope_q[9:0]};
+    wire unused = &{1'b0, p_x, p_y, p_z, r_x, r_y, r_z, n_16, n_2[11:0], slope_two_q[9:0]};
 endmodule
 `default_nettype wire

@@ -3,7 +3,7 @@
 // m = axis of the smallest |u|, a < b the other two; r = 1/sqrt(1 - u_m^2) by rt_rsqrt_rom:
 //   p = r * (u_b, -u_a)    q = (u_m * p_b, u_m * p_a, -u_a * p_b - u_b * p_a)
 // Four multipliers with two products each, stages of two clocks (phase 0, 1):
-//   choose m | u_m^2 | table | slope | r | u_b*r, u_a*r | p | u_m*p, u*p | q
+//   u_m | u_m^2 | table | slope | r | u_b*r, u_a*r | p | u_m*p, u*p | q
 // A ray every second clock at most. Latency 14 or 15.
 // Model: sph_across() in cmodel/trace/across.c
 `timescale 1ns / 1ps
@@ -20,6 +20,7 @@ module rt_across #(
     input  wire [TAG-1:0]   in_tag_i,
     input  wire [53:0]      in_u_i,       // {z, y, x} s1.16
     input  wire [50:0]      in_mag_i,     // {z, y, x} u1.16, |u|
+    input  wire [1:0]       in_least_i,   // m
     // its axes
     output reg              out_valid_o,
     output reg  [TAG-1:0]   out_tag_o,
@@ -49,20 +50,19 @@ module rt_across #(
         end
     end
 
-    // ---- choose m ----
+    // ---- the component along m, and the others ----
     wire [16:0] mag_x = in_mag_i[16:0], mag_y = in_mag_i[33:17], mag_z = in_mag_i[50:34];
     wire [17:0] u_x = in_u_i[17:0], u_y = in_u_i[35:18], u_z = in_u_i[53:36];
-    wire [1:0]  least = mag_x <= mag_y && mag_x <= mag_z ? 2'd0 : mag_y <= mag_z ? 2'd1 : 2'd2;
-    wire [53:0] chosen = {least == 2'd0 ? u_x : least == 2'd1 ? u_y : u_z,
-                          least == 2'd2 ? u_y : u_z, least == 2'd0 ? u_y : u_x};
-    wire [16:0] mag = least == 2'd0 ? mag_x : least == 2'd1 ? mag_y : mag_z;
+    wire [53:0] chosen = {in_least_i == 2'd0 ? u_x : in_least_i == 2'd1 ? u_y : u_z,
+                          in_least_i == 2'd2 ? u_y : u_z, in_least_i == 2'd0 ? u_y : u_x};
+    wire [16:0] mag = in_least_i == 2'd0 ? mag_x : in_least_i == 2'd1 ? mag_y : mag_z;
     reg  [15:0] mag0_q, mag1_q;                      // u0.16, below 1/sqrt(3) + 2^-16
     // {least, u_m, u_b, u_a} of each stage
     reg  [55:0] u0_q, u1_q, u2_q, u3_q, u4_q, u5_q;
     reg  [1:0]  least6_q;
     always @(posedge clk) begin
         if (in_valid_i) begin
-            u0_q   <= {least, chosen};
+            u0_q   <= {in_least_i, chosen};
             mag0_q <= mag[15:0];
         end
         if (phase_q) begin

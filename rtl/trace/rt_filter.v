@@ -4,8 +4,8 @@
 // oc = ctr - org, p and q across the ray (rt_across), depth = oc along the largest axis of its unit
 // vector. Never rejects what the exact test hits (docs/blocks/filter.md).
 //   1 oc | 2 its parts along p | 3 products | 4 pairs | 5 sums | 6 cut to 1 fraction bit | rad - q,
-//   rad + q | (oc.p)^2 and their product | compare; with LUTS 7 to 10 squares | 11 rad^2 - qq
-// Latency 9 = `RT_FILTER_LATENCY, with LUTS 12 = `RT_FILTER_LUTS_LATENCY, one child a clock.
+//   rad + q | (oc.p)^2 and their product | compare; with SQUARES 7 to 10 squares | 11 rad^2 - qq
+// Latency 9 = `RT_FILTER_LATENCY, with SQUARES 12 = `RT_FILTER_SQUARES_LATENCY; a child a clock.
 // Model: sph_filter() in cmodel/trace/filter.c
 `timescale 1ns / 1ps
 `default_nettype none
@@ -13,7 +13,7 @@
 `include "rt_layout.vh"
 module rt_filter #(
     parameter FW   = 14,                     // filter coordinate, bits: 2 to 14
-    parameter LUTS = 0                       // 1: squares in LUTs, not in multipliers
+    parameter SQUARES = 0                    // 1: squares in LUTs, not in multipliers
 ) (
     input  wire                 clk,
     // from the ray
@@ -152,11 +152,11 @@ module rt_filter #(
     wire signed [15:0]    near;
     wire [13:0]           rad;                            // with s6_q_q
     rt_delay #(.WIDTH(14), .CYCLES(3)) u_rad (.clk(clk), .in_i(s3_rad_q), .out_o(rad));
-    rt_delay #(.WIDTH(17), .CYCLES(LUTS != 0 ? 5 : 2)) u_depth (
+    rt_delay #(.WIDTH(17), .CYCLES(SQUARES != 0 ? 5 : 2)) u_depth (
         .clk(clk), .in_i({s5_ok_q, s5_near_q}), .out_o({ok, near})
     );
     generate
-        if (LUTS != 0) begin : g_luts
+        if (SQUARES != 0) begin : g_luts
             wire [2*MW-1:0]     pp, qq;                   // u30.2F
             wire [27:0]         rad2;                     // u28
             wire signed [2*MW:0] left_rad2 = {{(2*MW-27-2*F){1'b0}}, rad2, {(2*F){1'b0}}};

@@ -3,7 +3,7 @@
 `ifndef RT_LATENCY_VH
 `define RT_LATENCY_VH
 `define RT_FILTER_LATENCY 9
-`define RT_FILTER_LUTS_LATENCY 12
+`define RT_FILTER_SQUARES_LATENCY 12
 // clocks from a ray of rt_setup to its axes across, at most
 `define RT_ACROSS_BEHIND 12
 `define RT_BIH_STEP_LATENCY 5

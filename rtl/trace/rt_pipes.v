@@ -25,7 +25,8 @@ module rt_pipes #(
     parameter FIRST = 1,    // 1: primary rays may end with their first hit
     parameter FARS  = 1,    // 1: hits that are far
     parameter FACETS = 0,   // 1: a leaf child may have a whole line
-    parameter LUTS  = 0,    // not 0: squares in LUTs; cells that a block RAM is worth
+    parameter SQUARES = 0,  // 1: squares of the node filter in LUTs
+    parameter LUTS  = 0,    // LUT cells that a block RAM is worth, rt_slot_ram
     parameter ACCEL = 0     // 0: nodes of four spheres, 1: BIH, 2: nodes of four boxes
 ) (
     input  wire                       clk,
@@ -113,7 +114,8 @@ module rt_pipes #(
             end
             rt_trace #(.W(W), .WD(WD), .FW(FW), .SLOTS(SLOTS >> PB), .STACK(STACK), .LINES(LINES),
                        .SHADOW(SHADOW), .FIRST(FIRST), .FARS(FARS), .FACETS(FACETS),
-                       .LUTS(LUTS), .ACCEL(ACCEL), .WAITS(PIPES > 1 ? 1 : 0)) u_trace (
+                       .SQUARES(SQUARES), .LUTS(LUTS), .ACCEL(ACCEL),
+                       .WAITS(PIPES > 1 ? 1 : 0)) u_trace (
                 .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i),
                 .ray_i(ray), .filter_i(filter_i[FB*U +: FB]), .across_i(across),
                 .ray_again_i(ray_again_i),

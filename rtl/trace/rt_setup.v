@@ -107,7 +107,7 @@ module rt_setup #(
         .out_u_o(u_unit), .out_y_o(u_rsqrt), .out_h_o(u_shift)
     );
     generate if (KB == 0) begin : g_kind assign u_tag[1:0] = PRIMARY; end endgenerate
-    wire [3*WD-1:0] s1_vec;
+    wire [3*WD-1:0] s2_vec;
     reg              w_valid_q;                       // a vector that was taken is kept
     reg [SLOTW-1:0]  w_slot_q;
     reg [3*WD-1:0]   w_vec_q;
@@ -118,17 +118,19 @@ module rt_setup #(
     end
     rt_slot_ram #(.WIDTH(3*WD), .SLOTS(SLOTS), .OLD(0)) u_vec (
         .clk(clk), .wr_en_i(w_valid_q), .wr_addr_i(w_slot_q), .wr_data_i(w_vec_q),
-        .rd_en_i(u_valid), .rd_addr_i(u_slot), .rd_data_o(s1_vec)
+        .rd_en_i(s1_valid_q), .rd_addr_i(s1_slot_q), .rd_data_o(s2_vec)
     );
 
     // ---- stage 1: magnitudes ----
-    reg              s1_valid_q, s2_valid_q, s3_valid_q;
-    reg [SLOTW-1:0]  s1_slot_q, s2_slot_q, s3_slot_q;
-    reg [1:0]        s1_kind_q, s2_kind_q, s3_kind_q;
-    reg [2*WD-1:0]   s1_vv_q, s2_vv_q, s3_vv_q;
-    reg [53:0]       s1_unit_q, s2_unit_q, s3_unit_q;
+    reg              s1_valid_q, s2_valid_q, s3_valid_q, s4_valid_q;
+    reg [SLOTW-1:0]  s1_slot_q, s2_slot_q, s3_slot_q, s4_slot_q;
+    reg [1:0]        s1_kind_q, s2_kind_q, s3_kind_q, s4_kind_q;
+    reg [2*WD-1:0]   s1_vv_q, s2_vv_q, s3_vv_q, s4_vv_q;
+    reg [53:0]       s1_unit_q, s2_unit_q, s3_unit_q, s4_unit_q;
     reg [16:0]       s1_mag_x_q, s1_mag_y_q, s1_mag_z_q, s1_rsqrt_q;   // u1.16
-    reg [5:0]        s1_h_q;
+    reg [16:0]       s2_mag_x_q, s2_mag_y_q, s2_mag_z_q, s2_rsqrt_q;
+    reg [5:0]        s1_h_q, s2_h_q;
+    reg [1:0]        s2_axis_q, s2_least_q;
     always @(posedge clk) begin
         s1_valid_q <= u_valid;
         s1_slot_q  <= u_slot;
@@ -141,11 +143,26 @@ module rt_setup #(
         s1_rsqrt_q <= u_rsqrt;
         s1_h_q     <= u_shift;
         if (rst) s1_valid_q <= 1'b0;
-    end
-    wire [1:0] s1_axis = s1_mag_x_q >= s1_mag_y_q && s1_mag_x_q >= s1_mag_z_q ? 2'd0
-                         : s1_mag_y_q >= s1_mag_z_q ? 2'd1 : 2'd2;
 
-    // ---- stage 2: factors of the depth scale ----
+        // ---- stage 2: axes of the largest and of the smallest ----
+        s2_valid_q <= s1_valid_q;
+        s2_slot_q  <= s1_slot_q;
+        s2_kind_q  <= s1_kind_q;
+        s2_vv_q    <= s1_vv_q;
+        s2_unit_q  <= s1_unit_q;
+        s2_mag_x_q <= s1_mag_x_q;
+        s2_mag_y_q <= s1_mag_y_q;
+        s2_mag_z_q <= s1_mag_z_q;
+        s2_rsqrt_q <= s1_rsqrt_q;
+        s2_h_q     <= s1_h_q;
+        s2_axis_q  <= s1_mag_x_q >= s1_mag_y_q && s1_mag_x_q >= s1_mag_z_q ? 2'd0
+                      : s1_mag_y_q >= s1_mag_z_q ? 2'd1 : 2'd2;
+        s2_least_q <= s1_mag_x_q <= s1_mag_y_q && s1_mag_x_q <= s1_mag_z_q ? 2'd0
+                      : s1_mag_y_q <= s1_mag_z_q ? 2'd1 : 2'd2;
+        if (rst) s2_valid_q <= 1'b0;
+    end
+
+    // ---- stage 3: factors of the depth scale ----
     reg              ray_valid_q, ray_normal_q, ray_light_q, ray_shadow_q, ray_primary_q;
     reg [SLOTW-1:0]  ray_slot_q;
     reg [3*WD-1:0]   ray_dir_q;
@@ -155,63 +172,63 @@ module rt_setup #(
     reg              ray_negative_q;
     reg [16:0]       ray_scale_q;                    // u1.15
     reg [5:0]        ray_shift_q;                    // 63: no bound
-    reg [3*WD-1:0]  s2_vec_q, s3_vec_q;
-    reg [1:0]       s2_axis_q, s3_axis_q;
-    reg             s2_negative_q, s3_negative_q;
-    reg [16:0]      s2_mag_q, s2_recip_q;                // u1.16, u1.15
-    reg [5:0]       s2_shift_q, s3_shift_q;
-    reg [33:0]      s3_prod_q;
+    reg [3*WD-1:0]  s3_vec_q, s4_vec_q;
+    reg [1:0]       s3_axis_q, s4_axis_q;
+    reg             s3_negative_q, s4_negative_q;
+    reg [16:0]      s3_mag_q, s3_recip_q;                // u1.16, u1.15
+    reg [5:0]       s3_shift_q, s4_shift_q;
+    reg [33:0]      s4_prod_q;
     localparam [31:0] FLAT = 30 - FW;                    // depth shift of an unshifted vector
     always @(posedge clk) begin
-        s2_valid_q    <= s1_valid_q;
-        s2_slot_q     <= s1_slot_q;
-        s2_kind_q     <= s1_kind_q;
-        s2_vv_q       <= s1_vv_q;
-        s2_unit_q     <= s1_unit_q;
-        s2_vec_q      <= s1_vec;
-        s2_axis_q     <= s1_axis;
-        s2_negative_q <= s1_axis == 2'd0 ? s1_unit_q[17] : s1_axis == 2'd1 ? s1_unit_q[35]
-                         : s1_unit_q[53];
-        s2_mag_q      <= (s1_axis == 2'd0 ? s1_mag_x_q : s1_axis == 2'd1 ? s1_mag_y_q
-                          : s1_mag_z_q) + 17'd1;
-        s2_recip_q    <= {1'b0, s1_rsqrt_q[16:1]} + `RT_RSQRT_ERROR + 17'd2;
-        s2_shift_q    <= {26'd0, s1_h_q} > FLAT ? 6'd63 : FLAT[5:0] - s1_h_q;
-        if (rst) s2_valid_q <= 1'b0;
-
-        // ---- stage 3: product ----
         s3_valid_q    <= s2_valid_q;
         s3_slot_q     <= s2_slot_q;
         s3_kind_q     <= s2_kind_q;
         s3_vv_q       <= s2_vv_q;
         s3_unit_q     <= s2_unit_q;
-        s3_vec_q      <= s2_vec_q;
+        s3_vec_q      <= s2_vec;
         s3_axis_q     <= s2_axis_q;
-        s3_negative_q <= s2_negative_q;
-        s3_shift_q    <= s2_shift_q;
-        s3_prod_q     <= s2_mag_q * s2_recip_q;
+        s3_negative_q <= s2_axis_q == 2'd0 ? s2_unit_q[17] : s2_axis_q == 2'd1 ? s2_unit_q[35]
+                         : s2_unit_q[53];
+        s3_mag_q      <= (s2_axis_q == 2'd0 ? s2_mag_x_q : s2_axis_q == 2'd1 ? s2_mag_y_q
+                          : s2_mag_z_q) + 17'd1;
+        s3_recip_q    <= {1'b0, s2_rsqrt_q[16:1]} + `RT_RSQRT_ERROR + 17'd2;
+        s3_shift_q    <= {26'd0, s2_h_q} > FLAT ? 6'd63 : FLAT[5:0] - s2_h_q;
         if (rst) s3_valid_q <= 1'b0;
 
-        // ---- stage 4: ray, normal or light ----
-        ray_valid_q    <= s3_valid_q && s3_kind_q != NORMAL &&
-                          (SHADOWS != 0 || s3_kind_q != LIGHT);
-        ray_normal_q   <= s3_valid_q && s3_kind_q == NORMAL;
+        // ---- stage 4: product ----
+        s4_valid_q    <= s3_valid_q;
+        s4_slot_q     <= s3_slot_q;
+        s4_kind_q     <= s3_kind_q;
+        s4_vv_q       <= s3_vv_q;
+        s4_unit_q     <= s3_unit_q;
+        s4_vec_q      <= s3_vec_q;
+        s4_axis_q     <= s3_axis_q;
+        s4_negative_q <= s3_negative_q;
+        s4_shift_q    <= s3_shift_q;
+        s4_prod_q     <= s3_mag_q * s3_recip_q;
+        if (rst) s4_valid_q <= 1'b0;
+
+        // ---- stage 5: ray, normal or light ----
+        ray_valid_q    <= s4_valid_q && s4_kind_q != NORMAL &&
+                          (SHADOWS != 0 || s4_kind_q != LIGHT);
+        ray_normal_q   <= s4_valid_q && s4_kind_q == NORMAL;
         ray_light_q    <= next_light_o;
-        ray_slot_q     <= s3_slot_q;
-        ray_shadow_q   <= SHADOWS != 0 && s3_kind_q == LIGHT;
-        ray_primary_q  <= s3_kind_q == PRIMARY;
-        ray_dir_q      <= s3_vec_q;
-        ray_a_q        <= s3_vv_q;
-        ray_unit_q     <= s3_unit_q;
-        ray_axis_q     <= s3_axis_q;
-        ray_negative_q <= s3_negative_q;
-        ray_scale_q    <= s3_prod_q[32:16] + 17'd1;
-        ray_shift_q    <= s3_shift_q;
+        ray_slot_q     <= s4_slot_q;
+        ray_shadow_q   <= SHADOWS != 0 && s4_kind_q == LIGHT;
+        ray_primary_q  <= s4_kind_q == PRIMARY;
+        ray_dir_q      <= s4_vec_q;
+        ray_a_q        <= s4_vv_q;
+        ray_unit_q     <= s4_unit_q;
+        ray_axis_q     <= s4_axis_q;
+        ray_negative_q <= s4_negative_q;
+        ray_scale_q    <= s4_prod_q[32:16] + 17'd1;
+        ray_shift_q    <= s4_shift_q;
         if (rst) begin
             ray_valid_q <= 1'b0; ray_normal_q <= 1'b0; ray_light_q <= 1'b0;
         end
     end
-    assign next_light_o = LIGHTS != 0 && s3_valid_q && s3_kind_q == LIGHT;
-    assign next_slot_o  = s3_slot_q;
+    assign next_light_o = LIGHTS != 0 && s4_valid_q && s4_kind_q == LIGHT;
+    assign next_slot_o  = s4_slot_q;
     assign ray_o[`RT_RAY_VALID]       = ray_valid_q;
     assign ray_o[`RT_RAY_NORMAL]      = ray_normal_q;
     assign ray_o[`RT_RAY_LIGHT]       = ray_light_q;
@@ -227,28 +244,28 @@ module rt_setup #(
     assign filter_o[`RT_FILTER_SHIFT] = ray_shift_q;
 
     // ---- axes across the ray ----
-    wire             s1_ray = s1_valid_q && s1_kind_q != NORMAL;
-    wire [50:0]      s1_mag = {s1_mag_z_q, s1_mag_y_q, s1_mag_x_q};
+    wire             s2_ray = s2_valid_q && s2_kind_q != NORMAL;
+    wire [50:0]      s2_mag = {s2_mag_z_q, s2_mag_y_q, s2_mag_x_q};
     generate
         if (ACROSS == 1) begin : g_across_one
             rt_across_one #(.TAG(SLOTW)) u_across (
-                .clk(clk), .rst(rst), .in_valid_i(s1_ray), .in_tag_i(s1_slot_q),
-                .in_u_i(s1_unit_q), .in_mag_i(s1_mag),
+                .clk(clk), .rst(rst), .in_valid_i(s2_ray), .in_tag_i(s2_slot_q),
+                .in_u_i(s2_unit_q), .in_mag_i(s2_mag), .in_least_i(s2_least_q),
                 .out_valid_o(across_o[`RT_ACROSS_VALID]), .out_tag_o(across_o[`RT_ACROSS_SLOT]),
                 .out_least_o(across_o[`RT_ACROSS_LEAST]), .out_p_a_o(across_o[`RT_ACROSS_P_A]),
                 .out_p_b_o(across_o[`RT_ACROSS_P_B]), .out_q_o(across_o[`RT_ACROSS_Q])
             );
         end else if (ACROSS == 2) begin : g_across
             rt_across #(.TAG(SLOTW)) u_across (
-                .clk(clk), .rst(rst), .in_valid_i(s1_ray), .in_tag_i(s1_slot_q),
-                .in_u_i(s1_unit_q), .in_mag_i(s1_mag),
+                .clk(clk), .rst(rst), .in_valid_i(s2_ray), .in_tag_i(s2_slot_q),
+                .in_u_i(s2_unit_q), .in_mag_i(s2_mag), .in_least_i(s2_least_q),
                 .out_valid_o(across_o[`RT_ACROSS_VALID]), .out_tag_o(across_o[`RT_ACROSS_SLOT]),
                 .out_least_o(across_o[`RT_ACROSS_LEAST]), .out_p_a_o(across_o[`RT_ACROSS_P_A]),
                 .out_p_b_o(across_o[`RT_ACROSS_P_B]), .out_q_o(across_o[`RT_ACROSS_Q])
             );
         end else begin : g_no_across
             assign across_o = {`RT_ACROSS_BITS{1'b0}};
-            wire unused = &{1'b0, s1_ray, s1_mag};
+            wire unused = &{1'b0, s2_ray, s2_mag, s2_least_q};
         end
     endgenerate
 
@@ -256,8 +273,8 @@ module rt_setup #(
     rt_origin #(.W(W), .FW(FW), .NG(NG), .LIFTS(FACETS != 0 && SHADOWS != 0 ? 1 : 0),
                 .SECONDARY(SECONDARY), .LUTS(LUTS), .SHADES(SHADES), .SLOTS(SLOTS)) u_origin (
         .clk(clk), .eye_i(eye_i), .org_i(org_i), .skip_i(skip_i),
-        .read_i(s2_valid_q && s2_kind_q != NORMAL), .slot_i(s2_slot_q),
-        .primary_i(s2_kind_q == PRIMARY),
+        .read_i(s3_valid_q && s3_kind_q != NORMAL), .slot_i(s3_slot_q),
+        .primary_i(s3_kind_q == PRIMARY),
         .org_o(ray_o[`RT_RAY_ORG]), .skip_o({ray_o[`RT_RAY_INSIDE], ray_o[`RT_RAY_SKIP]}),
         .lift_o(lift_o), .forg_o(filter_o[`RT_FILTER_ORG])
     );
@@ -266,17 +283,17 @@ module rt_setup #(
     localparam [FW:0] LIM = {(FW+1){1'b1}};
     generate
         if (SHADOWS != 0) begin : g_depth
-            reg [WD-1:0]  s2_span_q;                     // |dir| along the axis
-            reg [FW:0]    s3_depth_q, depth_q;
-            wire signed [WD-1:0] s1_along = $signed(
-                s1_axis == 2'd0 ? s1_vec[`RT_VEC_X] : s1_axis == 2'd1 ? s1_vec[`RT_VEC_Y]
-                : s1_vec[`RT_VEC_Z]);
-            wire [WD-1:0] s2_units = s2_span_q >> (W - FW);
+            reg [WD-1:0]  s3_span_q;                     // |dir| along the axis
+            reg [FW:0]    s4_depth_q, depth_q;
+            wire signed [WD-1:0] s2_along = $signed(
+                s2_axis_q == 2'd0 ? s2_vec[`RT_VEC_X] : s2_axis_q == 2'd1 ? s2_vec[`RT_VEC_Y]
+                : s2_vec[`RT_VEC_Z]);
+            wire [WD-1:0] s3_units = s3_span_q >> (W - FW);
             always @(posedge clk) begin
-                s2_span_q  <= s1_along[WD-1] ? ~s1_along + 1'b1 : s1_along;
-                s3_depth_q <= s2_kind_q == LIGHT && s2_units < {{(WD-FW-1){1'b0}}, LIM}
-                              ? s2_units[FW:0] + 1'b1 : LIM;
-                depth_q    <= s3_depth_q;
+                s3_span_q  <= s2_along[WD-1] ? ~s2_along + 1'b1 : s2_along;
+                s4_depth_q <= s3_kind_q == LIGHT && s3_units < {{(WD-FW-1){1'b0}}, LIM}
+                              ? s3_units[FW:0] + 1'b1 : LIM;
+                depth_q    <= s4_depth_q;
             end
             assign filter_o[`RT_FILTER_DEPTH] = depth_q;
         end else begin : g_unbounded
@@ -288,13 +305,13 @@ module rt_setup #(
     generate
         if (TEXTURE != 0) begin : g_length
             rt_delay #(.WIDTH(23), .CYCLES(3)) u_length (
-                .clk(clk), .in_i({s1_h_q, s1_rsqrt_q}), .out_o({ray_o[`RT_RAY_H], ray_o[`RT_RAY_Y]})
+                .clk(clk), .in_i({s2_h_q, s2_rsqrt_q}), .out_o({ray_o[`RT_RAY_H], ray_o[`RT_RAY_Y]})
             );
         end else begin : g_no_length
             assign {ray_o[`RT_RAY_H], ray_o[`RT_RAY_Y]} = 23'd0;
         end
     endgenerate
 
-    wire unused = &{1'b0, v_tag, v_shade, s1_vec, s3_prod_q[33], s3_prod_q[15:0], s1_rsqrt_q[0]};
+    wire unused = &{1'b0, v_tag, v_shade, s2_vec, s4_prod_q[33], s4_prod_q[15:0], s2_rsqrt_q[0]};
 endmodule
 `default_nettype wire

@@ -21,7 +21,8 @@ module rt_trace #(
     parameter FIRST = 1,    // 1: primary rays may end with their first hit
     parameter FARS  = 1,    // 1: hits that are far
     parameter FACETS = 0,   // 1: a leaf child may have a whole line
-    parameter LUTS  = 0,    // not 0: squares in LUTs; cells that a block RAM is worth
+    parameter SQUARES = 0,  // 1: squares of the node filter in LUTs
+    parameter LUTS  = 0,    // LUT cells that a block RAM is worth, rt_slot_ram
     parameter ACCEL = 0,    // 0: nodes of four spheres, 1: BIH, 2: nodes of four boxes
     parameter WAITS = 0     // 1: rays that are done wait for done_ready_i
 ) (
@@ -99,7 +100,7 @@ module rt_trace #(
             end
             assign count = {2'b0, leaf[0]} + {2'b0, leaf[1]} + {2'b0, leaf[2]} + {2'b0, leaf[3]};
             rt_traverse #(.W(W), .WD(WD), .FW(FW), .SLOTS(SLOTS), .LINES(LINES), .SHADOW(SHADOW),
-                          .FIRST(FIRST), .FACETS(FACETS), .LUTS(LUTS),
+                          .FIRST(FIRST), .FACETS(FACETS), .SQUARES(SQUARES), .LUTS(LUTS),
                           .BOXES(ACCEL == 2 ? 1 : 0)) u_traverse (
                 .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i),
                 .ray_i(ray_i), .filter_i(filter_i), .across_i(across_i),

@@ -21,7 +21,8 @@ module rt_traverse #(
     parameter SHADOW = 1,   // 1: shadow rays
     parameter FIRST = 1,    // 1: rays that end with their first hit
     parameter FACETS = 0,   // 1: a leaf child may have a whole line
-    parameter LUTS  = 0,    // not 0: squares in LUTs; cells that a block RAM is worth
+    parameter SQUARES = 0,  // 1: squares of the node filter in LUTs
+    parameter LUTS  = 0,    // LUT cells that a block RAM is worth, rt_slot_ram
     parameter BOXES = 0,    // 1: children are in boxes, not in spheres
     parameter LW    = BOXES != 0 ? 14 : FW   // not to be set: depth, bits - 1
 ) (
@@ -69,7 +70,7 @@ module rt_traverse #(
     wire [`RT_EFFECT_BITS-1:0] effects   = regs_i[`RT_REGS_EFFECTS];
     wire [`RT_LINE_BITS-1:0] mem_lines = regs_i[`RT_REGS_MEM_LINES];
     localparam LAT = BOXES != 0 ? `RT_BOXES_LATENCY
-                     : LUTS != 0 ? `RT_FILTER_LUTS_LATENCY : `RT_FILTER_LATENCY;
+                     : SQUARES != 0 ? `RT_FILTER_SQUARES_LATENCY : `RT_FILTER_LATENCY;
 
     // ---- queues of tokens: rays under way first, then new ones ----
     wire             q_next_valid, start_valid, start_pixel, next_in_ready;
@@ -175,7 +176,7 @@ module rt_traverse #(
             for (c = 0; c < 4; c = c + 1) begin : g_lane
                 wire [`RT_CHILD_STRIDE-1:0] child =
                     t1_node_q[`RT_CHILD_STRIDE*c +: `RT_CHILD_STRIDE];
-                rt_filter #(.FW(FW), .LUTS(LUTS)) u_filter (
+                rt_filter #(.FW(FW), .SQUARES(SQUARES)) u_filter (
                     .clk(clk),
                     .in_org_x_i($signed(t1_org[0 +: FW])), .in_org_y_i($signed(t1_org[FW +: FW])),
                     .in_org_z_i($signed(t1_org[2*FW +: FW])),

@@ -66,7 +66,8 @@ module tb_core_icarus #(
     parameter FACET_INTERVAL = 0, // 0..4, power of two: clocks a facet, 0: 2, wide without BOXES 4
     parameter UNITS      = 2,    // 1..2: units for unit vectors an engine
     parameter UNIT_INTERVAL = 2, // 2..4, power of two: clocks a vector of each
-    parameter SQUARES    = 0,    // 0..2: squares, odd memory bits: 1 no, 2 in LUTs, 0: by PIPES
+    parameter SQUARES    = 0,    // 0..2: squares of filters in LUTs: 1 no, 2 yes, 0: of 4 pipes
+    parameter SPILLS     = 0,    // 0..2: bits that blocks of RAM leave over in LUTs, 0: from 3 pipes
     parameter HIT_INTERVAL = 8,  // 8..12: clocks a hit point and its normal, 8 or 12
     parameter BOUNCE_INTERVAL = 10 // 10..12: clocks a mirrored direction, 10 or 12
     // end of parameters
@@ -118,7 +119,8 @@ module tb_core_icarus #(
         .DIVISIONS(DIVISIONS), .ROOT_STEP(ROOT_STEP), .QUOTIENT_STEP(QUOTIENT_STEP),
         .DIVISION_STEP(DIVISION_STEP), .LEAF_INTERVAL(LEAF_INTERVAL),
         .FACET_INTERVAL(FACET_INTERVAL), .UNITS(UNITS), .UNIT_INTERVAL(UNIT_INTERVAL),
-        .SQUARES(SQUARES), .HIT_INTERVAL(HIT_INTERVAL), .BOUNCE_INTERVAL(BOUNCE_INTERVAL)
+        .SQUARES(SQUARES), .SPILLS(SPILLS), .HIT_INTERVAL(HIT_INTERVAL),
+        .BOUNCE_INTERVAL(BOUNCE_INTERVAL)
         // end of connections
     ) u_core (
         .clk(clk), .rst(rst),

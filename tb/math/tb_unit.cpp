@@ -26,7 +26,7 @@ struct Vector {
     hard::Vector hard{};
 };
 
-constexpr uint64_t LATENCY = FOUR ? 23 : BITS <= 17 ? 12 : 16, INTERVAL = FOUR ? 4 : 2;
+constexpr uint64_t LATENCY = FOUR ? 23 : BITS <= 17 ? 14 : 18, INTERVAL = FOUR ? 4 : 2;
 constexpr int64_t MIN = -((int64_t)1 << (BITS - 1)), MAX = -MIN - 1;
 
 Vector vector(bench::Random &r, const std::vector<hard::Vector> &cases, long n) {

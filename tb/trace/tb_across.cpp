@@ -26,7 +26,7 @@ namespace {
 
 constexpr int BITS = 26; /* of a direction */
 #ifdef ONE
-constexpr uint64_t PACE = 1, LATENCY = 10;
+constexpr uint64_t PACE = 1, LATENCY = 11;
 #else
 constexpr uint64_t PACE = 2, LATENCY = 15; /* or 14, by the phase */
 #endif
@@ -55,6 +55,8 @@ class Across : public bench::Bench<Dut> {
             bench::put(dut.in_u_i, 18 * i, 18, v.u[i]);
             bench::put(dut.in_mag_i, 17 * i, 17, std::abs(v.u[i]));
         }
+        struct sph_across a = sph_across(v.u);
+        dut.in_least_i = (unsigned char)(3 - a.axis_a - a.axis_b);
         tick();
         bool due = !sent.empty() && cycle - sent.front().since > LATENCY;
         if (dut.out_valid_o)

@@ -20,13 +20,13 @@ extern "C" {
 #include "trace/ray.h"
 }
 
-#ifndef LUTS
-#define LUTS 0
+#ifndef SQUARES
+#define SQUARES 0
 #endif
 
 namespace {
 
-constexpr int LATENCY = LUTS ? 12 : 9, K = W - FW;
+constexpr int LATENCY = SQUARES ? 12 : 9, K = W - FW;
 constexpr int64_t C_MIN = -((int64_t)1 << (W - 1)), C_MAX = -C_MIN - 1,
                   R_MAX = ((int64_t)1 << W) - 1;
 constexpr int64_t D_MIN = -((int64_t)1 << (WD - 1)), D_MAX = -D_MIN - 1;

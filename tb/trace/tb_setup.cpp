@@ -343,7 +343,7 @@ class Setup : public bench::Bench<Vrt_setup> {
         const Axes a = axes.front();
         axes.pop_front();
         uint64_t behind = cycle - a.since;
-        if (ACROSS == 1 ? behind != 7 : behind != BEHIND && behind != BEHIND - 1)
+        if (ACROSS == 1 ? behind != 8 : behind != BEHIND && behind != BEHIND - 1)
             fail("axes too early or too late");
         expect("LEAST", field(RT_ACROSS_LEAST), 3 - a.across.axis_a - a.across.axis_b, 2);
         expect("P_A", bench::sign(field(RT_ACROSS_P_A), 18), a.across.p_a, 18);
