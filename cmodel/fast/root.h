@@ -30,8 +30,8 @@ static inline uint64_t sph_fast_isqrt(sph_u128 x) {
     return root;
 }
 
-/* floor(sqrt(x)) of x < 2^104 from a guess that is less than 2^9 off, and *rest, x - root^2: numbers
- * of 64 bits hold what is left of x. */
+/* floor(sqrt(x)) of x < 2^104 from a guess that is less than 2^9 off, and *rest, x - root^2:
+ * numbers of 64 bits hold what is left of x. */
 static inline uint64_t sph_fast_isqrt_near(sph_u128 x, double guess, int64_t *rest) {
     int64_t root = (int64_t)guess, r = (int64_t)((uint64_t)x - (uint64_t)root * (uint64_t)root);
     for (; r < 0; root--)
@@ -42,9 +42,9 @@ static inline uint64_t sph_fast_isqrt_near(sph_u128 x, double guess, int64_t *re
     return (uint64_t)root;
 }
 
-/* floor(sqrt(disc)), disc = k * a + b * b > 0, b > 0 or k > 0, of numbers below 2^52; *inexact: disc
- * is no square. In doubles disc is off by less than 2^-51 of b * b where k < 0, and its root by less
- * than b * 2^-43 if it is not much smaller; else it is too small for them. */
+/* floor(sqrt(disc)), disc = k * a + b * b > 0, b > 0 or k > 0, of numbers below 2^52; *inexact:
+ * disc is no square. In doubles disc is off by less than 2^-51 of b * b where k < 0, and its root
+ * by less than b * 2^-43 if it is not much smaller; else it is too small for them. */
 static inline uint64_t sph_fast_root(sph_i128 disc, int64_t k, uint64_t a, int64_t b,
                                      int *inexact) {
     double square = (double)b * (double)b, near = (double)k * (double)(int64_t)a + square;

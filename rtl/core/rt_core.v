@@ -64,7 +64,7 @@ module rt_core #(
     parameter UNITS      = 2,    // 1..2: units for unit vectors an engine
     parameter UNIT_INTERVAL = 2, // 2..4, power of two: clocks a vector of each
     parameter SQUARES    = 0,    // 0..2: squares of filters in LUTs: 1 no, 2 yes, 0: of 4 pipes
-    parameter SPILLS     = 0,    // 0..2: bits that blocks of RAM leave over in LUTs, 0: from 3 pipes
+    parameter SPILLS     = 0,    // 0..2: odd bits of memories in LUTs: 1 no, 2 yes, 0: from 3 pipes
     parameter HIT_INTERVAL = 8,  // 8..12: clocks a hit point and its normal, 8 or 12
     parameter BOUNCE_INTERVAL = 10 // 10..12: clocks a mirrored direction, 10 or 12
     // end of parameters
