@@ -6,14 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "engine/render_pixel.h"
+#include "builder/sample.h"
 #include "machine/records.h"
 #include "trace/box.h"
 #include "trace/leaf_unit.h"
 #include "trace/visit.h"
-
-/* Pixels of the sample at most, and how far they lie apart at least. */
-enum { COLUMNS = 32, ROWS = 18, APART = 4 };
 
 /* What the rays that met a node found below it: each looks at the node as if it came there first.
  */
@@ -24,7 +21,6 @@ struct found {
 struct work {
     const struct sph_machine *m;
     struct found *found; /* of each line that may be a node */
-    int failed;
 };
 
 /* A ray on its walk. */
@@ -62,38 +58,17 @@ static uint32_t walk(struct walker *w, uint32_t node, int *hit) {
     return visits;
 }
 
-/* The shadow rays of a pixel. */
-static void look(struct work *w, int x, int y) {
-    struct sph_ray_log log = {0};
-    struct sph_render_options o = {.traverse = SPH_TRAVERSE_TREE, .log = &log};
+static void look(void *user, const struct sph_logged *logged) {
+    const struct sph_ray *ray = &logged->ray;
+    struct walker walker = {.work = user, .ray = ray};
     struct sph_counters counters = {{0}};
     uint32_t errors = 0;
     int hit;
-    sph_render_pixel(w->m, &o, x, y, &counters, &errors, NULL);
-    for (int i = 0; i < log.n; i++) {
-        const struct sph_ray *ray = &log.rays[i].ray;
-        struct walker walker = {.work = w, .ray = ray};
-        if (ray->kind != SPH_SHADOW) continue;
-        sph_bih_setup(sph_machine_profile(w->m), ray, &walker.planes);
-        walker.depth_max = sph_box_depth(walker.planes.limit);
-        walker.probe = sph_probe_of(w->m, ray, &counters, &errors);
-        walk(&walker, (uint32_t)w->m->regs[SPH_REG_ROOT], &hit);
-    }
-#pragma omp atomic
-    w->failed |= log.full;
-    sph_ray_log_free(&log);
-}
-
-/* The sample: the middles of equal parts of the frame. */
-static void sample(struct work *w) {
-    int width = w->m->regs[SPH_REG_FRAME_W], height = w->m->regs[SPH_REG_FRAME_H];
-    int columns = (width + APART - 1) / APART, rows = (height + APART - 1) / APART;
-    if (columns > COLUMNS) columns = COLUMNS;
-    if (rows > ROWS) rows = ROWS;
-#pragma omp parallel for schedule(dynamic, 1)
-    for (int i = 0; i < columns * rows; i++)
-        look(w, (2 * (i % columns) + 1) * width / (2 * columns),
-             (2 * (i / columns) + 1) * height / (2 * rows));
+    if (ray->kind != SPH_SHADOW) return;
+    sph_bih_setup(sph_machine_profile(walker.work->m), ray, &walker.planes);
+    walker.depth_max = sph_box_depth(walker.planes.limit);
+    walker.probe = sph_probe_of(walker.work->m, ray, &counters, &errors);
+    walk(&walker, (uint32_t)walker.work->m->regs[SPH_REG_ROOT], &hit);
 }
 
 /* Whether a is more likely to hit in a visit than b. */
@@ -136,10 +111,10 @@ int sph_box_order(struct sph_machine *m, struct sph_error *err) {
         !sph_machine_effect(m, SPH_EFFECT_SHADOW) || sph_machine_effect(m, SPH_EFFECT_FIRST))
         return 0;
     uint32_t lines = (uint32_t)m->regs[SPH_REG_PRIM_BASE];
-    struct work w = {.m = m, .found = calloc(lines, sizeof *w.found)};
-    if (w.found) sample(&w);
-    int failed = !w.found || w.failed;
+    struct work w = {m, calloc(lines, sizeof *w.found)};
+    int failed = w.found ? sph_sample(m, look, &w, err)
+                         : sph_fail(err, "out of memory for the order of %u lines", lines);
     if (!failed) order(&w, m, (uint32_t)m->regs[SPH_REG_ROOT]);
     free(w.found);
-    return failed ? sph_fail(err, "out of memory for the order of %u lines", lines) : 0;
+    return failed;
 }

@@ -240,6 +240,7 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
     struct sph_survey survey = {scene, &grid, o, world, 0, 0};
     if (sph_emit_effects(&survey, m, report, err) ||
         sph_emit_smooth(scene, &grid, &plants, m, report, err) ||
+        sph_emit_learned(scene, &plants, o->kept, tree, m, report, err) ||
         sph_emit_textures(scene, &grid, &plants, o, m, report, err))
         return -1;
     sph_emit_spread(scene, &plants, o, m, report);
@@ -267,7 +268,7 @@ int sph_build(const struct sph_scene *scene, const struct sph_build_options *opt
     int result = parts.balls ? build(scene, &o, &parts, machine, report, err)
                              : sph_fail(err, "out of memory for %u spheres", scene->n_spheres);
     free(parts.balls);
-    free(parts.tree.nodes);
+    sph_tree_free(&parts.tree);
     sph_facets_free(&parts.facets);
     if (result) sph_machine_free(machine);
     report->build_seconds = seconds() - start;

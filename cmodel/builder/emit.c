@@ -7,6 +7,7 @@
  */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "builder/box.h"
 #include "builder/emit.h"
@@ -67,7 +68,7 @@ struct content {
     const struct sph_scene *scene;
     const struct sph_tree *tree;
     const struct sph_plants *plants;
-    const struct sph_aabb *boxes; /* of nodes, or NULL: they are spheres */
+    struct sph_aabb *boxes; /* of nodes, or NULL: they are spheres */
 };
 
 /* Writes what bounds the children of a node. */
@@ -134,6 +135,11 @@ int sph_emit_alloc(struct sph_machine *machine, uint64_t lines, struct sph_error
     return 0;
 }
 
+/* Visits that no ray exceeds. */
+static int32_t visit_limit(uint32_t nodes) {
+    return nodes < 0xfffffe ? (int32_t)nodes + 1 : 0xffffff;
+}
+
 void sph_emit_prims(const struct sph_scene *scene, const struct sph_ball *balls,
                     const struct sph_facets *facets, uint32_t base, uint32_t nodes,
                     struct sph_machine *machine) {
@@ -145,43 +151,71 @@ void sph_emit_prims(const struct sph_scene *scene, const struct sph_ball *balls,
     machine->regs[SPH_REG_N_PRIMS] = (int32_t)n;
     machine->regs[SPH_REG_N_SPHERES] = facets->n ? (int32_t)scene->n_spheres : 0;
     machine->regs[SPH_REG_FACET_BASE] = facets->n ? (int32_t)(base + n) : 0;
-    machine->regs[SPH_REG_VISIT_LIMIT] = nodes < 0xfffffe ? (int32_t)nodes + 1 : 0xffffff;
+    machine->regs[SPH_REG_VISIT_LIMIT] = visit_limit(nodes);
+}
+
+/* Writes nodes and leaf records. -1 if memory is out, or a radius does not fit. */
+static int put_tree(struct sph_machine *m, struct content *c, struct sph_error *err) {
+    const struct sph_tree *tree = c->tree;
+    int whole = c->plants->facets->n > 0, failed = 0;
+    uint32_t base = 1, tail = 1;
+    struct place {
+        uint32_t node, line, base;
+    } *queue = malloc(tree->n_nodes * sizeof *queue);
+    if (!queue) return sph_fail(err, "out of memory for %u nodes", tree->n_nodes);
+    if (c->plants->kind == SPH_TREE_BOX4)
+        failed = !(c->boxes = sph_box_nodes(c->plants, tree, err));
+    else
+        failed = check_radii(tree, err);
+    queue[0].node = queue[0].line = 0;
+    for (uint32_t head = 0; !failed && head < tail; head++) {
+        const struct sph_tree_node *node = &tree->nodes[queue[head].node];
+        queue[head].base = base;
+        for (uint32_t i = 0; i < node->n_inner; i++)
+            queue[tail].node = node->child[i], queue[tail++].line = base + i;
+        base += group_lines(node, whole);
+    }
+#pragma omp parallel for if (tail > PARALLEL)
+    for (uint32_t i = 0; i < (failed ? 0 : tail); i++)
+        put_node(m, c, queue[i].node, queue[i].line, queue[i].base);
+    free(queue);
+    free(c->boxes);
+    return failed ? -1 : 0;
 }
 
 int sph_emit_memory(const struct sph_scene *scene, const struct sph_plants *plants,
                     const struct sph_tree *tree, struct sph_machine *machine,
                     struct sph_error *err) {
     const struct sph_facets *facets = plants->facets;
-    struct sph_aabb *boxes = NULL;
-    if (plants->kind == SPH_TREE_BOX4 ? !(boxes = sph_box_nodes(plants, tree, err))
-                                      : check_radii(tree, err))
+    struct content c = {scene, tree, plants, NULL};
+    uint64_t base = tree_lines(tree, facets->n > 0);
+    if (sph_emit_alloc(machine, base + scene->n_spheres + 2ull * facets->n, err) ||
+        put_tree(machine, &c, err))
         return -1;
-    struct content c = {scene, tree, plants, boxes};
-    uint32_t n = scene->n_spheres + facets->n;
-    uint64_t prim_base = tree_lines(tree, facets->n > 0), lines = prim_base + n + facets->n;
-    struct place {
-        uint32_t node, line, base;
-    } *queue = malloc(tree->n_nodes * sizeof *queue);
-    if (!queue || sph_emit_alloc(machine, lines, err)) {
-        free(queue);
-        free(boxes);
-        return sph_fail(err, "out of memory or addresses for %u primitives", n);
-    }
+    sph_emit_prims(scene, plants->balls, facets, (uint32_t)base, tree->n_nodes, machine);
+    return 0;
+}
 
-    uint32_t base = 1, tail = 1;
-    queue[0].node = queue[0].line = 0;
-    for (uint32_t head = 0; head < tail; head++) {
-        const struct sph_tree_node *node = &tree->nodes[queue[head].node];
-        queue[head].base = base;
-        for (uint32_t i = 0; i < node->n_inner; i++)
-            queue[tail].node = node->child[i], queue[tail++].line = base + i;
-        base += group_lines(node, facets->n > 0);
+int sph_emit_again(const struct sph_scene *scene, const struct sph_plants *plants,
+                   const struct sph_tree *tree, struct sph_machine *machine,
+                   struct sph_error *err) {
+    static const int moved[] = {SPH_REG_PRIM_BASE, SPH_REG_FACET_BASE, SPH_REG_BG_BASE,
+                                SPH_REG_SMOOTH_BASE, SPH_REG_MEM_LINES};
+    struct content c = {scene, tree, plants, NULL};
+    struct sph_machine old = *machine;
+    uint32_t from = (uint32_t)old.regs[SPH_REG_PRIM_BASE], rest = old.lines - from;
+    uint64_t base = tree_lines(tree, plants->facets->n > 0);
+    machine->mem = NULL;
+    if (sph_emit_alloc(machine, base + rest, err) || put_tree(machine, &c, err)) {
+        free(machine->mem);
+        *machine = old;
+        return -1;
     }
-#pragma omp parallel for if (tail > PARALLEL)
-    for (uint32_t i = 0; i < tail; i++)
-        put_node(machine, &c, queue[i].node, queue[i].line, queue[i].base);
-    free(queue);
-    free(boxes);
-    sph_emit_prims(scene, plants->balls, facets, base, tree->n_nodes, machine);
+    memcpy(sph_line(machine, base), sph_line(&old, from),
+           (size_t)rest * SPH_LINE_WORDS * sizeof *old.mem);
+    free(old.mem);
+    for (size_t i = 0; i < sizeof moved / sizeof *moved; i++)
+        if (old.regs[moved[i]]) machine->regs[moved[i]] += (int32_t)((int64_t)base - from);
+    machine->regs[SPH_REG_VISIT_LIMIT] = visit_limit(tree->n_nodes);
     return 0;
 }

@@ -16,6 +16,12 @@ int sph_emit_tree(const struct sph_scene *scene, const struct sph_build_options 
                   const struct sph_plants *plants, struct sph_tree *tree, struct sph_machine *m,
                   struct sph_build_report *report, struct sph_error *err);
 
+/* Collapses the tree again by rays of the machine, where its binary tree was kept, and puts it into
+ * the place of what was written. kept: as the tree's. -1 if memory or addresses are out. */
+int sph_emit_learned(const struct sph_scene *scene, const struct sph_plants *plants,
+                     struct sph_kept_tree *kept, struct sph_tree *tree, struct sph_machine *m,
+                     struct sph_build_report *report, struct sph_error *err);
+
 /* Writes nodes, leaf records and primitive records to machine->mem and the registers that tell
  * where they are; children are boxes if plants->kind is SPH_TREE_BOX4, else spheres. With facets
  * every leaf has a line of its own, and the table of facets follows. -1 if memory or addresses are
@@ -23,6 +29,11 @@ int sph_emit_tree(const struct sph_scene *scene, const struct sph_build_options 
 int sph_emit_memory(const struct sph_scene *scene, const struct sph_plants *plants,
                     const struct sph_tree *tree, struct sph_machine *machine,
                     struct sph_error *err);
+
+/* Puts another tree of the same primitives before all else that the machine has, of which nothing
+ * tells its line but registers: there are no textures yet. -1 as above: then it is as it was. */
+int sph_emit_again(const struct sph_scene *scene, const struct sph_plants *plants,
+                   const struct sph_tree *tree, struct sph_machine *machine, struct sph_error *err);
 
 /* The same with a bounding interval hierarchy, the global box and its leaf records, planes first;
  * what it is like goes to *stats. With one leaf (brute force) there is no box. kept: see refit.h.

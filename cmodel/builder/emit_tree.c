@@ -57,12 +57,27 @@ static int emit_bih(const struct sph_scene *scene, const struct sph_build_option
 }
 
 static int emit_four(const struct sph_scene *scene, const struct sph_plants *plants,
-                     struct sph_kept_tree *kept, struct sph_tree *tree, struct sph_machine *m,
-                     struct sph_build_report *report, struct sph_error *err) {
+                     struct sph_kept_tree *kept, int learns, struct sph_tree *tree,
+                     struct sph_machine *m, struct sph_build_report *report,
+                     struct sph_error *err) {
     double start = seconds();
+    tree->learns = learns;
     if (sph_tree_next(plants, kept, tree, err) || sph_emit_memory(scene, plants, tree, m, err))
         return -1;
     report->tree_seconds = seconds() - start;
+    report->nodes = tree->n_nodes;
+    report->depth = tree->depth;
+    return 0;
+}
+
+int sph_emit_learned(const struct sph_scene *scene, const struct sph_plants *plants,
+                     struct sph_kept_tree *kept, struct sph_tree *tree, struct sph_machine *m,
+                     struct sph_build_report *report, struct sph_error *err) {
+    if (!tree->split) return 0;
+    double start = seconds();
+    if (sph_tree_again(plants, kept, m, tree, err) || sph_emit_again(scene, plants, tree, m, err))
+        return -1;
+    report->tree_seconds += seconds() - start;
     report->nodes = tree->n_nodes;
     report->depth = tree->depth;
     return 0;
@@ -76,7 +91,7 @@ int sph_emit_tree(const struct sph_scene *scene, const struct sph_build_options 
     struct sph_kept_tree *kept = may ? o->kept : NULL;
     if (kept) kept->refitted = 0, kept->cost = 1;
     int failed = sph_tree_bih(o->tree) ? emit_bih(scene, o, plants, tree, m, report, err)
-                                       : emit_four(scene, plants, kept, tree, m, report, err);
+                                       : emit_four(scene, plants, kept, may, tree, m, report, err);
     report->refitted = kept ? kept->refitted : 0;
     report->tree_cost = kept ? kept->cost : 1;
     return failed;

@@ -55,26 +55,45 @@ static int taken(struct sph_kept_tree *kept, double cost) {
     return kept->refitted;
 }
 
+/* Keeps a tree that was built, without what it was collapsed from. */
+static int keep(const struct sph_plants *p, struct sph_kept_tree *kept, const struct sph_tree *tree,
+                struct sph_error *err) {
+    double cost;
+    if (sph_tree_cost(p, tree, &cost, err) || note(kept, p, cost, err)) return -1;
+    kept->tree = *tree;
+    kept->tree.split = NULL, kept->tree.seen = NULL;
+    kept->tree.nodes = copy(tree->nodes, tree->n_nodes * sizeof *tree->nodes, err);
+    if (!kept->tree.nodes) kept->kind = 0;
+    return kept->tree.nodes ? 0 : -1;
+}
+
 int sph_tree_next(const struct sph_plants *p, struct sph_kept_tree *kept, struct sph_tree *tree,
                   struct sph_error *err) {
     if (!kept || kept->how == SPH_REFIT_OFF) return sph_tree_build(p, tree, err);
     double cost;
     if (same(kept, p)) {
-        *tree = kept->tree;
-        tree->nodes = copy(kept->tree.nodes, tree->n_nodes * sizeof *tree->nodes, err);
-        if (!tree->nodes || sph_tree_refit(p, tree, err) || sph_tree_cost(p, tree, &cost, err))
-            return -1;
-        if (taken(kept, cost)) return 0;
-        free(tree->nodes);
-        *tree = (struct sph_tree){0};
+        struct sph_tree old = kept->tree;
+        old.nodes = copy(old.nodes, old.n_nodes * sizeof *old.nodes, err);
+        int failed =
+            !old.nodes || sph_tree_refit(p, &old, err) || sph_tree_cost(p, &old, &cost, err);
+        if (!failed && taken(kept, cost)) {
+            *tree = old;
+            return 0;
+        }
+        free(old.nodes);
+        if (failed) return -1;
     }
-    if (sph_tree_build(p, tree, err) || sph_tree_cost(p, tree, &cost, err) ||
-        note(kept, p, cost, err))
-        return -1;
-    kept->tree = *tree;
-    kept->tree.nodes = copy(tree->nodes, tree->n_nodes * sizeof *tree->nodes, err);
-    if (!kept->tree.nodes) kept->kind = 0;
-    return kept->tree.nodes ? 0 : -1;
+    return sph_tree_build(p, tree, err) ? -1 : keep(p, kept, tree, err);
+}
+
+int sph_tree_again(const struct sph_plants *p, struct sph_kept_tree *kept,
+                   const struct sph_machine *m, struct sph_tree *tree, struct sph_error *err) {
+    free(tree->nodes);
+    tree->nodes = NULL;
+    tree->seen = m;
+    tree->progress = (struct sph_progress){0};
+    if (sph_tree_build(p, tree, err)) return -1;
+    return kept && kept->how != SPH_REFIT_OFF ? keep(p, kept, tree, err) : 0;
 }
 
 /* A BIH with arrays of its own. */

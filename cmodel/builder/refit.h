@@ -42,6 +42,10 @@ void sph_kept_free(struct sph_kept_tree *kept);
 int sph_tree_next(const struct sph_plants *plants, struct sph_kept_tree *kept,
                   struct sph_tree *tree, struct sph_error *err);
 
+/* The tree just built, whose binary tree was kept, collapsed again by the rays of a machine. */
+int sph_tree_again(const struct sph_plants *plants, struct sph_kept_tree *kept,
+                   const struct sph_machine *machine, struct sph_tree *tree, struct sph_error *err);
+
 /* sph_bih_build() likewise; plants: what the n boxes are of. The kept tree is the box's own. */
 int sph_bih_next(const struct sph_plants *plants, const struct sph_aabb *boxes, uint32_t n,
                  const struct sph_bih_options *options, struct sph_kept_tree *kept,

@@ -12,6 +12,9 @@
 enum { SPH_TREE_PAPER = 1, SPH_TREE_BALANCED = 2, SPH_TREE_REINSERTED = 5 };
 enum { SPH_CHILDREN = 4 }; /* of a node */
 
+struct sph_machine;
+struct sph_split;
+
 struct sph_tree_node {
     struct sph_ball ball;         /* filter units, without margin: holds all leaves below */
     uint32_t child[SPH_CHILDREN]; /* n_inner node indices, then n_leaf sphere indices */
@@ -23,7 +26,10 @@ struct sph_tree {
     uint32_t n_nodes;
     uint32_t depth; /* levels of nodes, plus one for the leaves */
     uint32_t above; /* levels that will be put above: the balanced tree leaves the stack to them */
-    struct sph_progress progress; /* who is told how far it is, if anybody asked */
+    int learns;     /* the binary tree that it is collapsed from is to be kept, */
+    struct sph_split *split;        /* here; else NULL; malloc */
+    const struct sph_machine *seen; /* NULL, or by whose rays that is collapsed again */
+    struct sph_progress progress;   /* who is told how far it is, if anybody asked */
 };
 
 /* What a tree is made of. */
@@ -40,6 +46,8 @@ struct sph_plants {
 /* A tree of all primitives by one of the builders below, planes as leaf children of the nodes
  * above; leaf children are ids. -1 if memory is out; what is in *tree then is to be freed. */
 int sph_tree_build(const struct sph_plants *plants, struct sph_tree *tree, struct sph_error *err);
+
+void sph_tree_free(struct sph_tree *tree);
 
 /* Makes the nodes of a tree of ids smaller: around corners of triangles, not around their balls.
  * There may be no planes in it yet. -1 if memory is out. */

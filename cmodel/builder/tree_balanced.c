@@ -10,6 +10,7 @@
 #include <stdlib.h>
 
 #include "builder/tree_better.h"
+#include "builder/tree_seen.h"
 #include "machine/layout.h"
 
 /* PARALLEL: spheres from which on threads share the work. STEP: nodes between two tellings. */
@@ -177,6 +178,23 @@ static int trivial(const struct work *w, uint32_t n) {
     return 0;
 }
 
+/* Collapses the split that was kept, by the rays of a machine. -1 if memory is out. */
+static int again(struct work *w, const struct sph_aabb *boxes, uint32_t n, struct sph_error *err) {
+    w->split = *w->tree->split;
+    w->tree->n_nodes = w->tree->depth = 0;
+    if (sph_split_seen(w->balls, boxes, w->tree->seen, &w->split, err)) return -1;
+    return put_nodes(w, n) ? sph_fail(err, "out of memory for a tree") : 0;
+}
+
+/* Keeps the split, if that is asked for and there is memory; else frees it. */
+static void keep(struct work *w) {
+    struct sph_split *kept = w->tree->learns ? malloc(sizeof *kept) : NULL;
+    if (kept)
+        *(w->tree->split = kept) = w->split;
+    else
+        sph_split_free(&w->split);
+}
+
 /* One way to make the tree: 1 if it fits the stack, -1 if memory is out. */
 static int attempt(struct work *w, const struct sph_aabb *boxes, uint32_t n, int limit, int better,
                    struct sph_error *err) {
@@ -193,7 +211,10 @@ static int attempt(struct work *w, const struct sph_aabb *boxes, uint32_t n, int
         done = w->even || w->split.pairs[0].levels[1] <= w->most;
         if (done && put_nodes(w, n)) done = sph_fail(err, "out of memory for a tree");
     }
-    sph_split_free(&w->split);
+    if (done > 0 && better && (boxes || n <= SPH_TREE_FEW))
+        keep(w);
+    else
+        sph_split_free(&w->split);
     return done;
 }
 
@@ -206,6 +227,7 @@ int sph_tree_balanced(const struct sph_ball *balls, const struct sph_aabb *boxes
     w.most = SPH_STACK_DEPTH - (int)tree->above;
     if (n < 2)
         return trivial(&w, n) ? sph_fail(err, "out of memory for a tree of %u spheres", n) : 0;
+    if (tree->seen && tree->split) return again(&w, boxes, n, err);
     for (int better = kind == SPH_TREE_REINSERTED || boxes, i = 0; i < 6 && !done;
          i += !better, better = 0)
         done = attempt(&w, boxes, n, limits[i], better, err);

@@ -9,7 +9,6 @@
 #include "builder/tree_agglomerate.h"
 #include "builder/tree_reinsert.h"
 
-enum { FEW = 8192 };
 enum { SPLITS, TIGHT, LOOSE, WAYS };
 
 /* Makes a tree one way, of a split if it starts there, and puts it in the place of *out. */
@@ -41,7 +40,7 @@ int sph_split_better(const struct sph_ball *balls, const struct sph_aabb *boxes,
     struct sph_split spare = {NULL, 0, NULL};
     int failed = sph_links_new(balls, boxes, n, sph_pair_margin(profile), &links);
     links.progress = progress;
-    int many = n > FEW || boxes; /* one way must do */
+    int many = n > SPH_TREE_FEW || boxes; /* one way must do */
     if (!many) {
         spare.pairs = malloc((n - 1) * sizeof *spare.pairs);
         spare.order = malloc(n * sizeof *spare.order);

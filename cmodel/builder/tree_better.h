@@ -6,6 +6,8 @@
 
 #include "builder/tree_split.h"
 
+enum { SPH_TREE_FEW = 8192 }; /* spheres of a tree that time is taken for */
+
 /* Improves a split of n >= 2 spheres by reinsertion. Up to 8192 spheres it is the cheapest of the
  * splits, of the splits with reinsertion, and of two trees made from the leaves upwards, with
  * reinsertion too; with boxes it is the splits with reinsertion. The tree does not depend on the

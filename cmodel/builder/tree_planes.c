@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "builder/box.h"
+#include "builder/tree_split.h"
 #include "prim/build.h"
 
 static int loose(const struct sph_plants *p, uint32_t id) {
@@ -74,6 +75,13 @@ static int raise(struct sph_tree *tree, const struct sph_profile *profile, struc
     more[0] = (struct sph_tree_node){.child = {1}, .n_inner = 1};
     more[0].ball = sph_filter_whole(profile);
     return 0;
+}
+
+void sph_tree_free(struct sph_tree *tree) {
+    if (tree->split) sph_split_free(tree->split);
+    free(tree->split);
+    free(tree->nodes);
+    tree->split = NULL, tree->nodes = NULL;
 }
 
 static int children(const struct sph_tree_node *node) {

@@ -1,0 +1,267 @@
+/* test_tree_seen.c - trees that are collapsed by the rays of their frame: counts, gain, whole
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Run from the root of the repository: reads scenes/.
+ */
+#include <math.h>
+#include <omp.h>
+
+#include "builder/bound.h"
+#include "builder/box.h"
+#include "builder/sample.h"
+#include "builder/tree_links.h"
+#include "builder/tree_seen.h"
+#include "core/frame.h"
+#include "model_scene.h"
+#include "scene/vector.h"
+#include "trace/box.h"
+#include "trace/filter.h"
+
+enum { W = 64, H = 36 };
+
+enum { ANY = -1 }; /* no background separation, and the axes that build chooses */
+
+static struct sph_machine build(const struct sph_scene *scene, int tree, int background,
+                                struct sph_kept_tree *kept) {
+    struct sph_build_options o = SPH_BUILD_DEFAULT;
+    struct sph_build_report report;
+    struct sph_machine m;
+    struct sph_error err = {{0}};
+    o.tree = tree, o.width = W, o.height = H, o.texture = SPH_OFF;
+    o.kept = kept;
+    if (background != ANY) o.axes = SPH_AXES_CAMERA, o.background = background;
+    if (sph_build(scene, &o, &m, &report, &err)) fail_msg("%s", err.text);
+    return m;
+}
+
+/* Visits of a frame; *hash: of its picture. */
+static double visits(const struct sph_machine *m, int how, uint64_t *hash) {
+    struct sph_counters c;
+    int errors;
+    struct sph_frame f = model_render(m, how, 0, &c, &errors);
+    assert_int_equal(errors, 0);
+    *hash = sph_frame_picture_hash(&f);
+    sph_frame_free(&f);
+    return (double)c.count[SPH_COUNT_NODE_VISITS];
+}
+
+static const struct {
+    const char *path;
+    int tree;
+    double most; /* of the visits in the tree of another view */
+} cases[] = {{"scenes/paper100.nff", SPH_TREE_REINSERTED, 0.96},
+             {"scenes/facets/triangles.nff", SPH_TREE_BOX4, 1},
+             {"scenes/facets/room.nff", SPH_TREE_BOX4, 0.96},
+             {"scenes/texture/kitchen.nff", SPH_TREE_BOX4, 0.98},
+             {"scenes/texture/museum.nff", SPH_TREE_BOX4, 0.94}};
+enum { CASES = sizeof cases / sizeof *cases };
+
+/* A machine built with so many threads. */
+static struct sph_machine build_by(int threads, const struct sph_scene *scene, int tree) {
+    int before = omp_get_max_threads();
+    omp_set_num_threads(threads);
+    struct sph_machine m = build(scene, tree, ANY, NULL);
+    omp_set_num_threads(before);
+    return m;
+}
+
+/* The same picture takes fewer visits than in the tree that the view behind asked for, and the tree
+ * is the same whatever the number of threads. */
+static void gains(void **state) {
+    (void)state;
+    for (int i = 0; i < (SANITIZED ? 2 : CASES); i++) {
+        struct sph_scene scene = read_scene(cases[i].path), back = scene;
+        struct sph_kept_tree kept = {.how = SPH_REFIT_ON};
+        struct sph_vec *at = &back.camera.at, from = back.camera.from;
+        uint64_t hash[2];
+        *at = (struct sph_vec){2 * from.x - at->x, 2 * from.y - at->y, 2 * from.z - at->z};
+        struct sph_machine m = build(&back, cases[i].tree, ANY, &kept);
+        sph_machine_free(&m);
+        m = build(&scene, cases[i].tree, ANY, &kept);
+        assert_true(kept.refitted);
+        double other = visits(&m, SPH_TRAVERSE_TREE, &hash[0]);
+        sph_machine_free(&m);
+        m = build_by(1, &scene, cases[i].tree);
+        double own = visits(&m, SPH_TRAVERSE_TREE, &hash[1]);
+        printf("# %-28s visits: %.0f, in the tree of the view behind %.0f: %.3f\n", cases[i].path,
+               own, other, own / other);
+        assert_true(hash[0] == hash[1]);
+        assert_true(own < cases[i].most * other);
+        struct sph_machine same = build_by(5, &scene, cases[i].tree);
+        assert_int_equal(same.lines, m.lines);
+        assert_memory_equal(same.regs, m.regs, sizeof m.regs);
+        assert_memory_equal(same.mem, m.mem, m.lines * SPH_LINE_WORDS * sizeof *m.mem);
+        sph_machine_free(&same);
+        sph_machine_free(&m);
+        sph_kept_free(&kept);
+        sph_scene_free(&scene);
+    }
+}
+
+/* Gives every triangle normals that are not its own. */
+static void bend(struct sph_scene *s) {
+    for (uint32_t i = 0; i < s->n_facets; i++) {
+        struct sph_facet *f = &s->facets[i];
+        if (f->kind != SPH_TRIANGLE) continue;
+        struct sph_vec own =
+            sph_vec_cross(sph_vec_sub(f->v[1], f->v[0]), sph_vec_sub(f->v[2], f->v[0]));
+        for (int k = 0; k < 3; k++)
+            f->n[k] = own, (&f->n[k].x)[k] += 0.2 * sph_vec_length(own);
+        f->smooth = 1;
+    }
+}
+
+/* Whatever stands behind the tree is found where it went: normals, spans, facets. */
+static void whole(void **state) {
+    (void)state;
+    static const struct {
+        const char *path;
+        int tree, background;
+    } all[] = {{"scenes/facets/room.nff", SPH_TREE_BOX4, SPH_BG_NONE},
+               {"scenes/facets/triangles.nff", SPH_TREE_REINSERTED, SPH_BG_SPANS},
+               {"tests/scenes/facets/mixed.nff", SPH_TREE_BOX4, SPH_BG_EXACT},
+               {"scenes/paper100.nff", SPH_TREE_REINSERTED, SPH_BG_SPANS}};
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+        struct sph_scene scene = read_scene(all[i].path);
+        bend(&scene);
+        struct sph_machine m = build(&scene, all[i].tree, all[i].background, NULL);
+        struct sph_error err = {{0}};
+        uint64_t hash[2];
+        if (sph_machine_validate(&m, &err)) fail_msg("%s", err.text);
+        visits(&m, SPH_TRAVERSE_TREE, &hash[0]);
+        sph_machine_free(&m);
+        m = build(&scene, SPH_TREE_BALANCED, SPH_BG_NONE, NULL);
+        visits(&m, SPH_TRAVERSE_BRUTE, &hash[1]);
+        assert_true(hash[0] == hash[1]);
+        sph_machine_free(&m);
+        sph_scene_free(&scene);
+    }
+}
+
+enum { MOST = 20000 };
+
+/* Rays of a sample, with one thread. */
+struct rays {
+    int n;
+    struct sph_logged list[MOST];
+};
+
+static void keep(void *user, const struct sph_logged *ray) {
+    struct rays *rays = user;
+    assert_true(rays->n < MOST);
+    rays->list[rays->n++] = *ray;
+}
+
+/* Whether a ray meets what bounds the spheres of a pair. */
+static int meets(const struct sph_ball *balls, const struct sph_aabb *boxes,
+                 const struct sph_profile *p, const struct sph_split *split, uint32_t pair,
+                 const struct sph_logged *l) {
+    const uint32_t *order = split->order + split->pairs[pair].first;
+    uint32_t n = split->pairs[pair].count;
+    uint64_t key = l->ray.kind == SPH_SHADOW ? 0 : l->hit.key;
+    int32_t near;
+    if (!boxes) {
+        struct sph_ball b = sph_filter_enclose(balls, order, n, p);
+        struct sph_child c = {{b.c[0], b.c[1], b.c[2]}, b.r + SPH_FILTER_MARGIN};
+        int32_t most = key ? sph_ray_depth(p, &l->ray, key) : l->ray.depth_max;
+        return sph_filter(&l->ray, &c, most, &near);
+    }
+    struct sph_box box = {{INT32_MAX, INT32_MAX, INT32_MAX}, {INT32_MIN, INT32_MIN, INT32_MIN}};
+    struct sph_bih_ray planes;
+    sph_bih_setup(p, &l->ray, &planes);
+    for (uint32_t i = 0; i < n; i++)
+        for (int j = 0; j < 3; j++) {
+            if (boxes[order[i]].lo[j] < box.lo[j]) box.lo[j] = boxes[order[i]].lo[j];
+            if (boxes[order[i]].hi[j] > box.hi[j]) box.hi[j] = boxes[order[i]].hi[j];
+        }
+    uint32_t end = key ? sph_bih_time(&planes, key) : planes.limit;
+    return sph_box_meets(&planes, &l->ray, &box, sph_box_depth(end), &near);
+}
+
+/* What a pair is met like, by its costs. */
+static double area(const struct sph_pair *p) {
+    return (double)p->cost[1] - (double)p->cost[0];
+}
+
+/* Rays that meet a pair and all above it, weighted. */
+static void count(const struct sph_ball *balls, const struct sph_aabb *boxes,
+                  const struct sph_profile *p, const struct sph_split *split,
+                  const struct rays *rays, uint64_t *met) {
+    uint32_t *above = calloc(split->n_pairs, sizeof *above);
+    for (uint32_t i = 0; i < split->n_pairs; i++)
+        for (int j = 0; j < 2; j++)
+            if (!(split->pairs[i].child[j] & SPH_PAIR_LEAF)) above[split->pairs[i].child[j]] = i;
+    for (uint32_t i = 0; i < split->n_pairs; i++)
+        for (int j = 0; j < rays->n; j++) {
+            const struct sph_logged *l = &rays->list[j];
+            uint32_t at = i;
+            while (meets(balls, boxes, p, split, at, l) && at)
+                at = above[at];
+            if (!at && meets(balls, boxes, p, split, 0, l))
+                met[i] += l->ray.kind == SPH_SHADOW && l->hit.key ? 1 : 3;
+        }
+    free(above);
+}
+
+/* Counts are those that a look at every pair gives, whatever the number of threads. */
+static void counts(void **state) {
+    (void)state;
+    static struct rays rays;
+    struct sph_scene scene = read_scene("scenes/paper5.nff");
+    if (!SANITIZED) sph_scene_free(&scene), scene = read_scene("scenes/paper100.nff");
+    const struct sph_profile *p = &sph_profiles[SPH_STANDARD];
+    uint32_t n = scene.n_spheres;
+    struct sph_ball *balls = malloc(n * sizeof *balls);
+    struct sph_aabb *boxes = malloc(n * sizeof *boxes);
+    struct sph_facets none = {0};
+    struct sph_grid grid;
+    struct sph_error err = {{0}};
+    double smallest;
+    assert_int_equal(sph_grid_fit(&scene, p->w, SPH_AXES_CAMERA, &grid, &err), 0);
+    assert_int_equal(sph_grid_spheres(&grid, &scene, p, balls, &smallest, &err), 0);
+    struct sph_plants plants = {.balls = balls, .n_spheres = n, .facets = &none, .profile = p};
+    struct sph_machine m = build(&scene, SPH_TREE_REINSERTED, SPH_BG_NONE, NULL);
+    int threads = omp_get_max_threads();
+    for (uint32_t i = 0; i < n; i++)
+        sph_box_of(&plants, i, &boxes[i]);
+    for (int way = 0; way < 2; way++) {
+        const struct sph_aabb *b = way ? boxes : NULL;
+        struct sph_split split, area_of;
+        uint64_t *met = calloc(n, sizeof *met);
+        assert_int_equal(sph_split(balls, b, n, 64, NULL, &split, &err), 0);
+        area_of = split;
+        area_of.pairs = malloc(split.n_pairs * sizeof *split.pairs);
+        memcpy(area_of.pairs, split.pairs, split.n_pairs * sizeof *split.pairs);
+        sph_split_fill(balls, b, p, &area_of);
+        omp_set_num_threads(1);
+        rays.n = 0;
+        assert_int_equal(sph_sample(&m, keep, &rays, &err), 0);
+        assert_true(rays.n > W * H / 16);
+        count(balls, b, p, &split, &rays, met);
+        omp_set_num_threads(3);
+        assert_int_equal(sph_split_seen(balls, b, &m, &split, &err), 0);
+        omp_set_num_threads(threads);
+        for (uint32_t i = 0; i < split.n_pairs; i++) {
+            double unseen = area(&area_of.pairs[i]) / area(&area_of.pairs[0]) / 16;
+            double seen = (double)met[i] / (double)met[0];
+            double got = area(&split.pairs[i]) / area(&split.pairs[0]) * (1 + 1 / 16.);
+            if (!(fabs(got - seen - unseen) < 1e-3))
+                fail_msg("pair %u of %u: %.5f, met by %.5f, area/16 %.5f", i, split.n_pairs, got,
+                         seen, unseen);
+        }
+        printf("# %s: %d rays, %u pairs\n", way ? "boxes" : "balls", rays.n, split.n_pairs);
+        free(area_of.pairs);
+        free(met);
+        sph_split_free(&split);
+    }
+    sph_machine_free(&m);
+    sph_scene_free(&scene);
+    free(balls);
+    free(boxes);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(counts), cmocka_unit_test(gains),
+                                       cmocka_unit_test(whole)};
+    return cmocka_run_group_tests_name("tree seen", tests, NULL, NULL);
+}
