@@ -9,7 +9,7 @@ import tempfile
 import textwrap
 from pathlib import Path
 
-from ..pages.place import write
+from .. import intact
 
 RECORD = Path("docs/results/data/asks.tsv")
 EFFECTS = Path("scenes/effects/effects.txt")
@@ -61,8 +61,8 @@ def table():
 
 
 def main(tool):
-    write(str(RECORD), HEAD + "".join(f"{name}\t{asked(tool, f'scenes/{name}.nff')}\n"
-                                      for name in scenes()))
+    intact.write(RECORD, HEAD + "".join(f"{name}\t{asked(tool, f'scenes/{name}.nff')}\n"
+                                        for name in scenes()))
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+from .. import intact
 from ..pages.place import place
 from ..synth import report, results
 from .scenes import PRICED, PROFILE, WHOLE, names
@@ -115,9 +116,9 @@ def chart(scenes, cores, page, folder):
     data = f"{folder}/chart.txt"
     out = os.path.join(os.path.dirname(page), "../pictures/effects.svg")
     Path(data).write_text("\n".join(lines) + "\n", encoding="utf-8")
-    script = CHART.format(height=480, out=out + ".tmp", data=data)
-    subprocess.run(["gnuplot"], input=script.encode(), check=True)
-    os.replace(out + ".tmp", out)
+    with intact.beside(out) as new:
+        script = CHART.format(height=480, out=new, data=data)
+        subprocess.run(["gnuplot"], input=script.encode(), check=True)
 
 
 def main(page, folder, synth):

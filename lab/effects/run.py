@@ -12,6 +12,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+from .. import intact
+
 ROUNDS, EFFORT = 3, "-O1"  # as make sim has it
 
 
@@ -63,8 +65,7 @@ def main(tool, folder, name):
     runs["forced"] = {"counters": simulate(cores["all"], base + ".forced.sph", base + ".tmp")[0]}
     result.update(runs=runs, model=model(tool, base + ".sph", folder, name),
                   model_forced=model(tool, base + ".forced.sph", folder, name))
-    Path(base + ".json.tmp").write_text(json.dumps(result, indent=1), encoding="utf-8")
-    os.replace(base + ".json.tmp", base + ".json")
+    intact.write(base + ".json", json.dumps(result, indent=1))
 
 
 if __name__ == "__main__":

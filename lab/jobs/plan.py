@@ -12,6 +12,7 @@ import json
 import os
 import sys
 
+from .. import intact
 from . import store
 
 
@@ -34,9 +35,8 @@ def write(name, results, jobs, what):
         if "damaged" in reason:
             print(f"{what}: {reason}, made anew", file=sys.stderr)
     os.makedirs(os.path.dirname(name) or ".", exist_ok=True)
-    with open(name + ".tmp", "w", encoding="utf-8") as f:
-        json.dump({"what": what, "results": results, "jobs": [j for j, _ in todo]}, f, indent=1)
-    os.replace(name + ".tmp", name)
+    intact.write(name, json.dumps({"what": what, "results": results, "jobs": [j for j, _ in todo]},
+                                  indent=1))
     print(f"{what}: {len(jobs)} jobs, {len(todo)} to run")
 
 

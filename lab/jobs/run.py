@@ -8,6 +8,7 @@ import shlex
 import signal
 import sys
 
+from .. import intact
 from . import plan, slurm
 
 
@@ -19,9 +20,7 @@ def by_make(name, jobs):
     for target, job in zip(targets, jobs):
         command = shlex.join(job["command"]).replace("$", "$$")
         lines += [f"{target}:", f"\t@printf '  %-4s %s\\n' JOB '{job['key']}'", f"\t@{command}"]
-    with open(name + ".mk.tmp", "w", encoding="utf-8") as f:
-        f.write("\n".join(lines) + "\n")
-    os.replace(name + ".mk.tmp", name + ".mk")
+    intact.write(name + ".mk", "\n".join(lines) + "\n")
     sys.stdout.flush()
     os.execvp("make", ["make", "--no-print-directory", "-k", "-f", name + ".mk"])
 

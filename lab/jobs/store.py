@@ -17,7 +17,8 @@ import glob
 import hashlib
 import json
 import os
-import socket
+
+from .. import intact
 
 
 def path(folder, key):
@@ -100,15 +101,8 @@ def save(folder, key, sources, result, seconds=None, files=()):
         document["files"] = {name: of_file(name) for name in files}
     document["check"] = _check(document)
     os.makedirs(folder, exist_ok=True)
-    name = path(folder, key)
-    beside = f"{name}.{socket.gethostname()}.{os.getpid()}.tmp"  # a folder may be shared
-    try:
-        with open(beside, "w", encoding="utf-8") as f:
-            json.dump(document, f, indent=1)
-            f.write("\n")
-            f.flush()
-            os.fsync(f.fileno())
-        os.replace(beside, name)
-    finally:
-        if os.path.exists(beside):
-            os.remove(beside)
+    with intact.beside(path(folder, key)) as new, open(new, "w", encoding="utf-8") as f:
+        json.dump(document, f, indent=1)
+        f.write("\n")
+        f.flush()
+        os.fsync(f.fileno())

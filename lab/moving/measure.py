@@ -48,12 +48,11 @@ def run(tool, folder, number, n, tree, refit):
         [tool, "render", scene(tool, folder, number, n), "--profile",
          PROFILES.get(n, "standard"), *options(TREES[tree]),
          "--refit", refit, "--depth", "0", "--shadow", "off", "--size", f"{SIZE[0]}x{SIZE[1]}",
-         "--frames", f"0..{FRAMES - 1}", "-t", "1", "--json", target + ".tmp"],
+         "--frames", f"0..{FRAMES - 1}", "-t", "1", "--json", target],
         env=dict(os.environ, OMP_NUM_THREADS="1"), check=False, stdout=subprocess.DEVNULL,
         stderr=subprocess.PIPE, text=True)
     if done.returncode:
         sys.exit(f"measure: {target}: {done.stderr}")
-    os.replace(target + ".tmp", target)
 
 
 def main(tool, folder):

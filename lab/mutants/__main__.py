@@ -6,6 +6,8 @@
 Round 0 tries each fault in the home of its module; a later round tries what is left in one more
 bench. A job whose result counts is not run again: break it off whenever you like. `tell` writes
 the tables of docs/results/mutants.md."""
+import fcntl
+import os
 import shutil
 import sys
 import time
@@ -56,11 +58,17 @@ def write(build, count, seed, number, name):
 
 
 def one(build, key):
-    if store.look(results(build), key)[1] is None:
-        return
     word = dict(w.split("=", 1) for w in key.split()[1:])
-    number, seed = int(word["round"]), int(word["seed"])
     bench = benches.named(word["bench"], build)
+    os.makedirs(os.path.dirname(bench.folder), exist_ok=True)
+    with open(bench.folder + ".lock", "w", encoding="utf-8") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)    # another may be at work with that bench
+        if store.look(results(build), key)[1]:
+            attempt(build, key, word, bench)
+
+
+def attempt(build, key, word, bench):
+    number, seed = int(word["round"]), int(word["seed"])
     began = time.monotonic()
     found = bench.netlist()
     if number == 0:
@@ -73,10 +81,10 @@ def one(build, key):
         if plan.name(faults) != word["of"]:
             sys.exit(f"mutants: {key}: other faults are left now; make the list anew")
     try:
-        tried = binary.run(bench, faults, found)
+        came = binary.run(bench, faults, found)
     except benches.Broken as e:
         sys.exit(f"mutants: {e}")
-    rows = [[*fault, verdict, took] for fault, (verdict, took) in tried.items()]
+    rows = [[*fault, verdict, took] for fault, (verdict, took) in came.items()]
     store.save(results(build), key, sources(bench, found),
                {"bench": bench.name, "rows": rows}, time.monotonic() - began)
     shutil.rmtree(bench.folder, ignore_errors=True)

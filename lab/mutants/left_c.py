@@ -14,6 +14,7 @@ import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
+from .. import intact
 from ..jobs import store
 from ..pages import data
 from . import model
@@ -56,9 +57,7 @@ def again(build, trial, pool, where, found):
         if not still:
             print("no more", *found[fault], fault, flush=True)
             found[fault] = ["left", found[fault][1]]
-        with open(kept + ".tmp", "w", encoding="utf-8") as f:
-            json.dump(dict(done), f, indent=0)
-        os.replace(kept + ".tmp", kept)
+        intact.write(kept, json.dumps(dict(done), indent=0))
 
 
 def main(build, *suites):

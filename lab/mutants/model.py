@@ -26,6 +26,7 @@ import time
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 
+from .. import intact
 from ..jobs import store
 from ..pages import data, place
 from . import page
@@ -275,9 +276,7 @@ def main(build, count, seed, minutes, *compiler):
             if result is None:
                 continue
             done["tried"][name_of(*place_of)] = result
-            with open(kept + ".tmp", "w", encoding="utf-8") as f:
-                json.dump(done, f, indent=0)
-            os.replace(kept + ".tmp", kept)
+            intact.write(kept, json.dumps(done, indent=0))
             if result[0] != "none":
                 print(*result[:2], name_of(*place_of), flush=True)
     tried = {name_of(*c): done["tried"][name_of(*c)] for c in chosen if valid(c)}

@@ -8,6 +8,7 @@ import re
 import subprocess
 import sys
 
+from .. import intact
 from ..jobs import store
 from ..pages import data, place
 from .netlist import Fault
@@ -88,8 +89,8 @@ def folder(module, found={}):  # pylint: disable=dangerous-default-value
 
 
 def tsv(name, head, rows):
-    data.write(data.path_of(PAGE, name),
-               data.HEAD + "".join("\t".join(r) + "\n" for r in [head, *rows]))
+    intact.write(data.path_of(PAGE, name),
+                 data.HEAD + "".join("\t".join(r) + "\n" for r in [head, *rows]))
 
 
 def parse(name):

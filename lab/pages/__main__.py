@@ -4,10 +4,10 @@
 Fills the regions of the pages: README.md and all of docs/ if none is named. --check writes nothing,
 shows the lines that differ, and exits with 1 if there are any."""
 import difflib
-import os
 import sys
 from pathlib import Path
 
+from .. import intact
 from . import markdown, measured, regions, verilog
 
 
@@ -23,12 +23,6 @@ def fresh(page):
     if opened != closed:
         raise regions.Unknown(f"{opened} regions begin and {closed} end")
     return text, markdown.fill(text, regions.make)
-
-
-def write(page, text):
-    new = page.with_suffix(".tmp")
-    new.write_text(text, encoding="utf-8")
-    os.replace(new, page)
 
 
 def main(arguments):
@@ -54,7 +48,7 @@ def main(arguments):
                                          "as the sources have it", n=0, lineterm="")
             print("\n".join(lines))
         else:
-            write(page, wanted)
+            intact.write(page, wanted)
             print(f"  PAGE {page}")
     if check and stale:
         print(f"{stale} pages do not tell what the sources say: make pages")

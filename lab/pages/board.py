@@ -3,12 +3,12 @@
 """usage: python3 -m lab.pages.board --digest          of the sources as they are
           python3 -m lab.pages.board BOARD FOLDER      what synth/board.sh left there, into DATA"""
 import json
-import os
 import re
 import sys
 from datetime import datetime, timezone
 from pathlib import Path
 
+from .. import intact
 from . import digest
 
 DATA = "docs/results/data/board_{}.tsv"
@@ -71,11 +71,8 @@ def main():
         return
     name, folder = sys.argv[1:]
     found = read(Path(folder))
-    data = Path(DATA.format(name))
-    new = data.with_suffix(".tmp")
     rows = "".join(f"{row}\t{value}\n" for row, value in found.items())
-    new.write_text(HEAD.format(name) + rows, encoding="utf-8")
-    os.replace(new, data)
+    intact.write(DATA.format(name), HEAD.format(name) + rows)
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+from .. import intact
 from ..synth import results
 from . import digest, markdown, verilog
 
@@ -39,9 +40,7 @@ def write(known):
     text = json.dumps({name: known[name] for name in sorted(known)}, indent=1)
     text = re.sub(r"\[[^][]*\]", lambda m: " ".join(m[0].split()), text)
     RECORD.parent.mkdir(parents=True, exist_ok=True)
-    new = RECORD.with_suffix(".tmp")
-    new.write_text(text + "\n", encoding="utf-8")
-    os.replace(new, RECORD)
+    intact.write(RECORD, text + "\n")
 
 
 def number(value):

@@ -51,12 +51,6 @@ def routed():
     return float(next(row for row in rows if row[0] == "`standard`")[head.index("MHz")])
 
 
-def write(path, text):
-    new = path.with_suffix(".tmp")
-    new.write_text(text, encoding="utf-8")
-    os.replace(new, path)
-
-
 def _words(text):
     return [word.strip() for word in text.split("|")] if text.strip() else []
 

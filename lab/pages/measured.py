@@ -9,7 +9,6 @@ page, table, command, kinds of sources (digest.py), their digest, commit, day, d
 An experiment of minutes or hours is not run again for every change; its page says how old it is.
 A command of a test, which compares the table itself, has dashes."""
 import hashlib
-import os
 import re
 import subprocess
 import sys
@@ -18,6 +17,7 @@ from collections import namedtuple
 from itertools import groupby
 from pathlib import Path
 
+from .. import intact
 from . import digest
 
 RECORD = Path("docs/results/data/measured.tsv")
@@ -46,11 +46,8 @@ def rows():
 
 
 def write(found):
-    new = RECORD.with_suffix(".tmp")
-    new.parent.mkdir(parents=True, exist_ok=True)
-    new.write_text(HEAD + "".join("\t".join(row) + "\n" for row in sorted(found)),
-                   encoding="utf-8")
-    os.replace(new, RECORD)
+    RECORD.parent.mkdir(parents=True, exist_ok=True)
+    intact.write(RECORD, HEAD + "".join("\t".join(row) + "\n" for row in sorted(found)))
 
 
 def commit():

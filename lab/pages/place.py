@@ -3,18 +3,11 @@
 """usage: python3 -m lab.pages.place PAGE NAME FILE
 FILE's text replaces what stands between the line `<!-- NAME -->` of PAGE and the next
 `<!-- end -->`."""
-import os
 import re
 import sys
 
+from .. import intact
 from . import data
-
-
-def write(path, text):
-    """A file that is written whole or not at all."""
-    with open(path + ".tmp", "w", encoding="utf-8") as f:
-        f.write(text)
-    os.replace(path + ".tmp", path)
 
 
 def place(page, texts, yosys=None):
@@ -26,12 +19,12 @@ def place(page, texts, yosys=None):
         pattern = rf"(<!-- {name} -->\n)(?:(?!<!-- ).*\n)*(<!-- end -->)"
         text, n = re.subn(pattern, lambda m, t=lines: m[1] + t + "\n" + m[2], text)
         if n == 0 and data.path_of(page, name).exists():
-            write(str(data.path_of(page, name)), data.of_markdown(lines))
+            intact.write(data.path_of(page, name), data.of_markdown(lines))
         elif n != 1:
             sys.exit(f"page: {page}: {n} places for the table `{name}`, not one")
     if yosys:
         text = re.sub(r"Yosys \d[\d.]*\d( \([^)[]*\))?", yosys.split(" (")[0], text)
-    write(page, text)
+    intact.write(page, text)
 
 
 if __name__ == "__main__":

@@ -4,7 +4,6 @@
 """usage: python3 -m lab.papers.measure TOOL FOLDER
 Leaves NAME.json in FOLDER for each run of the model, NAME.core.json for those of the RTL. A result
 that is younger than the tool is kept."""
-import json
 import math
 import os
 import re
@@ -13,7 +12,7 @@ import subprocess
 import sys
 
 from .. import tree_options
-from ..pages.place import write
+from .. import intact
 from . import scenes
 
 # spheres at random, and in a column: how many
@@ -75,11 +74,11 @@ class Runner:
         if self.fresh(name + ".json"):
             return
         print("  RUN ", name, flush=True)
-        write(self.path(name + ".json"), self.run(*words, "--json", "-", good=good))
+        intact.write(self.path(name + ".json"), self.run(*words, "--json", "-", good=good))
 
     def made(self, name, lines):
         path = self.path(name + ".nff")
-        write(path, "\n".join(lines) + "\n")
+        intact.write(path, "\n".join(lines) + "\n")
         return path
 
     def core(self, name, effects, scene, *how):
@@ -90,14 +89,12 @@ class Runner:
         machine = self.path(name + ".sph")
         self.run("build", scene, "--profile", "standard", *how, "-o", machine)
         report = self.path(name + ".core.json")
-        words = ["sh", "sim/core.sh", "--machine", machine, "--warm", "--latency", "20", "--json",
-                 report + ".tmp"]
+        words = ["sh", "sim/core.sh", "--machine", machine, "--warm", "--latency", "20", "--json"]
         env = dict(os.environ, EFFECTS=effects, BUILD=self.build, JOBS="1")
-        done = subprocess.run(words, env=env, stdout=subprocess.DEVNULL,
-                              stderr=subprocess.DEVNULL, check=False)
-        if done.returncode:
-            sys.exit(f"measure: {name}: {' '.join(words)} failed")
-        os.replace(report + ".tmp", report)
+        with intact.beside(report) as new:
+            if subprocess.run([*words, new], env=env, stdout=subprocess.DEVNULL,
+                              stderr=subprocess.DEVNULL, check=False).returncode:
+                sys.exit(f"measure: {name}: {' '.join(words)} failed")
 
     def random(self, n):
         path = self.path(f"random{n}.nff")
@@ -162,7 +159,7 @@ def shapes(run):
             made = path if shape == "sphere" else run.made(name, scenes.replaced(path, shape))
             if not run.fresh(name + ".psnr"):
                 run.keep(name, "render", made, "--profile", "reference", *view, picture)
-                write(run.path(name + ".psnr"), f"{psnr(truth, picture):.2f}\n")
+                intact.write(run.path(name + ".psnr"), f"{psnr(truth, picture):.2f}\n")
             run.core(name, SHAPES_CORE["sphere" if shape == "sphere" else "facet"], made, "--size",
                      "48x27")
 
@@ -221,7 +218,7 @@ def ways(run):
                                run.path("levels-samples.exr"), "--ch", "R,G,B",
                                "--resize:filter=box", "240x135", "--diff"], check=False,
                               stdout=subprocess.PIPE, text=True).stdout
-        write(run.path(f"levels-{way}.rms"), re.search(r"RMS error = ([0-9.]+)", said)[1] + "\n")
+        intact.write(run.path(f"levels-{way}.rms"), re.search(r"RMS error = ([0-9.]+)", said)[1] + "\n")
 
 
 def scenarios(run):
@@ -255,8 +252,8 @@ def profile(run):
                                stdout=subprocess.PIPE, text=True).stdout
         spent = {function: int(count.replace(",", "")) for count, function in
                  re.findall(r"^ *([0-9,]+) .*:(sph_\w+) \[", lines, re.M)}
-        write(run.path(name + ".profile"),
-              f"{100 * spent['sph_traverse'] / spent['sph_render']:.0f}\n")
+        intact.write(run.path(name + ".profile"),
+                     f"{100 * spent['sph_traverse'] / spent['sph_render']:.0f}\n")
 
 
 def main(tool, folder):

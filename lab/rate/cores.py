@@ -9,6 +9,7 @@ import sys
 from collections import namedtuple
 from pathlib import Path
 
+from .. import intact
 from ..pages import digest
 
 PROTEIN = "/usr/share/pymol/data/demo/1tii.pdb"
@@ -60,8 +61,7 @@ class Bench:
             source = self.folder / f"{stem}.nff"
             run(tool, "gen", scene, "--seed", "1", "-o", str(source))
         run(tool, "build", str(source), "--profile", "standard", "--size", self.size, "--depth",
-            "2", "--background", "spans" if "spans" in effects else "none", "-o", f"{built}.tmp")
-        os.replace(f"{built}.tmp", built)
+            "2", "--background", "spans" if "spans" in effects else "none", "-o", str(built))
         return built
 
     def counted(self, scene, effects, core, *options):
@@ -71,9 +71,9 @@ class Bench:
         path = self.folder / f"{name.replace('=', '')}.json"
         if not path.exists():
             print("  RUN ", path.stem, flush=True)
-            run("sh", "sim/core.sh", "--machine", str(machine), "--json", f"{path}.tmp", *options,
-                EFFECTS=effects, BUILD=self.build, **core.variables())
-            os.replace(f"{path}.tmp", path)
+            with intact.beside(path) as new:
+                run("sh", "sim/core.sh", "--machine", str(machine), "--json", new, *options,
+                    EFFECTS=effects, BUILD=self.build, **core.variables())
         report = json.loads(path.read_text("utf-8"))
         if report["mismatches"]:
             sys.exit(f"rate: {path}: {report['mismatches']} pixels differ")

@@ -8,7 +8,8 @@ import json
 import sys
 from pathlib import Path
 
-from . import frames, html, page, rows
+from .. import intact
+from . import frames, page, rows
 from .run import Run
 
 
@@ -19,7 +20,7 @@ def main():
     given = parser.parse_args()
     try:
         run = Run(given.folder)
-        html.write(given.folder / "report.html", page.page(run))
+        intact.write(given.folder / "report.html", page.page(run))
         if given.csv:
             rows.append(given.csv, rows.row(run))
     except (OSError, frames.Bad, rows.Bad) as error:

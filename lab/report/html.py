@@ -1,7 +1,6 @@
 # html.py - parts of a page that needs no other file
 # SPDX-License-Identifier: Apache-2.0
 import base64
-import os
 from html import escape
 from pathlib import Path
 
@@ -43,16 +42,6 @@ def bar(name, share, value, note, css=""):
 
 def command(name, line):
     return f'<pre id="{name}">{text(line)}</pre><button data-copies="{name}">copy</button>'
-
-
-def write(path, page):
-    """Whole or not at all."""
-    new = Path(f"{path}.{os.getpid()}")
-    try:
-        new.write_text(page, encoding="utf-8")
-        os.replace(new, path)
-    finally:
-        new.unlink(missing_ok=True)
 
 
 def whole(title, body, script=True):

@@ -10,6 +10,7 @@ import os
 import subprocess
 import sys
 
+from .. import intact
 from ..tree_options import options
 
 SPHERES = 4096
@@ -67,9 +68,7 @@ class Runner:
             runs = [json.loads(self.run("render", sph, "-t", "1", "--json", "-"))
                     for _ in range(renders)]
             result["render"], result["render_times"] = runs[0], [r["cpu_seconds"] for r in runs]
-        with open(target + ".tmp", "w", encoding="utf-8") as f:
-            json.dump(result, f, indent=1)
-        os.rename(target + ".tmp", target)
+        intact.write(target, json.dumps(result, indent=1))
 
     def core(self, name, processes=1):
         """The machine through the RTL, twice: the second time with warm caches."""
@@ -79,12 +78,12 @@ class Runner:
         print("  SIM ", name, flush=True)
         build = os.path.dirname(os.path.abspath(self.tool))
         words = ["sh", "sim/core.sh", "--machine", self.path(name + ".sph"), "--warm",
-                 "--latency", "100", "--processes", str(processes), "--json", target + ".tmp"]
+                 "--latency", "100", "--processes", str(processes), "--json"]
         env = dict(os.environ, EFFECTS="auto", BUILD=build, JOBS="1")
-        done = subprocess.run(words, env=env, stdout=subprocess.DEVNULL, check=False)
-        if done.returncode:
-            sys.exit(f"measure: {name}: {' '.join(words)} failed")
-        os.rename(target + ".tmp", target)
+        with intact.beside(target) as new:
+            if subprocess.run([*words, new], env=env, stdout=subprocess.DEVNULL,
+                              check=False).returncode:
+                sys.exit(f"measure: {name}: {' '.join(words)} failed")
 
 
 def scene_file(runner, name):

@@ -9,7 +9,8 @@ import os
 import subprocess
 import sys
 
-from ..pages.place import place, write
+from .. import intact
+from ..pages.place import place
 from . import gather, plots, points, run, tables
 
 STRIP, STRIP_SIZE = "paper100", "240x135"
@@ -35,7 +36,7 @@ def main(argv):
     run_of = study.get(gather.keys.job("cells", **gather.core_of("standard")))
     place(page, text, run_of and run_of["yosys"])
     os.makedirs(folder, exist_ok=True)
-    write(os.path.join(folder, "tables"), " ".join(text) + "\n")
+    intact.write(os.path.join(folder, "tables"), " ".join(text) + "\n")
     drawn = []
     if not bare:
         pictures = os.path.join(os.path.dirname(page), "../pictures/accuracy")

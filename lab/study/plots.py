@@ -5,6 +5,7 @@ import os
 import subprocess
 from pathlib import Path
 
+from .. import intact
 from . import gather, points
 from .gather import core_of
 
@@ -56,13 +57,12 @@ def draw(out, folder, title, xlabel, series, log=False):
         parts += [LINE.format(**words)] + ([NAMES.format(**words)] if some[0][2] else [])
     xs, ys = [d[0] for d in dots], [d[1] for d in dots]
     left, right = (min(xs) / 3, max(xs) * 4) if log else (0, max(xs) * 1.2)
-    script = PLOT.format(out=out + ".tmp", title=title, xlabel=xlabel,
-                         parts=", \\\n  ".join(parts),
-                         left=left, right=right, low=min(ys) / 1.6,
-                         high=max(ys) * (4 if log else 2),
-                         more=heads(series) if log else "set key bottom left")
-    subprocess.run(["gnuplot"], input=script.encode(), check=True)
-    os.replace(out + ".tmp", out)
+    with intact.beside(out) as new:
+        script = PLOT.format(out=new, title=title, xlabel=xlabel, parts=", \\\n  ".join(parts),
+                             left=left, right=right, low=min(ys) / 1.6,
+                             high=max(ys) * (4 if log else 2),
+                             more=heads(series) if log else "set key bottom left")
+        subprocess.run(["gnuplot"], input=script.encode(), check=True)
     return True
 
 

@@ -10,6 +10,7 @@ import statistics
 import sys
 from pathlib import Path
 
+from .. import intact
 from ..pages import data
 
 COLUMNS = ["core", "speed grade", "after", "seeds", "least, MHz", "median", "greatest"]
@@ -32,7 +33,7 @@ def main(core, folders):
     others = [row for row in data.read("accuracy.seeds")[1] if row[0] != f"`{core}`"]
     table = [COLUMNS] + sorted(others + rows(core, folders), key=lambda row: row[0])
     lines = ["\t".join(row) + "\n" for row in table]
-    data.write(data.FOLDER / "accuracy.seeds.tsv", data.HEAD + "".join(lines))
+    intact.write(data.FOLDER / "accuracy.seeds.tsv", data.HEAD + "".join(lines))
 
 
 if __name__ == "__main__":

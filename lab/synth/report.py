@@ -6,7 +6,7 @@ import json
 import os
 import sys
 
-from ..pages.place import write
+from .. import intact
 from . import results
 
 # sizes that have a variable of their own
@@ -99,10 +99,10 @@ def main(folder, keys):
         command += " SIZES=" + ",".join(f"{name.lower()}={n}" for name, n in sizes.items())
     if runs[0]["flat"]:
         command += " FLAT=1"
-    write(os.path.join(folder, "report.md"), markdown(runs, command))
-    write(os.path.join(folder, "report.json"),
-          json.dumps({"command": command, "yosys": runs[0]["yosys"], "runs": runs}, indent=1)
-          + "\n")
+    intact.write(os.path.join(folder, "report.md"), markdown(runs, command))
+    intact.write(os.path.join(folder, "report.json"),
+                 json.dumps({"command": command, "yosys": runs[0]["yosys"], "runs": runs}, indent=1)
+                 + "\n")
     for target in results.COLUMNS:
         if any(r["target"] == target for r in runs):
             print(f"\n{target}\n{cores(runs, target)}")

@@ -5,7 +5,7 @@ import os
 import re
 import subprocess
 
-from ..pages.place import write
+from .. import intact
 from ..synth import report
 
 VIAS = {"direct": "directly", "flat": "in a flat mirror", "curved": "in a ball"}
@@ -83,7 +83,7 @@ def plot(found, folder, out):
             blocks.append("\n".join(f"{x} {y:.4f}" for x, y in dots))
     if not blocks:
         return
-    write(os.path.join(folder, "angles.txt"), "\n\n\n".join(blocks) + "\n")
-    script = PLOT.format(out=out + ".tmp", parts=", \\\n     ".join(parts))
-    subprocess.run(["gnuplot"], input=script.encode(), check=True)
-    os.replace(out + ".tmp", out)
+    intact.write(os.path.join(folder, "angles.txt"), "\n\n\n".join(blocks) + "\n")
+    with intact.beside(out) as new:
+        script = PLOT.format(out=new, parts=", \\\n     ".join(parts))
+        subprocess.run(["gnuplot"], input=script.encode(), check=True)

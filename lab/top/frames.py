@@ -8,6 +8,8 @@ import json
 import os
 import sys
 
+from .. import intact
+
 
 def joined(folder):
     """The frames of a run, each with what both sides know of it."""
@@ -37,10 +39,7 @@ def main(folder):
               f"{f['upload_cycles']:16} {f['draw_cycles']:7} {f['image_cycles']:22} "
               f"{f['pixels_a_burst']:16.2f}")
     path = os.path.join(folder, "report.json")
-    with open(path + ".tmp", "w", encoding="utf-8") as file:
-        json.dump(report, file, indent=2)
-        file.write("\n")
-    os.replace(path + ".tmp", path)
+    intact.write(path, json.dumps(report, indent=2) + "\n")
 
 
 if __name__ == "__main__":

@@ -10,6 +10,7 @@ import shutil
 import subprocess
 import sys
 
+from .. import intact
 from . import doubt, pictures, scenes
 
 POVRAY = "povray"
@@ -122,9 +123,7 @@ class Runner:
                 why=pictures.counts(causes), rest=pictures.rest(truth, model, causes))
             if profile == "standard" and model:
                 pictures.strip(self.path(name + ".png"), truth, model)
-        with open(target + ".tmp", "w", encoding="utf-8") as f:
-            json.dump(result, f, indent=1)
-        os.rename(target + ".tmp", target)
+        intact.write(target, json.dumps(result, indent=1))
 
 
 def nearest(report):

@@ -70,9 +70,9 @@ for name; do
     fi
     [ "$bad" -eq 0 ] || failed=1
     grep -a '^fuzz: \|ERROR\|runtime error' "$work/log" | head -n 9
-    printf '%s\t%s\t%s\t%s\t%s\t' "$(date -u +%F)" "$name" "$how" "$SEED" "$MINUTES" \
-        >>"$fuzz/runs.tsv"
-    printf '%s\t%s\t%s\t%s\n' "${runs:-0}" "$kept" "$bad" "$digest" >>"$fuzz/runs.tsv"
+    row=$(printf '%s\t' "$(date -u +%F)" "$name" "$how" "$SEED" "$MINUTES" "${runs:-0}" "$kept" \
+        "$bad")
+    echo "$row$digest" >>"$fuzz/runs.tsv" # at once: others may add theirs
     echo "$name: ${runs:-0} runs in $MINUTES min, $kept inputs kept, $bad failures"
 done
 exit $failed

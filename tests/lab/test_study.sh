@@ -65,6 +65,8 @@ check "the result of another job is noticed" says "$file is damaged" plan
 cp "$TMP/good" "$file"
 check "sources that change are noticed, a write that breaks leaves nothing" \
     python3 -m lab.checks.jobs "$TMP/folder"
+mkdir "$TMP/whole"
+check "four that write one file at once leave it whole" python3 -m lab.checks.intact "$TMP/whole"
 
 # ---- jobs that fail or are killed ----
 slow=$TMP/slow
