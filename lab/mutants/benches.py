@@ -45,13 +45,13 @@ class Built:
     def netlist(self):
         return netlist.Netlist(self.folder, self.top, self.parameters)
 
-    def compile(self, verilog, harness, macros, objects, libraries):
+    def compile(self, verilog, harness, macros, objects, libraries, more=()):
         made, log = f"{self.folder}/made", f"{self.folder}/log"
         shutil.rmtree(made, ignore_errors=True)
         os.makedirs(made)
         shell(["verilator", "--cc", "--top-module", self.top, "--prefix", "V" + self.top,
                "-Wno-fatal", "-Wno-lint", "-Wno-style", "-O3", "--x-assign", "fast",
-               "--x-initial", "unique", "-Mdir", made, verilog], log)
+               "--x-initial", "unique", "-Mdir", made, verilog, *more], log)
         with open(f"{made}/all.cpp", "w", encoding="utf-8") as f:
             f.write(NUMBER)
             f.flush()
@@ -157,6 +157,40 @@ class Core(Built):
         return True  # its exit code says all
 
 
+class Shell(Built):
+    """rt_top around the golden model, under its driver: make/rt_top.mk's tb_shell."""
+
+    def __init__(self, build):
+        effects = words_of("make", "-s", "top-shell")[0].split("=", 1)[1]
+        super().__init__("top/shell", "rt_top", [word.split("=") for word in words_of(
+            "sh", "sim/profile.sh", "draft") + words_of("sh", "sim/parameters.sh", effects)
+            + ["DATA=64", "VIDEO=1"]], build)
+        self.runs = [[f"{build}/top/paper5.sph", f"{build}/top/interpenetrating.sph", "1"]]
+
+    def netlist(self):
+        return netlist.Netlist(self.folder, self.top, self.parameters, ("rt_core",))
+
+    def sources(self):
+        return ["tb/top/*", "driver/*"]
+
+    def make(self, verilog):
+        with open("tb/top/golden_core.svh", encoding="utf-8") as f:
+            golden = netlist.head("rt_core") + f.read()
+        with open(f"{self.folder}/rt_core.sv", "w", encoding="utf-8") as f:
+            f.write(golden)
+        driver = f"{self.folder}/driver.o"
+        shell(["gcc", "-O2", "-c", "driver/sphaera.c", "-o", driver], f"{self.folder}/log")
+        return self.compile(verilog, "tb/top/tb_shell.cpp", ["-DDATA=64"],
+                            [driver, *sorted(glob.glob(f"{self.build}/sim/obj/bench_*.o"))], [],
+                            ["+1800-2017ext+sv", *(f"-I{n}" for n in sorted(glob.glob("rtl/*"))),
+                             f"{self.folder}/rt_core.sv"])
+
+    @staticmethod
+    def passed(text):
+        del text
+        return True
+
+
 CORES = ("all+texture+refract+specular+sum+spread",)
 
 
@@ -171,9 +205,9 @@ def every(build):
     return [Line(line, build) for line in found if line.split()[1] not in OF_A_VENDOR]
 
 
-def cores(build):
-    return [Core(effects, build) for effects in CORES]
+def wholes(build):
+    return [Core(effects, build) for effects in CORES] + [Shell(build)]
 
 
 def named(name, build):
-    return next(bench for bench in every(build) + cores(build) if bench.name == name)
+    return next(bench for bench in every(build) + wholes(build) if bench.name == name)

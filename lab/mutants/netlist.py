@@ -21,6 +21,7 @@ import subprocess
 from collections import defaultdict, namedtuple
 
 Fault = namedtuple("Fault", "module where cell nth port bit mode other")
+PUBLIC = "/* verilator public_flat_rd */"
 WIDTH = 16  # bits of mutsel; value 0 is the sound netlist
 
 
@@ -41,24 +42,46 @@ def run(folder, name, lines):
     return ran.stdout
 
 
-def elaborate(top, parameters):
+def public():
+    found = set()
+    for name in glob.glob("rtl/*/*.v"):
+        with open(name, encoding="utf-8") as f:
+            found |= set(re.findall(rf"(\w+)\s*{re.escape(PUBLIC)}", f.read()))
+    return sorted(found)
+
+
+def head(name):
+    """The head of a module in the place of it."""
+    with open(glob.glob(f"rtl/*/{name}.v")[0], encoding="utf-8") as f:
+        return f.read().split("\n);\n", maxsplit=1)[0] + "\n);\n"
+
+
+def elaborate(folder, top, parameters, outside):
     folders = sorted({os.path.dirname(n) for n in glob.glob("rtl/*/*.v")})
+    for name in outside:
+        with open(f"{folder}/{name}.v", "w", encoding="utf-8") as f:
+            f.write(head(name) + "endmodule\n")
+    files = [n for n in sorted(glob.glob("rtl/*/*.v")) if os.path.basename(n)[:-2] not in outside]
     values = " ".join(f"-set {n} {v}" for n, v in parameters)
     return ["verilog_defaults -add " + " ".join("-I" + f for f in folders),
-            "read_verilog -defer " + " ".join(sorted(glob.glob("rtl/*/*.v"))),
+            "read_verilog -defer " + " ".join(files),
+            *(f"read_verilog -lib {folder}/{name}.v" for name in outside),
             *([f"chparam {values} {top}"] if parameters else []),
-            f"hierarchy -top {top}", "proc -norom", "opt_expr", "opt_clean", "wreduce", "opt_clean"]
+            f"hierarchy -top {top}", "proc -norom",
+            "setattr -set keep 1 " + " ".join("w:" + name for name in public()),
+            "opt_expr", "opt_clean", "wreduce", "opt_clean"]
 
 
 class Netlist:
-    """A module and all below it: their cells, and the faults that fit into them."""
+    """A module and all below it: their cells, and the faults that fit into them. Modules that are
+    outside are instances without anything in them."""
 
-    def __init__(self, folder, top, parameters):
+    def __init__(self, folder, top, parameters, outside=()):
         self.folder, self.top = folder, top
         self.script = [f"read_rtlil {folder}/plain.il"]
         os.makedirs(folder, exist_ok=True)
         plain = f"{folder}/plain.json"
-        run(folder, "plain.ys", elaborate(top, parameters) +
+        run(folder, "plain.ys", elaborate(folder, top, parameters, outside) +
             [f"write_rtlil {folder}/plain.il", f"write_json {plain}"])
         with open(plain, encoding="utf-8") as f:
             found = json.load(f)["modules"]
@@ -159,7 +182,7 @@ class Netlist:
         with open(verilog, encoding="utf-8") as f:
             text = f.read()
         with open(verilog, "w", encoding="utf-8") as f:
-            f.write(selected(text, self.top) if fitting else text)
+            f.write(marked(selected(text, self.top) if fitting else text))
         return fitting
 
 
@@ -224,6 +247,12 @@ def dead(module, read):
             for i in range(len(cell["connections"][port])) if (name, port, i) not in live}, {
         (name, i) for name, port in module["ports"].items() if port["direction"] == "input"
         for i, bit in enumerate(port["bits"]) if bit in seen}
+
+
+def marked(text):
+    """Signals inside that benches read: Yosys writes none of Verilator's comments."""
+    return re.sub(rf"^(  wire (?:\[.*\] )?(?:{'|'.join(public())}));", rf"\1 {PUBLIC};", text,
+                  flags=re.M)
 
 
 def selected(text, top):

@@ -1,6 +1,7 @@
 # plan.py - which bench tries the faults of a module, and how many each module gets
 # SPDX-License-Identifier: Apache-2.0
-"""A module is tried in a bench of its own, else in the smallest one that has it, else in the core.
+"""A module is tried in a bench of its own, else in the smallest one that has it, else in the core,
+else in rt_top around the golden model.
 A job is one program with the faults of all modules that have their home in it."""
 import glob
 import hashlib
@@ -8,6 +9,7 @@ import json
 import os
 import re
 
+from .. import intact
 from ..jobs import store
 from . import benches
 
@@ -78,16 +80,14 @@ def homes(build):
         sizes = [(size, name) for name, (size, has) in inside.items() if module in has]
         if sizes:
             result.setdefault(min(sizes)[1], []).append(module)
-    for bench in benches.cores(build):
+    for bench in benches.wholes(build):
         look(bench)
         rest = [m for m in left if m in inside[bench.name][1]
                 and not any(m in has for has in result.values())]
         if rest:
             result[bench.name] = rest
     os.makedirs(os.path.dirname(cache), exist_ok=True)
-    with open(cache + ".tmp", "w", encoding="utf-8") as f:
-        json.dump({"digest": digest, "homes": result}, f, indent=1)
-    os.replace(cache + ".tmp", cache)
+    intact.write(cache, json.dumps({"digest": digest, "homes": result}, indent=1))
     return result
 
 
