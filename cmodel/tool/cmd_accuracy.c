@@ -239,7 +239,7 @@ int tool_accuracy(int argc, char **argv) {
     struct arguments a = {.source = tool_source_default, .truth = -1};
     struct sph_scene scene;
     struct sph_error err = {""};
-    argp_parse(&argp, argc, argv, 0, NULL, &a);
+    tool_parse(&argp, argc, argv, 0, &a);
 
     if (tool_wants_scene(a.input, &err) || tool_scene_read(a.input, &a.source, &scene, &err))
         return tool_failed(&err);

@@ -165,7 +165,7 @@ int tool_background(int argc, char **argv) {
     a.source.every_background = 1;
     struct sph_scene scene;
     struct sph_error err = {""};
-    argp_parse(&argp, argc, argv, 0, NULL, &a);
+    tool_parse(&argp, argc, argv, 0, &a);
 
     if (tool_wants_scene(a.input, &err)) return tool_failed(&err);
     char *drawn[PICTURES] = {NULL};

@@ -132,7 +132,7 @@ int tool_build(int argc, char **argv) {
     struct arguments a = {.source = tool_source_default};
     struct tool_built built;
     struct sph_error err = {""};
-    argp_parse(&argp, argc, argv, 0, NULL, &a);
+    tool_parse(&argp, argc, argv, 0, &a);
 
     if (tool_is_machine(a.input)) {
         sph_fail(&err, "%s: is a machine file already", a.input);

@@ -141,7 +141,7 @@ int tool_compare(int argc, char **argv) {
         NULL};
     struct arguments a = {.layer = SPH_FRAMES - 1};
     struct sph_error err = {""};
-    argp_parse(&argp, argc, argv, 0, NULL, &a);
+    tool_parse(&argp, argc, argv, 0, &a);
 
     for (int i = 0; i < a.inputs; i++)
         if (tool_spares(&a.outputs, a.input[i], &err)) return tool_failed(&err);

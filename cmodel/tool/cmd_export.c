@@ -98,7 +98,7 @@ int tool_export(int argc, char **argv) {
     struct arguments a = {.source = tool_source_default};
     struct sph_scene scene;
     struct sph_error err = {""};
-    argp_parse(&argp, argc, argv, 0, NULL, &a);
+    tool_parse(&argp, argc, argv, 0, &a);
 
     if (a.hex || a.c_array) return export_machine(&a, &err) ? tool_failed(&err) : TOOL_GOOD;
     if (tool_wants_scene(a.input, &err) || tool_scene_read(a.input, &a.source, &scene, &err))

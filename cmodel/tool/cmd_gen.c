@@ -217,7 +217,7 @@ int tool_gen(int argc, char **argv) {
     struct arguments a = {0};
     struct sph_scene scene;
     struct sph_error err = {""};
-    argp_parse(&argp, argc, argv, 0, NULL, &a);
+    tool_parse(&argp, argc, argv, 0, &a);
     if (sph_generate(a.what, &a.generate, &scene, &err) || tool_write_scene(a.output, &scene, &err))
         return tool_failed(&err);
     return TOOL_GOOD;
@@ -237,7 +237,7 @@ int tool_import(int argc, char **argv) {
     struct sph_import_counts counts = {0};
     struct sph_scene scene;
     struct sph_error err = {""};
-    argp_parse(&argp, argc, argv, 0, NULL, &a);
+    tool_parse(&argp, argc, argv, 0, &a);
     int aff = sph_aff_is(a.what);
     const char *wrong = aff ? a.pdb_option : a.aff_option;
     if (wrong) {

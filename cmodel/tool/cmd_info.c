@@ -51,7 +51,7 @@ int tool_info(int argc, char **argv) {
     struct arguments a = {.pixel = {-1, -1}};
     struct sph_machine machine;
     struct sph_error err = {""};
-    argp_parse(&argp, argc, argv, 0, NULL, &a);
+    tool_parse(&argp, argc, argv, 0, &a);
 
     if (tool_spares(&a.outputs, a.input, &err)) return tool_failed(&err);
     if (tool_wants_machine(a.input, &err) || sph_machine_read(a.input, &machine, &err))

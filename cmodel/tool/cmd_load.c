@@ -72,7 +72,7 @@ int tool_load_board(int argc, char **argv) {
     struct board_machine machines[BOARD_MACHINES];
     struct sph_error err = {""};
     int n = 0;
-    argp_parse(&argp, argc, argv, 0, NULL, &a);
+    tool_parse(&argp, argc, argv, 0, &a);
     int rc = read_all(&a, !a.rom, machines, &n, &err);
     if (!rc)
         rc = a.rom ? board_write_rom(machines, a.rom, &err)

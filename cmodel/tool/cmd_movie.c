@@ -54,7 +54,7 @@ int tool_movie(int argc, char **argv) {
     struct arguments a = {.rate = MOVIE_RATE, .pictures = calloc((size_t)argc + 1, sizeof(char *))};
     struct sph_error err = {""};
     int rc = a.pictures ? 0 : sph_fail(&err, "no memory for %d names", argc);
-    if (!rc) argp_parse(&argp, argc, argv, 0, NULL, &a);
+    if (!rc) tool_parse(&argp, argc, argv, 0, &a);
     for (int i = 0; i < a.n && !rc; i++)
         rc = tool_spares(&a.outputs, a.pictures[i], &err);
     if (!rc) rc = movie_write(a.output, a.pictures, a.n, a.rate, &err);

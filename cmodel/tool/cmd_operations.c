@@ -140,7 +140,7 @@ int tool_operations(int argc, char **argv) {
     struct tool_report_arguments a = {.source = tool_source_default};
     struct tool_built built;
     struct sph_error err = {""};
-    argp_parse(&argp, argc, argv, 0, NULL, &a);
+    tool_parse(&argp, argc, argv, 0, &a);
 
     if (tool_load(a.input, &a.source, &built, &err)) return tool_failed(&err);
     struct tally tally = {0};

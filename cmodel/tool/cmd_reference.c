@@ -140,7 +140,7 @@ int tool_reference(int argc, char **argv) {
                           .light = {.layer = SPH_FRAMES - 1, .transfer = SPH_TRANSFER_SRGB}};
     struct sph_scene scene;
     struct sph_error err = {""};
-    argp_parse(&argp, argc, argv, 0, NULL, &a);
+    tool_parse(&argp, argc, argv, 0, &a);
 
     if (tool_wants_scene(a.input, &err) || tool_scene_read(a.input, &a.source, &scene, &err))
         return tool_failed(&err);

@@ -256,7 +256,7 @@ int tool_render(int argc, char **argv) {
                           .light = {.layer = SPH_FRAMES - 1, .transfer = SPH_TRANSFER_SRGB}};
     struct tool_built built;
     struct sph_error err = {""};
-    argp_parse(&argp, argc, argv, 0, NULL, &a);
+    tool_parse(&argp, argc, argv, 0, &a);
 
     if (a.frames.on) return render_frames(&a);
     if (tool_load(a.input, &a.source, &built, &err)) return tool_failed(&err);

@@ -143,7 +143,7 @@ int tool_texels(int argc, char **argv) {
     struct tool_built built;
     struct caches c = {0};
     struct sph_error err = {""};
-    argp_parse(&argp, argc, argv, 0, NULL, &a);
+    tool_parse(&argp, argc, argv, 0, &a);
     if (tool_load(a.input, &a.source, &built, &err)) return tool_failed(&err);
     c.m = &built.machine;
     int rc = start(&c, &err);

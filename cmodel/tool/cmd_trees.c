@@ -189,7 +189,7 @@ int tool_trees(int argc, char **argv) {
     struct tool_report_arguments a = {.source = tool_source_default};
     struct sph_scene scene;
     struct sph_error err = {""};
-    argp_parse(&argp, argc, argv, 0, NULL, &a);
+    tool_parse(&argp, argc, argv, 0, &a);
 
     if (tool_wants_scene(a.input, &err) || tool_scene_read(a.input, &a.source, &scene, &err))
         return tool_failed(&err);

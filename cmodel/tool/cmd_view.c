@@ -89,7 +89,7 @@ int tool_view(int argc, char **argv) {
     struct sph_scene scene;
     struct sph_error err = {""};
     int left = 0;
-    argp_parse(&argp, argc, argv, 0, NULL, &a);
+    tool_parse(&argp, argc, argv, 0, &a);
 
     if (a.keys) {
         view_keys_print(stdout);

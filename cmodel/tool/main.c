@@ -90,7 +90,7 @@ int main(int argc, char **argv) {
     check_bytes(argc, argv);
     if (guard_start()) return TOOL_USAGE;
     if (argc > 0) argv[0] = self;
-    argp_parse(&argp, argc, argv, ARGP_IN_ORDER, NULL, &choice);
+    tool_parse(&argp, argc, argv, ARGP_IN_ORDER, &choice);
 
     snprintf(name, sizeof name, "sphaera %s", commands[choice.command].name);
     argv[choice.at] = name;

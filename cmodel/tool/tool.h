@@ -37,6 +37,9 @@ int tool_movie(int argc, char **argv);
 /* Prints the message of err; returns TOOL_FAILED. */
 int tool_failed(const struct sph_error *err);
 
+/* argp_parse() with the options of its help that ours has, and no others. */
+void tool_parse(const struct argp *argp, int argc, char **argv, unsigned flags, void *input);
+
 /* ---- values of options; a wrong one ends the program with a usage message ---- */
 
 /* Position of arg in choices, a list that ends with NULL. */

@@ -54,4 +54,8 @@ check "... are refused by name and line" has "cones.nff:[0-9]*: .*\(more than\|n
 # ---- words ----
 fails 2 "a byte that no text has" "$s" render -"$(printf '\377')" scenes/paper5.nff
 check "... is named" has "word 2 .*byte 0xff"
+for word in --HANG --H --program-name=x --p; do
+    fails 2 "$word, which argp would take" timeout 9 "$s" load "$word"
+    check "... is no option" has "^sphaera load: unrecognized option '$word'"
+done
 done_testing
