@@ -1,4 +1,4 @@
-; digits.smt2 - the digit steps of rt_isqrt and rt_quotient keep their invariants, for integers
+; digits.smt2 - digits of rt_isqrt, rt_quotient, rt_divide keep their invariants, for integers
 ; SPDX-License-Identifier: Apache-2.0
 ; Each lemma is denied, and must then have no solution; first its premises alone must have one.
 ; Products of unknowns are unknowns of their own, with what is used of them: so all is linear, and
@@ -62,3 +62,21 @@
 (assert (not (and (<= (* 2 product) scaled) (< scaled (+ (* 2 product) (* 2 an))))))
 (set-info :status unsat) (check-sat)
 (pop) (pop)
+
+; ---- quotient rounded up: used = an mant + rem, 0 <= rem < an; one more bit of x ----
+(declare-const bit Int)
+(define-fun more () Int (+ (* 2 rem) bit))
+(define-fun less () Int (ite (>= more an) an 0))
+(push)
+(assert (and (> an 0) (<= 0 rem) (< rem an) (= used (+ product rem)) (<= 0 bit 1)))
+(set-info :status sat) (check-sat)
+(push)
+(assert (not (and (= (+ (* 2 used) bit) (+ (* 2 product) less (- more less)))
+                  (<= 0 (- more less)) (< (- more less) an))))
+(set-info :status unsat) (check-sat)
+(pop)
+; the end: an (key - 1) < used <= an key
+(define-fun up () Int (ite (= rem 0) 0 an))
+(assert (not (and (< (- (+ product up) an) used) (<= used (+ product up)))))
+(set-info :status unsat) (check-sat)
+(pop)
