@@ -1,4 +1,4 @@
-// f_any_divide.v - stand for rt_long_product, rt_divide in proofs of rt_facet_key: results at any time
+// f_any_divide.v - stand for rt_long_product, rt_divide in proofs: results at any time
 // SPDX-License-Identifier: Apache-2.0
 // What is made of a product or quotient must not depend on how long it takes or what it is: factors
 // side by side stand for a product; a quotient is anything, and its operands are kept beside it.
@@ -47,8 +47,7 @@ module rt_long_product #(
         end
     end
     // a row takes two clocks or more
-    (* keep *) wire soon = last && (first_q || come_q[0]);
-    always @* assume (!soon);
+    always @* assume (!(last && (first_q || come_q[0])));
 endmodule
 module rt_divide #(
     parameter DW   = 50,

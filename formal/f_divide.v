@@ -1,8 +1,8 @@
 // f_divide.v - proof of rt_divide: key = ceil(x / d)
 // SPDX-License-Identifier: Apache-2.0
-// With MULTIPLY that a division taken in the first clock has this key ROUNDS + 1 clocks later, until
-// it is taken: small widths. Without, that every round makes the digits of which digits.smt2 shows
-// it for integers, and that the last one is rounded up: all widths.
+// With MULTIPLY a division taken in the first clock has this key ROUNDS + 1 clocks later: small
+// widths. Without, every round makes the digits of which digits.smt2 shows it for integers, and the
+// last one is rounded up: all widths.
 `timescale 1ns / 1ps
 `default_nettype none
 module f_divide #(

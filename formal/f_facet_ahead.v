@@ -1,8 +1,8 @@
 // f_facet_ahead.v - proof of rt_facet_ahead: N.lift and |N_x| + |N_y| + |N_z|, at its real widths
 // SPDX-License-Identifier: Apache-2.0
-// Any N and lift in the first clock. A clock later their products and magnitudes are those of ahead()
-// in cmodel/prim/facet.c. With SUMS, from any that keep their bounds, 2 + WAIT clocks later the sums
-// of these, in words that hold every value.
+// Any N and lift in the first clock. A clock later their products and magnitudes are those of
+// ahead() in cmodel/prim/facet.c. With SUMS, from any that keep their bounds, 2 + WAIT clocks later
+// the sums of these, in words that hold every value.
 `timescale 1ns / 1ps
 `default_nettype none
 module f_facet_ahead #(

@@ -33,7 +33,8 @@ netlist-$(1): $(NETLIST)/$(1)/core/rtl/rt_core.v $(NETLIST)/$(1)/frame.sph
 	    --machine $$(word 2,$$^) --latency 5 --stall 20 --seed 7 --stop
 $(NETLIST)/$(1)/core/rtl/rt_core.v: $(NETTED)
 	$$(Q)FAMILY=$(3) sh synth/netlist.sh rt_core $(NETLIST)/$(1)/core \
-	    $$$$(sh sim/profile.sh $(2)) $$$$(sh sim/parameters.sh none) ENGINES=1 ROOT_STEP=2 QUOTIENT_STEP=2
+	    $$$$(sh sim/profile.sh $(2)) $$$$(sh sim/parameters.sh none) ENGINES=1 ROOT_STEP=2 \
+	    QUOTIENT_STEP=2
 $(NETLIST)/$(1)/frame.sph: NETLIST_PROFILE = $(2)
 endef
 .PHONY: netlist-standard netlist-xc7

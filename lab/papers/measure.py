@@ -218,7 +218,8 @@ def ways(run):
                                run.path("levels-samples.exr"), "--ch", "R,G,B",
                                "--resize:filter=box", "240x135", "--diff"], check=False,
                               stdout=subprocess.PIPE, text=True).stdout
-        intact.write(run.path(f"levels-{way}.rms"), re.search(r"RMS error = ([0-9.]+)", said)[1] + "\n")
+        intact.write(run.path(f"levels-{way}.rms"),
+                     re.search(r"RMS error = ([0-9.]+)", said)[1] + "\n")
 
 
 def scenarios(run):
