@@ -89,12 +89,15 @@ static void read_node(const struct job *j, uint32_t line, struct sph_fast *f,
                       struct sph_fast_node *node, struct sph_fast_boxes *boxes) {
     uint32_t base, n_inner, n_leaf, leaf = node->leaf;
     memset(node, 0, sizeof *node);
+    for (int i = 0; i < 4; i++) {
+        node->square[i] = -1;
+        node->outer[i] = -1;
+    }
     node->bad = !head(j, line, &base, &n_inner, &n_leaf);
     if (node->bad) return;
-    node->leaf = leaf;
+    node->leaf = leaf - n_inner;
     node->n_inner = (uint8_t)n_inner;
     node->tests = (uint8_t)(n_inner + n_leaf);
-    node->valid = (uint8_t)((1 << node->tests) - 1);
     if (n_inner) node->inner = j->number[base];
     for (int i = 0; i < node->tests && boxes; i++) {
         struct sph_box box;
@@ -104,8 +107,10 @@ static void read_node(const struct job *j, uint32_t line, struct sph_fast *f,
             boxes->hi[k][i] = box.hi[k];
         }
     }
-    for (int i = node->tests; i < 4; i++)
-        node->square[i] = -1;
+    for (uint32_t i = 0; i < n_inner; i++)
+        node->outer[i] = 0;
+    for (uint32_t i = n_inner; i < node->tests; i++)
+        node->leaves |= (uint8_t)(1 << 2 * i);
     for (int i = 0; i < node->tests && !boxes; i++) {
         struct sph_child child = sph_child_read(sph_line(j->m, line), i);
         int32_t rad = child.rad << SPH_FILTER_FRACTION;
@@ -213,6 +218,8 @@ struct sph_fast *sph_fast_new(const struct sph_machine *m, int lanes) {
     struct sph_fast *f = known(m) ? calloc(1, sizeof *f) : NULL;
     if (!f) return NULL;
     f->m = m;
+    f->whole = j.whole;
+    f->clear = sph_machine_effect(m, SPH_EFFECT_CLEAR);
     f->visit_limit = (uint32_t)m->regs[SPH_REG_VISIT_LIMIT];
 #if defined __x86_64__
     if (lanes == SPH_FAST_BEST && __builtin_cpu_supports("avx2"))

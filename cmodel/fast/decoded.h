@@ -11,12 +11,11 @@
 struct sph_fast_node {
     int16_t xy[4][2], zr[4][2]; /* centre and radius of child 0..3, filter units */
     int32_t square[4];          /* of the radius, in units of filter's distances; no child: -1 */
-    uint32_t inner;             /* number of the node that is inner child 0 */
-    uint32_t leaf;              /* and of the record that is leaf child 0 */
+    uint32_t inner, leaf;       /* child i is the node inner + i, or the record leaf + i */
     uint8_t n_inner, tests;
-    uint8_t valid; /* bit i: there is a child i */
-    uint8_t bad;   /* the error BAD_NODE when it is visited */
-    uint32_t unused;
+    uint8_t leaves;  /* bit 2 i: child i is a leaf */
+    uint8_t bad;     /* the error BAD_NODE when it is visited; it has no child then */
+    int8_t outer[4]; /* -1: child i is no node */
 };
 
 /* Coordinate k of child i's centre. */
@@ -44,7 +43,8 @@ struct sph_fast {
     struct sph_fast_leaf *leaves;
     struct sph_fast_triangle *triangles; /* of leaf records by number; NULL: all are unknown */
     uint32_t root, n_nodes, visit_limit;
-    int no_root; /* it, or what registers of a BIH name, does not lie in memory */
+    int whole, clear; /* of the machine's effects, as sph_probe has them */
+    int no_root;      /* it, or what registers of a BIH name, does not lie in memory */
     struct sph_hit (*walk)(const struct sph_fast *, const struct sph_ray *, struct sph_counters *,
                            uint32_t *, uint32_t *);
     const struct sph_packet_way *packet; /* NULL: not for this tree */

@@ -7,6 +7,8 @@
 #include <immintrin.h>
 #include <stdint.h>
 
+#include "fast/decoded.h"
+
 enum { KEY_NONE = 0xffff };
 
 /* Four words of 16 bits, and four that are all ones: how near each child is, all ones if it is not
@@ -15,26 +17,20 @@ typedef __m128i keys;
 
 static const uint64_t lane_word[4] = {0xffff, 0xffffull << 16, 0xffffull << 32, 0xffffull << 48};
 
-/* Ones where a node has no inner child: it has so many. */
-static const int16_t outer[5][8] = {{-1, -1, -1, -1, -1, -1, -1, -1},
-                                    {0, -1, -1, -1, -1, -1, -1, -1},
-                                    {0, 0, -1, -1, -1, -1, -1, -1},
-                                    {0, 0, 0, -1, -1, -1, -1, -1},
-                                    {0, 0, 0, 0, -1, -1, -1, -1}};
-
 static inline keys no_keys(void) {
     return _mm_set1_epi32(-1);
 }
 
-/* The keys of inner children: near, below KEY_NONE; missed, all ones or 0. */
-static inline keys keys_of(__m128i near, __m128i missed, uint32_t n_inner) {
-    missed = _mm_or_si128(missed, _mm_loadu_si128((const __m128i *)(const void *)outer[n_inner]));
-    return _mm_or_si128(near, missed);
+/* The keys of inner children: near, below KEY_NONE; missed, all ones or 0, all ones where there is
+ * no child of that number. */
+static inline keys keys_of(__m128i near, __m128i missed, const struct sph_fast_node *n) {
+    __m128i outer = _mm_cvtepi8_epi16(_mm_loadu_si32(n->outer));
+    return _mm_or_si128(_mm_or_si128(near, outer), missed);
 }
 
-/* Bit i: child i is met. */
-static inline unsigned met_of(__m128i missed) {
-    return ~(unsigned)_mm_movemask_epi8(_mm_packs_epi16(missed, missed)) & 15;
+/* Bit 2 i: leaf child i is met. */
+static inline unsigned leaves_of(__m128i missed, const struct sph_fast_node *n) {
+    return ~(unsigned)_mm_movemask_epi8(missed) & n->leaves;
 }
 
 static inline int32_t first(keys k) {

@@ -8,6 +8,18 @@
 #include "fast/root.h"
 #include "trace/leaf_unit.h"
 
+/* sph_probe_of() */
+static inline struct sph_probe sph_fast_probe(const struct sph_fast *f, const struct sph_ray *ray,
+                                              struct sph_counters *c, uint32_t *errors) {
+    return (struct sph_probe){.p = sph_machine_profile(f->m),
+                              .ray = ray,
+                              .whole = f->whole,
+                              .passes = ray->kind == SPH_SHADOW && f->clear,
+                              .best = {0, SPH_ID_NONE, 0},
+                              .c = c,
+                              .errors = errors};
+}
+
 /* As sph_leaf_visit(), but for the counter of tests of spheres. What is no sphere, or a
  * clear one, is tested by its literal function here; of spheres this is sph_leaf_test() with the
  * root of root.h. */

@@ -36,7 +36,7 @@ static int sound(struct way *w, uint32_t number, int level) {
             w->ctr[level][k] = sph_fast_ctr(n, k, (int)i) * unit;
         w->rad[level] = (n->zr[i][1] - SPH_FILTER_MARGIN) * unit;
         if (i < n->n_inner ? !sound(w, n->inner + i, level + 1)
-                           : !held(w, &w->f->leaves[n->leaf + i - n->n_inner], level + 1))
+                           : !held(w, &w->f->leaves[n->leaf + i], level + 1))
             return 0;
     }
     return 1;
@@ -66,7 +66,7 @@ struct sph_hit sph_packet_exact(const struct sph_fast *fast, const struct sph_bu
     struct sph_counters none = {{0}};
     uint32_t errors = 0;
     struct sph_ray ray = sph_bundle_ray(rays, i);
-    struct sph_probe probe = sph_probe_of(fast->m, &ray, &none, &errors);
+    struct sph_probe probe = sph_fast_probe(fast, &ray, &none, &errors);
     if (best >= 0) sph_fast_leaf_visit(&probe, &fast->leaves[best], fast->m->mem);
     struct sph_hit before = probe.best;
     sph_fast_leaf_visit(&probe, &fast->leaves[*leaf], fast->m->mem);

@@ -34,16 +34,16 @@ static inline unsigned meets(const struct sph_shaft *h, const struct sph_fast_no
     four missed = near > plane->bound;
     for (int i = 1; i < SPH_SHAFT_PLANES; i++)
         missed |= products(n->xy, plane[i].xy) + products(n->zr, plane[i].zr) > plane[i].bound;
-    unsigned met = ~signs(missed) & n->valid;
+    unsigned met = ~signs(missed) & ((1u << n->tests) - 1), inner = met & ((1u << n->n_inner) - 1);
     int from = *sp;
-    for (unsigned i = met & ((1u << n->n_inner) - 1); i; i &= i - 1) {
+    for (unsigned i = inner; i; i &= i - 1) {
         int child = __builtin_ctz(i), at = (*sp)++;
         struct waiting w_new = {near[child], n->inner + (uint32_t)child};
         for (; at > from && stack[at - 1].near < w_new.near; at--)
             stack[at] = stack[at - 1];
         stack[at] = w_new;
     }
-    return met >> n->n_inner;
+    return met ^ inner;
 }
 
 /* Ray i against a leaf record, by integers; the nearer of two hits stays. */

@@ -42,9 +42,9 @@ static inline uint64_t sph_fast_isqrt_near(sph_u128 x, double guess, int64_t *re
     return (uint64_t)root;
 }
 
-/* floor(sqrt(disc)), disc = k * a + b * b > 0, b > 0 or k > 0, of numbers below 2^52; *inexact:
- * disc is no square. In doubles disc is off by less than 2^-51 of b * b where k < 0, and its root
- * by less than b * 2^-43 if it is not much smaller; else it is too small for them. */
+/* floor(sqrt(disc)), disc = k * a + b * b > 0, b > 0 or k > 0, of numbers below 2^52; *inexact: it
+ * is no square. In doubles disc is off by less than 2^-51 of b * b where k < 0, and its root by
+ * less than b * 2^-43 if it is not much smaller; else it is too small for them. */
 static inline uint64_t sph_fast_root(sph_i128 disc, int64_t k, uint64_t a, int64_t b,
                                      int *inexact) {
     double square = (double)b * (double)b, near = (double)k * (double)(int64_t)a + square;

@@ -102,15 +102,17 @@ static inline __m256i distances(const struct across *a, __m256i xy, __m256i zr) 
 
 /* Distances are as filter.c says; those of 16 bits and more become the greatest of 15, and miss
  * each child: a radius has 14 + FRACTION bits, and is even. Where there is no child, its square is
- * -1. Words of 16 bits: all ones, the child is missed; how near it is. */
+ * -1. Words of 16 bits: all ones, the child is missed, or there is none of that number; how near it
+ * is. */
 static inline __m128i missed_of(const struct lanes *l, const struct sph_fast_node *n,
                                 __m128i *nearest) {
     __m128i zr = load(n->zr);
     __m256i oc_xy = _mm256_sub_epi16(_mm256_broadcastsi128_si256(load(n->xy)), l->org_xy);
     __m256i oc_zr = _mm256_sub_epi16(_mm256_broadcastsi128_si256(zr), l->org_z);
     __m256i across = distances(&l->pq, oc_xy, oc_zr);
-    __m128i p = _mm256_castsi256_si128(across), q = _mm256_extracti128_si256(across, 1);
-    __m128i pq = _mm_packs_epi32(_mm_unpacklo_epi32(p, q), _mm_unpackhi_epi32(p, q));
+    across = _mm256_packs_epi32(across, across);
+    __m128i pq =
+        _mm_unpacklo_epi16(_mm256_castsi256_si128(across), _mm256_extracti128_si256(across, 1));
     pq = _mm_xor_si128(pq, _mm_srai_epi16(pq, 15));
     __m128i aside = _mm_cmpgt_epi32(_mm_madd_epi16(pq, pq), load(n->square));
 
@@ -121,7 +123,7 @@ static inline __m128i missed_of(const struct lanes *l, const struct sph_fast_nod
     __m128i out = _mm_or_si128(_mm_srai_epi16(end, 15), /* it ends behind the origin */
                                _mm_cmpgt_epi16(near, l->most));
     *nearest = near;
-    return _mm_or_si128(_mm_packs_epi32(aside, aside), out);
+    return _mm_or_si128(_mm_packs_epi32(aside, _mm_set1_epi32(-1)), out);
 }
 
 #endif

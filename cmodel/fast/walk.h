@@ -3,26 +3,26 @@
  *
  * Asked for: `struct lanes`, what of a ray the tests need, made by lanes_of(); limit_of() and
  * depth_of(), how deep a ray goes at first and to a key; limit_to(), which tells the lanes so;
- * children(), which tests those of a node and leaves `keys` of the inner ones that are met;
- * first(), the least key, and of equal ones that of the first child, KEY_NONE if none is left;
- * key_child(), whose it is; key_near(), to be compared with near_of() of a depth; without(), the
- * others. The rest is sph_traverse() line by line.
+ * children(), which tests those of a node, leaves `keys` of the inner ones that are met and returns
+ * the leaves of them, bit 2 i of child i; first(), the least key, and of equal ones that of the
+ * first child, KEY_NONE if none is left; key_child(), whose it is; key_near(), to be compared with
+ * near_of() of a depth; without(), the others. The rest is sph_traverse() line by line.
  */
 #include <stddef.h>
 
 #include "fast/decoded.h"
 #include "fast/leaf.h"
 
-/* Siblings to visit: sph_siblings, the number of child 0 as their base. */
+/* Siblings to visit: sph_siblings, with child 0 as their base. */
 struct group {
     keys order;
-    uint32_t base;
+    const struct sph_fast_node *base;
 };
 
 /* base + i, i = 0..3. A branch for each: the processor guesses which child is next and goes on with
  * it, and does not wait for the tests that say so; sums would make it wait. To the compiler the
- * numbers are unknown, else it made sums of the branches. */
-static inline uint32_t guessed(uint32_t base, uint32_t i) {
+ * nodes are unknown, else it made sums of the branches. */
+static inline const struct sph_fast_node *guessed(const struct sph_fast_node *base, uint32_t i) {
     if (i == 0) return base;
     if (i == 1) {
         base += 1;
@@ -39,35 +39,30 @@ static inline uint32_t guessed(uint32_t base, uint32_t i) {
 
 static struct sph_hit walk(const struct sph_fast *f, const struct sph_ray *ray,
                            struct sph_counters *c, uint32_t *visits, uint32_t *errors) {
-    struct sph_probe probe = sph_probe_of(f->m, ray, c, errors);
+    struct sph_probe probe = sph_fast_probe(f, ray, c, errors);
     const struct sph_hit *best = &probe.best;
     struct lanes lanes = lanes_of(probe.p, ray);
-    const struct sph_fast_node *nodes = f->nodes;
-    struct group now, stack[SPH_STACK_DEPTH];
-    int sp = 0, ends = sph_ray_any(ray);
+    const struct sph_fast_node *n = f->nodes + f->root;
+    struct group now, stack[SPH_STACK_DEPTH], *top = stack;
+    int ends = sph_ray_any(ray);
     int32_t depth_max = limit_of(&lanes, ray), deepest = near_of(depth_max);
-    uint32_t node = f->root, visited = 0, tests = 0, leaf_tests = 0;
+    uint32_t left = f->visit_limit, tests = 0, leaf_tests = 0;
     now.order = no_keys();
     limit_to(&lanes, depth_max);
 
     for (;;) {
-        if (visited == f->visit_limit) {
+        if (!left) {
             *errors |= 1u << SPH_ERROR_VISIT_LIMIT;
             break;
         }
-        visited++;
-        const struct sph_fast_node *n = &nodes[node];
-        if (n->bad) {
-            *errors |= 1u << SPH_ERROR_BAD_NODE;
-            break;
-        }
+        left--;
         keys order;
-        unsigned met = children(&lanes, f, n, &order), leaves = met >> n->n_inner;
+        unsigned leaves = children(&lanes, f, n, &order);
         tests += n->tests;
         if (leaves) {
             uint64_t key_before = best->key;
             do {
-                uint32_t leaf = n->leaf + (unsigned)__builtin_ctz(leaves);
+                uint32_t leaf = n->leaf + ((unsigned)__builtin_ctz(leaves) >> 1);
                 leaf_tests += !f->leaves[leaf].record;
                 sph_fast_visit(&probe, f, leaf);
                 leaves &= leaves - 1;
@@ -82,26 +77,31 @@ static struct sph_hit walk(const struct sph_fast *f, const struct sph_ray *ray,
         int32_t key = first(order);
         if (key_near(key) <= deepest) {
             if (first(now.order) != KEY_NONE) {
-                if (sp == SPH_STACK_DEPTH) {
+                if (top == stack + SPH_STACK_DEPTH) {
                     *errors |= 1u << SPH_ERROR_STACK_OVERFLOW;
                     break;
                 }
-                stack[sp++] = now;
+                *top++ = now;
             }
             now.order = order;
-            now.base = n->inner;
-            node = guessed(now.base, key_child(key));
+            now.base = f->nodes + n->inner;
+            n = guessed(now.base, key_child(key));
         } else {
+            if (n->bad) {
+                *errors |= 1u << SPH_ERROR_BAD_NODE;
+                break;
+            }
             key = first(now.order);
-            while (key_near(key) > deepest && sp) {
-                now = stack[--sp];
+            while (key_near(key) > deepest && top > stack) {
+                now = *--top;
                 key = first(now.order);
             }
             if (key_near(key) > deepest) break;
-            node = guessed(now.base, key_child(key));
+            n = guessed(now.base, key_child(key));
         }
         now.order = without(now.order, key);
     }
+    uint32_t visited = f->visit_limit - left;
     *visits += visited;
     c->count[SPH_COUNT_NODE_VISITS] += visited;
     c->count[SPH_COUNT_CHILD_TESTS] += tests;

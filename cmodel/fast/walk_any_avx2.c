@@ -4,9 +4,9 @@
 #ifdef __AVX2__
 #include "fast/spheres_avx2.h"
 
-enum { KEY_NONE = 4 };
+enum { KEY_NONE = 8 };
 
-/* Bit i: child i is to be visited. A key is the number of one. */
+/* Bit 2 i: child i is to be visited. A key is the number of such a bit. */
 typedef unsigned keys;
 
 static inline keys no_keys(void) {
@@ -18,7 +18,7 @@ static inline int32_t first(keys k) {
 }
 
 static inline uint32_t key_child(int32_t key) {
-    return (uint32_t)key;
+    return (uint32_t)key >> 1;
 }
 
 static inline int32_t key_near(int32_t key) {
@@ -40,9 +40,9 @@ static inline unsigned children(const struct lanes *l, const struct sph_fast *f,
                                 const struct sph_fast_node *n, keys *order) {
     (void)f;
     __m128i near, missed = missed_of(l, n, &near);
-    unsigned met = ~(unsigned)_mm_movemask_epi8(_mm_packs_epi16(missed, missed)) & 15;
-    *order = met & ((1u << n->n_inner) - 1);
-    return met;
+    unsigned met = ~(unsigned)_mm_movemask_epi8(missed) & 0x55, leaves = met & n->leaves;
+    *order = met ^ leaves;
+    return leaves;
 }
 
 #include "fast/spheres.h"

@@ -18,8 +18,8 @@ static inline unsigned children(const struct lanes *l, const struct sph_fast *f,
                                 const struct sph_fast_node *n, keys *order) {
     (void)f;
     __m128i near, missed = missed_of(l, n, &near);
-    *order = keys_of(_mm_xor_si128(near, _mm_set1_epi16(INT16_MIN)), missed, n->n_inner);
-    return met_of(missed);
+    *order = keys_of(_mm_xor_si128(near, _mm_set1_epi16(INT16_MIN)), missed, n);
+    return leaves_of(missed, n);
 }
 
 #include "fast/spheres.h"

@@ -133,7 +133,7 @@ static uint32_t visit(struct walk *w, struct place at, uint32_t *visited, uint64
 
 struct sph_hit sph_fast_walk_bih(const struct sph_fast *f, const struct sph_ray *ray,
                                  struct sph_counters *c, uint32_t *visits, uint32_t *errors) {
-    struct walk w = {.f = f, .probe = sph_probe_of(f->m, ray, c, errors)};
+    struct walk w = {.f = f, .probe = sph_fast_probe(f, ray, c, errors)};
     struct place at = {f->root, 0, {0, SPH_BIH_NO_BOUND}};
     uint32_t visited = 0;
     sph_fast_planes(w.probe.p, ray, &w.bih);

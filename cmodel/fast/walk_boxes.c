@@ -87,11 +87,10 @@ static unsigned children(const struct lanes *l, const struct sph_fast *f,
     for (int i = 0; i < 4; i++) {
         if (lo[i] > (int64_t)SPH_BIH_NO_BOUND) lo[i] = SPH_BIH_NO_BOUND;
         near[i] = sph_box_depth((uint32_t)lo[i]);
-        met |= (unsigned)(!missed[i] && lo[i] <= hi[i] && near[i] <= l->depth_max) << i;
+        met |= (unsigned)(!missed[i] && lo[i] <= hi[i] && near[i] <= l->depth_max) << 2 * i;
     }
-    met &= n->valid;
     *order = sorted(n, met, near, l->any);
-    return met;
+    return met & n->leaves;
 }
 
 #include "fast/walk.h"

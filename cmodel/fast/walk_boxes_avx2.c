@@ -125,10 +125,10 @@ static inline unsigned children(const struct lanes *l, const struct sph_fast *f,
     __m128i near = depths(lo);
     missed = _mm_or_si128(_mm_srai_epi32(missed, 31), _mm_cmpgt_epi32(lo, _mm_min_epi32(hi, none)));
     missed = _mm_or_si128(missed, _mm_cmpgt_epi32(near, _mm_set1_epi32(l->depth_max)));
-    missed = _mm_packs_epi32(missed, missed);
+    missed = _mm_packs_epi32(missed, no_keys());
     near = _mm_and_si128(near, l->ordered);
-    *order = keys_of(_mm_packs_epi32(near, near), missed, n->n_inner);
-    return met_of(missed) & n->valid;
+    *order = keys_of(_mm_packs_epi32(near, near), missed, n);
+    return leaves_of(missed, n);
 }
 
 #include "fast/walk.h"

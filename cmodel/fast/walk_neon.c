@@ -95,7 +95,7 @@ static inline unsigned children(const struct lanes *l, const struct sph_fast *f,
                                 const struct sph_fast_node *n, keys *order) {
     (void)f;
     static const int32_t number[4] = {0, 1, 2, 3};
-    static const uint16_t bit[4] = {1, 2, 4, 8};
+    static const uint16_t bit[4] = {1, 4, 16, 64};
     int16x4x2_t xy = vld2_s16(n->xy[0]), zr = vld2_s16(n->zr[0]);
     int16x4_t rad = zr.val[1], oc[3] = {vsub_s16(xy.val[0], vdup_n_s16(l->org[0])),
                                         vsub_s16(xy.val[1], vdup_n_s16(l->org[1])),
@@ -112,7 +112,7 @@ static inline unsigned children(const struct lanes *l, const struct sph_fast *f,
     uint32x4_t none = vorrq_u32(vreinterpretq_u32_s32(vmovl_s16(vreinterpret_s16_u16(missed))),
                                 vcgeq_s32(child, vdupq_n_s32(n->n_inner)));
     *order = vbslq_s32(none, no_keys(), vaddq_s32(vshlq_n_s32(key, 2), child));
-    return ~vaddv_u16(vand_u16(missed, vld1_u16(bit))) & n->valid;
+    return ~vaddv_u16(vand_u16(missed, vld1_u16(bit))) & n->leaves;
 }
 
 #include "fast/spheres.h"

@@ -53,11 +53,10 @@ static unsigned children(const struct lanes *l, const struct sph_fast *f,
         near[i] = depth - n->zr[i][1];
         met |= (unsigned)(p * p + q * q <= rad * rad && depth + n->zr[i][1] >= 0 &&
                           near[i] <= l->depth_max)
-               << i;
+               << 2 * i;
     }
-    met &= n->valid;
     *order = sorted(n, met, near, l->any);
-    return met;
+    return met & n->leaves;
 }
 
 #include "fast/spheres.h"
