@@ -37,17 +37,25 @@ static inline int32_t first(keys k) {
     return _mm_cvtsi128_si32(_mm_minpos_epu16(k));
 }
 
-static inline uint32_t key_child(int32_t key) {
+static inline int any(keys k) {
+    return first(k) != KEY_NONE;
+}
+
+static inline uint32_t child_of(int32_t key) {
     return (uint32_t)key >> 16;
 }
 
-static inline int32_t key_near(int32_t key) {
-    return key & 0xffff;
+static inline int is_child(int32_t key, int i) {
+    return child_of(key) == (uint32_t)i;
+}
+
+static inline int within(int32_t key, int32_t near) {
+    return (key & 0xffff) <= near;
 }
 
 static inline keys without(keys k, int32_t key) {
     return _mm_or_si128(k,
-                        _mm_loadl_epi64((const __m128i *)(const void *)&lane_word[key_child(key)]));
+                        _mm_loadl_epi64((const __m128i *)(const void *)&lane_word[child_of(key)]));
 }
 
 #endif

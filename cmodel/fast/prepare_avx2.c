@@ -40,23 +40,31 @@ static inline lanes both(lanes lower, lanes upper) {
     return _mm256_blend_epi32(lower, _mm256_slli_epi64(upper, 32), 0xaa);
 }
 
-static inline lanes load(const struct sph_ray *r, size_t at) {
-    __m128i x[AT_ONCE];
-    for (int i = 0; i < AT_ONCE; i++)
-        x[i] = _mm_loadl_epi64((const __m128i *)(const void *)((const char *)&r[i] + at));
-    return _mm256_setr_m128i(_mm_unpacklo_epi64(x[0], x[1]), _mm_unpacklo_epi64(x[2], x[3]));
+/* Word i of each of four vectors. */
+static inline void turn(lanes w[4]) {
+    lanes ab = _mm256_unpacklo_epi64(w[0], w[1]), ab_odd = _mm256_unpackhi_epi64(w[0], w[1]);
+    lanes cd = _mm256_unpacklo_epi64(w[2], w[3]), cd_odd = _mm256_unpackhi_epi64(w[2], w[3]);
+    w[0] = _mm256_permute2x128_si256(ab, cd, 0x20);
+    w[1] = _mm256_permute2x128_si256(ab_odd, cd_odd, 0x20);
+    w[2] = _mm256_permute2x128_si256(ab, cd, 0x31);
+    w[3] = _mm256_permute2x128_si256(ab_odd, cd_odd, 0x31);
 }
 
 /* The four words of 64 bits of each ray that begin there. */
-static inline void store(struct sph_ray *r, size_t at, lanes a, lanes b, lanes c, lanes d) {
-    lanes ab = _mm256_unpacklo_epi64(a, b), ab_odd = _mm256_unpackhi_epi64(a, b);
-    lanes cd = _mm256_unpacklo_epi64(c, d), cd_odd = _mm256_unpackhi_epi64(c, d);
-    lanes of[AT_ONCE] = {
-        _mm256_permute2x128_si256(ab, cd, 0x20), _mm256_permute2x128_si256(ab_odd, cd_odd, 0x20),
-        _mm256_permute2x128_si256(ab, cd, 0x31), _mm256_permute2x128_si256(ab_odd, cd_odd, 0x31)};
+static inline void load(const struct sph_ray *r, size_t at, lanes w[4]) {
     for (int i = 0; i < AT_ONCE; i++)
-        _mm256_storeu_si256((__m256i *)(void *)((char *)&r[i] + at), of[i]);
+        w[i] = _mm256_loadu_si256((const __m256i *)(const void *)((const char *)&r[i] + at));
+    turn(w);
 }
+
+static inline void store(struct sph_ray *r, size_t at, lanes a, lanes b, lanes c, lanes d) {
+    lanes w[4] = {a, b, c, d};
+    turn(w);
+    for (int i = 0; i < AT_ONCE; i++)
+        _mm256_storeu_si256((__m256i *)(void *)((char *)&r[i] + at), w[i]);
+}
+
+/* Words of 64 bits of the table. */
 
 /* The line of the table for an argument of 18 bits, 2^16 at least: what starts there, less what it
  * has fallen. */
@@ -83,12 +91,11 @@ static inline lanes beyond(lanes wide, int n) {
 
 /* sph_fast_prepare() of four rays; 0 if one of them is wider than a ray of the profile. */
 static inline int four(const struct sph_profile *p, struct sph_ray *r) {
-    const size_t at_org = offsetof(struct sph_ray, org), at_dir = offsetof(struct sph_ray, dir);
-    lanes org[3], v[3], u[3], size[3], wide = all(0);
+    lanes w[8], *org = w, *v = w + 3, *kind = w + 6, u[3], size[3], wide = all(0);
     int bits = p->wd, k = p->w - p->fw;
+    load(r, offsetof(struct sph_ray, org), w);
+    load(r, offsetof(struct sph_ray, dir[1]), w + 4);
     for (int i = 0; i < 3; i++) {
-        org[i] = load(r, at_org + (size_t)i * sizeof r->org[0]);
-        v[i] = load(r, at_dir + (size_t)i * sizeof r->dir[0]);
         wide = _mm256_or_si256(wide, beyond(v[i], bits));
         wide = _mm256_or_si256(wide, beyond(org[i], p->w));
     }
@@ -142,15 +149,14 @@ static inline int four(const struct sph_profile *p, struct sph_ray *r) {
     lanes pace = PLUS(_mm256_srli_epi32(y, 1), all(SPH_RSQRT_ERROR + 2));
     lanes depth_scale = PLUS(down(TIMES(PLUS(mag, one), pace), 16), one);
     lanes light = PLUS(_mm256_srl_epi32(_mm256_abs_epi32(along), _mm_cvtsi32_si128(k)), one);
-    lanes ends = _mm256_setr_epi64x(-sph_ray_ends(&r[0]), -sph_ray_ends(&r[1]),
-                                    -sph_ray_ends(&r[2]), -sph_ray_ends(&r[3]));
+    lanes ends = _mm256_cmpeq_epi32(*kind, all(SPH_SHADOW)); /* sph_ray_ends() */
 
     const size_t at = offsetof(struct sph_ray, a);
-    store(r, at - sizeof r->a, load(r, at - sizeof r->a), vv, both(u[0], u[1]), both(u[2], y));
-    store(r, at + 3 * sizeof r->a, both(h, _mm256_and_si256(m_0, one)),
-          both(PLUS(one, _mm256_andnot_si256(m_2, one)), p_a), both(p_b, q[0]), both(q[1], q[2]));
-    store(r, at + 7 * sizeof r->a, both(forg[0], forg[1]), both(forg[2], axis),
-          both(negative, depth_scale),
+    lanes forg_xy = both(forg[0], forg[1]);
+    store(r, at, vv, both(u[0], u[1]), both(u[2], y), both(h, _mm256_and_si256(m_0, one)));
+    store(r, at + 4 * sizeof r->a, both(PLUS(one, _mm256_andnot_si256(m_2, one)), p_a),
+          both(p_b, q[0]), both(q[1], q[2]), forg_xy);
+    store(r, at + 7 * sizeof r->a, forg_xy, both(forg[2], axis), both(negative, depth_scale),
           both(MINUS(all(30 - p->fw), h), choose(limit, _mm256_min_epi32(limit, light), ends)));
     return 1;
 }
@@ -160,8 +166,8 @@ static inline int four(const struct sph_profile *p, struct sph_ray *r) {
     _Static_assert(offsetof(struct sph_ray, field) ==                                              \
                        offsetof(struct sph_ray, other) + sizeof((struct sph_ray *)0)->other,       \
                    "set-up stores other words")
-BEHIND(first, inside);
-BEHIND(a, first);
+BEHIND(dir, org);
+BEHIND(kind, dir);
 BEHIND(unit, a);
 BEHIND(unit.y, unit.u);
 BEHIND(unit.h, unit.y);

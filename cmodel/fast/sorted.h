@@ -21,12 +21,16 @@ static int32_t first(keys k) {
     return k.at[0];
 }
 
-static uint32_t key_child(int32_t key) {
-    return (uint32_t)key & 3;
+static int any(keys k) {
+    return first(k) != KEY_NONE;
 }
 
-static int32_t key_near(int32_t key) {
-    return key;
+static int is_child(int32_t key, int i) {
+    return (key & 3) == i;
+}
+
+static int within(int32_t key, int32_t near) {
+    return key <= near;
 }
 
 static int32_t near_of(int32_t depth) {

@@ -4,9 +4,10 @@
  * Asked for: `struct lanes`, what of a ray the tests need, made by lanes_of(); limit_of() and
  * depth_of(), how deep a ray goes at first and to a key; limit_to(), which tells the lanes so;
  * children(), which tests those of a node, leaves `keys` of the inner ones that are met and returns
- * the leaves of them, bit 2 i of child i; first(), the least key, and of equal ones that of the
- * first child, KEY_NONE if none is left; key_child(), whose it is; key_near(), to be compared with
- * near_of() of a depth; without(), the others. The rest is sph_traverse() line by line.
+ * the leaves of them, bit 2 i of child i; any(), whether a key is left; first(), the least, and of
+ * equal ones that of the first child; is_child(), whether it is that child's and of none before;
+ * within(), whether there is one no deeper than near_of() of a depth; without(), the others. The
+ * rest is sph_traverse() line by line.
  */
 #include <stddef.h>
 
@@ -19,15 +20,15 @@ struct group {
     const struct sph_fast_node *base;
 };
 
-/* base + i, i = 0..3. A branch for each: the processor guesses which child is next and goes on with
+/* The child of a key. A branch for each: the processor guesses which child is next and goes on with
  * it, and does not wait for the tests that say so; sums would make it wait. To the compiler the
  * nodes are unknown, else it made sums of the branches. */
-static inline const struct sph_fast_node *guessed(const struct sph_fast_node *base, uint32_t i) {
-    if (i == 0) return base;
-    if (i == 1) {
+static inline const struct sph_fast_node *guessed(const struct sph_fast_node *base, int32_t key) {
+    if (is_child(key, 0)) return base;
+    if (is_child(key, 1)) {
         base += 1;
         __asm__("" : "+r"(base));
-    } else if (i == 2) {
+    } else if (is_child(key, 2)) {
         base += 2;
         __asm__("" : "+r"(base));
     } else {
@@ -75,8 +76,8 @@ static struct sph_hit walk(const struct sph_fast *f, const struct sph_ray *ray,
             }
         }
         int32_t key = first(order);
-        if (key_near(key) <= deepest) {
-            if (first(now.order) != KEY_NONE) {
+        if (within(key, deepest)) {
+            if (any(now.order)) {
                 if (top == stack + SPH_STACK_DEPTH) {
                     *errors |= 1u << SPH_ERROR_STACK_OVERFLOW;
                     break;
@@ -85,19 +86,19 @@ static struct sph_hit walk(const struct sph_fast *f, const struct sph_ray *ray,
             }
             now.order = order;
             now.base = f->nodes + n->inner;
-            n = guessed(now.base, key_child(key));
+            n = guessed(now.base, key);
         } else {
             if (n->bad) {
                 *errors |= 1u << SPH_ERROR_BAD_NODE;
                 break;
             }
             key = first(now.order);
-            while (key_near(key) > deepest && top > stack) {
+            while (!within(key, deepest) && top > stack) {
                 now = *--top;
                 key = first(now.order);
             }
-            if (key_near(key) > deepest) break;
-            n = guessed(now.base, key_child(key));
+            if (!within(key, deepest)) break;
+            n = guessed(now.base, key);
         }
         now.order = without(now.order, key);
     }

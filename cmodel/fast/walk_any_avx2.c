@@ -4,31 +4,33 @@
 #ifdef __AVX2__
 #include "fast/spheres_avx2.h"
 
-enum { KEY_NONE = 8 };
-
-/* Bit 2 i: child i is to be visited. A key is the number of such a bit. */
+/* Bit 2 i: child i is to be visited. A key is those that are left. */
 typedef unsigned keys;
 
 static inline keys no_keys(void) {
     return 0;
 }
 
+static inline int any(keys k) {
+    return k != 0;
+}
+
 static inline int32_t first(keys k) {
-    return __builtin_ctz(k | 1u << KEY_NONE);
+    return (int32_t)k;
 }
 
-static inline uint32_t key_child(int32_t key) {
-    return (uint32_t)key >> 1;
-}
-
-static inline int32_t key_near(int32_t key) {
-    return key;
+static inline int is_child(int32_t key, int i) {
+    return key >> 2 * i & 1;
 }
 
 /* All are equally near. */
 static inline int32_t near_of(int32_t depth) {
-    (void)depth;
-    return KEY_NONE - 1;
+    return depth;
+}
+
+static inline int within(int32_t key, int32_t near) {
+    (void)near;
+    return key != 0;
 }
 
 static inline keys without(keys k, int32_t key) {

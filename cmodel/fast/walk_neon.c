@@ -60,12 +60,16 @@ static inline int32_t first(keys k) {
     return vminvq_s32(k);
 }
 
-static inline uint32_t key_child(int32_t key) {
-    return (uint32_t)key & 3;
+static inline int any(keys k) {
+    return first(k) != KEY_NONE;
 }
 
-static inline int32_t key_near(int32_t key) {
-    return key;
+static inline int is_child(int32_t key, int i) {
+    return (key & 3) == i;
+}
+
+static inline int within(int32_t key, int32_t near) {
+    return key <= near;
 }
 
 static inline int32_t near_of(int32_t depth) {
