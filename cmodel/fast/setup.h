@@ -14,11 +14,12 @@ static inline int64_t sph_fast_round(int64_t x, int n) {
     return (x + ((int64_t)1 << (n - 1))) >> n;
 }
 
-/* sph_unit() */
+/* sph_unit(), which has what is too wide */
 static inline struct sph_unit sph_fast_unit(const int64_t v[3], uint64_t vv, int bits) {
     struct sph_unit r = {{0, 0, 0}, 0, 0};
     if (!vv) return r;
-    r.h = (2 * bits - 64 + __builtin_clzll(vv)) / 2;
+    r.h = (2 * bits - 64 + __builtin_clzll(vv)) >> 1;
+    if (__builtin_expect(r.h < 0, 0)) return sph_unit(v, vv, bits);
     uint32_t x = (uint32_t)(vv << (2 * r.h) >> (2 * bits - 18)), i = (x >> 10) - 64;
     r.y = sph_rsqrt_table[i].start - (sph_rsqrt_table[i].slope * (x & 1023) >> 10);
     for (int k = 0; k < 3; k++)
@@ -48,7 +49,8 @@ static inline struct sph_across sph_fast_across(const int32_t u[3]) {
 
 /* dir.dir */
 static inline uint64_t sph_fast_square(const int64_t v[3]) {
-    return (uint64_t)(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    uint64_t x = (uint64_t)v[0], y = (uint64_t)v[1], z = (uint64_t)v[2];
+    return x * x + y * y + z * z;
 }
 
 /* What sph_ray_setup() makes, of a ray that has `a` and `unit`. */

@@ -14,9 +14,10 @@ uint32_t sph_rsqrt(uint32_t x) {
 struct sph_unit sph_unit(const int64_t v[3], uint64_t vv, int bits) {
     struct sph_unit r = {{0, 0, 0}, 0, 0};
     if (!vv) return r;
-    r.h = (2 * bits - sph_bit_length(vv)) / 2;
-    r.y = sph_rsqrt((uint32_t)(vv << (2 * r.h) >> (2 * bits - 18)));
+    r.h = (2 * bits - sph_bit_length(vv)) >> 1;
+    int up = r.h > 0 ? r.h : 0, down = up - r.h;
+    r.y = sph_rsqrt((uint32_t)(vv << (2 * up) >> (2 * down) >> (2 * bits - 18)));
     for (int i = 0; i < 3; i++)
-        r.u[i] = (int32_t)sph_round((int64_t)((uint64_t)v[i] << r.h) * r.y, bits);
+        r.u[i] = (int32_t)sph_round((int64_t)((uint64_t)v[i] << up) * r.y >> down, bits);
     return r;
 }

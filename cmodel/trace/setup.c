@@ -8,7 +8,8 @@
 void sph_ray_setup(const struct sph_profile *p, struct sph_ray *ray) {
     const int64_t *d = ray->dir;
     int k = p->w - p->fw, saturated;
-    ray->a = (uint64_t)(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    ray->a = (uint64_t)d[0] * (uint64_t)d[0] + (uint64_t)d[1] * (uint64_t)d[1] +
+             (uint64_t)d[2] * (uint64_t)d[2];
     ray->unit = sph_unit(d, ray->a, p->wd);
     ray->across = sph_across(ray->unit.u);
     for (int i = 0; i < 3; i++)
