@@ -161,7 +161,8 @@ class Shell(Built):
     """rt_top around the golden model, under its driver: make/rt_top.mk's tb_shell."""
 
     def __init__(self, build):
-        effects = words_of("make", "-s", "top-shell")[0].split("=", 1)[1]
+        effects = next(word[5:] for word in words_of("make", "-s", "top-shell")
+                       if word.startswith("CORE="))    # behind what make may have built
         super().__init__("top/shell", "rt_top", [word.split("=") for word in words_of(
             "sh", "sim/profile.sh", "draft") + words_of("sh", "sim/parameters.sh", effects)
             + ["DATA=64", "VIDEO=1"]], build)

@@ -6,6 +6,48 @@
 #include "top_display.h"
 #include "top_faults.h"
 
+/* Every bit of every setting, each by itself; a reset gives all what they had. */
+static void settings(Checks &c) {
+    static const struct {
+        uint32_t at, kept;
+    } all[] = {{SPHAERA_INTERRUPT_ENABLE, 0xf},
+               {SPHAERA_WATCHDOG, 0xffffffff},
+               {0x040, 0xfffff000},
+               {0x044, 0xffffffc0},
+               {0x048, 0xffffffc0},
+               {0x04c, 0xffffffc0},
+               {0x050, 0xffe0},
+               {0x054, 1},
+               {0x058, 3},
+               {0x05c, 1},
+               {0x060, 0xf},
+               {0x064, 0x1fff1fff},
+               {0x068, 0x1fff1fff},
+               {0x06c, 0x1fff1fff},
+               {0x070, 0x1fff1fff}};
+    TopHost &t = c.top;
+    uint32_t first[std::size(all)], copy[std::size(all)];
+    t.reset();
+    for (size_t i = 0; i < std::size(all); i++)
+        first[i] = copy[i] = t.read(all[i].at);
+    for (int n = 0; n < 200; n++) {
+        const size_t at = (size_t)t.random.below(std::size(all));
+        const uint32_t value = (uint32_t)t.random.next();
+        const unsigned strobe = (unsigned)t.random.below(16);
+        t.write(all[at].at, value, strobe);
+        for (int b = 0; b < 4; b++)
+            if (strobe >> b & 1) copy[at] = (copy[at] & ~(255u << 8 * b)) | (value & 255u << 8 * b);
+        copy[at] &= all[at].kept;
+        c.equals("setting", t.read(all[at].at), copy[at]);
+        const size_t other = (size_t)t.random.below(std::size(all));
+        c.equals("another setting", t.read(all[other].at), copy[other]);
+    }
+    t.reset();
+    for (size_t i = 0; i < std::size(all); i++)
+        c.equals("setting after a reset", t.read(all[i].at), first[i]);
+    c.done("settings: each bit, strobes, reset");
+}
+
 static void registers(Checks &c) {
     TopHost &t = c.top;
     for (uint32_t i = 0; i < SPHAERA_MACHINE_REGISTERS; i++)
@@ -175,6 +217,7 @@ int main(int argc, char **argv) {
     }
     Golden a(argv[1]), b(argv[2]);
     auto c = std::make_unique<Checks>(argc > 3 ? strtoull(argv[3], nullptr, 0) : 1);
+    settings(*c);
     registers(*c);
     frames(*c, a, b);
     counters(*c, a);
