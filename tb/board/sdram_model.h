@@ -78,7 +78,7 @@ class Sdram : SdramTimes {
         switch (p.command) {
         case MODE:
             if (!precharged_ || refreshes_ < 2) fail("mode before precharge and two refreshes");
-            if ((p.address & 0x7f) != 0x22) fail("another mode than CL 2, 4 words");
+            if (p.bank || (p.address & 0x7f) != 0x22) fail("another mode than CL 2, 4 words");
             for (const Bank &each : banks_)
                 if (each.open) fail("mode while a bank is open");
             mode_at_ = clock_;

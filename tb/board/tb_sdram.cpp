@@ -36,7 +36,8 @@ struct Orders {
             pause = (unsigned)random.below(random.percent(3) ? 1500 : 4);
         }
         run--;
-        const uint32_t at = place(random);
+        /* the first one waits at power-up, with a bank other than the mode's */
+        const uint32_t at = place(random) | (memory.empty() ? 3 << 7 : 0);
         const bool known = memory.count(at) != 0;
         if (!writes && !known) return;
         dut.cmd_valid_i = 1;
