@@ -143,7 +143,7 @@ static int name_pictures(struct arguments *a, char **drawn, struct sph_error *er
     for (int i = 0; i < PICTURES; i++) {
         drawn[i] = ways_picture(a->pictures, i);
         if (!drawn[i]) return sph_fail(err, "out of memory");
-        tool_output(&a->source.outputs, 0, drawn[i]);
+        tool_output(&a->source.outputs, -1 - i, drawn[i]);
     }
     return 0;
 }

@@ -41,7 +41,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         snprintf(a->regs, sizeof a->regs, "%.4080s.regs.hex", arg);
         snprintf(a->mem, sizeof a->mem, "%.4080s.mem.hex", arg);
         tool_output(&a->source.outputs, key, a->regs);
-        tool_output(&a->source.outputs, key, a->mem);
+        tool_output(&a->source.outputs, -key, a->mem);
         return 0;
     case KEY_C_ARRAY:
         a->c_array = tool_output(&a->source.outputs, key, arg);

@@ -17,10 +17,17 @@ FILE *tool_text(void) {
 }
 
 const char *tool_output(struct tool_outputs *outputs, int key, const char *path) {
-    assert(outputs->n < TOOL_OUTPUTS);
-    outputs->key[outputs->n] = key;
+    int i = 0;
+    while (i < outputs->n && outputs->key[i] != key)
+        i++;
+    assert(i < TOOL_OUTPUTS);
+    if (i == outputs->n)
+        outputs->n++;
+    else
+        to_stdout -= !strcmp(outputs->path[i], "-");
+    outputs->key[i] = key;
+    outputs->path[i] = path;
     to_stdout += !strcmp(path, "-");
-    outputs->path[outputs->n++] = path;
     return path;
 }
 

@@ -16,7 +16,7 @@ enum { TOOL_OUTPUTS = 16 };
 struct tool_outputs {
     const char *path[TOOL_OUTPUTS];
     int n;
-    int key[TOOL_OUTPUTS]; /* of the option: one that is given twice is no clash with itself */
+    int key[TOOL_OUTPUTS]; /* of the option, negative of a second file: the last one given counts */
 };
 
 /* Notes a file that an option will write ("-": standard output), and returns its name. */

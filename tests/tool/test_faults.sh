@@ -54,6 +54,9 @@ check "... are refused by name and line" has "cones.nff:[0-9]*: .*\(more than\|n
 # ---- words ----
 fails 2 "a byte that no text has" "$s" render -"$(printf '\377')" scenes/paper5.nff
 check "... is named" has "word 2 .*byte 0xff"
+many=$(awk -v o="-o $TMP/many.sph" 'BEGIN { for (i = 0; i < 40; i++) print o i }')
+check "the last of many outputs is written" sh -c '"$1" build scenes/paper5.nff $2 >/dev/null &&
+    [ "$(ls "$3"/many.sph*)" = "$3/many.sph39" ]' - "$s" "$many" "$TMP"
 for word in --HANG --H --program-name=x --p; do
     fails 2 "$word, which argp would take" timeout 9 "$s" load "$word"
     check "... is no option" has "^sphaera load: unrecognized option '$word'"
