@@ -11,6 +11,7 @@ import sys
 import zlib
 from pathlib import Path
 
+from .. import intact
 from . import html
 from .frames import Bad
 from .html import number, text
@@ -93,7 +94,7 @@ def main(argv):
         sys.exit(__doc__)
     try:
         folder = Path(argv[0])
-        html.write(folder / "report.html", page(folder, "".join(argv[1:])))
+        intact.write(folder / "report.html", page(folder, "".join(argv[1:])))
     except (OSError, Bad, ValueError, KeyError) as error:
         sys.exit(f"report: {argv[0]}: {error!r}")
 

@@ -7,6 +7,7 @@ import json
 import sys
 from pathlib import Path
 
+from .. import intact
 from . import html
 from .html import number, text
 from .words import listed, several
@@ -62,4 +63,4 @@ def page(folder):
 if __name__ == "__main__":
     if len(sys.argv) != 3:
         sys.exit(__doc__)
-    html.write(sys.argv[2], page(Path(sys.argv[1])))
+    intact.write(sys.argv[2], page(Path(sys.argv[1])))
