@@ -26,7 +26,7 @@ plot {parts}
 COLOURS = ["#4477aa", "#cc6677", "#228833", "#ddaa33", "#aa4499", "#66ccee", "#999933", "#882255"]
 LINE = ('"{data}" index {i} using 1:2 with linespoints pt {shape} ps {size} lw 2 '
         'lc rgb "{colour}" title "{title}"')
-NAMES = ('"{data}" index {i} using 1:2:3 with labels left offset 1.2,{up} tc rgb "{colour}" '
+NAMES = ('"{data}" index {i} using 1:2:3 with labels {side},{up} tc rgb "{colour}" '
          'font "sans,12" notitle')
 
 
@@ -52,11 +52,13 @@ def draw(out, folder, title, xlabel, series, log=False):
     Path(data).write_text("\n\n\n".join(blocks) + "\n", encoding="utf-8")
     parts = []
     for i, (name, some) in enumerate(series):
+        first = log and i == 0  # it has no other line at its left
         words = dict(data=data, i=i, colour=COLOURS[i % len(COLOURS)], title=name,
-                     shape=[7, 5, 9, 11, 13][i % 5], size=1.3 if some[0][2] else 0.8, up=0.2)
+                     shape=[7, 5, 9, 11, 13][i % 5], size=1.3 if some[0][2] else 0.8, up=0.2,
+                     side="right offset -1.2" if first else "left offset 1.2")
         parts += [LINE.format(**words)] + ([NAMES.format(**words)] if some[0][2] else [])
     xs, ys = [d[0] for d in dots], [d[1] for d in dots]
-    left, right = (min(xs) / 3, max(xs) * 4) if log else (0, max(xs) * 1.2)
+    left, right = (min(xs) / 6, max(xs) * 4) if log else (0, max(xs) * 1.2)
     with intact.beside(out) as new:
         script = PLOT.format(out=new, title=title, xlabel=xlabel, parts=", \\\n  ".join(parts),
                              left=left, right=right, low=min(ys) / 1.6,

@@ -32,7 +32,7 @@ MORE = {
     "textures": dict(scene="texture/hall", tree="reinserted"),
 }
 MORE_CORE = CORE + "+facets"
-MORE_PARTS = {"bih": "+bih", "reinserted": "+refract+specular+sum+texture"}
+MORE_PARTS = {"bih": "+bih+turned", "reinserted": "+refract+specular+sum+texture+spread"}
 MORE_FRAME = "48x27"
 # the papers' trades, on a core that can all of it
 TRADES = [{}] + [{"background": b} for b in ("rect", "spans", "exact-0", "exact-1")] \
@@ -58,8 +58,7 @@ def cores():
 
 def placed():
     """Cores that are placed and routed."""
-    return [dict(profile=p, core=CORE) for p in ["standard", "draft", "fine", "reference"]] \
-        + [dict(profile="standard", core=CORE, engines=2)]
+    return [dict(profile=p, core=CORE) for p in ["standard", "draft", "fine", "reference"]]
 
 
 def more(what, profile, kind):
