@@ -78,7 +78,7 @@ BORODAVKA = [
      "engine gives all of them in {parts_2}, three in no less, for three times the cells",
      "make papers", "other"),
     ("VII", "1280x720",
-     "paper5 {hd_paper5}, paper100 {hd_paper100} frames a second, one engine at the 67.7 MHz of "
+     "paper5 {hd_paper5}, paper100 {hd_paper100} frames a second, one engine at the {hd_mhz} MHz of "
      "[accuracy.md](accuracy.md#place-and-route)", "make sim SCENE=paper100", "built"),
     ("VII", "a cache holds the primitives used last",
      "of {cold_node_visits} visits of nodes in paper100 {cold_node_misses} fetch a line, of "
@@ -133,7 +133,7 @@ PARK = [
      "([bart.md](bart.md#table-i-cache)); a cache line holds 8 texels, of the paper's nothing is "
      "told", "make textures", "same in kind"),
     ("Table I", "3.7, 6.3, 6.4 frames a second",
-     "in its own scenes 1.4, 2.8 and 6.0 at 84 MHz with one pipe, 2.8, 5.6 and 11.9 with two, by "
+     "in its own scenes 1.7, 2.8 and 6.7 at 84 MHz with one pipe, 3.5, 5.7 and 13.3 with two, by "
      "tiles of the RTL, with all lights and two reflections ([bart.md](bart.md))",
      "make bart BART=FOLDER", "other"),
     ("Table I", "MIP-mapping adds 5 to 24 % frames a second",
