@@ -78,8 +78,8 @@ BORODAVKA = [
      "engine gives all of them in {parts_2}, three in no less, for three times the cells",
      "make papers", "other"),
     ("VII", "1280x720",
-     "paper5 {hd_paper5}, paper100 {hd_paper100} frames a second, one engine at the {hd_mhz} MHz of "
-     "[accuracy.md](accuracy.md#place-and-route)", "make sim SCENE=paper100", "built"),
+     "paper5 {hd_paper5}, paper100 {hd_paper100} frames a second, one engine at the {hd_mhz} MHz "
+     "of [accuracy.md](accuracy.md#place-and-route)", "make sim SCENE=paper100", "built"),
     ("VII", "a cache holds the primitives used last",
      "of {cold_node_visits} visits of nodes in paper100 {cold_node_misses} fetch a line, of "
      "{cold_leaf_tests} tests of spheres {cold_leaf_misses}, from cold caches", "make papers",
