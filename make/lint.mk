@@ -66,7 +66,7 @@ $B/lint/systemverilog: $(V_FILES) $(V_HEADS) $(V_BENCHES)
 	@mkdir -p $(@D)
 	$(Q)verilator --lint-only -Wall $(V_DIRS:%=-I%) --top-module rt_core $(V_FILES)
 	$(Q)(for f in "$(V_FILES)" $(V_BENCHES); do \
-	    iverilog -g2012 -Wall -t null -Y .v -Itb/core -Itb/video $(V_DIRS:%=-I%) \
+	    iverilog -g2012 -Wall -t null -Y .v -Itb/core -Itb/video -Iformal $(V_DIRS:%=-I%) \
 	        $(V_DIRS:%=-y %) $$f || exit 1; \
 	    done) >$@.log 2>&1; rc=$$?; cat $@.log; [ $$rc = 0 ] && [ ! -s $@.log ]
 	@touch $@
