@@ -89,8 +89,7 @@ def folder(module, found={}):  # pylint: disable=dangerous-default-value
 
 
 def tsv(name, head, rows):
-    intact.write(data.path_of(PAGE, name),
-                 data.HEAD + "".join("\t".join(r) + "\n" for r in [head, *rows]))
+    intact.write(data.path_of(PAGE, name), data.of_rows([head, *rows]))
 
 
 def parse(name):

@@ -21,6 +21,11 @@ def path_of(page, table):
     return page.parent / "data" / f"{page.stem}.{table}.tsv"
 
 
+def of_rows(rows):
+    """Rows, the column names first, as such a file has them."""
+    return HEAD + "".join("\t".join(row) + "\n" for row in rows)
+
+
 def of_markdown(text):
     """The table of a page as lines of a file; an empty first cell becomes the one above it."""
     rows = []
@@ -29,7 +34,7 @@ def of_markdown(text):
             cells = [cell.strip().replace(r"\|", "|")
                      for cell in re.split(r"(?<!\\)\|", line.strip()[1:-1])]
             rows.append([cells[0] or (rows[-1][0] if len(rows) > 1 else "")] + cells[1:])
-    return HEAD + "".join("\t".join(row) + "\n" for row in rows)
+    return of_rows(rows)
 
 
 def read(name):

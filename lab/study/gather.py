@@ -16,7 +16,8 @@ class Study:
 
     def __init__(self, folder):
         self.folder, self.digests, self.known = folder, {}, {}
-        self.missing = 0  # results that were asked for and do not count
+        self.planned = set(points.plan())
+        self.missing = 0  # results that were asked for, are planned, and do not count
 
     def look(self, key):
         if key not in self.known:
@@ -24,7 +25,7 @@ class Study:
         return self.known[key]
 
     def get(self, key):
-        self.missing += self.look(key) is None
+        self.missing += key in self.planned and self.look(key) is None
         return self.look(key)
 
     def accuracy(self, profile, scene, **words):

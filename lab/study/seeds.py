@@ -32,8 +32,7 @@ def rows(core, folders):
 def main(core, folders):
     others = [row for row in data.read("accuracy.seeds")[1] if row[0] != f"`{core}`"]
     table = [COLUMNS] + sorted(others + rows(core, folders), key=lambda row: row[0])
-    lines = ["\t".join(row) + "\n" for row in table]
-    intact.write(data.FOLDER / "accuracy.seeds.tsv", data.HEAD + "".join(lines))
+    intact.write(data.FOLDER / "accuracy.seeds.tsv", data.of_rows(table))
 
 
 if __name__ == "__main__":

@@ -123,8 +123,7 @@ def placed(study):
     for core in points.placed():
         run = study.fmax(core)
         study.missing += not (run and run["routed"])
-        engines = f", {core['engines']} engines" if "engines" in core else ""
-        title = name(core["profile"]) + engines
+        title = name(core["profile"])
         if run is None:
             rows.append([title, "not placed"] + ["-"] * 6)
             continue
