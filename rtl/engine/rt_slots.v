@@ -71,7 +71,8 @@ module rt_slots #(
     // A slot of each pipe in turn; of numbers for four pipes three may have slots.
     localparam NB = $clog2(PIPES);
     localparam [31:0] PIPE_MASK = (1 << NB) - 1;
-    wire [SLOTW-1:0] fill_slot = fill_q[SLOTW-1:0] << (SLOTW - NB) | fill_q[SLOTW-1:0] >> NB;
+    localparam UP = NB == 0 ? 0 : SLOTW - NB;             // bits that turn
+    wire [SLOTW-1:0] fill_slot = fill_q[SLOTW-1:0] << UP | fill_q[SLOTW-1:0] >> NB;
     wire             fill_there = PIPES == 1 << NB ||
                                   ({{(31-SLOTW){1'b0}}, fill_q} & PIPE_MASK) < PIPES;
     wire             out_done;

@@ -80,6 +80,9 @@ module rt_collect #(
     wire            clearing   = !clear_q[SLOTW];
     wire [SLOTW-1:0] clear_slot = clear_q[SLOTW-1:0];
     wire            new_mark, in_mark, win;
+    reg             s2_win_q, s2_mark_q;     // the mark is written for a hit that wins
+    reg [SLOTW-1:0] s2_slot_q;
+    wire [SLOTW-1:0] put_slot = clearing ? clear_slot : s2_slot_q;
     rt_slot_file #(.WIDTH(1), .SLOTS(SLOTS)) u_mark (
         .clk(clk), .wr_en_i(clearing || s2_win_q), .wr_addr_i(put_slot),
         .wr_data_i(!clearing && s2_mark_q),
@@ -114,8 +117,8 @@ module rt_collect #(
     // ---- stage 0: read the best so far; is the result before of the same slot? ----
     wire [BW+IB:0] best, done_best;          // {far, hit mark, id, key}
     reg             s1_valid_q, s1_same_q;   // s1_same_q: of the slot of the result a clock before
-    reg             s1_mark_q, s1_far_q, s2_win_q, s2_mark_q, s2_far_q;
-    reg [SLOTW-1:0] s1_slot_q, s2_slot_q;
+    reg             s1_mark_q, s1_far_q, s2_far_q;
+    reg [SLOTW-1:0] s1_slot_q;
     reg [BW-1:0]    s1_new_q, s1_best_q, s2_new_q;      // {id, key}
     reg             s1_found_q;              // s1_best_q is a hit of this ray
     wire            s2_read = s2_win_q && s2_slot_q == in_slot_i;  // it is being written
@@ -143,7 +146,6 @@ module rt_collect #(
     assign win = s1_valid_q && (s1_same_q && s2_win_q ? closer(s1_new_q, s2_new_q)
                                 : !s1_found_q || closer(s1_new_q, s1_best_q));
     // ---- stage 2: write ----
-    wire [SLOTW-1:0] put_slot = clearing ? clear_slot : s2_slot_q;
     wire [BW+1:0] cand = {s2_far_q, s2_mark_q, s2_new_q};
     wire [BW+IB:0] put = clearing ? {(BW+IB+1){1'b0}} : cand[BW+IB:0];
     rt_slot_file #(.WIDTH(BW+IB+1), .SLOTS(SLOTS)) u_best (

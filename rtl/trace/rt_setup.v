@@ -108,6 +108,8 @@ module rt_setup #(
     );
     generate if (KB == 0) begin : g_kind assign u_tag[1:0] = PRIMARY; end endgenerate
     wire [3*WD-1:0] s2_vec;
+    reg              s1_valid_q, s2_valid_q, s3_valid_q, s4_valid_q;
+    reg [SLOTW-1:0]  s1_slot_q, s2_slot_q, s3_slot_q, s4_slot_q;
     reg              w_valid_q;                       // a vector that was taken is kept
     reg [SLOTW-1:0]  w_slot_q;
     reg [3*WD-1:0]   w_vec_q;
@@ -122,8 +124,6 @@ module rt_setup #(
     );
 
     // ---- stage 1: magnitudes ----
-    reg              s1_valid_q, s2_valid_q, s3_valid_q, s4_valid_q;
-    reg [SLOTW-1:0]  s1_slot_q, s2_slot_q, s3_slot_q, s4_slot_q;
     reg [1:0]        s1_kind_q, s2_kind_q, s3_kind_q, s4_kind_q;
     reg [2*WD-1:0]   s1_vv_q, s2_vv_q, s3_vv_q, s4_vv_q;
     reg [53:0]       s1_unit_q, s2_unit_q, s3_unit_q, s4_unit_q;
