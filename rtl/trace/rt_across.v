@@ -18,8 +18,8 @@ module rt_across #(
     // a unit vector, not in the clock behind another
     input  wire             in_valid_i,
     input  wire [TAG-1:0]   in_tag_i,
-    input  wire [53:0]      in_u_i,       // {z, y, x} s1.16
-    input  wire [50:0]      in_mag_i,     // {z, y, x} u1.16, |u|
+    input  wire [53:0]      in_u_i,       // {u_m, u_b, u_a} s1.16
+    input  wire [15:0]      in_mag_i,     // |u_m| u0.16, below 1/sqrt(3) + 2^-16
     input  wire [1:0]       in_least_i,   // m
     // its axes
     output reg              out_valid_o,
@@ -50,20 +50,14 @@ module rt_across #(
         end
     end
 
-    // ---- the component along m, and the others ----
-    wire [16:0] mag_x = in_mag_i[16:0], mag_y = in_mag_i[33:17], mag_z = in_mag_i[50:34];
-    wire [17:0] u_x = in_u_i[17:0], u_y = in_u_i[35:18], u_z = in_u_i[53:36];
-    wire [53:0] chosen = {in_least_i == 2'd0 ? u_x : in_least_i == 2'd1 ? u_y : u_z,
-                          in_least_i == 2'd2 ? u_y : u_z, in_least_i == 2'd0 ? u_y : u_x};
-    wire [16:0] mag = in_least_i == 2'd0 ? mag_x : in_least_i == 2'd1 ? mag_y : mag_z;
-    reg  [15:0] mag0_q, mag1_q;                      // u0.16, below 1/sqrt(3) + 2^-16
-    // {least, u_m, u_b, u_a} of each stage
+    // ---- |u_m|; {m, u_m, u_b, u_a} of each stage ----
+    reg  [15:0] mag0_q, mag1_q;                      // u0.16
     reg  [55:0] u0_q, u1_q, u2_q, u3_q, u4_q, u5_q;
     reg  [1:0]  least6_q;
     always @(posedge clk) begin
         if (in_valid_i) begin
-            u0_q   <= {in_least_i, chosen};
-            mag0_q <= mag[15:0];
+            u0_q   <= {in_least_i, in_u_i};
+            mag0_q <= in_mag_i;
         end
         if (phase_q) begin
             {u5_q, u4_q, u3_q, u2_q, u1_q} <= {u4_q, u3_q, u2_q, u1_q, u0_q};
@@ -137,7 +131,7 @@ module rt_across #(
         if (rst) out_valid_o <= 1'b0;
     end
 
-    wire unused = &{1'b0, mag[16], u5_q, x[17], m1_p_q[9:0], m2_p_q[13:0], m3_p_q[14:0],
+    wire unused = &{1'b0, u5_q, x[17], m1_p_q[9:0], m2_p_q[13:0], m3_p_q[14:0],
                     sum_q[14:0], p[20:18], q[19:18], q_m[19:18]};
 endmodule
 `default_nettype wire

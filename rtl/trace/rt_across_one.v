@@ -16,8 +16,8 @@ module rt_across_one #(
     // a unit vector
     input  wire             in_valid_i,
     input  wire [TAG-1:0]   in_tag_i,
-    input  wire [53:0]      in_u_i,       // {z, y, x} s1.16
-    input  wire [50:0]      in_mag_i,     // {z, y, x} u1.16, |u|
+    input  wire [53:0]      in_u_i,       // {u_m, u_b, u_a} s1.16
+    input  wire [15:0]      in_mag_i,     // |u_m| u0.16, below 1/sqrt(3) + 2^-16
     input  wire [1:0]       in_least_i,   // m
     // its axes
     output wire             out_valid_o,
@@ -35,12 +35,7 @@ module rt_across_one #(
     );
 
     // ---- stage 1: {least, u_m, u_b, u_a}, which goes along ----
-    wire [16:0] mag_x = in_mag_i[16:0], mag_y = in_mag_i[33:17], mag_z = in_mag_i[50:34];
-    wire [17:0] u_x = in_u_i[17:0], u_y = in_u_i[35:18], u_z = in_u_i[53:36];
-    wire [53:0] chosen = {in_least_i == 2'd0 ? u_x : in_least_i == 2'd1 ? u_y : u_z,
-                          in_least_i == 2'd2 ? u_y : u_z, in_least_i == 2'd0 ? u_y : u_x};
-    wire [16:0] mag = in_least_i == 2'd0 ? mag_x : in_least_i == 2'd1 ? mag_y : mag_z;
-    reg  [15:0] s1_mag_q;                 // u0.16, below 1/sqrt(3) + 2^-16
+    reg  [15:0] s1_mag_q;                 // u0.16
     reg  [55:0] s1_u_q, s2_u_q, s3_u_q, s4_u_q, s5_u_q, s6_u_q, s7_u_q, s8_u_q;
     reg  [1:0]  s9_least_q, s10_least_q;
 
@@ -54,8 +49,8 @@ module rt_across_one #(
     reg  [16:0] s5_start_q, s6_r_q;       // u1.16
     rt_rsqrt_rom u_rom (.clk(clk), .index_i({1'b1, x[16:10]}), .line_q(s3_line_q));
     always @(posedge clk) begin
-        s1_mag_q <= mag[15:0];
-        s1_u_q   <= {in_least_i, chosen};
+        s1_mag_q <= in_mag_i;
+        s1_u_q   <= {in_least_i, in_u_i};
         {s8_u_q, s7_u_q, s6_u_q, s5_u_q, s4_u_q, s3_u_q, s2_u_q} <=
             {s7_u_q, s6_u_q, s5_u_q, s4_u_q, s3_u_q, s2_u_q, s1_u_q};
         {s10_least_q, s9_least_q} <= {s9_least_q, s8_u_q[55:54]};
@@ -105,7 +100,7 @@ module rt_across_one #(
         out_q_o[53:36] <= s10_least_q == 2'd2 ? s10_q_m[17:0] : s10_q_b_q;
     end
 
-    wire unused = &{1'b0, mag[16], x[17], s2_square_q[13:0], s5_slope_q[9:0], s7_p_a[20:18],
+    wire unused = &{1'b0, x[17], s2_square_q[13:0], s5_slope_q[9:0], s7_p_a[20:18],
                     s7_p_b[20:18], s7_a_q[13:0], s7_b_q[13:0], s9_q_a[19:18], s9_q_b[19:18],
                     s9_a_q[14:0], s9_b_q[14:0], s10_q_m[19:18], s10_sum_q[14:0]};
 endmodule

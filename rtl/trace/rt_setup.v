@@ -245,12 +245,18 @@ module rt_setup #(
 
     // ---- axes across the ray ----
     wire             s2_ray = s2_valid_q && s2_kind_q != NORMAL;
-    wire [50:0]      s2_mag = {s2_mag_z_q, s2_mag_y_q, s2_mag_x_q};
+    wire             s2_at_x = s2_least_q == 2'd0, s2_at_y = s2_least_q == 2'd1;
+    wire [17:0]      s2_x = s2_unit_q[`RT_UNIT_X], s2_y = s2_unit_q[`RT_UNIT_Y],
+                     s2_z = s2_unit_q[`RT_UNIT_Z];
+    wire [53:0]      s2_turned = {s2_at_x ? s2_x : s2_at_y ? s2_y : s2_z,
+                                  s2_at_x || s2_at_y ? s2_z : s2_y, s2_at_x ? s2_y : s2_x};
+    wire [15:0]      s2_mag = s2_at_x ? s2_mag_x_q[15:0] : s2_at_y ? s2_mag_y_q[15:0]
+                              : s2_mag_z_q[15:0];     // below 1/sqrt(3) + 2^-16
     generate
         if (ACROSS == 1) begin : g_across_one
             rt_across_one #(.TAG(SLOTW)) u_across (
                 .clk(clk), .rst(rst), .in_valid_i(s2_ray), .in_tag_i(s2_slot_q),
-                .in_u_i(s2_unit_q), .in_mag_i(s2_mag), .in_least_i(s2_least_q),
+                .in_u_i(s2_turned), .in_mag_i(s2_mag), .in_least_i(s2_least_q),
                 .out_valid_o(across_o[`RT_ACROSS_VALID]), .out_tag_o(across_o[`RT_ACROSS_SLOT]),
                 .out_least_o(across_o[`RT_ACROSS_LEAST]), .out_p_a_o(across_o[`RT_ACROSS_P_A]),
                 .out_p_b_o(across_o[`RT_ACROSS_P_B]), .out_q_o(across_o[`RT_ACROSS_Q])
@@ -258,14 +264,14 @@ module rt_setup #(
         end else if (ACROSS == 2) begin : g_across
             rt_across #(.TAG(SLOTW)) u_across (
                 .clk(clk), .rst(rst), .in_valid_i(s2_ray), .in_tag_i(s2_slot_q),
-                .in_u_i(s2_unit_q), .in_mag_i(s2_mag), .in_least_i(s2_least_q),
+                .in_u_i(s2_turned), .in_mag_i(s2_mag), .in_least_i(s2_least_q),
                 .out_valid_o(across_o[`RT_ACROSS_VALID]), .out_tag_o(across_o[`RT_ACROSS_SLOT]),
                 .out_least_o(across_o[`RT_ACROSS_LEAST]), .out_p_a_o(across_o[`RT_ACROSS_P_A]),
                 .out_p_b_o(across_o[`RT_ACROSS_P_B]), .out_q_o(across_o[`RT_ACROSS_Q])
             );
         end else begin : g_no_across
             assign across_o = {`RT_ACROSS_BITS{1'b0}};
-            wire unused = &{1'b0, s2_ray, s2_mag, s2_least_q};
+            wire unused = &{1'b0, s2_ray, s2_mag, s2_turned, s2_least_q};
         end
     endgenerate
 

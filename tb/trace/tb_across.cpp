@@ -51,12 +51,12 @@ class Across : public bench::Bench<Dut> {
         }
         dut.in_valid_i = go;
         dut.in_tag_i = (unsigned char)v.tag;
-        for (int i = 0; i < 3; i++) {
-            bench::put(dut.in_u_i, 18 * i, 18, v.u[i]);
-            bench::put(dut.in_mag_i, 17 * i, 17, std::abs(v.u[i]));
-        }
         struct sph_across a = sph_across(v.u);
-        dut.in_least_i = (unsigned char)(3 - a.axis_a - a.axis_b);
+        int least = 3 - a.axis_a - a.axis_b, turned[] = {a.axis_a, a.axis_b, least};
+        for (int i = 0; i < 3; i++)
+            bench::put(dut.in_u_i, 18 * i, 18, v.u[turned[i]]);
+        dut.in_mag_i = (unsigned short)std::abs(v.u[least]);
+        dut.in_least_i = (unsigned char)least;
         tick();
         bool due = !sent.empty() && cycle - sent.front().since > LATENCY;
         if (dut.out_valid_o)
