@@ -148,9 +148,8 @@ def slower(run, pipes=1):
 
 
 def slower_of(data, name, pipes=1):
-    """The mean of a scene's tiles."""
-    tiles = data.all(name, "-between.core.json" if pipes == 1 else f"-pipes{pipes}.core.json")
-    return mean(slower(run, pipes) for run in tiles.values())
+    """The same of the frame in the middle."""
+    return mean(slower(run, pipes) for run in data.all(name, f"-pipes{pipes}.core.json").values())
 
 
 def engines(data, pipes):
@@ -160,7 +159,7 @@ def engines(data, pipes):
 
 
 def clocks(data):
-    """Clocks a pixel: the least by the model's counters, and what the RTL's tiles make of it."""
+    """Clocks a pixel: the least by the model's counters, and what the RTL makes of it."""
     rows, clock = [], tables.routed()
     many = {pipes: engines(data, pipes) for pipes in PIPES}
     for name in data.names:

@@ -7,9 +7,8 @@
 # animation and filter WAY (off, level, between):
 #   NAME-AT.sph, .json, .png   machine with every light, and `sphaera render`: counters
 #   NAME-AT-WAY.json           `sphaera texels`: levels, hits of caches; light rays fetch no texel
-#   NAME-AT-WAY.core.json      the RTL on BT_WINDOW of that frame, memory BT_MEMORY (WAY: between,
-#                              in the middle of the animation off and level too)
-#   NAME-AT-pipesN.core.json   the same in the middle by a core of N pipes
+#   NAME-AT-WAY.core.json      the RTL on BT_WINDOW of the frame in the middle, memory BT_MEMORY
+#   NAME-AT-pipesN.core.json   the RTL on that whole frame, a core of N pipes and BT_SIZES_N
 #   NAME.levels.json           `sphaera accuracy` of a small frame: operations of a decision
 #   NAME.sequence.json         frames one behind the other: P_b kept, times
 #   area.json                  the kitchen's core in LUTs of the paper's FPGA
@@ -22,7 +21,11 @@ BT_SMALL  := 80x48
 BT_WINDOW := 320,192,480,288
 # one core for all of them
 BT_CORE   := shadow+reflect2+lights6+facets+smooth+clear+turned+texture+boxes
-BT_PIPES  := 2 4
+BT_PIPES  := 1 2 4
+# several pipes ask memory for more, and have more rays on their way
+BT_SIZES_1 :=
+BT_SIZES_2 := slots=128,node_lines=1024,leaf_lines=1024
+BT_SIZES_4 := slots=128,node_lines=1024,leaf_lines=1024
 BT_MEMORY := ddr3x16
 BT_MHZ    := 84
 # the scene, eight frames of its animation, the one in the middle, and some in a row
@@ -40,9 +43,8 @@ BT_ROW_museum  := 148..151
 BT_PAGE   := docs/results/bart.md
 BT_OF     = $(foreach n,$(BT_NAMES),$(BT_AT_$n:%=$n-%))
 BT_DATA   = $(BT_OF:%=$(BT)/%.json) $(foreach w,$(BT_WAYS),$(BT_OF:%=$(BT)/%-$w.json)) \
-            $(BT_OF:%=$(BT)/%-between.core.json) \
             $(foreach n,$(BT_NAMES),$(BT)/$n.levels.json $(if $(BT_ROW_$n),$(BT)/$n.sequence.json) \
-                $(foreach w,off level,$(BT)/$n-$(BT_MID_$n)-$w.core.json) \
+                $(foreach w,$(BT_WAYS),$(BT)/$n-$(BT_MID_$n)-$w.core.json) \
                 $(foreach p,$(BT_PIPES),$(BT)/$n-$(BT_MID_$n)-pipes$p.core.json)) \
             $(BT)/area.json
 
@@ -82,11 +84,11 @@ $(BT)/$(1).sequence.json: $(BT)/$(1).profile
 endef
 $(foreach n,$(BT_NAMES),$(eval $(call bt_scene,$n)))
 
-# pipes
+# pipes, window unless it is the whole frame
 define bt_sim
 $$(call say,SIM,$$(@F))
-	$$(Q)EFFECTS=$(BT_CORE) PIPES=$(1) BUILD=$B JOBS=1 sh sim/core.sh --machine $$< \
-	    --memory $(BT_MEMORY) --core-mhz $(BT_MHZ) --window $(BT_WINDOW) --watchdog 10000000 \
+	$$(Q)EFFECTS=$(BT_CORE) PIPES=$(1) SIZES=$$(BT_SIZES_$(1)) BUILD=$B JOBS=1 sh sim/core.sh \
+	    --machine $$< --memory $(BT_MEMORY) --core-mhz $(BT_MHZ) $(2) --watchdog 10000000 \
 	    --json $$@.tmp >$$@.log || { cat $$@.log; exit 1; }
 	@mv $$@.tmp $$@
 endef
@@ -107,9 +109,9 @@ $(foreach w,$(BT_WAYS),$(BT)/$(1)-$(2)-$w.json): $(BT)/$(1)-$(2)-%.json: $(BT)/$
 	    --filter $$(TEX_$$*) $(call bt_profile,$(1)) --json $$@ >$$(@:.json=.texels)
 
 $(foreach w,$(BT_WAYS),$(BT)/$(1)-$(2)-$w.core.json): %.core.json: %.sph $(V_FILES) $(V_HEADS)
-	$(call bt_sim,1)
+	$(call bt_sim,1,--window $(BT_WINDOW))
 
-$(foreach p,$(BT_PIPES),$(BT)/$(1)-$(2)-pipes$p.core.json): $(BT)/$(1)-$(2)-pipes%.core.json: \
+$(BT_PIPES:%=$(BT)/$(1)-$(2)-pipes%.core.json): $(BT)/$(1)-$(2)-pipes%.core.json: \
     $(BT)/$(1)-$(2)-between.sph $(V_FILES) $(V_HEADS)
 	$(call bt_sim,$$*)
 endef

@@ -10,6 +10,7 @@
 #include <stdlib.h>
 
 #include "builder/tree_better.h"
+#include "builder/tree_rotate.h"
 #include "builder/tree_seen.h"
 #include "machine/layout.h"
 
@@ -178,11 +179,19 @@ static int trivial(const struct work *w, uint32_t n) {
     return 0;
 }
 
-/* Collapses the split that was kept, by the rays of a machine. -1 if memory is out. */
+/* Collapses the split that was kept, by the rays of a machine; one of boxes is rotated before. -1
+ * if memory is out. */
 static int again(struct work *w, const struct sph_aabb *boxes, uint32_t n, struct sph_error *err) {
-    w->split = *w->tree->split;
+    struct sph_split *split = w->tree->split;
+    struct sph_sights sights;
+    int failed = sph_sights(w->tree->seen, boxes != NULL, &sights, err);
+    if (!failed && boxes)
+        failed = sph_split_rotate(w->balls, boxes, &sights, SPH_UNSEEN, w->most, split, err);
+    if (!failed) failed = sph_split_seen(w->balls, boxes, w->profile, &sights, split, err);
+    sph_sights_free(&sights);
+    if (failed) return -1;
+    w->split = *split;
     w->tree->n_nodes = w->tree->depth = 0;
-    if (sph_split_seen(w->balls, boxes, w->tree->seen, &w->split, err)) return -1;
     return put_nodes(w, n) ? sph_fail(err, "out of memory for a tree") : 0;
 }
 

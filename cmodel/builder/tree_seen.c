@@ -1,23 +1,16 @@
 /* tree_seen.c - see tree_seen.h
  * SPDX-License-Identifier: Apache-2.0
  *
- * Every ray of a sample goes through the binary tree as far as its own hit, and each pair counts
- * those that meet it. To the counts a sixteenth of what the areas would say is added, so that pairs
- * which no ray met have an order. A shadow ray that is blocked ends somewhere on its way: it counts
- * for a third.
+ * Every ray goes through the binary tree as far as its own hit, and each pair counts those that
+ * meet it. To the counts a sixteenth of what the areas would say is added, so that pairs which no
+ * ray met have an order.
  */
 #include "builder/tree_seen.h"
 
 #include <stdlib.h>
 
 #include "builder/bound.h"
-#include "builder/sample.h"
 #include "builder/tree_links.h"
-#include "trace/box.h"
-#include "trace/filter.h"
-
-enum { OPEN = 3, BLOCKED = 1 }; /* weights of rays */
-#define UNSEEN 0.0625f          /* share of the areas */
 
 struct bound {
     struct sph_box box;    /* grid units; or */
@@ -31,15 +24,6 @@ struct work {
     const struct sph_split *split;
     struct bound *bounds; /* of pairs */
     int boxes;
-};
-
-/* A ray on its way to what it hit. */
-struct walker {
-    const struct work *work;
-    const struct sph_ray *ray;
-    struct sph_bih_ray planes;
-    int32_t depth_max;
-    uint32_t weight;
 };
 
 static void add(struct sph_box *to, const int32_t lo[3], const int32_t hi[3]) {
@@ -82,48 +66,34 @@ static void ball(const struct work *w, const struct sph_ball *balls) {
     }
 }
 
-static void walk(const struct walker *w, uint32_t pair) {
-    struct bound *b = &w->work->bounds[pair];
-    const uint32_t *child = w->work->split->pairs[pair].child;
-    int32_t near;
-    if (w->work->boxes ? !sph_box_meets(&w->planes, w->ray, &b->box, w->depth_max, &near)
-                       : !sph_filter(w->ray, &b->ball, w->depth_max, &near))
+static void walk(const struct work *w, const struct sph_sight *ray, uint32_t pair) {
+    struct bound *b = &w->bounds[pair];
+    const uint32_t *child = w->split->pairs[pair].child;
+    if (w->boxes ? !sph_sight_meets_box(ray, &b->box) : !sph_sight_meets_ball(ray, &b->ball))
         return;
 #pragma omp atomic
-    b->rays += w->weight;
+    b->rays += ray->weight;
     for (int i = 0; i < 2; i++)
-        if (!(child[i] & SPH_PAIR_LEAF)) walk(w, child[i]);
-}
-
-static void look(void *user, const struct sph_logged *logged) {
-    const struct work *work = user;
-    const struct sph_ray *ray = &logged->ray;
-    uint64_t key = logged->hit.key;
-    int any = sph_ray_any(ray);
-    struct walker w = {.work = work, .ray = ray, .weight = any && key ? BLOCKED : OPEN};
-    if (work->boxes) {
-        sph_bih_setup(work->profile, ray, &w.planes);
-        w.depth_max = sph_box_depth(any || !key ? w.planes.limit : sph_bih_time(&w.planes, key));
-    } else {
-        w.depth_max = any || !key ? ray->depth_max : sph_ray_depth(work->profile, ray, key);
-    }
-    walk(&w, 0);
+        if (!(child[i] & SPH_PAIR_LEAF)) walk(w, ray, child[i]);
 }
 
 int sph_split_seen(const struct sph_ball *balls, const struct sph_aabb *boxes,
-                   const struct sph_machine *m, struct sph_split *split, struct sph_error *err) {
-    struct work w = {sph_machine_profile(m), split, NULL, boxes != NULL};
+                   const struct sph_profile *profile, const struct sph_sights *sights,
+                   struct sph_split *split, struct sph_error *err) {
+    struct work w = {profile, split, NULL, boxes != NULL};
     w.bounds = calloc(split->n_pairs, sizeof *w.bounds);
     if (!w.bounds) return sph_fail(err, "out of memory for %u pairs", split->n_pairs);
     if (boxes)
         box(&w, boxes);
     else
         ball(&w, balls);
-    int failed = sph_sample(m, look, &w, err);
+#pragma omp parallel for schedule(dynamic, 64)
+    for (uint32_t i = 0; i < sights->n; i++)
+        walk(&w, &sights->rays[i], 0);
     float all = (float)(w.bounds[0].rays ? w.bounds[0].rays : 1), scale = w.bounds[0].area / all;
-    for (uint32_t i = failed ? 0 : split->n_pairs; i-- > 0;)
+    for (uint32_t i = split->n_pairs; i-- > 0;)
         sph_pair_fill(split->pairs, &split->pairs[i],
-                      scale * (float)w.bounds[i].rays + UNSEEN * w.bounds[i].area);
+                      scale * (float)w.bounds[i].rays + SPH_UNSEEN * w.bounds[i].area);
     free(w.bounds);
-    return failed;
+    return 0;
 }

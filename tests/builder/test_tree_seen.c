@@ -1,4 +1,4 @@
-/* test_tree_seen.c - trees that are collapsed by the rays of their frame: counts, gain, whole
+/* test_tree_seen.c - trees that are rotated and collapsed by the rays of their frame
  * SPDX-License-Identifier: Apache-2.0
  *
  * Run from the root of the repository: reads scenes/.
@@ -9,7 +9,7 @@
 #include "builder/bound.h"
 #include "builder/box.h"
 #include "builder/sample.h"
-#include "builder/tree_links.h"
+#include "builder/tree_rotate.h"
 #include "builder/tree_seen.h"
 #include "core/frame.h"
 #include "model_scene.h"
@@ -203,43 +203,76 @@ static void count(const struct sph_ball *balls, const struct sph_aabb *boxes,
     free(above);
 }
 
-/* Counts are those that a look at every pair gives, whatever the number of threads. */
-static void counts(void **state) {
-    (void)state;
-    static struct rays rays;
-    struct sph_scene scene = read_scene("scenes/paper5.nff");
-    if (!SANITIZED) sph_scene_free(&scene), scene = read_scene("scenes/paper100.nff");
-    const struct sph_profile *p = &sph_profiles[SPH_STANDARD];
-    uint32_t n = scene.n_spheres;
-    struct sph_ball *balls = malloc(n * sizeof *balls);
-    struct sph_aabb *boxes = malloc(n * sizeof *boxes);
+/* A hundred spheres as balls and boxes, and rays of their frame. */
+struct hundred {
+    uint32_t n;
+    const struct sph_profile *profile;
+    struct sph_ball *balls;
+    struct sph_aabb *boxes;
+    struct sph_machine machine;
+};
+
+static struct hundred hundred(void) {
+    struct sph_scene scene = read_scene(SANITIZED ? "scenes/paper5.nff" : "scenes/paper100.nff");
+    struct hundred h = {.n = scene.n_spheres, .profile = &sph_profiles[SPH_STANDARD]};
     struct sph_facets none = {0};
     struct sph_grid grid;
     struct sph_error err = {{0}};
     double smallest;
-    assert_int_equal(sph_grid_fit(&scene, p->w, SPH_AXES_CAMERA, &grid, &err), 0);
-    assert_int_equal(sph_grid_spheres(&grid, &scene, p, balls, &smallest, &err), 0);
-    struct sph_plants plants = {.balls = balls, .n_spheres = n, .facets = &none, .profile = p};
-    struct sph_machine m = build(&scene, SPH_TREE_REINSERTED, SPH_BG_NONE, NULL);
+    h.balls = malloc(h.n * sizeof *h.balls);
+    h.boxes = malloc(h.n * sizeof *h.boxes);
+    assert_int_equal(sph_grid_fit(&scene, h.profile->w, SPH_AXES_CAMERA, &grid, &err), 0);
+    assert_int_equal(sph_grid_spheres(&grid, &scene, h.profile, h.balls, &smallest, &err), 0);
+    struct sph_plants plants = {
+        .balls = h.balls, .n_spheres = h.n, .facets = &none, .profile = h.profile};
+    for (uint32_t i = 0; i < h.n; i++)
+        sph_box_of(&plants, i, &h.boxes[i]);
+    h.machine = build(&scene, SPH_TREE_REINSERTED, SPH_BG_NONE, NULL);
+    sph_scene_free(&scene);
+    return h;
+}
+
+static void hundred_free(struct hundred *h) {
+    sph_machine_free(&h->machine);
+    free(h->balls);
+    free(h->boxes);
+}
+
+static struct rays rays_of(const struct sph_machine *m) {
+    static struct rays rays;
+    struct sph_error err = {{0}};
     int threads = omp_get_max_threads();
-    for (uint32_t i = 0; i < n; i++)
-        sph_box_of(&plants, i, &boxes[i]);
+    omp_set_num_threads(1);
+    rays.n = 0;
+    assert_int_equal(sph_sample(m, keep, &rays, &err), 0);
+    assert_true(rays.n > W * H / 16);
+    omp_set_num_threads(threads);
+    return rays;
+}
+
+/* Counts are those that a look at every pair gives, whatever the number of threads. */
+static void counts(void **state) {
+    (void)state;
+    struct hundred h = hundred();
+    struct sph_error err = {{0}};
+    static struct rays rays;
+    rays = rays_of(&h.machine);
+    int threads = omp_get_max_threads();
     for (int way = 0; way < 2; way++) {
-        const struct sph_aabb *b = way ? boxes : NULL;
+        const struct sph_aabb *b = way ? h.boxes : NULL;
         struct sph_split split, area_of;
-        uint64_t *met = calloc(n, sizeof *met);
-        assert_int_equal(sph_split(balls, b, n, 64, NULL, &split, &err), 0);
+        struct sph_sights sights;
+        uint64_t *met = calloc(h.n, sizeof *met);
+        assert_int_equal(sph_split(h.balls, b, h.n, 64, NULL, &split, &err), 0);
         area_of = split;
         area_of.pairs = malloc(split.n_pairs * sizeof *split.pairs);
         memcpy(area_of.pairs, split.pairs, split.n_pairs * sizeof *split.pairs);
-        sph_split_fill(balls, b, p, &area_of);
-        omp_set_num_threads(1);
-        rays.n = 0;
-        assert_int_equal(sph_sample(&m, keep, &rays, &err), 0);
-        assert_true(rays.n > W * H / 16);
-        count(balls, b, p, &split, &rays, met);
+        sph_split_fill(h.balls, b, h.profile, &area_of);
+        count(h.balls, b, h.profile, &split, &rays, met);
         omp_set_num_threads(3);
-        assert_int_equal(sph_split_seen(balls, b, &m, &split, &err), 0);
+        assert_int_equal(sph_sights(&h.machine, way, &sights, &err), 0);
+        assert_int_equal(sights.n, rays.n);
+        assert_int_equal(sph_split_seen(h.balls, b, h.profile, &sights, &split, &err), 0);
         omp_set_num_threads(threads);
         for (uint32_t i = 0; i < split.n_pairs; i++) {
             double unseen = area(&area_of.pairs[i]) / area(&area_of.pairs[0]) / 16;
@@ -250,18 +283,88 @@ static void counts(void **state) {
                          seen, unseen);
         }
         printf("# %s: %d rays, %u pairs\n", way ? "boxes" : "balls", rays.n, split.n_pairs);
+        sph_sights_free(&sights);
         free(area_of.pairs);
         free(met);
         sph_split_free(&split);
     }
-    sph_machine_free(&m);
-    sph_scene_free(&scene);
-    free(balls);
-    free(boxes);
+    hundred_free(&h);
+}
+
+/* Rays that meet pairs, weighted, all pairs together. */
+static uint64_t all_met(const struct hundred *h, const struct sph_split *split,
+                        const struct rays *rays) {
+    uint64_t *met = calloc(h->n, sizeof *met), sum = 0;
+    count(h->balls, h->boxes, h->profile, split, rays, met);
+    for (uint32_t i = 0; i < split->n_pairs; i++)
+        sum += met[i];
+    free(met);
+    return sum;
+}
+
+/* Spheres below a child of a pair, each of which is met once; pairs stand behind their parents, and
+ * their spheres side by side in the order. */
+static uint32_t below(const struct sph_split *split, uint32_t child, uint32_t first,
+                      uint8_t *found) {
+    if (child & SPH_PAIR_LEAF) {
+        assert_int_equal(split->order[first], child & ~SPH_PAIR_LEAF);
+        assert_int_equal(found[child & ~SPH_PAIR_LEAF]++, 0);
+        return 1;
+    }
+    const struct sph_pair *p = &split->pairs[child];
+    assert_int_equal(p->first, first);
+    uint32_t n = 0;
+    for (int i = 0; i < 2; i++) {
+        assert_true(p->child[i] & SPH_PAIR_LEAF || p->child[i] > child);
+        n += below(split, p->child[i], first + n, found);
+    }
+    assert_int_equal(p->count, n);
+    return n;
+}
+
+/* A rotated tree has all that it had and is met by fewer rays, whatever the number of threads; it
+ * stays as it is where it would need more levels than there are. */
+static void rotates(void **state) {
+    (void)state;
+    struct hundred h = hundred();
+    struct sph_error err = {{0}};
+    struct sph_sights sights;
+    static struct rays rays;
+    struct sph_split splits[3];
+    rays = rays_of(&h.machine);
+    int threads = omp_get_max_threads();
+    assert_int_equal(sph_sights(&h.machine, 1, &sights, &err), 0);
+    for (int i = 0; i < 3; i++) {
+        struct sph_split *s = &splits[i];
+        assert_int_equal(sph_split(h.balls, h.boxes, h.n, 64, NULL, s, &err), 0);
+        sph_split_fill(h.balls, h.boxes, h.profile, s);
+        omp_set_num_threads(i ? 5 : 1);
+        int most = i < 2 ? s->pairs[0].levels[1] + 2 : s->pairs[0].levels[1] - 1;
+        uint64_t before = all_met(&h, s, &rays);
+        assert_int_equal(sph_split_rotate(h.balls, h.boxes, &sights, SPH_UNSEEN, most, s, &err), 0);
+        uint64_t after = all_met(&h, s, &rays);
+        uint8_t *found = calloc(h.n, 1);
+        assert_int_equal(below(s, 0, 0, found), h.n);
+        free(found);
+        if (i == 2)
+            assert_int_equal(after, before);
+        else
+            assert_true(s->pairs[0].levels[1] <= most && (SANITIZED || 100 * after < 97 * before));
+        printf("# rays that meet pairs: %llu, rotated %llu\n", (unsigned long long)before,
+               (unsigned long long)after);
+    }
+    omp_set_num_threads(threads);
+    for (uint32_t i = 0; i < splits[0].n_pairs; i++)
+        assert_memory_equal(splits[0].pairs[i].child, splits[1].pairs[i].child,
+                            sizeof splits[0].pairs[i].child);
+    for (int i = 0; i < 3; i++)
+        sph_split_free(&splits[i]);
+    sph_sights_free(&sights);
+    hundred_free(&h);
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(counts), cmocka_unit_test(gains),
-                                       cmocka_unit_test(whole)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(counts), cmocka_unit_test(rotates),
+                                       cmocka_unit_test(gains), cmocka_unit_test(whole)};
     return cmocka_run_group_tests_name("tree seen", tests, NULL, NULL);
 }

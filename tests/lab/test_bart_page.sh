@@ -57,7 +57,7 @@ rows = text[text.index("| robot"):].splitlines()[:3]
 walk, facets = ([int(row.split("|")[k]) for row in rows] for k in (3, 4))
 assert walk == [40, 20, 10] and facets == [48, 24, 12], rows
 END
-# Tiles in which the RTL took twice the least, a core of a tenth of the paper's area
+# A frame of which the RTL took twice the least, a core of a tenth of the paper's area
 for way in off:8000 level:4000 between:4000; do
     cat >"$data/robot-3-${way%:*}.core.json" <<END
 {"pixels": 10, "memory": {"peak_bytes_per_clock": 8}, "cold": {"cycles_per_pixel": ${way#*:},
@@ -65,12 +65,13 @@ for way in off:8000 level:4000 between:4000; do
  "memory": {"lines": 100, "bytes_per_pixel": 320.0, "row_hit_share": 0.25}}}
 END
 done
+cp "$data/robot-3-between.core.json" "$data/robot-3-pipes1.core.json"
 echo '{"runs": [{"core": {"lut": 18000}}]}' >"$data/area.json"
 cat >"$data/robot.sequence.json" <<'END'
 {"frames": [{"at": 5, "bases": {"computed": 3, "kept": 4}, "cpu_seconds": 0.25,
   "memory_bytes": 6720000, "counters": {"node_visits": 4200000, "facet_tests": 1}}]}
 END
-check "with tiles of the RTL" fill
+check "with frames of the RTL" fill
 check "frames a second, ten times as many at equal area" python3 - "$page" <<'END'
 import re, sys
 text = open(sys.argv[1], encoding="utf-8").read()
