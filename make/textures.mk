@@ -6,8 +6,7 @@
 #   NAME-WAY.json              `sphaera texels`: texels of each level, hits of caches
 #   NAME-WAY-rtl.json          the same at the size of the RTL's frames
 #   NAME-WAY.core.json         report of the RTL's run; robot-WAY-slow: memory latency TEX_SLOW
-#   NAME-TREE-WAY-STALL.core.json  of a small frame, memory not ready in STALL percent of clocks;
-#                              TREE: bvh4, or bih with leaves of one primitive
+#   NAME-small-WAY-STALL.core.json  of a small frame, memory not ready in STALL percent of clocks
 #   NAME-fine-WAY-MEMORY.core.json  of a part of a frame of the paper's size, memory MEMORY
 #   NAME-fine-WAY.info.json    what that machine is; NAME-fine-WAY.json: its texels, whole frame
 #   NAME-walk.json             P_b of the first frames
@@ -30,16 +29,12 @@ TEX_TRUTH  := 8
 TEX_SIZE   := $(TEX_WIDTH)x$(TEX_HEIGHT)
 TEX_RTL    := 160x90
 TEX_SLOW   := 200
-TEX_CORE   := shadow+reflect2+lights2+inside+facets+texture+spread
+TEX_CORE   := shadow+reflect2+lights2+inside+facets+texture+spread+turned+boxes
 # memory that is slow in bytes
 TEX_SMALL  := 80x45
 TEX_STALLS := 0 50 90
 TEX_STALLED := robot hall kitchen
-TEX_TREES  := bvh4 bih
-# for the shell of a recipe, so that make starts nothing when it only reads this
-TEX_bvh4   := `python3 -m lab.tree_options bvh4`
-TEX_bih    := `python3 -m lab.tree_options bih1` --axes camera
-# the paper's pixels, and what may have been its memory: a part of its frame, over a BIH
+# the paper's pixels, and what may have been its memory: a part of its frame
 TEX_FINE_SIZE := 800x480
 TEX_FINE_WINDOW := 360,216,440,264
 # a part, and the core's clock beside it, MHz; eight times the paper's: what one of eight cores gets
@@ -50,12 +45,12 @@ TEX_SHOWN  := docs/pictures/textures
 # what of a picture is shown: width x height + left + top
 TEX_CROP_kitchen := 150x100+10+95
 TEX_CROP_robot   := 150x100+320+85
-TEX_CROP_museum  := 150x100+250+80
+TEX_CROP_museum  := 190x120+160+55
 # degrees of view below the horizon; the ball fills a wider view
 TEX_SLANTS := 89 75 60 45 30 16 5
 
 TEX_BOTH := $(foreach n,$(TEX_NAMES),$(TEX_WAYS:%=$n-%))
-TEX_MACHINES := $(foreach n,$(TEX_STALLED),$(foreach t,$(TEX_TREES),$(TEX_DRAWN:%=$n-$t-%)))
+TEX_MACHINES := $(foreach n,$(TEX_STALLED),$(TEX_DRAWN:%=$n-small-%))
 TEX_STALL_RUNS := $(foreach m,$(TEX_MACHINES),$(TEX_STALLS:%=$m-%))
 TEX_FINE := $(foreach n,$(TEX_STALLED),$(TEX_DRAWN:%=$n-fine-%))
 TEX_FINE_RUNS := $(foreach m,$(TEX_FINE),$(TEX_MEMORIES:%=$m-%))
@@ -146,8 +141,8 @@ $(TEX)/$(1)-rtl.json: scenes/texture/$(firstword $(subst -, ,$(1))).nff $(TEX_IM
 .PRECIOUS: $(TEX)/$(1).sph
 $(TEX)/$(1).sph: scenes/texture/$(firstword $(subst -, ,$(1))).nff $(TEX_IMAGES) $(TOOL)
 	@mkdir -p $$(@D)
-	$$(Q)$(TOOL) build $$< --profile standard --accel bvh4 --size $(TEX_RTL) \
-	    --filter $(call tex_way,$(1)) -o $$@ >$$@.log
+	$$(Q)$(TOOL) build $$< --profile standard --size $(TEX_RTL) --filter $(call tex_way,$(1)) \
+	    -o $$@ >$$@.log
 
 $(TEX)/$(1).core.json: $(TEX)/$(1).sph $(V_FILES) $(V_HEADS)
 	$$(call say,SIM,$(1))
@@ -168,17 +163,16 @@ define tex_small
 .PRECIOUS: $(TEX)/$(1).sph
 $(TEX)/$(1).sph: scenes/texture/$(call tex_word,$(1),1).nff $(TEX_IMAGES) $(TOOL)
 	@mkdir -p $$(@D)
-	$$(Q)$(TOOL) build $$< --profile standard --size $(TEX_SMALL) --filter $(call tex_way,$(1)) \
-	    $(TEX_$(call tex_word,$(1),2)) -o $$@ >$$@.log
+	$$(Q)$(TOOL) build $$< --profile standard --accel box4 --size $(TEX_SMALL) \
+	    --filter $(call tex_way,$(1)) -o $$@ >$$@.log
 endef
 $(foreach m,$(TEX_MACHINES),$(eval $(call tex_small,$m)))
 
 define tex_stalled
 $(TEX)/$(1).core.json: $(TEX)/$(1:%-$(call tex_word,$(1),4)=%).sph $(V_FILES) $(V_HEADS)
 	$$(call say,SIM,$(1))
-	$$(Q)EFFECTS=$(TEX_CORE)$(if $(findstring -bih-,$(1)),+bih) BUILD=$B JOBS=1 \
-	    sh sim/core.sh --machine $$< --stall $(call tex_word,$(1),4) --json $$@.tmp >$$@.log || { \
-	    cat $$@.log; exit 1; }
+	$$(Q)EFFECTS=$(TEX_CORE) BUILD=$B JOBS=1 sh sim/core.sh --machine $$< \
+	    --stall $(call tex_word,$(1),4) --json $$@.tmp >$$@.log || { cat $$@.log; exit 1; }
 	@mv $$@.tmp $$@
 endef
 $(foreach r,$(TEX_STALL_RUNS),$(eval $(call tex_stalled,$r)))
@@ -187,7 +181,7 @@ define tex_fine
 .PRECIOUS: $(TEX)/$(1).sph
 $(TEX)/$(1).sph: scenes/texture/$(call tex_word,$(1),1).nff $(TEX_IMAGES) $(TOOL)
 	@mkdir -p $$(@D)
-	$$(Q)$(TOOL) build $$< --profile standard --size $(TEX_FINE_SIZE) $(TEX_bih) \
+	$$(Q)$(TOOL) build $$< --profile standard --accel box4 --size $(TEX_FINE_SIZE) \
 	    --filter $(call tex_way,$(1)) -o $$@ >$$@.log
 $(TEX)/$(1).info.json: $(TEX)/$(1).sph
 	$$(Q)$(TOOL) info $$< --json $$@
@@ -197,7 +191,7 @@ $(TEX)/$(1).json: $(TEX)/$(1).sph
 $(foreach m,$(TEX_MEMORIES),$(TEX)/$(1)-$m.core.json): $(TEX)/$(1)-%.core.json: $(TEX)/$(1).sph \
         $(V_FILES) $(V_HEADS)
 	$$(call say,SIM,"$(1) $$*")
-	$$(Q)m=$$* && EFFECTS=$(TEX_CORE)+bih BUILD=$B JOBS=1 sh sim/core.sh --machine $$< \
+	$$(Q)m=$$* && EFFECTS=$(TEX_CORE) BUILD=$B JOBS=1 sh sim/core.sh --machine $$< \
 	    --memory $$$${m%_*} --core-mhz $$$${m#*_} --window $(TEX_FINE_WINDOW) \
 	    --json $$@.tmp >$$@.log || { cat $$@.log; exit 1; }
 	@mv $$@.tmp $$@

@@ -17,10 +17,10 @@ from ..synth import report
 from .angles import angles, plot, slants
 
 THEIRS = "800x480"
+THEIR_MHZ = 84
 SLOW = "robot"    # simulated with slow memory as well
 STALLED = "robot", "hall", "kitchen"  # and with memory that is not ready in STALLS percent
 STALLS = 0, 50, 90
-TREES = {"bvh4": "four a node", "bih": "BIH, leaves of 1"}
 TILES, LINES = 1, 4  # of `orders` and of a `missed`: tiles of 4 x 2, 128 lines of 4 ways, the core
 WAYS = {"nearest": "nearest texel, MIP off", "off": "bilinear, MIP off",
         "level": "bilinear, nearest level", "between": "trilinear"}
@@ -179,9 +179,11 @@ def speed(data):
                          show(pixel, "{:.1f}"),
                          show(cycles and tables.routed() * 1e6 / cycles, "{:.1f}"),
                          show(pixel and tables.routed() * 1e6 / pixel / area(THEIRS), "{:.2f}"),
+                         show(pixel and THEIR_MHZ * 1e6 / pixel / area(THEIRS), "{:.2f}"),
                          f"{PAPER[name][2][way != 'off']}"])
     return report.table(["scene", "filter", "cycles", "a pixel", f"frames/s, {data.rtl}",
-                         f"{THEIRS} at the same rate", "the paper's"], rows, left=2)
+                         f"{THEIRS} at the same rate", f"at {THEIR_MHZ} MHz", "the paper's"],
+                        rows, left=2)
 
 
 def slow(data):
@@ -198,16 +200,15 @@ def stalls(data):
     """Cycles where memory is held back, and what MIP-mapping gains in frames a second."""
     rows = []
     for name in STALLED:
-        for tree, title in TREES.items():
-            runs = {way: [cycles_of(data, f"{name}-{tree}-{way}-{stall}") for stall in STALLS]
-                    for way in ("off", "level", "between")}
-            for way, cycles in runs.items():
-                gains = ["" if way == "off" else show(
-                    None if None in (off, now) else 100 * (off / now - 1), "{:+.0f} %")
-                         for off, now in zip(runs["off"], cycles)]
-                rows.append([name, title, WAYS[way]] + [show(c) for c in cycles] + gains)
-    return report.table(["80x45", "tree", "filter"] + [f"STALL={s}" for s in STALLS]
-                        + [f"gain, {s}" for s in STALLS], rows, left=3)
+        runs = {way: [cycles_of(data, f"{name}-small-{way}-{stall}") for stall in STALLS]
+                for way in ("off", "level", "between")}
+        for way, cycles in runs.items():
+            gains = ["" if way == "off" else show(
+                None if None in (off, now) else 100 * (off / now - 1), "{:+.0f} %")
+                     for off, now in zip(runs["off"], cycles)]
+            rows.append([name, WAYS[way]] + [show(c) for c in cycles] + gains)
+    return report.table(["80x45", "filter"] + [f"STALL={s}" for s in STALLS]
+                        + [f"gain, {s}" for s in STALLS], rows, left=2)
 
 
 # first what the others are compared with
@@ -219,7 +220,7 @@ GROUPS = 1, 2, 4  # lines of 32 bytes that are fetched together
 def limit(machine, run):
     """Clocks a pixel of memory's pins, and what needs the most clocks, with its share of all."""
     count = run["cold"]["counters"]
-    busy = [(u.clocks, u.name) for u in units(count, machine, parameters({}, "all"))
+    busy = [(u.clocks, u.name) for u in units(count, machine, parameters({}, "all+boxes"))
             if u.name != "memory port"]
     pins = run["cold"]["memory"]["lines"] * LINE / run["memory"]["peak_bytes_per_clock"]
     clocks, name = max(busy + [(pins, "memory")])
