@@ -5,6 +5,7 @@
 //   out = normalise(p*N*d - (p*B + floor(sqrt(X / 4^s)) * 2^s) * n)
 // One product after another, DIGIT bits of the second factor a clock, and one root: slow and small.
 //   shift | B p*B p*N | A*N *(q-p) *(q+p) | + (p*B)^2 | root | x y z, to rt_normalise
+// A digit: 1 products with pieces of the first factor | 2 their sum | 3 added up
 // Model: sph_refract() in cmodel/shade/refract.c
 `timescale 1ns / 1ps
 `default_nettype none
@@ -14,7 +15,7 @@ module rt_refract #(
     parameter W     = 16,  // coordinate, bits
     parameter WD    = 17,  // direction and normal component, bits, W+1 to `RT_REFRACT_WD
     parameter PR    = 0,   // significant bits of the root, 0: all
-    parameter DIGIT = 9,   // bits of a factor a clock
+    parameter DIGIT = 17,  // bits of a factor a clock, and of a piece of the other, 2 or more
     parameter STEP  = 2,   // root bits a clock
     parameter TAG   = 8    // tag, bits
 ) (
@@ -41,17 +42,20 @@ module rt_refract #(
     localparam RB = PR != 0 ? PR : W + WD; // root
     localparam S  = WD - W + 12;
     localparam VW = 3*WD + 13;             // direction before it is normalised
-    // digits of a factor
-    localparam D_VEC = (WD + DIGIT) / DIGIT;       // s(WD+1)
-    localparam D_IDX = (13 + DIGIT) / DIGIT;       // s14: p, q-p, q+p
-    localparam D_NN  = (2*WD + DIGIT) / DIGIT;     // u(2WD), as signed
-    localparam D_PB  = (BW + DIGIT - 1) / DIGIT;
+    // digits of a factor's magnitude
+    localparam D_VEC = (WD + DIGIT - 1) / DIGIT;   // |d|, |n| < 2^WD
+    localparam D_IDX = (13 + DIGIT - 1) / DIGIT;   // p, q-p, q+p
+    localparam D_NN  = (2*WD + DIGIT - 1) / DIGIT;
+    localparam D_PB  = (BW - 1 + DIGIT - 1) / DIGIT;
     localparam RW    = D_PB*DIGIT;                 // the longest
+    localparam PIECES = (XW + DIGIT - 1) / DIGIT;  // of the other factor
+    localparam PAIRS  = (PIECES + 1) / 2;
     localparam CW    = $clog2(D_PB + 1);
     localparam HW    = $clog2(WD + 1);
     `RT_CHECK(WD <= `RT_REFRACT_WD, rt_refract_WD_must_be_at_most_RT_REFRACT_WD)
 
-    // ---- control: a product is loaded and runs; if its sum is waited for, it is added first ----
+    // ---- control: a product is loaded and runs; if its sum is waited for, it is added first, in
+    // two clocks ----
     localparam [2:0] IDLE = 3'd0, SHIFT = 3'd1, LOAD = 3'd2, RUN = 3'd3, ADD = 3'd4, TEST = 3'd5,
                      ROOT = 3'd6, END = 3'd7;
     localparam [3:0] O_B = 4'd0, O_PB = 4'd3, O_PN = 4'd4, O_AN = 4'd5, O_LESS = 4'd6,
@@ -59,6 +63,7 @@ module rt_refract #(
     reg  [2:0]     state_q;
     reg  [3:0]     op_q;                   // O_B + 0..2; O_X..15: p*N*d[i], then (p*B + root)*n[i]
     reg  [CW-1:0]  left_q;                 // digits
+    reg            added_q;                // second clock of ADD
     wire           last = left_q == {{(CW-1){1'b0}}, 1'b1};
     wire           vector = op_q >= O_X || op_q < O_PB;
     wire           follow = op_q < O_B + 4'd2 || op_q == O_MORE || (op_q >= O_X && !op_q[0]);
@@ -78,17 +83,18 @@ module rt_refract #(
             SHIFT: if (shifted) state_q <= LOAD;
             LOAD:  state_q <= RUN;
             RUN:   if (last) state_q <= follow ? LOAD : ADD;
-            ADD:   state_q <= op_q == O_SQUARE ? TEST : op_q == 4'd15 ? END : LOAD;
+            ADD:   if (added_q) state_q <= op_q == O_SQUARE ? TEST : op_q == 4'd15 ? END : LOAD;
             TEST:  state_q <= total ? IDLE : ROOT;
             ROOT:  if (root_valid) state_q <= LOAD;
             default: if (norm_valid) state_q <= IDLE;
         endcase
         if (state_q == SHIFT) op_q <= O_B;
-        else if ((state_q == RUN && last && follow) || (state_q == ADD && op_q != O_SQUARE))
+        else if ((state_q == RUN && last && follow) || (added_q && op_q != O_SQUARE))
             op_q <= op_q + 4'd1;
         else if (state_q == TEST) op_q <= O_X;
+        added_q <= state_q == ADD && !added_q;
         room_q <= take ? WD[HW-1:0] : room_q - 1'b1;
-        if (rst) state_q <= IDLE;
+        if (rst) begin state_q <= IDLE; added_q <= 1'b0; end
     end
 
     // ---- operands; vectors are shifted up, then rotate ----
@@ -126,10 +132,10 @@ module rt_refract #(
             {nx_q, ny_q, nz_q} <= {ny_q, nz_q, nx_q};
         end
 
-    // ---- products: acc +-= m * r, digits of r from the lowest on, the last one signed ----
-    reg  signed [XW-1:0]  m_q, row_q;
+    // ---- products: acc +-= m * |r|, digits of |r| from the lowest on; all modulo 2^XW ----
+    reg  signed [XW-1:0]  m_q;
     reg  [RW-1:0]         r_q;
-    reg                   row_valid_q, row_clear_q, row_minus_q, clear_q;
+    reg                   minus_q, clear_q;
     reg  signed [BW-1:0]  pb_q;
     reg  [2*WD+11:0]      pn_q;
     reg  signed [LW-1:0]  along_q;
@@ -138,19 +144,24 @@ module rt_refract #(
     wire signed [XW-1:0]  w_along = {{(XW-LW){along_q[LW-1]}}, along_q};
     wire signed [13:0]    less = $signed({2'b00, to_q}) - $signed({2'b00, from_q});
     wire [13:0]           more = {2'b00, to_q} + {2'b00, from_q};
-    wire signed [DIGIT:0] digit = $signed({last && r_q[DIGIT-1], r_q[DIGIT-1:0]});
+    reg  signed [RW:0]    r;
+    always @*
+        case (op_q)
+            O_PB, O_PN: r = {{(RW-11){1'b0}}, from_q};
+            O_AN:     r = {{(RW+1-2*WD){1'b0}}, nn_q};
+            O_LESS:   r = {{(RW-13){less[13]}}, less};
+            O_MORE:   r = {{(RW-13){1'b0}}, more};
+            O_SQUARE: r = {{(RW+1-BW){pb_q[BW-1]}}, pb_q};
+            default:  r = op_q >= O_X && !op_q[0] ? {{(RW-WD){dx_q[WD]}}, dx_q}
+                          : {{(RW-WD){nx_q[WD]}}, nx_q};
+        endcase
+    wire signed [RW:0]    r_less = -r;
     always @(posedge clk) begin
-        row_valid_q <= state_q == RUN;
-        row_q       <= m_q * digit;
-        row_minus_q <= op_q >= O_X && op_q[0];
-        row_clear_q <= clear_q;
-        if (row_valid_q)
-            acc_q <= (row_clear_q ? {XW{1'b0}} : acc_q) + (row_minus_q ? -row_q : row_q);
         if (state_q == RUN) begin
             clear_q <= 1'b0;
             left_q  <= left_q - 1'b1;
             m_q     <= m_q <<< DIGIT;
-            r_q     <= {{DIGIT{r_q[RW-1]}}, r_q[RW-1:DIGIT]};
+            r_q     <= r_q >> DIGIT;
         end
         if (state_q == LOAD) begin
             clear_q <= !(op_q == O_B + 4'd1 || op_q == O_B + 4'd2 || op_q == O_SQUARE ||
@@ -163,15 +174,8 @@ module rt_refract #(
                 default:  m_q <= op_q < O_PB ? w_dx : op_q[0] ? w_along
                                  : {{(XW-2*WD-12){1'b0}}, pn_q};
             endcase
-            case (op_q)
-                O_PB, O_PN: r_q <= {{(RW-12){1'b0}}, from_q};
-                O_AN:     r_q <= {{(RW-2*WD){1'b0}}, nn_q};
-                O_LESS:   r_q <= {{(RW-14){less[13]}}, less};
-                O_MORE:   r_q <= {{(RW-14){1'b0}}, more};
-                O_SQUARE: r_q <= {{(RW-BW){pb_q[BW-1]}}, pb_q};
-                default:  r_q <= op_q >= O_X && !op_q[0] ? {{(RW-WD-1){dx_q[WD]}}, dx_q}
-                                 : {{(RW-WD-1){nx_q[WD]}}, nx_q};
-            endcase
+            r_q     <= r[RW] ? r_less[RW-1:0] : r[RW-1:0];
+            minus_q <= r[RW] ^ (op_q >= O_X && op_q[0]);
             case (op_q)
                 O_PB, O_PN, O_LESS, O_MORE: left_q <= D_IDX[CW-1:0];
                 O_AN:     left_q <= D_NN[CW-1:0];
@@ -181,6 +185,29 @@ module rt_refract #(
         end
         if (state_q == LOAD && op_q == O_PN) pb_q <= acc_q[BW-1:0];
         if (state_q == LOAD && op_q == O_AN) pn_q <= acc_q[2*WD+11:0];
+    end
+
+    // ---- a digit: pieces at even and at odd places do not overlap ----
+    wire [2*PAIRS*DIGIT-1:0] m_long = {{(2*PAIRS*DIGIT-XW){1'b0}}, m_q};
+    reg  [2*PAIRS*DIGIT-1:0] even_q, odd_q;
+    wire [2*PAIRS*DIGIT-1:0] row = even_q + (odd_q << DIGIT);
+    reg  [XW-1:0]            row_q;
+    reg                      p_valid_q, p_clear_q, p_minus_q, row_valid_q, row_clear_q, row_minus_q;
+    integer k;
+    always @(posedge clk) begin
+        p_valid_q <= state_q == RUN;
+        p_clear_q <= clear_q;
+        p_minus_q <= minus_q;
+        for (k = 0; k < PAIRS; k = k + 1) begin
+            even_q[2*DIGIT*k +: 2*DIGIT] <= m_long[2*DIGIT*k +: DIGIT] * r_q[DIGIT-1:0];
+            odd_q[2*DIGIT*k +: 2*DIGIT]  <= m_long[2*DIGIT*k + DIGIT +: DIGIT] * r_q[DIGIT-1:0];
+        end
+        row_valid_q <= p_valid_q;
+        row_clear_q <= p_clear_q;
+        row_minus_q <= p_minus_q;
+        row_q       <= row[XW-1:0];
+        if (row_valid_q)
+            acc_q <= (row_clear_q ? {XW{1'b0}} : acc_q) + (row_minus_q ? -row_q : row_q);
     end
 
     // ---- root ----
@@ -200,7 +227,7 @@ module rt_refract #(
     // ---- x, y, z of the direction ----
     reg           component_q;             // one is added up
     always @(posedge clk) begin
-        component_q <= state_q == ADD && op_q > O_X;
+        component_q <= added_q && op_q > O_X;
         if (rst) component_q <= 1'b0;
     end
     rt_normalise #(.VW(VW), .BITS(WD)) u_normalise (
@@ -210,6 +237,6 @@ module rt_refract #(
         .out_z_o(out_dir_o[2*WD +: WD])
     );
     assign out_tag_o = tag_q;
-    wire unused = &{1'b0, root_in, inexact};
+    wire unused = &{1'b0, root_in, inexact, r_less[RW], row};
 endmodule
 `default_nettype wire
