@@ -45,6 +45,13 @@ module f_facet_key #(
     (* hierconn *) wire       \u_dut.g_rank.u_rank.full_q ;
     (* hierconn *) wire [RW+MW-1:0] \u_dut.g_rank.u_rank.all_q ;
     (* hierconn *) wire [WD:0] \u_dut.g_rank.u_rank.key_q ;
+    (* hierconn *) wire       \u_dut.g_rank.u_rank.done_q ;
+    (* hierconn *) wire       \u_dut.g_rank.ranked_q ;
+    (* hierconn *) wire [WD-1:0] \u_dut.g_rank.add_q , \u_dut.g_rank.from_q ;
+    // a rank that is there is that of the divider's
+    wire [WD-1:0] rank = \u_dut.g_rank.from_q - \u_dut.g_rank.u_rank.key_q ;
+    wire sane = !\u_dut.g_rank.ranked_q || (\u_dut.g_rank.u_rank.full_q &&
+                \u_dut.g_rank.u_rank.done_q && \u_dut.g_rank.add_q == rank);
     // what the divider has is what the ranks have
     wire idle = in_ready && !\u_dut.u_product.busy_q && \u_dut.u_product.come_q == 0;
     wire even = \u_dut.g_rank.u_rank.full_q == (\u_dut.u_divide.full_q && \u_dut.k_past_q );
@@ -84,12 +91,12 @@ module f_facet_key #(
             if (leaves && !before_q) mine_q <= 1'b0;
             if (leaves && !before_q && mine_q && !(own && out_tag == tag_q && out_key == key))
                 good_q <= 1'b0;
-            if (idle && !in_valid && !even) good_q <= 1'b0;
+            if ((idle && !in_valid && !even) || !sane) good_q <= 1'b0;
             if (mine_q && in_valid && in_ready && !\u_dut.u_divide.full_q ) good_q <= 1'b0;
         end
     end
     always @* begin
-        if (age_q == 0) assume (in_valid && idle && even);
+        if (age_q == 0) assume (in_valid && idle && even && sane);
         if (age_q == T) assert (good_q);
     end
 endmodule

@@ -134,19 +134,26 @@ module rt_facet_key #(
         if (PLANES != 0) begin : g_rank
             wire             ranked;
             wire [WD:0]      rank;
-            reg  [WD-1:0]    from_q;
+            reg  [WD-1:0]    from_q, add_q;
+            reg              ranked_q;           // add_q is what a key of its own has more
             wire [MW+WD-1:0] face = {{(MW+WD-FW){1'b0}}, face_q[FW-1:0]};
             wire [WD:0]      add = {1'b0, from_q} - rank;
-            always @(posedge clk) if (again) from_q <= size_q;
+            wire             ranks = k_valid && k_past_q && ranked_q && out_ready_i;
+            always @(posedge clk) begin
+                if (again) from_q <= size_q;
+                add_q    <= add[WD-1:0];
+                ranked_q <= ranked && !ranks;
+                if (rst) ranked_q <= 1'b0;
+            end
             rt_divide #(.DW(MW), .QW(WD), .STEP(1)) u_rank (
                 .clk(clk), .rst(rst), .in_valid_i(again), .in_ready_o(rank_ready),
                 .in_x_i(face), .in_d_i(num_q),
-                .out_valid_o(ranked), .out_ready_i(k_valid && k_past_q && out_ready_i),
+                .out_valid_o(ranked), .out_ready_i(ranks),
                 .out_key_o(rank)
             );
-            assign k_ready     = out_ready_i && (!k_past_q || ranked);
-            assign out_valid_o = k_valid && (!k_past_q || ranked);
-            assign out_key_o   = key + (k_past_q ? {{(QW+1-WD){1'b0}}, add[WD-1:0]}
+            assign k_ready     = out_ready_i && (!k_past_q || ranked_q);
+            assign out_valid_o = k_valid && (!k_past_q || ranked_q);
+            assign out_key_o   = key + (k_past_q ? {{(QW+1-WD){1'b0}}, add_q}
                                         : {(QW+1){1'b0}});
             wire unused = add[WD];
         end else begin : g_near
