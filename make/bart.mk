@@ -8,7 +8,7 @@
 #   NAME-AT.sph, .json, .png   machine with every light, and `sphaera render`: counters
 #   NAME-AT-WAY.json           `sphaera texels`: levels, hits of caches; light rays fetch no texel
 #   NAME-AT-WAY.core.json      the RTL on BT_WINDOW of the frame in the middle, memory BT_MEMORY
-#   NAME-AT-pipesN.core.json   the RTL on that whole frame, a core of N pipes and BT_SIZES_N
+#   NAME-AT-pipesN.core.json   the RTL on that whole frame, a core of N pipes and BT_SIZES
 #   NAME.levels.json           `sphaera accuracy` of a small frame: operations of a decision
 #   NAME.sequence.json         frames one behind the other: P_b kept, times
 #   area.json                  the kitchen's core in LUTs of the paper's FPGA
@@ -22,10 +22,8 @@ BT_WINDOW := 320,192,480,288
 # one core for all of them
 BT_CORE   := shadow+reflect2+lights6+facets+smooth+clear+turned+texture+boxes
 BT_PIPES  := 1 2 4
-# several pipes ask memory for more, and have more rays on their way
-BT_SIZES_1 :=
-BT_SIZES_2 := slots=128,node_lines=1024,leaf_lines=1024
-BT_SIZES_4 := slots=128,node_lines=1024,leaf_lines=1024
+# triangles take long, so more rays are on their way; and there are many of them
+BT_SIZES  := slots=128,node_lines=1024,leaf_lines=1024
 BT_MEMORY := ddr3x16
 BT_MHZ    := 84
 # the scene, eight frames of its animation, the one in the middle, and some in a row
@@ -87,7 +85,7 @@ $(foreach n,$(BT_NAMES),$(eval $(call bt_scene,$n)))
 # pipes, window unless it is the whole frame
 define bt_sim
 $$(call say,SIM,$$(@F))
-	$$(Q)EFFECTS=$(BT_CORE) PIPES=$(1) SIZES=$$(BT_SIZES_$(1)) BUILD=$B JOBS=1 sh sim/core.sh \
+	$$(Q)EFFECTS=$(BT_CORE) PIPES=$(1) SIZES=$(BT_SIZES) BUILD=$B JOBS=1 sh sim/core.sh \
 	    --machine $$< --memory $(BT_MEMORY) --core-mhz $(BT_MHZ) $(2) --watchdog 10000000 \
 	    --json $$@.tmp >$$@.log || { cat $$@.log; exit 1; }
 	@mv $$@.tmp $$@
