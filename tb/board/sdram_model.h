@@ -30,6 +30,23 @@ class Sdram : SdramTimes {
     uint16_t out() const { return out_; }
     uint64_t commands(unsigned which) const { return count_[which & 7]; }
     uint64_t clocks() const { return (uint64_t)clock_; }
+    uint64_t first() const { return (uint64_t)first_; }
+    uint64_t shortest() const { return (uint64_t)shortest_; } /* clocks that a row was open */
+    /* The controller was reset: it begins as at power-up, and its pause may be that long. */
+    void restart() {
+        precharged_ = ready_ = false;
+        refreshes_ = 0;
+        write_.first = -1000;
+    }
+    /* The word of 64 bits at a column of a row. */
+    uint64_t word(unsigned bank, unsigned row, unsigned column) const {
+        uint64_t value = 0;
+        for (unsigned i = 0; i < 4; i++) {
+            const auto found = words_.find((bank << 22 | row << 9 | column) + i);
+            value |= (uint64_t)(found == words_.end() ? 0 : found->second) << 16 * i;
+        }
+        return value;
+    }
 
     void edge(const SdramPins &p) {
         clock_++;
@@ -48,6 +65,8 @@ class Sdram : SdramTimes {
     } banks_[4];
     double ns_;
     int64_t clock_ = 0, refreshed_ = -1000, activated_ = -1000, mode_at_ = -1000;
+    int64_t first_ = 0; /* clock of the first command */
+    int64_t shortest_ = 1000;
     int refreshes_ = 0;
     bool precharged_ = false, ready_ = false;
     uint64_t count_[8] = {};
@@ -72,6 +91,7 @@ class Sdram : SdramTimes {
         if (p.command & 8 || p.command == NOP) return;
         Bank &b = banks_[p.bank];
         count_[p.command]++;
+        if (!first_) first_ = clock_;
         if (clock_ * ns_ < T_POWER) fail("a command before power is stable");
         if (clock_ - mode_at_ < 2) fail("tMRD");
         if (p.command != NOP) least(since(refreshed_), T_RFC, "tRFC");
@@ -126,6 +146,7 @@ class Sdram : SdramTimes {
         if (clock_ - b.read < 4) fail("a read is cut off");
         b.open = false;
         b.precharged = clock_;
+        if (clock_ - b.activated < shortest_) shortest_ = clock_ - b.activated;
     }
     void burst(const SdramPins &p, Bank &b) {
         const uint32_t at = p.bank << 22 | b.row << 9 | (p.address & 0x1ff);

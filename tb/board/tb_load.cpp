@@ -3,7 +3,8 @@
  *
  * The tool runs as it would before a board; the bytes of its terminal are the bits of the line. A
  * block of registers answers as rt_top would. Then the line and the buses go wrong, and the tool
- * must say so; and a packet that was left half sent must not hurt the next load.
+ * must say so; and a packet that was left half sent must not hurt the next load. Then packets of
+ * any address and length come, at buses that take their time.
  */
 #include <csignal>
 #include <fcntl.h>
@@ -32,7 +33,12 @@ struct Board {
     uint32_t last_write = 0;
     unsigned busy = 0, bytes = 0, spoilt = 0; /* spoilt: the byte with a wrong bit, from 1 */
     bool slverr = false, deaf = false;
-    std::string sent; /* by the board */
+    std::string sent;          /* by the board */
+    bool slow = false;         /* handshakes and answers wait */
+    std::vector<uint32_t> log; /* address, word and half of each write, while slow */
+    uint32_t address = 0, data = 0, strobe = 0, given = 0;
+    unsigned have = 0,
+             wait = 0; /* 1, 2: address, word of a write are taken; 4: address of a read */
     unsigned out_bit = 0, out_wait = 0, out_byte = 0;
 
     uint32_t read(uint32_t offset) {
@@ -67,7 +73,34 @@ struct Board {
                          (uint32_t)machine.regs[i]);
         return n;
     }
+    /* Buses that wait: valid and what it goes with stand until they are taken. */
+    void slow_clock() {
+        bench::Random &r = b.random;
+        dut.r_awready = dut.m_awready = r.percent(5);
+        dut.r_wready = dut.m_wready = r.percent(5);
+        dut.r_arready = r.percent(5);
+        const bool aw = (dut.r_awvalid && dut.r_awready) || (dut.m_awvalid && dut.m_awready);
+        const bool w = (dut.r_wvalid && dut.r_wready) || (dut.m_wvalid && dut.m_wready);
+        const bool ar = dut.r_arvalid && dut.r_arready, memory_too = dut.m_wvalid;
+        if (aw || ar) address = dut.address_o;
+        if (w) data = dut.data_o, strobe = memory_too ? dut.m_wstrb : 0;
+        have |= aw | w << 1 | ar << 2;
+        if (aw || w || ar) wait = (unsigned)r.below(100);
+        const bool ends = (have == 3 || have == 4) && !wait--;
+        b.tick();
+        b.cycle = 0;
+        const uint32_t noise = (uint32_t)r.next();
+        dut.r_bvalid = ends && have == 3 && address >> 31;
+        dut.m_bvalid = ends && have == 3 && !(address >> 31);
+        dut.r_rvalid = ends && have == 4;
+        dut.r_rdata = ends ? given : noise;
+        dut.r_bresp = dut.m_bresp = dut.r_rresp = (uint8_t)(ends ? slverr * 2 : noise & 3);
+        if (ends && have == 3) log.insert(log.end(), {address, data, strobe});
+        if (ends) have = 0;
+        hear();
+    }
     void clock() {
+        if (slow) return slow_clock();
         const bool aw = dut.r_awvalid, ar = dut.r_arvalid, mem = dut.m_awvalid;
         const uint32_t answer = ar ? read(dut.address_o & 0xfff) : 0;
         if (aw) {
@@ -147,6 +180,76 @@ struct Board {
     }
 };
 
+/* A packet: its bytes, with the check, which is wrong by `error`. */
+void packet(Board &board, bool write, uint32_t address, const std::vector<uint32_t> &words,
+            unsigned error, unsigned pause) {
+    std::vector<unsigned> bytes = {write ? (unsigned)'W' : (unsigned)'R'};
+    const auto add = [&bytes](uint32_t word) {
+        for (int i = 0; i < 4; i++)
+            bytes.push_back(word >> 8 * i & 255);
+    };
+    add(address);
+    if (write) bytes.push_back((unsigned)words.size());
+    if (write)
+        for (uint32_t word : words)
+            add(word);
+    unsigned sum = error;
+    for (unsigned byte : bytes)
+        sum += byte;
+    bytes.push_back(-sum & 255);
+    for (unsigned byte : bytes) {
+        board.speak(byte);
+        board.clocks((unsigned)board.b.random.below(4) + pause);
+        pause = 0; /* it stands behind the first */
+    }
+}
+
+/* Packets of any kind: what the buses get, in order, and the answer, which comes behind theirs. */
+void packets(Board &board, bench::Bench<Vrt_uart_bus> &b) {
+    board.slow = true;
+    for (int i = 0; i < 150; i++) {
+        const bool write = b.random.percent(70);
+        const uint32_t address = (uint32_t)b.random.next();
+        std::vector<uint32_t> words(1 + b.random.below(4)), wanted;
+        const unsigned error = b.random.percent(20) ? 1 + (unsigned)b.random.below(255) : 0;
+        board.slverr = b.random.percent(20);
+        board.given = (uint32_t)b.random.next();
+        board.log.clear();
+        board.sent.clear();
+        for (size_t k = 0; k < words.size(); k++) {
+            const uint32_t at = address + 4 * (uint32_t)k;
+            words[k] = (uint32_t)b.random.next();
+            if (!write || (error && k + 1 == words.size())) continue;
+            wanted.insert(wanted.end(), {at, words[k], at >> 31 ? 0 : at & 4 ? 0xf0u : 0x0fu});
+        }
+        packet(board, write, address, words, error, 0);
+        const bool bad = error || (board.slverr && (!write || !wanted.empty()));
+        board.clocks(1500 + (unsigned)b.random.below(2));
+        b.expect("writes", board.log == wanted, 1);
+        const size_t size = write ? 1 : 5;
+        if (b.expect("bytes of the answer", (uint64_t)board.sent.size(), size)) {
+            for (unsigned k = 0; !write && !error && k < 4; k++)
+                b.expect("a byte that is read", (unsigned char)board.sent[k],
+                         board.given >> 8 * k & 255);
+            b.expect("the answer", board.sent[size - 1], bad ? 'E' : 'K');
+        }
+        if (b.bad()) b.show("address", address, 32), b.show("write", write, 1);
+    }
+    b.done();
+    /* The last clock in which a packet goes on, and the first in which it is forgotten. */
+    board.slverr = false;
+    for (unsigned late = 0; late < 2; late++) {
+        board.sent.clear();
+        board.speak('R');
+        board.clocks((1u << IDLE) - 10 * DIV + late);
+        for (unsigned byte : {0x11u, 0x22u, 0x33u, 0x44u, -(0x52u + 0xaau) & 255})
+            board.speak(byte);
+        board.clocks(1500);
+        b.expect("answers to a packet that stops", (uint64_t)board.sent.size(), late ? 0u : 5u);
+    }
+    b.done();
+}
+
 /* What arrived is what the file has. */
 void same(Board &board, bench::Bench<Vrt_uart_bus> &b) {
     for (uint32_t i = 0; i < board.machine.lines * SPH_LINE_WORDS; i++)
@@ -207,6 +310,7 @@ int main(int argc, char **argv) {
     board.memory.clear();
     b.expect("a load after half a packet", (uint64_t)board.load(tool.c_str(), file.c_str()), 0u);
     same(board, b);
+    packets(board, b);
     sph_machine_free(&machine);
     return b.finish();
 }

@@ -2,7 +2,8 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Words lie in few rows of each bank, so that rows are met, missed and changed; reads and writes
- * come in runs, with pauses, some longer than the time between two refreshes. Bytes are masked.
+ * come in runs, with pauses, some longer than the time between two refreshes. Bytes are masked. In
+ * the end each word lies in the bank, row and column that the module's head says.
  */
 #include <deque>
 #include "Vrt_sdram.h"
@@ -64,8 +65,9 @@ int main(int argc, char **argv) {
     std::deque<Expected> owed;
     dut.cmd_valid_i = 0;
     b.reset();
-    for (uint64_t clock = 0; b.more() && clock < 4000000; clock++) {
-        orders.offer(dut, b.random);
+    unsigned rest = 8; /* clocks until the last word is written */
+    for (uint64_t clock = 0; (b.more() || rest--) && clock < 4000000; clock++) {
+        if (b.more()) orders.offer(dut, b.random);
         dut.eval();
         const bool taken = dut.cmd_valid_i && dut.cmd_ready_o;
         const SdramPins pins = {dut.cke_o != 0, dut.command_o,    dut.ba_o, dut.a_o,
@@ -92,6 +94,13 @@ int main(int argc, char **argv) {
         owed.pop_front();
     }
     if (owed.size() > 3) b.fail("reads were not answered");
+    for (const auto &[at, data] : orders.memory)
+        if (part.word(at >> 7 & 3, at >> 9, (at & 127) * 4) != data) {
+            b.fail("a word lies in another place");
+            break;
+        }
+    if (b.all_vectors && part.shortest() != 3) b.fail("no row is closed as soon as RAS allows");
+    if (part.first() < POWER || part.first() > POWER + 8) b.fail("power-up of another length");
     printf("# %llu activations, %llu reads, %llu writes, %llu refreshes\n",
            (unsigned long long)part.commands(3), (unsigned long long)part.commands(5),
            (unsigned long long)part.commands(4), (unsigned long long)part.commands(1));

@@ -4,7 +4,7 @@
  * Bursts of any length at few rows, with stalls of each channel; clocks of any ratio from 1:4 to
  * 2:1, in any phase. Nobody writes what is read or written at that time; what a write was answered
  * for counts. While the display waits, no more than QUEUE words of others and the few behind its
- * own go before it. A vector is a burst.
+ * own go before it. Now and then all is reset while reads are under way. A vector is a burst.
  */
 #include <deque>
 #include "Vrt_sdram_bus.h"
@@ -30,15 +30,17 @@ struct Writer {
     uint64_t data = 0;
     unsigned strobe = 0;
     bool beat = false, answer = false;
+    uint32_t next_at = 0, next_words = 0; /* a burst whose AW is offered before this one ends */
 };
 
 constexpr uint32_t LAST = 1u << 31;
-constexpr uint64_t POWERED = 300000000; /* ps until the part takes commands */
+constexpr uint64_t POWERED = 300000000; /* ps from a reset until the part takes commands */
 
 class Rig {
   public:
     explicit Rig(bench::Bench<Vrt_sdram_bus> &bench) : b(bench), dut(bench.dut) {}
-    uint64_t longest = 0; /* ps from the display's AR to its last word */
+    uint64_t longest = 0;                            /* ps from the display's AR to its last word */
+    uint64_t reads[READS] = {}, writes[WRITES] = {}; /* bursts */
 
     bool run() {
         dut.rst = dut.mem_rst = 1;
@@ -51,6 +53,9 @@ class Rig {
                 else
                     dut.eval();
                 if (++edges == 40) dut.rst = dut.mem_rst = 0;
+                if (edges % 100000 == 96000) still_ = true;
+                if (edges % 100000 == 99960) restart();
+                if (edges % 100000 == 0) begin();
                 if (edges % 4000 == 0) clk_half_ = 4000 + b.random.below(28000);
             } else {
                 mem_at_ += 8000;
@@ -71,11 +76,27 @@ class Rig {
     Vrt_sdram_bus &dut;
     Sdram part_{16.0};
     uint64_t clk_at_ = 0, mem_at_ = 500, clk_half_ = 20000, asked_at_ = 0;
+    uint64_t powered_ = POWERED;
     uint16_t out_ = 0;
     Reader readers_[READS];
     Writer writers_[WRITES];
     std::unordered_map<uint32_t, uint64_t> words_;
     Counts reading_, writing_;
+    bool still_ = false; /* nobody begins to write */
+
+    void begin() {
+        if (dut.rst) part_.restart(), powered_ = clk_at_ + POWERED;
+        dut.rst = dut.mem_rst = still_ = false;
+    }
+    /* All is reset, and who reads gets no answer; what was written lies in memory. */
+    void restart() {
+        for (const Writer &w : writers_)
+            if (w.words || w.answer) return;
+        dut.rst = dut.mem_rst = 1;
+        for (Reader &r : readers_)
+            r = Reader();
+        reading_.clear();
+    }
 
     void memory() {
         const SdramPins pins = {dut.cke_o != 0, dut.command_o,    dut.ba_o, dut.a_o,
@@ -107,7 +128,9 @@ class Rig {
             const bool more =
                 i ? b.random.percent(20) : b.random.percent(5) && r.owed.size() < 40 && !r.before;
             if (!r.asked && (lone || more)) {
-                r.words = 1 + (uint32_t)b.random.below(i && b.random.percent(10) ? 40 : DEPTH);
+                r.words = 1 + (uint32_t)b.random.below(!i || b.random.percent(90) ? DEPTH
+                                                       : b.random.percent(90)     ? 40
+                                                                                  : 256);
                 r.at = place();
                 r.asked = none(writing_, r.at, r.words);
                 for (uint32_t k = 0; r.asked && k < r.words; k++)
@@ -121,7 +144,17 @@ class Rig {
         }
         for (int i = 0; i < WRITES; i++) {
             Writer &w = writers_[i];
-            if (!w.address && !w.words && !w.answer && b.random.percent(30)) {
+            if (w.words && !w.address && !w.next_words && !still_ && b.random.percent(10)) {
+                w.next_words = 1 + (uint32_t)b.random.below(5);
+                w.next_at = place();
+                if (!none(writing_, w.next_at, w.next_words) ||
+                    !none(reading_, w.next_at, w.next_words))
+                    w.next_words = 0;
+                for (uint32_t k = 0; k < w.next_words; k++)
+                    writing_[w.next_at + k & 0x3fffff]++;
+            }
+            if (!w.address && !w.words && !w.answer && !w.next_words && !still_ &&
+                b.random.percent(30)) {
                 w.words = 1 + (uint32_t)b.random.below(5);
                 w.at = place();
                 w.sent = 0;
@@ -135,10 +168,11 @@ class Rig {
                 w.data = b.random.next();
                 w.strobe = b.random.percent(50) ? 255 : (unsigned)b.random.below(256);
             }
-            if (w.address) dut.s_awvalid |= 1 << i;
+            if (w.address || w.next_words) dut.s_awvalid |= 1 << i;
             if (w.beat) dut.s_wvalid |= 1 << i;
             dut.s_wlast = (dut.s_wlast & ~(1 << i)) | (w.sent + 1 == w.words) << i;
-            bench::put(dut.s_awaddr, 32 * i, 32, (bench::i128)w.at << 3);
+            bench::put(dut.s_awaddr, 32 * i, 32,
+                       (bench::i128)(w.next_words ? w.next_at : w.at) << 3);
             bench::put(dut.s_wdata, 64 * i, 64, (bench::i128)w.data);
             bench::put(dut.s_wstrb, 8 * i, 8, w.strobe);
             if (b.random.percent(70)) dut.s_bready |= 1 << i;
@@ -160,7 +194,7 @@ class Rig {
         for (int i = 0; i < READS; i++)
             read(i, ar >> i & 1, r >> i & 1, data[i], last >> i & 1);
         for (int i = 0; i < WRITES; i++)
-            written(writers_[i], aw >> i & 1, w >> i & 1, bs >> i & 1);
+            written(i, aw >> i & 1, w >> i & 1, bs >> i & 1);
     }
     void read(int i, bool ar, bool r, uint64_t data, bool last) {
         Reader &me = readers_[i];
@@ -172,9 +206,9 @@ class Rig {
             b.expect("s_rlast", last, me.owed.front() >> 31);
             reading_[at]--;
             me.owed.pop_front();
-            if (last) b.done();
+            if (last) b.done(), reads[i]++;
             if (last && me.owed.empty() && me.before) {
-                if (asked_at_ > POWERED && clk_at_ - asked_at_ > longest)
+                if (asked_at_ > powered_ && clk_at_ - asked_at_ > longest)
                     longest = clk_at_ - asked_at_;
                 me.before = 0;
             }
@@ -190,24 +224,35 @@ class Rig {
             me.owed.push_back((me.at + k & 0x3fffff) | (k + 1 == me.words ? LAST : 0));
         if (i) me.before = 0;
     }
-    void written(Writer &me, bool aw, bool w, bool answered) {
-        if (aw) me.address = false, me.answer = true;
+    void written(int i, bool aw, bool w, bool answered) {
+        Writer &me = writers_[i];
+        const bool next = aw && me.next_words;
+        if (aw && !next) me.address = false, me.answer = true;
         if (w) {
             uint64_t &was = words_[me.at + me.sent & 0x3fffff];
-            for (int i = 0; i < 8; i++) {
-                const uint64_t byte = me.strobe >> i & 1 ? 0xffull << 8 * i : 0;
+            for (int k = 0; k < 8; k++) {
+                const uint64_t byte = me.strobe >> k & 1 ? 0xffull << 8 * k : 0;
                 was = (was & ~byte) | (me.data & byte);
             }
             me.beat = false;
             me.sent++;
         }
-        if (!answered) return;
-        if (!me.answer || me.sent != me.words) return b.fail("an answer to a write that lasts");
-        for (uint32_t k = 0; k < me.words; k++)
-            writing_[me.at + k & 0x3fffff]--;
-        me.words = 0;
-        me.answer = false;
-        b.done();
+        if (answered) {
+            if (!me.answer || me.sent != me.words) return b.fail("an answer to a write that lasts");
+            for (uint32_t k = 0; k < me.words; k++)
+                writing_[me.at + k & 0x3fffff]--;
+            me.words = 0;
+            me.answer = false;
+            b.done();
+            writes[i]++;
+        }
+        if (!next) return;
+        if (me.words) return b.fail("AW is taken while a burst lasts");
+        me.at = me.next_at;
+        me.words = me.next_words;
+        me.sent = me.next_words = 0;
+        me.beat = false;
+        me.answer = true;
     }
 };
 
@@ -217,6 +262,10 @@ int main(int argc, char **argv) {
     bench::Bench<Vrt_sdram_bus> b("tb_sdram_bus", argc, argv, 20000);
     Rig rig(b);
     rig.run();
+    for (uint64_t bursts : rig.reads)
+        if (!bursts && b.all_vectors) b.fail("a reader waits");
+    for (uint64_t bursts : rig.writes)
+        if (!bursts && b.all_vectors) b.fail("a writer waits");
     printf("# the display's longest wait for a burst of up to %d words: %.1f us\n", DEPTH,
            (double)rig.longest / 1e6);
     return b.finish();

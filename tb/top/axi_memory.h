@@ -8,9 +8,11 @@
 #ifndef TB_AXI_MEMORY_H
 #define TB_AXI_MEMORY_H
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <deque>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -31,8 +33,10 @@ struct Manner {
 /* What is common to both directions: what was offered and not taken must stand. */
 class Channel {
   public:
-    std::string broken;    /* the first rule that was broken */
-    bool in_reset = false; /* the bus takes and gives nothing, and looks at nothing */
+    std::string broken;          /* the first rule that was broken */
+    bool in_reset = false;       /* the bus takes and gives nothing, and looks at nothing */
+    uint64_t silent = 0;         /* clocks up to now in which it owed something and did nothing */
+    std::vector<uint32_t> above; /* address bits 31..26 that bursts may have; none: any */
 
     void stable(const char *name, unsigned which, bool valid, bool ready, uint64_t payload) {
         Held &h = held_[which];
@@ -42,6 +46,8 @@ class Channel {
     void burst(const char *name, uint32_t address, unsigned beats, unsigned bytes) {
         if ((address & 0xfff) + beats * bytes > 0x1000) fault(name, "crosses 4 KiB");
         if (address % bytes) fault(name, "is not aligned to a beat");
+        if (!above.empty() && std::find(above.begin(), above.end(), address >> 26) == above.end())
+            fault(name, "has another address");
     }
     void fault(const char *name, const char *what) {
         if (broken.empty()) broken = std::string(name) + " " + what;
@@ -115,6 +121,8 @@ class ReadSide : public Channel {
     }
     template <class Ports> void take(const Ports &t) {
         if (in_reset) return;
+        const bool moves = t.rvalid || (t.arvalid && t.arready);
+        silent = (t.arvalid || !queue_.empty()) && !moves ? silent + 1 : 0;
         stable("AR", 0, t.arvalid, t.arready, (uint64_t)t.araddr << 8 | t.arlen);
         if (t.arvalid && t.arready) {
             unsigned beats = t.arlen + 1u;
@@ -157,6 +165,7 @@ class WriteSide : public Channel {
   public:
     Manner manner;
     uint64_t requests = 0, answers = 0, beats = 0;
+    std::map<uint32_t, uint8_t> *log = nullptr; /* takes what is written, in place of memory */
 
     WriteSide(std::vector<uint8_t> &bytes, bench::Random &random)
         : bytes_(bytes), random_(random) {}
@@ -187,6 +196,11 @@ class WriteSide : public Channel {
     }
     template <class Top> void take(Top &t) {
         if (in_reset) return;
+        const bool w = t.m_frame_wvalid && t.m_frame_wready;
+        const bool moves = t.m_frame_bvalid || w || (t.m_frame_awvalid && t.m_frame_awready);
+        const bool owes =
+            t.m_frame_awvalid || t.m_frame_wvalid || !addresses_.empty() || !owed_.empty();
+        silent = owes && !moves ? silent + 1 : 0;
         stable("AW", 0, t.m_frame_awvalid, t.m_frame_awready,
                (uint64_t)t.m_frame_awaddr << 8 | t.m_frame_awlen);
         stable("W", 1, t.m_frame_wvalid, t.m_frame_wready,
@@ -226,7 +240,8 @@ class WriteSide : public Channel {
             const Beat &b = data_.front();
             for (unsigned i = 0; i < DATA / 8; i++)
                 if (b.strobe >> i & 1)
-                    bytes_[(a.address + i) % bytes_.size()] = (uint8_t)(b.data >> 8 * i);
+                    (log ? (*log)[a.address + i] : bytes_[(a.address + i) % bytes_.size()]) =
+                        (uint8_t)(b.data >> 8 * i);
             a.address += DATA / 8;
             a.beats--;
             if (b.last != (a.beats == 0)) fault("W", "has another number of beats than AWLEN");

@@ -7,11 +7,14 @@
  * bus, twice, and draws what came with the golden model. So all around the core is as it is built,
  * and builds in seconds.
  */
+#define SCRIPTED
 #include "top/tb_top.cpp"
 
-#include <algorithm>
-
 namespace {
+
+struct Pixel {
+    int x, y, colour[4]; /* Rendering, L1, L2, the chosen one */
+};
 
 struct GoldenCore {
     sph_machine machine{};
@@ -19,6 +22,10 @@ struct GoldenCore {
     sph_frame frame{};
     sph_counters counters{};
     std::vector<int> order; /* pixels as they leave */
+    bool scripted = false;  /* draws nothing: these pixels, errors and counts instead */
+    std::vector<Pixel> script;
+    int errors = 0;
+    uint64_t counts[32] = {};
 } core;
 
 } // namespace
@@ -44,6 +51,7 @@ void golden_beat(int number, long long data) {
 
 /* The bits of its errors; with bad lines, which the model might not survive, all is black. */
 int golden_draw(int bad) {
+    if (core.scripted) return core.errors;
     struct sph_error err = {{0}};
     sph_machine &m = core.machine;
     m.mem = core.memory.data();
@@ -67,6 +75,13 @@ int golden_draw(int bad) {
 
 /* The next pixel; 0 behind the last. */
 int golden_pixel(int number, int *x, int *y, int *rendering, int *l1, int *l2, int *chosen) {
+    if (core.scripted) {
+        if ((size_t)number >= core.script.size()) return 0;
+        const Pixel &p = core.script[(size_t)number];
+        *x = p.x, *y = p.y;
+        *rendering = p.colour[0], *l1 = p.colour[1], *l2 = p.colour[2], *chosen = p.colour[3];
+        return 1;
+    }
     if ((size_t)number >= core.order.size()) return 0;
     int at = core.order[(size_t)number];
     const struct sph_pixel &pixel = core.frame.pixels[at];
@@ -81,6 +96,114 @@ int golden_pixel(int number, int *x, int *y, int *rendering, int *l1, int *l2, i
 }
 
 long long golden_count(int number) {
-    return (long long)core.counters.count[number];
+    return (long long)(core.scripted ? core.counts[number] : core.counters.count[number]);
 }
+}
+
+namespace {
+
+/* What rt_frame_groups makes of pixels that come one by one: bursts, pixels in them. */
+struct Groups {
+    struct Group {
+        int mask = 0, column = 0, y = 0;
+    } held[16];
+    uint64_t bursts = 0, pixels = 0;
+
+    void leave(Group &g) {
+        bursts += g.mask != 0;
+        pixels += (uint64_t)__builtin_popcount((unsigned)g.mask);
+        g.mask = 0;
+    }
+    void put(const Pixel &p) {
+        Group &g = held[p.y % 16];
+        if (g.mask && (g.column != p.x / 8 || g.y != p.y)) leave(g);
+        g = {g.mask | 1 << p.x % 8, p.x / 8, p.y};
+        if (g.mask == 255) leave(g);
+    }
+    void flush() {
+        for (Group &g : held)
+            leave(g);
+    }
+};
+
+/* Groups of a few places anywhere in 16384 x 16384: whole ones, and a pixel here and there. */
+std::vector<Pixel> pixels(bench::Random &r) {
+    std::vector<Pixel> made;
+    int columns[3], rows[6];
+    for (int &column : columns)
+        column = (int)r.below(2048) * 8;
+    for (int &row : rows)
+        row = (int)r.below(16384);
+    while (made.size() < 300) {
+        const int x = columns[r.below(3)], y = rows[r.below(6)], first = (int)r.below(8);
+        const int n = r.percent(40) ? 9 : 1; /* the ninth is the first once more */
+        for (int i = 0; i < n; i++) {
+            Pixel p = {x + (first + i) % 8, y, {}};
+            for (int &colour : p.colour)
+                colour = (int)r.below(1 << 24);
+            made.push_back(p);
+        }
+    }
+    return made;
+}
+
+} // namespace
+
+/* Pixels, errors and counters that no frame of a small machine has. */
+static void scripted(Checks &c, const Golden &any) {
+    TopHost &t = c.top;
+    sphaera_reset(&t.driver, 0, POLLS);
+    t.scene.behave({});
+    t.frame.behave({});
+    c.load(any, SCENE_A);
+    core.scripted = true;
+    for (int i = 0; i < 12; i++) {
+        std::map<uint32_t, uint8_t> wanted, written;
+        const unsigned mux = (unsigned)t.random.below(4);
+        const bool half = t.random.percent(50);
+        uint32_t frames[3];
+        for (uint32_t &frame : frames)
+            frame = (uint32_t)t.random.next() & SPHAERA_FRAME0_PLACE;
+        const uint32_t stride = 32 * (uint32_t)t.random.below(2048);
+        core.script = pixels(t.random);
+        core.errors = i & 1 ? 0 : (int)t.random.below(64);
+        for (uint64_t &count : core.counts)
+            count = t.random.next() >> 16;
+        sphaera_store(&t.driver, frames, stride, half);
+        sphaera_mux(&t.driver, mux);
+        sphaera_set(&t.driver, SPH_REG_MEM_LINES, 8 + 4 * i);
+        t.scene.behave({});
+        t.frame.behave({});
+        t.frame.log = &written;
+        c.equals("start", (uint64_t)sphaera_start(&t.driver, 0), SPHAERA_OK);
+        c.equals("wait", (uint64_t)sphaera_wait(&t.driver, POLLS),
+                 core.errors ? SPHAERA_FAILED : SPHAERA_OK);
+        t.frame.log = nullptr;
+        Groups groups;
+        const uint32_t base = frames[c.drawn()];
+        for (const Pixel &p : core.script) {
+            groups.put(p);
+            const uint32_t colour = (uint32_t)p.colour[(mux + 3) % 4];
+            const uint32_t red = colour & 255, green = colour >> 8 & 255, blue = colour >> 16;
+            uint32_t value = half ? (red >> 3) << 11 | (green >> 2) << 5 | blue >> 3
+                                  : red << 16 | green << 8 | blue;
+            uint32_t at = base + (uint32_t)p.y * stride + (uint32_t)p.x * (half ? 2 : 4);
+            for (int k = 0; k < (half ? 2 : 4); k++, value >>= 8)
+                wanted[at++] = (uint8_t)value;
+        }
+        groups.flush();
+        c.note("bytes of the frame", written == wanted);
+        uint64_t n[SPHAERA_COUNTS];
+        t.clocks(t.random.below(3));
+        sphaera_counters(&t.driver, n);
+        for (int k = 0; k < 32; k++)
+            c.equals("counter of the core", n[k], core.counts[k]);
+        c.equals("READ_BURSTS", n[SPHAERA_COUNT_READ_BURSTS], t.scene.requests);
+        c.equals("WRITE_BURSTS", n[SPHAERA_COUNT_WRITE_BURSTS], groups.bursts);
+        c.equals("WRITE_PIXELS", n[SPHAERA_COUNT_WRITE_PIXELS], groups.pixels);
+        c.equals("errors of the core", sphaera_errors(&t.driver), (uint64_t)core.errors);
+        c.equals("each is told once", t.read(SPHAERA_ERRORS), 0);
+    }
+    core.scripted = false;
+    c.done("pixels, errors and counters of any kind");
 }

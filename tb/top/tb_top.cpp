@@ -6,6 +6,10 @@
 #include "top_display.h"
 #include "top_faults.h"
 
+#ifdef SCRIPTED
+static void scripted(Checks &c, const Golden &any);
+#endif
+
 /* Every bit of every setting, each by itself; a reset gives all what they had. */
 static void settings(Checks &c) {
     static const struct {
@@ -27,6 +31,7 @@ static void settings(Checks &c) {
                {0x070, 0x1fff1fff}};
     TopHost &t = c.top;
     uint32_t first[std::size(all)], copy[std::size(all)];
+    t.stall = 40;
     t.reset();
     for (size_t i = 0; i < std::size(all); i++)
         first[i] = copy[i] = t.read(all[i].at);
@@ -45,11 +50,41 @@ static void settings(Checks &c) {
     t.reset();
     for (size_t i = 0; i < std::size(all); i++)
         c.equals("setting after a reset", t.read(all[i].at), first[i]);
+    t.stall = 0;
     c.done("settings: each bit, strobes, reset");
 }
 
-static void registers(Checks &c) {
+/* Registers that are only read, as they stand before the first frame. */
+static void fixed(Checks &c, const Golden &a) {
     TopHost &t = c.top;
+    const uint32_t known[][2] = {
+        {SPHAERA_ID, SPHAERA_ID_RESET},
+        {SPHAERA_VERSION, SPHAERA_VERSION_RESET},
+        {SPHAERA_CORE_PROFILE, (uint32_t)a.machine.regs[SPH_REG_PROFILE]},
+        {SPHAERA_CORE_EFFECTS, t.driver.effects},
+        {SPHAERA_CORE_PARTS, t.driver.parts},
+        {SPHAERA_CORE_BUS, DATA | SPHAERA_CORE_BUS_VIDEO},
+        {SPHAERA_CONTROL, 0},
+        {SPHAERA_STATUS, SPHAERA_STATUS_BLANK},
+        {SPHAERA_FRAME_COUNT, 0},
+        {SPHAERA_ERRORS, 0},
+        {SPHAERA_INTERRUPTS, 0},
+    };
+    for (const auto &[at, value] : known) {
+        t.write(at, 0);
+        c.equals("a register that is only read takes a write", (uint64_t)t.response, OKAY);
+        c.equals("and is what it was", t.read(at), value);
+        c.equals("it answers", (uint64_t)t.response, OKAY);
+    }
+    for (uint32_t i : {0u, 31u, SPHAERA_COUNTS - 1u}) {
+        t.write(SPHAERA_COUNTERS + 8 * i, 0);
+        c.equals("so does a counter", (uint64_t)t.response, OKAY);
+    }
+}
+
+static void registers(Checks &c, const Golden &a) {
+    TopHost &t = c.top;
+    fixed(c, a);
     for (uint32_t i = 0; i < SPHAERA_MACHINE_REGISTERS; i++)
         c.equals("0 after a reset", t.read(SPHAERA_MACHINE + 4 * i), 0);
     c.equals("ID", t.read(SPHAERA_ID), SPHAERA_ID_RESET);
@@ -133,14 +168,49 @@ static void counters(Checks &c, const Golden &a) {
            (double)n[SPHAERA_COUNT_WRITE_PIXELS] / (double)n[SPHAERA_COUNT_WRITE_BURSTS],
            (unsigned long long)n[SPHAERA_COUNT_READ_BURSTS],
            (unsigned long long)n[SPHAERA_COUNT_CYCLES]);
+    for (int i = 0; i < 8; i++) { /* they stand still, however often they are asked */
+        uint64_t again[SPHAERA_COUNTS];
+        c.top.clocks(c.top.random.below(20));
+        sphaera_counters(&c.top.driver, again);
+        for (uint32_t k = 0; k < SPHAERA_COUNTS; k++)
+            c.equals("a counter between two frames", again[k], n[k]);
+    }
     uint64_t cold = n[SPHAERA_COUNT_READ_BURSTS];
     c.equals("start", (uint64_t)sphaera_start(&c.top.driver, 1), SPHAERA_OK);
     c.equals("draw", (uint64_t)sphaera_wait(&c.top.driver, POLLS), SPHAERA_OK);
     c.same(a, c.newest(), c.depth(a));
+    c.equals("none changes without SNAPSHOT",
+             c.top.read(SPHAERA_COUNTERS + 8 * SPHAERA_COUNT_READ_BURSTS), cold);
     c.top.write(SPHAERA_CONTROL, SPHAERA_CONTROL_SNAPSHOT); /* a read waits until it is taken */
     uint32_t warm = c.top.read(SPHAERA_COUNTERS + 8 * SPHAERA_COUNT_READ_BURSTS);
     c.note("KEEP_CACHE: lines are not read again", warm < cold);
     c.done("counters");
+}
+
+/* Scene and frames anywhere in 4 GB: all bits of addresses are what they should be. */
+static void far(Checks &c, const Golden &a, const Golden &b) {
+    TopHost &t = c.top;
+    for (int i = 0; i < 6; i++) {
+        const uint32_t scene = (uint32_t)t.random.next() & 0xfcfff000;
+        t.scene.above = {scene >> 26};
+        t.frame.above.clear();
+        for (uint32_t k = 0; k < 3; k++) {
+            const uint32_t free = i & 2 ? 0xfc7effc0 : 0xfc77ffc0; /* there is room behind it */
+            c.stores[k] = ((uint32_t)t.random.next() & free) + STORE + k * 0x800000;
+            t.frame.above.push_back(c.stores[k] >> 26);
+        }
+        c.store(2560 + 32 * (uint32_t)t.random.below(8), i & 1);
+        c.whole(i & 1 ? b : a, scene);
+        unsigned shown = 0;
+        c.equals("take", (uint64_t)sphaera_take(&t.driver, &shown), SPHAERA_OK);
+        c.equals("its address", t.dut.show_base_o, c.stores[shown]);
+    }
+    t.scene.above.clear();
+    t.frame.above.clear();
+    for (uint32_t k = 0; k < 3; k++)
+        c.stores[k] = STORE + k * APART;
+    c.store(2560, 0);
+    c.done("scene and frames anywhere in 4 GB");
 }
 
 static void busy(Checks &c, const Golden &a, const Golden &b) {
@@ -218,14 +288,18 @@ int main(int argc, char **argv) {
     Golden a(argv[1]), b(argv[2]);
     auto c = std::make_unique<Checks>(argc > 3 ? strtoull(argv[3], nullptr, 0) : 1);
     settings(*c);
-    registers(*c);
+    registers(*c, a);
     frames(*c, a, b);
     counters(*c, a);
+    far(*c, a, b);
     busy(*c, a, b);
     store(*c, a);
     answers(*c, a, b);
     resets(*c, a, b);
     silence(*c, a, b);
     if (c->top.driver.built & SPHAERA_CORE_BUS_VIDEO) display(*c, a, b);
+#ifdef SCRIPTED
+    scripted(*c, b);
+#endif
     return c->finish();
 }

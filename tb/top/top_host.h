@@ -27,8 +27,9 @@ class TopHost {
     struct sphaera driver;
     uint64_t cycle = 0;
     uint64_t irq_at = 0; /* the first clock with an interrupt since this was set to 0 */
-    unsigned stall = 0;  /* percent, of the registers' bus */
-    int response = 0;    /* of the last access to a register */
+    uint64_t scene_silent = 0, frame_silent = 0, scan_silent = 0; /* in that clock */
+    unsigned stall = 0; /* percent, of the registers' bus */
+    int response = 0;   /* of the last access to a register */
     bool hangs = false;
 
     explicit TopHost(uint64_t seed)
@@ -62,7 +63,11 @@ class TopHost {
         dut.clk = 1;
         dut.eval();
         cycle++;
-        if (dut.irq_o && !irq_at) irq_at = cycle;
+        if (!dut.irq_o || irq_at) return;
+        irq_at = cycle;
+        scene_silent = scene.silent;
+        frame_silent = frame.silent;
+        scan_silent = scan.silent;
     }
     void clocks(uint64_t n) {
         while (n--)
@@ -122,7 +127,7 @@ class TopHost {
             ((TopHost *)user)->write(offset, value);
         };
         b.put = [](void *user, uint32_t address, const uint8_t *from, uint32_t count) {
-            memcpy(&((TopHost *)user)->bytes[address], from, count);
+            memcpy(&((TopHost *)user)->bytes[address % MEMORY], from, count);
         };
         b.user = this;
         return b;

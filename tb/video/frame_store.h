@@ -36,7 +36,7 @@ inline uint32_t colour_of(const std::vector<uint8_t> &bytes, size_t at, bool rgb
 
 class FrameStore {
   public:
-    static constexpr uint32_t BASE[3] = {0x10000000, 0x200007c0, 0xf0000040};
+    uint32_t base[3] = {0x10000000, 0x600007c0, 0xf0000040}; /* other ones as frames are shown */
     int stalls = 0;       /* percent of the clocks in which a channel does nothing */
     unsigned latency = 5; /* clocks from an address to its first beat */
     bool dead = false;    /* gives no beat */
@@ -90,7 +90,7 @@ class FrameStore {
             put_word(dut.m_scan_rdata, i / 4, word);
         }
         dut.show_valid_i = show_valid;
-        dut.show_base_i = BASE[shown];
+        dut.show_base_i = base[shown];
     }
 
   private:
@@ -130,16 +130,16 @@ class FrameStore {
         if (at % beat) fail("an address that is not aligned");
         if (at / 4096 != (at + n * beat - 1) / 4096) fail("a burst across 4 KiB");
         if (!show_valid) fail("a read while no frame is complete");
-        const uint32_t offset = at - BASE[frame_at(at)];
+        const uint32_t offset = at - base[frame_at(at)];
         if (!inside(form, offset, n) && !inside(before, offset, n))
             fail("a read beside the rows of a frame");
         owed.push_back({at, n, 1 + latency});
         bursts++;
         if (owed.size() > depth) depth = (unsigned)owed.size();
     }
-    static unsigned frame_at(uint32_t at) {
+    unsigned frame_at(uint32_t at) const {
         unsigned f = 0;
-        while (f < 2 && at - BASE[f] >= 0x08000000)
+        while (f < 2 && at - base[f] >= 0x08000000)
             f++;
         return f;
     }
@@ -155,7 +155,10 @@ class FrameStore {
             b = (uint8_t)random.next();
         show_valid = !nothing;
         if (show_valid) {
-            if (!random.percent(30)) shown = (shown + 1) % 3;
+            if (!random.percent(30)) {
+                shown = (shown + 1) % 3;
+                base[shown] = (shown * 0x55000000 + (uint32_t)random.below(0x4d000000)) & ~63u;
+            }
             frame[shown].resize((size_t)form.stride * form.rows());
             for (uint8_t &b : frame[shown])
                 b = (uint8_t)random.next();
@@ -173,7 +176,7 @@ class FrameStore {
         const uint32_t at = owed.front().at;
         owed.front().at += beat;
         const unsigned f = frame_at(at);
-        const uint32_t offset = at - BASE[f];
+        const uint32_t offset = at - base[f];
         beats++;
         for (unsigned k = 0; k < beat; k++)
             data[k] = offset + k < frame[f].size() ? frame[f][offset + k] : 0xa5;

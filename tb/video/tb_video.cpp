@@ -52,6 +52,11 @@ Mode make_mode(bench::Random &random, const Rig &rig, Shape &s) {
          part(3),
          (unsigned)random.below(2),
          (unsigned)random.below(2)};
+    if (random.percent(2)) { /* one part of any length that there may be */
+        unsigned *const parts[] = {&m.h_active, &m.h_front, &m.h_sync, &m.h_back,
+                                   &m.v_active, &m.v_front, &m.v_sync, &m.v_back};
+        *parts[random.below(8)] = part(8191);
+    }
     s = {m.h_active, m.v_active, random.percent(50), random.percent(50), 0};
     s.stride = (s.row_bytes() + 15) / 16 * 16 + 16 * (unsigned)random.below(3);
     const unsigned beats = s.row_bytes() / (DATA / 8) + 1, bursts = beats / BURST + 2;
@@ -61,7 +66,7 @@ Mode make_mode(bench::Random &random, const Rig &rig, Shape &s) {
     if (m.h_total() < row) m.h_back += row - m.h_total();
     const double start = (DEPTH + (DEPTH + 60 + 2 * rig.store.latency) * slow) * clk + DEPTH + 60;
     m.v_back += (unsigned)(start / m.h_total()) + 1;
-    return m;
+    return m.h_back < 8192 && m.v_back < 8192 ? m : make_mode(random, rig, s);
 }
 
 class Check {
@@ -219,6 +224,7 @@ int main(int argc, char **argv) {
     Check check(b);
     b.dut.enable_i = 0;
     check.rig.reset(4, 4);
+    if (check.rig.wrong) b.fail(check.rig.what.c_str());
 #ifdef PRESETS
     check.presets();
 #else
