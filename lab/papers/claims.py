@@ -129,12 +129,12 @@ PARK = [
     ("Table I", "12, 13, 2, 2, 2 with P_b at the hit",
      "9, 9, 1, 1, 2: the mended formula is shorter", "make textures", "other"),
     ("Table I", "hit rates of 74 to 80 % without, 94 to 99 % with MIP-mapping",
-     "51 to 53 %, and 91 to 96 %; in its own scenes 55 to 77 %, and 83 to 98 % "
+     "51 to 53 %, and 91 to 96 %; in its own scenes 58 to 77 %, and 83 to 96 % "
      "([bart.md](bart.md#table-i-cache)); a cache line holds 8 texels, of the paper's nothing is "
      "told", "make textures", "same in kind"),
     ("Table I", "3.7, 6.3, 6.4 frames a second",
-     "in its own scenes 1.7, 2.8 and 6.7 at 84 MHz with one pipe, 3.5, 5.7 and 13.3 with two, by "
-     "tiles of the RTL, with all lights and two reflections ([bart.md](bart.md))",
+     "in its own scenes 1.9, 3.4 and 6.8 at 84 MHz with one pipe, 3.8, 6.9 and 13.5 with two, by "
+     "frames of the RTL, with all lights and two reflections ([bart.md](bart.md))",
      "make bart BART=FOLDER", "other"),
     ("Table I", "MIP-mapping adds 5 to 24 % frames a second",
      "up to 8 % behind an SDRAM, twofold and more with a tenth of its bytes, else nothing",
