@@ -40,7 +40,7 @@ static void look(void *user, const struct sph_logged *logged) {
     } else {
         s.depth_max = any || !key ? s.ray.depth_max : sph_ray_depth(log->profile, &s.ray, key);
     }
-#pragma omp critical(sights)
+#pragma omp critical
     keep(log, &s);
 }
 
