@@ -26,6 +26,7 @@ const Vector corners[] = {
     {(uint64_t)1 << (WD - 5), 65536, 0, 0, 0, 0, 0, 0},       /* half a unit: up */
     {((uint64_t)1 << (WD - 5)) - 1, 65536, 0, 0, 0, 0, 0, 0}, /* just below */
     {KMAX, 131071, WD - 1, PMAX, 12, 3, 0, 0},                /* no shift is left */
+    {(uint64_t)1 << (KW - 6), 65536, WD - 1, 0, 12, 0, 0, 0}, /* one bit of the sum, beyond it */
     {1000, 65536, 0, 16, 0, 8, 0, 0},                         /* as much as before: twice */
     {1000, 65536, 0, 16, 1, 8, 0, 0},                         /* less: nothing */
     {1000, 65536, 0, 15, 0, 8, 0, 0},                         /* just less */

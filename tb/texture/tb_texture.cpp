@@ -3,11 +3,13 @@
  *
  * Every slot follows a pixel: rays, their hits, surfaces with and without texture. Memory holds
  * sound and broken records, headers and texels; it answers late and in bursts. A vector is a
- * surface; in between the word of a pixel is read. The model's cache, given what the unit asks of
- * its cache and what memory answers, says in which clocks miss_o must be high.
+ * surface; in between the word of a pixel is read. Now and then a reset ends all that is under way.
+ * The model's cache, given what the unit asks of its cache and what memory answers, says in which
+ * clocks miss_o must be high.
  * Compiled with -O0, for it has few vectors.
  */
 #include <deque>
+#include <memory>
 #include <vector>
 
 #include "Vrt_texture.h"
@@ -67,15 +69,10 @@ class Run {
     Run(int argc, char **argv)
         : b("tb_texture", argc, argv, 6000), shape(t.rootp->rt_texture__DOT__cache_shape),
           seen(t.rootp->rt_texture__DOT__cache_seen),
-          looked(t.rootp->rt_texture__DOT__u_cache__DOT__looked),
-          prediction(shape >> 16, shape >> 8 & 255, shape & 255) {
+          looked(t.rootp->rt_texture__DOT__u_cache__DOT__looked) {
         memory.fill(b.random);
-        t.in_valid_i = 0;
-        t.flush_i = t.word_read_i = t.mem_rsp_valid_i = t.mem_req_ready_i = 0;
         bench::put(t.regs_i, RT_REGS_MEM_LINES, LINES_IN_MEMORY);
-        b.reset();
-        for (int i = 0; i < 2 * SLOTS; i++)
-            b.tick();
+        reset();
     }
 
     /* A clock; 0 at the end. Texels were counted when their surfaces were told, so those that are
@@ -84,6 +81,7 @@ class Run {
         more = b.more();
         if (more) last = b.cycle;
         if (!more && (!under_way(slots) || b.cycle > last + 20000)) return false;
+        if (more && b.cycle % 256 == 200 && b.random.percent(40)) reset();
         if (b.cycle % 2048 == 0) {
             pace = b.random.percent(40) ? 100 : (unsigned)b.random.between(5, 60);
             reading = b.random.percent(40) ? 100 : (unsigned)b.random.between(5, 60);
@@ -94,6 +92,7 @@ class Run {
         drive_memory();
         b.settle();
         take_requests();
+        if (t.path_valid_o) check_path();
         if (t.out_valid_o) surface();
         read_material();
         if (told >= 0) slots[(size_t)told].state = Slot::TOLD;
@@ -115,6 +114,20 @@ class Run {
     }
 
   private:
+    /* Whatever is under way is forgotten. */
+    void reset() {
+        t.in_valid_i = t.word_read_i = t.mem_rsp_valid_i = t.mem_req_ready_i = t.flush_i = 0;
+        b.reset();
+        for (int i = 0; i < 2 * SLOTS; i++)
+            b.tick();
+        slots = std::vector<Slot>(SLOTS);
+        asked.clear();
+        texels = texels_asked;
+        must_miss = false, drain = true;
+        word_slot = material_slot = -1;
+        prediction = std::make_unique<CachePrediction>(shape >> 16, shape >> 8 & 255, shape & 255);
+    }
+
     struct Line {
         uint32_t line;
         uint64_t when;
@@ -132,7 +145,7 @@ class Run {
     unsigned pace = 100, latency = 3, reading = 100;
     const uint32_t shape, &seen;
     const uint8_t &looked;
-    CachePrediction prediction;
+    std::unique_ptr<CachePrediction> prediction;
     int word_slot = -1, material_slot = -1;
 
     /* Registers change, and the cache is flushed, while nothing is inside. */
@@ -269,10 +282,19 @@ class Run {
         if (t.mem_rsp_valid_i && t.mem_rsp_ready_o) asked.pop_front();
         texels_asked += t.texel_o;
         if (t.miss_o != must_miss) b.fail("another miss than the model's");
-        must_miss = prediction.texture(seen, looked);
-        if (prediction.impossible()) b.fail("a lookup that the model refuses");
+        must_miss = prediction->texture(seen, looked);
+        if (prediction->impossible()) b.fail("a lookup that the model refuses");
         bad_node |= t.bad_node_o;
         if (t.bus_error_o) b.fail("a bus error that nobody made");
+    }
+
+    void check_path() {
+        const Slot &s = slots[t.path_slot_o];
+        if (s.state != Slot::SENT) return b.fail("a path that nobody sent");
+        b.expect("path_o", (i128)b.get(t.path_o),
+                 (i128)((uint64_t)s.bend << (W + 12) | (uint64_t)s.spread << (W + 8) | s.path),
+                 W + 18);
+        if (b.bad()) b.show("slot", t.path_slot_o, 8);
     }
 
     void surface() {
