@@ -12,11 +12,14 @@
 
 #include <algorithm>
 #include <deque>
+#include <functional>
+#include <memory>
 #include <vector>
 
 #include "bench.h"
 #include "bundles.h"
 #include "engine/noise.h"
+#include "engine/repeated.h"
 
 extern "C" {
 #include "builder/build.h"
@@ -100,12 +103,33 @@ class World {
         if (sph_build(&scene, &o, &m, &report, &err)) stop(err);
         sph_scene_free(&scene);
     }
-    ~World() { sph_machine_free(&m); }
+    ~World() {
+        if (everywhere) m.mem = nullptr;
+        sph_machine_free(&m);
+    }
     World(const World &) = delete;
     World &operator=(const World &) = delete;
 
     int on(int effect) const { return sph_machine_effect(&m, effect); }
     const uint32_t *line(uint32_t number) const { return m.mem + (size_t)number * SPH_LINE_WORDS; }
+
+    /* From now on memory ends nowhere: the scene is in each part of it, at the same place. */
+    void repeat() {
+        scene_lines = (uint32_t)m.lines;
+        everywhere = std::make_unique<Repeated>();
+        std::copy(m.mem, m.mem + (size_t)m.lines * SPH_LINE_WORDS, everywhere->words);
+        free(m.mem);
+        m.mem = everywhere->words;
+        m.lines = Repeated::MOST;
+        m.regs[SPH_REG_MEM_LINES] = (int32_t)Repeated::MOST;
+    }
+    /* Lines to the beginning of any part, mostly of the first. */
+    static uint32_t part(bench::Random &random) {
+        return random.percent(70) ? 0
+                                  : Repeated::ALIKE * (uint32_t)random.mixed(SPH_LINE_BITS - 15);
+    }
+    /* The same line in the first part. */
+    static uint32_t here(uint32_t line) { return line % Repeated::ALIKE; }
 
     /* The registers, as rt_core gives them. */
     template <class Port> void put_regs(Port &port) const {
@@ -168,11 +192,15 @@ class World {
         return probe.best;
     }
 
+    uint32_t scene_lines = 0; /* with repeat() */
+
   private:
+    std::unique_ptr<Repeated> everywhere;
+
     /* With triangles a ray to a light starts at a corner of one, where by how much its origin was
      * rounded decides what it meets. */
     void at_corner(bench::Random &random, struct sph_ray &r, int light) const {
-        uint32_t from = (uint32_t)random.below(m.lines);
+        uint32_t from = (uint32_t)random.below(scene_lines ? scene_lines : m.lines);
         const uint32_t *record = line(from);
         if (!on(SPH_EFFECT_FACETS) ||
             sph_field(record, SPH_FACET_KIND_LSB, SPH_FACET_KIND_BITS) != SPH_TRIANGLE)
@@ -230,7 +258,8 @@ template <class Port> void put_across(Port &port, int slot, const struct sph_acr
  * clock comes. Once a clock: before() the clock, with all inputs set, settles them. */
 template <class Top, int READERS = 1> class Memory {
   public:
-    std::vector<bool> spoilt; /* by line; empty: none */
+    std::vector<bool> spoilt;             /* by line; empty: none */
+    std::function<bool(uint32_t)> wanted; /* whether a line may be asked for; none: any may */
     uint64_t requests = 0;
 
     Memory(bench::Bench<Top> &bench, const World &w) : b(bench), world(w) {
@@ -251,7 +280,7 @@ template <class Top, int READERS = 1> class Memory {
         b.dut.mem_rsp_valid_i = (uint8_t)(comes << to);
         if (!lines.empty()) {
             uint32_t line = lines.front().line;
-            b.dut.mem_rsp_error_i = !spoilt.empty() && spoilt[line];
+            b.dut.mem_rsp_error_i = !spoilt.empty() && spoilt[World::here(line)];
             for (int i = 0; i < 8; i++)
                 b.dut.mem_rsp_data_i[i] = world.line(line)[i] ^ (b.dut.mem_rsp_error_i ? ~0u : 0u);
         }
@@ -277,6 +306,8 @@ template <class Top, int READERS = 1> class Memory {
         requests++;
         if (line >= world.m.lines)
             b.fail("a line behind the end of memory is asked for");
+        else if (wanted && !wanted(line))
+            b.fail("a line that nobody wants is asked for");
         else
             asked[reader].push_back({line, b.cycle + latency});
     }

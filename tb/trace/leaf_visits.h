@@ -1,14 +1,16 @@
 /* leaf_visits.h - rt_leaf_unit or rt_exacts, caches, tests and roots, against sph_leaf_visit()
  * SPDX-License-Identifier: Apache-2.0
  *
- * Every slot gets a ray, then visits of some leaf children in any line of memory; the next visit
- * comes when all results of the last are there, as rt_trace wants it. Records are fetched in
- * between. A vector is a result; they come in any order, so one is looked for among those that its
- * slot still waits for. Who includes this has named the module `Top`; with one of all units it may
- * be rt_leaf_unit.
+ * Every slot gets a ray, then visits of some leaf children in any line of memory, at all addresses;
+ * the next visit comes when all results of the last are there, as rt_trace wants it. Records are
+ * fetched in between. A vector is a result; they come in any order, so one is looked for among
+ * those that its slot still waits for. Who includes this has named the module `Top`; with one of
+ * all units it may be rt_leaf_unit.
  */
 #ifndef TB_LEAF_VISITS_H
 #define TB_LEAF_VISITS_H
+
+#include <set>
 
 #include "engine/parts.h"
 #include "engine/results.h"
@@ -36,6 +38,8 @@ class LeafVisits : public bench::Bench<Top> {
         for (uint32_t at = 0; at < world.m.lines; at += 7) /* of no kind, with FACETS */
             sph_field_set(world.m.mem + (size_t)at * SPH_LINE_WORDS, SPH_FACET_KIND_LSB,
                           SPH_FACET_KIND_BITS, 3);
+        world.repeat();
+        memory.wanted = [this](uint32_t line) { return lines.count(line) != 0; };
     }
 
     /* Nothing is under way: INSIDE on or off. */
@@ -50,6 +54,7 @@ class LeafVisits : public bench::Bench<Top> {
         dut.flush_i = 1;
         clock(false);
         dut.flush_i = 0;
+        lines.clear();
         seen[0] = seen[1] = seen[2] = 0;
         counters = {};
         errors = faults = 0;
@@ -108,7 +113,8 @@ class LeafVisits : public bench::Bench<Top> {
     struct sph_counters counters = {};
     uint32_t errors = 0, faults = 0;
     uint64_t seen[3] = {};
-    unsigned pace = 100; /* percent of clocks with new work */
+    std::set<uint32_t> lines; /* of visits and fetches of this phase */
+    unsigned pace = 100;      /* percent of clocks with new work */
 
     uint64_t of_event(int unit, int lsb, int bits) {
         return (uint64_t)bench::get(dut.event_o, RT_EXACT_EVENT_BITS * unit + lsb, bits);
@@ -152,7 +158,9 @@ class LeafVisits : public bench::Bench<Top> {
         put(RT_VISIT_VALID, go);
         if (!go) return;
         unsigned leaf = 1 + (unsigned)random.below(15);
-        uint32_t line = (uint32_t)random.below(world.m.lines - 3);
+        uint32_t line = world.part(random) + (uint32_t)random.below(world.scene_lines - 3);
+        for (uint32_t j = 0; j < 4; j++)
+            lines.insert(line + j);
         for (uint32_t j = 0; j < 4; j++)
             if (leaf >> j & 1) s.wanted.push_back(world.leaf(s.ray, line, j, &counters, &errors));
         u.put_slot(dut.visit_i, pipe, RT_VISIT_BITS, RT_VISIT_SLOT, at);
@@ -164,7 +172,8 @@ class LeafVisits : public bench::Bench<Top> {
         const parts::Units &u = parts::shades;
         int at = (unit << u.own()) + (int)random.below(1u << u.own());
         if (fetches(unit) || !start || slots[at].fetch >= 0 || !random.percent(10)) return;
-        slots[at].fetch = (int64_t)random.below(world.m.lines);
+        slots[at].fetch = (int64_t)(world.part(random) + random.below(world.scene_lines));
+        lines.insert((uint32_t)slots[at].fetch);
         put_fetch(unit, RT_FETCH_VALID, 1);
         u.put_slot(dut.fetch_i, unit, RT_FETCH_BITS, RT_FETCH_SLOT, at);
         put_fetch(unit, RT_FETCH_LINE, slots[at].fetch);
