@@ -4,6 +4,7 @@
  *     0 .. ROOM-1         random nodes, or a chain of them; the root is one of the first
  *     ROOM .. the end     the scene, moved up; its leaf records serve both
  *
+ * Registers may name the same lines far away, where world.h's repeat() has them too.
  * Lines may be spoilt: they answer with an error. The model's memory then has nodes there that end
  * a ray in the same place, malformed ones; such a phase has no others.
  */
@@ -26,18 +27,14 @@ class BihMemory {
     Trouble trouble = NO_TROUBLE;
     int pushes = 0; /* of a ray that runs down the chain */
 
-    explicit BihMemory(world::World &w) : scene(w.m) {
-        size_t words = (size_t)(ROOM + scene.lines) * SPH_LINE_WORDS;
-        uint32_t *all = (uint32_t *)calloc(words, sizeof *all);
-        std::copy(scene.mem, scene.mem + (size_t)scene.lines * SPH_LINE_WORDS,
-                  all + ROOM * SPH_LINE_WORDS);
-        free(scene.mem);
-        scene.mem = all;
-        scene.lines += ROOM;
-        for (int reg : {SPH_REG_ROOT, SPH_REG_LEAF_BASE, SPH_REG_MEM_LINES})
+    explicit BihMemory(world::World &w) : scene(w.m), lines(ROOM + w.m.lines) {
+        w.repeat();
+        uint32_t *from = scene.mem, *end = from + (lines - ROOM) * SPH_LINE_WORDS;
+        std::copy_backward(from, end, end + ROOM * SPH_LINE_WORDS);
+        for (int reg : {SPH_REG_ROOT, SPH_REG_LEAF_BASE})
             scene.regs[reg] += ROOM;
+        scene.regs[SPH_REG_MEM_LINES] = (int32_t)lines;
         saved = scene;
-        words_of_model.resize(words);
     }
 
     /* Another tree, with registers; which lines are spoilt. */
@@ -61,22 +58,30 @@ class BihMemory {
                 put_random(random, line, 0), put_random(random, line, 1);
         if (tree == CHAIN) put_chain(random);
         if (trouble == UNSOUND) unsound(random);
+        const uint32_t leaves = (uint32_t)r[SPH_REG_LEAF_BASE];
+        first = world::World::part(random);
+        for (int reg : {SPH_REG_ROOT, SPH_REG_LEAF_BASE, SPH_REG_MEM_LINES})
+            r[reg] += (int32_t)first;
         model = scene;
-        model.mem = words_of_model.data();
-        std::copy(scene.mem, scene.mem + words_of_model.size(), model.mem);
-        for (uint32_t line = 0; line < scene.lines; line++) {
+        model.mem = copy.words;
+        std::copy(scene.mem, scene.mem + lines * SPH_LINE_WORDS, model.mem);
+        for (uint32_t line = 0; line < lines; line++) {
             spoilt[line] = trouble == SPOILT_LINES && random.percent(line ? 4 : 50);
-            if (spoilt[line] && line < (uint32_t)r[SPH_REG_LEAF_BASE])
+            if (spoilt[line] && line < leaves)
                 for (int half = 0; half < 2; half++)
                     put_inner(model, line, half, 0, 0, (1u << SPH_BIH_CHILD_BITS) - 1, 0, 0);
         }
     }
 
     int32_t root() const { return scene.regs[SPH_REG_ROOT]; }
+    /* A line that there is; a visit that is refused asks for line 0. */
+    bool there(uint32_t line) const { return !line || (line >= first && line - first < lines); }
 
   private:
     struct sph_machine &scene, saved = {};
-    std::vector<uint32_t> words_of_model;
+    const uint32_t lines;
+    uint32_t first = 0; /* where lines begin */
+    world::Repeated copy;
 
     static uint32_t *node(struct sph_machine &m, uint32_t line, int half) {
         return sph_line(&m, line) + half * (SPH_BIH_STRIDE / 32);

@@ -23,6 +23,7 @@ extern "C" {
 namespace {
 
 constexpr int MANY = 400; /* visits: more than a ray down the chain needs */
+constexpr int MORE = 1100;
 
 struct Chunk { /* records under test */
     int slot;
@@ -33,7 +34,8 @@ class Bih : public bench::Bench<Vrt_bih> {
   public:
     Bih(int argc, char **argv)
         : Bench("tb_bih", argc, argv, 40000), world(0), trees(world), memory(*this, world) {
-        memory.spoilt.resize(world.m.lines);
+        memory.spoilt.resize(world::Repeated::ALIKE);
+        memory.wanted = [this](uint32_t line) { return trees.there(line); };
         dut.flush_i = dut.shadow_go_i = dut.tested_valid_i = dut.visits_read_i = 0;
         bench::put(dut.ray_i, RT_RAY_VALID, 0);
     }
@@ -41,7 +43,9 @@ class Bih : public bench::Bench<Vrt_bih> {
     /* All slots are idle: another tree, other registers; the cache forgets. */
     void phase() {
         trees.fill(random, memory.spoilt);
-        int32_t limit = trees.tree == SCENE_TREE ? world.m.regs[SPH_REG_VISIT_LIMIT] : MANY;
+        int32_t limit = trees.tree == SCENE_TREE ? world.m.regs[SPH_REG_VISIT_LIMIT]
+                        : random.percent(85)     ? MANY
+                                                 : MORE;
         if (random.percent(30)) limit = (int32_t)random.below(random.percent(30) ? 2 : 20);
         world.m.regs[SPH_REG_VISIT_LIMIT] = trees.model.regs[SPH_REG_VISIT_LIMIT] = limit;
         world.put_regs(dut.regs_i);
@@ -164,7 +168,8 @@ class Bih : public bench::Bench<Vrt_bih> {
         Chunk chunk = {slot, {0, SPH_ID_NONE, 0}};
         for (uint32_t j = 0; j < 4; j++) {
             if (!(leaf >> j & 1)) continue;
-            if (line + (sph_whole(&world.m) ? j : j / 2) >= world.m.lines)
+            if (line + (sph_whole(&world.m) ? j : j / 2) >=
+                (uint32_t)world.m.regs[SPH_REG_MEM_LINES])
                 return fail("records behind the end of memory");
             struct sph_hit h = world.leaf(s.ray, line, j, &s.ours, &errors_of_records);
             if (h.key && (!chunk.best.key || h.key < chunk.best.key ||
