@@ -124,7 +124,7 @@ class BihMemory {
     }
 
     /* Nodes of which a ray puts a leaf aside each, and meets the next one first; the other way it
-     * meets the leaf first. */
+     * meets the leaf first. Behind them a leaf, or a node that is its own child for ever. */
     void put_chain(bench::Random &random) {
         pushes = SPH_BIH_STACK + (int)random.between(-1, 1);
         int axis = (int)random.below(3);
@@ -134,7 +134,11 @@ class BihMemory {
             put_leaf(scene, line, 1, (uint32_t)random.below(prims() - 3),
                      (uint32_t)random.below(3));
         }
-        put_leaf(scene, (uint32_t)(root() + pushes), 0, 0, 1);
+        const uint32_t end = (uint32_t)(root() + pushes);
+        if (random.percent(90))
+            put_leaf(scene, end, 0, 0, 1);
+        else
+            put_inner(scene, end, 0, axis, 1, (uint32_t)pushes, -(1 << W), 1 << W);
     }
 
     /* Registers of which no ray may start. */

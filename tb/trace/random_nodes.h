@@ -12,18 +12,23 @@ extern "C" {
 
 namespace {
 
-/* Takes the place of a scene's memory: all lines of it are nodes. */
+/* Takes the place of a scene's memory: all lines of it are nodes, and the same ones far away. */
 class RandomNodes {
   public:
-    RandomNodes(world::World &world, bench::Random &numbers) : m(world.m), random(numbers) {}
+    RandomNodes(world::World &world, bench::Random &numbers)
+        : m(world.m), random(numbers), different(world.m.lines) {
+        world.repeat();
+    }
 
     uint32_t lines() const { return (uint32_t)m.regs[SPH_REG_MEM_LINES]; }
 
     /* Where memory ends, and all of it; which lines answer with an error. */
     void fill(std::vector<bool> &spoilt) {
-        m.regs[SPH_REG_MEM_LINES] = (int32_t)random.between(20, m.lines);
+        m.regs[SPH_REG_MEM_LINES] =
+            (int32_t)(random.percent(50) ? random.between(20, different)
+                                         : random.between(different, world::Repeated::MOST));
         bool errors = random.percent(30);
-        for (uint32_t line = 0; line < m.lines; line++) {
+        for (uint32_t line = 0; line < different; line++) {
             put_node(sph_line(&m, line));
             spoilt[line] = errors && random.percent(line ? 10 : 50);
         }
@@ -31,8 +36,11 @@ class RandomNodes {
 
     /* A line of memory, now and then behind its end. */
     uint32_t some_line() {
-        if (random.percent(97)) return (uint32_t)random.below(lines());
-        return random.percent(50) ? lines() : lines() + (uint32_t)random.log_bits(25);
+        uint32_t line = (uint32_t)random.below(std::min(lines(), different));
+        uint32_t far = line + world::World::part(random);
+        if (random.percent(97)) return far < lines() ? far : line;
+        far = lines() + (random.percent(50) ? 0 : (uint32_t)random.log_bits(25));
+        return std::min(far, world::Repeated::MOST);
     }
 
     /* The line behind the children of the node in a line. */
@@ -44,6 +52,7 @@ class RandomNodes {
   private:
     struct sph_machine &m;
     bench::Random &random;
+    const uint32_t different; /* lines */
 
     static void put(uint32_t *line, int lsb, int bits, uint64_t x) {
         sph_field_set(line, lsb, bits, (uint32_t)x);

@@ -131,7 +131,7 @@ class Traverse : public VisitRays {
         if (s.state != Slot::ISSUED) return fail("a node that nobody asked for");
         s.depth = random.percent(70) ? sph_depth_limit(&world.p) : (int32_t)random.mixed(FW + 1);
         bool refused = s.kill;
-        then.error = memory.spoilt[refused ? 0 : s.line];
+        then.error = memory.spoilt[refused ? 0 : world::World::here(s.line)];
         s.kill |= then.error;
         outcomes.add(refused ? SPOILT_REFUSED : SPOILT, then.error);
         due.push_back({depth_slot, cycle + LATENCY});

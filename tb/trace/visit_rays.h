@@ -33,7 +33,14 @@ class VisitRays : public bench::Bench<Vrt_traverse> {
           memory(*this, world), limit(world.m.regs[SPH_REG_VISIT_LIMIT]) {
         dut.visits_read_i = dut.next_valid_i = dut.shadow_go_i = dut.flush_i = 0;
         bench::put(dut.ray_i, RT_RAY_VALID, 0);
-        memory.spoilt.resize(world.m.lines);
+        memory.spoilt.resize(world::Repeated::ALIKE);
+        memory.wanted =
+            [this](uint32_t line) { /* a visit that is refused asks for line 0 */
+                                    return !line ||
+                                           std::any_of(slots, slots + SLOTS, [line](const Slot &s) {
+                                               return s.state == Slot::ISSUED && s.line == line;
+                                           });
+            };
     }
 
     /* All slots are idle: other registers; another memory, and the cache forgets it. */
