@@ -9,7 +9,7 @@
  * it). No line is fetched while it is already on its way; groups are fetched whole and in order;
  * outputs are stable while they wait; what misses is what the model's cache says. Phases: cold and
  * warm (hits a cycle, latency), random and clustered lines, one set only, one line only, with and
- * without stalls and errors.
+ * without stalls, errors and flushes.
  */
 #include <algorithm>
 #include <cstdio>
@@ -53,13 +53,14 @@ enum Pattern { SWEEP, UNIFORM, CLUSTERED, ONE_SET, ONE_LINE };
 struct Phase {
     const char *name;
     Pattern pattern;
-    uint32_t lines;     /* distinct lines of the pattern */
-    int request_stall;  /* percent of cycles the client offers nothing */
-    int response_stall; /* percent of cycles the client takes nothing */
-    int memory_stall;   /* percent of cycles the memory takes, and gives, nothing */
-    uint32_t latency;   /* of memory, at most; each line 1 .. latency cycles */
-    int errors;         /* percent of lines with a bus error */
-    bool flush;         /* first forget everything */
+    uint32_t lines;       /* distinct lines of the pattern */
+    int request_stall;    /* percent of cycles the client offers nothing */
+    int response_stall;   /* percent of cycles the client takes nothing */
+    int memory_stall;     /* percent of cycles the memory takes, and gives, nothing */
+    uint32_t latency;     /* of memory, at most; each line 1 .. latency cycles */
+    int errors;           /* percent of lines with a bus error */
+    bool flush;           /* first forget everything */
+    bool flushes = false; /* now and then, whatever is under way */
 };
 
 struct Fetch {
@@ -213,6 +214,7 @@ void Bench::drive(const Phase &phase, uint64_t sent, uint64_t requests) {
         top_->req_line_i = pick_line(phase, sent);
         top_->req_tag_i = static_cast<Tag>(next_tag_);
     }
+    top_->flush_i = phase.flushes && !below(4 * SETS + 100);
     top_->rsp_ready_i = !random_.percent(phase.response_stall);
     top_->mem_req_ready_i = !random_.percent(phase.memory_stall);
     if (!shown_ && !memory_.empty() && memory_.front().due <= now_ &&
@@ -302,7 +304,10 @@ bool Bench::run(const Phase &phase, uint64_t requests, uint64_t seed) {
     top_->mem_rsp_valid_i = 0;
     edge();
     top_->flush_i = 0;
-    if (phase.flush) epoch_++, lru_.forget();
+    if (phase.flush) { /* other lines: each bit of their addresses is the other one */
+        epoch_++, lru_.forget();
+        base_ ^= LINE_MASK & ~(GROUP - 1u);
+    }
     lru_.misses = 0;
     uint64_t sent = 0;
     uint64_t answered = 0;
@@ -327,6 +332,7 @@ bool Bench::run(const Phase &phase, uint64_t requests, uint64_t seed) {
         if (taken) top_->req_valid_i = 0;
         if (now_ - progress_ > WATCHDOG) fail("deadlock", top_->req_line_i);
     }
+    top_->flush_i = 0;
     cycles_ = now_ - start;
     for (int i = 0; i < 4 && !failed_; i++) { /* nothing may follow */
         edge();
@@ -386,6 +392,8 @@ int main(int argc, char **argv) {
         {"one line, errors", ONE_LINE, 1, 10, 10, 10, 50, 99, true},
         {"errors", CLUSTERED, 2 * LINES, 10, 20, 20, 60, 10, true},
         {"every line an error", UNIFORM, 2 * LINES, 0, 10, 10, 60, 100, true},
+        {"flushes", CLUSTERED, 2 * LINES, 30, 10, 30, 60, 0, false, true},
+        {"flushes, one set", ONE_SET, 2 * WAYS + 1, 10, 10, 30, 60, 10, true, true},
         {"after the errors", CLUSTERED, LINES, 10, 10, 10, 60, 0, false},
     };
     for (const Phase &phase : phases)
