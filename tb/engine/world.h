@@ -128,6 +128,18 @@ class World {
         return random.percent(70) ? 0
                                   : Repeated::ALIKE * (uint32_t)random.mixed(SPH_LINE_BITS - 15);
     }
+    /* With repeat(): the tree goes on in the part of memory that begins there. */
+    void move(uint32_t begin) {
+        int32_t by = (int32_t)(begin - begins);
+        begins = begin;
+        if (ACCEL != 1) move_node((uint32_t)m.regs[SPH_REG_ROOT], by);
+        for (int reg : {SPH_REG_ROOT, SPH_REG_LEAF_BASE, SPH_REG_PRIM_BASE})
+            m.regs[reg] += by;
+    }
+    /* Whether a line may be asked for; a visit that is refused asks for line 0. */
+    bool there(uint32_t line) const {
+        return !line || (line >= begins && line - begins < scene_lines);
+    }
     /* The same line in the first part. */
     static uint32_t here(uint32_t line) { return line % Repeated::ALIKE; }
 
@@ -196,6 +208,16 @@ class World {
 
   private:
     std::unique_ptr<Repeated> everywhere;
+    uint32_t begins = 0; /* the part of memory that the tree is in */
+
+    void move_node(uint32_t at, int32_t by) {
+        uint32_t *node = sph_line(&m, at);
+        uint32_t base = sph_field(node, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS);
+        uint32_t inner = sph_field(node, SPH_NODE_N_INNER_LSB, SPH_NODE_N_INNER_BITS);
+        for (uint32_t i = 0; i < inner; i++)
+            move_node(base + i, by);
+        sph_field_set(node, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS, base + (uint32_t)by);
+    }
 
     /* With triangles a ray to a light starts at a corner of one, where by how much its origin was
      * rounded decides what it meets. */

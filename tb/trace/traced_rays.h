@@ -4,8 +4,9 @@
  * Every slot follows one pixel after another: its primary ray, again or not, then shadow and
  * reflected rays from anywhere. The bench stands in for rt_leaf_unit: results of leaf children come
  * late and in any order, with several leaf units from each its own. A vector is a ray that is done.
- * Between phases the limit of visits changes and events are compared with the model's counters.
- * Who includes this has named the module `Top`; with one pipe it may be rt_trace.
+ * Between phases the limit of visits changes, the tree moves to other addresses and events are
+ * compared with the model's counters. Who includes this has named the module `Top`; with one pipe
+ * it may be rt_trace.
  */
 #ifndef TB_TRACED_RAYS_H
 #define TB_TRACED_RAYS_H
@@ -42,15 +43,19 @@ class Trace : public bench::Bench<Top> {
   public:
     Trace(const char *name, int argc, char **argv, long rays)
         : Bench(name, argc, argv, rays), world(FIRST), memory(*this, world),
-          limit(world.m.regs[SPH_REG_VISIT_LIMIT]) {}
+          limit(world.m.regs[SPH_REG_VISIT_LIMIT]) {
+        world.repeat();
+        memory.wanted = [this](uint32_t line) { return world.there(line); };
+    }
 
     /* All slots are idle: other registers, caches forgotten. */
     void phase() {
         world.m.regs[SPH_REG_VISIT_LIMIT] = random.percent(70) ? limit : (int32_t)random.below(6);
+        dut.flush_i = random.percent(50);
+        if (dut.flush_i) world.move(world.part(random));
         world.put_regs(dut.regs_i);
         pace = random.percent(50) ? 100 : (unsigned)random.between(2, 60);
         testing = random.percent(50) ? 100 : (unsigned)random.between(5, 60);
-        dut.flush_i = random.percent(50);
         counters = {};
         errors = faults = 0;
         visits = tests = 0;
@@ -141,6 +146,7 @@ class Trace : public bench::Bench<Top> {
                                                       : SPH_REFLECTED;
             s.begun = true;
             s.ray = world.ray(random, kind);
+            if (kind == SPH_REFLECTED && random.percent(10)) flatten(s.ray);
             s.ray.first = FIRST && primary && !again && world.on(SPH_EFFECT_FIRST);
             if (primary && !again) s.visits = 0;
             s.hit =
@@ -152,6 +158,14 @@ class Trace : public bench::Bench<Top> {
             axes.send(at, s.ray, cycle + BEHIND);
             dut.ray_again_i = again; /* with one set-up unit */
         }
+    }
+
+    /* A ray that hardly moves along an axis, or not at all. */
+    void flatten(struct sph_ray &ray) {
+        int axis = (int)random.below(3);
+        ray.dir[axis] = random.between(-1, 1);
+        if (!ray.dir[0] && !ray.dir[1] && !ray.dir[2]) ray.dir[axis] = 1;
+        sph_ray_setup(&world.p, &ray);
     }
 
     void start_shadow(int unit) {
