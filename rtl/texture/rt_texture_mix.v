@@ -64,6 +64,7 @@ module rt_texture_mix #(
     reg              get_q, got_q, full_q;   // a texel is read; it is here; all are
     reg  [2:0]       index_q, got_index_q;
     reg  [8*`RT_RGB_BITS-1:0] texels_q;
+    integer          i;
     wire             f_both = f_mix[39:32] != 8'd0;
     wire             get_last = index_q == (nearest_i ? 3'd0 : f_both ? 3'd7 : 3'd3);
     assign f_take = full_q && f_ready;
@@ -91,8 +92,9 @@ module rt_texture_mix #(
         got_q       <= get_q;
         got_index_q <= index_q;
         // the first stands for those that do not come, so that each word is defined
-        if (got_q && got_index_q == 3'd0) texels_q <= {8{f_texel}};
-        else if (got_q) texels_q[`RT_RGB_BITS*got_index_q +: `RT_RGB_BITS] <= f_texel;
+        for (i = 0; i < 8; i = i + 1)
+            if (got_q && (got_index_q == 3'd0 || got_index_q == i[2:0]))
+                texels_q[`RT_RGB_BITS*i +: `RT_RGB_BITS] <= f_texel;
         full_q <= (got_q && !get_q) || (full_q && !f_take);
         if (rst) {f_read_q, get_q, got_q, full_q} <= 4'd0;
     end
