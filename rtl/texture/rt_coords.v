@@ -72,11 +72,17 @@ module rt_coords #(
     end
 
     // ---- operands ----
-    wire signed [17:0] first  = map_q[`RT_MAP_S_X_LSB + 18*part_q +: 18];
-    wire signed [17:0] second = map_q[`RT_MAP_T_X_LSB + 18*part_q +: 18];
-    wire signed [15:0] turn   = map_q[`RT_MAP_TURN_LSB + 16*step_q +: 16];
-    wire signed [GW-1:0] point = point_q[GW*part_q +: GW];
-    wire signed [17:0] unit   = unit_q[18*part_q +: 18];
+    // Chosen by name: a slice from a place that is computed is a multiplication and a long shift.
+    wire [53:0]        s_axes = map_q[`RT_MAP_S_X_LSB +: 54];
+    wire [53:0]        t_axes = map_q[`RT_MAP_T_X_LSB +: 54];
+    wire [143:0]       turns  = map_q[`RT_MAP_TURN_LSB +: 144];
+    wire               is_y = part_q == 2'd1, is_z = part_q == 2'd2;
+    wire signed [17:0] first  = is_z ? s_axes[53:36] : is_y ? s_axes[35:18] : s_axes[17:0];
+    wire signed [17:0] second = is_z ? t_axes[53:36] : is_y ? t_axes[35:18] : t_axes[17:0];
+    wire signed [15:0] turn   = turns[16*step_q +: 16];
+    wire signed [GW-1:0] point = is_z ? point_q[2*GW +: GW] : is_y ? point_q[GW +: GW]
+                                                            : point_q[0 +: GW];
+    wire signed [17:0] unit   = is_z ? unit_q[53:36] : is_y ? unit_q[35:18] : unit_q[17:0];
     reg                s0_go_q, s1_go_q, s2_go_q;        // last product of a sum
     reg                s0_first_q, s1_first_q;
     reg  [3:0]         s0_step_q, s1_step_q, s2_step_q;
