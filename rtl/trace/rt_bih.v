@@ -131,19 +131,29 @@ module rt_bih #(
     wire [SLOTW-1:0] count_slot = q_issue_valid ? q_issue_slot : start_slot;
     localparam VB = `RT_VISITS_BITS;
     wire [VB-1:0]    ray_visits, pixel_visits;
+    wire             at_limit;                       // ray_visits are as many as there may be
     wire [VB-1:0]    ray_before   = q_issue_valid ? ray_visits : {VB{1'b0}};
     wire [VB-1:0]    pixel_before = q_issue_valid || !start_pixel ? pixel_visits : {VB{1'b0}};
-    wire             bad_limit  = ray_visits == regs_i[`RT_REGS_VISIT_LIMIT];
-    wire             counted    = q_issue_valid && !bad_limit;
-    wire [VB-1:0]    one        = {{(VB-1){1'b0}}, counted};
-    wire [VB-1:0]    pixel_next = pixel_before + one;
-    rt_slot_file #(.WIDTH(2*VB), .SLOTS(SLOTS)) u_visits (
-        .clk(clk), .wr_en_i(issue || put_start), .wr_addr_i(count_slot),
-        .wr_data_i({ray_before + one, pixel_next}),
-        .rd_addr_i(count_slot), .rd_data_o({ray_visits, pixel_visits})
+    wire             bad_limit  = q_issue_valid && at_limit;
+    wire [VB-1:0]    one        = {{(VB-1){1'b0}}, q_issue_valid && !at_limit};
+    // Written a clock later: a slot is read again only when its node is here.
+    reg              count_q;
+    reg [SLOTW-1:0]  count_slot_q;
+    reg [VB-1:0]     ray_next_q, pixel_next_q;
+    always @(posedge clk) begin
+        count_q      <= issue || put_start;
+        count_slot_q <= count_slot;
+        ray_next_q   <= ray_before + one;
+        pixel_next_q <= pixel_before + one;
+        if (rst) count_q <= 1'b0;
+    end
+    rt_slot_file #(.WIDTH(2*VB+1), .SLOTS(SLOTS)) u_visits (
+        .clk(clk), .wr_en_i(count_q), .wr_addr_i(count_slot_q),
+        .wr_data_i({ray_next_q == regs_i[`RT_REGS_VISIT_LIMIT], ray_next_q, pixel_next_q}),
+        .rd_addr_i(count_slot), .rd_data_o({at_limit, ray_visits, pixel_visits})
     );
     rt_slot_ram #(.WIDTH(VB), .SLOTS(SLOTS), .OLD(0)) u_visits_out (
-        .clk(clk), .wr_en_i(issue || put_start), .wr_addr_i(count_slot), .wr_data_i(pixel_next),
+        .clk(clk), .wr_en_i(count_q), .wr_addr_i(count_slot_q), .wr_data_i(pixel_next_q),
         .rd_en_i(visits_read_i), .rd_addr_i(visits_slot_i), .rd_data_o(visits_o)
     );
     assign event_o[`RT_TRACE_EVENT_ISSUED] = issue;
