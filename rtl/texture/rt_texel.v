@@ -46,10 +46,11 @@ module rt_texel #(
     // ---- the hit that is made ready ----
     reg              busy_q, nearest_q, both_q, second_q;
     reg [TAG-1:0]    tag_q;
-    reg [39:0]       s_q, t_q;
+    reg [19:0]       s_q, t_q;            // fractions, limited if they are clamped
     reg [1:0]        clamp_q;
     reg [2:0]        step_q;              // stays at the last one until requests are free
-    reg [11:0]       w_q, h_q;            // size of the level, less one
+    reg [12:0]       size_w_q, size_h_q;  // of the level
+    reg [11:0]       w_q, h_q;            // the same, less one
     reg [`RT_LINE_BITS:0] line_q, next_q;
     wire             take = in_valid_i && in_ready_o;
     wire             free;                // no request is left after this clock
@@ -59,19 +60,26 @@ module rt_texel #(
     // (size >> level, at least 1) - 1
     wire [12:0]      in_w = ({1'b0, in_w_i} + 13'd1) >> in_level_i;
     wire [12:0]      in_h = ({1'b0, in_h_i} + 13'd1) >> in_level_i;
-    wire [12:0]      half_w = ({1'b0, w_q} + 13'd1) >> 1;
-    wire [12:0]      half_h = ({1'b0, h_q} + 13'd1) >> 1;
-    wire [12:0]      size_w = take ? in_w : half_w;
-    wire [12:0]      size_h = take ? in_h : half_h;
+    wire [12:0]      size_w = take ? in_w : size_w_q >> 1;
+    wire [12:0]      size_h = take ? in_h : size_h_q >> 1;
     wire [12:0]      last_w = size_w - {12'd0, |size_w};
     wire [12:0]      last_h = size_h - {12'd0, |size_h};
+    function [19:0] kept;                 // of a coordinate
+        input        stays;
+        input [39:0] at;
+        kept = !stays ? at[19:0] : at[39] ? 20'd0 : |at[38:20] ? 20'hfffff : at[19:0];
+    endfunction
     always @(posedge clk) begin
         if (take) begin
-            {tag_q, s_q, t_q, clamp_q} <= {in_tag_i, in_s_i, in_t_i, in_clamp_i};
+            {tag_q, clamp_q} <= {in_tag_i, in_clamp_i};
+            s_q <= kept(in_clamp_i[0], in_s_i);
+            t_q <= kept(in_clamp_i[1], in_t_i);
             {nearest_q, both_q} <= {in_nearest_i, in_both_i};
             next_q <= in_next_i;
         end
         if (take || (ready && more)) begin
+            size_w_q <= size_w | {12'd0, ~|size_w};
+            size_h_q <= size_h | {12'd0, ~|size_h};
             w_q      <= last_w[11:0];
             h_q      <= last_h[11:0];
             line_q   <= take ? in_line_i : next_q;
@@ -85,19 +93,15 @@ module rt_texel #(
         if (rst) busy_q <= 1'b0;
     end
 
-    // ---- a coordinate: limited if it is clamped, its fraction times the size ----
+    // ---- the fraction of a coordinate times the size ----
     wire             t_turn  = step_q == 3'd1;           // the operands of t enter
-    wire [39:0]      at      = t_turn ? t_q : s_q;
-    wire             clamp   = clamp_q[t_turn];
-    wire [19:0]      bounded = !clamp ? at[19:0] : at[39] ? 20'd0 : |at[38:20] ? 20'hfffff
-                               : at[19:0];
     // ---- and the row of tiles of a texel: y / 2 * tiles ----
     wire [10:0]      tiles   = {1'b0, w_q[11:2]} + 11'd1;         // (w + 3) / 4
     reg  [11:0]      y0_q, y1_q, x0_q, x1_q;
     wire             row_turn = step_q >= 3'd3;          // y1 until the level leaves
     wire [10:0]      pair    = step_q == 3'd3 ? y0_q[11:1] : y1_q[11:1];
-    wire [19:0]      a       = row_turn ? {9'd0, pair} : bounded;
-    wire [12:0]      b       = row_turn ? {2'd0, tiles} : {1'b0, t_turn ? h_q : w_q} + 13'd1;
+    wire [19:0]      a       = row_turn ? {9'd0, pair} : t_turn ? t_q : s_q;
+    wire [12:0]      b       = row_turn ? {2'd0, tiles} : t_turn ? size_h_q : size_w_q;
     reg  [32:0]      prod_q;                             // one clock after its operands
     always @(posedge clk) prod_q <= a * b;
 

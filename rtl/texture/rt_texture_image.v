@@ -143,35 +143,43 @@ module rt_texture_image #(
     );
     assign both_valid_o = texel_valid_o && texel_index_o == 3'd0;
     assign both_o       = t_far != 8'd0;
-    assign mix_valid_o  = t_last;
-    assign mix_slot_o   = texel_slot_o;
-    assign mix_o        = {t_far, t_weights};
 
-    // ---- the word: read before the first request of a level, written with the last one ----
+    // ---- the word: read before the first request of a level ----
     reg [SLOTS-1:0]  known_q;                // the pixel has one
     reg [19:0]       sum_q;                  // of the job so far
-    reg              word_known_q;
+    reg [11:0]       lod_q;
+    reg              old_known_q, word_known_q;
     wire [31:0]      old, word;
-    wire             known = known_q[texel_slot_o];
     wire             send = texel_valid_o && texel_ready_i;
-    wire [19:0]      sum  = (texel_index_o != 3'd0 ? sum_q : known ? old[19:0] : 20'd0) +
-                            {texel_line_o[16:0], texel_word_o};
-    wire [31:0]      next = {known ? old[31:20] : t_lod, sum};
+    // ---- and written, as the weights are, a clock behind the last one ----
+    reg              last_q;
+    reg [SLOTW-1:0]  last_slot_q;
+    reg [39:0]       mix_q;
+    assign mix_valid_o  = last_q;
+    assign mix_slot_o   = last_slot_q;
+    assign mix_o        = mix_q;
     rt_slot_ram #(.WIDTH(32), .SLOTS(SLOTS), .OLD(0)) u_old (
-        .clk(clk), .wr_en_i(t_last), .wr_addr_i(texel_slot_o),
-        .wr_data_i(next),
+        .clk(clk), .wr_en_i(last_q), .wr_addr_i(last_slot_q), .wr_data_i({lod_q, sum_q}),
         .rd_en_i(t_begins), .rd_addr_i(t_tag[SLOTW+19:20]), .rd_data_o(old)
     );
     rt_slot_ram #(.WIDTH(32), .SLOTS(SLOTS), .OLD(0)) u_word (
-        .clk(clk), .wr_en_i(t_last), .wr_addr_i(texel_slot_o),
-        .wr_data_i(next),
+        .clk(clk), .wr_en_i(last_q), .wr_addr_i(last_slot_q), .wr_data_i({lod_q, sum_q}),
         .rd_en_i(word_read_i), .rd_addr_i(word_slot_i), .rd_data_o(word)
     );
     always @(posedge clk) begin
-        if (send) sum_q <= sum;
+        if (t_begins) old_known_q <= known_q[t_tag[SLOTW+19:20]];
+        if (send) begin
+            sum_q <= (texel_index_o != 3'd0 ? sum_q : old_known_q ? old[19:0] : 20'd0) +
+                     {texel_line_o[16:0], texel_word_o};
+            lod_q <= old_known_q ? old[31:20] : t_lod;
+        end
+        last_q      <= t_last;
+        last_slot_q <= texel_slot_o;
+        mix_q       <= {t_far, t_weights};
         if (fresh_valid_i) known_q[fresh_slot_i] <= 1'b0;
-        if (t_last) known_q[texel_slot_o] <= 1'b1;
+        if (last_q) known_q[last_slot_q] <= 1'b1;
         if (word_read_i) word_known_q <= known_q[word_slot_i];
+        if (rst) last_q <= 1'b0;
     end
     assign word_o = word_known_q ? word : {12'd`RT_LOD_NONE, 20'd0};
     wire unused = &{1'b0, j_in, image_i[255:248], near[12], near[7:0], l_image_q, r_image_q,
