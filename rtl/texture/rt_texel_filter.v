@@ -26,14 +26,14 @@ module rt_texel_filter #(
     output reg  [23:0]    out_texel_o       // red low
 );
     // ---- control: ph_q[n] n cycles after the input was taken ----
-    reg  [12:1] ph_q;
+    reg  [13:1] ph_q;
     wire        take = in_valid_i && in_ready_o;
     wire        far  = ph_q[2] || ph_q[4] || ph_q[6];
-    assign in_ready_o  = ~|ph_q[5:1];
-    assign out_valid_o = ph_q[12];
+    assign in_ready_o  = ~|ph_q[6:1];
+    assign out_valid_o = ph_q[13];
     always @(posedge clk) begin
-        ph_q <= {ph_q[11:1], take};
-        if (rst) ph_q <= 12'd0;
+        ph_q <= {ph_q[12:1], take};
+        if (rst) ph_q <= 13'd0;
     end
 
     // ---- input: channels move down after the far level ----
@@ -57,19 +57,29 @@ module rt_texel_filter #(
     wire [7:0]  a = texels[7:0], b = texels[31:24], c = texels[55:48], d = texels[79:72];
     wire [15:0] weight = far ? far_weight_q : near_weight_q;
 
+    // ---- stage 0: differences in x ----
+    reg  signed [8:0]  s0_wx_q, s0_b_a_q, s0_d_c_q;
+    reg  [7:0]         s0_a_q, s0_c_q, s0_wy_q, s0_wl_q;
+    always @(posedge clk) begin
+        s0_wx_q  <= $signed({1'b0, weight[7:0]});
+        s0_b_a_q <= $signed({1'b0, b}) - $signed({1'b0, a});
+        s0_d_c_q <= $signed({1'b0, d}) - $signed({1'b0, c});
+        s0_a_q   <= a;
+        s0_c_q   <= c;
+        s0_wy_q  <= weight[15:8];
+        s0_wl_q  <= level_q;
+    end
+
     // ---- stage 1: products in x ----
-    wire signed [8:0]  wx  = $signed({1'b0, weight[7:0]});
-    wire signed [8:0]  b_a = $signed({1'b0, b}) - $signed({1'b0, a});
-    wire signed [8:0]  d_c = $signed({1'b0, d}) - $signed({1'b0, c});
     reg  signed [17:0] s1_upper_q, s1_lower_q;
     reg  [7:0]         s1_a_q, s1_c_q, s1_wy_q, s1_wl_q;
     always @(posedge clk) begin
-        s1_upper_q <= b_a * wx;
-        s1_lower_q <= d_c * wx;
-        s1_a_q     <= a;
-        s1_c_q     <= c;
-        s1_wy_q    <= weight[15:8];
-        s1_wl_q    <= level_q;
+        s1_upper_q <= s0_b_a_q * s0_wx_q;
+        s1_lower_q <= s0_d_c_q * s0_wx_q;
+        s1_a_q     <= s0_a_q;
+        s1_c_q     <= s0_c_q;
+        s1_wy_q    <= s0_wy_q;
+        s1_wl_q    <= s0_wl_q;
     end
 
     // ---- stage 2: two rows, exact; between the texels, so 16 bits hold them ----
@@ -119,8 +129,8 @@ module rt_texel_filter #(
     wire signed [25:0] s5_sum = $signed({2'd0, s5_near_q, 8'd0}) + s5_prod_q[25:0];   // u8.16
     wire signed [9:0]  s5_channel = `RT_ROUND(s5_sum, 25, 16);
     always @(posedge clk) begin
-        if (ph_q[7] || ph_q[9] || ph_q[11]) out_texel_o <= {s5_channel[7:0], out_texel_o[23:8]};
-        if (ph_q[6]) out_tag_o <= tag_q;
+        if (ph_q[8] || ph_q[10] || ph_q[12]) out_texel_o <= {s5_channel[7:0], out_texel_o[23:8]};
+        if (ph_q[7]) out_tag_o <= tag_q;
     end
     wire unused = &{1'b0, s1_upper_q[17:16], s1_lower_q[17:16], s3_prod_q[33:26], s3_level[17:16],
                     s5_prod_q[33:26], s5_channel[9:8], s3_sum[6:0], s5_sum[14:0], texels};

@@ -113,22 +113,31 @@ module rt_texture #(
     wire [2:0]       texel_index, texel_word, index, word;
     wire [`RT_LINE_BITS:0] line = texel_valid ? texel_line
                               : {1'b0, image_valid ? image_line : map_line};
-    wire             beyond = line >= {1'b0, mem_lines};
     wire [TAG-2:0]   what   = texel_valid ? {texel_slot, TEXEL, texel_index, texel_word}
                               : image_valid ? {image_slot, IMAGE, 6'd0} : {map_slot, MAP, 6'd0};
+    // The choice stands in a register, then its line is compared with the end of memory.
+    wire             ask, taken;               // by the cache
+    wire [TAG-2:0]   asked;
+    wire [`RT_LINE_BITS:0] asked_line;
+    wire             beyond = asked_line >= {1'b0, mem_lines};
+    rt_head #(.WIDTH(TAG - 1 + `RT_LINE_BITS + 1)) u_ask (
+        .clk(clk), .rst(rst), .in_valid_i(texel_valid || image_valid || map_valid),
+        .in_ready_o(ready), .in_data_i({what, line}),
+        .out_valid_o(ask), .out_ready_i(taken), .out_data_o({asked, asked_line})
+    );
     wire             come, lost, come_error;
     wire [1:0]       kind;
     wire [255:0]     data;
     assign texel_ready = ready;
     assign image_ready = ready && !texel_valid;
     assign map_ready   = ready && !texel_valid && !image_valid;
-    wire             ask = texel_valid || image_valid || map_valid;
     wire [`RT_LINE_BITS-1:0] ask_line = beyond ? {`RT_LINE_BITS{1'b0}}
-                                             : line[`RT_LINE_BITS-1:0];
+                                             : asked_line[`RT_LINE_BITS-1:0];
     wire [`RT_LINE_BITS-1:0] fetch_line;
     rt_cache #(.TAG(TAG), .LINES(LINES), .WAYS(WAYS), .GROUP(GROUP), .PENDING(SLOTS)) u_cache (
         .clk(clk), .rst(rst), .flush_i(flush_i), .miss_o(miss_o),
-        .req_valid_i(ask), .req_ready_o(ready), .req_line_i(ask_line), .req_tag_i({what, beyond}),
+        .req_valid_i(ask), .req_ready_o(taken), .req_line_i(ask_line),
+        .req_tag_i({asked, beyond}),
         .rsp_valid_o(come), .rsp_ready_i(1'b1), .rsp_data_o(data),
         .rsp_tag_o({slot, kind, index, word, lost}), .rsp_error_o(come_error),
         .mem_req_valid_o(mem_req_valid_o), .mem_req_ready_i(mem_req_ready_i),
@@ -151,8 +160,8 @@ module rt_texture #(
     // for benches: the cache's shape, and what it is asked and given
     wire [31:0] cache_shape /* verilator public_flat_rd */ = {LINES[15:0], WAYS[7:0], GROUP[7:0]};
     wire [31:0] cache_seen  /* verilator public_flat_rd */ =
-        {flush_i, mem_rsp_valid_i && mem_rsp_ready_o, mem_rsp_error_i, ask, ready, texel_valid,
-         ask_line};
+        {flush_i, mem_rsp_valid_i && mem_rsp_ready_o, mem_rsp_error_i, ask, taken,
+         asked[7:6] == TEXEL, ask_line};
 
     // ---- a line came ----
     reg              r_map_q, r_texel_q, r_lost_q;

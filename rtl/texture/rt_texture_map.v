@@ -86,8 +86,15 @@ module rt_texture_map #(
     wire [3*GW-1:0]  c_point;
     wire [53:0]      c_unit;
     reg              c_read_q;               // what belongs to the head is read
+    wire             next_valid, next_ready; // behind the head, which reads memories
+    wire [SLOTW-1:0] next_slot;
     rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_records (
         .clk(clk), .rst(rst), .in_valid_i(r_sound), .in_ready_o(c_in), .in_data_i(r_slot_q),
+        .out_valid_o(next_valid), .out_ready_i(next_ready), .out_data_o(next_slot)
+    );
+    rt_head #(.WIDTH(SLOTW)) u_head (
+        .clk(clk), .rst(rst),
+        .in_valid_i(next_valid), .in_ready_o(next_ready), .in_data_i(next_slot),
         .out_valid_o(c_valid), .out_ready_i(c_take), .out_data_o(c_slot)
     );
     rt_slot_ram #(.WIDTH(256), .SLOTS(SLOTS), .OLD(0)) u_map (

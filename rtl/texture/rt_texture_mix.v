@@ -68,8 +68,15 @@ module rt_texture_mix #(
     wire             f_both = f_mix[39:32] != 8'd0;
     wire             get_last = index_q == (nearest_i ? 3'd0 : f_both ? 3'd7 : 3'd3);
     assign f_take = full_q && f_ready;
+    wire             next_valid, next_ready; // behind the head, which reads memories
+    wire [SLOTW-1:0] next_slot;
     rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_full (
         .clk(clk), .rst(rst), .in_valid_i(all), .in_ready_o(f_in), .in_data_i(texel_slot_i),
+        .out_valid_o(next_valid), .out_ready_i(next_ready), .out_data_o(next_slot)
+    );
+    rt_head #(.WIDTH(SLOTW)) u_head (
+        .clk(clk), .rst(rst),
+        .in_valid_i(next_valid), .in_ready_o(next_ready), .in_data_i(next_slot),
         .out_valid_o(f_valid), .out_ready_i(f_take), .out_data_o(f_slot)
     );
     rt_slot_ram #(.WIDTH(40), .SLOTS(SLOTS), .OLD(0)) u_mix (

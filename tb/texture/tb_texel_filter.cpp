@@ -97,6 +97,6 @@ int main(int argc, char **argv) {
             b.show("in_level_i", e.level, 8);
         }
     };
-    b.stream(directed, make, TAG, 12, 6, send, check);
+    b.stream(directed, make, TAG, 13, 7, send, check);
     return b.finish();
 }
