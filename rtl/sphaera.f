@@ -36,6 +36,7 @@ rtl/memory/rt_cache.v
 rtl/memory/rt_credit_fifo.v
 rtl/memory/rt_dual_ram.v
 rtl/memory/rt_fifo.v
+rtl/memory/rt_head.v
 rtl/memory/rt_mem_arbiter.v
 rtl/memory/rt_slot_file.v
 rtl/memory/rt_slot_ram.v
