@@ -116,6 +116,7 @@ class World {
     /* From now on memory ends nowhere: the scene is in each part of it, at the same place. */
     void repeat() {
         scene_lines = (uint32_t)m.lines;
+        if (scene_lines > Repeated::ALIKE) stop({"a scene of too many lines"});
         everywhere = std::make_unique<Repeated>();
         std::copy(m.mem, m.mem + (size_t)m.lines * SPH_LINE_WORDS, everywhere->words);
         free(m.mem);
@@ -282,6 +283,7 @@ template <class Top, int READERS = 1> class Memory {
   public:
     std::vector<bool> spoilt;             /* by line; empty: none */
     std::function<bool(uint32_t)> wanted; /* whether a line may be asked for; none: any may */
+    int spoilt_for = -1;                  /* the reader who gets all lines with an error */
     uint64_t requests = 0;
 
     Memory(bench::Bench<Top> &bench, const World &w) : b(bench), world(w) {
@@ -302,7 +304,8 @@ template <class Top, int READERS = 1> class Memory {
         b.dut.mem_rsp_valid_i = (uint8_t)(comes << to);
         if (!lines.empty()) {
             uint32_t line = lines.front().line;
-            b.dut.mem_rsp_error_i = !spoilt.empty() && spoilt[World::here(line)];
+            b.dut.mem_rsp_error_i =
+                to == spoilt_for || (!spoilt.empty() && spoilt[World::here(line)]);
             for (int i = 0; i < 8; i++)
                 b.dut.mem_rsp_data_i[i] = world.line(line)[i] ^ (b.dut.mem_rsp_error_i ? ~0u : 0u);
         }

@@ -5,8 +5,8 @@
  * reflected rays from anywhere. The bench stands in for rt_leaf_unit: results of leaf children come
  * late and in any order, with several leaf units from each its own. A vector is a ray that is done.
  * Between phases the limit of visits changes, the tree moves to other addresses and events are
- * compared with the model's counters. Who includes this has named the module `Top`; with one pipe
- * it may be rt_trace.
+ * compared with the model's counters; in some of them a pipe's memory has nothing but errors. Who
+ * includes this has named the module `Top`; with one pipe it may be rt_trace.
  */
 #ifndef TB_TRACED_RAYS_H
 #define TB_TRACED_RAYS_H
@@ -52,6 +52,9 @@ class Trace : public bench::Bench<Top> {
     void phase() {
         world.m.regs[SPH_REG_VISIT_LIMIT] = random.percent(70) ? limit : (int32_t)random.below(6);
         dut.flush_i = random.percent(50);
+        memory.spoilt_for = -1;
+        if (dut.flush_i && ACCEL != 1 && random.percent(20))
+            memory.spoilt_for = (int)random.below(PIPES);
         if (dut.flush_i) world.move(world.part(random));
         world.put_regs(dut.regs_i);
         pace = random.percent(50) ? 100 : (unsigned)random.between(2, 60);
@@ -149,8 +152,11 @@ class Trace : public bench::Bench<Top> {
             if (kind == SPH_REFLECTED && random.percent(10)) flatten(s.ray);
             s.ray.first = FIRST && primary && !again && world.on(SPH_EFFECT_FIRST);
             if (primary && !again) s.visits = 0;
-            s.hit =
-                sph_traverse(&world.m, &s.ray, SPH_TRAVERSE_TREE, &counters, &s.visits, &errors);
+            if (parts::pipes.of(at) == memory.spoilt_for)
+                fall(s);
+            else
+                s.hit = sph_traverse(&world.m, &s.ray, SPH_TRAVERSE_TREE, &counters, &s.visits,
+                                     &errors);
             s.state = kind == SPH_SHADOW ? Slot::HELD : Slot::RUNS;
             parts::put_ray(dut.ray_i, at, s.ray);
             parts::put_in_ray(dut.ray_i, at, RT_RAY_VALID, true);
@@ -166,6 +172,15 @@ class Trace : public bench::Bench<Top> {
         ray.dir[axis] = random.between(-1, 1);
         if (!ray.dir[0] && !ray.dir[1] && !ray.dir[2]) ray.dir[axis] = 1;
         sph_ray_setup(&world.p, &ray);
+    }
+
+    /* Of a ray whose first visit ends with an error of memory; one that is refused reads too. */
+    void fall(Slot &s) {
+        bool refused = !world.m.regs[SPH_REG_VISIT_LIMIT];
+        s.hit = {0, SPH_ID_NONE, 0};
+        s.visits += !refused;
+        counters.count[SPH_COUNT_NODE_VISITS] += !refused;
+        errors |= 1u << SPH_ERROR_BUS_ERROR | (uint32_t)refused << SPH_ERROR_VISIT_LIMIT;
     }
 
     void start_shadow(int unit) {
