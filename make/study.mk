@@ -19,7 +19,7 @@ study_plan = $(Q)python3 -m lab.study.plan $(1) $(if $(KINDS),--kinds $(KINDS)) 
 # + before it: the commands share the JOBS of this make
 jobs_run   = python3 -m lab.jobs.run $(ENGINE) $(1)
 
-.PHONY: study study-short study-page study-pnr study-seeds
+.PHONY: study study-short study-page study-pnr study-seeds study-paths
 study: $(TOOL) ## docs/results/accuracy.md: what a bit costs in time and cells; two hours
 	$(call study_plan)
 	+$(Q)$(call jobs_run,$(STUDY)/jobs); rc=$$?; \
@@ -41,6 +41,14 @@ study-seeds: $(STUDY)/venv/done ## MHz of one core placed with several seeds; mi
 	    exit 1; done
 	$(Q)python3 -m lab.study.seeds $(SEEDS_CORE) $(addprefix $(SEEDS_AT)/,$(SEEDS))
 	$(Q)python3 -m lab.pages.measured docs/results/accuracy.md "make study-seeds" seeds
+
+SEEDS_ONE = $(firstword $(SEEDS))
+study-paths: $(STUDY)/venv/done ## slow paths of a core placed with the first of SEEDS; minutes
+	$(Q)sh synth/core.sh $(SEEDS_CORE) $(SEEDS_AT)/core
+	$(Q)mkdir -p $(SEEDS_AT)/$(SEEDS_ONE) && BUILD=$B ROUTE=$(ROUTE) SDF=1 \
+	    SEED=$(lastword $(subst -, ,$(SEEDS_ONE))) SPEED=$(firstword $(subst -, ,$(SEEDS_ONE))) \
+	    sh synth/place.sh $(SEEDS_AT)/core $(SEEDS_AT)/$(SEEDS_ONE)
+	$(Q)python3 -m lab.synth.families $(SEEDS_AT)/$(SEEDS_ONE)/delays.sdf
 
 study-pnr: $(STUDY)/venv/done
 $(STUDY)/venv/done:

@@ -97,6 +97,7 @@ check "no result of any of these" [ "$(count)" = "$before" ]
 # ---- the page, and place and route ----
 check "numbers, dashes and plots of the page" python3 -m lab.checks.page "$TMP/page"
 check "what nextpnr reports, in short" python3 -m lab.checks.placed "$TMP"
+check "families of slow paths" python3 -m lab.checks.families "$TMP"
 if command -v nextpnr-ecp5 >"$TMP/which"; then
     echo "ok $((checks += 1)) - # SKIP there is a nextpnr-ecp5"
 else
