@@ -3,8 +3,9 @@
 //   level = round(bilinear(texel 0..3; wx, wy) * 2^8), u8.8; texel = round(near + (far - near)*wl)
 // Nearest: texel 0 and weights of 0. One level: wl = 0, the far texels do not matter.
 // A channel of a level a clock, near before far, red first, through four multipliers:
-//   1 products in x | 2 rows | 3 product in y | 4 level, rounded | 5 product of levels | 6 rounded
-// Latency 12 cycles, a new one every 6. Model: cmodel/texture/filter.c
+//   0 differences in x | 1 products | 2 rows | 3 product in y | 4 level, rounded |
+//   5 product of levels | 6 rounded
+// Latency 13 cycles, a new one every 7. Model: cmodel/texture/filter.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_fx.vh"
