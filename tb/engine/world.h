@@ -289,6 +289,11 @@ template <class Top, int READERS = 1> class Memory {
     Memory(bench::Bench<Top> &bench, const World &w) : b(bench), world(w) {
         b.dut.mem_req_ready_i = b.dut.mem_rsp_valid_i = b.dut.mem_rsp_error_i = 0;
     }
+    /* Behind a reset nobody waits. */
+    void forget() {
+        for (std::deque<Line> &lines : asked)
+            lines.clear();
+    }
     void before() {
         if (b.cycle % 512 == 0) {
             pace = b.random.percent(40) ? 100 : (unsigned)b.random.between(10, 60);

@@ -2,13 +2,16 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * The bench stands in for the other groups with the model's functions: rt_setup makes rays of the
- * vectors that come, rt_trace finds what they hit, rt_leaf_unit gives records, rt_slots reads the
- * colours of pixels that are complete. All of it takes its time, so that slots overtake each other.
- * A vector is a pixel. Who includes this has named the module `Top`; with one unit it may be
- * rt_shade.
+ * vectors that come, rt_trace finds what they hit, rt_leaf_unit gives records, rt_slots probes
+ * surfaces that first hits found, and reads the colours of pixels that are complete. All of it
+ * takes its time, so that slots overtake each other. In each phase colours and shares of light are
+ * others; some begin with pixels that a reset ends. A vector is a pixel. Who includes this has
+ * named the module `Top`; with one unit it may be rt_shade.
  */
 #ifndef TB_SHADED_PIXELS_H
 #define TB_SHADED_PIXELS_H
+
+#include <set>
 
 #include "engine/parts.h"
 #include "engine/world.h"
@@ -21,20 +24,42 @@ extern "C" {
 #ifndef SHADOW
 #define SHADOW 1
 #endif
+#ifndef DEEP
+#define DEEP 3
+#endif
 #ifndef LIGHTS
 #define LIGHTS 8
 #endif
 #ifndef TEXTURE
 #define TEXTURE 0
 #endif
+#ifndef FACETS
+#define FACETS 0
+#endif
+#ifndef REFRACT
+#define REFRACT 0
+#endif
+#ifndef SUM
+#define SUM 0
+#endif
+#ifndef INTERPENETRATE
+#define INTERPENETRATE 1
+#endif
 
 namespace {
 
-constexpr int EVENTS = 7;      /* that are counted */
+constexpr uint64_t BLEND = SUM || REFRACT ? 12 : 4; /* clocks a surface */
+constexpr int EVENTS = 8;                           /* that are counted */
+/* Surfaces are probed: by one unit, and first hits are of spheres. */
+constexpr bool PROBES = INTERPENETRATE && SHADES == 1 && !FACETS;
 constexpr uint64_t SETUP = 12; /* clocks from a vector to its ray, at least */
 
 struct Slot {
     bool used = false, ends = false;
+    bool again = false;               /* the primary ray is repeated, nearest first */
+    bool probe = false, last = false; /* of the surface that was blended last */
+    uint32_t first = SPH_ID_NONE;     /* what the primary ray hit */
+    uint64_t missed = 0, before = 0;  /* cycle of a miss that is not blended yet; blended before */
     int x = 0, y = 0;
     struct sph_ray ray = {}, light = {}; /* the ray whose surfaces are shaded; to a light */
     int64_t org[3] = {};
@@ -66,30 +91,14 @@ struct Fetch {
 class Shade : public bench::Bench<Top> {
   public:
     Shade(const char *name, int argc, char **argv, long pixels)
-        : Bench(name, argc, argv, pixels), world(0), memory(*this, world),
-          effects(world.m.regs[SPH_REG_EFFECTS]), depth(world.m.regs[SPH_REG_MAX_DEPTH]) {
+        : Bench(name, argc, argv, pixels), world(0, DEEP), memory(*this, world),
+          effects(world.m.regs[SPH_REG_EFFECTS]), depth(world.m.regs[SPH_REG_MAX_DEPTH]),
+          lights(world.m.regs[SPH_REG_N_LIGHTS]) {
+        if (TEXTURE) scatter();
         dut.flush_i = dut.read_i = 0;
         bench::put(dut.light_i, RT_LIGHT_VALID, 0);
-        for (int unit = 0; unit < SHADES; unit++)
-            put_record(unit, RT_RECORD_VALID, 0);
-        parts::no_ray(dut.ray_i);
-        bench::put(dut.hit_i, RT_HIT_HIT, 0);
-        bench::put(dut.hit_i, RT_HIT_MISS, 0);
-        bench::put(dut.hit_i, RT_HIT_SHADOW, 0);
+        nothing();
         world.put_regs(dut.regs_i);
-    }
-
-    void write_lights() {
-        for (int l = 0; l < world.m.regs[SPH_REG_N_LIGHTS]; l++)
-            for (int part = 0; part < 6; part++) {
-                bench::put(dut.light_i, RT_LIGHT_VALID, 1);
-                bench::put(dut.light_i, RT_LIGHT_NUMBER, l);
-                bench::put(dut.light_i, RT_LIGHT_PART, part);
-                bench::put(dut.light_i, RT_LIGHT_DATA,
-                           world.m.regs[SPH_REG_LIGHT0_X + l * SPH_LIGHT_STRIDE + part]);
-                tick();
-            }
-        bench::put(dut.light_i, RT_LIGHT_VALID, 0);
     }
 
     void clock(bool start) {
@@ -118,6 +127,7 @@ class Shade : public bench::Bench<Top> {
             if (!s.used || s.ends) return fail("a pixel that ends twice");
             s.ends = true;
         }
+        if (SHADES == 1) blended();
         faults |= dut.fault_o;
         tick();
         for (int unit = 0; unit < SHADES; unit++)
@@ -132,25 +142,40 @@ class Shade : public bench::Bench<Top> {
 
     /* Nothing is under way: effects are switched on and off. */
     void phase() {
+        if (random.percent(20))
+            for (int i = 0; i < 20; i++)
+                interrupt();
+        paint();
+        write_lights();
         static const int switched[] = {SPH_EFFECT_SHADOW,   SPH_EFFECT_REFLECT, SPH_EFFECT_REFRACT,
                                        SPH_EFFECT_SPECULAR, SPH_EFFECT_SUM,     SPH_EFFECT_TEXTURE};
         world.m.regs[SPH_REG_EFFECTS] = effects;
         for (int effect : switched)
-            if (random.percent(20)) world.m.regs[SPH_REG_EFFECTS] &= ~(1 << effect);
+            if (random.percent(effect == SPH_EFFECT_SHADOW ? 40 : 20))
+                world.m.regs[SPH_REG_EFFECTS] &= ~(1 << effect);
+        if (PROBES && random.percent(40))
+            world.m.regs[SPH_REG_EFFECTS] |= 1 << SPH_EFFECT_FIRST | 1 << SPH_EFFECT_INTERPENETRATE;
+        world.m.regs[SPH_REG_N_LIGHTS] =
+            random.percent(70) ? lights : (int32_t)random.below((uint64_t)lights + 1);
+        if (random.percent(15)) bare();
+        world.m.regs[SPH_REG_BG_COLOUR] = (int32_t)random.mixed(24);
+        for (int i = 0; i < 3; i++)
+            world.m.regs[SPH_REG_AMBIENT_R + i] = (int32_t)random.log_bits(16);
         world.m.regs[SPH_REG_MAX_DEPTH] = random.percent(60) ? depth : (int32_t)random.below(4);
         world.m.regs[SPH_REG_LEAST_WEIGHT] = random.percent(60) ? 0 : (int32_t)random.below(257);
         if (TEXTURE) world.m.regs[SPH_REG_TEX_FILTER] = (int32_t)random.below(SPH_FILTERS);
         world.put_regs(dut.regs_i);
         pace = random.percent(50) ? 100 : (unsigned)random.between(3, 60);
+        tides = random.percent(20);
     }
 
     void compare() {
         for (int i = 0; i < 100; i++)
             clock(false);
-        static const int both[] = {SPH_COUNT_RAYS_SHADOW,    SPH_COUNT_RAYS_REFLECTED,
-                                   SPH_COUNT_RAYS_REFRACTED, SPH_COUNT_QUOTIENTS,
-                                   SPH_COUNT_SATURATIONS,    SPH_COUNT_POWERS,
-                                   SPH_COUNT_TEXELS};
+        static const int both[] = {SPH_COUNT_RAYS_PRIMARY,   SPH_COUNT_RAYS_SHADOW,
+                                   SPH_COUNT_RAYS_REFLECTED, SPH_COUNT_RAYS_REFRACTED,
+                                   SPH_COUNT_QUOTIENTS,      SPH_COUNT_SATURATIONS,
+                                   SPH_COUNT_POWERS,         SPH_COUNT_TEXELS};
         for (int i = 0; i < EVENTS; i++)
             expect("events", (bench::i128)seen[i], (bench::i128)counters.count[both[i]], 64);
         if (bad()) show("counter", 0, 8);
@@ -161,7 +186,7 @@ class Shade : public bench::Bench<Top> {
   private:
     world::World world;
     world::Memory<Top, SHADES> memory;
-    const int32_t effects, depth; /* as the scene wants them */
+    const int32_t effects, depth, lights; /* as the scene wants them */
     Slot slots[SLOTS];
     std::vector<Vector> vectors[SETUPS];
     std::vector<Traced> traced;
@@ -173,6 +198,139 @@ class Shade : public bench::Bench<Top> {
     bool lit[SETUPS] = {};      /* a light came in the clock before */
     int reading = -1;
     unsigned pace = 100;
+    bool tides = false;  /* rays that hit or miss come many at a time */
+    uint64_t blends = 0; /* surfaces so far */
+
+    /* Images of textures lie anywhere in memory. */
+    void scatter() {
+        std::set<uint32_t> maps;
+        world.repeat();
+        for (int32_t i = 0; i < world.m.regs[SPH_REG_N_PRIMS]; i++) {
+            uint32_t map = sph_field(prim(i), SPH_PRIM_TEX_LSB, SPH_PRIM_TEX_BITS);
+            if (!map || !maps.insert(map).second) continue;
+            uint32_t *record = sph_line(&world.m, map);
+            uint32_t image = sph_field(record, SPH_MAP_IMAGE_LSB, SPH_MAP_IMAGE_BITS);
+            image += world::Repeated::ALIKE * (uint32_t)random.mixed(SPH_LINE_BITS - 15);
+            sph_field_set(record, SPH_MAP_IMAGE_LSB, SPH_MAP_IMAGE_BITS, image);
+        }
+    }
+
+    uint32_t *prim(int32_t id) {
+        return sph_line(&world.m, (uint32_t)(world.m.regs[SPH_REG_PRIM_BASE] + id));
+    }
+
+    /* Each primitive gets a colour and shares of light, each light a colour, mostly a bright one;
+     * highlights are mostly wide. */
+    void paint() {
+        for (int32_t i = 0; i < world.m.regs[SPH_REG_N_PRIMS]; i++) {
+            auto put = [&](int lsb, int bits, bench::u128 x) {
+                sph_field_set(prim(i), lsb, bits, (uint32_t)x);
+            };
+            put(SPH_PRIM_RED_LSB, 24, random.bits(24));
+            put(SPH_PRIM_KA_LSB, SPH_PRIM_KA_BITS, random.log_bits(SPH_PRIM_KA_BITS));
+            put(SPH_PRIM_KD_LSB, SPH_PRIM_KD_BITS, random.log_bits(SPH_PRIM_KD_BITS));
+            put(SPH_PRIM_KS_LSB, SPH_PRIM_KS_BITS, random.bits(SPH_PRIM_KS_BITS));
+            put(SPH_PRIM_POWER_LSB, SPH_PRIM_POWER_BITS,
+                random.log_bits(random.percent(50) ? 3 : SPH_PRIM_POWER_BITS));
+        }
+        for (int l = 0; l < lights; l++)
+            for (int c = SPH_REG_LIGHT0_R; c <= SPH_REG_LIGHT0_B; c++) {
+                int32_t &reg = world.m.regs[c + l * SPH_LIGHT_STRIDE];
+                uint32_t colour = (uint32_t)random.bits(random.percent(70) ? 16 : 15);
+                reg = (int32_t)(((uint32_t)reg & ~0xffffu) | colour);
+            }
+    }
+
+    void write_lights() {
+        for (int l = 0; l < lights; l++)
+            for (int part = 0; part < 6; part++) {
+                bench::put(dut.light_i, RT_LIGHT_VALID, 1);
+                bench::put(dut.light_i, RT_LIGHT_NUMBER, l);
+                bench::put(dut.light_i, RT_LIGHT_PART, part);
+                bench::put(dut.light_i, RT_LIGHT_DATA,
+                           world.m.regs[SPH_REG_LIGHT0_X + l * SPH_LIGHT_STRIDE + part]);
+                tick();
+            }
+        bench::put(dut.light_i, RT_LIGHT_VALID, 0);
+    }
+
+    /* Nothing asks for a surface's point. */
+    void bare() {
+        world.m.regs[SPH_REG_N_LIGHTS] = 0;
+        for (int effect : {SPH_EFFECT_REFLECT, SPH_EFFECT_INTERPENETRATE, SPH_EFFECT_FIRST,
+                           SPH_EFFECT_REFRACT, SPH_EFFECT_TEXTURE})
+            world.m.regs[SPH_REG_EFFECTS] &= ~(1 << effect);
+    }
+
+    /* No ray, no hit, no record comes. */
+    void nothing() {
+        for (int unit = 0; unit < SHADES; unit++)
+            put_record(unit, RT_RECORD_VALID, 0);
+        parts::no_ray(dut.ray_i);
+        no_hit();
+    }
+
+    void no_hit() {
+        bench::put(dut.hit_i, RT_HIT_HIT, 0);
+        bench::put(dut.hit_i, RT_HIT_MISS, 0);
+        bench::put(dut.hit_i, RT_HIT_SHADOW, 0);
+    }
+
+    /* Pixels are begun, and a reset ends them. */
+    void interrupt() {
+        for (uint64_t i = random.below(300); i; i--)
+            clock(true);
+        nothing();
+        reset(1 + random.below(3));
+        for (Slot &s : slots)
+            s = Slot();
+        for (int unit = 0; unit < SETUPS; unit++) {
+            vectors[unit].clear();
+            announced[unit] = 0, lit[unit] = false;
+        }
+        for (std::vector<Fetch> &asked : fetches)
+            asked.clear();
+        traced.clear();
+        memory.forget();
+        counters = {};
+        std::fill(std::begin(seen), std::end(seen), 0);
+        errors = faults = 0, reading = -1;
+    }
+
+    /* What rt_probe keeps of a surface that is blended. Background waits for none but those that
+     * are blended before it, one every BLEND clocks. */
+    void blended() {
+        if (!bench::get(dut.blend_o, RT_BLEND_VALID)) return;
+        Slot &s = slots[bench::get(dut.blend_o, RT_BLEND_SLOT)];
+        blends++;
+        if (s.missed && cycle - s.missed > BLEND * (blends - s.before) + 12)
+            fail("background waits for too long");
+        s.missed = 0;
+        s.probe = bench::get(dut.blend_o, RT_BLEND_PROBE) != 0;
+        s.last = bench::get(dut.blend_o, RT_BLEND_LAST) != 0;
+    }
+
+    /* Whether a mirror ray was a probe that ends its pixel, or has it begin again. */
+    bool probed(int at, const struct sph_hit &hit) {
+        Slot &s = slots[at];
+        if (s.ray.kind == SPH_PRIMARY) s.first = hit.id;
+        if (s.ray.kind == SPH_PRIMARY || !s.probe) return false;
+        s.probe = false;
+        bool inside = hit.key && hit.far && hit.id != s.first;
+        if (inside) {
+            s.again = true;
+            send_primary(at);
+        } else {
+            s.ends = s.last;
+        }
+        return inside || s.last;
+    }
+
+    void send_primary(int at) {
+        Vector v = {RAY, at, {}, true, cycle};
+        sph_primary_dir(&world.m, slots[at].x, slots[at].y, v.v);
+        vectors[parts::setups.of(at)].push_back(v);
+    }
 
     bool record(int unit) const {
         return parts::shades.get(dut.record_i, unit, RT_RECORD_BITS, RT_RECORD_VALID) != 0;
@@ -195,9 +353,7 @@ class Shade : public bench::Bench<Top> {
         if (s.pixel.id == SPH_ID_NONE) return; /* no matter of rt_shade */
         counters = c;
         s.used = true;
-        Vector v = {RAY, at, {}, true, cycle};
-        sph_primary_dir(&world.m, s.x, s.y, v.v);
-        vectors[parts::setups.of(at)].push_back(v);
+        send_primary(at);
     }
 
     struct sph_ray make(const Vector &v, int kind) {
@@ -205,6 +361,7 @@ class Shade : public bench::Bench<Top> {
         struct sph_ray r = {};
         r.kind = kind;
         r.inside = world.on(SPH_EFFECT_INSIDE);
+        r.first = kind == SPH_PRIMARY && !s.again && world.on(SPH_EFFECT_FIRST);
         r.skip = {SPH_ID_NONE, 0};
         if (kind != SPH_PRIMARY) r.skip = s.skip;
         for (int i = 0; i < 3; i++) {
@@ -258,10 +415,8 @@ class Shade : public bench::Bench<Top> {
     }
 
     void trace() {
-        bench::put(dut.hit_i, RT_HIT_HIT, 0);
-        bench::put(dut.hit_i, RT_HIT_MISS, 0);
-        bench::put(dut.hit_i, RT_HIT_SHADOW, 0);
-        if (traced.empty()) return;
+        no_hit();
+        if (traced.empty() || (tides && cycle % 256 >= 32)) return;
         size_t n = (size_t)random.below(traced.size());
         const Traced t = traced[n];
         if (t.due > cycle) return;
@@ -270,10 +425,12 @@ class Shade : public bench::Bench<Top> {
         uint32_t visits = 0, bad = 0;
         struct sph_hit hit = sph_traverse(&world.m, t.shadow ? &s.light : &s.ray, SPH_TRAVERSE_TREE,
                                           &ours, &visits, &bad);
+        if (PROBES && !t.shadow && probed(t.slot, hit)) return;
         bench::put(dut.hit_i, RT_HIT_SLOT, t.slot);
         bench::put(dut.hit_i, RT_HIT_LIT, !hit.key);
         bench::put(dut.hit_i, RT_HIT_FIRST, s.ray.kind == SPH_PRIMARY);
-        bench::put(dut.hit_i, RT_HIT_PROBE, 0);
+        bench::put(dut.hit_i, RT_HIT_PROBE,
+                   PROBES && s.ray.first && world.on(SPH_EFFECT_INTERPENETRATE));
         bench::put(dut.hit_i, RT_HIT_FAR, hit.far);
         bench::put(dut.hit_i, RT_HIT_ID, hit.id);
         bench::put(dut.hit_i, RT_HIT_KEY, (bench::i128)hit.key);
@@ -283,6 +440,8 @@ class Shade : public bench::Bench<Top> {
             bench::put(dut.hit_i, RT_HIT_HIT, 1);
         else
             bench::put(dut.hit_i, RT_HIT_MISS, 1);
+        slots[t.slot].missed = t.shadow || hit.key ? 0 : cycle;
+        slots[t.slot].before = blends;
     }
 
     void records(int unit) {
@@ -349,13 +508,14 @@ class Shade : public bench::Bench<Top> {
         auto event = [&](int lsb, int bits) {
             return (uint64_t)bench::get(dut.event_o, RT_SHADE_EVENT_BITS * unit + lsb, bits);
         };
-        seen[0] += event(RT_SHADE_EVENT_SHADOW);
-        seen[1] += event(RT_SHADE_EVENT_REFLECTED);
-        seen[2] += event(RT_SHADE_EVENT_REFRACTED);
-        seen[3] += event(RT_SHADE_EVENT_QUOTIENT);
-        seen[4] += event(RT_SHADE_EVENT_SATURATED);
-        seen[5] += event(RT_SHADE_EVENT_POWER);
-        seen[6] += event(RT_SHADE_EVENT_TEXEL);
+        seen[0] += event(RT_SHADE_EVENT_PRIMARY);
+        seen[1] += event(RT_SHADE_EVENT_SHADOW);
+        seen[2] += event(RT_SHADE_EVENT_REFLECTED);
+        seen[3] += event(RT_SHADE_EVENT_REFRACTED);
+        seen[4] += event(RT_SHADE_EVENT_QUOTIENT);
+        seen[5] += event(RT_SHADE_EVENT_SATURATED);
+        seen[6] += event(RT_SHADE_EVENT_POWER);
+        seen[7] += event(RT_SHADE_EVENT_TEXEL);
     }
 
     int to_read() {
@@ -378,7 +538,6 @@ class Shade : public bench::Bench<Top> {
 /* The bench: its exit status. */
 int run(Shade &b) {
     b.reset();
-    b.write_lights();
     bench::phases(b, 500, 5000, 200000, "a pixel got lost");
     return b.finish();
 }
