@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Pixels of a walk come in its order, traced ones apart from those of the background, and each has
- * the direction that sph_primary_dir() says; whose is next is left to the unit. A vector is a
- * clock.
+ * the direction that sph_primary_dir() says; whose is next is left to the unit, but where all
+ * pixels of a window are of one kind and no table is read, walks take turns. A vector is a clock.
  */
 #include "walk_memory.h"
 
@@ -18,6 +18,9 @@ using bench::WalkMemory;
 struct Pixel {
     int x, y;
 };
+
+constexpr uint64_t STARTED = 30; /* clocks to the first pixel, besides those to its place */
+constexpr int IN_A_ROW = 8;      /* pixels of a walk while the other one has some, at most */
 
 /* The unit, its memories, and the run of the registers that it makes. */
 class Walks {
@@ -56,6 +59,8 @@ class Walks {
     std::deque<Pixel> traced[WALKS], background[WALKS];
     unsigned ray_ready = 100, bg_ready = 100; /* percent of clocks */
     int tables = 0;                           /* clocks with bad_table_o */
+    uint64_t turns = 0;                       /* the cycle from which on walks take turns */
+    int latest = 0, row = 0;                  /* the walk of the latest pixel; so many of it */
 
     size_t left() const {
         size_t n = 0;
@@ -88,7 +93,13 @@ class Walks {
                 for (int y = r.win[1]; y < r.win[3]; y++)
                     for (int x = left; x < end && x < left + bench::COLUMN; x++)
                         (r.background(x, y) ? background : traced)[i].push_back({x, y});
-        tables = 0;
+        tables = 0, row = 0;
+        bool mixed = WALKS == 1;
+        for (const auto &a : traced)
+            for (const auto &c : background)
+                mixed = mixed || (!a.empty() && !c.empty());
+        turns =
+            mixed || r.mode > 1 ? UINT64_MAX : b.cycle + (uint64_t)(r.win[1] + r.win[2]) + STARTED;
         t.start_i = 1;
         clock();
         t.start_i = 0;
@@ -132,7 +143,11 @@ class Walks {
     void take(std::deque<Pixel> *of, int x, int y) {
         for (int i = 0; i < WALKS; i++) {
             if (of[i].empty() || of[i].front().x != x || of[i].front().y != y) continue;
+            row = i == latest && b.cycle > turns ? row + 1 : 1;
+            latest = i;
             of[i].pop_front();
+            if (row > IN_A_ROW && !of[WALKS - 1 - i].empty())
+                b.fail("a walk waits for longer than its turn");
             return;
         }
         b.fail("a pixel that is not the next one of a walk");
