@@ -2,10 +2,11 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Every slot gets a ray, then records: lines or halves of lines of a machine's memory, leaf records
- * or not, some of them of no kind, some with an error, some clear to rays towards a light. A vector
- * is a result; a slot has up to four tests under way, whose results come in any order. Now and then
- * all of them are of one sphere and a ray that hits it, so that the queue of roots is full. The
- * default run has to meet every kind with every outcome.
+ * or not, some of them of no kind, some with an error, some clear to rays towards a light. Some
+ * rays are as long as they can be, and meet spheres around all that there is. A vector is a result;
+ * a slot has up to four tests under way, whose results come in any order. Now and then all of them
+ * are of one sphere and a ray that hits it, so that the queue of roots is full. The default run has
+ * to meet every kind with every outcome.
  * Compiled with -O0, for it has few vectors.
  */
 #include "Vrt_prim.h"
@@ -30,8 +31,8 @@ enum { NO_KIND = SPH_KINDS, BAD, CLASSES }; /* of a record, above its kind */
 
 struct Slot {
     struct sph_ray ray = {};
-    bool begun = false;
-    std::vector<struct sph_hit> wanted; /* results that have not come */
+    bool begun = false, longest = false; /* longest: as a ray can be */
+    std::vector<struct sph_hit> wanted;  /* results that have not come */
 };
 
 class Prim : public bench::Bench<Vrt_prim> {
@@ -130,6 +131,8 @@ class Prim : public bench::Bench<Vrt_prim> {
                                                     : SPH_REFLECTED;
             s.ray = burst && lucky ? hit_ray : world.ray(random, kind);
             if (!INSIDE) s.ray.skip.inside = 0;
+            s.longest = !(burst && lucky) && random.percent(20);
+            if (s.longest) lengthen(s.ray);
             s.begun = true;
         }
         int whole = sph_whole(&world.m);
@@ -139,6 +142,7 @@ class Prim : public bench::Bench<Vrt_prim> {
             record[i] = whole || i < SPH_LEAF_STRIDE / 32 ? words[i] : (uint32_t)random.next();
         if (burst && lucky) std::copy(std::begin(hit_record), std::end(hit_record), record);
         uint32_t kind = sph_record_kind(whole, record);
+        if (!kind && !(burst && lucky) && random.percent(s.longest ? 60 : 5)) enlarge();
         bool clear = random.percent(30); /* what a core without CLEAR passes over */
         sph_field_set(record, SPH_LEAF_CLEAR_LSB, !kind, clear);
         if (whole && kind) sph_field_set(record, SPH_FACET_CLEAR_LSB, 1, clear);
@@ -146,6 +150,23 @@ class Prim : public bench::Bench<Vrt_prim> {
         offered = error ? BAD : kind < SPH_KINDS ? (int)kind : NO_KIND;
         put(s.ray, error);
         dut.in_valid_i = 1;
+    }
+
+    void lengthen(struct sph_ray &ray) {
+        const int64_t longest = ((int64_t)1 << (WD - 1)) - 1;
+        for (int64_t &d : ray.dir) {
+            int64_t far = longest - (int64_t)random.bits(WD / 2);
+            d = random.percent(50) ? far : -far;
+        }
+        sph_ray_setup(&world.p, &ray);
+    }
+    void enlarge() {
+        for (int i = 0; i < 3; i++)
+            sph_field_set(record, SPH_LEAF_CTR_X_LSB + SPH_LEAF_CTR_X_BITS * i, SPH_LEAF_CTR_X_BITS,
+                          (uint32_t)random.sbits(W));
+        const uint32_t largest = ((uint32_t)1 << W) - 1;
+        sph_field_set(record, SPH_LEAF_RAD_LSB, SPH_LEAF_RAD_BITS,
+                      largest - (uint32_t)random.log_bits(W));
     }
 
     void put(const struct sph_ray &ray, bool error) {
