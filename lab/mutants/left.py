@@ -3,8 +3,8 @@
 """usage: python3 -m lab.mutants.left BUILD [BENCH...]
 Each BENCH (tb_leaf/tiny, core/EFFECTS) tries all faults that are left in docs/results/data and fit
 into its netlist; without one, patterns of tests/mutants/equivalent.txt are looked at alone. The
-tables of docs/results/mutants.md are made anew. A fault whose line the source has no more keeps
-what is known of it."""
+tables of docs/results/mutants.md are made anew. A fault whose line has moved gets the new one; if
+the source has it no more, what is known of it stays."""
 import fnmatch
 import sys
 
@@ -17,10 +17,11 @@ def main(build, *names):
     for name in names:
         bench = benches.named(name, build)
         netlist = bench.netlist()
-        left = [f for f, (verdict, *_) in found.items()
-                if verdict == "survived" and any(netlist.places(f))]
-        for fault, (verdict, seconds) in binary.run(bench, left, netlist).items():
-            found[fault] = [verdict, name, f"{float(found[fault][2]) + seconds:.2f}"]
+        left = {netlist.again(f): f for f, (verdict, *_) in found.items() if verdict == "survived"}
+        tried = [f for f in left if f and (f == left[f] or f not in found)]
+        for fault, (verdict, seconds) in binary.run(bench, tried, netlist).items():
+            before = found.pop(left[fault])
+            found[fault] = [verdict, name, f"{float(before[2]) + seconds:.2f}"]
             print(verdict, page.text(fault), flush=True)
     told = {}
     for fault, (verdict, bench, seconds) in found.items():

@@ -30,6 +30,10 @@ def base(name):
     return re.search(r"(rt_[a-z0-9_]+)(?:\\|$)", name)[1]
 
 
+def columns(where):
+    return re.findall(r"\.(\d+)", where.split(":")[-1])
+
+
 def run(folder, name, lines):
     """Runs a script of Yosys; what it printed."""
     script = os.path.join(folder, name)
@@ -169,6 +173,18 @@ class Netlist:
                        f"{name if name[0] == '$' else chr(92) + name} "
                        f"-port {chr(92)}{fault.port} -portbit {fault.bit}"
                        + (f" -ctrlbit {fault.other}" if fault.other >= 0 else ""))
+
+    def again(self, fault):
+        """The fault, or what it is called where lines have moved: the module's one cell that is
+        alike and in the same columns, an instance by its name alone. None if there is none."""
+        if any(self.places(fault)):
+            return fault
+        named = fault.cell.split(".")[-1].startswith("u_")
+        moved = {fault._replace(where=where) for _, (where, cell, nth) in self.at
+                 if (cell, nth) == (fault.cell, fault.nth)
+                 and (named or columns(where) == columns(fault.where))}
+        moved = [f for f in moved if any(self.places(f))]
+        return moved[0] if len(moved) == 1 else None
 
     def write(self, faults, verilog):
         """A Verilog file with faults 1, 2, ...; which of them fit. C++ gives their number."""
