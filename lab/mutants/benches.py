@@ -144,7 +144,7 @@ class Core(Built):
                   f"{self.folder}/log")
         objects = [f"{self.build}/sim/obj/{os.path.basename(n)[:-4]}.o"
                    for n in sorted(glob.glob("tb/core/*.cpp"))
-                   if "simulate_" not in n and "tb_counters" not in n]
+                   if not any(part in n for part in ("simulate_", *OF_BLOCKS))]
         return self.compile(verilog, "tb/core/simulate_verilator.cpp",
                             ["-DVM_TRACE=0", "-DVM_TRACE_FST=0", "-DNETLIST"],
                             objects + [f"{self.build}/sim/obj/{n}.o"
@@ -192,6 +192,7 @@ class Shell(Built):
         return True
 
 
+OF_BLOCKS = ("tb_counters", "tb_registers")     # benches in tb/core
 CORES = ("all+texture+refract+specular+sum+spread",)
 
 

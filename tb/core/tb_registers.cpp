@@ -1,0 +1,124 @@
+/* tb_registers.cpp - rt_registers against the words that were written
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * All registers are written once, then any word goes to any address, some of no register; after
+ * each clock every output is compared. A vector is a clock.
+ */
+#include "Vrt_registers.h"
+#include "bench.h"
+#include "machine/layout.h"
+
+#ifndef TEXTURE
+#define TEXTURE 0
+#endif
+#ifndef SMOOTH
+#define SMOOTH 0
+#endif
+#ifndef ACCEL
+#define ACCEL 0
+#endif
+#ifndef TURNED
+#define TURNED 0
+#endif
+
+namespace {
+
+constexpr int ADDRESSES = 128, FRACTION = 32 - WD;
+
+class Registers : public bench::Bench<Vrt_registers> {
+  public:
+    Registers(int argc, char **argv) : Bench("tb_registers", argc, argv, 60000) {}
+
+    void write(int address, bool valid) {
+        uint32_t word = (uint32_t)random.bits(32);
+        if (address == SPH_REG_TREE && random.percent(80)) word = (uint32_t)random.below(8);
+        dut.valid_i = valid;
+        dut.addr_i = (uint8_t)address;
+        dut.data_i = word;
+        settle();
+        int lamp = address - SPH_REG_LIGHT0_X;
+        bool light = valid && lamp >= 0 && lamp < 64;
+        expect("light_valid_o", dut.light_valid_o, light);
+        if (light) expect("light_number_o", dut.light_number_o, lamp / SPH_LIGHT_STRIDE, 3);
+        if (light) expect("light_part_o", dut.light_part_o, lamp % SPH_LIGHT_STRIDE, 3);
+        tick();
+        if (valid) written[address] = word;
+    }
+
+    void compare() {
+        part("effects_o", dut.effects_o, SPH_REG_EFFECTS, 32);
+        part("max_depth_o", dut.max_depth_o, SPH_REG_MAX_DEPTH, 4);
+        part("least_o", dut.least_o, SPH_REG_LEAST_WEIGHT, 9);
+        part("n_lights_o", dut.n_lights_o, SPH_REG_N_LIGHTS, 4);
+        part("window_o", dut.window_o, SPH_REG_WIN_X0, 14, 4);
+        part("bg_mode_o", dut.bg_mode_o, SPH_REG_BG_MODE, 2);
+        part("rect_o", dut.rect_o, SPH_REG_RECT_X0, 14, 4);
+        part("bg_base_o", dut.bg_base_o, SPH_REG_BG_BASE, SPH_LINE_BITS);
+        part("bg_count_o", dut.bg_count_o, SPH_REG_BG_COUNT, 5);
+        part("background_o", dut.background_o, SPH_REG_BG_COLOUR, SPH_RGB_BITS);
+        part("ambient_o", dut.ambient_o, SPH_REG_AMBIENT_R, 16, 3);
+        part("eye_o", dut.eye_o, SPH_REG_EYE_X, W, 3);
+        part("dir_o", dut.dir_o, SPH_REG_DIR_X0, WD, 3);
+        part("pitch_o", dut.pitch_o, SPH_REG_PITCH, WD);
+        part("root_o", dut.root_o, SPH_REG_ROOT, SPH_LINE_BITS);
+        part("prim_base_o", dut.prim_base_o, SPH_REG_PRIM_BASE, SPH_LINE_BITS);
+        part("mem_lines_o", dut.mem_lines_o, SPH_REG_MEM_LINES, SPH_LINE_BITS);
+        part("visit_limit_o", dut.visit_limit_o, SPH_REG_VISIT_LIMIT, SPH_VISITS_BITS);
+        part("profile_o", dut.profile_o, SPH_REG_PROFILE, 32);
+        part("frame_o", dut.frame_o, SPH_REG_FRAME, 2);
+        part("tex_filter_o", dut.tex_filter_o, SPH_REG_TEX_FILTER, 2, 1, TEXTURE);
+        part("coarse_o", dut.coarse_o, SPH_REG_COARSE, 4, 1, TEXTURE);
+        part("smooth_base_o", dut.smooth_base_o, SPH_REG_SMOOTH_BASE, SPH_LINE_BITS, 1, SMOOTH);
+        part("n_prims_o", dut.n_prims_o, SPH_REG_N_PRIMS, SPH_ID_BITS, 1, ACCEL);
+        part("leaf_base_o", dut.leaf_base_o, SPH_REG_LEAF_BASE, SPH_LINE_BITS, 1, ACCEL);
+        part("n_loose_o", dut.n_loose_o, SPH_REG_N_LOOSE, SPH_ID_BITS, 1, ACCEL);
+        part("box_o", dut.box_o, SPH_REG_BOX_X0, W + 2, 6, ACCEL);
+        uint32_t tree = written[SPH_REG_TREE] & 7;
+        expect("bih_o", dut.bih_o, tree == SPH_TREE_BIH || tree == SPH_TREE_BRUTE);
+        expect("boxes_o", dut.boxes_o, tree == SPH_TREE_BOX4);
+        axes();
+        if (bad()) show("addr_i", dut.addr_i, 7), show("data_i", dut.data_i, 32);
+        done();
+    }
+
+  private:
+    uint32_t written[ADDRESSES] = {};
+
+    /* An output of `count` registers one behind the other; 0 if they are not built. */
+    template <class Port>
+    void part(const char *name, const Port &port, int first, int bits, int count = 1,
+              bool built = true) {
+        for (int i = 0; i < count; i++)
+            expect(name, (bench::i128)bench::get(port, bits * i, bits),
+                   built ? (bench::i128)bench::low(written[first + i], bits) : 0, bits);
+    }
+
+    /* A grid in any axes; in the camera's, numbers have no fraction and steps one component. */
+    void axes() {
+        bool any = written[SPH_REG_EFFECTS] >> SPH_EFFECT_TURNED & 1;
+        for (int i = 0; i < 3; i++) {
+            uint32_t pitch = written[SPH_REG_PITCH] << FRACTION;
+            uint32_t first = written[SPH_REG_DIR_X0 + i] << (any ? 0 : FRACTION);
+            uint32_t across = any ? written[SPH_REG_ACROSS_X + i] : i == 0 ? pitch : 0;
+            uint32_t down = any ? written[SPH_REG_DOWN_X + i] : i == 1 ? -pitch : 0;
+            const uint32_t expected[3] = {first, across, down};
+            const bench::u128 all[3] = {get(dut.first_o), get(dut.across_o), get(dut.down_o)};
+            for (int k = 0; k < 3; k++)
+                expect("first_o, across_o or down_o", (uint32_t)(all[k] >> 32 * i),
+                       TURNED ? expected[k] : 0, 32);
+        }
+    }
+};
+
+} // namespace
+
+int main(int argc, char **argv) {
+    Registers b(argc, argv);
+    for (int address = 0; address < ADDRESSES; address++)
+        b.write(address, true);
+    while (b.more()) {
+        b.write((int)b.random.below(ADDRESSES), b.random.percent(70));
+        b.compare();
+    }
+    return b.finish();
+}
