@@ -46,9 +46,9 @@ PARAMETERS := $(filter-out $(replaced),$(shell sh sim/profile.sh '$(PROFILE)')) 
               ENGINES=$(ENGINES) PIPES=$(PIPES) EXACTS=$(EXACTS) SHADES=$(SHADES) \
               ROOT_STEP=$(ROOT_STEP) QUOTIENT_STEP=$(QUOTIENT_STEP)
 
-# What both simulators' harnesses share; some files are benches of blocks.
-SHARED := $(patsubst tb/core/%.cpp,$S/obj/%.o,$(filter-out tb/core/simulate_%.cpp \
-              tb/core/tb_counters.cpp tb/core/tb_registers.cpp,$(wildcard tb/core/*.cpp)))
+# What both simulators' harnesses share; but for tb_core.cpp a tb_ is the bench of a block.
+SHARED := $(patsubst tb/core/%.cpp,$S/obj/%.o,tb/core/tb_core.cpp \
+              $(filter-out tb/core/simulate_%.cpp tb/core/tb_%.cpp,$(wildcard tb/core/*.cpp)))
 
 # Verilator's own library, the same for every core; waveforms only where one is written.
 VERILATED := $(patsubst %,$S/obj/%.o,verilated verilated_threads)

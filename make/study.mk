@@ -34,21 +34,19 @@ study-page: $(TOOL)
 	$(Q)python3 -m lab.pages.measured docs/results/accuracy.md "make study" $$(cat $(STUDY)/tables)
 
 SEEDS_AT = $(STUDY)/seeds/$(SEEDS_CORE)
+# SPEED-SEED of the shell's $$s
+place_seed = mkdir -p $(SEEDS_AT)/$$s && BUILD=$B ROUTE=$(ROUTE) SEED=$${s\#*-} SPEED=$${s%-*} \
+                 sh synth/place.sh $(SEEDS_AT)/core $(SEEDS_AT)/$$s
 study-seeds: $(STUDY)/venv/done ## MHz of one core placed with several seeds; minutes each
 	$(Q)sh synth/core.sh $(SEEDS_CORE) $(SEEDS_AT)/core
-	$(Q)for s in $(SEEDS); do mkdir -p $(SEEDS_AT)/$$s && BUILD=$B ROUTE=$(ROUTE) \
-	    SEED=$${s#*-} SPEED=$${s%-*} sh synth/place.sh $(SEEDS_AT)/core $(SEEDS_AT)/$$s || \
-	    exit 1; done
+	$(Q)for s in $(SEEDS); do $(place_seed) || exit 1; done
 	$(Q)python3 -m lab.study.seeds $(SEEDS_CORE) $(addprefix $(SEEDS_AT)/,$(SEEDS))
 	$(Q)python3 -m lab.pages.measured docs/results/accuracy.md "make study-seeds" seeds
 
-SEEDS_ONE = $(firstword $(SEEDS))
 study-paths: $(STUDY)/venv/done ## slow paths of a core placed with the first of SEEDS; minutes
 	$(Q)sh synth/core.sh $(SEEDS_CORE) $(SEEDS_AT)/core
-	$(Q)mkdir -p $(SEEDS_AT)/$(SEEDS_ONE) && BUILD=$B ROUTE=$(ROUTE) SDF=1 \
-	    SEED=$(lastword $(subst -, ,$(SEEDS_ONE))) SPEED=$(firstword $(subst -, ,$(SEEDS_ONE))) \
-	    sh synth/place.sh $(SEEDS_AT)/core $(SEEDS_AT)/$(SEEDS_ONE)
-	$(Q)python3 -m lab.synth.families $(SEEDS_AT)/$(SEEDS_ONE)/delays.sdf
+	$(Q)export SDF=1 s=$(firstword $(SEEDS)); $(place_seed) && \
+	    python3 -m lab.synth.families $(SEEDS_AT)/$$s/delays.sdf
 
 study-pnr: $(STUDY)/venv/done
 $(STUDY)/venv/done:

@@ -144,7 +144,8 @@ class Core(Built):
                   f"{self.folder}/log")
         objects = [f"{self.build}/sim/obj/{os.path.basename(n)[:-4]}.o"
                    for n in sorted(glob.glob("tb/core/*.cpp"))
-                   if not any(part in n for part in ("simulate_", *OF_BLOCKS))]
+                   if os.path.basename(n) == "tb_core.cpp"
+                   or not os.path.basename(n).startswith(("simulate_", "tb_"))]  # make/core.mk
         return self.compile(verilog, "tb/core/simulate_verilator.cpp",
                             ["-DVM_TRACE=0", "-DVM_TRACE_FST=0", "-DNETLIST"],
                             objects + [f"{self.build}/sim/obj/{n}.o"
@@ -192,7 +193,6 @@ class Shell(Built):
         return True
 
 
-OF_BLOCKS = ("tb_counters", "tb_registers")     # benches in tb/core
 CORES = ("all+texture+refract+specular+sum+spread",)
 
 

@@ -3,11 +3,12 @@
 """usage: python3 -m lab.mutants.left BUILD [BENCH...]
 Each BENCH (tb_leaf/tiny, core/EFFECTS) tries all faults that are left in docs/results/data and fit
 into its netlist; without one, patterns of tests/mutants/equivalent.txt are looked at alone. The
-tables of docs/results/mutants.md are made anew. A fault whose line has moved gets the new one; if
-the source has it no more, what is known of it stays."""
+tables of docs/results/mutants.md are made anew, and told to be as old as before. A fault whose line
+has moved gets the new one; if the source has it no more, what is known of it stays."""
 import fnmatch
 import sys
 
+from ..pages import measured
 from . import benches, binary, page
 
 
@@ -31,6 +32,7 @@ def main(build, *names):
             verdict = "equivalent" if why else "survived"
         told[fault] = verdict, bench, why, seconds
     page.tables(told)
+    measured.amend(page.PAGE, "make campaign")
 
 
 if __name__ == "__main__":

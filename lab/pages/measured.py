@@ -75,6 +75,13 @@ def stamp(page, command, *only):
           for row in found if row.page != stem or row.table in texts)
 
 
+def amend(page, command):
+    """Notes that some lines of a command's tables are new: the tables stay as old as they were."""
+    texts = tables(page)
+    write(row._replace(text=texts[row.table])
+          if (row.page, row.command) == (Path(page).stem, command) else row for row in rows())
+
+
 def prune(pages):
     """Forgets tables that are in no page any more."""
     there = {(page.stem, name) for page in pages for name in tables(page)}

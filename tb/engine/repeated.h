@@ -19,7 +19,8 @@ namespace world {
 
 class Repeated {
   public:
-    static constexpr uint32_t ALIKE = 1 << 15;
+    static constexpr int PART_BITS = SPH_LINE_BITS - 15; /* of the number of a part */
+    static constexpr uint32_t ALIKE = 1u << (SPH_LINE_BITS - PART_BITS);
     static constexpr uint32_t MOST = (1u << SPH_LINE_BITS) - 1; /* as MEM_LINES may say */
     uint32_t *words;                                            /* at first all 0 */
 
@@ -41,7 +42,7 @@ class Repeated {
 
   private:
     static constexpr size_t PART = (size_t)ALIKE * SPH_LINE_WORDS * 4;
-    static constexpr size_t ALL = PART << SPH_LINE_BITS >> 15;
+    static constexpr size_t ALL = PART << PART_BITS;
 
     [[noreturn]] static void stop() {
         perror("# memory at all addresses");

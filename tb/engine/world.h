@@ -127,7 +127,7 @@ class World {
     /* Lines to the beginning of any part, mostly of the first. */
     static uint32_t part(bench::Random &random) {
         return random.percent(70) ? 0
-                                  : Repeated::ALIKE * (uint32_t)random.mixed(SPH_LINE_BITS - 15);
+                                  : Repeated::ALIKE * (uint32_t)random.mixed(Repeated::PART_BITS);
     }
     /* With repeat(): the tree goes on in the part of memory that begins there. */
     void move(uint32_t begin) {

@@ -210,7 +210,7 @@ class Shade : public bench::Bench<Top> {
             if (!map || !maps.insert(map).second) continue;
             uint32_t *record = sph_line(&world.m, map);
             uint32_t image = sph_field(record, SPH_MAP_IMAGE_LSB, SPH_MAP_IMAGE_BITS);
-            image += world::Repeated::ALIKE * (uint32_t)random.mixed(SPH_LINE_BITS - 15);
+            image += world::Repeated::ALIKE * (uint32_t)random.mixed(world::Repeated::PART_BITS);
             sph_field_set(record, SPH_MAP_IMAGE_LSB, SPH_MAP_IMAGE_BITS, image);
         }
     }
