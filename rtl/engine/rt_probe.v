@@ -35,9 +35,9 @@ module rt_probe #(
     output wire              done_void_o,    // the pixel starts again
     output wire              done_end_o,     // the pixel is complete
     // to rt_setup: the primary ray once more
-    output reg               again_valid_o,
+    output wire              again_valid_o,
     input  wire              again_ready_i,
-    output reg  [$clog2(SLOTS)-1:0] again_slot_o,
+    output wire [$clog2(SLOTS)-1:0] again_slot_o,
     output wire [3*WD-1:0]   again_dir_o,
     // which primary rays are repeated
     input  wire [$clog2(SLOTS)-1:0] ray_slot_i,
@@ -63,9 +63,8 @@ module rt_probe #(
     assign done_end_o  = probed && last && !other;
 
     // ---- queue of pixels that start again ----
-    wire             q_valid, q_in;
+    wire             q_valid, q_in, load;
     wire [SLOTW-1:0] q_slot;
-    wire             load  = !again_valid_o || again_ready_i;
     wire             again = again_valid_o && again_ready_i;
     wire [2*WD-1:0]  dir;                            // {y, x}
     rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_queue (
@@ -78,13 +77,10 @@ module rt_probe #(
         .wr_data_i(pixel_dir_i[2*WD-1:0]),
         .rd_en_i(load && q_valid), .rd_addr_i(q_slot), .rd_data_o(dir)
     );
-    always @(posedge clk) begin
-        if (load) begin
-            again_valid_o <= q_valid;
-            again_slot_o  <= q_slot;
-        end
-        if (rst) again_valid_o <= 1'b0;
-    end
+    rt_head #(.WIDTH(SLOTW)) u_head (
+        .clk(clk), .rst(rst), .in_valid_i(q_valid), .in_ready_o(load), .in_data_i(q_slot),
+        .out_valid_o(again_valid_o), .out_ready_i(again_ready_i), .out_data_o(again_slot_o)
+    );
     assign again_dir_o = {pixel_dir_i[3*WD-1:2*WD], dir};
 
     // ---- never both: new pixels wait while one starts again ----

@@ -111,26 +111,20 @@ module rt_surface #(
     endgenerate
 
     // ---- fetch the primitive record, if there is a place for it; by way of a register ----
-    wire             p_in, p_valid, room;
+    wire             p_in, p_valid, room, f_load;
     wire [FB-1:0]    p_fetch;
-    reg              f_valid_q;
-    reg  [FB-1:0]    f_q;
-    wire             f_load = !f_valid_q || fetch_ready_i;
     wire             f_take = f_load && p_valid && room;
     rt_fifo #(.WIDTH(FB), .DEPTH(SLOTS)) u_fetches (
         .clk(clk), .rst(rst), .in_valid_i(on ? t_valid : in_valid), .in_ready_o(p_in),
         .in_data_i(on ? t_fetch : {in_slot, in_line}),
         .out_valid_o(p_valid), .out_ready_i(f_take), .out_data_o(p_fetch)
     );
-    always @(posedge clk) begin
-        if (f_load) begin
-            f_valid_q <= f_take;
-            f_q       <= p_fetch;
-        end
-        if (rst) f_valid_q <= 1'b0;
-    end
-    assign fetch_o[`RT_FETCH_VALID] = f_valid_q;
-    assign {fetch_o[`RT_FETCH_SLOT], fetch_o[`RT_FETCH_LINE]} = f_q;
+    rt_head #(.WIDTH(FB)) u_fetch (
+        .clk(clk), .rst(rst),
+        .in_valid_i(f_take), .in_ready_o(f_load), .in_data_i(p_fetch),
+        .out_valid_o(fetch_o[`RT_FETCH_VALID]), .out_ready_i(fetch_ready_i),
+        .out_data_o({fetch_o[`RT_FETCH_SLOT], fetch_o[`RT_FETCH_LINE]})
+    );
     wire [255:0]     prim = record_i[`RT_RECORD_DATA];
     wire [SLOTW-1:0] prim_slot = record_i[`RT_RECORD_SLOT];
     wire             r_valid = record_i[`RT_RECORD_VALID];

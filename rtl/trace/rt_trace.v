@@ -187,24 +187,18 @@ module rt_trace #(
     wire             done_taken = done_valid_o && (WAITS == 0 || done_ready_i);
     generate
         if (WAITS != 0) begin : g_waits
-            wire             ended_in, head_valid;
+            wire             ended_in, head_valid, head_ready;
             wire [SLOTW-1:0] head_slot;
-            reg              done_valid_q;           // a register, since pipes take turns
-            reg [SLOTW-1:0]  done_slot_q;
-            wire             load = !done_valid_q || done_ready_i;
             rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_done (
                 .clk(clk), .rst(rst), .in_valid_i(ended_valid), .in_ready_o(ended_in),
                 .in_data_i(ended_slot),
-                .out_valid_o(head_valid), .out_ready_i(load), .out_data_o(head_slot)
+                .out_valid_o(head_valid), .out_ready_i(head_ready), .out_data_o(head_slot)
             );
-            always @(posedge clk) begin
-                if (load) begin
-                    done_valid_q <= head_valid;
-                    done_slot_q  <= head_slot;
-                end
-                if (rst) done_valid_q <= 1'b0;
-            end
-            assign {done_valid_o, done_slot_o} = {done_valid_q, done_slot_q};
+            rt_head #(.WIDTH(SLOTW)) u_head (        // a register, since pipes take turns
+                .clk(clk), .rst(rst),
+                .in_valid_i(head_valid), .in_ready_o(head_ready), .in_data_i(head_slot),
+                .out_valid_o(done_valid_o), .out_ready_i(done_ready_i), .out_data_o(done_slot_o)
+            );
             wire unused = ended_in;
         end else begin : g_leaves
             assign {done_valid_o, done_slot_o} = {ended_valid, ended_slot};
