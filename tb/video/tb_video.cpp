@@ -38,8 +38,10 @@ using video::Shape;
 enum Event { NOTHING, BUS_DIES, RESET, OFF_AND_ON, NO_FRAME, ERRORS, EVENTS };
 const char *const EVENT[] = {"nothing", "bus dies", "reset", "off and on", "no frame", "errors"};
 
-/* A mode of which the bus can keep up: rows and blanking are long enough for their beats. */
-Mode make_mode(bench::Random &random, const Rig &rig, Shape &s) {
+/* A mode of which the bus can keep up: rows and blanking are long enough for their beats. What the
+ * queue cannot hold of a row must come while its pixels are shown. With a bit, of the 13 of each of
+ * eight lengths, that one alone is set in its length. */
+Mode make_mode(bench::Random &random, const Rig &rig, Shape &s, int bit) {
     Mode m{};
     const auto part = [&](unsigned most) { return 1 + (unsigned)random.below(most); };
     m = {part(random.percent(30) ? 100 : 30),
@@ -52,9 +54,13 @@ Mode make_mode(bench::Random &random, const Rig &rig, Shape &s) {
          part(3),
          (unsigned)random.below(2),
          (unsigned)random.below(2)};
-    if (random.percent(2)) { /* one part of any length that there may be */
-        unsigned *const parts[] = {&m.h_active, &m.h_front, &m.h_sync, &m.h_back,
-                                   &m.v_active, &m.v_front, &m.v_sync, &m.v_back};
+    unsigned *const parts[] = {&m.h_active, &m.h_front, &m.h_sync, &m.h_back,
+                               &m.v_active, &m.v_front, &m.v_sync, &m.v_back};
+    if (bit >= 0) { /* the others are short, for the picture's sake */
+        for (unsigned *other : parts)
+            *other = part(3);
+        *parts[bit / 13] = 1u << bit % 13;
+    } else if (random.percent(2)) { /* one part of any length that there may be */
         *parts[random.below(8)] = part(8191);
     }
     s = {m.h_active, m.v_active, random.percent(50), random.percent(50), 0};
@@ -63,10 +69,11 @@ Mode make_mode(bench::Random &random, const Rig &rig, Shape &s) {
     const double slow = 1e4 / ((100 - rig.store.stalls) * (100 - rig.store.stalls));
     const double clk = (double)rig.clk_period / (double)rig.pix_period;
     const unsigned row = (unsigned)((beats + 3 * bursts) * slow * clk * 1.3) + 1;
+    const bool slower = m.h_active < row && beats + BURST > DEPTH;
     if (m.h_total() < row) m.h_back += row - m.h_total();
     const double start = (DEPTH + (DEPTH + 60 + 2 * rig.store.latency) * slow) * clk + DEPTH + 60;
     m.v_back += (unsigned)(start / m.h_total()) + 1;
-    return m.h_back < 8192 && m.v_back < 8192 ? m : make_mode(random, rig, s);
+    return m.h_back < 8192 && m.v_back < 8192 && !slower ? m : make_mode(random, rig, s, bit);
 }
 
 class Check {
@@ -83,6 +90,13 @@ class Check {
         rig.store.latency = (unsigned)random.below(20);
         rig.waits = random.percent(25) ? 40 : 0;
         rig.must_be_right = 0;
+        if (const unsigned n = vectors_++;
+            n % 2 && n / 2 < LENGTHS * 13) { /* of a bus that is fast */
+            rig.clk_period = rig.pix_period;
+            rig.store.stalls = 0;
+            bit_ = (int)(n / 2);
+        } else
+            bit_ = -1;
         const uint64_t underruns = rig.underruns, wrong = rig.pictures - rig.right;
         begin();
         rig.run_pictures(1 + random.below(3));
@@ -137,7 +151,7 @@ class Check {
     }
     void begin() {
         Shape s{};
-        const Mode m = make_mode(b.random, rig, s);
+        const Mode m = make_mode(b.random, rig, s, bit_);
         rig.set(m, s);
         b.settle();
         rig.enable(true);
@@ -145,7 +159,9 @@ class Check {
 
   private:
     bench::Bench<Vrt_video> &b;
-    unsigned count[EVENTS] = {0};
+    enum { LENGTHS = 8 };
+    unsigned count[EVENTS] = {0}, vectors_ = 0;
+    int bit_ = -1; /* of the lengths of a mode: make_mode() */
 
   public:
     Rig rig;
