@@ -6,8 +6,8 @@ An operator or number of a file of cmodel/ becomes another one (EDITS): COUNT of
 drawn by SEED, as many as are begun within MINUTES; an edit elsewhere leaves the draw as it is. The
 file is compiled and linked in front of the library's own, into one suite of tests/ after the other
 until one fails, hangs or crashes: those of its name first, then the quickest, of those that gcov
-says run its line and that take at most LONGEST seconds. What all of them let pass they try once
-more under the sanitizers, as `make test` does. What compiles to the same instructions is no fault.
+says run its line and that take at most LONGEST seconds. What all of them let pass the quick ones try
+once more under the sanitizers, as `make test` does. What compiles to the same instructions is no fault.
 JOBS are tried at once. A kill is kept as long as the model and the suite that it fell to stay, what
 is left as long as all suites do. lab/mutants/left_c.py tries in one suite those that the page lists
 as left."""
@@ -31,7 +31,8 @@ from ..jobs import store
 from ..pages import data, place
 from . import page
 
-FOLDERS = ("engine", "math", "pixel", "prim", "shade", "texture", "trace")    # of cmodel/
+FOLDERS = ("core", "engine", "fast", "machine", "math", "pixel", "prim", "shade", "texture",
+           "trace")                             # of cmodel/
 EQUIVALENT = "tests/mutants/equivalent_c.txt"   # reasons, and below each the faults it holds for
 PAGE = "docs/results/mutants.md"
 EDITS = ((r" \+ ", " - "), (r" - ", " + "), (r" \* ", " + "), (r" << ", " >> "), (r" >> ", " << "),
@@ -40,9 +41,11 @@ EDITS = ((r" \+ ", " - "), (r" - ", " + "), (r" \* ", " + "), (r" << ", " >> "),
          (r" \| ", " & "), (r"(?<=[ (,])-(?=[a-z(])", ""), (r"(?<=[ (])!(?=[a-z(])", ""),
          (r"(?<=[ (\[])(\d+)(?=[;,) \]])", None), (r" \+= ", " -= "), (r" -= ", " += "))
 TESTS = "builder core fast machine math pixel prim reference shade texture trace".split()
+MORE = ("test_library",)     # suites that are linked with more than the model
 # The program `hard` as suites: its named cases, some generated ones.
 HARD = {"hard_named": ["--named"], "hard_cases": ["--cases", "20000", "--exhaustive", "100"]}
-LONGEST = float(os.environ.get("LONGEST", "3"))     # seconds of a suite that is tried at all
+LONGEST = float(os.environ.get("LONGEST", "40"))    # seconds of a suite that is tried at all
+QUICK = 3                   # and of one that is tried once more under the sanitizers
 PATIENCE, SLACK = 2, 2      # a suite may take PATIENCE times what it takes without one, and SLACK
 MODEL = ["cmodel/*/*.[ch]", "tests/*.h"]
 SANITIZE = "-O1 -fsanitize=address,undefined -fno-sanitize-recover=all".split()
@@ -59,8 +62,8 @@ def places():
     found = []
     for name in sorted(n for f in FOLDERS for n in glob.glob(f"cmodel/{f}/*.c")):
         text = source(name)
-        if re.search(r"gen_|_build|_scene|build\.c|scene\.c", name):
-            continue        # programs that make tables, and the builder's part of a kind
+        if re.search(r"gen_|_build|_scene|build\.c|scene\.c|_neon", name):
+            continue        # makes a table; the builder's part of a kind; nothing on this machine
         code = re.sub(r'/\*.*?\*/|//[^\n]*|^#[^\n]*|"[^"\n]*"', lambda m: " " * len(m[0]), text,
                       flags=re.S | re.M)
         for pattern, to in EDITS:
@@ -79,8 +82,15 @@ def sources(suite):
 def suites(build):
     """Programs of tests."""
     found = [os.path.basename(n)[:-2] for t in TESTS for n in sorted(glob.glob(f"tests/{t}/*.c"))]
-    return [t for t in found if t.startswith("test_") and os.path.exists(f"{build}/test/{t}.o")] + (
+    return [t for t in found if t.startswith("test_") and t not in MORE
+            and os.path.exists(f"{build}/test/{t}.o")] + (
         list(HARD) if os.path.exists(f"{build}/test/hard") else [])
+
+
+def options(name):
+    """What the compiler is told of one file, as make/objects.mk has it."""
+    return ["-Icmodel", f"-I{os.path.dirname(name)}",
+            *(["-mavx2"] if name.endswith("_avx2.c") else [])]
 
 
 class Trial:
@@ -97,9 +107,8 @@ class Trial:
         written, made = f"{folder}/{os.path.basename(name)}", f"{folder}/fault.o"
         with open(written, "w", encoding="utf-8") as f:
             f.write(text)
-        ran = subprocess.run([*self.compiler, "-w", "-Icmodel", f"-I{os.path.dirname(name)}", *how,
-                              "-g0", "-c", written, "-o", made], check=False,
-                             stderr=subprocess.DEVNULL)
+        ran = subprocess.run([*self.compiler, "-w", *options(name), *how, "-g0", "-c", written,
+                              "-o", made], check=False, stderr=subprocess.DEVNULL)
         if ran.returncode:
             return None, b""
         return made, subprocess.run(["objdump", "-d", "-s", made], check=True,
@@ -142,8 +151,8 @@ class Trial:
             objects = []
             for name in sorted({n for n, *_ in places()} if len(found) < len(wanted) else ()):
                 objects.append(f"{folder}/{name[7:-2].replace('/', '-')}.o")
-                subprocess.run([*self.compiler, "-w", "-Icmodel", "-O1", "--coverage", "-c", name,
-                                "-o", objects[-1]], check=True)
+                subprocess.run([*self.compiler, "-w", *options(name), "-O1", "--coverage", "-c",
+                                name, "-o", objects[-1]], check=True)
             for suite in wanted:
                 if suite in found:
                     continue
@@ -214,11 +223,11 @@ class Trial:
                 os.remove(program)
             made, _ = self.compiled(folder, name, fault, SANITIZE)
             for suite in tried:
-                if suite in HARD:
+                if suite in HARD or self.suites[suite][0] > QUICK:
                     continue
                 program = self.link(folder, suite, [made], True)
                 # too long is no answer here: without sanitizers it was in time
-                if self.run(program, int(10 * LONGEST)) not in (0, -9, -24):
+                if self.run(program, 10 * QUICK) not in (0, -9, -24):
                     return "killed", suite + " sanitized", sources(suite)
                 os.remove(program)
         return "left", f"{len(tried)} suites", "".join(sorted(map(sources, tried)))
