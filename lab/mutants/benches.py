@@ -16,6 +16,7 @@ extern "C" int mutant_number() {
 }
 '''
 QUICK = 3000        # vectors of the first run of a block's bench
+CELLS = "tb/board/[A-Z]*.v"     # models of a vendor's cells
 STEPS = ("ENGINES=1", "ROOT_STEP=2", "QUOTIENT_STEP=2")
 
 
@@ -40,6 +41,7 @@ class Built:
 
     def __init__(self, name, top, parameters, build):
         self.name, self.top, self.parameters, self.build = name, top, parameters, build
+        self.outer = top    # what the bench sees
         self.folder = f"{build}/mutants/{name.replace('/', '-')}"
 
     def netlist(self):
@@ -49,7 +51,7 @@ class Built:
         made, log = f"{self.folder}/made", f"{self.folder}/log"
         shutil.rmtree(made, ignore_errors=True)
         os.makedirs(made)
-        shell(["verilator", "--cc", "--top-module", self.top, "--prefix", "V" + self.top,
+        shell(["verilator", "--cc", "--top-module", self.outer, "--prefix", "V" + self.outer,
                "-Wno-fatal", "-Wno-lint", "-Wno-style", "-O3", "--x-assign", "fast",
                "--x-initial", "unique", "-Mdir", made, verilog, *more], log)
         with open(f"{made}/all.cpp", "w", encoding="utf-8") as f:
@@ -73,21 +75,26 @@ class Line(Built):
         cut = words.index("/") if "/" in words else len(words)
         super().__init__(f"{self.bench}/{self.configuration}", top,
                          [word.split("=") for word in words[:cut]], build)
+        self.cells = sorted(glob.glob(CELLS)) if top in OF_A_VENDOR else []
         self.macros = [f"-D{word}" for word in words if word != "/"]
         self.runs = [["1", str(QUICK)], ["1"]]
+
+    def netlist(self):
+        return netlist.Netlist(self.folder, self.top, self.parameters, (), self.cells)
 
     def source(self):
         return glob.glob(f"tb/*/{self.bench}.cpp")[0]
 
     def sources(self):
-        return [self.source(), "tb/bench.h"]
+        return [self.source(), "tb/bench.h", *self.cells]
 
     def make(self, verilog):
         return self.compile(verilog, self.source(),
                             [f'-DPROFILE="{self.configuration}"', *self.macros],
                             [*sorted(glob.glob(f"{self.build}/sim/obj/bench_*.o")),
                              f"{self.build}/test/libhard.a"],
-                            words_of("pkg-config", "--libs", "gmp", "mpfr", "expat"))
+                            words_of("pkg-config", "--libs", "gmp", "mpfr", "expat"),
+                            self.cells)
 
     @staticmethod
     def passed(text):
@@ -196,19 +203,21 @@ class Shell(Built):
 CORES = ("all+texture+refract+specular+sum+spread",)
 
 
-OF_A_VENDOR = ("rt_serialise",)    # has cells that Yosys knows nothing of
+OF_A_VENDOR = ("rt_serialise", "rt_clocks")    # have cells that Yosys knows nothing of
 
 
 def every(build):
-    """The lines of tb/benches*.txt, as run_bench.sh has them, whose modules are Verilog."""
+    """The lines of tb/benches*.txt, as run_bench.sh has them."""
     found = subprocess.run(["awk", "-v", "pattern=/", "-v", "all=1", "-f", "tb/benches.awk",
                             "cmodel/machine/machine.def", *sorted(glob.glob("tb/benches*.txt"))],
                            check=True, text=True, stdout=subprocess.PIPE).stdout.splitlines()
-    return [Line(line, build) for line in found if line.split()[1] not in OF_A_VENDOR]
+    return [Line(line, build) for line in found]
 
 
 def wholes(build):
-    return [Core(effects, build) for effects in CORES] + [Shell(build)]
+    from .boards import RamBoard, SdramBoard    # which are made of what stands here
+    return [*(Core(effects, build) for effects in CORES), Shell(build), SdramBoard(build),
+            RamBoard(build)]
 
 
 def named(name, build):

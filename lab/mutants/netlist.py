@@ -22,6 +22,7 @@ from collections import defaultdict, namedtuple
 
 Fault = namedtuple("Fault", "module where cell nth port bit mode other")
 PUBLIC = "/* verilator public_flat_rd */"
+CLOCK = re.compile(r"(.*_)?(S?CLK(I|FB|O.*)?|clk5?)(_i|_o)?")
 WIDTH = 16  # bits of mutsel; value 0 is the sound netlist
 
 
@@ -60,7 +61,7 @@ def head(name):
         return f.read().split("\n);\n", maxsplit=1)[0] + "\n);\n"
 
 
-def elaborate(folder, top, parameters, outside):
+def elaborate(folder, top, parameters, outside, cells):
     folders = sorted({os.path.dirname(n) for n in glob.glob("rtl/*/*.v")})
     for name in outside:
         with open(f"{folder}/{name}.v", "w", encoding="utf-8") as f:
@@ -70,6 +71,7 @@ def elaborate(folder, top, parameters, outside):
     return ["verilog_defaults -add " + " ".join("-I" + f for f in folders),
             "read_verilog -defer " + " ".join(files),
             *(f"read_verilog -lib {folder}/{name}.v" for name in outside),
+            *(f"read_verilog -lib {name}" for name in cells),
             *([f"chparam {values} {top}"] if parameters else []),
             f"hierarchy -top {top}", "proc -norom",
             "setattr -set keep 1 " + " ".join("w:" + name for name in public()),
@@ -78,17 +80,18 @@ def elaborate(folder, top, parameters, outside):
 
 class Netlist:
     """A module and all below it: their cells, and the faults that fit into them. Modules that are
-    outside are instances without anything in them."""
+    outside, and a vendor's cells in files of models, are instances without anything in them."""
 
-    def __init__(self, folder, top, parameters, outside=()):
+    def __init__(self, folder, top, parameters, outside=(), cells=()):
         self.folder, self.top = folder, top
         self.script = [f"read_rtlil {folder}/plain.il"]
         os.makedirs(folder, exist_ok=True)
         plain = f"{folder}/plain.json"
-        run(folder, "plain.ys", elaborate(folder, top, parameters, outside) +
+        run(folder, "plain.ys", elaborate(folder, top, parameters, outside, cells) +
             [f"write_rtlil {folder}/plain.il", f"write_json {plain}"])
         with open(plain, encoding="utf-8") as f:
-            found = json.load(f)["modules"]
+            found = {name: module for name, module in json.load(f)["modules"].items()
+                     if "blackbox" not in module["attributes"]}
         os.remove(plain)
         self.variants = defaultdict(list)   # module: its names in the netlist
         self.cells = {}                     # (variant, name): key of the cell
@@ -96,9 +99,12 @@ class Netlist:
         self.size = {}                      # variant: bits of its cells' ports
         self.fixed = {}                     # variant: {(cell, port, bit): "0" or "1"}
         self.dead = {}                      # variant: {(cell, port, bit)} that no output hears of
+        self.both = set()                   # (variant, cell, port) of both directions: a pin
         for name, module in found.items():
             self.variants[base(name)].append(name)
             self._cells(name, module["cells"])
+            self.both |= {(name, cell, port) for cell, what in module["cells"].items()
+                          for port, way in what["port_directions"].items() if way == "inout"}
             self.fixed[name] = {(cell, port, i): bit for cell, what in module["cells"].items()
                                 for port, bits in what["connections"].items()
                                 for i, bit in enumerate(bits) if bit in ("0", "1")}
@@ -147,9 +153,10 @@ class Netlist:
                 word = line.split()
                 option = dict(zip(word[1::2], word[2::2]))
                 port, wire = option["-port"].lstrip("\\"), option.get("-wire", "").lstrip("\\")
-                if re.fullmatch(r"(.*_)?(CLK|clk)(_i)?", port) or wire in ("clk", "clk_i"):
-                    continue
                 variant, name = self.variants[module][0], option["-cell"].lstrip("\\")
+                if (CLOCK.fullmatch(port) or CLOCK.fullmatch(wire) or
+                        (variant, name, port) in self.both):    # which a fault would cut in two
+                    continue
                 bit, other = int(option["-portbit"]), int(option.get("-ctrlbit", -1))
                 fixed = self.fixed[variant]
                 if (name, port, bit) in self.dead[variant] or (
@@ -158,8 +165,8 @@ class Netlist:
                         and option["-mode"] != "cnot" + fixed[name, port, other]):
                     continue    # no fault: nothing depends on it, or it changes nothing
                 where, cell, nth = self.cells[variant, name]
-                if option["-mode"] == IDLE.get(cell):
-                    continue
+                if option["-mode"] == IDLE.get(cell) or cell.startswith("meminit"):
+                    continue    # a word that a file gives a ROM is no fault of the source
                 chosen.append(Fault(module, where, cell, nth, port, bit, option["-mode"], other))
         os.remove(listed)
         return list(dict.fromkeys(chosen))

@@ -10,6 +10,9 @@ extern "C" {
 #include "core/render.h"
 #include "machine/machine.h"
 }
+#ifdef GOLDEN_CORE /* lab/mutants/boards.py */
+#include "top/golden_core.h"
+#endif
 
 /* Finds symbols by the edges of the clock's pin, as a receiver does, and gives them to a display.
  */

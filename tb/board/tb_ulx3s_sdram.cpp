@@ -6,7 +6,9 @@
  * its datasheet, and gives its words late: noise between the end of one and tAC of the next, both
  * shifted by the way there and back. The display must see black pictures, then the first machine's;
  * after presses of the buttons those of the others, and no others, with every sync in its place.
- * Frames of 640x480 and 320x240 are shown in 640x480, others in a mode of their own size.
+ * Frames of 640x480 and 320x240 are shown in 640x480, others in a mode of their own size. Before
+ * that, words at addresses of all bits are written, and the board is started anew. The lights tell
+ * what goes on; no pin of dq is driven while the part may.
  */
 #include "Vulx3s_pins.h"
 #include "board_link.h"
@@ -19,7 +21,8 @@ extern "C" {
 namespace {
 
 /* Steps of 0.8 ns: half a clock of the PLL's oscillator. */
-enum { CLOCK = 50, HOLD = 3, ACCESS = 8, NEXT = 1 << 6, BEFORE = 1 << 5 };
+enum { CLOCK = 50, HOLD = 3, ACCESS = 8, ANEW = 1 << 1, NEXT = 1 << 6, BEFORE = 1 << 5 };
+enum { SHOWN = 1 << 2, INTERRUPT = 1 << 3 }; /* lights */
 
 class Board {
   public:
@@ -31,16 +34,20 @@ class Board {
     int shown = -1;     /* the machine of the last picture */
     unsigned right = 0; /* pictures of it */
     bool deaf = false;  /* no answer came */
+    bool dark = false;  /* a light was wrong */
+    bool clash = false; /* a pin was driven that should not be, or the other way round */
 
     explicit Board(const video::Mode &mode) : mode_(mode), link_(mode) { dut.uart_rx_i = 1; }
     bool sound() const {
-        return !wrong && !lost && !deaf && !link_.broken && link_.display.error().empty() &&
-               part.error().empty();
+        return !wrong && !lost && !deaf && !dark && !clash && !link_.broken &&
+               link_.display.error().empty() && part.error().empty();
     }
     void tell() const {
         if (!link_.display.error().empty()) printf("# %s\n", link_.display.error().c_str());
         if (!part.error().empty()) printf("# SDRAM: %s\n", part.error().c_str());
         if (deaf) printf("# the board does not answer\n");
+        if (dark) printf("# lights\n");
+        if (clash) printf("# pins of the SDRAM are driven by nobody, or by two\n");
     }
     void clocks(uint64_t n) {
         for (n *= CLOCK; n; n--)
@@ -59,6 +66,14 @@ class Board {
         clocks(4u << STILL);
         dut.btn_i = dut.btn_i & ~button;
         clocks(4u << STILL);
+    }
+
+    void anew() {
+        dut.btn_i |= ANEW;
+        clocks(8);
+        part.restart();
+        dut.btn_i = dut.btn_i & ~ANEW;
+        clocks(40);
     }
 
     /* The driver's bus. */
@@ -105,6 +120,7 @@ class Board {
         const uint64_t since = step_ - edge_ + 100 - way;
         dut.sdram_dq_i = since < 100 + HOLD ? old_ : since < 100 + ACCESS ? (uint16_t)0xdead : now_;
         dut.eval();
+        clash = clash || dut.sdram_drives_o != (dut.sdram_oe_o ? 0xffff : 0);
         if (dut.sdram_clk_o != part_clk_) {
             part_clk_ = dut.sdram_clk_o;
             if (part_clk_) edge();
@@ -152,6 +168,7 @@ class Board {
             for (unsigned bits = (byte | 256) << 1, i = 0; i < 10 && !deaf; i++, bits >>= 1) {
                 dut.uart_rx_i = bits & 1;
                 clocks(DIV);
+                dark = dark || (dut.led_o >> 1 & 1) == dut.uart_rx_i;
             }
     }
     uint32_t hear() {
@@ -204,9 +221,37 @@ int choose(Board &board, int n) {
     for (int k = 1; k <= n; k++, presses++) {
         board.press(NEXT);
         if (!board.see(k % n)) return -1;
+        board.dark = board.dark || board.dut.led_o >> 4 != k % n;
     }
     board.press(BEFORE);
     return board.see(n - 1) ? presses + 1 : -1;
+}
+
+/* Each bit of an address counts, set alone and missing alone. */
+bool remembers(Board &board) {
+    board.clocks(POWER / 2); /* the part begins */
+    for (int bit = 3; bit < 25; bit++)
+        for (const uint32_t at : {1u << bit, ~(1u << bit) & 0x1fffff8u}) {
+            const uint64_t value = 0x9e3779b97f4a7c15u * (at + 1);
+            uint8_t bytes[8];
+            for (int i = 0; i < 8; i++)
+                bytes[i] = (uint8_t)(value >> 8 * i);
+            Board::put(&board, at, bytes, 8);
+            board.clocks(100);
+            if (board.part.word(at >> 10 & 3, at >> 12, (at >> 3 & 127) * 4) != value)
+                return printf("# the word of address %07x is another\n", at), false;
+        }
+    return true;
+}
+
+/* The button resets registers. */
+bool starts_anew(Board &board) {
+    Board::set(&board, SPHAERA_INTERRUPT_ENABLE, 5);
+    const bool kept = Board::get(&board, SPHAERA_INTERRUPT_ENABLE) == 5;
+    board.anew();
+    const bool gone = !Board::get(&board, SPHAERA_INTERRUPT_ENABLE);
+    if (!kept || !gone) printf("# registers are not reset by the button alone\n");
+    return kept && gone;
 }
 
 /* Neither errors nor underruns are told. */
@@ -214,7 +259,14 @@ bool untroubled(Board &board, sphaera &driver) {
     uint64_t counters[SPHAERA_COUNTS] = {};
     sphaera_counters(&driver, counters);
     return !sphaera_errors(&driver) && !counters[SPHAERA_COUNT_UNDERRUNS] &&
-           !(board.dut.led_o & 8) && board.sound();
+           (board.dut.led_o & (INTERRUPT | SHOWN)) == SHOWN && board.sound();
+}
+
+/* An interrupt that is enabled lights up. */
+bool tells(Board &board) {
+    Board::set(&board, SPHAERA_INTERRUPT_ENABLE, 15);
+    board.dark = board.dark || !(board.dut.led_o & INTERRUPT);
+    return board.sound();
 }
 
 } // namespace
@@ -237,11 +289,13 @@ int main(int argc, char **argv) {
     int rc = 0, presses = -1;
     board.clocks(400);
     board.press(NEXT); /* nothing was loaded */
+    board.dark = board.dut.led_o & (INTERRUPT | SHOWN);
+    const bool ready = remembers(board) && starts_anew(board);
     if (board_take(&driver, &bus, machines.data(), n, 100000, &rc, &err))
         printf("# %s\n", err.text);
     else if (!rc && board.see(0))
         presses = choose(board, n);
-    const bool good = presses >= 0 && untroubled(board, driver);
+    const bool good = ready && presses >= 0 && untroubled(board, driver) && tells(board);
     board.tell();
     board.dut.final();
     const double words = (double)(board.part.commands(4) + board.part.commands(5));

@@ -20,6 +20,7 @@ module ulx3s_pins #(
     output wire [12:0] sdram_a_o,
     output wire [1:0]  sdram_dqm_o,
     output wire        sdram_oe_o,        // the board drives dq
+    output wire [15:0] sdram_drives_o,    // these of its pins do
     output wire [15:0] sdram_dq_o,        // what is on the wires
     input  wire [15:0] sdram_dq_i         // what the part drives, while the board does not
 );
@@ -27,6 +28,10 @@ module ulx3s_pins #(
     assign dq         = sdram_oe_o ? 16'hzzzz : sdram_dq_i;
     assign sdram_dq_o = dq;
     assign sdram_oe_o = u_board.dq_oe;
+    genvar i;
+    generate for (i = 0; i < 16; i = i + 1) begin : g_pin
+        assign sdram_drives_o[i] = !u_board.u_pins.g_pin[i].u_pin.T;
+    end endgenerate
     rt_ulx3s_sdram #(.DIV(DIV), .STILL(STILL), .POWER(POWER)) u_board (
         .clk_25mhz(clk_25mhz), .btn_i(btn_i), .uart_rx_i(uart_rx_i), .uart_tx_o(uart_tx_o),
         .gpdi_o(gpdi_o), .led_o(led_o), .sdram_clk_o(sdram_clk_o), .sdram_cke_o(sdram_cke_o),

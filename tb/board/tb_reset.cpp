@@ -1,0 +1,40 @@
+/* tb_reset.cpp - rt_reset: it lasts until 16 clocks after what asks for it was seen to be gone
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * It starts in reset. What asks comes for a clock or more, with pauses that are shorter and longer
+ * than the reset. A vector is a clock.
+ */
+#include "Vrt_reset.h"
+#include "bench.h"
+
+namespace {
+
+struct Top : Vrt_reset {
+    unsigned char rst = 0;
+};
+
+} // namespace
+
+int main(int argc, char **argv) {
+    constexpr uint64_t SYNC = 2, LASTS = 16; /* clocks */
+    bench::Bench<Top> b("tb_reset", argc, argv, 20000);
+    b.dut.hold_i = 0;
+    b.settle();
+    b.expect("rst_o at power-up", b.dut.rst_o, 1);
+    uint64_t change = LASTS + SYNC, last = 0; /* clocks: the next change, when it was asked last */
+    for (; b.more(); b.done()) {
+        if (b.cycle == change) {
+            b.dut.hold_i = !b.dut.hold_i;
+            change += (uint64_t)b.random.between(1, b.random.percent(50) ? 3 : 40);
+        }
+        b.tick();
+        if (b.dut.hold_i) last = b.cycle;
+        if (b.cycle < LASTS)
+            b.expect("rst_o behind power-up", b.dut.rst_o, 1);
+        else if (last) {
+            const uint64_t since = b.cycle - last; /* more, and less, may have been asked before */
+            if (since >= SYNC) b.expect("rst_o", b.dut.rst_o, since < SYNC + LASTS);
+        }
+    }
+    return b.finish();
+}
