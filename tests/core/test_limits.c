@@ -129,6 +129,9 @@ static void cosines_end_at_one(void **state) {
     }
     const struct sph_unit n = {.u = {65536, 0, 0}}, half = {.u = {32768, 56756, 0}};
     assert_int_equal(sph_lambert(&n, &half), 16384);
+    const struct sph_unit one = {.u = {1, 0, 0}}, below = {.u = {65535, 0, 0}};
+    assert_int_equal(sph_lambert(&one, &n), 1); /* half a step, and what is less */
+    assert_int_equal(sph_lambert(&one, &below), 0);
 }
 
 /* Light is at most 2^17-1, u2.15: that of one more lamp, and with the ambient one. */

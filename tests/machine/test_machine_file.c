@@ -126,7 +126,10 @@ static void test_wrong_tree(void **unused) {
     sph_field_set(child, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS, base + 1); /* two parents */
     wrong(&m, "belongs to another node");
     sph_field_set(child, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS, m.lines);
-    wrong(&m, "children at line");
+    char part[64];
+    snprintf(part, sizeof part, "line %u: children at line %u, not in %u..%d", base, m.lines,
+             base + 1, m.regs[SPH_REG_PRIM_BASE] - 1);
+    wrong(&m, part);
     memcpy(child, copy, sizeof copy);
     sph_field_set(child, SPH_NODE_N_LEAF_LSB, SPH_NODE_N_LEAF_BITS, 7);
     wrong(&m, "children");

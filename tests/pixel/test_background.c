@@ -179,6 +179,7 @@ static void test_broken_tables(void **unused) {
         o.background = run & 4 ? SPH_BG_SPANS : SPH_BG_EXACT, o.bg_levels = run & 8 ? 2 : 0;
         struct sph_machine m = built(&s, o, &report);
         size_t base = (size_t)m.regs[SPH_REG_BG_BASE];
+        m.regs[SPH_REG_RECT_X1] = W / 4; /* a rectangle that is not asked for */
         for (int32_t move = 1; move <= 1 << 26; move *= 4) {
             m.regs[SPH_REG_BG_BASE] = (int32_t)base + move;
             assert_true(sph_background_missing(&m));
