@@ -90,7 +90,7 @@ class Line(Built):
 
     def make(self, verilog):
         return self.compile(verilog, self.source(),
-                            [f'-DPROFILE="{self.configuration}"', *self.macros],
+                            ["-DNETLIST", f'-DPROFILE="{self.configuration}"', *self.macros],
                             [*sorted(glob.glob(f"{self.build}/sim/obj/bench_*.o")),
                              f"{self.build}/test/libhard.a"],
                             words_of("pkg-config", "--libs", "gmp", "mpfr", "expat"),

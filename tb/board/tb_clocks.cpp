@@ -50,6 +50,7 @@ int main(int argc, char **argv) {
             release = at + 50 * (uint64_t)b.random.between(3, 9) + b.random.below(50);
         } else if (at == release) {
             dut.restart_i = 0;
+            core.counted = mem.counted = 0;
             press = at + 50 * (uint64_t)b.random.between(1, 60) + b.random.below(50);
             b.done();
         }
@@ -59,10 +60,8 @@ int main(int argc, char **argv) {
         const bool with = bits.look(dut.clk5, at, b);
         if (core.look(dut.clk, at, b)) b.expect("clk5 rises with clk", with, 1);
         mem.look(dut.mem_clk, at, b);
-        if (dut.restart_i) {
-            if (at > press + 3 * core.period) core.counted = mem.counted = 0;
-            if (at <= press + 3 * core.period) continue;
-        }
+        if (dut.restart_i && at <= press + 3 * core.period) continue; /* not heard of yet */
+        if (dut.restart_i) core.counted = mem.counted = 0;
         core.reset(dut.rst_o, b);
         mem.reset(dut.mem_rst_o, b);
     }

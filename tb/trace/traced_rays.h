@@ -51,10 +51,11 @@ class Trace : public bench::Bench<Top> {
     /* All slots are idle: other registers, caches forgotten. */
     void phase() {
         world.m.regs[SPH_REG_VISIT_LIMIT] = random.percent(70) ? limit : (int32_t)random.below(6);
-        dut.flush_i = random.percent(50);
+        const int turn = phases++ % 2 ? phases / 2 - 1 : PIPES; /* each pipe's, between others */
+        dut.flush_i = turn < PIPES || random.percent(50);
         memory.spoilt_for = -1;
-        if (dut.flush_i && ACCEL != 1 && random.percent(20))
-            memory.spoilt_for = (int)random.below(PIPES);
+        if (dut.flush_i && ACCEL != 1 && (turn < PIPES || random.percent(20)))
+            memory.spoilt_for = turn < PIPES ? turn : (int)random.below(PIPES);
         if (dut.flush_i) world.move(world.part(random));
         world.put_regs(dut.regs_i);
         pace = random.percent(50) ? 100 : (unsigned)random.between(2, 60);
@@ -120,6 +121,7 @@ class Trace : public bench::Bench<Top> {
     uint64_t visits = 0, tests = 0;
     unsigned pace = 100, testing = 100; /* percent of clocks with a new ray, with a result */
     int done_slot = -1, read_slot = -1;
+    int phases = 0;
 
     uint64_t of_visit(int pipe, int lsb, int bits) {
         return (uint64_t)parts::pipes.get(dut.visit_o, pipe, RT_VISIT_BITS, lsb, bits);
