@@ -1,4 +1,4 @@
-// f_control.v - proof of rt_control: rules of AXI4-Lite; a setting is what was written
+// f_control.v - proof of rt_control: rules of AXI4-Lite; settings and what was built are read
 // SPDX-License-Identifier: Apache-2.0
 // Followed are one setting, any of the list, and one offset that no register has. The processor
 // asks in any clock, address and data of a write in any order; rt_machine and rt_totals are busy at
@@ -91,7 +91,9 @@ module f_control (
     reg        b_wait_q, r_wait_q;
     reg [1:0]  bresp_q;
     reg [33:0] r_q;
-    reg        at_place_q, at_nowhere_q, read_place_q, read_nowhere_q;
+    reg        at_place_q, at_nowhere_q, read_place_q, read_nowhere_q, read_built_q;
+    reg [31:0] built_q;
+    wire [2:0] word = from[4:2] - 3'd2;          // of what the block was built with
     always @(posedge clk) begin
         old_q <= 1'b1;
         if (awvalid && awready) {aw_q, aw_addr_q} <= {1'b1, awaddr[11:2]};
@@ -111,6 +113,8 @@ module f_control (
         at_nowhere_q   <= {aw_addr_q, 2'd0} == nowhere;
         read_place_q   <= from == place;
         read_nowhere_q <= from == nowhere;
+        read_built_q   <= from >= `RT_TOP_CORE_PROFILE && from <= `RT_TOP_CORE_BUS;
+        built_q        <= built[32*word[1:0] +: 32];
         if (rst) {aw_q, w_q, value_q} <= {2'd0, RESET[32*number +: 32]};
         if (rst) ar_q <= 1'b0;
     end
@@ -127,6 +131,7 @@ module f_control (
         if (did_q) assert (bvalid && bresp == (at_nowhere_q ? 2'b10 : bresp));
         if (rvalid && !r_wait_q && read_nowhere_q) assert (rresp == 2'b10 && rdata == 0);
         if (rvalid && !r_wait_q && read_place_q) assert (rresp == 2'b00 && rdata == was_q);
+        if (rvalid && !r_wait_q && read_built_q) assert (rresp == 2'b00 && rdata == built_q);
         if (read_q) assert (rvalid);                                      // never stuck
         assert (settings[32*number +: 32] == value_q);                    // as it was written
         if (order != 0) assert (does && {aw_addr_q, 2'd0} == `RT_TOP_CONTROL);

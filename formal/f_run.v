@@ -43,6 +43,9 @@ module f_run (
     (* hierconn *) wire       \u_dut.bad_q ;
     (* hierconn *) wire       \u_dut.keep_q ;
     (* hierconn *) wire       \u_dut.silent_q ;
+    (* hierconn *) wire [31:0] \u_dut.read_q ;
+    (* hierconn *) wire [31:0] \u_dut.write_q ;
+    (* hierconn *) wire [31:0] \u_dut.scan_q ;
     wire start  = order[`RT_TOP_CONTROL_START];
     wire anew   = order[`RT_TOP_CONTROL_SOFT_RESET];
     wire stop   = anew || (order[`RT_TOP_CONTROL_STOP] && (busy || draining));
@@ -67,6 +70,19 @@ module f_run (
     end
     always @* if (!old_q) assume (rst);
 
+    // ---- model: clocks in which a bus did not move, as many as 32 bits count ----
+    function [31:0] silence(input stalls, input [31:0] before);
+        silence = !stalls || rst || forget ? 32'd0 : before == 32'hffffffff ? before : before + 1;
+    endfunction
+    reg [31:0] reads_q, writes_q, scans_q;
+    always @(posedge clk) begin
+        reads_q  <= silence(read_stall, reads_q);
+        writes_q <= silence(write_stall, writes_q);
+        scans_q  <= silence(scan_stall, scans_q);
+    end
+    wire read_late  = limit != 0 && reads_q >= limit && busy && !read_dead;
+    wire write_late = limit != 0 && writes_q >= limit && busy && !write_dead;
+
     always @* if (old_q && !rst) begin
         assert (busy == frame_q && !(busy && draining));         // of a START until its end
         if (done) assert (frame_q);                              // which comes once
@@ -80,10 +96,14 @@ module f_run (
         if (drain_q && !draining) assert (quiet_q);              // the buses owe nothing
         if (dead_q && !ended_q) assert (read_dead || write_dead); // given up until they do
         if (told_q) assert (!told);                              // a silence is told once
+        assert (late == (read_late || write_late));              // and at its limit
+        assert (told == (limit != 0 && scans_q >= limit && !told_q));
         // invariant
         assert (\u_dut.bad_q == bad_q || !(frame_q && \u_dut.state_q >= 3));
         assert (\u_dut.keep_q == keep_q || !frame_q);
         assert (\u_dut.silent_q == told_q);
+        assert (\u_dut.read_q == reads_q && \u_dut.write_q == writes_q);
+        assert (\u_dut.scan_q == scans_q);
         assert (begun_q == (\u_dut.state_q == 3) || drain_q || draining);
     end
 endmodule

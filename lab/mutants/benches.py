@@ -221,4 +221,6 @@ def wholes(build):
 
 
 def named(name, build):
-    return next(bench for bench in every(build) + wholes(build) if bench.name == name)
+    from .proofs import Proof, listed
+    proofs = [Proof(module, *proof, build) for module, proof in listed().items()]
+    return next(b for b in every(build) + wholes(build) + proofs if b.name == name)
