@@ -4,8 +4,9 @@
  * Every slot gets a ray, then visits of some leaf children in any line of memory, at all addresses;
  * the next visit comes when all results of the last are there, as rt_trace wants it. Records are
  * fetched in between. A vector is a result; they come in any order, so one is looked for among
- * those that its slot still waits for. Who includes this has named the module `Top`; with one of
- * all units it may be rt_leaf_unit.
+ * those that its slot still waits for. In some phases the memory of one unit has nothing but
+ * errors. Who includes this has named the module `Top`; with one of all units it may be
+ * rt_leaf_unit.
  */
 #ifndef TB_LEAF_VISITS_H
 #define TB_LEAF_VISITS_H
@@ -51,6 +52,7 @@ class LeafVisits : public bench::Bench<Top> {
         for (Slot &s : slots)
             s.begun = false; /* rays carry what the model knows of INSIDE */
         pace = random.percent(50) ? 100 : (unsigned)random.between(2, 60);
+        memory.spoilt_for = phases++ % 4 == 1 ? (int)(phases / 4 % EXACTS) : -1;
         dut.flush_i = 1;
         clock(false);
         dut.flush_i = 0;
@@ -74,6 +76,7 @@ class LeafVisits : public bench::Bench<Top> {
             seen[0] += of_event(unit, RT_PRIM_EVENT_LEAF);
             seen[1] += of_event(unit, RT_PRIM_EVENT_FACET);
             seen[2] += of_event(unit, RT_PRIM_EVENT_ROOT);
+            misses += of_event(unit, RT_EXACT_EVENT_MISS);
             if (of_result(unit, RT_RESULT_VALID)) take_result(unit);
         }
         faults |= dut.fault_o;
@@ -99,9 +102,8 @@ class LeafVisits : public bench::Bench<Top> {
     void compare() {
         for (int i = 0; i < 40; i++)
             clock(false);
-        expect("LEAF", (bench::i128)seen[0], (bench::i128)counters.count[SPH_COUNT_LEAF_TESTS]);
-        expect("FACET", (bench::i128)seen[1], (bench::i128)counters.count[SPH_COUNT_FACET_TESTS]);
-        expect("ROOT", (bench::i128)seen[2], (bench::i128)counters.count[SPH_COUNT_ROOTS]);
+        expect("MISS", (bench::i128)misses, (bench::i128)memory.requests);
+        if (memory.spoilt_for < 0) compare_tests();
         expect("fault_o", faults, errors, 4);
         done();
     }
@@ -112,10 +114,16 @@ class LeafVisits : public bench::Bench<Top> {
     Slot slots[SLOTS];
     struct sph_counters counters = {};
     uint32_t errors = 0, faults = 0;
-    uint64_t seen[3] = {};
+    uint64_t seen[3] = {}, misses = 0;
+    unsigned phases = 0;
     std::set<uint32_t> lines; /* of visits and fetches of this phase */
     unsigned pace = 100;      /* percent of clocks with new work */
 
+    void compare_tests() {
+        expect("LEAF", (bench::i128)seen[0], (bench::i128)counters.count[SPH_COUNT_LEAF_TESTS]);
+        expect("FACET", (bench::i128)seen[1], (bench::i128)counters.count[SPH_COUNT_FACET_TESTS]);
+        expect("ROOT", (bench::i128)seen[2], (bench::i128)counters.count[SPH_COUNT_ROOTS]);
+    }
     uint64_t of_event(int unit, int lsb, int bits) {
         return (uint64_t)bench::get(dut.event_o, RT_EXACT_EVENT_BITS * unit + lsb, bits);
     }
@@ -147,6 +155,14 @@ class LeafVisits : public bench::Bench<Top> {
         return at;
     }
 
+    /* What a leaf child must give; one that memory has not is a miss. */
+    struct sph_hit test(int at, uint32_t line, uint32_t child) {
+        if (parts::exacts.of(at) != memory.spoilt_for)
+            return world.leaf(slots[at].ray, line, child, &counters, &errors);
+        errors |= 1u << SPH_ERROR_BUS_ERROR;
+        return {0, SPH_ID_NONE, 0};
+    }
+
     void give_visit(int pipe, bool start, int told) {
         const parts::Units &u = parts::pipes;
         int at = (pipe << u.own()) + (int)random.below(1u << u.own());
@@ -162,7 +178,7 @@ class LeafVisits : public bench::Bench<Top> {
         for (uint32_t j = 0; j < 4; j++)
             lines.insert(line + j);
         for (uint32_t j = 0; j < 4; j++)
-            if (leaf >> j & 1) s.wanted.push_back(world.leaf(s.ray, line, j, &counters, &errors));
+            if (leaf >> j & 1) s.wanted.push_back(test(at, line, j));
         u.put_slot(dut.visit_i, pipe, RT_VISIT_BITS, RT_VISIT_SLOT, at);
         put(RT_VISIT_LEAF, leaf);
         put(RT_VISIT_LINE, line);
@@ -171,6 +187,7 @@ class LeafVisits : public bench::Bench<Top> {
     void give_fetch(int unit, bool start) {
         const parts::Units &u = parts::shades;
         int at = (unit << u.own()) + (int)random.below(1u << u.own());
+        if (memory.spoilt_for >= 0) return;
         if (fetches(unit) || !start || slots[at].fetch >= 0 || !random.percent(10)) return;
         slots[at].fetch = (int64_t)(world.part(random) + random.below(world.scene_lines));
         lines.insert((uint32_t)slots[at].fetch);
