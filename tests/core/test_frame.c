@@ -135,7 +135,8 @@ static void test_file(void **unused) {
     for (int field = 0; field < 2; field++) { /* sizes that are none */
         unsigned char *side = bytes + 12 + 4 * field, was = *side;
         *side = 0, refused(bytes, n, "frame size"), *side = was;
-        side[2] = 1, refused(bytes, n, "frame size"), side[2] = 0;
+        side[2] = 1, *side = 1, refused(bytes, n, "frame size");
+        *side = 0, refused(bytes, n, "by its header"), side[2] = 0, *side = was;
     }
     bytes[8] = 3, refused(bytes, n, "version 3 with 3 frames");
     assert_int_equal(sph_shot_write(&s, "/no/such/folder/f", &err), -1);

@@ -9,6 +9,7 @@
 #include "builder/box.h"
 #include "fast/fast.h"
 #include "fast/leaf.h"
+#include "fast/pixel.h"
 #include "fast/prepare.h"
 #include "fast/root.h"
 #include "fast/surface.h"
@@ -573,6 +574,17 @@ static void roots(void **state) {
         }
 }
 
+/* The fast walk shades no more than what it knows, and all of that. */
+static void known_effects(void **state) {
+    (void)state;
+    const uint32_t all = 1 << SPH_EFFECT_SHADOW | 1 << SPH_EFFECT_REFLECT | 1 << SPH_EFFECT_INSIDE |
+                         1 << SPH_EFFECT_FIRST | 1 << SPH_EFFECT_TURNED;
+    for (int bit = 0; bit < 32; bit++) {
+        const struct sph_machine m = {.regs = {[SPH_REG_EFFECTS] = (int32_t)(1u << bit)}};
+        assert_int_equal(sph_fast_shades(&m), all >> bit & 1);
+    }
+}
+
 /* What no walk here knows is left to the literal one. */
 static void unknown_trees(void **state) {
     struct sph_scene scene = model_scene("paper5");
@@ -599,6 +611,6 @@ int main(void) {
         cmocka_unit_test(roots),    cmocka_unit_test(spheres),  cmocka_unit_test(triangles),
         cmocka_unit_test(surfaces), cmocka_unit_test(together), cmocka_unit_test(every_scene),
         cmocka_unit_test(circles),  cmocka_unit_test(damaged),  cmocka_unit_test(unknown_trees),
-        cmocka_unit_test(bundles),  cmocka_unit_test(unsound)};
+        cmocka_unit_test(bundles),  cmocka_unit_test(unsound),  cmocka_unit_test(known_effects)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
