@@ -1,0 +1,57 @@
+// f_turns.v - proof of rt_turns: one that asks is chosen, and each other one goes once before it
+// SPDX-License-Identifier: Apache-2.0
+// They ask when they like; the one in turn is served when its user likes. Resets at any time.
+`timescale 1ns / 1ps
+`default_nettype none
+module f_turns #(
+    parameter N = 4
+) (
+    input wire         clk,
+    input wire         rst,
+    input wire [N-1:0] asks,
+    input wire         serve
+);
+    localparam NB = N > 1 ? $clog2(N) : 1;
+    localparam CB = $clog2(N) + 1;
+    wire [N-1:0]  turn;
+    wire [NB-1:0] index;
+    wire served = serve && |asks;
+    rt_turns #(.N(N)) u_dut (
+        .clk(clk), .rst(rst), .asks_i(asks), .served_i(served), .turn_o(turn), .index_o(index)
+    );
+    (* hierconn *) wire [N-1:0] \u_dut.above_q ;
+
+    // ---- any one: how many others were served while it asked, and how many are before it ----
+    (* anyconst *) wire [CB-1:0] mine;
+    reg           old_q = 1'b0;
+    reg  [CB-1:0] passed_q, low;          // low: those that are not above the one served last
+    integer k;
+    always @* begin
+        low = 0;
+        for (k = 0; k < N; k = k + 1) if (!\u_dut.above_q [k]) low = low + 1'b1;
+    end
+    wire [CB-1:0] first = low == N ? 0 : low;            // its turn comes first
+    wire [CB-1:0] rank  = mine >= first ? mine - first : mine + N - first;
+    always @(posedge clk) begin
+        old_q <= 1'b1;
+        if (!asks[mine] || (served && turn[mine])) passed_q <= 0;
+        else if (served) passed_q <= passed_q + 1'b1;
+        if (rst) passed_q <= 0;
+    end
+    always @* begin
+        if (!old_q) assume (rst);
+        assume (mine < N);
+    end
+
+    always @* if (old_q) begin
+        assert ((turn & ~asks) == 0 && (turn & (turn - 1'b1)) == 0);
+        assert ((turn == 0) == (asks == 0));
+        if (|turn) assert (turn == {{(N-1){1'b0}}, 1'b1} << index);
+        else       assert (index == 0);
+        assert (passed_q < N);
+        // invariant: who was passed over is that many places nearer
+        assert ({1'b0, passed_q} + rank < N || passed_q == 0);
+        assert (\u_dut.above_q == ({N{1'b1}} << low) || low == N);
+    end
+endmodule
+`default_nettype wire
