@@ -6,6 +6,8 @@
 #   core     build/sim/KEY/tb_core    (Verilator)
 #   icarus   build/sim/KEY/tb_core.vvp
 #   cxxrtl   build/sim/KEY/tb_core_cxxrtl
+#   ecp5, xc7  build/sim/KEY/FAMILY.json, the netlist
+#   netlist  build/sim/tb_core_netlist, which simulates any of these
 # KEY, which sim/core.sh gives, names every parameter that shapes the core; what they are elaborated
 # and compiled with stands in build/sim/KEY/flags and in build/sim/obj/flags, and a change of these
 # builds anew.
@@ -60,11 +62,14 @@ ELABORATE := iverilog -g2005 -Wall -Itb/core $(PARAMETERS:%=-Ptb_core_icarus.%) 
 COMPILE_CORE := $(if $(TRACED),$(subst $(PRECOMPILED:%=-include-pch %),,$(COMPILE)),$(COMPILE)) \
                     -isystem $K -DVM_TRACE=$(WAVES) -DVM_TRACE_FST=$(WAVES)
 
-.PHONY: tools core icarus cxxrtl
+.PHONY: tools core icarus cxxrtl ecp5 xc7 netlist
 tools: $S/tb_core_icarus $(SHARED) $(VERILATED) $(TRACED) $(PRECOMPILED)
 core: $K/tb_core
 icarus: $K/tb_core.vvp
 cxxrtl: $K/tb_core_cxxrtl
+ecp5: $K/ecp5.json
+xc7: $K/xc7.json
+netlist: $S/tb_core_netlist
 
 $S/obj/flags: FORCE
 	$(call stamp,$(CXX) $(CXXFLAGS) $(ROOT))
@@ -114,6 +119,20 @@ $K/core_cxxrtl.o: tb/core/simulate_cxxrtl.cpp $K/core_cxxrtl/core.cpp
 	    -DYOSYS_VERSION='"$(shell yosys -V)"' -MMD -MP -c $< -o $@
 
 $K/tb_core_cxxrtl: $(SHARED) $K/core_cxxrtl.o $(LIB)
+	$(CXX) $(LINKER) $^ $(LIBS) -o $@
+
+# The core as cells of a family, and what simulates them.
+$K/ecp5.json $K/xc7.json: $K/%.json: $(RTL_FILES) synth/cells.sh $K/icarus.flags
+	@mkdir -p $(@D)
+	RTL=$(RTL) sh synth/cells.sh $* $@ $(PARAMETERS)
+
+NETLIST := $(patsubst tb/netlist/%.cpp,$S/obj/netlist_%.o,$(wildcard tb/netlist/*.cpp))
+$(NETLIST): $S/obj/netlist_%.o: tb/netlist/%.cpp $S/obj/flags
+	@mkdir -p $(@D)
+	$(CCACHE) $(CXX) $(CXXFLAGS) -MMD -MP -c $< -o $@
+
+$S/obj/simulate_netlist.o: CXXFLAGS += -Itb
+$S/tb_core_netlist: $(SHARED) $S/obj/simulate_netlist.o $(NETLIST) $(LIB)
 	$(CXX) $(LINKER) $^ $(LIBS) -o $@
 
 $(VERILATED) $(TRACED): $S/obj/%.o: $(ROOT)/%.cpp $S/obj/flags

@@ -17,7 +17,8 @@ LONG    := tests/flow/test_benches.sh tests/core/test_effect_scenes.sh tests/cor
            tests/flow/test_lint.sh tests/core/test_core_boxes.sh tests/flow/test_formal.sh \
            tests/flow/test_budget.sh tests/core/test_core_optics.sh tests/core/test_core_bih.sh \
            tests/core/test_core_texture.sh tests/core/test_parameters.sh \
-           tests/core/test_own_core.sh tests/hard/test_hard_rtl.sh tests/tool/test_profile.sh \
+           tests/core/test_own_core.sh tests/top/test_cells.sh \
+           tests/hard/test_hard_rtl.sh tests/tool/test_profile.sh \
            tests/pixel/test_background.sh tests/mutants/test_mutants.sh
 # What is quick and goes through each part of the model: `make test ONLY=.clang`.
 CLANG_C := bih bih_walk build cones facets_grid leaf_cases limits machine_bih machine_facets \

@@ -78,8 +78,8 @@ TOP ?= 0
 FRAMES ?= 0..0
 ## MOVIE <text>| .gif or .mp4 of make film, make sim TOP=1 (.mp4: make movie-setup)
 MOVIE ?=
-## SIM verilator|icarus|cxxrtl
-##             cxxrtl: Yosys's C++ (make cxxrtl-setup)
+## SIM verilator|icarus|cxxrtl|ecp5|xc7
+##             cxxrtl: Yosys's C++ (make cxxrtl-setup); ecp5, xc7: gates that Yosys maps to
 SIM ?= verilator
 ## WINDOW <window>| pixels to simulate, x0,y0,x1,y1 (empty: the whole frame)
 WINDOW ?=

@@ -28,7 +28,12 @@ awk -v names="$*" -v given="$given" -v goals="$goals" -v widths="$widths" \
 case " $goals " in
 *" setup "*) ;;
 *" sim "*)
-    command -v "$(echo "$SIM" | sed 's/icarus/iverilog/; s/cxxrtl/yosys/')" >/dev/null || {
+    case $SIM in
+    icarus) program=iverilog ;;
+    cxxrtl | ecp5 | xc7) program=yosys ;;
+    *) program=$SIM ;;
+    esac
+    command -v "$program" >/dev/null || {
         echo "SIM=$SIM: this simulator is not installed: make setup" >&2
         exit 2
     }

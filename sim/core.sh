@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # usage: [EFFECTS=auto|LIST] [ENGINES=n] [PIPES=n] [EXACTS=n] [SHADES=n] [ROOT_STEP=n] \
-#            [QUOTIENT_STEP=n] [SIZES=list] [SIM=verilator|icarus|cxxrtl] \
+#            [QUOTIENT_STEP=n] [SIZES=list] [SIM=verilator|icarus|cxxrtl|ecp5|xc7] \
 #            sim/core.sh --machine FILE [OPTION...]
 #
 # Builds the core that the machine asks for unless it is there (cached by parameters), with
@@ -13,6 +13,7 @@
 # named: a list as sim/parameters.sh takes it; for a machine with a BIH all is all+bih, with boxes
 # all+boxes, of a turned grid +turned. A core with less than the machine asks for refuses it; the
 # harness says what is missing and ends with 3.
+# SIM=ecp5 and xc7 simulate the core as Yosys maps it to that family, cell by cell (tb/netlist).
 # BUILD is the build folder, RTL another source folder, OPT the compiler's effort: -O1, or -O2 for
 # frames of 640x360 and more, which takes a second longer and simulates 1.2 times as fast. BUILT=1
 # says that all was just built: nothing is looked at, which takes longer than a small frame;
@@ -100,6 +101,12 @@ repeat="EFFECTS=$EFFECTS ENGINES=$ENGINES"
     repeat="$repeat PIPES=$PIPES EXACTS=$EXACTS SHADES=$SHADES"
 repeat="$repeat ROOT_STEP=$ROOT_STEP QUOTIENT_STEP=$QUOTIENT_STEP${SIZES:+ SIZES=$SIZES}"
 repeat="$repeat SIM=$SIM sim/core.sh"
+case $SIM in ecp5 | xc7)
+    target netlist netlist PROFILE=standard CORE=all
+    exec "$BUILD/sim/tb_core_netlist" --engine "$BUILD/sim/$key/$SIM.json" --core "$core" \
+        --built "$built" --repeat "$repeat" "$@"
+    ;;
+esac
 if [ "$SIM" != icarus ]; then
     name=tb_core
     [ "$SIM" = verilator ] || name=tb_core_$SIM

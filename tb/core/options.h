@@ -51,7 +51,7 @@ struct Options {
     std::vector<Register> writes; /* in the registers, for model and core alike */
     bool progress = false;
     bool info = false;  /* prints profile and effects of the machine and ends */
-    std::string engine; /* Icarus: the compiled bench */
+    std::string engine; /* Icarus: the compiled bench; gates: the netlist as JSON */
     std::string core;   /* what the core was built with: a list of sim/parameters.sh */
     std::string built;  /* the same as parameters, NAME=VALUE ... */
     std::string trace, frame, model_frame, clocks, json;

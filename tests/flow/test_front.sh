@@ -38,7 +38,8 @@ refuse sim SIM=questa ENGINES=9 STALL=100 LATENCY=-1 SIZE=axb DEPTH=11 JOBS=x PR
     EFFECTS=shadw TREE=papre ACCEL=bhv4 BACKGROUND=rekt TRAVERSE=frist SEED=x WARM=yes TARGET=ecp \
     MAX_PRIMS=0 AT=70000 LEVELS=3 ROOT_STEP=26 QUOTIENT_STEP=14 SCENE=pape5 WINDOW=4,4,4,8 V=2 \
     SAMPLES=17 ERROR=0.1,x
-for word in "SIM=questa: is none of verilator, icarus, cxxrtl$" "ENGINES=9: is not 1 to 8$" \
+for word in "SIM=questa: is none of verilator, icarus, cxxrtl, ecp5, xc7$" \
+    "ENGINES=9: is not 1 to 8$" \
     "STALL=100: is not 0 to 99$" "LATENCY=-1: is not 1 to 100000$" "JOBS=x: is not 1 to 1024$" \
     "SIZE=axb: is no size such as 640x360" "DEPTH=11: is not 0 to 10$" \
     "EFFECTS=shadw: .*; is shadow meant" \
@@ -70,7 +71,7 @@ check "... PROFILE=all, which is for make synth" says "^PROFILE=all: "
 refuse sim SCENE=sphreflake:3
 check "... SCENE=sphreflake:3" says "is sphereflake:N meant"
 SIM=questa refuse sim
-check "... of the environment too" says "^SIM=questa: is none of verilator, icarus, cxxrtl$"
+check "... of the environment too" says "^SIM=questa: is none of verilator, icarus, cxxrtl, ecp5, "
 for word in SIM=questa ENGINES=two EFFECTS=shadw; do
     env BUILD="$TMP/none" "$word" sh sim/core.sh --machine nothing.sph >"$TMP/text" 2>"$TMP/err"
     refused=$?

@@ -1,0 +1,114 @@
+/* simulate_netlist.cpp - the core as the cells that it is mapped to; see simulate.h, netlist.h
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * --engine is the netlist as JSON. What has no initial value starts with noise.
+ */
+#include "netlist/netlist.h"
+
+#include <chrono>
+
+#include "port_host.h"
+
+const char *const simulator_name = "netlist";
+
+std::string simulator_version() {
+    return "netlist of Yosys";
+}
+
+namespace {
+
+class NetlistCore : public PortHost {
+  public:
+    NetlistCore(const Options &o, const sph_machine &machine, Run &run)
+        : PortHost(o, machine, run), core_(o.engine, error_) {
+        if (!error_.empty()) {
+            fail(run, "%s", error_.c_str());
+            return;
+        }
+        pins.rst = true;
+        for (int i = 0; i < RESET; i++)
+            clock();
+        pins.rst = false;
+    }
+
+  private:
+    static const int RESET = 4; /* clocks */
+    void step(const Inputs &in, Outputs &out) override {
+        if (!error_.empty()) return;
+        core_.set("rst", in.pins.rst);
+        core_.set("start_i", in.pins.start);
+        core_.set("keep_cache_i", in.pins.keep_cache);
+        core_.set("cfg_valid_i", in.pins.cfg_valid);
+        core_.set("cfg_addr_i", static_cast<uint64_t>(in.pins.cfg_addr));
+        core_.set("cfg_data_i", in.pins.cfg_data);
+        core_.set("count_addr_i", static_cast<uint64_t>(in.pins.count_addr));
+        core_.set("mem_req_ready_i", in.memory.request_ready);
+        core_.set("mem_rsp_valid_i", in.memory.response_valid);
+        core_.set("mem_rsp_data_i", in.memory.data);
+        core_.set("mem_rsp_error_i", in.memory.error);
+        core_.set("pix_ready_i", in.pix_ready);
+        core_.settle();
+        out.req_valid = core_.get("mem_req_valid_o") != 0;
+        out.req_line = static_cast<uint32_t>(core_.get("mem_req_line_o"));
+        out.rsp_ready = core_.get("mem_rsp_ready_o") != 0;
+        out.pix_valid = core_.get("pix_valid_o") != 0;
+        out.x = static_cast<int>(core_.get("pix_x_o"));
+        out.y = static_cast<int>(core_.get("pix_y_o"));
+        out.pix_frame = static_cast<uint32_t>(core_.get("pix_frame_o"));
+        const uint32_t colour[3] = {static_cast<uint32_t>(core_.get("pix_colour_o")),
+                                    static_cast<uint32_t>(core_.get("pix_colour_o", 32)),
+                                    static_cast<uint32_t>(core_.get("pix_colour_o", 64))};
+        colours(colour, out.pixel);
+        out.pixel.id = static_cast<uint32_t>(core_.get("pix_id_o"));
+        out.pixel.key = core_.get("pix_key_o");
+        out.pixel.visits = static_cast<uint32_t>(core_.get("pix_visits_o"));
+        out.pixel.texture = static_cast<uint32_t>(core_.get("pix_texture_o"));
+        core_.edge();
+        core_.settle();
+        out.seen = {core_.get("busy_o") != 0, static_cast<uint32_t>(core_.get("errors_o")),
+                    core_.get("count_data_o"), true};
+    }
+
+    std::string error_;
+    Netlist core_;
+};
+
+void pass(NetlistCore &core, const Options &o, bool keep, Sample *samples, Run &run, Pass &out) {
+    const uint64_t begin = core.cycle();
+    uint64_t last = begin;
+    core.pixel = [&](int x, int y, const sph_pixel &p) {
+        last = core.cycle();
+        deliver(core.memory().machine(), run, samples, x, y, p, last - begin);
+    };
+    core.pins.keep_cache = keep;
+    core.pins.start = true;
+    Host::Seen seen = core.clock();
+    core.pins.start = false;
+    while (seen.busy && !run.failure[0] && !run.stopped) {
+        seen = core.clock();
+        if (core.cycle() - last > o.watchdog) fail(run, "no pixel for too long");
+    }
+    core.pixel = nullptr;
+    out.errors = seen.errors;
+    for (int i = 0; i < SPH_COUNTERS; i++) {
+        core.pins.count_addr = i;
+        out.count[i] = core.clock().count;
+    }
+}
+
+} // namespace
+
+void simulate(const Options &o, const sph_machine &machine, Sample *samples[PASSES], Run &run) {
+    auto begin = std::chrono::steady_clock::now();
+    NetlistCore core(o, machine, run);
+    if (run.failure[0]) return;
+    configure(core, machine, run.window);
+    if (o.reset_at >= 0) interrupt(core, o.reset_at, o.reset_for, false);
+    pass(core, o, false, samples[COLD], run, run.pass[COLD]);
+    if (o.warm && !run.failure[0]) pass(core, o, true, samples[WARM], run, run.pass[WARM]);
+    run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+std::unique_ptr<Host> make_host(const Options &o, const sph_machine &machine, Run &run) {
+    return std::make_unique<NetlistCore>(o, machine, run);
+}
