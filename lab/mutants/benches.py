@@ -127,6 +127,12 @@ class Core(Built):
         ("scenes/paper5.nff", ("--depth", "1", "--background", "rect"),
          (*LARGE, "--window", "8190,8190,8195,8194", "--reg", "14=0", "--reg", "10=8192",
           "--reg", "11=8191", "--reg", "12=8194", "--reg", "13=8193")),
+        ("scenes/paper5.nff", ("--depth", "1", "--background", "rect"),     # ends of rectangles
+         (*LARGE, "--window", "10921,10921,10926,10925", "--reg", "14=0", "--reg", "10=0",
+          "--reg", "11=0", "--reg", "12=10924", "--reg", "13=10923")),
+        ("scenes/paper5.nff", ("--depth", "1", "--background", "rect"),
+         (*LARGE, "--window", "5460,5460,5465,5464", "--reg", "14=0", "--reg", "10=0",
+          "--reg", "11=0", "--reg", "12=5462", "--reg", "13=5461")),
         ("tests/scenes/facets/mixed.nff", ("--accel", "bvh4", "--size", "72x40", "--depth", "1"),
          ()),
     )

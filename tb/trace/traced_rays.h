@@ -223,6 +223,7 @@ class Trace : public bench::Bench<Top> {
         uint32_t line = (uint32_t)of_visit(pipe, RT_VISIT_LINE), bad = 0;
         struct sph_counters unused = {};
         if (!leaf || slots[slot].state != Slot::RUNS) return fail("a visit of nothing");
+        if (!world.there(line)) return fail("a visit in another part of memory");
         for (uint32_t j = 0; j < 4; j++)
             if (leaf >> j & 1)
                 results[parts::exacts.of(slot)].push_back(
