@@ -1,8 +1,9 @@
 // f_pool.v - proof of rt_pool: how long a result is passed over by those of lower units
 // SPDX-License-Identifier: Apache-2.0
-// Units that take T clocks or more, how many is theirs, and a consumer that takes a result in one of
-// R clocks at least. With T >= R UNITS each lower unit goes once before, so that a result waits for
-// less than R (u + 1) clocks in unit u. Inputs come when they like. Resets at any time.
+// Units that take T clocks or more, how many is their own affair, and a consumer that takes a
+// result in one of R clocks at least. With T >= R UNITS each lower unit goes once before, so that
+// a result of unit u waits for less than R (u + 1) clocks. Inputs come when they like. Resets at
+// any time.
 `timescale 1ns / 1ps
 `default_nettype none
 module f_pool #(

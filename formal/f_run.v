@@ -71,8 +71,8 @@ module f_run (
     always @* if (!old_q) assume (rst);
 
     // ---- model: clocks in which a bus did not move, as many as 32 bits count ----
-    function [31:0] silence(input stalls, input [31:0] before);
-        silence = !stalls || rst || forget ? 32'd0 : before == 32'hffffffff ? before : before + 1;
+    function [31:0] silence(input stalls, input [31:0] so_far);
+        silence = !stalls || rst || forget ? 32'd0 : so_far == 32'hffffffff ? so_far : so_far + 1;
     endfunction
     reg [31:0] reads_q, writes_q, scans_q;
     always @(posedge clk) begin
