@@ -72,6 +72,7 @@ def row(name, count):
             str(count["equivalent"]), str(count["survived"]), rate(count)]
 
 
+BY = {"core": "the core", "proof": "a proof", "board": "a board", "top": "rt_top"}
 HEAD = ["faults", "killed", "too long", "equivalent", "left", "killed, %"]
 
 
@@ -117,7 +118,7 @@ def tables(found):
         [[text(f), verdict, bench, seconds]
          for f, (verdict, bench, _, seconds) in sorted(found.items())])
     why = collections.Counter(w for v, _, w, _ in found.values() if v == "equivalent")
-    by = collections.Counter("the core" if bench.startswith("core/") else "a bench"
+    by = collections.Counter(BY.get(bench.split("/")[0], "a bench")
                              for v, bench, *_ in found.values() if v in ("killed", "timeout"))
     place.place(PAGE, {
         "folders": markdown(["rtl/", *HEAD], [row(n, folders[n]) for n in sorted(folders)]
