@@ -1,19 +1,23 @@
 /* tb_ulx3s_ram.cpp - the board of block RAM, pin to pin: its picture is the golden model's
  * SPDX-License-Identifier: Apache-2.0
  *
- * usage: tb_ulx3s_ram MACHINE.sph       in the folder from which the paths of its ROMs count
+ * usage: tb_ulx3s_ram MACHINE.sph [MODE...]    in the folder from which the paths of its ROMs count
  * The display must see black pictures, then the machine's, no other, with every sync in its place.
+ * The ten numbers of a mode are those of video::Mode; without them it is 640x480.
  */
 #include "Vrt_ulx3s_ram.h"
 #include "board_link.h"
 
 int main(int argc, char **argv) {
-    if (argc != 2) return fprintf(stderr, "usage: tb_ulx3s_ram MACHINE.sph\n"), 2;
-    const unsigned fields[][10] = {
+    if (argc != 2 && argc != 12)
+        return fprintf(stderr, "usage: tb_ulx3s_ram MACHINE.sph [MODE...]\n"), 2;
+    unsigned fields[][10] = {
 #define MODE(name, khz, ...) {__VA_ARGS__},
         SPHAERA_MODES(MODE)
 #undef MODE
     };
+    for (int i = 2; i < argc; i++)
+        fields[0][i - 2] = (unsigned)atoi(argv[i]);
     video::Mode mode;
     memcpy(&mode, fields[0], sizeof mode);
     const std::vector<uint32_t> golden = golden_picture(argv[1], mode);
