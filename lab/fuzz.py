@@ -1,32 +1,39 @@
 # fuzz.py - what `make fuzz` has run, as the table of docs/results/fuzz.md
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab.fuzz RUNS PAGE
-RUNS has a row for each run (tests/fuzz/fuzz.sh). Those of one harness and one way are added up."""
+RUNS has a row for each run (tests/fuzz/fuzz.sh). Those of a harness that had the sources of its
+last one are added up; older sources were others, and what failed in them is told on the page."""
 import sys
 from pathlib import Path
 
 from .pages import place
 
 NAMES = ("day", "harness", "how", "seed", "minutes", "runs", "kept", "failures", "digest")
-HOW = {"afl": "AFL++", "plain": "the tree's driver"}
+
+
+def total(rows, name, how=None):
+    """Of a column, of the rows of one way; grouped in threes."""
+    number = sum(int(row[name]) for row in rows if how in (None, row["how"]))
+    return f"{number:,}".replace(",", " ")
 
 
 def table(lines):
-    """Markdown of all rows; the last run says day and digest."""
+    """Markdown of the rows of each harness's last sources."""
     of = {}
     for line in lines:
         row = dict(zip(NAMES, line.split("\t")))
-        of.setdefault((row["harness"], row["how"]), []).append(row)
-    yield "| harness | by | runs | minutes | inputs kept | failures | seeds | last | sources |"
-    yield "|---|---|---|---|---|---|---|---|---|"
-    for (harness, how), rows in of.items():
-        def total(name, rows=rows):
-            return sum(int(row[name]) for row in rows)
+        of.setdefault(row["harness"], []).append(row)
+    yield ("| harness | runs | by AFL++ | by the tree's driver | minutes | inputs kept | failures "
+           "| seeds | last | sources |")
+    yield "|---|---|---|---|---|---|---|---|---|---|"
+    for harness, rows in of.items():
+        last = rows[-1]
+        rows = [row for row in rows if row["digest"] == last["digest"]]
         seeds = " ".join(dict.fromkeys(row["seed"] for row in rows))
-        runs = f"{total('runs'):,}".replace(",", " ")
-        yield (f"| {harness} | {HOW[how]} | {runs} | {total('minutes')} | "
-               f"{rows[-1]['kept']} | {total('failures')} | {seeds} | {rows[-1]['day']} | "
-               f"{rows[-1]['digest']} |")
+        kept = max(int(row["kept"]) for row in rows)
+        yield (f"| {harness} | {total(rows, 'runs')} | {total(rows, 'runs', 'afl')} | "
+               f"{total(rows, 'runs', 'plain')} | {total(rows, 'minutes')} | {kept} | "
+               f"{total(rows, 'failures')} | {seeds} | {last['day']} | {last['digest']} |")
 
 
 def main():

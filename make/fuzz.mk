@@ -3,6 +3,7 @@
 #
 #   make fuzz MINUTES=60 [HARNESS=nff]   each harness so long: AFL++ if it is installed, else the
 #                                        driver of the tree; then all that was found, sanitized
+#   make fuzz MINUTES=2 INPUTS=10000000  then the driver changes what AFL++ kept, up to so many runs
 #   make fuzz-setup                      installs what sim/packages_fuzz.txt names: AFL++
 #   $B/fuzz/HOW/fuzz_NAME                plain: the driver alone; gcc, clang: under the sanitizers
 #                                        of that compiler; afl: for AFL++
@@ -108,10 +109,10 @@ fuzz-setup: ## installs AFL++ (apt), which make fuzz takes if it is there
 	@sh sim/setup.sh sim/packages_fuzz.txt
 
 fuzz: $(TOOL) $(foreach n,$(FUZZ_ASKED),$(FUZZ)/gcc/fuzz_$n $(FUZZ)/clang/fuzz_$n \
-      $(FUZZ)/$(if $(FUZZ_AFL),afl,plain)/fuzz_$n)
+      $(if $(FUZZ_AFL),$(FUZZ)/afl/fuzz_$n) $(FUZZ)/plain/fuzz_$n)
 fuzz: ## readers of files and options: MINUTES for each HARNESS; docs/results/fuzz.md
-	$(Q)BUILD=$(abspath $B) SEED=$(SEED) MINUTES=$(MINUTES) sh tests/fuzz/fuzz.sh \
-	    $(if $(FUZZ_AFL),afl,plain) $(FUZZ_ASKED)
+	$(Q)BUILD=$(abspath $B) SEED=$(SEED) MINUTES=$(MINUTES) INPUTS=$(INPUTS) \
+	    sh tests/fuzz/fuzz.sh $(if $(FUZZ_AFL),afl,plain) $(FUZZ_ASKED)
 
 .PHONY: fuzz-page
 fuzz-page: ## what make fuzz has run, into docs/results/fuzz.md

@@ -132,6 +132,8 @@ TRIALS ?= 1000
 STATE ?=
 ## MINUTES 1.. of `make fuzz`, for each harness
 MINUTES ?= 10
+## INPUTS 0.. for each harness of `make fuzz`: what AFL++ has not run of them the driver adds
+INPUTS ?= 0
 ## HARNESS nff|aff|pdb|machine|frame|options|image| of `make fuzz`: one of them (empty: all)
 HARNESS ?=
 ## JOBS 1..1024 commands run at once

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "scene/polygon.h"
+#include "scene/vector.h"
 
 static const struct sph_affine none = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 
@@ -180,11 +181,6 @@ static int pose_camera(struct sph_aff *a, double time, struct sph_error *err) {
     return 0;
 }
 
-static int small(struct sph_vec v) {
-    return fabs(v.x) <= SPH_NUMBER_MAX && fabs(v.y) <= SPH_NUMBER_MAX &&
-           fabs(v.z) <= SPH_NUMBER_MAX; /* not if it is no number */
-}
-
 /* What transforms have made of numbers is still as small as a number of a file. */
 static int check_pose(const struct sph_aff *a, struct sph_error *err) {
     const struct sph_scene *scene = a->r.scene;
@@ -193,22 +189,23 @@ static int check_pose(const struct sph_aff *a, struct sph_error *err) {
     for (uint32_t i = 0; i < scene->n_facets && !what; i++) {
         const struct sph_facet *f = &scene->facets[i];
         for (int k = 0; k < 3; k++)
-            if (!small(f->v[k]) || (f->smooth && !small(f->n[k]))) what = "triangle";
+            if (!sph_vec_small(f->v[k]) || (f->smooth && !sph_vec_small(f->n[k])))
+                what = "triangle";
         line = f->line;
     }
     for (uint32_t i = 0; i < scene->n_spheres && !what; i++) {
         const struct sph_sphere *s = &scene->spheres[i];
-        if (!small(s->ctr) || !(s->rad <= SPH_NUMBER_MAX)) what = "sphere";
+        if (!sph_vec_small(s->ctr) || !(s->rad <= SPH_NUMBER_MAX)) what = "sphere";
         line = s->line;
     }
     if (what)
         return sph_fail(err, "%s:%u: a %s is moved beyond %g", scene->path, line, what,
                         SPH_NUMBER_MAX);
     for (int i = 0; i < scene->n_lights; i++)
-        if (!small(scene->lights[i].pos))
+        if (!sph_vec_small(scene->lights[i].pos))
             return sph_fail(err, "%s: light %d is moved beyond %g", scene->path, i, SPH_NUMBER_MAX);
     const struct sph_camera *c = &scene->camera;
-    if (!small(c->from) || !small(c->at) || !small(c->up))
+    if (!sph_vec_small(c->from) || !sph_vec_small(c->at) || !sph_vec_small(c->up))
         return sph_fail(err, "%s: camera: it is moved beyond %g", scene->path, SPH_NUMBER_MAX);
     return a->r.view_line ? sph_camera_check(c, scene->path, err) : 0;
 }

@@ -7,6 +7,7 @@
 #include "scene/edit.h"
 #include "scene/motion.h"
 #include "scene/spline.h"
+#include "scene/vector.h"
 
 static int check(const struct sph_scene *scene, struct sph_vec from, struct sph_vec at,
                  uint32_t line, uint32_t frame, struct sph_error *err) {
@@ -15,6 +16,8 @@ static int check(const struct sph_scene *scene, struct sph_vec from, struct sph_
     camera.from = from, camera.at = at;
     snprintf(where, sizeof where, "%s:%" PRIu32 ": `fly`: frame %" PRIu32, scene->path, line,
              frame);
+    if (!sph_vec_small(from) || !sph_vec_small(at))
+        return sph_fail(err, "%s: the camera is beyond %g", where, SPH_NUMBER_MAX);
     return sph_camera_check(&camera, where, err);
 }
 

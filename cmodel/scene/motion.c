@@ -8,6 +8,7 @@
 
 #include "prim/scene.h"
 #include "scene/edit.h"
+#include "scene/vector.h"
 
 int sph_scene_add_motion(struct sph_scene *scene, const struct sph_motion *motion,
                          struct sph_error *err) {
@@ -40,6 +41,21 @@ static void move_facet(struct sph_facet *f, const struct sph_motion *m, uint32_t
     if (kind->grow) kind->grow(f, growth(m, frame));
 }
 
+/* Whether the numbers of a facet may stand in a file. */
+static int facet_small(const struct sph_facet *f) {
+    for (int k = 0; k < 3; k++)
+        if (!sph_vec_small(f->v[k]) || !(fabs(f->st[k][0]) <= SPH_NUMBER_MAX) ||
+            !(fabs(f->st[k][1]) <= SPH_NUMBER_MAX))
+            return 0;
+    return 1;
+}
+
+static int beyond(const struct sph_scene *scene, uint32_t line, uint32_t frame,
+                  struct sph_error *err) {
+    return sph_fail(err, "%s:%u: at frame %u it is moved beyond %g", scene->path, line, frame,
+                    SPH_NUMBER_MAX);
+}
+
 int sph_scene_move(struct sph_scene *scene, uint32_t frame, struct sph_error *err) {
     uint32_t first, second;
     for (uint32_t i = 0; i < scene->n_motions; i++)
@@ -53,10 +69,14 @@ int sph_scene_move(struct sph_scene *scene, uint32_t frame, struct sph_error *er
         if (!s->motion) continue;
         s->ctr = moved(&scene->motions[s->motion - 1], frame, s->ctr);
         s->rad *= growth(&scene->motions[s->motion - 1], frame);
+        if (!sph_vec_small(s->ctr) || !(s->rad <= SPH_NUMBER_MAX))
+            return beyond(scene, s->line, frame, err);
     }
     for (uint32_t i = 0; i < scene->n_facets; i++) {
         struct sph_facet *f = &scene->facets[i];
-        if (f->motion) move_facet(f, &scene->motions[f->motion - 1], frame);
+        if (!f->motion) continue;
+        move_facet(f, &scene->motions[f->motion - 1], frame);
+        if (!facet_small(f)) return beyond(scene, f->line, frame, err);
     }
     int found = sph_scene_duplicate(scene, &first, &second, err);
     if (found > 0)

@@ -28,8 +28,8 @@ int sph_scene_check_flights(const struct sph_scene *scene, struct sph_error *err
 int sph_scene_fly(struct sph_scene *scene, uint32_t frame, struct sph_error *err);
 
 /* Moves what moves from rest to a frame: centres, radii, corners, points of planes and the size of
- * one repeat there, and the camera. -1 with "file:line: ..." if nothing is left of a primitive, two
- * spheres become the same, or there is no such view. */
+ * one repeat there, and the camera. -1 with "file:line: ..." if nothing is left of a primitive, its
+ * numbers are too large for a file, two spheres become the same, or there is no such view. */
 int sph_scene_move(struct sph_scene *scene, uint32_t frame, struct sph_error *err);
 
 /* A copy of a scene at rest, moved to a frame: shares with it all but spheres and facets; one of

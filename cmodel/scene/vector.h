@@ -6,6 +6,7 @@
 
 #include <math.h>
 
+#include "scene/nff_lex.h"
 #include "scene/scene.h"
 
 static inline struct sph_vec sph_vec_sub(struct sph_vec a, struct sph_vec b) {
@@ -29,6 +30,12 @@ static inline void sph_vec_turn(const double m[9], struct sph_vec v, double out[
 /* Without overflow or underflow on the way. */
 static inline double sph_vec_length(struct sph_vec v) {
     return hypot(hypot(v.x, v.y), v.z);
+}
+
+/* Whether all its numbers may stand in a file. */
+static inline int sph_vec_small(struct sph_vec v) {
+    return fabs(v.x) <= SPH_NUMBER_MAX && fabs(v.y) <= SPH_NUMBER_MAX &&
+           fabs(v.z) <= SPH_NUMBER_MAX; /* not if it is no number */
 }
 
 /* Whether a triangle has normals at its corners: none of them is zero. */

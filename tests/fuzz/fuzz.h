@@ -28,10 +28,11 @@ _Noreturn void fuzz_fail(const char *format, ...) __attribute__((format(printf, 
  * number follows, but for what is wrong with the file as a whole. */
 void fuzz_message(const struct sph_error *err, const char *path, int lines);
 
-/* Writes a file into the working folder. */
+/* Writes a file into the working folder; nobody else removes or renames it. */
 void fuzz_write(const char *name, const uint8_t *data, size_t size);
 
-/* No file has been left by a writer that failed or was done: *.tmp. */
+/* No file has been left by a writer that failed or was done: *.tmp. What is left stays there, so
+ * that the first call looks, and then one of 16. */
 void fuzz_no_rest(void);
 
 /* The bytes of a file equal these. */

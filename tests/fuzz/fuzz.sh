@@ -2,9 +2,11 @@
 # fuzz.sh - harnesses for some minutes each; what they find is kept, and the runs are counted
 # SPDX-License-Identifier: Apache-2.0
 #
-# usage: BUILD=... SEED=n MINUTES=n tests/fuzz/fuzz.sh afl|plain NAME...
+# usage: BUILD=... SEED=n MINUTES=n [INPUTS=n] tests/fuzz/fuzz.sh afl|plain NAME...
 # afl: AFL++, guided by coverage; plain: the driver of the tree, which is not. Then the inputs that
-# AFL++ kept, or the driver's first changes, run under the sanitizers of gcc and clang. A row of
+# AFL++ kept, or the driver's first changes, run under the sanitizers of gcc and clang. What AFL++
+# has not run of INPUTS the driver runs, as changes of the inputs that AFL++ kept, with a seed for
+# each million. A row of
 # BUILD/fuzz/runs.tsv says what was done: day, harness, how, seed, minutes, runs, inputs that were
 # kept, failures, digest of sources. Failing inputs are in BUILD/fuzz/found. Exit code 1 if there
 # are any.
@@ -12,7 +14,9 @@ set -u
 how=$1
 shift
 cd "$(dirname "$0")/../.." || exit 2
+export OMP_THREAD_LIMIT=1 # a second thread would wait in a loop
 fuzz=$BUILD/fuzz found=$BUILD/fuzz/found
+PART=1000000
 shm=/dev/shm
 [ -w $shm ] || shm=$fuzz
 work=$(mktemp -d "$shm/sphaera-fuzz.XXXXXX") || exit 2
@@ -39,13 +43,31 @@ sanitized() { # harness, inputs: those that end the program are named in $work/l
     done
 }
 
+# The driver over the inputs of a folder; sets runs.
+plain() { # harness, folder, --seconds or --runs, how many
+    FUZZ_TMP=$work/tmp "$fuzz/plain/fuzz_$1" --root tests/fuzz --dict "tests/fuzz/words/$1.dict" \
+        --keep "$found" --seed "$seed" "$3" "$4" "$2" 2>&1 >"$work/log" |
+        grep -a '^fuzz: ' >"$work/said"
+    grep -q '^ok' "$work/log" || bad=1
+    cat "$work/said" >>"$work/log"
+    runs=$(sed -n 's/.* as they are, \([0-9]*\) changed.*/\1/p' "$work/log")
+}
+
+row() { # harness, how, minutes
+    grep -a '^fuzz: \|ERROR\|runtime error' "$work/log" | head -n 9
+    row=$(printf '%s\t' "$(date -u +%F)" "$1" "$2" "$seed" "$3" "${runs:-0}" "$kept" "$bad")
+    echo "$row$digest" >>"$fuzz/runs.tsv" # at once: others may add theirs
+    echo "$1: ${runs:-0} runs in $3 min by $2, $kept inputs kept, $bad failures"
+    [ "$bad" -eq 0 ] || failed=1
+}
+
 for name; do
-    bad=0 kept=0
+    bad=0 kept=0 seed=$SEED
     : >"$work/log"
     dict=tests/fuzz/words/$name.dict
     if [ "$how" = afl ]; then
         AFL_SKIP_CPUFREQ=1 AFL_I_DONT_CARE_ABOUT_MISSING_CRASHES=1 AFL_NO_UI=1 AFL_NO_AFFINITY=1 \
-            AFL_FAST_CAL=1 FUZZ_TMP=$work/tmp \
+            AFL_FAST_CAL=1 AFL_DISABLE_TRIM=1 FUZZ_TMP=$work/tmp \
             afl-fuzz -i "$work/corpus/$name" -o "$work/out/$name" -x "$dict" -s "$SEED" \
             -V "$(awk -v m="$MINUTES" 'BEGIN { printf "%d", 60 * m }')" -m 1024 -t 2000 \
             -- "$fuzz/afl/fuzz_$name" tests/fuzz >"$work/afl.log" 2>&1 ||
@@ -62,17 +84,17 @@ for name; do
         kept=$(find "$work/out/$name/default/queue" -maxdepth 1 -type f | wc -l)
         sanitized "$name" "$work/out/$name/default/queue"
     else
-        FUZZ_TMP=$work/tmp "$fuzz/plain/fuzz_$name" --root tests/fuzz --dict "$dict" \
-            --keep "$found" --seed "$SEED" --seconds "$((MINUTES * 60))" "$work/corpus/$name" \
-            >"$work/log" 2>&1 || bad=1
-        runs=$(sed -n 's/.* as they are, \([0-9]*\) changed.*/\1/p' "$work/log")
+        plain "$name" "$work/corpus/$name" --seconds $((MINUTES * 60))
         sanitized "$name" "$work/corpus/$name"
     fi
-    [ "$bad" -eq 0 ] || failed=1
-    grep -a '^fuzz: \|ERROR\|runtime error' "$work/log" | head -n 9
-    row=$(printf '%s\t' "$(date -u +%F)" "$name" "$how" "$SEED" "$MINUTES" "${runs:-0}" "$kept" \
-        "$bad")
-    echo "$row$digest" >>"$fuzz/runs.tsv" # at once: others may add theirs
-    echo "$name: ${runs:-0} runs in $MINUTES min, $kept inputs kept, $bad failures"
+    row "$name" "$how" "$MINUTES"
+    [ "$how" = afl ] || continue
+    left=$((${INPUTS:-0} - ${runs:-0})) kept=0
+    while [ "$left" -gt 0 ] && [ "$bad" -eq 0 ]; do # a row for each million: time may end at once
+        from=$(date +%s)
+        plain "$name" "$work/out/$name/default/queue" --runs $((left < PART ? left : PART))
+        row "$name" plain $((($(date +%s) - from + 30) / 60))
+        left=$((left - PART)) seed=$((seed + 1))
+    done
 done
 exit $failed

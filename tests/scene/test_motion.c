@@ -23,6 +23,12 @@ static const struct bad bads_at_3[] = {
     {"gone", CAM MAT "move 0 0 0 -.5 0 0 0\ns 0 0 0 1\n", 9, "nothing is left at frame 3", 0, 0},
     {"meet", CAM MAT "s 3 0 0 1\nmove 1 0 0\ns 0 0 0 1\n", 11,
      "at frame 3 the same sphere (centre and radius) as in line 9", 0, 0},
+    {"far", CAM MAT "move 0 0 0 .05 0 0 0\ns 0 1e30 0 1\n", 10,
+     "at frame 3 it is moved beyond 1e+30", 0, 0},
+    {"far_plane", CAM MAT "move 0 1e30 0\nplane 0 1 0 0 1 0\n", 10,
+     "at frame 3 it is moved beyond 1e+30", 0, 0},
+    {"far_camera", CAM "fly 2 1e30 0 9 0 0 0\nfly 4 1e30 0 9 0 0 0\n", 8,
+     "`fly`: frame 3: the camera is beyond 1e+30", 0, 0},
     {"through", CAM MAT "fly 6 0 0 -5 0 0 0\n", 9, "`fly`: frame 3", 0, 0},
 };
 
