@@ -137,6 +137,29 @@ static void literal(void **state) {
     free(w.mip.texels);
 }
 
+/* A level is the nearest one with the bits of fraction that are left, upwards from the middle. */
+static void coarse(void **state) {
+    (void)state;
+    struct sph_build_report report;
+    struct sph_counters c;
+    struct wall w;
+    wall(&w, 4);
+    struct sph_machine m = textured_build(&w.scene, &w.options, &report);
+    struct sph_frame fine = render(&m, (struct sph_render_options){.threads = 1}, &c);
+    for (int drop = 0; drop <= 8; drop++) {
+        m.regs[SPH_REG_COARSE] = drop;
+        struct sph_frame f = render(&m, (struct sph_render_options){.threads = 1}, &c);
+        for (int i = 0; i < W * H; i++) {
+            double lod = fine.pixels[i].texture >> SPH_LOD_LSB, step = ldexp(1, drop);
+            assert_int_equal(f.pixels[i].texture >> SPH_LOD_LSB, floor(lod / step + 0.5) * step);
+        }
+        sph_frame_free(&f);
+    }
+    sph_frame_free(&fine);
+    sph_machine_free(&m);
+    free(w.mip.texels);
+}
+
 /* What the callback was told of a frame. */
 struct told {
     uint64_t texels, words;
@@ -227,7 +250,7 @@ static void white_image(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(levels),  cmocka_unit_test(mirrors),     cmocka_unit_test(literal),
-        cmocka_unit_test(fetches), cmocka_unit_test(white_image),
+        cmocka_unit_test(fetches), cmocka_unit_test(white_image), cmocka_unit_test(coarse),
     };
     return cmocka_run_group_tests_name("render texture", tests, NULL, NULL);
 }
