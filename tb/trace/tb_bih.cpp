@@ -8,6 +8,7 @@
  * Compiled with -O0, for it has few vectors.
  */
 #include "Vrt_bih.h"
+#include "Vrt_bih___024root.h"
 #include "trace/bih_memory.h"
 #include "trace/bih_outcomes.h"
 
@@ -124,7 +125,13 @@ class Bih : public bench::Bench<Vrt_bih> {
                    : SHADOW && random.percent(50) ? SPH_SHADOW
                                                   : SPH_REFLECTED;
         if (!s.begun) dut.pixel_i = 1;
-        if (kind != SPH_SHADOW && dut.pixel_i) s.pixel = 0;
+        if (kind != SPH_SHADOW && dut.pixel_i) {
+            s.pixel = 0;
+        } else if (random.percent(20)) { /* as many as no bench makes */
+            auto &word = dut.rootp->rt_bih__DOT__u_visits__DOT__mem[at];
+            s.pixel = (uint32_t)random.below(0xfff000);
+            word = (word & ~(uint64_t)0xffffff) | s.pixel;
+        }
         s.begun = true;
         s.ray = world.ray(random, kind);
         sph_bih_setup(&world.p, &s.ray, &s.bih);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "Vrt_traverse.h"
+#include "Vrt_traverse___024root.h"
 #include "trace/random_nodes.h"
 #include "trace/visit_outcomes.h"
 
@@ -98,6 +99,7 @@ class VisitRays : public bench::Bench<Vrt_traverse> {
                                                   : SPH_REFLECTED;
         if (!s.begun) dut.pixel_i = 1;
         s.starts = kind != SPH_SHADOW && dut.pixel_i;
+        if (!s.starts && random.percent(20)) visited(at, (uint32_t)random.below(0xfff000));
         s.ray = world.ray(random, kind);
         s.ray.first = FIRST && dut.first_i;
         s.fresh = s.begun = true;
@@ -156,6 +158,12 @@ class VisitRays : public bench::Bench<Vrt_traverse> {
     }
 
   private:
+    /* As many visits of a slot's pixel as no bench makes. */
+    void visited(int slot, uint32_t visits) {
+        auto &word = dut.rootp->rt_traverse__DOT__u_visits__DOT__mem[slot];
+        word = (word & ~(uint64_t)0xffffff) | visits;
+        slots[slot].pixel = visits;
+    }
     const int32_t limit;
     unsigned pace = 100;
     std::deque<std::pair<int, uint64_t>> axes; /* slot, clock */
