@@ -6,8 +6,9 @@
 # FILE.json holds the flat netlist, FILE.stat what Yosys counted, FILE.log what it said.
 # Modules are mapped one by one, as synth/core.sh does it, and then put together: flat before it is
 # mapped, the standard core with all effects takes Yosys more than a quarter of an hour.
-# Yosys 0.23 writes the upper parity bits of a 72-bit memory of xc7 with the lower ones (`== 71`
-# in its map of block RAM); such a file is mended in a copy.
+# What Yosys 0.23 does wrong for xc7 is kept out: it writes the upper parity bits of a 72-bit memory
+# with the lower ones (`== 71` in its map of block RAM, which is mended in a copy), and its shift
+# registers of LUTs lose the enable that the flip-flops had (-nosrl).
 set -eu
 cd "$(dirname "$0")/.."
 family=$1 out=${2%.json} rtl=${RTL:-rtl}
@@ -23,7 +24,7 @@ ecp5) map='synth_ecp5 -nowidelut -noflatten -top rt_core' ;;
 xc7)
     share=$(dirname "$(command -v yosys)")/../share/yosys/xilinx
     sed 's/PORT_W_WIDTH == 71/PORT_W_WIDTH == 72/' "$share/brams_xc6v_map.v" >"$out.map.v"
-    xilinx='synth_xilinx -family xc7 -noiopad -noclkbuf -top rt_core'
+    xilinx='synth_xilinx -family xc7 -nosrl -noiopad -noclkbuf -top rt_core'
     map="$xilinx -run begin:map_memory;
         memory_libmap -logic-cost-rom 0.015625 -lib +/xilinx/lutrams_xc5v.txt
             -lib +/xilinx/brams_xc4v.txt -D HAS_SIZE_36 -D HAS_CASCADE -D HAS_MIXWIDTH_SDP;

@@ -7,14 +7,14 @@
 #   stat, log  what Yosys said
 #   rtl/       MODULE.v: the module's head as it is in rtl/, and in it the flat netlist; beside it
 #              the family's cells, models of Yosys and, where it has none, of tb/netlist; headers
-# xc7 has memories and products of LUTs: Yosys has no model of its block RAM, and with that of its
-# multiplier Verilator visits another node in one pixel of 192.
+# xc7 has memories and products of LUTs: Yosys has no model of its block RAM. Whole cores with these
+# and with DSP48E1: synth/cells.sh, which says why there are no shift registers of LUTs.
 set -eu
 cd "$(dirname "$0")/.."
 case ${FAMILY:=ecp5} in
 ecp5) map='synth_ecp5 -nowidelut' cells=ecp5 free= ;;
 xc7)
-    map='synth_xilinx -family xc7 -flatten -nobram -nodsp -noiopad -noclkbuf' cells=xilinx
+    map='synth_xilinx -family xc7 -flatten -nobram -nodsp -nosrl -noiopad -noclkbuf' cells=xilinx
     free='setattr -unset ram_style -unset ram_block */*;'
     ;;
 *)

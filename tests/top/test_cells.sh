@@ -30,6 +30,8 @@ if [ -n "${ALL:-}" ]; then
         wanted "ecp5, standard, with optics: $scene" $optics SIM=ecp5 $scene
     done
     wanted "xc7, draft, none" none SIM=xc7 none
+    wanted "xc7, standard, all: spheres that cut each other" all SIM=xc7 cut
+    wanted "xc7, standard, all: eight lights" all SIM=xc7 lights
 fi
 build_cores
 run_all
