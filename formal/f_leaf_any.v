@@ -4,6 +4,7 @@
 // and so it is in clocks other than its own.
 `timescale 1ns / 1ps
 `default_nettype none
+`include "rt_fx.vh"
 module rt_leaf_sums #(
     parameter W  = 24,
     parameter WD = 25
@@ -37,7 +38,8 @@ module rt_leaf_disc #(
     reg  [2:0]             step_q;
     reg                    moved_q;
     reg  [BW+KW+2*WD-1:0]  stood_q;
-    reg  [DW*4-1:0]        wait_q;               // from step 3 to the clock of disc
+    localparam N = `RT_LEAF_PIECES(W, WD) == 1 ? 4 : 5;
+    reg  [DW*N-1:0]        wait_q;               // from step 3 to the clock of disc
     wire signed [NW-1:0]   b = $signed(b_i), k = $signed(k_i), a = $signed({1'b0, a_i});
     wire signed [2*NW-1:0] ka = k * a, bb = b * b;
     wire                   moves = step_q != 0 && (moved_q || stood_q != {b_i, k_i, a_i});
@@ -46,8 +48,8 @@ module rt_leaf_disc #(
         step_q  <= ready_i ? 3'd0 : step_q == 3'd4 ? 3'd4 : step_q + 3'd1;
         moved_q <= moves;
         stood_q <= {b_i, k_i, a_i};
-        wait_q  <= {wait_q[DW*3-1:0], step_q == 3'd3 && !moves ? sum : any};
+        wait_q  <= {wait_q[DW*(N-1)-1:0], step_q == 3'd3 && !moves ? sum : any};
     end
-    assign disc_o = wait_q[DW*4-1 -: DW];
+    assign disc_o = wait_q[DW*N-1 -: DW];
 endmodule
 `default_nettype wire

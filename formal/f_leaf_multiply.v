@@ -14,7 +14,7 @@ module rt_multiply #(
     output wire signed [2*W-1:0] p_o
 );
     localparam L = `RT_MUL_LATENCY(W);
-    localparam [3:0] FIRST = W == 18 ? 1 : 5;
+    localparam [3:0] FIRST = W < 27 ? 1 : W < 37 ? 5 : 7;
     reg  [3:0]            age_q = 4'd0;
     reg  [2*W*L-1:0]      p_q;
     wire signed [2*W-1:0] p = a_i * b_i;

@@ -5,6 +5,7 @@
 // and k; that they, a and disc keep their bounds (products.smt2, disc.smt2), is assumed.
 `timescale 1ns / 1ps
 `default_nettype none
+`include "rt_fx.vh"
 module f_leaf_wide #(
     parameter W      = 16,
     parameter WD     = 17,
@@ -26,7 +27,9 @@ module f_leaf_wide #(
     input wire                 shadow, skip_inside
 );
     localparam INTERVAL = 2;
-    localparam OW = 18;                  // factors of narrow products
+    localparam OW0 = W + 1 > WD ? W + 1 : WD;
+    localparam OW = OW0 > 18 ? OW0 : 18; // factors of narrow products
+    localparam L  = `RT_MUL_LATENCY(OW); // clocks of these
 `include "leaf_dut.vh"
 
     // ---- b, then k of the leaf ----
@@ -48,11 +51,11 @@ module f_leaf_wide #(
     (* hierconn *) wire [VW-1:0]   \u_dut.g_two.u_two.xy_q , \u_dut.g_two.u_two.z_q ;
     (* hierconn *) wire [2*OW-1:0] \u_dut.g_two.u_two.p_x , \u_dut.g_two.u_two.p_y ,
         \u_dut.g_two.u_two.p_z , \u_dut.g_two.u_two.p_rad ;
-    wire [2*OW-1:0] p_x = \u_dut.g_two.u_two.p_x , p_y = \u_dut.g_two.u_two.p_y ,
+    wire signed [2*OW-1:0] p_x = \u_dut.g_two.u_two.p_x , p_y = \u_dut.g_two.u_two.p_y ,
                     p_z = \u_dut.g_two.u_two.p_z , p_r = \u_dut.g_two.u_two.p_rad ;
     wire [VW-1:0]   xy = \u_dut.g_two.u_two.xy_q , z = \u_dut.g_two.u_two.z_q ;
     reg  [2*OW-1:0] b_x, b_y, b_z, k_x, k_y, k_z, k_r;   // the model's products
-    reg  [VW-1:0]   xy_1, z_1, val_1;
+    reg signed [VW-1:0] xy_1, z_1, val_1;
     reg             good_q = 1'b1;                       // until now
     always @(posedge clk) begin
         if (age_q == 0 && SUMS != 0) begin
@@ -60,14 +63,15 @@ module f_leaf_wide #(
             {k_x, k_y, k_z} <= {times(oc_x, oc_x), times(oc_y, oc_y), times(oc_z, oc_z)};
             k_r <= times(r, r);
         end
-        xy_1  <= p_x[VW-1:0] + p_y[VW-1:0];
-        z_1   <= age_q == 2 ? p_z[VW-1:0] : p_r[VW-1:0] - p_z[VW-1:0];
-        val_1 <= age_q == 3 ? z + xy : z - xy;
-        if (age_q == 2 && !(p_x == b_x && p_y == b_y && p_z == b_z)) good_q <= 1'b0;
-        if (age_q == 3 && !(p_x == k_x && p_y == k_y && p_z == k_z && p_r == k_r)) good_q <= 1'b0;
-        if ((age_q == 3 || age_q == 4) && !(xy == xy_1 && z == z_1)) good_q <= 1'b0;
-        if (age_q == 4 && val != val_1) good_q <= 1'b0;
+        xy_1  <= p_x + p_y;
+        z_1   <= age_q == L + 1 ? p_z : p_r - p_z;
+        val_1 <= age_q == L + 2 ? z + xy : z - xy;
+        if (age_q == L + 1 && !(p_x == b_x && p_y == b_y && p_z == b_z)) good_q <= 1'b0;
+        if (age_q == L + 2 && !(p_x == k_x && p_y == k_y && p_z == k_z && p_r == k_r))
+            good_q <= 1'b0;
+        if ((age_q == L + 2 || age_q == L + 3) && !(xy == xy_1 && z == z_1)) good_q <= 1'b0;
+        if (age_q == L + 3 && val != val_1) good_q <= 1'b0;
     end
-    always @* if (SUMS != 0 && age_q == 5) assert (good_q && val == val_1);
+    always @* if (SUMS != 0 && age_q == L + 4) assert (good_q && val == val_1);
 endmodule
 `default_nettype wire
