@@ -16,6 +16,8 @@ MACHINE = ("--profile", "standard", "--depth", "2", "--interpenetrate", "off", "
 class Board(Built):
     """A top whose core is the golden model, with models of the vendor's cells."""
 
+    WAIT = "wait_q == 6"    # of golden_core.svh: a pixel in seven clocks
+
     def netlist(self):
         self.prepare()
         return netlist.Netlist(self.folder, self.top, self.parameters, ("rt_core",), CELL_FILES)
@@ -44,7 +46,7 @@ class Board(Built):
         golden = f"{self.folder}/rt_core.sv"
         with open("tb/top/golden_core.svh", encoding="utf-8") as f, \
                 open(golden, "w", encoding="utf-8") as made:
-            made.write(netlist.head("rt_core") + f.read())
+            made.write(netlist.head("rt_core") + f.read().replace("wait_q == 6", self.WAIT))
         return self.compile(verilog, f"tb/board/tb_{self.top[3:]}.cpp",
                             ["-DGOLDEN_CORE", "-Itb/board", *(f"-D{word}" for word in FAST)],
                             self.objects(), [],
@@ -61,6 +63,7 @@ class RamBoard(Board):
     """rt_ulx3s_ram: its machine is in its ROMs; shown in a mode of its own size, for speed."""
 
     MODE = (320, 8, 8, 16, 240, 2, 2, 4, 0, 0)  # video::Mode
+    WAIT = "wait_q == 1"
 
     def __init__(self, build):
         super().__init__("board/ram", "rt_ulx3s_ram", [], build)
