@@ -148,6 +148,22 @@ static void light_ends_at_seventeen_bits(void **state) {
     assert_int_equal(sph_look_light(&whole, 65535, 131071), 131071);
 }
 
+/* Of an interpolated normal one component alone is enough; none leaves the flat one. */
+static void bends_along_one_axis(void **state) {
+    (void)state;
+    const struct sph_profile *p = &sph_profiles[SPH_STANDARD];
+    for (int axis = -1; axis < 3; axis++) {
+        int64_t vector[3] = {0};
+        struct sph_surface s = {.normal = {1, 2, 3}};
+        if (axis >= 0) vector[axis] = -5;
+        sph_surface_bend(p, 0, vector, &s);
+        assert_int_equal(s.bent, axis >= 0);
+        for (int i = 0; i < 3 && axis >= 0; i++)
+            assert_true(i == axis ? s.normal[i] < 0 : !s.normal[i]);
+        if (axis < 0) assert_int_equal(s.normal[2], 3);
+    }
+}
+
 /* What shares leave to the surface's own colour: nothing from 1 on, all of it in a sum. */
 static void own_share_ends_at_nothing(void **state) {
     (void)state;
@@ -301,6 +317,7 @@ int main(void) {
         cmocka_unit_test(logarithm_below_a_power),
         cmocka_unit_test(cosines_end_at_one),
         cmocka_unit_test(light_ends_at_seventeen_bits),
+        cmocka_unit_test(bends_along_one_axis),
         cmocka_unit_test(own_share_ends_at_nothing),
         cmocka_unit_test(turned_normals_are_not_bent),
         cmocka_unit_test(background_in_every_frame),
