@@ -4,7 +4,13 @@
 # After nearest.awk. only: what was asked for; suites: all names. Exit code 1.
 BEGIN {
     n = split(suites, name, " ")
-    meant = nearest(only, name, n)
+    for (i = 1; i <= n; i++) { # an ending counts if there is one
+        word[i] = name[i]
+        if (only !~ /[.]/) sub(/[.].*/, "", word[i])
+        if (!(word[i] in whole)) whole[word[i]] = name[i]
+    }
+    meant = nearest(only, word, n)
+    if (meant != "") meant = whole[meant]
     for (i = 1; i <= n; i++) { # without what people leave out
         short[i] = name[i]
         sub(/^test_/, "", short[i])

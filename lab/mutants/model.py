@@ -6,11 +6,11 @@ An operator or number of a file of cmodel/ becomes another one (EDITS): COUNT of
 drawn by SEED, as many as are begun within MINUTES; an edit elsewhere leaves the draw as it is. The
 file is compiled and linked in front of the library's own, into one suite of tests/ after the other
 until one fails, hangs or crashes: those of its name first, then the quickest, of those that gcov
-says run its line and that take at most LONGEST seconds. What all of them let pass the quick ones try
-once more under the sanitizers, as `make test` does. What compiles to the same instructions is no fault.
-JOBS are tried at once. A kill is kept as long as the model and the suite that it fell to stay, what
-is left as long as all suites do. lab/mutants/left_c.py tries in one suite those that the page lists
-as left."""
+says run its line and that take at most LONGEST seconds. What all of them let pass the quick ones
+try once more under the sanitizers, as `make test` does. What compiles to the same instructions is
+no fault. JOBS are tried at once. A kill is kept as long as the model and the suite that it fell to
+stay, what is left as long as all suites do. lab/mutants/left_c.py tries in one suite those that the
+page lists as left."""
 import functools
 import glob
 import hashlib

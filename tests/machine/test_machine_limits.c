@@ -104,7 +104,9 @@ static void test_geometry(void **unused) {
         }
         for (int i = 0; i < 6; i++)
             ends(&m, SPH_REG_LIGHT0_X + SPH_LIGHT_STRIDE + i, i < 3 ? -w : 0,
-                 i < 3 ? w - 1 : i == 3 ? (32 << SPH_LIGHT_SHIFT_LSB) - 1 : 65535,
+                 i < 3    ? w - 1
+                 : i == 3 ? (32 << SPH_LIGHT_SHIFT_LSB) - 1
+                          : 65535,
                  "LIGHT1_");
         r[SPH_REG_FRAME_W] = r[SPH_REG_WIN_X1] = r[SPH_REG_FRAME_H] = r[SPH_REG_WIN_Y1] = 1;
         r[SPH_REG_RECT_X1] = r[SPH_REG_RECT_Y1] = 0;

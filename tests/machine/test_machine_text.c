@@ -55,8 +55,9 @@ static void check_tree(const struct sph_machine *m, uint32_t primitives) {
         }
         if (found) sprintf(leaves + strlen(leaves), " %d: %u", levels, found);
     }
-    snprintf(said, sizeof said, "tree      balanced, %u nodes on %d levels, %u spheres below them\n",
-             n, levels, primitives);
+    snprintf(said, sizeof said,
+             "tree      balanced, %u nodes on %d levels, %u spheres below them\n", n, levels,
+             primitives);
     has(said);
     strcpy(said, "children ");
     for (int i = 0; i <= 4; i++)
@@ -100,8 +101,9 @@ static void test_words(void **unused) {
         described(&m);
         check_tree(&m, n);
         check_registers(&m);
-        snprintf(said, sizeof said, "memory    %u lines, %.1f KiB; primitive records from line %d\n",
-                 m.lines, m.lines / 32.0, m.regs[SPH_REG_PRIM_BASE]);
+        snprintf(said, sizeof said,
+                 "memory    %u lines, %.1f KiB; primitive records from line %d\n", m.lines,
+                 m.lines / 32.0, m.regs[SPH_REG_PRIM_BASE]);
         has(said);
         has("scene     cloud\nprofile   standard: W 16, WD 17, PR 33, PQ 17, NG 2, FW 14 bits\n");
         sph_machine_free(&m);
@@ -179,9 +181,8 @@ static void check_words(const char *from, const uint32_t *words, size_t n, int s
         char word[9] = {0};
         if (c[0] == '0' && c[1] == 'x') c += 2;
         memcpy(word, c, 8);
-        size_t turned = back ? at / (size_t)size * (size_t)size + (size_t)size - 1 -
-                                   at % (size_t)size
-                             : at;
+        size_t turned =
+            back ? at / (size_t)size * (size_t)size + (size_t)size - 1 - at % (size_t)size : at;
         assert_int_equal(strspn(word, "0123456789abcdef"), 8);
         assert_int_equal(strtoull(word, NULL, 16), words[turned]);
         at++, c += 7;
