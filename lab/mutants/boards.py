@@ -63,7 +63,7 @@ class RamBoard(Board):
     """rt_ulx3s_ram: its machine is in its ROMs; shown in a mode of its own size, for speed."""
 
     MODE = (320, 8, 8, 16, 240, 2, 2, 4, 0, 0)  # video::Mode
-    WAIT = "wait_q == 1"
+    WAIT = "wait_q == 2"
 
     def __init__(self, build):
         super().__init__("board/ram", "rt_ulx3s_ram", [], build)
@@ -82,11 +82,10 @@ class RamBoard(Board):
         with open(name, encoding="utf-8") as f:
             lines = [line for line in f.read().split()
                      if line[:3] not in ("064", "068", "06c", "070")]
-        first = next(i for i, line in enumerate(lines) if line.startswith("060"))
         lines = [f"060{int(line[3:], 16) & ~2:08x}" if line[:3] == "060" else line
                  for line in lines]             # not doubled
         with open(name, "w", encoding="utf-8") as f:
-            f.write("\n".join([*lines[:first], *mode, *lines[first:]]) + "\n")
+            f.write("\n".join(mode + lines) + "\n")     # so that the first one counts
 
 
 class SdramBoard(Board):
