@@ -72,10 +72,11 @@ job() {
     core=$("$SPHAERA" info "$here/scene.sph" | sed -n 's/^core *//p')
     folder=$(BUILD=$here/build RTL=$here/rtl SIM=icarus EFFECTS=auto \
         sh sim/core.sh --machine "$here/scene.sph" --folder) || return 2
+    others='verilated|simulate_(verilator|netlist|cxxrtl)'
     # shellcheck disable=SC2046  # a list of words on purpose
-    g++ -fopenmp $(find "$BUILD/sim/obj" -name '*.o' | grep -vE 'verilated|simulate_verilator') \
-        "$here/twin.o" "$here/literal.o" "$BUILD/libsphaera.a" -Wl,--wrap=sph_render -ljansson -lm \
-        -lpthread -o "$here/harness" || return 2
+    g++ -fopenmp $(find "$BUILD/sim/obj" -name '*.o' | grep -vE "$others") "$here/twin.o" \
+        "$here/literal.o" "$BUILD/libsphaera.a" -Wl,--wrap=sph_render -ljansson -lm -lpthread \
+        -o "$here/harness" || return 2
     set -- --machine "$here/scene.sph" --engine "$folder/tb_core.vvp" --core "$core" \
         --built "$(sh sim/parameters.sh "$core")" --watchdog 5000 --latency 5 --stall 20 --seed 7
     "$here/harness" "$@" || { echo "model and RTL do not agree" && return 2; }
