@@ -6,10 +6,9 @@
 # afl: AFL++, guided by coverage; plain: the driver of the tree, which is not. Then the inputs that
 # AFL++ kept, or the driver's first changes, run under the sanitizers of gcc and clang. What AFL++
 # has not run of INPUTS the driver runs, as changes of the inputs that AFL++ kept, with a seed for
-# each million. A row of
-# BUILD/fuzz/runs.tsv says what was done: day, harness, how, seed, minutes, runs, inputs that were
-# kept, failures, digest of sources. Failing inputs are in BUILD/fuzz/found. Exit code 1 if there
-# are any.
+# each million. A row of BUILD/fuzz/runs.tsv says what was done: day, harness, how, seed, minutes,
+# runs, inputs that were kept, failures, digest of sources. Failing inputs are in BUILD/fuzz/found.
+# Exit code 1 if there are any.
 set -u
 how=$1
 shift
