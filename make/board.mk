@@ -11,8 +11,12 @@ BOARD_ROMS_ulx3s_ram := $(BOARD_STEM).registers.hex
 BOARD_SETS_ulx3s_ram  = 'REGISTERS="$(call board_rom,registers)"' 'SCENE="$(call board_rom,scene)"'
 # buttons and UART as fast as they can be
 BOARD_FAST := DIV=4 STILL=6 POWER=12500
+BOARD_MACHINE := --profile standard --depth 2 --interpenetrate off --background rect
 
-.PHONY: board board-cells board-setup board-sim board-sim-small board-sim-sdram
+.PHONY: board board-cells board-setup board-sim board-sim-small board-sim-sdram board-words
+board-words:
+	@echo FAST: $(BOARD_FAST) MACHINE: $(BOARD_MACHINE)
+
 board-setup: ## installs nextpnr-ecp5 and ecppack into build/venv/board (PyPI)
 	$(Q)python3 -m venv $(BOARD_VENV)
 	$(Q)$(BOARD_VENV)/bin/python -m pip install -q $(BOARD_PNR)
@@ -52,9 +56,8 @@ $(BOARD_STEM).registers.hex: $(BOARD_STEM).sph $(TOOL)
 	$(Q)$(TOOL) load --rom $(BOARD_STEM) $<
 
 # scene, size
-board_machine = @mkdir -p $(@D); $(TOOL) build $(1) --profile standard --size $(2) --depth 2 \
-    --interpenetrate off --background rect -o $@ >$(@:.sph=.log) 2>&1 || \
-    { cat $(@:.sph=.log); exit 1; }
+board_machine = @mkdir -p $(@D); $(TOOL) build $(1) $(BOARD_MACHINE) --size $(2) -o $@ \
+    >$(@:.sph=.log) 2>&1 || { cat $(@:.sph=.log); exit 1; }
 $(BOARD_STEM).sph: $(BOARD_SCENE) $(TOOL)
 	$(call board_machine,$<,320x240)
 # one scene from a camera that moves to the right

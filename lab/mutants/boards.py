@@ -3,14 +3,20 @@
 import glob
 import os
 import re
+from functools import lru_cache
 
 from . import netlist
-from .benches import CELLS, Built, shell
+from .benches import CELLS, Built, shell, words_of
 
-FAST = ("DIV=4", "STILL=6", "POWER=12500")     # BOARD_FAST of make/board.mk
 CELL_FILES = sorted(glob.glob(CELLS))
-MACHINE = ("--profile", "standard", "--depth", "2", "--interpenetrate", "off", "--background",
-           "rect")                              # board_machine of make/board.mk
+
+
+@lru_cache(maxsize=None)
+def options():
+    """(BOARD_FAST, BOARD_MACHINE) of make/board.mk, words."""
+    words = words_of("make", "-s", "board-words")   # behind what make may have built
+    fast, machine = words.index("FAST:"), words.index("MACHINE:")
+    return words[fast + 1:machine], words[machine + 1:]
 
 
 class Board(Built):
@@ -30,7 +36,8 @@ class Board(Built):
                 "tb/top/golden_core.*", "tb/sdram_times.h"]
 
     def machine(self, scene, size, name):
-        shell([f"{self.build}/sphaera", "build", scene, *MACHINE, "--size", size, "-o",
+        _, machine = options()
+        shell([f"{self.build}/sphaera", "build", scene, *machine, "--size", size, "-o",
                f"{self.folder}/{name}.sph"], f"{self.folder}/log")
 
     def objects(self):
@@ -44,11 +51,12 @@ class Board(Built):
 
     def make(self, verilog, *more):
         golden = f"{self.folder}/rt_core.sv"
+        fast, _ = options()
         with open("tb/top/golden_core.svh", encoding="utf-8") as f, \
                 open(golden, "w", encoding="utf-8") as made:
             made.write(netlist.head("rt_core") + f.read().replace("wait_q == 6", self.WAIT))
         return self.compile(verilog, f"tb/board/tb_{self.top[3:]}.cpp",
-                            ["-DGOLDEN_CORE", "-Itb/board", *(f"-D{word}" for word in FAST)],
+                            ["-DGOLDEN_CORE", "-Itb/board", *(f"-D{word}" for word in fast)],
                             self.objects(), [],
                             ["+1800-2017ext+sv", *(f"-I{n}" for n in sorted(glob.glob("rtl/*"))),
                              *CELL_FILES, golden, *more])
@@ -92,7 +100,8 @@ class SdramBoard(Board):
     """rt_ulx3s_sdram: machines come over its UART, buttons choose among them."""
 
     def __init__(self, build):
-        super().__init__("board/sdram", "rt_ulx3s_sdram", [word.split("=") for word in FAST], build)
+        super().__init__("board/sdram", "rt_ulx3s_sdram",
+                         [word.split("=") for word in options()[0]], build)
         self.outer = "ulx3s_pins"
         self.runs = [[f"{self.folder}/{n}.sph" for n in (1, 2, 3)]]
 
