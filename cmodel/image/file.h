@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,8 @@ int write_file(const char *path, const char *format, const OIIO::ImageSpec &spec
 template <class Work> int guarded(const char *path, struct sph_error *err, Work work) {
     try {
         return work();
+    } catch (const std::bad_alloc &) {
+        return sph_fail(err, "%s: no memory for its pixels", path);
     } catch (const std::exception &e) {
         return sph_fail(err, "%s: %s", path, e.what());
     }

@@ -10,7 +10,7 @@
 
 int tool_failed(const struct sph_error *err) {
     fprintf(stderr, "sphaera: %s\n", err->text[0] ? err->text : "failed");
-    if (strstr(err->text, "memory") || strstr(err->text, "bad_alloc")) guard_say_memory();
+    if (strstr(err->text, "memory")) guard_say_memory();
     return TOOL_FAILED;
 }
 

@@ -40,6 +40,8 @@ textured large.png >scene.nff
 refused "large.png: has 104857600 bytes, more than the 68157440" build scene.nff -o x.sph
 truncate -s 4G huge.png
 refused "huge.png: has 4294967296 bytes, more than the" compare huge.png huge.png
+printf 'P2 16777212 2 255 1' >wide.pgm
+refused "wide.pgm: 16777212 x 2 pixels of 1 bytes are more than three" compare wide.pgm wide.pgm
 truncate -s 4G zeros.pdb
 refused "zeros.pdb:1: byte 0x00" import zeros.pdb -o x.nff
 
