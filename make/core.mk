@@ -118,7 +118,7 @@ $K/core_cxxrtl.o: tb/core/simulate_cxxrtl.cpp $K/core_cxxrtl/core.cpp
 	    -I$(dir $(word 2,$^)) -isystem $$(yosys-config --datdir)/include \
 	    -DYOSYS_VERSION='"$(shell yosys -V)"' -MMD -MP -c $< -o $@
 
-$K/tb_core_cxxrtl: $(SHARED) $K/core_cxxrtl.o $(LIB)
+$K/tb_core_cxxrtl: $(SHARED) $K/core_cxxrtl.o $S/obj/simulate_host.o $(LIB)
 	$(CXX) $(LINKER) $^ $(LIBS) -o $@
 
 # The core as cells of a family, and what simulates them.
@@ -132,7 +132,7 @@ $(NETLIST): $S/obj/netlist_%.o: tb/netlist/%.cpp $S/obj/flags
 	$(CCACHE) $(CXX) $(CXXFLAGS) -MMD -MP -c $< -o $@
 
 $S/obj/simulate_netlist.o: CXXFLAGS += -Itb
-$S/tb_core_netlist: $(SHARED) $S/obj/simulate_netlist.o $(NETLIST) $(LIB)
+$S/tb_core_netlist: $(SHARED) $S/obj/simulate_netlist.o $S/obj/simulate_host.o $(NETLIST) $(LIB)
 	$(CXX) $(LINKER) $^ $(LIBS) -o $@
 
 $(VERILATED) $(TRACED): $S/obj/%.o: $(ROOT)/%.cpp $S/obj/flags

@@ -1,9 +1,10 @@
 /* simulate.h - one run of the core over one window, by whichever simulator is linked
  * SPDX-License-Identifier: Apache-2.0
  *
- * Four files implement it: simulate_verilator.cpp (the verilated core in this process),
- * simulate_icarus.cpp (tb_core_icarus.v in a vvp process), simulate_cxxrtl.cpp (the core in Yosys's
- * C++) and simulate_netlist.cpp (the cells that Yosys maps it to).
+ * Three files implement it: simulate_verilator.cpp (the verilated core in this process),
+ * simulate_icarus.cpp (tb_core_icarus.v in a vvp process) and simulate_host.cpp, with either
+ * simulate_cxxrtl.cpp (the core in Yosys's C++) or simulate_netlist.cpp (the cells that Yosys maps
+ * it to).
  */
 #ifndef TB_SIMULATE_H
 #define TB_SIMULATE_H

@@ -1,11 +1,9 @@
-/* simulate_netlist.cpp - the core as the cells that it is mapped to; see simulate.h, netlist.h
+/* simulate_netlist.cpp - the core as cells that it is mapped to; see simulate_host.cpp, netlist.h
  * SPDX-License-Identifier: Apache-2.0
  *
  * --engine is the netlist as JSON. What has no initial value starts with noise.
  */
 #include "netlist/netlist.h"
-
-#include <chrono>
 
 #include "port_host.h"
 
@@ -73,41 +71,7 @@ class NetlistCore : public PortHost {
     Netlist core_;
 };
 
-void pass(NetlistCore &core, const Options &o, bool keep, Sample *samples, Run &run, Pass &out) {
-    const uint64_t begin = core.cycle();
-    uint64_t last = begin;
-    core.pixel = [&](int x, int y, const sph_pixel &p) {
-        last = core.cycle();
-        deliver(core.memory().machine(), run, samples, x, y, p, last - begin);
-    };
-    core.pins.keep_cache = keep;
-    core.pins.start = true;
-    Host::Seen seen = core.clock();
-    core.pins.start = false;
-    while (seen.busy && !run.failure[0] && !run.stopped) {
-        seen = core.clock();
-        if (core.cycle() - last > o.watchdog) fail(run, "no pixel for too long");
-    }
-    core.pixel = nullptr;
-    out.errors = seen.errors;
-    for (int i = 0; i < SPH_COUNTERS; i++) {
-        core.pins.count_addr = i;
-        out.count[i] = core.clock().count;
-    }
-}
-
 } // namespace
-
-void simulate(const Options &o, const sph_machine &machine, Sample *samples[PASSES], Run &run) {
-    auto begin = std::chrono::steady_clock::now();
-    NetlistCore core(o, machine, run);
-    if (run.failure[0]) return;
-    configure(core, machine, run.window);
-    if (o.reset_at >= 0) interrupt(core, o.reset_at, o.reset_for, false);
-    pass(core, o, false, samples[COLD], run, run.pass[COLD]);
-    if (o.warm && !run.failure[0]) pass(core, o, true, samples[WARM], run, run.pass[WARM]);
-    run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
 
 std::unique_ptr<Host> make_host(const Options &o, const sph_machine &machine, Run &run) {
     return std::make_unique<NetlistCore>(o, machine, run);
