@@ -109,7 +109,7 @@ $K/core.o: $K/core.cpp $(PRECOMPILED)
 	$(COMPILE_CORE) -MD -MP -c $< -o $@
 
 # Yosys's C++. A compiler that optimises takes many minutes for it.
-$K/core_cxxrtl/core.cpp: $(RTL_FILES) synth/cxxrtl.sh $K/icarus.flags
+$K/core_cxxrtl/core.cpp: $(RTL_FILES) synth/cxxrtl.sh synth/folders.sh $K/icarus.flags
 	@mkdir -p $(@D)
 	RTL=$(RTL) sh synth/cxxrtl.sh $@ $(PARAMETERS)
 
@@ -122,7 +122,7 @@ $K/tb_core_cxxrtl: $(SHARED) $K/core_cxxrtl.o $S/obj/simulate_host.o $(LIB)
 	$(CXX) $(LINKER) $^ $(LIBS) -o $@
 
 # The core as cells of a family, and what simulates them.
-$K/ecp5.json $K/xc7.json: $K/%.json: $(RTL_FILES) synth/cells.sh $K/icarus.flags
+$K/ecp5.json $K/xc7.json: $K/%.json: $(RTL_FILES) synth/cells.sh synth/folders.sh $K/icarus.flags
 	@mkdir -p $(@D)
 	RTL=$(RTL) sh synth/cells.sh $* $@ $(PARAMETERS)
 

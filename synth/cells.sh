@@ -13,12 +13,7 @@ set -eu
 cd "$(dirname "$0")/.."
 family=$1 out=${2%.json} rtl=${RTL:-rtl}
 shift 2
-set_all=
-for p; do set_all="$set_all -set ${p%%=*} ${p#*=}"; done
-include='' library=''
-for d in $(find "$rtl" -name '*.v*' -exec dirname {} + | sort -u); do
-    include="$include -I$d" library="$library -libdir $d"
-done
+. synth/folders.sh
 case $family in
 ecp5) map='synth_ecp5 -nowidelut -noflatten -top rt_core' ;;
 xc7)

@@ -7,12 +7,7 @@ set -eu
 cd "$(dirname "$0")/.."
 out=$1 rtl=${RTL:-rtl}
 shift
-set_all=
-for p; do set_all="$set_all -set ${p%%=*} ${p#*=}"; done
-include='' library=''
-for d in $(find "$rtl" -name '*.v*' -exec dirname {} + | sort -u); do
-    include="$include -I$d" library="$library -libdir $d"
-done
+. synth/folders.sh
 source=$(find "$rtl" -name rt_core.v)
 yosys -q -p "verilog_defaults -add $include -DSYNTHESIS; read_verilog $source;
     chparam $set_all rt_core; hierarchy -check -top rt_core $library; proc; check -assert;

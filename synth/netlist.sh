@@ -22,14 +22,10 @@ xc7)
     exit 2
     ;;
 esac
-top=$1 out=$2
+top=$1 out=$2 rtl=rtl
 shift 2
 source=$(find rtl -name "$top.v")
-set_all=
-for p; do set_all="$set_all -set ${p%%=*} ${p#*=}"; done
-folders=$(find rtl -name '*.v*' -exec dirname {} + | sort -u)
-include='' library=''
-for d in $folders; do include="$include -I$d" library="$library -libdir $d"; done
+. synth/folders.sh
 mkdir -p "$out/rtl"
 ${NICE:-nice} yosys -q -l "$out/log" -p "verilog_defaults -add $include -DSYNTHESIS;
     read_verilog $source; ${set_all:+chparam $set_all $top;}
