@@ -36,9 +36,9 @@ int sph_image_read(const char *path, struct sph_image *image, struct sph_error *
             return sph_fail(err, "%s: empty picture", path);
         if (spec.width > most_side || spec.height > most_side ||
             spec.image_bytes() > static_cast<OIIO::imagesize_t>(most_bytes))
-            return sph_fail(err, "%s: %d x %d pixels of %d bytes are more than three pictures of %d x %d",
-                            path, spec.width, spec.height, spec.nchannels, SPH_MAX_SIDE,
-                            SPH_MAX_SIDE);
+            return sph_fail(
+                err, "%s: %d x %d pixels of %d bytes are more than three pictures of %d x %d", path,
+                spec.width, spec.height, spec.nchannels, SPH_MAX_SIDE, SPH_MAX_SIDE);
         std::vector<std::uint8_t> bytes(static_cast<std::size_t>(spec.image_bytes()));
         if (!in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeUInt8, bytes.data()))
             return sph_fail(err, "%s: %s", path,
