@@ -5,6 +5,7 @@
 #   prove.sh [PATTERN]   only proofs whose name has the pattern in it; =NAME: that one; quick: the
 #                        quick ones
 #   BUILD=folder         for what is written (build)
+#   CBMC=program         CBMC (that of the path, else of BUILD/cbmc)
 #   NICE=command         before everything that takes long (nice)
 # Exit 0: all proved. 1: some fail. 2: some cannot be built, or have no verdict.
 set -u
@@ -12,6 +13,7 @@ cd "$(dirname "$0")/.." || exit 2
 pattern=${1:-} BUILD=${BUILD:-build} NICE=${NICE:-nice} CC=${CC:-gcc}
 dir=$BUILD/formal
 include='-Irtl/math -Irtl/prim -Irtl/trace -Irtl/core -Irtl/top -Irtl/engine'
+cbmc=${CBMC:-$(command -v cbmc || command -v "$BUILD/cbmc/usr/bin/cbmc")} absent=
 mkdir -p "$dir" || exit 2
 : >"$dir/table"
 worst=0
@@ -144,6 +146,24 @@ exact() { # clang takes out all traps of a function that says when an operation 
     verdict=proved
     ! grep -q 'call .*@llvm\.ubsantrap' "$dir/$1.log" || verdict="a trap is left"
 }
+bounded() { # CBMC: no check of a function fails, no loop goes on, and its end is reached
+    sets= function=
+    for p in $3; do
+        case $p in FUNCTION=*) function=${p#*=} ;; *) sets="$sets -D$p" ;; esac
+    done
+    # shellcheck disable=SC2086  # lists of words
+    set -- "$1" --function "$function" -Icmodel $sets --unwind 52 "formal/$2"
+    name=$1
+    shift
+    $NICE "$cbmc" "$@" -DREACH >"$dir/$name.log" 2>&1
+    verdict=error
+    grep -q '^VERIFICATION FAILED' "$dir/$name.log" || return
+    $NICE "$cbmc" "$@" --unwinding-assertions --bounds-check --pointer-check \
+        --div-by-zero-check --signed-overflow-check --undefined-shift-check --conversion-check \
+        >"$dir/$name.log" 2>&1
+    ! grep -q '^VERIFICATION SUCCESSFUL' "$dir/$name.log" || verdict=proved
+    ! grep -q '^VERIFICATION FAILED' "$dir/$name.log" || verdict="a check fails"
+}
 simulation() { # all inputs of a module without state; says "proved" or what fails
     sources= sets=
     for f in $4; do sources="$sources rtl/$f"; done
@@ -177,6 +197,10 @@ while IFS='|' read name top params rtl memories depth speed; do
     case $top in
     *.smt2) how=lemma method=z3 module=${top%.smt2} ;;
     c_*.c) how=exact method=clang module=${top%.c} ;;
+    b_*.c)
+        how=bounded method=cbmc module=${top%.c}
+        [ -n "$cbmc" ] || { absent=1 && continue; }
+        ;;
     *.c) how=program method=all module=${top%.c} ;;
     p_*) how=reach method=pdr module=${rtl%%.v*} module=${module##*/} ;;
     s_*) how=simulation method=all module=${rtl%%.v*} module=${module##*/} ;;
@@ -202,6 +226,7 @@ while IFS='|' read name top params rtl memories depth speed; do
         $((tenths / 10)) $((tenths % 10)) "$verdict" "$property" >>"$dir/table"
 done <formal/proofs.txt
 
+[ -z "$absent" ] || echo "CBMC is not installed (make cbmc-setup): its proofs are left out"
 [ -s "$dir/table" ] || { echo "no proof of that name: $pattern"; exit 2; }
 awk -F'|' 'BEGIN {
         form = "%-16s %-14s %-26s %-7s %7s  %-8s %s\n"
@@ -209,6 +234,6 @@ awk -F'|' 'BEGIN {
     { printf form, $1, $2, $3, $4, $5, $6, $7; sum += $5; proved += $6 == "proved" }
     END { printf "%d of %d proved in %.1f s (k: depth of the induction, t: clocks from " \
           "any state, p: so, products being a function, pdr: of abc, z3: integers, " \
-          "all: every input, clang: no trap left)\n", proved, NR, sum }' \
+          "all: every input, clang: no trap left, cbmc: no check fails)\n", proved, NR, sum }' \
     "$dir/table"
 exit $worst
