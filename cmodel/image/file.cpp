@@ -22,6 +22,19 @@ std::string sph_picture::reason(std::string text, const char *otherwise) {
     return text.empty() ? otherwise : text;
 }
 
+int sph_picture::refuse_unsound(const char *path, struct sph_error *err) {
+    enum { BITS_AT = 28, COMPRESSION_AT = 30, HEAD = 34, RLE8 = 1, RLE4 = 2 };
+    unsigned char head[HEAD] = {};
+    std::FILE *file = std::fopen(path, "rb");
+    if (!file) return 0;
+    const bool bmp = std::fread(head, 1, HEAD, file) == HEAD && !std::memcmp(head, "BM", 2);
+    std::fclose(file);
+    const int bits = head[BITS_AT] | head[BITS_AT + 1] << 8, how = head[COMPRESSION_AT];
+    if (!bmp || (how != RLE8 && how != RLE4) || bits == (how == RLE8 ? 8 : 4)) return 0;
+    return sph_fail(err, "%s: a BMP of %d bits a pixel, compressed as one of %d", path, bits,
+                    how == RLE8 ? 8 : 4);
+}
+
 int sph_picture::write_file(const char *path, const char *format, const OIIO::ImageSpec &spec,
                             const void *pixels, struct sph_error *err) {
     std::unique_ptr<OIIO::ImageOutput> image = OIIO::ImageOutput::create(format);

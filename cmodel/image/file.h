@@ -22,6 +22,10 @@ extern const char *const no_time; /* the same frame, the same bytes */
 /* A library's message as the end of a line of ours; `otherwise` if it says nothing. */
 std::string reason(std::string text, const char *otherwise);
 
+/* -1 with a message if OpenImageIO 2.4 would look outside its memory: a BMP whose pixels are
+ * compressed as if they had 8 or 4 bits each, and have not. */
+int refuse_unsound(const char *path, struct sph_error *err);
+
 /* Writes pixels, native in the spec's formats, to path as a file of kind format. The file is made
  * in memory first: OpenImageIO's writers do not report a full disk. */
 int write_file(const char *path, const char *format, const OIIO::ImageSpec &spec,

@@ -24,6 +24,7 @@ int sph_image_read(const char *path, struct sph_image *image, struct sph_error *
     std::FILE *probe = sph_input_open(path, most_bytes, err); /* OpenImageIO takes any file */
     if (!probe) return -1;
     std::fclose(probe);
+    if (sph_picture::refuse_unsound(path, err)) return -1;
     return sph_picture::guarded(path, err, [&] {
         std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(path);
         if (!in)

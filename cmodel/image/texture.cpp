@@ -72,6 +72,7 @@ const char *unfit(const OIIO::ImageSpec &spec) {
 
 /* Reads level 0 into a buffer of red, green, blue, alpha, all limited to 0 .. 1. */
 int read_level(const char *path, OIIO::ImageBuf *to, struct sph_error *err) {
+    if (sph_picture::refuse_unsound(path, err)) return -1;
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);
     std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(path, &config);

@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 set -u
 . "$(dirname "$0")/../tap.sh"
+here=$(cd "$(dirname "$0")/../.." && pwd)
 cd "$TMP" || exit 1
 s=$SPHAERA
 
@@ -42,6 +43,8 @@ truncate -s 4G huge.png
 refused "huge.png: has 4294967296 bytes, more than the" compare huge.png huge.png
 printf 'P2 16777212 2 255 1' >wide.pgm
 refused "wide.pgm: 16777212 x 2 pixels of 1 bytes are more than three" compare wide.pgm wide.pgm
+cp "$here/tests/fuzz/corpus/image/compressed" .
+refused "compressed: a BMP of 24 bits a pixel, compressed as one of 8" compare compressed compressed
 truncate -s 4G zeros.pdb
 refused "zeros.pdb:1: byte 0x00" import zeros.pdb -o x.nff
 
