@@ -1,15 +1,17 @@
 // f_facet_sums.v - proof that rt_facet_sums has N and the sums of sph_facet_test(), real widths
 // SPDX-License-Identifier: Apache-2.0
-// A facet is taken in the first clock, others at any time two clocks apart. Products are a function
-// of their factors, sums are modulo 2^CW and 2^VW, which hold them (docs/model/facet.md); N and
-// m = dir x A0 first, and from what they are det, num, U2 and V.
+// A facet is taken in the first clock, others at any time INTERVAL clocks apart. Products are a
+// function of their factors, sums are modulo 2^CW and 2^VW, which hold them (docs/model/facet.md);
+// N and m = dir x A0 first, and from what they are det, num, U2 and V.
 `timescale 1ns / 1ps
 `default_nettype none
+`include "rt_fx.vh"
 `include "rt_facet.vh"
 module f_facet_sums #(
     parameter W  = 16,
     parameter WD = 17,
-    parameter VW = 51
+    parameter VW = 51,
+    parameter INTERVAL = 2                           // or 4
 ) (
     input wire            clk,
     input wire            take, plane,
@@ -19,19 +21,22 @@ module f_facet_sums #(
 );
     localparam NW = `RT_FACET_NARROW(W, WD);
     localparam CW = `RT_FACET_WIDE(W, WD);
+    localparam N  = `RT_FACET_NORMAL(W, WD, INTERVAL);       // clocks until N
+    localparam M  = N + INTERVAL / 2;                // until m
+    localparam T  = `RT_FACET_SUMS_LATENCY(W, WD, INTERVAL); // until the sums
     wire [3*CW-1:0] n;
     wire signed [VW-1:0] det, num, u2, v;
     reg [3:0] age_q = 4'd0;
-    rt_facet_sums #(.W(W), .WD(WD), .INTERVAL(2), .VW(VW)) u_dut (
+    rt_facet_sums #(.W(W), .WD(WD), .INTERVAL(INTERVAL), .VW(VW)) u_dut (
         .clk(clk), .take_i(take), .plane_i(plane), .v0_i(v0), .v1_i(v1), .v2_i(v2), .org_i(org),
         .dir_i(dir), .n_o(n), .det_o(det), .num_o(num), .u2_o(u2), .v_o(v)
     );
     always @(posedge clk) if (age_q != 15) age_q <= age_q + 1'b1;
-    // the facet is taken; none a clock before and behind it
-    (* hierconn *) wire [5:1] \u_dut.at_q ;
+    // the facet is taken; none in the clocks before and behind it
+    (* hierconn *) wire [N+1:1] \u_dut.at_q ;
     always @* begin
-        if (age_q == 0) assume (take && !\u_dut.at_q [1]);
-        if (age_q == 1) assume (!take);
+        if (age_q == 0) assume (take && \u_dut.at_q [INTERVAL-1:1] == 0);
+        if (age_q > 0 && age_q < INTERVAL) assume (!take);
     end
 
     // ---- the model: A0, e1, e2, dir, given normal ----
@@ -88,12 +93,12 @@ module f_facet_sums #(
     reg good_q = 1'b1;
     always @(posedge clk) begin
         if (age_q == 0) {plane_q, given_q} <= {plane, v1};
-        if (age_q == 4) n_q <= n;                    // its normal leaves now, too
-        if (age_q == 5) m_q <= n;
-        if (age_q == 4 && n != normal) good_q <= 1'b0;
-        if (age_q == 5 && n != cross_m) good_q <= 1'b0;
+        if (age_q == N) n_q <= n;                    // its normal leaves now, too
+        if (age_q == M) m_q <= n;
+        if (age_q == N && n != normal) good_q <= 1'b0;
+        if (age_q == M && n != cross_m) good_q <= 1'b0;
     end
-    always @* if (age_q == 9) begin
+    always @* if (age_q == T) begin
         assert (good_q);
         assert (det == sum(by_dir) && num == sum(by_a0) && u2 == sum(by_e1) && v == sum(by_e2));
     end
