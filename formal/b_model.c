@@ -4,7 +4,8 @@
  * CBMC turns a FUNCTION into a formula, with one check before each operation that might leave its
  * type: a signed sum or product, a shift, a division, a conversion (explicit ones too), an index, a
  * loop of more passes than are unrolled. Where an operand is what another function made, what is
- * assumed of it here is asserted there. What is asserted besides are the widths that headers tell.
+ * assumed of it here is asserted there, or its header shows it. What is asserted besides are the
+ * widths that headers tell.
  */
 // NOLINTBEGIN(bugprone-suspicious-include): static functions too
 #include "math/isqrt.c"
@@ -145,6 +146,7 @@ void shares(struct sph_shares s, struct sph_look look, int depth, uint32_t weigh
     END;
 }
 
+/* Vectors as shifted() makes them: with no shift left, as long as they can be. */
 void refraction(struct sph_ray ray, struct sph_surface s, uint32_t from, uint32_t to) {
     ASSUME(is_unsigned(from, 12) && is_unsigned(to, 12));
     ASSUME(are_signed(ray.dir, WD) && is_unsigned(ray.a, 2 * WD) && ray.unit.h == 0);
