@@ -17,7 +17,7 @@ module f_leaf_disc #(
     input wire [2*W+2:0]    k,
     input wire [2*WD-1:0]   a
 );
-    localparam DW = 2*W + 2*WD + 2, X = 110;
+    localparam DW = 2*W + 2*WD + 2, X = PIECES == 2 ? 76 : 110;
     wire [DW-1:0] disc;
     rt_leaf_disc #(.W(W), .WD(WD)) u_dut (
         .clk(clk), .ready_i(ready), .b_i(b), .k_i(k), .a_i(a), .disc_o(disc)
