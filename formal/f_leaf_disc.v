@@ -36,7 +36,7 @@ module f_leaf_disc #(
                                ka2 = times(k1, a0), ka3 = times(k1, a1);
             wire signed [36:0] s0 = bb0 + ka0, s1 = bb1 + ka1, s2 = bb2 + ka2, s3 = bb3 + ka3;
             wire signed [X-1:0] w0 = s0, w1 = s1, w2 = s2, w3 = s3;
-            assign all   = w0 + ((w1 + w2) <<< 17) + (w3 <<< 34);
+            assign all   = w0 + (w1 <<< 17) + (w2 <<< 17) + (w3 <<< 34);
             assign known = 1'b1;
         end else begin : g_three
             wire signed [17:0] b1 = {1'b0, b_l[33:17]}, k1 = {1'b0, k_l[33:17]};

@@ -63,16 +63,18 @@ def commit():
 
 
 def stamp(page, command, *only):
-    """Notes that the tables of a command are of now, those that are named whatever made them before,
-    and those that nobody knew of."""
+    """Notes that the tables of a command, or those that are named, are of now, and those that nobody
+    knew of."""
     stem, now, found = Path(page).stem, commit(), rows()
     texts = tables(page)
     known = {row.table for row in found if row.page == stem}
     found += [Row(stem, name, command, "+".join(digest.KINDS), "", "", "", "")
               for name in texts if name not in known]
-    write(row if row.page != stem or (row.table not in only if only else row.command != command) else
-          row._replace(command=command, sources=digest.of(row.kinds), commit=now[0], day=now[1],
-                       text=texts[row.table])
+
+    def made(row):
+        return row.page == stem and (row.table in only if only else row.command == command)
+    write(row._replace(command=command, sources=digest.of(row.kinds), commit=now[0], day=now[1],
+                       text=texts[row.table]) if made(row) else row
           for row in found if row.page != stem or row.table in texts)
 
 
