@@ -63,8 +63,8 @@ def commit():
 
 
 def stamp(page, command, *only):
-    """Notes that the tables of a command, or those that are named, are of now, and those that nobody
-    knew of."""
+    """Notes that the tables of a command are of now, or those that are named, and those
+    that nobody knew of."""
     stem, now, found = Path(page).stem, commit(), rows()
     texts = tables(page)
     known = {row.table for row in found if row.page == stem}
