@@ -1,4 +1,4 @@
-// p_cache_moves.v - proof of rt_cache: answers come in bounded time, errors are not kept
+// p_cache_moves.v - proof of rt_cache: bounded time, no errors kept, no word read while written
 // SPDX-License-Identifier: Apache-2.0
 // A small cache without the words of its lines, before a client and a memory that may stall at any
 // time and answer with errors; flushes at any time. Tags of requests under way differ. Clocks count
@@ -89,7 +89,6 @@ module p_cache_moves #(
     (* hierconn *) wire \u_dut.head_valid_q ;
     (* hierconn *) wire \u_dut.head_filled_q ;
     (* hierconn *) wire \u_dut.head_leader ;
-    (* hierconn *) wire \u_dut.head_asked ;
     (* hierconn *) wire \u_dut.queue_go ;
     (* hierconn *) wire \u_dut.alloc ;
     (* hierconn *) wire \u_dut.walk_q ;
@@ -101,7 +100,6 @@ module p_cache_moves #(
     (* hierconn *) wire [WAYS-1:0] \u_dut.s2_coming_q ;
     (* hierconn *) wire [WAYS-1:0] \u_dut.done_way_q ;
     (* hierconn *) wire [SB-1:0]   \u_dut.s2_set ;
-    (* hierconn *) wire [SB-1:0]   \u_dut.head_set ;
     (* hierconn *) wire [SB-1:0]   \u_dut.walk_set_q ;
     (* hierconn *) wire [SB-1:0]   \u_dut.done_set_q ;
     wire [ALL-1:0] way_s2   = {{(ALL-WAYS){1'b0}}, \u_dut.victim } << WAYS * \u_dut.s2_set ;
@@ -178,6 +176,10 @@ module p_cache_moves #(
     reg hit_q = 1'b0;
     always @(posedge clk) if (rsp_ready || !rsp_valid) hit_q <= \u_dut.hit_go ;
     wire kept = old_q && rsp_valid && hit_q && rsp_error;
-    assign bad_o = behind_q == QUIET || before_q == QUIET || kept || (old_q && !holds);
+
+    // ---- no word of the data RAM is read while it is written ----
+    (* hierconn *) wire \u_dut.u_data.collision ;
+    assign bad_o = behind_q == QUIET || before_q == QUIET || kept || (old_q && !holds) ||
+                   (old_q && \u_dut.u_data.collision );
 endmodule
 `default_nettype wire
