@@ -27,7 +27,7 @@ module f_quotient_pool #(
         .in_key_i(in_key), .in_a_i(in_a), .out_valid_o(out_valid), .out_ready_i(out_ready),
         .out_tag_o(out_tag), .out_mant_o(out_mant), .out_exp_o(out_exp)
     );
-    (* hierconn *) wire [UNITS-1:0] \u_dut.take , \u_dut.u_pool.lowest , \u_dut.done ;
+    (* hierconn *) wire [UNITS-1:0] \u_dut.take , \u_dut.u_pool.turn , \u_dut.done ;
     (* hierconn *) wire \u_dut.g_unit[0].u_quotient.full_q , \u_dut.g_unit[1].u_quotient.full_q ;
     (* hierconn *) wire \u_dut.g_unit[2].u_quotient.full_q ;
     (* hierconn *) wire [TAG-1:0] \u_dut.u_pool.g_unit[0].tag_q , \u_dut.u_pool.g_unit[1].tag_q ;
@@ -58,7 +58,7 @@ module f_quotient_pool #(
     reg [AW-1:0]    a_q;
     wire take = in_valid && in_ready;
     wire give = out_valid && out_ready;
-    wire mine = marked_q && \u_dut.u_pool.lowest == unit_q;         // stands at the output
+    wire mine = marked_q && \u_dut.u_pool.turn == unit_q;         // stands at the output
     always @(posedge clk) begin
         old_q   <= 1'b1;
         count_q <= count_q + {2'd0, take} - {2'd0, give};
@@ -81,9 +81,9 @@ module f_quotient_pool #(
         if (out_valid) assert (count_q != 0);
         if (mine) assert (out_valid && out_tag == tag_q && out_mant == key_q[PQ-1:0] &&
                           out_exp == a_q[7:0]);
-        // what is done leaves, but for one of a lower unit
+        // what is done leaves, or one of another unit does
         if (marked_q && (\u_dut.done & unit_q) != 0)
-            assert (out_valid && \u_dut.u_pool.lowest <= unit_q);
+            assert (out_valid && \u_dut.u_pool.turn != 0);
         // invariant
         assert (count_q == {2'd0, full[0]} + {2'd0, full[1]} + {2'd0, full[2]});
         if (marked_q) begin

@@ -29,7 +29,7 @@ module f_root_pool #(
         .in_far_i(in_far), .in_disc_i(in_disc), .in_b_i(in_b), .out_valid_o(out_valid),
         .out_ready_i(out_ready), .out_tag_o(out_tag), .out_far_o(out_far), .out_key_o(out_key)
     );
-    (* hierconn *) wire [UNITS-1:0] \u_dut.take , \u_dut.u_pool.lowest , \u_dut.done ;
+    (* hierconn *) wire [UNITS-1:0] \u_dut.take , \u_dut.u_pool.turn , \u_dut.done ;
     (* hierconn *) wire \u_dut.g_unit[0].u_isqrt.full_q , \u_dut.g_unit[1].u_isqrt.full_q ;
     (* hierconn *) wire \u_dut.g_unit[2].u_isqrt.full_q ;
     (* hierconn *) wire [TAG-1:0] \u_dut.u_pool.g_unit[0].tag_q , \u_dut.u_pool.g_unit[1].tag_q ;
@@ -59,7 +59,7 @@ module f_root_pool #(
     reg [XW-1:0]    x_q;
     wire take = in_valid && in_ready;
     wire give = out_valid && out_ready;
-    wire mine = marked_q && \u_dut.u_pool.lowest == unit_q;         // stands at the output
+    wire mine = marked_q && \u_dut.u_pool.turn == unit_q;         // stands at the output
     localparam RW = PR != 0 ? PR : XW/2;
     wire [KW-1:0] root = x_q[RW-1:0] << (PR != 0 ? x_q[XW-2 -: 2] : 0);
     wire [KW-1:0] sum  = far_q ? b_q + root + x_q[XW-1] : b_q - root;
@@ -88,9 +88,9 @@ module f_root_pool #(
         assert (out_valid == |\u_dut.done );
         if (out_valid) assert (count_q != 0);
         if (mine) assert (out_valid && out_tag == tag_q && out_far == far_q && out_key == key);
-        // what is done leaves, but for one of a lower unit
+        // what is done leaves, or one of another unit does
         if (marked_q && (\u_dut.done & unit_q) != 0)
-            assert (out_valid && \u_dut.u_pool.lowest <= unit_q);
+            assert (out_valid && \u_dut.u_pool.turn != 0);
         // invariant
         assert (count_q == {2'd0, full[0]} + {2'd0, full[1]} + {2'd0, full[2]});
         if (marked_q) begin

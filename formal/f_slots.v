@@ -53,6 +53,8 @@ module f_slots #(
     (* hierconn *) wire [SLOTW:0] \u_dut.g_probe.u_probe.u_queue.rd_q ;
     (* hierconn *) wire \u_dut.free_valid , \u_dut.filling , \u_dut.again_valid ;
     (* hierconn *) wire \u_dut.o_blend , \u_dut.o_sky , \u_dut.o_load , \u_dut.o_blend_in ;
+    (* hierconn *) wire \u_dut.o_turn_blend , \u_dut.o_turn_sky ;
+    (* hierconn *) wire [1:0] \u_dut.u_delivery.above_q ;
     (* hierconn *) wire \u_dut.o_sky_in , \u_dut.free_in , \u_dut.p_valid_q , \u_dut.sky_q ;
     (* hierconn *) wire \u_dut.r_valid_q ;
     (* hierconn *) wire [SLOTW-1:0] \u_dut.r_slot_q ;
@@ -71,6 +73,7 @@ module f_slots #(
 
     // ---- model: where the token of the chosen slot is; how many are with the rest ----
     reg  old_q = 1'b0, rst_q, free_mine_q, rest_mine_q, again_mine_q, blended_mine_q, skies_mine_q;
+    reg  blend_first_q, sky_first_q;                     // went while one of the others waited
     reg [SLOTW:0] rest_q;
     wire take      = in_valid && in_ready;
     wire repeats   = \u_dut.again_valid && primary_ready;
@@ -79,8 +82,8 @@ module f_slots #(
     wire fill      = \u_dut.filling ;
     wire to_again  = \u_dut.d_valid && \u_dut.d_void ;
     wire pop_again = \u_dut.g_probe.u_probe.q_valid && \u_dut.g_probe.u_probe.load ;
-    wire pop_blend = \u_dut.o_blend && \u_dut.o_load ;
-    wire pop_sky   = \u_dut.o_sky && \u_dut.o_load && !\u_dut.o_blend ;
+    wire pop_blend = \u_dut.o_turn_blend && \u_dut.o_load ;
+    wire pop_sky   = \u_dut.o_turn_sky && \u_dut.o_load ;
     wire new_mine   = fill && \u_dut.fill_q [SLOTW-1:0] == slot;
     wire take_mine  = take && \u_dut.free_slot == slot;
     wire token_mine = token && \u_dut.slot_q == slot;
@@ -90,6 +93,8 @@ module f_slots #(
     always @(posedge clk) begin
         old_q          <= 1'b1;
         rst_q          <= rst;
+        blend_first_q  <= \u_dut.o_sky && !pop_sky && (blend_first_q || pop_blend);
+        sky_first_q    <= \u_dut.o_blend && !pop_blend && (sky_first_q || pop_sky);
         rest_q         <= rest_q + take + repeats + token - done_valid - end_valid;
         free_mine_q    <= (free_mine_q && !take_mine) || new_mine || out_mine;
         rest_mine_q    <= (rest_mine_q && !done_mine && !end_mine) || take_mine || token_mine ||
@@ -102,6 +107,7 @@ module f_slots #(
                           (\u_dut.sky_q && \u_dut.slot_q == slot);
         if (rst) begin
             rest_q <= 0;
+            {blend_first_q, sky_first_q} <= 2'd0;
             {free_mine_q, rest_mine_q, again_mine_q, blended_mine_q, skies_mine_q} <= 5'd0;
         end
     end
@@ -166,6 +172,10 @@ module f_slots #(
         // something moves: a free slot takes a pixel, one that is complete is delivered
         if (!fill && n_free != 0 && primary_ready && in_valid) assert (take || repeats);
         if (n_blend != 0 || n_sky != 0) assert (!pix_ready || pop_blend || pop_sky);
+        // of skies and blended pixels one of the others goes before at most
+        assert (!(blend_first_q && pop_blend) && !(sky_first_q && pop_sky));
+        if (blend_first_q) assert (\u_dut.u_delivery.above_q == 2'd2);
+        if (sky_first_q)   assert (\u_dut.u_delivery.above_q == 2'd0);
     end
 endmodule
 `default_nettype wire

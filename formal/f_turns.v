@@ -1,10 +1,12 @@
 // f_turns.v - proof of rt_turns: one that asks is chosen, and each other one goes once before it
 // SPDX-License-Identifier: Apache-2.0
-// They ask when they like; the one in turn is served when its user likes. Resets at any time.
+// They ask when they like; the one in turn is served when its user likes, in one of R clocks at
+// least: so who asks waits for less than R N clocks. Resets at any time.
 `timescale 1ns / 1ps
 `default_nettype none
 module f_turns #(
-    parameter N = 4
+    parameter N = 4,
+    parameter R = 3
 ) (
     input wire         clk,
     input wire         rst,
@@ -24,6 +26,7 @@ module f_turns #(
     // ---- any one: how many others were served while it asked, and how many are before it ----
     (* anyconst *) wire [CB-1:0] mine;
     reg           old_q = 1'b0;
+    reg  [7:0]    wait_q, idle_q;         // clocks; clocks in which none is served
     reg  [CB-1:0] passed_q, low;          // low: those that are not above the one served last
     integer k;
     always @* begin
@@ -36,11 +39,14 @@ module f_turns #(
         old_q <= 1'b1;
         if (!asks[mine] || (served && turn[mine])) passed_q <= 0;
         else if (served) passed_q <= passed_q + 1'b1;
-        if (rst) passed_q <= 0;
+        wait_q <= asks[mine] && !(served && turn[mine]) ? wait_q + 1'b1 : 0;
+        idle_q <= serve ? 0 : idle_q + 1'b1;
+        if (rst) {passed_q, wait_q, idle_q} <= 0;
     end
     always @* begin
         if (!old_q) assume (rst);
         assume (mine < N);
+        assume (serve || idle_q < R - 1);
     end
 
     always @* if (old_q) begin
@@ -48,7 +54,8 @@ module f_turns #(
         assert ((turn == 0) == (asks == 0));
         if (|turn) assert (turn == {{(N-1){1'b0}}, 1'b1} << index);
         else       assert (index == 0);
-        assert (passed_q < N);
+        assert (passed_q < N && wait_q < R * N);
+        assert (idle_q < R && wait_q <= R * passed_q + idle_q);
         // invariant: who was passed over is that many places nearer
         assert ({1'b0, passed_q} + rank < N || passed_q == 0);
         assert (\u_dut.above_q == ({N{1'b1}} << low) || low == N);

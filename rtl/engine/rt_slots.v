@@ -224,16 +224,21 @@ module rt_slots #(
     wire             p_load = !p_valid_q || pix_ready_i;
     wire             o_load = !r_valid_q || p_load;
     wire             r_read = r_valid_q && p_load;
-    assign           o_slot = o_blend ? o_blend_slot : o_sky_slot;
+    wire             o_turn_blend, o_turn_sky, o_one;      // both wait: in turn
+    rt_turns #(.N(2)) u_delivery (
+        .clk(clk), .rst(rst), .asks_i({o_sky, o_blend}), .served_i(o_load && (o_blend || o_sky)),
+        .turn_o({o_turn_sky, o_turn_blend}), .index_o(o_one)
+    );
+    assign           o_slot = o_turn_sky ? o_sky_slot : o_blend_slot;
     rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_blended (
         .clk(clk), .rst(rst), .in_valid_i(end_valid_i), .in_ready_o(o_blend_in),
         .in_data_i(end_slot_i),
-        .out_valid_o(o_blend), .out_ready_i(o_load), .out_data_o(o_blend_slot)
+        .out_valid_o(o_blend), .out_ready_i(o_load && o_turn_blend), .out_data_o(o_blend_slot)
     );
     rt_fifo #(.WIDTH(SLOTW+PB), .DEPTH(SLOTS)) u_skies (
         .clk(clk), .rst(rst), .in_valid_i(sky_q), .in_ready_o(o_sky_in),
         .in_data_i(o_end[SLOTW+PB-1:0]),
-        .out_valid_o(o_sky), .out_ready_i(o_load && !o_blend), .out_data_o(o_next)
+        .out_valid_o(o_sky), .out_ready_i(o_load && o_turn_sky), .out_data_o(o_next)
     );
     assign o_sky_slot = o_next[SLOTW-1:0];
     wire             o_sky_end = PB != 0 && o_next[SLOTW+PB-1];
@@ -252,7 +257,7 @@ module rt_slots #(
     always @(posedge clk) begin
         if (o_load) begin
             r_valid_q  <= o_blend || o_sky;
-            r_sky_q    <= !o_blend && !o_sky_end;
+            r_sky_q    <= o_turn_sky && !o_sky_end;
             r_slot_q   <= o_slot;
         end
         if (p_load) begin
@@ -274,6 +279,6 @@ module rt_slots #(
     assign out_done    = pix_valid_o && pix_ready_i;
     assign out_slot    = p_slot_q;
     wire unused = &{1'b0, regs_i, effects, blend_i, free_in, again_slot, o_blend_in, o_sky_in,
-                    o_end, texture_i};
+                    o_one, o_end, texture_i};
 endmodule
 `default_nettype wire

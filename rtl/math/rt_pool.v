@@ -1,8 +1,9 @@
 // rt_pool.v - makes several iterative units look like one with a tag
 // SPDX-License-Identifier: Apache-2.0
-// The lowest idle unit takes, the lowest that is done gives, so results may overtake each other. A
-// result that waits may give way to one of a lower unit: the consumer looks at it only when it
-// takes it. The units stand outside; combinational but for the tags that they work under.
+// The lowest idle unit takes; units that are done give in turn, so results may overtake each other,
+// and one waits for one of each other unit at most. What is offered may change while it waits: the
+// consumer looks at it only when it takes it. The units stand outside; combinational but for the
+// tags that they work under, and whose turn it is.
 `timescale 1ns / 1ps
 `default_nettype none
 module rt_pool #(
@@ -11,6 +12,7 @@ module rt_pool #(
     parameter TAG   = 8   // tag, bits
 ) (
     input  wire                clk,
+    input  wire                rst,        // synchronous, active high
     // operands, as the units' own ports see them
     input  wire                in_valid_i,
     output wire                in_ready_o,
@@ -27,19 +29,24 @@ module rt_pool #(
     output wire [TAG-1:0]      out_tag_o,
     output wire [RW-1:0]       out_result_o
 );
-    wire [UNITS-1:0] lowest = done_i & (~done_i + 1'b1);
+    wire [UNITS-1:0] turn;
+    wire [(UNITS > 1 ? $clog2(UNITS) : 1)-1:0] number;
+    rt_turns #(.N(UNITS)) u_turns (
+        .clk(clk), .rst(rst), .asks_i(done_i), .served_i(|give_o), .turn_o(turn),
+        .index_o(number)
+    );
     assign take_o      = ready_i & (~ready_i + 1'b1) & {UNITS{in_valid_i}};
-    assign give_o      = lowest & {UNITS{out_ready_i}};
+    assign give_o      = turn & {UNITS{out_ready_i}};
     assign in_ready_o  = |ready_i;
     assign out_valid_o = |done_i;
-    wire [UNITS*(TAG+RW)-1:0] all;         // of the lowest, 0 of the others
+    wire [UNITS*(TAG+RW)-1:0] all;         // of the unit in turn, 0 of the others
     genvar u;
     generate
         for (u = 0; u < UNITS; u = u + 1) begin : g_unit
             reg [TAG-1:0] tag_q;
             always @(posedge clk) if (take_o[u]) tag_q <= in_tag_i;
             assign all[(TAG+RW)*u +: TAG+RW] =
-                lowest[u] ? {tag_q, results_i[RW*u +: RW]} : {(TAG+RW){1'b0}};
+                turn[u] ? {tag_q, results_i[RW*u +: RW]} : {(TAG+RW){1'b0}};
         end
     endgenerate
     reg [TAG+RW-1:0] one;
@@ -49,5 +56,6 @@ module rt_pool #(
         for (i = 0; i < UNITS; i = i + 1) one = one | all[(TAG+RW)*i +: TAG+RW];
     end
     assign {out_tag_o, out_result_o} = one;
+    wire unused = &{1'b0, number};
 endmodule
 `default_nettype wire

@@ -28,10 +28,10 @@ module rt_quotient_pool #(
     wire [UNITS-1:0]    ready, done, take, give;
     wire [UNITS*RW-1:0] results;
     rt_pool #(.UNITS(UNITS), .RW(RW), .TAG(TAG)) u_pool (
-        .clk(clk), .in_valid_i(in_valid_i), .in_ready_o(in_ready_o), .in_tag_i(in_tag_i),
-        .ready_i(ready), .take_o(take), .done_i(done), .give_o(give), .results_i(results),
-        .out_valid_o(out_valid_o), .out_ready_i(out_ready_i), .out_tag_o(out_tag_o),
-        .out_result_o({out_mant_o, out_exp_o})
+        .clk(clk), .rst(rst), .in_valid_i(in_valid_i), .in_ready_o(in_ready_o),
+        .in_tag_i(in_tag_i), .ready_i(ready), .take_o(take), .done_i(done), .give_o(give),
+        .results_i(results), .out_valid_o(out_valid_o), .out_ready_i(out_ready_i),
+        .out_tag_o(out_tag_o), .out_result_o({out_mant_o, out_exp_o})
     );
     genvar u;
     generate

@@ -38,10 +38,10 @@ module rt_root_pool #(
     wire [UNITS*RW-1:0] results;
     wire [VW-1:0]       result;
     rt_pool #(.UNITS(UNITS), .RW(RW), .TAG(TAG)) u_pool (
-        .clk(clk), .in_valid_i(in_valid_i), .in_ready_o(in_ready_o), .in_tag_i(in_tag_i),
-        .ready_i(ready), .take_o(take), .done_i(done), .give_o(give), .results_i(results),
-        .out_valid_o(out_valid_o), .out_ready_i(out_ready_i), .out_tag_o(out_tag_o),
-        .out_result_o({out_far_o, result})
+        .clk(clk), .rst(rst), .in_valid_i(in_valid_i), .in_ready_o(in_ready_o),
+        .in_tag_i(in_tag_i), .ready_i(ready), .take_o(take), .done_i(done), .give_o(give),
+        .results_i(results), .out_valid_o(out_valid_o), .out_ready_i(out_ready_i),
+        .out_tag_o(out_tag_o), .out_result_o({out_far_o, result})
     );
     genvar u;
     generate

@@ -34,7 +34,7 @@ module rt_around #(
     wire [31:0]          along_scale, along_plus;
     wire [17:0]          around, down;     // u0.18 turns, u1.17 half turns
     rt_pool #(.UNITS(UNITS), .RW(36), .TAG(TAG + 64)) u_pool (
-        .clk(clk), .in_valid_i(in_valid_i), .in_ready_o(in_ready_o),
+        .clk(clk), .rst(rst), .in_valid_i(in_valid_i), .in_ready_o(in_ready_o),
         .in_tag_i({in_tag_i, in_scale_i, in_plus_i}),
         .ready_i(u_ready), .take_o(u_take), .done_i(u_done), .give_o(unused_give),
         .results_i(u_results),
