@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //   new ray --> ready --> visit: want --> results --> last --> 4 clocks --> token, ready
 // Any slot may be marked; others do as they like. Token rule: a slot's results come as many as its
-// visit wants; the next visit, a new ray and reads come from its token on. Nothing comes while slots
-// are cleared after a reset, which may come at any time.
+// visit wants; the next visit, a new ray and reads come from its token on. Nothing comes while
+// slots are cleared after a reset, which may come at any time.
 // best_q: the first hit that a result leads to in the clock after it, and in the three behind that;
 // its depth is s3_depth, which f_collect_depth.v is about.
 `timescale 1ns / 1ps
@@ -135,7 +135,7 @@ module f_collect #(
     end
 
     // ---- properties ----
-    wire [BB-1:0] before = best_q[3*BB +: BB];        // when the slot was read, or its result came
+    wire [BB-1:0] kept = best_q[3*BB +: BB];          // as the memories of depths have it
     reg  [BB-1:0] read_q;
     always @(posedge clk) read_q <= best;
     wire mark = \u_dut.u_scale.word_q [KEYS != 0 ? 0 : 23];
@@ -177,8 +177,8 @@ module f_collect #(
             if (written[BB-1])
                 assert ({\u_dut.u_best.word_q [BB-1], \u_dut.u_best.word_q [BB-3:0]} ==
                         written[BB-2:0]);
-            assert ((\u_dut.u_best_f.word_q [FW+1] != mark) == before[BB-1]);
-            if (before[BB-1]) assert (\u_dut.u_best_f.word_q [FW:0] == far_q);
+            assert ((\u_dut.u_best_f.word_q [FW+1] != mark) == kept[BB-1]);
+            if (kept[BB-1]) assert (\u_dut.u_best_f.word_q [FW:0] == far_q);
         end
         if (left_q == 0 && end_q[2:0] == 0)           // nothing is on its way
             assert (best_q == {4{best}});
