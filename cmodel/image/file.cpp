@@ -14,12 +14,12 @@
 
 const char *const sph_picture::no_time = "1970:01:01 00:00:00";
 
-std::string sph_picture::reason(std::string text, const char *otherwise) {
-    while (!text.empty() && text.back() == '\n')
-        text.pop_back();
-    for (char &c : text)
-        if (c == '\n') c = ' ';
-    return text.empty() ? otherwise : text;
+std::string sph_picture::reason(const std::string &text, const char *otherwise) {
+    enum { MOST = 200 };
+    const std::size_t first = text.find_first_not_of('\n');
+    if (first == std::string::npos) return otherwise;
+    const std::string line = text.substr(first, text.find('\n', first) - first);
+    return line.size() <= MOST ? line : line.substr(0, MOST) + "...";
 }
 
 int sph_picture::refuse_unsound(const char *path, struct sph_error *err) {

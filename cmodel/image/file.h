@@ -19,8 +19,9 @@ namespace sph_picture {
 
 extern const char *const no_time; /* the same frame, the same bytes */
 
-/* A library's message as the end of a line of ours; `otherwise` if it says nothing. */
-std::string reason(std::string text, const char *otherwise);
+/* A library's message as the end of a line of ours: the first of several, which the others follow
+ * from, and of that no more than has room; `otherwise` if there is none. */
+std::string reason(const std::string &text, const char *otherwise);
 
 /* -1 with a message if OpenImageIO 2.4 would look outside its memory: a BMP whose pixels are
  * compressed as if they had 8 or 4 bits each, and have not. */
