@@ -9,7 +9,8 @@
  */
 #include <stdio.h>
 
-#include "trace/ray.h"
+#include "core/ray.h"
+#include "trace/setup.h"
 
 #ifndef W
 #define W 6

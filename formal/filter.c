@@ -19,6 +19,7 @@
 #include "math/fx.h"
 #include "trace/filter.h"
 #include "prim/leaf.h"
+#include "trace/setup.h"
 
 #ifndef W
 #define W 4

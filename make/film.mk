@@ -4,7 +4,7 @@
 #   make film SCENE=moving/orbit FRAMES=0..99 MOVIE=orbit.mp4 [ENGINE=slurm]
 # $B/film/DIGEST/ keeps the frames, N.png, so that what was interrupted goes on.
 
-FILM_OF  := cmodel/*/*.[ch],cmodel/*/*.cpp,cmodel/machine/*.def
+FILM_OF  := cmodel/**/*.[ch],cmodel/**/*.cpp,cmodel/machine/*.def
 film_plan = $(call values,SCENE FRAMES BUILD_OPTIONS SEED) BUILD=$B sh sim/film.sh
 ifeq ($(ENGINE),slurm)
 film_jobs = python3 -m lab.jobs.targets plan film $B $$film/results $$film/jobs '$(FILM_OF)' \

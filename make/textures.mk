@@ -76,7 +76,7 @@ endif
 
 TEX_FIRST = $(TEX_NAMES:%=$(TEX)/%-truth.tif) $(TEX_BOTH:%=$(TEX)/%.png) \
             $(TEX_LOD_BOTH:%=$(TEX)/%.png) $(TEX_BOTH:%=$(TEX)/%.sph) $(TEX_MACHINES:%=$(TEX)/%.sph)
-TEX_OF    := cmodel/*/*.[ch],cmodel/*/*.cpp,cmodel/machine/*.def,rtl/*/*.v,rtl/*/*.vh,$\
+TEX_OF    := cmodel/**/*.[ch],cmodel/**/*.cpp,cmodel/machine/*.def,rtl/*/*.v,rtl/*/*.vh,$\
              scenes/texture/*,make/textures.mk
 tex_jobs   = python3 -m lab.jobs.targets plan textures $B $(TEX)/results $(TEX)/$(1) \
                  '$(TEX_OF)' $(2) && $(call jobs_run,$(TEX)/$(1))

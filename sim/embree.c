@@ -15,7 +15,7 @@
 #include <string.h>
 #include <time.h>
 
-#include "core/render.h"
+#include "render/render.h"
 #include "fast/prepare.h"
 #include "fast/fast.h"
 #include "fast/tile.h"

@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/render.h"
+#include "render/render.h"
 #include "fast/fast.h"
 #include "machine/machine.h"
 #include "untold.h"

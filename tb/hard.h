@@ -26,7 +26,8 @@
 extern "C" {
 #include "tests/hard/list.h"
 #include "prim/sphere.h"
-#include "trace/ray.h"
+#include "core/ray.h"
+#include "trace/setup.h"
 }
 
 namespace hard {

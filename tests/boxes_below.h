@@ -6,7 +6,7 @@
 
 #include "containment.h"
 
-#include "builder/box.h"
+#include "builder/tree/box.h"
 #include "machine/box.h"
 #include "machine/records.h"
 

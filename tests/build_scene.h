@@ -15,6 +15,7 @@
 
 #include "builder/build.h"
 #include "sanitized.h"
+#include "validate/validate.h"
 
 static uint64_t state = 1; /* of the generator: argument 1 of a test program */
 

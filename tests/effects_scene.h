@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "builder/build.h"
-#include "core/render.h"
+#include "render/render.h"
 
 /* The options of a machine with all that the scene may need, whatever build finds. */
 static inline struct sph_build_options everything(const struct sph_scene *scene,

@@ -15,7 +15,7 @@
 #include <cmocka.h>
 
 #include "builder/build.h"
-#include "core/render.h"
+#include "render/render.h"
 #include "sanitized.h"
 
 /* One scene for each thing that can go wrong in a picture; from the root of the repository. */

@@ -10,8 +10,9 @@
 #include <string.h>
 
 #include "builder/build.h"
-#include "core/render.h"
+#include "render/render.h"
 #include "texture/lookup.h"
+#include "validate/validate.h"
 
 /* Red of level l is 20 * l + 10, so that a picture tells the level; green and blue are 255. */
 static inline uint32_t level_colour(int level) {

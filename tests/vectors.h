@@ -21,7 +21,7 @@
 #include "sanitized.h"
 #include "scene/rng.h"
 #include "prim/sphere.h"
-#include "trace/ray.h"
+#include "core/ray.h"
 
 enum { VEC_SHARE = SANITIZED ? 20 : 1 };
 

@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-#include "builder/grid.h"
+#include "builder/grid/grid.h"
 
 /* Random views of a test; the sanitizers slow them down. */
 enum { VIEWS = SANITIZED ? 200 : 4000 };

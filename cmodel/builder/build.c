@@ -7,16 +7,16 @@
 #include <string.h>
 #include <time.h>
 
-#include "builder/axes.h"
-#include "builder/background.h"
-#include "builder/box_order.h"
-#include "builder/choose_tree.h"
-#include "builder/effects.h"
+#include "builder/grid/axes.h"
+#include "builder/background/background.h"
+#include "builder/tree/box_order.h"
+#include "builder/tree/choose_tree.h"
+#include "builder/effects/effects.h"
 #include "builder/emit.h"
 #include "builder/smooth.h"
-#include "builder/spans.h"
-#include "builder/spread.h"
-#include "builder/texture.h"
+#include "builder/background/spans.h"
+#include "builder/texture/spread.h"
+#include "builder/texture/texture.h"
 #include "builder/warn.h"
 #include "texture/lookup.h"
 

@@ -7,12 +7,12 @@
 #ifndef SPH_BUILD_H
 #define SPH_BUILD_H
 
-#include "builder/axes.h"
-#include "builder/eye.h"
-#include "builder/refit.h"
-#include "builder/texture_keep.h"
-#include "builder/tree.h"
-#include "builder/work.h"
+#include "builder/grid/axes.h"
+#include "builder/grid/eye.h"
+#include "builder/tree/refit.h"
+#include "builder/texture/keep.h"
+#include "builder/tree/tree.h"
+#include "builder/background/work.h"
 #include "machine/machine.h"
 #include "machine/parts.h"
 #include "reference/cut.h"

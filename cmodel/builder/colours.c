@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "builder/effects.h"
+#include "builder/effects/effects.h"
 #include "builder/emit.h"
 #include "scene/nesting.h"
 

@@ -9,10 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "builder/box.h"
+#include "builder/tree/box.h"
 #include "builder/emit.h"
 #include "machine/records.h"
-#include "prim/build.h"
+#include "builder/prim/build.h"
 
 enum { PARALLEL = 8192 }; /* nodes or primitives from which on threads share the work */
 

@@ -4,10 +4,10 @@
 #ifndef SPH_EMIT_H
 #define SPH_EMIT_H
 
-#include "builder/bih.h"
+#include "builder/tree/bih.h"
 #include "builder/build.h"
-#include "builder/grid.h"
-#include "builder/tree.h"
+#include "builder/grid/grid.h"
+#include "builder/tree/tree.h"
 
 /* Builds the tree that is asked for and writes it with one of the two below; *tree is one of four
  * children in any case, with a BIH and no background separation its root alone. Fills nodes, depth,

@@ -5,8 +5,8 @@
 #define SPH_BUILD_SMOOTH_H
 
 #include "builder/build.h"
-#include "builder/grid.h"
-#include "builder/tree.h"
+#include "builder/grid/grid.h"
+#include "builder/tree/tree.h"
 
 /* Whether a triangle has normals and one of them is not its own: cosine below 1 - 2^-20. */
 int sph_smooth_bends(const struct sph_facet *facet);

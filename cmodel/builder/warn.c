@@ -6,7 +6,7 @@
 #include <math.h>
 
 #include "builder/emit.h"
-#include "builder/grid.h"
+#include "builder/grid/grid.h"
 
 void sph_warn_coarse(const struct sph_scene *scene, const struct sph_profile *profile, int axes,
                      struct sph_build_report *report) {

@@ -7,7 +7,7 @@
 #define SPH_BUILD_WARN_H
 
 #include "builder/build.h"
-#include "builder/facets.h"
+#include "builder/grid/facets.h"
 
 /* Spheres of few grid units, and the profile under which they are rounder. */
 void sph_warn_coarse(const struct sph_scene *scene, const struct sph_profile *profile, int axes,

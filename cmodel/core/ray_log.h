@@ -4,7 +4,7 @@
 #ifndef SPH_RAY_LOG_H
 #define SPH_RAY_LOG_H
 
-#include "trace/ray.h"
+#include "core/ray.h"
 
 /* A ray as it was traced, and what it found. */
 struct sph_logged {

@@ -12,6 +12,7 @@
 #include "shade/material.h"
 #include "shade/smooth.h"
 #include "shade/surface.h"
+#include "trace/setup.h"
 
 const uint32_t sph_depth_colours[SPH_MAX_DEPTH + 2] = {0,        0x0000ff, 0x00ff00, 0xff0000,
                                                        0x00ffff, 0xff00ff, 0xffffff, 0xffff00,

@@ -3,16 +3,16 @@
  */
 #include "engine/render_light.h"
 
-#include "fast/setup.h"
 #include "math/fx.h"
 #include "shade/colour.h"
 #include "shade/gloss.h"
 #include "texture/filter.h"
 #include "trace/traverse.h"
+#include "trace/setup.h"
 
 void sph_job_setup(const struct sph_job *j, struct sph_ray *ray) {
     if (j->fast)
-        sph_fast_prepare(j->p, ray);
+        sph_tracer_of(j->fast)->setup(j->p, ray);
     else
         sph_ray_setup(j->p, ray);
 }
@@ -22,9 +22,10 @@ struct sph_hit sph_job_trace(const struct sph_job *j, const struct sph_ray *ray)
                                 SPH_COUNT_RAYS_REFLECTED, SPH_COUNT_RAYS_REFRACTED};
     j->c->count[kinds[ray->kind]]++;
     uint32_t before = j->pixel->visits;
+    uint32_t *visits = &j->pixel->visits;
     struct sph_hit hit = j->fast
-                             ? sph_fast_trace(j->fast, ray, j->c, &j->pixel->visits, j->errors)
-                             : sph_traverse(j->m, ray, j->how, j->c, &j->pixel->visits, j->errors);
+                             ? sph_tracer_of(j->fast)->trace(j->fast, ray, j->c, visits, j->errors)
+                             : sph_traverse(j->m, ray, j->how, j->c, visits, j->errors);
     if (j->log) sph_ray_log_add(j->log, ray, hit, j->pixel->visits - before);
     return hit;
 }

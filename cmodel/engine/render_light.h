@@ -4,10 +4,14 @@
 #ifndef SPH_RENDER_LIGHT_H
 #define SPH_RENDER_LIGHT_H
 
-#include "core/render.h"
-#include "fast/fast.h"
+#include "core/frame.h"
+#include "core/ray_log.h"
+#include "core/tracer.h"
+#include "core/trail.h"
 #include "shade/material.h"
 #include "shade/surface.h"
+#include "texture/lookup.h"
+#include "trace/setup.h"
 
 struct sph_job {
     const struct sph_machine *m;

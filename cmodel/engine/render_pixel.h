@@ -4,7 +4,28 @@
 #ifndef SPH_RENDER_PIXEL_H
 #define SPH_RENDER_PIXEL_H
 
-#include "core/render.h"
+#include "core/frame.h"
+#include "core/ray_log.h"
+#include "core/tracer.h"
+#include "core/trail.h"
+#include "machine/machine.h"
+#include "texture/lookup.h"
+#include "trace/traverse.h"
+
+/* Of sph_render(); of one pixel traverse, fast, fetch and log count. */
+struct sph_render_options {
+    int traverse;                /* SPH_TRAVERSE_* */
+    const struct sph_fast *fast; /* of sph_render_pixel() with FAST: the machine; NULL: literally */
+    int threads;                 /* 0: all */
+    void (*progress)(void *user, int rows_done, int rows); /* may be NULL; called under a lock */
+    void *user;
+    void (*fetch)(void *user, const struct sph_texel *texel); /* may be NULL; every texel, as it is
+                                                                asked for: with one thread */
+    void *fetch_user;
+    struct sph_trail *trails; /* may be NULL; one for each pixel of the frame, row by row */
+    /* may be NULL; every ray, with one thread: of one pixel they are a tree */
+    struct sph_ray_log *log;
+};
 
 /* Renders pixel x, y; adds to *c and to the sticky *errors. Of the options traverse and fetch
  * count. trail may be NULL. */

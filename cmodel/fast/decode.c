@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "builder/tree.h" /* SPH_TREE_* */
 #include "fast/packets.h"
 #include "fast/prepare.h"
+#include "fast/setup.h"
 #include "machine/box.h"
 #include "machine/records.h"
 #include "prim/prim.h"
@@ -217,6 +217,7 @@ struct sph_fast *sph_fast_new(const struct sph_machine *m, int lanes) {
     struct job j = {.m = m, .whole = sph_whole(m), .lines = (uint32_t)m->regs[SPH_REG_MEM_LINES]};
     struct sph_fast *f = known(m) ? calloc(1, sizeof *f) : NULL;
     if (!f) return NULL;
+    f->tracer = (struct sph_tracer){sph_fast_prepare, sph_fast_trace};
     f->m = m;
     f->whole = j.whole;
     f->clear = sph_machine_effect(m, SPH_EFFECT_CLEAR);

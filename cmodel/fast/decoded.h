@@ -4,6 +4,7 @@
 #ifndef SPH_FAST_DECODED_H
 #define SPH_FAST_DECODED_H
 
+#include "core/tracer.h"
 #include "fast/fast.h"
 #include "fast/triangle.h"
 
@@ -36,6 +37,7 @@ struct sph_fast_leaf {
 };
 
 struct sph_fast {
+    struct sph_tracer tracer; /* first: core/tracer.h */
     const struct sph_machine *m;
     struct sph_fast_node
         *nodes; /* the root is number `root`; none of a BIH, whose root is a line */

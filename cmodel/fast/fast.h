@@ -10,7 +10,7 @@
 
 #include "core/frame.h"
 #include "machine/machine.h"
-#include "trace/ray.h"
+#include "core/ray.h"
 
 struct sph_fast;
 

@@ -4,7 +4,7 @@
 #ifndef SPH_FAST_PIXEL_H
 #define SPH_FAST_PIXEL_H
 
-#include "core/render.h"
+#include "engine/render_pixel.h"
 #include "fast/fast.h"
 
 /* 1 if sph_fast_pixel() knows every effect that the machine asks for. */

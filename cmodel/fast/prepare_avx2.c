@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  */
 #include "fast/prepare.h"
+#include "trace/setup.h"
 
 #ifdef __AVX2__
 #include <immintrin.h>

@@ -7,7 +7,8 @@
 #include "machine/layout.h"
 #include "math/fx.h"
 #include "math/rsqrt_table.h" /* sph_rsqrt_table */
-#include "trace/ray.h"
+#include "core/ray.h"
+#include "trace/setup.h"
 
 /* sph_round() of n > 0 and a number that has room for the half. */
 static inline int64_t sph_fast_round(int64_t x, int n) {

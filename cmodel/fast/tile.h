@@ -4,7 +4,7 @@
 #ifndef SPH_FAST_TILE_H
 #define SPH_FAST_TILE_H
 
-#include "core/render.h"
+#include "engine/render_pixel.h"
 #include "fast/packet.h"
 
 enum { SPH_TILE = 8 }; /* pixels along a side */

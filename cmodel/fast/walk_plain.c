@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  */
 #include "machine/layout.h"
-#include "trace/ray.h"
+#include "core/ray.h"
 
 #include "fast/decoded.h"
 #include "fast/sorted.h"

@@ -112,7 +112,12 @@ $1 == "width" {
     between(toupper($2), $5, $6)
 }
 $1 == "const"   { def($2, $3) }
-$1 == "kind"    { def(toupper($3), $2); kinds++; each_kind = each_kind " \\\n    X(" $3 ")" }
+$1 == "kind" {
+    def(toupper($3), $2)
+    kinds++
+    unbounded += ($4 == "unbounded") * 2 ^ $2
+    each_kind = each_kind " \\\n    X(" $3 ")"
+}
 $1 == "field" && $3 == "stride" { def(toupper($2) "_STRIDE", $5); next }
 $1 == "field"   { def(toupper($2 "_" $3) "_LSB", $4); def(toupper($2 "_" $3) "_BITS", $5) }
 $1 == "reg"     { def("REG_" $3, $2); regs = regs " \\\n    X(" $3 ")" }
@@ -142,6 +147,7 @@ END {
     }
     def("EFFECT_BITS", bits)
     def("KINDS", kinds)
+    def("KINDS_UNBOUNDED", unbounded)
     def("COUNTERS", counters); def("COUNTERS_BOTH", both); def("ERRORS", n_errors)
     if (lang == "c") {
         def("PROFILE_TABLE", row); def("WIDTH_TABLE", widths)

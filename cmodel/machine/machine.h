@@ -80,12 +80,10 @@ static inline void sph_field_set(uint32_t *line, int lsb, int width, uint32_t va
  * temporary name, then renamed. 0, or -1 with a message. */
 int sph_machine_write(const struct sph_machine *m, const char *path, struct sph_error *err);
 
-/* Reads and validates a machine file: magic, version, sizes, checksum, every child address in
- * range, tree depth, ids. 0, or -1 with a message; on failure there is nothing to free. */
-int sph_machine_read(const char *path, struct sph_machine *m, struct sph_error *err);
-
-/* Checks a machine in memory (the part of sph_machine_read after the bytes). */
-int sph_machine_validate(const struct sph_machine *m, struct sph_error *err);
+/* Reads the bytes of a machine file: magic, version, sizes, checksum, profile, place of the grid.
+ * What its memory says is looked at by sph_machine_read() of validate/validate.h. 0, or -1 with a
+ * message; on failure there is nothing to free. */
+int sph_machine_load(const char *path, struct sph_machine *m, struct sph_error *err);
 
 void sph_machine_free(struct sph_machine *m);
 

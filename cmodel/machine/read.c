@@ -128,7 +128,7 @@ static int take_memory(FILE *file, const unsigned char *header, struct sph_machi
     return 0;
 }
 
-/* The work of sph_machine_read() on an open file; messages without the path. */
+/* The work of sph_machine_load() on an open file; messages without the path. */
 static int take_file(FILE *file, struct sph_machine *m, struct sph_error *err) {
     unsigned char header[SPH_HEADER_BYTES];
     long bytes = -1;
@@ -141,12 +141,12 @@ static int take_file(FILE *file, struct sph_machine *m, struct sph_error *err) {
                         SPH_HEADER_BYTES);
     if (check_header(header, bytes, err)) return -1;
     take_header(header, m);
-    if (take_memory(file, header, m, err) || check_profile(header, m, err) || check_place(m, err))
-        return -1;
-    return sph_machine_validate(m, err);
+    return take_memory(file, header, m, err) || check_profile(header, m, err) || check_place(m, err)
+               ? -1
+               : 0;
 }
 
-int sph_machine_read(const char *path, struct sph_machine *m, struct sph_error *err) {
+int sph_machine_load(const char *path, struct sph_machine *m, struct sph_error *err) {
     struct sph_error why = {{0}};
     memset(m, 0, sizeof *m);
     FILE *file = sph_input_open(path, SPH_INPUT_ANY, err);

@@ -1,4 +1,4 @@
-/* records.h - where leaf records stand
+/* records.h - where leaf records stand, and of which kind they are
  * SPDX-License-Identifier: Apache-2.0
  *
  * With FACETS a record has a whole line, else half of one.
@@ -23,6 +23,26 @@ static inline uint32_t *sph_record(const struct sph_machine *m, int whole, size_
                                    uint32_t i) {
     if (whole) return sph_line(m, base + i);
     return sph_line(m, base + i / 2) + i % 2 * (SPH_LEAF_STRIDE / 32);
+}
+
+/* The kind of a leaf record, which has a whole line or is a sphere, and of a primitive record. */
+static inline uint32_t sph_record_kind(int whole, const uint32_t *line) {
+    if (!whole) return SPH_SPHERE;
+    uint32_t kind = sph_field(line, SPH_FACET_KIND_LSB, SPH_FACET_KIND_BITS);
+    if (kind < (1u << SPH_FACET_KIND_BITS) - 1) return kind;
+    return kind + sph_field(line, SPH_FACET_MORE_LSB, SPH_FACET_MORE_BITS);
+}
+/* The bit of a leaf record of that kind which marks it as clear; whether it is. */
+static inline int sph_record_clear_lsb(uint32_t kind) {
+    return kind == SPH_SPHERE ? SPH_LEAF_CLEAR_LSB : SPH_FACET_CLEAR_LSB;
+}
+static inline int sph_record_clear(uint32_t kind, const uint32_t *line) {
+    return (int)sph_field(line, sph_record_clear_lsb(kind), SPH_LEAF_CLEAR_BITS);
+}
+
+static inline uint32_t sph_prim_kind(const struct sph_machine *m, const uint32_t *prim) {
+    if (!sph_machine_effect(m, SPH_EFFECT_FACETS)) return SPH_SPHERE;
+    return sph_field(prim, SPH_PRIM_KIND_LSB, SPH_PRIM_KIND_BITS);
 }
 
 #endif

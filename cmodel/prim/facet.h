@@ -34,7 +34,7 @@
 #include "machine/layout.h"
 #include "math/fx.h"
 #include "shade/surface.h"
-#include "trace/ray.h"
+#include "core/ray.h"
 
 struct sph_facet_leaf {
     int kind;        /* SPH_TRIANGLE; SPH_PLANE and what no machine has: a plane */

@@ -10,7 +10,7 @@
 #include <stdint.h>
 
 #include "math/fx.h"
-#include "trace/ray.h"
+#include "core/ray.h"
 
 struct sph_leaf {
     int64_t ctr[3]; /* sW */

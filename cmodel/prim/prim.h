@@ -9,7 +9,8 @@
 
 #include "core/frame.h"
 #include "machine/machine.h"
-#include "trace/ray.h"
+#include "machine/records.h"
+#include "core/ray.h"
 
 /* A ray on its way through leaf records, and what it has found. */
 struct sph_probe {
@@ -23,9 +24,6 @@ struct sph_probe {
 };
 
 struct sph_prim {
-    const char *name;
-    /* Without bounds: no node holds it. A leaf child of the root, and in front of a BIH. */
-    int loose;
     /* Flat: rays that leave it start in front of its plane, not at the nearest point of the grid.
      */
     int flat;
@@ -45,25 +43,5 @@ struct sph_prim {
 /* The operations of a kind, SPH_SPHERE and so on; of a number that no kind has: an error for each
  * test, and the normal that the record has. */
 const struct sph_prim *sph_prim_of(uint32_t kind);
-
-/* The kind of a leaf record, which has a whole line or is a sphere, and of a primitive record. */
-static inline uint32_t sph_record_kind(int whole, const uint32_t *line) {
-    if (!whole) return SPH_SPHERE;
-    uint32_t kind = sph_field(line, SPH_FACET_KIND_LSB, SPH_FACET_KIND_BITS);
-    if (kind < (1u << SPH_FACET_KIND_BITS) - 1) return kind;
-    return kind + sph_field(line, SPH_FACET_MORE_LSB, SPH_FACET_MORE_BITS);
-}
-/* The bit of a leaf record of that kind which marks it as clear; whether it is. */
-static inline int sph_record_clear_lsb(uint32_t kind) {
-    return kind == SPH_SPHERE ? SPH_LEAF_CLEAR_LSB : SPH_FACET_CLEAR_LSB;
-}
-static inline int sph_record_clear(uint32_t kind, const uint32_t *line) {
-    return (int)sph_field(line, sph_record_clear_lsb(kind), SPH_LEAF_CLEAR_BITS);
-}
-
-static inline uint32_t sph_prim_kind(const struct sph_machine *m, const uint32_t *prim) {
-    if (!sph_machine_effect(m, SPH_EFFECT_FACETS)) return SPH_SPHERE;
-    return sph_field(prim, SPH_PRIM_KIND_LSB, SPH_PRIM_KIND_BITS);
-}
 
 #endif

@@ -8,7 +8,7 @@
 
 #include "machine/machine.h"
 #include "reference/reference.h"
-#include "core/render.h"
+#include "engine/render_pixel.h"
 
 /* A render of the model with its trails; ids in both are numbers of the scene. */
 struct sph_accuracy_frame {
@@ -16,7 +16,7 @@ struct sph_accuracy_frame {
     const struct sph_frame *frame;
     const struct sph_trail *trails; /* as many as pixels */
     const int *lights;              /* number in the scene of each light of the machine */
-    double ahead, wider;            /* of the machine's eye: builder/eye.h; 0 and 1 if it stays */
+    double ahead, wider; /* of the machine's eye: builder/grid/eye.h; 0 and 1 if it stays */
 };
 
 /* Makes the machine's ids in frame and trails (as many as pixels) the scene's, which are others

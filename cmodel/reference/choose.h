@@ -7,7 +7,7 @@
 #ifndef SPH_CHOOSE_H
 #define SPH_CHOOSE_H
 
-#include "builder/texture_base.h"
+#include "scene/texture_base.h"
 
 enum {
     SPH_WAY_BMRT,       /* edges of a triangle are there, from the intersection test */

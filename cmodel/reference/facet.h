@@ -4,7 +4,7 @@
 #ifndef SPH_REFERENCE_FACET_H
 #define SPH_REFERENCE_FACET_H
 
-#include "builder/texture_base.h"
+#include "scene/texture_base.h"
 #include "scene/scene.h"
 
 /* Whether a facet has no end: no box holds it. */

@@ -14,7 +14,7 @@
 #ifndef SPH_PREDICATES_H
 #define SPH_PREDICATES_H
 
-#include "builder/flops.h"
+#include "math/flops.h"
 
 enum {
     SPH_PREDICATE_PAPER,

@@ -4,7 +4,7 @@
  * Spheres, polygons and cones drift, each in a direction of its own; the camera goes round the axis
  * `up` through the point that it looks at.
  */
-#include "prim/prim.h"
+#include "machine/kinds.h"
 #include "scene/affine.h"
 #include "scene/generate_kinds.h"
 #include "scene/motion.h"
@@ -28,7 +28,7 @@ static int add_drift(struct sph_rng *rng, double step, struct sph_scene *scene, 
 }
 
 static int together(const struct sph_facet *a, const struct sph_facet *b) {
-    return !sph_prim_of((uint32_t)a->kind)->loose &&
+    return !sph_kind_unbounded((uint32_t)a->kind) &&
            (b->frustum ? a->frustum == b->frustum : a->group == b->group);
 }
 
@@ -39,7 +39,7 @@ static int drift(const struct sph_generate_options *o, struct sph_scene *scene,
         if (add_drift(&rng, o->drift, scene, &scene->spheres[i].motion, err)) return -1;
     for (uint32_t i = 0; i < scene->n_facets; i++) {
         struct sph_facet *f = &scene->facets[i];
-        if (sph_prim_of((uint32_t)f->kind)->loose) continue;
+        if (sph_kind_unbounded((uint32_t)f->kind)) continue;
         if (i && together(f - 1, f))
             f->motion = f[-1].motion;
         else if (add_drift(&rng, o->drift, scene, &f->motion, err))

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "prim/scene.h"
+#include "scene/prim.h"
 #include "scene/edit.h"
 #include "scene/vector.h"
 

@@ -9,7 +9,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "prim/prim.h"
+#include "machine/kinds.h"
 #include "scene/edit.h"
 #include "scene/vector.h"
 
@@ -77,7 +77,7 @@ static double behind_planes(const struct sph_scene *scene, const struct sph_sphe
     double nearest = INFINITY, index = 1;
     for (uint32_t i = 0; i < scene->n_facets; i++) {
         const struct sph_facet *f = &scene->facets[i];
-        if (!sph_prim_of((uint32_t)f->kind)->loose ||
+        if (!sph_kind_unbounded((uint32_t)f->kind) ||
             !sph_material_clear(&scene->materials[f->material]))
             continue;
         double deep = behind(f, s);

@@ -10,7 +10,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "prim/scene.h"
+#include "scene/prim.h"
 #include "scene/frustum.h"
 #include "scene/motion.h"
 #include "scene/nesting.h"

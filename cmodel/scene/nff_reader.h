@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * nff_take.c takes numbers and vectors; nff_read.c camera and lights; nff_surface.c materials and
- * textures; prim/NAME_scene.c primitives.
+ * textures; scene/prim_NAME.c primitives.
  */
 #ifndef SPH_SCENE_NFF_READER_H
 #define SPH_SCENE_NFF_READER_H

@@ -4,7 +4,7 @@
  * The same text whatever the locale. `f` is written whenever the material changes, so that spheres
  * keep their order; facets follow them in theirs.
  */
-#include "prim/scene.h"
+#include "scene/prim.h"
 
 #include <errno.h>
 #include <locale.h>

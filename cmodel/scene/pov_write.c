@@ -11,7 +11,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "prim/prim.h"
+#include "machine/kinds.h"
 #include "scene/nesting.h"
 #include "scene/pov_image.h"
 #include "scene/pov_surface.h"
@@ -31,7 +31,7 @@ static double distance(struct sph_vec a, struct sph_vec b) {
 
 /* A facet without bounds: a plane. */
 static int endless(const struct sph_scene *s, uint32_t facet) {
-    return sph_prim_of((uint32_t)s->facets[facet].kind)->loose;
+    return sph_kind_unbounded((uint32_t)s->facets[facet].kind);
 }
 
 /* The power of two that brings spheres, triangles and points of planes so near to the eye. */
@@ -233,8 +233,7 @@ int sph_scene_write_pov(const struct sph_scene *scene, const struct sph_pov_opti
     for (uint32_t i = 0; i < scene->n_facets; i++)
         if (!put_facet[scene->facets[i].kind])
             return sph_fail(err, "%s:%d: a %s cannot be written for POV-Ray", scene->path,
-                            scene->facets[i].line,
-                            sph_prim_of((uint32_t)scene->facets[i].kind)->name);
+                            scene->facets[i].line, sph_kind_name((uint32_t)scene->facets[i].kind));
     locale_t c_locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
     if (!c_locale) return sph_fail(err, "%s: no memory to write", scene->path);
     locale_t before = uselocale(c_locale);

@@ -13,8 +13,6 @@
 #include "common/progress.h"
 #include "machine/layout.h" /* SPH_MAX_LIGHTS */
 
-#define SPH_MAX_SPHERES 16000000u /* ids are 24 bits wide; the all-ones id means "no hit" */
-
 #define SPH_MAX_TEXTURES 1024
 
 struct sph_vec {

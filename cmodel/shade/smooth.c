@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 #include "math/fx.h"
-#include "prim/prim.h"
+#include "machine/records.h"
 
 void sph_smooth_normal(const struct sph_profile *p, const uint32_t *record,
                        const int64_t guarded[3], int64_t normal[3]) {

@@ -7,7 +7,7 @@
 #include <stdint.h>
 
 #include "math/rsqrt.h"
-#include "trace/ray.h"
+#include "core/ray.h"
 
 struct sph_surface {
     int64_t point[3];   /* sW, origin of secondary rays */

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/render.h"
+#include "render/render.h"
 #include "image/image.h"
 #include "sphaera/opaque.h"
 

@@ -4,10 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "builder/build_auto.h"
+#include "builder/profile/build_auto.h"
 #include "image/mips.h"
 #include "sphaera/opaque.h"
 #include "texture/lookup.h"
+#include "validate/validate.h"
 
 void sphaera_build_init(sphaera_build_options *options) {
     *options = (sphaera_build_options){.size = sizeof *options,

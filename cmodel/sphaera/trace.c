@@ -5,6 +5,7 @@
 
 #include "sphaera/opaque.h"
 #include "trace/traverse.h"
+#include "trace/setup.h"
 
 /* A vector of the scene in the camera's frame. */
 static void turn(const struct sph_machine *m, const double v[3], double out[3]) {

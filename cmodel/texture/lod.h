@@ -11,7 +11,7 @@
 #include <stdint.h>
 
 #include "machine/layout.h"
-#include "trace/ray.h"
+#include "core/ray.h"
 
 /* log2(x), u6.8, of x >= 1: x is rounded half up to nine significant bits, of which a table gives
  * the fraction. Off by less than 0.0048; exact for powers of two; never falls when x rises. */

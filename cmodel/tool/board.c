@@ -12,6 +12,7 @@
 #include "../../driver/sphaera_modes.h"
 #include "common/output.h"
 #include "machine/machine.h"
+#include "validate/validate.h"
 
 int board_machine_read(const char *path, struct board_machine *m, struct sph_error *err) {
     struct sph_machine machine;

@@ -13,6 +13,7 @@
 #include "tool/print.h"
 #include "tool/report.h"
 #include "image/mips.h"
+#include "render/render.h"
 
 struct arguments {
     struct tool_source source;

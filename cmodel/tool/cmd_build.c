@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <sys/stat.h>
 
-#include "machine/describe.h"
+#include "validate/describe.h"
 #include "tool/print.h"
 #include "tool/progress.h"
 #include "tool/report.h"

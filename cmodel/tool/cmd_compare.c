@@ -8,7 +8,7 @@
 #include "core/frame_compare.h"
 #include "image/image.h"
 #include "common/input.h"
-#include "core/render.h"
+#include "render/render.h"
 #include "tool/print.h"
 #include "tool/report.h"
 

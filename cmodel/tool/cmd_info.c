@@ -1,11 +1,12 @@
 /* cmd_info.c - `sphaera info`: what a machine file holds
  * SPDX-License-Identifier: Apache-2.0
  */
-#include "machine/describe.h"
+#include "validate/describe.h"
 #include "tool/pixel_rays.h"
 #include "tool/print.h"
 #include "tool/report.h"
 #include "tool/tool.h"
+#include "validate/validate.h"
 
 struct arguments {
     const char *input, *json;

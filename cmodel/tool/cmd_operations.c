@@ -3,12 +3,13 @@
  */
 #include <inttypes.h>
 
-#include "machine/prims.h"
+#include "validate/prims.h"
 #include "pixel/walk.h"
 #include "prim/sphere.h"
 #include "reference/predicates.h"
 #include "tool/print.h"
 #include "tool/report.h"
+#include "trace/setup.h"
 
 /* A ray and a sphere: what the exact test says. */
 enum { MISS, BEHIND, HIT, INSIDE, CASES };

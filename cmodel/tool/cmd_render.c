@@ -5,8 +5,8 @@
 #include <time.h>
 
 #include "image/image.h"
-#include "machine/describe.h"
-#include "core/render.h"
+#include "validate/describe.h"
+#include "render/render.h"
 #include "tool/light_picture.h"
 #include "tool/movie.h"
 #include "tool/print.h"

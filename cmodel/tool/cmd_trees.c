@@ -5,7 +5,7 @@
 #include <string.h>
 #include <time.h>
 
-#include "core/render.h"
+#include "render/render.h"
 #include "image/mips.h"
 #include "reference/reference.h"
 #include "tool/print.h"

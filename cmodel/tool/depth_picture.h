@@ -4,7 +4,7 @@
 #ifndef SPH_TOOL_DEPTH_PICTURE_H
 #define SPH_TOOL_DEPTH_PICTURE_H
 
-#include "core/render.h"
+#include "render/render.h"
 
 /* A copy of the frame in the colours of Aroxa 2014, Figure 4.2f; sph_frame_free() frees it. trails:
  * one for each pixel. 0, or -1 if memory is out. */

@@ -4,11 +4,12 @@
 #include <string.h>
 #include <strings.h>
 
-#include "builder/build_auto.h"
+#include "builder/profile/build_auto.h"
 #include "common/input.h"
 #include "image/mips.h"
 #include "scene/aff.h"
 #include "tool/tool.h"
+#include "validate/validate.h"
 
 int tool_is_machine(const char *path) {
     size_t length = strlen(path);

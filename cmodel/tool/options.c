@@ -3,8 +3,8 @@
  */
 #include <string.h>
 
-#include "builder/background.h"
-#include "builder/spans.h"
+#include "builder/background/background.h"
+#include "builder/background/spans.h"
 #include "texture/lookup.h"
 #include "tool/tool.h"
 

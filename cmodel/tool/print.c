@@ -6,8 +6,8 @@
 #include <inttypes.h>
 #include <string.h>
 
-#include "machine/describe.h"
-#include "machine/prims.h"
+#include "validate/describe.h"
+#include "validate/prims.h"
 #include "tool/outputs.h"
 
 FILE *print_stream(const char *json_path) {

@@ -8,9 +8,9 @@
 #include <string.h>
 
 #include "machine/camera.h"
-#include "machine/describe.h"
-#include "machine/prims.h"
-#include "prim/prim.h"
+#include "validate/describe.h"
+#include "validate/prims.h"
+#include "machine/kinds.h"
 #include "common/output.h"
 #include "tool/sequence.h"
 
@@ -44,7 +44,7 @@ void report_machine(json_t *report, const struct sph_machine *m) {
     report_count(machine, "height", (uint64_t)r[SPH_REG_FRAME_H]);
     for (uint32_t kind = 0; kind < SPH_KINDS; kind++) {
         char name[32];
-        snprintf(name, sizeof name, "%ss", sph_prim_of(kind)->name);
+        snprintf(name, sizeof name, "%ss", sph_kind_name(kind));
         report_count(machine, name, n.of[kind]);
     }
     report_count(machine, "lights", (uint64_t)r[SPH_REG_N_LIGHTS]);

@@ -9,7 +9,7 @@
 
 #include <argp.h>
 
-#include "builder/choose_profile.h"
+#include "builder/profile/choose_profile.h"
 #include "common/error.h"
 #include "machine/machine.h"
 #include "scene/scene.h"

@@ -9,6 +9,7 @@
 #include "image/image.h"
 #include "pixel/walk.h"
 #include "trace/bih_walk.h"
+#include "trace/setup.h"
 
 enum { FIFTH = 51 }; /* of 255 */
 

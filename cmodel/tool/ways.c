@@ -6,11 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "builder/cones.h"
-#include "builder/literal.h"
-#include "builder/spans.h"
+#include "builder/background/cones.h"
+#include "builder/background/literal.h"
+#include "builder/background/spans.h"
 #include "pixel/walk.h"
-#include "core/render.h"
+#include "render/render.h"
 
 const char *const way_names[WAYS] = {"none",          "rect",          "rect literal",
                                      "spans",         "spans 16x16",   "spans 16x16, no border",

@@ -7,7 +7,7 @@
 #ifndef SPH_TOOL_WAYS_H
 #define SPH_TOOL_WAYS_H
 
-#include "builder/outline.h"
+#include "builder/background/outline.h"
 #include "tool/tool.h"
 
 enum {

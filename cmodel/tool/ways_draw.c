@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "builder/literal.h"
+#include "builder/background/literal.h"
 #include "image/image.h"
 #include "tool/ways.h"
 

@@ -8,13 +8,7 @@
 #ifndef SPH_ACROSS_H
 #define SPH_ACROSS_H
 
-#include <stdint.h>
-
-struct sph_across {
-    int axis_a, axis_b; /* a < b; not the axis on which |u| is smallest, of ties the lowest */
-    int32_t p_a, p_b;   /* s0.17; p = (p_a, -p_b) along a and b */
-    int32_t q[3];       /* s0.17 */
-};
+#include "core/ray.h"
 
 /* Axes across u, s1.16, which sph_unit() made; all 0 across (0,0,0). */
 struct sph_across sph_across(const int32_t u[3]);

@@ -9,7 +9,7 @@
 
 #include <stdint.h>
 
-#include "trace/ray.h"
+#include "core/ray.h"
 
 /* Where along the ray something may lie: lo <= key/2^t_shift <= hi. */
 struct sph_interval {

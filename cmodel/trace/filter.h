@@ -13,7 +13,7 @@
 
 #include <stdint.h>
 
-#include "trace/ray.h"
+#include "core/ray.h"
 
 struct sph_child {
     int32_t ctr[3]; /* sFW filter units */

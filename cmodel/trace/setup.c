@@ -3,7 +3,9 @@
  */
 #include "machine/layout.h"
 #include "math/fx.h"
-#include "trace/ray.h"
+#include "trace/setup.h"
+
+#include "trace/across.h"
 
 void sph_ray_setup(const struct sph_profile *p, struct sph_ray *ray) {
     const int64_t *d = ray->dir;

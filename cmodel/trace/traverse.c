@@ -10,6 +10,7 @@
 #include "trace/box.h"
 #include "trace/leaf_unit.h"
 #include "trace/visit.h"
+#include "trace/setup.h"
 
 static struct sph_hit brute(const struct sph_machine *m, const struct sph_ray *ray,
                             struct sph_counters *c, uint32_t *errors) {

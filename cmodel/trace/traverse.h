@@ -12,7 +12,7 @@
 
 #include "core/frame.h"
 #include "machine/machine.h"
-#include "trace/ray.h"
+#include "core/ray.h"
 
 /* How primitives are found: through the tree, bit by bit as the RTL does; by testing every one for
  * the nearest hit, whatever effect FIRST says; or, of sph_render() and no way of sph_traverse(),

@@ -9,7 +9,7 @@
 
 #include "machine/machine.h"
 #include "trace/bih.h"
-#include "trace/ray.h"
+#include "core/ray.h"
 
 /* Inner children to visit, in order: the near ones first, equal ones as the node has them; all as
  * the node has them if any hit will do. */

@@ -6,7 +6,7 @@
 #include <math.h>
 
 #include "builder/build.h"
-#include "builder/grid.h"
+#include "builder/grid/grid.h"
 #include "scene/vector.h"
 
 struct view_aim view_aim_own(const struct sph_machine *m) {

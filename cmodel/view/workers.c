@@ -12,7 +12,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "core/render.h"
+#include "render/render.h"
 
 enum { LESS = 4 }; /* of nice, than the thread that answers */
 

@@ -37,7 +37,7 @@ def of_file(name):
 def digest(patterns):
     """Of names and contents of all files that the patterns find."""
     total = hashlib.sha256()
-    for name in sorted({n for p in patterns for n in glob.glob(p)}):
+    for name in sorted({n for p in patterns for n in glob.glob(p, recursive=True)}):
         with open(name, "rb") as f:
             total.update(f"{name}\0".encode() + hashlib.sha256(f.read()).digest())
     return total.hexdigest()

@@ -31,8 +31,8 @@ from ..jobs import store
 from ..pages import data, place
 from . import page
 
-FOLDERS = ("core", "engine", "fast", "machine", "math", "pixel", "prim", "shade", "texture",
-           "trace")                             # of cmodel/
+FOLDERS = ("core", "engine", "fast", "machine", "math", "pixel", "prim", "render", "shade",
+           "texture", "trace", "validate")      # of cmodel/
 EQUIVALENT = "tests/mutants/equivalent_c.txt"   # reasons, and below each the faults it holds for
 PAGE = "docs/results/mutants.md"
 EDITS = ((r" \+ ", " - "), (r" - ", " + "), (r" \* ", " + "), (r" << ", " >> "), (r" >> ", " << "),
@@ -47,7 +47,7 @@ HARD = {"hard_named": ["--named"], "hard_cases": ["--cases", "20000", "--exhaust
 LONGEST = float(os.environ.get("LONGEST", "40"))    # seconds of a suite that is tried at all
 QUICK = 3                   # and of one that is tried once more under the sanitizers
 PATIENCE, SLACK = 2, 2      # a suite may take PATIENCE times what it takes without one, and SLACK
-MODEL = ["cmodel/*/*.[ch]", "tests/*.h"]
+MODEL = ["cmodel/**/*.[ch]", "tests/*.h"]
 SANITIZE = "-O1 -fsanitize=address,undefined -fno-sanitize-recover=all".split()
 
 
@@ -62,8 +62,8 @@ def places():
     found = []
     for name in sorted(n for f in FOLDERS for n in glob.glob(f"cmodel/{f}/*.c")):
         text = source(name)
-        if re.search(r"gen_|_build|_scene|build\.c|scene\.c|_neon", name):
-            continue        # makes a table; the builder's part of a kind; nothing on this machine
+        if re.search(r"gen_|_neon", name):
+            continue        # makes a table; nothing on this machine
         code = re.sub(r'/\*.*?\*/|//[^\n]*|^#[^\n]*|"[^"\n]*"', lambda m: " " * len(m[0]), text,
                       flags=re.S | re.M)
         for pattern, to in EDITS:
@@ -335,7 +335,7 @@ def told(tried, seed, found, none=0):
             print(*table[-1])
     none += counts["**all**", "none"]
     run = [[seed, str(found), str(len(tried) - counts["**all**", "none"] + none), str(none),
-            store.digest(["cmodel/*/*.[ch]"])[:8]]]
+            store.digest(["cmodel/**/*.[ch]"])[:8]]]
     place.place(PAGE, {
         "model": page.markdown(["cmodel/", "faults", "killed", "equivalent", "left", "killed, %"],
                                table).rstrip("\n"),

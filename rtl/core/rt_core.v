@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Ports and their order of use: docs/use/core.md. Borodavka et al. VII: Rendering, L1
 // and L2 come out of one pass as the colours at reflection depth 0, 1 and the deepest.
-// Model: sph_render() in cmodel/core/render.c
+// Model: sph_render() in cmodel/render/render.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_check.vh"

@@ -51,6 +51,7 @@
 `define RT_MAX_SIDE 16383
 `define RT_MAX_CONES 16
 `define RT_CONE_LINES 4
+`define RT_MAX_SPHERES 16000000
 `define RT_MAX_FACETS 1048576
 `define RT_MAX_PLANES 6
 `define RT_MAX_GROUP 64
@@ -68,6 +69,9 @@
 `define RT_BEND_ONE 3
 `define RT_BEND_THROUGH 4
 `define RT_LOD_NONE 4095
+`define RT_TREE_PAPER 1
+`define RT_TREE_BALANCED 2
+`define RT_TREE_REINSERTED 5
 `define RT_TREE_BIH 3
 `define RT_TREE_BRUTE 4
 `define RT_TREE_BOX4 6
@@ -423,6 +427,7 @@
 `define RT_EFFECT_SPREAD 13
 `define RT_EFFECT_BITS 14
 `define RT_KINDS 3
+`define RT_KINDS_UNBOUNDED 4
 `define RT_COUNTERS 22
 `define RT_COUNTERS_BOTH 3605503
 `define RT_ERRORS 6

@@ -7,8 +7,9 @@
 #include "video/display.h"
 
 extern "C" {
-#include "core/render.h"
+#include "render/render.h"
 #include "machine/machine.h"
+#include "validate/validate.h"
 }
 #ifdef GOLDEN_CORE /* lab/mutants/boards.py */
 #include "top/golden_core.h"

@@ -21,6 +21,7 @@
 extern "C" {
 #include "machine/machine.h"
 #include "tool/board.h"
+#include "validate/validate.h"
 }
 
 namespace {

@@ -8,10 +8,12 @@ extern "C" {
 #include "common/error.h"
 #include "core/frame.h"
 #include "core/frame_file.h"
-#include "machine/describe.h"
+
 #include "machine/machine.h"
 #include "machine/parts.h"
-#include "core/render.h"
+#include "render/render.h"
+#include "validate/describe.h"
+#include "validate/validate.h"
 }
 
 #endif

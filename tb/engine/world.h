@@ -26,6 +26,7 @@ extern "C" {
 #include "pixel/walk.h"
 #include "trace/leaf_unit.h"
 #include "trace/traverse.h"
+#include "trace/setup.h"
 }
 
 #ifndef W

@@ -11,6 +11,7 @@
 extern "C" {
 #include "shade/refract.h"
 #include "texture/lod.h"
+#include "trace/setup.h"
 }
 
 #ifndef PATHS

@@ -12,8 +12,9 @@
 #include <vector>
 
 extern "C" {
-#include "core/render.h"
+#include "render/render.h"
 #include "machine/machine.h"
+#include "validate/validate.h"
 }
 
 namespace {

@@ -9,9 +9,10 @@
 #include "top_host.h"
 
 extern "C" {
-#include "core/render.h"
+#include "render/render.h"
 #include "machine/format.h"
 #include "../../driver/sphaera_file.h"
+#include "validate/validate.h"
 }
 
 static_assert((int)SPHAERA_FILE_VERSION == (int)SPH_FILE_VERSION &&

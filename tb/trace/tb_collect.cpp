@@ -16,7 +16,8 @@
 
 extern "C" {
 #include "trace/bih.h"
-#include "trace/ray.h"
+#include "core/ray.h"
+#include "trace/setup.h"
 }
 
 #ifndef KEYS

@@ -13,11 +13,12 @@
 #include "bench.h"
 #include "hard.h"
 extern "C" {
-#include "builder/bound.h"
+#include "builder/grid/bound.h"
 #include "machine/layout.h"
 #include "trace/filter.h"
 #include "prim/leaf.h"
-#include "trace/ray.h"
+#include "core/ray.h"
+#include "trace/setup.h"
 }
 
 #ifndef SQUARES

@@ -13,7 +13,8 @@
 
 extern "C" {
 #include "machine/layout.h"
-#include "trace/ray.h"
+#include "core/ray.h"
+#include "trace/setup.h"
 }
 
 #ifndef TEXTURE

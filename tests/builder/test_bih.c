@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-#include "builder/bih.h"
+#include "builder/tree/bih.h"
 #include "trace/bih.h"
 
 enum { W_TINY = 8, WD_TINY = 9 };

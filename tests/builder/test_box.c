@@ -7,7 +7,7 @@
 #include "boxes_below.h"
 
 #include "core/frame.h"
-#include "core/render.h"
+#include "render/render.h"
 
 enum { TRIANGLES = 60, BALLS = 12 };
 

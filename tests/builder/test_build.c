@@ -9,8 +9,8 @@
 #include <string.h>
 
 #include "builder/emit.h"
-#include "builder/tree.h"
-#include "machine/describe.h"
+#include "builder/tree/tree.h"
+#include "validate/describe.h"
 
 static const int trees[] = {SPH_TREE_PAPER, SPH_TREE_BALANCED, SPH_TREE_REINSERTED};
 

@@ -3,8 +3,9 @@
  */
 #include "textured.h"
 
-#include "builder/spread.h"
-#include "builder/texture_base.h"
+#include "builder/texture/spread.h"
+#include "scene/texture_base.h"
+#include "validate/validate.h"
 
 static void free_all(struct sph_machine *m, struct sph_mip *mip) {
     sph_machine_free(m);

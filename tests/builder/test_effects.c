@@ -7,9 +7,10 @@
 
 #include <time.h>
 
-#include "builder/occlude.h"
+#include "builder/effects/occlude.h"
 #include "machine/layout.h"
 #include "prim/sphere.h"
+#include "trace/setup.h"
 
 static const struct sph_facets no_facets;
 

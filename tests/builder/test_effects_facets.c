@@ -6,9 +6,9 @@
  */
 #include "facets_scene.h"
 
-#include "builder/occlude.h"
+#include "builder/effects/occlude.h"
 #include "effects_scene.h"
-#include "prim/build.h"
+#include "builder/prim/build.h"
 
 enum { WIDTH = 24, HEIGHT = 16 };
 static int scenes = 600 / SLOW; /* of each test: argument 2 */

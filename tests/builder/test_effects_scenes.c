@@ -7,7 +7,7 @@
 
 #include <glob.h>
 
-#include "machine/describe.h"
+#include "validate/describe.h"
 #include "scene/generate.h"
 #include "textured.h"
 

@@ -14,9 +14,9 @@
 
 #include <cmocka.h>
 
-#include "builder/facets.h"
-#include "builder/near.h"
-#include "prim/facet_build.h"
+#include "builder/grid/facets.h"
+#include "builder/grid/near.h"
+#include "builder/prim/facet.h"
 
 typedef long double real;
 

@@ -5,8 +5,8 @@
 
 #include <math.h>
 
-#include "builder/grid.h"
-#include "builder/ground.h"
+#include "builder/grid/grid.h"
+#include "builder/grid/ground.h"
 
 /* A box of some size about a point. */
 static struct sph_box some_box(const double at[3], double size) {

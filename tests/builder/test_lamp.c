@@ -7,10 +7,11 @@
 
 #include <math.h>
 
-#include "builder/lamp.h"
+#include "builder/grid/lamp.h"
 #include "math/fx.h"
-#include "reference/naive.h"
+#include "naive/naive.h"
 #include "reference/reference.h"
+#include "validate/validate.h"
 
 enum { W = 64, H = 48 };
 

@@ -5,9 +5,9 @@
 
 #include <string.h>
 
-#include "builder/cones.h"
-#include "builder/literal.h"
-#include "builder/spans.h"
+#include "builder/background/cones.h"
+#include "builder/background/literal.h"
+#include "builder/background/spans.h"
 
 enum { SIDE = 64, MARGIN = 4, WIDE = SIDE + 2 * MARGIN };
 

@@ -6,7 +6,7 @@
 #include "boxes_below.h"
 
 #include "core/frame.h"
-#include "core/render.h"
+#include "render/render.h"
 
 enum { FRAMES = 6, TRIANGLES = 60, BALLS = 12 };
 

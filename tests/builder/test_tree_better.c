@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "builder/tree_better.h"
+#include "builder/tree/better.h"
 
 #ifdef __SANITIZE_ADDRESS__
 enum { MOST = 1100, SLOW = 300 };

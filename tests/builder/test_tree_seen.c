@@ -6,16 +6,18 @@
 #include <math.h>
 #include <omp.h>
 
-#include "builder/bound.h"
-#include "builder/box.h"
-#include "builder/sample.h"
-#include "builder/tree_rotate.h"
-#include "builder/tree_seen.h"
+#include "builder/grid/bound.h"
+#include "builder/tree/box.h"
+#include "builder/tree/sample.h"
+#include "builder/tree/rotate.h"
+#include "builder/tree/seen.h"
 #include "core/frame.h"
 #include "model_scene.h"
 #include "scene/vector.h"
 #include "trace/box.h"
 #include "trace/filter.h"
+#include "trace/setup.h"
+#include "validate/validate.h"
 
 enum { W = 64, H = 36 };
 

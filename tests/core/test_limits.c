@@ -16,6 +16,7 @@
 #include "texture/lod.h"
 #include "trace/filter.h"
 #include "prim/leaf.h"
+#include "trace/setup.h"
 
 /* The far key is b + root, rounded up, and at least 1: eight bits of a root of ten are up to three
  * too small, and a key of 0 would be a miss. */

@@ -5,7 +5,7 @@
  */
 #include "model_scene.h"
 
-#include "reference/naive.h"
+#include "naive/naive.h"
 
 enum { W = MODEL_W, H = MODEL_H };
 

@@ -5,9 +5,10 @@
  */
 #include "model_scene.h"
 
-#include "reference/naive.h"
+#include "naive/naive.h"
 #include "scene/edit.h"
 #include "scene/generate.h"
+#include "validate/validate.h"
 
 enum {
     W = MODEL_W,

@@ -9,10 +9,11 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "reference/naive.h"
+#include "naive/naive.h"
 #include "scene/edit.h"
 #include "scene/generate.h"
 #include "scene/rng.h"
+#include "validate/validate.h"
 
 enum {
     W = MODEL_W,

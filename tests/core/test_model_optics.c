@@ -5,8 +5,9 @@
  */
 #include "model_scene.h"
 
-#include "reference/naive.h"
+#include "naive/naive.h"
 #include "scene/rng.h"
+#include "validate/validate.h"
 
 enum { W = NAIVE_W / 2, H = NAIVE_H / 2 };
 

@@ -6,13 +6,14 @@
  */
 #include <glob.h>
 
-#include "builder/box.h"
+#include "builder/tree/box.h"
 #include "drawn.h"
 #include "fast/fast.h"
 #include "fast/pixel.h"
 #include "fast/tile.h"
 #include "model_scene.h"
 #include "untold.h"
+#include "render/render.h"
 
 enum { LANES = SPH_FAST_PLAIN + 1 };
 

@@ -8,6 +8,7 @@
 #include "fast/packet.h"
 #include "model_scene.h"
 #include "prim/sphere.h"
+#include "trace/setup.h"
 
 enum { LANES = SPH_FAST_PLAIN + 1 };
 

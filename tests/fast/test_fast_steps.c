@@ -11,6 +11,7 @@
 #include "math/isqrt.h"
 #include "model_scene.h"
 #include "prim/sphere.h"
+#include "trace/setup.h"
 
 enum { LANES = SPH_FAST_PLAIN + 1 };
 

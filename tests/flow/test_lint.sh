@@ -9,7 +9,7 @@ silent() {
         "lint-$1" || return 1
     ! grep . "$TMP/out"
 }
-for tool in verilator iverilog systemverilog yosys tidy format circles text; do
+for tool in verilator iverilog systemverilog yosys tidy format layers text; do
     check "$tool" silent $tool
 done
 for tool in slang verible; do
@@ -28,7 +28,7 @@ for pair in "one two" "two one"; do
     echo "#include \"${pair#* }.h\"" >"cmodel/${pair% *}.h"
 done
 circle() {
-    ! python3 "$OLDPWD/lab/lint_circles.py" obj/cmodel/*.o >circles && cat circles &&
+    ! python3 "$OLDPWD/lab/lint_layers.py" obj/cmodel/*.o >circles && cat circles &&
         grep -qx 'a circle: one, two' circles && grep -qx 'a circle: one.h, two.h' circles
 }
 check "circles between files are told" circle

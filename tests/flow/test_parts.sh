@@ -88,18 +88,18 @@ named() { ! git -C "$OLDPWD" grep -nE '[!=]= *SPH_(TRIANGLE|PLANE)\b' -- cmodel 
 check "no other file of the model asks which kind a primitive is" named
 
 # ---- a primitive more ----
-sed -i 's/^kind   2      plane$/&\nkind   3      wedge/' $def
+sed -i 's/^kind   2      plane .*/&\nkind   3      wedge/' $def
 sed -e '/^\/\* v \/ 2^shift/,/^static int validate/{/^static int validate/!d}' \
-    -e 's/sph_prim_triangle = {"triangle"/sph_prim_wedge = {"wedge"/' \
+    -e 's/sph_prim_triangle/sph_prim_wedge/' \
     cmodel/prim/triangle.c >cmodel/prim/wedge.c
-sed 's/sph_prim_build_triangle/sph_prim_build_wedge/' cmodel/prim/triangle_build.c \
-    >cmodel/prim/wedge_build.c
+sed 's/sph_prim_build_triangle/sph_prim_build_wedge/' cmodel/builder/prim/triangle.c \
+    >cmodel/builder/prim/wedge.c
 sed -e 's/SPH_TRIANGLE/SPH_WEDGE/; s/sph_prim_scene_triangle/sph_prim_scene_wedge/' \
     -e '/{"p", take_p}/{N;s/{"p", take_p}.*/{"wedge", take_p}, {NULL, NULL}};/}' \
     -e 's/"p %u/"wedge %u/' \
-    cmodel/prim/triangle_scene.c >cmodel/prim/wedge_scene.c
+    cmodel/scene/prim_triangle.c >cmodel/scene/prim_wedge.c
 sed -i 's/\[SPH_TRIANGLE\] = \({[^}]*}\),/[SPH_TRIANGLE] = \1, [SPH_WEDGE] = \1,/' \
-    cmodel/reference/facet.c cmodel/reference/naive_facet.c
+    cmodel/reference/facet.c cmodel/naive/facet.c
 sh sim/layout.sh
 
 # ---- the tool, compiled anew ----

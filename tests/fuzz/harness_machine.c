@@ -6,6 +6,7 @@
 
 #include "fuzz.h"
 #include "machine/format.h"
+#include "validate/validate.h"
 
 /* Pixels of a frame that is drawn. */
 enum { PIXELS = 4096, WINDOW = 6 };

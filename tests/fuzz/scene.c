@@ -6,9 +6,10 @@
 #include <string.h>
 
 #include "builder/build.h"
-#include "core/render.h"
+#include "render/render.h"
 #include "fuzz.h"
-#include "reference/naive.h"
+#include "naive/naive.h"
+#include "validate/validate.h"
 
 /* The frame, primitives of a scene that is built, and pixels for the naive model: an input is to
  * take about a millisecond. */

@@ -4,16 +4,17 @@
 #include <math.h>
 #include <string.h>
 
-#include "builder/bound.h"
+#include "builder/grid/bound.h"
 #include "check.h"
 #include "exact.h"
 #include "floats.h"
-#include "reference/naive.h"
-#include "reference/naive_hit.h"
-#include "reference/naive_optics.h"
+#include "naive/naive.h"
+#include "naive/hit.h"
+#include "naive/optics.h"
 #include "shade/refract.h"
 #include "surface.h"
 #include "trace/filter.h"
+#include "trace/setup.h"
 
 /* What is said of one sphere. */
 struct answer {

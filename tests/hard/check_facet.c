@@ -5,7 +5,7 @@
 
 #include "check.h"
 #include "facet_exact.h"
-#include "reference/naive.h"
+#include "naive/naive.h"
 
 struct answer {
     struct facet_exact exact;

@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "check.h"
-#include "reference/naive_math.h"
-#include "reference/naive_optics.h"
+#include "naive/math.h"
+#include "naive/optics.h"
 #include "shade/refract.h"
 #include "surface.h"
 

@@ -7,8 +7,9 @@
 #include <string.h>
 
 #include "machine/machine.h"
-#include "reference/naive.h"
+#include "naive/naive.h"
 #include "trace/traverse.h"
+#include "trace/setup.h"
 
 struct hard_facet triangle(const int64_t org[3], const int64_t dir[3], const int64_t v0[3],
                            const int64_t v1[3], const int64_t v2[3]) {

@@ -11,7 +11,7 @@
 #include <stddef.h>
 
 #include "prim/facet.h"
-#include "trace/ray.h"
+#include "core/ray.h"
 
 struct hard_facet {
     int named;          /* number of the named case */

@@ -6,6 +6,7 @@
 
 #include "gen.h"
 #include "shade/refract.h"
+#include "trace/setup.h"
 
 static uint32_t index_of(struct sph_rng *rng) {
     return (uint32_t)(gen_one_in(rng, 4) ? vec_pick(rng, 990, 1010)

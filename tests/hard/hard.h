@@ -15,7 +15,7 @@
 #include "scene/rng.h"
 #include "prim/facet.h"
 #include "prim/sphere.h"
-#include "trace/ray.h"
+#include "core/ray.h"
 
 enum { HARD_ID = 7, HARD_OTHER = 9 }; /* ids of the first and the second sphere */
 

@@ -9,6 +9,7 @@
 #include "exact.h"
 #include "machine/machine.h"
 #include "trace/traverse.h"
+#include "trace/setup.h"
 
 struct hard_case vector(const int64_t org[3], const int64_t dir[3], const int64_t ctr[3],
                         int64_t rad) {

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  */
 #include "named.h"
+#include "trace/setup.h"
 
 void named_axes(struct named *n) {
     for (int sign = -1; sign <= 1; sign += 2)

@@ -6,6 +6,7 @@
 #include "math/isqrt.h"
 #include "named.h"
 #include "shade/surface.h"
+#include "trace/setup.h"
 
 /* Vectors at right angles of the same whole length. */
 static const struct {

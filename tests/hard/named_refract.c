@@ -6,8 +6,9 @@
 
 #include <string.h>
 
-#include "reference/naive_optics.h"
+#include "naive/optics.h"
 #include "shade/refract.h"
+#include "trace/setup.h"
 
 enum { ANY, THROUGH, REFLECTED };
 

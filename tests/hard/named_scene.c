@@ -6,8 +6,8 @@
 
 #include "builder/build.h"
 #include "named.h"
-#include "reference/naive.h"
-#include "core/render.h"
+#include "naive/naive.h"
+#include "render/render.h"
 
 enum { W = 16, H = 12 };
 

@@ -3,11 +3,12 @@
  */
 #include <string.h>
 
-#include "builder/bound.h"
+#include "builder/grid/bound.h"
 #include "math/isqrt.h"
 #include "named.h"
 #include "surface.h"
 #include "trace/filter.h"
+#include "trace/setup.h"
 
 static void check_root(struct named *n, sph_u128 x) {
     int inexact;

@@ -3,7 +3,7 @@
  */
 #include "surface.h"
 
-#include "reference/naive_math.h"
+#include "naive/math.h"
 
 int naive_surface(const struct sph_profile *p, const struct sph_ray *ray, uint64_t key, int far,
                   const struct sph_leaf *sphere, struct sph_surface *s) {

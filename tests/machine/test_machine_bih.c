@@ -7,6 +7,7 @@
 #include "model_scene.h"
 
 #include "machine/bih_stats.h"
+#include "validate/validate.h"
 
 static struct sph_machine machine(const struct sph_scene *s, uint32_t prims, int tree) {
     struct sph_build_options o = standard;

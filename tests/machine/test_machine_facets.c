@@ -7,9 +7,11 @@
 
 #include <unistd.h>
 
-#include "machine/prims.h"
+#include "validate/prims.h"
 #include "prim/triangle.h"
 #include "trace/leaf_unit.h"
+#include "trace/setup.h"
+#include "validate/validate.h"
 
 static char path[64];
 

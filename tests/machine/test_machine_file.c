@@ -6,8 +6,9 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "machine/describe.h"
+#include "validate/describe.h"
 #include "machine/format.h"
+#include "validate/validate.h"
 
 static char path[64]; /* of this run's file */
 

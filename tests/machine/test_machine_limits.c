@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "machine/machine.h"
+#include "validate/validate.h"
 
 /* Both ends are valid, what lies below or above them is refused in words. */
 static void between_ends(struct sph_machine *m, int number, int64_t least, int64_t most,

@@ -8,7 +8,7 @@
 
 #include "common/output.h"
 #include "machine/bih_stats.h"
-#include "machine/describe.h"
+#include "validate/describe.h"
 #include "machine/export.h"
 #include "machine/parts.h"
 

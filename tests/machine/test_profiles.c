@@ -6,9 +6,10 @@
 #include "model_scene.h"
 
 #include "math/isqrt.h"
-#include "reference/naive.h"
+#include "naive/naive.h"
 #include "scene/rng.h"
 #include "prim/leaf.h"
+#include "validate/validate.h"
 
 /* Widths w wd pr pq ng fw of a text, and the name they are known by. */
 static void texts(void **state) {

@@ -1,7 +1,7 @@
 /* test_math.c - roots, quotients, inverse roots, units, normalising and rounding
  * SPDX-License-Identifier: Apache-2.0
  *
- * Everything is compared with GMP or with the second model (cmodel/reference/naive_math.h).
+ * Everything is compared with GMP or with the second model (cmodel/naive/math.h).
  */
 #include "vectors.h"
 
@@ -13,7 +13,7 @@
 #include "math/quotient.h"
 #include "math/rsqrt.h"
 #include "math/rsqrt_table.h"
-#include "reference/naive_math.h"
+#include "naive/math.h"
 
 static void set_u128(mpz_t z, sph_u128 x) {
     mpz_set_ui(z, (uint64_t)(x >> 64));

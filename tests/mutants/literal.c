@@ -3,7 +3,7 @@
  *
  * Linked with --wrap=sph_render, so that a fault put into one file of the stages is drawn.
  */
-#include "core/render.h"
+#include "render/render.h"
 
 int __real_sph_render(const struct sph_machine *m, const struct sph_render_options *options,
                       struct sph_frame *frame, struct sph_counters *counters,

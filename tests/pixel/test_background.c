@@ -9,8 +9,9 @@
 #include <string.h>
 
 #include "pixel/walk.h"
-#include "reference/naive.h"
-#include "core/render.h"
+#include "naive/naive.h"
+#include "render/render.h"
+#include "validate/validate.h"
 
 enum { W = 24, H = 18 };
 

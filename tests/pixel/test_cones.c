@@ -3,7 +3,7 @@
  */
 #include "view_check.h"
 
-#include "builder/cones.h"
+#include "builder/background/cones.h"
 
 /* Forward differences are the formula, at every pixel, in the widths that the hardware has. */
 static void test_differences(void **unused) {

@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-#include "builder/rect.h"
+#include "builder/background/rect.h"
 
 static void test_rays(void **unused) {
     (void)unused;

@@ -3,11 +3,12 @@
  */
 #include "facets_scene.h"
 
-#include "builder/grid.h"
-#include "core/render.h"
+#include "builder/grid/grid.h"
+#include "render/render.h"
 #include "machine/camera.h"
 #include "pixel/walk.h"
-#include "reference/naive.h"
+#include "naive/naive.h"
+#include "validate/validate.h"
 
 enum { W = 24, H = 18 };
 

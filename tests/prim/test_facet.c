@@ -6,7 +6,7 @@
  */
 #include "vectors.h"
 
-#include "reference/naive.h"
+#include "naive/naive.h"
 #include "prim/facet.h"
 
 enum { OWN = 7, NAIVE = 997 }; /* id of every tested facet; one in so many in GMP as well */

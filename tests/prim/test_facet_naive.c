@@ -6,7 +6,7 @@
  */
 #include "vectors.h"
 
-#include "reference/naive.h"
+#include "naive/naive.h"
 #include "prim/facet.h"
 
 enum { OWN = 300 }; /* id of every tested facet */

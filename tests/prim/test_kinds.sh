@@ -13,7 +13,7 @@ here=$PWD
 mkdir -p "$TMP/copy" && cp -r VERSION cmodel rtl sim tb "$TMP/copy" && cd "$TMP/copy" || exit 1
 
 # ---- a kind more ----
-sed -i 's/^kind   2      plane$/&\nkind   3      wedge/' cmodel/machine/machine.def
+sed -i 's/^kind   2      plane .*/&\nkind   3      wedge/' cmodel/machine/machine.def
 sh sim/layout.sh || exit 1
 run() { # top, files
     top=$1

@@ -6,7 +6,7 @@
  */
 #include "vectors.h"
 
-#include "reference/naive.h"
+#include "naive/naive.h"
 
 enum { OWN = 7 }; /* id of every tested sphere */
 

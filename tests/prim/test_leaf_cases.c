@@ -5,7 +5,7 @@
  */
 #include "vectors.h"
 
-#include "reference/naive.h"
+#include "naive/naive.h"
 
 enum { P = SPH_PRIMARY, S = SPH_SHADOW, NO = 0, OUT = 1, IN = 2 /* own sphere, from which side */ };
 enum { X = 4 /* with P or S: effect INSIDE is off */ };

@@ -12,8 +12,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/render.h"
-#include "reference/naive.h"
+#include "render/render.h"
+#include "naive/naive.h"
+#include "validate/validate.h"
 
 static int differ(const struct sph_pixel *a, const struct sph_pixel *b) {
     return a->id != b->id || a->key != b->key || memcmp(a->colour, b->colour, sizeof a->colour);

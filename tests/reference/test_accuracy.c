@@ -10,6 +10,7 @@
 #include <math.h>
 
 #include "reference/accuracy.h"
+#include "render/render.h"
 
 enum { W = 160, H = 90, DEPTH = 3 };
 

@@ -5,6 +5,7 @@
 #include "textured.h"
 
 #include "reference/levels.h"
+#include "render/render.h"
 
 enum { W = 32, H = 24, SIDE = 256 };
 

@@ -6,8 +6,9 @@
 #include <math.h>
 
 #include "builder/build.h"
-#include "machine/describe.h"
+#include "validate/describe.h"
 #include "scene/nesting.h"
+#include "validate/validate.h"
 
 #define SUM "shading sum\n"
 static const struct bad bads[] = {

@@ -9,7 +9,7 @@
 
 #include <gmp.h>
 
-#include "core/render.h"
+#include "render/render.h"
 #include "math/quotient.h"
 #include "pixel/walk.h"
 #include "prim/facet.h"
@@ -17,6 +17,7 @@
 #include "prim/triangle.h"
 #include "scene/generate.h"
 #include "trace/traverse.h"
+#include "trace/setup.h"
 
 static int64_t whole(int64_t lo, int64_t hi) {
     return lo + (int64_t)(uniform() * (double)(hi - lo + 1));

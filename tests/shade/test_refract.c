@@ -10,8 +10,9 @@
 #include <string.h>
 
 #include "math/isqrt.h"
-#include "reference/naive_optics.h"
+#include "naive/optics.h"
 #include "shade/refract.h"
+#include "trace/setup.h"
 
 /* Ray and surface of a direction and a normal. */
 struct meeting {

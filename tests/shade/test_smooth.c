@@ -7,10 +7,11 @@
 #include "facets_scene.h"
 
 #include "builder/smooth.h"
-#include "core/render.h"
-#include "reference/naive.h"
+#include "render/render.h"
+#include "naive/naive.h"
 #include "shade/smooth.h"
 #include "shade/surface.h"
+#include "validate/validate.h"
 
 enum { WIDTH = 32, HEIGHT = 18 };
 static const struct sph_render_options plain = {0};

@@ -18,6 +18,7 @@
 
 #include "pixel/walk.h"
 #include "prim/prim.h"
+#include "trace/setup.h"
 
 static const char *const rules[RULES] = {"nearest", "outwards", "guarded"};
 

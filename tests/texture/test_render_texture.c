@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  */
 #include "textured.h"
+#include "render/render.h"
 
 enum { W = 32, H = 24, SIDE = 256 };
 

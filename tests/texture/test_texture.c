@@ -10,6 +10,7 @@
 #include "texture/coords.h"
 #include "texture/lod.h"
 #include "texture/longitude.h"
+#include "trace/setup.h"
 
 /* Every x of 32 bits: between two neighbours of `step` bits below the top one nothing changes but
  * at the middle, where the rounding is; log2 is monotone, so both ends of each half are enough. */

@@ -7,11 +7,12 @@
 #include "model_scene.h"
 #include "vectors.h"
 
-#include "builder/near.h"
-#include "reference/naive.h"
+#include "builder/grid/near.h"
+#include "naive/naive.h"
 #include "scene/edit.h"
 #include "prim/sphere.h"
 #include "trace/traverse.h"
+#include "trace/setup.h"
 
 enum { RAYS = 2500 / VEC_SHARE, TINY = SPH_PROFILES, CUT, COARSE, KINDS };
 

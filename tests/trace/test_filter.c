@@ -10,6 +10,8 @@
 #include <string.h>
 
 #include "trace/filter.h"
+#include "trace/across.h"
+#include "trace/setup.h"
 
 enum { MARGINS = 3 };
 

@@ -13,7 +13,7 @@
 #include "builder/build.h"
 #include "draw.h"
 #include "image/image.h"
-#include "core/render.h"
+#include "render/render.h"
 
 enum { W = 100, H = 75, FIELDS = 4, SCALE = 2, GAP = 4, FAR_OFF = 8 };
 

@@ -1,0 +1,141 @@
+/* facets.c - see facets.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "builder/grid/facets.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "builder/prim/build.h"
+#include "prim/prim.h"
+#include "scene/prim.h"
+#include "machine/kinds.h"
+
+static const struct sph_prim_build *kind_of(const struct sph_grid_facet *f) {
+    return sph_prim_build_of((uint32_t)f->kind);
+}
+
+/* Facet i on the grid. 0 if nothing is left of it there. */
+static int quantise(const struct sph_grid *grid, const struct sph_scene *scene, uint32_t i,
+                    const struct sph_profile *profile, struct sph_grid_facet *out) {
+    *out = (struct sph_grid_facet){.kind = scene->facets[i].kind, .scene = i};
+    return kind_of(out)->quantise(grid, scene, profile, out);
+}
+
+/* Whether two facets are the same set of points. */
+static int same(const struct sph_grid_facet *a, const struct sph_grid_facet *b) {
+    return a->kind == b->kind && kind_of(a)->same(a, b);
+}
+
+/* The next finer profile that tells two facets apart, or -1. */
+static int finer_apart(const struct sph_scene *scene, const struct sph_finer *finer,
+                       const struct sph_grid_facet *a, const struct sph_grid_facet *b) {
+    for (int i = 0; i < finer->n; i++) {
+        const struct sph_profile *profile = &sph_profiles[finer->profile[i]];
+        struct sph_grid_facet c, d;
+        quantise(&finer->grid[i], scene, a->scene, profile, &c);
+        quantise(&finer->grid[i], scene, b->scene, profile, &d);
+        if (!same(&c, &d)) return finer->profile[i];
+    }
+    return -1;
+}
+
+static int fail_duplicate(const struct sph_scene *scene, const struct sph_profile *profile,
+                          int finer, const struct sph_grid_facet *a, const struct sph_grid_facet *b,
+                          struct sph_error *err) {
+    const char *what = sph_kind_name((uint32_t)b->kind);
+    uint32_t first = scene->facets[a->scene].line, second = scene->facets[b->scene].line;
+    if (finer < 0)
+        return sph_fail(err,
+                        "%s:%u: the same %s as in line %u, on the grid of every profile from %s on",
+                        scene->path, second, what, first, profile->name);
+    return sph_fail(err,
+                    "%s:%u: the grid of profile %s merges this %s with that of line %u: "
+                    "profile %s separates them",
+                    scene->path, second, profile->name, what, first, sph_profiles[finer].name);
+}
+
+/* Whether two facets that have corners have the same ones in the scene. */
+static int twice(const struct sph_facet *a, const struct sph_facet *b) {
+    int n = sph_prim_scene_of((uint32_t)a->kind)->points, found = 0;
+    if (a->kind != b->kind || n < 3) return 0;
+    for (int i = 0; i < n; i++)
+        for (int k = 0; k < n; k++)
+            found |= (a->v[i].x == b->v[k].x && a->v[i].y == b->v[k].y && a->v[i].z == b->v[k].z)
+                     << i;
+    return found == (1 << n) - 1;
+}
+
+/* Facet b is the same on the grid as facet a, but not in the scene: it is left out, and counted, if
+ * it is a triangle that no finer profile tells from the other: no ray could tell which of them it
+ * met. */
+static int merge(const struct sph_scene *scene, const struct sph_profile *profile,
+                 const struct sph_finer *finer, const struct sph_grid_facet *a,
+                 const struct sph_grid_facet *b, struct sph_facets *facets, struct sph_error *err) {
+    int apart = finer_apart(scene, finer, a, b);
+    if (apart >= 0 || sph_kind_unbounded((uint32_t)b->kind))
+        return fail_duplicate(scene, profile, apart, a, b, err);
+    if (!facets->n_merged++) facets->first_merged = b->scene;
+    return 0;
+}
+
+/* Looks for equal facets with an open hash table. A triangle that stands in the scene a second time
+ * is left out. */
+static int duplicates(const struct sph_scene *scene, const struct sph_profile *profile, int axes,
+                      struct sph_facets *facets, struct sph_error *err) {
+    uint64_t size = 4;
+    while (size < 2ull * facets->n)
+        size *= 2;
+    uint32_t *table = calloc(size, sizeof *table); /* index + 1 */
+    if (!table) return sph_fail(err, "out of memory for %u triangles", facets->n);
+    struct sph_finer finer = {.n = -1}; /* made when it is asked for */
+    int result = 0;
+    uint32_t kept = 0;
+    for (uint32_t i = 0; i < facets->n && !result; i++) {
+        const struct sph_grid_facet *f = &facets->list[i], *old = NULL;
+        uint64_t at = kind_of(f)->hash(f) & (size - 1);
+        for (; table[at] && !old; at = (at + 1) & (size - 1))
+            if (same(&facets->list[table[at] - 1], f)) old = &facets->list[table[at] - 1];
+        if (!old) {
+            facets->list[kept] = *f;
+            table[at] = ++kept;
+        } else if (twice(&scene->facets[old->scene], &scene->facets[f->scene])) {
+            if (!facets->n_twice++) facets->first_twice = f->scene;
+        } else {
+            if (finer.n < 0) sph_finer_of(scene, profile, axes, &finer);
+            result = merge(scene, profile, &finer, old, f, facets, err);
+        }
+    }
+    facets->n = kept;
+    free(table);
+    return result;
+}
+
+int sph_grid_facets(const struct sph_grid *grid, const struct sph_scene *scene,
+                    const struct sph_profile *profile, struct sph_facets *facets,
+                    struct sph_error *err) {
+    memset(facets, 0, sizeof *facets);
+    if (!scene->n_facets) return 0;
+    facets->list = malloc(scene->n_facets * sizeof *facets->list);
+    if (!facets->list) return sph_fail(err, "out of memory for %u triangles", scene->n_facets);
+    for (uint32_t i = 0; i < scene->n_facets; i++) {
+        struct sph_grid_facet *to = &facets->list[facets->n];
+        if (quantise(grid, scene, i, profile, to)) {
+            facets->n++;
+            facets->n_loose += (uint32_t)sph_kind_unbounded((uint32_t)to->kind);
+            if (facets->n_loose > SPH_MAX_PLANES)
+                return sph_fail(err, "%s:%u: more than %d planes", scene->path,
+                                scene->facets[i].line, SPH_MAX_PLANES);
+        } else if (!facets->n_empty++) {
+            facets->first_empty = i;
+        }
+    }
+    if (duplicates(scene, profile, grid->axes, facets, err)) return -1;
+    sph_group_facets(scene, facets);
+    return 0;
+}
+
+void sph_facets_free(struct sph_facets *facets) {
+    free(facets->list);
+    memset(facets, 0, sizeof *facets);
+}

@@ -1,0 +1,107 @@
+/* render.c - see render.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "render/render.h"
+
+#include <omp.h>
+#include <stdlib.h>
+
+#include "pixel/background.h"
+#include "engine/render_pixel.h"
+#include "fast/pixel.h" /* sph_fast_shades */
+#include "fast/tile.h"
+
+enum { TILES = 8, ROWS = 4 }; /* what a thread draws at a time: a row of tiles, or rows */
+
+struct job {
+    const struct sph_machine *m;
+    struct sph_render_options how;
+    struct sph_frame *frame;
+    struct sph_pixel (*draw)(const struct sph_machine *, const struct sph_render_options *, int,
+                             int, struct sph_counters *, uint32_t *, struct sph_trail *);
+    int tiles;         /* sph_fast_tile() instead of draw */
+    int packets;       /* and in packets */
+    int width, height; /* of what a thread draws at a time */
+};
+
+static int less(int a, int b) {
+    return a < b ? a : b;
+}
+
+/* What a thread draws at a time, from x0, y0 on. */
+static void part(const struct job *j, int x0, int y0, struct sph_counters *c, uint32_t *errors) {
+    int x1 = less(x0 + j->width, j->m->regs[SPH_REG_WIN_X1]);
+    int y1 = less(y0 + j->height, j->m->regs[SPH_REG_WIN_Y1]);
+    for (int x = x0; x < x1 && j->tiles; x += SPH_TILE)
+        sph_fast_tile(j->m, &j->how, j->packets, x, y0, less(x + SPH_TILE, x1), y1, j->frame, c,
+                      errors);
+    for (int y = y0; y < y1 && !j->tiles; y++)
+        for (int x = x0; x < x1; x++) {
+            size_t at = (size_t)y * (size_t)j->frame->width + (size_t)x;
+            j->frame->pixels[at] =
+                j->draw(j->m, &j->how, x, y, c, errors, j->how.trails ? j->how.trails + at : NULL);
+        }
+}
+
+/* What is not known of packets is not told of a frame that was drawn otherwise. */
+static void forget_work(struct sph_frame *frame, struct sph_counters *counters) {
+    static const int work[] = {SPH_COUNT_NODE_VISITS, SPH_COUNT_CHILD_TESTS, SPH_COUNT_LEAF_TESTS,
+                               SPH_COUNT_ROOTS,       SPH_COUNT_FACET_TESTS, SPH_COUNT_DIVISIONS};
+    for (size_t i = 0; i < (size_t)frame->width * (size_t)frame->height; i++)
+        frame->pixels[i].visits = 0;
+    for (size_t i = 0; i < sizeof work / sizeof *work; i++)
+        counters->count[work[i]] = 0;
+}
+
+int sph_render(const struct sph_machine *m, const struct sph_render_options *o,
+               struct sph_frame *frame, struct sph_counters *counters, struct sph_error *err) {
+    const int32_t *r = m->regs;
+    int width = r[SPH_REG_FRAME_W], height = r[SPH_REG_FRAME_H];
+    frame->width = width;
+    frame->height = height;
+    frame->pixels = calloc((size_t)width * (size_t)height, sizeof *frame->pixels);
+    if (!frame->pixels)
+        return sph_fail(err, "%s: no memory for a frame of %dx%d", m->name, width, height);
+
+    int packets = o->traverse == SPH_TRAVERSE_PACKETS;
+    struct sph_fast *fast = (packets || o->traverse == SPH_TRAVERSE_FAST) && !o->fast
+                                ? sph_fast_new(m, SPH_FAST_BEST)
+                                : NULL;
+    int columns = r[SPH_REG_WIN_X1] - r[SPH_REG_WIN_X0];
+    int rows = r[SPH_REG_WIN_Y1] - r[SPH_REG_WIN_Y0];
+    struct job job = {m, *o, frame, sph_render_pixel, 0, 0, columns, ROWS};
+    if (fast) job.how.fast = fast;
+    if (job.how.fast && !o->log && sph_fast_shades(m)) {
+        job.tiles = 1;
+        job.packets = packets && sph_fast_tiles(m, job.how.fast);
+        job.width = TILES * SPH_TILE;
+        job.height = SPH_TILE;
+    }
+    uint32_t errors = sph_background_missing(m) ? 1u << SPH_ERROR_BAD_NODE : 0;
+    int across = columns > 0 ? (columns + job.width - 1) / job.width : 0; /* or no window */
+    int down = rows > 0 ? (rows + job.height - 1) / job.height : 0, done = 0;
+#pragma omp parallel num_threads(o->threads > 0 ? o->threads : omp_get_num_procs())
+    {
+        struct sph_counters mine = {{0}};
+        uint32_t my_errors = 0;
+#pragma omp for schedule(dynamic, 1)
+        for (int i = 0; i < across * down; i++) {
+            part(&job, r[SPH_REG_WIN_X0] + i % across * job.width,
+                 r[SPH_REG_WIN_Y0] + i / across * job.height, &mine, &my_errors);
+            if (o->progress) {
+#pragma omp critical
+                if (++done % across == 0)
+                    o->progress(o->user, (int)((int64_t)done * rows / (across * down)), rows);
+            }
+        }
+#pragma omp critical
+        {
+            errors |= my_errors;
+            for (int i = 0; i < SPH_COUNTERS; i++)
+                counters->count[i] += mine.count[i];
+        }
+    }
+    sph_fast_free(fast);
+    if (packets) forget_work(frame, counters);
+    return (int)errors;
+}
