@@ -18,6 +18,7 @@ extern "C" {
 #include "trace/filter.h"
 #include "prim/leaf.h"
 #include "core/ray.h"
+#include "trace/across.h"
 #include "trace/setup.h"
 }
 
