@@ -7,7 +7,8 @@
 
 enum {
     LEAST = 4,  /* times u: then c' - u is no small number */
-    MARGIN = 16 /* grid units that a grid has besides what lies on it, at most */
+    MARGIN = 16, /* grid units that a grid has besides what lies on it, at most */
+    WIDEST = 32  /* tan(angle/2): then a screen of 12 bits still is SPH_MIN_SCREEN away */
 };
 
 /* What is seen: depth of its middle, half of what it is deep and wide. */
@@ -37,9 +38,10 @@ struct sph_eye sph_eye_place(const struct sph_scene *scene, const double axis[3]
                      fmax(fmax(hi[0], -lo[0]), fmax(hi[1], -lo[1]))};
     double tangent = tan(cam->angle * M_PI / 360), c = s.middle, best;
     s.wide = fmin(s.wide, 2 * tangent * s.middle); /* no more is seen: frames are no wider */
-    double least = fmax(LEAST * s.deep, 2 * s.wide);
+    double least = fmax(LEAST * s.deep, fmax(2 * s.wide, tangent * s.middle / WIDEST));
     if (!(least > 0 && s.middle > least) || !isfinite(s.middle)) return eye;
     double step = exp2(floor(log2(least) - w));
+    if (!(step > 0)) return eye; /* below the least of doubles */
     while (farthest(&s, step, w) < s.middle)
         step *= 2;
     best = off(&s, s.middle, step) / 2;
