@@ -69,7 +69,7 @@ define fuzz_how
 $(FUZZ)/$(1)/harness/%.o: tests/fuzz/%.c $B/flags
 	$$(call say,FUZZ,"$$(<F) $(1)")
 	@mkdir -p $$(@D)
-	$$(call compile_whole,$$(FUZZ_CC_$(1)) -Itests/fuzz)
+	$$(call compile_whole,$$(FUZZ_CC_$(1)) -Itests -Itests/fuzz)
 $(FUZZ)/$(1)/harness/tool.o: cmodel/tool/main.c $B/flags
 	$$(call say,FUZZ,"$$(<F) $(1)")
 	@mkdir -p $$(@D)

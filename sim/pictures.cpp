@@ -15,6 +15,7 @@
 
 #include "image/image.h"
 extern "C" {
+#include "common/number.h"
 #include "core/frame_file.h"
 }
 
@@ -63,7 +64,11 @@ int main(int argc, char **argv) {
         for (size_t i = 0; i < n; i++)
             pixels[i] = difference(model.frame.pixels[i], rtl.frame.pixels[i]);
         sph_frame diff = {model.frame.width, model.frame.height, pixels.data()};
-        int samples = argc == 5 ? std::atoi(argv[4]) : 1;
+        uint64_t count = 1;
+        if (argc == 5 && sph_parse_count(argv[4], 1, 16, &count))
+            return fprintf(stderr, "pictures: SAMPLES: '%s' is no number from 1 to 16\n", argv[4]),
+                   2;
+        int samples = static_cast<int>(count);
         failed = write(folder + "model.png", &model.frame, samples, &err) ||
                  write(folder + "rtl.png", &rtl.frame, samples, &err) ||
                  sph_image_write((folder + "diff.png").c_str(), &diff, LAYER, &err) ||

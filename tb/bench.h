@@ -25,6 +25,9 @@
 #include <queue>
 #include <type_traits>
 #include "verilated.h"
+extern "C" {
+#include "tests/number.h"
+}
 
 #ifndef PROFILE
 #define PROFILE "default"
@@ -189,9 +192,11 @@ template <class Top> class Bench {
     bool all_vectors; /* as many as the bench has by default */
 
     Bench(const char *name, int argc, char **argv, long default_vectors = 200000)
-        : random(argc > 1 ? strtoull(argv[1], nullptr, 0) : 1),
-          seed(argc > 1 ? strtoull(argv[1], nullptr, 0) : 1), vectors(0),
-          target(argc > 2 ? atol(argv[2]) : default_vectors), all_vectors(argc <= 2), title(name) {
+        : random(test_number(argc > 1 ? argv[1] : nullptr, "argument 1", 1)),
+          seed(test_number(argc > 1 ? argv[1] : nullptr, "argument 1", 1)), vectors(0),
+          target((long)test_number(argc > 2 ? argv[2] : nullptr, "vectors",
+                                   (uint64_t)default_vectors)),
+          all_vectors(argc <= 2), title(name) {
         dut.clk = 0;
         dut.eval();
     }

@@ -28,6 +28,7 @@ extern "C" {
 #include "prim/sphere.h"
 #include "core/ray.h"
 #include "trace/setup.h"
+#include "tests/number.h"
 }
 
 namespace hard {
@@ -37,7 +38,7 @@ constexpr uint64_t EACH = 2000;
 /* The named case that is driven alone; 0: everything is driven. */
 inline int alone() {
     static const char *const number = getenv("HARD_CASE");
-    static const int n = number ? atoi(number) : 0;
+    static const int n = (int)test_number(number, "HARD_CASE", 0);
     return n;
 }
 

@@ -14,6 +14,7 @@
 #include <stdlib.h>
 
 #include "builder/build.h"
+#include "number.h"
 #include "sanitized.h"
 #include "validate/validate.h"
 
@@ -70,7 +71,7 @@ static inline struct sph_machine built(const struct sph_scene *scene,
 
 /* Takes the seed from the command line and tells how to repeat the run. */
 static inline void seed(int argc, char **argv) {
-    if (argc > 1) state = strtoull(argv[1], NULL, 0) | 1;
+    if (argc > 1) state = test_number(argv[1], "seed", 1) | 1;
     printf("# repeat with: %s %llu\n", argv[0], (unsigned long long)state);
 }
 

@@ -8,11 +8,11 @@
 #include <stdlib.h>
 
 #include "scene/rng.h"
+#include "number.h"
 
 /* SEED, 1 unless it is set. */
 static inline uint64_t seed(void) {
-    const char *text = getenv("SEED");
-    return text ? strtoull(text, NULL, 0) : 1;
+    return test_seed();
 }
 
 /* A number -n .. n. */

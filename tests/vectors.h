@@ -17,6 +17,7 @@
 #include <cmocka.h>
 
 #include "machine/layout.h"
+#include "number.h"
 #include "machine/profile.h"
 #include "sanitized.h"
 #include "scene/rng.h"
@@ -27,8 +28,7 @@ enum { VEC_SHARE = SANITIZED ? 20 : 1 };
 
 /* A generator with the seed of the environment, 1 by default, printed as a TAP comment. */
 static inline struct sph_rng vec_seed(const char *test) {
-    const char *text = getenv("SEED");
-    uint64_t seed = text ? strtoull(text, NULL, 0) : 1;
+    uint64_t seed = test_seed();
     printf("# %s: SEED=%llu\n", test, (unsigned long long)seed);
     return (struct sph_rng){seed};
 }

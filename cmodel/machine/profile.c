@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/number.h"
 #include "machine/layout.h"
 
 const struct sph_profile sph_profiles[SPH_PROFILES] = {SPH_PROFILE_TABLE};
@@ -117,13 +118,13 @@ static int parse_width(const char **text, struct sph_profile *p, unsigned *seen,
         return sph_fail(err, "'%.*s' is none of w, wd, pr, pq, ng and fw", (int)length, *text);
     if (*seen >> i & 1) return sph_fail(err, "%s is given twice", widths[i].key);
     *seen |= 1u << i;
-    const char *digits = *text + length + 1;
-    size_t n = (*text)[length] == '=' ? strspn(digits, "0123456789") : 0;
-    if (!n || n > 3 || (digits[n] && digits[n] != ','))
+    const char *at = *text + length;
+    uint64_t value;
+    if (sph_take_char(&at, '=') || sph_take_count(&at, 0, 999, &value) || (*at && *at != ','))
         return sph_fail(err, "%s has no number, as in %s=%d", widths[i].key, widths[i].key,
                         get(p, i));
-    set(p, i, atoi(digits));
-    *text = digits + n;
+    set(p, i, (int)value);
+    *text = at;
     return 0;
 }
 

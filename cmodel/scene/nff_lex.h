@@ -12,10 +12,10 @@
 #include <stdio.h>
 
 #include "common/error.h"
+#include "common/number.h"
 #include "common/progress.h"
 
-#define SPH_LEX_TOKEN 63    /* characters of the longest token */
-#define SPH_NUMBER_MAX 1e30 /* greatest size of a number: squares and products stay finite */
+#define SPH_LEX_TOKEN 63 /* characters of the longest token */
 
 struct sph_lex {
     FILE *file;
@@ -63,9 +63,6 @@ int sph_lex_number(struct sph_lex *lex, const char *record, const char *field, d
 enum { SPH_NAME_BARE = 1, SPH_NAME_QUOTED = 2 };
 int sph_lex_name(struct sph_lex *lex, const char *record, const char *field, char *name,
                  size_t size, struct sph_error *err);
-
-/* Reads all of text as a decimal number. 0; -1 if it is not one; -2 if it is too large. */
-int sph_parse_number(const char *text, double *value);
 
 /* The token for messages: characters that would not print become `?`. Changes the token. */
 const char *sph_lex_printable(struct sph_lex *lex);

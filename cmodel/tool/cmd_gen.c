@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/number.h"
 #include "common/output.h"
 #include "scene/generate.h"
 #include "scene/aff.h"
@@ -75,9 +76,8 @@ static const struct argp_option import_options[] = {
 
 /* A number above 0. */
 static double real(const struct argp_state *state, const char *option, const char *arg) {
-    char *end;
-    double value = strtod(arg, &end);
-    if (*end || !isfinite(value) || !(value > 0))
+    double value = 0;
+    if (sph_parse_number(arg, &value) || !(value > 0))
         argp_error(state, "%s: '%s' is no number above 0", option, arg);
     return value;
 }
@@ -89,7 +89,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         a->output = tool_output(&a->outputs, key, arg);
         return 0;
     case 'n':
-        a->generate.n = (uint32_t)tool_number(state, "-n", arg, 1, SPH_MAX_SPHERES);
+        a->generate.n = (uint32_t)tool_number(state, "--spheres", arg, 1, SPH_MAX_SPHERES);
         return 0;
     case KEY_SIZE:
         a->generate.size = (int)tool_number(state, "--size", arg, 1, 5);

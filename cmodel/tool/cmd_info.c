@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  */
 #include "validate/describe.h"
+#include "common/number.h"
 #include "tool/pixel_rays.h"
 #include "tool/print.h"
 #include "tool/report.h"
@@ -24,15 +25,17 @@ static const struct argp_option options[] = {
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
     struct arguments *a = state->input;
-    char rest;
+    const char *at = arg;
+    uint64_t x = 0, y = 0;
     switch (key) {
     case KEY_JSON:
         a->json = tool_output(&a->outputs, key, arg);
         return 0;
     case KEY_PIXEL:
-        if (sscanf(arg, "%d,%d%c", &a->pixel[0], &a->pixel[1], &rest) != 2 || a->pixel[0] < 0 ||
-            a->pixel[1] < 0)
+        if (sph_take_count(&at, 0, SPH_MAX_SIDE - 1, &x) || sph_take_char(&at, ',') ||
+            sph_parse_count(at, 0, SPH_MAX_SIDE - 1, &y))
             argp_error(state, "--pixel: '%s' is no pixel such as 21,9", arg);
+        a->pixel[0] = (int)x, a->pixel[1] = (int)y;
         return 0;
     case ARGP_KEY_ARG:
         if (a->input) argp_error(state, "one file at a time: '%s' is one too many", arg);

@@ -12,6 +12,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "common/number.h"
 #include "common/output.h"
 
 static unsigned long long memory; /* bytes; 0: as many as there are */
@@ -49,12 +50,13 @@ static void watch_signals(void) {
 /* Bytes that a text says; 0 for `unlimited`; -1 if it says none. */
 static long long bytes_of(const char *text) {
     static const char units[] = "KMG";
-    char *end;
+    const char *end = text;
+    uint64_t n;
     if (!strcmp(text, "unlimited")) return 0;
-    unsigned long long n = strtoull(text, &end, 10);
+    if (sph_take_count(&end, 1, 1ull << 61, &n)) return -1;
     const char *unit = *end ? strchr(units, *end) : NULL;
     int shift = unit ? 10 * (int)(unit - units + 1) : 0;
-    int good = *text >= '1' && *text <= '9' && n < 1ull << (62 - shift) && (unit ? !end[1] : !*end);
+    int good = n < 1ull << (62 - shift) && (unit ? !end[1] : !*end);
     return good ? (long long)(n << shift) : -1;
 }
 

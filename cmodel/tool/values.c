@@ -1,10 +1,9 @@
 /* values.c - values of options, and what a command says when it fails; see tool.h
  * SPDX-License-Identifier: Apache-2.0
  */
-#include <errno.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "common/number.h"
 #include "tool/guard.h"
 #include "tool/tool.h"
 
@@ -28,29 +27,26 @@ int tool_choice(const struct argp_state *state, const char *option, const char *
 
 unsigned long long tool_number(const struct argp_state *state, const char *option, const char *arg,
                                unsigned long long min, unsigned long long max) {
-    char *end;
-    errno = 0;
-    unsigned long long value = strtoull(arg, &end, 10);
-    if (*arg < '0' || *arg > '9' || *end || errno || value < min || value > max)
+    uint64_t value = 0;
+    if (sph_parse_count(arg, min, max, &value))
         argp_error(state, "%s: '%s' is no number from %llu to %llu", option, arg, min, max);
     return value;
 }
 
 double tool_real(const struct argp_state *state, const char *option, const char *arg, double min,
                  double max) {
-    char *end;
-    double value = strtod(arg, &end);
-    if (end == arg || *end || !(value >= min && value <= max))
+    double value = 0;
+    if (sph_parse_number(arg, &value) || !(value >= min && value <= max))
         argp_error(state, "%s: '%s' is no number from %g to %g", option, arg, min, max);
     return value;
 }
 
 void tool_size(const struct argp_state *state, const char *option, const char *arg, int *width,
                int *height) {
-    char *end, *end2 = NULL;
-    long w = *arg >= '0' && *arg <= '9' ? strtol(arg, &end, 10) : 0, h = 0;
-    if (w > 0 && *end == 'x' && end[1] >= '0' && end[1] <= '9') h = strtol(end + 1, &end2, 10);
-    if (h < 1 || *end2 || w > SPH_MAX_SIDE || h > SPH_MAX_SIDE)
+    const char *at = arg;
+    uint64_t w = 0, h = 0;
+    if (sph_take_count(&at, 1, SPH_MAX_SIDE, &w) || sph_take_char(&at, 'x') ||
+        sph_parse_count(at, 1, SPH_MAX_SIDE, &h))
         argp_error(state, "%s: '%s' is no size such as 640x480, up to %dx%d", option, arg,
                    SPH_MAX_SIDE, SPH_MAX_SIDE);
     *width = (int)w;

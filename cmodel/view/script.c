@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "common/input.h"
+#include "common/number.h"
 #include "view/keys.h"
 #include "view/screen.h"
 
@@ -45,9 +46,7 @@ static int button_of(const char *word) {
 }
 
 static int number_of(const char *word, double *number) {
-    char *end;
-    *number = strtod(word, &end);
-    return end != word && !*end && isfinite(*number);
+    return !sph_parse_number(word, number);
 }
 
 /* An argument of a kind; 0 if it is not one. */

@@ -7,6 +7,9 @@
  */
 #include "Vrt_ulx3s_ram.h"
 #include "board_link.h"
+extern "C" {
+#include "tests/number.h"
+}
 
 int main(int argc, char **argv) {
     if (argc != 2 && argc != 12)
@@ -17,7 +20,7 @@ int main(int argc, char **argv) {
 #undef MODE
     };
     for (int i = 2; i < argc; i++)
-        fields[0][i - 2] = (unsigned)atoi(argv[i]);
+        fields[0][i - 2] = (unsigned)test_number(argv[i], "argument", 0);
     video::Mode mode;
     memcpy(&mode, fields[0], sizeof mode);
     const std::vector<uint32_t> golden = golden_picture(argv[1], mode);

@@ -15,6 +15,7 @@
 #include "sdram_model.h"
 
 extern "C" {
+#include "tests/number.h"
 #include "tool/board.h"
 }
 
@@ -281,7 +282,7 @@ int main(int argc, char **argv) {
     for (int i = 1; i < argc; i++)
         board.golden.push_back(golden_picture(argv[i], mode));
     const char *way = getenv("WAY");
-    board.way = way ? (unsigned)atoi(way) : 5; /* 4 ns */
+    board.way = (unsigned)test_number(way, "WAY", 5); /* 4 ns */
 
     const sphaera_bus bus = {Board::get, Board::set, Board::put, &board};
     sphaera driver;

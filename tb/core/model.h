@@ -6,6 +6,7 @@
 
 extern "C" {
 #include "common/error.h"
+#include "common/number.h"
 #include "core/frame.h"
 #include "core/frame_file.h"
 

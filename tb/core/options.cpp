@@ -100,12 +100,24 @@ const argp_option table[] = {
 
 /* Integer in [low, high] of the whole text, or usage and exit. */
 int64_t number(const char *text, int64_t low, int64_t high, argp_state *state) {
-    char *end = nullptr;
-    int64_t value = std::strtoll(text, &end, 0);
-    if (end == text || *end || value < low || value > high)
+    int64_t value = 0;
+    if (sph_parse_whole(text, low, high, &value))
         argp_error(state, "'%s' is not a number from %lld to %lld", text,
                    static_cast<long long>(low), static_cast<long long>(high));
     return value;
+}
+
+/* A number low .. high at the start of a text, which then begins behind it. */
+template <class T> bool take(const char *&text, int64_t low, int64_t high, T &value) {
+    int64_t taken = 0;
+    if (sph_take_whole(&text, low, high, &taken)) return false;
+    value = static_cast<T>(taken);
+    return true;
+}
+
+/* The same behind a character. */
+template <class T> bool take(const char *&text, char c, int64_t low, int64_t high, T &value) {
+    return !sph_take_char(&text, c) && take(text, low, high, value);
 }
 
 int small(const char *text, int low, int high, argp_state *state) {
@@ -116,14 +128,16 @@ error_t parse(int key, char *arg, argp_state *state) {
     auto &o = *static_cast<Options *>(state->input);
     Poke poke{};
     Register reg{};
-    char rest = 0;
+    const char *at = arg;
     switch (key) {
     case 'm':
         o.machine = arg;
         break;
     case WINDOW:
-        if (std::sscanf(arg, "%d,%d,%d,%d%c", &o.window.x0, &o.window.y0, &o.window.x1,
-                        &o.window.y1, &rest) != 4)
+        if (!take(at, 0, SPH_MAX_SIDE, o.window.x0) ||
+            !take(at, ',', 0, SPH_MAX_SIDE, o.window.y0) ||
+            !take(at, ',', 0, SPH_MAX_SIDE, o.window.x1) ||
+            !take(at, ',', 0, SPH_MAX_SIDE, o.window.y1) || *at)
             argp_error(state, "--window wants X0,Y0,X1,Y1, got '%s'", arg);
         break;
     case MEMORY:
@@ -169,8 +183,8 @@ error_t parse(int key, char *arg, argp_state *state) {
         o.bus_error_at = number(arg, 0, INT64_MAX, state);
         break;
     case RESET_AT:
-        if (std::sscanf(arg, "%" SCNd64 ":%d%c", &o.reset_at, &o.reset_for, &rest) < 1 ||
-            o.reset_at < 0 || o.reset_for < 1 || rest)
+        if (!take(at, 0, INT64_MAX, o.reset_at) ||
+            (*at && !take(at, ':', 1, INT32_MAX, o.reset_for)) || *at)
             argp_error(state, "--reset-at wants N or N:CLOCKS, got '%s'", arg);
         break;
     case LIFE:
@@ -192,14 +206,15 @@ error_t parse(int key, char *arg, argp_state *state) {
         o.expect_errors = number(arg, 0, 255, state);
         break;
     case POKE:
-        if (std::sscanf(arg, "%u:%d:%d=%i%c", &poke.line, &poke.lsb, &poke.width,
-                        reinterpret_cast<int *>(&poke.value), &rest) != 4 ||
-            poke.width < 1 || poke.width > 32 || poke.lsb < 0 || poke.lsb + poke.width > 256)
+        if (!take(at, 0, UINT32_MAX, poke.line) || !take(at, ':', 0, 255, poke.lsb) ||
+            !take(at, ':', 1, 32, poke.width) ||
+            !take(at, '=', INT32_MIN, UINT32_MAX, poke.value) || *at || poke.lsb + poke.width > 256)
             argp_error(state, "--poke wants LINE:LSB:WIDTH=VALUE, got '%s'", arg);
         o.pokes.push_back(poke);
         break;
     case REG:
-        if (std::sscanf(arg, "%d=%i%c", &reg.number, &reg.value, &rest) != 2)
+        if (!take(at, 0, INT32_MAX, reg.number) ||
+            !take(at, '=', INT32_MIN, UINT32_MAX, reg.value) || *at)
             argp_error(state, "--reg wants N=VALUE, got '%s'", arg);
         o.writes.push_back(reg);
         break;

@@ -15,6 +15,9 @@
 #include <type_traits>
 #include "Vrt_mem_arbiter.h"
 #include "bench.h"
+extern "C" {
+#include "tests/number.h"
+}
 
 /* As the arbiter under test was built (-G); the defaults are those of rt_mem_arbiter. */
 #ifndef CLIENTS
@@ -254,8 +257,8 @@ bool Bench::run(const Phase &phase, uint64_t lines, uint64_t seed) {
 } // namespace
 
 int main(int argc, char **argv) {
-    const uint64_t seed = argc > 1 ? strtoull(argv[1], nullptr, 0) : 1;
-    const uint64_t n = argc > 2 ? strtoull(argv[2], nullptr, 0) : 5000;
+    const uint64_t seed = test_number(argc > 1 ? argv[1] : nullptr, "argument 1", 1);
+    const uint64_t n = test_number(argc > 2 ? argv[2] : nullptr, "argument 2", 5000);
     Bench bench(seed);
     /* name, stalls of request, response, memory, latency, errors */
     const Phase phases[] = {

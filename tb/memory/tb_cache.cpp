@@ -23,6 +23,9 @@
 #include "Vrt_cache___024root.h"
 #include "bench.h"
 #include "cache_prediction.h"
+extern "C" {
+#include "tests/number.h"
+}
 
 /* As the cache under test was built (-G); the defaults are those of rt_cache. */
 #ifndef TAG
@@ -359,8 +362,8 @@ bool check(bool good, uint64_t seed, const char *what) {
 } // namespace
 
 int main(int argc, char **argv) {
-    const uint64_t seed = argc > 1 ? strtoull(argv[1], nullptr, 0) : 1;
-    const uint64_t n = argc > 2 ? strtoull(argv[2], nullptr, 0) : 20000;
+    const uint64_t seed = test_number(argc > 1 ? argv[1] : nullptr, "argument 1", 1);
+    const uint64_t n = test_number(argc > 2 ? argv[2] : nullptr, "argument 2", 20000);
     Bench bench(seed);
     bool good = true;
 

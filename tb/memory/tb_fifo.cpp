@@ -14,6 +14,9 @@
 #include <type_traits>
 #include "Vrt_fifo.h"
 #include "bench.h"
+extern "C" {
+#include "tests/number.h"
+}
 
 /* As the queue under test was built (-G); the defaults are those of rt_fifo. */
 #ifndef WIDTH
@@ -99,8 +102,8 @@ bool Bench::run(const Phase &phase, uint64_t cycles, uint64_t seed) {
 } // namespace
 
 int main(int argc, char **argv) {
-    const uint64_t seed = argc > 1 ? strtoull(argv[1], nullptr, 0) : 1;
-    const uint64_t n = argc > 2 ? strtoull(argv[2], nullptr, 0) : 20000;
+    const uint64_t seed = test_number(argc > 1 ? argv[1] : nullptr, "argument 1", 1);
+    const uint64_t n = test_number(argc > 2 ? argv[2] : nullptr, "argument 2", 20000);
     Bench bench(seed);
     const Phase phases[] = {
         {"mostly empty", 30, 90},      {"mostly full", 90, 30}, {"one in, one out", 100, 100},

@@ -13,6 +13,9 @@
 #include <vector>
 #include "Vrt_slot_ram.h"
 #include "bench.h"
+extern "C" {
+#include "tests/number.h"
+}
 
 namespace {
 
@@ -78,8 +81,8 @@ bool Bench::run(const Phase &phase, uint64_t cycles) {
 } // namespace
 
 int main(int argc, char **argv) {
-    const uint64_t seed = argc > 1 ? strtoull(argv[1], nullptr, 0) : 1;
-    const uint64_t n = argc > 2 ? strtoull(argv[2], nullptr, 0) : 20000;
+    const uint64_t seed = test_number(argc > 1 ? argv[1] : nullptr, "argument 1", 1);
+    const uint64_t n = test_number(argc > 2 ? argv[2] : nullptr, "argument 2", 20000);
     Bench bench(seed);
     const Phase phases[] = {
         {"both at times", 50, 50, SLOTS}, {"two words", 70, 70, 2},

@@ -13,6 +13,9 @@
 #include <iterator>
 #include "Vrt_turns.h"
 #include "bench.h"
+extern "C" {
+#include "tests/number.h"
+}
 
 /* As the block under test was built (-G); the default is that of rt_turns. */
 #ifndef N
@@ -97,8 +100,8 @@ bool Bench::step(const Phase &phase) {
 } // namespace
 
 int main(int argc, char **argv) {
-    const uint64_t seed = argc > 1 ? strtoull(argv[1], nullptr, 0) : 1;
-    const uint64_t n = argc > 2 ? strtoull(argv[2], nullptr, 0) : 5000;
+    const uint64_t seed = test_number(argc > 1 ? argv[1] : nullptr, "argument 1", 1);
+    const uint64_t n = test_number(argc > 2 ? argv[2] : nullptr, "argument 2", 5000);
     Bench bench(seed);
     const Phase phases[] = {{"all ask", 100, 100},
                             {"few ask", 20, 90},

@@ -12,6 +12,9 @@
 #include "top_checks.h"
 
 #include <cmath>
+extern "C" {
+#include "tests/number.h"
+}
 
 static const uint32_t HALF[2] = {0, 0x01000000};
 
@@ -52,12 +55,12 @@ int main(int argc, char **argv) {
         fprintf(stderr, "usage: tb_frames LATENCY STALL SEED FOLDER MACHINE.sph...\n");
         return 2;
     }
-    auto c = std::make_unique<Checks>(strtoull(argv[3], nullptr, 0));
+    auto c = std::make_unique<Checks>(test_number(argv[3], "argument 3", 0));
     TopHost &t = c->top;
     t.driver.bus.put = put;
     Manner manner;
-    manner.latency = (unsigned)atoi(argv[1]);
-    manner.stall = (unsigned)atoi(argv[2]);
+    manner.latency = (unsigned)test_number(argv[1], "argument", 0);
+    manner.stall = (unsigned)test_number(argv[2], "argument", 0);
     t.write(SPHAERA_WATCHDOG, 0);
     sphaera_interrupts(&t.driver, SPHAERA_INTERRUPTS_FRAME_DONE);
     const int first = 5; /* of the machines */

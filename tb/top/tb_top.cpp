@@ -5,6 +5,9 @@
  */
 #include "top_display.h"
 #include "top_faults.h"
+extern "C" {
+#include "tests/number.h"
+}
 
 #ifdef SCRIPTED
 static void scripted(Checks &c, const Golden &any);
@@ -286,7 +289,7 @@ int main(int argc, char **argv) {
         return 2;
     }
     Golden a(argv[1]), b(argv[2]);
-    auto c = std::make_unique<Checks>(argc > 3 ? strtoull(argv[3], nullptr, 0) : 1);
+    auto c = std::make_unique<Checks>(test_number(argc > 3 ? argv[3] : nullptr, "argument 3", 1));
     settings(*c);
     registers(*c, a);
     frames(*c, a, b);

@@ -202,6 +202,6 @@ int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_near), cmocka_unit_test(test_gaps),
                                        cmocka_unit_test(test_dark)};
     seed(argc, argv);
-    if (argc > 2) scenes = atoi(argv[2]);
+    if (argc > 2) scenes = (int)test_number(argv[2], "scenes", 0);
     return cmocka_run_group_tests_name("effects of facets", tests, NULL, NULL);
 }

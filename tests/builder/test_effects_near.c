@@ -243,6 +243,6 @@ int main(int argc, char **argv) {
         cmocka_unit_test(test_shut_in),
     };
     seed(argc, argv);
-    if (argc > 2) scenes = atoi(argv[2]);
+    if (argc > 2) scenes = (int)test_number(argv[2], "scenes", 0);
     return cmocka_run_group_tests_name("effects near their limits", tests, NULL, NULL);
 }

@@ -13,6 +13,9 @@
 #include <string>
 
 #include "core/dram.h"
+extern "C" {
+#include "tests/number.h"
+}
 
 namespace {
 
@@ -158,7 +161,8 @@ void keeps(const DramPart &part, unsigned seed) {
 } // namespace
 
 int main(int argc, char **argv) {
-    const unsigned seed = argc > 1 ? static_cast<unsigned>(std::atoi(argv[1])) : 1;
+    const unsigned seed =
+        static_cast<unsigned>(test_number(argc > 1 ? argv[1] : nullptr, "seed", 1));
     /* 32 lines a row, 4 banks: line 32 is bank 1, line 128 bank 0 again */
     table("sdram16",
           {{"ACT 10, RD 13 and 21", 0, 10, 20, 32},

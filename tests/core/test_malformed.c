@@ -5,6 +5,7 @@
  * checks on addresses, stack and visits.
  */
 #include "model_scene.h"
+#include "number.h"
 #include "scene/rng.h"
 
 enum { W = 24, H = 16 };
@@ -176,8 +177,7 @@ static void cycles(void **state) {
 
 /* Random bits of memory turned over: anything may be seen, but every frame ends. */
 static void damage(const char *name, int times) {
-    const char *text = getenv("SEED");
-    uint64_t seed = text ? strtoull(text, NULL, 0) : 1;
+    uint64_t seed = test_seed();
     struct sph_rng rng = {seed};
     int reported = 0;
     printf("# %s: SEED=%lu\n", name ? name : "facets", seed);

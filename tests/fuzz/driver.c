@@ -19,6 +19,7 @@
 #include <unistd.h>
 
 #include "change.h"
+#include "number.h"
 #include "fuzz.h"
 
 #ifdef __SANITIZE_ADDRESS__
@@ -80,11 +81,11 @@ static int take_options(int argc, char **argv, struct run *run, struct fuzz_corp
     for (int i = 1; i < argc; i++) {
         const char *value = i + 1 < argc ? argv[i + 1] : "";
         if (!strcmp(argv[i], "--runs"))
-            run->runs = strtoull(value, NULL, 10), i++;
+            run->runs = test_number(value, argv[i], 0), i++;
         else if (!strcmp(argv[i], "--seconds"))
-            run->seconds = strtod(value, NULL), i++;
+            run->seconds = (double)test_number(value, argv[i], 0), i++;
         else if (!strcmp(argv[i], "--seed"))
-            run->seed = strtoull(value, NULL, 10), i++;
+            run->seed = test_number(value, argv[i], 0), i++;
         else if (!strcmp(argv[i], "--dict"))
             fuzz_add_words(corpus, value), i++;
         else if (!strcmp(argv[i], "--keep"))

@@ -4,11 +4,11 @@
  * Exit code: 0 if ours is right everywhere, 1 if it is not, 2 for bad arguments or files.
  */
 #include <argp.h>
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "campaign.h"
+#include "common/number.h"
 #include "named.h"
 
 enum { FIRST = 256, CHUNKS, SHARE, STATE, JSON, LIST, NAMED, SCENES, PART, MERGE };
@@ -41,12 +41,11 @@ struct arguments {
     int n_files;
 };
 
-static uint64_t number(const char *text, const char *what, struct argp_state *state) {
-    char *end;
-    errno = 0;
-    uint64_t n = strtoull(text, &end, 0);
-    if (errno || *end || end == text || *text == '-')
-        argp_error(state, "%s: %s is not a number", what, text);
+static uint64_t number(const char *text, const char *what, uint64_t most,
+                       struct argp_state *state) {
+    uint64_t n = 0;
+    if (sph_parse_count(text, 0, most, &n))
+        argp_error(state, "%s: %s is not a number from 0 to %lu", what, text, most);
     return n;
 }
 
@@ -68,8 +67,9 @@ static void families_find(const char *name, struct campaign *c) {
 
 /* P/K */
 static void part_of(const char *text, struct campaign *c, struct argp_state *state) {
-    char end;
-    if (sscanf(text, "%lu/%lu%c", &c->part, &c->parts, &end) != 2 || c->part >= c->parts)
+    const char *at = text;
+    if (sph_take_count(&at, 0, UINT64_MAX, &c->part) || sph_take_char(&at, '/') ||
+        sph_parse_count(at, c->part + 1, UINT64_MAX, &c->parts))
         argp_error(state, "--part: %s is not P/K with P below K", text);
 }
 
@@ -78,22 +78,22 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     struct campaign *c = &a->campaign;
     switch (key) {
     case 'n':
-        c->cases = number(arg, "--cases", state);
+        c->cases = number(arg, "--cases", UINT64_MAX, state);
         break;
     case 's':
-        c->seed = number(arg, "--seed", state);
+        c->seed = number(arg, "--seed", UINT64_MAX, state);
         break;
     case FIRST:
-        c->first = number(arg, "--first", state);
+        c->first = number(arg, "--first", UINT64_MAX, state);
         break;
     case SHARE:
-        c->share = number(arg, "--exhaustive", state);
+        c->share = number(arg, "--exhaustive", UINT64_MAX, state);
         break;
     case CHUNKS:
-        c->chunks = number(arg, "--chunks", state);
+        c->chunks = number(arg, "--chunks", UINT64_MAX, state);
         break;
     case 'j':
-        c->processes = (int)(number(arg, "--processes", state) & 0xffff);
+        c->processes = (int)number(arg, "--processes", 1024, state);
         if (c->processes < 1 || c->processes > 256)
             argp_error(state, "--processes: %s is not 1 to 256", arg);
         break;
@@ -136,7 +136,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         a->scenes = arg;
         break;
     case NAMED:
-        a->named = arg ? (int)(number(arg, "--named", state) & 0xffff) : 0;
+        a->named = arg ? (int)number(arg, "--named", 65535, state) : 0;
         if (a->named > hard_n_named) argp_error(state, "there is no named case %s", arg);
         break;
     default:
@@ -147,13 +147,13 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
 
 /* --case FAMILY:PROFILE:NUMBER */
 static int run_one(const struct arguments *a) {
-    char profile[32];
-    const char *colon = strchr(a->one, ':');
+    char profile[32] = "";
+    const char *colon = strchr(a->one, ':'), *last = strrchr(a->one, ':');
     uint64_t n;
     int family = colon ? family_find(a->one, (size_t)(colon - a->one)) : -1;
-    int fields = colon ? sscanf(colon + 1, "%31[^:]:%lu", profile, &n) : 0;
-    int p = fields == 2 ? sph_profile_find(profile) : -1;
-    if (family < 0 || p < 0) {
+    if (last > colon) snprintf(profile, sizeof profile, "%.*s", (int)(last - colon - 1), colon + 1);
+    int p = sph_profile_find(profile);
+    if (family < 0 || p < 0 || sph_parse_count(last + 1, 0, UINT64_MAX, &n)) {
         fprintf(stderr, "hard: --case: %s is not FAMILY:PROFILE:NUMBER\n", a->one);
         return 2;
     }

@@ -4,6 +4,7 @@
  * build/test/test_frustum [seed]
  */
 #include "scene_files.h"
+#include "number.h"
 
 #include <math.h>
 
@@ -214,7 +215,7 @@ int main(int argc, char **argv) {
     for (int i = 0; i < N_BADS; i++)
         tests[N_TESTS + i] = (struct CMUnitTest){
             .name = bads[i].name, .test_func = test_bad, .initial_state = (void *)&bads[i]};
-    if (argc > 1) seed = strtoull(argv[1], NULL, 0);
+    if (argc > 1) seed = test_number(argv[1], "seed", 1);
     printf("# repeat with: %s %llu\n", argv[0], (unsigned long long)seed);
     return cmocka_run_group_tests_name("frusta", tests, make_folder, remove_folder);
 }

@@ -1,12 +1,12 @@
-/* number.c - decimal text to double, whatever the locale; see nff_lex.h
+/* number.c - text to numbers, whatever the locale; see number.h
  * SPDX-License-Identifier: Apache-2.0
  *
- * Up to 15 digits and a power of ten up to 10^22 are both exact doubles, so that one product or
- * quotient of them is correctly rounded. That covers nearly all scene files. Of up to 19 digits and
- * 10^27 a long double has the quotient within half of its own last bit, which is enough unless a
- * double lies that near to the middle of two. The rest goes through strtod.
+ * Of doubles: up to 15 digits and a power of ten up to 10^22 are both exact doubles, so that one
+ * product or quotient of them is correctly rounded. That covers nearly all scene files. Of up to 19
+ * digits and 10^27 a long double has the quotient within half of its own last bit, which is enough
+ * unless a double lies that near to the middle of two. The rest goes through strtod.
  */
-#include "scene/nff_lex.h"
+#include "common/number.h"
 
 #include <float.h>
 #include <locale.h>
@@ -86,4 +86,50 @@ int sph_parse_number(const char *text, double *value) {
         size = fabs(slow(text));
     *value = negative ? -size : size;
     return fabs(*value) <= SPH_NUMBER_MAX ? 0 : -2;
+}
+
+static int digit_of(char c, int base) {
+    int value = is_digit(c)                          ? c - '0'
+                : (c | 32) >= 'a' && (c | 32) <= 'f' ? (c | 32) - 'a' + 10
+                                                     : 16;
+    return value < base ? value : -1;
+}
+
+/* Digits of a base, of which there is one at least. */
+static int take_digits(const char **text, int base, uint64_t most, uint64_t *value) {
+    const char *c = *text;
+    uint64_t sum = 0;
+    if (digit_of(*c, base) < 0) return -1;
+    for (; digit_of(*c, base) >= 0; c++) {
+        uint64_t digit = (uint64_t)digit_of(*c, base), b = (uint64_t)base;
+        if (digit > most || sum > (most - digit) / b) return -1;
+        sum = b * sum + digit;
+    }
+    *value = sum;
+    *text = c;
+    return 0;
+}
+
+int sph_take_count(const char **text, uint64_t low, uint64_t high, uint64_t *value) {
+    const char *c = *text;
+    uint64_t v;
+    if (take_digits(&c, 10, high, &v) || v < low) return -1;
+    *value = v;
+    *text = c;
+    return 0;
+}
+
+int sph_take_whole(const char **text, int64_t low, int64_t high, int64_t *value) {
+    const char *c = *text;
+    int negative = *c == '-';
+    uint64_t size, most = negative ? (uint64_t)INT64_MAX + 1 : (uint64_t)INT64_MAX;
+    c += negative;
+    int hex = c[0] == '0' && (c[1] | 32) == 'x';
+    if (hex) c += 2;
+    if (take_digits(&c, hex ? 16 : 10, most, &size)) return -1;
+    int64_t v = negative ? (int64_t)(0 - size) : (int64_t)size;
+    if (v < low || v > high) return -1;
+    *value = v;
+    *text = c;
+    return 0;
 }
