@@ -3,6 +3,7 @@
  */
 #include "scene/generate.h"
 #include "scene/generate_kinds.h"
+#include "common/number.h"
 
 #include <string.h>
 
@@ -72,6 +73,28 @@ int sph_generate_takes(const char *kind) {
     for (int i = 0; i < N_MAKERS; i++)
         if (!strcmp(kind, makers[i].kind)) return makers[i].takes;
     return SPH_TAKES_UNKNOWN;
+}
+
+int sph_generate_parse(const char *text, char kind[32], struct sph_generate_options *options,
+                       struct sph_error *err) {
+    const char *colon = strchr(text, ':');
+    size_t length = colon ? (size_t)(colon - text) : strlen(text);
+    uint64_t n = 0, most = UINT64_MAX;
+    if (length >= 32) return 0;
+    memcpy(kind, text, length);
+    kind[length] = 0;
+    int takes = sph_generate_takes(kind);
+    if (takes == SPH_TAKES_UNKNOWN || (takes == SPH_TAKES_NOTHING && colon)) return 0;
+    if (!colon) return 1;
+    if (takes == SPH_TAKES_SIZE) most = 5;
+    if (takes == SPH_TAKES_N) most = SPH_MAX_SPHERES;
+    if (sph_parse_count(colon + 1, takes != SPH_TAKES_SEED, most, &n))
+        return sph_fail(err, "%.200s: '%.100s' is no number from %d to %llu", text, colon + 1,
+                        takes != SPH_TAKES_SEED, (unsigned long long)most);
+    if (takes == SPH_TAKES_SIZE) options->size = (int)n;
+    if (takes == SPH_TAKES_N) options->n = (uint32_t)n;
+    if (takes == SPH_TAKES_SEED) options->seed = n;
+    return 1;
 }
 
 int sph_generate(const char *kind, const struct sph_generate_options *options,

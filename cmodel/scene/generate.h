@@ -24,6 +24,11 @@ extern const char sph_generate_help[];
 enum { SPH_TAKES_NOTHING, SPH_TAKES_SIZE, SPH_TAKES_N, SPH_TAKES_SEED, SPH_TAKES_UNKNOWN };
 int sph_generate_takes(const char *kind);
 
+/* Whether a text is KIND:N, or a KIND that takes no number: `kind` of 32 characters and options
+ * then say which. 1 if so, 0 if not, -1 with a message if N is out of range. */
+int sph_generate_parse(const char *text, char kind[32], struct sph_generate_options *options,
+                       struct sph_error *err);
+
 /* Makes the scene of the given kind:
  *   sphereflake      9^0 + ... + 9^size mirrored spheres: the SPD scene `balls` without floor
  *   paper5, paper100 Borodavka 2015, Fig. 10 and 12: random spheres that fill the screen,

@@ -101,8 +101,10 @@ void sph_machine_core(const struct sph_machine *m, char *text, size_t size) {
 void sph_machine_describe(const struct sph_machine *m, FILE *file) {
     const struct sph_profile *p = sph_machine_profile(m);
     fprintf(file, "scene     %s\n", m->name);
-    fprintf(file, "profile   %s: W %d, WD %d, PR %d, PQ %d, NG %d, FW %d bits\n", p->name, p->w,
-            p->wd, p->pr ? p->pr : p->w + p->wd, p->pq, p->ng, p->fw);
+    char root[24] = ""; /* PR as rt_core has it: 0 are all */
+    if (!p->pr) snprintf(root, sizeof root, " (all %d)", p->w + p->wd);
+    fprintf(file, "profile   %s: W %d, WD %d, PR %d%s, PQ %d, NG %d, FW %d bits\n", p->name, p->w,
+            p->wd, p->pr, root, p->pq, p->ng, p->fw);
     fprintf(file, "grid      step 2^%d = %g scene units, point 0 at camera-frame (%g, %g, %g)\n",
             m->grid_log2, ldexp(1, m->grid_log2), m->origin[0], m->origin[1], m->origin[2]);
     fprintf(file, "memory    %u lines, %.1f KiB; primitive records from line %d\n", m->lines,
