@@ -2,13 +2,15 @@
 # SPDX-License-Identifier: Apache-2.0
 import contextlib
 import os
-import socket
+import secrets
 
 
 @contextlib.contextmanager
 def beside(path):
-    """A name of this process's own; what stands there in the end gets the name `path`."""
-    new = f"{path}.{socket.gethostname()}.{os.getpid()}.tmp"  # a folder may be shared
+    """A file of this caller's own, whose name nobody else has and which is no link; what stands
+    there in the end gets the name `path`."""
+    new = f"{path}.{secrets.token_hex(8)}.tmp"
+    os.close(os.open(new, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW, 0o666))
     try:
         yield new
         os.replace(new, path)

@@ -5,9 +5,12 @@
 
 #include <dirent.h>
 #include <errno.h>
+#include <fcntl.h>
+#include <inttypes.h>
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -65,8 +68,8 @@ void sph_output_clean(void) {
     if (others) others();
 }
 
-/* Chooses the temporary name of path; nothing is opened. */
-static int choose_name(struct sph_output *out, const char *path, struct sph_error *err) {
+/* Looks what path is; nothing is opened. */
+static int look_at(struct sph_output *out, const char *path, struct sph_error *err) {
     struct stat st;
     memset(out, 0, sizeof *out);
     if (!*path) return sph_fail(err, "empty output file name");
@@ -80,12 +83,21 @@ static int choose_name(struct sph_output *out, const char *path, struct sph_erro
     } else if (!S_ISREG(st.st_mode)) {
         return 0;
     }
-    snprintf(out->temporary, sizeof out->temporary, "%.4060s.%ld.tmp", path, (long)getpid());
+    out->renamed = 1;
     return 0;
 }
 
-static const char *target(const struct sph_output *out) {
-    return out->temporary[0] ? out->temporary : out->path;
+int sph_output_beside(char *name, size_t size, const char *stem, const char *ending) {
+    for (int i = 0; i < 100; i++) {
+        uint64_t number;
+        if (getrandom(&number, sizeof number, 0) != sizeof number) return -1;
+        int n = snprintf(name, size, "%s.%016" PRIx64 ".%s", stem, number, ending);
+        if (n < 0 || (size_t)n >= size) return errno = ENAMETOOLONG, -1;
+        int fd = open(name, O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+        if (fd >= 0) sph_output_note(name);
+        if (fd >= 0 || errno != EEXIST) return fd;
+    }
+    return -1;
 }
 
 static int give_name(struct sph_output *out, struct sph_error *err) {
@@ -102,13 +114,15 @@ int sph_output_open(struct sph_output *out, const char *path, struct sph_error *
         *out = (struct sph_output){.file = stdout, .path = "standard output"};
         return 0;
     }
-    if (choose_name(out, path, err)) return -1;
-    if (out->temporary[0]) sph_output_note(out->temporary);
-    out->file = fopen(target(out), "wb");
-    if (out->file) return 0;
-    sph_fail(err, "%s: %s", path, strerror(errno));
-    if (out->temporary[0]) sph_output_forget(out->temporary);
-    return -1;
+    if (look_at(out, path, err)) return -1;
+    if (out->renamed) {
+        int fd = sph_output_beside(out->temporary, sizeof out->temporary, path, "tmp");
+        if (fd < 0) out->temporary[0] = 0;
+        out->file = fd < 0 ? NULL : fdopen(fd, "wb");
+    } else {
+        out->file = fopen(out->path, "wb");
+    }
+    return out->file ? 0 : sph_fail(err, "%s: %s", path, strerror(errno));
 }
 
 int sph_output_close(struct sph_output *out, int failed, struct sph_error *err) {

@@ -17,7 +17,8 @@ extern "C" {
 
 struct sph_output {
     FILE *file;
-    char path[4096], temporary[4096]; /* temporary: empty if written directly */
+    int renamed;                      /* 0: written directly */
+    char path[4096], temporary[4096]; /* temporary: empty if there is none */
 };
 
 /* Opens path for writing ("-": standard output) as out->file. 0, or -1 with a message. */
@@ -26,6 +27,12 @@ int sph_output_open(struct sph_output *out, const char *path, struct sph_error *
 /* Closes, checks for write errors and renames; with failed != 0 closes and removes instead.
  * 0, or -1 (with a message unless failed). */
 int sph_output_close(struct sph_output *out, int failed, struct sph_error *err);
+
+/* Makes an empty file that nobody else has, with the rights that a new file gets: into name, of
+ * `size` bytes, stem.RANDOM.ending. It is noted as below. No link that stands there is followed,
+ * and two threads, processes or containers never get the same name. Its descriptor, or -1 with
+ * errno set. */
+int sph_output_beside(char *name, size_t size, const char *stem, const char *ending);
 
 /* ---- what is left when a signal ends the program ---- */
 

@@ -52,22 +52,22 @@ bool ends(const char *name) {
 int sph_image_write_gif(const char *path, const char *const *pictures, int n, double rate,
                         struct sph_error *err) {
     return sph_picture::guarded(path, err, [&] {
-        char own[32]; // std::to_string would be a symbol that libsphaera.a exports
-        std::snprintf(own, sizeof own, ".%ld.tmp.gif", static_cast<long>(getpid()));
-        std::string name = std::string(path) + own;
+        char name[4096];
+        int fd = sph_output_beside(name, sizeof name, path, "tmp.gif");
+        if (fd < 0) return sph_fail(err, "%s: %s", path, std::strerror(errno));
+        ::close(fd); // written by name
         std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create("gif");
         if (!out) return sph_fail(err, "%s: %s", path, OIIO::geterror().c_str());
         struct sph_image size = {};
         int rc = 0;
-        sph_output_note(name.c_str());
         for (int i = 0; i < n && !rc; i++)
             rc = add(*out, name, pictures[i], i == 0, rate, &size, err);
         if (!out->close() && !rc) rc = sph_fail(err, "%s: %s", path, out->geterror().c_str());
-        if (!rc && !ends(name.c_str())) rc = sph_fail(err, "%s: %s", path, std::strerror(ENOSPC));
-        if (!rc && std::rename(name.c_str(), path))
+        if (!rc && !ends(name)) rc = sph_fail(err, "%s: %s", path, std::strerror(ENOSPC));
+        if (!rc && std::rename(name, path))
             rc = sph_fail(err, "%s: %s", path, std::strerror(errno));
-        if (rc) std::remove(name.c_str());
-        sph_output_forget(name.c_str());
+        if (rc) std::remove(name);
+        sph_output_forget(name);
         return rc;
     });
 }

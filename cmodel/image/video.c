@@ -111,14 +111,15 @@ struct sph_video *sph_video_open(const char *path, int width, int height, double
         return NULL;
     }
     snprintf(v->path, sizeof v->path, "%s", path);
-    snprintf(v->temporary, sizeof v->temporary, "%.*s.part-%d%s", (int)stem, path, (int)getpid(),
-             path + stem);
     snprintf(v->how, sizeof v->how, "%s, by ffmpeg", path);
     if (!sph_image_format(path, NULL)) {
-        sph_output_note(v->temporary);
-        int error = spawn(v);
+        v->path[stem] = 0;
+        int fd = sph_output_beside(v->temporary, sizeof v->temporary, v->path, path + stem + 1);
+        snprintf(v->path, sizeof v->path, "%s", path);
+        int error = fd < 0 ? errno : spawn(v); /* which writes by name */
+        if (fd >= 0) close(fd);
         if (!error) return v;
-        sph_output_forget(v->temporary);
+        if (fd >= 0) unlink(v->temporary), sph_output_forget(v->temporary);
         why = error == ENOENT ? ": ffmpeg is not installed" : ": ffmpeg does not start";
     }
     v->path[stem] = 0;

@@ -9,6 +9,7 @@
 #include <cstdlib>
 
 #include "dram.h"
+#include "model.h"
 
 namespace {
 
