@@ -83,7 +83,7 @@ esac
 say SIM "$name $PROFILE $SIZE in $SIM"
 set -- --machine "$run/scene.sph" --latency "$LATENCY" --stall "$STALL" --seed "$SEED" \
     --memory "$MEMORY" --core-mhz "$CORE_MHZ" \
-    --processes "$JOBS" --progress --frame "$run/rtl.frame" --json "$run/report.json" \
+    --progress --frame "$run/rtl.frame" --json "$run/report.json" \
     --model-frame "$run/model.frame" --clocks "$run/rtl.clocks"
 [ -z "$WINDOW" ] || set -- "$@" --window "$(echo "$WINDOW" | awk -F , -v n="$SAMPLES" \
     '{ print $1 * n "," $2 * n "," $3 * n "," $4 * n }')" # in pixels of the frame
@@ -105,5 +105,5 @@ fi
 case ${CSV:-} in '' | /*) ;; *) CSV=${FROM:-.}/$CSV ;; esac
 BUILD=$BUILD python3 -m lab.report "$run" ${CSV:+--csv "$CSV"} || exit 1
 echo "pictures and report in $run/"
-sed -n '$s/^core \(.*mismatches\),.*/sim \1/p' "$run/log"
+sed -n '$s/^core \(.*mismatches\);.*/sim \1/p' "$run/log"
 exit "$rc"

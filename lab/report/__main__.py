@@ -1,7 +1,7 @@
 # __main__.py - the report of a run
 # SPDX-License-Identifier: Apache-2.0
 """usage: [BUILD=build] python3 -m lab.report FOLDER [--csv FILE]
-Writes FOLDER/report.html of what `make sim` left there. --csv appends a row to FILE, which gets a
+Writes FOLDER/report.html of what `make sim` left there. --csv appends a row for each pass to FILE, which gets a
 header if it is new; a file with another header is refused."""
 import argparse
 import json
@@ -22,7 +22,8 @@ def main():
         run = Run(given.folder)
         intact.write(given.folder / "report.html", page.page(run))
         if given.csv:
-            rows.append(given.csv, rows.row(run))
+            for row in rows.rows(run):
+                rows.append(given.csv, row)
     except (OSError, frames.Bad, rows.Bad) as error:
         sys.exit(f"report: {error}")
     except (json.JSONDecodeError, KeyError) as error:

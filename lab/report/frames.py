@@ -71,19 +71,18 @@ def in_turn(lists):
     return [x for group in zip_longest(*lists) for x in group if x is not None]
 
 
-def in_flight(frame, left, windows, slots, walks):
-    """Clocks from the one in which a slot was free for each pixel to the one in which it left, of
-    cores with so many slots and walks that each drew one of the windows; 0 of those that were not
-    traced. The n-th pixel starts when n - slots others have left, or a little later."""
+def in_flight(frame, left, window, slots, walks):
+    """Clocks from the one in which a slot was free for each pixel to the one in which it left, of a
+    core with so many slots and walks that drew the window; 0 of those that were not traced. The
+    n-th pixel starts when n - slots others have left, or a little later."""
     took = array("I", bytes(4 * len(left)))
-    for window in windows:
-        of_walks = [[y * frame.width + x for x, y in walk(half)] for half in halves(window, walks)]
-        traced = in_turn([i for i in pixels if left[i] and frame.pixels[i].visits]
-                         for pixels in of_walks)
-        ends = sorted(left[i] for i in traced)
-        for number, i in enumerate(traced):
-            start = ends[number - slots] if number >= slots else 0
-            took[i] = max(left[i] - start, 0)
+    of_walks = [[y * frame.width + x for x, y in walk(half)] for half in halves(window, walks)]
+    traced = in_turn([i for i in pixels if left[i] and frame.pixels[i].visits]
+                     for pixels in of_walks)
+    ends = sorted(left[i] for i in traced)
+    for number, i in enumerate(traced):
+        start = ends[number - slots] if number >= slots else 0
+        took[i] = max(left[i] - start, 0)
     return took
 
 

@@ -19,7 +19,7 @@ MAPS = {  # name: title, unit, whether it is drawn by logarithm, what it says
                "one in which a slot was free for it to the one in which it left, divided by the "
                "{slots} slots that work at once. All parts add up to {sum} of {cycles} clocks."),
     "left": ("Order", "clocks", False, "The clock in which each pixel left: pixels start in "
-             "columns of eight{walks}, and hard ones leave late{tiles}."),
+             "columns of eight{walks}, and hard ones leave late."),
 }
 
 
@@ -71,8 +71,6 @@ def pictures(run, at):
 
 def maps(run, drawn):
     told = {"slots": run.slots(), "cycles": number(run.last["counters"]["cycles"]), "sum": "",
-            "tiles": f"; {len(run.last['tiles'])} cores drew a band each, all from clock 0"
-            if len(run.last["tiles"]) > 1 else "",
             "walks": " of either half" if run.parameters["WALKS"] > 1 else ""}
     if run.left:
         told["sum"] = number(sum(run.in_flight()) / run.slots())
@@ -127,7 +125,7 @@ def counters(run):
                 note = f"at least {number(least.clocks)}: {least.name}"
             rows.append(["", [name, "", number(value), note]])
     return ("<h2>Counters</h2><p>What the model predicts, and what the core counted"
-            + (" in the pass with warm caches" if "warm" in run.report else "")
+            + f" with {'warm' if 'warm' in run.report else 'cold'} caches"
             + ". Those that are 0 are left out.</p>"
             + html.table(["counter", "model", "core", ""], rows, (1, 2)))
 
@@ -137,7 +135,8 @@ def head(run):
     good = not report["mismatches"]
     verdict = (f"{number(report['pixels'])} pixels, every bit equal" if good else
                f"{number(report['mismatches'])} mismatches in {number(report['pixels'])} pixels")
-    figures = [("cycles a pixel", number(last["cycles_per_pixel"], 2)),
+    caches = "warm" if "warm" in report else "cold"
+    figures = [(f"cycles a pixel, {caches} caches", number(last["cycles_per_pixel"], 2)),
                ("cycles a visit", number(last["cycles_per_visit"], 3)),
                ("issue port busy", f"{last['issue_port_busy']:.1%}"),
                ("cycles", number(last["counters"]["cycles"])),

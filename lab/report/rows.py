@@ -12,9 +12,15 @@ class Bad(Exception):
     """A file that has other columns."""
 
 
-def row(run):
-    """{column: value} of a run: what it was asked, and what it counted in its last pass."""
-    report, last = run.report, run.last
+def rows(run):
+    """{column: value} of each pass of a run: what it was asked, and what it counted with cold and,
+    with WARM=1, with warm caches."""
+    return [row(run, caches) for caches in ("cold", "warm") if caches in run.report]
+
+
+def row(run, caches):
+    report = run.report
+    last = report[caches]
     columns = {name: report[name] for name in ("scene", "profile")}
     columns.update(width=run.model.width, height=run.model.height,
                    window=" ".join(map(str, run.window)), core=report.get("core", ""),
@@ -26,8 +32,7 @@ def row(run):
     memory = last.get("memory", {})
     columns.update(memory=report["memory"]["name"], core_mhz=report["memory"]["core_mhz"])
     columns.update((name, memory.get(name, "")) for name in MEMORY)
-    columns.update(warm=int("warm" in report), cores=len(last["tiles"]),
-                   cycles_per_pixel=last["cycles_per_pixel"])
+    columns.update(caches=caches, cycles_per_pixel=last["cycles_per_pixel"])
     columns.update(last["counters"])
     return columns
 

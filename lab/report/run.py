@@ -36,8 +36,7 @@ class Run:
         """Clocks of each pixel in a slot; None if nobody noted when pixels left."""
         if not self.left:
             return None
-        windows = [tile["window"] for tile in self.last["tiles"]]
-        return frames.in_flight(self.core, self.left, windows, self.slots(),
+        return frames.in_flight(self.core, self.left, self.window, self.slots(),
                                 self.parameters["WALKS"])
 
     def first_wrong(self):

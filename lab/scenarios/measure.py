@@ -22,7 +22,7 @@ ACCELS = ["paper", "balanced", "reinserted", "box4", "bih1", "bih4", "bih8", "br
 # only primary rays; no shadows
 PRIMARY = ["--depth", "0", "--shadow", "off"]
 BUILDS, RENDERS = 5, 3
-# the thesis's frame; what of Figure 4.4 the RTL draws of it, by processes of some rows each
+# the thesis's frame; what of Figure 4.4 the RTL draws of it
 FULL = ["--size", "640x1088"]
 FULL_RTL = [(1, 64, "brute"), (1, 64, "bih1"), (1, 64, "bih8")]
 
@@ -70,7 +70,7 @@ class Runner:
             result["render"], result["render_times"] = runs[0], [r["cpu_seconds"] for r in runs]
         intact.write(target, json.dumps(result, indent=1))
 
-    def core(self, name, processes=1):
+    def core(self, name):
         """The machine through the RTL, twice: the second time with warm caches."""
         target = self.path(name + ".core.json")
         if not self.rtl or self.fresh(target):
@@ -78,7 +78,7 @@ class Runner:
         print("  SIM ", name, flush=True)
         build = os.path.dirname(os.path.abspath(self.tool))
         words = ["sh", "sim/core.sh", "--machine", self.path(name + ".sph"), "--warm",
-                 "--latency", "100", "--processes", str(processes), "--json"]
+                 "--latency", "100", "--json"]
         env = dict(os.environ, EFFECTS="auto", BUILD=build, JOBS="1")
         with intact.beside(target) as new:
             if subprocess.run([*words, new], env=env, stdout=subprocess.DEVNULL,
@@ -113,7 +113,7 @@ def main(tool, folder, *more):
                 name = f"speed-{number}-{n}-{way}"
                 runner.machine(name, scene, options(way) + PRIMARY + FULL, RENDERS)
                 if (number, n, way) in FULL_RTL:
-                    runner.core(name, os.cpu_count())
+                    runner.core(name)
                 small = f"rtl-{number}-{n}-{way}"
                 if runner.rtl:
                     runner.machine(small, scene, options(way) + PRIMARY + ["--size", "40x68"])

@@ -89,7 +89,8 @@ namespace {
 
 /* The machine is refused, or should be: not one pixel may come. */
 bool refuses(const Options &o, const Outcome &c) {
-    return (c.total[COLD].errors & REFUSED) || (o.expect_errors >= 0 && o.expect_errors & REFUSED);
+    return (c.run->pass[COLD].errors & REFUSED) ||
+           (o.expect_errors >= 0 && o.expect_errors & REFUSED);
 }
 
 /* The model knows nothing of bus errors: values are not compared then, only delivery. The warm pass
@@ -105,7 +106,7 @@ bool dark(const Options &o) {
 
 /* Whether the run ended at the first difference, by wish: the rest was never simulated. */
 bool stopped(const Outcome &c) {
-    return std::any_of(c.runs.begin(), c.runs.end(), [](const Run *run) { return run->stopped; });
+    return c.run->stopped;
 }
 
 /* Pixels of one pass. */
@@ -140,7 +141,7 @@ void compare_pixels(const Options &o, const sph_machine &m, const Outcome &c, in
 
 /* Nothing was hit, and the core says why. */
 void compare_dark(const Options &o, const sph_machine &m, const Outcome &c, Verdict &v) {
-    const Pass &p = c.total[COLD];
+    const Pass &p = c.run->pass[COLD];
     uint64_t rays = p.count[SPH_COUNT_RAYS_PRIMARY], visits = p.count[SPH_COUNT_NODE_VISITS];
     bool root = o.spoil <= m.regs[SPH_REG_ROOT]; /* is all that a ray visits */
     if (p.errors == 1u << SPH_ERROR_BUS_ERROR && !p.count[SPH_COUNT_ROOTS] &&
@@ -157,14 +158,14 @@ void compare_dark(const Options &o, const sph_machine &m, const Outcome &c, Verd
 void compare_totals(const Outcome &c, int pass, Verdict &v) {
     const char *where = pass ? " (warm pass)" : "";
     for (int i = 0; i < SPH_COUNTERS; i++) {
-        uint64_t model = c.model_counters.count[i], core = c.total[pass].count[i];
+        uint64_t model = c.model_counters.count[i], core = c.run->pass[pass].count[i];
         if (model == core || !sph_counter_both(i)) continue;
         v.mismatches++;
         v.text += line("counter %-15s model %llu, core %llu%s", counter_names[i],
                        static_cast<ull>(model), static_cast<ull>(core), where);
     }
     for (int i = 0; i < SPH_ERRORS; i++) {
-        unsigned model = c.model_errors >> i & 1, core = c.total[pass].errors >> i & 1;
+        unsigned model = c.model_errors >> i & 1, core = c.run->pass[pass].errors >> i & 1;
         if (model == core) continue;
         v.mismatches++;
         v.text += line("error bit %s: model %u, core %u%s", error_names[i], model, core, where);
@@ -173,7 +174,7 @@ void compare_totals(const Outcome &c, int pass, Verdict &v) {
 
 void compare_expected(const Options &o, const Outcome &c, Verdict &v) {
     if (o.expect_errors < 0) return;
-    auto missing = static_cast<uint32_t>(o.expect_errors) & ~c.total[COLD].errors;
+    auto missing = static_cast<uint32_t>(o.expect_errors) & ~c.run->pass[COLD].errors;
     for (int i = 0; i < SPH_ERRORS; i++)
         if (missing >> i & 1) {
             v.mismatches++;
@@ -184,13 +185,12 @@ void compare_expected(const Options &o, const Outcome &c, Verdict &v) {
 } // namespace
 
 Verdict compare(const Options &o, const sph_machine &machine, const Outcome &c) {
-    Verdict v{0, refusal(o, machine, c.total[COLD].errors), false, {-1, -1}, ""};
+    Verdict v{0, refusal(o, machine, c.run->pass[COLD].errors), false, {-1, -1}, ""};
     v.refused = !v.text.empty() && !(o.expect_errors >= 0 && o.expect_errors & REFUSED);
-    for (const Run *run : c.runs)
-        if (run->failure[0]) {
-            v.mismatches++;
-            v.text += run->failure;
-        }
+    if (c.run->failure[0]) {
+        v.mismatches++;
+        v.text += c.run->failure;
+    }
     for (int pass = COLD; pass <= (o.warm ? WARM : COLD); pass++) {
         compare_pixels(o, machine, c, pass, v);
         if (values_count(o, c, pass) && !dark(o) && !stopped(c)) compare_totals(c, pass, v);

@@ -20,7 +20,6 @@ enum Key {
     LATENCY,
     STALL,
     SEED,
-    PROCESSES,
     WARM,
     LITERAL,
     WATCHDOG,
@@ -61,7 +60,6 @@ const argp_option table[] = {
      "clocks from a memory request to its first beat, of a part on top of its own (20)", 0},
     {"stall", STALL, "PERCENT", 0, "clocks in which a handshake is held back (0)", 0},
     {"seed", SEED, "N", 0, "of the stalls (1)", 0},
-    {"processes", PROCESSES, "N", 0, "share the window out by rows (1)", 0},
     {"warm", WARM, nullptr, 0, "render twice and report the second pass, caches kept", 0},
     {"literal", LITERAL, nullptr, 0, "the model's frame by the functions read beside the RTL", 0},
     {"watchdog", WATCHDOG, "N", 0, "clocks without a pixel that count as a hang (200000)", 0},
@@ -162,9 +160,6 @@ error_t parse(int key, char *arg, argp_state *state) {
     case SEED:
         o.seed = static_cast<uint64_t>(number(arg, 0, INT64_MAX, state));
         break;
-    case PROCESSES:
-        o.processes = small(arg, 1, 1024, state);
-        break;
     case WARM:
         o.warm = true;
         break;
@@ -257,7 +252,6 @@ error_t parse(int key, char *arg, argp_state *state) {
         break;
     case ARGP_KEY_END:
         if (o.machine.empty()) argp_error(state, "--machine is missing");
-        if (!o.trace.empty()) o.processes = 1;
         break;
     default:
         return ARGP_ERR_UNKNOWN;

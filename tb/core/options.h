@@ -32,7 +32,6 @@ struct Options {
     int latency = 20;              /* clocks from a request to its first beat; of a part on top */
     int stall = 0;                 /* percent of clocks a handshake is held back */
     uint64_t seed = 1;             /* of the stalls */
-    int processes = 1;             /* window is shared out by rows */
     bool warm = false;             /* renders twice, the second time with caches kept */
     bool literal = false;          /* the model's frame by sph_traverse() */
     uint64_t watchdog = 200000;    /* clocks without a pixel: hang */

@@ -5,7 +5,6 @@
 #define TB_OUTCOME_H
 
 #include <string>
-#include <vector>
 
 #include "simulate.h"
 
@@ -15,10 +14,9 @@ struct Outcome {
     sph_frame model_frame;
     sph_counters model_counters;
     uint32_t model_errors;
-    Sample *samples[PASSES];       /* frame sized */
-    std::vector<const Run *> runs; /* one a process, window shared out by rows */
-    Pass total[PASSES];            /* summed over runs; errors ored */
-    double seconds;                /* wall clock of the simulation */
+    Sample *samples[PASSES]; /* frame sized */
+    const Run *run;
+    double seconds; /* wall clock of the simulation */
 
     uint64_t pixels() const {
         return static_cast<uint64_t>(window.x1 - window.x0) *

@@ -33,7 +33,7 @@ json_t *counters(const uint64_t *count, bool model) {
 }
 
 double cycles_per_pixel(const Outcome &c, int pass) {
-    return static_cast<double>(c.total[pass].count[SPH_COUNT_CYCLES]) /
+    return static_cast<double>(c.run->pass[pass].count[SPH_COUNT_CYCLES]) /
            static_cast<double>(c.pixels());
 }
 
@@ -46,7 +46,7 @@ double cycles_per_visit(const Pass &p) {
 /* Bytes, and what the clocks went to; of a named part its rows too. */
 json_t *memory_json(const Options &o, const Outcome &c, int pass) {
     static const char *const names[] = {MEMORY_COUNT_NAMES};
-    const Pass &p = c.total[pass];
+    const Pass &p = c.run->pass[pass];
     const bool part = dram_part(o.memory) != nullptr;
     json_t *object = json_object();
     for (int i = 0; i < MEMORY_COUNTS; i++)
@@ -75,22 +75,13 @@ double peak(const Options &o) {
 
 json_t *pass_json(const Options &o, const Outcome &c, int pass) {
     json_t *object = json_object();
-    json_object_set_new(object, "counters", counters(c.total[pass].count, false));
-    json_object_set_new(object, "errors", integer(c.total[pass].errors));
+    json_object_set_new(object, "counters", counters(c.run->pass[pass].count, false));
+    json_object_set_new(object, "errors", integer(c.run->pass[pass].errors));
     json_object_set_new(object, "cycles_per_pixel", json_real(cycles_per_pixel(c, pass)));
-    json_object_set_new(object, "cycles_per_visit", json_real(cycles_per_visit(c.total[pass])));
-    json_object_set_new(object, "issue_port_busy", json_real(issue_use(c.total[pass])));
+    json_object_set_new(object, "cycles_per_visit", json_real(cycles_per_visit(c.run->pass[pass])));
+    json_object_set_new(object, "issue_port_busy", json_real(issue_use(c.run->pass[pass])));
     if (std::string(simulator_name) == "verilator")
         json_object_set_new(object, "memory", memory_json(o, c, pass));
-    json_t *tiles = json_array();
-    for (const Run *run : c.runs) {
-        const Window &w = run->window;
-        json_t *tile = json_pack("{s:[iiii], s:f, s:f}", "window", w.x0, w.y0, w.x1, w.y1,
-                                 "seconds", run->seconds, "cpu_seconds", run->cpu);
-        json_object_set_new(tile, "counters", counters(run->pass[pass].count, false));
-        json_array_append_new(tiles, tile);
-    }
-    json_object_set_new(object, "tiles", tiles);
     return object;
 }
 
@@ -98,37 +89,43 @@ json_t *pass_json(const Options &o, const Outcome &c, int pass) {
 
 std::string counter_table(const Options &o, const Outcome &c) {
     char text[256];
-    std::snprintf(text, sizeof text, "  %-15s %14s %14s%s\n", "", "model", "core",
-                  o.warm ? "           warm" : "");
+    std::snprintf(text, sizeof text, "  %-15s %14s %14s%s\n", "", "model", "core, cold",
+                  o.warm ? "     core, warm" : "");
     std::string table = text;
     for (int i = 0; i < SPH_COUNTERS; i++) {
         char model[32] = "", warm[32] = "";
         if (sph_counter_both(i))
             std::snprintf(model, sizeof model, "%llu", static_cast<ull>(c.model_counters.count[i]));
         if (o.warm)
-            std::snprintf(warm, sizeof warm, " %14llu", static_cast<ull>(c.total[WARM].count[i]));
-        bool wrong = sph_counter_both(i) && c.model_counters.count[i] != c.total[COLD].count[i];
+            std::snprintf(warm, sizeof warm, " %14llu",
+                          static_cast<ull>(c.run->pass[WARM].count[i]));
+        bool wrong = sph_counter_both(i) && c.model_counters.count[i] != c.run->pass[COLD].count[i];
         std::snprintf(text, sizeof text, "  %-15s %14s %14llu%s%s\n", counter_names[i], model,
-                      static_cast<ull>(c.total[COLD].count[i]), warm, wrong ? "  <--" : "");
+                      static_cast<ull>(c.run->pass[COLD].count[i]), warm, wrong ? "  <--" : "");
         table += text;
     }
     return table;
 }
 
-std::string summary(const Options &o, const sph_machine &m, const Outcome &c, const Verdict &v) {
-    char text[512], warm[128] = "";
-    if (o.warm)
-        std::snprintf(warm, sizeof warm, "; warm %.2f cycles/pixel, issue port busy %.1f %%",
-                      cycles_per_pixel(c, WARM), 100 * issue_use(c.total[WARM]));
-    std::snprintf(
-        text, sizeof text,
-        "core %s %s %dx%d: %llu pixels, %llu mismatches, %llu cycles, %.2f cycles/pixel, "
-        "%.3f cycles/visit, issue port busy %.1f %% of cycles while rays wait%s",
-        m.name, sph_machine_profile(&m)->name, c.window.x1 - c.window.x0, c.window.y1 - c.window.y0,
-        static_cast<ull>(c.pixels()), static_cast<ull>(v.mismatches),
-        static_cast<ull>(c.total[COLD].count[SPH_COUNT_CYCLES]), cycles_per_pixel(c, COLD),
-        cycles_per_visit(c.total[COLD]), 100 * issue_use(c.total[COLD]), warm);
+/* What a pass costs, by the name of its caches. */
+static std::string cost(const Outcome &c, int pass, const char *caches) {
+    const Pass &p = c.run->pass[pass];
+    char text[256];
+    std::snprintf(text, sizeof text,
+                  "%s caches: %llu cycles, %.2f cycles/pixel, %.3f cycles/visit, issue port busy "
+                  "%.1f %% of cycles while rays wait",
+                  caches, static_cast<ull>(p.count[SPH_COUNT_CYCLES]), cycles_per_pixel(c, pass),
+                  cycles_per_visit(p), 100 * issue_use(p));
     return text;
+}
+
+std::string summary(const Options &o, const sph_machine &m, const Outcome &c, const Verdict &v) {
+    char text[256];
+    std::snprintf(text, sizeof text, "core %s %s %dx%d: %llu pixels, %llu mismatches; ", m.name,
+                  sph_machine_profile(&m)->name, c.window.x1 - c.window.x0,
+                  c.window.y1 - c.window.y0, static_cast<ull>(c.pixels()),
+                  static_cast<ull>(v.mismatches));
+    return text + cost(c, COLD, "cold") + (o.warm ? "; " + cost(c, WARM, "warm") : "");
 }
 
 bool write_json(const Options &o, const sph_machine &m, const Outcome &c, const Verdict &v,
@@ -138,14 +135,15 @@ bool write_json(const Options &o, const sph_machine &m, const Outcome &c, const 
     for (int i = 0; i < argc; i++)
         command += std::string(i ? " " : "") + argv[i];
     json_t *root = json_pack(
-        "{s:s, s:i, s:s, s:s, s:s, s:s, s:s, s:s, s:[iiii], s:i, s:i, s:I, s:I, s:I, s:f, s:b}",
-        "schema", "sphaera-simulation", "version", 1, "scene", m.name, "profile",
+        "{s:s, s:i, s:s, s:s, s:s, s:s, s:s, s:s, s:[iiii], s:i, s:i, s:I, s:I, s:I, s:f, s:f, "
+        "s:b}",
+        "schema", "sphaera-simulation", "version", 2, "scene", m.name, "profile",
         sph_machine_profile(&m)->name, "command", command.c_str(), "simulator", simulator_name,
         "simulator_version", simulator_version().c_str(), "compiler", __VERSION__, "window", w.x0,
         w.y0, w.x1, w.y1, "latency", o.latency, "stall", o.stall, "seed",
         static_cast<json_int_t>(o.seed), "pixels", static_cast<json_int_t>(c.pixels()),
-        "mismatches", static_cast<json_int_t>(v.mismatches), "seconds", c.seconds, "refused",
-        v.refused);
+        "mismatches", static_cast<json_int_t>(v.mismatches), "seconds", c.seconds, "cpu_seconds",
+        c.run->cpu, "refused", v.refused);
     json_object_set_new(root, "memory",
                         json_pack("{s:s, s:i, s:f}", "name", o.memory.c_str(), "core_mhz",
                                   o.core_mhz, "peak_bytes_per_clock", peak(o)));
@@ -205,9 +203,9 @@ bool write_frames(const Options &o, const Outcome &c, std::string &error) {
             pixels[i] = c.samples[pass][i].pixel;
         sph_shot shot = {{c.model_frame.width, c.model_frame.height, pixels.data()},
                          {{0}},
-                         c.total[pass].errors};
+                         c.run->pass[pass].errors};
         for (int i = 0; i < SPH_COUNTERS; i++)
-            shot.counters.count[i] = c.total[pass].count[i];
+            shot.counters.count[i] = c.run->pass[pass].count[i];
         failed |= sph_shot_write(&shot, o.frame.c_str(), &err);
     }
     if (!o.clocks.empty() && !failed) failed = write_clocks(o, c, &err);

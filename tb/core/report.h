@@ -11,7 +11,7 @@
 /* Table of counters, model beside core (and the warm pass, if there was one). */
 std::string counter_table(const Options &o, const Outcome &c);
 
-/* "core SCENE PROFILE WxH: P pixels, M mismatches, C cycles, ..." */
+/* "core SCENE PROFILE WxH: P pixels, M mismatches; cold caches: C cycles, ..." */
 std::string summary(const Options &o, const sph_machine &machine, const Outcome &c,
                     const Verdict &v);
 

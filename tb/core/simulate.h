@@ -45,7 +45,7 @@ struct Pass {
     uint32_t errors;
 };
 
-/* A window's run; lies in memory that processes share. */
+/* A window's run; lies in memory that the simulating process shares with its parent. */
 struct Run {
     Window window;
     Pass pass[PASSES];

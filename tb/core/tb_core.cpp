@@ -9,10 +9,10 @@
 #include <cstdlib>
 #include <memory>
 
+#include "child.h"
 #include "dram.h"
 #include "life.h"
 #include "report.h"
-#include "share.h"
 
 namespace {
 
@@ -99,7 +99,7 @@ int main(int argc, char **argv) {
     if (model_errors < 0) return complain(err.text);
     c.model_errors = static_cast<uint32_t>(model_errors);
 
-    if (!simulate_shared(o, machine, c, error)) return complain(error);
+    if (!simulate_watched(o, machine, c, error)) return complain(error);
     Verdict v = compare(o, machine, c);
     if (!v.refused && !write_frames(o, c, error)) return complain(error);
     if (!o.json.empty() && !write_json(o, machine, c, v, argc, argv, error)) return complain(error);

@@ -226,7 +226,7 @@ judge
 
 cycles() { # steps: cycles of the same stimulus
     env BUILT=1 EFFECTS=auto SIM=icarus "$@" sh sim/core.sh --machine "$machines/steps.sph" |
-        sed -n 's/^core .* 0 mismatches, \([0-9]*\) cycles.*/\1/p'
+        sed -n 's/^core .* 0 mismatches; cold caches: \([0-9]*\) cycles.*/\1/p'
 }
 fewer() { echo "$1 $2" && [ "$1" -gt 0 ] && [ "$1" -lt "$2" ]; }
 [ -n "$CORE" ] || {

@@ -48,7 +48,7 @@ build_cores
 run_all
 judge
 
-cycles() { sed -n 's/^core .* mismatches, \([0-9]*\) cycles.*/\1/p' "$TMP/$1.log"; }
+cycles() { sed -n 's/^core .* mismatches; cold caches: \([0-9]*\) cycles.*/\1/p' "$TMP/$1.log"; }
 number=0
 while read -r name; do
     number=$((number + 1))

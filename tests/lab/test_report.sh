@@ -11,7 +11,26 @@ sim() {
     env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL make --no-print-directory sim B="$BUILD" JOBS=1 \
         SIM=icarus SCENE=paper5 PROFILE=draft SIZE=12x8 "$@"
 }
-rm -f "$TMP/runs.csv"
+rm -f "$TMP/runs.csv" "$TMP/jobs.csv"
+
+# What a run counts is of one core, whatever the processors of the host; both passes are named.
+for jobs in 1 2 4; do
+    sim SIZE=12x24 WARM=1 JOBS=$jobs CSV="$TMP/jobs.csv" | grep '^core ' >"$TMP/jobs.$jobs"
+done
+named() { # the figures of the terminal are those of the table, pass by pass
+    python3 - "$TMP/jobs.csv" "$TMP/jobs.1" <<'CHECK'
+import csv, re, sys
+rows = list(csv.DictReader(open(sys.argv[1])))
+told = dict(re.findall(r"(cold|warm) caches: (\d+) cycles", open(sys.argv[2]).read()))
+assert [r["caches"] for r in rows] == ["cold", "warm"] * 3, rows
+assert all(r["cycles"] == told[r["caches"]] for r in rows), (told, rows)
+assert told["cold"] != told["warm"], told
+CHECK
+}
+check "cycles do not depend on JOBS" sh -c "cmp '$TMP/jobs.1' '$TMP/jobs.2' &&
+    cmp '$TMP/jobs.1' '$TMP/jobs.4'"
+check "the terminal and the table tell both passes, by name" named
+
 check "a run leaves a page" sim CSV="$TMP/runs.csv"
 run=$TMP/run wrong=$TMP/wrong
 cp -rL "$BUILD/out/last" "$run"
