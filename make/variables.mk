@@ -72,6 +72,9 @@ STALL ?= 0
 MEMORY ?= ideal
 ## CORE_MHZ 1..2000 clock of the core beside such a memory
 CORE_MHZ ?= 84
+## WATCHDOG 1.. clocks in which a core does nothing at all (no pixel, no line of memory, no work
+##             that it counts) before make sim, without TOP, gives it up: exit code 4
+WATCHDOG ?= 200000
 ## TOP 0|1 if 1, make sim draws FRAMES one behind the other on one rt_top
 TOP ?= 0
 ## FRAMES <text>| of a moving scene, of make film and TOP=1, such as 0..9 (empty: 0..0)

@@ -83,7 +83,7 @@ esac
 say SIM "$name $PROFILE $SIZE in $SIM"
 set -- --machine "$run/scene.sph" --latency "$LATENCY" --stall "$STALL" --seed "$SEED" \
     --memory "$MEMORY" --core-mhz "$CORE_MHZ" \
-    --progress --frame "$run/rtl.frame" --json "$run/report.json" \
+    --watchdog "$WATCHDOG" --progress --frame "$run/rtl.frame" --json "$run/report.json" \
     --model-frame "$run/model.frame" --clocks "$run/rtl.clocks"
 [ -z "$WINDOW" ] || set -- "$@" --window "$(echo "$WINDOW" | awk -F , -v n="$SAMPLES" \
     '{ print $1 * n "," $2 * n "," $3 * n "," $4 * n }')" # in pixels of the frame
@@ -98,7 +98,7 @@ cat "$run/log"
 printf '%s\n' "${REPEATED:-}" >"$run/command"
 # A mismatch: its pixel alone once more, with a waveform, which the report links.
 repeat=$(sed -n 's/^repeat: //p' "$run/log")
-if [ "$rc" != 0 ] && [ "$SIM" = verilator ] && [ -n "$repeat" ]; then
+if [ "$rc" = 1 ] && [ "$SIM" = verilator ] && [ -n "$repeat" ]; then
     say WAVE pixel.fst
     sh -c "${repeat%pixel.fst}'$run/pixel.fst'" >"$run/pixel.log" 2>&1 || : # it fails again
 fi

@@ -34,7 +34,7 @@ struct Options {
     uint64_t seed = 1;             /* of the stalls */
     bool warm = false;             /* renders twice, the second time with caches kept */
     bool literal = false;          /* the model's frame by sph_traverse() */
-    uint64_t watchdog = 200000;    /* clocks without a pixel: hang */
+    uint64_t watchdog = 200000;    /* clocks without progress: given up */
     uint64_t max_cycles = 0;       /* 0: no limit */
     bool stop = false;             /* at the first pixel that differs; the rest counts as equal */
     int64_t bus_error_at = -1;     /* this line request, from 0, answers with an error */

@@ -34,6 +34,8 @@ inline double issue_use(const Pass &p) {
 struct Verdict {
     uint64_t mismatches; /* pixels, counters, error bits and failures of the run */
     std::string text;    /* what is wrong, the first pixel in full; empty if nothing */
+    bool given_up;       /* the core had not its time: of what it owes nothing is said */
+    bool no_input;       /* the bench read no machine: nothing is said of the core */
     bool refused;        /* the core takes no such machine, and nobody expected that */
     int first[2];        /* x, y of the first wrong pixel; -1: none */
     std::string repeat;  /* the command that repeats what is wrong, if anything is */

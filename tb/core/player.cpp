@@ -4,6 +4,7 @@
 #include "player.h"
 
 #include "outcome.h"
+#include "progress.h"
 
 namespace {
 
@@ -54,6 +55,7 @@ void Player::release() {
 void Player::run(const sph_machine &machine, const Window &w, const char *what, const How &how) {
     const uint64_t asked = host_.memory().requests();
     uint64_t clock = 0;
+    Progress progress;
     last_ = gone_ = starts = writes = 0;
     run_.window = w;
     samples_.assign(static_cast<size_t>(machine.regs[SPH_REG_FRAME_W]) *
@@ -88,8 +90,10 @@ void Player::run(const sph_machine &machine, const Window &w, const char *what, 
             else
                 host_.memory().silence(on);
         }
+        progress.before(host_, !how.disturb);
         seen_ = host_.clock();
-        if (clock - last_ > o_.watchdog) fail(run_, "%s: no pixel for too long", what);
+        progress.after(host_, seen_, run_.pixels);
+        if (progress.quiet() >= o_.watchdog) fail(run_, "%s: no progress for too long", what);
     }
     release();
     length = clock;

@@ -50,6 +50,8 @@ struct Run {
     Window window;
     Pass pass[PASSES];
     const sph_frame *model; /* what the pixels are compared with at once; null: they are not */
+    bool no_input;          /* the bench could not read the machine: nothing was simulated */
+    bool given_up;          /* the core made no progress for too long, or took too many clocks */
     bool stopped;           /* a pixel differed, and nothing after it was simulated */
     std::atomic<uint64_t> pixels; /* delivered so far, all passes */
     std::atomic<int> done;

@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "host.h"
+#include "progress.h"
 
 namespace {
 
@@ -19,9 +20,17 @@ void pass(Host &core, const Options &o, bool keep, Sample *samples, Run &run, Pa
     core.pins.start = true;
     Host::Seen seen = core.clock();
     core.pins.start = false;
+    Progress progress;
     for (clock = 1; seen.busy && !run.failure[0] && !run.stopped; clock++) {
+        progress.before(core);
         seen = core.clock();
-        if (clock - last >= o.watchdog) fail(run, "no pixel for too long");
+        progress.after(core, seen, run.pixels);
+        run.given_up = progress.quiet() >= o.watchdog;
+        if (run.given_up)
+            fail(run, "clock %llu: no progress for %llu clocks, the last pixel in clock %llu",
+                 static_cast<unsigned long long>(clock),
+                 static_cast<unsigned long long>(o.watchdog),
+                 static_cast<unsigned long long>(last));
     }
     core.pixel = nullptr;
     out.errors = seen.errors;

@@ -2,18 +2,20 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Writes registers and memory in hex, runs vvp with tb_core_icarus.v, reads its text, and ends it
- * by reading no more. The files lie beside the compiled bench and are removed at the end.
+ * by reading no more. The files lie in a folder of their own in /tmp and are removed at the end.
  */
 #include "driven_icarus.h"
 
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <climits>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <string>
 
 const char *const simulator_name = "icarus";
@@ -51,11 +53,20 @@ bool write_memory(const std::string &path, const sph_machine &m) {
     return !std::fclose(f);
 }
 
-/* Starts vvp; the text that it writes. */
+/* A word as the shell takes it. */
+std::string quoted(const std::string &word) {
+    std::string all = "'";
+    for (char c : word)
+        all += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return all + "'";
+}
+
+/* Starts vvp; the text that it writes. Icarus opens no file whose name has more than plain letters,
+ * so that base has none, and the waveform gets its name at the end. */
 File start_bench(const Options &o, const std::string &base) {
-    std::string trace = o.trace.empty() ? "" : " +dump='" + o.trace + "' -fst";
+    std::string trace = o.trace.empty() ? "" : " +dump='" + base + ".fst' -fst";
     std::string command =
-        "exec vvp -n '" + o.engine + "' +regs='" + base + ".regs' +mem='" + base +
+        "exec vvp -n " + quoted(o.engine) + " +regs='" + base + ".regs' +mem='" + base +
         ".mem' +out=/dev/fd/3 +latency=" + std::to_string(o.latency) +
         " +stall=" + std::to_string(o.stall) + " +seed=" + std::to_string(o.seed) +
         " +watchdog=" + std::to_string(o.watchdog) +
@@ -123,6 +134,14 @@ bool read_line(const char *text, const sph_machine &m, Sample *samples[PASSES], 
     case 'h':
         fail(run, "%.*s", static_cast<int>(std::strcspn(text + 2, "\n")), text + 2);
         return true;
+    case 'g':
+        run.given_up = true;
+        fail(run, "%.*s", static_cast<int>(std::strcspn(text + 2, "\n")), text + 2);
+        return true;
+    case 'n':
+        run.no_input = true;
+        fail(run, "vvp has %.*s", static_cast<int>(std::strcspn(text + 2, "\n")), text + 2);
+        return true;
     case 'w':
         pass = WARM;
         return true;
@@ -145,7 +164,9 @@ void simulate(const Options &o, const sph_machine &machine, Sample *samples[PASS
         fail(run, "%u lines of memory; the Icarus bench holds %u", machine.lines, BENCH_LINES);
         return;
     }
-    std::string base = std::string(real) + "." + std::to_string(getpid());
+    char folder[] = "/tmp/sphaera_icarus.XXXXXX";
+    if (!mkdtemp(folder)) return fail(run, "%s: %s", folder, std::strerror(errno));
+    const std::string base = std::string(folder) + "/bench";
     int pass = COLD;
     bool ended = false;
     if (!write_registers(base + ".regs", machine, w) || !write_memory(base + ".mem", machine)) {
@@ -160,12 +181,19 @@ void simulate(const Options &o, const sph_machine &machine, Sample *samples[PASS
                      text);
         }
         int status = f ? pclose(f) : -1;
-        if (!run.stopped && (status || !ended))
+        if (!run.stopped && !run.no_input && (status || !ended))
             fail(run, "vvp ended with status 0x%x before its time: %s",
                  static_cast<unsigned>(status), first_line(base + ".log").c_str());
     }
-    for (const char *ending : {".regs", ".mem", ".log"})
+    if (!o.trace.empty()) {
+        std::error_code why;
+        std::filesystem::copy_file(base + ".fst", o.trace,
+                                   std::filesystem::copy_options::overwrite_existing, why);
+        if (why) fail(run, "%s: %s", o.trace.c_str(), why.message().c_str());
+    }
+    for (const char *ending : {".regs", ".mem", ".log", ".fst"})
         std::remove((base + ending).c_str());
+    rmdir(folder);
     run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 

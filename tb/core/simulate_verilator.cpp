@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "progress.h"
 #include "verilated_core.h"
 
 const char *const simulator_name = "verilator";
@@ -65,6 +66,7 @@ void Bench::disturb() {
 }
 
 void Bench::hang(const char *why, uint64_t last_pixel) {
+    run_.given_up = true;
     const Vrt_core &p = core_.ports();
     fail(run_, "clock %llu: %s, %llu of %llu pixels delivered, the last in clock %llu",
          static_cast<ull>(core_.cycle()), why, static_cast<ull>(run_.pixels),
@@ -93,10 +95,13 @@ void Bench::pass(Sample *samples, bool keep, Pass &out) {
     core_.pins.start = true;
     Host::Seen seen = core_.clock();
     core_.pins.start = false;
+    Progress progress;
     while (seen.busy && !run_.failure[0] && !run_.stopped) {
         if (o_.stall) disturb();
+        progress.before(core_);
         seen = core_.clock();
-        if (core_.cycle() - last_pixel > o_.watchdog) hang("no pixel for too long", last_pixel);
+        progress.after(core_, seen, run_.pixels);
+        if (progress.quiet() >= o_.watchdog) hang("no progress for too long", last_pixel);
         if (o_.max_cycles && core_.cycle() - begin > o_.max_cycles)
             hang("more clocks than --max-cycles", last_pixel);
     }

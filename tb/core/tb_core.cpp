@@ -2,8 +2,9 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Linked with simulate_verilator.cpp it is build/sim/KEY/tb_core, with simulate_icarus.cpp
- * build/sim/tb_core_icarus. Exit code 0: every bit equal; 1: mismatch or hang; 2: no such file...;
- * 3: the core was built without what the machine asks for.
+ * build/sim/tb_core_icarus. Exit code 0: every bit equal; 1: mismatch; 2: no such file, an input
+ * that the bench cannot read...; 3: the core was built without what the machine asks for; 4: given
+ * up, for the core made no progress.
  */
 #include <cstdio>
 #include <cstdlib>
@@ -101,10 +102,19 @@ int main(int argc, char **argv) {
 
     if (!simulate_watched(o, machine, c, error)) return complain(error);
     Verdict v = compare(o, machine, c);
+    if (v.no_input) return complain(v.text);
     if (!v.refused && !write_frames(o, c, error)) return complain(error);
     if (!o.json.empty() && !write_json(o, machine, c, v, argc, argv, error)) return complain(error);
     std::fputs(v.text.c_str(), stdout);
     if (v.refused) return v.mismatches ? 1 : 3;
+    if (v.given_up) {
+        std::printf("given up: core %s %s %dx%d: %llu of %llu pixels; more clocks by --watchdog, "
+                    "WATCHDOG of make\n",
+                    machine.name, sph_machine_profile(&machine)->name, c.window.x1 - c.window.x0,
+                    c.window.y1 - c.window.y0, static_cast<unsigned long long>(c.run->pixels),
+                    static_cast<unsigned long long>(c.pixels() * (o.warm ? 2 : 1)));
+        return 4;
+    }
     if (o.progress) std::fputs(counter_table(o, c).c_str(), stdout);
     std::printf("%s\n", summary(o, machine, c, v).c_str());
     sph_frame_free(&c.model_frame);

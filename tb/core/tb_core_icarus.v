@@ -153,8 +153,6 @@ module tb_core_icarus #(
         if (!$value$plusargs("spoil=%d", spoil)) spoil = -1;
         if (!$value$plusargs("reset_at=%d", reset_at)) reset_at = -1;
         if (!$value$plusargs("reset_for=%d", reset_for)) reset_for = 1;
-        if ($value$plusargs("regs=%s", name)) $readmemh(name, regs);
-        if ($value$plusargs("mem=%s", name)) $readmemh(name, mem);
         if ($value$plusargs("dump=%s", name)) begin
             $dumpfile(name);
             $dumpvars(0, tb_core_icarus);
@@ -164,6 +162,12 @@ module tb_core_icarus #(
         if ($value$plusargs("pins=%s", name)) begin
             driven = 1'b1;
             pins = $fopen(name, "r");
+        end else begin         // what Icarus cannot read it leaves unknown, and goes on
+            if ($value$plusargs("regs=%s", name)) $readmemh(name, regs);
+            if (^regs[N_REGS-1] === 1'bx) $fwrite(out, "n no registers from %0s\n", name);
+            if ($value$plusargs("mem=%s", name)) $readmemh(name, mem);
+            if (^mem[0] === 1'bx) $fwrite(out, "n no memory from %0s\n", name);
+            if (^regs[N_REGS-1] === 1'bx || ^mem[0] === 1'bx) $finish;
         end
     end
 `include "icarus_pins.vh"
@@ -188,6 +192,7 @@ module tb_core_icarus #(
             offered = 1'b0;
             beat = (beat + 1) % 4;
             if (beat == 0) head = (head + 1) % QUEUE;
+            quiet = 0;
         end
         if (!rst && req_valid && req_ready) begin
             q_line[tail] = req_line;
@@ -228,7 +233,10 @@ module tb_core_icarus #(
     end
 
     // ---- registers, passes, counters ----
-    integer i, noise;
+    integer i, noise, work;
+    reg [47:0] worked [0:2];         // counters of work, one a clock: they move while a core goes on
+    wire [4:0] working = work == 0 ? `RT_COUNT_NODE_VISITS :
+                         work == 1 ? `RT_COUNT_LEAF_TESTS : `RT_COUNT_FACET_TESTS;
     task show(input [4:0] number);   // a clock later it is there
         begin
             count_addr <= number;
@@ -241,6 +249,7 @@ module tb_core_icarus #(
             keep <= keep_cache;
             start <= 1'b1;
             quiet = 0;
+            work = 0;
             @(posedge clk);
             begun = $time;
             last = $time;
@@ -253,12 +262,15 @@ module tb_core_icarus #(
                     cfg_addr <= $random(noise);
                     cfg_data <= $random(noise);
                 end
+                count_addr <= working;
                 @(posedge clk);
-                #1;
+                #1 if (count_data !== worked[work]) quiet = 0;
+                worked[work] = count_data;
+                work = (work + 1) % 3;
             end
             start <= 1'b0;
             cfg_valid <= 1'b0;
-            if (busy) $fwrite(out, "h no pixel for %0d clocks: mem_req valid %b line %0d, ", quiet,
+            if (busy) $fwrite(out, "g no progress for %0d clocks: mem_req valid %b line %0d, ", quiet,
                               req_valid, req_line,
                               "mem_rsp valid %b ready %b, memory owes %0d lines, pix valid %b\n",
                               rsp_valid, rsp_ready, (tail - head + QUEUE) % QUEUE, pix_valid);

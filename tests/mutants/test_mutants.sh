@@ -86,7 +86,7 @@ job() {
     rm -rf "$here"
     [ "$file" != - ] || return $rc
     # a difference, not a build that broke
-    [ $rc -eq 1 ] || return $((rc ? 2 : 1))
+    [ $rc -eq 1 ] || [ $rc -eq 4 ] || return $((rc ? 2 : 1)) # 4: the core hangs
     grep -qE 'does not build|nothing matches' "$1.out" && return 2
     grep -qE ' [1-9][0-9]* mismatches|^not ok' "$1.out"
 }
@@ -173,7 +173,7 @@ for file in "$TMP"/*.job; do
         continue
     fi
     how=$(sed -n 's/^  stage  *//p; s/^counter \([^ ]*\).*/counter \1/p
-        s/^\(error bit [a-z_]*\).*/\1/p; s/^\(no pixel for .* clocks\).*/hang: \1/p
+        s/^\(error bit [a-z_]*\).*/\1/p; s/^.*\(no progress for .*\)/hang: \1/p
         s/^vvp ended .* time: .*u_core\.//p; s/^not ok/&/p' "$file.log" | head -n 1)
     case $rc in
     0) tap 0 "mutant $name ($rule) killed by $by: $how" "$file.log" ;;
