@@ -2,13 +2,12 @@
 # background.py - puts the tables of docs/results/background.md in their places
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab.background PAGE FOLDER SYNTH KEY... -- NAME...
-A table stands between `<!-- NAME -->` and `<!-- end -->`; what is outside is left as it is.
 FOLDER has NAME.json of `sphaera background` and NAME-WAY.core.json of the RTL's runs; SYNTH/KEY is
 what synth/core.sh left: the plain core first, then one with each way."""
-import json
 import os
 import sys
 
+from .pages import whole
 from .pages.place import place
 from .synth import report, results
 
@@ -73,14 +72,13 @@ def series(view):
                          "rays for the border"], rows)
 
 
-def counted(views, folder, counter):
+def counted(names, folder, counter):
     """A counter of the RTL without separation, and what each way leaves of it."""
     rows = []
-    for name in views:
+    for name in names:
         row = [name]
         for built in BUILT:
-            with open(os.path.join(folder, f"{name}-{built}.core.json"), encoding="utf-8") as f:
-                run = json.load(f)
+            run = whole.load(os.path.join(folder, f"{name}-{built}.core.json"))
             if run["mismatches"] or run["cold"]["errors"]:
                 sys.exit(f"background: {name} {built}: model and RTL differ")
             count = run["cold"]["counters"][counter]
@@ -94,7 +92,8 @@ def counted(views, folder, counter):
 
 def cells(synth, keys):
     """Cells of the plain core, and what each way adds."""
-    runs = [results.read(os.path.join(synth, key)) for key in keys]
+    runs = [whole.there(os.path.join(synth, key, "stat.json")) and
+            results.read(os.path.join(synth, key)) for key in keys]
     columns = ["lut4eq", "ff", "dpr", "bram", "mult"]
     total = [run["modules"]["rt_core"]["total"] for run in runs]
     rows = [["plain core"] + [total[0][c] for c in columns]]
@@ -106,15 +105,15 @@ def cells(synth, keys):
 
 def main(page, folder, synth, *rest):
     keys, names = rest[:rest.index("--")], rest[rest.index("--") + 1:]
-    views = {}
-    for name in names:
-        with open(os.path.join(folder, name + ".json"), encoding="utf-8") as f:
-            views[name] = json.load(f)
-    tables = {"saved": saved(views), "literal": literal(views), "setup": setup(views[SHOWN]),
-              "walk": walk(views[SHOWN]), "series": series(views[SHOWN]),
-              "visits": counted(views, folder, "node_visits"),
-              "cycles": counted(views, folder, "cycles"), "cells": cells(synth, keys)}
-    place(page, tables)
+
+    def views():
+        return {name: whole.load(os.path.join(folder, name + ".json")) for name in names}
+    place(page, "make background", {
+        "saved": lambda: saved(views()), "literal": lambda: literal(views()),
+        "setup": lambda: setup(views()[SHOWN]), "walk": lambda: walk(views()[SHOWN]),
+        "series": lambda: series(views()[SHOWN]),
+        "visits": lambda: counted(names, folder, "node_visits"),
+        "cycles": lambda: counted(names, folder, "cycles"), "cells": lambda: cells(synth, keys)})
 
 
 if __name__ == "__main__":

@@ -2,10 +2,9 @@
 # bart.py - puts the tables of docs/results/bart.md in their places
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab.bart PAGE FOLDER SIZE MHZ -- NAME:MIDDLE:FRAME,FRAME... ...
-FOLDER has what make/bart.mk says; what is not there is a dash, and a mean is that of the frames
-that are there. MHZ: the paper's clock."""
+FOLDER has what make/bart.mk says. MHZ: the paper's clock."""
 import sys
-from functools import lru_cache
+from functools import lru_cache, partial
 
 from .pages import data as tables
 from .pages.place import place
@@ -227,9 +226,9 @@ def main():
     if dashes != "--" or not scenes:
         sys.exit(__doc__)
     data = Frames(folder, size, mhz, scenes)
-    place(page, {"frames": frames(data), "levels": levels(data), "operations": operations(data),
-                 "caches": caches(data), "clocks": clocks(data), "memory": memory(data),
-                 "sequence": sequence(data)})
+    made = {"frames": frames, "levels": levels, "operations": operations, "caches": caches,
+            "clocks": clocks, "memory": memory, "sequence": sequence}
+    place(page, "make bart", {name: partial(table, data) for name, table in made.items()})
 
 
 if __name__ == "__main__":

@@ -104,9 +104,9 @@ def main(build, *names):
         for kind, line, name, what in sorted(p for p, n in met.items() if not n)[:12]:
             print(f"    never: {module}.v:{line} {kind} {name} {what}", flush=True)
     if not names:
-        place.place(page.PAGE, {"coverage": page.markdown(
+        place.place(page.PAGE, "make coverage", {"coverage": [
             ["module", "lines of its bench", "branches taken", "%", "bits toggled", "%"],
-            rows).rstrip("\n")})
+            *rows]})
 
 
 if __name__ == "__main__":

@@ -53,7 +53,8 @@ def main():
     if not made:
         sys.exit(f"fuzz: {runs}: no run is there; {page} stays as it is")
     rows = of_page(page.read_text(encoding="utf-8")) | made
-    place.place(page, {"runs": HEAD + "".join(row + "\n" for row in rows.values())})
+    place.place(page, "make fuzz-page", {"runs": HEAD + "\n".join(rows.values())},
+                rest=bool(set(rows) - set(made)))
 
 
 main()

@@ -108,7 +108,7 @@ def sums(rows, kind):
 
 
 def main():
-    page, picture, listing, *tables = sys.argv[1:]
+    page, command, family, picture, listing, *tables = sys.argv[1:]
     kind = dict(re.findall(r"^\| `(\w+)` \| (\w+) \|", Path(listing).read_text(encoding="utf-8"),
                            re.M))
     head, old = data.read("hard_cases.campaign")
@@ -116,8 +116,8 @@ def main():
     order = ["3 bits", *kind]
     rows.sort(key=lambda r: order.index(r["family"]))
     text, kinds = sums(rows, kind)
-    place(page, {"campaign": markdown.table(head, [[r[h] for h in head] for r in rows]),
-                 "sums": text, "kinds": kinds})
+    place(page, command, {"campaign": markdown.table(head, [[r[h] for h in head] for r in rows]),
+                          "sums": text, "kinds": kinds}, rest=bool(family))
     chart(rows, picture)
 
 

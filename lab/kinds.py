@@ -44,7 +44,7 @@ def measured(tool, folder, name, source):
 def main(tool, page):
     with tempfile.TemporaryDirectory() as folder:
         rows = [row for scene in SCENES for row in measured(tool, folder, *scene)]
-    place(page, {"kinds": report.table(
+    place(page, "make kinds", {"kinds": report.table(
         ["scene", "tree", "nodes", "bytes a node", "bytes", "steps", "tests", "build, ms",
          "draw, ms", "image, ms"], rows, 2)})
 

@@ -130,7 +130,7 @@ def main(tool, specks, folder, page):
             rows.append([name, profile] + [w[2] for w in words] + [w[4] for w in words])
             print(" ".join(rows[-1]), flush=True)
     names = [f"{what}, {rule}" for what in ("dark", "lit") for rule in RULES]
-    place(page, {"specks": table(["scene", "profile"] + names, rows)})
+    place(page, "make specks", {"specks": table(["scene", "profile"] + names, rows)})
 
 
 if __name__ == "__main__":

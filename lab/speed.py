@@ -2,8 +2,8 @@
 # speed.py - the golden model beside Embree and POV-Ray, and how it grows: `make bench`
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab.speed TOOL FOLDER PAGE [EMBREE]
-EMBREE: sim/embree.c, compiled; without it, or without POV-Ray, their columns are left out and that
-is said. All that is compared runs in turn in one call, with one thread; times are those of the
+EMBREE: sim/embree.c, compiled; without it, or without POV-Ray, tables that have them are shown on
+the terminal alone. All that is compared runs in turn in one call, with one thread; times are those of the
 processor, so that other programs disturb them little. SIZES of the environment: spheres of the
 growth, such as "100 1000"; TABLES: those to make, of "rays frames growth"."""
 import json
@@ -13,7 +13,9 @@ import shutil
 import statistics
 import subprocess
 import sys
+from functools import partial
 
+from .pages import whole
 from .pages.place import place
 from .synth.report import table
 
@@ -24,6 +26,7 @@ FACETS = [("kitchen", ()), ("kitchen, bih", ("--accel", "bih"))]  # scenes of tr
 SIZES = "100 1000 10000 100000 1000000 10000000"
 STANDARD = 1000000  # more spheres have profile fine: the grid of standard merges some of them
 MEMORY = "16G"
+NO_EMBREE = "no Embree: make bench-setup"
 CHART = """set terminal svg noenhanced size 900,480 font "sans,13" background "white"
 set output "{out}"
 set title "Random spheres, processor time"
@@ -101,6 +104,8 @@ def ratio(ours, other):
 
 
 def beside_embree(bench):
+    if not bench.embree:
+        return whole.lack(NO_EMBREE)
     rows = []
     for kind in SCENES:
         _, machine, _, _ = bench.machine(kind)
@@ -116,7 +121,7 @@ def beside_embree(bench):
 
 def frames(bench):
     """Whole frames, shading too; POV-Ray reads its file only once."""
-    rows, povray = [], shutil.which("povray")
+    rows, povray = [], shutil.which("povray") or whole.lack("no POV-Ray: make truth-setup")
     for kind in SCENES:
         scene, machine, _, _ = bench.machine(kind)
         literal, fast, packets, other = [], [], [], []
@@ -139,8 +144,12 @@ def frames(bench):
 
 
 def growth(bench):
-    rows = []
-    for size in os.environ.get("SIZES", SIZES).split():
+    rows, sizes = [], os.environ.get("SIZES", SIZES)
+    if sizes != SIZES:
+        whole.lack(f"sizes {sizes} alone")
+    if not bench.embree:
+        whole.lack(NO_EMBREE)
+    for size in sizes.split():
         profile = "standard" if int(size) <= STANDARD else "fine"
         _, machine, report, memory = bench.machine(f"random:{size}", profile)
         took = [bench.frame(machine) for _ in range(3)]
@@ -175,20 +184,16 @@ def chart(text, picture):
 def main(tool, folder, page, embree=None):
     bench, texts = Bench(tool, folder, embree), {}
     wanted = os.environ.get("TABLES", "rays frames growth").split()
-    if not embree:
-        print("bench: no Embree here: make bench-setup installs it", flush=True)
-    if not shutil.which("povray"):
-        print("bench: no POV-Ray here: make truth-setup installs it", flush=True)
-    if embree and "rays" in wanted:
-        texts["rays"] = beside_embree(bench)
-    if "frames" in wanted:
-        texts["frames"] = frames(bench)
-    if "growth" in wanted:
-        texts["growth"] = growth(bench)
+
+    def kept(name, table):
+        texts[name] = table(bench)
+        print(f"{name}:\n{texts[name]}\n", flush=True)
+        return texts[name]
+    tables = {"rays": beside_embree, "frames": frames, "growth": growth}
+    put = place(page, "make bench", {name: partial(kept, name, table)
+                                     for name, table in tables.items() if name in wanted})
+    if "growth" in put:
         chart(texts["growth"], PICTURE)
-    for name, text in texts.items():
-        print(f"{name}:\n{text}\n", flush=True)
-    place(page, texts)
 
 
 if __name__ == "__main__":

@@ -62,6 +62,5 @@ report: results
 
 page: $(PAGE:%=$B/synth/%/stat.json)
 	$(Q)python3 -m lab.synth.page docs/results/area.md $B/synth $(PAGE)
-	$(Q)python3 -m lab.pages.measured docs/results/area.md "make area"
 
 -include $(patsubst %,$B/synth/%/sources.d,$(sort $(KEYS) $(PAGE)))

@@ -45,7 +45,6 @@ background: $(BG_NAMES:%=$(BG)/%.json) $(BG_RUNS) $(BG_SYNTH:%=%/stat.json) \
     $(BG_DRAWN:%=$(BG_SHOWN)/%.png)
 	$(Q)python3 -m lab.background $(BG_PAGE) $(BG) $B/synth $(BG_SYNTH:$B/synth/%=%) \
 	    -- $(BG_NAMES)
-	$(Q)python3 -m lab.pages.measured $(BG_PAGE) "make background"
 	@echo "tables and pictures in $(BG_PAGE)"
 
 $(BG)/%.json: %.nff $(TOOL)

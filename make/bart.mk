@@ -59,7 +59,6 @@ bart-folder:
 bart-page: # from the results that are there
 	$(Q)python3 -m lab.bart $(BT_PAGE) $(BT) $(BT_SIZE) $(BT_MHZ) -- \
 	    $(foreach n,kitchen robot museum,$n:$(BT_MID_$n):$(subst $(subst ,, ),$(comma),$(BT_AT_$n)))
-	$(Q)python3 -m lab.pages.measured $(BT_PAGE) "make bart"
 	@echo "tables in $(BT_PAGE)"
 
 # All frames of a scene have the profile that the middle one asks for, so one core draws them.

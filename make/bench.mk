@@ -21,7 +21,6 @@ bench-setup: ## installs Embree (apt), which make bench sets the model beside
 bench: $(TOOL) $(EMBREE) ## one way of the golden model against another, and Embree, as ratios
 	$(Q)python3 -m lab.bench $(TOOL) $B/bench
 	$(Q)python3 -m lab.speed $(TOOL) $B/bench docs/results/speed.md $(EMBREE)
-	$(Q)python3 -m lab.pages.measured docs/results/speed.md "make bench"
 
 hashes: $(TOOL) $B/test/naive-frame ## write scenes/hashes*.txt: what both models draw now
 	$(Q)SPHAERA=$(TOOL) sh sim/hashes.sh >$B/hashes.txt
@@ -34,4 +33,3 @@ trees: $(TOOL) ## table of visits in each tree, against a bound; a minute
 
 kinds: $(TOOL) ## kinds of trees beside each other, a kd-tree too: docs/results/trees.md
 	$(Q)python3 -m lab.kinds $(TOOL) docs/results/trees.md
-	$(Q)python3 -m lab.pages.measured docs/results/trees.md "make kinds"

@@ -17,7 +17,6 @@ campaign: $(LIB) $(TOOL) $B/test/libhard.a ## faults by Yosys in every module, a
 	@sh tb/run_bench.sh --tools && sh sim/core.sh --help >$B/mutants/harness.log
 	$(Q)$(foreach n,$(campaign_lists),$(call campaign_one,$n) &&) true
 	@python3 -m lab.mutants tell $B $(FAULTS) $(SEED)
-	@python3 -m lab.pages.measured docs/results/mutants.md "make campaign"
 
 # Faults in the arithmetic of the golden model, as many as are begun within MINUTES.
 campaign_model = builder core fast machine math pixel prim reference shade texture trace
@@ -26,13 +25,10 @@ campaign_suite = $(patsubst %.c,$B/test/%.o, \
 campaign-c: $(campaign_suite:.o=.sanitized.o) $B/asan/libsphaera.a
 campaign-c: $(LIB) $(campaign_suite) $B/test/hard ## faults in the model, and what notices them
 	@JOBS=$(JOBS) python3 -m lab.mutants.model $B $(FAULTS) $(SEED) $(MINUTES) $(CC) $(CFLAGS)
-	@python3 -m lab.pages.measured docs/results/mutants.md "make campaign-c" \
-	    model model_reasons model_run model_faults
 
 # Branches and bits that the benches of small modules meet.
 coverage: $(LIB) $B/test/libhard.a ## branches and bits of small modules that their benches meet
 	@sh tb/run_bench.sh --tools
 	$(Q)python3 -m lab.coverage $B
-	@python3 -m lab.pages.measured docs/results/mutants.md "make coverage" coverage
 
 .PHONY: campaign campaign-c coverage

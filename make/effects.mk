@@ -18,7 +18,6 @@ effects: ## docs/results/effects.md: each effect of each scene, cells and time i
 	    EFFECTS="$$(cat $E/lists)"
 	+$(Q)$(MAKE) --no-print-directory effects-runs
 	$(Q)python3 -m lab.effects.page docs/results/effects.md $E $B/synth
-	$(Q)python3 -m lab.pages.measured docs/results/effects.md "make effects"
 
 effects-machines: $(TOOL)
 	$(Q)python3 -m lab.effects.scenes $(TOOL) $E $B/synth

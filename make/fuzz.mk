@@ -117,7 +117,6 @@ fuzz: ## readers of files and options: MINUTES for each HARNESS; docs/results/fu
 .PHONY: fuzz-page
 fuzz-page: ## what make fuzz has run, into docs/results/fuzz.md
 	$(Q)python3 -m lab.fuzz $(FUZZ)/runs.tsv docs/results/fuzz.md
-	$(Q)python3 -m lab.pages.measured docs/results/fuzz.md "make fuzz-page"
 
 # ---- faults on the way of files ----
 .PHONY: faults

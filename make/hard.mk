@@ -30,10 +30,8 @@ hard-page: $B/test/hard ## the same, and its table and chart put into docs/resul
 	$(Q)$(hard_parts)
 	@$(hard_run) >$B/test/hard.table
 	@$< --list >$B/test/hard.list
-	@python3 -m lab.hard docs/results/hard_cases.md docs/pictures/hard_cases.svg \
-	    $B/test/hard.list $B/test/hard.table
-	@python3 -m lab.pages.measured docs/results/hard_cases.md \
-	    "make hard-page N=$(N)$(if $(FAMILY), FAMILY=$(FAMILY))"
+	@python3 -m lab.hard docs/results/hard_cases.md "make hard-page N=$(N)" '$(FAMILY)' \
+	    docs/pictures/hard_cases.svg $B/test/hard.list $B/test/hard.table
 
 hard-lists: $B/test/hard ## prints the named cases, their families, and which notices which fault
 	@$< --list
@@ -70,8 +68,8 @@ $B/test/hard.sanitized: $(HARD_C:%.c=$B/test/asan/%.o) $B/asan/obj/cmodel/tool/p
 PICTURES_C := $(sort $(wildcard tests/hard/pictures/*.c))
 hard-pictures: $B/test/hard-pictures ## pictures and counts of docs/results/hard_pictures.md
 	@$< tests/hard/pictures docs/pictures >$B/test/hard.counts && cat $B/test/hard.counts
-	@python3 -m lab.pages.place docs/results/hard_pictures.md counts $B/test/hard.counts
-	@python3 -m lab.pages.measured docs/results/hard_pictures.md "make hard-pictures"
+	@python3 -m lab.pages.place docs/results/hard_pictures.md "make hard-pictures" counts \
+	    $B/test/hard.counts
 
 $B/test/hard-pictures: $(PICTURES_C:%.c=$B/test/obj/%.o) $B/test/libhard.a $(IMAGE) $(LIB)
 	$(call say,LD,$(@F))

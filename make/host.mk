@@ -1,14 +1,16 @@
 # host.mk - random lives of cores under a host, a third simulator: docs/results/host.md
 # SPDX-License-Identifier: Apache-2.0
 
-.PHONY: host host-page cxxrtl cxxrtl-setup
+.PHONY: host host-page host-whole cxxrtl cxxrtl-setup
 host: $(TOOL) ## TRIALS of what a host may do to a core, SEED; ten minutes of a processor
 	$(Q)BUILD=$B SPHAERA=$(TOOL) SEED=$(SEED) TRIALS=$(TRIALS) sh sim/host.sh $(ONLY)
 
-host-page: host ## the same, and what was met into docs/results/host.md
-	$(Q)python3 -m lab.pages.place docs/results/host.md events $B/host/events.md
-	$(Q)python3 -m lab.pages.measured docs/results/host.md \
-	    "make host-page SEED=$(SEED) TRIALS=$(TRIALS)" events
+host-page: host-whole host ## the same, and what was met into docs/results/host.md
+	$(Q)python3 -m lab.pages.place docs/results/host.md \
+	    "make host-page SEED=$(SEED) TRIALS=$(TRIALS)" events $B/host/events.md
+
+host-whole:
+	$(if $(ONLY),$(error host-page: ONLY leaves out cores, and the page has them all))@:
 
 cxxrtl-setup: ## installs Yosys's headers (apt), for SIM=cxxrtl
 	@sh sim/setup.sh sim/packages_cxxrtl.txt

@@ -27,5 +27,4 @@ papers: $(TOOL)
 	    $(PAPERS)/levels-samples.exr --resize:filter=box 240x135 --mosaic:pad=4 3x1 --ch R,G,B \
 	    --colorconvert linear sRGB -d uint8 -o $(PAPERS_SHOWN)/levels.png
 	$(Q)python3 -m lab.papers.page docs/results/claims.md $(PAPERS) $B/synth
-	$(Q)python3 -m lab.pages.measured docs/results/claims.md "make papers"
 	@echo "tables and pictures in docs/results/claims.md"

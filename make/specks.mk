@@ -8,7 +8,6 @@ SPECKS_C := $(sort $(wildcard tests/specks/*.c))
 .PHONY: specks
 specks: $B/test/specks $(TOOL) ## falsely dark pixels of triangles, into docs/model/facet.md
 	$(Q)python3 -m lab.specks $(TOOL) $< $B/specks docs/model/facet.md
-	$(Q)python3 -m lab.pages.measured docs/model/facet.md "make specks"
 
 $B/test/specks: $(SPECKS_C:%.c=$B/test/obj/%.o) $(LIB)
 	$(call say,LD,$(@F))

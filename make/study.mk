@@ -30,8 +30,7 @@ study-short: $(TOOL)
 	+$(Q)$(call jobs_run,$(STUDY)/jobs)
 
 study-page: $(TOOL)
-	$(Q)python3 -m lab.study.page --whole docs/results/accuracy.md $(RESULTS) $(STUDY) $(TOOL)
-	$(Q)python3 -m lab.pages.measured docs/results/accuracy.md "make study" $$(cat $(STUDY)/tables)
+	$(Q)python3 -m lab.study.page docs/results/accuracy.md $(RESULTS) $(STUDY) $(TOOL)
 
 SEEDS_AT = $(STUDY)/seeds/$(SEEDS_CORE)
 # SPEED-SEED of the shell's $$s
@@ -41,7 +40,6 @@ study-seeds: $(STUDY)/venv/done ## MHz of one core placed with several seeds; mi
 	$(Q)sh synth/core.sh $(SEEDS_CORE) $(SEEDS_AT)/core
 	$(Q)for s in $(SEEDS); do $(place_seed) || exit 1; done
 	$(Q)python3 -m lab.study.seeds $(SEEDS_CORE) $(addprefix $(SEEDS_AT)/,$(SEEDS))
-	$(Q)python3 -m lab.pages.measured docs/results/accuracy.md "make study-seeds" seeds
 
 study-paths: $(STUDY)/venv/done ## slow paths of a core placed with the first of SEEDS; minutes
 	$(Q)sh synth/core.sh $(SEEDS_CORE) $(SEEDS_AT)/core

@@ -18,4 +18,3 @@ truth: $(TOOL) ## docs/results/truth.md: the model against POV-Ray, scene by sce
 	$(Q)TMP=$$(mktemp -d) SPHAERA=$(abspath $(TOOL)) SCALE=$(abspath $(TRUTH))/scale.txt \
 	    sh tests/tool/test_scale.sh >/dev/null
 	$(Q)python3 -m lab.truth.page docs/results/truth.md $(TRUTH) $(TRUTH_SHOWN)
-	$(Q)python3 -m lab.pages.measured docs/results/truth.md "make truth"

@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 from .. import intact
+from ..pages import whole
 from ..pages.place import place
 from ..synth import report, results
 from .scenes import PRICED, PROFILE, WHOLE, names
@@ -56,9 +57,9 @@ def cost_table(scenes, cores):
     for name, s in scenes.items():
         everything = cores[s["whole"]]["core"]
         own, whole = s["runs"]["own"], s["runs"]["all"]
-        core = cores[s["list"]]["core"] if s["list"] in cores else None
-        cells = [core[c] for c in ("lut4eq", "ff", "bram", "mult")] if core else ["-"] * 4
-        share = [percent(core[c], everything[c]) for c in ("lut4eq", "ff")] if core else ["-"] * 2
+        core = cores[s["list"]]["core"]
+        cells = [core[c] for c in ("lut4eq", "ff", "bram", "mult")]
+        share = [percent(core[c], everything[c]) for c in ("lut4eq", "ff")]
         rows.append([show(name), f"`{s['list']}`", cells[0], share[0], cells[1], share[1],
                      *cells[2:], own["counters"]["cycles"],
                      percent(own["counters"]["cycles"], whole["counters"]["cycles"]),
@@ -109,8 +110,8 @@ def chart(scenes, cores, page, folder):
     lines = []
     for name, s in scenes.items():
         everything = cores[s["whole"]]["core"]
-        core = cores[s["list"]]["core"] if s["list"] in cores else None
-        shares = [f"{100 * core[c] / everything[c]:.2f}" if core else "-" for c in ("lut4eq", "ff")]
+        core = cores[s["list"]]["core"]
+        shares = [f"{100 * core[c] / everything[c]:.2f}" for c in ("lut4eq", "ff")]
         time = 100 * s["runs"]["own"]["cpu"] / s["runs"]["all"]["cpu"]
         lines.append(f"\"{show(name)}\" {shares[0]} {shares[1]} {time:.2f}")
     data = f"{folder}/chart.txt"
@@ -122,15 +123,19 @@ def chart(scenes, cores, page, folder):
 
 
 def main(page, folder, synth):
-    lists = Path(folder, "lists").read_text(encoding="utf-8").split()
+    lists = (whole.text(Path(folder, "lists")) or "").split()
+    wanted = [Path(folder, "scenes")] + [Path(synth, results.key(PROFILE, c), "stat.json")
+                                         for c in lists]
+    if not all([whole.there(path) for path in wanted]):
+        sys.exit(f"effects: {page} stays as it is: {', '.join(whole.LACKING)}")
     cores = {c: results.read(f"{synth}/{results.key(PROFILE, c)}") for c in lists}
     scenes = {}
     for name in Path(folder, "scenes").read_text(encoding="utf-8").split():
         # measured before, perhaps; what build says, just now
         scenes[name] = json.loads(Path(folder, name + ".json").read_text(encoding="utf-8"))
         scenes[name].update(json.loads(Path(folder, name + ".build.json").read_text("utf-8")))
-    place(page, {"costs": cost_table(scenes, cores), "prices": price_table(cores),
-                 "rays": ray_table(scenes)}, cores["all"]["yosys"])
+    place(page, "make effects", {"costs": cost_table(scenes, cores), "prices": price_table(cores),
+                                 "rays": ray_table(scenes)}, cores["all"]["yosys"])
     chart(scenes, cores, page, folder)
     print(f"effects: {page} and ../pictures/effects.svg")
 

@@ -9,7 +9,6 @@ of it stays."""
 import fnmatch
 import sys
 
-from ..pages import measured
 from . import benches, binary, page
 
 
@@ -32,8 +31,7 @@ def main(build, *names):
         if verdict in ("survived", "equivalent"):
             verdict = "equivalent" if why else "survived"
         told[fault] = verdict, bench, why, seconds
-    page.tables(told)
-    measured.amend(page.PAGE, "make campaign")
+    page.tables(told, rest=True)
 
 
 if __name__ == "__main__":

@@ -311,8 +311,9 @@ def reasons():
     return found
 
 
-def told(tried, seed, found, none=0):
-    """The tables of the page; `none`: faults that are none, and not among those tried."""
+def told(tried, seed, found, none=0, rest=False):
+    """The tables of the page; `none`: faults that are none, and not among those tried; rest: some
+    verdicts alone are new."""
     known, counts, why, rows = reasons(), Counter(), Counter(), []
     for name, (verdict, suite, *_) in sorted(tried.items()):
         if verdict == "left" and name in known:
@@ -325,7 +326,6 @@ def told(tried, seed, found, none=0):
     for name, verdict, suite in rows:
         if verdict == "left":
             print("left:", name, suite)
-    page.tsv("model_faults", ["fault", "verdict", "by"], rows)
     table = []
     for folder in (*FOLDERS, "**all**"):
         killed, same, left = (counts[folder, v] for v in ("killed", "equivalent", "left"))
@@ -336,13 +336,13 @@ def told(tried, seed, found, none=0):
     none += counts["**all**", "none"]
     run = [[seed, str(found), str(len(tried) - counts["**all**", "none"] + none), str(none),
             store.digest(["cmodel/**/*.[ch]"])[:8]]]
-    place.place(PAGE, {
-        "model": page.markdown(["cmodel/", "faults", "killed", "equivalent", "left", "killed, %"],
-                               table).rstrip("\n"),
-        "model_reasons": page.markdown(["faults", "why nothing can notice them"],
-                                       [[str(n), w] for w, n in why.most_common()]).rstrip("\n"),
-        "model_run": page.markdown(["seed", "places", "tried", "same instructions",
-                                    "digest of cmodel/"], run).rstrip("\n")})
+    place.place(PAGE, "make campaign-c", {
+        "model_faults": [["fault", "verdict", "by"], *rows],
+        "model": [["cmodel/", "faults", "killed", "equivalent", "left", "killed, %"], *table],
+        "model_reasons": [["faults", "why nothing can notice them"],
+                          *([str(n), w] for w, n in why.most_common())],
+        "model_run": [["seed", "places", "tried", "same instructions", "digest of cmodel/"], *run]
+    }, rest=rest)
 
 
 if __name__ == "__main__":

@@ -8,7 +8,6 @@ import re
 import subprocess
 import sys
 
-from .. import intact
 from ..jobs import store
 from ..pages import data, place
 from .netlist import Fault
@@ -76,21 +75,12 @@ BY = {"core": "the core", "proof": "a proof", "board": "a board", "top": "rt_top
 HEAD = ["faults", "killed", "too long", "equivalent", "left", "killed, %"]
 
 
-def markdown(head, rows):
-    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
-    return "\n".join(lines + ["| " + " | ".join(r) + " |" for r in rows]) + "\n"
-
-
 def folder(module, found={}):  # pylint: disable=dangerous-default-value
     if not found:
         import glob
         import os
         found.update({os.path.basename(n)[:-2]: n.split("/")[1] for n in glob.glob("rtl/*/*.v")})
     return found[module]
-
-
-def tsv(name, head, rows):
-    intact.write(data.path_of(PAGE, name), data.of_rows([head, *rows]))
 
 
 def parse(name):
@@ -106,27 +96,27 @@ def known():
     return {parse(row[0]): row[1:] for row in data.read("mutants.faults")[1]}
 
 
-def tables(found):
-    """The tables of {fault: (verdict, bench, reason, seconds)}."""
+def tables(found, rest=False):
+    """The tables of {fault: (verdict, bench, reason, seconds)}; rest: some of them alone are new."""
     modules, folders = (collections.defaultdict(collections.Counter) for _ in range(2))
     for fault, (verdict, *_) in found.items():
         modules[fault.module][verdict] += 1
         folders[folder(fault.module)][verdict] += 1
     total = sum(folders.values(), collections.Counter())
-    tsv("modules", ["module", *HEAD], [row(m, modules[m]) for m in sorted(modules)])
-    tsv("faults", ["fault", "verdict", "by", "seconds"],
-        [[text(f), verdict, bench, seconds]
-         for f, (verdict, bench, _, seconds) in sorted(found.items())])
     why = collections.Counter(w for v, _, w, _ in found.values() if v == "equivalent")
     by = collections.Counter(BY.get(bench.split("/")[0], "a bench")
                              for v, bench, *_ in found.values() if v in ("killed", "timeout"))
-    place.place(PAGE, {
-        "folders": markdown(["rtl/", *HEAD], [row(n, folders[n]) for n in sorted(folders)]
-                            + [row("**all**", total)]).rstrip("\n"),
-        "reasons": markdown(["faults", "why nothing can notice them"],
-                            [[str(n), w] for w, n in why.most_common()]).rstrip("\n"),
-        "rounds": markdown(["killed by", "faults"],
-                           [[name, str(n)] for name, n in by.most_common()]).rstrip("\n")})
+    place.place(PAGE, "make campaign", {
+        "modules": [["module", *HEAD], *(row(m, modules[m]) for m in sorted(modules))],
+        "faults": [["fault", "verdict", "by", "seconds"],
+                   *([text(f), verdict, bench, seconds]
+                     for f, (verdict, bench, _, seconds) in sorted(found.items()))],
+        "folders": [["rtl/", *HEAD], *(row(n, folders[n]) for n in sorted(folders)),
+                    row("**all**", total)],
+        "reasons": [["faults", "why nothing can notice them"],
+                    *([str(n), w] for w, n in why.most_common())],
+        "rounds": [["killed by", "faults"], *([name, str(n)] for name, n in by.most_common())]},
+                rest=rest)
     left = [text(f) for f in sorted(found) if found[f][0] == "survived"]
     print(f"mutants: {rate(total)} % of those that are not equivalent are killed, "
           f"{len(left)} are left", *left, sep="\n  ")
@@ -138,12 +128,12 @@ def write(tried, listed, seed):
         found[fault] = (verdict, tried[fault][-1][0], why,
                         f"{sum(s for _, _, s in tried[fault]):.2f}")
     tables(found)
-    place.place(PAGE, {"run": markdown(
+    place.place(PAGE, "make campaign", {"run": [
         ["seed", "faults listed", "run", "rounds of 4", "processor's minutes", "digest of rtl/",
          "day"],
-        [[str(seed), str(listed), str(len(found)),
+        [str(seed), str(listed), str(len(found)),
           str(max(map(len, tried.values()), default=0)),
           f"{sum(s for r in tried.values() for _, _, s in r) / 60:.0f}",
           store.digest(["rtl/*/*.v", "rtl/*/*.vh"])[:8],
           subprocess.run(["date", "-u", "+%F"], check=True, text=True,
-                         stdout=subprocess.PIPE).stdout.strip()]]).rstrip("\n")})
+                         stdout=subprocess.PIPE).stdout.strip()]]})

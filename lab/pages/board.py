@@ -1,15 +1,14 @@
 # board.py - cells and clocks of a board's bitstream, as its page shows them
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.pages.board --digest          of the sources as they are
+"""usage: python3 -m lab.pages.board --commit          commit and day of the sources as they are
           python3 -m lab.pages.board BOARD FOLDER      what synth/board.sh left there, into DATA"""
 import json
 import re
 import sys
-from datetime import datetime, timezone
 from pathlib import Path
 
 from .. import intact
-from . import digest
+from . import measured
 
 DATA = "docs/results/data/board_{}.tsv"
 HEAD = ("# board_{0}.tsv - cells of rt_{0} and what it reaches, by make board BOARD={0}\n"
@@ -17,12 +16,6 @@ HEAD = ("# board_{0}.tsv - cells of rt_{0} and what it reaches, by make board BO
 # of an LFE5U-85F
 PARTS = {"LUT4": 83640, "TRELLIS_FF": 83640, "DP16KD": 208, "MULT18X18D": 156, "CCU2C": None,
          "TRELLIS_DPR16X4": None}
-
-
-def sources():
-    """Digest of all that a bitstream is made of."""
-    paths = [path for path in Path("rtl").rglob("*") if path.suffix in (".v", ".vh")]
-    return digest.of_files(paths + [Path("synth/ulx3s.lpf"), Path("synth/board.sh")])
 
 
 def read(folder):
@@ -39,35 +32,43 @@ def read(folder):
         for clock, speed in routed["fmax"].items():
             found[f"{clock.rpartition('$')[2].rpartition('.')[2]}, MHz"] = \
                 f"{speed['achieved']:.1f} of {speed['constraint']:.1f}"
-    when = datetime.fromtimestamp((folder / "yosys.log").stat().st_mtime, timezone.utc)
-    found["day"] = when.strftime("%Y-%m-%d")
     seconds = folder / "seconds"
     if seconds.exists() and report.exists():
         found["minutes of nextpnr-ecp5"] = f"{int(seconds.read_text(encoding='utf-8')) / 60:.0f}"
-    found["sources"] = (folder / "digest").read_text(encoding="utf-8").strip()
+    found["commit"], found["day"] = (folder / "commit").read_text(encoding="utf-8").split()
     return found
 
 
-def board(name):
-    """The table of a board, and how old it is."""
+def data(name):
+    """{row: value} of a board."""
     lines = Path(DATA.format(name)).read_text(encoding="utf-8").splitlines()
-    rows = dict(line.split("\t") for line in lines if not line.startswith("#"))
-    made, day = rows.pop("sources"), rows.pop("day")
+    return dict(line.split("\t") for line in lines if not line.startswith("#"))
+
+
+def runs():
+    """(board, (commit, day)) of each."""
+    for path in sorted(Path(DATA).parent.glob("board_*.tsv")):
+        name = path.stem.removeprefix("board_")
+        yield name, (data(name)["commit"], data(name)["day"])
+
+
+def board(name):
+    """The table of a board, and of which commit it is."""
+    rows = data(name)
+    commit, day = rows.pop("commit"), rows.pop("day")
     clocks = any(name.endswith("MHz") for name in rows)
     text = "| | |\n|---|---|\n"
-    for name, value in rows.items():
-        most = PARTS.get(name)
-        text += f"| {name} | {value}{f' of {most}' if most else ''} |\n"
-    text += "\nNot routed yet: these are Yosys' cells.\n" if not clocks else ""
-    if made != sources():
-        text += f"\nOf {day} and sources {made}, before their last change.\n"
-    return text
+    for name_of, value in rows.items():
+        most = PARTS.get(name_of)
+        text += f"| {name_of} | {value}{f' of {most}' if most else ''} |\n"
+    routed = "" if clocks else "Not routed yet: these are Yosys' cells. "
+    return f"{text}\n{routed}`make board BOARD={name}` at commit {commit} of {day}.\n"
 
 
 def main():
-    """A digest, or the data of a folder."""
-    if sys.argv[1] == "--digest":
-        print(sources())
+    """A commit, or the data of a folder."""
+    if sys.argv[1] == "--commit":
+        print(*measured.commit())
         return
     name, folder = sys.argv[1:]
     found = read(Path(folder))

@@ -4,7 +4,10 @@
 Synthesises what is old; --check says what is, and exits with 1 if anything is.
 
 A page names a core by its list of effects (sim/parameters.sh), profile standard, one engine, ECP5.
-The record has its cells, and the digest of the RTL files that it was read from."""
+The record has its cells, commit and day, and the digest of the RTL files that it was read from,
+by which `make pages` tells whether to synthesise it anew. Comments and white space do not count.
+A page shows what the record has, however old."""
+import hashlib
 import json
 import os
 import re
@@ -14,7 +17,7 @@ from pathlib import Path
 
 from .. import intact
 from ..synth import results
-from . import digest, markdown, verilog
+from . import markdown, measured, verilog
 
 RECORD = Path("docs/results/data/cores.json")
 SCRIPT = Path("synth/core.sh")
@@ -25,6 +28,9 @@ COLUMNS = {"mult": "MULT18X18D", "lut4eq": "LUT4eq", "ff": "FF", "bram": "DP16KD
 MAIN = ("mult", "lut4eq", "ff", "bram")
 SECONDS = 90
 REGIONS = "core", "cores", "inside"
+
+
+COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/|^`timescale[^\n]*", re.S | re.M)
 
 
 class Unmeasured(Exception):
@@ -86,6 +92,17 @@ def yosys():
     return ", ".join(sorted({" ".join(e["yosys"].split()[:2]) for e in record().values()}))
 
 
+def runs():
+    """The commits that they are of."""
+    of = {}
+    for name, entry_of in record().items():
+        of.setdefault((entry_of["day"], entry_of["commit"]), []).append(f"`{name}`")
+    if len(of) == 1:
+        return "synthesised at commit {1} of {0}".format(*next(iter(of)))
+    return "synthesised at commit " + "; ".join(
+        f"{commit} of {day}: {', '.join(names)}" for (day, commit), names in sorted(of.items()))
+
+
 def budget(module):
     """What synth/budget.txt allows a module."""
     for line in BUDGET.read_text(encoding="utf-8").splitlines():
@@ -112,19 +129,10 @@ def sources(modules):
     if not set(modules) <= set(paths):
         return None
     flow = re.search(r"^case \$target in.*?^esac", SCRIPT.read_text(encoding="utf-8"), re.M | re.S)
-    return digest.of_files([paths[module] for module in modules] +
-                           digest.found("rtl", (".vh",)), flow[0])
-
-
-def age(short=""):
-    """What the page says of cells that are not those of today's sources."""
-    old = [name for name in record() if is_stale(name)]
-    if short:
-        return " of RTL before its last change" if old else ""
-    if not old:
-        return "All are of the RTL as it is."
-    which = "All" if len(old) == len(record()) else ", ".join(f"`{name}`" for name in old)
-    return f"{which} are of RTL before its last change, until `make pages` is run."
+    files = {paths[module] for module in modules} | set(Path("rtl").rglob("*.vh"))
+    each = sorted(path.name + "".join(COMMENT.sub(" ", path.read_text(encoding="utf-8")).split())
+                  for path in files)
+    return hashlib.sha256("\0".join([*each, *flow[0].split()]).encode()).hexdigest()[:8]
 
 
 def parameters(core_list):
@@ -154,7 +162,9 @@ def synthesise(names):
                         f"B={BUILD}", f"EFFECTS={name}"], check=True)
         run = results.read(BUILD / "synth" / results.key("standard", name))
         known = record()
-        known[name] = {"parameters": parameters(name), "yosys": run["yosys"],
+        commit, day = measured.commit()
+        known[name] = {"parameters": parameters(name), "yosys": run["yosys"], "commit": commit,
+                       "day": day,
                        "cells": {column: run["core"][column] for column in COLUMNS},
                        "modules": {module: [row["total"][column] for column in COLUMNS]
                                    for module, row in sorted(run["modules"].items())},

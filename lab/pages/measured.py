@@ -1,32 +1,36 @@
-# measured.py - tables that an experiment has put into a page: when, of which sources, untouched?
+# measured.py - which run made each measured table of the pages: command, commit, day
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.pages.measured PAGE COMMAND [TABLE...]
-Notes that COMMAND has just made its tables of PAGE, or those that are named, and brings the page's
-own words up to date.
+"""A measured table stands between `<!-- NAME -->` and `<!-- end -->` of a page, or in the folder
+`data` beside it. The record has a line for each: page, table, command, commit, day of the commit,
+digest of the table. place.py alone writes such a table and its line, at once, when a command has
+measured that table whole. A page says with the region `measured PAGE` what the record has of it.
 
-Such a table stands between `<!-- NAME -->` and `<!-- end -->`. The record has a line for each:
-page, table, command, kinds of sources (digest.py), their digest, commit, day, digest of the table.
-An experiment of minutes or hours is not run again for every change; its page says how old it is.
-A command of a test, which compares the table itself, has dashes."""
+Whether sources have changed since is no matter of the pages: `make pages-age` tells it."""
 import hashlib
 import re
 import subprocess
-import sys
 import textwrap
 from collections import namedtuple
 from itertools import groupby
 from pathlib import Path
 
 from .. import intact
-from . import digest
 
-RECORD = Path("docs/results/data/measured.tsv")
-HEAD = ("# measured.tsv - when the tables of the pages were measured, and of which sources\n"
+NAME = "docs/results/data/measured.tsv"
+HEAD = ("# measured.tsv - which run made each table of the pages\n"
         "# SPDX-License-Identifier: Apache-2.0\n"
-        "# written by lab/pages/measured.py\n")
-Row = namedtuple("Row", "page table command kinds sources commit day text")
+        "# page, table, command, commit, day, digest of the table; written by lab/pages/place.py\n")
+Row = namedtuple("Row", "page table command commit day text")
 TABLE = re.compile(r"<!-- (?!begin: |end |SPDX)([a-z0-9_]+) -->\n(.*?)<!-- end -->", re.S)
-NAMES = {"rtl": "RTL", "model": "model", "scenes": "scenes"}
+SOURCES = "rtl", "cmodel", "scenes"  # that a figure may depend on
+
+
+def record_of(page):
+    """The record of the tree that a page belongs to."""
+    for folder in Path(page).parents:
+        if folder.name == "docs":
+            return folder.parent / NAME
+    return Path(page).parent / Path(NAME).name
 
 
 def tables(page):
@@ -38,51 +42,41 @@ def tables(page):
     return {name: hashlib.sha256(body.encode()).hexdigest()[:8] for name, body in texts.items()}
 
 
-def rows():
-    if not RECORD.exists():
+def rows(record=NAME):
+    if not Path(record).exists():
         return []
-    lines = RECORD.read_text(encoding="utf-8").splitlines()
+    lines = Path(record).read_text(encoding="utf-8").splitlines()
     return [Row(*line.split("\t")) for line in lines if not line.startswith("#")]
 
 
-def write(found):
-    RECORD.parent.mkdir(parents=True, exist_ok=True)
-    intact.write(RECORD, HEAD + "".join("\t".join(row) + "\n" for row in sorted(found)))
+def write(found, record=NAME):
+    Path(record).parent.mkdir(parents=True, exist_ok=True)
+    intact.write(record, HEAD + "".join("\t".join(row) + "\n" for row in sorted(found)))
 
 
 def commit():
-    """(commit, day) of the tree; a + behind it if something differs from that commit."""
+    """(commit, day) of the tree; a + behind it if sources differ from that commit."""
     def git(*words):
         ran = subprocess.run(["git", *words], check=False, stdout=subprocess.PIPE,
                              stderr=subprocess.DEVNULL)
         return ran.stdout.decode().strip()
-    changed = git("status", "--porcelain", "-uno", "--", "rtl", "cmodel", "scenes")
+    changed = git("status", "--porcelain", "-uno", "--", *SOURCES)
     head = git("log", "-1", "--format=%h %cs") or "unknown unknown"
     name, day = head.split()
     return name + ("+" if changed else ""), day
 
 
-def stamp(page, command, *only):
-    """Notes that the tables of a command are of now, or those that are named, and those
-    that nobody knew of."""
-    stem, now, found = Path(page).stem, commit(), rows()
+def stamp(page, command, names, rest=False):
+    """Notes what `command` has just made: the tables of these names. rest: only some rows of them
+    are new, so they stay as old as they were."""
+    stem, now, record = Path(page).stem, commit(), record_of(page)
     texts = tables(page)
-    known = {row.table for row in found if row.page == stem}
-    found += [Row(stem, name, command, "+".join(digest.KINDS), "", "", "", "")
-              for name in texts if name not in known]
-
-    def made(row):
-        return row.page == stem and (row.table in only if only else row.command == command)
-    write(row._replace(command=command, sources=digest.of(row.kinds), commit=now[0], day=now[1],
-                       text=texts[row.table]) if made(row) else row
-          for row in found if row.page != stem or row.table in texts)
-
-
-def amend(page, command):
-    """Notes that some lines of a command's tables are new: the tables stay as old as they were."""
-    texts = tables(page)
-    write(row._replace(text=texts[row.table])
-          if (row.page, row.command) == (Path(page).stem, command) else row for row in rows())
+    found = {(row.page, row.table): row for row in rows(record)}
+    for name in names:
+        before = found.get((stem, name))
+        found[stem, name] = before._replace(text=texts[name]) if rest and before else Row(
+            stem, name, command, *now, texts[name])
+    write(found.values(), record)
 
 
 def prune(pages):
@@ -93,45 +87,34 @@ def prune(pages):
         write(kept)
 
 
-def age(stem):
-    """A sentence for each experiment whose tables are alike old, for a page's reader."""
-    def alike(row):
-        return row.command, row.kinds, digest.of(row.kinds) == row.sources
-
+def region(stem):
+    """The runs that made the tables of a page: one line if it was one run, else one for each."""
     def run(row):
-        return row.commit, row.day
-    told = []
-    for (command, kinds, same), group in groupby(
-            sorted((r for r in rows() if r.page == stem and r.kinds != "-"), key=alike), alike):
-        made = "; ".join(", ".join(f"*{row.table}*" for row in some) + f" at {at} of {day}"
-                         for (at, day), some in groupby(sorted(group, key=run), run))
-        *first, last = [NAMES[kind] for kind in kinds.split("+")]
-        what = ", ".join(first) + (" and " if same else " or ") + last if first else last
-        what = what[0].upper() + what[1:] + (" have" if first else " has")
-        told.append(f"- `{command}` made {made}. {what} {'not ' if same else ''}changed since.")
-    return "\n".join(textwrap.fill(line, 100, subsequent_indent="  ", break_on_hyphens=False)
-                     for line in told)
+        return row.command, row.day, row.commit
+    runs = [(key, [row.table for row in some]) for key, some in groupby(
+        sorted((row for row in rows() if row.page == stem), key=run), run)]
+    lines = []
+    for (command, day, at), names in runs:
+        of = f"`{command}` at commit {at} of {day}"
+        lines.append(f"Measured by {of}." if len(runs) == 1 else
+                     f"- {', '.join(f'*{name}*' for name in names)}: {of}")
+    return "\n".join(textwrap.fill(line, 100, subsequent_indent="  " * (len(runs) > 1),
+                                   break_on_hyphens=False) for line in lines)
 
 
 def wrong(pages):
     """What does not agree between pages and record."""
     record = {(row.page, row.table): row for row in rows()}
+    stamped = {row.page for row in rows()}
     for page in pages:
-        there = tables(page)
-        for name, text in there.items():
+        for name, text in tables(page).items():
             row = record.pop((page.stem, name), None)
             if row is None:
                 yield f"{page}: nothing says when the table {name} was measured"
-            elif row.text not in (text, "-"):
+            elif row.text != text:
                 yield f"{page}: the table {name} is not the one that `{row.command}` made"
-        mark = f"<!-- begin: age {page.stem} -->"
-        if age(page.stem) and mark not in page.read_text(encoding="utf-8"):
-            yield f"{page}: has measured tables and does not tell their age"
+        mark = f"<!-- begin: measured {page.stem} -->"
+        if page.stem in stamped and mark not in page.read_text(encoding="utf-8"):
+            yield f"{page}: has measured tables and does not tell their runs"
     for page, name in record:
-        yield f"{RECORD}: there is no table {name} in {page}.md"
-
-
-if __name__ == "__main__":
-    stamp(*sys.argv[1:])
-    sys.exit(subprocess.run([sys.executable, "-m", "lab.pages", sys.argv[1]], check=False)
-             .returncode)
+        yield f"{NAME}: there is no table {name} in {page}.md"

@@ -25,9 +25,9 @@ MAKERS = {
     "registers": machine.registers, "top_registers": machine.top_registers,
     "effects": machine.effects, "counters": machine.counters,
     "errors": machine.errors, "profiles": machine.profiles, "widths": machine.widths,
-    "count": count, "const": const, "age": measured.age, "rows": data.rows, "cell": data.cell,
+    "count": count, "const": const, "measured": measured.region, "rows": data.rows, "cell": data.cell,
     "core": cores.core, "cores": cores.cores, "inside": cores.inside, "yosys": cores.yosys,
-    "budget": cores.budget, "asks": asks.table, "modes": modes.modes, "cells_age": cores.age,
+    "budget": cores.budget, "asks": asks.table, "modes": modes.modes, "core_runs": cores.runs,
     "schema": schema.members, "claims": claims.table, "verdicts": claims.verdicts,
     "board": board.board,
 }

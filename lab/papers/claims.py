@@ -1,11 +1,12 @@
 # claims.py - what the three papers claim, and what became of it
 # SPDX-License-Identifier: Apache-2.0
 """A row for each claim: where it stands, what the paper says, what is found here, the command that
-shows it, and a word of VERDICTS. Names in braces are rows of docs/results/data/claims.values.tsv,
-which page.py made of this experiment's runs; other numbers are of the page that the row links."""
+shows it, and a word of VERDICTS. Names in braces are rows of docs/results/data/claims.*.tsv, of
+MEASURED, which page.py made of this experiment's runs; other numbers are of the page that the row links."""
 from ..pages import data, markdown
 from .measure import PARK_CORE
 
+MEASURED = "values", "profiles", "shaped", "park"
 VERDICTS = {
     "same": "found here too",
     "same in kind": "the same way round, with other figures",
@@ -223,7 +224,7 @@ PAPERS = {"borodavka": BORODAVKA, "park": PARK, "aroxa": AROXA}
 def table(paper):
     """The rows of a paper as its page shows them. A row has a command, or is not built, and does
     not put its answer off."""
-    values = dict(data.read("claims.values")[1])
+    values = dict(row for table in MEASURED for row in data.read(f"claims.{table}")[1])
     rows = []
     for place, says, here, command, verdict in PAPERS[paper]:
         if verdict not in VERDICTS:

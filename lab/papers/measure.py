@@ -11,13 +11,14 @@ import shutil
 import subprocess
 import sys
 
-from .. import tree_options
-from .. import intact
+from .. import intact, tree_options
+from ..pages import whole
 from . import scenes
 
 # spheres at random, and in a column: how many
 RANDOM = [256, 1000, 4096, 10000, 100000, 1000000]
 COLUMN = [16, 64, 256, 1024, 4096]
+SEARCHED = ["paper5", "paper100", *(f"random{n}" for n in RANDOM), *(f"column{n}" for n in COLUMN)]
 # what is tried instead of spheres: boxes, icospheres that were cut so many times
 SHAPES = ["box", "1", "2", "3"]
 REPLACED = ["paper5", "paper100", "sphereflake2"]
@@ -58,9 +59,11 @@ class Runner:
     def path(self, name):
         return os.path.join(self.folder, name)
 
-    def fresh(self, name):
+    def fresh(self, name, *sources):
+        """Whether a result is there, younger than the tool and the files of these patterns."""
         path = self.path(name)
-        return os.path.exists(path) and os.path.getmtime(path) > os.path.getmtime(self.tool)
+        return os.path.exists(path) and os.path.getmtime(path) > os.path.getmtime(self.tool) \
+            and bool(whole.there(path, *sources))
 
     def run(self, *words, good=(0,)):
         done = subprocess.run([self.tool, *words], stdout=subprocess.PIPE,
@@ -83,7 +86,7 @@ class Runner:
 
     def core(self, name, effects, scene, *how):
         """A machine through the RTL, with cold and with warm caches."""
-        if self.fresh(name + ".core.json"):
+        if self.fresh(name + ".core.json", *whole.RTL):
             return
         print("  SIM ", name, flush=True)
         machine = self.path(name + ".sph")

@@ -3,14 +3,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab.papers.page PAGE FOLDER SYNTH
 FOLDER is what measure.py left, SYNTH the folder of synthesised cores."""
-import json
 import math
 import os
 import sys
 from pathlib import Path
 
 from . import measure
-from ..pages import data
+from ..pages import data, whole
 from ..pages.place import place
 from ..synth import report, results
 
@@ -23,12 +22,11 @@ LX330 = {"lut": 207360, "ff": 207360, "bram": 288, "dsp": 192}
 
 
 def load(folder, name):
-    with open(os.path.join(folder, name + ".json"), encoding="utf-8") as f:
-        return json.load(f)
+    return whole.load(os.path.join(folder, name + ".json"))
 
 
 def cycles(folder, name):
-    run = load(folder, name + ".core")
+    run = whole.load(os.path.join(folder, name + ".core.json"), *whole.RTL)
     if run["mismatches"] or run["cold"]["errors"]:
         sys.exit(f"page: {name}: model and RTL differ")
     return run["cold"]["cycles_per_pixel"]
@@ -41,13 +39,12 @@ def levels(n):
 def searched(folder):
     """{scene: (spheres, levels of the tree, spheres that a primary ray tests)}."""
     found = {}
-    for name in sorted(os.listdir(folder)):
-        if name.startswith("search-"):
-            run = load(folder, name[:-5])
-            counters, n = run["counters"], run["machine"]["spheres"]
-            # the root sphere, which the core does not test, is one of the paper's
-            tests = 1 + counters["child_tests"] / counters["rays_primary"]
-            found[name[7:-5]] = n, run["build"]["depth"], tests
+    for name in measure.SEARCHED:
+        run = load(folder, "search-" + name)
+        counters, n = run["counters"], run["machine"]["spheres"]
+        # the root sphere, which the core does not test, is one of the paper's
+        tests = 1 + counters["child_tests"] / counters["rays_primary"]
+        found[name] = n, run["build"]["depth"], tests
     return dict(sorted(found.items(), key=lambda item: (item[0].startswith("column"), item[1][0])))
 
 
@@ -119,17 +116,7 @@ def bases(folder):
 def synthesised(synth, effects, target):
     """The cells of a core; None if it was not synthesised since the RTL changed."""
     found = Path(synth) / results.key("standard", effects, target)
-    stat = found / "stat.json"
-    if not stat.exists() or any(f.stat().st_mtime > stat.stat().st_mtime
-                                for f in Path("rtl").rglob("*.v*")):
-        print(f"page: no {found} of this RTL: its cells stay as they are", flush=True)
-        return None
-    return results.read(found)["core"]
-
-
-def kept(prefix):
-    """Values of before, which stay where there is nothing new."""
-    return {k: x for k, x in data.read("claims.values")[1] if k.startswith(prefix)}
+    return results.read(found)["core"] if whole.there(found / "stat.json", "rtl/**/*.v*") else None
 
 
 def shaped(synth):
@@ -137,16 +124,13 @@ def shaped(synth):
     v = {}
     for shape, effects in measure.SHAPES_CORE.items():
         core = synthesised(synth, effects, "ecp5")
-        v.update({"cells_" + shape: f"{core['lut4eq']:,}".replace(",", " ")} if core else
-                 kept("cells_" + shape))
+        v["cells_" + shape] = f"{core['lut4eq']:,}".replace(",", " ")
     return v
 
 
 def park(synth):
     """Cells of the core for the texture paper's scenes, and percent of its FPGA."""
     core = synthesised(synth, measure.PARK_CORE, "xc7")
-    if not core:
-        return kept("park_")
     cells = {"lut": core["lut"] + core["lutram"], "ff": core["ff"], "dsp": core["mult"],
              "bram": core["ramb36"] + core["ramb18"] / 2}
     v = {"park_" + name: f"{n:,g}".replace(",", " ") for name, n in cells.items()}
@@ -154,7 +138,13 @@ def park(synth):
     return v
 
 
-def values(folder, synth):
+def profiles(folder):
+    """Shares of the model's instructions, by Valgrind."""
+    return {"profile_" + name: whole.text(os.path.join(folder, name + ".profile")).strip()
+            for name in measure.PROFILED}
+
+
+def values(folder):
     """What the rows of claims.py name, and more of the same."""
     found, v = searched(folder), {}
     v["search_scenes"] = len(found)
@@ -185,14 +175,6 @@ def values(folder, synth):
                 sum(counters["rays_" + kind] for kind in RAYS) / counters["rays_primary"])
     counters = load(folder, "parts-paper100-2.core")["warm"]["counters"]
     v["busy"] = f"{100 * counters['node_visits'] / counters['cycles']:.0f}"
-    _, before = data.read("claims.values")
-    for name in measure.PROFILED:
-        path = os.path.join(folder, name + ".profile")
-        if os.path.exists(path):
-            with open(path, encoding="utf-8") as f:
-                v["profile_" + name] = f.read().strip()
-        else:  # no Valgrind here
-            v["profile_" + name] = dict(before)["profile_" + name]
     v["leaf_64"] = f"{cycles(folder, 'leaves-prims64'):.1f}"
     v["leaf_brute"] = f"{cycles(folder, 'leaves-brute'):.1f}"
     for way in measure.WAYS:
@@ -205,17 +187,19 @@ def values(folder, synth):
     counters = load(folder, "parts-paper100-2.core")["cold"]["counters"]
     for name in "node_visits", "node_misses", "leaf_tests", "leaf_misses":
         v["cold_" + name] = counters[name]
-    v.update(shaped(synth))
-    v.update(park(synth))
     return v
 
 
 def main(page, folder, synth):
-    place(page, {
-        "values": report.table(["name", "value"], [[k, v] for k, v in
-                                                   values(folder, synth).items()]),
-        "search": search(folder), "operations": operations(folder), "shapes": shapes(folder),
-        "bases": bases(folder), "leaves": leaves(folder)})
+    def values_of(found, *arguments):
+        return lambda: report.table(["name", "value"],
+                                    [[k, v] for k, v in found(*arguments).items()])
+    place(page, "make papers", {
+        "values": values_of(values, folder), "profiles": values_of(profiles, folder),
+        "shaped": values_of(shaped, synth), "park": values_of(park, synth),
+        "search": lambda: search(folder), "operations": lambda: operations(folder),
+        "shapes": lambda: shapes(folder), "bases": lambda: bases(folder),
+        "leaves": lambda: leaves(folder)})
 
 
 if __name__ == "__main__":

@@ -30,7 +30,7 @@ def main(build, page):
         counts = cells(build, core)
         rows.append([core.name(), *(counts[column] for column in COLUMNS)])
     table = report.table(["pipes", *(heads[column] for column in COLUMNS)], rows + [DEVICE])
-    place(page, {"cells": table})
+    place(page, "make pipes-cells", {"cells": table})
 
 
 if __name__ == "__main__":

@@ -10,8 +10,9 @@ from collections import namedtuple
 from pathlib import Path
 
 from .. import intact
-from ..pages import digest
+from ..jobs import store
 
+SOURCES = ["rtl/*/*.v", "rtl/*/*.vh", "cmodel/*/*.[ch]", "scenes/**/*.nff"]
 PROTEIN = "/usr/share/pymol/data/demo/1tii.pdb"
 SPHERES = "shadow+reflect2+lights3+inside+spans"
 GLASS = "shadow+reflect2+lights1+inside+facets+refract+specular+sum"
@@ -43,7 +44,7 @@ class Bench:
 
     def __init__(self, build, size):
         self.build, self.size = build, size
-        self.folder = Path(build) / "rate" / digest.of("+".join(digest.KINDS))
+        self.folder = Path(build) / "rate" / store.digest(SOURCES)[:8]
         self.folder.mkdir(parents=True, exist_ok=True)
 
     def machine(self, scene, effects):

@@ -35,7 +35,7 @@ def rows(bench):
 def main(build, page):
     bench = cores.Bench(build, SIZE)
     head = ["scene", *(core.name() for core in RULE + [FEW]), "4 against 1"]
-    place(page, {"cycles": report.table(head, list(rows(bench)))})
+    place(page, "make pipes", {"cycles": report.table(head, list(rows(bench)))})
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab.scenarios.measure TOOL FOLDER [--rtl]
 Leaves NAME.json in FOLDER for each machine: what build and render report, times of several runs. A
-result that is younger than the tool is kept. --rtl also runs the machines of list `speed` and
+result that is younger than the tool is kept, the RTL's if it is younger than rtl/ too. --rtl also runs the machines of list `speed` and
 `trees` through the RTL: NAME.core.json, with sim/core.sh."""
 import json
 import os
@@ -11,6 +11,7 @@ import subprocess
 import sys
 
 from .. import intact
+from ..pages import whole
 from ..tree_options import options
 
 SPHERES = 4096
@@ -35,8 +36,10 @@ class Runner:
     def path(self, name):
         return os.path.join(self.folder, name)
 
-    def fresh(self, path):
-        return os.path.exists(path) and os.path.getmtime(path) > os.path.getmtime(self.tool)
+    def fresh(self, path, *sources):
+        """Whether a result is there, younger than the tool and the files of these patterns."""
+        return os.path.exists(path) and os.path.getmtime(path) > os.path.getmtime(self.tool) \
+            and bool(whole.there(path, *sources))
 
     def run(self, *words):
         done = subprocess.run([self.tool, *words], stdout=subprocess.PIPE, text=True, check=False)
@@ -73,7 +76,7 @@ class Runner:
     def core(self, name):
         """The machine through the RTL, twice: the second time with warm caches."""
         target = self.path(name + ".core.json")
-        if not self.rtl or self.fresh(target):
+        if not self.rtl or self.fresh(target, *whole.RTL):
             return
         print("  SIM ", name, flush=True)
         build = os.path.dirname(os.path.abspath(self.tool))

@@ -2,14 +2,13 @@
 # page.py - puts the tables of docs/results/scenarios.md in their places
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab.scenarios.page PAGE FOLDER
-A table stands between `<!-- NAME -->` and `<!-- end -->`; what is outside is left as it is. FOLDER
-is what measure.py left. A dash: no result, such as cycles where the RTL has not run."""
-import json
+FOLDER is what measure.py left. Without the RTL's runs the tables that have cycles stay as they
+are."""
 import os
 import sys
 
 from . import measure
-from ..pages import data
+from ..pages import data, whole
 from ..pages.place import place
 from ..synth import report
 
@@ -36,8 +35,7 @@ CASES = [(s, p) for s in (1, 2, 3) for p in (1, 8)]
 
 
 def load(folder, name):
-    with open(os.path.join(folder, name + ".json"), encoding="utf-8") as f:
-        return json.load(f)
+    return whole.load(os.path.join(folder, name + ".json"))
 
 
 def number(value):
@@ -92,10 +90,9 @@ def per_ray(result):
 
 
 def cycles(folder, name):
-    """Cycles a pixel with warm caches, or None."""
-    try:
-        run = load(folder, name + ".core")
-    except FileNotFoundError:
+    """Cycles a pixel with warm caches; None if this RTL has not run."""
+    run = whole.load(os.path.join(folder, name + ".core.json"), *whole.RTL)
+    if run is None:
         return None
     if run["mismatches"] or run["warm"]["errors"]:
         sys.exit(f"page: {name}: model and RTL differ")
@@ -159,16 +156,18 @@ def trees(folder):
                       else r["build"]["machine"]["tree_bytes"])
             rows.append([scene, way, f"{c['node_visits']:.1f}", f"{c['child_tests']:.1f}",
                          f"{c['leaf_tests']:.2f}", f"{c['facet_tests']:.2f}", bytes_,
-                         f"{1e3 * min(r['build_times']):.2f}", shown(cycles(folder, name))])
+                         f"{1e3 * min(r['build_times']):.2f}",
+                         "-" if way == "brute" else shown(cycles(folder, name))])
     return report.table(["scene", "tree", "visits", "tests of children", "of spheres",
                          "of facets", "bytes", "build, ms", "cycles a pixel"], rows, 2)
 
 
 def main(page, folder):
-    place(page, {
-        "statistics": statistics(folder), "listing": listing(folder), "memory": memory(folder),
-        "time": speed(folder, time_ratio), "work": speed(folder, work),
-        "cycles": speed(folder, cycle_ratio), "full": full(folder), "trees": trees(folder)})
+    place(page, "make scenarios", {
+        "statistics": lambda: statistics(folder), "listing": lambda: listing(folder),
+        "memory": lambda: memory(folder), "time": lambda: speed(folder, time_ratio),
+        "work": lambda: speed(folder, work), "cycles": lambda: speed(folder, cycle_ratio),
+        "full": lambda: full(folder), "trees": lambda: trees(folder)})
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@
 import math
 
 from ..jobs import store
+from ..pages import whole
 from . import keys, points
 
 # scenes that every profile can take: means are over these
@@ -17,7 +18,6 @@ class Study:
     def __init__(self, folder):
         self.folder, self.digests, self.known = folder, {}, {}
         self.planned = set(points.plan())
-        self.missing = 0  # results that were asked for, are planned, and do not count
 
     def look(self, key):
         if key not in self.known:
@@ -25,7 +25,8 @@ class Study:
         return self.known[key]
 
     def get(self, key):
-        self.missing += key in self.planned and self.look(key) is None
+        if key in self.planned and self.look(key) is None:
+            whole.lack(f"no result of {key}")  # that counts
         return self.look(key)
 
     def accuracy(self, profile, scene, **words):

@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
 # page.py - puts tables, plots and picture strips of the study into docs/results/accuracy.md
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.study.page [--only-tables] [--whole] PAGE RESULTS FOLDER [TOOL]
-A result that is missing, or does not count, is a dash in a table and no dot in a plot; with --whole
-a table stays as it is if one is missing. Plots and strips go to pictures/accuracy beside the folder
-of PAGE, the names of the tables that were made to FOLDER/tables."""
+"""usage: python3 -m lab.study.page [--only-tables] PAGE RESULTS FOLDER [TOOL]
+A table of which a result is missing, or does not count, is shown on the terminal with dashes, and
+stays as it is in the page; in a plot such a result has no dot. Plots and strips go to
+pictures/accuracy beside the folder of PAGE."""
 import os
 import subprocess
 import sys
+from functools import partial
 
-from .. import intact
 from ..pages.place import place
 from . import gather, plots, points, run, tables
 
@@ -26,17 +26,17 @@ def strips(tool, build, pictures):
 
 
 def main(argv):
-    bare, whole = "--only-tables" in argv, "--whole" in argv
-    argv = [word for word in argv if word not in ("--only-tables", "--whole")]
+    bare = "--only-tables" in argv
+    argv = [word for word in argv if word != "--only-tables"]
     if len(argv) not in (3, 4):
         sys.exit(__doc__)
     page, results, folder = argv[:3]
     study = gather.Study(results)
-    text = tables.everything(study, whole)
     run_of = study.get(gather.keys.job("cells", **gather.core_of("standard")))
-    place(page, text, run_of and run_of["yosys"])
+    place(page, "make study", {name: partial(table, study)
+                               for name, table in tables.TABLES.items()},
+          run_of and run_of["yosys"])
     os.makedirs(folder, exist_ok=True)
-    intact.write(os.path.join(folder, "tables"), " ".join(text) + "\n")
     drawn = []
     if not bare:
         pictures = os.path.join(os.path.dirname(page), "../pictures/accuracy")

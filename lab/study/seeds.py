@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 from .. import intact
-from ..pages import data
+from ..pages import data, measured
 
 COLUMNS = ["core", "speed grade", "after", "seeds", "least, MHz", "median", "greatest"]
 
@@ -33,6 +33,7 @@ def main(core, folders):
     others = [row for row in data.read("accuracy.seeds")[1] if row[0] != f"`{core}`"]
     table = [COLUMNS] + sorted(others + rows(core, folders), key=lambda row: row[0])
     intact.write(data.FOLDER / "accuracy.seeds.tsv", data.of_rows(table))
+    measured.stamp("docs/results/accuracy.md", "make study-seeds", ["seeds"], rest=True)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 # tables.py - tables of docs/results/accuracy.md
 # SPDX-License-Identifier: Apache-2.0
+from ..pages import whole
 from ..synth import report
 from . import gather, points
 from .gather import COMMON, core_of
@@ -122,7 +123,8 @@ def placed(study):
     rows = []
     for core in points.placed():
         run = study.fmax(core)
-        study.missing += not (run and run["routed"])
+        if not (run and run["routed"]):
+            whole.lack(f"no routed clock of {core['profile']}")
         title = name(core["profile"])
         if run is None:
             rows.append([title, "not placed"] + ["-"] * 6)
@@ -220,14 +222,3 @@ def more(study):
 TABLES = {"profiles": profiles, "costs": costs, "scenes": scenes, "cyclescenes": cycle_scenes,
           "more": more, "knobs": knobs, "rates": rates, "placed": placed, "trades": trades,
           "model": model, "decibels": decibels}
-
-
-def everything(study, whole=False):
-    """{name: table}; whole: of those alone of which no result is missing."""
-    made = {}
-    for name_of, table in TABLES.items():
-        before = study.missing
-        text = table(study)
-        if not whole or study.missing == before:
-            made[name_of] = text
-    return made

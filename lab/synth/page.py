@@ -7,6 +7,7 @@ profiles."""
 import os
 import sys
 
+from ..pages import whole
 from ..pages.place import place
 from . import report, results
 
@@ -23,7 +24,10 @@ def profiles(runs):
 
 
 def main(page, folder, keys):
-    runs = [results.read(os.path.join(folder, key)) for key in keys]
+    runs = [results.read(os.path.join(folder, key)) for key in keys
+            if whole.there(os.path.join(folder, key, "stat.json"))]
+    if whole.LACKING:
+        sys.exit(f"page: {page} stays as it is: {', '.join(whole.LACKING)}")
     everything = [r for r in runs if r["list"] == "all" and not r["flat"]]
     ecp5 = [r for r in everything if r["target"] == "ecp5"]
     standard = [r for r in runs if r["profile"] == "standard" and r["target"] == "ecp5"]
@@ -31,7 +35,7 @@ def main(page, folder, keys):
     tables["effects"] = report.cores(standard, "ecp5")
     tables["modules"] = report.modules(next(r for r in ecp5 if r["profile"] == "standard"))
     tables["profiles"] = profiles(ecp5)
-    place(page, tables, runs[0]["yosys"])
+    place(page, "make area", tables, runs[0]["yosys"])
 
 
 if __name__ == "__main__":

@@ -1,26 +1,23 @@
 # angles.py - levels against the angle at which a texture is seen: table and plot
 # SPDX-License-Identifier: Apache-2.0
-import json
 import os
-import re
 import subprocess
 
 from .. import intact
+from ..pages import whole
 from ..synth import report
 
+SLANTS = 89, 75, 60, 45, 30, 16, 5, "ball"  # views: make/textures.mk
 VIAS = {"direct": "directly", "flat": "in a flat mirror", "curved": "in a ball"}
 
 
 def slants(folder):
     """{via: [{degrees, pixels, within_one, path, bmrt, low, top}]}: views put together."""
     found = {via: {} for via in VIAS}
-    for name in sorted(os.listdir(folder)):
-        if not re.fullmatch(r"slant-(\d+|ball)\.json", name):
-            continue
-        with open(os.path.join(folder, name), encoding="utf-8") as f:
-            run = json.load(f)
-        for via, bins in run["levels"]["slant"].items():
-            if (name == "slant-ball.json") != (via == "curved"):
+    for view in SLANTS:
+        run = whole.load(os.path.join(folder, f"slant-{view}.json"))
+        for via, bins in run["levels"]["slant"].items() if run else ():
+            if (view == "ball") != (via == "curved"):
                 continue
             for b in bins:
                 n = b["pixels"]

@@ -3,14 +3,13 @@
 # plot
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab.textures.page PAGE ACCURACY FOLDER PICTURES SIZE RTL_SIZE -- NAME...
-FOLDER has what make/textures.mk says; what is not there is a dash. The table `textures` stands in
-ACCURACY."""
-import json
+FOLDER has what make/textures.mk says. The table `textures` stands in ACCURACY."""
 import os
 import re
 import sys
+from functools import partial
 
-from ..pages import data as tables
+from ..pages import data as tables, whole
 from ..pages.place import place
 from ..report.units import LINE, parameters, units
 from ..synth import report
@@ -43,20 +42,12 @@ class Data:
         self.folder, self.size, self.rtl, self.names = folder, size, rtl, names
 
     def read(self, name):
-        try:
-            with open(os.path.join(self.folder, name), encoding="utf-8") as f:
-                return json.load(f)
-        except FileNotFoundError:
-            return None
+        return whole.load(os.path.join(self.folder, name))
 
     def rms(self, name):
         """(RMS, PSNR) as oiiotool tells them."""
-        try:
-            with open(os.path.join(self.folder, name + ".rms"), encoding="utf-8") as f:
-                text = f.read()
-        except FileNotFoundError:
-            return None
-        return tuple(float(re.search(what + r" = ([0-9.]+)", text)[1])
+        text = whole.text(os.path.join(self.folder, name + ".rms"))
+        return text and tuple(float(re.search(what + r" = ([0-9.]+)", text)[1])
                      for what in ("RMS error", "Peak SNR"))
 
 
@@ -317,15 +308,14 @@ def main(page, accuracy, folder, pictures, size, rtl, dashes, *names):
     if dashes != "--" or not names:
         sys.exit(__doc__)
     data = Data(folder, size, rtl, names)
-    found = slants(folder)
-    plot(found, folder, os.path.join(pictures, "angles.svg"))
-    place(page, {"levels": levels(data), "decisions": decisions(data),
-                        "totals": totals(data), "bases": bases(data), "caches": caches(data),
-                        "speed": speed(data), "slow": slow(data), "stall": stalls(data),
-                        "memory": memory(data), "longer": longer(data),
-                        "errors": errors(data),
-                        "angles": angles(found)})
-    place(accuracy, {"textures": prices(data)})
+    tables_of = {"levels": levels, "decisions": decisions, "totals": totals, "bases": bases,
+                 "caches": caches, "speed": speed, "slow": slow, "stall": stalls, "memory": memory,
+                 "longer": longer, "errors": errors}
+    put = place(page, "make textures", {"angles": lambda: angles(slants(folder))} | {
+        name: partial(table, data) for name, table in tables_of.items()})
+    if "angles" in put:
+        plot(slants(folder), folder, os.path.join(pictures, "angles.svg"))
+    place(accuracy, "make textures", {"textures": lambda: prices(data)})
 
 
 if __name__ == "__main__":

@@ -10,6 +10,7 @@ import shutil
 import sys
 from pathlib import Path
 
+from ..pages import whole
 from ..pages.place import place
 from ..synth.report import table
 from . import scenes
@@ -26,9 +27,16 @@ def results(folder):
     found = {}
     for path in sorted(Path(folder).glob("*.json")):
         found[path.stem] = json.loads(path.read_text(encoding="utf-8"))
-    if not found:
-        sys.exit(f"truth: no result in {folder}: run make truth")
     return found
+
+
+def lacking(found):
+    """Notes the scenes that were not drawn; whether there are any."""
+    wanted = [name for name, _ in scenes.files()] + ["protein"] + [
+        kind.replace(":", "") for kind in scenes.GENERATED]
+    for name in set(wanted) - set(found):
+        whole.lack(f"no result of {name}")
+    return bool(whole.LACKING)
 
 
 def decibel(value):
@@ -104,8 +112,10 @@ def scale(folder):
 
 def main(page, folder, shown):
     found = results(folder)
-    place(page, {"reference": reference(found), "model": model(found), "wrong": wrong(found),
-                 "why": why(found), "below": below(found), "scale": scale(folder)})
+    made = {"reference": reference, "model": model, "wrong": wrong, "why": why, "below": below}
+    place(page, "make truth", {"scale": lambda: scale(folder)} | {
+        name: lambda table=table: None if lacking(found) else table(found)
+        for name, table in made.items()})
     Path(shown).mkdir(parents=True, exist_ok=True)
     text = Path(page).read_text(encoding="utf-8")
     for name in re.findall(rf"{Path(shown).name}/(\w+)\.png", text):

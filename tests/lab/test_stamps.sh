@@ -1,0 +1,77 @@
+#!/bin/sh
+# test_stamps.sh - a measured table and its stamp are written together, by a run that has all of it
+# SPDX-License-Identifier: Apache-2.0
+set -u
+. "$(dirname "$0")/../tap.sh"
+cd "$(dirname "$0")/../.." || exit 1
+cp -r docs lab sim synth make rtl tb formal scenes Makefile README.md CONTRIBUTING.md VERSION cmodel "$TMP"
+cd "$TMP" || exit 1
+mkdir empty
+results=docs/results record=docs/results/data/measured.tsv
+
+# ---- commands without any result: each page, its tables and the record stay ----
+cp -r docs before
+nothing() { # command: it may fail, with a message of its own
+    "$@" >said 2>&1
+    head -n 3 said
+    ! grep Traceback said && grep -q 'stays as it is' said || return 1
+    ! diff -r before docs | head -n 5 | grep .
+}
+lab() { python3 -m "$@"; }
+check "scenarios" nothing lab lab.scenarios.page $results/scenarios.md empty
+check "papers" nothing lab lab.papers.page $results/claims.md empty empty
+check "background" nothing lab lab.background $results/background.md empty empty plain-key -- centred
+check "textures" nothing lab lab.textures.page $results/texture_results.md $results/accuracy.md \
+    empty docs/pictures 48x27 24x14 -- kitchen robot museum
+check "bart" nothing lab lab.bart $results/bart.md empty 48x27 84 -- kitchen:400:50 robot:3:2 museum:7:7
+check "truth" nothing lab lab.truth.page $results/truth.md empty docs/pictures/truth
+check "study" nothing lab lab.study.page --only-tables $results/accuracy.md empty empty/study
+check "moving" nothing lab lab.moving.page $results/moving.md empty
+check "area" nothing lab lab.synth.page $results/area.md empty standard-ecp5-all-engines1
+check "effects" nothing lab lab.effects.page $results/effects.md empty empty
+check "fuzz" nothing lab lab.fuzz empty/runs.tsv $results/fuzz.md
+check "one table" nothing lab lab.pages.place $results/host.md "make host-page" events empty/events
+
+# ---- what is there is put and stamped, what lacks something is not ----
+cat >put.py <<'END'
+from lab.pages import whole
+from lab.pages.place import place
+place("docs/results/scenarios.md", "make some", {
+    "full": "| a | b |\n|---|---|\n| 1 | 2 |",
+    "work": lambda: "| a |\n|---|\n| 3 |",
+    "cycles": lambda: f"| a |\n|---|\n| {whole.load('empty/none.json') or '-'} |",
+    "time": lambda: whole.load("empty/other.json")["seconds"]})
+END
+row() { awk -F '\t' -v table="$1" '$1 == "scenarios" && $2 == table { print $3, $5 }' $record; }
+old=$(row cycles) day=$(git log -1 --format=%cs 2>said || echo unknown)
+check "two tables are whole, two are not" python3 put.py
+check "a whole table stands in its page" grep -qF '| 1 | 2 |' $results/scenarios.md
+check "... or in its file" grep -qx 3 $results/data/scenarios.work.tsv
+check "... with its stamp" [ "$(row full)" = "make some $day" ]
+check "... also in the page" grep -q '^- \*full\*, \*work\*: `make some` at commit ' \
+    $results/scenarios.md
+check "a table of which something is missing stays" \
+    cmp before/results/data/scenarios.cycles.tsv $results/data/scenarios.cycles.tsv
+check "... with its stamp" [ "$(row cycles)" = "$old" ]
+check "all of it is as the record has it" python3 -m lab.pages --check
+
+# ---- results that are older than what they were made of ----
+old_result() {
+    echo '{}' >empty/a.json && touch -d '2001-01-01' empty/a.json &&
+        python3 -c 'from lab.pages import whole
+assert whole.load("empty/a.json") == {} and whole.load("empty/a.json", "rtl/**/*.v") is None
+assert whole.LACKING == ["empty/a.json is older than rtl/**/*.v"], whole.LACKING'
+}
+check "a result from before the sources changed is none" old_result
+
+# ---- some rows alone are new ----
+some_rows() {
+    before_it=$(row memory) && python3 -c 'from lab.pages.place import place
+place("docs/results/scenarios.md", "make more", {"memory": "| a |\n|---|\n| 7 |"}, rest=True)' &&
+        [ "$(row memory)" = "$before_it" ] && python3 -m lab.pages --check
+}
+check "a table of which some rows are new stays as old as it was" some_rows
+cd - >said && check "the ages of all tables, by a command" python3 -m lab.pages.age scenarios
+aged() { python3 -m lab.pages.age nothing 2>"$TMP/said"; [ $? = 1 ] && grep 'no measured table in' "$TMP/said"; }
+check "... of a page that has none" aged
+done_testing
