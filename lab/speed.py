@@ -2,10 +2,11 @@
 # speed.py - the golden model beside Embree and POV-Ray, and how it grows: `make bench`
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab.speed TOOL FOLDER PAGE [EMBREE]
-EMBREE: sim/embree.c, compiled; without it, or without POV-Ray, tables that have them are shown on
-the terminal alone. All that is compared runs in turn in one call, with one thread; times are those of the
-processor, so that other programs disturb them little. SIZES of the environment: spheres of the
-growth, such as "100 1000"; TABLES: those to make, of "rays frames growth"."""
+EMBREE: sim/embree.c, compiled; without it, or without POV-Ray, tables that have them are shown
+on the terminal alone. All that is compared runs in turn in one call, with one thread; times are
+those of the processor, so that other programs disturb them little. SIZES of the environment:
+spheres of the growth, such as "100 1000", whose table is then shown alone; TABLES: those to make,
+of "rays frames growth"."""
 import json
 import os
 import re

@@ -3,7 +3,7 @@
 #
 #   make bench-setup    installs what sim/packages_bench.txt names: Embree
 #   make bench          ratios of ways, and docs/results/speed.md; without Embree or POV-Ray it says
-#                       so and leaves out what they would tell
+#                       so, and what they would tell stays as it is
 
 .PHONY: bench bench-setup hashes trees kinds
 # Embree's C interface, if it is installed; looked for when it is used.

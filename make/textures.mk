@@ -85,8 +85,6 @@ textures-page: # from the results that are there
 	@mkdir -p $(TEX) $(TEX_SHOWN)
 	$(Q)python3 -m lab.textures.page $(TEX_PAGE) docs/results/accuracy.md $(TEX) $(TEX_SHOWN) \
 	    $(TEX_SIZE) $(TEX_RTL) -- $(TEX_NAMES)
-	$(Q)for page in $(TEX_PAGE) docs/results/accuracy.md; do \
-	    python3 -m lab.pages.measured $$page "make textures" || exit 1; done
 	@echo "tables in $(TEX_PAGE) and docs/results/accuracy.md, plot in $(TEX_SHOWN)"
 
 TEX_IMAGES := $(wildcard scenes/texture/*.png)

@@ -97,7 +97,7 @@ def known():
 
 
 def tables(found, rest=False):
-    """The tables of {fault: (verdict, bench, reason, seconds)}; rest: some of them alone are new."""
+    """The tables of {fault: (verdict, bench, reason, seconds)}; rest: some alone are new."""
     modules, folders = (collections.defaultdict(collections.Counter) for _ in range(2))
     for fault, (verdict, *_) in found.items():
         modules[fault.module][verdict] += 1

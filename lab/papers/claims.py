@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """A row for each claim: where it stands, what the paper says, what is found here, the command that
 shows it, and a word of VERDICTS. Names in braces are rows of docs/results/data/claims.*.tsv, of
-MEASURED, which page.py made of this experiment's runs; other numbers are of the page that the row links."""
+MEASURED, which page.py made of this experiment's runs; other numbers are of the page that the row
+links."""
 from ..pages import data, markdown
 from .measure import PARK_CORE
 

@@ -45,7 +45,8 @@ def rows(bench):
 def main(build, page):
     head = ["scene", "pipes", "clocks a pixel", "MHz", "frames/s", "million rays/s",
             "MHz for 30 frames/s"]
-    place(page, "make board-rate", {"rate": report.table(head, list(rows(cores.Bench(build, SIZE))), 2)})
+    place(page, "make board-rate", {
+        "rate": report.table(head, list(rows(cores.Bench(build, SIZE))), 2)})
 
 
 if __name__ == "__main__":

@@ -3,8 +3,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab.scenarios.measure TOOL FOLDER [--rtl]
 Leaves NAME.json in FOLDER for each machine: what build and render report, times of several runs. A
-result that is younger than the tool is kept, the RTL's if it is younger than rtl/ too. --rtl also runs the machines of list `speed` and
-`trees` through the RTL: NAME.core.json, with sim/core.sh."""
+result that is younger than the tool is kept, of the RTL if it is younger than that too. --rtl
+also runs the machines of list `speed` and `trees` through the RTL: NAME.core.json, with
+sim/core.sh."""
 import json
 import os
 import subprocess

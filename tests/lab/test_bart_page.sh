@@ -1,6 +1,6 @@
 #!/bin/sh
-# test_bart_page.sh - the tables of docs/results/bart.md from results; what lacks some is shown, with
-# dashes, and not put
+# test_bart_page.sh - the tables of docs/results/bart.md from results; what lacks some is shown,
+# with dashes, and not put
 # SPDX-License-Identifier: Apache-2.0
 set -u
 . "$(dirname "$0")/../tap.sh"
@@ -12,8 +12,8 @@ mkdir "$data"
 
 has() { grep -qE -- "$1" "$2"; } # pattern, file
 fill() {
-    python3 -m lab.bart "$TMP/bart.md" "$data" 48x27 84 -- kitchen:400:50,400 robot:3:2,3,4 museum:7:7 \
-        >"$page" 2>&1
+    python3 -m lab.bart "$TMP/bart.md" "$data" 48x27 84 -- kitchen:400:50,400 \
+        robot:3:2,3,4 museum:7:7 >"$page" 2>&1
 }
 
 check "without results" fill

@@ -4,7 +4,8 @@
 set -u
 . "$(dirname "$0")/../tap.sh"
 cd "$(dirname "$0")/../.." || exit 1
-cp -r docs lab sim synth make rtl tb formal scenes Makefile README.md CONTRIBUTING.md VERSION cmodel "$TMP"
+cp -r docs lab sim synth make rtl tb formal scenes cmodel Makefile README.md CONTRIBUTING.md \
+    VERSION "$TMP"
 cd "$TMP" || exit 1
 mkdir empty
 results=docs/results record=docs/results/data/measured.tsv
@@ -20,10 +21,12 @@ nothing() { # command: it may fail, with a message of its own
 lab() { python3 -m "$@"; }
 check "scenarios" nothing lab lab.scenarios.page $results/scenarios.md empty
 check "papers" nothing lab lab.papers.page $results/claims.md empty empty
-check "background" nothing lab lab.background $results/background.md empty empty plain-key -- centred
+check "background" nothing lab lab.background $results/background.md empty empty key \
+    -- centred
 check "textures" nothing lab lab.textures.page $results/texture_results.md $results/accuracy.md \
     empty docs/pictures 48x27 24x14 -- kitchen robot museum
-check "bart" nothing lab lab.bart $results/bart.md empty 48x27 84 -- kitchen:400:50 robot:3:2 museum:7:7
+check "bart" nothing lab lab.bart $results/bart.md empty 48x27 84 -- \
+    kitchen:400:50 robot:3:2 museum:7:7
 check "truth" nothing lab lab.truth.page $results/truth.md empty docs/pictures/truth
 check "study" nothing lab lab.study.page --only-tables $results/accuracy.md empty empty/study
 check "moving" nothing lab lab.moving.page $results/moving.md empty
@@ -72,6 +75,8 @@ place("docs/results/scenarios.md", "make more", {"memory": "| a |\n|---|\n| 7 |"
 }
 check "a table of which some rows are new stays as old as it was" some_rows
 cd - >said && check "the ages of all tables, by a command" python3 -m lab.pages.age scenarios
-aged() { python3 -m lab.pages.age nothing 2>"$TMP/said"; [ $? = 1 ] && grep 'no measured table in' "$TMP/said"; }
+aged() {
+    ! python3 -m lab.pages.age nothing 2>"$TMP/said" && grep 'no measured table in' "$TMP/said"
+}
 check "... of a page that has none" aged
 done_testing

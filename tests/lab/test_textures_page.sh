@@ -1,6 +1,6 @@
 #!/bin/sh
-# test_textures_page.sh - the tables of docs/results/texture_results.md from results; what lacks some
-# is shown and not put
+# test_textures_page.sh - the tables of docs/results/texture_results.md from results; what lacks
+# some is shown and not put
 # SPDX-License-Identifier: Apache-2.0
 set -u
 . "$(dirname "$0")/../tap.sh"
@@ -33,8 +33,8 @@ outside() {
 fill >"$TMP/text" 2>&1
 check "without results" [ $? = 0 ]
 check "a table is shown with dashes" told '^kitchen;trilinear;-;-;-;-;93.7$'
-check "... and why it stays as it is" has 'the table caches stays as it is: no .*, and [0-9]* more$' \
-    "$TMP/text"
+check "... and why it stays as it is" \
+    has 'the table caches stays as it is: no .*, and [0-9]* more$' "$TMP/text"
 check "... the page stays" cmp docs/results/texture_results.md "$page"
 check "... its tables" cmp docs/results/data/texture_results.caches.tsv "$data/page.caches.tsv"
 check "... and nothing is stamped" [ ! -e "$TMP/measured.tsv" ]
