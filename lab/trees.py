@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-# trees.py - visits in trees of four children, against a bound from below: `make trees`
+# trees.py - trees beside each other, against a bound, and the paper's walk: `make trees`
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.trees TOOL FOLDER
-Renders scenes with each tree and prints a table. The pictures must be the same.
+"""usage: python3 -m lab.trees TOOL FOLDER PAGE
+Renders scenes with each tree and puts the tables into PAGE. What must not change a picture is held
+against the nearest hit's.
 
 The bound holds for primary rays, whatever the tree: a ray that hits a primitive must visit every
 node above it, and any other ray the root. With w rays that end at each primitive the sum of w times
@@ -15,16 +16,27 @@ import struct
 import subprocess
 import sys
 
+from .pages import whole
+from .pages.place import place
+from .synth import report
 from .tree_options import OF_FOUR, options
 
-NO_ID, HEAD = 0xFFFFFF, 32  # of a frame file: cmodel/core/frame_file.h
+NO_ID, HEAD = 0xFFFFFF, 32  # of a frame file: cmodel/render/frame_file.h
 PDB = "/usr/share/pymol/data/demo/1tii.pdb"
-SIZE = "160x90"
-SCENES = [("`paper100`", "scenes/paper100.nff"), ("random", ["gen", "random", "-n", "256"]),
-          ("sphereflake 3", ["gen", "sphereflake", "--size", "3"]),
-          ("random", ["gen", "random", "-n", "1000"]), ("random", ["gen", "random", "-n", "4096"]),
-          ("1TII, a protein", ["import", PDB]),
-          ("sphereflake 4", ["gen", "sphereflake", "--size", "4"])]
+SIZE, LARGE = "160x90", "96x64"
+BALLS = [("`paper100`", "paper100"), ("random:256", "gen random:256"),
+         ("sphereflake:3", "gen sphereflake:3"), ("random:1000", "gen random:1000"),
+         ("random:4096", "gen random:4096"), ("1TII, a protein", "import " + PDB),
+         ("sphereflake:4", "gen sphereflake:4")]
+ALL = [("`paper5`", "paper5"), ("`sphereflake2`", "sphereflake2"), *BALLS]
+MIXED = [(f"`{name}`", name) for name in ("facets/room", "texture/kitchen", "texture/museum",
+                                          "texture/robot", "paper100", "sphereflake2")]
+FACETS = [("`facets/plane`", "facets/plane"), ("`facets/triangles`", "facets/triangles"),
+          ("icosphere:1", "gen icosphere:1"), ("`facets/room`", "facets/room"),
+          ("icosphere:3", "gen icosphere:3")]
+WALKED = [("`paper5`", "paper5"), ("`sphereflake2`", "sphereflake2"), ("`paper100`", "paper100"),
+          ("random:4096", "gen random:4096")]
+FIRST = ["--tree", "paper", "--traverse", "first", "--interpenetrate"]
 
 
 def ids(path):
@@ -52,48 +64,129 @@ def bound(hits, primitives):
     return total / len(hits)
 
 
-def measure(tool, folder, scene, tree):
-    """Visits of a ray, and what the primary rays hit; hash of the picture."""
-    frame = os.path.join(folder, "frame")
-    words = [tool, "render", scene, "--profile", "standard", "--size", SIZE, *options(tree)]
-    found = []
-    for more in ([], ["--depth", "0", "--shadow", "off"]):
-        done = subprocess.run([*words, *more, "--frame", frame, "--json", "-"], check=False,
-                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        if done.returncode:
-            sys.exit(f"trees: {done.stderr}")
-        report = json.loads(done.stdout)
-        counters = report["counters"]
-        rays = sum(n for name, n in counters.items() if name.startswith("rays_"))
-        found.append((counters["node_visits"] / rays, report["frame"]["picture_hash"]))
-    return found, ids(frame)
+class Runner:
+    def __init__(self, tool, folder):
+        self.tool, self.folder = tool, folder
+        os.makedirs(folder, exist_ok=True)
+
+    def run(self, *words, good=(0,)):
+        done = subprocess.run([self.tool, *words], check=False, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE, text=True)
+        if done.returncode not in good:
+            sys.exit(f"trees: {' '.join(words)}: {done.stderr}")
+        return done.stdout
+
+    def scene(self, source):
+        """The file of a scene: of scenes/, or made by words of the tool."""
+        if " " not in source:
+            return f"scenes/{source}.nff"
+        if source.startswith("import ") and not whole.there(source.split()[1]):
+            raise FileNotFoundError(2, "", source.split()[1])
+        path = os.path.join(self.folder, "scene.nff")
+        self.run(*source.split(), "-o", path)
+        return path
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def drawn(self, scene, *words, size=SIZE, frame="frame"):
+        """Report of a frame, which lies in the folder as `frame`."""
+        print("  RUN ", os.path.basename(scene), *words, flush=True)
+        return json.loads(self.run("render", scene, "--profile", "standard", "--size", size, *words,
+                                   "--frame", self.path(frame), "--json", "-"))
 
 
-def row(tool, folder, name, source):
-    scene = source if isinstance(source, str) else os.path.join(folder, "scene.nff")
-    if scene != source:
-        subprocess.run([tool, *source, "-o", scene], check=True, stdout=subprocess.DEVNULL)
-    whole, primary = [], []
-    for tree in OF_FOUR:
-        found, hits = measure(tool, folder, scene, tree)
-        whole.append(found[0])
-        primary.append(found[1])
-    if len({picture for _, picture in whole}) != 1:
+def rays(counters):
+    return sum(n for name, n in counters.items() if name.startswith("rays_"))
+
+
+def primitives(drawn):
+    return sum(drawn["machine"].get(kind, 0) for kind in ("spheres", "triangles", "planes"))
+
+
+def each(drawn, *names):
+    """Counters of a ray."""
+    counters = drawn["counters"]
+    return [f"{counters[name] / rays(counters):.2f}" for name in names]
+
+
+def same(scene, *drawn):
+    if len({d["frame"]["picture_hash"] for d in drawn}) != 1:
         sys.exit(f"trees: {scene}: the pictures are not the same")
-    with open(scene, encoding="utf-8") as f:
-        n = sum(line.split()[:1] == ["s"] for line in f)
-    cells = [f"{visits:.2f}" for visits, _ in whole + primary]
-    return f"| {name} | {n} | {' | '.join(cells)} | {bound(hits, n):.2f} |"
 
 
-def main():
-    tool, folder = sys.argv[1:]
-    os.makedirs(folder, exist_ok=True)
-    heads = ["scene", "spheres", *OF_FOUR, *(f"primary: {tree}" for tree in OF_FOUR), "bound"]
-    lines = ["| " + " | ".join(heads) + " |", "|" + "---|" * len(heads)]
-    lines += [row(tool, folder, name, source) for name, source in SCENES]
-    print("\n".join(lines))
+def work(runner, scenes, tests, what):
+    """Visits and tests of a ray in the balanced tree and the paper's, and tests of brute force."""
+    rows = []
+    for name, source in scenes:
+        scene = runner.scene(source)
+        balanced, paper = (runner.drawn(scene, *options(tree)) for tree in ("balanced", "paper"))
+        brute = runner.drawn(scene, "--brute", "--axes", "camera")  # as the trees have them
+        same(scene, balanced, paper, brute)
+        rows.append([name, primitives(brute), *each(balanced, "node_visits", "child_tests", tests),
+                     *each(paper, "node_visits", "child_tests", tests), *each(brute, tests)])
+    return report.table(["scene", "primitives", "balanced: visits", "tests", what, "paper: visits",
+                         "tests", what, "brute: " + what], rows)
+
+
+def bounded(runner):
+    """Visits of a ray, of all rays and of the primary ones, and the bound for these."""
+    rows = []
+    for name, source in BALLS:
+        scene, all_rays, primary = runner.scene(source), [], []
+        for tree in OF_FOUR:
+            all_rays.append(runner.drawn(scene, *options(tree)))
+            primary.append(runner.drawn(scene, *options(tree), "--depth", "0", "--shadow", "off"))
+        same(scene, *all_rays)
+        n = primitives(primary[0])
+        rows.append([name, n, *(each(d, "node_visits")[0] for d in all_rays + primary),
+                     f"{bound(ids(runner.path('frame')), n):.2f}"])
+    return report.table(["scene", "spheres", *OF_FOUR, *(f"primary: {tree}" for tree in OF_FOUR),
+                         "bound"], rows)
+
+
+def boxes(runner):
+    """Visits and exact tests a pixel."""
+    ways = {"bvh4": options("bvh4"), "bih": options("bih1"), "box4": options("box4")}
+    width, height = map(int, LARGE.split("x"))
+    rows = []
+    for name, source in MIXED:
+        row = []
+        for words in ways.values():
+            drawn = runner.drawn(runner.scene(source), *words, size=LARGE)
+            c = drawn["counters"]
+            row.append(" / ".join(f"{n / width / height:.1f}" for n in (
+                c["node_visits"], c["leaf_tests"] + c["facet_tests"])))
+        rows.append([name, primitives(drawn), *row])
+    return report.table(["scene", "primitives", *ways], rows)
+
+
+def walked(runner):
+    """Tests a ray of the paper's walk, and pixels in which it differs from the nearest hit."""
+    rows = []
+    for name, source in WALKED:
+        scene = runner.scene(source)
+        row = [name, *each(runner.drawn(scene, "--tree", "paper", frame="nearest"), "child_tests")]
+        for how in "off", "on":
+            drawn = runner.drawn(scene, *FIRST, how)
+            told = json.loads(runner.run("compare", "--ignore-work", runner.path("nearest"),
+                                         runner.path("frame"), "--json", "-", good=(0, 1)))
+            row += [*each(drawn, "child_tests"), told["difference"]["pixels"]]
+        rows.append(row)
+    return report.table(["scene", "paper's tree, nearest", "first", "pixels", "first, corrected",
+                         "pixels"], rows)
+
+
+def main(tool, folder, page):
+    runner = Runner(tool, folder)
+    place(page, "make trees", {
+        "work": lambda: work(runner, ALL, "leaf_tests", "leaves"),
+        "bound": lambda: bounded(runner), "boxes": lambda: boxes(runner),
+        "facets": lambda: work(runner, FACETS, "facet_tests", "facets"),
+        "walk": lambda: walked(runner)})
 
 
 if __name__ == "__main__":
-    main()
+    if len(sys.argv) != 4:
+        sys.exit(__doc__)
+    main(*sys.argv[1:])

@@ -28,8 +28,8 @@ hashes: $(TOOL) $B/test/naive-frame ## write scenes/hashes*.txt: what both model
 	$(Q)SPHAERA=$(TOOL) sh sim/hashes.sh --naive $B/test/naive-frame >$B/hashes.txt
 	$(Q)mv $B/hashes.txt scenes/hashes_naive.txt
 
-trees: $(TOOL) ## table of visits in each tree, against a bound; a minute
-	$(Q)python3 -m lab.trees $(TOOL) $B/trees
+trees: $(TOOL) ## trees beside each other and against a bound: docs/results/trees.md; two minutes
+	$(Q)python3 -m lab.trees $(TOOL) $B/trees docs/results/trees.md
 
 kinds: $(TOOL) ## kinds of trees beside each other, a kd-tree too: docs/results/trees.md
 	$(Q)python3 -m lab.kinds $(TOOL) docs/results/trees.md

@@ -21,9 +21,11 @@ FEW = [64, 128, 256]
 MANY = [1024, 2048, 4096]
 SCENES = ["sphereflake2", "paper100", "random4096", "room", "scenario1", "scenario2", "scenario3"]
 ACCELS = ["paper", "balanced", "reinserted", "box4", "bih1", "bih4", "bih8", "brute"]
+# of these the RTL draws
+SCENES_RTL, ACCELS_RTL = ["paper100", "room"], ["reinserted", "box4", "bih1", "bih4"]
 # only primary rays; no shadows
 PRIMARY = ["--depth", "0", "--shadow", "off"]
-BUILDS, RENDERS = 5, 3
+RENDERS = 3
 # the thesis's frame; what of Figure 4.4 the RTL draws of it
 FULL = ["--size", "640x1088"]
 FULL_RTL = [(1, 64, "brute"), (1, 64, "bih1"), (1, 64, "bih8")]
@@ -56,18 +58,15 @@ class Runner:
             self.run("gen", kind, "-n", str(n), *more, "-o", path)
         return path
 
-    def machine(self, name, scene, build, renders=1, builds=1):
+    def machine(self, name, scene, build, renders=1):
         """Builds, and renders if asked for; NAME.json has both reports and all times."""
         target = self.path(name + ".json")
         if self.fresh(target):
             return
         print("  RUN ", name, flush=True)
-        sph, times, result = self.path(name + ".sph"), [], {}
-        for _ in range(builds):
-            report = json.loads(self.run("build", scene, "--profile", "standard", *build, "-o", sph,
-                                         "--json", "-"))
-            times.append(report["build"]["tree_seconds"])
-        result["build"], result["build_times"] = report, times
+        sph, result = self.path(name + ".sph"), {}
+        result["build"] = json.loads(self.run("build", scene, "--profile", "standard", *build,
+                                              "-o", sph, "--json", "-"))
         if renders:
             runs = [json.loads(self.run("render", sph, "-t", "1", "--json", "-"))
                     for _ in range(renders)]
@@ -106,7 +105,7 @@ def main(tool, folder, *more):
         kind = f"scenario{number}"
         for how in "bih1", "bih8", "listing1", "listing8":
             runner.machine(f"table-{number}-{how}", runner.generated(kind, SPHERES), options(how),
-                           0, BUILDS)
+                           0)
         for n in MANY:
             for prims in PRIMS:
                 runner.machine(f"memory-{number}-{n}-{prims}", runner.generated(kind, n, 0.001),
@@ -126,8 +125,8 @@ def main(tool, folder, *more):
         size = "90x153" if scene.startswith("scenario") else "160x90"
         for way in ACCELS:
             runner.machine(f"trees-{scene}-{way}", scene_file(runner, scene),
-                           options(way) + ["--size", size, "--axes", "camera"], builds=BUILDS)
-            if way != "brute":
+                           options(way) + ["--size", size, "--axes", "camera"])
+            if scene in SCENES_RTL and way in ACCELS_RTL:
                 runner.core(f"trees-{scene}-{way}")
 
 

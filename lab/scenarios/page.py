@@ -29,7 +29,6 @@ THESIS = {
     "of 4": [0, 0, 0, 12.93, 0, 17.04],
     "of more": [0, 100, 0, 61.95, 0, 61.60],
     "optimized nodes": [0, 0, 755, 5, 537, 12],
-    "build, ms": [15.18, 6.06, 20.31, 9.57, 24.05, 8.07],
 }
 CASES = [(s, p) for s in (1, 2, 3) for p in (1, 8)]
 
@@ -46,10 +45,8 @@ def column(result):
     """The rows of Table 4.2 of one machine."""
     b = result["build"]["build"]["bih"]
     bars = [100 * n / b["leaves"] for n in b["leaves_by_prims"]]
-    times = result["build_times"]
     return [b["inner"], b["leaves"], b["prims_min"], b["prims_mean"], b["prims_max"],
-            b["depth_min"], b["depth_mean"], b["depth_max"], *bars, b["optimized"],
-            1e3 * sum(times) / len(times)]
+            b["depth_min"], b["depth_mean"], b["depth_max"], *bars, b["optimized"]]
 
 
 def statistics(folder):
@@ -155,11 +152,16 @@ def trees(folder):
             bytes_ = (b["bih"]["node_bytes"] + b["bih"]["record_bytes"] if "bih" in b
                       else r["build"]["machine"]["tree_bytes"])
             rows.append([scene, way, f"{c['node_visits']:.1f}", f"{c['child_tests']:.1f}",
-                         f"{c['leaf_tests']:.2f}", f"{c['facet_tests']:.2f}", bytes_,
-                         f"{1e3 * min(r['build_times']):.2f}",
-                         "-" if way == "brute" else shown(cycles(folder, name))])
+                         f"{c['leaf_tests']:.2f}", f"{c['facet_tests']:.2f}", bytes_])
     return report.table(["scene", "tree", "visits", "tests of children", "of spheres",
-                         "of facets", "bytes", "build, ms", "cycles a pixel"], rows, 2)
+                         "of facets", "bytes"], rows, 2)
+
+
+def tree_cycles(folder):
+    """Cycles a pixel of the RTL."""
+    return report.table(["cycles a pixel", *measure.ACCELS_RTL], [
+        [scene, *(shown(cycles(folder, f"trees-{scene}-{way}")) for way in measure.ACCELS_RTL)]
+        for scene in measure.SCENES_RTL])
 
 
 def main(page, folder):
@@ -167,7 +169,8 @@ def main(page, folder):
         "statistics": lambda: statistics(folder), "listing": lambda: listing(folder),
         "memory": lambda: memory(folder), "time": lambda: speed(folder, time_ratio),
         "work": lambda: speed(folder, work), "cycles": lambda: speed(folder, cycle_ratio),
-        "full": lambda: full(folder), "trees": lambda: trees(folder)})
+        "full": lambda: full(folder), "trees": lambda: trees(folder),
+        "tree_cycles": lambda: tree_cycles(folder)})
 
 
 if __name__ == "__main__":

@@ -21,6 +21,12 @@ NOTE = {
 }
 
 
+def times(ratio):
+    """A ratio of times in two digits: 0.37, 4.2, 130."""
+    digits = f"{ratio:.1e}"
+    return f"{float(digits):.{max(0, 1 - int(digits[4:]))}f}"
+
+
 def table(head, rows, left=1):
     """Markdown; all but the first `left` columns to the right."""
     widths = [max(len(str(row[i])) for row in [head] + rows) for i in range(len(head))]
