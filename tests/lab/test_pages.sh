@@ -8,6 +8,9 @@ cd "$(dirname "$0")/../.." || exit 1
 check "pages are as the sources have them: make pages" python3 -m lab.pages --check
 check "files, modules, functions, targets that are named are there" python3 -m lab.pages.names
 
+check "figures of results stand in tables and regions, or are named with a reason" \
+    python3 -m lab.pages.typed
+
 # faults in a copy of the tree
 cp -r cmodel docs formal lab make rtl scenes sim synth tb Makefile VERSION README.md \
     CONTRIBUTING.md "$TMP"
@@ -99,6 +102,40 @@ measured.stamp('$page', 'make speed', ['speed'])" &&
     return $rc
 }
 check "a measured table that no run has made, or that does not say which" unknown
+typed() { # page, what is written behind it, what is said
+    cp "$1" kept
+    printf '%b\n' "\n$2" >>"$1"
+    ! python3 -m lab.pages.typed >said 2>&1 && cat said && grep -q -- "$3" said
+    rc=$?
+    cp kept "$1"
+    return $rc
+}
+results=docs/results
+check "a figure that was typed" typed $results/speed.md 'It takes\n12.5 % more.' \
+    'speed.md:[0-9]*: 12.5 %'
+check "... in README, grouped in threes" typed README.md 'So 12 345 LUT4eq.' \
+    'README.md:[0-9]*: 12 345 LUT4eq'
+check "... in README's table" typed README.md '| a | b |\n|---|---|\n| x | 7 ms |' ': 7 ms'
+check "a table that was typed" typed $results/speed.md '| a | b |\n|---|---|\n| x | 7.5 |' \
+    'speed.md:[0-9]*: table: a, b'
+needless() {
+    cp lab/pages/typed.txt kept
+    echo 'speed | 3 dB | none' >>lab/pages/typed.txt
+    ! python3 -m lab.pages.typed >said && cat said && grep 'speed has no 3 dB' said
+    rc=$?
+    cp kept lab/pages/typed.txt
+    return $rc
+}
+check "a reason for what is not there" needless
+made() { # what is generated or code is not typed
+    cp "$area" kept
+    printf '%s\n' '<!-- begin: x -->9.1 dB<!-- end -->' '`9.2 dB`' '' '    9.3 dB' >>"$area"
+    python3 -m lab.pages.typed
+    rc=$?
+    cp kept "$area"
+    return $rc
+}
+check "regions, code and listings may have figures" made
 check "a table that is not there" broken 's/begin: errors/begin: rows area.none/' 'area.none'
 shown=docs/results/data/shown.txt
 claims=lab/papers/claims.py values=docs/results/data/claims.values.tsv
