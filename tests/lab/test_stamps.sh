@@ -46,7 +46,7 @@ place("docs/results/scenarios.md", "make some", {
     "time": lambda: whole.load("empty/other.json")["seconds"]})
 END
 row() { awk -F '\t' -v table="$1" '$1 == "scenarios" && $2 == table { print $3, $5 }' $record; }
-old=$(row cycles) day=$(git log -1 --format=%cs 2>said || echo unknown)
+old=$(row cycles) day=$(python3 -c 'from lab.pages import measured; print(measured.commit()[1])')
 check "two tables are whole, two are not" python3 put.py
 check "a whole table stands in its page" grep -qF '| 1 | 2 |' $results/scenarios.md
 check "... or in its file" grep -qx 3 $results/data/scenarios.work.tsv
@@ -69,9 +69,9 @@ check "a result from before the sources changed is none" old_result
 
 # ---- some rows alone are new ----
 some_rows() {
-    before_it=$(row memory) && python3 -c 'from lab.pages.place import place
-place("docs/results/scenarios.md", "make more", {"memory": "| a |\n|---|\n| 7 |"}, rest=True)' &&
-        [ "$(row memory)" = "$before_it" ] && python3 -m lab.pages --check
+    before_it=$(row listing) && python3 -c 'from lab.pages.place import place
+place("docs/results/scenarios.md", "make more", {"listing": "| a |\n|---|\n| 7 |"}, rest=True)' &&
+        [ "$(row listing)" = "$before_it" ] && python3 -m lab.pages --check
 }
 check "a table of which some rows are new stays as old as it was" some_rows
 cd - >said && check "the ages of all tables, by a command" python3 -m lab.pages.age scenarios
