@@ -1,4 +1,4 @@
-# rate.mk - what pipes gain, and frames a second: docs/results/pipes.md
+# rate.mk - what pipes gain, and clocks of whole frames: docs/results/pipes.md
 # SPDX-License-Identifier: Apache-2.0
 #
 # $B/rate/DIGEST/ holds what was measured of these sources; seven cores are built for them.
@@ -12,6 +12,6 @@ pipes-cells: ## cells of these cores: docs/results/pipes.md; Yosys, six minutes
 	$(Q)python3 -m lab.rate.cells $B docs/results/pipes.md
 	$(Q)python3 -m lab.pages.measured docs/results/pipes.md "make pipes-cells" cells
 
-board-rate: $(TOOL) ## frames a second of 1280x720, from cycles and the placed clock: pipes.md
+board-rate: $(TOOL) ## clocks of frames of 1280x720, that frames a second follow from: pipes.md
 	$(Q)python3 -m lab.rate.board $B docs/results/pipes.md
 	$(Q)python3 -m lab.pages.measured docs/results/pipes.md "make board-rate" rate

@@ -2,9 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """A row for each claim: where it stands, what the paper says, what is found here, the command that
 shows it, and a word of VERDICTS. Names in braces are rows of docs/results/data/claims.values.tsv,
-which page.py made of this experiment's runs; other numbers are of the page that the row links."""
-from ..pages import data, markdown
-from .measure import PARK_CORE
+which page.py made of this experiment's runs, or rates of told(); other numbers are of the page that
+the row links."""
+from .. import clocks
+from ..pages import data, markdown, rates
+from .measure import PARK_CORE, PARTS, PARTS_CORE
 
 VERDICTS = {
     "same": "found here too",
@@ -78,8 +80,9 @@ BORODAVKA = [
      "engine gives all of them in {parts_2}, three in no less, for three times the cells",
      "make papers", "other"),
     ("VII", "1280x720",
-     "paper5 {hd_paper5}, paper100 {hd_paper100} frames a second, one engine at the {hd_mhz} MHz "
-     "of [accuracy.md](accuracy.md#place-and-route)", "make sim SCENE=paper100", "built"),
+     "paper5 takes {hd_paper5}, paper100 {hd_paper100} cycles a pixel of one engine; frames a "
+     "second of that core: {hd_rate} "
+     "([accuracy.md](accuracy.md#place-and-route))", "make sim SCENE=paper100", "built"),
     ("VII", "a cache holds the primitives used last",
      "of {cold_node_visits} visits of nodes in paper100 {cold_node_misses} fetch a line, of "
      "{cold_leaf_tests} tests of spheres {cold_leaf_misses}, from cold caches", "make papers",
@@ -133,8 +136,9 @@ PARK = [
      "([bart.md](bart.md#table-i-cache)); a cache line holds 8 texels, of the paper's nothing is "
      "told", "make textures", "same in kind"),
     ("Table I", "3.7, 6.3, 6.4 frames a second",
-     "in its own scenes 1.9, 3.4 and 6.8 at 84 MHz with one pipe, 3.8, 6.9 and 13.5 with two, by "
-     "frames of the RTL, with all lights and two reflections ([bart.md](bart.md))",
+     "in its own scenes, clock for clock, {bart_1} with one pipe, {bart_2} with two, by frames of "
+     "the RTL, with all lights and two reflections; the cores that drew them are {bart_clock} "
+     "([bart.md](bart.md))",
      "make bart BART=FOLDER", "other"),
     ("Table I", "MIP-mapping adds 5 to 24 % frames a second",
      "up to 8 % behind an SDRAM, twofold and more with a tenth of its bytes, else nothing",
@@ -198,8 +202,9 @@ AROXA = [
      "lattice is cut evenly ([scenarios.md](scenarios.md#figure-45-memory))", "make scenarios",
      "same in kind"),
     ("III.A", "the tree is built anew for every frame",
-     "all spheres of the scenarios moving, with build and upload: 9.6 frames a second with 100 "
-     "spheres, 6.4 to 8.1 over a BIH with 10 000 ([moving.md](moving.md))", "make moving",
+     "all spheres of the scenarios moving, with build and upload: a frame takes {moving_100} "
+     "million clocks with 100 spheres, {moving_10000} over a BIH with 10 000, and the CPU waits for "
+     "the core; frames a second: {moving_rate} ([moving.md](moving.md))", "make moving",
      "same in kind"),
     ("V.A", "7 to 15 times as fast as brute force", "see Figure 4.4", "make scenarios-rtl",
      "same in kind"),
@@ -220,10 +225,35 @@ AROXA = [
 PAPERS = {"borodavka": BORODAVKA, "park": PARK, "aroxa": AROXA}
 
 
+def told():
+    """What rows name of clocks, and of frames a second that follow."""
+    values = dict(data.read("claims.values")[1])
+    core = clocks.key("standard", PARTS_CORE)
+    found = {"hd_rate": listed(dict.fromkeys(
+        clocks.frames(core, 1280 * 720 * float(values["hd_" + scene])) for scene in PARTS))}
+    for pipes in "1", "2":
+        found["bart_" + pipes] = listed(rates.column("bart", rates.CLOCK_FOR_CLOCK, pipes=pipes))
+    found["bart_clock"] = listed(sorted(set(rates.column("bart", "MHz"))))
+    draws = {n: [float(draw) for name, draw in zip(
+        rates.column("moving", "scenario, spheres", tree=tree),
+        rates.column("moving", "draw, million clocks", tree=tree)) if name.endswith(f", {n}")]
+        for n, tree in ((100, "reinserted"), (10000, "BIH"))}
+    found["moving_100"] = f"{max(draws[100]):.1f}"
+    found["moving_10000"] = f"{min(draws[10000]):.1f} to {max(draws[10000]):.1f}"
+    found["moving_rate"] = listed(sorted(set(rates.column("moving", "frames/s, built"))))
+    return found
+
+
+def listed(words):
+    """a, b and c"""
+    *first, last = words
+    return f"{', '.join(first)} and {last}" if first else last
+
+
 def table(paper):
     """The rows of a paper as its page shows them. A row has a command, or is not built, and does
     not put its answer off."""
-    values = dict(data.read("claims.values")[1])
+    values = dict(data.read("claims.values")[1]) | told()
     rows = []
     for place, says, here, command, verdict in PAPERS[paper]:
         if verdict not in VERDICTS:

@@ -3,6 +3,7 @@
 """Every function gives None where a result is missing; tables show a dash then."""
 import math
 
+from .. import clocks
 from ..jobs import store
 from . import keys, points
 
@@ -38,10 +39,6 @@ class Study:
     def cells(self, core):
         run = self.get(keys.job("cells", **core))
         return run and run["core"]
-
-    def fmax(self, core):
-        """Routed if it is there, else placed alone; that neither is there is an answer."""
-        return self.look(keys.job("fmax", **core)) or self.look(keys.job("fmax", route=0, **core))
 
 
 def psnr(run):
@@ -105,12 +102,11 @@ def ray_cycles(study, core, scenes=None):
     return sum(r["counters"]["cycles"] for r in runs) / rays
 
 
-def milliseconds(study, core, clock=None):
-    """Of a frame of points.FRAME, at the core's own clock or at one given in MHz."""
-    cycles, placed = frame_cycles(study, core), study.fmax(core)
-    if clock is None and placed:
-        clock = placed["fmax"]
-    return None if cycles is None or clock is None else cycles / clock / 1000
+def milliseconds(study, core):
+    """Of a frame of points.FRAME, at the clock of that very core."""
+    cycles, clock = frame_cycles(study, core), clocks.clock(clocks.key(core["profile"],
+                                                                       core["core"]))
+    return None if cycles is None or clock is None else cycles / clock.mhz / 1000
 
 
 def model_milliseconds(study, profile):
@@ -128,13 +124,6 @@ def simulation_milliseconds(study, core):
 def mean_of_runs(runs):
     """Processor seconds of runs, their mean."""
     return mean(r and r.get("cpu_seconds", r.get("cpu")) for r in runs)
-
-
-def pixel_rate(study, core):
-    """Pixels a second for each multiplier."""
-    ms, cells = milliseconds(study, core), study.cells(core)
-    return None if ms is None or cells is None \
-        else pixels(points.FRAME) / ms * 1000 / cells["mult"]
 
 
 def core_of(profile):

@@ -85,11 +85,9 @@ def named(form="{profile}"):
 def time(study):
     """The core at its own clock, the golden model, the simulated core: a frame of each profile."""
     cores = [core_of(p) for p in points.PROFILES]
-    placed = [study.fmax(c) for c in cores]
-    how = "routed" if all(p and p["routed"] for p in placed) else "placed"
     label = named("{profile} {x:.3g} ms")
     return [
-        (f"core at its own\\nclock, {how}",
+        ("core at its own\\nclock, routed",
          dots_of(study, cores, lambda c: gather.milliseconds(study, c), label)),
         ("golden model,\\none thread",
          dots_of(study, cores, lambda c: gather.model_milliseconds(study, c["profile"]), label)),
