@@ -12,6 +12,7 @@ import os
 import statistics
 import subprocess
 import sys
+from functools import lru_cache
 from typing import NamedTuple
 
 from .pages import data
@@ -30,6 +31,7 @@ class Clock(NamedTuple):
     seeds: int
 
 
+@lru_cache(maxsize=None)
 def key(profile, effects, **variables):
     """The key of a core; variables as sim/key.sh takes them: PIPES, SIZES..."""
     ran = subprocess.run(["sh", "sim/key.sh", profile, effects, "ecp5"], check=True, text=True,

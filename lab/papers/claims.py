@@ -6,6 +6,7 @@ which page.py made of this experiment's runs, or rates of told(); other numbers 
 the row links."""
 from .. import clocks
 from ..pages import data, markdown, rates
+from ..pages.told import by_hand
 from .measure import PARK_CORE, PARTS, PARTS_CORE
 
 VERDICTS = {
@@ -260,6 +261,8 @@ def table(paper):
             raise KeyError(f"{paper} {place}: the verdict {verdict} is not one of VERDICTS")
         if (command == "-") != (verdict == "not built"):
             raise KeyError(f"{paper} {place}: what is built, and that alone, has a command")
+        for _, figure in by_hand(here):
+            raise KeyError(f"{paper} {place}: {figure} is told by hand, not by told()")
         if "not measured" in here:
             raise KeyError(f"{paper} {place}: it is not measured")
         shown = "-" if command == "-" else f"`{command}`"
