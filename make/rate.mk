@@ -1,9 +1,14 @@
-# rate.mk - what pipes gain, and clocks of whole frames: docs/results/pipes.md
+# rate.mk - cycles of scenes, what pipes gain, clocks of whole frames: summary.md, pipes.md
 # SPDX-License-Identifier: Apache-2.0
 #
 # $B/rate/DIGEST/ holds what was measured of these sources; seven cores are built for them.
 
-.PHONY: pipes pipes-cells board-rate
+.PHONY: pipes pipes-cells board-rate summary
+summary: $(TOOL) ## cycles a pixel of scenes at the profile that auto takes: summary.md
+	$(Q)python3 -m lab.summary --auto $B
+	$(Q)python3 -m lab.summary $B docs/results/summary.md
+	$(Q)python3 -m lab.pages.measured docs/results/summary.md "make summary" speed
+
 pipes: $(TOOL) ## cycles of 1 to 4 traversal pipes: docs/results/pipes.md; half an hour
 	$(Q)python3 -m lab.rate.pipes $B docs/results/pipes.md
 	$(Q)python3 -m lab.pages.measured docs/results/pipes.md "make pipes" cycles

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The name of a region is a word of MAKERS and its arguments."""
 from ..effects import asks
-from .. import clocks
+from .. import clocks, summary
 from ..papers import claims
 from . import blocks, board, bundles, cores, data, machine, measured, modes, rates, schema
 
@@ -32,7 +32,7 @@ MAKERS = {
     "schema": schema.members, "claims": claims.table, "verdicts": claims.verdicts,
     "board": board.board, "clock": clocks.mhz, "clocks": rates.routed, "rates": rates.table,
     "frames": rates.frames, "milliseconds": rates.milliseconds, "against": rates.against,
-    "nearest": rates.nearest,
+    "nearest": rates.nearest, "misses": summary.misses,
 }
 
 

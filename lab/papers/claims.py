@@ -67,8 +67,9 @@ BORODAVKA = [
     ("VI.C", "the light's coefficient is a triple dot product of normal and direction",
      "built as the dot product of two vectors of three components; below, what else it can mean",
      "make papers", "not told"),
-    ("Fig. 10", "5 spheres, a light, two reflections",
-     "`scenes/paper5.nff`, below; the paper's scene is not published", "make render SCENE=paper5",
+    ("Fig. 10", "spheres, a light, two reflections",
+     "`scenes/paper5.nff`, of five spheres, below; the paper names no number, and its scene is not "
+     "published", "make render SCENE=paper5",
      "same in kind"),
     ("Fig. 11", "the small sphere is found first: wrong",
      "{hidden_first} of 57 600 pixels are wrong, below", "make papers", "same"),
@@ -120,8 +121,9 @@ PARK = [
      "16 lines misses {alone_kitchen} of {hits_kitchen} in our kitchen, {alone_of_field} % on "
      "ground of 80 000 triangles: below", "make papers", "other"),
     ("5, Fig. 1", "texture mapping unit, ray stack, triangle and texture cache",
-     "[rt_texture](../blocks/texture_unit.md); a ray carries its path, so there is no stack",
-     "make test ONLY=test_core_texture", "built"),
+     "[rt_texture](../blocks/texture_unit.md); of two rays at a hit one goes, and the other waits "
+     "with its path in a place for each depth ([rt_rays](../blocks/refract_unit.md)), which is the "
+     "paper's ray stack; without refraction no ray waits", "make test ONLY=test_core_texture", "built"),
     ("6", "all scenes tend to higher levels",
      "so do ours; shares differ with how images are laid. In the paper's own "
      "([bart.md](bart.md#table-i-levels)) the robot's are the paper's, the museum's nearly",
