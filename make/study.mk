@@ -31,6 +31,7 @@ study-short: $(TOOL)
 
 study-page: $(TOOL)
 	$(Q)python3 -m lab.study.page --whole docs/results/accuracy.md $(RESULTS) $(STUDY) $(TOOL)
+	$(Q)python3 -m lab.study.times $(STUDY)
 	$(Q)python3 -m lab.pages.measured docs/results/accuracy.md "make study" $$(cat $(STUDY)/tables)
 
 SEEDS_AT = $(STUDY)/seeds/$(SEEDS_CORE)
@@ -41,6 +42,7 @@ study-seeds: $(STUDY)/venv/done ## MHz of a core placed with several seeds, and 
 	$(Q)sh synth/core.sh $(SEEDS_CORE) $(SEEDS_AT)/core
 	$(Q)for s in $(SEEDS); do $(place_seed) || exit 1; done
 	$(Q)python3 -m lab.study.seeds $(SEEDS_CORE) $(SEEDS_AT) $(SEEDS)
+	$(Q)python3 -m lab.study.times $(STUDY)
 	$(Q)python3 -m lab.pages
 
 study-paths: $(STUDY)/venv/done ## slow paths of a core placed with the first of SEEDS; minutes

@@ -3,7 +3,6 @@
 """Every function gives None where a result is missing; tables show a dash then."""
 import math
 
-from .. import clocks
 from ..jobs import store
 from . import keys, points
 
@@ -100,13 +99,6 @@ def ray_cycles(study, core, scenes=None):
     rays = sum(r["counters"][f"rays_{k}"] for r in runs
                for k in ("primary", "shadow", "reflected"))
     return sum(r["counters"]["cycles"] for r in runs) / rays
-
-
-def milliseconds(study, core):
-    """Of a frame of points.FRAME, at the clock of that very core."""
-    cycles, clock = frame_cycles(study, core), clocks.clock(clocks.key(core["profile"],
-                                                                       core["core"]))
-    return None if cycles is None or clock is None else cycles / clock.mhz / 1000
 
 
 def model_milliseconds(study, profile):

@@ -49,8 +49,11 @@ def profiles(study):
 
 
 def costs(study):
-    rows = [[name(p)] + cost_row(study, core_of(p)) for p in points.PROFILES]
-    return report.table(["profile"] + COST, rows)
+    rows = [[name(p)] + cost_row(study, core_of(p))
+            + [show(gather.model_milliseconds(study, p), "{:.3g}"),
+               show(gather.simulation_milliseconds(study, core_of(p)), "{:.3g}")]
+            for p in points.PROFILES]
+    return report.table(["profile"] + COST + ["model, ms", "simulated, ms"], rows)
 
 
 def scenes(study):

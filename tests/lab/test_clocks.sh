@@ -6,6 +6,12 @@ set -u
 cd "$(dirname "$0")/../.." || exit 1
 
 check "no page tells MHz or frames a second by hand" python3 -m lab.pages.told
+check "the plot of times is of these clocks: python3 -m lab.study.times FOLDER" python3 -c "
+from pathlib import Path
+from lab.study import times
+drawn = Path(times.PICTURE).read_text(encoding='utf-8')
+missing = [name for _, dots in times.series() for *_, name in dots if f'>{name}<' not in drawn]
+assert not missing, missing"
 
 # faults in a copy of the tree
 cp -r cmodel docs formal lab make rtl scenes sim synth tb Makefile VERSION README.md \
