@@ -62,7 +62,8 @@ for profile, base in ("draft", 40.0), ("standard", 50.0):
         counters = {"cycles": 100000, "rays_primary": 5000, "rays_shadow": 3000,
                     "rays_reflected": 2000}
         store.save(results, keys.job("cycles", scene=scene, size=points.FRAME,
-                                    **gather.core_of(profile)), [], {"counters": counters, "cpu": 2.0})
+                                    **gather.core_of(profile)), [],
+                   {"counters": counters, "cpu": 2.0})
     core = {"lut4eq": 10000 if profile == "draft" else 17900, "ff": 9000, "bram": 80, "mult": 64}
     store.save(results, keys.job("cells", **gather.core_of(profile)), [],
               {"core": core, "yosys": "Yosys 0.23 (git)"})

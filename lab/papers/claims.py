@@ -123,7 +123,8 @@ PARK = [
     ("5, Fig. 1", "texture mapping unit, ray stack, triangle and texture cache",
      "[rt_texture](../blocks/texture_unit.md); of two rays at a hit one goes, and the other waits "
      "with its path in a place for each depth ([rt_rays](../blocks/refract_unit.md)), which is the "
-     "paper's ray stack; without refraction no ray waits", "make test ONLY=test_core_texture", "built"),
+     "paper's ray stack; without refraction no ray waits", "make test ONLY=test_core_texture",
+     "built"),
     ("6", "all scenes tend to higher levels",
      "so do ours; shares differ with how images are laid. In the paper's own "
      "([bart.md](bart.md#table-i-levels)) the robot's are the paper's, the museum's nearly",
@@ -206,8 +207,8 @@ AROXA = [
      "same in kind"),
     ("III.A", "the tree is built anew for every frame",
      "all spheres of the scenarios moving, with build and upload: a frame takes {moving_100} "
-     "million clocks with 100 spheres, {moving_10000} over a BIH with 10 000, and the CPU waits for "
-     "the core; frames a second: {moving_rate} ([moving.md](moving.md))", "make moving",
+     "million clocks with 100 spheres, {moving_10000} over a BIH with 10 000, and the CPU waits "
+     "for the core; frames a second: {moving_rate} ([moving.md](moving.md))", "make moving",
      "same in kind"),
     ("V.A", "7 to 15 times as fast as brute force", "see Figure 4.4", "make scenarios-rtl",
      "same in kind"),

@@ -35,9 +35,11 @@ check "a column of rates" told lab.pages.told docs/results/moving.md \
     '$s/$/\n| a | frames\/s |\n|---|---|\n| b | 7 |/' 'the column frames/s'
 check "a measured table that has rates" told lab.pages.told docs/results/data/moving.rates.tsv \
     's/^scenario, spheres/&, fps/' 'moving.rates.tsv: the column scenario, spheres, fps'
-check "a figure that is given, and told no more" told lab.pages.told $given '$s/$/\nREADME.md; 3 MHz; x/' \
+check "a figure that is given, and told no more" told lab.pages.told $given \
+    '$s/$/\nREADME.md; 3 MHz; x/' \
     'README.md does not tell 3 MHz'
 check "a rate that a claim tells by hand" told "lab.pages --check docs/results/claims.md" $claims \
     's/{moving_rate}/9.6 frames a second/' '9.6 frames a second is told by hand'
-check "rates of a core that is not in the table: not routed" python3 -m lab.checks.clocks "$TMP/seeds"
+check "rates of a core that is not in the table: not routed" \
+    python3 -m lab.checks.clocks "$TMP/seeds"
 done_testing

@@ -7,7 +7,8 @@ cd "$(dirname "$0")/../.." || exit 1
 
 build=$(dirname "$SPHAERA")
 check "what auto takes" python3 -m lab.summary --auto "$build" "$TMP/profiles"
-check "... is as the pages have it: make summary" diff "$TMP/profiles" docs/results/data/profiles.tsv
+check "... is as the pages have it: make summary" \
+    diff "$TMP/profiles" docs/results/data/profiles.tsv
 check "headline figures are at the profile of auto, others say what standard misses" python3 -c "
 from lab import summary
 from lab.pages import data
