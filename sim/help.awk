@@ -25,7 +25,8 @@ function fold(text, lines, n, part, i) { # pieces of at most 66 columns, lines[1
     return n
 }
 BEGIN {
-    print "Sphaera: a ray tracer for spheres in hardware\n\nmake TARGET [VARIABLE=value ...]\n"
+    print "Sphaera: a ray tracer in hardware, for spheres, triangles and planes\n"
+    print "make TARGET [VARIABLE=value ...]\n"
 }
 /^[a-z][a-z-]*:[^=].*## / || /^[a-z][a-z-]*: *## / {
     text = $0

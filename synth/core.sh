@@ -3,8 +3,9 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # usage: synth/core.sh PROFILE-TARGET-LIST-engines1[-pipesN][-exactsN][-shadesN][-rootN][-quotientN]
-#            [-SIZEn...] [-flat] FOLDER
+#            [-SIZEn...] [-top] [-flat] FOLDER
 #   PROFILE, SIZE: sim/profile.sh and sim/sizes.sh, as parts of a file name; LIST: sim/parameters.sh
+#   top: rt_top with its video output around the core, not rt_core alone
 # Leaves in FOLDER:
 #   parameters  what the core was elaborated with, and the seconds that it took
 #   rtl.json    stat before mapping: bits of memory as they are declared
@@ -19,9 +20,9 @@ key=$1 out=$2
 rest=${key#*-}
 profile=${key%%-*} target=${rest%%-*}
 variant=${rest#*-}
-flat=
+flat= top=rt_core shell=
 case $variant in *-flat) flat=1 variant=${variant%-flat} ;; esac
-top=rt_core
+case $variant in *-top) top=rt_top shell=' VIDEO=1' variant=${variant%-top} ;; esac
 
 # Widths and pace from the one definition; the others are in the key, behind the list.
 sizes=$(awk '$1 == "size" { print tolower($2) }' cmodel/machine/machine.def)
@@ -39,7 +40,7 @@ parameters=
 for size in $(sh sim/profile.sh "$profile"); do
     case " $own" in *" ${size%=*}="*) ;; *) parameters="$parameters$size " ;; esac
 done
-parameters="$parameters$(sh sim/parameters.sh "$variant") ${own% }"
+parameters="$parameters$(sh sim/parameters.sh "$variant") ${own% }$shell"
 set_all=$(echo "$parameters" | sed 's/\([A-Z_]*\)=\([0-9]*\)/-set \1 \2/g')
 
 folders=$(find rtl -name '*.v*' -exec dirname {} + | sort -u)
@@ -69,7 +70,7 @@ printf '  %-4s %s\n' SYN "$key"
 start=$(date +%s)
 # shellcheck disable=SC2086  # lists of words on purpose
 nice yosys -q -l "$out/log" -E "$out/sources" -p "verilog_defaults -add $include -DSYNTHESIS;
-    read_verilog rtl/core/$top.v; chparam $set_all $top; hierarchy -check -top $top $library;
+    read_verilog rtl/*/$top.v; chparam $set_all $top; hierarchy -check -top $top $library;
     proc; check -assert; tee -q -o $out/rtl.json stat -json;
     $map; check -assert; tee -q -o $out/stat.tmp stat -json;
     write_rtlil $out/netlist.il; $depth" >"$out/errors" 2>&1 || {

@@ -56,7 +56,7 @@ static const struct argp_option options[] = {
      "pictures tell how many surfaces behind one another made a pixel: 0 black, 1 red, 2 green, "
      "3 blue, 4 yellow, 5 magenta, 6 white",
      0},
-    {"brute", KEY_BRUTE, NULL, 0, "without tree: test every sphere, find the nearest", 0},
+    {"brute", KEY_BRUTE, NULL, 0, "without tree: test every primitive, find the nearest", 0},
     {"literal", KEY_LITERAL, NULL, 0,
      "by the functions that the RTL is read beside: slower, the same results", 0},
     {"packets", KEY_PACKETS, NULL, 0,

@@ -24,8 +24,8 @@ static const struct {
 enum { N_COMMANDS = sizeof commands / sizeof *commands };
 
 static const char doc[] =
-    "Scenes of spheres into the memory image of a hardware ray tracer, and through its "
-    "bit-accurate model.\v"
+    "Scenes of spheres, triangles and planes into the memory image of a hardware ray tracer, and "
+    "through its bit-accurate model.\v"
     "Commands:\n"
     "  build    scene file (.nff) to machine file (.sph)\n"
     "  render   machine or scene through the golden model: picture, counters, hash\n"

@@ -50,12 +50,6 @@ def read(name):
     return head, rows
 
 
-def routed():
-    """MHz of the placed and routed core of profile standard, of spheres."""
-    head, rows = read("accuracy.placed")
-    return float(next(row for row in rows if row[0] == "`standard`")[head.index("MHz")])
-
-
 def _words(text):
     return [word.strip() for word in text.split("|")] if text.strip() else []
 
@@ -86,10 +80,15 @@ def shown(name):
     return [], []
 
 
+def chosen(name):
+    """(column names, rows) of those rows that a page shows."""
+    return _chosen(name, shown(name)[0])
+
+
 def rows(name):
     """A table as its page shows it."""
-    wanted, columns = shown(name)
-    head, found = _chosen(name, wanted)
+    columns = shown(name)[1]
+    head, found = chosen(name)
     places = [_column(name, head, word) for word in columns] or range(len(head))
     return markdown.table([head[i] for i in places], [[row[i] for i in places] for row in found])
 

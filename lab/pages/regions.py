@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The name of a region is a word of MAKERS and its arguments."""
 from ..effects import asks
+from .. import clocks, summary
 from ..papers import claims
-from . import blocks, board, bundles, cores, data, machine, measured, modes, schema
+from . import blocks, board, bundles, cores, data, machine, measured, modes, rates, schema
 
 
 class Unknown(Exception):
@@ -30,7 +31,9 @@ MAKERS = {
     "core": cores.core, "cores": cores.cores, "inside": cores.inside, "yosys": cores.yosys,
     "budget": cores.budget, "asks": asks.table, "modes": modes.modes, "core_runs": cores.runs,
     "schema": schema.members, "claims": claims.table, "verdicts": claims.verdicts,
-    "board": board.board,
+    "board": board.board, "clock": clocks.mhz, "clocks": rates.routed, "rates": rates.table,
+    "frames": rates.frames, "milliseconds": rates.milliseconds, "against": rates.against,
+    "nearest": rates.nearest, "misses": summary.misses,
 }
 
 

@@ -2,10 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """A row for each claim: where it stands, what the paper says, what is found here, the command that
 shows it, and a word of VERDICTS. Names in braces are rows of docs/results/data/claims.*.tsv, of
-MEASURED, which page.py made of this experiment's runs; other numbers are of the page that the row
-links."""
-from ..pages import data, markdown
-from .measure import PARK_CORE
+MEASURED, which page.py made of this experiment's runs, or rates of told(); other numbers are of the
+page that the row links."""
+from .. import clocks
+from ..pages import data, markdown, rates
+from ..pages.told import by_hand
+from .measure import PARK_CORE, PARTS, PARTS_CORE
 
 MEASURED = "values", "profiles", "shaped", "park"
 VERDICTS = {
@@ -66,8 +68,9 @@ BORODAVKA = [
     ("VI.C", "the light's coefficient is a triple dot product of normal and direction",
      "built as the dot product of two vectors of three components; below, what else it can mean",
      "make papers", "not told"),
-    ("Fig. 10", "5 spheres, a light, two reflections",
-     "`scenes/paper5.nff`, below; the paper's scene is not published", "make render SCENE=paper5",
+    ("Fig. 10", "spheres, a light, two reflections",
+     "`scenes/paper5.nff`, of five spheres, below; the paper names no number, and its scene is not "
+     "published", "make render SCENE=paper5",
      "same in kind"),
     ("Fig. 11", "the small sphere is found first: wrong",
      "{hidden_first} of 57 600 pixels are wrong, below", "make papers", "same"),
@@ -80,8 +83,9 @@ BORODAVKA = [
      "engine gives all of them in {parts_2}, three in no less, for three times the cells",
      "make papers", "other"),
     ("VII", "1280x720",
-     "paper5 {hd_paper5}, paper100 {hd_paper100} frames a second, one engine at the {hd_mhz} MHz "
-     "of [accuracy.md](accuracy.md#place-and-route)", "make sim SCENE=paper100", "built"),
+     "paper5 takes {hd_paper5}, paper100 {hd_paper100} cycles a pixel of one engine; frames a "
+     "second of that core: {hd_rate} "
+     "([accuracy.md](accuracy.md#place-and-route))", "make sim SCENE=paper100", "built"),
     ("VII", "a cache holds the primitives used last",
      "of {cold_node_visits} visits of nodes in paper100 {cold_node_misses} fetch a line, of "
      "{cold_leaf_tests} tests of spheres {cold_leaf_misses}, from cold caches", "make papers",
@@ -118,8 +122,10 @@ PARK = [
      "16 lines misses {alone_kitchen} of {hits_kitchen} in our kitchen, {alone_of_field} % on "
      "ground of 80 000 triangles: below", "make papers", "other"),
     ("5, Fig. 1", "texture mapping unit, ray stack, triangle and texture cache",
-     "[rt_texture](../blocks/texture_unit.md); a ray carries its path, so there is no stack",
-     "make test ONLY=test_core_texture", "built"),
+     "[rt_texture](../blocks/texture_unit.md); of two rays at a hit one goes, and the other waits "
+     "with its path in a place for each depth ([rt_rays](../blocks/refract_unit.md)), which is the "
+     "paper's ray stack; without refraction no ray waits", "make test ONLY=test_core_texture",
+     "built"),
     ("6", "all scenes tend to higher levels",
      "so do ours; shares differ with how images are laid. In the paper's own "
      "([bart.md](bart.md#table-i-levels)) the robot's are the paper's, the museum's nearly",
@@ -135,8 +141,9 @@ PARK = [
      "([bart.md](bart.md#table-i-cache)); a cache line holds 8 texels, of the paper's nothing is "
      "told", "make textures", "same in kind"),
     ("Table I", "3.7, 6.3, 6.4 frames a second",
-     "in its own scenes 1.9, 3.4 and 6.8 at 84 MHz with one pipe, 3.8, 6.9 and 13.5 with two, by "
-     "frames of the RTL, with all lights and two reflections ([bart.md](bart.md))",
+     "in its own scenes, clock for clock, {bart_1} with one pipe, {bart_2} with two, by frames of "
+     "the RTL, with all lights and two reflections; the cores that drew them are {bart_clock} "
+     "([bart.md](bart.md))",
      "make bart BART=FOLDER", "other"),
     ("Table I", "MIP-mapping adds 5 to 24 % frames a second",
      "up to 8 % behind an SDRAM, twofold and more with a tenth of its bytes, else nothing",
@@ -200,8 +207,9 @@ AROXA = [
      "lattice is cut evenly ([scenarios.md](scenarios.md#figure-45-memory))", "make scenarios",
      "same in kind"),
     ("III.A", "the tree is built anew for every frame",
-     "all spheres of the scenarios moving, with build and upload: 9.6 frames a second with 100 "
-     "spheres, 6.4 to 8.1 over a BIH with 10 000 ([moving.md](moving.md))", "make moving",
+     "all spheres of the scenarios moving, with build and upload: a frame takes {moving_100} "
+     "million clocks with 100 spheres, {moving_10000} over a BIH with 10 000, and the CPU waits "
+     "for the core; frames a second: {moving_rate} ([moving.md](moving.md))", "make moving",
      "same in kind"),
     ("V.A", "7 to 15 times as fast as brute force", "see Figure 4.4", "make scenarios-rtl",
      "same in kind"),
@@ -222,16 +230,44 @@ AROXA = [
 PAPERS = {"borodavka": BORODAVKA, "park": PARK, "aroxa": AROXA}
 
 
+def told():
+    """What rows name of clocks, and of frames a second that follow."""
+    values = dict(data.read("claims.values")[1])
+    core = clocks.key("standard", PARTS_CORE)
+    found = {"hd_rate": listed(dict.fromkeys(
+        clocks.frames(core, 1280 * 720 * float(values["hd_" + scene])) for scene in PARTS))}
+    for pipes in "1", "2":
+        found["bart_" + pipes] = listed(rates.column("bart", rates.CLOCK_FOR_CLOCK, pipes=pipes))
+    found["bart_clock"] = listed(sorted(set(rates.column("bart", "MHz"))))
+    draws = {n: [float(draw) for name, draw in zip(
+        rates.column("moving", "scenario, spheres", tree=tree),
+        rates.column("moving", "draw, million clocks", tree=tree)) if name.endswith(f", {n}")]
+        for n, tree in ((100, "reinserted"), (10000, "BIH"))}
+    found["moving_100"] = f"{max(draws[100]):.1f}"
+    found["moving_10000"] = f"{min(draws[10000]):.1f} to {max(draws[10000]):.1f}"
+    found["moving_rate"] = listed(sorted(set(rates.column("moving", "frames/s, built"))))
+    return found
+
+
+def listed(words):
+    """a, b and c"""
+    *first, last = words
+    return f"{', '.join(first)} and {last}" if first else last
+
+
 def table(paper):
     """The rows of a paper as its page shows them. A row has a command, or is not built, and does
     not put its answer off."""
     values = dict(row for table in MEASURED for row in data.read(f"claims.{table}")[1])
+    values |= told()
     rows = []
     for place, says, here, command, verdict in PAPERS[paper]:
         if verdict not in VERDICTS:
             raise KeyError(f"{paper} {place}: the verdict {verdict} is not one of VERDICTS")
         if (command == "-") != (verdict == "not built"):
             raise KeyError(f"{paper} {place}: what is built, and that alone, has a command")
+        for _, figure in by_hand(here):
+            raise KeyError(f"{paper} {place}: {figure} is told by hand, not by told()")
         if "not measured" in here:
             raise KeyError(f"{paper} {place}: it is not measured")
         shown = "-" if command == "-" else f"`{command}`"

@@ -162,10 +162,8 @@ def values(folder):
             v[f"{scene}_{way}"] = load(folder, f"differ-{scene}-{way}")["difference"]["pixels"]
     for depth in measure.DEPTHS:
         v[f"parts_{depth}"] = f"{cycles(folder, f'parts-paper100-{depth}'):.1f}"
-    v["hd_mhz"] = data.routed()
     for scene in measure.PARTS:
-        clocks = 1280 * 720 * cycles(folder, f"parts-{scene}-2")
-        v["hd_" + scene] = f"{data.routed() * 1e6 / clocks:.1f}"
+        v["hd_" + scene] = f"{cycles(folder, f'parts-{scene}-2'):.1f}"
     for scene in measure.BOUNCED:
         for depth in measure.BOUNCES:
             name = f"bounces-{scene}-{depth}"

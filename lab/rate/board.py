@@ -1,14 +1,14 @@
-# board.py - frames and rays a second of a core at its clock: `make board-rate`
+# board.py - clocks and rays of whole frames, that frames a second follow from: `make board-rate`
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab.rate.board BUILD PAGE
-Puts the table `rate` into PAGE: clocks of whole frames on the core in Verilator behind a DDR3 x16,
-at the median clock that a placer gave this very core (`make study-seeds`). Memory is timed for the
-nearest 20 MHz, of a core that is not placed for 100."""
+Puts the table `rate` into PAGE: clocks of whole frames on the core in Verilator behind a DDR3 x16.
+Memory is timed for the nearest 20 MHz of that very core's clock (lab/clocks.py), of a core that is
+not routed for 100. Rates follow in the page (lab/pages/rates.py)."""
 import sys
 
 from . import cores
 from .cores import Core
-from ..pages import data
+from .. import clocks
 from ..pages.place import place
 from ..synth import report
 
@@ -20,31 +20,20 @@ OPTIONS = ["--memory=ddr3x16", "--latency=100"]
 RAYS = "rays_primary", "rays_shadow", "rays_reflected", "rays_refracted"
 
 
-def clock(effects, core):
-    """MHz of the core in accuracy.seeds, None: it is not placed."""
-    head, found = data.read("accuracy.seeds")
-    key = cores.run("sh", "sim/key.sh", "standard", effects, "ecp5", **core.variables()).strip()
-    own = [float(row[head.index("median")]) for row in found if row[0].strip("`") == key]
-    return own[0] if own else None
-
-
 def rows(bench):
     for scene in SCENES:
         for core in CORES:
-            megahertz = clock(cores.SPHERES, core)
+            at = clocks.clock(clocks.key("standard", cores.SPHERES, **core.variables()))
             counted = bench.counted(scene, cores.SPHERES, core, *OPTIONS,
-                                    f"--core-mhz={20 * round((megahertz or 100) / 20)}")
+                                    f"--core-mhz={20 * round((at.mhz if at else 100) / 20)}")
             rays = sum(counted["cold"]["counters"].get(name, 0) for name in RAYS)
-            clocks = cores.cycles(counted)
-            placed = [f"{megahertz:.1f}", f"{1e6 * megahertz / clocks:.1f}",
-                      f"{rays * megahertz / clocks:.1f}"] if megahertz else ["not placed", "-", "-"]
-            yield [f"`{scene}`", core.name(), f"{clocks / WIDTH / HEIGHT:.2f}", *placed,
-                   f"{30 * clocks / 1e6:.0f}"]
+            pixels = WIDTH * HEIGHT
+            yield [f"`{scene}`", core.name(), f"{cores.cycles(counted) / pixels:.2f}",
+                   f"{rays / pixels:.2f}"]
 
 
 def main(build, page):
-    head = ["scene", "pipes", "clocks a pixel", "MHz", "frames/s", "million rays/s",
-            "MHz for 30 frames/s"]
+    head = ["scene", "pipes", "clocks a pixel", "rays a pixel"]
     place(page, "make board-rate", {
         "rate": report.table(head, list(rows(cores.Bench(build, SIZE))), 2)})
 

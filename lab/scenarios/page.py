@@ -8,7 +8,7 @@ import os
 import sys
 
 from . import measure
-from ..pages import data, whole
+from ..pages import whole
 from ..pages.place import place
 from ..synth import report
 
@@ -132,14 +132,9 @@ def cycle_ratio(folder, s, n, way):
 
 def full(folder):
     """The thesis's frame in the RTL, each process with the rows that it drew."""
-    rows, mhz = [], data.routed()
-    for s, n, way in measure.FULL_RTL:
-        name = f"speed-{s}-{n}-{way}"
-        value = cycles(folder, name)
-        rows.append([f"S{s}, {n}", way, shown(value),
-                     "-" if value is None else f"{mhz * 1e6 / value / (640 * 1088):.2f}"])
-    return report.table(["scenario, spheres", "tree", "cycles a pixel",
-                         f"frames a second at {mhz} MHz"], rows, 2)
+    rows = [[f"S{s}, {n}", way, shown(cycles(folder, f"speed-{s}-{n}-{way}"))]
+            for s, n, way in measure.FULL_RTL]
+    return report.table(["scenario, spheres", "tree", "cycles a pixel"], rows, 2)
 
 
 def trees(folder):

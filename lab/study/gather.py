@@ -40,10 +40,6 @@ class Study:
         run = self.get(keys.job("cells", **core))
         return run and run["core"]
 
-    def fmax(self, core):
-        """Routed if it is there, else placed alone; that neither is there is an answer."""
-        return self.look(keys.job("fmax", **core)) or self.look(keys.job("fmax", route=0, **core))
-
 
 def psnr(run):
     """Of the deepest layer; None for no result or a refusal."""
@@ -106,14 +102,6 @@ def ray_cycles(study, core, scenes=None):
     return sum(r["counters"]["cycles"] for r in runs) / rays
 
 
-def milliseconds(study, core, clock=None):
-    """Of a frame of points.FRAME, at the core's own clock or at one given in MHz."""
-    cycles, placed = frame_cycles(study, core), study.fmax(core)
-    if clock is None and placed:
-        clock = placed["fmax"]
-    return None if cycles is None or clock is None else cycles / clock / 1000
-
-
 def model_milliseconds(study, profile):
     """Of the golden model's one thread for a frame of points.FRAME, by its pixels."""
     seconds = mean_of_runs(study.accuracy(profile, s) for s in COMMON)
@@ -129,13 +117,6 @@ def simulation_milliseconds(study, core):
 def mean_of_runs(runs):
     """Processor seconds of runs, their mean."""
     return mean(r and r.get("cpu_seconds", r.get("cpu")) for r in runs)
-
-
-def pixel_rate(study, core):
-    """Pixels a second for each multiplier."""
-    ms, cells = milliseconds(study, core), study.cells(core)
-    return None if ms is None or cells is None \
-        else pixels(points.FRAME) / ms * 1000 / cells["mult"]
 
 
 def core_of(profile):

@@ -12,7 +12,6 @@ FIELDS = {
     "accuracy": dict(COMMON, truth="2"),
     "cycles": dict(COMMON, **CORE),
     "cells": CORE,
-    "fmax": dict(CORE, route="1"),
 }
 MODEL = [f"cmodel/{d}/*.[ch]" for d in (
     "builder", "common", "core", "engine", "machine", "math", "memory", "pixel", "prim",

@@ -78,30 +78,16 @@ def dots_of(study, cores, value, name=None):
     return found
 
 
-def named(form="{profile}"):
-    return lambda core, x: form.format(profile=core["profile"], x=x)
-
-
-def time(study):
-    """The core at its own clock, the golden model, the simulated core: a frame of each profile."""
-    cores = [core_of(p) for p in points.PROFILES]
-    placed = [study.fmax(c) for c in cores]
-    how = "routed" if all(p and p["routed"] for p in placed) else "placed"
-    label = named("{profile} {x:.3g} ms")
-    return [
-        (f"core at its own\\nclock, {how}",
-         dots_of(study, cores, lambda c: gather.milliseconds(study, c), label)),
-        ("golden model,\\none thread",
-         dots_of(study, cores, lambda c: gather.model_milliseconds(study, c["profile"]), label)),
-        ("core simulated\\nby Verilator",
-         dots_of(study, cores, lambda c: gather.simulation_milliseconds(study, c), label))]
+def named(core, x):
+    del x
+    return core["profile"]
 
 
 def cells(study, kind):
     """The profiles, and around standard a line for each knob of which cores were made."""
     def value(core):
         return (study.cells(core) or {}).get(kind)
-    lines = [("profiles", dots_of(study, [core_of(p) for p in points.PROFILES], value, named()))]
+    lines = [("profiles", dots_of(study, [core_of(p) for p in points.PROFILES], value, named))]
     for knob, widths in points.KNOBS.items():
         some = dots_of(study, [core_of(p) for p in widths], value)
         if len(some) > 1:
@@ -116,13 +102,9 @@ def cells(study, kind):
 def everything(study, pictures, folder):
     """All plots; the names of those that were drawn."""
     wanted = {
-        "milliseconds": (f"What accuracy costs in time: a frame of {points.FRAME}, mean of "
-                         f"{len(gather.COMMON)} scenes (down: truer)",
-                         "ms a frame (log)", time(study), True),
         "multipliers": ("What accuracy costs in multipliers", "MULT18X18D",
-                        cells(study, "mult"), False),
-        "luts": ("What accuracy costs in logic", "LUT4eq", cells(study, "lut4eq"), False),
+                        cells(study, "mult")),
+        "luts": ("What accuracy costs in logic", "LUT4eq", cells(study, "lut4eq")),
     }
-    return [n for n, (heading, xlabel, series, log) in wanted.items()
-            if draw(os.path.join(pictures, f"pareto_{n}.svg"), folder, heading, xlabel, series,
-                    log)]
+    return [n for n, (heading, xlabel, series) in wanted.items()
+            if draw(os.path.join(pictures, f"pareto_{n}.svg"), folder, heading, xlabel, series)]

@@ -56,11 +56,6 @@ def cores():
         + [dict(profile=p, core=CORE) for p in KNOB_CORES]
 
 
-def placed():
-    """Cores that are placed and routed."""
-    return [dict(profile=p, core=CORE) for p in ["standard", "draft", "fine", "reference"]]
-
-
 def more(what, profile, kind):
     """One job of MORE."""
     words = MORE[what]
@@ -87,10 +82,10 @@ def plan():
     keys += [more(what, p, kind) for kind in ("accuracy", "cycles") for what in MORE
              for p in PROFILES]
     first = len(PROFILES) + 1
-    keys += sum(runs[:first], []) + [job("fmax", **placed()[0])]
+    keys += sum(runs[:first], [])
     # the paper's tree takes 25 times the visits, and the simulation as long: its pictures alone
     keys += [trade(t, s, "cycles") for t in TRADES if "tree" not in t for s in SCENES]
-    keys += sum(runs[first:], []) + [job("fmax", **c) for c in placed()]
+    keys += sum(runs[first:], [])
     return list(dict.fromkeys(keys))
 
 

@@ -107,20 +107,6 @@ def cells(tool, build, w, temporary):
             "seconds": run["seconds"]}
 
 
-def fmax(tool, build, w, temporary):
-    cells(tool, build, w, temporary)
-    folder = f"{build}/synth/{synth_key(w)}"
-    ran = call(["sh", "synth/place.sh", folder, temporary],
-               env=dict(os.environ, BUILD=build, ROUTE=w["route"]))
-    if ran.returncode == 3:  # no nextpnr: no failure, and no result
-        print(f"study: not placed: {ran.stderr.strip()}")
-        sys.exit(0)
-    if ran.returncode:
-        fail("placement", ran)
-    with open(f"{temporary}/placed.json", encoding="utf-8") as f:
-        return json.load(f)
-
-
 def sources(build, w):
     """Patterns of the files that a result depends on."""
     kind = w["kind"]
@@ -129,8 +115,7 @@ def sources(build, w):
     if kind == "cycles":
         return keys.RTL + keys.BUILD + keys.scene_files(w["scene"])
     with open(f"{build}/synth/{synth_key(w)}/sources.d", encoding="utf-8") as f:
-        read = f.readlines()[-1].rstrip(":\n").split()
-    return read + (["synth/placed.awk", "synth/place.sh"] if kind == "fmax" else [])
+        return f.readlines()[-1].rstrip(":\n").split()
 
 
 def main(tool, build, folder, key):
@@ -139,7 +124,7 @@ def main(tool, build, folder, key):
         return
     began = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="sphaera-study-") as temporary:
-        kinds = {"accuracy": accuracy, "cycles": cycles, "cells": cells, "fmax": fmax}
+        kinds = {"accuracy": accuracy, "cycles": cycles, "cells": cells}
         result = kinds[w["kind"]](tool, build, w, temporary)
     store.save(folder, key, sources(build, w), result, time.monotonic() - began)
 

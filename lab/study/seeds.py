@@ -1,42 +1,41 @@
 #!/usr/bin/env python3
-# seeds.py - the clocks of cores that were placed with several seeds
+# seeds.py - the clocks of a core that was placed with several seeds
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.study.seeds CORE FOLDER...
-Each folder, SPEED-SEED by name, has the placed.json of synth/place.sh. Writes rows of the core into
-the table docs/results/data/accuracy.seeds.tsv: per speed grade the seeds, and the least, the median
-and the greatest clock of them. Rows of other cores stay."""
+"""usage: python3 -m lab.study.seeds CORE FOLDER SPEED-SEED...
+FOLDER/SPEED-SEED has the placed.json of synth/place.sh, FOLDER/core what synth/core.sh left. Writes
+the rows of the core into the table of lab/clocks.py, one for each speed grade. Rows of other cores,
+and of other speed grades of this one, stay."""
 import json
-import statistics
+import re
 import sys
 from pathlib import Path
 
-from .. import intact
+from .. import clocks, intact
 from ..pages import data, measured
 
-COLUMNS = ["core", "speed grade", "after", "seeds", "least, MHz", "median", "greatest"]
+
+def rows(core, folder, seeds):
+    """Rows of the table; seeds of which some were routed and some not, count apart."""
+    yosys = re.search(r"Yosys [\w.]+", Path(folder, "core/stat.json").read_text("utf-8"))[0]
+    found = {}
+    for seed in seeds:
+        placed = json.loads(Path(folder, seed, "placed.json").read_text(encoding="utf-8"))
+        found.setdefault((seed.split("-")[0], placed["routed"]), {})[seed] = placed
+    for (speed, routed), some in found.items():
+        command = (f"make study-seeds ROUTE={routed} SEEDS_CORE={core} "
+                   f"SEEDS='{' '.join(some)}'")
+        yield clocks.row_of(core, speed, list(some.values()), yosys, command, measured.commit())
 
 
-def rows(core, folders):
-    clocks = {}
-    for folder in folders:
-        speed, seed = Path(folder).name.split("-")
-        with open(f"{folder}/placed.json", encoding="utf-8") as f:
-            placed = json.load(f)
-        after = "routing" if placed["routed"] else "placement"
-        clocks.setdefault((-int(speed), after), {})[int(seed)] = placed["fmax"]
-    return [[f"`{core}`", str(-speed), after, str(len(seeds)), f"{min(seeds.values()):.1f}",
-             f"{statistics.median(seeds.values()):.1f}", f"{max(seeds.values()):.1f}"]
-            for (speed, after), seeds in sorted(clocks.items())]
-
-
-def main(core, folders):
-    others = [row for row in data.read("accuracy.seeds")[1] if row[0] != f"`{core}`"]
-    table = [COLUMNS] + sorted(others + rows(core, folders), key=lambda row: row[0])
-    intact.write(data.FOLDER / "accuracy.seeds.tsv", data.of_rows(table))
-    measured.stamp("docs/results/accuracy.md", "make study-seeds", ["seeds"], rest=True)
+def main(core, folder, *seeds):
+    made = list(rows(core, folder, seeds))
+    new = {tuple(row[:4]) for row in made}
+    head, before = data.read(clocks.TABLE)
+    table = made + [row for row in before if tuple(row[:4]) not in new]
+    intact.write(data.FOLDER / f"{clocks.TABLE}.tsv", data.of_rows([head] + sorted(table)))
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 3:
+    if len(sys.argv) < 4:
         sys.exit(__doc__)
-    main(sys.argv[1], sys.argv[2:])
+    main(*sys.argv[1:])

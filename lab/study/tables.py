@@ -33,21 +33,15 @@ ACCURACY = ["PSNR", "huge_tiny", "silhouette", "sphere", "shadow", "mirror", "wo
 
 
 def cost_row(study, core):
-    """Cycles, cells, clock and what follows."""
-    cells, placed = study.cells(core), study.fmax(core)
-    cycles = gather.frame_cycles(study, core)
-    about = "~" if placed and not placed["routed"] else ""  # an estimate
+    """Cycles and cells; what follows of its clock, the page tells (lab/pages/rates.py)."""
+    cells, cycles = study.cells(core), gather.frame_cycles(study, core)
     per_pixel = None if cycles is None else cycles / gather.pixels(points.FRAME)
     return [show(cycles, "{:.0f}"), show(per_pixel, "{:.2f}"),
             show(gather.ray_cycles(study, core), "{:.2f}")] \
-        + [show(cells and cells[c]) for c in ("lut4eq", "ff", "bram", "mult")] \
-        + [show(placed["fmax"], about + "{:.1f}") if placed else "not placed",
-           show(gather.milliseconds(study, core), about + "{:.2f}"),
-           show(gather.pixel_rate(study, core), about + "{:.0f}")]
+        + [show(cells and cells[c]) for c in ("lut4eq", "ff", "bram", "mult")]
 
 
-COST = ["cycles a frame", "a pixel", "a ray", "LUT4eq", "FF", "DP16KD", "MULT", "MHz", "ms a frame",
-        "pixels/s a MULT"]
+COST = ["cycles a frame", "a pixel", "a ray", "LUT4eq", "FF", "DP16KD", "MULT"]
 
 
 def profiles(study):
@@ -56,8 +50,11 @@ def profiles(study):
 
 
 def costs(study):
-    rows = [[name(p)] + cost_row(study, core_of(p)) for p in points.PROFILES]
-    return report.table(["profile"] + COST, rows)
+    rows = [[name(p)] + cost_row(study, core_of(p))
+            + [show(gather.model_milliseconds(study, p), "{:.3g}"),
+               show(gather.simulation_milliseconds(study, core_of(p)), "{:.3g}")]
+            for p in points.PROFILES]
+    return report.table(["profile"] + COST + ["model, ms", "simulated, ms"], rows)
 
 
 def scenes(study):
@@ -119,27 +116,6 @@ def rates(study):
     return report.table(["core"] + COST, rows)
 
 
-def placed(study):
-    rows = []
-    for core in points.placed():
-        run = study.fmax(core)
-        if not (run and run["routed"]):
-            whole.lack(f"no routed clock of {core['profile']}")
-        title = name(core["profile"])
-        if run is None:
-            rows.append([title, "not placed"] + ["-"] * 6)
-            continue
-        row, path = [title, f"{run['fmax']:.1f}"], run["path"]
-        if path:
-            row += ["routing", f"{path['ns']:.1f}", f"{path['logic_ns']:.1f}", path["steps"],
-                    f"{path['through'][0]} to {path['through'][-1]}"]
-        else:
-            row += ["placement"] + ["-"] * 4
-        rows.append(row + [run["seconds"]])
-    return report.table(["core", "MHz", "after", "path, ns", "logic, ns", "cells", "from, to",
-                         "s"], rows)
-
-
 def trade_name(words):
     """background=exact-1 as a reader says it."""
     if not words:
@@ -192,17 +168,12 @@ def decibels(study):
         for cell in ("lut4eq", "ff", "mult"):
             more = right[cell] - left[cell] if left and right else None
             row.append("-" if gain is None or more is None else f"{more / gain:+.1f}")
-        runs = [study.fmax(core_of(p)) for p in (coarse, fine)]
-        alike = None not in runs and runs[0]["routed"] == runs[1]["routed"]
-        for value in (gather.frame_cycles, gather.milliseconds):
-            x, y = value(study, core_of(coarse)), value(study, core_of(fine))
-            if value is gather.milliseconds and not alike:
-                x = None  # an estimate is not set against a routed clock
-            row.append("-" if gain is None or x is None or y is None
-                       else f"{100 * (y / x - 1) / gain:+.2f} %")
+        x, y = (gather.frame_cycles(study, core_of(p)) for p in (coarse, fine))
+        row.append("-" if gain is None or x is None or y is None
+                   else f"{100 * (y / x - 1) / gain:+.2f} %")
         rows.append(row)
-    return report.table(["step", "dB", "LUT4eq a dB", "FF a dB", "MULT a dB", "cycles a dB",
-                         "ms a dB"], rows)
+    return report.table(["step", "dB", "LUT4eq a dB", "FF a dB", "MULT a dB", "cycles a dB"],
+                        rows)
 
 
 def more(study):
@@ -220,5 +191,5 @@ def more(study):
 
 
 TABLES = {"profiles": profiles, "costs": costs, "scenes": scenes, "cyclescenes": cycle_scenes,
-          "more": more, "knobs": knobs, "rates": rates, "placed": placed, "trades": trades,
+          "more": more, "knobs": knobs, "rates": rates, "trades": trades,
           "model": model, "decibels": decibels}

@@ -9,14 +9,12 @@ import re
 import sys
 from functools import partial
 
-from ..pages import data as tables, whole
+from ..pages import whole
 from ..pages.place import place
 from ..report.units import LINE, parameters, units
 from ..synth import report
 from .angles import angles, plot, slants
 
-THEIRS = "800x480"
-THEIR_MHZ = 84
 SLOW = "robot"    # simulated with slow memory as well
 STALLED = "robot", "hall", "kitchen"  # and with memory that is not ready in STALLS percent
 STALLS = 0, 50, 90
@@ -167,14 +165,8 @@ def speed(data):
             cycles = cycles_of(data, f"{name}-{way}")
             pixel = cycles and cycles / area(data.rtl)
             rows.append([name if way == "off" else "", WAYS[way], show(cycles),
-                         show(pixel, "{:.1f}"),
-                         show(cycles and tables.routed() * 1e6 / cycles, "{:.1f}"),
-                         show(pixel and tables.routed() * 1e6 / pixel / area(THEIRS), "{:.2f}"),
-                         show(pixel and THEIR_MHZ * 1e6 / pixel / area(THEIRS), "{:.2f}"),
-                         f"{PAPER[name][2][way != 'off']}"])
-    return report.table(["scene", "filter", "cycles", "a pixel", f"frames/s, {data.rtl}",
-                         f"{THEIRS} at the same rate", f"at {THEIR_MHZ} MHz", "the paper's"],
-                        rows, left=2)
+                         show(pixel, "{:.1f}"), f"{PAPER[name][2][way != 'off']}"])
+    return report.table(["scene", "filter", "cycles", "a pixel", "the paper's"], rows, left=2)
 
 
 def slow(data):

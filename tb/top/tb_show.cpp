@@ -1,11 +1,11 @@
 /* tb_show.cpp - one frame of rt_top all the way: machine file, frame store, decoded video
  * SPDX-License-Identifier: Apache-2.0
  *
- * usage: tb_show MACHINE.sph [MHz]
+ * usage: tb_show MACHINE.sph
  *
  * The driver loads the machine and draws it; then the display is switched on, in the mode of
  * modes.def of this size or, for a small frame, in one with as little blanking as serves. Store and
- * decoded picture must equal the golden model's frame. MHz: a clock, for frames a second.
+ * decoded picture must equal the golden model's frame.
  */
 #include "top_display.h"
 
@@ -32,7 +32,7 @@ static double seconds() {
 
 int main(int argc, char **argv) {
     if (argc < 2) {
-        fprintf(stderr, "usage: tb_show MACHINE.sph [MHz]\n");
+        fprintf(stderr, "usage: tb_show MACHINE.sph\n");
         return 2;
     }
     Golden golden(argv[1]);
@@ -56,9 +56,6 @@ int main(int argc, char **argv) {
            (unsigned long long)n[SPHAERA_COUNT_CYCLES],
            (double)n[SPHAERA_COUNT_WRITE_PIXELS] / (double)n[SPHAERA_COUNT_WRITE_BURSTS],
            (unsigned long long)n[SPHAERA_COUNT_READ_BURSTS], drawn);
-    if (argc > 2)
-        printf("# at %s MHz %.2f frames a second\n", argv[2],
-               strtod(argv[2], nullptr) * 1e6 / (double)clocks);
     c->done("a frame in the store");
 
     const video::Mode mode = mode_of(golden.frame);

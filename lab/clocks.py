@@ -1,0 +1,93 @@
+#!/usr/bin/env python3
+# clocks.py - the clock of a core, from the one table of them: docs/results/data/clocks.tsv
+# SPDX-License-Identifier: Apache-2.0
+"""usage: python3 -m lab.clocks CORE [CLOCKS]
+Prints the MHz of a core, or frames a second of CLOCKS each; "not routed" if nobody has routed that
+very core.
+
+Every frame rate, every millisecond of a frame and every MHz of a page is made here. A core goes by
+its whole key, as synth/core.sh names it: no core is told another one's clock, nor one that a placer
+guessed. `make study-seeds` writes the table."""
+import os
+import statistics
+import subprocess
+import sys
+from functools import lru_cache
+from typing import NamedTuple
+
+from .pages import data
+
+TABLE = "clocks"
+COLUMNS = ["core", "what", "speed grade", "after", "seeds", "worst, MHz", "median, MHz",
+           "best, MHz", "tools", "command", "commit", "date"]
+SPEED = "8"
+SEEDS = 5  # as many as a clock is told of without their number
+NOT = "not routed"
+
+
+class Clock(NamedTuple):
+    """Of one routed core."""
+    mhz: float  # median of the seeds
+    seeds: int
+
+
+@lru_cache(maxsize=None)
+def key(profile, effects, **variables):
+    """The key of a core; variables as sim/key.sh takes them: PIPES, SIZES..."""
+    ran = subprocess.run(["sh", "sim/key.sh", profile, effects, "ecp5"], check=True, text=True,
+                         env=dict(os.environ, **{k: str(v) for k, v in variables.items()}),
+                         stdout=subprocess.PIPE)
+    return ran.stdout.strip()
+
+
+def rows():
+    """The table, a dictionary a row."""
+    head, found = data.read(TABLE)
+    return [dict(zip(head, (cell.strip("`") for cell in row))) for row in found]
+
+
+def clock(core, speed=SPEED):
+    """The Clock of that very core, None: nobody has routed it."""
+    for row in rows():
+        if (row["core"], row["speed grade"], row["after"]) == (core, speed, "routing"):
+            return Clock(float(row["median, MHz"]), int(row["seeds"]))
+    return None
+
+
+def mhz(core):
+    """In words: 127.5, or 76.0 (1 seed)."""
+    found = clock(core)
+    if not found:
+        return NOT
+    few = f" ({found.seeds} seed{'s' * (found.seeds > 1)})" if found.seeds < SEEDS else ""
+    return f"{found.mhz:.1f}{few}"
+
+
+def frames(core, clocks, form="{:.1f}"):
+    """Frames a second of so many clocks each."""
+    found = clock(core)
+    return form.format(found.mhz * 1e6 / clocks) if found else NOT
+
+
+def milliseconds(core, clocks, form="{:.2f}"):
+    """Of a frame of so many clocks."""
+    found = clock(core)
+    return form.format(clocks / found.mhz / 1000) if found else NOT
+
+
+def row_of(core, speed, placed, yosys, command, at):
+    """A row of the table. placed: what synth/place.sh says of each seed, all routed or all placed;
+    at: commit and date."""
+    reached = [run["fmax"] for run in placed]
+    tools = ", ".join([yosys, *sorted({f"nextpnr-ecp5 {run['nextpnr'].removeprefix('nextpnr-')}"
+                                       for run in placed})])
+    return [f"`{core}`", "rt_top" if core.endswith("-top") else "rt_core", speed,
+            "routing" if placed[0]["routed"] else "placement", str(len(reached)),
+            *(f"{of(reached):.1f}" for of in (min, statistics.median, max)), tools,
+            f"`{command}`", *at]
+
+
+if __name__ == "__main__":
+    if len(sys.argv) not in (2, 3):
+        sys.exit(__doc__)
+    print(frames(sys.argv[1], float(sys.argv[2])) if len(sys.argv) == 3 else mhz(sys.argv[1]))

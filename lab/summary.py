@@ -1,0 +1,121 @@
+#!/usr/bin/env python3
+# summary.py - cycles of scenes at the profile that auto takes: `make summary`
+# SPDX-License-Identifier: Apache-2.0
+"""usage: python3 -m lab.summary BUILD PAGE          the table `speed` of docs/results/summary.md
+          python3 -m lab.summary --auto BUILD [FILE] the table AUTO, or into a file
+
+A headline figure is told at the profile that `sphaera build` takes by itself, since a narrower one
+draws a picture that misses what --error asks for. AUTO says which that is for each scene that a
+page draws, and what is expected of profile standard; the region `misses` of a page tells of those
+scenes whose figures it has at standard."""
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from . import intact
+from .pages import data
+from .pages.place import place
+from .synth import report
+
+PROTEIN = "/usr/share/pymol/data/demo/1tii.pdb"
+SIZE = "320x180"
+# table `speed`: scene, size
+RUNS = [("sphereflake2", SIZE), ("sphereflake2", "1280x720"), ("sphereflake:3", SIZE),
+        ("sphereflake:4", SIZE), ("paper100", SIZE), ("random:256", SIZE), ("random:4096", SIZE),
+        ("protein", SIZE), ("interpenetrating", SIZE), ("paper5", "1280x720"), ("inside", SIZE)]
+SCENES = ["sphereflake2", "sphereflake:3", "sphereflake:4", "paper100", "random:256",
+          "random:4096", "protein", "interpenetrating", "huge_tiny", "paper5", "inside",
+          "facets/room", "refraction/nested", "texture/hall", "texture/kitchen", "texture/museum",
+          "texture/robot"]
+AUTO = "profiles"
+ENOUGH = 45  # dB, what --error asks for by itself
+
+
+def run(*words):
+    """What a command prints."""
+    done = subprocess.run([str(word) for word in words], check=False, text=True,
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    if done.returncode:
+        sys.exit(f"summary: {' '.join(map(str, words))}:\n{done.stdout[-2000:]}"
+                 f"{done.stderr[-2000:]}")
+    return done.stdout
+
+
+def scene_file(build, scene, folder):
+    """A scene of scenes/, KIND:N of `sphaera gen`, or protein."""
+    path = Path(folder) / "scene.nff"
+    if scene == "protein":
+        run(f"{build}/sphaera", "import", PROTEIN, "-o", path)
+    elif ":" in scene:
+        run(f"{build}/sphaera", "gen", scene, "--seed", 1, "-o", path)
+    else:
+        return f"scenes/{scene}.nff"
+    return path
+
+
+def auto(build):
+    """Lines of AUTO: the profile that build takes, the dB expected of it and of standard."""
+    rows = []
+    for scene in SCENES:
+        with tempfile.TemporaryDirectory(prefix="sphaera-summary-") as folder:
+            path, found = scene_file(build, scene, folder), {}
+            for profile in "auto", "standard":
+                run(f"{build}/sphaera", "build", path, "--profile", profile, "--size", SIZE,
+                    "--depth", 2, "-o", f"{folder}/x.sph", "--json", f"{folder}/x.json")
+                found[profile] = json.loads(Path(folder, "x.json").read_text("utf-8"))
+        rows.append([f"`{scene}`", found["auto"]["machine"]["profile"],
+                     *(f"{found[profile]['build']['expected']['psnr']:.1f}"
+                       for profile in ("auto", "standard"))])
+    return data.of_rows([["scene", "auto takes", "dB expected", "dB expected of standard"], *rows])
+
+
+def speed(build):
+    """From cold caches, one core of the host, so that the frame is one piece."""
+    rows = []
+    with tempfile.TemporaryDirectory(prefix="sphaera-summary-") as folder:
+        for scene, size in RUNS:
+            path = scene_file(build, scene, folder) if scene == "protein" else scene
+            words = [f"SCENE={path}", f"SIZE={size}", "PROFILE=auto", "LATENCY=100",
+                     "BACKGROUND=rect", "JOBS=1", f"B={build}"]
+            run("make", "--no-print-directory", "sim", *words)
+            at = Path(run("make", "-s", "--no-print-directory", "sim-folder", *words).strip())
+            drawn, built = (json.loads((at / f"{name}.json").read_text("utf-8"))
+                            for name in ("report", "build"))
+            cold = drawn["cold"]
+            rows.append([f"`{scene}`" + (f", {size}" if size != SIZE else ""),
+                         built["machine"]["spheres"], drawn["profile"],
+                         f"{cold['cycles_per_pixel']:.2f}", f"{cold['cycles_per_visit']:.2f}",
+                         f"{100 * cold['issue_port_busy']:.1f} %"])
+            print("  RUN ", *rows[-1], flush=True)
+    return report.table(["`SCENE`", "spheres", "profile", "cycles a pixel", "cycles a visit",
+                         "issue port busy"], rows)
+
+
+def misses(*scenes):
+    """For a page: of which scenes standard misses what auto holds to."""
+    head, rows = data.read(AUTO)
+    known = {row[0].strip("`"): dict(zip(head, row)) for row in rows}
+    missed = [known[scene] for scene in scenes
+              if float(known[scene]["dB expected of standard"]) < ENOUGH]
+    if not missed:
+        return f"Profile standard is what `auto` takes for all of them, {ENOUGH} dB."
+    told = ", ".join(f"{row['scene']} ({row['dB expected of standard']})" for row in missed)
+    return (f"At standard, which misses the {ENOUGH} dB that `--profile auto` holds to for these: "
+            f"{told} dB expected.")
+
+
+def main(words):
+    if words[0] == "--auto":
+        text = auto(words[1])
+        intact.write(words[2] if len(words) > 2 else data.FOLDER / f"{AUTO}.tsv", text)
+        return
+    build, page = words
+    place(page, "make summary", {"speed": lambda: speed(build)})
+
+
+if __name__ == "__main__":
+    if len(sys.argv) not in (3, 4):
+        sys.exit(__doc__)
+    main(sys.argv[1:])

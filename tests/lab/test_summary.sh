@@ -1,0 +1,24 @@
+#!/bin/sh
+# test_summary.sh - which profile auto takes for the scenes of the pages, and what standard misses
+# SPDX-License-Identifier: Apache-2.0
+set -u
+. "$(dirname "$0")/../tap.sh"
+cd "$(dirname "$0")/../.." || exit 1
+
+build=$(dirname "$SPHAERA")
+check "what auto takes" python3 -m lab.summary --auto "$build" "$TMP/profiles"
+check "... is as the pages have it: make summary" \
+    diff "$TMP/profiles" docs/results/data/profiles.tsv
+check "headline figures are at the profile of auto, others say what standard misses" python3 -c "
+from lab import summary
+from lab.pages import data
+head, rows = data.read(summary.AUTO)
+takes = {row[0]: row[1] for row in rows}
+head, rows = data.read('summary.speed')
+for row in rows:
+    scene, profile = row[0].split(',')[0], row[head.index('profile')]
+    assert takes[scene] == profile, row
+told = summary.misses('paper100', 'random:256', 'random:4096')
+assert '\`random:256\`' in told and '\`random:4096\`' in told and 'paper100' not in told, told
+assert 'for all of them' in summary.misses('paper100', 'paper5')"
+done_testing
