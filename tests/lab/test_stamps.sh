@@ -40,7 +40,7 @@ cat >put.py <<'END'
 from lab.pages import whole
 from lab.pages.place import place
 place("docs/results/scenarios.md", "make some", {
-    "full": "| a | b |\n|---|---|\n| 1 | 2 |",
+    "full": "| scenario, spheres | tree | cycles a pixel |\n|---|---|---|\n| S1, 4 | bih1 | 2.0 |",
     "work": lambda: "| a |\n|---|\n| 3 |",
     "cycles": lambda: f"| a |\n|---|\n| {whole.load('empty/none.json') or '-'} |",
     "time": lambda: whole.load("empty/other.json")["seconds"]})
@@ -48,7 +48,7 @@ END
 row() { awk -F '\t' -v table="$1" '$1 == "scenarios" && $2 == table { print $3, $5 }' $record; }
 old=$(row cycles) day=$(python3 -c 'from lab.pages import measured; print(measured.commit()[1])')
 check "two tables are whole, two are not" python3 put.py
-check "a whole table stands in its page" grep -qF '| 1 | 2 |' $results/scenarios.md
+check "a whole table stands in its page" grep -qF '| S1, 4 | bih1 | 2.0 |' $results/scenarios.md
 check "... or in its file" grep -qx 3 $results/data/scenarios.work.tsv
 check "... with its stamp" [ "$(row full)" = "make some $day" ]
 check "... also in the page" grep -q '^- \*full\*, \*work\*: `make some` at commit ' \
