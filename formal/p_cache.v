@@ -2,15 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // A small cache, its memories as flip-flops, before a memory of 8 lines of which any one is marked:
 // a line's data says whether it is that one. Client and memory may stall at any time, lines come as
-// late as they like, flushes at any time. Tags of requests under way differ (token rule). For abc's
-// pdr, which finds the invariant itself: bad_o is never 1.
+// late as they like, flushes at any time. Tags of requests under way differ (token rule). With END
+// memory has so many lines: none behind is asked for, and who wants one of the group in which it
+// ends gets an error, the others their lines. For abc's pdr, which finds the invariant itself:
+// bad_o is never 1.
 `timescale 1ns / 1ps
 `default_nettype none
 module p_cache #(
     parameter LINES   = 4,
     parameter WAYS    = 2,
     parameter GROUP   = 1,
-    parameter PENDING = 2
+    parameter PENDING = 2,
+    parameter END     = 8                // lines of memory
 ) (
     input  wire       clk,
     input  wire       flush,
@@ -34,7 +37,10 @@ module p_cache #(
     // ---- requests of the client: none with a tag that is under way ----
     reg  [1:0] busy_q = 2'd0;
     reg        line_0_q = 1'b0, line_1_q = 1'b0; // is it the marked line?
-    wire req = req_valid && !(req_tag ? busy_q[1] : busy_q[0]);
+    reg        past_0_q = 1'b0, past_1_q = 1'b0; // does it lie beyond memory?
+    localparam [3:0] END_LINE = END, END_GROUP = (END + GROUP - 1) / GROUP * GROUP;
+    wire req = req_valid && !(req_tag ? busy_q[1] : busy_q[0]) && {1'b0, req_line} < END_GROUP;
+    wire past = {1'b0, req_line} >= END_LINE;
     wire req_ready, rsp_valid, rsp_tag, rsp_error, mem_req_valid, mem_rsp_ready, miss;
     wire [255:0] rsp_data;
     wire [25:0]  mem_req_line;
@@ -53,14 +59,14 @@ module p_cache #(
     always @(posedge clk) begin
         ask_q   <= (ask_q >> sent) | ({{(N-1){1'b0}}, ask && line_asked} << left);
         count_q <= left + {3'd0, ask};
-        if (take && !req_tag) line_0_q <= req_line == mark_q;
-        if (take &&  req_tag) line_1_q <= req_line == mark_q;
+        if (take && !req_tag) {past_0_q, line_0_q} <= {past, req_line == mark_q};
+        if (take &&  req_tag) {past_1_q, line_1_q} <= {past, req_line == mark_q};
         busy_q <= (busy_q & ~{give && rsp_tag, give && !rsp_tag}) |
                   {take && req_tag, take && !req_tag};
         if (!old_q) begin busy_q <= 2'd0; count_q <= 4'd0; ask_q <= {N{1'b0}}; end
     end
     rt_cache #(.TAG(1), .LINES(LINES), .WAYS(WAYS), .GROUP(GROUP), .PENDING(PENDING)) u_dut (
-        .clk(clk), .rst(!old_q), .flush_i(flush), .miss_o(miss),
+        .clk(clk), .rst(!old_q), .flush_i(flush), .mem_lines_i(END[25:0]), .miss_o(miss),
         .req_valid_i(req), .req_ready_o(req_ready), .req_line_i({23'd0, req_line}),
         .req_tag_i(req_tag), .rsp_valid_o(rsp_valid), .rsp_ready_i(rsp_ready),
         .rsp_data_o(rsp_data), .rsp_tag_o(rsp_tag), .rsp_error_o(rsp_error),
@@ -70,9 +76,11 @@ module p_cache #(
     );
 
     // ---- an answer that nobody asked for, or with another line; more lines than may be ----
-    wire line = rsp_tag ? line_1_q : line_0_q;
+    wire line  = rsp_tag ? line_1_q : line_0_q;
+    wire error = rsp_tag ? past_1_q : past_0_q;
     assign bad_o = old_q && ((rsp_valid && !(rsp_tag ? busy_q[1] : busy_q[0])) ||
-                             (rsp_valid && (rsp_data[0] != line || rsp_error)) ||
-                             (ask && left == N));
+                             (rsp_valid && rsp_error != error) ||
+                             (rsp_valid && !error && rsp_data[0] != line) ||
+                             (ask && mem_req_line >= END) || (ask && left == N));
 endmodule
 `default_nettype wire

@@ -50,7 +50,7 @@ module p_cache_moves #(
         if (!old_q) begin busy_q <= 2'd0; count_q <= 4'd0; end
     end
     rt_cache #(.TAG(1), .LINES(LINES), .WAYS(WAYS), .GROUP(GROUP), .PENDING(PENDING)) u_dut (
-        .clk(clk), .rst(!old_q), .flush_i(flush), .miss_o(miss),
+        .clk(clk), .rst(!old_q), .flush_i(flush), .mem_lines_i(26'd0), .miss_o(miss),
         .req_valid_i(req), .req_ready_o(req_ready), .req_line_i({23'd0, req_line}),
         .req_tag_i(req_tag), .rsp_valid_o(rsp_valid), .rsp_ready_i(rsp_ready),
         .rsp_data_o(rsp_data), .rsp_tag_o(rsp_tag), .rsp_error_o(rsp_error),

@@ -5,7 +5,9 @@
 //                                  +----> queue, in order ------+  +-- memory, in order of mem_req
 // Hit: latency 3 cycles, one a cycle. Miss: waits in the queue for its line, 2 cycles more.
 // Responses carry the tag of their request; only requests that queue keep their order.
-// A line of the cache is an aligned group of GROUP lines of memory; a miss fetches all of them.
+// A line of the cache is an aligned group of GROUP lines of memory; a miss fetches all of them. In
+// place of what lies beyond the end of memory its first line is read once more, and who wants a
+// line there gets an error.
 // Why it is right: docs/blocks/cache.md.
 `timescale 1ns / 1ps
 `default_nettype none
@@ -21,6 +23,7 @@ module rt_cache #(
     input  wire           clk,
     input  wire           rst,              // synchronous, active high
     input  wire           flush_i,          // one cycle: forget every line
+    input  wire [`RT_LINE_BITS-1:0] mem_lines_i,      // lines of memory, changes before a flush
     output reg            miss_o,           // one cycle per group asked of memory
     // from the client
     input  wire           req_valid_i,
@@ -232,26 +235,43 @@ module rt_cache #(
 
     // ---- the lines of a group: asked for and filled in order ----
     wire [PB-1:0] fill_place;
+    wire          fill_beyond;              // it is none of memory's lines
+    wire          alloc_cut, head_cut;      // memory ends within the group
     generate
         if (GROUP == 1) begin : g_line
             always @(posedge clk) if (!mem_req_valid_o) mem_req_line_o <= s2_line_q;
             assign mem_more   = 1'b0;
+            assign fill_beyond = 1'b0;
+            assign alloc_cut  = 1'b0;
+            wire   unused     = &{1'b0, mem_lines_i, head_cut};
             assign fill_place = head_place;
             assign fill_last  = 1'b1;
             assign fill_error = mem_rsp_error_i;
         end else begin : g_group
             reg [GB-1:0] fill_q;            // place of the next line from memory
+            reg [GB-1:0] ask_q;             // place of the line that is asked for
+            reg          ask_cut_q;
             reg          error_q;           // a bus error came with one before it
+            wire [GB-1:0] end_place = mem_lines_i[GB-1:0]; // the first one beyond; 0: a whole group
+            wire [GB-1:0] ask_next = ask_q + 1'b1;
+            assign alloc_cut = |end_place &&
+                s2_line_q[`RT_LINE_BITS-1:GB] == mem_lines_i[`RT_LINE_BITS-1:GB];
             always @(posedge clk) begin
-                if (mem_go) mem_req_line_o <= mem_more ? mem_req_line_o + 1'b1
-                                              : {s2_line_q[`RT_LINE_BITS-1:GB], {GB{1'b0}}};
+                if (mem_go) begin
+                    ask_q     <= mem_more ? ask_next : {GB{1'b0}};
+                    ask_cut_q <= mem_more ? ask_cut_q : alloc_cut;
+                    mem_req_line_o <= {mem_more ? mem_req_line_o[`RT_LINE_BITS-1:GB]
+                                                : s2_line_q[`RT_LINE_BITS-1:GB],
+                        mem_more && !(ask_cut_q && ask_next >= end_place) ? ask_next : {GB{1'b0}}};
+                end
                 if (fill) begin
                     fill_q  <= fill_q + 1'b1;
                     error_q <= fill_error && !fill_last;
                 end
                 if (rst) begin fill_q <= {GB{1'b0}}; error_q <= 1'b0; end
             end
-            assign mem_more   = mem_req_valid_o && !(&mem_req_line_o[GB-1:0]);
+            assign mem_more    = mem_req_valid_o && !(&ask_q);
+            assign fill_beyond = head_cut && fill_q >= end_place;
             assign fill_place = {head_set, fill_q};
             assign fill_last  = &fill_q;
             assign fill_error = mem_rsp_error_i || error_q;
@@ -259,7 +279,7 @@ module rt_cache #(
     endgenerate
 
     // ---- queue: leaders, whose line is asked of memory, and followers, in order; its head ----
-    localparam QB = 2 + PB + WB + TAG;
+    localparam QB = 3 + PB + WB + TAG;
     localparam CB = $clog2(PENDING) + 1;
     wire           queue_go = follow_go || alloc;
     wire           queue_in, queue_valid;
@@ -275,10 +295,10 @@ module rt_cache #(
     rt_fifo #(.WIDTH(QB), .DEPTH(PENDING)) u_queue (
         .clk(clk), .rst(rst),
         .in_valid_i(queue_go), .in_ready_o(queue_in),
-        .in_data_i({alloc, |(~s2_filled_q & victim), s2_place, number(touch), s2_tag_q}),
+        .in_data_i({alloc_cut, alloc, |(~s2_filled_q & victim), s2_place, number(touch), s2_tag_q}),
         .out_valid_o(queue_valid), .out_ready_i(head_free), .out_data_o(queue_data)
     );
-    assign {head_leader, head_asked, head_place, head_way, head_tag} = head_q;
+    assign {head_cut, head_leader, head_asked, head_place, head_way, head_tag} = head_q;
     assign none_held       = held_q == {CB{1'b0}};
     assign mem_rsp_ready_o = head_valid_q && head_leader && !head_filled_q;
     assign fill            = mem_rsp_valid_i && mem_rsp_ready_o;
@@ -315,7 +335,7 @@ module rt_cache #(
     rt_slot_ram #(.WIDTH(257), .SLOTS(LINES), .OLD(0)) u_data (
         .clk(clk),
         .wr_en_i(fill), .wr_addr_i(fill_at),
-        .wr_data_i({mem_rsp_error_i, mem_rsp_data_i}),
+        .wr_data_i({mem_rsp_error_i || fill_beyond, mem_rsp_data_i}),
         .rd_en_i(rsp_free && (head_ready || (s2_run && s2_hit))),   // head_go || hit_go
         .rd_addr_i(head_ready ? head_at : hit_at),
         .rd_data_o({rsp_error_o, rsp_data_o})

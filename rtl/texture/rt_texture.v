@@ -133,30 +133,19 @@ module rt_texture #(
     assign map_ready   = ready && !texel_valid && !image_valid;
     wire [`RT_LINE_BITS-1:0] ask_line = beyond ? {`RT_LINE_BITS{1'b0}}
                                              : asked_line[`RT_LINE_BITS-1:0];
-    wire [`RT_LINE_BITS-1:0] fetch_line;
     rt_cache #(.TAG(TAG), .LINES(LINES), .WAYS(WAYS), .GROUP(GROUP), .PENDING(SLOTS)) u_cache (
-        .clk(clk), .rst(rst), .flush_i(flush_i), .miss_o(miss_o),
+        .clk(clk), .rst(rst), .flush_i(flush_i), .mem_lines_i(mem_lines), .miss_o(miss_o),
         .req_valid_i(ask), .req_ready_o(taken), .req_line_i(ask_line),
         .req_tag_i({asked, beyond}),
         .rsp_valid_o(come), .rsp_ready_i(1'b1), .rsp_data_o(data),
         .rsp_tag_o({slot, kind, index, word, lost}), .rsp_error_o(come_error),
         .mem_req_valid_o(mem_req_valid_o), .mem_req_ready_i(mem_req_ready_i),
-        .mem_req_line_o(fetch_line),
+        .mem_req_line_o(mem_req_line_o),
         .mem_rsp_valid_i(mem_rsp_valid_i), .mem_rsp_ready_o(mem_rsp_ready_o),
         .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i)
     );
     assign bus_error_o = come && come_error;
     assign texel_o     = texel_valid && texel_ready;
-    // a group's lines behind the end of memory: its first line is read in their place
-    generate
-        if (GROUP == 1) begin : g_line
-            assign mem_req_line_o = fetch_line;
-        end else begin : g_group
-            localparam GB = $clog2(GROUP);
-            assign mem_req_line_o = {fetch_line[`RT_LINE_BITS-1:GB],
-                                     fetch_line >= mem_lines ? {GB{1'b0}} : fetch_line[GB-1:0]};
-        end
-    endgenerate
     // for benches: the cache's shape, and what it is asked and given
     wire [31:0] cache_shape /* verilator public_flat_rd */ = {LINES[15:0], WAYS[7:0], GROUP[7:0]};
     wire [31:0] cache_seen  /* verilator public_flat_rd */ =

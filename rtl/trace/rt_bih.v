@@ -164,7 +164,7 @@ module rt_bih #(
     wire [SLOTW-1:0] rsp_slot;
     wire [255:0]     rsp_data;
     rt_cache #(.TAG(TAG), .LINES(LINES), .PENDING(SLOTS)) u_cache (
-        .clk(clk), .rst(rst), .flush_i(flush_i),
+        .clk(clk), .rst(rst), .flush_i(flush_i), .mem_lines_i(mem_lines),
         .req_valid_i(q_issue_valid), .req_ready_o(req_ready),
         .req_line_i(bad_limit ? {LB{1'b0}} : q_issue_place[LB:1]),
         .req_tag_i({q_issue_slot, q_issue_place[0], bad_limit}),

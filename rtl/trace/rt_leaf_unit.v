@@ -106,7 +106,7 @@ module rt_leaf_unit #(
     wire [255:0]     c_data;
     assign fetch_ready_o = req_ready;
     rt_cache #(.TAG(TAG), .LINES(LINES), .PENDING(SLOTS)) u_cache (
-        .clk(clk), .rst(rst), .flush_i(flush_i),
+        .clk(clk), .rst(rst), .flush_i(flush_i), .mem_lines_i(regs_i[`RT_REGS_MEM_LINES]),
         .req_valid_i(prim || v_valid), .req_ready_o(req_ready),
         .req_line_i(prim ? fetch_i[`RT_FETCH_LINE]
                     : v_line + {24'd0, whole && pick[1], whole ? pick[0] : pick[1]}),

@@ -271,7 +271,7 @@ module rt_traverse #(
     localparam TAG = SLOTW + 2;
     wire [255:0]     rsp_data;
     rt_cache #(.TAG(TAG), .LINES(LINES), .PENDING(SLOTS)) u_cache (
-        .clk(clk), .rst(rst), .flush_i(flush_i),
+        .clk(clk), .rst(rst), .flush_i(flush_i), .mem_lines_i(mem_lines),
         .req_valid_i(req_valid), .req_ready_o(req_ready),
         .req_line_i(req_line),
         .req_tag_i({req_slot, req_fresh, req_kill}),

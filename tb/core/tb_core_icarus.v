@@ -199,9 +199,9 @@ module tb_core_icarus #(
             q_due[tail] = cycle + latency;
             if ({$random(seed)} % 100 < stall)
                 q_due[tail] = q_due[tail] + {$random(seed)} % (2 * latency + 16);
-            q_error[tail] = requests == error_at || req_line >= LINES ||
+            q_error[tail] = requests == error_at || req_line >= regs[`RT_REG_MEM_LINES] ||
                             (spoilt && req_line >= spoil);
-            if (req_line >= LINES) $fwrite(out, "h request for line %0d\n", req_line);
+            if (req_line >= regs[`RT_REG_MEM_LINES]) $fwrite(out, "h request for line %0d\n", req_line);
             requests = requests + 1;
             tail = (tail + 1) % QUEUE;
         end

@@ -16,6 +16,7 @@
 #include <cstdlib>
 #include <deque>
 #include <memory>
+#include <string>
 #include <type_traits>
 #include <unordered_map>
 #include <vector>
@@ -64,6 +65,8 @@ struct Phase {
     int errors;           /* percent of lines with a bus error */
     bool flush;           /* first forget everything */
     bool flushes = false; /* now and then, whatever is under way */
+    uint32_t past = 0;    /* memory ends so many lines into a group, 1 .. GROUP-1, behind `lines`,
+                             which are whole groups; all of that group is asked for; 0: no end */
 };
 
 struct Fetch {
@@ -140,6 +143,7 @@ class Bench {
     }
 
     uint32_t pick_line(const Phase &phase, uint64_t number);
+    bool beyond(uint32_t line) const { return ends_ && line >= end_; }
     uint32_t word(uint32_t line, int i) const;
     void fail(const char *what, uint32_t line);
     void drive(const Phase &phase, uint64_t sent, uint64_t requests);
@@ -153,7 +157,10 @@ class Bench {
     std::deque<Fetch> memory_;                        /* lines asked for, oldest first */
     std::vector<uint32_t> errors_;                    /* lines with one, of the group that comes */
     std::unordered_map<uint32_t, uint64_t> error_at_; /* line: cycle of its last bus error */
-    uint32_t last_fetch_ = 0;
+    uint32_t group_ = 0;                              /* its first line, of the one asked for */
+    uint64_t came_ = 0;                               /* lines from memory, all phases */
+    bool ends_ = false;                               /* memory does, with the line before end_ */
+    uint32_t end_ = 0;
     bool head_error_ = false; /* of the line memory shows */
     bool shown_ = false;      /* memory shows a line not yet taken */
     bool failed_ = false;
@@ -252,7 +259,9 @@ void Bench::watch_response(uint64_t *answered) {
     if (!top_->rsp_valid_o || !top_->rsp_ready_i) return;
     Waiting &w = waiting_[top_->rsp_tag_o];
     if (!w.used) fail("answer nobody asked for", 0);
-    if (top_->rsp_error_o) {
+    if (beyond(w.line)) {
+        if (!top_->rsp_error_o) fail("no error for a line beyond memory", w.line);
+    } else if (top_->rsp_error_o) {
         auto e = error_at_.find(w.line);
         if (e == error_at_.end() || e->second <= w.taken)
             fail("error that memory never gave", w.line);
@@ -277,7 +286,7 @@ void Bench::watch_memory(const Phase &phase) {
     if (top_->mem_rsp_valid_i && top_->mem_rsp_ready_o) {
         uint32_t line = memory_.front().line;
         if (head_error_) errors_.push_back(line);
-        if (line % GROUP == GROUP - 1) {
+        if (came_++ % GROUP == GROUP - 1) {
             for (uint32_t wrong : errors_)
                 error_at_[wrong] = now_;
             errors_.clear();
@@ -287,14 +296,16 @@ void Bench::watch_memory(const Phase &phase) {
         progress_ = now_;
     }
     if (top_->mem_req_valid_o && top_->mem_req_ready_i) {
+        const uint32_t place = fetches_ % GROUP, line = top_->mem_req_line_o;
+        if (!place) group_ = line;
+        const bool again = place && beyond(group_ + place); /* the first line in its place */
         for (const Fetch &f : memory_)
-            if (f.line == top_->mem_req_line_o) fail("line fetched while on its way", f.line);
+            if (f.line == line && !again) fail("line fetched while on its way", f.line);
+        if (beyond(line)) fail("a line beyond memory is asked for", line);
         if (memory_.size() >= PENDING * GROUP)
             fail("more lines on their way than PENDING", top_->mem_req_line_o);
-        if (top_->mem_req_line_o % GROUP != fetches_ % GROUP ||
-            (fetches_ % GROUP && top_->mem_req_line_o != last_fetch_ + 1))
-            fail("a group not fetched in order", top_->mem_req_line_o);
-        last_fetch_ = top_->mem_req_line_o;
+        if (group_ % GROUP || line != group_ + (again ? 0 : place))
+            fail("a group not fetched in order", line);
         memory_.push_back({top_->mem_req_line_o, now_ + 1 + below(phase.latency)});
         fetches_++;
         progress_ = now_;
@@ -311,6 +322,10 @@ bool Bench::run(const Phase &phase, uint64_t requests, uint64_t seed) {
         epoch_++, lru_.forget();
         base_ ^= LINE_MASK & ~(GROUP - 1u);
     }
+    ends_ = phase.past != 0;
+    if (ends_) base_ &= LINE_MASK >> 1;
+    end_ = base_ + phase.lines - GROUP + phase.past;
+    top_->mem_lines_i = ends_ ? end_ : 0;
     lru_.misses = 0;
     uint64_t sent = 0;
     uint64_t answered = 0;
@@ -401,5 +416,16 @@ int main(int argc, char **argv) {
     };
     for (const Phase &phase : phases)
         good = good && bench.run(phase, n, seed);
+    for (uint32_t past = 1; past < GROUP; past++) { /* at every residue of the last group */
+        const uint32_t some = SETS * GROUP, many = 2 * LINES;
+        const std::string at = "memory ends " + std::to_string(past) + " lines into a group";
+        const Phase ends[] = {
+            {at.c_str(), UNIFORM, some, 0, 0, 0, 20, 0, true, false, past},
+            {at.c_str(), CLUSTERED, many, 20, 20, 30, 60, 0, true, false, past},
+            {at.c_str(), CLUSTERED, many, 20, 20, 30, 60, 10, true, true, past},
+        };
+        for (const Phase &phase : ends)
+            good = good && bench.run(phase, n, seed);
+    }
     return good ? 0 : 1;
 }

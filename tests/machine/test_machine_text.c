@@ -105,7 +105,8 @@ static void test_words(void **unused) {
                  "memory    %u lines, %.1f KiB; primitive records from line %d\n", m.lines,
                  m.lines / 32.0, m.regs[SPH_REG_PRIM_BASE]);
         has(said);
-        has("scene     cloud\nprofile   standard: W 16, WD 17, PR 0 (all 33), PQ 17, NG 2, FW 14 bits\n");
+        has("scene     cloud\nprofile   standard: W 16, WD 17, PR 0 (all 33), PQ 17, NG 2, FW 14 "
+            "bits\n");
         sph_machine_free(&m);
         free(s.spheres);
     }

@@ -6,7 +6,7 @@
 #include <math.h>
 
 enum {
-    LEAST = 4,  /* times u: then c' - u is no small number */
+    LEAST = 4,   /* times u: then c' - u is no small number */
     MARGIN = 16, /* grid units that a grid has besides what lies on it, at most */
     WIDEST = 32  /* tan(angle/2): then a screen of 12 bits still is SPH_MIN_SCREEN away */
 };
