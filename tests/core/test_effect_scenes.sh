@@ -224,7 +224,8 @@ while IFS='|' read -r sim core words command registers; do
     [ "$(cat "$TMP/$number.rc")" = 0 ] &&
         [ "$(sort -u "$TMP/$number.log" | grep -c '^refused:')" = 1 ] &&
         grep -qFx "$why" "$TMP/$number.log" &&
-        grep -q ': 64 pixels, 0 mismatches; cold caches: 0 cycles' "$TMP/$number.log" && rc=0 || rc=1
+        grep -q ': 64 pixels, 0 mismatches; cold caches: 0 cycles' "$TMP/$number.log" &&
+            rc=0 || rc=1
     tap $rc "$sim, core $core refuses what asks for ${words:-an unknown effect}" "$TMP/$number.log"
 done <"$TMP/refusals"
 done_testing
