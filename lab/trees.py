@@ -21,7 +21,7 @@ from .pages.place import place
 from .synth import report
 from .tree_options import OF_FOUR, options
 
-NO_ID, HEAD = 0xFFFFFF, 32  # of a frame file: cmodel/render/frame_file.h
+NO_ID, HEAD = 0xFFFFFF, 32  # of a frame file: cmodel/core/frame_file.h
 PDB = "/usr/share/pymol/data/demo/1tii.pdb"
 SIZE, LARGE = "160x90", "96x64"
 BALLS = [("`paper100`", "paper100"), ("random:256", "gen random:256"),

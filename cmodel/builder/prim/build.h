@@ -39,7 +39,7 @@ struct sph_prim_build {
      * exact. Of facets. */
     int (*near)(const struct sph_grid_facet *facet, const struct sph_ball *ball,
                 const struct sph_profile *profile);
-    /* Writes its mapping record (texture_map.h). */
+    /* Writes its mapping record (map.h). */
     int (*map)(const struct sph_texture_job *job, const struct sph_grid_prim *prim,
                const struct sph_mip *mip, uint32_t *map, struct sph_error *err);
 };

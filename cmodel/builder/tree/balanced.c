@@ -1,7 +1,7 @@
 /* balanced.c - binary splits collapsed to nodes of four at least expected cost
  * SPDX-License-Identifier: Apache-2.0
  *
- * A node opens its halves along the cheapest shares that tree_split.c found until it has four
+ * A node opens its halves along the cheapest shares that split.c found until it has four
  * children; of those shares that keep within the hardware's stack, where the tree would get deeper.
  * Should none do, it is split again without reinsertion, then with a lower limit of binary levels;
  * at last in half all the way, two binary levels to a node, which needs ceil(log2(n)/2) levels.

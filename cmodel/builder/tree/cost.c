@@ -1,4 +1,4 @@
-/* cost.c - what binary trees cost as nodes of four; see tree_split.h
+/* cost.c - what binary trees cost as nodes of four; see split.h
  * SPDX-License-Identifier: Apache-2.0
  *
  * Bottom up: cost[j], the least expected visits below a pair if it may become j children: one node,

@@ -52,7 +52,7 @@ int sph_bih_next(const struct sph_plants *plants, const struct sph_aabb *boxes, 
                  struct sph_bih *bih, struct sph_error *err);
 
 /* New spheres for every node of a finished tree, whose leaves are ids, and children near first.
- * -1 if memory is out. In tree_tighten.c. */
+ * -1 if memory is out. In tighten.c. */
 int sph_tree_refit(const struct sph_plants *plants, struct sph_tree *tree, struct sph_error *err);
 
 /* New planes for every node, and the box around all. */

@@ -9,7 +9,7 @@
 
 /* Rotates nodes of a split of n >= 2 boxes where fewer rays meet them then, and fills the costs by
  * areas; leaves the split as it is if it would need more than `most` levels of nodes. unseen: see
- * tree_seen.h. Does not depend on the number of threads. -1 if memory is out. */
+ * seen.h. Does not depend on the number of threads. -1 if memory is out. */
 int sph_split_rotate(const struct sph_ball *balls, const struct sph_aabb *boxes,
                      const struct sph_sights *sights, float unseen, int most,
                      struct sph_split *split, struct sph_error *err);

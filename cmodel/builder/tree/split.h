@@ -1,4 +1,4 @@
-/* split.h - the binary tree that tree_balanced.c collapses to nodes of four
+/* split.h - the binary tree that balanced.c collapses to nodes of four
  * SPDX-License-Identifier: Apache-2.0
  */
 #ifndef SPH_TREE_SPLIT_H
