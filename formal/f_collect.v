@@ -1,4 +1,4 @@
-// f_collect.v - proof of rt_collect: a slot keeps the first of its ray's hits, and what it bounds
+// f_collect.v - proof of rt_collect: a slot keeps its ray's first hit, what it bounds, hits inside
 // SPDX-License-Identifier: Apache-2.0
 //   new ray --> ready --> visit: want --> results --> last --> 4 clocks --> token, ready
 // Any slot may be marked; others do as they like. Token rule: a slot's results come as many as its
@@ -34,6 +34,7 @@ module f_collect #(
     localparam BB  = 2 + IDB + KW;                    // {found, far, id, key}
     wire out_valid, next_found, next_ends, done_found, done_shadow, done_primary, done_first;
     wire done_far;
+    wire [1:0] done_fars;
     wire [SLOTW-1:0] out_slot;
     wire [FW:0]      filter_depth, next_depth;
     wire [IDB-1:0]   done_id;
@@ -50,7 +51,7 @@ module f_collect #(
         .next_depth_o(next_depth), .next_found_o(next_found), .next_ends_o(next_ends),
         .done_valid_i(done_valid), .done_slot_i(done_slot), .done_found_o(done_found),
         .done_shadow_o(done_shadow), .done_primary_o(done_primary), .done_first_o(done_first),
-        .done_far_o(done_far), .done_id_o(done_id), .done_key_o(done_key)
+        .done_far_o(done_far), .done_fars_o(done_fars), .done_id_o(done_id), .done_key_o(done_key)
     );
     (* anyconst *) wire [SLOTW-1:0] slot;             // the marked one
     (* hierconn *) wire [SLOTW:0]   \u_dut.clear_q ;
@@ -60,6 +61,8 @@ module f_collect #(
     (* hierconn *) wire [SLOTW-1:0] \u_dut.u_first_f.mark , \u_dut.u_best_f.mark ;
     (* hierconn *) wire [SLOTW-1:0] \u_dut.u_first_n.mark , \u_dut.u_best_n.mark ;
     (* hierconn *) wire [SLOTW-1:0] \u_dut.u_first_d.mark ;
+    (* hierconn *) wire [SLOTW-1:0] \u_dut.g_fars.u_fars.mark , \u_dut.g_fars.u_fars_d.mark ;
+    (* hierconn *) wire [2:0]       \u_dut.g_fars.u_fars.word_q , \u_dut.g_fars.u_fars_d.word_q ;
     (* hierconn *) wire             \u_dut.u_mark.word_q ;
     (* hierconn *) wire [(KEYS != 0 ? 0 : 23):0] \u_dut.u_scale.word_q ;
     (* hierconn *) wire [2:0]       \u_dut.u_want.word_q , \u_dut.u_seen.word_q ;
@@ -76,6 +79,7 @@ module f_collect #(
     reg  [3:0]     end_q;                             // its last result came so many clocks before
     reg  [4*BB-1:0] best_q;
     reg  [2:0]     wins_q;
+    reg  [7:0]     fars_q;                            // hits from inside that there were, up to 2
     reg  [FW:0]    far_q;                             // depth of the hit that was written last
     reg  [22:0]    scale_q;                           // {shift, scale}
     reg            shadow_q, primary_q, first_q;
@@ -93,6 +97,7 @@ module f_collect #(
     wire cleared   = !clearing || \u_dut.clear_q > {1'b0, slot};
     wire [BB-1:0]  best = best_q[BB-1:0];
     wire [KW+IDB-1:0] b_key = {best[KW-1:0], best[KW +: IDB]}, i_key = {in_key, in_id};
+    wire [1:0] fars = fars_q[1:0];
     wire wins = in_mine && in_hit && (!best[BB-1] || i_key < b_key);
     always @(posedge clk) begin
         old_q  <= 1'b1;
@@ -108,12 +113,15 @@ module f_collect #(
             depth_q                        <= new_depth;
         end
         wins_q <= {wins_q[1:0], wins};
+        fars_q <= {fars_q[5:0], fars + {1'b0, in_mine && in_hit && in_far && !fars[1]}};
+        if (new_mine) fars_q <= 8'd0;
         if (wins_q[2]) far_q <= \u_dut.s3_depth ;
         {filter_q, next_q, done_q} <= {filter_mine, next_mine, done_mine};
         if (rst) begin
             {ray_q, left_q, count_q, end_q, wins_q} <= 0;
             {filter_q, next_q, done_q}      <= 3'd0;
             best_q                          <= 0;
+            fars_q                          <= 8'd0;
         end
     end
     always @* begin
@@ -124,6 +132,7 @@ module f_collect #(
         assume (\u_dut.u_first_f.mark == slot && \u_dut.u_best_f.mark == slot);
         assume (\u_dut.u_first_n.mark == slot && \u_dut.u_best_n.mark == slot);
         assume (\u_dut.u_first_d.mark == slot);
+        assume (\u_dut.g_fars.u_fars.mark == slot && \u_dut.g_fars.u_fars_d.mark == slot);
         if (rst || (old_q && clearing))
             assume (!new_valid && !want_valid && !in_valid && !filter_valid && !next_valid &&
                     !done_valid);
@@ -137,7 +146,8 @@ module f_collect #(
     // ---- properties ----
     wire [BB-1:0] kept = best_q[3*BB +: BB];          // as the memories of depths have it
     reg  [BB-1:0] read_q;
-    always @(posedge clk) read_q <= best;
+    reg  [1:0]    read_fars_q;
+    always @(posedge clk) {read_q, read_fars_q} <= {best, fars};
     wire mark = \u_dut.u_scale.word_q [KEYS != 0 ? 0 : 23];
     wire [FW:0] read_depth = read_q[BB-1] ? far_q : depth_q;
     wire [BB-1:0] written = best_q[2*BB +: BB];
@@ -152,6 +162,7 @@ module f_collect #(
             assert (done_found == read_q[BB-1]);
             assert ({done_shadow, done_primary, done_first} == {shadow_q, primary_q, first_q});
             if (done_found) assert ({done_far, done_id, done_key} == read_q[BB-2:0]);
+            if (done_found) assert (done_fars == read_fars_q);
         end
         // invariant
         assert (left_q <= 4 && \u_dut.clear_q <= SLOTS);
@@ -163,9 +174,13 @@ module f_collect #(
             assert (\u_dut.u_mark.word_q == \u_dut.u_best.word_q [BB-2]);
             assert (\u_dut.u_best.word_q == \u_dut.u_done.word_q );
             assert (\u_dut.u_best_f.word_q == \u_dut.u_best_n.word_q );
+            assert (\u_dut.g_fars.u_fars.word_q == \u_dut.g_fars.u_fars_d.word_q );
+            assert (\u_dut.g_fars.u_fars.word_q [2] == \u_dut.u_mark.word_q );
             if (!ray_q) assert (\u_dut.u_best_f.word_q [FW+1] == \u_dut.u_mark.word_q );
         end
-        if (!ray_q) assert (best_q == 0);
+        if (!ray_q) assert (best_q == 0 && fars_q == 0);
+        if (!best[BB-1]) assert (fars == 0);
+        if (ray_q && written[BB-1]) assert (\u_dut.g_fars.u_fars.word_q [1:0] == fars_q[5:4]);
         if (ray_q) begin
             assert (mark == \u_dut.u_first_f.word_q [0] && mark == \u_dut.u_first_n.word_q [0] &&
                     mark == \u_dut.u_first_d.word_q [0]);

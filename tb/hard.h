@@ -201,7 +201,7 @@ class Source {
         if (c.ray.kind == SPH_SHADOW || !c.a) return c;
         if (c.is_ray && !c.result.exit && c.result.disc <= 0) return c;
         if (c.is_ray) c.key = sph_leaf_key(&c.result, &roots);
-        sph_hit hit = {c.key, c.leaf.id, c.result.far};
+        sph_hit hit = {c.key, c.leaf.id, c.result.far != 0, 0};
         sph_surface_at(&p, &c.ray, &hit, &c.leaf, &s);
         c.mirrors = true;
         memcpy(c.dir, c.ray.dir, sizeof c.dir);

@@ -46,7 +46,9 @@ struct sph_ray {
 struct sph_hit {
     uint64_t key; /* 0: nothing hit */
     uint32_t id;
-    int far; /* hit from inside */
+    int16_t far;  /* hit from inside */
+    int16_t fars; /* spheres that were found to hold the origin, 2: or more; the ray's own is one,
+                 if it starts in there */
 };
 
 /* 1 if the ray ends at a light: its direction is the whole vector, so the light lies at t = 1,

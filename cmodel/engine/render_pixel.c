@@ -165,8 +165,9 @@ static struct leaving shade(const struct sph_job *j, struct branch *at, const st
 }
 
 /* The colours, id and key that a primary ray and the rays after it give the pixel. Returns 1 if
- * they are void: the mirror ray of the surface that a FIRST ray found starts inside the other
- * sphere that it hits, so the surface lies in there too (Borodavka et al. VI.D). */
+ * they are void: the mirror ray of the surface that a FIRST ray found starts inside another sphere,
+ * whichever it hits first, so the surface lies in there too (Borodavka et al. VI.D: "when we find
+ * an intersected sphere then we test it"). */
 static int path(const struct sph_job *j, struct sph_ray ray) {
     struct sph_surface s = {0};
     struct sph_shares shares = {{{0}}};
@@ -189,7 +190,7 @@ static int path(const struct sph_job *j, struct sph_ray ray) {
         struct branch refracted_ray = {l.refracted,  sph_share(at.weight, l.kt),
                                        at.depth + 1, at.length,
                                        at.spread,    sph_bend_through(bend, hit.far)};
-        uint32_t id = hit.id;
+        int own = hit.far; /* the mirror ray starts in the sphere that it leaves */
         if (last && !probe) {
             at = waiting[--n_waiting];
         } else if (l.kr || probe) {
@@ -206,7 +207,7 @@ static int path(const struct sph_job *j, struct sph_ray ray) {
         if (j->log) j->log->depth = at.depth;
         hit = sph_job_trace(j, &at.ray);
         prim = prim_line(j, &hit);
-        if (probe && prim && hit.far && hit.id != id) return 1;
+        if (probe && prim && hit.fars > own) return 1;
         if (last && probe) break;
         if (j->trail && at.depth == 1) {
             int bent = at.ray.kind == SPH_REFRACTED;

@@ -261,5 +261,5 @@ struct sph_hit sph_fast_trace(const struct sph_fast *fast, const struct sph_ray 
                               struct sph_counters *c, uint32_t *visits, uint32_t *errors) {
     if (!fast->no_root) return fast->walk(fast, ray, c, visits, errors);
     *errors |= 1u << SPH_ERROR_BAD_NODE;
-    return (struct sph_hit){0, SPH_ID_NONE, 0};
+    return (struct sph_hit){0, SPH_ID_NONE, 0, 0};
 }

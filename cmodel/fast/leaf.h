@@ -15,7 +15,7 @@ static inline struct sph_probe sph_fast_probe(const struct sph_fast *f, const st
                               .ray = ray,
                               .whole = f->whole,
                               .passes = ray->kind == SPH_SHADOW && f->clear,
-                              .best = {0, SPH_ID_NONE, 0},
+                              .best = {0, SPH_ID_NONE, 0, 0},
                               .c = c,
                               .errors = errors};
 }
@@ -38,7 +38,7 @@ static inline void sph_fast_leaf_visit(struct sph_probe *probe, const struct sph
     if (ray->inside ? own && !ray->skip.inside : own || k >= 0) return;
     int64_t b = x * d[0] + y * d[1] + z * d[2];
     sph_i128 disc = (sph_i128)k * a + (sph_i128)b * b;
-    struct sph_hit hit = {1, leaf->id, k >= 0 || own};
+    struct sph_hit hit = {1, leaf->id, k >= 0 || own, 0};
     if (sph_ray_ends(ray)) {
         int64_t k_light = k + 2 * b - a;
         if (own     ? k_light >= 0
@@ -58,6 +58,7 @@ static inline void sph_fast_leaf_visit(struct sph_probe *probe, const struct sph
         }
     }
     struct sph_hit *best = &probe->best;
+    sph_hit_count(best, &hit);
     if (!best->key || hit.key < best->key || (hit.key == best->key && hit.id < best->id))
         *best = hit;
 }

@@ -239,7 +239,7 @@ static void packet_nearest(const struct sph_fast *f, const struct sph_bundle *ra
         return;
     }
     for (int i = 0; i < p.n; i++)
-        hits[i] = together ? (struct sph_hit){0, SPH_ID_NONE, 0} : sph_packet_alone(f, rays, i);
+        hits[i] = together ? (struct sph_hit){0, SPH_ID_NONE, 0, 0} : sph_packet_alone(f, rays, i);
 }
 
 /* Which of n rays that go alike, of numbers `lanes`, end at something: bits of these. */

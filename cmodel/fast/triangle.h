@@ -6,6 +6,7 @@
 
 #include "prim/facet.h"
 #include "prim/prim.h"
+#include "trace/leaf_unit.h"
 
 struct sph_fast_triangle {
     int64_t n[3];               /* e1 x e2, s(2W+1) */
@@ -78,9 +79,9 @@ static inline void sph_fast_triangle_visit(struct sph_probe *probe,
     struct sph_facet_result r = {.det = (sph_u128)size, .num = num};
     uint64_t *divisions = &probe->c->count[SPH_COUNT_DIVISIONS];
     uint64_t key = shadow ? 1 : sph_facet_key(ray, &r, divisions);
-    struct sph_hit *best = &probe->best;
-    if (!best->key || key < best->key || (key == best->key && t->id < best->id))
-        *best = (struct sph_hit){key, t->id, det > 0};
+    struct sph_hit *best = &probe->best, hit = {key, t->id, det > 0, 0};
+    sph_hit_count(best, &hit);
+    if (!best->key || key < best->key || (key == best->key && t->id < best->id)) *best = hit;
 }
 
 #endif

@@ -77,6 +77,16 @@ struct sph_naive_found sph_naive_trace(const struct sph_machine *m, const struct
     return best;
 }
 
+int sph_naive_within(const struct sph_machine *m, const struct sph_ray *ray, uint32_t own) {
+    int within = 0;
+    for (int32_t i = 0; i < m->regs[SPH_REG_N_PRIMS]; i++) {
+        struct sph_naive_found one = {0};
+        consider(m, ray, i, &one);
+        within |= one.how.hit && one.how.far && one.prim.sphere.id != own;
+    }
+    return within;
+}
+
 struct sph_naive_found sph_naive_first(const struct sph_machine *m, const struct sph_ray *ray,
                                        uint32_t line) {
     const uint32_t *node = m->mem + (size_t)SPH_LINE_WORDS * line;

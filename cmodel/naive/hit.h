@@ -31,6 +31,9 @@ struct sph_naive_point {      /* where a ray ends */
 /* The first hit in the order of keys, then ids; any hit of a shadow ray. */
 struct sph_naive_found sph_naive_trace(const struct sph_machine *m, const struct sph_ray *ray);
 
+/* Whether another sphere than `own` that the ray hits holds its origin. */
+int sph_naive_within(const struct sph_machine *m, const struct sph_ray *ray, uint32_t own);
+
 /* Of the nodes from `line` down, each before its children, the first with a leaf that is hit. */
 struct sph_naive_found sph_naive_first(const struct sph_machine *m, const struct sph_ray *ray,
                                        uint32_t line);

@@ -102,8 +102,7 @@ static int buried(const struct sph_machine *m, const struct sph_ray *ray) {
     if (!f.how.hit) return 0;
     struct sph_naive_point s = sph_naive_point_of(m, ray, &f);
     struct sph_ray next = mirror_ray(m, ray, &f, &s);
-    struct sph_naive_found around = sph_naive_trace(m, &next);
-    return around.how.hit && around.how.far && around.prim.sphere.id != f.prim.sphere.id;
+    return sph_naive_within(m, &next, f.prim.sphere.id);
 }
 
 /* The three frames of a pixel, u8.8 a channel; limited when they are read. */

@@ -22,7 +22,7 @@ int sph_facet_visit(const struct sph_probe *probe, const struct sph_facet_leaf *
     probe->c->count[SPH_COUNT_FACET_TESTS]++;
     if (!r.hit) return 0;
     uint64_t key = ray->kind == SPH_SHADOW ? 1 : sph_facet_key(ray, &r, divisions);
-    *hit = (struct sph_hit){key, facet->id, r.far};
+    *hit = (struct sph_hit){key, facet->id, r.far != 0, 0};
     return 1;
 }
 

@@ -14,7 +14,7 @@ static int test(const struct sph_probe *probe, const uint32_t *record, struct sp
     probe->c->count[SPH_COUNT_LEAF_TESTS]++;
     if (!r.hit) return 0;
     uint64_t key = probe->ray->kind == SPH_SHADOW ? 1 : sph_leaf_key_bits(&r, p->pr, roots);
-    *hit = (struct sph_hit){key, sphere.id, r.far};
+    *hit = (struct sph_hit){key, sphere.id, r.far != 0, 0};
     return 1;
 }
 

@@ -3,8 +3,9 @@
  */
 #include "trace/leaf_unit.h"
 
-/* A hit that comes first replaces *best. */
+/* A hit that comes first replaces *best; those from inside are counted. */
 static void keep(struct sph_hit *best, struct sph_hit hit) {
+    sph_hit_count(best, &hit);
     if (!best->key || hit.key < best->key || (hit.key == best->key && hit.id < best->id))
         *best = hit;
 }

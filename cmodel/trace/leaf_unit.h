@@ -12,7 +12,14 @@ static inline struct sph_probe sph_probe_of(const struct sph_machine *m, const s
                                             struct sph_counters *c, uint32_t *errors) {
     int passes = ray->kind == SPH_SHADOW && sph_machine_effect(m, SPH_EFFECT_CLEAR);
     return (struct sph_probe){sph_machine_profile(m), ray, sph_whole(m), passes,
-                              {0, SPH_ID_NONE, 0},    c,   errors};
+                              {0, SPH_ID_NONE, 0, 0}, c,   errors};
+}
+
+/* The hits from inside that there are with one more than *best has, in both. A sphere that holds
+ * the origin of a ray is never pruned, so that their number hangs on no order. */
+static inline void sph_hit_count(struct sph_hit *best, struct sph_hit *hit) {
+    hit->fars = (int16_t)(best->fars + (hit->far && best->fars < 2));
+    best->fars = hit->fars;
 }
 
 /* Tests the primitive of a leaf record; a hit that comes first replaces probe->best: the smaller

@@ -76,8 +76,8 @@ BORODAVKA = [
      "{hidden_first} of 57 600 pixels are wrong, below", "make papers", "same"),
     ("Fig. 12", "all intersections are handled correctly",
      "{hidden_mended} wrong pixels are left in the scene of Fig. 11; of a hundred spheres "
-     "{paper100_first} are wrong before, {paper100_mended} after, since the test looks for a "
-     "sphere around the point, not in front of it", "make papers", "refuted"),
+     "{paper100_first} are wrong before, {paper100_mended} after, each sphere that the mirror ray "
+     "finds being asked whether it holds the point", "make papers", "same"),
     ("VII", "Rendering, L1, L2 work simultaneously, each makes a frame of its depth",
      "the three frames of paper100 take {parts_0}, {parts_1} and {parts_2} cycles a pixel; one "
      "engine gives all of them in {parts_2}, three in no less, for three times the cells",

@@ -95,9 +95,10 @@
 `define RT_DONE_PRIMARY 2 +: 1
 `define RT_DONE_FIRST 3 +: 1
 `define RT_DONE_FAR 4 +: 1
-`define RT_DONE_ID 5 +: `RT_ID_BITS
-`define RT_DONE_KEY `RT_ID_BITS+5 +: W+WD+2
-`define RT_DONE_BITS (`RT_ID_BITS+W+WD+2+5)
+`define RT_DONE_FARS 5 +: 2
+`define RT_DONE_ID 7 +: `RT_ID_BITS
+`define RT_DONE_KEY `RT_ID_BITS+7 +: W+WD+2
+`define RT_DONE_BITS (`RT_ID_BITS+W+WD+2+7)
 `define RT_HIT_HIT 0 +: 1
 `define RT_HIT_MISS 1 +: 1
 `define RT_HIT_SHADOW 2 +: 1

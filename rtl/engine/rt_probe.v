@@ -1,8 +1,9 @@
 // rt_probe.v - interpenetrating spheres: probes the first surface found, repeats the primary ray
 // SPDX-License-Identifier: Apache-2.0
 // A primary ray that ended at its first hit may have found a surface inside another sphere. The
-// mirror ray of that surface tells: if it hits another sphere from inside, the surface lies in
-// there, all that the pixel has is void, and its primary ray starts again, nearest first.
+// mirror ray of that surface tells: if any sphere that it finds holds its origin, but for the one
+// that it leaves from inside, the surface lies in there, all that the pixel has is void, and its
+// primary ray starts again, nearest first.
 // Borodavka et al. VI.D. Model: path() in cmodel/engine/render_pixel.c
 `timescale 1ns / 1ps
 `default_nettype none
@@ -31,7 +32,7 @@ module rt_probe #(
     input  wire              done_primary_i,
     input  wire              done_found_i,   // a sphere with a record
     input  wire              done_far_i,
-    input  wire [`RT_ID_BITS-1:0] done_id_i,
+    input  wire [1:0]        done_fars_i,    // hits from inside, its own among them; 2: or more
     output wire              done_void_o,    // the pixel starts again
     output wire              done_end_o,     // the pixel is complete
     // to rt_setup: the primary ray once more
@@ -46,19 +47,19 @@ module rt_probe #(
     localparam SLOTW = $clog2(SLOTS);
     // ---- the mirror ray of a probe is done ----
     wire             probe, last;                    // of the slot's latest surface
-    wire [`RT_ID_BITS-1:0] first_id;                       // what the primary ray found
+    wire             first_far;                      // the primary ray found it from inside
     rt_slot_ram #(.WIDTH(2), .SLOTS(SLOTS), .OLD(0)) u_surface (
         .clk(clk), .wr_en_i(blend_valid_i), .wr_addr_i(blend_slot_i),
         .wr_data_i({blend_probe_i, blend_last_i}),
         .rd_en_i(ask_valid_i), .rd_addr_i(ask_slot_i), .rd_data_o({probe, last})
     );
-    rt_slot_ram #(.WIDTH(`RT_ID_BITS), .SLOTS(SLOTS), .OLD(0)) u_first (
+    rt_slot_ram #(.WIDTH(1), .SLOTS(SLOTS), .OLD(0)) u_first (
         .clk(clk), .wr_en_i(done_valid_i && done_primary_i), .wr_addr_i(done_slot_i),
-        .wr_data_i(done_id_i),
-        .rd_en_i(ask_valid_i), .rd_addr_i(ask_slot_i), .rd_data_o(first_id)
+        .wr_data_i(done_far_i),
+        .rd_en_i(ask_valid_i), .rd_addr_i(ask_slot_i), .rd_data_o(first_far)
     );
     wire probed = !done_primary_i && probe;
-    wire other  = done_found_i && done_far_i && done_id_i != first_id;
+    wire other  = done_found_i && done_fars_i > {1'b0, first_far};
     assign done_void_o = probed && other;
     assign done_end_o  = probed && last && !other;
 

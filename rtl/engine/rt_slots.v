@@ -200,7 +200,8 @@ module rt_slots #(
                 .blend_probe_i(blend_i[`RT_BLEND_PROBE]), .blend_last_i(blend_i[`RT_BLEND_LAST]),
                 .ask_valid_i(t_valid_q), .ask_slot_i(t_slot_q),
                 .done_valid_i(d_valid), .done_slot_i(d_slot_q), .done_primary_i(d_first),
-                .done_found_i(d_found), .done_far_i(d_q[`RT_DONE_FAR]), .done_id_i(d_id),
+                .done_found_i(d_found), .done_far_i(d_q[`RT_DONE_FAR]),
+                .done_fars_i(d_q[`RT_DONE_FARS]),
                 .done_void_o(d_void), .done_end_o(d_end),
                 .again_valid_o(again_valid), .again_ready_i(primary_ready_i[0]),
                 .again_slot_o(again_slot), .again_dir_o(again_dir),
@@ -210,7 +211,7 @@ module rt_slots #(
             assign {d_void, d_end, again_valid, ray_again_o} = 4'd0;
             assign again_slot = {SLOTW{1'b0}};
             assign again_dir  = {3*WD{1'b0}};
-            wire unused = &{1'b0, ray_slot_i, probe_q};
+            wire unused = &{1'b0, ray_slot_i, probe_q, d_q[`RT_DONE_FARS]};
         end
     endgenerate
 

@@ -60,6 +60,7 @@ module rt_collect #(
     output wire              done_primary_o,
     output wire              done_first_o,
     output wire              done_far_o,
+    output wire [1:0]        done_fars_o,    // hits from inside that there were, 2: or more
     output wire [`RT_ID_BITS-1:0] done_id_o,
     output wire [W+WD+1:0]   done_key_o
 );
@@ -160,6 +161,39 @@ module rt_collect #(
         if (clearing) clear_q <= clear_q + 1'b1;
         if (rst) clear_q <= 0;
     end
+
+    // ---- hits from inside, of cores that ask for them: each is counted, whether it wins or not ----
+    // Written for each hit with the ray's mark, so that what a ray before it left does not count.
+    generate
+        if (INSIDE != 0 && FIRST != 0) begin : g_fars
+            wire [2:0] in_fars, done_fars;       // {mark, number}
+            reg        s2_hit_q;
+            reg  [2:0] s1_fars_q, s2_fars_q;
+            wire       s2_again = s1_same_q && s2_hit_q;
+            wire [1:0] s1_had = s2_again ? s2_fars_q[1:0]
+                                : s1_fars_q[2] == s1_mark_q ? s1_fars_q[1:0] : 2'd0;
+            wire [2:0] put_fars = clearing ? 3'd0 : s2_fars_q;
+            wire       fars_wr = clearing || s2_hit_q;
+            always @(posedge clk) begin
+                s2_hit_q  <= s1_valid_q;
+                s1_fars_q <= s2_hit_q && s2_slot_q == in_slot_i ? s2_fars_q : in_fars;
+                s2_fars_q <= {s1_mark_q, s1_had + {1'b0, s1_far_q && !s1_had[1]}};
+                if (rst) s2_hit_q <= 1'b0;
+            end
+            rt_slot_file #(.WIDTH(3), .SLOTS(SLOTS)) u_fars (
+                .clk(clk), .wr_en_i(fars_wr), .wr_addr_i(put_slot), .wr_data_i(put_fars),
+                .rd_addr_i(in_slot_i), .rd_data_o(in_fars)
+            );
+            rt_slot_ram #(.WIDTH(3), .SLOTS(SLOTS), .OLD(0), .LUTS(LUTS)) u_fars_d (
+                .clk(clk), .wr_en_i(fars_wr), .wr_addr_i(put_slot), .wr_data_i(put_fars),
+                .rd_en_i(done_valid_i), .rd_addr_i(done_slot_i), .rd_data_o(done_fars)
+            );
+            assign done_fars_o = done_fars[1:0]; // of a ray with a hit
+            wire unused = done_fars[2];
+        end else begin : g_no_fars
+            assign done_fars_o = 2'd0;
+        end
+    endgenerate
 
     // ---- stages 1 to 3: depth of the new best ----
     reg             s3_win_q, s1_last_q, s2_last_q, s3_last_q, s4_last_q;

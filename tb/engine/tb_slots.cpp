@@ -50,6 +50,7 @@ struct Slot {
     bool probe = false, last = false;         /* of the surface that was blended last */
     bool miss = false, sky = false;           /* what is at hand; nothing but background */
     uint32_t id = 0, visits = 0, texture = 0; /* of the primary hit; what others know */
+    int far = 0;                              /* it was hit from inside */
     uint64_t key = 0;
     u128 colour = 0;
 };
@@ -208,8 +209,8 @@ class Slots : public bench::Bench<Vrt_slots> {
         uint32_t room = lines - prims;
         bool first = primary && !s.again && INTERPENETRATE && effect && random.percent(70);
         h.id = out ? room + (uint32_t)random.below(100) : (uint32_t)random.below(room);
-        if (s.probe && !out && random.percent(30)) h.id = s.id; /* its own sphere */
         h.far = FARS && random.percent(50);
+        const int fars = (int)random.below(3); /* that hold the origin, whichever is hit first */
         h.key = (uint64_t)random.bits(W + WD + 2);
         h.slot = at;
         bench::put(dut.done_i, RT_DONE_FOUND, found);
@@ -217,6 +218,7 @@ class Slots : public bench::Bench<Vrt_slots> {
         bench::put(dut.done_i, RT_DONE_PRIMARY, primary);
         bench::put(dut.done_i, RT_DONE_FIRST, first);
         bench::put(dut.done_i, RT_DONE_FAR, h.far);
+        bench::put(dut.done_i, RT_DONE_FARS, fars);
         bench::put(dut.done_i, RT_DONE_ID, h.id);
         bench::put(dut.done_i, RT_DONE_KEY, (i128)h.key);
         if (shadow) {
@@ -230,11 +232,12 @@ class Slots : public bench::Bench<Vrt_slots> {
         h.probe = first;
         if (primary) {
             s.id = found ? h.id : SPH_ID_NONE;
+            s.far = h.far;
             s.key = found ? h.key : 0;
             s.sky = !found;
             s.state = found ? Slot::SHADE : Slot::LEAVES;
             h.hit = found;
-        } else if (s.probe && found && h.far && h.id != s.id) {
+        } else if (s.probe && found && fars > s.far) {
             s.state = Slot::WAITS;
         } else if (s.probe && s.last) {
             s.state = Slot::LEAVES;

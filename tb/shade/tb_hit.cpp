@@ -167,7 +167,7 @@ void check(Bench &b, const Vector &e) {
         sphere.ctr[i] = e.ctr[i];
     }
     ray.a = e.a;
-    struct sph_hit hit = {e.key, 0, e.far};
+    struct sph_hit hit = {e.key, 0, e.far != 0, 0};
     int saturated = e.facet ? sph_surface_facet(&profile, &ray, &hit, e.ctr, &s)
                             : sph_surface_at(&profile, &ray, &hit, &sphere, &s);
     b.expect("out_point_x_o", b.sget(b.dut.out_point_x_o, W), s.point[0], W);

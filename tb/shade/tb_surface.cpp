@@ -309,7 +309,7 @@ class Run {
         struct sph_ray ray = {};
         struct sph_leaf sphere = {};
         struct sph_surface surface;
-        struct sph_hit hit = {e.v.key, e.v.id, e.v.far};
+        struct sph_hit hit = {e.v.key, e.v.id, e.v.far != 0, 0};
         ray.a = e.v.a;
         for (int i = 0; i < 3; i++) {
             ray.org[i] = e.v.org[i];

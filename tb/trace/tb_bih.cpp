@@ -135,7 +135,7 @@ class Bih : public bench::Bench<Vrt_bih> {
         s.begun = true;
         s.ray = world.ray(random, kind);
         sph_bih_setup(&world.p, &s.ray, &s.bih);
-        s.hit = {0, SPH_ID_NONE, 0};
+        s.hit = {0, SPH_ID_NONE, 0, 0};
         s.work = s.ours = {};
         uint32_t found = 0;
         s.wanted = sph_bih_walk(&trees.model, &s.ray, &s.work, &s.pixel, &found, nullptr);

@@ -90,7 +90,7 @@ void add_pair(std::vector<Ray> &directed, const hard::Case &one, const hard::Cas
 struct Slot {
     enum { IDLE, READY, VISIT, DRAIN } state;
     Ray ray;
-    int primary, shadow, first_hit, found, want, sent;
+    int primary, shadow, first_hit, found, fars, want, sent;
     bool first;  /* no visit yet */
     bool unseen; /* directed, and its hit has not been asked for */
     Result best;
@@ -228,6 +228,7 @@ class Run {
         b.set(b.dut.in_id_i, 24, r.id);
         b.set(b.dut.in_key_i, W + WD + 2, (bench::i128)r.key);
         if (!b.dut.in_valid_i) return;
+        s->fars += r.hit && r.far;
         if (r.hit &&
             (!s->found || r.key < s->best.key || (r.key == s->best.key && r.id < s->best.id))) {
             s->best = r;
@@ -302,6 +303,8 @@ class Run {
         }
         if (i == 2 && e.found) {
             b.expect("done_far_o", b.dut.done_far_o, INSIDE && e.best.far, 1);
+            b.expect("done_fars_o", b.dut.done_fars_o, INSIDE && FIRST ? std::min(e.fars, 2) : 0,
+                     2);
             b.expect("done_id_o", b.get(b.dut.done_id_o), e.best.id, 24);
             b.expect("done_key_o", b.get(b.dut.done_key_o), (bench::i128)e.best.key, W + WD + 2);
         }

@@ -179,7 +179,7 @@ class Trace : public bench::Bench<Top> {
     /* Of a ray whose first visit ends with an error of memory; one that is refused reads too. */
     void fall(Slot &s) {
         bool refused = !world.m.regs[SPH_REG_VISIT_LIMIT];
-        s.hit = {0, SPH_ID_NONE, 0};
+        s.hit = {0, SPH_ID_NONE, 0, 0};
         s.visits += !refused;
         counters.count[SPH_COUNT_NODE_VISITS] += !refused;
         errors |= 1u << SPH_ERROR_BUS_ERROR | (uint32_t)refused << SPH_ERROR_VISIT_LIMIT;
@@ -245,6 +245,7 @@ class Trace : public bench::Bench<Top> {
         if (s.ray.kind == SPH_SHADOW) return; /* any occluder will do */
         field("ID", RT_DONE_ID, s.hit.id);
         if (FARS) field("FAR", RT_DONE_FAR, (uint64_t)s.hit.far);
+        if (FARS && FIRST) field("FARS", RT_DONE_FARS, (uint64_t)s.hit.fars);
     }
 
     void finish_ray(int at) {

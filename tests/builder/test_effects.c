@@ -62,7 +62,7 @@ static void test_point_error(void **unused) {
             struct sph_leaf_result r = sph_leaf_test(&ray, &leaf);
             if (!r.hit) continue;
             uint64_t roots = 0;
-            struct sph_hit hit = {sph_leaf_key(&r, &roots), 0, r.far};
+            struct sph_hit hit = {sph_leaf_key(&r, &roots), 0, r.far != 0, 0};
             struct sph_surface s;
             sph_surface_at(p, &ray, &hit, &leaf, &s);
             double off[3];

@@ -72,7 +72,7 @@ static void spheres(void **state) {
         struct sph_probe fast = sph_probe_of(&m, &ray, &c[1], &errors);
         struct sph_fast_leaf leaf = {
             {(int32_t)s.ctr[0], (int32_t)s.ctr[1], (int32_t)s.ctr[2]}, (int32_t)s.rad, s.id, 0};
-        if (i & 1) literal.best = fast.best = (struct sph_hit){5, 1, 0};
+        if (i & 1) literal.best = fast.best = (struct sph_hit){5, 1, 0, 0};
         sph_leaf_visit(&literal, record);
         sph_fast_leaf_visit(&fast, &leaf, record);
         assert_int_equal(fast.best.key, literal.best.key);
@@ -122,7 +122,7 @@ static void triangles(void **state) {
         struct sph_probe literal = sph_probe_of(&m, &ray, &c[0], &errors);
         struct sph_probe fast = sph_probe_of(&m, &ray, &c[1], &errors);
         struct sph_fast_triangle triangle;
-        if (i & 2) literal.best = fast.best = (struct sph_hit){5, 2, 0};
+        if (i & 2) literal.best = fast.best = (struct sph_hit){5, 2, 0, 0};
         sph_fast_triangle_read(p, record, &triangle);
         assert_true(triangle.known);
         sph_leaf_visit(&literal, record);
@@ -165,7 +165,7 @@ static void surfaces(void **state) {
         sph_fast_prepare(&p, &b);
         assert_memory_equal(&a, &b, sizeof a);
         done++;
-        struct sph_hit hit = {(uint64_t)any(&rng, p.w + p.wd + 1) | 1, 0, i & 1};
+        struct sph_hit hit = {(uint64_t)any(&rng, p.w + p.wd + 1) | 1, 0, (i & 1) != 0, 0};
         hit.key = hit.key >> 63 ? -hit.key : hit.key;
         memset(&s, 0, sizeof s);
         memset(&t, 0, sizeof t);

@@ -64,7 +64,7 @@ static void check_surface(struct job *j, const struct sph_leaf *s, const struct 
                           int far) {
     const struct sph_profile *p = j->p;
     struct sph_quotient q = sph_quotient(a->key, p->w + p->wd + 2, j->ray.a, 2 * p->wd, p->pq);
-    struct sph_hit hit = {a->key, s->id, far};
+    struct sph_hit hit = {a->key, s->id, far != 0, 0};
     struct sph_surface model, exact;
     int64_t bounce[3], other[3];
     if (!exact_is_quotient(p, a->key, j->ray.a, &q))

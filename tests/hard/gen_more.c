@@ -84,7 +84,7 @@ void gen_nested(struct sph_rng *rng, const struct sph_profile *p, struct hard_ca
             struct sph_leaf_result l = sph_leaf_test(&ray, &s[i]);
             uint64_t key = l.hit ? sph_leaf_key(&l, &roots) : 0;
             if (!l.hit || (hit.key && key >= hit.key)) continue;
-            hit = (struct sph_hit){key, s[i].id, l.far};
+            hit = (struct sph_hit){key, s[i].id, l.far != 0, 0};
             which = i;
         }
         if (!hit.key || ray.a < (uint64_t)SPH_MIN_SCREEN * SPH_MIN_SCREEN) return;

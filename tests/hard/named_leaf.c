@@ -174,7 +174,7 @@ static void bounced(struct named *n, int with_id, int inside, int outcome) {
         sph_ray_setup(n->p, &c.ray);
         struct sph_leaf_result r = sph_leaf_test(&c.ray, &c.sphere[0]);
         if (!r.hit || r.far != inside || c.ray.a < 256) continue;
-        struct sph_hit hit = {sph_leaf_key(&r, &roots), HARD_ID, r.far};
+        struct sph_hit hit = {sph_leaf_key(&r, &roots), HARD_ID, r.far != 0, 0};
         if (sph_surface_at(n->p, &c.ray, &hit, &c.sphere[0], &s)) continue;
         sph_bounce(n->p, c.ray.dir, &s, c.ray.dir);
         memcpy(c.ray.org, s.point, sizeof s.point);

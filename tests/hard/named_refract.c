@@ -154,7 +154,7 @@ static int enter(struct named *n, struct hard_case *c, uint32_t index, struct sp
     sph_ray_setup(n->p, &c->ray);
     struct sph_leaf_result r = sph_leaf_test(&c->ray, &c->sphere[0]);
     if (!r.hit) return 0;
-    struct sph_hit hit = {sph_leaf_key(&r, &roots), c->sphere[0].id, r.far};
+    struct sph_hit hit = {sph_leaf_key(&r, &roots), c->sphere[0].id, r.far != 0, 0};
     sph_surface_at(n->p, &c->ray, &hit, &c->sphere[0], &s);
     *next = (struct sph_ray){.kind = SPH_REFRACTED, .skip = {hit.id, !hit.far}, .inside = 1};
     for (int i = 0; i < 3; i++)
@@ -197,7 +197,7 @@ void named_refract_centre(struct named *n) {
         struct sph_surface s;
         int64_t out[3];
         sph_ray_setup(n->p, &c.ray);
-        struct sph_hit hit = {(uint64_t)(6 * k * k), c.sphere[0].id, 0};
+        struct sph_hit hit = {(uint64_t)(6 * k * k), c.sphere[0].id, 0, 0};
         sph_surface_at(n->p, &c.ray, &hit, &c.sphere[0], &s);
         n->vectors++;
         require(n, sph_refract(n->p, &c.ray, &s, 1000, 1500, out), "reflected head on");

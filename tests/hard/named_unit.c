@@ -81,7 +81,7 @@ void named_off_grid(struct named *n) {
             expect(n, c, FAR, 0);
             sph_ray_setup(n->p, &c.ray);
             struct sph_leaf_result l = sph_leaf_test(&c.ray, &c.sphere[0]);
-            struct sph_hit hit = {sph_leaf_key(&l, &roots), HARD_ID, l.far};
+            struct sph_hit hit = {sph_leaf_key(&l, &roots), HARD_ID, l.far != 0, 0};
             int limited = sph_surface_at(n->p, &c.ray, &hit, &c.sphere[0], &s);
             int at_end = s.point[0] == (sign < 0 ? -n->half : n->half - 1);
             int may_round = out <= 8; /* the quotient may stop short of the grid's end */
@@ -98,7 +98,7 @@ void named_normal0(struct named *n) {
         struct sph_surface s;
         sph_ray_setup(n->p, &c.ray);
         expect(n, c, NEAR, 0);
-        struct sph_hit hit = {(uint64_t)(6 * m * k), HARD_ID, 0};
+        struct sph_hit hit = {(uint64_t)(6 * m * k), HARD_ID, 0, 0};
         struct hard_item item = {.what = HARD_POINT_AT, .c = c, .key = hit.key};
         if (n->list) hard_list_add(n->list, item);
         int limited = sph_surface_at(n->p, &c.ray, &hit, &c.sphere[0], &s);

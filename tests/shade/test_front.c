@@ -85,7 +85,7 @@ static void test_sides(void **unused) {
             for (int i = 0; i < 3; i++)
                 v[k][i] = (int32_t)f.v[k][i];
         if (!r.hit || !sph_triangle_normal((const int32_t(*)[3])v, normal)) continue;
-        struct sph_hit hit = {sph_facet_key(&ray, &r, &divisions), 0, r.far};
+        struct sph_hit hit = {sph_facet_key(&ray, &r, &divisions), 0, r.far != 0, 0};
         struct sph_surface s;
         for (int i = 0; i < 3; i++)
             n[i] = normal[i];
@@ -167,7 +167,7 @@ static void test_neighbours(void **unused) {
                    (v[1][k] - v[0][k]) * (v[2][j] - v[0][j]);
         }
         if (!r.hit) continue;
-        struct sph_hit hit = {sph_facet_key(&ray, &r, &divisions), 0, r.far};
+        struct sph_hit hit = {sph_facet_key(&ray, &r, &divisions), 0, r.far != 0, 0};
         struct sph_surface s;
         if (sph_surface_point(&p, &ray, hit.key, &s) | sph_surface_outwards(&p, r.far, n, &s))
             continue;

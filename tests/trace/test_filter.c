@@ -183,7 +183,7 @@ static void own_sphere(void **state) {
                 struct sph_leaf_result r = sph_leaf_test(&ray, &s);
                 uint64_t roots = 0;
                 if (!r.hit || !r.far) break;
-                struct sph_hit hit = {sph_leaf_key(&r, &roots), 7, r.far};
+                struct sph_hit hit = {sph_leaf_key(&r, &roots), 7, r.far != 0, 0};
                 struct sph_surface at;
                 sph_surface_at(p, &ray, &hit, &s, &at);
                 sph_bounce(p, ray.dir, &at, dir);
