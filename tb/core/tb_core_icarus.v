@@ -201,7 +201,8 @@ module tb_core_icarus #(
                 q_due[tail] = q_due[tail] + {$random(seed)} % (2 * latency + 16);
             q_error[tail] = requests == error_at || req_line >= regs[`RT_REG_MEM_LINES] ||
                             (spoilt && req_line >= spoil);
-            if (req_line >= regs[`RT_REG_MEM_LINES]) $fwrite(out, "h request for line %0d\n", req_line);
+            if (req_line >= regs[`RT_REG_MEM_LINES])
+                $fwrite(out, "h request for line %0d\n", req_line);
             requests = requests + 1;
             tail = (tail + 1) % QUEUE;
         end
@@ -234,7 +235,7 @@ module tb_core_icarus #(
 
     // ---- registers, passes, counters ----
     integer i, noise, work;
-    reg [47:0] worked [0:2];         // counters of work, one a clock: they move while a core goes on
+    reg [47:0] worked [0:2];         // counters of work, one a clock: does the core go on?
     wire [4:0] working = work == 0 ? `RT_COUNT_NODE_VISITS :
                          work == 1 ? `RT_COUNT_LEAF_TESTS : `RT_COUNT_FACET_TESTS;
     task show(input [4:0] number);   // a clock later it is there
@@ -270,8 +271,8 @@ module tb_core_icarus #(
             end
             start <= 1'b0;
             cfg_valid <= 1'b0;
-            if (busy) $fwrite(out, "g no progress for %0d clocks: mem_req valid %b line %0d, ", quiet,
-                              req_valid, req_line,
+            if (busy) $fwrite(out, "g no progress for %0d clocks: ", quiet,
+                              "mem_req valid %b line %0d, ", req_valid, req_line,
                               "mem_rsp valid %b ready %b, memory owes %0d lines, pix valid %b\n",
                               rsp_valid, rsp_ready, (tail - head + QUEUE) % QUEUE, pix_valid);
             show(`RT_COUNT_CYCLES);    // at once: the last one to be complete

@@ -9,7 +9,8 @@ cd "$(dirname "$0")/../.." || exit 1
 core() { # simulator, more options
     sim=$1
     shift
-    env -u MAKEFLAGS SIM="$sim" EFFECTS=auto BUILD="$BUILD" sh sim/core.sh --machine "$TMP/m.sph" "$@"
+    env -u MAKEFLAGS SIM="$sim" EFFECTS=auto BUILD="$BUILD" \
+        sh sim/core.sh --machine "$TMP/m.sph" "$@"
 }
 ends() { # exit code, pattern of what is printed, command...
     want=$1 pattern=$2 rc=0

@@ -8,7 +8,8 @@ cp scenes/one_sphere.nff "$TMP/s.nff"
 cd "$TMP" || exit 1
 
 numbers() { # of a command: its options that take numbers
-    "$SPHAERA" "$1" --help | grep -oE -e '--[a-z-]+=(N|[A-Z]|X,Y|A\.\.B|DEGREES|PIXELS(,DB)?|WxH)( |$)' |
+    "$SPHAERA" "$1" --help |
+        grep -oE -e '--[a-z-]+=(N|[A-Z]|X,Y|A\.\.B|DEGREES|PIXELS(,DB)?|WxH)( |$)' |
         sed 's/=.*//' | sort -u
 }
 input_of() {
