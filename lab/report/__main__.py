@@ -1,8 +1,8 @@
 # __main__.py - the report of a run
 # SPDX-License-Identifier: Apache-2.0
 """usage: [BUILD=build] python3 -m lab.report FOLDER [--csv FILE]
-Writes FOLDER/report.html of what `make sim` left there. --csv appends a row for each pass to FILE, which gets a
-header if it is new; a file with another header is refused."""
+Writes FOLDER/report.html of what `make sim` left there. --csv appends a row for each pass to FILE,
+which gets a header if it is new; a file with another header is refused."""
 import argparse
 import json
 import sys

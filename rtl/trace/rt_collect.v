@@ -162,7 +162,7 @@ module rt_collect #(
         if (rst) clear_q <= 0;
     end
 
-    // ---- hits from inside, of cores that ask for them: each is counted, whether it wins or not ----
+    // ---- hits from inside, of cores that ask for them: each counts, whether it wins or not ----
     // Written for each hit with the ray's mark, so that what a ray before it left does not count.
     generate
         if (INSIDE != 0 && FIRST != 0) begin : g_fars

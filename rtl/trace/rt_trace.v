@@ -226,7 +226,8 @@ module rt_trace #(
         .done_valid_i(done_taken), .done_slot_i(done_slot_o),
         .done_found_o(done_o[`RT_DONE_FOUND]), .done_shadow_o(done_o[`RT_DONE_SHADOW]),
         .done_primary_o(done_o[`RT_DONE_PRIMARY]), .done_first_o(done_o[`RT_DONE_FIRST]),
-        .done_far_o(done_o[`RT_DONE_FAR]), .done_fars_o(done_o[`RT_DONE_FARS]), .done_id_o(done_o[`RT_DONE_ID]),
+        .done_far_o(done_o[`RT_DONE_FAR]), .done_fars_o(done_o[`RT_DONE_FARS]),
+        .done_id_o(done_o[`RT_DONE_ID]),
         .done_key_o(done_o[`RT_DONE_KEY])
     );
     wire unused = &{1'b0, effects, filter_i, across_i};
