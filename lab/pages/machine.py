@@ -1,5 +1,6 @@
 # machine.py - what cmodel/machine/machine.def defines, as tables and lists
 # SPDX-License-Identifier: Apache-2.0
+import re
 import subprocess
 from pathlib import Path
 
@@ -34,6 +35,41 @@ def registers():
             merged.append([number, number, name, meaning])
     return markdown.entries((f"{first}{f'..{last}' * (first != last)} `{name}`", " ".join(meaning))
                             for first, last, name, meaning in merged)
+
+
+FORMAT = DEF.with_name("format.h")
+
+
+def file_format():
+    """{name of format.h: value}, and how many registers there are."""
+    found = dict(re.findall(r"\bSPH_([A-Z0-9_]+) = (\d+)\b", FORMAT.read_text()))
+    number = {name: int(value) for name, value in found.items()}
+    number["N_REGS"] = 1 + max(int(row[0]) for row in rows("reg"))
+    number["HEADER_BYTES"] = number["AT_REGS"] + 4 * number["N_REGS"]
+    number["LINE_BYTES"] = 4 * int(constants().get("LINE_WORDS", 8))
+    return number
+
+
+def file_number(name):
+    return str(file_format()[name])
+
+
+def file_header():
+    """The fields of a machine file's header, by byte."""
+    n = file_format()
+    return markdown.table(["byte", "field", "type"], [
+        [n["AT_MAGIC"], "magic `SPHAERA1`", "8 bytes"],
+        [n["AT_VERSION"], f"version, {n['FILE_VERSION']}", "u32"],
+        [n["AT_HEADER"], f"bytes before memory, {n['HEADER_BYTES']}", "u32"],
+        [n["AT_N_REGS"], f"number of registers, {n['N_REGS']}", "u32"],
+        [n["AT_LINE_WORDS"], f"32-bit words in a line, {n['LINE_BYTES'] // 4}", "u32"],
+        [n["AT_LINES"], "lines of memory", "u32"],
+        [n["AT_GRID_LOG2"], "log2 of the grid step", "s32"],
+        [n["AT_PROFILE"], "profile widths W, WD, PQ, NG, FW and PR", f"{n['N_WIDTHS']} u32"],
+        [n["AT_NAME"], "name of the scene, with a zero at the end", f"{n['NAME_BYTES']} bytes"],
+        [n["AT_ORIGIN"], "origin, coordinates of grid point 0", "3 f64"],
+        [n["AT_ROTATION"], "rotation, the grid's x, y, z axes in the scene's frame", "9 f64"],
+        [n["AT_REGS"], f"registers 0..{n['N_REGS'] - 1}", f"{n['N_REGS']} s32"]])
 
 
 def top_registers():
