@@ -24,7 +24,7 @@ assert field["magic"] == b"SPHAERA1", field["magic"]
 begin, line = map(int, re.search(r"file has\s+(\d+) \+\s+(\d+) \* lines", told).groups())
 lines = field["lines of memory"][0]
 assert field["bytes before memory"] == (begin,), (field["bytes before memory"], begin)
-assert begin == int(re.search(r"From byte (\d+) on", told)[1])
+assert begin == int(re.search(r"From byte\s+(\d+) on", told)[1])
 assert len(data) == begin + line * lines + 8, (len(data), begin, line, lines)
 registers = next(value for name, value in field.items() if name.startswith("registers"))
 assert field["number of registers"] == (len(registers),), len(registers)
