@@ -9,7 +9,11 @@ set -u
 cd "$(dirname "$0")/../.." || exit 1
 root=$PWD
 
-stands() { grep -qF -e "$2" "$1" || { echo "$1 has no: $2" && false; }; }
+stands() { # page, command; pages are those of docs/results
+    page=$1
+    [ -f "$page" ] || page=docs/results/$1
+    grep -qF -e "$2" "$page" || { echo "$page has no: $2" && false; }
+}
 prints() { # command, pattern
     (cd "$TMP" && ln -sfn "$root/scenes" scenes && eval "\"\$SPHAERA\" $1") >"$TMP/said" 2>&1
     grep -q -e "$2" "$TMP/said" || { head -n 5 "$TMP/said" && false; }
