@@ -186,7 +186,8 @@ AROXA = [
     ("Fig. 4.1", "three scenarios", "drawn below; how they are made, says "
      "[scenarios.md](scenarios.md#scenes)", "make papers", "same in kind"),
     ("Fig. 4.2", "recursion depths 1 to 5", "`scenes/refraction/four.nff`; depth 5 is `--depth 4`",
-     "build/sphaera render scenes/refraction/four.nff --depth 4 --depths -o four.png", "same in kind"),
+     "build/sphaera render scenes/refraction/four.nff --depth 4 --depths -o four.png",
+     "same in kind"),
     ("Fig. 4.3", "what rays walk through", "the same six pictures", "make scenarios",
      "same in kind"),
     ("IV.D", "a BIH of one leaf is slower than brute force",

@@ -23,8 +23,8 @@ for goal in "x';$touched;'" "\$(shell $touched)" "\`$touched\`" "x;$touched" \
     check "... from elsewhere" typed -C "$TMP" -f "$top/Makefile" "$goal"
 done
 all_of() { # variable
-    for value in "\$(shell $touched)" "\${shell $touched}" "x';$touched;'\$x" "\$(info \`$touched\`)" \
-        "x'${line_end}$touched #"; do
+    for value in "\$(shell $touched)" "\${shell $touched}" "x';$touched;'\$x" \
+        "\$(info \`$touched\`)" "x'${line_end}$touched #"; do
         typed help "$1=$value" || return 1
         (eval "$1=\$value; export $1; typed help") || return 1
     done
