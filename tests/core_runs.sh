@@ -89,7 +89,7 @@ judge() {
         number=$((number + 1))
         echo "repeat: BUILD=$BUILD OPT=$OPT $command $options" >>"$TMP/$number.log"
         [ "$(cat "$TMP/$number.rc" 2>/dev/null)" = 0 ] &&
-            grep -q '^core .* pixels, 0 mismatches; ' "$TMP/$number.log" && rc=0 || rc=1
+            grep -q '^core .* pixels, 0 mismatches[;,] ' "$TMP/$number.log" && rc=0 || rc=1
         said=$(sed -n 's/^core .*: \([0-9]* pixels, .*cycles\), .*/\1/p' "$TMP/$number.log")
         tap $rc "$name: $said" "$TMP/$number.log"
     done <"$runs"

@@ -17,7 +17,7 @@ struct Slot {
     bool used = false, ends = false;
     bool again = false;               /* the primary ray is repeated, nearest first */
     bool probe = false, last = false; /* of the surface that was blended last */
-    uint32_t first = SPH_ID_NONE;     /* what the primary ray hit */
+    int far = 0;                      /* the primary ray hit a sphere from inside */
     uint64_t missed = 0, before = 0;  /* cycle of a miss that is not blended yet; blended before */
     int x = 0, y = 0;
     struct sph_ray ray = {}, light = {}; /* the ray whose surfaces are shaded; to a light */
@@ -161,10 +161,10 @@ class ShadedRays : public ShadedScene {
     /* Whether a mirror ray was a probe that ends its pixel, or has it begin again. */
     bool probed(int at, const struct sph_hit &hit) {
         Slot &s = slots[at];
-        if (s.ray.kind == SPH_PRIMARY) s.first = hit.id;
+        if (s.ray.kind == SPH_PRIMARY) s.far = hit.far;
         if (s.ray.kind == SPH_PRIMARY || !s.probe) return false;
         s.probe = false;
-        bool inside = hit.key && hit.far && hit.id != s.first;
+        bool inside = hit.key && hit.fars > s.far;
         if (inside) {
             s.again = true;
             send_primary(at);
