@@ -1,24 +1,6 @@
 # Makefile - Sphaera: golden model, tool, simulations, tests; `make` alone prints help
 # SPDX-License-Identifier: Apache-2.0
 
-# What a user types is never text of make or of the shell: goals of other letters than names have,
-# and values with a $ or a line's end, are refused before anything reads them; a value comes to the
-# shell in quotes.
-quoted = '$(subst ','\'',$(1))'
-define line_end
-
-
-endef
-ifneq ($(MAKECMDGOALS),)
-$(if $(shell printf %s $(call quoted,$(MAKECMDGOALS)) | LC_ALL=C tr -dc \
-    '][$$`"\\;&|<>(){}*?!#:=\047\n\t'),$(error there is no target of that name: $(MAKECMDGOALS)))
-endif
-VARIABLES := $(shell sed -n 's/^\#\# \([A-Z_][A-Z_]*\) .*/\1/p' \
-    $(call quoted,$(dir $(realpath $(firstword $(MAKEFILE_LIST))))make/variables.mk))
-$(foreach v,$(VARIABLES),$(if $(filter command environment,$(origin $v)),$(if \
-    $(findstring $$,$(value $v))$(findstring $(line_end),$(value $v)),$(error \
-    $v has a $$ or a line's end, which no value may have))))
-
 # Called as make -f elsewhere/Makefile: make goes to where this file is, and builds there; a
 # relative SCENE is looked for where it was called.
 HERE := $(patsubst %/,%,$(dir $(realpath $(filter-out Makefile,$(firstword $(MAKEFILE_LIST))))))
@@ -33,14 +15,16 @@ else
 
 include make/variables.mk
 
-# The values of names in make/variables.mk before a command.
+# Names in make/variables.mk; a value as the shell takes it; the names' values before a command.
+VARIABLES := $(shell sed -n 's/^\#\# \([A-Z_][A-Z_]*\) .*/\1/p' make/variables.mk)
+quoted = '$(subst ','\'',$(1))'
 values = $(foreach v,$(1),$v=$(call quoted,$($v)))
 # What the command line or the environment has is checked, and whether `sim` has its simulator.
 GIVEN := $(strip $(foreach v,$(.VARIABLES),$(if $(filter command,$(origin $v)),$v)))
 CHECK := $(strip $(foreach v,$(VARIABLES),$(if $(filter command environment,$(origin $v)),$v)))
 ifneq ($(GIVEN)$(CHECK)$(filter sim,$(MAKECMDGOALS)),)
-$(if $(shell $(call values,$(VARIABLES)) sh sim/check.sh --given $(call quoted,$(GIVEN)) \
-    --goals $(call quoted,$(MAKECMDGOALS)) $(CHECK) || echo wrong),$(error nothing is made))
+$(if $(shell $(call values,$(VARIABLES)) sh sim/check.sh --given '$(GIVEN)' \
+    --goals '$(MAKECMDGOALS)' $(CHECK) || echo wrong),$(error nothing is made))
 endif
 
 # JOBS commands at once; a make that is called by this one, or by a script of it, shares them.
@@ -129,7 +113,7 @@ include make/objects.mk make/sim.mk make/pages.mk make/bench.mk make/lint.mk mak
 
 # Checked here, since make/objects.mk may make a target of any goal.
 ifneq ($(MAKECMDGOALS),)
-$(if $(shell awk -v goals=$(call quoted,$(MAKECMDGOALS)) -f sim/nearest.awk -f sim/goals.awk \
+$(if $(shell awk -v goals='$(MAKECMDGOALS)' -f sim/nearest.awk -f sim/goals.awk \
     $(MAKEFILE_LIST) || echo wrong),$(error nothing is made))
 endif
 
