@@ -1,30 +1,54 @@
 # Makefile - Sphaera: golden model, tool, simulations, tests; `make` alone prints help
 # SPDX-License-Identifier: Apache-2.0
 
+# What somebody gives is text: make expands none of it, and a shell gets it in quotes, or after
+# sim/check.sh found that it is a plain word. What neither could do ends here.
+override SHELL := /bin/sh
+define newline
+
+
+endef
+odd      = $$ ' " ` \ ; & | < > ( ) { } [ ] * ? ! ~ \# % : =
+has_odd  = $(strip $(foreach c,$(odd),$(findstring $c,$(1)))$(if $(findstring $(newline),$(1)),x))
+as_text  = $(foreach v,$(1),$(if $(findstring $$,$(value $v))$(findstring $(newline),$(value $v)), \
+    $(error $v=$(value $v): has a $$ or a new line, of which make would make something else)))
+quoted   = '$(subst ','\'',$(1))'
+# a file by its whole name, as a command has it: $(abspath) takes a blank for an end
+absolute = "$$(realpath -ms -- $(1))"
+GIVEN   := $(strip $(foreach v,$(.VARIABLES),$(if $(filter command,$(origin $v)),$v)))
+$(call as_text,$(GIVEN))
+$(foreach v,$(filter CURDIR MAKE MAKECMDGOALS MAKEFILE_LIST,$(GIVEN)),$(error $v is make's own))
+$(if $(call has_odd,$(MAKECMDGOALS)),$(error there is no target $(MAKECMDGOALS)))
+
 # Called as make -f elsewhere/Makefile: make goes to where this file is, and builds there; a
 # relative SCENE is looked for where it was called.
-HERE := $(patsubst %/,%,$(dir $(realpath $(filter-out Makefile,$(firstword $(MAKEFILE_LIST))))))
-ifneq ($(filter-out $(CURDIR),$(HERE)),)
+override HERE := $(if $(filter-out Makefile,$(MAKEFILE_LIST)),$(shell \
+    file=$(call quoted,$(MAKEFILE_LIST)); file=$${file# }; [ -e "$$file" ] || file=$${file##* }; \
+    here=$$PWD; cd -- "$$(dirname -- "$$file")" && [ . -ef "$$here" ] || pwd))
+ifneq ($(HERE),)
 .DEFAULT_GOAL := elsewhere
 .PHONY: elsewhere $(MAKECMDGOALS)
 export FROM := $(CURDIR)
 elsewhere:
-	+@$(MAKE) -C '$(HERE)' $(MAKECMDGOALS)
+	+@$(MAKE) -C $(call quoted,$(HERE)) $(MAKECMDGOALS)
 $(MAKECMDGOALS): elsewhere ; @:
 else
 
 include make/variables.mk
 
-# Names in make/variables.mk; a value as the shell takes it; the names' values before a command.
+# Names in make/variables.mk; the names' values before a command.
 VARIABLES := $(shell sed -n 's/^\#\# \([A-Z_][A-Z_]*\) .*/\1/p' make/variables.mk)
-quoted = '$(subst ','\'',$(1))'
 values = $(foreach v,$(1),$v=$(call quoted,$($v)))
 # What the command line or the environment has is checked, and whether `sim` has its simulator.
-GIVEN := $(strip $(foreach v,$(.VARIABLES),$(if $(filter command,$(origin $v)),$v)))
 CHECK := $(strip $(foreach v,$(VARIABLES),$(if $(filter command environment,$(origin $v)),$v)))
+$(call as_text,$(CHECK))
 ifneq ($(GIVEN)$(CHECK)$(filter sim,$(MAKECMDGOALS)),)
-$(if $(shell $(call values,$(VARIABLES)) sh sim/check.sh --given '$(GIVEN)' \
+$(if $(shell $(call values,$(VARIABLES)) sh sim/check.sh --given $(call quoted,$(GIVEN)) \
     --goals '$(MAKECMDGOALS)' $(CHECK) || echo wrong),$(error nothing is made))
+endif
+# Make has no words with blanks: a folder of such a name is called by a link.
+ifneq ($(call has_odd,$B)$(filter /%,$B)$(word 2,$B),)
+override B := $(shell sh sim/folder.sh $(call quoted,$B))
 endif
 
 # JOBS commands at once; a make that is called by this one, or by a script of it, shares them.

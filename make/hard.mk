@@ -38,7 +38,7 @@ hard-lists: $B/test/hard ## prints the named cases, their families, and which no
 	@awk -f tests/hard/faults.awk tests/hard/mutants.txt tests/hard/rtl_mutants.txt
 
 hard-rtl: $(LIB) $B/test/libhard.a ## faults in the RTL that the named cases notice: all of the list
-	@ALL=1 BUILD=$(abspath $B) JOBS=$(JOBS) sh tests/run.sh tests/hard/test_hard_rtl.sh
+	@ALL=1 BUILD=$B JOBS=$(JOBS) sh tests/run.sh tests/hard/test_hard_rtl.sh
 
 .PHONY: hard hard-page hard-lists hard-rtl hard-pictures
 $B/test/obj/%.o: %.c $B/flags

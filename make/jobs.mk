@@ -6,4 +6,4 @@ slurm-setup: ## installs Slurm (apt), which `make slurm-test` needs
 	@sh sim/setup.sh sim/packages_slurm.txt
 
 slurm-test: $(TOOL) ## jobs on a Slurm of two nodes here: one is killed, results damaged; 2 minutes
-	@SPHAERA=$(abspath $(TOOL)) BUILD=$(abspath $B) sh tests/run.sh tests/jobs/slurm_real.sh
+	@BUILD=$B sh tests/run.sh tests/jobs/slurm_real.sh

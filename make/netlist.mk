@@ -27,8 +27,7 @@ $(NETLIST)/top/rtl/rt_top.v: $(NETTED)
 
 .PHONY: netlist-cells
 netlist-cells: $(TOOL) ## cores as cells of ECP5 and series 7 draw frames: 10 processor minutes
-	@ALL=1 SPHAERA=$(abspath $(TOOL)) BUILD=$(abspath $B) JOBS=$(JOBS) \
-	    sh tests/run.sh tests/top/test_cells.sh
+	@ALL=1 BUILD=$B JOBS=$(JOBS) sh tests/run.sh tests/top/test_cells.sh
 
 $(NETLIST)/frame.sph: scenes/paper5.nff $(TOOL)
 	@mkdir -p $(@D)

@@ -24,8 +24,8 @@ $(eval $(call stamp,flags,$(CC) $(CFLAGS) $(SHARED) / $(CXX) $(CXXFLAGS) / $(SAN
 FIRST := $(filter setup clean layout,$(MAKECMDGOALS))
 # A rule without commands, as below, makes a target of any name: here files show that they are one.
 FILES := $(foreach f,$(if $(FIRST),$(MAKECMDGOALS)),$(if $(findstring /,$f),$f))
-$(if $(FILES),$(if $(filter 2,$(shell $(MAKE) -q --no-print-directory $(MAKEOVERRIDES) $(FILES) \
-    >/dev/null; echo $$?)),$(error nothing is made)))
+$(if $(FILES),$(if $(filter 2,$(shell $(MAKE) -q --no-print-directory \
+    $(foreach v,$(GIVEN),$(call quoted,$v=$($v))) $(FILES) >/dev/null; echo $$?)),$(error nothing is made)))
 $B/flags $B/sources $(if $(FIRST),$(filter-out $(FIRST),$(MAKECMDGOALS))): | $(FIRST)
 $(eval $(call stamp,sources,$(LIB_C) / $(TOOL_C) / $(IMAGE_C) $(LAZY_C) / $(API_C)))
 

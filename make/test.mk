@@ -33,18 +33,16 @@ test: ## every check; ends with `N passed, M failed`
 	$(if $(strip $(RUN)),,@awk -v only='$(ONLY)' -v suites='$(notdir $(SUITES))' -f sim/nearest.awk \
 	    -f tests/only.awk)
 	+@unbuilt=; $(MAKE) --no-print-directory -k suites || unbuilt=1; \
-	    UNBUILT=$$unbuilt SPHAERA=$(abspath $(TOOL)) BUILD=$(abspath $B) JOBS=$(JOBS) \
-	    sh tests/run.sh $(RUN)
+	    UNBUILT=$$unbuilt BUILD=$B JOBS=$(JOBS) sh tests/run.sh $(RUN)
 
 .PHONY: suites mutants budget
 suites: $(TOOL) $(RUN)
 
 mutants: suites ## faults put into the RTL and what notices them: all of tests/mutants
-	@ALL=1 SPHAERA=$(abspath $(TOOL)) BUILD=$(abspath $B) JOBS=$(JOBS) \
-	    sh tests/run.sh tests/mutants/test_mutants.sh
+	@ALL=1 BUILD=$B JOBS=$(JOBS) sh tests/run.sh tests/mutants/test_mutants.sh
 
 budget: ## what cores take on ecp5, within synth/budget*.txt: with everything, nothing, the widest
-	@ALL=1 BUILD=$(abspath $B) JOBS=$(JOBS) sh tests/run.sh tests/flow/test_budget.sh
+	@ALL=1 BUILD=$B JOBS=$(JOBS) sh tests/run.sh tests/flow/test_budget.sh
 
 TEST_LIBS = $(call pkg,--libs cmocka) $(MODEL_LIBS)
 

@@ -210,7 +210,7 @@ $(TEX)/%-walk.json: scenes/texture/%.nff $(TEX_IMAGES) $(TOOL)
 # narrow views of the floor: `at` is 1 away from the eye, 2 above it; one of the ball
 $(TEX)/slant-%.json: scenes/texture/slant.nff $(TEX_IMAGES) $(TOOL)
 	@mkdir -p $(TEX)/views
-	@ln -sf $(abspath scenes/texture/ground.png) $(TEX)/views/ground.png
+	@ln -sf $(call absolute,scenes/texture/ground.png) $(TEX)/views/ground.png
 	$(Q)awk -v view=$* '$$1 == "at" && view == "ball" { print "at -1.4 0.7 -1.3"; next } \
 	    $$1 == "at" { a = view * atan2(0, -1) / 180; print "at 0", 2 - sin(a), -cos(a); next } \
 	    $$1 == "angle" { print "angle", view == "ball" ? 40 : 16; next } { print }' $< \

@@ -55,8 +55,8 @@ rdl: ## reads the register list of rt_top with systemrdl-compiler, if `make bus-
 cocotb: $B/top/tiny.sph ## rt_top between masters and slaves of cocotbext-axi in Icarus; 2 minutes
 	$(Q)$(TOOL) render $< --frame $B/top/tiny.frame >$B/top/tiny.log
 	$(Q)if [ -x $(bus_python) ]; then for data in $(TOP_DATA); do \
-	    PATH=$(abspath $(BUS_VENV))/bin:$$PATH $(bus_python) -m lab.top.cocotb_run \
-	    $(abspath $B)/top/cocotb-$$data $< $B/top/tiny.frame $$data $$(sh sim/profile.sh draft) \
+	    PATH=$(call absolute,$(BUS_VENV))/bin:$$PATH $(bus_python) -m lab.top.cocotb_run \
+	    $(call absolute,$B)/top/cocotb-$$data $< $B/top/tiny.frame $$data $$(sh sim/profile.sh draft) \
 	    $$(sh sim/parameters.sh $(TOP_CORE)) >$B/top/cocotb.log 2>&1 || \
 	    { cat $B/top/cocotb.log; exit 1; }; tail -n 1 $B/top/cocotb.log; done; \
 	    else echo "cocotb: nothing is run, it is absent: make bus-setup"; fi

@@ -15,6 +15,6 @@ truth-setup: ## installs POV-Ray (apt), which `make truth` needs
 truth: $(TOOL) ## docs/results/truth.md: the model against POV-Ray, scene by scene
 	$(Q)python3 -m lab.truth.measure $(TOOL) $(TRUTH)
 	$(Q)rm -f $(TRUTH)/scale.txt
-	$(Q)TMP=$$(mktemp -d) SPHAERA=$(abspath $(TOOL)) SCALE=$(abspath $(TRUTH))/scale.txt \
+	$(Q)TMP=$$(mktemp -d) SPHAERA=$(call absolute,$(TOOL)) SCALE=$(call absolute,$(TRUTH))/scale.txt \
 	    sh tests/tool/test_scale.sh >/dev/null
 	$(Q)python3 -m lab.truth.page docs/results/truth.md $(TRUTH) $(TRUTH_SHOWN)

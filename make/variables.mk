@@ -6,8 +6,9 @@
 #   word        this word; word@GOAL: only where GOAL is made
 #   0..MOST     whole number; a bound is a sum of numbers, constants of machine.def and parameters
 #               of the core of PROFILE; without a bound it has up to 15 digits
-#   <kind>      text that anybody may give, a word without spaces, or what a script takes: a size,
-#               a window within it, a profile, effects, a scene
+#   <kind>      text that anybody may give; words, of characters that mean nothing to a shell, one
+#               word; or what a script takes: a size, a window within it, a profile, effects, a
+#               scene. Text stands in a command in quotes alone (Makefile)
 
 ## SCENE <scene> a file (.nff), the name of one in scenes/, or KIND:N of `sphaera gen`
 SCENE ?= sphereflake2
@@ -42,7 +43,7 @@ TRAVERSE ?= nearest
 LEVELS ?=
 ## AT 0..65535| frame that moving primitives are moved to (empty: 0)
 AT ?=
-## BUILD_MORE <text>| other options of `sphaera build`, such as --inside off
+## BUILD_MORE <words>| other options of `sphaera build`, such as --inside off
 BUILD_MORE ?=
 ## EFFECTS auto|<effects> of the core: auto (as the scene asks), all, all-NAME, none, or joined by +
 ##             {words}; all leaves out {not in all}
@@ -77,7 +78,7 @@ CORE_MHZ ?= 84
 WATCHDOG ?= 200000
 ## TOP 0|1 if 1, make sim draws FRAMES one behind the other on one rt_top
 TOP ?= 0
-## FRAMES <text>| of a moving scene, of make film and TOP=1, such as 0..9 (empty: 0..0)
+## FRAMES <word>| of a moving scene, of make film and TOP=1, such as 0..9 (empty: 0..0)
 FRAMES ?= 0..0
 ## MOVIE <text>| .gif or .mp4 of make film, make sim TOP=1 (.mp4: make movie-setup)
 MOVIE ?=
@@ -102,7 +103,7 @@ FLAT ?= 0
 RESULTS ?= $B/study/results
 ## ROUTE 0|1 of make study-seeds: 1 routes, too, some minutes each
 ROUTE ?= 0
-## SEEDS <text> of it: SPEED-SEED each
+## SEEDS <words> of it: SPEED-SEED each
 SEEDS ?= 8-1 8-2 8-3 8-4 8-5 6-1
 ## SEEDS_CORE <word> of it: the core, as synth/core.sh has it
 SEEDS_CORE ?= standard-ecp5-shadow+reflect2+lights3+inside-engines1
@@ -120,6 +121,9 @@ PROVE ?=
 ONLY ?=
 ## ALL 1| of `make test`: everything that its suites know, an hour more (empty: a choice)
 ALL ?=
+## SUITE_LIMIT 1..| seconds after which a suite of `make test` is ended and has failed (empty: 3600,
+##             of ALL=1 28800)
+SUITE_LIMIT ?=
 ## CORE <text> of such a suite the runs, by part of the name; EFFECT and MUTANT likewise
 ## EFFECT <text>
 ## MUTANT <text>
@@ -144,13 +148,13 @@ JOBS ?= $(shell nproc)
 ## OPT -O0|-O1|-O2|-O3| of a core (empty: -O1, of frames from 640x360 on -O2)
 ## V 0|1 if 1, print whole commands
 V ?= 0
-## B <word> folder of all that is built
+## B <text> folder of all that is built
 B := build
-## CC <text> compiler of C; CFLAGS: all its options
+## CC <words> compiler of C; CFLAGS: all its options
 ## PREFIX <text> where `make install` puts library, tool and pages
 PREFIX ?= /usr/local
 ## DESTDIR <text>| folder before PREFIX, for packages
 DESTDIR ?=
-## CFLAGS <text>
-## CXX <text> compiler of C++; CXXFLAGS: all its options
-## CXXFLAGS <text>
+## CFLAGS <words>
+## CXX <words> compiler of C++; CXXFLAGS: all its options
+## CXXFLAGS <words>

@@ -8,7 +8,7 @@
 B   ?= build
 OPT ?= -O1
 # One name for one folder: it is a part of commands and of what the compiler says of dependencies.
-override B := $(if $(filter /%,$B),$(B:$(CURDIR)/%=%),$B)
+override B := $(if $(filter /%,$B),$(shell sh sim/folder.sh '$B'),$B)
 S   := $B/sim
 
 # clang takes half of gcc's time, and the code runs faster; g++ links, for libgomp.
@@ -19,15 +19,12 @@ CLANG  := $(if $(shell command -v clang++),clang++)
 ROOT   := $(shell verilator --getenv VERILATOR_ROOT)/include
 HEADERS := -isystem $(ROOT) -isystem $(ROOT)/vltstd
 
-# What all harnesses include is read once. clang asks that both sides optimise, or neither; ccache
-# takes the text of NAME.pch.sum for it. With CCACHE_DEPEND the compiler tells what a file includes,
-# and no preprocessor is run before it: by -MD, for what Verilator wrote counts as system headers.
+# What all harnesses include is read once. clang asks that both sides optimise, or neither; how
+# ccache is to take that, and which folder it is to leave out of what it compares, says sim/ccache.sh.
 EFFORT      := $(if $(filter -O0,$(OPT)),-O0,-O1)
 PRECOMPILED := $(if $(CLANG),$S/obj/precompiled$(EFFORT).pch)
 PRECOMPILE  := $(CLANG) -std=c++17 $(EFFORT) -x c++-header -Xclang -fno-pch-timestamp $(HEADERS)
-REMEMBER    := env CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_PCH_EXTSUM=1 \
-                   CCACHE_BASEDIR=$(CURDIR) CCACHE_DEPEND=1 ccache
-COMPILE     := $(if $(CLANG),$(CCACHE:ccache=$(REMEMBER)) $(CLANG) -include-pch $(PRECOMPILED), \
+COMPILE     := $(if $(CLANG),$(CCACHE:ccache=sh sim/ccache.sh) $(CLANG) -include-pch $(PRECOMPILED), \
                    $(CCACHE) $(CXX)) \
                    -std=c++17 $(OPT) -Wall -Wextra -I. -Icmodel -Itb $(HEADERS)
 

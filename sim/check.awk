@@ -45,6 +45,13 @@ function error_fits(value, part) {
     reason = "is no error such as 0.125 or 0.125,45: pixels, and dB up to 99"
     return 0
 }
+function plain(value, blanks) { # nothing in it means anything to make or a shell
+    if (!blanks && value ~ /[ \t]/) reason = "has a blank"
+    else if (match(value, /['"`\\;&|<>(){}*?!#]/) || match(value, /\[|\]/) || match(value, /^~/))
+        reason = "has a " substr(value, RSTART, 1)
+    if (reason != "" && value ~ /\//) reason = reason "; a link to it may have a plain name"
+    return reason == ""
+}
 # A rule without words that belong to goals that are not made.
 function for_goals(rule, alternative, n, i, goal, text) {
     n = split(rule, alternative, "|")
@@ -68,7 +75,7 @@ function fits(rule, value, ends) {
     }
     if (value == "") return 0
     if (rule == "<text>") return 1
-    if (rule == "<word>") return value !~ /[ \t]/
+    if (rule == "<word>" || rule == "<words>") return plain(value, rule == "<words>")
     if (rule == "<size>") return size_fits(value)
     if (rule == "<error>") return error_fits(value)
     if (rule == "<window>") return window_fits(value)

@@ -1,0 +1,65 @@
+#!/bin/sh
+# install.sh - puts library, header, tool, pages and completion into a folder, or takes them away
+# SPDX-License-Identifier: Apache-2.0
+#
+# usage: PREFIX=... DESTDIR=... VERSION=... REQUIRES=... BUILD=... sim/install.sh install|uninstall|pc
+# DESTDIR stands before PREFIX, for packages. install puts there what BUILD and BUILD/dist have, and
+# sphaera.pc, which names PREFIX alone; pc writes that into BUILD/dist. uninstall removes what
+# install put there, and no folder but sphaera's own. REQUIRES: packages of a static library.
+set -eu
+cd "$(dirname "$0")/.."
+dist=$BUILD/dist to=$DESTDIR$PREFIX shared=libsphaera.so.$VERSION major=${VERSION%%.*}
+bash=$to/share/bash-completion/completions zsh=$to/share/zsh/site-functions
+
+write_pc() { # quoted as pkg-config reads it: Cflags and Libs are words
+    prefix=$(printf '%s' "$PREFIX" | sed 's/[^A-Za-z0-9_./+,:=@%-]/\\&/g')
+    cat >"$1" <<END
+prefix=$prefix
+libdir=\${prefix}/lib
+includedir=\${prefix}/include
+
+Name: sphaera
+Description: golden model of a ray tracer in hardware
+Version: $VERSION
+Cflags: -I\${includedir}
+Libs: -L\${libdir} -lsphaera
+Requires.private: $REQUIRES
+Libs.private: -lgomp -lstdc++ -lm
+END
+}
+
+case $1 in
+pc) write_pc "$dist/sphaera.pc" ;;
+install)
+    install -d "$to/bin" "$to/include/sphaera" "$to/lib/sphaera" "$to/lib/pkgconfig" \
+        "$to/share/man/man1" "$bash" "$zsh"
+    install -m 755 "$BUILD/sphaera" "$to/bin"
+    install -m 755 "$BUILD/sphaera_image.so" "$to/lib/sphaera/image.so"
+    [ ! -e "$BUILD/sphaera_view.so" ] ||
+        install -m 755 "$BUILD/sphaera_view.so" "$to/lib/sphaera/view.so"
+    install -m 644 cmodel/sphaera/sphaera.h "$to/include/sphaera"
+    install -m 755 "$dist/$shared" "$to/lib"
+    ln -sf "$shared" "$to/lib/libsphaera.so.$major"
+    ln -sf "$shared" "$to/lib/libsphaera.so"
+    install -m 644 "$dist/libsphaera.a" "$to/lib"
+    write_pc "$to/lib/pkgconfig/sphaera.pc"
+    chmod 644 "$to/lib/pkgconfig/sphaera.pc"
+    install -m 644 "$dist"/man/*.1 "$to/share/man/man1"
+    install -m 644 "$dist/complete.bash" "$bash/sphaera"
+    install -m 644 "$dist/complete.zsh" "$zsh/_sphaera"
+    ;;
+uninstall)
+    for file in bin/sphaera lib/sphaera/image.so lib/sphaera/view.so include/sphaera/sphaera.h \
+        "lib/$shared" "lib/libsphaera.so.$major" lib/libsphaera.so lib/libsphaera.a \
+        lib/pkgconfig/sphaera.pc; do
+        rm -f "$to/$file"
+    done
+    rm -f "$bash/sphaera" "$zsh/_sphaera"
+    for page in "$dist"/man/*.1; do rm -f "$to/share/man/man1/${page##*/}"; done
+    rmdir "$to/include/sphaera" "$to/lib/sphaera" 2>/dev/null || :
+    ;;
+*)
+    sed -n 's/^# usage: /usage: /p' "$0" >&2
+    exit 2
+    ;;
+esac
