@@ -37,9 +37,9 @@ $(foreach t,$(targets),$(if $(filter $t,$(KNOWN_TARGETS)),,$(error synth: \
 
 $(foreach e,$(EFFECTS),$(if $(shell sh sim/parameters.sh '$e'),,$(error synth: \
     no core is built with '$e')))
-key = $(shell ENGINES=$(ENGINES) PIPES=$(PIPES) EXACTS=$(EXACTS) SHADES=$(SHADES) \
+key = $(or $(shell ENGINES=$(ENGINES) PIPES=$(PIPES) EXACTS=$(EXACTS) SHADES=$(SHADES) \
           ROOT_STEP=$(ROOT_STEP) QUOTIENT_STEP=$(QUOTIENT_STEP) SIZES='$(SIZES)' \
-          sh sim/key.sh '$(1)' '$(2)' $(3))$(if $(filter 1,$(FLAT)),-flat)
+          sh sim/key.sh '$(1)' '$(2)' $(3)),$(error synth: no such core))$(if $(filter 1,$(FLAT)),-flat)
 KEYS := $(foreach p,$(profiles),$(foreach t,$(targets),$(foreach e,$(EFFECTS), \
             $(call key,$p,$e,$t))))
 

@@ -25,6 +25,14 @@ awk -v names="$*" -v given="$given" -v goals="$goals" -v widths="$widths" \
     -f sim/nearest.awk -f sim/rules.awk -f sim/check.awk \
     cmodel/machine/machine.def make/variables.mk || exit 2
 
+# Parameters of a core that goes together, as far as they are known without its machine.
+effects=${EFFECTS:-auto}
+[ "$effects" != auto ] || effects=none
+case " $* " in
+*" ENGINES "* | *" PIPES "* | *" EXACTS "* | *" SHADES "* | *" SIZES "* | *" EFFECTS "* | \
+    *" PROFILE "*) sh sim/key.sh "$profile" "$effects" >/dev/null || exit 2 ;;
+esac
+
 case " $goals " in
 *" setup "*) ;;
 *" sim "*)

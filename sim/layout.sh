@@ -22,11 +22,13 @@ put() { # file: takes stdin
     if cmp -s "$to.tmp" "$to"; then rm "$to.tmp"; else mv "$to.tmp" "$to"; fi
 }
 splice() { # file: its text with fresh lines between marks
-    awk -v parameters="$(generate parameters)" -v connections="$(generate connections)" '
-        /^ *\/\/ end of (parameters|connections)$/ { inside = 0 }
+    awk -v parameters="$(generate parameters)" -v connections="$(generate connections)" \
+        -v units="$(generate units)" '
+        /^ *\/\/ end of (parameters|connections|units)$/ { inside = 0 }
         !inside
         /^ *\/\/ parameters of machine.def$/ { print parameters; inside = 1 }
         /^ *\/\/ connections of machine.def$/ { print connections; inside = 1 }
+        /^ *\/\/ units of machine.def$/ { print units; inside = 1 }
         END { exit inside }' "$1" || {
         echo "$1: a mark without an end" >&2
         exit 1

@@ -41,6 +41,8 @@ for size in $(sh sim/profile.sh "$profile"); do
     case " $own" in *" ${size%=*}="*) ;; *) parameters="$parameters$size " ;; esac
 done
 parameters="$parameters$(sh sim/parameters.sh "$variant") ${own% }$shell"
+# shellcheck disable=SC2086  # words
+sh sim/legal.sh $parameters
 set_all=$(echo "$parameters" | sed 's/\([A-Z_]*\)=\([0-9]*\)/-set \1 \2/g')
 
 folders=$(find rtl -name '*.v*' -exec dirname {} + | sort -u)

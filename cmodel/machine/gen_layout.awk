@@ -3,7 +3,7 @@
 #
 # Needs effects.awk before it. sim/layout.sh runs it, also for what stands in Verilog files between
 # marks: lang=parameters, a parameter for each effect, part and size; lang=connections, its
-# connection.
+# connection; lang=units, how many units there are.
 function mask(list, part, n, i, bits_set) { # of words, by their place in the list
     n = split(list, part, ",")
     for (i = 1; i <= n; i++) bits_set += 2 ^ (number[part[i]] - 1)
@@ -63,6 +63,21 @@ function all_checks(i, k, n, part, legal) {
                   core[i] "_excludes_" core[number[part[k]]])
     }
     for (i = 1; i <= sizes; i++) between(size[i], least[i], largest[i], power[i])
+    for (i = 1; i <= rules; i++) check(must_hold[i], rule[i])
+}
+function numbers(i, n, part, k, line) { # of units, lines that end where an alternative does
+    for (i = 1; i <= units; i++) {
+        line = "    localparam " unit[i] " ="
+        n = split(how_many[i] ";", part, / : /)
+        for (k = 1; k <= n; k++) {
+            if (length(line part[k]) > 84) {
+                print line
+                line = "                            "
+            }
+            line = line (k > 1 ? " : " : " ") part[k]
+        }
+        print line
+    }
 }
 function connections(i, line, next_one) {
     for (i = 1; i <= words + sizes; i++) {
@@ -136,6 +151,7 @@ END {
     if (failed) exit 1
     if (lang == "parameters") { parameters(); exit }
     if (lang == "connections") { connections(); exit }
+    if (lang == "units") { numbers(); exit }
     for (i = 1; i <= words; i++) {
         if (bit[i] >= 0) {
             def("EFFECT_" toupper(word[i]), bit[i])

@@ -112,16 +112,6 @@ module rt_core #(
     localparam EW = 8*PLACES;                        // their events of a cycle
     localparam SEPARATED = RECT != 0 || SPANS != 0 || CONES != 0;  // background goes by itself
 
-    // ---- legal values: machine.def and, of widths together, cmodel/machine/profile.c ----
-    `RT_CHECK_CORE
-    `RT_CHECK(ENGINES*PIPES <= 8, rt_core_ENGINES_times_PIPES_must_be_at_most_8)
-    `RT_CHECK(WD > W, rt_core_WD_must_be_above_W)
-    `RT_CHECK(FW <= W, rt_core_FW_must_be_at_most_W)
-    `RT_CHECK(3*W + 2*WD <= 126, rt_core_3W_plus_2WD_must_be_at_most_126)
-    `RT_CHECK(PQ + WD <= 62, rt_core_PQ_plus_WD_must_be_at_most_62)
-    `RT_CHECK(PQ + WD >= W + NG + 5, rt_core_PQ_plus_WD_must_be_at_least_W_plus_NG_plus_5)
-    `RT_CHECK(PR == 0 || (PR >= 4 && PR < W + WD), rt_core_PR_must_be_0_or_4_to_W_plus_WD_minus_1)
-
     // ---- registers, start ----
     wire [31:0]      effects, profile;
     wire [3:0]       max_depth;
@@ -218,15 +208,18 @@ module rt_core #(
     end
 
     // ---- units of an engine; numbers of its slots, {pipe, slot of its own} ----
-    localparam SHADE_UNITS = SHADES != 0 ? SHADES : PIPES == 1 || INTERPENETRATE != 0 ? 1
+    // units of machine.def
+    localparam SHADE_UNITS = SHADES ? SHADES : PIPES == 1 || INTERPENETRATE ? 1
                              : PIPES == 4 ? 4 : 2;
-    localparam LEAF_UNITS = EXACTS != 0 ? EXACTS : BOXES != 0 ? SHADE_UNITS
-                            : PIPES > 2 && SHADE_UNITS > 1 ? 2 : 1;
+    localparam LEAF_UNITS = EXACTS ? EXACTS : BOXES ? SHADE_UNITS
+                             : PIPES > 2 && SHADE_UNITS > 1 ? 2 : 1;
+    localparam SETUP_UNITS = SETUPS ? SETUPS : PIPES == 4 && LEAF_UNITS > 1 ? 2 : 1;
+    // end of units
+    `RT_CHECK_CORE  // legal values, alone and together
     // What a block RAM is worth in LUTs: four pipes ask for more than there are, as they do of
     // multipliers; three leave enough of these for the squares of their filters.
     localparam SPARE_LUTS = SPILLS == 2 || (SPILLS == 0 && PIPES > 2) ? (PIPES == 4 ? 24 : 12) : 0;
     localparam LUT_SQUARES = SQUARES == 2 || (SQUARES == 0 && PIPES == 4) ? 1 : 0;
-    localparam SETUP_UNITS = SETUPS != 0 ? SETUPS : PIPES == 4 && LEAF_UNITS > 1 ? 2 : 1;
     // Behind boxes are triangles: tests and keys keep up with a visit a clock. Elsewhere a wide
     // facet, whose operands exceed a multiplier of 18 bits, takes its time.
     localparam KEY_UNITS = DIVISIONS != 0 ? DIVISIONS : BOXES != 0 ? 3 : 1;
@@ -236,12 +229,6 @@ module rt_core #(
     // Beside others a pipe sees fewer neighbours; block RAM has the room in any case.
     localparam NODE_UNIT = PIPES > 1 ? 2*NODE_LINES : NODE_LINES;
     localparam LEAF_UNIT = PIPES > 1 ? 4*LEAF_LINES : LEAF_LINES;
-    `RT_CHECK(1 << $clog2(LEAF_UNITS) == LEAF_UNITS && 1 << $clog2(SHADE_UNITS) == SHADE_UNITS,
-              rt_core_EXACTS_and_SHADES_must_be_powers_of_two)
-    `RT_CHECK(LEAF_UNITS <= SHADE_UNITS, rt_core_EXACTS_must_be_at_most_SHADES)
-    `RT_CHECK(SETUP_UNITS <= LEAF_UNITS, rt_core_SETUPS_must_be_at_most_EXACTS)
-    `RT_CHECK(SHADE_UNITS <= 1 << $clog2(PIPES), rt_core_SHADES_must_be_at_most_PIPES)
-    `RT_CHECK(SHADE_UNITS == 1 || INTERPENETRATE == 0, rt_core_INTERPENETRATE_needs_SHADES_to_be_1)
     localparam ALL_SLOTS = SLOTS << $clog2(PIPES);
 
     // ---- memory: READS readers an engine, and the walks above them if they have tables ----

@@ -498,5 +498,17 @@
     `RT_CHECK(SQUARES >= 0 && SQUARES <= 2, rt_core_SQUARES_must_be_0_to_2) \
     `RT_CHECK(SPILLS >= 0 && SPILLS <= 2, rt_core_SPILLS_must_be_0_to_2) \
     `RT_CHECK(HIT_INTERVAL >= 8 && HIT_INTERVAL <= 12, rt_core_HIT_INTERVAL_must_be_8_to_12) \
-    `RT_CHECK(BOUNCE_INTERVAL >= 10 && BOUNCE_INTERVAL <= 12, rt_core_BOUNCE_INTERVAL_must_be_10_to_12)
+    `RT_CHECK(BOUNCE_INTERVAL >= 10 && BOUNCE_INTERVAL <= 12, rt_core_BOUNCE_INTERVAL_must_be_10_to_12) \
+    `RT_CHECK(WD > W, rt_core_WD_must_be_above_W) \
+    `RT_CHECK(FW <= W, rt_core_FW_must_be_at_most_W) \
+    `RT_CHECK(3*W + 2*WD <= 126, rt_core_3W_plus_2WD_must_be_at_most_126) \
+    `RT_CHECK(PQ + WD <= 62, rt_core_PQ_plus_WD_must_be_at_most_62) \
+    `RT_CHECK(PQ + WD >= W + NG + 5, rt_core_PQ_plus_WD_must_be_at_least_W_plus_NG_plus_5) \
+    `RT_CHECK(PR == 0 || (PR >= 4 && PR < W + WD), rt_core_PR_must_be_0_or_4_to_W_plus_WD_minus_1) \
+    `RT_CHECK(ENGINES*PIPES <= 8, rt_core_ENGINES_times_PIPES_must_be_at_most_8) \
+    `RT_CHECK(LEAF_UNITS != 3 && SHADE_UNITS != 3, rt_core_EXACTS_and_SHADES_must_be_powers_of_two) \
+    `RT_CHECK(LEAF_UNITS <= SHADE_UNITS, rt_core_EXACTS_must_be_at_most_SHADES) \
+    `RT_CHECK(SETUP_UNITS <= LEAF_UNITS, rt_core_SETUPS_must_be_at_most_EXACTS) \
+    `RT_CHECK(SHADE_UNITS <= PIPES || (SHADE_UNITS == 4 && PIPES == 3), rt_core_SHADES_must_be_at_most_PIPES) \
+    `RT_CHECK(SHADE_UNITS == 1 || INTERPENETRATE == 0, rt_core_INTERPENETRATE_needs_SHADES_to_be_1)
 `endif
