@@ -3,7 +3,6 @@
 
 # What somebody gives is text: make expands none of it, and a shell gets it in quotes, or after
 # sim/check.sh found that it is a plain word. What neither could do ends here.
-override SHELL := /bin/sh
 define newline
 
 
@@ -17,6 +16,7 @@ quoted   = '$(subst ','\'',$(1))'
 absolute = "$$(realpath -ms -- $(1))"
 GIVEN   := $(strip $(foreach v,$(.VARIABLES),$(if $(filter command,$(origin $v)),$v)))
 $(call as_text,$(GIVEN))
+override SHELL := /bin/sh
 $(foreach v,$(filter CURDIR MAKE MAKECMDGOALS MAKEFILE_LIST,$(GIVEN)),$(error $v is make's own))
 $(if $(call has_odd,$(MAKECMDGOALS)),$(error there is no target $(MAKECMDGOALS)))
 

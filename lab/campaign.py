@@ -16,7 +16,7 @@ import time
 from .jobs import chunks, plan, store
 from .study.keys import MODEL
 
-SOURCES = [*MODEL, "tests/hard/*.[ch]"]
+SOURCES = [*MODEL, "tests/hard/*.[ch]", "tool:gcc"]
 RATE = 500000        # cases a second of a processor, about
 EXHAUSTIVE = 84e6    # cases of all operands of three bits, about
 LEAST_PARTS = 4      # as many chunks as the smallest campaign has

@@ -6,7 +6,7 @@
 #   TARGETS   ecp5 xc7 generic, or all
 #   EFFECTS   what the cores are elaborated with: lists as sim/parameters.sh takes them
 # KEY is what sim/key.sh says of a core, with -flat behind it if FLAT is 1. $B/synth/KEY/ holds what
-# Yosys printed; it is made again when a source of the core or core.sh changes.
+# Yosys printed; it is made again when a source of the core, core.sh or Yosys changes.
 
 B        ?= build
 PROFILES ?= standard
@@ -39,7 +39,8 @@ $(foreach e,$(EFFECTS),$(if $(shell sh sim/parameters.sh '$e'),,$(error synth: \
     no core is built with '$e')))
 key = $(or $(shell ENGINES=$(ENGINES) PIPES=$(PIPES) EXACTS=$(EXACTS) SHADES=$(SHADES) \
           ROOT_STEP=$(ROOT_STEP) QUOTIENT_STEP=$(QUOTIENT_STEP) SIZES='$(SIZES)' \
-          sh sim/key.sh '$(1)' '$(2)' $(3)),$(error synth: no such core))$(if $(filter 1,$(FLAT)),-flat)
+          sh sim/key.sh '$(1)' '$(2)' $(3)),$(error \
+          synth: no such core))$(if $(filter 1,$(FLAT)),-flat)
 KEYS := $(foreach p,$(profiles),$(foreach t,$(targets),$(foreach e,$(EFFECTS), \
             $(call key,$p,$e,$t))))
 
@@ -54,7 +55,9 @@ PAGE := $(foreach p,$(KNOWN_PROFILES),$(foreach t,$(KNOWN_TARGETS),$p-$t$(FULL))
 .PHONY: report results page
 results: $(KEYS:%=$B/synth/%/stat.json)
 
-$B/synth/%/stat.json: synth/core.sh sim/parameters.sh sim/profile.sh sim/sizes.sh $(DEF)
+include make/stamp.mk
+$B/synth/%/stat.json: synth/core.sh sim/parameters.sh sim/profile.sh sim/sizes.sh $(DEF) \
+                      $B/tools/yosys
 	$(Q)sh synth/core.sh $* $(@D)
 
 report: results

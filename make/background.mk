@@ -67,7 +67,8 @@ $(BG)/%-$(1).core.json: $(BG)/%-$(1).sph $(V_FILES) $(V_HEADS)
 endef
 $(foreach w,$(BG_WAYS),$(eval $(call bg_way,$w)))
 
-$(BG_SYNTH:%=%/stat.json): $B/synth/standard-ecp5-%-engines1/stat.json: $(V_FILES) $(V_HEADS)
+$(BG_SYNTH:%=%/stat.json): $B/synth/standard-ecp5-%-engines1/stat.json: $(V_FILES) $(V_HEADS) \
+    $B/tools/yosys
 	+$(Q)$(MAKE) --no-print-directory -f make/area.mk results B=$B PROFILES=standard \
 	    TARGETS=ecp5 EFFECTS=$*
 	@touch $@

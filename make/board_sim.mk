@@ -23,7 +23,7 @@ VERILATED := $S/obj/bench_verilated.o $S/obj/bench_verilated_threads.o
 top: $K/tb_$(TOP)
 
 $K/flags: FORCE
-	$(call stamp,$(VERILATE))
+	$(call stamp,$(VERILATE),verilator $(HOST))
 
 $K/all.cpp: $(RTL_FILES) $K/flags
 	@rm -f $K/V$(MODULE)*

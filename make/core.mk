@@ -8,9 +8,9 @@
 #   cxxrtl   build/sim/KEY/tb_core_cxxrtl
 #   ecp5, xc7  build/sim/KEY/FAMILY.json, the netlist
 #   netlist  build/sim/tb_core_netlist, which simulates any of these
-# KEY, which sim/core.sh gives, names every parameter that shapes the core; what they are elaborated
-# and compiled with stands in build/sim/KEY/flags and in build/sim/obj/flags, and a change of these
-# builds anew.
+# KEY, which sim/core.sh gives, names every parameter that shapes the core; what it is elaborated
+# and compiled with stands, with the versions of these tools, in files `flags` of build/sim/KEY and
+# build/sim/obj, and a change of these builds anew.
 
 B       ?= build
 RTL     ?= rtl
@@ -72,11 +72,11 @@ xc7: $K/xc7.json
 netlist: $S/tb_core_netlist
 
 $S/obj/flags: FORCE
-	$(call stamp,$(CXX) $(CXXFLAGS) $(ROOT))
+	$(call stamp,$(CXX) $(CXXFLAGS) $(ROOT),verilator $(HOST))
 $K/verilator.flags: FORCE
-	$(call stamp,$(VERILATE) $(COMPILE_CORE) $(SOURCES))
+	$(call stamp,$(VERILATE) $(COMPILE_CORE) $(SOURCES),verilator $(HOST))
 $K/icarus.flags: FORCE
-	$(call stamp,$(ELABORATE) $(SOURCES))
+	$(call stamp,$(ELABORATE) $(SOURCES),iverilog)
 
 $S/obj/%.o: tb/core/%.cpp $S/obj/flags
 	@mkdir -p $(@D)
@@ -109,7 +109,8 @@ $K/core.o: $K/core.cpp $(PRECOMPILED)
 	$(COMPILE_CORE) -MD -MP -c $< -o $@
 
 # Yosys's C++. A compiler that optimises takes many minutes for it.
-$K/core_cxxrtl/core.cpp: $(RTL_FILES) synth/cxxrtl.sh synth/folders.sh $K/icarus.flags
+$K/core_cxxrtl/core.cpp: $(RTL_FILES) synth/cxxrtl.sh synth/folders.sh $K/icarus.flags \
+                           $B/tools/yosys
 	@mkdir -p $(@D)
 	RTL=$(RTL) sh synth/cxxrtl.sh $@ $(PARAMETERS)
 
@@ -122,7 +123,8 @@ $K/tb_core_cxxrtl: $(SHARED) $K/core_cxxrtl.o $S/obj/simulate_host.o $(LIB)
 	$(CXX) $(LINKER) $^ $(LIBS) -o $@
 
 # The core as cells of a family, and what simulates them.
-$K/ecp5.json $K/xc7.json: $K/%.json: $(RTL_FILES) synth/cells.sh synth/folders.sh $K/icarus.flags
+$K/ecp5.json $K/xc7.json: $K/%.json: $(RTL_FILES) synth/cells.sh synth/folders.sh $K/icarus.flags \
+                              $B/tools/yosys
 	@mkdir -p $(@D)
 	RTL=$(RTL) sh synth/cells.sh $* $@ $(PARAMETERS)
 

@@ -15,12 +15,12 @@ endif
 
 .PHONY: film
 film: $(TOOL) ## SCENE, FRAMES A..B of it, as MOVIE, by the golden model
-	$(Q)[ -n '$(MOVIE)' ] || { echo "film: MOVIE names no file: make film MOVIE=x.mp4" >&2; exit 1; }
+	$(if $(MOVIE),,@echo "film: MOVIE names no file: make film MOVIE=x.mp4" >&2; exit 1)
 	+$(Q)film=$$($(film_plan)) && $(film_jobs) && $(TOOL) movie -o $(call quoted,$(MOVIE)) \
 	    $$(cat $$film/frames)
 
 # A frame counts as long as tool and options are the same.
 $B/film/%.png: $(TOOL)
 	$(call say,FRAME,$(*F))
-	$(Q)$(TOOL) render $$(cat $(@D)/options) --at $(*F) -o $@.part.png >$(@:.png=.log) && \
+	$(Q)$(TOOL) render "$$(cat $(@D)/scene)" $$(cat $(@D)/options) --at $(*F) -o $@.part.png >$(@:.png=.log) && \
 	    mv $@.part.png $@

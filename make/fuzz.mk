@@ -42,7 +42,7 @@ fuzz_objects  = $(patsubst %.c,$(FUZZ_OF_$(1))/obj/%.o, \
                     $(patsubst %.cpp,$(FUZZ_OF_$(1))/obj/%.o,$(2)))
 
 # AFL++ has a model of its own; pictures it takes as they are built for the tool.
-$(FUZZ)/afl/obj/%.o: %.c $B/flags
+$(FUZZ)/afl/obj/%.o: %.c $B/flags $B/tools/afl-clang-fast
 	$(call say,AFL,$(<F))
 	@mkdir -p $(@D)
 	$(call compile_whole,$(AFL_CC) $(AFL_FLAGS))

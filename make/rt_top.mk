@@ -33,7 +33,7 @@ run: top
 	@$K/$(BENCH) $(MACHINES) $(SEED)
 
 $K/flags: FORCE
-	$(call stamp,$(VERILATE))
+	$(call stamp,$(VERILATE),verilator $(HOST))
 
 # Its head is rt_core's.
 $K/rt_core.sv: rtl/core/rt_core.v tb/top/golden_core.svh

@@ -3,7 +3,7 @@
 #
 # Included by core.mk; by itself called by tb/run_bench.sh, under the lock of core.mk's tools:
 #   bench-tools  build/sim/obj/compile-OPT, the command that compiles, and all that it needs;
-#                Verilator's library as build/sim/obj/bench_*.o
+#                Verilator's library as build/sim/obj/bench_*.o; build/sim/obj/versions, of all
 
 B   ?= build
 OPT ?= -O1
@@ -20,33 +20,36 @@ ROOT   := $(shell verilator --getenv VERILATOR_ROOT)/include
 HEADERS := -isystem $(ROOT) -isystem $(ROOT)/vltstd
 
 # What all harnesses include is read once. clang asks that both sides optimise, or neither; how
-# ccache is to take that, and which folder it is to leave out of what it compares, says sim/ccache.sh.
+# ccache is to take that, and which folder it leaves out of what it compares, says sim/ccache.sh.
 EFFORT      := $(if $(filter -O0,$(OPT)),-O0,-O1)
 PRECOMPILED := $(if $(CLANG),$S/obj/precompiled$(EFFORT).pch)
 PRECOMPILE  := $(CLANG) -std=c++17 $(EFFORT) -x c++-header -Xclang -fno-pch-timestamp $(HEADERS)
-COMPILE     := $(if $(CLANG),$(CCACHE:ccache=sh sim/ccache.sh) $(CLANG) -include-pch $(PRECOMPILED), \
-                   $(CCACHE) $(CXX)) \
+COMPILE     := $(if $(CLANG),$(CCACHE:ccache=sh sim/ccache.sh) $(CLANG) -include-pch \
+                   $(PRECOMPILED),$(CCACHE) $(CXX)) \
                    -std=c++17 $(OPT) -Wall -Wextra -I. -Icmodel -Itb $(HEADERS)
 
-# Written anew only when its text changes.
-stamp = @mkdir -p $(@D); echo '$(1)' >$@.$$$$; cmp -s $@.$$$$ $@ && rm $@.$$$$ || mv $@.$$$$ $@
+include make/stamp.mk
+# what a harness is made with, besides Verilator
+HOST := $(CXX) $(CLANG)
 
 .DELETE_ON_ERROR:
 .SUFFIXES:
 .PHONY: bench-tools FORCE
-bench-tools: $S/obj/compile$(OPT) $S/obj/link $(PRECOMPILED) $S/obj/bench_verilated.o \
-             $S/obj/bench_verilated_threads.o
+bench-tools: $S/obj/compile$(OPT) $S/obj/link $S/obj/versions $(PRECOMPILED) \
+             $S/obj/bench_verilated.o $S/obj/bench_verilated_threads.o
 
 $S/obj/compile$(OPT): FORCE
 	$(call stamp,$(COMPILE))
 $S/obj/link: FORCE
 	$(call stamp,$(CXX) $(LINKER))
+$S/obj/versions: FORCE
+	$(call stamp,,verilator $(HOST))
 $(PRECOMPILED).sum: FORCE
-	$(call stamp,$(PRECOMPILE) $(shell $(CLANG) --version | head -n 1) \
-	    $(shell cat tb/precompiled.h $(ROOT)/verilated*.h | cksum))
+	$(call stamp,$(PRECOMPILE) \
+	    $(shell cat tb/precompiled.h $(ROOT)/verilated*.h | cksum),$(CLANG))
 $(PRECOMPILED): tb/precompiled.h $(PRECOMPILED).sum
 	$(PRECOMPILE) $< -o $@
 
-$S/obj/bench_%.o: $(ROOT)/%.cpp
+$S/obj/bench_%.o: $(ROOT)/%.cpp $S/obj/versions
 	@mkdir -p $(@D)
 	$(CCACHE) $(CXX) -std=c++17 -O2 -w $(HEADERS) -c $< -o $@

@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # usage: SCENE=... FRAMES=A..B BUILD_OPTIONS=... SEED=n BUILD=folder sim/film.sh
-# Prints the folder, BUILD/film/DIGEST. It gets the file `options`, words of `sphaera render`, and
-# `frames`, the pictures that make/film.mk makes, one for each frame.
+# Prints the folder, BUILD/film/DIGEST. It gets the files `scene`, whose name it has, `options`, words
+# of `sphaera render`, and `frames`, the pictures that make/film.mk makes, one for each frame.
 set -euf
 cd "$(dirname "$0")/.."
 case $FRAMES in
@@ -22,7 +22,8 @@ scene=$(sh sim/scene.sh "$SCENE")
 made=
 [ -f "$scene" ] || made=$SEED
 folder=$BUILD/film/$({
-    echo "$scene" "$made" "$BUILD_OPTIONS"
+    printf '%s ' "$scene" "$made"
+    echo "$BUILD_OPTIONS"
     [ ! -f "$scene" ] || cat "$scene"
 } | sha256sum | cut -c 1-12)
 mkdir -p "$folder"
@@ -30,7 +31,8 @@ mkdir -p "$folder"
     "$BUILD/sphaera" gen "$scene" --seed "$SEED" -o "$folder/scene.nff" >"$folder/gen.log"
     scene=$folder/scene.nff
 }
-echo "$scene $BUILD_OPTIONS" >"$folder/options.new"
+printf '%s\n' "$scene" >"$folder/scene"
+echo "$BUILD_OPTIONS" >"$folder/options.new"
 cmp -s "$folder/options.new" "$folder/options" || cp "$folder/options.new" "$folder/options"
 seq "$first" "$last" | sed "s,.*,$folder/&.png," >"$folder/frames"
 echo "$folder"

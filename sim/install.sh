@@ -2,7 +2,8 @@
 # install.sh - puts library, header, tool, pages and completion into a folder, or takes them away
 # SPDX-License-Identifier: Apache-2.0
 #
-# usage: PREFIX=... DESTDIR=... VERSION=... REQUIRES=... BUILD=... sim/install.sh install|uninstall|pc
+# usage: PREFIX=... DESTDIR=... VERSION=... REQUIRES=... BUILD=... \
+#            sim/install.sh install|uninstall|pc
 # DESTDIR stands before PREFIX, for packages. install puts there what BUILD and BUILD/dist have, and
 # sphaera.pc, which names PREFIX alone; pc writes that into BUILD/dist. uninstall removes what
 # install put there, and no folder but sphaera's own. REQUIRES: packages of a static library.

@@ -49,7 +49,7 @@ END {
         print unit[i] "=$((" how_many[i] "))"
     }
     for (i = 1; i <= rules; i++)
-        print "[ $((" must_hold[i] ")) = 1 ] || wrong " rule[i] named(must_hold[i])
+        print "[ $((" must_hold[i] ")) = 1 ] || wrong " rule_name[i] named(must_hold[i])
 }
 END
 )

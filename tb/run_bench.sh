@@ -47,7 +47,7 @@ build() { # profile, module, bench, parameters
     mkdir -p "$dir"
     source=$(find tb -name "$bench.cpp")
     effort=$(effort_of "$source")
-    line="$top $generics $macros $effort"
+    line="$top $generics $macros $effort $(cat "$shared/versions")"
     echo "$line" | cmp -s - "$dir/line" || rm -f "$dir/bench.o"
     echo "$line" >"$dir/line"
     if outdated "$dir/bench.o" "$dir/bench.d" "$dir/V${top}__ver.d"; then

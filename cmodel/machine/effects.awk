@@ -5,7 +5,7 @@
 # Leaves, in order, word[1..words], the first `effects` of them effects, number[word], and by number
 # core, bit (-1: none), most, all, asked, option, needs, excludes (lists of words) and about; sizes
 # as size[1..sizes], and by number standard, least, largest, power (1: of two) and size_about; units
-# as unit[1..units] and how_many, rules as rule[1..rules] and must_hold.
+# as unit[1..units] and how_many, rules as rule_name[1..rules] and must_hold.
 function effects_fail(why) {
     print FILENAME ":" FNR ": " why > "/dev/stderr"
     failed = 1
@@ -59,7 +59,7 @@ $1 == "unit" || $1 == "legal" {
     text = $0
     if (!sub(/^[^:]* : /, "", text)) effects_fail($2 ": no expression stands behind a colon")
     if ($1 == "unit") { unit[++units] = $2; how_many[units] = text }
-    else { rule[++rules] = $2; must_hold[rules] = text }
+    else { rule_name[++rules] = $2; must_hold[rules] = text }
     next
 }
 $1 == "pace" {

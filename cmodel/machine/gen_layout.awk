@@ -63,7 +63,7 @@ function all_checks(i, k, n, part, legal) {
                   core[i] "_excludes_" core[number[part[k]]])
     }
     for (i = 1; i <= sizes; i++) between(size[i], least[i], largest[i], power[i])
-    for (i = 1; i <= rules; i++) check(must_hold[i], rule[i])
+    for (i = 1; i <= rules; i++) check(must_hold[i], rule_name[i])
 }
 function numbers(i, n, part, k, line) { # of units, lines that end where an alternative does
     for (i = 1; i <= units; i++) {

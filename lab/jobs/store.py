@@ -3,8 +3,8 @@
 """A job is known by its key, a text. Its result is FOLDER/<hash of key>.json:
 
   key       the text
-  sources   patterns of the files that the result depends on
-  digest    of these files
+  sources   patterns of the files that the result depends on, and tools, as tool:NAME
+  digest    of these files, and of the versions of these tools
   result    what was measured: plain values
   seconds   that it took
   files     names of files that were made beside it, with their digests; none if it is missing
@@ -13,12 +13,16 @@
 It is written beside its name and then renamed, so jobs may run at once, on several machines with
 one folder or with folders put together later, and be interrupted. A result counts if it is whole,
 its sources are the same, and its files are as they were; whatever does not count is made anew."""
+import functools
 import glob
 import hashlib
 import json
 import os
+import subprocess
 
 from .. import intact
+
+TOOL = "tool:"
 
 
 def path(folder, key):
@@ -34,9 +38,17 @@ def of_file(name):
         return ""
 
 
+@functools.cache
+def version(tool):
+    """What sim/version.sh says of it."""
+    return subprocess.run(["sh", "sim/version.sh", tool], check=True, stdout=subprocess.PIPE).stdout
+
+
 def digest(patterns):
-    """Of names and contents of all files that the patterns find."""
+    """Of names and contents of all files that the patterns find, and of versions of tools."""
     total = hashlib.sha256()
+    for tool in sorted(p[len(TOOL):] for p in patterns if p.startswith(TOOL)):
+        total.update(version(tool))
     for name in sorted({n for p in patterns for n in glob.glob(p, recursive=True)}):
         with open(name, "rb") as f:
             total.update(f"{name}\0".encode() + hashlib.sha256(f.read()).digest())

@@ -25,7 +25,8 @@ def results(build):
 
 
 def sources(bench, found):
-    return [f"rtl/*/{m}.v" for m in sorted(found.variants)] + ["rtl/*/*.vh"] + bench.sources()
+    return [f"rtl/*/{m}.v" for m in sorted(found.variants)] + ["rtl/*/*.vh", "tool:yosys"] \
+        + bench.sources()
 
 
 def keys(build, count, seed, number):

@@ -12,7 +12,8 @@ from pathlib import Path
 from .. import intact
 from ..jobs import store
 
-SOURCES = ["rtl/*/*.v", "rtl/*/*.vh", "cmodel/*/*.[ch]", "scenes/**/*.nff"]
+SOURCES = ["rtl/*/*.v", "rtl/*/*.vh", "cmodel/*/*.[ch]", "scenes/**/*.nff",
+           "tool:verilator"]
 PROTEIN = "/usr/share/pymol/data/demo/1tii.pdb"
 SPHERES = "shadow+reflect2+lights3+inside+spans"
 GLASS = "shadow+reflect2+lights1+inside+facets+refract+specular+sum"

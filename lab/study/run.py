@@ -108,14 +108,14 @@ def cells(tool, build, w, temporary):
 
 
 def sources(build, w):
-    """Patterns of the files that a result depends on."""
+    """Patterns of the files that a result depends on, and tools."""
     kind = w["kind"]
     if kind == "accuracy":
         return keys.MODEL + keys.scene_files(w["scene"])
     if kind == "cycles":
-        return keys.RTL + keys.BUILD + keys.scene_files(w["scene"])
+        return keys.RTL + ["tool:verilator"] + keys.BUILD + keys.scene_files(w["scene"])
     with open(f"{build}/synth/{synth_key(w)}/sources.d", encoding="utf-8") as f:
-        return f.readlines()[-1].rstrip(":\n").split()
+        return f.readlines()[-1].rstrip(":\n").split() + ["tool:yosys"]
 
 
 def main(tool, build, folder, key):
