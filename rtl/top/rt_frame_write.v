@@ -13,8 +13,8 @@ module rt_frame_write #(
     input  wire              clk,
     input  wire              rst,
     input  wire [31:0]       base_i,     // of the frame, a multiple of 64
+    input  wire [1:0]        mux_i,      // register MUX
     input  wire              begin_i,    // START; from now on
-    input  wire [1:0]        mux_i,      // register MUX selects the colours
     input  wire [15:0]       stride_i,   // rows are apart by this, a multiple of 32
     input  wire              rgb565_i,   // and pixels have this format
     // from rt_run
@@ -54,10 +54,8 @@ module rt_frame_write #(
     input  wire [1:0]        m_bresp
 );
     // ---- mux, groups ----
-    reg  [1:0]   mux_q;                  // of the frame: one does not mix depths
-    always @(posedge clk) if (begin_i) mux_q <= mux_i;
-    wire [23:0]  rgb = mux_q == 2'd0 ? pix_frame_i : mux_q == 2'd1 ? pix_colour_i[0 +: 24]
-                       : mux_q == 2'd2 ? pix_colour_i[24 +: 24] : pix_colour_i[48 +: 24];
+    wire [23:0]  rgb = mux_i == 2'd0 ? pix_frame_i : mux_i == 2'd1 ? pix_colour_i[0 +: 24]
+                       : mux_i == 2'd2 ? pix_colour_i[24 +: 24] : pix_colour_i[48 +: 24];
     wire         drop = cut_i || dead_i;
     wire         empty, pix_ready, g_valid, g_ready;
     wire [10:0]  g_column;

@@ -146,19 +146,9 @@ static void frames(Checks &c, const Golden &a, const Golden &b) {
             c.same(a, c.newest(), (int)mux - 1);
         }
     }
-    c.done("frame mux, both formats");
-    c.store(2560, 0);
-    for (unsigned mux = 0; mux < 12; mux++) { /* of the next frame: this one does not mix depths */
-        sphaera_mux(&c.top.driver, 1 + mux % 3);
-        c.spoil();
-        c.equals("start", (uint64_t)sphaera_start(&c.top.driver, 0), SPHAERA_OK);
-        c.top.clocks(c.top.random.below(20 + 300 * mux));
-        sphaera_mux(&c.top.driver, (mux + 1) % 4);
-        c.equals("wait", (uint64_t)sphaera_wait(&c.top.driver, POLLS), SPHAERA_OK);
-        c.same(a, c.newest(), (int)(mux % 3));
-    }
     sphaera_mux(&c.top.driver, 0);
-    c.done("a frame mux that changes in mid-frame");
+    c.store(2560, 0);
+    c.done("frame mux, both formats");
 }
 
 static void counters(Checks &c, const Golden &a) {
