@@ -67,8 +67,8 @@ void sphaera_set(struct sphaera *s, uint32_t number, uint32_t value);
  * rgb565: 16 bits a pixel in place of 32. Counts from the next start on. */
 int sphaera_store(struct sphaera *s, const uint32_t frames[3], uint32_t stride, int rgb565);
 
-/* Which colours are stored, at once: 0 as register FRAME of the machine has it, 1 Rendering, 2 L1,
- * 3 L2. */
+/* Which colours are stored, from the next start on: 0 as register FRAME of the machine has it,
+ * 1 Rendering, 2 L1, 3 L2. */
 void sphaera_mux(struct sphaera *s, unsigned frame);
 
 /* Begins a frame; keep_cache: memory did not change since the last one. */

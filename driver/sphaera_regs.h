@@ -144,7 +144,7 @@
 #define SPHAERA_FORMAT_RESET 0x00000000u
 #define SPHAERA_FORMAT_RGB565_LSB 0u
 #define SPHAERA_FORMAT_RGB565 0x00000001u /* 0: XRGB8888, 1: RGB565; blue in the low bits */
-#define SPHAERA_MUX 0x058u /* rw: which colours are stored, at once */
+#define SPHAERA_MUX 0x058u /* rw: which colours are stored, from the next START on */
 #define SPHAERA_MUX_RESET 0x00000000u
 #define SPHAERA_MUX_FRAME_LSB 0u
 #define SPHAERA_MUX_FRAME 0x00000003u /* 0: as register FRAME of the machine has it, 1 Rendering, 2 L1, 3 L2 */

@@ -53,6 +53,7 @@ module f_frame_write (
     (* hierconn *) wire [255:0] \u_dut.u_write.group_data_i ;
 
     // of the frame
+    (* hierconn *) wire [1:0]   \u_dut.mux_q ;
     (* hierconn *) wire [15:0]  \u_dut.stride_q ;
     (* hierconn *) wire         \u_dut.rgb565_q ;
 
@@ -63,13 +64,14 @@ module f_frame_write (
     wire out = \u_dut.u_write.group_valid_i && \u_dut.u_write.group_ready_o ;
     wire [23:0] rgb_in = \u_dut.u_groups.group_rgb_o [24*p +: 24];
     reg         old_q = 1'b0, begun_q = 1'b0, there_q, half_q;
+    reg  [1:0]  mux_q;
     reg  [15:0] stride_q;
     reg  [31:0] addr_q;
     reg  [23:0] rgb_q;
     reg  [7:0]  mask_q;
     always @(posedge clk) begin
         old_q <= 1'b1;
-        if (begins) {begun_q, half_q, stride_q} <= {1'b1, rgb565, stride};
+        if (begins) {begun_q, mux_q, half_q, stride_q} <= {1'b1, mux, rgb565, stride};
         if (out) there_q <= 1'b0;
         if (in) begin
             there_q <= 1'b1;
@@ -91,11 +93,12 @@ module f_frame_write (
     end
 
     always @* if (old_q) begin
-        // a pixel goes in with the colour that is chosen, and waits unless all are thrown away
+        // a pixel goes in with the colour that START chose, and waits unless all are thrown away
         assert (\u_dut.u_groups.rst == (rst || drop));
         assert (\u_dut.u_groups.pix_valid_i == pix_valid && (pix_ready || !drop));
-        assert (\u_dut.u_groups.pix_rgb_i == (mux == 0 ? frame : colours >> (24 * (mux - 1)) &
-                                              24'hffffff));
+        if (begun_q)
+            assert (\u_dut.u_groups.pix_rgb_i == (mux_q == 0 ? frame : colours >>
+                                                  (24 * (mux_q - 1)) & 24'hffffff));
         // a group comes out once, where it belongs, as it was
         assert (\u_dut.u_write.group_valid_i == there_q);
         if (in && !drop) assert (!there_q || out);
@@ -115,6 +118,7 @@ module f_frame_write (
         end
         // invariant
         if (begun_q) assert (\u_dut.stride_q == stride_q && \u_dut.rgb565_q == half_q);
+        if (begun_q) assert (\u_dut.mux_q == mux_q);
         if (there_q) assert (begun_q);
         assert (empty == (\u_dut.u_groups.empty_o && !there_q && idle));  // nothing is between
     end

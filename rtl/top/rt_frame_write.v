@@ -13,8 +13,8 @@ module rt_frame_write #(
     input  wire              clk,
     input  wire              rst,
     input  wire [31:0]       base_i,     // of the frame, a multiple of 64
-    input  wire [1:0]        mux_i,      // register MUX
     input  wire              begin_i,    // START; from now on
+    input  wire [1:0]        mux_i,      // register MUX says which colours are stored,
     input  wire [15:0]       stride_i,   // rows are apart by this, a multiple of 32
     input  wire              rgb565_i,   // and pixels have this format
     // from rt_run
@@ -53,9 +53,16 @@ module rt_frame_write #(
     output wire              m_bready,
     input  wire [1:0]        m_bresp
 );
+    // ---- of the frame ----
+    reg  [1:0]   mux_q;
+    reg  [15:0]  stride_q;
+    reg          rgb565_q;
+    always @(posedge clk)
+        if (begin_i) {mux_q, rgb565_q, stride_q} <= {mux_i, rgb565_i, stride_i};
+
     // ---- mux, groups ----
-    wire [23:0]  rgb = mux_i == 2'd0 ? pix_frame_i : mux_i == 2'd1 ? pix_colour_i[0 +: 24]
-                       : mux_i == 2'd2 ? pix_colour_i[24 +: 24] : pix_colour_i[48 +: 24];
+    wire [23:0]  rgb = mux_q == 2'd0 ? pix_frame_i : mux_q == 2'd1 ? pix_colour_i[0 +: 24]
+                       : mux_q == 2'd2 ? pix_colour_i[24 +: 24] : pix_colour_i[48 +: 24];
     wire         drop = cut_i || dead_i;
     wire         empty, pix_ready, g_valid, g_ready;
     wire [10:0]  g_column;
@@ -71,9 +78,6 @@ module rt_frame_write #(
     assign pix_ready_o = drop || pix_ready;
 
     // ---- stage 1: address ----
-    reg  [15:0]  stride_q;
-    reg          rgb565_q;
-    always @(posedge clk) if (begin_i) {rgb565_q, stride_q} <= {rgb565_i, stride_i};
     reg          s1_valid_q;
     reg  [31:0]  s1_addr_q;
     reg  [7:0]   s1_mask_q;

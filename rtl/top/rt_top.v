@@ -312,8 +312,9 @@ module rt_top #(
     wire [3:0] write_pixels;
     rt_frame_write #(.DATA(DATA), .BUFFERS(BUFFERS)) u_frame_write (
         .clk(clk), .rst(rst), .base_i(draw_base), .begin_i(load),
+        .mux_i(settings[`RT_TOP_SET_MUX_FRAME]),
         .stride_i({settings[`RT_TOP_SET_STRIDE_UNITS], 5'd0}),
-        .rgb565_i(settings[`RT_TOP_SET_FORMAT_RGB565]), .mux_i(settings[`RT_TOP_SET_MUX_FRAME]),
+        .rgb565_i(settings[`RT_TOP_SET_FORMAT_RGB565]),
         .cut_i(cut), .dead_i(write_dead), .forget_i(forget), .flush_i(flush),
         .empty_o(write_empty), .idle_o(write_idle), .stall_o(write_stall),
         .slverr_o(write_slverr), .decerr_o(write_decerr), .burst_o(write_burst),

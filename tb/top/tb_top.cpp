@@ -151,6 +151,36 @@ static void frames(Checks &c, const Golden &a, const Golden &b) {
     c.done("frame mux, both formats");
 }
 
+/* MUX is written again and again while a frame is drawn: at once, while registers go to the core,
+ * among its pixels and behind its last one. It counts from the next START on. */
+static void mux(Checks &c, const Golden &a) {
+    TopHost &t = c.top;
+    c.load(a, SCENE_A);
+    uint64_t length = t.cycle;
+    c.equals("draw", (uint64_t)c.draw(), SPHAERA_OK);
+    length = t.cycle - length;
+    const auto depth = [&](unsigned frame) { return frame ? (int)frame - 1 : c.depth(a); };
+    unsigned from = 0;
+    for (int i = 0; i < 32; i++) {
+        const unsigned to = (from + 1 + (unsigned)t.random.below(3)) % 4;
+        sphaera_mux(&t.driver, from);
+        c.spoil();
+        c.equals("start", (uint64_t)sphaera_start(&t.driver, 0), SPHAERA_OK);
+        t.clocks(i < 12 ? (uint64_t)i : t.random.below((uint32_t)length));
+        sphaera_mux(&t.driver, to);
+        for (int n = 0; i & 1 && n < 40; n++) {
+            t.clocks(t.random.below(20));
+            sphaera_mux(&t.driver, (unsigned)t.random.below(4));
+        }
+        sphaera_mux(&t.driver, to);
+        c.equals("draw", (uint64_t)sphaera_wait(&t.driver, POLLS), SPHAERA_OK);
+        c.same(a, c.newest(), depth(from));
+        from = to;
+    }
+    sphaera_mux(&t.driver, 0);
+    c.done("MUX written in mid-frame counts from the next START on");
+}
+
 static void counters(Checks &c, const Golden &a) {
     uint64_t n[SPHAERA_COUNTS];
     c.top.frame.behave({});
@@ -293,6 +323,7 @@ int main(int argc, char **argv) {
     settings(*c);
     registers(*c, a);
     frames(*c, a, b);
+    mux(*c, a);
     counters(*c, a);
     far(*c, a, b);
     busy(*c, a, b);
