@@ -64,6 +64,13 @@ int sphaera_store(struct sphaera *s, const uint32_t frames[3], uint32_t stride, 
     return SPHAERA_OK;
 }
 
+int sphaera_layers(struct sphaera *s, uint32_t bytes) {
+    if (!(s->built & SPHAERA_CORE_BUS_LAYERS)) return SPHAERA_NO_LAYERS;
+    if (bytes & ~SPHAERA_LAYER_BYTES_UNITS) return SPHAERA_MISPLACED;
+    put(s, SPHAERA_LAYER_BYTES, bytes);
+    return SPHAERA_OK;
+}
+
 void sphaera_mux(struct sphaera *s, unsigned frame) {
     put(s, SPHAERA_MUX, frame & SPHAERA_MUX_FRAME);
 }
@@ -165,6 +172,7 @@ const char *sphaera_text(int result) {
         "a frame is drawn, or the block is drained",
         "the time is over",
         "the frame had errors",
+        "the block was built without layers",
     };
     size_t n = sizeof words / sizeof *words;
     return result >= 0 && (size_t)result < n ? words[result] : "no such result";

@@ -29,7 +29,8 @@ enum sphaera_result {
     SPHAERA_MISPLACED,    /* an address or a stride is not a multiple of what it must be */
     SPHAERA_BUSY,         /* a frame is drawn, or the block is drained */
     SPHAERA_LATE,         /* the time is over */
-    SPHAERA_FAILED        /* the frame had errors: sphaera_errors() */
+    SPHAERA_FAILED,       /* the frame had errors: sphaera_errors() */
+    SPHAERA_NO_LAYERS     /* the block was built without layers */
 };
 
 /* How the registers and the memory of the block are reached. Offsets are bytes, as in
@@ -67,8 +68,13 @@ void sphaera_set(struct sphaera *s, uint32_t number, uint32_t value);
  * rgb565: 16 bits a pixel in place of 32. Counts from the next start on. */
 int sphaera_store(struct sphaera *s, const uint32_t frames[3], uint32_t stride, int rgb565);
 
-/* Which colours are stored, from the next start on: 0 as register FRAME of the machine has it,
- * 1 Rendering, 2 L1, 3 L2. */
+/* Of a block that was built with layers: those of a frame, Rendering, L1 and L2, are `bytes` apart,
+ * a multiple of 64. Counts from the next start on; a display follows at its next blanking. */
+int sphaera_layers(struct sphaera *s, uint32_t bytes);
+
+/* Which colours: 0 as register FRAME of the machine has it, 1 Rendering, 2 L1, 3 L2. They are
+ * stored from the next start on; with layers they are shown from the next blanking or
+ * sphaera_take() on. */
 void sphaera_mux(struct sphaera *s, unsigned frame);
 
 /* Begins a frame; keep_cache: memory did not change since the last one. */
@@ -90,8 +96,9 @@ void sphaera_interrupts(struct sphaera *s, uint32_t enabled);
 /* Of an interrupt: what happened since the last call, SPHAERA_INTERRUPTS_*; cleared by it. */
 uint32_t sphaera_handle(struct sphaera *s);
 
-/* The frame that is shown changes to the newest one, where there is no video. Address of the frame
- * that is shown, in *frame its number 0..2; SPHAERA_BUSY if none is complete yet. */
+/* The frame that is shown changes to the newest one, where there is no video, and its layer to the
+ * one that sphaera_mux() chose. In *frame the number of the frame, 0..2; SPHAERA_BUSY if none is
+ * complete yet. */
 int sphaera_take(struct sphaera *s, unsigned *frame);
 
 /* Errors since the last call, SPHAERA_ERRORS_*; cleared by it. */

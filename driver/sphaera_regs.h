@@ -38,6 +38,8 @@
 #define SPHAERA_CORE_BUS_DATA 0x000000ffu /* data bits of the AXI4 masters, 64 or 128 */
 #define SPHAERA_CORE_BUS_VIDEO_LSB 8u
 #define SPHAERA_CORE_BUS_VIDEO 0x00000100u /* there is a video output */
+#define SPHAERA_CORE_BUS_LAYERS_LSB 9u
+#define SPHAERA_CORE_BUS_LAYERS 0x00000200u /* frames have three layers, Rendering, L1 and L2 */
 #define SPHAERA_CONTROL 0x020u /* wo: each one written is an order */
 #define SPHAERA_CONTROL_RESET 0x00000000u
 #define SPHAERA_CONTROL_START_LSB 0u
@@ -144,7 +146,7 @@
 #define SPHAERA_FORMAT_RESET 0x00000000u
 #define SPHAERA_FORMAT_RGB565_LSB 0u
 #define SPHAERA_FORMAT_RGB565 0x00000001u /* 0: XRGB8888, 1: RGB565; blue in the low bits */
-#define SPHAERA_MUX 0x058u /* rw: which colours are stored, from the next START on */
+#define SPHAERA_MUX 0x058u /* rw: colours stored from the next START on, or layer shown */
 #define SPHAERA_MUX_RESET 0x00000000u
 #define SPHAERA_MUX_FRAME_LSB 0u
 #define SPHAERA_MUX_FRAME 0x00000003u /* 0: as register FRAME of the machine has it, 1 Rendering, 2 L1, 3 L2 */
@@ -186,6 +188,10 @@
 #define SPHAERA_VIDEO_V_SYNC_SYNC 0x00001fffu /* the pulse */
 #define SPHAERA_VIDEO_V_SYNC_BACK_LSB 16u
 #define SPHAERA_VIDEO_V_SYNC_BACK 0x1fff0000u /* from it to the first row */
+#define SPHAERA_LAYER_BYTES 0x074u /* rw: with LAYERS, bytes from a layer of a frame to the next */
+#define SPHAERA_LAYER_BYTES_RESET 0x00000000u
+#define SPHAERA_LAYER_BYTES_UNITS_LSB 6u
+#define SPHAERA_LAYER_BYTES_UNITS 0xffffffc0u /* of 64 bytes, the bits below are 0 */
 
 #define SPHAERA_MACHINE 0x200u
 #define SPHAERA_MACHINE_REGISTERS 119u

@@ -5,10 +5,11 @@
 B       ?= build
 # another source folder, with a name for what is built of it
 RTL     ?= rtl
-NAME    ?= $(PROFILE)-$(CORE)-$(DATA)
+NAME    ?= $(PROFILE)-$(CORE)-$(DATA)$(if $(filter 1,$(LAYERS)),-layers)
 PROFILE ?= draft
 CORE    ?= all
 DATA    ?= 64
+LAYERS  ?= 0
 BENCH   ?= tb_top
 
 include make/verilated.mk
@@ -18,7 +19,7 @@ LIB  := $B/libsphaera.a
 RTL_FILES := $(shell find $(RTL) -name '*.v' -o -name '*.vh')
 RTL_DIRS  := $(sort $(dir $(RTL_FILES)))
 PARAMETERS := $(shell sh sim/profile.sh '$(PROFILE)') $(shell sh sim/parameters.sh '$(CORE)') \
-              DATA=$(DATA) VIDEO=1
+              DATA=$(DATA) VIDEO=1 LAYERS=$(LAYERS)
 VERILATE := $(VERILATOR) --cc --language 1364-2005 -O3 --x-assign unique --x-initial unique \
                 --top-module rt_top --prefix Vrt_top $(PARAMETERS:%=-G%) \
                 $(RTL_DIRS:%=-y %) $(RTL_DIRS:%=-I%)

@@ -38,6 +38,7 @@ FILENAME ~ /VERSION$/ && split($1, part, ".") == 3 {
     release = sprintf("0x%04x%04x", part[1], part[2])
 }
 $1 == "top" {
+    if (only) bad("no register stands behind one of " only " alone")
     if ($4 !~ /^(ro|rw|wo|w1c)$/) bad("access is ro, rw, wo or w1c")
     if (hex($2) % 4 || (regs && hex($2) <= hex(offset[regs]))) bad("offset " $2)
     offset[++regs] = $2; reg[regs] = $3; access[regs] = $4
@@ -45,6 +46,10 @@ $1 == "top" {
     said[regs] = about($0); next_free = 0
     if ($3 == "ERRORS")
         for (e = 0; e < core_errors; e++) field(e, 1, core_error[e], core_error_what[e])
+}
+$1 == "only" {
+    if ($2 != "LAYERS" || access[regs] != "rw") bad("only LAYERS, of a setting")
+    only = $2
 }
 $1 == "bits" { field($2, $3, $4, about($0)) }
 $1 == "place" { place[$3] = $2 }
@@ -82,6 +87,7 @@ function verilog(i, j, set, settings, resets, at, kept, mask, fixed, n_fixed) {
             set++
         }
     printf "`define RT_TOP_SETTINGS %d\n`define RT_TOP_SETTINGS_RESET {%s}\n", settings, resets
+    printf "`define RT_TOP_SETTINGS_OF_LAYERS %d\n", only != ""
     printf "`define RT_TOP_OTHERS %d\n`define RT_TOP_OTHERS_AT {%s}\n", n_fixed, fixed
     printf "`define RT_TOP_SETTINGS_KEPT {%s}\n`define RT_TOP_SETTINGS_AT {%s}\n", kept, at
     split("MACHINE COUNTERS", order, " ")

@@ -8,7 +8,9 @@
 `default_nettype none
 `include "rt_layout.vh"
 `include "rt_top.vh"
-module rt_control (
+module rt_control #(
+    parameter LAYERS = 0                // 1: the registers that rt_top has with it alone
+) (
     input  wire        clk,
     input  wire        rst,
     // AXI4-Lite
@@ -50,10 +52,11 @@ module rt_control (
     input  wire [31:0] count_data_i,
     input  wire        count_busy_i
 );
-    localparam SETTINGS = `RT_TOP_SETTINGS;
-    localparam [32*SETTINGS-1:0] RESET = `RT_TOP_SETTINGS_RESET;
-    localparam [32*SETTINGS-1:0] KEPT = `RT_TOP_SETTINGS_KEPT;
-    localparam [12*SETTINGS-1:0] AT = `RT_TOP_SETTINGS_AT;
+    localparam ALL = `RT_TOP_SETTINGS;
+    localparam SETTINGS = LAYERS != 0 ? ALL : ALL - `RT_TOP_SETTINGS_OF_LAYERS;
+    localparam [32*ALL-1:0] RESET = `RT_TOP_SETTINGS_RESET;
+    localparam [32*ALL-1:0] KEPT = `RT_TOP_SETTINGS_KEPT;
+    localparam [12*ALL-1:0] AT = `RT_TOP_SETTINGS_AT;
     localparam OTHERS = `RT_TOP_OTHERS;
     localparam [12*OTHERS-1:0] OTHERS_AT = `RT_TOP_OTHERS_AT;
     localparam [6:0] REGS = `RT_N_REGS;
@@ -120,9 +123,15 @@ module rt_control (
             if (write && w_addr == AT[12*i +: 12])
                 settings_q[32*i +: 32] <= ((settings_q[32*i +: 32] & ~keep) | ones) &
                                           KEPT[32*i +: 32];
-        if (rst) settings_q <= RESET;
+        if (rst) settings_q <= RESET[0 +: 32*SETTINGS];
     end
-    assign settings_o = settings_q;
+    assign settings_o[0 +: 32*SETTINGS] = settings_q;
+    generate
+        if (SETTINGS != ALL) begin : g_none
+            assign settings_o[32*ALL-1:32*SETTINGS] = 0;
+            wire unused_settings = &{1'b0, RESET, KEPT, AT}; // what is above
+        end
+    endgenerate
 
     // ---- what happened ----
     reg  [15:0] errors_q;

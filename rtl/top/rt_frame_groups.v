@@ -7,7 +7,8 @@
 `default_nettype none
 `include "rt_check.vh"
 module rt_frame_groups #(
-    parameter BUFFERS = 16           // groups filled at once, a power of two, 4..64
+    parameter BUFFERS = 16,          // groups filled at once, a power of two, 4..64
+    parameter COLOURS = 1            // of a pixel, 1 or 3
 ) (
     input  wire         clk,
     input  wire         rst,
@@ -18,14 +19,14 @@ module rt_frame_groups #(
     output wire         pix_ready_o,
     input  wire [13:0]  pix_x_i,
     input  wire [13:0]  pix_y_i,
-    input  wire [23:0]  pix_rgb_i,   // 0xBBGGRR
+    input  wire [24*COLOURS-1:0] pix_rgb_i, // each 0xBBGGRR
     // to rt_frame_write
     output reg          group_valid_o,
     input  wire         group_ready_i,
     output reg  [10:0]  group_column_o, // x/8
     output reg  [13:0]  group_y_o,
     output reg  [7:0]   group_mask_o,   // which of the eight there are
-    output reg  [191:0] group_rgb_o     // pixel i at 24 i
+    output reg  [192*COLOURS-1:0] group_rgb_o // pixel i at 24 COLOURS i
 );
     localparam AB = $clog2(BUFFERS);
     `RT_CHECK(BUFFERS >= 4 && BUFFERS <= 64 && BUFFERS == (1 << AB),
@@ -76,7 +77,7 @@ module rt_frame_groups #(
 
     // ---- what is held ----
     wire [TB-1:0]  tag_from;
-    wire [191:0]   rgb_from;
+    wire [192*COLOURS-1:0] rgb_from;
     rt_slot_file #(.WIDTH(TB), .SLOTS(BUFFERS)) u_held (
         .clk(clk), .wr_en_i(put), .wr_addr_i(at), .wr_data_i(tag),
         .rd_addr_i(at), .rd_data_o(held)
@@ -88,9 +89,9 @@ module rt_frame_groups #(
     genvar p;
     generate
         for (p = 0; p < 8; p = p + 1) begin : g_pixel
-            rt_slot_file #(.WIDTH(24), .SLOTS(BUFFERS)) u_rgb (
+            rt_slot_file #(.WIDTH(24*COLOURS), .SLOTS(BUFFERS)) u_rgb (
                 .clk(clk), .wr_en_i(put && one[p]), .wr_addr_i(at), .wr_data_i(pix_rgb_i),
-                .rd_addr_i(from), .rd_data_o(rgb_from[24*p +: 24])
+                .rd_addr_i(from), .rd_data_o(rgb_from[24*COLOURS*p +: 24*COLOURS])
             );
         end
     endgenerate

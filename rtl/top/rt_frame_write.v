@@ -3,12 +3,15 @@
 //   pixels -> mux -> [groups of 8] -> address, format -> [AXI4 writes]
 // address = frame + y*stride + x*4 (XRGB8888) or x*2 (RGB565); blue is in the low bits. RGB565
 // takes the high bits of each colour. A group is a burst of 32 or 16 bytes; one a cycle.
+// With LAYERS there is no mux: a group is three bursts, of Rendering, L1 and L2, whose frames lie
+// layer_i bytes apart.
 // dead_i: the bus is given up, pixels are thrown away; cut_i: the core is in reset besides.
 `timescale 1ns / 1ps
 `default_nettype none
 module rt_frame_write #(
     parameter DATA    = 64,              // bits of a beat, 64 or 128
-    parameter BUFFERS = 16               // groups filled at once, a power of two, 4..64
+    parameter BUFFERS = 16,              // groups filled at once, a power of two, 4..64
+    parameter LAYERS  = 0                // 1: all three colours of a pixel are stored
 ) (
     input  wire              clk,
     input  wire              rst,
@@ -16,7 +19,8 @@ module rt_frame_write #(
     input  wire              begin_i,    // START; from now on
     input  wire [1:0]        mux_i,      // register MUX says which colours are stored,
     input  wire [15:0]       stride_i,   // rows are apart by this, a multiple of 32
-    input  wire              rgb565_i,   // and pixels have this format
+    input  wire              rgb565_i,   // pixels have this format,
+    input  wire [31:0]       layer_i,    // and layers are apart by this, a multiple of 64
     // from rt_run
     input  wire              cut_i,
     input  wire              dead_i,
@@ -54,22 +58,20 @@ module rt_frame_write #(
     input  wire [1:0]        m_bresp
 );
     // ---- of the frame ----
-    reg  [1:0]   mux_q;
     reg  [15:0]  stride_q;
     reg          rgb565_q;
-    always @(posedge clk)
-        if (begin_i) {mux_q, rgb565_q, stride_q} <= {mux_i, rgb565_i, stride_i};
+    always @(posedge clk) if (begin_i) {rgb565_q, stride_q} <= {rgb565_i, stride_i};
 
     // ---- mux, groups ----
-    wire [23:0]  rgb = mux_q == 2'd0 ? pix_frame_i : mux_q == 2'd1 ? pix_colour_i[0 +: 24]
-                       : mux_q == 2'd2 ? pix_colour_i[24 +: 24] : pix_colour_i[48 +: 24];
+    localparam COLOURS = LAYERS != 0 ? 3 : 1;
+    wire [24*COLOURS-1:0]  rgb;          // of the pixel that comes
     wire         drop = cut_i || dead_i;
     wire         empty, pix_ready, g_valid, g_ready;
     wire [10:0]  g_column;
     wire [13:0]  g_y;
     wire [7:0]   g_mask;
-    wire [191:0] g_rgb;
-    rt_frame_groups #(.BUFFERS(BUFFERS)) u_groups (
+    wire [192*COLOURS-1:0] g_rgb;
+    rt_frame_groups #(.BUFFERS(BUFFERS), .COLOURS(COLOURS)) u_groups (
         .clk(clk), .rst(rst || drop), .flush_i(flush_i), .empty_o(empty),
         .pix_valid_i(pix_valid_i), .pix_ready_o(pix_ready), .pix_x_i(pix_x_i), .pix_y_i(pix_y_i),
         .pix_rgb_i(rgb), .group_valid_o(g_valid), .group_ready_i(g_ready),
@@ -83,25 +85,60 @@ module rt_frame_write #(
     reg  [7:0]   s1_mask_q;
     reg  [191:0] s1_rgb_q;
     wire         s1_ready;
+    wire         s1_free = s1_ready || !s1_valid_q;
+    wire [31:0]  base;                   // of the layer that is next of the group
+    wire [191:0] layer_rgb;
     wire [29:0]  row = {16'd0, g_y} * {14'd0, stride_q};
-    assign g_ready = s1_ready || !s1_valid_q;
     always @(posedge clk) begin
-        if (g_ready) begin
+        if (s1_free) begin
             s1_valid_q <= g_valid;
-            s1_addr_q  <= base_i + {2'd0, row} +
+            s1_addr_q  <= base + {2'd0, row} +
                           (rgb565_q ? {17'd0, g_column, 4'd0} : {16'd0, g_column, 5'd0});
             s1_mask_q  <= g_mask;
-            s1_rgb_q   <= g_rgb;
+            s1_rgb_q   <= layer_rgb;
         end
         if (rst || drop) s1_valid_q <= 1'b0;
     end
+    genvar p;
+    generate
+        if (LAYERS == 0) begin : g_mux
+            reg [1:0] mux_q;
+            always @(posedge clk) if (begin_i) mux_q <= mux_i;
+            assign rgb = mux_q == 2'd0 ? pix_frame_i : mux_q == 2'd1 ? pix_colour_i[0 +: 24]
+                         : mux_q == 2'd2 ? pix_colour_i[24 +: 24] : pix_colour_i[48 +: 24];
+            assign base      = base_i;
+            assign layer_rgb = g_rgb;
+            assign g_ready   = s1_free;
+            wire unused_layer = &{1'b0, layer_i};
+        end else begin : g_layers
+            reg  [31:0] layer_bytes_q, base_q;
+            reg  [1:0]  layer_q;         // of the group, 0 to 2
+            wire        last = layer_q == 2'd2;
+            assign rgb     = pix_colour_i;
+            assign base    = layer_q == 2'd0 ? base_i : base_q;
+            assign g_ready = s1_free && last;
+            for (p = 0; p < 8; p = p + 1) begin : g_pixel
+                wire [71:0] colours = g_rgb[72*p +: 72];
+                assign layer_rgb[24*p +: 24] = layer_q == 2'd0 ? colours[0 +: 24]
+                    : layer_q == 2'd1 ? colours[24 +: 24] : colours[48 +: 24];
+            end
+            always @(posedge clk) begin
+                if (begin_i) layer_bytes_q <= layer_i;
+                if (s1_free && g_valid) begin
+                    layer_q <= last ? 2'd0 : layer_q + 2'd1;
+                    base_q  <= base + layer_bytes_q;
+                end
+                if (rst || drop) layer_q <= 2'd0;
+            end
+            wire unused_mux = &{1'b0, mux_i, pix_frame_i};
+        end
+    endgenerate
 
     // ---- stage 2: format ----
     wire [255:0] xrgb;
     wire [127:0] rgb565;
     wire [31:0]  xrgb_strobe;
     wire [15:0]  rgb565_strobe;
-    genvar p;
     generate
         for (p = 0; p < 8; p = p + 1) begin : g_pixel
             wire [23:0] rgb_p = s1_mask_q[p] ? s1_rgb_q[24*p +: 24] : 24'd0;

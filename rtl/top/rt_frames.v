@@ -5,13 +5,23 @@
 //   take: the newest is shown, or again the one that is; none, if all were forgotten
 // So nothing is drawn into a frame that is read, and drawing never waits; with wait_i it waits
 // until the newest one was taken. show_*_o changes in the cycle after take_i alone.
+// With LAYERS a frame has three layers, and take chooses among them too: mux_i says which is shown.
 `timescale 1ns / 1ps
 `default_nettype none
-module rt_frames (
+`include "rt_layout.vh"
+module rt_frames #(
+    parameter LAYERS = 0               // 1: a frame is Rendering, L1 and L2, layer_i bytes apart
+) (
     input  wire        clk,
     input  wire        rst,
     input  wire [95:0] bases_i,        // addresses of the frames 2, 1, 0
     input  wire        wait_i,         // register FRAME_MODE
+    input  wire [31:0] layer_i,        // register LAYER_BYTES
+    input  wire [1:0]  mux_i,          // register MUX
+    // from rt_machine, to the core
+    input  wire        cfg_valid_i,
+    input  wire [6:0]  cfg_addr_i,
+    input  wire [31:0] cfg_data_i,
     // from rt_run
     input  wire        clear_i,        // forget all frames
     input  wire        load_i,         // START: from now on these addresses
@@ -23,7 +33,7 @@ module rt_frames (
     // to the display, or to a processor in its place
     input  wire        take_i,
     output reg         show_valid_o,   // a frame is shown
-    output reg  [31:0] show_base_o,
+    output wire [31:0] show_base_o,
     // events, numbers of the frames
     output wire        swap_o,         // another frame is shown
     output wire        again_o,        // the same once more
@@ -54,10 +64,7 @@ module rt_frames (
             gone_q       <= 1'b0;
             show_valid_o <= fresh_q || (show_valid_o && !gone_q);
         end
-        if (take_i && fresh_q) begin
-            shown_o     <= newest_o;
-            show_base_o <= newest_base_q;
-        end
+        if (take_i && fresh_q) shown_o <= newest_o;
         if (end_i && good_i) begin
             fresh_q  <= 1'b1;
             newest_o <= drawn_o;
@@ -72,5 +79,33 @@ module rt_frames (
             show_valid_o <= 1'b0;
         end
     end
+
+    // ---- where what is shown begins ----
+    reg [31:0] shown_base_q;           // the frame; without LAYERS that is all
+    always @(posedge clk) if (take_i && fresh_q) shown_base_q <= newest_base_q;
+    generate
+        if (LAYERS == 0) begin : g_frame
+            assign show_base_o = shown_base_q;
+            wire unused = &{1'b0, layer_i, mux_i, cfg_valid_i, cfg_addr_i, cfg_data_i};
+        end else begin : g_layers
+            // which layer register FRAME of the core chooses: of a frame that is drawn now, is the
+            // newest, is shown
+            reg  [1:0]  layer_q, newest_q, shown_q;
+            reg  [31:0] show_base_q;
+            wire [1:0]  own   = fresh_q ? newest_q : shown_q;
+            wire [1:0]  layer = mux_i == 2'd0 ? own : mux_i - 2'd1;
+            wire [31:0] base  = fresh_q ? newest_base_q : shown_base_q;
+            always @(posedge clk) begin
+                if (cfg_valid_i && cfg_addr_i == `RT_REG_FRAME)
+                    layer_q <= {cfg_data_i[1], cfg_data_i[1:0] == 2'd1};
+                if (end_i && good_i) newest_q <= layer_q;
+                if (take_i && fresh_q) shown_q <= newest_q;
+                if (take_i) show_base_q <= base + (layer == 2'd0 ? 32'd0 : layer == 2'd1 ? layer_i
+                                                   : {layer_i[30:0], 1'b0});
+            end
+            assign show_base_o = show_base_q;
+            wire unused = &{1'b0, cfg_data_i};
+        end
+    endgenerate
 endmodule
 `default_nettype wire

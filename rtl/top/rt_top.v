@@ -13,6 +13,7 @@ module rt_top #(
     parameter DATA       = 64,   // data bits of the AXI4 masters, 64 or 128
     parameter BUFFERS    = 16,   // groups of pixels filled at once, a power of two, 4..64
     parameter VIDEO      = 0,    // 1: a video output
+    parameter LAYERS     = 0,    // 1: frames have three layers, Rendering, L1 and L2
     parameter W          = `RT_PROFILE_STANDARD_W,   // coordinate, bits
     parameter WD         = `RT_PROFILE_STANDARD_WD,  // direction component, bits
     parameter PQ         = `RT_PROFILE_STANDARD_PQ,  // significant bits of the quotient
@@ -151,6 +152,7 @@ module rt_top #(
 );
     `RT_CHECK(DATA == 64 || DATA == 128, rt_top_DATA_must_be_64_or_128)
     `RT_CHECK(VIDEO == 0 || VIDEO == 1, rt_top_VIDEO_must_be_0_or_1)
+    `RT_CHECK(LAYERS == 0 || LAYERS == 1, rt_top_LAYERS_must_be_0_or_1)
     localparam [2:0] SIZE = DATA == 64 ? 3'd3 : 3'd4;     // bytes of a beat, their logarithm
     assign m_scene_arsize  = SIZE;
     assign m_scene_arburst = 2'b01;
@@ -175,7 +177,8 @@ module rt_top #(
     assign parts[`RT_TOP_CORE_PARTS_LIGHTS]  = A_LIGHTS[3:0];
     assign parts[`RT_TOP_CORE_PARTS_DEPTH]   = DEPTH[3:0];
     assign parts[`RT_TOP_CORE_PARTS_ENGINES] = A_ENGINES[3:0];
-    assign bus[31:9] = 23'd0;
+    assign bus[31:10] = 22'd0;
+    assign bus[`RT_TOP_CORE_BUS_LAYERS] = LAYERS != 0;
     assign bus[`RT_TOP_CORE_BUS_VIDEO] = VIDEO != 0;
     assign bus[`RT_TOP_CORE_BUS_DATA]  = A_DATA[7:0];
 
@@ -189,7 +192,7 @@ module rt_top #(
     wire        done, swap, frame_end, good;
     wire        video_take, blank, underrun, scan_error, scan_stall;
     wire        unused = &{1'b0, settings};               // bits that no register has
-    rt_control u_control (
+    rt_control #(.LAYERS(LAYERS)) u_control (
         .clk(clk), .rst(rst), .s_awvalid(s_axil_awvalid), .s_awready(s_axil_awready),
         .s_awaddr(s_axil_awaddr), .s_wvalid(s_axil_wvalid), .s_wready(s_axil_wready),
         .s_wdata(s_axil_wdata), .s_wstrb(s_axil_wstrb), .s_bvalid(s_axil_bvalid),
@@ -241,11 +244,14 @@ module rt_top #(
     assign status[31:11] = 21'd0;
     assign status[`RT_TOP_STATUS_BLANK] = blank;
     assign status[`RT_TOP_STATUS_VALID] = show_valid_o;
-    rt_frames u_frames (
+    rt_frames #(.LAYERS(LAYERS)) u_frames (
         .clk(clk), .rst(rst),
         .bases_i({settings[`RT_TOP_SET_FRAME2], settings[`RT_TOP_SET_FRAME1],
                   settings[`RT_TOP_SET_FRAME0]}),
-        .wait_i(settings[`RT_TOP_SET_FRAME_MODE_WAIT]), .clear_i(clear), .load_i(load),
+        .wait_i(settings[`RT_TOP_SET_FRAME_MODE_WAIT]),
+        .layer_i(settings[`RT_TOP_SET_LAYER_BYTES]), .mux_i(settings[`RT_TOP_SET_MUX_FRAME]),
+        .cfg_valid_i(cfg_valid), .cfg_addr_i(cfg_addr), .cfg_data_i(cfg_data), .clear_i(clear),
+        .load_i(load),
         .begin_i(frame_begin), .end_i(frame_end), .good_i(good), .room_o(room),
         .draw_base_o(draw_base), .take_i(take),
         .show_valid_o(show_valid_o), .show_base_o(show_base_o), .swap_o(swap), .again_o(again),
@@ -310,11 +316,12 @@ module rt_top #(
         .m_rlast(m_scene_rlast)
     );
     wire [3:0] write_pixels;
-    rt_frame_write #(.DATA(DATA), .BUFFERS(BUFFERS)) u_frame_write (
+    rt_frame_write #(.DATA(DATA), .BUFFERS(BUFFERS), .LAYERS(LAYERS)) u_frame_write (
         .clk(clk), .rst(rst), .base_i(draw_base), .begin_i(load),
         .mux_i(settings[`RT_TOP_SET_MUX_FRAME]),
         .stride_i({settings[`RT_TOP_SET_STRIDE_UNITS], 5'd0}),
         .rgb565_i(settings[`RT_TOP_SET_FORMAT_RGB565]),
+        .layer_i(settings[`RT_TOP_SET_LAYER_BYTES]),
         .cut_i(cut), .dead_i(write_dead), .forget_i(forget), .flush_i(flush),
         .empty_o(write_empty), .idle_o(write_idle), .stall_o(write_stall),
         .slverr_o(write_slverr), .decerr_o(write_decerr), .burst_o(write_burst),

@@ -81,6 +81,8 @@ static void scripted(Checks &c, const Golden &any) {
         for (uint64_t &count : core.counts)
             count = t.random.next() >> 16;
         sphaera_store(&t.driver, frames, stride, half);
+        const uint32_t apart = (uint32_t)t.random.next() & SPHAERA_LAYER_BYTES_UNITS;
+        sphaera_layers(&t.driver, apart);
         sphaera_mux(&t.driver, mux);
         sphaera_set(&t.driver, SPH_REG_MEM_LINES, 8 + 4 * i);
         t.scene.behave({});
@@ -92,17 +94,23 @@ static void scripted(Checks &c, const Golden &any) {
         t.frame.log = nullptr;
         Groups groups;
         const uint32_t base = frames[c.drawn()];
-        for (const Pixel &p : core.script) {
-            groups.put(p);
-            const uint32_t colour = (uint32_t)p.colour[(mux + 3) % 4];
+        const auto put = [&](uint32_t start, const Pixel &p, unsigned which) {
+            const uint32_t colour = (uint32_t)p.colour[which];
             const uint32_t red = colour & 255, green = colour >> 8 & 255, blue = colour >> 16;
             uint32_t value = half ? (red >> 3) << 11 | (green >> 2) << 5 | blue >> 3
                                   : red << 16 | green << 8 | blue;
-            uint32_t at = base + (uint32_t)p.y * stride + (uint32_t)p.x * (half ? 2 : 4);
+            uint32_t at = start + (uint32_t)p.y * stride + (uint32_t)p.x * (half ? 2 : 4);
             for (int k = 0; k < (half ? 2 : 4); k++, value >>= 8)
                 wanted[at++] = (uint8_t)value;
+        };
+        for (const Pixel &p : core.script) {
+            groups.put(p);
+            if (!c.layers) put(base, p, (mux + 3) % 4);
+            for (unsigned layer = 0; c.layers && layer < SPH_FRAMES; layer++)
+                put(base + layer * apart, p, layer);
         }
         groups.flush();
+        const uint64_t times = c.layers ? SPH_FRAMES : 1;
         c.note("bytes of the frame", written == wanted);
         uint64_t n[SPHAERA_COUNTS];
         t.clocks(t.random.below(3));
@@ -110,8 +118,8 @@ static void scripted(Checks &c, const Golden &any) {
         for (int k = 0; k < 32; k++)
             c.equals("counter of the core", n[k], core.counts[k]);
         c.equals("READ_BURSTS", n[SPHAERA_COUNT_READ_BURSTS], t.scene.requests);
-        c.equals("WRITE_BURSTS", n[SPHAERA_COUNT_WRITE_BURSTS], groups.bursts);
-        c.equals("WRITE_PIXELS", n[SPHAERA_COUNT_WRITE_PIXELS], groups.pixels);
+        c.equals("WRITE_BURSTS", n[SPHAERA_COUNT_WRITE_BURSTS], times * groups.bursts);
+        c.equals("WRITE_PIXELS", n[SPHAERA_COUNT_WRITE_PIXELS], times * groups.pixels);
         c.equals("errors of the core", sphaera_errors(&t.driver), (uint64_t)core.errors);
         c.equals("each is told once", t.read(SPHAERA_ERRORS), 0);
     }

@@ -31,15 +31,17 @@ static void settings(Checks &c) {
                {0x064, 0x1fff1fff},
                {0x068, 0x1fff1fff},
                {0x06c, 0x1fff1fff},
-               {0x070, 0x1fff1fff}};
+               {0x070, 0x1fff1fff},
+               {0x074, c.layers ? 0xffffffc0 : 0}};
     TopHost &t = c.top;
+    const size_t count = std::size(all) - !c.layers;
     uint32_t first[std::size(all)], copy[std::size(all)];
     t.stall = 40;
     t.reset();
-    for (size_t i = 0; i < std::size(all); i++)
+    for (size_t i = 0; i < count; i++)
         first[i] = copy[i] = t.read(all[i].at);
     for (int n = 0; n < 200; n++) {
-        const size_t at = (size_t)t.random.below(std::size(all));
+        const size_t at = (size_t)t.random.below((uint32_t)count);
         const uint32_t value = (uint32_t)t.random.next();
         const unsigned strobe = (unsigned)t.random.below(16);
         t.write(all[at].at, value, strobe);
@@ -47,11 +49,11 @@ static void settings(Checks &c) {
             if (strobe >> b & 1) copy[at] = (copy[at] & ~(255u << 8 * b)) | (value & 255u << 8 * b);
         copy[at] &= all[at].kept;
         c.equals("setting", t.read(all[at].at), copy[at]);
-        const size_t other = (size_t)t.random.below(std::size(all));
+        const size_t other = (size_t)t.random.below((uint32_t)count);
         c.equals("another setting", t.read(all[other].at), copy[other]);
     }
     t.reset();
-    for (size_t i = 0; i < std::size(all); i++)
+    for (size_t i = 0; i < count; i++)
         c.equals("setting after a reset", t.read(all[i].at), first[i]);
     t.stall = 0;
     c.done("settings: each bit, strobes, reset");
@@ -66,7 +68,8 @@ static void fixed(Checks &c, const Golden &a) {
         {SPHAERA_CORE_PROFILE, (uint32_t)a.machine.regs[SPH_REG_PROFILE]},
         {SPHAERA_CORE_EFFECTS, t.driver.effects},
         {SPHAERA_CORE_PARTS, t.driver.parts},
-        {SPHAERA_CORE_BUS, DATA | SPHAERA_CORE_BUS_VIDEO},
+        {SPHAERA_CORE_BUS,
+         DATA | SPHAERA_CORE_BUS_VIDEO | (c.layers ? SPHAERA_CORE_BUS_LAYERS : 0)},
         {SPHAERA_CONTROL, 0},
         {SPHAERA_STATUS, SPHAERA_STATUS_BLANK},
         {SPHAERA_FRAME_COUNT, 0},
@@ -117,7 +120,8 @@ static void registers(Checks &c, const Golden &a) {
     c.equals("low bits of an address", t.read(SPHAERA_FRAME1), SPHAERA_FRAME1_PLACE);
     c.store(c.stride, c.rgb565);
     const uint32_t behind = SPHAERA_MACHINE + 4 * SPHAERA_MACHINE_REGISTERS;
-    for (uint32_t offset : {0x18u, 0x1cu, 0x3cu, 0x74u, behind, 0x3fcu, 0x548u, 0xffcu}) {
+    for (uint32_t offset : {0x18u, 0x1cu, 0x3cu, 0x74u, 0x78u, behind, 0x3fcu, 0x548u, 0xffcu}) {
+        if (offset == SPHAERA_LAYER_BYTES && c.layers) continue;
         c.equals("no register reads 0", t.read(offset), 0);
         c.equals("and answers SLVERR", (uint64_t)t.response, SLVERR);
         t.write(offset, 0xffffffff);
@@ -141,18 +145,19 @@ static void frames(Checks &c, const Golden &a, const Golden &b) {
     for (int half = 0; half < 2; half++) {
         c.store(half ? 1024 : 1280, half);
         for (unsigned mux = 1; mux < 4; mux++) {
-            sphaera_mux(&c.top.driver, mux);
+            c.choose(mux);
             c.equals("draw", (uint64_t)c.draw(), SPHAERA_OK);
             c.same(a, c.newest(), (int)mux - 1);
         }
     }
-    sphaera_mux(&c.top.driver, 0);
+    c.choose(0);
     c.store(2560, 0);
     c.done("frame mux, both formats");
 }
 
 /* MUX is written again and again while a frame is drawn: at once, while registers go to the core,
- * among its pixels and behind its last one. It counts from the next START on. */
+ * among its pixels and behind its last one. It counts from the next START on, or if a frame has
+ * layers for none of them. */
 static void mux(Checks &c, const Golden &a) {
     TopHost &t = c.top;
     c.load(a, SCENE_A);
@@ -177,7 +182,7 @@ static void mux(Checks &c, const Golden &a) {
         c.same(a, c.newest(), depth(from));
         from = to;
     }
-    sphaera_mux(&t.driver, 0);
+    c.choose(0);
     c.done("MUX written in mid-frame counts from the next START on");
 }
 
@@ -190,7 +195,7 @@ static void counters(Checks &c, const Golden &a) {
     for (int i = 0; i < SPH_COUNTERS; i++)
         if (sph_counter_both(i)) c.equals("counter of the core", n[i], a.counters.count[i]);
     c.equals("WRITE_PIXELS", n[SPHAERA_COUNT_WRITE_PIXELS],
-             (uint64_t)(a.frame.width * a.frame.height));
+             (uint64_t)(a.frame.width * a.frame.height * (c.layers ? SPH_FRAMES : 1)));
     c.equals("WRITE_BURSTS", n[SPHAERA_COUNT_WRITE_BURSTS], c.top.frame.requests);
     c.equals("WRITE_BEATS", n[SPHAERA_COUNT_WRITE_BEATS], c.top.frame.beats);
     c.equals("READ_BURSTS", n[SPHAERA_COUNT_READ_BURSTS], c.top.scene.requests);
@@ -233,10 +238,11 @@ static void far(Checks &c, const Golden &a, const Golden &b) {
             t.frame.above.push_back(c.stores[k] >> 26);
         }
         c.store(2560 + 32 * (uint32_t)t.random.below(8), i & 1);
-        c.whole(i & 1 ? b : a, scene);
+        const Golden &drawn = i & 1 ? b : a;
+        c.whole(drawn, scene);
         unsigned shown = 0;
         c.equals("take", (uint64_t)sphaera_take(&t.driver, &shown), SPHAERA_OK);
-        c.equals("its address", t.dut.show_base_o, c.stores[shown]);
+        c.equals("its address", t.dut.show_base_o, c.place(drawn, shown));
     }
     t.scene.above.clear();
     t.frame.above.clear();
@@ -289,10 +295,15 @@ static void store(Checks &c, const Golden &a) {
         unsigned newest = c.newest();
         c.equals("take", (uint64_t)sphaera_take(&t.driver, &shown), SPHAERA_OK);
         c.equals("the newest is shown", shown, newest);
-        c.equals("its address", t.dut.show_base_o, c.stores[shown]);
+        c.equals("its address", t.dut.show_base_o, c.place(a, shown));
         c.equals("swap", sphaera_handle(&t.driver), SPHAERA_INTERRUPTS_SWAP);
+        const uint32_t place = t.dut.show_base_o;
+        c.choose((c.mux + (unsigned)i) % 4);
+        t.clocks(5);
+        c.equals("MUX counts when a frame is taken", t.dut.show_base_o, place);
         sphaera_take(&t.driver, &frame);
         c.equals("the same again", frame, shown);
+        c.equals("its layer", t.dut.show_base_o, c.place(a, shown));
         c.equals("no swap", sphaera_handle(&t.driver), 0);
     }
     uint64_t n[SPHAERA_COUNTS];
@@ -310,6 +321,7 @@ static void store(Checks &c, const Golden &a) {
     c.equals("then goes on", (uint64_t)sphaera_wait(&t.driver, POLLS), SPHAERA_OK);
     t.write(SPHAERA_FRAME_MODE, 0);
     sphaera_interrupts(&t.driver, 0);
+    c.choose(0);
     c.done("frame store: three frames, interrupts, counts");
 }
 
@@ -332,6 +344,7 @@ int main(int argc, char **argv) {
     resets(*c, a, b);
     silence(*c, a, b);
     if (c->top.driver.built & SPHAERA_CORE_BUS_VIDEO) display(*c, a, b);
+    if (c->layers && c->top.driver.built & SPHAERA_CORE_BUS_VIDEO) display_layers(*c, a);
 #ifdef SCRIPTED
     scripted(*c, b);
 #endif

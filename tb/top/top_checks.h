@@ -64,25 +64,36 @@ class Checks {
     uint32_t stores[3] = {STORE, STORE + APART, STORE + 2 * APART};
     uint32_t stride = 2560;
     int rgb565 = 0;
+    bool layers;              /* a frame has three of them, */
+    uint32_t apart = 0x40000; /* so many bytes apart */
+    unsigned mux = 0;         /* what register MUX has */
 
     explicit Checks(uint64_t seed) : top(seed), seed_(seed) {
         struct sphaera_bus bus = top.bus();
         note("open", sphaera_open(&top.driver, &bus) == SPHAERA_OK);
+        layers = top.driver.built & SPHAERA_CORE_BUS_LAYERS;
         store(2560, 0);
     }
     void store(uint32_t bytes, int half) {
         stride = bytes;
         rgb565 = half;
         note("store", sphaera_store(&top.driver, stores, bytes, half) == SPHAERA_OK);
+        equals("layers", (uint64_t)sphaera_layers(&top.driver, apart),
+               layers ? SPHAERA_OK : SPHAERA_NO_LAYERS);
+    }
+    void choose(unsigned frame) {
+        mux = frame;
+        sphaera_mux(&top.driver, frame);
     }
     /* Frames apart as far as they are large, in the upper half of memory; whether they fit. */
     bool place(const Golden &first) {
         uint32_t bytes = ((uint32_t)first.frame.width * 4 + 31) / 32 * 32;
-        uint32_t apart = (bytes * (uint32_t)first.frame.height + 63) / 64 * 64;
+        apart = (bytes * (uint32_t)first.frame.height + 63) / 64 * 64;
+        const uint32_t whole = layers ? SPH_FRAMES * apart : apart;
         for (uint32_t i = 0; i < 3; i++)
-            stores[i] = STORE + i * apart;
+            stores[i] = STORE + i * whole;
         store(bytes, 0);
-        return STORE + 3ull * apart <= TopHost::MEMORY;
+        return STORE + 3ull * whole <= TopHost::MEMORY;
     }
     /* Waits for the interrupt; the clock that it came in. */
     uint64_t finish_frame() {
@@ -107,8 +118,22 @@ class Checks {
                    (unsigned long long)wanted);
         return note(what, false);
     }
-    /* Frame n of the store against the golden model's colours at depth `depth`. */
+    /* Frame n of the store against the golden model's colours at depth `depth`; if it has layers,
+     * each of them against its own. */
     bool same(const Golden &golden, unsigned n, int depth) {
+        if (!layers) return same_at(golden, stores[n], depth);
+        bool all = true;
+        for (int layer = 0; layer < SPH_FRAMES; layer++)
+            all = same_at(golden, stores[n] + (uint32_t)layer * apart, layer) && all;
+        return all;
+    }
+    /* Where what is shown of frame n begins. */
+    uint32_t place(const Golden &golden, unsigned n) {
+        return stores[n] + (layers ? (uint32_t)shown_depth(golden) * apart : 0);
+    }
+    /* Colours at which depth MUX chooses. */
+    int shown_depth(const Golden &golden) const { return mux ? (int)mux - 1 : depth(golden); }
+    bool same_at(const Golden &golden, uint32_t base, int depth) {
         const sph_frame &f = golden.frame;
         for (int y = 0; y < f.height; y++)
             for (int x = 0; x < f.width; x++) {
@@ -116,11 +141,11 @@ class Checks {
                 uint32_t red = c & 255, green = c >> 8 & 255, blue = c >> 16 & 255;
                 uint32_t want = rgb565 ? (red >> 3) << 11 | (green >> 2) << 5 | blue >> 3
                                        : red << 16 | green << 8 | blue;
-                uint32_t at = stores[n] + (uint32_t)y * stride + (uint32_t)x * (rgb565 ? 2 : 4);
+                uint32_t at = base + (uint32_t)y * stride + (uint32_t)x * (rgb565 ? 2 : 4);
                 uint32_t is = 0;
                 memcpy(&is, &top.bytes[at % TopHost::MEMORY], rgb565 ? 2 : 4);
                 if (is == want) continue;
-                if (good_) printf("# frame %u, pixel %d %d: %x, not %x\n", n, x, y, is, want);
+                if (good_) printf("# depth %d, pixel %d %d: %x, not %x\n", depth, x, y, is, want);
                 return note("a pixel differs", false);
             }
         return note("frame", true);
@@ -145,7 +170,8 @@ class Checks {
     void spoil() {
         memset(&top.bytes[STORE], 0xa5, 3 * APART);
         for (uint32_t at : stores)
-            memset(&top.bytes[at % TopHost::MEMORY], 0xa5, 0x10000);
+            for (uint32_t layer = 0; layer < (layers ? SPH_FRAMES : 1); layer++)
+                memset(&top.bytes[(at + layer * apart) % TopHost::MEMORY], 0xa5, 0x10000);
     }
     int load(const Golden &golden, uint32_t base) {
         return sphaera_load(&top.driver, golden.file.data(), (uint32_t)golden.file.size(), base);

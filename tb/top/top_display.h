@@ -2,7 +2,8 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Two machines are drawn in turn while the display runs by its own clock. Every picture must be one
- * of both as the golden model has it, never a part of each, and the last one drawn must be seen.
+ * of both as the golden model has it, never a part of each, and the last one drawn must be seen. Of
+ * frames with layers MUX chooses one while they are shown: from the next blanking on, no sooner.
  */
 #ifndef TB_TOP_DISPLAY_H
 #define TB_TOP_DISPLAY_H
@@ -10,20 +11,24 @@
 #include "top_checks.h"
 #include "video/display.h"
 
-/* A display at the symbols of rt_top; what it saw, in order: 0, 1: these machines, 2: black. */
+/* A display at the symbols of rt_top; what it saw, in order: numbers of the pictures that it knows,
+ * BLACK, or TORN, none of them. */
 class Screen {
   public:
+    enum { BLACK = 100, TORN };
     std::vector<int> seen;
     bool torn = false;
 
+    /* Pictures 0 and 1 are these machines'. */
     Screen(Checks &checks, const Golden &a, const Golden &b, const video::Mode &mode)
-        : c(checks), wanted{picture(a), picture(b)}, black(wanted[0].size(), 0), display(mode),
-          clocks(8ull * mode.h_total() * mode.v_total()) {
-        c.top.pixel = [this](Vrt_top &top) {
-            display.take(top.tmds0_o, top.tmds1_o, top.tmds2_o);
-            while (display.has_picture())
-                compare(display.picture().rgb);
-        };
+        : Screen(checks, {picture(a, Checks::depth(a)), picture(b, Checks::depth(b))}, mode) {}
+    /* Pictures 0 to 2 are the layers of a machine's frame. */
+    Screen(Checks &checks, const Golden &a, const video::Mode &mode)
+        : Screen(checks, {picture(a, 0), picture(a, 1), picture(a, 2)}, mode) {}
+    bool differ() const {
+        for (size_t i = 1; i < wanted.size(); i++)
+            if (wanted[i] == wanted[i - 1]) return false;
+        return wanted.front() != wanted.back();
     }
     ~Screen() { c.top.pixel = nullptr; }
     Screen(const Screen &) = delete;
@@ -39,22 +44,35 @@ class Screen {
     }
 
   private:
+    using Picture = std::vector<uint32_t>;
     Checks &c;
-    std::vector<uint32_t> wanted[2], black;
+    std::vector<Picture> wanted;
+    Picture black;
     video::Display display;
     uint64_t clocks; /* that two pictures may take, at up to four a pixel */
 
-    static std::vector<uint32_t> picture(const Golden &g) {
-        std::vector<uint32_t> rgb;
+    Screen(Checks &checks, std::vector<Picture> pictures, const video::Mode &mode)
+        : c(checks), wanted(std::move(pictures)), black(wanted[0].size(), 0), display(mode),
+          clocks(8ull * mode.h_total() * mode.v_total()) {
+        c.top.pixel = [this](Vrt_top &top) {
+            display.take(top.tmds0_o, top.tmds1_o, top.tmds2_o);
+            while (display.has_picture())
+                compare(display.picture().rgb);
+        };
+    }
+    static Picture picture(const Golden &g, int depth) {
+        Picture rgb;
         for (int i = 0; i < g.frame.width * g.frame.height; i++) {
-            uint32_t bgr = g.frame.pixels[i].colour[Checks::depth(g)];
+            uint32_t bgr = g.frame.pixels[i].colour[depth];
             rgb.push_back((bgr & 255) << 16 | (bgr & 0xff00) | bgr >> 16);
         }
         return rgb;
     }
-    void compare(const std::vector<uint32_t> &rgb) {
-        int which = rgb == wanted[0] ? 0 : rgb == wanted[1] ? 1 : rgb == black ? 2 : 3;
-        torn = torn || which == 3;
+    void compare(const Picture &rgb) {
+        int which = rgb == black ? BLACK : TORN;
+        for (size_t i = wanted.size(); i-- > 0;)
+            if (rgb == wanted[i]) which = (int)i;
+        torn = torn || which == TORN;
         seen.push_back(which);
     }
 };
@@ -103,6 +121,76 @@ static void silent_display(Checks &c, Screen &screen, const Golden &a) {
     c.done("a display whose bus is silent: watchdog, recovery");
 }
 
+/* The next clocks in which the display is in the midst of a picture. */
+static void amidst(Checks &c) {
+    for (uint32_t blank : {SPHAERA_STATUS_BLANK, 0u})
+        for (int n = 0; n < 5000; n++)
+            if ((c.top.read(SPHAERA_STATUS) & SPHAERA_STATUS_BLANK) == blank) break;
+}
+
+/* MUX is written while layers are shown and while the next frame is drawn. */
+static void display_layers(Checks &c, const Golden &a) {
+    TopHost &t = c.top;
+    sphaera_reset(&t.driver, 0, POLLS);
+    c.apart = 0x1000;
+    c.store(128, 0);
+    const struct sphaera_mode mode = {32, 2, 4, 30, 20, 2, 2, 40, 0, 1, 0};
+    Screen screen(c, a, {32, 2, 4, 30, 20, 2, 2, 40, 0, 1});
+    c.note("the layers differ", screen.differ());
+    c.load(a, SCENE_A);
+    c.choose(1);
+    sphaera_video(&t.driver, &mode);
+    c.equals("draw", (uint64_t)c.draw(), SPHAERA_OK);
+    c.note("pictures", screen.pictures(2));
+    int now = 0;
+    c.equals("Rendering", (uint64_t)screen.seen.back(), (uint64_t)now);
+    for (int i = 0; i < 32; i++) {
+        const unsigned mux = (c.mux + 1 + (unsigned)t.random.below(3)) % 4;
+        const bool draws = i & 1, anywhere = i % 4 == 3;
+        t.pixel_every = 1 + (unsigned)i / 4 % 4;
+        if (draws) sphaera_start(&t.driver, 0);
+        if (anywhere)
+            t.clocks(t.random.below(68 * 64));
+        else
+            amidst(c);
+        t.clocks(t.random.below(15 * 68 * t.pixel_every));
+        const size_t picture = screen.seen.size();
+        c.choose(mux);
+        const int next = c.shown_depth(a);
+        if (!anywhere)
+            c.note("within the picture", !(t.read(SPHAERA_STATUS) & SPHAERA_STATUS_BLANK));
+        c.note("pictures", screen.pictures(3));
+        c.note("the picture that was shown stays",
+               screen.seen[picture] == now || (anywhere && screen.seen[picture] == next));
+        c.equals("the next one has the layer", (uint64_t)screen.seen[picture + 1], (uint64_t)next);
+        c.equals("so has the next", (uint64_t)screen.seen[picture + 2], (uint64_t)next);
+        now = next;
+        if (draws) c.equals("draw", (uint64_t)sphaera_wait(&t.driver, POLLS), SPHAERA_OK);
+    }
+    c.choose(0); /* register FRAME of the frame that is shown, not of the one that is drawn */
+    for (int i = 0; i < 6; i++) {
+        const int next = (i + 1) % SPH_FRAMES;
+        sphaera_set(&t.driver, SPH_REG_FRAME, (uint32_t)next);
+        const size_t from = screen.seen.size();
+        sphaera_start(&t.driver, 0);
+        if (i == 0) c.equals("draw", (uint64_t)sphaera_wait(&t.driver, POLLS), SPHAERA_OK);
+        c.note("a picture while it is drawn", screen.pictures(1));
+        c.equals("draw", (uint64_t)sphaera_wait(&t.driver, POLLS), SPHAERA_OK);
+        c.note("pictures", screen.pictures(2));
+        c.equals("the layer of its FRAME", (uint64_t)screen.seen.back(), (uint64_t)next);
+        for (size_t k = from; i && k < screen.seen.size(); k++)
+            c.note("or that of the one before", screen.seen[k] == next || screen.seen[k] == now);
+        now = next;
+    }
+    c.note("no picture is torn", !screen.torn);
+    c.note("every sync is in its place", screen.error().empty());
+    sphaera_video(&t.driver, nullptr);
+    t.clocks(2000);
+    c.apart = 0x40000;
+    c.store(2560, 0);
+    c.done("layers shown: MUX counts from the next blanking on, no picture mixes");
+}
+
 /* Pictures of two machines; underruns and errors of the scan-out. */
 static void display(Checks &c, const Golden &a, const Golden &b) {
     TopHost &t = c.top;
@@ -114,7 +202,7 @@ static void display(Checks &c, const Golden &a, const Golden &b) {
     sphaera_video(&t.driver, &mode);
     sphaera_interrupts(&t.driver, SPHAERA_INTERRUPTS_UNDERRUN);
     c.note("a picture", screen.pictures(2));
-    c.equals("black before the first frame", (uint64_t)screen.seen.back(), 2);
+    c.equals("black before the first frame", (uint64_t)screen.seen.back(), Screen::BLACK);
     for (int i = 0; i < 12; i++) {
         Manner slow;
         slow.stall = i % 3 * 15u;
