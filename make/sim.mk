@@ -37,8 +37,9 @@ $(PICTURES): $B/obj/sim/pictures.o $(call objects,obj/,$(IMAGE_C) $(LAZY_C)) $(L
 
 top_run = test $(MEMORY) = ideal || { echo 'MEMORY=$(MEMORY): not with TOP=1' >&2; exit 2; }; \
           mkdir -p $B/sim && $(call values,SCENE FRAMES BUILD_OPTIONS LATENCY STALL SEED PROFILE \
-              MOVIE) BUILD=$B sh sim/top.sh
+              LAYERS MOVIE) BUILD=$B sh sim/top.sh
 sim: $(TOOL) $(PICTURES) ## SCENE through model and RTL, compared bit for bit; TOP=1: in rt_top
+	$(Q)test $(TOP)$(LAYERS) != 01 || { echo 'LAYERS=1: with TOP=1 alone' >&2; exit 2; }
 	$(Q)export REPEATED=$(call quoted,$(repeated)); $(if $(filter 1,$(TOP)),$(top_run),\
 	    $(call values,CSV) $(call run,sim,$(SIM_KEY)))
 

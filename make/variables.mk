@@ -78,6 +78,8 @@ CORE_MHZ ?= 84
 WATCHDOG ?= 200000
 ## TOP 0|1 if 1, make sim draws FRAMES one behind the other on one rt_top
 TOP ?= 0
+## LAYERS 0|1 if 1, with TOP=1, rt_top stores Rendering, L1 and L2 of each frame side by side
+LAYERS ?= 0
 ## FRAMES <word>| of a moving scene, of make film and TOP=1, such as 0..9 (empty: 0..0)
 FRAMES ?= 0..0
 ## MOVIE <text>| .gif or .mp4 of make film, make sim TOP=1 (.mp4: make movie-setup)

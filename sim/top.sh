@@ -3,15 +3,16 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # usage: SCENE=... FRAMES=A..B BUILD_OPTIONS=... LATENCY=n STALL=n SEED=n PROFILE=...
-#        [MOVIE=FILE] sim/top.sh
+#        [LAYERS=0|1] [MOVIE=FILE] sim/top.sh
 # Builds the machines of these frames into BUILD/out/top-DIGEST, and rt_top with a core that can do
 # what any of them asks for. There are report.json, shown-0000.ppm and so on; MOVIE joins these.
+# With LAYERS=1 rt_top has layers, and rendering-0000.ppm, l1-0000.ppm and l2-0000.ppm are there too.
 set -euf
 cd "$(dirname "$0")/.."
 tool=$BUILD/sphaera
 scene=$(sh sim/scene.sh "$SCENE")
 run=$BUILD/out/top-$(printf '%s\n' "$scene" "$FRAMES" "$BUILD_OPTIONS" "$LATENCY" "$STALL" \
-    "$SEED" "$PROFILE" | sha256sum | cut -c 1-8)
+    "$SEED" "$PROFILE" "${LAYERS:=0}" | sha256sum | cut -c 1-8)
 mkdir -p "$run"
 exec 9>"$run/.lock"
 flock 9
@@ -33,10 +34,12 @@ core=$(for file; do "$tool" info "$file" | sed -n 's/^core *//p'; done | tr '+' 
         END { for (i = 1; i <= n; i++) if (order[i] != "none" || n == 1)
                   text = text (text ? "+" : "") order[i] (most[order[i]] ? most[order[i]] : "")
               print text }')
+name=$profile-$core-64
+[ "$LAYERS" = 0 ] || name=$name-layers
 flock "$BUILD/sim/.tools.lock" env -u MAKEFLAGS -u MFLAGS make -s --no-print-directory \
-    -f make/rt_top.mk B="$BUILD" BENCH=tb_frames PROFILE="$profile" CORE="$core" DATA=64 top \
-    >"$run/make.log" 2>&1 || { cat "$run/make.log" >&2; exit 1; }
-"$BUILD/sim/tb_frames-$profile-$core-64/tb_frames" "$LATENCY" "$STALL" "$SEED" "$run" "$@" \
+    -f make/rt_top.mk B="$BUILD" BENCH=tb_frames NAME="$name" PROFILE="$profile" CORE="$core" \
+    DATA=64 LAYERS="$LAYERS" top >"$run/make.log" 2>&1 || { cat "$run/make.log" >&2; exit 1; }
+"$BUILD/sim/tb_frames-$name/tb_frames" "$LATENCY" "$STALL" "$SEED" "$run" "$@" \
     >"$run/checks" || { cat "$run/checks"; exit 1; }
 [ -z "${MOVIE:-}" ] || "$tool" movie -o "$MOVIE" "$run"/shown-*.ppm >&2
 python3 -m lab.top.frames "$run"

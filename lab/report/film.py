@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab.report.film FOLDER [COMMAND]
 FOLDER has report.json of lab.top.frames and, for each of its frames, what the frame store showed,
-shown-0000.ppm and so on. COMMAND is the one that repeats the run."""
+shown-0000.ppm and so on; with layers also rendering-, l1- and l2-0000.ppm. COMMAND is the one that repeats the run."""
 import base64
 import json
 import re
@@ -52,6 +52,16 @@ def film(folder, frames):
             f'id="shown">frame {frames[0]["at"]}</p>')
 
 
+def layers(folder):
+    """Rendering, L1 and L2 of the first frame, if they were stored."""
+    paths = [(name, folder / f"{name.lower()}-0000.ppm") for name in ("Rendering", "L1", "L2")]
+    if not paths[0][1].exists():
+        return ""
+    shown = "".join(f'<figure><img src="data:image/png;base64,{png(path)}" alt="{name}">'
+                    f"<figcaption>{name}</figcaption></figure>" for name, path in paths)
+    return f'<h2>Layers of the first frame</h2><div class="maps">{shown}</div>'
+
+
 def bars(frames):
     """Upload of a machine below its drawing, both as parts of the slowest; of the first frames."""
     left, frames = len(frames) - SHOWN, frames[:SHOWN]
@@ -83,7 +93,7 @@ def page(folder, command):
     body = (f"<h1>{text(Path(report['input']).stem)}</h1><p class='soft'>{len(frames)} frames, one "
             "behind the other, on one rt_top in Verilator</p>"
             '<div class="verdict">every frame equals that of the golden model</div>'
-            + film(folder, frames) + bars(frames) + table(frames))
+            + film(folder, frames) + layers(folder) + bars(frames) + table(frames))
     if command:
         body += "<h2>Again</h2>" + html.command("again", command)
     return html.whole(f"{Path(report['input']).stem}: frames on rt_top", body)

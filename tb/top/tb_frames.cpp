@@ -3,7 +3,8 @@
  *
  * usage: tb_frames LATENCY STALL SEED FOLDER MACHINE.sph...
  *
- * FOLDER gets frames.tsv, the clocks of each frame, and what the frame store held: shown-0000.ppm.
+ * FOLDER gets frames.tsv, the clocks of each frame, and what the frame store held: shown-0000.ppm,
+ * of an rt_top with layers each of them too: rendering-0000.ppm, l1-0000.ppm, l2-0000.ppm.
  *
  * While a frame is drawn the driver writes the next machine to the other half of memory, a beat a
  * clock, and its registers. Every frame is compared with what the golden model draws of that
@@ -17,6 +18,8 @@ extern "C" {
 }
 
 static const uint32_t HALF[2] = {0, 0x01000000};
+
+static const char *const LAYERS[SPH_FRAMES] = {"rendering", "l1", "l2"};
 
 /* Memory as a processor writes it: a beat in each clock. */
 static void put(void *user, uint32_t address, const uint8_t *from, uint32_t count) {
@@ -35,11 +38,10 @@ static uint8_t seen(uint32_t byte) {
     return (uint8_t)lround(255 * code);
 }
 
-/* The newest frame of the store, as a picture. */
-static bool picture(Checks &c, const sph_frame &size, const std::string &path) {
+/* A frame of the store, as a picture. */
+static bool picture(Checks &c, const sph_frame &size, uint32_t store, const std::string &path) {
     FILE *to = fopen(path.c_str(), "wb");
     if (!to) return false;
-    const uint32_t store = c.stores[c.newest()];
     fprintf(to, "P6 %d %d 255\n", size.width, size.height);
     for (int y = 0; y < size.height; y++)
         for (int x = 0; x < size.width; x++) {
@@ -99,14 +101,21 @@ int main(int argc, char **argv) {
                 (unsigned long long)upload, (unsigned long long)n[SPHAERA_COUNT_CYCLES],
                 (unsigned long long)(end - begin),
                 (double)n[SPHAERA_COUNT_WRITE_PIXELS] / (double)n[SPHAERA_COUNT_WRITE_BURSTS]);
-        char name[32];
-        snprintf(name, sizeof name, "/shown-%04d.ppm", i - first);
-        c->note("a picture is written", picture(*c, now->frame, folder + name));
+        const uint32_t store = c->stores[c->newest()];
+        const auto write = [&](const char *what, uint32_t place) {
+            char name[32];
+            snprintf(name, sizeof name, "/%s-%04d.ppm", what, i - first);
+            c->note("a picture is written", picture(*c, now->frame, place, folder + name));
+        };
+        write("shown", c->place(*now, c->newest()));
+        for (uint32_t layer = 0; c->layers && layer < std::size(LAYERS); layer++)
+            write(LAYERS[layer], store + layer * c->apart);
         upload = next_upload;
         now = std::move(next);
     }
     c->note("the table is written", fclose(table) == 0);
     c->note("frames and machines fit into 64 MB", fits);
-    c->done("every frame equals that of its machine alone");
+    c->done(c->layers ? "Rendering, L1 and L2 of every frame equal those of its machine alone"
+                      : "every frame equals that of its machine alone");
     return c->finish();
 }
