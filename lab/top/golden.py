@@ -13,11 +13,12 @@ def machine(path):
     return struct.unpack_from(f"<{count}I", data, first), data[header:header + 32 * lines]
 
 
-def golden(machine_path, frame_path):
-    """Rows of 0x00RRGGBB at the depth that register FRAME of the machine selects."""
+def golden(machine_path, frame_path, depth=None):
+    """Rows of 0x00RRGGBB at a depth, or that which register FRAME of the machine selects."""
     data = Path(frame_path).read_bytes()
     _, width, height, frames, counters, _ = struct.unpack_from("<6I", data, 8)
-    depth = min(machine(machine_path)[0][96], frames - 1)
+    if depth is None:
+        depth = min(machine(machine_path)[0][96], frames - 1)
     size, at = 4 * (frames + 3) + 8, 32 + 8 * counters
     for y in range(height):
         row = []

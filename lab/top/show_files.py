@@ -1,7 +1,8 @@
 # show_files.py - a machine and its golden frame as tb/top/tb_show_icarus.v reads them
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab.top.show_files FOLDER MACHINE.sph FRAME
-Writes FOLDER/machine.hex, memory.hex (words of 64 bits) and frame.hex (a pixel a line)."""
+Writes FOLDER/machine.hex, memory.hex (words of 64 bits) and frame.hex (a pixel a line): the frame
+that each value of MUX selects."""
 import struct
 import sys
 from pathlib import Path
@@ -12,7 +13,8 @@ from lab.top.golden import golden, machine
 def main(folder, path, frame):
     registers, memory = machine(path)
     words = struct.unpack(f"<{len(memory) // 8}Q", memory)
-    pixels = [colour for row in golden(path, frame) for colour in row]
+    pixels = [colour for depth in (None, 0, 1, 2) for row in golden(path, frame, depth)
+              for colour in row]
     for name, values, digits in (("machine", registers, 8), ("memory", words, 16),
                                  ("frame", pixels, 6)):
         text = "".join(f"{value:0{digits}x}\n" for value in values)

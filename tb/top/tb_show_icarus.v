@@ -1,9 +1,10 @@
 // tb_show_icarus.v - rt_top in Icarus: registers and memory in, symbols out, each picture compared
 // SPDX-License-Identifier: Apache-2.0
-// CORE_PARAMETERS, WIDTH and HEIGHT are macros; +machine, +memory, +frame are files that
+// CORE_PARAMETERS, WIDTH, HEIGHT and LAYERS are macros; +machine, +memory, +frame are files that
 // lab/top/show_files.py writes: registers, words of 64 bits, the golden model's pixels. A picture
-// is black as long as no frame is complete; three that follow must be the frame. Prints `ok` or
-// `not ok` and ends by itself.
+// is black as long as no frame is complete; three that follow must be the frame. With LAYERS MUX
+// changes then, and what is shown with it, at once between two pictures. Prints `ok` or `not ok` and
+// ends by itself.
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
@@ -12,6 +13,9 @@
 `define CORE_PARAMETERS .W(`RT_PROFILE_STANDARD_W)
 `define WIDTH 8
 `define HEIGHT 6
+`endif
+`ifndef LAYERS
+`define LAYERS 0
 `endif
 module tb_show_icarus;
     localparam AB = 12;                   // address bits of the memory: 32 KiB
@@ -58,7 +62,7 @@ module tb_show_icarus;
     reg  [31:0] wdata;
     wire        awready, wready, bvalid, irq;
     wire [9:0]  blue, green, red;
-    rt_top #(.DATA(64), .VIDEO(1), `CORE_PARAMETERS) u_top (
+    rt_top #(.DATA(64), .VIDEO(1), .LAYERS(`LAYERS), `CORE_PARAMETERS) u_top (
         .clk(clk), .rst(rst), .irq_o(irq), .s_axil_awvalid(awvalid), .s_axil_awready(awready),
         .s_axil_awaddr(awaddr), .s_axil_wvalid(wvalid), .s_axil_wready(wready),
         .s_axil_wdata(wdata), .s_axil_wstrb(4'hf), .s_axil_bvalid(bvalid), .s_axil_bready(1'b1),
@@ -99,19 +103,23 @@ module tb_show_icarus;
     `include "tmds_decode.vh"
     wire [8:0]  b = decode(blue), g = decode(green), r = decode(red);
     wire [23:0] pixel = {r[7:0], g[7:0], b[7:0]};
-    reg  [23:0] golden [0:`WIDTH*`HEIGHT-1];
+    localparam N = `WIDTH * `HEIGHT;
+    reg  [23:0] golden [0:4*N-1];         // as each value of MUX has it
     reg  on = 1'b0;
-    integer at = 0, bad = 0, lit = 0, black = 0, whole = 0, wrong = 0;
+    integer mux = 0, before = 0;          // in register MUX, and until now
+    integer at = 0, bad = 0, stale = 0, lit = 0, black = 0, whole = 0, late = 0, wrong = 0;
     always @(posedge pix_clk) if (on && b[8] === 1'b1) begin
         if (g[8] !== 1'b1 || r[8] !== 1'b1 || ^pixel === 1'bx) wrong = wrong + 1;
-        if (pixel !== golden[at]) bad = bad + 1;
+        if (pixel !== golden[N*mux + at]) bad = bad + 1;
+        if (pixel !== golden[N*before + at]) stale = stale + 1;
         if (pixel !== 24'd0) lit = lit + 1;
         at = at + 1;
-        if (at == `WIDTH * `HEIGHT) begin
+        if (at == N) begin
             if (bad == 0) whole = whole + 1;
-            else if (lit == 0 && whole == 0) black = black + 1;
+            else if (stale == 0 && mux != before && whole == 0 && late == 0) late = 1;
+            else if (lit == 0 && whole == 0 && mux == 0) black = black + 1;
             else wrong = wrong + 1;
-            {at, bad, lit} = 0;
+            {at, bad, stale, lit} = 0;
         end
     end
 
@@ -130,6 +138,7 @@ module tb_show_icarus;
         put(`RT_TOP_FRAME1, 32'h5000);
         put(`RT_TOP_FRAME2, 32'h6000);
         put(`RT_TOP_STRIDE, 32'd128);
+        if (`LAYERS != 0) put(`RT_TOP_LAYER_BYTES, 32'h400);
         put(`RT_TOP_VIDEO_H_ACTIVE, {H_FRONT[15:0], 16'd`WIDTH});
         put(`RT_TOP_VIDEO_H_SYNC, {H_BACK[15:0], H_SYNC[15:0]});
         put(`RT_TOP_VIDEO_V_ACTIVE, {V_FRONT[15:0], 16'd`HEIGHT});
@@ -138,8 +147,21 @@ module tb_show_icarus;
         on = 1'b1;
         put(`RT_TOP_CONTROL, 32'd1);
         for (n = 0; n < 200000 && whole < 3 && wrong == 0; n = n + 1) @(posedge clk);
+        while (`LAYERS != 0 && mux < 3 && whole >= 3 && wrong == 0) begin
+            for (n = 0; n < 20000 && at < N / 3; n = n + 1) @(posedge clk); // within a picture
+            put(`RT_TOP_MUX, mux + 1);
+            before = mux;
+            mux    = mux + 1;
+            stale  = bad;                       // it began as the one before, and ends so
+            bad    = 1;
+            whole  = 0;
+            late   = 0;
+            for (n = 0; n < 20000 && whole < 3 && wrong == 0; n = n + 1) @(posedge clk);
+        end
+        if (`LAYERS != 0 && mux < 3) wrong = wrong + 1;
         if (wrong == 0 && whole >= 3)
-            $display("ok tb_show_icarus: %0d black pictures, then the frame", black);
+            $display("ok tb_show_icarus: %0d black pictures, then the frame, MUX up to %0d", black,
+                     mux);
         else $display("not ok tb_show_icarus: %0d right, %0d wrong pictures", whole, wrong);
         $finish;
     end
