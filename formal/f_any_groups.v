@@ -4,7 +4,8 @@
 `timescale 1ns / 1ps
 `default_nettype none
 module rt_frame_groups #(
-    parameter BUFFERS = 16
+    parameter BUFFERS = 16,
+    parameter COLOURS = 1
 ) (
     input  wire         clk,
     input  wire         rst,
@@ -14,16 +15,16 @@ module rt_frame_groups #(
     output wire         pix_ready_o,
     input  wire [13:0]  pix_x_i,
     input  wire [13:0]  pix_y_i,
-    input  wire [23:0]  pix_rgb_i,
+    input  wire [24*COLOURS-1:0] pix_rgb_i,
     output reg          group_valid_o,
     input  wire         group_ready_i,
     output reg  [10:0]  group_column_o,
     output reg  [13:0]  group_y_o,
     output reg  [7:0]   group_mask_o,
-    output reg  [191:0] group_rgb_o
+    output reg  [192*COLOURS-1:0] group_rgb_o
 );
     (* anyseq *) wire         any, empty, ready;
-    (* anyseq *) wire [224:0] group;
+    (* anyseq *) wire [192*COLOURS+32:0] group;
     assign pix_ready_o = ready;
     assign empty_o     = empty && !group_valid_o;
     always @(posedge clk) begin

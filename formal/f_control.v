@@ -7,7 +7,9 @@
 `default_nettype none
 `include "rt_layout.vh"
 `include "rt_top.vh"
-module f_control (
+module f_control #(
+    parameter LAYERS = 0
+) (
     input wire         clk,
     input wire         rst,
     input wire         awvalid,
@@ -29,17 +31,18 @@ module f_control (
     input wire [31:0]  count_data,
     input wire         count_busy
 );
-    localparam SETTINGS = `RT_TOP_SETTINGS, OTHERS = `RT_TOP_OTHERS;
-    localparam [32*SETTINGS-1:0] RESET = `RT_TOP_SETTINGS_RESET, KEPT = `RT_TOP_SETTINGS_KEPT;
-    localparam [12*SETTINGS-1:0] AT = `RT_TOP_SETTINGS_AT;
+    localparam ALL = `RT_TOP_SETTINGS, OTHERS = `RT_TOP_OTHERS;
+    localparam SETTINGS = LAYERS ? ALL : ALL - `RT_TOP_SETTINGS_OF_LAYERS; // that there are
+    localparam [32*ALL-1:0] RESET = `RT_TOP_SETTINGS_RESET, KEPT = `RT_TOP_SETTINGS_KEPT;
+    localparam [12*ALL-1:0] AT = `RT_TOP_SETTINGS_AT;
     localparam [12*OTHERS-1:0]   OTHERS_AT = `RT_TOP_OTHERS_AT;
     wire awready, wready, bvalid, arready, rvalid, irq;
     wire [1:0]  bresp, rresp;
     wire [31:0] rdata;
     wire [6:0]  order;
     wire [3:0]  machine_write;
-    wire [32*SETTINGS-1:0] settings;
-    rt_control u_dut (
+    wire [32*ALL-1:0] settings;
+    rt_control #(.LAYERS(LAYERS)) u_dut (
         .clk(clk), .rst(rst), .s_awvalid(awvalid), .s_awready(awready), .s_awaddr(awaddr),
         .s_wvalid(wvalid), .s_wready(wready), .s_wdata(wdata), .s_wstrb(wstrb),
         .s_bvalid(bvalid), .s_bready(bready), .s_bresp(bresp), .s_arvalid(arvalid),

@@ -5,7 +5,9 @@
 `timescale 1ns / 1ps
 `default_nettype none
 module f_frame_groups #(
-    parameter BUFFERS = 4
+    parameter BUFFERS = 4,
+    parameter COLOURS = 1,
+    parameter CW = 24*COLOURS            // derived: leave alone
 ) (
     input wire        clk,
     input wire        rst,
@@ -13,7 +15,7 @@ module f_frame_groups #(
     input wire        pix_valid,
     input wire [13:0] pix_x,
     input wire [13:0] pix_y,
-    input wire [23:0] pix_rgb,
+    input wire [CW-1:0] pix_rgb,
     input wire        group_ready
 );
     localparam AB = $clog2(BUFFERS);
@@ -22,8 +24,8 @@ module f_frame_groups #(
     wire [10:0]  group_column;
     wire [13:0]  group_y;
     wire [7:0]   group_mask;
-    wire [191:0] group_rgb;
-    rt_frame_groups #(.BUFFERS(BUFFERS)) u_dut (
+    wire [8*CW-1:0] group_rgb;
+    rt_frame_groups #(.BUFFERS(BUFFERS), .COLOURS(COLOURS)) u_dut (
         .clk(clk), .rst(rst), .flush_i(flush), .empty_o(empty), .pix_valid_i(pix_valid),
         .pix_ready_o(pix_ready), .pix_x_i(pix_x), .pix_y_i(pix_y), .pix_rgb_i(pix_rgb),
         .group_valid_o(group_valid), .group_ready_i(group_ready), .group_column_o(group_column),
@@ -37,15 +39,15 @@ module f_frame_groups #(
     (* hierconn *) wire [AB-1:0] \u_dut.u_leaves.mark ;
     (* hierconn *) wire [TB-1:0] \u_dut.u_leaves.word_q ;
     (* hierconn *) wire [AB-1:0] \u_dut.g_pixel[0].u_rgb.mark ;
-    (* hierconn *) wire [23:0]   \u_dut.g_pixel[0].u_rgb.word_q ;
+    (* hierconn *) wire [CW-1:0] \u_dut.g_pixel[0].u_rgb.word_q ;
     (* hierconn *) wire [AB-1:0] \u_dut.g_pixel[5].u_rgb.mark ;
-    (* hierconn *) wire [23:0]   \u_dut.g_pixel[5].u_rgb.word_q ;
+    (* hierconn *) wire [CW-1:0] \u_dut.g_pixel[5].u_rgb.word_q ;
 
     // ---- the pixel ----
     (* anyconst *) wire [13:0] x;
     (* anyconst *) wire [13:0] y;
     wire [AB-1:0] at    = y[AB-1:0];
-    wire [23:0]   kept  = x[2:0] == 0 ? \u_dut.g_pixel[0].u_rgb.word_q
+    wire [CW-1:0] kept  = x[2:0] == 0 ? \u_dut.g_pixel[0].u_rgb.word_q
                                       : \u_dut.g_pixel[5].u_rgb.word_q ;
     wire          it    = pix_valid && pix_x == x && pix_y == y;
     wire [7:0]    mask  = \u_dut.mask_q [8*at +: 8];
@@ -54,10 +56,10 @@ module f_frame_groups #(
     wire          there = group_valid && group_column == x[13:3] && group_y == y &&
                           group_mask[x[2:0]];
     reg           old_q = 1'b0, in_q, wait_q, stuck_q, flush_q;
-    reg  [23:0]   rgb_q;
+    reg  [CW-1:0] rgb_q;
     reg  [13:0]   x_q, y_q;
-    reg  [224:0]  group_q;
-    wire [224:0]  group = {group_column, group_y, group_mask, group_rgb};
+    reg  [8*CW+32:0] group_q;
+    wire [8*CW+32:0] group = {group_column, group_y, group_mask, group_rgb};
     always @(posedge clk) begin
         old_q <= 1'b1;
         if (there && group_ready) in_q <= 1'b0;
@@ -78,7 +80,7 @@ module f_frame_groups #(
     end
 
     always @* if (old_q) begin
-        if (there) assert (in_q && group_rgb[24*x[2:0] +: 24] == rgb_q);  // once, its own colour
+        if (there) assert (in_q && group_rgb[CW*x[2:0] +: CW] == rgb_q);  // once, its own colour
         if (in_q) assert (!empty);
         if (wait_q) assert (group_valid && group == group_q);             // stable until ready
         if (stuck_q && pix_valid && {pix_x, pix_y} == {x_q, y_q}) assert (pix_ready);

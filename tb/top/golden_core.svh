@@ -35,7 +35,7 @@
         count_q <= 48'(golden_count(32'(count_addr_i)));
         wait_q  <= wait_q == 6 ? 0 : wait_q + 1'b1;
         if (mem_rsp_valid_i && beats_q == 4 * asked_q && state_q == READ) begin
-            $display("# an answer that nobody asked for");
+            $display("not ok - an answer that nobody asked for");
             $fatal(0);
         end
         if (cfg_valid_i && state_q == IDLE) golden_register(32'(cfg_addr_i), cfg_data_i);

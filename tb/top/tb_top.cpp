@@ -263,6 +263,7 @@ static void busy(Checks &c, const Golden &a, const Golden &b) {
             c.top.write(at, STORE + 3 * APART);
         c.top.write(SPHAERA_STRIDE, 1280);
         c.top.write(SPHAERA_FORMAT, SPHAERA_FORMAT_RGB565);
+        if (c.layers) c.top.write(SPHAERA_LAYER_BYTES, 0x1000);
         c.top.write(SPHAERA_CONTROL, SPHAERA_CONTROL_START);
         c.equals("a second START is refused", c.top.read(SPHAERA_ERRORS), SPHAERA_ERRORS_REFUSED);
         c.equals("the driver says busy", (uint64_t)sphaera_start(&c.top.driver, 0), SPHAERA_BUSY);
@@ -325,6 +326,33 @@ static void store(Checks &c, const Golden &a) {
     c.done("frame store: three frames, interrupts, counts");
 }
 
+/* Layers, without MUX: register FRAME of the frame that is shown chooses, not of the next one. */
+static void own_layers(Checks &c, const Golden &a) {
+    TopHost &t = c.top;
+    unsigned shown = 0;
+    uint32_t frame = SPH_FRAMES;
+    c.load(a, SCENE_A);
+    for (int i = 0; i < 12; i++) {
+        const uint32_t before = frame;
+        frame = (uint32_t)t.random.below(SPH_FRAMES + 1); /* the last is L2, too */
+        sphaera_set(&t.driver, SPH_REG_FRAME, frame);
+        sphaera_start(&t.driver, 0);
+        t.clocks(200); /* registers are in the core */
+        if (i) {
+            sphaera_take(&t.driver, &shown);
+            c.equals("the layer of the frame that is shown", t.dut.show_base_o,
+                     c.stores[shown] + std::min(before, 2u) * c.apart);
+        }
+        c.note("while the next is drawn", t.read(SPHAERA_STATUS) & SPHAERA_STATUS_BUSY);
+        c.equals("draw", (uint64_t)sphaera_wait(&t.driver, POLLS), SPHAERA_OK);
+        c.same(a, c.newest(), 0);
+        sphaera_take(&t.driver, &shown);
+        c.equals("then its own", t.dut.show_base_o,
+                 c.stores[shown] + std::min(frame, 2u) * c.apart);
+    }
+    c.done("layers: register FRAME of each frame chooses its own");
+}
+
 int main(int argc, char **argv) {
     if (argc < 3) {
         fprintf(stderr, "usage: tb_top A.sph B.sph [seed]\n");
@@ -340,6 +368,7 @@ int main(int argc, char **argv) {
     far(*c, a, b);
     busy(*c, a, b);
     store(*c, a);
+    if (c->layers) own_layers(*c, a);
     answers(*c, a, b);
     resets(*c, a, b);
     silence(*c, a, b);
