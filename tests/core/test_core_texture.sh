@@ -6,7 +6,8 @@
 # Verilator and Icarus, with random memory latency and 30 % stalls: floor, wall and globe of
 # scenes/texture/hall.nff, and tests/scenes/texture/balls.nff, whose mirrors show textures in
 # mirrors. Every filter, what EFFECTS switches off at run time, two engines, cores that have
-# textures and hardly anything else, records and images that are broken on purpose, a bus error.
+# textures and hardly anything else, records and images that are broken on purpose, a bus error,
+# ends of memory within a group of lines.
 #   SEED=n        other latencies and stalls (1)
 #   CORE=pattern  only the runs whose name has the pattern in it
 set -u
@@ -75,6 +76,17 @@ broken "image of thirteen levels" --poke 10:24:4=13
 broken "texels beyond memory" --reg 27=1000
 wanted "verilator broken: bus error at a texel" $whole SIM=verilator balls --expect-errors 8 \
     --bus-error-at 20
+
+# Memory ends at each place of a group of lines, behind a mapping record or the image's header.
+for group in 2 4; do
+    for end in 9 10 11 12; do
+        what="lines in groups of $group, memory of $end"
+        wanted "verilator balls, $what" auto "SIM=verilator SIZES=texture_group=$group" balls \
+            --expect-errors 1 --reg 27=$end
+        wanted "icarus balls, $what" auto "SIM=icarus SIZES=texture_group=$group" balls-small \
+            --expect-errors 1 --reg 27=$end
+    done
+done
 
 build_cores
 run_all
