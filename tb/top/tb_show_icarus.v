@@ -106,17 +106,17 @@ module tb_show_icarus;
     localparam N = `WIDTH * `HEIGHT;
     reg  [23:0] golden [0:4*N-1];         // as each value of MUX has it
     reg  on = 1'b0;
-    integer mux = 0, before = 0;          // in register MUX, and until now
+    integer mux = 0, earlier = 0;          // in register MUX, and until now
     integer at = 0, bad = 0, stale = 0, lit = 0, black = 0, whole = 0, late = 0, wrong = 0;
     always @(posedge pix_clk) if (on && b[8] === 1'b1) begin
         if (g[8] !== 1'b1 || r[8] !== 1'b1 || ^pixel === 1'bx) wrong = wrong + 1;
         if (pixel !== golden[N*mux + at]) bad = bad + 1;
-        if (pixel !== golden[N*before + at]) stale = stale + 1;
+        if (pixel !== golden[N*earlier + at]) stale = stale + 1;
         if (pixel !== 24'd0) lit = lit + 1;
         at = at + 1;
         if (at == N) begin
             if (bad == 0) whole = whole + 1;
-            else if (stale == 0 && mux != before && whole == 0 && late == 0) late = 1;
+            else if (stale == 0 && mux != earlier && whole == 0 && late == 0) late = 1;
             else if (lit == 0 && whole == 0 && mux == 0) black = black + 1;
             else wrong = wrong + 1;
             {at, bad, stale, lit} = 0;
@@ -150,7 +150,7 @@ module tb_show_icarus;
         while (`LAYERS != 0 && mux < 3 && whole >= 3 && wrong == 0) begin
             for (n = 0; n < 20000 && at < N / 3; n = n + 1) @(posedge clk); // within a picture
             put(`RT_TOP_MUX, mux + 1);
-            before = mux;
+            earlier = mux;
             mux    = mux + 1;
             stale  = bad;                       // it began as the one before, and ends so
             bad    = 1;
