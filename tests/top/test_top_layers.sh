@@ -11,7 +11,8 @@ plain_make() { env -u MAKEFLAGS -u MFLAGS make -s --no-print-directory "$@"; }
 
 shell() { # bits of the buses
     words=$(plain_make B="$BUILD" top-shell) && eval "set -- DATA=$1 $words" &&
-        plain_make -f make/rt_top.mk B="$BUILD" BENCH=tb_shell LAYERS=1 SEED=1 "$@" top >"$TMP/made" \
+        plain_make -f make/rt_top.mk B="$BUILD" BENCH=tb_shell LAYERS=1 SEED=1 "$@" top \
+        >"$TMP/made" \
             2>&1 || { cat "$TMP/made" && return 1; }
     plain_make -f make/rt_top.mk B="$BUILD" BENCH=tb_shell LAYERS=1 SEED=1 "$@" run >"$TMP/said" &&
         cat "$TMP/said" && grep -q 'layers shown.* conditions$' "$TMP/said"
@@ -22,7 +23,8 @@ for data in 64 ${ALL:+128}; do
 done
 
 simulated() {
-    plain_make B="$BUILD" sim TOP=1 LAYERS=1 SCENE=moving/orbit SIZE=24x16 PROFILE=draft FRAMES=0..1 \
+    plain_make B="$BUILD" sim TOP=1 LAYERS=1 SCENE=moving/orbit SIZE=24x16 PROFILE=draft \
+        FRAMES=0..1 \
         STALL=20 >"$TMP/said" && cat "$TMP/said" &&
         grep -q '^ok 1 - Rendering, L1 and L2 of every frame equal ' "$TMP/said" &&
         run=$(sed -n 's/^report in \(.*\)\//\1/p' "$TMP/said")
