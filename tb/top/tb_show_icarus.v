@@ -3,8 +3,8 @@
 // CORE_PARAMETERS, WIDTH, HEIGHT and LAYERS are macros; +machine, +memory, +frame are files that
 // lab/top/show_files.py writes: registers, words of 64 bits, the golden model's pixels. A picture
 // is black as long as no frame is complete; three that follow must be the frame. With LAYERS MUX
-// changes then, and what is shown with it, at once between two pictures. Prints `ok` or `not ok` and
-// ends by itself.
+// changes then, and what is shown with it, at once between two pictures. Prints `ok` or `not ok`
+// and ends by itself.
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
