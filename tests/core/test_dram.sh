@@ -12,7 +12,7 @@ echo "# SEED=$SEED; again: SEED=$SEED make test ONLY=test_dram"
 built() { # folder of tb/core/dram.cpp, options
     folder=$1
     shift
-    g++ -std=c++17 -Wall -Wextra -Wconversion -Wshadow -Werror -Itb -Itb/core "$@" \
+    g++ -std=c++17 -Wall -Wextra -Wconversion -Wshadow -Werror -I. -Itb -Itb/core "$@" \
         -o "$folder/check" tests/core/dram_check.cpp "$folder/dram.cpp"
 }
 mkdir "$TMP/good"
