@@ -12,9 +12,10 @@ echo "# SEED=$SEED; again: SEED=$SEED make test ONLY=test_dram"
 built() { # folder of tb/core/dram.cpp, options
     folder=$1
     shift
-    g++ -std=c++17 -Wall -Wextra -Wconversion -Wshadow -Werror -I. -Itb -Itb/core "$@" \
-        -o "$folder/check" tests/core/dram_check.cpp "$folder/dram.cpp"
+    g++ -std=c++17 -Wall -Wextra -Wconversion -Wshadow -Werror -I. -Icmodel -Itb -Itb/core "$@" \
+        -o "$folder/check" tests/core/dram_check.cpp "$folder/dram.cpp" "$TMP/number.o"
 }
+${CC:-cc} -std=c11 -Icmodel -c -o "$TMP/number.o" cmodel/common/number.c || exit 1
 mkdir "$TMP/good"
 cp tb/core/dram.cpp "$TMP/good"
 sed -i 's,"../sdram_times.h","sdram_times.h",' "$TMP/good/dram.cpp"
