@@ -45,7 +45,8 @@ own=$(PKG_CONFIG_PATH="$prefix/lib/pkgconfig" pkg-config --variable=includedir s
 check "pkg-config has the folder" [ "$(eval "echo $own")" = "$prefix/include" ]
 linked() {
     gcc "$there/examples/c/render.c" -I"$prefix/include" -L"$prefix/lib" -lsphaera -o program &&
-        (cd "$prefix/lib" && LD_LIBRARY_PATH=. "$TMP/program" "$TMP/y.png" "$there/scenes/paper5.nff")
+        (cd "$prefix/lib" && LD_LIBRARY_PATH=. "$TMP/program" "$TMP/y.png" \
+            "$there/scenes/paper5.nff")
 }
 check "a program with its library draws" linked
 cd "$there" || exit 1
