@@ -47,7 +47,7 @@ $(if $(shell $(call values,$(VARIABLES)) sh sim/check.sh --given $(call quoted,$
     --goals '$(MAKECMDGOALS)' $(CHECK) || echo wrong),$(error nothing is made))
 endif
 # Make has no words with blanks: a folder of such a name is called by a link.
-ifneq ($(call has_odd,$B)$(filter /%,$B)$(word 2,$B),)
+ifneq ($(call has_odd,$B)$(word 2,$B),)
 override B := $(shell sh sim/folder.sh $(call quoted,$B))
 endif
 

@@ -20,7 +20,7 @@ given() { # taken as they are: names and numbers, from here on
     done
 }
 wrong() { # rule, parameters
-    said=$(echo "$1" | tr _ ' ') about=
+    said=$(echo "$1" | sed 's/_\([a-z0-9]\)/ \1/g; s/\([a-z0-9]\)_/\1 /g') about=
     shift
     for name; do
         case " $about" in *" $name="*) ;; *) about="$about $name=$(eval "echo \$$name")" ;; esac

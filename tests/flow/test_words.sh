@@ -77,8 +77,9 @@ all_refused() { # word: all others are told, by name
     unmarked "$word" || return 1
     for variable in $names; do
         case " $text " in *" $variable "*) continue ;; esac
-        grep -qF -- "$variable=$word" "$TMP/said" ||
-            { echo "not told: $variable=$word" && return 1; }
+        grep -qF -- "$variable=$word" "$TMP/said" && continue
+        echo "not told: $variable=$word"
+        return 1
     done
 }
 each_refused() {
