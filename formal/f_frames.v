@@ -20,8 +20,8 @@ module f_frames (
     wire [31:0] draw_base, show_base;
     wire [1:0]  drawn, newest, shown;
     rt_frames u_dut (
-        .clk(clk), .rst(rst), .bases_i(bases), .wait_i(waits), .layer_i(0), .mux_i(0),
-        .cfg_valid_i(0), .cfg_addr_i(0), .cfg_data_i(0), .clear_i(clear), .load_i(load),
+        .clk(clk), .rst(rst), .bases_i(bases), .wait_i(waits), .layer_i(32'd0), .mux_i(2'd0),
+        .cfg_valid_i(1'b0), .cfg_addr_i(7'd0), .cfg_data_i(32'd0), .clear_i(clear), .load_i(load),
         .begin_i(begins),
         .end_i(ends), .good_i(good), .room_o(room), .draw_base_o(draw_base), .take_i(take),
         .show_valid_o(show_valid), .show_base_o(show_base), .swap_o(swap), .again_o(again),

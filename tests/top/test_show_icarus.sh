@@ -18,7 +18,8 @@ made() {
 built() { # layers
     # shellcheck disable=SC2046  # lists of words
     iverilog -g2005 -DCORE_PARAMETERS="$core" -DWIDTH=8 -DHEIGHT=6 -DLAYERS="$1" -Y .v \
-        -s tb_show_icarus -o "$TMP/tb" $(find rtl -name '*.v*' -exec dirname {} + | sort -u | sed 's/.*/-I& -y&/') \
+        -s tb_show_icarus -o "$TMP/tb" \
+        $(find rtl -name '*.v*' -exec dirname {} + | sort -u | sed 's/.*/-I& -y&/') \
         -Itb/video tb/top/tb_show_icarus.v
 }
 show() { # folder of the three files
