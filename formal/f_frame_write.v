@@ -26,10 +26,10 @@ module f_frame_write (
     wire [3:0] pixels;
     rt_frame_write #(.DATA(64), .BUFFERS(4)) u_dut (
         .clk(clk), .rst(rst), .base_i(base), .mux_i(mux), .begin_i(begins), .stride_i(stride),
-        .rgb565_i(rgb565), .layer_i(0), .cut_i(cut), .dead_i(dead),
-        .forget_i(1'b0), .flush_i(flush),
-        .empty_o(empty), .idle_o(idle), .stall_o(), .slverr_o(), .decerr_o(), .burst_o(burst),
-        .beat_o(), .pixels_o(pixels), .pix_valid_i(pix_valid), .pix_ready_o(pix_ready),
+        .rgb565_i(rgb565), .layer_i(32'd0), .cut_i(cut), .dead_i(dead), .forget_i(1'b0),
+        .flush_i(flush), .empty_o(empty), .idle_o(idle), .stall_o(), .slverr_o(), .decerr_o(),
+        .burst_o(burst), .beat_o(), .pixels_o(pixels), .pix_valid_i(pix_valid),
+        .pix_ready_o(pix_ready),
         .pix_x_i(pix_x), .pix_y_i(pix_y), .pix_colour_i(colours), .pix_frame_i(frame),
         .m_awvalid(), .m_awready(1'b0), .m_awaddr(), .m_awlen(), .m_wvalid(), .m_wready(1'b0),
         .m_wdata(), .m_wstrb(), .m_wlast(), .m_bvalid(1'b0), .m_bready(), .m_bresp(2'b00)

@@ -1,4 +1,4 @@
-// f_layers.v - proof of rt_frames with layers: what is shown is the layer of MUX at the take
+// f_layers.v - proof of rt_frames with layers: MUX chooses what is shown when a frame is taken
 // SPDX-License-Identifier: Apache-2.0
 // As f_frames. Registers go to the core between two frames; MUX and LAYER_BYTES are written at any
 // time.

@@ -6,7 +6,7 @@
 #        [LAYERS=0|1] [MOVIE=FILE] sim/top.sh
 # Builds the machines of these frames into BUILD/out/top-DIGEST, and rt_top with a core that can do
 # what any of them asks for. There are report.json, shown-0000.ppm and so on; MOVIE joins these.
-# With LAYERS=1 rt_top has layers, and rendering-0000.ppm, l1- and l2-0000.ppm are there, too.
+# With LAYERS=1 rt_top has layers: rendering-0000.ppm, l1-0000.ppm and l2-0000.ppm are there too.
 set -euf
 cd "$(dirname "$0")/.."
 tool=$BUILD/sphaera

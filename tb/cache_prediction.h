@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Sees the handshakes of the RTL's cache clock by clock and tells the model's cache of each lookup
- * and of each line that came, in the order in which the RTL has them. A request is looked up when
- * the RTL's wire `looked` says so, in the order of requests. A line that came counts a clock later.
+ * and of each group that came, in the order in which the RTL has them. A request is looked up when
+ * the RTL's wire `seen` says so, in the order of requests. A group that came counts a clock later.
  */
 #ifndef CACHE_PREDICTION_H
 #define CACHE_PREDICTION_H
@@ -20,7 +20,7 @@ extern "C" {
 class CachePrediction {
   public:
     /* LINES, WAYS, GROUP of rt_cache. */
-    CachePrediction(uint32_t lines, uint32_t ways, uint32_t group) : group_(group) {
+    CachePrediction(uint32_t lines, uint32_t ways, uint32_t group) {
         struct sph_error err = {{0}};
         void_ =
             sph_cache_start(&cache_, lines * SPH_LINE_WORDS, group * SPH_LINE_WORDS, ways, &err);
@@ -31,11 +31,12 @@ class CachePrediction {
     CachePrediction(const CachePrediction &) = delete;
     CachePrediction &operator=(const CachePrediction &) = delete;
 
-    /* One clock, with what the ports of rt_cache show before its edge, and its wire `looked`; came:
-     * a line is taken from memory. `apart` marks a request whose miss is counted apart, too. True
-     * if a lookup missed: miss_o must be high in the next clock. */
-    bool clock(bool valid, bool ready, uint32_t line, bool apart, bool looked, bool came,
-               bool error, bool flush) {
+    /* One clock, with what the ports of rt_cache show before its edge, and its wire `seen`. `apart`
+     * marks a request whose miss is counted apart, too. True if a lookup missed: miss_o must be
+     * high in the next clock. */
+    bool clock(bool valid, bool ready, uint32_t line, bool apart, unsigned seen) {
+        const bool forget = seen >> 3 & 1, came = seen >> 2 & 1, error = seen >> 1 & 1;
+        const bool looked = seen & 1;
         int missed = 0;
         if (void_) return false;
         if (looked && requests_.empty()) void_ = true;
@@ -45,23 +46,17 @@ class CachePrediction {
             if (missed < 0) void_ = true;
             requests_.pop_front();
         }
-        if (full_) {
-            sph_cache_came(&cache_, error_);
-            full_ = error_ = false;
-        }
-        if (came) {
-            error_ |= error;
-            full_ = ++part_ == group_;
-            if (full_) part_ = 0;
-        }
-        if (flush) sph_cache_forget(&cache_);
+        if (came_) sph_cache_came(&cache_, error_);
+        came_ = came;
+        error_ = error;
+        if (forget) sph_cache_forget(&cache_);
         if (valid && ready) requests_.push_back({line, apart});
         return missed == 1;
     }
-    /* The same for the cache of an rt_texture, by its wire cache_seen; texels are counted apart. */
-    bool texture(uint32_t seen, bool looked) {
-        return clock(seen >> 28 & 1, seen >> 27 & 1, seen & 0x3ffffff, seen >> 26 & 1, looked,
-                     seen >> 30 & 1, seen >> 29 & 1, seen >> 31);
+    /* The same for the cache of an rt_texture, by its wire cache_asked; texels are counted apart.
+     */
+    bool texture(uint32_t asked, unsigned seen) {
+        return clock(asked >> 28 & 1, asked >> 27 & 1, asked & 0x3ffffff, asked >> 26 & 1, seen);
     }
     /* All misses, and those that are counted apart. */
     uint64_t missed() const { return cache_.missed; }
@@ -78,9 +73,8 @@ class CachePrediction {
     };
     struct sph_cache cache_ {};
     std::deque<Request> requests_; /* taken, not looked up yet */
-    uint32_t group_, part_ = 0;
     uint64_t missed_apart_ = 0;
-    bool void_, full_ = false, error_ = false;
+    bool void_, came_ = false, error_ = false;
 };
 
 #endif

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab.report.film FOLDER [COMMAND]
 FOLDER has report.json of lab.top.frames and, for each of its frames, what the frame store showed,
-shown-0000.ppm and so on; with layers also rendering-, l1- and
-l2-0000.ppm. COMMAND is the one that repeats the run."""
+shown-0000.ppm and so on, with layers rendering-, l1- and l2-0000.ppm too. COMMAND is the one that
+repeats the run."""
 import base64
 import json
 import re

@@ -5,9 +5,9 @@
 //                                  +----> queue, in order ------+  +-- memory, in order of mem_req
 // Hit: latency 3 cycles, one a cycle. Miss: waits in the queue for its line, 2 cycles more.
 // Responses carry the tag of their request; only requests that queue keep their order.
-// A line of the cache is an aligned group of GROUP lines of memory; a miss fetches all of them. In
-// place of what lies beyond the end of memory its first line is read once more, and who wants a
-// line there gets an error.
+// A line of the cache is an aligned group of GROUP lines of memory; a miss fetches those of them
+// that memory has, and a line beyond it is answered with an error. mem_lines_i says where memory
+// ends; with GROUP > 1 every line is forgotten when it changes.
 // Why it is right: docs/blocks/cache.md.
 `timescale 1ns / 1ps
 `default_nettype none
@@ -23,7 +23,7 @@ module rt_cache #(
     input  wire           clk,
     input  wire           rst,              // synchronous, active high
     input  wire           flush_i,          // one cycle: forget every line
-    input  wire [`RT_LINE_BITS-1:0] mem_lines_i,      // lines of memory, changes before a flush
+    input  wire [`RT_LINE_BITS-1:0] mem_lines_i,      // lines of memory, changes while idle
     output reg            miss_o,           // one cycle per group asked of memory
     // from the client
     input  wire           req_valid_i,
@@ -35,7 +35,7 @@ module rt_cache #(
     input  wire           rsp_ready_i,
     output wire [255:0]   rsp_data_o,
     output reg  [TAG-1:0] rsp_tag_o,
-    output wire           rsp_error_o,      // bus error: data is void
+    output wire           rsp_error_o,      // bus error, or beyond memory: data is void
     // to memory
     output reg            mem_req_valid_o,
     input  wire           mem_req_ready_i,
@@ -51,6 +51,7 @@ module rt_cache #(
     localparam SB   = $clog2(SETS);         // bits of a set number
     localparam WB   = WAYS > 1 ? $clog2(WAYS) : 1; // bits of a way number
     localparam PB   = SB + GB;              // bits of a set and a place in its group
+    localparam HB   = PB + (GROUP > 1 ? 1 : 0); // of these in the queue, and of whether memory ends
     localparam KB   = `RT_LINE_BITS - PB;             // line number above them
     localparam AB   = $clog2(LINES);        // bits of an address of the data RAM
     `RT_CHECK(LINES == (1 << AB), rt_cache_LINES_must_be_a_power_of_two)
@@ -70,13 +71,14 @@ module rt_cache #(
     reg            walk_q;
     reg  [SB-1:0]  walk_set_q;
     wire           none_held;               // the queue is empty
+    wire           forget;                  // flush_i, or memory ends elsewhere than before
     wire           walk_step = walk_q && none_held;
     always @(posedge clk) begin
         if (walk_step) begin
             walk_set_q <= walk_set_q + 1'b1;
             if (&walk_set_q) walk_q <= 1'b0;
         end
-        if (rst || flush_i) begin walk_q <= 1'b1; walk_set_q <= {SB{1'b0}}; end
+        if (rst || forget) begin walk_q <= 1'b1; walk_set_q <= {SB{1'b0}}; end
     end
 
     // ---- stage 1: reads the state of a set; a request that it cannot take waits before it ----
@@ -231,55 +233,60 @@ module rt_cache #(
         miss_o <= alloc;
         if (rst) begin mem_req_valid_o <= 1'b0; miss_o <= 1'b0; end
     end
-    wire looked /* verilator public_flat_rd */ = s2_go; // for benches: a lookup is done
+    // for benches: what happens; {every line is forgotten, a group came, with an error, a lookup}
+    wire [3:0] seen /* verilator public_flat_rd */ =
+        {forget, fill && fill_last, fill_error, s2_go};
 
     // ---- the lines of a group: asked for and filled in order ----
     wire [PB-1:0] fill_place;
-    wire          fill_beyond;              // it is none of memory's lines
-    wire          alloc_cut, head_cut;      // memory ends within the group
+    wire          fill_void;                // a line beyond memory: an error in its place
+    wire [HB-1:0] s2_what, head_what;       // place, and whether memory ends within its group
     generate
         if (GROUP == 1) begin : g_line
             always @(posedge clk) if (!mem_req_valid_o) mem_req_line_o <= s2_line_q;
+            assign forget     = flush_i;
+            assign s2_what    = s2_place;
+            assign head_place = head_what;
             assign mem_more   = 1'b0;
-            assign fill_beyond = 1'b0;
-            assign alloc_cut  = 1'b0;
-            wire   unused     = &{1'b0, mem_lines_i, head_cut};
             assign fill_place = head_place;
             assign fill_last  = 1'b1;
+            assign fill_void  = 1'b0;
             assign fill_error = mem_rsp_error_i;
+            wire unused_end   = &{1'b0, mem_lines_i};
         end else begin : g_group
-            reg [GB-1:0] fill_q;            // place of the next line from memory
-            reg [GB-1:0] ask_q;             // place of the line that is asked for
-            reg          ask_cut_q;
+            reg [`RT_LINE_BITS-1:0] lines_q;
+            reg          s2_short_q;        // memory ends within the group at hand
+            wire         head_short;        // ... within that of the head
+            reg [GB-1:0] last_q;            // place of the last line to be asked for
+            reg [GB-1:0] fill_q;            // place of the next line that is filled
             reg          error_q;           // a bus error came with one before it
-            wire [GB-1:0] end_place = mem_lines_i[GB-1:0]; // the first one beyond; 0: a whole group
-            wire [GB-1:0] ask_next = ask_q + 1'b1;
-            assign alloc_cut = |end_place &&
-                s2_line_q[`RT_LINE_BITS-1:GB] == mem_lines_i[`RT_LINE_BITS-1:GB];
+            wire [GB-1:0] tail = mem_lines_i[GB-1:0]; // lines of the group in which memory ends
             always @(posedge clk) begin
-                if (mem_go) begin
-                    ask_q     <= mem_more ? ask_next : {GB{1'b0}};
-                    ask_cut_q <= mem_more ? ask_cut_q : alloc_cut;
-                    mem_req_line_o <= {mem_more ? mem_req_line_o[`RT_LINE_BITS-1:GB]
-                                                : s2_line_q[`RT_LINE_BITS-1:GB],
-                        mem_more && !(ask_cut_q && ask_next >= end_place) ? ask_next : {GB{1'b0}}};
-                end
+                lines_q <= mem_lines_i;
+                if (s2_free) s2_short_q <= tail != {GB{1'b0}} &&
+                    s1_line_q[`RT_LINE_BITS-1:GB] == mem_lines_i[`RT_LINE_BITS-1:GB];
+                if (alloc) last_q <= s2_short_q ? tail - 1'b1 : {GB{1'b1}};
+                if (mem_go) mem_req_line_o <= mem_more ? mem_req_line_o + 1'b1
+                                              : {s2_line_q[`RT_LINE_BITS-1:GB], {GB{1'b0}}};
                 if (fill) begin
                     fill_q  <= fill_q + 1'b1;
                     error_q <= fill_error && !fill_last;
                 end
                 if (rst) begin fill_q <= {GB{1'b0}}; error_q <= 1'b0; end
             end
-            assign mem_more    = mem_req_valid_o && !(&ask_q);
-            assign fill_beyond = head_cut && fill_q >= end_place;
+            assign forget     = flush_i || lines_q != mem_lines_i;
+            assign s2_what    = {s2_short_q, s2_place};
+            assign {head_short, head_place} = head_what;
+            assign mem_more   = mem_req_valid_o && mem_req_line_o[GB-1:0] != last_q;
             assign fill_place = {head_set, fill_q};
             assign fill_last  = &fill_q;
-            assign fill_error = mem_rsp_error_i || error_q;
+            assign fill_void  = head_short && fill_q >= tail;
+            assign fill_error = (mem_rsp_error_i && !fill_void) || error_q;
         end
     endgenerate
 
     // ---- queue: leaders, whose line is asked of memory, and followers, in order; its head ----
-    localparam QB = 3 + PB + WB + TAG;
+    localparam QB = 2 + HB + WB + TAG;
     localparam CB = $clog2(PENDING) + 1;
     wire           queue_go = follow_go || alloc;
     wire           queue_in, queue_valid;
@@ -291,17 +298,18 @@ module rt_cache #(
     wire           head_free = head_go || !head_valid_q;
     wire [TAG-1:0] head_tag;
     reg            head_filled_q;           // the group of the leader is written
+    wire           head_lacks = head_valid_q && head_leader && !head_filled_q;
     reg  [CB-1:0]  held_q;                  // requests in the queue and in its head
     rt_fifo #(.WIDTH(QB), .DEPTH(PENDING)) u_queue (
         .clk(clk), .rst(rst),
         .in_valid_i(queue_go), .in_ready_o(queue_in),
-        .in_data_i({alloc_cut, alloc, |(~s2_filled_q & victim), s2_place, number(touch), s2_tag_q}),
+        .in_data_i({alloc, |(~s2_filled_q & victim), s2_what, number(touch), s2_tag_q}),
         .out_valid_o(queue_valid), .out_ready_i(head_free), .out_data_o(queue_data)
     );
-    assign {head_cut, head_leader, head_asked, head_place, head_way, head_tag} = head_q;
+    assign {head_leader, head_asked, head_what, head_way, head_tag} = head_q;
     assign none_held       = held_q == {CB{1'b0}};
-    assign mem_rsp_ready_o = head_valid_q && head_leader && !head_filled_q;
-    assign fill            = mem_rsp_valid_i && mem_rsp_ready_o;
+    assign mem_rsp_ready_o = head_lacks && !fill_void;
+    assign fill            = head_lacks && (mem_rsp_valid_i || fill_void);
     assign head_ready      = head_valid_q && (!head_leader || head_filled_q);
     assign head_go         = head_ready && rsp_free;
     always @(posedge clk) begin
@@ -335,7 +343,7 @@ module rt_cache #(
     rt_slot_ram #(.WIDTH(257), .SLOTS(LINES), .OLD(0)) u_data (
         .clk(clk),
         .wr_en_i(fill), .wr_addr_i(fill_at),
-        .wr_data_i({mem_rsp_error_i || fill_beyond, mem_rsp_data_i}),
+        .wr_data_i({mem_rsp_error_i || fill_void, mem_rsp_data_i}),
         .rd_en_i(rsp_free && (head_ready || (s2_run && s2_hit))),   // head_go || hit_go
         .rd_addr_i(head_ready ? head_at : hit_at),
         .rd_data_o({rsp_error_o, rsp_data_o})

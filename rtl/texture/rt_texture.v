@@ -146,11 +146,10 @@ module rt_texture #(
     );
     assign bus_error_o = come && come_error;
     assign texel_o     = texel_valid && texel_ready;
-    // for benches: the cache's shape, and what it is asked and given
+    // for benches: the cache's shape, and what it is asked
     wire [31:0] cache_shape /* verilator public_flat_rd */ = {LINES[15:0], WAYS[7:0], GROUP[7:0]};
-    wire [31:0] cache_seen  /* verilator public_flat_rd */ =
-        {flush_i, mem_rsp_valid_i && mem_rsp_ready_o, mem_rsp_error_i, ask, taken,
-         asked[7:6] == TEXEL, ask_line};
+    wire [31:0] cache_asked /* verilator public_flat_rd */ =
+        {3'd0, ask, taken, asked[7:6] == TEXEL, ask_line};
 
     // ---- a line came ----
     reg              r_map_q, r_texel_q, r_lost_q;

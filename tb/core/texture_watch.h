@@ -1,9 +1,9 @@
 /* texture_watch.h - the model's cache beside every texture cache of a verilated core
  * SPDX-License-Identifier: Apache-2.0
  *
- * Each rt_texture shows what its cache is asked and given (cache_seen) and the cache's shape, its
- * cache when it looks a line up (looked); they are found by name, wherever they stand. The core's
- * counter of misses must be what they add up to.
+ * Each rt_texture shows what its cache is asked (cache_asked) and the cache's shape, its cache what
+ * it does (seen); they are found by name, wherever they stand. The core's counter of misses must be
+ * what they add up to.
  */
 #ifndef TB_TEXTURE_WATCH_H
 #define TB_TEXTURE_WATCH_H
@@ -21,13 +21,13 @@ class TextureWatch {
     /* After the first clock of the core that was made in this context. */
     explicit TextureWatch(VerilatedContext &context) {
         for (const auto &scope : *context.scopeNameMap()) {
-            const VerilatedVar *seen = scope.second->varFind("cache_seen");
+            const VerilatedVar *asked = scope.second->varFind("cache_asked");
             const VerilatedVar *shape = scope.second->varFind("cache_shape");
-            if (!seen || !shape) continue;
+            if (!asked || !shape) continue;
             const VerilatedScope *cache =
                 context.scopeFind((std::string(scope.first) + ".u_cache").c_str());
-            units_.push_back({static_cast<const uint32_t *>(seen->datap()),
-                              static_cast<const uint8_t *>(cache->varFind("looked")->datap()),
+            units_.push_back({static_cast<const uint32_t *>(asked->datap()),
+                              static_cast<const uint8_t *>(cache->varFind("seen")->datap()),
                               *static_cast<const uint32_t *>(shape->datap()), nullptr});
         }
         reset();
@@ -41,7 +41,7 @@ class TextureWatch {
     /* Before every clock edge, when all has settled; not in reset. */
     void clock() {
         for (const Unit &unit : units_)
-            unit.cache->texture(*unit.seen, *unit.looked);
+            unit.cache->texture(*unit.asked, *unit.seen);
     }
     /* So far. */
     uint64_t missed() const {
@@ -59,8 +59,8 @@ class TextureWatch {
 
   private:
     struct Unit {
-        const uint32_t *seen;
-        const uint8_t *looked;
+        const uint32_t *asked;
+        const uint8_t *seen;
         uint32_t shape;
         std::unique_ptr<CachePrediction> cache;
     };

@@ -68,8 +68,8 @@ class Run {
   public:
     Run(int argc, char **argv)
         : b("tb_texture", argc, argv, 6000), shape(t.rootp->rt_texture__DOT__cache_shape),
-          seen(t.rootp->rt_texture__DOT__cache_seen),
-          looked(t.rootp->rt_texture__DOT__u_cache__DOT__looked) {
+          requests(t.rootp->rt_texture__DOT__cache_asked),
+          seen(t.rootp->rt_texture__DOT__u_cache__DOT__seen) {
         memory.fill(b.random);
         bench::put(t.regs_i, RT_REGS_MEM_LINES, LINES_IN_MEMORY);
         reset();
@@ -143,8 +143,8 @@ class Run {
     uint32_t errors = 0, material = 0;
     bool bad_node = false, drain = true, on = true, more = true, must_miss = false;
     unsigned pace = 100, latency = 3, reading = 100;
-    const uint32_t shape, &seen;
-    const uint8_t &looked;
+    const uint32_t shape, &requests;
+    const uint8_t &seen;
     std::unique_ptr<CachePrediction> prediction;
     int word_slot = -1, material_slot = -1;
 
@@ -282,7 +282,7 @@ class Run {
         if (t.mem_rsp_valid_i && t.mem_rsp_ready_o) asked.pop_front();
         texels_asked += t.texel_o;
         if (t.miss_o != must_miss) b.fail("another miss than the model's");
-        must_miss = prediction->texture(seen, looked);
+        must_miss = prediction->texture(requests, seen);
         if (prediction->impossible()) b.fail("a lookup that the model refuses");
         bad_node |= t.bad_node_o;
         if (t.bus_error_o) b.fail("a bus error that nobody made");

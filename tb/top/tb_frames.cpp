@@ -52,17 +52,17 @@ static bool picture(Checks &c, const sph_frame &size, uint32_t store, const std:
     return fclose(to) == 0;
 }
 
-/* What is shown of frame `number` and, with layers, each of them. */
-static void write_pictures(Checks &c, const Golden &now, const std::string &folder, int number) {
-    const uint32_t store = c.stores[c.newest()];
+/* What is shown of the newest frame, and its layers. */
+static void pictures(Checks &c, const Golden &golden, const std::string &folder, int number) {
+    const unsigned newest = c.newest();
     const auto write = [&](const char *what, uint32_t place) {
         char name[32];
         snprintf(name, sizeof name, "/%s-%04d.ppm", what, number);
-        c.note("a picture is written", picture(c, now.frame, place, folder + name));
+        c.note("a picture is written", picture(c, golden.frame, place, folder + name));
     };
-    write("shown", c.place(now, c.newest()));
+    write("shown", c.place(golden, newest));
     for (uint32_t layer = 0; c.layers && layer < std::size(LAYERS); layer++)
-        write(LAYERS[layer], store + layer * c.apart);
+        write(LAYERS[layer], c.stores[newest] + layer * c.apart);
 }
 
 int main(int argc, char **argv) {
@@ -114,7 +114,7 @@ int main(int argc, char **argv) {
                 (unsigned long long)upload, (unsigned long long)n[SPHAERA_COUNT_CYCLES],
                 (unsigned long long)(end - begin),
                 (double)n[SPHAERA_COUNT_WRITE_PIXELS] / (double)n[SPHAERA_COUNT_WRITE_BURSTS]);
-        write_pictures(*c, *now, folder, i - first);
+        pictures(*c, *now, folder, i - first);
         upload = next_upload;
         now = std::move(next);
     }

@@ -3,8 +3,8 @@
 // CORE_PARAMETERS, WIDTH, HEIGHT and LAYERS are macros; +machine, +memory, +frame are files that
 // lab/top/show_files.py writes: registers, words of 64 bits, the golden model's pixels. A picture
 // is black as long as no frame is complete; three that follow must be the frame. With LAYERS MUX
-// changes then, and what is shown with it, at once between two pictures. Prints `ok` or `not ok`
-// and ends by itself.
+// then changes within a picture, and the next ones show its layer. Prints `ok` or `not ok` and ends
+// by itself.
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
@@ -106,7 +106,7 @@ module tb_show_icarus;
     localparam N = `WIDTH * `HEIGHT;
     reg  [23:0] golden [0:4*N-1];         // as each value of MUX has it
     reg  on = 1'b0;
-    integer mux = 0, earlier = 0;          // in register MUX, and until now
+    integer mux = 0, earlier = 0;         // in register MUX, and until now
     integer at = 0, bad = 0, stale = 0, lit = 0, black = 0, whole = 0, late = 0, wrong = 0;
     always @(posedge pix_clk) if (on && b[8] === 1'b1) begin
         if (g[8] !== 1'b1 || r[8] !== 1'b1 || ^pixel === 1'bx) wrong = wrong + 1;
@@ -151,11 +151,11 @@ module tb_show_icarus;
             for (n = 0; n < 20000 && at < N / 3; n = n + 1) @(posedge clk); // within a picture
             put(`RT_TOP_MUX, mux + 1);
             earlier = mux;
-            mux    = mux + 1;
-            stale  = bad;                       // it began as the one before, and ends so
-            bad    = 1;
-            whole  = 0;
-            late   = 0;
+            mux     = mux + 1;
+            stale   = bad;                      // it began as the one before, and ends so
+            bad     = 1;
+            whole   = 0;
+            late    = 0;
             for (n = 0; n < 20000 && whole < 3 && wrong == 0; n = n + 1) @(posedge clk);
         end
         if (`LAYERS != 0 && mux < 3) wrong = wrong + 1;

@@ -1,8 +1,8 @@
 #!/bin/sh
 # test_top_layers.sh - rt_top with layers: Rendering, L1 and L2 stored side by side, shown by MUX
 # SPDX-License-Identifier: Apache-2.0
-# Around the golden model in place of the core every check of rt_top, and those of layers; with
-# ALL=1 on buses of 128 bits too. Around the core frames of `make sim TOP=1 LAYERS=1`.
+# Around the golden model in place of the core every check of rt_top, and those of layers, with
+# ALL=1 on buses of 128 bits too; around the core frames of `make sim TOP=1 LAYERS=1`.
 set -u
 . "$(dirname "$0")/../tap.sh"
 cd "$(dirname "$0")/../.." || exit 1
@@ -10,11 +10,11 @@ BUILD=${BUILD:-build}
 plain_make() { env -u MAKEFLAGS -u MFLAGS make -s --no-print-directory "$@"; }
 
 shell() { # bits of the buses
-    words=$(plain_make B="$BUILD" top-shell) && eval "set -- DATA=$1 $words" &&
-        plain_make -f make/rt_top.mk B="$BUILD" BENCH=tb_shell LAYERS=1 SEED=1 "$@" top \
-            >"$TMP/made" 2>&1 || { cat "$TMP/made" && return 1; }
-    plain_make -f make/rt_top.mk B="$BUILD" BENCH=tb_shell LAYERS=1 SEED=1 "$@" run >"$TMP/said" &&
-        cat "$TMP/said" && grep -q 'layers shown.* conditions$' "$TMP/said"
+    words=$(plain_make B="$BUILD" top-shell) && eval "set -- DATA=$1 $words" || return 1
+    set -- -f make/rt_top.mk B="$BUILD" BENCH=tb_shell LAYERS=1 SEED=1 "$@"
+    plain_make "$@" top >"$TMP/made" 2>&1 || { cat "$TMP/made" && return 1; }
+    plain_make "$@" run >"$TMP/said" && cat "$TMP/said" &&
+        grep -q '^ok .*layers shown.* conditions$' "$TMP/said"
 }
 plain_make B="$BUILD" "$BUILD"/top/paper5.sph "$BUILD"/top/interpenetrating.sph
 for data in 64 ${ALL:+128}; do
