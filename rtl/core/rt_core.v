@@ -209,7 +209,7 @@ module rt_core #(
 
     // ---- units of an engine; numbers of its slots, {pipe, slot of its own} ----
     // units of machine.def
-    localparam SHADE_UNITS = SHADES ? SHADES : PIPES == 1 || INTERPENETRATE ? 1
+    localparam SHADE_UNITS = SHADES ? SHADES : PIPES == 1 || INTERPENETRATE != 0 ? 1
                              : PIPES == 4 ? 4 : 2;
     localparam LEAF_UNITS = EXACTS ? EXACTS : BOXES ? SHADE_UNITS
                              : PIPES > 2 && SHADE_UNITS > 1 ? 2 : 1;
