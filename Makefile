@@ -69,7 +69,7 @@ export CCACHE_EXTRAFILES := $(wildcard /var/lib/dpkg/status)
 CC       := $(CCACHE) gcc
 CXX      := $(CCACHE) g++
 WARN     := -Wall -Wextra -Wconversion -Wshadow -Werror
-CFLAGS   := -std=c11 -D_GNU_SOURCE -O3 $(WARN) -Icmodel -fopenmp
+CFLAGS   := -std=c11 -D_GNU_SOURCE -O3 $(WARN) -Icmodel
 CXXFLAGS := -std=c++17 -O2 $(WARN) -Icmodel
 # The same objects serve the tool and the shared library, which exports what sphaera.h has.
 SHARED   := -fPIC -fvisibility=hidden
@@ -77,12 +77,10 @@ SANITIZE := -O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all
 CLANG_CC := $(CCACHE) clang
 # of programs that tests run
 LINKER   := $(shell sh sim/linker.sh)
-# gcc's omp.h, whose malloc attribute clang does not know; __SANITIZE_ADDRESS__ as gcc defines it
-CLANG_OMP      = -idirafter $(dir $(shell $(CC) -print-file-name=include/omp.h)) '-D__malloc__(x)='
+# __SANITIZE_ADDRESS__ as gcc defines it
 CLANG_SANITIZE := -O0 -gline-tables-only -fsanitize=address,undefined -fno-sanitize-recover=all \
                   -D__SANITIZE_ADDRESS__
-# without threads: the loops of OpenMP run one after another
-CLANG_FLAGS    = -std=c11 -D_GNU_SOURCE -Icmodel -fopenmp=libgomp $(CLANG_OMP) $(CLANG_SANITIZE)
+CLANG_FLAGS    = -std=c11 -D_GNU_SOURCE -Icmodel $(CLANG_SANITIZE)
 # Looked up when used, so that `make setup` may install them first.
 pkg         = $(shell pkg-config $(1))
 MODEL_LIBS  = -Wl,--as-needed $(call pkg,--libs $(MODEL_PACKAGES)) -lm

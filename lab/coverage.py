@@ -47,7 +47,7 @@ def program(bench, folder, compiler):
     benches.shell([*compiler, "-O0", f'-DPROFILE="{bench.configuration}"', *bench.macros, "-w",
                    "-DVM_COVERAGE=1", "-isystem", folder, "-c", f"{folder}/all.cpp", "-o",
                    f"{folder}/all.o"], log)
-    benches.shell(["g++", "-fopenmp", f"{folder}/all.o",
+    benches.shell(["g++", f"{folder}/all.o",
                    *sorted(glob.glob(f"{bench.build}/sim/obj/bench_*.o")),
                    f"{bench.build}/test/libhard.a", f"{bench.build}/libsphaera.a",
                    "-Wl,--as-needed",

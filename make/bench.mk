@@ -12,7 +12,7 @@ EMBREE = $(if $(wildcard /usr/include/embree3/rtcore.h),$B/sim/embree)
 $B/sim/embree: $B/obj/sim/embree.o $(LIB)
 	$(call say,LD,$(@F))
 	@mkdir -p $(@D)
-	$(call make_whole,$(CC) -fopenmp $^ -lembree3 $(MODEL_LIBS))
+	$(call make_whole,$(CC) $^ -lembree3 $(MODEL_LIBS))
 -include $B/obj/sim/embree.d
 
 bench-setup: ## installs Embree (apt), which make bench sets the model beside

@@ -42,6 +42,6 @@ $S/obj/board_tool.o: cmodel/tool/board.c cmodel/tool/board.h $(wildcard driver/*
 	gcc -std=c11 -D_GNU_SOURCE -O2 -Icmodel -c $< -o $@
 
 $K/tb_$(TOP): $K/top.o $(DRIVER) $(VERILATED) $(LIB)
-	g++ -fopenmp $^ -lm -lpthread -o $@
+	g++ $^ -lm -lpthread -o $@
 
 -include $K/top.d

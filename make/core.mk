@@ -34,7 +34,7 @@ K   := $S/$(KEY)
 LIB := $B/libsphaera.a
 
 CXXFLAGS := -std=c++17 -O2 -Wall -Wextra -Icmodel -Itb/core
-LIBS     := -fopenmp -pthread -ljansson -lm
+LIBS     := -pthread -ljansson -lm
 
 # what stands around a core is no part of it
 RTL_FILES := $(shell find $(RTL) \( -path $(RTL)/board -o -path $(RTL)/bus -o -path $(RTL)/top \

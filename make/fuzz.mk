@@ -21,16 +21,16 @@ FUZZ_IMAGE := $(IMAGE_CXX) cmodel/image/plain.c
 # AFL++'s compiler is a clang.
 AFL_CC    := AFL_QUIET=1 afl-clang-fast
 AFL_CXX   := AFL_QUIET=1 afl-clang-fast++
-AFL_FLAGS  = -std=c11 -D_GNU_SOURCE -Icmodel -fopenmp=libgomp $(CLANG_OMP) -O1
+AFL_FLAGS  = -std=c11 -D_GNU_SOURCE -Icmodel -O1
 
 FUZZ_CC_plain = $(CC) $(CFLAGS)
 FUZZ_CC_gcc   = $(CC) $(CFLAGS) $(SANITIZE)
 FUZZ_CC_clang = $(CLANG_CC) $(CLANG_FLAGS)
 FUZZ_CC_afl   = $(AFL_CC) $(AFL_FLAGS)
-FUZZ_LD_plain = $(CXX) -fopenmp
-FUZZ_LD_gcc   = $(CXX) -fopenmp $(SANITIZE)
-FUZZ_LD_clang = clang++ $(CLANG_SANITIZE) -fopenmp=libgomp
-FUZZ_LD_afl   = $(AFL_CXX) -fopenmp=libgomp
+FUZZ_LD_plain = $(CXX)
+FUZZ_LD_gcc   = $(CXX) $(SANITIZE)
+FUZZ_LD_clang = clang++ $(CLANG_SANITIZE)
+FUZZ_LD_afl   = $(AFL_CXX)
 # where the model's objects are
 FUZZ_OF_plain = $B
 FUZZ_OF_gcc   = $B/asan

@@ -48,7 +48,7 @@ $B/test/obj/%.o: %.c $B/flags
 
 $B/test/hard: $(HARD_C:%.c=$B/test/obj/%.o) $B/obj/cmodel/tool/progress.o $(LIB)
 	$(call say,LD,$(@F))
-	$(call make_whole,$(CC) -fopenmp $^ $(HARD_LIBS))
+	$(call make_whole,$(CC) $^ $(HARD_LIBS))
 
 # For benches of the RTL (tb/hard.h): what they do not call is not linked.
 $B/test/libhard.a: $(patsubst %.c,$B/test/obj/%.o,$(filter-out %/main.c %/report.c \
@@ -62,7 +62,7 @@ $B/test/asan/%.o: %.c $B/flags
 $B/test/hard.sanitized: $(HARD_C:%.c=$B/test/asan/%.o) $B/asan/obj/cmodel/tool/progress.o \
                         $B/asan/libsphaera.a
 	$(call say,LD,$(@F))
-	$(call make_whole,$(CC) -fopenmp $(SANITIZE) $^ $(HARD_LIBS))
+	$(call make_whole,$(CC) $(SANITIZE) $^ $(HARD_LIBS))
 
 # Close-ups of what floats get wrong, and their counts, into docs/results/hard_pictures.md.
 PICTURES_C := $(sort $(wildcard tests/hard/pictures/*.c))
@@ -73,7 +73,7 @@ hard-pictures: $B/test/hard-pictures ## pictures and counts of docs/results/hard
 
 $B/test/hard-pictures: $(PICTURES_C:%.c=$B/test/obj/%.o) $B/test/libhard.a $(IMAGE) $(LIB)
 	$(call say,LD,$(@F))
-	$(call make_whole,$(CXX) -fopenmp $^ $(IMAGE_LIBS) $(MODEL_LIBS))
+	$(call make_whole,$(CXX) $^ $(IMAGE_LIBS) $(MODEL_LIBS))
 
 # the suite runs all three
 tests/hard/test_hard.sh: | $B/test/hard $B/test/hard.sanitized $B/test/hard-pictures

@@ -4,6 +4,6 @@
 $B/test/test_image: $B/obj/tests/image/test_image.o $(IMAGE) $(LIB)
 	$(call say,LD,$(@F))
 	@mkdir -p $(@D)
-	$(call make_whole,$(CXX) -fopenmp $^ $(IMAGE_LIBS) $(MODEL_LIBS))
+	$(call make_whole,$(CXX) $^ $(IMAGE_LIBS) $(MODEL_LIBS))
 
 -include $B/obj/tests/image/test_image.d

@@ -15,13 +15,11 @@ $D/exports: cmodel/sphaera/sphaera.h
 	@mkdir -p $D
 	$(Q)printf '{ global: sphaera_*; local: *; };\n' >$@
 
-# It stays when a program unloads it: its threads, of libgomp, would wake up in nothing.
 $D/$(SO): $(SHARED_O) $D/exports $B/sources VERSION
 	$(call say,LD,$(@F))
-	$(call make_whole,$(CC) -shared -fopenmp -Wl$(comma)-soname$(comma)libsphaera.so.$(SOVERSION) \
+	$(call make_whole,$(CC) -shared -Wl$(comma)-soname$(comma)libsphaera.so.$(SOVERSION) \
 	    -Wl$(comma)--version-script=$D/exports -Wl$(comma)--no-undefined \
-	    -Wl$(comma)-z$(comma)nodelete $(SHARED_O) \
-	    $(MODEL_LIBS))
+	    $(SHARED_O) $(MODEL_LIBS))
 
 # One object, in which all names but those of sphaera.h are local.
 $D/libsphaera.a: $(STATIC_O) $B/sources

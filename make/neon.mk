@@ -36,7 +36,7 @@ $(NEON)/libsphaera.a: $(call objects,neon/obj/,$(NEON_C)) $B/sources
 
 $(NEON)/walks: $(NEON)/obj/sim/walks.o $(NEON)/libsphaera.a
 	$(call say,LD,$(@F))
-	$(call make_whole,$(NEON_CC) -fopenmp $^ -lm)
+	$(call make_whole,$(NEON_CC) $^ -lm)
 
 $(NEON)/%.sph: $(TOOL)
 	@mkdir -p $(@D)

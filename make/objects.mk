@@ -76,13 +76,13 @@ $B/clang/obj/cmodel/fast/%_avx2.o: override CLANG_FLAGS += $(AVX2)
 # What the tool loads when a picture is asked for: cmodel/image/lazy.c.
 $(PICTURE): $(call objects,obj/,$(IMAGE_CXX) cmodel/image/plain.c) $(LIB) $B/sources
 	$(call say,LD,$(@F))
-	$(call make_whole,$(CXX) -shared -fopenmp -Wl$(comma)-Bsymbolic -Wl$(comma)--no-undefined \
+	$(call make_whole,$(CXX) -shared -Wl$(comma)-Bsymbolic -Wl$(comma)--no-undefined \
 	    $(filter %.o %.a,$^) $(IMAGE_LIBS) $(MODEL_LIBS))
 
 $(TOOL): $(call objects,obj/,$(TOOL_C) $(IMAGE_C) $(LAZY_C)) $(VERSION_O) $(LIB) $(PICTURE) \
          $(VIEWER)
 	$(call say,LD,$(@F))
-	$(call make_whole,$(CC) -fopenmp $(filter %.o %.a,$^) $(call pkg,--libs jansson) \
+	$(call make_whole,$(CC) $(filter %.o %.a,$^) $(call pkg,--libs jansson) \
 	    $(MODEL_LIBS) -ldl)
 
 -include $(patsubst %.o,%.d,$(call objects,obj/,$(LIB_C) $(TOOL_C) $(IMAGE_CXX) $(IMAGE_C) \

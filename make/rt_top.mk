@@ -56,6 +56,6 @@ $(DRIVER): $(wildcard driver/*)
 	    -c driver/sphaera.c -o $@
 
 $K/$(BENCH): $K/top.o $(DRIVER) $(VERILATED) $(LIB)
-	g++ -fopenmp $^ -lm -lpthread -o $@
+	g++ $^ -lm -lpthread -o $@
 
 -include $K/top.d

@@ -32,7 +32,7 @@ PICTURES := $B/sim/pictures
 $(PICTURES): $B/obj/sim/pictures.o $(call objects,obj/,$(IMAGE_C) $(LAZY_C)) $(LIB)
 	$(call say,LD,$(@F))
 	@mkdir -p $(@D)
-	$(call make_whole,$(CXX) -fopenmp $^ $(MODEL_LIBS) -ldl)
+	$(call make_whole,$(CXX) $^ $(MODEL_LIBS) -ldl)
 -include $B/obj/sim/pictures.d
 
 top_run = test $(MEMORY) = ideal || { echo 'MEMORY=$(MEMORY): not with TOP=1' >&2; exit 2; }; \

@@ -11,7 +11,7 @@ specks: $B/test/specks $(TOOL) ## falsely dark pixels of triangles, into docs/mo
 
 $B/test/specks: $(SPECKS_C:%.c=$B/test/obj/%.o) $(LIB)
 	$(call say,LD,$(@F))
-	$(call make_whole,$(CC) -fopenmp $^ $(MODEL_LIBS))
+	$(call make_whole,$(CC) $^ $(MODEL_LIBS))
 
 -include $(SPECKS_C:%.c=$B/test/obj/%.d)
 tests/specks/test_specks.sh: | $B/test/specks

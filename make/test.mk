@@ -63,10 +63,10 @@ $B/test/test_%.clang.o: test_%.c $B/flags
 	$(call compile_whole,$(CLANG_CC) $(CLANG_FLAGS) -Itests)
 
 $(TEST_RUN): %: %.o $(LIB)
-	$(call make_whole,$(CC) $(LINKER) -fopenmp $(filter %.o,$^) $(filter %.a,$^) $(TEST_LIBS))
+	$(call make_whole,$(CC) $(LINKER) $(filter %.o,$^) $(filter %.a,$^) $(TEST_LIBS))
 
 $(TEST_RUN:%=%.sanitized): %: %.o $B/asan/libsphaera.a
-	$(call make_whole,$(CC) $(LINKER) -fopenmp $(SANITIZE) $(filter %.o,$^) $(filter %.a,$^) \
+	$(call make_whole,$(CC) $(LINKER) $(SANITIZE) $(filter %.o,$^) $(filter %.a,$^) \
 	    $(TEST_LIBS))
 
 $(CLANG_RUN): %: %.o $B/clang/libsphaera.a

@@ -3,7 +3,7 @@
 NAIVE := $B/test/naive-frame
 $(NAIVE): $B/test/obj/tests/reference/naive_frame.o $(LIB)
 	$(call say,LD,$(@F))
-	$(call make_whole,$(CC) -fopenmp $^ $(MODEL_LIBS))
+	$(call make_whole,$(CC) $^ $(MODEL_LIBS))
 
 tests/reference/test_hashes_naive.sh tests/mutants/test_twins.sh: | $(NAIVE)
 tests/mutants/test_twins.sh: | $B/test/hard

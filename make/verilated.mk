@@ -11,7 +11,7 @@ OPT ?= -O1
 override B := $(if $(filter /%,$B),$(shell sh sim/folder.sh '$B'),$B)
 S   := $B/sim
 
-# clang takes half of gcc's time, and the code runs faster; g++ links, for libgomp.
+# clang takes half of gcc's time, and the code runs faster; g++ links.
 CCACHE := $(shell sh sim/ccache.sh)
 LINKER := $(shell sh sim/linker.sh)
 VERILATOR := $(strip $(shell sh sim/allocator.sh) verilator)

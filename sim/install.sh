@@ -25,7 +25,7 @@ Version: $VERSION
 Cflags: -I\${includedir}
 Libs: -L\${libdir} -lsphaera
 Requires.private: $REQUIRES
-Libs.private: -lgomp -lstdc++ -lm
+Libs.private: -pthread -lstdc++ -lm
 END
 }
 

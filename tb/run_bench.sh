@@ -63,7 +63,7 @@ build() { # profile, module, bench, parameters
     fi
     # shellcheck disable=SC2086,SC2046  # lists of words on purpose
     [ -z "$(find "$dir/bench.o" $models -newer "$dir/bench" 2>&1)" ] ||
-        $(cat "$shared/link") -fopenmp "$dir/bench.o" "$shared"/bench_*.o $models -Wl,--as-needed \
+        $(cat "$shared/link") "$dir/bench.o" "$shared"/bench_*.o $models -Wl,--as-needed \
             $(pkg-config --libs gmp mpfr expat) -lm -lpthread -o "$dir/bench"
 }
 

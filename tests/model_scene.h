@@ -15,6 +15,8 @@
 #include <cmocka.h>
 
 #include "builder/build.h"
+#include "common/parallel.h"
+#include "naive/naive.h"
 #include "render/render.h"
 #include "sanitized.h"
 
@@ -88,6 +90,28 @@ static inline struct sph_frame model_render(const struct sph_machine *m, int how
     *errors = sph_render(m, &o, &frame, c, &err);
     if (*errors < 0) fail_msg("%s", err.text);
     return frame;
+}
+
+struct model_naive_frame {
+    const struct sph_machine *m;
+    struct sph_frame frame;
+};
+
+static inline void model_naive_pixels(void *user, uint32_t first, uint32_t end) {
+    const struct model_naive_frame *f = user;
+    for (uint32_t i = first; i < end; i++)
+        f->frame.pixels[i] =
+            sph_naive_pixel(f->m, (int)i % f->frame.width, (int)i / f->frame.width);
+}
+
+/* What the naive model draws. */
+static inline struct sph_frame model_naive(const struct sph_machine *m) {
+    struct model_naive_frame f = {m, {m->regs[SPH_REG_FRAME_W], m->regs[SPH_REG_FRAME_H], NULL}};
+    uint32_t n = (uint32_t)(f.frame.width * f.frame.height);
+    f.frame.pixels = calloc(n, sizeof *f.frame.pixels);
+    assert_non_null(f.frame.pixels);
+    sph_parallel_for(n, 16, model_naive_pixels, &f);
+    return f.frame;
 }
 
 /* Pixels whose colours, id or key differ; prints the first. */

@@ -11,10 +11,11 @@
 
 #include "builder/tree/box.h"
 #include "builder/emit.h"
+#include "common/parallel.h"
 #include "machine/records.h"
 #include "builder/prim/build.h"
 
-enum { PARALLEL = 8192 }; /* nodes or primitives from which on threads share the work */
+enum { WORTH = 4096 }; /* nodes or primitives, a thread */
 
 /* Writes child slot i of a node line: the sphere with the filter's margin. */
 static void put_child(uint32_t *node, int i, const struct sph_ball *ball) {
@@ -110,18 +111,25 @@ static void put_node(struct sph_machine *m, const struct content *c, uint32_t no
     }
 }
 
-/* Writes primitive records from line `base` on, then the table of facets. */
-static void put_prims(struct sph_machine *m, const struct sph_scene *scene,
-                      const struct sph_ball *balls, const struct sph_facets *facets,
-                      uint32_t base) {
-    uint32_t spheres = scene->n_spheres, n = spheres + facets->n;
-#pragma omp parallel for if (n > PARALLEL)
-    for (uint32_t id = 0; id < n; id++) {
-        struct sph_grid_prim prim = sph_grid_prim_of(balls, spheres, facets, id);
-        uint32_t *line = sph_line(m, base + id);
-        sph_put_prim(scene, &prim, line);
-        put_material(line, &scene->materials[sph_grid_look(scene, &prim).material]);
-        if (id >= spheres) sph_put_record(scene, &prim, sph_line(m, base + n + id - spheres));
+/* Primitives, whose records stand from line `base` on, then the table of facets. */
+struct prims {
+    struct sph_machine *m;
+    const struct sph_scene *scene;
+    const struct sph_ball *balls;
+    const struct sph_facets *facets;
+    uint32_t base, n;
+};
+
+static void put_prims(void *user, uint32_t first, uint32_t end) {
+    const struct prims *p = user;
+    uint32_t spheres = p->scene->n_spheres;
+    for (uint32_t id = first; id < end; id++) {
+        struct sph_grid_prim prim = sph_grid_prim_of(p->balls, spheres, p->facets, id);
+        uint32_t *line = sph_line(p->m, p->base + id);
+        sph_put_prim(p->scene, &prim, line);
+        put_material(line, &p->scene->materials[sph_grid_look(p->scene, &prim).material]);
+        if (id >= spheres)
+            sph_put_record(p->scene, &prim, sph_line(p->m, p->base + p->n + id - spheres));
     }
 }
 
@@ -144,7 +152,8 @@ void sph_emit_prims(const struct sph_scene *scene, const struct sph_ball *balls,
                     const struct sph_facets *facets, uint32_t base, uint32_t nodes,
                     struct sph_machine *machine) {
     uint32_t n = scene->n_spheres + facets->n;
-    put_prims(machine, scene, balls, facets, base);
+    struct prims prims = {machine, scene, balls, facets, base, n};
+    sph_parallel_for(n, WORTH, put_prims, &prims);
     machine->regs[SPH_REG_ROOT] = 0;
     machine->regs[SPH_REG_PRIM_BASE] = (int32_t)base;
     machine->regs[SPH_REG_MEM_LINES] = (int32_t)machine->lines;
@@ -154,14 +163,29 @@ void sph_emit_prims(const struct sph_scene *scene, const struct sph_ball *balls,
     machine->regs[SPH_REG_VISIT_LIMIT] = visit_limit(nodes);
 }
 
+/* A node, its line, and where what is below it begins. */
+struct place {
+    uint32_t node, line, base;
+};
+
+struct places {
+    struct sph_machine *m;
+    const struct content *c;
+    const struct place *queue;
+};
+
+static void put_nodes(void *user, uint32_t first, uint32_t end) {
+    const struct places *p = user;
+    for (uint32_t i = first; i < end; i++)
+        put_node(p->m, p->c, p->queue[i].node, p->queue[i].line, p->queue[i].base);
+}
+
 /* Writes nodes and leaf records. -1 if memory is out, or a radius does not fit. */
 static int put_tree(struct sph_machine *m, struct content *c, struct sph_error *err) {
     const struct sph_tree *tree = c->tree;
     int whole = c->plants->facets->n > 0, failed = 0;
     uint32_t base = 1, tail = 1;
-    struct place {
-        uint32_t node, line, base;
-    } *queue = malloc(tree->n_nodes * sizeof *queue);
+    struct place *queue = malloc(tree->n_nodes * sizeof *queue);
     if (!queue) return sph_fail(err, "out of memory for %u nodes", tree->n_nodes);
     if (c->plants->kind == SPH_TREE_BOX4)
         failed = !(c->boxes = sph_box_nodes(c->plants, tree, err));
@@ -175,9 +199,7 @@ static int put_tree(struct sph_machine *m, struct content *c, struct sph_error *
             queue[tail].node = node->child[i], queue[tail++].line = base + i;
         base += group_lines(node, whole);
     }
-#pragma omp parallel for if (tail > PARALLEL)
-    for (uint32_t i = 0; i < (failed ? 0 : tail); i++)
-        put_node(m, c, queue[i].node, queue[i].line, queue[i].base);
+    if (!failed) sph_parallel_for(tail, WORTH, put_nodes, &(struct places){m, c, queue});
     free(queue);
     free(c->boxes);
     return failed ? -1 : 0;

@@ -4,6 +4,8 @@
 #ifndef SPH_PROGRESS_H
 #define SPH_PROGRESS_H
 
+#include "common/parallel.h"
+
 #include <stddef.h>
 
 /* What is told, or a part of it: that between two shares of all, 0..1. */
@@ -19,8 +21,9 @@ enum { SPH_PROGRESS_ALL = 1000 };
 static inline void sph_progress_at(const struct sph_progress *p, double share) {
     if (!p || !p->show) return;
     double done = p->from + (p->to - p->from) * share;
-#pragma omp critical
+    sph_parallel_lock();
     p->show(p->user, (int)(SPH_PROGRESS_ALL * done), SPH_PROGRESS_ALL);
+    sph_parallel_unlock();
 }
 
 /* The part of a part between two shares of it; p may be NULL. */

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/parallel.h"
 #include "fast/packets.h"
 #include "fast/prepare.h"
 #include "fast/setup.h"
@@ -13,7 +14,7 @@
 #include "prim/sphere.h"
 #include "trace/node.h"
 
-enum { PARALLEL = 8192 }; /* nodes from which on threads share the work */
+enum { WORTH = 4096 }; /* nodes, a thread */
 
 /* What is found on the way: nodes that the root leads to, in the order of their lines, so that the
  * children of a node stay together. */
@@ -23,6 +24,7 @@ struct job {
     uint32_t lines, *number; /* of each line: 1 if it is a node, then its number */
     uint32_t *waiting;       /* nodes to look at */
     uint32_t nodes, leaves;
+    struct sph_fast *to;
 };
 
 /* The head of a node; 0 if a visit would end in BAD_NODE, by the rule of sph_visit(). */
@@ -124,6 +126,13 @@ static void read_node(const struct job *j, uint32_t line, struct sph_fast *f,
         read_record(j, sph_record(j->m, j->whole, base + n_inner, i), f, leaf + i);
 }
 
+static void read_nodes(void *user, uint32_t first, uint32_t end) {
+    const struct job *j = user;
+    for (uint32_t i = first; i < end; i++)
+        read_node(j, j->waiting[i], j->to, &j->to->nodes[i],
+                  j->to->boxes ? &j->to->boxes[i] : NULL);
+}
+
 /* 0 if memory is out. */
 static int decode(struct job *j, struct sph_fast *f) {
     uint32_t root = (uint32_t)j->m->regs[SPH_REG_ROOT], at = 0, leaf = 0;
@@ -150,9 +159,8 @@ static int decode(struct job *j, struct sph_fast *f) {
         f->nodes[i].leaf = leaf;
         if (head(j, j->waiting[i], &base, &n_inner, &n_leaf)) leaf += n_leaf;
     }
-#pragma omp parallel for if (j->nodes > PARALLEL)
-    for (uint32_t i = 0; i < j->nodes; i++)
-        read_node(j, j->waiting[i], f, &f->nodes[i], f->boxes ? &f->boxes[i] : NULL);
+    j->to = f;
+    sph_parallel_for(j->nodes, WORTH, read_nodes, j);
     return 1;
 }
 

@@ -4,17 +4,13 @@
 #include "reference/reference.h"
 
 #include <math.h>
-#include <omp.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/parallel.h"
 #include "reference/follow.h"
 
-/* How many threads share the rows; who counts gets one. */
-static int threads_of(const struct sph_reference_options *o) {
-    if (o->work) return 1;
-    return o->threads > 0 ? o->threads : omp_get_num_procs();
-}
+enum { ROWS = 4 }; /* that are worth a thread */
 
 static uint32_t byte(double c) {
     return (uint32_t)(fmin(fmax(c, 0), 1) * 255 + 0.5);
@@ -45,6 +41,24 @@ static struct sph_reference_pixel render_pixel(const struct sph_ref_job *j, int 
     return seen.pixel;
 }
 
+struct picture {
+    const struct sph_ref_job *job;
+    struct sph_reference *out;
+};
+
+static void render_rows(void *user, uint32_t first, uint32_t end) {
+    const struct picture *p = user;
+    size_t width = (size_t)p->out->width;
+    for (uint32_t y = first; y < end; y++) {
+        struct sph_level_work work = {.hits = {0}};
+        for (size_t x = 0; x < width; x++)
+            p->out->pixels[y * width + x] = render_pixel(p->job, (int)x, (int)y, &work);
+        sph_parallel_lock();
+        sph_level_work_add(&p->out->work, &work);
+        sph_parallel_unlock();
+    }
+}
+
 int sph_reference_render(const struct sph_scene *scene, const struct sph_reference_options *options,
                          struct sph_reference *out, struct sph_error *err) {
     struct sph_ref_job j = {.scene = scene, .o = options};
@@ -67,14 +81,10 @@ int sph_reference_render(const struct sph_scene *scene, const struct sph_referen
         return sph_fail(err, "%s: no memory for the reference", scene->path);
     }
     j.tree = tree;
-#pragma omp parallel for schedule(dynamic, 4) num_threads(threads_of(options))
-    for (int y = 0; y < height; y++) {
-        struct sph_level_work work = {.hits = {0}};
-        for (int x = 0; x < width; x++)
-            out->pixels[(size_t)y * (size_t)width + (size_t)x] = render_pixel(&j, x, y, &work);
-#pragma omp critical
-        sph_level_work_add(&out->work, &work);
-    }
+    struct picture picture = {&j, out};
+    int before = sph_parallel_most(options->work ? 1 : options->threads); /* who counts gets one */
+    sph_parallel_for((uint32_t)height, ROWS, render_rows, &picture);
+    sph_parallel_most(before);
     sph_ref_tree_free(tree);
     return 0;
 }

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <time.h>
 
+#include "common/parallel.h"
 #include "reference/facet.h"
 #include "reference/kd.h"
 
@@ -76,6 +77,14 @@ static void boxes_of(uint32_t count, uint32_t *boxes, uint32_t *more) {
     *more += count % 2 ? 2 * half_more : half + half_more;
 }
 
+/* A box to be made, of some items. */
+struct part {
+    struct sph_ref_tree *tree;
+    uint32_t self, first, count;
+};
+
+static void build_part(void *part);
+
 /* Makes box `self` of some items and those below it, behind it. */
 static void build(struct sph_ref_tree *t, uint32_t self, uint32_t first, uint32_t count) {
     struct box b = {
@@ -95,17 +104,16 @@ static void build(struct sph_ref_tree *t, uint32_t self, uint32_t first, uint32_
         halve(t->items + first, count, axis);
         boxes_of(left, &boxes, &more);
         b.right = self + 1 + boxes;
-        if (count > PARALLEL) {
-#pragma omp task
-            build(t, self + 1, first, left);
-            build(t, b.right, first + left, count - left);
-#pragma omp taskwait
-        } else {
-            build(t, self + 1, first, left);
-            build(t, b.right, first + left, count - left);
-        }
+        struct part lower = {t, self + 1, first, left};
+        struct part upper = {t, b.right, first + left, count - left};
+        sph_parallel_two(count > PARALLEL, build_part, &lower, &upper);
     }
     t->boxes[self] = b;
+}
+
+static void build_part(void *user) {
+    const struct part *p = user;
+    build(p->tree, p->self, p->first, p->count);
 }
 
 static void add(struct sph_ref_tree *t, uint32_t id, const struct sph_vec *v, int n, double rad) {
@@ -125,8 +133,6 @@ static int grow(struct sph_ref_tree *t, int kd) {
     uint32_t more;
     if (kd) return (t->kd = sph_kd_new(t->items, t->n_items)) != NULL;
     boxes_of(t->n_items, &t->n_boxes, &more);
-#pragma omp parallel if (t->n_items > PARALLEL)
-#pragma omp single
     build(t, 0, 0, t->n_items);
     return 1;
 }

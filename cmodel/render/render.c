@@ -3,9 +3,9 @@
  */
 #include "render/render.h"
 
-#include <omp.h>
 #include <stdlib.h>
 
+#include "common/parallel.h"
 #include "pixel/background.h"
 #include "engine/render_pixel.h"
 #include "fast/pixel.h" /* sph_fast_shades */
@@ -22,6 +22,10 @@ struct job {
     int tiles;         /* sph_fast_tile() instead of draw */
     int packets;       /* and in packets */
     int width, height; /* of what a thread draws at a time */
+    int across, down;  /* how many of those there are */
+    int done;          /* of them */
+    uint32_t errors;
+    struct sph_counters *counters;
 };
 
 static int less(int a, int b) {
@@ -29,7 +33,7 @@ static int less(int a, int b) {
 }
 
 /* What a thread draws at a time, from x0, y0 on. */
-static void part(const struct job *j, int x0, int y0, struct sph_counters *c, uint32_t *errors) {
+static void draw(const struct job *j, int x0, int y0, struct sph_counters *c, uint32_t *errors) {
     int x1 = less(x0 + j->width, j->m->regs[SPH_REG_WIN_X1]);
     int y1 = less(y0 + j->height, j->m->regs[SPH_REG_WIN_Y1]);
     for (int x = x0; x < x1 && j->tiles; x += SPH_TILE)
@@ -41,6 +45,27 @@ static void part(const struct job *j, int x0, int y0, struct sph_counters *c, ui
             j->frame->pixels[at] =
                 j->draw(j->m, &j->how, x, y, c, errors, j->how.trails ? j->how.trails + at : NULL);
         }
+}
+
+/* Draws parts of the window and adds up what they cost. */
+static void parts(void *user, uint32_t first, uint32_t end) {
+    struct job *j = user;
+    const int32_t *r = j->m->regs;
+    int rows = r[SPH_REG_WIN_Y1] - r[SPH_REG_WIN_Y0];
+    for (int i = (int)first; i < (int)end; i++) {
+        struct sph_counters mine = {{0}};
+        uint32_t errors = 0;
+        draw(j, r[SPH_REG_WIN_X0] + i % j->across * j->width,
+             r[SPH_REG_WIN_Y0] + i / j->across * j->height, &mine, &errors);
+        sph_parallel_lock();
+        j->errors |= errors;
+        for (int c = 0; c < SPH_COUNTERS; c++)
+            j->counters->count[c] += mine.count[c];
+        if (++j->done % j->across == 0 && j->how.progress)
+            j->how.progress(j->how.user, (int)((int64_t)j->done * rows / (j->across * j->down)),
+                            rows);
+        sph_parallel_unlock();
+    }
 }
 
 /* What is not known of packets is not told of a frame that was drawn otherwise. */
@@ -69,7 +94,13 @@ int sph_render(const struct sph_machine *m, const struct sph_render_options *o,
                                 : NULL;
     int columns = r[SPH_REG_WIN_X1] - r[SPH_REG_WIN_X0];
     int rows = r[SPH_REG_WIN_Y1] - r[SPH_REG_WIN_Y0];
-    struct job job = {m, *o, frame, sph_render_pixel, 0, 0, columns, ROWS};
+    struct job job = {.m = m,
+                      .how = *o,
+                      .frame = frame,
+                      .draw = sph_render_pixel,
+                      .width = columns,
+                      .height = ROWS,
+                      .counters = counters};
     if (fast) job.how.fast = fast;
     if (job.how.fast && !o->log && sph_fast_shades(m)) {
         job.tiles = 1;
@@ -77,31 +108,13 @@ int sph_render(const struct sph_machine *m, const struct sph_render_options *o,
         job.width = TILES * SPH_TILE;
         job.height = SPH_TILE;
     }
-    uint32_t errors = sph_background_missing(m) ? 1u << SPH_ERROR_BAD_NODE : 0;
-    int across = columns > 0 ? (columns + job.width - 1) / job.width : 0; /* or no window */
-    int down = rows > 0 ? (rows + job.height - 1) / job.height : 0, done = 0;
-#pragma omp parallel num_threads(o->threads > 0 ? o->threads : omp_get_num_procs())
-    {
-        struct sph_counters mine = {{0}};
-        uint32_t my_errors = 0;
-#pragma omp for schedule(dynamic, 1)
-        for (int i = 0; i < across * down; i++) {
-            part(&job, r[SPH_REG_WIN_X0] + i % across * job.width,
-                 r[SPH_REG_WIN_Y0] + i / across * job.height, &mine, &my_errors);
-            if (o->progress) {
-#pragma omp critical
-                if (++done % across == 0)
-                    o->progress(o->user, (int)((int64_t)done * rows / (across * down)), rows);
-            }
-        }
-#pragma omp critical
-        {
-            errors |= my_errors;
-            for (int i = 0; i < SPH_COUNTERS; i++)
-                counters->count[i] += mine.count[i];
-        }
-    }
+    job.errors = sph_background_missing(m) ? 1u << SPH_ERROR_BAD_NODE : 0;
+    job.across = columns > 0 ? (columns + job.width - 1) / job.width : 0; /* or no window */
+    job.down = rows > 0 ? (rows + job.height - 1) / job.height : 0;
+    int before = sph_parallel_most(o->threads);
+    sph_parallel_for((uint32_t)(job.across * job.down), 1, parts, &job);
+    sph_parallel_most(before);
     sph_fast_free(fast);
     if (packets) forget_work(frame, counters);
-    return (int)errors;
+    return (int)job.errors;
 }

@@ -24,6 +24,7 @@ static int render(const struct sph_machine *m, int threads, sphaera_frame *made,
 int sphaera_render(const sphaera_machine *machine, int threads, sphaera_frame **frame,
                    sphaera_error *error) {
     if (sph_api_null(machine, "machine", error) || sph_api_null(frame, "frame", error)) return -1;
+    SPH_API_ENVIRONMENT;
     struct sph_error err = {""};
     *frame = NULL;
     if (threads < 0 || threads > MOST_THREADS) {
@@ -94,6 +95,7 @@ uint32_t sphaera_frame_errors(const sphaera_frame *frame) {
 
 int sphaera_frame_write(const sphaera_frame *frame, const char *path, sphaera_error *error) {
     if (sph_api_null(frame, "frame", error) || sph_api_null(path, "path", error)) return -1;
+    SPH_API_ENVIRONMENT;
     struct sph_error err = {""};
     struct sph_linear light = {0};
     const char *format = sph_image_format(path, &err);

@@ -81,6 +81,7 @@ static int build(const struct sph_scene *scene, struct sph_build_options *o,
 int sphaera_build(const sphaera_scene *scene, const sphaera_build_options *options,
                   sphaera_machine **machine, sphaera_error *error) {
     if (sph_api_null(scene, "scene", error) || sph_api_null(machine, "machine", error)) return -1;
+    SPH_API_ENVIRONMENT;
     struct sph_error err = {""};
     struct sph_profile widths;
     struct sph_build_options o = SPH_BUILD_DEFAULT;
@@ -102,6 +103,7 @@ int sphaera_build(const sphaera_scene *scene, const sphaera_build_options *optio
 
 int sphaera_machine_read(const char *path, sphaera_machine **machine, sphaera_error *error) {
     if (sph_api_null(path, "path", error) || sph_api_null(machine, "machine", error)) return -1;
+    SPH_API_ENVIRONMENT;
     struct sph_error err = {""};
     *machine = calloc(1, sizeof **machine);
     int rc = *machine ? sph_machine_read(path, &(*machine)->machine, &err)
@@ -114,6 +116,7 @@ int sphaera_machine_read(const char *path, sphaera_machine **machine, sphaera_er
 
 int sphaera_machine_write(const sphaera_machine *machine, const char *path, sphaera_error *error) {
     if (sph_api_null(machine, "machine", error) || sph_api_null(path, "path", error)) return -1;
+    SPH_API_ENVIRONMENT;
     struct sph_error err = {""};
     return sph_machine_write(&machine->machine, path, &err) ? sph_api_failed(&err, error) : 0;
 }

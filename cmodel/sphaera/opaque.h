@@ -4,6 +4,8 @@
 #ifndef SPHAERA_OPAQUE_H
 #define SPHAERA_OPAQUE_H
 
+#include <fenv.h>
+
 #include "core/frame.h"
 #include "core/trail.h"
 #include "machine/machine.h"
@@ -25,6 +27,14 @@ struct sphaera_frame {
     struct sph_counters counters;
     uint32_t errors;
 };
+
+/* From here to the end of the function it counts in the default floating-point environment, which
+ * the caller's takes the place of again. */
+#define SPH_API_ENVIRONMENT                                                                        \
+    fenv_t environment __attribute__((cleanup(sph_api_leave)));                                    \
+    sph_api_enter(&environment)
+void sph_api_enter(fenv_t *callers);
+void sph_api_leave(fenv_t *callers);
 
 /* Is an argument NULL that must not be? Then *to says so by its name. */
 int sph_api_null(const void *argument, const char *name, sphaera_error *to);

@@ -9,6 +9,7 @@
 /* text NULL: the file called name. */
 static int make(const char *text, size_t length, const char *name, uint32_t at,
                 sphaera_scene **scene, sphaera_error *error) {
+    SPH_API_ENVIRONMENT;
     struct sph_error err = {""};
     struct sph_read_options options = {.at = at};
     *scene = NULL;

@@ -46,6 +46,7 @@ int sphaera_trace(const sphaera_machine *machine, const double origin[3], const 
     if (sph_api_null(machine, "machine", error) || sph_api_null(origin, "origin", error) ||
         sph_api_null(direction, "direction", error) || sph_api_null(hit, "hit", error))
         return -1;
+    SPH_API_ENVIRONMENT;
     const struct sph_machine *m = &machine->machine;
     struct sph_error err = {""};
     struct sph_counters counters = {{0}};

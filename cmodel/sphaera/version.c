@@ -1,4 +1,4 @@
-/* version.c - version and errors of the library
+/* version.c - version, errors and environment of the library
  * SPDX-License-Identifier: Apache-2.0
  *
  * The build gives SPHAERA_RELEASE, the text of the file VERSION.
@@ -9,6 +9,15 @@
 
 const char *sphaera_version(void) {
     return SPHAERA_RELEASE;
+}
+
+void sph_api_enter(fenv_t *callers) {
+    fegetenv(callers);
+    fesetenv(FE_DFL_ENV);
+}
+
+void sph_api_leave(fenv_t *callers) {
+    fesetenv(callers);
 }
 
 int sph_api_failed(const struct sph_error *from, sphaera_error *to) {

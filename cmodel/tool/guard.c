@@ -3,7 +3,6 @@
  */
 #include "tool/guard.h"
 
-#include <omp.h>
 #include <pthread.h>
 #include <signal.h>
 #include <stdio.h>
@@ -14,6 +13,7 @@
 
 #include "common/number.h"
 #include "common/output.h"
+#include "common/parallel.h"
 
 static unsigned long long memory; /* bytes; 0: as many as there are */
 
@@ -65,7 +65,7 @@ static unsigned long long stacks(void) {
     struct rlimit stack;
     unsigned long long one = 8ull << 20;
     if (!getrlimit(RLIMIT_STACK, &stack) && stack.rlim_cur != RLIM_INFINITY) one = stack.rlim_cur;
-    return 2 * one * (unsigned)(omp_get_num_procs() + 1);
+    return 2 * one * (unsigned)(sph_processors() + 1);
 }
 
 int guard_start(void) {

@@ -49,8 +49,8 @@ def run(tool, folder, number, n, tree, refit):
          PROFILES.get(n, "standard"), *options(TREES[tree]),
          "--refit", refit, "--depth", "0", "--shadow", "off", "--size", f"{SIZE[0]}x{SIZE[1]}",
          "--frames", f"0..{FRAMES - 1}", "-t", "1", "--json", target],
-        env=dict(os.environ, OMP_NUM_THREADS="1"), check=False, stdout=subprocess.DEVNULL,
-        stderr=subprocess.PIPE, text=True)
+        preexec_fn=lambda: os.sched_setaffinity(0, [min(os.sched_getaffinity(0))]),
+        check=False, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
     if done.returncode:
         sys.exit(f"measure: {target}: {done.stderr}")
 

@@ -62,7 +62,7 @@ class Built:
             compiler = f.read().split()
         shell(compiler + [*macros, "-w", "-isystem", made, "-c", f"{made}/all.cpp", "-o",
                           f"{made}/all.o"], log)
-        shell(["g++", "-fopenmp", f"{made}/all.o", *objects, f"{self.build}/libsphaera.a",
+        shell(["g++", f"{made}/all.o", *objects, f"{self.build}/libsphaera.a",
                "-Wl,--as-needed", *libraries, "-lm", "-lpthread", "-o", f"{made}/bench"], log)
         return f"{made}/bench"
 

@@ -10,7 +10,7 @@ PATIENCE, SLACK = 4.0, 1.0  # a fault may take PATIENCE times the sound netlist'
 
 def attempt(bench, program, number, words, limit):
     """survived, killed or timeout, and processor's seconds."""
-    environment = dict(os.environ, MUTANT=str(number), BENCH_FIRST="1", OMP_NUM_THREADS="1")
+    environment = dict(os.environ, MUTANT=str(number), BENCH_FIRST="1")
     began = os.times()
     verdict = "timeout"
     try:

@@ -122,7 +122,7 @@ class Trial:
             own = [*glob.glob(f"{self.build}/test/obj/tests/hard/*.o"),
                    f"{self.build}/obj/cmodel/tool/progress.o"]
         library = f"{self.build}/{'asan/' if sanitized else ''}libsphaera.a"
-        subprocess.run([self.linker, "-fopenmp", *(SANITIZE if sanitized else ()), *own, *objects,
+        subprocess.run([self.linker, *(SANITIZE if sanitized else ()), *own, *objects,
                         library, *self.libraries, "-lm", "-lgcov", "-o", program], check=True)
         return program
 
@@ -132,7 +132,7 @@ class Trial:
             [program, *HARD.get(os.path.basename(program), [])], check=False,
             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds)),
-            env={**os.environ, "BUILD": self.build, "OMP_NUM_THREADS": "1"}).returncode
+            env={**os.environ, "BUILD": self.build}).returncode
 
     def survey(self):
         """{suite: [seconds, {file: [[line, whether it runs]]}]} of the suites that pass and are no

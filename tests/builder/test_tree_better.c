@@ -6,11 +6,11 @@
 #include "build_scene.h"
 
 #include <math.h>
-#include <omp.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "builder/tree/better.h"
+#include "common/parallel.h"
 
 #ifdef __SANITIZE_ADDRESS__
 enum { MOST = 1100, SLOW = 300 };
@@ -23,11 +23,10 @@ static const struct sph_profile *const profile = &sph_profiles[SPH_REFERENCE];
 static struct sph_split better(const struct sph_ball *balls, uint32_t n, int threads) {
     struct sph_split split;
     struct sph_error err;
-    int before = omp_get_max_threads();
-    omp_set_num_threads(threads);
+    int before = sph_parallel_most(threads);
     assert_int_equal(sph_split(balls, NULL, n, 64, NULL, &split, &err), 0);
     assert_int_equal(sph_split_better(balls, NULL, n, profile, NULL, &split, &err), 0);
-    omp_set_num_threads(before);
+    sph_parallel_most(before);
     return split;
 }
 

@@ -4,13 +4,13 @@
  * Run from the root of the repository: reads scenes/.
  */
 #include <math.h>
-#include <omp.h>
 
 #include "builder/grid/bound.h"
 #include "builder/tree/box.h"
 #include "builder/tree/sample.h"
 #include "builder/tree/rotate.h"
 #include "builder/tree/seen.h"
+#include "common/parallel.h"
 #include "core/frame.h"
 #include "model_scene.h"
 #include "scene/vector.h"
@@ -60,10 +60,9 @@ enum { CASES = sizeof cases / sizeof *cases };
 
 /* A machine built with so many threads. */
 static struct sph_machine build_by(int threads, const struct sph_scene *scene, int tree) {
-    int before = omp_get_max_threads();
-    omp_set_num_threads(threads);
+    int before = sph_parallel_most(threads);
     struct sph_machine m = build(scene, tree, ANY, NULL);
-    omp_set_num_threads(before);
+    sph_parallel_most(before);
     return m;
 }
 
@@ -243,12 +242,11 @@ static void hundred_free(struct hundred *h) {
 static struct rays rays_of(const struct sph_machine *m) {
     static struct rays rays;
     struct sph_error err = {{0}};
-    int threads = omp_get_max_threads();
-    omp_set_num_threads(1);
+    int threads = sph_parallel_most(1);
     rays.n = 0;
     assert_int_equal(sph_sample(m, keep, &rays, &err), 0);
     assert_true(rays.n > W * H / 16);
-    omp_set_num_threads(threads);
+    sph_parallel_most(threads);
     return rays;
 }
 
@@ -259,7 +257,6 @@ static void counts(void **state) {
     struct sph_error err = {{0}};
     static struct rays rays;
     rays = rays_of(&h.machine);
-    int threads = omp_get_max_threads();
     for (int way = 0; way < 2; way++) {
         const struct sph_aabb *b = way ? h.boxes : NULL;
         struct sph_split split, area_of;
@@ -271,11 +268,11 @@ static void counts(void **state) {
         memcpy(area_of.pairs, split.pairs, split.n_pairs * sizeof *split.pairs);
         sph_split_fill(h.balls, b, h.profile, &area_of);
         count(h.balls, b, h.profile, &split, &rays, met);
-        omp_set_num_threads(3);
+        sph_parallel_most(3);
         assert_int_equal(sph_sights(&h.machine, way, &sights, &err), 0);
         assert_int_equal(sights.n, rays.n);
         assert_int_equal(sph_split_seen(h.balls, b, h.profile, &sights, &split, &err), 0);
-        omp_set_num_threads(threads);
+        sph_parallel_most(0);
         for (uint32_t i = 0; i < split.n_pairs; i++) {
             double unseen = area(&area_of.pairs[i]) / area(&area_of.pairs[0]) / 16;
             double seen = (double)met[i] / (double)met[0];
@@ -334,13 +331,12 @@ static void rotates(void **state) {
     static struct rays rays;
     struct sph_split splits[3];
     rays = rays_of(&h.machine);
-    int threads = omp_get_max_threads();
     assert_int_equal(sph_sights(&h.machine, 1, &sights, &err), 0);
     for (int i = 0; i < 3; i++) {
         struct sph_split *s = &splits[i];
         assert_int_equal(sph_split(h.balls, h.boxes, h.n, 64, NULL, s, &err), 0);
         sph_split_fill(h.balls, h.boxes, h.profile, s);
-        omp_set_num_threads(i ? 5 : 1);
+        sph_parallel_most(i ? 5 : 1);
         int most = i < 2 ? s->pairs[0].levels[1] + 2 : s->pairs[0].levels[1] - 1;
         uint64_t before = all_met(&h, s, &rays);
         assert_int_equal(sph_split_rotate(h.balls, h.boxes, &sights, SPH_UNSEEN, most, s, &err), 0);
@@ -355,7 +351,7 @@ static void rotates(void **state) {
         printf("# rays that meet pairs: %llu, rotated %llu\n", (unsigned long long)before,
                (unsigned long long)after);
     }
-    omp_set_num_threads(threads);
+    sph_parallel_most(0);
     for (uint32_t i = 0; i < splits[0].n_pairs; i++)
         assert_memory_equal(splits[0].pairs[i].child, splits[1].pairs[i].child,
                             sizeof splits[0].pairs[i].child);

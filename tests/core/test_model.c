@@ -5,8 +5,6 @@
  */
 #include "model_scene.h"
 
-#include "naive/naive.h"
-
 enum { W = MODEL_W, H = MODEL_H };
 
 /* Both trees see on every pixel what a test of all spheres sees. */
@@ -51,11 +49,8 @@ static void naive_is_golden(void **state) {
             int errors;
             if (!model_build(&scene, profile, SPH_TREE_BALANCED, n & 1, NW, NH, &m)) continue;
             struct sph_frame golden = model_render(&m, SPH_TRAVERSE_TREE, 0, &c, &errors);
-            struct sph_frame naive = {NW, NH, calloc(NW * NH, sizeof *naive.pixels)};
-#pragma omp parallel for schedule(dynamic, 8)
-            for (int i = 0; i < NW * NH; i++)
-                naive.pixels[i] = sph_naive_pixel(&m, i % NW, i / NW);
-            wrong += model_differ("naive", &m, &golden, &naive);
+            struct sph_frame naive = model_naive(&m);
+            NH wrong += model_differ("naive", &m, &golden, &naive);
             frames++;
             sph_frame_free(&golden);
             sph_frame_free(&naive);

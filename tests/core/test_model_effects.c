@@ -5,7 +5,6 @@
  */
 #include "model_scene.h"
 
-#include "naive/naive.h"
 #include "scene/edit.h"
 #include "scene/generate.h"
 #include "validate/validate.h"
@@ -97,11 +96,8 @@ static void naive_is_golden(void **state) {
             for (size_t set = 0; set < sizeof sets / sizeof *sets; set++, frames++) {
                 struct sph_counters c;
                 struct sph_frame golden = draw(&m, sets[set], SPH_TRAVERSE_TREE, &c);
-                struct sph_frame naive = {NW, NH, calloc(NW * NH, sizeof *naive.pixels)};
-#pragma omp parallel for schedule(dynamic, 8)
-                for (int i = 0; i < NW * NH; i++)
-                    naive.pixels[i] = sph_naive_pixel(&m, i % NW, i / NW);
-                int differ = model_differ("naive", &m, &golden, &naive);
+                struct sph_frame naive = model_naive(&m);
+                NH int differ = model_differ("naive", &m, &golden, &naive);
                 if (differ) printf("# ... with EFFECTS %d\n", sets[set]);
                 wrong += differ;
                 sph_frame_free(&golden);

@@ -9,7 +9,6 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "naive/naive.h"
 #include "scene/edit.h"
 #include "scene/generate.h"
 #include "scene/rng.h"
@@ -138,11 +137,8 @@ static void naive_is_golden(void **state) {
             m.regs[SPH_REG_EFFECTS] =
                 1 << SPH_EFFECT_FACETS | effects[i < SPH_PROFILES ? 0 : i - SPH_PROFILES + 1];
             struct sph_frame golden = model_render(&m, SPH_TRAVERSE_TREE, 0, &c, &errors);
-            struct sph_frame naive = {NW, NH, calloc(NW * NH, sizeof *naive.pixels)};
-#pragma omp parallel for schedule(dynamic, 8)
-            for (int at = 0; at < NW * NH; at++)
-                naive.pixels[at] = sph_naive_pixel(&m, at % NW, at / NW);
-            wrong += model_differ("naive", &m, &golden, &naive);
+            struct sph_frame naive = model_naive(&m);
+            NH wrong += model_differ("naive", &m, &golden, &naive);
             sph_frame_free(&golden);
             sph_frame_free(&naive);
             sph_machine_free(&m);

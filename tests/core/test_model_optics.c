@@ -5,7 +5,6 @@
  */
 #include "model_scene.h"
 
-#include "naive/naive.h"
 #include "scene/rng.h"
 #include "validate/validate.h"
 
@@ -51,12 +50,8 @@ static struct sph_machine built(const struct sph_scene *scene, const struct sph_
 static int against_naive(const struct sph_machine *m, struct sph_counters *c) {
     int errors;
     struct sph_frame golden = model_render(m, SPH_TRAVERSE_TREE, 0, c, &errors);
-    struct sph_frame naive = {W, H, calloc(W * H, sizeof *naive.pixels)};
-    assert_int_equal(errors, 0);
-#pragma omp parallel for schedule(dynamic, 8)
-    for (int i = 0; i < W * H; i++)
-        naive.pixels[i] = sph_naive_pixel(m, i % W, i / W);
-    int wrong = model_differ("naive", m, &golden, &naive);
+    struct sph_frame naive = model_naive(m);
+    H int wrong = model_differ("naive", m, &golden, &naive);
     sph_frame_free(&golden);
     sph_frame_free(&naive);
     return wrong;

@@ -103,7 +103,7 @@ sed -i 's/\[SPH_TRIANGLE\] = \({[^}]*}\),/[SPH_TRIANGLE] = \1, [SPH_WEDGE] = \1,
 sh sim/layout.sh
 
 # ---- the tool, compiled anew ----
-make tool -j"$JOBS" B=build CFLAGS="-std=c11 -D_GNU_SOURCE -O0 -Icmodel -fopenmp" \
+make tool -j"$JOBS" B=build CFLAGS="-std=c11 -D_GNU_SOURCE -O0 -Icmodel" \
     CXXFLAGS="-std=c++17 -O0 -Icmodel" >"$TMP/make" 2>&1 || cat "$TMP/make"
 tool=build/sphaera scene=$OLDPWD/scenes/one_sphere.nff
 "$tool" build --help >"$TMP/help" 2>&1

@@ -3,11 +3,11 @@
  *
  * usage: FUZZ_TMP=FOLDER afl-fuzz ... PROGRAM ROOT     ROOT: the folder tests/fuzz
  */
-#include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
 
+#include "common/parallel.h"
 #include "fuzz.h"
 
 enum { ROUNDS = 20000 };
@@ -23,7 +23,7 @@ int main(int argc, char **argv) {
     char *root = realpath(argv[1], NULL);
     if (!root || chdir(tmp)) return 2;
     fuzz_begin(root);
-    omp_set_num_threads(1);
+    sph_parallel_most(1);
     __AFL_INIT();
     const unsigned char *bytes = __AFL_FUZZ_TESTCASE_BUF;
     while (__AFL_LOOP(ROUNDS))

@@ -9,7 +9,6 @@
  * is kept as FOLDER/NAME-DIGEST. Prints one line of TAP. The same seed makes the same inputs.
  */
 #include <fcntl.h>
-#include <omp.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,6 +17,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "common/parallel.h"
 #include "change.h"
 #include "number.h"
 #include "fuzz.h"
@@ -118,7 +118,7 @@ int main(int argc, char **argv) {
     signal(SIGABRT, ended);
     signal(SIGALRM, ended);
     if (!SANITIZED) signal(SIGSEGV, ended);
-    omp_set_num_threads(1);
+    sph_parallel_most(1);
     fuzz_begin(run.root);
     double start = clock_now();
     for (size_t i = 0; i < corpus.inputs; i++)

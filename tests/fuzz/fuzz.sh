@@ -13,7 +13,6 @@ set -u
 how=$1
 shift
 cd "$(dirname "$0")/../.." || exit 2
-export OMP_THREAD_LIMIT=1 # a second thread would wait in a loop
 fuzz=$BUILD/fuzz found=$BUILD/fuzz/found
 PART=1000000
 shm=/dev/shm

@@ -35,7 +35,7 @@ job() {
     *) set -- "$BUILD"/test/obj/tests/hard/*.o "$BUILD/obj/cmodel/tool/progress.o" ;;
     esac
     # shellcheck disable=SC2086  # a list of words on purpose
-    gcc -std=c11 -D_GNU_SOURCE -O1 -w -Icmodel "-Icmodel/${file%/*}" -fopenmp \
+    gcc -std=c11 -D_GNU_SOURCE -O1 -w -Icmodel "-Icmodel/${file%/*}" \
         "$job.c" "$@" "$BUILD/libsphaera.a" $libs -lm -o "$job.run" || return 2
     case $by in test_*) set -- ;; *) set -- --named="$by" ;; esac
     timeout 60 "$job.run" "$@"

@@ -6,7 +6,6 @@
 #include "model_scene.h"
 
 #include "math/isqrt.h"
-#include "naive/naive.h"
 #include "scene/rng.h"
 #include "prim/leaf.h"
 #include "validate/validate.h"
@@ -187,11 +186,8 @@ static void frames(void **state) {
             assert_int_equal(errors, 0);
             matters[k] += knob_matters(&scene, o, &golden, &c);
             struct sph_frame brute = model_render(&m, SPH_TRAVERSE_BRUTE, 0, &c, &errors);
-            struct sph_frame naive = {NW, NH, calloc(NW * NH, sizeof *naive.pixels)};
-#pragma omp parallel for schedule(dynamic, 8)
-            for (int i = 0; i < NW * NH; i++)
-                naive.pixels[i] = sph_naive_pixel(&m, i % NW, i / NW);
-            wrong += model_differ("naive", &m, &golden, &naive);
+            struct sph_frame naive = model_naive(&m);
+            NH wrong += model_differ("naive", &m, &golden, &naive);
             wrong += model_differ("brute", &m, &golden, &brute);
             done++;
             sph_frame_free(&golden);

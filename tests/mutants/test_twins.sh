@@ -17,7 +17,7 @@ export BUILD SPHAERA TMP
 libs=$(pkg-config --libs jansson expat gmp mpfr)
 
 compile() { # object of the edited model, sources...; result last
-    gcc -std=c11 -D_GNU_SOURCE -O1 -w -Icmodel -Itests -Itests/hard -fopenmp "$@"
+    gcc -std=c11 -D_GNU_SOURCE -O1 -w -Icmodel -Itests -Itests/hard "$@"
 }
 # The oracle, linked with an edited object, or with none.
 oracle() { # folder, object or nothing
@@ -32,7 +32,7 @@ oracle() { # folder, object or nothing
         ;;
     hard*)
         # shellcheck disable=SC2086
-        gcc -fopenmp "$BUILD"/test/obj/tests/hard/*.o "$BUILD/obj/cmodel/tool/progress.o" "$@" \
+        gcc "$BUILD"/test/obj/tests/hard/*.o "$BUILD/obj/cmodel/tool/progress.o" "$@" \
             "$BUILD/libsphaera.a" $libs -lm -o "$here/oracle" || return 2
         "$here/oracle" --named="${by#hard }"
         ;;
@@ -74,7 +74,7 @@ job() {
         sh sim/core.sh --machine "$here/scene.sph" --folder) || return 2
     others='verilated|simulate_(verilator|netlist|cxxrtl|host)'
     # shellcheck disable=SC2046  # a list of words on purpose
-    g++ -fopenmp $(find "$BUILD/sim/obj" -name '*.o' | grep -vE "$others") "$here/twin.o" \
+    g++ $(find "$BUILD/sim/obj" -name '*.o' | grep -vE "$others") "$here/twin.o" \
         "$here/literal.o" "$BUILD/libsphaera.a" -Wl,--wrap=sph_render -ljansson -lm -lpthread \
         -o "$here/harness" || return 2
     set -- --machine "$here/scene.sph" --engine "$folder/tb_core.vvp" --core "$core" \

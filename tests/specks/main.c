@@ -17,6 +17,7 @@
 #include "specks.h"
 
 #include "pixel/walk.h"
+#include "common/parallel.h"
 #include "prim/prim.h"
 #include "trace/setup.h"
 
@@ -92,6 +93,45 @@ static void show(const struct specks *w, const struct seen *s, const int64_t fro
            specks_common(s->facet, f));
 }
 
+/* A picture, and its pixels by rule and what is wrong with them: lit, dark. */
+struct picture {
+    struct specks *w;
+    int shown;
+    long counts[RULES][2];
+};
+
+/* Compares the lights of a pixel. */
+static void compare(struct picture *p, const struct seen *s, int x, int y) {
+    const struct specks *w = p->w;
+    for (int l = 0; l < w->m.regs[SPH_REG_N_LIGHTS]; l++) {
+        long double light[3];
+        if (!specks_light(w, l, light)) continue;
+        long double faces = specks_height(s->facet, light);
+        if (s->hit.far ? faces >= 0 : faces <= 0) continue;
+        int right = specks_dark(w, s->facet, s->at, light), other = -1;
+        for (int rule = 0; rule < RULES; rule++) {
+            int64_t from[3];
+            uint32_t by = blocked(w, s, rule, l, from);
+            if ((by != 0) == right) continue;
+            if (other < 0) other = specks_explained(w, s->facet, s->at, light, !right);
+            if (other) continue;
+            sph_parallel_lock();
+            p->counts[rule][by != 0]++;
+            if (by && rule == OUTWARDS && p->shown) show(w, s, from, light, by - 1, x, y);
+            sph_parallel_unlock();
+        }
+    }
+}
+
+static void pixels(void *user, uint32_t first, uint32_t end) {
+    struct picture *p = user;
+    int wide = p->w->m.regs[SPH_REG_FRAME_W];
+    for (int i = (int)first; i < (int)end; i++) {
+        struct seen s;
+        if (look(p->w, i % wide, i / wide, &s)) compare(p, &s, i % wide, i / wide);
+    }
+}
+
 int main(int argc, char **argv) {
     if (argc < 3 || argc > 4 || (argc == 4 && strcmp(argv[3], "--show"))) {
         fprintf(stderr, "usage: specks SCENE.nff PROFILE [--show]\n");
@@ -103,33 +143,12 @@ int main(int argc, char **argv) {
         fprintf(stderr, "specks: %s\n", err.text);
         return 2;
     }
-    int wide = w.m.regs[SPH_REG_FRAME_W], high = w.m.regs[SPH_REG_FRAME_H];
-    long counts[RULES][2] = {{0}}; /* lit, dark */
-#pragma omp parallel for schedule(dynamic, 64) reduction(+ : counts[:RULES][:2])
-    for (int i = 0; i < wide * high; i++) {
-        struct seen s;
-        if (!look(&w, i % wide, i / wide, &s)) continue;
-        for (int l = 0; l < w.m.regs[SPH_REG_N_LIGHTS]; l++) {
-            long double light[3];
-            if (!specks_light(&w, l, light)) continue;
-            long double faces = specks_height(s.facet, light);
-            if (s.hit.far ? faces >= 0 : faces <= 0) continue;
-            int right = specks_dark(&w, s.facet, s.at, light), other = -1;
-            for (int rule = 0; rule < RULES; rule++) {
-                int64_t from[3];
-                uint32_t by = blocked(&w, &s, rule, l, from);
-                if ((by != 0) == right) continue;
-                if (other < 0) other = specks_explained(&w, s.facet, s.at, light, !right);
-                if (other) continue;
-                counts[rule][by != 0]++;
-                if (by && rule == OUTWARDS && argc == 4)
-#pragma omp critical
-                    show(&w, &s, from, light, by - 1, i % wide, i / wide);
-            }
-        }
-    }
+    struct picture picture = {&w, argc == 4, {{0}}};
+    uint32_t n = (uint32_t)(w.m.regs[SPH_REG_FRAME_W] * w.m.regs[SPH_REG_FRAME_H]);
+    sph_parallel_for(n, 1024, pixels, &picture);
     for (int rule = 0; rule < RULES; rule++)
-        printf("%-8s dark %ld lit %ld\n", rules[rule], counts[rule][1], counts[rule][0]);
+        printf("%-8s dark %ld lit %ld\n", rules[rule], picture.counts[rule][1],
+               picture.counts[rule][0]);
     specks_close(&w);
     return 0;
 }

@@ -8,8 +8,9 @@
 #include <string.h>
 
 #include "builder/profile/waver.h"
+#include "common/parallel.h"
 
-enum { SAMPLE = 2304 }; /* pixels, at most */
+enum { SAMPLE = 2304, ROWS = 4 }; /* pixels, at most; rows of them that are worth a thread */
 
 /* Mean square error, levels^2, of colours that are right but rounded: anywhere within a level;
  * where a material's shares, of 8 bits, add up they may all be off by one. */
@@ -135,6 +136,19 @@ static void add_row(const struct sph_ref_job *j, const struct sph_waver *w, int 
     }
 }
 
+struct samples {
+    const struct sph_ref_job *j;
+    const struct sph_waver *w;
+    int n, by;
+    struct sums *of; /* [rows][n] */
+};
+
+static void add_rows(void *user, uint32_t first, uint32_t end) {
+    const struct samples *s = user;
+    for (int i = (int)first; i < (int)end; i++)
+        add_row(s->j, s->w, s->n, s->by / 2 + i * s->by, s->by, s->of + i * s->n);
+}
+
 /* Rows of samples, by pixels apart, and as many columns; sums in the order of rows, whatever
  * threads there are. -1 if memory is out. */
 static int add(const struct sph_ref_job *j, const struct sph_waver *w, int n, int by,
@@ -142,9 +156,7 @@ static int add(const struct sph_ref_job *j, const struct sph_waver *w, int n, in
     int rows = (j->view.height - 1 - by / 2) / by + 1;
     struct sums *of = calloc((size_t)rows * (size_t)n, sizeof *of);
     if (!of) return -1;
-#pragma omp parallel for schedule(dynamic, 2)
-    for (int i = 0; i < rows; i++)
-        add_row(j, w, n, by / 2 + i * by, by, of + i * n);
+    sph_parallel_for((uint32_t)rows, ROWS, add_rows, &(struct samples){j, w, n, by, of});
     for (int i = 0; i < rows * n; i++) {
         sums[i % n].square += of[i].square;
         sums[i % n].wrong += of[i].wrong;

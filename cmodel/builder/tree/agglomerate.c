@@ -11,9 +11,11 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "common/parallel.h"
+
 /* LOOKS: pairs that are looked at, times n^2; about half of the balls join in a round, which makes
- * 4/3. PARALLEL: balls from which on threads share a round. */
-enum { LOOKS = 4, PARALLEL = 2048 };
+ * 4/3. WORTH: balls of a round that are worth a thread. */
+enum { LOOKS = 4, WORTH = 1024 };
 
 struct work {
     struct sph_links *links;
@@ -21,6 +23,7 @@ struct work {
     struct sph_link_ball *ball; /* of each */
     uint32_t *node, *near;      /* its number, and its choice */
     uint32_t *spheres;          /* of a node */
+    int look;
 };
 
 /* The radius of the ball around two; the same whichever comes first. */
@@ -55,6 +58,13 @@ static struct sph_link_ball join(struct work *w, uint32_t me, uint32_t a, uint32
     return sph_link_around(l, w->spheres, n);
 }
 
+/* The choices of some balls; of any neighbour when they no longer look. */
+static void choose(void *user, uint32_t first, uint32_t end) {
+    struct work *w = user;
+    for (uint32_t i = first; i < end; i++)
+        w->near[i] = w->look ? nearest(w, i) : (i ^ 1) < w->left ? i ^ 1 : i;
+}
+
 static void agglomerate(struct work *w, int tight) {
     struct sph_links *l = w->links;
     uint64_t looks = 0, most = (uint64_t)LOOKS * l->n * l->n;
@@ -63,9 +73,8 @@ static void agglomerate(struct work *w, int tight) {
         w->node[w->left] = w->left, w->ball[w->left] = l->ball[w->left];
     while (w->left > 1) {
         uint32_t n = 0;
-#pragma omp parallel for if (w->left > PARALLEL)
-        for (uint32_t i = 0; i < w->left; i++)
-            w->near[i] = looks < most ? nearest(w, i) : (i ^ 1) < w->left ? i ^ 1 : i;
+        w->look = looks < most;
+        sph_parallel_for(w->left, WORTH, choose, w);
         looks += (uint64_t)w->left * w->left;
         for (uint32_t i = 0; i < w->left; i++) {
             uint32_t other = w->near[i], me = w->node[i];

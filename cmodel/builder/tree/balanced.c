@@ -12,10 +12,11 @@
 #include "builder/tree/better.h"
 #include "builder/tree/rotate.h"
 #include "builder/tree/seen.h"
+#include "common/parallel.h"
 #include "machine/layout.h"
 
-/* PARALLEL: spheres from which on threads share the work. STEP: nodes between two tellings. */
-enum { PARALLEL = 8192, STEP = 4096 };
+/* WORTH: nodes that are worth a thread. STEP: nodes between two tellings. */
+enum { WORTH = 1024, STEP = 4096 };
 
 /* Shares of the time until it is split, and until that is made better. */
 #define SPLIT 0.25
@@ -36,7 +37,8 @@ struct work {
     struct sph_split split;
     struct sph_ball *sorted; /* the balls in its order */
     struct plan *plans;
-    uint32_t n; /* of plans */
+    uint32_t n;    /* of plans */
+    uint32_t seen; /* steps of them that are done */
     struct sph_tree *tree;
     int most; /* levels of nodes */
     int even; /* two binary levels to a node, whatever the cost */
@@ -137,11 +139,21 @@ static uint32_t put_node(struct work *w, struct plan *plan) {
     return me;
 }
 
+/* The bounding spheres of some plans. */
+static void enclose_plans(void *user, uint32_t first, uint32_t end) {
+    struct work *w = user;
+    struct sph_progress last = sph_progress_part(&w->tree->progress, BETTER, 1);
+    for (uint32_t i = first; i < end; i++) {
+        enclose(w, &w->plans[i]);
+        if (i % STEP) continue;
+        uint32_t steps = __atomic_fetch_add(&w->seen, 1, __ATOMIC_RELAXED);
+        sph_progress_at(&last, (double)steps * STEP / w->n);
+    }
+}
+
 /* The nodes of a split. -1 if memory is out. */
 static int put_nodes(struct work *w, uint32_t n) {
-    struct sph_progress last = sph_progress_part(&w->tree->progress, BETTER, 1);
     struct sph_tree_node *nodes = NULL;
-    uint32_t seen = 0;
     w->sorted = malloc(n * sizeof *w->sorted);
     w->plans = malloc((n - 1) * sizeof *w->plans);
     w->n = 0;
@@ -152,15 +164,8 @@ static int put_nodes(struct work *w, uint32_t n) {
         nodes = w->tree->nodes = malloc(w->n * sizeof *nodes);
     }
     if (nodes) {
-#pragma omp parallel for schedule(dynamic, 64) if (n > PARALLEL)
-        for (uint32_t i = 0; i < w->n; i++) {
-            enclose(w, &w->plans[i]);
-            if (i % STEP) continue;
-            uint32_t steps;
-#pragma omp atomic capture
-            steps = seen++;
-            sph_progress_at(&last, (double)steps * STEP / w->n);
-        }
+        w->seen = 0;
+        sph_parallel_for(w->n, WORTH, enclose_plans, w);
         put_node(w, w->plans);
     }
     free(w->sorted);

@@ -51,10 +51,8 @@ static uint32_t walk(struct walker *w, uint32_t node, int *hit) {
         *hit |= below;
     }
     struct found *found = &w->work->found[node];
-#pragma omp atomic
-    found->visits += visits;
-#pragma omp atomic
-    found->hits += (uint64_t)*hit;
+    __atomic_fetch_add(&found->visits, visits, __ATOMIC_RELAXED);
+    __atomic_fetch_add(&found->hits, (uint64_t)*hit, __ATOMIC_RELAXED);
     return visits;
 }
 

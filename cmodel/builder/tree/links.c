@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/parallel.h"
+
 enum { PARALLEL = 8192 }; /* spheres from which on threads share the work */
 
 int sph_links_new(const struct sph_ball *balls, const struct sph_aabb *boxes, uint32_t n,
@@ -80,22 +82,38 @@ static uint32_t spheres(const struct sph_links *l, uint32_t node) {
     return node < l->n ? 1 : l->count[node - l->n];
 }
 
+/* Where a node stands: the place of its first sphere, its own, and the side that it is below. */
+struct stand {
+    uint32_t first, place, above;
+};
+
+/* A node and all below it, what is done with them, and what comes out. */
+struct part {
+    struct sph_links *l;
+    uint32_t node;
+    struct stand at;
+    uint32_t most;           /* of fit() */
+    struct sph_split *split; /* of give() */
+    uint32_t count;
+    double area;
+};
+
+static void recount_part(void *part);
+
 /* Counts the spheres below nodes that are stale. What was counted before says where threads share
  * the work. */
 static uint32_t recount(struct sph_links *l, uint32_t node) {
     if (node < l->n) return 1;
-    uint32_t i = node - l->n, left, right;
-    const uint32_t *child = l->child[i];
+    uint32_t i = node - l->n;
     if (!l->stale[i]) return l->count[i];
-    if (l->count[i] > PARALLEL) {
-#pragma omp task shared(left)
-        left = recount(l, child[0]);
-        right = recount(l, child[1]);
-#pragma omp taskwait
-    } else {
-        left = recount(l, child[0]), right = recount(l, child[1]);
-    }
-    return l->count[i] = left + right;
+    struct part left = {.l = l, .node = l->child[i][0]}, right = {.l = l, .node = l->child[i][1]};
+    sph_parallel_two(l->count[i] > PARALLEL, recount_part, &left, &right);
+    return l->count[i] = left.count + right.count;
+}
+
+static void recount_part(void *user) {
+    struct part *p = user;
+    p->count = recount(p->l, p->node);
 }
 
 static struct sph_link_ball enclose(const struct sph_links *l, const struct sph_ball *balls,
@@ -110,11 +128,6 @@ struct sph_link_ball sph_link_around(const struct sph_links *l, const uint32_t *
                                      uint32_t n) {
     return enclose(l, l->balls, spheres, n);
 }
-
-/* Where a node stands: the place of its first sphere, its own, and the side that it is below. */
-struct stand {
-    uint32_t first, place, above;
-};
 
 static void make_ball(struct sph_links *l, uint32_t i, uint32_t first, uint32_t most) {
     const uint32_t *child = l->child[i];
@@ -137,6 +150,8 @@ static void put_pair(struct sph_links *l, uint32_t i, struct stand at, uint32_t 
     p->node = l->n + i;
 }
 
+static void fit_part(void *part);
+
 /* The balls of a node and all below it, children first; the sum of areas. */
 static double fit(struct sph_links *l, uint32_t node, struct stand at, uint32_t most) {
     if (node < l->n) {
@@ -145,66 +160,55 @@ static double fit(struct sph_links *l, uint32_t node, struct stand at, uint32_t 
         return 0;
     }
     uint32_t i = node - l->n, left = spheres(l, l->child[i][0]);
-    struct stand a = {at.first, at.place + 1, 2 * at.place},
-                 b = {at.first + left, at.place + left, 2 * at.place + 1};
-    double sum, more;
-    if (l->count[i] > PARALLEL) {
-#pragma omp task shared(sum)
-        sum = fit(l, l->child[i][0], a, most);
-        more = fit(l, l->child[i][1], b, most);
-#pragma omp taskwait
-    } else {
-        sum = fit(l, l->child[i][0], a, most), more = fit(l, l->child[i][1], b, most);
-    }
+    struct part a = {l, l->child[i][0], {at.first, at.place + 1, 2 * at.place}, .most = most};
+    struct part b = {
+        l, l->child[i][1], {at.first + left, at.place + left, 2 * at.place + 1}, .most = most};
+    sph_parallel_two(l->count[i] > PARALLEL, fit_part, &a, &b);
     make_ball(l, i, at.first, most);
     if (l->pairs) put_pair(l, i, at, left);
-    return sum + more + (double)sph_link_area(l, &l->ball[node]);
+    return a.area + b.area + (double)sph_link_area(l, &l->ball[node]);
+}
+
+static void fit_part(void *user) {
+    struct part *p = user;
+    p->area = fit(p->l, p->node, p->at, p->most);
 }
 
 double sph_links_fit(struct sph_links *l, uint32_t most) {
     const struct stand root = {0, 0, SPH_LINK_NONE};
-    double sum;
     if (l->boxes) most = 0;
-#pragma omp parallel if (l->n > PARALLEL)
-#pragma omp single
-    {
-        recount(l, l->root);
-        sum = fit(l, l->root, root, most);
-    }
+    recount(l, l->root);
+    double sum = fit(l, l->root, root, most);
     l->exact = most;
     return sum;
 }
 
 /* A pair and all below it; costs are known when those of the children are. */
-static void give(const struct sph_links *l, uint32_t node, struct stand at,
-                 struct sph_split *split) {
+static void give(void *user) {
+    const struct part *from = user;
+    const struct sph_links *l = from->l;
+    struct sph_split *split = from->split;
+    uint32_t node = from->node;
+    struct stand at = from->at;
     if (node < l->n) return;
     uint32_t i = node - l->n, left = spheres(l, l->child[i][0]);
     const uint32_t *child = l->child[i];
-    struct stand a = {at.first, at.place + 1, 0}, b = {at.first + left, at.place + left, 0};
+    struct part a = {from->l, child[0], {at.first, at.place + 1, 0}, .split = split};
+    struct part b = {from->l, child[1], {at.first + left, at.place + left, 0}, .split = split};
     struct sph_pair *p = &split->pairs[at.place];
     p->first = at.first, p->count = l->count[i];
-    p->child[0] = child[0] < l->n ? SPH_PAIR_LEAF | child[0] : a.place;
-    p->child[1] = child[1] < l->n ? SPH_PAIR_LEAF | child[1] : b.place;
-    if (p->count > PARALLEL) {
-#pragma omp task
-        give(l, child[0], a, split);
-        give(l, child[1], b, split);
-#pragma omp taskwait
-    } else {
-        give(l, child[0], a, split), give(l, child[1], b, split);
-    }
+    p->child[0] = child[0] < l->n ? SPH_PAIR_LEAF | child[0] : a.at.place;
+    p->child[1] = child[1] < l->n ? SPH_PAIR_LEAF | child[1] : b.at.place;
+    sph_parallel_two(p->count > PARALLEL, give, &a, &b);
     sph_pair_fill(split->pairs, p, sph_link_area(l, &l->ball[node]));
 }
 
 void sph_links_give(struct sph_links *l, struct sph_split *split) {
-    const struct stand root = {0, 0, SPH_LINK_NONE};
+    struct part root = {l, l->root, {0, 0, SPH_LINK_NONE}, .split = split};
     sph_links_fit(l, l->n);
     memcpy(split->order, l->order, l->n * sizeof *split->order);
     split->n_pairs = l->n - 1;
-#pragma omp parallel if (l->n > PARALLEL)
-#pragma omp single
-    give(l, l->root, root, split);
+    give(&root);
 }
 
 struct sph_link_ball sph_link_merge(const struct sph_links *l, const struct sph_link_ball *a,

@@ -10,6 +10,7 @@
 #include "builder/tree/reinsert.h"
 
 #include "builder/tree/radix.h"
+#include "common/parallel.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -182,6 +183,9 @@ struct work {
     uint64_t *key; /* of those that gain; two lists */
     uint32_t most; /* keys that there is room for */
     int failed;    /* memory is out */
+    struct sph_links *links;
+    uint32_t seen; /* steps of a round that are done */
+    const struct sph_progress *progress;
 };
 
 /* The node of a side. */
@@ -212,18 +216,14 @@ static uint32_t most_first(const struct sph_links *l, struct work *w, const uint
     return n;
 }
 
-/* One round; the number of moves. */
-static uint32_t go_round(struct sph_links *l, struct work *w, const struct sph_progress *p) {
-    uint32_t all = 2 * l->n - 1, done = 0, seen = 0;
-    const uint64_t *key;
-    w->gain[l->root] = 0;
-#pragma omp parallel for schedule(dynamic, 512) if (l->n > PARALLEL)
-    for (uint32_t side = 0; side < all - 1; side++) {
+/* The nodes on some sides look for the place where they would save most. */
+static void sides(void *user, uint32_t first, uint32_t end) {
+    struct work *w = user;
+    const struct sph_links *l = w->links;
+    for (uint32_t side = first; side < end; side++) {
         if (side % STEP == STEP - 1) {
-            uint32_t steps;
-#pragma omp atomic capture
-            steps = ++seen;
-            sph_progress_at(p, (double)steps * STEP / all);
+            uint32_t steps = __atomic_add_fetch(&w->seen, 1, __ATOMIC_RELAXED);
+            sph_progress_at(w->progress, (double)steps * STEP / (2 * l->n - 1));
         }
         uint32_t node = node_of(l, side);
         w->gain[node] = 0;
@@ -232,6 +232,15 @@ static uint32_t go_round(struct sph_links *l, struct work *w, const struct sph_p
         w->gain[node] = s.gain;
         if (s.gain > 0) w->to[node] = node_of(l, s.to);
     }
+}
+
+/* One round; the number of moves. */
+static uint32_t go_round(struct sph_links *l, struct work *w, const struct sph_progress *p) {
+    uint32_t all = 2 * l->n - 1, done = 0;
+    const uint64_t *key;
+    w->gain[l->root] = 0;
+    w->links = l, w->seen = 0, w->progress = p;
+    sph_parallel_for(all - 1, PARALLEL, sides, w);
     memset(w->look, 0, all);
     uint32_t n = most_first(l, w, &key);
     for (uint32_t i = 0; i < n; i++) {

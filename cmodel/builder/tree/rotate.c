@@ -12,6 +12,7 @@
 #include <stdlib.h>
 
 #include "builder/tree/links.h"
+#include "common/parallel.h"
 
 /* PASSES over the tree, at most; TURNS of a node in each, at most. LITTLE: of what is saved for
  * each ray. PARALLEL: rays from which on threads share the work. */
@@ -115,32 +116,43 @@ static void swap(const struct work *w, uint32_t node, uint32_t a, uint32_t b) {
             w->box[over[i]] = around(w, children(w, over[i])[0], children(w, over[i])[1]);
 }
 
+/* A child of a node, with the rays that meet the node; what is saved there. */
+struct half {
+    struct work *w;
+    uint32_t node;
+    struct list rays;
+    double saved;
+};
+
+static void turn_half(void *half);
+
 /* A node and all below it; returns what that saves. */
 static double turn(struct work *w, uint32_t node, struct list rays) {
-    double saved[3] = {0};
+    double saved = 0;
     if (is_leaf(w, node) || !rays.n) return 0;
     for (int i = 0; i < TURNS; i++) {
         struct swap s = look(w, node, rays);
         if (!(s.saves > 0)) break;
         swap(w, node, s.a, s.b);
-        saved[2] += s.saves;
+        saved += s.saves;
     }
-    for (int i = 0; i < 2; i++) {
-        uint32_t child = children(w, node)[i];
-        if (is_leaf(w, child)) continue;
-#pragma omp task shared(saved) if (rays.n > PARALLEL)
-        {
-            struct list below = {malloc(rays.n * sizeof *below.ray), 0};
-            if (!below.ray) w->failed = 1;
-            for (uint32_t j = 0; below.ray && j < rays.n; j++)
-                if (sph_sight_meets_box(&w->rays[rays.ray[j]], &w->box[child]))
-                    below.ray[below.n++] = rays.ray[j];
-            saved[i] = turn(w, child, below);
-            free(below.ray);
-        }
-    }
-#pragma omp taskwait
-    return saved[0] + saved[1] + saved[2];
+    struct half left = {w, children(w, node)[0], rays, 0};
+    struct half right = {w, children(w, node)[1], rays, 0};
+    int both = !is_leaf(w, left.node) && !is_leaf(w, right.node);
+    sph_parallel_two(both && rays.n > PARALLEL, turn_half, &left, &right);
+    return left.saved + right.saved + saved;
+}
+
+static void turn_half(void *user) {
+    struct half *h = user;
+    if (is_leaf(h->w, h->node)) return;
+    struct list below = {malloc(h->rays.n * sizeof *below.ray), 0};
+    if (!below.ray) __atomic_store_n(&h->w->failed, 1, __ATOMIC_RELAXED);
+    for (uint32_t j = 0; below.ray && j < h->rays.n; j++)
+        if (sph_sight_meets_box(&h->w->rays[h->rays.ray[j]], &h->w->box[h->node]))
+            below.ray[below.n++] = h->rays.ray[j];
+    h->saved = turn(h->w, h->node, below);
+    free(below.ray);
 }
 
 static void make_boxes(const struct work *w) {
@@ -157,7 +169,7 @@ static void make_boxes(const struct work *w) {
 static int rotate(struct sph_links *l, const struct sph_sights *sights, float unseen) {
     struct work w = {.l = l, .rays = sights->rays};
     struct list all = {malloc((sights->n + 1ull) * sizeof *all.ray), 0};
-    double met = 0, saved;
+    double met = 0;
     w.box = malloc((2ull * l->n - 1) * sizeof *w.box);
     w.failed = !all.ray || !w.box;
     if (!w.failed) {
@@ -168,9 +180,7 @@ static int rotate(struct sph_links *l, const struct sph_sights *sights, float un
         w.per_area = unseen * met / surface(&w.box[l->root]);
     }
     for (int i = 0; i < PASSES && !w.failed; i++) {
-#pragma omp parallel
-#pragma omp single
-        saved = turn(&w, l->root, all);
+        double saved = turn(&w, l->root, all);
         if (saved <= LITTLE * met) break;
     }
     free(all.ray);

@@ -11,6 +11,7 @@
 
 #include "builder/grid/bound.h"
 #include "builder/tree/links.h"
+#include "common/parallel.h"
 
 struct bound {
     struct sph_box box;    /* grid units; or */
@@ -23,8 +24,12 @@ struct work {
     const struct sph_profile *profile;
     const struct sph_split *split;
     struct bound *bounds; /* of pairs */
+    const struct sph_sight *rays;
+    const struct sph_ball *balls;
     int boxes;
 };
+
+enum { BALLS = 2048, RAYS = 1024 }; /* that are worth a thread */
 
 static void add(struct sph_box *to, const int32_t lo[3], const int32_t hi[3]) {
     for (int i = 0; i < 3; i++) {
@@ -54,12 +59,12 @@ static void box(const struct work *w, const struct sph_aabb *boxes) {
 }
 
 /* Balls of pairs. */
-static void ball(const struct work *w, const struct sph_ball *balls) {
-#pragma omp parallel for schedule(dynamic, 64)
-    for (uint32_t i = 0; i < w->split->n_pairs; i++) {
+static void ball(void *user, uint32_t from, uint32_t end) {
+    const struct work *w = user;
+    for (uint32_t i = from; i < end; i++) {
         const struct sph_pair *p = &w->split->pairs[i];
         struct sph_ball b =
-            sph_filter_enclose(balls, w->split->order + p->first, p->count, w->profile);
+            sph_filter_enclose(w->balls, w->split->order + p->first, p->count, w->profile);
         int32_t rad = b.r + SPH_FILTER_MARGIN;
         w->bounds[i].ball = (struct sph_child){{b.c[0], b.c[1], b.c[2]}, rad};
         w->bounds[i].area = (float)rad * (float)rad;
@@ -71,25 +76,28 @@ static void walk(const struct work *w, const struct sph_sight *ray, uint32_t pai
     const uint32_t *child = w->split->pairs[pair].child;
     if (w->boxes ? !sph_sight_meets_box(ray, &b->box) : !sph_sight_meets_ball(ray, &b->ball))
         return;
-#pragma omp atomic
-    b->rays += ray->weight;
+    __atomic_fetch_add(&b->rays, ray->weight, __ATOMIC_RELAXED);
     for (int i = 0; i < 2; i++)
         if (!(child[i] & SPH_PAIR_LEAF)) walk(w, ray, child[i]);
+}
+
+static void rays(void *user, uint32_t from, uint32_t end) {
+    const struct work *w = user;
+    for (uint32_t i = from; i < end; i++)
+        walk(w, &w->rays[i], 0);
 }
 
 int sph_split_seen(const struct sph_ball *balls, const struct sph_aabb *boxes,
                    const struct sph_profile *profile, const struct sph_sights *sights,
                    struct sph_split *split, struct sph_error *err) {
-    struct work w = {profile, split, NULL, boxes != NULL};
+    struct work w = {profile, split, NULL, sights->rays, balls, boxes != NULL};
     w.bounds = calloc(split->n_pairs, sizeof *w.bounds);
     if (!w.bounds) return sph_fail(err, "out of memory for %u pairs", split->n_pairs);
     if (boxes)
         box(&w, boxes);
     else
-        ball(&w, balls);
-#pragma omp parallel for schedule(dynamic, 64)
-    for (uint32_t i = 0; i < sights->n; i++)
-        walk(&w, &sights->rays[i], 0);
+        sph_parallel_for(split->n_pairs, BALLS, ball, &w);
+    sph_parallel_for(sights->n, RAYS, rays, &w);
     float all = (float)(w.bounds[0].rays ? w.bounds[0].rays : 1), scale = w.bounds[0].area / all;
     for (uint32_t i = split->n_pairs; i-- > 0;)
         sph_pair_fill(split->pairs, &split->pairs[i],

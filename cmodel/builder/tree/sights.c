@@ -2,9 +2,11 @@
  * SPDX-License-Identifier: Apache-2.0
  */
 #include "builder/tree/sights.h"
-#include "trace/setup.h"
 
 #include <stdlib.h>
+
+#include "common/parallel.h"
+#include "trace/setup.h"
 
 enum { OPEN = 3, BLOCKED = 1 }; /* weights of rays */
 enum { ROOM = 4096 };           /* rays that there is room for at first */
@@ -41,8 +43,9 @@ static void look(void *user, const struct sph_logged *logged) {
     } else {
         s.depth_max = any || !key ? s.ray.depth_max : sph_ray_depth(log->profile, &s.ray, key);
     }
-#pragma omp critical
+    sph_parallel_lock();
     keep(log, &s);
+    sph_parallel_unlock();
 }
 
 int sph_sights(const struct sph_machine *m, int boxes, struct sph_sights *sights,

@@ -12,6 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/parallel.h"
+
 /* PARALLEL: spheres from which on threads share the work. BLOCK: no more of them get numbers and
  * boxes of their own, which lie together in memory; of fewer than LEAST that does not pay. AHEAD:
  * what is brought from memory before it is needed. */
@@ -161,17 +163,25 @@ static uint32_t split_block(const struct work *all, uint32_t me, uint32_t first,
     }
     uint32_t child = split(&w, me, first, count, depth), done;
     free(w.own);
-#pragma omp atomic capture
-    done = *w.split += count;
+    done = __atomic_add_fetch(w.split, count, __ATOMIC_RELAXED);
     sph_progress_at(w.progress, (double)done / w.all);
     return child;
 }
 
+/* The arguments of split(), and what it returns. */
+struct part {
+    const struct work *w;
+    uint32_t me, first, count;
+    int depth;
+    uint32_t child;
+};
+
 /* split(), in a block if there are few enough. */
-static uint32_t split_part(const struct work *w, uint32_t me, uint32_t first, uint32_t count,
-                           int depth) {
-    int block = count <= BLOCK && count >= LEAST && !w->names;
-    return block ? split_block(w, me, first, count, depth) : split(w, me, first, count, depth);
+static void split_part(void *user) {
+    struct part *p = user;
+    int block = p->count <= BLOCK && p->count >= LEAST && !p->w->names;
+    p->child = block ? split_block(p->w, p->me, p->first, p->count, p->depth)
+                     : split(p->w, p->me, p->first, p->count, p->depth);
 }
 
 static uint32_t split(const struct work *w, uint32_t me, uint32_t first, uint32_t count,
@@ -189,15 +199,22 @@ static uint32_t split(const struct work *w, uint32_t me, uint32_t first, uint32_
         choose(w, p, &axis, &left);
     partition(w, p, axis, left);
     if (count > PARALLEL) {
-#pragma omp task shared(p)
-        p->child[0] = split_part(w, me + 1, first, left, depth + 1);
-        p->child[1] = split_part(w, me + left, first + left, count - left, depth + 1);
-#pragma omp taskwait
+        struct part lower = {w, me + 1, first, left, depth + 1, 0};
+        struct part upper = {w, me + left, first + left, count - left, depth + 1, 0};
+        sph_parallel_two(1, split_part, &lower, &upper);
+        p->child[0] = lower.child, p->child[1] = upper.child;
     } else {
         p->child[0] = split(w, me + 1, first, left, depth + 1);
         p->child[1] = split(w, me + left, first + left, count - left, depth + 1);
     }
     return me;
+}
+
+/* Sorts all spheres along some axes. */
+static void sort(void *user, uint32_t axis, uint32_t end) {
+    struct work *w = user;
+    for (; axis < end; axis++)
+        w->order[axis] = sph_tree_sort(w->balls, w->all, (int)axis, 0);
 }
 
 int sph_split(const struct sph_ball *balls, const struct sph_aabb *boxes, uint32_t n, int limit,
@@ -212,17 +229,13 @@ int sph_split(const struct sph_ball *balls, const struct sph_aabb *boxes, uint32
     w.price = malloc(n * sizeof *w.price);
     w.weight = malloc(n * sizeof *w.weight);
     w.numbers = malloc(n * sizeof *w.numbers);
-#pragma omp parallel for if (n > PARALLEL)
-    for (int a = 0; a < 3; a++)
-        w.order[a] = sph_tree_sort(balls, n, a, 0);
+    sph_parallel_for(3, n > PARALLEL ? 1 : 3, sort, &w);
     w.out = w.order[0];
     int good = w.pairs && w.spare && w.right && w.price && w.weight && w.numbers && w.order[0] &&
                w.order[1] && w.order[2];
     for (uint32_t i = 0; good && i < n; i++)
         w.weight[i] = boxes ? (float)i : powf((float)i, 0.8f);
-#pragma omp parallel if (n > PARALLEL)
-#pragma omp single
-    if (good) split_part(&w, 0, 0, n, 0);
+    if (good) split_part(&(struct part){.w = &w, .count = n});
     free(w.numbers);
     free(w.spare);
     free(w.right);

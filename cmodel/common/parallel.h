@@ -1,0 +1,35 @@
+/* parallel.h - loops and halves of work that threads share
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Threads live as long as the call that started them, and wait without turning: between two calls
+ * there is none, so a process may fork at any time, and a busy neighbour takes only its own share.
+ * They leave signals to the caller's threads and count in the default floating-point environment.
+ * Where no thread is to be had, the caller does the work alone. Results never depend on how many
+ * there are, as long as parts of the work touch nothing in common or take the lock.
+ */
+#ifndef SPH_PARALLEL_H
+#define SPH_PARALLEL_H
+
+#include <stdint.h>
+
+/* Processors that this process may run on, at least 1. */
+int sph_processors(void);
+
+/* At most so many threads, the caller among them, share what this thread calls for from now on; 0:
+ * one for every processor. Returns what held before. */
+int sph_parallel_most(int threads);
+
+/* Calls part(user, first, end) for ranges that make up 0..n-1, in no order. grain: items that are
+ * worth a thread; fewer than two grains are left to the caller. */
+void sph_parallel_for(uint32_t n, uint32_t grain,
+                      void (*part)(void *user, uint32_t first, uint32_t end), void *user);
+
+/* Calls half(a) and half(b), the first by another thread if that is worth one and there is one. */
+void sph_parallel_two(int worth, void (*half)(void *), void *a, void *b);
+
+/* One thread at a time of those that share the work at hand; parts of a call that nobody shares
+ * need no lock and take none. */
+void sph_parallel_lock(void);
+void sph_parallel_unlock(void);
+
+#endif
