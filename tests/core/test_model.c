@@ -50,7 +50,7 @@ static void naive_is_golden(void **state) {
             if (!model_build(&scene, profile, SPH_TREE_BALANCED, n & 1, NW, NH, &m)) continue;
             struct sph_frame golden = model_render(&m, SPH_TRAVERSE_TREE, 0, &c, &errors);
             struct sph_frame naive = model_naive(&m);
-            NH wrong += model_differ("naive", &m, &golden, &naive);
+            wrong += model_differ("naive", &m, &golden, &naive);
             frames++;
             sph_frame_free(&golden);
             sph_frame_free(&naive);

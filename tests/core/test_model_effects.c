@@ -97,7 +97,7 @@ static void naive_is_golden(void **state) {
                 struct sph_counters c;
                 struct sph_frame golden = draw(&m, sets[set], SPH_TRAVERSE_TREE, &c);
                 struct sph_frame naive = model_naive(&m);
-                NH int differ = model_differ("naive", &m, &golden, &naive);
+                int differ = model_differ("naive", &m, &golden, &naive);
                 if (differ) printf("# ... with EFFECTS %d\n", sets[set]);
                 wrong += differ;
                 sph_frame_free(&golden);

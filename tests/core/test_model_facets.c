@@ -138,7 +138,7 @@ static void naive_is_golden(void **state) {
                 1 << SPH_EFFECT_FACETS | effects[i < SPH_PROFILES ? 0 : i - SPH_PROFILES + 1];
             struct sph_frame golden = model_render(&m, SPH_TRAVERSE_TREE, 0, &c, &errors);
             struct sph_frame naive = model_naive(&m);
-            NH wrong += model_differ("naive", &m, &golden, &naive);
+            wrong += model_differ("naive", &m, &golden, &naive);
             sph_frame_free(&golden);
             sph_frame_free(&naive);
             sph_machine_free(&m);

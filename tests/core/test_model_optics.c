@@ -51,7 +51,8 @@ static int against_naive(const struct sph_machine *m, struct sph_counters *c) {
     int errors;
     struct sph_frame golden = model_render(m, SPH_TRAVERSE_TREE, 0, c, &errors);
     struct sph_frame naive = model_naive(m);
-    H int wrong = model_differ("naive", m, &golden, &naive);
+    assert_int_equal(errors, 0);
+    int wrong = model_differ("naive", m, &golden, &naive);
     sph_frame_free(&golden);
     sph_frame_free(&naive);
     return wrong;

@@ -187,7 +187,7 @@ static void frames(void **state) {
             matters[k] += knob_matters(&scene, o, &golden, &c);
             struct sph_frame brute = model_render(&m, SPH_TRAVERSE_BRUTE, 0, &c, &errors);
             struct sph_frame naive = model_naive(&m);
-            NH wrong += model_differ("naive", &m, &golden, &naive);
+            wrong += model_differ("naive", &m, &golden, &naive);
             wrong += model_differ("brute", &m, &golden, &brute);
             done++;
             sph_frame_free(&golden);
