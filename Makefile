@@ -112,12 +112,19 @@ TOOL   := $B/sphaera
 
 .DELETE_ON_ERROR:
 .SUFFIXES:
-.PHONY: help setup all tool layout render sim test synth lint bench clean FORCE
+# What `make` alone prints: targets and variables that most need.
+USUAL := help-all setup tool render sim film synth test bench gallery pages install clean \
+         SCENE SIZE PROFILE DEPTH EFFECTS PIPES SEED LATENCY SIM WAVES JOBS
+
+.PHONY: help help-all setup all tool layout render sim test synth lint bench clean FORCE
 .DEFAULT_GOAL := help
 
-help: ## this text
-	@$(call values,$(VARIABLES)) awk -f cmodel/machine/effects.awk -f sim/rules.awk \
-	    -f sim/help.awk cmodel/machine/machine.def $(MAKEFILE_LIST)
+help = @$(call values,$(VARIABLES)) awk -v usual='$(1)' -f cmodel/machine/effects.awk \
+           -f sim/rules.awk -f sim/help.awk cmodel/machine/machine.def $(MAKEFILE_LIST)
+help:
+	$(call help,$(USUAL))
+help-all: ## every target and variable
+	$(call help)
 
 setup: ## install missing packages (apt), see sim/packages.txt
 	@sh sim/setup.sh

@@ -12,9 +12,8 @@
 
 ## SCENE <scene> a file (.nff), the name of one in scenes/, or KIND:N of `sphaera gen`
 SCENE ?= sphereflake2
-## PROFILE <profile>|auto|all@synth draft, standard, fine, reference; or with widths:
-##             NAME:w=14,...; auto: the cheapest of the four that keeps ERROR,
-##             of make synth without SCENE standard
+## PROFILE <profile>|auto|all@synth draft, standard, fine, reference; auto: cheapest that keeps
+##             ERROR, of make synth without SCENE standard; or with widths: NAME:w=14,...
 PROFILE ?= auto
 ## ERROR <error>| of auto: pixels that what is seen may be off, and dB; others are warned of
 ##             (empty: 0.125,45)
@@ -45,7 +44,7 @@ LEVELS ?=
 AT ?=
 ## BUILD_MORE <words>| other options of `sphaera build`, such as --inside off
 BUILD_MORE ?=
-## EFFECTS auto|<effects> of the core: auto (as the scene asks), all, all-NAME, none, or joined by +
+## EFFECTS auto|<effects> of the core: auto (the scene asks), all, all-NAME, none, words joined by +
 ##             {words}; all leaves out {not in all}
 EFFECTS ?= auto
 ## ENGINES 1..8 tracing engines in the core

@@ -28,7 +28,7 @@ END {
         if (part[i] in there || part[i] == "FORCE" || part[i] ~ /\//) continue
         meant = nearest(part[i], target, n_targets)
         print "there is no target " part[i] (meant != "" ? "; is " meant " meant?" : ".") \
-              " `make help` prints them" > "/dev/stderr"
+              " `make help-all` prints them" > "/dev/stderr"
         failed = 1
     }
     exit failed

@@ -3,7 +3,7 @@
 #
 # Needs cmodel/machine/effects.awk and sim/rules.awk before it and machine.def as the first file:
 # {words} in a text are those that a core can be built with, {not in all} those that the core `all`
-# has not.
+# has not. usual: names that are printed; empty: all, with all that is said of a variable.
 function fill(text, i, words_all, rest) {
     for (i = 1; i <= words; i++) {
         words_all = words_all " " word[i] (most[i] > 1 ? "N" : "")
@@ -13,6 +13,7 @@ function fill(text, i, words_all, rest) {
     sub(/\{not in all\}/, substr(rest, 2), text)
     return text
 }
+function shown(name) { return usual == "" || index(" " usual " ", " " name " ") }
 function fold(text, lines, n, part, i) { # pieces of at most 66 columns, lines[1..]
     split("", lines)
     n = 1
@@ -32,18 +33,21 @@ BEGIN {
     text = $0
     sub(/.*## /, "", text)
     sub(/:.*/, "")
-    printf "  %-12s %s\n", $0, text
+    if (shown($0)) printf "  %-12s %s\n", $0, text
 }
 /^## [A-Z_]+ / {
+    name = ""
+    if (!shown($2)) next
     name = $2
     rule = spoken($3)
     sub(/^## [A-Z_]+ +[^ ]+ */, "")
-    n = fold(rule (rule != "" && $0 != "" ? ": " : "") $0, line)
+    text = rule (rule != "" && $0 != "" ? ": " : "") $0
+    n = fold(text, line)
     for (i = 1; i <= n; i++)
         variables = variables sprintf("  %-14s %-12s %s\n", i > 1 ? "" : name,
                                       i > 1 ? "" : ENVIRON[name], line[i])
 }
-/^##  +/ && name {
+/^##  +/ && name && usual == "" {
     sub(/^## +/, "")
     n = fold(fill($0), line)
     for (i = 1; i <= n; i++) variables = variables sprintf("  %-14s %-12s %s\n", "", "", line[i])

@@ -49,8 +49,8 @@ refuses() { ! sh sim/parameters.sh "$1" 2>"$TMP/why" && cat "$TMP/why" && grep -
 check "parameters: a count that is too large" refuses inside+dummy4 'dummy4 names nothing'
 check "parameters: what it needs" refuses dummy1 'dummy1: dummy needs inside'
 says() { grep -q -e "$1" "$2" || { cat "$2" && false; }; }
-make help >"$TMP/help" 2>&1
-check "make help names it" says dummyN "$TMP/help"
+make help-all >"$TMP/help" 2>&1
+check "make help-all names it" says dummyN "$TMP/help"
 
 python3 -m lab.pages docs/use/core.md >"$TMP/pages" 2>&1 || cat "$TMP/pages"
 check "the page of the core has it" says \

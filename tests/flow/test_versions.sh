@@ -12,7 +12,10 @@ PATH=$TMP/bin:$PATH
 stub() { # tool, version
     cat >"$TMP/bin/$1" <<END
 #!/bin/sh
-case \$1 in -V | --version) echo "$1 $2" ;; --getenv) echo /none ;; *) echo called >>"$TMP/calls" && exit 1 ;; esac
+case \$1 in
+-V | --version) echo "$1 $2" ;;
+*) echo called >>"$TMP/calls" && exit 1 ;;
+esac
 END
     chmod +x "$TMP/bin/$1"
 }
