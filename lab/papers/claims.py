@@ -114,7 +114,7 @@ PARK = [
      "([texture_results.md](texture_results.md#every-angle))", "make textures", "same in kind"),
     ("4", "once in a static scene, each frame where coordinates change",
      "81 of the robot's 370 bases a frame",
-     "build/sphaera build scenes/texture/robot.nff --frames 0..2", "same"),
+     "build/sphaera build scenes/texture/robot.nff --frames 0..2 -o robot.sph", "same"),
     ("3", "ray differentials know curved surfaces and cost too much; BMRT estimates by distance",
      "drawn below: BMRT's estimate takes the levels of path length, and both are off by "
      "{levels_mended} (RMS of linear light), ray differentials by {levels_rays}; a cone of rays is "
