@@ -12,24 +12,33 @@ root=$PWD
 ln -s "$root/scenes" "$TMP/scenes"
 
 stands() { # page, command; pages are those of docs/results
-    page=$1
-    [ -f "$page" ] || page=docs/results/$1
-    grep -qF -e "$2" "$page" || { echo "$page has no: $2" && false; }
+    where=$1
+    [ -f "$where" ] || where=docs/results/$1
+    grep -qF -e "$2" "$where" || { echo "$where has no: $2" && false; }
 }
 prints() { # command, pattern
     case $1 in
-    'make '*) eval "env -u MAKEFLAGS -u MFLAGS make -s B=\"\$BUILD\" SIM=icarus ${1#make }" ;;
+    'make '*)
+        small="SIM=icarus ${1#make } SIZE=8x6"
+        eval "env -u MAKEFLAGS -u MFLAGS make -s B=\"\$BUILD\" $small"
+        ;;
     *) cd "$TMP" && eval "\"\$SPHAERA\" $1" ;;
-    esac >"$TMP/said" 2>&1
+    esac >"$TMP/said" 2>&1 </dev/null
     cd "$root" || return 1
     grep -q -e "$2" "$TMP/said" || { tail -n 20 "$TMP/said" && false; }
 }
-# shellcheck disable=SC2016  # sed's own
-sed -n 's/ *| */|/g; /^[^#]/p' tests/lab/commands.txt >"$TMP/list"
-while IFS='|' read -r page command run pattern; do
-    check "$page: $command" stands "$page" "$command"
-    check "... prints $pattern" prints "${run:-$command}" "$pattern"
-done <"$TMP/list"
+while read -r first rest; do
+    case $first in
+    '' | '#'*) ;;
+    *.md) page=$first ;;
+    runs) run=$rest ;;
+    says)
+        check "$page: $command" stands "$page" "$command"
+        check "... prints $rest" prints "$run" "$rest"
+        ;;
+    *) command="$first $rest" run="$first $rest" ;;
+    esac
+done <tests/lab/commands.txt
 
 # Commands in code, without those that have a name for a scene or a number (SCENE, N, ...), and
 # those that need what is not here.
@@ -43,7 +52,7 @@ commands README.md docs/results/*.md >"$TMP/there"
 listed() {
     missing=0
     while read -r command; do
-        grep -qF -e "| $command" tests/lab/commands.txt || { echo "$command" && missing=1; }
+        grep -qF -e "  $command" tests/lab/commands.txt || { echo "$command" && missing=1; }
     done <"$TMP/there"
     return $missing
 }
