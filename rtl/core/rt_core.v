@@ -479,6 +479,9 @@ module rt_core #(
         if (start && foreign_q) errors_o[`RT_ERROR_WRONG_PROFILE]  <= 1'b1;
         if (rst) errors_o <= 0;
     end
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_pixel_port /* verilator public_flat_rd */ =
+        {mux_valid_q && !pix_ready_i, mux_valid_q && pix_ready_i, 5'd0, mux_valid_q};
 endmodule
 `undef RT_ADD
 `default_nettype wire
