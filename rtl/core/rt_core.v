@@ -209,11 +209,13 @@ module rt_core #(
 
     // ---- units of an engine; numbers of its slots, {pipe, slot of its own} ----
     // units of machine.def
-    localparam SHADE_UNITS = SHADES ? SHADES : PIPES == 1 || INTERPENETRATE != 0 ? 1
-                             : PIPES == 4 ? 4 : 2;
-    localparam LEAF_UNITS = EXACTS ? EXACTS : BOXES ? SHADE_UNITS
+    localparam SHADE_UNITS = SHADES != 0 ? SHADES
+                             : PIPES == 1 || INTERPENETRATE != 0 ? 1 : PIPES == 4 ? 4
+                             : 2;
+    localparam LEAF_UNITS = EXACTS != 0 ? EXACTS : BOXES != 0 ? SHADE_UNITS
                              : PIPES > 2 && SHADE_UNITS > 1 ? 2 : 1;
-    localparam SETUP_UNITS = SETUPS ? SETUPS : PIPES == 4 && LEAF_UNITS > 1 ? 2 : 1;
+    localparam SETUP_UNITS = SETUPS != 0 ? SETUPS : PIPES == 4 && LEAF_UNITS > 1 ? 2
+                             : 1;
     // end of units
     `RT_CHECK_CORE  // legal values, alone and together
     // What a block RAM is worth in LUTs: four pipes ask for more than there are, as they do of

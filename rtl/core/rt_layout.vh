@@ -511,7 +511,7 @@
     `RT_CHECK(SETUP_UNITS <= LEAF_UNITS, rt_core_SETUPS_must_be_at_most_EXACTS) \
     `RT_CHECK(SHADE_UNITS <= PIPES || (SHADE_UNITS == 4 && PIPES == 3), rt_core_SHADES_must_be_at_most_PIPES) \
     `RT_CHECK(SHADE_UNITS == 1 || INTERPENETRATE == 0, rt_core_INTERPENETRATE_needs_SHADES_to_be_1) \
-    `RT_CHECK(!TEXTURE || TEXTURE_LINES >= 2*TEXTURE_WAYS*TEXTURE_GROUP, rt_core_TEXTURE_LINES_must_be_2_sets) \
+    `RT_CHECK(TEXTURE == 0 || TEXTURE_LINES >= 2*TEXTURE_WAYS*TEXTURE_GROUP, rt_core_TEXTURE_LINES_must_be_2_sets) \
     `RT_CHECK(HIT_INTERVAL == 8 || HIT_INTERVAL == 12, rt_core_HIT_INTERVAL_must_be_8_or_12) \
     `RT_CHECK(BOUNCE_INTERVAL == 10 || BOUNCE_INTERVAL == 12, rt_core_BOUNCE_INTERVAL_must_be_10_or_12)
 `endif
