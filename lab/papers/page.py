@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 from . import measure
-from ..pages import data, whole
+from ..pages import data, limits, whole
 from ..pages.place import place
 from ..synth import report, results
 
@@ -25,11 +25,21 @@ def load(folder, name):
     return whole.load(os.path.join(folder, name + ".json"))
 
 
-def cycles(folder, name):
+def core(folder, name):
+    """The pass with cold caches."""
     run = whole.load(os.path.join(folder, name + ".core.json"), *whole.RTL)
     if run["mismatches"] or run["cold"]["errors"]:
         sys.exit(f"page: {name}: model and RTL differ")
-    return run["cold"]["cycles_per_pixel"]
+    return run["cold"]
+
+
+def cycles(folder, name):
+    return core(folder, name)["cycles_per_pixel"]
+
+
+def limit(folder, name):
+    """What the run says that its frame waits for."""
+    return limits.parts(core(folder, name))
 
 
 def levels(n):

@@ -83,12 +83,12 @@ std::string words(const Work &w) {
     return name;
 }
 
-/* The busiest row; null if nobody counts. */
+/* The busiest row; null if nobody counts, or the core refused. */
 const Work *busiest(const Pass &p) {
     const Work *most =
         std::max_element(p.work, p.work + p.works,
                          [&](const Work &a, const Work &b) { return busy(a, p) < busy(b, p); });
-    return p.works ? most : nullptr;
+    return p.works && p.count[SPH_COUNT_CYCLES] ? most : nullptr;
 }
 
 /* Share of the clocks in which a pixel waits for a free slot. */
@@ -217,7 +217,7 @@ std::string counter_table(const Options &o, const Outcome &c) {
 std::string limits(const Options &o, const Outcome &c) {
     std::string lines;
     for (int pass = COLD; pass <= (o.warm ? WARM : COLD); pass++)
-        if (busiest(c.run->pass[pass]) && c.run->pass[pass].count[SPH_COUNT_CYCLES])
+        if (busiest(c.run->pass[pass]))
             lines += std::string("limit, ") + (pass == WARM ? "warm" : "cold") +
                      " caches: " + limit(c.run->pass[pass]) + "\n";
     return lines;
