@@ -212,7 +212,7 @@ module rt_core #(
     localparam SHADE_UNITS = SHADES != 0 ? SHADES
                              : PIPES == 1 || INTERPENETRATE != 0 ? 1 : PIPES == 4 ? 4
                              : 2;
-    localparam LEAF_UNITS = EXACTS != 0 ? EXACTS : BOXES != 0 ? SHADE_UNITS
+    localparam LEAF_UNITS = EXACTS > 0 ? EXACTS : BOXES>0 ? SHADE_UNITS
                              : PIPES > 2 && SHADE_UNITS > 1 ? 2 : 1;
     localparam SETUP_UNITS = SETUPS != 0 ? SETUPS : PIPES == 4 && LEAF_UNITS > 1 ? 2
                              : 1;
