@@ -110,6 +110,22 @@ def leaves(folder):
                                ["MAX_TREE_DEPTH 1 to 7", *limit, ""]])
 
 
+def bound(folder):
+    """What the runs of the RTL name as their limits, for rows of claims.py."""
+    names = {"parts_0": "parts-paper100-0", "parts_2": "parts-paper100-2",
+             "paper5": "parts-paper5-2", "one_leaf": "leaves-prims64", "brute": "leaves-brute",
+             "kitchen_10": "bounces-kitchen-10", "mirrors_10": "bounces-mirrors-10"}
+    names.update((f"prims{n}", f"leaves-prims{n}") for n in measure.LEAVES)
+    names.update((f"{scene}_{shape}", f"shape-{scene}-{shape}") for scene in measure.REPLACED
+                 for shape in ("sphere", "3"))
+    return {"bound_" + name: limit(folder, run) for name, run in names.items()}
+
+
+def reasons(folder):
+    """What why.py found."""
+    return load(folder, "why")
+
+
 def bases(folder):
     """Hits that need P_b, and how many of them fetch a line, of P_b alone and of mapping records,
     by lines of the cache."""
@@ -205,6 +221,7 @@ def main(page, folder, synth):
     place(page, "make papers", {
         "values": values_of(values, folder), "profiles": values_of(profiles, folder),
         "shaped": values_of(shaped, synth), "park": values_of(park, synth),
+        "bound": values_of(bound, folder), "why": values_of(reasons, folder),
         "search": lambda: search(folder), "operations": lambda: operations(folder),
         "shapes": lambda: shapes(folder), "bases": lambda: bases(folder),
         "leaves": lambda: leaves(folder)})

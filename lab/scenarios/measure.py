@@ -5,7 +5,7 @@
 Leaves NAME.json in FOLDER for each machine: what build and render report, times of several runs. A
 result that is younger than the tool is kept, of the RTL if it is younger than that too. --rtl
 also runs the machines of list `speed` and `trees` through the RTL: NAME.core.json, with
-sim/core.sh. --rtl-small runs no more than the small frames of `speed`, through the RTL."""
+sim/core.sh. --rtl-small runs the small frames of `speed` and those of `trees` through the RTL, and no more."""
 import json
 import os
 import subprocess
@@ -22,7 +22,8 @@ MANY = [1024, 2048, 4096]
 SCENES = ["sphereflake2", "paper100", "random4096", "room", "scenario1", "scenario2", "scenario3"]
 ACCELS = ["paper", "balanced", "reinserted", "box4", "bih1", "bih4", "bih8", "brute"]
 # of these the RTL draws
-SCENES_RTL, ACCELS_RTL = ["paper100", "room"], ["reinserted", "box4", "bih1", "bih4"]
+SCENES_RTL = ["paper100", "random4096", "room"]
+ACCELS_RTL = ["reinserted", "box4", "bih1", "bih4", "bih8"]
 # only primary rays; no shadows
 PRIMARY = ["--depth", "0", "--shadow", "off"]
 RENDERS = 3
@@ -99,8 +100,20 @@ def scene_file(runner, name):
     return f"scenes/{name}.nff"
 
 
+def tree(runner, scene, way):
+    size = "90x153" if scene.startswith("scenario") else "160x90"
+    runner.machine(f"trees-{scene}-{way}", scene_file(runner, scene),
+                   options(way) + ["--size", size, "--axes", "camera"])
+    if scene in SCENES_RTL and way in ACCELS_RTL:
+        runner.core(f"trees-{scene}-{way}")
+
+
 def small(runner):
-    """What the cycles and the limits of Figure 4.4 are read from: frames of 40 x 68 pixels."""
+    """What the cycles and the limits of Figure 4.4 are read from, frames of 40 x 68 pixels, and
+    those of the other trees."""
+    for scene in SCENES_RTL:
+        for way in ACCELS_RTL:
+            tree(runner, scene, way)
     for number in 1, 2, 3:
         for n in FEW:
             for way in ["brute"] + [f"bih{p}" for p in PRIMS]:
@@ -133,12 +146,8 @@ def main(tool, folder, *more):
                 if (number, n, way) in FULL_RTL:
                     runner.core(name)
     for scene in SCENES:
-        size = "90x153" if scene.startswith("scenario") else "160x90"
         for way in ACCELS:
-            runner.machine(f"trees-{scene}-{way}", scene_file(runner, scene),
-                           options(way) + ["--size", size, "--axes", "camera"])
-            if scene in SCENES_RTL and way in ACCELS_RTL:
-                runner.core(f"trees-{scene}-{way}")
+            tree(runner, scene, way)
 
 
 if __name__ == "__main__":

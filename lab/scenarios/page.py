@@ -133,10 +133,14 @@ def cycle_ratio(folder, s, n, way):
     return "-" if brute is None or tree is None else f"{tree:.2f}: {brute / tree:.1f}"
 
 
-def limit(folder, s, n, way):
+def limit(folder, name):
     """The units that the run says the frame waits for, with their parts of it."""
-    run = core(folder, f"rtl-{s}-{n}-{way}")
+    run = core(folder, name)
     return "-" if run is None else limits.parts(run)
+
+
+def speed_limit(folder, s, n, way):
+    return limit(folder, f"rtl-{s}-{n}-{way}")
 
 
 def full(folder):
@@ -162,10 +166,11 @@ def trees(folder):
 
 
 def tree_cycles(folder):
-    """Cycles a pixel of the RTL."""
-    return report.table(["cycles a pixel", *measure.ACCELS_RTL], [
-        [scene, *(shown(cycles(folder, f"trees-{scene}-{way}")) for way in measure.ACCELS_RTL)]
-        for scene in measure.SCENES_RTL])
+    """Cycles a pixel of the RTL, and what limits them."""
+    return report.table(["scene", "tree", "cycles a pixel", "what binds"], [
+        [scene, way, *(f(folder, f"trees-{scene}-{way}") for f in (lambda *run: shown(cycles(*run)),
+                                                                  limit))]
+        for scene in measure.SCENES_RTL for way in measure.ACCELS_RTL])
 
 
 def main(page, folder):
@@ -173,7 +178,7 @@ def main(page, folder):
         "statistics": lambda: statistics(folder), "listing": lambda: listing(folder),
         "memory": lambda: memory(folder), "time": lambda: speed(folder, time_ratio),
         "work": lambda: speed(folder, work), "cycles": lambda: speed(folder, cycle_ratio),
-        "limits": lambda: speed(folder, limit, ["brute"]),
+        "limits": lambda: speed(folder, speed_limit, ["brute"]),
         "full": lambda: full(folder), "trees": lambda: trees(folder),
         "tree_cycles": lambda: tree_cycles(folder)})
 
