@@ -59,8 +59,8 @@ BORODAVKA = [
      "2.5 times in view `centred`: 5776 pixels for 2302",
      "build/sphaera background scenes/views/centred.nff --size 160x90", "same"),
     ("V.C", "the coefficient 1.4 prevents errors up to 90 degrees",
-     "up to {square_angle} degrees, by proof and by bisection: from there on C + 1.4 R lies within "
-     "the outline. In `off_axis` it stands at {square_point} degrees: {square_beyond} pixels that "
+     "up to {square_angle} degrees: the line from the eye through C + 1.4 R at v degrees passes the "
+     "centre at 1.4 R cos(v), which is less than R from there on. In `off_axis` it stands at {square_point} degrees: {square_beyond} pixels that "
      "see the sphere around all are outside of the square, and {square_lost} lose their sphere "
      "([background.md](background.md#the-fast-method))", "make background", "refuted"),
     ("Fig. 5 to 8", "the root sphere's pixels: points, rows, columns and border; the square",
@@ -71,8 +71,9 @@ BORODAVKA = [
      "{paper_mul} and {paper_add}, R^2 being stored", "build/sphaera operations scenes/paper5.nff",
      "same"),
     ("VI.A", "this is the minimum",
-     "{machine_mul} and {machine_add} with |VP|^2 made once a ray, as here: 3 multiplications and 2 "
-     "additions of the 11 make it anew for each sphere, and one multiplication more squares R here. "
+     "{machine_mul} and {machine_add} with |VP|^2 made once a ray, as here: 3 multiplications and "
+     "2 additions of the 11 make it anew for each sphere, and one multiplication more squares R "
+     "here. "
      "{geometric_mul} and {geometric_add} once the ray is normalised, which takes a root and 3 "
      "divisions",
      "build/sphaera operations scenes/paper5.nff", "refuted"),
@@ -98,7 +99,8 @@ BORODAVKA = [
      "finds being asked whether it holds the point", "make papers", "same"),
     ("VII", "Rendering, L1, L2 work simultaneously, each makes a frame of its depth",
      "the three frames of paper100 take {parts_0}, {parts_1} and {parts_2} cycles a pixel; one "
-     "engine gives all of them in {parts_2}, three in no less, for three times the cells",
+     "engine gives all of them in {parts_2}, three in no less, for three times the cells. What "
+     "binds: {bound_parts_0} without reflections, {bound_parts_2} with two",
      "make papers", "other"),
     ("VII", "1280x720",
      "paper5 takes {hd_paper5}, paper100 {hd_paper100} cycles a pixel of one engine, at 160x90 "
@@ -116,7 +118,9 @@ BORODAVKA = [
     ("VIII", "no comparison, since no one has used a sphere as a primitive",
      "meshes of 1280 triangles a sphere are 24 to 31 dB farther from the truth, at 2200 times the "
      "memory and three to eight times the cycles, by a core of {cells_facet} LUT4eq for "
-     "{cells_sphere}: below", "make papers", "other"),
+     "{cells_sphere}: below. It is their size that takes the time, from cold caches: what binds in "
+     "paper100 is {bound_paper100_3}, with spheres {bound_paper100_sphere}", "make papers",
+     "other"),
 ]
 
 PARK = [
@@ -191,8 +195,8 @@ AROXA = [
     ("II.A", "95 % of the time goes into intersections",
      "in the model {profile_paper100} % of the instructions in paper100, {profile_random4096} % "
      "with 4096 spheres, {profile_lattice64} % in Scenario 1 with a BIH; in the core {busy} % of "
-     "the clocks issue a node in paper100, and the rest is hidden behind them",
-     "make papers", "same in kind"),
+     "the clocks issue a node in paper100. What binds there: {bound_parts_2}; in paper5, of five "
+     "spheres, {bound_paper5}", "make papers", "same in kind"),
     ("II.B, III.B", "BIH beside BVH of boxes and kd-tree, in words",
      "counted beside both, and beside nodes of four boxes and four spheres "
      "([trees.md](trees.md#kinds-of-trees)): a BIH is built 20 to 60 times as fast as a kd-tree, "
@@ -222,7 +226,7 @@ AROXA = [
      "BIH {best_leaf} in {best_of} of 9, by at most {best_by} % before BIH 1, since "
      "neither steps nor tests bind with leaves as small: keys of the plane do in {keys_least} to "
      "{keys_most} % of the clocks, and the set-up of rays for planes in {setup_least} to "
-     "{setup_most} %. With BIH 16 records of spheres do, in up to {records_most} % "
+     "{setup_most} %. With BIH 16 tests do, in up to {records_most} % "
      "([scenarios.md](scenarios.md#figure-44-speed))", "make scenarios-rtl", "other"),
     ("Fig. 4.4", "787 to 1495 % more frames than brute force",
      "5.5 to 43 times in the RTL, 8 and 9 in Scenario 1 with 64 spheres at 640x1088 "
@@ -232,9 +236,9 @@ AROXA = [
      "3 gains least with 64, 128 and 256 spheres, 2 most with 256 alone", "make scenarios-rtl",
      "same in kind"),
     ("Fig. 4.4", "brute force: 2.14 frames a second with 128 spheres, 1.87 with 256",
-     "in the RTL 256 take 2.4 times the cycles of 128: tests are twice as many, and in {brute_none} "
-     "% of the clocks no unit binds but memory's latency of 100 clocks, since 257 records are more "
-     "than the 128 lines of the leaf cache. The thesis's two figures contradict its 1495 %: what is "
+     "in the RTL 256 take 2.4 times the cycles of 128: tests are twice as many, and no unit binds "
+     "in {brute_none} % of the clocks, as rays wait for memory: 257 records are more than the 128 "
+     "lines of the leaf cache. The thesis's two figures contradict its 1495 %: what is "
      "no test takes at most {brute_rest} ms then, so 256 spheres at most {brute_most} frames a "
      "second, unless a test takes {brute_less} % less time when there are twice as many",
      "make scenarios-rtl", "other"),
@@ -302,7 +306,7 @@ def leaves_told():
         return [int(part[1]) if part else 0 for part in found]
     few = [f"BIH {n}" for n in (1, 2, 4)]
     keys, setup = parts("keys of facets", *few), parts("rays set up for planes", *few)
-    records = parts("records to tests", "BIH 16")
+    records = parts("exact tests", "BIH 16")
     none = parts("none", "brute")
     return {"best_leaf": often, "best_of": best.count(often), "best_by": f"{max(gains):.0f}",
             "keys_least": min(keys), "keys_most": max(keys), "setup_least": min(setup),

@@ -97,9 +97,10 @@ def shapes(folder):
             rows.append([f"`{scene}`", name, run["machine"]["memory_bytes"], f"{decibels:.1f}",
                          f"{c['node_visits'] / PIXELS:.1f}",
                          f"{(c['leaf_tests'] + c['facet_tests']) / PIXELS:.1f}",
-                         f"{cycles(folder, f'shape-{scene}-{shape}'):.1f}"])
+                         f"{cycles(folder, f'shape-{scene}-{shape}'):.1f}",
+                         limit(folder, f"shape-{scene}-{shape}")])
     return report.table(["scene", "drawn as", "bytes", "dB", "visits a pixel", "exact tests",
-                         "cycles a pixel"], rows, 2)
+                         "cycles a pixel", "what binds"], rows, 2)
 
 
 def leaves(folder):

@@ -243,8 +243,8 @@ def separated(_tool, _folder):
 
 
 def square():
-    """V.C: the angle at which a tangent plane leaves the point C + 1.4 R: pixels of `off_axis` that
-    see the sphere around all beyond the paper's points, and the angles that these stand at."""
+    """V.C: the angle from which on C + 1.4 R lies within the outline; pixels of `off_axis` outside
+    of the square that see the sphere around all, or one of the scene; where its points stand."""
     seen = view(Path("scenes/views/off_axis.nff").read_text("utf-8").splitlines())
     ball, (width, height) = smallest(seen.balls), (160, 90)
     depth, reach = -ball.at[2], 1.4 * ball.radius
@@ -254,18 +254,12 @@ def square():
     for _, way in rays(seen, width, height):
         if meets(ball, way) and any(not s[0] <= way[i] <= s[1] for i, s in enumerate(slopes)):
             beyond.append(way)
-    # by bisection: the angle of the farther point from which on it lies within the outline
-    low, high = 0.0, 89.9
-    for _ in range(60):
-        middle = (low + high) / 2
-        slope = math.tan(math.radians(middle))
-        centre = 1e3  # R = 1.4: the point that is seen at `middle` belongs to a centre at x
-        x = slope * centre - 1.4
-        edge = abs(x - slope * centre) / math.sqrt(1 + slope * slope)  # from the centre to the line
-        low, high = (middle, high) if edge >= 1 else (low, middle)
     lost = sum(any(meets(b, way) for b in seen.balls) for way in beyond)
-    return {"square_angle": f"{low:.1f}", "square_beyond": len(beyond), "square_lost": lost,
-            "square_point": f"{max(math.degrees(math.atan(abs(s))) for p in slopes for s in p):.0f}"}
+    farthest = max(abs(s) for pair in slopes for s in pair)
+    # the line from the eye through a point 1.4 R beside the centre passes that at 1.4 R cos(angle)
+    return {"square_angle": f"{math.degrees(math.acos(1 / 1.4)):.1f}",
+            "square_beyond": len(beyond), "square_lost": lost,
+            "square_point": f"{math.degrees(math.atan(farthest)):.0f}"}
 
 
 # ---- Park et al., section 4: P_b ----

@@ -5,7 +5,8 @@
 Leaves NAME.json in FOLDER for each machine: what build and render report, times of several runs. A
 result that is younger than the tool is kept, of the RTL if it is younger than that too. --rtl
 also runs the machines of list `speed` and `trees` through the RTL: NAME.core.json, with
-sim/core.sh. --rtl-small runs the small frames of `speed` and those of `trees` through the RTL, and no more."""
+sim/core.sh. --rtl-small runs no more than the small frames of `speed` and those of `trees` through
+the RTL."""
 import json
 import os
 import subprocess
