@@ -14,6 +14,7 @@ papers-setup: ## installs Valgrind (apt), with which `make papers` counts the mo
 papers: ## the three papers claim by claim: docs/results/claims.md; five minutes
 papers: $(TOOL)
 	$(Q)python3 -m lab.papers.measure $(TOOL) $(PAPERS)
+	$(Q)python3 -m lab.papers.why $(TOOL) $(PAPERS)
 	$(Q)python3 -m lab.papers.pictures $(PAPERS)/triple.ppm
 	$(Q)mkdir -p $(PAPERS_SHOWN)
 	$(Q)oiiotool $(PAPERS)/triple.ppm -o $(PAPERS_SHOWN)/triple.png

@@ -4,12 +4,14 @@
 shows it, and a word of VERDICTS. Names in braces are rows of docs/results/data/claims.*.tsv, of
 MEASURED, which page.py made of this experiment's runs, or rates of told(); other numbers are of the
 page that the row links."""
+import re
+
 from .. import clocks
 from ..pages import data, markdown, rates
 from ..pages.told import by_hand
 from .measure import PARK_CORE, PARTS, PARTS_CORE
 
-MEASURED = "values", "profiles", "shaped", "park"
+MEASURED = "values", "profiles", "shaped", "park", "bound", "why"
 VERDICTS = {
     "same": "found here too",
     "same in kind": "the same way round, with other figures",
@@ -25,16 +27,27 @@ BORODAVKA = [
      "so it has in all of {search_scenes} scenes of 5 to 1 000 000 spheres", "make papers",
      "same"),
     ("IV.B", "a ray revises log4(N) + 4 spheres at best, 4 log4(N) + 1 at worst",
-     "{tests_random4096} of random4096 ({worst_4096} claimed at worst); in a row of spheres away "
-     "from the eye, the kindest scene, {tests_column4096} of 4096 and {tests_column256} of 256: "
-     "as the logarithm, but twice the bound, since inner spheres of neighbours overlap",
-     "make papers", "refuted"),
+     "true of rays that enter one node a level, which no more than {column4096_alone_most} tests "
+     "take of {worst_4096} allowed. Of the rays that end on a sphere those are "
+     "{column4096_alone} % in a row of 4096 spheres away from the eye, the kindest scene, and "
+     "{random4096_alone} % in random4096. The others enter nodes in vain, since spheres of "
+     "neighbours overlap: {column4096_entered} and {random4096_entered} nodes of "
+     "{column4096_levels} levels, {column4096_tests} and {random4096_tests} tests, more than the "
+     "bound in {column4096_above} and {random4096_above} %. Below, all four of a node are tested "
+     "at once, as by the core", "python3 -m lab.papers.why build/sphaera build/papers",
+     "refuted"),
     ("IV.B", "sorting by z builds the tree rapidly and optimally",
-     "rapidly; its rays cost up to 110 times the visits of the balanced tree's "
-     "([trees.md](trees.md))", "build/sphaera render SCENE --tree paper --counters", "refuted"),
+     "rapidly; but neighbours by z are none in space: in random4096 a line through the scene meets "
+     "{random4096_cover} of the nodes' spheres in the mean, by the ratio of their discs, and "
+     "{random4096_cover_space} where each level halves space twice. Its rays cost up to 110 times "
+     "the visits of the balanced tree's ([trees.md](trees.md))",
+     "build/sphaera render SCENE --tree paper --counters", "refuted"),
     ("V.B", "16 meridians and parallels find the sphere's pixels; more are more accurate",
-     "110 pixels of the sphere are left out at 160x90; two points for each pixel of the radius "
-     "are needed ([background.md](background.md#the-accurate-method-step-by-step))",
+     "more are; 16 leave out 110 pixels of the sphere at 160x90, and {outline_hd} at the paper's "
+     "1280x720. Rows and columns join the points by stairs: of {outline_left_out} pixels, by real "
+     "numbers, {outline_between} lie between straight lines through the same points, the others "
+     "beyond the lines. Two points for each pixel of the radius are needed; 64 leave out "
+     "{outline_64} at 160x90 ([background.md](background.md#the-accurate-method-step-by-step))",
      "make background", "refuted"),
     ("V.B", "3 additions, 5 multiplications, 4 sines and cosines a point",
      "with sines kept a row: 2.1 of them, 10.7 additions, 9.3 multiplications and 1.2 divisions a "
@@ -46,7 +59,9 @@ BORODAVKA = [
      "2.5 times in view `centred`: 5776 pixels for 2302",
      "build/sphaera background scenes/views/centred.nff --size 160x90", "same"),
     ("V.C", "the coefficient 1.4 prevents errors up to 90 degrees",
-     "up to 44.4 degrees, by proof; 12 pixels lose their sphere in `off_axis` "
+     "up to {square_angle} degrees: the line from the eye through C + 1.4 R at v degrees passes the "
+     "centre at 1.4 R cos(v), which is less than R from there on. In `off_axis` it stands at {square_point} degrees: {square_beyond} pixels that "
+     "see the sphere around all are outside of the square, and {square_lost} lose their sphere "
      "([background.md](background.md#the-fast-method))", "make background", "refuted"),
     ("Fig. 5 to 8", "the root sphere's pixels: points, rows, columns and border; the square",
      "each step drawn, with the pixels that it leaves out in red "
@@ -56,8 +71,11 @@ BORODAVKA = [
      "{paper_mul} and {paper_add}, R^2 being stored", "build/sphaera operations scenes/paper5.nff",
      "same"),
     ("VI.A", "this is the minimum",
-     "{machine_mul} and {machine_add} with |VP|^2 made once a ray, as here; {geometric_mul} and "
-     "{geometric_add} once the ray is normalised, which takes a root and 3 divisions",
+     "{machine_mul} and {machine_add} with |VP|^2 made once a ray, as here: 3 multiplications and "
+     "2 additions of the 11 make it anew for each sphere, and one multiplication more squares R "
+     "here. "
+     "{geometric_mul} and {geometric_add} once the ray is normalised, which takes a root and 3 "
+     "divisions",
      "build/sphaera operations scenes/paper5.nff", "refuted"),
     ("VI.A", "VC.VP < 0 and R^2 < |VC|^2: no intersection",
      "true, and exact integers never disagree ({wrong} of {tests} answers); it ends a test after "
@@ -81,7 +99,8 @@ BORODAVKA = [
      "finds being asked whether it holds the point", "make papers", "same"),
     ("VII", "Rendering, L1, L2 work simultaneously, each makes a frame of its depth",
      "the three frames of paper100 take {parts_0}, {parts_1} and {parts_2} cycles a pixel; one "
-     "engine gives all of them in {parts_2}, three in no less, for three times the cells",
+     "engine gives all of them in {parts_2}, three in no less, for three times the cells. What "
+     "binds: {bound_parts_0} without reflections, {bound_parts_2} with two",
      "make papers", "other"),
     ("VII", "1280x720",
      "paper5 takes {hd_paper5}, paper100 {hd_paper100} cycles a pixel of one engine, at 160x90 "
@@ -99,7 +118,9 @@ BORODAVKA = [
     ("VIII", "no comparison, since no one has used a sphere as a primitive",
      "meshes of 1280 triangles a sphere are 24 to 31 dB farther from the truth, at 2200 times the "
      "memory and three to eight times the cycles, by a core of {cells_facet} LUT4eq for "
-     "{cells_sphere}: below", "make papers", "other"),
+     "{cells_sphere}: below. It is their size that takes the time, from cold caches: what binds in "
+     "paper100 is {bound_paper100_3}, with spheres {bound_paper100_sphere}", "make papers",
+     "other"),
 ]
 
 PARK = [
@@ -107,8 +128,12 @@ PARK = [
      "make test ONLY=test_levels", "same"),
     ("4", "log2(P_b) in five steps",
      "as printed upside down, of the wrong unit, and counted twice; mended "
-     "([lod.md](../model/lod.md#p_b-by-build))", "build/sphaera build SCENE --lod paper",
-     "refuted"),
+     "([lod.md](../model/lod.md#p_b-by-build)). A wall of 2 by 2 with 256 by 256 texels, square to "
+     "the ray at 800x480: a pixel and a texel have the same area, which is how the paper defines "
+     "P_b, where log2(P_b) is {base_true}. The steps give {base_printed}, where a pixel covers "
+     "{base_texels} texels; with twice the texels a side {base_printed_512} for {base_true_512}, "
+     "with lengths in feet {base_printed_feet} for {base_true_feet}",
+     "build/sphaera build SCENE --lod paper", "refuted"),
     ("4", "the triangle is taken as square to the ray",
      "a fifth of a level off at 30 degrees, one at 60 "
      "([texture_results.md](texture_results.md#every-angle))", "make textures", "same in kind"),
@@ -170,8 +195,8 @@ AROXA = [
     ("II.A", "95 % of the time goes into intersections",
      "in the model {profile_paper100} % of the instructions in paper100, {profile_random4096} % "
      "with 4096 spheres, {profile_lattice64} % in Scenario 1 with a BIH; in the core {busy} % of "
-     "the clocks issue a node in paper100, and the rest is hidden behind them",
-     "make papers", "same in kind"),
+     "the clocks issue a node in paper100. What binds there: {bound_parts_2}; in paper5, of five "
+     "spheres, {bound_paper5}", "make papers", "same in kind"),
     ("II.B, III.B", "BIH beside BVH of boxes and kd-tree, in words",
      "counted beside both, and beside nodes of four boxes and four spheres "
      "([trees.md](trees.md#kinds-of-trees)): a BIH is built 20 to 60 times as fast as a kd-tree, "
@@ -179,8 +204,11 @@ AROXA = [
      "tests; of a binary tree of boxes it takes 0.7 to 0.9 times the steps", "make kinds",
      "built"),
     ("III.B", "Listings 3.2 to 3.5",
-     "built, with [what they get wrong](../model/bih.md#what-the-listings-get-wrong)",
-     "make test ONLY=test_bih", "refuted"),
+     "built, with [what they get wrong](../model/bih.md#what-the-listings-get-wrong). Listing 3.5, "
+     "taken literally, gives another sphere than a look at all of them in {listing_printed} pixels "
+     "of Scenario 1 with 64 spheres at 40x68, where {listing_seen} see one; in {listing_text} with "
+     "its two branches exchanged, as the text has them; in {listing_aware} where the child that is "
+     "near goes by the ray's direction", "make test ONLY=test_bih", "refuted"),
     ("Table 4.2", "statistics of three scenarios",
      "Scenario 1 to the last number, the others in kind", "make scenarios", "same"),
     ("Fig. 4.1", "three scenarios", "drawn below; how they are made, says "
@@ -192,10 +220,14 @@ AROXA = [
      "same in kind"),
     ("IV.D", "a BIH of one leaf is slower than brute force",
      "{leaf_64} cycles a pixel for {leaf_brute}: two thirds of the rays miss the box around all "
-     "spheres, and test none", "make papers", "other"),
+     "spheres, and test none. What binds: {bound_one_leaf}; without a tree {bound_brute}",
+     "make papers", "other"),
     ("Fig. 4.4", "BIH 8 is best in 7 of 9",
-     "in hardware leaves of 1 or 2, a step costing a clock and a test two", "make papers",
-     "other"),
+     "BIH {best_leaf} in {best_of} of 9, by at most {best_by} % before BIH 1, since what binds most "
+     "does not depend on leaves as small: keys of hits on the plane in {keys_least} to {keys_most} "
+     "% of the clocks, the set-up of rays for planes in {setup_least} to {setup_most} %. With BIH "
+     "16 exact tests bind as well, in up to {records_most} % "
+     "([scenarios.md](scenarios.md#figure-44-speed))", "make scenarios-rtl", "other"),
     ("Fig. 4.4", "787 to 1495 % more frames than brute force",
      "5.5 to 43 times in the RTL, 8 and 9 in Scenario 1 with 64 spheres at 640x1088 "
      "([scenarios.md](scenarios.md#figure-44-speed))",
@@ -204,8 +236,12 @@ AROXA = [
      "3 gains least with 64, 128 and 256 spheres, 2 most with 256 alone", "make scenarios-rtl",
      "same in kind"),
     ("Fig. 4.4", "brute force: 2.14 frames a second with 128 spheres, 1.87 with 256",
-     "in the RTL 256 take 2.3 to 2.4 times the cycles of 128, as its tests are twice as many; the "
-     "thesis's two figures can hardly both be right", "make scenarios-rtl", "other"),
+     "in the RTL 256 take 2.4 times the cycles of 128: tests are twice as many, and no unit binds "
+     "in {brute_none} % of the clocks, as rays wait for memory: 257 records are more than the 128 "
+     "lines of the leaf cache. The thesis's two figures contradict its 1495 %: what is "
+     "no test takes at most {brute_rest} ms then, so 256 spheres at most {brute_most} frames a "
+     "second, unless a test takes {brute_less} % less time when there are twice as many",
+     "make scenarios-rtl", "other"),
     ("Fig. 4.5", "150 kB to 6.2 kB; BIH 16 saves 82.5 % of Scenario 2 and 73.99 % of Scenario 1",
      "170 kB to 6.1 kB, 84.8 % and 80.3 %: random places give more optimized nodes, and our "
      "lattice is cut evenly ([scenarios.md](scenarios.md#figure-45-memory))", "make scenarios",
@@ -249,8 +285,32 @@ def told():
         for n, tree in ((100, "reinserted"), (10000, "BIH"))}
     found["moving_100"] = f"{max(draws[100]):.1f}"
     found["moving_10000"] = f"{min(draws[10000]):.1f} to {max(draws[10000]):.1f}"
+    found.update(leaves_told())
     found["moving_rate"] = listed(sorted(set(rates.column("moving", "frames/s, built"))))
     return found
+
+
+def leaves_told():
+    """Of Figure 4.4: which leaves are best, and the least and the most of what binds."""
+    head, rows = data.read("scenarios.cycles")
+    times = [[float(cell.split(":")[0]) for cell in row[1:]] for row in rows]
+    ways = [name.split()[1] for name in head[1:]]
+    best = [ways[row.index(min(row))] for row in times]
+    often = max(set(best), key=best.count)
+    gains = [100 * (row[0] / min(row) - 1) for row in times]
+    head, rows = data.read("scenarios.limits")
+
+    def parts(name, *columns):
+        found = [re.search(rf"(?:^|, ){name} (\d+) %", row[head.index(column)])
+                 for row in rows for column in columns]
+        return [int(part[1]) if part else 0 for part in found]
+    few = [f"BIH {n}" for n in (1, 2, 4)]
+    keys, setup = parts("keys of facets", *few), parts("rays set up for planes", *few)
+    records = parts("exact tests", "BIH 16")
+    none = parts("none", "brute")
+    return {"best_leaf": often, "best_of": best.count(often), "best_by": f"{max(gains):.0f}",
+            "keys_least": min(keys), "keys_most": max(keys), "setup_least": min(setup),
+            "setup_most": max(setup), "records_most": max(records), "brute_none": max(none)}
 
 
 def listed(words):

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # measure.py - runs what the tables of docs/results/claims.md are made of, once
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.papers.measure TOOL FOLDER
-Leaves NAME.json in FOLDER for each run of the model, NAME.core.json for those of the RTL. A result
-that is younger than the tool is kept."""
+"""usage: python3 -m lab.papers.measure TOOL FOLDER [PART...]
+PART: functions of this file, all if none is named. Leaves NAME.json in FOLDER for each run of the
+model, NAME.core.json for those of the RTL. A result that is younger than the tool is kept."""
 import math
 import os
 import re
@@ -25,7 +25,8 @@ REPLACED = ["paper5", "paper100", "sphereflake2"]
 # cores that draw them; their cells are those that `make synth EFFECTS=` left
 SHAPES_CORE = {"sphere": "shadow+reflect4+lights3+inside",
                "facet": "shadow+reflect4+lights3+inside+facets+turned+boxes"}
-SEARCH = ["--tree", "paper", "--traverse", "first", "--depth", "0", "--shadow", "off"]
+SEARCH = ["--tree", "paper", "--traverse", "first", "--interpenetrate", "off", "--depth", "0",
+          "--shadow", "off"]
 FIRST = ["--tree", "paper", "--traverse", "first", "--interpenetrate"]
 CORRECTED = {"nearest": [], "first": [*FIRST, "off"], "mended": [*FIRST, "on"]}
 # one core for the three parts of the paper's machine; its frame has 160x90 pixels
@@ -260,11 +261,14 @@ def profile(run):
                      f"{100 * spent['sph_traverse'] / spent['sph_render']:.0f}\n")
 
 
-def main(tool, folder):
+PARTS_OF = {part.__name__: part for part in (operations, search, corrected, shapes, parts, bounces,
+                                             bases, leaves, ways, scenarios, profile)}
+
+
+def main(tool, folder, *names):
     run = Runner(tool, folder)
-    for part in operations, search, corrected, shapes, parts, bounces, bases, leaves, ways, \
-            scenarios, profile:
-        part(run)
+    for name in names or PARTS_OF:
+        PARTS_OF[name](run)
 
 
 if __name__ == "__main__":

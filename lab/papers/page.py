@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 from . import measure
-from ..pages import data, whole
+from ..pages import data, limits, whole
 from ..pages.place import place
 from ..synth import report, results
 
@@ -25,11 +25,21 @@ def load(folder, name):
     return whole.load(os.path.join(folder, name + ".json"))
 
 
-def cycles(folder, name):
+def core(folder, name):
+    """The pass with cold caches."""
     run = whole.load(os.path.join(folder, name + ".core.json"), *whole.RTL)
     if run["mismatches"] or run["cold"]["errors"]:
         sys.exit(f"page: {name}: model and RTL differ")
-    return run["cold"]["cycles_per_pixel"]
+    return run["cold"]
+
+
+def cycles(folder, name):
+    return core(folder, name)["cycles_per_pixel"]
+
+
+def limit(folder, name):
+    """What the run says that its frame waits for."""
+    return limits.parts(core(folder, name))
 
 
 def levels(n):
@@ -87,9 +97,10 @@ def shapes(folder):
             rows.append([f"`{scene}`", name, run["machine"]["memory_bytes"], f"{decibels:.1f}",
                          f"{c['node_visits'] / PIXELS:.1f}",
                          f"{(c['leaf_tests'] + c['facet_tests']) / PIXELS:.1f}",
-                         f"{cycles(folder, f'shape-{scene}-{shape}'):.1f}"])
+                         f"{cycles(folder, f'shape-{scene}-{shape}'):.1f}",
+                         limit(folder, f"shape-{scene}-{shape}")])
     return report.table(["scene", "drawn as", "bytes", "dB", "visits a pixel", "exact tests",
-                         "cycles a pixel"], rows, 2)
+                         "cycles a pixel", "what binds"], rows, 2)
 
 
 def leaves(folder):
@@ -98,6 +109,22 @@ def leaves(folder):
     limit = [f"{cycles(folder, f'leaves-levels{n}'):.1f}" for n in measure.LEVELS]
     return report.table(head, [["MAX_PRIMS", *prims, f"{cycles(folder, 'leaves-brute'):.1f}"],
                                ["MAX_TREE_DEPTH 1 to 7", *limit, ""]])
+
+
+def bound(folder):
+    """What the runs of the RTL name as their limits, for rows of claims.py."""
+    names = {"parts_0": "parts-paper100-0", "parts_2": "parts-paper100-2",
+             "paper5": "parts-paper5-2", "one_leaf": "leaves-prims64", "brute": "leaves-brute",
+             "kitchen_10": "bounces-kitchen-10", "mirrors_10": "bounces-mirrors-10"}
+    names.update((f"prims{n}", f"leaves-prims{n}") for n in measure.LEAVES)
+    names.update((f"{scene}_{shape}", f"shape-{scene}-{shape}") for scene in measure.REPLACED
+                 for shape in ("sphere", "3"))
+    return {"bound_" + name: limit(folder, run) for name, run in names.items()}
+
+
+def reasons(folder):
+    """What why.py found."""
+    return load(folder, "why")
 
 
 def bases(folder):
@@ -195,6 +222,7 @@ def main(page, folder, synth):
     place(page, "make papers", {
         "values": values_of(values, folder), "profiles": values_of(profiles, folder),
         "shaped": values_of(shaped, synth), "park": values_of(park, synth),
+        "bound": values_of(bound, folder), "why": values_of(reasons, folder),
         "search": lambda: search(folder), "operations": lambda: operations(folder),
         "shapes": lambda: shapes(folder), "bases": lambda: bases(folder),
         "leaves": lambda: leaves(folder)})

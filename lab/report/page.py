@@ -96,12 +96,18 @@ def cycles(run):
              ("no primary ray waits: begin, end", total - waiting)]
     split = "".join(f'<i style="width:{value / total:.2%}"></i>' for _, value in parts)
     said = "; ".join(f"{name}: {value / total:.1%}" for name, value in parts)
-    busy = units(count, run.machine, run.parameters)
+    busy = units(run.last, run.machine, run.parameters)
     bars = "".join(bar(u.name, u.clocks / total, f"{u.clocks / total:.1%}", u.what,
                        "most" if u is busy[0] else "") for u in busy)
-    return ("<h2>Where cycles go</h2><p>Each unit's work, at its interval, in clocks of the frame. "
-            "This is the least that it is busy; the frame cannot be shorter than its busiest unit, "
-            f"here <b>{text(busy[0].name)}</b>.</p>"
+    if "limit" in run.last:
+        told = ("Clocks in which each unit of the core works, as the bench counts them; one that "
+                "holds a result which nobody takes does not work. The limit: "
+                f"<b>{text(run.last['limit']['said'])}</b>.")
+    else:
+        told = ("Verilator alone counts every unit. By the counters of the core these need at "
+                f"least so many clocks, <b>{text(busy[0].name)}</b> the most; what limits the "
+                "frame, they do not tell.")
+    return (f"<h2>Where cycles go</h2><p>{told}</p>"
             f'<div class="card"><div>{bars}</div></div>'
             f'<div class="card" style="margin-top:.7rem"><div class="bar split"><span>all clocks'
             f'</span><span class="track">{split}</span><span class="n">{number(total)}</span>'
@@ -121,7 +127,7 @@ def counters(run):
         elif value:
             note = "the RTL alone counts it"
             if name == "cycles":
-                least = units(count, run.machine, run.parameters)[0]
+                least = units(run.last, run.machine, run.parameters)[0]
                 note = f"at least {number(least.clocks)}: {least.name}"
             rows.append(["", [name, "", number(value), note]])
     return ("<h2>Counters</h2><p>What the model predicts, and what the core counted"

@@ -7,7 +7,7 @@ from math import log10
 from .html import number, text
 from .units import LINE, lines_of, units
 
-MEMORY = "memory port"
+MEMORY = "memory"  # how names of its rows begin
 WIDTH, HEIGHT, LEFT, BELOW = 640, 300, 60, 40
 
 
@@ -19,7 +19,8 @@ class Roof:
         self.visits, self.clocks = count["node_visits"], count["cycles"]
         self.bytes = LINE * memory.get("lines", lines_of(count, run.parameters))
         self.peak = run.report["memory"]["peak_bytes_per_clock"]
-        busy = [u for u in units(count, run.machine, run.parameters) if u.name != MEMORY]
+        busy = [u for u in units(run.last, run.machine, run.parameters)
+                if not u.name.startswith(MEMORY)]
         self.unit = busy[0] if busy else None
         self.rate = self.unit and self.visits / self.unit.clocks
 
@@ -67,9 +68,13 @@ def roof(run):
     if memory:
         figures.append(("clocks bound by memory", f"{memory['bound_share']:.1%}"))
     cells = "".join(f"<div><dt>{name}</dt><dd>{value}</dd></div>" for name, value in figures)
+    if "limit" in run.last:
+        said = f"the run says: <b>{text(run.last['limit']['said'])}</b>. "
+    else:
+        said = f"by the counters alone the limit is <b>{text(first)}</b>. "
     return (f"<h2>What limits it</h2><p>{text(run.report['memory']['name'])} memory: its pins need "
             f"{pins / found.clocks:.1%} of the clocks, {text(found.unit.name)} at least "
-            f"{busy / found.clocks:.1%}; so the limit is <b>{text(first)}</b>. A clock is bound by "
+            f"{busy / found.clocks:.1%}; {said}A clock is bound by "
             "memory if a line is owed, a ray waits, and no node is visited.</p>"
             f'<dl class="figures">{cells}</dl><div class="card" style="margin-top:.7rem">'
             f"{drawing(found)}</div>")

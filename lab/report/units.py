@@ -1,8 +1,9 @@
-# units.py - how busy each unit of the core was, from the counters of a run
+# units.py - how busy each unit of the core was
 # SPDX-License-Identifier: Apache-2.0
-"""The clocks that a unit needs for its work follow from its interval, which is a parameter of
-rt_core or stands on its page in docs/blocks; what else it waits for is not counted, so each share
-is a lower bound. The frame cannot take fewer clocks than its busiest unit."""
+"""In Verilator the bench counts the clocks in which each unit works, and says what limits a pass
+(docs/use/simulation.md): counted(). Of other runs the counters of the core alone tell something:
+least() has the clocks that some units need at their intervals, parameters of rt_core. That is a
+lower bound, of units whose work has a counter, and does not tell what limits the frame."""
 import subprocess
 from collections import namedtuple
 from math import ceil
@@ -59,9 +60,30 @@ def lines_of(count, core):
         + count["texel_misses"] * core["TEXTURE_GROUP"]
 
 
-def units(count, machine, core):
-    """Units that had work, the busiest first. count: counters of the core by name; machine: of
-    build.json; core: parameters()."""
+def counted(last):
+    """Every unit that the core has, the busiest first, of a pass of report.json; none if nobody
+    counted them."""
+    found, cycles = [], last["counters"]["cycles"]
+    for row in last.get("units", []):
+        many = row["units"]
+        said = f"{row['taken']} results"
+        if row["taken"]:
+            said += f", {row['clocks'] / row['taken']:.1f} clocks each"
+        if cycles and row["turned_away"]:
+            said += f", an operand waits in {row['turned_away'] / many / cycles:.1%}"
+        found.append(Unit(row["name"], row["clocks"] / many,
+                          said + (f"; {many} of them" if many > 1 else "")))
+    return found
+
+
+def units(last, machine, core):
+    """counted(), or else least()."""
+    return counted(last) or least(last["counters"], machine, core)
+
+
+def least(count, machine, core):
+    """Some units that had work, the busiest first, by what the counters tell. count: counters of
+    the core by name; machine: of build.json; core: parameters()."""
     engines, width = core["ENGINES"], machine["widths"]
     root = ceil((width["PR"] or width["W"] + width["WD"]) / core["ROOT_STEP"]) + 1
     quotient = ceil(width["PQ"] / core["QUOTIENT_STEP"]) + 2

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # measure.py - runs what the tables of docs/results/scenarios.md are made of, once
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.scenarios.measure TOOL FOLDER [--rtl]
+"""usage: python3 -m lab.scenarios.measure TOOL FOLDER [--rtl | --rtl-small]
 Leaves NAME.json in FOLDER for each machine: what build and render report, times of several runs. A
 result that is younger than the tool is kept, of the RTL if it is younger than that too. --rtl
 also runs the machines of list `speed` and `trees` through the RTL: NAME.core.json, with
-sim/core.sh."""
+sim/core.sh. --rtl-small runs no more than the small frames of `speed` and those of `trees` through
+the RTL."""
 import json
 import os
 import subprocess
@@ -22,7 +23,8 @@ MANY = [1024, 2048, 4096]
 SCENES = ["sphereflake2", "paper100", "random4096", "room", "scenario1", "scenario2", "scenario3"]
 ACCELS = ["paper", "balanced", "reinserted", "box4", "bih1", "bih4", "bih8", "brute"]
 # of these the RTL draws
-SCENES_RTL, ACCELS_RTL = ["paper100", "room"], ["reinserted", "box4", "bih1", "bih4"]
+SCENES_RTL = ["paper100", "random4096", "room"]
+ACCELS_RTL = ["reinserted", "box4", "bih1", "bih4", "bih8"]
 # only primary rays; no shadows
 PRIMARY = ["--depth", "0", "--shadow", "off"]
 RENDERS = 3
@@ -99,8 +101,35 @@ def scene_file(runner, name):
     return f"scenes/{name}.nff"
 
 
+def tree(runner, scene, way):
+    size = "90x153" if scene.startswith("scenario") else "160x90"
+    runner.machine(f"trees-{scene}-{way}", scene_file(runner, scene),
+                   options(way) + ["--size", size, "--axes", "camera"])
+    if scene in SCENES_RTL and way in ACCELS_RTL:
+        runner.core(f"trees-{scene}-{way}")
+
+
+def small(runner):
+    """What the cycles and the limits of Figure 4.4 are read from, frames of 40 x 68 pixels, and
+    those of the other trees."""
+    for scene in SCENES_RTL:
+        for way in ACCELS_RTL:
+            tree(runner, scene, way)
+    for number in 1, 2, 3:
+        for n in FEW:
+            for way in ["brute"] + [f"bih{p}" for p in PRIMS]:
+                name = f"rtl-{number}-{n}-{way}"
+                runner.machine(name, runner.generated(f"scenario{number}", n),
+                               options(way) + PRIMARY + ["--size", "40x68"])
+                runner.core(name)
+
+
 def main(tool, folder, *more):
-    runner = Runner(tool, folder, "--rtl" in more)
+    runner = Runner(tool, folder, "--rtl" in more or "--rtl-small" in more)
+    if runner.rtl:
+        small(runner)
+    if "--rtl-small" in more:
+        return
     for number in 1, 2, 3:
         kind = f"scenario{number}"
         for how in "bih1", "bih8", "listing1", "listing8":
@@ -117,17 +146,9 @@ def main(tool, folder, *more):
                 runner.machine(name, scene, options(way) + PRIMARY + FULL, RENDERS)
                 if (number, n, way) in FULL_RTL:
                     runner.core(name)
-                small = f"rtl-{number}-{n}-{way}"
-                if runner.rtl:
-                    runner.machine(small, scene, options(way) + PRIMARY + ["--size", "40x68"])
-                    runner.core(small)
     for scene in SCENES:
-        size = "90x153" if scene.startswith("scenario") else "160x90"
         for way in ACCELS:
-            runner.machine(f"trees-{scene}-{way}", scene_file(runner, scene),
-                           options(way) + ["--size", size, "--axes", "camera"])
-            if scene in SCENES_RTL and way in ACCELS_RTL:
-                runner.core(f"trees-{scene}-{way}")
+            tree(runner, scene, way)
 
 
 if __name__ == "__main__":

@@ -8,7 +8,7 @@ import os
 import sys
 
 from . import measure
-from ..pages import whole
+from ..pages import limits, whole
 from ..pages.place import place
 from ..synth import report
 
@@ -86,30 +86,33 @@ def per_ray(result):
     return {k: c[k] / rays for k in c}
 
 
-def cycles(folder, name):
-    """Cycles a pixel with warm caches; None if this RTL has not run."""
+def core(folder, name):
+    """The pass with warm caches; None if this RTL has not run."""
     run = whole.load(os.path.join(folder, name + ".core.json"), *whole.RTL)
     if run is None:
         return None
     if run["mismatches"] or run["warm"]["errors"]:
         sys.exit(f"page: {name}: model and RTL differ")
-    return run["warm"]["cycles_per_pixel"]
+    return run["warm"]
+
+
+def cycles(folder, name):
+    """Cycles a pixel with warm caches."""
+    run = core(folder, name)
+    return run and run["cycles_per_pixel"]
 
 
 def shown(value):
     return "-" if value is None else f"{value:.2f}"
 
 
-def speed(folder, field):
-    """Figure 4.4: brute force over each MAX_PRIMS, as `field` says."""
-    rows = []
-    for s in 1, 2, 3:
-        for n in measure.FEW:
-            row = [f"S{s}, {n}"]
-            for p in measure.PRIMS:
-                row.append(field(folder, s, n, f"bih{p}"))
-            rows.append(row)
-    return report.table(["scenario, spheres"] + [f"BIH {p}" for p in measure.PRIMS], rows)
+def speed(folder, field, more=()):
+    """Figure 4.4: brute force over each MAX_PRIMS, as `field` says; more: of other trees too."""
+    ways = [f"bih{p}" for p in measure.PRIMS] + list(more)
+    rows = [[f"S{s}, {n}"] + [field(folder, s, n, way) for way in ways]
+            for s in (1, 2, 3) for n in measure.FEW]
+    return report.table(["scenario, spheres"] + [f"BIH {p}" for p in measure.PRIMS] + list(more),
+                        rows)
 
 
 def time_ratio(folder, s, n, way):
@@ -128,6 +131,16 @@ def work(folder, s, n, way):
 def cycle_ratio(folder, s, n, way):
     brute, tree = (cycles(folder, f"rtl-{s}-{n}-{w}") for w in ("brute", way))
     return "-" if brute is None or tree is None else f"{tree:.2f}: {brute / tree:.1f}"
+
+
+def limit(folder, name):
+    """The units that the run says the frame waits for, with their parts of it."""
+    run = core(folder, name)
+    return "-" if run is None else limits.parts(run)
+
+
+def speed_limit(folder, s, n, way):
+    return limit(folder, f"rtl-{s}-{n}-{way}")
 
 
 def full(folder):
@@ -153,10 +166,11 @@ def trees(folder):
 
 
 def tree_cycles(folder):
-    """Cycles a pixel of the RTL."""
-    return report.table(["cycles a pixel", *measure.ACCELS_RTL], [
-        [scene, *(shown(cycles(folder, f"trees-{scene}-{way}")) for way in measure.ACCELS_RTL)]
-        for scene in measure.SCENES_RTL])
+    """Cycles a pixel of the RTL, and what limits them."""
+    return report.table(["scene", "tree", "cycles a pixel", "what binds"], [
+        [scene, way, *(f(folder, f"trees-{scene}-{way}") for f in (lambda *run: shown(cycles(*run)),
+                                                                  limit))]
+        for scene in measure.SCENES_RTL for way in measure.ACCELS_RTL])
 
 
 def main(page, folder):
@@ -164,6 +178,7 @@ def main(page, folder):
         "statistics": lambda: statistics(folder), "listing": lambda: listing(folder),
         "memory": lambda: memory(folder), "time": lambda: speed(folder, time_ratio),
         "work": lambda: speed(folder, work), "cycles": lambda: speed(folder, cycle_ratio),
+        "limits": lambda: speed(folder, speed_limit, ["brute"]),
         "full": lambda: full(folder), "trees": lambda: trees(folder),
         "tree_cycles": lambda: tree_cycles(folder)})
 

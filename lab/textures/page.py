@@ -11,7 +11,7 @@ from functools import partial
 
 from ..pages import whole
 from ..pages.place import place
-from ..report.units import LINE, parameters, units
+from ..report.units import LINE
 from ..synth import report
 from .angles import angles, plot, slants
 
@@ -200,14 +200,13 @@ MEMORIES = {"ideal_84": "8 bytes a clock", "ddr3x16_84": "DDR3 x16", "sdram16_84
 GROUPS = 1, 2, 4  # lines of 32 bytes that are fetched together
 
 
-def limit(machine, run):
-    """Clocks a pixel of memory's pins, and what needs the most clocks, with its share of all."""
-    count = run["cold"]["counters"]
-    busy = [(u.clocks, u.name) for u in units(count, machine, parameters({}, "all+boxes"))
-            if u.name != "memory port"]
+def limit(run):
+    """Clocks a pixel of memory's pins, and the unit that is busiest, with its share of the clocks,
+    in brackets unless the run says that it binds."""
     pins = run["cold"]["memory"]["lines"] * LINE / run["memory"]["peak_bytes_per_clock"]
-    clocks, name = max(busy + [(pins, "memory")])
-    return [f"{pins / run['pixels']:.1f}", f"{name}, {100 * clocks / count['cycles']:.0f} %"]
+    said = run["cold"]["limit"]
+    name = f"{said['unit']}, {100 * said['busy']:.0f} %"
+    return [f"{pins / run['pixels']:.1f}", name if said["binds"] else f"({name})"]
 
 
 def less(runs, way):
@@ -227,8 +226,7 @@ def memory(data):
         for part, title in MEMORIES.items():
             for way in ("off", "level", "between"):
                 run = runs[part, way]
-                info = data.read(f"{name}-fine-{way}.info.json")
-                if not run or not info:
+                if not run:
                     rows.append([name, title, WAYS[way]] + ["-"] * 7)
                     continue
                 cold = run["cold"]
@@ -239,7 +237,7 @@ def memory(data):
                              f"{cold['cycles_per_pixel']:.1f}",
                              "" if part == best else show(lost, "{:d} %"),
                              "" if way == "off" else show(gain, "{:+d} %")]
-                            + limit(info["machine"], run))
+                            + limit(run))
     return report.table(["scene", "memory", "filter", "bytes a pixel", "rows open",
                          "clocks a pixel", "lost", "gain", "pins", "busiest, its clocks"], rows,
                         left=3)

@@ -209,11 +209,13 @@ module rt_core #(
 
     // ---- units of an engine; numbers of its slots, {pipe, slot of its own} ----
     // units of machine.def
-    localparam SHADE_UNITS = SHADES ? SHADES : PIPES == 1 || INTERPENETRATE != 0 ? 1
-                             : PIPES == 4 ? 4 : 2;
-    localparam LEAF_UNITS = EXACTS ? EXACTS : BOXES ? SHADE_UNITS
+    localparam SHADE_UNITS = SHADES != 0 ? SHADES
+                             : PIPES == 1 || INTERPENETRATE != 0 ? 1 : PIPES == 4 ? 4
+                             : 2;
+    localparam LEAF_UNITS = EXACTS > 0 ? EXACTS : BOXES>0 ? SHADE_UNITS
                              : PIPES > 2 && SHADE_UNITS > 1 ? 2 : 1;
-    localparam SETUP_UNITS = SETUPS ? SETUPS : PIPES == 4 && LEAF_UNITS > 1 ? 2 : 1;
+    localparam SETUP_UNITS = SETUPS != 0 ? SETUPS : PIPES == 4 && LEAF_UNITS > 1 ? 2
+                             : 1;
     // end of units
     `RT_CHECK_CORE  // legal values, alone and together
     // What a block RAM is worth in LUTs: four pipes ask for more than there are, as they do of
@@ -479,6 +481,9 @@ module rt_core #(
         if (start && foreign_q) errors_o[`RT_ERROR_WRONG_PROFILE]  <= 1'b1;
         if (rst) errors_o <= 0;
     end
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_pixel_port /* verilator public_flat_rd */ =
+        {mux_valid_q && !pix_ready_i, mux_valid_q && pix_ready_i, 5'd0, mux_valid_q};
 endmodule
 `undef RT_ADD
 `default_nettype wire

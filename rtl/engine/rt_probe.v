@@ -90,6 +90,9 @@ module rt_probe #(
         .wr_addr_i(again ? again_slot_o : pixel_slot_i), .wr_data_i(again),
         .rd_addr_i(ray_slot_i), .rd_data_o(ray_again_o)
     );
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_repeated_primary_rays /* verilator public_flat_rd */ =
+        {again_valid_o && !again_ready_i, again, 5'd0, again};
     wire unused = &{1'b0, q_in};
 endmodule
 `default_nettype wire

@@ -279,6 +279,11 @@ module rt_slots #(
                                                               : texture_i;
     assign out_done    = pix_valid_o && pix_ready_i;
     assign out_slot    = p_slot_q;
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_rays_done /* verilator public_flat_rd */ =
+        {1'b0, done_valid_i, 5'd0, done_valid_i};
+    wire [7:0] work_pixels_delivered /* verilator public_flat_rd */ =
+        {p_valid_q && !pix_ready_i, out_done, 5'd0, out_done};
     wire unused = &{1'b0, regs_i, effects, blend_i, free_in, again_slot, o_blend_in, o_sky_in,
                     o_one, o_end, texture_i};
 endmodule

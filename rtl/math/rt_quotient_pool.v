@@ -44,6 +44,10 @@ module rt_quotient_pool #(
                 .out_valid_o(done[u]), .out_ready_i(give[u]),
                 .out_mant_o(mant), .out_exp_o(exp)
             );
+            // for benches: {turned away, taken, clocks of work}
+            wire [7:0] work_quotients /* verilator public_flat_rd */ =
+                {in_valid_i && !in_ready_o, take[u], 5'd0,
+                 take[u] || (!ready[u] && !(done[u] && !give[u]))};
             assign results[RW*u +: RW] = {mant, exp};
         end
     endgenerate

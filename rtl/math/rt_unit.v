@@ -182,6 +182,10 @@ module rt_unit #(
     assign out_u_y_o   = u_y_q;
     assign out_u_z_o   = u_z_q;
 
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_unit_vectors /* verilator public_flat_rd */ =
+        {in_valid_i && !in_ready_o, in_valid_i && in_ready_o, 4'd0,
+         in_valid_i && in_ready_o, 1'b0};
     wire unused = &{1'b0, p_x, p_y, p_z, r_x, r_y, r_z, n_16, n_2[11:0], slope_two_q[9:0]};
 endmodule
 `default_nettype wire

@@ -176,6 +176,10 @@ module rt_unit_four #(
     assign out_u_y_o   = $signed(u_q[35:18]);
     assign out_u_z_o   = $signed(u_q[53:36]);
 
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_unit_vectors /* verilator public_flat_rd */ =
+        {in_valid_i && !in_ready_o, in_valid_i && in_ready_o, 3'd0,
+         in_valid_i && in_ready_o, 2'd0};
     wire unused = &{1'b0, acc, n_16, n_2[11:0], u, p_q};
 endmodule
 `default_nettype wire

@@ -92,6 +92,9 @@ module rt_mem_arbiter #(
         end
         if (rst) begin beat_q <= 2'd0; full_q <= 1'b0; end
     end
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_memory_port /* verilator public_flat_rd */ =
+        {|req_valid_i && !take, full_take, 5'd0, beat_take};
     wire unused = &{1'b0, number, order_valid};
 endmodule
 `default_nettype wire

@@ -239,6 +239,9 @@ module rt_walk #(
     assign {x_o, y_o} = {out_x_q, out_y_q};
     assign {ray_dir_y_o, ray_dir_x_o} = out_dir_q[2*WD-1:0];
     assign ray_dir_z_o = TURNED != 0 ? out_dir_q[KEPT-1 -: WD] : dir[3*WD-1 -: WD];
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_pixel_walk /* verilator public_flat_rd */ =
+        {1'b0, step, 5'd0, state_q != IDLE && !(offered && !free)};
     wire unused = &{1'b0, rect_i, bg_mode_i};
 endmodule
 `default_nettype wire

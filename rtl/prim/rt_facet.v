@@ -250,6 +250,10 @@ module rt_facet #(
                 .out_tag_o(tag), .out_key_o(value)
             );
             assign all[KEYS*u +: KEYS] = give_k[u] ? {tag, value} : {KEYS{1'b0}};
+            // for benches: {turned away, taken, clocks of work}
+            wire [7:0] work_keys_of_facets /* verilator public_flat_rd */ =
+                {k_valid && !divides, take_k[u], 5'd0,
+                 take_k[u] || (!ready[u] && !(done[u] && !(give_k[u] && result_ready_i)))};
         end
     endgenerate
     always @* begin
@@ -257,6 +261,12 @@ module rt_facet #(
         for (i = 0; i < UNITS; i = i + 1) one = one | all[KEYS*i +: KEYS];
     end
     assign divides = |take_k;
+    generate
+        if (UNITS > 1) begin : g_first               // planes wait for the first unit
+            wire [7:0] work_keys_of_planes /* verilator public_flat_rd */ =
+                {k_valid && k_plane && !ready[0], take_k[0] && k_plane, 5'd0, k_valid && k_plane};
+        end
+    endgenerate
     assign divide_o = divides;
     assign p_valid = |done;
     assign {p_tag, p_key} = one;
@@ -266,6 +276,9 @@ module rt_facet #(
         p_valid ? p_tag : d[TAG+1:1];
     assign result_o[`RT_RESULT_HIT] = p_valid || d[0];
     assign result_o[`RT_RESULT_KEY] = p_valid ? p_key : {{(W+WD+1){1'b0}}, 1'b1};
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_exact_tests_of_facets /* verilator public_flat_rd */ =
+        {in_valid_i && !in_ready_o, take, 5'd0, take || pause_q != 2'd0};
     wire unused = &{1'b0, a_in, a_valid, b_in, b_valid, k_in, d_in, size_d, size_n, reach[5:0],
                     test_i, record};
 endmodule

@@ -254,6 +254,9 @@ module rt_leaf #(
     assign out_exit_o = out_exit_q;
     assign out_far_o  = out_far_q;
 
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_exact_tests_of_spheres /* verilator public_flat_rd */ =
+        {in_valid_i && !in_ready_o, take, 5'd0, take || !in_ready_o};
     wire unused = &{1'b0, valid[0], disc[DW-2]};
 endmodule
 `default_nettype wire

@@ -118,6 +118,9 @@ module rt_prim #(
             assign event_o[`RT_PRIM_EVENT_DIVIDE] = 1'b0;
         end
     endgenerate
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_results_of_tests /* verilator public_flat_rd */ =
+        {|(valid & ~give), |give, 5'd0, |give};
     wire unused = &{1'b0, record, effects_i, head};
 endmodule
 `default_nettype wire

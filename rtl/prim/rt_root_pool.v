@@ -71,6 +71,10 @@ module rt_root_pool #(
                 wire unused = &{1'b0, shift};
             end
             assign results[RW*u +: RW] = {far_q, value};
+            // for benches: {turned away, taken, clocks of work}
+            wire [7:0] work_roots /* verilator public_flat_rd */ =
+                {in_valid_i && !in_ready_o, take[u], 5'd0,
+                 take[u] || (!ready[u] && !(done[u] && !give[u]))};
         end
         if (PR != 0) begin : g_key                   // one shift and one sum for all units
             wire [BW-1:0] root    = result[BW-1:0];

@@ -131,6 +131,9 @@ module rt_blend #(
             out_depth_o  <= depth_q + 1'b1;
             out_colour_o <= {s3_pixel, kept};
         end
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_surfaces_blended /* verilator public_flat_rd */ =
+        {in_valid_i && !in_ready_o, take, 5'd0, take || !in_ready_o};
     wire unused = &{1'b0, s2_ax_q[5:0], s3_light[0], s3_front[25], s3_front[7:0], s3_behind[0],
                     s3_all[7:0], s3_sum[17], s3_sum[0], s3_half[0]};
 endmodule

@@ -105,6 +105,9 @@ module rt_bounce #(
         .out_valid_o(out_valid_o),
         .out_x_o(out_dir_x_o), .out_y_o(out_dir_y_o), .out_z_o(out_dir_z_o)
     );
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_mirrored_directions /* verilator public_flat_rd */ =
+        {in_valid_i && !in_ready_o, take, 5'd0, take || !in_ready_o};
     wire unused = &{1'b0, s3_hi_q[DW-1:VW-WD]};
 endmodule
 `default_nettype wire

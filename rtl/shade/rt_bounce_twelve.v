@@ -158,6 +158,9 @@ module rt_bounce_twelve #(
         .out_valid_o(out_valid_o),
         .out_x_o(out_dir_x_o), .out_y_o(out_dir_y_o), .out_z_o(out_dir_z_o)
     );
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_mirrored_directions /* verilator public_flat_rd */ =
+        {in_valid_i && !in_ready_o, take, 2'd0, take, take, 2'd0};
     wire unused = &{1'b0, v, p2, p3, hh_q, mid_q, first_q[5], s4_f_q};
 endmodule
 `default_nettype wire

@@ -58,6 +58,9 @@ module rt_colour #(
         out_colour_o <= {s2_byte, out_colour_o[23:8]};
         if (ph_q[3]) out_tag_o <= in_tag_q;
     end
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_surfaces_blended /* verilator public_flat_rd */ =
+        {in_valid_i && !in_ready_o, take, 5'd0, take || !in_ready_o};
     wire unused = &{1'b0, s2_sum[14:0]};
 endmodule
 `default_nettype wire

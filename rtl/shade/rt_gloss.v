@@ -127,6 +127,9 @@ module rt_gloss #(
         y_q <= line[25:9] - bend;
         if (ph_q[22]) out_highlight_o <= none_q || e_q[28:16] > 13'd16 ? 16'd0 : y_up[16:1];
     end
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_highlights /* verilator public_flat_rd */ =
+        {in_valid_i && !in_ready_o, take, 5'd0, take || !in_ready_o};
     wire unused = &{1'b0, x_q[16], y_up[0], unit[20:18], e[3:0], prod_q[35:28], full[14:0]};
 endmodule
 `default_nettype wire

@@ -291,6 +291,9 @@ module rt_hit #(
             wire unused = &{1'b0, p_lift};
         end
     endgenerate
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_points_and_normals /* verilator public_flat_rd */ =
+        {in_valid_i && !start, start, 5'd0, start || |ph_q[INTERVAL-1:1] || late};
     wire unused = &{1'b0, s1_part, s4_sum_q[0], s4_org[0], back[VW+WD:VW]};
 endmodule
 `default_nettype wire

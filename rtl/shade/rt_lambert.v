@@ -70,6 +70,9 @@ module rt_lambert #(
         if (ph_q[2]) s2_tag_q  <= s1_tag_q;
         if (ph_q[4]) out_tag_o <= s2_tag_q;
     end
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_cosines /* verilator public_flat_rd */ =
+        {in_valid_i && !in_ready_o, take, 5'd0, take || !in_ready_o};
     wire unused = &{1'b0, s2_dot_q[15:0], s3_sum[0]};
 endmodule
 `default_nettype wire

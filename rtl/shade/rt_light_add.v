@@ -61,6 +61,9 @@ module rt_light_add #(
         out_sum_o <= {s2_sum[18] ? 17'h1ffff : s2_sum[17:1], out_sum_o[50:17]};
         if (ph_q[3]) out_tag_o <= in_tag_q;
     end
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_lights_added /* verilator public_flat_rd */ =
+        {in_valid_i && !in_ready_o, take, 5'd0, take || !in_ready_o};
     wire unused = &{1'b0, s1_prod_q[13:0], s2_sum[0]};
 endmodule
 `default_nettype wire

@@ -281,6 +281,10 @@ module rt_rays #(
     assign next_valid_o   = mirror_valid_o || (out_valid_o && out_ready_i);
     assign next_weight_o  = act ? v_weight_q : g_q[RW +: WB];
     assign next_depth_o   = {{(4-DB){1'b0}}, act ? below : g_depth_q};
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_rays_that_follow /* verilator public_flat_rd */ =
+        {state_q != IDLE && (r_valid_q || b_valid), pick, 5'd0,
+         pick || (state_q != IDLE && !(state_q == GO && !out_ready_i))};
     wire unused = &{1'b0, ray_i, hit_i, material_i, surface_i, blend_i, in_depth, a_in,
                     b_in};
 endmodule

@@ -237,6 +237,9 @@ module rt_refract #(
         .out_z_o(out_dir_o[2*WD +: WD])
     );
     assign out_tag_o = tag_q;
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_refracted_directions /* verilator public_flat_rd */ =
+        {in_valid_i && !in_ready_o, take, 5'd0, take || !in_ready_o};
     wire unused = &{1'b0, root_in, inexact, r_less[RW], row};
 endmodule
 `default_nettype wire

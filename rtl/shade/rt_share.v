@@ -183,6 +183,9 @@ module rt_share #(
             wire unused = &{1'b0, p_q, p_8[0], p_7[0], sum_0[0], sum_1[0], sum_2[0]};
         end
     endgenerate
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_surfaces_blended /* verilator public_flat_rd */ =
+        {in_valid_i && !in_ready_o, take, 5'd0, take || !in_ready_o};
     wire unused = &{1'b0, in_ka_i, in_kd_i, in_ks_i, in_sum_i, ka_q, kd_q, ks_q};
 endmodule
 `default_nettype wire

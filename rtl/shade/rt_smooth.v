@@ -284,6 +284,9 @@ module rt_smooth #(
     assign side_o[`RT_SIDE_BENT]  = !in_direct && o_any_q;
     assign side_o[`RT_SIDE_VEC]   = o_side_q;
     assign side_o[`RT_SIDE_NN]    = o_nn_q;
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_interpolated_normals /* verilator public_flat_rd */ =
+        {r_read_q && busy_q, r_take, 5'd0, r_take || busy_q};
     wire unused = &{1'b0, regs_i, material_i, hit_i, surface_i, f_in, m_line, s5_half, r};
 endmodule
 `default_nettype wire

@@ -50,6 +50,9 @@ module rt_around #(
                 .out_valid_o(u_done[u]), .out_tag_o(u_tag[u]),
                 .out_around_o(u_results[36*u+18 +: 18]), .out_down_o(u_results[36*u +: 18])
             );
+            // for benches: {turned away, taken, clocks of work}
+            wire [7:0] work_longitudes /* verilator public_flat_rd */ =
+                {in_valid_i && !in_ready_o, u_take[u], 5'd0, u_take[u] || !u_ready[u]};
         end
     endgenerate
 

@@ -171,6 +171,10 @@ module rt_coords #(
     assign out_tag_o   = a_valid ? a_tag : tag_q;
     assign out_s_o     = a_valid ? a_s : s_q;
     assign out_t_o     = a_valid ? a_t : t_q;
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_texture_coordinates /* verilator public_flat_rd */ =
+        {in_valid_i && !in_ready_o, take, 5'd0,
+         take || (busy_q && !(sphere_q && !a_ready))};
     wire unused = &{1'b0, map_q, out_sum, s3_wide, s4_round[0]};
 endmodule
 `default_nettype wire

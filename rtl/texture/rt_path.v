@@ -148,6 +148,9 @@ module rt_path #(
         out_path_o  <= |s5_sum_q[AW-1:PW] ? {PW{1'b1}} : s5_sum_q[PW-1:0];
         if (rst) {s3_valid_q, s4_valid_q, s5_valid_q, out_valid_o} <= 4'd0;
     end
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_path_lengths /* verilator public_flat_rd */ =
+        {in_valid_i && !in_ready_o, take, 5'd0, take || !in_ready_o};
     wire unused = &{1'b0, s3_shift_q[5:3]};
 endmodule
 `default_nettype wire

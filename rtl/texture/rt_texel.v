@@ -174,6 +174,10 @@ module rt_texel #(
     assign req_word_o  = {odd, x[1:0]};
     assign last_o      = level_end && !r_more_q;
     assign weights_o   = r_weights_q;
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_levels_to_texels /* verilator public_flat_rd */ =
+        {in_valid_i && !in_ready_o, take, 5'd0,
+         take || (busy_q && !(step_q == READY && !free))};
     wire unused = &{1'b0, last_w[12], last_h[12], place[20], low[12], prod_q};
 endmodule
 `default_nettype wire

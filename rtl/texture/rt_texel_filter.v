@@ -133,6 +133,9 @@ module rt_texel_filter #(
         if (ph_q[8] || ph_q[10] || ph_q[12]) out_texel_o <= {s5_channel[7:0], out_texel_o[23:8]};
         if (ph_q[7]) out_tag_o <= tag_q;
     end
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_texels_filtered /* verilator public_flat_rd */ =
+        {in_valid_i && !in_ready_o, take, 5'd0, take || !in_ready_o};
     wire unused = &{1'b0, s1_upper_q[17:16], s1_lower_q[17:16], s3_prod_q[33:26], s3_level[17:16],
                     s5_prod_q[33:26], s5_channel[9:8], s3_sum[6:0], s5_sum[14:0], texels};
 endmodule

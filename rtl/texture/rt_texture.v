@@ -223,6 +223,9 @@ module rt_texture #(
         .mixed_valid_i(mixed), .mixed_slot_i(mixed_slot), .mixed_i(colour),
         .albedo_o(albedo_o), .out_valid_o(out_valid_o), .out_slot_o(out_slot_o)
     );
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_texture_cache /* verilator public_flat_rd */ =
+        {ask && !taken, ask && taken, 5'd0, ask && taken};
     wire unused = &{1'b0, regs_i, effects, ray_i, hit_i, material_i, surface_i, back_i, maps_in};
 endmodule
 `default_nettype wire

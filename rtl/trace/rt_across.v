@@ -131,6 +131,9 @@ module rt_across #(
         if (rst) out_valid_o <= 1'b0;
     end
 
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_axes_across_rays /* verilator public_flat_rd */ =
+        {1'b0, in_valid_i, 4'd0, in_valid_i, 1'b0};
     wire unused = &{1'b0, u5_q, x[17], m1_p_q[9:0], m2_p_q[13:0], m3_p_q[14:0],
                     sum_q[14:0], p[20:18], q[19:18], q_m[19:18]};
 endmodule

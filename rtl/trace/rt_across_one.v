@@ -100,6 +100,9 @@ module rt_across_one #(
         out_q_o[53:36] <= s10_least_q == 2'd2 ? s10_q_m[17:0] : s10_q_b_q;
     end
 
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_axes_across_rays /* verilator public_flat_rd */ =
+        {1'b0, in_valid_i, 5'd0, in_valid_i};
     wire unused = &{1'b0, x[17], s2_square_q[13:0], s5_slope_q[9:0], s7_p_a[20:18],
                     s7_p_b[20:18], s7_a_q[13:0], s7_b_q[13:0], s9_q_a[19:18], s9_q_b[19:18],
                     s9_a_q[14:0], s9_b_q[14:0], s10_q_m[19:18], s10_sum_q[14:0]};

@@ -303,6 +303,12 @@ module rt_bih #(
         .bubble_o(event_o[`RT_TRACE_EVENT_BUBBLE]),
         .overflow_o(fault_o[`RT_ERROR_STACK_OVERFLOW])
     );
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_node_visits /* verilator public_flat_rd */ =
+        {(q_box_valid && !put_box) || (start_valid && !put_start), issue, 5'd0,
+         rsp_valid || put_box || put_start};
+    wire [7:0] work_node_cache /* verilator public_flat_rd */ =
+        {q_issue_valid && !req_ready, issue, 5'd0, issue};
     wire unused = &{1'b0, q_issue_in, q_box_in, regs_i, effects, ray_i, rsp_data[255:224],
                     rsp_data[127:96], t1_words_q, t1_line[29:LB]};
 endmodule

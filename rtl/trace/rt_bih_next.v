@@ -217,6 +217,9 @@ module rt_bih_next #(
             done_valid_o <= 1'b0; bubble_o <= 1'b0; overflow_o <= 1'b0;
         end
     end
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_next_nodes /* verilator public_flat_rd */ =
+        {pass_valid_i && (again_valid || tested_valid), s0_valid, 5'd0, s0_valid};
     wire unused = &{1'b0, facets_on_i, again_in, tested_in};
 endmodule
 `default_nettype wire

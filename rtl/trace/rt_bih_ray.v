@@ -227,6 +227,9 @@ module rt_bih_ray #(
         .out_valid_o(start_valid_o), .out_ready_i(start_ready_i),
         .out_data_o({start_slot_o, start_pixel_o})
     );
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_rays_set_up_for_planes /* verilator public_flat_rd */ =
+        {(q_shadow_valid || q_new_valid) && !load, load, 5'd0, state_q != IDLE};
     wire unused = &{1'b0, shift[6], new_in_ready, shadow_in_ready, start_in_ready};
 endmodule
 `default_nettype wire

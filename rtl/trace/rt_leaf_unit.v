@@ -215,6 +215,12 @@ module rt_leaf_unit #(
         .result_o(result), .event_o(event_o[`RT_EXACT_EVENT_PRIM]), .bad_o(l_bad)
     );
     assign fault_o[`RT_ERROR_BAD_NODE] = l_bad;
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_leaf_cache /* verilator public_flat_rd */ =
+        {(prim || v_valid) && !req_ready, (prim || v_valid) && req_ready, 5'd0,
+         (prim || v_valid) && req_ready};
+    wire [7:0] work_records_to_tests /* verilator public_flat_rd */ =
+        {c_valid && !c_prim && l_valid_q, l_load, 4'd0, l_load, 1'b0};
     wire unused = &{1'b0, x, y, ray_i, regs_i};
 endmodule
 `default_nettype wire

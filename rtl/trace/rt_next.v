@@ -197,5 +197,8 @@ module rt_next #(
             bubble_o <= 1'b0; overflow_o <= 1'b0;
         end
     end
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_next_nodes /* verilator public_flat_rd */ =
+        {in_valid_i && !in_ready_o, in_valid_i && in_ready_o, 5'd0, read_o};
 endmodule
 `default_nettype wire

@@ -391,6 +391,11 @@ module rt_traverse #(
     assign visit_o[`RT_VISIT_SLOT]  = slot_q;
     assign visit_o[`RT_VISIT_LEAF]  = leaf_q;
     assign visit_o[`RT_VISIT_LINE]  = line_q;
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_node_visits /* verilator public_flat_rd */ =
+        {any_valid && !room, any_valid && room, 5'd0, any_valid && room};
+    wire [7:0] work_node_cache /* verilator public_flat_rd */ =
+        {req_valid && !req_ready, taken, 5'd0, taken};
     wire unused = &{1'b0, regs_i, effects, ray_i, filter_i, next_in_ready,
                     issue_in_ready, f_slot, f_fresh, f_base, g_n_leaf};
 endmodule

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <vector>
 
 #include "dram.h"
 
@@ -66,6 +67,96 @@ json_t *memory_json(const Options &o, const Outcome &c, int pass) {
     return object;
 }
 
+double share(uint64_t clocks, const Pass &p) {
+    const auto cycles = static_cast<double>(p.count[SPH_COUNT_CYCLES]);
+    return cycles > 0 ? static_cast<double>(clocks) / cycles : 0;
+}
+
+/* Of the clocks that units of one name have, those in which they work. */
+double busy(const Work &w, const Pass &p) {
+    return share(w.clocks, p) / w.units;
+}
+
+std::string words(const Work &w) {
+    std::string name = w.name;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return name;
+}
+
+/* The busiest row; null if nobody counts, or the core refused. */
+const Work *busiest(const Pass &p) {
+    const Work *most =
+        std::max_element(p.work, p.work + p.works,
+                         [&](const Work &a, const Work &b) { return busy(a, p) < busy(b, p); });
+    return p.works && p.count[SPH_COUNT_CYCLES] ? most : nullptr;
+}
+
+/* Share of the clocks in which a pixel waits for a free slot. */
+double slots_taken(const Pass &p) {
+    const uint64_t waiting = p.count[SPH_COUNT_RAYS_WAITING];
+    return share(waiting - std::min(waiting, p.count[SPH_COUNT_RAYS_PRIMARY]), p);
+}
+
+/* What a pass is limited by: the unit that works in nearly every clock; else who binds which part
+ * of the frame, or what waits. */
+std::string limit(const Pass &p) {
+    const Work &w = *busiest(p);
+    char text[128];
+    if (busy(w, p) >= BINDS) {
+        std::snprintf(text, sizeof text, ": busy in %.1f %% of the clocks, %.1f clocks each",
+                      100 * busy(w, p),
+                      static_cast<double>(w.clocks) / static_cast<double>(w.taken));
+        return words(w) + text;
+    }
+    std::vector<const Work *> parts;
+    uint64_t bound = 0;
+    for (int i = 0; i < p.works; i++)
+        if (p.work[i].binds) {
+            parts.push_back(p.work + i);
+            bound += p.work[i].binds;
+        }
+    std::stable_sort(parts.begin(), parts.end(),
+                     [](const Work *a, const Work *b) { return a->binds > b->binds; });
+    std::string said = "no single unit: ";
+    for (const Work *part : parts) {
+        std::snprintf(text, sizeof text, " in %.1f %% of the clocks, ",
+                      100 * share(part->binds, p));
+        said += words(*part) + text;
+    }
+    std::snprintf(text, sizeof text, "none in %.1f %%; the busiest is ",
+                  100 * (1 - std::min(1.0, share(bound, p))));
+    said += text + words(w);
+    std::snprintf(text, sizeof text,
+                  " (%.1f %%); a pixel waits for a slot in %.1f %%, rays for memory in %.1f %%",
+                  100 * busy(w, p), 100 * slots_taken(p), 100 * share(p.memory[MEMORY_BOUND], p));
+    return said + text;
+}
+
+json_t *limit_json(const Pass &p) {
+    const Work &w = *busiest(p);
+    return json_pack("{s:b, s:s, s:f, s:s}", "binds", busy(w, p) >= BINDS, "unit", words(w).c_str(),
+                     "busy", busy(w, p), "said", limit(p).c_str());
+}
+
+/* A row a name, the busiest first. */
+json_t *units_json(const Pass &p) {
+    std::vector<const Work *> rows;
+    for (int i = 0; i < p.works; i++)
+        rows.push_back(p.work + i);
+    std::stable_sort(rows.begin(), rows.end(),
+                     [&](const Work *a, const Work *b) { return busy(*a, p) > busy(*b, p); });
+    json_t *list = json_array();
+    for (const Work *w : rows)
+        json_array_append_new(list, json_pack("{s:s, s:i, s:f, s:I, s:I, s:I, s:I}", "name",
+                                              words(*w).c_str(), "units",
+                                              static_cast<int>(w->units), "busy", busy(*w, p),
+                                              "taken", static_cast<json_int_t>(w->taken), "clocks",
+                                              static_cast<json_int_t>(w->clocks), "binds",
+                                              static_cast<json_int_t>(w->binds), "turned_away",
+                                              static_cast<json_int_t>(w->away)));
+    return list;
+}
+
 /* Bytes that memory can give in a clock of the core. */
 double peak(const Options &o) {
     const DramPart *part = dram_part(o.memory);
@@ -82,6 +173,10 @@ json_t *pass_json(const Options &o, const Outcome &c, int pass) {
     json_object_set_new(object, "issue_port_busy", json_real(issue_use(c.run->pass[pass])));
     if (std::string(simulator_name) == "verilator")
         json_object_set_new(object, "memory", memory_json(o, c, pass));
+    if (busiest(c.run->pass[pass])) {
+        json_object_set_new(object, "limit", limit_json(c.run->pass[pass]));
+        json_object_set_new(object, "units", units_json(c.run->pass[pass]));
+    }
     return object;
 }
 
@@ -104,7 +199,28 @@ std::string counter_table(const Options &o, const Outcome &c) {
                       static_cast<ull>(c.run->pass[COLD].count[i]), warm, wrong ? "  <--" : "");
         table += text;
     }
+    const Pass &last = c.run->pass[o.warm ? WARM : COLD];
+    if (last.works)
+        table +=
+            "  unit, last pass                      busy   results  clocks each  turned away\n";
+    for (int i = 0; i < last.works; i++) {
+        const Work &w = last.work[i];
+        std::snprintf(text, sizeof text, "  %2u %-28s %6.1f %% %9llu %12.2f %10.1f %%\n", w.units,
+                      words(w).c_str(), 100 * busy(w, last), static_cast<ull>(w.taken),
+                      w.taken ? static_cast<double>(w.clocks) / static_cast<double>(w.taken) : 0,
+                      100 * share(w.away, last) / static_cast<double>(w.units));
+        table += text;
+    }
     return table;
+}
+
+std::string limits(const Options &o, const Outcome &c) {
+    std::string lines;
+    for (int pass = COLD; pass <= (o.warm ? WARM : COLD); pass++)
+        if (busiest(c.run->pass[pass]))
+            lines += std::string("limit, ") + (pass == WARM ? "warm" : "cold") +
+                     " caches: " + limit(c.run->pass[pass]) + "\n";
+    return lines;
 }
 
 /* What a pass costs, by the name of its caches. */

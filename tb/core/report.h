@@ -8,8 +8,13 @@
 
 #include "outcome.h"
 
-/* Table of counters, model beside core (and the warm pass, if there was one). */
+/* Table of counters, model beside core (and the warm pass, if there was one), and of
+ * the units of the core. */
 std::string counter_table(const Options &o, const Outcome &c);
+
+/* What limits each pass, a line each: the unit that works in nearly every clock, or that none does
+ * and how much waits. Empty where nobody counts (WorkWatch). */
+std::string limits(const Options &o, const Outcome &c);
 
 /* "core SCENE PROFILE WxH: P pixels, M mismatches; cold caches: C cycles, ..." */
 std::string summary(const Options &o, const sph_machine &machine, const Outcome &c,

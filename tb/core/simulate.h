@@ -38,11 +38,25 @@ enum {
 #define MEMORY_COUNT_NAMES                                                                         \
     "lines", "row_hits", "row_opens", "row_conflicts", "refreshes", "owing", "bound"
 
+/* What the units of one name did in a pass; their clocks add up to at most units * cycles. */
+struct Work {
+    char name[40];
+    uint32_t units;
+    uint64_t away;   /* clocks in which an operand was turned away */
+    uint64_t taken;  /* operands */
+    uint64_t clocks; /* of their own work */
+    uint64_t binds;  /* clocks of the frame in which nothing was busier, and these nearly always */
+};
+enum { WORKS = 64 };
+constexpr double BINDS = 0.8; /* who is busy in less of the clocks is not what others wait for */
+
 /* What the core said about one pass. */
 struct Pass {
     uint64_t count[SPH_COUNTERS];
     uint64_t memory[MEMORY_COUNTS];
     uint32_t errors;
+    int works; /* rows of work; only Verilator has any */
+    Work work[WORKS];
 };
 
 /* A window's run; lies in memory that the simulating process shares with its parent. */

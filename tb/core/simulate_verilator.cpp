@@ -87,6 +87,7 @@ void Bench::pass(Sample *samples, bool keep, Pass &out) {
     const uint64_t begin = core_.cycle(), missed = core_.textures().missed();
     const auto work = core_.memory_work();
     uint64_t last_pixel = begin;
+    core_.work().reset();
     core_.pixel = [&](int x, int y, const sph_pixel &p) {
         last_pixel = core_.cycle();
         deliver(core_.memory().machine(), run_, samples, x, y, p, last_pixel - begin);
@@ -109,6 +110,7 @@ void Bench::pass(Sample *samples, bool keep, Pass &out) {
     core_.pixel = nullptr;
     if (run_.stopped) return;
     out.errors = seen.errors;
+    out.works = core_.work().rows(out.work);
     const auto worked = core_.memory_work();
     for (size_t i = 0; i < MEMORY_COUNTS; i++)
         out.memory[i] = worked[i] - work[i];

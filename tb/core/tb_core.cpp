@@ -116,7 +116,7 @@ int main(int argc, char **argv) {
         return 4;
     }
     if (o.progress) std::fputs(counter_table(o, c).c_str(), stdout);
-    std::printf("%s\n", summary(o, machine, c, v).c_str());
+    std::printf("%s%s\n", limits(o, c).c_str(), summary(o, machine, c, v).c_str());
     sph_frame_free(&c.model_frame);
     sph_machine_free(&machine);
     return v.mismatches ? 1 : 0;

@@ -15,6 +15,7 @@
 #include "texture_watch.h"
 #include "verilated.h"
 #include "verilated_syms.h"
+#include "work_watch.h"
 #if VM_TRACE_FST
 #include "verilated_fst_c.h"
 #endif
@@ -25,6 +26,7 @@ class VerilatedCore : public PortHost {
     ~VerilatedCore() override;
     Vrt_core &ports() { return *core_; }
     TextureWatch &textures() { return *textures_; }
+    WorkWatch &work() { return *work_; }
     /* What memory did up to now, by MEMORY_... */
     std::array<uint64_t, MEMORY_COUNTS> memory_work() {
         const Dram::Counts part = memory().part();
@@ -39,11 +41,13 @@ class VerilatedCore : public PortHost {
     VerilatedContext context_;
     std::unique_ptr<Vrt_core> core_;
     std::unique_ptr<TextureWatch> textures_;
+    std::unique_ptr<WorkWatch> work_;
 #if VM_TRACE_FST
     std::unique_ptr<VerilatedFstC> trace_;
 #endif
     const uint8_t *idle_ = nullptr; /* rays wait, none is issued */
     uint64_t owing_ = 0, bound_ = 0;
+    uint8_t memory_work_ = 0; /* of a named part, as WorkWatch has it: at work while it owes */
 };
 
 inline VerilatedCore::VerilatedCore(const Options &o, const sph_machine &machine, Run &run)
@@ -72,6 +76,8 @@ inline VerilatedCore::VerilatedCore(const Options &o, const sph_machine &machine
         if (const VerilatedVar *idle = scope.second->varFind("issue_idle"))
             idle_ = static_cast<const uint8_t *>(idle->datap());
     textures_ = std::make_unique<TextureWatch>(context_);
+    work_ = std::make_unique<WorkWatch>(context_, "memory_" + o.memory,
+                                        dram_part(o.memory) ? &memory_work_ : nullptr);
     pins.rst = false;
 }
 
@@ -105,6 +111,10 @@ inline void VerilatedCore::step(const Inputs &in, Outputs &out) {
         owing_++;
         bound_ += idle_ && *idle_;
     }
+    memory_work_ = static_cast<uint8_t>((core_->mem_req_valid_o && !in.memory.request_ready) << 7 |
+                                        (core_->mem_req_valid_o && in.memory.request_ready) << 6 |
+                                        (memory().waiting() != 0));
+    if (work_) work_->clock();
     out.req_valid = core_->mem_req_valid_o;
     out.req_line = core_->mem_req_line_o;
     out.rsp_ready = core_->mem_rsp_ready_o;
