@@ -87,16 +87,13 @@ int tool_build_scene(const struct tool_source *source, const struct sph_scene *s
     built->skipped = scene->n_skipped;
     o.mips = mips;
     if (tool_frame_size(source, scene, &o, err)) return -1;
-    if (!source->profile_auto)
-        return sph_build(scene, &o, &built->machine, report, err) ||
-                       sph_check_profile(scene, &o, &source->keep, &built->expected,
-                                         report->warning, sizeof report->warning, err)
-                   ? -1
-                   : 0;
-    if (sph_build_auto(scene, &o, &source->keep, &choice, &built->machine, report, err)) return -1;
+    if (sph_build_kept(scene, &o, source->profile_auto, &source->keep, &choice, &built->machine,
+                       report, err))
+        return -1;
     built->expected = choice.estimate[o.profile];
-    sph_profile_why(&choice, &source->keep, o.profile, built->profile_why,
-                    sizeof built->profile_why);
+    if (source->profile_auto)
+        sph_profile_why(&choice, &source->keep, o.profile, built->profile_why,
+                        sizeof built->profile_why);
     return 0;
 }
 
