@@ -72,6 +72,10 @@ $(TEST_RUN:%=%.sanitized): %: %.o $B/asan/libsphaera.a
 $(CLANG_RUN): %: %.o $B/clang/libsphaera.a
 	$(call make_whole,$(CLANG_CC) $(CLANG_FLAGS) $^ $(TEST_LIBS))
 
+# Programs whose command lines a suite tries.
+tests/tool/test_numbers.sh: | $B/test/hard $B/test/test_frustum $B/test/test_malformed \
+    $B/fuzz/plain/fuzz_options $(PICTURES)
+
 # The library's face, which the model's archive lacks.
 FACE := $(wildcard cmodel/sphaera/*.c) $(IMAGE_C) $(LAZY_C)
 $B/test/test_library: $(call objects,obj/,$(FACE))

@@ -10,6 +10,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "common/number.h"
+
 enum { CHANGES = 8, PIECE = 64 };
 
 /* Numbers at which things end. */
@@ -88,10 +90,11 @@ void fuzz_add_words(struct fuzz_corpus *c, const char *path) {
         char *from = strchr(line, '"'), *to = line;
         if (*line == '#' || !from) continue;
         while (*++from && *from != '"') {
-            unsigned byte;
+            uint64_t byte;
+            const char digits[3] = {from[1] == 'x' ? from[2] : 0, from[1] == 'x' ? from[3] : 0, 0};
             if (*from != '\\')
                 *to++ = *from;
-            else if (sscanf(from, "\\x%2x", &byte) == 1)
+            else if (!sph_parse_hex(digits, 255, &byte))
                 *to++ = (char)byte, from += 3;
             else
                 *to++ = *++from;
