@@ -16,6 +16,8 @@ quoted   = '$(subst ','\'',$(1))'
 absolute = "$$(realpath -ms -- $(1))"
 GIVEN   := $(strip $(foreach v,$(.VARIABLES),$(if $(filter command,$(origin $v)),$v)))
 $(call as_text,$(GIVEN))
+# Of NAME:=VALUE make has expanded the value before it reads this file.
+$(foreach v,$(GIVEN),$(if $(filter simple,$(flavor $v)),$(error $v:=: only NAME=VALUE is text)))
 override SHELL := /bin/sh
 $(foreach v,$(filter CURDIR MAKE MAKECMDGOALS MAKEFILE_LIST,$(GIVEN)),$(error $v is make's own))
 $(if $(call has_odd,$(MAKECMDGOALS)),$(error there is no target $(MAKECMDGOALS)))
@@ -42,6 +44,9 @@ values = $(foreach v,$(1),$v=$(call quoted,$($v)))
 # What the command line or the environment has is checked, and whether `sim` has its simulator.
 CHECK := $(strip $(foreach v,$(VARIABLES),$(if $(filter command environment,$(origin $v)),$v)))
 $(call as_text,$(CHECK))
+# All else that the environment has is text to whoever names it, and not what make makes of it.
+$(foreach v,$(filter-out $(VARIABLES) MAKE%,$(.VARIABLES)),$(if $(filter environment,$(origin $v)),\
+    $(eval $v := $$(value $v))))
 ifneq ($(GIVEN)$(CHECK)$(filter sim,$(MAKECMDGOALS)),)
 $(if $(shell $(call values,$(VARIABLES)) sh sim/check.sh --given $(call quoted,$(GIVEN)) \
     --goals '$(MAKECMDGOALS)' $(CHECK) || echo wrong),$(error nothing is made))

@@ -16,8 +16,9 @@ V_DIRS   := $(patsubst %/,%,$(sort $(dir $(V_FILES) $(V_HEADS) $(V_PARTS))))
 C_HEADS  := $(sort $(shell find cmodel tb tests -name '*.h'))
 # Tests are left to gcc's warnings and sanitizers. Clang's analyzer looks less deep into calls of
 # functions than by itself, which takes a tenth of the time; `make lint-deep` lets it.
-DEEP     ?= shallow
-TIDIED   ?= $B/lint
+# from lint-deep below
+DEEP     := $(if $(filter deep,$(DEEP)),deep,shallow)
+TIDIED   := $B/lint$(if $(filter deep,$(DEEP)),-deep)
 TIDY     := $(filter-out $(GENERATORS) $(if $(SDL),,$(SDL_C)),$(C_FILES)) $(IMAGE_CXX) \
             $(wildcard formal/*.c)
 LINTS    := verilator iverilog systemverilog slang verible yosys tidy format layers text
@@ -45,7 +46,7 @@ lint-verible: $B/lint/verible
 lint-yosys: $B/lint/yosys
 lint-tidy: $(TIDY:%=$(TIDIED)/%)
 lint-deep: ## clang-tidy with an analyzer that follows all calls; some minutes
-	+$(Q)DEEP=deep TIDIED=$B/lint-deep $(MAKE) --no-print-directory -k lint-tidy
+	+$(Q)DEEP=deep $(MAKE) --no-print-directory -k lint-tidy
 
 $B/lint/%.v: %.v $(V_FILES) $(V_HEADS) $B/tools/verilator
 	$(call lint_say,$(<F))

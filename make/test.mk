@@ -72,10 +72,14 @@ $(TEST_RUN:%=%.sanitized): %: %.o $B/asan/libsphaera.a
 $(CLANG_RUN): %: %.o $B/clang/libsphaera.a
 	$(call make_whole,$(CLANG_CC) $(CLANG_FLAGS) $^ $(TEST_LIBS))
 
+# Programs whose command lines a suite tries.
+tests/tool/test_numbers.sh: | $B/test/hard $B/test/test_frustum $B/test/test_malformed \
+    $B/fuzz/plain/fuzz_options $(PICTURES)
+
 # The library's face, which the model's archive lacks.
 FACE := $(wildcard cmodel/sphaera/*.c) $(IMAGE_C) $(LAZY_C)
-$B/test/test_library: $(call objects,obj/,$(FACE))
-$B/test/test_library.sanitized: $(call objects,asan/obj/,$(FACE))
+$B/test/test_library $B/test/test_environment: $(call objects,obj/,$(FACE))
+$B/test/test_library.sanitized $B/test/test_environment.sanitized: $(call objects,asan/obj/,$(FACE))
 $B/asan/obj/cmodel/sphaera/version.o: override CFLAGS += -DSPHAERA_RELEASE='"$(VERSION)"'
 
 -include $(TEST_RUN:%=%.d) $(TEST_RUN:%=%.sanitized.d) $(CLANG_RUN:%=%.d)

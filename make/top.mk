@@ -8,7 +8,6 @@ bus_python = $(BUS_VENV)/bin/python
 # The harness of rt_top: two machines, each width of the buses.
 TOP_CORE   := shadow+reflect2+lights2+inside+rect+spans
 TOP_SCENES := paper5 interpenetrating
-TOP_DATA   ?= 64 128
 TOP_RUNS   := $(TOP_SCENES:%=$B/top/%.sph)
 top_tool    = flock $B/sim/.tools.lock env -u MAKEFLAGS -u MFLAGS $(MAKE) -s --no-print-directory \
                   -f make/rt_top.mk B=$B DATA=$(1) CORE=$(TOP_CORE) MACHINES='$(TOP_RUNS)' \
@@ -16,7 +15,6 @@ top_tool    = flock $B/sim/.tools.lock env -u MAKEFLAGS -u MFLAGS $(MAKE) -s --n
 
 # So are its mutants, with the golden model as the core: tests/mutants.
 # One frame of 1280x720 to decoded video, on a core that has what the scene asks for.
-HD_SCENE ?= paper5
 HD       := $B/top/hd.sph
 hd_core   = $$($(TOOL) info $(HD) | sed -n 's/^core *//p')
 

@@ -77,6 +77,10 @@ CORE_MHZ ?= 84
 WATCHDOG ?= 200000
 ## TOP 0|1 if 1, make sim draws FRAMES one behind the other on one rt_top
 TOP ?= 0
+## TOP_DATA <words> bits of the data of rt_top's buses, of make top and cocotb
+TOP_DATA ?= 64 128
+## HD_SCENE <word> scene in scenes/ of make top-hd
+HD_SCENE ?= paper5
 ## LAYERS 0|1 if 1, with TOP=1, rt_top stores Rendering, L1 and L2 of each frame side by side
 LAYERS ?= 0
 ## FRAMES <word>| of a moving scene, of make film and TOP=1, such as 0..9 (empty: 0..0)

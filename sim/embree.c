@@ -15,6 +15,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "common/number.h"
 #include "render/render.h"
 #include "fast/prepare.h"
 #include "fast/fast.h"
@@ -229,9 +230,10 @@ int main(int argc, char **argv) {
     struct sph_render_options how = {.traverse = SPH_TRAVERSE_TREE, .threads = 1, .log = &r.log};
     struct sph_frame frame;
     struct sph_counters counters = {{0}};
-    int rounds = argc > 2 ? atoi(argv[2]) : ROUNDS;
-    if (argc < 2 || rounds < 1 || rounds > MOST_ROUNDS)
-        return fail("usage: embree MACHINE.sph [ROUNDS]");
+    uint64_t asked = ROUNDS;
+    if (argc < 2 || argc > 3 || (argc > 2 && sph_parse_count(argv[2], 1, MOST_ROUNDS, &asked)))
+        return fail("usage: embree MACHINE.sph [ROUNDS], 1 to 100");
+    int rounds = (int)asked;
     if (sph_machine_read(argv[1], &m, &err)) return fail(err.text);
     if (sph_machine_effect(&m, SPH_EFFECT_FACETS) || !(r.fast = sph_fast_new(&m, SPH_FAST_BEST)))
         return fail("for spheres in a tree of spheres alone");

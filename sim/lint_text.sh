@@ -1,5 +1,5 @@
 #!/bin/sh
-# lint_text.sh - SPDX lines, lines of at most 100 columns, spaces, run bits, files in their folders
+# lint_text.sh - SPDX lines, columns, spaces, run bits, folders of files, readers of numbers
 # SPDX-License-Identifier: Apache-2.0
 cd "$(dirname "$0")/.." || exit 1
 
@@ -49,6 +49,11 @@ report() { # title, findings
         code ~ "`RT_(" toupper(kinds) "_KIND|FACET_MORE|PRIM_KIND)([^A-Z]|$)" ||
             names && code ~ "(^|[^A-Za-z])(" kinds ")([^A-Za-z]|$)" {
                 print FILENAME ":" FNR ":" $0 }' {} +)"
+    # test_scene.c holds number.c against the C library's
+    by='ato(f|i|ll?)|strto(d|f|ld|[iu]max|u?ll?)(_l)?|[fsv]*scanf|sto(d|f|i|ld|u?ll?)|from_chars'
+    report "a number read by something else than cmodel/common/number.h" "$(grep -nE \
+        "(^|[^A-Za-z_])($by) *\\(" $(printf '%s\n' "$sources" | grep -E '\.(c|h|cpp)$' |
+            grep -vxE 'cmodel/common/number.c|tests/scene/test_scene.c'))"
     report "a test, bench or page outside of its folder" "$(ls tests/test_* tb/tb_* docs/*.md \
         2>/dev/null | grep -v '^docs/index.md$')"
 }

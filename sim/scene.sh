@@ -21,6 +21,8 @@ if [ -f "$file" ]; then
 fi
 kinds=$(sed -n '/SPH_TAKES_NOTHING/d; s/^    {"\([a-z0-9_]*\)", .*, SPH_TAKES_.*/\1/p' \
     cmodel/scene/generate.c)
+# Which number a kind takes, says the tool (sph_generate_parse() of the model); here digits are part
+# of a name.
 case $name in
 *:*[!0-9]* | *:) ;;
 *:*) for kind in $kinds; do

@@ -119,6 +119,10 @@ int sph_take_count(const char **text, uint64_t low, uint64_t high, uint64_t *val
     return 0;
 }
 
+int sph_take_hex(const char **text, uint64_t high, uint64_t *value) {
+    return take_digits(text, 16, high, value);
+}
+
 int sph_take_whole(const char **text, int64_t low, int64_t high, int64_t *value) {
     const char *c = *text;
     int negative = *c == '-';

@@ -22,17 +22,38 @@ std::string sph_picture::reason(const std::string &text, const char *otherwise) 
     return line.size() <= MOST ? line : line.substr(0, MOST) + "...";
 }
 
+namespace {
+
+enum { BITS_AT = 28, COMPRESSION_AT = 30, HEAD = 34, RLE8 = 1, RLE4 = 2 };
+
+int refuse_bmp(const char *path, const unsigned char *head, struct sph_error *err) {
+    const int bits = head[BITS_AT] | head[BITS_AT + 1] << 8, how = head[COMPRESSION_AT];
+    if ((how != RLE8 && how != RLE4) || bits == (how == RLE8 ? 8 : 4)) return 0;
+    return sph_fail(err, "%s: a BMP of %d bits a pixel, compressed as one of %d", path, bits,
+                    how == RLE8 ? 8 : 4);
+}
+
+/* A code of 12 bits stands for fewer than 2^12 pixels, and a shorter one for fewer yet: 4096 pixels
+ * a byte are more than any file has. */
+int refuse_gif(const char *path, const unsigned char *head, long bytes, struct sph_error *err) {
+    const int width = head[6] | head[7] << 8, height = head[8] | head[9] << 8;
+    if (static_cast<long>(width) * height <= 4096 * bytes) return 0;
+    return sph_fail(err, "%s: a GIF of %d x %d pixels, which has only %ld bytes", path, width,
+                    height, bytes);
+}
+
+} // namespace
+
 int sph_picture::refuse_unsound(const char *path, struct sph_error *err) {
-    enum { BITS_AT = 28, COMPRESSION_AT = 30, HEAD = 34, RLE8 = 1, RLE4 = 2 };
     unsigned char head[HEAD] = {};
     std::FILE *file = std::fopen(path, "rb");
     if (!file) return 0;
-    const bool bmp = std::fread(head, 1, HEAD, file) == HEAD && !std::memcmp(head, "BM", 2);
+    const std::size_t n = std::fread(head, 1, HEAD, file);
+    const long bytes = std::fseek(file, 0, SEEK_END) ? -1 : std::ftell(file);
     std::fclose(file);
-    const int bits = head[BITS_AT] | head[BITS_AT + 1] << 8, how = head[COMPRESSION_AT];
-    if (!bmp || (how != RLE8 && how != RLE4) || bits == (how == RLE8 ? 8 : 4)) return 0;
-    return sph_fail(err, "%s: a BMP of %d bits a pixel, compressed as one of %d", path, bits,
-                    how == RLE8 ? 8 : 4);
+    if (n == HEAD && !std::memcmp(head, "BM", 2)) return refuse_bmp(path, head, err);
+    if (bytes > 0 && !std::memcmp(head, "GIF8", 4)) return refuse_gif(path, head, bytes, err);
+    return 0;
 }
 
 int sph_picture::write_file(const char *path, const char *format, const OIIO::ImageSpec &spec,

@@ -23,8 +23,9 @@ extern const char *const no_time; /* the same frame, the same bytes */
  * from, and of that no more than has room; `otherwise` if there is none. */
 std::string reason(const std::string &text, const char *otherwise);
 
-/* -1 with a message if OpenImageIO 2.4 would look outside its memory: a BMP whose pixels are
- * compressed as if they had 8 or 4 bits each, and have not. */
+/* -1 with a message if OpenImageIO 2.4 would look outside its memory, or clear much of it for a
+ * small file: a BMP whose pixels are compressed as if they had 8 or 4 bits each, and have not; a
+ * GIF of more pixels than its bytes can stand for. */
 int refuse_unsound(const char *path, struct sph_error *err);
 
 /* Writes pixels, native in the spec's formats, to path as a file of kind format. The file is made

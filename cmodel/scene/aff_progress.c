@@ -15,17 +15,25 @@ int sph_aff_path(const char *from, const char *name, char *path, size_t size) {
     return snprintf(path, size, "%.*s%s", folder, from, name) < (int)size ? 0 : -1;
 }
 
+/* FILE of a line `i level FILE`, or NULL. The line is cut into words. */
+static const char *included(char *line) {
+    static const char blanks[] = " \t\r\n";
+    char *rest, *word = strtok_r(line, blanks, &rest);
+    if (!word || strcmp(word, "i") != 0 || !strtok_r(NULL, blanks, &rest)) return NULL;
+    return strtok_r(NULL, blanks, &rest);
+}
+
 /* Bytes of a file and of those that its lines `i level FILE` name; *files: of how many more. */
 static double bytes_of(const char *path, int depth, uint32_t *files) {
-    char *line = NULL, name[SPH_LEX_TOKEN + 1], *inner = malloc(PATH_MAX);
+    char *line = NULL, *inner = malloc(PATH_MAX);
     size_t room = 0;
     double bytes = 0;
     FILE *file =
         inner && depth < SPH_AFF_DEPTH && *files ? sph_input_open(path, SPH_INPUT_ANY, NULL) : NULL;
     for (ssize_t n; file && (n = getline(&line, &room, file)) > 0;) {
         bytes += (double)n;
-        _Static_assert(SPH_LEX_TOKEN == 63, "as the next line has it");
-        if (sscanf(line, " i %*s %63s", name) == 1 && !sph_aff_path(path, name, inner, PATH_MAX))
+        const char *name = included(line);
+        if (name && !sph_aff_path(path, name, inner, PATH_MAX))
             bytes += bytes_of(inner, depth + 1, files);
     }
     if (file) --*files, fclose(file);

@@ -6,6 +6,7 @@
 #include "common/number.h"
 
 #include <string.h>
+#include <unistd.h>
 
 const char sph_generate_help[] =
     "sphereflake       SPD `balls` without floor: 10, 91, 820, 7381, 66430 spheres (size 1 to 5)\n"
@@ -121,4 +122,13 @@ int sph_generate(const char *kind, const struct sph_generate_options *options,
         return -1;
     }
     return 0;
+}
+
+int sph_scene_find(const char *text, const struct sph_read_options *options,
+                   struct sph_scene *scene, struct sph_error *err) {
+    struct sph_generate_options o = {0};
+    char kind[32];
+    int made = access(text, F_OK) ? sph_generate_parse(text, kind, &o, err) : 0;
+    if (made < 0) return -1;
+    return made ? sph_generate(kind, &o, scene, err) : sph_scene_read(text, options, scene, err);
 }

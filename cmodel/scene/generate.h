@@ -52,4 +52,10 @@ int sph_generate_parse(const char *text, char kind[32], struct sph_generate_opti
 int sph_generate(const char *kind, const struct sph_generate_options *options,
                  struct sph_scene *scene, struct sph_error *err);
 
+/* The scene that a command line or a caller means by a text: a file, or, if there is none of this
+ * name, KIND or KIND:N as sph_generate_parse() reads it, of which all else is the default. options
+ * are of files. 0, or -1 with a message. */
+int sph_scene_find(const char *text, const struct sph_read_options *options,
+                   struct sph_scene *scene, struct sph_error *err);
+
 #endif

@@ -3,13 +3,18 @@
  */
 #include "scene/nff_writer.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/number.h"
+
 static void put_number(FILE *file, double value) {
     char text[40];
+    double back = NAN;
     snprintf(text, sizeof text, "%.15g", value);
-    if (strtod(text, NULL) != value) snprintf(text, sizeof text, "%.17g", value);
+    if (sph_parse_number(text, &back) == -1 || back != value)
+        snprintf(text, sizeof text, "%.17g", value);
     putc(' ', file);
     fputs(text, file);
 }

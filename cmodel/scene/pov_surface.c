@@ -9,14 +9,17 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "common/number.h"
 #include "scene/nesting.h"
 
 #define MOST_CLEAR 0.9999 /* of what goes through: the rest carries the light of the surface */
 
 void sph_pov_number(FILE *file, double value) {
     char text[40];
+    double back = NAN;
     snprintf(text, sizeof text, "%.15g", value);
-    if (strtod(text, NULL) != value) snprintf(text, sizeof text, "%.17g", value);
+    if (sph_parse_number(text, &back) == -1 || back != value)
+        snprintf(text, sizeof text, "%.17g", value);
     fputs(text, file);
 }
 

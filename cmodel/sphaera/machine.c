@@ -47,6 +47,18 @@ static int take(const sphaera_build_options *from, struct sph_build_options *to,
         from->height > SPH_MAX_SIDE)
         return sph_fail(err, "size is %dx%d, sides are 1 to %d, or 0", from->width, from->height,
                         SPH_MAX_SIDE);
+    const struct {
+        const char *name;
+        int value;
+    } choices[] = {{"shadow", from->shadow},
+                   {"reflect", from->reflect},
+                   {"refract", from->refract},
+                   {"specular", from->specular},
+                   {"texture", from->texture}};
+    for (size_t i = 0; i < sizeof choices / sizeof *choices; i++)
+        if (choices[i].value < SPHAERA_AUTO || choices[i].value > SPHAERA_ON)
+            return sph_fail(err, "%s is %d, not SPHAERA_AUTO, _OFF or _ON", choices[i].name,
+                            choices[i].value);
     to->tree = accels[accel].tree;
     to->width = from->width;
     to->height = from->height;

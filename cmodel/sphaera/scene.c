@@ -3,10 +3,11 @@
  */
 #include <stdlib.h>
 
+#include "scene/generate.h"
 #include "scene/motion.h"
 #include "sphaera/opaque.h"
 
-/* text NULL: the file called name. */
+/* text NULL: the file called name, or KIND:N. */
 static int make(const char *text, size_t length, const char *name, uint32_t at,
                 sphaera_scene **scene, sphaera_error *error) {
     SPH_API_ENVIRONMENT;
@@ -18,7 +19,7 @@ static int make(const char *text, size_t length, const char *name, uint32_t at,
              : at > SPH_MAX_FRAME
                  ? sph_fail(&err, "%.400s: frame %u, the last is %d", name, at, SPH_MAX_FRAME)
              : text ? sph_scene_parse(text, length, name, &options, &made->scene, &err)
-                    : sph_scene_read(name, &options, &made->scene, &err);
+                    : sph_scene_find(name, &options, &made->scene, &err);
     if (!rc) {
         *scene = made;
         return 0;

@@ -44,7 +44,8 @@ SPHAERA_API const char *sphaera_version(void);
 
 /* ---- scenes (docs/use/scene_format.md) ---- */
 
-/* Reads a scene file; at: frame that moving primitives are moved to, 0..65535. */
+/* Reads a scene file; at: frame that moving primitives are moved to, 0..65535. If there is no file
+ * of this name, it may be KIND or KIND:N of `sphaera gen`, such as "random:256", which is made. */
 SPHAERA_API int sphaera_scene_read(const char *path, uint32_t at, sphaera_scene **scene,
                                    sphaera_error *error);
 

@@ -19,16 +19,22 @@ static void turn(const struct sph_machine *m, const double v[3], double out[3]) 
 static int quantise(const sphaera_machine *machine, const double origin[3],
                     const double direction[3], struct sph_ray *ray, struct sph_error *err) {
     const struct sph_machine *m = &machine->machine;
-    double org[3], dir[3], longest = 0;
+    double org[3], dir[3], scaled[3], longest = 0;
+    int exponent;
     for (int i = 0; i < 3; i++)
         if (!isfinite(origin[i]) || !isfinite(direction[i]))
             return sph_fail(err, "origin or direction is not finite");
+    for (int i = 0; i < 3; i++)
+        longest = fmax(longest, fabs(direction[i]));
+    if (!(longest > 0)) return sph_fail(err, "direction has no length");
+    frexp(longest, &exponent); /* so that turned it is a normal number */
+    for (int i = 0; i < 3; i++)
+        scaled[i] = ldexp(direction[i], -exponent);
     turn(m, origin, org);
-    turn(m, direction, dir);
+    turn(m, scaled, dir);
+    longest = 0;
     for (int i = 0; i < 3; i++)
         longest = fmax(longest, fabs(dir[i]));
-    if (!(longest > 0) || !isfinite(longest))
-        return sph_fail(err, "direction has no length, or too much");
     double least = -ldexp(1, m->profile.w - 1), most = ldexp(1, m->profile.wd - 1) - 1;
     for (int i = 0; i < 3; i++) {
         double at = round(ldexp(org[i] - m->origin[i], -m->grid_log2));

@@ -18,6 +18,7 @@
 
 struct arguments {
     const char *what, *output;
+    char kind[32]; /* of KIND:N */
     struct sph_generate_options generate;
     struct sph_import_options import;
     struct tool_import_aff aff;
@@ -178,25 +179,21 @@ static void check_kind(const struct argp_state *state, const struct arguments *a
 
 /* The same with KIND:N, the number that a kind is mostly asked for with. */
 static error_t parse_gen(int key, char *arg, struct argp_state *state) {
+    struct arguments *a = state->input;
+    struct sph_error err = {""};
     char *colon = key == ARGP_KEY_ARG ? strchr(arg, ':') : NULL;
     if (!colon) {
         error_t rc = parse(key, arg, state);
-        if (key == ARGP_KEY_END) check_kind(state, state->input);
+        if (key == ARGP_KEY_END) check_kind(state, a);
         return rc;
     }
-    *colon = 0;
-    parse(key, arg, state);
-    switch (sph_generate_takes(arg)) {
-    case SPH_TAKES_SIZE:
-        return parse(KEY_SIZE, colon + 1, state);
-    case SPH_TAKES_N:
-        return parse('n', colon + 1, state);
-    case SPH_TAKES_SEED:
-        return parse(KEY_SEED, colon + 1, state);
-    default:
+    int made = sph_generate_parse(arg, a->kind, &a->generate, &err);
+    if (made <= 0) {
+        if (made) argp_error(state, "%s", err.text);
         argp_error(state, "'%s' is no kind of scene that takes a number", arg);
         return EINVAL;
     }
+    return parse(key, a->kind, state);
 }
 
 /* The kinds of scenes stand in the library; argp's help takes them from here. */

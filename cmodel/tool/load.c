@@ -3,7 +3,6 @@
  */
 #include <string.h>
 #include <strings.h>
-#include <unistd.h>
 
 #include "builder/profile/build_auto.h"
 #include "common/input.h"
@@ -32,21 +31,11 @@ int tool_wants_machine(const char *path, struct sph_error *err) {
     return sph_fail(err, "%s: is no machine file; `sphaera build` makes one of a scene", path);
 }
 
-/* Reads a scene file; what is no file may be KIND[:N] of `sphaera gen`. */
-static int read_or_make(const char *path, const struct sph_read_options *read,
-                        struct sph_scene *scene, struct sph_error *err) {
-    struct sph_generate_options o = {0};
-    char kind[32];
-    int made = access(path, F_OK) ? sph_generate_parse(path, kind, &o, err) : 0;
-    if (made < 0) return -1;
-    return made ? sph_generate(kind, &o, scene, err) : sph_scene_read(path, read, scene, err);
-}
-
 int tool_scene_read(const char *path, const struct tool_source *source, struct sph_scene *scene,
                     struct sph_error *err) {
     if (source->read.timed && !sph_aff_is(path))
         return sph_fail(err, "%s: --time is for AFF scenes; frames of others are --at", path);
-    if (tool_spares(&source->outputs, path, err) || read_or_make(path, &source->read, scene, err))
+    if (tool_spares(&source->outputs, path, err) || sph_scene_find(path, &source->read, scene, err))
         return -1;
     int still = !scene->aff && !scene->n_motions && !scene->n_flights && source->read.at;
     if (!still && !tool_spares_images(&source->outputs, scene, err)) return 0;
@@ -87,16 +76,13 @@ int tool_build_scene(const struct tool_source *source, const struct sph_scene *s
     built->skipped = scene->n_skipped;
     o.mips = mips;
     if (tool_frame_size(source, scene, &o, err)) return -1;
-    if (!source->profile_auto)
-        return sph_build(scene, &o, &built->machine, report, err) ||
-                       sph_check_profile(scene, &o, &source->keep, &built->expected,
-                                         report->warning, sizeof report->warning, err)
-                   ? -1
-                   : 0;
-    if (sph_build_auto(scene, &o, &source->keep, &choice, &built->machine, report, err)) return -1;
+    if (sph_build_kept(scene, &o, source->profile_auto, &source->keep, &choice, &built->machine,
+                       report, err))
+        return -1;
     built->expected = choice.estimate[o.profile];
-    sph_profile_why(&choice, &source->keep, o.profile, built->profile_why,
-                    sizeof built->profile_why);
+    if (source->profile_auto)
+        sph_profile_why(&choice, &source->keep, o.profile, built->profile_why,
+                        sizeof built->profile_why);
     return 0;
 }
 

@@ -6,6 +6,7 @@
 #include "builder/background/background.h"
 #include "builder/background/spans.h"
 #include "texture/lookup.h"
+#include "common/number.h"
 #include "tool/tool.h"
 
 enum {
@@ -77,11 +78,17 @@ const char *const tool_filter_names[] = {"nearest", "bilinear", "level", "betwee
 
 /* PIXELS or PIXELS,DB */
 static void keep(const struct argp_state *state, const char *arg, struct sph_keep *to) {
-    const char *comma = strchr(arg, ',');
+    size_t n = strcspn(arg, ",");
+    double off = 0, psnr = to->psnr;
     char pixels[32] = "";
-    if (comma && comma - arg < (int)sizeof pixels) memcpy(pixels, arg, (size_t)(comma - arg));
-    to->pixels = tool_real(state, "--error", comma ? pixels : arg, 1e-9, 1e9);
-    if (comma) to->psnr = tool_real(state, "--error", comma + 1, 0, 99);
+    if (n < sizeof pixels) memcpy(pixels, arg, n);
+    if (sph_parse_number(pixels, &off) || !(off >= 1e-9 && off <= 1e9) ||
+        (arg[n] && (sph_parse_number(arg + n + 1, &psnr) || !(psnr >= 0 && psnr <= 99))))
+        argp_error(state,
+                   "--error: '%s' is no error such as 0.125 or 0.125,45: pixels from 1e-9 to "
+                   "1e9, and dB up to 99",
+                   arg);
+    *to = (struct sph_keep){off, psnr};
 }
 
 /* off, on, auto or auto:PERCENT */

@@ -39,8 +39,7 @@ def scene_file(tool, build, scene):
     if scene == "protein":
         command = [tool, "import", keys.PROTEIN, "-o", path]
     else:
-        option = {"sphereflake": "--size", "random": "--spheres"}.get(kind, "--seed")
-        command = [tool, "gen", kind, option, number, "-o", path]
+        command = [tool, "gen", scene, "-o", path]
     ran = call(command)  # whole or not at all, so two jobs may do it
     if ran.returncode:
         fail(scene, ran)

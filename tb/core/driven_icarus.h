@@ -18,6 +18,7 @@
 #include <cstring>
 
 #include "port_host.h"
+#include "words.h"
 
 class DrivenIcarus : public PortHost {
   public:
@@ -86,12 +87,12 @@ inline void DrivenIcarus::complain(const char *what, const char *text) {
 /* "req rsp pix line [pixel] / busy errors count" */
 inline void DrivenIcarus::read(const char *text, Outputs &out) {
     const char *behind = std::strstr(text, " / ");
-    char hex[24] = "", counter[24] = "";
-    if (!behind || std::sscanf(behind + 3, "%*c %x %23s", &out.seen.errors, counter) < 1)
+    Words seen(behind ? behind + 3 : "");
+    seen.word(); /* busy, below */
+    if (!seen.hex(out.seen.errors).good())
         return complain("unknown busy_o or errors_o, or no line", text);
     out.seen.busy = behind[3] == '1';
-    out.seen.known = !std::strpbrk(counter, "xzXZ");
-    if (out.seen.known) out.seen.count = std::strtoull(counter, nullptr, 16);
+    out.seen.known = seen.hex(out.seen.count).good();
     out.req_valid = text[0] == '1';
     out.rsp_ready = text[1] == '1';
     out.pix_valid = text[2] == '1';
@@ -99,15 +100,21 @@ inline void DrivenIcarus::read(const char *text, Outputs &out) {
     if (known < (out.req_valid || out.pix_valid ? behind - text : 3) ||
         std::strpbrk("xzXZ", std::string(behind + 3, 1).c_str()))
         return complain("unknown bits", text);
-    if (out.req_valid) std::sscanf(text + 4, "%x", &out.req_line);
+    Words words(text + 4);
+    if (out.req_valid && !Words(text + 4).hex(out.req_line).good())
+        return complain("not a line of memory", text);
     if (!out.pix_valid) return;
-    if (std::sscanf(text + 4, "%*s %x %x %18s %x %" SCNx64 " %x %x %x", &out.x, &out.y, hex,
-                    &out.pixel.id, &out.pixel.key, &out.pixel.visits, &out.pixel.texture,
-                    &out.pix_frame) != 8)
+    words.word(); /* the line of memory */
+    words.hex(out.x).hex(out.y);
+    const std::string hex = words.word();
+    if (!words.hex(out.pixel.id)
+             .hex(out.pixel.key)
+             .hex(out.pixel.visits)
+             .hex(out.pixel.texture)
+             .hex(out.pix_frame)
+             .good() ||
+        !hex_digits(hex, 6, out.pixel.colour, SPH_FRAMES))
         return complain("not a pixel", text);
-    uint32_t words[3];
-    std::sscanf(hex, "%2x%8x%8x", &words[2], &words[1], &words[0]);
-    colours(words, out.pixel);
 }
 
 inline void DrivenIcarus::step(const Inputs &in, Outputs &out) {

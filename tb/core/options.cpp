@@ -7,6 +7,7 @@
 #include <cinttypes>
 #include <cstdio>
 #include <cstdlib>
+#include <sstream>
 
 #include "dram.h"
 #include "model.h"
@@ -120,6 +121,20 @@ template <class T> bool take(const char *&text, char c, int64_t low, int64_t hig
     return !sph_take_char(&text, c) && take(text, low, high, value);
 }
 
+/* Whether a text is of words NAME=NUMBER alone. */
+bool parameters(const char *text) {
+    std::istringstream words(text);
+    std::string word;
+    uint64_t value = 0;
+    while (words >> word) {
+        const size_t at = word.find('=');
+        if (!at || at == std::string::npos ||
+            sph_parse_count(word.c_str() + at + 1, 0, UINT32_MAX, &value))
+            return false;
+    }
+    return true;
+}
+
 int small(const char *text, int low, int high, argp_state *state) {
     return static_cast<int>(number(text, low, high, state));
 }
@@ -228,6 +243,7 @@ error_t parse(int key, char *arg, argp_state *state) {
         o.core = arg;
         break;
     case BUILT:
+        if (!parameters(arg)) argp_error(state, "--built wants NAME=NUMBER ..., got '%s'", arg);
         o.built = arg;
         break;
     case TRACE:

@@ -3,19 +3,24 @@
  */
 #include "refuse.h"
 
-#include <cstdlib>
+#include <climits>
 #include <sstream>
 #include <vector>
 
+#include "common/number.h"
+
 namespace {
 
-/* Value of a parameter in "SHADOW=1 REFLECT=2 ...". 0 if it is not there. */
+/* Value of a parameter in "SHADOW=1 REFLECT=2 ...". 0 if it is not there, or no number. */
 int built_with(const std::string &built, const std::string &parameter) {
     std::istringstream words(built);
     std::string word;
+    uint64_t value = 0;
     while (words >> word)
         if (word.compare(0, parameter.size() + 1, parameter + "=") == 0)
-            return std::atoi(word.c_str() + parameter.size() + 1);
+            return sph_parse_count(word.c_str() + parameter.size() + 1, 0, INT_MAX, &value)
+                       ? 0
+                       : static_cast<int>(value);
     return 0;
 }
 

@@ -18,6 +18,8 @@
 #include <filesystem>
 #include <string>
 
+#include "words.h"
+
 const char *const simulator_name = "icarus";
 
 std::string simulator_version() {
@@ -76,20 +78,6 @@ File start_bench(const Options &o, const std::string &base) {
     return popen(command.c_str(), "r"); // NOLINT(bugprone-command-processor): vvp has no library
 }
 
-/* Three 24-bit colours of 18 hex digits. */
-void colours(const char *hex, sph_pixel &p) {
-    for (int i = 0; i < SPH_FRAMES; i++) {
-        const char digits[7] = {hex[12 - 6 * i],
-                                hex[13 - 6 * i],
-                                hex[14 - 6 * i],
-                                hex[15 - 6 * i],
-                                hex[16 - 6 * i],
-                                hex[17 - 6 * i],
-                                0};
-        p.colour[i] = static_cast<uint32_t>(std::strtoul(digits, nullptr, 16));
-    }
-}
-
 /* The first line of vvp's own output: what an assertion said. */
 std::string first_line(const std::string &path) {
     char text[256] = "";
@@ -104,33 +92,30 @@ std::string first_line(const std::string &path) {
 bool read_line(const char *text, const sph_machine &m, Sample *samples[PASSES], int &pass,
                Run &run) {
     unsigned x = 0, y = 0, number = 0;
-    unsigned long long key = 0, clock = 0;
-    char hex[32] = "";
+    uint64_t key = 0, clock = 0;
+    Words words(text + (text[0] != 0));
     sph_pixel p{};
     switch (text[0]) {
     case 'p':
-        if (std::strpbrk(text, "xzXZ") ||
-            std::sscanf(text, "p %x %x %18s %x %llx %x %x %llx", &x, &y, hex, &p.id, &key,
-                        &p.visits, &p.texture, &clock) != 8)
+        words.hex(x).hex(y);
+        if (!hex_digits(words.word(), 6, p.colour, SPH_FRAMES) ||
+            !words.hex(p.id).hex(p.key).hex(p.visits).hex(p.texture).hex(clock).good())
             return false;
-        p.key = key;
-        colours(hex, p);
         deliver(m, run, samples[pass], static_cast<int>(x), static_cast<int>(y), p, clock);
         return true;
     case 'c':
-        if (std::sscanf(text, "c %x %llx", &number, &key) != 2 || number >= SPH_COUNTERS ||
-            std::strpbrk(text, "xzXZ"))
-            return false;
+        if (!words.hex(number).hex(key).good() || number >= SPH_COUNTERS) return false;
         run.pass[pass].count[number] = key;
         return true;
     case 'k':
-        if (std::sscanf(text, "k %llx", &key) != 1) return false;
+        if (!words.hex(key).good()) return false;
         if (key != run.pass[pass].count[SPH_COUNT_CYCLES])
             fail(run, "counter cycles %llu, %llu clocks from start to the last pixel",
-                 static_cast<unsigned long long>(run.pass[pass].count[SPH_COUNT_CYCLES]), key);
+                 static_cast<unsigned long long>(run.pass[pass].count[SPH_COUNT_CYCLES]),
+                 static_cast<unsigned long long>(key));
         return true;
     case 'e':
-        return std::sscanf(text, "e %x", &run.pass[pass].errors) == 1 || text[1] == 'n';
+        return words.hex(run.pass[pass].errors).good() || text[1] == 'n';
     case 'h':
         fail(run, "%.*s", static_cast<int>(std::strcspn(text + 2, "\n")), text + 2);
         return true;

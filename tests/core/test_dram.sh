@@ -15,7 +15,7 @@ built() { # folder of tb/core/dram.cpp, options
     g++ -std=c++17 -Wall -Wextra -Wconversion -Wshadow -Werror -I. -Icmodel -Itb -Itb/core "$@" \
         -o "$folder/check" tests/core/dram_check.cpp "$folder/dram.cpp" "$TMP/number.o"
 }
-${CC:-cc} -std=gnu11 -Icmodel -c -o "$TMP/number.o" cmodel/common/number.c || exit 1
+${CC:-cc} -std=c11 -D_GNU_SOURCE -Icmodel -c -o "$TMP/number.o" cmodel/common/number.c || exit 1
 mkdir "$TMP/good"
 cp tb/core/dram.cpp "$TMP/good"
 sed -i 's,"../sdram_times.h","sdram_times.h",' "$TMP/good/dram.cpp"

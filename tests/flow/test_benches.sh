@@ -2,9 +2,25 @@
 # test_benches.sh - every block of the RTL against its model, tb/benches*.txt
 # SPDX-License-Identifier: Apache-2.0
 #
-#   SEED=n  other vectors (1)
-#   ALL=1   every profile and configuration; without it those that no other one stands for
+#   SEED=n       other vectors (1)
+#   ALL=1        every profile and configuration; without it those that no other one stands for
+#   BENCHES=...  those of tb/benches*.txt by bench/profile (all)
+# Each bench refuses a seed that is no number, by its name.
+. "$(dirname "$0")/../numbers.sh"
 cd "$(dirname "$0")/../.." || exit 1
-BENCH_BUILD=${BUILD:-build} BENCH_JOBS=${JOBS:-2}
+BENCH_BUILD=${BUILD:-build} BENCH_JOBS=${JOBS:-2} BENCHES=${BENCHES:-/}
 export BENCH_BUILD BENCH_JOBS
-exec sh tb/run_bench.sh / "${SEED:-1}"
+sh tb/run_bench.sh "$BENCHES" "${SEED:-1}" && rc=0 || rc=1
+[ "$BENCHES" = / ] || ALL=1
+awk -v pattern="$BENCHES" -v all="${ALL:-}" -f tb/benches.awk cmodel/machine/machine.def \
+    tb/benches*.txt >"$TMP/benches"
+while read -r profile _ bench _; do
+    if refuses 2 "" "$BENCH_BUILD/tb/$bench-$profile/bench" >"$TMP/refused"; then
+        echo "ok - $bench-$profile refuses a seed that is no number"
+    else
+        echo "not ok - $bench-$profile refuses a seed that is no number"
+        sed 's/^/# /' "$TMP/refused"
+        rc=1
+    fi
+done <"$TMP/benches"
+exit $rc

@@ -41,6 +41,37 @@ for value in '$(shell touch '"$mark"')' '${shell touch '"$mark"'}' 'a$$(touch '"
     check "each variable is not expanded: $(echo "$value" | tr '\n' ' ' | cut -c 1-20)..." \
         each_told "$value"
 done
+# ---- what the environment has, of any name ----
+# All names that the makefiles use and make/variables.mk has not, at once.
+# shellcheck disable=SC2016  # for make
+used=$(grep -ohE '\$\(([A-Za-z_][A-Za-z0-9_]*)[:)]' Makefile make/*.mk | tr -d '$():' |
+    { printf '%s\n' $names CURDIR MAKE MAKEFILE_LIST MAKECMDGOALS SHELL >"$TMP/known"
+      grep -vxF -f "$TMP/known"; } | sort -u)
+check "names are found" [ "$(echo "$used" | grep -c .)" -gt 100 ]
+from_environment() ( # value
+    unset MAKEFLAGS MFLAGS MAKELEVEL
+    for variable in $used NOSUCH; do
+        export "$variable=$1"
+    done
+    timeout 60 make -n --no-print-directory B="$BUILD" top-hd top lint-tidy help >"$TMP/said" 2>&1
+    [ ! -e "$mark" ] || { rm "$mark" && echo "run: $1" && exit 1; }
+    ! grep -F -- "touch $mark" "$TMP/said"
+)
+# shellcheck disable=SC2016
+for value in '$(shell touch '"$mark"')' "x;touch $mark"; do
+    check "no name of the environment is run: $(echo "$value" | cut -c 1-8)" \
+        from_environment "$value"
+done
+# shellcheck disable=SC2016
+sim_of_environment() {
+    for goal in sim render top-hd; do
+        rc=0
+        env -u MAKEFLAGS SCENE='$(shell touch '"$mark"')' HD_SCENE='$(touch '"$mark"')' \
+            make B="$BUILD" $goal >"$TMP/said" 2>&1 || rc=$?
+        unmarked "make $goal" && grep -q 'SCENE=\$' "$TMP/said" || return 1
+    done
+}
+check "SCENE and HD_SCENE of the environment are refused" sim_of_environment
 refused() {
     rc=0
     plain_make "$@" >"$TMP/said" 2>&1 || rc=$?
@@ -51,6 +82,18 @@ refused() {
 for variable in SHELL MAKE CURDIR MAKEFILE_LIST MAKECMDGOALS HERE values; do
     check "nor is $variable" refused "$variable=\$(shell touch $mark)" help
 done
+# make expands NAME:=VALUE before it reads a file: all that can be done is to make nothing
+# shellcheck disable=SC2016
+early() {
+    for assigned in ':=' '::='; do
+        rc=0
+        plain_make "SCENE$assigned\$(shell touch $mark)" help >"$TMP/said" 2>&1 || rc=$?
+        rm -f "$mark"
+        [ "$rc" -ne 0 ] && grep -q 'SCENE:=: only NAME=VALUE is text' "$TMP/said" || return 1
+        refused "SCENE${assigned}paper5" render || return 1
+    done
+}
+check "an assignment that make expands itself is refused" early
 check "MAKE is no command of a user" refused "MAKE=touch $mark;" -f "$root/Makefile" help
 
 # ---- what a shell would run: all variables at once ----

@@ -10,14 +10,17 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "common/number.h"
+
 enum { CHANGES = 8, PIECE = 64 };
 
 /* Numbers at which things end. */
 static const char *const numbers[] = {
-    "0",   "-0",    "1",     "-1",    "1e30",       "-1e30",      "1e31",    "1e-30", "1e-300",
-    "nan", "inf",   "0.5",   "1e308", "2147483647", "4294967296", "16383",   "16384", "65535",
-    "180", "1e-12", "1e999", "0x10",  "1e7",        "16777216",   "1048576", "3",     "0.999999",
-};
+    "0",          "-0",      "1",        "-1",      "1e30",  "-1e30",    "1e31",
+    "1e-30",      "1e-300",  "nan",      "inf",     "0.5",   "1e308",    "2147483647",
+    "4294967296", "16383",   "16384",    "65535",   "180",   "1e-12",    "1e999",
+    "0x10",       "1e7",     "16777216", "1048576", "3",     "0.999999", "1e-320",
+    "5e-324",     "-1e-310", "1e-17",    "1e17",    "-1e300"};
 static const uint32_t binary[] = {0,          1,          0xffffffff, 0x80000000, 0x7fffffff,
                                   0xffff,     0x10000,    0xffffff,   0x1000000,  64,
                                   0x40000000, 0x20000000, 16384,      65536,      0xfffffffe};
@@ -87,10 +90,11 @@ void fuzz_add_words(struct fuzz_corpus *c, const char *path) {
         char *from = strchr(line, '"'), *to = line;
         if (*line == '#' || !from) continue;
         while (*++from && *from != '"') {
-            unsigned byte;
+            uint64_t byte;
+            const char digits[3] = {from[1] == 'x' ? from[2] : 0, from[1] == 'x' ? from[3] : 0, 0};
             if (*from != '\\')
                 *to++ = *from;
-            else if (sscanf(from, "\\x%2x", &byte) == 1)
+            else if (!sph_parse_hex(digits, 255, &byte))
                 *to++ = (char)byte, from += 3;
             else
                 *to++ = *++from;

@@ -41,9 +41,9 @@ void fuzz_same(const char *name, const uint8_t *data, size_t size);
 /* A number that the input decides. */
 uint64_t fuzz_hash(const uint8_t *data, size_t size);
 
-/* A scene that was read: written as NFF it is read again as the same text; what is built of it, in
- * a way that `choice` decides, is a valid machine, survives its file, and its tree, its fast form
- * and brute force draw the same; some pixels are those of the naive model. */
+/* A scene that was read: written as NFF it is read again as the same text; what the tool's builder
+ * makes of it, in a way that `choice` decides, is a valid machine, survives its file, and its tree,
+ * its fast form and brute force draw the same; some pixels are those of the naive model. */
 void fuzz_scene(const struct sph_scene *scene, uint64_t choice);
 
 /* A valid machine, drawn literally and fast: the same, errors and counters too. */

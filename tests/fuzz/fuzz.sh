@@ -35,8 +35,9 @@ print(d.of_files(sys.argv[1:], d.of("model")))' "tests/fuzz/harness_$1.c" tests/
 # What afl-fuzz says of itself: a field of its statistics.
 field() { sed -n "s/^$1 *: *//p" "$work/out/$2/default/fuzzer_stats"; }
 
-alone() { # harness, input
-    FUZZ_TMP=$work/tmp "$fuzz/gcc/fuzz_$1" --root tests/fuzz --keep "$found" "$2" >>"$work/log" 2>&1
+alone() { # harness, input: within the driver's limit of a processor's time
+    FUZZ_TMP=$work/tmp "$fuzz/plain/fuzz_$1" --root tests/fuzz --keep "$found" "$2" \
+        >>"$work/log" 2>&1
 }
 
 # OpenImageIO leaks (harness_image.c): a leak is known by all calls above it, not by the last ones.
@@ -81,7 +82,7 @@ for name; do
         runs=$(field execs_done "$name")
         for input in "$work/out/$name/default/crashes/id"* "$work/out/$name/default/hangs/id"*; do
             [ -f "$input" ] || continue
-            case $input in # on a busy machine what is quick takes long: once more, with 20 s
+            case $input in # on a busy machine what is quick takes long: once more
             */hangs/*) alone "$name" "$input" && continue ;;
             esac
             cp "$input" "$found/fuzz_$name-$(sha256sum <"$input" | cut -c 1-16)"

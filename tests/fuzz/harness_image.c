@@ -7,8 +7,10 @@
 #include <malloc.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/resource.h>
 
+#include "common/number.h"
 #include "fuzz.h"
 #include "image/image.h"
 #include "image/texture.h"
@@ -56,13 +58,15 @@ static void picture(void) {
 /* What this process has of data, once OpenImageIO has begun its threads. */
 static rlim_t data_now(void) {
     static const char grey[] = "P2\n1 1\n255\n7\n";
-    unsigned long long kib = 0;
+    uint64_t kib = 0;
     char line[128];
     fuzz_write("image", (const uint8_t *)grey, sizeof grey - 1);
     texture();
     FILE *status = fopen("/proc/self/status", "r");
-    while (status && fgets(line, sizeof line, status) && sscanf(line, "VmData: %llu", &kib) != 1)
-        ;
+    while (status && !kib && fgets(line, sizeof line, status)) {
+        const char *at = line + strcspn(line, "0123456789");
+        if (!strncmp(line, "VmData:", 7)) sph_take_count(&at, 1, UINT64_MAX >> 10, &kib);
+    }
     if (!status || !kib) exit(2);
     fclose(status);
     return (rlim_t)kib << 10;

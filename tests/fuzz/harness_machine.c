@@ -1,18 +1,32 @@
 /* harness_machine.c - machine files; the checksum at their end is made right first
  * SPDX-License-Identifier: Apache-2.0
  */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "fuzz.h"
+#include "machine/bih_stats.h"
 #include "machine/format.h"
+#include "validate/describe.h"
 #include "validate/validate.h"
 
 /* Pixels of a frame that is drawn. */
 enum { PIXELS = 4096, WINDOW = 6 };
 
+static FILE *nowhere;
+
 void fuzz_begin(const char *root) {
     (void)root;
+    nowhere = fopen("/dev/null", "w");
+    if (!nowhere) exit(2);
+}
+
+/* What `sphaera info` says of it. */
+static void describe(const struct sph_machine *m) {
+    struct sph_bih_stats stats;
+    sph_machine_describe(m, nowhere);
+    if (sph_machine_bih(m)) sph_bih_measure(m, &stats);
 }
 
 /* A part of the window that is drawn in a moment. */
@@ -42,6 +56,7 @@ void fuzz_one(const uint8_t *data, size_t size) {
         if (sph_machine_write(&m, "out.sph", &err)) fuzz_fail("not written: %s", err.text);
         fuzz_same("out.sph", bytes, size);
         fuzz_no_rest();
+        describe(&m);
         if (narrow(&m)) fuzz_draw(&m);
         sph_machine_free(&m);
     }

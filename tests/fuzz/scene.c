@@ -5,15 +5,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "builder/build.h"
+#include "builder/profile/build_auto.h"
 #include "render/render.h"
 #include "fuzz.h"
 #include "naive/naive.h"
 #include "validate/validate.h"
 
-/* The frame, primitives of a scene that is built, and pixels for the naive model: an input is to
- * take about a millisecond. */
-enum { WIDTH = 8, HEIGHT = 5, MOST = 400, FEW = 40, NAIVE = 2, IMAGE = 8 };
+/* The frame, primitives of a scene that is drawn, and pixels for the naive model: most inputs take
+ * some milliseconds. A scene of more primitives than MANY is built once in 16 times. */
+enum { WIDTH = 8, HEIGHT = 5, MANY = 400, FEW = 40, NAIVE = 2, IMAGE = 8 };
 
 static char *text_of(const struct sph_scene *scene, size_t *size) {
     struct sph_error err = {""};
@@ -149,15 +149,17 @@ static void through_file(const struct sph_machine *m) {
 void fuzz_scene(const struct sph_scene *scene, uint64_t choice) {
     struct sph_error err = {""};
     uint64_t n = (uint64_t)scene->n_spheres + scene->n_facets;
-    if (n > MOST) return;
     if (!scene->aff || !scene->read.timed) round_trip(scene);
-    if (choice >> 50 & 3) return; /* one scene of four is built: that takes most of the time */
+    /* one scene of four is built: that takes most of the time */
+    if (choice >> 50 & (n > MANY ? 15 : 3)) return;
     struct sph_build_options o = options_of(choice);
+    const struct sph_keep keep = {SPH_KEEP_PIXELS, SPH_KEEP_PSNR};
+    struct sph_profile_choice profile;
     struct sph_mip *mips = images_of(scene);
     o.mips = mips;
     struct sph_machine m;
     static struct sph_build_report report;
-    if (sph_build(scene, &o, &m, &report, &err)) {
+    if (sph_build_kept(scene, &o, (int)(choice >> 18 & 1), &keep, &profile, &m, &report, &err)) {
         fuzz_message(&err, scene->path, 1);
     } else {
         if (sph_machine_validate(&m, &err)) fuzz_fail("built, but not valid: %s", err.text);

@@ -1,10 +1,10 @@
 /* campaign_state.c - the state file of a campaign: text, one row a line; see campaign.h
  * SPDX-License-Identifier: Apache-2.0
  *
- *   hard-state 1
+ *   hard-state 2
  *   plan SEED CASES FIRST SHARE FAMILY FAMILIES PROFILE CHUNKS
  *   done 4 chunks a digit, hexadecimal
- *   row ...   counts in the order of struct hard_tally, errors as hexadecimal floating point
+ *   row ...   counts in the order of struct hard_tally, errors with 17 digits
  *   end
  */
 #include <errno.h>
@@ -13,6 +13,8 @@
 #include <string.h>
 
 #include "campaign.h"
+#include "common/number.h"
+#include "common/output.h"
 
 static const char plan_format[] =
     "plan %" PRIu64 " %" PRIu64 " %" PRIu64 " %" PRIu64 " %d %d %d %" PRIu64;
@@ -41,12 +43,12 @@ static void counts_of(struct hard_tally *t, uint64_t *at[COUNTS]) {
 
 int campaign_save(const struct campaign *c, const uint8_t *done, uint64_t chunks,
                   struct sph_error *err) {
-    char plan[256], name[4096];
+    char plan[256];
+    struct sph_output out;
     plan_of(c, chunks, plan, sizeof plan);
-    snprintf(name, sizeof name, "%s.new", c->state);
-    FILE *f = fopen(name, "w");
-    if (!f) return sph_fail(err, "%s: %s", name, strerror(errno));
-    fprintf(f, "hard-state 1\n%s\ndone ", plan);
+    if (sph_output_open(&out, c->state, err)) return -1;
+    FILE *f = out.file;
+    fprintf(f, "hard-state 2\n%s\ndone ", plan);
     for (uint64_t i = 0; i < chunks; i += 4) {
         int digit = 0;
         for (uint64_t j = i; j < i + 4 && j < chunks; j++)
@@ -61,39 +63,56 @@ int campaign_save(const struct campaign *c, const uint8_t *done, uint64_t chunks
         for (int j = 0; j < COUNTS; j++)
             fprintf(f, " %" PRIu64, *at[j]);
         for (int j = 0; j < HARD_COLUMNS; j++)
-            fprintf(f, " %a", t.column[j].worst);
-        fprintf(f, " %a", t.bound);
+            fprintf(f, " %.17g", t.column[j].worst);
+        fprintf(f, " %.17g", t.bound);
     }
     fprintf(f, "\nend\n");
-    int bad = ferror(f);
-    if (fclose(f) || bad) return sph_fail(err, "%s: %s", name, strerror(errno));
-    if (rename(name, c->state)) return sph_fail(err, "%s: %s", c->state, strerror(errno));
-    return 0;
+    return sph_output_close(&out, 0, err);
+}
+
+/* The next word of a row, a number. 0 if it is none. */
+static int next_count(char **rest, uint64_t *value) {
+    const char *word = strtok_r(NULL, " \n", rest);
+    return word && !sph_parse_count(word, 0, UINT64_MAX, value);
+}
+static int next_real(char **rest, double *value) {
+    const char *word = strtok_r(NULL, " \n", rest);
+    return word && !sph_parse_number(word, value);
+}
+
+/* Reads a row: a line. 0 if anything is missing. */
+static int read_row(char *line, struct hard_tally *t) {
+    char *rest = line;
+    const char *word = strtok_r(NULL, " \n", &rest);
+    uint64_t *at[COUNTS];
+    counts_of(t, at);
+    if (!word || strcmp(word, "row") != 0) return 0;
+    for (int j = 0; j < COUNTS; j++)
+        if (!next_count(&rest, at[j])) return 0;
+    for (int j = 0; j < HARD_COLUMNS; j++)
+        if (!next_real(&rest, &t->column[j].worst)) return 0;
+    return next_real(&rest, &t->bound) && !strtok_r(NULL, " \n", &rest);
 }
 
 /* Reads "done" and the rows. 0 if anything is missing. */
 static int read_body(FILE *f, struct campaign *c, uint8_t *done, uint64_t chunks) {
-    char word[8];
-    if (fscanf(f, " done ") != 0) return 0;
-    for (uint64_t i = 0; i < chunks; i += 4) {
+    char *line = NULL;
+    size_t room = 0;
+    int whole =
+        fgetc(f) == 'd' && fgetc(f) == 'o' && fgetc(f) == 'n' && fgetc(f) == 'e' && fgetc(f) == ' ';
+    for (uint64_t i = 0; i < chunks && whole; i += 4) {
         int digit = fgetc(f);
         if (digit == EOF || !strchr("0123456789abcdef", digit)) return 0;
         digit = digit <= '9' ? digit - '0' : digit - 'a' + 10;
         for (uint64_t j = i; j < i + 4 && j < chunks; j++)
             done[j] = (uint8_t)(digit >> (j - i) & 1);
     }
-    for (int i = 0; i < HARD_ROWS; i++) {
-        struct hard_tally *t = &c->row[i];
-        uint64_t *at[COUNTS];
-        counts_of(t, at);
-        if (fscanf(f, " %7s", word) != 1 || strcmp(word, "row") != 0) return 0;
-        for (int j = 0; j < COUNTS; j++)
-            if (fscanf(f, " %" SCNu64, at[j]) != 1) return 0;
-        for (int j = 0; j < HARD_COLUMNS; j++)
-            if (fscanf(f, " %la", &t->column[j].worst) != 1) return 0;
-        if (fscanf(f, " %la", &t->bound) != 1) return 0;
-    }
-    return fscanf(f, " %7s", word) == 1 && !strcmp(word, "end");
+    whole = whole && fgetc(f) == '\n';
+    for (int i = 0; i < HARD_ROWS && whole; i++)
+        whole = getline(&line, &room, f) > 0 && read_row(line, &c->row[i]);
+    whole = whole && getline(&line, &room, f) > 0 && !strcmp(line, "end\n");
+    free(line);
+    return whole;
 }
 
 int campaign_load(struct campaign *c, uint8_t *done, uint64_t chunks, struct sph_error *err) {
@@ -102,7 +121,7 @@ int campaign_load(struct campaign *c, uint8_t *done, uint64_t chunks, struct sph
     if (!f && errno == ENOENT) return 1;
     if (!f) return sph_fail(err, "%s: %s", c->state, strerror(errno));
     plan_of(c, chunks, plan, sizeof plan);
-    if (!fgets(line, sizeof line, f) || strcmp(line, "hard-state 1\n") != 0) {
+    if (!fgets(line, sizeof line, f) || strcmp(line, "hard-state 2\n") != 0) {
         fclose(f);
         return sph_fail(err, "%s:1: not a state file of this program", c->state);
     }

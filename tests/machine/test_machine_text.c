@@ -184,8 +184,10 @@ static void check_words(const char *from, const uint32_t *words, size_t n, int s
         memcpy(word, c, 8);
         size_t turned =
             back ? at / (size_t)size * (size_t)size + (size_t)size - 1 - at % (size_t)size : at;
+        uint64_t value;
         assert_int_equal(strspn(word, "0123456789abcdef"), 8);
-        assert_int_equal(strtoull(word, NULL, 16), words[turned]);
+        assert_int_equal(sph_parse_hex(word, UINT32_MAX, &value), 0);
+        assert_int_equal(value, words[turned]);
         at++, c += 7;
         if (back) assert_int_equal(c[1] == '\n', at % (size_t)size == 0);
     }

@@ -1,10 +1,10 @@
 /* test_extremes.c - numbers as small, large and alike as files can have: an answer within a second
  * SPDX-License-Identifier: Apache-2.0
  *
- * Each number of each file below takes each value, one at a time, then all numbers of a line do.
- * The file is read, built as `sphaera render` does, and drawn: there is a frame, or a message that
- * begins with the file's name. Without ALL=1 each number takes every twelfth value, another in each
- * place.
+ * Each number of each file below takes each value, one at a time, then all numbers of a line do;
+ * then all lengths of an NFF file are multiplied by it. The file is read, built as `sphaera render`
+ * does, described as `sphaera info` does, and drawn: there is a frame, or a message that begins
+ * with the file's name. Without ALL=1 each number takes every twelfth value, another in each place.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -23,9 +23,11 @@
 #include <unistd.h>
 
 #include "builder/profile/build_auto.h"
+#include "common/number.h"
 #include "render/render.h"
 #include "sanitized.h"
 #include "scene/pdb_import.h"
+#include "validate/describe.h"
 
 static const char *const values[] = {
     "5e-324",  /* the least denormal number */
@@ -38,11 +40,13 @@ static const char *const values[] = {
     "-1",      "1e9", "-1e17", "1e30", "1e300", "-1.7e308",
 };
 enum { VALUES = sizeof values / sizeof *values, SECONDS = SANITIZED ? 10 : 1 };
+enum { ONE, LINE, LENGTHS };
+static const char *const ways[] = {"", ", each number", ", times each length"};
 
 /* What the child is at, for whoever finds it dead. */
 static struct {
     size_t from, to; /* bytes of the file that are replaced */
-    int whole_line, cases;
+    int way, cases;
     char message[600];
 } * at;
 
@@ -65,6 +69,31 @@ static size_t replaced(const char *text, size_t n, const char *value, int column
         } else {
             out[used++] = text[i++];
         }
+    }
+    return used;
+}
+
+/* The text with the lengths of all its lines multiplied. */
+static size_t multiplied(const char *text, const char *value, char *out) {
+    static const char *const lengths[] = {"from", "at", "hither", "l", "s", "c", "plane", "move"};
+    double factor = 1, number;
+    size_t used = 0;
+    int is_length = 0;
+    char word[64];
+    sph_parse_number(value, &factor); /* it is read, if it is too large, too */
+    for (int n; *text; text += n) {
+        n = (int)strcspn(text, " \n");
+        if (n == 0) n = 1;
+        int starts = !used || out[used - 1] == '\n';
+        snprintf(word, sizeof word, "%.*s", n, text);
+        int is_number = !sph_parse_number(word, &number);
+        if (starts && n) {
+            is_length = is_number; /* a point of a polygon */
+            for (size_t i = 0; i < sizeof lengths / sizeof *lengths; i++)
+                is_length |= !strcmp(lengths[i], word);
+        }
+        used += (size_t)(is_length && is_number ? sprintf(out + used, "%.17g", number * factor)
+                                                : sprintf(out + used, "%s", word));
     }
     return used;
 }
@@ -93,7 +122,11 @@ static int answered(const char *path) {
             scene.spheres[i].texture = 0;
         for (uint32_t i = 0; i < scene.n_facets; i++)
             scene.facets[i].texture = 0;
-        if (!sph_build_auto(&scene, &o, &keep, &choice, &m, &report, &err)) {
+        if (!sph_build_kept(&scene, &o, 1, &keep, &choice, &m, &report, &err)) {
+            FILE *nowhere = fopen("/dev/null", "w");
+            if (!nowhere) _exit(3);
+            sph_machine_describe(&m, nowhere);
+            fclose(nowhere);
             struct sph_render_options how = {.traverse = SPH_TRAVERSE_FAST, .threads = 1};
             struct sph_counters counters = {{0}};
             struct sph_frame frame = {0};
@@ -109,31 +142,39 @@ static int answered(const char *path) {
     return !err.text[0] || !strncmp(err.text, path, strlen(path));
 }
 
+static void answer(const char *path, const char *text, size_t n) {
+    FILE *file = fopen(path, "wb");
+    if (!file) _exit(3);
+    fwrite(text, 1, n, file);
+    fclose(file);
+    at->cases++;
+    if (!answered(path)) _exit(2);
+}
+
 /* Puts the value for each number of the text, and for those of each line. */
 static void child(const char *text, size_t n, const char *value, const char *path, int turn) {
     int columns = strstr(path, ".pdb") != NULL;
-    char *out = malloc(n * 12 + 64);
+    char *out = malloc(n * 25 + 64);
     int all = getenv("ALL") != NULL, of = all ? 1 : SANITIZED ? 48 : 12;
-    for (int whole = 0; whole < 2; whole++) {
-        at->whole_line = whole;
+    for (int way = ONE; way <= LINE; way++) {
+        at->way = way;
         for (size_t i = 0; i < n; i++) {
-            int starts = whole ? !i || text[i - 1] == '\n'
-                               : isdigit((unsigned char)text[i]) || strchr("+-.", text[i]);
-            if (!whole && i && !isspace((unsigned char)text[i - 1])) starts = 0;
+            int starts = way == LINE ? !i || text[i - 1] == '\n'
+                                     : isdigit((unsigned char)text[i]) || strchr("+-.", text[i]);
+            if (way == ONE && i && !isspace((unsigned char)text[i - 1])) starts = 0;
             if (!starts || turn++ % of) continue;
             size_t end = i;
-            while (end < n && (whole ? text[end] != '\n' : !isspace((unsigned char)text[end])))
+            while (end < n &&
+                   (way == LINE ? text[end] != '\n' : !isspace((unsigned char)text[end])))
                 end++;
             at->from = i, at->to = end;
-            FILE *file = fopen(path, "wb");
-            if (!file) _exit(3);
-            fwrite(out, 1, replaced(text, n, value, columns, out), file);
-            fclose(file);
-            at->cases++;
-            if (!answered(path)) _exit(2);
+            answer(path, out, replaced(text, n, value, columns, out));
             i = end - (end > i);
         }
     }
+    at->way = LENGTHS;
+    at->from = at->to = 0;
+    if (strstr(path, ".nff")) answer(path, out, multiplied(text, value, out));
     free(out);
 }
 
@@ -159,8 +200,7 @@ static void try_file(const char *name) {
         waitpid(pid, &status, 0);
         if (status)
             fail_msg("%s: %s for `%.*s`%s: %s %d: %s", name, values[v], (int)(at->to - at->from),
-                     text + at->from, at->whole_line ? ", each number" : "",
-                     WIFSIGNALED(status) ? "signal" : "ends with",
+                     text + at->from, ways[at->way], WIFSIGNALED(status) ? "signal" : "ends with",
                      WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status), at->message);
     }
     unlink(path);

@@ -8,6 +8,7 @@
 
 #include <math.h>
 
+#include "common/number.h"
 #include "scene/generate.h"
 
 #define TACHYON "/usr/share/doc/tachyon/examples/scenes/"
@@ -19,10 +20,15 @@ static struct sph_sphere *read_tachyon(const char *path, uint32_t *n) {
     FILE *file = fopen(path, "r");
     if (!file) fail_msg("%s is missing: install the Debian package tachyon-doc", path);
     for (*n = 0; fgets(line, sizeof line, file);) {
+        static const char *const words[] = {"SPHERE", "CENTER", NULL, NULL, NULL, "RAD", NULL};
+        enum { WORDS = sizeof words / sizeof *words };
         struct sph_sphere s = {0};
-        if (sscanf(line, " SPHERE CENTER %lf %lf %lf RAD %lf", &s.ctr.x, &s.ctr.y, &s.ctr.z,
-                   &s.rad) == 4)
-            list[(*n)++] = s;
+        double *numbers[] = {&s.ctr.x, &s.ctr.y, &s.ctr.z, &s.rad}, **number = numbers;
+        char *rest = line;
+        int i = 0;
+        for (const char *word; i < WORDS && (word = strtok_r(NULL, " \t\r\n", &rest)); i++)
+            if (words[i] ? strcmp(word, words[i]) != 0 : sph_parse_number(word, *number++)) break;
+        if (i == WORDS) list[(*n)++] = s;
     }
     fclose(file);
     return list;

@@ -191,8 +191,8 @@ int sph_grid_fit(const struct sph_scene *scene, int w, int axes, struct sph_grid
     double span = side(scene, &box, w), all = side(scene, &lit, w), from[3];
     if (planes || all < FAR * span || !(span > 0)) box = lit, span = all;
     if (!isfinite(span)) return sph_fail(err, "%s: the scene is too large", scene->path);
-    /* one unit too fine at most: all_fit() decides */
-    if (span > 0) grid->log2 = (int)floor(log2(span / ldexp(1, w)));
+    /* one unit too fine at most: all_fit() decides; 1 / unit has to be a number */
+    if (span > 0) grid->log2 = (int)fmax(floor(log2(span / ldexp(1, w))), DBL_MIN_EXP);
     for (;; grid->log2++) {
         if (grid->log2 > DBL_MAX_EXP - w) /* its ends are no numbers */
             return sph_fail(err, "%s: the scene is too large", scene->path);
