@@ -18,6 +18,7 @@
 #include "builder/texture/spread.h"
 #include "builder/texture/texture.h"
 #include "builder/warn.h"
+#include "common/parallel.h"
 #include "texture/lookup.h"
 
 static double seconds(void) {
@@ -264,12 +265,14 @@ int sph_build(const struct sph_scene *scene, const struct sph_build_options *opt
     if (o.axes == SPH_AXES_AUTO) o.axes = sph_axes_of(scene, &o);
     if (check(scene, &o, err)) return -1;
     uint64_t n = (uint64_t)scene->n_spheres + scene->n_facets;
+    int threads = sph_parallel_if(n >= SPH_BUILD_SHARED);
     parts.balls = malloc((n + 1) * sizeof *parts.balls);
     int result = parts.balls ? build(scene, &o, &parts, machine, report, err)
                              : sph_fail(err, "out of memory for %u spheres", scene->n_spheres);
     free(parts.balls);
     sph_tree_free(&parts.tree);
     sph_facets_free(&parts.facets);
+    sph_parallel_most(threads);
     if (result) sph_machine_free(machine);
     report->build_seconds = seconds() - start;
     report->cpu_seconds = (double)(clock() - busy) / CLOCKS_PER_SEC;

@@ -66,6 +66,8 @@ enum { SPH_TREE_AUTO = 0 };
 
 /* What is built if nothing is asked for; constant, for initialisers. */
 #define SPH_BUILD_ASKED(...) SPH_AUTO,
+enum { SPH_BUILD_SHARED = 1000 }; /* primitives from which on threads share a build */
+
 #define SPH_BUILD_DEFAULT                                                                          \
     {                                                                                              \
         .profile = SPH_STANDARD, .tree = SPH_TREE_REINSERTED, .background = SPH_BG_NONE,           \

@@ -47,6 +47,10 @@ int sph_parallel_most(int threads) {
     return before;
 }
 
+int sph_parallel_if(int worth) {
+    return sph_parallel_most(worth ? most : 1);
+}
+
 static void *begin(void *user) {
     struct helper *helper = user;
     fesetenv(FE_DFL_ENV);

@@ -19,6 +19,10 @@ int sph_processors(void);
  * one for every processor. Returns what held before. */
 int sph_parallel_most(int threads);
 
+/* The caller alone from now on, if what it is about to do is worth no thread; else nothing changes.
+ * Returns what sph_parallel_most() would. */
+int sph_parallel_if(int worth);
+
 /* Calls part(user, first, end) for ranges that make up 0..n-1, in no order. grain: items that are
  * worth a thread; fewer than two grains are left to the caller. */
 void sph_parallel_for(uint32_t n, uint32_t grain,

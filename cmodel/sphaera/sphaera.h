@@ -12,9 +12,9 @@
  *
  * Threads. There is no global state. A scene, a machine and a frame never change once they are
  * made: any number of threads may use the same one at once, until one of them frees it.
- * sphaera_build() and sphaera_render() share large work with threads of their own, which wait
- * without turning, take no signals and are gone when the call returns; so a process may fork
- * between calls, and the child may call.
+ * sphaera_build(), from 1000 primitives on, and sphaera_render() share work with threads of their
+ * own, which wait without turning, take no signals and are gone when the call returns; so a process
+ * may fork between calls, and the child may call.
  *
  * Floating point. The caller's rounding, traps and flags change no result, and are his again when a
  * call returns.

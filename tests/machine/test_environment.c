@@ -10,11 +10,65 @@
 #include <stdint.h>
 #include <cmocka.h>
 /* clang-format on */
+#include <dlfcn.h>
 #include <fenv.h>
+#include <pthread.h>
+#include <sched.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+static int started; /* threads */
+
+int pthread_create(pthread_t *thread, const pthread_attr_t *attr, void *(*run)(void *),
+                   void *user) {
+    int (*next)(pthread_t *, const pthread_attr_t *, void *(*)(void *), void *);
+    *(void **)&next = dlsym(RTLD_NEXT, "pthread_create");
+    __atomic_add_fetch(&started, 1, __ATOMIC_RELAXED);
+    return next(thread, attr, run, user);
+}
+
+/* Small scenes are built by one thread; large ones, and frames, by as many as there are. */
+static void test_threads(void **unused) {
+    static const struct {
+        const char *path;
+        int shared;
+    } cases[] = {{"scenes/paper100.nff", 0}, {"scenes/facets/room.nff", 0}, {"many", 1}};
+    cpu_set_t set;
+    (void)unused;
+    assert_int_equal(sched_getaffinity(0, sizeof set, &set), 0);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char *text = NULL;
+        size_t size;
+        sphaera_scene *s;
+        sphaera_machine *m;
+        sphaera_frame *f;
+        sphaera_error e = {""};
+        FILE *out = open_memstream(&text, &size);
+        fputs("v\nfrom 0 0 99\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\nresolution 64 36\n"
+              "f 1 0 0 1 0 0 0 1\n",
+              out);
+        for (int k = 0; k < 20000; k++)
+            fprintf(out, "s %d %d %d .4\n", k % 30 - 15, k / 30 % 30 - 15, k / 900 - 9);
+        fclose(out);
+        int rc = cases[i].shared ? sphaera_scene_parse(text, size, "many", 0, &s, &e)
+                                 : sphaera_scene_read(cases[i].path, 0, &s, &e);
+        if (rc) fail_msg("%s", e.text);
+        started = 0;
+        if (sphaera_build(s, NULL, &m, &e)) fail_msg("%s", e.text);
+        int shared = started > 0;
+        if (shared != (cases[i].shared && CPU_COUNT(&set) > 1))
+            fail_msg("%s: %d threads", cases[i].path, started);
+        started = 0;
+        assert_int_equal(sphaera_render(m, 3, &f, &e), 0);
+        assert_int_equal(started, 2);
+        sphaera_frame_free(f);
+        sphaera_machine_free(m);
+        sphaera_scene_free(s);
+        free(text);
+    }
+}
 
 static const char *const scenes[] = {
     "paper5",      "interpenetrating", "materials",         "huge_tiny",
@@ -92,7 +146,8 @@ static void test_fork(void **unused) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_environment),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_threads),
+                                       cmocka_unit_test(test_environment),
                                        cmocka_unit_test(test_fork)};
     return cmocka_run_group_tests_name("library", tests, NULL, NULL);
 }

@@ -209,6 +209,7 @@ int sph_estimate(const struct sph_scene *scene, const struct sph_build_options *
         if (some >= 0 && prepare(scene, &j.view, &profiles[p], axes, &w[some])) which[some++] = p;
     }
     if (some < 1) return 0;
+    int threads = sph_parallel_if(scene->n_spheres + scene->n_facets >= SPH_BUILD_SHARED);
     struct sph_ref_tree *tree = sph_ref_tree_new(scene);
     for (int p = 0; p < some; p++)
         w[p].tree = tree;
@@ -219,6 +220,7 @@ int sph_estimate(const struct sph_scene *scene, const struct sph_build_options *
     samples = ((how.width - 1 - by / 2) / by + 1) * ((how.height - 1 - by / 2) / by + 1);
     int rc = tree ? add(&j, w, some, by, sums) : -1;
     sph_ref_tree_free(tree);
+    sph_parallel_most(threads);
     if (rc) return sph_fail(err, "%s: no memory for an estimate", scene->path);
     for (int p = 0; p < some; p++) {
         double square = sums[p].square / samples / 3 + rounded(scene);
