@@ -25,20 +25,25 @@ ports() { # those of rt_core, and those that README connects
         diff "$TMP/ports" -
 }
 check "every port of the core is connected" ports
-effects() { # words of the list of effects, as parameters
-    sh sim/parameters.sh none | tr ' ' '\n' | sed 's/=.*//' | sort >"$TMP/effects"
-    sed -n '/rt_core #(/,/) u_core/p' "$TMP/tracer.v" | grep -oE '\.[A-Z_]+\(' | tr -d '.(' |
-        sort >"$TMP/given"
-    ! comm -23 "$TMP/effects" "$TMP/given" | grep .
+given() { # file: NAME=value of the parameters that it gives rt_core
+    tr ',' '\n' <"$1" | sed -n 's/^ *\.\([A-Z_]*\)(\([0-9]*\)).*/\1=\2/p'
 }
-check "every effect is a parameter there" effects
+sed -n 's/^    parameter \([A-Z_]*\) *= \([0-9]*\).*/\1=\2/p' rtl/core/rt_core.v >"$TMP/defaults"
+changes() { # what it gives is a parameter, and not the default
+    given "$1" >"$TMP/changed"
+    [ -s "$TMP/changed" ] && while IFS='=' read -r name value; do
+        grep "^$name=" "$TMP/defaults" | grep -qvx "$name=$value" ||
+            { echo "$name=$value" && return 1; }
+    done <"$TMP/changed"
+}
+check "it names the parameters that it changes, and no other" changes "$TMP/tracer.v"
 
 # ---- a room with images and mirrors ----
 "$SPHAERA" build scenes/texture/hall.nff --profile standard -o "$TMP/hall.sph" >"$TMP/text" 2>&1
 asks=$("$SPHAERA" info "$TMP/hall.sph" | sed -n 's/^core *//p')
 draws() { # file: its core can do what the scene asks for
     sh sim/parameters.sh "$asks" | tr ' ' '\n' | grep -vE '^(RECT|SPANS|CONES)=' >"$TMP/asked"
-    tr ',' '\n' <"$1" | sed -n 's/^ *\.\([A-Z_]*\)(\([0-9]*\)).*/\1=\2/p' >"$TMP/given"
+    { cat "$TMP/defaults" && given "$1"; } >"$TMP/given"
     awk -F= 'NR == FNR { has[$1] = $2; next } $2 > has[$1] { print; few = 1 }
         END { exit few || FNR < 10 }' "$TMP/given" "$TMP/asked"
 }
@@ -52,10 +57,12 @@ noticed() { # sed expression, check
 }
 check "a port of another width is noticed" noticed 's/\[34:0\] pix_key/[33:0] pix_key/' \
     elaborates "$TMP/broken.v"
-check "a parameter that is not there is noticed" noticed 's/\.ENGINES(1)/.ENGINE(1)/' \
+check "a parameter that is not there is noticed" noticed 's/\.LIGHTS(3)/.LIGHT(3)/' \
     elaborates "$TMP/broken.v"
 check "an input without a value is noticed" noticed 's/\.start_i(start), //' \
     elaborates "$TMP/broken.v"
 check "an effect that the scene needs is noticed" noticed 's/\.SPREAD(1)/.SPREAD(0)/' \
     draws "$TMP/broken.v"
+check "a parameter that has its default is noticed" noticed 's/\.SPANS(0)/.SPANS(1)/' \
+    changes "$TMP/broken.v"
 done_testing
