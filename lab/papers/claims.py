@@ -59,8 +59,9 @@ BORODAVKA = [
      "2.5 times in view `centred`: 5776 pixels for 2302",
      "build/sphaera background scenes/views/centred.nff --size 160x90", "same"),
     ("V.C", "the coefficient 1.4 prevents errors up to 90 degrees",
-     "up to {square_angle} degrees: the line from the eye through C + 1.4 R at v degrees passes the "
-     "centre at 1.4 R cos(v), which is less than R from there on. In `off_axis` it stands at {square_point} degrees: {square_beyond} pixels that "
+     "up to {square_angle} degrees: the line from the eye through C + 1.4 R at v degrees passes "
+     "the centre at 1.4 R cos(v), which is less than R from there on. In `off_axis` it stands at "
+     "{square_point} degrees: {square_beyond} pixels that "
      "see the sphere around all are outside of the square, and {square_lost} lose their sphere "
      "([background.md](background.md#the-fast-method))", "make background", "refuted"),
     ("Fig. 5 to 8", "the root sphere's pixels: points, rows, columns and border; the square",
@@ -223,8 +224,8 @@ AROXA = [
      "spheres, and test none. What binds: {bound_one_leaf}; without a tree {bound_brute}",
      "make papers", "other"),
     ("Fig. 4.4", "BIH 8 is best in 7 of 9",
-     "BIH {best_leaf} in {best_of} of 9, by at most {best_by} % before BIH 1, since what binds most "
-     "does not depend on leaves as small: keys of hits on the plane in {keys_least} to {keys_most} "
+     "BIH {best_leaf} in {best_of} of 9, by at most {best_by} % before BIH 1, since what binds "
+     "most does not depend on leaves as small: keys of hits on the plane in {keys_least} to {keys_most} "
      "% of the clocks, the set-up of rays for planes in {setup_least} to {setup_most} %. With BIH "
      "16 exact tests bind as well, in up to {records_most} % "
      "([scenarios.md](scenarios.md#figure-44-speed))", "make scenarios-rtl", "other"),
