@@ -225,9 +225,9 @@ AROXA = [
      "make papers", "other"),
     ("Fig. 4.4", "BIH 8 is best in 7 of 9",
      "BIH {best_leaf} in {best_of} of 9, by at most {best_by} % before BIH 1, since what binds "
-     "most does not depend on leaves as small: keys of hits on the plane in {keys_least} to {keys_most} "
-     "% of the clocks, the set-up of rays for planes in {setup_least} to {setup_most} %. With BIH "
-     "16 exact tests bind as well, in up to {records_most} % "
+     "most does not depend on leaves as small: keys of hits on the plane in {keys_least} to "
+     "{keys_most} % of the clocks, the set-up of rays for planes in {setup_least} to {setup_most} "
+     "%. With BIH 16 exact tests bind as well, in up to {records_most} % "
      "([scenarios.md](scenarios.md#figure-44-speed))", "make scenarios-rtl", "other"),
     ("Fig. 4.4", "787 to 1495 % more frames than brute force",
      "5.5 to 43 times in the RTL, 8 and 9 in Scenario 1 with 64 spheres at 640x1088 "
