@@ -141,6 +141,20 @@ def revised(node, way):
     return False, tested, entered
 
 
+def at_once(root, way):
+    """Spheres tested, the root's too, where all children of a node are tested before one is
+    entered, as the core does."""
+    tested, stack = 1, [root]
+    while stack:
+        node = stack.pop()
+        met = [child for child in node.children if meets(child.ball, way)]
+        tested += len(node.children)
+        if any(not child.children for child in met):
+            break
+        stack += met[::-1]
+    return tested
+
+
 def search(tool, folder):
     """Tests and nodes of the rays that end on a sphere; how many enter nodes in vain, which the
     paper's bounds have none of."""

@@ -59,6 +59,7 @@ class WorkWatch {
         for (Row &row : rows_)
             for (const uint8_t *work : row.units) {
                 const unsigned now = *work;
+                if (!now) continue; /* most of them, in most clocks */
                 row.total.away += now >> 7;
                 row.total.taken += now >> 6 & 1;
                 row.span += now & 63;

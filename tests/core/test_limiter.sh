@@ -1,5 +1,5 @@
 #!/bin/sh
-# test_limits.sh - what a run says that limits it: every unit has a row, and the rows are true
+# test_limiter.sh - what a run says that limits it: every unit has a row, and the rows are true
 # SPDX-License-Identifier: Apache-2.0
 set -u
 . "$(dirname "$0")/../tap.sh"
