@@ -4,7 +4,7 @@
  * Each option of sph_generate() takes each value below, of every kind: there is a scene, which is
  * written, read again, built as the tool does, and drawn, or a message. That has a second of a
  * processor, ten under sanitizers; scenes of more than MANY primitives are made only. Without ALL=1
- * each kind gets every fourth value, another of each option.
+ * each kind gets every fourth value, another of each option; every sixteenth under sanitizers.
  */
 #include "scene_files.h"
 
