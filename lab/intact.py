@@ -1,19 +1,22 @@
 # intact.py - files that are whole or not there, whoever else writes the same one at that moment
 # SPDX-License-Identifier: Apache-2.0
 import contextlib
+import filecmp
 import os
 import secrets
 
 
 @contextlib.contextmanager
-def beside(path):
+def beside(path, anew=False):
     """A file of this caller's own, whose name nobody else has and which is no link; what stands
-    there in the end gets the name `path`."""
+    there in the end gets the name `path`. anew: unless it is the same as what stands there, which
+    keeps its time."""
     new = f"{path}.{secrets.token_hex(8)}.tmp"
     os.close(os.open(new, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW, 0o666))
     try:
         yield new
-        os.replace(new, path)
+        if not (anew and os.path.exists(path) and filecmp.cmp(new, path, shallow=False)):
+            os.replace(new, path)
     finally:
         with contextlib.suppress(FileNotFoundError):
             os.remove(new)

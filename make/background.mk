@@ -62,8 +62,7 @@ $(BG)/%-$(1).sph: %.nff $(TOOL)
 $(BG)/%-$(1).core.json: $(BG)/%-$(1).sph $(V_FILES) $(V_HEADS)
 	$$(call say,SIM,"$$* $(1)")
 	$$(Q)EFFECTS=$(BG_CORE)$(BG_CORE_$(1)) BUILD=$B JOBS=1 sh sim/core.sh --machine $$< \
-	    --json $$@.tmp >$(BG)/$$*-$(1).core.log || { cat $(BG)/$$*-$(1).core.log; exit 1; }
-	@mv $$@.tmp $$@
+	    --json $$@ >$(BG)/$$*-$(1).core.log || { cat $(BG)/$$*-$(1).core.log; exit 1; }
 endef
 $(foreach w,$(BG_WAYS),$(eval $(call bg_way,$w)))
 

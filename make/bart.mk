@@ -84,8 +84,7 @@ define bt_sim
 $$(call say,SIM,$$(@F))
 	$$(Q)EFFECTS=$(BT_CORE) PIPES=$(1) SIZES=$(BT_SIZES) BUILD=$B JOBS=1 sh sim/core.sh \
 	    --machine $$< --memory $(BT_MEMORY) --core-mhz $(BT_MHZ) $(2) --watchdog 10000000 \
-	    --json $$@.tmp >$$@.log || { cat $$@.log; exit 1; }
-	@mv $$@.tmp $$@
+	    --json $$@ >$$@.log || { cat $$@.log; exit 1; }
 endef
 define bt_frame
 .PRECIOUS: $(foreach w,$(BT_WAYS),$(BT)/$(1)-$(2)-$w.sph)

@@ -22,5 +22,5 @@ film: $(TOOL) ## SCENE, FRAMES A..B of it, as MOVIE, by the golden model
 # A frame counts as long as tool and options are the same.
 $B/film/%.png: $(TOOL)
 	$(call say,FRAME,$(*F))
-	$(Q)$(TOOL) render "$$(cat $(@D)/scene)" $$(cat $(@D)/options) --at $(*F) -o $@.part.png \
-	    >$(@:.png=.log) && mv $@.part.png $@
+	$(Q)$(TOOL) render "$$(cat $(@D)/scene)" $$(cat $(@D)/options) --at $(*F) -o $@ \
+	    >$(@:.png=.log)

@@ -25,9 +25,9 @@ $D/$(SO): $(SHARED_O) $D/exports $B/sources VERSION
 $D/libsphaera.a: $(STATIC_O) $B/sources
 	$(call say,AR,$(@F))
 	@mkdir -p $D
-	$(Q)ld -r $(STATIC_O) -o $D/sphaera.o.$$$$ && \
-	    objcopy --wildcard --keep-global-symbol='sphaera_*' $D/sphaera.o.$$$$ $D/sphaera.o && \
-	    rm -f $@ $D/sphaera.o.$$$$ && ar rcs $@ $D/sphaera.o && rm $D/sphaera.o
+	$(Q)$(beside) && ld -r $(STATIC_O) -o $$new/all.o && \
+	    objcopy --wildcard --keep-global-symbol='sphaera_*' $$new/all.o $$new/sphaera.o && \
+	    ar rcs $$new/new $$new/sphaera.o && mv $$new/new $@
 
 $D/man/done: $(TOOL) sim/man.sh sim/man.awk
 	$(call say,MAN,"sphaera.1 and a page a command")
@@ -37,7 +37,7 @@ $D/man/done: $(TOOL) sim/man.sh sim/man.awk
 
 $D/complete.%: $(TOOL) sim/complete.sh
 	@mkdir -p $D
-	$(Q)SPHAERA=$(TOOL) sh sim/complete.sh $* >$@.$$$$ && mv $@.$$$$ $@
+	$(Q)$(beside) && SPHAERA=$(TOOL) sh sim/complete.sh $* >$$new/new && mv $$new/new $@
 
 .PHONY: library install uninstall
 library: $D/$(SO) $(PICTURE) $D/libsphaera.a ## libsphaera, both kinds, in build/dist

@@ -31,8 +31,7 @@ $(NEON)/obj/%.o: %.c $B/flags $B/tools/$(NEON_CC)
 
 $(NEON)/libsphaera.a: $(call objects,neon/obj/,$(NEON_C)) $B/sources
 	$(call say,AR,"$(@F) for aarch64")
-	$(Q)to=$@.$$$$; aarch64-linux-gnu-ar rcs $$to $(filter %.o,$^) && mv $$to $@ || \
-	    { rm -f $$to; exit 1; }
+	$(call archive_whole,aarch64-linux-gnu-ar)
 
 $(NEON)/walks: $(NEON)/obj/sim/walks.o $(NEON)/libsphaera.a
 	$(call say,LD,$(@F))

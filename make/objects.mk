@@ -4,13 +4,14 @@
 # $B/obj holds the optimised objects, $B/asan/obj the same under the sanitizers of gcc, $B/clang/obj
 # under those of clang, which see other faults.
 
-# What is made gets its name when it is whole, so that two calls of make in one folder do not meet
-# each other's halves. Dependencies name the build folder $(B): it may be given by another path.
-make_whole    = $(Q)to=$@.$$$$; $(1) -o $$to && mv $$to $@ || { rm -f $$to; exit 1; }
-compile_whole = $(Q)to=$@.$$$$; $(1) -MMD -MP -MT '$(@:$B/%=$$(B)/%)' -MF $$to.d -c $< -o $$to && \
-                    mv $$to.d $(@:.o=.d) && mv $$to $@ || { rm -f $$to $$to.d; exit 1; }
-
 include make/stamp.mk
+# What is made gets its name when it is whole (make/stamp.mk). Dependencies name the build folder
+# $(B): it may be given by another path.
+make_whole    = $(Q)$(beside) && $(1) -o $$new/new && mv $$new/new $@
+compile_whole = $(Q)$(beside) && $(1) -MMD -MP -MT '$(@:$B/%=$$(B)/%)' -MF $$new/d -c $< \
+                    -o $$new/new && mv $$new/d $(@:.o=.d) && mv $$new/new $@
+# 1: the archiver
+archive_whole = $(Q)$(beside) && $(1) rcs $$new/new $(filter %.o,$^) && mv $$new/new $@
 # taken here: a target's own options, of which CFLAGS has some, are none of these
 COMPILED := $(CC) $(CFLAGS) $(SHARED) / $(CXX) $(CXXFLAGS) / $(SANITIZE) / \
             $(CLANG_CC) $(CLANG_SANITIZE)
@@ -59,7 +60,7 @@ $B/asan/libsphaera.a: $(call objects,asan/obj/,$(LIB_C)) $B/sources
 $B/clang/libsphaera.a: $(call objects,clang/obj/,$(LIB_C)) $B/sources
 %.a:
 	$(call say,AR,$(@F))
-	$(Q)to=$@.$$$$; ar rcs $$to $(filter %.o,$^) && mv $$to $@ || { rm -f $$to; exit 1; }
+	$(call archive_whole,ar)
 
 # One place has the version; what prints it is compiled anew when it changes.
 VERSION := $(shell cat VERSION)

@@ -145,14 +145,12 @@ $(TEX)/$(1).sph: scenes/texture/$(firstword $(subst -, ,$(1))).nff $(TEX_IMAGES)
 $(TEX)/$(1).core.json: $(TEX)/$(1).sph $(V_FILES) $(V_HEADS)
 	$$(call say,SIM,$(1))
 	$$(Q)EFFECTS=$(TEX_CORE) BUILD=$B JOBS=1 sh sim/core.sh --machine $$< \
-	    --json $$@.tmp >$$@.log || { cat $$@.log; exit 1; }
-	@mv $$@.tmp $$@
+	    --json $$@ >$$@.log || { cat $$@.log; exit 1; }
 
 $(TEX)/$(1)-slow.core.json: $(TEX)/$(1).sph $(V_FILES) $(V_HEADS)
 	$$(call say,SIM,"$(1) with slow memory")
 	$$(Q)EFFECTS=$(TEX_CORE) BUILD=$B JOBS=1 sh sim/core.sh --machine $$< \
-	    --latency $(TEX_SLOW) --json $$@.tmp >$$@.log || { cat $$@.log; exit 1; }
-	@mv $$@.tmp $$@
+	    --latency $(TEX_SLOW) --json $$@ >$$@.log || { cat $$@.log; exit 1; }
 endef
 $(foreach b,$(TEX_BOTH),$(eval $(call tex_both,$b)))
 
@@ -170,8 +168,7 @@ define tex_stalled
 $(TEX)/$(1).core.json: $(TEX)/$(1:%-$(call tex_word,$(1),4)=%).sph $(V_FILES) $(V_HEADS)
 	$$(call say,SIM,$(1))
 	$$(Q)EFFECTS=$(TEX_CORE) BUILD=$B JOBS=1 sh sim/core.sh --machine $$< \
-	    --stall $(call tex_word,$(1),4) --json $$@.tmp >$$@.log || { cat $$@.log; exit 1; }
-	@mv $$@.tmp $$@
+	    --stall $(call tex_word,$(1),4) --json $$@ >$$@.log || { cat $$@.log; exit 1; }
 endef
 $(foreach r,$(TEX_STALL_RUNS),$(eval $(call tex_stalled,$r)))
 
@@ -191,8 +188,7 @@ $(foreach m,$(TEX_MEMORIES),$(TEX)/$(1)-$m.core.json): $(TEX)/$(1)-%.core.json: 
 	$$(call say,SIM,"$(1) $$*")
 	$$(Q)m=$$* && EFFECTS=$(TEX_CORE) BUILD=$B JOBS=1 sh sim/core.sh --machine $$< \
 	    --memory $$$${m%_*} --core-mhz $$$${m#*_} --window $(TEX_FINE_WINDOW) \
-	    --json $$@.tmp >$$@.log || { cat $$@.log; exit 1; }
-	@mv $$@.tmp $$@
+	    --json $$@ >$$@.log || { cat $$@.log; exit 1; }
 endef
 $(foreach m,$(TEX_FINE),$(eval $(call tex_fine,$m)))
 

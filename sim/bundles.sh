@@ -5,8 +5,10 @@
 # usage: sim/bundles.sh VERILOG_HEADER C_HEADER
 set -eu
 here=$(dirname "$0")
+. "$here/beside.sh"
 for job in "v $1" "c $2"; do
     to=${job#* }
-    awk -v lang="${job%% *}" -f "$here/bundles.awk" "$here/../rtl/engine/bundles.def" >"$to.tmp"
-    if cmp -s "$to.tmp" "$to"; then rm "$to.tmp"; else mv "$to.tmp" "$to"; fi
+    beside "$to"
+    awk -v lang="${job%% *}" -f "$here/bundles.awk" "$here/../rtl/engine/bundles.def" >"$new"
+    named_anew "$to"
 done

@@ -19,11 +19,12 @@ sources() {
             sed -z 's,^\./,,'
     fi
 }
-sources | LC_ALL=C sort -z >"$to/files"
-tar --null -T "$to/files" --transform "s,^,$name/," --mtime=@0 --owner=0 --group=0 --numeric-owner \
-    --mode=u+rw,go+r-w -c | gzip -n9 >"$to/$name.tar.gz.new"
-rm "$to/files"
-mv "$to/$name.tar.gz.new" "$to/$name.tar.gz"
+. sim/beside.sh
+beside "$to/$name.tar.gz"
+sources | LC_ALL=C sort -z >"$new.files"
+tar --null -T "$new.files" --transform "s,^,$name/," --mtime=@0 --owner=0 --group=0 \
+    --numeric-owner --mode=u+rw,go+r-w -c | gzip -n9 >"$new"
+named "$to/$name.tar.gz"
 rm -rf "$to/check"
 mkdir "$to/check"
 tar -xzf "$to/$name.tar.gz" -C "$to/check"

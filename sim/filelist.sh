@@ -8,14 +8,16 @@
 # relative to the repository's root. A file that stays the same keeps its time.
 set -eu
 cd "$(dirname "$0")/.."
+. sim/beside.sh
 modules=$(find rtl -name '*.v' ! -path 'rtl/board/*' | LC_ALL=C sort)
 headers=$(find rtl -name '*.vh' ! -path 'rtl/board/*' | LC_ALL=C sort)
 folders=$(for file in $headers; do echo "${file%/*}"; done | sort -u)
 put() { # file: takes stdin
     to=${to_folder:+$to_folder/${1##*/}}
     to=${to:-$1}
-    cat >"$to.tmp"
-    if cmp -s "$to.tmp" "$to"; then rm "$to.tmp"; else mv "$to.tmp" "$to"; fi
+    beside "$to"
+    cat >"$new"
+    named_anew "$to"
 }
 to_folder=${1:-}
 put rtl/sphaera.f <<END

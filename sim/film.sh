@@ -32,7 +32,9 @@ mkdir -p "$folder"
     scene=$folder/scene.nff
 }
 printf '%s\n' "$scene" >"$folder/scene"
-echo "$BUILD_OPTIONS" >"$folder/options.new"
-cmp -s "$folder/options.new" "$folder/options" || cp "$folder/options.new" "$folder/options"
+. sim/beside.sh
+beside "$folder/options"
+echo "$BUILD_OPTIONS" >"$new"
+named_anew "$folder/options"
 seq "$first" "$last" | sed "s,.*,$folder/&.png," >"$folder/frames"
 echo "$folder"

@@ -11,7 +11,6 @@ cd "$(dirname "$0")/.." || exit 1
 SPHAERA=${SPHAERA:-build/sphaera}
 size=${SIZE:-64x36} depth=2
 [ -z "$naive" ] || size=16x9
-at=${TMPDIR:-/tmp}/hashes.$$
 
 # Options of a scene of scenes/effects, from the table there.
 options() {
@@ -36,7 +35,10 @@ naive_hash() { # scene, options of build
         END { print bad || !hash ? "error" : hash }'
 }
 if [ -n "$naive" ]; then
-    trap 'rm -f "$at" "$at.log"' EXIT
+    work=$(mktemp -d) || exit 1
+    trap 'rm -rf "$work"' EXIT
+    trap 'exit 130' HUP INT TERM
+    at=$work/machine
     cat <<'END'
 # hashes_naive.txt - hash of the naive model's picture of every scene that it can draw
 # SPDX-License-Identifier: Apache-2.0

@@ -9,6 +9,7 @@
 # places. A file that stays the same keeps its time.
 set -eu
 cd "$(dirname "$0")/.."
+. sim/beside.sh
 def=cmodel/machine
 generate() { awk -v lang="$1" -f $def/effects.awk -f $def/gen_layout.awk $def/machine.def; }
 generate_top() {
@@ -18,8 +19,9 @@ put() { # file: takes stdin
     to=${to_folder:+$to_folder/${1##*/}}
     to=${to:-$1}
     mkdir -p "${to%/*}"
-    cat >"$to.tmp"
-    if cmp -s "$to.tmp" "$to"; then rm "$to.tmp"; else mv "$to.tmp" "$to"; fi
+    beside "$to"
+    cat >"$new"
+    named_anew "$to"
 }
 splice() { # file: its text with fresh lines between marks
     awk -v parameters="$(generate parameters)" -v connections="$(generate connections)" \

@@ -54,6 +54,10 @@ report() { # title, findings
     report "a number read by something else than cmodel/common/number.h" "$(grep -nE \
         "(^|[^A-Za-z_])($by) *\\(" $(printf '%s\n' "$sources" | grep -E '\.(c|h|cpp)$' |
             grep -vxE 'cmodel/common/number.c|tests/scene/test_scene.c'))"
+    report "a temporary name that another may have: sim/beside.sh, make/stamp.mk, lab/intact.py" "$(
+        grep -nE '[.]\$\$(\$\$)?([^({a-z]|$)|[^$ ][.](tmp|new|part)([". ]|$)' \
+            $(printf '%s\n' "$sources" | grep -E '(\.(mk|sh|py)|Makefile|run)$' |
+                grep -vE '^tests/|^lab/intact.py$'))"
     report "a test, bench or page outside of its folder" "$(ls tests/test_* tb/tb_* docs/*.md \
         2>/dev/null | grep -v '^docs/index.md$')"
 }

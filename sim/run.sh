@@ -46,16 +46,18 @@ run=$BUILD/out/$folder
 mkdir -p "$run"
 exec 9>"$run/.lock"
 flock 9
-key "$@" >"$run/key.$$"
-if [ -f "$run/key" ] && ! cmp -s "$run/key" "$run/key.$$"; then
-    rm "$run/key.$$"
+if [ -f "$run/key" ] && ! key "$@" | cmp -s - "$run/key"; then
     echo "$run: belongs to another run, see its file key" >&2
     exit 1
 fi
-find "$run" -mindepth 1 ! -name .lock ! -name "key.$$" -delete
-mv "$run/key.$$" "$run/key"
-ln -sfn "$folder" "$BUILD/out/last.$$"
-mv -fT "$BUILD/out/last.$$" "$BUILD/out/last"
+find "$run" -mindepth 1 ! -name .lock -delete
+. sim/beside.sh
+beside "$run/key"
+key "$@" >"$new"
+named "$run/key"
+beside "$BUILD/out/last"
+ln -s "$folder" "$new"
+named "$BUILD/out/last"
 
 if [ ! -f "$scene" ]; then
     made=$run/${scene%:*}-${scene#*:}-$SEED.nff

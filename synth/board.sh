@@ -10,6 +10,7 @@
 # Exit code 3: a tool is absent.
 set -eu
 cd "$(dirname "$0")/.."
+. sim/beside.sh
 top=$1 venv=$2 out=$3
 shift 3
 mkdir -p "$out"
@@ -51,8 +52,9 @@ nice -n 15 "$pnr" --85k --speed 6 --package CABGA381 --json "$top.json" --lpf ul
     exit 1
 }
 echo $(($(date +%s) - start)) >seconds
-"$pack" --compress --input "$top.config" --bit "$top.bit.new" >pack.out 2>&1 || {
+beside "$top.bit"
+"$pack" --compress --input "$top.config" --bit "$new" >pack.out 2>&1 || {
     cat pack.out >&2
     exit 1
 }
-mv "$top.bit.new" "$top.bit"
+named "$top.bit"

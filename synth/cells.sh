@@ -14,6 +14,8 @@ cd "$(dirname "$0")/.."
 family=$1 out=${2%.json} rtl=${RTL:-rtl}
 shift 2
 . synth/folders.sh
+. sim/beside.sh
+beside "$out.json"
 case $family in
 ecp5) map='synth_ecp5 -nowidelut -noflatten -top rt_core' ;;
 xc7)
@@ -36,8 +38,8 @@ nice yosys -q -l "$out.log" -p "verilog_defaults -add $include -DSYNTHESIS;
     read_verilog $(find "$rtl" -name rt_core.v); chparam $set_all rt_core;
     hierarchy -check -top rt_core $library; $map; check -assert;
     flatten; tee -q -o $out.stat stat; attrmap -remove src -remove hdlname;
-    write_json $out.tmp" >"$out.errors" 2>&1 || {
+    write_json $new" >"$out.errors" 2>&1 || {
     cat "$out.errors" >&2
     exit 1
 }
-mv "$out.tmp" "$out.json"
+named "$out.json"

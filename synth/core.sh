@@ -68,13 +68,15 @@ generic) # simple gates; memories and multipliers stay what they are
 esac
 
 mkdir -p "$out"
+. sim/beside.sh
+beside "$out/stat.json"
 printf '  %-4s %s\n' SYN "$key"
 start=$(date +%s)
 # shellcheck disable=SC2086  # lists of words on purpose
 nice yosys -q -l "$out/log" -E "$out/sources" -p "verilog_defaults -add $include -DSYNTHESIS;
     read_verilog rtl/*/$top.v; chparam $set_all $top; hierarchy -check -top $top $library;
     proc; check -assert; tee -q -o $out/rtl.json stat -json;
-    $map; check -assert; tee -q -o $out/stat.tmp stat -json;
+    $map; check -assert; tee -q -o $new stat -json;
     write_rtlil $out/netlist.il; $depth" >"$out/errors" 2>&1 || {
     cat "$out/errors" >&2
     exit 1
@@ -88,5 +90,5 @@ sources=$(sed 's/^[^:]*://; s,//,/,g' "$out/sources" | tr ' ' '\n' | grep '^rtl/
     echo '$(B)'"/synth/$key/stat.json:" $sources $headers
     echo $sources $headers:
 } >"$out/sources.d"
-mv "$out/stat.tmp" "$out/stat.json"
+named "$out/stat.json"
 printf '  %-4s %s, %s s\n' done "$key" "$seconds"

@@ -8,8 +8,10 @@ cd "$(dirname "$0")/.."
 out=$1 rtl=${RTL:-rtl}
 shift
 . synth/folders.sh
+. sim/beside.sh
+beside "$out"
 source=$(find "$rtl" -name rt_core.v)
 yosys -q -p "verilog_defaults -add $include -DSYNTHESIS; read_verilog $source;
     chparam $set_all rt_core; hierarchy -check -top rt_core $library; proc; check -assert;
-    write_cxxrtl -g0 $out.tmp"
-mv "$out.tmp" "$out"
+    write_cxxrtl -g0 $new"
+named "$out"

@@ -105,24 +105,21 @@ tools() { # efforts
     exit 0
 }
 
+work=$(mktemp -d "$out/.list.XXXXXXXXXX") || exit 1
+trap 'rm -rf "$work"' EXIT
+trap 'exit 130' HUP INT TERM
 [ "$pattern" = / ] && all=${ALL:-} || all=1
 awk -v pattern="$pattern" -v all="$all" -f tb/benches.awk cmodel/machine/machine.def \
-    tb/benches*.txt >"$out/list.$$" || {
-    rm -f "$out/list.$$"
-    exit 1
-}
-tr '\n' '\0' <"$out/list.$$" >"$out/lines.$$"
-efforts=$(cut -d' ' -f3 "$out/list.$$" | sort -u | while read -r bench; do
+    tb/benches*.txt >"$work/list" || exit 1
+tr '\n' '\0' <"$work/list" >"$work/lines"
+efforts=$(cut -d' ' -f3 "$work/list" | sort -u | while read -r bench; do
     effort_of "$(find tb -name "$bench.cpp")"
 done | sort -u)
-rm -f "$out/list.$$"
-if [ ! -s "$out/lines.$$" ]; then
+if [ ! -s "$work/lines" ]; then
     echo "not ok run_bench.sh: nothing matches $pattern"
-    rm -f "$out/lines.$$"
     exit 1
 fi
 # shellcheck disable=SC2086  # a list of words on purpose
 tools $efforts
-xargs -0 -P "${BENCH_JOBS:-1}" -I LINE sh "$0" --one LINE "$@" <"$out/lines.$$" && rc=0 || rc=1
-rm -f "$out/lines.$$"
+xargs -0 -P "${BENCH_JOBS:-1}" -I LINE sh "$0" --one LINE "$@" <"$work/lines" && rc=0 || rc=1
 exit $rc

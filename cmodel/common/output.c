@@ -109,19 +109,31 @@ static int give_name(struct sph_output *out, struct sph_error *err) {
     return sph_fail(err, "%s: %s", out->path, strerror(cause));
 }
 
+/* Opens the temporary file; if that fails none is left. */
+static void open_temporary(struct sph_output *out, const char *path) {
+    int fd = sph_output_beside(out->temporary, sizeof out->temporary, path, "tmp");
+    out->file = fd < 0 ? NULL : fdopen(fd, "wb");
+    if (out->file) return;
+    int cause = errno;
+    if (fd >= 0) {
+        close(fd);
+        unlink(out->temporary);
+        sph_output_forget(out->temporary);
+    }
+    out->temporary[0] = 0;
+    errno = cause;
+}
+
 int sph_output_open(struct sph_output *out, const char *path, struct sph_error *err) {
     if (!strcmp(path, "-")) {
         *out = (struct sph_output){.file = stdout, .path = "standard output"};
         return 0;
     }
     if (look_at(out, path, err)) return -1;
-    if (out->renamed) {
-        int fd = sph_output_beside(out->temporary, sizeof out->temporary, path, "tmp");
-        if (fd < 0) out->temporary[0] = 0;
-        out->file = fd < 0 ? NULL : fdopen(fd, "wb");
-    } else {
+    if (out->renamed)
+        open_temporary(out, path);
+    else
         out->file = fopen(out->path, "wb");
-    }
     return out->file ? 0 : sph_fail(err, "%s: %s", path, strerror(errno));
 }
 

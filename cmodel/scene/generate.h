@@ -7,13 +7,14 @@
 #include "scene/scene.h"
 
 struct sph_generate_options {
-    int size;      /* sphereflake, icosphere, jacks and so on: 1 to 5; 0 means 2 */
-    uint32_t n;    /* random, scenarios: spheres, 1 to SPH_MAX_SPHERES; 0 means 1000, 64 */
-    uint64_t seed; /* paper5, paper100, random, scenario2, 3: another choice of spheres */
-    double radius; /* scenarios; 0 means 1 */
-    int plain;     /* scenarios: materials without highlights and Whitted's sum */
-    double drift;  /* scene units a frame of every sphere, polygon and cone; 0: they are still */
-    double orbit;  /* degrees a frame of the camera, up to one turn; 0: it is still */
+    int size;          /* sphereflake, icosphere, jacks and so on: 1 to 5; 0 means 2 */
+    uint32_t n;        /* random, scenarios: spheres, 1 to SPH_MAX_SPHERES; 0 means 1000, 64 */
+    uint64_t seed;     /* paper5, paper100, random, scenario2, 3: another choice of spheres */
+    double radius;     /* scenarios; 0 means 1 */
+    int plain;         /* scenarios: materials without highlights and Whitted's sum */
+    double drift;      /* scene units a frame of every sphere, polygon and cone, up to
+                          SPH_NUMBER_MAX; 0: they are still */
+    double orbit;      /* degrees a frame of the camera, up to one turn; 0: it is still */
     int width, height; /* resolution; 0 means 320 x 180, scenarios 640 x 1088 */
 };
 

@@ -4,6 +4,7 @@
  * Spheres, polygons and cones drift, each in a direction of its own; the camera goes round the axis
  * `up` through the point that it looks at.
  */
+#include "common/number.h"
 #include "machine/kinds.h"
 #include "scene/affine.h"
 #include "scene/generate_kinds.h"
@@ -76,6 +77,11 @@ static int orbit(const struct sph_generate_options *o, struct sph_scene *scene,
 
 int sph_make_moving(const struct sph_generate_options *o, struct sph_scene *scene,
                     struct sph_error *err) {
+    if (!(o->drift >= 0 && o->drift <= SPH_NUMBER_MAX))
+        return sph_fail(err, "%s: drift %g is not from 0 to %g", scene->name, o->drift,
+                        SPH_NUMBER_MAX);
+    if (!(o->orbit >= 0 && o->orbit <= 360))
+        return sph_fail(err, "%s: orbit %g is not from 0 to 360", scene->name, o->orbit);
     if (o->drift > 0 && drift(o, scene, err)) return -1;
     return o->orbit > 0 ? orbit(o, scene, err) : 0;
 }

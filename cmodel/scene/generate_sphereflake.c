@@ -63,7 +63,8 @@ int sph_make_sphereflake(const struct sph_generate_options *options, struct sph_
     const struct sph_material mirror = {{1, 0.9, 0.7}, 0.5, 0.5, 37, 0, 1, 0, {0}, 0};
     struct sph_vec children[N_CHILDREN];
     if (options->size < 1 || options->size > MAX_SIZE)
-        return sph_fail(err, "sphereflake: size %d is not within 1 to %d", options->size, MAX_SIZE);
+        return sph_fail(err, "%s: size %d is not within 1 to %d", scene->name, options->size,
+                        MAX_SIZE);
     snprintf(scene->name, sizeof scene->name, "sphereflake%d", options->size);
     sph_make_camera(scene, sph_vec_of(2.1, 1.3, 1.7), sph_vec_of(0, 0, 0), sph_vec_of(0, 0, 1), 45);
     scene->background[0] = 0.078;

@@ -61,10 +61,14 @@ void sph_nff_put_motion(struct sph_nff_writer *w, uint32_t motion) {
         fputs("still\n", w->file);
 }
 
+const char *sph_nff_image_name(const struct sph_scene *scene, const char *path) {
+    const char *slash = strrchr(scene->path, '/');
+    size_t folder = slash ? (size_t)(slash - scene->path) + 1 : 0;
+    return strncmp(path, scene->path, folder) ? path : path + folder;
+}
+
 void sph_nff_put_image(struct sph_nff_writer *w, const char *word, const char *path) {
-    const char *slash = strrchr(w->scene->path, '/');
-    size_t folder = slash ? (size_t)(slash - w->scene->path) + 1 : 0;
-    if (!strncmp(path, w->scene->path, folder)) path += folder;
+    path = sph_nff_image_name(w->scene, path);
     int bare = strpbrk(path, " \t#") == NULL && strcmp(path, "none") != 0;
     fprintf(w->file, bare ? "%s %s" : "%s \"%s\"", word, path);
 }

@@ -45,7 +45,28 @@ static void put_scene(const struct sph_scene *scene, FILE *file) {
         i += sph_prim_scene_of((uint32_t)scene->facets[i].kind)->write(&w, i);
 }
 
+/* Between quotes all stands but a quote, an end of line and other characters that do not print. */
+static int check_names(const struct sph_scene *scene, struct sph_error *err) {
+    for (uint32_t i = 0; i < scene->n_textures; i++) {
+        char shown[sizeof scene->textures[i].path];
+        int bad = 0;
+        snprintf(shown, sizeof shown, "%s", sph_nff_image_name(scene, scene->textures[i].path));
+        for (char *c = shown; *c; c++) {
+            int control = (unsigned char)*c < 32 || *c == 127;
+            bad |= control || *c == '"';
+            if (control) *c = '?';
+        }
+        if (bad)
+            return sph_fail(err,
+                            "%s: image %.200s: a name with a quote or a control character cannot "
+                            "stand in a scene file",
+                            scene->path, shown);
+    }
+    return 0;
+}
+
 int sph_scene_write(const struct sph_scene *scene, FILE *file, struct sph_error *err) {
+    if (check_names(scene, err)) return -1;
     locale_t c_locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
     if (!c_locale) return sph_fail(err, "%s: no memory to write", scene->path);
     locale_t before = uselocale(c_locale);

@@ -27,8 +27,10 @@ void sph_nff_put_material(struct sph_nff_writer *w, uint32_t material);
 void sph_nff_put_motion(struct sph_nff_writer *w, uint32_t motion);
 void sph_nff_put_texture(struct sph_nff_writer *w, uint32_t texture);
 
-/* A word and the name of an image: its path without the folder of the scene, quoted where it must
- * be. The line does not end. */
+/* The name that an image has in a file: its path without the folder of the scene. */
+const char *sph_nff_image_name(const struct sph_scene *scene, const char *path);
+
+/* A word and this name, quoted where it must be. The line does not end. */
 void sph_nff_put_image(struct sph_nff_writer *w, const char *word, const char *path);
 
 #endif

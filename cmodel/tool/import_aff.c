@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Gives the images whole paths, since the scene is written into any folder: for the writer it has
+ * none itself, so that none is left away from theirs. */
 static int find_images(struct sph_scene *scene, struct sph_error *err) {
     for (uint32_t i = 0; i < scene->n_textures; i++) {
         struct sph_texture *t = &scene->textures[i];
@@ -37,6 +39,8 @@ static int import_one(const char *path, const struct tool_import_aff *how,
     if (scene.n_skipped)
         fprintf(stderr, "sphaera: warning: %s: %u unsupported primitives left out\n", path,
                 scene.n_skipped);
+    const char *slash = strrchr(scene.path, '/');
+    if (slash) memmove(scene.path, slash + 1, strlen(slash));
     return tool_write_scene(output, &scene, err);
 }
 

@@ -10,6 +10,7 @@ import os
 import re
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 from .. import intact
@@ -25,15 +26,16 @@ def core(effects, machine):
     return ran.stdout.decode().strip()
 
 
-def simulate(folder, machine, out):
+def simulate(folder, machine):
     """Counters of the core, and the processor seconds that its simulation took."""
-    ran = subprocess.run([f"{folder}/tb_core", "--machine", machine, "--latency", "20", "--json",
-                          out], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
-    if ran.returncode:
-        sys.exit(f"effects: {machine} on {folder}:\n{ran.stdout.decode()}")
-    with open(out, encoding="utf-8") as f:
-        report = json.load(f)
-    os.remove(out)
+    with tempfile.TemporaryDirectory() as own:
+        out = Path(own, "report.json")
+        ran = subprocess.run([f"{folder}/tb_core", "--machine", machine, "--latency", "20",
+                              "--json", out], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                             check=False)
+        if ran.returncode:
+            sys.exit(f"effects: {machine} on {folder}:\n{ran.stdout.decode()}")
+        report = json.loads(out.read_text(encoding="utf-8"))
     return report["cold"]["counters"], report["cpu_seconds"]
 
 
@@ -59,10 +61,10 @@ def main(tool, folder, name):
     runs = {}
     for _ in range(ROUNDS):
         for which, where in cores.items():
-            counters, cpu = simulate(where, base + ".sph", f"{base}.{which}.tmp")
+            counters, cpu = simulate(where, base + ".sph")
             best = min(cpu, runs[which]["cpu"]) if which in runs else cpu
             runs[which] = {"counters": counters, "cpu": best, "bytes": code_bytes(where)}
-    runs["forced"] = {"counters": simulate(cores["all"], base + ".forced.sph", base + ".tmp")[0]}
+    runs["forced"] = {"counters": simulate(cores["all"], base + ".forced.sph")[0]}
     result.update(runs=runs, model=model(tool, base + ".sph", folder, name),
                   model_forced=model(tool, base + ".forced.sph", folder, name))
     intact.write(base + ".json", json.dumps(result, indent=1))

@@ -6,13 +6,13 @@ Leaves in FOLDER, for each scene of scenes/ and its folders, of scenes/effects t
 simulated in full or show one effect: NAME.sph as the scene asks, NAME.forced.sph with every effect
 forced on, NAME.build.json, both rewritten only if they changed; lists: what is to be synthesised;
 scenes: names in the order of the report, with a point for the stroke of a folder."""
-import filecmp
 import json
 import os
 import subprocess
 import sys
 from pathlib import Path
 
+from .. import intact
 from ..synth.results import key
 from . import asks
 
@@ -58,14 +58,10 @@ def forced(options):
 
 def build(tool, scene, options, machine):
     """Builds the machine; the report of build. An unchanged file keeps its time."""
-    new = machine + ".new"
-    made = subprocess.run([tool, "build", scene, "--profile", PROFILE, "--size", SIZE, *options,
-                           "-o", new, "--json", "-"], check=True, stdout=subprocess.PIPE,
-                          stderr=subprocess.PIPE)
-    if os.path.exists(machine) and filecmp.cmp(new, machine, shallow=False):
-        os.remove(new)
-    else:
-        os.replace(new, machine)
+    with intact.beside(machine, anew=True) as new:
+        made = subprocess.run([tool, "build", scene, "--profile", PROFILE, "--size", SIZE, *options,
+                               "-o", new, "--json", "-"], check=True, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE)
     return json.loads(made.stdout)
 
 

@@ -55,6 +55,7 @@ class Scene:
 
 def read(path: PathLike, at: int = 0) -> Scene:
     """Reads a scene file (NFF, AFF). at: frame that moving primitives are moved to, 0 to 65535.
+    Where there is no file of this name, it may be a kind of `sphaera gen`, such as "random:256".
 
     Error: no such file, or what the file says is no scene, with file, line and field."""
     return Scene(made(lib.sphaera_scene_read, lib.sphaera_scene_free, "sphaera_scene",

@@ -8,6 +8,8 @@
 #include <cmocka.h>
 
 #include <dirent.h>
+#include <dlfcn.h>
+#include <errno.h>
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
@@ -125,12 +127,50 @@ static void a_failed_one_leaves_nothing(void **state) {
     assert_int_equal(access(out.temporary, F_OK), -1);
 }
 
+/* The C library's, unless it is to fail. */
+static int no_stream;
+FILE *fdopen(int fd, const char *mode) {
+    FILE *(*real)(int, const char *);
+    void *found = dlsym(RTLD_NEXT, "fdopen");
+    memcpy(&real, &found, sizeof real);
+    if (no_stream) return errno = ENOMEM, NULL;
+    return real(fd, mode);
+}
+
+/* Files of the folder but . and .. */
+static int files(void) {
+    DIR *d = opendir(folder);
+    int n = 0;
+    assert_non_null(d);
+    while (readdir(d))
+        n++;
+    closedir(d);
+    return n - 2;
+}
+
+static void one_without_a_stream_leaves_nothing(void **state) {
+    (void)state;
+    struct sph_output out;
+    struct sph_error err = {""};
+    int before = files(), lowest = dup(0);
+    close(lowest);
+    no_stream = 1;
+    assert_int_equal(sph_output_open(&out, path, &err), -1);
+    no_stream = 0;
+    assert_non_null(strstr(err.text, strerror(ENOMEM)));
+    assert_int_equal(files(), before);
+    int now = dup(0);
+    close(now);
+    assert_int_equal(now, lowest); /* no descriptor is left open */
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(two_threads_write_one_file),
         cmocka_unit_test(names_are_new),
         cmocka_unit_test(old_names_are_not_followed),
         cmocka_unit_test(a_failed_one_leaves_nothing),
+        cmocka_unit_test(one_without_a_stream_leaves_nothing),
         cmocka_unit_test(rights_are_those_of_a_new_file),
     };
     cmocka_set_message_output(CM_OUTPUT_TAP);

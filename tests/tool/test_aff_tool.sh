@@ -92,4 +92,24 @@ fails 1 "a part that is missing" sh -c "sed 's/ball/none/' '$scene' >'$TMP/aff/b
     '$s' build '$TMP/aff/bad.aff' -o '$TMP/no.sph'"
 check "says where" has 'bad.aff:5: `i`: .*none.aff: cannot open' "$TMP/err"
 check "nothing is half written" sh -c "! ls '$TMP'/no.*"
+
+# ---- images, in folders of any name, of a scene that is written elsewhere ----
+mkdir "$TMP/a b" "$TMP/q\"u" "$TMP/written"
+cat >"$TMP/image.aff" <<'END'
+v from 0 0 5 at 0 0 0 up 0 1 0 angle 40 hither 1 resolution 8 5
+f 1 1 1 1 0 0 0 1
+tt four.ppm 0 0 0 0 0 1 0 0 1 0 0 1 0 0 1
+END
+for folder in "a b" 'q"u'; do
+    cp "$TMP/image.aff" "$TMP/TextureFiles/four.ppm" "$TMP/$folder/"
+done
+written() ( # image.aff
+    cd "$TMP" && rm -f written/* && "$s" import "$1" -o written/x.nff &&
+        "$s" build written/x.nff --size 8x5 -o written/m.sph
+)
+check "an image in a folder with a blank, by a path from here" written "a b/image.aff"
+check "... by a whole path" written "$TMP/a b/image.aff"
+fails 1 "a name that no scene file can have" "$s" import "$TMP/q\"u/image.aff" -o "$TMP/no.nff"
+check "... is told" has 'image .*q"u/four.ppm: a name with a quote' "$TMP/err"
+check "... and nothing is written" test ! -e "$TMP/no.nff"
 done_testing
