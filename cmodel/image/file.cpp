@@ -52,7 +52,7 @@ int sph_picture::refuse_unsound(const char *path, struct sph_error *err) {
     const long bytes = std::fseek(file, 0, SEEK_END) ? -1 : std::ftell(file);
     std::fclose(file);
     if (n == HEAD && !std::memcmp(head, "BM", 2)) return refuse_bmp(path, head, err);
-    if (bytes > 0 && !std::memcmp(head, "GIF8", 4)) return refuse_gif(path, head, bytes, err);
+    if (bytes > 0 && !std::memcmp(head, "GIF", 3)) return refuse_gif(path, head, bytes, err);
     return 0;
 }
 

@@ -4,7 +4,6 @@
 #include "image/image.h"
 
 #include <cstdlib>
-#include <cstring>
 #include <memory>
 
 #include "common/input.h"
@@ -40,16 +39,19 @@ int sph_image_read(const char *path, struct sph_image *image, struct sph_error *
             return sph_fail(
                 err, "%s: %d x %d pixels of %d bytes are more than three pictures of %d x %d", path,
                 spec.width, spec.height, spec.nchannels, SPH_MAX_SIDE, SPH_MAX_SIDE);
-        std::vector<std::uint8_t> bytes(static_cast<std::size_t>(spec.image_bytes()));
-        if (!in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeUInt8, bytes.data()))
+        /* by calloc(), which clears no page of a large one before somebody writes there */
+        std::unique_ptr<std::uint8_t, decltype(&std::free)> bytes(
+            static_cast<std::uint8_t *>(
+                std::calloc(static_cast<std::size_t>(spec.image_bytes()), 1)),
+            std::free);
+        if (!bytes) return sph_fail(err, "%s: no memory for the picture", path);
+        if (!in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeUInt8, bytes.get()))
             return sph_fail(err, "%s: %s", path,
                             sph_picture::reason(in->geterror(), "ends early").c_str());
-        image->bytes = static_cast<std::uint8_t *>(std::malloc(bytes.size()));
-        if (!image->bytes) return sph_fail(err, "%s: no memory for the picture", path);
-        std::memcpy(image->bytes, bytes.data(), bytes.size());
         image->width = spec.width;
         image->height = spec.height;
         image->channels = spec.nchannels;
+        image->bytes = bytes.release();
         return 0;
     });
 }

@@ -69,4 +69,27 @@ refused "lies.frame: frame file ends early: .* 1374389[0-9]* by its header" \
 refused "long.frame: frame file is too long" compare long.frame s.frame
 check "the frame itself is sound" "$s" compare s.frame s.frame
 check "nothing was written" sh -c '! ls x.sph x.nff'
+
+# ---- info, of scenes of which the numbers are as small and large as they may be ----
+described() { # scene, from here
+    timeout 5 "$s" info "$1" >log 2>&1
+    [ $? -eq 1 ] && grep -q "^sphaera: $1: is no machine file" log || { cat log && return 1; }
+    timeout 5 "$s" build "$1" --size 8x5 -o small.sph >log 2>&1 ||
+        { grep -q "^sphaera: $1:[0-9 ]" log || { cat log && return 1; }; return 0; }
+    timeout 5 "$s" info small.sph --pixel 4,2 >log 2>&1 || { cat log && return 1; }
+}
+each_described() {
+    for number in 5e-324 1e-300 0 1 1e17 1e30; do
+        for word in from at up l s c plane hither angle; do
+            sed "s/^\($word \).*/\1$number $number $number $number/" "$1" >numbers.nff
+            described numbers.nff || { echo "$word $number" && return 1; }
+        done
+    done
+}
+for scene in "$here"/tests/fuzz/corpus/nff/*; do
+    case $scene in *skipped* | *moved_beyond*) continue ;; esac
+    cp "$scene" numbers.nff
+    check "info of ${scene##*/}" described numbers.nff
+done
+check "info of changed numbers" each_described "$here/scenes/one_sphere.nff"
 done_testing
