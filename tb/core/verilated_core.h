@@ -7,6 +7,7 @@
 #ifndef TB_VERILATED_CORE_H
 #define TB_VERILATED_CORE_H
 
+#include <algorithm>
 #include <array>
 
 #include "Vrt_core.h"
@@ -47,7 +48,9 @@ class VerilatedCore : public PortHost {
 #endif
     const uint8_t *idle_ = nullptr; /* rays wait, none is issued */
     uint64_t owing_ = 0, bound_ = 0;
-    uint8_t memory_work_ = 0; /* of a named part, as WorkWatch has it: at work while it owes */
+    /* A named part is at work as long as its pins need for the lines that were asked for. */
+    double line_clocks_ = 0, pins_ = 0;
+    uint8_t memory_work_ = 0; /* as WorkWatch has it */
 };
 
 inline VerilatedCore::VerilatedCore(const Options &o, const sph_machine &machine, Run &run)
@@ -65,6 +68,9 @@ inline VerilatedCore::VerilatedCore(const Options &o, const sph_machine &machine
         fail(run, "this core was built without tracing: WAVES=1 builds one with it");
 #endif
     }
+    if (const DramPart *part = dram_part(o.memory))
+        line_clocks_ =
+            Dram::LINE_BYTES / std::min(8.0, Dram::peak(*part, static_cast<unsigned>(o.core_mhz)));
     pins.rst = true;
     {
         Silence silence;
@@ -111,9 +117,11 @@ inline void VerilatedCore::step(const Inputs &in, Outputs &out) {
         owing_++;
         bound_ += idle_ && *idle_;
     }
-    memory_work_ = static_cast<uint8_t>((core_->mem_req_valid_o && !in.memory.request_ready) << 7 |
-                                        (core_->mem_req_valid_o && in.memory.request_ready) << 6 |
-                                        (memory().waiting() != 0));
+    const bool asked = core_->mem_req_valid_o && in.memory.request_ready;
+    if (asked) pins_ += line_clocks_;
+    memory_work_ =
+        static_cast<uint8_t>((core_->mem_req_valid_o && !asked) << 7 | asked << 6 | (pins_ > 0));
+    pins_ = std::max(0.0, pins_ - 1);
     if (work_) work_->clock();
     out.req_valid = core_->mem_req_valid_o;
     out.req_line = core_->mem_req_line_o;
