@@ -80,10 +80,30 @@ check "... and in the table" sh -c "sed -n 1p '$TMP/parted.csv' |
     grep -q ',memory,core_mhz,bytes_per_pixel,row_hit_share,bound_share,' &&
     grep -q ',sdram16,84,33.0,0.75,0.25,' '$TMP/parted.csv'"
 
+check "... and without Verilator it is said that units are not counted" \
+    grep -q 'Verilator alone counts every unit' "$run/report.html"
+counted=$TMP/counted # the same with what Verilator counts
+cp -r "$run" "$counted"
+python3 - "$counted/report.json" <<'END'
+import json, sys
+report = json.load(open(sys.argv[1]))
+clocks = report["cold"]["counters"]["cycles"]
+report["cold"]["limit"] = dict(binds=True, unit="roots", busy=0.9, said="roots: busy in 90.0 %")
+report["cold"]["units"] = [
+    dict(name=name, units=many, busy=0.9 / many, taken=7, clocks=int(0.9 * clocks), binds=0,
+         turned_away=0) for name, many in (("roots", 1), ("quotients", 2), ("highlights", 3))]
+json.dump(report, open(sys.argv[1], "w"))
+END
+check "units that Verilator counted are on the page" report "$counted"
+for word in '<b>roots: busy in 90.0 %' '<span>quotients<.*45.0%' '<span>highlights<.*30.0%'; do
+    check "... $word" grep -q "$word" "$counted/report.html"
+done
+
 valid() { python3 -W ignore -m jsonschema -i "$1" docs/use/simulation.schema.json; }
 check "report.json is as its schema has it" valid "$run/report.json"
 sed 's/"mismatches": 0/"mismatches": -1/' "$run/report.json" >"$TMP/broken.json"
 check "... a part's too" valid "$parted/report.json"
+check "... and one with units" valid "$counted/report.json"
 check "... which notices what is wrong" sh -c "! $(command -v python3) -W ignore -m jsonschema -i \
     '$TMP/broken.json' docs/use/simulation.schema.json >/dev/null 2>&1"
 
