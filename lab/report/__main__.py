@@ -21,6 +21,7 @@ def main():
     try:
         run = Run(given.folder)
         intact.write(given.folder / "report.html", page.page(run))
+        print("look at", (given.folder / "report.html").resolve().as_uri())
         if given.csv:
             for row in rows.rows(run):
                 rows.append(given.csv, row)

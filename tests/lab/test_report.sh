@@ -73,6 +73,14 @@ report["cold"]["memory"] = dict(lines=100, row_hits=75, row_opens=15, row_confli
 json.dump(report, open(sys.argv[1], "w"))
 END
 check "a part's figures are there too" report "$parted" --csv "$TMP/parted.csv"
+spaced="$TMP/a folder's"
+cp -r "$parted" "$spaced"
+opens() { # the address that is told leads to the page
+    said=$(report "$spaced") && python3 -c "import sys, urllib.request
+page = urllib.request.urlopen(sys.argv[1].removeprefix('look at ')).read()
+assert b'has it (a part' in page" "$said"
+}
+check "it tells an address that opens the page" opens
 for word in 'limit is <b>memory' '75.0%' '25.0%' 'has it (a part; the core at 84 MHz)'; do
     check "... $word" grep -q "$word" "$parted/report.html"
 done
