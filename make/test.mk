@@ -6,8 +6,9 @@
 #                     CLANG_C under clang's too
 #   tests/*/test_*.sh a script; finds the tool in $SPHAERA, its own empty folder in $TMP
 #   SUITES += path    any other executable, with a rule that makes it
-# `make test ONLY=PATTERN` runs the suites whose file name has the pattern in it; with ALL=1 those
-# that choose by themselves leave nothing out.
+# `make test ONLY=PATTERN` runs the suites whose file name has the pattern in it, those under
+# sanitizers with a dot in it alone (ONLY=test_x.sanitized, ONLY=test_x.); with ALL=1 those, too, and
+# suites that choose by themselves leave nothing out.
 
 TEST_C  := $(sort $(wildcard tests/test_*.c tests/*/test_*.c))
 TEST_SH := $(sort $(wildcard tests/test_*.sh tests/*/test_*.sh))
@@ -27,7 +28,8 @@ CLANG_RUN := $(CLANG_C:%=$B/test/test_%.clang)
 SUITES  += $(LONG) $(filter-out $(LONG),$(TEST_SH)) \
            $(TEST_RUN) $(TEST_RUN:%=%.sanitized) $(CLANG_RUN) $B/test/test_image
 chosen   = $(if $(findstring $(ONLY),$(notdir $(1))),$(1))
-RUN      = $(if $(ONLY),$(foreach s,$(SUITES),$(call chosen,$s)),$(SUITES))
+plain    = $(if $(findstring .,$(ONLY))$(ALL),$(SUITES),$(filter-out %.sanitized %.clang,$(SUITES)))
+RUN      = $(if $(ONLY),$(foreach s,$(plain),$(call chosen,$s)),$(SUITES))
 
 test: ## every check; ends with `N passed, M failed`
 	$(if $(strip $(RUN)),,@awk -v only='$(ONLY)' -v suites='$(notdir $(SUITES))' -f sim/nearest.awk \
@@ -36,7 +38,7 @@ test: ## every check; ends with `N passed, M failed`
 	    UNBUILT=$$unbuilt BUILD=$B JOBS=$(JOBS) sh tests/run.sh $(RUN)
 
 .PHONY: suites mutants budget
-suites: $(TOOL) $(RUN)
+suites: $(if $(filter %.sh,$(RUN)),$(TOOL)) $(RUN)
 
 mutants: suites ## faults put into the RTL and what notices them: all of tests/mutants
 	@ALL=1 BUILD=$B JOBS=$(JOBS) sh tests/run.sh tests/mutants/test_mutants.sh
