@@ -7,8 +7,8 @@
 #   tests/*/test_*.sh a script; finds the tool in $SPHAERA, its own empty folder in $TMP
 #   SUITES += path    any other executable, with a rule that makes it
 # `make test ONLY=PATTERN` runs the suites whose file name has the pattern in it, those under
-# sanitizers with a dot in it alone (ONLY=test_x.sanitized, ONLY=test_x.); with ALL=1 those, too, and
-# suites that choose by themselves leave nothing out.
+# sanitizers with a dot in it alone (ONLY=test_x.sanitized, ONLY=test_x.). With ALL=1 those run,
+# too, and suites that choose by themselves leave nothing out.
 
 TEST_C  := $(sort $(wildcard tests/test_*.c tests/*/test_*.c))
 TEST_SH := $(sort $(wildcard tests/test_*.sh tests/*/test_*.sh))
