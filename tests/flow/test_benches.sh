@@ -10,7 +10,7 @@
 cd "$(dirname "$0")/../.." || exit 1
 BENCH_BUILD=${BUILD:-build} BENCH_JOBS=${JOBS:-2} BENCHES=${BENCHES:-/}
 export BENCH_BUILD BENCH_JOBS
-sh tb/run_bench.sh "$BENCHES" "${SEED:-1}" && rc=0 || rc=1
+sh tb/run_bench.sh "$BENCHES" "${SEED:-1}" && status=0 || status=1
 [ "$BENCHES" = / ] || ALL=1
 awk -v pattern="$BENCHES" -v all="${ALL:-}" -f tb/benches.awk cmodel/machine/machine.def \
     tb/benches*.txt >"$TMP/benches"
@@ -20,7 +20,7 @@ while read -r profile _ bench _; do
     else
         echo "not ok - $bench-$profile refuses a seed that is no number"
         sed 's/^/# /' "$TMP/refused"
-        rc=1
+        status=1
     fi
 done <"$TMP/benches"
-exit $rc
+exit $status
