@@ -1,7 +1,7 @@
-// f_ring.v - proof of the token rule on a ring of queues and the real rt_next: no queue overflows
+// f_ring.v - proof of the token rule on queues and the real rt_traversal_stack: none overflows
 // SPDX-License-Identifier: Apache-2.0
-//   launch -> [new queue] --+--> [rest: waits as it likes] --> rt_next --+--> done: slot is idle
-//             [next queue] -+                                          +--> issue -> next queue
+//   launch -> [new queue] --+--> [rest: waits] --> rt_traversal_stack --+--> done: slot is idle
+//             [next queue] -+                                           +--> issue -> next queue
 // SLOTS tokens, one a slot, and queues of SLOTS words (rt_traverse has the same two). What a queue
 // gives it was given (f_fifo.v). The queue in the middle stands for caches, filters and leaves: it
 // holds a token as long as it likes.
@@ -49,7 +49,7 @@ module f_ring #(
         .clk(clk), .rst(rst), .in_valid_i(take), .in_ready_o(rest_room), .in_data_i(take_slot),
         .out_valid_o(rest_valid), .out_ready_i(rest_now && next_ready), .out_data_o(rest_slot)
     );
-    rt_next #(.FW(FW), .SLOTS(SLOTS), .DEPTH(DEPTH)) u_dut (
+    rt_traversal_stack #(.FW(FW), .SLOTS(SLOTS), .DEPTH(DEPTH)) u_dut (
         .clk(clk), .rst(rst), .found_valid_i(found_valid), .found_slot_i(found_slot),
         .found_base_i(found_base), .found_count_i(found_count), .found_list_i(found_list),
         .found_fresh_i(found_fresh), .found_kill_i(found_kill),
@@ -93,7 +93,7 @@ module f_ring #(
     always @* begin
         if (!old_q) assume (rst);
         if (start) assume (launch_slot != slot || idle_mine_q);          // an idle slot
-        // what a visit found is written while its token waits for rt_next
+        // what a visit found is written while its token waits for rt_traversal_stack
         if (found_valid && found_slot == slot) assume (rest_mine_q && !give_mine);
         assume (\u_dut.u_found.mark == slot && \u_dut.u_current.mark == slot);
         assume (\u_dut.u_stack.mark >> $clog2(DEPTH) == slot);
@@ -113,7 +113,7 @@ module f_ring #(
         if (start)       assert (new_room);
         if (issue_valid) assert (next_room);
         if (take)        assert (rest_room);
-        // what f_next.v assumes: no second token of a slot
+        // what f_traversal_stack.v assumes: no second token of a slot
         if (to_next && rest_slot == slot)
             assert (!again_mine && !s1_mine && !s2_mine && !s3_mine && !issue_mine && !done_mine);
         // tokens: as many as slots, each slot's in one place

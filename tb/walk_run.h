@@ -1,4 +1,4 @@
-/* walk_run.h - windows, rectangles, spans and cones for tb_walk, and what they mean
+/* walk_run.h - windows, rectangles, spans and cones for tb_pixel_scan, and what they mean
  * SPDX-License-Identifier: Apache-2.0
  */
 #ifndef SPH_TB_WALK_RUN_H

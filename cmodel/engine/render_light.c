@@ -5,7 +5,7 @@
 
 #include "math/fx.h"
 #include "shade/colour.h"
-#include "shade/gloss.h"
+#include "shade/specular.h"
 #include "texture/filter.h"
 #include "trace/traverse.h"
 #include "trace/setup.h"
@@ -41,7 +41,7 @@ static void add(const struct sph_job *j, const struct sph_ray *ray, const struct
                 const int32_t *rgb, struct sums *sums) {
     uint32_t shine = 0;
     if (look->ks) {
-        uint32_t c = sph_gloss_cosine(&s->unit, &to_light->unit, &ray->unit);
+        uint32_t c = sph_specular_cosine(&s->unit, &to_light->unit, &ray->unit);
         shine = sph_power(c, look->power);
         j->c->count[SPH_COUNT_POWERS]++;
     }

@@ -1,8 +1,8 @@
-/* background.h - background separation: which pixels are never traced     RTL: rtl/pixel/rt_walk.v
- * SPDX-License-Identifier: Apache-2.0
+/* background.h - background separation: which pixels are never traced     RTL:
+ * rtl/pixel/rt_pixel_scan.v SPDX-License-Identifier: Apache-2.0
  *
  * Borodavka et al. V. Register BG_MODE chooses the way, machine.def draws the words,
- * docs/blocks/walk.md and docs/results/background.md explain them.
+ * docs/blocks/pixel_scan.md and docs/results/background.md explain them.
  */
 #ifndef SPH_BACKGROUND_H
 #define SPH_BACKGROUND_H

@@ -1,5 +1,5 @@
-/* walk.h - which pixels are traced, and their rays                       RTL: rtl/pixel/rt_walk.v
- * SPDX-License-Identifier: Apache-2.0
+/* walk.h - which pixels are traced, and their rays                       RTL:
+ * rtl/pixel/rt_pixel_scan.v SPDX-License-Identifier: Apache-2.0
  */
 #ifndef SPH_WALK_H
 #define SPH_WALK_H

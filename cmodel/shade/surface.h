@@ -1,5 +1,5 @@
 /* surface.h - from a hit to a point, a normal and a reflected direction
- * SPDX-License-Identifier: Apache-2.0              RTL: rtl/shade/rt_hit.v, rtl/shade/rt_bounce.v
+ * SPDX-License-Identifier: Apache-2.0              RTL: rtl/shade/rt_hit.v, rtl/shade/rt_reflect.v
  */
 #ifndef SPH_SURFACE_H
 #define SPH_SURFACE_H

@@ -9,7 +9,7 @@
 
 #include "tool/print.h"
 #include "tool/report.h"
-#include "tool/ways.h"
+#include "tool/background_compare.h"
 
 struct arguments {
     struct tool_source source;

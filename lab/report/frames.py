@@ -51,7 +51,7 @@ def clocks(path, frame):
 
 
 def walk(window):
-    """Pixels of a window in the order in which rt_walk sends them: columns of 8, row by row."""
+    """Pixels of a window in the order of rt_pixel_scan: columns of 8, row by row."""
     x0, y0, x1, y1 = window
     for left in range(x0, x1, 8):
         for y in range(y0, y1):
@@ -60,7 +60,7 @@ def walk(window):
 
 
 def halves(window, walks):
-    """The part of the window that each of one or two walks has, as rt_walks parts it."""
+    """The part of the window that each of one or two walks has, as rt_pixel_scans parts it."""
     x0, y0, x1, y1 = window
     middle = (x0 + x1 + 1) // 2
     return [window] if walks == 1 else [(x0, y0, middle, y1), (middle, y0, x1, y1)]

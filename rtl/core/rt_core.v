@@ -267,7 +267,7 @@ module rt_core #(
     wire [27:0]      bg_place;
     wire [`RT_START_BITS-1:0] pixel;                 // the next one to trace
     wire [ENGINES-1:0] e_ready, e_take, e_busy;
-    rt_walks #(.W(W), .WD(WD), .RECT(RECT), .SPANS(SPANS), .CONES(CONES),
+    rt_pixel_scans #(.W(W), .WD(WD), .RECT(RECT), .SPANS(SPANS), .CONES(CONES),
                .TURNED(TURNED), .WALKS(ALL_WALKS)) u_walks (
         .clk(clk), .rst(rst), .start_i(go), .busy_o(walk_busy),
         .window_i(window), .dir_i(dir), .pitch_i(pitch),

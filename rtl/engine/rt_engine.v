@@ -65,7 +65,7 @@ module rt_engine #(
     output wire                       busy_o,
     input  wire [`RT_REGS_BITS-1:0]   regs_i,
     input  wire [`RT_LIGHT_BITS-1:0]  light_i,         // a light is written
-    // from rt_walk
+    // from rt_pixel_scan
     input  wire                       in_valid_i,
     output wire                       in_ready_o,
     input  wire [`RT_START_BITS-1:0]  start_i,
@@ -137,7 +137,7 @@ module rt_engine #(
         .mem_rsp_ready_o(mem_rsp_ready_o[PIPES-1:0]), .mem_rsp_data_i(mem_rsp_data_i),
         .mem_rsp_error_i(mem_rsp_error_i), .event_o(trace_event_o), .fault_o(fault_o[3:0])
     );
-    rt_exacts #(.W(W), .WD(WD), .NG(NG), .EXACTS(EXACTS), .PIPES(PIPES), .SHADES(SHADES),
+    rt_leaf_units #(.W(W), .WD(WD), .NG(NG), .EXACTS(EXACTS), .PIPES(PIPES), .SHADES(SHADES),
                .SETUPS(SETUPS), .SLOTS(SLOTS), .LINES(LEAF_LINES), .ROOTS(ROOTS),
                .ROOT_STEP(ROOT_STEP), .PR(PR), .LEAF_INTERVAL(LEAF_INTERVAL), .SHADOW(SHADOWS),
                .INSIDE(INSIDE), .FACETS(FACETS), .CLEAR(CLEAR), .DIVISIONS(DIVISIONS),

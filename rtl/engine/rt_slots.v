@@ -1,7 +1,7 @@
 // rt_slots.v - slots of an engine: a pixel comes in, its colours go out
 // SPDX-License-Identifier: Apache-2.0
 // A pixel to trace gets a free slot. Rays that are done are told apart (shadow, hit, miss), primary
-// rays that rt_probe asks for start again, and pixels that are complete are delivered.
+// rays that rt_interpenetrate asks for start again, and pixels that are complete are delivered.
 // Model: sph_render_pixel() in cmodel/engine/render_pixel.c
 `timescale 1ns / 1ps
 `default_nettype none
@@ -22,7 +22,7 @@ module rt_slots #(
     input  wire                       rst,
     output wire                       busy_o,          // slots are in use
     input  wire [`RT_REGS_BITS-1:0]   regs_i,
-    // from rt_walk: a pixel to trace
+    // from rt_pixel_scan: a pixel to trace
     input  wire                       in_valid_i,
     output wire                       in_ready_o,
     input  wire [`RT_START_BITS-1:0]  start_i,
@@ -108,7 +108,7 @@ module rt_slots #(
         end
         if (SETUPS > 1) begin : g_choose
             wire [UB-1:0] one;                       // the set-up unit in turn
-            rt_turns #(.N(SETUPS)) u_turns (
+            rt_rr_arbiter #(.N(SETUPS)) u_turns (
                 .clk(clk), .rst(rst), .asks_i(free_may), .served_i(taken),
                 .turn_o(free_take), .index_o(one)
             );
@@ -192,7 +192,7 @@ module rt_slots #(
     // ---- first hits that may lie in another sphere ----
     generate
         if (INTERPENETRATE != 0) begin : g_probe
-            rt_probe #(.WD(WD), .SLOTS(SLOTS)) u_probe (
+            rt_interpenetrate #(.WD(WD), .SLOTS(SLOTS)) u_probe (
                 .clk(clk), .rst(rst),
                 .pixel_valid_i(taken), .pixel_slot_i(free_slot),
                 .pixel_dir_i(start_i[`RT_START_DIR]),
@@ -226,7 +226,7 @@ module rt_slots #(
     wire             o_load = !r_valid_q || p_load;
     wire             r_read = r_valid_q && p_load;
     wire             o_turn_blend, o_turn_sky, o_one;      // both wait: in turn
-    rt_turns #(.N(2)) u_delivery (
+    rt_rr_arbiter #(.N(2)) u_delivery (
         .clk(clk), .rst(rst), .asks_i({o_sky, o_blend}), .served_i(o_load && (o_blend || o_sky)),
         .turn_o({o_turn_sky, o_turn_blend}), .index_o(o_one)
     );

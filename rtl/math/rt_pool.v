@@ -31,7 +31,7 @@ module rt_pool #(
 );
     wire [UNITS-1:0] turn;
     wire [(UNITS > 1 ? $clog2(UNITS) : 1)-1:0] number;
-    rt_turns #(.N(UNITS)) u_turns (
+    rt_rr_arbiter #(.N(UNITS)) u_turns (
         .clk(clk), .rst(rst), .asks_i(done_i), .served_i(|give_o), .turn_o(turn),
         .index_o(number)
     );

@@ -40,7 +40,7 @@ module rt_mem_arbiter #(
     wire take                = order_room && (mem_req_ready_i || !mem_req_valid_o);
     wire give                = take && |req_valid_i;
     assign req_ready_o       = grant & {CLIENTS{take}};
-    rt_turns #(.N(CLIENTS)) u_turns (
+    rt_rr_arbiter #(.N(CLIENTS)) u_turns (
         .clk(clk), .rst(rst), .asks_i(req_valid_i), .served_i(give), .turn_o(grant),
         .index_o(number)
     );

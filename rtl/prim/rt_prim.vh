@@ -6,5 +6,5 @@
 `define RT_PRIM_VECTOR_BITS(w, ng, facets) \
     ((facets) != 0 && (w) + (ng) < 24 ? 25 : (w) + (ng) + 1)
 
-// 1: vectors of rt_prim_point may come later than the point.
+// 1: vectors of rt_hit_point may come later than the point.
 `define RT_PRIM_POINT_LATER 1'b0

@@ -1,13 +1,13 @@
 // rt_hit.v - hit point and normal
 // SPDX-License-Identifier: Apache-2.0
-//   g = sat(org*2^NG + round(mant * dir / 2^(exp-NG)))    point, vector: rt_prim_point, from g
+//   g = sat(org*2^NG + round(mant * dir / 2^(exp-NG)))    point, vector: rt_hit_point, from g
 //   normal = normalise(vector), or normalise(-dir) where the vector is 0
 // x, y, z follow one another through one multiplier and one shifter:
 //   product | coarse shift | fine shift | add org | limit | point, vector | normalise
 // INTERVAL 8: a product a cycle; latency 18 cycles, a hit every 8 cycles. 12: in four cycles, in
 // pieces of 17 bits; in_ready_o comes 10 cycles behind the first sight of a hit, since each stage
 // takes from the port what it needs when it needs it; latency 19 from there, a hit every 12 cycles.
-// Both are longer if rt_prim_point answers later: the next hit is held back.
+// Both are longer if rt_hit_point answers later: the next hit is held back.
 // Model: sph_surface_point(), sph_surface_turn() in cmodel/shade/surface.c, no quotient, no unit
 `timescale 1ns / 1ps
 `default_nettype none
@@ -226,7 +226,7 @@ module rt_hit #(
     wire signed [PV-1:0] p_vector;
     wire [NG+1:0]        p_lift;
     wire                 p_limited, p_flat;
-    rt_prim_point #(.W(W), .NG(NG), .FARS(INSIDE), .FACETS(FACETS)) u_prim (
+    rt_hit_point #(.W(W), .NG(NG), .FARS(INSIDE), .FACETS(FACETS)) u_prim (
         .clk(clk), .effects_i(effects_i),
         .take_i(take), .shape_i(in_shape_i), .far_i(in_far_i),
         .in_valid_i(guarded), .in_guarded_i(s5_g_q),

@@ -3,7 +3,7 @@
 //   start --> rt_lights --+--> sum of light, of highlights
 //              ^          +--> vector to a light, to rt_setup and back --> rt_cosine --> shadow ray
 //              |                                                             |            |
-//              +-- settled: it shines or not -- rt_shine, if it is built <---+------------+
+//              +-- settled: it shines or not -- rt_specular_lights, if built <-+------------+
 // Without LIGHTS a surface has its ambient light alone, in the clock in which it starts.
 // Model: sph_job_light() in cmodel/engine/render_light.c
 `timescale 1ns / 1ps
@@ -62,7 +62,7 @@ module rt_lighting #(
                 .shadow_go_o(shadow_go_o), .lamp_valid_o(lamp_valid), .lamp_lit_o(lamp_lit)
             );
             if (GLOSS != 0) begin : g_shine
-                rt_shine #(.W(W), .WD(WD), .SHADOW(SHADOW), .SLOTS(SLOTS)) u_shine (
+                rt_specular_lights #(.W(W), .WD(WD), .SHADOW(SHADOW), .SLOTS(SLOTS)) u_shine (
                     .clk(clk), .rst(rst),
                     .on_i(effects[`RT_EFFECT_SUM] && effects[`RT_EFFECT_SPECULAR]),
                     .ray_i(ray_i), .material_i(material_i),

@@ -15,7 +15,7 @@ module rt_lights #(
     parameter W     = 16,  // coordinate, bits
     parameter WD    = 17,  // direction component, bits, at least W+1
     parameter LIGHTS = 8,  // lights that are kept, 1..8
-    parameter SHADOW = 1,  // 1: shadow rays end here, 0: there are none, or rt_shine has them
+    parameter SHADOW = 1,  // 1: shadow rays end here, 0: none do, or rt_specular_lights has them
     parameter AMBIENT = 1, // 0: the sum starts from nothing
     parameter GLOSS = 0,   // 1: highlights are summed too
     parameter LUTS  = 0,   // LUT cells that a block RAM is worth, rt_slot_ram
@@ -34,7 +34,7 @@ module rt_lights #(
     input  wire              point_valid_i,
     input  wire [$clog2(SLOTS)-1:0] point_slot_i,
     input  wire [3*W-1:0]    point_i,
-    // from rt_cosine, rt_texture, rt_shine
+    // from rt_cosine, rt_texture, rt_specular_lights
     input  wire              cosine_valid_i,
     input  wire [$clog2(SLOTS)-1:0] cosine_slot_i,
     input  wire [15:0]       cosine_i,

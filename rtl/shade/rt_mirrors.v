@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The direction of each slot's ray and the normal of its surface are kept here; the mirrored
 // direction goes to rt_setup when the surface is blended. Of an interpolated normal it goes through
-// rt_bounce once more, with the facet's own: mirrored again if it goes behind the facet. Those go
+// rt_reflect once more, with the facet's own: mirrored again if it goes behind the facet. Those go
 // before new surfaces, so that few wait.
 // Model: sph_mirror() in cmodel/shade/surface.c
 `timescale 1ns / 1ps
@@ -74,7 +74,7 @@ module rt_mirrors #(
     generate
         if (SMOOTH != 0) begin : g_smooth
             // While one waits no new surface goes in: those behind it, at most four, were on their
-            // way through rt_bounce or before it.
+            // way through rt_reflect or before it.
             wire             a_in, n_bent;
             wire [3*WD-1:0]  a_dir, n_side;
             wire [2*WD-1:0]  n_side_nn;
@@ -112,7 +112,7 @@ module rt_mirrors #(
             wire unused = &{1'b0, side_i, tag, behind};
         end
         if (INTERVAL == 12 && WD >= 18) begin : g_twelve
-            rt_bounce_twelve #(.WD(WD), .TAG(TAG)) u_bounce (
+            rt_reflect_twelve #(.WD(WD), .TAG(TAG)) u_bounce (
                 .clk(clk), .rst(rst), .in_valid_i(n_valid_q), .in_ready_o(n_ready),
                 .in_tag_i(in_tag),
                 .in_dir_x_i($signed(dir[`RT_VEC_X])), .in_dir_y_i($signed(dir[`RT_VEC_Y])),
@@ -125,7 +125,7 @@ module rt_mirrors #(
                 .out_dir_z_o(vec[`RT_VEC_Z])
             );
         end else begin : g_ten
-            rt_bounce #(.WD(WD), .TAG(TAG)) u_bounce (
+            rt_reflect #(.WD(WD), .TAG(TAG)) u_bounce (
                 .clk(clk), .rst(rst), .in_valid_i(n_valid_q), .in_ready_o(n_ready),
                 .in_tag_i(in_tag),
                 .in_dir_x_i($signed(dir[`RT_VEC_X])), .in_dir_y_i($signed(dir[`RT_VEC_Y])),

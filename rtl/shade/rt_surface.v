@@ -119,7 +119,7 @@ module rt_surface #(
         .in_data_i(on ? t_fetch : {in_slot, in_line}),
         .out_valid_o(p_valid), .out_ready_i(f_take), .out_data_o(p_fetch)
     );
-    rt_head #(.WIDTH(FB)) u_fetch (
+    rt_reg_slice #(.WIDTH(FB)) u_fetch (
         .clk(clk), .rst(rst),
         .in_valid_i(f_take), .in_ready_o(f_load), .in_data_i(p_fetch),
         .out_valid_o(fetch_o[`RT_FETCH_VALID]), .out_ready_i(fetch_ready_i),

@@ -4,9 +4,9 @@
 // unit normal, turned into the frame of the texture, scaled and moved. One multiplier, a product a
 // clock:
 //   operands | product | sum of three | facet: shift | shift | round, add
-//                                     | sphere: turned normal, then rt_around
-// A facet every 13 clocks or so, or a sphere, of which UNITS are in rt_around at a time; hits may
-// overtake each other. 13 clocks for a facet, 57 for a sphere.
+//                                     | sphere: turned normal, then rt_sphere_uv
+// A facet every 13 clocks or so, or a sphere, of which UNITS are in rt_sphere_uv at a time; hits
+// may overtake each other. 13 clocks for a facet, 57 for a sphere.
 // Model: sph_coords() in cmodel/texture/coords.c
 `timescale 1ns / 1ps
 `default_nettype none
@@ -15,7 +15,7 @@ module rt_coords #(
     parameter W   = 16,                    // coordinate, bits
     parameter NG  = 2,                     // guard bits of the hit point
     parameter TAG = 6,                     // what travels along, bits
-    parameter UNITS = 2                    // spheres in rt_around at once
+    parameter UNITS = 2                    // spheres in rt_sphere_uv at once
 ) (
     input  wire                clk,
     input  wire                rst,        // synchronous, active high
@@ -157,7 +157,7 @@ module rt_coords #(
     wire [TAG-1:0]     a_tag;
     wire [39:0]        a_s, a_t;
     assign sphere_go = sphere_q && a_ready;
-    rt_around #(.TAG(TAG), .UNITS(UNITS)) u_around (
+    rt_sphere_uv #(.TAG(TAG), .UNITS(UNITS)) u_around (
         .clk(clk), .rst(rst), .in_valid_i(sphere_q), .in_ready_o(a_ready), .in_tag_i(tag_q),
         .in_x_i(x_q), .in_y_i(y_q), .in_z_i(z_q),
         .in_scale_i({map_q[`RT_MAP_SCALE_T_LSB +: 16], map_q[`RT_MAP_SCALE_S_LSB +: 16]}),

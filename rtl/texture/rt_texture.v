@@ -120,7 +120,7 @@ module rt_texture #(
     wire [TAG-2:0]   asked;
     wire [`RT_LINE_BITS:0] asked_line;
     wire             beyond = asked_line >= {1'b0, mem_lines};
-    rt_head #(.WIDTH(TAG - 1 + `RT_LINE_BITS + 1)) u_ask (
+    rt_reg_slice #(.WIDTH(TAG - 1 + `RT_LINE_BITS + 1)) u_ask (
         .clk(clk), .rst(rst), .in_valid_i(texel_valid || image_valid || map_valid),
         .in_ready_o(ready), .in_data_i({what, line}),
         .out_valid_o(ask), .out_ready_i(taken), .out_data_o({asked, asked_line})

@@ -92,7 +92,7 @@ module rt_texture_map #(
         .clk(clk), .rst(rst), .in_valid_i(r_sound), .in_ready_o(c_in), .in_data_i(r_slot_q),
         .out_valid_o(next_valid), .out_ready_i(next_ready), .out_data_o(next_slot)
     );
-    rt_head #(.WIDTH(SLOTW)) u_head (
+    rt_reg_slice #(.WIDTH(SLOTW)) u_head (
         .clk(clk), .rst(rst),
         .in_valid_i(next_valid), .in_ready_o(next_ready), .in_data_i(next_slot),
         .out_valid_o(c_valid), .out_ready_i(c_take), .out_data_o(c_slot)

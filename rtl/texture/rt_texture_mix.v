@@ -74,7 +74,7 @@ module rt_texture_mix #(
         .clk(clk), .rst(rst), .in_valid_i(all), .in_ready_o(f_in), .in_data_i(texel_slot_i),
         .out_valid_o(next_valid), .out_ready_i(next_ready), .out_data_o(next_slot)
     );
-    rt_head #(.WIDTH(SLOTW)) u_head (
+    rt_reg_slice #(.WIDTH(SLOTW)) u_head (
         .clk(clk), .rst(rst),
         .in_valid_i(next_valid), .in_ready_o(next_ready), .in_data_i(next_slot),
         .out_valid_o(f_valid), .out_ready_i(f_take), .out_data_o(f_slot)

@@ -1,6 +1,6 @@
 // rt_bih.v - rays through a bounding interval hierarchy: a node a clock, cut by two planes
 // SPDX-License-Identifier: Apache-2.0
-// Stands where rt_traverse and rt_next stand for nodes of four children (ACCEL of rt_core).
+// Stands where rt_traverse and rt_traversal_stack do for nodes of four children (ACCEL of rt_core).
 //   0 issue | 1, 2 node cache | 3 node: its half | 4 ray's word of the axis | 5..9 rt_bih_step |
 //   9 decision | 10 token: back to 0 a clock later
 // A ray starts at 3, and each axis of the global box is cut from there, in clocks in which no node
@@ -30,14 +30,14 @@ module rt_bih #(
     // from rt_setup: a new ray, with its token unless it is a shadow ray
     input  wire [`RT_RAY_BITS-1:0]    ray_i,
     input  wire                       pixel_i,        // the pixel's visits start at 0
-    output wire [TW-1:0]              ray_limit_o,    // to rt_collect: the light of a shadow ray
+    output wire [TW-1:0]              ray_limit_o,    // to rt_closest_hit: light of a shadow ray
     // from rt_shade: a shadow ray starts
     input  wire                       shadow_go_i,
     input  wire [$clog2(SLOTS)-1:0]   shadow_slot_i,
-    // to rt_leaf_unit and rt_collect: leaf records to test
+    // to rt_leaf_unit and rt_closest_hit: leaf records to test
     output wire [`RT_VISIT_BITS-1:0]  visit_o,
     output wire [2:0]                 count_o,
-    // from rt_collect: they are tested; what the ray has found, a clock after the slot
+    // from rt_closest_hit: they are tested; what the ray has found, a clock after the slot
     input  wire                       tested_valid_i,
     input  wire [$clog2(SLOTS)-1:0]   tested_slot_i,
     output wire                       limit_read_o,
@@ -284,7 +284,7 @@ module rt_bih #(
     );
 
     // ---- decision ----
-    rt_bih_next #(.SLOTS(SLOTS), .ENDS(SHADOW), .FACETS(FACETS)) u_next (
+    rt_bih_stack #(.SLOTS(SLOTS), .ENDS(SHADOW), .FACETS(FACETS)) u_next (
         .clk(clk), .rst(rst), .facets_on_i(effects[`RT_EFFECT_FACETS]), .root_i(root),
         .leaf_base_i(leaf_base), .n_loose_i(n_loose),
         .node_valid_i(t2_node_q), .node_slot_i(t2_slot_q), .node_i(t2_data_q),

@@ -85,7 +85,7 @@ module rt_leaf_unit #(
         end
         if (PIPES > 1) begin : g_turns
             wire [PB-1:0] one;                       // the pipe in turn
-            rt_turns #(.N(PIPES)) u_turns (
+            rt_rr_arbiter #(.N(PIPES)) u_turns (
                 .clk(clk), .rst(rst), .asks_i(o_valid),
                 .served_i(v_valid && req_ready && !prim), .turn_o(o_take), .index_o(one)
             );

@@ -142,7 +142,7 @@ module rt_pipes #(
         if (PIPES > 1) begin : g_join
             wire [PB-1:0] one;
             reg  [PB-1:0] done_q, visits_q;
-            rt_turns #(.N(PIPES)) u_turns (
+            rt_rr_arbiter #(.N(PIPES)) u_turns (
                 .clk(clk), .rst(rst), .asks_i(done_valid), .served_i(|done_valid),
                 .turn_o(done_take), .index_o(one)
             );

@@ -1,10 +1,10 @@
 // rt_trace.v - traversal: rays go through the tree, leaf children to their test, first hits out
 // SPDX-License-Identifier: Apache-2.0
-//   ray --> rt_traverse --+-- leaf children, rt_leaf_unit --> rt_collect --+--> rt_next --+--> done
-//             ^           +-- none ----------------------------------------+              |
-//             +----------------------------- next node -----------------------------------+
-// With ACCEL rt_bih takes the place of rt_traverse and rt_next. One token a slot goes round, so
-// queues of SLOTS words never fill. Visits that had leaves go before others: they waited longest.
+//   ray -> rt_traverse -+- leaves: rt_leaf_unit, rt_closest_hit -+-> rt_traversal_stack -> done
+//            ^          +- none ---------------------------------+       |
+//            +-------------------------- next node ----------------------+
+// With ACCEL rt_bih takes the place of rt_traverse and rt_traversal_stack. One token a slot goes
+// round, so queues of SLOTS words never fill. Visits that had leaves go first: they waited longest.
 // Model: sph_traverse() in cmodel/trace/traverse.c, sph_bih_walk() in cmodel/trace/bih_walk.c
 `timescale 1ns / 1ps
 `default_nettype none
@@ -134,7 +134,7 @@ module rt_trace #(
             );
 
             // ---- the next node ----
-            rt_next #(.FW(LW), .SLOTS(SLOTS), .DEPTH(STACK), .LUTS(LUTS),
+            rt_traversal_stack #(.FW(LW), .SLOTS(SLOTS), .DEPTH(STACK), .LUTS(LUTS),
                       .ENDS(SHADOW != 0 || FIRST != 0 ? 1 : 0)) u_next (
                 .clk(clk), .rst(rst),
                 .found_valid_i(found_valid), .found_slot_i(found[`RT_FOUND_SLOT]),
@@ -194,7 +194,7 @@ module rt_trace #(
                 .in_data_i(ended_slot),
                 .out_valid_o(head_valid), .out_ready_i(head_ready), .out_data_o(head_slot)
             );
-            rt_head #(.WIDTH(SLOTW)) u_head (        // a register, since pipes take turns
+            rt_reg_slice #(.WIDTH(SLOTW)) u_head (        // a register, since pipes take turns
                 .clk(clk), .rst(rst),
                 .in_valid_i(head_valid), .in_ready_o(head_ready), .in_data_i(head_slot),
                 .out_valid_o(done_valid_o), .out_ready_i(done_ready_i), .out_data_o(done_slot_o)
@@ -207,7 +207,7 @@ module rt_trace #(
     endgenerate
 
     // ---- results of leaf children; first hits ----
-    rt_collect #(.W(W), .WD(WD), .FW(LW), .KEYS(ACCEL), .SLOTS(SLOTS), .SHADOW(SHADOW),
+    rt_closest_hit #(.W(W), .WD(WD), .FW(LW), .KEYS(ACCEL), .SLOTS(SLOTS), .SHADOW(SHADOW),
                  .INSIDE(FARS), .FIRST(FIRST), .LUTS(LUTS)) u_collect (
         .clk(clk), .rst(rst),
         .want_valid_i(visit_o[`RT_VISIT_VALID]), .want_slot_i(visit_o[`RT_VISIT_SLOT]),

@@ -39,15 +39,15 @@ module rt_traverse #(
     // from rt_shade: a shadow ray starts
     input  wire                       shadow_go_i,
     input  wire [$clog2(SLOTS)-1:0]   shadow_slot_i,
-    // from rt_next: the next node of a ray
+    // from rt_traversal_stack: the next node of a ray
     input  wire                       next_valid_i,
     input  wire [$clog2(SLOTS)-1:0]   next_slot_i,
     input  wire [`RT_LINE_BITS-1:0]   next_line_i,
-    // from rt_collect
+    // from rt_closest_hit
     output wire                       depth_read_o,
     output wire [$clog2(SLOTS)-1:0]   depth_slot_o,
     input  wire [LW:0]                depth_i,        // a clock later: what lies deeper is pruned
-    // result of a visit: to rt_next; leaf children that pass, to rt_leaf_unit
+    // result of a visit: to rt_traversal_stack; leaf children that pass, to rt_leaf_unit
     output wire [`RT_FOUND_BITS-1:0]  found_o,
     output wire [`RT_VISIT_BITS-1:0]  visit_o,
     // visits of a pixel

@@ -1,5 +1,5 @@
-/* parts.h - bundles of several units side by side, as rt_pipes, rt_exacts and rt_shades have them
- * SPDX-License-Identifier: Apache-2.0
+/* parts.h - bundles of several units side by side, as rt_pipes, rt_leaf_units and rt_shades have
+ * them SPDX-License-Identifier: Apache-2.0
  *
  * The top bits of a slot name the unit that serves it, so the bundle of a unit lacks them; with one
  * unit it is the whole bundle. A port with the bundles of all units has the first one lowest.

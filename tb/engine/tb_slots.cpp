@@ -1,5 +1,5 @@
-/* tb_slots.cpp - rt_slots and rt_probe against the life of a pixel as path() of the model tells it
- * SPDX-License-Identifier: Apache-2.0
+/* tb_slots.cpp - rt_slots and rt_interpenetrate against the life of a pixel as path() of the model
+ * tells it SPDX-License-Identifier: Apache-2.0
  *
  * The bench stands in for all other groups: it makes up what rays hit and what is blended, for all
  * slots at once, and knows from that what must become of each pixel. A vector is a finished pixel.

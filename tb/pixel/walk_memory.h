@@ -52,7 +52,7 @@ inline uint64_t set56(const int v[4]) {
     return (uint64_t)v[3] << 42 | (uint64_t)v[2] << 28 | (uint64_t)v[1] << 14 | (uint64_t)v[0];
 }
 
-/* Registers that rt_walk and rt_walks have alike. */
+/* Registers that rt_pixel_scan and rt_pixel_scans have alike. */
 template <class Top> void load(Top &dut, const Run &r) {
     dut.window_i = set56(r.win);
     dut.rect_i = set56(r.rect);

@@ -61,8 +61,8 @@ class ShadedRays : public ShadedScene {
         traced.clear();
     }
 
-    /* What rt_probe keeps of a surface that is blended. Background waits for none but those that
-     * are blended before it, one every BLEND clocks. */
+    /* What rt_interpenetrate keeps of a surface that is blended. Background waits for none but
+     * those that are blended before it, one every BLEND clocks. */
     void blended() {
         if (!bench::get(dut.blend_o, RT_BLEND_VALID)) return;
         Slot &s = slots[bench::get(dut.blend_o, RT_BLEND_SLOT)];

@@ -1,4 +1,4 @@
-/* tb_hit.cpp - rt_hit, with rt_prim_point and rt_normalise inside it, against sph_surface_at(),
+/* tb_hit.cpp - rt_hit, with rt_hit_point and rt_normalise inside it, against sph_surface_at(),
  * sph_surface_facet()
  * SPDX-License-Identifier: Apache-2.0
  *

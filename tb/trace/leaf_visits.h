@@ -1,4 +1,4 @@
-/* leaf_visits.h - rt_leaf_unit or rt_exacts, caches, tests and roots, against sph_leaf_visit()
+/* leaf_visits.h - rt_leaf_unit or rt_leaf_units, caches, tests and roots, against sph_leaf_visit()
  * SPDX-License-Identifier: Apache-2.0
  *
  * Every slot gets a ray, then visits of some leaf children in any line of memory, at all addresses;

@@ -2,10 +2,9 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Rays of all slots go through the trees of bih_memory.h. The bench stands in for rt_leaf_unit and
- * rt_collect with the model's functions: records are tested late and in any order. A vector is a
- * ray that is done; events and faults of a phase are counted. All outcomes must have been tried at
- * the end.
- * Compiled with -O0, for it has few vectors.
+ * rt_closest_hit with the model's functions: records are tested late and in any order. A vector is
+ * a ray that is done; events and faults of a phase are counted. All outcomes must have been tried
+ * at the end. Compiled with -O0, for it has few vectors.
  */
 #include "Vrt_bih.h"
 #include "Vrt_bih___024root.h"
@@ -155,7 +154,7 @@ class Bih : public bench::Bench<Vrt_bih> {
         if (dut.shadow_go_i) slots[at].state = Slot::RUNS;
     }
 
-    /* What rt_collect would say of the slot that was asked for in the clock before. */
+    /* What rt_closest_hit would say of the slot that was asked for in the clock before. */
     void answer(const Slot &s) {
         dut.hit_i = s.hit.key != 0;
         dut.ends_i = s.ray.kind == SPH_SHADOW;

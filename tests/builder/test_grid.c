@@ -6,7 +6,7 @@
 #include <math.h>
 
 #include "builder/grid/grid.h"
-#include "builder/grid/ground.h"
+#include "builder/grid/huge_sphere_bounds.h"
 
 /* A box of some size about a point. */
 static struct sph_box some_box(const double at[3], double size) {
@@ -71,7 +71,7 @@ static void ground_is_met_inside(void **unused) {
         sph_box_add(&rest, top, 0);
         sph_box_add(&box, at, rad);
         was = box;
-        if (!sph_ground_cut(at, rad, &rest, 24, &box)) {
+        if (!sph_huge_sphere_cut(at, rad, &rest, 24, &box)) {
             assert_memory_equal(&box, &was, sizeof box);
             continue;
         }

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "builder/background/cones.h"
-#include "builder/background/literal.h"
+#include "builder/background/rect_paper.h"
 #include "builder/background/spans.h"
 
 enum { SIDE = 64, MARGIN = 4, WIDE = SIDE + 2 * MARGIN };
@@ -109,7 +109,7 @@ static void test_spans(void **unused) {
         }
         free(spans.rows);
 
-        if (sph_literal_rect(&ball, eye, &rays, SIDE, SIDE, rows, point, &work))
+        if (sph_rect_paper(&ball, eye, &rays, SIDE, SIDE, rows, point, &work))
             for (int y = 0; y < SIDE; y++) {
                 sph_cone_row(&cone, SIDE, y, &exact.x0, &exact.x1, &work);
                 lost_rect +=

@@ -260,7 +260,7 @@ static void counts(void **state) {
     for (int way = 0; way < 2; way++) {
         const struct sph_aabb *b = way ? h.boxes : NULL;
         struct sph_split split, area_of;
-        struct sph_sights sights;
+        struct sph_visibility_samples samples;
         uint64_t *met = calloc(h.n, sizeof *met);
         assert_int_equal(sph_split(h.balls, b, h.n, 64, NULL, &split, &err), 0);
         area_of = split;
@@ -269,9 +269,9 @@ static void counts(void **state) {
         sph_split_fill(h.balls, b, h.profile, &area_of);
         count(h.balls, b, h.profile, &split, &rays, met);
         sph_parallel_most(3);
-        assert_int_equal(sph_sights(&h.machine, way, &sights, &err), 0);
-        assert_int_equal(sights.n, rays.n);
-        assert_int_equal(sph_split_seen(h.balls, b, h.profile, &sights, &split, &err), 0);
+        assert_int_equal(sph_visibility_samples(&h.machine, way, &samples, &err), 0);
+        assert_int_equal(samples.n, rays.n);
+        assert_int_equal(sph_split_seen(h.balls, b, h.profile, &samples, &split, &err), 0);
         sph_parallel_most(0);
         for (uint32_t i = 0; i < split.n_pairs; i++) {
             double unseen = area(&area_of.pairs[i]) / area(&area_of.pairs[0]) / 16;
@@ -282,7 +282,7 @@ static void counts(void **state) {
                          seen, unseen);
         }
         printf("# %s: %d rays, %u pairs\n", way ? "boxes" : "balls", rays.n, split.n_pairs);
-        sph_sights_free(&sights);
+        sph_visibility_samples_free(&samples);
         free(area_of.pairs);
         free(met);
         sph_split_free(&split);
@@ -327,11 +327,11 @@ static void rotates(void **state) {
     (void)state;
     struct hundred h = hundred();
     struct sph_error err = {{0}};
-    struct sph_sights sights;
+    struct sph_visibility_samples samples;
     static struct rays rays;
     struct sph_split splits[3];
     rays = rays_of(&h.machine);
-    assert_int_equal(sph_sights(&h.machine, 1, &sights, &err), 0);
+    assert_int_equal(sph_visibility_samples(&h.machine, 1, &samples, &err), 0);
     for (int i = 0; i < 3; i++) {
         struct sph_split *s = &splits[i];
         assert_int_equal(sph_split(h.balls, h.boxes, h.n, 64, NULL, s, &err), 0);
@@ -339,7 +339,8 @@ static void rotates(void **state) {
         sph_parallel_most(i ? 5 : 1);
         int most = i < 2 ? s->pairs[0].levels[1] + 2 : s->pairs[0].levels[1] - 1;
         uint64_t before = all_met(&h, s, &rays);
-        assert_int_equal(sph_split_rotate(h.balls, h.boxes, &sights, SPH_UNSEEN, most, s, &err), 0);
+        assert_int_equal(sph_split_rotate(h.balls, h.boxes, &samples, SPH_UNSEEN, most, s, &err),
+                         0);
         uint64_t after = all_met(&h, s, &rays);
         uint8_t *found = calloc(h.n, 1);
         assert_int_equal(below(s, 0, 0, found), h.n);
@@ -357,7 +358,7 @@ static void rotates(void **state) {
                             sizeof splits[0].pairs[i].child);
     for (int i = 0; i < 3; i++)
         sph_split_free(&splits[i]);
-    sph_sights_free(&sights);
+    sph_visibility_samples_free(&samples);
     hundred_free(&h);
 }
 

@@ -13,26 +13,26 @@ rt_cache        rt_traverse, rt_bih, rt_leaf_unit, rt_texture
 rt_divide       rt_facet
 rt_facet_key    rt_facet
 rt_isqrt        rt_root_pool, rt_refract
-rt_longitude    rt_around
-rt_pool         whose units it hands out: rt_root_pool, rt_quotient_pool, rt_around
+rt_longitude    rt_sphere_uv
+rt_pool         whose units it hands out: rt_root_pool, rt_quotient_pool, rt_sphere_uv
 rt_quotient     rt_quotient_pool, rt_bih_ray
 rt_setup        rt_unit, rt_unit_four, rt_across
 rt_shares       rt_share
 rt_sphere       rt_leaf, rt_root_pool
 rt_units        rt_unit, rt_unit_four
 rt_vectors      rt_unit, rt_unit_four
-rt_background   rt_walk
-rt_spans        rt_walk
-rt_walks        rt_walk, rt_mem_arbiter
+rt_background   rt_pixel_scan
+rt_spans        rt_pixel_scan
+rt_pixel_scans        rt_pixel_scan, rt_mem_arbiter
 rt_engine       it only wires, as do those below, or passes on what memory gives
-rt_exacts       -
+rt_leaf_units       -
 rt_pipes        -
 rt_shade        -
 rt_shades       -
 rt_trace        -
 rt_async_fifo   a queue
 rt_fifo         a queue
-rt_head         a register
+rt_reg_slice         a register
 END
 for file in rtl/core/*.v rtl/engine/*.v rtl/math/*.v rtl/memory/*.v rtl/pixel/*.v rtl/prim/*.v \
     rtl/shade/*.v rtl/texture/*.v rtl/trace/*.v; do

@@ -10,7 +10,7 @@
 #include "engine/render_pixel.h"
 #include "pixel/background.h"
 #include "shade/colour.h"
-#include "shade/gloss.h"
+#include "shade/specular.h"
 #include "shade/material.h"
 #include "shade/surface.h"
 #include "texture/lod.h"
@@ -125,8 +125,8 @@ static void cosines_end_at_one(void **state) {
         const struct sph_unit n = {.u = {65536, more, 0}}, back = {.u = {-65536, -more, 0}};
         assert_int_equal(sph_lambert(&n, &n), 32768);
         assert_int_equal(sph_lambert(&n, &back), 0);
-        assert_int_equal(sph_gloss_cosine(&n, &n, &back), 65536);
-        assert_int_equal(sph_gloss_cosine(&n, &n, &n), 0);
+        assert_int_equal(sph_specular_cosine(&n, &n, &back), 65536);
+        assert_int_equal(sph_specular_cosine(&n, &n, &n), 0);
     }
     const struct sph_unit n = {.u = {65536, 0, 0}}, half = {.u = {32768, 56756, 0}};
     assert_int_equal(sph_lambert(&n, &half), 16384);

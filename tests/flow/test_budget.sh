@@ -91,12 +91,12 @@ absent() { # list, modules
     echo "in the core $1:" && ! comm -12 "$TMP/absent" "$TMP/here" | grep .
 }
 lights='rt_lights rt_cosine rt_lambert rt_light_add'
-mirrors='rt_mirrors rt_bounce rt_blend'
+mirrors='rt_mirrors rt_reflect rt_blend'
 ways='rt_background rt_table rt_spans rt_cone'
 point='rt_hit rt_normalise rt_quotient rt_quotient_pool'
 texture='rt_texture rt_texture_path rt_texture_map rt_texture_image rt_texture_mix'
 bend='rt_rays rt_refract'
-shine='rt_shine rt_gloss rt_power_rom'
+shine='rt_specular_lights rt_specular rt_power_rom'
 while IFS='|' read -r list modules; do
     check "core $list has no $modules" absent "$list" "$modules"
 done <<END
@@ -105,18 +105,18 @@ lights1+inside+refract|rt_blends rt_blend $shine
 lights1+sum|rt_blends $mirrors $bend $shine
 all-reflect|rt_blend
 all-lights|$lights
-all-inside|rt_probe
-all-first|rt_probe
-all-interpenetrate|rt_probe
+all-inside|rt_interpenetrate
+all-first|rt_interpenetrate
+all-interpenetrate|rt_interpenetrate
 all-facets|rt_facet rt_divide
 all-spans|rt_spans
 all-cones|rt_cone
-lights1|$mirrors rt_probe $ways
-reflect1|$lights rt_probe $ways
-inside+first|$lights $mirrors rt_probe $point $ways
-texture|$lights $mirrors rt_probe $ways
-rect|$lights $mirrors rt_probe $point $ways
-none|$lights $mirrors rt_probe $point $ways
+lights1|$mirrors rt_interpenetrate $ways
+reflect1|$lights rt_interpenetrate $ways
+inside+first|$lights $mirrors rt_interpenetrate $point $ways
+texture|$lights $mirrors rt_interpenetrate $ways
+rect|$lights $mirrors rt_interpenetrate $point $ways
+none|$lights $mirrors rt_interpenetrate $point $ways
 END
 noticed() { ! absent lights1 rt_lights && ! absent none rt_nowhere; }
 check "a module that is there is noticed, and one that is gone for good" noticed

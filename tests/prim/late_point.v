@@ -28,7 +28,7 @@ module rt_prim_point_late #(
     wire signed [W-1:0]  point;
     wire [NG+1:0]        lift;
     wire signed [VW-1:0] vector;
-    rt_prim_point #(.W(W), .NG(NG), .FARS(FARS), .FACETS(FACETS)) u_prim (
+    rt_hit_point #(.W(W), .NG(NG), .FARS(FARS), .FACETS(FACETS)) u_prim (
         .clk(clk), .effects_i(effects_i), .take_i(take_i), .shape_i(shape_i), .far_i(far_i),
         .in_valid_i(in_valid_i), .in_guarded_i(in_guarded_i), .out_valid_o(valid),
         .out_point_o(point), .out_lift_o(lift), .out_limited_o(limited), .out_flat_o(flat),

@@ -47,7 +47,7 @@ check "... not if its kind is confused" kinds differs
 cp "$TMP/prim" $prim
 
 # ---- point and normal that come later ----
-sed -e 's/module rt_hit /module rt_hit_late /; s/rt_prim_point \(.\)(/rt_prim_point_late \1(/' \
+sed -e 's/module rt_hit /module rt_hit_late /; s/rt_hit_point \(.\)(/rt_prim_point_late \1(/' \
     -e 's/`RT_PRIM_POINT_LATER && //' \
     rtl/shade/rt_hit.v >rtl/shade/rt_hit_late.v
 late() { "$1" late_point "$here/tests/prim/late_point.v" "-Plate_point.INTERVAL=$2"; }

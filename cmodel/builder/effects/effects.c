@@ -6,7 +6,7 @@
 #include "builder/effects/effects.h"
 
 #include "builder/emit.h"
-#include "builder/grid/lamp.h"
+#include "builder/grid/light.h"
 
 #define WHY(entry, ...) sph_note((entry)->why, sizeof(entry)->why, __VA_ARGS__)
 
@@ -16,7 +16,7 @@ static void find_shadow(const struct sph_survey *s, const struct sph_lights *lig
     struct sph_witness w;
     int far = -1;
     for (int l = 0; l < lights->n_shining; l++)
-        if (sph_grid_lamp(s->grid, s->scene->lights[lights->shining[l]].pos, at[l]))
+        if (sph_grid_light(s->grid, s->scene->lights[lights->shining[l]].pos, at[l]))
             far = lights->shining[l];
     int any = s->world.n > 0 || s->world.facets->n > 0;
     if (!lights->n_shining || !any) {

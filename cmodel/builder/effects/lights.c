@@ -5,7 +5,7 @@
 
 #include "builder/effects/effects.h"
 #include "builder/emit.h"
-#include "builder/grid/lamp.h"
+#include "builder/grid/light.h"
 
 /* A black light reaches nothing. */
 static int is_black(const struct sph_light *light) {
@@ -23,8 +23,8 @@ static int explain_dark(const struct sph_survey *s, int light, int shadow, char 
         sph_note(why, size, "%s is black", sph_light_place(s->scene, light).text);
         return 1;
     }
-    if (!shadow || s->refracts || s->passes) return 0;   /* what shuts it in may be seen through */
-    if (sph_grid_lamp(s->grid, lamp->pos, at)) return 0; /* far away from all spheres */
+    if (!shadow || s->refracts || s->passes) return 0;    /* what shuts it in may be seen through */
+    if (sph_grid_light(s->grid, lamp->pos, at)) return 0; /* far away from all spheres */
     uint32_t ball = sph_dark_ball(&s->world, at);
     if (ball == s->world.n) return 0;
     sph_note(why, size, "%s is shut in by the sphere %s", sph_light_place(s->scene, light).text,
@@ -64,7 +64,7 @@ void sph_emit_lights(const struct sph_survey *s, const struct sph_lights *lights
         const struct sph_light *lamp = &s->scene->lights[lights->index[l]];
         report->lights[l] = lights->index[l];
         int32_t *regs = machine->regs + SPH_REG_LIGHT0_X + SPH_LIGHT_STRIDE * l, at[3];
-        int shift = sph_grid_lamp(s->grid, lamp->pos, at);
+        int shift = sph_grid_light(s->grid, lamp->pos, at);
         for (int i = 0; i < 3; i++) {
             regs[i] = at[i];
             regs[SPH_REG_LIGHT0_R - SPH_REG_LIGHT0_X + i] = sph_u1_15(lamp->rgb[i], &clamped);

@@ -8,7 +8,7 @@
 
 #include "builder/build.h"
 #include "builder/tree/choose_tree.h"
-#include "builder/grid/ground.h"
+#include "builder/grid/huge_sphere_bounds.h"
 #include "machine/kinds.h"
 #include "scene/vector.h"
 

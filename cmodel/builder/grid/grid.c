@@ -7,9 +7,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "builder/grid/endless.h"
-#include "builder/grid/ground.h"
-#include "builder/grid/lamp.h"
+#include "builder/grid/plane_bounds.h"
+#include "builder/grid/huge_sphere_bounds.h"
+#include "builder/grid/light.h"
 #include "prim/prim.h"
 #include "scene/prim.h"
 #include "scene/vector.h"
@@ -71,22 +71,22 @@ static int bounds(const struct sph_scene *scene, const double m[9], uint32_t but
  * that of spheres. */
 static uint32_t cut_ground(const struct sph_scene *scene, const double m[9], int w,
                            struct sph_box *box) {
-    uint32_t ground = sph_ground_find(scene);
+    uint32_t ground = sph_huge_sphere_find(scene);
     struct sph_box rest;
     double at[3];
     if (ground == scene->n_spheres || bounds(scene, m, ground, &rest, NULL))
         return scene->n_spheres;
     sph_box_add(&rest, (const double[3]){0, 0, 0}, 0); /* the eye */
     sph_vec_turn(m, sph_vec_sub(scene->spheres[ground].ctr, scene->camera.from), at);
-    return sph_ground_cut(at, scene->spheres[ground].rad, &rest, w, box) ? ground
-                                                                         : scene->n_spheres;
+    return sph_huge_sphere_cut(at, scene->spheres[ground].rad, &rest, w, box) ? ground
+                                                                              : scene->n_spheres;
 }
 
 /* Adds the corners of a room of planes. */
 static void add_corners(const struct sph_scene *scene, const double m[9], struct sph_box *box) {
     struct sph_vec corners[SPH_CORNERS];
     double at[3];
-    for (int i = sph_endless_corners(scene, corners); i-- > 0;) {
+    for (int i = sph_plane_bounds_corners(scene, corners); i-- > 0;) {
         sph_vec_turn(m, corners[i], at);
         sph_box_add(box, at, 0);
     }
@@ -96,7 +96,7 @@ static void add_corners(const struct sph_scene *scene, const double m[9], struct
 static double side(const struct sph_scene *scene, const struct sph_box *box, int w) {
     double span = sph_box_side(box);
     if (w < LEAST) return span;
-    return fmax(span, fmin(2 * sph_endless_reach(scene), ldexp(span, (w - LEAST) / 2)));
+    return fmax(span, fmin(2 * sph_plane_bounds_reach(scene), ldexp(span, (w - LEAST) / 2)));
 }
 
 /* What of the scene has an end, on the grid; rays start no farther from it than the margin. */
@@ -139,7 +139,7 @@ static int all_fit(const struct sph_grid *grid, const struct sph_scene *scene,
     memcpy(ball.c, grid->eye, sizeof ball.c);
     if (!sph_grid_fits(grid, &ball)) return 0;
     for (int l = 0; l < scene->n_lights; l++) {
-        if (!sph_lamp_sound(grid, scene->lights[l].pos, &extent)) return 0;
+        if (!sph_light_sound(grid, scene->lights[l].pos, &extent)) return 0;
     }
     for (uint32_t i = 0; i < scene->n_spheres; i++) {
         ball = sph_grid_ball(grid, &scene->spheres[i]);

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "builder/profile/waver.h"
+#include "builder/profile/ray_error.h"
 #include "common/parallel.h"
 
 enum { SAMPLE = 2304, ROWS = 4 }; /* pixels, at most; rows of them that are worth a thread */
@@ -40,31 +40,31 @@ static void look(const struct sph_ref_job *j, int x, int y, struct look *out) {
 /* The part of pixels between two for which an edge between them is on the wrong side; -1: there is
  * none. *smooth: how far what they see is moved, in pixels. *first: the eye's own rays meet
  * different things. */
-static double edge(const struct sph_waver *w, const struct look *a, const struct look *b,
+static double edge(const struct sph_ray_error *w, const struct look *a, const struct look *b,
                    double *smooth, int *first) {
-    struct sph_wavers of_a[SPH_REF_STEPS], of_b[SPH_REF_STEPS];
-    sph_waver_log(w, &a->log, of_a);
-    sph_waver_log(w, &b->log, of_b);
+    struct sph_ray_errors of_a[SPH_REF_STEPS], of_b[SPH_REF_STEPS];
+    sph_ray_error_log(w, &a->log, of_a);
+    sph_ray_error_log(w, &b->log, of_b);
     int n = a->log.n < b->log.n ? a->log.n : b->log.n;
     double part = -1;
     for (int k = 0; k < n; k++) {
         const struct sph_ref_step *s = &a->log.step[k], *t = &b->log.step[k];
         if (s->hit.id != t->hit.id || s->hit.far != t->hit.far || s->depth != t->depth) {
             *first = k == 0;
-            return fmax(part, *smooth + sph_waver_edge(w, s, t, &of_a[k], &of_b[k]));
+            return fmax(part, *smooth + sph_ray_error_edge(w, s, t, &of_a[k], &of_b[k]));
         }
         if (s->hit.id == SPH_ID_NONE) continue;
-        *smooth = fmax(*smooth,
-                       of_a[k].across / sph_waver_width(&s->ray, &t->ray, sph_waver_distance(s)));
+        *smooth = fmax(*smooth, of_a[k].across / sph_ray_error_width(&s->ray, &t->ray,
+                                                                     sph_ray_error_distance(s)));
         uint32_t differ = (s->blocked ^ t->blocked) & s->faced & t->faced;
         for (int l = 0; l < w->scene->n_lights; l++)
-            if (differ >> l & 1) part = fmax(part, sph_waver_shadow(w, s, t, &of_a[k], l));
+            if (differ >> l & 1) part = fmax(part, sph_ray_error_shadow(w, s, t, &of_a[k], l));
     }
     return a->log.n == b->log.n ? part : fmax(part, *smooth);
 }
 
 /* What a pixel and a neighbour tell. shift: in pixels, of the whole picture here. */
-static void add_pair(const struct sph_waver *w, const struct look *a, const struct look *b,
+static void add_pair(const struct sph_ray_error *w, const struct look *a, const struct look *b,
                      double shift, struct sums *sums) {
     double smooth = shift, square = 0;
     int first = 0;
@@ -83,10 +83,10 @@ static void add_pair(const struct sph_waver *w, const struct look *a, const stru
 
 /* The pixel as it is if planes end where the grid does: what rays see that go on from there is
  * nothing that the pixel's neighbours could tell. */
-static void look_ended(const struct sph_ref_job *j, const struct sph_waver *w, int x, int y,
+static void look_ended(const struct sph_ref_job *j, const struct sph_ray_error *w, int x, int y,
                        struct look *at) {
-    if (!sph_waver_ended(w, &at->log)) return;
-    struct sph_ends ends = sph_waver_ends(w);
+    if (!sph_ray_error_ended(w, &at->log)) return;
+    struct sph_ends ends = sph_ray_error_ends(w);
     struct sph_ref_job ended = *j;
     struct look as;
     ended.ends = &ends;
@@ -96,11 +96,11 @@ static void look_ended(const struct sph_ref_job *j, const struct sph_waver *w, i
 }
 
 /* Normals that are off by themselves, and what the eye's own ray meets. */
-static void add_pixel(const struct sph_waver *w, const struct look *a, const struct look *b,
+static void add_pixel(const struct sph_ray_error *w, const struct look *a, const struct look *b,
                       double shift, struct sums *sums) {
-    struct sph_wavers of[SPH_REF_STEPS];
+    struct sph_ray_errors of[SPH_REF_STEPS];
     const struct sph_ref_step *s = &a->log.step[0];
-    sph_waver_log(w, &a->log, of);
+    sph_ray_error_log(w, &a->log, of);
     for (int i = 0; i < 3; i++) {
         double off = 0;
         for (int k = 0; k < a->log.n; k++)
@@ -109,15 +109,15 @@ static void add_pixel(const struct sph_waver *w, const struct look *a, const str
         sums->square += off * off;
     }
     if (s->hit.id == SPH_ID_NONE) return;
-    double far = sph_waver_distance(s);
-    double by = (sph_waver_worst(w, s->hit.id) + sph_waver_dir(w) * far) /
-                sph_waver_width(&s->ray, &b->log.step[0].ray, far);
+    double far = sph_ray_error_distance(s);
+    double by = (sph_ray_error_worst(w, s->hit.id) + sph_ray_error_dir(w) * far) /
+                sph_ray_error_width(&s->ray, &b->log.step[0].ray, far);
     sums->pixels = fmax(sums->pixels, by + shift);
 }
 
 /* A row of samples: the sums of n profiles. */
-static void add_row(const struct sph_ref_job *j, const struct sph_waver *w, int n, int y, int by,
-                    struct sums *sums) {
+static void add_row(const struct sph_ref_job *j, const struct sph_ray_error *w, int n, int y,
+                    int by, struct sums *sums) {
     const struct sph_ref_view *v = &j->view;
     for (int x = by / 2; x < v->width; x += by) {
         struct look at, right, below;
@@ -138,7 +138,7 @@ static void add_row(const struct sph_ref_job *j, const struct sph_waver *w, int 
 
 struct samples {
     const struct sph_ref_job *j;
-    const struct sph_waver *w;
+    const struct sph_ray_error *w;
     int n, by;
     struct sums *of; /* [rows][n] */
 };
@@ -151,7 +151,7 @@ static void add_rows(void *user, uint32_t first, uint32_t end) {
 
 /* Rows of samples, by pixels apart, and as many columns; sums in the order of rows, whatever
  * threads there are. -1 if memory is out. */
-static int add(const struct sph_ref_job *j, const struct sph_waver *w, int n, int by,
+static int add(const struct sph_ref_job *j, const struct sph_ray_error *w, int n, int by,
                struct sums *sums) {
     int rows = (j->view.height - 1 - by / 2) / by + 1;
     struct sums *of = calloc((size_t)rows * (size_t)n, sizeof *of);
@@ -168,7 +168,7 @@ static int add(const struct sph_ref_job *j, const struct sph_waver *w, int n, in
 
 /* Grid and rays of a profile; 0 if the camera does not fit. */
 static int prepare(const struct sph_scene *scene, const struct sph_ref_view *view,
-                   const struct sph_profile *profile, int axes, struct sph_waver *w) {
+                   const struct sph_profile *profile, int axes, struct sph_ray_error *w) {
     struct sph_rays rays;
     w->scene = scene;
     w->profile = profile;
@@ -197,7 +197,7 @@ int sph_estimate(const struct sph_scene *scene, const struct sph_build_options *
                                         .spread = o->spread != SPH_OFF,
                                         .mips = o->texture != SPH_OFF ? o->mips : NULL};
     struct sph_ref_job j = {.scene = scene, .o = &how};
-    struct sph_waver w[SPH_ESTIMATES];
+    struct sph_ray_error w[SPH_ESTIMATES];
     struct sums sums[SPH_ESTIMATES] = {{0, 0, 0}};
     int which[SPH_ESTIMATES], some = 0, samples = 0, axes = sph_axes_of(scene, o);
     double pixels = (double)how.width * how.height;

@@ -188,12 +188,12 @@ static int trivial(const struct work *w, uint32_t n) {
  * if memory is out. */
 static int again(struct work *w, const struct sph_aabb *boxes, uint32_t n, struct sph_error *err) {
     struct sph_split *split = w->tree->split;
-    struct sph_sights sights;
-    int failed = sph_sights(w->tree->seen, boxes != NULL, &sights, err);
+    struct sph_visibility_samples samples;
+    int failed = sph_visibility_samples(w->tree->seen, boxes != NULL, &samples, err);
     if (!failed && boxes)
-        failed = sph_split_rotate(w->balls, boxes, &sights, SPH_UNSEEN, w->most, split, err);
-    if (!failed) failed = sph_split_seen(w->balls, boxes, w->profile, &sights, split, err);
-    sph_sights_free(&sights);
+        failed = sph_split_rotate(w->balls, boxes, &samples, SPH_UNSEEN, w->most, split, err);
+    if (!failed) failed = sph_split_seen(w->balls, boxes, w->profile, &samples, split, err);
+    sph_visibility_samples_free(&samples);
     if (failed) return -1;
     w->split = *split;
     w->tree->n_nodes = w->tree->depth = 0;

@@ -21,7 +21,7 @@ enum { PASSES = 8, TURNS = 8, PARALLEL = 512 };
 
 struct work {
     struct sph_links *l;
-    const struct sph_sight *rays;
+    const struct sph_visibility_sample *rays;
     struct sph_box *box; /* of each node */
     double per_area;     /* cost, in weights of rays */
     int failed;          /* memory is out */
@@ -67,8 +67,8 @@ static double surface(const struct sph_box *box) {
 static double cost(const struct work *w, const struct sph_box *box, struct list rays) {
     uint64_t met = 0;
     for (uint32_t i = 0; i < rays.n; i++) {
-        const struct sph_sight *s = &w->rays[rays.ray[i]];
-        if (sph_sight_meets_box(s, box)) met += s->weight;
+        const struct sph_visibility_sample *s = &w->rays[rays.ray[i]];
+        if (sph_visibility_sample_meets_box(s, box)) met += s->weight;
     }
     return (double)met + w->per_area * surface(box);
 }
@@ -149,7 +149,7 @@ static void turn_half(void *user) {
     struct list below = {malloc(h->rays.n * sizeof *below.ray), 0};
     if (!below.ray) __atomic_store_n(&h->w->failed, 1, __ATOMIC_RELAXED);
     for (uint32_t j = 0; below.ray && j < h->rays.n; j++)
-        if (sph_sight_meets_box(&h->w->rays[h->rays.ray[j]], &h->w->box[h->node]))
+        if (sph_visibility_sample_meets_box(&h->w->rays[h->rays.ray[j]], &h->w->box[h->node]))
             below.ray[below.n++] = h->rays.ray[j];
     h->saved = turn(h->w, h->node, below);
     free(below.ray);
@@ -166,17 +166,17 @@ static void make_boxes(const struct work *w) {
 }
 
 /* All passes. -1 if memory is out. */
-static int rotate(struct sph_links *l, const struct sph_sights *sights, float unseen) {
-    struct work w = {.l = l, .rays = sights->rays};
-    struct list all = {malloc((sights->n + 1ull) * sizeof *all.ray), 0};
+static int rotate(struct sph_links *l, const struct sph_visibility_samples *samples, float unseen) {
+    struct work w = {.l = l, .rays = samples->rays};
+    struct list all = {malloc((samples->n + 1ull) * sizeof *all.ray), 0};
     double met = 0;
     w.box = malloc((2ull * l->n - 1) * sizeof *w.box);
     w.failed = !all.ray || !w.box;
     if (!w.failed) {
         make_boxes(&w);
-        for (uint32_t i = 0; i < sights->n; i++)
-            if (sph_sight_meets_box(&sights->rays[i], &w.box[l->root]))
-                met += sights->rays[i].weight, all.ray[all.n++] = i;
+        for (uint32_t i = 0; i < samples->n; i++)
+            if (sph_visibility_sample_meets_box(&samples->rays[i], &w.box[l->root]))
+                met += samples->rays[i].weight, all.ray[all.n++] = i;
         w.per_area = unseen * met / surface(&w.box[l->root]);
     }
     for (int i = 0; i < PASSES && !w.failed; i++) {
@@ -189,7 +189,7 @@ static int rotate(struct sph_links *l, const struct sph_sights *sights, float un
 }
 
 int sph_split_rotate(const struct sph_ball *balls, const struct sph_aabb *boxes,
-                     const struct sph_sights *sights, float unseen, int most,
+                     const struct sph_visibility_samples *samples, float unseen, int most,
                      struct sph_split *split, struct sph_error *err) {
     uint32_t n = split->n_pairs + 1;
     struct sph_links links;
@@ -198,7 +198,7 @@ int sph_split_rotate(const struct sph_ball *balls, const struct sph_aabb *boxes,
     int failed = sph_links_new(balls, boxes, n, 0, &links) || !spare.pairs || !spare.order;
     if (!failed) {
         sph_links_take(&links, split);
-        failed = rotate(&links, sights, unseen);
+        failed = rotate(&links, samples, unseen);
     }
     if (!failed) sph_links_give(&links, &spare);
     if (!failed && spare.pairs[0].levels[1] <= most) {

@@ -24,7 +24,7 @@ struct work {
     const struct sph_profile *profile;
     const struct sph_split *split;
     struct bound *bounds; /* of pairs */
-    const struct sph_sight *rays;
+    const struct sph_visibility_sample *rays;
     const struct sph_ball *balls;
     int boxes;
 };
@@ -71,10 +71,11 @@ static void ball(void *user, uint32_t from, uint32_t end) {
     }
 }
 
-static void walk(const struct work *w, const struct sph_sight *ray, uint32_t pair) {
+static void walk(const struct work *w, const struct sph_visibility_sample *ray, uint32_t pair) {
     struct bound *b = &w->bounds[pair];
     const uint32_t *child = w->split->pairs[pair].child;
-    if (w->boxes ? !sph_sight_meets_box(ray, &b->box) : !sph_sight_meets_ball(ray, &b->ball))
+    if (w->boxes ? !sph_visibility_sample_meets_box(ray, &b->box)
+                 : !sph_visibility_sample_meets_ball(ray, &b->ball))
         return;
     __atomic_fetch_add(&b->rays, ray->weight, __ATOMIC_RELAXED);
     for (int i = 0; i < 2; i++)
@@ -88,16 +89,16 @@ static void rays(void *user, uint32_t from, uint32_t end) {
 }
 
 int sph_split_seen(const struct sph_ball *balls, const struct sph_aabb *boxes,
-                   const struct sph_profile *profile, const struct sph_sights *sights,
+                   const struct sph_profile *profile, const struct sph_visibility_samples *samples,
                    struct sph_split *split, struct sph_error *err) {
-    struct work w = {profile, split, NULL, sights->rays, balls, boxes != NULL};
+    struct work w = {profile, split, NULL, samples->rays, balls, boxes != NULL};
     w.bounds = calloc(split->n_pairs, sizeof *w.bounds);
     if (!w.bounds) return sph_fail(err, "out of memory for %u pairs", split->n_pairs);
     if (boxes)
         box(&w, boxes);
     else
         sph_parallel_for(split->n_pairs, BALLS, ball, &w);
-    sph_parallel_for(sights->n, RAYS, rays, &w);
+    sph_parallel_for(samples->n, RAYS, rays, &w);
     float all = (float)(w.bounds[0].rays ? w.bounds[0].rays : 1), scale = w.bounds[0].area / all;
     for (uint32_t i = split->n_pairs; i-- > 0;)
         sph_pair_fill(split->pairs, &split->pairs[i],

@@ -1,0 +1,43 @@
+/* samples.h - rays of a frame, each as far as its own hit, and what they meet
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef SPH_VISIBILITY_SAMPLES_H
+#define SPH_VISIBILITY_SAMPLES_H
+
+#include "builder/tree/sample.h"
+#include "trace/box.h"
+#include "trace/filter.h"
+
+struct sph_visibility_sample { /* a ray on its way to what it hit */
+    struct sph_ray ray;
+    struct sph_bih_ray planes; /* in a tree of boxes */
+    int32_t depth_max;
+    uint32_t weight; /* what it counts for */
+};
+
+struct sph_visibility_samples {
+    struct sph_visibility_sample *rays;
+    uint32_t n;
+};
+
+/* The rays of a sample of the machine's frame, in any order; boxes: for a tree of boxes. A shadow
+ * ray that is blocked ends somewhere on its way: it counts for a third of any other. -1 if memory
+ * is out; what is there is to be freed. */
+int sph_visibility_samples(const struct sph_machine *machine, int boxes,
+                           struct sph_visibility_samples *samples, struct sph_error *err);
+
+void sph_visibility_samples_free(struct sph_visibility_samples *samples);
+
+static inline int sph_visibility_sample_meets_box(const struct sph_visibility_sample *s,
+                                                  const struct sph_box *box) {
+    int32_t near;
+    return sph_box_meets(&s->planes, &s->ray, box, s->depth_max, &near);
+}
+
+static inline int sph_visibility_sample_meets_ball(const struct sph_visibility_sample *s,
+                                                   const struct sph_child *ball) {
+    int32_t near;
+    return sph_filter(&s->ray, ball, s->depth_max, &near);
+}
+
+#endif

@@ -1,0 +1,225 @@
+// rt_bih_stack.v - what a ray does next in a BIH: child, leaf records, put aside, done
+// SPDX-License-Identifier: Apache-2.0
+// A token is a pass of rt_bih_step, which cannot wait, or a ray that popped a node behind its hit
+// and tries once more, or a ray whose leaf records have been tested. Two stages take a token a
+// clock: the first reads all about the slot, the second decides. An interval {hi, lo} bounds where
+// along the ray the node lies that the ray is at.
+// Model: sph_bih_walk() in cmodel/trace/bih_walk.c
+`timescale 1ns / 1ps
+`default_nettype none
+`include "rt_layout.vh"
+`include "rt_bih.vh"
+module rt_bih_stack #(
+    parameter SLOTS = 32,   // power of two
+    parameter DEPTH = `RT_BIH_STACK,  // stack entries a slot, power of two
+    parameter ENDS  = 1,    // 1: some rays end with a hit
+    parameter FACETS = 0,   // 1: a leaf record may have a whole line
+    parameter TW    = `RT_BIH_T  // not to be set: bits of a bound
+) (
+    input  wire             clk,
+    input  wire             rst,
+    // registers
+    input  wire             facets_on_i,
+    input  wire [`RT_LINE_BITS-1:0] root_i,
+    input  wire [`RT_LINE_BITS-1:0] leaf_base_i,
+    input  wire [`RT_ID_BITS-1:0] n_loose_i,
+    // from rt_bih: what the node says, before its pass comes
+    input  wire             node_valid_i,
+    input  wire [$clog2(SLOTS)-1:0] node_slot_i,
+    input  wire [2*`RT_ID_BITS-1:0] node_i, // inner: line of the children; leaf: {count, first}
+    // a pass, and a clock later what rt_bih_step makes of it
+    input  wire             pass_valid_i,
+    input  wire [$clog2(SLOTS)-1:0] pass_slot_i,
+    input  wire [2:0]       pass_kind_i,    // rt_bih.vh
+    input  wire             step_back_i,
+    input  wire             step_near_i,
+    input  wire             step_far_i,
+    input  wire [TW-1:0]    step_upper_i,
+    input  wire [TW-1:0]    step_lower_i,
+    // from rt_closest_hit: the records of a chunk are tested; asked in stage 0, answered in stage 1
+    input  wire             tested_valid_i,
+    input  wire [$clog2(SLOTS)-1:0] tested_slot_i,
+    output wire             read_o,
+    output wire [$clog2(SLOTS)-1:0] slot_o,
+    input  wire [TW-1:0]    limit_i,        // what begins later does not matter
+    input  wire             hit_i,          // the ray has a hit
+    input  wire             ends_i,         // and ends with it
+    // to rt_bih: visit this node, or cut by an axis of the global box
+    output reg              issue_valid_o,
+    output reg [$clog2(SLOTS)-1:0] issue_slot_o,
+    output reg [`RT_LINE_BITS:0] issue_place_o,  // {line, half}
+    output reg              box_valid_o,
+    output reg [$clog2(SLOTS)-1:0] box_slot_o,
+    output reg [1:0]        box_axis_o,
+    // to rt_leaf_unit and rt_closest_hit: a chunk of leaf records
+    output reg              leaf_valid_o,
+    output reg [$clog2(SLOTS)-1:0] leaf_slot_o,
+    output reg [3:0]        leaf_mask_o,    // bit j: record j from the start of the line
+    output reg [2:0]        leaf_count_o,
+    output reg [`RT_LINE_BITS-1:0] leaf_line_o,
+    // the ray is done
+    output reg              done_valid_o,
+    output reg [$clog2(SLOTS)-1:0] done_slot_o,
+    output reg              bubble_o,       // counts nodes popped behind the hit
+    output reg              overflow_o      // the stack was full: the ray ends
+);
+    localparam SLOTW = $clog2(SLOTS);
+    localparam SPW = $clog2(DEPTH);
+    localparam IB  = `RT_ID_BITS;           // number or count of leaf records
+    localparam LB  = `RT_LINE_BITS;
+    localparam EW  = LB + 1 + 2*TW;           // stack entry: {place, hi, lo}
+    localparam [TW-1:0] NONE = {TW{1'b1}};
+    wire       whole = FACETS != 0 && facets_on_i;
+
+    // ---- stage 0: a token; read everything about its slot ----
+    wire             again, again_valid, again_in, tested_valid, tested_in;
+    wire [SLOTW-1:0] again_slot, tested_slot;
+    reg              s1_valid_q, s1_again_q, s1_tested_q;
+    reg [SLOTW-1:0]  s1_slot_q;
+    reg [2:0]        s1_kind_q;
+    rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_again (
+        .clk(clk), .rst(rst), .in_valid_i(again), .in_ready_o(again_in), .in_data_i(s1_slot_q),
+        .out_valid_o(again_valid), .out_ready_i(!pass_valid_i), .out_data_o(again_slot)
+    );
+    rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_tested (
+        .clk(clk), .rst(rst), .in_valid_i(tested_valid_i), .in_ready_o(tested_in),
+        .in_data_i(tested_slot_i),
+        .out_valid_o(tested_valid), .out_ready_i(!pass_valid_i && !again_valid),
+        .out_data_o(tested_slot)
+    );
+    wire             s0_valid = pass_valid_i || again_valid || tested_valid;
+    wire [SLOTW-1:0] s0_slot  = pass_valid_i ? pass_slot_i
+                                : again_valid ? again_slot : tested_slot;
+    assign read_o = s0_valid;
+    assign slot_o = s0_slot;
+    always @(posedge clk) begin
+        s1_valid_q  <= s0_valid;
+        s1_again_q  <= !pass_valid_i && again_valid;
+        s1_tested_q <= !pass_valid_i && !again_valid;
+        s1_slot_q   <= s0_slot;
+        s1_kind_q   <= pass_kind_i;
+        if (rst) s1_valid_q <= 1'b0;
+    end
+
+    wire [2*IB-1:0]  node;
+    rt_slot_ram #(.WIDTH(2*IB), .SLOTS(SLOTS), .OLD(0)) u_node (
+        .clk(clk), .wr_en_i(node_valid_i), .wr_addr_i(node_slot_i), .wr_data_i(node_i),
+        .rd_en_i(pass_valid_i), .rd_addr_i(pass_slot_i), .rd_data_o(node)
+    );
+    wire             span_wr, chunk, keep, push;
+    wire [2*TW-1:0]  span, span_next;       // {hi, lo}
+    rt_slot_ram #(.WIDTH(2*TW), .SLOTS(SLOTS), .OLD(0)) u_span (
+        .clk(clk), .wr_en_i(span_wr), .wr_addr_i(s1_slot_q), .wr_data_i(span_next),
+        .rd_en_i(pass_valid_i), .rd_addr_i(pass_slot_i), .rd_data_o(span)
+    );
+    wire [2*IB-1:0]  chunk_rest, chunk_next;  // leaf records still to test: {count, first}
+    rt_slot_ram #(.WIDTH(2*IB), .SLOTS(SLOTS), .OLD(0)) u_chunk (
+        .clk(clk), .wr_en_i(chunk), .wr_addr_i(s1_slot_q), .wr_data_i(chunk_next),
+        .rd_en_i(s0_valid), .rd_addr_i(s0_slot), .rd_data_o(chunk_rest)
+    );
+    wire [SPW+1:0]   s0_state, state_next;  // {records of no node, stack entries}
+    reg [SPW+1:0]    s1_state_q;
+    rt_slot_file #(.WIDTH(SPW+2), .SLOTS(SLOTS)) u_state (
+        .clk(clk), .wr_en_i(keep), .wr_addr_i(s1_slot_q), .wr_data_i(state_next),
+        .rd_addr_i(s0_slot), .rd_data_o(s0_state)
+    );
+    always @(posedge clk) s1_state_q <= s0_state;
+    wire [EW-1:0]    top, push_data;
+    wire [SPW-1:0]   s0_top_at = s0_state[SPW-1:0] - 1'b1;
+    rt_slot_ram #(.WIDTH(EW), .SLOTS(SLOTS*DEPTH), .OLD(0)) u_stack (
+        .clk(clk), .wr_en_i(push), .wr_addr_i({s1_slot_q, s1_state_q[SPW-1:0]}),
+        .wr_data_i(push_data),
+        .rd_en_i(s0_valid), .rd_addr_i({s0_slot, s0_top_at}), .rd_data_o(top)
+    );
+
+    // ---- stage 1: what is it? ----
+    wire pass  = s1_valid_q && !s1_again_q && !s1_tested_q;
+    wire inner = pass && s1_kind_q == `RT_BIH_INNER;
+    wire fit   = pass && s1_kind_q == `RT_BIH_FIT;
+    wire leave = pass && s1_kind_q == `RT_BIH_LEAVE;
+    wire start = pass && s1_kind_q == `RT_BIH_START;
+    wire box   = pass && s1_kind_q >= `RT_BIH_BOX_X;
+    wire box_x = s1_kind_q == `RT_BIH_BOX_X;         // a start without records of no node
+    wire box_z = s1_kind_q == `RT_BIH_BOX_Z;
+    wire [SPW:0] sp = s1_state_q[SPW:0];
+    wire loose = s1_state_q[SPW+1];
+    wire ended = (pass && s1_kind_q == `RT_BIH_KILL) || (ENDS != 0 && ends_i && hit_i);
+
+    // ---- children ----
+    wire [TW-1:0] lo = box_x ? {TW{1'b0}} : span[TW-1:0];
+    wire [TW-1:0] hi = box_x ? NONE : span[2*TW-1:TW];
+    wire near = step_near_i && lo <= step_upper_i;
+    wire far  = step_far_i && step_lower_i <= hi && step_lower_i <= limit_i;
+    wire both = near && far && step_lower_i <= step_upper_i;  // something lies between the planes
+    wire [TW-1:0] later   = step_lower_i > lo ? step_lower_i : lo;
+    wire [TW-1:0] earlier = step_upper_i < hi ? step_upper_i : hi;
+
+    // ---- leaf records: up to four of two lines ----
+    wire [IB-1:0] leaf_first, leaf_count, rest_first, rest_count, first, count;
+    assign {leaf_count, leaf_first} = node;
+    assign {rest_count, rest_first} = chunk_rest;
+    assign first = start ? {IB{1'b0}} : leave ? leaf_first : rest_first;
+    assign count = start ? n_loose_i : leave ? leaf_count : rest_count;
+    wire        odd   = !whole && first[0];                   // begins with the second of a line
+    wire [2:0]  room  = odd ? 3'd3 : 3'd4;
+    wire        fits  = count <= {{(IB-3){1'b0}}, room};
+    wire [2:0]  n     = fits ? count[2:0] : room;
+    wire [3:0]  ones  = ~(4'hf << n);
+    wire        some  = count != {IB{1'b0}};
+    assign chunk      = (leave || start || (s1_valid_q && s1_tested_q)) && some && !ended;
+    assign chunk_next = {fits ? {IB{1'b0}} : count - {{(IB-3){1'b0}}, room},
+                         first + {{(IB-3){1'b0}}, room}};
+
+    // ---- what next? ----
+    wire finished = s1_valid_q && s1_tested_q && !some;       // all records of a leaf
+    wire pop      = s1_again_q || (finished && !loose) || (leave && !some) ||
+                    (inner && !near && !far) || (fit && !both);
+    wire down     = (inner && (near || far)) || (fit && both);
+    wire full     = sp[SPW];
+    wire aside    = inner && near && far;
+    wire to_box   = (finished && loose) || (box && both && !box_z);
+    wire to_root  = box && both && box_z;
+    wire to_top   = s1_valid_q && pop && sp != 0 && top[TW-1:0] <= limit_i;
+    wire go       = !ended && ((down && !(aside && full)) || to_root || to_top);
+    assign again  = s1_valid_q && !ended && pop && sp != 0 && !to_top;
+    assign keep   = go || again || chunk || (to_box && !ended);
+    assign push   = aside && !full && !ended;
+
+    // The left child stands in half 0: the near one unless the ray runs back.
+    wire half     = fit ? 1'b0 : near ? step_back_i : !step_back_i;
+    wire [LB-1:0] child = node[LB-1:0];                       // line of the children
+    assign push_data  = {child, !step_back_i, hi, later};
+    assign span_wr    = go || (to_box && !ended);
+    assign span_next  = pop ? top[2*TW-1:0]
+                        : {inner && !near ? hi : earlier, inner && near ? lo : later};
+    assign state_next = {start || (loose && chunk),
+                         start || (box && box_x) ? {(SPW+1){1'b0}}
+                         : push ? sp + 1'b1 : pop ? sp - 1'b1 : sp};
+    always @(posedge clk) begin
+        issue_valid_o <= go;
+        issue_slot_o  <= s1_slot_q;
+        issue_place_o <= to_root ? {root_i, 1'b0} : pop ? top[EW-1 -: LB+1] : {child, half};
+        box_valid_o   <= to_box && !ended;
+        box_slot_o    <= s1_slot_q;
+        box_axis_o    <= box ? s1_kind_q[1:0] : 2'd0;         // one behind that of the pass
+        leaf_valid_o  <= chunk;
+        leaf_slot_o   <= s1_slot_q;
+        leaf_mask_o   <= odd ? {ones[2:0], 1'b0} : ones;
+        leaf_count_o  <= n;
+        leaf_line_o   <= leaf_base_i + (whole ? {{(LB-IB){1'b0}}, first}
+                                        : {{(LB-IB+1){1'b0}}, first[IB-1:1]});
+        done_valid_o  <= s1_valid_q && !keep;
+        done_slot_o   <= s1_slot_q;
+        bubble_o      <= again;
+        overflow_o    <= aside && full && !ended;
+        if (rst) begin
+            issue_valid_o <= 1'b0; box_valid_o <= 1'b0; leaf_valid_o <= 1'b0;
+            done_valid_o <= 1'b0; bubble_o <= 1'b0; overflow_o <= 1'b0;
+        end
+    end
+    // for benches: {turned away, taken, clocks of work}
+    wire [7:0] work_next_nodes /* verilator public_flat_rd */ =
+        {pass_valid_i && (again_valid || tested_valid), s0_valid, 5'd0, s0_valid};
+    wire unused = &{1'b0, facets_on_i, again_in, tested_in};
+endmodule
+`default_nettype wire
