@@ -1,7 +1,7 @@
 /* sphaera_file.h - a machine file that lies in memory, as far as the driver looks into it
  * SPDX-License-Identifier: Apache-2.0
  *
- * The file is drawn in docs/use/machine_file.md. Of the checks there these are made: magic,
+ * The file is drawn in docs/reference/machine_file.md. Of the checks there these are made: magic,
  * version, number of registers, size. The checksum is that of whoever brought the file here.
  */
 #ifndef SPHAERA_FILE_H

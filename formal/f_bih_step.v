@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One clock at a time, in words that hold every value: distances, products, what rounding up adds.
 // Then, for any product: below upper * 2^shift, unless that says no bound, and not below
-// lower * 2^shift. docs/model/bih.md says why that loses no hit.
+// lower * 2^shift. docs/design/bih.md says why that loses no hit.
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"

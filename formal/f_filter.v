@@ -3,7 +3,7 @@
 // The formula of cmodel/trace/filter.c in words that hold every value, one clock of it from what
 // the lane had a clock before: no register loses a bit or has the wrong sign. Of the axes only that
 // is needed that (oc.p)^2 + (oc.q)^2 < 2^30, which is so for those of rt_across
-// (docs/blocks/filter.md). That the product of 2 rad - q and 2 rad + q is 4 rad^2 - q^2, and how
+// (docs/design/traversal.md). That the product of 2 rad - q and 2 rad + q is 4 rad^2 - q^2, and how
 // large, are lemmas of products.smt2.
 `timescale 1ns / 1ps
 `default_nettype none

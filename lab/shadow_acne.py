@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# shadow_acne.py - falsely dark pixels of triangles: scenes, runs, table of docs/model/facet.md
+# shadow_acne.py - falsely dark pixels of triangles: scenes, runs, table of docs/design/facet.md
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab.shadow_acne TOOL COUNTER FOLDER PAGE
 TOOL makes scenes, COUNTER (tests/shadow_acne/main.c) counts, FOLDER keeps the scenes."""

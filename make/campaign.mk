@@ -3,7 +3,7 @@
 #
 #   make campaign                  what is not run yet, and the tables of docs/results/mutants.md
 #   make campaign FAULTS=10000     more of them, SEED=2 others
-#   make campaign ENGINE=slurm     on a cluster: docs/use/cluster.md
+#   make campaign ENGINE=slurm     on a cluster: docs/guide/cluster.md
 #   make campaign-c MINUTES=60     the same in the C model
 # A fault meets its module's bench, then what is left another line of that bench's list, then a
 # bench above, then the core: each is one list of jobs, and a job is one program with all faults

@@ -1,13 +1,13 @@
 # shadow_acne.mk - falsely dark pixels of triangles, counted by rules of where rays start
 # SPDX-License-Identifier: Apache-2.0
 #
-#   make shadow-acne                the table of docs/model/facet.md; ten minutes
+#   make shadow-acne                the table of docs/design/facet.md; ten minutes
 #   build/test/shadow_acne SCENE.nff PROFILE --show  one scene; each falsely dark pixel with its ray
 ACNE_C := $(sort $(wildcard tests/shadow_acne/*.c))
 
 .PHONY: shadow-acne
-shadow-acne: $B/test/shadow_acne $(TOOL) ## falsely dark pixels of triangles: docs/model/facet.md
-	$(Q)python3 -m lab.shadow_acne $(TOOL) $< $B/shadow_acne docs/model/facet.md
+shadow-acne: $B/test/shadow_acne $(TOOL) ## falsely dark pixels of triangles: docs/design/facet.md
+	$(Q)python3 -m lab.shadow_acne $(TOOL) $< $B/shadow_acne docs/design/facet.md
 
 $B/test/shadow_acne: $(ACNE_C:%.c=$B/test/obj/%.o) $(LIB)
 	$(call say,LD,$(@F))

@@ -47,7 +47,7 @@ bus-setup: ## installs what `make rdl` and `make cocotb` need into build/venv/bu
 	$(Q)$(bus_python) -m pip install -q $(BUS_PACKAGES)
 
 rdl: ## reads the register list of rt_top with systemrdl-compiler, if `make bus-setup` ran
-	$(Q)if [ -x $(bus_python) ]; then $(bus_python) -m lab.top.rdl docs/blocks/rt_top.rdl; \
+	$(Q)if [ -x $(bus_python) ]; then $(bus_python) -m lab.top.rdl docs/reference/rt_top.rdl; \
 	    else echo "rdl: not checked, systemrdl-compiler is absent: make bus-setup"; fi
 
 cocotb: $B/top/tiny.sph ## rt_top between masters and slaves of cocotbext-axi in Icarus; 2 minutes

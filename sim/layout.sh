@@ -50,7 +50,7 @@ printf '%s\n' "$text" | put rtl/top/rt_top.vh
 text=$(generate_top c)
 printf '%s\n' "$text" | put driver/sphaera_regs.h
 text=$(generate_top rdl)
-printf '%s\n' "$text" | put docs/blocks/rt_top.rdl
+printf '%s\n' "$text" | put docs/reference/rt_top.rdl
 for file in rtl/core/rt_core.v rtl/top/rt_top.v tb/core/tb_core_icarus.v; do
     text=$(splice $file)
     printf '%s\n' "$text" | put $file

@@ -1,7 +1,7 @@
 /* build.h - everything that the papers leave to the CPU: scene in, machine out
  * SPDX-License-Identifier: Apache-2.0
  *
- * Borodavka et al. IV (tree), V (background separation); docs/model/build.md,
+ * Borodavka et al. IV (tree), V (background separation); docs/design/builder.md,
  * docs/results/background.md.
  */
 #ifndef SPH_BUILD_H
@@ -50,7 +50,7 @@ struct sph_build_options {
     int bg_levels;                   /* exact: 0 the root, 1 its children, 2 theirs */
     int tex_filter;                  /* SPH_FILTER_* */
     int coarse;                      /* bits of levels' fractions that are left out, 0..8 */
-    int lod_literal;                 /* 1: base as the paper prints it (docs/model/lod.md) */
+    int lod_literal;                 /* 1: base as the paper prints it (docs/design/textures.md) */
     const struct sph_mip *mips;      /* of the scene's textures, in its order; equal images may
                                         share texels */
     struct sph_texture_bases *bases; /* NULL, or what the frame before left, of the same scene */

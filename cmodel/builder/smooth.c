@@ -1,4 +1,4 @@
-/* smooth.c - see builder/smooth.h, docs/model/smooth.md
+/* smooth.c - see builder/smooth.h, docs/design/shading.md
  * SPDX-License-Identifier: Apache-2.0
  */
 #include "builder/smooth.h"

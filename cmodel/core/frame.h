@@ -12,7 +12,7 @@ struct sph_pixel {
     uint32_t colour[SPH_FRAMES]; /* 0xBBGGRR at depth 0 (Rendering), 1 (L1), deepest (L2) */
     uint32_t id;                 /* primary hit, SPH_ID_NONE: background */
     uint32_t visits;             /* node visits of all rays of the pixel */
-    uint32_t texture;            /* SPH_NO_TEXTURE, or lod and texels: docs/model/texture.md */
+    uint32_t texture;            /* SPH_NO_TEXTURE, or lod and texels: docs/design/textures.md */
     uint64_t key;                /* of the primary hit, 0: none */
 };
 

@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * cmodel/trace is the text that the RTL is read beside, and stays as it is; here the same walk is
- * made for speed: docs/model/fast.md. What is not known here is left to the literal functions, once
- * for a machine.
+ * made for speed: docs/design/model.md. What is not known here is left to the literal functions,
+ * once for a machine.
  */
 #ifndef SPH_FAST_H
 #define SPH_FAST_H

@@ -3,7 +3,7 @@
  *
  * A packet's nodes are chosen for all of its rays, so that nobody knows what one of them would have
  * visited alone. What is hit does not depend on that if every node holds what lies below it, which
- * is looked at first. docs/model/fast.md has the method.
+ * is looked at first. docs/design/model.md has the method.
  */
 #ifndef SPH_FAST_PACKET_H
 #define SPH_FAST_PACKET_H

@@ -1,4 +1,4 @@
-/* format.h - the machine file's fixed part; drawn in docs/use/machine_file.md
+/* format.h - the machine file's fixed part; drawn in docs/reference/machine_file.md
  * SPDX-License-Identifier: Apache-2.0
  */
 #ifndef SPH_FORMAT_H

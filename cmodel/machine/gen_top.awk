@@ -180,9 +180,9 @@ function page(i, j, f) {
         }
     }
     printf "| %s + 4n | machine register n | rw | 0 | | n = 0..%d of " \
-           "[core.md](../use/core.md#registers) |\n", place["MACHINE"], last_machine
+           "[core.md](core.md#registers) |\n", place["MACHINE"], last_machine
     printf "| %s + 8n | counter n, low word | ro | | | of the last SNAPSHOT; 0..31: [core.md]" \
-           "(../use/core.md#counters) |\n", place["COUNTERS"]
+           "(core.md#counters) |\n", place["COUNTERS"]
     print "| + 4 | its high 16 bits | ro | | | |"
     for (i = 32; i < counters; i++)
         printf "| | counter %d `%s` | | | | %s |\n", i, counter[i], counter_what[i]

@@ -76,7 +76,7 @@ static inline void sph_field_set(uint32_t *line, int lsb, int width, uint32_t va
     if (mask >> 32) word[1] = (word[1] & ~(uint32_t)(mask >> 32)) | (uint32_t)(bits >> 32);
 }
 
-/* Writes a machine file (docs/use/machine_file.md): header, registers, memory, checksum; to a
+/* Writes a machine file (docs/reference/machine_file.md): header, registers, memory, checksum; to a
  * temporary name, then renamed. 0, or -1 with a message. */
 int sph_machine_write(const struct sph_machine *m, const char *path, struct sph_error *err);
 

@@ -1,4 +1,5 @@
-/* read.c - file to machine, nothing believed unchecked; see machine.h, docs/use/machine_file.md
+/* read.c - file to machine, nothing believed unchecked; see machine.h,
+ * docs/reference/machine_file.md
  * SPDX-License-Identifier: Apache-2.0
  */
 #include <ctype.h>

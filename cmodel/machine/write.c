@@ -1,4 +1,4 @@
-/* write.c - machine to file; see machine.h, docs/use/machine_file.md
+/* write.c - machine to file; see machine.h, docs/reference/machine_file.md
  * SPDX-License-Identifier: Apache-2.0
  */
 #include <stdio.h>

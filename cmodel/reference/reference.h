@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Nothing is quantised before the final 8-bit colour: what a machine's frame differs by is the
- * price of its number formats. Shading rules are those of the machine (docs/model/model.md).
+ * price of its number formats. Shading rules are those of the machine (docs/design/model.md).
  */
 #ifndef SPH_REFERENCE_H
 #define SPH_REFERENCE_H

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Ray differentials: Igehy 1999; the estimate of BMRT: Gritz and Hahn 1996, as told by Park et al.
- * 2011, section 3; the other two stand in docs/model/lod.md.
+ * 2011, section 3; the other two stand in docs/design/textures.md.
  */
 #ifndef SPH_REFERENCE_TEXTURE_H
 #define SPH_REFERENCE_TEXTURE_H

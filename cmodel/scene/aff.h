@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * J. Lext, U. Assarsson, T. Moeller: AFF, of BART, a Benchmark for Animated Ray Tracing, 2000: NFF
- * with includes, meshes, nested transforms and keyframes (docs/use/scene_format.md#aff).
+ * with includes, meshes, nested transforms and keyframes (docs/reference/scene_format.md#aff).
  */
 #ifndef SPH_AFF_H
 #define SPH_AFF_H

@@ -1,8 +1,8 @@
 /* nesting.h - what is around glass: a sphere within another bends against the other's index
  * SPDX-License-Identifier: Apache-2.0
  *
- * Rule: docs/model/refraction.md, *Nesting*. Spheres whose surroundings are no vacuum get materials
- * of their own, at the end of the list; sum.of says of which they are made.
+ * Rule: docs/design/refraction.md, *Nesting*. Spheres whose surroundings are no vacuum get
+ * materials of their own, at the end of the list; sum.of says of which they are made.
  */
 #ifndef SPH_SCENE_NESTING_H
 #define SPH_SCENE_NESTING_H

@@ -1,4 +1,4 @@
-/* nff_read.c - reads the Neutral File Format; see nff_reader.h and docs/use/scene_format.md
+/* nff_read.c - reads the Neutral File Format; see nff_reader.h and docs/reference/scene_format.md
  * SPDX-License-Identifier: Apache-2.0
  *
  * NFF is Eric Haines' format of the Standard Procedural Databases (SPD). Their conventions hold:

@@ -1,4 +1,4 @@
-/* nff_write.c - writes a scene as NFF; see scene.h and docs/use/scene_format.md
+/* nff_write.c - writes a scene as NFF; see scene.h and docs/reference/scene_format.md
  * SPDX-License-Identifier: Apache-2.0
  *
  * The same text whatever the locale. `f` is written whenever the material changes, so that spheres

@@ -1,8 +1,8 @@
 /* pov_image.c - see pov_image.h
  * SPDX-License-Identifier: Apache-2.0
  *
- * Coordinates are those of docs/model/texture.md, but t goes up, as in the file: the nearest texel
- * of the whole image is seen. A pigment is made of three functions, one a channel.
+ * Coordinates are those of docs/design/textures.md, but t goes up, as in the file: the nearest
+ * texel of the whole image is seen. A pigment is made of three functions, one a channel.
  */
 #include "scene/pov_image.h"
 

@@ -89,8 +89,8 @@ static void put_head(const struct writer *w, const struct sph_pov_options *o, in
     fprintf(f,
             " for POV-Ray 3.7, lengths times %.15g\n"
             "// povray FILE.pov +W%d +H%d -A -D +FE +OFILE.exr\n"
-            "// Add Declare=Ids=1 for the numbers of primitives in flat colours; what else may be\n"
-            "// declared, and how surfaces at the last reflection come out: docs/use/tool.md\n"
+            "// Add Declare=Ids=1 for the numbers of primitives in flat colours; what else may\n"
+            "// be declared, how surfaces at the last reflection come out: docs/reference/tool.md\n"
             "#version 3.7;\n"
             "#ifndef (Reflections) #declare Reflections = %d; #end\n"
             "#ifndef (Whole) #declare Whole = 0; #end\n"

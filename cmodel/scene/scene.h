@@ -32,7 +32,7 @@ struct sph_light {
     uint32_t line; /* of the file, for messages; 0 if generated */
 };
 
-/* Whitted's sum (docs/model/shading.md): then ks is the highlight alone, and shine, trans and ior
+/* Whitted's sum (docs/design/shading.md): then ks is the highlight alone, and shine, trans and ior
  * count.
  */
 struct sph_sum {
@@ -143,8 +143,8 @@ struct sph_scene {
     char **files;
 };
 
-/* Reads an NFF file, or an AFF file by its name (docs/use/scene_format.md), into *scene. 0, or -1
- * with "file:line: ..." in *err; on failure *scene holds nothing to free. */
+/* Reads an NFF file, or an AFF file by its name (docs/reference/scene_format.md), into *scene. 0,
+ * or -1 with "file:line: ..." in *err; on failure *scene holds nothing to free. */
 int sph_scene_read(const char *path, const struct sph_read_options *options,
                    struct sph_scene *scene, struct sph_error *err);
 

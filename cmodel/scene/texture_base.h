@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Park et al. 2011, section 4, in five steps; what of it is taken and what is mended, and why,
- * stands in docs/model/lod.md. Every step counts its arithmetic (flops.h).
+ * stands in docs/design/textures.md. Every step counts its arithmetic (flops.h).
  */
 #ifndef SPH_TEXTURE_BASE_H
 #define SPH_TEXTURE_BASE_H

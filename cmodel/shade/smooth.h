@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Barycentric interpolation is linear in the hit point, so a record has what is linear: the normal
- * at a point of the grid, and how it turns from there on (docs/model/smooth.md).
+ * at a point of the grid, and how it turns from there on (docs/design/shading.md).
  */
 #ifndef SPH_SMOOTH_H
 #define SPH_SMOOTH_H

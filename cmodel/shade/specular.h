@@ -1,7 +1,7 @@
 /* specular.h - highlights: Phong's cosine and its power                RTL: rtl/shade/rt_specular.v
  * SPDX-License-Identifier: Apache-2.0
  *
- * Formats and bounds: docs/model/shading.md.
+ * Formats and bounds: docs/design/shading.md.
  */
 #ifndef SPH_GLOSS_H
 #define SPH_GLOSS_H

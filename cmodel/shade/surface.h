@@ -29,7 +29,7 @@ int sph_surface_point(const struct sph_profile *p, const struct sph_ray *ray, ui
 /* The point of the grid where secondary rays start, from the guarded one; limited: returns 1. That
  * of a sphere is the nearest. That of a facet lies strictly in front of its plane, on the side that
  * the ray came from: each coordinate goes on to the next number of the grid along the normal
- * `vector`, turned if the hit is far (docs/model/facet.md has the proof). */
+ * `vector`, turned if the hit is far (docs/design/facet.md has the proof). */
 int sph_surface_nearest(const struct sph_profile *p, struct sph_surface *s);
 int sph_surface_outwards(const struct sph_profile *p, int far, const int64_t vector[3],
                          struct sph_surface *s);
@@ -64,7 +64,7 @@ void sph_bounce(const struct sph_profile *p, const int64_t dir[3], const struct 
                 int64_t out[3]);
 
 /* sph_bounce(); if the normal is interpolated, what goes behind the facet is mirrored once more, at
- * the facet (docs/model/smooth.md). */
+ * the facet (docs/design/shading.md). */
 void sph_mirror(const struct sph_profile *p, const int64_t dir[3], const struct sph_surface *s,
                 int64_t out[3]);
 

@@ -42,7 +42,7 @@ typedef struct sphaera_error {
 /* Version of the library, such as "1.2.3". */
 SPHAERA_API const char *sphaera_version(void);
 
-/* ---- scenes (docs/use/scene_format.md) ---- */
+/* ---- scenes (docs/reference/scene_format.md) ---- */
 
 /* Reads a scene file; at: frame that moving primitives are moved to, 0..65535. If there is no file
  * of this name, it may be KIND or KIND:N of `sphaera gen`, such as "random:256", which is made. */
@@ -119,15 +119,15 @@ SPHAERA_API void sphaera_frame_visits(const sphaera_frame *frame, uint32_t *visi
 /* Hash of all that `sphaera render` prints one of: equal frames have equal hashes. */
 SPHAERA_API uint64_t sphaera_frame_hash(const sphaera_frame *frame);
 
-/* Sticky errors of the drawing, a bit each (docs/use/core.md); 0: none. */
+/* Sticky errors of the drawing, a bit each (docs/reference/core.md); 0: none. */
 SPHAERA_API uint32_t sphaera_frame_errors(const sphaera_frame *frame);
 
 /* Writes a picture in the format of the name's ending: 8 bits in sRGB, or OpenEXR, linear. */
 SPHAERA_API int sphaera_frame_write(const sphaera_frame *frame, const char *path,
                                     sphaera_error *error);
 
-/* Counters, by number or by name such as "node_visits" (docs/use/core.md): their names, NULL behind
- * the last; their values, 0 where the hardware alone counts; -1 if the name is none. */
+/* Counters, by number or by name such as "node_visits" (docs/reference/core.md): their names, NULL
+ * behind the last; their values, 0 where the hardware alone counts; -1 if the name is none. */
 SPHAERA_API const char *sphaera_counter_name(int number);
 SPHAERA_API uint64_t sphaera_frame_counter(const sphaera_frame *frame, int number);
 SPHAERA_API int sphaera_counter_find(const char *name);

@@ -1,7 +1,7 @@
 /* coords.h - texture coordinates of a hit                        RTL: rtl/texture/rt_coords.v
  * SPDX-License-Identifier: Apache-2.0
  *
- * Both kinds of mapping record, drawn in machine.def; formats: docs/model/texture.md.
+ * Both kinds of mapping record, drawn in machine.def; formats: docs/design/textures.md.
  */
 #ifndef SPH_COORDS_H
 #define SPH_COORDS_H

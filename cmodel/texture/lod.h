@@ -3,7 +3,7 @@
  *
  * Park et al. 2011, equation 2: lod = log2(path) - log2(P_b). path is the length of all rays from
  * the eye to the hit; P_b stands in the mapping record. With SPREAD a path that a sphere spreads
- * grows by so much more as the footprint of its pixel. Formats and bounds: docs/model/lod.md.
+ * grows by so much more as the footprint of its pixel. Formats and bounds: docs/design/textures.md.
  */
 #ifndef SPH_LOD_H
 #define SPH_LOD_H

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Two rotations by CORDIC: (z, x) gives the longitude and the distance from the axis, which with y
- * gives the latitude. Formats, bounds, poles and seam: docs/model/texture.md.
+ * gives the latitude. Formats, bounds, poles and seam: docs/design/textures.md.
  */
 #ifndef SPH_LONGITUDE_H
 #define SPH_LONGITUDE_H

@@ -1,7 +1,7 @@
 /* order.h - orders in which texels could stand in lines of eight words, to be compared
  * SPDX-License-Identifier: Apache-2.0
  *
- * The machine has SPH_ORDER_TILES (texel.h); docs/model/texture.md holds the comparison.
+ * The machine has SPH_ORDER_TILES (texel.h); docs/design/textures.md holds the comparison.
  */
 #ifndef SPH_ORDER_H
 #define SPH_ORDER_H

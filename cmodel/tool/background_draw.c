@@ -1,4 +1,4 @@
-/* background_draw.c - pictures of background separation; see ways.h
+/* background_draw.c - pictures of background separation; see background_compare.h
  * SPDX-License-Identifier: Apache-2.0
  *
  * The steps in the manner of Borodavka et al., Figures 5 to 8, and one picture for each way.

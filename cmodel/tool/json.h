@@ -1,4 +1,4 @@
-/* json.h - members of JSON reports; docs/use/report_schema.md
+/* json.h - members of JSON reports; docs/reference/report_schema.md
  * SPDX-License-Identifier: Apache-2.0
  */
 #ifndef SPH_TOOL_JSON_H

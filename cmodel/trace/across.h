@@ -3,7 +3,7 @@
  *
  * p, q and the unit vector u are at right angles up to roundings, p and q at most 1 long, and so is
  * every mixture of them of length 1: a product with both never makes a vector longer. p has no
- * component along the axis on which u is smallest. docs/blocks/filter.md has the bounds.
+ * component along the axis on which u is smallest. docs/design/traversal.md has the bounds.
  */
 #ifndef SPH_ACROSS_H
 #define SPH_ACROSS_H

@@ -1,7 +1,7 @@
 /* bih_walk.h - one ray through a bounding interval hierarchy          RTL: rtl/trace/rt_bih.v
  * SPDX-License-Identifier: Apache-2.0
  *
- * Aroxa 2014, III.B, Listing 3.5; docs/model/bih.md has every rule and what of the listing is
+ * Aroxa 2014, III.B, Listing 3.5; docs/design/bih.md has every rule and what of the listing is
  * mended. Planes first, then the global box, then nodes, the nearer of two children first. Which
  * nodes a ray visits, and which leaf records it tests, depends on the ray alone.
  */

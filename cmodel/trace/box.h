@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * A box is what lies between its six planes, each of which cuts the ray as one of a BIH does
- * (trace/bih.h), so that a box never rejects what is hit: docs/model/box4.md. Boxes are ordered by
+ * (trace/bih.h), so that a box never rejects what is hit: docs/design/bih.md. Boxes are ordered by
  * the T-word where the ray enters them, of which the first bit and the SPH_BOX_NEAR behind it are
  * kept: a *depth*.
  */

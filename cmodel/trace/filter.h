@@ -5,7 +5,7 @@
  * centre from it, without the cancellation of rad^2 - |oc|^2 + (oc.u)^2. Depth is measured along
  * the largest axis of u: a child behind the origin or deeper than the best hit is left out.
  *
- * Why it never rejects wrongly: docs/blocks/filter.md adds up the roundings, SPH_FILTER_MARGIN
+ * Why it never rejects wrongly: docs/design/traversal.md adds up the roundings, SPH_FILTER_MARGIN
  * covers them.
  */
 #ifndef SPH_FILTER_H

@@ -1,6 +1,6 @@
 # limits.py - what limits a run of the RTL, for tables
 # SPDX-License-Identifier: Apache-2.0
-"""A conclusion about time names the units that the run itself names (docs/use/simulation.md,
+"""A conclusion about time names the units that the run itself names (docs/guide/simulation.md,
 "What limits a run"); a table has them by parts() of a pass of report.json."""
 
 LEAST = 0.05  # of the frame: a smaller part is not told

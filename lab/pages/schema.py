@@ -1,4 +1,4 @@
-# schema.py - the members of a JSON report, from its schema docs/use/NAME.schema.json
+# schema.py - the members of a JSON report, from its schema docs/reference/NAME.schema.json
 # SPDX-License-Identifier: Apache-2.0
 """A list of the members of the whole, with the commands that write them (dependentSchemas), and a
 paragraph for each object of $defs. A $ref and what it refers to both may have a description."""
@@ -8,7 +8,7 @@ from pathlib import Path
 
 
 def read(name):
-    return json.loads(Path(f"docs/use/{name}.schema.json").read_text("utf-8"))
+    return json.loads(Path(f"docs/reference/{name}.schema.json").read_text("utf-8"))
 
 
 def wrapped(text, indent=""):

@@ -114,7 +114,7 @@ BORODAVKA = [
      "{cold_leaf_tests} tests of spheres {cold_leaf_misses}, from cold caches", "make papers",
      "built"),
     ("VII", "a frame buffer of three frames, video by HDMI, control by a CPU",
-     "[rt_top](../blocks/rt_top.md) and [rt_video](../blocks/video.md), with a driver; every "
+     "[rt_top](../reference/rt_top.md) and [rt_video](../design/video.md), with a driver; every "
      "picture that a display decodes is compared with the model's", "make top", "built"),
     ("VIII", "no comparison, since no one has used a sphere as a primitive",
      "meshes of 1280 triangles a sphere are 24 to 31 dB farther from the truth, at 2200 times the "
@@ -125,11 +125,13 @@ BORODAVKA = [
 ]
 
 PARK = [
-    ("4", "lod = log2(P_l) - log2(P_b)", "built in model and RTL ([lod.md](../model/lod.md))",
+    ("4", "lod = log2(P_l) - log2(P_b)",
+     "built in model and RTL ([textures.md](../design/textures.md#level-of-detail))",
      "make test ONLY=test_levels", "same"),
     ("4", "log2(P_b) in five steps",
      "as printed upside down, of the wrong unit, and counted twice; mended "
-     "([lod.md](../model/lod.md#p_b-by-build)). A wall of 2 by 2 with 256 by 256 texels, square to "
+     "([textures.md](../design/textures.md#p_b-by-build)). A wall of 2 by 2 with 256 by 256 "
+     "texels, square to "
      "the ray at 800x480: a pixel and a texel have the same area, which is how the paper defines "
      "P_b, where log2(P_b) is {base_true}. The steps give {base_printed}, where a pixel covers "
      "{base_texels} texels; with twice the texels a side {base_printed_512} for {base_true_512}, "
@@ -151,8 +153,10 @@ PARK = [
      "16 lines misses {alone_kitchen} of {hits_kitchen} in our kitchen, {alone_of_field} % on "
      "ground of 80 000 triangles: below", "make papers", "other"),
     ("5, Fig. 1", "texture mapping unit, ray stack, triangle and texture cache",
-     "[rt_texture](../blocks/texture_unit.md); of two rays at a hit one goes, and the other waits "
-     "with its path in a place for each depth ([rt_rays](../blocks/refract_unit.md)), which is the "
+     "[rt_texture](../design/textures.md#rt_texture); of two rays at a hit one goes, and the other "
+     "waits "
+     "with its path in a place for each depth ([rt_rays](../design/refraction.md#rt_refract)), "
+     "which is the "
      "paper's ray stack; without refraction no ray waits", "make test ONLY=test_core_texture",
      "built"),
     ("6", "all scenes tend to higher levels",
@@ -205,7 +209,8 @@ AROXA = [
      "tests; of a binary tree of boxes it takes 0.7 to 0.9 times the steps", "make kinds",
      "built"),
     ("III.B", "Listings 3.2 to 3.5",
-     "built, with [what they get wrong](../model/bih.md#what-the-listings-get-wrong). Listing 3.5, "
+     "built, with [what they get wrong](../design/bih.md#what-the-listings-get-wrong). Listing "
+     "3.5, "
      "taken literally, gives another sphere than a look at all of them in {listing_printed} pixels "
      "of Scenario 1 with 64 spheres at 40x68, where {listing_seen} see one; in {listing_text} with "
      "its two branches exchanged, as the text has them; in {listing_aware} where the child that is "

@@ -1,7 +1,7 @@
 # units.py - how busy each unit of the core was
 # SPDX-License-Identifier: Apache-2.0
 """In Verilator the bench counts the clocks in which each unit works, and says what limits a pass
-(docs/use/simulation.md): counted(). Of other runs the counters of the core alone tell something:
+(docs/guide/simulation.md): counted(). Of other runs the counters of the core alone tell something:
 least() has the clocks that some units need at their intervals, parameters of rt_core. That is a
 lower bound, of units whose work has a counter, and does not tell what limits the frame."""
 import subprocess
@@ -13,10 +13,10 @@ from ..pages import verilog
 
 Unit = namedtuple("Unit", "name clocks what")  # of an engine, or of the one memory port
 
-GLOSS = 24      # docs/blocks/shading_unit.md: clocks a highlight
+GLOSS = 24      # docs/design/shading.md: clocks a highlight
 BEATS = 4       # of a line
 LINE = 32       # its bytes
-RECORD = 1      # docs/blocks/leaf_unit.md: clocks a request of a record
+RECORD = 1      # docs/design/primitives.md: clocks a request of a record
 
 
 def said(*script):

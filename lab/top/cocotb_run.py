@@ -21,7 +21,7 @@ def main(folder, machine, frame, data, *parameters):
                           build_dir=folder, test_dir=folder, extra_env={
                               "MACHINE": str(Path(machine).resolve()),
                               "FRAME": str(Path(frame).resolve()),
-                              "RDL": str(Path("docs/blocks/rt_top.rdl").resolve()),
+                              "RDL": str(Path("docs/reference/rt_top.rdl").resolve()),
                               "PYTHONPATH": str(Path.cwd()), "COCOTB_LOG_LEVEL": "WARNING"})
     tests, failed = get_results(results)
     print(f"cocotb, {data} bits: {tests - failed} of {tests} tests passed")

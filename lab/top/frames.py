@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab.top.frames FOLDER
 Joins build.json of the CPU side and frames.tsv of the harness: prints a table and leaves
-FOLDER/report.json (docs/use/report_schema.md)."""
+FOLDER/report.json (docs/reference/report_schema.md)."""
 import csv
 import json
 import os

@@ -62,7 +62,7 @@ class Frame:
 
     @cached_property
     def counters(self) -> Dict[str, int]:
-        """All counters by name (docs/use/core.md); 0 where the hardware alone counts."""
+        """All counters by name (docs/reference/core.md); 0 where the hardware alone counts."""
         names = takewhile(bool, map(lib.sphaera_counter_name, count()))
         return {text(name): lib.sphaera_frame_counter(self._pointer, i)
                 for i, name in enumerate(names)}
@@ -74,7 +74,7 @@ class Frame:
 
     @property
     def errors(self) -> int:
-        """Sticky errors of the drawing, a bit each (docs/use/core.md); 0: none."""
+        """Sticky errors of the drawing, a bit each (docs/reference/core.md); 0: none."""
         return lib.sphaera_frame_errors(self._pointer)
 
     def write(self, path: PathLike) -> None:

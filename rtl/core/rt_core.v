@@ -1,6 +1,6 @@
 // rt_core.v - the ray tracer: registers, pixel walk, engines, memory port, counters
 // SPDX-License-Identifier: Apache-2.0
-// Ports and their order of use: docs/use/core.md. Borodavka et al. VII: Rendering, L1
+// Ports and their order of use: docs/reference/core.md. Borodavka et al. VII: Rendering, L1
 // and L2 come out of one pass as the colours at reflection depth 0, 1 and the deepest.
 // Model: sph_render() in cmodel/render/render.c
 `timescale 1ns / 1ps

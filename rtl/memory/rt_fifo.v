@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The oldest word stands at the output without being asked for. Latency 1 cycle from a push into
 // the empty queue to out_valid_o; one push and one pop every cycle.
-// In the engine no queue can overflow (token rule, docs/blocks/rtl_interfaces.md) and in_ready_o
+// In the engine no queue can overflow (token rule, docs/design/overview.md) and in_ready_o
 // may stay open; a push while in_ready_o is low is lost and stops a simulation.
 `timescale 1ns / 1ps
 `default_nettype none

@@ -7,7 +7,7 @@
 //   triangle  hit if s*det > 0, s*num > 0 and all s*Ui >= 0, s the sign of det, U0 = det-U1-U2
 //   plane     hit if s*det > 0, s*num > 0          to a light: a miss if s*num >= s*det
 //                                  and unless s*(num*2^NG + N.lift) > |N_x| + |N_y| + |N_z|
-// Ports, timing: docs/blocks/facet_unit.md. Model: sph_facet_test() in cmodel/prim/facet.c
+// Ports, timing: docs/design/primitives.md. Model: sph_facet_test() in cmodel/prim/facet.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
@@ -36,7 +36,7 @@ module rt_facet #(
     output wire                       divide_o   // a key begins
 );
     localparam TAG  = $clog2(SLOTS) + `RT_ID_BITS;       // {slot, id}
-    localparam DW   = (2*W > 24 ? 2*W : 24) + WD + 1;    // det' (docs/model/facet.md)
+    localparam DW   = (2*W > 24 ? 2*W : 24) + WD + 1;    // det' (docs/design/facet.md)
     localparam MW   = 3*W + 1 > W + 25 ? 3*W + 1 : W + 25;  // num'
     localparam VW   = (DW > MW ? DW : MW) + 1;           // det, num, Ui, signed
     localparam LATENCY = `RT_FACET_SUMS_LATENCY(W, WD, INTERVAL);

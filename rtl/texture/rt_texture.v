@@ -3,7 +3,7 @@
 // Every surface passes; one with a texture goes through its mapping record, the header of its image
 // and the texels around its coordinates before its lights begin (Park et al. 2011, Figure 1). One
 // token a slot: whatever waits lies in a queue or in a memory of SLOTS words, and what the cache
-// returns is always taken. Drawing and timing: docs/blocks/texture_unit.md
+// returns is always taken. Drawing and timing: docs/design/textures.md
 // Model: sph_lookup() in cmodel/texture/lookup.c
 `timescale 1ns / 1ps
 `default_nettype none

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //   AXI4-Lite -> rt_control -> rt_run, rt_machine -> rt_core -> lines  -> rt_axi_read    -> AXI4
 //                rt_totals                                   -> pixels -> rt_frame_write -> AXI4
-// Registers, order of use, timing: docs/blocks/rt_top.md. This module is wires alone.
+// Registers, order of use, timing: docs/reference/rt_top.md. This module is wires alone.
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_check.vh"

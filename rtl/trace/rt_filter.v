@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // pass = (oc.p)^2 + (oc.q)^2 <= rad^2 && depth + rad >= 0 && depth - rad <= depth_max,
 // oc = ctr - org, p and q across the ray (rt_across), depth = oc along the largest axis of its unit
-// vector. Never rejects what the exact test hits (docs/blocks/filter.md).
+// vector. Never rejects what the exact test hits (docs/design/traversal.md).
 //   1 oc | 2 its parts along p | 3 products | 4 pairs | 5 sums | 6 cut to 1 fraction bit | rad - q,
 //   rad + q | (oc.p)^2 and their product | compare; with SQUARES 7 to 10 squares | 11 rad^2 - qq
 // Latency 9 = `RT_FILTER_LATENCY, with SQUARES 12 = `RT_FILTER_SQUARES_LATENCY; a child a clock.

@@ -2,9 +2,9 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * A simulator gives step(): inputs low, all settles, outputs are looked at, a rising edge. In every
- * clock the rules of docs/use/core.md are held: what waits for ready stays; an idle core asks for
- * nothing, gives nothing and keeps its errors; errors stay until a start; a reset leaves nothing;
- * lines lie in memory; when busy_o falls, memory owes nothing.
+ * clock the rules of docs/reference/core.md are held: what waits for ready stays; an idle core asks
+ * for nothing, gives nothing and keeps its errors; errors stay until a start; a reset leaves
+ * nothing; lines lie in memory; when busy_o falls, memory owes nothing.
  */
 #ifndef TB_PORT_HOST_H
 #define TB_PORT_HOST_H

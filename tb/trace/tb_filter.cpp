@@ -228,7 +228,7 @@ class Source {
             return;
         }
         sph_leaf_result r = sph_leaf_test(&ray, &s);
-        if (!r.hit || (v.hard.given && ray.skip.id == s.id)) return; /* docs/blocks/filter.md */
+        if (!r.hit || (v.hard.given && ray.skip.id == s.id)) return; /* docs/design/traversal.md */
         hits++;
         v.must_pass = true;
         margin = std::max(margin, filter_distance(v) - held.r);

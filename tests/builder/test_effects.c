@@ -129,7 +129,7 @@ static void test_nearness(void **unused) {
         assert_int_equal(sph_nearness(&a, &b, &sph_profiles[SPH_DRAFT]), cases[i].draft);
         assert_int_equal(sph_nearness(&b, &a, &sph_profiles[SPH_REFERENCE]), cases[i].reference);
     }
-    assert_int_equal(sph_point_error(&sph_profiles[SPH_STANDARD]), 37); /* docs/model/build.md */
+    assert_int_equal(sph_point_error(&sph_profiles[SPH_STANDARD]), 37); /* docs/design/builder.md */
     assert_int_equal(sph_point_error(&sph_profiles[SPH_FINE]), 13);
 }
 

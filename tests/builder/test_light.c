@@ -19,8 +19,8 @@ static int shift_of(const struct sph_machine *m, int l) {
     return m->regs[SPH_REG_LIGHT0_R + SPH_LIGHT_STRIDE * l] >> SPH_LIGHT_SHIFT_LSB;
 }
 
-/* The vector from any surface to a light has its word, is off by no more than lamp.h says, and ends
- * beyond all that could stand before the light. */
+/* The vector from any surface to a light has its word, is off by no more than light.h says, and
+ * ends beyond all that could stand before the light. */
 static void check_light(const struct sph_scene *s, const struct sph_machine *m, int l) {
     const struct sph_profile *p = sph_machine_profile(m);
     const int32_t *lamp = m->regs + SPH_REG_LIGHT0_X + SPH_LIGHT_STRIDE * l;

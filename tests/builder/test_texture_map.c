@@ -12,7 +12,7 @@ static double off(int64_t at, double expected) {
 }
 
 /* The record of triangle i at its corners, which are grid points: off by no more than
- * docs/model/texture.md says. *worst: error over bound. */
+ * docs/design/textures.md says. *worst: error over bound. */
 static void check_triangle(const struct sph_machine *m, uint32_t i, const struct sph_facet *facet,
                            double *worst) {
     const uint32_t *leaf =

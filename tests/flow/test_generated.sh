@@ -11,7 +11,7 @@ same() { # name, committed file, fresh file
 sh sim/layout.sh "$TMP" || exit 1
 for file in cmodel/machine/layout.h rtl/core/rt_layout.vh rtl/core/rt_core.v \
     tb/core/tb_core_icarus.v rtl/top/rt_top.vh rtl/top/rt_top.v driver/sphaera_regs.h \
-    docs/blocks/rt_top.rdl rtl/video/rt_modes.vh driver/sphaera_modes.h; do
+    docs/reference/rt_top.rdl rtl/video/rt_modes.vh driver/sphaera_modes.h; do
     same "${file##*/} follows its definition" $file "$TMP/${file##*/}"
 done
 

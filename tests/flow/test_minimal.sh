@@ -33,7 +33,7 @@ icarus() { # folder of the two files
 check "... and draws the model's frame" icarus "$TMP"
 check "Verilator takes rtl/sphaera.f in silence" silent verilator --lint-only --timing \
     --language 1364-2005 --top-module minimal -f rtl/sphaera.f examples/minimal/minimal.v
-sed -n 's/^    //; /^files=/p; /^yosys /p' docs/use/core.md >"$TMP/yosys.sh"
+sed -n 's/^    //; /^files=/p; /^yosys /p' docs/reference/core.md >"$TMP/yosys.sh"
 check "the page has lines for Yosys" [ "$(wc -l <"$TMP/yosys.sh")" = 2 ]
 check "... which take every module" sh -c "sh '$TMP/yosys.sh' >'$TMP/said' 2>&1 ||
     { tail -n 3 '$TMP/said'; exit 1; }; grep -q 'Top module: .*rt_core' '$TMP/said'"

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # In a copy of the tree a line of machine.def names the effect `dummy`; `make layout` does the rest.
-# Then the first six steps of docs/blocks/adding_a_primitive.md are done: the primitive `wedge` is a
+# Then the first six steps of docs/design/extending.md are done: the primitive `wedge` is a
 # triangle under another name, so it draws what triangles draw. The copy's tool is compiled once,
 # without optimisation; the core is elaborated, not simulated.
 set -u
@@ -52,10 +52,10 @@ says() { grep -q -e "$1" "$2" || { cat "$2" && false; }; }
 make help-all >"$TMP/help" 2>&1
 check "make help-all names it" says dummyN "$TMP/help"
 
-python3 -m lab.pages docs/use/core.md >"$TMP/pages" 2>&1 || cat "$TMP/pages"
+python3 -m lab.pages docs/reference/core.md >"$TMP/pages" 2>&1 || cat "$TMP/pages"
 check "the page of the core has it" says \
-    '^- `dummy`, `DUMMY` = 3 (0..3, bit [0-9]*): does nothing' docs/use/core.md
-check "... once" sh -c '[ "$(grep -c DUMMY docs/use/core.md)" = 1 ]'
+    '^- `dummy`, `DUMMY` = 3 (0..3, bit [0-9]*): does nothing' docs/reference/core.md
+check "... once" sh -c '[ "$(grep -c DUMMY docs/reference/core.md)" = 1 ]'
 
 # ---- the core elaborates with it and without, silently ----
 elaborate() { # list
@@ -71,7 +71,7 @@ check "Icarus elaborates a core with it" elaborate inside+dummy2
 check "Icarus elaborates a core without" elaborate none
 
 # ---- the page names at most ten files, and lines that are there ----
-page=docs/blocks/adding_a_primitive.md
+page=docs/design/extending.md
 sed -n 's/^| [^|]* | `\([^`]*\)` | `\(.*\)` |$/\1|\2/p' $page >"$TMP/steps"
 ten() { cut -d'|' -f1 "$TMP/steps" | sort -u >"$TMP/ten" && cat "$TMP/ten" &&
     [ "$(wc -l <"$TMP/ten")" -le 10 ] && [ "$(wc -l <"$TMP/steps")" -ge 9 ]; }

@@ -31,7 +31,7 @@ void job_wrong(struct job *j, int check, const char *what) {
 }
 
 /* t lies less than 1/|dir| above and 2^(2-PQ) of the distance below
- * (docs/model/number_formats.md). */
+ * (docs/reference/number_formats.md). */
 static void check_t(struct job *j, const struct answer *a, const struct sph_quotient *q) {
     long double length = sqrtl((long double)j->ray.a), t = ldexpl(q->mant, -q->exp);
     long double error = (t - exact_t(&a->exact)) * length;
@@ -95,7 +95,8 @@ static void check_surface(struct job *j, const struct sph_leaf *s, const struct 
 }
 
 /* Whether the origin lies at most sqrt(3)/2 outside the sphere: where rounding puts the origins of
- * rays that start on its inner side, for which alone the filter speaks (docs/blocks/filter.md). */
+ * rays that start on its inner side, for which alone the filter speaks
+ * (docs/design/traversal.md). */
 static int next_to(const struct sph_ray *ray, const struct sph_leaf *s) {
     int64_t off = -4 * s->rad * s->rad - 3; /* |oc| <= rad + sqrt(3)/2, squared */
     for (int i = 0; i < 3; i++)

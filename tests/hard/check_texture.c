@@ -1,8 +1,8 @@
 /* check_texture.c - coordinates, texels and levels of images; see check.h
  * SPDX-License-Identifier: Apache-2.0
  *
- * The naive model is of this file alone: the definitions of docs/model/texture.md and lod.md, with
- * angles and logarithms by the library instead of tables.
+ * The naive model is of this file alone: the definitions of docs/design/textures.md and lod.md,
+ * with angles and logarithms by the library instead of tables.
  */
 #include <math.h>
 #include <stdlib.h>

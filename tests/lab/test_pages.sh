@@ -25,7 +25,7 @@ unrelated() { # files of the tool, the RTL, the model, a scene, other pages; the
         edited "$(find rtl -name rt_leaf.v)" 's/endmodule/wire more; endmodule/' &&
         edited "$(find cmodel -name leaf_unit.c)" '$s/$/\nint more(void);/' &&
         edited scenes/paper100.nff '$s/$/\ns 9 9 9 1/' &&
-        edited docs/model/fast.md '$s/$/\nOne more sentence./' &&
+        edited docs/design/model.md '$s/$/\nOne more sentence./' &&
         edited docs/results/trees.md '/^# /s/$/, again/' && python3 -m lab.pages --check
 }
 check "an edit of tool, RTL, model, scene and prose leaves no page old" unrelated

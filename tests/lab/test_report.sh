@@ -107,13 +107,13 @@ for word in '<b>roots: busy in 90.0 %' '<span>quotients<.*45.0%' '<span>highligh
     check "... $word" grep -q "$word" "$counted/report.html"
 done
 
-valid() { python3 -W ignore -m jsonschema -i "$1" docs/use/simulation.schema.json; }
+valid() { python3 -W ignore -m jsonschema -i "$1" docs/reference/simulation.schema.json; }
 check "report.json is as its schema has it" valid "$run/report.json"
 sed 's/"mismatches": 0/"mismatches": -1/' "$run/report.json" >"$TMP/broken.json"
 check "... a part's too" valid "$parted/report.json"
 check "... and one with units" valid "$counted/report.json"
 check "... which notices what is wrong" sh -c "! $(command -v python3) -W ignore -m jsonschema -i \
-    '$TMP/broken.json' docs/use/simulation.schema.json >/dev/null 2>&1"
+    '$TMP/broken.json' docs/reference/simulation.schema.json >/dev/null 2>&1"
 
 # ---- CSV ----
 columns() { python3 -c "import csv, sys

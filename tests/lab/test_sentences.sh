@@ -21,7 +21,7 @@ primitives="spheres, triangles and planes"
 check "make help names what is drawn" says "$primitives" make help
 check "the tool's help too" says "$primitives" "$SPHAERA" --help
 check "the core has frame store and AXI around it: rt_top" nowhere "have to be put around the core"
-check "core.md links it" says "](../blocks/rt_top.md)" sed -n '/^## Limits/,$p' docs/use/core.md
+check "core.md links it" says "](rt_top.md)" sed -n '/^## Limits/,$p' docs/reference/core.md
 check "a ray that waits is the paper's ray stack" nowhere "there is no stack"
 check "the paper's Figure 10 names no number" nowhere '"5 spheres, a light'
 cold() { # what a page calls cold was not measured behind a first pass

@@ -1,10 +1,11 @@
 #!/bin/sh
-# test_loader.sh - a loader that knows docs/use/machine_file.md alone reads what the tool wrote
+# test_loader.sh - a loader that knows docs/reference/machine_file.md alone reads what the tool
+# wrote
 # SPDX-License-Identifier: Apache-2.0
 set -u
 . "$(dirname "$0")/../tap.sh"
 cd "$(dirname "$0")/../.." || exit 1
-page=docs/use/machine_file.md
+page=docs/reference/machine_file.md
 
 loads() { # page, machine
     "$SPHAERA" info "$2" >"$TMP/info" && python3 - "$1" "$2" "$TMP/info" <<'LOADER'

@@ -2,7 +2,7 @@
 # test_kinds.sh - a kind of primitive more gets into the RTL by two files of rtl/prim
 # SPDX-License-Identifier: Apache-2.0
 #
-# In a copy of the RTL the steps of docs/blocks/adding_a_primitive.md are done for the kind `wedge`,
+# In a copy of the RTL the steps of docs/design/extending.md are done for the kind `wedge`,
 # a copy of rt_facet behind ports of its own: it answers what a triangle answers. Then a primitive
 # gives point and normal nine clocks later than today's do: rt_hit makes the same surfaces of them.
 # All runs in Icarus, in seconds.

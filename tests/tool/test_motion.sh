@@ -110,7 +110,7 @@ r = json.load(open(sys.argv[1]))
 assert r["command"] == "top" and [f["draw_cycles"] for f in r["frames"]] == [20, 21, 22, 23]' \
     "$TMP/top/report.json"
 check "as the schema has it" python3 -W ignore -m jsonschema -i "$TMP/top/report.json" \
-    docs/use/report.schema.json
+    docs/reference/report.schema.json
 sed -i '$d' "$TMP/top/frames.tsv"
 check "a frame too few is told" sh -c "! python3 -m lab.top.frames '$TMP/top'"
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# test_report_schema.sh - reports of every command are as docs/use/report.schema.json says
+# test_report_schema.sh - reports of every command are as docs/reference/report.schema.json says
 # SPDX-License-Identifier: Apache-2.0
 set -u
 . "$(dirname "$0")/../tap.sh"
@@ -7,7 +7,7 @@ root=$(cd "$(dirname "$0")/../.." && pwd)
 cd "$TMP" || exit 1
 mkdir work
 cd work || exit 1
-s=$SPHAERA scenes=$root/scenes schema=$root/docs/use/report.schema.json
+s=$SPHAERA scenes=$root/scenes schema=$root/docs/reference/report.schema.json
 
 # usage: python3 schema.py SCHEMA NAME...: what is wrong of NAME.json; NAME may be followed by a
 # colon and a change of the report r.

@@ -236,8 +236,8 @@ static void depth_bounds(void **state) {
     }
 }
 
-/* What the filter's proof asks of axes across a ray (docs/blocks/filter.md), exactly, in squares of
- * 2^-17 or 2^-34: p, q and no mixture of them is longer than 1. *along: how much of a step along
+/* What the filter's proof asks of axes across a ray (docs/design/traversal.md), exactly, in squares
+ * of 2^-17 or 2^-34: p, q and no mixture of them is longer than 1. *along: how much of a step along
  * the ray they see, squared, 1 at most. */
 static int axes_hold(const int64_t dir[3], int bits, double *longest, double *along) {
     uint64_t a = 0;

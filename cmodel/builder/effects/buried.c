@@ -1,4 +1,5 @@
-/* buried.c - spheres that no picture shows and no shadow needs; see occlude.h, docs/model/build.md
+/* buried.c - spheres that no picture shows and no shadow needs; see occlude.h,
+ * docs/design/builder.md
  * SPDX-License-Identifier: Apache-2.0
  */
 #include <string.h>

@@ -1,7 +1,7 @@
 /* effects.c - which effects a scene calls for, and which the machine gets; see effects.h
  * SPDX-License-Identifier: Apache-2.0
  *
- * Each effect that is off is proved to change no pixel of this scene: docs/model/build.md.
+ * Each effect that is off is proved to change no pixel of this scene: docs/design/builder.md.
  */
 #include "builder/effects/effects.h"
 

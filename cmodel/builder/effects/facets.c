@@ -1,4 +1,4 @@
-/* facets.c - what triangles and planes call for; see effects.h, docs/model/build.md
+/* facets.c - what triangles and planes call for; see effects.h, docs/design/builder.md
  * SPDX-License-Identifier: Apache-2.0
  */
 #include "builder/effects/effects.h"

@@ -1,4 +1,4 @@
-/* materials.c - what materials call for; see effects.h, docs/model/build.md
+/* materials.c - what materials call for; see effects.h, docs/design/builder.md
  * SPDX-License-Identifier: Apache-2.0
  */
 #include "builder/effects/effects.h"

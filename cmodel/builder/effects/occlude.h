@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Exact integers, careful: "cannot" is proved for every point that the machine may reach, rounded
- * as it is. E is sph_point_error(), near is sph_nearness(): docs/model/build.md.
+ * as it is. E is sph_point_error(), near is sph_nearness(): docs/design/builder.md.
  */
 #ifndef SPH_OCCLUDE_H
 #define SPH_OCCLUDE_H

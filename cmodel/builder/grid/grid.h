@@ -18,7 +18,7 @@ struct sph_grid {
     double rotation[9]; /* rows: those of the grid */
     double origin[3];   /* coordinates of grid point 0 along them */
     struct sph_eye seen_from;
-    uint32_t ground; /* sphere that is not all on it (ground.h); n_spheres: none */
+    uint32_t ground; /* sphere that is not all on it (huge_sphere_bounds.h); n_spheres: none */
     int32_t eye[3];  /* grid units, exact */
     int log2;        /* a grid unit is 2^log2 scene units */
     double step;     /* 2^log2 */
@@ -26,7 +26,7 @@ struct sph_grid {
 };
 
 /* Finds the finest power-of-two grid of w bits, in axes that are chosen (axes.h), that holds the
- * scene (docs/model/build.md). -1 if the camera has no direction or a number of the scene is not
+ * scene (docs/design/builder.md). -1 if the camera has no direction or a number of the scene is not
  * usable. */
 int sph_grid_fit(const struct sph_scene *scene, int w, int axes, struct sph_grid *grid,
                  struct sph_error *err);

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * The machine's vector from a point P to a light is v = L - round(P / 2^shift), a word of WD bits;
- * the light stands at P + v (docs/model/build.md). With shift 0 that is the light itself. Beyond
+ * the light stands at P + v (docs/design/builder.md). With shift 0 that is the light itself. Beyond
  * the grid v is shorter than the way to the light by about 2^shift, and nothing may stand behind P
  * + v.
  */

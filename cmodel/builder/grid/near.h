@@ -1,8 +1,8 @@
 /* near.h - do spheres come so near each other that a rounded hit point may lie in another one?
  * SPDX-License-Identifier: Apache-2.0
  *
- * The bound E and its proof: docs/model/build.md. All of it is exact integers; error bounds are in
- * units of 2^-(NG+1) grid units, the step of the last rounding but one.
+ * The bound E and its proof: docs/design/builder.md. All of it is exact integers; error bounds are
+ * in units of 2^-(NG+1) grid units, the step of the last rounding but one.
  *
  * Without INSIDE the leaf test refuses spheres with k >= 0 (the origin is in or on them) and the
  * ray's own; with it the own sphere counts only for a ray that started in it. So only an origin in

@@ -1,7 +1,7 @@
 /* plane_bounds.h - how large a grid planes ask for, which have no end
  * SPDX-License-Identifier: Apache-2.0
  *
- * Beyond the grid a plane is lit as where the ray leaves the grid (docs/model/build.md). Planes
+ * Beyond the grid a plane is lit as where the ray leaves the grid (docs/design/builder.md). Planes
  * that close a room around the eye are seen no farther than its corners; of others the grid should
  * hold so much that nobody sees the difference.
  */

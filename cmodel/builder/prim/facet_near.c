@@ -1,4 +1,4 @@
-/* facet_near.c - does a facet come near a sphere? See build.h, docs/model/build.md
+/* facet_near.c - does a facet come near a sphere? See build.h, docs/design/builder.md
  * SPDX-License-Identifier: Apache-2.0
  *
  * Exact integers in units of the error, 2^-(NG+1); with W = 24 and NG = 4 a coordinate has 29 bits,

@@ -3,7 +3,7 @@
  *
  * Rays of some pixels and of their neighbours go through the scene in double precision; what the
  * grid, the directions and the quotient of a profile can move on their way is known. The bounds:
- * docs/model/build.md.
+ * docs/design/builder.md.
  */
 #ifndef SPH_ESTIMATE_H
 #define SPH_ESTIMATE_H

@@ -1,8 +1,8 @@
 /* map.h - mapping records: how an image lies on a triangle, a plane, a sphere
  * SPDX-License-Identifier: Apache-2.0
  *
- * Drawn in machine.def; formats in docs/model/texture.md. All put coordinates and base into a line
- * of zeros and return 0, or -1 with "file:line: ...".
+ * Drawn in machine.def; formats in docs/design/textures.md. All put coordinates and base into a
+ * line of zeros and return 0, or -1 with "file:line: ...".
  */
 #ifndef SPH_TEXTURE_MAP_H
 #define SPH_TEXTURE_MAP_H

@@ -1,4 +1,4 @@
-/* bih.h - builds a bounding interval hierarchy in integers of the grid; docs/model/bih.md
+/* bih.h - builds a bounding interval hierarchy in integers of the grid; docs/design/bih.md
  * SPDX-License-Identifier: Apache-2.0
  *
  * Aroxa 2014, III.B: the widest axis is cut in its middle, primitives go to a side by the centres

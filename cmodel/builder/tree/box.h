@@ -1,4 +1,4 @@
-/* box.h - boxes in a node's frame, outwards in integers of the grid; docs/model/box4.md
+/* box.h - boxes in a node's frame, outwards in integers of the grid; docs/design/bih.md
  * SPDX-License-Identifier: Apache-2.0
  */
 #ifndef SPH_BUILD_BOX_H

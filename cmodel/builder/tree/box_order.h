@@ -1,4 +1,4 @@
-/* box_order.h - the order in which shadow rays take the children of a node; docs/model/box4.md
+/* box_order.h - the order in which shadow rays take the children of a node; docs/design/bih.md
  * SPDX-License-Identifier: Apache-2.0
  */
 #ifndef SPH_BOX_ORDER_H

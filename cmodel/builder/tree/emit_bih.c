@@ -1,4 +1,5 @@
-/* emit_bih.c - primitives to a bounding interval hierarchy in memory; see emit.h, docs/model/bih.md
+/* emit_bih.c - primitives to a bounding interval hierarchy in memory; see emit.h,
+ * docs/design/bih.md
  * SPDX-License-Identifier: Apache-2.0
  *
  * The root in line 0, pairs of children as they were made, leaf records in the order of the leaves

@@ -1,4 +1,4 @@
-/* samples.c - see samples.h
+/* visibility_samples.c - see visibility_samples.h
  * SPDX-License-Identifier: Apache-2.0
  */
 #include "builder/tree/visibility_samples.h"

@@ -1,4 +1,4 @@
-/* samples.h - rays of a frame, each as far as its own hit, and what they meet
+/* visibility_samples.h - rays of a frame, each as far as its own hit, and what they meet
  * SPDX-License-Identifier: Apache-2.0
  */
 #ifndef SPH_VISIBILITY_SAMPLES_H
