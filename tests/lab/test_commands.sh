@@ -46,7 +46,7 @@ commands() {
     grep -hoE '(^    |`)(build/)?(sphaera [a-z]+|make (sim|render)) [^`#]*' "$@" |
         sed -E 's/^[ `]*//; s,^(build/)?sphaera ,,; s/ +$//; s/  +.*//' |
         grep -E '^make|\.nff|--spheres|^gen ' |
-        grep -vE '\.\.\.|(^| )(SCENE|FILE|N)([ .]|$)|TOP=1$|^import /' | sort -u
+        grep -vE '\.\.\.|(^| )(SCENE|FILE|N)([ .]|$)|(TOP=1|PROFILE=)$|^import /' | sort -u
 }
 commands README.md docs/results/*.md >"$TMP/there"
 listed() {

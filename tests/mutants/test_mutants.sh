@@ -55,7 +55,7 @@ bench() {
 }
 # rt_top with the golden model in place of its core, under its driver.
 top() {
-    cp -al make cmodel driver sim tb "$here/" && cp -al "$BUILD/top" "$here/build/" &&
+    cp -al make cmodel driver sim tb tests "$here/" && cp -al "$BUILD/top" "$here/build/" &&
         (cd "$here" && eval "set -- DATA=${1:-64} LAYERS=${2:-0} $(cat "$TMP/shell")" &&
             set -- -s -f make/rt_top.mk B=build BENCH=tb_shell SEED=1 "$@" &&
             { make "$@" top >build/log 2>&1 || { cat build/log && return 2; }; } &&

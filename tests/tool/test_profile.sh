@@ -89,7 +89,7 @@ check "auto is the default, and the report has both" sh -c \
     grep -q '\"expected\": {' '$TMP/j.json'"
 for bad in x 0 -1 1e10 0.1, 0.1,x 0.1,100 ,45; do
     fails 2 "--error $bad" "$s" build scenes/paper5.nff -o "$TMP/y.sph" --error "$bad"
-    check "... is told" has "is no number from" "$TMP/err"
+    check "... is told" has "is no error such as" "$TMP/err"
 done
 check "nothing is written" test ! -e "$TMP/y.sph"
 done_testing
