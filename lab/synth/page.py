@@ -17,7 +17,7 @@ def profiles(runs):
     names = [name for name, m in sorted(runs[-1]["modules"].items(),
                                         key=lambda m: (-m[1]["total"]["lut4eq"], m[0]))
              if m["total"]["lut4eq"] >= 400 or m["total"]["mult"] > 1]
-    rows = [[name] + [r["modules"][name]["total"][column]
+    rows = [[name] + [r["modules"][name]["total"][column] if name in r["modules"] else "-"
                       for column in ("lut4eq", "mult") for r in runs] for name in names]
     return report.table(["module"] + [r["profile"] for r in runs]
                         + [r["profile"] + " MULT" for r in runs], rows)
