@@ -3,8 +3,8 @@
  *
  * Formats and bounds: docs/design/shading.md.
  */
-#ifndef SPH_GLOSS_H
-#define SPH_GLOSS_H
+#ifndef SPH_SPECULAR_H
+#define SPH_SPECULAR_H
 
 #include <stdint.h>
 

@@ -4,8 +4,8 @@
  * The machine's ways are built and asked pixel by pixel as the model does; the paper's methods at
  * their word (literal) are drawn beside them. Truth: the pixels whose primary ray hits a sphere.
  */
-#ifndef SPH_TOOL_WAYS_H
-#define SPH_TOOL_WAYS_H
+#ifndef SPH_BACKGROUND_COMPARE_H
+#define SPH_BACKGROUND_COMPARE_H
 
 #include "builder/background/outline.h"
 #include "tool/tool.h"

@@ -64,6 +64,13 @@ raise SystemExit(os.wait()[1] != 0)
 END
 check "a forked child draws what its parent drew" "$mine" forked.py
 
+cat >unload.py <<END
+import sphaera
+sphaera.read('$root/scenes/paper5.nff').build(width=16, height=9).render()
+END
+ends_well() { for _ in 1 2 3 4 5 6 7 8; do "$mine" unload.py || return 1; done; }
+check "a program ends well that has drawn" ends_well
+
 # ---- the notebook ----
 cd "$root" || exit 1
 PYTHONPATH=$packages "$python" -m lab.notebook examples/python/sweep.ipynb >"$TMP/out" 2>&1

@@ -3,8 +3,8 @@
  *
  * Only for comparison: no machine is built with it. rect.h is the safe one.
  */
-#ifndef SPH_LITERAL_H
-#define SPH_LITERAL_H
+#ifndef SPH_RECT_PAPER_H
+#define SPH_RECT_PAPER_H
 
 #include "builder/background/outline.h"
 

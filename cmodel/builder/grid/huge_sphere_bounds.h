@@ -11,8 +11,8 @@
  * 4 D (r + T). No step is longer than twice the side of the box of all over 2^W, D no longer than
  * twice the margin.
  */
-#ifndef SPH_BUILD_GROUND_H
-#define SPH_BUILD_GROUND_H
+#ifndef SPH_HUGE_SPHERE_BOUNDS_H
+#define SPH_HUGE_SPHERE_BOUNDS_H
 
 #include "scene/scene.h"
 

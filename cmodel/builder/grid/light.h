@@ -6,8 +6,8 @@
  * the grid v is shorter than the way to the light by about 2^shift, and nothing may stand behind P
  * + v.
  */
-#ifndef SPH_LAMP_H
-#define SPH_LAMP_H
+#ifndef SPH_GRID_LIGHT_H
+#define SPH_GRID_LIGHT_H
 
 #include "builder/grid/grid.h"
 

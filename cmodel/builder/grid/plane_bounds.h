@@ -5,8 +5,8 @@
  * that close a room around the eye are seen no farther than its corners; of others the grid should
  * hold so much that nobody sees the difference.
  */
-#ifndef SPH_ENDLESS_H
-#define SPH_ENDLESS_H
+#ifndef SPH_PLANE_BOUNDS_H
+#define SPH_PLANE_BOUNDS_H
 
 #include "machine/layout.h"
 #include "scene/scene.h"
