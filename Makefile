@@ -160,6 +160,6 @@ layout: ## what follows from machine.def, top.def, bundles.def, modes.def, VERSI
 	$(Q)sh sim/filelist.sh
 
 clean: ## remove build/
-	$(Q)[ ! -L $B ] || rm -rf -- "$$(readlink $B)"; rm -rf $B
+	$(Q)[ ! -L $B ] || rm -rf -- "$$(realpath -- $B)"; rm -rf $B
 
 endif
