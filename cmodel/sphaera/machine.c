@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "builder/profile/build_auto.h"
+#include "builder/profile/choose_profile.h"
 #include "image/mips.h"
 #include "sphaera/opaque.h"
 #include "texture/lookup.h"

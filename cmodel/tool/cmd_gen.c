@@ -14,7 +14,7 @@
 #include "scene/frustum.h"
 #include "scene/motion.h"
 #include "scene/pdb_import.h"
-#include "tool/import_aff.h"
+#include "tool/sequence.h"
 
 struct arguments {
     const char *what, *output;

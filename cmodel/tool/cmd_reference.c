@@ -7,7 +7,7 @@
 #include "image/image.h"
 #include "reference/reference.h"
 #include "tool/levels.h"
-#include "tool/light_picture.h"
+#include "tool/pictures.h"
 #include "image/mips.h"
 #include "tool/tool.h"
 

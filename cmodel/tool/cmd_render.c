@@ -7,13 +7,12 @@
 #include "image/image.h"
 #include "validate/describe.h"
 #include "render/render.h"
-#include "tool/light_picture.h"
+#include "tool/pictures.h"
 #include "tool/movie.h"
 #include "tool/print.h"
 #include "tool/progress.h"
 #include "tool/report.h"
 #include "tool/sequence.h"
-#include "tool/walk_picture.h"
 
 struct arguments {
     struct tool_source source;

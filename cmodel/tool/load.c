@@ -1,16 +1,18 @@
 /* load.c - a machine from a machine file or a scene file
  * SPDX-License-Identifier: Apache-2.0
  */
+#include <stdio.h>
 #include <string.h>
 #include <strings.h>
 
-#include "builder/profile/build_auto.h"
+#include "builder/profile/choose_profile.h"
 #include "common/input.h"
+#include "common/output.h"
 #include "image/mips.h"
 #include "scene/aff.h"
+#include "scene/generate.h"
 #include "tool/tool.h"
 #include "validate/validate.h"
-#include "scene/generate.h"
 
 int tool_is_machine(const char *path) {
     size_t length = strlen(path);
@@ -111,5 +113,22 @@ int tool_load(const char *path, const struct tool_source *source, struct tool_bu
     if (!rc) rc = tool_build_scene(source, &scene, mips, built, err);
     sph_mips_free(mips, scene.n_textures);
     sph_scene_free(&scene);
+    return rc;
+}
+
+int tool_write_scene(const char *output, struct sph_scene *scene, struct sph_error *err) {
+    struct sph_output out;
+    const char *path = output ? output : "-";
+    int rc = sph_output_open(&out, path, err);
+    if (!rc) {
+        int failed = sph_scene_write(scene, out.file, err);
+        rc = sph_output_close(&out, failed, err);
+    }
+    if (!rc && strcmp(path, "-")) {
+        printf("%s: %u spheres, ", path, scene->n_spheres);
+        if (scene->n_facets) printf("%u facets, ", scene->n_facets);
+        printf("%d lights, %u materials\n", scene->n_lights, scene->n_materials);
+    }
+    sph_scene_free(scene);
     return rc;
 }

@@ -43,4 +43,16 @@ char *tool_numbered(const char *path, uint32_t frame);
 /* P_b made and kept, and what making took, into a report's object. */
 void report_bases(json_t *report, const struct sph_build_report *build);
 
+struct tool_import_aff {
+    struct sph_read_options read;
+    struct tool_frames frames;
+    int width, height;  /* 0: the scene's */
+    const char *output; /* NULL: standard output */
+    const struct tool_outputs *outputs;
+};
+
+/* Writes the AFF scene at path as NFF, or each frame into a file of its own; names of images become
+ * absolute. 0, or -1 with a message. */
+int tool_import_aff(const char *path, const struct tool_import_aff *how, struct sph_error *err);
+
 #endif

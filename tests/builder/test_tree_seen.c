@@ -7,7 +7,7 @@
 
 #include "builder/grid/bound.h"
 #include "builder/tree/box.h"
-#include "builder/tree/sample.h"
+#include "builder/tree/visibility_samples.h"
 #include "builder/tree/rotate.h"
 #include "builder/tree/seen.h"
 #include "common/parallel.h"

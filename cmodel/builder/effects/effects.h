@@ -5,8 +5,8 @@
 #define SPH_EFFECTS_H
 
 #include "builder/build.h"
-#include "builder/grid/grid.h"
 #include "builder/effects/occlude.h"
+#include "builder/grid/grid.h"
 
 /* A scene on the grid, and what is asked for. */
 struct sph_survey {

@@ -20,7 +20,7 @@ struct sph_aabb {
     int32_t lo[3], hi[3]; /* grid units, both ends belong to it */
 };
 
-/* Half the surface, from lo to hi; 0 if there is nothing in it. In bih_refit.c. */
+/* Half the surface, from lo to hi; 0 if there is nothing in it. In refit.c. */
 double sph_aabb_area(const struct sph_aabb *box);
 
 /* One node; an even index is a left child or the root, the odd one behind it the right child. */

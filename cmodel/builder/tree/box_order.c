@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "builder/tree/sample.h"
+#include "builder/tree/visibility_samples.h"
 #include "machine/records.h"
 #include "trace/box.h"
 #include "trace/leaf_unit.h"

@@ -4,7 +4,9 @@
 #ifndef SPH_VISIBILITY_SAMPLES_H
 #define SPH_VISIBILITY_SAMPLES_H
 
-#include "builder/tree/sample.h"
+#include "common/error.h"
+#include "core/ray_log.h"
+#include "machine/machine.h"
 #include "trace/box.h"
 #include "trace/filter.h"
 
@@ -39,5 +41,13 @@ static inline int sph_visibility_sample_meets_ball(const struct sph_visibility_s
     int32_t near;
     return sph_filter(&s->ray, ball, s->depth_max, &near);
 }
+
+/* What is done with a ray of the sample and what it found; of several threads at a time. */
+typedef void sph_sample_look(void *user, const struct sph_logged *ray);
+
+/* Traces the rays of the pixels in the middles of at most 32 x 18 equal parts of the machine's
+ * frame. Which rays there are does not depend on its tree. -1 if memory is out. */
+int sph_sample(const struct sph_machine *machine, sph_sample_look *look, void *user,
+               struct sph_error *err);
 
 #endif

@@ -1,12 +1,14 @@
-/* light_picture.h - the pictures that people look at, of a frame
+/* pictures.h - the pictures that people look at, of a frame
  * SPDX-License-Identifier: Apache-2.0
  */
-#ifndef SPH_TOOL_LIGHT_PICTURE_H
-#define SPH_TOOL_LIGHT_PICTURE_H
+#ifndef SPH_TOOL_PICTURES_H
+#define SPH_TOOL_PICTURES_H
 
 #include "common/error.h"
 #include "core/frame.h"
 #include "core/trail.h"
+#include "machine/machine.h"
+#include "render/render.h"
 #include "tool/tool.h"
 
 struct light_pictures {
@@ -33,5 +35,16 @@ error_t light_option(struct light_pictures *how, struct tool_outputs *outputs, i
 int light_picture(const struct light_pictures *how, int samples, const struct sph_machine *m,
                   const struct sph_frame *frame, const struct sph_trail *trails,
                   struct sph_error *err);
+
+/* A copy of the frame in the colours of Aroxa 2014, Figure 4.2f; sph_frame_free() frees it. trails:
+ * one for each pixel. 0, or -1 if memory is out. */
+int depth_picture(const struct sph_frame *frame, const struct sph_trail *trails,
+                  struct sph_frame *painted);
+
+/* Aroxa 2014, Figure 4.3: writes the colours of `layer` with a fifth more green for every inner
+ * node of which the pixel's primary ray meets no child, and a fifth more blue for every node that
+ * it visits. The machine has a BIH. 0, or -1 with a message. */
+int walk_picture(const char *path, const struct sph_machine *m, const struct sph_frame *frame,
+                 int layer, struct sph_error *err);
 
 #endif
