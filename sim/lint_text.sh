@@ -9,7 +9,8 @@ sources=$(find Makefile .ci make cmodel driver examples lab rtl formal python tb
     -o -name '*.vh' -o -name '*.vlt' -o -name '*.sh' -o -name '*.mk' -o -name '*.awk' \
     -o -name '*.py' -o -name '*.ys' -o -name '*.def' -o -name '*.txt' -o -name '*.lib' \
     -o -name '*.smt2' \))
-generated='/(rt_(layout|modes|bundles|top)\.vh|(layout|bundles|sphaera_[rm].*|[a-z_]*_table)\.h)$'
+generated='/(rt_(layout|modes|bundles|top|core_rules)\.vh|'
+generated=$generated'(layout|bundles|sphaera_[rm].*|[a-z_]*_table)\.h)$'
 written=$(printf '%s\n' "$sources" | grep -vE "$generated")
 texts=$(find docs scenes README.md -type f \( -name '*.md' -o -name '*.nff' \) 2>/dev/null)
 bad=0
@@ -39,6 +40,7 @@ report() { # title, findings
         ! -name rt_top.v -exec awk '
         FNR == 1 { ports = 0 }
         /^    (input|output) / && ++ports == 41 { print FILENAME }' {} +)"
+    report "fields of a bundle beside a port" "$(sh sim/bundles.sh --check)"
     report "rt_engine only wires, in fewer than 200 lines" "$(awk '
         FNR == 200 || /^ *(always|initial|reg|function)/ { print FILENAME ":" FNR }' \
         rtl/engine/rt_engine.v)"

@@ -10,25 +10,9 @@
 `include "rt_layout.vh"
 `include "rt_bundles.vh"
 module rt_shade #(
-    parameter W          = 16,   // coordinate, bits
-    parameter WD         = 17,   // direction component, bits
-    parameter PQ         = 17,   // significant bits of the quotient
-    parameter NG         = 2,    // guard bits of the normal
-    parameter PR         = 0,    // significant bits of the root, 0: all
+    `include "rt_effects.vh"
     parameter SLOTS      = 64,   // rays in flight, power of two
     parameter LUTS       = 0,    // LUT cells that a block RAM is worth, rt_slot_ram
-    parameter SHADOW     = 1,    // 1: shadow rays
-    parameter REFLECT    = 5,    // effects elaborated, see rt_core
-    parameter LIGHTS     = 8,
-    parameter INSIDE     = 1,
-    parameter INTERPENETRATE = 1,
-    parameter FACETS     = 0,
-    parameter TEXTURE    = 0,
-    parameter SMOOTH     = 0,
-    parameter SPREAD     = 0,
-    parameter REFRACT    = 0,
-    parameter SPECULAR   = 0,
-    parameter SUM        = 0,
     parameter TEXTURE_LINES = 128, // texture cache
     parameter TEXTURE_WAYS = 4,  // its groups of a set
     parameter TEXTURE_GROUP = 1, // lines of a group
@@ -43,26 +27,40 @@ module rt_shade #(
     input  wire                       rst,
     input  wire                       flush_i,         // forget the texture cache
     input  wire [`RT_REGS_BITS-1:0]   regs_i,
+    //: {BOX[6*(W+2)], N_LOOSE[24], LEAF_BASE[26], N_PRIMS[24], VISIT_LIMIT[24], MEM_LINES[26],
+    //: SMOOTH_BASE[26], PRIM_BASE[26], ROOT[26], EYE[3*W], AMBIENT[48], BACKGROUND[24],
+    //: N_LIGHTS[4], LEAST[9], MAX_DEPTH[4], TEX_FILTER[2], EFFECTS[EFFECT_BITS]}
     input  wire [`RT_LIGHT_BITS-1:0]  light_i,         // a light is written
+    //: {DATA[32], PART[3], NUMBER[3], VALID}
     // from rt_setup
     input  wire [`RT_RAY_BITS-1:0]    ray_i,
+    //: {SLOT[SLOTW], H[6], Y[17], UNIT[54], INSIDE, SKIP[24], A[2*WD], DIR[3*WD], ORG[3*W], SHADOW,
+    //: PRIMARY, LIGHT, NORMAL, VALID}
     input  wire                       next_light_i,    // ray_i has LIGHT in the next clock
     input  wire [$clog2(SLOTS)-1:0]   next_slot_i,     // of this slot
     // from rt_slots: what rays hit; to it: a surface is blended, a pixel is complete
     input  wire [`RT_HIT_BITS-1:0]    hit_i,
+    //: {SLOT[SLOTW], KEY[W+WD+2], ID[24], FAR, PROBE, FIRST, LIT, SHADOW, MISS, HIT}
     output wire [`RT_BLEND_BITS-1:0]  blend_o,
+    //: {SLOT[SLOTW], W_TOTAL[17], W_REFRACT[17], W_MIRROR[17], DEPTH[4], REFRACT, MIRROR, PROBE,
+    //: LAST, VALID}
     output wire                       end_valid_o,
     output wire [$clog2(SLOTS)-1:0]   end_slot_o,
     // to and from rt_leaf_unit: primitive records
     output wire [`RT_FETCH_BITS-1:0]  fetch_o,
+    //: {SLOT[SLOTW], LINE[26], VALID}
     input  wire                       fetch_ready_i,
     input  wire [`RT_RECORD_BITS-1:0] record_i,
+    //: {SLOT[SLOTW], DATA[256], VALID}
     // to rt_setup: vectors, and where and on what the next ray starts
     output wire [`RT_VECTOR_BITS-1:0] normal_o,
     output wire [`RT_VECTOR_BITS-1:0] vec_light_o,
     output wire [`RT_VECTOR_BITS-1:0] bounce_o,
+    //: {SLOT[SLOTW], VEC[3*WD], VALID}
     output wire [`RT_ORG_BITS-1:0]    org_o,
+    //: {SLOT[SLOTW], LIFT[3*(NG+2)], POINT[3*W], VALID}
     output wire [`RT_SKIP_BITS-1:0]   skip_o,
+    //: {SLOT[SLOTW], INSIDE, ID[24], VALID}
     // to rt_trace: token, a shadow ray starts
     output wire                       shadow_go_o,
     output wire [$clog2(SLOTS)-1:0]   shadow_slot_o,
@@ -81,9 +79,11 @@ module rt_shade #(
     input  wire                       mem_rsp_error_i,
     // events and faults of this clock
     output wire [`RT_SHADE_EVENT_BITS-1:0] event_o,
+    //: {MISS, TEXEL, POWER, SATURATED, QUOTIENT, REFRACTED, REFLECTED, SHADOW, PRIMARY}
     output wire [3:0]                 fault_o          // by number of the error, machine.def
 );
     localparam SLOTW = $clog2(SLOTS);
+    localparam SHADOWS = LIGHTS != 0 && SHADOW != 0 ? 1 : 0;           // shadow rays
     localparam SHARES  = REFRACT != 0 || SUM != 0 ? 1 : 0;             // blends by shares
     localparam BOUNCES = REFLECT != 0 || INTERPENETRATE != 0 || REFRACT != 0 ? 1 : 0; // mirrored
     localparam POINTS  = LIGHTS != 0 || BOUNCES != 0 || TEXTURE != 0 ? 1 : 0; // points, normals
@@ -214,7 +214,7 @@ module rt_shade #(
     wire             sum_valid;
     wire [SLOTW-1:0] sum_slot;
     wire [50:0]      sum, gloss;
-    rt_lighting #(.W(W), .WD(WD), .NG(NG), .SLOTS(SLOTS), .LUTS(LUTS), .SHADOW(SHADOW),
+    rt_lighting #(.W(W), .WD(WD), .NG(NG), .SLOTS(SLOTS), .LUTS(LUTS), .SHADOW(SHADOWS),
                   .LIGHTS(LIGHTS), .SPECULAR(SPECULAR), .SUM(SUM)) u_lighting (
         .clk(clk), .rst(rst), .regs_i(regs_i), .light_i(light_i),
         .ray_i(ray_i), .next_light_i(next_light_i), .next_slot_i(next_slot_i),
@@ -256,6 +256,6 @@ module rt_shade #(
     assign event_o[`RT_SHADE_EVENT_SHADOW]    = shadow_go_o;
     assign event_o[`RT_SHADE_EVENT_REFLECTED] = SHARES != 0 ? reflected
                                                 : ray_go && !ray_i[`RT_RAY_PRIMARY];
-    wire unused = &{1'b0, effects, back, reflected, surface};
+    wire unused = &{1'b0, effects, back, reflected, surface, FW != 0, `RT_EFFECTS_BUILT};
 endmodule
 `default_nettype wire

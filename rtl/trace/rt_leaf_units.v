@@ -1,8 +1,8 @@
 // rt_leaf_units.v - leaf units: each serves some pipes and shading units
 // SPDX-License-Identifier: Apache-2.0
 //   visits of its pipes, records for its shading units --> rt_leaf_unit --> results, records
-// The top bits of a slot name its leaf unit. Of shading units that ask one leaf unit for records
-// the lowest goes first. With one of each there is nothing here but rt_leaf_unit.
+// The top bits of a slot name its leaf unit: rt_route. Of shading units that ask one leaf unit for
+// records the lowest goes first: rt_first. With one of each there is nothing here but rt_leaf_unit.
 // Model: that of rt_leaf_unit
 `timescale 1ns / 1ps
 `default_nettype none
@@ -12,10 +12,10 @@ module rt_leaf_units #(
     parameter W     = 16,   // coordinate, bits
     parameter WD    = 17,   // direction component, bits
     parameter NG    = 2,    // guard bits of a hit point
-    parameter EXACTS = 1,   // leaf units, power of two
+    parameter LEAF_UNITS = 1,   // leaf units, power of two
     parameter PIPES = 1,    // 1..4
-    parameter SHADES = 1,   // shading units, power of two, at least EXACTS
-    parameter SETUPS = 1,   // set-up units, power of two, at most EXACTS
+    parameter SHADES = 1,   // shading units, power of two, at least LEAF_UNITS
+    parameter SETUPS = 1,   // set-up units, power of two, at most LEAF_UNITS
     parameter SLOTS = 32,   // numbers of slots, power of two
     parameter LINES = 64,   // leaf cache of each, lines
     parameter ROOTS = 3,    // square root units of each
@@ -34,109 +34,88 @@ module rt_leaf_units #(
     input  wire                       rst,
     input  wire                       flush_i,    // forget the leaf caches
     input  wire [`RT_REGS_BITS-1:0]   regs_i,
+    //: {BOX[6*(W+2)], N_LOOSE[24], LEAF_BASE[26], N_PRIMS[24], VISIT_LIMIT[24], MEM_LINES[26],
+    //: SMOOTH_BASE[26], PRIM_BASE[26], ROOT[26], EYE[3*W], AMBIENT[48], BACKGROUND[24],
+    //: N_LIGHTS[4], LEAST[9], MAX_DEPTH[4], TEX_FILTER[2], EFFECTS[EFFECT_BITS]}
     // from each rt_setup
     input  wire [SETUPS*(`RT_RAY_BITS-$clog2(SETUPS))-1:0] ray_i,
+    //: {SLOT[SLOTW], H[6], Y[17], UNIT[54], INSIDE, SKIP[24], A[2*WD], DIR[3*WD], ORG[3*W], SHADOW,
+    //: PRIMARY, LIGHT, NORMAL, VALID}
     input  wire [SETUPS*3*(NG+2)-1:0] lift_i,     // of a ray to a light, with FACETS
     // from rt_pipes: visits of each pipe; to it: results of each unit
     input  wire [PIPES*(`RT_VISIT_BITS-$clog2(PIPES))-1:0]    visit_i,
-    output wire [EXACTS*(`RT_RESULT_BITS-$clog2(EXACTS))-1:0] result_o,
+    //: {SLOT[SLOTW], LINE[26], LEAF[4], VALID}
+    output wire [LEAF_UNITS*(`RT_RESULT_BITS-$clog2(LEAF_UNITS))-1:0] result_o,
+    //: {SLOT[SLOTW], KEY[W+WD+2], ID[24], FAR, HIT, VALID}
     // from and to each rt_shade: primitive records
     input  wire [SHADES*(`RT_FETCH_BITS-$clog2(SHADES))-1:0]  fetch_i,
+    //: {SLOT[SLOTW], LINE[26], VALID}
     output wire [SHADES-1:0]          fetch_ready_o,
     output wire [SHADES*(`RT_RECORD_BITS-$clog2(SHADES))-1:0] record_o,
+    //: {SLOT[SLOTW], DATA[256], VALID}
     // memory, of each unit
-    output wire [EXACTS-1:0]          mem_req_valid_o,
-    input  wire [EXACTS-1:0]          mem_req_ready_i,
-    output wire [`RT_LINE_BITS*EXACTS-1:0] mem_req_line_o,
-    input  wire [EXACTS-1:0]          mem_rsp_valid_i,
-    output wire [EXACTS-1:0]          mem_rsp_ready_o,
+    output wire [LEAF_UNITS-1:0]          mem_req_valid_o,
+    input  wire [LEAF_UNITS-1:0]          mem_req_ready_i,
+    output wire [`RT_LINE_BITS*LEAF_UNITS-1:0] mem_req_line_o,
+    input  wire [LEAF_UNITS-1:0]          mem_rsp_valid_i,
+    output wire [LEAF_UNITS-1:0]          mem_rsp_ready_o,
     input  wire [255:0]               mem_rsp_data_i,
     input  wire                       mem_rsp_error_i,
     // events of each unit and faults of this clock
-    output wire [EXACTS*`RT_EXACT_EVENT_BITS-1:0] event_o,
+    output wire [LEAF_UNITS*`RT_EXACT_EVENT_BITS-1:0] event_o,
+    //: {MISS, PRIM[prim_event]}
     output reg  [3:0]                 fault_o     // by number of the error, machine.def
 );
-    localparam SLOTW = $clog2(SLOTS);
-    localparam PB = $clog2(PIPES), XB = $clog2(EXACTS), SB = $clog2(SHADES), UB = $clog2(SETUPS);
+    localparam PB = $clog2(PIPES), XB = $clog2(LEAF_UNITS), SB = $clog2(SHADES);
+    localparam UB = $clog2(SETUPS);
     localparam VB = `RT_VISIT_BITS - PB;              // a visit of a pipe
-    localparam FB = `RT_FETCH_BITS - SB, CB = `RT_RECORD_BITS - SB;  // of a shading unit
+    localparam FB = `RT_FETCH_BITS - SB;              // of a shading unit
     localparam FX = `RT_FETCH_BITS - XB, CX = `RT_RECORD_BITS - XB;  // of a leaf unit
     localparam LIFT = 3*(NG+2);
-    localparam AB = `RT_RAY_BITS - UB;                // a ray of a set-up unit
-    localparam [SLOTW+1:0] OF_SETUP = (1 << (XB - UB)) - 1;  // leaf units of one, less one
     localparam YB = `RT_RAY_BITS - XB, RB = `RT_RESULT_BITS - XB, EB = `RT_EXACT_EVENT_BITS;
-    localparam N  = 1 << (PB - XB), M = SHADES / EXACTS;  // pipes, shading units of a leaf unit
-    localparam MB = SB - XB;
-    localparam [(N*EXACTS-PIPES+1)*VB-1:0] NOBODY = 0;    // of numbers for four pipes three are
-    wire [N*EXACTS*VB+VB-1:0] all = {NOBODY, visit_i};
-    wire [EXACTS*4-1:0]   fault;
-    genvar x, m;
+    localparam N  = 1 << (PB - XB), M = SHADES / LEAF_UNITS;  // pipes, shading units of a leaf unit
+    localparam [(N*LEAF_UNITS-PIPES+1)*VB-1:0] NOBODY = 0;    // of numbers for four pipes three are
+    wire [N*LEAF_UNITS*VB+VB-1:0] all = {NOBODY, visit_i};
+    wire [LEAF_UNITS*YB-1:0] ray;
+    wire [LEAF_UNITS*CX-1:0] record;
+    wire [LEAF_UNITS*4-1:0]  fault;
+    rt_route #(.WIDTH(`RT_RAY_BITS), .FROM(SETUPS), .TO(LEAF_UNITS)) u_rays (
+        .in_i(ray_i), .out_o(ray)
+    );
+    rt_route #(.WIDTH(`RT_RECORD_BITS), .FROM(LEAF_UNITS), .TO(SHADES)) u_records (
+        .in_i(record), .out_o(record_o)
+    );
+    genvar x;
     generate
-        for (x = 0; x < EXACTS; x = x + 1) begin : g_exact
-            localparam [SLOTW+1:0] OWN = x;
+        for (x = 0; x < LEAF_UNITS; x = x + 1) begin : g_exact
             localparam U = x >> (XB - UB);           // its set-up unit
-            wire [AB-1:0] setup = ray_i[AB*U +: AB];
-            wire [SLOTW+1:0] ray_exact = {{(UB+2){1'b0}}, setup[AB-1 -: SLOTW-UB]} >> (SLOTW - XB);
-            reg  [YB-1:0] ray;
             wire [FX-1:0] fetch;
-            wire [CX-1:0] record;
             wire          fetch_ready;
-            always @* begin
-                ray = setup[YB-1:0];
-                if (ray_exact != (OWN & OF_SETUP)) ray[`RT_RAY_VALID] = 1'b0;
-            end
             rt_leaf_unit #(.W(W), .WD(WD), .NG(NG), .SLOTS(SLOTS >> XB), .PIPES(N), .LINES(LINES),
                        .ROOTS(ROOTS), .ROOT_STEP(ROOT_STEP), .PR(PR),
                        .LEAF_INTERVAL(LEAF_INTERVAL), .SHADOW(SHADOW), .INSIDE(INSIDE),
                        .FACETS(FACETS), .CLEAR(CLEAR), .DIVISIONS(DIVISIONS),
                        .DIVISION_STEP(DIVISION_STEP), .FACET_INTERVAL(FACET_INTERVAL)) u_exact (
                 .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i),
-                .ray_i(ray), .lift_i(lift_i[LIFT*U +: LIFT]), .visit_i(all[N*VB*x +: N*VB]),
-                .result_o(result_o[RB*x +: RB]),
-                .fetch_i(fetch), .fetch_ready_o(fetch_ready),
-                .record_o(record),
+                .ray_i(ray[YB*x +: YB]), .lift_i(lift_i[LIFT*U +: LIFT]),
+                .visit_i(all[N*VB*x +: N*VB]), .result_o(result_o[RB*x +: RB]),
+                .fetch_i(fetch), .fetch_ready_o(fetch_ready), .record_o(record[CX*x +: CX]),
                 .mem_req_valid_o(mem_req_valid_o[x]), .mem_req_ready_i(mem_req_ready_i[x]),
                 .mem_req_line_o(mem_req_line_o[`RT_LINE_BITS*x +: `RT_LINE_BITS]),
                 .mem_rsp_valid_i(mem_rsp_valid_i[x]), .mem_rsp_ready_o(mem_rsp_ready_o[x]),
                 .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
                 .event_o(event_o[EB*x +: EB]), .fault_o(fault[4*x +: 4])
             );
-            if (M > 1) begin : g_join
-                wire [M-1:0]  asks;
-                wire [M-1:0]  take = asks & (~asks + 1'b1);
-                wire [MB-1:0] to = record[CX-1 -: MB];
-                reg  [MB-1:0] one;
-                integer       i;
-                always @* begin
-                    one = {MB{1'b0}};
-                    for (i = 0; i < M; i = i + 1) if (take[i]) one = one | i[MB-1:0];
-                end
-                wire [M*FB-1:0] fetches = fetch_i[FB*M*x +: M*FB];
-                assign fetch = {one, fetches[FB*one +: FB]};
-                assign fetch_ready_o[M*x +: M] = take & {M{fetch_ready}};
-                for (m = 0; m < M; m = m + 1) begin : g_shade
-                    localparam [MB-1:0] SHADE = m;
-                    wire [FB-1:0] fetch_m = fetch_i[FB*(M*x + m) +: FB];
-                    reg  [CB-1:0] record_m;
-                    assign asks[m] = fetch_m[`RT_FETCH_VALID];
-                    always @* begin
-                        record_m = record[CB-1:0];
-                        if (to != SHADE) record_m[`RT_RECORD_VALID] = 1'b0;
-                    end
-                    assign record_o[CB*(M*x + m) +: CB] = record_m;
-                    wire unused = &{1'b0, fetch_m};
-                end
-            end else begin : g_own
-                assign fetch                 = fetch_i[FB*x +: FB];
-                assign fetch_ready_o[x]      = fetch_ready;
-                assign record_o[CB*x +: CB]  = record;
-            end
+            rt_first #(.WIDTH(FB), .N(M)) u_fetch (
+                .in_i(fetch_i[FB*M*x +: FB*M]), .ready_o(fetch_ready_o[M*x +: M]),
+                .out_o(fetch), .ready_i(fetch_ready)
+            );
         end
     endgenerate
     integer f;
     always @* begin
         fault_o = 4'd0;
-        for (f = 0; f < EXACTS; f = f + 1) fault_o = fault_o | fault[4*f +: 4];
+        for (f = 0; f < LEAF_UNITS; f = f + 1) fault_o = fault_o | fault[4*f +: 4];
     end
     wire unused = &{1'b0, all};
 endmodule

@@ -15,9 +15,9 @@ module rt_pipes #(
     parameter WD    = 17,   // direction component, bits
     parameter FW    = 14,   // filter coordinate, bits
     parameter PIPES = 1,    // 1..4
-    parameter EXACTS = 1,   // leaf units that serve them, power of two
+    parameter LEAF_UNITS = 1,   // leaf units that serve them, power of two
     parameter SHADES = 1,   // shading units, power of two
-    parameter SETUPS = 1,   // set-up units, power of two, at most EXACTS
+    parameter SETUPS = 1,   // set-up units, power of two, at most LEAF_UNITS
     parameter SLOTS = 32,   // numbers of slots, power of two: {pipe, slot of its own}
     parameter STACK = 16,   // sibling groups waiting per ray, power of two
     parameter LINES = 256,  // node cache of each pipe, lines
@@ -33,21 +33,31 @@ module rt_pipes #(
     input  wire                       rst,
     input  wire                       flush_i,        // forget the node caches
     input  wire [`RT_REGS_BITS-1:0]   regs_i,
+    //: {BOX[6*(W+2)], N_LOOSE[24], LEAF_BASE[26], N_PRIMS[24], VISIT_LIMIT[24], MEM_LINES[26],
+    //: SMOOTH_BASE[26], PRIM_BASE[26], ROOT[26], EYE[3*W], AMBIENT[48], BACKGROUND[24],
+    //: N_LIGHTS[4], LEAST[9], MAX_DEPTH[4], TEX_FILTER[2], EFFECTS[EFFECT_BITS]}
     // from each rt_setup: a new ray of its slots, with its token unless it is a shadow ray
     input  wire [SETUPS*(`RT_RAY_BITS-$clog2(SETUPS))-1:0] ray_i,
+    //: {SLOT[SLOTW], H[6], Y[17], UNIT[54], INSIDE, SKIP[24], A[2*WD], DIR[3*WD], ORG[3*W], SHADOW,
+    //: PRIMARY, LIGHT, NORMAL, VALID}
     input  wire [SETUPS*`RT_FILTER_BITS-1:0] filter_i,
+    //: {DEPTH[FW+1], SHIFT[6], SCALE[17], NEGATIVE, AXIS[2], ORG[3*FW]}
     input  wire [SETUPS*(`RT_ACROSS_BITS-$clog2(SETUPS))-1:0] across_i,  // behind its ray
+    //: {SLOT[SLOTW], Q[54], P_B[18], P_A[18], LEAST[2], VALID}
     input  wire                       ray_again_i,    // the repeated primary ray of its pixel
     // from each rt_shade: a shadow ray of its slots starts
     input  wire [SHADES-1:0]          shadow_go_i,
     input  wire [SHADES*($clog2(SLOTS)-$clog2(SHADES))-1:0] shadow_slot_i,
     // to and from rt_leaf_unit: visits of each pipe, results of each unit, for slots of its own
     output wire [PIPES*(`RT_VISIT_BITS-$clog2(PIPES))-1:0]    visit_o,
-    input  wire [EXACTS*(`RT_RESULT_BITS-$clog2(EXACTS))-1:0] result_i,
+    //: {SLOT[SLOTW], LINE[26], LEAF[4], VALID}
+    input  wire [LEAF_UNITS*(`RT_RESULT_BITS-$clog2(LEAF_UNITS))-1:0] result_i,
+    //: {SLOT[SLOTW], KEY[W+WD+2], ID[24], FAR, HIT, VALID}
     // to rt_slots: a ray is done, a clock later how
     output wire                       done_valid_o,
     output wire [$clog2(SLOTS)-1:0]   done_slot_o,
     output wire [`RT_DONE_BITS-1:0]   done_o,
+    //: {KEY[W+WD+2], ID[24], FARS[2], FAR, FIRST, PRIMARY, SHADOW, FOUND}
     // to rt_slots: visits of a pixel, a clock after its slot
     input  wire                       visits_read_i,
     input  wire [$clog2(SLOTS)-1:0]   visits_slot_i,
@@ -62,70 +72,67 @@ module rt_pipes #(
     input  wire                       mem_rsp_error_i,
     // events of each pipe and faults of this clock
     output wire [PIPES*`RT_TRACE_EVENT_BITS-1:0] event_o,
+    //: {BUBBLE, MISS, TESTS[3], VISIT, ISSUED}
     output reg  [3:0]                 fault_o         // by number of the error, machine.def
 );
     localparam SLOTW = $clog2(SLOTS);
-    localparam PB = $clog2(PIPES), XB = $clog2(EXACTS), SB = $clog2(SHADES), UB = $clog2(SETUPS);
-    localparam OWNW = SLOTW - PB;                     // slot of a pipe's own
-    localparam YB = `RT_RAY_BITS - PB;                // a ray, a visit of a pipe
-    localparam VB = `RT_VISIT_BITS - PB;
-    localparam AB = `RT_RAY_BITS - UB, FB = `RT_FILTER_BITS;  // a ray of a set-up unit
-    localparam CB = `RT_ACROSS_BITS - UB;             // its axes
-    localparam RB = `RT_RESULT_BITS - XB;             // a result of a leaf unit
-    localparam GB = SLOTW - SB;                       // slot of a shading unit's own
-    localparam DB = `RT_DONE_BITS, NB = `RT_VISITS_BITS, EB = `RT_TRACE_EVENT_BITS;
-    localparam [SLOTW+1:0] OF_EXACT = (1 << (PB - XB)) - 1;  // pipes of a unit, less one
-    localparam [SLOTW+1:0] OF_SHADE = (1 << (PB - SB)) - 1;
-    localparam [SLOTW+1:0] OF_SETUP = (1 << (PB - UB)) - 1;
-    // The pipe of a slot, whose top bits may be gone: those of the unit that serves the pipe.
-    function [SLOTW+1:0] pipe_of(input [SLOTW-1:0] slot);
-        pipe_of = {2'd0, slot} >> OWNW;
-    endfunction
-    wire [SLOTW+1:0]      visits_pipe = pipe_of(visits_slot_i);
+    localparam PB = $clog2(PIPES), OWNW = SLOTW - PB; // slot of a pipe's own
+    localparam YB = `RT_RAY_BITS - PB, AB = `RT_ACROSS_BITS - PB;    // of a pipe
+    localparam RB = `RT_RESULT_BITS - PB, VB = `RT_VISIT_BITS - PB;
+    localparam FB = `RT_FILTER_BITS, DB = `RT_DONE_BITS, NB = `RT_VISITS_BITS;
+    localparam EB = `RT_TRACE_EVENT_BITS;
+    localparam SB = $clog2(SHADES), GB = SLOTW - SB;  // slot of a shading unit's own
+
+    // ---- to each pipe what its slots are told ----
+    wire [PIPES*YB-1:0]       ray;
+    wire [PIPES*AB-1:0]       across;
+    wire [PIPES*RB-1:0]       result;
+    wire [SHADES*(GB+1)-1:0]  shadow;                 // {slot, it starts}
+    wire [PIPES*(OWNW+1)-1:0] shadow_own, visits_own; // {slot, it starts or is asked for}
+    rt_route #(.WIDTH(`RT_RAY_BITS), .FROM(SETUPS), .TO(PIPES)) u_rays (
+        .in_i(ray_i), .out_o(ray)
+    );
+    rt_route #(.WIDTH(`RT_ACROSS_BITS), .FROM(SETUPS), .TO(PIPES)) u_axes (
+        .in_i(across_i), .out_o(across)
+    );
+    rt_route #(.WIDTH(`RT_RESULT_BITS), .FROM(LEAF_UNITS), .TO(PIPES)) u_results (
+        .in_i(result_i), .out_o(result)
+    );
+    rt_route #(.WIDTH(SLOTW + 1), .FROM(SHADES), .TO(PIPES)) u_shadows (
+        .in_i(shadow), .out_o(shadow_own)
+    );
+    rt_route #(.WIDTH(SLOTW + 1), .TO(PIPES)) u_visits (
+        .in_i({visits_slot_i, visits_read_i}), .out_o(visits_own)
+    );
+    genvar p;
+    generate
+        for (p = 0; p < SHADES; p = p + 1) begin : g_shadow
+            assign shadow[(GB+1)*p +: GB+1] = {shadow_slot_i[GB*p +: GB], shadow_go_i[p]};
+        end
+    endgenerate
+
     wire [PIPES-1:0]      done_valid, done_take;
     wire [PIPES*OWNW-1:0] done_slot;
     wire [PIPES*DB-1:0]   done;
     wire [PIPES*NB-1:0]   visits;
     wire [PIPES*4-1:0]    fault;
-    genvar p;
     generate
         for (p = 0; p < PIPES; p = p + 1) begin : g_pipe
-            localparam [SLOTW+1:0] OWN = p;
-            localparam X = p >> (PB - XB), S = p >> (PB - SB);    // its leaf and shading unit
-            localparam U = p >> (PB - UB);                        // its set-up unit
-            wire [AB-1:0] setup = ray_i[AB*U +: AB];
-            wire [SLOTW+1:0] ray_pipe = pipe_of({{UB{1'b0}}, setup[AB-1 -: SLOTW-UB]});
-            wire [CB-1:0] axes  = across_i[CB*U +: CB];
-            wire [SLOTW+1:0] axes_pipe = pipe_of({{UB{1'b0}}, axes[CB-1 -: SLOTW-UB]});
-            reg  [YB-1:0] ray;
-            reg  [`RT_ACROSS_BITS-PB-1:0] across;
-            wire [RB-1:0] exact = result_i[RB*X +: RB];
-            reg  [`RT_RESULT_BITS-PB-1:0] result;
-            wire [GB-1:0] shadow_slot = shadow_slot_i[GB*S +: GB];
-            wire [SLOTW+1:0] result_pipe = pipe_of({{XB{1'b0}}, exact[RB-1 -: SLOTW-XB]});
-            wire [SLOTW+1:0] shadow_pipe = pipe_of({{SB{1'b0}}, shadow_slot});
-            always @* begin
-                ray    = setup[YB-1:0];
-                result = exact[`RT_RESULT_BITS-PB-1:0];
-                across = axes[`RT_ACROSS_BITS-PB-1:0];
-                if (ray_pipe != (OWN & OF_SETUP))    ray[`RT_RAY_VALID]       = 1'b0;
-                if (axes_pipe != (OWN & OF_SETUP))   across[`RT_ACROSS_VALID] = 1'b0;
-                if (result_pipe != (OWN & OF_EXACT)) result[`RT_RESULT_VALID] = 1'b0;
-            end
+            localparam U = p >> (PB - $clog2(SETUPS));   // its set-up unit
             rt_trace #(.W(W), .WD(WD), .FW(FW), .SLOTS(SLOTS >> PB), .STACK(STACK), .LINES(LINES),
                        .SHADOW(SHADOW), .FIRST(FIRST), .FARS(FARS), .FACETS(FACETS),
                        .SQUARES(SQUARES), .LUTS(LUTS), .ACCEL(ACCEL),
                        .WAITS(PIPES > 1 ? 1 : 0)) u_trace (
                 .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i),
-                .ray_i(ray), .filter_i(filter_i[FB*U +: FB]), .across_i(across),
-                .ray_again_i(ray_again_i),
-                .shadow_go_i(shadow_go_i[S] && shadow_pipe == (OWN & OF_SHADE)),
-                .shadow_slot_i(shadow_slot[OWNW-1:0]),
-                .visit_o(visit_o[VB*p +: VB]), .result_i(result),
+                .ray_i(ray[YB*p +: YB]), .filter_i(filter_i[FB*U +: FB]),
+                .across_i(across[AB*p +: AB]), .ray_again_i(ray_again_i),
+                .shadow_go_i(shadow_own[(OWNW+1)*p]),
+                .shadow_slot_i(shadow_own[(OWNW+1)*p + 1 +: OWNW]),
+                .visit_o(visit_o[VB*p +: VB]), .result_i(result[RB*p +: RB]),
                 .done_valid_o(done_valid[p]), .done_ready_i(done_take[p]),
                 .done_slot_o(done_slot[OWNW*p +: OWNW]), .done_o(done[DB*p +: DB]),
-                .visits_read_i(visits_read_i && visits_pipe == OWN),
-                .visits_slot_i(visits_slot_i[OWNW-1:0]),
+                .visits_read_i(visits_own[(OWNW+1)*p]),
+                .visits_slot_i(visits_own[(OWNW+1)*p + 1 +: OWNW]),
                 .visits_o(visits[NB*p +: NB]),
                 .mem_req_valid_o(mem_req_valid_o[p]), .mem_req_ready_i(mem_req_ready_i[p]),
                 .mem_req_line_o(mem_req_line_o[`RT_LINE_BITS*p +: `RT_LINE_BITS]),
@@ -133,7 +140,6 @@ module rt_pipes #(
                 .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
                 .event_o(event_o[EB*p +: EB]), .fault_o(fault[4*p +: 4])
             );
-            wire unused = &{1'b0, exact, setup, axes};
         end
     endgenerate
 
