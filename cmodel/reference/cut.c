@@ -26,7 +26,8 @@ static int first_plane(const struct planes *p, const struct sph_ref_ray *ray, do
     int first = -1;
     *t = INFINITY;
     for (uint32_t i = 0; i < p->n; i++) {
-        struct sph_ref_meet m = sph_ref_facet(&p->scene->facets[p->facet[i]], &cast);
+        struct sph_ref_meet m;
+        if (!sph_ref_facet(&p->scene->facets[p->facet[i]], &cast, &m)) continue;
         if (m.met && m.t < *t) *t = m.t, first = (int)i;
     }
     return first;

@@ -66,8 +66,8 @@ static void triangle_place(const struct sph_facet *f, const struct sph_ref_cast 
  * cannot tell is decided in whole numbers. So no ray slips through. 6 products of three factors, of
  * sizes `size`, `size` and c->dir, make a volume: c->edge has what they, the corners and the ray
  * may be off by. */
-static void triangle_meet(const struct sph_facet *f, const struct sph_ref_cast *c,
-                          struct sph_ref_meet *m) {
+static int triangle_meet(const struct sph_facet *f, const struct sph_ref_cast *c,
+                         struct sph_ref_meet *m) {
     const double *org = c->ray->org, *dir = c->ray->dir;
     double a[3][3], v[3][3], u[3], n[3], size = 0, most = -INFINITY, least = INFINITY;
     for (int k = 0; k < 3; k++) {
@@ -75,17 +75,18 @@ static void triangle_meet(const struct sph_facet *f, const struct sph_ref_cast *
         for (int i = 0; i < 3; i++)
             a[k][i] = v[k][i] - org[i];
         double far = sph_ref_size(a[k]);
-        size = far > size ? far : size;
+        size = sph_ref_most(size, far);
     }
     for (int k = 0; k < 3; k++) {
         cross(a[(k + 1) % 3], a[(k + 2) % 3], n);
         u[k] = dot(n, dir);
-        most = u[k] > most ? u[k] : most;
-        least = u[k] < least ? u[k] : least;
+        most = sph_ref_most(most, u[k]);
+        least = sph_ref_least(least, u[k]);
     }
     double unsure = size * (c->edge[0] + size * c->edge[1]);
-    if ((most > unsure && least < -unsure) || !(fabs(u[0] + u[1] + u[2]) <= DBL_MAX)) return;
+    if ((most > unsure && least < -unsure) || !(fabs(u[0] + u[1] + u[2]) <= DBL_MAX)) return 0;
     int up = 0, down = 0;
+    m->doubt = 0;
     for (int k = 0; k < 3; k++) {
         int side = u[k] > 0 ? 1 : -1;
         if (!(fabs(u[k]) > unsure)) {
@@ -97,6 +98,7 @@ static void triangle_meet(const struct sph_facet *f, const struct sph_ref_cast *
     m->met = up != down;
     m->far = up;
     triangle_place(f, c, a, size, m);
+    return m->met || m->doubt;
 }
 
 static void triangle_image(const struct sph_facet *f, const double from[3], double st[2],
@@ -129,8 +131,8 @@ static void plane_normal(const struct sph_facet *f, double normal[3]) {
 
 /* t = -n.from / n.dir, n of length 1: each is off by 3 ULP at most, and so by what moves the point
  * of the plane, or turns the plane around it. */
-static void plane_meet(const struct sph_facet *f, const struct sph_ref_cast *c,
-                       struct sph_ref_meet *m) {
+static int plane_meet(const struct sph_facet *f, const struct sph_ref_cast *c,
+                      struct sph_ref_meet *m) {
     const double *dir = c->ray->dir;
     double n[3], from[3];
     for (int i = 0; i < 3; i++)
@@ -147,10 +149,12 @@ static void plane_meet(const struct sph_facet *f, const struct sph_ref_cast *c,
         if (!m->met) m->t = low;
         m->slack = m->t - low;
         m->doubt = 1;
-        return;
+        return 1;
     }
+    m->doubt = 0;
     double scale = 2 * sph_ref_size(from) + c->org + 2 * m->t * c->dir;
     m->slack = SPH_REF_ULP * (12 * scale / steep + fabs(m->t));
+    return m->met;
 }
 
 static void plane_image(const struct sph_facet *f, const double from[3], double st[2],
@@ -173,8 +177,8 @@ static void plane_image(const struct sph_facet *f, const double from[3], double 
 static const struct {
     int endless;
     void (*normal)(const struct sph_facet *f, double normal[3]); /* of any length */
-    void (*meet)(const struct sph_facet *f, const struct sph_ref_cast *cast,
-                 struct sph_ref_meet *meet);
+    int (*meet)(const struct sph_facet *f, const struct sph_ref_cast *cast,
+                struct sph_ref_meet *meet);
     void (*image)(const struct sph_facet *f, const double from[3], double st[2], double slope[2][3],
                   struct sph_texture_shape *shape);
 } kinds[SPH_KINDS] = {[SPH_TRIANGLE] = {0, triangle_normal, triangle_meet, triangle_image},
@@ -219,10 +223,9 @@ int sph_ref_facet_smooth(const struct sph_facet *f, const double at[3], double n
     return 1;
 }
 
-struct sph_ref_meet sph_ref_facet(const struct sph_facet *f, const struct sph_ref_cast *cast) {
-    struct sph_ref_meet m = {.t = INFINITY};
-    kinds[f->kind].meet(f, cast, &m);
-    return m;
+int sph_ref_facet(const struct sph_facet *f, const struct sph_ref_cast *cast,
+                  struct sph_ref_meet *meet) {
+    return kinds[f->kind].meet(f, cast, meet);
 }
 
 /* Edges that are off by ULP times the corners turn a triangle by that over its least height, which
@@ -234,7 +237,7 @@ double sph_ref_facet_turn(const struct sph_facet *f, double off) {
     between(f->v[1], f->v[0], e[0]);
     between(f->v[2], f->v[0], e[1]);
     cross(e[0], e[1], n);
-    double a = sph_ref_size(e[0]), b = sph_ref_size(e[1]), longest = a > b ? a : b;
+    double longest = sph_ref_most(sph_ref_size(e[0]), sph_ref_size(e[1]));
     double wide = 4 * longest / sph_ref_size(n);
     return wide * SPH_REF_ULP * (sph_ref_size(v) + longest) + (f->smooth ? wide * off : 0);
 }

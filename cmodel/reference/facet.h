@@ -18,9 +18,10 @@ void sph_ref_facet_normal(const struct sph_facet *facet, double normal[3]);
  * and on the side of the facet's own. 0 if there is none. */
 int sph_ref_facet_smooth(const struct sph_facet *facet, const double at[3], double normal[3]);
 
-/* Where the ray meets the facet, from either side, edges included. A triangle that is certainly
- * missed is neither met nor in doubt; t may be below 0. */
-struct sph_ref_meet sph_ref_facet(const struct sph_facet *facet, const struct sph_ref_cast *cast);
+/* Where the line of the ray meets the facet, from either side, edges included; t may be below 0.
+ * 0: nowhere, for certain; *meet is not of use. */
+int sph_ref_facet(const struct sph_facet *facet, const struct sph_ref_cast *cast,
+                  struct sph_ref_meet *meet);
 
 /* By how many radians the normal of a facet may be off, where the point is by so much. */
 double sph_ref_facet_turn(const struct sph_facet *facet, double off);

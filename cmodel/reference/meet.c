@@ -22,8 +22,8 @@ struct sph_ref_cast sph_ref_cast(const struct sph_ref_ray *ray) {
  * and in the foot of the perpendicular on the ray is ULP times oc, centre and radius are granted as
  * much. The half chord, squared, is rad^2 - off2; |off| is off by e, so at the rim, where it is
  * rad, its square is off by e (2 rad + e). */
-static void sphere(const struct sph_sphere *s, int own, const struct sph_ref_cast *cast,
-                   struct sph_ref_meet *m) {
+static int sphere(const struct sph_sphere *s, int own, const struct sph_ref_cast *cast,
+                  struct sph_ref_meet *m) {
     const struct sph_ref_ray *ray = cast->ray;
     const double ctr[3] = {s->ctr.x, s->ctr.y, s->ctr.z}, *d = ray->dir;
     double oc[3], a = 0, b = 0, oc2 = 0, off2 = 0;
@@ -40,10 +40,10 @@ static void sphere(const struct sph_sphere *s, int own, const struct sph_ref_cas
     double far = 2 * sph_ref_size(oc), half2 = s->rad * s->rad - off2;
     double e = SPH_REF_ULP * 2 * (far + sph_ref_size(ctr) + s->rad);
     double aside = e + ray->off + far * ray->turn, rim = aside * (2 * s->rad + aside);
-    if (half2 < -rim) return;
+    if (half2 < -rim) return 0;
     double disc = a * half2, c = oc2 - s->rad * s->rad, start = (e + ray->lift) * (far + s->rad);
     m->far = own || c <= start;
-    if (!(b > 0) && !m->far) return;
+    if (!(b > 0) && !m->far) return 0;
     m->met = disc > 0;
     m->doubt = half2 < rim;
     if (!m->met) disc = 0;
@@ -52,7 +52,8 @@ static void sphere(const struct sph_sphere *s, int own, const struct sph_ref_cas
     double half = root / length, blur = e * (2 * s->rad + e); /* of half^2 */
     m->slack = (2 * e + (half * half > blur ? blur / half : sqrt(2 * blur))) / length;
     m->slack += SPH_REF_ULP * fabs(m->t);
-    m->lead = own ? 0 : ray->lift * s->rad / fmax(half, ray->lift) / length;
+    m->lead = own ? 0 : ray->lift * s->rad / sph_ref_most(half, ray->lift) / length;
+    return m->met || m->doubt;
 }
 
 static int of_group(const struct sph_scene *s, uint32_t id, const struct sph_facet *f) {
@@ -65,25 +66,24 @@ static int passes(const struct sph_scene *s, uint32_t id) {
     return s->materials[material].passes;
 }
 
-struct sph_ref_meet sph_ref_meet_ahead(const struct sph_scene *s, uint32_t id,
-                                       const struct sph_ref_cast *cast) {
+int sph_ref_meet_ahead(const struct sph_scene *s, uint32_t id, const struct sph_ref_cast *cast,
+                       struct sph_ref_meet *m) {
     const struct sph_ref_ray *ray = cast->ray;
-    struct sph_ref_meet m = {.t = INFINITY};
-    if (ray->light && passes(s, id)) return m;
+    if (ray->light && passes(s, id)) return 0;
     int own = id == ray->skip;
     if (id < s->n_spheres) {
-        if (own && !ray->inside) return m;
-        sphere(&s->spheres[id], own, cast, &m);
+        if (own && !ray->inside) return 0;
+        if (!sphere(&s->spheres[id], own, cast, m)) return 0;
     } else {
         const struct sph_facet *f = &s->facets[id - s->n_spheres];
-        if (of_group(s, ray->skip, f)) return m;
-        m = sph_ref_facet(f, cast);
+        if (of_group(s, ray->skip, f) || !sph_ref_facet(f, cast, m)) return 0;
     }
-    double around = m.slack + m.lead;
-    if (own ? m.t > 0 : m.t > around) return m;
-    int crosses = (m.met || m.doubt) && m.t >= -around && !own && ray->skip != SPH_ID_NONE &&
-                  !sph_ref_coincide(s, ray->skip, id);
-    return (struct sph_ref_meet){.t = crosses ? 0 : INFINITY, .doubt = crosses};
+    double around = m->slack + m->lead;
+    if (own ? m->t > 0 : m->t > around) return 1;
+    if (own || !(m->t >= -around) || ray->skip == SPH_ID_NONE || sph_ref_coincide(s, ray->skip, id))
+        return 0;
+    *m = (struct sph_ref_meet){.t = 0, .doubt = 1};
+    return 1;
 }
 
 static int same_sphere(const struct sph_sphere *a, const struct sph_sphere *b) {

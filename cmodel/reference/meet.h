@@ -9,11 +9,11 @@
 
 struct sph_ref_cast sph_ref_cast(const struct sph_ref_ray *ray);
 
-/* Where the ray meets the primitive ahead of it: t > 0. Neither met nor in doubt: nowhere. What the
- * ray starts on is not met, and so is what lies in one place with that; in doubt if it is another
- * surface that passes there. */
-struct sph_ref_meet sph_ref_meet_ahead(const struct sph_scene *scene, uint32_t id,
-                                       const struct sph_ref_cast *cast);
+/* Where the ray meets the primitive ahead of it: t > 0. 0: nowhere, for certain; *meet is not of
+ * use. What the ray starts on is not met, nor what lies in one place with that; it is in doubt if
+ * another surface passes there. */
+int sph_ref_meet_ahead(const struct sph_scene *scene, uint32_t id, const struct sph_ref_cast *cast,
+                       struct sph_ref_meet *meet);
 
 /* Whether two primitives lie in one place: two spheres are the same, or two facets in one plane, as
  * far as their coordinates can tell. */

@@ -49,10 +49,18 @@ struct sph_ref_meet {
     int doubt; /* whether the ray meets it is not certain */
 };
 
+/* The lesser and the greater of two numbers; what is no number is no case, as it is of fmin(). */
+static inline double sph_ref_least(double a, double b) {
+    return a < b ? a : b;
+}
+
+static inline double sph_ref_most(double a, double b) {
+    return a > b ? a : b;
+}
+
+/* The largest magnitude of a component. */
 static inline double sph_ref_size(const double v[3]) {
-    double a = fabs(v[0]), b = fabs(v[1]), c = fabs(v[2]);
-    a = a > b ? a : b;
-    return a > c ? a : c;
+    return sph_ref_most(sph_ref_most(fabs(v[0]), fabs(v[1])), fabs(v[2]));
 }
 
 #endif

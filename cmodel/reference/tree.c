@@ -61,14 +61,6 @@ static void halve(struct sph_ref_item *v, uint32_t count, int axis) {
     }
 }
 
-static double least(double a, double b) {
-    return a < b ? a : b;
-}
-
-static double greatest(double a, double b) {
-    return a > b ? a : b;
-}
-
 /* The boxes of so many items, and of one more. */
 static void boxes_of(uint32_t count, uint32_t *boxes, uint32_t *more) {
     uint32_t half, half_more;
@@ -93,10 +85,10 @@ static void build(struct sph_ref_tree *t, uint32_t self, uint32_t first, uint32_
         {INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}, first, count, 0};
     for (uint32_t i = first; i < first + count; i++) {
         const struct sph_ref_item *s = &t->items[i];
-        double slack = 1e-9 * greatest(sph_ref_size(s->low), sph_ref_size(s->high));
+        double slack = 1e-9 * sph_ref_most(sph_ref_size(s->low), sph_ref_size(s->high));
         for (int j = 0; j < 3; j++) { /* no hit is lost, nor what is as good as one */
-            b.low[j] = least(b.low[j], s->low[j] - slack);
-            b.high[j] = greatest(b.high[j], s->high[j] + slack);
+            b.low[j] = sph_ref_least(b.low[j], s->low[j] - slack);
+            b.high[j] = sph_ref_most(b.high[j], s->high[j] + slack);
         }
     }
     if (count > LEAF) {
@@ -190,8 +182,8 @@ void sph_ref_tree_free(struct sph_ref_tree *tree) {
 
 double sph_ref_meet(const struct sph_ref_tree *t, uint32_t id, const struct sph_ref_ray *ray) {
     struct sph_ref_cast cast = sph_ref_cast(ray);
-    struct sph_ref_meet m = sph_ref_meet_ahead(t->scene, id, &cast);
-    return m.met ? m.t : INFINITY;
+    struct sph_ref_meet m;
+    return sph_ref_meet_ahead(t->scene, id, &cast, &m) && m.met ? m.t : INFINITY;
 }
 
 /* Whether the ray meets the box before t_max. */
@@ -204,8 +196,8 @@ static int meets(const struct box *b, const struct sph_ref_ray *ray, double t_ma
         }
         double t0 = (b->low[i] - ray->org[i]) / ray->dir[i];
         double t1 = (b->high[i] - ray->org[i]) / ray->dir[i];
-        near = fmax(near, fmin(t0, t1));
-        far = fmin(far, fmax(t0, t1));
+        near = sph_ref_most(near, sph_ref_least(t0, t1));
+        far = sph_ref_least(far, sph_ref_most(t0, t1));
     }
     return near <= far * (1 + 1e-12);
 }
@@ -227,8 +219,8 @@ static void keep(struct walk *w, const struct sph_ref_hit *hit, double low, doub
     struct sph_ref_hit *best = &w->best;
     if (!w->settle) {
         w->tied = high < w->begin ? 0 : 1;
-        w->begin = w->tied ? fmin(w->begin, low) : low;
-        w->limit = fmin(w->limit, high);
+        w->begin = w->tied ? sph_ref_least(w->begin, low) : low;
+        w->limit = sph_ref_least(w->limit, high);
         if (best->id == SPH_ID_NONE || !w->tied) *best = *hit;
         return;
     }
@@ -242,12 +234,13 @@ static void keep(struct walk *w, const struct sph_ref_hit *hit, double low, doub
 /* Tests a primitive; what is farther than the t that it returns does not count. */
 static double test(void *user, uint32_t id) {
     struct walk *w = user;
-    struct sph_ref_meet m = sph_ref_meet_ahead(w->tree->scene, id, w->cast);
-    double low = m.t - m.slack, high = fmin(m.t + m.slack, DBL_MAX);
+    struct sph_ref_meet m;
     w->tests++;
-    if (!(low <= w->limit) || low >= w->t_max || (!m.met && !m.doubt)) return w->limit;
+    if (!sph_ref_meet_ahead(w->tree->scene, id, w->cast, &m)) return w->limit;
+    double low = m.t - m.slack, high = sph_ref_least(m.t + m.slack, DBL_MAX);
+    if (!(low <= w->limit) || low >= w->t_max) return w->limit;
     if (!m.met) {
-        w->may = fmin(w->may, low);
+        w->may = sph_ref_least(w->may, low);
         return w->limit;
     }
     if (high >= w->t_max) return w->limit;
