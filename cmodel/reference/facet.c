@@ -36,8 +36,8 @@ static void triangle_normal(const struct sph_facet *f, double normal[3]) {
  * multiplied, F and D those of from and dir. Corners that are off by ULP times their size move the
  * plane as far where it is the triangle, which is less than 6 E times that in num. As long as half
  * of det is certain all of it is at most twice of the sum over det. */
-static void triangle_place(const struct sph_facet *f, const struct sph_ref_cast *c,
-                           double a[3][3], double size, struct sph_ref_meet *m) {
+static void triangle_place(const struct sph_facet *f, const struct sph_ref_cast *c, double a[3][3],
+                           double size, struct sph_ref_meet *m) {
     const double *dir = c->ray->dir, from[3] = {-a[0][0], -a[0][1], -a[0][2]};
     double e1[3], e2[3], p[3], q[3];
     between(f->v[1], f->v[0], e1);

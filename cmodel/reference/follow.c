@@ -31,8 +31,8 @@ struct lit {
     struct sph_ref_hit by[SPH_MAX_LIGHTS]; /* what blocks it */
 };
 
-/* from: lift and off of a ray from the point. dir: of the ray that sees it, of length 1. shine 0: no
- * highlights. */
+/* from: lift and off of a ray from the point. dir: of the ray that sees it, of length 1. shine 0:
+ * no highlights. */
 static struct lit light(const struct sph_ref_job *j, const double at[3], const double normal[3],
                         const struct sph_ref_ray *from, const double dir[3],
                         const struct sph_ref_hit *hit, double shine) {
@@ -98,8 +98,8 @@ static const struct sph_material *surface(const struct sph_scene *scene,
     return &scene->materials[material];
 }
 
-/* What a ray meets, or what lights it there, is not certain. It does not count where it has less than
- * half a level of the colours, and nobody asks for its id. */
+/* What a ray meets, or what lights it there, is not certain. It does not count where it has less
+ * than half a level of the colours, and nobody asks for its id. */
 static void doubt(struct sph_ref_seen *seen, const struct sph_ref_branch *b, int what) {
     if (b->depth < 2 || b->weight > 0.5 / 255) seen->pixel.doubt |= what;
 }

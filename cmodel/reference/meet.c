@@ -9,7 +9,8 @@
 #include "reference/facet.h"
 
 struct sph_ref_cast sph_ref_cast(const struct sph_ref_ray *ray) {
-    struct sph_ref_cast c = {.ray = ray, .org = sph_ref_size(ray->org), .dir = sph_ref_size(ray->dir)};
+    struct sph_ref_cast c = {
+        .ray = ray, .org = sph_ref_size(ray->org), .dir = sph_ref_size(ray->dir)};
     c.edge[0] = 12 * c.dir * (ray->off + SPH_REF_ULP * c.org);
     c.edge[1] = 6 * c.dir * (ray->turn + 3 * SPH_REF_ULP);
     return c;
@@ -48,16 +49,19 @@ static int sphere(const struct sph_sphere *s, int own, const struct sph_ref_cast
     m->doubt = half2 < rim;
     if (!m->met) disc = 0;
     double root = sqrt(disc), q = b + copysign(root, b), length = sqrt(a);
-    m->t = b >= 0 && m->far ? q / a : c / q; /* far, b < 0: -|c| / -|q| */
+    m->t = b >= 0 && m->far ? q / a : c / q;                  /* far, b < 0: -|c| / -|q| */
     double half = root / length, blur = e * (2 * s->rad + e); /* of half^2 */
     m->slack = (2 * e + (half * half > blur ? blur / half : sqrt(2 * blur))) / length;
     m->slack += SPH_REF_ULP * fabs(m->t);
-    m->lead = own ? 0 : ray->lift * s->rad / sph_ref_most(half, ray->lift) / length;
+    m->lead = 0;
+    if (ray->lift > 0 && !own)
+        m->lead = ray->lift * s->rad / sph_ref_most(half, ray->lift) / length;
     return m->met || m->doubt;
 }
 
 static int of_group(const struct sph_scene *s, uint32_t id, const struct sph_facet *f) {
-    return id >= s->n_spheres && id != SPH_ID_NONE && s->facets[id - s->n_spheres].group == f->group;
+    return id >= s->n_spheres && id != SPH_ID_NONE &&
+           s->facets[id - s->n_spheres].group == f->group;
 }
 
 static int passes(const struct sph_scene *s, uint32_t id) {
@@ -94,8 +98,7 @@ static int same_sphere(const struct sph_sphere *a, const struct sph_sphere *b) {
 }
 
 int sph_ref_coincide(const struct sph_scene *s, uint32_t a, uint32_t b) {
-    if (a < s->n_spheres && b < s->n_spheres)
-        return same_sphere(&s->spheres[a], &s->spheres[b]);
+    if (a < s->n_spheres && b < s->n_spheres) return same_sphere(&s->spheres[a], &s->spheres[b]);
     if (a < s->n_spheres || b < s->n_spheres) return 0;
     return sph_ref_facet_level(&s->facets[a - s->n_spheres], &s->facets[b - s->n_spheres]);
 }

@@ -17,10 +17,10 @@
 
 struct sph_ref_ray {
     double org[3], dir[3];
-    uint32_t skip; /* sphere or facet that the ray starts on, SPH_ID_NONE: none */
-    int inside;    /* it starts inside that sphere */
-    int light;     /* it goes to a light: what lets shadow rays pass is not met */
-    double lift;   /* how far org may be from that surface: what is as near to org is not met */
+    uint32_t skip;    /* sphere or facet that the ray starts on, SPH_ID_NONE: none */
+    int inside;       /* it starts inside that sphere */
+    int light;        /* it goes to a light: what lets shadow rays pass is not met */
+    double lift;      /* how far org may be from that surface: what is as near to org is not met */
     double off, turn; /* how far org and dir may be from those of exact arithmetic: units of length,
                          radians; they make a hit doubtful, but do not change it */
 };
@@ -36,8 +36,8 @@ struct sph_ref_hit {
 /* A ray on its way through many tests: what all of them need. */
 struct sph_ref_cast {
     const struct sph_ref_ray *ray;
-    double org, dir;   /* largest magnitude of a component */
-    double edge[2];    /* a volume below size * (edge[0] + size * edge[1]) has no certain sign */
+    double org, dir; /* largest magnitude of a component */
+    double edge[2];  /* a volume below size * (edge[0] + size * edge[1]) has no certain sign */
 };
 
 /* Where the ray meets one primitive. */

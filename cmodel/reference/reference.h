@@ -53,7 +53,8 @@ struct sph_reference_pixel {
 /* By the eye (its bit), by a ray that leaves a surface. */
 enum { SPH_BEYOND_EYE = 1, SPH_BEYOND_LATER = 2 };
 
-/* What is seen: id; colours and what is seen later: a shadow, what is in a mirror or behind glass. */
+/* What is seen: id; colours and what is seen later: a shadow, what is in a mirror or behind glass.
+ */
 enum { SPH_DOUBT_SEEN = 1, SPH_DOUBT_LATER = 2 };
 
 /* How a textured surface is seen: directly, in flat mirrors, in at least one curved one. */

@@ -304,7 +304,8 @@ struct sph_ref_hit sph_ref_trace(const struct sph_ref_tree *tree, const struct s
         w.best = (struct sph_ref_hit){.t = INFINITY, .id = SPH_ID_NONE};
         walk(&w);
     }
-    if (isfinite(w.may) && w.may <= w.limit && !(any_hit && w.best.t < t_max && !w.best.doubt)) w.best.doubt = 1;
+    if (isfinite(w.may) && w.may <= w.limit && !(any_hit && w.best.t < t_max && !w.best.doubt))
+        w.best.doubt = 1;
     if (tree->work) {
         tree->work->rays++;
         tree->work->steps += w.steps;

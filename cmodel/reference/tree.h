@@ -29,9 +29,9 @@ struct sph_ref_tree *sph_ref_tree_counted(const struct sph_scene *scene, int kd,
                                           struct sph_ref_work *work);
 void sph_ref_tree_free(struct sph_ref_tree *tree);
 
-/* What the ray sees before t_max. Of surfaces that lie in one place, as far as doubles can tell, that
- * with the lowest number is seen; what lies where the ray starts, or ends at t_max, is not met.
- * any_hit: whichever hit is found first will do. */
+/* What the ray sees before t_max. Of surfaces that lie in one place, as far as doubles can tell,
+ * that with the lowest number is seen; what lies where the ray starts, or ends at t_max, is not
+ * met. any_hit: whichever hit is found first will do. */
 struct sph_ref_hit sph_ref_trace(const struct sph_ref_tree *tree, const struct sph_ref_ray *ray,
                                  double t_max, int any_hit);
 
