@@ -152,7 +152,8 @@ static void print(FILE *to, const struct measured *m) {
             "wrong      silhouette %" PRIu64 ", other sphere %" PRIu64 ", shadow %" PRIu64
             ", reflected %" PRIu64 ", refracted %" PRIu64 "\n",
             image->silhouette, image->wrong_id, e->shadow, e->reflected, e->refracted);
-    fprintf(to, "undecided  %" PRIu64 " pixels that double precision cannot tell, not counted above\n",
+    fprintf(to,
+            "undecided  %" PRIu64 " pixels that doubles cannot tell, counted for none of that\n",
             image->undecidable);
     fprintf(to, "distance   off by %.3f grid steps on the mean of %" PRIu64 " pixels", e->t_mean,
             e->same);

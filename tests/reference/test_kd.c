@@ -55,9 +55,8 @@ static struct sph_ref_ray aim(struct sph_rng *rng, int number) {
         snap(&org);
         dir = (struct sph_vec){number % 3 == 0, number % 3 == 1, -(number % 3 == 2)};
     }
-    return (struct sph_ref_ray){.org = {org.x, org.y, org.z},
-                                .dir = {dir.x, dir.y, dir.z},
-                                .skip = SPH_ID_NONE};
+    return (struct sph_ref_ray){
+        .org = {org.x, org.y, org.z}, .dir = {dir.x, dir.y, dir.z}, .skip = SPH_ID_NONE};
 }
 
 static struct sph_ref_hit brute(const struct sph_ref_tree *tree, const struct sph_scene *s,
