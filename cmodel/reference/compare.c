@@ -21,7 +21,7 @@ static int differ(uint32_t a, uint32_t b, double *sum) {
 
 struct sph_image_error sph_reference_compare(const struct sph_frame *frame,
                                              const struct sph_reference *reference) {
-    struct sph_image_error e = {{0}, 0, 0, 0, 0, 0};
+    struct sph_image_error e = {.pixels = 0};
     double sum[SPH_FRAMES] = {0};
     if (frame->width != reference->width || frame->height != reference->height) return e;
     e.pixels = (uint64_t)frame->width * (uint64_t)frame->height;
@@ -29,16 +29,21 @@ struct sph_image_error sph_reference_compare(const struct sph_frame *frame,
         const struct sph_pixel *p = &frame->pixels[i];
         const struct sph_reference_pixel *r = &reference->pixels[i];
         int worst = 0;
-        for (int layer = 0; layer < SPH_FRAMES; layer++)
+        e.undecidable += r->doubt != 0;
+        for (int layer = 0; layer < SPH_FRAMES && !r->doubt; layer++)
             worst = differ(p->colour[layer], r->colour[layer], &sum[layer]);
         e.far_off += worst > FAR_OFF;
         e.worst = worst > e.worst ? worst : e.worst;
+        if (r->doubt & SPH_DOUBT_SEEN) continue;
         if ((p->id == SPH_ID_NONE) != (r->id == SPH_ID_NONE))
             e.silhouette++;
         else if (p->id != r->id)
             e.wrong_id++;
     }
     for (int layer = 0; layer < SPH_FRAMES; layer++)
-        e.psnr[layer] = 10 * log10(255.0 * 255.0 * 3 * (double)e.pixels / sum[layer]);
+        e.psnr[layer] =
+            sum[layer] > 0
+                ? 10 * log10(255.0 * 255.0 * 3 * (double)(e.pixels - e.undecidable) / sum[layer])
+                : INFINITY;
     return e;
 }

@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "reference/facet.h"
+#include "reference/meet.h"
 #include "reference/reference.h"
 #include "reference/tree.h"
 #include "reference/view.h"
@@ -21,11 +22,13 @@ struct planes {
 
 /* The plane that the ray meets first, as an index; -1 if none. *t: where. */
 static int first_plane(const struct planes *p, const struct sph_ref_ray *ray, double *t) {
-    int first = -1, far;
+    struct sph_ref_cast cast = sph_ref_cast(ray);
+    int first = -1;
     *t = INFINITY;
     for (uint32_t i = 0; i < p->n; i++) {
-        double at = sph_ref_facet(&p->scene->facets[p->facet[i]], ray->org, ray->dir, &far);
-        if (at < *t) *t = at, first = (int)i;
+        struct sph_ref_meet m;
+        if (!sph_ref_facet(&p->scene->facets[p->facet[i]], &cast, &m)) continue;
+        if (m.met && m.t < *t) *t = m.t, first = (int)i;
     }
     return first;
 }

@@ -4,6 +4,7 @@
 #ifndef SPH_REFERENCE_FACET_H
 #define SPH_REFERENCE_FACET_H
 
+#include "reference/ray.h"
 #include "scene/texture_base.h"
 #include "scene/scene.h"
 
@@ -17,10 +18,17 @@ void sph_ref_facet_normal(const struct sph_facet *facet, double normal[3]);
  * and on the side of the facet's own. 0 if there is none. */
 int sph_ref_facet_smooth(const struct sph_facet *facet, const double at[3], double normal[3]);
 
-/* Where the ray meets the facet, from either side, edges included: t > 0, else INFINITY. *far: the
- * normal looks along dir. */
-double sph_ref_facet(const struct sph_facet *facet, const double org[3], const double dir[3],
-                     int *far);
+/* Where the line of the ray meets the facet, from either side, edges included; t may be below 0.
+ * 0: nowhere, for certain; *meet is not of use. */
+int sph_ref_facet(const struct sph_facet *facet, const struct sph_ref_cast *cast,
+                  struct sph_ref_meet *meet);
+
+/* By how many radians the normal of a facet may be off, where the point is by so much. */
+double sph_ref_facet_turn(const struct sph_facet *facet, double off);
+
+/* Whether two facets lie in one plane: the corners of one, or what a plane has, in that of the
+ * other, as far as their coordinates can tell. */
+int sph_ref_facet_level(const struct sph_facet *a, const struct sph_facet *b);
 
 /* How the image of a facet lies around the point v[0] + from: coordinates (t down), their gradients
  * in space, and what P_b is made of. */

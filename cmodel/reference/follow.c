@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "reference/drift.h"
 #include "reference/facet.h"
 #include "reference/whitted.h"
 #include "scene/nesting.h"
@@ -26,12 +27,15 @@ static int unit(double v[3]) {
 struct lit {
     double matt[3], gloss[3], full[3]; /* full: as if all came along the normal */
     uint32_t faced, blocked;           /* bit l: light l is on the normal's side; and in shadow */
+    int doubt;                         /* whether one is in shadow is not certain */
     struct sph_ref_hit by[SPH_MAX_LIGHTS]; /* what blocks it */
 };
 
-/* dir: of the ray that sees the point, of length 1. shine 0: no highlights. */
+/* from: lift and off of a ray from the point. dir: of the ray that sees it, of length 1. shine 0:
+ * no highlights. */
 static struct lit light(const struct sph_ref_job *j, const double at[3], const double normal[3],
-                        const double dir[3], const struct sph_ref_hit *hit, double shine) {
+                        const struct sph_ref_ray *from, const double dir[3],
+                        const struct sph_ref_hit *hit, double shine) {
     struct lit lit = {.faced = 0};
     for (int l = 0; l < j->scene->n_lights; l++) {
         const struct sph_light *lamp = &j->scene->lights[l];
@@ -40,13 +44,18 @@ static struct lit light(const struct sph_ref_job *j, const double at[3], const d
             .dir = {lamp->pos.x - at[0], lamp->pos.y - at[1], lamp->pos.z - at[2]},
             .skip = hit->id,
             .inside = hit->far,
-            .light = 1};
+            .light = 1,
+            .lift = from->lift,
+            .off = from->off};
         double to[3] = {ray.dir[0], ray.dir[1], ray.dir[2]};
         double cosine = unit(to) ? dot(to, normal) : 0;
         if (!(cosine > 0)) continue;
         lit.faced |= 1u << l;
         lit.by[l].t = INFINITY;
+        const double place[3] = {lamp->pos.x, lamp->pos.y, lamp->pos.z};
+        ray.turn = sph_ref_drift_light(at, place, ray.dir);
         if (j->o->shadow) lit.by[l] = sph_ref_trace(j->tree, &ray, 1, 1);
+        lit.doubt |= lit.by[l].doubt;
         if (lit.by[l].t < 1) {
             lit.blocked |= 1u << l;
             continue;
@@ -89,6 +98,12 @@ static const struct sph_material *surface(const struct sph_scene *scene,
     return &scene->materials[material];
 }
 
+/* What a ray meets, or what lights it there, is not certain. It does not count where it has less
+ * than half a level of the colours, and nobody asks for its id. */
+static void doubt(struct sph_ref_seen *seen, const struct sph_ref_branch *b, int what) {
+    if (b->depth < 2 || b->weight > 0.5 / 255) seen->pixel.doubt |= what;
+}
+
 /* How the unit normal turns with the hit point. */
 static double curvature(const struct sph_scene *scene, const struct sph_ref_hit *hit) {
     if (hit->id >= scene->n_spheres) return 0;
@@ -120,10 +135,11 @@ static void note_light(struct sph_ref_step *step, const struct lit *lit, const d
 static void shade(const struct sph_ref_job *j, struct sph_ref_branch *b,
                   const struct sph_ref_hit *hit, const struct sph_material *f,
                   const struct sph_ref_shares *k, const double at[3], const double normal[3],
-                  const double dir[3], struct sph_ref_step *step, struct sph_ref_seen *seen,
-                  double colour[3]) {
-    double image[3], lod[SPH_LODS];
-    struct lit lit = light(j, at, normal, dir, hit, k->ks > 0 && j->o->specular ? f->shine : 0);
+                  const struct sph_ref_ray *from, const double dir[3], struct sph_ref_step *step,
+                  struct sph_ref_seen *seen, double colour[3]) {
+    double image[3], lod[SPH_LODS], shine = k->ks > 0 && j->o->specular ? f->shine : 0;
+    struct lit lit = light(j, at, normal, from, dir, hit, shine);
+    if (lit.doubt) doubt(seen, b, SPH_DOUBT_LATER);
     sph_ref_path_hit(&b->path, b->ray.dir, hit->t, normal);
     if (sph_ref_texture(&j->textures, hit->id, at, &b->path, image, lod, seen->work) &&
         !seen->pixel.textured) {
@@ -148,15 +164,17 @@ static void shade(const struct sph_ref_job *j, struct sph_ref_branch *b,
     seen->pixel.distance = hit->t * sqrt(dot(b->ray.dir, b->ray.dir));
 }
 
-/* The rays that leave a surface. */
+/* The rays that leave a surface. from: their origin; tilt: by how much the normal may be off;
+ * turn: the refracted ray. */
 static void leave(const struct sph_ref_job *j, const struct sph_ref_branch *b,
-                  const struct sph_ref_hit *hit, const double at[3], const double normal[3],
-                  const double side[3], const struct sph_ref_shares *k, double ratio,
-                  const double bent[3], struct sph_ref_seen *seen) {
+                  const struct sph_ref_hit *hit, const struct sph_ref_ray *from,
+                  const double normal[3], const double side[3], const struct sph_ref_shares *k,
+                  double ratio, const double bent[3], double tilt, double turn,
+                  struct sph_ref_seen *seen) {
     double curved = curvature(j->scene, hit);
     struct sph_ref_branch next = *b;
-    for (int i = 0; i < 3; i++)
-        next.ray.org[i] = at[i];
+    memcpy(next.ray.org, from->org, sizeof from->org);
+    next.ray.lift = from->lift, next.ray.off = from->off;
     next.ray.skip = hit->id;
     next.depth++;
     if (k->kr > 0) {
@@ -164,6 +182,7 @@ static void leave(const struct sph_ref_job *j, const struct sph_ref_branch *b,
         struct sph_ref_branch mirror = next;
         sph_ref_path_mirror(&mirror.path, b->ray.dir, normal, curved);
         mirror.ray.inside = hit->far;
+        mirror.ray.turn = sph_ref_drift_mirror(b->ray.turn, tilt);
         mirror.mirrored = 1;
         mirror.weight *= k->kr;
         for (int i = 0; i < 3; i++)
@@ -176,6 +195,7 @@ static void leave(const struct sph_ref_job *j, const struct sph_ref_branch *b,
     if (k->kt > 0) {
         sph_ref_path_refract(&next.path, b->ray.dir, normal, curved, ratio);
         next.ray.inside = !hit->far;
+        next.ray.turn = turn;
         next.mirrored = 0;
         next.weight *= k->kt;
         for (int i = 0; i < 3; i++)
@@ -207,12 +227,15 @@ void sph_ref_follow(const struct sph_ref_job *j, struct sph_ref_branch b,
     if (b.depth == 0) seen->pixel.id = hit.id;
     if (b.depth == 1)
         *(b.mirrored ? &seen->pixel.reflected_id : &seen->pixel.refracted_id) = hit.id;
+    if (hit.doubt) doubt(seen, &b, b.depth ? SPH_DOUBT_LATER : SPH_DOUBT_SEEN);
     if (hit.id == SPH_ID_NONE) {
         add(seen, b.depth, b.weight, b.weight, j->scene->background);
         return;
     }
     double at[3], normal[3], side[3], colour[3], bent[3] = {0}, dir[3];
     const struct sph_material *f = surface(j->scene, &b.ray, &hit, at, normal, side);
+    struct sph_ref_ray from = {.org = {at[0], at[1], at[2]}};
+    double tilt = sph_ref_drift_hit(j->scene, &b.ray, &hit, at, side, &from);
     if (step) memcpy(step->at, at, sizeof at), memcpy(step->normal, normal, sizeof normal);
     if (j->o->world && is_plane(j->scene, hit.id)) {
         struct sph_ends ends = sph_ends_of(j->o->world);
@@ -225,10 +248,12 @@ void sph_ref_follow(const struct sph_ref_job *j, struct sph_ref_branch b,
     double inside = sph_index_ratio(f), ratio = hit.far ? inside : 1 / inside;
     memcpy(dir, b.ray.dir, sizeof dir);
     unit(dir);
-    shade(j, &b, &hit, f, &k, at, normal, dir, step, seen, colour);
+    shade(j, &b, &hit, f, &k, at, normal, &from, dir, step, seen, colour);
+    double turn = k.kt > 0 ? sph_ref_drift_refract(b.ray.turn, tilt, dot(dir, normal), ratio) : 0;
+    if (isinf(turn)) doubt(seen, &b, SPH_DOUBT_LATER);
     if (k.kt > 0 && !sph_ref_refract(dir, normal, ratio, bent)) {
         sph_ref_reflect_all(&k, f, j->o->total);
     }
     add(seen, b.depth, b.weight, b.weight * k.own, colour);
-    leave(j, &b, &hit, at, normal, side, &k, ratio, bent, seen);
+    leave(j, &b, &hit, &from, normal, side, &k, ratio, bent, tilt, turn, seen);
 }

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "common/parallel.h"
+#include "reference/drift.h"
 #include "reference/follow.h"
 
 enum { ROWS = 4 }; /* that are worth a thread */
@@ -27,6 +28,7 @@ void sph_ref_look(const struct sph_ref_job *j, int x, int y, struct sph_ref_seen
     memset(seen->sum, 0, sizeof seen->sum);
     if (seen->log) seen->log->n = 0;
     sph_ref_view_dir(v, x, y, b.ray.dir);
+    sph_ref_drift_start(&b.ray);
     sph_ref_path_start(&b.path, b.ray.dir, v->axes[0], v->axes[1]);
     sph_ref_follow(j, b, seen);
 }

@@ -3,6 +3,7 @@
  */
 #include "reference/tree.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <time.h>
@@ -10,6 +11,7 @@
 #include "common/parallel.h"
 #include "reference/facet.h"
 #include "reference/kd.h"
+#include "reference/meet.h"
 
 enum { LEAF = 4, PARALLEL = 8192 }; /* items of a box; those that threads share */
 
@@ -59,14 +61,6 @@ static void halve(struct sph_ref_item *v, uint32_t count, int axis) {
     }
 }
 
-static double least(double a, double b) {
-    return a < b ? a : b;
-}
-
-static double greatest(double a, double b) {
-    return a > b ? a : b;
-}
-
 /* The boxes of so many items, and of one more. */
 static void boxes_of(uint32_t count, uint32_t *boxes, uint32_t *more) {
     uint32_t half, half_more;
@@ -89,13 +83,14 @@ static void build_part(void *part);
 static void build(struct sph_ref_tree *t, uint32_t self, uint32_t first, uint32_t count) {
     struct box b = {
         {INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}, first, count, 0};
-    for (uint32_t i = first; i < first + count; i++)
-        for (int j = 0; j < 3; j++) {
-            const struct sph_ref_item *s = &t->items[i];
-            double slack = 1e-9 * greatest(fabs(s->low[j]), fabs(s->high[j])); /* no hit is lost */
-            b.low[j] = least(b.low[j], s->low[j] - slack);
-            b.high[j] = greatest(b.high[j], s->high[j] + slack);
+    for (uint32_t i = first; i < first + count; i++) {
+        const struct sph_ref_item *s = &t->items[i];
+        double slack = 1e-9 * sph_ref_most(sph_ref_size(s->low), sph_ref_size(s->high));
+        for (int j = 0; j < 3; j++) { /* no hit is lost, nor what is as good as one */
+            b.low[j] = sph_ref_least(b.low[j], s->low[j] - slack);
+            b.high[j] = sph_ref_most(b.high[j], s->high[j] + slack);
         }
+    }
     if (count > LEAF) {
         uint32_t left = count / 2, boxes, more;
         int axis = 0;
@@ -185,74 +180,10 @@ void sph_ref_tree_free(struct sph_ref_tree *tree) {
     free(tree);
 }
 
-/* A hit before t_max and before *best, or as far with a smaller id, replaces *best. */
-static void keep(struct sph_ref_hit hit, double t_max, struct sph_ref_hit *best) {
-    if (!(hit.t > 0) || hit.t >= t_max || hit.t > best->t) return;
-    if (hit.t < best->t || hit.id < best->id) *best = hit;
-}
-
-/* Stable quadratic: the discriminant from the distance of centre and ray, the small root from the
- * product of the roots. */
-static void sphere(const struct sph_sphere *s, uint32_t id, const struct sph_ref_ray *ray,
-                   double t_max, struct sph_ref_hit *best) {
-    const double ctr[3] = {s->ctr.x, s->ctr.y, s->ctr.z};
-    int own = id == ray->skip;
-    if (own && !ray->inside) return;
-    const double *d = ray->dir;
-    double oc[3], a = 0, b = 0, oc2 = 0, off2 = 0;
-    for (int i = 0; i < 3; i++) {
-        oc[i] = ctr[i] - ray->org[i];
-        a += d[i] * d[i];
-        b += oc[i] * d[i];
-        oc2 += oc[i] * oc[i];
-    }
-    for (int i = 0; i < 3; i++) {
-        double v = oc[i] - b / a * d[i];
-        off2 += v * v;
-    }
-    double disc = a * (s->rad * s->rad - off2), c = oc2 - s->rad * s->rad, t;
-    if (!(disc > 0) || !(b > 0 || c < 0 || own)) return;
-    double q = b + copysign(sqrt(disc), b);
-    int far = c <= 0 || own;
-    if (b >= 0)
-        t = far ? q / a : c / q;
-    else
-        t = c / q; /* far: -|c| / -|q| */
-    keep((struct sph_ref_hit){t, id, far}, t_max, best);
-}
-
-/* A facet, unless the ray starts on one of its group. */
-static void facet(const struct sph_ref_tree *t, uint32_t number, const struct sph_ref_ray *ray,
-                  double t_max, struct sph_ref_hit *best) {
-    const struct sph_scene *s = t->scene;
-    const struct sph_facet *f = &s->facets[number];
-    struct sph_ref_hit hit = {0, s->n_spheres + number, 0};
-    if (ray->skip >= s->n_spheres && ray->skip != SPH_ID_NONE &&
-        s->facets[ray->skip - s->n_spheres].group == f->group)
-        return;
-    hit.t = sph_ref_facet(f, ray->org, ray->dir, &hit.far);
-    keep(hit, t_max, best);
-}
-
-static int passes(const struct sph_scene *s, uint32_t id) {
-    uint32_t material =
-        id < s->n_spheres ? s->spheres[id].material : s->facets[id - s->n_spheres].material;
-    return s->materials[material].passes;
-}
-
-static void item(const struct sph_ref_tree *t, uint32_t id, const struct sph_ref_ray *ray,
-                 double t_max, struct sph_ref_hit *best) {
-    if (ray->light && passes(t->scene, id)) return;
-    if (id < t->scene->n_spheres)
-        sphere(&t->scene->spheres[id], id, ray, t_max, best);
-    else
-        facet(t, id - t->scene->n_spheres, ray, t_max, best);
-}
-
 double sph_ref_meet(const struct sph_ref_tree *t, uint32_t id, const struct sph_ref_ray *ray) {
-    struct sph_ref_hit hit = {INFINITY, SPH_ID_NONE, 0};
-    item(t, id, ray, INFINITY, &hit);
-    return hit.t;
+    struct sph_ref_cast cast = sph_ref_cast(ray);
+    struct sph_ref_meet m;
+    return sph_ref_meet_ahead(t->scene, id, &cast, &m) && m.met ? m.t : INFINITY;
 }
 
 /* Whether the ray meets the box before t_max. */
@@ -265,32 +196,66 @@ static int meets(const struct box *b, const struct sph_ref_ray *ray, double t_ma
         }
         double t0 = (b->low[i] - ray->org[i]) / ray->dir[i];
         double t1 = (b->high[i] - ray->org[i]) / ray->dir[i];
-        near = fmax(near, fmin(t0, t1));
-        far = fmin(far, fmax(t0, t1));
+        near = sph_ref_most(near, sph_ref_least(t0, t1));
+        far = sph_ref_least(far, sph_ref_most(t0, t1));
     }
     return near <= far * (1 + 1e-12);
 }
 
-/* A ray on its way through the tree. */
+/* A ray on its way through the tree. Hits are stretches of it: `limit` is where the first of all
+ * ends, and those that begin before lie in one place with it. */
 struct walk {
     const struct sph_ref_tree *tree;
-    const struct sph_ref_ray *ray;
-    double t_max;
-    int any_hit;
+    const struct sph_ref_cast *cast;
+    double t_max, limit, begin; /* begin: where the first of all begins */
+    double may;                 /* where what may be met, but is not, begins */
+    int any_hit, tied, settle;  /* settle: which of those in one place it is */
     struct sph_ref_hit best;
     uint64_t steps, tests;
 };
 
+/* One more hit that begins before the limit. */
+static void keep(struct walk *w, const struct sph_ref_hit *hit, double low, double high) {
+    struct sph_ref_hit *best = &w->best;
+    if (!w->settle) {
+        w->tied = high < w->begin ? 0 : 1;
+        w->begin = w->tied ? sph_ref_least(w->begin, low) : low;
+        w->limit = sph_ref_least(w->limit, high);
+        if (best->id == SPH_ID_NONE || !w->tied) *best = *hit;
+        return;
+    }
+    int doubt = best->doubt | hit->doubt;
+    if (best->id != SPH_ID_NONE && best->id != hit->id)
+        doubt |= !sph_ref_coincide(w->tree->scene, best->id, hit->id);
+    if (hit->id < best->id) *best = *hit;
+    best->doubt = doubt;
+}
+
 /* Tests a primitive; what is farther than the t that it returns does not count. */
 static double test(void *user, uint32_t id) {
     struct walk *w = user;
-    item(w->tree, id, w->ray, w->t_max, &w->best);
+    struct sph_ref_meet m;
     w->tests++;
-    return w->any_hit && w->best.t < w->t_max ? -1 : fmin(w->t_max, w->best.t);
+    if (!sph_ref_meet_ahead(w->tree->scene, id, w->cast, &m)) return w->limit;
+    double low = m.t - m.slack, high = sph_ref_least(m.t + m.slack, DBL_MAX);
+    if (!(low <= w->limit) || low >= w->t_max) return w->limit;
+    if (!m.met) {
+        w->may = sph_ref_least(w->may, low);
+        return w->limit;
+    }
+    if (high >= w->t_max) return w->limit;
+    struct sph_ref_hit hit = {m.t, id, m.far, m.slack, m.doubt};
+    if (!w->any_hit) {
+        keep(w, &hit, low, high);
+        return w->limit;
+    }
+    w->best = hit;
+    return hit.doubt ? w->limit : -1;
 }
 
-static void walk_boxes(struct walk *w, double limit) {
+static void walk_boxes(struct walk *w) {
     const struct sph_ref_tree *tree = w->tree;
+    double limit = w->limit;
     uint32_t stack[64];
     int sp = 0;
     stack[sp++] = 0;
@@ -298,7 +263,7 @@ static void walk_boxes(struct walk *w, double limit) {
         uint32_t at = stack[--sp];
         const struct box *b = &tree->boxes[at];
         w->steps++;
-        if (!meets(b, w->ray, limit)) continue;
+        if (!meets(b, w->cast->ray, limit)) continue;
         if (b->count <= LEAF) {
             for (uint32_t i = 0; i < b->count; i++)
                 limit = test(w, tree->items[b->first + i].id);
@@ -309,16 +274,38 @@ static void walk_boxes(struct walk *w, double limit) {
     }
 }
 
+static void walk(struct walk *w) {
+    const struct sph_ref_tree *tree = w->tree;
+    const struct sph_ref_ray *ray = w->cast->ray;
+    double limit = w->limit;
+    for (uint32_t i = 0; i < tree->n_endless && limit >= 0; i++)
+        limit = test(w, tree->scene->n_spheres + tree->endless[i]);
+    if (limit < 0) return;
+    if (tree->kd)
+        w->steps += sph_kd_walk(tree->kd, ray->org, ray->dir, limit, test, w);
+    else
+        walk_boxes(w);
+}
+
 struct sph_ref_hit sph_ref_trace(const struct sph_ref_tree *tree, const struct sph_ref_ray *ray,
                                  double t_max, int any_hit) {
-    struct walk w = {tree, ray, t_max, any_hit, {INFINITY, SPH_ID_NONE, 0}, 0, 0};
-    double limit = t_max;
-    for (uint32_t i = 0; i < tree->n_endless; i++)
-        limit = test(&w, tree->scene->n_spheres + tree->endless[i]);
-    if (tree->kd && limit >= 0)
-        w.steps = sph_kd_walk(tree->kd, ray->org, ray->dir, limit, test, &w);
-    else
-        walk_boxes(&w, limit);
+    struct sph_ref_cast cast = sph_ref_cast(ray);
+    struct walk w = {.tree = tree,
+                     .cast = &cast,
+                     .t_max = t_max,
+                     .limit = t_max,
+                     .begin = INFINITY,
+                     .may = INFINITY,
+                     .any_hit = any_hit,
+                     .best = {.t = INFINITY, .id = SPH_ID_NONE}};
+    walk(&w);
+    if (w.tied) {
+        w.settle = 1;
+        w.best = (struct sph_ref_hit){.t = INFINITY, .id = SPH_ID_NONE};
+        walk(&w);
+    }
+    if (isfinite(w.may) && w.may <= w.limit && !(any_hit && w.best.t < t_max && !w.best.doubt))
+        w.best.doubt = 1;
     if (tree->work) {
         tree->work->rays++;
         tree->work->steps += w.steps;

@@ -7,20 +7,8 @@
 #include <stdint.h>
 
 #include "machine/layout.h"
+#include "reference/ray.h"
 #include "scene/scene.h"
-
-struct sph_ref_ray {
-    double org[3], dir[3];
-    uint32_t skip; /* sphere or facet that the ray starts on, SPH_ID_NONE: none */
-    int inside;    /* it starts inside that sphere */
-    int light;     /* it goes to a light: what lets shadow rays pass is not met */
-};
-
-struct sph_ref_hit {
-    double t;    /* INFINITY: none */
-    uint32_t id; /* spheres, then facets, as the scene has them */
-    int far;     /* the origin is inside; facet: its normal looks along the ray */
-};
 
 struct sph_ref_tree; /* boxes of two children, split at the median; or a kd-tree */
 
@@ -41,7 +29,9 @@ struct sph_ref_tree *sph_ref_tree_counted(const struct sph_scene *scene, int kd,
                                           struct sph_ref_work *work);
 void sph_ref_tree_free(struct sph_ref_tree *tree);
 
-/* The first hit with 0 < t < t_max; any_hit: whichever is found first will do. */
+/* What the ray sees before t_max. Of surfaces that lie in one place, as far as doubles can tell,
+ * that with the lowest number is seen; what lies where the ray starts, or ends at t_max, is not
+ * met. any_hit: whichever hit is found first will do. */
 struct sph_ref_hit sph_ref_trace(const struct sph_ref_tree *tree, const struct sph_ref_ray *ray,
                                  double t_max, int any_hit);
 

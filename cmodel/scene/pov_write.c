@@ -172,8 +172,18 @@ static int passes(const struct writer *w, uint32_t material) {
     return w->scene->materials[material].passes;
 }
 
+/* Whether the eye is inside of a sphere, or behind a plane. */
+static int around_eye(const struct sph_scene *s, uint32_t id) {
+    struct sph_vec eye = s->camera.from;
+    if (id < s->n_spheres) return distance(s->spheres[id].ctr, eye) < s->spheres[id].rad;
+    const struct sph_facet *f = &s->facets[id - s->n_spheres];
+    return sph_vec_dot(sph_vec_sub(eye, f->v[0]), f->v[1]) < 0;
+}
+
 /* What is transparent hides a light whole: the surface itself throws no shadow, and an opaque one
- * that is nowhere seen does, unless shadow rays pass. */
+ * that is nowhere seen does, unless shadow rays pass. POV-Ray takes the eye to be in all that it is
+ * inside of, and bends no ray that leaves the glass while it is in the opaque one: that is turned
+ * inside out there. */
 static void put_primitive(const struct writer *w, uint32_t id) {
     uint32_t material = put_shape(w, id);
     put_look(w, id, material);
@@ -182,7 +192,7 @@ static void put_primitive(const struct writer *w, uint32_t id) {
         if (!passes(w, material)) {
             fputs(" }\n", w->file);
             put_shape(w, id);
-            fputs(" Shade()", w->file);
+            fputs(around_eye(w->scene, id) ? " Shade() inverse" : " Shade()", w->file);
         }
     } else if (passes(w, material)) {
         fputs(" no_shadow", w->file);

@@ -152,6 +152,9 @@ static void print(FILE *to, const struct measured *m) {
             "wrong      silhouette %" PRIu64 ", other sphere %" PRIu64 ", shadow %" PRIu64
             ", reflected %" PRIu64 ", refracted %" PRIu64 "\n",
             image->silhouette, image->wrong_id, e->shadow, e->reflected, e->refracted);
+    fprintf(to,
+            "undecided  %" PRIu64 " pixels that doubles cannot tell, counted for none of that\n",
+            image->undecidable);
     fprintf(to, "distance   off by %.3f grid steps on the mean of %" PRIu64 " pixels", e->t_mean,
             e->same);
     if (e->x >= 0) fprintf(to, ", by %.3f at x %d y %d", e->t_worst, e->x, e->y);
@@ -168,6 +171,7 @@ static json_t *accuracy_json(const struct sph_accuracy *e) {
                                                                    : json_null());
     json_object_set_new(json, "psnr", psnr);
     report_count(json, "pixels", e->image.pixels);
+    report_count(json, "undecidable", e->image.undecidable);
     report_count(json, "silhouette", e->image.silhouette);
     report_count(json, "wrong_id", e->image.wrong_id);
     report_count(json, "shadow", e->shadow);
@@ -232,8 +236,9 @@ int tool_accuracy(int argc, char **argv) {
         "The golden model is compared with a renderer in double precision that sees the scene as "
         "it is written. Wrong pixels: hit in one and background in the other (silhouette); another "
         "sphere; the same sphere, but a light that is blocked in one alone (shadow) or another "
-        "sphere in the mirror (reflected) or through it (refracted). The exit code says nothing of "
-        "their number.",
+        "sphere in the mirror (reflected) or through it (refracted). Pixels that double precision "
+        "cannot tell (undecided) count for none of that. The exit code says nothing of their "
+        "number.",
         children,
         NULL,
         NULL};

@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab.truth.measure TOOL FOLDER [NAME...]
 Leaves NAME.json and NAME.png in FOLDER for each scene of scenes.py, or for those named; a result
-that is younger than the tool is kept. Says what to install and exits with 1 without POV-Ray."""
+that is younger than the tool is kept. Of surfaces in one place exact numbers are the judge, not
+POV-Ray: exact/NAME.json. Says what to install and exits with 1 without POV-Ray."""
 import json
 import os
 import shutil
@@ -11,7 +12,7 @@ import subprocess
 import sys
 
 from .. import intact
-from . import doubt, pictures, scenes
+from . import doubt, exact, pictures, scenes
 
 POVRAY = "povray"
 RULES = (), ("--unlimited",), ("--unlimited", "--total")  # the machine's rules to POV-Ray's
@@ -94,10 +95,37 @@ class Runner:
             found = [was or m > pictures.FAR_OFF for was, m in zip(found, most)]
         return found
 
+    def younger(self, target):
+        return (os.path.exists(target) and
+                os.path.getmtime(target) > os.path.getmtime(self.tool))
+
+    def coincident(self, name, scene):
+        """Pixels that show another object than exact numbers do, where doubles can tell."""
+        os.makedirs(self.path("exact"), exist_ok=True)
+        target, report = self.path(f"exact/{name}.json"), self.path(name + ".report")
+        if self.younger(target):
+            return
+        print(f"  EXACT {name}", flush=True)
+        ids, near = exact.see(scene, scenes.SIZE)
+
+        def wrong(frame):
+            return sum(a != b and not n for a, b, n in zip(ids, frame[3], near))
+        result = {"near": sum(near), "reference": wrong(self.reference(name, scene, 0)),
+                  "model": {}}
+        for profile in scenes.PROFILES:
+            model, why = self.frame(name, "accuracy", scene, "--profile", profile, "--depth", 0,
+                                    "--json", report)
+            result["model"][profile] = {"refused": why} if model is None else {
+                "wrong": wrong(model)}
+            if model:
+                with open(report, encoding="utf-8") as f:
+                    result["undecidable"] = json.load(f)["accuracy"]["undecidable"]
+        intact.write(target, json.dumps(result, indent=1))
+
     def scene(self, name, scene, depth):
         """Measures one scene, unless that is done."""
         target = self.path(name + ".json")
-        if os.path.exists(target) and os.path.getmtime(target) > os.path.getmtime(self.tool):
+        if self.younger(target):
             return
         print(f"  POV  {name}", flush=True)
         truth = self.truth(name, scene, depth)
@@ -135,7 +163,7 @@ def nearest(report):
 
 def listed(runner):
     """{name: (path, words that make it, if it is none of the tree)} of every scene."""
-    found = {name: (path, ()) for name, path in scenes.named()}
+    found = {name: (path, ()) for name, path in scenes.named() + scenes.coincident()}
     for kind in scenes.GENERATED:
         name = kind.replace(":", "")
         found[name] = runner.path(name + ".nff"), ("gen", kind)
@@ -156,7 +184,10 @@ def main(tool, folder, *names):
         path, words = every[name]
         if words:
             runner.must(*words, "-o", path)
-        runner.scene(name, path, scenes.depth(path))
+        if (name, path) in scenes.coincident():
+            runner.coincident(name, path)
+        else:
+            runner.scene(name, path, scenes.depth(path))
 
 
 if __name__ == "__main__":

@@ -30,6 +30,21 @@ def results(folder):
     return found
 
 
+def coincident(folder):
+    """Pixels that show another object than exact numbers do."""
+    found, rows = results(Path(folder, "exact")), []
+    for name, _ in scenes.coincident():
+        if name not in found:
+            whole.lack(f"no result of {name}")
+            return None
+        r = found[name]
+        rows.append([name, r["near"], r["undecidable"], r["reference"]] +
+                    ["-" if "refused" in r["model"][p] else r["model"][p]["wrong"]
+                     for p in scenes.PROFILES])
+    return table(["scene", "within 10^-12", "undecidable", "double reference"] + scenes.PROFILES,
+                 rows)
+
+
 def lacking(found):
     """Notes the scenes that were not drawn; whether there are any."""
     wanted = [name for name, _ in scenes.files()] + ["protein"] + [
@@ -113,7 +128,8 @@ def scale(folder):
 def main(page, folder, shown):
     found = results(folder)
     made = {"reference": reference, "model": model, "wrong": wrong, "why": why, "below": below}
-    place(page, "make truth", {"scale": lambda: scale(folder)} | {
+    alone = {"scale": lambda: scale(folder), "coincident": lambda: coincident(folder)}
+    place(page, "make truth", alone | {
         name: lambda table=table: None if lacking(found) else table(found)
         for name, table in made.items()})
     Path(shown).mkdir(parents=True, exist_ok=True)

@@ -11,7 +11,9 @@ GENERATED = ["balls:3", "mount:4", "tetra:4", "shells:4", "rings:3", "lattice:3"
 DEPTH = {"refraction": 4}  # of a folder; 2 elsewhere
 FILTER = ["--filter", "nearest"]  # as images are exported
 LEFT = {"empty": "nothing is in it"}
+MORE = [Path("tests/scenes/refraction/eye_in_glass.nff")]
 BY_NAME = [Path("scenes/effects/clear_facets.nff")]  # drawn if they are named, for points.py
+COINCIDENT = Path("tests/scenes/coincident")  # surfaces in one place, edges through pixels
 
 
 def files():
@@ -19,7 +21,12 @@ def files():
     found = sorted(Path("scenes").glob("*.nff"))
     for folder in "facets", "refraction", "texture":
         found += sorted(Path("scenes", folder).glob("*.nff"))
-    return [(path.stem, path) for path in found if path.stem not in LEFT]
+    return [(path.stem, path) for path in found + MORE if path.stem not in LEFT]
+
+
+def coincident():
+    """The same of scenes that are compared with exact numbers."""
+    return [(path.stem, path) for path in sorted(COINCIDENT.glob("*.nff"))]
 
 
 def named():

@@ -55,12 +55,13 @@ static struct sph_ref_ray aim(struct sph_rng *rng, int number) {
         snap(&org);
         dir = (struct sph_vec){number % 3 == 0, number % 3 == 1, -(number % 3 == 2)};
     }
-    return (struct sph_ref_ray){{org.x, org.y, org.z}, {dir.x, dir.y, dir.z}, SPH_ID_NONE, 0, 0};
+    return (struct sph_ref_ray){
+        .org = {org.x, org.y, org.z}, .dir = {dir.x, dir.y, dir.z}, .skip = SPH_ID_NONE};
 }
 
 static struct sph_ref_hit brute(const struct sph_ref_tree *tree, const struct sph_scene *s,
                                 const struct sph_ref_ray *ray) {
-    struct sph_ref_hit best = {INFINITY, SPH_ID_NONE, 0};
+    struct sph_ref_hit best = {.t = INFINITY, .id = SPH_ID_NONE};
     for (uint32_t id = 0; id < s->n_spheres + s->n_facets; id++) {
         double t = sph_ref_meet(tree, id, ray);
         if (t < best.t) best.t = t, best.id = id;
