@@ -36,6 +36,7 @@ $(PICTURES): $B/obj/sim/pictures.o $(call objects,obj/,$(IMAGE_C) $(LAZY_C)) $(L
 -include $B/obj/sim/pictures.d
 
 top_run = test $(MEMORY) = ideal || { echo 'MEMORY=$(MEMORY): not with TOP=1' >&2; exit 2; }; \
+          test -z '$(PIXEL)' || { echo 'PIXEL=$(PIXEL): not with TOP=1' >&2; exit 2; }; \
           mkdir -p $B/sim && $(call values,SCENE FRAMES BUILD_OPTIONS LATENCY STALL SEED PROFILE \
               LAYERS MOVIE) BUILD=$B sh sim/top.sh
 sim: $(TOOL) $(PICTURES) ## SCENE through model and RTL, compared bit for bit; TOP=1: in rt_top

@@ -7,8 +7,8 @@
 #            sim/core.sh --machine FILE [OPTION...]
 #
 # Builds the core that the machine asks for unless it is there (cached by parameters), with
-# waveforms if --trace is among the options and with its stages shown if --pixel is, then runs the harness; its options: --help. With
-# --folder it runs nothing and prints the folder of the core.
+# waveforms if --trace is among the options, with its stages shown if --pixel is, then runs the
+# harness; its options: --help. With --folder it runs nothing and prints the folder of the core.
 # EFFECTS=auto elaborates only what the machine asks for, all (default) everything, else what is
 # named: a list as sim/parameters.sh takes it; for a machine with a BIH all is all+bih, with boxes
 # all+boxes, of a turned grid +turned. A core with less than the machine asks for refuses it; the

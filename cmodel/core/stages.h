@@ -2,10 +2,10 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * A line is what one stage works with and what it gives, word for word as it stands in the wires. A
- * ray that somebody follows carries where its lines go (struct sph_ray), so each stage notes its own
- * numbers; the bench of the core notes those that it reads in the RTL (tb/core/stage_watch.h).
- * Widths and formats of all words stand in one table, in stages.c; docs/guide/simulation.md has an
- * example.
+ * ray that somebody follows carries where its lines go (struct sph_ray), so each stage notes its
+ * own numbers; the bench of the core notes those that it reads in the RTL (tb/core/stage_watch.h).
+ * Widths and formats of all words stand in one table, in stages_text.c; docs/guide/simulation.md
+ * has an example.
  */
 #ifndef SPH_STAGES_H
 #define SPH_STAGES_H
@@ -35,6 +35,7 @@ enum {
     SPH_STAGE_NORMAL,
     SPH_STAGE_MATERIAL,
     SPH_STAGE_PATH,
+    SPH_STAGE_LEVEL,
     SPH_STAGE_TEXEL,
     SPH_STAGE_ALBEDO,
     SPH_STAGE_LIGHT,
@@ -47,9 +48,9 @@ enum {
 enum { SPH_STAGE_WORDS = 16, SPH_STAGE_TEXT = 1024 };
 
 struct sph_stage_line {
-    int ray, kind, stage; /* of the pixel itself ray is INT_MAX */
-    uint32_t visit;       /* of the ray, from 1; 0 but for NODE to KEY */
-    uint32_t number;      /* of child, primitive, texel or light */
+    int ray, kind, stage;           /* of the pixel itself ray is INT_MAX */
+    uint32_t visit;                 /* of the ray, from 1; 0 but for NODE to KEY */
+    uint32_t number;                /* of child, primitive, texel or light */
     sph_u128 word[SPH_STAGE_WORDS]; /* the low bits of each count */
 };
 
@@ -68,13 +69,15 @@ struct sph_stages {
 void sph_stages_begin(struct sph_stages *s, const struct sph_ray *ray);
 void sph_stages_end(struct sph_stages *s, const struct sph_ray *ray, const struct sph_hit *hit);
 
-/* Adds a line of a stage, with as many words as the table has for it. NODE, PLANES and LEAF count
+/* Adds a line of a stage with its n words, as the table has them. NODE, PLANES and LEAF count
  * the visits of a ray; children of a node, texels and lights of a surface are counted too, whatever
  * number they are given. A stage from QUOTIENT on belongs to the latest ray that is no shadow ray,
  * PIXEL to none. */
-void sph_stages_note(struct sph_stages *s, int stage, uint32_t number, const sph_i128 *words);
+void sph_stages_note(struct sph_stages *s, int stage, uint32_t number, const sph_i128 *words,
+                     size_t n);
 #define SPH_NOTE(s, stage, number, ...)                                                            \
-    sph_stages_note(s, stage, number, (const sph_i128[]){__VA_ARGS__})
+    sph_stages_note(s, stage, number, (const sph_i128[]){__VA_ARGS__},                             \
+                    sizeof(sph_i128[]){__VA_ARGS__} / sizeof(sph_i128))
 #define SPH_THREE(v) (v)[0], (v)[1], (v)[2]
 
 /* The pixel. */
@@ -90,8 +93,6 @@ int sph_stages_order(const struct sph_stage_line *a, const struct sph_stage_line
  * what it stands for, lengths in scene units. */
 void sph_stages_text(const struct sph_machine *m, const struct sph_stage_line *line,
                      char text[SPH_STAGE_TEXT]);
-
-const char *sph_stages_name(int stage);
 
 void sph_stages_free(struct sph_stages *s);
 

@@ -241,6 +241,7 @@ static int path(const struct sph_job *j, struct sph_ray ray) {
 
 /* A texel is fetched for the ray that user follows. */
 static void note_texel(void *user, const struct sph_texel *texel) {
+    if (texel->first) SPH_NOTE(user, SPH_STAGE_LEVEL, 0, texel->lod);
     SPH_NOTE(user, SPH_STAGE_TEXEL, 0, texel->word);
 }
 

@@ -88,12 +88,13 @@ int tool_info(int argc, char **argv) {
         sph_bih_measure(&machine, &stats), print_bih(to, &machine, &stats);
     if (a.pixel[0] >= 0) print_rays(to, &log);
     print_stages(to, &machine, &stages);
-    sph_stages_free(&stages);
     json_t *report = report_new("info");
     report_text(report, "input", a.input);
     report_machine(report, &machine);
     if (sph_machine_bih(&machine)) report_bih(report, &machine, &stats);
     if (a.pixel[0] >= 0) report_rays(report, &log);
+    if (a.stages) report_stages(report, &machine, &stages);
+    sph_stages_free(&stages);
     sph_ray_log_free(&log);
     int rc = report_write(report, a.json, &err);
     sph_machine_free(&machine);

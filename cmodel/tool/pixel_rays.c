@@ -18,7 +18,9 @@ int pixel_rays(const struct sph_machine *m, int x, int y, struct sph_ray_log *lo
     uint32_t errors = 0;
     sph_render_pixel(m, &how, x, y, &counters, &errors, NULL);
     if (stages) sph_stages_sort(stages);
-    return log->full || (stages && stages->full) ? sph_fail(err, "%s: no memory for the rays of a pixel", m->name) : 0;
+    return log->full || (stages && stages->full)
+               ? sph_fail(err, "%s: no memory for the rays of a pixel", m->name)
+               : 0;
 }
 
 /* From the origin to the hit, grid units. */
@@ -77,4 +79,14 @@ void report_rays(json_t *report, const struct sph_ray_log *log) {
         json_array_append_new(list, ray);
     }
     report_add(report, "pixel_rays", list);
+}
+
+void report_stages(json_t *report, const struct sph_machine *m, const struct sph_stages *stages) {
+    json_t *list = json_array();
+    char text[SPH_STAGE_TEXT];
+    for (int i = 0; i < stages->n; i++) {
+        sph_stages_text(m, &stages->lines[i], text);
+        json_array_append_new(list, json_string(text));
+    }
+    report_add(report, "stages", list);
 }

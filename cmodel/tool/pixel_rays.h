@@ -22,7 +22,8 @@ void print_rays(FILE *to, const struct sph_ray_log *log);
 /* Prints the stages, a line each; to may be NULL. */
 void print_stages(FILE *to, const struct sph_machine *m, const struct sph_stages *stages);
 
-/* Adds them as the member `pixel_rays`. */
+/* Adds them as the members `pixel_rays` and `stages`. */
 void report_rays(json_t *report, const struct sph_ray_log *log);
+void report_stages(json_t *report, const struct sph_machine *m, const struct sph_stages *stages);
 
 #endif

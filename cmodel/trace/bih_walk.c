@@ -88,8 +88,8 @@ static int inner(struct walk *w, const uint32_t *node, struct place *at) {
     uint64_t line = (uint64_t)(uint32_t)w->m->regs[SPH_REG_ROOT] +
                     sph_field(node, SPH_BIH_CHILD_LSB, SPH_BIH_CHILD_BITS);
     if (w->probe.ray->stages)
-        SPH_NOTE(w->probe.ray->stages, SPH_STAGE_PLANES, 0, at->line, at->half, axis, clip_l, clip_r,
-                 sph_field(node, SPH_BIH_FIT_LSB, SPH_BIH_FIT_BITS),
+        SPH_NOTE(w->probe.ray->stages, SPH_STAGE_PLANES, 0, at->line, at->half, axis, clip_l,
+                 clip_r, sph_field(node, SPH_BIH_FIT_LSB, SPH_BIH_FIT_BITS),
                  sph_field(node, SPH_BIH_CHILD_LSB, SPH_BIH_CHILD_BITS));
     if (line >= (uint32_t)w->m->regs[SPH_REG_MEM_LINES]) return fail(w, SPH_ERROR_BAD_NODE);
     w->probe.c->count[SPH_COUNT_CHILD_TESTS] += 2;

@@ -185,9 +185,13 @@ void compare_expected(const Options &o, const Outcome &c, Verdict &v) {
 } // namespace
 
 Verdict compare(const Options &o, const sph_machine &machine, const Outcome &c) {
-    if (c.run->no_input || c.run->given_up)
-        return {0, c.run->failure, c.run->given_up, c.run->no_input, false, {-1, -1}, "", ""};
-    Verdict v{0, refusal(o, machine, c.run->pass[COLD].errors), false, false, false, {-1, -1}, "", ""};
+    if (c.run->no_input || c.run->given_up) {
+        Verdict v{0, c.run->failure, c.run->given_up, c.run->no_input, false, {-1, -1}, "", ""};
+        if (c.run->stages && c.run->given_up) compare_stages(o, machine, c, v);
+        return v;
+    }
+    Verdict v{0, refusal(o, machine, c.run->pass[COLD].errors), false, false, false, {-1, -1}, "",
+              ""};
     v.refused = !v.text.empty() && !(o.expect_errors >= 0 && o.expect_errors & REFUSED);
     if (c.run->failure[0]) {
         v.mismatches++;

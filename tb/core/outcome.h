@@ -18,7 +18,7 @@ struct Outcome {
     const Run *run;
     sph_stages stages;       /* of the core, of Options::pixel */
     sph_stages model_stages; /* of the model */
-    double seconds; /* wall clock of the simulation */
+    double seconds;          /* wall clock of the simulation */
 
     uint64_t pixels() const {
         return static_cast<uint64_t>(window.x1 - window.x0) *
@@ -58,6 +58,7 @@ Verdict compare(const Options &o, const sph_machine &machine, const Outcome &out
 
 /* The stages of the pixel that is followed, model and core line by line, into v.stages; a line that
  * differs counts as one mismatch and is told in v.text. */
-void compare_stages(const Options &o, const sph_machine &machine, const Outcome &outcome, Verdict &v);
+void compare_stages(const Options &o, const sph_machine &machine, const Outcome &outcome,
+                    Verdict &v);
 
 #endif

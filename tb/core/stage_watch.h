@@ -19,8 +19,7 @@ class StageWatch {
   public:
     /* After the first clock of the core that was made in this context; pixel x, y of the machine,
      * into `to`. */
-    StageWatch(VerilatedContext &context, const sph_machine &machine, int x, int y,
-               sph_stages &to);
+    StageWatch(VerilatedContext &context, const sph_machine &machine, int x, int y, sph_stages &to);
     ~StageWatch();
     /* Before every clock edge, when all has settled. */
     void clock();

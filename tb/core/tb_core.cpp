@@ -98,7 +98,8 @@ int main(int argc, char **argv) {
         const Window &w = c.window;
         if (std::string(simulator_name) != "verilator")
             return complain(pixel + "only a core in Verilator shows its stages");
-        if (o.life) return complain(pixel + "not with --life");
+        if (o.life || o.bus_error_at >= 0 || o.spoil >= 0)
+            return complain(pixel + "not with --life, --bus-error-at, --spoil");
         if (o.pixel[0] < w.x0 || o.pixel[0] >= w.x1 || o.pixel[1] < w.y0 || o.pixel[1] >= w.y1)
             return complain(pixel + "lies outside of what is drawn, " + std::to_string(w.x0) + "," +
                             std::to_string(w.y0) + "," + std::to_string(w.x1) + "," +

@@ -87,8 +87,8 @@ inline VerilatedCore::VerilatedCore(const Options &o, const sph_machine &machine
     work_ = std::make_unique<WorkWatch>(context_, "memory_" + o.memory,
                                         dram_part(o.memory) ? &memory_work_ : nullptr);
     if (run.stages) {
-        stages_ = std::make_unique<StageWatch>(context_, machine, o.pixel[0], o.pixel[1],
-                                               *run.stages);
+        stages_ =
+            std::make_unique<StageWatch>(context_, machine, o.pixel[0], o.pixel[1], *run.stages);
         run.stages_shown = stages_->shown();
         if (!run.stages_shown) fail(run, "this core was built without its stages shown: STAGES=1");
     }
