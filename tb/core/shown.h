@@ -61,7 +61,10 @@ struct Place {
     /* The number of the innermost g_WHAT[number] around it; -1: there is none. */
     int number(const std::string &what) const {
         const size_t at = path.rfind("." + what + "[");
-        return at == std::string::npos ? -1 : std::stoi(path.substr(at + what.size() + 2));
+        uint64_t n = 0;
+        if (at == std::string::npos) return -1;
+        const char *digits = path.c_str() + at + what.size() + 2;
+        return sph_take_count(&digits, 0, UINT8_MAX, &n) ? -1 : static_cast<int>(n);
     }
 };
 

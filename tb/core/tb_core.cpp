@@ -57,6 +57,28 @@ std::string info(const sph_machine &m) {
            " " + m.name;
 }
 
+/* The model's stages of the pixel that is followed. */
+bool follow(const Options &o, const sph_machine &machine, Outcome &c, std::string &error) {
+    const Window &w = c.window;
+    error = "--pixel " + std::to_string(o.pixel[0]) + "," + std::to_string(o.pixel[1]) + ": ";
+    if (std::string(simulator_name) != "verilator")
+        return error += "only a core in Verilator shows its stages", false;
+    if (o.life || o.bus_error_at >= 0 || o.spoil >= 0)
+        return error += "not with --life, --bus-error-at, --spoil", false;
+    if (o.pixel[0] < w.x0 || o.pixel[0] >= w.x1 || o.pixel[1] < w.y0 || o.pixel[1] >= w.y1)
+        return error += "lies outside of what is drawn, " + std::to_string(w.x0) + "," +
+                        std::to_string(w.y0) + "," + std::to_string(w.x1) + "," +
+                        std::to_string(w.y1),
+               false;
+    sph_render_options how{};
+    how.traverse = SPH_TRAVERSE_TREE;
+    how.stages = &c.model_stages;
+    sph_counters counters{};
+    uint32_t errors = 0;
+    sph_render_pixel(&machine, &how, o.pixel[0], o.pixel[1], &counters, &errors, nullptr);
+    return true;
+}
+
 int one_life(const Options &o, sph_machine &machine, const Window &window) {
     auto run = std::make_unique<Run>();
     std::string error;
@@ -92,26 +114,7 @@ int main(int argc, char **argv) {
                             " lines of memory, more than --memory " + o.memory + " holds");
     }
 
-    if (o.pixel[0] >= 0) {
-        const std::string pixel =
-            "--pixel " + std::to_string(o.pixel[0]) + "," + std::to_string(o.pixel[1]) + ": ";
-        const Window &w = c.window;
-        if (std::string(simulator_name) != "verilator")
-            return complain(pixel + "only a core in Verilator shows its stages");
-        if (o.life || o.bus_error_at >= 0 || o.spoil >= 0)
-            return complain(pixel + "not with --life, --bus-error-at, --spoil");
-        if (o.pixel[0] < w.x0 || o.pixel[0] >= w.x1 || o.pixel[1] < w.y0 || o.pixel[1] >= w.y1)
-            return complain(pixel + "lies outside of what is drawn, " + std::to_string(w.x0) + "," +
-                            std::to_string(w.y0) + "," + std::to_string(w.x1) + "," +
-                            std::to_string(w.y1));
-        sph_render_options follow{};
-        follow.traverse = SPH_TRAVERSE_TREE;
-        follow.stages = &c.model_stages;
-        sph_counters counters{};
-        uint32_t errors = 0;
-        sph_render_pixel(&machine, &follow, o.pixel[0], o.pixel[1], &counters, &errors, nullptr);
-    }
-
+    if (o.pixel[0] >= 0 && !follow(o, machine, c, error)) return complain(error);
     if (o.life) return one_life(o, machine, c.window);
 
     sph_render_options how{};

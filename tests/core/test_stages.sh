@@ -23,7 +23,8 @@ followed() { # SETTINGS MACHINE PIXEL: model and RTL agree
     # shellcheck disable=SC2086  # settings
     env $1 sh sim/core.sh --machine "$TMP/$2.sph" --latency $((SEED % 60 + 9)) --stall 30 \
         --seed "$SEED" --pixel "$3" >"$TMP/log" 2>&1 || { cat "$TMP/log" && return 1; }
-    sed -n 's/^ray [0-9]* [a-z]* | \([a-z-]*\) .*/\1/p; s/^\(pixel\) .*/\1/p' "$TMP/log" >>"$TMP/stages"
+    sed -n 's/^ray [0-9]* [a-z]* | \([a-z-]*\) .*/\1/p; s/^\(pixel\) .*/\1/p' "$TMP/log" \
+        >>"$TMP/stages"
     grep -E "^[0-9]+ lines of pixel $3: model and RTL agree$4\$" "$TMP/log"
 }
 frame() { # NAME SETTINGS PIXEL...
@@ -73,7 +74,8 @@ case plain in *"$CORE"*)
 esac
 [ -n "$CORE" ] || {
     # The rows of the table in stages_text.c.
-    sed -n 's/.*\[SPH_STAGE_[A-Z]*\] = {"\([^"]*\)".*/\1/p' cmodel/core/stages_text.c | sort >"$TMP/all"
+    sed -n 's/.*\[SPH_STAGE_[A-Z]*\] = {"\([^"]*\)".*/\1/p' cmodel/core/stages_text.c |
+        sort >"$TMP/all"
     sort -u "$TMP/stages" >"$TMP/met"
     check "every stage was met" diff "$TMP/all" "$TMP/met"
 }
@@ -105,7 +107,9 @@ noticed() { # STAGE FILE FROM TO
         grep -q "^  core:  ray 0 primary | $1 " "$TMP/first"
 }
 fault() {
-    case "fault $1" in *"$CORE"*) check "a fault in $2 is seen at its stage, $1" noticed "$@" ;; esac
+    case "fault $1" in
+    *"$CORE"*) check "a fault in $2 is seen at its stage, $1" noticed "$@" ;;
+    esac
 }
 fault set-up trace/rt_setup.v "ray_a_q <= s4_vv_q;" "ray_a_q <= s4_vv_q ^ 34'd1;"
 fault filter trace/rt_filter.v "s6_p_q <= s5_p_q[17-F +: MW] ^ {MW{s5_p_q[33]}};" \

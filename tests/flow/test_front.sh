@@ -60,7 +60,8 @@ for word in "units=3: .*: units is 3, not in 1..2" "slots=96: .*: slots is 96, n
     refuse sim SIZES="${word%%:*}"
     check "... SIZES=${word%%:*}" says "^SIZES=$word"
 done
-refuse sim ENGINES=two SIZE=16x9 WINDOW=0,0,17,9 PIXEL=3,9 PROFILE=standart SCENE=foo STALL= ROOT_STEP=0
+refuse sim ENGINES=two SIZE=16x9 WINDOW=0,0,17,9 PIXEL=3,9 PROFILE=standart SCENE=foo STALL= \
+    ROOT_STEP=0
 for word in "ENGINES=two: is not 1 to 8$" "WINDOW=0,0,17,9: is not inside SIZE=16x9" \
     "PIXEL=3,9: is not inside SIZE=16x9" \
     "PROFILE=standart: .*is standard meant" "SCENE=foo: is no file, and no scene" \
