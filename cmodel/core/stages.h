@@ -73,11 +73,16 @@ void sph_stages_end(struct sph_stages *s, const struct sph_ray *ray, const struc
  * the visits of a ray; children of a node, texels and lights of a surface are counted too, whatever
  * number they are given. A stage from QUOTIENT on belongs to the latest ray that is no shadow ray,
  * PIXEL to none. */
-void sph_stages_note(struct sph_stages *s, int stage, uint32_t number, const sph_i128 *words,
-                     size_t n);
+__attribute__((cold)) void sph_stages_note(struct sph_stages *s, int stage, uint32_t number,
+                                           const sph_i128 *words, size_t n);
+/* The same of numbers as arguments; s may be NULL, and then nothing happens. */
 #define SPH_NOTE(s, stage, number, ...)                                                            \
-    sph_stages_note(s, stage, number, (const sph_i128[]){__VA_ARGS__},                             \
-                    sizeof(sph_i128[]){__VA_ARGS__} / sizeof(sph_i128))
+    do {                                                                                           \
+        struct sph_stages *to_ = (s);                                                              \
+        if (to_)                                                                                   \
+            sph_stages_note(to_, stage, number, (const sph_i128[]){__VA_ARGS__},                   \
+                            sizeof(sph_i128[]){__VA_ARGS__} / sizeof(sph_i128));                   \
+    } while (0)
 #define SPH_THREE(v) (v)[0], (v)[1], (v)[2]
 
 /* The pixel. */

@@ -46,7 +46,7 @@ static void add(const struct sph_job *j, const struct sph_ray *ray, const struct
         uint32_t c = sph_specular_cosine(&s->unit, &to_light->unit, &ray->unit);
         shine = sph_power(c, look->power);
         j->c->count[SPH_COUNT_POWERS]++;
-        if (j->stages) SPH_NOTE(j->stages, SPH_STAGE_HIGHLIGHT, 0, shine);
+        SPH_NOTE(j->stages, SPH_STAGE_HIGHLIGHT, 0, shine);
     }
     for (int i = 0; i < 3; i++) {
         sums->matt[i] = sph_light_add(sums->matt[i], cosine, (uint32_t)rgb[i] & 65535);
@@ -70,9 +70,8 @@ void sph_job_light(const struct sph_job *j, const struct sph_ray *ray, const str
             to.dir[i] = lamp[i] - sph_round(s->point[i], lamp[3] >> SPH_LIGHT_SHIFT_LSB);
         sph_job_setup(j, &to);
         uint32_t cosine = sph_lambert(&s->unit, &to.unit);
-        if (j->stages)
-            SPH_NOTE(j->stages, SPH_STAGE_LIGHT, 0, SPH_THREE(to.dir), (sph_i128)to.a,
-                     SPH_THREE(to.unit.u), cosine);
+        SPH_NOTE(j->stages, SPH_STAGE_LIGHT, 0, SPH_THREE(to.dir), (sph_i128)to.a,
+                 SPH_THREE(to.unit.u), cosine);
         if (!cosine) continue;
         int blocked = sph_machine_effect(j->m, SPH_EFFECT_SHADOW) && sph_job_trace(j, &to).key;
         if (trail) trail->faced |= 1u << l, trail->blocked |= (uint32_t)blocked << l;
@@ -86,6 +85,6 @@ void sph_job_light(const struct sph_job *j, const struct sph_ray *ray, const str
             sph_surface_colour(albedo[i], light) + sph_surface_colour(look->ks, sums.gloss[i]);
         colour[i] = all < 65280 ? all : 65280;
     }
-    if (j->stages && sph_machine_effect(j->m, SPH_EFFECT_TEXTURE))
+    if (sph_machine_effect(j->m, SPH_EFFECT_TEXTURE))
         SPH_NOTE(j->stages, SPH_STAGE_ALBEDO, 0, SPH_THREE(albedo));
 }

@@ -49,11 +49,9 @@ static void surface(const struct sph_job *j, const struct sph_ray *ray, const st
         sph_smooth_normal(j->p, smooth, s->guarded, normal);
         sph_surface_bend(j->p, hit->far, normal, s);
     }
-    if (j->stages) {
-        SPH_NOTE(j->stages, SPH_STAGE_POINT, 0, SPH_THREE(s->guarded), SPH_THREE(s->point));
-        SPH_NOTE(j->stages, SPH_STAGE_NORMAL, 0, SPH_THREE(s->normal), (sph_i128)s->nn,
-                 SPH_THREE(s->unit.u));
-    }
+    SPH_NOTE(j->stages, SPH_STAGE_POINT, 0, SPH_THREE(s->guarded), SPH_THREE(s->point));
+    SPH_NOTE(j->stages, SPH_STAGE_NORMAL, 0, SPH_THREE(s->normal), (sph_i128)s->nn,
+             SPH_THREE(s->unit.u));
     j->c->count[SPH_COUNT_QUOTIENTS]++;
     j->c->count[SPH_COUNT_SATURATIONS] += (uint64_t)saturated;
 }
@@ -165,7 +163,7 @@ static struct leaving shade(const struct sph_job *j, struct branch *at, const st
         surface(j, &at->ray, hit, prim, s);
         at->spread = sph_spread(at->length, at->spread, at->bend);
         at->length = sph_path_add(j->p, &at->ray, hit->key, at->length, at->spread);
-        if (j->stages && sph_machine_effect(j->m, SPH_EFFECT_TEXTURE))
+        if (sph_machine_effect(j->m, SPH_EFFECT_TEXTURE))
             SPH_NOTE(j->stages, SPH_STAGE_PATH, 0, (sph_i128)at->length);
         uint32_t tint = texel(j, hit, prim, s, at->length);
         sph_job_light(j, &at->ray, hit, s, &look, tint, colour, trail);
@@ -175,7 +173,7 @@ static struct leaving shade(const struct sph_job *j, struct branch *at, const st
         for (int i = 0; i < 3; i++)
             colour[i] = ((uint32_t)j->m->regs[SPH_REG_BG_COLOUR] >> (8 * i) & 255) << 8;
     }
-    if (j->stages && (prim || at->depth)) /* what the eye sees behind all is no surface */
+    if (prim || at->depth) /* what the eye sees behind all is no surface */
         SPH_NOTE(j->stages, SPH_STAGE_COLOUR, 0, SPH_THREE(colour), at->weight);
     uint32_t own = sph_share(at->weight, sph_look_own(&look, l.kr, l.kt));
     sph_shares_add(shares, at->depth, at->weight, own, colour);

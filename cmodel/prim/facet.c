@@ -85,7 +85,7 @@ struct sph_facet_result sph_facet_test(const struct sph_profile *p, const struct
     r.det = (sph_u128)(det < 0 ? -det : det);
     r.num = det < 0 ? -num : num;
 
-    if (ray->stages && plane) SPH_NOTE(ray->stages, SPH_STAGE_PLANE, f->id, det, num);
+    if (plane) SPH_NOTE(ray->stages, SPH_STAGE_PLANE, f->id, det, num);
     if (ray->stages && !plane) {
         sph_i128 u1, u2;
         volumes(ray->dir, a0, e1, e2, &u1, &u2);

@@ -22,8 +22,7 @@ int sph_box_meets(const struct sph_bih_ray *bih, const struct sph_ray *ray,
               sph_bih_cut(bih, ray, i, box->hi[i], 1, &span);
     *near = sph_box_depth(span.lo);
     int pass = in && span.lo <= span.hi && *near <= depth_max;
-    if (ray->stages)
-        SPH_NOTE(ray->stages, SPH_STAGE_BOX, 0, SPH_THREE(box->lo), SPH_THREE(box->hi), *near,
-                 depth_max, pass);
+    SPH_NOTE(ray->stages, SPH_STAGE_BOX, 0, SPH_THREE(box->lo), SPH_THREE(box->hi), *near,
+             depth_max, pass);
     return pass;
 }

@@ -25,8 +25,7 @@ int sph_filter(const struct sph_ray *ray, const struct sph_child *child, int32_t
     int32_t depth = (int32_t)(ray->negative ? -oc[ray->axis] : oc[ray->axis]);
     *near = depth - child->rad;
     int pass = p * p + q * q <= rad * rad && depth + child->rad >= 0 && *near <= depth_max;
-    if (ray->stages)
-        SPH_NOTE(ray->stages, SPH_STAGE_FILTER, 0, SPH_THREE(child->ctr), child->rad, p, q, *near,
-                 depth_max, pass);
+    SPH_NOTE(ray->stages, SPH_STAGE_FILTER, 0, SPH_THREE(child->ctr), child->rad, p, q, *near,
+             depth_max, pass);
     return pass;
 }

@@ -17,7 +17,6 @@ void sph_leaf_visit(struct sph_probe *probe, const uint32_t *record) {
     struct sph_hit hit;
     if (!sph_prim_of(kind)->test(probe, record, &hit)) return;
     if (probe->passes && sph_record_clear(kind, record)) return;
-    if (probe->ray->stages)
-        SPH_NOTE(probe->ray->stages, SPH_STAGE_KEY, hit.id, (sph_i128)hit.key, hit.far);
+    SPH_NOTE(probe->ray->stages, SPH_STAGE_KEY, hit.id, (sph_i128)hit.key, hit.far);
     keep(&probe->best, hit);
 }
