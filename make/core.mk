@@ -27,6 +27,8 @@ QUOTIENT_STEP ?= 2
 # others, as sim/sizes.sh takes them
 SIZES   ?=
 WAVES   ?= 0
+# 1: a pixel can be followed through its stages
+STAGES  ?= 0
 
 include make/verilated.mk
 
@@ -57,13 +59,14 @@ VERILATED := $(patsubst %,$S/obj/%.o,verilated verilated_threads)
 TRACED    := $(if $(filter 1,$(WAVES)),$S/obj/verilated_fst_c.o)
 
 VERILATE := $(VERILATOR) --cc --language 1364-2005 -Wall -O3 --x-assign fast --top-module rt_core \
-                --prefix Vrt_core $(PARAMETERS:%=-G%) $(if $(TRACED),--trace-fst)
+                --prefix Vrt_core $(PARAMETERS:%=-G%) $(if $(TRACED),--trace-fst) \
+                $(if $(filter 1,$(STAGES)),tb/core/stages.vlt)
 ELABORATE := iverilog -g2005 -Wall -Itb/core $(PARAMETERS:%=-Ptb_core_icarus.%) -s tb_core_icarus
 COMPILE_CORE := $(if $(TRACED),$(subst $(PRECOMPILED:%=-include-pch %),,$(COMPILE)),$(COMPILE)) \
                     -isystem $K -DVM_TRACE=$(WAVES) -DVM_TRACE_FST=$(WAVES)
 
 .PHONY: tools core icarus cxxrtl ecp5 xc7 netlist
-tools: $S/tb_core_icarus $(SHARED) $(VERILATED) $(TRACED) $(PRECOMPILED)
+tools: $S/tb_core_icarus $(SHARED) $S/obj/simulate_stages.o $(VERILATED) $(TRACED) $(PRECOMPILED)
 core: $K/tb_core
 icarus: $K/tb_core.vvp
 cxxrtl: $K/tb_core_cxxrtl
@@ -99,7 +102,7 @@ $K/tb_core.vvp: tb/core/tb_core_icarus.v $K/rtl.v tb/core/icarus_pins.vh
 	@cat $@.log >&2
 
 # Verilator's warnings are errors; none is waived.
-$K/core.cpp: $(RTL_FILES) $K/verilator.flags
+$K/core.cpp: $(RTL_FILES) tb/core/stages.vlt $K/verilator.flags
 	@mkdir -p $(@D)
 	@rm -f $K/Vrt_core*
 	$(VERILATE) --Mdir $K $(SOURCES)
@@ -142,7 +145,8 @@ $(VERILATED) $(TRACED): $S/obj/%.o: $(ROOT)/%.cpp $S/obj/flags
 	$(CCACHE) $(CXX) -std=c++17 -O2 -w $(HEADERS) -DVL_USER_FINISH \
 	    $(if $(filter %fst_c.cpp,$<),-DVM_TRACE=1 -DVM_TRACE_FST=1) -c $< -o $@
 
-$K/tb_core: $(SHARED) $K/core.o $(VERILATED) $(TRACED) $(LIB)
+$S/obj/simulate_stages.o: CXXFLAGS += $(HEADERS)
+$K/tb_core: $(SHARED) $K/core.o $S/obj/simulate_stages.o $(VERILATED) $(TRACED) $(LIB)
 	$(CXX) $(LINKER) $^ $(LIBS) $(if $(TRACED),-lz) -o $@
 
 -include $(wildcard $S/obj/*.d $K/core.d $K/core_cxxrtl.d)

@@ -19,7 +19,7 @@ BUILD_OPTIONS := --profile $(BUILD_PROFILE) --depth $(DEPTH) --background $(BACK
 # What shapes a machine, and its run on a core.
 MACHINE_KEY := SCENE SEED BUILD_OPTIONS LITERAL
 SIM_KEY     := $(MACHINE_KEY) EFFECTS ENGINES PIPES LEAF_UNITS SHADES ROOT_STEP QUOTIENT_STEP \
-               SIZES SIM LATENCY STALL MEMORY CORE_MHZ WINDOW WARM WAVES WATCHDOG
+               SIZES SIM LATENCY STALL MEMORY CORE_MHZ WINDOW PIXEL WARM WAVES WATCHDOG
 # (call run,GOAL,KEY): the names of its folder and how it speaks are passed besides.
 run = $(call values,$(2) PROFILE SIZE SAMPLES V) BUILD=$B sh sim/run.sh $(1) $(2)
 # The command that repeats a run, for its report: what was given to make.
@@ -36,6 +36,7 @@ $(PICTURES): $B/obj/sim/pictures.o $(call objects,obj/,$(IMAGE_C) $(LAZY_C)) $(L
 -include $B/obj/sim/pictures.d
 
 top_run = test $(MEMORY) = ideal || { echo 'MEMORY=$(MEMORY): not with TOP=1' >&2; exit 2; }; \
+          test -z '$(PIXEL)' || { echo 'PIXEL=$(PIXEL): not with TOP=1' >&2; exit 2; }; \
           mkdir -p $B/sim && $(call values,SCENE FRAMES BUILD_OPTIONS LATENCY STALL SEED PROFILE \
               LAYERS MOVIE) BUILD=$B sh sim/top.sh
 sim: $(TOOL) $(PICTURES) ## SCENE through model and RTL, compared bit for bit; TOP=1: in rt_top

@@ -7,8 +7,8 @@
 #   0..MOST     whole number; a bound is a sum of numbers, constants of machine.def and parameters
 #               of the core of PROFILE; without a bound it has up to 15 digits
 #   <kind>      text that anybody may give; words, of characters that mean nothing to a shell, one
-#               word; or what a script takes: a size, a window within it, a profile, effects, a
-#               scene. Text stands in a command in quotes alone (Makefile)
+#               word; or what a script takes: a size, a window or pixel within it, a profile,
+#               effects, a scene. Text stands in a command in quotes alone (Makefile)
 
 ## SCENE <scene> a file (.nff), the name of one in scenes/, or KIND:N of `sphaera gen`
 SCENE ?= sphereflake2
@@ -94,6 +94,9 @@ MOVIE ?=
 SIM ?= verilator
 ## WINDOW <window>| pixels to simulate, x0,y0,x1,y1 (empty: the whole frame)
 WINDOW ?=
+## PIXEL <pixel>| x,y of the frame: make sim prints each stage of its rays, and compares them
+##             (in Verilator, without TOP; empty: none)
+PIXEL ?=
 ## WARM 0|1 if 1, render twice and count the second pass, with warm caches
 WARM ?= 0
 ## LITERAL 0|1 if 1, the model's frame by the functions that the RTL is read beside; slower

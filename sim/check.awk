@@ -30,6 +30,17 @@ function window_fits(value, side, at, size) {
         reason = "is not inside SIZE=" size
     return reason == ""
 }
+function pixel_fits(value, side, at, size) {
+    if (value !~ /^[0-9]+,[0-9]+$/) {
+        reason = "is no pixel such as 21,9"
+        return 0
+    }
+    size = ENVIRON["SIZE"]
+    if (size ~ /^[0-9]+x[0-9]+$/ && ENVIRON["SAMPLES"] <= 1 && split(size, side, "x") &&
+        split(value, at, ",") && (at[1] + 0 >= side[1] + 0 || at[2] + 0 >= side[2] + 0))
+        reason = "is not inside SIZE=" size
+    return reason == ""
+}
 function size_fits(value, side) {
     if (value ~ /^[0-9]+x[0-9]+$/ && split(value, side, "x") && side[1] >= 1 && side[2] >= 1 &&
         side[1] + 0 <= constant["MAX_SIDE"] && side[2] + 0 <= constant["MAX_SIDE"])
@@ -79,6 +90,7 @@ function fits(rule, value, ends) {
     if (rule == "<size>") return size_fits(value)
     if (rule == "<error>") return error_fits(value)
     if (rule == "<window>") return window_fits(value)
+    if (rule == "<pixel>") return pixel_fits(value)
     if (rule == "<profile>") return !says("profile.sh", value)
     if (rule == "<effects>") return !says("parameters.sh", value)
     if (rule == "<sizes>") return !says("sizes.sh", value)

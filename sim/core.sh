@@ -7,8 +7,8 @@
 #            sim/core.sh --machine FILE [OPTION...]
 #
 # Builds the core that the machine asks for unless it is there (cached by parameters), with
-# waveforms if --trace is among the options, then runs the harness; its options: --help. With
-# --folder it runs nothing and prints the folder of the core.
+# waveforms if --trace is among the options, with its stages shown if --pixel is, then runs the
+# harness; its options: --help. With --folder it runs nothing and prints the folder of the core.
 # EFFECTS=auto elaborates only what the machine asks for, all (default) everything, else what is
 # named: a list as sim/parameters.sh takes it; for a machine with a BIH all is all+bih, with boxes
 # all+boxes, of a turned grid +turned. A core with less than the machine asks for refuses it; the
@@ -23,7 +23,7 @@ cd "$(dirname "$0")/.."
 EFFECTS=${EFFECTS:-all} ENGINES=${ENGINES:-1} PIPES=${PIPES:-1}
 LEAF_UNITS=${LEAF_UNITS:-0} SHADES=${SHADES:-0}
 ROOT_STEP=${ROOT_STEP:-2} QUOTIENT_STEP=${QUOTIENT_STEP:-2} SIZES=${SIZES:-}
-SIM=${SIM:-verilator} OPT=${OPT:-} WAVES=0
+SIM=${SIM:-verilator} OPT=${OPT:-} WAVES=0 STAGES=0
 BUILD=${BUILD:-build}
 
 check() { [ -n "${BUILT:-}" ] || sh sim/check.sh "$@"; }
@@ -36,6 +36,7 @@ for word; do
     case $word in
     --machine=*) machine=${word#*=} ;;
     --trace | --trace=*) WAVES=1 ;;
+    --pixel | --pixel=*) STAGES=1 ;;
     --folder) folder=1 ;;
     --help | --usage) help=1 ;;
     esac
@@ -73,11 +74,12 @@ for word in bih boxes turned; do # what walks the machine's tree, in its axes
 done
 [ "$EFFECTS" = auto ] || core=$EFFECTS
 built=$(sh sim/parameters.sh "$core")
-[ "$SIM" = verilator ] || WAVES=0
+[ "$SIM" = verilator ] || WAVES=0 STAGES=0
 key=$(ENGINES=$ENGINES PIPES=$PIPES LEAF_UNITS=$LEAF_UNITS SHADES=$SHADES \
     ROOT_STEP=$ROOT_STEP QUOTIENT_STEP=$QUOTIENT_STEP SIZES=$SIZES \
     sh sim/key.sh "$profile" "$core")$OPT
 [ "$WAVES" = 0 ] || key=$key-waves
+[ "$STAGES" = 0 ] || key=$key-stages
 [ "$SIM" = verilator ] && goal=core || goal=$SIM
 [ -e "$BUILD/sim/$key/tb_core" ] || [ $goal != core ] ||
     echo "building the core $key in Verilator: half a minute or so, once" >&2
@@ -90,7 +92,7 @@ command -v clang++ >/dev/null || [ "$SIM" = icarus ] ||
 target "$key-$goal" "$goal" KEY="$key" PROFILE="$profile" CORE="$core" \
     ENGINES="$ENGINES" PIPES="$PIPES" LEAF_UNITS="$LEAF_UNITS" SHADES="$SHADES" \
     ROOT_STEP="$ROOT_STEP" QUOTIENT_STEP="$QUOTIENT_STEP" SIZES="$SIZES" \
-    WAVES="$WAVES" OPT="$OPT" ${RTL:+RTL="$RTL"}
+    WAVES="$WAVES" STAGES="$STAGES" OPT="$OPT" ${RTL:+RTL="$RTL"}
 
 [ -z "$folder" ] || {
     echo "$BUILD/sim/$key"

@@ -89,6 +89,7 @@ set -- --machine "$run/scene.sph" --latency "$LATENCY" --stall "$STALL" --seed "
     --model-frame "$run/model.frame" --clocks "$run/rtl.clocks"
 [ -z "$WINDOW" ] || set -- "$@" --window "$(echo "$WINDOW" | awk -F , -v n="$SAMPLES" \
     '{ print $1 * n "," $2 * n "," $3 * n "," $4 * n }')" # in pixels of the frame
+[ -z "$PIXEL" ] || set -- "$@" --pixel "$PIXEL"
 [ "$LITERAL" = 0 ] || set -- "$@" --literal
 [ "$WARM" = 0 ] || set -- "$@" --warm
 [ "$WAVES" = 0 ] || set -- "$@" --trace "$run/core.fst"

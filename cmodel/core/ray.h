@@ -24,6 +24,8 @@ struct sph_across {
     int32_t q[3];       /* s0.17 */
 };
 
+struct sph_stages;
+
 struct sph_ray {
     int64_t org[3]; /* sW */
     int64_t dir[3]; /* sWD, not normalised: only its direction counts, but see sph_ray_ends() */
@@ -32,6 +34,7 @@ struct sph_ray {
     int64_t lift[3]; /* to a light: org * 2^NG - the point before it was rounded, s(NG+2) */
     int inside;      /* effect INSIDE: rays may start inside a sphere, far roots count */
     int first;       /* children in the node's order, ends at the first visit that hits (FIRST) */
+    struct sph_stages *stages; /* of who follows the ray: core/stages.h; NULL: nobody does */
     /* made by set-up, trace/setup.h */
     uint64_t a;           /* dir.dir, u(2WD) */
     struct sph_unit unit; /* of dir */

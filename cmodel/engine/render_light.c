@@ -23,9 +23,11 @@ struct sph_hit sph_job_trace(const struct sph_job *j, const struct sph_ray *ray)
     j->c->count[kinds[ray->kind]]++;
     uint32_t before = j->pixel->visits;
     uint32_t *visits = &j->pixel->visits;
+    if (j->stages) sph_stages_begin(j->stages, ray);
     struct sph_hit hit = j->fast
                              ? sph_tracer_of(j->fast)->trace(j->fast, ray, j->c, visits, j->errors)
                              : sph_traverse(j->m, ray, j->how, j->c, visits, j->errors);
+    if (j->stages) sph_stages_end(j->stages, ray, &hit);
     if (j->log) sph_ray_log_add(j->log, ray, hit, j->pixel->visits - before);
     return hit;
 }
@@ -44,6 +46,7 @@ static void add(const struct sph_job *j, const struct sph_ray *ray, const struct
         uint32_t c = sph_specular_cosine(&s->unit, &to_light->unit, &ray->unit);
         shine = sph_power(c, look->power);
         j->c->count[SPH_COUNT_POWERS]++;
+        SPH_NOTE(j->stages, SPH_STAGE_HIGHLIGHT, 0, shine);
     }
     for (int i = 0; i < 3; i++) {
         sums->matt[i] = sph_light_add(sums->matt[i], cosine, (uint32_t)rgb[i] & 65535);
@@ -58,22 +61,30 @@ void sph_job_light(const struct sph_job *j, const struct sph_ray *ray, const str
     struct sums sums = {{0}, {0}};
     for (int l = 0; l < r[SPH_REG_N_LIGHTS]; l++) {
         const int32_t *lamp = r + SPH_REG_LIGHT0_X + l * SPH_LIGHT_STRIDE;
-        struct sph_ray to = {.kind = SPH_SHADOW, .skip = {hit->id, hit->far}, .inside = j->inside};
+        struct sph_ray to = {.kind = SPH_SHADOW,
+                             .skip = {hit->id, hit->far},
+                             .inside = j->inside,
+                             .stages = j->stages};
         sph_surface_leave(j->p, s, &to);
         for (int i = 0; i < 3; i++)
             to.dir[i] = lamp[i] - sph_round(s->point[i], lamp[3] >> SPH_LIGHT_SHIFT_LSB);
         sph_job_setup(j, &to);
         uint32_t cosine = sph_lambert(&s->unit, &to.unit);
+        SPH_NOTE(j->stages, SPH_STAGE_LIGHT, 0, SPH_THREE(to.dir), (sph_i128)to.a,
+                 SPH_THREE(to.unit.u), cosine);
         if (!cosine) continue;
         int blocked = sph_machine_effect(j->m, SPH_EFFECT_SHADOW) && sph_job_trace(j, &to).key;
         if (trail) trail->faced |= 1u << l, trail->blocked |= (uint32_t)blocked << l;
         if (!blocked) add(j, ray, &to, s, look, cosine, lamp + 3, &sums);
     }
+    uint32_t albedo[3];
     for (int i = 0; i < 3; i++) {
         uint32_t light = sph_look_light(look, (uint32_t)r[SPH_REG_AMBIENT_R + i], sums.matt[i]);
-        uint32_t albedo = sph_texture_albedo(look->rgb[i], tint >> (8 * i) & 255);
+        albedo[i] = sph_texture_albedo(look->rgb[i], tint >> (8 * i) & 255);
         uint32_t all =
-            sph_surface_colour(albedo, light) + sph_surface_colour(look->ks, sums.gloss[i]);
+            sph_surface_colour(albedo[i], light) + sph_surface_colour(look->ks, sums.gloss[i]);
         colour[i] = all < 65280 ? all : 65280;
     }
+    if (sph_machine_effect(j->m, SPH_EFFECT_TEXTURE))
+        SPH_NOTE(j->stages, SPH_STAGE_ALBEDO, 0, SPH_THREE(albedo));
 }

@@ -6,6 +6,7 @@
 
 #include "core/frame.h"
 #include "core/ray_log.h"
+#include "core/stages.h"
 #include "core/tracer.h"
 #include "core/trail.h"
 #include "shade/material.h"
@@ -23,6 +24,7 @@ struct sph_job {
     struct sph_texture_work *texture;
     struct sph_trail *trail;     /* may be NULL */
     struct sph_ray_log *log;     /* may be NULL */
+    struct sph_stages *stages;   /* may be NULL */
     const struct sph_fast *fast; /* NULL: literally */
 };
 

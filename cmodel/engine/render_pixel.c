@@ -49,6 +49,9 @@ static void surface(const struct sph_job *j, const struct sph_ray *ray, const st
         sph_smooth_normal(j->p, smooth, s->guarded, normal);
         sph_surface_bend(j->p, hit->far, normal, s);
     }
+    SPH_NOTE(j->stages, SPH_STAGE_POINT, 0, SPH_THREE(s->guarded), SPH_THREE(s->point));
+    SPH_NOTE(j->stages, SPH_STAGE_NORMAL, 0, SPH_THREE(s->normal), (sph_i128)s->nn,
+             SPH_THREE(s->unit.u));
     j->c->count[SPH_COUNT_QUOTIENTS]++;
     j->c->count[SPH_COUNT_SATURATIONS] += (uint64_t)saturated;
 }
@@ -76,7 +79,10 @@ static uint32_t texel(const struct sph_job *j, const struct sph_hit *hit, const 
 
 static struct sph_ray reflected(const struct sph_job *j, const struct sph_ray *ray,
                                 const struct sph_hit *hit, const struct sph_surface *s) {
-    struct sph_ray next = {.kind = SPH_REFLECTED, .skip = {hit->id, hit->far}, .inside = j->inside};
+    struct sph_ray next = {.kind = SPH_REFLECTED,
+                           .skip = {hit->id, hit->far},
+                           .inside = j->inside,
+                           .stages = j->stages};
     for (int i = 0; i < 3; i++)
         next.org[i] = s->point[i];
     sph_mirror(j->p, ray->dir, s, next.dir);
@@ -88,8 +94,10 @@ static struct sph_ray reflected(const struct sph_job *j, const struct sph_ray *r
 static int refracted(const struct sph_job *j, const struct sph_ray *ray, const struct sph_hit *hit,
                      const struct sph_surface *s, uint32_t index, struct sph_ray *next) {
     uint32_t from = hit->far ? index : SPH_INDEX_ONE, to = hit->far ? SPH_INDEX_ONE : index;
-    *next =
-        (struct sph_ray){.kind = SPH_REFRACTED, .skip = {hit->id, !hit->far}, .inside = j->inside};
+    *next = (struct sph_ray){.kind = SPH_REFRACTED,
+                             .skip = {hit->id, !hit->far},
+                             .inside = j->inside,
+                             .stages = j->stages};
     sph_surface_behind(j->p, s, next->org);
     if (!sph_refract(j->p, ray, s, from, to, next->dir)) return 0;
     sph_job_setup(j, next);
@@ -97,8 +105,11 @@ static int refracted(const struct sph_job *j, const struct sph_ray *ray, const s
 }
 
 static struct sph_ray primary(const struct sph_job *j, int x, int y, int first) {
-    struct sph_ray ray = {
-        .kind = SPH_PRIMARY, .skip = {SPH_ID_NONE, 0}, .inside = j->inside, .first = first};
+    struct sph_ray ray = {.kind = SPH_PRIMARY,
+                          .skip = {SPH_ID_NONE, 0},
+                          .inside = j->inside,
+                          .first = first,
+                          .stages = j->stages};
     for (int i = 0; i < 3; i++)
         ray.org[i] = j->m->regs[SPH_REG_EYE_X + i];
     sph_primary_dir(j->m, x, y, ray.dir);
@@ -148,9 +159,12 @@ static struct leaving shade(const struct sph_job *j, struct branch *at, const st
     uint32_t colour[3];
     if (prim) {
         look = sph_look_read(j->m, prim);
+        if (j->stages) sph_look_note(j->stages, &look);
         surface(j, &at->ray, hit, prim, s);
         at->spread = sph_spread(at->length, at->spread, at->bend);
         at->length = sph_path_add(j->p, &at->ray, hit->key, at->length, at->spread);
+        if (sph_machine_effect(j->m, SPH_EFFECT_TEXTURE))
+            SPH_NOTE(j->stages, SPH_STAGE_PATH, 0, (sph_i128)at->length);
         uint32_t tint = texel(j, hit, prim, s, at->length);
         sph_job_light(j, &at->ray, hit, s, &look, tint, colour, trail);
         l = leave(j, at, hit, s, &look);
@@ -159,6 +173,8 @@ static struct leaving shade(const struct sph_job *j, struct branch *at, const st
         for (int i = 0; i < 3; i++)
             colour[i] = ((uint32_t)j->m->regs[SPH_REG_BG_COLOUR] >> (8 * i) & 255) << 8;
     }
+    if (prim || at->depth) /* what the eye sees behind all is no surface */
+        SPH_NOTE(j->stages, SPH_STAGE_COLOUR, 0, SPH_THREE(colour), at->weight);
     uint32_t own = sph_share(at->weight, sph_look_own(&look, l.kr, l.kt));
     sph_shares_add(shares, at->depth, at->weight, own, colour);
     return l;
@@ -221,11 +237,18 @@ static int path(const struct sph_job *j, struct sph_ray ray) {
     return 0;
 }
 
+/* A texel is fetched for the ray that user follows. */
+static void note_texel(void *user, const struct sph_texel *texel) {
+    if (texel->first) SPH_NOTE(user, SPH_STAGE_LEVEL, 0, texel->lod);
+    SPH_NOTE(user, SPH_STAGE_TEXEL, 0, texel->word);
+}
+
 struct sph_pixel sph_render_pixel(const struct sph_machine *m, const struct sph_render_options *o,
                                   int x, int y, struct sph_counters *c, uint32_t *errors,
                                   struct sph_trail *trail) {
     struct sph_pixel pixel = {.id = SPH_ID_NONE, .texture = SPH_NO_TEXTURE};
     struct sph_texture_work texture = {.fetch = o->fetch, .user = o->fetch_user};
+    if (o->stages) texture.fetch = note_texel, texture.user = o->stages;
     if (trail) *trail = no_trail;
     if (sph_is_background(m, x, y)) {
         c->count[SPH_COUNT_BACKGROUND]++;
@@ -233,6 +256,7 @@ struct sph_pixel sph_render_pixel(const struct sph_machine *m, const struct sph_
             pixel.colour[i] = (uint32_t)m->regs[SPH_REG_BG_COLOUR];
         for (int i = 0; trail && i < 3 * SPH_FRAMES; i++)
             trail->sum[i / 3][i % 3] = (pixel.colour[0] >> 8 * (i % 3) & 255) << 8;
+        if (o->stages) sph_stages_pixel(o->stages, &pixel);
         return pixel;
     }
     int inside = sph_machine_effect(m, SPH_EFFECT_INSIDE);
@@ -242,10 +266,11 @@ struct sph_pixel sph_render_pixel(const struct sph_machine *m, const struct sph_
                         c,           &pixel,
                         errors,      &texture,
                         trail,       o->log,
-                        o->fast};
+                        o->stages,   o->fast};
     if (path(&j, primary(&j, x, y, first))) path(&j, primary(&j, x, y, 0));
     c->count[SPH_COUNT_TEXELS] += texture.texels;
     *errors |= texture.errors;
     pixel.texture = texture.lod << SPH_LOD_LSB | texture.words;
+    if (o->stages) sph_stages_pixel(o->stages, &pixel);
     return pixel;
 }

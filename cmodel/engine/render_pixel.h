@@ -6,6 +6,7 @@
 
 #include "core/frame.h"
 #include "core/ray_log.h"
+#include "core/stages.h"
 #include "core/tracer.h"
 #include "core/trail.h"
 #include "machine/machine.h"
@@ -25,6 +26,7 @@ struct sph_render_options {
     struct sph_trail *trails; /* may be NULL; one for each pixel of the frame, row by row */
     /* may be NULL; every ray, with one thread: of one pixel they are a tree */
     struct sph_ray_log *log;
+    struct sph_stages *stages; /* the same: of one pixel, by the literal walk */
 };
 
 /* Renders pixel x, y; adds to *c and to the sticky *errors. Of the options traverse and fetch

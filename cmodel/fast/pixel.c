@@ -59,6 +59,7 @@ static int blocked(const struct sph_fast_job *j, const struct sph_hit *hit,
     to->skip = (struct sph_skip){hit->id, hit->far};
     to->inside = j->inside;
     to->first = 0;
+    to->stages = NULL;
     sph_fast_setup(j->p, to);
     return trace(j, to, SPH_COUNT_RAYS_SHADOW).key != 0;
 }

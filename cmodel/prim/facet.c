@@ -3,6 +3,8 @@
  */
 #include "prim/facet.h"
 
+#include "core/stages.h"
+
 static void cross(const int64_t a[3], const int64_t b[3], int64_t out[3]) {
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -31,13 +33,20 @@ static int ahead(const struct sph_profile *p, const struct sph_ray *ray, const i
     return num * (1 << p->ng) + (negative ? -lift : lift) > all;
 }
 
-/* Whether the line meets the triangle, its edges included: the volumes that the line spans with the
- * three edges, U0 + U1 + U2 = N.dir, have one sign. */
-static int within(const int64_t dir[3], const int64_t a0[3], const int64_t e1[3],
-                  const int64_t e2[3], sph_i128 det) {
+/* The volumes that the line spans with two of the edges: U1, U2; U0 + U1 + U2 = N.dir. */
+static void volumes(const int64_t dir[3], const int64_t a0[3], const int64_t e1[3],
+                    const int64_t e2[3], sph_i128 *u1, sph_i128 *u2) {
     int64_t m[3]; /* s(W+WD+1) */
     cross(dir, a0, m);
-    sph_i128 u2 = dot(m, e1), u1 = -dot(m, e2), u0 = det - u1 - u2; /* s(2W+WD+2) */
+    *u2 = dot(m, e1), *u1 = -dot(m, e2); /* s(2W+WD+2) */
+}
+
+/* Whether the line meets the triangle, its edges included: the volumes have one sign. */
+static int within(const int64_t dir[3], const int64_t a0[3], const int64_t e1[3],
+                  const int64_t e2[3], sph_i128 det) {
+    sph_i128 u1, u2;
+    volumes(dir, a0, e1, e2, &u1, &u2);
+    sph_i128 u0 = det - u1 - u2;
     return det > 0 ? u0 >= 0 && u1 >= 0 && u2 >= 0 : u0 <= 0 && u1 <= 0 && u2 <= 0;
 }
 
@@ -75,6 +84,13 @@ struct sph_facet_result sph_facet_test(const struct sph_profile *p, const struct
     r.far = det > 0;
     r.det = (sph_u128)(det < 0 ? -det : det);
     r.num = det < 0 ? -num : num;
+
+    if (plane) SPH_NOTE(ray->stages, SPH_STAGE_PLANE, f->id, det, num);
+    if (ray->stages && !plane) {
+        sph_i128 u1, u2;
+        volumes(ray->dir, a0, e1, e2, &u1, &u2);
+        SPH_NOTE(ray->stages, SPH_STAGE_TRIANGLE, f->id, det, num, u1, u2);
+    }
 
     if (own(ray, f) || det == 0 || r.num <= 0) return r;
     int shadow = sph_ray_ends(ray);

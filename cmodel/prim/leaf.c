@@ -34,10 +34,14 @@ struct sph_leaf_result sph_leaf_test(const struct sph_ray *ray, const struct sph
     return r;
 }
 
+uint64_t sph_leaf_root(const struct sph_leaf_result *r, int pr, int *inexact) {
+    return (uint64_t)sph_isqrt_bits((sph_u128)r->disc, pr, inexact);
+}
+
 uint64_t sph_leaf_key_bits(const struct sph_leaf_result *r, int pr, uint64_t *roots) {
     if (r->exit) return 1;
     int inexact;
-    int64_t root = (int64_t)sph_isqrt_bits((sph_u128)r->disc, pr, &inexact);
+    int64_t root = (int64_t)sph_leaf_root(r, pr, &inexact);
     ++*roots;
     int64_t key = r->far ? r->b + root + inexact : r->b - root;
     return pr && r->far && key < 1 ? 1 : (uint64_t)key; /* < 1: the lost bits outweigh the rest */

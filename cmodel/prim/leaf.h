@@ -39,6 +39,10 @@ struct sph_leaf_result sph_leaf_test(const struct sph_ray *ray, const struct sph
  * RTL: rtl/prim/rt_root_pool.v */
 uint64_t sph_leaf_key_bits(const struct sph_leaf_result *r, int pr, uint64_t *roots);
 
+/* The root of a hit that is no exit, of which the pr most significant bits count; *inexact: it is
+ * no square. */
+uint64_t sph_leaf_root(const struct sph_leaf_result *r, int pr, int *inexact);
+
 /* With every bit of the root. */
 static inline uint64_t sph_leaf_key(const struct sph_leaf_result *r, uint64_t *roots) {
     return sph_leaf_key_bits(r, 0, roots);

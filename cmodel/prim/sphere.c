@@ -3,8 +3,20 @@
  */
 #include <string.h>
 
+#include "core/stages.h"
 #include "prim/kinds.h"
 #include "prim/sphere.h"
+
+static void note(const struct sph_probe *probe, const struct sph_leaf *sphere,
+                 const struct sph_leaf_result *r) {
+    struct sph_stages *s = probe->ray->stages;
+    SPH_NOTE(s, SPH_STAGE_SPHERE, sphere->id, SPH_THREE(sphere->ctr), sphere->rad, r->b, r->k,
+             r->disc, r->hit, r->far);
+    if (!r->hit || r->exit || probe->ray->kind == SPH_SHADOW) return;
+    int inexact;
+    uint64_t root = sph_leaf_root(r, probe->p->pr, &inexact);
+    SPH_NOTE(s, SPH_STAGE_ROOT, sphere->id, (sph_i128)root, inexact);
+}
 
 static int test(const struct sph_probe *probe, const uint32_t *record, struct sph_hit *hit) {
     const struct sph_profile *p = probe->p;
@@ -12,6 +24,7 @@ static int test(const struct sph_probe *probe, const uint32_t *record, struct sp
     struct sph_leaf_result r = sph_leaf_test(probe->ray, &sphere);
     uint64_t *roots = &probe->c->count[SPH_COUNT_ROOTS];
     probe->c->count[SPH_COUNT_LEAF_TESTS]++;
+    if (probe->ray->stages) note(probe, &sphere, &r);
     if (!r.hit) return 0;
     uint64_t key = probe->ray->kind == SPH_SHADOW ? 1 : sph_leaf_key_bits(&r, p->pr, roots);
     *hit = (struct sph_hit){key, sphere.id, r.far != 0, 0};

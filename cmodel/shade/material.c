@@ -39,6 +39,11 @@ struct sph_look sph_look_read(const struct sph_machine *m, const uint32_t *prim)
     return l;
 }
 
+void sph_look_note(struct sph_stages *s, const struct sph_look *l) {
+    SPH_NOTE(s, SPH_STAGE_MATERIAL, 0, SPH_THREE(l->rgb), l->kr, l->kt, l->sum, l->ka, l->kd, l->ks,
+             l->power, l->index);
+}
+
 uint32_t sph_look_worth(uint32_t weight, uint32_t part, uint32_t least) {
     return sph_share(weight, part) >> 8 < least ? 0 : part;
 }

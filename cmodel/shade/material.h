@@ -6,6 +6,7 @@
 #ifndef SPH_MATERIAL_H
 #define SPH_MATERIAL_H
 
+#include "core/stages.h"
 #include "machine/machine.h"
 
 struct sph_look {
@@ -22,6 +23,9 @@ uint32_t sph_look_mirror(const uint32_t *prim);
 
 /* The record as the effects of the machine let it count. */
 struct sph_look sph_look_read(const struct sph_machine *m, const uint32_t *prim);
+
+/* The line MATERIAL: core/stages.h. */
+void sph_look_note(struct sph_stages *s, const struct sph_look *look);
 
 /* The share that counts of one whose ray would have this weight (u1.16) times it: none if that is
  * less than `least`, u1.8. */

@@ -3,6 +3,7 @@
  */
 #include "shade/surface.h"
 
+#include "core/stages.h"
 #include "math/normalise.h"
 #include "math/quotient.h"
 
@@ -16,6 +17,7 @@ int sph_surface_point(const struct sph_profile *p, const struct sph_ray *ray, ui
         int64_t offset = sph_round((int64_t)t.mant * ray->dir[i], shift);
         s->guarded[i] = sph_saturate(ray->org[i] * (1 << p->ng) + offset, p->w + p->ng, &saturated);
     }
+    SPH_NOTE(ray->stages, SPH_STAGE_QUOTIENT, 0, t.mant, t.exp);
     return saturated;
 }
 

@@ -20,6 +20,7 @@ struct job {
     const uint32_t *image;
     int clamp[2];
     struct sph_st st;
+    uint32_t lod;
     struct sph_texture_work *work;
 };
 
@@ -47,8 +48,8 @@ static uint32_t fetch(const struct job *j, uint32_t level, uint32_t width, uint3
     int first = j->work->texels++ == j->begin;
     j->work->words = (j->work->words + address) & WORDS_MASK;
     if (j->work->fetch)
-        j->work->fetch(j->work->user,
-                       &(struct sph_texel){j->line, width, level, x, y, address, j->map, first});
+        j->work->fetch(j->work->user, &(struct sph_texel){j->line, width, level, x, y, address,
+                                                          j->map, first, j->lod});
     const uint32_t *at = line_in(j->m, line, j->work);
     return at ? at[word % SPH_LINE_WORDS] : white;
 }
@@ -110,8 +111,8 @@ uint32_t sph_lookup(const struct sph_machine *m, uint32_t map, const struct sph_
         return white;
     }
     int32_t base = sph_field_signed(record, SPH_MAP_BASE_LSB, SPH_MAP_BASE_BITS);
-    uint32_t lod = coarser(sph_lod(where->path, base, levels), m->regs[SPH_REG_COARSE]);
-    if (work->lod == SPH_LOD_NONE) work->lod = lod;
+    j.lod = coarser(sph_lod(where->path, base, levels), m->regs[SPH_REG_COARSE]);
+    if (work->lod == SPH_LOD_NONE) work->lod = j.lod;
     j.st = sph_coords(record, where);
-    return filtered(&j, m->regs[SPH_REG_TEX_FILTER], lod);
+    return filtered(&j, m->regs[SPH_REG_TEX_FILTER], j.lod);
 }

@@ -25,6 +25,7 @@ struct sph_texel {
     uint32_t word;        /* address: 8 * line + word in the line */
     uint32_t map;         /* line of the mapping record */
     int first;            /* of its lookup */
+    uint32_t lod;         /* u4.8, of the lookup */
 };
 
 /* What lookups leave behind besides the colour; who listens may be NULL. */

@@ -12,13 +12,16 @@
 struct arguments {
     const char *input, *json;
     int pixel[2]; /* x, y; -1: none asked for */
+    int stages;
     struct tool_outputs outputs;
 };
 
-enum { KEY_JSON = 512, KEY_PIXEL };
+enum { KEY_JSON = 512, KEY_PIXEL, KEY_STAGES };
 
 static const struct argp_option options[] = {
     {"pixel", KEY_PIXEL, "X,Y", 0, "the rays of this pixel as a tree, with what each finds", 0},
+    {"stages", KEY_STAGES, NULL, 0,
+     "... and each stage of each of these rays, with its numbers bit for bit", 0},
     {"json", KEY_JSON, "FILE", 0, "report as JSON (- : on standard output instead of text)", 0},
     {0},
 };
@@ -37,12 +40,16 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
             argp_error(state, "--pixel: '%s' is no pixel such as 21,9", arg);
         a->pixel[0] = (int)x, a->pixel[1] = (int)y;
         return 0;
+    case KEY_STAGES:
+        a->stages = 1;
+        return 0;
     case ARGP_KEY_ARG:
         if (a->input) argp_error(state, "one file at a time: '%s' is one too many", arg);
         a->input = arg;
         return 0;
     case ARGP_KEY_END:
         if (!a->input) argp_error(state, "no machine file given");
+        if (a->stages && a->pixel[0] < 0) argp_error(state, "--stages: of which --pixel X,Y?");
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -61,15 +68,17 @@ int tool_info(int argc, char **argv) {
     if (tool_wants_machine(a.input, &err) || sph_machine_read(a.input, &machine, &err))
         return tool_failed(&err);
     struct sph_ray_log log = {0};
+    struct sph_stages stages = {0};
     const int32_t *size = machine.regs + SPH_REG_FRAME_W; /* and height behind it */
     if (a.pixel[0] >= size[0] || a.pixel[1] >= size[1])
         sph_fail(&err, "--pixel: %d,%d lies outside of the frame, %dx%d", a.pixel[0], a.pixel[1],
                  size[0], size[1]);
     else if (a.pixel[0] >= 0)
-        pixel_rays(&machine, a.pixel[0], a.pixel[1], &log, &err);
+        pixel_rays(&machine, a.pixel[0], a.pixel[1], &log, a.stages ? &stages : NULL, &err);
     if (err.text[0]) {
         sph_machine_free(&machine);
         sph_ray_log_free(&log);
+        sph_stages_free(&stages);
         return tool_failed(&err);
     }
     FILE *to = print_stream(a.json);
@@ -78,11 +87,14 @@ int tool_info(int argc, char **argv) {
     if (sph_machine_bih(&machine))
         sph_bih_measure(&machine, &stats), print_bih(to, &machine, &stats);
     if (a.pixel[0] >= 0) print_rays(to, &log);
+    print_stages(to, &machine, &stages);
     json_t *report = report_new("info");
     report_text(report, "input", a.input);
     report_machine(report, &machine);
     if (sph_machine_bih(&machine)) report_bih(report, &machine, &stats);
     if (a.pixel[0] >= 0) report_rays(report, &log);
+    if (a.stages) report_stages(report, &machine, &stages);
+    sph_stages_free(&stages);
     sph_ray_log_free(&log);
     int rc = report_write(report, a.json, &err);
     sph_machine_free(&machine);

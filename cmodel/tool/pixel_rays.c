@@ -11,12 +11,16 @@
 static const char *const kinds[] = {"primary", "shadow", "reflected", "refracted"};
 
 int pixel_rays(const struct sph_machine *m, int x, int y, struct sph_ray_log *log,
-               struct sph_error *err) {
-    struct sph_render_options how = {.traverse = SPH_TRAVERSE_TREE, .threads = 1, .log = log};
+               struct sph_stages *stages, struct sph_error *err) {
+    struct sph_render_options how = {
+        .traverse = SPH_TRAVERSE_TREE, .threads = 1, .log = log, .stages = stages};
     struct sph_counters counters = {{0}};
     uint32_t errors = 0;
     sph_render_pixel(m, &how, x, y, &counters, &errors, NULL);
-    return log->full ? sph_fail(err, "%s: no memory for the rays of a pixel", m->name) : 0;
+    if (stages) sph_stages_sort(stages);
+    return log->full || (stages && stages->full)
+               ? sph_fail(err, "%s: no memory for the rays of a pixel", m->name)
+               : 0;
 }
 
 /* From the origin to the hit, grid units. */
@@ -39,6 +43,14 @@ void print_rays(FILE *to, const struct sph_ray_log *log) {
         else
             fprintf(to, "nothing");
         fprintf(to, ", %u visits\n", l->visits);
+    }
+}
+
+void print_stages(FILE *to, const struct sph_machine *m, const struct sph_stages *stages) {
+    char text[SPH_STAGE_TEXT];
+    for (int i = 0; to && i < stages->n; i++) {
+        sph_stages_text(m, &stages->lines[i], text);
+        fprintf(to, "%s\n", text);
     }
 }
 
@@ -67,4 +79,14 @@ void report_rays(json_t *report, const struct sph_ray_log *log) {
         json_array_append_new(list, ray);
     }
     report_add(report, "pixel_rays", list);
+}
+
+void report_stages(json_t *report, const struct sph_machine *m, const struct sph_stages *stages) {
+    json_t *list = json_array();
+    char text[SPH_STAGE_TEXT];
+    for (int i = 0; i < stages->n; i++) {
+        sph_stages_text(m, &stages->lines[i], text);
+        json_array_append_new(list, json_string(text));
+    }
+    report_add(report, "stages", list);
 }

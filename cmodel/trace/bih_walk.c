@@ -5,6 +5,7 @@
 
 #include <stddef.h>
 
+#include "core/stages.h"
 #include "trace/bih.h"
 #include "trace/leaf_unit.h"
 
@@ -86,6 +87,9 @@ static int inner(struct walk *w, const uint32_t *node, struct place *at) {
     int64_t clip_r = sph_field_signed(node, SPH_BIH_CLIP_R_LSB, w->probe.p->w + 2);
     uint64_t line = (uint64_t)(uint32_t)w->m->regs[SPH_REG_ROOT] +
                     sph_field(node, SPH_BIH_CHILD_LSB, SPH_BIH_CHILD_BITS);
+    SPH_NOTE(w->probe.ray->stages, SPH_STAGE_PLANES, 0, at->line, at->half, axis, clip_l, clip_r,
+             sph_field(node, SPH_BIH_FIT_LSB, SPH_BIH_FIT_BITS),
+             sph_field(node, SPH_BIH_CHILD_LSB, SPH_BIH_CHILD_BITS));
     if (line >= (uint32_t)w->m->regs[SPH_REG_MEM_LINES]) return fail(w, SPH_ERROR_BAD_NODE);
     w->probe.c->count[SPH_COUNT_CHILD_TESTS] += 2;
 
@@ -138,6 +142,7 @@ struct sph_hit sph_bih_walk(const struct sph_machine *m, const struct sph_ray *r
         }
         uint32_t first = sph_field(node, SPH_BIH_FIRST_LSB, SPH_BIH_FIRST_BITS);
         uint32_t count = sph_field(node, SPH_BIH_COUNT_LSB, SPH_BIH_COUNT_BITS);
+        SPH_NOTE(ray->stages, SPH_STAGE_LEAF, 0, at.line, at.half, first, count);
         if ((uint64_t)first + count > prims) return fail(&w, SPH_ERROR_BAD_NODE), w.probe.best;
         if (!leaf(&w, first, first + count)) return w.probe.best;
         more = pop(&w, &at);

@@ -3,6 +3,7 @@
  */
 #include "trace/box.h"
 
+#include "core/stages.h"
 #include "machine/layout.h"
 #include "math/fx.h"
 
@@ -20,5 +21,8 @@ int sph_box_meets(const struct sph_bih_ray *bih, const struct sph_ray *ray,
         in &= sph_bih_cut(bih, ray, i, box->lo[i], 0, &span) &&
               sph_bih_cut(bih, ray, i, box->hi[i], 1, &span);
     *near = sph_box_depth(span.lo);
-    return in && span.lo <= span.hi && *near <= depth_max;
+    int pass = in && span.lo <= span.hi && *near <= depth_max;
+    SPH_NOTE(ray->stages, SPH_STAGE_BOX, 0, SPH_THREE(box->lo), SPH_THREE(box->hi), *near,
+             depth_max, pass);
+    return pass;
 }

@@ -3,6 +3,7 @@
  */
 #include "trace/filter.h"
 
+#include "core/stages.h"
 #include "machine/layout.h"
 
 /* |x| of a number with 17 bits of fraction, cut to FILTER_FRACTION: never more than |x|. */
@@ -23,5 +24,8 @@ int sph_filter(const struct sph_ray *ray, const struct sph_child *child, int32_t
 
     int32_t depth = (int32_t)(ray->negative ? -oc[ray->axis] : oc[ray->axis]);
     *near = depth - child->rad;
-    return p * p + q * q <= rad * rad && depth + child->rad >= 0 && *near <= depth_max;
+    int pass = p * p + q * q <= rad * rad && depth + child->rad >= 0 && *near <= depth_max;
+    SPH_NOTE(ray->stages, SPH_STAGE_FILTER, 0, SPH_THREE(child->ctr), child->rad, p, q, *near,
+             depth_max, pass);
+    return pass;
 }

@@ -3,6 +3,8 @@
  */
 #include "trace/leaf_unit.h"
 
+#include "core/stages.h"
+
 /* A hit that comes first replaces *best; those from inside are counted. */
 static void keep(struct sph_hit *best, struct sph_hit hit) {
     sph_hit_count(best, &hit);
@@ -15,5 +17,6 @@ void sph_leaf_visit(struct sph_probe *probe, const uint32_t *record) {
     struct sph_hit hit;
     if (!sph_prim_of(kind)->test(probe, record, &hit)) return;
     if (probe->passes && sph_record_clear(kind, record)) return;
+    SPH_NOTE(probe->ray->stages, SPH_STAGE_KEY, hit.id, (sph_i128)hit.key, hit.far);
     keep(&probe->best, hit);
 }

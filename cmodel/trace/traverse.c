@@ -5,6 +5,7 @@
 
 #include <stddef.h>
 
+#include "core/stages.h"
 #include "machine/records.h"
 #include "trace/bih_walk.h"
 #include "trace/box.h"
@@ -49,6 +50,10 @@ struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *r
         bih = &planes;
         sph_bih_setup(probe.p, ray, bih);
         depth_max = sph_box_depth(bih->limit);
+    } else if (ray->stages) {
+        const struct sph_across *x = &ray->across;
+        SPH_NOTE(ray->stages, SPH_STAGE_ACROSS, 0, SPH_THREE(ray->forg), ray->axis, ray->negative,
+                 x->p_a, x->p_b, SPH_THREE(x->q));
     }
     for (;;) {
         if (node >= lines) return *errors |= 1u << SPH_ERROR_BAD_NODE, *best;

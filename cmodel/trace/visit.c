@@ -3,6 +3,7 @@
  */
 #include "trace/visit.h"
 
+#include "core/stages.h"
 #include "machine/records.h"
 #include "trace/box.h"
 #include "trace/node.h"
@@ -40,6 +41,7 @@ int sph_visit(const struct sph_machine *m, const struct sph_ray *ray, const stru
     found->leaves = 0;
     found->line = base + n_inner;
     found->tests = n_inner + n_leaf;
+    SPH_NOTE(ray->stages, SPH_STAGE_NODE, 0, node, base, n_inner, n_leaf);
     if (found->tests > 4 ||
         found->line + sph_record_lines(sph_whole(m), n_leaf) > (uint32_t)m->regs[SPH_REG_MEM_LINES])
         return 0;

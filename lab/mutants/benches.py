@@ -162,7 +162,8 @@ class Core(Built):
         return self.compile(verilog, "tb/core/simulate_verilator.cpp",
                             ["-DVM_TRACE=0", "-DVM_TRACE_FST=0", "-DNETLIST"],
                             objects + [f"{self.build}/sim/obj/{n}.o"
-                                       for n in ("verilated", "verilated_threads")],
+                                       for n in ("simulate_stages", "verilated",
+                                                 "verilated_threads")],
                             ["-ljansson"])
 
     @staticmethod

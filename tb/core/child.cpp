@@ -66,7 +66,8 @@ bool simulate_watched(const Options &o, const sph_machine &machine, Outcome &c,
     /* the model knows nothing of bus errors, nor of lines that cannot be read */
     const bool known = o.bus_error_at < 0 && (o.spoil < 0 || o.warm);
     run->model = o.stop && known ? &c.model_frame : nullptr;
-    if (!o.progress) {
+    run->stages = o.pixel[0] >= 0 ? &c.stages : nullptr;
+    if (!o.progress || run->stages) { /* which no other process could fill */
         simulate(o, machine, c.samples, *run);
     } else {
         std::fflush(nullptr);

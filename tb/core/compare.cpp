@@ -185,9 +185,13 @@ void compare_expected(const Options &o, const Outcome &c, Verdict &v) {
 } // namespace
 
 Verdict compare(const Options &o, const sph_machine &machine, const Outcome &c) {
-    if (c.run->no_input || c.run->given_up)
-        return {0, c.run->failure, c.run->given_up, c.run->no_input, false, {-1, -1}, ""};
-    Verdict v{0, refusal(o, machine, c.run->pass[COLD].errors), false, false, false, {-1, -1}, ""};
+    if (c.run->no_input || c.run->given_up) {
+        Verdict v{0, c.run->failure, c.run->given_up, c.run->no_input, false, {-1, -1}, "", ""};
+        if (c.run->stages && c.run->given_up) compare_stages(o, machine, c, v);
+        return v;
+    }
+    Verdict v{0, refusal(o, machine, c.run->pass[COLD].errors), false, false, false, {-1, -1}, "",
+              ""};
     v.refused = !v.text.empty() && !(o.expect_errors >= 0 && o.expect_errors & REFUSED);
     if (c.run->failure[0]) {
         v.mismatches++;
@@ -199,6 +203,7 @@ Verdict compare(const Options &o, const sph_machine &machine, const Outcome &c) 
     }
     if (dark(o)) compare_dark(o, machine, c, v);
     compare_expected(o, c, v);
+    if (c.run->stages && !v.refused) compare_stages(o, machine, c, v);
     if (v.mismatches && v.repeat.empty()) v.repeat = repeat_command(o, c.window);
     if (v.mismatches) v.text += "repeat: " + v.repeat + "\n";
     return v;

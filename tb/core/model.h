@@ -9,6 +9,7 @@ extern "C" {
 #include "common/number.h"
 #include "core/frame.h"
 #include "core/frame_file.h"
+#include "core/stages.h"
 
 #include "machine/machine.h"
 #include "machine/parts.h"

@@ -36,6 +36,7 @@ enum Key {
     TRIALS,
     POKE,
     REG,
+    PIXEL,
     PROGRESS,
     INFO,
     ENGINE,
@@ -82,6 +83,8 @@ const argp_option table[] = {
     {"expect-errors", EXPECT, "BITS", 0, "these sticky error bits must be set at the end", 0},
     {"poke", POKE, "LINE:LSB:WIDTH=VALUE", 0, "overwrite bits of memory, for both sides", 0},
     {"reg", REG, "N=VALUE", 0, "overwrite a register, for both sides", 0},
+    {"pixel", PIXEL, "X,Y", 0,
+     "print the stages of this pixel's rays and compare them too (Verilator alone)", 0},
     {"progress", PROGRESS, nullptr, 0, "say how far it is and how long it will take", 0},
     {"info", INFO, nullptr, 0,
      "print profile, effects, size, name of the machine; simulate nothing", 0},
@@ -230,6 +233,11 @@ error_t parse(int key, char *arg, argp_state *state) {
             argp_error(state, "--reg wants N=VALUE, got '%s'", arg);
         o.writes.push_back(reg);
         break;
+    case PIXEL:
+        if (!take(at, 0, SPH_MAX_SIDE - 1, o.pixel[0]) ||
+            !take(at, ',', 0, SPH_MAX_SIDE - 1, o.pixel[1]) || *at)
+            argp_error(state, "--pixel wants X,Y, got '%s'", arg);
+        break;
     case PROGRESS:
         o.progress = true;
         break;
@@ -309,6 +317,8 @@ std::string repeat_command(const Options &o, const Window &w) {
         std::snprintf(text, sizeof text, " --reg %d=%d", r.number, r.value);
         command += text;
     }
+    if (o.pixel[0] >= 0)
+        command += " --pixel " + std::to_string(o.pixel[0]) + "," + std::to_string(o.pixel[1]);
     if (o.spoil >= 0) command += " --spoil " + std::to_string(o.spoil);
     if (o.bus_error_at >= 0) command += " --bus-error-at " + std::to_string(o.bus_error_at);
     if (o.life) command += " --life";

@@ -48,6 +48,7 @@ struct Options {
     int64_t expect_errors = -1; /* sticky bits that must be set */
     std::vector<Poke> pokes;    /* in the memory, for model and core alike */
     std::vector<Register> writes; /* in the registers, for model and core alike */
+    int pixel[2] = {-1, -1};      /* x, y whose stages are printed and compared; -1: none */
     bool progress = false;
     bool info = false;  /* prints profile and effects of the machine and ends */
     std::string engine; /* Icarus: the compiled bench; gates: the netlist as JSON */

@@ -16,7 +16,9 @@ struct Outcome {
     uint32_t model_errors;
     Sample *samples[PASSES]; /* frame sized */
     const Run *run;
-    double seconds; /* wall clock of the simulation */
+    sph_stages stages;       /* of the core, of Options::pixel */
+    sph_stages model_stages; /* of the model */
+    double seconds;          /* wall clock of the simulation */
 
     uint64_t pixels() const {
         return static_cast<uint64_t>(window.x1 - window.x0) *
@@ -38,6 +40,7 @@ struct Verdict {
     bool no_input;       /* the bench read no machine: nothing is said of the core */
     bool refused;        /* the core takes no such machine, and nobody expected that */
     int first[2];        /* x, y of the first wrong pixel; -1: none */
+    std::string stages;  /* of a pixel that is followed, as lines */
     std::string repeat;  /* the command that repeats what is wrong, if anything is */
 };
 
@@ -52,5 +55,10 @@ std::string difference(const sph_machine &machine, const sph_pixel &model, const
  * the counters that model and RTL share, and the error bits. A core that refuses the machine must
  * give no pixel; the text says what it lacks. */
 Verdict compare(const Options &o, const sph_machine &machine, const Outcome &outcome);
+
+/* The stages of the pixel that is followed, model and core line by line, into v.stages; a line that
+ * differs counts as one mismatch and is told in v.text. */
+void compare_stages(const Options &o, const sph_machine &machine, const Outcome &outcome,
+                    Verdict &v);
 
 #endif

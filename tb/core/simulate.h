@@ -63,6 +63,8 @@ struct Pass {
 struct Run {
     Window window;
     Pass pass[PASSES];
+    sph_stages *stages;     /* of Options::pixel in the core, in Verilator; null: nobody asks */
+    uint32_t stages_shown;  /* bit SPH_STAGE_*: the core shows this one */
     const sph_frame *model; /* what the pixels are compared with at once; null: they are not */
     bool no_input;          /* the bench could not read the machine: nothing was simulated */
     bool given_up;          /* the core made no progress for too long, or took too many clocks */

@@ -57,6 +57,28 @@ std::string info(const sph_machine &m) {
            " " + m.name;
 }
 
+/* The model's stages of the pixel that is followed. */
+bool follow(const Options &o, const sph_machine &machine, Outcome &c, std::string &error) {
+    const Window &w = c.window;
+    error = "--pixel " + std::to_string(o.pixel[0]) + "," + std::to_string(o.pixel[1]) + ": ";
+    if (std::string(simulator_name) != "verilator")
+        return error += "only a core in Verilator shows its stages", false;
+    if (o.life || o.bus_error_at >= 0 || o.spoil >= 0)
+        return error += "not with --life, --bus-error-at, --spoil", false;
+    if (o.pixel[0] < w.x0 || o.pixel[0] >= w.x1 || o.pixel[1] < w.y0 || o.pixel[1] >= w.y1)
+        return error += "lies outside of what is drawn, " + std::to_string(w.x0) + "," +
+                        std::to_string(w.y0) + "," + std::to_string(w.x1) + "," +
+                        std::to_string(w.y1),
+               false;
+    sph_render_options how{};
+    how.traverse = SPH_TRAVERSE_TREE;
+    how.stages = &c.model_stages;
+    sph_counters counters{};
+    uint32_t errors = 0;
+    sph_render_pixel(&machine, &how, o.pixel[0], o.pixel[1], &counters, &errors, nullptr);
+    return true;
+}
+
 int one_life(const Options &o, sph_machine &machine, const Window &window) {
     auto run = std::make_unique<Run>();
     std::string error;
@@ -92,6 +114,7 @@ int main(int argc, char **argv) {
                             " lines of memory, more than --memory " + o.memory + " holds");
     }
 
+    if (o.pixel[0] >= 0 && !follow(o, machine, c, error)) return complain(error);
     if (o.life) return one_life(o, machine, c.window);
 
     sph_render_options how{};
@@ -105,6 +128,7 @@ int main(int argc, char **argv) {
     if (v.no_input) return complain(v.text);
     if (!v.refused && !write_frames(o, c, error)) return complain(error);
     if (!o.json.empty() && !write_json(o, machine, c, v, argc, argv, error)) return complain(error);
+    std::fputs(v.stages.c_str(), stdout);
     std::fputs(v.text.c_str(), stdout);
     if (v.refused) return v.mismatches ? 1 : 3;
     if (v.given_up) {
@@ -117,6 +141,8 @@ int main(int argc, char **argv) {
     }
     if (o.progress) std::fputs(counter_table(o, c).c_str(), stdout);
     std::printf("%s%s\n", limits(o, c).c_str(), summary(o, machine, c, v).c_str());
+    sph_stages_free(&c.stages);
+    sph_stages_free(&c.model_stages);
     sph_frame_free(&c.model_frame);
     sph_machine_free(&machine);
     return v.mismatches ? 1 : 0;

@@ -13,6 +13,7 @@
 #include "Vrt_core.h"
 #include "port_host.h"
 #include "silence.h"
+#include "stage_watch.h"
 #include "texture_watch.h"
 #include "verilated.h"
 #include "verilated_syms.h"
@@ -43,6 +44,7 @@ class VerilatedCore : public PortHost {
     std::unique_ptr<Vrt_core> core_;
     std::unique_ptr<TextureWatch> textures_;
     std::unique_ptr<WorkWatch> work_;
+    std::unique_ptr<StageWatch> stages_;
 #if VM_TRACE_FST
     std::unique_ptr<VerilatedFstC> trace_;
 #endif
@@ -84,6 +86,12 @@ inline VerilatedCore::VerilatedCore(const Options &o, const sph_machine &machine
     textures_ = std::make_unique<TextureWatch>(context_);
     work_ = std::make_unique<WorkWatch>(context_, "memory_" + o.memory,
                                         dram_part(o.memory) ? &memory_work_ : nullptr);
+    if (run.stages) {
+        stages_ =
+            std::make_unique<StageWatch>(context_, machine, o.pixel[0], o.pixel[1], *run.stages);
+        run.stages_shown = stages_->shown();
+        if (!run.stages_shown) fail(run, "this core was built without its stages shown: STAGES=1");
+    }
     pins.rst = false;
 }
 
@@ -112,6 +120,7 @@ inline void VerilatedCore::step(const Inputs &in, Outputs &out) {
 #if VM_TRACE_FST
     if (trace_) trace_->dump(cycle() * 10);
 #endif
+    if (stages_ && !in.pins.rst) stages_->clock();
     if (textures_) in.pins.rst ? textures_->reset() : textures_->clock();
     if (memory().waiting()) {
         owing_++;

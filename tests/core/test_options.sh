@@ -29,6 +29,9 @@ check "--reset-at N:CLOCKS" refuses 64 --reset-at=5: "$o" --machine m
 for at in '' 0, 0,0, 0,0,8,; do
     check "--window $at" refuses 64 "--window=$at" "$o" --machine m
 done
+for at in '' 0,; do
+    check "--pixel $at" refuses 64 "--pixel=$at" "$o" --machine m
+done
 for at in '' 0: 0:0: 0:0:8=; do
     check "--poke $at" refuses 64 "--poke=$at" "$o" --machine m
 done

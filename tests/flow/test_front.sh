@@ -37,7 +37,7 @@ done
 refuse sim SIM=questa ENGINES=9 STALL=100 LATENCY=-1 SIZE=axb DEPTH=11 JOBS=x PROFILE=draft N=0 \
     EFFECTS=shadw TREE=papre ACCEL=bhv4 BACKGROUND=rekt TRAVERSE=frist SEED=x WARM=yes TARGET=ecp \
     MAX_PRIMS=0 AT=70000 LEVELS=3 ROOT_STEP=26 QUOTIENT_STEP=14 SCENE=pape5 WINDOW=4,4,4,8 V=2 \
-    SAMPLES=17 ERROR=0.1,x
+    PIXEL=4 SAMPLES=17 ERROR=0.1,x
 for word in "SIM=questa: is none of verilator, icarus, cxxrtl, ecp5, xc7$" \
     "ENGINES=9: is not 1 to 8$" \
     "STALL=100: is not 0 to 99$" "LATENCY=-1: is not 1 to 100000$" "JOBS=x: is not 1 to 1024$" \
@@ -49,7 +49,7 @@ for word in "SIM=questa: is none of verilator, icarus, cxxrtl, ecp5, xc7$" \
     "TARGET=ecp: .*; is ecp5 meant" "MAX_PRIMS=0: is none of 1 to 16777215, infinity" \
     "AT=70000: is not 0 to 65535" "LEVELS=3: is not 0 to 2" "ROOT_STEP=26: is not 1 to 25" \
     "QUOTIENT_STEP=14: is not 1 to 13" "SCENE=pape5: .*; is paper5 meant.* There are effects" \
-    "WINDOW=4,4,4,8: has no pixel" "V=2: " \
+    "WINDOW=4,4,4,8: has no pixel" "PIXEL=4: is no pixel such as 21,9" "V=2: " \
     "SAMPLES=17: is not 1 to 16$" "ERROR=0.1,x: is no error such as 0.125 or 0.125,45"; do
     check "... $word" says "$word"
 done
@@ -60,8 +60,10 @@ for word in "units=3: .*: units is 3, not in 1..2" "slots=96: .*: slots is 96, n
     refuse sim SIZES="${word%%:*}"
     check "... SIZES=${word%%:*}" says "^SIZES=$word"
 done
-refuse sim ENGINES=two SIZE=16x9 WINDOW=0,0,17,9 PROFILE=standart SCENE=foo STALL= ROOT_STEP=0
+refuse sim ENGINES=two SIZE=16x9 WINDOW=0,0,17,9 PIXEL=3,9 PROFILE=standart SCENE=foo STALL= \
+    ROOT_STEP=0
 for word in "ENGINES=two: is not 1 to 8$" "WINDOW=0,0,17,9: is not inside SIZE=16x9" \
+    "PIXEL=3,9: is not inside SIZE=16x9" \
     "PROFILE=standart: .*is standard meant" "SCENE=foo: is no file, and no scene" \
     "^ .* texture/hall " "STALL=: is empty" "ROOT_STEP=0: "; do
     check "... $word" says "$word"
@@ -143,15 +145,15 @@ check "N is the size of an icosphere" same_scene icosphere:3 icosphere --size 3
 other='SCENE=paper5 PROFILE=draft SIZE=8x8 TREE=paper ACCEL=bih MAX_PRIMS=2 MAX_TREE_DEPTH=3
     DEPTH=1 BACKGROUND=rect TRAVERSE=first LEVELS=1 AT=1 BUILD_MORE=--inside=off EFFECTS=all
     ENGINES=2 PIPES=2 LEAF_UNITS=1 EXACTS=1 SHADES=1 ROOT_STEP=1 QUOTIENT_STEP=1 SIZES=units=1
-    SEED=2 LATENCY=3 STALL=4 SIM=icarus WINDOW=0,0,1,1 WARM=1 LITERAL=1 WAVES=1 WATCHDOG=9
-    SAMPLES=2 ERROR=0.5 MEMORY=sdram16 CORE_MHZ=50'
+    SEED=2 LATENCY=3 STALL=4 SIM=icarus WINDOW=0,0,1,1 PIXEL=0,0 WARM=1 LITERAL=1 WAVES=1
+    WATCHDOG=9 SAMPLES=2 ERROR=0.5 MEMORY=sdram16 CORE_MHZ=50'
 same='TARGET FLAT RESULTS KINDS PROVE ONLY ALL SUITE_LIMIT CORE EFFECT MUTANT N STATE OPT V B CC
     CFLAGS CXX CXXFLAGS PREFIX DESTDIR TOP LAYERS FRAMES BART BOARD CSV ENGINE FAMILY MOVIE
     FAULTS TRIALS MINUTES INPUTS HARNESS ROUTE SEEDS SEEDS_CORE JOBS TOP_DATA HD_SCENE'
 for word in '' $other; do
     plain_make sim-folder JOBS=2 $word
 done >"$TMP/folders" 2>&1
-check "each of them has another folder" [ "$(sort -u "$TMP/folders" | grep -c '^build/out/')" = 35 ]
+check "each of them has another folder" [ "$(sort -u "$TMP/folders" | grep -c '^build/out/')" = 36 ]
 for word in $other $same; do echo "${word%%=*}"; done | sort >"$TMP/mine"
 sed -n 's/^## \([A-Z_][A-Z_]*\) .*/\1/p' make/variables.mk | sort >"$TMP/rules"
 check "every variable is one of them, or shapes no run" diff "$TMP/mine" "$TMP/rules"

@@ -34,6 +34,11 @@ check "info report" json info.json 'r["machine"]["profile"] == "standard"'
 check "rays of a pixel" json rays.json 'r["pixel_rays"][0]["kind"] == "primary" and any(
     i["kind"] == "reflected" and r["pixel_rays"][i["parent"]]["hit"] for i in r["pixel_rays"])'
 check "... as text" grep -E '^  primary   id [0-9]+, key [0-9]+, distance .* visits$' rays.txt
+"$s" info a.sph --pixel 30,24 --stages --json stages.json >stages.txt
+check "its stages, as text and in the report" json stages.json \
+    'r["stages"] == [l.rstrip("\n") for l in open("stages.txt") if l.startswith(("ray ", "pixel"))]
+     and len(r["stages"]) > 20'
+fails 2 "stages of no pixel" "$s" info a.sph --stages
 fails 1 "no such pixel" "$s" info a.sph --pixel 64,0
 fails 2 "no pixel at all" "$s" info a.sph --pixel 64
 
