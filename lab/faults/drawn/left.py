@@ -1,8 +1,8 @@
 # left.py - the faults that the page lists as left, tried again where checks are new
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.mutants.left BUILD [BENCH...]
+"""usage: python3 -m lab.faults.drawn.left BUILD [BENCH...]
 Each BENCH (tb_leaf/tiny, core/EFFECTS, proof/run) tries all faults that are left in
-docs/results/data and fit into its netlist; without one, patterns of tests/mutants/equivalent.txt
+docs/results/data and fit into its netlist; without one, patterns of tests/faults/equivalent.txt
 are looked at alone. The tables of docs/results/mutants.md are made anew, and told to be as old as
 before. A fault whose line has moved gets the new one; if the source has it no more, what is known
 of it stays."""

@@ -5,8 +5,9 @@ import os
 import re
 from functools import lru_cache
 
+from ..benches import CELLS, shell, words_of
 from . import netlist
-from .benches import CELLS, Built, shell, words_of
+from .benches import Drawn
 
 CELL_FILES = sorted(glob.glob(CELLS))
 
@@ -19,7 +20,7 @@ def options():
     return words[fast + 1:machine], words[machine + 1:]
 
 
-class Board(Built):
+class Board(Drawn):
     """A top whose core is the golden model, with models of the vendor's cells."""
 
     WAIT = "wait_q == 6"    # of golden_core.svh: a pixel in seven clocks
@@ -55,7 +56,7 @@ class Board(Built):
         with open("tb/top/golden_core.svh", encoding="utf-8") as f, \
                 open(golden, "w", encoding="utf-8") as made:
             made.write(netlist.head("rt_core") + f.read().replace("wait_q == 6", self.WAIT))
-        return self.compile(verilog, f"tb/board/tb_{self.top[3:]}.cpp",
+        return self.compiled(verilog, f"tb/board/tb_{self.top[3:]}.cpp",
                             ["-DGOLDEN_CORE", "-Itb/board", *(f"-D{word}" for word in fast)],
                             self.objects(), [],
                             ["+1800-2017ext+sv", *(f"-I{n}" for n in sorted(glob.glob("rtl/*"))),

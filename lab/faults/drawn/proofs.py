@@ -34,7 +34,7 @@ def listed():
     return found
 
 
-class Proof(benches.Built):
+class Proof(benches.Drawn):
     """A proof of a module, of a copy of the tree in which its netlist stands."""
 
     def __init__(self, module, proof, memories, build):

@@ -4,9 +4,9 @@
 Verilog, and runs, the cheapest first: words of the command, and what it prints if all is well."""
 import glob
 import os
-import shutil
-import subprocess
 
+from .. import benches
+from ..benches import CELLS, Built, Line, shell, words_of
 from . import netlist
 
 NUMBER = '''#include <cstdlib>
@@ -16,97 +16,55 @@ extern "C" int mutant_number() {
 }
 '''
 QUICK = 3000        # vectors of the first run of a block's bench
-CELLS = "tb/board/[A-Z]*.v"     # models of a vendor's cells
+# what Verilator is told of a netlist
+LOOSE = ("-Wno-fatal", "-Wno-lint", "-Wno-style", "--x-assign", "fast")
 STEPS = ("ENGINES=1", "ROOT_STEP=2", "QUOTIENT_STEP=2")
 
 
-class Broken(Exception):
-    """What cannot be built, or fails without a fault."""
-
-
-def shell(command, log):
-    with open(log, "a", encoding="utf-8") as f:
-        f.write(" ".join(command) + "\n")
-        f.flush()
-        if subprocess.run(command, check=False, stdout=f, stderr=f).returncode:
-            raise Broken(f"{command[0]} failed: {log}")
-
-
-def words_of(*command):
-    return subprocess.run(command, check=True, text=True, stdout=subprocess.PIPE).stdout.split()
-
-
-class Built:
-    """What all benches have in common: Verilator, one file for the compiler, the linker."""
+class Drawn(Built):
+    """A bench around a netlist with faults: its folder, its netlist, its runs."""
 
     def __init__(self, name, top, parameters, build):
-        self.name, self.top, self.parameters, self.build = name, top, parameters, build
-        self.outer = top    # what the bench sees
+        super().__init__(name, top, parameters, build)
         self.folder = f"{build}/mutants/{name.replace('/', '-')}"
 
     def netlist(self):
         return netlist.Netlist(self.folder, self.top, self.parameters)
 
-    def compile(self, verilog, harness, macros, objects, libraries, more=()):
-        made, log = f"{self.folder}/made", f"{self.folder}/log"
-        shutil.rmtree(made, ignore_errors=True)
-        os.makedirs(made)
-        shell(["verilator", "--cc", "--top-module", self.outer, "--prefix", "V" + self.outer,
-               "-Wno-fatal", "-Wno-lint", "-Wno-style", "-O3", "--x-assign", "fast",
-               "--x-initial", "unique", "-Mdir", made, verilog, *more], log)
-        with open(f"{made}/all.cpp", "w", encoding="utf-8") as f:
-            f.write(NUMBER)
-            f.flush()
-            subprocess.run(["sh", "sim/at_once.sh", made, harness], check=True, stdout=f)
-        with open(f"{self.build}/sim/obj/compile-O1", encoding="utf-8") as f:
-            compiler = f.read().split()
-        shell(compiler + [*macros, "-w", "-isystem", made, "-c", f"{made}/all.cpp", "-o",
-                          f"{made}/all.o"], log)
-        shell(["g++", f"{made}/all.o", *objects, f"{self.build}/libsphaera.a",
-               "-Wl,--as-needed", *libraries, "-lm", "-lpthread", "-o", f"{made}/bench"], log)
-        return f"{made}/bench"
+    def compiled(self, verilog, harness, macros, objects, libraries, more=()):
+        return self.compile(self.folder, [*LOOSE, verilog, *more], harness, macros, objects,
+                            libraries, begin=NUMBER)
 
 
-class Line(Built):
-    """A line of tb/benches*.txt: `configuration module bench parameters / the bench's own`."""
+class DrawnLine(Line, Drawn):
+    """A line of tb/benches*.txt around a netlist of its module."""
 
     def __init__(self, line, build):
-        self.configuration, top, self.bench, *words = line.split()
-        cut = words.index("/") if "/" in words else len(words)
-        super().__init__(f"{self.bench}/{self.configuration}", top,
-                         [word.split("=") for word in words[:cut]], build)
-        self.cells = sorted(glob.glob(CELLS)) if top in OF_A_VENDOR else []
-        self.macros = [f"-D{word}" for word in words if word != "/"]
+        super().__init__(line, build)
+        self.cells = sorted(glob.glob(CELLS)) if self.top in OF_A_VENDOR else []
         self.runs = [["1", str(QUICK)], ["1"]]
 
     def netlist(self):
         return netlist.Netlist(self.folder, self.top, self.parameters, (), self.cells)
 
-    def source(self):
-        return glob.glob(f"tb/*/{self.bench}.cpp")[0]
-
     def sources(self):
         return [self.source(), "tb/bench.h", *self.cells]
 
     def make(self, verilog):
-        return self.compile(verilog, self.source(),
-                            ["-DNETLIST", f'-DPROFILE="{self.configuration}"', *self.macros],
-                            [*sorted(glob.glob(f"{self.build}/sim/obj/bench_*.o")),
-                             f"{self.build}/test/libhard.a"],
-                            words_of("pkg-config", "--libs", "gmp", "mpfr", "expat"),
-                            self.cells)
+        return self.around(self.folder, [*LOOSE, verilog, *self.cells], ["-DNETLIST"],
+                           begin=NUMBER)
 
     @staticmethod
     def passed(text):
         return any(line.startswith("ok") for line in text.splitlines())
 
 
-class Core(Built):
+class Core(Drawn):
     """The core in widths of draft, small frames compared with the golden model."""
 
     LARGE = ("--reg", "3=16383", "--reg", "4=16383", "--reg", "24=0")   # frame, pitch
     SCENES = (  # scene, options of `sphaera build`, options of the harness
-        ("tests/mutants/hard.nff", (), ()),
+        ("tests/faults/hard.nff", (), ()),
         ("scenes/sphereflake2.nff", ("--background", "exact"), ()),
         ("scenes/interpenetrating.nff", ("--tree", "paper"), ("--reg", "0=31")),
         ("scenes/inside.nff", ("--depth", "5"), ()),
@@ -159,7 +117,7 @@ class Core(Built):
                    for n in sorted(glob.glob("tb/core/*.cpp"))
                    if os.path.basename(n) == "tb_core.cpp"
                    or not os.path.basename(n).startswith(("simulate_", "tb_"))]  # make/core.mk
-        return self.compile(verilog, "tb/core/simulate_verilator.cpp",
+        return self.compiled(verilog, "tb/core/simulate_verilator.cpp",
                             ["-DVM_TRACE=0", "-DVM_TRACE_FST=0", "-DNETLIST"],
                             objects + [f"{self.build}/sim/obj/{n}.o"
                                        for n in ("verilated", "verilated_threads")],
@@ -171,7 +129,7 @@ class Core(Built):
         return True  # its exit code says all
 
 
-class Shell(Built):
+class Shell(Drawn):
     """rt_top around the golden model, under its driver: make/rt_top.mk's tb_shell."""
 
     def __init__(self, build):
@@ -195,7 +153,7 @@ class Shell(Built):
             f.write(golden)
         driver = f"{self.folder}/driver.o"
         shell(["gcc", "-O2", "-c", "driver/sphaera.c", "-o", driver], f"{self.folder}/log")
-        return self.compile(verilog, "tb/top/tb_shell.cpp", ["-DDATA=64"],
+        return self.compiled(verilog, "tb/top/tb_shell.cpp", ["-DDATA=64"],
                             [driver, *sorted(glob.glob(f"{self.build}/sim/obj/bench_*.o"))], [],
                             ["+1800-2017ext+sv", *(f"-I{n}" for n in sorted(glob.glob("rtl/*"))),
                              f"{self.folder}/rt_core.sv"])
@@ -213,11 +171,7 @@ OF_A_VENDOR = ("rt_serialise", "rt_clocks")    # have cells that Yosys knows not
 
 
 def every(build):
-    """The lines of tb/benches*.txt, as run_bench.sh has them."""
-    found = subprocess.run(["awk", "-v", "pattern=/", "-v", "all=1", "-f", "tb/benches.awk",
-                            "cmodel/machine/machine.def", *sorted(glob.glob("tb/benches*.txt"))],
-                           check=True, text=True, stdout=subprocess.PIPE).stdout.splitlines()
-    return [Line(line, build) for line in found]
+    return benches.every(build, DrawnLine)
 
 
 def wholes(build):

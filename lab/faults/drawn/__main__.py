@@ -1,8 +1,8 @@
 # __main__.py - the mutation campaign as jobs: lists of them, one of them, what came of all
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.mutants plan BUILD COUNT SEED ROUND LIST
-       python3 -m lab.mutants one BUILD KEY
-       python3 -m lab.mutants tell BUILD COUNT SEED
+"""usage: python3 -m lab.faults.drawn plan BUILD COUNT SEED ROUND LIST
+       python3 -m lab.faults.drawn one BUILD KEY
+       python3 -m lab.faults.drawn tell BUILD COUNT SEED
 Round 0 tries each fault in the home of its module; a later round tries what is left in one more
 bench. A job whose result counts is not run again: break it off whenever you like. `tell` writes
 the tables of docs/results/mutants.md."""
@@ -12,8 +12,9 @@ import shutil
 import sys
 import time
 
-from ..jobs import plan as jobs
-from ..jobs import store
+from ...jobs import plan as jobs
+from ...jobs import store
+from ..benches import Broken
 from . import benches, binary, page, plan
 from .netlist import Fault
 
@@ -52,7 +53,7 @@ def state(build, count, seed, rounds):
 
 
 def write(build, count, seed, number, name):
-    command = ["python3", "-m", "lab.mutants", "one", build]
+    command = ["python3", "-m", "lab.faults.drawn", "one", build]
     jobs.write(name, results(build),
                [jobs.job(results(build), k, [*command, k], GUESS)
                 for k in keys(build, count, seed, number)], f"mutants, round {number}")
@@ -83,7 +84,7 @@ def attempt(build, key, word, bench):
             sys.exit(f"mutants: {key}: other faults are left now; make the list anew")
     try:
         came = binary.run(bench, faults, found)
-    except benches.Broken as e:
+    except Broken as e:
         sys.exit(f"mutants: {e}")
     rows = [[*fault, verdict, took] for fault, (verdict, took) in came.items()]
     store.save(results(build), key, sources(bench, found),

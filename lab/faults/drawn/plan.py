@@ -9,11 +9,11 @@ import json
 import os
 import re
 
-from .. import intact
-from ..jobs import store
+from ... import intact
+from ...jobs import store
 from . import benches
 
-SOURCES = ["rtl/*/*.v", "rtl/*/*.vh", "tb/benches*", "lab/mutants/plan.py", "tool:yosys"]
+SOURCES = ["rtl/*/*.v", "rtl/*/*.vh", "tb/benches*", "lab/faults/drawn/plan.py", "tool:yosys"]
 LEAST = 8     # faults of the smallest module
 MOST = 90     # of the largest
 LINES = 160   # of a module's lines that count: a table in a ROM is longer, and is one operator

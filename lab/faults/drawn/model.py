@@ -1,6 +1,6 @@
 # model.py - faults in the arithmetic of the golden model, and what notices them
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.mutants.model BUILD COUNT SEED MINUTES [COMPILER OPTION...]
+"""usage: python3 -m lab.faults.drawn.model BUILD COUNT SEED MINUTES [COMPILER OPTION...]
 
 An operator or number of a file of cmodel/ becomes another one (EDITS): COUNT of all these places,
 drawn by SEED, as many as are begun within MINUTES; an edit elsewhere leaves the draw as it is. The
@@ -9,7 +9,7 @@ until one fails, hangs or crashes: those of its name first, then the quickest, o
 says run its line and that take at most LONGEST seconds. What all of them let pass the quick ones
 try once more under the sanitizers, as `make test` does. What compiles to the same instructions is
 no fault. JOBS are tried at once. A kill is kept as long as the model and the suite that it fell to
-stay, what is left as long as all suites do. lab/mutants/left_c.py tries in one suite those that the
+stay, what is left as long as all suites do. lab/faults/drawn/left_c.py tries in one suite those that the
 page lists as left."""
 import functools
 import glob
@@ -26,14 +26,15 @@ import time
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 
-from .. import intact
-from ..jobs import store
-from ..pages import data, place
-from . import page
+from ... import intact
+from ...jobs import store
+from ...pages import data, place
+from .. import programs
+from ..benches import Broken
 
 FOLDERS = ("core", "engine", "fast", "machine", "math", "pixel", "prim", "render", "shade",
            "texture", "trace", "validate")      # of cmodel/
-EQUIVALENT = "tests/mutants/equivalent_c.txt"   # reasons, and below each the faults it holds for
+EQUIVALENT = "tests/faults/equivalent_c.txt"   # reasons, and below each the faults it holds for
 PAGE = "docs/results/mutants.md"
 EDITS = ((r" \+ ", " - "), (r" - ", " + "), (r" \* ", " + "), (r" << ", " >> "), (r" >> ", " << "),
          (r" < ", " <= "), (r" <= ", " < "), (r" > ", " >= "), (r" >= ", " > "), (r" == ", " != "),
@@ -42,13 +43,10 @@ EDITS = ((r" \+ ", " - "), (r" - ", " + "), (r" \* ", " + "), (r" << ", " >> "),
          (r"(?<=[ (\[])(\d+)(?=[;,) \]])", None), (r" \+= ", " -= "), (r" -= ", " += "))
 TESTS = "builder core fast machine math pixel prim reference shade texture trace".split()
 MORE = ("test_library",)     # suites that are linked with more than the model
-# The program `hard` as suites: its named cases, some generated ones.
-HARD = {"hard_named": ["--named"], "hard_cases": ["--cases", "20000", "--exhaustive", "100"]}
 LONGEST = float(os.environ.get("LONGEST", "40"))    # seconds of a suite that is tried at all
 QUICK = 3                   # and of one that is tried once more under the sanitizers
 PATIENCE, SLACK = 2, 2      # a suite may take PATIENCE times what it takes without one, and SLACK
 MODEL = ["cmodel/**/*.[ch]", "tests/*.h"]
-SANITIZE = "-O1 -fsanitize=address,undefined -fno-sanitize-recover=all".split()
 
 
 @functools.cache
@@ -76,7 +74,7 @@ def places():
 @functools.cache
 def sources(suite):
     """Digest of a suite's own sources."""
-    return store.digest(["tests/hard/*.c"] if suite in HARD else [f"tests/*/{suite}.c"])
+    return store.digest(["tests/hard/*.c"] if suite in programs.HARD else [f"tests/*/{suite}.c"])
 
 
 def suites(build):
@@ -84,52 +82,31 @@ def suites(build):
     found = [os.path.basename(n)[:-2] for t in TESTS for n in sorted(glob.glob(f"tests/{t}/*.c"))]
     return [t for t in found if t.startswith("test_") and t not in MORE
             and os.path.exists(f"{build}/test/{t}.o")] + (
-        list(HARD) if os.path.exists(f"{build}/test/hard") else [])
-
-
-def options(name):
-    """What the compiler is told of one file, as make/objects.mk has it."""
-    return ["-Icmodel", f"-I{os.path.dirname(name)}",
-            *(["-mavx2"] if name.endswith("_avx2.c") else [])]
+        list(programs.HARD) if os.path.exists(f"{build}/test/hard") else [])
 
 
 class Trial:
     def __init__(self, build, compiler, survey=True):
         self.build, self.compiler = build, compiler
         self.linker = [w for w in compiler if not w.startswith("-")][-1]  # behind a ccache
-        self.libraries = subprocess.run(
-            ["pkg-config", "--libs", "cmocka", "expat", "gmp", "jansson", "libpng", "mpfr"],
-            check=True, text=True, stdout=subprocess.PIPE).stdout.split()
         self.suites = self.survey() if survey else {}
 
     def compiled(self, folder, name, text, how=("-O1",)):
         """The object file of a text in place of a file, and its instructions; None: none."""
-        written, made = f"{folder}/{os.path.basename(name)}", f"{folder}/fault.o"
-        with open(written, "w", encoding="utf-8") as f:
-            f.write(text)
-        ran = subprocess.run([*self.compiler, "-w", *options(name), *how, "-g0", "-c", written,
-                              "-o", made], check=False, stderr=subprocess.DEVNULL)
-        if ran.returncode:
+        try:
+            made = programs.compiled(folder, name, text, how, self.compiler)
+        except Broken:
             return None, b""
         return made, subprocess.run(["objdump", "-d", "-s", made], check=True,
                                     stdout=subprocess.PIPE).stdout
 
     def link(self, folder, suite, objects, sanitized=False):
-        """A suite's program with these objects in front of the library."""
-        program = f"{folder}/{suite}"
-        own = [f"{self.build}/test/{suite}{'.sanitized' if sanitized else ''}.o"]
-        if suite in HARD:
-            own = [*glob.glob(f"{self.build}/test/obj/tests/hard/*.o"),
-                   f"{self.build}/obj/cmodel/tool/progress.o"]
-        library = f"{self.build}/{'asan/' if sanitized else ''}libsphaera.a"
-        subprocess.run([self.linker, *(SANITIZE if sanitized else ()), *own, *objects,
-                        library, *self.libraries, "-lm", "-lgcov", "-o", program], check=True)
-        return program
+        return programs.link(self.build, folder, suite, objects, sanitized, self.linker)
 
     def run(self, program, seconds):
         """What a suite returns; 0 if it passes within so many seconds of a processor."""
         return subprocess.run(
-            [program, *HARD.get(os.path.basename(program), [])], check=False,
+            [program, *programs.HARD.get(os.path.basename(program), [])], check=False,
             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds)),
             env={**os.environ, "BUILD": self.build}).returncode
@@ -151,7 +128,7 @@ class Trial:
             objects = []
             for name in sorted({n for n, *_ in places()} if len(found) < len(wanted) else ()):
                 objects.append(f"{folder}/{name[7:-2].replace('/', '-')}.o")
-                subprocess.run([*self.compiler, "-w", *options(name), "-O1", "--coverage", "-c",
+                subprocess.run([*self.compiler, "-w", *programs.options(name), "-O1", "--coverage", "-c",
                                 name, "-o", objects[-1]], check=True)
             for suite in wanted:
                 if suite in found:
@@ -221,9 +198,9 @@ class Trial:
                 if self.run(program, int(PATIENCE * self.suites[suite][0] + SLACK)):
                     return "killed", suite, sources(suite)
                 os.remove(program)
-            made, _ = self.compiled(folder, name, fault, SANITIZE)
+            made, _ = self.compiled(folder, name, fault, programs.SANITIZE)
             for suite in tried:
-                if suite in HARD or self.suites[suite][0] > QUICK:
+                if suite in programs.HARD or self.suites[suite][0] > QUICK:
                     continue
                 program = self.link(folder, suite, [made], True)
                 # too long is no answer here: without sanitizers it was in time

@@ -1,7 +1,7 @@
 # left_c.py - the faults in the model that the page lists as left, tried again in some suites
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.mutants.left_c BUILD SUITE[=FILE]...
-       python3 -m lab.mutants.left_c BUILD again
+"""usage: python3 -m lab.faults.drawn.left_c BUILD SUITE[=FILE]...
+       python3 -m lab.faults.drawn.left_c BUILD again
 Each SUITE (test_leaf, hard_named, test_leaf.sanitized) tries the faults that are left in
 docs/results/data, those whose name begins with FILE, of cmodel/, if it is given. `again`: each that
 was killed is tried once more in the suite that noticed it, after a change of the model or of tests.
@@ -14,9 +14,10 @@ import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
-from .. import intact
-from ..jobs import store
-from ..pages import data
+from ... import intact
+from ...jobs import store
+from ...pages import data
+from .. import programs
 from . import model
 
 COMPILER = ["gcc", "-std=c11"]
@@ -31,9 +32,9 @@ def noticed(trial, place_of, suite, quick=False):
     text = model.source(name)
     with tempfile.TemporaryDirectory(prefix="sphaera-fault-") as folder:
         made, _ = trial.compiled(folder, name, text[:at] + to + text[at + length:],
-                                 model.SANITIZE if sanitized else ("-O1",))
+                                 programs.SANITIZE if sanitized else ("-O1",))
         program = trial.link(folder, plain, [made], bool(sanitized))
-        return trial.run(program, quick and not sanitized and plain not in model.HARD and QUICK
+        return trial.run(program, quick and not sanitized and plain not in programs.HARD and QUICK
                          or SECONDS) != 0
 
 

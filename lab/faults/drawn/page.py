@@ -1,6 +1,6 @@
 # page.py - tables of docs/results/mutants.md: the kill rate of modules, what is left and why
 # SPDX-License-Identifier: Apache-2.0
-"""tests/mutants/equivalent.txt has the faults that no check can notice: a pattern of their names,
+"""tests/faults/equivalent.txt has the faults that no check can notice: a pattern of their names,
 a bar, and the reason."""
 import collections
 import fnmatch
@@ -8,12 +8,12 @@ import re
 import subprocess
 import sys
 
-from ..jobs import store
-from ..pages import data, place
+from ...jobs import store
+from ...pages import data, place
 from .netlist import Fault
 
 PAGE = "docs/results/mutants.md"
-EQUIVALENT = "tests/mutants/equivalent.txt"
+EQUIVALENT = "tests/faults/equivalent.txt"
 
 
 def text(fault):
