@@ -2,19 +2,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab.faults.drawn.left BUILD [BENCH...]
 Each BENCH (tb_leaf/tiny, core/EFFECTS, proof/run) tries all faults that are left in
-docs/results/data and fit into its netlist; without one, patterns of tests/faults/equivalent.txt
-are looked at alone. The tables of docs/results/mutants.md are made anew, and told to be as old as
+docs/results/data and fit into its netlist; without one, entries of tests/faults/equivalent are
+looked at alone. The tables of docs/results/mutants.md are made anew, and told to be as old as
 before. A fault whose line has moved gets the new one; if the source has it no more, what is known
 of it stays."""
-import fnmatch
 import sys
 
-from . import benches, binary, page
+from . import benches, binary, equivalent, page
 
 
 def main(build, *names):
     found = page.known()
-    reasons = page.reasons()
     for name in names:
         bench = benches.named(name, build)
         netlist = bench.netlist()
@@ -26,9 +24,10 @@ def main(build, *names):
             print(verdict, page.text(fault), flush=True)
     told = {}
     for fault, (verdict, bench, seconds) in found.items():
-        why = next((reason for pattern, reason in reasons
-                    if fnmatch.fnmatchcase(page.text(fault), pattern)), "")
+        why = ""
         if verdict in ("survived", "equivalent"):
+            why = (equivalent.rtl(page.text(fault)) or verdict == "equivalent" and
+                   equivalent.rtl(page.text(fault), True) or ("", ""))[1]
             verdict = "equivalent" if why else "survived"
         told[fault] = verdict, bench, why, seconds
     page.tables(told, rest=True)

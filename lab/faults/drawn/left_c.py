@@ -18,7 +18,7 @@ from ... import intact
 from ...jobs import store
 from ...pages import data
 from .. import programs
-from . import model
+from . import equivalent, model
 
 COMPILER = ["gcc", "-std=c11"]
 SECONDS = 60    # of a processor; a suite that is quick and not sanitized gets QUICK
@@ -63,7 +63,7 @@ def again(build, trial, pool, where, found):
 
 def main(build, *suites):
     trial = model.Trial(build, COMPILER, survey=False)
-    known = model.reasons()
+    known = equivalent.model()
     found = {row[0]: ["left", "-"] if row[0] in known else row[1:]
              for row in data.read("mutants.model_faults")[1]}
     where = {model.name_of(*p): p for p in model.places()}

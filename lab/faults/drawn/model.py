@@ -31,10 +31,10 @@ from ...jobs import store
 from ...pages import data, place
 from .. import programs
 from ..benches import Broken
+from . import equivalent
 
 FOLDERS = ("core", "engine", "fast", "machine", "math", "pixel", "prim", "render", "shade",
            "texture", "trace", "validate")      # of cmodel/
-EQUIVALENT = "tests/faults/equivalent_c.txt"   # reasons, and below each the faults it holds for
 PAGE = "docs/results/mutants.md"
 EDITS = ((r" \+ ", " - "), (r" - ", " + "), (r" \* ", " + "), (r" << ", " >> "), (r" >> ", " << "),
          (r" < ", " <= "), (r" <= ", " < "), (r" > ", " >= "), (r" >= ", " > "), (r" == ", " != "),
@@ -269,29 +269,10 @@ def main(build, count, seed, minutes, *compiler):
     told(tried, seed, len(found))
 
 
-def reasons():
-    """{fault: why nothing can notice it}"""
-    found, reason, faults = {}, [], []
-    with open(EQUIVALENT, encoding="utf-8") as f:
-        for line in [*f, "end"]:
-            if not line.strip() or line.startswith("#"):
-                continue
-            if line.startswith("    "):
-                faults[-1] += " " + line.strip()
-            elif line.startswith("  "):
-                faults.append(line.strip())
-            else:
-                if faults:
-                    found.update((fault, " ".join(reason)) for fault in faults)
-                    reason, faults = [], []
-                reason.append(line.strip())
-    return found
-
-
 def told(tried, seed, found, none=0, rest=False):
     """The tables of the page; `none`: faults that are none, and not among those tried; rest: some
     verdicts alone are new."""
-    known, counts, why, rows = reasons(), Counter(), Counter(), []
+    known, counts, why, rows = equivalent.model(), Counter(), Counter(), []
     for name, (verdict, suite, *_) in sorted(tried.items()):
         if verdict == "left" and name in known:
             verdict, suite = "equivalent", known[name]

@@ -1,19 +1,15 @@
 # page.py - tables of docs/results/mutants.md: the kill rate of modules, what is left and why
 # SPDX-License-Identifier: Apache-2.0
-"""tests/faults/equivalent.txt has the faults that no check can notice: a pattern of their names,
-a bar, and the reason."""
 import collections
-import fnmatch
 import re
 import subprocess
-import sys
 
 from ...jobs import store
 from ...pages import data, place
+from . import equivalent
 from .netlist import Fault
 
 PAGE = "docs/results/mutants.md"
-EQUIVALENT = "tests/faults/equivalent.txt"
 
 
 def text(fault):
@@ -22,41 +18,19 @@ def text(fault):
             f"{fault.mode}{other}")
 
 
-def reasons():
-    """[(pattern, reason)]: a reason stands above its patterns, which are indented."""
-    found, reason, patterns = [], [], []
-    with open(EQUIVALENT, encoding="utf-8") as f:
-        for number, line in enumerate(f, 1):
-            if not line.strip() or line.startswith("#"):
-                continue
-            if line[0] != " ":
-                if patterns:
-                    reason, patterns = [], []
-                reason.append(line.strip())
-            elif reason:
-                patterns.append(line.strip())
-                found.append((line.strip(), " ".join(reason)))
-            else:
-                sys.exit(f"{EQUIVALENT}:{number}: no reason above this pattern")
-    return found
-
-
 def verdicts(tried):
     """{fault: (killed, timeout, equivalent or survived, bench or reason)}"""
-    known, unused, found = reasons(), set(), {}
-    unused.update(pattern for pattern, _ in known)
+    found, met = {}, set()
     for fault, rounds in tried.items():
         bench, verdict, _ = rounds[-1]
         why = bench
-        if verdict == "survived":
-            for pattern, reason in known:
-                if fnmatch.fnmatchcase(text(fault), pattern):
-                    verdict, why = "equivalent", reason
-                    unused.discard(pattern)
-                    break
+        known = equivalent.rtl(text(fault)) if verdict == "survived" else None
+        if known:
+            verdict, why = "equivalent", known[1]
+            met.add(known[0])
         found[fault] = verdict, why
-    for pattern in sorted(unused):
-        print(f"mutants: {EQUIVALENT}: nothing that is left has the name {pattern}")
+    for entry in sorted({entry for entry, *_ in equivalent.entries(equivalent.RTL)} - met):
+        print(f"mutants: {equivalent.RTL}: nothing that is left falls under {entry}")
     return found
 
 
