@@ -38,8 +38,11 @@ def arguments():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
     chosen = argparse.ArgumentParser(add_help=False)
-    chosen.add_argument("pattern", nargs="?", default=os.environ.get("MUTANT", ""), metavar="PATTERN",
-                        help="faults whose name or judge has it in it, or FILE.txt: of one list ($MUTANT)")
+    chosen.add_argument("pattern", nargs="?", default=os.environ.get("MUTANT", ""),
+                        metavar="PATTERN", help="faults whose name or judge has it in it, or "
+                        "FILE.txt: of one list ($MUTANT)")
+    chosen.add_argument("--list", action="append", default=[], metavar="FILE",
+                        help=f"other lists than {records.LISTS}")
     chosen.add_argument("--by", type=groups, default=list(records.GROUPS), metavar="GROUP,...",
                         help="judges of these groups: " + ", ".join(records.GROUPS))
     built = argparse.ArgumentParser(add_help=False)
@@ -94,9 +97,9 @@ def sound(picked, longer):
     are run by tests/flow/test_benches.sh, proofs and resets by `make formal`."""
     found = {}
     for record, judges in picked:
-        for judge in judges + [j for j in record.judges if j.kind == "hard"
-                               and any(j.kind == "agree" for j in judges)]:
-            if judge.kind in ("proof", "reset", "test") or judge.kind == "bench" and not longer:
+        for judge in judges + [record.oracle()] * (record.agree() in judges):
+            if judge.kind in ("proof", "reset", "test", "naive") or (
+                    judge.kind == "bench" and not longer):
                 continue
             built = judge.words[0] if judge.kind in ("bench", "case") else judge.kind
             found.setdefault(built, {})[judge.kind, judge.words] = judge
@@ -104,7 +107,7 @@ def sound(picked, longer):
 
 
 def run(asked):
-    found = records.read()
+    found = records.read(asked.list)
     longer = asked.all or bool(asked.pattern)
     picked = [(record, [j for j in judges if longer or not j.more])
               for record, judges in chosen(found, asked.pattern, asked.by)]
@@ -186,7 +189,7 @@ def main():
             text = records.edited(asked.file, asked.old, asked.new)
             intact.write(asked.file, text)
             return
-        picked = chosen(records.read(), asked.pattern, asked.by)
+        picked = chosen(records.read(asked.list), asked.pattern, asked.by)
         if asked.command == "table":
             table.tell(picked)
         else:

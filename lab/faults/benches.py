@@ -1,4 +1,4 @@
-# benches.py - what is built around RTL with a fault: benches of modules, the commands that make them
+# benches.py - what is built around RTL with a fault: benches of modules, and their commands
 # SPDX-License-Identifier: Apache-2.0
 import glob
 import os

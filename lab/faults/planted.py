@@ -330,12 +330,9 @@ class Planting:
             return ("passed", "") if not rc else (
                 "broken", "model and RTL do not agree: " + how(text) if rc == 1
                 else f"ends with {rc}")
-        for other in self.record.judges:
-            if other.kind in ("naive", "hard"):
-                said = self.ask(other)
-                return said[0], f"model and RTL agree, {other} " + (
-                    f"notices: {said[1]}" if said[0] == "noticed" else "does not notice")
-        return "broken", "nobody to notice"
+        other = self.record.oracle()
+        what, why = self.ask(other)
+        return what, f"model and RTL agree, {other}: {why or what}"
 
     # ---- proofs ----
     def by_proof(self, judge):

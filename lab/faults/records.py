@@ -89,6 +89,11 @@ class Record:
     def agree(self):
         return next((judge for judge in self.judges if judge.kind == "agree"), None)
 
+    def oracle(self):
+        """Who notices what model and RTL agree on."""
+        found = [judge for judge in self.judges if judge.kind in ("naive", "hard")]
+        return max(found, key=lambda judge: judge.kind == "naive", default=None)
+
 
 class Refused(Exception):
     """Lists that are not as they have to be: one message a line."""
@@ -206,7 +211,7 @@ class Reader:
             key, _, value = value.partition(" ")
         words = value.split()
         kind = "agree" if key == "agree" else words.pop(0) if words else ""
-        if key not in ("by", "agree") or kind not in JUDGES or (kind == "agree") != (key == "agree"):
+        if kind not in JUDGES or key != ("agree" if kind == "agree" else "by"):
             self.say(record.file, number, f"{key}: {kind or 'nothing'} is no judge"
                      + nearest(kind, JUDGES))
             return
@@ -268,10 +273,13 @@ class Reader:
             asked = set(JUDGES[judge.kind][1].split())
             if judge.kind == "naive" and not record.agree():
                 say(judge.line, "by: naive: draws the scene of an agree, which there is not")
+            elif "model" in asked and any(edit.side == "model" and edit.file[-2:] != ".c"
+                                          for edit in record.side(judge)):
+                say(judge.line, f"by: {judge}: links one file of the model, no header")
             elif not sides or asked - sides:
                 say(judge.line, f"by: {judge}: the record edits nothing that it sees: "
                     + (" and ".join(sorted(asked - sides)) or proof_side(judge.words[0])))
-        if record.agree() and not any(j.kind in ("naive", "hard") for j in record.judges):
+        if record.agree() and not record.oracle():
             say(record.agree().line, "agree: needs a by naive or by hard")
         for edit in record.edits:
             if not os.path.isfile(edit.path):

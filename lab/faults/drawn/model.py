@@ -9,8 +9,8 @@ until one fails, hangs or crashes: those of its name first, then the quickest, o
 says run its line and that take at most LONGEST seconds. What all of them let pass the quick ones
 try once more under the sanitizers, as `make test` does. What compiles to the same instructions is
 no fault. JOBS are tried at once. A kill is kept as long as the model and the suite that it fell to
-stay, what is left as long as all suites do. lab/faults/drawn/left_c.py tries in one suite those that the
-page lists as left."""
+stay, what is left as long as all suites do. lab/faults/drawn/left_c.py tries in one suite those
+that the page lists as left."""
 import functools
 import glob
 import hashlib
@@ -128,8 +128,8 @@ class Trial:
             objects = []
             for name in sorted({n for n, *_ in places()} if len(found) < len(wanted) else ()):
                 objects.append(f"{folder}/{name[7:-2].replace('/', '-')}.o")
-                subprocess.run([*self.compiler, "-w", *programs.options(name), "-O1", "--coverage", "-c",
-                                name, "-o", objects[-1]], check=True)
+                subprocess.run([*self.compiler, "-w", *programs.options(name), "-O1",
+                                "--coverage", "-c", name, "-o", objects[-1]], check=True)
             for suite in wanted:
                 if suite in found:
                     continue
