@@ -117,8 +117,8 @@ def run(asked):
                  + records.nearest(asked.pattern, [record.name for record in found]))
     shop, tap = Shop(asked.build), Tap()
 
-    def ask(record, judges):
-        planting = Planting(shop, record)
+    def ask(record, judges, name=""):
+        planting = Planting(shop, record, name or record.name)
         try:
             said = []
             for judge in judges:
@@ -133,7 +133,7 @@ def run(asked):
         shop.prepare([judge for record, judges in picked for judge in record.judges
                       if judge in judges])
         first = sound(picked, longer)
-        sounds = pool.map(lambda judges: ask(None, judges), first)
+        sounds = pool.map(lambda named: ask(None, named[1], f"sound{named[0]}"), enumerate(first))
         faults = pool.map(lambda pick: ask(*pick), picked)
         for judges, said in zip(first, sounds):
             for judge, (what, how, log) in zip(judges, said):
@@ -171,7 +171,7 @@ def program(asked):
     shop = Shop(asked.build)
     try:
         shop.prepare([judge])
-        os.replace(Planting(shop, record).program(judge, "hard_named"), asked.out)
+        os.replace(Planting(shop, record, record.name).program(judge, "hard_named"), asked.out)
     finally:
         shop.close()
 

@@ -52,8 +52,8 @@ class Built:
             subprocess.run(["sh", "sim/at_once.sh", made, harness], check=True, stdout=f)
         with open(f"{self.build}/sim/obj/compile{effort}", encoding="utf-8") as f:
             compiler = f.readline().split()
-        shell(compiler + [*macros, "-w", "-isystem", made, "-c", f"{made}/all.cpp", "-o",
-                          f"{made}/all.o"], log)
+        shell(compiler + [*macros, "-w", "-isystem", made, "-MD", "-MF",
+                          f"{made}/all.d", "-c", f"{made}/all.cpp", "-o", f"{made}/all.o"], log)
         shell(["g++", f"{made}/all.o", *objects, f"{self.build}/libsphaera.a",
                "-Wl,--as-needed", *libraries, "-lm", "-lpthread", "-o", f"{made}/bench"], log)
         return f"{made}/bench"

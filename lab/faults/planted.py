@@ -56,7 +56,11 @@ class Shop:
     def __init__(self, build):
         self.build = build
         self.sphaera = os.environ.get("SPHAERA", f"{build}/sphaera")
-        self.folder = tempfile.mkdtemp(prefix="faults-", dir=os.environ.get("TMP") or build)
+        if "TESTING" in os.environ:     # a suite: the same name each time, by which ccache knows it
+            self.folder = os.path.relpath(os.environ["TMP"] + "/faults")
+            os.makedirs(self.folder)
+        else:
+            self.folder = tempfile.mkdtemp(prefix="faults-", dir=build)
         self.lines = benches.every(build)
         self.running, self.lock = set(), threading.Lock()
 
@@ -140,9 +144,10 @@ class Shop:
 class Planting:
     """A fault in a private copy, or the sound sources; what is built of it, each thing once."""
 
-    def __init__(self, shop, record):
+    def __init__(self, shop, record, name):
         self.shop, self.record = shop, record
-        self.folder = tempfile.mkdtemp(dir=shop.folder)
+        self.folder = f"{shop.folder}/{name}"
+        os.makedirs(self.folder)
         self.made = {}
         self.log = []
 
@@ -167,7 +172,7 @@ class Planting:
                  if path.split("/")[0] in names}
 
         def make():
-            tree = tempfile.mkdtemp(dir=self.folder)
+            tree = f"{self.folder}/tree{len(self.made)}"
             for name in names:
                 copied(name, f"{tree}/{name}")
             for path, text in texts.items():
