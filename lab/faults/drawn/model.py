@@ -16,7 +16,6 @@ import glob
 import hashlib
 import json
 import os
-import random
 import re
 import resource
 import subprocess
