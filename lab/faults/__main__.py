@@ -145,8 +145,9 @@ def run(asked):
     except Broken as why:
         sys.exit(f"lab.faults: {why}")
     finally:
-        pool.shutdown(wait=False, cancel_futures=True)
         shop.close()
+        pool.shutdown(cancel_futures=True)
+        shop.remove()
     print(f"1..{tap.count}")
     return tap.bad > 0
 
@@ -173,7 +174,7 @@ def program(asked):
         shop.prepare([judge])
         os.replace(Planting(shop, record, record.name).program(judge, "hard_named"), asked.out)
     finally:
-        shop.close()
+        shop.remove()
 
 
 def main():

@@ -30,6 +30,7 @@ HARNESS = r"verilated|simulate_(verilator|netlist|cxxrtl|host)"     # objects of
 HOW = (r"^  stage +(.*)", r"^(counter [^ ]*)", r"^(error bit [a-z_]*)", r"(no progress for .*)",
        r"^vvp ended .* time: .*u_core\.(.*)", r"^(not ok.*)", r"^ *PROVE [^:]*: (.*)",
        r"^\[  FAILED  \] (.*)", r"^(.*% wrong|.*Verilog \$finish)")
+CRASH = re.compile("core dumped|Segmentation fault|Aborted|Killed")  # as make tells of it
 
 
 def how(text):
@@ -62,22 +63,30 @@ class Shop:
         else:
             self.folder = tempfile.mkdtemp(prefix="faults-", dir=build)
         self.lines = benches.every(build)
-        self.running, self.lock = set(), threading.Lock()
+        self.running, self.closed, self.lock = set(), False, threading.Lock()
 
     def close(self):
-        for pid in list(self.running):
-            with contextlib.suppress(ProcessLookupError):
-                os.killpg(pid, signal.SIGKILL)
+        """Ends what still runs; nothing begins any more."""
+        with self.lock:
+            self.closed = True
+            for pid in self.running:
+                with contextlib.suppress(ProcessLookupError):
+                    os.killpg(pid, signal.SIGKILL)
+
+    def remove(self):
         shutil.rmtree(self.folder, ignore_errors=True)
 
     def run(self, command, say, **environment):
         """Exit code, negative for a signal; what it prints goes to `say` and is returned."""
         seen = {k: v for k, v in os.environ.items() if k not in ("MAKEFLAGS", "MFLAGS")}
-        with subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, text=True, errors="replace",
-                              env={**seen, **environment}, process_group=0) as ran:
-            with self.lock:
-                self.running.add(ran.pid)
+        with self.lock:
+            if self.closed:
+                raise Broken("is ended")
+            ran = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                   stderr=subprocess.STDOUT, text=True, errors="replace",
+                                   env={**seen, **environment}, process_group=0)
+            self.running.add(ran.pid)
+        with ran:
             try:
                 text, _ = ran.communicate(timeout=PATIENCE)
             except subprocess.TimeoutExpired:
@@ -234,7 +243,7 @@ class Planting:
                 "SEED=1"]
         self.shop.must([*make, "top"], self.say)
         rc, text = self.shop.run([*make, "run"], self.say)
-        if rc and re.search("^not ok", text, re.M) and "Segmentation" not in text:
+        if rc and re.search("^not ok", text, re.M) and not CRASH.search(text):
             return "noticed", how(text)
         return ("broken", f"ends with {rc}") if rc else ("passed", "")
 

@@ -108,4 +108,4 @@ def unmatched():
 
 
 if __name__ == "__main__":
-    sys.exit("\n".join(unmatched()))
+    sys.exit("\n".join(unmatched()) or 0)

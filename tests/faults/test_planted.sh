@@ -1,5 +1,5 @@
 #!/bin/sh
-# test_runner.sh - lab.faults: what survives or has no verdict is told; lists that are wrong, too
+# test_planted.sh - lab.faults: what survives or has no verdict is told; lists that are wrong, too
 # SPDX-License-Identifier: Apache-2.0
 set -u
 . "$(dirname "$0")/../tap.sh"
