@@ -275,6 +275,7 @@ def told(tried, seed, found, none=0, rest=False):
     for name, (verdict, suite, *_) in sorted(tried.items()):
         if verdict == "left" and name in known:
             verdict, suite = "equivalent", known[name]
+        if verdict == "equivalent":     # one whose place is gone by now keeps its reason
             why[suite] += 1
         counts[name.split("/")[0], verdict] += 1
         counts["**all**", verdict] += 1
