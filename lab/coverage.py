@@ -13,7 +13,8 @@ import subprocess
 import sys
 from collections import defaultdict
 
-from .mutants import benches, page, plan
+from .faults import benches
+from .faults.drawn import page, plan
 from .pages import place
 
 LINES = 115     # of code, of a small module
@@ -28,10 +29,9 @@ def program(bench, folder, compiler):
     os.makedirs(folder)
     log = f"{folder}/log"
     sources = glob.glob(f"rtl/*/{bench.top}.v")
-    paths = [w for d in sorted({os.path.dirname(n) for n in glob.glob("rtl/*/*.v")})
-             for w in ("-y", d, "-I" + d)]
     benches.shell(["verilator", "--cc", "--top-module", bench.top, "--coverage-line",
-                   "--coverage-toggle", "--x-assign", "unique", "--x-initial", "unique", *paths,
+                   "--coverage-toggle", "--x-assign", "unique", "--x-initial", "unique",
+                   *benches.folders(),
                    *[f"-G{n}={v}" for n, v in bench.parameters], "-Mdir", folder, *sources], log)
     model = f"{folder}/V{bench.top}.cpp"
     with open(model, encoding="utf-8") as f:

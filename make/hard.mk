@@ -5,7 +5,6 @@
 #   make hard N=175000000 STATE=file      a campaign that can be stopped and resumed
 #   make hard FAMILY=facets               one family, or those of a kind
 #   make hard ENGINE=slurm                on a cluster: docs/guide/cluster.md
-#   make hard-rtl              every fault of tests/hard/rtl_mutants.txt
 HARD_C      := $(sort $(wildcard tests/hard/*.c))
 HARD_CFLAGS := -Itests -Itests/hard -ffp-contract=off
 HARD_LIBS    = $(call pkg,--libs jansson) $(MODEL_LIBS)
@@ -35,12 +34,9 @@ hard-page: $B/test/hard ## the same, and its table and chart put into docs/resul
 
 hard-lists: $B/test/hard ## prints the named cases, their families, and which notices which fault
 	@$< --list
-	@awk -f tests/hard/faults.awk tests/hard/mutants.txt tests/hard/rtl_mutants.txt
+	@python3 -m lab.faults table --by hard,test,case
 
-hard-rtl: $(LIB) $B/test/libhard.a ## faults in the RTL that the named cases notice: all of the list
-	@ALL=1 BUILD=$B JOBS=$(JOBS) sh tests/run.sh tests/hard/test_hard_rtl.sh
-
-.PHONY: hard hard-page hard-lists hard-rtl hard-pictures
+.PHONY: hard hard-page hard-lists hard-pictures
 $B/test/obj/%.o: %.c $B/flags
 	$(call say,CC,$(<F))
 	@mkdir -p $(@D)
@@ -77,8 +73,7 @@ $B/test/hard-pictures: $(PICTURES_C:%.c=$B/test/obj/%.o) $B/test/libhard.a $(IMA
 
 # the suite runs all three
 tests/hard/test_hard.sh: | $B/test/hard $B/test/hard.sanitized $B/test/hard-pictures
-tests/flow/test_benches.sh tests/mutants/test_mutants.sh \
-    tests/hard/test_hard_rtl.sh: | $B/test/libhard.a
+tests/flow/test_benches.sh: | $B/test/libhard.a
 
 -include $(HARD_C:%.c=$B/test/obj/%.d) $(PICTURES_C:%.c=$B/test/obj/%.d) \
          $(HARD_C:%.c=$B/test/asan/%.d)

@@ -19,8 +19,8 @@ LONG    := tests/flow/test_benches.sh tests/core/test_effect_scenes.sh tests/cor
            tests/flow/test_budget.sh tests/core/test_core_optics.sh tests/core/test_core_bih.sh \
            tests/core/test_core_texture.sh tests/core/test_parameters.sh \
            tests/core/test_own_core.sh tests/top/test_cells.sh \
-           tests/hard/test_hard_rtl.sh tests/tool/test_profile.sh \
-           tests/pixel/test_background.sh tests/mutants/test_mutants.sh
+           tests/faults/test_hard_rtl.sh tests/tool/test_profile.sh \
+           tests/pixel/test_background.sh tests/faults/test_mutants.sh
 # What is quick and goes through each part of the model: `make test ONLY=.clang`.
 CLANG_C := bih bih_walk build cones facets_grid leaf_cases limits machine_bih machine_facets \
            model_optics motion reference_optics render_texture scene_make scene_optics scene_pdb
@@ -37,11 +37,8 @@ test: ## every check; ends with `N passed, M failed`
 	+@unbuilt=; $(MAKE) --no-print-directory -k suites || unbuilt=1; \
 	    UNBUILT=$$unbuilt BUILD=$B JOBS=$(JOBS) sh tests/run.sh $(RUN)
 
-.PHONY: suites mutants budget
+.PHONY: suites budget
 suites: $(if $(filter %.sh,$(RUN)),$(TOOL)) $(RUN)
-
-mutants: suites ## faults put into the RTL and what notices them: all of tests/mutants
-	@ALL=1 BUILD=$B JOBS=$(JOBS) sh tests/run.sh tests/mutants/test_mutants.sh
 
 budget: ## what cores take on ecp5, within synth/budget*.txt: with everything, nothing, the widest
 	@ALL=1 BUILD=$B JOBS=$(JOBS) sh tests/run.sh tests/flow/test_budget.sh

@@ -13,7 +13,6 @@ top_tool    = flock $B/sim/.tools.lock env -u MAKEFLAGS -u MFLAGS $(MAKE) -s --n
                   -f make/rt_top.mk B=$B DATA=$(1) CORE=$(TOP_CORE) MACHINES='$(TOP_RUNS)' \
                   SEED=$(SEED)
 
-# So are its mutants, with the golden model as the core: tests/mutants.
 # One frame of 1280x720 to decoded video, on a core that has what the scene asks for.
 HD       := $B/top/hd.sph
 hd_core   = $$($(TOOL) info $(HD) | sed -n 's/^core *//p')

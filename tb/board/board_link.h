@@ -11,7 +11,7 @@ extern "C" {
 #include "machine/machine.h"
 #include "validate/validate.h"
 }
-#ifdef GOLDEN_CORE /* lab/mutants/boards.py */
+#ifdef GOLDEN_CORE /* lab/faults/drawn/boards.py */
 #include "top/golden_core.h"
 #endif
 

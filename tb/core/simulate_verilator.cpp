@@ -28,7 +28,7 @@ void vl_finish(const char *, int, const char *) {
 
 namespace {
 
-#ifdef NETLIST /* of lab/mutants: signals of inner modules have no names in it */
+#ifdef NETLIST /* of lab/faults/drawn: signals of inner modules have no names in it */
 constexpr bool SHOWN = false;
 #else
 constexpr bool SHOWN = true;

@@ -4,7 +4,6 @@
 #   SEED=n        other lines (1)
 set -u
 . "$(dirname "$0")/../tap.sh"
-. "$(dirname "$0")/../edit.sh"
 cd "$(dirname "$0")/../.." || exit 1
 SEED=${SEED:-1}
 echo "# SEED=$SEED; again: SEED=$SEED make test ONLY=test_dram"
@@ -31,7 +30,7 @@ done <"$TMP/names"
 fault() { # what, text, what stands there instead
     rm -rf "$TMP/bad"
     cp -r "$TMP/good" "$TMP/bad"
-    FROM=$2 TO=$3 NEW=$TMP/new edit "$TMP/bad/dram.cpp" >"$TMP/said" &&
+    python3 -m lab.faults edit "$TMP/bad/dram.cpp" "$2" "$3" >"$TMP/said" 2>&1 &&
         built "$TMP/bad" -O0 >>"$TMP/said" 2>&1 && ! "$TMP/bad/check" "$SEED" >>"$TMP/said"
     tap $? "noticed: $1" "$TMP/said"
 }

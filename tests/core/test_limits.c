@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Each is a comparison that random numbers seldom meet with both sides equal;
- * tests/hard/mutants.txt moves each of them by one. Run from the root of the repository: reads
+ * tests/faults moves each of them by one. Run from the root of the repository: reads
  * scenes/.
  */
 #include "model_scene.h"

@@ -2,53 +2,13 @@
 # test_hard.sh - hard cases: named, generated, resumed; faults in the model are noticed
 # SPDX-License-Identifier: Apache-2.0
 #
-# Each mutant of tests/hard/mutants.txt is one edit in a copy of one file of the model, linked with
-# the objects of `hard`, and run on the named case that must notice it; or linked with the test that
-# must fail.
-#   MUTANT=pattern  only mutants whose name has the pattern in it
+#   MUTANT=pattern  faults in the model whose name or judge has the pattern in it
 set -u
-self=$0
 . "$(dirname "$0")/../tap.sh"
-. "$(dirname "$0")/../edit.sh"
 cd "$(dirname "$0")/../.." || exit 1
 BUILD=${BUILD:-build}
 export BUILD TMP
 hard=$BUILD/test/hard
-libs=$(pkg-config --libs jansson expat gmp mpfr)
-
-# A job file: name, file, from, to, and the number of a case or the name of a test.
-# 0: noticed, 1: not noticed, 2: could not be run.
-job() {
-    job=$1
-    {
-        IFS= read -r name
-        IFS= read -r file
-        IFS= read -r FROM
-        IFS= read -r TO
-        IFS= read -r by
-    } <"$job"
-    NEW=$job.new
-    export FROM TO NEW
-    cp "cmodel/$file" "$job.c" && edit "$job.c" || return 2
-    case $by in
-    test_*) set -- -Itests "$(find tests -name "$by.c")" -lcmocka ;;
-    *) set -- "$BUILD"/test/obj/tests/hard/*.o "$BUILD/obj/cmodel/tool/progress.o" ;;
-    esac
-    # shellcheck disable=SC2086  # a list of words on purpose
-    gcc -std=c11 -D_GNU_SOURCE -O1 -w -Icmodel "-Icmodel/${file%/*}" \
-        "$job.c" "$@" "$BUILD/libsphaera.a" $libs -lm -o "$job.run" || return 2
-    case $by in test_*) set -- ;; *) set -- --named="$by" ;; esac
-    timeout 60 "$job.run" "$@"
-    rc=$?
-    case $job in */001.job) ;; *) rm -f "$job.run" ;; esac
-    [ $rc -le 1 ] && return $((1 - rc))
-    return 2
-}
-if [ "${1:-}" = --job ]; then
-    job "$2" >"$2.log" 2>&1
-    echo $? >"$2.rc"
-    exit 0
-fi
 
 # ---- named cases ----
 "$hard" --named >"$TMP/named" 2>&1
@@ -154,34 +114,10 @@ head -n 9 "$TMP/state" >"$TMP/damaged"
 refused "a damaged state" --cases 5000 --exhaustive 0 --state "$TMP/damaged" --seed "${SEED:-1}"
 refused "a state that cannot be written" --cases 20 --exhaustive 0 --state "$TMP/none/state"
 
-# ---- mutants ----
-jobs=0
-while read -r key rest; do
-    case $key in
-    mutant) name=$rest ;;
-    file) file=$rest ;;
-    from) from=$rest ;;
-    to) to=$rest ;;
-    case | test)
-        case $name in *"${MUTANT:-}"*) ;; *) continue ;; esac
-        jobs=$((jobs + 1))
-        printf '%s\n' "$name" "$file" "$from" "$to" "$rest" >"$TMP/$(printf %03d $jobs).job"
-        ;;
-    esac
-done <tests/hard/mutants.txt
-find "$TMP" -name '*.job' | sort | xargs -P 2 -I JOB sh "$self" --job JOB
-for file in "$TMP"/*.job; do
-    name=$(sed -n 1p "$file")
-    by=$(sed -n 5p "$file")
-    case $by in test_*) ;; *) by="case $by" ;; esac
-    case $(cat "$file.rc" 2>/dev/null) in
-    0) tap 0 "mutant ($name) killed by $by" "$file.log" ;;
-    1) tap 1 "mutant ($name) survives $by" "$file.log" ;;
-    *) tap 1 "mutant ($name) cannot be run" "$file.log" ;;
-    esac
-done
+# ---- faults in the model ----
 repeats() { # a failing case is printed with a command that shows it again
-    wrong="$TMP/001.job.run"
+    wrong=$TMP/tangent-hits
+    python3 -m lab.faults program tangent-hits "$wrong" || return 1
     "$wrong" --cases 400 --exhaustive 0 --family graze0 >"$TMP/failing" && return 1
     grep -q '[1-9][0-9]* wrong$' "$TMP/failing" || return 1
     again=$(sed -n 's/^  repeat: //p' "$TMP/failing" | head -n 1)
@@ -189,5 +125,6 @@ repeats() { # a failing case is printed with a command that shows it again
     $again >"$TMP/again" && return 1
     grep 'wrong hit: hits' "$TMP/again"
 }
-[ -n "${MUTANT:-}" ] || check "a failing case is printed and can be repeated" repeats
+check "a failing case is printed and can be repeated" repeats
 done_testing
+python3 -m lab.faults run --by hard,test
