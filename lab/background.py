@@ -1,9 +1,7 @@
-#!/usr/bin/env python3
 # background.py - puts the tables of docs/results/background.md in their places
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.background PAGE FOLDER SYNTH KEY... -- NAME...
-FOLDER has NAME.json of `sphaera background` and NAME-WAY.core.json of the RTL's runs; SYNTH/KEY is
-what synth/core.sh left: the plain core first, then one with each way."""
+"""FOLDER has NAME.json of `sphaera background` and NAME-WAY.core.json of the RTL's runs; SYNTH/KEY
+is what synth/core.sh left: the plain core first, then one with each way."""
 import os
 import sys
 
@@ -103,9 +101,7 @@ def cells(synth, keys):
     return report.table(["core", "LUT4eq", "FF", "DPR16X4", "DP16KD", "MULT18X18D"], rows)
 
 
-def main(page, folder, synth, *rest):
-    keys, names = rest[:rest.index("--")], rest[rest.index("--") + 1:]
-
+def main(page, folder, synth, keys, *names):
     def views():
         return {name: whole.load(os.path.join(folder, name + ".json")) for name in names}
     place(page, "make background", {
@@ -113,8 +109,5 @@ def main(page, folder, synth, *rest):
         "setup": lambda: setup(views()[SHOWN]), "walk": lambda: walk(views()[SHOWN]),
         "series": lambda: series(views()[SHOWN]),
         "visits": lambda: counted(names, folder, "node_visits"),
-        "cycles": lambda: counted(names, folder, "cycles"), "cells": lambda: cells(synth, keys)})
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+        "cycles": lambda: counted(names, folder, "cycles"),
+        "cells": lambda: cells(synth, keys.split())})

@@ -61,9 +61,9 @@ $B/synth/%/stat.json: synth/core.sh sim/parameters.sh sim/profile.sh sim/sizes.s
 	$(Q)sh synth/core.sh $* $(@D)
 
 report: results
-	$(Q)python3 -m lab.synth.report $B/synth $(KEYS)
+	$(Q)python3 -m lab area $B/synth $(KEYS)
 
 page: $(PAGE:%=$B/synth/%/stat.json)
-	$(Q)python3 -m lab.synth.page docs/results/area.md $B/synth $(PAGE)
+	$(Q)python3 -m lab area-page docs/results/area.md $B/synth $(PAGE)
 
 -include $(patsubst %,$B/synth/%/sources.d,$(sort $(KEYS) $(PAGE)))

@@ -43,8 +43,8 @@ vpath %.nff scenes/views scenes
 background: $(TOOL) ## ways of background separation compared: docs/results/background.md
 background: $(BG_NAMES:%=$(BG)/%.json) $(BG_RUNS) $(BG_SYNTH:%=%/stat.json) \
     $(BG_DRAWN:%=$(BG_SHOWN)/%.png)
-	$(Q)python3 -m lab.background $(BG_PAGE) $(BG) $B/synth $(BG_SYNTH:$B/synth/%=%) \
-	    -- $(BG_NAMES)
+	$(Q)python3 -m lab background-page $(BG_PAGE) $(BG) $B/synth \
+	    '$(BG_SYNTH:$B/synth/%=%)' $(BG_NAMES)
 	@echo "tables and pictures in $(BG_PAGE)"
 
 $(BG)/%.json: %.nff $(TOOL)

@@ -55,7 +55,7 @@ bart-folder:
 	    test -f '$(BART)'/$$top || { echo "bart: BART=$(BART) has no $$top" >&2; exit 1; }; done
 
 bart-page: # from the results that are there
-	$(Q)python3 -m lab.bart $(BT_PAGE) $(BT) $(BT_SIZE) -- \
+	$(Q)python3 -m lab bart-page $(BT_PAGE) $(BT) $(BT_SIZE) \
 	    $(foreach n,kitchen robot museum,$n:$(BT_MID_$n):$(subst $(subst ,, ),$(comma),$(BT_AT_$n)))
 	@echo "tables in $(BT_PAGE)"
 

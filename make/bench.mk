@@ -19,8 +19,8 @@ bench-setup: ## installs Embree (apt), which make bench sets the model beside
 	@sh sim/setup.sh sim/packages_bench.txt
 
 bench: $(TOOL) $(EMBREE) ## one way of the golden model against another, and Embree, as ratios
-	$(Q)python3 -m lab.bench $(TOOL) $B/bench
-	$(Q)python3 -m lab.speed $(TOOL) $B/bench docs/results/speed.md $(EMBREE)
+	$(Q)python3 -m lab ratios $(TOOL) $B/bench
+	$(Q)python3 -m lab speed $(TOOL) $B/bench docs/results/speed.md $(EMBREE)
 
 hashes: $(TOOL) $B/test/naive-frame ## write scenes/hashes*.txt: what both models draw now
 	$(Q)SPHAERA=$(TOOL) sh sim/hashes.sh >$B/hashes.txt
@@ -29,7 +29,7 @@ hashes: $(TOOL) $B/test/naive-frame ## write scenes/hashes*.txt: what both model
 	$(Q)mv $B/hashes.txt scenes/hashes_naive.txt
 
 trees: $(TOOL) ## trees beside each other and against a bound: docs/results/trees.md; two minutes
-	$(Q)python3 -m lab.trees $(TOOL) $B/trees docs/results/trees.md
+	$(Q)python3 -m lab trees --build $B
 
 kinds: $(TOOL) ## kinds of trees beside each other, a kd-tree too: docs/results/trees.md
-	$(Q)python3 -m lab.kinds $(TOOL) docs/results/trees.md
+	$(Q)python3 -m lab kinds --build $B

@@ -17,13 +17,13 @@ effects: ## docs/results/effects.md: each effect of each scene, cells and time i
 	+$(Q)$(MAKE) --no-print-directory -f make/area.mk results B=$B V=$(V) \
 	    EFFECTS="$$(cat $E/lists)"
 	+$(Q)$(MAKE) --no-print-directory effects-runs
-	$(Q)python3 -m lab.effects.page docs/results/effects.md $E $B/synth
+	$(Q)python3 -m lab effects effects.page --build $B
 
 effects-machines: $(TOOL)
-	$(Q)python3 -m lab.effects.scenes $(TOOL) $E $B/synth
+	$(Q)python3 -m lab effects effects.scenes --build $B
 
 effects-runs: $(EFFECTS_RUNS)
 
 $E/%.json: $E/%.sph $E/%.forced.sph $(EFFECTS_SOURCES)
 	$(call say,SIM,$*)
-	+$(Q)BUILD=$B python3 -m lab.effects.run $(TOOL) $E $*
+	+$(Q)BUILD=$B python3 -m lab effects-run $(TOOL) $E $*

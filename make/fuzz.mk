@@ -116,7 +116,7 @@ fuzz: ## readers of files and options: MINUTES for each HARNESS; docs/results/fu
 
 .PHONY: fuzz-page
 fuzz-page: ## what make fuzz has run, into docs/results/fuzz.md
-	$(Q)python3 -m lab.fuzz $(FUZZ)/runs.tsv docs/results/fuzz.md
+	$(Q)python3 -m lab fuzz-page $(FUZZ)/runs.tsv docs/results/fuzz.md
 
 # ---- faults on the way of files ----
 .PHONY: faults

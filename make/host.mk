@@ -6,7 +6,7 @@ host: $(TOOL) ## TRIALS of what a host may do to a core, SEED; ten minutes of a 
 	$(Q)BUILD=$B SPHAERA=$(TOOL) SEED=$(SEED) TRIALS=$(TRIALS) sh sim/host.sh $(ONLY)
 
 host-page: host-whole host ## the same, and what was met into docs/results/host.md
-	$(Q)python3 -m lab.pages.place docs/results/host.md \
+	$(Q)python3 -m lab place docs/results/host.md \
 	    "make host-page SEED=$(SEED) TRIALS=$(TRIALS)" events $B/host/events.md
 
 host-whole:

@@ -5,5 +5,4 @@
 
 .PHONY: moving
 moving: $(TOOL) ## build, refit, upload and draw, frame by frame: docs/results/moving.md
-	$(Q)python3 -m lab.moving.measure $(TOOL) $B/moving
-	$(Q)python3 -m lab.moving.page docs/results/moving.md $B/moving
+	$(Q)python3 -m lab moving --build $B

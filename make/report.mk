@@ -12,7 +12,7 @@ gallery: $B/gallery.html ## all scenes of scenes/ as the model draws them, on on
 
 $B/gallery.html: $(GALLERY) $(wildcard lab/report/*)
 	$(call say,PAGE,gallery.html)
-	$(Q)python3 -m lab.report.gallery $B/gallery $@
+	$(Q)python3 -m lab gallery $B/gallery $@
 
 $B/gallery/%.json: scenes/%.nff $(TOOL)
 	$(call say,DRAW,$*)

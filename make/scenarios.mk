@@ -12,12 +12,11 @@ SCN_DRAWN := depth1-1 depth3-1 depthinfinity-1 depthinfinity-64 depthinfinity-32
 .PHONY: scenarios scenarios-rtl
 scenarios: ## a BIH on the scenes of its thesis: docs/results/scenarios.md
 scenarios: $(TOOL) $(SCN_DRAWN:%=$(SCN_SHOWN)/%.png)
-	$(Q)python3 -m lab.scenarios.measure $(TOOL) $(SCN)
-	$(Q)python3 -m lab.scenarios.page docs/results/scenarios.md $(SCN)
+	$(Q)python3 -m lab scenarios --build $B
 	@echo "tables and pictures in docs/results/scenarios.md"
 
 scenarios-rtl: $(TOOL)
-	$(Q)python3 -m lab.scenarios.measure $(TOOL) $(SCN) --rtl
+	$(Q)python3 -m lab scenarios-rtl --build $B
 
 $(SCN)/drawn.nff: $(TOOL)
 	@mkdir -p $(@D)

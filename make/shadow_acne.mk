@@ -7,7 +7,7 @@ ACNE_C := $(sort $(wildcard tests/shadow_acne/*.c))
 
 .PHONY: shadow-acne
 shadow-acne: $B/test/shadow_acne $(TOOL) ## falsely dark pixels of triangles: docs/design/facet.md
-	$(Q)python3 -m lab.shadow_acne $(TOOL) $< $B/shadow_acne docs/design/facet.md
+	$(Q)python3 -m lab shadow-acne-run $(TOOL) $< $B/shadow_acne docs/design/facet.md
 
 $B/test/shadow_acne: $(ACNE_C:%.c=$B/test/obj/%.o) $(LIB)
 	$(call say,LD,$(@F))

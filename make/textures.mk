@@ -78,13 +78,13 @@ TEX_FIRST = $(TEX_NAMES:%=$(TEX)/%-truth.tif) $(TEX_BOTH:%=$(TEX)/%.png) \
             $(TEX_LOD_BOTH:%=$(TEX)/%.png) $(TEX_BOTH:%=$(TEX)/%.sph) $(TEX_MACHINES:%=$(TEX)/%.sph)
 TEX_OF    := cmodel/**/*.[ch],cmodel/**/*.cpp,cmodel/machine/*.def,rtl/*/*.v,rtl/*/*.vh,$\
              scenes/texture/*,make/textures.mk
-tex_jobs   = python3 -m lab.jobs.targets plan textures $B $(TEX)/results $(TEX)/$(1) \
+tex_jobs   = python3 -m lab target-plan textures $B $(TEX)/results $(TEX)/$(1) \
                  '$(TEX_OF)' $(2) && $(call jobs_run,$(TEX)/$(1))
 
 textures-page: # from the results that are there
 	@mkdir -p $(TEX) $(TEX_SHOWN)
-	$(Q)python3 -m lab.textures.page $(TEX_PAGE) docs/results/accuracy.md $(TEX) $(TEX_SHOWN) \
-	    $(TEX_SIZE) $(TEX_RTL) -- $(TEX_NAMES)
+	$(Q)python3 -m lab textures-page $(TEX_PAGE) docs/results/accuracy.md $(TEX) $(TEX_SHOWN) \
+	    $(TEX_SIZE) $(TEX_RTL) $(TEX_NAMES)
 	@echo "tables in $(TEX_PAGE) and docs/results/accuracy.md, plot in $(TEX_SHOWN)"
 
 TEX_IMAGES := $(wildcard scenes/texture/*.png)

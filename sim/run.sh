@@ -105,7 +105,7 @@ if [ "$rc" = 1 ] && [ "$SIM" = verilator ] && [ -n "$repeat" ]; then
     sh -c "${repeat%pixel.fst}'$run/pixel.fst'" >"$run/pixel.log" 2>&1 || : # it fails again
 fi
 case ${CSV:-} in '' | /*) ;; *) CSV=${FROM:-.}/$CSV ;; esac
-BUILD=$BUILD python3 -m lab.report "$run" ${CSV:+--csv "$CSV"} || exit 1
+BUILD=$BUILD python3 -m lab report "$run" ${CSV:+--csv "$CSV"} || exit 1
 echo "pictures and report in $run/"
 sed -n '$s/^core \(.*mismatches\);.*/sim \1/p' "$run/log"
 exit "$rc"

@@ -42,7 +42,7 @@ flock "$BUILD/sim/.tools.lock" env -u MAKEFLAGS -u MFLAGS make -s --no-print-dir
 "$BUILD/sim/tb_frames-$name/tb_frames" "$LATENCY" "$STALL" "$SEED" "$run" "$@" \
     >"$run/checks" || { cat "$run/checks"; exit 1; }
 [ -z "${MOVIE:-}" ] || "$tool" movie -o "$MOVIE" "$run"/shown-*.ppm >&2
-python3 -m lab.top.frames "$run"
+python3 -m lab image-times "$run"
 cat "$run/checks"
-python3 -m lab.report.film "$run" "${REPEATED:-}"
+python3 -m lab film-report "$run" "${REPEATED:-}"
 echo "report in $run/"

@@ -1,10 +1,8 @@
-#!/usr/bin/env python3
 # run.py - one scene on the core of its list and on the whole core, in turn
 # SPDX-License-Identifier: Apache-2.0
-"""usage: [BUILD=build] python3 -m lab.effects.run TOOL FOLDER NAME
-Reads NAME.sph, NAME.forced.sph and NAME.build.json of FOLDER, writes NAME.json. Speed is processor
-time of the simulation alone, the best of ROUNDS, both cores in turn; every run must be without a
-mismatch."""
+"""Reads NAME.sph, NAME.forced.sph and NAME.build.json of FOLDER, writes NAME.json. Speed is
+processor time of the simulation alone, the best of ROUNDS, both cores in turn; every run must be
+without a mismatch."""
 import json
 import os
 import re
@@ -68,7 +66,3 @@ def main(tool, folder, name):
     result.update(runs=runs, model=model(tool, base + ".sph", folder, name),
                   model_forced=model(tool, base + ".forced.sph", folder, name))
     intact.write(base + ".json", json.dumps(result, indent=1))
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

@@ -1,15 +1,12 @@
-#!/usr/bin/env python3
 # scenes.py - machines of every scene for `make effects`, and the lists of their cores
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.effects.scenes TOOL FOLDER SYNTH
-Leaves in FOLDER, for each scene of scenes/ and its folders, of scenes/effects those that are
+"""Leaves in FOLDER, for each scene of scenes/ and its folders, of scenes/effects those that are
 simulated in full or show one effect: NAME.sph as the scene asks, NAME.forced.sph with every effect
 forced on, NAME.build.json, both rewritten only if they changed; lists: what is to be synthesised;
 scenes: names in the order of the report, with a point for the stroke of a folder."""
 import json
 import os
 import subprocess
-import sys
 from pathlib import Path
 
 from .. import intact
@@ -95,7 +92,3 @@ def main(tool, folder, synth):
           f"before.\n  What is new takes about {SECONDS} s of a processor a core, "
           f"{len(wanted) * SECONDS // 60} minutes for all,\n  and about half a minute a scene.",
           flush=True)
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

@@ -1,10 +1,7 @@
-#!/usr/bin/env python3
 # targets.py - files that a makefile makes as jobs: a target each
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.jobs.targets plan WHAT BUILD RESULTS LIST PATTERN,... TARGET...
-       python3 -m lab.jobs.targets one BUILD RESULTS KEY PATTERN,...
-A job is `make TARGET`; its result holds the digest of the file, and counts while the files of the
-PATTERNs are the same. Targets of one list do not need each other; what they need is there. What
+"""A job is `make TARGET`; its result holds the digest of the file, and counts while the files of
+the PATTERNs are the same. Targets of one list do not need each other; what they need is there. What
 counts gets the time of now, so that make takes it to be as new as it is."""
 import os
 import subprocess
@@ -17,7 +14,7 @@ GUESS = 10  # seconds
 
 
 def write(what, build, results, name, patterns, *targets):
-    command = ["python3", "-m", "lab.jobs.targets", "one", build, results]
+    command = ["python3", "-m", "lab", "target-job", build, results]
     jobs = [plan.job(results, f"{what} {t}", [*command, f"{what} {t}", patterns], GUESS)
             for t in targets]
     left = {job["key"] for job, _ in plan.missing(results, jobs)}
@@ -40,9 +37,3 @@ def one(build, results, key, patterns):
     if ran.returncode or not os.path.exists(target):
         sys.exit(f"{target} was not made")
     store.save(results, key, patterns.split(","), True, time.monotonic() - began, [target])
-
-
-if __name__ == "__main__":
-    if len(sys.argv) < 6 or sys.argv[1] not in ("plan", "one"):
-        sys.exit(__doc__)
-    {"plan": write, "one": one}[sys.argv[1]](*sys.argv[2:])

@@ -52,7 +52,7 @@ says() { grep -q -e "$1" "$2" || { cat "$2" && false; }; }
 make help-all >"$TMP/help" 2>&1
 check "make help-all names it" says dummyN "$TMP/help"
 
-python3 -m lab.pages docs/reference/core.md >"$TMP/pages" 2>&1 || cat "$TMP/pages"
+python3 -m lab pages docs/reference/core.md >"$TMP/pages" 2>&1 || cat "$TMP/pages"
 check "the page of the core has it" says \
     '^- `dummy`, `DUMMY` = 3 (0..3, bit [0-9]*): does nothing' docs/reference/core.md
 check "... once" sh -c '[ "$(grep -c DUMMY docs/reference/core.md)" = 1 ]'
