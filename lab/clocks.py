@@ -30,8 +30,8 @@ class Clock(NamedTuple):
 
 @lru_cache(maxsize=None)
 def key(profile, effects, **variables):
-    """The key of a core; variables as sim/key.sh takes them: PIPES, SIZES..."""
-    ran = subprocess.run(["sh", "sim/key.sh", profile, effects, "ecp5"], check=True, text=True,
+    """The key of a core; variables as sim/cores.py takes them: PIPES, SIZES..."""
+    ran = subprocess.run(["sim/cores.py", "key", profile, effects, "ecp5"], check=True, text=True,
                          env=dict(os.environ, **{k: str(v) for k, v in variables.items()}),
                          stdout=subprocess.PIPE)
     return ran.stdout.strip()

@@ -27,7 +27,7 @@ BG_CORE_exact0 := +cones1
 BG_CORE_exact1 := +cones4
 BG_CORE_exact2 := +cones16
 BG_RUNS   := $(foreach w,$(BG_WAYS),$(BG_NAMES:%=$(BG)/%-$w.core.json))
-BG_KEY     = $(shell sh sim/key.sh standard '$(BG_PLAIN)$(BG_CORE_$(1))' ecp5)
+BG_KEY     = $(shell sim/cores.py key standard '$(BG_PLAIN)$(BG_CORE_$(1))' ecp5)
 # asked for where it is needed: it takes a moment
 BG_SYNTH  := $(if $(filter background,$(MAKECMDGOALS)),$(foreach \
                  w,$(BG_WAYS),$B/synth/$(call BG_KEY,$w)))

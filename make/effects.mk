@@ -8,7 +8,7 @@
 
 E := $B/effects
 EFFECTS_SOURCES := $(shell find rtl tb/core -name '*.v' -o -name '*.vh' -o -name '*.cpp' -o \
-                       -name '*.h') lab/effects/run.py sim/core.sh make/core.mk sim/parameters.sh
+                       -name '*.h') lab/effects/run.py sim/core.sh make/core.mk sim/cores.py
 EFFECTS_RUNS = $(patsubst %.sph,%.json,$(filter-out %.forced.sph,$(wildcard $E/*.sph)))
 
 .PHONY: effects effects-machines effects-runs

@@ -54,8 +54,9 @@ cocotb: $B/top/tiny.sph ## rt_top between masters and slaves of cocotbext-axi in
 	$(Q)$(TOOL) render $< --frame $B/top/tiny.frame >$B/top/tiny.log
 	$(Q)if [ -x $(bus_python) ]; then for data in $(TOP_DATA); do \
 	    PATH=$(call absolute,$(BUS_VENV))/bin:$$PATH $(bus_python) -m lab cocotb \
-	    $(call absolute,$B)/top/cocotb-$$data $< $B/top/tiny.frame $$data $$(sh sim/profile.sh draft) \
-	    $$(sh sim/parameters.sh $(TOP_CORE)) >$B/top/cocotb.log 2>&1 || \
+	    $(call absolute,$B)/top/cocotb-$$data $< $B/top/tiny.frame $$data \
+	    $$(sim/cores.py profile draft) $$(sim/cores.py parameters $(TOP_CORE)) \
+	    >$B/top/cocotb.log 2>&1 || \
 	    { cat $B/top/cocotb.log; exit 1; }; tail -n 1 $B/top/cocotb.log; done; \
 	    else echo "cocotb: nothing is run, it is absent: make bus-setup"; fi
 

@@ -10,7 +10,7 @@
 set -euf
 cd "$(dirname "$0")/.."
 tool=$BUILD/sphaera
-scene=$(sh sim/scene.sh "$SCENE")
+scene=$(sim/scene.py "$SCENE")
 run=$BUILD/out/top-$(printf '%s\n' "$scene" "$FRAMES" "$BUILD_OPTIONS" "$LATENCY" "$STALL" \
     "$SEED" "$PROFILE" "${LAYERS:=0}" | sha256sum | cut -c 1-8)
 mkdir -p "$run"

@@ -24,7 +24,7 @@ PRICED = {"texture": "all+refract+specular+sum", "refract": "all+texture+specula
 
 def names(which):
     """Words of the list of effects: those of the core `all`, those that have a count."""
-    ran = subprocess.run(["sh", "sim/parameters.sh", "--names", which], check=True,
+    ran = subprocess.run(["sim/cores.py", "parameters", "--names", which], check=True,
                          stdout=subprocess.PIPE)
     return ran.stdout.decode().split()
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Synthesises what is old; --check says what is, and exits with 1 if anything is.
 
-A page names a core by its list of effects (sim/parameters.sh), profile standard, one engine, ECP5.
+A page names a core by its list of effects (sim/cores.py), profile standard, one engine, ECP5.
 The record has its cells, commit and day, and the digest of the RTL files that it was read from,
 by which `make pages` tells whether to synthesise it anew. Comments and white space do not count.
 A page shows what the record has, however old."""
@@ -137,8 +137,8 @@ def sources(modules):
 def parameters(core_list):
     """What the core is elaborated with."""
     words = []
-    for command in ["sim/profile.sh", "standard"], ["sim/parameters.sh", core_list]:
-        words += subprocess.run(["sh", *command], check=True,
+    for command in ["profile", "standard"], ["parameters", core_list]:
+        words += subprocess.run(["sim/cores.py", *command], check=True,
                                 stdout=subprocess.PIPE).stdout.decode().split()
     return words
 

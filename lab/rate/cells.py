@@ -19,7 +19,7 @@ def cells(build, core):
     of = {"PROFILE": "standard", "EFFECTS": cores.SPHERES, **core.variables()}
     cores.run("make", "--no-print-directory", f"B={build}", "synth",
               *(f"{name}={value}" for name, value in of.items()))
-    key = cores.run("sh", "sim/key.sh", of["PROFILE"], of["EFFECTS"], "ecp5", **core.variables())
+    key = cores.run("sim/cores.py", "key", of["PROFILE"], of["EFFECTS"], "ecp5", **core.variables())
     return results.read(f"{build}/synth/{key.strip()}")["core"]
 
 

@@ -11,7 +11,7 @@ set -u
 . "$(dirname "$0")/../tap.sh"
 cd "$(dirname "$0")/../.." || exit 1
 BUILD=${BUILD:-build}
-key=$(sh sim/key.sh standard none ecp5)
+key=$(sim/cores.py key standard none ecp5)
 run=$BUILD/synth/$key
 
 if ! command -v yosys >"$TMP/yosys"; then
@@ -23,7 +23,7 @@ held() { # profile, list, budget: synthesised; a line for each of the budget's m
     check "synthesis of $1 with $2; no loop, no undriven net" \
         env -u MAKEFLAGS -u MFLAGS make -s -f make/area.mk results B="$BUILD" PROFILES="$1" \
         EFFECTS="$2"
-    python3 -m lab budget "$BUILD/synth/$(sh sim/key.sh "$1" "$2" ecp5)" "$3" |
+    python3 -m lab budget "$BUILD/synth/$(sim/cores.py key "$1" "$2" ecp5)" "$3" |
         sed "s/ecp5/& $2:/" >>"$TMP/lines"
 }
 held standard none synth/budget_none.txt

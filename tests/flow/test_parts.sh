@@ -39,13 +39,14 @@ check "make layout once more writes nothing" \
     sh -c 'touch "$1"; make layout; ! find . -newer "$1" -name "*.v" | grep .' - "$TMP/stamp"
 
 # ---- names of cores ----
-has() { sh sim/parameters.sh "$1" | grep -q "\\bDUMMY=$2\\b"; }
+has() { sim/cores.py parameters "$1" | grep -q "\\bDUMMY=$2\\b"; }
 check "parameters: all" has all 3
 check "parameters: none" has none 0
 check "parameters: all-dummy" has all-dummy 0
 check "parameters: a count" has inside+dummy2 2
 check "parameters: all-inside leaves it out too" has all-inside 0
-refuses() { ! sh sim/parameters.sh "$1" 2>"$TMP/why" && cat "$TMP/why" && grep -q "$2" "$TMP/why"; }
+refuses() { ! sim/cores.py parameters "$1" 2>"$TMP/why" && cat "$TMP/why" &&
+    grep -q "$2" "$TMP/why"; }
 check "parameters: a count that is too large" refuses inside+dummy4 'dummy4 names nothing'
 check "parameters: what it needs" refuses dummy1 'dummy1: dummy needs inside'
 says() { grep -q -e "$1" "$2" || { cat "$2" && false; }; }
@@ -59,7 +60,7 @@ check "... once" sh -c '[ "$(grep -c DUMMY docs/reference/core.md)" = 1 ]'
 
 # ---- the core elaborates with it and without, silently ----
 elaborate() { # list
-    parameters=$(sh sim/parameters.sh "$1") || return 1
+    parameters=$(sim/cores.py parameters "$1") || return 1
     # shellcheck disable=SC2046,SC2086  # words
     set -- $(printf ' -Ptb_core_icarus.%s' $parameters) \
         $(find rtl -name '*.vh' -exec dirname {} + | sort -u | sed 's/^/-I/') \

@@ -78,7 +78,7 @@ job() {
         "$here/literal.o" "$BUILD/libsphaera.a" -Wl,--wrap=sph_render -ljansson -lm -lpthread \
         -o "$here/harness" || return 2
     set -- --machine "$here/scene.sph" --engine "$folder/tb_core.vvp" --core "$core" \
-        --built "$(sh sim/parameters.sh "$core")" --watchdog 5000 --latency 5 --stall 20 --seed 7
+        --built "$(sim/cores.py parameters "$core")" --watchdog 5000 --latency 5 --stall 20 --seed 7
     "$here/harness" "$@" || { echo "model and RTL do not agree" && return 2; }
     "$BUILD/sim/tb_core_icarus" "$@" --stop >"$here/sound" && echo "the scene does not show it"
 

@@ -12,7 +12,7 @@ made() {
         --background rect -o "$TMP/m.sph" && "$tool" render "$TMP/m.sph" --frame "$TMP/m.frame" &&
         python3 -m lab show-files "$TMP" "$TMP/m.sph" "$TMP/m.frame"
     words=$("$tool" info "$TMP/m.sph" | sed -n 's/^core *//p')
-    core=$( (sh sim/profile.sh draft && sh sim/parameters.sh "$words") | tr ' ' '\n' |
+    core=$( (sim/cores.py profile draft && sim/cores.py parameters "$words") | tr ' ' '\n' |
         sed -n 's/\(.*\)=\(.*\)/.\1(\2)/p' | paste -sd,)
 }
 built() { # layers
