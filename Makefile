@@ -145,13 +145,11 @@ setup: ## install missing packages (apt), see sim/packages.txt
 all: tool ## everything that is built without simulators
 tool: $(TOOL) ## the command-line tool build/sphaera
 
-include make/objects.mk make/sim.mk make/pages.mk make/bench.mk make/lint.mk make/background.mk \
-        make/textures.mk make/scenarios.mk make/study.mk make/synth.mk make/effects.mk \
-        make/package.mk make/install.mk make/test.mk make/image.mk make/hard.mk make/formal.mk \
-        make/truth.mk make/top.mk make/bart.mk make/papers.mk make/moving.mk make/python.mk \
-        make/report.mk make/board.mk make/jobs.mk make/litex.mk make/view.mk make/film.mk \
-        make/rate.mk make/shadow_acne.mk make/host.mk make/campaign.mk make/fuzz.mk \
-        make/common_mode.mk make/neon.mk
+include make/objects.mk make/sim.mk make/pages.mk make/bench.mk make/lab.mk make/lint.mk \
+        make/study.mk make/synth.mk make/package.mk make/install.mk make/test.mk make/image.mk \
+        make/hard.mk make/formal.mk make/truth.mk make/top.mk make/python.mk make/report.mk \
+        make/board.mk make/jobs.mk make/litex.mk make/view.mk make/film.mk make/host.mk \
+        make/campaign.mk make/fuzz.mk make/common_mode.mk make/neon.mk
 
 # Checked here, since make/objects.mk may make a target of any goal.
 ifneq ($(MAKECMDGOALS),)

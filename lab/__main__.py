@@ -3,9 +3,10 @@
 import argparse
 import importlib
 import os
+import re
 import sys
 
-from . import table
+from . import table, tasks
 
 HEAD = """usage: python3 -m lab COMMAND [ARGUMENT...]       from the root of the tree
        python3 -m lab COMMAND --help
@@ -58,21 +59,50 @@ def command(name, words):
     return run(*positional, **{option: value for option, value in chosen.items() if value})
 
 
+def on_cluster(row, build, listed, sources):
+    """What is in the build folder, as jobs: those that wait for nothing, then what waits for them,
+    and so on."""
+    from .jobs import run, targets
+    left = [task for task in listed if task.target.startswith(f"{build}/")]
+    rounds = 0
+    while left:
+        coming = {task.target for task in left}
+        ready = [task.target for task in left if coming.isdisjoint(task.needs)]
+        left = [task for task in left if task.target not in ready]
+        name = f"{build}/{row.name}/jobs{rounds}"
+        targets.write(row.name, build, f"{build}/{row.name}/results", name, sources, *ready)
+        if run.main("slurm", name):
+            sys.exit(1)
+        rounds += 1
+
+
 def experiment(row, words):
-    steps = {step.split()[0]: step.split()[1:] for step in row.steps}
-    parser, _ = parser_of(row.name, "", row.text, "steps: " + ", ".join(row.steps))
-    parser.add_argument("steps", nargs="*", metavar="STEP", help="only these, by their first words")
-    parser.add_argument("--build", default=os.environ.get("BUILD", "build"),
+    steps = {re.split("[.:]", step.split()[0])[-1]: step.split() for step in row.steps}
+    parser, _ = parser_of(row.name, "", row.text, "steps:\n  " + "\n  ".join(
+        ([f"the files of {row.files}"] if row.files else []) + row.steps))
+    parser.add_argument("steps", nargs="*", metavar="STEP", help="only these, by the last word of "
+                        "their module or function")
+    parser.add_argument("--build", default=os.environ.get("BUILD") or "build",
                         help="folder of all that is built")
+    if row.files:
+        parser.add_argument("--file", action="append", metavar="FILE", help="only this file")
     given = parser.parse_args(words)
     for wrong in set(given.steps) - set(steps):
         parser.error(f"no step {wrong}; there are {', '.join(steps)}")
-    for step in given.steps or steps:
-        run, _ = function(step)
-        arguments = [given.build + w[5:] if w.split("/")[0] == "BUILD" else
-                     f"{given.build}/sphaera" if w == "TOOL" else w for w in steps[step]]
+    build, files = given.build, getattr(given, "file", None)
+    os.environ["BUILD"] = build
+    if row.files and not given.steps:
+        module = importlib.import_module(f"lab.{row.files}")
+        listed = module.tasks(build)
+        if os.environ.get("ENGINE") == "slurm" and not files and hasattr(module, "OF"):
+            on_cluster(row, build, listed, module.OF)
+        tasks.make_all(listed, files or ())
+    for step in given.steps or (() if files else steps):
+        arguments = [build + w[5:] if w.split("/")[0] == "BUILD" else
+                     f"{build}/sphaera" if w == "TOOL" else w for w in steps[step][1:]]
         options = {w[2:].replace("-", "_"): True for w in arguments if w.startswith("--")}
-        run(*[w for w in arguments if not w.startswith("--")], **options)
+        words = [w for w in arguments if not w.startswith("--")]
+        function(steps[step][0])[0](*words, **options)
 
 
 def main(words):

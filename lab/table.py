@@ -5,35 +5,46 @@ NAME has to be there, [NAME] may be, NAME... are one or more, [NAME...] any numb
 option without a value, --name=VALUE one that has one. `python3 -m lab NAME --help` adds what the
 module says of itself.
 
-An experiment is (name, what it does, steps). A step is a module or module:function with its
-arguments, in which TOOL is the command-line tool and BUILD the folder of all that is built.
-`make NAME` makes the tool and runs the steps, `python3 -m lab NAME` the steps alone."""
+An experiment is (name, what it does, steps, files). A step is a module or module:function with its
+arguments, in which TOOL is the command-line tool and BUILD the folder of all that is built. files:
+a module whose tasks(BUILD) are made before (tasks.py); with ENGINE=slurm on a cluster, if it has
+OF: a result counts while the files of these patterns are the same. `make NAME` makes the tool and runs all of it,
+`python3 -m lab NAME` without the tool, `python3 -m lab NAME STEP` a step."""
 from collections import namedtuple
 
 Command = namedtuple("Command", "name run arguments text")
-Experiment = namedtuple("Experiment", "name text steps")
+Experiment = namedtuple("Experiment", "name text steps files", defaults=(None,))
 
 EXPERIMENTS = [Experiment(*row) for row in (
-    ("trees", "trees beside each other and against a bound: docs/results/trees.md; two minutes",
-     ["trees TOOL BUILD/trees docs/results/trees.md"]),
-    ("kinds", "kinds of trees beside each other, a kd-tree too: docs/results/trees.md",
-     ["kinds TOOL docs/results/trees.md"]),
-    ("moving", "build, refit, upload and draw, frame by frame: docs/results/moving.md",
-     ["moving.measure TOOL BUILD/moving", "moving.page docs/results/moving.md BUILD/moving"]),
+    ("background", "ways of background separation compared: docs/results/background.md",
+     ["background:synthesised BUILD", "background docs/results/background.md BUILD"], "background"),
+    ("textures", "experiments of the texture paper: docs/results/texture_results.md; ten minutes",
+     ["textures.page docs/results/texture_results.md docs/results/accuracy.md BUILD/textures "
+      "docs/pictures/textures 480x270 160x90 kitchen robot museum"], "textures.runs"),
+    ("bart", "the texture paper's own scenes, in the folder BART: docs/results/bart.md; an hour",
+     ["bart.runs:tables docs/results/bart.md BUILD"], "bart.runs"),
     ("scenarios", "a BIH on the scenes of its thesis: docs/results/scenarios.md",
      ["scenarios.measure TOOL BUILD/scenarios",
+      "scenarios.pictures TOOL BUILD/scenarios docs/pictures/bih",
       "scenarios.page docs/results/scenarios.md BUILD/scenarios"]),
-    ("scenarios-rtl", "their frames on the RTL, in the tables of cycles; an hour",
+    ("scenarios-rtl", "their frames on the RTL, for the tables of cycles; an hour",
      ["scenarios.measure TOOL BUILD/scenarios --rtl"]),
-    ("scenarios-rtl-small", "the small ones of these frames",
+    ("scenarios-rtl-small", "the small ones of these frames; five minutes",
      ["scenarios.measure TOOL BUILD/scenarios --rtl-small"]),
     ("effects", "cells and time of each effect of each scene: docs/results/effects.md; 50 minutes",
-     ["effects.scenes TOOL BUILD/effects BUILD/synth",
+     ["effects.scenes TOOL BUILD/effects BUILD/synth", "effects.scenes:cores BUILD",
+      "effects.run:every TOOL BUILD/effects",
       "effects.page docs/results/effects.md BUILD/effects BUILD/synth"]),
+    ("moving", "build, refit, upload and draw, frame by frame: docs/results/moving.md",
+     ["moving.measure TOOL BUILD/moving", "moving.page docs/results/moving.md BUILD/moving"]),
     ("papers", "the three papers claim by claim: docs/results/claims.md; five minutes",
      ["papers.measure TOOL BUILD/papers", "papers.why TOOL BUILD/papers",
       "papers.pictures BUILD/papers docs/pictures/papers",
       "papers.page docs/results/claims.md BUILD/papers BUILD/synth"]),
+    ("trees", "trees beside each other and against a bound: docs/results/trees.md; two minutes",
+     ["trees TOOL BUILD/trees docs/results/trees.md"]),
+    ("kinds", "kinds of trees beside each other, a kd-tree too: docs/results/trees.md",
+     ["kinds TOOL docs/results/trees.md"]),
     ("summary", "cycles a pixel of scenes at the profile that auto takes: summary.md",
      ["summary:profiles BUILD", "summary BUILD docs/results/summary.md"]),
     ("pipes", "cycles of 1 to 4 traversal pipes: docs/results/pipes.md; half an hour",
@@ -42,6 +53,8 @@ EXPERIMENTS = [Experiment(*row) for row in (
      ["rate.cells BUILD docs/results/pipes.md"]),
     ("board-rate", "clocks of frames of 1280x720, that frames a second follow from: pipes.md",
      ["rate.board BUILD docs/results/pipes.md"]),
+    ("shadow-acne", "falsely dark pixels of triangles: docs/design/facet.md; ten minutes",
+     ["shadow_acne TOOL BUILD/test/shadow_acne BUILD/shadow_acne docs/design/facet.md"]),
 )]
 
 GROUPS = {
@@ -57,14 +70,9 @@ GROUPS = {
         ("commit", "pages.board:commit", "", "commit and day of the sources as they are"),
         ("board-data", "pages.board", "BOARD FOLDER", "cells and clocks of a board's bitstream"),
         ("profiles", "summary:profiles", "BUILD [FILE]", "what auto takes for the scenes of pages"),
-        ("bart-page", "bart", "PAGE FOLDER SIZE SCENE...", "docs/results/bart.md"),
-        ("background-page", "background", "PAGE FOLDER SYNTH KEYS NAME...",
-         "docs/results/background.md"),
+        ("bart-page", "bart.page", "PAGE FOLDER SIZE SCENE...", "docs/results/bart.md"),
         ("textures-page", "textures.page", "PAGE ACCURACY FOLDER PICTURES SIZE RTL_SIZE NAME...",
          "docs/results/texture_results.md"),
-        ("shadow-acne-run", "shadow_acne", "TOOL COUNTER FOLDER PAGE", "docs/design/facet.md"),
-        ("effects-run", "effects.run", "TOOL FOLDER NAME",
-         "a scene on its own core, and the whole"),
         ("fuzz-page", "fuzz", "RUNS PAGE", "what make fuzz has run"),
     ),
     "what a run left": (

@@ -5,7 +5,7 @@
 #   make bench          ratios of ways, and docs/results/speed.md; without Embree or POV-Ray it says
 #                       so, and what they would tell stays as it is
 
-.PHONY: bench bench-setup hashes trees kinds
+.PHONY: bench bench-setup hashes
 # Embree's C interface, if it is installed; looked for when it is used.
 EMBREE = $(if $(wildcard /usr/include/embree3/rtcore.h),$B/sim/embree)
 
@@ -27,9 +27,3 @@ hashes: $(TOOL) $B/test/naive-frame ## write scenes/hashes*.txt: what both model
 	$(Q)mv $B/hashes.txt scenes/hashes.txt
 	$(Q)SPHAERA=$(TOOL) sh sim/hashes.sh --naive $B/test/naive-frame >$B/hashes.txt
 	$(Q)mv $B/hashes.txt scenes/hashes_naive.txt
-
-trees: $(TOOL) ## trees beside each other and against a bound: docs/results/trees.md; two minutes
-	$(Q)python3 -m lab trees --build $B
-
-kinds: $(TOOL) ## kinds of trees beside each other, a kd-tree too: docs/results/trees.md
-	$(Q)python3 -m lab kinds --build $B

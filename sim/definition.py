@@ -1,10 +1,10 @@
 # definition.py - cmodel/machine/machine.def: profiles, effects, sizes and rules of a core
 # SPDX-License-Identifier: Apache-2.0
+import os
 import re
 from collections import namedtuple
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+NAME = os.path.join(os.path.dirname(__file__), "../cmodel/machine/machine.def")
 WIDTHS = ("w", "wd", "pq", "ng", "fw", "pr")     # of a profile, in this order
 
 # core: its parameter; bit: in the machine file, or None; all: of the core `all`
@@ -19,7 +19,7 @@ class Definition:
         self.constants, self.profiles, self.paces, self.bounds = {}, {}, {}, {}
         self.effects, self.sizes, self.units, self.rules = {}, {}, {}, {}
         effect = None
-        with open(ROOT / "cmodel/machine/machine.def", encoding="utf-8") as f:
+        with open(NAME, encoding="utf-8") as f:
             for line in f:
                 kind, *word = line.split() or [""]
                 about = line.partition(" : ")[2].strip()

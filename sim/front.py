@@ -17,16 +17,11 @@ with their values. USUAL: names that are printed; empty: all, with all that is s
 GIVEN, GOALS and USUAL are words of one argument. Exit code 2 if anything is wrong."""
 import os
 import re
-import shutil
 import sys
-from pathlib import Path
 
-import cores
-import scene
 import variables
 from words import Wrong, lines, nearest, perhaps
 
-ROOT = Path(__file__).resolve().parent.parent
 PROGRAMS = {"icarus": "iverilog", "cxxrtl": "yosys", "ecp5": "yosys", "xc7": "yosys"}
 # what shapes a core, as far as it is known without its machine
 OF_A_CORE = {"ENGINES", "PIPES", "EXACTS", "SHADES", "SIZES", "EFFECTS", "PROFILE"}
@@ -45,6 +40,7 @@ def window(value):
 
 
 def size_of(value):
+    import cores
     most = cores.DEFINITION.constants["MAX_SIDE"]
     sides = re.fullmatch("([0-9]+)x([0-9]+)", value)
     fits = sides and all(1 <= int(side) <= most for side in sides.groups())
@@ -69,11 +65,11 @@ def word(value):
     return f"has a blank{link}" if re.search("[ \t]", value) else words(value)
 
 
-def by(function):
-    """What a function says that does not take the value."""
+def by(module, function):
+    """What a function of a module, which takes a moment, says against the value."""
     def says(value):
         try:
-            function(value)
+            getattr(__import__(module), function)(value)
         except Wrong as fault:
             return str(fault)
         return ""
@@ -81,8 +77,9 @@ def by(function):
 
 
 KINDS = {"<text>": lambda value: "", "<word>": word, "<words>": words, "<size>": size_of,
-         "<error>": error, "<window>": window, "<profile>": by(cores.profile),
-         "<effects>": by(cores.parameters), "<sizes>": by(cores.sizes), "<scene>": by(scene.find)}
+         "<error>": error, "<window>": window, "<profile>": by("cores", "profile"),
+         "<effects>": by("cores", "parameters"), "<sizes>": by("cores", "sizes"),
+         "<scene>": by("scene", "find")}
 
 
 # ---- values ----
@@ -125,7 +122,13 @@ def unknown_names(given, known):
     return said + [lines("There are", known)] if said else []
 
 
+def is_there(program):
+    return any(os.access(os.path.join(folder, program), os.X_OK)
+               for folder in os.environ.get("PATH", "").split(":"))
+
+
 def values(given, goals, *names):
+    import cores
     rules, goals = variables.Table().rules, goals.split()
     profile = os.environ.get("PROFILE") or "all"
     if profile in ("all", "auto"):   # what all have is what the narrowest has
@@ -145,22 +148,27 @@ def values(given, goals, *names):
         cores.key(profile, "none" if effects == "auto" else effects)
     simulator = os.environ.get("SIM", "")
     if "sim" in goals and "setup" not in goals and \
-            not shutil.which(PROGRAMS.get(simulator, simulator)):
+            not is_there(PROGRAMS.get(simulator, simulator)):
         raise Wrong(f"SIM={simulator}: this simulator is not installed: make setup")
 
 
 # ---- goals and suites ----
 def experiments():
-    sys.path.insert(0, str(ROOT))
-    from lab import table       # pylint: disable=import-outside-toplevel
+    sys.path.insert(0, os.path.join(os.path.dirname(__file__), ".."))
+    from lab import table
     return {row.name: row.text for row in table.EXPERIMENTS}
+
+
+def text_of(name):
+    with open(name, encoding="utf-8") as f:
+        return f.read()
 
 
 def targets(makefiles):
     """Words that stand as a target, or behind .PHONY."""
     found = dict.fromkeys(experiments())
     for name in makefiles:
-        text = Path(name).read_text(encoding="utf-8").replace("\\\n", "")
+        text = text_of(name).replace("\\\n", "")
         for left, right in re.findall(r"^([^\t=#:\n][^=#:\n]*)::?(?!=)([^\n;#|]*)", text, re.M):
             found.update(dict.fromkeys((right if left == ".PHONY" else left).split()))
     return [word for word in found if re.fullmatch("[a-z][a-z0-9_-]*", word)]
@@ -198,7 +206,7 @@ def folded(text):
 
 def help_of_targets(makefiles):
     for name in makefiles:
-        for line in Path(name).read_text(encoding="utf-8").splitlines():
+        for line in text_of(name).splitlines():
             match = re.match(r"([a-z][a-z-]*):(?=[^=]).*## (.*)", line)
             if match:
                 yield match.groups()
@@ -207,6 +215,7 @@ def help_of_targets(makefiles):
 
 
 def help_of_variables(usual):
+    import cores
     table, effects = variables.Table(), cores.DEFINITION.effects.values()
     everything = " ".join(e.name + ("N" if e.most > 1 else "") for e in effects)
     rest = " ".join(e.name for e in effects if not e.all)

@@ -1,9 +1,9 @@
 # variables.py - make/variables.mk, the table of what may be given to make, and its rules
 # SPDX-License-Identifier: Apache-2.0
+import os
 import re
-from pathlib import Path
 
-NAME = Path(__file__).resolve().parent.parent / "make/variables.mk"
+NAME = os.path.join(os.path.dirname(__file__), "../make/variables.mk")
 
 
 class Table:

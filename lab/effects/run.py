@@ -9,11 +9,16 @@ import re
 import subprocess
 import sys
 import tempfile
+from functools import partial
 from pathlib import Path
 
 from .. import intact
+from ..tasks import Task, make_all
 
 ROUNDS, EFFORT = 3, "-O1"  # as make sim has it
+SOURCES = ["lab/effects/run.py", "sim/core.sh", "make/core.mk", "sim/cores.py"] + sorted(
+    str(path) for root in ("rtl", "tb/core") for path in Path(root).rglob("*")
+    if path.suffix in (".v", ".vh", ".cpp", ".h"))
 
 
 def core(effects, machine):
@@ -66,3 +71,11 @@ def main(tool, folder, name):
     result.update(runs=runs, model=model(tool, base + ".sph", folder, name),
                   model_forced=model(tool, base + ".forced.sph", folder, name))
     intact.write(base + ".json", json.dumps(result, indent=1))
+
+
+def every(tool, folder):
+    """Those of all scenes that are older than their machine or the RTL."""
+    make_all([Task(f"{folder}/{name}.json",
+                   [f"{folder}/{name}.sph", f"{folder}/{name}.forced.sph", *SOURCES],
+                   partial(main, tool, folder, name), f"SIM {name}")
+              for name in Path(folder, "scenes").read_text(encoding="utf-8").split()])

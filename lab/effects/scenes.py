@@ -10,6 +10,7 @@ import subprocess
 from pathlib import Path
 
 from .. import intact
+from ..synth import results
 from ..synth.results import key
 from . import asks
 
@@ -65,6 +66,11 @@ def build(tool, scene, options, machine):
 def core_list(tool, machine):
     info = subprocess.run([tool, "info", machine], check=True, stdout=subprocess.PIPE).stdout
     return next(line.split()[1] for line in info.decode().splitlines() if line.startswith("core "))
+
+
+def cores(build):
+    """Synthesises the lists that main() has left."""
+    results.synthesise(build, Path(build, "effects/lists").read_text(encoding="utf-8").split())
 
 
 def main(tool, folder, synth):

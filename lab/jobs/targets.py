@@ -1,4 +1,4 @@
-# targets.py - files that a makefile makes as jobs: a target each
+# targets.py - files of make, or of an experiment, as jobs: one each
 # SPDX-License-Identifier: Apache-2.0
 """A job is `make TARGET`; its result holds the digest of the file, and counts while the files of
 the PATTERNs are the same. Targets of one list do not need each other; what they need is there. What
@@ -8,7 +8,8 @@ import subprocess
 import sys
 import time
 
-from . import plan, slurm, store
+from .. import table, tasks
+from . import plan, store
 
 GUESS = 10  # seconds
 
@@ -31,9 +32,12 @@ def one(build, results, key, patterns):
     target, began = key.split(" ", 1)[1], time.monotonic()
     if os.path.exists(target):
         os.remove(target)
-    clean = {k: v for k, v in os.environ.items() if k not in slurm.OF_MAKE}
-    ran = subprocess.run(["make", "--no-print-directory", f"B={build}", "JOBS=1", target],
-                         env=clean, check=False)
+    what = key.split(" ", 1)[0]
+    if what in (row.name for row in table.EXPERIMENTS if row.files):
+        command = [sys.executable, "-m", "lab", what, "--build", build, "--file", target]
+    else:
+        command = ["make", "--no-print-directory", f"B={build}", "JOBS=1", target]
+    ran = subprocess.run(command, env=tasks.clean() | {"JOBS": "1"}, check=False)
     if ran.returncode or not os.path.exists(target):
         sys.exit(f"{target} was not made")
     store.save(results, key, patterns.split(","), True, time.monotonic() - began, [target])

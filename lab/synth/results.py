@@ -9,6 +9,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+from .. import tasks
+
 # columns of each target: name, {cell type pattern: weight}, heading
 COLUMNS = {
     "ecp5": [
@@ -49,6 +51,16 @@ def key(profile, cores, target="ecp5", engines="1", root="2", quotient="2"):
                          stdout=subprocess.PIPE, text=True, env=dict(
                              os.environ, ENGINES=engines, ROOT_STEP=root, QUOTIENT_STEP=quotient))
     return ran.stdout.strip() if ran.returncode == 0 else sys.exit(1)
+
+
+def synthesise(build, lists):
+    """Cores of profile standard for ecp5, as make/area.mk keeps them."""
+    done = subprocess.run(
+        ["make", "--no-print-directory", f"-j{tasks.jobs()}", "-f", "make/area.mk", "results",
+         f"B={build}", f"V={os.environ.get('V') or 0}", f"EFFECTS={' '.join(lists)}"],
+        env=tasks.clean(), check=False)
+    if done.returncode:
+        sys.exit(done.returncode)
 
 
 def columns(target):

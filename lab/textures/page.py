@@ -1,7 +1,7 @@
 # page.py - puts the tables of docs/results/texture_results.md in their places, and draws its
 # plot
 # SPDX-License-Identifier: Apache-2.0
-"""FOLDER has what make/textures.mk says. The table `textures` stands in ACCURACY."""
+"""FOLDER has what runs.py says. The table `textures` stands in ACCURACY."""
 import os
 import re
 from functools import partial

@@ -19,13 +19,14 @@ line="effect dummy most=3 bit=$(awk -f cmodel/machine/effects.awk -f - $def <<'E
 END { print bits }
 END
 ) option=when needs=inside : does nothing"
-find . -type f | sort | xargs cksum >"$TMP/before"
+find . -type f ! -name '*.pyc' | sort | xargs cksum >"$TMP/before"
 awk -v line="$line" '$1 == "part" && !done { print line; done = 1 } 1' $def >"$TMP/def"
 cp "$TMP/def" $def
 make layout >"$TMP/layout" 2>&1 || cat "$TMP/layout"
 
 # ---- what differs: machine.def, which was edited, and what make layout wrote ----
-find . -type f | sort | xargs cksum | diff "$TMP/before" - | sed -n 's/^> .* //p' >"$TMP/changed"
+find . -type f ! -name '*.pyc' | sort | xargs cksum | diff "$TMP/before" - |
+    sed -n 's/^> .* //p' >"$TMP/changed"
 generated() {
     printf './%s\n' $def cmodel/machine/layout.h rtl/core/rt_core.v rtl/core/rt_layout.vh \
         rtl/top/rt_top.v tb/core/tb_core_icarus.v | sort | diff - "$TMP/changed"

@@ -83,12 +83,12 @@ half() { # a target that breaks off in its middle, and has no result
     rm -f "$TMP/targets"/*
     echo '{' >"$BUILD/textures/slant-75.json"
 }
-check "targets of a makefile" targets
+check "files of an experiment" targets
 cp "$BUILD/textures/slant-75.json" "$TMP/slant"
 state() { ls -l --time-style=full-iso "$BUILD"/textures/slant-*.json; }
 state >"$TMP/before"
 check "... which are then up to date" sh -c \
-    "env -u MAKEFLAGS -u MFLAGS make B='$BUILD' $slants"
+    "python3 -m lab textures --build '$BUILD' --file $(echo $slants | sed 's/ / --file /')"
 state >"$TMP/after"
 check "... and not made again" cmp "$TMP/before" "$TMP/after"
 half

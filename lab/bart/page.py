@@ -1,12 +1,12 @@
-# bart.py - puts the tables of docs/results/bart.md in their places
+# page.py - puts the tables of docs/results/bart.md in their places
 # SPDX-License-Identifier: Apache-2.0
-"""FOLDER has what make/bart.mk says."""
+"""FOLDER has what runs.py says, a SCENE is NAME:MIDDLE:FRAME,FRAME...."""
 from functools import lru_cache, partial
 
-from .pages.place import place
-from .report.units import LINE, facet, parameters
-from .synth import report
-from .textures.page import DECISIONS, LINES, OPERATIONS, PAPER, WAYS, Data, area, levels, show
+from ..pages.place import place
+from ..report.units import LINE, facet, parameters
+from ..synth import report
+from ..textures.page import DECISIONS, LINES, OPERATIONS, PAPER, WAYS, Data, area, levels, show
 
 KINDS = "primary", "shadow", "reflected"
 MIP = "off", "level", "between"
