@@ -5,7 +5,7 @@ NAME has to be there, [NAME] may be, NAME... are one or more, [NAME...] any numb
 option without a value, --name=VALUE one that has one. `python3 -m lab NAME --help` adds what the
 module says of itself.
 
-An experiment is (name, what it does, steps, files). A step is a module or module:function with its
+An experiment is (name, what it does, steps, files). A step is a module or module:function with
 arguments, in which TOOL is the command-line tool and BUILD the folder of all that is built. files:
 a module whose tasks(BUILD) are made before (tasks.py); with ENGINE=slurm on a cluster, if it has
 OF: a result counts while the files of these patterns are the same. `make NAME` makes the tool and runs all of it,
