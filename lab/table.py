@@ -8,8 +8,8 @@ module says of itself.
 An experiment is (name, what it does, steps, files). A step is a module or module:function with
 arguments, in which TOOL is the command-line tool and BUILD the folder of all that is built. files:
 a module whose tasks(BUILD) are made before (tasks.py); with ENGINE=slurm on a cluster, if it has
-OF: a result counts while the files of these patterns are the same. `make NAME` makes the tool and runs all of it,
-`python3 -m lab NAME` without the tool, `python3 -m lab NAME STEP` a step."""
+OF: a result counts while the files of these patterns are the same. `make NAME` makes the tool and
+runs all of it, `python3 -m lab NAME` without the tool, `python3 -m lab NAME STEP` a step."""
 from collections import namedtuple
 
 Command = namedtuple("Command", "name run arguments text")

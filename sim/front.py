@@ -23,8 +23,6 @@ import variables
 from words import Wrong, lines, nearest, perhaps
 
 PROGRAMS = {"icarus": "iverilog", "cxxrtl": "yosys", "ecp5": "yosys", "xc7": "yosys"}
-# what shapes a core, as far as it is known without its machine
-OF_A_CORE = {"ENGINES", "PIPES", "EXACTS", "SHADES", "SIZES", "EFFECTS", "PROFILE"}
 
 
 # ---- kinds of values: "" if one fits, else what is wrong ----
@@ -143,7 +141,8 @@ def values(given, goals, *names):
                           for name in names))
     if said:
         raise Wrong("\n".join(said), 2)
-    if OF_A_CORE & set(names):
+    # what shapes a core, as far as it is known without its machine
+    if {"PROFILE", "EFFECTS", "SIZES", *cores.OWN} & set(names):
         effects = os.environ.get("EFFECTS") or "auto"
         cores.key(profile, "none" if effects == "auto" else effects)
     simulator = os.environ.get("SIM", "")
