@@ -1,8 +1,9 @@
 # targets.py - files of make, or of an experiment, as jobs: one each
 # SPDX-License-Identifier: Apache-2.0
-"""A job is `make TARGET`; its result holds the digest of the file, and counts while the files of
-the PATTERNs are the same. Targets of one list do not need each other; what they need is there. What
-counts gets the time of now, so that make takes it to be as new as it is."""
+"""A job is `make TARGET`, or that file of the experiment WHAT; its result holds the digest of the
+file, and counts while the files of the PATTERNs are the same. Targets of one list do not need each
+other; what they need is there. What counts gets the time of now, so that it is taken to be as new
+as it is."""
 import os
 import subprocess
 import sys

@@ -5,6 +5,7 @@ set -u
 . "$(dirname "$0")/../tap.sh"
 cd "$(dirname "$0")/../.." || exit 1
 check "commands, steps of experiments, and their arguments" python3 -m lab.checks.command
+check "files that commands make of others" python3 -m lab.checks.tasks "$TMP/tasks"
 says() { # exit code, what is said, words
     want=$1 text=$2
     shift 2
