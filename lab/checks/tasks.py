@@ -22,10 +22,10 @@ def of(name, *needs, fails=False):
     def work():
         running.add(name)
         most[0] = max(most[0], len(running))
-        time.sleep(0.05)
         ran.append(name)
         if fails:
             raise RuntimeError(f"{name} fails")
+        time.sleep(0.05)
         (folder / name).write_text("".join((folder / need).read_text() for need in needs))
         running.discard(name)
     return Task(str(folder / name), [str(folder / need) for need in needs], work)
@@ -66,15 +66,19 @@ assert ends(broken) == "c fails" and "abc" not in ran, ran
 left = made(every)
 assert "c" in left and "abc" in left and "a" not in left, left
 
+os.environ["JOBS"] = "2"
+assert ends([of("slow", "source"), of("bad", "source", fails=True), of("late", "source")]) == \
+    "bad fails" and "late" not in ran, ran
+
 # ---- commands: what they print, and no half file ----
 shell = folder / "shell"
 command = Task(str(shell), [str(source)], ["sh", "-c", f"echo half >'{shell}'; echo why; exit 1"])
 assert "why" in ends([command]) and not shell.exists()
-printed = Task(str(shell), [str(source)], ["sh", "-c", "echo whole; exit ${BAD:-0}"], prints=True)
+printed = Task(str(shell), [str(source)], ["sh", "-c", "echo ${BAD:-whole}; exit ${BAD:-0}"], prints=True)
 make_all([printed])
 assert shell.read_text() == "whole\n"
 time.sleep(0.01)
 source.touch()
 os.environ["BAD"] = "1"
 assert "exit status 1" in ends([printed]) and shell.read_text() == "whole\n"
-assert not [name for name in os.listdir(folder) if name.endswith(".tmp")]
+assert not list(folder.glob("shell.*")), "nothing is left of it"
