@@ -48,13 +48,13 @@ $(call as_text,$(CHECK))
 $(foreach v,$(filter-out $(VARIABLES) MAKE%,$(.VARIABLES)),$(if $(filter environment,$(origin $v)),\
     $(eval $v := $$(value $v))))
 # That is Python's work; the system's own starts at once. Without it `make setup` may install it.
-front := $(wildcard /usr/bin/python3)
-front := $(or $(front),$(shell command -v python3)) -ES sim/front.py
-ifeq ($(front),-ES sim/front.py)
+front := $(or $(wildcard /usr/bin/python3),$(shell command -v python3))
+ifneq ($(front),)
+front += -ES sim/front.py
+else
 $(if $(filter setup,$(MAKECMDGOALS)),,$(error there is no python3 here: make setup installs it))
 $(if $(filter-out setup,$(MAKECMDGOALS)),$(if $(GIVEN)$(CHECK),$(error there is no python3 here, \
-    which looks at $(GIVEN) $(CHECK): make setup, with no other target, installs it)))
-front :=
+    which looks at $(sort $(GIVEN) $(CHECK)): make setup, with no other target, installs it)))
 endif
 ask = $(if $(front),$(if $(shell $(1) $(front) $(2) || echo wrong),$(error nothing is made)))
 ifneq ($(GIVEN)$(CHECK)$(filter sim,$(MAKECMDGOALS)),)
