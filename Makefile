@@ -147,9 +147,9 @@ tool: $(TOOL) ## the command-line tool build/sphaera
 
 include make/objects.mk make/sim.mk make/pages.mk make/bench.mk make/lab.mk make/lint.mk \
         make/study.mk make/synth.mk make/package.mk make/install.mk make/test.mk make/image.mk \
-        make/hard.mk make/formal.mk make/truth.mk make/top.mk make/python.mk make/report.mk \
-        make/board.mk make/jobs.mk make/litex.mk make/view.mk make/film.mk make/host.mk \
-        make/campaign.mk make/fuzz.mk make/common_mode.mk make/neon.mk
+        make/hard.mk make/formal.mk make/truth.mk make/top.mk make/report.mk make/board.mk \
+        make/jobs.mk make/litex.mk make/view.mk make/film.mk make/host.mk make/campaign.mk \
+        make/fuzz.mk make/common_mode.mk make/neon.mk
 
 # Checked here, since make/objects.mk may make a target of any goal.
 ifneq ($(MAKECMDGOALS),)

@@ -1,7 +1,7 @@
 # bench.mk - ways of the golden model against each other, and against renderers of others
 # SPDX-License-Identifier: Apache-2.0
 #
-#   make bench-setup    installs what sim/packages_bench.txt names: Embree
+#   make bench-setup    installs Embree
 #   make bench          ratios of ways, and docs/results/speed.md; without Embree or POV-Ray it says
 #                       so, and what they would tell stays as it is
 
@@ -16,7 +16,7 @@ $B/sim/embree: $B/obj/sim/embree.o $(LIB)
 -include $B/obj/sim/embree.d
 
 bench-setup: ## installs Embree (apt), which make bench sets the model beside
-	@sh sim/setup.sh sim/packages_bench.txt
+	@sh sim/setup.sh libembree-dev
 
 bench: $(TOOL) $(EMBREE) ## one way of the golden model against another, and Embree, as ratios
 	$(Q)python3 -m lab ratios $(TOOL) $B/bench

@@ -13,7 +13,7 @@ host-whole:
 	$(if $(ONLY),$(error host-page: ONLY leaves out cores, and the page has them all))@:
 
 cxxrtl-setup: ## installs Yosys's headers (apt), for SIM=cxxrtl
-	@sh sim/setup.sh sim/packages_cxxrtl.txt
+	@sh sim/setup.sh yosys-dev
 
 # A small frame, and a life of the same core.
 cxxrtl: $B/cxxrtl/scene.sph ## a core as Yosys's C++: a frame, and 20 trials of its life

@@ -53,3 +53,7 @@ uninstall: $D/man/done ## removes what install put there, and no folder but spha
 .PHONY: dist
 dist: ## tarball of the sources in build/dist; unpacked there, built and tested (ONLY: some suites)
 	@ONLY=$(ONLY) JOBS=$(JOBS) sh sim/dist.sh $D
+
+.PHONY: notebook-setup
+notebook-setup: ## installs what examples/python/sweep.ipynb needs (apt)
+	@sh sim/setup.sh python3-nbclient python3-ipykernel python3-matplotlib

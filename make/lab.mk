@@ -10,7 +10,7 @@ $(EXPERIMENTS): $(TOOL)
 	$(Q)$(call values,JOBS V ENGINE BART) python3 -m lab $@ --build $B
 
 papers-setup: ## installs Valgrind (apt), with which `make papers` counts the model's instructions
-	@sh sim/setup.sh sim/packages_papers.txt
+	@sh sim/setup.sh valgrind
 
 # falsely dark pixels: build/test/shadow_acne SCENE.nff PROFILE --show tells each, with its ray
 ACNE_C := $(sort $(wildcard tests/shadow_acne/*.c))

@@ -21,4 +21,4 @@ $B/gallery/%.json: scenes/%.nff $(TOOL)
 	    >$(@:.json=.log) 2>&1 || { cat $(@:.json=.log); exit 1; }
 
 browser-setup: ## installs Chromium (apt), in which tests look at pages
-	@sh sim/setup.sh sim/packages_browser.txt
+	@sh sim/setup.sh chromium
