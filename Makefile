@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 
 # What somebody gives is text: make expands none of it, and a shell gets it in quotes, or after
-# sim/check.sh found that it is a plain word. What neither could do ends here.
+# sim/front.py found that it is a plain word. What neither could do ends here.
 define newline
 
 
@@ -47,9 +47,18 @@ $(call as_text,$(CHECK))
 # All else that the environment has is text to whoever names it, and not what make makes of it.
 $(foreach v,$(filter-out $(VARIABLES) MAKE%,$(.VARIABLES)),$(if $(filter environment,$(origin $v)),\
     $(eval $v := $$(value $v))))
+# That is Python's work; the system's own starts at once. Without it `make setup` may install it.
+front := $(or $(wildcard /usr/bin/python3),$(shell command -v python3))
+ifneq ($(front),)
+front += -ES sim/front.py
+else
+$(if $(filter setup,$(MAKECMDGOALS)),,$(error there is no python3 here: make setup installs it))
+$(if $(filter-out setup,$(MAKECMDGOALS)),$(if $(GIVEN)$(CHECK),$(error there is no python3 here, \
+    which looks at $(sort $(GIVEN) $(CHECK)): make setup, with no other target, installs it)))
+endif
+ask = $(if $(front),$(if $(shell $(1) $(front) $(2) || echo wrong),$(error nothing is made)))
 ifneq ($(GIVEN)$(CHECK)$(filter sim,$(MAKECMDGOALS)),)
-$(if $(shell $(call values,$(VARIABLES)) sh sim/check.sh --given $(call quoted,$(GIVEN)) \
-    --goals '$(MAKECMDGOALS)' $(CHECK) || echo wrong),$(error nothing is made))
+$(call ask,$(call values,$(VARIABLES)),values $(call quoted,$(GIVEN)) '$(MAKECMDGOALS)' $(CHECK))
 endif
 # Make has no words with blanks: a folder of such a name is called by a link.
 ifneq ($(call has_odd,$B)$(word 2,$B),)
@@ -124,8 +133,7 @@ USUAL := help-all setup tool render sim film synth test bench gallery pages inst
 .PHONY: help help-all setup all tool layout render sim test synth lint bench clean FORCE
 .DEFAULT_GOAL := help
 
-help = @$(call values,$(VARIABLES)) awk -v usual='$(1)' -f cmodel/machine/effects.awk \
-           -f sim/rules.awk -f sim/help.awk cmodel/machine/machine.def $(MAKEFILE_LIST)
+help = @$(call values,$(VARIABLES)) $(front) help '$(1)' $(MAKEFILE_LIST)
 help:
 	$(call help,$(USUAL))
 help-all: ## every target and variable
@@ -137,18 +145,15 @@ setup: ## install missing packages (apt), see sim/packages.txt
 all: tool ## everything that is built without simulators
 tool: $(TOOL) ## the command-line tool build/sphaera
 
-include make/objects.mk make/sim.mk make/pages.mk make/bench.mk make/lint.mk make/background.mk \
-        make/textures.mk make/scenarios.mk make/study.mk make/synth.mk make/effects.mk \
-        make/package.mk make/install.mk make/test.mk make/image.mk make/hard.mk make/formal.mk \
-        make/truth.mk make/top.mk make/bart.mk make/papers.mk make/moving.mk make/python.mk \
-        make/report.mk make/board.mk make/jobs.mk make/litex.mk make/view.mk make/film.mk \
-        make/rate.mk make/shadow_acne.mk make/host.mk make/mutants.mk make/fuzz.mk \
-        make/neon.mk
+include make/objects.mk make/sim.mk make/pages.mk make/bench.mk make/lab.mk make/lint.mk \
+        make/study.mk make/synth.mk make/package.mk make/install.mk make/test.mk make/image.mk \
+        make/hard.mk make/formal.mk make/truth.mk make/top.mk make/report.mk make/board.mk \
+        make/jobs.mk make/litex.mk make/view.mk make/film.mk make/host.mk make/mutants.mk \
+        make/fuzz.mk make/neon.mk
 
 # Checked here, since make/objects.mk may make a target of any goal.
 ifneq ($(MAKECMDGOALS),)
-$(if $(shell awk -v goals='$(MAKECMDGOALS)' -f sim/nearest.awk -f sim/goals.awk \
-    $(MAKEFILE_LIST) || echo wrong),$(error nothing is made))
+$(call ask,,goals '$(MAKECMDGOALS)' $(MAKEFILE_LIST))
 endif
 
 layout: ## what follows from machine.def, top.def, bundles.def, modes.def, VERSION, files of rtl

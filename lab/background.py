@@ -1,16 +1,29 @@
-#!/usr/bin/env python3
-# background.py - puts the tables of docs/results/background.md in their places
+# background.py - the ways of background separation compared, into docs/results/background.md
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.background PAGE FOLDER SYNTH KEY... -- NAME...
-FOLDER has NAME.json of `sphaera background` and NAME-WAY.core.json of the RTL's runs; SYNTH/KEY is
-what synth/core.sh left: the plain core first, then one with each way."""
+"""BUILD/background holds, for each scene, NAME.json of `sphaera background`, and for each way
+NAME-WAY.sph and NAME-WAY.core.json, the report of the RTL's run. Every way runs on one core, the
+plain one with what that way needs; make/area.mk keeps its cells in BUILD/synth."""
+import glob
 import os
 import sys
 
 from .pages import whole
 from .pages.place import place
 from .synth import report, results
+from .tasks import Task, core, tool
 
+SCENES = {os.path.basename(path)[:-4]: path for path in (
+    *sorted(glob.glob("scenes/views/*.nff")), "scenes/interpenetrating.nff", "scenes/paper5.nff")}
+PLAIN, SIZE = "shadow+reflect2+lights1", "160x90"
+# way: options of build, what its core has besides
+WAYS = {"none": ("none", ""), "rect": ("rect", "+rect"), "spans": ("spans", "+spans"),
+        "exact0": ("exact --bg-levels 0", "+cones1"), "exact1": ("exact --bg-levels 1", "+cones4"),
+        "exact2": ("exact --bg-levels 2", "+cones16")}
+# picture of the page: view, what `sphaera background` calls it
+PICTURES = ["centred-points", "centred-rows", "centred-outline", "centred-square",
+            "off_axis-way_rect_literal", "off_axis-way_rect", "centred-way_spans",
+            "wide-way_exact0", "wide-way_exact1"]
+DRAWN = "docs/pictures/background"
 BUILT = {"none": "none", "rect": "rect", "spans": "spans", "exact0": "exact level 0",
          "exact1": "exact level 1", "exact2": "exact level 2"}
 LITERAL = ["rect literal", "spans 16x16, no border", "spans 16x16"]
@@ -103,8 +116,38 @@ def cells(synth, keys):
     return report.table(["core", "LUT4eq", "FF", "DPR16X4", "DP16KD", "MULT18X18D"], rows)
 
 
-def main(page, folder, synth, *rest):
-    keys, names = rest[:rest.index("--")], rest[rest.index("--") + 1:]
+def tasks(build):
+    at, found = f"{build}/background", []
+    for name, scene in SCENES.items():
+        found.append(tool(build, f"{at}/{name}.json", [scene], "background", scene, "--profile",
+                          "standard", "--size", SIZE, "--json", f"{at}/{name}.json",
+                          say=f"WAYS {name}"))
+        for way_of, (options, more) in WAYS.items():
+            stem = f"{at}/{name}-{way_of}"
+            found.append(tool(build, f"{stem}.sph", [scene], "build", scene, "--profile",
+                              "standard", "--size", SIZE, "--background", *options.split(), "-o",
+                              f"{stem}.sph"))
+            found.append(core(build, f"{stem}.core.json", f"{stem}.sph",
+                              EFFECTS=f"{PLAIN}+inside{more}", say=f"SIM {name} {way_of}"))
+    for view in sorted({name.partition("-")[0] for name in PICTURES}):
+        scene, folder = f"scenes/views/{view}.nff", f"{at}/drawn-{view}"
+        found.append(tool(build, f"{folder}/log", [scene], "background", scene, "--profile",
+                          "standard", "--size", "80x45", "--pictures", folder, prints=True))
+    for name in PICTURES:
+        view, _, what = name.partition("-")
+        folder = f"{at}/drawn-{view}"
+        found.append(Task(f"{DRAWN}/{name}.png", [f"{folder}/log"],
+                          ["cp", f"{folder}/{what}.png", f"{DRAWN}/{name}.png"]))
+    return found
+
+
+def synthesised(build):
+    results.synthesise(build, [PLAIN + more for _, more in WAYS.values()])
+
+
+def main(page, build):
+    folder, synth, names = f"{build}/background", f"{build}/synth", list(SCENES)
+    keys = [results.key("standard", PLAIN + more) for _, more in WAYS.values()]
 
     def views():
         return {name: whole.load(os.path.join(folder, name + ".json")) for name in names}
@@ -113,8 +156,5 @@ def main(page, folder, synth, *rest):
         "setup": lambda: setup(views()[SHOWN]), "walk": lambda: walk(views()[SHOWN]),
         "series": lambda: series(views()[SHOWN]),
         "visits": lambda: counted(names, folder, "node_visits"),
-        "cycles": lambda: counted(names, folder, "cycles"), "cells": lambda: cells(synth, keys)})
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+        "cycles": lambda: counted(names, folder, "cycles"),
+        "cells": lambda: cells(synth, keys)})

@@ -1,17 +1,12 @@
-#!/usr/bin/env python3
 # bench.py - times ways of the golden model against each other, in one run: `make bench`
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.bench TOOL FOLDER
-
-A tree is the default one unless it is named. Each row sets one way against another on the same
+"""A tree is the default one unless it is named. Each row sets one way against another on the same
 scene: how many times longer the other takes, and how many times more node visits and leaf tests it
 makes. Best of ROUNDS, the two in turn, one thread unless the row is about threads. Nothing is
-asserted: numbers depend on the machine that runs this.
-"""
+asserted: numbers depend on the machine that runs this."""
 import json
 import os
 import subprocess
-import sys
 
 ROUNDS = 3
 SIZE, SMALL = "320x180", "96x54"
@@ -42,8 +37,7 @@ def times(a, b):
     return f"{b / a:.2f}" if a and b else "-"
 
 
-def main():
-    tool, folder = sys.argv[1:]
+def main(tool, folder):
     os.makedirs(folder, exist_ok=True)
     for n in (256, 4096):
         run(tool, "gen", "random", "--spheres", str(n), "--resolution", SIZE,
@@ -78,7 +72,3 @@ def main():
               f"{b['seconds'] * 1e3:8.1f} {times(a['seconds'], b['seconds']):>7} "
               f"{times(x['node_visits'], y['node_visits']):>7} "
               f"{times(x['leaf_tests'], y['leaf_tests']):>7}", flush=True)
-
-
-if __name__ == "__main__":
-    main()

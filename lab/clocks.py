@@ -1,9 +1,7 @@
-#!/usr/bin/env python3
 # clocks.py - the clock of a core, from the one table of them: docs/results/data/clocks.tsv
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.clocks CORE [CLOCKS]
-Prints the MHz of a core, or frames a second of CLOCKS each; "not routed" if nobody has routed that
-very core.
+"""Prints the MHz of a core, or frames a second of CLOCKS each; "not routed" if nobody has routed
+that very core.
 
 Every frame rate, every millisecond of a frame and every MHz of a page is made here. A core goes by
 its whole key, as synth/core.sh names it: no core is told another one's clock, nor one that a placer
@@ -11,7 +9,6 @@ guessed. `make study-seeds` writes the table."""
 import os
 import statistics
 import subprocess
-import sys
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -33,8 +30,8 @@ class Clock(NamedTuple):
 
 @lru_cache(maxsize=None)
 def key(profile, effects, **variables):
-    """The key of a core; variables as sim/key.sh takes them: PIPES, SIZES..."""
-    ran = subprocess.run(["sh", "sim/key.sh", profile, effects, "ecp5"], check=True, text=True,
+    """The key of a core; variables as sim/cores.py takes them: PIPES, SIZES..."""
+    ran = subprocess.run(["sim/cores.py", "key", profile, effects, "ecp5"], check=True, text=True,
                          env=dict(os.environ, **{k: str(v) for k, v in variables.items()}),
                          stdout=subprocess.PIPE)
     return ran.stdout.strip()
@@ -87,7 +84,5 @@ def row_of(core, speed, placed, yosys, command, at):
             f"`{command}`", *at]
 
 
-if __name__ == "__main__":
-    if len(sys.argv) not in (2, 3):
-        sys.exit(__doc__)
-    print(frames(sys.argv[1], float(sys.argv[2])) if len(sys.argv) == 3 else mhz(sys.argv[1]))
+def main(core, count=None):
+    print(mhz(core) if count is None else frames(core, float(count)))

@@ -1,10 +1,9 @@
 # fuzz.py - what `make fuzz` has run, as the table of docs/results/fuzz.md
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.fuzz RUNS PAGE
-RUNS has a row for each run (tests/fuzz/fuzz.sh). Those of a harness that had the sources of its
-last one are added up; older sources were others, and what failed in them is told on the page.
-RUNS is of one machine: a harness that it lacks keeps its row of the page. Without any run the page
-stays as it is, and the exit code is 1."""
+"""RUNS has a row for each run (tests/fuzz/fuzz.sh). Those of a harness that had the sources of its
+last one are added up; older sources were others, and what failed in them is told on the page. RUNS
+is of one machine: a harness that it lacks keeps its row of the page. Without any run the page stays
+as it is, and the exit code is 1."""
 import re
 import sys
 from pathlib import Path
@@ -47,14 +46,11 @@ def of_runs(lines):
     return made
 
 
-def main():
-    runs, page = map(Path, sys.argv[1:])
+def main(*given):
+    runs, page = map(Path, given)
     made = of_runs(runs.read_text(encoding="utf-8").splitlines() if runs.exists() else ())
     if not made:
         sys.exit(f"fuzz: {runs}: no run is there; {page} stays as it is")
     rows = of_page(page.read_text(encoding="utf-8")) | made
     place.place(page, "make fuzz-page", {"runs": HEAD + "\n".join(rows.values())},
                 rest=bool(set(rows) - set(made)))
-
-
-main()

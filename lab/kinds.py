@@ -1,7 +1,6 @@
 # kinds.py - kinds of trees beside each other: `make kinds`
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.kinds TOOL PAGE
-Runs `sphaera trees` and puts its figures into the table `kinds` of PAGE. A scene behind the word
+"""Runs `sphaera trees` and puts its figures into the table `kinds` of PAGE. A scene behind the word
 gen is made for it."""
 import json
 import os
@@ -50,7 +49,3 @@ def main(tool, page):
     place(page, "make kinds", {"kinds": report.table(
         ["scene", "tree", "nodes", "bytes a node", "bytes", "steps", "tests", "build", "draw"],
         rows, 2)})
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

@@ -1,13 +1,10 @@
-#!/usr/bin/env python3
 # lint_layers.py - the folders of cmodel are layers, and no two C files need each other
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.lint_layers OBJECT...
-Objects as the build leaves them, OBJ/cmodel/FOLDER/FILE.o. An object that uses a symbol of another
-one needs it; a file that includes a header needs it. Prints what needs something of a layer that is
-not below its own, and each circle of files; 1 if there is one."""
+"""Objects as the build leaves them, OBJ/cmodel/FOLDER/FILE.o. An object that uses a symbol of
+another one needs it; a file that includes a header needs it. Prints what needs something of a layer
+that is not below its own, and each circle of files; 1 if there is one."""
 import re
 import subprocess
-import sys
 from pathlib import Path
 
 # From the ground up; those on one line stand beside one another, and neither needs the other.
@@ -84,8 +81,8 @@ def upward(needs):
                 yield name, other
 
 
-def main():
-    called, included = calls(sys.argv[1:]), includes(Path("cmodel"))
+def main(*objects):
+    called, included = calls(objects), includes(Path("cmodel"))
     wrong = sorted(set(upward(called)) | set(upward(included)))
     for name, other in wrong:
         print(f"not in a layer below: {name} needs {other}")
@@ -93,6 +90,3 @@ def main():
     for circle in found:
         print("a circle: " + ", ".join(re.sub(r".*/cmodel/|\.o$", "", name) for name in circle))
     return bool(wrong or found)
-
-
-sys.exit(main())

@@ -1,12 +1,7 @@
-"""lint_slang.py - Verilog files through slang as SystemVerilog
-SPDX-License-Identifier: Apache-2.0
-
-python3 -m lab.lint_slang RTL_FOLDER... -- FILE...    each file a top, modules from the folders
-
-Needs the Python package pyslang (10 or later). Outputs left open and names of files in vectors are
-the habit of benches."""
-import sys
-
+# lint_slang.py - Verilog files through slang as SystemVerilog
+# SPDX-License-Identifier: Apache-2.0
+"""Each FILE is a top, with modules from FOLDERS, words of one argument. Needs the Python package
+pyslang (10 or later). Outputs left open and names of files in vectors are the habit of benches."""
 from pyslang import driver
 
 
@@ -23,5 +18,5 @@ def clean(name, folders):
     return run.diagEngine.numErrors == 0 and run.diagEngine.numWarnings == 0
 
 
-split = sys.argv.index("--")
-sys.exit(not all([clean(f, sys.argv[1:split]) for f in sys.argv[split + 1:]]))
+def main(folders, *files):
+    return not all([clean(name, folders.split()) for name in files])

@@ -1,10 +1,8 @@
-#!/usr/bin/env python3
 # notebook.py - runs a notebook: its outputs are what is stored, or are stored anew
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.notebook [--write] FILE.ipynb
-Without --write, exit code 1 if a cell fails or prints another text than the file has. Pictures are
-not compared, which other versions of libraries draw differently, but there has to be one where one
-is stored. Exit code 3: there is no nbclient here."""
+"""Without --write, exit code 1 if a cell fails or prints another text than the file has. Pictures
+are not compared, which other versions of libraries draw differently, but there has to be one where
+one is stored. Exit code 3: there is no nbclient here."""
 import os
 import sys
 
@@ -27,30 +25,23 @@ def shown(cell):
     return parts
 
 
-def main(argv):
-    write = argv[:1] == ["--write"]
-    if len(argv) != 1 + write:
-        sys.exit(__doc__)
-    stored = nbformat.read(argv[-1], as_version=4)
-    fresh = nbformat.read(argv[-1], as_version=4)
+def main(name, write=False):
+    stored = nbformat.read(name, as_version=4)
+    fresh = nbformat.read(name, as_version=4)
     try:
         nbclient.NotebookClient(fresh, timeout=120, kernel_name="python3",
                                 record_timing=False).execute()
     except nbclient.exceptions.CellExecutionError as e:
-        sys.exit(f"{argv[-1]}: {e}")
+        sys.exit(f"{name}: {e}")
     if write:
         for cell in fresh.cells:  # words for people without a screen: they lag
             for output in cell.get("outputs", []):
                 if "image/png" in output.get("data", {}):
                     output["data"].pop("text/plain", None)
         fresh.metadata.language_info = {"name": "python"}
-        nbformat.write(fresh, argv[-1])
+        nbformat.write(fresh, name)
         return
     for number, (old, new) in enumerate(zip(stored.cells, fresh.cells)):
         if shown(old) != shown(new):
-            sys.exit(f"{argv[-1]}: cell {number} shows\n{shown(new)}\nand not\n{shown(old)}: "
-                     "python3 -m lab.notebook --write")
-
-
-if __name__ == "__main__":
-    main(sys.argv[1:])
+            sys.exit(f"{name}: cell {number} shows\n{shown(new)}\nand not\n{shown(old)}: "
+                     "python3 -m lab notebook --write")

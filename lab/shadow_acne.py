@@ -1,8 +1,6 @@
-#!/usr/bin/env python3
 # shadow_acne.py - falsely dark pixels of triangles: scenes, runs, table of docs/design/facet.md
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.shadow_acne TOOL COUNTER FOLDER PAGE
-TOOL makes scenes, COUNTER (tests/shadow_acne/main.c) counts, FOLDER keeps the scenes."""
+"""TOOL makes scenes, COUNTER (tests/shadow_acne/main.c) counts, FOLDER keeps the scenes."""
 import math
 import subprocess
 import sys
@@ -131,7 +129,3 @@ def main(tool, shadow_acne, folder, page):
             print(" ".join(rows[-1]), flush=True)
     names = [f"{what}, {rule}" for what in ("dark", "lit") for rule in RULES]
     place(page, "make shadow-acne", {"shadow_acne": table(["scene", "profile"] + names, rows)})
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

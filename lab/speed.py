@@ -1,8 +1,6 @@
-#!/usr/bin/env python3
 # speed.py - the golden model beside Embree and POV-Ray, and how it grows: `make bench`
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.speed TOOL FOLDER PAGE [EMBREE]
-EMBREE: sim/embree.c, compiled; without it, or without POV-Ray, tables that have them are shown
+"""EMBREE: sim/embree.c, compiled; without it, or without POV-Ray, tables that have them are shown
 on the terminal alone. All that is compared runs in turn in one call, with one thread; times are
 those of the processor, so that other programs disturb them little. SIZES of the environment:
 spheres of the growth, such as "100 1000", whose table is then shown alone; TABLES: those to make,
@@ -195,7 +193,3 @@ def main(tool, folder, page, embree=None):
                                      for name, table in tables.items() if name in wanted})
     if "growth" in put:
         chart(texts["growth"], PICTURE)
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

@@ -1,11 +1,7 @@
-#!/usr/bin/env python3
 # summary.py - cycles of scenes at the profile that auto takes: `make summary`
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.summary BUILD PAGE          the table `speed` of docs/results/summary.md
-          python3 -m lab.summary --auto BUILD [FILE] the table AUTO, or into a file
-
-A headline figure is told at the profile that `sphaera build` takes by itself, since a narrower one
-draws a picture that misses what --error asks for. AUTO says which that is for each scene that a
+"""A headline figure is told at the profile that `sphaera build` takes by itself, since a narrower
+one draws a picture that misses what --error asks for. AUTO says which that is for each scene that a
 page draws, and what is expected of profile standard; the region `misses` of a page tells of those
 scenes whose figures it has at standard."""
 import json
@@ -106,16 +102,10 @@ def misses(*scenes):
             f"{told} dB expected.")
 
 
-def main(words):
-    if words[0] == "--auto":
-        text = auto(words[1])
-        intact.write(words[2] if len(words) > 2 else data.FOLDER / f"{AUTO}.tsv", text)
-        return
-    build, page = words
+def profiles(build, name=data.FOLDER / f"{AUTO}.tsv"):
+    """The table AUTO, or into another file."""
+    intact.write(name, auto(build))
+
+
+def main(build, page):
     place(page, "make summary", {"speed": lambda: speed(build)})
-
-
-if __name__ == "__main__":
-    if len(sys.argv) not in (3, 4):
-        sys.exit(__doc__)
-    main(sys.argv[1:])

@@ -1,10 +1,8 @@
 # tree_options.py - the trees that studies draw with, and what `sphaera build` is told for each
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.tree_options NAME      prints the options
-NAME: default, a tree of bvh4 (paper, balanced, reinserted), a way of --accel, or bih and listing
+"""NAME: default, a tree of bvh4 (paper, balanced, reinserted), a way of --accel, or bih and listing
 with the most primitives of a leaf behind them: bih1, listing8."""
 import re
-import sys
 
 OF_FOUR = ("paper", "balanced", "reinserted")
 ACCELS = ("bvh4", "box4", "bih", "brute")
@@ -25,5 +23,5 @@ def options(name):
         + (["--bih", "listing"] if leaves[1] == "listing" else [])
 
 
-if __name__ == "__main__":
-    print(*options(sys.argv[1]))
+def main(name):
+    print(*options(name))

@@ -1,9 +1,7 @@
-#!/usr/bin/env python3
 # trees.py - trees beside each other, against a bound, and the paper's walk: `make trees`
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.trees TOOL FOLDER PAGE
-Renders scenes with each tree and puts the tables into PAGE. What must not change a picture is held
-against the nearest hit's.
+"""Renders scenes with each tree and puts the tables into PAGE. What must not change a picture is
+held against the nearest hit's.
 
 The bound holds for primary rays, whatever the tree: a ray that hits a primitive must visit every
 node above it, and any other ray the root. With w rays that end at each primitive the sum of w times
@@ -184,9 +182,3 @@ def main(tool, folder, page):
         "bound": lambda: bounded(runner), "boxes": lambda: boxes(runner),
         "facets": lambda: work(runner, FACETS, "facet_tests", "facets"),
         "walk": lambda: walked(runner)})
-
-
-if __name__ == "__main__":
-    if len(sys.argv) != 4:
-        sys.exit(__doc__)
-    main(*sys.argv[1:])

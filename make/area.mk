@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # usage: make -f make/area.mk report PROFILES=... TARGETS=... EFFECTS=...
-#   PROFILES  draft standard fine reference, or all; each with widths of its own: sim/profile.sh
+#   PROFILES  draft standard fine reference, or all; each with widths of its own: sim/cores.py
 #   TARGETS   ecp5 xc7 generic, or all
-#   EFFECTS   what the cores are elaborated with: lists as sim/parameters.sh takes them
-# KEY is what sim/key.sh says of a core, with -flat behind it if FLAT is 1. $B/synth/KEY/ holds what
-# Yosys printed; it is made again when a source of the core, core.sh or Yosys changes.
+#   EFFECTS   what the cores are elaborated with: lists as sim/cores.py takes them
+# KEY is what sim/cores.py says of a core, with -flat behind it if FLAT is 1. $B/synth/KEY/ holds
+# what Yosys printed; it is made again when a source of the core, core.sh or Yosys changes.
 
 B        ?= build
 PROFILES ?= standard
@@ -19,7 +19,7 @@ SHADES   ?= 0
 # bits that a root and a quotient gain a clock
 ROOT_STEP     ?= 2
 QUOTIENT_STEP ?= 2
-# others, as sim/sizes.sh takes them
+# others, as sim/cores.py takes them
 SIZES    ?=
 FLAT     ?= 0
 V        ?= 0
@@ -30,16 +30,16 @@ KNOWN_PROFILES := $(shell awk '$$1 == "profile" { print $$2 }' $(DEF))
 KNOWN_TARGETS  := ecp5 xc7 generic
 profiles := $(if $(filter all,$(PROFILES)),$(KNOWN_PROFILES),$(PROFILES))
 targets  := $(if $(filter all,$(TARGETS)),$(KNOWN_TARGETS),$(TARGETS))
-$(foreach p,$(profiles),$(if $(shell sh sim/profile.sh '$p'),,$(error synth: \
+$(foreach p,$(profiles),$(if $(shell sim/cores.py profile '$p'),,$(error synth: \
     no profile '$p'; there are $(KNOWN_PROFILES) and all)))
 $(foreach t,$(targets),$(if $(filter $t,$(KNOWN_TARGETS)),,$(error synth: \
     no target '$t'; there are $(KNOWN_TARGETS) and all)))
 
-$(foreach e,$(EFFECTS),$(if $(shell sh sim/parameters.sh '$e'),,$(error synth: \
+$(foreach e,$(EFFECTS),$(if $(shell sim/cores.py parameters '$e'),,$(error synth: \
     no core is built with '$e')))
 key = $(or $(shell ENGINES=$(ENGINES) PIPES=$(PIPES) LEAF_UNITS=$(LEAF_UNITS) SHADES=$(SHADES) \
           ROOT_STEP=$(ROOT_STEP) QUOTIENT_STEP=$(QUOTIENT_STEP) SIZES='$(SIZES)' \
-          sh sim/key.sh '$(1)' '$(2)' $(3)),$(error \
+          sim/cores.py key '$(1)' '$(2)' $(3)),$(error \
           synth: no such core))$(if $(filter 1,$(FLAT)),-flat)
 KEYS := $(foreach p,$(profiles),$(foreach t,$(targets),$(foreach e,$(EFFECTS), \
             $(call key,$p,$e,$t))))
@@ -56,14 +56,13 @@ PAGE := $(foreach p,$(KNOWN_PROFILES),$(foreach t,$(KNOWN_TARGETS),$p-$t$(FULL))
 results: $(KEYS:%=$B/synth/%/stat.json)
 
 include make/stamp.mk
-$B/synth/%/stat.json: synth/core.sh sim/parameters.sh sim/profile.sh sim/sizes.sh $(DEF) \
-                      $B/tools/yosys
+$B/synth/%/stat.json: synth/core.sh sim/cores.py sim/definition.py $(DEF) $B/tools/yosys
 	$(Q)sh synth/core.sh $* $(@D)
 
 report: results
-	$(Q)python3 -m lab.synth.report $B/synth $(KEYS)
+	$(Q)python3 -m lab area $B/synth $(KEYS)
 
 page: $(PAGE:%=$B/synth/%/stat.json)
-	$(Q)python3 -m lab.synth.page docs/results/area.md $B/synth $(PAGE)
+	$(Q)python3 -m lab area-page docs/results/area.md $B/synth $(PAGE)
 
 -include $(patsubst %,$B/synth/%/sources.d,$(sort $(KEYS) $(PAGE)))

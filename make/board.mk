@@ -44,13 +44,13 @@ board-sim-sdram: $(foreach n,1 2,$B/board/full$n.sph) ## the same, frames of 640
 
 board-cells: $(BOARD_ROMS_$(BOARD)) ## the cells of a board alone, by Yosys; minutes
 	$(Q)sh synth/board.sh rt_$(BOARD) - $B/board/$(BOARD) $(BOARD_SETS_$(BOARD))
-	$(Q)python3 -m lab.pages.board $(BOARD) $B/board/$(BOARD)
-	$(Q)python3 -m lab.pages
+	$(Q)python3 -m lab board-data $(BOARD) $B/board/$(BOARD)
+	$(Q)python3 -m lab pages
 
 board: $(BOARD_ROMS_$(BOARD)) ## a bitstream for a ULX3S, of BOARD; 12 minutes and more
 	$(Q)sh synth/board.sh rt_$(BOARD) $(BOARD_VENV) $B/board/$(BOARD) $(BOARD_SETS_$(BOARD))
-	$(Q)python3 -m lab.pages.board $(BOARD) $B/board/$(BOARD)
-	$(Q)python3 -m lab.pages
+	$(Q)python3 -m lab board-data $(BOARD) $B/board/$(BOARD)
+	$(Q)python3 -m lab pages
 
 $(BOARD_STEM).registers.hex: $(BOARD_STEM).sph $(TOOL)
 	$(Q)$(TOOL) load --rom $(BOARD_STEM) $<

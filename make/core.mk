@@ -14,7 +14,7 @@
 
 B       ?= build
 RTL     ?= rtl
-# PROFILE: a name, alone or with widths of its own, as sim/profile.sh takes it
+# PROFILE: a name, alone or with widths of its own, as sim/cores.py takes it
 PROFILE ?= standard
 CORE    ?= all
 ENGINES ?= 1
@@ -24,7 +24,7 @@ SHADES  ?= 0
 # bits that a root and a quotient gain a clock
 ROOT_STEP     ?= 2
 QUOTIENT_STEP ?= 2
-# others, as sim/sizes.sh takes them
+# others, as sim/cores.py takes them
 SIZES   ?=
 WAVES   ?= 0
 # 1: a pixel can be followed through its stages
@@ -43,10 +43,10 @@ RTL_FILES := $(shell find $(RTL) \( -path $(RTL)/board -o -path $(RTL)/bus -o -p
                  -o -path $(RTL)/video \) -prune -o \( -name '*.v' -o -name '*.vh' \) -print)
 RTL_DIRS  := $(sort $(dir $(RTL_FILES)))
 SOURCES   := $(RTL_DIRS:%=-I%) $(sort $(filter %.v,$(RTL_FILES)))
-OTHERS    := $(shell sh sim/sizes.sh '$(SIZES)')
+OTHERS    := $(shell sim/cores.py sizes '$(SIZES)')
 replaced  := $(foreach size,$(OTHERS),$(firstword $(subst =, ,$(size)))=%)
-PARAMETERS := $(filter-out $(replaced),$(shell sh sim/profile.sh '$(PROFILE)')) $(OTHERS) \
-              $(shell sh sim/parameters.sh '$(CORE)') \
+PARAMETERS := $(filter-out $(replaced),$(shell sim/cores.py profile '$(PROFILE)')) $(OTHERS) \
+              $(shell sim/cores.py parameters '$(CORE)') \
               ENGINES=$(ENGINES) PIPES=$(PIPES) LEAF_UNITS=$(LEAF_UNITS) SHADES=$(SHADES) \
               ROOT_STEP=$(ROOT_STEP) QUOTIENT_STEP=$(QUOTIENT_STEP)
 

@@ -7,7 +7,7 @@
 FILM_OF  := cmodel/**/*.[ch],cmodel/**/*.cpp,cmodel/machine/*.def
 film_plan = $(call values,SCENE FRAMES BUILD_OPTIONS SEED) BUILD=$B sh sim/film.sh
 ifeq ($(ENGINE),slurm)
-film_jobs = python3 -m lab.jobs.targets plan film $B $$film/results $$film/jobs '$(FILM_OF)' \
+film_jobs = python3 -m lab target-plan film $B $$film/results $$film/jobs '$(FILM_OF)' \
                 $$(cat $$film/frames) && $(call jobs_run,$$film/jobs)
 else
 film_jobs = $(MAKE) --no-print-directory $$(cat $$film/frames)

@@ -11,5 +11,5 @@ formal: ## proofs of the RTL with yosys-smtbmc and z3, and of its reset, table a
 	$(if $(filter-out reset,$(PROVE)),,$(Q)python3 -m lab.reset $B)
 
 cbmc-setup: ## CBMC 5.12, which Debian 11 had, into the build folder, for make formal
-	@sh sim/setup.sh sim/packages_cbmc.txt
+	@sh sim/setup.sh minisat
 	@sh formal/cbmc_setup.sh $B/cbmc

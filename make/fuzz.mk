@@ -4,7 +4,7 @@
 #   make fuzz MINUTES=60 [HARNESS=nff]   each harness so long: AFL++ if it is installed, else the
 #                                        driver of the tree; then all that was found, sanitized
 #   make fuzz MINUTES=2 INPUTS=10000000  then the driver changes what AFL++ kept, up to so many runs
-#   make fuzz-setup                      installs what sim/packages_fuzz.txt names: AFL++
+#   make fuzz-setup                      installs AFL++
 #   $B/fuzz/HOW/fuzz_NAME                plain: the driver alone; gcc, clang: under the sanitizers
 #                                        of that compiler; afl: for AFL++
 # `make test` runs those of gcc and clang for some seconds (tests/fuzz/test_fuzz.sh).
@@ -106,7 +106,7 @@ FUZZ_ASKED := $(or $(HARNESS),$(FUZZ_NAMES))
 FUZZ_AFL   := $(shell command -v afl-clang-fast)
 .PHONY: fuzz fuzz-setup
 fuzz-setup: ## installs AFL++ (apt), which make fuzz takes if it is there
-	@sh sim/setup.sh sim/packages_fuzz.txt
+	@sh sim/setup.sh afl++
 
 fuzz: $(TOOL) $(foreach n,$(FUZZ_ASKED),$(FUZZ)/gcc/fuzz_$n $(FUZZ)/clang/fuzz_$n \
       $(if $(FUZZ_AFL),$(FUZZ)/afl/fuzz_$n) $(FUZZ)/plain/fuzz_$n)
@@ -116,7 +116,7 @@ fuzz: ## readers of files and options: MINUTES for each HARNESS; docs/results/fu
 
 .PHONY: fuzz-page
 fuzz-page: ## what make fuzz has run, into docs/results/fuzz.md
-	$(Q)python3 -m lab.fuzz $(FUZZ)/runs.tsv docs/results/fuzz.md
+	$(Q)python3 -m lab fuzz-page $(FUZZ)/runs.tsv docs/results/fuzz.md
 
 # ---- faults on the way of files ----
 .PHONY: faults

@@ -64,7 +64,7 @@ $B/test/hard.sanitized: $(HARD_C:%.c=$B/test/asan/%.o) $B/asan/obj/cmodel/tool/p
 PICTURES_C := $(sort $(wildcard tests/hard/pictures/*.c))
 hard-pictures: $B/test/hard-pictures ## pictures and counts of docs/results/hard_pictures.md
 	@$< tests/hard/pictures docs/pictures >$B/test/hard.counts && cat $B/test/hard.counts
-	@python3 -m lab.pages.place docs/results/hard_pictures.md "make hard-pictures" counts \
+	@python3 -m lab place docs/results/hard_pictures.md "make hard-pictures" counts \
 	    $B/test/hard.counts
 
 $B/test/hard-pictures: $(PICTURES_C:%.c=$B/test/obj/%.o) $B/test/libhard.a $(IMAGE) $(LIB)

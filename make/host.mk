@@ -6,14 +6,14 @@ host: $(TOOL) ## TRIALS of what a host may do to a core, SEED; ten minutes of a 
 	$(Q)BUILD=$B SPHAERA=$(TOOL) SEED=$(SEED) TRIALS=$(TRIALS) sh sim/host.sh $(ONLY)
 
 host-page: host-whole host ## the same, and what was met into docs/results/host.md
-	$(Q)python3 -m lab.pages.place docs/results/host.md \
+	$(Q)python3 -m lab place docs/results/host.md \
 	    "make host-page SEED=$(SEED) TRIALS=$(TRIALS)" events $B/host/events.md
 
 host-whole:
 	$(if $(ONLY),$(error host-page: ONLY leaves out cores, and the page has them all))@:
 
 cxxrtl-setup: ## installs Yosys's headers (apt), for SIM=cxxrtl
-	@sh sim/setup.sh sim/packages_cxxrtl.txt
+	@sh sim/setup.sh yosys-dev
 
 # A small frame, and a life of the same core.
 cxxrtl: $B/cxxrtl/scene.sph ## a core as Yosys's C++: a frame, and 20 trials of its life

@@ -29,15 +29,15 @@ $D/libsphaera.a: $(STATIC_O) $B/sources
 	    objcopy --wildcard --keep-global-symbol='sphaera_*' $$new/all.o $$new/sphaera.o && \
 	    ar rcs $$new/new $$new/sphaera.o && mv $$new/new $@
 
-$D/man/done: $(TOOL) sim/man.sh sim/man.awk
+$D/man/done: $(TOOL) sim/tool_help.py
 	$(call say,MAN,"sphaera.1 and a page a command")
 	$(Q)rm -rf $(@D) && mkdir -p $(@D)
-	$(Q)SPHAERA=$(TOOL) sh sim/man.sh $(@D)
+	$(Q)sim/tool_help.py man $(TOOL) $(@D)
 	@touch $@
 
-$D/complete.%: $(TOOL) sim/complete.sh
+$D/complete.%: $(TOOL) sim/tool_help.py
 	@mkdir -p $D
-	$(Q)$(beside) && SPHAERA=$(TOOL) sh sim/complete.sh $* >$$new/new && mv $$new/new $@
+	$(Q)$(beside) && sim/tool_help.py $* $(TOOL) >$$new/new && mv $$new/new $@
 
 .PHONY: library install uninstall
 library: $D/$(SO) $(PICTURE) $D/libsphaera.a ## libsphaera, both kinds, in build/dist
@@ -53,3 +53,7 @@ uninstall: $D/man/done ## removes what install put there, and no folder but spha
 .PHONY: dist
 dist: ## tarball of the sources in build/dist; unpacked there, built and tested (ONLY: some suites)
 	@ONLY=$(ONLY) JOBS=$(JOBS) sh sim/dist.sh $D
+
+.PHONY: notebook-setup
+notebook-setup: ## installs what examples/python/sweep.ipynb needs (apt)
+	@sh sim/setup.sh python3-nbclient python3-ipykernel python3-matplotlib

@@ -3,7 +3,7 @@
 
 .PHONY: slurm-setup slurm-test
 slurm-setup: ## installs Slurm (apt), which `make slurm-test` needs
-	@sh sim/setup.sh sim/packages_slurm.txt
+	@sh sim/setup.sh slurm-wlm munge
 
 slurm-test: $(TOOL) ## jobs on a Slurm of two nodes here: one is killed, results damaged; 2 minutes
 	@BUILD=$B sh tests/run.sh tests/jobs/slurm_real.sh

@@ -78,8 +78,8 @@ where_installed = if [ -x $(LINT_VENV)/bin/$(2) ]; then $(3) && touch $@; \
 $B/lint/slang: $(V_FILES) $(V_HEADS) $(V_BENCHES) lab/lint_slang.py
 	$(call lint_say,slang)
 	@mkdir -p $(@D)
-	$(Q)$(call where_installed,slang,python,$(LINT_VENV)/bin/python -m lab.lint_slang $(V_DIRS) \
-	    tb/video -- $(V_FILES) $(V_BENCHES))
+	$(Q)$(call where_installed,slang,python,$(LINT_VENV)/bin/python -m lab slang "$(V_DIRS) tb/video" \
+	    $(V_FILES) $(V_BENCHES))
 
 $B/lint/verible: $(V_FILES) .rules.verible_lint
 	$(call lint_say,Verible)
@@ -114,7 +114,7 @@ lint-format:
 
 lint-layers: $(call objects,obj/,$(LIB_C) $(TOOL_C) $(IMAGE_C) $(API_C))
 	$(call lint_say,layers)
-	$(Q)python3 -m lab.lint_layers $(filter %.o,$^)
+	$(Q)python3 -m lab layers $(filter %.o,$^)
 
 lint-text:
 	$(call lint_say,"text rules")

@@ -14,7 +14,7 @@ litex_core := shadow+reflect1+lights1+rect
 
 .PHONY: litex litex-setup litex-sim
 litex-setup: ## installs LiteX, VexRiscv into build/venv/litex (PyPI), what it links with (apt)
-	@sh sim/setup.sh sim/packages_litex.txt
+	@sh sim/setup.sh binutils-riscv64-unknown-elf libevent-dev libjson-c-dev
 	$(Q)python3 -m venv $(LITEX_VENV)
 	$(Q)$(litex_python) -m pip install -q $(LITEX_PACKAGES)
 

@@ -1,7 +1,7 @@
 # neon.mk - the golden model of a processor with NEON, run by QEMU
 # SPDX-License-Identifier: Apache-2.0
 #
-#   make neon-setup    installs what sim/packages_neon.txt names: a compiler for aarch64, QEMU
+#   make neon-setup    installs a compiler for aarch64, QEMU
 #   make neon          the fast walks of aarch64 against the literal one, scene by scene
 
 # The model without builder and reader of scenes, which need libraries of that processor.
@@ -15,7 +15,7 @@ NEON_MACHINES := $(foreach s,inside interpenetrating paper100 sphereflake2,\
 
 .PHONY: neon neon-setup
 neon-setup: ## installs a compiler for aarch64 and QEMU (apt), which `make neon` needs
-	@sh sim/setup.sh sim/packages_neon.txt
+	@sh sim/setup.sh gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user-static
 
 neon: ## the fast walks of aarch64, NEON and plain C, against the literal one
 	$(Q)command -v $(NEON_CC) >/dev/null && command -v $(firstword $(NEON_RUN)) >/dev/null || \

@@ -7,7 +7,7 @@
 NETLIST    := $B/netlist
 NETTED     := $(V_FILES) $(V_HEADS) $(wildcard tb/netlist/*.vh) synth/netlist.sh synth/folders.sh \
                $B/tools/yosys
-net_core    = $$(sh sim/profile.sh draft) $$(sh sim/parameters.sh none)
+net_core    = $$(sim/cores.py profile draft) $$(sim/cores.py parameters none)
 net_top     = $(call top_tool,64) PROFILE=draft CORE=none OPT=-O0 BENCH=tb_show NAME=netlist \
                   RTL=$(NETLIST)/top/rtl MACHINES=$(NETLIST)/frame.sph SEED=
 

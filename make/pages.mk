@@ -7,8 +7,8 @@
 
 .PHONY: pages pages-age
 pages-age: ## of each measured table: commit, day, how many commits changed sources since
-	$(Q)python3 -m lab.pages.age
+	$(Q)python3 -m lab age
 
 pages: ## tables and figures of README and docs; synthesises cores whose RTL changed, 90 s each
-	$(Q)BUILD=$B python3 -m lab.pages.cores
-	$(Q)python3 -m lab.pages
+	$(Q)BUILD=$B python3 -m lab cores
+	$(Q)python3 -m lab pages

@@ -12,7 +12,7 @@ gallery: $B/gallery.html ## all scenes of scenes/ as the model draws them, on on
 
 $B/gallery.html: $(GALLERY) $(wildcard lab/report/*)
 	$(call say,PAGE,gallery.html)
-	$(Q)python3 -m lab.report.gallery $B/gallery $@
+	$(Q)python3 -m lab gallery $B/gallery $@
 
 $B/gallery/%.json: scenes/%.nff $(TOOL)
 	$(call say,DRAW,$*)
@@ -21,4 +21,4 @@ $B/gallery/%.json: scenes/%.nff $(TOOL)
 	    >$(@:.json=.log) 2>&1 || { cat $(@:.json=.log); exit 1; }
 
 browser-setup: ## installs Chromium (apt), in which tests look at pages
-	@sh sim/setup.sh sim/packages_browser.txt
+	@sh sim/setup.sh chromium

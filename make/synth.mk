@@ -7,7 +7,7 @@
 #   make synth SIZES=units=1,leaf_interval=4   other sizes of the core
 #   make synth SCENE=x PROFILE=auto     the profile that scene x asks for, and
 #   make synth SCENE=x                  only the effects that the machine of scene x asks for
-#   make synth EFFECTS=shadow+lights1   a core with just these: names of sim/parameters.sh
+#   make synth EFFECTS=shadow+lights1   a core with just these: names of sim/cores.py
 #   make synth EFFECTS=all-reflect      everything but this one
 #   make synth ACCEL=bih                all+bih: the core that walks a BIH; box4: all+boxes
 #   make area                           the tables of docs/results/area.md

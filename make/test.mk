@@ -32,8 +32,7 @@ plain    = $(if $(findstring .,$(ONLY))$(ALL),$(SUITES),$(filter-out %.sanitized
 RUN      = $(if $(ONLY),$(foreach s,$(plain),$(call chosen,$s)),$(SUITES))
 
 test: ## every check; ends with `N passed, M failed`
-	$(if $(strip $(RUN)),,@awk -v only='$(ONLY)' -v suites='$(notdir $(SUITES))' -f sim/nearest.awk \
-	    -f tests/only.awk)
+	$(if $(strip $(RUN)),,@$(front) suites '$(ONLY)' $(notdir $(SUITES)))
 	+@unbuilt=; $(MAKE) --no-print-directory -k suites || unbuilt=1; \
 	    UNBUILT=$$unbuilt BUILD=$B JOBS=$(JOBS) sh tests/run.sh $(RUN)
 

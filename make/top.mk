@@ -46,15 +46,16 @@ bus-setup: ## installs what `make rdl` and `make cocotb` need into build/venv/bu
 	$(Q)$(bus_python) -m pip install -q $(BUS_PACKAGES)
 
 rdl: ## reads the register list of rt_top with systemrdl-compiler, if `make bus-setup` ran
-	$(Q)if [ -x $(bus_python) ]; then $(bus_python) -m lab.top.rdl docs/reference/rt_top.rdl; \
+	$(Q)if [ -x $(bus_python) ]; then $(bus_python) -m lab rdl docs/reference/rt_top.rdl; \
 	    else echo "rdl: not checked, systemrdl-compiler is absent: make bus-setup"; fi
 
 cocotb: $B/top/tiny.sph ## rt_top between masters and slaves of cocotbext-axi in Icarus; 2 minutes
 	$(Q)$(TOOL) render $< --frame $B/top/tiny.frame >$B/top/tiny.log
 	$(Q)if [ -x $(bus_python) ]; then for data in $(TOP_DATA); do \
-	    PATH=$(call absolute,$(BUS_VENV))/bin:$$PATH $(bus_python) -m lab.top.cocotb_run \
-	    $(call absolute,$B)/top/cocotb-$$data $< $B/top/tiny.frame $$data $$(sh sim/profile.sh draft) \
-	    $$(sh sim/parameters.sh $(TOP_CORE)) >$B/top/cocotb.log 2>&1 || \
+	    PATH=$(call absolute,$(BUS_VENV))/bin:$$PATH $(bus_python) -m lab cocotb \
+	    $(call absolute,$B)/top/cocotb-$$data $< $B/top/tiny.frame $$data \
+	    $$(sim/cores.py profile draft) $$(sim/cores.py parameters $(TOP_CORE)) \
+	    >$B/top/cocotb.log 2>&1 || \
 	    { cat $B/top/cocotb.log; exit 1; }; tail -n 1 $B/top/cocotb.log; done; \
 	    else echo "cocotb: nothing is run, it is absent: make bus-setup"; fi
 

@@ -1,7 +1,7 @@
 # truth.mk - scenes drawn by POV-Ray, by the double reference and by the model, compared
 # SPDX-License-Identifier: Apache-2.0
 #
-#   make truth-setup           installs what sim/packages_truth.txt names: POV-Ray
+#   make truth-setup           installs POV-Ray
 #   make truth                 every scene of lab/truth/scenes.py, docs/results/truth.md
 # $B/truth/ holds scenes, pictures and results; one that is younger than the tool is not made again.
 
@@ -10,7 +10,7 @@ TRUTH_SHOWN := docs/pictures/truth
 
 .PHONY: truth truth-setup
 truth-setup: ## installs POV-Ray (apt), which `make truth` needs
-	@sh sim/setup.sh sim/packages_truth.txt
+	@sh sim/setup.sh povray
 
 truth: $(TOOL) ## docs/results/truth.md: the model against POV-Ray, scene by scene
 	$(Q)python3 -m lab.truth.measure $(TOOL) $(TRUTH)

@@ -1,7 +1,7 @@
 # variables.mk - what may be given to make: names, rules, meanings, defaults
 # SPDX-License-Identifier: Apache-2.0
 #
-# `## NAME RULE text`: make help prints it, sim/check.sh holds it before anything is made. RULE is a
+# `## NAME RULE text`: make help prints it, sim/front.py holds it before anything is made. RULE is a
 # list of alternatives between |, of which an empty one allows no value at all:
 #   word        this word; word@GOAL: only where GOAL is made
 #   0..MOST     whole number; a bound is a sum of numbers, constants of machine.def and parameters

@@ -1,13 +1,13 @@
 # view.mk - the window of `sphaera view`, which the tool has if SDL2 is there
 # SPDX-License-Identifier: Apache-2.0
 #
-#   make view-setup            installs what sim/packages_view.txt names, and makes the tool
+#   make view-setup            installs SDL2, and makes the tool
 #   make view-time             how soon it answers, and pictures a second: docs/guide/view.md
 # $B/sphaera_view.so is what the tool loads for it: cmodel/view/screen.h.
 
 .PHONY: view-setup view-time
 view-setup: movie-setup ## installs SDL2 (apt), for the window of `sphaera view`; makes the tool
-	@sh sim/setup.sh sim/packages_view.txt
+	@sh sim/setup.sh libsdl2-dev xvfb
 	+$(Q)$(MAKE) --no-print-directory tool
 
 view-time: $(TOOL) ## how soon `sphaera view` answers while the camera moves, at 640x360

@@ -10,7 +10,7 @@
 # waveforms if --trace is among the options, with its stages shown if --pixel is, then runs the
 # harness; its options: --help. With --folder it runs nothing and prints the folder of the core.
 # EFFECTS=auto elaborates only what the machine asks for, all (default) everything, else what is
-# named: a list as sim/parameters.sh takes it; for a machine with a BIH all is all+bih, with boxes
+# named: a list as sim/cores.py takes it; for a machine with a BIH all is all+bih, with boxes
 # all+boxes, of a turned grid +turned. A core with less than the machine asks for refuses it; the
 # harness says what is missing and ends with 3.
 # SIM=ecp5 and xc7 simulate the core as Yosys maps it to that family, cell by cell (tb/netlist).
@@ -26,7 +26,7 @@ ROOT_STEP=${ROOT_STEP:-2} QUOTIENT_STEP=${QUOTIENT_STEP:-2} SIZES=${SIZES:-}
 SIM=${SIM:-verilator} OPT=${OPT:-} WAVES=0 STAGES=0
 BUILD=${BUILD:-build}
 
-check() { [ -n "${BUILT:-}" ] || sh sim/check.sh "$@"; }
+check() { [ -n "${BUILT:-}" ] || sim/front.py values "" sim "$@"; }
 EFFECTS=$EFFECTS ENGINES=$ENGINES PIPES=$PIPES LEAF_UNITS=$LEAF_UNITS SHADES=$SHADES SIZES=$SIZES \
     SIM=$SIM OPT=$OPT check EFFECTS ENGINES PIPES LEAF_UNITS SHADES SIZES SIM OPT
 
@@ -73,11 +73,11 @@ for word in bih boxes turned; do # what walks the machine's tree, in its axes
     case +$core+ in *+$word+*) EFFECTS=$EFFECTS+$word ;; esac
 done
 [ "$EFFECTS" = auto ] || core=$EFFECTS
-built=$(sh sim/parameters.sh "$core")
+built=$(sim/cores.py parameters "$core")
 [ "$SIM" = verilator ] || WAVES=0 STAGES=0
 key=$(ENGINES=$ENGINES PIPES=$PIPES LEAF_UNITS=$LEAF_UNITS SHADES=$SHADES \
     ROOT_STEP=$ROOT_STEP QUOTIENT_STEP=$QUOTIENT_STEP SIZES=$SIZES \
-    sh sim/key.sh "$profile" "$core")$OPT
+    sim/cores.py key "$profile" "$core")$OPT
 [ "$WAVES" = 0 ] || key=$key-waves
 [ "$STAGES" = 0 ] || key=$key-stages
 [ "$SIM" = verilator ] && goal=core || goal=$SIM

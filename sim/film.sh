@@ -18,7 +18,7 @@ esac
     echo "FRAMES=$FRAMES: is no range of frames such as 0..9" >&2
     exit 2
 }
-scene=$(sh sim/scene.sh "$SCENE")
+scene=$(sim/scene.py "$SCENE")
 made=
 [ -f "$scene" ] || made=$SEED
 folder=$BUILD/film/$({

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # usage: NAME=value ... sim/run.sh [--folder] render|sim|core NAME...
-#   NAME...  variables that shape the run; among them SCENE as sim/scene.sh takes it, SEED and
+#   NAME...  variables that shape the run; among them SCENE as sim/scene.py takes it, SEED and
 #            BUILD_OPTIONS, of `sphaera build`, and for sim those of sim/core.sh and its options
 # Also reads PROFILE, SIZE, SAMPLES; BUILD, the build folder, with the tool in it; CSV, a file to
 # which sim appends a row; REPEATED, the command that repeats the run.
@@ -22,7 +22,7 @@ only_name=
 goal=$1
 shift
 tool=$BUILD/sphaera
-scene=$(sh sim/scene.sh "$SCENE")
+scene=$(sim/scene.py "$SCENE")
 say() { [ "${V:-0}" = 1 ] || printf '  %-4s %s\n' "$@"; }
 
 key() {
@@ -35,7 +35,7 @@ name=${scene#scenes/}
 case $name in /*) name=${name##*/} ;; esac
 name=$(printf '%s' "${name%.nff}" | tr -c 'A-Za-z0-9._-' _)
 digest=$(key "$@" | sha256sum | cut -c 1-8)
-case $PROFILE in all | auto) ;; *) PROFILE=$(sh sim/profile.sh "$PROFILE" name) ;; esac
+case $PROFILE in all | auto) ;; *) PROFILE=$(sim/cores.py profile "$PROFILE" name) ;; esac
 folder=$name-$PROFILE-${SIZE:-file}-$digest
 run=$BUILD/out/$folder
 [ -z "$only_name" ] || {
@@ -106,7 +106,7 @@ if [ "$rc" = 1 ] && [ "$SIM" = verilator ] && [ -n "$repeat" ]; then
     sh -c "${repeat%pixel.fst}'$run/pixel.fst'" >"$run/pixel.log" 2>&1 || : # it fails again
 fi
 case ${CSV:-} in '' | /*) ;; *) CSV=${FROM:-.}/$CSV ;; esac
-BUILD=$BUILD python3 -m lab.report "$run" ${CSV:+--csv "$CSV"} || exit 1
+BUILD=$BUILD python3 -m lab report "$run" ${CSV:+--csv "$CSV"} || exit 1
 echo "pictures and report in $run/"
 sed -n '$s/^core \(.*mismatches\);.*/sim \1/p' "$run/log"
 exit "$rc"

@@ -1,22 +1,24 @@
 #!/bin/sh
-# setup.sh - installs the packages of a list that are missing, through apt
+# setup.sh - installs Debian packages that are missing, through apt
 # SPDX-License-Identifier: Apache-2.0
 #
-# usage: sim/setup.sh [--dry-run] [LIST]      LIST: packages.txt beside this script if not given.
+# usage: sim/setup.sh [--dry-run] [PACKAGE...]   those of packages.txt beside this script if none is
+#                                                named
 # Does nothing, and needs no network, when all are there.
 set -eu
 
 dry_run=
 [ "${1:-}" != --dry-run ] || { dry_run=$1 && shift; }
-list=${1:-$(dirname "$0")/packages.txt}
+# shellcheck disable=SC2046  # a list of words on purpose
+[ $# -gt 0 ] || set -- $(sed 's/#.*//' "$(dirname "$0")/packages.txt")
 
 if ! command -v dpkg-query >/dev/null; then
-    echo "setup: no dpkg here; install what $list names with your own package manager" >&2
+    echo "setup: no dpkg here; install with your own package manager: $*" >&2
     exit 1
 fi
 
 missing=
-for package in $(sed 's/#.*//' "$list"); do
+for package; do
     status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
     [ "$status" = installed ] || missing="$missing $package"
 done

@@ -10,7 +10,7 @@
 set -euf
 cd "$(dirname "$0")/.."
 tool=$BUILD/sphaera
-scene=$(sh sim/scene.sh "$SCENE")
+scene=$(sim/scene.py "$SCENE")
 run=$BUILD/out/top-$(printf '%s\n' "$scene" "$FRAMES" "$BUILD_OPTIONS" "$LATENCY" "$STALL" \
     "$SEED" "$PROFILE" "${LAYERS:=0}" | sha256sum | cut -c 1-8)
 mkdir -p "$run"
@@ -42,7 +42,7 @@ flock "$BUILD/sim/.tools.lock" env -u MAKEFLAGS -u MFLAGS make -s --no-print-dir
 "$BUILD/sim/tb_frames-$name/tb_frames" "$LATENCY" "$STALL" "$SEED" "$run" "$@" \
     >"$run/checks" || { cat "$run/checks"; exit 1; }
 [ -z "${MOVIE:-}" ] || "$tool" movie -o "$MOVIE" "$run"/shown-*.ppm >&2
-python3 -m lab.top.frames "$run"
+python3 -m lab image-times "$run"
 cat "$run/checks"
-python3 -m lab.report.film "$run" "${REPEATED:-}"
+python3 -m lab film-report "$run" "${REPEATED:-}"
 echo "report in $run/"

@@ -31,7 +31,7 @@ for p; do set_all="$set_all -set ${p%%=*} ${p#*=}"; done
 folders=$(find rtl -name '*.v*' -exec dirname {} + | sort -u)
 include='' library=''
 for d in $folders; do include="$include -I$d" library="$library -libdir $d"; done
-python3 -m lab.pages.board --commit >"$out/commit"
+python3 -m lab commit >"$out/commit"
 rm -f "$out/report.json"
 nice yosys -q -l "$out/yosys.log" -p "verilog_defaults -add $include -DSYNTHESIS;
     read_verilog -lib +/ecp5/cells_bb.v +/ecp5/cells_sim.v; read_verilog rtl/board/$top.v;

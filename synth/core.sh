@@ -4,7 +4,7 @@
 #
 # usage: synth/core.sh PROFILE-TARGET-LIST-engines1[-pipesN][-leaf_unitsN][-shadesN][-rootN]
 #            [-quotientN][-SIZEn...] [-top] [-flat] FOLDER
-#   PROFILE, SIZE: sim/profile.sh and sim/sizes.sh, as parts of a file name; LIST: sim/parameters.sh
+#   PROFILE, SIZE: sim/cores.py, as parts of a file name; LIST: the same
 #   top: rt_top with its video output around the core, not rt_core alone
 # Leaves in FOLDER:
 #   parameters  what the core was elaborated with, and the seconds that it took
@@ -37,12 +37,12 @@ while :; do
     variant=${variant%-*}
 done
 parameters=
-for size in $(sh sim/profile.sh "$profile"); do
+for size in $(sim/cores.py profile "$profile"); do
     case " $own" in *" ${size%=*}="*) ;; *) parameters="$parameters$size " ;; esac
 done
-parameters="$parameters$(sh sim/parameters.sh "$variant") ${own% }$shell"
+parameters="$parameters$(sim/cores.py parameters "$variant") ${own% }$shell"
 # shellcheck disable=SC2086  # words
-sh sim/legal.sh $parameters
+sim/cores.py legal $parameters
 set_all=$(echo "$parameters" | sed 's/\([A-Z_]*\)=\([0-9]*\)/-set \1 \2/g')
 
 folders=$(find rtl -name '*.v*' -exec dirname {} + | sort -u)

@@ -11,8 +11,8 @@ cd "$(dirname "$0")/.."
 out=$1
 mkdir -p "$out"
 # shellcheck disable=SC2046  # lists of words on purpose
-"$LITEX" -m lab.litex.ulx3s "$out" $(sh sim/profile.sh standard) \
-    $(sh sim/parameters.sh shadow+reflect2+lights1+inside+rect) >"$out/litex.log" 2>&1 || {
+"$LITEX" -m lab litex-board "$out" $(sim/cores.py profile standard) \
+    $(sim/cores.py parameters shadow+reflect2+lights1+inside+rect) >"$out/litex.log" 2>&1 || {
     tail -n 20 "$out/litex.log" >&2
     exit 1
 }

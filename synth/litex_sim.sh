@@ -9,8 +9,8 @@ set -eu
 cd "$(dirname "$0")/.."
 out=$1
 # shellcheck disable=SC2046  # lists of words on purpose
-"$LITEX" -m lab.litex.sim "$out" "$out/frame.sph" $(sh sim/profile.sh draft) \
-    $(sh sim/parameters.sh "$2") >"$out/litex.log" 2>&1 || {
+"$LITEX" -m lab litex-sim "$out" "$out/frame.sph" $(sim/cores.py profile draft) \
+    $(sim/cores.py parameters "$2") >"$out/litex.log" 2>&1 || {
     tail -n 20 "$out/litex.log" >&2
     exit 1
 }
@@ -22,4 +22,4 @@ env -u MAKEFLAGS -u MFLAGS sh -c "cd $out/gateware && sh build_sim.sh" >"$out/bu
     echo "litex-sim: the simulation did not end" >&2
     exit 1
 }
-python3 -m lab.litex.check "$out/told.log" "$out/frame.sph" "$out/frame.golden"
+python3 -m lab litex-check "$out/told.log" "$out/frame.sph" "$out/frame.golden"

@@ -1,10 +1,10 @@
 #!/bin/sh
 # modules.sh - modules of a core as it is elaborated, without mapping: seconds
 # SPDX-License-Identifier: Apache-2.0
-# usage: synth/modules.sh LIST    (sim/parameters.sh); prints one name a line, sorted
+# usage: synth/modules.sh LIST    (sim/cores.py); prints one name a line, sorted
 set -eu
 cd "$(dirname "$0")/.."
-set_all=$(sh sim/parameters.sh "$1" | sed 's/\([A-Z]*\)=\([0-9]*\)/-chparam \1 \2/g')
+set_all=$(sim/cores.py parameters "$1" | sed 's/\([A-Z]*\)=\([0-9]*\)/-chparam \1 \2/g')
 folders=$(find rtl -name '*.v*' -exec dirname {} + | sort -u)
 include='' library=''
 for d in $folders; do include="$include -I$d" library="$library -libdir $d"; done

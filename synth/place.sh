@@ -11,7 +11,7 @@
 # stops after placement; wires are estimated. 125 MHz are asked for, and the placer weighs paths by
 # the fourth power of how critical they are. LIMIT: seconds of a processor that nextpnr may take; if
 # it is over while wires are routed, the result is that of ROUTE=0. SDF=1 writes delays.sdf, too,
-# which lab.synth.families reads.
+# which `python3 -m lab slow-paths` reads.
 # Exit code 3: there is no nextpnr-ecp5.
 set -eu
 cd "$(dirname "$0")/.."
@@ -60,5 +60,5 @@ rm -f "$out/report.json"
 }
 seconds=$(($(date +%s) - start))
 version=$("$pnr" --version 2>&1 | sed -n 's/.*(Version \([^)]*\)).*/\1/p')
-python3 -m lab.synth.placed "$out/report.json" "$out/log" "$ROUTE" "$seconds" "$version" \
+python3 -m lab placed "$out/report.json" "$out/log" "$ROUTE" "$seconds" "$version" \
     >"$out/placed.json"

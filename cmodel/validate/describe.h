@@ -17,7 +17,7 @@ void sph_machine_describe(const struct sph_machine *m, FILE *file);
 void sph_machine_describe_tree(const struct sph_machine *m, FILE *file);
 
 /* What a core must be elaborated with to render the machine: names joined by '+' as
- * sim/parameters.sh takes them, such as "shadow+reflect2+lights1+rect"; "none" if nothing. */
+ * sim/cores.py takes them, such as "shadow+reflect2+lights1+rect"; "none" if nothing. */
 void sph_machine_core(const struct sph_machine *m, char *text, size_t size);
 
 /* paper, balanced, reinserted, box4, bih or brute; the machine must be valid. */

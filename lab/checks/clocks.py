@@ -26,7 +26,7 @@ def placed(core, routed, reached):
         (folder / f"8-{seed}/placed.json").write_text(json.dumps(
             {"fmax": mhz, "routed": routed, "nextpnr": "nextpnr-0.11.1"}))
     seeds = [f"8-{seed}" for seed in range(1, len(reached) + 1)]
-    subprocess.run([sys.executable, "-m", "lab.study.seeds", core, folder, *seeds], check=True)
+    subprocess.run([sys.executable, "-m", "lab", "seeds", core, folder, *seeds], check=True)
     return [row for row in clocks.rows() if row["core"] == core]
 
 
@@ -57,7 +57,7 @@ row = next(row for row in rates.rows("scenarios") if row["tree"] == "bih1")
 clock = 44e6 / 640 / 1088 / float(row["cycles a pixel"])
 assert row["MHz"] == "44.0" and row["frames/s"] == f"{clock:.2f}", row
 placed(SPHERES, 1, [100.0] * 5)
-check = subprocess.run([sys.executable, "-m", "lab.pages", "--check", "README.md"], check=False,
+check = subprocess.run([sys.executable, "-m", "lab", "pages", "--check", "README.md"], check=False,
                        stdout=subprocess.PIPE, text=True)
 assert check.returncode and "-->100.0<!-- end --> MHz" in check.stdout, check.stdout
 

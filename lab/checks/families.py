@@ -30,7 +30,7 @@ with open(path, "w", encoding="utf-8") as out:
     for name in A, B:
         out.write(flip_flop(name + "0", 5) + flip_flop(name + "1", 50))
     out.write(cell(SUM, "IOPATH A F (1:2:140) (1:2:140)", "IOPATH B F (1:2:100) (1:2:100)"))
-told = subprocess.run([sys.executable, "-m", "lab.synth.families", path], check=True, text=True,
+told = subprocess.run([sys.executable, "-m", "lab", "slow-paths", path], check=True, text=True,
                       stdout=subprocess.PIPE).stdout.splitlines()
 wanted = ["1 of 3 end points are later than 8 ns",
           "  8.15  u_a: first_q > sum > u_b: second_q", "  1.30  u_b: second_q > u_a: first_q"]

@@ -41,7 +41,7 @@ def summary(routed="1"):
             json.dump(report, f)
     else:
         os.remove(path)
-    ran = subprocess.run([sys.executable, "-m", "lab.synth.placed", path, log, routed, "77", "0.1"],
+    ran = subprocess.run([sys.executable, "-m", "lab", "placed", path, log, routed, "77", "0.1"],
                          check=False, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     return json.loads(ran.stdout) if ran.returncode == 0 else ran.stderr.decode()
 

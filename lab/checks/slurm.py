@@ -75,7 +75,7 @@ def engine(folder, numbers, **environment):
                    [plan.job(results, key_of(i), ["python3", "-m", "lab.checks.slurm", folder,
                                                   key_of(i)], 25) for i in numbers], "squares")
         try:
-            code = run.main(["slurm", f"{folder}/list"])
+            code = run.main("slurm", f"{folder}/list")
         except SystemExit as e:
             said.write(str(e.code))
             code = 1

@@ -25,7 +25,7 @@ def wanted():
 
 
 def write(tool, build, results, name):
-    command = ["python3", "-m", "lab.study.run", tool, build, results]
+    command = ["python3", "-m", "lab", "study-job", tool, build, results]
     plan.write(name, results, [plan.job(results, k, [*command, k], 12) for k in wanted()], "study")
 
 

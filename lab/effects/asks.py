@@ -1,10 +1,8 @@
 # asks.py - what every scene asks for: the core that just draws it, as `sphaera info` says
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.effects.asks TOOL
-Writes the lists of scenes/ and its folders into docs/results/data/asks.tsv; those of scenes/effects
-stand in effects.txt there. tests/builder/test_effects_scenes.c holds both."""
+"""Writes the lists of scenes/ and its folders into docs/results/data/asks.tsv; those of
+scenes/effects stand in effects.txt there. tests/builder/test_effects_scenes.c holds both."""
 import subprocess
-import sys
 import tempfile
 import textwrap
 from pathlib import Path
@@ -63,7 +61,3 @@ def table():
 def main(tool):
     intact.write(RECORD, HEAD + "".join(f"{name}\t{asked(tool, f'scenes/{name}.nff')}\n"
                                         for name in scenes()))
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

@@ -1,7 +1,5 @@
-#!/usr/bin/env python3
 # page.py - puts the tables and the chart of docs/results/effects.md in their places
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.effects.page PAGE FOLDER SYNTH; see make/effects.mk"""
 import json
 import os
 import subprocess
@@ -138,7 +136,3 @@ def main(page, folder, synth):
                                  "rays": ray_table(scenes)}, cores["all"]["yosys"])
     chart(scenes, cores, page, folder)
     print(f"effects: {page} and ../pictures/effects.svg")
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

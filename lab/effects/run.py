@@ -1,21 +1,24 @@
-#!/usr/bin/env python3
 # run.py - one scene on the core of its list and on the whole core, in turn
 # SPDX-License-Identifier: Apache-2.0
-"""usage: [BUILD=build] python3 -m lab.effects.run TOOL FOLDER NAME
-Reads NAME.sph, NAME.forced.sph and NAME.build.json of FOLDER, writes NAME.json. Speed is processor
-time of the simulation alone, the best of ROUNDS, both cores in turn; every run must be without a
-mismatch."""
+"""Reads NAME.sph, NAME.forced.sph and NAME.build.json of FOLDER, writes NAME.json. Speed is
+processor time of the simulation alone, the best of ROUNDS, both cores in turn; every run must be
+without a mismatch."""
 import json
 import os
 import re
 import subprocess
 import sys
 import tempfile
+from functools import partial
 from pathlib import Path
 
 from .. import intact
+from ..tasks import Task, make_all
 
 ROUNDS, EFFORT = 3, "-O1"  # as make sim has it
+SOURCES = ["lab/effects/run.py", "sim/core.sh", "make/core.mk", "sim/cores.py"] + sorted(
+    str(path) for root in ("rtl", "tb/core") for path in Path(root).rglob("*")
+    if path.suffix in (".v", ".vh", ".cpp", ".h"))
 
 
 def core(effects, machine):
@@ -70,5 +73,9 @@ def main(tool, folder, name):
     intact.write(base + ".json", json.dumps(result, indent=1))
 
 
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+def every(tool, folder):
+    """Those of all scenes that are older than their machine or the RTL."""
+    make_all([Task(f"{folder}/{name}.json",
+                   [f"{folder}/{name}.sph", f"{folder}/{name}.forced.sph", *SOURCES],
+                   partial(main, tool, folder, name), f"SIM {name}")
+              for name in Path(folder, "scenes").read_text(encoding="utf-8").split()])

@@ -1,18 +1,16 @@
-#!/usr/bin/env python3
 # scenes.py - machines of every scene for `make effects`, and the lists of their cores
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.effects.scenes TOOL FOLDER SYNTH
-Leaves in FOLDER, for each scene of scenes/ and its folders, of scenes/effects those that are
+"""Leaves in FOLDER, for each scene of scenes/ and its folders, of scenes/effects those that are
 simulated in full or show one effect: NAME.sph as the scene asks, NAME.forced.sph with every effect
 forced on, NAME.build.json, both rewritten only if they changed; lists: what is to be synthesised;
 scenes: names in the order of the report, with a point for the stroke of a folder."""
 import json
 import os
 import subprocess
-import sys
 from pathlib import Path
 
 from .. import intact
+from ..synth import results
 from ..synth.results import key
 from . import asks
 
@@ -27,7 +25,7 @@ PRICED = {"texture": "all+refract+specular+sum", "refract": "all+texture+specula
 
 def names(which):
     """Words of the list of effects: those of the core `all`, those that have a count."""
-    ran = subprocess.run(["sh", "sim/parameters.sh", "--names", which], check=True,
+    ran = subprocess.run(["sim/cores.py", "parameters", "--names", which], check=True,
                          stdout=subprocess.PIPE)
     return ran.stdout.decode().split()
 
@@ -70,6 +68,11 @@ def core_list(tool, machine):
     return next(line.split()[1] for line in info.decode().splitlines() if line.startswith("core "))
 
 
+def cores(build):
+    """Synthesises the lists that main() has left."""
+    results.synthesise(build, Path(build, "effects/lists").read_text(encoding="utf-8").split())
+
+
 def main(tool, folder, synth):
     os.makedirs(folder, exist_ok=True)
     wanted = ["all", "none", WHOLE, *PRICED.values()]
@@ -95,7 +98,3 @@ def main(tool, folder, synth):
           f"before.\n  What is new takes about {SECONDS} s of a processor a core, "
           f"{len(wanted) * SECONDS // 60} minutes for all,\n  and about half a minute a scene.",
           flush=True)
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

@@ -336,7 +336,7 @@ class Planting:
             "harness", [*sorted(n for n in glob.glob(f"{self.shop.build}/sim/obj/*.o")
                                 if not re.search(HARNESS, n)), *self.objects(judge), literal],
             "-Wl,--wrap=sph_render")
-        built = self.shop.must(["sh", "sim/parameters.sh", core], lambda text: None).strip()
+        built = self.shop.must(["sim/cores.py", "parameters", core], lambda text: None).strip()
         rc, text = self.shop.run(
             [harness, "--machine", machine, "--engine", f"{folder}/tb_core.vvp", "--core", core,
              "--built", built, "--watchdog", "5000", *SEED, *words], self.say)

@@ -1,8 +1,6 @@
-#!/usr/bin/env python3
 # run.py - runs the jobs of a list: engine make on this machine, engine slurm on a cluster
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.jobs.run make|slurm LIST
-LIST as plan.py writes it. Exit code 0: each result is there and counts."""
+"""LIST as plan.py writes it. Exit code 0: each result is there and counts."""
 import os
 import shlex
 import signal
@@ -25,21 +23,20 @@ def by_make(name, jobs):
     os.execvp("make", ["make", "--no-print-directory", "-k", "-f", name + ".mk"])
 
 
-def main(argv):
-    if len(argv) != 2 or argv[0] not in ("make", "slurm"):
-        sys.exit(__doc__)
-    engine, name = argv
+def main(engine, name):
+    if engine not in ("make", "slurm"):
+        sys.exit(f"ENGINE={engine}: there are make and slurm")
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    try:
+        return run(engine, name)
+    except KeyboardInterrupt:
+        sys.exit("broken off: the same command goes on from here")
+
+
+def run(engine, name):
     listed = plan.read(name)
     if not listed["jobs"]:
         return 0
     if engine == "make":
         by_make(name, listed["jobs"])
     return slurm.run(name, listed)
-
-
-if __name__ == "__main__":
-    signal.signal(signal.SIGTERM, signal.default_int_handler)
-    try:
-        sys.exit(main(sys.argv[1:]))
-    except KeyboardInterrupt:
-        sys.exit("broken off: the same command goes on from here")

@@ -15,13 +15,12 @@ import subprocess
 import sys
 import time
 
+from .. import tasks
 from . import chunks, plan, store
 
 ARRAY = 1000     # chunks of an array; Slurm takes 1001 unless its MaxArraySize is another
 FRUITLESS = 2    # rounds without a new result, then it ends
 POLL = 2.0       # seconds between two looks at the folder
-# Of the make that called this: a job is called by none.
-OF_MAKE = ("MAKEFLAGS", "MFLAGS", "MAKELEVEL", "SPHAERA_JOBS")
 
 
 def put(name, text):
@@ -32,9 +31,8 @@ def put(name, text):
 
 def submit(script, *options):
     """Number of the Slurm job; exits with sbatch's message if it takes none."""
-    environment = {k: v for k, v in os.environ.items() if k not in OF_MAKE}
     try:
-        ran = subprocess.run(["sbatch", "--parsable", *options, script], env=environment,
+        ran = subprocess.run(["sbatch", "--parsable", *options, script], env=tasks.clean(),
                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                              check=False)
     except FileNotFoundError:

@@ -1,8 +1,7 @@
 # check.py - what the firmware told in LiteX's simulator, against the golden model
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.litex.check LOG MACHINE.sph FRAME
-Exits with 1 if a pixel differs, the firmware does not end well, the display had no pixel in time,
-or LiteDRAM's model of the SDRAM tells a command that came too soon."""
+"""Exits with 1 if a pixel differs, the firmware does not end well, the display had no pixel in
+time, or LiteDRAM's model of the SDRAM tells a command that came too soon."""
 import re
 import sys
 from pathlib import Path
@@ -46,7 +45,3 @@ def main(log, machine, frame):
               f"{int(clocks, 16)} clocks; {int(frames, 16)} frames drawn while the display showed "
               "3, no underrun")
     return bool(wrong)
-
-
-if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))

@@ -1,12 +1,8 @@
-"""python -m lab.litex.sim FOLDER MACHINE PARAMETER=VALUE...: LiteX's simulator as the board.
-
-SPDX-License-Identifier: Apache-2.0
-
-VexRiscv, LiteDRAM before a model of the ULX3S's SDRAM, and rt_top, whose display runs at 25 MHz
-beside 40. Builds FOLDER/gateware/obj_dir/Vsim; its ROM is firmware.c, MACHINE lies in the SDRAM.
-"""
+# sim.py - LiteX's simulator as the board
+# SPDX-License-Identifier: Apache-2.0
+"""VexRiscv, LiteDRAM before a model of the ULX3S's SDRAM, and rt_top, whose display runs at 25 MHz
+beside 40. Builds FOLDER/gateware/obj_dir/Vsim; its ROM is firmware.c, MACHINE lies in the SDRAM."""
 import subprocess
-import sys
 from pathlib import Path
 
 import litex
@@ -70,9 +66,7 @@ class System(SoCCore):
                                           endianness="little"))
 
 
-def main():
-    """One simulator, as the command line has it."""
-    folder, machine, *given = sys.argv[1:]
+def main(folder, machine, *given):
     root = Path(__file__).resolve().parents[2]
     files = [str(path) for path in sorted(root.glob("rtl/*/*.v")) if path.parent.name != "board"]
     core = {name: int(value) for name, value in (word.split("=") for word in given)}
@@ -83,7 +77,3 @@ def main():
     config.add_module("serial2console", "serial")
     builder = Builder(soc, output_dir=str(Path(folder).resolve()), compile_software=False)
     builder.build(sim_config=config, run=False, opt_level="O1")
-
-
-if __name__ == "__main__":
-    main()

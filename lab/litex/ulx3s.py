@@ -1,11 +1,8 @@
-"""python -m lab.litex.ulx3s FOLDER PARAMETER=VALUE...: a ULX3S with VexRiscv, SDRAM and rt_top.
-
-SPDX-License-Identifier: Apache-2.0
-
-Writes the Verilog of the whole into FOLDER/gateware and headers for the driver's caller into
+# ulx3s.py - a ULX3S with VexRiscv, SDRAM and rt_top
+# SPDX-License-Identifier: Apache-2.0
+"""Writes the Verilog of the whole into FOLDER/gateware and headers for the driver's caller into
 FOLDER/software. No compiler of the CPU is needed for that, nor is any tool of the FPGA run.
 """
-import sys
 from pathlib import Path
 
 from litex.soc.integration.builder import Builder
@@ -22,9 +19,7 @@ class Crg(radiona_ulx3s._CRG):
         super().__init__(platform, sys_clk_freq, with_usb_pll, True, sdram_rate)
 
 
-def main():
-    """One system, as the command line has it."""
-    folder, *given = sys.argv[1:]
+def main(folder, *given):
     root = Path(__file__).resolve().parents[2]
     files = [str(path) for path in sorted(root.glob("rtl/*/*.v"))
              if path.parent.name != "board" or path.name == "rt_serialise.v"]
@@ -38,7 +33,3 @@ def main():
     soc.irq.add("sphaera", use_loc_if_exists=True)
     builder = Builder(soc, output_dir=folder, compile_software=False, csr_csv=f"{folder}/csr.csv")
     builder.build(build_name="sphaera_ulx3s", run=False)
-
-
-if __name__ == "__main__":
-    main()

@@ -1,7 +1,6 @@
 # measure.py - sequences of the thesis's scenarios with all spheres moving, each once
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.moving.measure TOOL FOLDER
-Leaves NAME.json in FOLDER for each sequence: what `sphaera render --frames` reports. A result
+"""Leaves NAME.json in FOLDER for each sequence: what `sphaera render --frames` reports. A result
 younger than the tool is kept. Building has one thread: its processor time is its time."""
 import os
 import subprocess
@@ -62,7 +61,3 @@ def main(tool, folder):
             for tree in TREES:
                 for refit in REFITS:
                     run(tool, folder, number, n, tree, refit)
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

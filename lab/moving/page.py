@@ -1,7 +1,6 @@
 # page.py - puts the table of docs/results/moving.md in its place
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.moving.page PAGE FOLDER
-FOLDER is what measure.py left. Clocks are the model's: the slower of visits, a clock each, and
+"""FOLDER is what measure.py left. Clocks are the model's: the slower of visits, a clock each, and
 exact tests, a clock for a sphere and ten for the plane; 8 bytes of an upload are a clock too.
 Frames a second follow in the page (lab/pages/rates.py)."""
 import json
@@ -56,7 +55,3 @@ def main(page, folder):
             "upload, million clocks", "draw, million clocks", "visits a pixel", "more refitted, %",
             "cost, %", "auto refits"]
     place(page, "make moving", {"rates": lambda: report.table(head, rows(), 2)})
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

@@ -1,7 +1,6 @@
 # age.py - how old the measured figures of the pages are
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.pages.age [PAGE...]
-Of each measured table, or those of some pages (scenarios, area): the commit that it was measured
+"""Of each measured table, or those of some pages (scenarios, area): the commit that it was measured
 at, its day, the command, and how many commits have changed rtl/, cmodel/ and scenes/ since. So with
 the cells of cores and boards. Whether a figure would be another one today, its command alone
 tells."""
@@ -39,7 +38,3 @@ def main(*pages):
     widths = [max(map(len, column)) for column in zip(*rows)]
     print("\n".join("  ".join(word.ljust(width) for word, width in zip(row, widths)).rstrip()
                     for row in rows))
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

@@ -1,10 +1,7 @@
 # board.py - cells and clocks of a board's bitstream, as its page shows them
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.pages.board --commit          commit and day of the sources as they are
-          python3 -m lab.pages.board BOARD FOLDER      what synth/board.sh left there, into DATA"""
 import json
 import re
-import sys
 from pathlib import Path
 
 from .. import intact
@@ -65,16 +62,13 @@ def board(name):
     return f"{text}\n{routed}`make board BOARD={name}` at commit {commit} of {day}.\n"
 
 
-def main():
-    """A commit, or the data of a folder."""
-    if sys.argv[1] == "--commit":
-        print(*measured.commit())
-        return
-    name, folder = sys.argv[1:]
+def commit():
+    """Of the sources as they are."""
+    print(*measured.commit())
+
+
+def main(name, folder):
+    """What synth/board.sh left in a folder, into DATA."""
     found = read(Path(folder))
     rows = "".join(f"{row}\t{value}\n" for row, value in found.items())
     intact.write(DATA.format(name), HEAD.format(name) + rows)
-
-
-if __name__ == "__main__":
-    main()

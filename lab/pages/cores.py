@@ -1,9 +1,8 @@
 # cores.py - cells of the cores that pages speak of, synthesised anew when their sources changed
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.pages.cores [--check]
-Synthesises what is old; --check says what is, and exits with 1 if anything is.
+"""Synthesises what is old; --check says what is, and exits with 1 if anything is.
 
-A page names a core by its list of effects (sim/parameters.sh), profile standard, one engine, ECP5.
+A page names a core by its list of effects (sim/cores.py), profile standard, one engine, ECP5.
 The record has its cells, commit and day, and the digest of the RTL files that it was read from,
 by which `make pages` tells whether to synthesise it anew. Comments and white space do not count.
 A page shows what the record has, however old."""
@@ -138,8 +137,8 @@ def sources(modules):
 def parameters(core_list):
     """What the core is elaborated with."""
     words = []
-    for command in ["sim/profile.sh", "standard"], ["sim/parameters.sh", core_list]:
-        words += subprocess.run(["sh", *command], check=True,
+    for command in ["profile", "standard"], ["parameters", core_list]:
+        words += subprocess.run(["sim/cores.py", *command], check=True,
                                 stdout=subprocess.PIPE).stdout.decode().split()
     return words
 
@@ -172,7 +171,8 @@ def synthesise(names):
         write(known)
 
 
-def main(pages, check):
+def main(check=False):
+    pages = markdown.pages()
     """Drops what no page names, synthesises what is old."""
     if check:
         for name in stale(pages):
@@ -186,8 +186,3 @@ def main(pages, check):
         print(f"pages: cells of {len(names)} of {len(named)} cores are older than the RTL; Yosys "
               f"takes about {SECONDS} s each:\n  " + "\n  ".join(names), flush=True)
     synthesise(names)
-
-
-if __name__ == "__main__":
-    from .__main__ import pages as all_pages
-    main(all_pages(), sys.argv[1:] == ["--check"])

@@ -81,7 +81,7 @@ def top_registers():
 
 def parts():
     """[word, parameter, bit, most, in `all`, needs, excludes, meaning] of what a core can do."""
-    listed = subprocess.run(["sh", "sim/parameters.sh", "--table"], check=True, text=True,
+    listed = subprocess.run(["sim/cores.py", "parameters", "--table"], check=True, text=True,
                             stdout=subprocess.PIPE).stdout
     return [line.split("\t") for line in listed.splitlines()]
 

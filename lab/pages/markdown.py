@@ -4,8 +4,14 @@
 stand on lines of their own, else words within a line."""
 import re
 import textwrap
+from pathlib import Path
 
 REGION = re.compile(r"(<!-- begin: ([^\n]*?) -->)(\n?)(.*?)(<!-- end -->)", re.S)
+
+
+def pages():
+    """All pages of the tree."""
+    return [Path("README.md"), Path("CONTRIBUTING.md")] + sorted(Path("docs").rglob("*.md"))
 
 
 def table(head, rows):

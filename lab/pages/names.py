@@ -1,13 +1,12 @@
 # names.py - what comments and pages name must exist: files, modules, functions, targets, variables
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.pages.names [FILE...]     all files of the tree if none is named
-Each rule takes the text of a comment or page and yields (position, name, what it should be)."""
+"""Each rule takes the text of a comment or page and yields (position, name, what it should be)."""
 import re
 import subprocess
-import sys
 from functools import lru_cache
 from pathlib import Path
 
+from .. import table
 from . import measured
 
 TOPS = ("cmodel", "docs", "formal", "lab", "make", "rtl", "scenes", "sim", "synth", "tb", "tests")
@@ -87,7 +86,7 @@ def makefiles():
 
 @lru_cache(maxsize=None)
 def targets():
-    found = set()
+    found = {row.name for row in table.EXPERIMENTS}
     for line in re.findall(r"^([a-z][\w -]*):(?!=)", makefiles(), re.M):
         found.update(line.split())
     return found
@@ -194,6 +193,14 @@ def commands(text, page):
             yield match.start(), only[0], "a test"
 
 
+def of_lab(text, page):
+    """python3 -m lab COMMAND."""
+    del page
+    for match in re.finditer(r"python3 -m lab ([a-z][a-z-]*)", text):
+        if match[1] not in table.COMMANDS and match[1] not in targets():
+            yield match.start(), match[0], "a command of lab/table.py"
+
+
 def tools(text, page):
     """build/sphaera COMMAND."""
     del page
@@ -217,8 +224,8 @@ def links(text, page):
                 yield match.start(), f"{match[1]}#{match[2]}", "a heading"
 
 
-RULES = (paths, plain_files, modules, signals, c_functions, model_lines, benches, commands, tools,
-         links)
+RULES = (paths, plain_files, modules, signals, c_functions, model_lines, benches, commands, of_lab,
+         tools, links)
 
 
 def comments(path):
@@ -244,14 +251,10 @@ def wrong(path):
     return sorted(set(found))
 
 
-def main(chosen):
+def main(*chosen):
     bad = 0
     for path in [Path(name) for name in chosen] or files():
         for line, name, what in wrong(path):
             print(f"{path}:{line}: {name} is not {what}")
             bad += 1
-    return bad
-
-
-if __name__ == "__main__":
-    raise SystemExit(main(sys.argv[1:]) > 0)
+    return bad > 0

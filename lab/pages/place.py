@@ -1,7 +1,6 @@
 # place.py - puts the tables that a command has measured into their places of a page
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.pages.place PAGE COMMAND NAME FILE
-FILE's text replaces what stands between the line `<!-- NAME -->` of PAGE and the next
+"""FILE's text replaces what stands between the line `<!-- NAME -->` of PAGE and the next
 `<!-- end -->`, and the record (measured.py) says that COMMAND has just made it."""
 import re
 import subprocess
@@ -48,13 +47,10 @@ def place(page, command, tables, yosys=None, rest=False):
         intact.write(path, lines)
     intact.write(page, text)
     measured.stamp(page, command, put, rest)
-    if subprocess.run([sys.executable, "-m", "lab.pages", page], check=False).returncode:
+    if subprocess.run([sys.executable, "-m", "lab", "pages", page], check=False).returncode:
         sys.exit(1)
     return put
 
 
-if __name__ == "__main__":
-    if len(sys.argv) != 5:
-        sys.exit(__doc__)
-    page_of, command_of, name_of, from_file = sys.argv[1:]
-    place(page_of, command_of, {name_of: lambda: whole.text(from_file)})
+def main(page, command, name, file):
+    place(page, command, {name: lambda: whole.text(file)})

@@ -1,14 +1,11 @@
 # told.py - MHz and frames a second that pages tell by hand
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.pages.told
-A clock of a core, and a rate that follows from it, stand in a generated region alone (rates.py). So
-this prints each figure with a unit of UNITS that a page has outside of one, each column of a table
-that is headed by such a unit, and ends with 1 if there is any. What is nobody's measurement here,
-such as a figure of a paper or a standard, is a line PAGE; FIGURE; WHOSE of GIVEN. A line without
-such a figure in its page is printed too."""
+"""A clock of a core, and a rate that follows from it, stand in a generated region alone (rates.py).
+So this prints each figure with a unit of UNITS that a page has outside of one, each column of a
+table that is headed by such a unit, and ends with 1 if there is any. What is nobody's measurement
+here, such as a figure of a paper or a standard, is a line PAGE; FIGURE; WHOSE of GIVEN. A line
+without such a figure in its page is printed too."""
 import re
-import sys
-from pathlib import Path
 
 from . import data, markdown
 
@@ -40,10 +37,10 @@ def given():
     return {(page, figure) for page, figure, _ in lines}
 
 
-def main(pages):
+def main():
     allowed, bad = given(), 0
     met = set()
-    for page in pages:
+    for page in markdown.pages():
         text = page.read_text(encoding="utf-8")
         for position, figure in by_hand(text):
             if (str(page), figure) in allowed:
@@ -61,9 +58,4 @@ def main(pages):
             if re.search(UNITS, column):
                 print(f"{path}: the column {column}: a table has clocks, no rates")
                 bad += 1
-    return bad
-
-
-if __name__ == "__main__":
-    from .__main__ import pages as all_pages
-    sys.exit(main(all_pages()) > 0)
+    return bad > 0

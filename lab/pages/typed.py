@@ -1,15 +1,12 @@
 # typed.py - figures that somebody typed into README and the pages of results
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.pages.typed [--list] [PAGE...]
-A measured figure follows its table: it stands in a measured table (measured.py) or in a region
+"""A measured figure follows its table: it stands in a measured table (measured.py) or in a region
 (data.py: `cell`). What is typed grows old unseen. Typed figures are numbers with a unit of UNITS in
 prose, and tables with numbers that are neither; code, regions and addresses do not count. ALLOWED
 has those that may stand, with the reason: lines `PAGE | FIGURE | REASON`, where FIGURE is the
-number with its unit, or `table: FIRST HEADINGS`, and * as PAGE stands for all pages.
-Prints every other one (--list: all), and lines of ALLOWED that nothing needs; exits with 1 if there
-are any."""
+number with its unit, or `table: FIRST HEADINGS`, and * as PAGE stands for all pages. Prints every
+other one (--list: all), and lines of ALLOWED that nothing needs; exits with 1 if there are any."""
 import re
-import sys
 from pathlib import Path
 
 ALLOWED = Path("lab/pages/typed.txt")
@@ -73,9 +70,8 @@ def allowed():
     return rows
 
 
-def main(arguments):
-    everything = "--list" in arguments
-    chosen = [Path(a) for a in arguments if a != "--list"]
+def main(*names, everything=False):
+    chosen = [Path(name) for name in names]
     may, used, bad = allowed(), set(), 0
     for page in chosen or pages():
         for line, figure in figures(page):
@@ -91,7 +87,3 @@ def main(arguments):
         print(f"{bad} figures are typed: make each a region of its table, or name it in {ALLOWED} "
               "with a reason")
     return bad > 0 and not everything
-
-
-if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))

@@ -34,7 +34,7 @@ BORODAVKA = [
      "neighbours overlap: {column4096_entered} and {random4096_entered} nodes of "
      "{column4096_levels} levels, {column4096_tests} and {random4096_tests} tests, more than the "
      "bound in {column4096_above} and {random4096_above} %. Below, all four of a node are tested "
-     "at once, as by the core", "python3 -m lab.papers.why build/sphaera build/papers",
+     "at once, as by the core", "python3 -m lab papers why",
      "refuted"),
     ("IV.B", "sorting by z builds the tree rapidly and optimally",
      "rapidly; but neighbours by z are none in space: in random4096 a line through the scene meets "

@@ -1,9 +1,7 @@
-#!/usr/bin/env python3
 # measure.py - runs what the tables of docs/results/claims.md are made of, once
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.papers.measure TOOL FOLDER [PART...]
-PART: functions of this file, all if none is named. Leaves NAME.json in FOLDER for each run of the
-model, NAME.core.json for those of the RTL. A result that is younger than the tool is kept."""
+"""PART: functions of this file, all if none is named. Leaves NAME.json in FOLDER for each run of
+the model, NAME.core.json for those of the RTL. A result that is younger than the tool is kept."""
 import math
 import os
 import re
@@ -269,7 +267,3 @@ def main(tool, folder, *names):
     run = Runner(tool, folder)
     for name in names or PARTS_OF:
         PARTS_OF[name](run)
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

@@ -1,8 +1,6 @@
-#!/usr/bin/env python3
 # page.py - puts the tables of docs/results/claims.md in their places
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.papers.page PAGE FOLDER SYNTH
-FOLDER is what measure.py left, SYNTH the folder of synthesised cores."""
+"""FOLDER is what measure.py left, SYNTH the folder of synthesised cores."""
 import math
 import os
 import sys
@@ -226,7 +224,3 @@ def main(page, folder, synth):
         "search": lambda: search(folder), "operations": lambda: operations(folder),
         "shapes": lambda: shapes(folder), "bases": lambda: bases(folder),
         "leaves": lambda: leaves(folder)})
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

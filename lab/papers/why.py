@@ -1,13 +1,11 @@
 # why.py - why figures and pixels of the papers differ: each asked of the paper's own text
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.papers.why TOOL FOLDER
-Each function works out, in real numbers and without the model, what the paper says, and counts what
-of its claim fails and for which reason: {name: value}, which lab/papers/claims.py names. TOOL makes
-scenes alone. page.py keeps the values as docs/results/data/claims.why.tsv."""
+"""Each function works out, in real numbers and without the model, what the paper says, and counts
+what of its claim fails and for which reason: {name: value}, which lab/papers/claims.py names. TOOL
+makes scenes alone. page.py keeps the values as docs/results/data/claims.why.tsv."""
 import json
 import math
 import subprocess
-import sys
 from collections import namedtuple
 from pathlib import Path
 
@@ -408,7 +406,3 @@ def main(tool, folder):
     intact.write(Path(folder, "why.json"), json.dumps(found, indent=1) + "\n")
     for name, value in found.items():
         print(f"{name:24} {value}")
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

@@ -1,10 +1,8 @@
 # board.py - clocks and rays of whole frames, that frames a second follow from: `make board-rate`
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.rate.board BUILD PAGE
-Puts the table `rate` into PAGE: clocks of whole frames on the core in Verilator behind a DDR3 x16.
-Memory is timed for the nearest 20 MHz of that very core's clock (lab/clocks.py), of a core that is
-not routed for 100. Rates follow in the page (lab/pages/rates.py)."""
-import sys
+"""Puts the table `rate` into PAGE: clocks of whole frames on the core in Verilator behind a DDR3
+x16. Memory is timed for the nearest 20 MHz of that very core's clock (lab/clocks.py), of a core
+that is not routed for 100. Rates follow in the page (lab/pages/rates.py)."""
 
 from . import cores
 from .cores import Core
@@ -36,7 +34,3 @@ def main(build, page):
     head = ["scene", "pipes", "clocks a pixel", "rays a pixel"]
     place(page, "make board-rate", {
         "rate": report.table(head, list(rows(cores.Bench(build, SIZE))), 2)})
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

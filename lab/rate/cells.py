@@ -1,7 +1,7 @@
 # cells.py - cells of cores of 1 to 4 traversal pipes: `make pipes-cells`
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.rate.cells BUILD PAGE
-Puts the table `cells` into PAGE. What `make synth` has made of the same RTL is taken as it is."""
+"""Puts the table `cells` into PAGE. What `make synth` has made of the same RTL is taken as it
+is."""
 import sys
 
 from . import cores
@@ -19,7 +19,7 @@ def cells(build, core):
     of = {"PROFILE": "standard", "EFFECTS": cores.SPHERES, **core.variables()}
     cores.run("make", "--no-print-directory", f"B={build}", "synth",
               *(f"{name}={value}" for name, value in of.items()))
-    key = cores.run("sh", "sim/key.sh", of["PROFILE"], of["EFFECTS"], "ecp5", **core.variables())
+    key = cores.run("sim/cores.py", "key", of["PROFILE"], of["EFFECTS"], "ecp5", **core.variables())
     return results.read(f"{build}/synth/{key.strip()}")["core"]
 
 
@@ -31,7 +31,3 @@ def main(build, page):
         rows.append([core.name(), *(counts[column] for column in COLUMNS)])
     table = report.table(["pipes", *(heads[column] for column in COLUMNS)], rows + [DEVICE])
     place(page, "make pipes-cells", {"cells": table})
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

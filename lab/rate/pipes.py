@@ -1,9 +1,7 @@
 # pipes.py - cycles a pixel for 1 to 4 traversal pipes: `make pipes`
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.rate.pipes BUILD PAGE
-Puts the table `cycles` into PAGE. A core is built for each number of units, and serves
+"""Puts the table `cycles` into PAGE. A core is built for each number of units, and serves
 all scenes that ask no more of it."""
-import sys
 
 from . import cores
 from .cores import Core
@@ -36,7 +34,3 @@ def main(build, page):
     bench = cores.Bench(build, SIZE)
     head = ["scene", *(core.name() for core in RULE + [FEW]), "4 against 1"]
     place(page, "make pipes", {"cycles": report.table(head, list(rows(bench)))})
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

@@ -1,9 +1,8 @@
 # browser.py - a page in headless Chromium, told what to do through a pair of pipes
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.report.browser PAGE PICTURE [WIDTH [HEIGHT [light|dark]]] | --there
-Writes a screenshot, and what the page complained of on stderr, with exit code 1. --there: exit code
-0 if there is a Chromium. Messages of the DevTools protocol go to its fd 3 and come from fd 4, each
-ended by a 0."""
+"""Writes a screenshot, and what the page complained of on stderr, with exit code 1. --there: exit
+code 0 if there is a Chromium. Messages of the DevTools protocol go to its fd 3 and come from fd 4,
+each ended by a 0."""
 import base64
 import fcntl
 import json
@@ -144,18 +143,11 @@ class Browser:
         Path(path).write_bytes(base64.b64decode(data))
 
 
-def main(argv):
-    if argv == ["--there"]:
-        sys.exit(not shutil.which("chromium"))
-    if len(argv) < 2:
-        sys.exit(__doc__)
-    width, height = (int(v) for v in (argv[2:4] + ["1000", "800"][len(argv[2:4]):]))
-    with Browser(width, height, argv[4:] == ["dark"]) as browser:
-        browser.open(argv[0])
-        browser.screenshot(argv[1])
+def main(page=None, picture=None, width="1000", height="800", colours="light", there=False):
+    if there or picture is None:
+        sys.exit(not (there and shutil.which("chromium")))
+    with Browser(int(width), int(height), colours == "dark") as browser:
+        browser.open(page)
+        browser.screenshot(picture)
         print(*browser.complaints, sep="\n", file=sys.stderr)
         sys.exit(bool(browser.complaints))
-
-
-if __name__ == "__main__":
-    main(sys.argv[1:])

@@ -1,9 +1,8 @@
 # film.py - the report of a moving scene: what `make sim TOP=1` leaves as report.html
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.report.film FOLDER [COMMAND]
-FOLDER has report.json of lab.top.frames and, for each of its frames, what the frame store showed,
-shown-0000.ppm and so on, with layers rendering-, l1- and l2-0000.ppm too. COMMAND is the one that
-repeats the run."""
+"""FOLDER has report.json of top/frames.py and, for each of its frames, what the frame store
+showed, shown-0000.ppm and so on, with layers rendering-, l1- and l2-0000.ppm too. COMMAND is the
+one that repeats the run."""
 import base64
 import json
 import re
@@ -100,15 +99,8 @@ def page(folder, command):
     return html.whole(f"{Path(report['input']).stem}: frames on rt_top", body)
 
 
-def main(argv):
-    if len(argv) not in (1, 2):
-        sys.exit(__doc__)
+def main(folder, command=""):
     try:
-        folder = Path(argv[0])
-        intact.write(folder / "report.html", page(folder, "".join(argv[1:])))
+        intact.write(Path(folder, "report.html"), page(Path(folder), command))
     except (OSError, Bad, ValueError, KeyError) as error:
-        sys.exit(f"report: {argv[0]}: {error!r}")
-
-
-if __name__ == "__main__":
-    main(sys.argv[1:])
+        sys.exit(f"report: {folder}: {error!r}")

@@ -1,10 +1,8 @@
 # gallery.py - all scenes on one page
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.report.gallery FOLDER PAGE
-FOLDER has NAME.png and NAME.json, of `sphaera render`, for each scene scenes/NAME.nff."""
+"""FOLDER has NAME.png and NAME.json, of `sphaera render`, for each scene scenes/NAME.nff."""
 import base64
 import json
-import sys
 from pathlib import Path
 
 from .. import intact
@@ -60,7 +58,5 @@ def page(folder):
     return html.whole("Scenes of Sphaera", body, script=False)
 
 
-if __name__ == "__main__":
-    if len(sys.argv) != 3:
-        sys.exit(__doc__)
-    intact.write(sys.argv[2], page(Path(sys.argv[1])))
+def main(folder, name):
+    intact.write(name, page(Path(folder)))

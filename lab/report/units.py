@@ -19,23 +19,24 @@ LINE = 32       # its bytes
 RECORD = 1      # docs/design/primitives.md: clocks a request of a record
 
 
-def said(*script):
-    """What a script of sim/ prints."""
-    return subprocess.run(["sh", *script], check=True, capture_output=True, text=True).stdout
+def said(*words):
+    """What sim/cores.py prints."""
+    return subprocess.run(["sim/cores.py", *words], check=True, capture_output=True,
+                          text=True).stdout
 
 
 def parameters(key, built, profile="standard"):
     """Parameters of the core: defaults of rt_core.v, the pace of its profile, and what the run was
-    given. built: the list of sim/parameters.sh that it has."""
+    given. built: the list of sim/cores.py that it has."""
     found, _ = verilog.header(Path("rtl/core/rt_core.v"), {})
     values = {p.name: int(p.default) for p in found if p.default.isdigit()}
-    sizes = said("sim/profile.sh", profile) + said("sim/sizes.sh", key.get("SIZES", ""))
+    sizes = said("profile", profile) + said("sizes", key.get("SIZES", ""))
     values.update((name, int(value)) for name, value in
                   (size.split("=") for size in sizes.split()))
     values.update((name, int(key[name])) for name in
                   ("ENGINES", "PIPES", "LEAF_UNITS", "SHADES", "ROOT_STEP", "QUOTIENT_STEP")
                   if key.get(name))
-    has = said("sim/parameters.sh", built).split()
+    has = said("parameters", built).split()
     interpenetrate = "INTERPENETRATE=1" in has                   # as the rules of rt_core.v
     pipes = values["PIPES"]
     values["SHADES"] = values["SHADES"] or (1 if interpenetrate else [1, 2, 2, 4][pipes - 1])

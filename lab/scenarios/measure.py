@@ -1,9 +1,7 @@
-#!/usr/bin/env python3
 # measure.py - runs what the tables of docs/results/scenarios.md are made of, once
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.scenarios.measure TOOL FOLDER [--rtl | --rtl-small]
-Leaves NAME.json in FOLDER for each machine: what build and render report, times of several runs. A
-result that is younger than the tool is kept, of the RTL if it is younger than that too. --rtl
+"""Leaves NAME.json in FOLDER for each machine: what build and render report, times of several runs.
+A result that is younger than the tool is kept, of the RTL if it is younger than that too. --rtl
 also runs the machines of list `speed` and `trees` through the RTL: NAME.core.json, with
 sim/core.sh. --rtl-small runs no more than the small frames of `speed` and those of `trees` through
 the RTL."""
@@ -124,11 +122,11 @@ def small(runner):
                 runner.core(name)
 
 
-def main(tool, folder, *more):
-    runner = Runner(tool, folder, "--rtl" in more or "--rtl-small" in more)
+def main(tool, folder, rtl=False, rtl_small=False):
+    runner = Runner(tool, folder, rtl or rtl_small)
     if runner.rtl:
         small(runner)
-    if "--rtl-small" in more:
+    if rtl_small:
         return
     for number in 1, 2, 3:
         kind = f"scenario{number}"
@@ -149,7 +147,3 @@ def main(tool, folder, *more):
     for scene in SCENES:
         for way in ACCELS:
             tree(runner, scene, way)
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

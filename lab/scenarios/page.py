@@ -1,8 +1,6 @@
-#!/usr/bin/env python3
 # page.py - puts the tables of docs/results/scenarios.md in their places
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.scenarios.page PAGE FOLDER
-FOLDER is what measure.py left. Without the RTL's runs the tables that have cycles stay as they
+"""FOLDER is what measure.py left. Without the RTL's runs the tables that have cycles stay as they
 are."""
 import os
 import sys
@@ -181,7 +179,3 @@ def main(page, folder):
         "limits": lambda: speed(folder, speed_limit, ["brute"]),
         "full": lambda: full(folder), "trees": lambda: trees(folder),
         "tree_cycles": lambda: tree_cycles(folder)})
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

@@ -1,13 +1,10 @@
-#!/usr/bin/env python3
 # page.py - puts tables, plots and picture strips of the study into docs/results/accuracy.md
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.study.page [--only-tables] PAGE RESULTS FOLDER [TOOL]
-A table of which a result is missing, or does not count, is shown on the terminal with dashes, and
-stays as it is in the page; in a plot such a result has no dot. Plots and strips go to
+"""A table of which a result is missing, or does not count, is shown on the terminal with dashes,
+and stays as it is in the page; in a plot such a result has no dot. Plots and strips go to
 pictures/accuracy beside the folder of PAGE."""
 import os
 import subprocess
-import sys
 from functools import partial
 
 from ..pages.place import place
@@ -25,12 +22,7 @@ def strips(tool, build, pictures):
                        stdout=subprocess.DEVNULL)
 
 
-def main(argv):
-    bare = "--only-tables" in argv
-    argv = [word for word in argv if word != "--only-tables"]
-    if len(argv) not in (3, 4):
-        sys.exit(__doc__)
-    page, results, folder = argv[:3]
+def main(page, results, folder, tool=None, only_tables=False):
     study = gather.Study(results)
     run_of = study.get(gather.keys.job("cells", **gather.core_of("standard")))
     place(page, "make study", {name: partial(table, study)
@@ -38,16 +30,12 @@ def main(argv):
           run_of and run_of["yosys"])
     os.makedirs(folder, exist_ok=True)
     drawn = []
-    if not bare:
+    if not only_tables:
         pictures = os.path.join(os.path.dirname(page), "../pictures/accuracy")
         os.makedirs(pictures, exist_ok=True)
         drawn = plots.everything(study, pictures, folder)
-        if len(argv) == 4:
-            strips(argv[3], os.path.dirname(folder), pictures)
+        if tool:
+            strips(tool, os.path.dirname(folder), pictures)
     there = [k for k in points.plan() if study.get(k)]
     print(f"study: {len(there)} of {len(points.plan())} results in {page}, "
           f"{len(drawn)} plots: {' '.join(drawn) or 'none'}")
-
-
-if __name__ == "__main__":
-    main(sys.argv[1:])

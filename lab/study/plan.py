@@ -1,10 +1,7 @@
-#!/usr/bin/env python3
 # plan.py - writes the list of those jobs of the study that have no result yet
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.study.plan [--short] [--kinds KIND,...] TOOL BUILD RESULTS LIST
-LIST is for lab/jobs/run.py. Says how many jobs there are and how many have to be run, and names
+"""LIST is for lab/jobs/run.py. Says how many jobs there are and how many have to be run, and names
 results that are damaged."""
-import argparse
 import sys
 
 from ..jobs import plan
@@ -22,22 +19,11 @@ def guess(key):
     return GUESS["accuracy"] * width * height / (320 * 180)
 
 
-def main(argv):
-    parser = argparse.ArgumentParser(prog="plan", description=__doc__.split("\n")[1])
-    parser.add_argument("--short", action="store_true", help="the short form")
-    parser.add_argument("--kinds", default=",".join(keys.FIELDS), help="only these")
-    for name in "tool", "build", "results", "list":
-        parser.add_argument(name)
-    a = parser.parse_args(argv)
-    kinds = a.kinds.split(",")
-    if set(kinds) - set(keys.FIELDS):
-        sys.exit(f"study: {a.kinds}: kinds are {', '.join(keys.FIELDS)}")
-    chosen = [k for k in (points.short() if a.short else points.plan())
-              if keys.words(k)["kind"] in kinds]
-    command = ["python3", "-m", "lab.study.run", a.tool, a.build, a.results]
-    plan.write(a.list, a.results,
-               [plan.job(a.results, k, [*command, k], guess(k)) for k in chosen], "study")
-
-
-if __name__ == "__main__":
-    main(sys.argv[1:])
+def main(tool, build, results, name, short=False, kinds=",".join(keys.FIELDS)):
+    if set(kinds.split(",")) - set(keys.FIELDS):
+        sys.exit(f"study: {kinds}: kinds are {', '.join(keys.FIELDS)}")
+    chosen = [k for k in (points.short() if short else points.plan())
+              if keys.words(k)["kind"] in kinds.split(",")]
+    command = ["python3", "-m", "lab", "study-job", tool, build, results]
+    plan.write(name, results,
+               [plan.job(results, k, [*command, k], guess(k)) for k in chosen], "study")

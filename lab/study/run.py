@@ -1,9 +1,7 @@
-#!/usr/bin/env python3
 # run.py - runs one job of a study and keeps its result
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.study.run TOOL BUILD RESULTS KEY
-KEY as keys.py has it. Does nothing if the result is there and counts. Exit code 1: the job failed,
-nothing was written. A profile that refuses a scene is a result: {"refused": why}."""
+"""KEY as keys.py has it. Does nothing if the result is there and counts. Exit code 1: the job
+failed, nothing was written. A profile that refuses a scene is a result: {"refused": why}."""
 import json
 import os
 import subprocess
@@ -126,9 +124,3 @@ def main(tool, build, folder, key):
         kinds = {"accuracy": accuracy, "cycles": cycles, "cells": cells}
         result = kinds[w["kind"]](tool, build, w, temporary)
     store.save(folder, key, sources(build, w), result, time.monotonic() - began)
-
-
-if __name__ == "__main__":
-    if len(sys.argv) != 5:
-        sys.exit(__doc__)
-    main(*sys.argv[1:])

@@ -1,13 +1,10 @@
-#!/usr/bin/env python3
 # seeds.py - the clocks of a core that was placed with several seeds
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.study.seeds CORE FOLDER SPEED-SEED...
-FOLDER/SPEED-SEED has the placed.json of synth/place.sh, FOLDER/core what synth/core.sh left. Writes
-the rows of the core into the table of lab/clocks.py, one for each speed grade. Rows of other cores,
-and of other speed grades of this one, stay."""
+"""FOLDER/SPEED-SEED has the placed.json of synth/place.sh, FOLDER/core what synth/core.sh left.
+Writes the rows of the core into the table of lab/clocks.py, one for each speed grade. Rows of other
+cores, and of other speed grades of this one, stay."""
 import json
 import re
-import sys
 from pathlib import Path
 
 from .. import clocks, intact
@@ -33,9 +30,3 @@ def main(core, folder, *seeds):
     head, before = data.read(clocks.TABLE)
     table = made + [row for row in before if tuple(row[:4]) not in new]
     intact.write(data.FOLDER / f"{clocks.TABLE}.tsv", data.of_rows([head] + sorted(table)))
-
-
-if __name__ == "__main__":
-    if len(sys.argv) < 4:
-        sys.exit(__doc__)
-    main(*sys.argv[1:])

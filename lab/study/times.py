@@ -1,10 +1,7 @@
-#!/usr/bin/env python3
 # times.py - what accuracy costs in time, as a plot: clocks of cores, and tables of accuracy.md
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.study.times FOLDER
-Draws docs/pictures/accuracy/pareto_milliseconds.svg; FOLDER gets the plot's data. It needs no
+"""Draws docs/pictures/accuracy/pareto_milliseconds.svg; FOLDER gets the plot's data. It needs no
 result of a run, so `make study-seeds` draws it anew when a clock changed."""
-import sys
 
 from .. import clocks
 from ..pages import data
@@ -37,9 +34,3 @@ def series():
 def main(folder):
     plots.draw(PICTURE, folder, f"What accuracy costs in time: a frame of {points.FRAME}, mean of "
                f"{len(gather.COMMON)} scenes (down: truer)", "ms a frame (log)", series(), True)
-
-
-if __name__ == "__main__":
-    if len(sys.argv) != 2:
-        sys.exit(__doc__)
-    main(sys.argv[1])

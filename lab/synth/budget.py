@@ -1,8 +1,6 @@
-#!/usr/bin/env python3
 # budget.py - is a synthesised core within synth/budget.txt? TAP lines, one a module
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.synth.budget FOLDER BUDGET...; the last budget that names a module counts.
-Exits with 1 if a module is over its budget or is not in the core."""
+"""Exits with 1 if a module is over its budget or is not in the core."""
 import sys
 
 from . import results
@@ -22,7 +20,7 @@ def read_budget(path):
     return limits
 
 
-def main(folder, budgets):
+def main(folder, *budgets):
     run = results.read(folder)
     limits = {}
     for path in budgets:
@@ -36,7 +34,3 @@ def main(folder, budgets):
                   if total else "not in the core")
         print(f"{'ok' if ok else 'not ok'} - {run['profile']} {run['target']} {module}: {is_now}")
     sys.exit(bad > 0)
-
-
-if __name__ == "__main__":
-    main(sys.argv[1], sys.argv[2:])

@@ -1,11 +1,9 @@
 # families.py - the slow paths of a placed core, a line for each family
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.synth.families SDF [LINES]
-SDF is what nextpnr writes with --sdf: the delays of cells and wires in ps. Prints how many end
+"""SDF is what nextpnr writes with --sdf: the delays of cells and wires in ps. Prints how many end
 points are later than 8 ns, then of the slowest paths, one for those that begin and end in registers
 of the same names whatever their bits, the ns and the cells that each passes."""
 import re
-import sys
 from collections import Counter, defaultdict
 
 WANTED = 8000   # ps: 125 MHz
@@ -93,9 +91,3 @@ def main(name, lines=30):
             print(f"{at / 1000:6.2f}  {told(cells)}")
         if len(seen) == int(lines):
             break
-
-
-if __name__ == "__main__":
-    if len(sys.argv) not in (2, 3):
-        sys.exit(__doc__)
-    main(*sys.argv[1:])

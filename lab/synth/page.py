@@ -1,8 +1,6 @@
-#!/usr/bin/env python3
 # page.py - puts the tables of docs/results/area.md in their places
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.synth.page PAGE FOLDER KEY...
-A table stands between `<!-- NAME -->` and `<!-- end -->`; NAME is a target, effects, modules or
+"""A table stands between `<!-- NAME -->` and `<!-- end -->`; NAME is a target, effects, modules or
 profiles."""
 import os
 import sys
@@ -23,7 +21,7 @@ def profiles(runs):
                         + [r["profile"] + " MULT" for r in runs], rows)
 
 
-def main(page, folder, keys):
+def main(page, folder, *keys):
     runs = [results.read(os.path.join(folder, key)) for key in keys
             if whole.there(os.path.join(folder, key, "stat.json"))]
     if whole.LACKING:
@@ -36,7 +34,3 @@ def main(page, folder, keys):
     tables["modules"] = report.modules(next(r for r in ecp5 if r["profile"] == "standard"))
     tables["profiles"] = profiles(ecp5)
     place(page, "make area", tables, runs[0]["yosys"])
-
-
-if __name__ == "__main__":
-    main(sys.argv[1], sys.argv[2], sys.argv[3:])

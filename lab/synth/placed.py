@@ -1,10 +1,9 @@
-#!/usr/bin/env python3
 # placed.py - what nextpnr says of a placed core, in short
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.synth.placed REPORT LOG ROUTED SECONDS VERSION
-Prints JSON: Fmax in MHz, the critical path of the clock with the instances that it passes and its
-delays in ns, and what of the device is used. Before routing the report has no clocks: then what the
-log estimates, and no path; a routing that was broken off has no report, and the log has it all."""
+"""Prints JSON: Fmax in MHz, the critical path of the clock with the instances that it passes and
+its delays in ns, and what of the device is used. Before routing the report has no clocks: then what
+the log estimates, and no path; a routing that was broken off has no report, and the log has it
+all."""
 import json
 import os
 import re
@@ -70,9 +69,3 @@ def main(path, log, routed, seconds, version):
                "path": path_of(report) if routed != "0" else None, "used": used,
                "seconds": int(seconds), "nextpnr": version}, sys.stdout, indent=1)
     print()
-
-
-if __name__ == "__main__":
-    if len(sys.argv) != 6:
-        sys.exit(__doc__)
-    main(*sys.argv[1:])

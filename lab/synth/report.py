@@ -1,10 +1,7 @@
-#!/usr/bin/env python3
 # report.py - tables of synthesised cores: report.md, report.json, and a short one to print
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.synth.report FOLDER KEY..."""
 import json
 import os
-import sys
 
 from .. import intact
 from . import results
@@ -90,7 +87,7 @@ def markdown(runs, command):
     return "\n".join(text)
 
 
-def main(folder, keys):
+def main(folder, *keys):
     runs = [results.read(os.path.join(folder, key)) for key in keys]
     command = "make synth PROFILE={} TARGET={}".format(
         *("all" if len({r[name] for r in runs}) > 1 else runs[0][name]
@@ -113,7 +110,3 @@ def main(folder, keys):
         if any(r["target"] == target for r in runs):
             print(f"\n{target}\n{cores(runs, target)}")
     print(f"\nmodules: {folder}/report.md, {folder}/report.json")
-
-
-if __name__ == "__main__":
-    main(sys.argv[1], sys.argv[2:])

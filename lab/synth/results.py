@@ -9,6 +9,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+from .. import tasks
+
 # columns of each target: name, {cell type pattern: weight}, heading
 COLUMNS = {
     "ecp5": [
@@ -44,11 +46,21 @@ SIZE = {"ecp5": "lut4eq", "xc7": "lut", "generic": "gates"}
 
 
 def key(profile, cores, target="ecp5", engines="1", root="2", quotient="2"):
-    """The name of a synthesised core, as sim/key.sh has it."""
-    ran = subprocess.run(["sh", "sim/key.sh", profile, cores, target], check=False,
+    """The name of a synthesised core, as sim/cores.py has it."""
+    ran = subprocess.run(["sim/cores.py", "key", profile, cores, target], check=False,
                          stdout=subprocess.PIPE, text=True, env=dict(
                              os.environ, ENGINES=engines, ROOT_STEP=root, QUOTIENT_STEP=quotient))
     return ran.stdout.strip() if ran.returncode == 0 else sys.exit(1)
+
+
+def synthesise(build, lists):
+    """Cores of profile standard for ecp5, as make/area.mk keeps them."""
+    done = subprocess.run(
+        ["make", "--no-print-directory", f"-j{tasks.jobs()}", "-f", "make/area.mk", "results",
+         f"B={build}", f"V={os.environ.get('V') or 0}", f"EFFECTS={' '.join(lists)}"],
+        env=tasks.clean(), check=False)
+    if done.returncode:
+        sys.exit(done.returncode)
 
 
 def columns(target):
@@ -96,7 +108,7 @@ def read(folder):
     key = folder.name
     profile, target, variant = key.split("-", 2)
     name, *widths = profile.split("_")
-    if widths:  # NAME_pq12_ng0: sim/profile.sh
+    if widths:  # NAME_pq12_ng0: sim/cores.py
         profile = name + ":" + ",".join(re.sub(r"(\d)", r"=\1", w, count=1) for w in widths)
     parameters = dict(p.split("=") for p in (folder / "parameters").read_text().split())
     parameters = {name: int(value) for name, value in parameters.items()}

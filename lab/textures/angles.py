@@ -7,7 +7,7 @@ from .. import intact
 from ..pages import whole
 from ..synth import report
 
-SLANTS = 89, 75, 60, 45, 30, 16, 5, "ball"  # views: make/textures.mk
+SLANTS = 89, 75, 60, 45, 30, 16, 5, "ball"  # views: lab/textures/runs.py
 VIAS = {"direct": "directly", "flat": "in a flat mirror", "curved": "in a ball"}
 
 

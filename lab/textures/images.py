@@ -1,17 +1,11 @@
-#!/usr/bin/env python3
 # images.py - makes the images of scenes/texture
 # SPDX-License-Identifier: Apache-2.0
-#
-# usage: python3 -m lab.textures.images [FOLDER]      needs nothing but Python
 import os
 import struct
-import sys
 import zlib
 
-TO = sys.argv[1] if len(sys.argv) > 1 else "scenes/texture"
 
-
-def write(name, width, height, colour):
+def write(folder, name, width, height, colour):
     """8-bit RGB PNG; colour(x, y) is (r, g, b)."""
     rows = b"".join(
         b"\0" + b"".join(bytes(colour(x, y)) for x in range(width)) for y in range(height))
@@ -21,7 +15,7 @@ def write(name, width, height, colour):
         return struct.pack(">I", len(data)) + body + struct.pack(">I", zlib.crc32(body))
 
     head = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
-    with open(os.path.join(TO, name), "wb") as file:
+    with open(os.path.join(folder, name), "wb") as file:
         file.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) +
                    chunk(b"IDAT", zlib.compress(rows, 9)) + chunk(b"IEND", b""))
 
@@ -154,12 +148,11 @@ def script(x, y):
     return 236, 226, 200
 
 
-write("tiles.png", 512, 512, tiles)
-write("globe.png", 512, 256, globe)
-write("letter.png", 128, 128, letter)
-for painted in wood, wall, metal, parquet:
-    write(painted.__name__ + ".png", 256, 256, painted)
-write("ground.png", 512, 512, ground)
-write("face.png", 256, 128, face)
-for painted in rings, blocks, threads, script:
-    write(painted.__name__ + ".png", 240, 160, painted)
+def main(folder="scenes/texture"):
+    for side, painted in ((256, wood), (256, wall), (256, metal), (256, parquet), (512, tiles),
+                          (512, ground), (128, letter)):
+        write(folder, painted.__name__ + ".png", side, side, painted)
+    write(folder, "globe.png", 512, 256, globe)
+    write(folder, "face.png", 256, 128, face)
+    for painted in rings, blocks, threads, script:
+        write(folder, painted.__name__ + ".png", 240, 160, painted)

@@ -1,12 +1,9 @@
-#!/usr/bin/env python3
 # page.py - puts the tables of docs/results/texture_results.md in their places, and draws its
 # plot
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.textures.page PAGE ACCURACY FOLDER PICTURES SIZE RTL_SIZE -- NAME...
-FOLDER has what make/textures.mk says. The table `textures` stands in ACCURACY."""
+"""FOLDER has what runs.py says. The table `textures` stands in ACCURACY."""
 import os
 import re
-import sys
 from functools import partial
 
 from ..pages import whole
@@ -294,9 +291,7 @@ def prices(data):
     return report.table(["filter", "RMS error", "PSNR", "texels a pixel", "cycles a frame"], rows)
 
 
-def main(page, accuracy, folder, pictures, size, rtl, dashes, *names):
-    if dashes != "--" or not names:
-        sys.exit(__doc__)
+def main(page, accuracy, folder, pictures, size, rtl, *names):
     data = Data(folder, size, rtl, names)
     tables_of = {"levels": levels, "decisions": decisions, "totals": totals, "bases": bases,
                  "caches": caches, "speed": speed, "slow": slow, "stall": stalls, "memory": memory,
@@ -306,9 +301,3 @@ def main(page, accuracy, folder, pictures, size, rtl, dashes, *names):
     if "angles" in put:
         plot(slants(folder), folder, os.path.join(pictures, "angles.svg"))
     place(accuracy, "make textures", {"textures": lambda: prices(data)})
-
-
-if __name__ == "__main__":
-    if len(sys.argv) < 9:
-        sys.exit(__doc__)
-    main(*sys.argv[1:])

@@ -1,15 +1,9 @@
-#!/usr/bin/env python3
 # scenes.py - makes scenes of scenes/texture: kitchen.nff, robot.nff, museum.nff
 # SPDX-License-Identifier: Apache-2.0
-#
-# usage: python3 -m lab.textures.scenes [FOLDER]      needs nothing but Python
 #
 # What the BART scenes of these names show, in spheres, triangles and planes. Large faces are cut
 # into pieces: a leaf is a bounding sphere, and those of long triangles cut many rays.
 import os
-import sys
-
-TO = sys.argv[1] if len(sys.argv) > 1 else "scenes/texture"
 
 
 class Scene:
@@ -70,8 +64,8 @@ class Scene:
             sides = [sum(abs(v) for v in side) for side in (right, up)]
             self.quad(corner, right, up, image, [s / scale for s in sides], (cut, cut))
 
-    def write(self):
-        path = os.path.join(TO, self.name + ".nff")
+    def write(self, folder):
+        path = os.path.join(folder, self.name + ".nff")
         with open(path, "w", encoding="utf-8") as file:
             file.write("\n".join(self.lines) + "\n")
 
@@ -115,7 +109,7 @@ def kitchen():
     s.sphere(-0.38, 0.84, 0.05, 0.06)
     s.material((0.8, 0.15, 0.1))
     s.sphere(-0.52, 0.84, -0.02, 0.06)
-    s.write()
+    return s
 
 
 def robot():
@@ -160,7 +154,7 @@ def robot():
     s.material((0.9, 0.2, 0.15))
     s.sphere(0, 2.42, 0, 0.07)
     s.sphere(0, 2.34, 0, 0.03)
-    s.write()
+    return s
 
 
 def museum():
@@ -194,8 +188,9 @@ def museum():
     s.material((0.92, 0.95, 1), 0.15, 0.8, 100)
     s.sphere(-1.2, 1.22, 4, 0.42)
     s.sphere(0.9, 0.5, 2.6, 0.5)
-    s.write()
+    return s
 
 
-for make in kitchen, robot, museum:
-    make()
+def main(folder="scenes/texture"):
+    for make in kitchen, robot, museum:
+        make().write(folder)

@@ -1,8 +1,6 @@
 # cocotb_run.py - builds cocotb_top.v in Icarus and runs the tests of cocotb_top.py
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python -m lab.top.cocotb_run FOLDER MACHINE.sph FRAME DATA NAME=VALUE...
-NAME=VALUE: parameters of the core. Exits with 1 if a test fails."""
-import sys
+"""NAME=VALUE: parameters of the core. Exits with 1 if a test fails."""
 from pathlib import Path
 
 from cocotb_tools.check_results import get_results
@@ -26,7 +24,3 @@ def main(folder, machine, frame, data, *parameters):
     tests, failed = get_results(results)
     print(f"cocotb, {data} bits: {tests - failed} of {tests} tests passed")
     return failed > 0
-
-
-if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))

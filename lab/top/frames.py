@@ -1,7 +1,6 @@
 # frames.py - time to image of the frames that make sim TOP=1 drew
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.top.frames FOLDER
-Joins build.json of the CPU side and frames.tsv of the harness: prints a table and leaves
+"""Joins build.json of the CPU side and frames.tsv of the harness: prints a table and leaves
 FOLDER/report.json (docs/reference/report_schema.md)."""
 import csv
 import json
@@ -40,7 +39,3 @@ def main(folder):
               f"{f['pixels_a_burst']:16.2f}")
     path = os.path.join(folder, "report.json")
     intact.write(path, json.dumps(report, indent=2) + "\n")
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

@@ -1,9 +1,8 @@
 # rdl.py - the register list of rt_top as systemrdl-compiler reads it, against the C header
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python -m lab.top.rdl FILE.rdl
-Says how many registers there are, or what differs from driver/sphaera_regs.h; exits with 1 then."""
+"""Says how many registers there are, or what differs from driver/sphaera_regs.h; exits with 1
+then."""
 import re
-import sys
 from pathlib import Path
 
 from systemrdl import RDLCompiler
@@ -34,7 +33,3 @@ def main(path):
     print("\n".join(wrong) if wrong else
           f"rdl: {len(registers)} registers, {len(offsets)} of rt_top's own as in {HEADER}")
     return bool(wrong)
-
-
-if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))

@@ -1,10 +1,8 @@
 # show_files.py - a machine and its golden frame as tb/top/tb_show_icarus.v reads them
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.top.show_files FOLDER MACHINE.sph FRAME
-Writes FOLDER/machine.hex, memory.hex (words of 64 bits) and frame.hex (a pixel a line): the frame
-that each value of MUX selects."""
+"""Writes FOLDER/machine.hex, memory.hex (words of 64 bits) and frame.hex (a pixel a line): the
+frame that each value of MUX selects."""
 import struct
-import sys
 from pathlib import Path
 
 from lab.top.golden import golden, machine
@@ -19,7 +17,3 @@ def main(folder, path, frame):
                                  ("frame", pixels, 6)):
         text = "".join(f"{value:0{digits}x}\n" for value in values)
         (Path(folder) / f"{name}.hex").write_text(text, encoding="utf-8")
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

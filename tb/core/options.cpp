@@ -91,7 +91,7 @@ const argp_option table[] = {
     {"engine", ENGINE, "FILE", 0,
      "compiled Icarus bench, or netlist as JSON (of the harnesses for these)", 0},
     {"core", CORE, "LIST", 0, "what the core was built with, to name what it lacks", 0},
-    {"built", BUILT, "PARAMETERS", 0, "the same as sim/parameters.sh prints it", 0},
+    {"built", BUILT, "PARAMETERS", 0, "the same as sim/cores.py prints it", 0},
     {"trace", TRACE, "FILE.fst", 0, "write a waveform (only if built with tracing)", 0},
     {"frame", FRAME, "FILE", 0, "write the core's pixels and counters", 0},
     {"model-frame", MODEL_FRAME, "FILE", 0, "write the model's pixels and counters", 0},

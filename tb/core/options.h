@@ -52,7 +52,7 @@ struct Options {
     bool progress = false;
     bool info = false;  /* prints profile and effects of the machine and ends */
     std::string engine; /* Icarus: the compiled bench; gates: the netlist as JSON */
-    std::string core;   /* what the core was built with: a list of sim/parameters.sh */
+    std::string core;   /* what the core was built with: a list of sim/cores.py */
     std::string built;  /* the same as parameters, NAME=VALUE ... */
     std::string trace, frame, model_frame, clocks, json;
     std::string repeat; /* how the command that repeats a failure starts */

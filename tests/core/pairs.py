@@ -1,7 +1,7 @@
 # pairs.py - pairs of parameters of rt_core: each is refused by name, or elaborates
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 tests/core/pairs.py [all]
-Prints TAP. sim/legal.sh, which make and synthesis ask, has to say of every set of parameters what
+Prints TAP. sim/cores.py, which make and synthesis ask, has to say of every set of parameters what
 the elaboration by Icarus says: the same rules, or nothing. Units of an engine are tried with all
 their values. Of other sizes every pair of ends, least or most, is in one of eight whole cores: the
 end of a size in core n is bit n of a word of its own, of eight bits, four of them set, the first
@@ -26,12 +26,12 @@ def said(*words):
 
 
 def words(*command):
-    return said("sh", *command).stdout.split()
+    return said("sim/cores.py", *command).stdout.split()
 
 
 def legal(parameters):
-    """The rules that do not hold, as sim/legal.sh says."""
-    ran = said("sh", "sim/legal.sh", *parameters)
+    """The rules that do not hold, as sim/cores.py says."""
+    ran = said("sim/cores.py", "legal", *parameters)
     rules = {line.split(": ", 1)[1].replace(" ", "_") for line in ran.stdout.splitlines()}
     assert (ran.returncode != 0) == bool(rules), ran.stdout
     return rules
@@ -71,10 +71,10 @@ def number(text, parameters):
 
 
 UNITS = ("ENGINES", "PIPES", "LEAF_UNITS", "SHADES", "SETUPS")
-EFFECTS = words("sim/parameters.sh", "+".join(
-    word for word in words("sim/parameters.sh", "--names")
+EFFECTS = words("parameters", "+".join(
+    word for word in words("parameters", "--names")
     if word not in ("first", "interpenetrate", "bih", "boxes", *words(
-        "sim/parameters.sh", "--names", "counted")))) + ["REFLECT=2", "LIGHTS=8", "CONES=1"]
+        "parameters", "--names", "counted")))) + ["REFLECT=2", "LIGHTS=8", "CONES=1"]
 
 
 def units():
@@ -112,7 +112,7 @@ def ends(everything):
     some = list(itertools.product(profiles, trees))
     for row in range(WIDE):
         for profile, tree in some if everything else [(profiles[row % 4], trees[row % 3])]:
-            widths = words("sim/profile.sh", profile)
+            widths = words("profile", profile)
             given = [f"{name}={number((least, most)[code >> row & 1], widths)}"
                      for code, (name, least, most) in zip(codes, names)]
             # textures: the pair is one of its own, above

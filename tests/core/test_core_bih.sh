@@ -87,6 +87,6 @@ judge
 [ -n "$CORE" ] || {
     check "a core for nodes of four refuses a BIH" refused shadow+reflect5+lights8+inside paper5
     check "a core with a BIH refuses nodes of four" refused shadow+reflect5+lights8+inside+bih four
-    check "first does not go with bih" sh -c '! sh sim/parameters.sh first+bih'
+    check "first does not go with bih" sh -c '! sim/cores.py parameters first+bih'
 }
 done_testing

@@ -69,7 +69,7 @@ judge
     check "a core for the camera's axes refuses others" refused \
         shadow+reflect5+lights8+inside+facets+boxes turned
     check "a core for boxes refuses spheres" refused shadow+reflect5+lights8+inside+boxes four
-    check "first does not go with boxes" sh -c '! sh sim/parameters.sh first+boxes'
-    check "nor does bih" sh -c '! sh sim/parameters.sh bih+boxes'
+    check "first does not go with boxes" sh -c '! sim/cores.py parameters first+boxes'
+    check "nor does bih" sh -c '! sim/cores.py parameters bih+boxes'
 }
 done_testing

@@ -119,7 +119,7 @@ all_but() { # name
         if (n > most) { most = n; name = $1 }
     } END { print name }' "$cases"
 }
-for but in $(sh sim/parameters.sh --names all); do
+for but in $(sim/cores.py parameters --names all); do
     title=$(all_but $but)
     [ -z "$title" ] || run "$title: icarus, core all-$but" all-$but SIM=icarus \
         "$here/$title-small.sph"

@@ -19,7 +19,7 @@ size=32x24
 whole() { # own list: `all`, with what it lacks
     # shellcheck disable=SC2046  # a list of words on purpose
     printf '%s\n' $(echo "$1" | tr + ' ') | sed 's/[0-9]*$//' | sort >"$TMP/own"
-    { sh sim/parameters.sh --names all && echo none; } | sort | comm -23 "$TMP/own" - |
+    { sim/cores.py parameters --names all && echo none; } | sort | comm -23 "$TMP/own" - |
         sed '1s/^/+/' | paste -s -d + - | sed 's/^/all/'
 }
 for scene in scenes/*.nff scenes/effects/*.nff; do

@@ -43,7 +43,7 @@ check "it names the parameters that it changes, and no other" changes "$TMP/trac
 "$SPHAERA" build scenes/texture/hall.nff --profile standard -o "$TMP/hall.sph" >"$TMP/text" 2>&1
 asks=$("$SPHAERA" info "$TMP/hall.sph" | sed -n 's/^core *//p')
 draws() { # file: its core can do what the scene asks for
-    sh sim/parameters.sh "$asks" | tr ' ' '\n' | grep -vE '^(RECT|SPANS|CONES)=' >"$TMP/asked"
+    sim/cores.py parameters "$asks" | tr ' ' '\n' | grep -vE '^(RECT|SPANS|CONES)=' >"$TMP/asked"
     { cat "$TMP/defaults" && given "$1"; } >"$TMP/given"
     awk -F= 'NR == FNR { has[$1] = $2; next } $2 > has[$1] { print; few = 1 }
         END { exit few || FNR < 10 }' "$TMP/given" "$TMP/asked"

@@ -11,7 +11,7 @@ set -u
 . "$(dirname "$0")/../tap.sh"
 cd "$(dirname "$0")/../.." || exit 1
 BUILD=${BUILD:-build}
-key=$(sh sim/key.sh standard none ecp5)
+key=$(sim/cores.py key standard none ecp5)
 run=$BUILD/synth/$key
 
 if ! command -v yosys >"$TMP/yosys"; then
@@ -23,7 +23,7 @@ held() { # profile, list, budget: synthesised; a line for each of the budget's m
     check "synthesis of $1 with $2; no loop, no undriven net" \
         env -u MAKEFLAGS -u MFLAGS make -s -f make/area.mk results B="$BUILD" PROFILES="$1" \
         EFFECTS="$2"
-    python3 -m lab.synth.budget "$BUILD/synth/$(sh sim/key.sh "$1" "$2" ecp5)" "$3" |
+    python3 -m lab budget "$BUILD/synth/$(sim/cores.py key "$1" "$2" ecp5)" "$3" |
         sed "s/ecp5/& $2:/" >>"$TMP/lines"
 }
 held standard none synth/budget_none.txt
@@ -54,14 +54,14 @@ done <<END
 $(cat "$TMP/lines")
 END
 
-budget() { python3 -m lab.synth.budget "$@"; }
+budget() { python3 -m lab budget "$@"; }
 over() { ! budget "$run" "$1" && [ "$2" = "$(budget "$run" "$1" | grep -c '^not ok')" ]; }
 core=$(sed -n 's/.* none: rt_core: \([0-9]*\) of [0-9]* MULT18X18D, \([0-9]*\) of .*/\1 \2/p' \
     "$TMP/lines")
 mult=${core% *} lut4eq=${core#* }
 echo "rt_core $mult $lut4eq" >"$TMP/exact"
 check "what the core takes is within a budget of just that" \
-    python3 -m lab.synth.budget "$run" "$TMP/exact"
+    python3 -m lab budget "$run" "$TMP/exact"
 echo "rt_core $((mult - 1)) $lut4eq" >"$TMP/multiplier"
 check "one multiplier too many is noticed" over "$TMP/multiplier" 1
 echo "rt_core $mult $((lut4eq - 1))" >"$TMP/lut"

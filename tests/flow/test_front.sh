@@ -108,9 +108,9 @@ refuse tests
 check "make tests, which is a folder" says "^there is no target tests; is test meant"
 refuse test ONLY=test_raedme
 check "ONLY of no suite" says "^ONLY=test_raedme: no suite .*; is test_readme.sh meant"
-check "sim/parameters.sh alone tells its use" sh -c \
-    '! sh sim/parameters.sh 2>&1 | grep -v "^usage: sim/parameters.sh LIST" &&
-    ! sh sim/parameters.sh 2>/dev/null'
+check "sim/cores.py without a list tells its use" sh -c \
+    '! sim/cores.py parameters 2>&1 | grep -v "sim/cores.py [a-z]* [A-Z]\|ENGINES" &&
+    ! sim/cores.py parameters 2>/dev/null'
 refuse build/nosuch
 check "make build/nosuch" says "No rule to make target 'build/nosuch'"
 refuse clean build/nosuch
@@ -135,7 +135,7 @@ check "words and bounds are those of the tool" diff "$TMP/rules" "$TMP/tool"
 for kind in $(sed -n 's/^    {"\([a-z0-9_]*\)", sph_make.*/\1/p' cmodel/scene/generate.c); do
     "$SPHAERA" gen "$kind:3" >"$TMP/text" 2>&1 && echo "$kind:N"
 done >"$TMP/tool"
-sh sim/scene.sh nothing 2>&1 | tr ' ' '\n' | grep ':N$' >"$TMP/rules"
+sim/scene.py nothing 2>&1 | tr ' ' '\n' | grep ':N$' >"$TMP/rules"
 check "so are the kinds of scenes" sh -c "[ -s '$TMP/tool' ] && diff '$TMP/rules' '$TMP/tool'"
 same_scene() { "$SPHAERA" gen "$1" | grep -v '^#' >"$TMP/x.nff" && shift && "$SPHAERA" gen "$@" |
     grep -v '^#' | cmp - "$TMP/x.nff"; }

@@ -28,7 +28,7 @@ for pair in "one two" "two one"; do
     echo "#include \"${pair#* }.h\"" >"cmodel/${pair% *}.h"
 done
 circle() {
-    ! python3 "$OLDPWD/lab/lint_layers.py" obj/cmodel/*.o >circles && cat circles &&
+    ! PYTHONPATH=$OLDPWD python3 -m lab layers obj/cmodel/*.o >circles && cat circles &&
         grep -qx 'a circle: one, two' circles && grep -qx 'a circle: one.h, two.h' circles
 }
 check "circles between files are told" circle

@@ -19,13 +19,14 @@ line="effect dummy most=3 bit=$(awk -f cmodel/machine/effects.awk -f - $def <<'E
 END { print bits }
 END
 ) option=when needs=inside : does nothing"
-find . -type f | sort | xargs cksum >"$TMP/before"
+find . -type f ! -name '*.pyc' | sort | xargs cksum >"$TMP/before"
 awk -v line="$line" '$1 == "part" && !done { print line; done = 1 } 1' $def >"$TMP/def"
 cp "$TMP/def" $def
 make layout >"$TMP/layout" 2>&1 || cat "$TMP/layout"
 
 # ---- what differs: machine.def, which was edited, and what make layout wrote ----
-find . -type f | sort | xargs cksum | diff "$TMP/before" - | sed -n 's/^> .* //p' >"$TMP/changed"
+find . -type f ! -name '*.pyc' | sort | xargs cksum | diff "$TMP/before" - |
+    sed -n 's/^> .* //p' >"$TMP/changed"
 generated() {
     printf './%s\n' $def cmodel/machine/layout.h rtl/core/rt_core_rules.vh rtl/core/rt_effects.vh \
         rtl/core/rt_effects_pass.vh rtl/core/rt_layout.vh | sort | diff - "$TMP/changed"
@@ -39,27 +40,28 @@ check "make layout once more writes nothing" \
     sh -c 'touch "$1"; make layout; ! find . -newer "$1" -name "*.vh" | grep .' - "$TMP/stamp"
 
 # ---- names of cores ----
-has() { sh sim/parameters.sh "$1" | grep -q "\\bDUMMY=$2\\b"; }
+has() { sim/cores.py parameters "$1" | grep -q "\\bDUMMY=$2\\b"; }
 check "parameters: all" has all 3
 check "parameters: none" has none 0
 check "parameters: all-dummy" has all-dummy 0
 check "parameters: a count" has inside+dummy2 2
 check "parameters: all-inside leaves it out too" has all-inside 0
-refuses() { ! sh sim/parameters.sh "$1" 2>"$TMP/why" && cat "$TMP/why" && grep -q "$2" "$TMP/why"; }
+refuses() { ! sim/cores.py parameters "$1" 2>"$TMP/why" && cat "$TMP/why" &&
+    grep -q "$2" "$TMP/why"; }
 check "parameters: a count that is too large" refuses inside+dummy4 'dummy4 names nothing'
 check "parameters: what it needs" refuses dummy1 'dummy1: dummy needs inside'
 says() { grep -q -e "$1" "$2" || { cat "$2" && false; }; }
 make help-all >"$TMP/help" 2>&1
 check "make help-all names it" says dummyN "$TMP/help"
 
-python3 -m lab.pages docs/reference/core.md >"$TMP/pages" 2>&1 || cat "$TMP/pages"
+python3 -m lab pages docs/reference/core.md >"$TMP/pages" 2>&1 || cat "$TMP/pages"
 check "the page of the core has it" says \
     '^- `dummy`, `DUMMY` = 3 (0..3, bit [0-9]*): does nothing' docs/reference/core.md
 check "... once" sh -c '[ "$(grep -c DUMMY docs/reference/core.md)" = 1 ]'
 
 # ---- the core elaborates with it and without, silently ----
 elaborate() { # list
-    parameters=$(sh sim/parameters.sh "$1") || return 1
+    parameters=$(sim/cores.py parameters "$1") || return 1
     # shellcheck disable=SC2046,SC2086  # words
     set -- $(printf ' -Ptb_core_icarus.%s' $parameters) \
         $(find rtl -name '*.vh' -exec dirname {} + | sort -u | sed 's/^/-I/') \

@@ -73,7 +73,7 @@ check "a program ends well that has drawn" ends_well
 
 # ---- the notebook ----
 cd "$root" || exit 1
-PYTHONPATH=$packages "$python" -m lab.notebook examples/python/sweep.ipynb >"$TMP/out" 2>&1
+PYTHONPATH=$packages "$python" -m lab notebook examples/python/sweep.ipynb >"$TMP/out" 2>&1
 case $? in
 3) echo "ok $((checks += 1)) - # SKIP there is no nbclient" ;;
 0) tap 0 "the notebook shows what it stores" "$TMP/out" ;;

@@ -35,7 +35,7 @@ renews() { # tool, result, command
     stub "$tool" 2
     [ "$(calls "$@")" -gt 0 ] || { echo "$tool of another version is not called"; return 1; }
 }
-key=$(sh sim/key.sh draft none generic)
+key=$(sim/cores.py key draft none generic)
 check "make synth: another Yosys" renews yosys "$TMP/b/synth/$key/stat.json" \
     make -f make/area.mk results B="$TMP/b" PROFILES=draft EFFECTS=none TARGETS=generic
 

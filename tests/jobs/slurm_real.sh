@@ -10,7 +10,7 @@ BUILD=${BUILD:-$PWD/build} tool=${SPHAERA:-$BUILD/sphaera}
 cluster() { what=$1 && shift && sh tests/jobs/cluster.sh "$what" "$TMP/here" "$@"; }
 trap 'cluster stop 2>/dev/null' EXIT
 study() { python3 -m lab.checks.slurm_study plan "$tool" "$BUILD" "$TMP/$1" "$TMP/$1.list" &&
-    env -u MAKEFLAGS -u MFLAGS python3 -m lab.jobs.run "$2" "$TMP/$1.list"; }
+    env -u MAKEFLAGS -u MFLAGS python3 -m lab jobs "$2" "$TMP/$1.list"; }
 whole() { ls "$TMP/slurm" 2>/dev/null | grep -c 'json$'; }
 until_true() { # seconds, command
     n=$(($1 * 5))
@@ -52,7 +52,7 @@ sed -i 's/"pixels": 576/"pixels": 577/' "$second"
 check "one that was damaged later is made anew, and no other" sh -c "
     python3 -m lab.checks.slurm_study plan '$tool' '$BUILD' '$TMP/slurm' '$TMP/again' 2>&1 |
         tee '$TMP/out' | grep -q ' jobs, 1 to run' &&
-    python3 -m lab.jobs.run slurm '$TMP/again' &&
+    python3 -m lab jobs slurm '$TMP/again' &&
     python3 -m lab.checks.slurm_study same '$TMP/slurm' '$TMP/make'"
 check "make study takes the engine" sh -c "env -u MAKEFLAGS -u MFLAGS make study-short \
     KINDS=accuracy B='$BUILD' RESULTS='$TMP/short' ENGINE=slurm && ls '$TMP'/short/*.json"
@@ -76,19 +76,19 @@ check "make film too: its frames are those of this machine" sh -c "
         cmp '$TMP/film-of-make'/\$n.png '$TMP/film-of-slurm'/\$n.png || exit 1; done"
 slants="$BUILD/textures/slant-75.json $BUILD/textures/slant-60.json"
 targets() { # shellcheck disable=SC2086  # words
-    python3 -m lab.jobs.targets plan textures "$BUILD" "$TMP/targets" "$TMP/targets.list" \
-        'scenes/texture/*' $slants && python3 -m lab.jobs.run slurm "$TMP/targets.list"
+    python3 -m lab target-plan textures "$BUILD" "$TMP/targets" "$TMP/targets.list" \
+        'scenes/texture/*' $slants && python3 -m lab jobs slurm "$TMP/targets.list"
 }
 half() { # a target that breaks off in its middle, and has no result
     rm -f "$TMP/targets"/*
     echo '{' >"$BUILD/textures/slant-75.json"
 }
-check "targets of a makefile" targets
+check "files of an experiment" targets
 cp "$BUILD/textures/slant-75.json" "$TMP/slant"
 state() { ls -l --time-style=full-iso "$BUILD"/textures/slant-*.json; }
 state >"$TMP/before"
 check "... which are then up to date" sh -c \
-    "env -u MAKEFLAGS -u MFLAGS make B='$BUILD' $slants"
+    "python3 -m lab textures --build '$BUILD' --file $(echo $slants | sed 's/ / --file /')"
 state >"$TMP/after"
 check "... and not made again" cmp "$TMP/before" "$TMP/after"
 half

@@ -1,4 +1,4 @@
-# browse.py - a page of lab.report in a real browser: what it shows, and that it moves
+# browse.py - a report's page in a real browser: what it shows, and that it moves
 # SPDX-License-Identifier: Apache-2.0
 """usage: PYTHONPATH=. python3 tests/lab/browse.py FOLDER KIND=PAGE...
 KIND: report, wrong, gallery, film. Prints each kind and what was looked at, below; what is not as

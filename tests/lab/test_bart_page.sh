@@ -12,7 +12,7 @@ mkdir "$data"
 
 has() { grep -qE -- "$1" "$2"; } # pattern, file
 fill() {
-    python3 -m lab.bart "$TMP/bart.md" "$data" 48x27 -- kitchen:400:50,400 \
+    python3 -m lab bart-page "$TMP/bart.md" "$data" 48x27 kitchen:400:50,400 \
         robot:3:2,3,4 museum:7:7 >"$page" 2>&1
 }
 

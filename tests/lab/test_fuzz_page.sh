@@ -11,7 +11,7 @@ row() { table "$page" | grep "^| $1 |"; }
 run() { # harness, how, seed, runs, digest
     printf '2030-01-02\t%s\t%s\t%s\t3\t%s\t7\t0\t%s\n' "$1" "$2" "$3" "$4" "$5" >>"$runs"
 }
-placed() { python3 -m lab.fuzz "$runs" "$page"; }
+placed() { python3 -m lab fuzz-page "$runs" "$page"; }
 others() { # file: all but the row of nff and of what is new
     grep -v '^| nff |\|^| new |' "$1"
 }

@@ -5,11 +5,11 @@ set -u
 . "$(dirname "$0")/../tap.sh"
 cd "$(dirname "$0")/../.." || exit 1
 
-check "pages are as the sources have them: make pages" python3 -m lab.pages --check
-check "files, modules, functions, targets that are named are there" python3 -m lab.pages.names
+check "pages are as the sources have them: make pages" python3 -m lab pages --check
+check "files, modules, functions, targets that are named are there" python3 -m lab names
 
 check "figures of results stand in tables and regions, or are named with a reason" \
-    python3 -m lab.pages.typed
+    python3 -m lab typed
 
 # faults in a copy of the tree
 cp -r cmodel docs formal lab make rtl scenes sim synth tb Makefile VERSION README.md \
@@ -26,7 +26,7 @@ unrelated() { # files of the tool, the RTL, the model, a scene, other pages; the
         edited "$(find cmodel -name leaf_unit.c)" '$s/$/\nint more(void);/' &&
         edited scenes/paper100.nff '$s/$/\ns 9 9 9 1/' &&
         edited docs/design/model.md '$s/$/\nOne more sentence./' &&
-        edited docs/results/trees.md '/^# /s/$/, again/' && python3 -m lab.pages --check
+        edited docs/results/trees.md '/^# /s/$/, again/' && python3 -m lab pages --check
 }
 check "an edit of tool, RTL, model, scene and prose leaves no page old" unrelated
 stale() { # name, file, sed expression, what the check prints: tried with the others, all at once
@@ -49,18 +49,18 @@ stale "an effect" $def 's/^effect sum .*/&\neffect haze bit=14 : fog/' \
     '^+- `haze`, `HAZE` = 1 (0..1, bit 14): fog'
 stale "a counter" $def 's/^counter 21 POWERS  *both/counter 21 POWERS rtl/' \
     '^+- 21.. `POWERS`'
-python3 -m lab.pages --check >all 2>&1
+python3 -m lab pages --check >all 2>&1
 check "pages that are stale make the check fail" [ $? -ne 0 ]
 noticed() { cat all && grep -q -- "$1" all; }
 while IFS='|' read -r name said; do
     check "$name: is noticed" noticed "$said"
 done <stale
-mended() { python3 -m lab.pages && python3 -m lab.pages --check; }
+mended() { python3 -m lab pages && python3 -m lab pages --check; }
 check "make pages mends them all" mended
 page=$(find docs -name core.md)
 broken() { # sed expression, what is said
     cp "$page" kept
-    edited "$page" "$1" && ! python3 -m lab.pages >said 2>&1 && grep "$2" said
+    edited "$page" "$1" && ! python3 -m lab pages >said 2>&1 && grep "$2" said
     rc=$?
     cp kept "$page"
     return $rc
@@ -70,7 +70,7 @@ by_hand() {
     cp "$area" kept
     sed -i '/^<!-- ecp5/,/^<!-- end/s/^| standard  *|/&1/' "$area"
     cmp -s "$area" kept && return 1
-    ! python3 -m lab.pages --check >said 2>&1 && cat said && grep 'ecp5 is not the one' said
+    ! python3 -m lab pages --check >said 2>&1 && cat said && grep 'ecp5 is not the one' said
     rc=$?
     cp kept "$area"
     return $rc
@@ -80,24 +80,24 @@ cells() { # as if they were of these sources; then not
 known = cores.record()
 for name, entry in known.items():
     entry.update(sources=cores.sources(entry["modules"]), parameters=cores.parameters(name))
-cores.write(known)' && python3 -m lab.pages.cores --check || return 1
+cores.write(known)' && python3 -m lab cores --check || return 1
     leaf=$(find rtl -name rt_leaf.v) texel=$(find rtl -name rt_texel.v)
-    edited "$leaf" '1s/$/ and more/' && python3 -m lab.pages.cores --check || return 1
+    edited "$leaf" '1s/$/ and more/' && python3 -m lab cores --check || return 1
     edited "$texel" 's/endmodule/wire more; endmodule/' &&
-        ! python3 -m lab.pages.cores --check >said && cat said && grep 'core all+texture ' said &&
+        ! python3 -m lab cores --check >said && cat said && grep 'core all+texture ' said &&
         ! grep 'core all ' said || return 1
     edited "$leaf" 's/endmodule/wire more; endmodule/' &&
-        ! python3 -m lab.pages.cores --check >said && cat said && grep 'core all ' said
+        ! python3 -m lab cores --check >said && cat said && grep 'core all ' said
 }
 check "cells are old when a module of the core changed, and then alone" cells
 check "a measured table that was changed by hand" by_hand
 unknown() {
     cp "$page" kept
     printf '%s\n' '<!-- speed -->' '| 1 |' '<!-- end -->' >>"$page"
-    ! python3 -m lab.pages --check >said 2>&1 && cat said && grep 'nothing says when' said &&
+    ! python3 -m lab pages --check >said 2>&1 && cat said && grep 'nothing says when' said &&
         python3 -c "from lab.pages import measured
 measured.stamp('$page', 'make speed', ['speed'])" &&
-        ! python3 -m lab.pages --check >said 2>&1 && cat said && grep 'does not tell' said
+        ! python3 -m lab pages --check >said 2>&1 && cat said && grep 'does not tell' said
     rc=$?
     cp kept "$page"
     return $rc
@@ -106,7 +106,7 @@ check "a measured table that no run has made, or that does not say which" unknow
 typed() { # page, what is written behind it, what is said
     cp "$1" kept
     printf '%b\n' "\n$2" >>"$1"
-    ! python3 -m lab.pages.typed >said 2>&1 && cat said && grep -q -- "$3" said
+    ! python3 -m lab typed >said 2>&1 && cat said && grep -q -- "$3" said
     rc=$?
     cp kept "$1"
     return $rc
@@ -122,7 +122,7 @@ check "a table that was typed" typed $results/speed.md '| a | b |\n|---|---|\n| 
 needless() {
     cp lab/pages/typed.txt kept
     echo 'speed | 3 dB | none' >>lab/pages/typed.txt
-    ! python3 -m lab.pages.typed >said && cat said && grep 'speed has no 3 dB' said
+    ! python3 -m lab typed >said && cat said && grep 'speed has no 3 dB' said
     rc=$?
     cp kept lab/pages/typed.txt
     return $rc
@@ -131,7 +131,7 @@ check "a reason for what is not there" needless
 made() { # what is generated or code is not typed
     cp "$area" kept
     printf '%s\n' '<!-- begin: x -->9.1 dB<!-- end -->' '`9.2 dB`' '' '    9.3 dB' >>"$area"
-    python3 -m lab.pages.typed
+    python3 -m lab typed
     rc=$?
     cp kept "$area"
     return $rc
@@ -142,7 +142,7 @@ shown=docs/results/data/shown.txt
 claims=lab/papers/claims.py values=docs/results/data/claims.values.tsv
 claim() { # file, sed expression, what is said
     cp "$1" kept
-    edited "$1" "$2" && ! python3 -m lab.pages --check >said 2>&1 && cat said &&
+    edited "$1" "$2" && ! python3 -m lab pages --check >said 2>&1 && cat said &&
         grep -q -- "$3" said
     rc=$?
     cp kept "$1"
@@ -159,7 +159,7 @@ check "a value of a claim, changed by hand" claim $values 's/^\(paper_mul.\)11/\
     '^+.*| 12 and 11'
 selected() { # sed expression, what is said
     cp "$shown" kept
-    edited "$shown" "$1" && ! python3 -m lab.pages >said 2>&1 && cat said && grep "$2" said
+    edited "$shown" "$1" && ! python3 -m lab pages >said 2>&1 && cat said && grep "$2" said
     rc=$?
     cp kept "$shown"
     return $rc
@@ -183,7 +183,7 @@ as \`make pagez SCNE=x\` does
 [x](core.md#regsters)
 END
 echo '// to rt_leaf_queue' >>$core
-python3 -m lab.pages.names "$page" $core >said
+python3 -m lab names "$page" $core >said
 says() { cat said && grep -q -- "$1" said; }
 check "a file" says 'md:[0-9]*: cmodel/render_pixels.c is not a file or folder'
 check "a file without its folder" says 'md:[0-9]*: render_pixels.c is not a file'

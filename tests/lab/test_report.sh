@@ -38,7 +38,7 @@ python() { PYTHONPATH=. python3 -c "import sys
 from lab.report.run import Run
 run = Run(sys.argv[1])
 $2" "$1"; }
-report() { python3 -m lab.report "$@"; }
+report() { python3 -m lab report "$@"; }
 
 check "... of one file: nothing is asked for elsewhere" sh -c "! grep -oE \
     '(src|href)=\"[^\"]*\"|url\([^)]*\)|@import' '$run/report.html' | grep -vE '\"(data:|$)'"
@@ -174,7 +174,7 @@ for name in paper5 materials facets/plane; do
     "$SPHAERA" render "scenes/$name.nff" --size 32x18 --samples 2 -o "$TMP/gallery/$name.png" \
         --json "$TMP/gallery/$name.json" >"$TMP/drawn" 2>&1
 done
-check "three scenes on a page" python3 -m lab.report.gallery "$TMP/gallery" "$TMP/gallery.html"
+check "three scenes on a page" python3 -m lab gallery "$TMP/gallery" "$TMP/gallery.html"
 figures() { grep -o '<figure id="[^"]*"' "$TMP/gallery.html" | tr -d '\n'; }
 check "... sorted into groups" [ "$(figures)" = \
     '<figure id="materials"<figure id="paper5"<figure id="facets/plane"' ]
@@ -196,7 +196,7 @@ cat >"$TMP/film/report.json" <<'END'
  {"at": 4, "build_seconds": 0.001, "refitted": true, "memory_bytes": 320, "upload_cycles": 446,
   "draw_cycles": 30792, "image_cycles": 30988, "pixels_a_burst": 6.59}]}
 END
-check "the page of a moving scene" python3 -m lab.report.film "$TMP/film" "make sim TOP=1"
+check "the page of a moving scene" python3 -m lab film-report "$TMP/film" "make sim TOP=1"
 pixels() { # of the second picture in the page are those of the file
     python3 -c "import base64, re, sys
 page = open('$TMP/film/report.html').read()
@@ -207,10 +207,10 @@ open('$TMP/film/second.png', 'wb').write(base64.b64decode(png))" &&
 check "... has the pictures bit by bit" pixels
 rm "$TMP/film/shown-0001.ppm"
 check "a picture that is missing is refused" refuses "1 pictures of 2 frames" \
-    python3 -m lab.report.film "$TMP/film"
+    python3 -m lab film-report "$TMP/film"
 
 # ---- a browser ----
-python3 -m lab.report.browser --there || {
+python3 -m lab browse --there || {
     for page in report wrong gallery film; do
         echo "ok $((checks += 1)) - $page.html in a browser # SKIP no Chromium: make browser-setup"
     done

@@ -18,22 +18,19 @@ nothing() { # command: it may fail, with a message of its own
     ! grep Traceback said && grep -q 'stays as it is' said || return 1
     ! diff -r before docs | head -n 5 | grep .
 }
-lab() { python3 -m "$@"; }
-check "scenarios" nothing lab lab.scenarios.page $results/scenarios.md empty
-check "papers" nothing lab lab.papers.page $results/claims.md empty empty
-check "background" nothing lab lab.background $results/background.md empty empty key \
-    -- centred
-check "textures" nothing lab lab.textures.page $results/texture_results.md $results/accuracy.md \
-    empty docs/pictures 48x27 24x14 -- kitchen robot museum
-check "bart" nothing lab lab.bart $results/bart.md empty 48x27 -- \
-    kitchen:400:50 robot:3:2 museum:7:7
-check "truth" nothing lab lab.truth.page $results/truth.md empty docs/pictures/truth
-check "study" nothing lab lab.study.page --only-tables $results/accuracy.md empty empty/study
-check "moving" nothing lab lab.moving.page $results/moving.md empty
-check "area" nothing lab lab.synth.page $results/area.md empty standard-ecp5-all-engines1
-check "effects" nothing lab lab.effects.page $results/effects.md empty empty
-check "fuzz" nothing lab lab.fuzz empty/runs.tsv $results/fuzz.md
-check "one table" nothing lab lab.pages.place $results/host.md "make host-page" events empty/events
+lab() { python3 -m lab "$@"; }
+for name in scenarios papers moving effects; do
+    check "$name" nothing lab $name page --build empty
+done
+check "background" nothing lab background background --build empty
+check "textures" nothing lab textures-page $results/texture_results.md $results/accuracy.md \
+    empty docs/pictures 48x27 24x14 kitchen robot museum
+check "bart" nothing lab bart-page $results/bart.md empty 48x27 kitchen:400:50 robot:3:2 museum:7:7
+check "truth" nothing lab truth-page $results/truth.md empty docs/pictures/truth
+check "study" nothing lab study-page --only-tables $results/accuracy.md empty empty/study
+check "area" nothing lab area-page $results/area.md empty standard-ecp5-all-engines1
+check "fuzz" nothing lab fuzz-page empty/runs.tsv $results/fuzz.md
+check "one table" nothing lab place $results/host.md "make host-page" events empty/events
 
 # ---- what is there is put and stamped, what lacks something is not ----
 cat >put.py <<'END'
@@ -56,7 +53,7 @@ check "... also in the page" grep -q '^- \*full\*, \*work\*: `make some` at comm
 check "a table of which something is missing stays" \
     cmp before/results/data/scenarios.cycles.tsv $results/data/scenarios.cycles.tsv
 check "... with its stamp" [ "$(row cycles)" = "$old" ]
-check "all of it is as the record has it" python3 -m lab.pages --check
+check "all of it is as the record has it" python3 -m lab pages --check
 
 # ---- results that are older than what they were made of ----
 old_result() {
@@ -71,12 +68,12 @@ check "a result from before the sources changed is none" old_result
 some_rows() {
     before_it=$(row listing) && python3 -c 'from lab.pages.place import place
 place("docs/results/scenarios.md", "make more", {"listing": "| a |\n|---|\n| 7 |"}, rest=True)' &&
-        [ "$(row listing)" = "$before_it" ] && python3 -m lab.pages --check
+        [ "$(row listing)" = "$before_it" ] && python3 -m lab pages --check
 }
 check "a table of which some rows are new stays as old as it was" some_rows
-cd - >said && check "the ages of all tables, by a command" python3 -m lab.pages.age scenarios
+cd - >said && check "the ages of all tables, by a command" python3 -m lab age scenarios
 aged() {
-    ! python3 -m lab.pages.age nothing 2>"$TMP/said" && grep 'no measured table in' "$TMP/said"
+    ! python3 -m lab age nothing 2>"$TMP/said" && grep 'no measured table in' "$TMP/said"
 }
 check "... of a page that has none" aged
 done_testing

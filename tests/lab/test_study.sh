@@ -11,9 +11,9 @@ BUILD=${BUILD:-build} tool=${SPHAERA:-$BUILD/sphaera}
 export STUDY_OPT=-O0 TMPDIR="$TMP"
 results=$TMP/results
 
-plan() { python3 -m lab.study.plan --short "$@" "$tool" "$BUILD" "$results" "$TMP/jobs"; }
-jobs() { env -u MAKEFLAGS -u MFLAGS python3 -m lab.jobs.run make "$TMP/jobs"; }
-run() { python3 -m lab.study.run "$tool" "$BUILD" "$results" "$1"; }
+plan() { python3 -m lab study-plan --short "$@" "$tool" "$BUILD" "$results" "$TMP/jobs"; }
+jobs() { env -u MAKEFLAGS -u MFLAGS python3 -m lab jobs make "$TMP/jobs"; }
+run() { python3 -m lab study-job "$tool" "$BUILD" "$results" "$1"; }
 has() { grep -q -- "$1" "$2"; }
 says() { # pattern, command: its output has the pattern, whatever its exit code
     pattern=$1
@@ -73,14 +73,14 @@ slow=$TMP/slow
 printf '#!/bin/sh\necho started >%s/started\nexec sleep 60\n' "$TMP" >"$slow"
 chmod +x "$slow"
 rm "$file"
-python3 -m lab.study.run "$slow" "$BUILD" "$results" "$key" >"$TMP/killed" 2>&1 &
+python3 -m lab study-job "$slow" "$BUILD" "$results" "$key" >"$TMP/killed" 2>&1 &
 victim=$!
 tries=0
 while [ ! -f "$TMP/started" ] && [ $tries -lt 100 ]; do sleep 0.1 && tries=$((tries + 1)); done
 kill -9 $victim
 check "a killed job leaves no file" sh -c "[ -f '$TMP/started' ] && [ ! -e '$file' ]"
 check "... and is to run" says '4 jobs, 1 to run' plan
-check "... and then there" sh -c "python3 -m lab.jobs.run make '$TMP/jobs' && [ -f '$file' ]"
+check "... and then there" sh -c "python3 -m lab jobs make '$TMP/jobs' && [ -f '$file' ]"
 refused=$(mine "keys.job('accuracy', scene='huge_tiny', size='32x18', profile='draft')")
 check "a scene that the profile refuses is a result" run "$refused"
 check "... that says why" has 'nothing on the grid' "$(mine "store.path('$results', '$refused')")"

@@ -6,7 +6,7 @@ set -u
 cd "$(dirname "$0")/../.." || exit 1
 
 build=$(dirname "$SPHAERA")
-check "what auto takes" python3 -m lab.summary --auto "$build" "$TMP/profiles"
+check "what auto takes" python3 -m lab profiles "$build" "$TMP/profiles"
 check "... is as the pages have it: make summary" \
     diff "$TMP/profiles" docs/results/data/profiles.tsv
 check "headline figures are at the profile of auto, others say what standard misses" python3 -c "

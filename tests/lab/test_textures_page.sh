@@ -23,7 +23,7 @@ told() { # a row of a table that is shown, its first cell that above if it is em
         awk -F ';' '/^;/ { print first $0; next } { first = $1; print }' | grep -qE -- "$1"
 }
 fill() {
-    python3 -m lab.textures.page "$page" "$TMP/accuracy.md" "$data" "$TMP" 48x27 24x14 -- \
+    python3 -m lab textures-page "$page" "$TMP/accuracy.md" "$data" "$TMP" 48x27 24x14 \
         kitchen robot museum
 }
 outside() {

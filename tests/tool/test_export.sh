@@ -67,10 +67,10 @@ fails 2 "reference with a layer of 3" "$s" reference $glass --layer 3
 
 # ---- against POV-Ray ----
 check "the reference is right where POV-Ray drew" \
-    python3 -m lab.checks.povray "$s" "$TMP" tests/reference/povray.txt
+    python3 -m lab povray "$s" "$TMP" tests/reference/povray.txt
 sed '4s/[0-9]*$/7/' tests/reference/povray.txt >"$TMP/bad.txt"
 check "... and a pixel of another colour is noticed" says '1 wrong' \
-    python3 -m lab.checks.povray "$s" "$TMP" "$TMP/bad.txt"
+    python3 -m lab povray "$s" "$TMP" "$TMP/bad.txt"
 if command -v povray >"$TMP/which"; then
     check "make truth, one scene" python3 -m lab.truth.measure "$s" "$TMP/truth" cornell
     check "... and the reference sees the same objects" python3 -c "import json
@@ -85,5 +85,5 @@ check "... a scene that is not there" says 'no scene tea; there are: ' \
     env PATH="$TMP/path:$PATH" sh -c "mkdir -p '$TMP/path' && ln -sf /bin/true '$TMP/path/povray' &&
     python3 -m lab.truth.measure '$s' '$TMP/truth' tea"
 check "packages of make truth" says '^setup: (every|installing povray)' sh sim/setup.sh --dry-run \
-    sim/packages_truth.txt
+    povray
 done_testing

@@ -104,7 +104,7 @@ print("bytes\tupload\tdraw\twritten\tpixels_a_burst")
 for f in json.load(open(sys.argv[1]))["frames"]:
     print(f["memory_bytes"], 10, 20 + f["at"], 30, 6.5, sep="\t")' "$TMP/top/build.json" \
     >"$TMP/top/frames.tsv"
-check "time to image" python3 -m lab.top.frames "$TMP/top"
+check "time to image" python3 -m lab image-times "$TMP/top"
 check "in a report" python3 -c 'import json, sys
 r = json.load(open(sys.argv[1]))
 assert r["command"] == "top" and [f["draw_cycles"] for f in r["frames"]] == [20, 21, 22, 23]' \
@@ -112,7 +112,7 @@ assert r["command"] == "top" and [f["draw_cycles"] for f in r["frames"]] == [20,
 check "as the schema has it" python3 -W ignore -m jsonschema -i "$TMP/top/report.json" \
     docs/reference/report.schema.json
 sed -i '$d' "$TMP/top/frames.tsv"
-check "a frame too few is told" sh -c "! python3 -m lab.top.frames '$TMP/top'"
+check "a frame too few is told" sh -c "! python3 -m lab image-times '$TMP/top'"
 
 film() { # its frames are those of a sequence
     rm -rf "${BUILD:-build}/film"

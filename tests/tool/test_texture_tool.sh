@@ -15,8 +15,8 @@ differ() { [ -n "$1" ] && [ -n "$2" ] && [ "$1" != "$2" ]; }
 equal() { [ -n "$1" ] && [ "$1" = "$2" ]; }
 
 mkdir "$TMP/images"
-python3 -m lab.textures.images "$TMP/images"
-python3 -m lab.textures.scenes "$TMP/images"
+python3 -m lab texture-images "$TMP/images"
+python3 -m lab texture-scenes "$TMP/images"
 for image in scenes/texture/*.png; do
     image=$(basename "$image" .png)
     check "$image.png is what images.py makes" cmp "scenes/texture/$image.png" \

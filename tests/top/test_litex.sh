@@ -35,7 +35,7 @@ for row in golden(*sys.argv[1:]):
     print("row", "".join(f"{c >> 8 & 0xf800 | c >> 5 & 0x7e0 | c >> 3 & 31:04x}" for c in row))
 print("done, frames drawn: 0x00000002\nunderruns: 0x00000000")
 END
-judged() { python3 -m lab.litex.check "$1" "$TMP/m.sph" "$TMP/m.frame"; }
+judged() { python3 -m lab litex-check "$1" "$TMP/m.sph" "$TMP/m.frame"; }
 noticed() { # sed command: a fault in what is told
     sed "$1" "$TMP/told" >"$TMP/wrong"
     ! cmp -s "$TMP/told" "$TMP/wrong" && ! judged "$TMP/wrong"

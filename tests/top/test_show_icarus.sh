@@ -10,9 +10,9 @@ tool=${BUILD:-build}/sphaera
 made() {
     "$tool" build scenes/paper5.nff --profile draft --size 8x6 --depth 2 --interpenetrate off \
         --background rect -o "$TMP/m.sph" && "$tool" render "$TMP/m.sph" --frame "$TMP/m.frame" &&
-        python3 -m lab.top.show_files "$TMP" "$TMP/m.sph" "$TMP/m.frame"
+        python3 -m lab show-files "$TMP" "$TMP/m.sph" "$TMP/m.frame"
     words=$("$tool" info "$TMP/m.sph" | sed -n 's/^core *//p')
-    core=$( (sh sim/profile.sh draft && sh sim/parameters.sh "$words") | tr ' ' '\n' |
+    core=$( (sim/cores.py profile draft && sim/cores.py parameters "$words") | tr ' ' '\n' |
         sed -n 's/\(.*\)=\(.*\)/.\1(\2)/p' | paste -sd,)
 }
 built() { # layers

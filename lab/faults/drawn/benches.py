@@ -96,8 +96,8 @@ class Core(Drawn):
     )
 
     def __init__(self, effects, build):
-        widths = words_of("sh", "sim/profile.sh", "draft")
-        effects_on = words_of("sh", "sim/parameters.sh", effects)
+        widths = words_of("sim/cores.py", "profile", "draft")
+        effects_on = words_of("sim/cores.py", "parameters", effects)
         super().__init__(f"core/{effects}", "rt_core",
                          [word.split("=") for word in [*widths, *effects_on, *STEPS]], build)
         common = ["--core", effects, "--built", " ".join(effects_on), "--repeat", "-", "--stop",
@@ -137,7 +137,7 @@ class Shell(Drawn):
         effects = next(word[5:] for word in words_of("make", "-s", "top-shell")
                        if word.startswith("CORE="))    # behind what make may have built
         super().__init__("top/shell", "rt_top", [word.split("=") for word in words_of(
-            "sh", "sim/profile.sh", "draft") + words_of("sh", "sim/parameters.sh", effects)
+            "sim/cores.py", "profile", "draft") + words_of("sim/cores.py", "parameters", effects)
             + ["DATA=64", "VIDEO=1"]], build)
         self.runs = [[f"{build}/top/paper5.sph", f"{build}/top/interpenetrating.sph", "1"]]
 

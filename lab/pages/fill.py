@@ -1,19 +1,13 @@
-# __main__.py - brings pages up to date with the sources, or says which are not
+# fill.py - brings pages up to date with the sources, or says which are not
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.pages [--check] [PAGE...]
-Fills the regions of the pages: README.md and all of docs/ if none is named. --check writes nothing,
-shows the lines that differ, and exits with 1 if there are any."""
+"""Fills the regions of the pages: README.md and all of docs/ if none is named. --check writes
+nothing, shows the lines that differ, and exits with 1 if there are any."""
 import difflib
 import sys
 from pathlib import Path
 
 from .. import intact
 from . import markdown, measured, regions, verilog
-
-
-def pages():
-    """All pages of the tree."""
-    return [Path("README.md"), Path("CONTRIBUTING.md")] + sorted(Path("docs").rglob("*.md"))
 
 
 def fresh(page):
@@ -25,15 +19,14 @@ def fresh(page):
     return text, markdown.fill(text, regions.make)
 
 
-def main(arguments):
-    check = "--check" in arguments
+def main(*names, check=False):
     stale = bad = 0
     if not check:
-        measured.prune(pages())
-    for fault in measured.wrong(pages()) if check else ():
+        measured.prune(markdown.pages())
+    for fault in measured.wrong(markdown.pages()) if check else ():
         print(fault, file=sys.stderr)
         bad += 1
-    for page in [Path(a) for a in arguments if a != "--check"] or pages():
+    for page in [Path(name) for name in names] or markdown.pages():
         try:
             now, wanted = fresh(page)
         except (regions.Unknown, verilog.Bad) as fault:
@@ -53,7 +46,3 @@ def main(arguments):
     if check and stale:
         print(f"{stale} pages do not tell what the sources say: make pages")
     sys.exit(bool(bad or check and stale))
-
-
-if __name__ == "__main__":
-    main(sys.argv[1:])

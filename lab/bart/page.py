@@ -1,15 +1,12 @@
-#!/usr/bin/env python3
-# bart.py - puts the tables of docs/results/bart.md in their places
+# page.py - puts the tables of docs/results/bart.md in their places
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.bart PAGE FOLDER SIZE -- NAME:MIDDLE:FRAME,FRAME... ...
-FOLDER has what make/bart.mk says."""
-import sys
+"""FOLDER has what runs.py says, a SCENE is NAME:MIDDLE:FRAME,FRAME...."""
 from functools import lru_cache, partial
 
-from .pages.place import place
-from .report.units import LINE, facet, parameters
-from .synth import report
-from .textures.page import DECISIONS, LINES, OPERATIONS, PAPER, WAYS, Data, area, levels, show
+from ..pages.place import place
+from ..report.units import LINE, facet, parameters
+from ..synth import report
+from ..textures.page import DECISIONS, LINES, OPERATIONS, PAPER, WAYS, Data, area, levels, show
 
 KINDS = "primary", "shadow", "reflected"
 MIP = "off", "level", "between"
@@ -204,15 +201,8 @@ def sequence(data):
                          "upload, million clocks", "draw, million clocks"], rows)
 
 
-def main():
-    page, folder, size, dashes, *scenes = sys.argv[1:]
-    if dashes != "--" or not scenes:
-        sys.exit(__doc__)
+def main(page, folder, size, *scenes):
     data = Frames(folder, size, scenes)
     made = {"frames": frames, "levels": levels, "operations": operations, "caches": caches,
             "clocks": clocks, "memory": memory, "sequence": sequence}
     place(page, "make bart", {name: partial(table, data) for name, table in made.items()})
-
-
-if __name__ == "__main__":
-    main()

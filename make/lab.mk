@@ -1,0 +1,25 @@
+# lab.mk - experiments: what `python3 -m lab` runs, one row of lab/table.py each
+# SPDX-License-Identifier: Apache-2.0
+#
+# Results lie in $B/NAME; one that is younger than what it is made of is kept.
+
+EXPERIMENTS := $(shell sed -n '/^EXPERIMENTS/,/^.]/s/^    ."\([a-z-]*\)".*/\1/p' lab/table.py)
+
+.PHONY: $(EXPERIMENTS) papers-setup specks
+$(EXPERIMENTS): $(TOOL)
+	$(Q)$(call values,JOBS V ENGINE BART) python3 -m lab $@ --build $B
+
+papers-setup: ## installs Valgrind (apt), with which `make papers` counts the model's instructions
+	@sh sim/setup.sh valgrind
+
+# falsely dark pixels: build/test/shadow_acne SCENE.nff PROFILE --show tells each, with its ray
+ACNE_C := $(sort $(wildcard tests/shadow_acne/*.c))
+$B/test/shadow_acne: $(ACNE_C:%.c=$B/test/obj/%.o) $(LIB)
+	$(call say,LD,$(@F))
+	$(call make_whole,$(CC) $^ $(MODEL_LIBS))
+
+-include $(ACNE_C:%.c=$B/test/obj/%.d)
+shadow-acne tests/shadow_acne/test_shadow_acne.sh: | $B/test/shadow_acne
+
+# its name until 1.0.0
+specks: shadow-acne
