@@ -50,6 +50,8 @@ def parser_of(name, arguments, text, about):
 def command(name, words):
     row = table.COMMANDS[name]
     run, about = function(row.run)
+    if row.arguments == "...":
+        return run(words)
     parser, options = parser_of(name, row.arguments, row.text, about)
     given = vars(parser.parse_args(words))
     chosen = {option: given.pop(option) for option in options}

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A command is (name, module or module:function of lab, arguments, what it does). Of the arguments
 NAME has to be there, [NAME] may be, NAME... are one or more, [NAME...] any number; --name is an
-option without a value, --name=VALUE one that has one. `python3 -m lab NAME --help` adds what the
+option without a value, --name=VALUE one that has one; ... alone: the module reads them itself. `python3 -m lab NAME --help` adds what the
 module says of itself.
 
 An experiment is (name, what it does, steps, files). A step is a module or module:function with
@@ -110,11 +110,12 @@ GROUPS = {
         ("slow-paths", "synth.families", "SDF [LINES]", "slow paths of a placed core"),
     ),
     "faults and proofs": (
-        ("mutants", "mutants.__main__", "COMMAND BUILD [WORD...]", "faults by Yosys, as jobs"),
-        ("mutants-left", "mutants.left", "BUILD [BENCH...]", "what is left, tried again"),
-        ("mutants-c", "mutants.model", "BUILD COUNT SEED MINUTES [WORD...]",
+        ("faults", "faults.__main__", "...", "plants the faults of tests/faults, tells who notices"),
+        ("mutants", "faults.drawn.__main__", "COMMAND BUILD [WORD...]", "faults by Yosys, as jobs"),
+        ("mutants-left", "faults.drawn.left", "BUILD [BENCH...]", "what is left, tried again"),
+        ("mutants-c", "faults.drawn.model", "BUILD COUNT SEED MINUTES [WORD...]",
          "faults in the C model"),
-        ("mutants-c-left", "mutants.left_c", "BUILD SUITE[=FILE]...", "what is left of those"),
+        ("mutants-c-left", "faults.drawn.left_c", "BUILD SUITE[=FILE]...", "what is left of those"),
         ("coverage", "coverage", "BUILD [MODULE...]", "branches and bits that benches meet"),
         ("reset", "reset", "BUILD [MODULE...]", "a clock of reset makes every module quiet"),
     ),
