@@ -90,5 +90,12 @@ alike() {
         mv "$list.new" "$list" && ! run && grep 'model: is edited as in a-tangent' "$TMP/told"
 }
 check "an edit that stands twice" alike
+shown() { # the record that a page shows
+    sed -n '/^fault /,/^```/p' docs/design/extending.md | grep -v '^```' >"$TMP/shown"
+    head=$(sed -n 1p "$TMP/shown")
+    [ -n "$head" ] && sed -n "/^$head\$/,/^\$/p" tests/faults/shade.txt | grep . |
+        diff - "$TMP/shown"
+}
+check "docs/design/extending.md: the record that it shows" shown
 check "the lists of tests/faults" python3 -m lab.faults check
 done_testing
