@@ -5,17 +5,15 @@ one draws a picture that misses what --error asks for. AUTO says which that is f
 page draws, and what is expected of profile standard; the region `misses` of a page tells of those
 scenes whose figures it has at standard."""
 import json
-import subprocess
-import sys
 import tempfile
 from pathlib import Path
 
 from . import intact
 from .pages import data
 from .pages.place import place
+from .runner import said, scene_file
 from .synth import report
 
-PROTEIN = "/usr/share/pymol/data/demo/1tii.pdb"
 SIZE = "320x180"
 # table `speed`: scene, size
 RUNS = [("sphereflake2", SIZE), ("sphereflake2", "1280x720"), ("sphereflake:3", SIZE),
@@ -29,36 +27,14 @@ AUTO = "profiles"
 ENOUGH = 45  # dB, what --error asks for by itself
 
 
-def run(*words):
-    """What a command prints."""
-    done = subprocess.run([str(word) for word in words], check=False, text=True,
-                          stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-    if done.returncode:
-        sys.exit(f"summary: {' '.join(map(str, words))}:\n{done.stdout[-2000:]}"
-                 f"{done.stderr[-2000:]}")
-    return done.stdout
-
-
-def scene_file(build, scene, folder):
-    """A scene of scenes/, KIND:N of `sphaera gen`, or protein."""
-    path = Path(folder) / "scene.nff"
-    if scene == "protein":
-        run(f"{build}/sphaera", "import", PROTEIN, "-o", path)
-    elif ":" in scene:
-        run(f"{build}/sphaera", "gen", scene, "--seed", 1, "-o", path)
-    else:
-        return f"scenes/{scene}.nff"
-    return path
-
-
 def auto(build):
     """Lines of AUTO: the profile that build takes, the dB expected of it and of standard."""
     rows = []
     for scene in SCENES:
         with tempfile.TemporaryDirectory(prefix="sphaera-summary-") as folder:
-            path, found = scene_file(build, scene, folder), {}
+            path, found = scene_file(f"{build}/sphaera", scene, f"{folder}/scene.nff"), {}
             for profile in "auto", "standard":
-                run(f"{build}/sphaera", "build", path, "--profile", profile, "--size", SIZE,
+                said(f"{build}/sphaera", "build", path, "--profile", profile, "--size", SIZE,
                     "--depth", 2, "-o", f"{folder}/x.sph", "--json", f"{folder}/x.json")
                 found[profile] = json.loads(Path(folder, "x.json").read_text("utf-8"))
         rows.append([f"`{scene}`", found["auto"]["machine"]["profile"],
@@ -72,11 +48,12 @@ def speed(build):
     rows = []
     with tempfile.TemporaryDirectory(prefix="sphaera-summary-") as folder:
         for scene, size in RUNS:
-            path = scene_file(build, scene, folder) if scene == "protein" else scene
+            path = scene if scene != "protein" else \
+                scene_file(f"{build}/sphaera", scene, f"{folder}/scene.nff")
             words = [f"SCENE={path}", f"SIZE={size}", "PROFILE=auto", "LATENCY=100",
                      "BACKGROUND=rect", "JOBS=1", f"B={build}"]
-            run("make", "--no-print-directory", "sim", *words)
-            at = Path(run("make", "-s", "--no-print-directory", "sim-folder", *words).strip())
+            said("make", "--no-print-directory", "sim", *words)
+            at = Path(said("make", "-s", "--no-print-directory", "sim-folder", *words).strip())
             drawn, built = (json.loads((at / f"{name}.json").read_text("utf-8"))
                             for name in ("report", "build"))
             cold = drawn["cold"]

@@ -11,20 +11,20 @@ import heapq
 import json
 import os
 import struct
-import subprocess
 import sys
 
 from .pages import whole
 from .pages.place import place
+from .runner import PROTEIN
+from .runner import Runner as Runs
 from .synth import report
 from .tree_options import OF_FOUR, options
 
 NO_ID, HEAD = 0xFFFFFF, 32  # of a frame file: cmodel/core/frame_file.h
-PDB = "/usr/share/pymol/data/demo/1tii.pdb"
 SIZE, LARGE = "160x90", "96x64"
 BALLS = [("`paper100`", "paper100"), ("random:256", "gen random:256"),
          ("sphereflake:3", "gen sphereflake:3"), ("random:1000", "gen random:1000"),
-         ("random:4096", "gen random:4096"), ("1TII, a protein", "import " + PDB),
+         ("random:4096", "gen random:4096"), ("1TII, a protein", "import " + PROTEIN),
          ("sphereflake:4", "gen sphereflake:4")]
 ALL = [("`paper5`", "paper5"), ("`sphereflake2`", "sphereflake2"), *BALLS]
 MIXED = [(f"`{name}`", name) for name in ("facets/room", "texture/kitchen", "texture/museum",
@@ -34,6 +34,11 @@ FACETS = [("`facets/plane`", "facets/plane"), ("`facets/triangles`", "facets/tri
           ("icosphere:3", "gen icosphere:3")]
 WALKED = [("`paper5`", "paper5"), ("`sphereflake2`", "sphereflake2"), ("`paper100`", "paper100"),
           ("random:4096", "gen random:4096")]
+# in kinds of trees, and whose times are told as those of another
+KINDS = [("`paper100`", "paper100"), ("random:4096", "gen random:4096"),
+         ("sphereflake:3", "gen sphereflake:3"), ("`facets/room`", "facets/room"),
+         ("`texture/kitchen`", "texture/kitchen")]
+BESIDE = {"boxes": "boxes", "kd": "boxes"}
 FIRST = ["--tree", "paper", "--traverse", "first", "--interpenetrate"]
 
 
@@ -62,30 +67,16 @@ def bound(hits, primitives):
     return total / len(hits)
 
 
-class Runner:
-    def __init__(self, tool, folder):
-        self.tool, self.folder = tool, folder
-        os.makedirs(folder, exist_ok=True)
-
-    def run(self, *words, good=(0,)):
-        done = subprocess.run([self.tool, *words], check=False, stdout=subprocess.PIPE,
-                              stderr=subprocess.PIPE, text=True)
-        if done.returncode not in good:
-            sys.exit(f"trees: {' '.join(words)}: {done.stderr}")
-        return done.stdout
-
+class Runner(Runs):
     def scene(self, source):
         """The file of a scene: of scenes/, or made by words of the tool."""
         if " " not in source:
             return f"scenes/{source}.nff"
         if source.startswith("import ") and not whole.there(source.split()[1]):
             raise FileNotFoundError(2, "", source.split()[1])
-        path = os.path.join(self.folder, "scene.nff")
+        path = self.path("scene.nff")
         self.run(*source.split(), "-o", path)
         return path
-
-    def path(self, name):
-        return os.path.join(self.folder, name)
 
     def drawn(self, scene, *words, size=SIZE, frame="frame"):
         """Report of a frame, which lies in the folder as `frame`."""
@@ -182,3 +173,24 @@ def main(tool, folder, page):
         "bound": lambda: bounded(runner), "boxes": lambda: boxes(runner),
         "facets": lambda: work(runner, FACETS, "facet_tests", "facets"),
         "walk": lambda: walked(runner)})
+
+
+def of_kinds(runner, name, source):
+    """The rows of a scene, a kind of trees each."""
+    found = json.loads(runner.run("trees", runner.scene(source), "--profile", "standard", "--size",
+                                  "320x180", "--json", "-"))
+    trees = {tree["tree"]: tree for tree in found["trees"]}
+    for tree in trees.values():
+        rays, one = tree["rays"], trees[BESIDE.get(tree["tree"], "bih")]
+        build, draw = (report.times(tree[what] / one[what]) for what in ("build_seconds",
+                                                                         "draw_seconds"))
+        yield [name, tree["tree"], tree["nodes"], tree["node_bytes"], tree["bytes"],
+               f"{tree['steps'] / rays:.2f}", f"{tree['tests'] / rays:.2f}", build, draw]
+
+
+def kinds(tool, folder, page):
+    """Kinds of trees beside each other, as `sphaera trees` has them."""
+    runner = Runner(tool, folder)
+    place(page, "make kinds", {"kinds": report.table(
+        ["scene", "tree", "nodes", "bytes a node", "bytes", "steps", "tests", "build", "draw"],
+        [row for scene in KINDS for row in of_kinds(runner, *scene)], 2)})

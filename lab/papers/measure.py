@@ -7,10 +7,10 @@ import os
 import re
 import shutil
 import subprocess
-import sys
 
 from .. import intact, tree_options
 from ..pages import whole
+from ..runner import Runner as Runs
 from . import scenes
 
 # spheres at random, and in a column: how many
@@ -49,28 +49,7 @@ SCENARIOS = {"scenario1": 64, "scenario2": 128, "scenario3": 256}
 PROFILED = {"paper100": [], "random4096": [], "lattice64": tree_options.options("bih8")}
 
 
-class Runner:
-    def __init__(self, tool, folder):
-        self.tool, self.folder = tool, folder
-        self.build = os.path.dirname(os.path.abspath(tool))
-        os.makedirs(folder, exist_ok=True)
-
-    def path(self, name):
-        return os.path.join(self.folder, name)
-
-    def fresh(self, name, *sources):
-        """Whether a result is there, younger than the tool and the files of these patterns."""
-        path = self.path(name)
-        return os.path.exists(path) and os.path.getmtime(path) > os.path.getmtime(self.tool) \
-            and bool(whole.there(path, *sources))
-
-    def run(self, *words, good=(0,)):
-        done = subprocess.run([self.tool, *words], stdout=subprocess.PIPE,
-                              stderr=subprocess.DEVNULL, text=True, check=False)
-        if done.returncode not in good:
-            sys.exit(f"measure: {self.tool} {' '.join(words)} failed")
-        return done.stdout
-
+class Runner(Runs):
     def keep(self, name, *words, good=(0,)):
         """What a command reports."""
         if self.fresh(name + ".json"):
@@ -85,18 +64,9 @@ class Runner:
 
     def core(self, name, effects, scene, *how):
         """A machine through the RTL, with cold and with warm caches."""
-        if self.fresh(name + ".core.json", *whole.RTL):
-            return
-        print("  SIM ", name, flush=True)
-        machine = self.path(name + ".sph")
-        self.run("build", scene, "--profile", "standard", *how, "-o", machine)
-        report = self.path(name + ".core.json")
-        words = ["sh", "sim/core.sh", "--machine", machine, "--warm", "--latency", "20", "--json"]
-        env = dict(os.environ, EFFECTS=effects, BUILD=self.build, JOBS="1")
-        with intact.beside(report) as new:
-            if subprocess.run([*words, new], env=env, stdout=subprocess.DEVNULL,
-                              stderr=subprocess.DEVNULL, check=False).returncode:
-                sys.exit(f"measure: {name}: {' '.join(words)} failed")
+        if not self.fresh(name + ".core.json", *whole.RTL):
+            self.run("build", scene, "--profile", "standard", *how, "-o", self.path(name + ".sph"))
+            self.simulate(name, effects, 20)
 
     def random(self, n):
         path = self.path(f"random{n}.nff")

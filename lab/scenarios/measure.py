@@ -7,11 +7,10 @@ sim/core.sh. --rtl-small runs no more than the small frames of `speed` and those
 the RTL."""
 import json
 import os
-import subprocess
-import sys
 
 from .. import intact
 from ..pages import whole
+from ..runner import Runner as Runs
 from ..tree_options import options
 
 SPHERES = 4096
@@ -27,41 +26,27 @@ ACCELS_RTL = ["reinserted", "box4", "bih1", "bih4", "bih8"]
 PRIMARY = ["--depth", "0", "--shadow", "off"]
 RENDERS = 3
 # the thesis's frame; what of Figure 4.4 the RTL draws of it
+DRAWN = ("1", 1), ("3", 1), *(("infinity", prims) for prims in (1, 64, 32, 2))
 FULL = ["--size", "640x1088"]
 FULL_RTL = [(1, 64, "brute"), (1, 64, "bih1"), (1, 64, "bih8")]
 
 
-class Runner:
+class Runner(Runs):
     def __init__(self, tool, folder, rtl):
-        self.tool, self.folder, self.rtl = tool, folder, rtl
-        os.makedirs(folder, exist_ok=True)
-
-    def path(self, name):
-        return os.path.join(self.folder, name)
-
-    def fresh(self, path, *sources):
-        """Whether a result is there, younger than the tool and the files of these patterns."""
-        return os.path.exists(path) and os.path.getmtime(path) > os.path.getmtime(self.tool) \
-            and bool(whole.there(path, *sources))
-
-    def run(self, *words):
-        done = subprocess.run([self.tool, *words], stdout=subprocess.PIPE, text=True, check=False)
-        if done.returncode:
-            sys.exit(f"measure: {' '.join(words)} failed")
-        return done.stdout
+        super().__init__(tool, folder)
+        self.rtl = rtl
 
     def generated(self, kind, n, radius=1):
         """A scene file without Whitted's sum, which every core can draw."""
-        path = self.path(f"{kind}-{n}-{radius}.nff")
-        if not self.fresh(path):
+        name = f"{kind}-{n}-{radius}.nff"
+        if not self.fresh(name):
             more = [] if kind == "random" else ["--radius", str(radius), "--plain"]
-            self.run("gen", kind, "-n", str(n), *more, "-o", path)
-        return path
+            self.run("gen", kind, "-n", str(n), *more, "-o", self.path(name))
+        return self.path(name)
 
     def machine(self, name, scene, build, renders=1):
         """Builds, and renders if asked for; NAME.json has both reports and all times."""
-        target = self.path(name + ".json")
-        if self.fresh(target):
+        if self.fresh(name + ".json"):
             return
         print("  RUN ", name, flush=True)
         sph, result = self.path(name + ".sph"), {}
@@ -71,22 +56,12 @@ class Runner:
             runs = [json.loads(self.run("render", sph, "-t", "1", "--json", "-"))
                     for _ in range(renders)]
             result["render"], result["render_times"] = runs[0], [r["cpu_seconds"] for r in runs]
-        intact.write(target, json.dumps(result, indent=1))
+        intact.write(self.path(name + ".json"), json.dumps(result, indent=1))
 
     def core(self, name):
         """The machine through the RTL, twice: the second time with warm caches."""
-        target = self.path(name + ".core.json")
-        if not self.rtl or self.fresh(target, *whole.RTL):
-            return
-        print("  SIM ", name, flush=True)
-        build = os.path.dirname(os.path.abspath(self.tool))
-        words = ["sh", "sim/core.sh", "--machine", self.path(name + ".sph"), "--warm",
-                 "--latency", "100", "--json"]
-        env = dict(os.environ, EFFECTS="auto", BUILD=build, JOBS="1")
-        with intact.beside(target) as new:
-            if subprocess.run([*words, new], env=env, stdout=subprocess.DEVNULL,
-                              check=False).returncode:
-                sys.exit(f"measure: {name}: {' '.join(words)} failed")
+        if self.rtl and not self.fresh(name + ".core.json", *whole.RTL):
+            self.simulate(name, "auto", 100)
 
 
 def scene_file(runner, name):
@@ -147,3 +122,15 @@ def main(tool, folder, rtl=False, rtl_small=False):
     for scene in SCENES:
         for way in ACCELS:
             tree(runner, scene, way)
+
+
+def pictures(tool, folder, shown):
+    """A BIH on a screen, of Scenario 1 with 64 spheres, as Figure 4.3 has it: MAX_TREE_DEPTH and
+    MAX_PRIMS."""
+    os.makedirs(shown, exist_ok=True)
+    run = Runs(tool, folder)
+    run.run("gen", "scenario1", "-n", "64", "-o", run.path("drawn.nff"))
+    for depth, prims in DRAWN:
+        run.run("render", run.path("drawn.nff"), "--profile", "standard", "--size", "160x272",
+                *PRIMARY, "--accel", "bih", "--max-tree-depth", depth, "--max-prims", prims,
+                "--walk", f"{shown}/depth{depth}-{prims}.png")

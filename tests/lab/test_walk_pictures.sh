@@ -7,8 +7,8 @@ cd "$(dirname "$0")/../.." || exit 1
 BUILD=${BUILD:-build} shown=docs/pictures/bih
 names=$(cd $shown && ls depth*.png)
 check "all are drawn" python3 -c "
-from lab.scenarios import pictures
-pictures.main('${SPHAERA:-$BUILD/sphaera}', '$TMP', '$TMP/drawn')"
+from lab.scenarios import measure
+measure.pictures('${SPHAERA:-$BUILD/sphaera}', '$TMP', '$TMP/drawn')"
 for name in $names; do
     check "$name: else run make scenarios" \
         oiiotool --diff --fail 0 "$shown/$name" "$TMP/drawn/$name"
