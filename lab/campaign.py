@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # campaign.py - a campaign of hard cases as jobs: parts of it, and one state file of all of them
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.campaign plan HARD RESULTS LIST OPTION...
-       python3 -m lab.campaign one HARD RESULTS KEY
-       python3 -m lab.campaign merge HARD RESULTS STATE OPTION...
+"""usage: python3 -m lab hard-campaign plan HARD RESULTS LIST OPTION...
+       python3 -m lab hard-campaign one HARD RESULTS KEY
+       python3 -m lab hard-campaign merge HARD RESULTS STATE OPTION...
 HARD is the program, OPTIONs are those that say which campaign it is. The result of a job is the
 state file of its part; STATE has them all, and `HARD OPTION... --state STATE` then tells the rest.
 """
@@ -33,7 +33,7 @@ def keys(options):
 
 def write(hard, results, name, *options):
     found, guess = keys(options)
-    command = ["python3", "-m", "lab.campaign", "one", hard, results]
+    command = ["python3", "-m", "lab", "hard-campaign", "one", hard, results]
     plan.write(name, results, [plan.job(results, k, [*command, k], guess) for k in found], "hard")
 
 
@@ -64,7 +64,5 @@ def merge(hard, results, name, *options):
                                 check=False).returncode)
 
 
-if __name__ == "__main__":
-    if len(sys.argv) < 5 or sys.argv[1] not in ("plan", "one", "merge"):
-        sys.exit(__doc__)
-    {"plan": write, "one": one, "merge": merge}[sys.argv[1]](*sys.argv[2:])
+def main(command, *words):
+    {"plan": write, "one": one, "merge": merge}[command](*words)

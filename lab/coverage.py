@@ -1,6 +1,6 @@
 # coverage.py - lines and bits of small modules that their benches run and toggle
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.coverage BUILD [MODULE...]
+"""usage: python3 -m lab coverage BUILD [MODULE...]
 Verilator counts how often a branch of a module is taken and each bit of its ports and registers
 changes. A module's bench runs with 3000 vectors in its first MOST lines of tb/benches*.txt; what
 any of them meets counts. Without MODULEs those of at most LINES lines of code. The table goes into
@@ -107,9 +107,3 @@ def main(build, *names):
         place.place(page.PAGE, "make coverage", {"coverage": [
             ["module", "lines of its bench", "branches taken", "%", "bits toggled", "%"],
             *rows]})
-
-
-if __name__ == "__main__":
-    if len(sys.argv) < 2:
-        sys.exit(__doc__)
-    main(*sys.argv[1:])

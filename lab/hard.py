@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # hard.py - puts the table and the chart of a campaign in their places in docs/results/hard_cases.md
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.hard PAGE PICTURE LIST TABLE...
+"""usage: python3 -m lab hard-page PAGE PICTURE LIST TABLE...
 
 LIST is what `hard --list` prints; each TABLE is what `hard` printed of a campaign. Its rows take
 the places of those of the same family and profile; families that no TABLE has stay as they are.
@@ -9,7 +9,6 @@ Sums are made of all rows, and PICTURE anew.
 """
 import re
 import subprocess
-import sys
 from pathlib import Path
 
 from .pages import data, markdown
@@ -107,8 +106,7 @@ def sums(rows, kind):
         table("kind", lambda r: kind.get(r["family"], "spheres"))
 
 
-def main():
-    page, command, family, picture, listing, *tables = sys.argv[1:]
+def main(page, command, family, picture, listing, *tables):
     kind = dict(re.findall(r"^\| `(\w+)` \| (\w+) \|", Path(listing).read_text(encoding="utf-8"),
                            re.M))
     head, old = data.read("hard_cases.campaign")
@@ -119,7 +117,3 @@ def main():
     place(page, command, {"campaign": markdown.table(head, [[r[h] for h in head] for r in rows]),
                           "sums": text, "kinds": kinds}, rest=bool(family))
     chart(rows, picture)
-
-
-if __name__ == "__main__":
-    main()

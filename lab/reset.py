@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # reset.py - one clock of reset makes every module quiet, whatever it did before
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.reset BUILD [MODULE...]
+"""usage: python3 -m lab reset BUILD [MODULE...]
 
 Yosys simulates each module of rtl/ that has a reset in three values. All registers, all words of
 memories and all inputs are x, each 0 or 1 by itself. rst is 1 for one clock and then 0; from that
@@ -196,9 +196,3 @@ def main(build, *wanted):
     print(f"{tried - failed} of {tried} modules are quiet after one clock of reset, "
           f"{outputs} outputs; for ever but {len(bounded)}, which count on for {CLOCKS} clocks")
     sys.exit(failed > 0 or tried == 0)
-
-
-if __name__ == "__main__":
-    if len(sys.argv) < 2:
-        sys.exit(__doc__)
-    main(*sys.argv[1:])

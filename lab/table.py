@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """A command is (name, module or module:function of lab, arguments, what it does). Of the arguments
 NAME has to be there, [NAME] may be, NAME... are one or more, [NAME...] any number; --name is an
-option without a value, --name=VALUE one that has one; ... alone: the module reads them itself. `python3 -m lab NAME --help` adds what the
-module says of itself.
+option without a value, --name=VALUE one that has one; ... alone: the
+module reads them itself. `python3 -m lab NAME --help` adds what the module says of itself.
 
 An experiment is (name, what it does, steps, files). A step is a module or module:function with
 arguments, in which TOOL is the command-line tool and BUILD the folder of all that is built. files:
@@ -116,7 +116,13 @@ GROUPS = {
         ("mutants-c", "faults.drawn.model", "BUILD COUNT SEED MINUTES [WORD...]",
          "faults in the C model"),
         ("mutants-c-left", "faults.drawn.left_c", "BUILD SUITE[=FILE]...", "what is left of those"),
+        ("equivalents", "faults.drawn.equivalent", "",
+         "entries of the lists of equivalent faults that match nothing"),
         ("coverage", "coverage", "BUILD [MODULE...]", "branches and bits that benches meet"),
+        ("hard-campaign", "campaign", "COMMAND HARD RESULTS FILE [OPTION...]",
+         "hard cases, as jobs"),
+        ("hard-page", "hard", "PAGE COMMAND FAMILY PICTURE LIST TABLE...",
+         "docs/results/hard_cases.md"),
         ("reset", "reset", "BUILD [MODULE...]", "a clock of reset makes every module quiet"),
     ),
     "checks of sources and blocks": (

@@ -8,7 +8,7 @@
 .PHONY: formal cbmc-setup
 formal: ## proofs of the RTL with yosys-smtbmc and z3, and of its reset, table at the end
 	$(if $(filter-out reset,$(PROVE))$(if $(PROVE),,all),$(Q)BUILD=$B sh formal/prove.sh $(PROVE))
-	$(if $(filter-out reset,$(PROVE)),,$(Q)python3 -m lab.reset $B)
+	$(if $(filter-out reset,$(PROVE)),,$(Q)python3 -m lab reset $B)
 
 cbmc-setup: ## CBMC 5.12, which Debian 11 had, into the build folder, for make formal
 	@sh sim/setup.sh minisat

@@ -16,9 +16,9 @@ hard_run   = $< $(hard_plan) --processes $(JOBS) $(if $(hard_state),--state $(ha
                  --json $B/test/hard.json
 # Of a cluster: parts, whose state files are put together.
 hard_parts = $(if $(filter slurm,$(ENGINE)), \
-    python3 -m lab.campaign plan $< $(HARD)/results $(HARD)/jobs $(hard_plan) && \
+    python3 -m lab hard-campaign plan $< $(HARD)/results $(HARD)/jobs -- $(hard_plan) && \
     $(call jobs_run,$(HARD)/jobs) && \
-    python3 -m lab.campaign merge $< $(HARD)/results $(HARD)/state $(hard_plan))
+    python3 -m lab hard-campaign merge $< $(HARD)/results $(HARD)/state -- $(hard_plan))
 
 hard: $B/test/hard ## hard cases: N a profile, SEED, JOBS processes, STATE file to resume from
 	$(Q)$(hard_parts)
@@ -29,12 +29,12 @@ hard-page: $B/test/hard ## the same, and its table and chart put into docs/resul
 	$(Q)$(hard_parts)
 	@$(hard_run) >$B/test/hard.table
 	@$< --list >$B/test/hard.list
-	@python3 -m lab.hard docs/results/hard_cases.md "make hard-page N=$(N)" '$(FAMILY)' \
+	@python3 -m lab hard-page docs/results/hard_cases.md "make hard-page N=$(N)" '$(FAMILY)' \
 	    docs/pictures/hard_cases.svg $B/test/hard.list $B/test/hard.table
 
 hard-lists: $B/test/hard ## prints the named cases, their families, and which notices which fault
 	@$< --list
-	@python3 -m lab.faults table --by hard,test,case
+	@python3 -m lab faults table --by hard,test,case
 
 .PHONY: hard hard-page hard-lists hard-pictures
 $B/test/obj/%.o: %.c $B/flags

@@ -1,7 +1,7 @@
 # mutants.mk - faults: those of tests/faults, planted one by one, and those that are drawn
 # SPDX-License-Identifier: Apache-2.0
 #
-#   python3 -m lab.faults run NAME    one fault of tests/faults; --help
+#   python3 -m lab faults run NAME    one fault of tests/faults; --help
 #   make campaign                  what is not run yet, and the tables of docs/results/mutants.md
 #   make campaign FAULTS=10000     more of them, SEED=2 others
 #   make campaign ENGINE=slurm     on a cluster: docs/guide/cluster.md
@@ -32,14 +32,14 @@ tests/hard/test_hard.sh: | $B/test/test_limits.o
 # a bench above, then the core: each is one list of jobs, and a job is one program with all faults
 # that are tried in it (lab/faults/drawn).
 campaign_lists := 0 1 2 3
-campaign_one = python3 -m lab.faults.drawn plan $B $(FAULTS) $(SEED) $(1) $B/mutants/list$(1) && \
+campaign_one = python3 -m lab mutants plan $B $(FAULTS) $(SEED) $(1) $B/mutants/list$(1) && \
     $(call jobs_run,$B/mutants/list$(1))
 
 campaign: $(LIB) $(TOOL) $B/test/libhard.a ## faults by Yosys in every module, and what notices them
 	@mkdir -p $B/mutants
 	@sh tb/run_bench.sh --tools && sh sim/core.sh --help >$B/mutants/harness.log
 	$(Q)$(foreach n,$(campaign_lists),$(call campaign_one,$n) &&) true
-	@python3 -m lab.faults.drawn tell $B $(FAULTS) $(SEED)
+	@python3 -m lab mutants tell $B $(FAULTS) $(SEED)
 
 # Faults in the arithmetic of the golden model, as many as are begun within MINUTES.
 campaign_model = builder core fast machine math pixel prim reference shade texture trace
@@ -47,9 +47,9 @@ campaign_suite = $(patsubst %.c,$B/test/%.o, \
     $(notdir $(wildcard $(campaign_model:%=tests/%/test_*.c))))
 campaign-c: $(campaign_suite:.o=.sanitized.o) $B/asan/libsphaera.a
 campaign-c: $(LIB) $(campaign_suite) $B/test/hard ## faults in the model, and what notices them
-	@JOBS=$(JOBS) python3 -m lab.faults.drawn.model $B $(FAULTS) $(SEED) $(MINUTES) $(CC) $(CFLAGS)
+	@JOBS=$(JOBS) python3 -m lab mutants-c $B $(FAULTS) $(SEED) $(MINUTES) -- $(CC) $(CFLAGS)
 
 # Branches and bits that the benches of small modules meet.
 coverage: $(LIB) $B/test/libhard.a ## branches and bits of small modules that their benches meet
 	@sh tb/run_bench.sh --tools
-	$(Q)python3 -m lab.coverage $B
+	$(Q)python3 -m lab coverage $B

@@ -13,8 +13,8 @@ truth-setup: ## installs POV-Ray (apt), which `make truth` needs
 	@sh sim/setup.sh povray
 
 truth: $(TOOL) ## docs/results/truth.md: the model against POV-Ray, scene by scene
-	$(Q)python3 -m lab.truth.measure $(TOOL) $(TRUTH)
+	$(Q)python3 -m lab truth-scenes $(TOOL) $(TRUTH)
 	$(Q)rm -f $(TRUTH)/scale.txt
 	$(Q)TMP=$$(mktemp -d) SPHAERA=$(call absolute,$(TOOL)) SCALE=$(call absolute,$(TRUTH))/scale.txt \
 	    sh tests/tool/test_scale.sh >/dev/null
-	$(Q)python3 -m lab.truth.page docs/results/truth.md $(TRUTH) $(TRUTH_SHOWN)
+	$(Q)python3 -m lab truth-page docs/results/truth.md $(TRUTH) $(TRUTH_SHOWN)

@@ -1,11 +1,10 @@
 # povray.py - the double reference at pixels that POV-Ray drew
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.checks.povray TOOL FOLDER TABLE
+"""usage: python3 -m lab povray TOOL FOLDER TABLE
 Draws each scene of TABLE (lab/truth/points.py) with `TOOL reference --unlimited`, and exits with 1
 if an object is another one or a colour is off by more than MOST of 255."""
 import os
 import subprocess
-import sys
 from itertools import groupby
 
 from ..truth import pictures, scenes
@@ -40,7 +39,3 @@ def main(tool, folder, table):
                 wrong += 1
     print(f"{len(rows)} pixels, {wrong} wrong")
     return 1 if wrong or not rows else 0
-
-
-if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))

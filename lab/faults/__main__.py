@@ -31,8 +31,8 @@ def count(text):
     return int(text)
 
 
-def arguments():
-    parser = argparse.ArgumentParser(prog="python3 -m lab.faults", epilog=records.__doc__,
+def arguments(words):
+    parser = argparse.ArgumentParser(prog="python3 -m lab faults", epilog=records.__doc__,
                                      description="Plants the faults of tests/faults/*.txt, each "
                                      "in a private copy, and tells who notices them.",
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -65,7 +65,7 @@ def arguments():
     edit.add_argument("file", metavar="FILE")
     edit.add_argument("old", metavar="FROM", help="stands there exactly once, as in a list")
     edit.add_argument("new", metavar="TO")
-    return parser.parse_args()
+    return parser.parse_args(words)
 
 
 def chosen(found, pattern, by):
@@ -177,8 +177,8 @@ def program(asked):
         shop.remove()
 
 
-def main():
-    asked = arguments()
+def main(words):
+    asked = arguments(words)
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
     try:
         if asked.command == "run":
@@ -199,6 +199,3 @@ def main():
         told = str(why).splitlines()
         sys.exit("\n".join(told[:MOST]) + (f"\nand {len(told) - MOST} more" * (len(told) > MOST)))
 
-
-if __name__ == "__main__":
-    main()

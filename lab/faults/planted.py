@@ -361,7 +361,7 @@ class Planting:
 
     def by_reset(self, judge):
         tree = self.tree(judge, "rtl", "lab", "formal")
-        rc, text = self.shop.run(["env", "-C", tree, "python3", "-m", "lab.reset", "build",
+        rc, text = self.shop.run(["env", "-C", tree, "python3", "-m", "lab", "reset", "build",
                                   *judge.words], self.say)
         if rc == 1 and re.search("^not ok.* is [x1] in clock", text, re.M):
             return "noticed", how(text)

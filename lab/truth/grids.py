@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # grids.py - what wider coordinates would bring, by scenes rounded to their grids
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.truth.grids TOOL FOLDER SCENE...
+"""usage: python3 -m lab truth-grids TOOL FOLDER SCENE...
 For each scene dB against the double reference: of the model in profile `reference`, and of the
 double reference of the scene whose centres, radii and corners are rounded to the grid of that
 profile (24 bits), and to grids of 26, 28 and 32 bits. Prints rows of a table; a line of the scene
@@ -11,7 +11,6 @@ import math
 import os
 import re
 import subprocess
-import sys
 from pathlib import Path
 
 from . import doubt, pictures, scenes
@@ -74,7 +73,3 @@ def main(tool, folder, *names):
                 os.remove(moved)
         said = (f"{cell:.1f}" if cell is not None else "equal" for cell in cells)
         print(f"| {Path(scene).stem} | {' | '.join(said)} |", flush=True)
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

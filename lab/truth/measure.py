@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # measure.py - draws scenes with POV-Ray, the double reference and the model, and compares
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.truth.measure TOOL FOLDER [NAME...]
+"""usage: python3 -m lab truth-scenes TOOL FOLDER [NAME...]
 Leaves NAME.json and NAME.png in FOLDER for each scene of scenes.py, or for those named; a result
 that is younger than the tool is kept. Of surfaces in one place exact numbers are the judge, not
 POV-Ray: exact/NAME.json. Says what to install and exits with 1 without POV-Ray."""
@@ -188,7 +188,3 @@ def main(tool, folder, *names):
             runner.coincident(name, path)
         else:
             runner.scene(name, path, scenes.depth(path))
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

@@ -1,13 +1,12 @@
 #!/usr/bin/env python3
 # page.py - puts the tables of docs/results/truth.md in their places, and its pictures beside it
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.truth.page PAGE FOLDER PICTURES
+"""usage: python3 -m lab truth-page PAGE FOLDER PICTURES
 FOLDER is what measure.py left. A picture that the page shows is copied to PICTURES. A dash: the
 profile cannot draw the scene, or the pictures are equal."""
 import json
 import re
 import shutil
-import sys
 from pathlib import Path
 
 from ..pages import whole
@@ -138,7 +137,3 @@ def main(page, folder, shown):
         picture = Path(folder, name + ".png")
         if picture.exists():
             shutil.copy(picture, shown)
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

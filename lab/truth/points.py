@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
 # points.py - a few pixels of POV-Ray's, for machines that have none
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.truth.points FOLDER NAME... >tests/reference/povray.txt
+"""usage: python3 -m lab truth-points FOLDER NAME... >tests/reference/povray.txt
 Of each scene that measure.py has drawn in FOLDER: every 40th pixel across and 20th down that is
 inner, that is, those around it show POV-Ray the same primitive."""
 import os
-import sys
 
 from . import pictures, scenes
 
@@ -29,7 +28,3 @@ def main(folder, *names):
                 if inner[i]:
                     print(paths.get(name, kinds.get(name)), scenes.depth(paths.get(name, "")), x, y,
                           ids[i], *colours[3 * i:3 * i + 3])
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

@@ -30,7 +30,7 @@ done <"$TMP/names"
 fault() { # what, text, what stands there instead
     rm -rf "$TMP/bad"
     cp -r "$TMP/good" "$TMP/bad"
-    python3 -m lab.faults edit "$TMP/bad/dram.cpp" "$2" "$3" >"$TMP/said" 2>&1 &&
+    python3 -m lab faults edit "$TMP/bad/dram.cpp" "$2" "$3" >"$TMP/said" 2>&1 &&
         built "$TMP/bad" -O0 >>"$TMP/said" 2>&1 && ! "$TMP/bad/check" "$SEED" >>"$TMP/said"
     tap $? "noticed: $1" "$TMP/said"
 }

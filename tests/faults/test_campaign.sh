@@ -12,7 +12,7 @@ ln -s "$(realpath "$BUILD")/libsphaera.a" "$TMP/libsphaera.a"
 ln -s "$(realpath "$BUILD")/test/libhard.a" "$TMP/test/libhard.a"
 
 key="mutants round=0 bench=tb_light_add/all seed=7 faults=rt_light_add:9"
-run() { python3 -m lab.faults.drawn one "$TMP" "$key"; }
+run() { python3 -m lab mutants one "$TMP" "$key"; }
 result() { cat "$TMP"/mutants/results/*.json; }
 killed() { # all faults that were chosen, and no few
     python3 - "$(result)" <<'END'
@@ -45,6 +45,6 @@ check "all of them are killed" killed
 check "a result that counts is not made anew" kept
 check "a damaged one is" again
 check "each equivalent fault has its reason, and stands in the sources" \
-    python3 -m lab.faults.drawn.equivalent
+    python3 -m lab equivalents
 check "each module's faults are in the list" sums
 done_testing

@@ -23,7 +23,7 @@ END
         shift 2
     done
 }
-run() { python3 -m lab.faults run --list "$list" --build "$BUILD" >"$TMP/told" 2>&1; }
+run() { python3 -m lab faults run --list "$list" --build "$BUILD" >"$TMP/told" 2>&1; }
 noticed() {
     record && run &&
         grep '^ok 2 - fault a-tangent (.*) noticed by hard 1: not ok 1 ' "$TMP/told"
@@ -97,5 +97,5 @@ shown() { # the record that a page shows
         diff - "$TMP/shown"
 }
 check "docs/design/extending.md: the record that it shows" shown
-check "the lists of tests/faults" python3 -m lab.faults check
+check "the lists of tests/faults" python3 -m lab faults check
 done_testing

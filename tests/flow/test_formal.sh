@@ -17,4 +17,4 @@ while IFS= read -r line; do
 done <"$TMP/verdicts"
 [ -s "$TMP/verdicts" ] || tap 1 "proofs are found" "$TMP/quick"
 done_testing
-python3 -m lab.faults run --by proof
+python3 -m lab faults run --by proof

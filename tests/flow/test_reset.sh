@@ -5,7 +5,7 @@
 set -u
 . "$(dirname "$0")/../tap.sh"
 cd "$(dirname "$0")/../.." || exit 1
-quiet() { python3 -m lab.reset "$TMP/build" "$@"; }
+quiet() { python3 -m lab reset "$TMP/build" "$@"; }
 if [ -n "${ALL:-}" ]; then
     check "each module is quiet after one clock of reset" quiet
 else
@@ -13,4 +13,4 @@ else
         quiet rt_slots rt_cache rt_video rt_traversal_stack
 fi
 done_testing
-python3 -m lab.faults run --by reset
+python3 -m lab faults run --by reset

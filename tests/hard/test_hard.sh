@@ -117,7 +117,7 @@ refused "a state that cannot be written" --cases 20 --exhaustive 0 --state "$TMP
 # ---- faults in the model ----
 repeats() { # a failing case is printed with a command that shows it again
     wrong=$TMP/tangent-hits
-    python3 -m lab.faults program tangent-hits "$wrong" || return 1
+    python3 -m lab faults program tangent-hits "$wrong" || return 1
     "$wrong" --cases 400 --exhaustive 0 --family graze0 >"$TMP/failing" && return 1
     grep -q '[1-9][0-9]* wrong$' "$TMP/failing" || return 1
     again=$(sed -n 's/^  repeat: //p' "$TMP/failing" | head -n 1)
@@ -127,4 +127,4 @@ repeats() { # a failing case is printed with a command that shows it again
 }
 check "a failing case is printed and can be repeated" repeats
 done_testing
-python3 -m lab.faults run --by hard,test
+python3 -m lab faults run --by hard,test

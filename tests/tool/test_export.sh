@@ -72,18 +72,18 @@ sed '4s/[0-9]*$/7/' tests/reference/povray.txt >"$TMP/bad.txt"
 check "... and a pixel of another colour is noticed" says '1 wrong' \
     python3 -m lab povray "$s" "$TMP" "$TMP/bad.txt"
 if command -v povray >"$TMP/which"; then
-    check "make truth, one scene" python3 -m lab.truth.measure "$s" "$TMP/truth" cornell
+    check "make truth, one scene" python3 -m lab truth-scenes "$s" "$TMP/truth" cornell
     check "... and the reference sees the same objects" python3 -c "import json
 r = json.load(open('$TMP/truth/cornell.json'))['reference']
 assert r['wrong'] == 0 and r['psnr'] > 60, r"
 else
     echo "ok $((checks += 1)) - # SKIP there is no povray: make truth-setup"
     check "without POV-Ray make truth says so" says 'no povray here: `make truth-setup`' \
-        python3 -m lab.truth.measure "$s" "$TMP/truth"
+        python3 -m lab truth-scenes "$s" "$TMP/truth"
 fi
 check "... a scene that is not there" says 'no scene tea; there are: ' \
     env PATH="$TMP/path:$PATH" sh -c "mkdir -p '$TMP/path' && ln -sf /bin/true '$TMP/path/povray' &&
-    python3 -m lab.truth.measure '$s' '$TMP/truth' tea"
+    python3 -m lab truth-scenes '$s' '$TMP/truth' tea"
 check "packages of make truth" says '^setup: (every|installing povray)' sh sim/setup.sh --dry-run \
     povray
 done_testing

@@ -1,8 +1,8 @@
 # __main__.py - the mutation campaign as jobs: lists of them, one of them, what came of all
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.faults.drawn plan BUILD COUNT SEED ROUND LIST
-       python3 -m lab.faults.drawn one BUILD KEY
-       python3 -m lab.faults.drawn tell BUILD COUNT SEED
+"""usage: python3 -m lab mutants plan BUILD COUNT SEED ROUND LIST
+       python3 -m lab mutants one BUILD KEY
+       python3 -m lab mutants tell BUILD COUNT SEED
 Round 0 tries each fault in the home of its module; a later round tries what is left in one more
 bench. A job whose result counts is not run again: break it off whenever you like. `tell` writes
 the tables of docs/results/mutants.md."""
@@ -53,7 +53,7 @@ def state(build, count, seed, rounds):
 
 
 def write(build, count, seed, number, name):
-    command = ["python3", "-m", "lab.faults.drawn", "one", build]
+    command = ["python3", "-m", "lab", "mutants", "one", build]
     jobs.write(name, results(build),
                [jobs.job(results(build), k, [*command, k], GUESS)
                 for k in keys(build, count, seed, number)], f"mutants, round {number}")
@@ -100,9 +100,3 @@ def main(command, build, *rest):
     else:
         count, seed = int(rest[0]), int(rest[1])
         page.write(state(build, count, seed, plan.ROUNDS), count, seed)
-
-
-if __name__ == "__main__":
-    if len(sys.argv) < 4 or sys.argv[1] not in ("plan", "one", "tell"):
-        sys.exit(__doc__)
-    main(*sys.argv[1:])

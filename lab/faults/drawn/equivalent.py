@@ -1,6 +1,6 @@
 # equivalent.py - drawn faults that nothing can notice, and why: tests/faults/equivalent
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.faults.drawn.equivalent
+"""usage: python3 -m lab equivalents
 Reads both lists and tells which entries match nothing in the sources, exit code 1."""
 import fnmatch
 import functools
@@ -107,5 +107,5 @@ def unmatched():
     return wrong
 
 
-if __name__ == "__main__":
-    sys.exit("\n".join(unmatched()) or 0)
+def main():
+    return "\n".join(unmatched()) or 0

@@ -1,12 +1,11 @@
 # left.py - the faults that the page lists as left, tried again where checks are new
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.faults.drawn.left BUILD [BENCH...]
+"""usage: python3 -m lab mutants-left BUILD [BENCH...]
 Each BENCH (tb_leaf/tiny, core/EFFECTS, proof/run) tries all faults that are left in
 docs/results/data and fit into its netlist; without one, entries of tests/faults/equivalent are
 looked at alone. The tables of docs/results/mutants.md are made anew, and told to be as old as
 before. A fault whose line has moved gets the new one; if the source has it no more, what is known
 of it stays."""
-import sys
 
 from . import benches, binary, equivalent, page
 
@@ -31,9 +30,3 @@ def main(build, *names):
             verdict = "equivalent" if why else "survived"
         told[fault] = verdict, bench, why, seconds
     page.tables(told, rest=True)
-
-
-if __name__ == "__main__":
-    if len(sys.argv) < 2:
-        sys.exit(__doc__)
-    main(*sys.argv[1:])

@@ -1,7 +1,7 @@
 # left_c.py - the faults in the model that the page lists as left, tried again in some suites
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.faults.drawn.left_c BUILD SUITE[=FILE]...
-       python3 -m lab.faults.drawn.left_c BUILD again
+"""usage: python3 -m lab mutants-c-left BUILD SUITE[=FILE]...
+       python3 -m lab mutants-c-left BUILD again
 Each SUITE (test_leaf, hard_named, test_leaf.sanitized) tries the faults that are left in
 docs/results/data, those whose name begins with FILE, of cmodel/, if it is given. `again`: each that
 was killed is tried once more in the suite that noticed it, after a change of the model or of tests.
@@ -10,7 +10,6 @@ counted. The tables of docs/results/mutants.md are made anew. JOBS are tried at 
 import json
 import os
 import re
-import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
@@ -85,9 +84,3 @@ def main(build, *suites):
     with open(model.PAGE, encoding="utf-8") as f:
         run = re.search(r"<!-- model_run -->\n.*\n.*\n\| (.*) \|", f.read())[1].split(" | ")
     model.told(found, run[0], len(where), int(run[3]), rest=True)
-
-
-if __name__ == "__main__":
-    if len(sys.argv) < 3:
-        sys.exit(__doc__)
-    main(*sys.argv[1:])

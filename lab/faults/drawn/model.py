@@ -1,6 +1,6 @@
 # model.py - faults in the arithmetic of the golden model, and what notices them
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab.faults.drawn.model BUILD COUNT SEED MINUTES [COMPILER OPTION...]
+"""usage: python3 -m lab mutants-c BUILD COUNT SEED MINUTES [COMPILER OPTION...]
 
 An operator or number of a file of cmodel/ becomes another one (EDITS): COUNT of all these places,
 drawn by SEED, as many as are begun within MINUTES; an edit elsewhere leaves the draw as it is. The
@@ -301,9 +301,3 @@ def told(tried, seed, found, none=0, rest=False):
                           *([str(n), w] for w, n in why.most_common())],
         "model_run": [["seed", "places", "tried", "same instructions", "digest of cmodel/"], *run]
     }, rest=rest)
-
-
-if __name__ == "__main__":
-    if len(sys.argv) < 5:
-        sys.exit(__doc__)
-    main(*sys.argv[1:])
