@@ -14,7 +14,7 @@
 #include "reference/tree.h"
 #include "scene/rng.h"
 
-enum { ROUNDS = SANITIZED ? 20000 : 400000 };
+enum { ROUNDS = SANITIZED ? 20000 : 400000, FAN = 3 };
 
 static void lessw(struct sph_vec a, const double b[3], wide out[3]) {
     out[0] = (wide)a.x - b[0], out[1] = (wide)a.y - b[1], out[2] = (wide)a.z - b[2];
@@ -67,6 +67,22 @@ static struct sph_ref_ray past(struct sph_rng *rng, const double at[3], double f
     return ray;
 }
 
+/* Aims a ray at the rim of a sphere, just inside. */
+static void graze(struct sph_rng *rng, const double ctr[3], double rad, struct sph_ref_ray *ray) {
+    double way[3], side[3], across[3], length = 0;
+    any(rng, 1, side);
+    for (int i = 0; i < 3; i++)
+        way[i] = ctr[i] - ray->org[i];
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        across[i] = way[j] * side[k] - way[k] * side[j];
+        length += across[i] * across[i];
+    }
+    double most = rad * (1 - spread(rng, 1e-15, 1e-3)) / sqrt(length);
+    for (int i = 0; i < 3; i++)
+        ray->dir[i] = way[i] + most * across[i];
+}
+
 static void bounds_hold(void **state) {
     (void)state;
     struct sph_rng rng = {test_seed()};
@@ -101,6 +117,7 @@ static void bounds_hold(void **state) {
         for (int j = 0; j < 3; j++) /* to a point in it */
             at[j] = kind == 0 ? ctr[j] + part * at[j] : ctr[j] + part * size * at[j];
         struct sph_ref_ray ray = past(&rng, at, far);
+        if (kind == 0 && i % 2) graze(&rng, ctr, size, &ray);
         struct sph_ref_cast cast = sph_ref_cast(&ray);
         struct sph_ref_meet m;
         if (!sph_ref_meet_ahead(&s, kind != 0, &cast, &m) || !m.met) continue;
@@ -158,27 +175,35 @@ static void sides_are_exact(void **state) {
     assert_true(zero > 10);
 }
 
-/* What lies at the light's place, or at the start, does not stand between. */
+/* What lies at the light's place, or at the start, does not stand between, wherever roundings put
+ * it; what lies a little before the light does. */
 static void ends_of_a_shadow_ray(void **state) {
     (void)state;
-    struct sph_scene *s = bare();
-    for (int k = 0; k < 3; k++) { /* planes through (1, 1, 1) k / 3 */
-        double z = k / 3.0;
-        add(s, SPH_PLANE, (uint32_t)k, (double[3][3]){{z, z, z}, {3, 1, 2}, {1, 0, 0}});
-    }
-    s->spheres[0] = (struct sph_sphere){.ctr = {2, 1, 1}, .rad = 1}; /* (1, 1, 1) is on it */
-    s->n_spheres = 1;
-    for (int k = 0; k < 3; k++) {
-        double p = k / 3.0, q = (k + 1) / 3.0;
-        struct sph_ref_ray ray = {
-            .org = {p, p, p}, .dir = {q - p, q - p, q - p}, .skip = 1, .light = 1, .lift = 1e-14};
+    struct sph_rng rng = {test_seed()};
+    for (int i = 0; i < 400; i++) {
+        struct sph_scene *s = bare();
+        double from[3], to[3], dir[3], n[3], m[3];
+        any(&rng, 10, from), any(&rng, 10, to), any(&rng, 1, n), any(&rng, 1, m);
+        for (int k = 0; k < 3; k++)
+            dir[k] = to[k] - from[k];
+        for (uint32_t k = 0; k < 2; k++) { /* planes through both, by another point of theirs */
+            const double *normal = k ? m : n, *place = k ? from : to;
+            double beside[3];
+            for (int j = 0; j < 3; j++)
+                beside[j] = place[j] + 3 * (normal[(j + 1) % 3] * dir[(j + 2) % 3] -
+                                            normal[(j + 2) % 3] * dir[(j + 1) % 3]);
+            add(s, SPH_PLANE, k, (double[3][3]){{0}, {0}, {1, 0, 0}});
+            s->facets[k].v[0] = vec(beside);
+            s->facets[k].v[1] = vec(normal);
+        }
         struct sph_ref_tree *tree = sph_ref_tree_new(s);
         assert_non_null(tree);
-        struct sph_ref_hit hit = sph_ref_trace(tree, &ray, 1, 1);
-        assert_true(isinf(hit.t));
-        for (int i = 0; i < 3; i++) /* a little on, and there is one between */
-            ray.dir[i] *= 1 + 1e-9;
-        assert_true(isfinite(sph_ref_trace(tree, &ray, 1, 1).t));
+        struct sph_ref_ray ray = {.skip = SPH_ID_NONE, .light = 1, .lift = 1e-13};
+        memcpy(ray.org, from, sizeof from), memcpy(ray.dir, dir, sizeof dir);
+        assert_true(isinf(sph_ref_trace(tree, &ray, 1, 1).t));
+        for (int k = 0; k < 3; k++)
+            ray.dir[k] *= 1 + 1e-9;
+        assert_int_equal(sph_ref_trace(tree, &ray, 1, 1).id, 0);
         sph_ref_tree_free(tree);
     }
 }
@@ -191,18 +216,18 @@ static void fans_are_closed(void **state) {
     int doubts = 0, rays = 0;
     for (int round = 0; round < ROUNDS / 4000; round++) {
         struct sph_scene *s = bare();
-        double rim[12][3], hub[3], org[3];
+        double rim[FAN][3], hub[3], org[3];
         any(&rng, 1, hub);
-        for (int k = 0; k < 12; k++) {
-            double turn = acos(-1.0) / 6 * k, away = sph_rng_range(&rng, 1, 3);
+        for (int k = 0; k < FAN; k++) {
+            double turn = 2 * acos(-1.0) / FAN * k, away = sph_rng_range(&rng, 1, 3);
             rim[k][0] = hub[0] + away * cos(turn);
             rim[k][1] = hub[1] + away * sin(turn);
             rim[k][2] = hub[2] + sph_rng_range(&rng, -0.1, 0.1);
         }
-        for (int k = 0; k < 12; k++) {
+        for (int k = 0; k < FAN; k++) {
             double v[3][3];
             for (int c = 0; c < 3; c++) /* corners in any order */
-                memcpy(v[(c + k) % 3], c == 0 ? hub : rim[(k + c - 1) % 12], sizeof v[0]);
+                memcpy(v[(c + k) % 3], c == 0 ? hub : rim[(k + c - 1) % FAN], sizeof v[0]);
             add(s, SPH_TRIANGLE, (uint32_t)k, (const double(*)[3])v);
         }
         struct sph_ref_tree *tree = sph_ref_tree_new(s);
@@ -213,7 +238,7 @@ static void fans_are_closed(void **state) {
             double along = i % 5 ? sph_rng_range(&rng, 0, 0.9) : 0;
             for (int j = 0; j < 3; j++) {
                 ray.org[j] = org[j];
-                ray.dir[j] = hub[j] + along * (rim[i % 12][j] - hub[j]) - org[j];
+                ray.dir[j] = hub[j] + along * (rim[i % FAN][j] - hub[j]) - org[j];
             }
             struct sph_ref_hit hit = sph_ref_trace(tree, &ray, INFINITY, 0);
             if (hit.id == SPH_ID_NONE) fail_msg("round %d: ray %d slips through", round, i);
@@ -245,11 +270,36 @@ static void doubt_of_a_rim(void **state) {
     sph_ref_tree_free(tree);
 }
 
+/* A ray from a point of a sphere meets its other side, if it looks inwards. */
+static void start_on_a_sphere(void **state) {
+    (void)state;
+    struct sph_rng rng = {test_seed()};
+    struct sph_scene *s = bare();
+    s->n_spheres = 1;
+    for (int i = 0; i < 400; i++) {
+        double ctr[3], at[3], to[3], inwards = 0, square = 0;
+        any(&rng, 10, ctr), any(&rng, 1, at), any(&rng, 1, to);
+        s->spheres[0] = (struct sph_sphere){
+            .ctr = vec(ctr), .rad = sqrt(at[0] * at[0] + at[1] * at[1] + at[2] * at[2])};
+        struct sph_ref_ray ray = {.skip = SPH_ID_NONE};
+        for (int k = 0; k < 3; k++) {
+            ray.org[k] = ctr[k] + at[k], ray.dir[k] = to[k];
+            inwards -= at[k] * to[k], square += to[k] * to[k];
+        }
+        struct sph_ref_tree *tree = sph_ref_tree_new(s);
+        assert_non_null(tree);
+        struct sph_ref_hit hit = sph_ref_trace(tree, &ray, INFINITY, 0);
+        assert_int_equal(hit.id, inwards > 0 ? 0 : SPH_ID_NONE);
+        if (inwards > 0) assert_true(hit.far && fabs(hit.t - 2 * inwards / square) < 1e-9);
+        sph_ref_tree_free(tree);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bounds_hold),     cmocka_unit_test(sides_are_exact),
         cmocka_unit_test(fans_are_closed), cmocka_unit_test(ends_of_a_shadow_ray),
-        cmocka_unit_test(doubt_of_a_rim),
+        cmocka_unit_test(doubt_of_a_rim),  cmocka_unit_test(start_on_a_sphere),
     };
     return cmocka_run_group_tests_name("meet", tests, NULL, NULL);
 }

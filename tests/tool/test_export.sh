@@ -34,6 +34,10 @@ check "... by the names that the scene has" has 'image_map . "scenes/texture/glo
     "$TMP/hall.pov"
 check "... on a sphere, a plane and two triangles" [ "$(grep -c '^#if (Ids) Look' \
     "$TMP/hall.pov")" = 4 ]
+eye=tests/scenes/refraction/eye_in_glass.nff
+check "the shadow of glass around the eye is turned inside out" sh -c "'$s' export $eye |
+    grep -c inverse | grep -qx 1"
+check "... and of no other" sh -c "! '$s' export scenes/refraction/nested.nff | grep inverse"
 "$s" build scenes/paper5.nff --size 8x8 -o "$TMP/m.sph" >"$TMP/said" 2>&1
 fails 1 "export of a machine" "$s" export "$TMP/m.sph"
 fails 1 "export of nothing" "$s" export "$TMP/missing.nff"
@@ -76,6 +80,10 @@ if command -v povray >"$TMP/which"; then
     check "... and the reference sees the same objects" python3 -c "import json
 r = json.load(open('$TMP/truth/cornell.json'))['reference']
 assert r['wrong'] == 0 and r['psnr'] > 60, r"
+    check "... an eye in glass" python3 -m lab.truth.measure "$s" "$TMP/truth" eye_in_glass
+    check "... sees what the reference sees" python3 -c "import json
+r = json.load(open('$TMP/truth/eye_in_glass.json'))['reference']
+assert r['wrong'] == 0 and r['psnr'] > 45, r"
 else
     echo "ok $((checks += 1)) - # SKIP there is no povray: make truth-setup"
     check "without POV-Ray make truth says so" says 'no povray here: `make truth-setup`' \
