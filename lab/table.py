@@ -110,7 +110,7 @@ GROUPS = {
         ("slow-paths", "synth.families", "SDF [LINES]", "slow paths of a placed core"),
     ),
     "faults and proofs": (
-        ("faults", "faults.__main__", "...", "plants the faults of tests/faults, tells who notices"),
+        ("faults", "faults.__main__", "...", "plants those of tests/faults, tells who notices"),
         ("mutants", "faults.drawn.__main__", "COMMAND BUILD [WORD...]", "faults by Yosys, as jobs"),
         ("mutants-left", "faults.drawn.left", "BUILD [BENCH...]", "what is left, tried again"),
         ("mutants-c", "faults.drawn.model", "BUILD COUNT SEED MINUTES [WORD...]",

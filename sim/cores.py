@@ -5,8 +5,8 @@
        sim/cores.py profile PROFILE [name]
        sim/cores.py sizes LIST [name]
        sim/cores.py legal NAME=NUMBER...
-       [ENGINES=n] [PIPES=n] [LEAF_UNITS=n] [SHADES=n] [ROOT_STEP=n] [QUOTIENT_STEP=n] [SIZES=list] \\
-           sim/cores.py key PROFILE LIST [TARGET]
+       [ENGINES=n] [PIPES=n] [LEAF_UNITS=n] [SHADES=n] [ROOT_STEP=n] [QUOTIENT_STEP=n] \\
+           [SIZES=list] sim/cores.py key PROFILE LIST [TARGET]
 
 LIST: all, all-NAME (all but one), none, or words joined by +, the first of which may be all; words
 are those of effects and parts in machine.def, with a count if most is above 1. all-NAME leaves out

@@ -24,7 +24,8 @@ from .records import planted
 PATIENCE = 1800     # seconds of one judge
 SEED = ("--latency", "5", "--stall", "20", "--seed", "7")
 CORES = {"core": {"EFFECTS": "all"}, "textured": {"EFFECTS": "auto"},
-         "piped": {"EFFECTS": "auto", "PIPES": "3", "LEAF_UNITS": "1"}, "agree": {"EFFECTS": "auto"}}
+         "piped": {"EFFECTS": "auto", "PIPES": "3", "LEAF_UNITS": "1"},
+         "agree": {"EFFECTS": "auto"}}
 HARNESS = r"verilated|simulate_(verilator|netlist|cxxrtl|host)"     # objects of other simulators
 # What a comparison tells of the first difference, the most telling first.
 HOW = (r"^  stage +(.*)", r"^(counter [^ ]*)", r"^(error bit [a-z_]*)", r"(no progress for .*)",
