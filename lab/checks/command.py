@@ -34,6 +34,9 @@ def takes(run, words, options):
 
 
 for command in table.COMMANDS.values():
+    if command.arguments == "...":    # reads them itself
+        takes(command.run, [[]], {})
+        continue
     _, options = parser_of(command.name, command.arguments, command.text, "")
     every = [w for w in command.arguments.split() if not w.startswith("--")]
     for words in every, [w for w in every if not w.startswith("[")]:

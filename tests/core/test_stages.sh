@@ -8,7 +8,6 @@
 #   CORE=pattern  only the frames and faults whose name has the pattern in it
 set -u
 . "$(dirname "$0")/../tap.sh"
-. "$(dirname "$0")/../edit.sh"
 cd "$(dirname "$0")/../.." || exit 1
 SEED=${SEED:-1} BUILD=${BUILD:-build} CORE=${CORE:-}
 export BUILD OPT=-O0 JOBS=1
@@ -97,7 +96,7 @@ noticed() { # STAGE FILE FROM TO
     cp -R rtl "$TMP/rtl"
     cp -al "$BUILD/sim/obj" "$BUILD/sim/tb_core_icarus" "$TMP/build/sim/"
     cp -al "$BUILD/libsphaera.a" "$TMP/build/"
-    FROM=$3 TO=$4 NEW=$TMP/new edit "$TMP/rtl/$2" || return 1
+    python3 -m lab faults edit "$TMP/rtl/$2" "$3" "$4" || return 1
     BUILD=$TMP/build BUILT=tools RTL=$TMP/rtl EFFECTS=auto sh sim/core.sh \
         --machine "$TMP/paper5.sph" --stall 30 --seed "$SEED" --pixel 8,6 >"$TMP/log" 2>&1
     [ $? = 1 ] || { cat "$TMP/log" && return 1; }

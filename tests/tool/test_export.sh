@@ -80,7 +80,7 @@ if command -v povray >"$TMP/which"; then
     check "... and the reference sees the same objects" python3 -c "import json
 r = json.load(open('$TMP/truth/cornell.json'))['reference']
 assert r['wrong'] == 0 and r['psnr'] > 60, r"
-    check "... an eye in glass" python3 -m lab.truth.measure "$s" "$TMP/truth" eye_in_glass
+    check "... an eye in glass" python3 -m lab truth-scenes "$s" "$TMP/truth" eye_in_glass
     check "... sees what the reference sees" python3 -c "import json
 r = json.load(open('$TMP/truth/eye_in_glass.json'))['reference']
 assert r['wrong'] == 0 and r['psnr'] > 45, r"
