@@ -72,7 +72,7 @@ job() {
     core=$("$SPHAERA" info "$here/scene.sph" | sed -n 's/^core *//p')
     folder=$(BUILD=$here/build RTL=$here/rtl SIM=icarus EFFECTS=auto \
         sh sim/core.sh --machine "$here/scene.sph" --folder) || return 2
-    others='verilated|simulate_(verilator|netlist|cxxrtl|host)'
+    others='verilated|simulate_(verilator|netlist|cxxrtl|host|stages)'
     # shellcheck disable=SC2046  # a list of words on purpose
     g++ $(find "$BUILD/sim/obj" -name '*.o' | grep -vE "$others") "$here/twin.o" \
         "$here/literal.o" "$BUILD/libsphaera.a" -Wl,--wrap=sph_render -ljansson -lm -lpthread \
