@@ -26,7 +26,8 @@ SEED = ("--latency", "5", "--stall", "20", "--seed", "7")
 CORES = {"core": {"EFFECTS": "all"}, "textured": {"EFFECTS": "auto"},
          "piped": {"EFFECTS": "auto", "PIPES": "3", "LEAF_UNITS": "1"},
          "agree": {"EFFECTS": "auto"}}
-HARNESS = r"verilated|simulate_(verilator|netlist|cxxrtl|host|stages)"  # objects of other simulators
+# objects of other simulators
+HARNESS = r"verilated|simulate_(verilator|netlist|cxxrtl|host|stages)"
 # What a comparison tells of the first difference, the most telling first.
 HOW = (r"^  stage +(.*)", r"^(counter [^ ]*)", r"^(error bit [a-z_]*)", r"(no progress for .*)",
        r"^vvp ended .* time: .*u_core\.(.*)", r"^(not ok.*)", r"^ *PROVE [^:]*: (.*)",
