@@ -66,7 +66,7 @@ def walk(count, pipes=1):
 
 def tests(count, pipes=1):
     """The same for tests of triangles in its leaf units."""
-    return count["facet_tests"] * facet(core(pipes), WIDE) / core(pipes)["EXACTS"]
+    return count["facet_tests"] * facet(core(pipes), WIDE) / core(pipes)["LEAF_UNITS"]
 
 
 def texels(count, pipes=1):

@@ -54,7 +54,7 @@ def exceptions():
 def harness(path, said, fields):
     """Verilog of a module `quiet` around the one of a file, and the outputs that it looks at; none
     if that has no reset."""
-    text = re.sub(r"//.*", "", path.read_text())
+    text = re.sub(r"//.*", "", "\n".join(line for _, _, line in verilog.lines(path)))
     head = re.search(r"^module \w+\s*(#\s*\(.*?\)\s*)?\(\s*$.*?^\);", text, re.S | re.M)
     if not head:
         raise Bad("no header")

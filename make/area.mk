@@ -14,7 +14,7 @@ TARGETS  ?= ecp5
 EFFECTS  ?= all
 ENGINES  ?= 1
 PIPES    ?= 1
-EXACTS   ?= 0
+LEAF_UNITS   ?= 0
 SHADES   ?= 0
 # bits that a root and a quotient gain a clock
 ROOT_STEP     ?= 2
@@ -37,7 +37,7 @@ $(foreach t,$(targets),$(if $(filter $t,$(KNOWN_TARGETS)),,$(error synth: \
 
 $(foreach e,$(EFFECTS),$(if $(shell sh sim/parameters.sh '$e'),,$(error synth: \
     no core is built with '$e')))
-key = $(or $(shell ENGINES=$(ENGINES) PIPES=$(PIPES) EXACTS=$(EXACTS) SHADES=$(SHADES) \
+key = $(or $(shell ENGINES=$(ENGINES) PIPES=$(PIPES) LEAF_UNITS=$(LEAF_UNITS) SHADES=$(SHADES) \
           ROOT_STEP=$(ROOT_STEP) QUOTIENT_STEP=$(QUOTIENT_STEP) SIZES='$(SIZES)' \
           sh sim/key.sh '$(1)' '$(2)' $(3)),$(error \
           synth: no such core))$(if $(filter 1,$(FLAT)),-flat)

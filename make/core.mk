@@ -19,7 +19,7 @@ PROFILE ?= standard
 CORE    ?= all
 ENGINES ?= 1
 PIPES   ?= 1
-EXACTS  ?= 0
+LEAF_UNITS  ?= 0
 SHADES  ?= 0
 # bits that a root and a quotient gain a clock
 ROOT_STEP     ?= 2
@@ -45,7 +45,7 @@ OTHERS    := $(shell sh sim/sizes.sh '$(SIZES)')
 replaced  := $(foreach size,$(OTHERS),$(firstword $(subst =, ,$(size)))=%)
 PARAMETERS := $(filter-out $(replaced),$(shell sh sim/profile.sh '$(PROFILE)')) $(OTHERS) \
               $(shell sh sim/parameters.sh '$(CORE)') \
-              ENGINES=$(ENGINES) PIPES=$(PIPES) EXACTS=$(EXACTS) SHADES=$(SHADES) \
+              ENGINES=$(ENGINES) PIPES=$(PIPES) LEAF_UNITS=$(LEAF_UNITS) SHADES=$(SHADES) \
               ROOT_STEP=$(ROOT_STEP) QUOTIENT_STEP=$(QUOTIENT_STEP)
 
 # What both simulators' harnesses share; but for tb_core.cpp a tb_ is the bench of a block.

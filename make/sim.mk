@@ -18,8 +18,8 @@ BUILD_OPTIONS := --profile $(BUILD_PROFILE) --depth $(DEPTH) --background $(BACK
                  $(if $(LEVELS),--bg-levels $(LEVELS)) $(if $(AT),--at $(AT)) $(BUILD_MORE)
 # What shapes a machine, and its run on a core.
 MACHINE_KEY := SCENE SEED BUILD_OPTIONS LITERAL
-SIM_KEY     := $(MACHINE_KEY) EFFECTS ENGINES PIPES EXACTS SHADES ROOT_STEP QUOTIENT_STEP SIZES \
-               SIM LATENCY STALL MEMORY CORE_MHZ WINDOW WARM WAVES WATCHDOG
+SIM_KEY     := $(MACHINE_KEY) EFFECTS ENGINES PIPES LEAF_UNITS SHADES ROOT_STEP QUOTIENT_STEP \
+               SIZES SIM LATENCY STALL MEMORY CORE_MHZ WINDOW WARM WAVES WATCHDOG
 # (call run,GOAL,KEY): the names of its folder and how it speaks are passed besides.
 run = $(call values,$(2) PROFILE SIZE SAMPLES V) BUILD=$B sh sim/run.sh $(1) $(2)
 # The command that repeats a run, for its report: what was given to make.

@@ -26,7 +26,7 @@ synth: $(if $(SYNTH_SCENE),$(TOOL)) ## area with Yosys: PROFILE and TARGET, or a
 	    $(MAKE) --no-print-directory -f make/area.mk report B=$B V=$(V) \
 	    PROFILES=$(if $(SYNTH_SCENE),$(or $(filter all,$(PROFILE)),"$$1"),"$$1") \
 	    TARGETS=$(TARGET) EFFECTS="$$2" ENGINES=$(ENGINES) FLAT=$(FLAT) \
-	    PIPES=$(PIPES) EXACTS=$(EXACTS) SHADES=$(SHADES) \
+	    PIPES=$(PIPES) LEAF_UNITS=$(LEAF_UNITS) SHADES=$(SHADES) \
 	    ROOT_STEP=$(ROOT_STEP) QUOTIENT_STEP=$(QUOTIENT_STEP) \
 	    SIZES='$(SIZES)'
 

@@ -51,8 +51,10 @@ EFFECTS ?= auto
 ENGINES ?= 1
 ## PIPES 1..4 traversal pipes of an engine
 PIPES ?= 1
-## EXACTS 0|1|2|4 leaf units of an engine; 0: 2 for 3 and 4 pipes, else 1
-EXACTS ?= 0
+## LEAF_UNITS 0|1|2|4 leaf units of an engine; 0: 2 for 3 and 4 pipes, else 1
+LEAF_UNITS ?= $(or $(EXACTS),0)
+## EXACTS 0|1|2|4| what LEAF_UNITS was called, for a release
+EXACTS ?=
 ## SHADES 0|1|2|4 shading units of an engine; 0: 1, 2, 2, 4 for 1, 2, 3, 4 pipes
 SHADES ?= 0
 ## ROOT_STEP 1..W+WD bits that a root of the core gains a clock

@@ -29,7 +29,7 @@ awk -v names="$*" -v given="$given" -v goals="$goals" -v widths="$widths" \
 effects=${EFFECTS:-auto}
 [ "$effects" != auto ] || effects=none
 case " $* " in
-*" ENGINES "* | *" PIPES "* | *" EXACTS "* | *" SHADES "* | *" SIZES "* | *" EFFECTS "* | \
+*" ENGINES "* | *" PIPES "* | *" LEAF_UNITS "* | *" SHADES "* | *" SIZES "* | *" EFFECTS "* | \
     *" PROFILE "*) sh sim/key.sh "$profile" "$effects" >/dev/null || exit 2 ;;
 esac
 

@@ -2,7 +2,7 @@
 # core.sh - one machine through the RTL core and the golden model, compared bit for bit
 # SPDX-License-Identifier: Apache-2.0
 #
-# usage: [EFFECTS=auto|LIST] [ENGINES=n] [PIPES=n] [EXACTS=n] [SHADES=n] [ROOT_STEP=n] \
+# usage: [EFFECTS=auto|LIST] [ENGINES=n] [PIPES=n] [LEAF_UNITS=n] [SHADES=n] [ROOT_STEP=n] \
 #            [QUOTIENT_STEP=n] [SIZES=list] [SIM=verilator|icarus|cxxrtl|ecp5|xc7] \
 #            sim/core.sh --machine FILE [OPTION...]
 #
@@ -21,14 +21,14 @@
 set -eu
 cd "$(dirname "$0")/.."
 EFFECTS=${EFFECTS:-all} ENGINES=${ENGINES:-1} PIPES=${PIPES:-1}
-EXACTS=${EXACTS:-0} SHADES=${SHADES:-0}
+LEAF_UNITS=${LEAF_UNITS:-0} SHADES=${SHADES:-0}
 ROOT_STEP=${ROOT_STEP:-2} QUOTIENT_STEP=${QUOTIENT_STEP:-2} SIZES=${SIZES:-}
 SIM=${SIM:-verilator} OPT=${OPT:-} WAVES=0
 BUILD=${BUILD:-build}
 
 check() { [ -n "${BUILT:-}" ] || sh sim/check.sh "$@"; }
-EFFECTS=$EFFECTS ENGINES=$ENGINES PIPES=$PIPES EXACTS=$EXACTS SHADES=$SHADES SIZES=$SIZES SIM=$SIM \
-    OPT=$OPT check EFFECTS ENGINES PIPES EXACTS SHADES SIZES SIM OPT
+EFFECTS=$EFFECTS ENGINES=$ENGINES PIPES=$PIPES LEAF_UNITS=$LEAF_UNITS SHADES=$SHADES SIZES=$SIZES \
+    SIM=$SIM OPT=$OPT check EFFECTS ENGINES PIPES LEAF_UNITS SHADES SIZES SIM OPT
 
 machine= previous= folder= help=
 for word; do
@@ -74,7 +74,7 @@ done
 [ "$EFFECTS" = auto ] || core=$EFFECTS
 built=$(sh sim/parameters.sh "$core")
 [ "$SIM" = verilator ] || WAVES=0
-key=$(ENGINES=$ENGINES PIPES=$PIPES EXACTS=$EXACTS SHADES=$SHADES \
+key=$(ENGINES=$ENGINES PIPES=$PIPES LEAF_UNITS=$LEAF_UNITS SHADES=$SHADES \
     ROOT_STEP=$ROOT_STEP QUOTIENT_STEP=$QUOTIENT_STEP SIZES=$SIZES \
     sh sim/key.sh "$profile" "$core")$OPT
 [ "$WAVES" = 0 ] || key=$key-waves
@@ -88,7 +88,7 @@ key=$(ENGINES=$ENGINES PIPES=$PIPES EXACTS=$EXACTS SHADES=$SHADES \
 command -v clang++ >/dev/null || [ "$SIM" = icarus ] ||
     echo "no clang++ here (make setup installs it): g++ compiles the core, in twice the time" >&2
 target "$key-$goal" "$goal" KEY="$key" PROFILE="$profile" CORE="$core" \
-    ENGINES="$ENGINES" PIPES="$PIPES" EXACTS="$EXACTS" SHADES="$SHADES" \
+    ENGINES="$ENGINES" PIPES="$PIPES" LEAF_UNITS="$LEAF_UNITS" SHADES="$SHADES" \
     ROOT_STEP="$ROOT_STEP" QUOTIENT_STEP="$QUOTIENT_STEP" SIZES="$SIZES" \
     WAVES="$WAVES" OPT="$OPT" ${RTL:+RTL="$RTL"}
 
@@ -97,8 +97,8 @@ target "$key-$goal" "$goal" KEY="$key" PROFILE="$profile" CORE="$core" \
     exit
 }
 repeat="EFFECTS=$EFFECTS ENGINES=$ENGINES"
-[ "$PIPES $EXACTS $SHADES" = "1 0 0" ] ||
-    repeat="$repeat PIPES=$PIPES EXACTS=$EXACTS SHADES=$SHADES"
+[ "$PIPES $LEAF_UNITS $SHADES" = "1 0 0" ] ||
+    repeat="$repeat PIPES=$PIPES LEAF_UNITS=$LEAF_UNITS SHADES=$SHADES"
 repeat="$repeat ROOT_STEP=$ROOT_STEP QUOTIENT_STEP=$QUOTIENT_STEP${SIZES:+ SIZES=$SIZES}"
 repeat="$repeat SIM=$SIM sim/core.sh"
 case $SIM in ecp5 | xc7)

@@ -1,12 +1,12 @@
 #!/bin/sh
-# layout.sh - what follows from machine.def, top.def and modes.def: headers, lines between marks
+# layout.sh - what follows from machine.def, top.def and modes.def: headers
 # SPDX-License-Identifier: Apache-2.0
 #
 # usage: sim/layout.sh [FOLDER]
-# Writes layout.h and rt_layout.vh, of rt_top rt_top.vh, sphaera_regs.h and rt_top.rdl, of modes of
-# video rt_modes.vh and sphaera_modes.h, and in rt_core.v, rt_top.v and tb_core_icarus.v the lines
-# between `// KIND of machine.def` and `// end of KIND`; to FOLDER if it is given, else in their
-# places. A file that stays the same keeps its time.
+# Writes layout.h and rt_layout.vh, parameters of the core (rt_effects.vh, rt_core_parameters.vh),
+# how they are passed on (..._pass.vh) and its rules (rt_core_rules.vh), of rt_top rt_top.vh,
+# sphaera_regs.h and rt_top.rdl, of modes of video rt_modes.vh and sphaera_modes.h; to FOLDER if it
+# is given, else in their places. A file that stays the same keeps its time.
 set -eu
 cd "$(dirname "$0")/.."
 . sim/beside.sh
@@ -23,24 +23,13 @@ put() { # file: takes stdin
     cat >"$new"
     named_anew "$to"
 }
-splice() { # file: its text with fresh lines between marks
-    awk -v parameters="$(generate parameters)" -v connections="$(generate connections)" \
-        -v units="$(generate units)" '
-        /^ *\/\/ end of (parameters|connections|units)$/ { inside = 0 }
-        !inside
-        /^ *\/\/ parameters of machine.def$/ { print parameters; inside = 1 }
-        /^ *\/\/ connections of machine.def$/ { print connections; inside = 1 }
-        /^ *\/\/ units of machine.def$/ { print units; inside = 1 }
-        END { exit inside }' "$1" || {
-        echo "$1: a mark without an end" >&2
-        exit 1
-    }
-}
 to_folder=${1:-}
 text=$(generate c)
 printf '%s\n' "$text" | put $def/layout.h
-text=$(generate v)
-printf '%s\n' "$text" | put rtl/core/rt_layout.vh
+for name in layout effects effects_pass core_parameters core_pass core_rules; do
+    text=$(generate $name)
+    printf '%s\n' "$text" | put rtl/core/rt_$name.vh
+done
 for job in "v rtl/video/rt_modes.vh" "c driver/sphaera_modes.h"; do
     text=$(awk -v lang="${job%% *}" -f sim/modes.awk rtl/video/modes.def)
     printf '%s\n' "$text" | put "${job#* }"
@@ -51,7 +40,3 @@ text=$(generate_top c)
 printf '%s\n' "$text" | put driver/sphaera_regs.h
 text=$(generate_top rdl)
 printf '%s\n' "$text" | put docs/reference/rt_top.rdl
-for file in rtl/core/rt_core.v rtl/top/rt_top.v tb/core/tb_core_icarus.v; do
-    text=$(splice $file)
-    printf '%s\n' "$text" | put $file
-done

@@ -9,7 +9,8 @@ sources=$(find Makefile .ci make cmodel driver examples lab rtl formal python tb
     -o -name '*.vh' -o -name '*.vlt' -o -name '*.sh' -o -name '*.mk' -o -name '*.awk' \
     -o -name '*.py' -o -name '*.ys' -o -name '*.def' -o -name '*.txt' -o -name '*.lib' \
     -o -name '*.smt2' \))
-generated='/(rt_(layout|modes|bundles|top)\.vh|(layout|bundles|sphaera_[rm].*|[a-z_]*_table)\.h)$'
+generated='/(rt_(layout|modes|bundles|top|core_rules)\.vh|'
+generated=$generated'(layout|bundles|sphaera_[rm].*|[a-z_]*_table)\.h)$'
 written=$(printf '%s\n' "$sources" | grep -vE "$generated")
 texts=$(find docs scenes README.md -type f \( -name '*.md' -o -name '*.nff' \) 2>/dev/null)
 bad=0

@@ -2,8 +2,8 @@
 # core.sh - synthesises the core once with Yosys and keeps what it says
 # SPDX-License-Identifier: Apache-2.0
 #
-# usage: synth/core.sh PROFILE-TARGET-LIST-engines1[-pipesN][-exactsN][-shadesN][-rootN][-quotientN]
-#            [-SIZEn...] [-top] [-flat] FOLDER
+# usage: synth/core.sh PROFILE-TARGET-LIST-engines1[-pipesN][-leaf_unitsN][-shadesN][-rootN]
+#            [-quotientN][-SIZEn...] [-top] [-flat] FOLDER
 #   PROFILE, SIZE: sim/profile.sh and sim/sizes.sh, as parts of a file name; LIST: sim/parameters.sh
 #   top: rt_top with its video output around the core, not rt_core alone
 # Leaves in FOLDER:

@@ -1,9 +1,10 @@
-# gen_layout.awk - machine.def to a C header (-v lang=c) or a Verilog header (-v lang=v)
+# gen_layout.awk - machine.def to a C header (-v lang=c) or Verilog headers (the other lang)
 # SPDX-License-Identifier: Apache-2.0
 #
-# Needs effects.awk before it. sim/layout.sh runs it, also for what stands in Verilog files between
-# marks: lang=parameters, a parameter for each effect, part and size; lang=connections, its
-# connection; lang=units, how many units there are.
+# Needs effects.awk before it; sim/layout.sh runs it. layout: layout of memory, registers, numbers.
+# What rt_core, what is around it and modules in it have in common: effects, a parameter for each
+# width and effect; core_parameters, the others too; effects_pass and core_pass, what is given to
+# parameters of the same name; core_rules, how many units there are and what is legal.
 function mask(list, part, n, i, bits_set) { # of words, by their place in the list
     n = split(list, part, ",")
     for (i = 1; i <= n; i++) bits_set += 2 ^ (number[part[i]] - 1)
@@ -30,20 +31,38 @@ function entry(i, when, count, lo, hi) { # X(NAME, word, ...) of SPH_EACH_PART
                    when == "" ? "-1" : "SPH_REG_" when, lo == "" ? "0" : lo, hi == "" ? "0" : hi,
                    count == "" ? "-1" : "SPH_REG_" count, about[i])
 }
-function parameter(name, value, range_text, what) { # the last ends a list: no comma
+function head(file, what) {
+    printf "// %s - generated from machine.def by gen_layout.awk; do not edit\n", file
+    printf "// SPDX-License-Identifier: Apache-2.0\n// %s\n", what
+}
+function parameter(name, value, what) { # the last ends a list: no comma
     name = sprintf("    parameter %-10s = %s%s", name, value, name == size[sizes] ? "" : ",")
-    printf "%-33s// %s: %s\n", name " ", range_text, what
+    printf "%-33s// %s\n", name " ", what
 }
-function parameters(i) {
-    for (i = 1; i <= words; i++)
-        parameter(core[i], all[i], most[i] > 1 ? "0.." most[i] : "0 or 1", about[i])
+function words_from(i, to) {
+    for (; i <= to; i++)
+        parameter(core[i], all[i], (most[i] > 1 ? "0.." most[i] : "0 or 1") ": " about[i])
+}
+function effect_parameters(i) {
+    head("rt_effects.vh", "Widths and effects: the first of the parameters of a module.")
+    for (i = 1; i <= n_widths; i++)
+        parameter(width[i], "`RT_PROFILE_STANDARD_" width[i], width_about[i])
+    print "    // effects that are elaborated, a machine that asks for more is refused " \
+          "(MISSING_EFFECT)"
+    words_from(1, effects)
+}
+function core_parameters(i) {
+    head("rt_core_parameters.vh", "All parameters of rt_core: the last of those of a module.")
+    print "    `include \"rt_effects.vh\""
+    words_from(effects + 1, words)
+    print "    // sizes, on which only cells and cycles depend"
     for (i = 1; i <= sizes; i++)
-        parameter(size[i], standard[i], least[i] ".." largest[i] (power[i] ? ", power of two" : ""),
-                  size_about[i])
+        parameter(size[i], standard[i], least[i] ".." largest[i] \
+                  (power[i] ? ", power of two" : "") ": " size_about[i])
 }
-function check(legal, message) { # one line of RT_CHECK_CORE
+function check(legal, message) { # one line of rt_core_rules.vh
     gsub(/[+]/, "_plus_", message)
-    checks = checks sprintf(" \\\n    `RT_CHECK(%s, rt_core_%s)", legal, message)
+    checks = checks sprintf("    `RT_CHECK(%s, rt_core_%s)\n", legal, message)
 }
 function between(name, from, to, two, legal) {
     legal = sprintf("%s >= %s && %s <= %s", name, from, name, to)
@@ -65,7 +84,8 @@ function all_checks(i, k, n, part, legal) {
     for (i = 1; i <= sizes; i++) between(size[i], least[i], largest[i], power[i])
     for (i = 1; i <= rules; i++) check(must_hold[i], rule_name[i])
 }
-function numbers(i, n, part, k, line) { # of units, lines that end where an alternative does
+function core_rules(i, n, part, k, line) { # lines that end where an alternative does
+    head("rt_core_rules.vh", "Units of an engine, legal values of parameters, alone and together.")
     for (i = 1; i <= units; i++) {
         line = "    localparam " unit[i] " ="
         n = split(how_many[i] ";", part, / : /)
@@ -78,21 +98,32 @@ function numbers(i, n, part, k, line) { # of units, lines that end where an alte
         }
         print line
     }
+    all_checks()
+    printf "%s", checks
 }
-function connections(i, line, next_one) {
-    for (i = 1; i <= words + sizes; i++) {
-        next_one = i <= words ? core[i] : size[i - words]
-        next_one = "." next_one "(" next_one ")" (i < words + sizes ? "," : "")
-        if (length(line next_one) > 90) {
-            print line
-            line = ""
-        }
-        line = line (line ? " " : "        ") next_one
+function connect(name, end) {
+    name = "." name "(" name ")" end
+    if (length(line name) > 90) {
+        print line
+        line = ""
     }
+    line = line (line ? " " : "        ") name
+}
+function effects_pass(i) {
+    head("rt_effects_pass.vh", "rt_effects.vh to an instance, by name: the first that it is given.")
+    for (i = 1; i <= n_widths; i++) connect(width[i], ",")
+    for (i = 1; i <= effects; i++) connect(core[i], ",")
+    print line
+}
+function core_pass(i) {
+    head("rt_core_pass.vh", "rt_core_parameters.vh to an instance, by name: all that it is given.")
+    print "        `include \"rt_effects_pass.vh\""
+    for (i = effects + 1; i <= words; i++) connect(core[i], ",")
+    for (i = 1; i <= sizes; i++) connect(size[i], i < sizes ? "," : "")
     print line
 }
 function def(name, value) {
-    if (lang != "c" && lang != "v") return
+    if (lang != "c" && lang != "layout") return
     if (lang == "c") printf "#define SPH_%s %s\n", name, value
     else printf "`define RT_%s %s\n", name, value
 }
@@ -101,7 +132,7 @@ BEGIN {
         print "/* layout.h - generated from machine.def by gen_layout.awk; do not edit"
         print " * SPDX-License-Identifier: Apache-2.0\n */"
         print "#ifndef SPH_LAYOUT_H\n#define SPH_LAYOUT_H\n"
-    } else if (lang == "v") {
+    } else if (lang == "layout") {
         print "// rt_layout.vh - generated from machine.def by gen_layout.awk; do not edit"
         print "// SPDX-License-Identifier: Apache-2.0"
         print "`ifndef RT_LAYOUT_VH\n`define RT_LAYOUT_VH"
@@ -112,7 +143,7 @@ $1 == "profile" {
     row = row sprintf("%s{\"%s\", %s, %s, %s, %s, %s, %s}", row ? ", " : "", $2, $3, $4, $5, $6,
                       $7, $8)
     p = "PROFILE_" toupper($2) "_"
-    if (lang == "v") {
+    if (lang == "layout") {
         def(p "W", $3); def(p "WD", $4); def(p "PQ", $5); def(p "NG", $6); def(p "FW", $7)
         def(p "PR", $8)
     }
@@ -120,10 +151,13 @@ $1 == "profile" {
 $1 == "width" {
     p = "WIDTH_" toupper($2) "_"
     why = $7
-    for (i = 8; i <= NF; i++) why = why " " $i
+    for (i = 8; i <= NF && $i != ":"; i++) why = why " " $i
     widths = widths sprintf("%s{\"%s\", offsetof(struct sph_profile, %s), %s, %s, %s, %s, \"%s\"}",
                             widths ? ", " : "", $2, $2, $3, $4, $5, $6, why)
-    if (lang == "v") def(p "LSB", $3)
+    if (lang == "layout") def(p "LSB", $3)
+    width[++n_widths] = toupper($2)
+    width_about[n_widths] = $0
+    sub(/^.* : /, "", width_about[n_widths])
     between(toupper($2), $5, $6)
 }
 $1 == "const"   { def($2, $3) }
@@ -149,9 +183,12 @@ $1 == "error" {
 }
 END {
     if (failed) exit 1
-    if (lang == "parameters") { parameters(); exit }
-    if (lang == "connections") { connections(); exit }
-    if (lang == "units") { numbers(); exit }
+    if (lang == "effects") effect_parameters()
+    else if (lang == "effects_pass") effects_pass()
+    else if (lang == "core_parameters") core_parameters()
+    else if (lang == "core_pass") core_pass()
+    else if (lang == "core_rules") core_rules()
+    if (lang != "c" && lang != "layout") exit
     for (i = 1; i <= words; i++) {
         if (bit[i] >= 0) {
             def("EFFECT_" toupper(word[i]), bit[i])
@@ -178,8 +215,6 @@ END {
         def("EFFECTS_BUILT", "(32'd0" built ")")
         def("DEEPEST", "(REFRACT != 0 && REFLECT < `RT_REFRACT_DEPTH ? " \
                        "`RT_REFRACT_DEPTH : REFLECT)")
-        all_checks()
-        def("CHECK_CORE", checks)
         print "`endif"
     }
 }

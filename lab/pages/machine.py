@@ -119,5 +119,5 @@ def profiles():
 
 def widths():
     return markdown.table(["width", "bits, from", "to", "and why no more"],
-                          [[name.upper(), least, most, " ".join(why)]
+                          [[name.upper(), least, most, " ".join(why[:why.index(":")])]
                            for name, _, _, least, most, *why in rows("width")])

@@ -13,6 +13,9 @@ PORT = re.compile(r"(?P<way>input|output)\s+(?:wire|reg)?\s*(?P<signed>signed)?\
                   r"(?P<range>\[.*\])?\s*(?P<name>\w+)\s*,?$")
 
 
+HEAD = 3        # lines of a generated file above what it has
+
+
 class Bad(Exception):
     """A header that cannot be read: file, line, text."""
 
@@ -61,10 +64,20 @@ def bits(span, macros):
     return f"{text}:{low}"
 
 
+def lines(path):
+    """(file, number, text) of each line; an `include within a list of parameters is that file."""
+    for number, line in enumerate(Path(path).read_text().splitlines(), 1):
+        include = re.match(r'\s+`include "(\w+\.vh)"$', line)
+        if include:
+            yield from list(lines(next(Path("rtl").rglob(include[1]))))[HEAD:]
+        else:
+            yield path, number, line
+
+
 def header(path, macros):
     """(parameters, ports) of the module of a file, in their order."""
     lists, into, heading, column, above = ([], []), None, "", 0, False
-    for number, line in enumerate(Path(path).read_text().splitlines(), 1):
+    for where, number, line in lines(path):
         code, _, comment = (part.strip() for part in line.partition("//"))
         if into is None:
             if re.match(r"module\s", code):
@@ -83,7 +96,7 @@ def header(path, macros):
         elif code and not code.startswith("`"):
             match = (PARAMETER, PORT)[into].match(code)
             if not match:
-                raise Bad(f"{path}:{number}: neither a parameter nor a port: {code}")
+                raise Bad(f"{where}:{number}: neither a parameter nor a port: {code}")
             column = line.index("//") if comment else 0
             group = match.groupdict()
             value = tidy(group["default"], macros) if into == 0 else ""

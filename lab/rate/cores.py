@@ -19,14 +19,15 @@ SPHERES = "shadow+reflect2+lights3+inside+spans"
 GLASS = "shadow+reflect2+lights1+inside+facets+refract+specular+sum"
 
 
-class Core(namedtuple("Core", "pipes exacts shades")):
+class Core(namedtuple("Core", "pipes leaf_units shades")):
     """Units of an engine; 0: by the rule of rt_core."""
 
     def variables(self):
-        return {"PIPES": str(self.pipes), "EXACTS": str(self.exacts), "SHADES": str(self.shades)}
+        return {"PIPES": str(self.pipes), "LEAF_UNITS": str(self.leaf_units),
+                "SHADES": str(self.shades)}
 
     def name(self):
-        given = [f"{n} {what}" for n, what in ((self.exacts, "leaf"), (self.shades, "shading"))
+        given = [f"{n} {what}" for n, what in ((self.leaf_units, "leaf"), (self.shades, "shading"))
                  if n]
         return str(self.pipes) + (f", {' and '.join(given)}" if given else "")
 

@@ -33,16 +33,16 @@ def parameters(key, built, profile="standard"):
     values.update((name, int(value)) for name, value in
                   (size.split("=") for size in sizes.split()))
     values.update((name, int(key[name])) for name in
-                  ("ENGINES", "PIPES", "EXACTS", "SHADES", "ROOT_STEP", "QUOTIENT_STEP")
+                  ("ENGINES", "PIPES", "LEAF_UNITS", "SHADES", "ROOT_STEP", "QUOTIENT_STEP")
                   if key.get(name))
     has = said("sim/parameters.sh", built).split()
     interpenetrate = "INTERPENETRATE=1" in has                   # as the rules of rt_core.v
     pipes = values["PIPES"]
     values["SHADES"] = values["SHADES"] or (1 if interpenetrate else [1, 2, 2, 4][pipes - 1])
     values["BOXES"] = int("BOXES=1" in has)
-    values["EXACTS"] = values["EXACTS"] or (
+    values["LEAF_UNITS"] = values["LEAF_UNITS"] or (
         values["SHADES"] if values["BOXES"] else 2 if pipes > 2 and values["SHADES"] > 1 else 1)
-    values["SETUPS"] = values["SETUPS"] or (2 if pipes == 4 and values["EXACTS"] > 1 else 1)
+    values["SETUPS"] = values["SETUPS"] or (2 if pipes == 4 and values["LEAF_UNITS"] > 1 else 1)
     values["WALKS"] = values["WALKS"] or (1 if pipes == 1 else 2)
     values["ROOTS"] = values["ROOTS"] or (3 if pipes == 1 else 6)
     values["DIVISIONS"] = values["DIVISIONS"] or (3 if values["BOXES"] else 1)
@@ -92,16 +92,16 @@ def least(count, machine, core):
     vectors = count["rays_primary"] + count["rays_reflected"] + count["rays_refracted"] \
         + hits * (1 + machine["lights"])
     lines = lines_of(count, core)
-    pipes, exacts, shades = core["PIPES"], core["EXACTS"], core["SHADES"]
+    pipes, leaves, shades = core["PIPES"], core["LEAF_UNITS"], core["SHADES"]
     each = [  # name, of how many an engine has, clocks of all together
         ("nodes", pipes, count["node_visits"] + count["pop_bubbles"], "a visit a clock"),
-        ("spheres, exact", exacts, count["leaf_tests"] * core["LEAF_INTERVAL"] + hits * RECORD,
+        ("spheres, exact", leaves, count["leaf_tests"] * core["LEAF_INTERVAL"] + hits * RECORD,
          f"a test every {core['LEAF_INTERVAL']} clocks, and records of what is seen"),
-        ("facets, exact", exacts, count["facet_tests"] * facet(core, width["W"]),
+        ("facets, exact", leaves, count["facet_tests"] * facet(core, width["W"]),
          f"a test every {facet(core, width['W'])} clocks"),
-        ("keys of facets", exacts, count["divisions"] * division / core["DIVISIONS"],
+        ("keys of facets", leaves, count["divisions"] * division / core["DIVISIONS"],
          f"{core['DIVISIONS']} units of {division} clocks"),
-        ("roots", exacts, count["roots"] * root / core["ROOTS"],
+        ("roots", leaves, count["roots"] * root / core["ROOTS"],
          f"{core['ROOTS']} units of {root} clocks"),
         ("set-up of rays", core["SETUPS"], vectors * core["UNIT_INTERVAL"] / core["UNITS"],
          f"{core['UNITS']} units of {core['UNIT_INTERVAL']} clocks: rays, normals, lights"),

@@ -10,7 +10,7 @@ from .. import intact
 from . import results
 
 # sizes that have a variable of their own
-VARIABLES = "PIPES", "EXACTS", "SHADES", "ROOT_STEP", "QUOTIENT_STEP"
+VARIABLES = "PIPES", "LEAF_UNITS", "SHADES", "ROOT_STEP", "QUOTIENT_STEP"
 NOTE = {
     "ecp5": "LUT4eq = LUT4 + 2 CCU2C; `LUT4eq + RAM` adds 4 for each TRELLIS_DPR16X4.",
     "xc7": "LUT counts functions of up to 6 inputs; `LUT as RAM` are LUTs that hold memory or shift"

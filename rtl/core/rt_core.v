@@ -11,63 +11,7 @@
 // An event of a unit is added to what the units before it count.
 `define RT_ADD(COUNTER, EVENT) add_e[8*COUNTER +: 8] = add_e[8*COUNTER +: 8] + {7'd0, EVENT};
 module rt_core #(
-    parameter W          = `RT_PROFILE_STANDARD_W,   // coordinate, bits
-    parameter WD         = `RT_PROFILE_STANDARD_WD,  // direction component, bits
-    parameter PQ         = `RT_PROFILE_STANDARD_PQ,  // significant bits of the quotient
-    parameter NG         = `RT_PROFILE_STANDARD_NG,  // guard bits of the normal
-    parameter FW         = `RT_PROFILE_STANDARD_FW,  // filter coordinate, bits
-    parameter PR         = `RT_PROFILE_STANDARD_PR,  // significant bits of the root, 0: all
-    // effects that are elaborated, a machine that asks for more is refused (MISSING_EFFECT); sizes
-    // parameters of machine.def
-    parameter SHADOW     = 1,    // 0 or 1: rays towards the lights
-    parameter REFLECT    = 5,    // 0..10: mirror rays, up to MAX_DEPTH
-    parameter LIGHTS     = 8,    // 0..8: point lights
-    parameter INSIDE     = 1,    // 0 or 1: rays may start inside a sphere, far roots count
-    parameter FIRST      = 1,    // 0 or 1: primary rays end at the first visit that hits a leaf
-    parameter INTERPENETRATE = 1, // 0 or 1: mends first hits that lie in another sphere
-    parameter FACETS     = 1,    // 0 or 1: triangles and planes
-    parameter TEXTURE    = 0,    // 0 or 1: images on surfaces
-    parameter REFRACT    = 0,    // 0 or 1: refracted rays, mirror rays where all is reflected
-    parameter SPECULAR   = 0,    // 0 or 1: highlights of materials with sum
-    parameter SUM        = 0,    // 0 or 1: materials whose shares add up, colour on top of rays
-    parameter SMOOTH     = 0,    // 0 or 1: interpolated normals of triangles
-    parameter CLEAR      = 0,    // 0 or 1: shadow rays pass what is marked as clear
-    parameter TURNED     = 0,    // 0 or 1: a grid in other axes than the camera's
-    parameter SPREAD     = 0,    // 0 or 1: levels in mirrors and glass by how spheres spread rays
-    parameter COARSE     = 0,    // 0..8: bits of the fraction of levels rounded away
-    parameter RECT       = 1,    // 0 or 1: background separation by rectangle
-    parameter SPANS      = 1,    // 0 or 1: background separation by spans in memory
-    parameter CONES      = 1,    // 0..16: exact background separation, by so many spheres
-    parameter ACCEL      = 0,    // 0 or 1: a BIH instead of nodes of four children
-    parameter BOXES      = 0,    // 0 or 1: boxes around the children of a node, not spheres
-    parameter ENGINES    = 1,    // 1..8: engines
-    parameter PIPES      = 1,    // 1..4: traversal pipes an engine
-    parameter EXACTS     = 0,    // 0..4: leaf units, 0: 1, for 3 and 4 pipes 2, with BOXES SHADES
-    parameter SHADES     = 0,    // 0..4: shading units an engine, 0: 1, 2, 2, 4 by PIPES
-    parameter SETUPS     = 0,    // 0..2: set-up units an engine, 0: 2 for 4 pipes, else 1
-    parameter WALKS      = 0,    // 0..2: walks of the window, 0: 1, for several pipes 2
-    parameter SLOTS      = 64,   // 4..1024, power of two: rays in flight a pipe
-    parameter NODE_LINES = 256,  // 8..4096, power of two: node cache, lines; twice if PIPES > 1
-    parameter LEAF_LINES = 128,  // 8..4096, power of two: leaf cache, lines; 4 times if PIPES > 1
-    parameter TEXTURE_LINES = 128, // 8..4096, power of two: lines of a shading unit's texture cache
-    parameter TEXTURE_WAYS = 4,  // 1..32, power of two: groups of a set of the texture cache
-    parameter TEXTURE_GROUP = 1, // 1..4, power of two: lines of a group, fetched together
-    parameter TEXTURE_COORDS = 2, // 1..8: units for texture coordinates an engine
-    parameter ROOTS      = 0,    // 0..8: square root units a leaf unit, 0: 6, for 1 pipe 3
-    parameter QUOTIENTS  = 2,    // 1..8: dividers an engine
-    parameter DIVISIONS  = 0,    // 0..8: units for keys of facets a leaf unit, 0: 1, with BOXES 3
-    parameter ROOT_STEP  = 2,    // 1..W+WD: root bits a clock
-    parameter QUOTIENT_STEP = 2, // 1..PQ: quotient bits a clock
-    parameter DIVISION_STEP = 2, // 1..W+WD: bits of a facet's key a clock
-    parameter LEAF_INTERVAL = 2, // 2..4, power of two: clocks an exact test of a sphere
-    parameter FACET_INTERVAL = 0, // 0..4, power of two: clocks a facet, 0: 2, wide without BOXES 4
-    parameter UNITS      = 2,    // 1..2: units for unit vectors an engine
-    parameter UNIT_INTERVAL = 2, // 2..4, power of two: clocks a vector of each
-    parameter SQUARES    = 0,    // 0..2: squares of filters in LUTs: 1 no, 2 yes, 0: of 4 pipes
-    parameter SPILLS     = 0,    // 0..2: odd bits of memories in LUTs: 1 no, 2 yes, 0: from 3 pipes
-    parameter HIT_INTERVAL = 8,  // 8..12: clocks a hit point and its normal, 8 or 12
-    parameter BOUNCE_INTERVAL = 10 // 10..12: clocks a mirrored direction, 10 or 12
-    // end of parameters
+    `include "rt_core_parameters.vh"
 ) (
     input  wire              clk,
     input  wire              rst,
@@ -208,16 +152,7 @@ module rt_core #(
     end
 
     // ---- units of an engine; numbers of its slots, {pipe, slot of its own} ----
-    // units of machine.def
-    localparam SHADE_UNITS = SHADES != 0 ? SHADES
-                             : PIPES == 1 || INTERPENETRATE != 0 ? 1 : PIPES == 4 ? 4
-                             : 2;
-    localparam LEAF_UNITS = EXACTS > 0 ? EXACTS : BOXES>0 ? SHADE_UNITS
-                             : PIPES > 2 && SHADE_UNITS > 1 ? 2 : 1;
-    localparam SETUP_UNITS = SETUPS != 0 ? SETUPS : PIPES == 4 && LEAF_UNITS > 1 ? 2
-                             : 1;
-    // end of units
-    `RT_CHECK_CORE  // legal values, alone and together
+    `include "rt_core_rules.vh"  // how many; legal values, alone and together
     // What a block RAM is worth in LUTs: four pipes ask for more than there are, as they do of
     // multipliers; three leave enough of these for the squares of their filters.
     localparam SPARE_LUTS = SPILLS == 2 || (SPILLS == 0 && PIPES > 2) ? (PIPES == 4 ? 24 : 12) : 0;
@@ -235,7 +170,7 @@ module rt_core #(
 
     // ---- memory: READS readers an engine, and the walks above them if they have tables ----
     localparam ALL_WALKS = WALKS != 0 ? WALKS : PIPES > 1 ? 2 : 1;
-    localparam READS   = PIPES + LEAF_UNITS + (TEXTURE != 0 ? SHADE_UNITS : 0);
+    localparam READS   = PIPES + LEAF_COUNT + (TEXTURE != 0 ? SHADE_UNITS : 0);
     localparam WALK    = READS*ENGINES;
     localparam ALL     = WALK + ALL_WALKS;
     localparam READERS = SPANS != 0 || CONES != 0 ? ALL : WALK;
@@ -305,32 +240,26 @@ module rt_core #(
     genvar e;
     generate
         for (e = 0; e < ENGINES; e = e + 1) begin : g_engine
-            localparam TB = PIPES*`RT_TRACE_EVENT_BITS, XB = LEAF_UNITS*`RT_EXACT_EVENT_BITS;
+            localparam TB = PIPES*`RT_TRACE_EVENT_BITS, XB = LEAF_COUNT*`RT_EXACT_EVENT_BITS;
             localparam HB = SHADE_UNITS*`RT_SHADE_EVENT_BITS;
             localparam TE = `RT_TRACE_EVENT_BITS, XE = `RT_EXACT_EVENT_BITS;
             localparam HE = `RT_SHADE_EVENT_BITS;
             wire [TB+XB+HB-1:0]       event_e;
             wire [`RT_PIXEL_BITS-1:0] pix;
-            rt_engine #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .FW(FW), .PR(PR),
-                        .PIPES(PIPES), .EXACTS(LEAF_UNITS), .SHADES(SHADE_UNITS),
-                        .SETUPS(SETUP_UNITS), .SQUARES(LUT_SQUARES), .LUTS(SPARE_LUTS),
-                        .SLOTS(ALL_SLOTS),
-                        .STACK(`RT_STACK_DEPTH), .SHADOW(SHADOW), .REFLECT(REFLECT),
-                        .LIGHTS(LIGHTS), .INSIDE(INSIDE), .FIRST(FIRST),
-                        .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),
-                        .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM),
-                        .ACCEL(BOXES != 0 ? 2 : ACCEL), .SMOOTH(SMOOTH), .CLEAR(CLEAR),
-                        .SPREAD(SPREAD),
-                        .NODE_LINES(NODE_UNIT), .LEAF_LINES(LEAF_UNIT),
-                        .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS),
-                        .TEXTURE_GROUP(TEXTURE_GROUP), .TEXTURE_COORDS(TEXTURE_COORDS),
-                        .COARSE(COARSE),
-                        .ROOTS(ROOT_UNITS), .QUOTIENTS(QUOTIENTS),
-                        .DIVISIONS(KEY_UNITS), .ROOT_STEP(ROOT_STEP),
-                        .QUOTIENT_STEP(QUOTIENT_STEP), .LEAF_INTERVAL(LEAF_INTERVAL),
-                        .UNITS(UNITS), .UNIT_INTERVAL(UNIT_INTERVAL),
-                        .HIT_INTERVAL(HIT_INTERVAL), .BOUNCE_INTERVAL(BOUNCE_INTERVAL),
-                        .DIVISION_STEP(DIVISION_STEP), .FACET_INTERVAL(FACET_CLOCKS)) u_engine (
+            rt_engine #(
+                `include "rt_effects_pass.vh"
+                .ACCEL(BOXES != 0 ? 2 : ACCEL), .COARSE(COARSE), .PIPES(PIPES),
+                .LEAF_UNITS(LEAF_COUNT), .SHADES(SHADE_UNITS), .SETUPS(SETUP_UNITS),
+                .SLOTS(ALL_SLOTS), .SQUARES(LUT_SQUARES), .LUTS(SPARE_LUTS),
+                .STACK(`RT_STACK_DEPTH), .NODE_LINES(NODE_UNIT), .LEAF_LINES(LEAF_UNIT),
+                .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS),
+                .TEXTURE_GROUP(TEXTURE_GROUP), .TEXTURE_COORDS(TEXTURE_COORDS),
+                .ROOTS(ROOT_UNITS), .QUOTIENTS(QUOTIENTS), .DIVISIONS(KEY_UNITS),
+                .ROOT_STEP(ROOT_STEP), .QUOTIENT_STEP(QUOTIENT_STEP),
+                .DIVISION_STEP(DIVISION_STEP), .LEAF_INTERVAL(LEAF_INTERVAL),
+                .FACET_INTERVAL(FACET_CLOCKS), .UNITS(UNITS), .UNIT_INTERVAL(UNIT_INTERVAL),
+                .HIT_INTERVAL(HIT_INTERVAL), .BOUNCE_INTERVAL(BOUNCE_INTERVAL)
+            ) u_engine (
                 .clk(clk), .rst(rst), .flush_i(go && !keep_two_q), .busy_o(e_busy[e]),
                 .regs_i(regs), .light_i(light),
                 .in_valid_i(ray_valid && e_take[e]), .in_ready_o(e_ready[e]), .start_i(pixel),
@@ -369,7 +298,7 @@ module rt_core #(
                     `RT_ADD(`RT_COUNT_NODE_MISSES, trace[`RT_TRACE_EVENT_MISS])
                     `RT_ADD(`RT_COUNT_POP_BUBBLES, trace[`RT_TRACE_EVENT_BUBBLE])
                 end
-                for (u = 0; u < LEAF_UNITS; u = u + 1) begin
+                for (u = 0; u < LEAF_COUNT; u = u + 1) begin
                     exact = event_e[TB + XE*u +: XE];
                     prim  = exact[`RT_EXACT_EVENT_PRIM];
                     `RT_ADD(`RT_COUNT_LEAF_TESTS, prim[`RT_PRIM_EVENT_LEAF])

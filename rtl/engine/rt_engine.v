@@ -9,34 +9,15 @@
 `include "rt_layout.vh"
 `include "rt_bundles.vh"
 module rt_engine #(
-    parameter W          = 16,   // coordinate, bits
-    parameter WD         = 17,   // direction component, bits
-    parameter PQ         = 17,   // significant bits of the quotient
-    parameter NG         = 2,    // guard bits of the normal
-    parameter FW         = 14,   // filter coordinate, bits
-    parameter PR         = 0,    // significant bits of the root, 0: all
+    `include "rt_effects.vh"
     parameter PIPES      = 1,    // traversal pipes, 1..4
-    parameter EXACTS     = 1,    // leaf units, power of two, at most SHADES
+    parameter LEAF_UNITS = 1,    // leaf units, power of two, at most SHADES
     parameter SHADES     = 1,    // shading units, power of two
-    parameter SETUPS     = 1,    // set-up units, power of two, at most EXACTS
+    parameter SETUPS     = 1,    // set-up units, power of two, at most LEAF_UNITS
     parameter SLOTS      = 64,   // numbers of slots, power of two: {pipe, slot of its own}
     parameter SQUARES    = 0,    // 1: squares of the node filter in LUTs
     parameter LUTS       = 0,    // LUT cells that a block RAM is worth, rt_slot_ram
     parameter STACK      = 16,   // sibling groups waiting per ray, power of two
-    parameter SHADOW     = 1,    // effects elaborated, see rt_core
-    parameter REFLECT    = 5,
-    parameter LIGHTS     = 8,
-    parameter INSIDE     = 1,
-    parameter FIRST      = 1,
-    parameter INTERPENETRATE = 1,
-    parameter FACETS     = 0,
-    parameter TEXTURE    = 0,
-    parameter REFRACT    = 0,
-    parameter SPECULAR   = 0,
-    parameter SUM        = 0,
-    parameter SMOOTH     = 0,
-    parameter SPREAD     = 0,
-    parameter CLEAR      = 0,
     parameter ACCEL      = 0,    // 0: nodes of four spheres, 1: BIH, 2: nodes of four boxes
     parameter NODE_LINES = 256,  // node cache of a pipe
     parameter LEAF_LINES = 128,  // leaf and primitive cache of a leaf unit
@@ -57,7 +38,7 @@ module rt_engine #(
     parameter UNIT_INTERVAL = 2, // clocks a vector of each
     parameter HIT_INTERVAL = 8,  // clocks a hit point and its normal
     parameter BOUNCE_INTERVAL = 10, // clocks a mirrored direction
-    parameter READS      = PIPES + EXACTS + (TEXTURE != 0 ? SHADES : 0) // not to be set: readers
+    parameter READS = PIPES + LEAF_UNITS + (TEXTURE != 0 ? SHADES : 0) // not to be set: readers
 ) (
     input  wire                       clk,
     input  wire                       rst,
@@ -83,12 +64,13 @@ module rt_engine #(
     input  wire                       mem_rsp_error_i,
     // events of this clock, for the counters, of each unit; faults by number of the error
     output wire [PIPES*`RT_TRACE_EVENT_BITS-1:0]  trace_event_o,
-    output wire [EXACTS*`RT_EXACT_EVENT_BITS-1:0] exact_event_o,
+    output wire [LEAF_UNITS*`RT_EXACT_EVENT_BITS-1:0] exact_event_o,
     output wire [SHADES*`RT_SHADE_EVENT_BITS-1:0] shade_event_o,
     output wire [15:0]                fault_o          // {slots, shade, exact, trace}
 );
     localparam SLOTW   = $clog2(SLOTS), LB = `RT_LINE_BITS;
-    localparam PB = $clog2(PIPES), XB = $clog2(EXACTS), SB = $clog2(SHADES), UB = $clog2(SETUPS);
+    localparam PB = $clog2(PIPES), XB = $clog2(LEAF_UNITS), SB = $clog2(SHADES),
+        UB = $clog2(SETUPS);
     localparam ACROSS = ACCEL != 0 ? 0 : 2*UNITS <= UNIT_INTERVAL ? 2 : 1;
     localparam SHADOWS = LIGHTS != 0 && SHADOW != 0 ? 1 : 0;           // shadow rays
     localparam BOUNCES = REFLECT != 0 || INTERPENETRATE != 0 || REFRACT != 0 ? 1 : 0; // mirrored
@@ -101,7 +83,7 @@ module rt_engine #(
     wire [SETUPS*OS-1:0] org; wire [SETUPS*KS-1:0] skip; wire [SETUPS*RB-1:0] ray;
     wire [SETUPS*SW-1:0] next_slot; wire [SETUPS*FB-1:0] filter; wire [SETUPS*CB-1:0] across;
     wire [PIPES*(`RT_VISIT_BITS-PB)-1:0]   visit; wire [SETUPS*LU-1:0] lift;
-    wire [EXACTS*(`RT_RESULT_BITS-XB)-1:0] result;
+    wire [LEAF_UNITS*(`RT_RESULT_BITS-XB)-1:0] result;
     wire [`RT_DONE_BITS-1:0] done; wire [`RT_HIT_BITS-1:0] hit; wire [3*`RT_RGB_BITS-1:0] colour;
     wire [SHADES*(`RT_FETCH_BITS-SB)-1:0]  fetch;
     wire [SHADES*(`RT_RECORD_BITS-SB)-1:0] record; wire [`RT_BLEND_BITS-SB-1:0] blend;
@@ -123,7 +105,7 @@ module rt_engine #(
             .next_light_o(next_light[n]), .next_slot_o(next_slot[n*SW +: SW])
         );
     end endgenerate
-    rt_pipes #(.W(W), .WD(WD), .FW(FW), .PIPES(PIPES), .EXACTS(EXACTS), .SHADES(SHADES),
+    rt_pipes #(.W(W), .WD(WD), .FW(FW), .PIPES(PIPES), .LEAF_UNITS(LEAF_UNITS), .SHADES(SHADES),
               .SETUPS(SETUPS), .SLOTS(SLOTS), .STACK(STACK), .LINES(NODE_LINES), .LUTS(LUTS),
               .SQUARES(SQUARES), .SHADOW(SHADOWS), .FIRST(FIRST), .FARS(FARS), .FACETS(FACETS),
               .ACCEL(ACCEL)) u_pipes (
@@ -137,29 +119,28 @@ module rt_engine #(
         .mem_rsp_ready_o(mem_rsp_ready_o[PIPES-1:0]), .mem_rsp_data_i(mem_rsp_data_i),
         .mem_rsp_error_i(mem_rsp_error_i), .event_o(trace_event_o), .fault_o(fault_o[3:0])
     );
-    rt_leaf_units #(.W(W), .WD(WD), .NG(NG), .EXACTS(EXACTS), .PIPES(PIPES), .SHADES(SHADES),
-               .SETUPS(SETUPS), .SLOTS(SLOTS), .LINES(LEAF_LINES), .ROOTS(ROOTS),
+    rt_leaf_units #(.W(W), .WD(WD), .NG(NG), .LEAF_UNITS(LEAF_UNITS), .PIPES(PIPES),
+               .SHADES(SHADES), .SETUPS(SETUPS), .SLOTS(SLOTS), .LINES(LEAF_LINES), .ROOTS(ROOTS),
                .ROOT_STEP(ROOT_STEP), .PR(PR), .LEAF_INTERVAL(LEAF_INTERVAL), .SHADOW(SHADOWS),
                .INSIDE(INSIDE), .FACETS(FACETS), .CLEAR(CLEAR), .DIVISIONS(DIVISIONS),
-               .DIVISION_STEP(DIVISION_STEP), .FACET_INTERVAL(FACET_INTERVAL)) u_exacts (
+               .DIVISION_STEP(DIVISION_STEP), .FACET_INTERVAL(FACET_INTERVAL)) u_leaf_units (
         .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i), .ray_i(ray), .lift_i(lift),
         .visit_i(visit), .result_o(result), .fetch_i(fetch), .fetch_ready_o(fetch_ready),
         .record_o(record),
-        .mem_req_valid_o(mem_req_valid_o[PIPES +: EXACTS]),
-        .mem_req_ready_i(mem_req_ready_i[PIPES +: EXACTS]),
-        .mem_req_line_o(mem_req_line_o[LB*PIPES +: LB*EXACTS]),
-        .mem_rsp_valid_i(mem_rsp_valid_i[PIPES +: EXACTS]),
-        .mem_rsp_ready_o(mem_rsp_ready_o[PIPES +: EXACTS]), .mem_rsp_data_i(mem_rsp_data_i),
+        .mem_req_valid_o(mem_req_valid_o[PIPES +: LEAF_UNITS]),
+        .mem_req_ready_i(mem_req_ready_i[PIPES +: LEAF_UNITS]),
+        .mem_req_line_o(mem_req_line_o[LB*PIPES +: LB*LEAF_UNITS]),
+        .mem_rsp_valid_i(mem_rsp_valid_i[PIPES +: LEAF_UNITS]),
+        .mem_rsp_ready_o(mem_rsp_ready_o[PIPES +: LEAF_UNITS]), .mem_rsp_data_i(mem_rsp_data_i),
         .mem_rsp_error_i(mem_rsp_error_i), .event_o(exact_event_o), .fault_o(fault_o[7:4])
     );
-    rt_shades #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .PR(PR), .SHADES(SHADES), .SETUPS(SETUPS),
-               .SLOTS(SLOTS), .LUTS(LUTS), .SHADOW(SHADOWS), .REFLECT(REFLECT), .LIGHTS(LIGHTS),
-               .INSIDE(INSIDE), .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),
-               .SMOOTH(SMOOTH), .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM),
-               .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS),
-               .TEXTURE_GROUP(TEXTURE_GROUP), .TEXTURE_COORDS(TEXTURE_COORDS), .COARSE(COARSE),
-               .QUOTIENTS(QUOTIENTS), .SPREAD(SPREAD), .QUOTIENT_STEP(QUOTIENT_STEP),
-               .HIT_INTERVAL(HIT_INTERVAL), .BOUNCE_INTERVAL(BOUNCE_INTERVAL)) u_shades (
+    rt_shades #(
+        `include "rt_effects_pass.vh"
+        .SHADES(SHADES), .SETUPS(SETUPS), .SLOTS(SLOTS), .LUTS(LUTS), .COARSE(COARSE),
+        .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS), .TEXTURE_GROUP(TEXTURE_GROUP),
+        .TEXTURE_COORDS(TEXTURE_COORDS), .QUOTIENTS(QUOTIENTS), .QUOTIENT_STEP(QUOTIENT_STEP),
+        .HIT_INTERVAL(HIT_INTERVAL), .BOUNCE_INTERVAL(BOUNCE_INTERVAL)
+    ) u_shades (
         .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i), .light_i(light_i), .ray_i(ray),
         .next_light_i(next_light), .next_slot_i(next_slot), .hit_i(hit), .blend_o(blend),
         .end_valid_o(end_valid), .end_slot_o(end_slot), .fetch_o(fetch),

@@ -10,25 +10,9 @@
 `include "rt_layout.vh"
 `include "rt_bundles.vh"
 module rt_shade #(
-    parameter W          = 16,   // coordinate, bits
-    parameter WD         = 17,   // direction component, bits
-    parameter PQ         = 17,   // significant bits of the quotient
-    parameter NG         = 2,    // guard bits of the normal
-    parameter PR         = 0,    // significant bits of the root, 0: all
+    `include "rt_effects.vh"
     parameter SLOTS      = 64,   // rays in flight, power of two
     parameter LUTS       = 0,    // LUT cells that a block RAM is worth, rt_slot_ram
-    parameter SHADOW     = 1,    // 1: shadow rays
-    parameter REFLECT    = 5,    // effects elaborated, see rt_core
-    parameter LIGHTS     = 8,
-    parameter INSIDE     = 1,
-    parameter INTERPENETRATE = 1,
-    parameter FACETS     = 0,
-    parameter TEXTURE    = 0,
-    parameter SMOOTH     = 0,
-    parameter SPREAD     = 0,
-    parameter REFRACT    = 0,
-    parameter SPECULAR   = 0,
-    parameter SUM        = 0,
     parameter TEXTURE_LINES = 128, // texture cache
     parameter TEXTURE_WAYS = 4,  // its groups of a set
     parameter TEXTURE_GROUP = 1, // lines of a group
@@ -84,6 +68,7 @@ module rt_shade #(
     output wire [3:0]                 fault_o          // by number of the error, machine.def
 );
     localparam SLOTW = $clog2(SLOTS);
+    localparam SHADOWS = LIGHTS != 0 && SHADOW != 0 ? 1 : 0;           // shadow rays
     localparam SHARES  = REFRACT != 0 || SUM != 0 ? 1 : 0;             // blends by shares
     localparam BOUNCES = REFLECT != 0 || INTERPENETRATE != 0 || REFRACT != 0 ? 1 : 0; // mirrored
     localparam POINTS  = LIGHTS != 0 || BOUNCES != 0 || TEXTURE != 0 ? 1 : 0; // points, normals
@@ -214,7 +199,7 @@ module rt_shade #(
     wire             sum_valid;
     wire [SLOTW-1:0] sum_slot;
     wire [50:0]      sum, gloss;
-    rt_lighting #(.W(W), .WD(WD), .NG(NG), .SLOTS(SLOTS), .LUTS(LUTS), .SHADOW(SHADOW),
+    rt_lighting #(.W(W), .WD(WD), .NG(NG), .SLOTS(SLOTS), .LUTS(LUTS), .SHADOW(SHADOWS),
                   .LIGHTS(LIGHTS), .SPECULAR(SPECULAR), .SUM(SUM)) u_lighting (
         .clk(clk), .rst(rst), .regs_i(regs_i), .light_i(light_i),
         .ray_i(ray_i), .next_light_i(next_light_i), .next_slot_i(next_slot_i),
@@ -256,6 +241,6 @@ module rt_shade #(
     assign event_o[`RT_SHADE_EVENT_SHADOW]    = shadow_go_o;
     assign event_o[`RT_SHADE_EVENT_REFLECTED] = SHARES != 0 ? reflected
                                                 : ray_go && !ray_i[`RT_RAY_PRIMARY];
-    wire unused = &{1'b0, effects, back, reflected, surface};
+    wire unused = &{1'b0, effects, back, reflected, surface, FW != 0, `RT_EFFECTS_BUILT};
 endmodule
 `default_nettype wire

@@ -10,27 +10,11 @@
 `include "rt_layout.vh"
 `include "rt_bundles.vh"
 module rt_shades #(
-    parameter W          = 16,   // coordinate, bits
-    parameter WD         = 17,   // direction component, bits
-    parameter PQ         = 17,   // significant bits of the quotient
-    parameter NG         = 2,    // guard bits of the normal
-    parameter PR         = 0,    // significant bits of the root, 0: all
+    `include "rt_effects.vh"
     parameter SHADES     = 1,    // shading units, power of two
     parameter SETUPS     = 1,    // set-up units, power of two, at most SHADES
     parameter SLOTS      = 64,   // numbers of slots, power of two
     parameter LUTS       = 0,    // LUT cells that a block RAM is worth, rt_slot_ram
-    parameter SHADOW     = 1,    // 1: shadow rays
-    parameter REFLECT    = 5,    // effects elaborated, see rt_core
-    parameter LIGHTS     = 8,
-    parameter INSIDE     = 1,
-    parameter INTERPENETRATE = 1,
-    parameter FACETS     = 0,
-    parameter TEXTURE    = 0,
-    parameter SMOOTH     = 0,
-    parameter SPREAD     = 0,
-    parameter REFRACT    = 0,
-    parameter SPECULAR   = 0,
-    parameter SUM        = 0,
     parameter TEXTURE_LINES = 128, // texture cache of each
     parameter TEXTURE_WAYS = 4,  // its groups of a set
     parameter TEXTURE_GROUP = 1, // lines of a group
@@ -130,16 +114,14 @@ module rt_shades #(
                     hit[`RT_HIT_SHADOW] = 1'b0;
                 end
             end
-            rt_shade #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .PR(PR), .SLOTS(SLOTS >> SB),
-                       .SHADOW(SHADOW), .REFLECT(REFLECT), .LIGHTS(LIGHTS), .INSIDE(INSIDE),
-                       .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),
-                       .SMOOTH(SMOOTH), .SPREAD(SPREAD), .REFRACT(REFRACT),
-                       .SPECULAR(SPECULAR), .SUM(SUM), .LUTS(LUTS),
-                       .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS),
-                       .TEXTURE_GROUP(TEXTURE_GROUP), .TEXTURE_COORDS(TEXTURE_COORDS),
-                       .COARSE(COARSE), .QUOTIENTS(QUOTIENTS),
-                       .QUOTIENT_STEP(QUOTIENT_STEP), .HIT_INTERVAL(HIT_INTERVAL),
-                       .BOUNCE_INTERVAL(BOUNCE_INTERVAL)) u_shade (
+            rt_shade #(
+                `include "rt_effects_pass.vh"
+                .SLOTS(SLOTS >> SB), .LUTS(LUTS), .COARSE(COARSE),
+                .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS),
+                .TEXTURE_GROUP(TEXTURE_GROUP), .TEXTURE_COORDS(TEXTURE_COORDS),
+                .QUOTIENTS(QUOTIENTS), .QUOTIENT_STEP(QUOTIENT_STEP),
+                .HIT_INTERVAL(HIT_INTERVAL), .BOUNCE_INTERVAL(BOUNCE_INTERVAL)
+            ) u_shade (
                 .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i), .light_i(light_i),
                 .ray_i(ray), .next_light_i(next_light_i[U] && next_unit == (OWN & OF_SETUP)),
                 .next_slot_i(next_slot[OWNW-1:0]),

@@ -12,10 +12,10 @@ module rt_leaf_units #(
     parameter W     = 16,   // coordinate, bits
     parameter WD    = 17,   // direction component, bits
     parameter NG    = 2,    // guard bits of a hit point
-    parameter EXACTS = 1,   // leaf units, power of two
+    parameter LEAF_UNITS = 1,   // leaf units, power of two
     parameter PIPES = 1,    // 1..4
-    parameter SHADES = 1,   // shading units, power of two, at least EXACTS
-    parameter SETUPS = 1,   // set-up units, power of two, at most EXACTS
+    parameter SHADES = 1,   // shading units, power of two, at least LEAF_UNITS
+    parameter SETUPS = 1,   // set-up units, power of two, at most LEAF_UNITS
     parameter SLOTS = 32,   // numbers of slots, power of two
     parameter LINES = 64,   // leaf cache of each, lines
     parameter ROOTS = 3,    // square root units of each
@@ -39,25 +39,26 @@ module rt_leaf_units #(
     input  wire [SETUPS*3*(NG+2)-1:0] lift_i,     // of a ray to a light, with FACETS
     // from rt_pipes: visits of each pipe; to it: results of each unit
     input  wire [PIPES*(`RT_VISIT_BITS-$clog2(PIPES))-1:0]    visit_i,
-    output wire [EXACTS*(`RT_RESULT_BITS-$clog2(EXACTS))-1:0] result_o,
+    output wire [LEAF_UNITS*(`RT_RESULT_BITS-$clog2(LEAF_UNITS))-1:0] result_o,
     // from and to each rt_shade: primitive records
     input  wire [SHADES*(`RT_FETCH_BITS-$clog2(SHADES))-1:0]  fetch_i,
     output wire [SHADES-1:0]          fetch_ready_o,
     output wire [SHADES*(`RT_RECORD_BITS-$clog2(SHADES))-1:0] record_o,
     // memory, of each unit
-    output wire [EXACTS-1:0]          mem_req_valid_o,
-    input  wire [EXACTS-1:0]          mem_req_ready_i,
-    output wire [`RT_LINE_BITS*EXACTS-1:0] mem_req_line_o,
-    input  wire [EXACTS-1:0]          mem_rsp_valid_i,
-    output wire [EXACTS-1:0]          mem_rsp_ready_o,
+    output wire [LEAF_UNITS-1:0]          mem_req_valid_o,
+    input  wire [LEAF_UNITS-1:0]          mem_req_ready_i,
+    output wire [`RT_LINE_BITS*LEAF_UNITS-1:0] mem_req_line_o,
+    input  wire [LEAF_UNITS-1:0]          mem_rsp_valid_i,
+    output wire [LEAF_UNITS-1:0]          mem_rsp_ready_o,
     input  wire [255:0]               mem_rsp_data_i,
     input  wire                       mem_rsp_error_i,
     // events of each unit and faults of this clock
-    output wire [EXACTS*`RT_EXACT_EVENT_BITS-1:0] event_o,
+    output wire [LEAF_UNITS*`RT_EXACT_EVENT_BITS-1:0] event_o,
     output reg  [3:0]                 fault_o     // by number of the error, machine.def
 );
     localparam SLOTW = $clog2(SLOTS);
-    localparam PB = $clog2(PIPES), XB = $clog2(EXACTS), SB = $clog2(SHADES), UB = $clog2(SETUPS);
+    localparam PB = $clog2(PIPES), XB = $clog2(LEAF_UNITS), SB = $clog2(SHADES);
+    localparam UB = $clog2(SETUPS);
     localparam VB = `RT_VISIT_BITS - PB;              // a visit of a pipe
     localparam FB = `RT_FETCH_BITS - SB, CB = `RT_RECORD_BITS - SB;  // of a shading unit
     localparam FX = `RT_FETCH_BITS - XB, CX = `RT_RECORD_BITS - XB;  // of a leaf unit
@@ -65,14 +66,14 @@ module rt_leaf_units #(
     localparam AB = `RT_RAY_BITS - UB;                // a ray of a set-up unit
     localparam [SLOTW+1:0] OF_SETUP = (1 << (XB - UB)) - 1;  // leaf units of one, less one
     localparam YB = `RT_RAY_BITS - XB, RB = `RT_RESULT_BITS - XB, EB = `RT_EXACT_EVENT_BITS;
-    localparam N  = 1 << (PB - XB), M = SHADES / EXACTS;  // pipes, shading units of a leaf unit
+    localparam N  = 1 << (PB - XB), M = SHADES / LEAF_UNITS;  // pipes, shading units of a leaf unit
     localparam MB = SB - XB;
-    localparam [(N*EXACTS-PIPES+1)*VB-1:0] NOBODY = 0;    // of numbers for four pipes three are
-    wire [N*EXACTS*VB+VB-1:0] all = {NOBODY, visit_i};
-    wire [EXACTS*4-1:0]   fault;
+    localparam [(N*LEAF_UNITS-PIPES+1)*VB-1:0] NOBODY = 0;    // of numbers for four pipes three are
+    wire [N*LEAF_UNITS*VB+VB-1:0] all = {NOBODY, visit_i};
+    wire [LEAF_UNITS*4-1:0]   fault;
     genvar x, m;
     generate
-        for (x = 0; x < EXACTS; x = x + 1) begin : g_exact
+        for (x = 0; x < LEAF_UNITS; x = x + 1) begin : g_exact
             localparam [SLOTW+1:0] OWN = x;
             localparam U = x >> (XB - UB);           // its set-up unit
             wire [AB-1:0] setup = ray_i[AB*U +: AB];
@@ -136,7 +137,7 @@ module rt_leaf_units #(
     integer f;
     always @* begin
         fault_o = 4'd0;
-        for (f = 0; f < EXACTS; f = f + 1) fault_o = fault_o | fault[4*f +: 4];
+        for (f = 0; f < LEAF_UNITS; f = f + 1) fault_o = fault_o | fault[4*f +: 4];
     end
     wire unused = &{1'b0, all};
 endmodule

@@ -15,9 +15,9 @@ module rt_pipes #(
     parameter WD    = 17,   // direction component, bits
     parameter FW    = 14,   // filter coordinate, bits
     parameter PIPES = 1,    // 1..4
-    parameter EXACTS = 1,   // leaf units that serve them, power of two
+    parameter LEAF_UNITS = 1,   // leaf units that serve them, power of two
     parameter SHADES = 1,   // shading units, power of two
-    parameter SETUPS = 1,   // set-up units, power of two, at most EXACTS
+    parameter SETUPS = 1,   // set-up units, power of two, at most LEAF_UNITS
     parameter SLOTS = 32,   // numbers of slots, power of two: {pipe, slot of its own}
     parameter STACK = 16,   // sibling groups waiting per ray, power of two
     parameter LINES = 256,  // node cache of each pipe, lines
@@ -43,7 +43,7 @@ module rt_pipes #(
     input  wire [SHADES*($clog2(SLOTS)-$clog2(SHADES))-1:0] shadow_slot_i,
     // to and from rt_leaf_unit: visits of each pipe, results of each unit, for slots of its own
     output wire [PIPES*(`RT_VISIT_BITS-$clog2(PIPES))-1:0]    visit_o,
-    input  wire [EXACTS*(`RT_RESULT_BITS-$clog2(EXACTS))-1:0] result_i,
+    input  wire [LEAF_UNITS*(`RT_RESULT_BITS-$clog2(LEAF_UNITS))-1:0] result_i,
     // to rt_slots: a ray is done, a clock later how
     output wire                       done_valid_o,
     output wire [$clog2(SLOTS)-1:0]   done_slot_o,
@@ -65,7 +65,8 @@ module rt_pipes #(
     output reg  [3:0]                 fault_o         // by number of the error, machine.def
 );
     localparam SLOTW = $clog2(SLOTS);
-    localparam PB = $clog2(PIPES), XB = $clog2(EXACTS), SB = $clog2(SHADES), UB = $clog2(SETUPS);
+    localparam PB = $clog2(PIPES), XB = $clog2(LEAF_UNITS), SB = $clog2(SHADES);
+    localparam UB = $clog2(SETUPS);
     localparam OWNW = SLOTW - PB;                     // slot of a pipe's own
     localparam YB = `RT_RAY_BITS - PB;                // a ray, a visit of a pipe
     localparam VB = `RT_VISIT_BITS - PB;

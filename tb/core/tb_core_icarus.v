@@ -14,63 +14,8 @@
 `default_nettype none
 `include "rt_layout.vh"
 module tb_core_icarus #(
-    parameter W = 16,
-    parameter WD = 17,
-    parameter PQ = 17,
-    parameter NG = 2,
-    parameter FW = 14,
-    parameter PR = 0,
     parameter LINES = 131072,  // of memory
-    // parameters of machine.def
-    parameter SHADOW     = 1,    // 0 or 1: rays towards the lights
-    parameter REFLECT    = 5,    // 0..10: mirror rays, up to MAX_DEPTH
-    parameter LIGHTS     = 8,    // 0..8: point lights
-    parameter INSIDE     = 1,    // 0 or 1: rays may start inside a sphere, far roots count
-    parameter FIRST      = 1,    // 0 or 1: primary rays end at the first visit that hits a leaf
-    parameter INTERPENETRATE = 1, // 0 or 1: mends first hits that lie in another sphere
-    parameter FACETS     = 1,    // 0 or 1: triangles and planes
-    parameter TEXTURE    = 0,    // 0 or 1: images on surfaces
-    parameter REFRACT    = 0,    // 0 or 1: refracted rays, mirror rays where all is reflected
-    parameter SPECULAR   = 0,    // 0 or 1: highlights of materials with sum
-    parameter SUM        = 0,    // 0 or 1: materials whose shares add up, colour on top of rays
-    parameter SMOOTH     = 0,    // 0 or 1: interpolated normals of triangles
-    parameter CLEAR      = 0,    // 0 or 1: shadow rays pass what is marked as clear
-    parameter TURNED     = 0,    // 0 or 1: a grid in other axes than the camera's
-    parameter SPREAD     = 0,    // 0 or 1: levels in mirrors and glass by how spheres spread rays
-    parameter COARSE     = 0,    // 0..8: bits of the fraction of levels rounded away
-    parameter RECT       = 1,    // 0 or 1: background separation by rectangle
-    parameter SPANS      = 1,    // 0 or 1: background separation by spans in memory
-    parameter CONES      = 1,    // 0..16: exact background separation, by so many spheres
-    parameter ACCEL      = 0,    // 0 or 1: a BIH instead of nodes of four children
-    parameter BOXES      = 0,    // 0 or 1: boxes around the children of a node, not spheres
-    parameter ENGINES    = 1,    // 1..8: engines
-    parameter PIPES      = 1,    // 1..4: traversal pipes an engine
-    parameter EXACTS     = 0,    // 0..4: leaf units, 0: 1, for 3 and 4 pipes 2, with BOXES SHADES
-    parameter SHADES     = 0,    // 0..4: shading units an engine, 0: 1, 2, 2, 4 by PIPES
-    parameter SETUPS     = 0,    // 0..2: set-up units an engine, 0: 2 for 4 pipes, else 1
-    parameter WALKS      = 0,    // 0..2: walks of the window, 0: 1, for several pipes 2
-    parameter SLOTS      = 64,   // 4..1024, power of two: rays in flight a pipe
-    parameter NODE_LINES = 256,  // 8..4096, power of two: node cache, lines; twice if PIPES > 1
-    parameter LEAF_LINES = 128,  // 8..4096, power of two: leaf cache, lines; 4 times if PIPES > 1
-    parameter TEXTURE_LINES = 128, // 8..4096, power of two: lines of a shading unit's texture cache
-    parameter TEXTURE_WAYS = 4,  // 1..32, power of two: groups of a set of the texture cache
-    parameter TEXTURE_GROUP = 1, // 1..4, power of two: lines of a group, fetched together
-    parameter TEXTURE_COORDS = 2, // 1..8: units for texture coordinates an engine
-    parameter ROOTS      = 0,    // 0..8: square root units a leaf unit, 0: 6, for 1 pipe 3
-    parameter QUOTIENTS  = 2,    // 1..8: dividers an engine
-    parameter DIVISIONS  = 0,    // 0..8: units for keys of facets a leaf unit, 0: 1, with BOXES 3
-    parameter ROOT_STEP  = 2,    // 1..W+WD: root bits a clock
-    parameter QUOTIENT_STEP = 2, // 1..PQ: quotient bits a clock
-    parameter DIVISION_STEP = 2, // 1..W+WD: bits of a facet's key a clock
-    parameter LEAF_INTERVAL = 2, // 2..4, power of two: clocks an exact test of a sphere
-    parameter FACET_INTERVAL = 0, // 0..4, power of two: clocks a facet, 0: 2, wide without BOXES 4
-    parameter UNITS      = 2,    // 1..2: units for unit vectors an engine
-    parameter UNIT_INTERVAL = 2, // 2..4, power of two: clocks a vector of each
-    parameter SQUARES    = 0,    // 0..2: squares of filters in LUTs: 1 no, 2 yes, 0: of 4 pipes
-    parameter SPILLS     = 0,    // 0..2: odd bits of memories in LUTs: 1 no, 2 yes, 0: from 3 pipes
-    parameter HIT_INTERVAL = 8,  // 8..12: clocks a hit point and its normal, 8 or 12
-    parameter BOUNCE_INTERVAL = 10 // 10..12: clocks a mirrored direction, 10 or 12
-    // end of parameters
+    `include "rt_core_parameters.vh"
 );
     localparam N_REGS = `RT_N_REGS;
     localparam QUEUE = 1024;   // requests under way
@@ -105,23 +50,7 @@ module tb_core_icarus #(
     wire [5:0] errors;
 
     rt_core #(
-        .W(W), .WD(WD), .PQ(PQ), .NG(NG), .FW(FW), .PR(PR),
-        // connections of machine.def
-        .SHADOW(SHADOW), .REFLECT(REFLECT), .LIGHTS(LIGHTS), .INSIDE(INSIDE),
-        .FIRST(FIRST), .INTERPENETRATE(INTERPENETRATE), .FACETS(FACETS), .TEXTURE(TEXTURE),
-        .REFRACT(REFRACT), .SPECULAR(SPECULAR), .SUM(SUM), .SMOOTH(SMOOTH), .CLEAR(CLEAR),
-        .TURNED(TURNED), .SPREAD(SPREAD), .COARSE(COARSE), .RECT(RECT), .SPANS(SPANS),
-        .CONES(CONES), .ACCEL(ACCEL), .BOXES(BOXES), .ENGINES(ENGINES), .PIPES(PIPES),
-        .EXACTS(EXACTS), .SHADES(SHADES), .SETUPS(SETUPS), .WALKS(WALKS), .SLOTS(SLOTS),
-        .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_LINES), .TEXTURE_LINES(TEXTURE_LINES),
-        .TEXTURE_WAYS(TEXTURE_WAYS), .TEXTURE_GROUP(TEXTURE_GROUP),
-        .TEXTURE_COORDS(TEXTURE_COORDS), .ROOTS(ROOTS), .QUOTIENTS(QUOTIENTS),
-        .DIVISIONS(DIVISIONS), .ROOT_STEP(ROOT_STEP), .QUOTIENT_STEP(QUOTIENT_STEP),
-        .DIVISION_STEP(DIVISION_STEP), .LEAF_INTERVAL(LEAF_INTERVAL),
-        .FACET_INTERVAL(FACET_INTERVAL), .UNITS(UNITS), .UNIT_INTERVAL(UNIT_INTERVAL),
-        .SQUARES(SQUARES), .SPILLS(SPILLS), .HIT_INTERVAL(HIT_INTERVAL),
-        .BOUNCE_INTERVAL(BOUNCE_INTERVAL)
-        // end of connections
+        `include "rt_core_pass.vh"
     ) u_core (
         .clk(clk), .rst(rst),
         .cfg_valid_i(cfg_valid), .cfg_addr_i(cfg_addr), .cfg_data_i(cfg_data),

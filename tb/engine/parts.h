@@ -14,8 +14,8 @@
 #ifndef PIPES
 #define PIPES 1
 #endif
-#ifndef EXACTS
-#define EXACTS 1
+#ifndef LEAF_UNITS
+#define LEAF_UNITS 1
 #endif
 #ifndef SHADES
 #define SHADES 1
@@ -58,7 +58,7 @@ struct Units {
     }
 };
 
-constexpr Units pipes{PIPES}, exacts{EXACTS}, shades{SHADES}, setups{SETUPS};
+constexpr Units pipes{PIPES}, leaf_units{LEAF_UNITS}, shades{SHADES}, setups{SETUPS};
 
 /* A ray of `slot` at its set-up unit, nothing at the others. */
 template <class Port> void put_ray(Port &port, int slot, const struct sph_ray &ray) {

@@ -52,7 +52,7 @@ class LeafVisits : public bench::Bench<Top> {
         for (Slot &s : slots)
             s.begun = false; /* rays carry what the model knows of INSIDE */
         pace = random.percent(50) ? 100 : (unsigned)random.between(2, 60);
-        memory.spoilt_for = phases++ % 4 == 1 ? (int)(phases / 4 % EXACTS) : -1;
+        memory.spoilt_for = phases++ % 4 == 1 ? (int)(phases / 4 % LEAF_UNITS) : -1;
         dut.flush_i = 1;
         clock(false);
         dut.flush_i = 0;
@@ -72,7 +72,7 @@ class LeafVisits : public bench::Bench<Top> {
         for (int unit = 0; unit < SHADES; unit++)
             give_fetch(unit, start);
         memory.before();
-        for (int unit = 0; unit < EXACTS; unit++) {
+        for (int unit = 0; unit < LEAF_UNITS; unit++) {
             seen[0] += of_event(unit, RT_PRIM_EVENT_LEAF);
             seen[1] += of_event(unit, RT_PRIM_EVENT_FACET);
             seen[2] += of_event(unit, RT_PRIM_EVENT_ROOT);
@@ -110,7 +110,7 @@ class LeafVisits : public bench::Bench<Top> {
 
   private:
     world::World world;
-    world::Memory<Top, EXACTS> memory;
+    world::Memory<Top, LEAF_UNITS> memory;
     Slot slots[SLOTS];
     struct sph_counters counters = {};
     uint32_t errors = 0, faults = 0;
@@ -128,7 +128,7 @@ class LeafVisits : public bench::Bench<Top> {
         return (uint64_t)bench::get(dut.event_o, RT_EXACT_EVENT_BITS * unit + lsb, bits);
     }
     uint64_t of_result(int unit, int lsb, int bits) {
-        return (uint64_t)parts::exacts.get(dut.result_o, unit, RT_RESULT_BITS, lsb, bits);
+        return (uint64_t)parts::leaf_units.get(dut.result_o, unit, RT_RESULT_BITS, lsb, bits);
     }
     bool fetches(int unit) const {
         return parts::shades.get(dut.fetch_i, unit, RT_FETCH_BITS, RT_FETCH_VALID) != 0;
@@ -157,7 +157,7 @@ class LeafVisits : public bench::Bench<Top> {
 
     /* What a leaf child must give; one that memory has not is a miss. */
     struct sph_hit test(int at, uint32_t line, uint32_t child) {
-        if (parts::exacts.of(at) != memory.spoilt_for)
+        if (parts::leaf_units.of(at) != memory.spoilt_for)
             return world.leaf(slots[at].ray, line, child, &counters, &errors);
         errors |= 1u << SPH_ERROR_BUS_ERROR;
         return {0, SPH_ID_NONE, 0};
@@ -199,10 +199,10 @@ class LeafVisits : public bench::Bench<Top> {
     /* A result, with its whole slot, as results.h wants it. */
     void take_result(int unit) {
         uint32_t whole[(RT_RESULT_BITS + 31) / 32] = {};
-        for (int i = 0; i < RT_RESULT_BITS - parts::exacts.top(); i++)
+        for (int i = 0; i < RT_RESULT_BITS - parts::leaf_units.top(); i++)
             bench::put(whole, i, 1, (bench::i128)of_result(unit, i, 1));
         bench::put(whole, RT_RESULT_SLOT,
-                   parts::exacts.slot(dut.result_o, unit, RT_RESULT_BITS, RT_RESULT_SLOT));
+                   parts::leaf_units.slot(dut.result_o, unit, RT_RESULT_BITS, RT_RESULT_SLOT));
         world::take_result(*this, slots, whole);
     }
 

@@ -115,7 +115,7 @@ class Trace : public bench::Bench<Top> {
     static constexpr uint64_t BEHIND = 12; /* clocks from a ray to its axes, at most */
     parts::Axes axes;
     Slot slots[SLOTS];
-    std::vector<Result> results[EXACTS];
+    std::vector<Result> results[LEAF_UNITS];
     struct sph_counters counters = {};
     uint32_t errors = 0, faults = 0;
     uint64_t visits = 0, tests = 0;
@@ -195,13 +195,13 @@ class Trace : public bench::Bench<Top> {
     }
 
     void answer() {
-        for (int unit = 0; unit < EXACTS; unit++)
+        for (int unit = 0; unit < LEAF_UNITS; unit++)
             answer(unit);
     }
 
     void answer(int unit) {
         auto put = [&](int lsb, int bits, bench::i128 value) {
-            parts::exacts.put(dut.result_i, unit, RT_RESULT_BITS, lsb, bits, value);
+            parts::leaf_units.put(dut.result_i, unit, RT_RESULT_BITS, lsb, bits, value);
         };
         std::vector<Result> &waits = results[unit];
         bool now = !waits.empty() && random.percent(testing);
@@ -210,7 +210,7 @@ class Trace : public bench::Bench<Top> {
         size_t n = (size_t)random.below(waits.size());
         const Result r = waits[n];
         waits.erase(waits.begin() + (long)n);
-        parts::exacts.put_slot(dut.result_i, unit, RT_RESULT_BITS, RT_RESULT_SLOT, r.slot);
+        parts::leaf_units.put_slot(dut.result_i, unit, RT_RESULT_BITS, RT_RESULT_SLOT, r.slot);
         put(RT_RESULT_HIT, r.hit.key != 0);
         put(RT_RESULT_FAR, r.hit.far);
         put(RT_RESULT_ID, r.hit.id);
@@ -226,7 +226,7 @@ class Trace : public bench::Bench<Top> {
         if (!world.there(line)) return fail("a visit in another part of memory");
         for (uint32_t j = 0; j < 4; j++)
             if (leaf >> j & 1)
-                results[parts::exacts.of(slot)].push_back(
+                results[parts::leaf_units.of(slot)].push_back(
                     {slot, world.leaf(slots[slot].ray, line, j, &unused, &bad)});
     }
 

@@ -70,7 +70,7 @@ def number(text, parameters):
     return sum(int(values.get(part, part)) for part in text.split("+"))
 
 
-UNITS = ("ENGINES", "PIPES", "EXACTS", "SHADES", "SETUPS")
+UNITS = ("ENGINES", "PIPES", "LEAF_UNITS", "SHADES", "SETUPS")
 EFFECTS = words("sim/parameters.sh", "+".join(
     word for word in words("sim/parameters.sh", "--names")
     if word not in ("first", "interpenetrate", "bih", "boxes", *words(
@@ -79,10 +79,10 @@ EFFECTS = words("sim/parameters.sh", "+".join(
 
 def units():
     """All units of an engine; INTERPENETRATE allows one shading unit."""
-    for pipes, exacts, shades in itertools.product(range(1, 5), range(5), range(5)):
-        given = [f"PIPES={pipes}", f"EXACTS={exacts}", f"SHADES={shades}"]
+    for pipes, leaves, shades in itertools.product(range(1, 5), range(5), range(5)):
+        given = [f"PIPES={pipes}", f"LEAF_UNITS={leaves}", f"SHADES={shades}"]
         yield [*given, "INTERPENETRATE=0"], False
-        if exacts in (0, 2):
+        if leaves in (0, 2):
             yield given, False
             yield [*given, "INTERPENETRATE=0", "SETUPS=2"], False
             yield [*given, "INTERPENETRATE=0", "FIRST=0", "BOXES=1"], False
@@ -117,7 +117,7 @@ def ends(everything):
                      for code, (name, least, most) in zip(codes, names)]
             # textures: the pair is one of its own, above
             given = [g for g in given if not g.startswith("TEXTURE_LINES")]
-            yield [*widths, *EFFECTS, *tree, "PIPES=4", "EXACTS=2", "SHADES=4",
+            yield [*widths, *EFFECTS, *tree, "PIPES=4", "LEAF_UNITS=2", "SHADES=4",
                    "TEXTURE_LINES=4096", *given], True
 
 

@@ -34,10 +34,10 @@ wanted "verilator mixed" auto SIM=verilator mixed
 wanted "icarus mixed" auto SIM=icarus little
 wanted "icarus sphereflake2, two engines" auto "SIM=icarus ENGINES=2" small
 wanted "icarus sphereflake2, four pipes, units of their own" auto \
-    "SIM=icarus PIPES=4 EXACTS=4 SHADES=4" small
+    "SIM=icarus PIPES=4 LEAF_UNITS=4 SHADES=4" small
 wanted "icarus mixed, two engines of two pipes" auto "SIM=icarus ENGINES=2 PIPES=2" tiny
 wanted "icarus textures, three pipes" auto "SIM=icarus PIPES=3" balls
-wanted "icarus refraction, four pipes" auto "SIM=icarus PIPES=4 EXACTS=1 SHADES=2" optics
+wanted "icarus refraction, four pipes" auto "SIM=icarus PIPES=4 LEAF_UNITS=1 SHADES=2" optics
 wanted "icarus textures" auto SIM=icarus balls
 wanted "icarus a turned grid" auto SIM=icarus turned
 wanted "icarus a turned grid, fine" auto SIM=icarus fine

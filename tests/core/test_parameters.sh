@@ -88,9 +88,9 @@ each_alone() {
         most:SPECULAR=*) with="SUM=1" ;;
         most:COARSE=* | most:SPREAD=*) with="TEXTURE=1" ;;
         most:ACCEL=* | most:BOXES=*) with="FIRST=0 INTERPENETRATE=0" ;;
-        most:EXACTS=*) with="PIPES=4 SHADES=4 INTERPENETRATE=0" ;;
+        most:LEAF_UNITS=*) with="PIPES=4 SHADES=4 INTERPENETRATE=0" ;;
         most:SHADES=*) with="PIPES=4 INTERPENETRATE=0" ;;
-        most:SETUPS=*) with="PIPES=4 EXACTS=4 SHADES=4 INTERPENETRATE=0" ;;
+        most:SETUPS=*) with="PIPES=4 LEAF_UNITS=4 SHADES=4 INTERPENETRATE=0" ;;
         least:* | most:*) with= ;;
         *) continue ;;
         esac
@@ -107,7 +107,7 @@ widths='W|WD|PQ|NG|FW|PR'
 # shellcheck disable=SC2046  # words
 for tool in icarus verilator yosys; do
     check "legal: all least, $tool" silent $tool whole $(all_of least "$widths")
-    few="$widths|ACCEL|BOXES|PIPES|EXACTS|SHADES|SETUPS"
+    few="$widths|ACCEL|BOXES|PIPES|LEAF_UNITS|SHADES|SETUPS"
     [ $tool = icarus ] || few="$few|ENGINES|SLOTS|ROOTS|QUOTIENTS|DIVISIONS|CONES"
     check "legal: all largest, $tool" silent $tool whole $(all_of most "$few")
 done
@@ -151,14 +151,14 @@ REFRACT_needs_INSIDE REFRACT=1 INTERPENETRATE=0 INSIDE=0
 SPECULAR_needs_SUM SPECULAR=1
 COARSE_needs_TEXTURE COARSE=1
 ACCEL_excludes_FIRST ACCEL=1
-SETUPS_must_be_at_most_EXACTS SETUPS=2
+SETUPS_must_be_at_most_LEAF_UNITS SETUPS=2
 ENGINES_times_PIPES_must_be_at_most_8 ENGINES=3 PIPES=3
-EXACTS_and_SHADES_must_be_powers_of_two PIPES=4 EXACTS=3 SHADES=4 INTERPENETRATE=0
-EXACTS_must_be_at_most_SHADES PIPES=4 EXACTS=4 SHADES=2 INTERPENETRATE=0
+LEAF_UNITS_and_SHADES_must_be_powers_of_two PIPES=4 LEAF_UNITS=3 SHADES=4 INTERPENETRATE=0
+LEAF_UNITS_must_be_at_most_SHADES PIPES=4 LEAF_UNITS=4 SHADES=2 INTERPENETRATE=0
 SHADES_must_be_at_most_PIPES PIPES=1 SHADES=2 INTERPENETRATE=0
 INTERPENETRATE_needs_SHADES_to_be_1 PIPES=2 SHADES=2
 END
-check "legal: four pipes" silent icarus whole PIPES=4 EXACTS=4 SHADES=4 INTERPENETRATE=0
+check "legal: four pipes" silent icarus whole PIPES=4 LEAF_UNITS=4 SHADES=4 INTERPENETRATE=0
 
 # ---- the whole core is refused, by every tool ----
 for tool in icarus verilator yosys; do

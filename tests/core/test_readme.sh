@@ -28,7 +28,8 @@ check "every port of the core is connected" ports
 given() { # file: NAME=value of the parameters that it gives rt_core
     tr ',' '\n' <"$1" | sed -n 's/^ *\.\([A-Z_]*\)(\([0-9]*\)).*/\1=\2/p'
 }
-sed -n 's/^    parameter \([A-Z_]*\) *= \([0-9]*\).*/\1=\2/p' rtl/core/rt_core.v >"$TMP/defaults"
+sed -n 's/^    parameter \([A-Z_]*\) *= \([0-9]*\).*/\1=\2/p' rtl/core/rt_effects.vh \
+    rtl/core/rt_core_parameters.vh >"$TMP/defaults"
 changes() { # what it gives is a parameter, and not the default
     given "$1" >"$TMP/changed"
     [ -s "$TMP/changed" ] && while IFS='=' read -r name value; do

@@ -70,7 +70,7 @@ refuse sim PROFILE=all
 check "... PROFILE=all, which is for make synth" says "^PROFILE=all: "
 refuse sim SCENE=sphreflake:3
 check "... SCENE=sphreflake:3" says "is sphereflake:N meant"
-for word in "EXACTS=4 SHADES=2 PIPES=4" "ENGINES=3 PIPES=3" "SIZES=setups=2" "SHADES=2" \
+for word in "LEAF_UNITS=4 SHADES=2 PIPES=4" "ENGINES=3 PIPES=3" "SIZES=setups=2" "SHADES=2" \
     "SHADES=2 PIPES=2 EFFECTS=all" "SIZES=hit_interval=9" "PROFILE=standard:wd=16"; do
     for goal in sim synth; do
         # shellcheck disable=SC2086  # words
@@ -82,7 +82,7 @@ refuse synth SHADES=2 PIPES=2
 check "make synth of a core with everything" says "^SHADES=2 INTERPENETRATE=1: INTERPENETRATE needs"
 SIM=questa refuse sim
 check "... of the environment too" says "^SIM=questa: is none of verilator, icarus, cxxrtl, ecp5, "
-for word in SIM=questa ENGINES=two EFFECTS=shadw "EXACTS=4 PIPES=4"; do
+for word in SIM=questa ENGINES=two EFFECTS=shadw "LEAF_UNITS=4 PIPES=4"; do
     # shellcheck disable=SC2086  # words
     env BUILD="$TMP/none" $word sh sim/core.sh --machine nothing.sph >"$TMP/text" 2>"$TMP/err"
     refused=$?
@@ -140,11 +140,11 @@ same_scene() { "$SPHAERA" gen "$1" | grep -v '^#' >"$TMP/x.nff" && shift && "$SP
 check "N is the size of an icosphere" same_scene icosphere:3 icosphere --size 3
 
 # ---- a run's folder is its whole key ----
-other='SCENE=paper5 PROFILE=draft SIZE=8x8 TREE=paper ACCEL=bih MAX_PRIMS=2 MAX_TREE_DEPTH=3 DEPTH=1
-    BACKGROUND=rect TRAVERSE=first LEVELS=1 AT=1 BUILD_MORE=--inside=off EFFECTS=all ENGINES=2
-    PIPES=2 EXACTS=1 SHADES=1 ROOT_STEP=1 QUOTIENT_STEP=1 SIZES=units=1 SEED=2 LATENCY=3 STALL=4
-    SIM=icarus WINDOW=0,0,1,1 WARM=1 LITERAL=1 WAVES=1 WATCHDOG=9 SAMPLES=2 ERROR=0.5
-    MEMORY=sdram16 CORE_MHZ=50'
+other='SCENE=paper5 PROFILE=draft SIZE=8x8 TREE=paper ACCEL=bih MAX_PRIMS=2 MAX_TREE_DEPTH=3
+    DEPTH=1 BACKGROUND=rect TRAVERSE=first LEVELS=1 AT=1 BUILD_MORE=--inside=off EFFECTS=all
+    ENGINES=2 PIPES=2 LEAF_UNITS=1 EXACTS=1 SHADES=1 ROOT_STEP=1 QUOTIENT_STEP=1 SIZES=units=1
+    SEED=2 LATENCY=3 STALL=4 SIM=icarus WINDOW=0,0,1,1 WARM=1 LITERAL=1 WAVES=1 WATCHDOG=9
+    SAMPLES=2 ERROR=0.5 MEMORY=sdram16 CORE_MHZ=50'
 same='TARGET FLAT RESULTS KINDS PROVE ONLY ALL SUITE_LIMIT CORE EFFECT MUTANT N STATE OPT V B CC
     CFLAGS CXX CXXFLAGS PREFIX DESTDIR TOP LAYERS FRAMES BART BOARD CSV ENGINE FAMILY MOVIE
     FAULTS TRIALS MINUTES INPUTS HARNESS ROUTE SEEDS SEEDS_CORE JOBS TOP_DATA HD_SCENE'

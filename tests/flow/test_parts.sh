@@ -27,16 +27,16 @@ make layout >"$TMP/layout" 2>&1 || cat "$TMP/layout"
 # ---- what differs: machine.def, which was edited, and what make layout wrote ----
 find . -type f | sort | xargs cksum | diff "$TMP/before" - | sed -n 's/^> .* //p' >"$TMP/changed"
 generated() {
-    printf './%s\n' $def cmodel/machine/layout.h rtl/core/rt_core.v rtl/core/rt_layout.vh \
-        rtl/top/rt_top.v tb/core/tb_core_icarus.v | sort | diff - "$TMP/changed"
+    printf './%s\n' $def cmodel/machine/layout.h rtl/core/rt_core_rules.vh rtl/core/rt_effects.vh \
+        rtl/core/rt_effects_pass.vh rtl/core/rt_layout.vh | sort | diff - "$TMP/changed"
 }
 check "one line of machine.def changes what is generated and nothing else" generated
 check "layout.h has bit, entry and mask" \
     grep -c 'SPH_EFFECT_DUMMY \|X(DUMMY, dummy, "DUMMY"' cmodel/machine/layout.h
 check "rt_core has its parameter" grep 'parameter DUMMY  *= 3,  *// 0..3: does nothing' \
-    rtl/core/rt_core.v
+    rtl/core/rt_effects.vh
 check "make layout once more writes nothing" \
-    sh -c 'touch "$1"; make layout; ! find . -newer "$1" -name "*.v" | grep .' - "$TMP/stamp"
+    sh -c 'touch "$1"; make layout; ! find . -newer "$1" -name "*.vh" | grep .' - "$TMP/stamp"
 
 # ---- names of cores ----
 has() { sh sim/parameters.sh "$1" | grep -q "\\bDUMMY=$2\\b"; }

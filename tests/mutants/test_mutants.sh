@@ -44,8 +44,8 @@ textured() {
 }
 # The same on a core of three pipes, two shading units and one leaf unit.
 piped() {
-    PIPES=3 EXACTS=1
-    export PIPES EXACTS
+    PIPES=3 LEAF_UNITS=1
+    export PIPES LEAF_UNITS
     textured "$@"
 }
 # A block bench, in a folder that looks like this one but for its rtl.
