@@ -33,9 +33,10 @@ stale() { # name, file, sed expression, what the check prints: tried with the ot
     check "$1: the fault changes its file" edited "$2" "$3"
     printf '%s|%s\n' "$1" "$4" >>stale
 }
-core=$(find rtl -name rt_core.v) def=$(find cmodel -name machine.def)
+core=$(find rtl -name rt_core.v) sizes=$(find rtl -name rt_core_parameters.vh)
+def=$(find cmodel -name machine.def)
 profile=$(find cmodel -name profile.c)
-stale "a default" $core 's/SLOTS      = 64/SLOTS      = 32/' '^+- `SLOTS` = 32: '
+stale "a default" $sizes 's/SLOTS      = 64/SLOTS      = 32/' '^+- `SLOTS` = 32: '
 stale "a port" $core 's/\[47:0\]       count_data_o/[39:0] count_data_o/' 'count_data_o`: 40'
 heading=$(find rtl -name rt_texture.v)
 stale "a heading of two lines" $heading 's|^ *// then hit point|    // and hit point|' \
