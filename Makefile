@@ -152,11 +152,11 @@ $(if $(shell awk -v goals='$(MAKECMDGOALS)' -f sim/nearest.awk -f sim/goals.awk 
 endif
 
 layout: ## what follows from machine.def, top.def, bundles.def, modes.def, VERSION, files of rtl
-	$(call say,GEN,"layout.h rt_layout.vh rt_top.vh sphaera_regs.h rt_bundles.vh bundles.h")
-	$(call say,GEN,"rt_modes.vh sphaera_modes.h")
+	$(call say,GEN,"layout.h rt_layout.vh rt_effects*.vh rt_core_*.vh rt_top.vh sphaera_regs.h")
+	$(call say,GEN,"rt_modes.vh sphaera_modes.h rt_bundles.vh bundles.h and fields beside ports")
 	$(call say,GEN,"sphaera.f sphaera.core")
 	$(Q)sh sim/layout.sh
-	$(Q)sh sim/bundles.sh rtl/engine/rt_bundles.vh tb/bundles.h
+	$(Q)sh sim/bundles.sh
 	$(Q)sh sim/filelist.sh
 
 clean: ## remove build/

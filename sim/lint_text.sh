@@ -40,6 +40,7 @@ report() { # title, findings
         ! -name rt_top.v -exec awk '
         FNR == 1 { ports = 0 }
         /^    (input|output) / && ++ports == 41 { print FILENAME }' {} +)"
+    report "fields of a bundle beside a port" "$(sh sim/bundles.sh --check)"
     report "rt_engine only wires, in fewer than 200 lines" "$(awk '
         FNR == 200 || /^ *(always|initial|reg|function)/ { print FILENAME ":" FNR }' \
         rtl/engine/rt_engine.v)"

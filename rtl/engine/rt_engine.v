@@ -45,15 +45,21 @@ module rt_engine #(
     input  wire                       flush_i,         // forget the caches
     output wire                       busy_o,
     input  wire [`RT_REGS_BITS-1:0]   regs_i,
+    //: {BOX[6*(W+2)], N_LOOSE[24], LEAF_BASE[26], N_PRIMS[24], VISIT_LIMIT[24], MEM_LINES[26],
+    //: SMOOTH_BASE[26], PRIM_BASE[26], ROOT[26], EYE[3*W], AMBIENT[48], BACKGROUND[24],
+    //: N_LIGHTS[4], LEAST[9], MAX_DEPTH[4], TEX_FILTER[2], EFFECTS[EFFECT_BITS]}
     input  wire [`RT_LIGHT_BITS-1:0]  light_i,         // a light is written
+    //: {DATA[32], PART[3], NUMBER[3], VALID}
     // from rt_pixel_scan
     input  wire                       in_valid_i,
     output wire                       in_ready_o,
     input  wire [`RT_START_BITS-1:0]  start_i,
+    //: {DIR[3*WD], Y[14], X[14]}
     // finished pixels
     output wire                       pix_valid_o,
     input  wire                       pix_ready_i,
     output wire [`RT_PIXEL_BITS-1:0]  pix_o,
+    //: {TEXTURE[32], KEY[W+WD+2], VISITS[24], ID[24], COLOUR[72], Y[14], X[14]}
     // memory: of each pipe from bit 0 up, of each leaf unit, with TEXTURE of each shading unit
     output wire [READS-1:0]           mem_req_valid_o,
     input  wire [READS-1:0]           mem_req_ready_i,
@@ -64,8 +70,11 @@ module rt_engine #(
     input  wire                       mem_rsp_error_i,
     // events of this clock, for the counters, of each unit; faults by number of the error
     output wire [PIPES*`RT_TRACE_EVENT_BITS-1:0]  trace_event_o,
+    //: {BUBBLE, MISS, TESTS[3], VISIT, ISSUED}
     output wire [LEAF_UNITS*`RT_EXACT_EVENT_BITS-1:0] exact_event_o,
+    //: {MISS, PRIM[prim_event]}
     output wire [SHADES*`RT_SHADE_EVENT_BITS-1:0] shade_event_o,
+    //: {MISS, TEXEL, POWER, SATURATED, QUOTIENT, REFRACTED, REFLECTED, SHADOW, PRIMARY}
     output wire [15:0]                fault_o          // {slots, shade, exact, trace}
 );
     localparam SLOTW   = $clog2(SLOTS), LB = `RT_LINE_BITS;

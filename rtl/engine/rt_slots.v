@@ -22,12 +22,17 @@ module rt_slots #(
     input  wire                       rst,
     output wire                       busy_o,          // slots are in use
     input  wire [`RT_REGS_BITS-1:0]   regs_i,
+    //: {BOX[6*(W+2)], N_LOOSE[24], LEAF_BASE[26], N_PRIMS[24], VISIT_LIMIT[24], MEM_LINES[26],
+    //: SMOOTH_BASE[26], PRIM_BASE[26], ROOT[26], EYE[3*W], AMBIENT[48], BACKGROUND[24],
+    //: N_LIGHTS[4], LEAST[9], MAX_DEPTH[4], TEX_FILTER[2], EFFECTS[EFFECT_BITS]}
     // from rt_pixel_scan: a pixel to trace
     input  wire                       in_valid_i,
     output wire                       in_ready_o,
     input  wire [`RT_START_BITS-1:0]  start_i,
+    //: {DIR[3*WD], Y[14], X[14]}
     // to each rt_setup: primary rays of its slots
     output wire [SETUPS*(`RT_VECTOR_BITS-$clog2(SETUPS))-1:0] primary_o,
+    //: {SLOT[SLOTW], VEC[3*WD], VALID}
     input  wire [SETUPS-1:0]          primary_ready_i,
     // from rt_setup, to rt_trace: the ray of this slot is the repeated primary ray of its pixel
     input  wire [$clog2(SLOTS)-1:0]   ray_slot_i,
@@ -36,9 +41,13 @@ module rt_slots #(
     input  wire                       done_valid_i,
     input  wire [$clog2(SLOTS)-1:0]   done_slot_i,
     input  wire [`RT_DONE_BITS-1:0]   done_i,
+    //: {KEY[W+WD+2], ID[24], FARS[2], FAR, FIRST, PRIMARY, SHADOW, FOUND}
     // to and from rt_shade: what becomes of it; a surface is blended; a pixel is complete
     output wire [`RT_HIT_BITS-1:0]    hit_o,
+    //: {SLOT[SLOTW], KEY[W+WD+2], ID[24], FAR, PROBE, FIRST, LIT, SHADOW, MISS, HIT}
     input  wire [`RT_BLEND_BITS-1:0]  blend_i,
+    //: {SLOT[SLOTW], W_TOTAL[17], W_REFRACT[17], W_MIRROR[17], DEPTH[4], REFRACT, MIRROR, PROBE,
+    //: LAST, VALID}
     input  wire                       end_valid_i,
     input  wire [$clog2(SLOTS)-1:0]   end_slot_i,
     // of a pixel that leaves, a clock after its slot: from rt_trace and rt_shade
@@ -51,6 +60,7 @@ module rt_slots #(
     output wire                       pix_valid_o,
     input  wire                       pix_ready_i,
     output wire [`RT_PIXEL_BITS-1:0]  pix_o,
+    //: {TEXTURE[32], KEY[W+WD+2], VISITS[24], ID[24], COLOUR[72], Y[14], X[14]}
     output wire [3:0]                 fault_o          // by number of the error, machine.def
 );
     localparam SLOTW = $clog2(SLOTS);

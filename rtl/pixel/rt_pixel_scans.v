@@ -41,6 +41,7 @@ module rt_pixel_scans #(
     output wire                 ray_valid_o,
     input  wire                 ray_ready_i,
     output wire [`RT_START_BITS-1:0] ray_o,
+    //: {DIR[3*WD], Y[14], X[14]}
     // to the pixel port: pixels that see the background
     output wire                 bg_valid_o,
     input  wire                 bg_ready_i,

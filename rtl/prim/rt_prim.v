@@ -37,10 +37,14 @@ module rt_prim #(
     input  wire                       in_valid_i,
     output wire                       in_ready_o,
     input  wire [`RT_TEST_BITS-1:0]   test_i,
+    //: {SLOT[SLOTW], RECORD[256], LIFT[3*(NG+2)], SKIP[24], A[2*WD], DIR[3*WD], ORG[3*W], ERROR,
+    //: INSIDE, SHADOW}
     // to rt_trace
     output wire [`RT_RESULT_BITS-1:0] result_o,
+    //: {SLOT[SLOTW], KEY[W+WD+2], ID[24], FAR, HIT, VALID}
     // events and faults of this clock
     output wire [`RT_PRIM_EVENT_BITS-1:0] event_o,
+    //: {DIVIDE, ROOT, FACET, LEAF}
     output wire                       bad_o       // a record of no kind is taken
 );
     // ---- units, and whose record it is: of half a line, or with an error, the spheres' ----

@@ -29,8 +29,11 @@ module rt_sphere #(
     input  wire                       in_valid_i,
     output wire                       in_ready_o,
     input  wire [`RT_TEST_BITS-1:0]   test_i,
+    //: {SLOT[SLOTW], RECORD[256], LIFT[3*(NG+2)], SKIP[24], A[2*WD], DIR[3*WD], ORG[3*W], ERROR,
+    //: INSIDE, SHADOW}
     input  wire                       in_miss_i,      // a miss, whatever the record says
     output wire [`RT_RESULT_BITS-1:0] result_o,
+    //: {SLOT[SLOTW], KEY[W+WD+2], ID[24], FAR, HIT, VALID}
     input  wire                       result_ready_i,
     output wire                       urgent_o,       // the result goes before those of other kinds
     // event

@@ -23,10 +23,17 @@ module rt_compose #(
     input  wire                         clk,
     input  wire                         rst,
     input  wire [`RT_REGS_BITS-1:0]     regs_i,
+    //: {BOX[6*(W+2)], N_LOOSE[24], LEAF_BASE[26], N_PRIMS[24], VISIT_LIMIT[24], MEM_LINES[26],
+    //: SMOOTH_BASE[26], PRIM_BASE[26], ROOT[26], EYE[3*W], AMBIENT[48], BACKGROUND[24],
+    //: N_LIGHTS[4], LEAST[9], MAX_DEPTH[4], TEX_FILTER[2], EFFECTS[EFFECT_BITS]}
     input  wire [`RT_HIT_BITS-1:0]      hit_i,          // from rt_slots
+    //: {SLOT[SLOTW], KEY[W+WD+2], ID[24], FAR, PROBE, FIRST, LIT, SHADOW, MISS, HIT}
     // from rt_surface; from rt_texture, the part that a texture may change
     input  wire [`RT_MATERIAL_BITS-1:0] material_i,
+    //: {SLOT[SLOTW], SMOOTH[24], BEND[6], TEX[26], INDEX[12], POWER[12], KS[8], KD[9], KA[9], SUM,
+    //: KT[9], KR[9], RGB[24], VALID}
     input  wire [`RT_ALBEDO_BITS-1:0]   albedo_i,
+    //: {SLOT[SLOTW], KR[9], RGB[24], VALID}
     // from rt_lighting: token, all lights of a surface are summed
     input  wire                         sum_valid_i,
     input  wire [$clog2(SLOTS)-1:0]     sum_slot_i,
@@ -39,6 +46,8 @@ module rt_compose #(
     input  wire [3:0]                   next_depth_i,
     // a surface or background is blended
     output wire [`RT_BLEND_BITS-1:0]    blend_o,
+    //: {SLOT[SLOTW], W_TOTAL[17], W_REFRACT[17], W_MIRROR[17], DEPTH[4], REFRACT, MIRROR, PROBE,
+    //: LAST, VALID}
     // frames of a slot, a clock after it
     input  wire                         read_i,
     input  wire [$clog2(SLOTS)-1:0]     read_slot_i,

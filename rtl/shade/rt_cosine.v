@@ -18,6 +18,8 @@ module rt_cosine #(
     input  wire                     shadow_on_i,   // run-time switch of SHADOW
     // from rt_setup: unit normals and unit vectors to lights
     input  wire [`RT_RAY_BITS-1:0]  ray_i,
+    //: {SLOT[SLOTW], H[6], Y[17], UNIT[54], INSIDE, SKIP[24], A[2*WD], DIR[3*WD], ORG[3*W], SHADOW,
+    //: PRIMARY, LIGHT, NORMAL, VALID}
     input  wire                     next_light_i,  // a light comes in the next clock
     input  wire [$clog2(SLOTS)-1:0] next_slot_i,
     // a cosine

@@ -24,15 +24,24 @@ module rt_leave #(
     input  wire                         rst,
     // what rays need: from rt_setup, rt_slots, rt_surface, rt_texture
     input  wire [`RT_RAY_BITS-1:0]      ray_i,
+    //: {SLOT[SLOTW], H[6], Y[17], UNIT[54], INSIDE, SKIP[24], A[2*WD], DIR[3*WD], ORG[3*W], SHADOW,
+    //: PRIMARY, LIGHT, NORMAL, VALID}
     input  wire [`RT_HIT_BITS-1:0]      hit_i,
+    //: {SLOT[SLOTW], KEY[W+WD+2], ID[24], FAR, PROBE, FIRST, LIT, SHADOW, MISS, HIT}
     input  wire [`RT_MATERIAL_BITS-1:0] material_i,
+    //: {SLOT[SLOTW], SMOOTH[24], BEND[6], TEX[26], INDEX[12], POWER[12], KS[8], KD[9], KA[9], SUM,
+    //: KT[9], KR[9], RGB[24], VALID}
     input  wire [`RT_SURFACE_BITS-1:0]  surface_i,
+    //: {SLOT[SLOTW], FLAT, NORMAL[3*WD], LIFT[3*(NG+2)], GUARDED[3*(W+NG)], POINT[3*W], VALID}
     input  wire [`RT_SIDE_BITS-1:0]     side_i,         // from rt_smooth
+    //: {SLOT[SLOTW], NN[2*WD], VEC[3*WD], BENT, VALID}
     input  wire                         path_valid_i,
     input  wire [$clog2(SLOTS)-1:0]     path_slot_i,
     input  wire [W+17:0]                path_i,         // {bend, spread, path}: rt_texture_path
     // from rt_compose: a surface is blended; to it: what the next ray is worth
     input  wire [`RT_BLEND_BITS-1:0]    blend_i,
+    //: {SLOT[SLOTW], W_TOTAL[17], W_REFRACT[17], W_MIRROR[17], DEPTH[4], REFRACT, MIRROR, PROBE,
+    //: LAST, VALID}
     output wire                         next_valid_o,
     output wire [$clog2(SLOTS)-1:0]     next_slot_o,
     output wire [16:0]                  next_weight_o,  // u1.16
@@ -42,7 +51,9 @@ module rt_leave #(
     output wire [$clog2(SLOTS)-1:0]     end_slot_o,
     // to rt_setup; where a refracted ray starts, to where that is kept
     output wire [`RT_VECTOR_BITS-1:0]   bounce_o,
+    //: {SLOT[SLOTW], VEC[3*WD], VALID}
     output wire [`RT_BACK_BITS-1:0]     back_o,
+    //: {SLOT[SLOTW], PATH[W+18], INSIDE, ID[24], POINT[3*W], VALID}
     input  wire                         back_ready_i,
     output wire                         reflected_o,    // a mirror ray goes
     output wire                         refracted_o     // a refracted ray goes

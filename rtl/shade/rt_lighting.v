@@ -24,19 +24,30 @@ module rt_lighting #(
     input  wire                       clk,
     input  wire                       rst,
     input  wire [`RT_REGS_BITS-1:0]   regs_i,
+    //: {BOX[6*(W+2)], N_LOOSE[24], LEAF_BASE[26], N_PRIMS[24], VISIT_LIMIT[24], MEM_LINES[26],
+    //: SMOOTH_BASE[26], PRIM_BASE[26], ROOT[26], EYE[3*W], AMBIENT[48], BACKGROUND[24],
+    //: N_LIGHTS[4], LEAST[9], MAX_DEPTH[4], TEX_FILTER[2], EFFECTS[EFFECT_BITS]}
     input  wire [`RT_LIGHT_BITS-1:0]  light_i,         // a light is written
+    //: {DATA[32], PART[3], NUMBER[3], VALID}
     // from rt_setup, rt_slots, rt_surface
     input  wire [`RT_RAY_BITS-1:0]    ray_i,
+    //: {SLOT[SLOTW], H[6], Y[17], UNIT[54], INSIDE, SKIP[24], A[2*WD], DIR[3*WD], ORG[3*W], SHADOW,
+    //: PRIMARY, LIGHT, NORMAL, VALID}
     input  wire                       next_light_i,    // ray_i has LIGHT in the next clock,
     input  wire [$clog2(SLOTS)-1:0]   next_slot_i,     // and this slot
     input  wire [`RT_HIT_BITS-1:0]    hit_i,
+    //: {SLOT[SLOTW], KEY[W+WD+2], ID[24], FAR, PROBE, FIRST, LIT, SHADOW, MISS, HIT}
     input  wire [`RT_MATERIAL_BITS-1:0] material_i,
+    //: {SLOT[SLOTW], SMOOTH[24], BEND[6], TEX[26], INDEX[12], POWER[12], KS[8], KD[9], KA[9], SUM,
+    //: KT[9], KR[9], RGB[24], VALID}
     input  wire [`RT_SURFACE_BITS-1:0] surface_i,
+    //: {SLOT[SLOTW], FLAT, NORMAL[3*WD], LIFT[3*(NG+2)], GUARDED[3*(W+NG)], POINT[3*W], VALID}
     // token: a surface that is ready for its lights
     input  wire                       start_valid_i,
     input  wire [$clog2(SLOTS)-1:0]   start_slot_i,
     // to rt_setup: vector to a light; to rt_trace: token, a shadow ray starts
     output wire [`RT_VECTOR_BITS-1:0] vec_light_o,
+    //: {SLOT[SLOTW], VEC[3*WD], VALID}
     output wire                       shadow_go_o,
     output wire [$clog2(SLOTS)-1:0]   shadow_slot_o,
     // to rt_compose: token, all lights of a surface are summed

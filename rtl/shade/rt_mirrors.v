@@ -19,7 +19,10 @@ module rt_mirrors #(
     input  wire              clk,
     input  wire              rst,
     input  wire [`RT_RAY_BITS-1:0] ray_i,     // from rt_setup
+    //: {SLOT[SLOTW], H[6], Y[17], UNIT[54], INSIDE, SKIP[24], A[2*WD], DIR[3*WD], ORG[3*W], SHADOW,
+    //: PRIMARY, LIGHT, NORMAL, VALID}
     input  wire [`RT_SIDE_BITS-1:0] side_i,   // from rt_smooth
+    //: {SLOT[SLOTW], NN[2*WD], VEC[3*WD], BENT, VALID}
     // a surface
     input  wire              in_valid_i,
     input  wire [$clog2(SLOTS)-1:0] in_slot_i,

@@ -23,14 +23,22 @@ module rt_rays #(
     input  wire              rst,
     // what a ray needs: from rt_setup, rt_slots, rt_surface, rt_texture
     input  wire [`RT_RAY_BITS-1:0]      ray_i,
+    //: {SLOT[SLOTW], H[6], Y[17], UNIT[54], INSIDE, SKIP[24], A[2*WD], DIR[3*WD], ORG[3*W], SHADOW,
+    //: PRIMARY, LIGHT, NORMAL, VALID}
     input  wire [`RT_HIT_BITS-1:0]      hit_i,
+    //: {SLOT[SLOTW], KEY[W+WD+2], ID[24], FAR, PROBE, FIRST, LIT, SHADOW, MISS, HIT}
     input  wire [`RT_MATERIAL_BITS-1:0] material_i,
+    //: {SLOT[SLOTW], SMOOTH[24], BEND[6], TEX[26], INDEX[12], POWER[12], KS[8], KD[9], KA[9], SUM,
+    //: KT[9], KR[9], RGB[24], VALID}
     input  wire [`RT_SURFACE_BITS-1:0]  surface_i,
+    //: {SLOT[SLOTW], FLAT, NORMAL[3*WD], LIFT[3*(NG+2)], GUARDED[3*(W+NG)], POINT[3*W], VALID}
     input  wire                         path_valid_i,
     input  wire [$clog2(SLOTS)-1:0]     path_slot_i,
     input  wire [W+17:0]                path_i,     // {bend, spread, path}: rt_texture_path
     // from rt_compose: a surface is blended
     input  wire [`RT_BLEND_BITS-1:0]    blend_i,
+    //: {SLOT[SLOTW], W_TOTAL[17], W_REFRACT[17], W_MIRROR[17], DEPTH[4], REFRACT, MIRROR, PROBE,
+    //: LAST, VALID}
     // the next ray of its pixel, or none
     output wire              mirror_valid_o,  // to rt_mirrors
     output wire [$clog2(SLOTS)-1:0] slot_o,

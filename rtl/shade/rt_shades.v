@@ -29,27 +29,41 @@ module rt_shades #(
     input  wire                       rst,
     input  wire                       flush_i,         // forget the texture caches
     input  wire [`RT_REGS_BITS-1:0]   regs_i,
+    //: {BOX[6*(W+2)], N_LOOSE[24], LEAF_BASE[26], N_PRIMS[24], VISIT_LIMIT[24], MEM_LINES[26],
+    //: SMOOTH_BASE[26], PRIM_BASE[26], ROOT[26], EYE[3*W], AMBIENT[48], BACKGROUND[24],
+    //: N_LIGHTS[4], LEAST[9], MAX_DEPTH[4], TEX_FILTER[2], EFFECTS[EFFECT_BITS]}
     input  wire [`RT_LIGHT_BITS-1:0]  light_i,         // a light is written
+    //: {DATA[32], PART[3], NUMBER[3], VALID}
     // from each rt_setup
     input  wire [SETUPS*(`RT_RAY_BITS-$clog2(SETUPS))-1:0] ray_i,
+    //: {SLOT[SLOTW], H[6], Y[17], UNIT[54], INSIDE, SKIP[24], A[2*WD], DIR[3*WD], ORG[3*W], SHADOW,
+    //: PRIMARY, LIGHT, NORMAL, VALID}
     input  wire [SETUPS-1:0]          next_light_i,    // ray_i has LIGHT in the next clock
     input  wire [SETUPS*($clog2(SLOTS)-$clog2(SETUPS))-1:0] next_slot_i, // of this slot
     // from rt_slots: what rays hit; to it: a surface is blended (of the first unit), a pixel is
     // complete
     input  wire [`RT_HIT_BITS-1:0]    hit_i,
+    //: {SLOT[SLOTW], KEY[W+WD+2], ID[24], FAR, PROBE, FIRST, LIT, SHADOW, MISS, HIT}
     output wire [`RT_BLEND_BITS-$clog2(SHADES)-1:0] blend_o,
+    //: {SLOT[SLOTW], W_TOTAL[17], W_REFRACT[17], W_MIRROR[17], DEPTH[4], REFRACT, MIRROR, PROBE,
+    //: LAST, VALID}
     output wire                       end_valid_o,
     output wire [$clog2(SLOTS)-1:0]   end_slot_o,
     // to and from rt_leaf_unit: primitive records
     output wire [SHADES*(`RT_FETCH_BITS-$clog2(SHADES))-1:0]  fetch_o,
+    //: {SLOT[SLOTW], LINE[26], VALID}
     input  wire [SHADES-1:0]          fetch_ready_i,
     input  wire [SHADES*(`RT_RECORD_BITS-$clog2(SHADES))-1:0] record_i,
+    //: {SLOT[SLOTW], DATA[256], VALID}
     // to rt_setup: vectors, and where and on what the next ray starts
     output wire [SHADES*(`RT_VECTOR_BITS-$clog2(SHADES))-1:0] normal_o,
     output wire [SHADES*(`RT_VECTOR_BITS-$clog2(SHADES))-1:0] vec_light_o,
     output wire [SHADES*(`RT_VECTOR_BITS-$clog2(SHADES))-1:0] bounce_o,
+    //: {SLOT[SLOTW], VEC[3*WD], VALID}
     output wire [SHADES*(`RT_ORG_BITS-$clog2(SHADES))-1:0]    org_o,
+    //: {SLOT[SLOTW], LIFT[3*(NG+2)], POINT[3*W], VALID}
     output wire [SHADES*(`RT_SKIP_BITS-$clog2(SHADES))-1:0]   skip_o,
+    //: {SLOT[SLOTW], INSIDE, ID[24], VALID}
     // to rt_pipes: token, a shadow ray starts
     output wire [SHADES-1:0]          shadow_go_o,
     output wire [SHADES*($clog2(SLOTS)-$clog2(SHADES))-1:0]   shadow_slot_o,
@@ -68,6 +82,7 @@ module rt_shades #(
     input  wire                       mem_rsp_error_i,
     // events of each unit and faults of this clock
     output wire [SHADES*`RT_SHADE_EVENT_BITS-1:0] event_o,
+    //: {MISS, TEXEL, POWER, SATURATED, QUOTIENT, REFRACTED, REFLECTED, SHADOW, PRIMARY}
     output reg  [3:0]                 fault_o          // by number of the error, machine.def
 );
     localparam SLOTW = $clog2(SLOTS);

@@ -26,6 +26,8 @@ module rt_shares #(
     input  wire [47:0]                  ambient_i,       // 3 x u1.15, red low
     // the material; light, as highlights; what the next ray of a slot is worth
     input  wire [`RT_MATERIAL_BITS-1:0] material_i,
+    //: {SLOT[SLOTW], SMOOTH[24], BEND[6], TEX[26], INDEX[12], POWER[12], KS[8], KD[9], KA[9], SUM,
+    //: KT[9], KR[9], RGB[24], VALID}
     input  wire                         gloss_valid_i,
     input  wire [$clog2(SLOTS)-1:0]     gloss_slot_i,
     input  wire [50:0]                  gloss_i,         // 3 x u2.15
@@ -47,6 +49,8 @@ module rt_shares #(
     input  wire                         in_probe_i,      // to be probed
     // it is blended
     output wire [`RT_BLEND_BITS-1:0]    blend_o,
+    //: {SLOT[SLOTW], W_TOTAL[17], W_REFRACT[17], W_MIRROR[17], DEPTH[4], REFRACT, MIRROR, PROBE,
+    //: LAST, VALID}
     // frames of a slot, one cycle after
     input  wire                         frames_read_i,
     input  wire [$clog2(SLOTS)-1:0]     frames_slot_i,

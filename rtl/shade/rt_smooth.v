@@ -20,20 +20,31 @@ module rt_smooth #(
     input  wire                          clk,
     input  wire                          rst,
     input  wire [`RT_REGS_BITS-1:0]      regs_i,
+    //: {BOX[6*(W+2)], N_LOOSE[24], LEAF_BASE[26], N_PRIMS[24], VISIT_LIMIT[24], MEM_LINES[26],
+    //: SMOOTH_BASE[26], PRIM_BASE[26], ROOT[26], EYE[3*W], AMBIENT[48], BACKGROUND[24],
+    //: N_LIGHTS[4], LEAST[9], MAX_DEPTH[4], TEX_FILTER[2], EFFECTS[EFFECT_BITS]}
     // from rt_surface, rt_slots
     input  wire [`RT_MATERIAL_BITS-1:0]  material_i,
+    //: {SLOT[SLOTW], SMOOTH[24], BEND[6], TEX[26], INDEX[12], POWER[12], KS[8], KD[9], KA[9], SUM,
+    //: KT[9], KR[9], RGB[24], VALID}
     input  wire [`RT_HIT_BITS-1:0]       hit_i,
+    //: {SLOT[SLOTW], KEY[W+WD+2], ID[24], FAR, PROBE, FIRST, LIT, SHADOW, MISS, HIT}
     input  wire [`RT_SURFACE_BITS-1:0]   surface_i,
+    //: {SLOT[SLOTW], FLAT, NORMAL[3*WD], LIFT[3*(NG+2)], GUARDED[3*(W+NG)], POINT[3*W], VALID}
     // rt_surface's side and rt_leaf_unit's side of the records
     input  wire [`RT_FETCH_BITS-1:0]     fetch_i,
+    //: {SLOT[SLOTW], LINE[26], VALID}
     output wire                          fetch_ready_o,
     output wire [`RT_RECORD_BITS-1:0]    record_o,
+    //: {SLOT[SLOTW], DATA[256], VALID}
     output wire [`RT_FETCH_BITS-1:0]     fetch_o,
     input  wire                          fetch_ready_i,
     input  wire [`RT_RECORD_BITS-1:0]    record_i,
     // to rt_setup, and the facet beside it
     output wire [`RT_VECTOR_BITS-1:0]    normal_o,
+    //: {SLOT[SLOTW], VEC[3*WD], VALID}
     output wire [`RT_SIDE_BITS-1:0]      side_o,
+    //: {SLOT[SLOTW], NN[2*WD], VEC[3*WD], BENT, VALID}
     output wire                          bad_node_o   // a record behind the end of memory
 );
     localparam SLOTW = $clog2(SLOTS);

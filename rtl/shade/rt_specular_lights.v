@@ -17,7 +17,11 @@ module rt_specular_lights #(
     input  wire                         on_i,          // run-time switch: effects SUM and SPECULAR
     // from rt_setup: unit vectors of primary, mirrored and refracted rays, of normals, to lights
     input  wire [`RT_RAY_BITS-1:0]      ray_i,
+    //: {SLOT[SLOTW], H[6], Y[17], UNIT[54], INSIDE, SKIP[24], A[2*WD], DIR[3*WD], ORG[3*W], SHADOW,
+    //: PRIMARY, LIGHT, NORMAL, VALID}
     input  wire [`RT_MATERIAL_BITS-1:0] material_i,    // from rt_surface
+    //: {SLOT[SLOTW], SMOOTH[24], BEND[6], TEX[26], INDEX[12], POWER[12], KS[8], KD[9], KA[9], SUM,
+    //: KT[9], KR[9], RGB[24], VALID}
     // tokens: a light is settled, a shadow ray is done
     input  wire                         lamp_valid_i,
     input  wire [$clog2(SLOTS)-1:0]     lamp_slot_i,

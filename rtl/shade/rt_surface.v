@@ -32,20 +32,31 @@ module rt_surface #(
     input  wire                       clk,
     input  wire                       rst,
     input  wire [`RT_REGS_BITS-1:0]   regs_i,
+    //: {BOX[6*(W+2)], N_LOOSE[24], LEAF_BASE[26], N_PRIMS[24], VISIT_LIMIT[24], MEM_LINES[26],
+    //: SMOOTH_BASE[26], PRIM_BASE[26], ROOT[26], EYE[3*W], AMBIENT[48], BACKGROUND[24],
+    //: N_LIGHTS[4], LEAST[9], MAX_DEPTH[4], TEX_FILTER[2], EFFECTS[EFFECT_BITS]}
     input  wire                       points_on_i,    // run-time switch of POINTS
     input  wire [`RT_RAY_BITS-1:0]    ray_i,          // from rt_setup
+    //: {SLOT[SLOTW], H[6], Y[17], UNIT[54], INSIDE, SKIP[24], A[2*WD], DIR[3*WD], ORG[3*W], SHADOW,
+    //: PRIMARY, LIGHT, NORMAL, VALID}
     input  wire [`RT_HIT_BITS-1:0]    hit_i,          // from rt_slots: tokens
+    //: {SLOT[SLOTW], KEY[W+WD+2], ID[24], FAR, PROBE, FIRST, LIT, SHADOW, MISS, HIT}
     // to and from rt_leaf_unit: primitive records
     output wire [`RT_FETCH_BITS-1:0]  fetch_o,
+    //: {SLOT[SLOTW], LINE[26], VALID}
     input  wire                       fetch_ready_i,
     input  wire [`RT_RECORD_BITS-1:0] record_i,
+    //: {SLOT[SLOTW], DATA[256], VALID}
     // the material, as the record arrives
     output wire [`RT_MATERIAL_BITS-1:0] material_o,
+    //: {SLOT[SLOTW], SMOOTH[24], BEND[6], TEX[26], INDEX[12], POWER[12], KS[8], KD[9], KA[9], SUM,
+    //: KT[9], KR[9], RGB[24], VALID}
     // the surface, without a point
     output wire                       bare_valid_o,
     output wire [$clog2(SLOTS)-1:0]   bare_slot_o,
     // the surface
     output wire [`RT_SURFACE_BITS-1:0] surface_o,
+    //: {SLOT[SLOTW], FLAT, NORMAL[3*WD], LIFT[3*(NG+2)], GUARDED[3*(W+NG)], POINT[3*W], VALID}
     // events
     output wire                       quotient_o,
     output wire                       saturated_o

@@ -26,12 +26,21 @@ module rt_texture #(
     input  wire                rst,
     input  wire                flush_i,        // forget the texture cache
     input  wire [`RT_REGS_BITS-1:0]     regs_i,
+    //: {BOX[6*(W+2)], N_LOOSE[24], LEAF_BASE[26], N_PRIMS[24], VISIT_LIMIT[24], MEM_LINES[26],
+    //: SMOOTH_BASE[26], PRIM_BASE[26], ROOT[26], EYE[3*W], AMBIENT[48], BACKGROUND[24],
+    //: N_LIGHTS[4], LEAST[9], MAX_DEPTH[4], TEX_FILTER[2], EFFECTS[EFFECT_BITS]}
     // from rt_setup: rays, unit normals; from rt_slots: what they hit; from rt_surface: material,
     // then hit point
     input  wire [`RT_RAY_BITS-1:0]      ray_i,
+    //: {SLOT[SLOTW], H[6], Y[17], UNIT[54], INSIDE, SKIP[24], A[2*WD], DIR[3*WD], ORG[3*W], SHADOW,
+    //: PRIMARY, LIGHT, NORMAL, VALID}
     input  wire [`RT_HIT_BITS-1:0]      hit_i,
+    //: {SLOT[SLOTW], KEY[W+WD+2], ID[24], FAR, PROBE, FIRST, LIT, SHADOW, MISS, HIT}
     input  wire [`RT_MATERIAL_BITS-1:0] material_i,
+    //: {SLOT[SLOTW], SMOOTH[24], BEND[6], TEX[26], INDEX[12], POWER[12], KS[8], KD[9], KA[9], SUM,
+    //: KT[9], KR[9], RGB[24], VALID}
     input  wire [`RT_SURFACE_BITS-1:0]  surface_i,
+    //: {SLOT[SLOTW], FLAT, NORMAL[3*WD], LIFT[3*(NG+2)], GUARDED[3*(W+NG)], POINT[3*W], VALID}
     // token: a surface, with its unit normal in ray_i
     input  wire                         in_valid_i,
     input  wire [$clog2(SLOTS)-1:0]     in_slot_i,
@@ -40,8 +49,10 @@ module rt_texture #(
     output wire [$clog2(SLOTS)-1:0]     path_slot_o,
     output wire [W+17:0]                path_o,
     input  wire [`RT_BACK_BITS-1:0]     back_i,
+    //: {SLOT[SLOTW], PATH[W+18], INSIDE, ID[24], POINT[3*W], VALID}
     // to rt_compose: the albedo as textured; to rt_lighting, a cycle later: the surface
     output wire [`RT_ALBEDO_BITS-1:0] albedo_o,
+    //: {SLOT[SLOTW], KR[9], RGB[24], VALID}
     output wire                out_valid_o,
     output wire [$clog2(SLOTS)-1:0] out_slot_o,
     // to rt_slots: what a pixel has seen of textures, a cycle after its slot

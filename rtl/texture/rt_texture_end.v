@@ -14,6 +14,8 @@ module rt_texture_end #(
     input  wire                clk,
     input  wire                rst,
     input  wire [`RT_MATERIAL_BITS-1:0] material_i, // from rt_surface, before any of the below
+    //: {SLOT[SLOTW], SMOOTH[24], BEND[6], TEX[26], INDEX[12], POWER[12], KS[8], KD[9], KA[9], SUM,
+    //: KT[9], KR[9], RGB[24], VALID}
     // from rt_texture_path: a surface without a texture
     input  wire                plain_valid_i,
     input  wire [$clog2(SLOTS)-1:0] plain_slot_i,
@@ -26,6 +28,7 @@ module rt_texture_end #(
     input  wire [`RT_RGB_BITS-1:0] mixed_i,        // 0xBBGGRR
     // to rt_compose: the albedo as textured; to rt_lighting, a clock later: the surface
     output wire [`RT_ALBEDO_BITS-1:0] albedo_o,
+    //: {SLOT[SLOTW], KR[9], RGB[24], VALID}
     output reg                 out_valid_o,
     output reg  [$clog2(SLOTS)-1:0] out_slot_o
 );

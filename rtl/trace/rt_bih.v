@@ -27,8 +27,13 @@ module rt_bih #(
     input  wire                       rst,
     input  wire                       flush_i,        // forget the node cache
     input  wire [`RT_REGS_BITS-1:0]   regs_i,
+    //: {BOX[6*(W+2)], N_LOOSE[24], LEAF_BASE[26], N_PRIMS[24], VISIT_LIMIT[24], MEM_LINES[26],
+    //: SMOOTH_BASE[26], PRIM_BASE[26], ROOT[26], EYE[3*W], AMBIENT[48], BACKGROUND[24],
+    //: N_LIGHTS[4], LEAST[9], MAX_DEPTH[4], TEX_FILTER[2], EFFECTS[EFFECT_BITS]}
     // from rt_setup: a new ray, with its token unless it is a shadow ray
     input  wire [`RT_RAY_BITS-1:0]    ray_i,
+    //: {SLOT[SLOTW], H[6], Y[17], UNIT[54], INSIDE, SKIP[24], A[2*WD], DIR[3*WD], ORG[3*W], SHADOW,
+    //: PRIMARY, LIGHT, NORMAL, VALID}
     input  wire                       pixel_i,        // the pixel's visits start at 0
     output wire [TW-1:0]              ray_limit_o,    // to rt_closest_hit: light of a shadow ray
     // from rt_shade: a shadow ray starts
@@ -36,6 +41,7 @@ module rt_bih #(
     input  wire [$clog2(SLOTS)-1:0]   shadow_slot_i,
     // to rt_leaf_unit and rt_closest_hit: leaf records to test
     output wire [`RT_VISIT_BITS-1:0]  visit_o,
+    //: {SLOT[SLOTW], LINE[26], LEAF[4], VALID}
     output wire [2:0]                 count_o,
     // from rt_closest_hit: they are tested; what the ray has found, a clock after the slot
     input  wire                       tested_valid_i,
@@ -62,6 +68,7 @@ module rt_bih #(
     input  wire                       mem_rsp_error_i,
     // events and faults of this clock
     output wire [`RT_TRACE_EVENT_BITS-1:0] event_o,
+    //: {BUBBLE, MISS, TESTS[3], VISIT, ISSUED}
     output wire [3:0]                 fault_o         // by number of the error, machine.def
 );
     localparam SLOTW = $clog2(SLOTS);

@@ -21,6 +21,8 @@ module rt_boxes #(
     input  wire                     rst,
     // from rt_setup: a new ray, with its token unless it is a shadow ray
     input  wire [`RT_RAY_BITS-1:0]  ray_i,
+    //: {SLOT[SLOTW], H[6], Y[17], UNIT[54], INSIDE, SKIP[24], A[2*WD], DIR[3*WD], ORG[3*W], SHADOW,
+    //: PRIMARY, LIGHT, NORMAL, VALID}
     input  wire                     pixel_i,       // the pixel's visits start at 0
     // from rt_shade: a shadow ray starts
     input  wire                     shadow_go_i,

@@ -13,6 +13,7 @@ module rt_candidates #(
     input  wire                       clk,
     input  wire                       rst,
     input  wire [`RT_VISIT_BITS-1:0]  visit_i,    // from rt_trace
+    //: {SLOT[SLOTW], LINE[26], LEAF[4], VALID}
     // a leaf child to test
     output wire                       out_valid_o,
     input  wire                       out_ready_i,

@@ -33,15 +33,24 @@ module rt_leaf_unit #(
     input  wire                       rst,
     input  wire                       flush_i,    // forget the leaf cache
     input  wire [`RT_REGS_BITS-1:0]   regs_i,
+    //: {BOX[6*(W+2)], N_LOOSE[24], LEAF_BASE[26], N_PRIMS[24], VISIT_LIMIT[24], MEM_LINES[26],
+    //: SMOOTH_BASE[26], PRIM_BASE[26], ROOT[26], EYE[3*W], AMBIENT[48], BACKGROUND[24],
+    //: N_LIGHTS[4], LEAST[9], MAX_DEPTH[4], TEX_FILTER[2], EFFECTS[EFFECT_BITS]}
     input  wire [`RT_RAY_BITS-1:0]    ray_i,      // from rt_setup
+    //: {SLOT[SLOTW], H[6], Y[17], UNIT[54], INSIDE, SKIP[24], A[2*WD], DIR[3*WD], ORG[3*W], SHADOW,
+    //: PRIMARY, LIGHT, NORMAL, VALID}
     input  wire [3*(NG+2)-1:0]        lift_i,     // of a ray to a light, with FACETS
     // from each rt_trace: leaf children to test
     input  wire [PIPES*(`RT_VISIT_BITS-$clog2(PIPES))-1:0] visit_i,
+    //: {SLOT[SLOTW], LINE[26], LEAF[4], VALID}
     output wire [`RT_RESULT_BITS-1:0] result_o,   // to rt_trace
+    //: {SLOT[SLOTW], KEY[W+WD+2], ID[24], FAR, HIT, VALID}
     // from and to rt_shade: primitive records
     input  wire [`RT_FETCH_BITS-1:0]  fetch_i,
+    //: {SLOT[SLOTW], LINE[26], VALID}
     output wire                       fetch_ready_o,
     output wire [`RT_RECORD_BITS-1:0] record_o,
+    //: {SLOT[SLOTW], DATA[256], VALID}
     // memory
     output wire                       mem_req_valid_o,
     input  wire                       mem_req_ready_i,
@@ -52,6 +61,7 @@ module rt_leaf_unit #(
     input  wire                       mem_rsp_error_i,
     // events and faults of this clock
     output wire [`RT_EXACT_EVENT_BITS-1:0] event_o,
+    //: {MISS, PRIM[prim_event]}
     output wire [3:0]                 fault_o     // by number of the error, machine.def
 );
     localparam SLOTW = $clog2(SLOTS);

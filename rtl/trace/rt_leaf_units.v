@@ -34,16 +34,25 @@ module rt_leaf_units #(
     input  wire                       rst,
     input  wire                       flush_i,    // forget the leaf caches
     input  wire [`RT_REGS_BITS-1:0]   regs_i,
+    //: {BOX[6*(W+2)], N_LOOSE[24], LEAF_BASE[26], N_PRIMS[24], VISIT_LIMIT[24], MEM_LINES[26],
+    //: SMOOTH_BASE[26], PRIM_BASE[26], ROOT[26], EYE[3*W], AMBIENT[48], BACKGROUND[24],
+    //: N_LIGHTS[4], LEAST[9], MAX_DEPTH[4], TEX_FILTER[2], EFFECTS[EFFECT_BITS]}
     // from each rt_setup
     input  wire [SETUPS*(`RT_RAY_BITS-$clog2(SETUPS))-1:0] ray_i,
+    //: {SLOT[SLOTW], H[6], Y[17], UNIT[54], INSIDE, SKIP[24], A[2*WD], DIR[3*WD], ORG[3*W], SHADOW,
+    //: PRIMARY, LIGHT, NORMAL, VALID}
     input  wire [SETUPS*3*(NG+2)-1:0] lift_i,     // of a ray to a light, with FACETS
     // from rt_pipes: visits of each pipe; to it: results of each unit
     input  wire [PIPES*(`RT_VISIT_BITS-$clog2(PIPES))-1:0]    visit_i,
+    //: {SLOT[SLOTW], LINE[26], LEAF[4], VALID}
     output wire [LEAF_UNITS*(`RT_RESULT_BITS-$clog2(LEAF_UNITS))-1:0] result_o,
+    //: {SLOT[SLOTW], KEY[W+WD+2], ID[24], FAR, HIT, VALID}
     // from and to each rt_shade: primitive records
     input  wire [SHADES*(`RT_FETCH_BITS-$clog2(SHADES))-1:0]  fetch_i,
+    //: {SLOT[SLOTW], LINE[26], VALID}
     output wire [SHADES-1:0]          fetch_ready_o,
     output wire [SHADES*(`RT_RECORD_BITS-$clog2(SHADES))-1:0] record_o,
+    //: {SLOT[SLOTW], DATA[256], VALID}
     // memory, of each unit
     output wire [LEAF_UNITS-1:0]          mem_req_valid_o,
     input  wire [LEAF_UNITS-1:0]          mem_req_ready_i,
@@ -54,6 +63,7 @@ module rt_leaf_units #(
     input  wire                       mem_rsp_error_i,
     // events of each unit and faults of this clock
     output wire [LEAF_UNITS*`RT_EXACT_EVENT_BITS-1:0] event_o,
+    //: {MISS, PRIM[prim_event]}
     output reg  [3:0]                 fault_o     // by number of the error, machine.def
 );
     localparam SLOTW = $clog2(SLOTS);

@@ -22,7 +22,9 @@ module rt_origin #(
     input  wire [3*W-1:0]           eye_i,  // register
     // from each shading unit: where secondary rays of its slots start, and on what
     input  wire [SHADES*(`RT_ORG_BITS-$clog2(SHADES))-1:0]  org_i,
+    //: {SLOT[SLOTW], LIFT[3*(NG+2)], POINT[3*W], VALID}
     input  wire [SHADES*(`RT_SKIP_BITS-$clog2(SHADES))-1:0] skip_i,
+    //: {SLOT[SLOTW], INSIDE, ID[24], VALID}
     // a ray
     input  wire                     read_i,
     input  wire [$clog2(SLOTS)-1:0] slot_i,

@@ -33,21 +33,31 @@ module rt_pipes #(
     input  wire                       rst,
     input  wire                       flush_i,        // forget the node caches
     input  wire [`RT_REGS_BITS-1:0]   regs_i,
+    //: {BOX[6*(W+2)], N_LOOSE[24], LEAF_BASE[26], N_PRIMS[24], VISIT_LIMIT[24], MEM_LINES[26],
+    //: SMOOTH_BASE[26], PRIM_BASE[26], ROOT[26], EYE[3*W], AMBIENT[48], BACKGROUND[24],
+    //: N_LIGHTS[4], LEAST[9], MAX_DEPTH[4], TEX_FILTER[2], EFFECTS[EFFECT_BITS]}
     // from each rt_setup: a new ray of its slots, with its token unless it is a shadow ray
     input  wire [SETUPS*(`RT_RAY_BITS-$clog2(SETUPS))-1:0] ray_i,
+    //: {SLOT[SLOTW], H[6], Y[17], UNIT[54], INSIDE, SKIP[24], A[2*WD], DIR[3*WD], ORG[3*W], SHADOW,
+    //: PRIMARY, LIGHT, NORMAL, VALID}
     input  wire [SETUPS*`RT_FILTER_BITS-1:0] filter_i,
+    //: {DEPTH[FW+1], SHIFT[6], SCALE[17], NEGATIVE, AXIS[2], ORG[3*FW]}
     input  wire [SETUPS*(`RT_ACROSS_BITS-$clog2(SETUPS))-1:0] across_i,  // behind its ray
+    //: {SLOT[SLOTW], Q[54], P_B[18], P_A[18], LEAST[2], VALID}
     input  wire                       ray_again_i,    // the repeated primary ray of its pixel
     // from each rt_shade: a shadow ray of its slots starts
     input  wire [SHADES-1:0]          shadow_go_i,
     input  wire [SHADES*($clog2(SLOTS)-$clog2(SHADES))-1:0] shadow_slot_i,
     // to and from rt_leaf_unit: visits of each pipe, results of each unit, for slots of its own
     output wire [PIPES*(`RT_VISIT_BITS-$clog2(PIPES))-1:0]    visit_o,
+    //: {SLOT[SLOTW], LINE[26], LEAF[4], VALID}
     input  wire [LEAF_UNITS*(`RT_RESULT_BITS-$clog2(LEAF_UNITS))-1:0] result_i,
+    //: {SLOT[SLOTW], KEY[W+WD+2], ID[24], FAR, HIT, VALID}
     // to rt_slots: a ray is done, a clock later how
     output wire                       done_valid_o,
     output wire [$clog2(SLOTS)-1:0]   done_slot_o,
     output wire [`RT_DONE_BITS-1:0]   done_o,
+    //: {KEY[W+WD+2], ID[24], FARS[2], FAR, FIRST, PRIMARY, SHADOW, FOUND}
     // to rt_slots: visits of a pixel, a clock after its slot
     input  wire                       visits_read_i,
     input  wire [$clog2(SLOTS)-1:0]   visits_slot_i,
@@ -62,6 +72,7 @@ module rt_pipes #(
     input  wire                       mem_rsp_error_i,
     // events of each pipe and faults of this clock
     output wire [PIPES*`RT_TRACE_EVENT_BITS-1:0] event_o,
+    //: {BUBBLE, MISS, TESTS[3], VISIT, ISSUED}
     output reg  [3:0]                 fault_o         // by number of the error, machine.def
 );
     localparam SLOTW = $clog2(SLOTS);

@@ -32,16 +32,23 @@ module rt_setup #(
     input  wire [SHADES*(`RT_VECTOR_BITS-$clog2(SHADES))-1:0] normal_i,
     input  wire [SHADES*(`RT_VECTOR_BITS-$clog2(SHADES))-1:0] light_i,
     input  wire [SHADES*(`RT_VECTOR_BITS-$clog2(SHADES))-1:0] bounce_i,
+    //: {SLOT[SLOTW], VEC[3*WD], VALID}
     // from rt_slots: primary rays, which wait
     input  wire [`RT_VECTOR_BITS-1:0] primary_i,
     output wire                       primary_ready_o,
     // from each rt_shade: where secondary rays start, and on what
     input  wire [SHADES*(`RT_ORG_BITS-$clog2(SHADES))-1:0]  org_i,
+    //: {SLOT[SLOTW], LIFT[3*(NG+2)], POINT[3*W], VALID}
     input  wire [SHADES*(`RT_SKIP_BITS-$clog2(SHADES))-1:0] skip_i,
+    //: {SLOT[SLOTW], INSIDE, ID[24], VALID}
     // a ray, normal or light, to everyone who keeps a part of it
     output wire [`RT_RAY_BITS-1:0]    ray_o,
+    //: {SLOT[SLOTW], H[6], Y[17], UNIT[54], INSIDE, SKIP[24], A[2*WD], DIR[3*WD], ORG[3*W], SHADOW,
+    //: PRIMARY, LIGHT, NORMAL, VALID}
     output wire [`RT_FILTER_BITS-1:0] filter_o,
+    //: {DEPTH[FW+1], SHIFT[6], SCALE[17], NEGATIVE, AXIS[2], ORG[3*FW]}
     output wire [`RT_ACROSS_BITS-1:0] across_o,       // `RT_ACROSS_BEHIND clocks behind, at most
+    //: {SLOT[SLOTW], Q[54], P_B[18], P_A[18], LEAST[2], VALID}
     output wire [3*(NG+2)-1:0]        lift_o, // of one to a light, LIFT of org; with FACETS
     output wire                       next_light_o,   // ray_o has LIGHT in the next clock
     output wire [$clog2(SLOTS)-1:0]   next_slot_o     // of this slot

@@ -30,10 +30,17 @@ module rt_traverse #(
     input  wire                       rst,
     input  wire                       flush_i,        // forget the node cache
     input  wire [`RT_REGS_BITS-1:0]   regs_i,
+    //: {BOX[6*(W+2)], N_LOOSE[24], LEAF_BASE[26], N_PRIMS[24], VISIT_LIMIT[24], MEM_LINES[26],
+    //: SMOOTH_BASE[26], PRIM_BASE[26], ROOT[26], EYE[3*W], AMBIENT[48], BACKGROUND[24],
+    //: N_LIGHTS[4], LEAST[9], MAX_DEPTH[4], TEX_FILTER[2], EFFECTS[EFFECT_BITS]}
     // from rt_setup: a new ray, with its token unless it is a shadow ray
     input  wire [`RT_RAY_BITS-1:0]    ray_i,
+    //: {SLOT[SLOTW], H[6], Y[17], UNIT[54], INSIDE, SKIP[24], A[2*WD], DIR[3*WD], ORG[3*W], SHADOW,
+    //: PRIMARY, LIGHT, NORMAL, VALID}
     input  wire [`RT_FILTER_BITS-1:0] filter_i,
+    //: {DEPTH[FW+1], SHIFT[6], SCALE[17], NEGATIVE, AXIS[2], ORG[3*FW]}
     input  wire [`RT_ACROSS_BITS-1:0] across_i,       // its axes, behind it; not with BOXES
+    //: {SLOT[SLOTW], Q[54], P_B[18], P_A[18], LEAST[2], VALID}
     input  wire                       first_i,        // children as the node has them, none pruned
     input  wire                       pixel_i,        // the pixel's visits start at 0
     // from rt_shade: a shadow ray starts
@@ -49,7 +56,9 @@ module rt_traverse #(
     input  wire [LW:0]                depth_i,        // a clock later: what lies deeper is pruned
     // result of a visit: to rt_traversal_stack; leaf children that pass, to rt_leaf_unit
     output wire [`RT_FOUND_BITS-1:0]  found_o,
+    //: {SLOT[SLOTW], LIST[72], COUNT[3], BASE[26], KILL, FRESH, VALID}
     output wire [`RT_VISIT_BITS-1:0]  visit_o,
+    //: {SLOT[SLOTW], LINE[26], LEAF[4], VALID}
     // visits of a pixel
     input  wire                       visits_read_i,
     input  wire [$clog2(SLOTS)-1:0]   visits_slot_i,
@@ -64,6 +73,7 @@ module rt_traverse #(
     input  wire                       mem_rsp_error_i,
     // events and faults of this clock
     output wire [`RT_TRACE_EVENT_BITS-1:0] event_o,
+    //: {BUBBLE, MISS, TESTS[3], VISIT, ISSUED}
     output wire [3:0]                 fault_o         // by number of the error, machine.def
 );
     localparam SLOTW = $clog2(SLOTS);

@@ -25,6 +25,7 @@ module rt_vectors #(
     input  wire [SHADES*(`RT_VECTOR_BITS-$clog2(SHADES))-1:0] light_i,
     input  wire [SHADES*(`RT_VECTOR_BITS-$clog2(SHADES))-1:0] bounce_i,
     input  wire [`RT_VECTOR_BITS-1:0] primary_i,
+    //: {SLOT[SLOTW], VEC[3*WD], VALID}
     output wire                       primary_ready_o,
     input  wire                       first_i,       // with PHASES: the first unit may take
     // the vector chosen

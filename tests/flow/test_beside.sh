@@ -70,14 +70,14 @@ planted() { # files: links at their old temporary names lead to the victim
 }
 untouched() { [ "$(cat "$TMP/victim")" = untouched ]; }
 mkdir "$TMP/lists"
-planted "$TMP/lists/sphaera.f" "$TMP/lists/sphaera.core" "$TMP/lists/layout.h" "$TMP/lists/b.vh" \
-    "$TMP/lists/b.h"
+planted "$TMP/lists/sphaera.f" "$TMP/lists/sphaera.core" "$TMP/lists/layout.h" \
+    "$TMP/lists/bundles.h" "$TMP/lists/rt_shade.v"
 check "sim/filelist.sh" sh sim/filelist.sh "$TMP/lists"
 check "sim/layout.sh" sh sim/layout.sh "$TMP/lists"
-check "sim/bundles.sh" sh sim/bundles.sh "$TMP/lists/b.vh" "$TMP/lists/b.h"
+check "sim/bundles.sh" sh sim/bundles.sh "$TMP/lists"
 check "they write what is there already" sh -c \
     'cmp "$0/sphaera.f" rtl/sphaera.f && cmp "$0/layout.h" cmodel/machine/layout.h &&
-     cmp "$0/b.h" tb/bundles.h' "$TMP/lists"
+     cmp "$0/bundles.h" tb/bundles.h' "$TMP/lists"
 check "... and follow no link" untouched
 kept() {
     touch -d 2001-01-01 "$TMP/lists/sphaera.f"

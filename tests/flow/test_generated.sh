@@ -34,7 +34,7 @@ ${CC:-gcc} -std=c11 -O2 -Icmodel cmodel/shade/gen_power_rom.c -o "$TMP/gen_power
 "$TMP/gen_power_rom" >"$TMP/rt_power_rom.v"
 same "rt_power_rom.v follows power_table.h" rtl/shade/rt_power_rom.v "$TMP/rt_power_rom.v"
 
-sh sim/bundles.sh "$TMP/rt_bundles.vh" "$TMP/bundles.h"
+sh sim/bundles.sh "$TMP" || exit 1
 same "rt_bundles.vh follows bundles.def" rtl/engine/rt_bundles.vh "$TMP/rt_bundles.vh"
 same "bundles.h follows bundles.def" tb/bundles.h "$TMP/bundles.h"
 sh sim/filelist.sh "$TMP"
