@@ -13,7 +13,9 @@ rtl/core/rt_core.v
 rtl/core/rt_counters.v
 rtl/core/rt_registers.v
 rtl/engine/rt_engine.v
+rtl/engine/rt_first.v
 rtl/engine/rt_interpenetrate.v
+rtl/engine/rt_route.v
 rtl/engine/rt_slots.v
 rtl/math/rt_delay.v
 rtl/math/rt_delay_valid.v

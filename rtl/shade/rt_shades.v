@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //   ray, hit --> rt_shade of the slot --+--> vectors, records wanted, shadow rays: of each unit
 //                                       +--> queue --> end, one a clock
-// The top bits of a slot name its unit. Of pixels that are complete in one clock the lowest unit's
-// goes first. With one unit there is nothing here but rt_shade.
+// The top bits of a slot name its unit: rt_route. Of pixels that are complete in one clock that of
+// the lowest unit goes first: rt_first. With one unit there is nothing here but rt_shade.
 // Model: that of rt_shade
 `timescale 1ns / 1ps
 `default_nettype none
@@ -86,49 +86,42 @@ module rt_shades #(
     output reg  [3:0]                 fault_o          // by number of the error, machine.def
 );
     localparam SLOTW = $clog2(SLOTS);
-    localparam SB   = $clog2(SHADES), UB = $clog2(SETUPS);
+    localparam SB   = $clog2(SHADES), NB = SLOTW - $clog2(SETUPS);
     localparam OWNW = SLOTW - SB;                      // slot of a unit's own
-    localparam AB = `RT_RAY_BITS - UB, NB = SLOTW - UB;  // a ray, a slot of a set-up unit
-    localparam [SLOTW+1:0] OF_SETUP = (1 << (SB - UB)) - 1;  // shading units of one, less one
     localparam YB = `RT_RAY_BITS - SB, HB = `RT_HIT_BITS - SB, BB = `RT_BLEND_BITS - SB;
     localparam FB = `RT_FETCH_BITS - SB, CB = `RT_RECORD_BITS - SB, VB = `RT_VECTOR_BITS - SB;
     localparam OB = `RT_ORG_BITS - SB, KB = `RT_SKIP_BITS - SB, EB = `RT_SHADE_EVENT_BITS;
     localparam RB = 3*`RT_RGB_BITS + 32;               // what a pixel leaves with
-    function [SLOTW+1:0] unit_of(input [SLOTW-1:0] slot);
-        unit_of = {2'd0, slot} >> OWNW;
-    endfunction
-    wire [SLOTW+1:0]       hit_unit = unit_of(hit_i[`RT_HIT_SLOT]);
-    wire [SLOTW+1:0]       read_unit = unit_of(read_slot_i);
+
+    // ---- to each unit what its slots are told; three bits of a ray and a hit say what comes ----
+    wire [SHADES*YB-1:0]       ray;
+    wire [SHADES*HB-1:0]       hit;
+    wire [SETUPS*(NB+1)-1:0]   next;                   // {slot, LIGHT comes}
+    wire [SHADES*(OWNW+1)-1:0] next_own, read_own;     // {slot, it comes or is asked for}
+    rt_route #(.WIDTH(`RT_RAY_BITS), .LOW(3), .FROM(SETUPS), .TO(SHADES)) u_rays (
+        .in_i(ray_i), .out_o(ray)
+    );
+    rt_route #(.WIDTH(`RT_HIT_BITS), .LOW(3), .TO(SHADES)) u_hits (.in_i(hit_i), .out_o(hit));
+    rt_route #(.WIDTH(SLOTW + 1), .FROM(SETUPS), .TO(SHADES)) u_nexts (
+        .in_i(next), .out_o(next_own)
+    );
+    rt_route #(.WIDTH(SLOTW + 1), .TO(SHADES)) u_reads (
+        .in_i({read_slot_i, read_i}), .out_o(read_own)
+    );
+    genvar s;
+    generate
+        for (s = 0; s < SETUPS; s = s + 1) begin : g_next
+            assign next[(NB+1)*s +: NB+1] = {next_slot_i[NB*s +: NB], next_light_i[s]};
+        end
+    endgenerate
+
     wire [SHADES-1:0]      end_valid;
     wire [SHADES*OWNW-1:0] end_slot;
     wire [SHADES*BB-1:0]   blend;
     wire [SHADES*RB-1:0]   pixel;
     wire [SHADES*4-1:0]    fault;
-    genvar s;
     generate
         for (s = 0; s < SHADES; s = s + 1) begin : g_shade
-            localparam [SLOTW+1:0] OWN = s;
-            localparam U = s >> (SB - UB);           // its set-up unit
-            wire [AB-1:0] setup = ray_i[AB*U +: AB];
-            wire [NB-1:0] next_slot = next_slot_i[NB*U +: NB];
-            wire [SLOTW+1:0] ray_unit = unit_of({{UB{1'b0}}, setup[AB-1 -: NB]});
-            wire [SLOTW+1:0] next_unit = unit_of({{UB{1'b0}}, next_slot});
-            reg [YB-1:0] ray;
-            reg [HB-1:0] hit;
-            always @* begin
-                ray = setup[YB-1:0];
-                hit = hit_i[HB-1:0];
-                if (ray_unit != (OWN & OF_SETUP)) begin
-                    ray[`RT_RAY_VALID]  = 1'b0;
-                    ray[`RT_RAY_NORMAL] = 1'b0;
-                    ray[`RT_RAY_LIGHT]  = 1'b0;
-                end
-                if (hit_unit != OWN) begin
-                    hit[`RT_HIT_HIT]    = 1'b0;
-                    hit[`RT_HIT_MISS]   = 1'b0;
-                    hit[`RT_HIT_SHADOW] = 1'b0;
-                end
-            end
             rt_shade #(
                 `include "rt_effects_pass.vh"
                 .SLOTS(SLOTS >> SB), .LUTS(LUTS), .COARSE(COARSE),
@@ -138,9 +131,9 @@ module rt_shades #(
                 .HIT_INTERVAL(HIT_INTERVAL), .BOUNCE_INTERVAL(BOUNCE_INTERVAL)
             ) u_shade (
                 .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i), .light_i(light_i),
-                .ray_i(ray), .next_light_i(next_light_i[U] && next_unit == (OWN & OF_SETUP)),
-                .next_slot_i(next_slot[OWNW-1:0]),
-                .hit_i(hit), .blend_o(blend[BB*s +: BB]),
+                .ray_i(ray[YB*s +: YB]), .next_light_i(next_own[(OWNW+1)*s]),
+                .next_slot_i(next_own[(OWNW+1)*s + 1 +: OWNW]),
+                .hit_i(hit[HB*s +: HB]), .blend_o(blend[BB*s +: BB]),
                 .end_valid_o(end_valid[s]), .end_slot_o(end_slot[OWNW*s +: OWNW]),
                 .fetch_o(fetch_o[FB*s +: FB]), .fetch_ready_i(fetch_ready_i[s]),
                 .record_i(record_i[CB*s +: CB]),
@@ -148,7 +141,8 @@ module rt_shades #(
                 .bounce_o(bounce_o[VB*s +: VB]), .org_o(org_o[OB*s +: OB]),
                 .skip_o(skip_o[KB*s +: KB]), .shadow_go_o(shadow_go_o[s]),
                 .shadow_slot_o(shadow_slot_o[OWNW*s +: OWNW]),
-                .read_i(read_i && read_unit == OWN), .read_slot_i(read_slot_i[OWNW-1:0]),
+                .read_i(read_own[(OWNW+1)*s]),
+                .read_slot_i(read_own[(OWNW+1)*s + 1 +: OWNW]),
                 .colour_o(pixel[RB*s +: 3*`RT_RGB_BITS]),
                 .texture_o(pixel[RB*s + 3*`RT_RGB_BITS +: 32]),
                 .mem_req_valid_o(mem_req_valid_o[s]), .mem_req_ready_i(mem_req_ready_i[s]),
@@ -164,26 +158,21 @@ module rt_shades #(
     // ---- one answer: complete pixels wait in queues; the unit whose pixel was asked for ----
     generate
         if (SHADES > 1) begin : g_join
-            wire [SHADES-1:0]      valid, room;
-            wire [SHADES-1:0]      take = valid & (~valid + 1'b1);
-            wire [SHADES*OWNW-1:0] slot;
-            reg  [SB-1:0]          one, read_q;
-            integer                i;
+            wire [SHADES-1:0]          room, take;
+            wire [SHADES*(OWNW+1)-1:0] ends;           // {slot, it waits}
+            reg  [SB-1:0]              read_q;
             for (s = 0; s < SHADES; s = s + 1) begin : g_end
                 rt_fifo #(.WIDTH(OWNW), .DEPTH(SLOTS >> SB)) u_end (
                     .clk(clk), .rst(rst), .in_valid_i(end_valid[s]), .in_ready_o(room[s]),
                     .in_data_i(end_slot[OWNW*s +: OWNW]),
-                    .out_valid_o(valid[s]), .out_ready_i(take[s]),
-                    .out_data_o(slot[OWNW*s +: OWNW])
+                    .out_valid_o(ends[(OWNW+1)*s]), .out_ready_i(take[s]),
+                    .out_data_o(ends[(OWNW+1)*s + 1 +: OWNW])
                 );
             end
-            always @* begin
-                one = {SB{1'b0}};
-                for (i = 0; i < SHADES; i = i + 1) if (take[i]) one = one | i[SB-1:0];
-            end
+            rt_first #(.WIDTH(OWNW + 1), .N(SHADES)) u_first (
+                .in_i(ends), .ready_o(take), .out_o({end_slot_o, end_valid_o}), .ready_i(1'b1)
+            );
             always @(posedge clk) if (read_i) read_q <= read_slot_i[SLOTW-1 -: SB];
-            assign end_valid_o = |valid;
-            assign end_slot_o  = {one, slot[OWNW*one +: OWNW]};
             assign {texture_o, colour_o} = pixel[RB*read_q +: RB];
             wire unused = &{1'b0, room, blend};
         end else begin : g_one

@@ -1,8 +1,8 @@
 // rt_leaf_units.v - leaf units: each serves some pipes and shading units
 // SPDX-License-Identifier: Apache-2.0
 //   visits of its pipes, records for its shading units --> rt_leaf_unit --> results, records
-// The top bits of a slot name its leaf unit. Of shading units that ask one leaf unit for records
-// the lowest goes first. With one of each there is nothing here but rt_leaf_unit.
+// The top bits of a slot name its leaf unit: rt_route. Of shading units that ask one leaf unit for
+// records the lowest goes first: rt_first. With one of each there is nothing here but rt_leaf_unit.
 // Model: that of rt_leaf_unit
 `timescale 1ns / 1ps
 `default_nettype none
@@ -66,82 +66,50 @@ module rt_leaf_units #(
     //: {MISS, PRIM[prim_event]}
     output reg  [3:0]                 fault_o     // by number of the error, machine.def
 );
-    localparam SLOTW = $clog2(SLOTS);
     localparam PB = $clog2(PIPES), XB = $clog2(LEAF_UNITS), SB = $clog2(SHADES);
     localparam UB = $clog2(SETUPS);
     localparam VB = `RT_VISIT_BITS - PB;              // a visit of a pipe
-    localparam FB = `RT_FETCH_BITS - SB, CB = `RT_RECORD_BITS - SB;  // of a shading unit
+    localparam FB = `RT_FETCH_BITS - SB;              // of a shading unit
     localparam FX = `RT_FETCH_BITS - XB, CX = `RT_RECORD_BITS - XB;  // of a leaf unit
     localparam LIFT = 3*(NG+2);
-    localparam AB = `RT_RAY_BITS - UB;                // a ray of a set-up unit
-    localparam [SLOTW+1:0] OF_SETUP = (1 << (XB - UB)) - 1;  // leaf units of one, less one
     localparam YB = `RT_RAY_BITS - XB, RB = `RT_RESULT_BITS - XB, EB = `RT_EXACT_EVENT_BITS;
     localparam N  = 1 << (PB - XB), M = SHADES / LEAF_UNITS;  // pipes, shading units of a leaf unit
-    localparam MB = SB - XB;
     localparam [(N*LEAF_UNITS-PIPES+1)*VB-1:0] NOBODY = 0;    // of numbers for four pipes three are
     wire [N*LEAF_UNITS*VB+VB-1:0] all = {NOBODY, visit_i};
-    wire [LEAF_UNITS*4-1:0]   fault;
-    genvar x, m;
+    wire [LEAF_UNITS*YB-1:0] ray;
+    wire [LEAF_UNITS*CX-1:0] record;
+    wire [LEAF_UNITS*4-1:0]  fault;
+    rt_route #(.WIDTH(`RT_RAY_BITS), .FROM(SETUPS), .TO(LEAF_UNITS)) u_rays (
+        .in_i(ray_i), .out_o(ray)
+    );
+    rt_route #(.WIDTH(`RT_RECORD_BITS), .FROM(LEAF_UNITS), .TO(SHADES)) u_records (
+        .in_i(record), .out_o(record_o)
+    );
+    genvar x;
     generate
         for (x = 0; x < LEAF_UNITS; x = x + 1) begin : g_exact
-            localparam [SLOTW+1:0] OWN = x;
             localparam U = x >> (XB - UB);           // its set-up unit
-            wire [AB-1:0] setup = ray_i[AB*U +: AB];
-            wire [SLOTW+1:0] ray_exact = {{(UB+2){1'b0}}, setup[AB-1 -: SLOTW-UB]} >> (SLOTW - XB);
-            reg  [YB-1:0] ray;
             wire [FX-1:0] fetch;
-            wire [CX-1:0] record;
             wire          fetch_ready;
-            always @* begin
-                ray = setup[YB-1:0];
-                if (ray_exact != (OWN & OF_SETUP)) ray[`RT_RAY_VALID] = 1'b0;
-            end
             rt_leaf_unit #(.W(W), .WD(WD), .NG(NG), .SLOTS(SLOTS >> XB), .PIPES(N), .LINES(LINES),
                        .ROOTS(ROOTS), .ROOT_STEP(ROOT_STEP), .PR(PR),
                        .LEAF_INTERVAL(LEAF_INTERVAL), .SHADOW(SHADOW), .INSIDE(INSIDE),
                        .FACETS(FACETS), .CLEAR(CLEAR), .DIVISIONS(DIVISIONS),
                        .DIVISION_STEP(DIVISION_STEP), .FACET_INTERVAL(FACET_INTERVAL)) u_exact (
                 .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i),
-                .ray_i(ray), .lift_i(lift_i[LIFT*U +: LIFT]), .visit_i(all[N*VB*x +: N*VB]),
-                .result_o(result_o[RB*x +: RB]),
-                .fetch_i(fetch), .fetch_ready_o(fetch_ready),
-                .record_o(record),
+                .ray_i(ray[YB*x +: YB]), .lift_i(lift_i[LIFT*U +: LIFT]),
+                .visit_i(all[N*VB*x +: N*VB]), .result_o(result_o[RB*x +: RB]),
+                .fetch_i(fetch), .fetch_ready_o(fetch_ready), .record_o(record[CX*x +: CX]),
                 .mem_req_valid_o(mem_req_valid_o[x]), .mem_req_ready_i(mem_req_ready_i[x]),
                 .mem_req_line_o(mem_req_line_o[`RT_LINE_BITS*x +: `RT_LINE_BITS]),
                 .mem_rsp_valid_i(mem_rsp_valid_i[x]), .mem_rsp_ready_o(mem_rsp_ready_o[x]),
                 .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
                 .event_o(event_o[EB*x +: EB]), .fault_o(fault[4*x +: 4])
             );
-            if (M > 1) begin : g_join
-                wire [M-1:0]  asks;
-                wire [M-1:0]  take = asks & (~asks + 1'b1);
-                wire [MB-1:0] to = record[CX-1 -: MB];
-                reg  [MB-1:0] one;
-                integer       i;
-                always @* begin
-                    one = {MB{1'b0}};
-                    for (i = 0; i < M; i = i + 1) if (take[i]) one = one | i[MB-1:0];
-                end
-                wire [M*FB-1:0] fetches = fetch_i[FB*M*x +: M*FB];
-                assign fetch = {one, fetches[FB*one +: FB]};
-                assign fetch_ready_o[M*x +: M] = take & {M{fetch_ready}};
-                for (m = 0; m < M; m = m + 1) begin : g_shade
-                    localparam [MB-1:0] SHADE = m;
-                    wire [FB-1:0] fetch_m = fetch_i[FB*(M*x + m) +: FB];
-                    reg  [CB-1:0] record_m;
-                    assign asks[m] = fetch_m[`RT_FETCH_VALID];
-                    always @* begin
-                        record_m = record[CB-1:0];
-                        if (to != SHADE) record_m[`RT_RECORD_VALID] = 1'b0;
-                    end
-                    assign record_o[CB*(M*x + m) +: CB] = record_m;
-                    wire unused = &{1'b0, fetch_m};
-                end
-            end else begin : g_own
-                assign fetch                 = fetch_i[FB*x +: FB];
-                assign fetch_ready_o[x]      = fetch_ready;
-                assign record_o[CB*x +: CB]  = record;
-            end
+            rt_first #(.WIDTH(FB), .N(M)) u_fetch (
+                .in_i(fetch_i[FB*M*x +: FB*M]), .ready_o(fetch_ready_o[M*x +: M]),
+                .out_o(fetch), .ready_i(fetch_ready)
+            );
         end
     endgenerate
     integer f;

@@ -76,68 +76,63 @@ module rt_pipes #(
     output reg  [3:0]                 fault_o         // by number of the error, machine.def
 );
     localparam SLOTW = $clog2(SLOTS);
-    localparam PB = $clog2(PIPES), XB = $clog2(LEAF_UNITS), SB = $clog2(SHADES);
-    localparam UB = $clog2(SETUPS);
-    localparam OWNW = SLOTW - PB;                     // slot of a pipe's own
-    localparam YB = `RT_RAY_BITS - PB;                // a ray, a visit of a pipe
-    localparam VB = `RT_VISIT_BITS - PB;
-    localparam AB = `RT_RAY_BITS - UB, FB = `RT_FILTER_BITS;  // a ray of a set-up unit
-    localparam CB = `RT_ACROSS_BITS - UB;             // its axes
-    localparam RB = `RT_RESULT_BITS - XB;             // a result of a leaf unit
-    localparam GB = SLOTW - SB;                       // slot of a shading unit's own
-    localparam DB = `RT_DONE_BITS, NB = `RT_VISITS_BITS, EB = `RT_TRACE_EVENT_BITS;
-    localparam [SLOTW+1:0] OF_EXACT = (1 << (PB - XB)) - 1;  // pipes of a unit, less one
-    localparam [SLOTW+1:0] OF_SHADE = (1 << (PB - SB)) - 1;
-    localparam [SLOTW+1:0] OF_SETUP = (1 << (PB - UB)) - 1;
-    // The pipe of a slot, whose top bits may be gone: those of the unit that serves the pipe.
-    function [SLOTW+1:0] pipe_of(input [SLOTW-1:0] slot);
-        pipe_of = {2'd0, slot} >> OWNW;
-    endfunction
-    wire [SLOTW+1:0]      visits_pipe = pipe_of(visits_slot_i);
+    localparam PB = $clog2(PIPES), OWNW = SLOTW - PB; // slot of a pipe's own
+    localparam YB = `RT_RAY_BITS - PB, AB = `RT_ACROSS_BITS - PB;    // of a pipe
+    localparam RB = `RT_RESULT_BITS - PB, VB = `RT_VISIT_BITS - PB;
+    localparam FB = `RT_FILTER_BITS, DB = `RT_DONE_BITS, NB = `RT_VISITS_BITS;
+    localparam EB = `RT_TRACE_EVENT_BITS;
+    localparam SB = $clog2(SHADES), GB = SLOTW - SB;  // slot of a shading unit's own
+
+    // ---- to each pipe what its slots are told ----
+    wire [PIPES*YB-1:0]       ray;
+    wire [PIPES*AB-1:0]       across;
+    wire [PIPES*RB-1:0]       result;
+    wire [SHADES*(GB+1)-1:0]  shadow;                 // {slot, it starts}
+    wire [PIPES*(OWNW+1)-1:0] shadow_own, visits_own; // {slot, it starts or is asked for}
+    rt_route #(.WIDTH(`RT_RAY_BITS), .FROM(SETUPS), .TO(PIPES)) u_rays (
+        .in_i(ray_i), .out_o(ray)
+    );
+    rt_route #(.WIDTH(`RT_ACROSS_BITS), .FROM(SETUPS), .TO(PIPES)) u_axes (
+        .in_i(across_i), .out_o(across)
+    );
+    rt_route #(.WIDTH(`RT_RESULT_BITS), .FROM(LEAF_UNITS), .TO(PIPES)) u_results (
+        .in_i(result_i), .out_o(result)
+    );
+    rt_route #(.WIDTH(SLOTW + 1), .FROM(SHADES), .TO(PIPES)) u_shadows (
+        .in_i(shadow), .out_o(shadow_own)
+    );
+    rt_route #(.WIDTH(SLOTW + 1), .TO(PIPES)) u_visits (
+        .in_i({visits_slot_i, visits_read_i}), .out_o(visits_own)
+    );
+    genvar p;
+    generate
+        for (p = 0; p < SHADES; p = p + 1) begin : g_shadow
+            assign shadow[(GB+1)*p +: GB+1] = {shadow_slot_i[GB*p +: GB], shadow_go_i[p]};
+        end
+    endgenerate
+
     wire [PIPES-1:0]      done_valid, done_take;
     wire [PIPES*OWNW-1:0] done_slot;
     wire [PIPES*DB-1:0]   done;
     wire [PIPES*NB-1:0]   visits;
     wire [PIPES*4-1:0]    fault;
-    genvar p;
     generate
         for (p = 0; p < PIPES; p = p + 1) begin : g_pipe
-            localparam [SLOTW+1:0] OWN = p;
-            localparam X = p >> (PB - XB), S = p >> (PB - SB);    // its leaf and shading unit
-            localparam U = p >> (PB - UB);                        // its set-up unit
-            wire [AB-1:0] setup = ray_i[AB*U +: AB];
-            wire [SLOTW+1:0] ray_pipe = pipe_of({{UB{1'b0}}, setup[AB-1 -: SLOTW-UB]});
-            wire [CB-1:0] axes  = across_i[CB*U +: CB];
-            wire [SLOTW+1:0] axes_pipe = pipe_of({{UB{1'b0}}, axes[CB-1 -: SLOTW-UB]});
-            reg  [YB-1:0] ray;
-            reg  [`RT_ACROSS_BITS-PB-1:0] across;
-            wire [RB-1:0] exact = result_i[RB*X +: RB];
-            reg  [`RT_RESULT_BITS-PB-1:0] result;
-            wire [GB-1:0] shadow_slot = shadow_slot_i[GB*S +: GB];
-            wire [SLOTW+1:0] result_pipe = pipe_of({{XB{1'b0}}, exact[RB-1 -: SLOTW-XB]});
-            wire [SLOTW+1:0] shadow_pipe = pipe_of({{SB{1'b0}}, shadow_slot});
-            always @* begin
-                ray    = setup[YB-1:0];
-                result = exact[`RT_RESULT_BITS-PB-1:0];
-                across = axes[`RT_ACROSS_BITS-PB-1:0];
-                if (ray_pipe != (OWN & OF_SETUP))    ray[`RT_RAY_VALID]       = 1'b0;
-                if (axes_pipe != (OWN & OF_SETUP))   across[`RT_ACROSS_VALID] = 1'b0;
-                if (result_pipe != (OWN & OF_EXACT)) result[`RT_RESULT_VALID] = 1'b0;
-            end
+            localparam U = p >> (PB - $clog2(SETUPS));   // its set-up unit
             rt_trace #(.W(W), .WD(WD), .FW(FW), .SLOTS(SLOTS >> PB), .STACK(STACK), .LINES(LINES),
                        .SHADOW(SHADOW), .FIRST(FIRST), .FARS(FARS), .FACETS(FACETS),
                        .SQUARES(SQUARES), .LUTS(LUTS), .ACCEL(ACCEL),
                        .WAITS(PIPES > 1 ? 1 : 0)) u_trace (
                 .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i),
-                .ray_i(ray), .filter_i(filter_i[FB*U +: FB]), .across_i(across),
-                .ray_again_i(ray_again_i),
-                .shadow_go_i(shadow_go_i[S] && shadow_pipe == (OWN & OF_SHADE)),
-                .shadow_slot_i(shadow_slot[OWNW-1:0]),
-                .visit_o(visit_o[VB*p +: VB]), .result_i(result),
+                .ray_i(ray[YB*p +: YB]), .filter_i(filter_i[FB*U +: FB]),
+                .across_i(across[AB*p +: AB]), .ray_again_i(ray_again_i),
+                .shadow_go_i(shadow_own[(OWNW+1)*p]),
+                .shadow_slot_i(shadow_own[(OWNW+1)*p + 1 +: OWNW]),
+                .visit_o(visit_o[VB*p +: VB]), .result_i(result[RB*p +: RB]),
                 .done_valid_o(done_valid[p]), .done_ready_i(done_take[p]),
                 .done_slot_o(done_slot[OWNW*p +: OWNW]), .done_o(done[DB*p +: DB]),
-                .visits_read_i(visits_read_i && visits_pipe == OWN),
-                .visits_slot_i(visits_slot_i[OWNW-1:0]),
+                .visits_read_i(visits_own[(OWNW+1)*p]),
+                .visits_slot_i(visits_own[(OWNW+1)*p + 1 +: OWNW]),
                 .visits_o(visits[NB*p +: NB]),
                 .mem_req_valid_o(mem_req_valid_o[p]), .mem_req_ready_i(mem_req_ready_i[p]),
                 .mem_req_line_o(mem_req_line_o[`RT_LINE_BITS*p +: `RT_LINE_BITS]),
@@ -145,7 +140,6 @@ module rt_pipes #(
                 .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
                 .event_o(event_o[EB*p +: EB]), .fault_o(fault[4*p +: 4])
             );
-            wire unused = &{1'b0, exact, setup, axes};
         end
     endgenerate
 
