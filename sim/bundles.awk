@@ -1,5 +1,7 @@
 # bundles.awk - bundles.def to a Verilog header (-v lang=v) or a C++ header (-v lang=c)
 # SPDX-License-Identifier: Apache-2.0
+#
+# usage: awk -v lang=v|c -f sim/bundles.awk cmodel/machine/machine.def rtl/engine/bundles.def
 function fail(text) {
     print FILENAME ":" FNR ": " text >"/dev/stderr"
     bad = 1
@@ -39,7 +41,27 @@ function define(name, value) {
 }
 function close_bundle() {
     if (name) define(toupper(name) "_BITS", "(" sum() ")")
+    if (adds && lang == "v") define(toupper(name) "_ADDS", adds)
+    adds = ""
     bits[name] = 1
+}
+# An event `counter NAME [if PARAMETER]`: a statement that adds it, as rt_core sums up.
+function count_event(field, width, named, when, at) {
+    if (!(named in counter)) fail("no counter of machine.def: " named)
+    at = "add_e[8*`RT_COUNT_" named " +: 8]"
+    adds = adds sprintf(" \\\n    %s%s = %s + {%d'd0, %s[`RT_%s_%s]};",
+                        (when ? "if (" when " != 0) " : ""), at, at, 8 - width,
+                        substr(name, 1, index(name, "_") - 1), toupper(name), field)
+    only[counter[named]] = when
+}
+# How many counters, from 0 on, a core has: up to the last one that something in it counts.
+function counters_used(i, text, n, most) {
+    for (i in only) if (only[i]) if (most < i + 1) most = i + 1
+    for (n = 0; (n in known_as) && !only[n]; n++) ;
+    text = n
+    for (i = n; i < most; i++)
+        if (i + 1 == most || only[i] != only[i + 1]) text = only[i] " != 0 ? " i + 1 " : " text
+    return "(" text ")"
 }
 BEGIN {
     tick = lang == "v" ? "`" : ""
@@ -54,6 +76,13 @@ BEGIN {
         print " * The arguments low bit, bits of bench::put() and bench::get() for each field. */"
         print "#ifndef SPH_BUNDLES_H\n#define SPH_BUNDLES_H\n#include \"machine/layout.h\""
     }
+}
+FILENAME ~ /machine\.def$/ {
+    if ($1 == "counter") {
+        counter[$3] = $2 + 0
+        known_as[$2 + 0] = $3
+    }
+    next
 }
 /^ *(#|$)/ { next }
 $1 == "bundle" {
@@ -71,11 +100,17 @@ $1 == "field" {
     if (lang == "v") define(toupper(name) "_" $2, sum() " +: " width)
     else define(toupper(name) "_" $2, "(" sum() "), (" width ")")
     add(width)
+    if ($4 == "counter") {
+        sub(/:$/, "", $5)
+        sub(/:$/, "", $7)
+        count_event($2, $3, $5, $6 == "if" ? $7 : "")
+    }
     next
 }
 { fail("neither bundle nor field: " $1) }
 END {
     if (bad) exit 1
     close_bundle()
+    if (lang == "v") define("COUNTERS_USED", counters_used())
     print lang == "v" ? "`endif" : "#endif"
 }

@@ -26,8 +26,10 @@ if [ "$to_folder" = --check ]; then
     [ -z "$wrong" ] || { printf '%s\n' "$wrong" && exit 1; }
     exit
 fi
-put rtl/engine/rt_bundles.vh awk -v lang=v -f sim/bundles.awk rtl/engine/bundles.def
-put tb/bundles.h awk -v lang=c -f sim/bundles.awk rtl/engine/bundles.def
+# shellcheck disable=SC2086  # a list of words
+put rtl/engine/rt_bundles.vh awk -v lang=v -f sim/bundles.awk $defs
+# shellcheck disable=SC2086  # a list of words
+put tb/bundles.h awk -v lang=c -f sim/bundles.awk $defs
 for file in $modules; do
     # shellcheck disable=SC2086  # a list of words
     put "$file" awk -f sim/port_fields.awk $defs "$file"

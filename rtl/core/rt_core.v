@@ -8,8 +8,6 @@
 `include "rt_check.vh"
 `include "rt_layout.vh"
 `include "rt_bundles.vh"
-// An event of a unit is added to what the units before it count.
-`define RT_ADD(COUNTER, EVENT) add_e[8*COUNTER +: 8] = add_e[8*COUNTER +: 8] + {7'd0, EVENT};
 module rt_core #(
     `include "rt_core_parameters.vh"
 ) (
@@ -51,8 +49,7 @@ module rt_core #(
     localparam CB = `RT_RGB_BITS, IB = `RT_ID_BITS, LB = `RT_LINE_BITS, VB = `RT_VISITS_BITS;
     localparam PV = 28 + 3*CB + IB + KW + VB;        // a finished pixel
     localparam PW = PV + (TEXTURE != 0 ? 32 : 0);    // and its word of texture
-    localparam OPTICS = REFRACT != 0 || SPECULAR != 0;
-    localparam PLACES = FACETS != 0 || TEXTURE != 0 || OPTICS ? 32 : 16;  // counters
+    localparam PLACES = `RT_COUNTERS_USED > 16 ? 32 : 16;  // counters
     localparam EW = 8*PLACES;                        // their events of a cycle
     localparam SEPARATED = RECT != 0 || SPANS != 0 || CONES != 0;  // background goes by itself
 
@@ -292,37 +289,17 @@ module rt_core #(
                 for (u = 0; u < PIPES; u = u + 1) begin
                     trace = event_e[TE*u +: TE];
                     issued_e = issued_e || trace[`RT_TRACE_EVENT_ISSUED];
-                    `RT_ADD(`RT_COUNT_NODE_VISITS, trace[`RT_TRACE_EVENT_VISIT])
-                    add_e[8*`RT_COUNT_CHILD_TESTS +: 8] = add_e[8*`RT_COUNT_CHILD_TESTS +: 8] +
-                                                          {5'd0, trace[`RT_TRACE_EVENT_TESTS]};
-                    `RT_ADD(`RT_COUNT_NODE_MISSES, trace[`RT_TRACE_EVENT_MISS])
-                    `RT_ADD(`RT_COUNT_POP_BUBBLES, trace[`RT_TRACE_EVENT_BUBBLE])
+                    `RT_TRACE_EVENT_ADDS
                 end
                 for (u = 0; u < LEAF_COUNT; u = u + 1) begin
                     exact = event_e[TB + XE*u +: XE];
                     prim  = exact[`RT_EXACT_EVENT_PRIM];
-                    `RT_ADD(`RT_COUNT_LEAF_TESTS, prim[`RT_PRIM_EVENT_LEAF])
-                    `RT_ADD(`RT_COUNT_ROOTS, prim[`RT_PRIM_EVENT_ROOT])
-                    `RT_ADD(`RT_COUNT_LEAF_MISSES, exact[`RT_EXACT_EVENT_MISS])
-                    if (FACETS != 0) begin
-                        `RT_ADD(`RT_COUNT_FACET_TESTS, prim[`RT_PRIM_EVENT_FACET])
-                        `RT_ADD(`RT_COUNT_DIVISIONS, prim[`RT_PRIM_EVENT_DIVIDE])
-                    end
+                    `RT_EXACT_EVENT_ADDS
+                    `RT_PRIM_EVENT_ADDS
                 end
                 for (u = 0; u < SHADE_UNITS; u = u + 1) begin
                     shade = event_e[TB + XB + HE*u +: HE];
-                    `RT_ADD(`RT_COUNT_RAYS_PRIMARY, shade[`RT_SHADE_EVENT_PRIMARY])
-                    `RT_ADD(`RT_COUNT_RAYS_SHADOW, shade[`RT_SHADE_EVENT_SHADOW])
-                    `RT_ADD(`RT_COUNT_RAYS_REFLECTED, shade[`RT_SHADE_EVENT_REFLECTED])
-                    `RT_ADD(`RT_COUNT_QUOTIENTS, shade[`RT_SHADE_EVENT_QUOTIENT])
-                    `RT_ADD(`RT_COUNT_SATURATIONS, shade[`RT_SHADE_EVENT_SATURATED])
-                    if (TEXTURE != 0) begin
-                        `RT_ADD(`RT_COUNT_TEXELS, shade[`RT_SHADE_EVENT_TEXEL])
-                        `RT_ADD(`RT_COUNT_TEXEL_MISSES, shade[`RT_SHADE_EVENT_MISS])
-                    end
-                    if (REFRACT != 0)
-                        `RT_ADD(`RT_COUNT_RAYS_REFRACTED, shade[`RT_SHADE_EVENT_REFRACTED])
-                    if (SPECULAR != 0) `RT_ADD(`RT_COUNT_POWERS, shade[`RT_SHADE_EVENT_POWER])
+                    `RT_SHADE_EVENT_ADDS
                 end
             end
             assign events[EW*e +: EW] = add_e[EW-1:0];
@@ -385,10 +362,8 @@ module rt_core #(
     end
     reg [EW-1:0] add_q;
     always @(posedge clk) add_q <= add;
-    localparam COUNTERS = OPTICS ? `RT_COUNTERS : TEXTURE != 0 ? `RT_COUNT_RAYS_REFRACTED :
-                          PLACES > 16 ? `RT_COUNT_TEXELS : 16;
     localparam MOST = PLACES == 16 && ENGINES*PIPES == 1 ? 7 : 63;  // four children a visit
-    rt_counters #(.PLACES(PLACES), .MOST(MOST), .USED(COUNTERS)) u_counters (
+    rt_counters #(.PLACES(PLACES), .MOST(MOST), .USED(`RT_COUNTERS_USED)) u_counters (
         .clk(clk), .rst(rst), .clear_i(go), .add_i(add_q),
         .addr_i(count_addr_i), .data_o(count_data_o)
     );
@@ -414,5 +389,4 @@ module rt_core #(
     wire [7:0] work_pixel_port /* verilator public_flat_rd */ =
         {mux_valid_q && !pix_ready_i, mux_valid_q && pix_ready_i, 5'd0, mux_valid_q};
 endmodule
-`undef RT_ADD
 `default_nettype wire

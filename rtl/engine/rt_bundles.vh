@@ -211,14 +211,26 @@
 `define RT_TRACE_EVENT_MISS 5 +: 1
 `define RT_TRACE_EVENT_BUBBLE 6 +: 1
 `define RT_TRACE_EVENT_BITS (7)
+`define RT_TRACE_EVENT_ADDS  \
+    add_e[8*`RT_COUNT_NODE_VISITS +: 8] = add_e[8*`RT_COUNT_NODE_VISITS +: 8] + {7'd0, trace[`RT_TRACE_EVENT_VISIT]}; \
+    add_e[8*`RT_COUNT_CHILD_TESTS +: 8] = add_e[8*`RT_COUNT_CHILD_TESTS +: 8] + {5'd0, trace[`RT_TRACE_EVENT_TESTS]}; \
+    add_e[8*`RT_COUNT_NODE_MISSES +: 8] = add_e[8*`RT_COUNT_NODE_MISSES +: 8] + {7'd0, trace[`RT_TRACE_EVENT_MISS]}; \
+    add_e[8*`RT_COUNT_POP_BUBBLES +: 8] = add_e[8*`RT_COUNT_POP_BUBBLES +: 8] + {7'd0, trace[`RT_TRACE_EVENT_BUBBLE]};
 `define RT_PRIM_EVENT_LEAF 0 +: 1
 `define RT_PRIM_EVENT_FACET 1 +: 1
 `define RT_PRIM_EVENT_ROOT 2 +: 1
 `define RT_PRIM_EVENT_DIVIDE 3 +: 1
 `define RT_PRIM_EVENT_BITS (4)
+`define RT_PRIM_EVENT_ADDS  \
+    add_e[8*`RT_COUNT_LEAF_TESTS +: 8] = add_e[8*`RT_COUNT_LEAF_TESTS +: 8] + {7'd0, prim[`RT_PRIM_EVENT_LEAF]}; \
+    if (FACETS != 0) add_e[8*`RT_COUNT_FACET_TESTS +: 8] = add_e[8*`RT_COUNT_FACET_TESTS +: 8] + {7'd0, prim[`RT_PRIM_EVENT_FACET]}; \
+    add_e[8*`RT_COUNT_ROOTS +: 8] = add_e[8*`RT_COUNT_ROOTS +: 8] + {7'd0, prim[`RT_PRIM_EVENT_ROOT]}; \
+    if (FACETS != 0) add_e[8*`RT_COUNT_DIVISIONS +: 8] = add_e[8*`RT_COUNT_DIVISIONS +: 8] + {7'd0, prim[`RT_PRIM_EVENT_DIVIDE]};
 `define RT_EXACT_EVENT_PRIM 0 +: `RT_PRIM_EVENT_BITS
 `define RT_EXACT_EVENT_MISS `RT_PRIM_EVENT_BITS +: 1
 `define RT_EXACT_EVENT_BITS (`RT_PRIM_EVENT_BITS+1)
+`define RT_EXACT_EVENT_ADDS  \
+    add_e[8*`RT_COUNT_LEAF_MISSES +: 8] = add_e[8*`RT_COUNT_LEAF_MISSES +: 8] + {7'd0, exact[`RT_EXACT_EVENT_MISS]};
 `define RT_SHADE_EVENT_PRIMARY 0 +: 1
 `define RT_SHADE_EVENT_SHADOW 1 +: 1
 `define RT_SHADE_EVENT_REFLECTED 2 +: 1
@@ -229,4 +241,15 @@
 `define RT_SHADE_EVENT_TEXEL 7 +: 1
 `define RT_SHADE_EVENT_MISS 8 +: 1
 `define RT_SHADE_EVENT_BITS (9)
+`define RT_SHADE_EVENT_ADDS  \
+    add_e[8*`RT_COUNT_RAYS_PRIMARY +: 8] = add_e[8*`RT_COUNT_RAYS_PRIMARY +: 8] + {7'd0, shade[`RT_SHADE_EVENT_PRIMARY]}; \
+    add_e[8*`RT_COUNT_RAYS_SHADOW +: 8] = add_e[8*`RT_COUNT_RAYS_SHADOW +: 8] + {7'd0, shade[`RT_SHADE_EVENT_SHADOW]}; \
+    add_e[8*`RT_COUNT_RAYS_REFLECTED +: 8] = add_e[8*`RT_COUNT_RAYS_REFLECTED +: 8] + {7'd0, shade[`RT_SHADE_EVENT_REFLECTED]}; \
+    if (REFRACT != 0) add_e[8*`RT_COUNT_RAYS_REFRACTED +: 8] = add_e[8*`RT_COUNT_RAYS_REFRACTED +: 8] + {7'd0, shade[`RT_SHADE_EVENT_REFRACTED]}; \
+    add_e[8*`RT_COUNT_QUOTIENTS +: 8] = add_e[8*`RT_COUNT_QUOTIENTS +: 8] + {7'd0, shade[`RT_SHADE_EVENT_QUOTIENT]}; \
+    add_e[8*`RT_COUNT_SATURATIONS +: 8] = add_e[8*`RT_COUNT_SATURATIONS +: 8] + {7'd0, shade[`RT_SHADE_EVENT_SATURATED]}; \
+    if (SPECULAR != 0) add_e[8*`RT_COUNT_POWERS +: 8] = add_e[8*`RT_COUNT_POWERS +: 8] + {7'd0, shade[`RT_SHADE_EVENT_POWER]}; \
+    if (TEXTURE != 0) add_e[8*`RT_COUNT_TEXELS +: 8] = add_e[8*`RT_COUNT_TEXELS +: 8] + {7'd0, shade[`RT_SHADE_EVENT_TEXEL]}; \
+    if (TEXTURE != 0) add_e[8*`RT_COUNT_TEXEL_MISSES +: 8] = add_e[8*`RT_COUNT_TEXEL_MISSES +: 8] + {7'd0, shade[`RT_SHADE_EVENT_MISS]};
+`define RT_COUNTERS_USED (SPECULAR != 0 ? 22 : REFRACT != 0 ? 21 : TEXTURE != 0 ? 20 : FACETS != 0 ? 18 : 16)
 `endif
