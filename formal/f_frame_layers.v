@@ -58,11 +58,11 @@ module f_frame_layers (
 
     // ---- model: the burst that is between, of the group that waits ----
     (* anyconst *) wire [2:0] p;          // the pixel of it that is followed
+    reg         old_q = 1'b0, begun_q = 1'b0, there_q;
     wire drop = cut || dead;
     wire out  = \u_dut.u_write.group_valid_i && \u_dut.u_write.group_ready_o ;
     wire in   = \u_dut.u_groups.group_valid_o && (!there_q || out);
     wire [71:0] all = \u_dut.u_groups.group_rgb_o [72*p +: 72];
-    reg         old_q = 1'b0, begun_q = 1'b0, there_q;
     reg  [1:0]  turn_q;                   // the layer that is next of the group
     reg  [31:0] layer_q, base_q, addr_q;
     wire [31:0] past = turn_q == 0 ? 0 : turn_q == 1 ? layer_q : 2 * layer_q; // layers before it

@@ -29,6 +29,8 @@ module p_cache #(
     output wire       bad_o
 );
     // ---- reset in the first clock; what memory holds ----
+    wire      take;                      // a request of the client, below
+    reg [1:0] busy_q = 2'd0;
     reg       old_q = 1'b0;
     reg [2:0] mark_q = 3'd0;
     reg [3:0] lines_q = 4'd0;
@@ -39,14 +41,13 @@ module p_cache #(
     end
 
     // ---- requests of the client: none with a tag that is under way ----
-    reg  [1:0] busy_q = 2'd0;
     reg        line_0_q = 1'b0, line_1_q = 1'b0; // is it the marked line?
     reg  [1:0] void_q = 2'd0;                    // is it beyond memory?
     wire req = req_valid && !(req_tag ? busy_q[1] : busy_q[0]);
     wire req_ready, rsp_valid, rsp_tag, rsp_error, mem_req_valid, mem_rsp_ready, miss;
     wire [255:0] rsp_data;
     wire [25:0]  mem_req_line;
-    wire take = req && req_ready;
+    assign take = req && req_ready;
     wire give = rsp_valid && rsp_ready;
 
     // ---- memory: lines asked for, in order ----

@@ -55,12 +55,11 @@ function count_event(field, width, named, when, at) {
     only[counter[named]] = when
 }
 # How many counters, from 0 on, a core has: up to the last one that something in it counts.
-function counters_used(i, text, n, most) {
-    for (i in only) if (only[i]) if (most < i + 1) most = i + 1
-    for (n = 0; (n in known_as) && !only[n]; n++) ;
+function counters_used(i, text, n) {
+    for (i in counter) if (!only[counter[i]] && counter[i] >= n) n = counter[i] + 1
     text = n
-    for (i = n; i < most; i++)
-        if (i + 1 == most || only[i] != only[i + 1]) text = only[i] " != 0 ? " i + 1 " : " text
+    for (i = n; i in only; i++)
+        if (!(i + 1 in only) || only[i] != only[i + 1]) text = only[i] " != 0 ? " i + 1 " : " text
     return "(" text ")"
 }
 BEGIN {
@@ -78,10 +77,7 @@ BEGIN {
     }
 }
 FILENAME ~ /machine\.def$/ {
-    if ($1 == "counter") {
-        counter[$3] = $2 + 0
-        known_as[$2 + 0] = $3
-    }
+    if ($1 == "counter") counter[$3] = $2 + 0
     next
 }
 /^ *(#|$)/ { next }

@@ -70,6 +70,26 @@ elaborate() { # list
 check "Icarus elaborates a core with it" elaborate inside+dummy2
 check "Icarus elaborates a core without" elaborate none
 
+# ---- a counter more: a line each in two definitions, and what drives its event ----
+find . -type f | sort | xargs cksum >"$TMP/before"
+next=$(awk '$1 == "counter" { n = $2 } END { print n + 1 }' $def)
+sed -i "s/^counter $((next - 1)) .*/&\ncounter $next DUMMIES both pixels/" $def
+printf 'field  DUMMY  1  counter DUMMIES if REFRACT\n' >>rtl/engine/bundles.def
+sed -i 's/^    assign event_o\[`RT_SHADE_EVENT_SHADOW\].*/&\
+    assign event_o[`RT_SHADE_EVENT_DUMMY] = end_valid_o;/' rtl/shade/rt_shade.v
+make layout >"$TMP/layout" 2>&1 || cat "$TMP/layout"
+find . -type f | sort | xargs cksum | diff "$TMP/before" - | sed -n 's/^> .* //p' >"$TMP/changed"
+counted() {
+    printf './%s\n' $def cmodel/machine/layout.h rtl/core/rt_layout.vh rtl/engine/bundles.def \
+        rtl/engine/rt_bundles.vh rtl/shade/rt_shade.v rtl/shade/rt_shades.v rtl/engine/rt_engine.v \
+        tb/bundles.h driver/sphaera_regs.h docs/reference/rt_top.rdl rtl/top/rt_top.vh | sort |
+        diff - "$TMP/changed"
+}
+check "three edits by hand add a counter, the rest is generated" counted
+check "the core adds it up" grep 'REFRACT != 0.*RT_COUNT_DUMMIES' rtl/engine/rt_bundles.vh
+check "Icarus elaborates a core that counts it" elaborate inside+refract
+check "Icarus elaborates a core that does not" elaborate none
+
 # ---- the page names at most ten files, and lines that are there ----
 page=docs/design/extending.md
 sed -n 's/^| [^|]* | `\([^`]*\)` | `\(.*\)` |$/\1|\2/p' $page >"$TMP/steps"
