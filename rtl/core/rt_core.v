@@ -55,23 +55,16 @@ module rt_core #(
 
     // ---- registers, start ----
     wire [31:0]      effects, profile;
-    wire [3:0]       max_depth;
-    wire [8:0]       least;
-    wire [1:0]       frame, tex_filter;
+    wire [1:0]       frame;
     wire [3:0]       coarse;
-    wire [3:0]       n_lights;
     wire [55:0]      window, rect;
     wire [1:0]       bg_mode;
     wire [`RT_LINE_BITS-1:0] bg_base;
     wire [4:0]       bg_count;
-    wire [CB-1:0]    background;
-    wire [VB-1:0]    visit_limit;
-    wire [47:0]      ambient;
-    wire [3*W-1:0]   eye;
     wire [3*WD-1:0]  dir;
     wire [WD-1:0]    pitch;
     wire [95:0]      dir_first, dir_across, dir_down;    // with TURNED
-    wire [`RT_LINE_BITS-1:0] root, prim_base, mem_lines;
+    wire [`RT_REGS_BITS-1:0] regs;                      // what an engine looks at
     wire             light_valid;
     wire [2:0]       light_number, light_part;
     wire             bih, boxes;
@@ -80,44 +73,17 @@ module rt_core #(
     reg              cfg_valid_q, start_q, start_two_q, keep_q, keep_two_q, missing_q, foreign_q;
     reg  [6:0]       cfg_addr_q;
     reg  [31:0]      cfg_data_q;
-    wire [IB-1:0]    n_prims, n_loose;
-    wire [`RT_LINE_BITS-1:0] leaf_base, smooth_base;
-    wire [6*(W+2)-1:0] box;
     rt_registers #(.W(W), .WD(WD), .TEXTURE(TEXTURE), .SMOOTH(SMOOTH), .ACCEL(ACCEL),
                    .TURNED(TURNED)) u_registers (
         .clk(clk), .valid_i(cfg_valid_q), .addr_i(cfg_addr_q), .data_i(cfg_data_q),
-        .effects_o(effects), .max_depth_o(max_depth), .least_o(least),
-        .n_lights_o(n_lights),
-        .window_o(window), .bg_mode_o(bg_mode), .rect_o(rect), .bg_base_o(bg_base),
-        .bg_count_o(bg_count), .background_o(background),
-        .ambient_o(ambient), .eye_o(eye), .dir_o(dir), .pitch_o(pitch), .root_o(root),
-        .first_o(dir_first), .across_o(dir_across), .down_o(dir_down),
-        .prim_base_o(prim_base), .mem_lines_o(mem_lines), .visit_limit_o(visit_limit),
-        .profile_o(profile), .frame_o(frame), .tex_filter_o(tex_filter), .coarse_o(coarse),
-        .bih_o(bih), .boxes_o(boxes), .n_prims_o(n_prims), .leaf_base_o(leaf_base),
-        .n_loose_o(n_loose), .box_o(box), .smooth_base_o(smooth_base),
+        .effects_o(effects), .regs_o(regs), .window_o(window), .bg_mode_o(bg_mode),
+        .rect_o(rect), .bg_base_o(bg_base), .bg_count_o(bg_count), .dir_o(dir), .pitch_o(pitch),
+        .first_o(dir_first), .across_o(dir_across), .down_o(dir_down), .profile_o(profile),
+        .frame_o(frame), .coarse_o(coarse), .bih_o(bih), .boxes_o(boxes),
         .light_valid_o(light_valid), .light_number_o(light_number),
         .light_part_o(light_part)
     );
-    wire [`RT_REGS_BITS-1:0]  regs;
     wire [`RT_LIGHT_BITS-1:0] light;
-    assign regs[`RT_REGS_EFFECTS]     = effects[`RT_EFFECT_BITS-1:0];
-    assign regs[`RT_REGS_TEX_FILTER]  = tex_filter;
-    assign regs[`RT_REGS_MAX_DEPTH]   = max_depth;
-    assign regs[`RT_REGS_LEAST]       = least;
-    assign regs[`RT_REGS_N_LIGHTS]    = n_lights;
-    assign regs[`RT_REGS_BACKGROUND]  = background;
-    assign regs[`RT_REGS_AMBIENT]     = ambient;
-    assign regs[`RT_REGS_EYE]         = eye;
-    assign regs[`RT_REGS_ROOT]        = root;
-    assign regs[`RT_REGS_PRIM_BASE]   = prim_base;
-    assign regs[`RT_REGS_SMOOTH_BASE] = smooth_base;
-    assign regs[`RT_REGS_MEM_LINES]   = mem_lines;
-    assign regs[`RT_REGS_VISIT_LIMIT] = visit_limit;
-    assign regs[`RT_REGS_N_PRIMS]     = n_prims;
-    assign regs[`RT_REGS_LEAF_BASE]   = leaf_base;
-    assign regs[`RT_REGS_N_LOOSE]     = n_loose;
-    assign regs[`RT_REGS_BOX]         = box;
     assign light[`RT_LIGHT_VALID]     = light_valid;
     assign light[`RT_LIGHT_NUMBER]    = light_number;
     assign light[`RT_LIGHT_PART]      = light_part;
@@ -127,7 +93,8 @@ module rt_core #(
     wire missing = (effects & ~built) != 32'd0 ||    // the machine asks for what is not here
                    bih != (ACCEL != 0) || boxes != (BOXES != 0) ||
                    coarse != (TEXTURE != 0 ? COARSE[3:0] : 4'd0) ||
-                   {28'd0, max_depth} > `RT_DEEPEST || {28'd0, n_lights} > LIGHTS ||
+                   {28'd0, regs[`RT_REGS_MAX_DEPTH]} > `RT_DEEPEST ||
+                   {28'd0, regs[`RT_REGS_N_LIGHTS]} > LIGHTS ||
                    !ways[bg_mode] || (bg_mode == 2'd3 && {27'd0, bg_count} > CONES);
     localparam [31:0] PROFILE = W << `RT_WIDTH_W_LSB | WD << `RT_WIDTH_WD_LSB |
                                 PQ << `RT_WIDTH_PQ_LSB | NG << `RT_WIDTH_NG_LSB |
@@ -205,7 +172,7 @@ module rt_core #(
         .window_i(window), .dir_i(dir), .pitch_i(pitch),
         .first_i(dir_first), .across_i(dir_across), .down_i(dir_down),
         .bg_mode_i(bg_mode), .rect_i(rect), .bg_base_i(bg_base),
-        .bg_count_i(bg_count), .mem_lines_i(mem_lines),
+        .bg_count_i(bg_count), .mem_lines_i(regs[`RT_REGS_MEM_LINES]),
         .ray_valid_o(ray_valid), .ray_ready_i(|e_ready), .ray_o(pixel),
         .bg_valid_o(bg_valid), .bg_ready_i(bg_ready), .bg_place_o(bg_place),
         .mem_req_valid_o(m_req_valid[ALL-1:WALK]), .mem_req_ready_i(m_req_ready[ALL-1:WALK]),
@@ -313,7 +280,7 @@ module rt_core #(
     assign bg_ready = SEPARATED && mux_ready && p_valid == 0;
     wire [31:0]   untextured = {12'd`RT_LOD_NONE, 20'd0};
     wire [PV+31:0] sky = {untextured, {KW{1'b0}}, {VB{1'b0}}, `RT_ID_BITS'd`RT_ID_NONE,
-                           {3{background}}, bg_place};
+                           {3{regs[`RT_REGS_BACKGROUND]}}, bg_place};
     wire unused_sky = &{1'b0, sky};
     integer i;
     always @* begin

@@ -5,6 +5,7 @@
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
+`include "rt_bundles.vh"
 module rt_registers #(
     parameter W  = 16,  // coordinate, bits
     parameter WD = 17,  // direction component, bits
@@ -18,37 +19,25 @@ module rt_registers #(
     input  wire [6:0]        addr_i,
     input  wire [31:0]       data_i,
     output reg  [31:0]       effects_o,
-    output reg  [3:0]        max_depth_o,
-    output reg  [8:0]        least_o,
-    output reg  [3:0]        n_lights_o,
+    output wire [`RT_REGS_BITS-1:0] regs_o,   // those that an engine looks at
+    //: {BOX[6*(W+2)], N_LOOSE[24], LEAF_BASE[26], N_PRIMS[24], VISIT_LIMIT[24], MEM_LINES[26],
+    //: SMOOTH_BASE[26], PRIM_BASE[26], ROOT[26], EYE[3*W], AMBIENT[48], BACKGROUND[24],
+    //: N_LIGHTS[4], LEAST[9], MAX_DEPTH[4], TEX_FILTER[2], EFFECTS[EFFECT_BITS]}
     output reg  [55:0]       window_o,        // {y1, x1, y0, x0}
     output reg  [1:0]        bg_mode_o,
     output reg  [55:0]       rect_o,          // {y1, x1, y0, x0}
     output reg  [`RT_LINE_BITS-1:0] bg_base_o,
     output reg  [4:0]        bg_count_o,
-    output reg  [`RT_RGB_BITS-1:0] background_o,
-    output reg  [47:0]       ambient_o,       // {blue, green, red}
-    output reg  [3*W-1:0]    eye_o,           // {z, y, x}
     output reg  [3*WD-1:0]   dir_o,           // {z, y of row 0, x of column 0}
     output reg  [WD-1:0]     pitch_o,
     output wire [95:0]       first_o,         // with TURNED: {z, y, x}, each sWD.(32-WD)
     output wire [95:0]       across_o,        // of a pixel to the right
     output wire [95:0]       down_o,          // of a row down
-    output reg  [`RT_LINE_BITS-1:0] root_o,
-    output reg  [`RT_LINE_BITS-1:0] prim_base_o,
-    output reg  [`RT_LINE_BITS-1:0] mem_lines_o,
-    output reg  [`RT_VISITS_BITS-1:0] visit_limit_o,
     output reg  [31:0]       profile_o,
     output reg  [1:0]        frame_o,
-    output wire [1:0]        tex_filter_o,
     output wire [3:0]        coarse_o,
     output reg               bih_o,           // TREE is a BIH
     output reg               boxes_o,         // TREE has boxes around children
-    output wire [`RT_ID_BITS-1:0] n_prims_o,       // of a BIH
-    output wire [`RT_LINE_BITS-1:0] leaf_base_o,
-    output wire [`RT_ID_BITS-1:0] n_loose_o,
-    output wire [6*(W+2)-1:0] box_o,          // {z1, y1, x1, z0, y0, x0}
-    output wire [`RT_LINE_BITS-1:0] smooth_base_o,
     // lights live in the engines: one write goes by
     output wire              light_valid_o,
     output wire [2:0]        light_number_o,
@@ -58,13 +47,34 @@ module rt_registers #(
     assign light_valid_o  = valid_i && addr_i >= `RT_REG_LIGHT0_X && !lamp[6];
     assign light_number_o = lamp[5:3];
     assign light_part_o   = lamp[2:0];
+    reg  [3:0] max_depth_q;
+    reg  [8:0] least_q;
+    reg  [3:0] n_lights_q;
+    reg  [`RT_RGB_BITS-1:0] background_q;
+    reg  [47:0] ambient_q;                // {blue, green, red}
+    reg  [3*W-1:0] eye_q;                 // {z, y, x}
+    reg  [`RT_LINE_BITS-1:0] root_q;
+    reg  [`RT_LINE_BITS-1:0] prim_base_q;
+    reg  [`RT_LINE_BITS-1:0] mem_lines_q;
+    reg  [`RT_VISITS_BITS-1:0] visit_limit_q;
+    assign regs_o[`RT_REGS_EFFECTS]     = effects_o[`RT_EFFECT_BITS-1:0];
+    assign regs_o[`RT_REGS_MAX_DEPTH]   = max_depth_q;
+    assign regs_o[`RT_REGS_LEAST]       = least_q;
+    assign regs_o[`RT_REGS_N_LIGHTS]    = n_lights_q;
+    assign regs_o[`RT_REGS_BACKGROUND]  = background_q;
+    assign regs_o[`RT_REGS_AMBIENT]     = ambient_q;
+    assign regs_o[`RT_REGS_EYE]         = eye_q;
+    assign regs_o[`RT_REGS_ROOT]        = root_q;
+    assign regs_o[`RT_REGS_PRIM_BASE]   = prim_base_q;
+    assign regs_o[`RT_REGS_MEM_LINES]   = mem_lines_q;
+    assign regs_o[`RT_REGS_VISIT_LIMIT] = visit_limit_q;
     always @(posedge clk)
         if (valid_i)
             case (addr_i)
                 `RT_REG_EFFECTS:     effects_o       <= data_i;
-                `RT_REG_MAX_DEPTH:   max_depth_o     <= data_i[3:0];
-                `RT_REG_LEAST_WEIGHT: least_o        <= data_i[8:0];
-                `RT_REG_N_LIGHTS:    n_lights_o      <= data_i[3:0];
+                `RT_REG_MAX_DEPTH:   max_depth_q     <= data_i[3:0];
+                `RT_REG_LEAST_WEIGHT: least_q        <= data_i[8:0];
+                `RT_REG_N_LIGHTS:    n_lights_q      <= data_i[3:0];
                 `RT_REG_WIN_X0:      window_o[13:0]  <= data_i[13:0];
                 `RT_REG_WIN_Y0:      window_o[27:14] <= data_i[13:0];
                 `RT_REG_WIN_X1:      window_o[41:28] <= data_i[13:0];
@@ -74,21 +84,21 @@ module rt_registers #(
                 `RT_REG_RECT_Y0:     rect_o[27:14]   <= data_i[13:0];
                 `RT_REG_RECT_X1:     rect_o[41:28]   <= data_i[13:0];
                 `RT_REG_RECT_Y1:     rect_o[55:42]   <= data_i[13:0];
-                `RT_REG_BG_COLOUR:   background_o    <= data_i[`RT_RGB_BITS-1:0];
-                `RT_REG_AMBIENT_R:   ambient_o[15:0]  <= data_i[15:0];
-                `RT_REG_AMBIENT_G:   ambient_o[31:16] <= data_i[15:0];
-                `RT_REG_AMBIENT_B:   ambient_o[47:32] <= data_i[15:0];
-                `RT_REG_EYE_X:       eye_o[0 +: W]    <= data_i[W-1:0];
-                `RT_REG_EYE_Y:       eye_o[W +: W]    <= data_i[W-1:0];
-                `RT_REG_EYE_Z:       eye_o[2*W +: W]  <= data_i[W-1:0];
+                `RT_REG_BG_COLOUR:   background_q    <= data_i[`RT_RGB_BITS-1:0];
+                `RT_REG_AMBIENT_R:   ambient_q[15:0]  <= data_i[15:0];
+                `RT_REG_AMBIENT_G:   ambient_q[31:16] <= data_i[15:0];
+                `RT_REG_AMBIENT_B:   ambient_q[47:32] <= data_i[15:0];
+                `RT_REG_EYE_X:       eye_q[0 +: W]    <= data_i[W-1:0];
+                `RT_REG_EYE_Y:       eye_q[W +: W]    <= data_i[W-1:0];
+                `RT_REG_EYE_Z:       eye_q[2*W +: W]  <= data_i[W-1:0];
                 `RT_REG_DIR_X0:      dir_o[0 +: WD]   <= data_i[WD-1:0];
                 `RT_REG_DIR_Y0:      dir_o[WD +: WD]  <= data_i[WD-1:0];
                 `RT_REG_DIR_Z:       dir_o[2*WD +: WD] <= data_i[WD-1:0];
                 `RT_REG_PITCH:       pitch_o         <= data_i[WD-1:0];
-                `RT_REG_ROOT:        root_o          <= data_i[`RT_LINE_BITS-1:0];
-                `RT_REG_PRIM_BASE:   prim_base_o     <= data_i[`RT_LINE_BITS-1:0];
-                `RT_REG_MEM_LINES:   mem_lines_o     <= data_i[`RT_LINE_BITS-1:0];
-                `RT_REG_VISIT_LIMIT: visit_limit_o   <= data_i[`RT_VISITS_BITS-1:0];
+                `RT_REG_ROOT:        root_q          <= data_i[`RT_LINE_BITS-1:0];
+                `RT_REG_PRIM_BASE:   prim_base_q     <= data_i[`RT_LINE_BITS-1:0];
+                `RT_REG_MEM_LINES:   mem_lines_q     <= data_i[`RT_LINE_BITS-1:0];
+                `RT_REG_VISIT_LIMIT: visit_limit_q   <= data_i[`RT_VISITS_BITS-1:0];
                 `RT_REG_PROFILE:     profile_o       <= data_i;
                 `RT_REG_FRAME:       frame_o         <= data_i[1:0];
                 `RT_REG_TREE: begin
@@ -107,19 +117,19 @@ module rt_registers #(
                 if (valid_i && addr_i == `RT_REG_TEX_FILTER) filter_q <= data_i[1:0];
                 if (valid_i && addr_i == `RT_REG_COARSE)     coarse_q <= data_i[3:0];
             end
-            assign tex_filter_o = filter_q;
+            assign regs_o[`RT_REGS_TEX_FILTER] = filter_q;
             assign coarse_o     = coarse_q;
         end else begin : g_no_texture
-            assign tex_filter_o = 2'd0;
+            assign regs_o[`RT_REGS_TEX_FILTER] = 2'd0;
             assign coarse_o     = 4'd0;
         end
         if (SMOOTH != 0) begin : g_smooth
             reg [`RT_LINE_BITS-1:0] base_q;
             always @(posedge clk)
                 if (valid_i && addr_i == `RT_REG_SMOOTH_BASE) base_q <= data_i[`RT_LINE_BITS-1:0];
-            assign smooth_base_o = base_q;
+            assign regs_o[`RT_REGS_SMOOTH_BASE] = base_q;
         end else begin : g_no_smooth
-            assign smooth_base_o = {`RT_LINE_BITS{1'b0}};
+            assign regs_o[`RT_REGS_SMOOTH_BASE] = {`RT_LINE_BITS{1'b0}};
         end
         if (TURNED != 0) begin : g_turned
             localparam F = 32 - WD;                // bits of fraction; the camera's axes have none
@@ -161,13 +171,15 @@ module rt_registers #(
                     for (i = 0; i < 6; i = i + 1)
                         if (side == i[6:0]) box_q[(W+2)*i +: W+2] <= data_i[W+1:0];
                 end
-            assign n_prims_o   = n_prims_q;
-            assign leaf_base_o = leaf_base_q;
-            assign n_loose_o   = n_loose_q;
-            assign box_o       = box_q;
+            assign regs_o[`RT_REGS_N_PRIMS]   = n_prims_q;
+            assign regs_o[`RT_REGS_LEAF_BASE] = leaf_base_q;
+            assign regs_o[`RT_REGS_N_LOOSE]   = n_loose_q;
+            assign regs_o[`RT_REGS_BOX]       = box_q;
         end else begin : g_four
-            assign {n_prims_o, leaf_base_o, n_loose_o} = 74'd0;
-            assign box_o = {6*(W+2){1'b0}};
+            assign regs_o[`RT_REGS_N_PRIMS]   = {`RT_ID_BITS{1'b0}};
+            assign regs_o[`RT_REGS_LEAF_BASE] = {`RT_LINE_BITS{1'b0}};
+            assign regs_o[`RT_REGS_N_LOOSE]   = {`RT_ID_BITS{1'b0}};
+            assign regs_o[`RT_REGS_BOX]       = {6*(W+2){1'b0}};
         end
     endgenerate
 endmodule
