@@ -116,10 +116,8 @@ class Shop:
     def prepare(self, judges):
         """Builds once what these judges need."""
         kinds = {judge.kind for judge in judges}
-        goals = {f"{self.build}/libsphaera.a"}
+        goals = {f"{self.build}/libsphaera.a", f"{self.build}/sphaera"}
         os.makedirs(f"{self.build}/sim", exist_ok=True)
-        if kinds & {"core", "textured", "piped", "agree", "top"}:
-            goals.add(f"{self.build}/sphaera")
         if kinds & {"hard", "agree"}:
             goals.add(f"{self.build}/test/hard")
         if kinds & {"bench", "case", "top"}:
@@ -254,9 +252,10 @@ class Planting:
         tree = self.edited(judge)
         for line in self.shop.matching(judge):
             folder = f"{self.folder}/{line.name.replace('/', '-')}"
-            os.makedirs(folder, exist_ok=True)
+            os.makedirs(f"{folder}/tb", exist_ok=True)  # tb_load writes a machine there
             program = self.once(line.name, lambda at=folder, one=line: one.of_sources(at, tree))
-            rc, text = self.shop.run([program, "1"], self.say,
+            rc, text = self.shop.run([program, "1"], self.say, BENCH_BUILD=folder,
+                                     SPHAERA=self.shop.sphaera,
                                      **({"HARD_CASE": case} if case else {}))
             said = told_bench(rc, text)
             if said[0] == "noticed" and case and f"\n#   named case {case}, " not in text:
