@@ -49,7 +49,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         return 0;
     case ARGP_KEY_END:
         if (!a->input) argp_error(state, "no machine file given");
-        if (a->stages && a->pixel[0] < 0) argp_error(state, "--stages: of which --pixel X,Y?");
+        if (a->stages && a->pixel[0] < 0) argp_error(state, "--stages wants --pixel X,Y");
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
