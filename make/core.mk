@@ -61,7 +61,8 @@ TRACED    := $(if $(filter 1,$(WAVES)),$S/obj/verilated_fst_c.o)
 VERILATE := $(VERILATOR) --cc --language 1364-2005 -Wall -O3 --x-assign fast --top-module rt_core \
                 --prefix Vrt_core $(PARAMETERS:%=-G%) $(if $(TRACED),--trace-fst) \
                 $(if $(filter 1,$(STAGES)),tb/core/stages.vlt)
-ELABORATE := iverilog -g2005 -Wall -Itb/core $(PARAMETERS:%=-Ptb_core_icarus.%) -s tb_core_icarus
+ELABORATE := iverilog -g2005 -Wall -Wno-timescale -Itb/core \
+                 $(PARAMETERS:%=-Ptb_core_icarus.%) -s tb_core_icarus
 COMPILE_CORE := $(if $(TRACED),$(subst $(PRECOMPILED:%=-include-pch %),,$(COMPILE)),$(COMPILE)) \
                     -isystem $K -DVM_TRACE=$(WAVES) -DVM_TRACE_FST=$(WAVES)
 
