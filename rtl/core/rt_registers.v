@@ -43,10 +43,10 @@ module rt_registers #(
     output wire [2:0]        light_number_o,
     output wire [2:0]        light_part_o
 );
-    wire [6:0] lamp = addr_i - `RT_REG_LIGHT0_X;
-    assign light_valid_o  = valid_i && addr_i >= `RT_REG_LIGHT0_X && !lamp[6];
-    assign light_number_o = lamp[5:3];
-    assign light_part_o   = lamp[2:0];
+    wire [6:0] offset = addr_i - `RT_REG_LIGHT0_X;
+    assign light_valid_o  = valid_i && addr_i >= `RT_REG_LIGHT0_X && !offset[6];
+    assign light_number_o = offset[5:3];
+    assign light_part_o   = offset[2:0];
     reg  [3:0] max_depth_q;
     reg  [8:0] least_q;
     reg  [3:0] n_lights_q;

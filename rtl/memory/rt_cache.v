@@ -193,28 +193,28 @@ module rt_cache #(
         end
     endgenerate
 
-    // ---- stage 2: victim, the first way not used lately; never one whose line is coming ----
-    reg  [WAYS-1:0] lately_q;               // ways used since all were
+    // ---- stage 2: victim, the first way not used recent; never one whose line is coming ----
+    reg  [WAYS-1:0] recent_q;               // ways used since all were
     wire [WAYS-1:0] may   = ~s2_coming_q;
-    wire [WAYS-1:0] pick  = |(may & ~lately_q) ? may & ~lately_q : may;
+    wire [WAYS-1:0] pick  = |(may & ~recent_q) ? may & ~recent_q : may;
     assign victim         = pick & (~pick + 1'b1);
     wire [WAYS-1:0] found = s2_hit_q | s2_follow_q;
     wire [WAYS-1:0] touch = s2_miss ? victim : found;
-    wire [WAYS-1:0] after = lately_q | touch;
-    wire [WAYS-1:0] s1_lately;
-    rt_slot_file #(.WIDTH(WAYS), .SLOTS(SETS)) u_lately (
+    wire [WAYS-1:0] after = recent_q | touch;
+    wire [WAYS-1:0] s1_recent;
+    rt_slot_file #(.WIDTH(WAYS), .SLOTS(SETS)) u_recent (
         .clk(clk),
         .wr_en_i(walk_step || s2_go),
         .wr_addr_i(walk_q ? walk_set_q : s2_set),
         .wr_data_i(walk_q ? {WAYS{1'b0}} : &after ? touch : after),
-        .rd_addr_i(s1_set), .rd_data_o(s1_lately)
+        .rd_addr_i(s1_set), .rd_data_o(s1_recent)
     );
     // Read in stage 1. A lookup of the same set in stage 2 has found its line, or stage 1 waits.
-    wire [WAYS-1:0] both  = lately_q | found;
+    wire [WAYS-1:0] both  = recent_q | found;
     always @(posedge clk) begin
-        if (s2_free) lately_q <= !s2_valid_q || s1_set != s2_set ? s1_lately
+        if (s2_free) recent_q <= !s2_valid_q || s1_set != s2_set ? s1_recent
                                : &both ? found : both;
-        if (walk_q)  lately_q <= {WAYS{1'b0}};
+        if (walk_q)  recent_q <= {WAYS{1'b0}};
     end
 
     // ---- stage 2: where to. A hit needs the data RAM, the rest a place in the queue ----

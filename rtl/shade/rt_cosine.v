@@ -1,7 +1,7 @@
 // rt_cosine.v - Lambert's cosine of every light, and whether it wants a shadow ray
 // SPDX-License-Identifier: Apache-2.0
 // The unit normal of each slot's surface is kept here. A light that the surface does not face, or
-// every light where there are no shadow rays, is settled at once; the others wait for a shadow ray.
+// every light where there are no shadow rays, is decided at once; the others wait for a shadow ray.
 //   rt_setup: next light | its unit vector, the normal | rt_lambert, 5 clocks
 // Model: sph_lambert() in cmodel/shade/colour.c
 `timescale 1ns / 1ps
@@ -27,8 +27,8 @@ module rt_cosine #(
     output wire [$clog2(SLOTS)-1:0] out_slot_o,
     output wire [15:0]              out_cosine_o,  // u1.15; 0: faces away
     output wire                     shadow_go_o,   // token: its shadow ray starts
-    output wire                     lamp_valid_o,  // instead: the light is settled
-    output wire                     lamp_lit_o     // and it shines
+    output wire                     unshadowed_valid_o,  // instead: the light is decided
+    output wire                     unshadowed_lit_o     // and it shines
 );
     localparam SLOTW = $clog2(SLOTS);
     wire [53:0] normal;
@@ -51,8 +51,8 @@ module rt_cosine #(
     wire dark  = out_cosine_o == 16'd0;
     wire trace = SHADOW != 0 && shadow_on_i && !dark;
     assign shadow_go_o  = out_valid_o && trace;
-    assign lamp_valid_o = out_valid_o && !trace;
-    assign lamp_lit_o   = !dark;
+    assign unshadowed_valid_o = out_valid_o && !trace;
+    assign unshadowed_lit_o   = !dark;
     wire unused = &{1'b0, shadow_on_i, ready, ray_i};
 endmodule
 `default_nettype wire

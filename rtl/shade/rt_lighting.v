@@ -3,7 +3,7 @@
 //   start --> rt_lights --+--> sum of light, of highlights
 //              ^          +--> vector to a light, to rt_setup and back --> rt_cosine --> shadow ray
 //              |                                                             |            |
-//              +-- settled: it shines or not -- rt_specular_lights, if built <-+------------+
+//              +-- decided: it shines or not -- rt_specular_lights, if built <-+------------+
 // Without LIGHTS a surface has its ambient light alone, in the clock in which it starts.
 // Model: sph_job_light() in cmodel/engine/render_light.c
 `timescale 1ns / 1ps
@@ -63,29 +63,31 @@ module rt_lighting #(
     wire [47:0]      ambient = regs_i[`RT_REGS_AMBIENT];
     generate
         if (LIGHTS != 0) begin : g_lights
-            wire             cosine_valid, lamp_valid, lamp_lit, settled, settled_lit;
-            wire [SLOTW-1:0] settled_slot;
+            wire             cosine_valid, unshadowed_valid, unshadowed_lit, decided, decided_lit;
+            wire [SLOTW-1:0] decided_slot;
             wire [15:0]      cosine, highlight;
             rt_cosine #(.W(W), .WD(WD), .SHADOW(SHADOW), .SLOTS(SLOTS)) u_cosine (
                 .clk(clk), .rst(rst), .shadow_on_i(effects[`RT_EFFECT_SHADOW]),
                 .ray_i(ray_i), .next_light_i(next_light_i), .next_slot_i(next_slot_i),
                 .out_valid_o(cosine_valid), .out_slot_o(shadow_slot_o), .out_cosine_o(cosine),
-                .shadow_go_o(shadow_go_o), .lamp_valid_o(lamp_valid), .lamp_lit_o(lamp_lit)
+                .shadow_go_o(shadow_go_o),
+                .unshadowed_valid_o(unshadowed_valid), .unshadowed_lit_o(unshadowed_lit)
             );
             if (GLOSS != 0) begin : g_shine
                 rt_specular_lights #(.W(W), .WD(WD), .SHADOW(SHADOW), .SLOTS(SLOTS)) u_shine (
                     .clk(clk), .rst(rst),
                     .on_i(effects[`RT_EFFECT_SUM] && effects[`RT_EFFECT_SPECULAR]),
                     .ray_i(ray_i), .material_i(material_i),
-                    .lamp_valid_i(lamp_valid), .lamp_slot_i(shadow_slot_o),
-                    .lamp_lit_i(lamp_lit),
+                    .unshadowed_valid_i(unshadowed_valid), .unshadowed_slot_i(shadow_slot_o),
+                    .unshadowed_lit_i(unshadowed_lit),
                     .shadow_valid_i(hit_i[`RT_HIT_SHADOW]), .shadow_slot_i(hit_i[`RT_HIT_SLOT]),
                     .shadow_lit_i(hit_i[`RT_HIT_LIT]),
-                    .out_valid_o(settled), .out_slot_o(settled_slot), .out_lit_o(settled_lit),
+                    .out_valid_o(decided), .out_slot_o(decided_slot), .out_lit_o(decided_lit),
                     .out_highlight_o(highlight), .power_o(power_o)
                 );
             end else begin : g_no_shine
-                assign {settled, settled_slot, settled_lit} = {lamp_valid, shadow_slot_o, lamp_lit};
+                assign {decided, decided_slot, decided_lit} =
+                    {unshadowed_valid, shadow_slot_o, unshadowed_lit};
                 assign highlight = 16'd0;
                 assign power_o   = 1'b0;
             end
@@ -102,8 +104,8 @@ module rt_lighting #(
                 .point_i(surface_i[`RT_SURFACE_POINT]),
                 .cosine_valid_i(cosine_valid), .cosine_slot_i(shadow_slot_o), .cosine_i(cosine),
                 .start_valid_i(start_valid_i), .start_slot_i(start_slot_i),
-                .lamp_valid_i(settled), .lamp_slot_i(settled_slot), .lamp_lit_i(settled_lit),
-                .lamp_highlight_i(highlight),
+                .decided_valid_i(decided), .decided_slot_i(decided_slot),
+                .decided_lit_i(decided_lit), .decided_highlight_i(highlight),
                 .shadow_valid_i(hit_i[`RT_HIT_SHADOW]), .shadow_slot_i(hit_i[`RT_HIT_SLOT]),
                 .shadow_lit_i(hit_i[`RT_HIT_LIT]),
                 .vec_valid_o(vec_light_o[`RT_VECTOR_VALID]),

@@ -40,10 +40,10 @@ module rt_lights #(
     input  wire [15:0]       cosine_i,
     input  wire              start_valid_i,   // a surface is ready
     input  wire [$clog2(SLOTS)-1:0] start_slot_i,
-    input  wire              lamp_valid_i,    // a light settled without a shadow ray
-    input  wire [$clog2(SLOTS)-1:0] lamp_slot_i,
-    input  wire              lamp_lit_i,
-    input  wire [15:0]       lamp_highlight_i, // u1.15, with GLOSS
+    input  wire              decided_valid_i,    // a light decided without a shadow ray
+    input  wire [$clog2(SLOTS)-1:0] decided_slot_i,
+    input  wire              decided_lit_i,
+    input  wire [15:0]       decided_highlight_i, // u1.15, with GLOSS
     // a shadow ray is done
     input  wire              shadow_valid_i,
     input  wire [$clog2(SLOTS)-1:0] shadow_slot_i,
@@ -111,8 +111,8 @@ module rt_lights #(
             wire unused = read;
         end else begin : g_more
             wire [LW-1:0] e_light;                    // the light that the event is about
-            wire [LW-1:0] e_lamp = e_start_q ? {LW{1'b0}} : e_light;
-            wire [NW:0]   after  = {{(NW+1-LW){1'b0}}, e_lamp} + 1'b1;
+            wire [LW-1:0] e_next_light = e_start_q ? {LW{1'b0}} : e_light;
+            wire [NW:0]   after  = {{(NW+1-LW){1'b0}}, e_next_light} + 1'b1;
             reg  [LW-1:0] a_light_q;                  // until z has left
             assign a_light = a_valid ? a_next[LW-1:0] : a_light_q;
             always @(posedge clk) a_light_q <= a_light;
@@ -131,7 +131,7 @@ module rt_lights #(
                 rt_slot_file #(.WIDTH(16), .SLOTS(LIGHTS)) u_colour (
                     .clk(clk), .wr_en_i(keep && light_part_i == c + 3),
                     .wr_addr_i(k_light), .wr_data_i(light_data_i[15:0]),
-                    .rd_addr_i(e_lamp), .rd_data_o(colour[16*c +: 16])
+                    .rd_addr_i(e_next_light), .rd_data_o(colour[16*c +: 16])
                 );
             end
             wire unused = after[NW];
@@ -143,7 +143,7 @@ module rt_lights #(
     wire [SLOTW-1:0] s_slot;
     wire [SLOTW:0]   t_event;
     wire [SLOTW+HB:0] l_event;                        // {highlight, slot, lit}
-    wire [SLOTW+16:0] l_new = {lamp_highlight_i, lamp_slot_i, lamp_lit_i};
+    wire [SLOTW+16:0] l_new = {decided_highlight_i, decided_slot_i, decided_lit_i};
     wire             e_load = !e_valid_q || add_ready;
     wire             pick_t = t_valid;
     wire             pick_l = !t_valid && l_valid;
@@ -153,8 +153,8 @@ module rt_lights #(
         .in_data_i(start_slot_i),
         .out_valid_o(s_valid), .out_ready_i(e_load && pick_s), .out_data_o(s_slot)
     );
-    rt_fifo #(.WIDTH(SLOTW+1+HB), .DEPTH(SLOTS)) u_lamps (
-        .clk(clk), .rst(rst), .in_valid_i(lamp_valid_i), .in_ready_o(l_in),
+    rt_fifo #(.WIDTH(SLOTW+1+HB), .DEPTH(SLOTS)) u_decided (
+        .clk(clk), .rst(rst), .in_valid_i(decided_valid_i), .in_ready_o(l_in),
         .in_data_i(l_new[SLOTW+HB:0]),
         .out_valid_o(l_valid), .out_ready_i(e_load && pick_l), .out_data_o(l_event)
     );
@@ -165,7 +165,7 @@ module rt_lights #(
                 .in_data_i({shadow_slot_i, shadow_lit_i}),
                 .out_valid_o(t_valid), .out_ready_i(e_load && pick_t), .out_data_o(t_event)
             );
-        end else begin : g_settled
+        end else begin : g_decided
             assign {t_valid, t_in, t_event} = {(SLOTW+3){1'b0}};
             wire unused = &{1'b0, shadow_valid_i, shadow_slot_i, shadow_lit_i};
         end

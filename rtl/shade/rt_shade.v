@@ -1,7 +1,7 @@
 // rt_shade.v - shading: from the hits of a slot's rays to the frames of its pixel
 // SPDX-License-Identifier: Apache-2.0
 //   hit --> rt_surface --+--> normal, to rt_setup and back --+--> rt_texture --> rt_lighting
-//             record     +--> bare: no point is wanted ------+                        | sum
+//             record     +--> unlit: no point is wanted -----+                        | sum
 //   next ray, to rt_setup <-- rt_leave <--- a blended surface --- rt_compose <--------+
 // A block that no effect asks for is not built; its tokens go straight on.
 // Model: path(), shade(), leave() in cmodel/engine/render_pixel.c
@@ -103,8 +103,8 @@ module rt_shade #(
     wire [`RT_FETCH_BITS-1:0]    prim_fetch;
     wire [`RT_RECORD_BITS-1:0]   prim_record;
     wire             prim_fetch_ready;
-    wire             bare_valid;              // a surface that needs no point
-    wire [SLOTW-1:0] bare_slot;
+    wire             unlit_valid;              // a surface that needs no point
+    wire [SLOTW-1:0] unlit_slot;
     rt_surface #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .POINTS(POINTS), .BOUNCES(BOUNCES),
                  .INSIDE(INSIDE), .FACETS(FACETS), .TEXTURE(TEXTURE), .SMOOTH(BENT),
                  .SPREAD(SPREAD), .LOOKS(SHARES),
@@ -114,7 +114,7 @@ module rt_shade #(
         .ray_i(ray_i), .hit_i(hit_i),
         .fetch_o(prim_fetch), .fetch_ready_i(prim_fetch_ready),
         .record_i(prim_record),
-        .material_o(material), .bare_valid_o(bare_valid), .bare_slot_o(bare_slot),
+        .material_o(material), .unlit_valid_o(unlit_valid), .unlit_slot_o(unlit_slot),
         .surface_o(surface),
         .quotient_o(event_o[`RT_SHADE_EVENT_QUOTIENT]),
         .saturated_o(event_o[`RT_SHADE_EVENT_SATURATED])
@@ -163,8 +163,8 @@ module rt_shade #(
     assign skip_o[`RT_SKIP_INSIDE] = back_valid ? back[`RT_BACK_INSIDE] : hit_i[`RT_HIT_FAR];
 
     // ---- texture: between a surface, which may be without a normal, and its lights ----
-    wire             lit_valid = ray_i[`RT_RAY_NORMAL] || bare_valid;  // never both: see points_on
-    wire [SLOTW-1:0] lit_slot  = bare_valid ? bare_slot : ray_i[`RT_RAY_SLOT];
+    wire             lit_valid = ray_i[`RT_RAY_NORMAL] || unlit_valid;  // never both: see points_on
+    wire [SLOTW-1:0] lit_slot  = unlit_valid ? unlit_slot : ray_i[`RT_RAY_SLOT];
     wire             start_valid;
     wire [SLOTW-1:0] start_slot, path_slot;
     wire [`RT_ALBEDO_BITS-1:0] albedo;

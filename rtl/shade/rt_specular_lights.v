@@ -22,10 +22,10 @@ module rt_specular_lights #(
     input  wire [`RT_MATERIAL_BITS-1:0] material_i,    // from rt_surface
     //: {SLOT[SLOTW], SMOOTH[24], BEND[6], TEX[26], INDEX[12], POWER[12], KS[8], KD[9], KA[9], SUM,
     //: KT[9], KR[9], RGB[24], VALID}
-    // tokens: a light is settled, a shadow ray is done
-    input  wire                         lamp_valid_i,
-    input  wire [$clog2(SLOTS)-1:0]     lamp_slot_i,
-    input  wire                         lamp_lit_i,
+    // tokens: a light is decided, a shadow ray is done
+    input  wire                         unshadowed_valid_i,
+    input  wire [$clog2(SLOTS)-1:0]     unshadowed_slot_i,
+    input  wire                         unshadowed_lit_i,
     input  wire                         shadow_valid_i,
     input  wire [$clog2(SLOTS)-1:0]     shadow_slot_i,
     input  wire                         shadow_lit_i,
@@ -46,9 +46,9 @@ module rt_specular_lights #(
     wire             e_load = !e_valid_q || e_go;
     wire [SLOTW:0]   event_d = t_valid ? t_event : l_event;
     wire             read   = e_load && (t_valid || l_valid);
-    rt_fifo #(.WIDTH(SLOTW+1), .DEPTH(SLOTS)) u_lamps (
-        .clk(clk), .rst(rst), .in_valid_i(lamp_valid_i), .in_ready_o(l_in),
-        .in_data_i({lamp_slot_i, lamp_lit_i}),
+    rt_fifo #(.WIDTH(SLOTW+1), .DEPTH(SLOTS)) u_unshadowed (
+        .clk(clk), .rst(rst), .in_valid_i(unshadowed_valid_i), .in_ready_o(l_in),
+        .in_data_i({unshadowed_slot_i, unshadowed_lit_i}),
         .out_valid_o(l_valid), .out_ready_i(e_load && !t_valid), .out_data_o(l_event)
     );
     generate
@@ -58,7 +58,7 @@ module rt_specular_lights #(
                 .in_data_i({shadow_slot_i, shadow_lit_i}),
                 .out_valid_o(t_valid), .out_ready_i(e_load), .out_data_o(t_event)
             );
-        end else begin : g_settled
+        end else begin : g_decided
             assign {t_valid, t_in, t_event} = {(SLOTW+3){1'b0}};
             wire unused = &{1'b0, shadow_valid_i, shadow_slot_i, shadow_lit_i};
         end

@@ -4,7 +4,7 @@
 // cache, then org + t*dir and the normal. Tokens wait in queues between the three. A record is
 // asked for when there is a place for it: it never keeps leaves from leaving the cache.
 // Where no light, no mirror and no texture asks for the point (points_on_i low; POINTS 0: never
-// built), a hit goes to its record at once and leaves as a bare surface when that is there.
+// built), a hit goes to its record at once and leaves as an unlit surface when that is there.
 // Model: sph_quotient() in cmodel/math/quotient.c, sph_surface_point() in cmodel/shade/surface.c
 `timescale 1ns / 1ps
 `default_nettype none
@@ -52,8 +52,8 @@ module rt_surface #(
     //: {SLOT[SLOTW], SMOOTH[24], BEND[6], TEX[26], INDEX[12], POWER[12], KS[8], KD[9], KA[9], SUM,
     //: KT[9], KR[9], RGB[24], VALID}
     // the surface, without a point
-    output wire                       bare_valid_o,
-    output wire [$clog2(SLOTS)-1:0]   bare_slot_o,
+    output wire                       unlit_valid_o,
+    output wire [$clog2(SLOTS)-1:0]   unlit_slot_o,
     // the surface
     output wire [`RT_SURFACE_BITS-1:0] surface_o,
     //: {SLOT[SLOTW], FLAT, NORMAL[3*WD], LIFT[3*(NG+2)], GUARDED[3*(W+NG)], POINT[3*W], VALID}
@@ -173,16 +173,16 @@ module rt_surface #(
         end
     endgenerate
 
-    // ---- a bare surface: one cycle after its material ----
-    reg              bare_valid_q;
-    reg [SLOTW-1:0]  bare_slot_q;
+    // ---- an unlit surface: one cycle after its material ----
+    reg              unlit_valid_q;
+    reg [SLOTW-1:0]  unlit_slot_q;
     always @(posedge clk) begin
-        bare_valid_q <= r_valid && !on;
-        bare_slot_q  <= prim_slot;
-        if (rst) bare_valid_q <= 1'b0;
+        unlit_valid_q <= r_valid && !on;
+        unlit_slot_q  <= prim_slot;
+        if (rst) unlit_valid_q <= 1'b0;
     end
-    assign bare_valid_o = bare_valid_q;
-    assign bare_slot_o  = bare_slot_q;
+    assign unlit_valid_o = unlit_valid_q;
+    assign unlit_slot_o  = unlit_slot_q;
 
     // ---- record, ray and t side by side, then point and normal ----
     generate
@@ -269,7 +269,7 @@ module rt_surface #(
             assign surface_o[`RT_SURFACE_POINT]  = point;
             assign surface_o[`RT_SURFACE_NORMAL] = normal;
             assign saturated_o = surface_o[`RT_SURFACE_VALID] && saturated;
-        end else begin : g_bare
+        end else begin : g_unlit
             assign room = 1'b1;
             assign saturated_o = 1'b0;
             assign surface_o   = {`RT_SURFACE_BITS{1'b0}};

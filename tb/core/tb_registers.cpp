@@ -37,11 +37,11 @@ class Registers : public bench::Bench<Vrt_registers> {
         dut.addr_i = (uint8_t)address;
         dut.data_i = word;
         settle();
-        int lamp = address - SPH_REG_LIGHT0_X;
-        bool light = valid && lamp >= 0 && lamp < 64;
+        int offset = address - SPH_REG_LIGHT0_X;
+        bool light = valid && offset >= 0 && offset < 64;
         expect("light_valid_o", dut.light_valid_o, light);
-        if (light) expect("light_number_o", dut.light_number_o, lamp / SPH_LIGHT_STRIDE, 3);
-        if (light) expect("light_part_o", dut.light_part_o, lamp % SPH_LIGHT_STRIDE, 3);
+        if (light) expect("light_number_o", dut.light_number_o, offset / SPH_LIGHT_STRIDE, 3);
+        if (light) expect("light_part_o", dut.light_part_o, offset % SPH_LIGHT_STRIDE, 3);
         tick();
         if (valid) written[address] = word;
     }

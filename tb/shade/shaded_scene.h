@@ -68,7 +68,7 @@ class ShadedScene : public bench::Bench<Top> {
             world.m.regs[SPH_REG_EFFECTS] |= 1 << SPH_EFFECT_FIRST | 1 << SPH_EFFECT_INTERPENETRATE;
         world.m.regs[SPH_REG_N_LIGHTS] =
             random.percent(70) ? lights : (int32_t)random.below((uint64_t)lights + 1);
-        if (random.percent(15)) bare();
+        if (random.percent(15)) unlit();
         world.m.regs[SPH_REG_BG_COLOUR] = (int32_t)random.mixed(24);
         for (int i = 0; i < 3; i++)
             world.m.regs[SPH_REG_AMBIENT_R + i] = (int32_t)random.log_bits(16);
@@ -137,7 +137,7 @@ class ShadedScene : public bench::Bench<Top> {
     }
 
     /* Nothing asks for a surface's point. */
-    void bare() {
+    void unlit() {
         world.m.regs[SPH_REG_N_LIGHTS] = 0;
         for (int effect : {SPH_EFFECT_REFLECT, SPH_EFFECT_INTERPENETRATE, SPH_EFFECT_FIRST,
                            SPH_EFFECT_REFRACT, SPH_EFFECT_TEXTURE})

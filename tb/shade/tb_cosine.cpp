@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Slots get unit normals, then lights, announced a clock before. A vector is a cosine, and whether
- * its light wants a shadow ray or is settled.
+ * its light wants a shadow ray or is decided.
  */
 #include <deque>
 
@@ -80,7 +80,8 @@ int main(int argc, char **argv) {
         b.tick();
         bool due = !lights.empty() && lights.front().due == b.cycle;
         b.expect("out_valid_o", b.dut.out_valid_o, due, 1);
-        b.expect("shadow_go_o or lamp_valid_o", b.dut.shadow_go_o + b.dut.lamp_valid_o, due, 2);
+        b.expect("shadow_go_o or unshadowed_valid_o",
+                 b.dut.shadow_go_o + b.dut.unshadowed_valid_o, due, 2);
         if (!due) {
             if (b.bad()) b.done();
             continue;
@@ -91,7 +92,7 @@ int main(int argc, char **argv) {
         b.expect("out_slot_o", b.dut.out_slot_o, e.slot, SLOTW);
         b.expect("out_cosine_o", b.dut.out_cosine_o, e.cosine, 16);
         b.expect("shadow_go_o", b.dut.shadow_go_o, trace, 1);
-        if (!trace) b.expect("lamp_lit_o", b.dut.lamp_lit_o, e.cosine != 0, 1);
+        if (!trace) b.expect("unshadowed_lit_o", b.dut.unshadowed_lit_o, e.cosine != 0, 1);
         b.done();
     }
     return b.finish();

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * In a scene of fixed lights every slot starts surfaces over and over; each vector that comes out
- * is answered some time later by a settled lamp or a shadow ray. A vector is one output.
+ * is answered some time later by a decided light or a shadow ray. A vector is one output.
  */
 #include "Vrt_lights.h"
 #include "bench.h"
@@ -47,7 +47,7 @@ constexpr size_t CORNERS = sizeof corners / sizeof *corners;
 struct Slot {
     enum { IDLE, POINT, WAITS, ASKED, COSINE } state;
     int64_t point[3];
-    int lights; /* settled */
+    int lights; /* decided */
     uint32_t cosine, sum[3];
 };
 
@@ -56,7 +56,7 @@ class Run {
   public:
     Run(int argc, char **argv) : b("tb_lights", argc, argv) {
         b.dut.light_valid_i = b.dut.point_valid_i = b.dut.cosine_valid_i = 0;
-        b.dut.start_valid_i = b.dut.lamp_valid_i = b.dut.shadow_valid_i = 0;
+        b.dut.start_valid_i = b.dut.decided_valid_i = b.dut.shadow_valid_i = 0;
         b.reset();
     }
     bool next() { /* a scene and its surfaces; false at the end */
@@ -87,7 +87,7 @@ class Run {
     int shift[REGISTERS]; /* of the position */
     uint32_t ambient[3], intensity[REGISTERS][3];
     int started = 0, inside = 0;
-    unsigned pace[3] = {100, 100, 100}; /* percent of clocks with a start, lamp, shadow */
+    unsigned pace[3] = {100, 100, 100}; /* percent of clocks with a start, light, shadow */
 
     static int64_t is(int64_t fixed, int64_t random) { return fixed == ANY ? random : fixed; }
 
@@ -166,7 +166,7 @@ class Run {
         return at;
     }
 
-    /* A settled lamp and a shadow ray that is done. */
+    /* A decided light and a shadow ray that is done. */
     void lights_done(int at) {
         for (int shadow = 0; shadow < 2; shadow++) {
             if (b.random.percent(50)) at = (int)b.random.below(SLOTS);
@@ -174,9 +174,9 @@ class Run {
             bool valid = (SHADOW || !shadow) && s->state == Slot::COSINE &&
                          b.random.percent(pace[1 + shadow]);
             bool lit = b.random.percent((unsigned)scene.lit);
-            (shadow ? b.dut.shadow_valid_i : b.dut.lamp_valid_i) = valid;
-            (shadow ? b.dut.shadow_slot_i : b.dut.lamp_slot_i) = (uint8_t)at;
-            (shadow ? b.dut.shadow_lit_i : b.dut.lamp_lit_i) = lit;
+            (shadow ? b.dut.shadow_valid_i : b.dut.decided_valid_i) = valid;
+            (shadow ? b.dut.shadow_slot_i : b.dut.decided_slot_i) = (uint8_t)at;
+            (shadow ? b.dut.shadow_lit_i : b.dut.decided_lit_i) = lit;
             if (!valid) continue;
             for (int i = 0; i < 3 && lit; i++)
                 s->sum[i] = sph_light_add(s->sum[i], s->cosine, intensity[s->lights][i]);
@@ -190,7 +190,7 @@ class Run {
         if (b.dut.sum_valid_o) compare(b.dut.sum_slot_o, true);
     }
 
-    /* A vector, or the sum of a slot whose lights are all settled. */
+    /* A vector, or the sum of a slot whose lights are all decided. */
     void compare(int at, bool sum) {
         Slot &e = slots[at];
         if (e.state != Slot::WAITS) {
@@ -211,7 +211,7 @@ class Run {
             b.show("slot", at, SLOTW);
             b.show("scene", (bench::i128)scenes - 1, 32);
             b.show("n_lights_i", scene.n_lights, 4);
-            b.show("lights settled", e.lights, 4);
+            b.show("lights decided", e.lights, 4);
             b.show("ambient_i", (bench::i128)b.get(b.dut.ambient_i), 48);
             b.show("last cosine", e.cosine, 16);
         }

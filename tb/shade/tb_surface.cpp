@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Every slot gets a ray, then a hit; the record that its token asks for comes after a random time
- * and in any order. A vector is a surface, or a bare one while points are off.
+ * and in any order. A vector is a surface, or an unlit one while points are off.
  */
 #include "Vrt_surface.h"
 #include "bench.h"
@@ -149,7 +149,7 @@ class Run {
         b.expect("VALID of material_o", bench::get(t.material_o, RT_MATERIAL_VALID), taken, 1);
         if (taken) check_material();
         b.tick();
-        b.expect("bare_valid_o", t.bare_valid_o, taken && !points, 1);
+        b.expect("unlit_valid_o", t.unlit_valid_o, taken && !points, 1);
         check_surface();
         return true;
     }
@@ -285,11 +285,11 @@ class Run {
         slots[answer].state = Slot::FETCHED;
     }
 
-    /* A surface, bare or whole, or none. */
+    /* A surface, unlit or whole, or none. */
     void check_surface() {
-        if (t.bare_valid_o) {
-            b.expect("bare_slot_o", t.bare_slot_o, answer, SLOTW);
-            b.expect("VALID of a bare surface", bench::get(t.surface_o, RT_SURFACE_VALID), 0, 1);
+        if (t.unlit_valid_o) {
+            b.expect("unlit_slot_o", t.unlit_slot_o, answer, SLOTW);
+            b.expect("VALID of an unlit surface", bench::get(t.surface_o, RT_SURFACE_VALID), 0, 1);
             slots[answer].state = Slot::IDLE;
             b.done();
         } else if (!bench::get(t.surface_o, RT_SURFACE_VALID)) {
